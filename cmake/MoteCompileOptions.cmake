@@ -1,0 +1,11 @@
+# Warnings, sanitizers and the flags that every target of this project shares.
+
+add_library(MoteCompileOptions INTERFACE)
+target_compile_options(MoteCompileOptions INTERFACE -Wall -Wextra -Wno-unused-parameter)
+if (MOTE_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer
+    -fno-sanitize-recover=undefined)
+  # The vptr check wants the type information of classes in VTK's own libraries.
+  add_compile_options(-fno-sanitize=vptr)
+  add_link_options(-fsanitize=address,undefined)
+endif ()

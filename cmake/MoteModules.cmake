@@ -1,0 +1,36 @@
+# The VTK-facing classes are VTK modules: declared dependencies, object factories, Python wrapping.
+
+vtk_module_find_modules(_mote_module_files "${CMAKE_SOURCE_DIR}/filters")
+vtk_module_find_modules(_mote_rendering_files "${CMAKE_SOURCE_DIR}/rendering/vtk")
+list(APPEND _mote_module_files ${_mote_rendering_files})
+vtk_module_scan(
+  MODULE_FILES ${_mote_module_files}
+  REQUEST_MODULES Mote::FiltersIO Mote::FiltersImaging Mote::RenderingVTK
+  PROVIDES_MODULES MOTE_MODULES
+  ENABLE_TESTS OFF)
+vtk_module_build(
+  MODULES ${MOTE_MODULES}
+  PACKAGE Mote
+  INSTALL_EXPORT MoteModules
+  CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/mote"
+  HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/mote"
+  LIBRARY_NAME_SUFFIX ""
+  VERSION "${PROJECT_VERSION}"
+  USE_EXTERNAL ON
+  ENABLE_WRAPPING "${MOTE_BUILD_PYTHON}"
+  TEST_DIRECTORY_NAME "NONE")
+
+if (MOTE_BUILD_PYTHON)
+  vtk_module_python_default_destination(MOTE_PYTHON_DESTINATION)
+  vtk_module_wrap_python(
+    MODULES ${MOTE_MODULES}
+    INSTALL_EXPORT MotePython
+    INSTALL_HEADERS OFF
+    PYTHON_PACKAGE "mote"
+    MODULE_DESTINATION "${MOTE_PYTHON_DESTINATION}"
+    CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/mote"
+    WRAPPED_MODULES MOTE_WRAPPED_MODULES
+    TARGET Mote::Python
+    BUILD_STATIC OFF)
+  add_subdirectory(plugins/python)
+endif ()
