@@ -1,0 +1,34 @@
+#include "Film.h"
+
+namespace mote
+{
+
+void Film::resize(int width, int height, unsigned channels)
+{
+  width_ = width;
+  height_ = height;
+  channels_ = channels;
+  samples_ = 0;
+  const std::size_t n = pixels();
+  color_.resize(4 * n);
+  depth_.resize(n);
+  nearest_.clear();
+  id_.resize(has(Id) ? n : 0);
+  object_.resize(has(Id) ? n : 0);
+  normal_.resize(has(Normal) ? 3 * n : 0);
+}
+
+void Film::splitNearestDepth()
+{
+  if (nearest_.empty())
+    nearest_ = depth_;
+}
+
+std::size_t Film::bytes() const
+{
+  return (color_.capacity() + depth_.capacity() + nearest_.capacity() + normal_.capacity()) *
+           sizeof(float) +
+         id_.capacity() * sizeof(std::uint64_t) + object_.capacity() * sizeof(std::int32_t);
+}
+
+} // namespace mote

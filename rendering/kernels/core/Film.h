@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace mote
+{
+
+/// The image that a scene is traced into. Row 0 is the bottom row, as in VTK images.
+///
+/// Colour is kept as the mean over the samples of a pixel, with alpha = the share of samples that
+/// hit (colour is premultiplied by it). Depth, id and normal belong to the ray through the pixel's
+/// centre, which is the first sample. Channels that nobody asked for take no memory.
+class Film
+{
+public:
+  static constexpr std::uint64_t noId = std::numeric_limits<std::uint64_t>::max();
+
+  enum Channel : unsigned
+  {
+    Id = 1u,    ///< input index of the particle, and index of its object in the scene
+    Normal = 2u ///< unit normal in world coordinates
+  };
+
+  /// Sets the size in pixels and the channels besides colour and depth, and forgets all samples.
+  void resize(int width, int height, unsigned channels = 0);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  std::size_t pixels() const { return static_cast<std::size_t>(width_) * height_; }
+  /// Samples that each pixel has received so far.
+  int samples() const { return samples_; }
+  void setSamples(int n) { samples_ = n; }
+  bool has(Channel c) const { return (channels_ & c) != 0; }
+  std::size_t bytes() const;
+
+  /// Four floats a pixel, premultiplied red, green, blue and alpha, in [0, 1].
+  float* color() { return color_.data(); }
+  const float* color() const { return color_.data(); }
+  /// Distance along the view axis in world units; +infinity where nothing was hit.
+  float* depth() { return depth_.data(); }
+  const float* depth() const { return depth_.data(); }
+  /// Nearest depth over all samples of the pixel: what a partly covered pixel is composited with.
+  float* nearestDepth() { return nearest_.empty() ? depth_.data() : nearest_.data(); }
+  const float* nearestDepth() const { return nearest_.empty() ? depth_.data() : nearest_.data(); }
+  /// From the second sample on nearestDepth() differs from depth(), and is stored apart.
+  void splitNearestDepth();
+  std::uint64_t* id() { return id_.data(); }
+  const std::uint64_t* id() const { return id_.data(); }
+  std::int32_t* object() { return object_.data(); }
+  const std::int32_t* object() const { return object_.data(); }
+  /// Three floats a pixel; 0 0 0 where nothing was hit.
+  float* normal() { return normal_.data(); }
+  const float* normal() const { return normal_.data(); }
+
+private:
+  int width_ = 0;
+  int height_ = 0;
+  int samples_ = 0;
+  unsigned channels_ = 0;
+  std::vector<float> color_;
+  std::vector<float> depth_;
+  std::vector<float> nearest_;
+  std::vector<std::uint64_t> id_;
+  std::vector<std::int32_t> object_;
+  std::vector<float> normal_;
+};
+
+} // namespace mote

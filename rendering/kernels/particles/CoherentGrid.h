@@ -1,0 +1,107 @@
+#pragma once
+
+#include "../core/Progress.h"
+#include "../core/RawVector.h"
+#include "../core/RayPacket.h"
+#include "ParticleSet.h"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace mote
+{
+
+/// How a CoherentGrid is built.
+struct CoherentGridOptions
+{
+  double cellsPerParticle = 1.0; ///< lambda of the paper; [0.2, 5], values outside are clamped
+  bool keepIndices = true;       ///< keep the way back to the input index: 4 or 8 bytes a particle
+};
+
+/// A uniform grid of cubic cells over particles, traversed slice by slice by packets of rays.
+///
+/// Every particle lies in exactly one cell, that of its centre (the sphere-centre method); a packet
+/// visits, in each slice of cells across its major axis, the cells that its frustum overlaps when
+/// widened by the largest radius. Macrocells of 6x6x6 cells skip empty space.
+/// Particles are stored in cell order as x y z r in float, relative to one double origin.
+///
+/// Source: Gribble, Ize, Kensler, Wald, Parker, "A Coherent Grid Traversal Approach to Visualizing
+/// Particle-based Simulation Data", UUSCI-2006-024; docs/coherent-grid.md says what is done
+/// otherwise.
+class CoherentGrid
+{
+public:
+  /// One particle: centre relative to origin(), and radius. 16 bytes.
+  struct Record
+  {
+    float x, y, z, r;
+  };
+
+  static constexpr int macrocellSize = 6;
+
+  /// Builds over `particles`, in parallel, and forgets what was there; memory is reused.
+  /// Throws Error for a malformed set (see examine()); stops early, leaving the grid empty, when
+  /// `progress` answers false. The result does not depend on the number of threads.
+  void build(const ParticleSet& particles, const CoherentGridOptions& options = {},
+    const Progress& progress = {});
+
+  /// Finds for each ray of the packet the nearest hit with tMin < t < packet.t, and where there is
+  /// one writes t, slot and `object`. Rays may point anywhere. Of spheres hit at exactly the same
+  /// distance, as coincident ones are, the one with the smallest input index is taken. A ray that
+  /// starts inside a sphere hits its far side. Thread-safe.
+  void cast(RayPacket& packet, std::int32_t object) const;
+
+  /// Shows only the particles whose slots `shown` accepts, without a rebuild; called from several
+  /// threads. An empty function shows all again.
+  void setVisibility(const std::function<bool(std::size_t slot)>& shown);
+
+  std::size_t size() const { return count_; }
+  const ParticleStatistics& statistics() const { return statistics_; }
+  const Vec3d& origin() const { return origin_; }
+  /// Centre (in the input's coordinates) and radius of the particle at `slot`, as stored: rounded
+  /// to float relative to origin().
+  Vec3d center(std::size_t slot) const
+  {
+    const Record& p = records_[slot];
+    return origin_ + Vec3d(p.x, p.y, p.z);
+  }
+  double radius(std::size_t slot) const { return records_[slot].r; }
+  /// Index in the input of the particle at `slot`; the slot itself where indices were not kept.
+  std::uint64_t inputIndex(std::size_t slot) const
+  {
+    if (!index32_.empty())
+      return index32_[slot];
+    return index64_.empty() ? slot : index64_[slot];
+  }
+  /// Memory of the structure and of the particles stored in it.
+  std::size_t bytes() const;
+  Vec3i resolution() const { return resolution_; }
+  double cellSize() const { return cellSize_; }
+
+private:
+  friend struct CoherentGridBuilder;
+  friend struct CoherentGridView;
+
+  void clear();
+  void markMacrocells();
+
+  ParticleStatistics statistics_;
+  Vec3d origin_{0.0};
+  Vec3f lower_{0.0f}; ///< corner of cell (0,0,0), relative to origin_
+  Vec3i resolution_{0};
+  Vec3i macroResolution_{0};
+  float cellSize_ = 1.0f;
+  float largestRadius_ = 0.0f;
+  std::size_t count_ = 0;
+  RawVector<Record> records_; ///< in cell order, x fastest; a few more at the end for SIMD loads
+  /// First particle of every cell relative to its row's; resolution.x + 1 entries a row.
+  RawVector<std::uint32_t> cellStart_;
+  RawVector<std::uint64_t> rowStart_; ///< first particle of row (y, z) at y + z * resolution.y
+  std::vector<std::uint8_t> macrocellShown_; ///< whether a macrocell has a particle to show
+  RawVector<std::uint32_t> index32_;
+  RawVector<std::uint64_t> index64_;
+  RawVector<std::uint64_t> shown_; ///< one bit a particle, or empty: all are shown
+};
+
+} // namespace mote

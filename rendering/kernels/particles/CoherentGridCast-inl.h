@@ -1,0 +1,535 @@
+// The traversal itself, included once per SIMD instruction set by CoherentGridCast.cpp.
+
+#if defined(MOTE_COHERENT_GRID_CAST_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MOTE_COHERENT_GRID_CAST_INL_H
+#undef MOTE_COHERENT_GRID_CAST_INL_H
+#else
+#define MOTE_COHERENT_GRID_CAST_INL_H
+#endif
+
+#include "CoherentGridView.h"
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+HWY_BEFORE_NAMESPACE();
+namespace mote
+{
+namespace HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using DF = hn::CappedTag<float, 16>;
+using DU = hn::Rebind<std::uint32_t, DF>;
+using DD = hn::CappedTag<double, 8>;
+using DH = hn::Rebind<float, DD>;
+using VF = hn::Vec<DF>;
+using VD = hn::Vec<DD>;
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// The rays of a packet relative to the grid and to a start plane across the major axis K.
+///
+/// kappa counts along K from the start plane, forward in the direction of travel. Ray i passes
+/// (u, v) = (su + du kappa, sv + dv kappa). Formed in double and only then rounded, so that all
+/// float numbers are small: their errors are relative to the grid, not to the camera's distance.
+struct Packet
+{
+  alignas(64) float su[64], sv[64], du[64], dv[64];
+  alignas(64) float inverseLength2[64]; ///< 1 / (1 + du^2 + dv^2)
+  alignas(64) float first[64];          ///< hits at kappa <= first do not count
+  alignas(64) float best[64];           ///< kappa of the nearest hit; -infinity: not a live ray
+  alignas(64) std::uint32_t hit[64];    ///< 1 + place in `hits`, 0 for none
+  alignas(64) double planeT[64];        ///< t at the start plane
+  alignas(64) double tOut[64];
+  alignas(64) double tIn[64];
+  int K, U, V;      ///< axes
+  double sign;      ///< of travel along K
+  double plane;     ///< start plane's coordinate on K, relative to the grid's origin
+  double centerU, centerV;
+};
+
+/// Bounds of the live rays' (u, v) as linear functions of kappa: lo = a + b kappa for every ray.
+struct Frustum
+{
+  float uLow, uLowSlope, uHigh, uHighSlope;
+  float vLow, vLowSlope, vHigh, vHighSlope;
+  float uWiden, vWiden; ///< a sphere's radius counts this many times along u and v
+  float farthest;       ///< largest kappa that any live ray can still reach
+};
+
+HWY_INLINE VF laneMin(VF v) { return hn::MinOfLanes(DF(), v); }
+HWY_INLINE VF laneMax(VF v) { return hn::MaxOfLanes(DF(), v); }
+
+/// Clips the rays to the box of all spheres and finds the start plane; false where the rays do not
+/// travel the same way along K. `any` tells whether a ray meets the box.
+inline bool clipToBox(const CoherentGridView& grid, const RayPacket& rays, Packet& p, bool& any)
+{
+  const DD dd;
+  const VD zero = hn::Zero(dd), tiny = hn::Set(dd, 1e-300);
+  const Vec3d lower = grid.origin + Vec3d(grid.lower) - Vec3d(grid.reach);
+  const Vec3d upper =
+    grid.origin + Vec3d(grid.lower) + Vec3d(grid.resolution) * double(grid.cellSize) +
+    Vec3d(grid.reach);
+  const VD sign = hn::Set(dd, p.sign);
+  VD nearest = hn::Set(dd, std::numeric_limits<double>::infinity());
+  for (int i = 0; i < rays.count; i += static_cast<int>(hn::Lanes(dd)))
+  {
+    const auto used = hn::FirstN(dd, static_cast<std::size_t>(rays.count - i));
+    const VD dk = hn::Mul(sign, hn::Load(dd, rays.direction[p.K] + i));
+    VD tIn = hn::Load(dd, rays.tMin + i), tOut = hn::Load(dd, rays.t + i);
+    auto coherent = hn::Gt(dk, zero);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const VD o = hn::Load(dd, rays.origin[axis] + i);
+      const VD d = hn::Load(dd, rays.direction[axis] + i);
+      coherent = hn::And(coherent, hn::Le(hn::Abs(d), hn::Mul(hn::Set(dd, 2.0), dk)));
+      const VD safe = hn::IfThenElse(hn::Lt(hn::Abs(d), tiny), tiny, d);
+      const VD inverse = hn::Div(hn::Set(dd, 1.0), safe);
+      const VD t0 = hn::Mul(hn::Sub(hn::Set(dd, lower[axis]), o), inverse);
+      const VD t1 = hn::Mul(hn::Sub(hn::Set(dd, upper[axis]), o), inverse);
+      tIn = hn::Max(tIn, hn::Min(t0, t1));
+      tOut = hn::Min(tOut, hn::Max(t0, t1));
+    }
+    if (!hn::AllTrue(dd, hn::Or(coherent, hn::Not(used))))
+      return false;
+    const auto live = hn::And(used, hn::Le(tIn, tOut));
+    tOut = hn::IfThenElse(live, tOut, hn::Set(dd, -std::numeric_limits<double>::infinity()));
+    hn::Store(tIn, dd, p.tIn + i);
+    hn::Store(tOut, dd, p.tOut + i);
+    const VD k = hn::Mul(sign,
+      hn::MulAdd(tIn, hn::Load(dd, rays.direction[p.K] + i),
+        hn::Sub(hn::Load(dd, rays.origin[p.K] + i), hn::Set(dd, grid.origin[p.K]))));
+    nearest = hn::IfThenElse(live, hn::Min(nearest, k), nearest);
+  }
+  const double plane = hn::GetLane(hn::MinOfLanes(dd, nearest));
+  any = plane < std::numeric_limits<double>::infinity();
+  p.plane = p.sign * plane;
+  return true;
+}
+
+/// Expresses the clipped rays by their crossing of the start plane and their slopes.
+inline void localize(const CoherentGridView& grid, const RayPacket& rays, Packet& p)
+{
+  const DD dd;
+  const DH dh;
+  int middle = 0;
+  while (!(p.tOut[middle] >= p.tIn[middle]))
+    ++middle;
+  const double tMiddle = (p.plane + grid.origin[p.K] - rays.origin[p.K][middle]) /
+                         rays.direction[p.K][middle];
+  p.centerU = rays.origin[p.U][middle] - grid.origin[p.U] + tMiddle * rays.direction[p.U][middle];
+  p.centerV = rays.origin[p.V][middle] - grid.origin[p.V] + tMiddle * rays.direction[p.V][middle];
+  const VD planeK = hn::Set(dd, p.plane + grid.origin[p.K]);
+  const VD shiftU = hn::Set(dd, grid.origin[p.U] + p.centerU);
+  const VD shiftV = hn::Set(dd, grid.origin[p.V] + p.centerV);
+  const VD one = hn::Set(dd, 1.0);
+  for (int i = 0; i < 64; i += static_cast<int>(hn::Lanes(dd)))
+  {
+    if (i >= rays.count)
+    {
+      // Unused lanes repeat nothing: they are dead, and all that is asked of them is no NaN.
+      for (float* a : {p.su, p.sv, p.du, p.dv, p.inverseLength2, p.first})
+        hn::Store(hn::Zero(dh), dh, a + i);
+      hn::Store(hn::Set(dh, -infinity), dh, p.best + i);
+      continue;
+    }
+    const auto used = hn::FirstN(dd, static_cast<std::size_t>(rays.count - i));
+    const VD dk = hn::IfThenElse(used, hn::Load(dd, rays.direction[p.K] + i), one);
+    const VD du = hn::Load(dd, rays.direction[p.U] + i);
+    const VD dv = hn::Load(dd, rays.direction[p.V] + i);
+    const VD length = hn::Abs(dk);
+    const VD perKappa = hn::Div(one, length);
+    const VD t = hn::Mul(hn::Sub(planeK, hn::Load(dd, rays.origin[p.K] + i)),
+      hn::Mul(perKappa, hn::Set(dd, p.sign)));
+    const VD su = hn::MulAdd(t, du, hn::Sub(hn::Load(dd, rays.origin[p.U] + i), shiftU));
+    const VD sv = hn::MulAdd(t, dv, hn::Sub(hn::Load(dd, rays.origin[p.V] + i), shiftV));
+    const VD slopeU = hn::Mul(du, perKappa), slopeV = hn::Mul(dv, perKappa);
+    const VD length2 = hn::MulAdd(slopeU, slopeU, hn::MulAdd(slopeV, slopeV, one));
+    const VD first = hn::Mul(hn::Sub(hn::Load(dd, rays.tMin + i), t), length);
+    const VD tOut = hn::Load(dd, p.tOut + i);
+    const VD last = hn::Mul(hn::Sub(tOut, t), length);
+    const auto put = [&](VD v, float* to)
+    { hn::Store(hn::DemoteTo(dh, hn::IfThenElseZero(used, v)), dh, to + i); };
+    put(su, p.su);
+    put(sv, p.sv);
+    put(slopeU, p.du);
+    put(slopeV, p.dv);
+    put(hn::Div(one, length2), p.inverseLength2);
+    put(first, p.first);
+    // A hit on the box's very face must not be lost to rounding.
+    const VD padded = hn::MulAdd(hn::Abs(last), hn::Set(dd, 1e-6), last);
+    const auto live = hn::And(used, hn::Ge(tOut, hn::Load(dd, p.tIn + i)));
+    hn::Store(hn::DemoteTo(
+                dh, hn::IfThenElse(live, hn::Add(padded, hn::Set(dd, double(grid.reach) * 1e-3)),
+                      hn::Set(dd, -std::numeric_limits<double>::infinity()))),
+      dh, p.best + i);
+    hn::Store(t, dd, p.planeT + i);
+  }
+  const DU du32;
+  for (int i = 0; i < 64; i += static_cast<int>(hn::Lanes(du32)))
+    hn::Store(hn::Zero(du32), du32, p.hit + i);
+}
+
+/// Bounds of the rays that can still hit something at kappa > `front`.
+inline Frustum frustumOf(const Packet& p, float front)
+{
+  const DF d;
+  const VF inf = hn::Set(d, infinity), minusInf = hn::Set(d, -infinity), at = hn::Set(d, front);
+  VF uLow = inf, uHigh = minusInf, vLow = inf, vHigh = minusInf;
+  VF duLow = inf, duHigh = minusInf, dvLow = inf, dvHigh = minusInf, farthest = minusInf;
+  for (int i = 0; i < 64; i += static_cast<int>(hn::Lanes(d)))
+  {
+    const VF best = hn::Load(d, p.best + i);
+    const auto live = hn::Gt(best, at);
+    const auto low = [&](VF old, const float* a)
+    { return hn::Min(old, hn::IfThenElse(live, hn::Load(d, a + i), inf)); };
+    const auto high = [&](VF old, const float* a)
+    { return hn::Max(old, hn::IfThenElse(live, hn::Load(d, a + i), minusInf)); };
+    uLow = low(uLow, p.su);
+    uHigh = high(uHigh, p.su);
+    vLow = low(vLow, p.sv);
+    vHigh = high(vHigh, p.sv);
+    duLow = low(duLow, p.du);
+    duHigh = high(duHigh, p.du);
+    dvLow = low(dvLow, p.dv);
+    dvHigh = high(dvHigh, p.dv);
+    farthest = hn::Max(farthest, best);
+  }
+  Frustum f;
+  f.uLow = hn::GetLane(laneMin(uLow));
+  f.uHigh = hn::GetLane(laneMax(uHigh));
+  f.vLow = hn::GetLane(laneMin(vLow));
+  f.vHigh = hn::GetLane(laneMax(vHigh));
+  f.uLowSlope = hn::GetLane(laneMin(duLow));
+  f.uHighSlope = hn::GetLane(laneMax(duHigh));
+  f.vLowSlope = hn::GetLane(laneMin(dvLow));
+  f.vHighSlope = hn::GetLane(laneMax(dvHigh));
+  f.farthest = hn::GetLane(laneMax(farthest));
+  const float u = std::max(std::abs(f.uLowSlope), std::abs(f.uHighSlope));
+  const float v = std::max(std::abs(f.vLowSlope), std::abs(f.vHighSlope));
+  f.uWiden = std::sqrt(1.0f + u * u);
+  f.vWiden = std::sqrt(1.0f + v * v);
+  return f;
+}
+
+/// A range of cells; empty where first > last.
+struct CellRange
+{
+  int first, last;
+};
+
+/// Casts one packet along the axis K. One object a packet: it lives on the stack.
+template <int K>
+class GridCaster
+{
+public:
+  static constexpr int U = K == 0 ? 1 : 0; ///< x wherever possible: rows of cells run along x
+  static constexpr int V = K == 2 ? 1 : 2;
+
+  GridCaster(const CoherentGridView& grid, Packet& packet, std::vector<std::uint64_t>& hits)
+    : grid_(grid), p_(packet), hits_(hits)
+  {
+    const float h = grid.cellSize;
+    cells_ = 1.0f / h;
+    baseU_ = static_cast<float>((packet.centerU - double(grid.lower[U])) / double(h));
+    baseV_ = static_cast<float>((packet.centerV - double(grid.lower[V])) / double(h));
+    const double lowerK = grid.lower[K], upperK = lowerK + double(h) * grid.resolution[K];
+    sign_ = static_cast<float>(packet.sign);
+    front0_ = static_cast<float>(
+      packet.sign > 0.0 ? lowerK - packet.plane : packet.plane - upperK);
+    centerU_ = split(packet.centerU);
+    centerV_ = split(packet.centerV);
+    plane_ = split(packet.plane);
+  }
+
+  void run()
+  {
+    const float h = grid_.cellSize;
+    const int slices = grid_.resolution[K];
+    frustum_ = frustumOf(p_, -infinity);
+    const int start = std::max(0, static_cast<int>(std::floor((-grid_.reach - front0_) * cells_)));
+    for (int step = start; step < slices; ++step)
+    {
+      const float front = front0_ + h * static_cast<float>(step);
+      if (changed_)
+      {
+        frustum_ = frustumOf(p_, front - grid_.reach);
+        changed_ = false;
+      }
+      // Measured along K: comparing with the rays' own distance would visit far more slices.
+      if (!(frustum_.farthest > front - grid_.reach))
+        break;
+      const int slice = sign_ > 0.0f ? step : slices - 1 - step;
+      const int left = stepsLeftInMacrocell(slice);
+      if ((step == start || left == CoherentGrid::macrocellSize - 1) &&
+          macrocellsEmpty(slice, front, front + h * static_cast<float>(left + 1)))
+      {
+        step += left;
+        continue;
+      }
+      visitSlice(slice, front, front + h);
+      flush();
+    }
+  }
+
+private:
+  /// A double as the sum of two floats, to subtract it from floats with less error.
+  struct Split
+  {
+    float high, low;
+  };
+  static Split split(double v)
+  {
+    const float high = static_cast<float>(v);
+    return {high, static_cast<float>(v - static_cast<double>(high))};
+  }
+
+  int stepsLeftInMacrocell(int slice) const
+  {
+    constexpr int m = CoherentGrid::macrocellSize;
+    return sign_ > 0.0f ? std::min(m - 1 - slice % m, grid_.resolution[K] - 1 - slice) : slice % m;
+  }
+
+  /// Cells whose particles' spheres may reach the frustum between two values of kappa.
+  CellRange rangeU(float k0, float k1) const
+  {
+    return range(frustum_.uLow, frustum_.uLowSlope, frustum_.uHigh, frustum_.uHighSlope,
+      frustum_.uWiden, k0, k1, baseU_, grid_.resolution[U]);
+  }
+  CellRange rangeV(float k0, float k1) const
+  {
+    return range(frustum_.vLow, frustum_.vLowSlope, frustum_.vHigh, frustum_.vHighSlope,
+      frustum_.vWiden, k0, k1, baseV_, grid_.resolution[V]);
+  }
+  CellRange range(float low, float lowSlope, float high, float highSlope, float widen, float k0,
+    float k1, float base, int resolution) const
+  {
+    const float reach = grid_.reach * widen;
+    const float from = std::min(low + lowSlope * k0, low + lowSlope * k1) - reach;
+    const float to = std::max(high + highSlope * k0, high + highSlope * k1) + reach;
+    // The comparisons are written so that rays beside the grid give an empty range.
+    const float last = static_cast<float>(resolution - 1);
+    const float a = std::floor(from * cells_ + base), b = std::floor(to * cells_ + base);
+    if (!(a <= last) || !(b >= 0.0f))
+      return {1, 0};
+    return {static_cast<int>(std::max(a, 0.0f)), static_cast<int>(std::min(b, last))};
+  }
+
+  bool macrocellsEmpty(int slice, float k0, float k1) const
+  {
+    constexpr int m = CoherentGrid::macrocellSize;
+    const CellRange u = rangeU(k0, k1), v = rangeV(k0, k1);
+    if (u.first > u.last || v.first > v.last)
+      return true;
+    const Vec3i n = grid_.macroResolution;
+    Vec3i c;
+    c[K] = slice / m;
+    for (c[V] = v.first / m; c[V] <= v.last / m; ++c[V])
+      for (c[U] = u.first / m; c[U] <= u.last / m; ++c[U])
+        if (grid_.macrocellShown[(static_cast<std::size_t>(c.z) * n.y + c.y) * n.x + c.x])
+          return false;
+    return true;
+  }
+
+  void visitSlice(int slice, float k0, float k1)
+  {
+    const CellRange u = rangeU(k0, k1), v = rangeV(k0, k1);
+    if (u.first > u.last)
+      return;
+    for (int j = v.first; j <= v.last; ++j)
+    {
+      if constexpr (K == 2)
+        visitCells(j, slice, u.first, u.last);
+      else if constexpr (K == 1)
+        visitCells(slice, j, u.first, u.last);
+      else
+        for (int i = u.first; i <= u.last; ++i)
+          visitCells(i, j, slice, slice);
+    }
+  }
+
+  /// Cells x0 to x1 of the row (y, z): their particles lie one after another.
+  HWY_INLINE void visitCells(int y, int z, int x0, int x1)
+  {
+    const std::size_t row = static_cast<std::size_t>(z) * grid_.resolution.y + y;
+    const std::uint32_t* start =
+      grid_.cellStart + row * (static_cast<std::size_t>(grid_.resolution.x) + 1);
+    std::uint64_t slot = grid_.rowStart[row] + start[x0];
+    const std::uint64_t end = grid_.rowStart[row] + start[x1 + 1];
+    // Four records at a time; what is copied too much is overwritten by the next row.
+    for (; slot < end; slot += 4)
+    {
+      const float* from = &grid_.records[slot].x;
+      float* to = buffer_ + 4 * buffered_;
+      for (int k = 0; k < 16; k += static_cast<int>(hn::Lanes(DF())))
+        hn::StoreU(hn::LoadU(DF(), from + k), DF(), to + k);
+      for (int k = 0; k < 4; ++k)
+        slots_[buffered_ + k] = slot + k;
+      buffered_ += static_cast<int>(std::min<std::uint64_t>(4, end - slot));
+      if (buffered_ > bufferSize - 4)
+        flush();
+    }
+  }
+
+  /// Tests the gathered spheres against the frustum, many at once, and those that overlap it
+  /// against the rays.
+  void flush()
+  {
+    const DF d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    const auto difference = [&](VF c, Split s)
+    { return hn::Sub(hn::Sub(c, hn::Set(d, s.high)), hn::Set(d, s.low)); };
+    for (int i = 0; i < buffered_; i += lanes)
+    {
+      VF c[3], r;
+      hn::LoadInterleaved4(d, buffer_ + 4 * i, c[0], c[1], c[2], r);
+      const VF u = difference(c[U], centerU_);
+      const VF v = difference(c[V], centerV_);
+      const VF k = hn::Mul(difference(c[K], plane_), hn::Set(d, sign_));
+      const VF ru = hn::Mul(r, hn::Set(d, frustum_.uWiden));
+      const VF rv = hn::Mul(r, hn::Set(d, frustum_.vWiden));
+      // At its own depth the sphere's centre may lie as far outside as the widened radius; where
+      // the rays lie before the start plane the bounds are those of the plane.
+      const VF uLow = hn::MulAdd(hn::Set(d, frustum_.uLowSlope), k, hn::Set(d, frustum_.uLow));
+      const VF uHigh = hn::MulAdd(hn::Set(d, frustum_.uHighSlope), k, hn::Set(d, frustum_.uHigh));
+      const VF vLow = hn::MulAdd(hn::Set(d, frustum_.vLowSlope), k, hn::Set(d, frustum_.vLow));
+      const VF vHigh = hn::MulAdd(hn::Set(d, frustum_.vHighSlope), k, hn::Set(d, frustum_.vHigh));
+      const auto inU = hn::And(hn::Ge(hn::Add(u, ru), uLow), hn::Le(hn::Sub(u, ru), uHigh));
+      const auto inV = hn::And(hn::Ge(hn::Add(v, rv), vLow), hn::Le(hn::Sub(v, rv), vHigh));
+      const auto before = hn::Lt(hn::Sub(k, r), hn::Set(d, frustum_.farthest));
+      const auto in = hn::And(hn::And(inU, inV),
+        hn::And(before, hn::FirstN(d, static_cast<std::size_t>(buffered_ - i))));
+      std::uint8_t bytes[8] = {};
+      hn::StoreMaskBits(d, in, bytes);
+      unsigned bits = bytes[0] | (static_cast<unsigned>(bytes[1]) << 8);
+      if (bits == 0)
+        continue;
+      hn::Store(u, d, u_);
+      hn::Store(v, d, v_);
+      hn::Store(k, d, k_);
+      for (; bits != 0; bits &= bits - 1)
+      {
+        const int j = __builtin_ctz(bits);
+        if (grid_.isShown(slots_[i + j]))
+          testSphere(u_[j], v_[j], k_[j], buffer_[4 * (i + j) + 3], slots_[i + j]);
+      }
+    }
+    buffered_ = 0;
+  }
+
+  /// The stable form: distance from the centre to the ray by the perpendicular remainder, never as
+  /// a difference of squared distances to the origin.
+  HWY_INLINE void testSphere(float u, float v, float k, float radius, std::uint64_t slot)
+  {
+    const DF d;
+    const DU du32;
+    const VF cu = hn::Set(d, u), cv = hn::Set(d, v), ck = hn::Set(d, k);
+    const VF r2 = hn::Set(d, radius * radius);
+    const auto mark = hn::Set(du32, static_cast<std::uint32_t>(hits_.size() + 1));
+    bool isHit = false;
+    for (int i = 0; i < 64; i += static_cast<int>(hn::Lanes(d)))
+    {
+      const VF du = hn::Load(d, p_.du + i), dv = hn::Load(d, p_.dv + i);
+      const VF inverse = hn::Load(d, p_.inverseLength2 + i);
+      const VF fu = hn::Sub(cu, hn::Load(d, p_.su + i)), fv = hn::Sub(cv, hn::Load(d, p_.sv + i));
+      const VF at = hn::Mul(hn::MulAdd(fu, du, hn::MulAdd(fv, dv, ck)), inverse);
+      const VF pu = hn::NegMulAdd(at, du, fu), pv = hn::NegMulAdd(at, dv, fv);
+      const VF pk = hn::Sub(ck, at);
+      const VF left = hn::NegMulAdd(pu, pu, hn::NegMulAdd(pv, pv, hn::NegMulAdd(pk, pk, r2)));
+      const auto meets = hn::Ge(left, hn::Zero(d));
+      if (hn::AllFalse(d, meets))
+        continue;
+      const VF half = hn::Sqrt(hn::Mul(hn::Max(left, hn::Zero(d)), inverse));
+      const VF first = hn::Load(d, p_.first + i), best = hn::Load(d, p_.best + i);
+      const VF in = hn::Sub(at, half), out = hn::Add(at, half);
+      const VF near = hn::IfThenElse(hn::Gt(in, first), in, out);
+      const auto nearer = hn::And(meets, hn::And(hn::Gt(near, first), hn::Lt(near, best)));
+      if (hn::AllFalse(d, nearer))
+        continue;
+      isHit = true;
+      hn::Store(hn::IfThenElse(nearer, near, best), d, p_.best + i);
+      const auto old = hn::Load(du32, p_.hit + i);
+      hn::Store(hn::IfThenElse(hn::RebindMask(du32, nearer), mark, old), du32, p_.hit + i);
+    }
+    if (isHit)
+    {
+      hits_.push_back(slot);
+      changed_ = true;
+    }
+  }
+
+  static constexpr int bufferSize = 64;
+
+  const CoherentGridView& grid_;
+  Packet& p_;
+  std::vector<std::uint64_t>& hits_;
+  Frustum frustum_;
+  Split centerU_, centerV_, plane_;
+  float cells_, baseU_, baseV_, front0_, sign_;
+  bool changed_ = false;
+  int buffered_ = 0;
+  alignas(64) float buffer_[4 * (bufferSize + 16)];
+  std::uint64_t slots_[bufferSize + 16];
+  alignas(64) float u_[16], v_[16], k_[16];
+};
+
+/// Casts a packet whose rays travel the same way along one axis; false, with nothing done, where
+/// they do not.
+bool castCoherent(const CoherentGridView& grid, RayPacket& rays, std::int32_t object)
+{
+  Packet p;
+  const int middle = rays.count / 2;
+  const double d[3] = {
+    rays.direction[0][middle], rays.direction[1][middle], rays.direction[2][middle]};
+  p.K = 0;
+  for (int axis = 1; axis < 3; ++axis)
+    if (std::abs(d[axis]) > std::abs(d[p.K]))
+      p.K = axis;
+  p.U = p.K == 0 ? 1 : 0;
+  p.V = p.K == 2 ? 1 : 2;
+  p.sign = d[p.K] < 0.0 ? -1.0 : 1.0;
+  bool any = false;
+  if (!clipToBox(grid, rays, p, any))
+    return false;
+  if (!any)
+    return true;
+  localize(grid, rays, p);
+
+  static thread_local std::vector<std::uint64_t> hits;
+  hits.clear();
+  switch (p.K)
+  {
+    case 0:
+      GridCaster<0>(grid, p, hits).run();
+      break;
+    case 1:
+      GridCaster<1>(grid, p, hits).run();
+      break;
+    default:
+      GridCaster<2>(grid, p, hits).run();
+  }
+  for (int i = 0; i < rays.count; ++i)
+  {
+    if (p.hit[i] == 0)
+      continue;
+    const double t = p.planeT[i] + double(p.best[i]) / std::abs(rays.direction[p.K][i]);
+    if (t < rays.t[i])
+    {
+      rays.t[i] = t;
+      rays.slot[i] = hits[p.hit[i] - 1];
+      rays.object[i] = object;
+    }
+  }
+  return true;
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace mote
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,78 @@
+#include "ParticleSet.h"
+
+#include "../core/Error.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mote
+{
+
+bool isValidParticle(const Vec3d& p, double radius)
+{
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(radius) &&
+         radius > 0.0;
+}
+
+namespace
+{
+
+void addParticle(ParticleStatistics& s, const Vec3d& p, double r)
+{
+  if (!isValidParticle(p, 1.0))
+  {
+    ++s.badPositions;
+    return;
+  }
+  if (!isValidParticle(p, r))
+  {
+    ++s.badRadii;
+    return;
+  }
+  s.centers.add(p);
+  s.bounds.add(p - Vec3d(r));
+  s.bounds.add(p + Vec3d(r));
+  s.largestRadius = std::max(s.largestRadius, r);
+  s.smallestRadius = s.valid == 0 ? r : std::min(s.smallestRadius, r);
+  ++s.valid;
+}
+
+ParticleStatistics merged(const ParticleStatistics& a, const ParticleStatistics& b)
+{
+  ParticleStatistics s = a;
+  s.centers.add(b.centers);
+  s.bounds.add(b.bounds);
+  s.largestRadius = std::max(a.largestRadius, b.largestRadius);
+  if (b.valid > 0)
+    s.smallestRadius = a.valid == 0 ? b.smallestRadius : std::min(a.smallestRadius, b.smallestRadius);
+  s.valid += b.valid;
+  s.badPositions += b.badPositions;
+  s.badRadii += b.badRadii;
+  return s;
+}
+
+} // namespace
+
+ParticleStatistics examine(const ParticleSet& particles)
+{
+  const std::size_t n = particles.count();
+  if (n > 0 && particles.positions.components() != 3)
+    throw Error("Particle positions need three components.");
+  if (!particles.radii.empty() && particles.radii.count() != n)
+    throw Error("There are " + std::to_string(particles.radii.count()) + " radii for " +
+                std::to_string(n) + " particles.");
+  return tbb::parallel_reduce(
+    tbb::blocked_range<std::size_t>(0, n, 1 << 15), ParticleStatistics{},
+    [&](const tbb::blocked_range<std::size_t>& range, ParticleStatistics s)
+    {
+      for (std::size_t i = range.begin(); i != range.end(); ++i)
+        addParticle(s, particles.position(i), particles.radiusOf(i));
+      return s;
+    },
+    merged);
+}
+
+} // namespace mote

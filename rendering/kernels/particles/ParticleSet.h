@@ -1,0 +1,58 @@
+#pragma once
+
+#include "../core/ArrayView.h"
+#include "../core/Box.h"
+
+#include <cstdint>
+
+namespace mote
+{
+
+/// The particles as the user gave them: a view, nothing is copied.
+///
+/// Particle i is a sphere about positions[i] with radius radiusScale * radii[i], or radiusScale *
+/// radius where `radii` is empty. Particles with a coordinate or a radius that is not finite, or
+/// with a radius not above zero, are left out by every structure and counted.
+struct ParticleSet
+{
+  ArrayView positions; ///< three components, any type
+  ArrayView radii;     ///< one component, or empty: then `radius` holds for all
+  double radius = 1.0;
+  double radiusScale = 1.0;
+
+  std::size_t count() const { return positions.count(); }
+  Vec3d position(std::size_t i) const
+  {
+    return {positions.value(i, 0), positions.value(i, 1), positions.value(i, 2)};
+  }
+  double radiusOf(std::size_t i) const
+  {
+    return radiusScale * (radii.empty() ? radius : radii.value(i));
+  }
+};
+
+/// What a look over all particles found.
+struct ParticleStatistics
+{
+  Box centers;               ///< of the centres of the valid particles
+  Box bounds;                ///< of their spheres
+  double largestRadius = 0;  ///< 0 where there is none
+  double smallestRadius = 0; ///< 0 where there is none
+  std::size_t valid = 0;
+  std::size_t badPositions = 0; ///< not finite
+  std::size_t badRadii = 0;     ///< not finite or not above zero, position being good
+};
+
+/// Looks over all particles, in parallel. Throws Error where `positions` has not three components
+/// or `radii` has another count than `positions`.
+ParticleStatistics examine(const ParticleSet& particles);
+
+/// Whether every structure takes this particle.
+bool isValidParticle(const Vec3d& position, double radius);
+
+/// The typical distance between neighbours: the median, over an even sample of up to 256 particles,
+/// of the distance to the nearest other particle. Coincident particles do not count as
+/// neighbours. For one particle, or when all coincide, the answer is 1.
+double estimateSpacing(const ArrayView& positions);
+
+} // namespace mote

@@ -1,0 +1,169 @@
+#include "ParticleSet.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <unordered_map>
+#include <vector>
+
+namespace mote
+{
+
+namespace
+{
+
+/// Probes placed on an even sample of the particles, found by the cell they lie in.
+class Probes
+{
+public:
+  Probes(const ArrayView& positions, const std::vector<std::size_t>& indices, const Vec3d& lower,
+    double cell)
+    : positions_(positions), lower_(lower), cell_(cell)
+  {
+    for (const std::size_t i : indices)
+    {
+      probes_.push_back({at(i), i});
+      const Vec3i c = cellOf(probes_.back().position);
+      for (int dz = -1; dz <= 1; ++dz)
+        for (int dy = -1; dy <= 1; ++dy)
+          for (int dx = -1; dx <= 1; ++dx)
+            near_[key(c + Vec3i(dx, dy, dz))].push_back(probes_.size() - 1);
+    }
+    best_ = std::vector<std::atomic<double>>(probes_.size());
+    for (auto& b : best_)
+      b.store(std::numeric_limits<double>::infinity());
+  }
+
+  /// Offers particle i as a neighbour to the probes in the cells around it.
+  void offer(std::size_t i)
+  {
+    const Vec3d p = at(i);
+    if (!isValidParticle(p, 1.0))
+      return;
+    const auto found = near_.find(key(cellOf(p)));
+    if (found == near_.end())
+      return;
+    for (const std::size_t k : found->second)
+    {
+      const Vec3d d = p - probes_[k].position;
+      const double d2 = glm::dot(d, d);
+      double old = best_[k].load(std::memory_order_relaxed);
+      while (d2 > 0.0 && d2 < old && !best_[k].compare_exchange_weak(old, d2))
+      {
+      }
+    }
+  }
+
+  /// Moves the distances found within reach (one cell) to `distances`, and the indices of the
+  /// probes that found no neighbour there to `left`.
+  void collect(std::vector<double>& distances, std::vector<std::size_t>& left) const
+  {
+    for (std::size_t k = 0; k < probes_.size(); ++k)
+    {
+      const double d = std::sqrt(best_[k].load());
+      if (d <= cell_)
+        distances.push_back(d);
+      else
+        left.push_back(probes_[k].index);
+    }
+  }
+
+private:
+  struct Probe
+  {
+    Vec3d position;
+    std::size_t index;
+  };
+
+  Vec3d at(std::size_t i) const
+  {
+    return {positions_.value(i, 0), positions_.value(i, 1), positions_.value(i, 2)};
+  }
+  Vec3i cellOf(const Vec3d& p) const { return Vec3i(glm::floor((p - lower_) / cell_)); }
+  static std::uint64_t key(const Vec3i& c)
+  {
+    // 21 bits an axis: cells are never smaller than 2^-18 of the bounds.
+    const auto bits = [](int v) { return static_cast<std::uint64_t>(v + 2) & 0x1fffff; };
+    return bits(c.x) | (bits(c.y) << 21) | (bits(c.z) << 42);
+  }
+
+  const ArrayView& positions_;
+  Vec3d lower_;
+  double cell_;
+  std::vector<Probe> probes_;
+  std::vector<std::atomic<double>> best_;
+  std::unordered_map<std::uint64_t, std::vector<std::size_t>> near_;
+};
+
+/// Edge of the cells in which evenly spread particles would lie one by one.
+double meanSpacing(const Vec3d& size, std::size_t count)
+{
+  // Directions in which the set is thinner than the spacing found so far do not count.
+  double spacing = std::max({size.x, size.y, size.z});
+  for (int dims = 3; dims >= 1; --dims)
+  {
+    double extents[3] = {size.x, size.y, size.z};
+    std::sort(extents, extents + 3, std::greater<>());
+    double measure = 1.0;
+    for (int k = 0; k < dims; ++k)
+      measure *= extents[k];
+    spacing = std::pow(measure / static_cast<double>(count), 1.0 / dims);
+    if (extents[dims - 1] >= spacing)
+      break;
+  }
+  return spacing;
+}
+
+} // namespace
+
+double estimateSpacing(const ArrayView& positions)
+{
+  ParticleSet set;
+  set.positions = positions;
+  const ParticleStatistics statistics = examine(set);
+  const Vec3d size = statistics.centers.size();
+  const double longest = std::max({size.x, size.y, size.z});
+  if (statistics.valid < 2 || !(longest > 0.0))
+    return 1.0;
+
+  const std::size_t n = positions.count();
+  std::vector<std::size_t> open;
+  const std::size_t samples = std::min<std::size_t>(256, n);
+  for (std::size_t k = 0; k < samples; ++k)
+  {
+    const std::size_t i = (2 * k + 1) * (n / (2 * samples)) + k * (n % (2 * samples)) / samples;
+    if (isValidParticle(set.position(std::min(i, n - 1)), 1.0))
+      open.push_back(std::min(i, n - 1));
+  }
+
+  // What is found within a cell is nearer than all that is not: once more than half of the probes
+  // have found their neighbour, the median is among those found.
+  std::vector<double> distances;
+  const std::size_t middle = open.size() / 2;
+  double cell = std::max(2.0 * meanSpacing(size, statistics.valid), longest * std::ldexp(1.0, -18));
+  while (!open.empty() && distances.size() <= middle)
+  {
+    Probes probes(positions, open, statistics.centers.lower, cell);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 1 << 14),
+      [&](const tbb::blocked_range<std::size_t>& range)
+      {
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+          probes.offer(i);
+      });
+    open.clear();
+    probes.collect(distances, open);
+    if (cell > 2.0 * longest)
+      break;
+    cell *= 4.0;
+  }
+  if (distances.empty())
+    return 1.0;
+  const auto median = distances.begin() + std::min(middle, distances.size() - 1);
+  std::nth_element(distances.begin(), median, distances.end());
+  return *median;
+}
+
+} // namespace mote

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "../core/Camera.h"
+#include "../core/Film.h"
+#include "../core/Progress.h"
+#include "Scene.h"
+
+namespace mote
+{
+
+/// Traces a scene into a film, tile by tile, in parallel.
+///
+/// One call of addSample() traces one ray a pixel and averages its colour into the film. The first
+/// sample goes through the pixel centres; further ones are spread evenly over the pixel, so that
+/// any number of them is a fair estimate of the pixel's mean.
+class RayCaster
+{
+public:
+  /// The scene must outlive the caster and stay unchanged.
+  explicit RayCaster(const Scene& scene) : scene_(scene) {}
+
+  /// 0 (default): all the threads that TBB's present arena allows.
+  void setThreads(int threads) { threads_ = threads; }
+
+  /// Adds one sample to every pixel of the film. Returns false, with the film's samples reset to 0,
+  /// where `progress` asked to stop; it is called between tiles with the share done.
+  bool addSample(const Camera& camera, Film& film, const Progress& progress = {}) const;
+
+  /// Position of a sample in its pixel, in pixels from the centre, in [-1/2, 1/2); sample 0 is the
+  /// centre. The R2 sequence: any prefix of it is spread evenly.
+  static void sampleOffset(int sample, double& x, double& y);
+
+private:
+  const Scene& scene_;
+  int threads_ = 0;
+};
+
+} // namespace mote

@@ -1,0 +1,76 @@
+#include "Scene.h"
+
+#include <cmath>
+#include <glm/matrix.hpp>
+
+namespace mote
+{
+
+Box Scene::bounds() const
+{
+  Box all;
+  for (const ParticleObject& object : particles)
+  {
+    const Box local = withStructure(
+      *object.structure, [](const auto& s) { return s.statistics().bounds; });
+    if (local.empty())
+      continue;
+    for (int corner = 0; corner < 8; ++corner)
+      all.add(transformPoint(object.toWorld,
+        {corner & 1 ? local.upper.x : local.lower.x, corner & 2 ? local.upper.y : local.lower.y,
+          corner & 4 ? local.upper.z : local.lower.z}));
+  }
+  return all;
+}
+
+namespace
+{
+
+void setRay(RayPacket& packet, const Vec3d& origin, const Vec3d& direction, double tMin)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    packet.origin[axis][0] = origin[axis];
+    packet.direction[axis][0] = direction[axis];
+  }
+  packet.tMin[0] = tMin;
+}
+
+} // namespace
+
+std::optional<ScenePick> pick(
+  const Scene& scene, const Vec3d& origin, const Vec3d& direction, double tMin, double tMax)
+{
+  RayPacket packet;
+  packet.count = 1;
+  packet.t[0] = tMax;
+  packet.slot[0] = RayPacket::noHit;
+  packet.object[0] = -1;
+  for (std::size_t k = 0; k < scene.particles.size(); ++k)
+  {
+    const ParticleObject& object = scene.particles[k];
+    const Mat4d toLocal = glm::inverse(object.toWorld);
+    setRay(packet, transformPoint(toLocal, origin), transformVector(toLocal, direction), tMin);
+    withStructure(*object.structure,
+      [&](const auto& s) { s.cast(packet, static_cast<std::int32_t>(k)); });
+  }
+  if (packet.object[0] < 0)
+    return std::nullopt;
+
+  ScenePick found;
+  found.object = static_cast<std::size_t>(packet.object[0]);
+  found.t = packet.t[0];
+  found.position = origin + found.t * direction;
+  const ParticleObject& object = scene.particles[found.object];
+  const Mat4d toLocal = glm::inverse(object.toWorld);
+  withStructure(*object.structure,
+    [&](const auto& s)
+    {
+      found.particle = s.inputIndex(packet.slot[0]);
+      const Vec3d local = transformPoint(toLocal, found.position) - s.center(packet.slot[0]);
+      found.normal = glm::normalize(glm::transpose(Mat3d(toLocal)) * local);
+    });
+  return found;
+}
+
+} // namespace mote

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "../particles/ParticleStructure.h"
+#include "../shading/ColorMap.h"
+#include "../shading/Light.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace mote
+{
+
+/// Where the colour of a particle comes from. Values and colours are views in *input* order, looked
+/// up for the particles that are seen and no others.
+struct ParticleColoring
+{
+  Vec4f constant{1.0f}; ///< where there are neither values nor direct colours
+  ArrayView values;     ///< looked up in `map` where not empty
+  int component = 0;    ///< of `values`, or ArrayView::magnitude
+  ColorMap map;
+  ArrayView direct; ///< 8-bit grey, grey+alpha, RGB or RGBA where not empty: used as they are
+};
+
+/// Particles placed in a scene.
+struct ParticleObject
+{
+  std::shared_ptr<const ParticleStructure> structure;
+  Mat4d toWorld{1.0}; ///< affine; spheres become ellipsoids where it scales unevenly
+  ParticleColoring coloring;
+  Material material;
+};
+
+/// All that is traced into one image, in world coordinates.
+struct Scene
+{
+  std::vector<ParticleObject> particles;
+  std::vector<Light> lights{Light{}};
+
+  /// Of all objects; the bounds of a transformed object enclose its transformed box.
+  Box bounds() const;
+};
+
+/// What one ray meets first.
+struct ScenePick
+{
+  std::size_t object = 0;     ///< index in Scene::particles
+  std::uint64_t particle = 0; ///< input index
+  double t = 0.0;             ///< in lengths of the direction given
+  Vec3d position{0.0};
+  Vec3d normal{0.0}; ///< unit length, outwards
+};
+
+/// Casts one ray. `direction` may have any length but 0.
+std::optional<ScenePick> pick(const Scene& scene, const Vec3d& origin, const Vec3d& direction,
+  double tMin = 0.0, double tMax = std::numeric_limits<double>::infinity());
+
+} // namespace mote

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "../core/Vec.h"
+
+namespace mote
+{
+
+/// A light without size, in world coordinates.
+struct Light
+{
+  enum class Kind
+  {
+    Headlight,   ///< shines along each ray from the eye
+    Directional, ///< shines along `vector`
+    Point        ///< shines from the point `vector`, without falling off
+  };
+  Kind kind = Kind::Headlight;
+  Vec3d vector{0.0, 0.0, -1.0};
+  Vec3f color{1.0f}; ///< times intensity
+};
+
+/// How a surface answers light: Lambert's cosine law, an even part, and Phong's highlight.
+struct Material
+{
+  float ambient = 0.0f;
+  float diffuse = 1.0f;
+  float specular = 0.0f;
+  float specularPower = 1.0f;
+  float opacity = 1.0f;
+};
+
+} // namespace mote
