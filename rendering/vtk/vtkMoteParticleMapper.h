@@ -1,0 +1,261 @@
+/**
+ * @class   vtkMoteParticleMapper
+ * @brief   Draws the points of a data set as spheres, ray cast on the CPU.
+ *
+ * Input is any vtkPointSet; each of its points is a particle, cells are not looked at. Use it with
+ * a vtkActor, as any mapper: position, scale and orientation of the actor, visibility, and the
+ * ambient, diffuse, specular and opacity terms and the colour of its vtkProperty hold. An opacity
+ * below 1 lets the background show through the first surface that is met; surfaces behind it stay
+ * hidden.
+ *
+ * Colours come from any array, as in other mappers: ScalarVisibility, ScalarMode,
+ * SelectColorArray(), ColorMode, LookupTable, ScalarRange; component or magnitude of a vector are
+ * chosen by the lookup table's VectorMode. Point data and field data with one tuple a point are
+ * taken. Values are looked up for the particles that are seen only, straight from the input's
+ * array: no colour array is made, so there is no limit to the number of particles.
+ *
+ * In a renderer with a vtkMoteRayCastPass all particles are traced together, so that they hide one
+ * another exactly; without one each actor is traced alone and composited by depth.
+ *
+ * What cannot be drawn, particles at positions that are not finite or with a radius that is not a
+ * finite number above zero, is left out, counted and reported once for each input.
+ */
+
+#ifndef vtkMoteParticleMapper_h
+#define vtkMoteParticleMapper_h
+
+#include "MoteRenderingVTKModule.h" // for export macro
+#include "vtkMapper.h"
+
+#include <memory> // for the implementation
+
+class vtkDataArray;
+class vtkPointSet;
+
+namespace mote
+{
+struct ParticleObject;
+}
+
+class MOTERENDERINGVTK_EXPORT vtkMoteParticleMapper : public vtkMapper
+{
+public:
+  static vtkMoteParticleMapper* New();
+  vtkTypeMacro(vtkMoteParticleMapper, vtkMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The particles: a data object, or (with SetInputConnection) a pipeline's output.
+   */
+  void SetInputData(vtkPointSet* input);
+  vtkPointSet* GetInput();
+  ///@}
+
+  /**
+   * Where a particle's radius comes from. AUTOMATIC, the default, takes a point array named radius
+   * (or half of one named diameter, in any case of letters), else half the typical distance
+   * between neighbours.
+   */
+  enum RadiusModes
+  {
+    RADIUS_AUTOMATIC = 0,
+    RADIUS_CONSTANT,    ///< Radius for all
+    RADIUS_BY_ARRAY,    ///< RadiusArrayName's values
+    RADIUS_BY_TYPE,     ///< TypeArrayName's values through the table of SetTypeRadius()
+    RADIUS_FROM_SPACING ///< half the typical distance between neighbours
+  };
+
+  ///@{
+  /**
+   * One of RadiusModes.
+   */
+  vtkSetClampMacro(RadiusMode, int, RADIUS_AUTOMATIC, RADIUS_FROM_SPACING);
+  vtkGetMacro(RadiusMode, int);
+  void SetRadiusModeToAutomatic() { this->SetRadiusMode(RADIUS_AUTOMATIC); }
+  void SetRadiusModeToConstant() { this->SetRadiusMode(RADIUS_CONSTANT); }
+  void SetRadiusModeToArray() { this->SetRadiusMode(RADIUS_BY_ARRAY); }
+  void SetRadiusModeToType() { this->SetRadiusMode(RADIUS_BY_TYPE); }
+  void SetRadiusModeToSpacing() { this->SetRadiusMode(RADIUS_FROM_SPACING); }
+  ///@}
+
+  ///@{
+  /**
+   * The radius in RADIUS_CONSTANT mode, in the units of the points. Default 0.5.
+   */
+  vtkSetMacro(Radius, double);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Multiplies the radius of every mode. Default 1; 0.5 turns an array of diameters into radii.
+   */
+  vtkSetMacro(RadiusScale, double);
+  vtkGetMacro(RadiusScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Point array of one component that holds the radii in RADIUS_BY_ARRAY mode.
+   */
+  vtkSetStringMacro(RadiusArrayName);
+  vtkGetStringMacro(RadiusArrayName);
+  ///@}
+
+  ///@{
+  /**
+   * Point array of one component that holds the types in RADIUS_BY_TYPE mode. Default "type".
+   */
+  vtkSetStringMacro(TypeArrayName);
+  vtkGetStringMacro(TypeArrayName);
+  ///@}
+
+  ///@{
+  /**
+   * The table of RADIUS_BY_TYPE: the radius of all particles of a type. Types that the table
+   * lacks get Radius.
+   */
+  void SetTypeRadius(int type, double radius);
+  double GetTypeRadius(int type);
+  void RemoveAllTypeRadii();
+  ///@}
+
+  ///@{
+  /**
+   * Hides, rather than recolours, the particles whose value of VisibilityArrayName lies outside
+   * VisibilityRange (both ends belong to it; NaN is outside). Off by default. A change rebuilds no
+   * structure.
+   */
+  vtkSetMacro(UseVisibilityRange, vtkTypeBool);
+  vtkGetMacro(UseVisibilityRange, vtkTypeBool);
+  vtkBooleanMacro(UseVisibilityRange, vtkTypeBool);
+  vtkSetVector2Macro(VisibilityRange, double);
+  vtkGetVector2Macro(VisibilityRange, double);
+  ///@}
+
+  ///@{
+  /**
+   * The array that VisibilityRange speaks of. Empty, the default: the array that colours.
+   */
+  vtkSetStringMacro(VisibilityArrayName);
+  vtkGetStringMacro(VisibilityArrayName);
+  ///@}
+
+  ///@{
+  /**
+   * Component of the visibility array, or -1 for the magnitude. Default 0; not used where the array
+   * is the one that colours: then the lookup table's choice holds.
+   */
+  vtkSetMacro(VisibilityComponent, int);
+  vtkGetMacro(VisibilityComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * The structure that rays are cast through, by name: "coherent-grid".
+   */
+  vtkSetStringMacro(StructureName);
+  vtkGetStringMacro(StructureName);
+  ///@}
+
+  /**
+   * Bounds of the spheres, not of their centres alone.
+   */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
+
+  ///@{
+  /**
+   * Brings the input up to date and builds the structure where the input or the radii changed;
+   * a change of colours, ranges, camera or light builds nothing. Fires Start-, Progress- and
+   * EndEvents; SetAbortExecute(1) from within one stops the build and leaves nothing to draw.
+   */
+  using Superclass::Update;
+  void Update(int port) override;
+  void Update() override { this->Update(0); }
+  ///@}
+
+  ///@{
+  /**
+   * Facts of the present structure, as of the last Update(): particles drawn or hidden by range,
+   * particles left out as unfit, bytes of structure and particles, seconds of the last build,
+   * number of builds so far, and the radius in use where it is one for all (else 0).
+   */
+  vtkIdType GetNumberOfParticles();
+  vtkIdType GetNumberOfUnfitParticles();
+  vtkTypeInt64 GetStructureBytes();
+  double GetBuildTime();
+  int GetNumberOfBuilds();
+  double GetRadiusInUse();
+  ///@}
+
+  /**
+   * The array that colours the particles now, or null where they have the property's colour.
+   */
+  vtkDataArray* GetColorArray();
+
+  /**
+   * The value that colours particle `id` (its index in the input), as the lookup table's
+   * VectorMode picks it; NaN where there is none.
+   */
+  double GetParticleValue(vtkIdType id);
+
+  /**
+   * The range of those values over the whole input, without NaN and infinities; 1, 0 where there
+   * is none.
+   */
+  void GetColorArrayRange(double range[2]);
+
+  /**
+   * Draws the particles of this one actor. Called by vtkActor.
+   */
+  void Render(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  ///@{
+  /**
+   * Particles are drawn with the opaque geometry.
+   */
+  bool HasOpaqueGeometry() override { return true; }
+  bool HasTranslucentPolygonalGeometry() override { return false; }
+  ///@}
+
+#ifndef __VTK_WRAP__
+  /**
+   * Updates, and describes the particles to the kernels as this actor shows them; false where there
+   * is nothing to draw. The views in the description hold until the next Update().
+   */
+  bool DescribeTo(mote::ParticleObject& object, vtkActor* actor);
+#endif
+
+  /**
+   * Changes with everything that the picture of this mapper depends on, its input included.
+   */
+  vtkMTimeType GetPictureMTime();
+
+protected:
+  vtkMoteParticleMapper();
+  ~vtkMoteParticleMapper() override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  int RadiusMode = RADIUS_AUTOMATIC;
+  double Radius = 0.5;
+  double RadiusScale = 1.0;
+  char* RadiusArrayName = nullptr;
+  char* TypeArrayName = nullptr;
+  vtkTypeBool UseVisibilityRange = 0;
+  double VisibilityRange[2] = { 0.0, 1.0 };
+  char* VisibilityArrayName = nullptr;
+  int VisibilityComponent = 0;
+  char* StructureName = nullptr;
+
+private:
+  vtkMoteParticleMapper(const vtkMoteParticleMapper&) = delete;
+  void operator=(const vtkMoteParticleMapper&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif

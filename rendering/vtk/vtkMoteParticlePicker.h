@@ -1,0 +1,66 @@
+/**
+ * @class   vtkMoteParticlePicker
+ * @brief   Finds the particle under a point of the window by casting one exact ray.
+ *
+ * Looks at the visible, pickable actors of the renderer that have a vtkMoteParticleMapper, and
+ * needs no OpenGL. GetViewProp(), GetActor() and GetPickPosition() answer as in other pickers.
+ * Ordinary props in front of the particles are not seen; use vtkPropPicker for those.
+ */
+
+#ifndef vtkMoteParticlePicker_h
+#define vtkMoteParticlePicker_h
+
+#include "MoteRenderingVTKModule.h" // for export macro
+#include "vtkAbstractPropPicker.h"
+
+class MOTERENDERINGVTK_EXPORT vtkMoteParticlePicker : public vtkAbstractPropPicker
+{
+public:
+  static vtkMoteParticlePicker* New();
+  vtkTypeMacro(vtkMoteParticlePicker, vtkAbstractPropPicker);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Picks at a position in display coordinates (pixels from the window's lower left corner, z is
+   * not used). Returns 1 where a particle is met, else 0.
+   */
+  int Pick(double x, double y, double z, vtkRenderer* renderer) override;
+  using Superclass::Pick;
+  ///@}
+
+  /**
+   * The particle's index in its mapper's input, or -1.
+   */
+  vtkGetMacro(ParticleId, vtkIdType);
+
+  /**
+   * The value that colours it, NaN where none does.
+   */
+  vtkGetMacro(Value, double);
+
+  /**
+   * Distance from the camera along the view axis, in world units.
+   */
+  vtkGetMacro(Distance, double);
+
+  /**
+   * Outward unit normal of the sphere at the picked position, in world coordinates.
+   */
+  vtkGetVector3Macro(PickNormal, double);
+
+protected:
+  vtkMoteParticlePicker();
+  ~vtkMoteParticlePicker() override;
+
+  vtkIdType ParticleId = -1;
+  double Value = 0.0;
+  double Distance = 0.0;
+  double PickNormal[3] = { 0.0, 0.0, 0.0 };
+
+private:
+  vtkMoteParticlePicker(const vtkMoteParticlePicker&) = delete;
+  void operator=(const vtkMoteParticlePicker&) = delete;
+};
+
+#endif

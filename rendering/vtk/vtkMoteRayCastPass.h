@@ -1,0 +1,127 @@
+/**
+ * @class   vtkMoteRayCastPass
+ * @brief   A render pass that ray casts all Mote props of a renderer together.
+ *
+ * Set it on a renderer with SetPass(). Ordinary props are drawn by VTK as ever (by the delegate
+ * pass, a vtkRenderStepsPass by default: lights, opaque, translucent, volumetric and overlay
+ * steps); after the opaque ones the props that have a Mote mapper are traced in one scene, so that
+ * they hide one another exactly, and written into the framebuffer with colour and depth. Edges are
+ * blended over what lies behind them.
+ *
+ * While the view moves (the window's desired update rate is 1 or more, as interactors set it) one
+ * ray a pixel is cast, or fewer, so that a frame takes no longer than InteractiveFrameTime. At
+ * rest every pixel gets SamplesPerPixel rays. A frame in which nothing that Mote draws has changed
+ * is shown again without tracing.
+ *
+ * Tracing fires ProgressEvents of this object with the share done, and stops where the render
+ * window's CheckAbortStatus() says so.
+ */
+
+#ifndef vtkMoteRayCastPass_h
+#define vtkMoteRayCastPass_h
+
+#include "MoteRenderingVTKModule.h" // for export macro
+#include "vtkRenderPass.h"
+#include "vtkSmartPointer.h" // for DelegatePass
+
+#include <memory> // for the implementation
+
+class MOTERENDERINGVTK_EXPORT vtkMoteRayCastPass : public vtkRenderPass
+{
+public:
+  static vtkMoteRayCastPass* New();
+  vtkTypeMacro(vtkMoteRayCastPass, vtkRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void Render(const vtkRenderState* state) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  ///@{
+  /**
+   * Rays a pixel at rest, in [1, 65536]. Default 4. The first goes through the pixel's centre.
+   */
+  vtkSetClampMacro(SamplesPerPixel, int, 1, 65536);
+  vtkGetMacro(SamplesPerPixel, int);
+  ///@}
+
+  ///@{
+  /**
+   * When on, each Render() at rest adds as many samples as fit into InteractiveFrameTime (at least
+   * one) and shows what there is; render until IsConverged(). Off, the default: one Render() adds
+   * all.
+   */
+  vtkSetMacro(Progressive, vtkTypeBool);
+  vtkGetMacro(Progressive, vtkTypeBool);
+  vtkBooleanMacro(Progressive, vtkTypeBool);
+  ///@}
+
+  /**
+   * Whether the picture shown last has full resolution and all its samples.
+   */
+  bool IsConverged();
+
+  ///@{
+  /**
+   * Whether resolution is lowered while the view moves. On by default.
+   */
+  vtkSetMacro(AutoAdjustResolution, vtkTypeBool);
+  vtkGetMacro(AutoAdjustResolution, vtkTypeBool);
+  vtkBooleanMacro(AutoAdjustResolution, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Seconds that a frame may take while the view moves. Default 0.08, at least 0.001.
+   */
+  vtkSetClampMacro(InteractiveFrameTime, double, 0.001, VTK_DOUBLE_MAX);
+  vtkGetMacro(InteractiveFrameTime, double);
+  ///@}
+
+  ///@{
+  /**
+   * Threads to trace with; 0, the default, for all.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
+   * Facts of the last Render(): distance of neighbouring rays in pixels (1: full resolution),
+   * samples a pixel shown so far, rays cast in it, and seconds spent tracing and drawing (0 traced:
+   * the picture was still good).
+   */
+  double GetImageSampleDistance();
+  int GetNumberOfSamples();
+  vtkTypeInt64 GetNumberOfRays();
+  double GetTraceTime();
+  double GetDisplayTime();
+  ///@}
+
+  ///@{
+  /**
+   * What draws the ordinary props. By default a vtkRenderStepsPass.
+   */
+  void SetDelegatePass(vtkRenderPass* pass);
+  vtkRenderPass* GetDelegatePass();
+  ///@}
+
+protected:
+  vtkMoteRayCastPass();
+  ~vtkMoteRayCastPass() override;
+
+  int SamplesPerPixel = 4;
+  vtkTypeBool Progressive = 0;
+  vtkTypeBool AutoAdjustResolution = 1;
+  double InteractiveFrameTime = 0.08;
+  int NumberOfThreads = 0;
+
+private:
+  vtkMoteRayCastPass(const vtkMoteRayCastPass&) = delete;
+  void operator=(const vtkMoteRayCastPass&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif

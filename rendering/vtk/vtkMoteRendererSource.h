@@ -1,0 +1,137 @@
+/**
+ * @class   vtkMoteRendererSource
+ * @brief   An image of the Mote props of a renderer, traced without OpenGL and without a display.
+ *
+ * The renderer needs no window. Its camera, lights, background (also a gradient) and those of its
+ * actors that have a Mote mapper are used; other props need OpenGL and are left out (counted by
+ * GetNumberOfIgnoredProps()). The camera's clipping range is set to enclose the props, as a window
+ * would do, where ResetClippingRange is on.
+ *
+ * The output is a vtkImageData whose row 0 is the bottom row, with the point arrays
+ *  - `color`: float RGBA in [0, 1], the active scalars: over the background with alpha 1, or, with
+ *    TransparentBackground on, premultiplied by an alpha that is the covered share of the pixel;
+ *  - `depth` (Depth on): float, distance along the view axis in world units, infinity if nothing;
+ *  - `normal` (Normals on): float x y z, unit length in world coordinates, 0 0 0 if nothing;
+ *  - `particle` (Ids on): 64-bit index of the particle in its mapper's input, -1 if nothing;
+ *  - `object` (Ids on): 32-bit place of its actor among the Mote props traced, -1 if nothing.
+ */
+
+#ifndef vtkMoteRendererSource_h
+#define vtkMoteRendererSource_h
+
+#include "MoteRenderingVTKModule.h" // for export macro
+#include "vtkImageAlgorithm.h"
+#include "vtkSmartPointer.h" // for Renderer
+
+class vtkRenderer;
+
+class MOTERENDERINGVTK_EXPORT vtkMoteRendererSource : public vtkImageAlgorithm
+{
+public:
+  static vtkMoteRendererSource* New();
+  vtkTypeMacro(vtkMoteRendererSource, vtkImageAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The renderer to trace. Required.
+   */
+  void SetRenderer(vtkRenderer* renderer);
+  vtkRenderer* GetRenderer();
+  ///@}
+
+  ///@{
+  /**
+   * Width and height in pixels, in [1, 65536] each. Default 1024 by 1024.
+   */
+  vtkSetVector2Macro(Size, int);
+  vtkGetVector2Macro(Size, int);
+  ///@}
+
+  ///@{
+  /**
+   * Rays a pixel, in [1, 65536]. Default 16. Depth, normals and ids belong to the pixel's centre.
+   */
+  vtkSetClampMacro(SamplesPerPixel, int, 1, 65536);
+  vtkGetMacro(SamplesPerPixel, int);
+  ///@}
+
+  ///@{
+  /**
+   * Threads to trace with; 0, the default, for all.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
+   * Which arrays to make besides `color`. All off by default.
+   */
+  vtkSetMacro(Depth, vtkTypeBool);
+  vtkGetMacro(Depth, vtkTypeBool);
+  vtkBooleanMacro(Depth, vtkTypeBool);
+  vtkSetMacro(Normals, vtkTypeBool);
+  vtkGetMacro(Normals, vtkTypeBool);
+  vtkBooleanMacro(Normals, vtkTypeBool);
+  vtkSetMacro(Ids, vtkTypeBool);
+  vtkGetMacro(Ids, vtkTypeBool);
+  vtkBooleanMacro(Ids, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether what is not covered stays transparent instead of showing the renderer's background.
+   */
+  vtkSetMacro(TransparentBackground, vtkTypeBool);
+  vtkGetMacro(TransparentBackground, vtkTypeBool);
+  vtkBooleanMacro(TransparentBackground, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the camera's clipping range is set to enclose the visible props first. Default on.
+   */
+  vtkSetMacro(ResetClippingRange, vtkTypeBool);
+  vtkGetMacro(ResetClippingRange, vtkTypeBool);
+  vtkBooleanMacro(ResetClippingRange, vtkTypeBool);
+  ///@}
+
+  /**
+   * Visible props of the last update that have no Mote mapper and so were not traced.
+   */
+  vtkGetMacro(NumberOfIgnoredProps, int);
+
+  /**
+   * Seconds of the last update that were spent tracing.
+   */
+  vtkGetMacro(TraceTime, double);
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkMoteRendererSource();
+  ~vtkMoteRendererSource() override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
+
+  int Size[2] = { 1024, 1024 };
+  int SamplesPerPixel = 16;
+  int NumberOfThreads = 0;
+  vtkTypeBool Depth = 0;
+  vtkTypeBool Normals = 0;
+  vtkTypeBool Ids = 0;
+  vtkTypeBool TransparentBackground = 0;
+  vtkTypeBool ResetClippingRange = 1;
+  int NumberOfIgnoredProps = 0;
+  double TraceTime = 0.0;
+  vtkSmartPointer<vtkRenderer> Renderer;
+
+private:
+  vtkMoteRendererSource(const vtkMoteRendererSource&) = delete;
+  void operator=(const vtkMoteRendererSource&) = delete;
+};
+
+#endif
