@@ -1,0 +1,31 @@
+#ifndef MoteLAMMPSPolyData_h
+#define MoteLAMMPSPolyData_h
+
+#include "LAMMPSColumns.h"
+#include "LAMMPSDump.h"
+
+#include <functional>
+#include <string>
+
+class vtkPolyData;
+
+namespace mote
+{
+
+/// How a frame becomes a vtkPolyData.
+struct LAMMPSReadOptions
+{
+  bool combine = true;         ///< see layoutOf
+  bool singlePrecision = false; ///< Float32 for what would be Float64, save positions
+  std::function<bool(const std::string& array)> wanted; ///< arrays to make; empty means all
+};
+
+/// Reads one frame into `output`, which should be empty: points, one vertex cell an atom, point
+/// data, and the frame's header as field data. Throws FileError, and then `output` must be dropped.
+void readLAMMPSFrame(const std::string& path, const LAMMPSFrame& frame,
+                     const LAMMPSReadOptions& options, const Progress& progress,
+                     vtkPolyData* output);
+
+} // namespace mote
+
+#endif

@@ -1,0 +1,121 @@
+#include "TextFile.h"
+
+#include "FileError.h"
+#include "GzipStream.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace mote
+{
+namespace
+{
+
+FileError cannotOpen(const std::string& path, int error)
+{
+  using Kind = FileError::Kind;
+  switch (error)
+  {
+    case ENOENT:
+    case ENOTDIR:
+      return { Kind::NotFound, path, "there is no such file" };
+    case EACCES:
+    case EPERM:
+      return { Kind::CannotOpen, path, "you have no permission to read this file" };
+    default:
+      return { Kind::CannotOpen, path,
+               std::string("this file cannot be read (") + std::strerror(error) + ")" };
+  }
+}
+
+struct stat statOf(const std::string& path)
+{
+  struct stat status = {};
+  if (::stat(path.c_str(), &status) != 0)
+  {
+    throw cannotOpen(path, errno);
+  }
+  if (S_ISDIR(status.st_mode))
+  {
+    throw FileError(FileError::Kind::CannotOpen, path, "this is a directory, not a file");
+  }
+  if (!S_ISREG(status.st_mode))
+  {
+    throw FileError(FileError::Kind::CannotOpen, path, "this is not a regular file");
+  }
+  return status;
+}
+
+} // namespace
+
+FileStamp stampOf(const std::string& path)
+{
+  const struct stat status = statOf(path);
+  return { static_cast<std::uint64_t>(status.st_size),
+           std::int64_t{ status.st_mtim.tv_sec } * 1000000000 + status.st_mtim.tv_nsec };
+}
+
+TextFile::TextFile(const std::string& path) : m_path(path)
+{
+  statOf(path); // before open: opening a pipe would wait for its writer
+  m_descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (m_descriptor < 0)
+  {
+    throw cannotOpen(path, errno);
+  }
+  struct stat status = {};
+  ::fstat(m_descriptor, &status);
+  m_bytes = static_cast<std::uint64_t>(status.st_size);
+  unsigned char magic[2] = {};
+  m_gzip = ::pread(m_descriptor, magic, 2, 0) == 2 && magic[0] == 0x1f && magic[1] == 0x8b;
+  if (!m_gzip && m_bytes > 0)
+  {
+    void* map = ::mmap(nullptr, m_bytes, PROT_READ, MAP_PRIVATE, m_descriptor, 0);
+    if (map == MAP_FAILED)
+    {
+      const int error = errno;
+      ::close(m_descriptor);
+      throw cannotOpen(path, error);
+    }
+    m_map = static_cast<const char*>(map);
+    ::madvise(map, m_bytes, MADV_SEQUENTIAL);
+  }
+}
+
+TextFile::~TextFile()
+{
+  if (m_map)
+  {
+    ::munmap(const_cast<char*>(m_map), m_bytes);
+  }
+  ::close(m_descriptor);
+}
+
+std::string readBeginning(const std::string& path, std::size_t count)
+{
+  const TextFile file(path);
+  if (!file.isGzip())
+  {
+    return std::string(file.text().substr(0, count));
+  }
+  std::string text(count, '\0');
+  std::size_t filled = 0;
+  try
+  {
+    GzipStream stream(file);
+    filled = stream.read(text.data(), count);
+  }
+  catch (const FileError&)
+  {
+    // A damaged file has no beginning to speak of; reading it in earnest says what is wrong.
+  }
+  text.resize(filled);
+  return text;
+}
+
+} // namespace mote

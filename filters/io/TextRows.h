@@ -1,0 +1,70 @@
+#ifndef MoteTextRows_h
+#define MoteTextRows_h
+
+#include "TextCursor.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace mote
+{
+
+/// What a column of a text table becomes.
+enum class ColumnType
+{
+  Skip,    ///< passed over, whatever it holds
+  Int32,
+  Int64,
+  Float32, ///< rounded once more, from the double
+  Float64,
+  String
+};
+
+/// One column and where its values go.
+struct TextColumn
+{
+  std::string name;                    ///< for messages
+  ColumnType type = ColumnType::Skip;
+  void* data = nullptr;                ///< of the type, std::string for String; null for Skip
+  std::ptrdiff_t stride = 1;           ///< from one row's value to the next, in elements
+};
+
+/// Called after rows [first, first + count) have been stored; from any thread, for disjoint rows.
+using RowsStored = std::function<void(std::uint64_t first, std::uint64_t count)>;
+
+/// Asked for when an integer column holds a value that is no such integer: `column` should become
+/// `type` (wider, or a float), with new space, and the rows be read again.
+struct WidenColumn
+{
+  std::size_t column = 0;
+  ColumnType type = ColumnType::Skip;
+};
+
+/// How readRows ended.
+struct RowsResult
+{
+  bool complete = true; ///< all rows are stored
+  WidenColumn widen;    ///< otherwise: what has to change before another try
+};
+
+/// Reads `rows` lines of blank-separated values from the cursor's place into the columns' space,
+/// with every core and the same result whatever their number. Progress goes from 0 to 1.
+///
+/// Throws FileError, which names the line and the column: for a value that is no number in a number
+/// column, too few or too many values in a line, too few lines (Truncated), and when `progress`
+/// asks to stop (Aborted). What was stored by then is of no use.
+RowsResult readRows(TextCursor& cursor, std::uint64_t rows, const std::vector<TextColumn>& columns,
+                    const RowsStored& stored, const Progress& progress);
+
+/// The values of the next line, which stays the next one; empty at the end of the text.
+std::vector<std::string> peekValues(TextCursor& cursor);
+
+/// The blank-separated values of a line.
+std::vector<std::string> splitValues(std::string_view line);
+
+} // namespace mote
+
+#endif

@@ -1,0 +1,413 @@
+#include "vtkMoteLAMMPSDumpReader.h"
+
+#include "LAMMPSColumns.h"
+#include "LAMMPSDump.h"
+#include "LAMMPSPolyData.h"
+
+#include "vtkDataArraySelection.h"
+#include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <vector>
+
+namespace
+{
+
+/// A file's index, and the state of the file that it belongs to.
+struct IndexedFile
+{
+  mote::FileStamp Stamp;
+  mote::LAMMPSIndex Index;
+};
+
+/// Where a time step is.
+struct Step
+{
+  double Time = 0;
+  const std::string* File = nullptr;
+  const mote::LAMMPSFrame* Frame = nullptr;
+};
+
+unsigned long errorCodeOf(mote::FileError::Kind kind)
+{
+  using Kind = mote::FileError::Kind;
+  switch (kind)
+  {
+    case Kind::NotFound:
+      return vtkErrorCode::FileNotFoundError;
+    case Kind::CannotOpen:
+      return vtkErrorCode::CannotOpenFileError;
+    case Kind::OtherFormat:
+      return vtkErrorCode::UnrecognizedFileTypeError;
+    case Kind::Truncated:
+      return vtkErrorCode::PrematureEndOfFileError;
+    case Kind::Malformed:
+      return vtkErrorCode::FileFormatError;
+    case Kind::Aborted:
+      break;
+  }
+  return vtkErrorCode::UserError;
+}
+
+} // namespace
+
+class vtkMoteLAMMPSDumpReader::Internals
+{
+public:
+  void Update(const mote::Progress& progress);
+  void MakeSteps();
+  const Step& Choose(double time) const;
+  bool FilesHaveChanged() const;
+
+  std::vector<std::string> Names;
+  std::map<std::string, IndexedFile> Files; ///< by name; only those of Names
+  std::vector<Step> Steps;                  ///< ascending times; points into Files
+  std::string Error;
+  std::set<std::string> Offered; ///< the arrays that this reader put into the selection
+  vtkNew<vtkDataArraySelection> Selection;
+};
+
+/// Indexes the files that are new or have changed.
+void vtkMoteLAMMPSDumpReader::Internals::Update(const mote::Progress& progress)
+{
+  this->Steps.clear();
+  std::map<std::string, IndexedFile> files;
+  std::size_t done = 0;
+  for (const std::string& name : this->Names)
+  {
+    const mote::FileStamp stamp = mote::stampOf(name);
+    auto known = this->Files.find(name);
+    if (known != this->Files.end() && known->second.Stamp == stamp)
+    {
+      files.insert(this->Files.extract(known));
+    }
+    else if (files.find(name) == files.end())
+    {
+      const mote::Progress part = [&](double fraction)
+      { return progress((static_cast<double>(done) + fraction) / this->Names.size()); };
+      files[name] = { stamp, mote::indexLAMMPSDump(name, part) };
+    }
+    ++done;
+  }
+  this->Files = std::move(files);
+  this->MakeSteps();
+}
+
+void vtkMoteLAMMPSDumpReader::Internals::MakeSteps()
+{
+  bool haveTimes = true;
+  for (const auto& [name, file] : this->Files)
+  {
+    haveTimes = haveTimes &&
+      std::all_of(file.Index.frames.begin(), file.Index.frames.end(),
+                  [](const mote::LAMMPSFrame& frame) { return frame.time.has_value(); });
+  }
+  std::map<double, Step> steps;
+  for (const std::string& name : this->Names)
+  {
+    const auto& [key, file] = *this->Files.find(name);
+    for (const mote::LAMMPSFrame& frame : file.Index.frames)
+    {
+      const double time = haveTimes ? *frame.time : static_cast<double>(frame.timestep);
+      steps[time] = { time, &key, &frame };
+    }
+  }
+  for (const auto& [time, step] : steps)
+  {
+    this->Steps.push_back(step);
+  }
+}
+
+/// The nearest step at or before a time; the first one for earlier times. There must be a step.
+const Step& vtkMoteLAMMPSDumpReader::Internals::Choose(double time) const
+{
+  auto after = std::upper_bound(this->Steps.begin(), this->Steps.end(), time,
+                                [](double t, const Step& step) { return t < step.Time; });
+  return after == this->Steps.begin() ? *after : *(after - 1);
+}
+
+bool vtkMoteLAMMPSDumpReader::Internals::FilesHaveChanged() const
+{
+  return std::any_of(this->Files.begin(), this->Files.end(), [](const auto& file)
+                     { return !(mote::stampOf(file.first) == file.second.Stamp); });
+}
+
+vtkStandardNewMacro(vtkMoteLAMMPSDumpReader);
+
+vtkMoteLAMMPSDumpReader::vtkMoteLAMMPSDumpReader() : Internal(std::make_unique<Internals>())
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkMoteLAMMPSDumpReader::~vtkMoteLAMMPSDumpReader() = default;
+
+void vtkMoteLAMMPSDumpReader::SetFileName(const char* fileName)
+{
+  std::vector<std::string> names;
+  if (fileName && *fileName)
+  {
+    names.emplace_back(fileName);
+  }
+  if (names != this->Internal->Names)
+  {
+    this->Internal->Names = std::move(names);
+    this->Modified();
+  }
+}
+
+const char* vtkMoteLAMMPSDumpReader::GetFileName()
+{
+  return this->GetFileName(0);
+}
+
+void vtkMoteLAMMPSDumpReader::AddFileName(const char* fileName)
+{
+  if (fileName && *fileName)
+  {
+    this->Internal->Names.emplace_back(fileName);
+    this->Modified();
+  }
+}
+
+void vtkMoteLAMMPSDumpReader::RemoveAllFileNames()
+{
+  if (!this->Internal->Names.empty())
+  {
+    this->Internal->Names.clear();
+    this->Modified();
+  }
+}
+
+int vtkMoteLAMMPSDumpReader::GetNumberOfFileNames()
+{
+  return static_cast<int>(this->Internal->Names.size());
+}
+
+const char* vtkMoteLAMMPSDumpReader::GetFileName(int index)
+{
+  const bool valid = index >= 0 && index < this->GetNumberOfFileNames();
+  return valid ? this->Internal->Names[index].c_str() : nullptr;
+}
+
+int vtkMoteLAMMPSDumpReader::CanReadFile(const char* fileName)
+{
+  try
+  {
+    return fileName && mote::looksLikeLAMMPSDump(mote::readBeginning(fileName, 64)) ? 1 : 0;
+  }
+  catch (const mote::FileError&)
+  {
+    return 0;
+  }
+}
+
+vtkDataArraySelection* vtkMoteLAMMPSDumpReader::GetPointDataArraySelection()
+{
+  return this->Internal->Selection;
+}
+
+std::string vtkMoteLAMMPSDumpReader::GetLastErrorMessage()
+{
+  return this->Internal->Error;
+}
+
+vtkMTimeType vtkMoteLAMMPSDumpReader::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->Internal->Selection->GetMTime());
+}
+
+/// Runs a part of the reading and turns what it throws into the reader's error.
+template <class Work>
+bool vtkMoteLAMMPSDumpReader::Attempt(const Work& work)
+{
+  this->Internal->Error.clear();
+  this->SetErrorCode(vtkErrorCode::NoError);
+  try
+  {
+    work([this](double fraction)
+         {
+           this->UpdateProgress(fraction);
+           return !this->GetAbortExecute();
+         });
+    return true;
+  }
+  catch (const mote::FileError& error)
+  {
+    this->Internal->Error = error.what();
+    this->SetErrorCode(errorCodeOf(error.kind()));
+    if (error.kind() != mote::FileError::Kind::Aborted)
+    {
+      vtkErrorMacro(<< error.what());
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Internal->Error = "there is not enough memory for this time step";
+    this->SetErrorCode(vtkErrorCode::UserError);
+    vtkErrorMacro(<< this->Internal->Error);
+  }
+  return false;
+}
+
+/// Offers the arrays of all files, and forgets those of files read before.
+void vtkMoteLAMMPSDumpReader::OfferArrays()
+{
+  std::set<std::string> offered;
+  std::vector<std::string> ordered;
+  const std::vector<std::string>* last = nullptr;
+  for (const Step& step : this->Internal->Steps)
+  {
+    const auto* columns = step.Frame->columns.get();
+    if (!columns || columns == last)
+    {
+      continue; // the steps of a file share their list
+    }
+    last = columns;
+    for (const mote::LAMMPSArray& array : mote::layoutOf(*columns, this->CombineVectors).arrays)
+    {
+      if (offered.insert(array.name).second)
+      {
+        ordered.push_back(array.name);
+      }
+    }
+  }
+  vtkDataArraySelection* selection = this->Internal->Selection;
+  for (const std::string& name : this->Internal->Offered)
+  {
+    if (offered.find(name) == offered.end())
+    {
+      selection->RemoveArrayByName(name.c_str());
+    }
+  }
+  this->Internal->Offered = offered;
+  std::string known;
+  for (const std::string& name : ordered)
+  {
+    selection->AddArray(name.c_str());
+    known += (known.empty() ? "'" : ", '") + name + "'";
+  }
+  for (int i = 0; i < selection->GetNumberOfArrays(); ++i)
+  {
+    const char* name = selection->GetArrayName(i);
+    if (selection->GetArraySetting(i) && offered.find(name) == offered.end())
+    {
+      throw mote::FileError(mote::FileError::Kind::Malformed, this->Internal->Names.front(),
+                            "there is no array '" + std::string(name) + "' to read; there " +
+                              (known.empty() ? "are none" : "are " + known));
+    }
+  }
+}
+
+int vtkMoteLAMMPSDumpReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* information = outputVector->GetInformationObject(0);
+  information->Remove(Pipeline::TIME_STEPS());
+  information->Remove(Pipeline::TIME_RANGE());
+  this->AbortExecute = 0; // of an earlier run: only REQUEST_DATA resets it
+  this->Ready = this->Attempt(
+    [this](const mote::Progress& progress)
+    {
+      if (this->Internal->Names.empty())
+      {
+        throw mote::FileError(mote::FileError::Kind::NotFound, "LAMMPS dump reader",
+                              "no file name has been set");
+      }
+      this->Internal->Update(progress);
+      this->OfferArrays();
+    });
+  if (this->Ready)
+  {
+    for (const auto& [name, file] : this->Internal->Files)
+    {
+      if (!file.Index.warning.empty())
+      {
+        vtkWarningMacro(<< file.Index.warning << " (the steps before it can be read)");
+      }
+    }
+    std::vector<double> times;
+    for (const Step& step : this->Internal->Steps)
+    {
+      times.push_back(step.Time);
+    }
+    const double range[2] = { times.front(), times.back() };
+    information->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+    information->Set(Pipeline::TIME_RANGE(), range, 2);
+  }
+  // Success in any case: a failed request would leave old data downstream, where this leads to
+  // empty output.
+  return 1;
+}
+
+int vtkMoteLAMMPSDumpReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* information = outputVector->GetInformationObject(0);
+  vtkPolyData* output = vtkPolyData::GetData(information);
+  output->Initialize();
+  if (!this->Ready)
+  {
+    return 1; // the error has been reported
+  }
+  vtkNew<vtkPolyData> result; // the output sees nothing that is half read
+  double time = 0;
+  const bool good = this->Attempt(
+    [&](const mote::Progress& progress)
+    {
+      if (this->Internal->FilesHaveChanged())
+      {
+        this->Internal->Update(progress);
+      }
+      time = this->Internal->Steps.front().Time;
+      if (information->Has(Pipeline::UPDATE_TIME_STEP()))
+      {
+        time = information->Get(Pipeline::UPDATE_TIME_STEP());
+      }
+      const Step& step = this->Internal->Choose(time);
+      time = step.Time;
+      mote::LAMMPSReadOptions options;
+      options.combine = this->CombineVectors;
+      options.singlePrecision = this->SinglePrecision;
+      options.wanted = [this](const std::string& name)
+      { return this->Internal->Selection->ArrayIsEnabled(name.c_str()) != 0; };
+      mote::readLAMMPSFrame(*step.File, *step.Frame, options, progress, result);
+    });
+  if (good)
+  {
+    vtkNew<vtkDoubleArray> value;
+    value->SetName("TimeValue");
+    value->InsertNextValue(time);
+    result->GetFieldData()->AddArray(value);
+    output->ShallowCopy(result);
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+  }
+  return 1;
+}
+
+void vtkMoteLAMMPSDumpReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileNames: " << this->GetNumberOfFileNames() << "\n";
+  for (const std::string& name : this->Internal->Names)
+  {
+    os << indent.GetNextIndent() << name << "\n";
+  }
+  os << indent << "TimeSteps: " << this->Internal->Steps.size() << "\n";
+  os << indent << "CombineVectors: " << this->CombineVectors << "\n";
+  os << indent << "SinglePrecision: " << this->SinglePrecision << "\n";
+  os << indent << "LastErrorMessage: " << this->Internal->Error << "\n";
+  os << indent << "PointDataArraySelection:\n";
+  this->Internal->Selection->PrintSelf(os, indent.GetNextIndent());
+}
