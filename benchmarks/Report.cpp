@@ -1,0 +1,105 @@
+#include "Report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+namespace mote::bench
+{
+
+std::string Table::text() const
+{
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows_)
+  {
+    widths.resize(std::max(widths.size(), row.size()), 0);
+    for (std::size_t c = 0; c < row.size(); ++c)
+      widths[c] = std::max(widths[c], row[c].size());
+  }
+  std::string out;
+  for (const auto& row : rows_)
+  {
+    for (std::size_t c = 0; c < row.size(); ++c)
+    {
+      // Numbers stand under one another by their right end; what begins a row is words.
+      const std::string gap(widths[c] - row[c].size(), ' ');
+      const bool words = c < 3;
+      out += (c > 0 ? "  " : "") + (words ? row[c] + gap : gap + row[c]);
+    }
+    out += '\n';
+  }
+  return out;
+}
+
+namespace
+{
+
+std::string quoted(const std::string& text)
+{
+  std::string out = "\"";
+  for (const char c : text)
+  {
+    if (c == '"' || c == '\\')
+      out += '\\';
+    if (static_cast<unsigned char>(c) < 0x20)
+      out += format("\\u%04x", static_cast<unsigned>(c));
+    else
+      out += c;
+  }
+  return out + '"';
+}
+
+struct ToJson
+{
+  std::string operator()(const std::string& v) const { return quoted(v); }
+  std::string operator()(std::int64_t v) const { return std::to_string(v); }
+  std::string operator()(double v) const { return std::isfinite(v) ? format("%.6g", v) : "null"; }
+};
+
+std::string formatList(const char* pattern, va_list list)
+{
+  va_list copy;
+  va_copy(copy, list);
+  const int size = std::vsnprintf(nullptr, 0, pattern, copy);
+  va_end(copy);
+  std::string out(static_cast<std::size_t>(std::max(size, 0)), '\0');
+  std::vsnprintf(out.data(), out.size() + 1, pattern, list);
+  return out;
+}
+
+} // namespace
+
+std::string toJson(const std::vector<Record>& records)
+{
+  std::string out = "[";
+  for (std::size_t i = 0; i < records.size(); ++i)
+  {
+    out += i > 0 ? ",\n  {" : "\n  {";
+    for (std::size_t k = 0; k < records[i].size(); ++k)
+      out += (k > 0 ? ", " : "") + quoted(records[i][k].first) + ": " +
+             std::visit(ToJson(), records[i][k].second);
+    out += '}';
+  }
+  return out + "\n]\n";
+}
+
+std::string format(const char* pattern, ...)
+{
+  va_list list;
+  va_start(list, pattern);
+  std::string out = formatList(pattern, list);
+  va_end(list);
+  return out;
+}
+
+void progress(const char* pattern, ...)
+{
+  va_list list;
+  va_start(list, pattern);
+  const std::string text = formatList(pattern, list);
+  va_end(list);
+  std::fprintf(stderr, "mote-bench: %s\n", text.c_str());
+}
+
+} // namespace mote::bench

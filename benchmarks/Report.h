@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace mote::bench
+{
+
+/// One measurement: keys and values in the order in which they are written.
+using Value = std::variant<std::string, std::int64_t, double>;
+using Record = std::vector<std::pair<std::string, Value>>;
+
+/// Text in columns; the first row is the head.
+class Table
+{
+public:
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  std::string text() const;
+
+private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+/// What a suite hands back.
+struct Report
+{
+  Table table;
+  std::vector<std::string> notes; ///< printed under the table
+  std::vector<Record> records;
+};
+
+/// The records as a JSON array. Numbers that JSON cannot say become null.
+std::string toJson(const std::vector<Record>& records);
+
+/// printf into a string.
+[[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...);
+
+/// One line of progress to stderr.
+[[gnu::format(printf, 1, 2)]] void progress(const char* pattern, ...);
+
+} // namespace mote::bench

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "Options.h"
+#include "Report.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mote::bench
+{
+
+/// Name and one line about it.
+using Named = std::pair<std::string, std::string>;
+
+/// One benchmark of the program: a row of the table in Suites.cpp.
+struct Suite
+{
+  std::string name;
+  std::string summary;
+  std::vector<Named> inputs;
+  std::vector<Named> methods;
+  std::vector<Named> views;
+  Report (*run)(const Options& options);
+};
+
+/// All of them.
+const std::vector<Suite>& suites();
+
+/// What is measured how, for --help.
+std::string describe(const Suite& suite);
+
+} // namespace mote::bench

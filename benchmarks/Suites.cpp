@@ -1,0 +1,29 @@
+#include "Suite.h"
+
+#include "particles/ParticlesSuite.h"
+
+namespace mote::bench
+{
+
+const std::vector<Suite>& suites()
+{
+  static const std::vector<Suite> all = {particlesSuite()};
+  return all;
+}
+
+std::string describe(const Suite& suite)
+{
+  std::string out = suite.name + ": " + suite.summary + "\n";
+  const auto list = [&](const char* title, const std::vector<Named>& entries)
+  {
+    out += format("  %s\n", title);
+    for (const auto& [name, summary] : entries)
+      out += format("    %-16s %s\n", name.c_str(), summary.c_str());
+  };
+  list("inputs (--input)", suite.inputs);
+  list("methods (--methods)", suite.methods);
+  list("views (--view)", suite.views);
+  return out;
+}
+
+} // namespace mote::bench

@@ -1,0 +1,123 @@
+// mote-bench: speed against error, beside peers, in one run.
+
+#include "Suite.h"
+
+#include <kernels/core/Error.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+
+using namespace mote::bench;
+
+namespace
+{
+
+void addOptions(CLI::App& command, const Suite& suite, Options& options, std::string& size)
+{
+  const auto names = [](const std::vector<Named>& entries)
+  {
+    std::vector<std::string> out;
+    for (const Named& entry : entries)
+      out.push_back(entry.first);
+    return out;
+  };
+  command.add_option("--input", options.input, "What is measured on; see the list of inputs below")
+      ->required()
+      ->type_name("SPEC");
+  command.add_option("--methods", options.methods, "Comma-separated; all unless given")
+      ->delimiter(',')
+      ->check(CLI::IsMember(names(suite.methods)));
+  if (!suite.views.empty())
+    command.add_option("--view", options.views, "Comma-separated; all unless given")
+        ->delimiter(',')
+        ->check(CLI::IsMember(names(suite.views)));
+  command.add_option("--threads", options.threads, "0: as many as the machine has")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str();
+  command.add_option("--repeat", options.repeat, "Rounds over all methods; medians are given")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command.add_option("--size", size, "Pixels of an image, WIDTHxHEIGHT")->capture_default_str();
+  command.add_option("--json", options.json, "File for the records, a JSON array");
+  command.footer("\n" + describe(suite));
+}
+
+void parseSize(const std::string& text, Options& options)
+{
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%c", &options.width, &options.height, &rest) != 2 ||
+      std::min(options.width, options.height) < 1 ||
+      std::max(options.width, options.height) > 32768)
+    throw mote::Error("--size wants WIDTHxHEIGHT in pixels, each from 1 to 32768, not \"" + text +
+                      "\".");
+}
+
+void runSuite(const Suite& suite, const Options& options)
+{
+  // Opened first: nobody wants to learn after ten minutes that the file cannot be written.
+  std::ofstream json;
+  if (!options.json.empty())
+  {
+    json.open(options.json);
+    if (!json)
+      throw mote::Error("The file \"" + options.json + "\" cannot be written.");
+  }
+  const Report report = suite.run(options);
+  std::fputs(report.table.text().c_str(), stdout);
+  for (const std::string& note : report.notes)
+    std::printf("%s\n", note.c_str());
+  if (!options.json.empty())
+  {
+    json << toJson(report.records);
+    json.close();
+    if (!json)
+      throw mote::Error("The records could not be written to \"" + options.json + "\".");
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  CLI::App app("Measures Mote's structures beside their peers: speed, memory, and error against a "
+               "reference in double and long double.");
+  app.require_subcommand(1);
+  Options options;
+  std::string size = "1024x1024";
+  std::string footer = "\n";
+  for (const Suite& suite : suites())
+  {
+    CLI::App* command = app.add_subcommand(suite.name, suite.summary);
+    addOptions(*command, suite, options, size);
+    command->callback(
+        [&suite, &options, &size]
+        {
+          parseSize(size, options);
+          runSuite(suite, options);
+        });
+    footer += describe(suite);
+  }
+  app.footer(footer + "mote-bench SUITE --help lists the options of a suite.");
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    return app.exit(error);
+  }
+  catch (const std::bad_alloc&)
+  {
+    std::fprintf(stderr, "mote-bench: The machine has not enough memory for this input.\n");
+    return 1;
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "mote-bench: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,139 @@
+#include "ParticleInput.h"
+
+#include <kernels/core/Error.h>
+
+#include <tbb/parallel_for.h>
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+namespace mote::bench
+{
+
+namespace
+{
+
+constexpr std::size_t largestCount = std::size_t{1} << 31; // embree counts in 32 bits
+
+/// A generator whose k-th number does not depend on those before it: the same particles come out on
+/// any number of threads. Source: splitmix64, public domain, S. Vigna.
+double uniform(std::uint64_t seed, std::uint64_t k)
+{
+  std::uint64_t z = seed + (k + 1) * 0x9e3779b97f4a7c15u;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  z ^= z >> 31;
+  return static_cast<double>(z >> 11) * 0x1p-53;
+}
+
+template <typename T>
+T number(const std::string& text, const std::string& specification)
+{
+  T value{};
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end || !(value > T{0}))
+    throw Error("\"" + text + "\" in the input \"" + specification +
+                "\" is not a number above zero.");
+  return value;
+}
+
+ParticleInput fromPositions(std::shared_ptr<std::vector<float>> positions, double radius)
+{
+  ParticleInput input;
+  input.set.positions = ArrayView(positions->data(), positions->size() / 3, 3);
+  input.set.radius = radius;
+  input.owner = std::move(positions);
+  return input;
+}
+
+ParticleInput makeLattice(std::size_t count)
+{
+  auto n = static_cast<std::size_t>(std::cbrt(static_cast<double>(count)));
+  const auto miss = [&](std::size_t m)
+  { return std::abs(static_cast<double>(m * m * m) - static_cast<double>(count)); };
+  n = n < 1 || miss(n + 1) < miss(n) ? n + 1 : n;
+  auto positions = std::make_shared<std::vector<float>>(3 * n * n * n);
+  const double spacing = 1.0 / static_cast<double>(n), jitter = 0.2;
+  tbb::parallel_for(std::size_t{0}, n * n * n,
+                    [&](std::size_t i)
+                    {
+                      const std::size_t cell[3] = {i % n, (i / n) % n, i / (n * n)};
+                      for (std::size_t axis = 0; axis < 3; ++axis)
+                      {
+                        const double shift = jitter * (2.0 * uniform(1, 3 * i + axis) - 1.0);
+                        (*positions)[3 * i + axis] = static_cast<float>(
+                            (static_cast<double>(cell[axis]) + 0.5 + shift) * spacing);
+                      }
+                    });
+  return fromPositions(std::move(positions), 0.5 * spacing);
+}
+
+ParticleInput makeRandom(std::size_t count, double radius)
+{
+  auto positions = std::make_shared<std::vector<float>>(3 * count);
+  tbb::parallel_for(std::size_t{0}, 3 * count,
+                    [&](std::size_t k) { (*positions)[k] = static_cast<float>(uniform(2, k)); });
+  return fromPositions(std::move(positions), radius);
+}
+
+std::vector<std::string> split(const std::string& text)
+{
+  std::vector<std::string> parts(1);
+  for (const char c : text)
+  {
+    if (c == ':')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
+
+std::size_t particleCount(const std::string& text, const std::string& specification)
+{
+  const auto count = number<std::size_t>(text, specification);
+  if (count > largestCount)
+    throw Error("The input \"" + specification + "\" has more than " +
+                std::to_string(largestCount) + " particles.");
+  return count;
+}
+
+ParticleInput makeOrRead(const std::string& specification)
+{
+  const std::vector<std::string> parts = split(specification);
+  const bool isFile = std::filesystem::exists(specification);
+  if (parts[0] == "lattice" && parts.size() == 2 && !isFile)
+    return makeLattice(particleCount(parts[1], specification));
+  if (parts[0] == "random" && parts.size() == 3 && !isFile)
+    return makeRandom(particleCount(parts[1], specification),
+                      number<double>(parts[2], specification));
+  if (isFile)
+    return readParticles(specification);
+  throw Error("The input \"" + specification +
+              "\" is neither lattice:N nor random:N:R nor a file that exists.");
+}
+
+} // namespace
+
+ParticleInput makeParticleInput(const std::string& specification)
+{
+  ParticleInput input = makeOrRead(specification);
+  input.statistics = examine(input.set);
+  if (input.statistics.valid == 0)
+    throw Error("The input \"" + specification + "\" has no particle.");
+  return input;
+}
+
+std::vector<Named> particleInputs()
+{
+  return {
+      {"lattice:N", "cubic lattice in the unit cube, n^3 particles nearest to N, each moved by up "
+                    "to 0.2 spacings an axis, radius half a spacing"},
+      {"random:N:R", "N particles evenly at random in the unit cube, radius R"},
+      {"FILE",
+       "what Mote's readers read; arrays radius or diameter count, half the spacing otherwise"}};
+}
+
+} // namespace mote::bench

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "../Suite.h"
+
+#include <kernels/particles/ParticleSet.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mote::bench
+{
+
+/// Particles to measure on, and whoever owns their numbers.
+struct ParticleInput
+{
+  ParticleSet set;
+  ParticleStatistics statistics;
+  std::shared_ptr<const void> owner;
+};
+
+/// Makes or reads what the specification says: `lattice:N`, `random:N:R` or a file. Throws Error.
+ParticleInput makeParticleInput(const std::string& specification);
+
+/// The forms of specifications, for --help.
+std::vector<Named> particleInputs();
+
+/// Reads a file with Mote's or VTK's readers. Radii are the array `radius`, or half the array
+/// `diameter`, or half the data's spacing where there is neither.
+ParticleInput readParticles(const std::string& fileName);
+
+} // namespace mote::bench

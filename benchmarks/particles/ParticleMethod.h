@@ -1,0 +1,45 @@
+#pragma once
+
+#include "HitImage.h"
+#include "ParticleInput.h"
+
+#include <kernels/core/Camera.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mote::bench
+{
+
+/// One way to find what the rays of a camera meet. A new one is a file with a class like this and a
+/// row in ParticleMethods.cpp.
+class ParticleMethod
+{
+public:
+  virtual ~ParticleMethod() = default;
+
+  /// Builds everything that casting needs. Timed.
+  virtual void build(const ParticleInput& input) = 0;
+  /// Memory of structure and particle storage together.
+  virtual std::size_t bytes() const = 0;
+  /// Ways of casting, one or more; the fastest of them speaks for the method.
+  virtual std::vector<std::string> modes() const = 0;
+  /// Casts a ray through every pixel's centre. Timed. May be called from one thread at a time.
+  virtual void cast(std::size_t mode, const CameraRays& rays, HitImage& image) const = 0;
+};
+
+struct ParticleMethodEntry
+{
+  std::string name;
+  std::string summary;
+  std::unique_ptr<ParticleMethod> (*make)(int threads);
+};
+
+/// All of them.
+const std::vector<ParticleMethodEntry>& particleMethods();
+
+std::unique_ptr<ParticleMethod> makeCoherentGridMethod(int threads);
+std::unique_ptr<ParticleMethod> makeEmbreeMethod(int threads);
+
+} // namespace mote::bench
