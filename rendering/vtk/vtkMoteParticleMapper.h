@@ -34,6 +34,7 @@ class vtkPointSet;
 
 namespace mote
 {
+struct ParticleColoring;
 struct ParticleObject;
 }
 
@@ -172,8 +173,8 @@ public:
    * EndEvents; SetAbortExecute(1) from within one stops the build and leaves nothing to draw.
    */
   using Superclass::Update;
-  void Update(int port) override;
   void Update() override { this->Update(0); }
+  void Update(int port) override;
   ///@}
 
   ///@{
@@ -253,6 +254,14 @@ protected:
 private:
   vtkMoteParticleMapper(const vtkMoteParticleMapper&) = delete;
   void operator=(const vtkMoteParticleMapper&) = delete;
+
+  void UpdateStructure();
+  void BuildStructure(vtkPointSet* input);
+  void UpdateVisibility();
+  int GetColorComponent(vtkDataArray* array);
+#ifndef __VTK_WRAP__
+  void DescribeColors(mote::ParticleColoring& coloring);
+#endif
 
   class Internals;
   std::unique_ptr<Internals> Impl;

@@ -13,6 +13,8 @@
 #include "MoteRenderingVTKModule.h" // for export macro
 #include "vtkAbstractPropPicker.h"
 
+class vtkPropCollection;
+
 class MOTERENDERINGVTK_EXPORT vtkMoteParticlePicker : public vtkAbstractPropPicker
 {
 public:
@@ -59,6 +61,8 @@ protected:
   double PickNormal[3] = { 0.0, 0.0, 0.0 };
 
 private:
+  void CastRay(double x, double y, vtkPropCollection* props);
+
   vtkMoteParticlePicker(const vtkMoteParticlePicker&) = delete;
   void operator=(const vtkMoteParticlePicker&) = delete;
 };

@@ -100,10 +100,12 @@ public:
 
   ///@{
   /**
-   * What draws the ordinary props. By default a vtkRenderStepsPass.
+   * What draws the ordinary props. By default a vtkRenderStepsPass. A pass of your own must render
+   * GetImagePass() where the traced picture belongs: after opaque props, before translucent ones.
    */
   void SetDelegatePass(vtkRenderPass* pass);
   vtkRenderPass* GetDelegatePass();
+  vtkRenderPass* GetImagePass();
   ///@}
 
 protected:
@@ -119,6 +121,8 @@ protected:
 private:
   vtkMoteRayCastPass(const vtkMoteRayCastPass&) = delete;
   void operator=(const vtkMoteRayCastPass&) = delete;
+
+  void DrawImage(vtkRenderer* renderer);
 
   class Internals;
   std::unique_ptr<Internals> Impl;

@@ -23,7 +23,15 @@
 #include "vtkImageAlgorithm.h"
 #include "vtkSmartPointer.h" // for Renderer
 
+#include <vector> // for lists of actors
+
+class vtkActor;
 class vtkRenderer;
+
+namespace mote
+{
+class Film;
+}
 
 class MOTERENDERINGVTK_EXPORT vtkMoteRendererSource : public vtkImageAlgorithm
 {
@@ -132,6 +140,11 @@ protected:
 private:
   vtkMoteRendererSource(const vtkMoteRendererSource&) = delete;
   void operator=(const vtkMoteRendererSource&) = delete;
+
+#ifndef __VTK_WRAP__
+  std::vector<vtkActor*> CollectActors();
+  bool Trace(mote::Film& film);
+#endif
 };
 
 #endif

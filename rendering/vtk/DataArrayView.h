@@ -1,0 +1,22 @@
+#pragma once
+
+#include "kernels/core/ArrayView.h"
+
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
+
+namespace mote
+{
+
+/// A VTK array as the kernels see it, and what keeps its memory alive. Arrays of tuples in one
+/// piece of memory are viewed as they are; others (structure of arrays, bits, implicit) are copied.
+struct DataArrayView
+{
+  vtkSmartPointer<vtkDataArray> owner;
+  ArrayView view;
+
+  DataArrayView() = default;
+  explicit DataArrayView(vtkDataArray* array);
+};
+
+} // namespace mote

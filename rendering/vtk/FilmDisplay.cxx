@@ -1,0 +1,191 @@
+#include "vtk_glew.h" // before all other OpenGL headers
+
+#include "FilmDisplay.h"
+
+#include "vtkCamera.h"
+#include "vtkOpenGLError.h"
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mote
+{
+
+namespace
+{
+
+const char* const fragmentShader = R"(//VTK::System::Dec
+//VTK::Output::Dec
+in vec2 texCoord;
+uniform sampler2D colorTexture;
+uniform sampler2D depthTexture;
+void main()
+{
+  vec4 color = texture2D(colorTexture, texCoord);
+  if (color.a <= 0.0)
+    discard;
+  gl_FragData[0] = color;
+  gl_FragDepth = texture2D(depthTexture, texCoord).r;
+}
+)";
+
+/// Depth-buffer value of a distance along the view axis between the clipping planes.
+struct DepthScale
+{
+  bool orthographic;
+  double near, far;
+
+  explicit DepthScale(vtkCamera* camera)
+    : orthographic(camera->GetParallelProjection())
+    , near(camera->GetClippingRange()[0])
+    , far(camera->GetClippingRange()[1])
+  {
+  }
+  float operator()(float t) const
+  {
+    if (!std::isfinite(t))
+      return 1.0f;
+    const double ndc = orthographic ? (2.0 * t - far - near) / (far - near)
+                                    : (far + near) / (far - near) -
+                                        2.0 * far * near / ((far - near) * t);
+    return static_cast<float>(std::clamp(0.5 * ndc + 0.5, 0.0, 1.0));
+  }
+};
+
+void prepareTexture(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int filter)
+{
+  texture->SetContext(window);
+  texture->SetMinificationFilter(filter);
+  texture->SetMagnificationFilter(filter);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+}
+
+} // namespace
+
+FilmDisplay::FilmDisplay() = default;
+
+FilmDisplay::~FilmDisplay() = default;
+
+void FilmDisplay::release(vtkWindow* window)
+{
+  if (window_ && window)
+  {
+    if (quad_)
+      quad_->ReleaseGraphicsResources(window);
+    color_->ReleaseGraphicsResources(window);
+    depth_->ReleaseGraphicsResources(window);
+  }
+  quad_.reset();
+  shown_.clear();
+  window_ = nullptr;
+}
+
+bool FilmDisplay::prepare(vtkRenderer* renderer)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window)
+    return false;
+  if (window != window_)
+  {
+    release(window_);
+    window_ = window;
+  }
+  if (!quad_)
+    quad_ = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, fragmentShader, nullptr);
+  else
+    window->GetShaderCache()->ReadyShaderProgram(quad_->Program);
+  return quad_->Program != nullptr && quad_->Program->GetCompiled();
+}
+
+void FilmDisplay::convertDepth(vtkRenderer* renderer, const Film& film)
+{
+  const DepthScale scale(renderer->GetActiveCamera());
+  windowDepth_.resize(film.pixels());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, film.pixels(), 1 << 14),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t i = range.begin(); i != range.end(); ++i)
+        windowDepth_[i] = scale(film.nearestDepth()[i]);
+    });
+}
+
+void FilmDisplay::upload(const Film& film, const unsigned char* colors)
+{
+  const auto width = static_cast<unsigned>(film.width());
+  const auto height = static_cast<unsigned>(film.height());
+  prepareTexture(color_, window_, vtkTextureObject::Nearest);
+  prepareTexture(depth_, window_, vtkTextureObject::Nearest);
+  color_->Create2DFromRaw(
+    width, height, 4, VTK_UNSIGNED_CHAR, const_cast<unsigned char*>(colors));
+  depth_->Create2DFromRaw(width, height, 1, VTK_FLOAT, windowDepth_.data());
+}
+
+void FilmDisplay::drawQuad(bool blend)
+{
+  vtkOpenGLState* state = window_->GetState();
+  const vtkOpenGLState::ScopedglEnableDisable keepDepthTest(state, GL_DEPTH_TEST);
+  const vtkOpenGLState::ScopedglEnableDisable keepBlend(state, GL_BLEND);
+  const vtkOpenGLState::ScopedglDepthMask keepMask(state);
+  const vtkOpenGLState::ScopedglBlendFuncSeparate keepFunction(state);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_TRUE);
+  if (blend)
+  {
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  }
+  else
+    state->vtkglDisable(GL_BLEND);
+  color_->Activate();
+  depth_->Activate();
+  quad_->Program->SetUniformi("colorTexture", color_->GetTextureUnit());
+  quad_->Program->SetUniformi("depthTexture", depth_->GetTextureUnit());
+  quad_->Render();
+  depth_->Deactivate();
+  color_->Deactivate();
+}
+
+void FilmDisplay::draw(vtkRenderer* renderer, const Film& film, unsigned long version)
+{
+  if (!prepare(renderer))
+    return;
+  const double* range = renderer->GetActiveCamera()->GetClippingRange();
+  const std::vector<double> wanted = {double(version), range[0], range[1]};
+  if (wanted != shown_)
+  {
+    colorBytes_.resize(4 * film.pixels());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, colorBytes_.size(), 1 << 16),
+      [&](const tbb::blocked_range<std::size_t>& bytes)
+      {
+        for (std::size_t i = bytes.begin(); i != bytes.end(); ++i)
+          colorBytes_[i] = static_cast<unsigned char>(film.color()[i] * 255.0f + 0.5f);
+      });
+    convertDepth(renderer, film);
+    upload(film, colorBytes_.data());
+    shown_ = wanted;
+  }
+  drawQuad(true);
+}
+
+void FilmDisplay::drawFlat(
+  vtkRenderer* renderer, const Film& film, const std::vector<unsigned char>& colors)
+{
+  if (!prepare(renderer))
+    return;
+  shown_.clear();
+  convertDepth(renderer, film);
+  upload(film, colors.data());
+  drawQuad(false);
+}
+
+} // namespace mote

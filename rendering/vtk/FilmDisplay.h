@@ -1,0 +1,53 @@
+#pragma once
+
+#include "kernels/core/Film.h"
+
+#include "vtkNew.h"
+
+#include <memory>
+#include <vector>
+
+class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace mote
+{
+
+/// Draws a film over a renderer's viewport with colour and depth, by OpenGL. The film may have fewer
+/// pixels than the viewport.
+class FilmDisplay
+{
+public:
+  FilmDisplay();
+  ~FilmDisplay();
+
+  /// Blends the film over what is there, hidden by what is nearer. `version` tells films apart: the
+  /// same one is not converted and sent again.
+  void draw(vtkRenderer* renderer, const Film& film, unsigned long version);
+
+  /// Writes one colour, without blending, wherever the film shows something: for selection passes.
+  /// `colors` holds four bytes a pixel of the film.
+  void drawFlat(vtkRenderer* renderer, const Film& film, const std::vector<unsigned char>& colors);
+
+  void release(vtkWindow* window);
+  vtkOpenGLRenderWindow* window() const { return window_; }
+
+private:
+  bool prepare(vtkRenderer* renderer);
+  void upload(const Film& film, const unsigned char* colors);
+  void convertDepth(vtkRenderer* renderer, const Film& film);
+  void drawQuad(bool blend);
+
+  vtkOpenGLRenderWindow* window_ = nullptr;
+  vtkNew<vtkTextureObject> color_;
+  vtkNew<vtkTextureObject> depth_;
+  std::unique_ptr<vtkOpenGLQuadHelper> quad_;
+  std::vector<unsigned char> colorBytes_;
+  std::vector<float> windowDepth_;
+  std::vector<double> shown_; ///< version and camera of what the textures hold
+};
+
+} // namespace mote

@@ -1,0 +1,124 @@
+#include "FrameTracer.h"
+
+#include "SceneBridge.h"
+
+#include "vtkMoteParticleMapper.h"
+
+#include "kernels/scene/RayCaster.h"
+
+#include "vtkActor.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+namespace mote
+{
+
+namespace
+{
+
+void add(std::vector<double>& s, const Vec3d& v)
+{
+  s.insert(s.end(), {v.x, v.y, v.z});
+}
+
+/// Everything that the picture depends on but its resolution. MTimes are exact in a double.
+std::vector<double> signatureOf(vtkRenderer* renderer, const std::vector<vtkActor*>& actors,
+  const Camera& camera, const Scene& scene, int width, int height)
+{
+  std::vector<double> s = {double(width), double(height), double(camera.projection),
+    camera.viewAngle, camera.parallelScale, camera.centerX, camera.centerY, camera.nearDistance,
+    camera.farDistance};
+  add(s, camera.position);
+  add(s, camera.forward);
+  add(s, camera.up);
+  for (const Light& light : scene.lights)
+  {
+    s.push_back(double(light.kind));
+    add(s, light.vector);
+    add(s, Vec3d(light.color));
+  }
+  for (std::size_t i = 0; i < actors.size(); ++i)
+  {
+    auto* mapper = vtkMoteParticleMapper::SafeDownCast(actors[i]->GetMapper());
+    s.push_back(static_cast<double>(reinterpret_cast<std::uintptr_t>(actors[i])));
+    s.push_back(static_cast<double>(mapper->GetPictureMTime()));
+    s.push_back(static_cast<double>(actors[i]->GetProperty()->GetMTime()));
+    for (int column = 0; column < 4; ++column)
+      add(s, Vec3d(scene.particles[i].toWorld[column]));
+  }
+  return s;
+}
+
+} // namespace
+
+double FrameTracer::distanceFor(int width, int height, const FrameSettings& settings) const
+{
+  if (!settings.interactive || !settings.autoAdjust)
+    return 1.0;
+  const double full = secondsPerRay_ * width * height;
+  for (const double distance : {1.0, 1.5, 2.0, 3.0, 4.0, 6.0})
+    if (full / (distance * distance) <= settings.frameTime)
+      return distance;
+  return 8.0;
+}
+
+bool FrameTracer::trace(vtkRenderer* renderer, std::vector<vtkActor*>& actors, int width,
+  int height, const FrameSettings& settings, const Progress& progress)
+{
+  seconds_ = 0.0;
+  rays_ = 0;
+  const Scene scene = sceneOf(renderer, actors);
+  if (actors.empty() || width < 1 || height < 1)
+  {
+    signature_.clear();
+    return false;
+  }
+  const double aspect = double(width) / height;
+  const auto signature = signatureOf(
+    renderer, actors, cameraOf(renderer, aspect, width, height), scene, width, height);
+  const double wanted = distanceFor(width, height, settings);
+  if (signature != signature_ || distance_ > wanted)
+  {
+    distance_ = wanted;
+    film_.resize(std::max(1, int(std::ceil(width / distance_))),
+      std::max(1, int(std::ceil(height / distance_))));
+    signature_ = signature;
+  }
+  const Camera camera = cameraOf(renderer, aspect, film_.width(), film_.height());
+  const int target = settings.interactive ? 1 : settings.samples;
+
+  const auto caller = std::this_thread::get_id();
+  RayCaster caster(scene);
+  caster.setThreads(settings.threads);
+  const auto start = std::chrono::steady_clock::now();
+  while (film_.samples() < target)
+  {
+    const double done = double(film_.samples()) / target;
+    const bool complete = caster.addSample(camera, film_,
+      [&](double part)
+      { return !progress || std::this_thread::get_id() != caller || progress(done + part / target); });
+    if (!complete)
+    {
+      signature_.clear();
+      return false;
+    }
+    rays_ += static_cast<long long>(film_.pixels());
+    ++version_;
+    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (settings.progressive && seconds_ + seconds_ / std::max(1, film_.samples()) >
+                                  settings.frameTime)
+      break;
+  }
+  if (rays_ > 0)
+    secondsPerRay_ = seconds_ / static_cast<double>(rays_);
+  converged_ = distance_ == 1.0 && film_.samples() >= settings.samples;
+  return true;
+}
+
+} // namespace mote

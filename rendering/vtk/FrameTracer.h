@@ -1,0 +1,57 @@
+#pragma once
+
+#include "kernels/core/Film.h"
+#include "kernels/core/Progress.h"
+
+#include <vector>
+
+class vtkActor;
+class vtkRenderer;
+
+namespace mote
+{
+
+/// How one frame is to be traced; see vtkMoteRayCastPass.
+struct FrameSettings
+{
+  int samples = 4;
+  bool progressive = false;
+  bool autoAdjust = true;
+  double frameTime = 0.08; ///< seconds that a frame may take while the view moves
+  int threads = 0;
+  bool interactive = false; ///< the view moves
+};
+
+/// Keeps the traced picture of one renderer up to date with as few rays as the settings allow.
+class FrameTracer
+{
+public:
+  /// Traces what is missing of the picture of these actors; `width` and `height` are the viewport's
+  /// in pixels. Actors with nothing to draw are taken out of the list. False where none is left, or
+  /// where `progress` stopped the tracing. `progress` is called on the calling thread only.
+  bool trace(vtkRenderer* renderer, std::vector<vtkActor*>& actors, int width, int height,
+    const FrameSettings& settings, const Progress& progress);
+
+  const Film& film() const { return film_; }
+  /// Distance of neighbouring rays in pixels of the viewport.
+  double distance() const { return distance_; }
+  bool converged() const { return converged_; }
+  double seconds() const { return seconds_; }
+  long long rays() const { return rays_; }
+  /// Changes whenever the film does.
+  unsigned long version() const { return version_; }
+
+private:
+  double distanceFor(int width, int height, const FrameSettings& settings) const;
+
+  Film film_;
+  std::vector<double> signature_; ///< all that the film depends on
+  double distance_ = 1.0;
+  double secondsPerRay_ = 1e-7; ///< of the last tracing: what the next will take, most likely
+  double seconds_ = 0.0;
+  long long rays_ = 0;
+  unsigned long version_ = 0;
+  bool converged_ = false;
+};
+
+} // namespace mote

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "FilmDisplay.h"
+#include "FrameTracer.h"
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace mote
+{
+
+/// The traced picture of some actors in one renderer, and its way onto the screen.
+class RendererImage
+{
+public:
+  /// Brings the picture up to date; see FrameTracer::trace(). Whether the view moves, and whether
+  /// to stop, is asked of the renderer's window.
+  bool trace(vtkRenderer* renderer, std::vector<vtkActor*> actors, FrameSettings settings,
+    const Progress& progress);
+
+  /// Draws the picture; while a vtkHardwareSelector is at work, what it asks for instead.
+  void draw(vtkRenderer* renderer);
+
+  const FrameTracer& tracer() const { return tracer_; }
+  FilmDisplay& display() { return display_; }
+  double traceTime() const { return tracer_.seconds(); }
+  double displayTime() const { return displaySeconds_; }
+
+private:
+  void drawSelection(vtkRenderer* renderer);
+
+  FrameTracer tracer_;
+  FilmDisplay display_;
+  std::vector<vtkActor*> actors_; ///< object i of the scene belongs to actor i
+  double displaySeconds_ = 0.0;
+};
+
+/// The images of one mapper or pass, a renderer each.
+class RendererImages
+{
+public:
+  RendererImage& of(vtkRenderer* renderer);
+  /// Forgets the images shown in this window, or all where it is null.
+  void release(vtkWindow* window);
+
+private:
+  std::map<vtkRenderer*, std::unique_ptr<RendererImage>> images_;
+};
+
+} // namespace mote

@@ -1,0 +1,140 @@
+#include "SceneBridge.h"
+
+#include "vtkMoteParticleMapper.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMatrix4x4.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+#include <cmath>
+
+namespace mote
+{
+
+namespace
+{
+
+Vec3d toVec(const double* v)
+{
+  return {v[0], v[1], v[2]};
+}
+
+Vec3f toColor(const double* v)
+{
+  return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+}
+
+Light toLight(vtkLight* from)
+{
+  Light light;
+  double position[3], focalPoint[3];
+  from->GetTransformedPosition(position);
+  from->GetTransformedFocalPoint(focalPoint);
+  light.color = toColor(from->GetDiffuseColor()) * static_cast<float>(from->GetIntensity());
+  if (from->GetPositional())
+  {
+    light.kind = Light::Kind::Point;
+    light.vector = toVec(position);
+  }
+  else
+  {
+    light.kind = Light::Kind::Directional;
+    light.vector = toVec(focalPoint) - toVec(position);
+  }
+  return light;
+}
+
+} // namespace
+
+Camera cameraOf(vtkRenderer* renderer, double viewportAspect, int width, int height)
+{
+  vtkCamera* from = renderer->GetActiveCamera();
+  Camera camera;
+  camera.projection = from->GetParallelProjection() ? Camera::Projection::Orthographic
+                                                    : Camera::Projection::Perspective;
+  camera.position = toVec(from->GetPosition());
+  camera.forward = toVec(from->GetDirectionOfProjection());
+  camera.up = toVec(from->GetViewUp());
+  camera.pixelAspect = viewportAspect * height / width;
+  camera.viewAngle = from->GetViewAngle();
+  if (from->GetUseHorizontalViewAngle())
+    camera.viewAngle =
+      2.0 / M_PI * 180.0 *
+      std::atan(std::tan(from->GetViewAngle() * M_PI / 360.0) / viewportAspect);
+  camera.parallelScale = from->GetParallelScale();
+  camera.centerX = from->GetWindowCenter()[0];
+  camera.centerY = from->GetWindowCenter()[1];
+  camera.nearDistance = from->GetClippingRange()[0];
+  camera.farDistance = from->GetClippingRange()[1];
+  return camera;
+}
+
+std::vector<Light> lightsOf(vtkRenderer* renderer)
+{
+  std::vector<Light> lights;
+  vtkLightCollection* all = renderer->GetLights();
+  vtkCollectionSimpleIterator next;
+  all->InitTraversal(next);
+  while (vtkLight* light = all->GetNextLight(next))
+    if (light->GetSwitch())
+      lights.push_back(toLight(light));
+  if (all->GetNumberOfItems() == 0)
+  {
+    Light headlight;
+    headlight.kind = Light::Kind::Directional;
+    headlight.vector = toVec(renderer->GetActiveCamera()->GetDirectionOfProjection());
+    lights.push_back(headlight);
+  }
+  return lights;
+}
+
+void describeActor(vtkActor* actor, ParticleObject& object)
+{
+  vtkMatrix4x4* matrix = actor->GetMatrix();
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column)
+      object.toWorld[column][row] = matrix->GetElement(row, column);
+  vtkProperty* property = actor->GetProperty();
+  object.coloring.constant = Vec4f(toColor(property->GetDiffuseColor()), 1.0f);
+  Material& m = object.material;
+  m.opacity = static_cast<float>(property->GetOpacity());
+  if (!property->GetLighting())
+  {
+    m.ambient = 1.0f;
+    m.diffuse = m.specular = 0.0f;
+    return;
+  }
+  m.ambient = static_cast<float>(property->GetAmbient());
+  m.diffuse = static_cast<float>(property->GetDiffuse());
+  m.specular = static_cast<float>(property->GetSpecular());
+  m.specularPower = static_cast<float>(property->GetSpecularPower());
+}
+
+vtkActor* moteActor(vtkProp* prop)
+{
+  vtkActor* actor = vtkActor::SafeDownCast(prop);
+  return actor && vtkMoteParticleMapper::SafeDownCast(actor->GetMapper()) ? actor : nullptr;
+}
+
+Scene sceneOf(vtkRenderer* renderer, std::vector<vtkActor*>& actors)
+{
+  Scene scene;
+  std::vector<vtkActor*> kept;
+  for (vtkActor* actor : actors)
+  {
+    ParticleObject object;
+    if (!vtkMoteParticleMapper::SafeDownCast(actor->GetMapper())->DescribeTo(object, actor))
+      continue;
+    scene.particles.push_back(std::move(object));
+    kept.push_back(actor);
+  }
+  actors = kept;
+  scene.lights = lightsOf(renderer);
+  return scene;
+}
+
+} // namespace mote

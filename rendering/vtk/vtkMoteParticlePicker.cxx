@@ -1,0 +1,95 @@
+#include "vtkMoteParticlePicker.h"
+
+#include "SceneBridge.h"
+
+#include "vtkMoteParticleMapper.h"
+
+#include "vtkActor.h"
+#include "vtkAssemblyPath.h"
+#include "vtkCommand.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkMoteParticlePicker);
+
+vtkMoteParticlePicker::vtkMoteParticlePicker() = default;
+vtkMoteParticlePicker::~vtkMoteParticlePicker() = default;
+
+int vtkMoteParticlePicker::Pick(double x, double y, double z, vtkRenderer* renderer)
+{
+  this->Initialize();
+  this->Renderer = renderer;
+  this->SelectionPoint[0] = x;
+  this->SelectionPoint[1] = y;
+  this->SelectionPoint[2] = z;
+  this->ParticleId = -1;
+  this->Value = vtkMath::Nan();
+  this->Distance = 0.0;
+  std::fill_n(this->PickNormal, 3, 0.0);
+  if (!renderer || !renderer->GetActiveCamera())
+  {
+    vtkErrorMacro("Picking needs a renderer with a camera.");
+    return 0;
+  }
+  this->InvokeEvent(vtkCommand::StartPickEvent, nullptr);
+  if (this->GetPickFromList())
+    this->CastRay(x, y, this->GetPickList());
+  else
+    this->CastRay(x, y, renderer->GetViewProps());
+  const bool picked = this->ParticleId >= 0;
+  if (picked)
+    this->InvokeEvent(vtkCommand::PickEvent, nullptr);
+  this->InvokeEvent(vtkCommand::EndPickEvent, nullptr);
+  return picked ? 1 : 0;
+}
+
+void vtkMoteParticlePicker::CastRay(double x, double y, vtkPropCollection* props)
+{
+  std::vector<vtkActor*> actors;
+  vtkCollectionSimpleIterator next;
+  props->InitTraversal(next);
+  while (vtkProp* prop = props->GetNextProp(next))
+    if (vtkActor* actor = mote::moteActor(prop))
+      if (actor->GetVisibility() && actor->GetPickable())
+        actors.push_back(actor);
+  const mote::Scene scene = mote::sceneOf(this->Renderer, actors);
+
+  const int* size = this->Renderer->GetSize();
+  const int* corner = this->Renderer->GetOrigin();
+  if (size[0] < 1 || size[1] < 1)
+    return;
+  const mote::CameraRays rays(
+    mote::cameraOf(this->Renderer, double(size[0]) / size[1], size[0], size[1]), size[0], size[1]);
+  // Display coordinates name pixels; a pixel's ray goes through its centre.
+  const double px = x - corner[0] + 0.5, py = y - corner[1] + 0.5;
+  const auto hit = mote::pick(scene, rays.originAt(px, py), rays.directionAt(px, py), rays.tMin,
+    rays.tMax);
+  if (!hit)
+    return;
+  vtkActor* actor = actors[hit->object];
+  vtkNew<vtkAssemblyPath> path;
+  path->AddNode(actor, actor->GetMatrix());
+  this->SetPath(path);
+  this->ParticleId = static_cast<vtkIdType>(hit->particle);
+  this->Value =
+    vtkMoteParticleMapper::SafeDownCast(actor->GetMapper())->GetParticleValue(this->ParticleId);
+  this->Distance = hit->t;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->PickPosition[axis] = hit->position[axis];
+    this->PickNormal[axis] = hit->normal[axis];
+  }
+}
+
+void vtkMoteParticlePicker::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ParticleId: " << this->ParticleId << "\n";
+  os << indent << "Value: " << this->Value << "\n";
+  os << indent << "Distance: " << this->Distance << "\n";
+}

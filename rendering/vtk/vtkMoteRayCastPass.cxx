@@ -1,0 +1,201 @@
+#include "vtkMoteRayCastPass.h"
+
+#include "RendererImage.h"
+#include "SceneBridge.h"
+
+#include "vtkActor.h"
+#include "vtkCommand.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpaquePass.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkRenderState.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkRenderer.h"
+#include "vtkSequencePass.h"
+
+vtkStandardNewMacro(vtkMoteRayCastPass);
+
+namespace
+{
+
+/// The step after the opaque one, in which the traced picture is drawn. It must come after opaque
+/// props, over which edges are blended, and before translucent ones.
+class vtkMoteImageStep : public vtkRenderPass
+{
+public:
+  static vtkMoteImageStep* New();
+  vtkTypeMacro(vtkMoteImageStep, vtkRenderPass);
+
+  std::function<void(vtkRenderer*)> Draw;
+
+  void Render(const vtkRenderState* state) override
+  {
+    this->NumberOfRenderedProps = 0;
+    if (this->Draw)
+      this->Draw(state->GetRenderer());
+  }
+
+private:
+  vtkMoteImageStep() = default;
+};
+
+vtkStandardNewMacro(vtkMoteImageStep);
+
+} // namespace
+
+class vtkMoteRayCastPass::Internals
+{
+public:
+  vtkNew<vtkMoteImageStep> step;
+  vtkSmartPointer<vtkRenderPass> delegate;
+  mote::RendererImages images;
+  std::vector<vtkActor*> actors; ///< Mote's, of the frame being drawn
+  bool converged = true;
+  double distance = 1.0;
+  int samples = 0;
+  long long rays = 0;
+  double traceTime = 0.0;
+  double displayTime = 0.0;
+};
+
+vtkMoteRayCastPass::vtkMoteRayCastPass()
+  : Impl(std::make_unique<Internals>())
+{
+  this->Impl->step->Draw = [this](vtkRenderer* renderer) { this->DrawImage(renderer); };
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<vtkSequencePass> sequence;
+  vtkNew<vtkRenderPassCollection> passes;
+  vtkNew<vtkOpaquePass> opaque;
+  passes->AddItem(opaque);
+  passes->AddItem(this->Impl->step);
+  sequence->SetPasses(passes);
+  steps->SetOpaquePass(sequence);
+  this->Impl->delegate = steps;
+}
+
+vtkMoteRayCastPass::~vtkMoteRayCastPass() = default;
+
+void vtkMoteRayCastPass::SetDelegatePass(vtkRenderPass* pass)
+{
+  if (this->Impl->delegate == pass)
+    return;
+  this->Impl->delegate = pass;
+  this->Modified();
+}
+
+vtkRenderPass* vtkMoteRayCastPass::GetDelegatePass()
+{
+  return this->Impl->delegate;
+}
+
+vtkRenderPass* vtkMoteRayCastPass::GetImagePass()
+{
+  return this->Impl->step;
+}
+
+void vtkMoteRayCastPass::Render(const vtkRenderState* state)
+{
+  this->NumberOfRenderedProps = 0;
+  this->Impl->actors.clear();
+  std::vector<vtkProp*> others;
+  for (int i = 0; i < state->GetPropArrayCount(); ++i)
+  {
+    vtkProp* prop = state->GetPropArray()[i];
+    if (vtkActor* actor = mote::moteActor(prop))
+      this->Impl->actors.push_back(actor);
+    else
+      others.push_back(prop);
+  }
+  if (!this->Impl->delegate)
+  {
+    vtkErrorMacro("There is no delegate pass.");
+    return;
+  }
+  vtkRenderState rest(state->GetRenderer());
+  rest.SetPropArrayAndCount(others.data(), static_cast<int>(others.size()));
+  rest.SetFrameBuffer(state->GetFrameBuffer());
+  rest.SetRequiredKeys(state->GetRequiredKeys());
+  this->Impl->delegate->Render(&rest);
+  this->NumberOfRenderedProps += this->Impl->delegate->GetNumberOfRenderedProps();
+}
+
+void vtkMoteRayCastPass::DrawImage(vtkRenderer* renderer)
+{
+  Internals& impl = *this->Impl;
+  mote::FrameSettings settings;
+  settings.samples = this->SamplesPerPixel;
+  settings.progressive = this->Progressive != 0;
+  settings.autoAdjust = this->AutoAdjustResolution != 0;
+  settings.frameTime = this->InteractiveFrameTime;
+  settings.threads = this->NumberOfThreads;
+  mote::RendererImage& image = impl.images.of(renderer);
+  impl.displayTime = 0.0;
+  const bool shown = image.trace(renderer, impl.actors, settings,
+    [this](double done)
+    {
+      this->InvokeEvent(vtkCommand::ProgressEvent, &done);
+      return true;
+    });
+  if (shown)
+  {
+    image.draw(renderer);
+    impl.displayTime = image.displayTime();
+    this->NumberOfRenderedProps += static_cast<int>(impl.actors.size());
+  }
+  const mote::FrameTracer& tracer = image.tracer();
+  impl.converged = !shown || tracer.converged();
+  impl.distance = tracer.distance();
+  impl.samples = shown ? tracer.film().samples() : 0;
+  impl.rays = tracer.rays();
+  impl.traceTime = tracer.seconds();
+}
+
+void vtkMoteRayCastPass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Impl->images.release(window);
+  if (this->Impl->delegate)
+    this->Impl->delegate->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+bool vtkMoteRayCastPass::IsConverged()
+{
+  return this->Impl->converged;
+}
+
+double vtkMoteRayCastPass::GetImageSampleDistance()
+{
+  return this->Impl->distance;
+}
+
+int vtkMoteRayCastPass::GetNumberOfSamples()
+{
+  return this->Impl->samples;
+}
+
+vtkTypeInt64 vtkMoteRayCastPass::GetNumberOfRays()
+{
+  return this->Impl->rays;
+}
+
+double vtkMoteRayCastPass::GetTraceTime()
+{
+  return this->Impl->traceTime;
+}
+
+double vtkMoteRayCastPass::GetDisplayTime()
+{
+  return this->Impl->displayTime;
+}
+
+void vtkMoteRayCastPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SamplesPerPixel: " << this->SamplesPerPixel << "\n";
+  os << indent << "Progressive: " << (this->Progressive ? "On" : "Off") << "\n";
+  os << indent << "AutoAdjustResolution: " << (this->AutoAdjustResolution ? "On" : "Off") << "\n";
+  os << indent << "InteractiveFrameTime: " << this->InteractiveFrameTime << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "DelegatePass: " << this->Impl->delegate << "\n";
+}

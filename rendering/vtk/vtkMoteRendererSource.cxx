@@ -1,0 +1,235 @@
+#include "vtkMoteRendererSource.h"
+
+#include "SceneBridge.h"
+
+#include "kernels/core/Error.h"
+#include "kernels/scene/RayCaster.h"
+
+#include "vtkActor.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTypeInt64Array.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+vtkStandardNewMacro(vtkMoteRendererSource);
+
+vtkMoteRendererSource::vtkMoteRendererSource()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkMoteRendererSource::~vtkMoteRendererSource() = default;
+
+void vtkMoteRendererSource::SetRenderer(vtkRenderer* renderer)
+{
+  if (this->Renderer == renderer)
+    return;
+  this->Renderer = renderer;
+  this->Modified();
+}
+
+vtkRenderer* vtkMoteRendererSource::GetRenderer()
+{
+  return this->Renderer;
+}
+
+int vtkMoteRendererSource::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(input), vtkInformationVector* output)
+{
+  vtkInformation* info = output->GetInformationObject(0);
+  const int extent[6] = {0, std::clamp(this->Size[0], 1, 65536) - 1, 0,
+    std::clamp(this->Size[1], 1, 65536) - 1, 0, 0};
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(vtkDataObject::SPACING(), 1.0, 1.0, 1.0);
+  info->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 4);
+  return 1;
+}
+
+namespace
+{
+
+template <typename Array>
+typename Array::ValueType* addArray(
+  vtkImageData* image, const char* name, int components, bool active = false)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(image->GetNumberOfPoints());
+  if (active)
+    image->GetPointData()->SetScalars(array);
+  else
+    image->GetPointData()->AddArray(array);
+  return array->GetPointer(0);
+}
+
+/// Puts the background, even or a vertical gradient, behind premultiplied colours.
+void putBackground(vtkRenderer* renderer, int width, int height, float* colors)
+{
+  double bottom[3], top[3];
+  renderer->GetBackground(bottom);
+  renderer->GetBackground(top);
+  if (renderer->GetGradientBackground())
+    renderer->GetBackground2(top);
+  for (int y = 0; y < height; ++y)
+  {
+    const double share = (y + 0.5) / height;
+    for (int x = 0; x < width; ++x)
+    {
+      float* c = colors + 4 * (static_cast<std::size_t>(y) * width + x);
+      for (int k = 0; k < 3; ++k)
+        c[k] += (1.0f - c[3]) * static_cast<float>(bottom[k] + share * (top[k] - bottom[k]));
+      c[3] = 1.0f;
+    }
+  }
+}
+
+void copyIds(const mote::Film& film, vtkImageData* image)
+{
+  auto* particle = addArray<vtkTypeInt64Array>(image, "particle", 1);
+  auto* object = addArray<vtkIntArray>(image, "object", 1);
+  for (std::size_t i = 0; i < film.pixels(); ++i)
+  {
+    particle[i] =
+      film.id()[i] == mote::Film::noId ? -1 : static_cast<vtkTypeInt64>(film.id()[i]);
+    object[i] = film.object()[i];
+  }
+}
+
+} // namespace
+
+std::vector<vtkActor*> vtkMoteRendererSource::CollectActors()
+{
+  std::vector<vtkActor*> actors;
+  this->NumberOfIgnoredProps = 0;
+  vtkPropCollection* props = this->Renderer->GetViewProps();
+  vtkCollectionSimpleIterator next;
+  props->InitTraversal(next);
+  while (vtkProp* prop = props->GetNextProp(next))
+  {
+    if (!prop->GetVisibility())
+      continue;
+    if (vtkActor* actor = mote::moteActor(prop))
+      actors.push_back(actor);
+    else
+      ++this->NumberOfIgnoredProps;
+  }
+  return actors;
+}
+
+bool vtkMoteRendererSource::Trace(mote::Film& film)
+{
+  std::vector<vtkActor*> actors = this->CollectActors();
+  this->Renderer->GetActiveCamera(); // makes one, that shows everything, where there is none
+  if (this->ResetClippingRange)
+    this->Renderer->ResetCameraClippingRange();
+  this->Renderer->UpdateLightsGeometryToFollowCamera();
+  const mote::Scene scene = mote::sceneOf(this->Renderer, actors);
+  const mote::Camera camera = mote::cameraOf(
+    this->Renderer, double(film.width()) / film.height(), film.width(), film.height());
+  mote::RayCaster caster(scene);
+  caster.setThreads(this->NumberOfThreads);
+  const auto caller = std::this_thread::get_id();
+  for (int sample = 0; sample < this->SamplesPerPixel; ++sample)
+  {
+    const auto progress = [&](double part)
+    {
+      if (std::this_thread::get_id() != caller)
+        return true;
+      this->UpdateProgress((sample + part) / this->SamplesPerPixel);
+      return this->GetAbortExecute() == 0;
+    };
+    if (!caster.addSample(camera, film, progress))
+      return false;
+  }
+  return true;
+}
+
+int vtkMoteRendererSource::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(input), vtkInformationVector* output)
+{
+  vtkImageData* image = vtkImageData::GetData(output);
+  if (!this->Renderer)
+  {
+    vtkErrorMacro("There is no renderer to trace.");
+    return 0;
+  }
+  if (this->Size[0] < 1 || this->Size[1] < 1 || this->Size[0] > 65536 || this->Size[1] > 65536)
+  {
+    vtkErrorMacro("An image of " << this->Size[0] << " by " << this->Size[1]
+                                 << " pixels cannot be made: 1 to 65536 are, each way.");
+    return 0;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  mote::Film film;
+  try
+  {
+    film.resize(this->Size[0], this->Size[1],
+      (this->Ids ? mote::Film::Id : 0u) | (this->Normals ? mote::Film::Normal : 0u));
+    if (!this->Trace(film))
+      return 1; // aborted: no image
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+  this->TraceTime =
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+  image->SetDimensions(film.width(), film.height(), 1);
+  float* colors = addArray<vtkFloatArray>(image, "color", 4, true);
+  std::copy_n(film.color(), 4 * film.pixels(), colors);
+  if (!this->TransparentBackground)
+    putBackground(this->Renderer, film.width(), film.height(), colors);
+  if (this->Depth)
+    std::copy_n(film.depth(), film.pixels(), addArray<vtkFloatArray>(image, "depth", 1));
+  if (this->Normals)
+    std::copy_n(film.normal(), 3 * film.pixels(), addArray<vtkFloatArray>(image, "normal", 3));
+  if (this->Ids)
+    copyIds(film, image);
+  return 1;
+}
+
+vtkMTimeType vtkMoteRendererSource::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  if (!this->Renderer)
+    return time;
+  time = std::max(time, this->Renderer->GetMTime());
+  vtkPropCollection* props = this->Renderer->GetViewProps();
+  vtkCollectionSimpleIterator next;
+  props->InitTraversal(next);
+  while (vtkProp* prop = props->GetNextProp(next))
+    time = std::max(time, prop->GetRedrawMTime());
+  return time;
+}
+
+void vtkMoteRendererSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto onOff = [](vtkTypeBool on) { return on ? "On" : "Off"; };
+  os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
+  os << indent << "SamplesPerPixel: " << this->SamplesPerPixel << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "Depth: " << onOff(this->Depth) << "\n";
+  os << indent << "Normals: " << onOff(this->Normals) << "\n";
+  os << indent << "Ids: " << onOff(this->Ids) << "\n";
+  os << indent << "TransparentBackground: " << onOff(this->TransparentBackground) << "\n";
+  os << indent << "ResetClippingRange: " << onOff(this->ResetClippingRange) << "\n";
+  os << indent << "NumberOfIgnoredProps: " << this->NumberOfIgnoredProps << "\n";
+  os << indent << "Renderer: " << this->Renderer.Get() << "\n";
+}
