@@ -15,18 +15,18 @@ class FileError : public std::runtime_error
 public:
   enum class Kind
   {
-    NotFound,   ///< no such file
-    CannotOpen, ///< a directory, no permission, not a regular file
-    OtherFormat,///< readable, but of another format
-    Truncated,  ///< the file ends too early
-    Malformed,  ///< the format's rules are broken, or a column is missing
-    Aborted     ///< not the file's fault: the caller asked to stop
+    NotFound,    ///< no such file
+    CannotOpen,  ///< a directory, no permission, not a regular file
+    OtherFormat, ///< readable, but of another format
+    Truncated,   ///< the file ends too early
+    Malformed,   ///< the format's rules are broken, or a column is missing
+    Aborted      ///< not the file's fault: the caller asked to stop
   };
 
   /// `line` and `column` count from 1, the column in characters; 0 means that there is none.
-  FileError(Kind kind, const std::string& file, const std::string& sentence,
-            std::uint64_t line = 0, std::uint64_t column = 0)
-    : std::runtime_error(compose(file, sentence, line, column)), m_kind(kind)
+  FileError(Kind kind, const std::string& file, const std::string& sentence, std::uint64_t line = 0,
+            std::uint64_t column = 0)
+      : std::runtime_error(compose(file, sentence, line, column)), m_kind(kind)
   {
   }
 

@@ -37,7 +37,7 @@ struct GzipStream::State
 };
 
 GzipStream::GzipStream(const TextFile& file)
-  : m_file(file), m_state(std::make_unique<State>()), m_input(InputBytes)
+    : m_file(file), m_state(std::make_unique<State>()), m_input(InputBytes)
 {
   if (inflateInit2(&m_state->z, GzipOnly) != Z_OK)
   {
@@ -86,8 +86,8 @@ std::size_t GzipStream::read(char* out, std::size_t count)
   while (done < count && !m_finished)
   {
     z.next_out = reinterpret_cast<Bytef*>(out + done);
-    z.avail_out = static_cast<uInt>(
-      std::min<std::size_t>(count - done, std::numeric_limits<uInt>::max()));
+    z.avail_out =
+        static_cast<uInt>(std::min<std::size_t>(count - done, std::numeric_limits<uInt>::max()));
     const uInt offered = z.avail_out;
     try
     {
@@ -126,14 +126,14 @@ void GzipStream::inflateMore()
   else if (status != Z_OK && status != Z_BUF_ERROR)
   {
     throw FileError(FileError::Kind::Malformed, m_file.path(),
-                    std::string("the gzip data are damaged (") +
-                      (z.msg ? z.msg : zError(status)) + ")");
+                    std::string("the gzip data are damaged (") + (z.msg ? z.msg : zError(status)) +
+                        ")");
   }
 }
 
 GzipStream::Snapshot GzipStream::snapshot() const
 {
-  return { m_textOffset, fileOffset(), m_finished, std::make_shared<const State>(*m_state) };
+  return {m_textOffset, fileOffset(), m_finished, std::make_shared<const State>(*m_state)};
 }
 
 void GzipStream::restore(const Snapshot& snapshot)

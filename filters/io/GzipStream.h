@@ -36,15 +36,16 @@ public:
   GzipStream(const GzipStream&) = delete;
   GzipStream& operator=(const GzipStream&) = delete;
 
-  /// Inflates up to `count` bytes into `out` and returns how many; 0 means the end. Throws FileError
-  /// when the data are damaged or end too early, after all that lies before has been handed out.
+  /// Inflates up to `count` bytes into `out` and returns how many; 0 means the end. Throws
+  /// FileError when the data are damaged or end too early, after all that lies before has been
+  /// handed out.
   std::size_t read(char* out, std::size_t count);
 
   Snapshot snapshot() const;
   void restore(const Snapshot& snapshot);
 
   std::uint64_t textOffset() const { return m_textOffset; } ///< bytes of text inflated so far
-  std::uint64_t fileOffset() const; ///< bytes of the file that they took
+  std::uint64_t fileOffset() const;                         ///< bytes of the file that they took
 
 private:
   bool fillInput();

@@ -30,15 +30,15 @@ Indexed splitIndex(const std::string& name)
   std::int64_t index = 0;
   if (open == 0 || open == name.npos || name.back() != ']')
   {
-    return { name, 0 };
+    return {name, 0};
   }
   const std::string inside = name.substr(open + 1, name.size() - open - 2);
   const char* const end = parseInteger(inside.c_str(), index);
   if (!end || *end != '\0' || index < 1)
   {
-    return { name, 0 };
+    return {name, 0};
   }
-  return { name.substr(0, open), static_cast<std::size_t>(index) };
+  return {name.substr(0, open), static_cast<std::size_t>(index)};
 }
 
 /// How many of the names that follow one another from `first` on make one vector, and its name.
@@ -60,7 +60,7 @@ std::size_t groupLength(const Names& names, std::size_t first, std::string& grou
     group = indexed.base;
     return length;
   }
-  for (const char* vector : { "v", "f", "mu", "omega", "angmom", "tq" })
+  for (const char* vector : {"v", "f", "mu", "omega", "angmom", "tq"})
   {
     const std::string base = vector;
     if (first + 2 < names.size() && names[first] == base + 'x' && names[first + 1] == base + 'y' &&
@@ -76,18 +76,19 @@ std::size_t groupLength(const Names& names, std::size_t first, std::string& grou
 /// Whether LAMMPS defines a column of this name, and defines it as a number.
 bool isNumberOfLAMMPS(const std::string& name)
 {
-  for (const char* prefix : { "c_", "f_", "v_", "i_", "d_", "i2_", "d2_" })
+  for (const char* prefix : {"c_", "f_", "v_", "i_", "d_", "i2_", "d2_"})
   {
     if (name.starts_with(prefix))
     {
       return true;
     }
   }
-  return isOneOf(name, { "id", "mol", "proc", "procp1", "mass", "x", "y", "z", "xs", "ys", "zs",
-                         "xu", "yu", "zu", "xsu", "ysu", "zsu", "ix", "iy", "iz", "vx", "vy", "vz",
-                         "fx", "fy", "fz", "q", "mux", "muy", "muz", "mu", "radius", "diameter",
-                         "omegax", "omegay", "omegaz", "angmomx", "angmomy", "angmomz", "tqx",
-                         "tqy", "tqz" });
+  return isOneOf(name, {"id",     "mol",     "proc",    "procp1",  "mass",     "x",      "y",
+                        "z",      "xs",      "ys",      "zs",      "xu",       "yu",     "zu",
+                        "xsu",    "ysu",     "zsu",     "ix",      "iy",       "iz",     "vx",
+                        "vy",     "vz",      "fx",      "fy",      "fz",       "q",      "mux",
+                        "muy",    "muz",     "mu",      "radius",  "diameter", "omegax", "omegay",
+                        "omegaz", "angmomx", "angmomy", "angmomz", "tqx",      "tqy",    "tqz"});
 }
 
 } // namespace
@@ -100,13 +101,13 @@ LAMMPSLayout layoutOf(const Names& columns, bool combine)
   {
     const std::string letter(1, static_cast<char>('x' + axis));
     auto found = columns.end();
-    for (const char* suffix : { "", "u", "s", "su" })
+    for (const char* suffix : {"", "u", "s", "su"})
     {
       found = std::find(columns.begin(), columns.end(), letter + suffix);
       if (found != columns.end())
       {
         const auto column = static_cast<std::size_t>(found - columns.begin());
-        layout.coordinates[axis] = { column, suffix[0] == 's' };
+        layout.coordinates[axis] = {column, suffix[0] == 's'};
         used[column] = true;
         break;
       }
@@ -122,7 +123,7 @@ LAMMPSLayout layoutOf(const Names& columns, bool combine)
     const std::size_t length = combine && !used[first] ? groupLength(columns, first, name) : 1;
     if (!used[first])
     {
-      LAMMPSArray array = { length > 1 ? name : columns[first], {} };
+      ColumnGroup array = {length > 1 ? name : columns[first], {}};
       for (std::size_t i = 0; i < length; ++i)
       {
         array.columns.push_back(first + i);
@@ -136,21 +137,20 @@ LAMMPSLayout layoutOf(const Names& columns, bool combine)
 
 ColumnType typeOf(const std::string& column, const std::string& firstValue)
 {
-  if (isOneOf(column, { "element", "typelabel" }))
+  if (isOneOf(column, {"element", "typelabel"}))
   {
     return ColumnType::String;
   }
   double number = 0;
-  if (!isNumberOfLAMMPS(column) && !firstValue.empty() &&
-      !parseDouble(firstValue.c_str(), number))
+  if (!isNumberOfLAMMPS(column) && !firstValue.empty() && !parseDouble(firstValue.c_str(), number))
   {
     return ColumnType::String;
   }
-  if (isOneOf(column, { "id", "mol" }))
+  if (isOneOf(column, {"id", "mol"}))
   {
     return ColumnType::Int64;
   }
-  if (isOneOf(column, { "type", "proc", "procp1", "ix", "iy", "iz" }))
+  if (isOneOf(column, {"type", "proc", "procp1", "ix", "iy", "iz"}))
   {
     return ColumnType::Int32;
   }
@@ -159,7 +159,7 @@ ColumnType typeOf(const std::string& column, const std::string& firstValue)
 
 LAMMPSPlacement::LAMMPSPlacement(const LAMMPSFrame& frame, const LAMMPSLayout& layout,
                                  const std::string& path)
-  : m_box(frame.box)
+    : m_box(frame.box)
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -205,11 +205,11 @@ void LAMMPSPlacement::apply(double* positions, std::uint64_t first, std::uint64_
 
 void LAMMPSPlacement::applyGeneral(double* position) const
 {
-  const double s[3] = { position[0], position[1], position[2] };
+  const double s[3] = {position[0], position[1], position[2]};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    position[axis] = m_box.origin[axis] + s[0] * m_box.cell[0][axis] +
-      s[1] * m_box.cell[1][axis] + s[2] * m_box.cell[2][axis];
+    position[axis] = m_box.origin[axis] + s[0] * m_box.cell[0][axis] + s[1] * m_box.cell[1][axis] +
+                     s[2] * m_box.cell[2][axis];
   }
 }
 

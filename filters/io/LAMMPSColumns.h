@@ -19,18 +19,11 @@ struct LAMMPSCoordinate
   bool scaled = false; ///< a fraction of the cell, not a length
 };
 
-/// One array of the output, made of one column or of several as its components.
-struct LAMMPSArray
-{
-  std::string name;
-  std::vector<std::size_t> columns;
-};
-
 /// What the columns of a frame mean.
 struct LAMMPSLayout
 {
   std::array<LAMMPSCoordinate, 3> coordinates;
-  std::vector<LAMMPSArray> arrays; ///< all columns but those of the coordinates, in file order
+  std::vector<ColumnGroup> arrays; ///< all columns but those of the coordinates, in file order
   std::string missing;             ///< the first coordinate without a column: "z"; or empty
 };
 

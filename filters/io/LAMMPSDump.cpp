@@ -9,12 +9,12 @@ namespace mote
 namespace
 {
 
-constexpr std::size_t SkipBytes = std::size_t{ 1 } << 20;
+constexpr std::size_t SkipBytes = std::size_t{1} << 20;
 
 bool startsFrame(std::string_view line)
 {
   return line.starts_with("ITEM: TIMESTEP") || line.starts_with("ITEM: UNITS") ||
-    line.starts_with("ITEM: TIME");
+         line.starts_with("ITEM: TIME");
 }
 
 /// Scans one file from its beginning to its end.
@@ -33,9 +33,9 @@ public:
     }
     if (m_index.frames.empty())
     {
-      throw m_lastDamage ? *m_lastDamage
-                         : FileError(FileError::Kind::Truncated, m_cursor.path(),
-                                     "the file has no time step");
+      throw m_lastDamage
+          ? *m_lastDamage
+          : FileError(FileError::Kind::Truncated, m_cursor.path(), "the file has no time step");
     }
     return std::move(m_index);
   }
@@ -90,7 +90,8 @@ void Indexer::checkBeginning()
   }
   const std::string line = beginning.substr(0, std::min<std::size_t>(beginning.find('\n'), 40));
   throw FileError(FileError::Kind::OtherFormat, m_cursor.path(),
-                  "this is no LAMMPS text dump: expected 'ITEM: TIMESTEP', found '" + line + "'", 1);
+                  "this is no LAMMPS text dump: expected 'ITEM: TIMESTEP', found '" + line + "'",
+                  1);
 }
 
 /// Adds the next frame to the index; false at the end of the file.
@@ -139,8 +140,8 @@ void Indexer::skipRows(const LAMMPSFrame& frame)
   {
     return FileError(kind, m_cursor.path(),
                      "step " + std::to_string(frame.timestep) + " announces " +
-                       std::to_string(frame.atoms) + (frame.atoms == 1 ? " atom" : " atoms") +
-                       ", but " + sentence,
+                         std::to_string(frame.atoms) + (frame.atoms == 1 ? " atom" : " atoms") +
+                         ", but " + sentence,
                      m_cursor.line());
   };
   const std::uint64_t found = skipLines(frame.atoms);
@@ -149,9 +150,9 @@ void Indexer::skipRows(const LAMMPSFrame& frame)
   {
     const std::string after = std::to_string(found);
     throw m_cursor.peekLine(line)
-      ? damaged(FileError::Kind::Malformed, "'" + std::string(line.substr(0, 40)) +
-                  "' follows after " + after)
-      : damaged(FileError::Kind::Truncated, "the file ends after " + after + ": it is truncated");
+        ? damaged(FileError::Kind::Malformed,
+                  "'" + std::string(line.substr(0, 40)) + "' follows after " + after)
+        : damaged(FileError::Kind::Truncated, "the file ends after " + after + ": it is truncated");
   }
   while (m_cursor.peekLine(line) && line.find_first_not_of(" \t\r") == line.npos)
   {
@@ -214,7 +215,7 @@ bool Indexer::resynchronise()
         return true;
       }
       m_cursor.nextLine(line);
-      skipLines(~std::uint64_t{ 0 });
+      skipLines(~std::uint64_t{0});
     }
   }
   catch (const FileError& damage)

@@ -21,9 +21,9 @@ namespace mote
 struct LAMMPSBox
 {
   bool known = false;
-  std::array<double, 3> origin = { 0, 0, 0 };
+  std::array<double, 3> origin = {0, 0, 0};
   /// cell[0] is a, cell[1] is b, cell[2] is c.
-  std::array<std::array<double, 3>, 3> cell = { { { 0, 0, 0 }, { 0, 0, 0 }, { 0, 0, 0 } } };
+  std::array<std::array<double, 3>, 3> cell = {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
   bool general = false; ///< "abc origin": a need not lie along x, nor b in the xy plane
   std::string boundary; ///< "pp pp fm"; empty in dumps older than the flags
 };
@@ -36,7 +36,8 @@ struct LAMMPSFrame
   std::string units;          ///< ITEM: UNITS ("lj", "metal"), which holds for the rest of a file
   std::uint64_t atoms = 0;
   LAMMPSBox box;
-  std::shared_ptr<const std::vector<std::string>> columns; ///< never null; "id type xs ys zs" if old
+  std::shared_ptr<const std::vector<std::string>>
+      columns;                   ///< never null; "id type xs ys zs" if old
   std::uint64_t columnsLine = 0; ///< the line ITEM: ATOMS
   TextCursor::Place rows;
   std::optional<FileError> damage; ///< why this step cannot be read

@@ -30,14 +30,14 @@ void setTilted(LAMMPSBox& box, const double (&rows)[3][3])
   const double xy = rows[0][2];
   const double xz = rows[1][2];
   const double yz = rows[2][2];
-  const double xlo = rows[0][0] - std::min({ 0.0, xy, xz, xy + xz });
-  const double xhi = rows[0][1] - std::max({ 0.0, xy, xz, xy + xz });
+  const double xlo = rows[0][0] - std::min({0.0, xy, xz, xy + xz});
+  const double xhi = rows[0][1] - std::max({0.0, xy, xz, xy + xz});
   const double ylo = rows[1][0] - std::min(0.0, yz);
   const double yhi = rows[1][1] - std::max(0.0, yz);
   const double zlo = rows[2][0];
   const double zhi = rows[2][1];
-  box.origin = { xlo, ylo, zlo };
-  box.cell = { { { xhi - xlo, 0, 0 }, { xy, yhi - ylo, 0 }, { xz, yz, zhi - zlo } } };
+  box.origin = {xlo, ylo, zlo};
+  box.cell = {{{xhi - xlo, 0, 0}, {xy, yhi - ylo, 0}, {xz, yz, zhi - zlo}}};
 }
 
 } // namespace
@@ -54,8 +54,7 @@ std::string_view LAMMPSHeader::value(const char* what)
   if (!m_cursor.nextLine(line))
   {
     throw FileError(FileError::Kind::Truncated, m_cursor.path(),
-                    std::string("the file ends where ") + what +
-                      " should follow: it is truncated",
+                    std::string("the file ends where ") + what + " should follow: it is truncated",
                     m_cursor.line());
   }
   return trimmed(line);
@@ -186,7 +185,7 @@ void LAMMPSHeader::readBox(std::string_view item)
     {
       double row[4] = {};
       numbers(row, 4, "a cell vector and the origin");
-      box.cell[axis] = { row[0], row[1], row[2] };
+      box.cell[axis] = {row[0], row[1], row[2]};
       box.origin[axis] = row[3];
     }
   }
@@ -195,7 +194,8 @@ void LAMMPSHeader::readBox(std::string_view item)
     double rows[3][3] = {};
     for (auto& row : rows)
     {
-      numbers(row, tilted ? 3 : 2, tilted ? "low and high bounds and a tilt" : "low and high bounds");
+      numbers(row, tilted ? 3 : 2,
+              tilted ? "low and high bounds and a tilt" : "low and high bounds");
     }
     setTilted(box, rows);
   }
@@ -214,7 +214,7 @@ void LAMMPSHeader::readColumns(std::string_view names)
   std::vector<std::string> columns = splitValues(names);
   if (columns.empty())
   {
-    columns = { "id", "type", "xs", "ys", "zs" }; // dump style atom, before columns had names
+    columns = {"id", "type", "xs", "ys", "zs"}; // dump style atom, before columns had names
   }
   // Frames of a file share their list.
   if (!m_frame.columns || *m_frame.columns != columns)

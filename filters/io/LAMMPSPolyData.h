@@ -15,7 +15,7 @@ namespace mote
 /// How a frame becomes a vtkPolyData.
 struct LAMMPSReadOptions
 {
-  bool combine = true;         ///< see layoutOf
+  bool combine = true;          ///< see layoutOf
   bool singlePrecision = false; ///< Float32 for what would be Float64, save positions
   std::function<bool(const std::string& array)> wanted; ///< arrays to make; empty means all
 };

@@ -62,9 +62,9 @@ inline const char* parseDoubleSlowly(const char* begin, double& value)
 /// rounding of two exact doubles.
 inline const char* parseDouble(const char* begin, double& value)
 {
-  static constexpr double Powers[] = { 1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                       1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                       1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22 };
+  static constexpr double Powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                      1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                      1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
   const char* p = begin;
   const bool negative = *p == '-';
   p += negative || *p == '+';
@@ -104,7 +104,7 @@ inline const char* parseDouble(const char* begin, double& value)
     exponent += down ? -written : written;
   }
   // Nineteen digits always fit into 64 bits.
-  if (endsToken(*p) && count > 0 && count <= 19 && digits <= (std::uint64_t{ 1 } << 53) &&
+  if (endsToken(*p) && count > 0 && count <= 19 && digits <= (std::uint64_t{1} << 53) &&
       exponent >= -22 && exponent <= 22)
   {
     const auto exact = static_cast<double>(digits);

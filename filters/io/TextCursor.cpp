@@ -10,11 +10,11 @@ namespace mote
 namespace
 {
 
-constexpr std::size_t BufferBytes = std::size_t{ 4 } << 20;
-constexpr std::size_t LongestLine = std::size_t{ 64 } << 20; // far beyond any format's rows
+constexpr std::size_t BufferBytes = std::size_t{4} << 20;
+constexpr std::size_t LongestLine = std::size_t{64} << 20; // far beyond any format's rows
 // Snapshots cost 40 KiB each: one in 8 MiB of text is half a percent, and inflating 8 MiB again
 // takes some 25 ms.
-constexpr std::uint64_t SnapshotDistance = std::uint64_t{ 8 } << 20;
+constexpr std::uint64_t SnapshotDistance = std::uint64_t{8} << 20;
 
 /// The part of a text that consists of whole lines.
 std::string_view wholeLines(std::string_view text)
@@ -26,8 +26,7 @@ std::string_view wholeLines(std::string_view text)
 
 } // namespace
 
-TextCursor::TextCursor(const std::string& path, OpenEnd openEnd)
-  : m_file(path), m_openEnd(openEnd)
+TextCursor::TextCursor(const std::string& path, OpenEnd openEnd) : m_file(path), m_openEnd(openEnd)
 {
   seek(Place());
 }
@@ -86,7 +85,7 @@ TextCursor::Place TextCursor::place() const
 {
   const std::uint64_t here = offset();
   const bool passed = m_nextSnapshot && m_nextSnapshot->textOffset <= here;
-  return { here, m_line, passed ? m_nextSnapshot : m_snapshot };
+  return {here, m_line, passed ? m_nextSnapshot : m_snapshot};
 }
 
 void TextCursor::takeSnapshot()
@@ -96,7 +95,7 @@ void TextCursor::takeSnapshot()
     m_snapshot = std::move(m_nextSnapshot);
   }
   const std::uint64_t last = m_nextSnapshot ? m_nextSnapshot->textOffset
-    : m_snapshot                            ? m_snapshot->textOffset
+                             : m_snapshot   ? m_snapshot->textOffset
                                             : 0;
   if (!m_nextSnapshot && m_stream->textOffset() >= last + SnapshotDistance)
   {
@@ -136,14 +135,14 @@ void TextCursor::fillFromStream()
     const std::size_t count = m_stream->read(m_buffer.data() + rest, m_buffer.size() - rest);
     m_filled = rest + count;
     m_origin = m_position = m_buffer.data();
-    m_end = m_position + wholeLines({ m_position, m_filled }).size();
+    m_end = m_position + wholeLines({m_position, m_filled}).size();
     if (m_position != m_end)
     {
       return;
     }
     if (count == 0)
     {
-      acceptOpenEnd({ m_position, m_filled });
+      acceptOpenEnd({m_position, m_filled});
       return;
     }
     if (m_filled > LongestLine)
@@ -184,8 +183,8 @@ bool TextCursor::peekLine(std::string_view& line)
     return false;
   }
   const auto* lineEnd = static_cast<const char*>(
-    std::memchr(m_position, '\n', static_cast<std::size_t>(m_end - m_position)));
-  line = { m_position, static_cast<std::size_t>(lineEnd - m_position) };
+      std::memchr(m_position, '\n', static_cast<std::size_t>(m_end - m_position)));
+  line = {m_position, static_cast<std::size_t>(lineEnd - m_position)};
   if (!line.empty() && line.back() == '\r')
   {
     line.remove_suffix(1);

@@ -76,12 +76,12 @@ private:
   std::size_t m_filled = 0;
   /// gzip: a snapshot at or before the window, and the next one, which the window has yet to pass.
   std::shared_ptr<const GzipStream::Snapshot> m_snapshot, m_nextSnapshot;
-  std::string m_lastLine;                 ///< an accepted last line, with its line end added
-  bool m_atEnd = false;                   ///< nothing follows the window
+  std::string m_lastLine; ///< an accepted last line, with its line end added
+  bool m_atEnd = false;   ///< nothing follows the window
 
   const char* m_position = nullptr; ///< the window of whole lines: [m_position, m_end)
   const char* m_end = nullptr;
-  const char* m_origin = nullptr;    ///< where m_originOffset is; at or before m_position
+  const char* m_origin = nullptr; ///< where m_originOffset is; at or before m_position
   std::uint64_t m_originOffset = 0;
   std::uint64_t m_line = 1;
 };

@@ -21,15 +21,15 @@ FileError cannotOpen(const std::string& path, int error)
   using Kind = FileError::Kind;
   switch (error)
   {
-    case ENOENT:
-    case ENOTDIR:
-      return { Kind::NotFound, path, "there is no such file" };
-    case EACCES:
-    case EPERM:
-      return { Kind::CannotOpen, path, "you have no permission to read this file" };
-    default:
-      return { Kind::CannotOpen, path,
-               std::string("this file cannot be read (") + std::strerror(error) + ")" };
+  case ENOENT:
+  case ENOTDIR:
+    return {Kind::NotFound, path, "there is no such file"};
+  case EACCES:
+  case EPERM:
+    return {Kind::CannotOpen, path, "you have no permission to read this file"};
+  default:
+    return {Kind::CannotOpen, path,
+            std::string("this file cannot be read (") + std::strerror(error) + ")"};
   }
 }
 
@@ -56,8 +56,8 @@ struct stat statOf(const std::string& path)
 FileStamp stampOf(const std::string& path)
 {
   const struct stat status = statOf(path);
-  return { static_cast<std::uint64_t>(status.st_size),
-           std::int64_t{ status.st_mtim.tv_sec } * 1000000000 + status.st_mtim.tv_nsec };
+  return {static_cast<std::uint64_t>(status.st_size),
+          std::int64_t{status.st_mtim.tv_sec} * 1000000000 + status.st_mtim.tv_nsec};
 }
 
 TextFile::TextFile(const std::string& path) : m_path(path)

@@ -42,7 +42,7 @@ public:
   int descriptor() const { return m_descriptor; }
 
   /// The whole text of a plain file; empty for gzip.
-  std::string_view text() const { return { m_map, m_map ? static_cast<size_t>(m_bytes) : 0 }; }
+  std::string_view text() const { return {m_map, m_map ? static_cast<size_t>(m_bytes) : 0}; }
 
 private:
   std::string m_path;

@@ -14,8 +14,8 @@ namespace
 
 // A batch is what runs between two calls of progress: some 20 ms on one core. A piece is what one
 // thread takes at a time; small enough that counting its lines leaves it in the cache.
-constexpr std::size_t BatchBytes = std::size_t{ 16 } << 20;
-constexpr std::size_t PieceBytes = std::size_t{ 128 } << 10;
+constexpr std::size_t BatchBytes = std::size_t{16} << 20;
+constexpr std::size_t PieceBytes = std::size_t{128} << 10;
 
 enum class Trouble
 {
@@ -60,27 +60,27 @@ const char* storeValue(const TextColumn& column, std::uint64_t row, const char* 
   const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(row) * column.stride;
   switch (column.type)
   {
-    case ColumnType::Float64:
-      return parseDouble(p, static_cast<double*>(column.data)[at]);
-    case ColumnType::Float32:
-    {
-      double value = 0;
-      p = parseDouble(p, value);
-      static_cast<float*>(column.data)[at] = static_cast<float>(value);
-      return p;
-    }
-    case ColumnType::Int32:
-      return parseInteger(p, static_cast<std::int32_t*>(column.data)[at]);
-    case ColumnType::Int64:
-      return parseInteger(p, static_cast<std::int64_t*>(column.data)[at]);
-    case ColumnType::String:
-    {
-      const char* const end = tokenEnd(p);
-      static_cast<std::string*>(column.data)[at].assign(p, end);
-      return end;
-    }
-    case ColumnType::Skip:
-      break;
+  case ColumnType::Float64:
+    return parseDouble(p, static_cast<double*>(column.data)[at]);
+  case ColumnType::Float32:
+  {
+    double value = 0;
+    p = parseDouble(p, value);
+    static_cast<float*>(column.data)[at] = static_cast<float>(value);
+    return p;
+  }
+  case ColumnType::Int32:
+    return parseInteger(p, static_cast<std::int32_t*>(column.data)[at]);
+  case ColumnType::Int64:
+    return parseInteger(p, static_cast<std::int64_t*>(column.data)[at]);
+  case ColumnType::String:
+  {
+    const char* const end = tokenEnd(p);
+    static_cast<std::string*>(column.data)[at].assign(p, end);
+    return end;
+  }
+  case ColumnType::Skip:
+    break;
   }
   return tokenEnd(p);
 }
@@ -95,7 +95,7 @@ const char* parseRow(const std::vector<TextColumn>& columns, std::uint64_t row, 
     p = skipBlanks(p);
     if (*p == '\n')
     {
-      fault = { Trouble::TooFew, row, c, p, lineBegin };
+      fault = {Trouble::TooFew, row, c, p, lineBegin};
       return nullptr;
     }
     const char* const end = storeValue(columns[c], row, p);
@@ -104,8 +104,8 @@ const char* parseRow(const std::vector<TextColumn>& columns, std::uint64_t row, 
       const ColumnType type = columns[c].type;
       double number = 0;
       const bool widen = (type == ColumnType::Int32 || type == ColumnType::Int64) &&
-        parseDouble(p, number) != nullptr;
-      fault = { widen ? Trouble::Widen : Trouble::NotNumber, row, c, p, lineBegin };
+                         parseDouble(p, number) != nullptr;
+      fault = {widen ? Trouble::Widen : Trouble::NotNumber, row, c, p, lineBegin};
       return nullptr;
     }
     p = end;
@@ -113,7 +113,7 @@ const char* parseRow(const std::vector<TextColumn>& columns, std::uint64_t row, 
   p = skipBlanks(p);
   if (*p != '\n')
   {
-    fault = { Trouble::TooMany, row, columns.size(), p, lineBegin };
+    fault = {Trouble::TooMany, row, columns.size(), p, lineBegin};
     return nullptr;
   }
   return p + 1;
@@ -145,7 +145,7 @@ std::vector<Piece> cutIntoPieces(std::string_view text)
   while (!text.empty())
   {
     const std::size_t lineEnd = text.find('\n', std::min(PieceBytes, text.size()) - 1);
-    pieces.push_back({ text.substr(0, lineEnd + 1), 0, 0, 0, {} });
+    pieces.push_back({text.substr(0, lineEnd + 1), 0, 0, 0, {}});
     text.remove_prefix(lineEnd + 1);
   }
   return pieces;
@@ -172,20 +172,19 @@ FileError describe(const Fault& fault, const std::vector<TextColumn>& columns,
   std::string sentence;
   switch (fault.trouble)
   {
-    case Trouble::TooFew:
-      sentence = "expected " + countOf(columns.size(), "value") + ", found " +
-        (found == 0 ? "an empty line" : "only " + std::to_string(found)) + " ('" +
-        columns[fault.column].name + "' is missing)";
-      break;
-    case Trouble::TooMany:
-      sentence = "expected " + countOf(columns.size(), "value") + ", found " +
-        std::to_string(found);
-      break;
-    default:
-      sentence = "expected a number for '" + columns[fault.column].name + "', found '" +
-        std::string(fault.token, tokenEnd(fault.token)).substr(0, 40) + "'";
+  case Trouble::TooFew:
+    sentence = "expected " + countOf(columns.size(), "value") + ", found " +
+               (found == 0 ? "an empty line" : "only " + std::to_string(found)) + " ('" +
+               columns[fault.column].name + "' is missing)";
+    break;
+  case Trouble::TooMany:
+    sentence = "expected " + countOf(columns.size(), "value") + ", found " + std::to_string(found);
+    break;
+  default:
+    sentence = "expected a number for '" + columns[fault.column].name + "', found '" +
+               std::string(fault.token, tokenEnd(fault.token)).substr(0, 40) + "'";
   }
-  return { FileError::Kind::Malformed, cursor.path(), sentence, line, column };
+  return {FileError::Kind::Malformed, cursor.path(), sentence, line, column};
 }
 
 /// A 32-bit column that holds a larger integer becomes 64-bit, every other one a float.
@@ -193,15 +192,16 @@ WidenColumn widened(const Fault& fault, const std::vector<TextColumn>& columns)
 {
   std::int64_t integer = 0;
   const bool fits = columns[fault.column].type == ColumnType::Int32 &&
-    parseInteger(fault.token, integer) != nullptr;
-  return { fault.column, fits ? ColumnType::Int64 : ColumnType::Float64 };
+                    parseInteger(fault.token, integer) != nullptr;
+  return {fault.column, fits ? ColumnType::Int64 : ColumnType::Float64};
 }
 
 /// Finds which rows the pieces are, at most `rows` of them, and parses them.
 void parseBatch(std::vector<Piece>& pieces, std::uint64_t firstRow, std::uint64_t rows,
                 const std::vector<TextColumn>& columns, const RowsStored& stored)
 {
-  tbb::parallel_for(std::size_t{ 0 }, pieces.size(), [&](std::size_t i)
+  tbb::parallel_for(std::size_t{0}, pieces.size(),
+                    [&](std::size_t i)
                     { pieces[i].rows = countBytes(pieces[i].text, '\n', '\n').first; });
   for (Piece& piece : pieces)
   {
@@ -210,7 +210,7 @@ void parseBatch(std::vector<Piece>& pieces, std::uint64_t firstRow, std::uint64_
     firstRow += piece.rows;
     rows -= piece.rows;
   }
-  tbb::parallel_for(std::size_t{ 0 }, pieces.size(),
+  tbb::parallel_for(std::size_t{0}, pieces.size(),
                     [&](std::size_t i) { parsePiece(pieces[i], columns, stored); });
 }
 
@@ -236,7 +236,7 @@ RowsResult readRows(TextCursor& cursor, std::uint64_t rows, const std::vector<Te
     {
       throw FileError(FileError::Kind::Truncated, cursor.path(),
                       "the file ends after " + std::to_string(done) + " of " +
-                        std::to_string(rows) + " rows",
+                          std::to_string(rows) + " rows",
                       cursor.line());
     }
     std::vector<Piece> pieces = cutIntoPieces(text);
@@ -247,7 +247,7 @@ RowsResult readRows(TextCursor& cursor, std::uint64_t rows, const std::vector<Te
     {
       if (piece.fault && piece.fault->trouble == Trouble::Widen)
       {
-        return { false, widened(*piece.fault, columns) };
+        return {false, widened(*piece.fault, columns)};
       }
       if (piece.fault)
       {

@@ -15,7 +15,7 @@ namespace mote
 /// What a column of a text table becomes.
 enum class ColumnType
 {
-  Skip,    ///< passed over, whatever it holds
+  Skip, ///< passed over, whatever it holds
   Int32,
   Int64,
   Float32, ///< rounded once more, from the double
@@ -26,10 +26,17 @@ enum class ColumnType
 /// One column and where its values go.
 struct TextColumn
 {
-  std::string name;                    ///< for messages
+  std::string name; ///< for messages
   ColumnType type = ColumnType::Skip;
-  void* data = nullptr;                ///< of the type, std::string for String; null for Skip
-  std::ptrdiff_t stride = 1;           ///< from one row's value to the next, in elements
+  void* data = nullptr;      ///< of the type, std::string for String; null for Skip
+  std::ptrdiff_t stride = 1; ///< from one row's value to the next, in elements
+};
+
+/// Columns that make one array, a component each.
+struct ColumnGroup
+{
+  std::string name;
+  std::vector<std::size_t> columns;
 };
 
 /// Called after rows [first, first + count) have been stored; from any thread, for disjoint rows.

@@ -6,7 +6,6 @@
 
 #include "vtkDataArraySelection.h"
 #include "vtkDoubleArray.h"
-#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -38,27 +37,6 @@ struct Step
   const mote::LAMMPSFrame* Frame = nullptr;
 };
 
-unsigned long errorCodeOf(mote::FileError::Kind kind)
-{
-  using Kind = mote::FileError::Kind;
-  switch (kind)
-  {
-    case Kind::NotFound:
-      return vtkErrorCode::FileNotFoundError;
-    case Kind::CannotOpen:
-      return vtkErrorCode::CannotOpenFileError;
-    case Kind::OtherFormat:
-      return vtkErrorCode::UnrecognizedFileTypeError;
-    case Kind::Truncated:
-      return vtkErrorCode::PrematureEndOfFileError;
-    case Kind::Malformed:
-      return vtkErrorCode::FileFormatError;
-    case Kind::Aborted:
-      break;
-  }
-  return vtkErrorCode::UserError;
-}
-
 } // namespace
 
 class vtkMoteLAMMPSDumpReader::Internals
@@ -72,8 +50,7 @@ public:
   std::vector<std::string> Names;
   std::map<std::string, IndexedFile> Files; ///< by name; only those of Names
   std::vector<Step> Steps;                  ///< ascending times; points into Files
-  std::string Error;
-  std::set<std::string> Offered; ///< the arrays that this reader put into the selection
+  std::set<std::string> Offered;            ///< the arrays that this reader put into the selection
   vtkNew<vtkDataArraySelection> Selection;
 };
 
@@ -95,7 +72,7 @@ void vtkMoteLAMMPSDumpReader::Internals::Update(const mote::Progress& progress)
     {
       const mote::Progress part = [&](double fraction)
       { return progress((static_cast<double>(done) + fraction) / this->Names.size()); };
-      files[name] = { stamp, mote::indexLAMMPSDump(name, part) };
+      files[name] = {stamp, mote::indexLAMMPSDump(name, part)};
     }
     ++done;
   }
@@ -109,8 +86,8 @@ void vtkMoteLAMMPSDumpReader::Internals::MakeSteps()
   for (const auto& [name, file] : this->Files)
   {
     haveTimes = haveTimes &&
-      std::all_of(file.Index.frames.begin(), file.Index.frames.end(),
-                  [](const mote::LAMMPSFrame& frame) { return frame.time.has_value(); });
+                std::all_of(file.Index.frames.begin(), file.Index.frames.end(),
+                            [](const mote::LAMMPSFrame& frame) { return frame.time.has_value(); });
   }
   std::map<double, Step> steps;
   for (const std::string& name : this->Names)
@@ -119,7 +96,7 @@ void vtkMoteLAMMPSDumpReader::Internals::MakeSteps()
     for (const mote::LAMMPSFrame& frame : file.Index.frames)
     {
       const double time = haveTimes ? *frame.time : static_cast<double>(frame.timestep);
-      steps[time] = { time, &key, &frame };
+      steps[time] = {time, &key, &frame};
     }
   }
   for (const auto& [time, step] : steps)
@@ -138,16 +115,14 @@ const Step& vtkMoteLAMMPSDumpReader::Internals::Choose(double time) const
 
 bool vtkMoteLAMMPSDumpReader::Internals::FilesHaveChanged() const
 {
-  return std::any_of(this->Files.begin(), this->Files.end(), [](const auto& file)
+  return std::any_of(this->Files.begin(), this->Files.end(),
+                     [](const auto& file)
                      { return !(mote::stampOf(file.first) == file.second.Stamp); });
 }
 
 vtkStandardNewMacro(vtkMoteLAMMPSDumpReader);
 
-vtkMoteLAMMPSDumpReader::vtkMoteLAMMPSDumpReader() : Internal(std::make_unique<Internals>())
-{
-  this->SetNumberOfInputPorts(0);
-}
+vtkMoteLAMMPSDumpReader::vtkMoteLAMMPSDumpReader() : Internal(std::make_unique<Internals>()) {}
 
 vtkMoteLAMMPSDumpReader::~vtkMoteLAMMPSDumpReader() = default;
 
@@ -216,47 +191,9 @@ vtkDataArraySelection* vtkMoteLAMMPSDumpReader::GetPointDataArraySelection()
   return this->Internal->Selection;
 }
 
-std::string vtkMoteLAMMPSDumpReader::GetLastErrorMessage()
-{
-  return this->Internal->Error;
-}
-
 vtkMTimeType vtkMoteLAMMPSDumpReader::GetMTime()
 {
   return std::max(this->Superclass::GetMTime(), this->Internal->Selection->GetMTime());
-}
-
-/// Runs a part of the reading and turns what it throws into the reader's error.
-template <class Work>
-bool vtkMoteLAMMPSDumpReader::Attempt(const Work& work)
-{
-  this->Internal->Error.clear();
-  this->SetErrorCode(vtkErrorCode::NoError);
-  try
-  {
-    work([this](double fraction)
-         {
-           this->UpdateProgress(fraction);
-           return !this->GetAbortExecute();
-         });
-    return true;
-  }
-  catch (const mote::FileError& error)
-  {
-    this->Internal->Error = error.what();
-    this->SetErrorCode(errorCodeOf(error.kind()));
-    if (error.kind() != mote::FileError::Kind::Aborted)
-    {
-      vtkErrorMacro(<< error.what());
-    }
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->Internal->Error = "there is not enough memory for this time step";
-    this->SetErrorCode(vtkErrorCode::UserError);
-    vtkErrorMacro(<< this->Internal->Error);
-  }
-  return false;
 }
 
 /// Offers the arrays of all files, and forgets those of files read before.
@@ -273,7 +210,7 @@ void vtkMoteLAMMPSDumpReader::OfferArrays()
       continue; // the steps of a file share their list
     }
     last = columns;
-    for (const mote::LAMMPSArray& array : mote::layoutOf(*columns, this->CombineVectors).arrays)
+    for (const mote::ColumnGroup& array : mote::layoutOf(*columns, this->CombineVectors).arrays)
     {
       if (offered.insert(array.name).second)
       {
@@ -303,13 +240,13 @@ void vtkMoteLAMMPSDumpReader::OfferArrays()
     {
       throw mote::FileError(mote::FileError::Kind::Malformed, this->Internal->Names.front(),
                             "there is no array '" + std::string(name) + "' to read; there " +
-                              (known.empty() ? "are none" : "are " + known));
+                                (known.empty() ? "are none" : "are " + known));
     }
   }
 }
 
-int vtkMoteLAMMPSDumpReader::RequestInformation(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+int vtkMoteLAMMPSDumpReader::RequestInformation(vtkInformation*, vtkInformationVector**,
+                                                vtkInformationVector* outputVector)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* information = outputVector->GetInformationObject(0);
@@ -317,16 +254,12 @@ int vtkMoteLAMMPSDumpReader::RequestInformation(
   information->Remove(Pipeline::TIME_RANGE());
   this->AbortExecute = 0; // of an earlier run: only REQUEST_DATA resets it
   this->Ready = this->Attempt(
-    [this](const mote::Progress& progress)
-    {
-      if (this->Internal->Names.empty())
+      [this](const mote::Progress& progress)
       {
-        throw mote::FileError(mote::FileError::Kind::NotFound, "LAMMPS dump reader",
-                              "no file name has been set");
-      }
-      this->Internal->Update(progress);
-      this->OfferArrays();
-    });
+        this->RequireFileName();
+        this->Internal->Update(progress);
+        this->OfferArrays();
+      });
   if (this->Ready)
   {
     for (const auto& [name, file] : this->Internal->Files)
@@ -341,7 +274,7 @@ int vtkMoteLAMMPSDumpReader::RequestInformation(
     {
       times.push_back(step.Time);
     }
-    const double range[2] = { times.front(), times.back() };
+    const double range[2] = {times.front(), times.back()};
     information->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
     information->Set(Pipeline::TIME_RANGE(), range, 2);
   }
@@ -350,8 +283,8 @@ int vtkMoteLAMMPSDumpReader::RequestInformation(
   return 1;
 }
 
-int vtkMoteLAMMPSDumpReader::RequestData(
-  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+int vtkMoteLAMMPSDumpReader::RequestData(vtkInformation*, vtkInformationVector**,
+                                         vtkInformationVector* outputVector)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* information = outputVector->GetInformationObject(0);
@@ -364,26 +297,26 @@ int vtkMoteLAMMPSDumpReader::RequestData(
   vtkNew<vtkPolyData> result; // the output sees nothing that is half read
   double time = 0;
   const bool good = this->Attempt(
-    [&](const mote::Progress& progress)
-    {
-      if (this->Internal->FilesHaveChanged())
+      [&](const mote::Progress& progress)
       {
-        this->Internal->Update(progress);
-      }
-      time = this->Internal->Steps.front().Time;
-      if (information->Has(Pipeline::UPDATE_TIME_STEP()))
-      {
-        time = information->Get(Pipeline::UPDATE_TIME_STEP());
-      }
-      const Step& step = this->Internal->Choose(time);
-      time = step.Time;
-      mote::LAMMPSReadOptions options;
-      options.combine = this->CombineVectors;
-      options.singlePrecision = this->SinglePrecision;
-      options.wanted = [this](const std::string& name)
-      { return this->Internal->Selection->ArrayIsEnabled(name.c_str()) != 0; };
-      mote::readLAMMPSFrame(*step.File, *step.Frame, options, progress, result);
-    });
+        if (this->Internal->FilesHaveChanged())
+        {
+          this->Internal->Update(progress);
+        }
+        time = this->Internal->Steps.front().Time;
+        if (information->Has(Pipeline::UPDATE_TIME_STEP()))
+        {
+          time = information->Get(Pipeline::UPDATE_TIME_STEP());
+        }
+        const Step& step = this->Internal->Choose(time);
+        time = step.Time;
+        mote::LAMMPSReadOptions options;
+        options.combine = this->CombineVectors;
+        options.singlePrecision = this->SinglePrecision;
+        options.wanted = [this](const std::string& name)
+        { return this->Internal->Selection->ArrayIsEnabled(name.c_str()) != 0; };
+        mote::readLAMMPSFrame(*step.File, *step.Frame, options, progress, result);
+      });
   if (good)
   {
     vtkNew<vtkDoubleArray> value;
@@ -407,7 +340,6 @@ void vtkMoteLAMMPSDumpReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TimeSteps: " << this->Internal->Steps.size() << "\n";
   os << indent << "CombineVectors: " << this->CombineVectors << "\n";
   os << indent << "SinglePrecision: " << this->SinglePrecision << "\n";
-  os << indent << "LastErrorMessage: " << this->Internal->Error << "\n";
   os << indent << "PointDataArraySelection:\n";
   this->Internal->Selection->PrintSelf(os, indent.GetNextIndent());
 }

@@ -34,18 +34,17 @@
 #define vtkMoteLAMMPSDumpReader_h
 
 #include "MoteFiltersIOModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkMotePolyDataReader.h"
 
 #include <memory> // For the implementation
-#include <string> // For messages
 
 class vtkDataArraySelection;
 
-class MOTEFILTERSIO_EXPORT vtkMoteLAMMPSDumpReader : public vtkPolyDataAlgorithm
+class MOTEFILTERSIO_EXPORT vtkMoteLAMMPSDumpReader : public vtkMotePolyDataReader
 {
 public:
   static vtkMoteLAMMPSDumpReader* New();
-  vtkTypeMacro(vtkMoteLAMMPSDumpReader, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkMoteLAMMPSDumpReader, vtkMotePolyDataReader);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -53,8 +52,8 @@ public:
    * The one file to read; replaces a series. Null and "" mean none. GetFileName gives the first
    * file, or null.
    */
-  void SetFileName(const char* fileName);
-  const char* GetFileName();
+  void SetFileName(const char* fileName) override;
+  const char* GetFileName() override;
   ///@}
 
   ///@{
@@ -102,11 +101,6 @@ public:
   ///@}
 
   /**
-   * What was wrong when the reader last ran, as one sentence; empty when all was well.
-   */
-  std::string GetLastErrorMessage();
-
-  /**
    * The later of the reader's own and its array selection's time of change.
    */
   vtkMTimeType GetMTime() override;
@@ -115,16 +109,13 @@ protected:
   vtkMoteLAMMPSDumpReader();
   ~vtkMoteLAMMPSDumpReader() override;
 
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkMoteLAMMPSDumpReader(const vtkMoteLAMMPSDumpReader&) = delete;
   void operator=(const vtkMoteLAMMPSDumpReader&) = delete;
 
-  template <class Work>
-  bool Attempt(const Work& work);
   void OfferArrays();
 
   class Internals;

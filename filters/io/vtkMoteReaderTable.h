@@ -23,6 +23,7 @@
 
 class vtkAlgorithm;
 class vtkDataObject;
+class vtkInformationStringKey;
 
 class MOTEFILTERSIO_EXPORT vtkMoteReaderTable : public vtkObject
 {
@@ -37,8 +38,8 @@ public:
    * files. Null, with the reason in `error`, when a file is missing, is a directory, may not be
    * read, or has a format that is not in the table.
    */
-  static vtkSmartPointer<vtkAlgorithm> MakeReader(
-    const std::vector<std::string>& fileNames, std::string& error);
+  static vtkSmartPointer<vtkAlgorithm> MakeReader(const std::vector<std::string>& fileNames,
+                                                  std::string& error);
   static vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& fileName, std::string& error);
 
   /**
@@ -55,16 +56,17 @@ public:
   /**
    * Updates a reader and returns its first output, or null with one sentence in `error` when the
    * reader (or something inside it) reported an error or produced nothing. What VTK would print
-   * meanwhile is caught. A data set without any point is nothing only if an error was reported: an
-   * empty step of a dump is a valid result. The second form asks for a time, which becomes the
-   * nearest step at or before it. Warnings are dropped unless `warnings` is given.
+   * meanwhile is caught. A data set without any point counts as nothing, save from Mote's own
+   * readers: they tell damage from an empty time step, which is a valid result. The second form
+   * asks for a time, which becomes the nearest step at or before it. Warnings are dropped unless
+   * `warnings` is given. The data are the reader's own output, which a later update changes.
    *
    * Messages are caught by the process-wide vtkOutputWindow: call this from one thread at a time.
    */
-  static vtkSmartPointer<vtkDataObject> Read(
-    vtkAlgorithm* reader, std::string& error, std::string* warnings = nullptr);
-  static vtkSmartPointer<vtkDataObject> Read(
-    vtkAlgorithm* reader, double time, std::string& error, std::string* warnings = nullptr);
+  static vtkSmartPointer<vtkDataObject> Read(vtkAlgorithm* reader, std::string& error,
+                                             std::string* warnings = nullptr);
+  static vtkSmartPointer<vtkDataObject> Read(vtkAlgorithm* reader, double time, std::string& error,
+                                             std::string* warnings = nullptr);
 
   /**
    * MakeReader and Read in one call, for Python: the data, or null after a VTK error with the
@@ -82,10 +84,10 @@ public:
    * Puts the files of one series together: names in one folder that differ only in the digits of
    * their last number (peri.00300.dump and peri.01500.dump) and whose format knows series form one
    * group, ordered by that number; every other name is a group of its own. Groups come in the order
-   * of their first members. The files are not opened.
+   * of their first members. Files whose extension says nothing are opened for their first bytes.
    */
-  static std::vector<std::vector<std::string>> GroupSeries(
-    const std::vector<std::string>& fileNames);
+  static std::vector<std::vector<std::string>>
+  GroupSeries(const std::vector<std::string>& fileNames);
 
   /**
    * The extensions that the table knows, with their dots, separated by blanks (".dump .vtp ...").
@@ -96,6 +98,11 @@ public:
    * A text of one line a format, "  .dump .lammpstrj ...   LAMMPS text dump", for help pages.
    */
   static std::string GetFormatsHelp();
+
+  /**
+   * The name of the (first) file, in the information of every reader that this table made.
+   */
+  static vtkInformationStringKey* FILE_NAME();
 
 protected:
   vtkMoteReaderTable() = default;

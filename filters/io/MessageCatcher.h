@@ -1,0 +1,47 @@
+#ifndef MoteMessageCatcher_h
+#define MoteMessageCatcher_h
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkCallbackCommand;
+class vtkObject;
+class vtkOutputWindow;
+
+namespace mote
+{
+
+/// While it lives, collects what an algorithm, its executive and, through the output window,
+/// anything that they use say as VTK errors and warnings; none of it is printed.
+class MessageCatcher
+{
+public:
+  explicit MessageCatcher(vtkAlgorithm* algorithm);
+  ~MessageCatcher();
+  MessageCatcher(const MessageCatcher&) = delete;
+  MessageCatcher& operator=(const MessageCatcher&) = delete;
+
+  /// Each without VTK's decoration ("ERROR: In f.cxx, line 1 vtkFoo (0x1): "), on one line.
+  const std::vector<std::string>& errors() const { return m_errors; }
+  const std::vector<std::string>& warnings() const { return m_warnings; }
+
+private:
+  void watch(vtkObject* object);
+
+  std::vector<std::string> m_errors;
+  std::vector<std::string> m_warnings;
+  vtkNew<vtkCallbackCommand> m_command;
+  std::vector<std::pair<vtkWeakPointer<vtkObject>, unsigned long>> m_watches;
+  vtkSmartPointer<vtkOutputWindow> m_window;
+  int m_displayMode = 0;
+};
+
+} // namespace mote
+
+#endif

@@ -1,0 +1,117 @@
+#include "ReaderFormats.h"
+
+#include "FileError.h"
+#include "LAMMPSDump.h"
+#include "TextFile.h"
+#include "vtkMoteDelimitedPointsReader.h"
+#include "vtkMoteLAMMPSDumpReader.h"
+#include "vtkMotePointsReader.h"
+#include "vtkMoteXYZReader.h"
+
+#include "vtkGenericDataObjectReader.h"
+#include "vtkOBJReader.h"
+#include "vtkOpenFOAMReader.h"
+#include "vtkPDBReader.h"
+#include "vtkPLYReader.h"
+#include "vtkSTLReader.h"
+#include "vtkXMLImageDataReader.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+#include <cstring>
+
+#include <vtksys/SystemTools.hxx>
+
+namespace mote
+{
+namespace
+{
+
+using FileNames = std::vector<std::string>;
+
+/// The factory of every reader that takes one file name and nothing else.
+template <class Reader>
+vtkSmartPointer<vtkAlgorithm> make(const FileNames& fileNames)
+{
+  auto reader = vtkSmartPointer<Reader>::New();
+  reader->SetFileName(fileNames.front().c_str());
+  return reader;
+}
+
+vtkSmartPointer<vtkAlgorithm> makeLAMMPS(const FileNames& fileNames)
+{
+  auto reader = vtkSmartPointer<vtkMoteLAMMPSDumpReader>::New();
+  for (const std::string& name : fileNames)
+  {
+    reader->AddFileName(name.c_str());
+  }
+  return reader;
+}
+
+} // namespace
+
+const std::vector<ReaderFormat>& readerFormats()
+{
+  static const std::vector<ReaderFormat> formats = {
+      {{".dump", ".lammpstrj", ".lammps", ".dump.gz", ".lammpstrj.gz", ".lammps.gz"},
+       "LAMMPS text dump, a file or a series",
+       makeLAMMPS,
+       true,
+       looksLikeLAMMPSDump},
+      {{".xyz", ".xyz.gz"}, "XYZ and extended XYZ atoms", make<vtkMoteXYZReader>},
+      {{".pts", ".pts.gz"}, "points, x y z a line", make<vtkMotePointsReader>},
+      {{".csv"}, "table with columns x, y, z", make<vtkMoteDelimitedPointsReader>},
+      {{".pdb"}, "Protein Data Bank atoms", make<vtkPDBReader>},
+      {{".vtp"}, "VTK XML polygonal data", make<vtkXMLPolyDataReader>},
+      {{".vtu"}, "VTK XML unstructured grid", make<vtkXMLUnstructuredGridReader>},
+      {{".vti"}, "VTK XML image", make<vtkXMLImageDataReader>},
+      {{".vtk"}, "VTK legacy file of any data set", make<vtkGenericDataObjectReader>},
+      {{".ply"}, "Stanford triangle mesh", make<vtkPLYReader>},
+      {{".obj"}, "Wavefront mesh", make<vtkOBJReader>},
+      {{".stl"}, "STL triangle mesh", make<vtkSTLReader>},
+      {{".foam"}, "OpenFOAM case", make<vtkOpenFOAMReader>},
+  };
+  return formats;
+}
+
+const ReaderFormat* formatOf(const std::string& path, std::string_view beginning)
+{
+  const std::string name = vtksys::SystemTools::LowerCase(path);
+  const ReaderFormat* found = nullptr;
+  std::size_t longest = 0;
+  for (const ReaderFormat& format : readerFormats())
+  {
+    for (const char* extension : format.extensions)
+    {
+      const std::size_t length = std::strlen(extension);
+      if (length > longest && name.ends_with(extension))
+      {
+        found = &format;
+        longest = length;
+      }
+    }
+  }
+  for (const ReaderFormat& format : readerFormats())
+  {
+    if (!found && format.recognise && format.recognise(beginning))
+    {
+      found = &format;
+    }
+  }
+  return found;
+}
+
+bool isSeriesFile(const std::string& path)
+{
+  const ReaderFormat* format = formatOf(path, "");
+  try
+  {
+    format = format ? format : formatOf(path, readBeginning(path, 64));
+  }
+  catch (const FileError&)
+  {
+  }
+  return format && format->series;
+}
+
+} // namespace mote

@@ -1,0 +1,38 @@
+#ifndef MoteReaderFormats_h
+#define MoteReaderFormats_h
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+class vtkAlgorithm;
+
+namespace mote
+{
+
+/// One entry of the table of vtkMoteReaderTable: all there is to say about a file format.
+struct ReaderFormat
+{
+  std::vector<const char*> extensions; ///< with their dots, in lower case; the longest match wins
+  const char* description;
+  /// A reader that is ready to update. One name, or several if the format knows series.
+  vtkSmartPointer<vtkAlgorithm> (*make)(const std::vector<std::string>& fileNames);
+  bool series = false;
+  /// Whether a file whose extension says nothing begins like this format; or null.
+  bool (*recognise)(std::string_view beginning) = nullptr;
+};
+
+/// The table.
+const std::vector<ReaderFormat>& readerFormats();
+
+/// The format of a file by its name, else by its first bytes; null if it has none.
+const ReaderFormat* formatOf(const std::string& path, std::string_view beginning);
+
+/// Whether a file's format knows series; false also for what cannot be opened.
+bool isSeriesFile(const std::string& path);
+
+} // namespace mote
+
+#endif

@@ -1,0 +1,72 @@
+#include "vtkMotePointsReader.h"
+
+#include "FileError.h"
+#include "PointRows.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+namespace
+{
+
+std::uint64_t countLines(mote::TextCursor& cursor)
+{
+  std::uint64_t lines = 0;
+  for (;;)
+  {
+    const std::string_view block = cursor.block(std::size_t{1} << 20);
+    if (block.empty())
+    {
+      return lines;
+    }
+    const std::uint64_t count = mote::countBytes(block, '\n', '\n').first;
+    cursor.advance(block.size(), count);
+    lines += count;
+  }
+}
+
+} // namespace
+
+vtkStandardNewMacro(vtkMotePointsReader);
+
+vtkMotePointsReader::vtkMotePointsReader() = default;
+vtkMotePointsReader::~vtkMotePointsReader() = default;
+
+int vtkMotePointsReader::RequestData(vtkInformation*, vtkInformationVector**,
+                                     vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  output->Initialize();
+  vtkNew<vtkPolyData> result;
+  const bool good = this->Attempt(
+      [&](const ProgressFunction& progress)
+      {
+        this->RequireFileName();
+        mote::TextCursor cursor(this->GetFileName(), mote::TextCursor::OpenEnd::Accept);
+        mote::PointRows rows;
+        rows.place = cursor.place();
+        rows.columns = {"x", "y", "z"};
+        rows.coordinates = {0, 1, 2};
+        rows.types.assign(3, mote::ColumnType::Float64);
+        rows.rows = countLines(cursor);
+        if (rows.rows == 0)
+        {
+          throw mote::FileError(mote::FileError::Kind::Truncated, this->GetFileName(),
+                                "the file is empty");
+        }
+        mote::readPointRows(cursor, std::move(rows), progress, result);
+      });
+  if (good)
+  {
+    output->ShallowCopy(result);
+  }
+  return 1;
+}
+
+void vtkMotePointsReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

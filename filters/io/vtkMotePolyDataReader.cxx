@@ -1,0 +1,109 @@
+#include "vtkMotePolyDataReader.h"
+
+#include "FileError.h"
+
+#include "vtkErrorCode.h"
+
+#include <new>
+
+namespace
+{
+
+unsigned long errorCodeOf(mote::FileError::Kind kind)
+{
+  using Kind = mote::FileError::Kind;
+  switch (kind)
+  {
+  case Kind::NotFound:
+    return vtkErrorCode::FileNotFoundError;
+  case Kind::CannotOpen:
+    return vtkErrorCode::CannotOpenFileError;
+  case Kind::OtherFormat:
+    return vtkErrorCode::UnrecognizedFileTypeError;
+  case Kind::Truncated:
+    return vtkErrorCode::PrematureEndOfFileError;
+  case Kind::Malformed:
+    return vtkErrorCode::FileFormatError;
+  case Kind::Aborted:
+    break;
+  }
+  return vtkErrorCode::UserError;
+}
+
+} // namespace
+
+vtkMotePolyDataReader::vtkMotePolyDataReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkMotePolyDataReader::~vtkMotePolyDataReader() = default;
+
+void vtkMotePolyDataReader::SetFileName(const char* fileName)
+{
+  const std::string name = fileName ? fileName : "";
+  if (name != this->FileName)
+  {
+    this->FileName = name;
+    this->Modified();
+  }
+}
+
+const char* vtkMotePolyDataReader::GetFileName()
+{
+  return this->FileName.empty() ? nullptr : this->FileName.c_str();
+}
+
+std::string vtkMotePolyDataReader::GetLastErrorMessage()
+{
+  return this->LastErrorMessage;
+}
+
+void vtkMotePolyDataReader::RequireFileName()
+{
+  if (!this->GetFileName())
+  {
+    throw mote::FileError(mote::FileError::Kind::NotFound, this->GetClassName(),
+                          "no file name has been set");
+  }
+}
+
+bool vtkMotePolyDataReader::Attempt(const std::function<void(const ProgressFunction&)>& work)
+{
+  this->LastErrorMessage.clear();
+  this->SetErrorCode(vtkErrorCode::NoError);
+  try
+  {
+    work(
+        [this](double fraction)
+        {
+          this->UpdateProgress(fraction);
+          return !this->GetAbortExecute();
+        });
+    return true;
+  }
+  catch (const mote::FileError& error)
+  {
+    this->LastErrorMessage = error.what();
+    this->SetErrorCode(errorCodeOf(error.kind()));
+    if (error.kind() != mote::FileError::Kind::Aborted)
+    {
+      vtkErrorMacro(<< this->LastErrorMessage);
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    const char* name = this->GetFileName();
+    this->LastErrorMessage = std::string(name ? name : "") + ": there is not enough memory for it";
+    this->SetErrorCode(vtkErrorCode::UserError);
+    vtkErrorMacro(<< this->LastErrorMessage);
+  }
+  return false;
+}
+
+void vtkMotePolyDataReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->GetFileName() ? this->GetFileName() : "(none)") << "\n";
+  os << indent << "LastErrorMessage: " << this->LastErrorMessage << "\n";
+}

@@ -1,0 +1,67 @@
+/**
+ * @class   vtkMotePolyDataReader
+ * @brief   what the readers of this module have in common: a file name and honest errors
+ *
+ * A subclass does its reading inside Attempt, which turns what the parsers throw into the reader's
+ * last error. Requests succeed in the pipeline's eyes even then, with empty output: a request that
+ * fails would leave the data of an earlier run downstream.
+ */
+
+#ifndef vtkMotePolyDataReader_h
+#define vtkMotePolyDataReader_h
+
+#include "MoteFiltersIOModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <functional> // For Attempt
+#include <string>     // For names and messages
+
+class MOTEFILTERSIO_EXPORT vtkMotePolyDataReader : public vtkPolyDataAlgorithm
+{
+public:
+  vtkAbstractTypeMacro(vtkMotePolyDataReader, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The file to read; null and "" mean none, which GetFileName gives as null.
+   */
+  virtual void SetFileName(const char* fileName);
+  virtual const char* GetFileName();
+  ///@}
+
+  /**
+   * What was wrong when the reader last ran, as one sentence with the file and, where there are
+   * such, line and column; empty when all was well. GetErrorCode tells the kind of error, as one of
+   * vtkErrorCode's. An abort is no error: it has a message and a code, but is not reported.
+   */
+  std::string GetLastErrorMessage();
+
+protected:
+  vtkMotePolyDataReader();
+  ~vtkMotePolyDataReader() override;
+
+  /**
+   * Called by the work with the share that is done, 0 to 1; false means that it should stop.
+   */
+  using ProgressFunction = std::function<bool(double)>;
+
+  /**
+   * Runs `work`. True if it threw nothing; otherwise the error has been reported.
+   */
+  bool Attempt(const std::function<void(const ProgressFunction&)>& work);
+
+  /**
+   * Throws, inside Attempt, when there is no file name.
+   */
+  void RequireFileName();
+
+private:
+  vtkMotePolyDataReader(const vtkMotePolyDataReader&) = delete;
+  void operator=(const vtkMotePolyDataReader&) = delete;
+
+  std::string FileName;
+  std::string LastErrorMessage;
+};
+
+#endif

@@ -1,0 +1,173 @@
+#include "vtkMoteXYZReader.h"
+
+#include "FileError.h"
+#include "PointRows.h"
+#include "XYZFile.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPeriodicTable.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace
+{
+
+/// Adds "type", the number in the periodic table, for an array of element names.
+void addTypes(vtkPolyData* data, const std::string& species)
+{
+  auto* names =
+      vtkStringArray::SafeDownCast(data->GetPointData()->GetAbstractArray(species.c_str()));
+  if (!names || data->GetPointData()->HasArray("type"))
+  {
+    return;
+  }
+  vtkNew<vtkPeriodicTable> table;
+  std::unordered_map<std::string, int> numbers; // the table's own search is slow
+  vtkNew<vtkIntArray> types;
+  types->SetName("type");
+  types->SetNumberOfTuples(names->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
+  {
+    const auto [entry, isNew] = numbers.try_emplace(names->GetValue(i), 0);
+    if (isNew)
+    {
+      entry->second = table->GetAtomicNumber(entry->first);
+    }
+    types->SetValue(i, entry->second);
+  }
+  data->GetPointData()->AddArray(types);
+}
+
+void readFrame(const std::string& path, const mote::XYZFrame& frame, const mote::Progress& progress,
+               vtkPolyData* output)
+{
+  mote::TextCursor cursor(path, mote::TextCursor::OpenEnd::Accept);
+  cursor.seek(frame.rows);
+  const auto first = frame.atoms > 0 ? mote::peekValues(cursor) : std::vector<std::string>();
+  const mote::XYZLayout layout = mote::xyzLayout(path, frame, first);
+  mote::PointRows rows;
+  rows.rows = frame.atoms;
+  rows.place = frame.rows;
+  rows.columns = layout.columns;
+  rows.types = layout.types;
+  rows.coordinates = layout.coordinates;
+  rows.arrays = layout.arrays;
+  mote::readPointRows(cursor, std::move(rows), progress, output);
+  addTypes(output, layout.species);
+}
+
+} // namespace
+
+class vtkMoteXYZReader::Internals
+{
+public:
+  std::string Name;
+  mote::FileStamp Stamp;
+  std::vector<mote::XYZFrame> Frames; ///< empty: not read, or not readable
+
+  void Update(const std::string& name, const mote::Progress& progress)
+  {
+    const mote::FileStamp stamp = mote::stampOf(name);
+    if (this->Frames.empty() || name != this->Name || !(stamp == this->Stamp))
+    {
+      this->Frames.clear();
+      this->Frames = mote::indexXYZ(name, progress);
+      this->Name = name;
+      this->Stamp = stamp;
+    }
+  }
+};
+
+vtkStandardNewMacro(vtkMoteXYZReader);
+
+vtkMoteXYZReader::vtkMoteXYZReader() : Internal(std::make_unique<Internals>()) {}
+
+vtkMoteXYZReader::~vtkMoteXYZReader() = default;
+
+int vtkMoteXYZReader::RequestInformation(vtkInformation*, vtkInformationVector**,
+                                         vtkInformationVector* outputVector)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* information = outputVector->GetInformationObject(0);
+  information->Remove(Pipeline::TIME_STEPS());
+  information->Remove(Pipeline::TIME_RANGE());
+  this->AbortExecute = 0; // of an earlier run: only REQUEST_DATA resets it
+  const bool good = this->Attempt(
+      [this](const ProgressFunction& progress)
+      {
+        this->RequireFileName();
+        this->Internal->Update(this->GetFileName(), progress);
+      });
+  if (!good)
+  {
+    this->Internal->Frames.clear();
+    return 1;
+  }
+  std::vector<double> times;
+  for (const mote::XYZFrame& frame : this->Internal->Frames)
+  {
+    times.push_back(frame.time);
+  }
+  const double range[2] = {times.front(), times.back()};
+  information->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+  information->Set(Pipeline::TIME_RANGE(), range, 2);
+  return 1;
+}
+
+int vtkMoteXYZReader::RequestData(vtkInformation*, vtkInformationVector**,
+                                  vtkInformationVector* outputVector)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* information = outputVector->GetInformationObject(0);
+  vtkPolyData* output = vtkPolyData::GetData(information);
+  output->Initialize();
+  if (this->Internal->Frames.empty())
+  {
+    return 1; // the error has been reported
+  }
+  vtkNew<vtkPolyData> result;
+  double time = 0;
+  const bool good = this->Attempt(
+      [&](const ProgressFunction& progress)
+      {
+        this->Internal->Update(this->GetFileName(), progress);
+        const auto& frames = this->Internal->Frames;
+        auto step = frames.begin();
+        if (information->Has(Pipeline::UPDATE_TIME_STEP()))
+        {
+          const double requested = information->Get(Pipeline::UPDATE_TIME_STEP());
+          step = std::upper_bound(frames.begin(), frames.end(), requested,
+                                  [](double t, const mote::XYZFrame& f) { return t < f.time; });
+          step -= step == frames.begin() ? 0 : 1;
+        }
+        time = step->time;
+        readFrame(this->GetFileName(), *step, progress, result);
+      });
+  if (good)
+  {
+    vtkNew<vtkDoubleArray> value;
+    value->SetName("TimeValue");
+    value->InsertNextValue(time);
+    result->GetFieldData()->AddArray(value);
+    output->ShallowCopy(result);
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+  }
+  return 1;
+}
+
+void vtkMoteXYZReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Frames: " << this->Internal->Frames.size() << "\n";
+}
