@@ -55,10 +55,10 @@ struct CoherentGridBuilder
   std::size_t slabs = 1;
   std::size_t chunkSize = 1;
   std::size_t chunks = 1;
-  std::vector<std::size_t> offsets; ///< chunk-major: first place of a chunk's particles in a slab
-  std::vector<std::size_t> slabStart;
-  RawVector<CoherentGrid::Record> sortedRecords; ///< by slab
-  RawVector<std::uint64_t> sortedIndices;        ///< by slab; empty where indices are not kept
+  std::vector<std::size_t> offsets{}; ///< chunk-major: first place of a chunk's particles in a slab
+  std::vector<std::size_t> slabStart{};
+  RawVector<CoherentGrid::Record> sortedRecords{}; ///< by slab
+  RawVector<std::uint64_t> sortedIndices{};      ///< by slab; empty where indices are not kept
 
   bool report(double done) const { return !progress || progress(done); }
 
@@ -70,8 +70,8 @@ struct CoherentGridBuilder
     const double lambda = std::clamp(options.cellsPerParticle, 0.2, 5.0);
     double edge = cellEdge(size, lambda * static_cast<double>(s.valid));
     const double longest = std::max({size.x, size.y, size.z});
-    // Finer than this, float could not tell cells apart; coarser is never needed.
-    edge = std::max({edge, longest * std::ldexp(1.0, -20), 1e-30});
+    // Finer cells float could not tell apart; where all centres coincide any size will do.
+    edge = std::max({edge, longest * std::ldexp(1.0, -20), s.largestRadius * 1e-3});
     grid.cellSize_ = static_cast<float>(edge);
     grid.lower_ = Vec3f(s.centers.lower - grid.origin_);
     for (int k = 0; k < 3; ++k)
