@@ -31,7 +31,7 @@ struct FloatRays
   }
 };
 
-/// The rays of a SIDE x SIDE block, row after row, or compact 4x4 blocks after one another.
+/// The rays of a SIDE x SIDE block, one compact 4x4 block after another.
 template <int SIDE>
 struct Block
 {

@@ -25,8 +25,8 @@ ParticleInput makeParticleInput(const std::string& specification);
 /// The forms of specifications, for --help.
 std::vector<Named> particleInputs();
 
-/// Reads a file with Mote's or VTK's readers. Radii are the array `radius`, or half the array
-/// `diameter`, or half the data's spacing where there is neither.
+/// Reads a file, its last step where it has several, with Mote's or VTK's readers. Radii are the
+/// array `radius`, or half the array `diameter`, or half the spacing where there is neither.
 ParticleInput readParticles(const std::string& fileName);
 
 } // namespace mote::bench
