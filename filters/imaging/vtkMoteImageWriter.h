@@ -83,7 +83,7 @@ public:
   ///@{
   /**
    * Text to keep in the file's header, such as "Camera" or "Description". Names of one to 31
-   * letters, digits, underscores, colons or spaces; a name given twice keeps the last value. PNG
+   * letters, digits, underscores or inner spaces; a name given twice keeps the last value. PNG
    * and EXR keep every name, JPEG and TIFF only those that their formats know ("Artist",
    * "Copyright", "ImageDescription"...). "Software" is set to "Mote x.y.z" if not given.
    * Other names are refused with a warning.
