@@ -2,7 +2,6 @@
 
 #include "Error.h"
 
-#include <array>
 #include <cmath>
 
 namespace mote
@@ -59,50 +58,6 @@ CameraRays CameraRays::transformed(const Mat4d& toLocal) const
   rays.dx = transformVector(toLocal, dx);
   rays.dy = transformVector(toLocal, dy);
   return rays;
-}
-
-namespace
-{
-
-struct BlockOffsets
-{
-  std::array<double, RayPacket::capacity> x, y;
-  BlockOffsets()
-  {
-    for (int i = 0; i < RayPacket::capacity; ++i)
-    {
-      int column = 0, row = 0;
-      packetOffset(i, column, row);
-      x[i] = column + 0.5;
-      y[i] = row + 0.5;
-    }
-  }
-};
-
-} // namespace
-
-void CameraRays::fillBlock(
-  RayPacket& packet, int x0, int y0, double jitterX, double jitterY) const
-{
-  static const BlockOffsets offsets;
-  const double x = x0 + jitterX, y = y0 + jitterY;
-  const Vec3d o = originAt(x, y), d = directionAt(x, y);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (int i = 0; i < RayPacket::capacity; ++i)
-    {
-      packet.origin[axis][i] = o[axis] + offsets.x[i] * ox[axis] + offsets.y[i] * oy[axis];
-      packet.direction[axis][i] = d[axis] + offsets.x[i] * dx[axis] + offsets.y[i] * dy[axis];
-    }
-  }
-  for (int i = 0; i < RayPacket::capacity; ++i)
-  {
-    packet.tMin[i] = tMin;
-    packet.t[i] = tMax;
-    packet.slot[i] = RayPacket::noHit;
-    packet.object[i] = -1;
-  }
-  packet.count = RayPacket::capacity;
 }
 
 } // namespace mote

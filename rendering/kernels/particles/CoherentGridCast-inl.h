@@ -45,12 +45,12 @@ struct Packet
   alignas(64) float best[64];           ///< kappa of the nearest hit; -infinity: not a live ray
   alignas(64) std::uint32_t hit[64];    ///< 1 + place in `hits`, 0 for none
   alignas(64) double planeT[64];        ///< t at the start plane
-  alignas(64) double tOut[64];
-  alignas(64) double tIn[64];
+  alignas(64) double perKappa[64];      ///< t for one kappa
   int K, U, V;      ///< axes
   double sign;      ///< of travel along K
   double plane;     ///< start plane's coordinate on K, relative to the grid's origin
-  double centerU, centerV;
+  double centerU, centerV; ///< where the middle ray crosses it, relative to the grid's origin
+  float depth;             ///< kappa at which the last sphere has ended
 };
 
 /// Bounds of the live rays' (u, v) as linear functions of kappa: lo = a + b kappa for every ray.
@@ -65,61 +65,38 @@ struct Frustum
 HWY_INLINE VF laneMin(VF v) { return hn::MinOfLanes(DF(), v); }
 HWY_INLINE VF laneMax(VF v) { return hn::MaxOfLanes(DF(), v); }
 
-/// Clips the rays to the box of all spheres and finds the start plane; false where the rays do not
-/// travel the same way along K. `any` tells whether a ray meets the box.
-inline bool clipToBox(const CoherentGridView& grid, const RayPacket& rays, Packet& p, bool& any)
+/// Whether all rays travel forward along K and nowhere near across it; and, in `nearest`, the
+/// smallest signed K at which one of them starts, relative to the grid's origin.
+inline bool isCoherent(
+  const CoherentGridView& grid, const RayPacket& rays, const Packet& p, double& nearest)
 {
   const DD dd;
-  const VD zero = hn::Zero(dd), tiny = hn::Set(dd, 1e-300);
-  const Vec3d lower = grid.origin + Vec3d(grid.lower) - Vec3d(grid.reach);
-  const Vec3d upper =
-    grid.origin + Vec3d(grid.lower) + Vec3d(grid.resolution) * double(grid.cellSize) +
-    Vec3d(grid.reach);
-  const VD sign = hn::Set(dd, p.sign);
-  VD nearest = hn::Set(dd, std::numeric_limits<double>::infinity());
+  const VD zero = hn::Zero(dd), two = hn::Set(dd, 2.0), sign = hn::Set(dd, p.sign);
+  const VD originK = hn::Set(dd, grid.origin[p.K]);
+  VD least = hn::Set(dd, std::numeric_limits<double>::infinity());
   for (int i = 0; i < rays.count; i += static_cast<int>(hn::Lanes(dd)))
   {
     const auto used = hn::FirstN(dd, static_cast<std::size_t>(rays.count - i));
-    const VD dk = hn::Mul(sign, hn::Load(dd, rays.direction[p.K] + i));
-    VD tIn = hn::Load(dd, rays.tMin + i), tOut = hn::Load(dd, rays.t + i);
-    auto coherent = hn::Gt(dk, zero);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const VD o = hn::Load(dd, rays.origin[axis] + i);
-      const VD d = hn::Load(dd, rays.direction[axis] + i);
-      coherent = hn::And(coherent, hn::Le(hn::Abs(d), hn::Mul(hn::Set(dd, 2.0), dk)));
-      const VD safe = hn::IfThenElse(hn::Lt(hn::Abs(d), tiny), tiny, d);
-      const VD inverse = hn::Div(hn::Set(dd, 1.0), safe);
-      const VD t0 = hn::Mul(hn::Sub(hn::Set(dd, lower[axis]), o), inverse);
-      const VD t1 = hn::Mul(hn::Sub(hn::Set(dd, upper[axis]), o), inverse);
-      tIn = hn::Max(tIn, hn::Min(t0, t1));
-      tOut = hn::Min(tOut, hn::Max(t0, t1));
-    }
+    const VD d = hn::Load(dd, rays.direction[p.K] + i), dk = hn::Mul(sign, d);
+    const VD across = hn::Max(hn::Abs(hn::Load(dd, rays.direction[p.U] + i)),
+      hn::Abs(hn::Load(dd, rays.direction[p.V] + i)));
+    const auto coherent = hn::And(hn::Gt(dk, zero), hn::Le(across, hn::Mul(two, dk)));
     if (!hn::AllTrue(dd, hn::Or(coherent, hn::Not(used))))
       return false;
-    const auto live = hn::And(used, hn::Le(tIn, tOut));
-    tOut = hn::IfThenElse(live, tOut, hn::Set(dd, -std::numeric_limits<double>::infinity()));
-    hn::Store(tIn, dd, p.tIn + i);
-    hn::Store(tOut, dd, p.tOut + i);
-    const VD k = hn::Mul(sign,
-      hn::MulAdd(tIn, hn::Load(dd, rays.direction[p.K] + i),
-        hn::Sub(hn::Load(dd, rays.origin[p.K] + i), hn::Set(dd, grid.origin[p.K]))));
-    nearest = hn::IfThenElse(live, hn::Min(nearest, k), nearest);
+    const VD start = hn::MulAdd(hn::Load(dd, rays.tMin + i), d,
+      hn::Sub(hn::Load(dd, rays.origin[p.K] + i), originK));
+    least = hn::IfThenElse(used, hn::Min(least, hn::Mul(sign, start)), least);
   }
-  const double plane = hn::GetLane(hn::MinOfLanes(dd, nearest));
-  any = plane < std::numeric_limits<double>::infinity();
-  p.plane = p.sign * plane;
+  nearest = hn::GetLane(hn::MinOfLanes(dd, least));
   return true;
 }
 
-/// Expresses the clipped rays by their crossing of the start plane and their slopes.
+/// Expresses the rays by their crossing of the start plane and their slopes.
 inline void localize(const CoherentGridView& grid, const RayPacket& rays, Packet& p)
 {
   const DD dd;
   const DH dh;
-  int middle = 0;
-  while (!(p.tOut[middle] >= p.tIn[middle]))
-    ++middle;
+  const int middle = rays.count / 2;
   const double tMiddle = (p.plane + grid.origin[p.K] - rays.origin[p.K][middle]) /
                          rays.direction[p.K][middle];
   p.centerU = rays.origin[p.U][middle] - grid.origin[p.U] + tMiddle * rays.direction[p.U][middle];
@@ -127,52 +104,82 @@ inline void localize(const CoherentGridView& grid, const RayPacket& rays, Packet
   const VD planeK = hn::Set(dd, p.plane + grid.origin[p.K]);
   const VD shiftU = hn::Set(dd, grid.origin[p.U] + p.centerU);
   const VD shiftV = hn::Set(dd, grid.origin[p.V] + p.centerV);
-  const VD one = hn::Set(dd, 1.0);
+  const VD one = hn::Set(dd, 1.0), sign = hn::Set(dd, p.sign);
   for (int i = 0; i < 64; i += static_cast<int>(hn::Lanes(dd)))
   {
-    if (i >= rays.count)
-    {
-      // Unused lanes repeat nothing: they are dead, and all that is asked of them is no NaN.
-      for (float* a : {p.su, p.sv, p.du, p.dv, p.inverseLength2, p.first})
-        hn::Store(hn::Zero(dh), dh, a + i);
-      hn::Store(hn::Set(dh, -infinity), dh, p.best + i);
-      continue;
-    }
-    const auto used = hn::FirstN(dd, static_cast<std::size_t>(rays.count - i));
+    const int left = std::max(0, rays.count - i);
+    const auto used = hn::FirstN(dd, static_cast<std::size_t>(left));
+    // Unused lanes are dead; all that is asked of them is no NaN.
     const VD dk = hn::IfThenElse(used, hn::Load(dd, rays.direction[p.K] + i), one);
-    const VD du = hn::Load(dd, rays.direction[p.U] + i);
-    const VD dv = hn::Load(dd, rays.direction[p.V] + i);
     const VD length = hn::Abs(dk);
     const VD perKappa = hn::Div(one, length);
     const VD t = hn::Mul(hn::Sub(planeK, hn::Load(dd, rays.origin[p.K] + i)),
-      hn::Mul(perKappa, hn::Set(dd, p.sign)));
-    const VD su = hn::MulAdd(t, du, hn::Sub(hn::Load(dd, rays.origin[p.U] + i), shiftU));
-    const VD sv = hn::MulAdd(t, dv, hn::Sub(hn::Load(dd, rays.origin[p.V] + i), shiftV));
-    const VD slopeU = hn::Mul(du, perKappa), slopeV = hn::Mul(dv, perKappa);
-    const VD length2 = hn::MulAdd(slopeU, slopeU, hn::MulAdd(slopeV, slopeV, one));
-    const VD first = hn::Mul(hn::Sub(hn::Load(dd, rays.tMin + i), t), length);
-    const VD tOut = hn::Load(dd, p.tOut + i);
-    const VD last = hn::Mul(hn::Sub(tOut, t), length);
+      hn::Mul(perKappa, sign));
+    const VD du = hn::Load(dd, rays.direction[p.U] + i);
+    const VD dv = hn::Load(dd, rays.direction[p.V] + i);
     const auto put = [&](VD v, float* to)
     { hn::Store(hn::DemoteTo(dh, hn::IfThenElseZero(used, v)), dh, to + i); };
-    put(su, p.su);
-    put(sv, p.sv);
-    put(slopeU, p.du);
-    put(slopeV, p.dv);
-    put(hn::Div(one, length2), p.inverseLength2);
-    put(first, p.first);
-    // A hit on the box's very face must not be lost to rounding.
-    const VD padded = hn::MulAdd(hn::Abs(last), hn::Set(dd, 1e-6), last);
-    const auto live = hn::And(used, hn::Ge(tOut, hn::Load(dd, p.tIn + i)));
-    hn::Store(hn::DemoteTo(
-                dh, hn::IfThenElse(live, hn::Add(padded, hn::Set(dd, double(grid.reach) * 1e-3)),
-                      hn::Set(dd, -std::numeric_limits<double>::infinity()))),
+    put(hn::MulAdd(t, du, hn::Sub(hn::Load(dd, rays.origin[p.U] + i), shiftU)), p.su);
+    put(hn::MulAdd(t, dv, hn::Sub(hn::Load(dd, rays.origin[p.V] + i), shiftV)), p.sv);
+    put(hn::Mul(du, perKappa), p.du);
+    put(hn::Mul(dv, perKappa), p.dv);
+    put(hn::Mul(hn::Sub(hn::Load(dd, rays.tMin + i), t), length), p.first);
+    const VD last = hn::Mul(hn::Sub(hn::Load(dd, rays.t + i), t), length);
+    hn::Store(hn::DemoteTo(dh, hn::IfThenElse(used, last,
+                hn::Set(dd, -std::numeric_limits<double>::infinity()))),
       dh, p.best + i);
     hn::Store(t, dd, p.planeT + i);
+    hn::Store(perKappa, dd, p.perKappa + i);
   }
+}
+
+/// Clips the rays to the box of all spheres: those that miss it, or start or end before it, are
+/// dead. Returns the smallest kappa at which a ray enters, or infinity.
+inline float clipToBox(const CoherentGridView& grid, Packet& p)
+{
+  const DF d;
   const DU du32;
-  for (int i = 0; i < 64; i += static_cast<int>(hn::Lanes(du32)))
+  const VF zero = hn::Zero(d), one = hn::Set(d, 1.0f), tiny = hn::Set(d, 1e-30f);
+  // Rounding may lose no sphere that touches the box's face: the box is a little larger.
+  const auto bounds = [&](int axis, double center, float& low, float& high)
+  {
+    const double h = double(grid.cellSize) * grid.resolution[axis];
+    low = static_cast<float>(grid.lower[axis] - center - grid.reach);
+    high = static_cast<float>(grid.lower[axis] + h - center + grid.reach);
+    const float margin = 1e-3f * grid.reach + 1e-6f * std::max(std::abs(low), std::abs(high));
+    low -= margin;
+    high += margin;
+  };
+  float low[2], high[2];
+  bounds(p.U, p.centerU, low[0], high[0]);
+  bounds(p.V, p.centerV, low[1], high[1]);
+  const float depth = p.depth * 1.000001f;
+  VF nearest = hn::Set(d, infinity);
+  for (int i = 0; i < 64; i += static_cast<int>(hn::Lanes(d)))
+  {
+    const VF last = hn::Load(d, p.best + i);
+    const VF du = hn::Load(d, p.du + i), dv = hn::Load(d, p.dv + i);
+    VF in = hn::Max(zero, hn::Load(d, p.first + i)), out = hn::Min(last, hn::Set(d, depth));
+    const auto slab = [&](VF start, VF slope, float lowest, float highest)
+    {
+      const VF safe = hn::IfThenElse(hn::Lt(hn::Abs(slope), tiny), tiny, slope);
+      const VF inverse = hn::Div(one, safe);
+      const VF k0 = hn::Mul(hn::Sub(hn::Set(d, lowest), start), inverse);
+      const VF k1 = hn::Mul(hn::Sub(hn::Set(d, highest), start), inverse);
+      in = hn::Max(in, hn::Min(k0, k1));
+      out = hn::Min(out, hn::Max(k0, k1));
+    };
+    slab(hn::Load(d, p.su + i), du, low[0], high[0]);
+    slab(hn::Load(d, p.sv + i), dv, low[1], high[1]);
+    const VF padded = hn::MulAdd(out, hn::Set(d, 2e-6f), hn::Add(out, hn::Set(d, p.depth * 1e-6f)));
+    const auto live = hn::Le(in, padded);
+    hn::Store(hn::IfThenElse(live, padded, hn::Set(d, -infinity)), d, p.best + i);
+    nearest = hn::IfThenElse(live, hn::Min(nearest, in), nearest);
+    const VF length2 = hn::MulAdd(du, du, hn::MulAdd(dv, dv, one));
+    hn::Store(hn::Div(one, length2), d, p.inverseLength2 + i);
     hn::Store(hn::Zero(du32), du32, p.hit + i);
+  }
+  return hn::GetLane(laneMin(nearest));
 }
 
 /// Bounds of the rays that can still hit something at kappa > `front`.
@@ -247,12 +254,13 @@ public:
     plane_ = split(packet.plane);
   }
 
-  void run()
+  /// `entry`: smallest kappa at which a ray enters the box of all spheres.
+  void run(float entry)
   {
     const float h = grid_.cellSize;
     const int slices = grid_.resolution[K];
     frustum_ = frustumOf(p_, -infinity);
-    const int start = std::max(0, static_cast<int>(std::floor((-grid_.reach - front0_) * cells_)));
+    const int start = std::max(0, static_cast<int>(std::floor((entry - grid_.reach - front0_) * cells_ - 1e-3f)));
     for (int step = start; step < slices; ++step)
     {
       const float front = front0_ + h * static_cast<float>(step);
@@ -478,6 +486,29 @@ private:
   alignas(64) float u_[16], v_[16], k_[16];
 };
 
+/// Writes the hits back to the rays they belong to.
+inline void keepHits(
+  const Packet& p, const std::vector<std::uint64_t>& hits, std::int32_t object, RayPacket& rays)
+{
+  const DD dd;
+  const DH dh;
+  alignas(64) double t[64];
+  for (int i = 0; i < 64; i += static_cast<int>(hn::Lanes(dd)))
+  {
+    const VD kappa = hn::PromoteTo(dd, hn::Load(dh, p.best + i));
+    hn::Store(
+      hn::MulAdd(kappa, hn::Load(dd, p.perKappa + i), hn::Load(dd, p.planeT + i)), dd, t + i);
+  }
+  for (int i = 0; i < rays.count; ++i)
+  {
+    if (p.hit[i] == 0 || !(t[i] < rays.t[i]))
+      continue;
+    rays.t[i] = t[i];
+    rays.slot[i] = hits[p.hit[i] - 1];
+    rays.object[i] = object;
+  }
+}
+
 /// Casts a packet whose rays travel the same way along one axis; false, with nothing done, where
 /// they do not.
 bool castCoherent(const CoherentGridView& grid, RayPacket& rays, std::int32_t object)
@@ -493,38 +524,39 @@ bool castCoherent(const CoherentGridView& grid, RayPacket& rays, std::int32_t ob
   p.U = p.K == 0 ? 1 : 0;
   p.V = p.K == 2 ? 1 : 2;
   p.sign = d[p.K] < 0.0 ? -1.0 : 1.0;
-  bool any = false;
-  if (!clipToBox(grid, rays, p, any))
+  double nearest = 0.0;
+  if (!isCoherent(grid, rays, p, nearest))
     return false;
-  if (!any)
+  // In the direction of travel the box of all spheres reaches from nearFace to farFace.
+  const double lowerK = grid.lower[p.K] - grid.reach;
+  const double upperK =
+    grid.lower[p.K] + double(grid.cellSize) * grid.resolution[p.K] + grid.reach;
+  const double nearFace = p.sign > 0.0 ? lowerK : -upperK;
+  const double farFace = p.sign > 0.0 ? upperK : -lowerK;
+  const double start = std::max(nearFace, nearest);
+  if (!(start <= farFace))
     return true;
+  p.plane = p.sign * start;
+  p.depth = static_cast<float>(farFace - start);
   localize(grid, rays, p);
+  const float entry = clipToBox(grid, p);
+  if (!(entry < infinity))
+    return true;
 
   static thread_local std::vector<std::uint64_t> hits;
   hits.clear();
   switch (p.K)
   {
     case 0:
-      GridCaster<0>(grid, p, hits).run();
+      GridCaster<0>(grid, p, hits).run(entry);
       break;
     case 1:
-      GridCaster<1>(grid, p, hits).run();
+      GridCaster<1>(grid, p, hits).run(entry);
       break;
     default:
-      GridCaster<2>(grid, p, hits).run();
+      GridCaster<2>(grid, p, hits).run(entry);
   }
-  for (int i = 0; i < rays.count; ++i)
-  {
-    if (p.hit[i] == 0)
-      continue;
-    const double t = p.planeT[i] + double(p.best[i]) / std::abs(rays.direction[p.K][i]);
-    if (t < rays.t[i])
-    {
-      rays.t[i] = t;
-      rays.slot[i] = hits[p.hit[i] - 1];
-      rays.object[i] = object;
-    }
-  }
+  keepHits(p, hits, object, rays);
   return true;
 }
 
