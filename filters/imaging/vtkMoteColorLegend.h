@@ -13,8 +13,9 @@
  * 5 times a power of ten; for a table with a log scale powers of ten, with 2 and 5 times these
  * where there are few. The bar has swatches for values below and above the range if
  * the table has colours for them, and for NaN if NanSwatch is on. A table with IndexedLookup gets
- * one labelled swatch for each annotated value instead. Values whose logarithm the table cannot
- * take are reported by vtkErrorMacro and draw no legend.
+ * one labelled swatch for each annotated value instead. A log scale whose range is not positive is
+ * reported by vtkErrorMacro and draws no legend. Colours are shown opaque, whatever their opacity
+ * in the table.
  *
  * Without a lookup table only the caption is drawn; without a caption, too, the input passes.
  */
@@ -29,8 +30,15 @@
 #include <string> // for texts
 #include <vector> // for ticks
 
+class vtkDataArray;
 class vtkImageData;
 class vtkScalarsToColors;
+
+namespace mote::imaging
+{
+struct LegendContent;
+struct TickScale;
+} // namespace mote::imaging
 
 class MOTEFILTERSIMAGING_EXPORT vtkMoteColorLegend : public vtkImageAlgorithm
 {
@@ -81,6 +89,17 @@ public:
    */
   vtkSetClampMacro(NumberOfLabels, int, 2, 20);
   vtkGetMacro(NumberOfLabels, int);
+  ///@}
+
+  ///@{
+  /**
+   * A TrueType or Type 1 font to use instead of the one that VTK carries. Characters that the font
+   * lacks come from VTK's and from DejaVu Sans where that is installed; raised and lowered
+   * digits are always there: "km s⁻¹". What no font has is drawn as a question mark, and
+   * reported. Default empty.
+   */
+  vtkSetMacro(FontFile, std::string);
+  vtkGetMacro(FontFile, std::string);
   ///@}
 
   enum SideType
@@ -185,6 +204,7 @@ protected:
   std::string Title;
   std::string Caption;
   std::string LabelFormat;
+  std::string FontFile;
   int NumberOfLabels = 5;
   int Side = RIGHT;
   vtkTypeBool AutomaticTextColor = 1;
@@ -200,6 +220,10 @@ protected:
 private:
   vtkMoteColorLegend(const vtkMoteColorLegend&) = delete;
   void operator=(const vtkMoteColorLegend&) = delete;
+
+  void Draw(vtkImageData* image, vtkDataArray* colors);
+  bool MakeContent(mote::imaging::LegendContent& content, mote::imaging::TickScale& scale,
+                   double minimumTickShare);
 
   std::vector<double> TickValues;
   std::vector<std::string> TickLabels;
