@@ -32,7 +32,6 @@ private:
 
   FrameTracer tracer_;
   FilmDisplay display_;
-  std::vector<vtkActor*> actors_; ///< object i of the scene belongs to actor i
   double displaySeconds_ = 0.0;
 };
 

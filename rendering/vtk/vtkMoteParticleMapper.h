@@ -222,6 +222,12 @@ public:
   bool HasTranslucentPolygonalGeometry() override { return false; }
   ///@}
 
+  /**
+   * vtkHardwareSelector, and with it vtkPropPicker, finds the actor. For the particle use
+   * vtkMoteParticlePicker, which knows ids of any size.
+   */
+  bool GetSupportsSelection() override { return true; }
+
 #ifndef __VTK_WRAP__
   /**
    * Updates, and describes the particles to the kernels as this actor shows them; false where there

@@ -4,7 +4,9 @@
 #include "SceneBridge.h"
 
 #include "vtkActor.h"
+#include "vtkCameraPass.h"
 #include "vtkCommand.h"
+#include "vtkHardwareSelector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
@@ -97,6 +99,11 @@ vtkRenderPass* vtkMoteRayCastPass::GetImagePass()
 void vtkMoteRayCastPass::Render(const vtkRenderState* state)
 {
   this->NumberOfRenderedProps = 0;
+  if (state->GetRenderer()->GetSelector())
+  {
+    this->RenderSelection(state);
+    return;
+  }
   this->Impl->actors.clear();
   std::vector<vtkProp*> others;
   for (int i = 0; i < state->GetPropArrayCount(); ++i)
@@ -118,6 +125,20 @@ void vtkMoteRayCastPass::Render(const vtkRenderState* state)
   rest.SetRequiredKeys(state->GetRequiredKeys());
   this->Impl->delegate->Render(&rest);
   this->NumberOfRenderedProps += this->Impl->delegate->GetNumberOfRenderedProps();
+}
+
+void vtkMoteRayCastPass::RenderSelection(const vtkRenderState* state)
+{
+  // A renderer with a pass leaves it to the pass to serve the selector. All props, Mote's too, are
+  // drawn one by one with the colours that the selector gives them.
+  vtkNew<vtkCameraPass> camera;
+  vtkNew<vtkMoteImageStep> step;
+  step->Draw = [state](vtkRenderer* renderer)
+  {
+    renderer->GetSelector()->Render(renderer, state->GetPropArray(), state->GetPropArrayCount());
+  };
+  camera->SetDelegatePass(step);
+  camera->Render(state);
 }
 
 void vtkMoteRayCastPass::DrawImage(vtkRenderer* renderer)

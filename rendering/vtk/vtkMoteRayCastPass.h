@@ -123,6 +123,7 @@ private:
   void operator=(const vtkMoteRayCastPass&) = delete;
 
   void DrawImage(vtkRenderer* renderer);
+  void RenderSelection(const vtkRenderState* state);
 
   class Internals;
   std::unique_ptr<Internals> Impl;
