@@ -4,7 +4,10 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkExecutive.h"
+#include "vtkLogger.h"
 #include "vtkOutputWindow.h"
+
+#include <algorithm>
 
 namespace mote
 {
@@ -15,6 +18,13 @@ namespace
 std::string withoutDecoration(const std::string& text)
 {
   std::string message = text;
+  for (const char* kind : {"ERROR: In ", "Warning: In ", "Generic Warning: In "})
+  {
+    if (message.starts_with(kind))
+    {
+      message.erase(0, std::min(message.find('\n'), message.size()));
+    }
+  }
   const std::size_t address = message.find(" (0x");
   const std::size_t close = address == message.npos ? message.npos : message.find("): ", address);
   if (close != message.npos)
@@ -55,6 +65,9 @@ MessageCatcher::MessageCatcher(vtkAlgorithm* algorithm) : m_window(vtkOutputWind
     m_displayMode = m_window->GetDisplayMode();
     m_window->SetDisplayModeToNever();
   }
+  // VTK's logger prints by itself what no observer takes.
+  m_verbosity = vtkLogger::GetCurrentVerbosityCutoff();
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 }
 
 MessageCatcher::~MessageCatcher()
@@ -70,6 +83,26 @@ MessageCatcher::~MessageCatcher()
   {
     m_window->SetDisplayMode(m_displayMode);
   }
+  vtkLogger::SetStderrVerbosity(static_cast<vtkLogger::Verbosity>(m_verbosity));
+}
+
+std::string MessageCatcher::firstError() const
+{
+  for (const std::string& error : m_errors)
+  {
+    if (!error.starts_with("Algorithm "))
+    {
+      return error;
+    }
+  }
+  for (const std::string& warning : m_warnings)
+  {
+    if (!m_errors.empty() || warning.starts_with("Error"))
+    {
+      return warning;
+    }
+  }
+  return m_errors.empty() ? "" : "the file is damaged, or of another format";
 }
 
 void MessageCatcher::watch(vtkObject* object)

@@ -27,8 +27,13 @@ public:
   MessageCatcher(const MessageCatcher&) = delete;
   MessageCatcher& operator=(const MessageCatcher&) = delete;
 
-  /// Each without VTK's decoration ("ERROR: In f.cxx, line 1 vtkFoo (0x1): "), on one line.
-  const std::vector<std::string>& errors() const { return m_errors; }
+  /// The first error that says what is wrong; empty if all is well. Readers of VTK say some things
+  /// as warnings ("Error reading ascii data"), and leave others to the executive's "Algorithm ...
+  /// returned failure".
+  std::string firstError() const;
+
+  /// The warnings, each without VTK's decoration ("ERROR: In f.cxx, line 1 vtkFoo (0x1): "), on one
+  /// line.
   const std::vector<std::string>& warnings() const { return m_warnings; }
 
 private:
@@ -40,6 +45,7 @@ private:
   std::vector<std::pair<vtkWeakPointer<vtkObject>, unsigned long>> m_watches;
   vtkSmartPointer<vtkOutputWindow> m_window;
   int m_displayMode = 0;
+  int m_verbosity = 0; ///< of the logger
 };
 
 } // namespace mote

@@ -2,6 +2,7 @@
 
 #include "FileError.h"
 #include "LAMMPSDump.h"
+#include "PLYCheck.h"
 #include "TextFile.h"
 #include "vtkMoteDelimitedPointsReader.h"
 #include "vtkMoteLAMMPSDumpReader.h"
@@ -48,6 +49,12 @@ vtkSmartPointer<vtkAlgorithm> makeLAMMPS(const FileNames& fileNames)
   return reader;
 }
 
+vtkSmartPointer<vtkAlgorithm> makePLY(const FileNames& fileNames)
+{
+  checkPLYIsWhole(fileNames.front());
+  return make<vtkPLYReader>(fileNames);
+}
+
 } // namespace
 
 const std::vector<ReaderFormat>& readerFormats()
@@ -66,7 +73,7 @@ const std::vector<ReaderFormat>& readerFormats()
       {{".vtu"}, "VTK XML unstructured grid", make<vtkXMLUnstructuredGridReader>},
       {{".vti"}, "VTK XML image", make<vtkXMLImageDataReader>},
       {{".vtk"}, "VTK legacy file of any data set", make<vtkGenericDataObjectReader>},
-      {{".ply"}, "Stanford triangle mesh", make<vtkPLYReader>},
+      {{".ply"}, "Stanford triangle mesh", makePLY},
       {{".obj"}, "Wavefront mesh", make<vtkOBJReader>},
       {{".stl"}, "STL triangle mesh", make<vtkSTLReader>},
       {{".foam"}, "OpenFOAM case", make<vtkOpenFOAMReader>},

@@ -17,7 +17,8 @@ struct ReaderFormat
 {
   std::vector<const char*> extensions; ///< with their dots, in lower case; the longest match wins
   const char* description;
-  /// A reader that is ready to update. One name, or several if the format knows series.
+  /// A reader that is ready to update. One name, or several if the format knows series. May throw
+  /// FileError for what the reader itself would not survive.
   vtkSmartPointer<vtkAlgorithm> (*make)(const std::vector<std::string>& fileNames);
   bool series = false;
   /// Whether a file whose extension says nothing begins like this format; or null.

@@ -129,7 +129,8 @@ std::string runQuietly(vtkAlgorithm* reader, const Update& update, std::string* 
   {
     return own->GetLastErrorMessage();
   }
-  return catcher.errors().empty() ? std::string() : withFile(reader, catcher.errors().front());
+  const std::string error = catcher.firstError();
+  return error.empty() ? error : withFile(reader, error);
 }
 
 template <class Update>

@@ -1,0 +1,216 @@
+// Every entry of the table from file name to reader, and what it says about other files.
+#include "IOTestSupport.h"
+#include "vtkMoteReaderTable.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetWriter.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkOutputWindow.h"
+#include "vtkPLYWriter.h"
+#include "vtkPolyData.h"
+#include "vtkSTLWriter.h"
+#include "vtkSphereSource.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkXMLImageDataWriter.h"
+#include "vtkXMLPolyDataWriter.h"
+#include "vtkXMLUnstructuredGridWriter.h"
+
+#include <sstream>
+
+namespace
+{
+
+class TestReaderTable : public FileTest
+{
+protected:
+  template <class Writer>
+  std::string writeWith(const std::string& name, vtkDataObject* data)
+  {
+    vtkNew<Writer> writer;
+    writer->SetInputDataObject(data);
+    writer->SetFileName(path(name).c_str());
+    writer->Write();
+    return path(name);
+  }
+
+  vtkSmartPointer<vtkDataObject> read(const std::string& file, const char* readerClass)
+  {
+    auto reader = vtkMoteReaderTable::MakeReader(file, m_error);
+    EXPECT_TRUE(reader) << m_error;
+    if (!reader)
+    {
+      return nullptr;
+    }
+    EXPECT_STREQ(reader->GetClassName(), readerClass);
+    EXPECT_EQ(vtkMoteReaderTable::CheckFile(file), "");
+    auto data = vtkMoteReaderTable::Read(reader, m_error);
+    EXPECT_TRUE(data) << m_error;
+    return data;
+  }
+
+  vtkIdType points(const std::string& file, const char* readerClass)
+  {
+    auto data = read(file, readerClass);
+    auto* set = vtkDataSet::SafeDownCast(data);
+    return set ? set->GetNumberOfPoints() : -1;
+  }
+
+  void expectError(const std::string& file, const std::string& sentence)
+  {
+    auto reader = vtkMoteReaderTable::MakeReader(file, m_error);
+    if (reader)
+    {
+      EXPECT_FALSE(vtkMoteReaderTable::Read(reader, m_error));
+    }
+    EXPECT_EQ(m_error.find('\n'), std::string::npos);
+    EXPECT_NE(m_error.find(file), std::string::npos) << m_error;
+    EXPECT_NE(m_error.find(sentence), std::string::npos) << m_error;
+    std::cout << "  " << m_error << "\n";
+  }
+
+  std::string m_error;
+};
+
+TEST_F(TestReaderTable, ReadersOfThisModule)
+{
+  const std::string dump = dumpFrame(0, 1, "x y z", "1 2 3\n");
+  EXPECT_EQ(points(write("a.dump", dump), "vtkMoteLAMMPSDumpReader"), 1);
+  EXPECT_EQ(points(write("a.LAMMPSTRJ", dump), "vtkMoteLAMMPSDumpReader"), 1);
+  EXPECT_EQ(points(writeGzip("a.dump.gz", dump), "vtkMoteLAMMPSDumpReader"), 1);
+  EXPECT_EQ(points(write("dump.atom.100", dump), "vtkMoteLAMMPSDumpReader"), 1); // by content
+  EXPECT_EQ(points(writeGzip("odd.gz", dump), "vtkMoteLAMMPSDumpReader"), 1);
+  EXPECT_EQ(points(write("a.xyz", "1\n\nSi 1 2 3\n"), "vtkMoteXYZReader"), 1);
+  EXPECT_EQ(points(write("a.pts", "1 2 3\n"), "vtkMotePointsReader"), 1);
+  EXPECT_EQ(points(write("a.csv", "x,y,z\n1,2,3\n"), "vtkMoteDelimitedPointsReader"), 1);
+}
+
+TEST_F(TestReaderTable, ReadersOfVTK)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->Update();
+  vtkPolyData* mesh = sphere->GetOutput();
+  const vtkIdType count = mesh->GetNumberOfPoints();
+  EXPECT_EQ(points(writeWith<vtkXMLPolyDataWriter>("a.vtp", mesh), "vtkXMLPolyDataReader"), count);
+  EXPECT_EQ(points(writeWith<vtkDataSetWriter>("a.vtk", mesh), "vtkGenericDataObjectReader"),
+            count);
+  EXPECT_EQ(points(writeWith<vtkPLYWriter>("a.ply", mesh), "vtkPLYReader"), count);
+  EXPECT_EQ(points(writeWith<vtkSTLWriter>("a.stl", mesh), "vtkSTLReader"), count);
+  EXPECT_EQ(points(write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "vtkOBJReader"), 3);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 3, 3);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  EXPECT_EQ(points(writeWith<vtkXMLImageDataWriter>("a.vti", image), "vtkXMLImageDataReader"), 27);
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkPoints> corners;
+  corners->InsertNextPoint(0, 0, 0);
+  grid->SetPoints(corners);
+  EXPECT_EQ(points(writeWith<vtkXMLUnstructuredGridWriter>("a.vtu", grid),
+                   "vtkXMLUnstructuredGridReader"),
+            1);
+  EXPECT_EQ(points(writeWith<vtkDataSetWriter>("b.vtk", grid), "vtkGenericDataObjectReader"), 1);
+  const std::string atom =
+      "ATOM      1  N   ASP E   1       4.868 -17.809  25.188  1.00 34.37      E    N\n";
+  EXPECT_EQ(points(write("a.pdb", atom), "vtkPDBReader"), 1);
+}
+
+TEST_F(TestReaderTable, FilesThatCannotBeRead)
+{
+  expectError(path("missing.vtp"), "there is no such file");
+  expectError(path("."), "this is a directory, not a file");
+  expectError(write("a.unknown", "text\n"),
+              "no reader knows this file; known extensions are .dump");
+  expectError(write("a.bin", std::string("\xf8\xff\xff\xff\xff\xff\xff\xff", 8) + "DUMPATOM"),
+              "this is a binary LAMMPS dump");
+  expectError(write("text.ply", "hello\n"), "this is no PLY file");
+  EXPECT_NE(vtkMoteReaderTable::CheckFile(""), "");
+  if (::geteuid() != 0)
+  {
+    const std::string secret = write("secret.vtp", "");
+    std::filesystem::permissions(secret, std::filesystem::perms::none);
+    expectError(secret, "you have no permission to read this file");
+  }
+}
+
+TEST_F(TestReaderTable, DamagedFilesGiveOneSentenceAndPrintNothing)
+{
+  testing::internal::CaptureStderr();
+  for (const char* name : {"a.dump", "a.xyz", "a.pts", "a.csv", "a.pdb", "a.vtp", "a.vtu", "a.vti",
+                           "a.vtk", "a.ply", "a.obj", "a.stl"})
+  {
+    expectError(write(name, "this is no such file\n"), "");
+    expectError(write(name, ""), "");
+  }
+  vtkNew<vtkSphereSource> sphere;
+  sphere->Update();
+  writeWith<vtkXMLPolyDataWriter>("cut.vtp", sphere->GetOutput());
+  writeWith<vtkDataSetWriter>("cut.vtk", sphere->GetOutput());
+  writeWith<vtkPLYWriter>("cut.ply", sphere->GetOutput());
+  writeWith<vtkSTLWriter>("cut.stl", sphere->GetOutput());
+  for (const char* name : {"cut.vtp", "cut.vtk", "cut.ply", "cut.stl"})
+  {
+    truncate(name, std::filesystem::file_size(path(name)) / 2);
+    expectError(path(name), "");
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST_F(TestReaderTable, TheOutputWindowIsLeftAsItWas)
+{
+  vtkOutputWindow* window = vtkOutputWindow::GetInstance();
+  const int mode = window->GetDisplayMode();
+  expectError(write("a.vtp", "no XML"), "");
+  EXPECT_EQ(window->GetDisplayMode(), mode);
+  EXPECT_FALSE(window->HasObserver(vtkCommand::ErrorEvent));
+}
+
+TEST_F(TestReaderTable, Series)
+{
+  const auto file = [this](const char* name, int step)
+  { return write(name, dumpFrame(step, 1, "x y z", "1 2 3\n")); };
+  const std::vector<std::string> names = {
+      file("p.1000.dump", 1000), write("m.vtp", ""),  file("p.200.dump", 200), file("q.5.dump", 5),
+      file("dump.9", 9),         file("dump.10", 10), path("x.3.dump2")};
+  const auto groups = vtkMoteReaderTable::GroupSeries(names);
+  ASSERT_EQ(groups.size(), 5u);
+  EXPECT_EQ(groups[0], (std::vector<std::string>{names[2], names[0]}));
+  EXPECT_EQ(groups[1], (std::vector<std::string>{names[1]}));
+  EXPECT_EQ(groups[3], (std::vector<std::string>{names[4], names[5]}));
+  auto reader = vtkMoteReaderTable::MakeReader(groups[0], m_error);
+  ASSERT_TRUE(reader) << m_error;
+  EXPECT_EQ(vtkMoteReaderTable::GetTimeSteps(reader, m_error), (std::vector<double>{200, 1000}));
+  EXPECT_FALSE(vtkMoteReaderTable::MakeReader({names[0], names[1]}, m_error));
+  EXPECT_NE(m_error.find("one format"), std::string::npos) << m_error;
+  EXPECT_FALSE(vtkMoteReaderTable::MakeReader({names[1], names[1]}, m_error));
+  EXPECT_NE(m_error.find("make no series"), std::string::npos) << m_error;
+  EXPECT_FALSE(vtkMoteReaderTable::MakeReader(std::vector<std::string>(), m_error));
+}
+
+TEST_F(TestReaderTable, FormsForPython)
+{
+  const std::string file = write("a.xyz", "1\n\nSi 1 2 3\n");
+  auto reader = vtkSmartPointer<vtkAlgorithm>::Take(vtkMoteReaderTable::NewReader(file));
+  ASSERT_TRUE(reader);
+  auto data = vtkSmartPointer<vtkDataObject>::Take(vtkMoteReaderTable::ReadFile(file));
+  ASSERT_TRUE(data);
+  EXPECT_EQ(vtkPolyData::SafeDownCast(data)->GetNumberOfPoints(), 1);
+  vtkOutputWindow::GetInstance()->SetDisplayModeToNever();
+  EXPECT_EQ(vtkMoteReaderTable::NewReader(path("missing.vtp")), nullptr);
+  EXPECT_EQ(vtkMoteReaderTable::ReadFile(write("bad.vtp", "")), nullptr);
+  vtkOutputWindow::GetInstance()->SetDisplayModeToDefault();
+}
+
+TEST_F(TestReaderTable, Lists)
+{
+  EXPECT_EQ(vtkMoteReaderTable::GetExtensions().find(".dump .lammpstrj"), 0u);
+  const std::string help = vtkMoteReaderTable::GetFormatsHelp();
+  EXPECT_NE(help.find("\n  .vtp  "), std::string::npos) << help;
+  vtkNew<vtkMoteReaderTable> table;
+  std::ostringstream text;
+  table->Print(text);
+  EXPECT_NE(text.str().find(".foam"), std::string::npos);
+}
+
+} // namespace
