@@ -7,13 +7,7 @@
 #define MOTE_COHERENT_GRID_CAST_INL_H
 #endif
 
-#include "CoherentGridView.h"
-
-#include <hwy/highway.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
+#include "CoherentGridPacket-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mote
@@ -21,39 +15,7 @@ namespace mote
 namespace HWY_NAMESPACE
 {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using DF = hn::CappedTag<float, 16>;
-using DU = hn::Rebind<std::uint32_t, DF>;
-using DD = hn::CappedTag<double, 8>;
-using DH = hn::Rebind<float, DD>;
-using VF = hn::Vec<DF>;
-using VD = hn::Vec<DD>;
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
-/// The rays of a packet relative to the grid and to a start plane across the major axis K.
-///
-/// kappa counts along K from the start plane, forward in the direction of travel. Ray i passes
-/// (u, v) = (su + du kappa, sv + dv kappa). Formed in double and only then rounded, so that all
-/// float numbers are small: their errors are relative to the grid, not to the camera's distance.
-struct Packet
-{
-  alignas(64) float su[64], sv[64], du[64], dv[64];
-  alignas(64) float inverseLength2[64]; ///< 1 / (1 + du^2 + dv^2)
-  alignas(64) float first[64];          ///< hits at kappa <= first do not count
-  alignas(64) float best[64];           ///< kappa of the nearest hit; -infinity: not a live ray
-  alignas(64) std::uint32_t hit[64];    ///< 1 + place in `hits`, 0 for none
-  alignas(64) double planeT[64];        ///< t at the start plane
-  alignas(64) double perKappa[64];      ///< t for one kappa
-  int K, U, V;      ///< axes
-  double sign;      ///< of travel along K
-  double plane;     ///< start plane's coordinate on K, relative to the grid's origin
-  double centerU, centerV; ///< where the middle ray crosses it, relative to the grid's origin
-  float depth;             ///< kappa at which the last sphere has ended
-};
-
-/// Bounds of the live rays' (u, v) as linear functions of kappa: lo = a + b kappa for every ray.
+/// Bounds of the live rays' (u, v) as linear functions of kappa, from the start plane on.
 struct Frustum
 {
   float uLow, uLowSlope, uHigh, uHighSlope;
@@ -61,126 +23,6 @@ struct Frustum
   float uWiden, vWiden; ///< a sphere's radius counts this many times along u and v
   float farthest;       ///< largest kappa that any live ray can still reach
 };
-
-HWY_INLINE VF laneMin(VF v) { return hn::MinOfLanes(DF(), v); }
-HWY_INLINE VF laneMax(VF v) { return hn::MaxOfLanes(DF(), v); }
-
-/// Whether all rays travel forward along K and nowhere near across it; and, in `nearest`, the
-/// smallest signed K at which one of them starts, relative to the grid's origin.
-inline bool isCoherent(
-  const CoherentGridView& grid, const RayPacket& rays, const Packet& p, double& nearest)
-{
-  const DD dd;
-  const VD zero = hn::Zero(dd), two = hn::Set(dd, 2.0), sign = hn::Set(dd, p.sign);
-  const VD originK = hn::Set(dd, grid.origin[p.K]);
-  VD least = hn::Set(dd, std::numeric_limits<double>::infinity());
-  for (int i = 0; i < rays.count; i += static_cast<int>(hn::Lanes(dd)))
-  {
-    const auto used = hn::FirstN(dd, static_cast<std::size_t>(rays.count - i));
-    const VD d = hn::Load(dd, rays.direction[p.K] + i), dk = hn::Mul(sign, d);
-    const VD across = hn::Max(hn::Abs(hn::Load(dd, rays.direction[p.U] + i)),
-      hn::Abs(hn::Load(dd, rays.direction[p.V] + i)));
-    const auto coherent = hn::And(hn::Gt(dk, zero), hn::Le(across, hn::Mul(two, dk)));
-    if (!hn::AllTrue(dd, hn::Or(coherent, hn::Not(used))))
-      return false;
-    const VD start = hn::MulAdd(hn::Load(dd, rays.tMin + i), d,
-      hn::Sub(hn::Load(dd, rays.origin[p.K] + i), originK));
-    least = hn::IfThenElse(used, hn::Min(least, hn::Mul(sign, start)), least);
-  }
-  nearest = hn::GetLane(hn::MinOfLanes(dd, least));
-  return true;
-}
-
-/// Expresses the rays by their crossing of the start plane and their slopes.
-inline void localize(const CoherentGridView& grid, const RayPacket& rays, Packet& p)
-{
-  const DD dd;
-  const DH dh;
-  const int middle = rays.count / 2;
-  const double tMiddle = (p.plane + grid.origin[p.K] - rays.origin[p.K][middle]) /
-                         rays.direction[p.K][middle];
-  p.centerU = rays.origin[p.U][middle] - grid.origin[p.U] + tMiddle * rays.direction[p.U][middle];
-  p.centerV = rays.origin[p.V][middle] - grid.origin[p.V] + tMiddle * rays.direction[p.V][middle];
-  const VD planeK = hn::Set(dd, p.plane + grid.origin[p.K]);
-  const VD shiftU = hn::Set(dd, grid.origin[p.U] + p.centerU);
-  const VD shiftV = hn::Set(dd, grid.origin[p.V] + p.centerV);
-  const VD one = hn::Set(dd, 1.0), sign = hn::Set(dd, p.sign);
-  for (int i = 0; i < 64; i += static_cast<int>(hn::Lanes(dd)))
-  {
-    const int left = std::max(0, rays.count - i);
-    const auto used = hn::FirstN(dd, static_cast<std::size_t>(left));
-    // Unused lanes are dead; all that is asked of them is no NaN.
-    const VD dk = hn::IfThenElse(used, hn::Load(dd, rays.direction[p.K] + i), one);
-    const VD length = hn::Abs(dk);
-    const VD perKappa = hn::Div(one, length);
-    const VD t = hn::Mul(hn::Sub(planeK, hn::Load(dd, rays.origin[p.K] + i)),
-      hn::Mul(perKappa, sign));
-    const VD du = hn::Load(dd, rays.direction[p.U] + i);
-    const VD dv = hn::Load(dd, rays.direction[p.V] + i);
-    const auto put = [&](VD v, float* to)
-    { hn::Store(hn::DemoteTo(dh, hn::IfThenElseZero(used, v)), dh, to + i); };
-    put(hn::MulAdd(t, du, hn::Sub(hn::Load(dd, rays.origin[p.U] + i), shiftU)), p.su);
-    put(hn::MulAdd(t, dv, hn::Sub(hn::Load(dd, rays.origin[p.V] + i), shiftV)), p.sv);
-    put(hn::Mul(du, perKappa), p.du);
-    put(hn::Mul(dv, perKappa), p.dv);
-    put(hn::Mul(hn::Sub(hn::Load(dd, rays.tMin + i), t), length), p.first);
-    const VD last = hn::Mul(hn::Sub(hn::Load(dd, rays.t + i), t), length);
-    hn::Store(hn::DemoteTo(dh, hn::IfThenElse(used, last,
-                hn::Set(dd, -std::numeric_limits<double>::infinity()))),
-      dh, p.best + i);
-    hn::Store(t, dd, p.planeT + i);
-    hn::Store(perKappa, dd, p.perKappa + i);
-  }
-}
-
-/// Clips the rays to the box of all spheres: those that miss it, or start or end before it, are
-/// dead. Returns the smallest kappa at which a ray enters, or infinity.
-inline float clipToBox(const CoherentGridView& grid, Packet& p)
-{
-  const DF d;
-  const DU du32;
-  const VF zero = hn::Zero(d), one = hn::Set(d, 1.0f), tiny = hn::Set(d, 1e-30f);
-  // Rounding may lose no sphere that touches the box's face: the box is a little larger.
-  const auto bounds = [&](int axis, double center, float& low, float& high)
-  {
-    const double h = double(grid.cellSize) * grid.resolution[axis];
-    low = static_cast<float>(grid.lower[axis] - center - grid.reach);
-    high = static_cast<float>(grid.lower[axis] + h - center + grid.reach);
-    const float margin = 1e-3f * grid.reach + 1e-6f * std::max(std::abs(low), std::abs(high));
-    low -= margin;
-    high += margin;
-  };
-  float low[2], high[2];
-  bounds(p.U, p.centerU, low[0], high[0]);
-  bounds(p.V, p.centerV, low[1], high[1]);
-  const float depth = p.depth * 1.000001f;
-  VF nearest = hn::Set(d, infinity);
-  for (int i = 0; i < 64; i += static_cast<int>(hn::Lanes(d)))
-  {
-    const VF last = hn::Load(d, p.best + i);
-    const VF du = hn::Load(d, p.du + i), dv = hn::Load(d, p.dv + i);
-    VF in = hn::Max(zero, hn::Load(d, p.first + i)), out = hn::Min(last, hn::Set(d, depth));
-    const auto slab = [&](VF start, VF slope, float lowest, float highest)
-    {
-      const VF safe = hn::IfThenElse(hn::Lt(hn::Abs(slope), tiny), tiny, slope);
-      const VF inverse = hn::Div(one, safe);
-      const VF k0 = hn::Mul(hn::Sub(hn::Set(d, lowest), start), inverse);
-      const VF k1 = hn::Mul(hn::Sub(hn::Set(d, highest), start), inverse);
-      in = hn::Max(in, hn::Min(k0, k1));
-      out = hn::Min(out, hn::Max(k0, k1));
-    };
-    slab(hn::Load(d, p.su + i), du, low[0], high[0]);
-    slab(hn::Load(d, p.sv + i), dv, low[1], high[1]);
-    const VF padded = hn::MulAdd(out, hn::Set(d, 2e-6f), hn::Add(out, hn::Set(d, p.depth * 1e-6f)));
-    const auto live = hn::Le(in, padded);
-    hn::Store(hn::IfThenElse(live, padded, hn::Set(d, -infinity)), d, p.best + i);
-    nearest = hn::IfThenElse(live, hn::Min(nearest, in), nearest);
-    const VF length2 = hn::MulAdd(du, du, hn::MulAdd(dv, dv, one));
-    hn::Store(hn::Div(one, length2), d, p.inverseLength2 + i);
-    hn::Store(hn::Zero(du32), du32, p.hit + i);
-  }
-  return hn::GetLane(laneMin(nearest));
-}
 
 /// Bounds of the rays that can still hit something at kappa > `front`.
 inline Frustum frustumOf(const Packet& p, float front)
@@ -239,7 +81,7 @@ public:
   static constexpr int V = K == 2 ? 1 : 2;
 
   GridCaster(const CoherentGridView& grid, Packet& packet, std::vector<std::uint64_t>& hits)
-    : grid_(grid), p_(packet), hits_(hits)
+      : grid_(grid), p_(packet), hits_(hits)
   {
     const float h = grid.cellSize;
     cells_ = 1.0f / h;
@@ -247,8 +89,7 @@ public:
     baseV_ = static_cast<float>((packet.centerV - double(grid.lower[V])) / double(h));
     const double lowerK = grid.lower[K], upperK = lowerK + double(h) * grid.resolution[K];
     sign_ = static_cast<float>(packet.sign);
-    front0_ = static_cast<float>(
-      packet.sign > 0.0 ? lowerK - packet.plane : packet.plane - upperK);
+    front0_ = static_cast<float>(packet.sign > 0.0 ? lowerK - packet.plane : packet.plane - upperK);
     centerU_ = split(packet.centerU);
     centerV_ = split(packet.centerV);
     plane_ = split(packet.plane);
@@ -260,7 +101,8 @@ public:
     const float h = grid_.cellSize;
     const int slices = grid_.resolution[K];
     frustum_ = frustumOf(p_, -infinity);
-    const int start = std::max(0, static_cast<int>(std::floor((entry - grid_.reach - front0_) * cells_ - 1e-3f)));
+    const int start =
+        std::max(0, static_cast<int>(std::floor((entry - grid_.reach - front0_) * cells_ - 1e-3f)));
     for (int step = start; step < slices; ++step)
     {
       const float front = front0_ + h * static_cast<float>(step);
@@ -307,16 +149,20 @@ private:
   CellRange rangeU(float k0, float k1) const
   {
     return range(frustum_.uLow, frustum_.uLowSlope, frustum_.uHigh, frustum_.uHighSlope,
-      frustum_.uWiden, k0, k1, baseU_, grid_.resolution[U]);
+                 frustum_.uWiden, k0, k1, baseU_, grid_.resolution[U]);
   }
   CellRange rangeV(float k0, float k1) const
   {
     return range(frustum_.vLow, frustum_.vLowSlope, frustum_.vHigh, frustum_.vHighSlope,
-      frustum_.vWiden, k0, k1, baseV_, grid_.resolution[V]);
+                 frustum_.vWiden, k0, k1, baseV_, grid_.resolution[V]);
   }
   CellRange range(float low, float lowSlope, float high, float highSlope, float widen, float k0,
-    float k1, float base, int resolution) const
+                  float k1, float base, int resolution) const
   {
+    // No ray is looked at before the start plane, where the linear bounds do not hold: a sphere
+    // centred before it is met behind it, within the widened radius of the bounds there.
+    k0 = std::max(k0, 0.0f);
+    k1 = std::max(k1, 0.0f);
     const float reach = grid_.reach * widen;
     const float from = std::min(low + lowSlope * k0, low + lowSlope * k1) - reach;
     const float to = std::max(high + highSlope * k0, high + highSlope * k1) + reach;
@@ -366,7 +212,7 @@ private:
   {
     const std::size_t row = static_cast<std::size_t>(z) * grid_.resolution.y + y;
     const std::uint32_t* start =
-      grid_.cellStart + row * (static_cast<std::size_t>(grid_.resolution.x) + 1);
+        grid_.cellStart + row * (static_cast<std::size_t>(grid_.resolution.x) + 1);
     std::uint64_t slot = grid_.rowStart[row] + start[x0];
     const std::uint64_t end = grid_.rowStart[row] + start[x1 + 1];
     // Four records at a time; what is copied too much is overwritten by the next row.
@@ -401,17 +247,18 @@ private:
       const VF k = hn::Mul(difference(c[K], plane_), hn::Set(d, sign_));
       const VF ru = hn::Mul(r, hn::Set(d, frustum_.uWiden));
       const VF rv = hn::Mul(r, hn::Set(d, frustum_.vWiden));
-      // At its own depth the sphere's centre may lie as far outside as the widened radius; where
-      // the rays lie before the start plane the bounds are those of the plane.
-      const VF uLow = hn::MulAdd(hn::Set(d, frustum_.uLowSlope), k, hn::Set(d, frustum_.uLow));
-      const VF uHigh = hn::MulAdd(hn::Set(d, frustum_.uHighSlope), k, hn::Set(d, frustum_.uHigh));
-      const VF vLow = hn::MulAdd(hn::Set(d, frustum_.vLowSlope), k, hn::Set(d, frustum_.vLow));
-      const VF vHigh = hn::MulAdd(hn::Set(d, frustum_.vHighSlope), k, hn::Set(d, frustum_.vHigh));
+      // At its own depth the sphere's centre may lie as far outside as the widened radius.
+      const VF at = hn::Max(k, hn::Zero(d)); // as in range()
+      const VF uLow = hn::MulAdd(hn::Set(d, frustum_.uLowSlope), at, hn::Set(d, frustum_.uLow));
+      const VF uHigh = hn::MulAdd(hn::Set(d, frustum_.uHighSlope), at, hn::Set(d, frustum_.uHigh));
+      const VF vLow = hn::MulAdd(hn::Set(d, frustum_.vLowSlope), at, hn::Set(d, frustum_.vLow));
+      const VF vHigh = hn::MulAdd(hn::Set(d, frustum_.vHighSlope), at, hn::Set(d, frustum_.vHigh));
       const auto inU = hn::And(hn::Ge(hn::Add(u, ru), uLow), hn::Le(hn::Sub(u, ru), uHigh));
       const auto inV = hn::And(hn::Ge(hn::Add(v, rv), vLow), hn::Le(hn::Sub(v, rv), vHigh));
       const auto before = hn::Lt(hn::Sub(k, r), hn::Set(d, frustum_.farthest));
-      const auto in = hn::And(hn::And(inU, inV),
-        hn::And(before, hn::FirstN(d, static_cast<std::size_t>(buffered_ - i))));
+      const auto in =
+          hn::And(hn::And(inU, inV),
+                  hn::And(before, hn::FirstN(d, static_cast<std::size_t>(buffered_ - i))));
       std::uint8_t bytes[8] = {};
       hn::StoreMaskBits(d, in, bytes);
       unsigned bits = bytes[0] | (static_cast<unsigned>(bytes[1]) << 8);
@@ -486,37 +333,14 @@ private:
   alignas(64) float u_[16], v_[16], k_[16];
 };
 
-/// Writes the hits back to the rays they belong to.
-inline void keepHits(
-  const Packet& p, const std::vector<std::uint64_t>& hits, std::int32_t object, RayPacket& rays)
-{
-  const DD dd;
-  const DH dh;
-  alignas(64) double t[64];
-  for (int i = 0; i < 64; i += static_cast<int>(hn::Lanes(dd)))
-  {
-    const VD kappa = hn::PromoteTo(dd, hn::Load(dh, p.best + i));
-    hn::Store(
-      hn::MulAdd(kappa, hn::Load(dd, p.perKappa + i), hn::Load(dd, p.planeT + i)), dd, t + i);
-  }
-  for (int i = 0; i < rays.count; ++i)
-  {
-    if (p.hit[i] == 0 || !(t[i] < rays.t[i]))
-      continue;
-    rays.t[i] = t[i];
-    rays.slot[i] = hits[p.hit[i] - 1];
-    rays.object[i] = object;
-  }
-}
-
 /// Casts a packet whose rays travel the same way along one axis; false, with nothing done, where
 /// they do not.
 bool castCoherent(const CoherentGridView& grid, RayPacket& rays, std::int32_t object)
 {
   Packet p;
   const int middle = rays.count / 2;
-  const double d[3] = {
-    rays.direction[0][middle], rays.direction[1][middle], rays.direction[2][middle]};
+  const double d[3] = {rays.direction[0][middle], rays.direction[1][middle],
+                       rays.direction[2][middle]};
   p.K = 0;
   for (int axis = 1; axis < 3; ++axis)
     if (std::abs(d[axis]) > std::abs(d[p.K]))
@@ -529,8 +353,7 @@ bool castCoherent(const CoherentGridView& grid, RayPacket& rays, std::int32_t ob
     return false;
   // In the direction of travel the box of all spheres reaches from nearFace to farFace.
   const double lowerK = grid.lower[p.K] - grid.reach;
-  const double upperK =
-    grid.lower[p.K] + double(grid.cellSize) * grid.resolution[p.K] + grid.reach;
+  const double upperK = grid.lower[p.K] + double(grid.cellSize) * grid.resolution[p.K] + grid.reach;
   const double nearFace = p.sign > 0.0 ? lowerK : -upperK;
   const double farFace = p.sign > 0.0 ? upperK : -lowerK;
   const double start = std::max(nearFace, nearest);
@@ -547,14 +370,14 @@ bool castCoherent(const CoherentGridView& grid, RayPacket& rays, std::int32_t ob
   hits.clear();
   switch (p.K)
   {
-    case 0:
-      GridCaster<0>(grid, p, hits).run(entry);
-      break;
-    case 1:
-      GridCaster<1>(grid, p, hits).run(entry);
-      break;
-    default:
-      GridCaster<2>(grid, p, hits).run(entry);
+  case 0:
+    GridCaster<0>(grid, p, hits).run(entry);
+    break;
+  case 1:
+    GridCaster<1>(grid, p, hits).run(entry);
+    break;
+  default:
+    GridCaster<2>(grid, p, hits).run(entry);
   }
   keepHits(p, hits, object, rays);
   return true;
