@@ -22,7 +22,8 @@ Vec4f rgba(const double* c, double alpha)
 void copyTable(vtkLookupTable* from, ColorMap& map)
 {
   map.interpolation = ColorMap::Interpolation::Nearest;
-  map.table.resize(static_cast<std::size_t>(std::max<vtkIdType>(1, from->GetNumberOfTableValues())));
+  map.table.resize(
+    static_cast<std::size_t>(std::max<vtkIdType>(1, from->GetNumberOfTableValues())));
   for (std::size_t i = 0; i < map.table.size(); ++i)
   {
     const double* c = from->GetTableValue(static_cast<vtkIdType>(i));

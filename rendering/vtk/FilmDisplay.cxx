@@ -55,9 +55,9 @@ struct DepthScale
   {
     if (!std::isfinite(t))
       return 1.0f;
-    const double ndc = orthographic ? (2.0 * t - far - near) / (far - near)
-                                    : (far + near) / (far - near) -
-                                        2.0 * far * near / ((far - near) * t);
+    const double ndc = orthographic
+                         ? (2.0 * t - far - near) / (far - near)
+                         : (far + near) / (far - near) - 2.0 * far * near / ((far - near) * t);
     return static_cast<float>(std::clamp(0.5 * ndc + 0.5, 0.0, 1.0));
   }
 };
@@ -126,8 +126,7 @@ void FilmDisplay::upload(const Film& film, const unsigned char* colors)
   const auto height = static_cast<unsigned>(film.height());
   prepareTexture(color_, window_, vtkTextureObject::Nearest);
   prepareTexture(depth_, window_, vtkTextureObject::Nearest);
-  color_->Create2DFromRaw(
-    width, height, 4, VTK_UNSIGNED_CHAR, const_cast<unsigned char*>(colors));
+  color_->Create2DFromRaw(width, height, 4, VTK_UNSIGNED_CHAR, const_cast<unsigned char*>(colors));
   depth_->Create2DFromRaw(width, height, 1, VTK_FLOAT, windowDepth_.data());
 }
 

@@ -16,8 +16,8 @@ class vtkWindow;
 namespace mote
 {
 
-/// Draws a film over a renderer's viewport with colour and depth, by OpenGL. The film may have fewer
-/// pixels than the viewport.
+/// Draws a film over a renderer's viewport with colour and depth, by OpenGL. The film may have
+/// fewer pixels than the viewport.
 class FilmDisplay
 {
 public:

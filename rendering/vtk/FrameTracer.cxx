@@ -80,8 +80,8 @@ bool FrameTracer::trace(vtkRenderer* renderer, std::vector<vtkActor*>& actors, i
     return false;
   }
   const double aspect = double(width) / height;
-  const auto signature = signatureOf(
-    renderer, actors, cameraOf(renderer, aspect, width, height), scene, width, height);
+  const auto signature =
+    signatureOf(renderer, actors, cameraOf(renderer, aspect, width, height), scene, width, height);
   const double wanted = distanceFor(width, height, settings);
   if (signature != signature_ || distance_ > wanted)
   {
@@ -101,8 +101,9 @@ bool FrameTracer::trace(vtkRenderer* renderer, std::vector<vtkActor*>& actors, i
   {
     const double done = double(film_.samples()) / target;
     const bool complete = caster.addSample(camera, film_,
-      [&](double part)
-      { return !progress || std::this_thread::get_id() != caller || progress(done + part / target); });
+      [&](double part) {
+        return !progress || std::this_thread::get_id() != caller || progress(done + part / target);
+      });
     if (!complete)
     {
       signature_.clear();
@@ -111,8 +112,8 @@ bool FrameTracer::trace(vtkRenderer* renderer, std::vector<vtkActor*>& actors, i
     rays_ += static_cast<long long>(film_.pixels());
     ++version_;
     seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (settings.progressive && seconds_ + seconds_ / std::max(1, film_.samples()) >
-                                  settings.frameTime)
+    if (settings.progressive &&
+        seconds_ + seconds_ / std::max(1, film_.samples()) > settings.frameTime)
       break;
   }
   if (rays_ > 0)

@@ -31,9 +31,8 @@ vtkDataArray* requireScalar(vtkPointSet* points, const std::string& name, const 
     throw Error("There is no point array \"" + name + "\" to take " + what +
                 " from; there are: " + arrayNames(points->GetPointData()) + ".");
   if (array->GetNumberOfComponents() != 1)
-    throw Error("The array \"" + name + "\" has " +
-                std::to_string(array->GetNumberOfComponents()) + " components; " + what +
-                " needs one.");
+    throw Error("The array \"" + name + "\" has " + std::to_string(array->GetNumberOfComponents()) +
+                " components; " + what + " needs one.");
   return array;
 }
 
@@ -56,17 +55,17 @@ vtkDataArray* findRadiusArray(vtkPointSet* points, const RadiusChoice& choice, b
   half = false;
   switch (choice.mode)
   {
-    case vtkMoteParticleMapper::RADIUS_BY_ARRAY:
-      return requireScalar(points, choice.radiusArray, "radii");
-    case vtkMoteParticleMapper::RADIUS_BY_TYPE:
-      return requireScalar(points, choice.typeArray, "types");
-    case vtkMoteParticleMapper::RADIUS_AUTOMATIC:
-      if (vtkDataArray* radius = findByLowerName(points->GetPointData(), "radius"))
-        return radius;
-      half = true;
-      return findByLowerName(points->GetPointData(), "diameter");
-    default:
-      return nullptr;
+  case vtkMoteParticleMapper::RADIUS_BY_ARRAY:
+    return requireScalar(points, choice.radiusArray, "radii");
+  case vtkMoteParticleMapper::RADIUS_BY_TYPE:
+    return requireScalar(points, choice.typeArray, "types");
+  case vtkMoteParticleMapper::RADIUS_AUTOMATIC:
+    if (vtkDataArray* radius = findByLowerName(points->GetPointData(), "radius"))
+      return radius;
+    half = true;
+    return findByLowerName(points->GetPointData(), "diameter");
+  default:
+    return nullptr;
   }
 }
 

@@ -34,8 +34,8 @@ struct ParticleInput
   double commonRadius = 0.0;     ///< 0 where radii differ
 };
 
-/// Array of the points that holds the radii under `choice`, or null for none; with half = true where
-/// it holds diameters. Throws Error where the choice names an array that is missing or unfit.
+/// Array of the points that holds the radii under `choice`, or null for none; with half = true
+/// where it holds diameters. Throws Error where the choice names an array that is missing or unfit.
 vtkDataArray* findRadiusArray(vtkPointSet* points, const RadiusChoice& choice, bool& half);
 
 /// Looks up radii as `choice` says. Throws Error as findRadiusArray() does.

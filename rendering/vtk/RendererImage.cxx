@@ -30,8 +30,7 @@ void RendererImage::draw(vtkRenderer* renderer)
     drawSelection(renderer);
   else
     display_.draw(renderer, tracer_.film(), tracer_.version());
-  displaySeconds_ =
-    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  displaySeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 void RendererImage::drawSelection(vtkRenderer* renderer)

@@ -62,9 +62,8 @@ Camera cameraOf(vtkRenderer* renderer, double viewportAspect, int width, int hei
   camera.pixelAspect = viewportAspect * height / width;
   camera.viewAngle = from->GetViewAngle();
   if (from->GetUseHorizontalViewAngle())
-    camera.viewAngle =
-      2.0 / M_PI * 180.0 *
-      std::atan(std::tan(from->GetViewAngle() * M_PI / 360.0) / viewportAspect);
+    camera.viewAngle = 2.0 / M_PI * 180.0 *
+                       std::atan(std::tan(from->GetViewAngle() * M_PI / 360.0) / viewportAspect);
   camera.parallelScale = from->GetParallelScale();
   camera.centerX = from->GetWindowCenter()[0];
   camera.centerY = from->GetWindowCenter()[1];

@@ -12,8 +12,8 @@ class vtkRenderer;
 namespace mote
 {
 
-/// The renderer's camera for an image of the given size that fills its viewport. `viewportAspect` is
-/// the viewport's width over its height; where it is not width / height pixels are not square.
+/// The renderer's camera for an image of the given size that fills its viewport. `viewportAspect`
+/// is the viewport's width over its height; where it is not width / height pixels are not square.
 Camera cameraOf(vtkRenderer* renderer, double viewportAspect, int width, int height);
 
 /// The renderer's lights that are on; a headlight where it has none at all.

@@ -8,10 +8,10 @@
 #include "kernels/core/Error.h"
 #include "kernels/scene/Scene.h"
 
-#include "vtkExecutive.h"
 #include "vtkActor.h"
 #include "vtkCommand.h"
 #include "vtkDataSet.h"
+#include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -141,8 +141,7 @@ vtkIdType vtkMoteParticleMapper::GetNumberOfParticles()
 
 vtkIdType vtkMoteParticleMapper::GetNumberOfUnfitParticles()
 {
-  return this->Impl->fromStructure(
-    [](const auto& s)
+  return this->Impl->fromStructure([](const auto& s)
     { return static_cast<vtkIdType>(s.statistics().badPositions + s.statistics().badRadii); },
     vtkIdType{0});
 }
@@ -274,8 +273,7 @@ void vtkMoteParticleMapper::BuildStructure(vtkPointSet* input)
       return this->GetAbortExecute() == 0;
     });
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
-  impl.buildTime =
-    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  impl.buildTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   impl.commonRadius = particles.commonRadius;
   impl.visibilityKey.clear();
   impl.builtAt.Modified();
@@ -350,10 +348,11 @@ void vtkMoteParticleMapper::UpdateVisibility()
       component = this->GetColorComponent(array);
     else if (array)
       component = std::clamp(component, -1, array->GetNumberOfComponents() - 1);
-    const std::string problem =
-      array ? "" : named ? std::string("There is no point array \"") + this->VisibilityArrayName +
-                             "\" for the visibility range."
-                         : "There is no array for the visibility range.";
+    const std::string problem = array ? ""
+                                : named
+                                  ? std::string("There is no point array \"") +
+                                      this->VisibilityArrayName + "\" for the visibility range."
+                                  : "There is no array for the visibility range.";
     if (!problem.empty() && problem != impl.arrayError)
       vtkErrorMacro(<< problem);
     impl.arrayError = problem;
@@ -398,8 +397,8 @@ void vtkMoteParticleMapper::DescribeColors(mote::ParticleColoring& coloring)
   const bool bytes = vtkUnsignedCharArray::SafeDownCast(array) != nullptr;
   const bool direct = this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
                       (this->ColorMode == VTK_COLOR_MODE_DEFAULT && bytes);
-  const bool vectorColors = array->GetNumberOfComponents() > 1 &&
-                            colors->GetVectorMode() == vtkScalarsToColors::RGBCOLORS;
+  const bool vectorColors =
+    array->GetNumberOfComponents() > 1 && colors->GetVectorMode() == vtkScalarsToColors::RGBCOLORS;
   impl.colorValues = mote::DataArrayView(array);
   if (direct && bytes)
   {
@@ -454,8 +453,8 @@ void vtkMoteParticleMapper::ReleaseGraphicsResources(vtkWindow* window)
 
 void vtkMoteParticleMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
-  static const char* const modes[] = {"Automatic", "Constant", "By array", "By type",
-    "From spacing"};
+  static const char* const modes[] = {
+    "Automatic", "Constant", "By array", "By type", "From spacing"};
   const auto text = [](const char* s) { return s ? s : "(none)"; };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "RadiusMode: " << modes[this->RadiusMode] << "\n";
@@ -466,8 +465,8 @@ void vtkMoteParticleMapper::PrintSelf(ostream& os, vtkIndent indent)
   for (const auto& [type, radius] : this->Impl->choice.typeRadii)
     os << indent << "TypeRadius of " << type << ": " << radius << "\n";
   os << indent << "UseVisibilityRange: " << (this->UseVisibilityRange ? "On" : "Off") << "\n";
-  os << indent << "VisibilityRange: " << this->VisibilityRange[0] << " "
-     << this->VisibilityRange[1] << "\n";
+  os << indent << "VisibilityRange: " << this->VisibilityRange[0] << " " << this->VisibilityRange[1]
+     << "\n";
   os << indent << "VisibilityArrayName: " << text(this->VisibilityArrayName) << "\n";
   os << indent << "VisibilityComponent: " << this->VisibilityComponent << "\n";
   os << indent << "StructureName: " << text(this->StructureName) << "\n";

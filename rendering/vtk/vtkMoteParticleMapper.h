@@ -36,7 +36,7 @@ namespace mote
 {
 struct ParticleColoring;
 struct ParticleObject;
-}
+} // namespace mote
 
 class MOTERENDERINGVTK_EXPORT vtkMoteParticleMapper : public vtkMapper
 {
@@ -252,7 +252,7 @@ protected:
   char* RadiusArrayName = nullptr;
   char* TypeArrayName = nullptr;
   vtkTypeBool UseVisibilityRange = 0;
-  double VisibilityRange[2] = { 0.0, 1.0 };
+  double VisibilityRange[2] = {0.0, 1.0};
   char* VisibilityArrayName = nullptr;
   int VisibilityComponent = 0;
   char* StructureName = nullptr;

@@ -67,8 +67,8 @@ void vtkMoteParticlePicker::CastRay(double x, double y, vtkPropCollection* props
     mote::cameraOf(this->Renderer, double(size[0]) / size[1], size[0], size[1]), size[0], size[1]);
   // Display coordinates name pixels; a pixel's ray goes through its centre.
   const double px = x - corner[0] + 0.5, py = y - corner[1] + 0.5;
-  const auto hit = mote::pick(scene, rays.originAt(px, py), rays.directionAt(px, py), rays.tMin,
-    rays.tMax);
+  const auto hit =
+    mote::pick(scene, rays.originAt(px, py), rays.directionAt(px, py), rays.tMin, rays.tMax);
   if (!hit)
     return;
   vtkActor* actor = actors[hit->object];

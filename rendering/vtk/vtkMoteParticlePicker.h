@@ -58,7 +58,7 @@ protected:
   vtkIdType ParticleId = -1;
   double Value = 0.0;
   double Distance = 0.0;
-  double PickNormal[3] = { 0.0, 0.0, 0.0 };
+  double PickNormal[3] = {0.0, 0.0, 0.0};
 
 private:
   void CastRay(double x, double y, vtkPropCollection* props);

@@ -134,9 +134,7 @@ void vtkMoteRayCastPass::RenderSelection(const vtkRenderState* state)
   vtkNew<vtkCameraPass> camera;
   vtkNew<vtkMoteImageStep> step;
   step->Draw = [state](vtkRenderer* renderer)
-  {
-    renderer->GetSelector()->Render(renderer, state->GetPropArray(), state->GetPropArrayCount());
-  };
+  { renderer->GetSelector()->Render(renderer, state->GetPropArray(), state->GetPropArrayCount()); };
   camera->SetDelegatePass(step);
   camera->Render(state);
 }

@@ -49,8 +49,8 @@ int vtkMoteRendererSource::RequestInformation(vtkInformation* vtkNotUsed(request
   vtkInformationVector** vtkNotUsed(input), vtkInformationVector* output)
 {
   vtkInformation* info = output->GetInformationObject(0);
-  const int extent[6] = {0, std::clamp(this->Size[0], 1, 65536) - 1, 0,
-    std::clamp(this->Size[1], 1, 65536) - 1, 0, 0};
+  const int extent[6] = {
+    0, std::clamp(this->Size[0], 1, 65536) - 1, 0, std::clamp(this->Size[1], 1, 65536) - 1, 0, 0};
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   info->Set(vtkDataObject::SPACING(), 1.0, 1.0, 1.0);
   info->Set(vtkDataObject::ORIGIN(), 0.0, 0.0, 0.0);
@@ -103,8 +103,7 @@ void copyIds(const mote::Film& film, vtkImageData* image)
   auto* object = addArray<vtkIntArray>(image, "object", 1);
   for (std::size_t i = 0; i < film.pixels(); ++i)
   {
-    particle[i] =
-      film.id()[i] == mote::Film::noId ? -1 : static_cast<vtkTypeInt64>(film.id()[i]);
+    particle[i] = film.id()[i] == mote::Film::noId ? -1 : static_cast<vtkTypeInt64>(film.id()[i]);
     object[i] = film.object()[i];
   }
 }
@@ -187,8 +186,7 @@ int vtkMoteRendererSource::RequestData(vtkInformation* vtkNotUsed(request),
     vtkErrorMacro(<< error.what());
     return 0;
   }
-  this->TraceTime =
-    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  this->TraceTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
   image->SetDimensions(film.width(), film.height(), 1);
   float* colors = addArray<vtkFloatArray>(image, "color", 4, true);

@@ -125,7 +125,7 @@ protected:
   int RequestData(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
-  int Size[2] = { 1024, 1024 };
+  int Size[2] = {1024, 1024};
   int SamplesPerPixel = 16;
   int NumberOfThreads = 0;
   vtkTypeBool Depth = 0;

@@ -31,7 +31,10 @@ public:
 
   ArrayView() = default;
   ArrayView(const void* data, Type type, std::size_t count, int components)
-    : data_(data), count_(count), components_(components), type_(type)
+    : data_(data)
+    , count_(count)
+    , components_(components)
+    , type_(type)
   {
   }
   ArrayView(const float* data, std::size_t count, int components)
@@ -74,28 +77,28 @@ private:
   {
     switch (type_)
     {
-      case Type::Float32:
-        return as<float>(k);
-      case Type::Float64:
-        return as<double>(k);
-      case Type::Int8:
-        return as<std::int8_t>(k);
-      case Type::UInt8:
-        return as<std::uint8_t>(k);
-      case Type::Int16:
-        return as<std::int16_t>(k);
-      case Type::UInt16:
-        return as<std::uint16_t>(k);
-      case Type::Int32:
-        return as<std::int32_t>(k);
-      case Type::UInt32:
-        return as<std::uint32_t>(k);
-      case Type::Int64:
-        return as<std::int64_t>(k);
-      case Type::UInt64:
-        return as<std::uint64_t>(k);
-      case Type::None:
-        break;
+    case Type::Float32:
+      return as<float>(k);
+    case Type::Float64:
+      return as<double>(k);
+    case Type::Int8:
+      return as<std::int8_t>(k);
+    case Type::UInt8:
+      return as<std::uint8_t>(k);
+    case Type::Int16:
+      return as<std::int16_t>(k);
+    case Type::UInt16:
+      return as<std::uint16_t>(k);
+    case Type::Int32:
+      return as<std::int32_t>(k);
+    case Type::UInt32:
+      return as<std::uint32_t>(k);
+    case Type::Int64:
+      return as<std::int64_t>(k);
+    case Type::UInt64:
+      return as<std::uint64_t>(k);
+    case Type::None:
+      break;
     }
     return 0.0;
   }

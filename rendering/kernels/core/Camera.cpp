@@ -8,7 +8,8 @@ namespace mote
 {
 
 CameraRays::CameraRays(const Camera& camera, int width, int height)
-  : tMin(camera.nearDistance), tMax(camera.farDistance)
+  : tMin(camera.nearDistance)
+  , tMax(camera.farDistance)
 {
   if (width < 1 || height < 1)
     throw Error("An image needs at least one pixel in each direction.");
@@ -28,8 +29,8 @@ CameraRays::CameraRays(const Camera& camera, int width, int height)
 
   const Vec3d stepX = right * (2.0 * halfWidth / width);
   const Vec3d stepY = up * (2.0 * halfHeight / height);
-  const Vec3d corner = right * (halfWidth * (camera.centerX - 1.0)) +
-                       up * (halfHeight * (camera.centerY - 1.0));
+  const Vec3d corner =
+    right * (halfWidth * (camera.centerX - 1.0)) + up * (halfHeight * (camera.centerY - 1.0));
   if (perspective)
   {
     o0 = camera.position;

@@ -29,9 +29,9 @@ struct Camera
 };
 
 /// The rays of a camera through the pixels of an image, as linear functions of the pixel: origin
-/// and direction of the ray through image position (x, y) are o0 + x ox + y oy and d0 + x dx + y dy.
-/// Positions count in pixels from the lower left corner; pixel (i, j) has its centre at
-/// (i + 1/2, j + 1/2). Along every ray t is the distance along the view axis.
+/// and direction of the ray through image position (x, y) are o0 + x ox + y oy and d0 + x dx + y
+/// dy. Positions count in pixels from the lower left corner; pixel (i, j) has its centre at (i +
+/// 1/2, j + 1/2). Along every ray t is the distance along the view axis.
 struct CameraRays
 {
   Vec3d o0, ox, oy, d0, dx, dy;

@@ -40,8 +40,8 @@ void fillRays(const CameraRays& rays, double x, double y, RayPacket& packet)
   {
     const auto base = hn::Set(d, at), sx = hn::Set(d, stepX), sy = hn::Set(d, stepY);
     for (int i = 0; i < RayPacket::capacity; i += lanes)
-      hn::Store(hn::MulAdd(hn::Load(d, offsets.y + i), sy,
-                  hn::MulAdd(hn::Load(d, offsets.x + i), sx, base)),
+      hn::Store(hn::MulAdd(
+                  hn::Load(d, offsets.y + i), sy, hn::MulAdd(hn::Load(d, offsets.x + i), sx, base)),
         d, to + i);
   };
   const Vec3d o = rays.originAt(x, y), direction = rays.directionAt(x, y);
@@ -65,8 +65,7 @@ namespace mote
 
 HWY_EXPORT(fillRays);
 
-void CameraRays::fillBlock(
-  RayPacket& packet, int x0, int y0, double jitterX, double jitterY) const
+void CameraRays::fillBlock(RayPacket& packet, int x0, int y0, double jitterX, double jitterY) const
 {
   HWY_DYNAMIC_DISPATCH(fillRays)(*this, x0 + jitterX, y0 + jitterY, packet);
   std::fill_n(packet.tMin, RayPacket::capacity, tMin);

@@ -10,8 +10,8 @@ std::size_t CoherentGrid::bytes() const
 {
   return records_.capacity() * sizeof(Record) + cellStart_.capacity() * sizeof(std::uint32_t) +
          rowStart_.capacity() * sizeof(std::uint64_t) + macrocellShown_.capacity() +
-         index32_.capacity() * sizeof(std::uint32_t) +
-         index64_.capacity() * sizeof(std::uint64_t) + shown_.capacity() * sizeof(std::uint64_t);
+         index32_.capacity() * sizeof(std::uint32_t) + index64_.capacity() * sizeof(std::uint64_t) +
+         shown_.capacity() * sizeof(std::uint64_t);
 }
 
 void CoherentGrid::clear()
@@ -73,8 +73,7 @@ void CoherentGrid::markMacrocells()
     {
       const int last = std::min(resolution_.x, (x + 1) * macrocellSize);
       if (!marks[x])
-        marks[x] =
-          isShown(rowStart_[row] + start[x * macrocellSize], rowStart_[row] + start[last]);
+        marks[x] = isShown(rowStart_[row] + start[x * macrocellSize], rowStart_[row] + start[last]);
     }
   };
   tbb::parallel_for(tbb::blocked_range<int>(0, macro.y * macro.z),

@@ -58,7 +58,7 @@ struct CoherentGridBuilder
   std::vector<std::size_t> offsets{}; ///< chunk-major: first place of a chunk's particles in a slab
   std::vector<std::size_t> slabStart{};
   RawVector<CoherentGrid::Record> sortedRecords{}; ///< by slab
-  RawVector<std::uint64_t> sortedIndices{};      ///< by slab; empty where indices are not kept
+  RawVector<std::uint64_t> sortedIndices{};        ///< by slab; empty where indices are not kept
 
   bool report(double done) const { return !progress || progress(done); }
 
@@ -129,9 +129,12 @@ struct CoherentGridBuilder
   void sortIntoSlabs()
   {
     offsets.assign(chunks * slabs, 0);
-    tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk)
-      { forChunk(chunk, [&](std::size_t, const auto&, std::size_t slab)
-          { ++offsets[chunk * slabs + slab]; }); });
+    tbb::parallel_for(std::size_t{0}, chunks,
+      [&](std::size_t chunk)
+      {
+        forChunk(chunk,
+          [&](std::size_t, const auto&, std::size_t slab) { ++offsets[chunk * slabs + slab]; });
+      });
     slabStart.assign(slabs + 1, 0);
     std::size_t sum = 0;
     for (std::size_t slab = 0; slab < slabs; ++slab)
@@ -145,14 +148,18 @@ struct CoherentGridBuilder
 
     sortedRecords.resize(sum);
     sortedIndices.resize(options.keepIndices ? sum : 0);
-    tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk)
-      { forChunk(chunk, [&](std::size_t i, const auto& p, std::size_t slab)
+    tbb::parallel_for(std::size_t{0}, chunks,
+      [&](std::size_t chunk)
+      {
+        forChunk(chunk,
+          [&](std::size_t i, const auto& p, std::size_t slab)
           {
             const std::size_t place = offsets[chunk * slabs + slab]++;
             sortedRecords[place] = p;
             if (!sortedIndices.empty())
               sortedIndices[place] = i;
-          }); });
+          });
+      });
   }
 
   void allocate()

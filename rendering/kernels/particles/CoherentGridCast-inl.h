@@ -81,7 +81,9 @@ public:
   static constexpr int V = K == 2 ? 1 : 2;
 
   GridCaster(const CoherentGridView& grid, Packet& packet, std::vector<std::uint64_t>& hits)
-      : grid_(grid), p_(packet), hits_(hits)
+    : grid_(grid)
+    , p_(packet)
+    , hits_(hits)
   {
     const float h = grid.cellSize;
     cells_ = 1.0f / h;
@@ -102,7 +104,7 @@ public:
     const int slices = grid_.resolution[K];
     frustum_ = frustumOf(p_, -infinity);
     const int start =
-        std::max(0, static_cast<int>(std::floor((entry - grid_.reach - front0_) * cells_ - 1e-3f)));
+      std::max(0, static_cast<int>(std::floor((entry - grid_.reach - front0_) * cells_ - 1e-3f)));
     for (int step = start; step < slices; ++step)
     {
       const float front = front0_ + h * static_cast<float>(step);
@@ -149,15 +151,15 @@ private:
   CellRange rangeU(float k0, float k1) const
   {
     return range(frustum_.uLow, frustum_.uLowSlope, frustum_.uHigh, frustum_.uHighSlope,
-                 frustum_.uWiden, k0, k1, baseU_, grid_.resolution[U]);
+      frustum_.uWiden, k0, k1, baseU_, grid_.resolution[U]);
   }
   CellRange rangeV(float k0, float k1) const
   {
     return range(frustum_.vLow, frustum_.vLowSlope, frustum_.vHigh, frustum_.vHighSlope,
-                 frustum_.vWiden, k0, k1, baseV_, grid_.resolution[V]);
+      frustum_.vWiden, k0, k1, baseV_, grid_.resolution[V]);
   }
   CellRange range(float low, float lowSlope, float high, float highSlope, float widen, float k0,
-                  float k1, float base, int resolution) const
+    float k1, float base, int resolution) const
   {
     // No ray is looked at before the start plane, where the linear bounds do not hold: a sphere
     // centred before it is met behind it, within the widened radius of the bounds there.
@@ -212,7 +214,7 @@ private:
   {
     const std::size_t row = static_cast<std::size_t>(z) * grid_.resolution.y + y;
     const std::uint32_t* start =
-        grid_.cellStart + row * (static_cast<std::size_t>(grid_.resolution.x) + 1);
+      grid_.cellStart + row * (static_cast<std::size_t>(grid_.resolution.x) + 1);
     std::uint64_t slot = grid_.rowStart[row] + start[x0];
     const std::uint64_t end = grid_.rowStart[row] + start[x1 + 1];
     // Four records at a time; what is copied too much is overwritten by the next row.
@@ -256,9 +258,8 @@ private:
       const auto inU = hn::And(hn::Ge(hn::Add(u, ru), uLow), hn::Le(hn::Sub(u, ru), uHigh));
       const auto inV = hn::And(hn::Ge(hn::Add(v, rv), vLow), hn::Le(hn::Sub(v, rv), vHigh));
       const auto before = hn::Lt(hn::Sub(k, r), hn::Set(d, frustum_.farthest));
-      const auto in =
-          hn::And(hn::And(inU, inV),
-                  hn::And(before, hn::FirstN(d, static_cast<std::size_t>(buffered_ - i))));
+      const auto in = hn::And(
+        hn::And(inU, inV), hn::And(before, hn::FirstN(d, static_cast<std::size_t>(buffered_ - i))));
       std::uint8_t bytes[8] = {};
       hn::StoreMaskBits(d, in, bytes);
       unsigned bits = bytes[0] | (static_cast<unsigned>(bytes[1]) << 8);
@@ -339,8 +340,8 @@ bool castCoherent(const CoherentGridView& grid, RayPacket& rays, std::int32_t ob
 {
   Packet p;
   const int middle = rays.count / 2;
-  const double d[3] = {rays.direction[0][middle], rays.direction[1][middle],
-                       rays.direction[2][middle]};
+  const double d[3] = {
+    rays.direction[0][middle], rays.direction[1][middle], rays.direction[2][middle]};
   p.K = 0;
   for (int axis = 1; axis < 3; ++axis)
     if (std::abs(d[axis]) > std::abs(d[p.K]))

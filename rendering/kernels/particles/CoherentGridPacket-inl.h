@@ -65,8 +65,8 @@ HWY_INLINE VF laneMax(VF v)
 
 /// Whether all rays travel forward along K and nowhere near across it; and, in `nearest`, the
 /// smallest signed K at which one of them starts, relative to the grid's origin.
-inline bool isCoherent(const CoherentGridView& grid, const RayPacket& rays, const Packet& p,
-                       double& nearest)
+inline bool isCoherent(
+  const CoherentGridView& grid, const RayPacket& rays, const Packet& p, double& nearest)
 {
   const DD dd;
   const VD zero = hn::Zero(dd), two = hn::Set(dd, 2.0), sign = hn::Set(dd, p.sign);
@@ -77,12 +77,12 @@ inline bool isCoherent(const CoherentGridView& grid, const RayPacket& rays, cons
     const auto used = hn::FirstN(dd, static_cast<std::size_t>(rays.count - i));
     const VD d = hn::Load(dd, rays.direction[p.K] + i), dk = hn::Mul(sign, d);
     const VD across = hn::Max(hn::Abs(hn::Load(dd, rays.direction[p.U] + i)),
-                              hn::Abs(hn::Load(dd, rays.direction[p.V] + i)));
+      hn::Abs(hn::Load(dd, rays.direction[p.V] + i)));
     const auto coherent = hn::And(hn::Gt(dk, zero), hn::Le(across, hn::Mul(two, dk)));
     if (!hn::AllTrue(dd, hn::Or(coherent, hn::Not(used))))
       return false;
-    const VD start = hn::MulAdd(hn::Load(dd, rays.tMin + i), d,
-                                hn::Sub(hn::Load(dd, rays.origin[p.K] + i), originK));
+    const VD start = hn::MulAdd(
+      hn::Load(dd, rays.tMin + i), d, hn::Sub(hn::Load(dd, rays.origin[p.K] + i), originK));
     least = hn::IfThenElse(used, hn::Min(least, hn::Mul(sign, start)), least);
   }
   nearest = hn::GetLane(hn::MinOfLanes(dd, least));
@@ -96,7 +96,7 @@ inline void localize(const CoherentGridView& grid, const RayPacket& rays, Packet
   const DH dh;
   const int middle = rays.count / 2;
   const double tMiddle =
-      (p.plane + grid.origin[p.K] - rays.origin[p.K][middle]) / rays.direction[p.K][middle];
+    (p.plane + grid.origin[p.K] - rays.origin[p.K][middle]) / rays.direction[p.K][middle];
   p.centerU = rays.origin[p.U][middle] - grid.origin[p.U] + tMiddle * rays.direction[p.U][middle];
   p.centerV = rays.origin[p.V][middle] - grid.origin[p.V] + tMiddle * rays.direction[p.V][middle];
   const VD planeK = hn::Set(dd, p.plane + grid.origin[p.K]);
@@ -112,7 +112,7 @@ inline void localize(const CoherentGridView& grid, const RayPacket& rays, Packet
     const VD length = hn::Abs(dk);
     const VD perKappa = hn::Div(one, length);
     const VD t =
-        hn::Mul(hn::Sub(planeK, hn::Load(dd, rays.origin[p.K] + i)), hn::Mul(perKappa, sign));
+      hn::Mul(hn::Sub(planeK, hn::Load(dd, rays.origin[p.K] + i)), hn::Mul(perKappa, sign));
     const VD du = hn::Load(dd, rays.direction[p.U] + i);
     const VD dv = hn::Load(dd, rays.direction[p.V] + i);
     const auto put = [&](VD v, float* to)
@@ -123,10 +123,9 @@ inline void localize(const CoherentGridView& grid, const RayPacket& rays, Packet
     put(hn::Mul(dv, perKappa), p.dv);
     put(hn::Mul(hn::Sub(hn::Load(dd, rays.tMin + i), t), length), p.first);
     const VD last = hn::Mul(hn::Sub(hn::Load(dd, rays.t + i), t), length);
-    hn::Store(
-        hn::DemoteTo(
-            dh, hn::IfThenElse(used, last, hn::Set(dd, -std::numeric_limits<double>::infinity()))),
-        dh, p.best + i);
+    hn::Store(hn::DemoteTo(dh,
+                hn::IfThenElse(used, last, hn::Set(dd, -std::numeric_limits<double>::infinity()))),
+      dh, p.best + i);
     hn::Store(t, dd, p.planeT + i);
     hn::Store(perKappa, dd, p.perKappa + i);
   }
@@ -182,8 +181,8 @@ inline float clipToBox(const CoherentGridView& grid, Packet& p)
 }
 
 /// Writes the hits back to the rays they belong to.
-inline void keepHits(const Packet& p, const std::vector<std::uint64_t>& hits, std::int32_t object,
-                     RayPacket& rays)
+inline void keepHits(
+  const Packet& p, const std::vector<std::uint64_t>& hits, std::int32_t object, RayPacket& rays)
 {
   const DD dd;
   const DH dh;
@@ -191,8 +190,8 @@ inline void keepHits(const Packet& p, const std::vector<std::uint64_t>& hits, st
   for (int i = 0; i < 64; i += static_cast<int>(hn::Lanes(dd)))
   {
     const VD kappa = hn::PromoteTo(dd, hn::Load(dh, p.best + i));
-    hn::Store(hn::MulAdd(kappa, hn::Load(dd, p.perKappa + i), hn::Load(dd, p.planeT + i)), dd,
-              t + i);
+    hn::Store(
+      hn::MulAdd(kappa, hn::Load(dd, p.perKappa + i), hn::Load(dd, p.planeT + i)), dd, t + i);
   }
   for (int i = 0; i < rays.count; ++i)
   {

@@ -47,7 +47,8 @@ ParticleStatistics merged(const ParticleStatistics& a, const ParticleStatistics&
   s.bounds.add(b.bounds);
   s.largestRadius = std::max(a.largestRadius, b.largestRadius);
   if (b.valid > 0)
-    s.smallestRadius = a.valid == 0 ? b.smallestRadius : std::min(a.smallestRadius, b.smallestRadius);
+    s.smallestRadius =
+      a.valid == 0 ? b.smallestRadius : std::min(a.smallestRadius, b.smallestRadius);
   s.valid += b.valid;
   s.badPositions += b.badPositions;
   s.badRadii += b.badRadii;

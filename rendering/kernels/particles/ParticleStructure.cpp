@@ -3,8 +3,8 @@
 namespace mote
 {
 
-std::shared_ptr<ParticleStructure> makeParticleStructure(const ParticleSet& particles,
-  const ParticleStructureOptions& options, const Progress& progress)
+std::shared_ptr<ParticleStructure> makeParticleStructure(
+  const ParticleSet& particles, const ParticleStructureOptions& options, const Progress& progress)
 {
   bool complete = true;
   const Progress watched = [&](double done)
@@ -15,9 +15,9 @@ std::shared_ptr<ParticleStructure> makeParticleStructure(const ParticleSet& part
   auto structure = std::make_shared<ParticleStructure>();
   switch (options.kind)
   {
-    case ParticleStructureKind::CoherentGrid:
-      structure->emplace<CoherentGrid>().build(particles, options.coherentGrid, watched);
-      break;
+  case ParticleStructureKind::CoherentGrid:
+    structure->emplace<CoherentGrid>().build(particles, options.coherentGrid, watched);
+    break;
   }
   return complete ? structure : nullptr;
 }

@@ -21,7 +21,9 @@ class Probes
 public:
   Probes(const ArrayView& positions, const std::vector<std::size_t>& indices, const Vec3d& lower,
     double cell)
-    : positions_(positions), lower_(lower), cell_(cell)
+    : positions_(positions)
+    , lower_(lower)
+    , cell_(cell)
   {
     for (const std::size_t i : indices)
     {

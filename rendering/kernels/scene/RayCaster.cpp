@@ -32,7 +32,9 @@ struct Tracing
   double jitterX = 0.0, jitterY = 0.0;
 
   Tracing(const Scene& s, const Camera& camera, Film& f)
-    : scene(s), film(f), rays(camera, f.width(), f.height())
+    : scene(s)
+    , film(f)
+    , rays(camera, f.width(), f.height())
   {
     RayCaster::sampleOffset(film.samples(), jitterX, jitterY);
     for (const ParticleObject& object : scene.particles)
@@ -123,8 +125,8 @@ struct Tracing
 
 void RayCaster::sampleOffset(int sample, double& x, double& y)
 {
-  // The R2 sequence of M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences" (2018),
-  // shifted so that its first point is the pixel's centre.
+  // The R2 sequence of M. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences"
+  // (2018), shifted so that its first point is the pixel's centre.
   const auto part = [](double v) { return v - std::floor(v) - 0.5; };
   x = part(0.5 + sample * 0.7548776662466927);
   y = part(0.5 + sample * 0.5698402909980532);

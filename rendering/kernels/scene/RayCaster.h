@@ -17,7 +17,10 @@ class RayCaster
 {
 public:
   /// The scene must outlive the caster and stay unchanged.
-  explicit RayCaster(const Scene& scene) : scene_(scene) {}
+  explicit RayCaster(const Scene& scene)
+    : scene_(scene)
+  {
+  }
 
   /// 0 (default): all the threads that TBB's present arena allows.
   void setThreads(int threads) { threads_ = threads; }

@@ -11,8 +11,8 @@ Box Scene::bounds() const
   Box all;
   for (const ParticleObject& object : particles)
   {
-    const Box local = withStructure(
-      *object.structure, [](const auto& s) { return s.statistics().bounds; });
+    const Box local =
+      withStructure(*object.structure, [](const auto& s) { return s.statistics().bounds; });
     if (local.empty())
       continue;
     for (int corner = 0; corner < 8; ++corner)
@@ -51,8 +51,8 @@ std::optional<ScenePick> pick(
     const ParticleObject& object = scene.particles[k];
     const Mat4d toLocal = glm::inverse(object.toWorld);
     setRay(packet, transformPoint(toLocal, origin), transformVector(toLocal, direction), tMin);
-    withStructure(*object.structure,
-      [&](const auto& s) { s.cast(packet, static_cast<std::int32_t>(k)); });
+    withStructure(
+      *object.structure, [&](const auto& s) { s.cast(packet, static_cast<std::int32_t>(k)); });
   }
   if (packet.object[0] < 0)
     return std::nullopt;

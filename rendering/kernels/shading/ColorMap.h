@@ -21,7 +21,7 @@ struct ColorMap
   Interpolation interpolation = Interpolation::Linear;
   double lower = 0.0; ///< value at the table's begin, or its base-10 logarithm where `logarithmic`
   double upper = 1.0;
-  bool logarithmic = false; ///< then the value's logarithm is looked up
+  bool logarithmic = false;                ///< then the value's logarithm is looked up
   bool useBelow = false, useAbove = false; ///< otherwise the first and last entry go on
   Vec4f below{0.0f, 0.0f, 0.0f, 1.0f};
   Vec4f above{1.0f};

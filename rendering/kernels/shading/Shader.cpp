@@ -23,7 +23,8 @@ Vec4f ParticleShader::colorOf(std::uint64_t particle) const
   if (!c.direct.empty())
   {
     const int n = c.direct.components();
-    const auto channel = [&](int k) { return static_cast<float>(c.direct.value(particle, k) / 255.0); };
+    const auto channel = [&](int k)
+    { return static_cast<float>(c.direct.value(particle, k) / 255.0); };
     const float alpha = n == 2 ? channel(1) : n == 4 ? channel(3) : 1.0f;
     return n < 3 ? Vec4f(Vec3f(channel(0)), alpha)
                  : Vec4f(channel(0), channel(1), channel(2), alpha);

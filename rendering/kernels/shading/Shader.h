@@ -23,8 +23,7 @@ public:
   ParticleShader(const ParticleObject& object, const std::vector<Light>& lights);
 
   /// The hit at origin + t * direction (world coordinates) on the particle at `slot`.
-  ShadedHit shade(
-    const Vec3d& origin, const Vec3d& direction, double t, std::uint64_t slot) const;
+  ShadedHit shade(const Vec3d& origin, const Vec3d& direction, double t, std::uint64_t slot) const;
 
 private:
   Vec4f colorOf(std::uint64_t particle) const;
