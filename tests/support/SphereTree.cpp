@@ -14,7 +14,7 @@ constexpr std::size_t leafSize = 8;
 constexpr std::size_t parallelSize = 1 << 16; // below that a task costs more than it saves
 } // namespace
 
-SphereTree::SphereTree(const ParticleSet& particles) : spheres_(validSpheres(particles))
+SphereTree::SphereTree(std::vector<Sphere> spheres) : spheres_(std::move(spheres))
 {
   while ((spheres_.size() >> depth_) > leafSize)
     ++depth_;

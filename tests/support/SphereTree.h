@@ -11,7 +11,8 @@ namespace mote::reference
 class SphereTree
 {
 public:
-  explicit SphereTree(const ParticleSet& particles);
+  explicit SphereTree(std::vector<Sphere> spheres);
+  explicit SphereTree(const ParticleSet& particles) : SphereTree(validSpheres(particles)) {}
 
   /// The same answer as bruteForce().
   Hit cast(const Ray& ray) const;

@@ -1,0 +1,202 @@
+// Few particles, flat and linear sets, bad numbers, and sizes far from one.
+
+#include <kernels/particles/CoherentGrid.h>
+
+#include <support/CastOracle.h>
+#include <support/Particles.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace mote;
+using namespace mote::testing;
+
+namespace
+{
+
+/// From all around, near and far, in both projections.
+void expectRightFromAllAround(const Particles& particles, const CoherentGridOptions& options = {})
+{
+  CoherentGrid grid;
+  grid.build(particles.set(), options);
+  const CastOracle oracle = CastOracle::forFloat(particles.set());
+  const Box bounds = grid.statistics().bounds;
+  const double size = std::max(glm::length(bounds.size()), 1e-30);
+  Random random(1);
+  CastReport all;
+  for (int k = 0; k < 24; ++k)
+  {
+    Vec3d direction = random.direction();
+    if (k < 6)
+    {
+      direction = Vec3d(0.0);
+      direction[k % 3] = k < 3 ? 1.0 : -1.0;
+    }
+    Camera camera = lookAt(bounds.center() + random(0.8, 3.0) * size * direction, bounds.center());
+    camera.parallelScale = 0.5 * size;
+    if (k % 2 == 1)
+      camera.projection = Camera::Projection::Orthographic;
+    all.add(checkImage(grid, oracle, camera, 24, 24));
+  }
+  EXPECT_EQ(all.wrong, 0u) << "of " << all.rays << " rays; " << all.complaint;
+  EXPECT_GT(all.hits, 0u);
+}
+
+} // namespace
+
+TEST(CoherentGridDegenerate, NoParticleHitsNothing)
+{
+  CoherentGrid grid;
+  RayPacket packet = emptyPacket();
+  addRay(packet, {0.0, 0.0, -5.0}, {0.0, 0.0, 1.0});
+  grid.cast(packet, 0); // never built
+  EXPECT_EQ(packet.slot[0], RayPacket::noHit);
+  grid.build(ParticleSet{});
+  grid.cast(packet, 0);
+  EXPECT_EQ(packet.slot[0], RayPacket::noHit);
+  EXPECT_EQ(packet.object[0], -1);
+  EXPECT_EQ(grid.size(), 0u);
+  EXPECT_TRUE(grid.statistics().bounds.empty());
+  grid.setVisibility([](std::size_t) { return false; });
+  grid.setVisibility({});
+}
+
+TEST(CoherentGridDegenerate, OneTwoAndThreeParticles)
+{
+  Random random(2);
+  for (int round = 0; round < 10; ++round)
+  {
+    Particles particles;
+    for (int i = 0; i < 3; ++i)
+    {
+      particles.add(random.inBox(Vec3d(-1.0), Vec3d(1.0)), random(0.05, 0.8));
+      expectRightFromAllAround(particles);
+    }
+  }
+}
+
+TEST(CoherentGridDegenerate, OneParticleOfAnySize)
+{
+  for (const double radius : {1e-12, 1e-6, 1.0, 1e6, 1e12})
+  {
+    SCOPED_TRACE(radius);
+    Particles particles;
+    particles.add(radius * Vec3d(3.0, -2.0, 1.0), radius);
+    expectRightFromAllAround(particles);
+  }
+}
+
+TEST(CoherentGridDegenerate, SetsOfAnySize)
+{
+  for (const double scale : {1e-12, 1e-9, 1e-3, 1e3, 1e9, 1e12})
+  {
+    SCOPED_TRACE(scale);
+    Particles particles = randomParticles(500, 3, 0.01, 0.1);
+    for (double& x : particles.positions)
+      x *= scale;
+    for (double& r : particles.radii)
+      r *= scale;
+    expectRightFromAllAround(particles);
+  }
+}
+
+TEST(CoherentGridDegenerate, FlatSets)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Particles particles = randomParticles(800, 4, 0.01, 0.05);
+    for (std::size_t i = 0; i < particles.size(); ++i)
+      particles.positions[3 * i + static_cast<std::size_t>(axis)] = 0.25;
+    expectRightFromAllAround(particles);
+  }
+}
+
+TEST(CoherentGridDegenerate, LinearSets)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Particles particles = randomParticles(800, 5, 0.001, 0.05);
+    for (std::size_t i = 0; i < particles.size(); ++i)
+      for (std::size_t other = 0; other < 3; ++other)
+        if (static_cast<int>(other) != axis)
+          particles.positions[3 * i + other] = -0.5;
+    expectRightFromAllAround(particles);
+  }
+}
+
+TEST(CoherentGridDegenerate, AllAtOnePoint)
+{
+  Particles particles;
+  for (int i = 0; i < 300; ++i)
+    particles.add({1.0, 2.0, 3.0}, 0.1 + 0.001 * i);
+  expectRightFromAllAround(particles);
+}
+
+TEST(CoherentGridDegenerate, OneParticleFarFromTheOthers)
+{
+  Particles particles = randomParticles(500, 6, 0.01, 0.05);
+  particles.add({3000.0, -10.0, 20.0}, 0.5);
+  CoherentGrid grid;
+  grid.build(particles.set());
+  const CastOracle oracle = CastOracle::forFloat(particles.set());
+  const CastReport report =
+    checkImage(grid, oracle, lookAt({3.0, 2.0, 4.0}, Vec3d(0.0), 30.0), 64, 64);
+  EXPECT_EQ(report.wrong, 0u) << report.complaint;
+  EXPECT_GT(report.hits, 100u);
+}
+
+TEST(CoherentGridDegenerate, RadiiManyTimesTheCells)
+{
+  const Particles particles = randomParticles(1000, 7, 0.5, 1.5);
+  expectRightFromAllAround(particles);
+}
+
+TEST(CoherentGridDegenerate, LambdaOnlyChangesTheCells)
+{
+  const Particles particles = randomParticles(2000, 8, 0.01, 0.06);
+  CoherentGrid least, most, grid;
+  least.build(particles.set(), {0.2, true});
+  most.build(particles.set(), {5.0, true});
+  EXPECT_NEAR(std::cbrt(5.0 / 0.2), least.cellSize() / most.cellSize(), 1e-4);
+  grid.build(particles.set(), {0.0001, true}); // clamped
+  EXPECT_EQ(grid.cellSize(), least.cellSize());
+  grid.build(particles.set(), {1e9, true});
+  EXPECT_EQ(grid.cellSize(), most.cellSize());
+  for (const double lambda : {0.2, 0.5, 2.0, 5.0})
+    expectRightFromAllAround(particles, {lambda, true});
+}
+
+TEST(CoherentGridDegenerate, BadNumbersAreCountedAndLeftOut)
+{
+  const double nan = std::nan(""), infinity = INFINITY;
+  Particles particles = randomParticles(500, 9, 0.01, 0.1);
+  particles.add({nan, 0.0, 0.0}, 0.1);
+  particles.add({0.0, infinity, 0.0}, 0.1);
+  particles.add({0.0, 0.0, -infinity}, nan); // counts once, as a bad position
+  particles.add({0.0, 0.0, 0.0}, 0.0);
+  particles.add({0.0, 0.0, 0.0}, -3.0);
+  particles.add({0.0, 0.0, 0.0}, nan);
+  particles.add({0.0, 0.0, 0.0}, infinity);
+  particles.add({0.0, 0.0, 0.0}, 0.1);
+  CoherentGrid grid;
+  grid.build(particles.set());
+  EXPECT_EQ(grid.size(), 501u);
+  EXPECT_EQ(grid.statistics().valid, 501u);
+  EXPECT_EQ(grid.statistics().badPositions, 3u);
+  EXPECT_EQ(grid.statistics().badRadii, 4u);
+  expectRightFromAllAround(particles);
+}
+
+TEST(CoherentGridDegenerate, OnlyBadParticlesHitNothing)
+{
+  Particles particles;
+  particles.add({0.0, 0.0, 0.0}, -1.0);
+  CoherentGrid grid;
+  grid.build(particles.set());
+  EXPECT_EQ(grid.size(), 0u);
+  RayPacket packet = emptyPacket();
+  addRay(packet, {0.0, 0.0, -5.0}, {0.0, 0.0, 1.0});
+  grid.cast(packet, 0);
+  EXPECT_EQ(packet.object[0], -1);
+}

@@ -1,0 +1,185 @@
+// Packets that are not 64 rays of a camera: fewer, incoherent, bounded, odd.
+
+#include <kernels/particles/CoherentGrid.h>
+
+#include <support/CastOracle.h>
+#include <support/Particles.h>
+
+#include <gtest/gtest.h>
+
+using namespace mote;
+using namespace mote::testing;
+
+namespace
+{
+
+class CoherentGridPacket : public ::testing::Test
+{
+protected:
+  void SetUp() override { grid.build(particles.set()); }
+
+  void expectRight(const RayPacket& packet) { report.add(checkPacket(grid, oracle, packet)); }
+  void TearDown() override
+  {
+    EXPECT_EQ(report.wrong, 0u) << "of " << report.rays << " rays; " << report.complaint;
+  }
+
+  Particles particles = randomParticles(2000, 51, 0.01, 0.08);
+  CastOracle oracle = CastOracle::forFloat(particles.set());
+  CoherentGrid grid;
+  CastReport report;
+  Random random{52};
+};
+
+} // namespace
+
+TEST_F(CoherentGridPacket, AnyNumberOfRays)
+{
+  for (int count = 1; count <= RayPacket::capacity; ++count)
+  {
+    RayPacket packet = emptyPacket();
+    for (int i = 0; i < count; ++i)
+      addRay(packet, {0.0, 0.0, 4.0}, {random(-0.2, 0.2), random(-0.2, 0.2), -1.0});
+    expectRight(packet);
+  }
+  EXPECT_GT(report.hits, report.rays / 2);
+}
+
+TEST_F(CoherentGridPacket, NoRayIsNoWork)
+{
+  RayPacket packet = emptyPacket();
+  grid.cast(packet, 1);
+  EXPECT_EQ(packet.count, 0);
+}
+
+TEST_F(CoherentGridPacket, RaysBeyondTheCountAreNotTouched)
+{
+  RayPacket packet = emptyPacket();
+  for (int i = 0; i < RayPacket::capacity; ++i)
+    addRay(packet, {0.0, 0.0, 4.0}, {0.0, 0.0, -1.0});
+  packet.count = 13;
+  grid.cast(packet, 1);
+  EXPECT_EQ(packet.object[12], 1);
+  for (int i = 13; i < RayPacket::capacity; ++i)
+    EXPECT_EQ(packet.object[i], -1);
+}
+
+TEST_F(CoherentGridPacket, IncoherentRays)
+{
+  for (int k = 0; k < 100; ++k)
+  {
+    RayPacket packet = emptyPacket();
+    for (int i = 0; i < RayPacket::capacity; ++i)
+      addRay(
+        packet, random.inBox(Vec3d(-1.5), Vec3d(1.5)), random(0.01, 100.0) * random.direction());
+    expectRight(packet);
+  }
+  EXPECT_GT(report.hits, report.rays / 4);
+}
+
+TEST_F(CoherentGridPacket, ParallelAndOppositeRays)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    RayPacket packet = emptyPacket();
+    for (int i = 0; i < RayPacket::capacity; ++i)
+    {
+      Vec3d direction(0.0);
+      direction[axis] = i % 2 == 0 ? 1.0 : -1.0;
+      addRay(packet, random.inBox(Vec3d(-1.2), Vec3d(1.2)), direction);
+    }
+    expectRight(packet);
+  }
+}
+
+TEST_F(CoherentGridPacket, IntervalsAreRespected)
+{
+  for (int k = 0; k < 100; ++k)
+  {
+    RayPacket packet = emptyPacket();
+    for (int i = 0; i < RayPacket::capacity; ++i)
+    {
+      const double tMin = random(-1.0, 5.0);
+      addRay(packet, {0.1, 0.2, 3.0}, {random(-0.3, 0.3), random(-0.3, 0.3), -1.0}, tMin,
+        tMin + random(0.0, 2.0));
+    }
+    expectRight(packet);
+  }
+  EXPECT_GT(report.hits, report.rays / 4);
+  EXPECT_LT(report.hits, 3 * report.rays / 4);
+}
+
+TEST_F(CoherentGridPacket, EmptyIntervalsHitNothing)
+{
+  RayPacket packet = emptyPacket();
+  for (int i = 0; i < 20; ++i)
+    addRay(packet, {0.0, 0.0, 4.0}, {0.01 * i, 0.0, -1.0}, 3.0, i % 2 == 0 ? 3.0 : 2.0);
+  expectRight(packet);
+  EXPECT_EQ(report.hits, 0u);
+}
+
+TEST_F(CoherentGridPacket, RaysThatStartBeyondOrPointAway)
+{
+  for (int k = 0; k < 50; ++k)
+  {
+    RayPacket packet = emptyPacket();
+    for (int i = 0; i < 32; ++i)
+    {
+      const Vec3d out = random.direction();
+      addRay(packet, 3.0 * out, out + 0.2 * random.direction());
+    }
+    expectRight(packet);
+  }
+  EXPECT_EQ(report.hits, 0u);
+}
+
+TEST_F(CoherentGridPacket, OneRayOfManyMeetsTheSet)
+{
+  RayPacket packet = emptyPacket();
+  for (int i = 0; i < RayPacket::capacity; ++i)
+    addRay(packet, {i == 37 ? 0.0 : 5.0 + i, 0.0, 4.0}, {0.0, 0.0, -1.0});
+  expectRight(packet);
+  EXPECT_EQ(report.hits, 1u);
+}
+
+TEST_F(CoherentGridPacket, DirectionsWithoutLengthHitNothing)
+{
+  RayPacket packet = emptyPacket();
+  for (int i = 0; i < 16; ++i)
+    addRay(packet, {0.0, 0.0, 4.0}, i % 2 == 0 ? Vec3d(0.0) : Vec3d(0.0, 0.0, -1.0));
+  grid.cast(packet, 1);
+  for (int i = 0; i < 16; ++i)
+    EXPECT_EQ(packet.object[i], i % 2 == 0 ? -1 : 1);
+}
+
+TEST_F(CoherentGridPacket, TCountsInLengthsOfTheDirection)
+{
+  for (const double length : {1e-6, 0.5, 1.0, 3.0, 1e6})
+  {
+    RayPacket packet = emptyPacket();
+    addRay(packet, {0.0, 0.0, 4.0}, {0.0, 0.0, -length});
+    const RayPacket question = packet;
+    expectRight(question);
+    grid.cast(packet, 1);
+    EXPECT_NEAR(packet.t[0] * length, oracle.nearest(rayOf(question, 0)).t * length, 1e-5);
+  }
+}
+
+TEST_F(CoherentGridPacket, ASecondStructureOnlyTakesWhatIsNearer)
+{
+  Particles front, back;
+  front.add({0.0, 0.0, 2.0}, 0.5);
+  back.add({0.0, 0.0, -2.0}, 0.5);
+  CoherentGrid first, second;
+  first.build(front.set());
+  second.build(back.set());
+  for (const bool frontFirst : {true, false})
+  {
+    RayPacket packet = emptyPacket();
+    addRay(packet, {0.0, 0.0, 9.0}, {0.0, 0.0, -1.0});
+    (frontFirst ? first : second).cast(packet, frontFirst ? 0 : 1);
+    (frontFirst ? second : first).cast(packet, frontFirst ? 1 : 0);
+    EXPECT_EQ(packet.object[0], 0);
+    EXPECT_NEAR(packet.t[0], 6.5, 1e-6);
+  }
+}

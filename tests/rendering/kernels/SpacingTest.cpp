@@ -1,0 +1,134 @@
+// The typical distance between neighbours.
+
+#include <kernels/core/Error.h>
+#include <kernels/particles/ParticleSet.h>
+
+#include <support/Particles.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace mote;
+using namespace mote::testing;
+
+namespace
+{
+
+double spacingOf(const Particles& particles)
+{
+  return estimateSpacing(particles.set().positions);
+}
+
+Particles lattice(int nx, int ny, int nz, double spacing, const Vec3d& corner = Vec3d(0.0))
+{
+  Particles particles;
+  for (int z = 0; z < nz; ++z)
+    for (int y = 0; y < ny; ++y)
+      for (int x = 0; x < nx; ++x)
+        particles.add(corner + spacing * Vec3d(x, y, z), 1.0);
+  return particles;
+}
+
+} // namespace
+
+TEST(Spacing, OfALatticeIsExact)
+{
+  for (const double spacing : {1e-9, 0.5, 3.0, 1e6})
+    for (const int n : {2, 3, 10, 30})
+      EXPECT_NEAR(spacingOf(lattice(n, n, n, spacing)), spacing, 1e-12 * spacing) << n;
+}
+
+TEST(Spacing, OfFlatAndLinearSets)
+{
+  EXPECT_NEAR(spacingOf(lattice(40, 30, 1, 0.25)), 0.25, 1e-12);
+  EXPECT_NEAR(spacingOf(lattice(1, 40, 30, 0.25)), 0.25, 1e-12);
+  EXPECT_NEAR(spacingOf(lattice(1, 1000, 1, 0.25)), 0.25, 1e-12);
+  EXPECT_NEAR(spacingOf(lattice(2, 1, 1, 7.0)), 7.0, 1e-12);
+}
+
+TEST(Spacing, FarFromTheOrigin)
+{
+  EXPECT_NEAR(spacingOf(lattice(10, 10, 10, 0.5, Vec3d(1e9, -1e9, 1e8))), 0.5, 1e-6);
+}
+
+TEST(Spacing, OfClustersIsThatWithinThem)
+{
+  Random random(111);
+  Particles particles;
+  for (int cluster = 0; cluster < 20; ++cluster)
+  {
+    const Particles part = lattice(6, 6, 6, 0.001, random.inBox(Vec3d(-50.0), Vec3d(50.0)));
+    for (std::size_t i = 0; i < part.size(); ++i)
+      particles.add(part.center(i), 1.0);
+  }
+  EXPECT_NEAR(spacingOf(particles), 0.001, 1e-9);
+}
+
+TEST(Spacing, IsTheMedianOfNearestDistances)
+{
+  const Particles particles = randomParticles(200, 112, 0.1, 0.1);
+  std::vector<double> nearest;
+  for (std::size_t i = 0; i < particles.size(); ++i)
+  {
+    double least = INFINITY;
+    for (std::size_t k = 0; k < particles.size(); ++k)
+      if (k != i)
+        least = std::min(least, glm::length(particles.center(i) - particles.center(k)));
+    nearest.push_back(least);
+  }
+  std::sort(nearest.begin(), nearest.end());
+  const double found = spacingOf(particles);
+  EXPECT_GE(found, nearest[98] * (1.0 - 1e-12));
+  EXPECT_LE(found, nearest[101] * (1.0 + 1e-12));
+}
+
+TEST(Spacing, OfRandomSetsIsNearTheExpectedOne)
+{
+  // For evenly random points of density d the median is (3 ln 2 / (4 pi d))^(1/3).
+  const std::size_t count = 100000;
+  const double expected = std::cbrt(3.0 * std::log(2.0) / (4.0 * M_PI * double(count) / 8.0));
+  EXPECT_NEAR(spacingOf(randomParticles(count, 113, 0.1, 0.1)), expected, 0.1 * expected);
+}
+
+TEST(Spacing, DuplicatesAreNoNeighbours)
+{
+  Particles particles;
+  for (int copy = 0; copy < 4; ++copy)
+  {
+    const Particles part = lattice(8, 8, 8, 2.0);
+    for (std::size_t i = 0; i < part.size(); ++i)
+      particles.add(part.center(i), 1.0);
+  }
+  EXPECT_NEAR(spacingOf(particles), 2.0, 1e-12);
+}
+
+TEST(Spacing, IsOneWhereThereIsNone)
+{
+  Particles particles;
+  EXPECT_EQ(estimateSpacing(ArrayView()), 1.0);
+  particles.add({3.0, 4.0, 5.0}, 1.0);
+  EXPECT_EQ(spacingOf(particles), 1.0);
+  for (int i = 0; i < 100; ++i)
+    particles.add({3.0, 4.0, 5.0}, 1.0);
+  EXPECT_EQ(spacingOf(particles), 1.0);
+}
+
+TEST(Spacing, PassesOverBadPositions)
+{
+  Particles particles = lattice(10, 10, 10, 0.5);
+  for (int i = 0; i < 400; ++i)
+    particles.add({std::nan(""), 0.0, i % 2 == 0 ? INFINITY : 1.0}, 1.0);
+  EXPECT_NEAR(spacingOf(particles), 0.5, 1e-12);
+  Particles bad;
+  bad.add({std::nan(""), 0.0, 0.0}, 1.0);
+  bad.add({INFINITY, 0.0, 0.0}, 1.0);
+  EXPECT_EQ(spacingOf(bad), 1.0);
+}
+
+TEST(Spacing, RefusesTwoComponents)
+{
+  const double numbers[] = {0.0, 1.0, 2.0, 3.0};
+  EXPECT_THROW(estimateSpacing(ArrayView(numbers, 2, 2)), Error);
+}

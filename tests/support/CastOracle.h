@@ -1,0 +1,99 @@
+#pragma once
+
+#include "SphereTree.h"
+
+#include <kernels/core/RayPacket.h>
+
+#include <string>
+
+namespace mote::testing
+{
+
+/// What a check of many rays found.
+struct CastReport
+{
+  std::size_t rays = 0;
+  std::size_t hits = 0;
+  std::size_t wrong = 0;
+  std::string complaint; ///< about the first wrong ray
+
+  void add(const CastReport& other);
+};
+
+/// Judges a structure's answers by the reference, allowing for one length of rounding, `slack`.
+///
+/// An answer is right if the point that it names lies on the sphere that it names, to within the
+/// slack, and if it is no nearer than the nearest hit on spheres that are a slack larger, and no
+/// farther than that on spheres a slack smaller. So near a silhouette either answer passes, and
+/// nowhere else.
+class CastOracle
+{
+public:
+  CastOracle(const ParticleSet& particles, double slack);
+
+  /// A slack of `share` times the longest side of the spheres' bounds. Float numbers relative to
+  /// the middle of the data err by 6e-8 of their size; the ray's formulas add a few of those.
+  static CastOracle forFloat(const ParticleSet& particles, double share = 4e-7);
+
+  double slack() const { return slack_; }
+  reference::Hit nearest(const reference::Ray& ray) const { return exact_.cast(ray); }
+
+  /// Judges one answer; `particle` is an input index, or Hit::none.
+  void judge(const reference::Ray& ray, double t, std::size_t particle, CastReport& report) const;
+
+private:
+  const ParticleSet particles_;
+  double slack_;
+  reference::SphereTree exact_, grown_, shrunk_;
+};
+
+/// Ray i of a packet.
+reference::Ray rayOf(const RayPacket& packet, int i);
+
+/// Casts the packet and judges every ray of it.
+template <typename Structure>
+CastReport checkPacket(const Structure& structure, const CastOracle& oracle,
+                       const RayPacket& question)
+{
+  CastReport report;
+  RayPacket packet = question;
+  structure.cast(packet, 3);
+  for (int i = 0; i < packet.count; ++i)
+  {
+    const bool isHit = packet.slot[i] != RayPacket::noHit;
+    if (isHit != (packet.object[i] == 3))
+      report.complaint = "slot and object do not agree";
+    oracle.judge(rayOf(question, i), packet.t[i],
+                 isHit ? structure.inputIndex(packet.slot[i]) : reference::Hit::none, report);
+  }
+  return report;
+}
+
+/// Casts all rays of an image.
+template <typename Structure>
+CastReport checkImage(const Structure& structure, const CastOracle& oracle, const Camera& camera,
+                      int width, int height)
+{
+  CastReport report;
+  const CameraRays rays(camera, width, height);
+  RayPacket packet;
+  for (int y = 0; y < height; y += 8)
+    for (int x = 0; x < width; x += 8)
+    {
+      rays.fillBlock(packet, x, y, 0.0, 0.0);
+      report.add(checkPacket(structure, oracle, packet));
+    }
+  return report;
+}
+
+/// A packet of no rays yet.
+RayPacket emptyPacket();
+
+/// Adds a ray to a packet that has room.
+void addRay(RayPacket& packet, const Vec3d& origin, const Vec3d& direction, double tMin = 0.0,
+            double tMax = std::numeric_limits<double>::infinity());
+
+/// A camera at `eye` that looks at `target`, up being whatever suits.
+Camera lookAt(const Vec3d& eye, const Vec3d& target, double viewAngle = 30.0);
+
+} // namespace mote::testing
