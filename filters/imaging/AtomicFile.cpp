@@ -122,7 +122,8 @@ void checkWritable(const std::string& name)
   checkTarget(name, target);
 }
 
-AtomicFile::AtomicFile(const std::string& name) : m_name(name)
+AtomicFile::AtomicFile(const std::string& name)
+  : m_name(name)
 {
   checkWritable(name);
   const fs::path target = resolve(name);

@@ -34,9 +34,11 @@ Rect Rect::clipped(int width, int height) const
 }
 
 Canvas::Canvas(vtkDataArray* colors, int width, int height)
-    : m_colors(colors), m_width(width), m_height(height),
-      m_components(colors->GetNumberOfComponents()),
-      m_scale(colors->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0 : 1.0)
+  : m_colors(colors)
+  , m_width(width)
+  , m_height(height)
+  , m_components(colors->GetNumberOfComponents())
+  , m_scale(colors->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0 : 1.0)
 {
 }
 
@@ -83,8 +85,8 @@ void Canvas::fill(const Rect& rect, const Color& color)
   fillShape(rect, color, [](double, double) { return 1.0; });
 }
 
-void Canvas::fillShape(const Rect& rect, const Color& color,
-                       const std::function<double(double, double)>& coverage)
+void Canvas::fillShape(
+  const Rect& rect, const Color& color, const std::function<double(double, double)>& coverage)
 {
   const Rect inside = rect.clipped(m_width, m_height);
   for (int y = inside.y0; y < inside.y1; ++y)
@@ -99,12 +101,12 @@ void Canvas::fillShape(const Rect& rect, const Color& color,
 void Canvas::fillRounded(const Rect& rect, double radius, const Color& color)
 {
   fillShape(rect, color,
-            [&](double x, double y)
-            {
-              const double dx = std::max({rect.x0 + radius - x, x - (rect.x1 - radius), 0.0});
-              const double dy = std::max({rect.y0 + radius - y, y - (rect.y1 - radius), 0.0});
-              return std::clamp(radius - std::hypot(dx, dy) + 0.5, 0.0, 1.0);
-            });
+    [&](double x, double y)
+    {
+      const double dx = std::max({rect.x0 + radius - x, x - (rect.x1 - radius), 0.0});
+      const double dy = std::max({rect.y0 + radius - y, y - (rect.y1 - radius), 0.0});
+      return std::clamp(radius - std::hypot(dx, dy) + 0.5, 0.0, 1.0);
+    });
 }
 
 void Canvas::draw(const TextMask& mask, int x, int y, const Color& color)

@@ -61,8 +61,8 @@ public:
   void blend(int x, int y, const Color& color, double coverage);
   void fill(const Rect& rect, const Color& color);
   /// Share of each pixel of `rect` that the shape covers, given the pixel's centre.
-  void fillShape(const Rect& rect, const Color& color,
-                 const std::function<double(double, double)>& coverage);
+  void fillShape(
+    const Rect& rect, const Color& color, const std::function<double(double, double)>& coverage);
   void fillRounded(const Rect& rect, double radius, const Color& color);
   void draw(const TextMask& mask, int x, int y, const Color& color);
 

@@ -35,7 +35,7 @@ constexpr int BatchRows = 64;
     reason.pop_back();
   }
   throw ImageError(vtkErrorCode::UnknownError,
-                   reason.empty() ? std::string("the image library gave no reason") : reason);
+    reason.empty() ? std::string("the image library gave no reason") : reason);
 }
 
 const char* pluginOf(FileFormat format)
@@ -76,8 +76,8 @@ void setAttributes(OIIO::ImageSpec& spec, FileFormat format, const EncodeOptions
   }
 }
 
-std::vector<unsigned char> writeRows(OIIO::ImageSpec spec, FileFormat format,
-                                     const EncodeOptions& options, const EncodeRow& encodeRow)
+std::vector<unsigned char> writeRows(
+  OIIO::ImageSpec spec, FileFormat format, const EncodeOptions& options, const EncodeRow& encodeRow)
 {
   setAttributes(spec, format, options);
   std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(pluginOf(format));
@@ -113,8 +113,8 @@ std::vector<unsigned char> writeRows(OIIO::ImageSpec spec, FileFormat format,
   return bytes;
 }
 
-EncodedImage encodeBytes(vtkDataArray* colors, const int size[2], FileFormat format,
-                         const EncodeOptions& options)
+EncodedImage encodeBytes(
+  vtkDataArray* colors, const int size[2], FileFormat format, const EncodeOptions& options)
 {
   const AlphaKind alpha = format == FileFormat::PNG    ? AlphaKind::Straight
                           : format == FileFormat::JPEG ? AlphaKind::None
@@ -131,8 +131,8 @@ EncodedImage encodeBytes(vtkDataArray* colors, const int size[2], FileFormat for
   return {writeRows(spec, format, options, encodeRow), {}};
 }
 
-EncodedImage encodeLayers(vtkImageData* image, vtkDataArray* colors, const int size[2],
-                          const EncodeOptions& options)
+EncodedImage encodeLayers(
+  vtkImageData* image, vtkDataArray* colors, const int size[2], const EncodeOptions& options)
 {
   const ImageLayers layers(image, colors, size[0], size[1]);
   const int count = static_cast<int>(layers.channels().size());
@@ -158,7 +158,7 @@ FileFormat formatOf(const std::string& fileName)
 {
   std::string ending = std::filesystem::path(fileName).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (ending == ".png")
   {
     return FileFormat::PNG;
@@ -185,7 +185,7 @@ EncodedImage encodeImage(vtkImageData* image, FileFormat format, const EncodeOpt
   if (size[2] > 1)
   {
     throw ImageError(vtkErrorCode::FileFormatError,
-                     "the image has " + std::to_string(size[2]) + " slices, and must have one");
+      "the image has " + std::to_string(size[2]) + " slices, and must have one");
   }
   vtkDataArray* colors = findColors(image);
   return format == FileFormat::EXR ? encodeLayers(image, colors, size, options)

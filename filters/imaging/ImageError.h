@@ -18,7 +18,8 @@ class ImageError : public std::runtime_error
 {
 public:
   ImageError(unsigned long code, const std::string& sentence)
-      : std::runtime_error(sentence), m_code(code)
+    : std::runtime_error(sentence)
+    , m_code(code)
   {
   }
   unsigned long code() const { return m_code; }

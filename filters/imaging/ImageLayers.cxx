@@ -34,15 +34,15 @@ void readIntegers(const T* values, int stride, int count, std::vector<std::uint6
   }
 }
 
-void readIntegers(vtkDataArray* array, vtkIdType tuple, int component, int count,
-                  std::vector<std::uint64_t>& out)
+void readIntegers(
+  vtkDataArray* array, vtkIdType tuple, int component, int count, std::vector<std::uint64_t>& out)
 {
   const int stride = array->GetNumberOfComponents();
   switch (array->GetDataType())
   {
     vtkTemplateMacro(
-        readIntegers(static_cast<const VTK_TT*>(array->GetVoidPointer(tuple * stride + component)),
-                     stride, count, out));
+      readIntegers(static_cast<const VTK_TT*>(array->GetVoidPointer(tuple * stride + component)),
+        stride, count, out));
   default: // bits
     for (int i = 0; i < count; ++i)
     {
@@ -72,7 +72,7 @@ bool needsTwoWords(vtkDataArray* array)
     switch (array->GetDataType())
     {
       vtkTemplateMacro(
-          readIntegers(static_cast<const VTK_TT*>(array->GetVoidPointer(begin)), 1, n, values));
+        readIntegers(static_cast<const VTK_TT*>(array->GetVoidPointer(begin)), 1, n, values));
     }
     const auto isLarge = [](std::uint64_t v)
     { return v >= ImageLayers::None && v != ~std::uint64_t(0); };
@@ -97,7 +97,9 @@ std::string componentName(const std::string& name, int component, int components
 } // namespace
 
 ImageLayers::ImageLayers(vtkImageData* image, vtkDataArray* colors, int width, int height)
-    : m_colors(colors, width, height), m_width(width), m_height(height)
+  : m_colors(colors, width, height)
+  , m_width(width)
+  , m_height(height)
 {
   addColors();
   vtkPointData* points = image->GetPointData();
@@ -115,7 +117,7 @@ void ImageLayers::addColors()
 {
   const int count = m_colors.channels(AlphaKind::Premultiplied);
   std::vector<std::string> names =
-      count < 3 ? std::vector<std::string>{"Y", "A"} : std::vector<std::string>{"R", "G", "B", "A"};
+    count < 3 ? std::vector<std::string>{"Y", "A"} : std::vector<std::string>{"R", "G", "B", "A"};
   std::vector<Channel> channels;
   for (int c = 0; c < count; ++c)
   {
@@ -199,22 +201,22 @@ void ImageLayers::encode(int row, std::uint8_t* out) const
       if (channel.type == ChannelType::UInt)
       {
         const std::uint32_t word =
-            static_cast<std::uint32_t>(channel.isHighWord ? integers[x] >> 32 : integers[x]);
+          static_cast<std::uint32_t>(channel.isHighWord ? integers[x] >> 32 : integers[x]);
         std::memcpy(&encoded[4 * static_cast<std::size_t>(x)], &word, 4);
       }
       else
       {
         floats[x] =
-            channel.array
-                ? static_cast<float>(channel.array->GetComponent(begin + x, channel.component))
-                : colors[static_cast<std::size_t>(x) * colorCount + channel.component];
+          channel.array
+            ? static_cast<float>(channel.array->GetComponent(begin + x, channel.component))
+            : colors[static_cast<std::size_t>(x) * colorCount + channel.component];
       }
     }
     if (channel.type != ChannelType::UInt)
     {
       const bool half = channel.type == ChannelType::Half;
       OIIO::convert_pixel_values(OIIO::TypeFloat, floats.data(),
-                                 half ? OIIO::TypeHalf : OIIO::TypeFloat, encoded.data(), m_width);
+        half ? OIIO::TypeHalf : OIIO::TypeFloat, encoded.data(), m_width);
     }
     const std::size_t size = bytesOf(channel.type);
     for (int x = 0; x < m_width; ++x)

@@ -20,7 +20,10 @@ class Stack
 {
 public:
   Stack(TextFont& font, const LegendContent& content, const Placement& placement)
-      : m_font(font), m_content(content), m_placement(placement), m_unit(placement.unit)
+    : m_font(font)
+    , m_content(content)
+    , m_placement(placement)
+    , m_unit(placement.unit)
   {
     m_layout.unit = m_unit;
     m_layout.line = std::max(1, rounded(0.06 * m_unit));
@@ -80,7 +83,7 @@ private:
       return;
     }
     const double most = 0.3 * m_placement.imageWidth;
-    const double width = std::min(most, std::max(labelX() + labelWidth(), 7.5 * m_unit));
+    const double width = std::min(most, std::max(labelX() + labelWidth(), 7.0 * m_unit));
     const TextLines lines = wrapText(m_font, m_content.title, rounded(1.08 * m_unit), width, 4);
     for (const std::string& line : lines.lines)
     {
@@ -102,7 +105,7 @@ private:
     if (m_content.above)
     {
       m_layout.swatches.push_back(
-          {{0, m_top - tip, m_barWidth, m_top}, *m_content.above, SwatchShape::Up});
+        {{0, m_top - tip, m_barWidth, m_top}, *m_content.above, SwatchShape::Up});
       m_top -= tip + m_layout.line;
     }
     m_top -= m_layout.line;
@@ -114,7 +117,7 @@ private:
     {
       m_top -= m_layout.line;
       m_layout.swatches.push_back(
-          {{0, m_top - tip, m_barWidth, m_top}, *m_content.below, SwatchShape::Down});
+        {{0, m_top - tip, m_barWidth, m_top}, *m_content.below, SwatchShape::Down});
       m_top -= tip;
     }
   }
@@ -146,7 +149,8 @@ private:
     const Rect rect{0, m_top - side, side, m_top};
     m_layout.swatches.push_back({rect, color, SwatchShape::Square});
     const int half = m_halfDigit * size / m_unit;
-    addText(label, labelX(), (rect.y0 + rect.y1) / 2 - half, size);
+    addText(
+      label, side + m_layout.line + rounded(0.6 * size), (rect.y0 + rect.y1) / 2 - half, size);
     m_top -= side;
   }
 
@@ -156,7 +160,7 @@ private:
     const int margin = m_unit;
     const int room = m_placement.imageHeight - m_placement.reserved + m_top - 3 * margin;
     const double pitch =
-        std::clamp(static_cast<double>(room) / count, std::min(9.0, 1.0 * m_unit), 1.6 * m_unit);
+      std::clamp(static_cast<double>(room) / count, std::min(9.0, 1.0 * m_unit), 1.6 * m_unit);
     const int shown = std::clamp(static_cast<int>(room / pitch), 1, count);
     const int size = std::min(m_unit, rounded(0.9 * pitch));
     const int side = std::min(m_barWidth, rounded(0.8 * pitch));
@@ -230,7 +234,7 @@ int barHeight(int imageHeight)
 
 int labelSize(int imageWidth, int imageHeight, double scale)
 {
-  const double height = std::min(imageHeight, 2 * imageWidth);
+  const double height = std::min<double>(imageHeight, 1.25 * imageWidth);
   return std::max(4, rounded(std::max(9.0, 0.022 * height) * scale));
 }
 

@@ -91,16 +91,16 @@ void fillTriangle(Canvas& canvas, const Rect& rect, bool isUp, double inset, con
     return fromBase >= inset && slack * height / std::hypot(half, height) >= inset;
   };
   canvas.fillShape(rect, color,
-                   [&](double x, double y)
-                   {
-                     constexpr int n = 8;
-                     int hits = 0;
-                     for (int i = 0; i < n * n; ++i)
-                     {
-                       hits += isInside(x - 0.5 + (i % n + 0.5) / n, y - 0.5 + (i / n + 0.5) / n);
-                     }
-                     return static_cast<double>(hits) / (n * n);
-                   });
+    [&](double x, double y)
+    {
+      constexpr int n = 8;
+      int hits = 0;
+      for (int i = 0; i < n * n; ++i)
+      {
+        hits += isInside(x - 0.5 + (i % n + 0.5) / n, y - 0.5 + (i / n + 0.5) / n);
+      }
+      return static_cast<double>(hits) / (n * n);
+    });
 }
 
 void paintSwatch(Canvas& canvas, const Swatch& swatch, int line, const Color& frame)
@@ -118,7 +118,7 @@ void paintSwatch(Canvas& canvas, const Swatch& swatch, int line, const Color& fr
 }
 
 void paintBar(Canvas& canvas, const LegendLayout& layout, const Color& frame,
-              const std::function<Color(double)>& barColor)
+  const std::function<Color(double)>& barColor)
 {
   canvas.fill(layout.bar.grown(layout.line), frame);
   for (int y = layout.bar.y0; y < layout.bar.y1; ++y)
@@ -131,12 +131,17 @@ void paintBar(Canvas& canvas, const LegendLayout& layout, const Color& frame,
 } // namespace
 
 void paintLegend(Canvas& canvas, const LegendLayout& layout, const LegendStyle& style,
-                 const std::function<Color(double)>& barColor)
+  const std::function<Color(double)>& barColor)
 {
   const Ink ink = chooseInk(look(canvas, layout.panel), style);
   if (ink.panel.alpha > 0.0)
   {
-    canvas.fillRounded(layout.panel, 0.35 * layout.unit, ink.panel);
+    // A faint edge, since the panel may be as light or dark as what is beside it.
+    const double radius = 0.35 * layout.unit;
+    Color edge = ink.text;
+    edge.alpha = 0.25;
+    canvas.fillRounded(layout.panel, radius, edge);
+    canvas.fillRounded(layout.panel.grown(-layout.line), radius - layout.line, ink.panel);
   }
   if (barColor && !layout.bar.isEmpty())
   {

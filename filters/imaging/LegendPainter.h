@@ -31,7 +31,7 @@ struct LegendStyle
  * `barColor` maps the place along the bar, in (0, 1) from the bottom, to its colour.
  */
 void paintLegend(Canvas& canvas, const LegendLayout& layout, const LegendStyle& style,
-                 const std::function<Color(double)>& barColor);
+  const std::function<Color(double)>& barColor);
 
 } // namespace mote::imaging
 

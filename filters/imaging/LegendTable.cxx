@@ -27,7 +27,7 @@ TickScale scaleOf(vtkScalarsToColors* table, std::string& problem)
   scale.low = range[0];
   scale.high = range[1];
   scale.isLogarithmic =
-      table->UsingLogScale() || (transfer && transfer->GetScale() == VTK_CTF_LOG10);
+    table->UsingLogScale() || (transfer && transfer->GetScale() == VTK_CTF_LOG10);
   if (!std::isfinite(scale.low) || !std::isfinite(scale.high) || scale.low > scale.high)
   {
     problem = "its range is not an interval of finite numbers";

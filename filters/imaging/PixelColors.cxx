@@ -46,23 +46,24 @@ vtkDataArray* findColors(vtkImageData* image)
   if (type != VTK_FLOAT && type != VTK_DOUBLE && type != VTK_UNSIGNED_CHAR)
   {
     throw ImageError(vtkErrorCode::FileFormatError,
-                     std::string("its colours are of type ") + colors->GetDataTypeAsString() +
-                         ", and must be float, double or unsigned char");
+      std::string("its colours are of type ") + colors->GetDataTypeAsString() +
+        ", and must be float, double or unsigned char");
   }
   const int components = colors->GetNumberOfComponents();
   if (components < 1 || components > 4)
   {
-    throw ImageError(vtkErrorCode::FileFormatError, "its colours have " +
-                                                        std::to_string(components) +
-                                                        " components, and must have 1 to 4");
+    throw ImageError(vtkErrorCode::FileFormatError,
+      "its colours have " + std::to_string(components) + " components, and must have 1 to 4");
   }
   return colors;
 }
 
 PixelColors::PixelColors(vtkDataArray* colors, int width, int height)
-    : m_colors(colors), m_width(width), m_height(height),
-      m_components(colors->GetNumberOfComponents()),
-      m_eightBit(colors->GetDataType() == VTK_UNSIGNED_CHAR)
+  : m_colors(colors)
+  , m_width(width)
+  , m_height(height)
+  , m_components(colors->GetNumberOfComponents())
+  , m_eightBit(colors->GetDataType() == VTK_UNSIGNED_CHAR)
 {
   if (m_components % 2 == 0)
   {
@@ -108,44 +109,44 @@ void PixelColors::encode(int row, AlphaKind alpha, std::uint8_t* out) const
 {
   const int channelCount = channels(alpha);
   forEachPixel(row, out, channelCount,
-               [&](const Pixel& pixel, std::uint8_t* to, int colorCount)
-               {
-                 for (int c = 0; c < colorCount; ++c)
-                 {
-                   float value = pixel.color[c];
-                   if (m_transparent && alpha == AlphaKind::Straight && !m_eightBit)
-                   {
-                     value = pixel.alpha > 0.0f ? value / pixel.alpha : 0.0f;
-                   }
-                   else if (m_transparent && alpha != AlphaKind::Straight)
-                   {
-                     value = m_eightBit ? value * pixel.alpha : value;
-                     value += alpha == AlphaKind::None ? 1.0f - pixel.alpha : 0.0f;
-                   }
-                   to[c] = toByte(value);
-                 }
-                 if (channelCount > colorCount)
-                 {
-                   to[colorCount] = toByte(pixel.alpha);
-                 }
-               });
+    [&](const Pixel& pixel, std::uint8_t* to, int colorCount)
+    {
+      for (int c = 0; c < colorCount; ++c)
+      {
+        float value = pixel.color[c];
+        if (m_transparent && alpha == AlphaKind::Straight && !m_eightBit)
+        {
+          value = pixel.alpha > 0.0f ? value / pixel.alpha : 0.0f;
+        }
+        else if (m_transparent && alpha != AlphaKind::Straight)
+        {
+          value = m_eightBit ? value * pixel.alpha : value;
+          value += alpha == AlphaKind::None ? 1.0f - pixel.alpha : 0.0f;
+        }
+        to[c] = toByte(value);
+      }
+      if (channelCount > colorCount)
+      {
+        to[colorCount] = toByte(pixel.alpha);
+      }
+    });
 }
 
 void PixelColors::encode(int row, float* out) const
 {
   const int channelCount = channels(AlphaKind::Premultiplied);
   forEachPixel(row, out, channelCount,
-               [&](const Pixel& pixel, float* to, int colorCount)
-               {
-                 for (int c = 0; c < colorCount; ++c)
-                 {
-                   to[c] = m_eightBit ? pixel.color[c] * pixel.alpha : pixel.color[c];
-                 }
-                 if (channelCount > colorCount)
-                 {
-                   to[colorCount] = pixel.alpha;
-                 }
-               });
+    [&](const Pixel& pixel, float* to, int colorCount)
+    {
+      for (int c = 0; c < colorCount; ++c)
+      {
+        to[c] = m_eightBit ? pixel.color[c] * pixel.alpha : pixel.color[c];
+      }
+      if (channelCount > colorCount)
+      {
+        to[colorCount] = pixel.alpha;
+      }
+    });
 }
 
 } // namespace mote::imaging

@@ -9,15 +9,56 @@ namespace mote::imaging
 namespace
 {
 
+/// Words of a line; a unit in brackets, "(km s⁻¹)", is one as long as it fits.
+std::vector<std::string> splitWords(TextFont& font, const std::string& text, int size, double width)
+{
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  std::string open; // the beginning of a bracket that is not closed yet
+  for (std::string word; stream >> word;)
+  {
+    const std::string whole = open.empty() ? word : open + " " + word;
+    const bool begins = open.empty() && (word[0] == '(' || word[0] == '[');
+    const bool ends = word.find_first_of(")]") != std::string::npos;
+    if ((begins || !open.empty()) && !ends)
+    {
+      open = whole;
+    }
+    else
+    {
+      words.push_back(whole);
+      open.clear();
+    }
+  }
+  if (!open.empty())
+  {
+    words.push_back(open);
+  }
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    const std::size_t space = words[i].find(' ');
+    if (space != std::string::npos && font.width(words[i], size) > width)
+    {
+      words.insert(words.begin() + i + 1, words[i].substr(space + 1));
+      words[i].resize(space);
+    }
+  }
+  return words;
+}
+
 std::vector<std::string> breakLines(TextFont& font, const std::string& text, int size, double width)
 {
   std::vector<std::string> lines;
   std::istringstream paragraphs(text);
   for (std::string paragraph; std::getline(paragraphs, paragraph);)
   {
-    std::istringstream words(paragraph);
+    if (font.width(paragraph, size) <= width)
+    {
+      lines.push_back(paragraph); // with all its spaces
+      continue;
+    }
     std::string line;
-    for (std::string word; words >> word;)
+    for (const std::string& word : splitWords(font, paragraph, size, width))
     {
       const std::string longer = line.empty() ? word : line + " " + word;
       if (!line.empty() && font.width(longer, size) > width)
@@ -66,10 +107,10 @@ TextLines wrapText(TextFont& font, const std::string& text, int size, double wid
   for (result.size = size;; --result.size)
   {
     result.lines = breakLines(font, text, result.size, width);
-    const bool fits = static_cast<int>(result.lines.size()) <= most &&
-                      std::all_of(result.lines.begin(), result.lines.end(),
-                                  [&](const std::string& line)
-                                  { return font.width(line, result.size) <= width; });
+    const bool fits =
+      static_cast<int>(result.lines.size()) <= most &&
+      std::all_of(result.lines.begin(), result.lines.end(),
+        [&](const std::string& line) { return font.width(line, result.size) <= width; });
     if (fits || result.size <= smallest)
     {
       break;

@@ -35,9 +35,8 @@ public:
   }
 };
 
-constexpr const char* FallbackFiles[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
-                                         "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
-                                         "/usr/share/fonts/TTF/DejaVuSans.ttf"};
+constexpr const char* InstalledFiles[] = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+  "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf", "/usr/share/fonts/TTF/DejaVuSans.ttf"};
 
 /// A character as it is drawn: raised and lowered ones are ordinary ones, smaller.
 struct Character
@@ -129,12 +128,12 @@ void addBitmap(TextMask& mask, const FT_Bitmap& bitmap, int left, int top)
   const auto at = [&](int x, int y) -> std::uint8_t&
   {
     return grown
-        .coverage[static_cast<std::size_t>(y - grown.bottom) * grown.width + (x - grown.left)];
+      .coverage[static_cast<std::size_t>(y - grown.bottom) * grown.width + (x - grown.left)];
   };
   for (int y = 0; y < mask.height; ++y)
   {
     std::copy_n(&mask.coverage[static_cast<std::size_t>(y) * mask.width], mask.width,
-                &at(mask.left, mask.bottom + y));
+      &at(mask.left, mask.bottom + y));
   }
   for (int row = 0; row < height; ++row)
   {
@@ -155,12 +154,12 @@ public:
   explicit Implementation(const std::string& file)
   {
     addFile(file);
+    for (const char* installed : InstalledFiles)
+    {
+      addFile(installed);
+    }
     m_properties.emplace_back(vtkSmartPointer<vtkTextProperty>::New());
     m_properties.back()->SetFontFamilyToArial();
-    for (const char* fallback : FallbackFiles)
-    {
-      addFile(fallback);
-    }
   }
 
   TextMask lay(const std::string& text, int size, bool draws)
@@ -212,7 +211,7 @@ private:
   }
 
   void add(TextMask& mask, const Character& character, int size, std::uint32_t previous, bool draws,
-           double rise)
+    double rise)
   {
     std::uint32_t code = character.code;
     const FT_Face face = findFace(code, size);
@@ -225,19 +224,19 @@ private:
     if (previous != 0 && FT_HAS_KERNING(face))
     {
       FT_Get_Kerning(face, FT_Get_Char_Index(face, previous), FT_Get_Char_Index(face, code),
-                     FT_KERNING_UNFITTED, &kerning);
+        FT_KERNING_UNFITTED, &kerning);
     }
     mask.advance += kerning.x / 64.0;
     const double whole = std::floor(mask.advance);
     const int up = static_cast<int>(std::lround(rise));
     if (draws)
     {
-      FT_Outline_Translate(&face->glyph->outline,
-                           static_cast<FT_Pos>(std::lround(64.0 * (mask.advance - whole))), 0);
+      FT_Outline_Translate(
+        &face->glyph->outline, static_cast<FT_Pos>(std::lround(64.0 * (mask.advance - whole))), 0);
       if (FT_Render_Glyph(face->glyph, FT_RENDER_MODE_NORMAL) == 0)
       {
         addBitmap(mask, face->glyph->bitmap, static_cast<int>(whole) + face->glyph->bitmap_left,
-                  up + face->glyph->bitmap_top);
+          up + face->glyph->bitmap_top);
       }
     }
     mask.advance += face->glyph->linearHoriAdvance / 65536.0;
@@ -248,7 +247,7 @@ private:
 };
 
 TextFont::TextFont(const std::string& file)
-    : m_implementation(std::make_unique<Implementation>(file))
+  : m_implementation(std::make_unique<Implementation>(file))
 {
 }
 

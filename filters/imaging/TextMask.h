@@ -30,9 +30,10 @@ struct TextMask
 };
 
 /**
- * The sans serif font that VTK carries, or one of a file. Characters that it lacks come from
- * DejaVu Sans where that is installed; raised and lowered digits are made from ordinary ones;
- * what is still missing is drawn as a question mark and named by missing().
+ * The font of a file, or DejaVu Sans where that is installed (as on every Debian with VTK), or the
+ * sans serif font that VTK carries; the next one in this order where a font lacks a character.
+ * Raised and lowered digits are made from ordinary ones; what no font has is drawn as a
+ * question mark and named by missing().
  *
  * VTK's own RenderString leaves out every character beyond ASCII in 9.1.
  */

@@ -57,7 +57,7 @@ std::vector<RoundValue> multiples(const TickScale& scale, double mantissa, int e
   std::vector<RoundValue> values;
   for (double i = first; i <= last && values.size() < 1000; i += 1.0)
   {
-    values.push_back({i * mantissa, exponent});
+    values.push_back({i * mantissa + 0.0, exponent}); // no negative zero
   }
   return values;
 }
@@ -65,7 +65,7 @@ std::vector<RoundValue> multiples(const TickScale& scale, double mantissa, int e
 std::vector<RoundValue> linearValues(const TickScale& scale, int count)
 {
   const int magnitude =
-      static_cast<int>(std::floor(std::log10(scale.high / count - scale.low / count)));
+    static_cast<int>(std::floor(std::log10(scale.high / count - scale.low / count)));
   std::vector<RoundValue> best;
   for (int exponent = magnitude - 1; exponent <= magnitude + 1; ++exponent)
   {
@@ -83,8 +83,8 @@ std::vector<RoundValue> linearValues(const TickScale& scale, int count)
 }
 
 /// Powers of ten, each times those of `factors`, in steps of `stride` decades.
-std::vector<RoundValue> decadeValues(const TickScale& scale, const std::vector<double>& factors,
-                                     int stride)
+std::vector<RoundValue> decadeValues(
+  const TickScale& scale, const std::vector<double>& factors, int stride)
 {
   const int first = static_cast<int>(std::floor(std::log10(scale.low)));
   const int last = static_cast<int>(std::ceil(std::log10(scale.high)));
@@ -96,7 +96,7 @@ std::vector<RoundValue> decadeValues(const TickScale& scale, const std::vector<d
     {
       const RoundValue value{factor, exponent};
       const bool isInside =
-          value.value() >= scale.low * (1.0 - slack) && value.value() <= scale.high * (1.0 + slack);
+        value.value() >= scale.low * (1.0 - slack) && value.value() <= scale.high * (1.0 + slack);
       if (exponent % stride == 0 && isInside)
       {
         values.push_back(value);
@@ -209,7 +209,7 @@ TickSet makeTicks(const TickScale& scale, int count, double minimumShare, const 
   if (scale.low == scale.high)
   {
     const std::string label =
-        withMinusSign(formatted(format.empty() ? "%.6g" : format.c_str(), scale.low));
+      withMinusSign(formatted(format.empty() ? "%.6g" : format.c_str(), scale.low));
     set.ticks.push_back({scale.low, label, 0.5});
     return set;
   }
@@ -221,9 +221,11 @@ TickSet makeTicks(const TickScale& scale, int count, double minimumShare, const 
   if (scale.isLogarithmic)
   {
     const double decades = std::log10(scale.high) - std::log10(scale.low);
+    const double minimumDecade = 1.8 * minimumShare; // has room for nine marks
     for (const RoundValue& value :
-         decades <= 10.0 ? decadeValues(scale, {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0}, 1)
-                         : decadeValues(scale, {1.0}, 1))
+      decades* minimumDecade <= 1.0
+        ? decadeValues(scale, {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0}, 1)
+        : decadeValues(scale, {1.0}, 1))
     {
       set.minor.push_back(std::clamp(scale.shareOf(value.value()), 0.0, 1.0));
     }
@@ -284,8 +286,8 @@ bool isDoubleFormat(const std::string& format)
 
 std::string powerOfTen(int exponent)
 {
-  static const char* const Raised[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
-                                       "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+  static const char* const Raised[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074", "\u2075",
+    "\u2076", "\u2077", "\u2078", "\u2079"};
   std::string text = exponent < 0 ? "10\u207b" : "10";
   for (const char digit : std::to_string(std::abs(exponent)))
   {

@@ -45,8 +45,8 @@ struct TickSet
  * `format` is a printf format for one double, or empty for the fewest digits that tell
  * the ticks apart. `low` <= `high`, both finite, and positive for a logarithmic scale.
  */
-TickSet makeTicks(const TickScale& scale, int count, double minimumShare,
-                  const std::string& format);
+TickSet makeTicks(
+  const TickScale& scale, int count, double minimumShare, const std::string& format);
 
 /// Whether a printf format takes exactly one double and nothing else.
 bool isDoubleFormat(const std::string& format);

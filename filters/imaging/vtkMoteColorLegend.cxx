@@ -87,8 +87,8 @@ std::string vtkMoteColorLegend::GetTickLabel(int i) const
   return i >= 0 && i < this->GetNumberOfTicks() ? this->TickLabels[i] : std::string();
 }
 
-int vtkMoteColorLegend::RequestData(vtkInformation*, vtkInformationVector** inputs,
-                                    vtkInformationVector* outputs)
+int vtkMoteColorLegend::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkImageData* input = vtkImageData::GetData(inputs[0]);
   vtkImageData* output = vtkImageData::GetData(outputs);
@@ -177,8 +177,8 @@ void vtkMoteColorLegend::Draw(vtkImageData* image, vtkDataArray* colors)
   }
 }
 
-bool vtkMoteColorLegend::MakeContent(mote::imaging::LegendContent& content,
-                                     mote::imaging::TickScale& scale, double minimumTickShare)
+bool vtkMoteColorLegend::MakeContent(
+  mote::imaging::LegendContent& content, mote::imaging::TickScale& scale, double minimumTickShare)
 {
   using namespace mote::imaging;
   vtkScalarsToColors* table = this->LookupTable;

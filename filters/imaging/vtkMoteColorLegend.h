@@ -5,7 +5,7 @@
  * Input and output are a vtkImageData of one slice whose row 0 is the bottom row, with the point
  * array `color` (or, without it, the active scalars): float RGBA in [0, 1], alpha premultiplied,
  * or RGB. The legend is drawn over it; every other array passes through untouched. Text is
- * antialiased, in the sans serif font that VTK carries, at a size in proportion to the image's
+ * antialiased, in a sans serif font (see FontFile), at a size in proportion to the image's
  * height, so that a figure looks alike at 256 and at 4096 rows.
  *
  * The legend is a vertical bar of the table's colours with tick labels, below a title that
@@ -93,10 +93,10 @@ public:
 
   ///@{
   /**
-   * A TrueType or Type 1 font to use instead of the one that VTK carries. Characters that the font
-   * lacks come from VTK's and from DejaVu Sans where that is installed; raised and lowered
-   * digits are always there: "km s⁻¹". What no font has is drawn as a question mark, and
-   * reported. Default empty.
+   * A TrueType or Type 1 font to use. Empty, the default, for DejaVu Sans, or, where that is not
+   * installed, the sans serif font that VTK carries. Characters that a font lacks come from
+   * the next in this order; raised and lowered digits are always there: "km s⁻¹". What no font
+   * has is drawn as a question mark, and reported.
    */
   vtkSetMacro(FontFile, std::string);
   vtkGetMacro(FontFile, std::string);
@@ -198,8 +198,8 @@ public:
 protected:
   vtkMoteColorLegend();
   ~vtkMoteColorLegend() override;
-  int RequestData(vtkInformation* request, vtkInformationVector** input,
-                  vtkInformationVector* output) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
 
   std::string Title;
   std::string Caption;
@@ -223,7 +223,7 @@ private:
 
   void Draw(vtkImageData* image, vtkDataArray* colors);
   bool MakeContent(mote::imaging::LegendContent& content, mote::imaging::TickScale& scale,
-                   double minimumTickShare);
+    double minimumTickShare);
 
   std::vector<double> TickValues;
   std::vector<std::string> TickLabels;

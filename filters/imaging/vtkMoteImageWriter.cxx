@@ -20,38 +20,16 @@ namespace
 constexpr double EncodingShare = 0.9;
 
 /// Header entries that the formats need for themselves.
-const char* const ReservedNames[] = {"name",
-                                     "type",
-                                     "version",
-                                     "chunkCount",
-                                     "channels",
-                                     "compression",
-                                     "dataWindow",
-                                     "displayWindow",
-                                     "lineOrder",
-                                     "pixelAspectRatio",
-                                     "screenWindowCenter",
-                                     "screenWindowWidth",
-                                     "tiles",
-                                     "view",
-                                     "multiView",
-                                     "preview",
-                                     "envmap",
-                                     "Orientation",
-                                     "chromaticities",
-                                     "XResolution",
-                                     "YResolution",
-                                     "ResolutionUnit",
-                                     "worldtocamera",
-                                     "worldtoscreen",
-                                     "fovx",
-                                     "DateTime",
-                                     "ICCProfile"};
+const char* const ReservedNames[] = {"name", "type", "version", "chunkCount", "channels",
+  "compression", "dataWindow", "displayWindow", "lineOrder", "pixelAspectRatio",
+  "screenWindowCenter", "screenWindowWidth", "tiles", "view", "multiView", "preview", "envmap",
+  "Orientation", "chromaticities", "XResolution", "YResolution", "ResolutionUnit", "worldtocamera",
+  "worldtoscreen", "fovx", "DateTime", "ICCProfile"};
 
 std::string lowerCase(std::string text)
 {
   std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
@@ -138,8 +116,8 @@ int vtkMoteImageWriter::CheckFileName()
   if (!name.empty() && !vtkMoteImageWriter::CanWriteFile(name.c_str()))
   {
     this->Fail(vtkErrorCode::UnrecognizedFileTypeError,
-               "Cannot write \"" + name +
-                   "\": the name must end in .png, .jpg, .jpeg, .tif, .tiff or .exr.");
+      "Cannot write \"" + name +
+        "\": the name must end in .png, .jpg, .jpeg, .tif, .tiff or .exr.");
     return 0;
   }
   try
@@ -181,7 +159,7 @@ void vtkMoteImageWriter::WriteData()
   this->ErrorMessage.clear();
   vtkImageData* image = vtkImageData::SafeDownCast(this->GetInput());
   const std::string cannotWrite =
-      "Cannot write \"" + std::string(this->FileName ? this->FileName : "") + "\": ";
+    "Cannot write \"" + std::string(this->FileName ? this->FileName : "") + "\": ";
   try
   {
     this->WriteImage(image);
@@ -219,8 +197,8 @@ void vtkMoteImageWriter::WriteImage(vtkImageData* image)
   }
   catch (const mote::imaging::ImageError& error)
   {
-    throw mote::imaging::ImageError(error.code(),
-                                    "Cannot write \"" + name + "\": " + error.what() + ".");
+    throw mote::imaging::ImageError(
+      error.code(), "Cannot write \"" + name + "\": " + error.what() + ".");
   }
   for (const std::string& array : encoded.leftOut)
   {
