@@ -4,6 +4,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetWriter.h"
 #include "vtkImageData.h"
@@ -94,8 +95,8 @@ TEST_F(TestReaderTable, ReadersOfVTK)
   vtkPolyData* mesh = sphere->GetOutput();
   const vtkIdType count = mesh->GetNumberOfPoints();
   EXPECT_EQ(points(writeWith<vtkXMLPolyDataWriter>("a.vtp", mesh), "vtkXMLPolyDataReader"), count);
-  EXPECT_EQ(points(writeWith<vtkDataSetWriter>("a.vtk", mesh), "vtkGenericDataObjectReader"),
-            count);
+  EXPECT_EQ(
+    points(writeWith<vtkDataSetWriter>("a.vtk", mesh), "vtkGenericDataObjectReader"), count);
   EXPECT_EQ(points(writeWith<vtkPLYWriter>("a.ply", mesh), "vtkPLYReader"), count);
   EXPECT_EQ(points(writeWith<vtkSTLWriter>("a.stl", mesh), "vtkSTLReader"), count);
   EXPECT_EQ(points(write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "vtkOBJReader"), 3);
@@ -107,23 +108,55 @@ TEST_F(TestReaderTable, ReadersOfVTK)
   vtkNew<vtkPoints> corners;
   corners->InsertNextPoint(0, 0, 0);
   grid->SetPoints(corners);
-  EXPECT_EQ(points(writeWith<vtkXMLUnstructuredGridWriter>("a.vtu", grid),
-                   "vtkXMLUnstructuredGridReader"),
-            1);
+  EXPECT_EQ(
+    points(writeWith<vtkXMLUnstructuredGridWriter>("a.vtu", grid), "vtkXMLUnstructuredGridReader"),
+    1);
   EXPECT_EQ(points(writeWith<vtkDataSetWriter>("b.vtk", grid), "vtkGenericDataObjectReader"), 1);
   const std::string atom =
-      "ATOM      1  N   ASP E   1       4.868 -17.809  25.188  1.00 34.37      E    N\n";
+    "ATOM      1  N   ASP E   1       4.868 -17.809  25.188  1.00 34.37      E    N\n";
   EXPECT_EQ(points(write("a.pdb", atom), "vtkPDBReader"), 1);
+}
+
+TEST_F(TestReaderTable, OpenFOAMCase)
+{
+  // One cube, whose six faces are all boundary.
+  const auto list = [this](
+                      const std::string& name, const std::string& kind, const std::string& content)
+  {
+    write(name,
+      "FoamFile\n{\nversion 2.0;\nformat ascii;\nclass " + kind + ";\nobject o;\n}\n" + content);
+  };
+  std::filesystem::create_directories(path("constant/polyMesh"));
+  std::filesystem::create_directories(path("system"));
+  std::filesystem::create_directories(path("0"));
+  list("system/controlDict", "dictionary",
+    "startFrom startTime;\nstartTime 0;\nendTime 1;\ndeltaT 1;\nwriteControl timeStep;\n"
+    "writeInterval 1;\n");
+  const std::string mesh = "constant/polyMesh/";
+  list(mesh + "points", "vectorField",
+    "8\n(\n(0 0 0)\n(1 0 0)\n(1 1 0)\n(0 1 0)\n(0 0 1)\n(1 0 1)\n(1 1 1)\n(0 1 1)\n)\n");
+  list(mesh + "faces", "faceList",
+    "6\n(\n4(0 3 2 1)\n4(4 5 6 7)\n4(0 1 5 4)\n4(2 3 7 6)\n4(0 4 7 3)\n4(1 2 6 5)\n)\n");
+  list(mesh + "owner", "labelList", "6\n(\n0\n0\n0\n0\n0\n0\n)\n");
+  list(mesh + "neighbour", "labelList", "0\n(\n)\n");
+  list(mesh + "boundary", "polyBoundaryMesh",
+    "1\n(\nwalls\n{\ntype wall;\nnFaces 6;\nstartFace 0;\n}\n)\n");
+  auto data = read(write("case.foam", ""), "vtkOpenFOAMReader");
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(data);
+  ASSERT_TRUE(blocks);
+  EXPECT_EQ(blocks->GetNumberOfCells(), 1);
+  std::filesystem::create_directories(path("bare"));
+  expectError(write("bare/case.foam", ""), "");
 }
 
 TEST_F(TestReaderTable, FilesThatCannotBeRead)
 {
   expectError(path("missing.vtp"), "there is no such file");
   expectError(path("."), "this is a directory, not a file");
-  expectError(write("a.unknown", "text\n"),
-              "no reader knows this file; known extensions are .dump");
+  expectError(
+    write("a.unknown", "text\n"), "no reader knows this file; known extensions are .dump");
   expectError(write("a.bin", std::string("\xf8\xff\xff\xff\xff\xff\xff\xff", 8) + "DUMPATOM"),
-              "this is a binary LAMMPS dump");
+    "this is a binary LAMMPS dump");
   expectError(write("text.ply", "hello\n"), "this is no PLY file");
   EXPECT_NE(vtkMoteReaderTable::CheckFile(""), "");
   if (::geteuid() != 0)
@@ -138,7 +171,7 @@ TEST_F(TestReaderTable, DamagedFilesGiveOneSentenceAndPrintNothing)
 {
   testing::internal::CaptureStderr();
   for (const char* name : {"a.dump", "a.xyz", "a.pts", "a.csv", "a.pdb", "a.vtp", "a.vtu", "a.vti",
-                           "a.vtk", "a.ply", "a.obj", "a.stl"})
+         "a.vtk", "a.ply", "a.obj", "a.stl"})
   {
     expectError(write(name, "this is no such file\n"), "");
     expectError(write(name, ""), "");
@@ -170,9 +203,9 @@ TEST_F(TestReaderTable, Series)
 {
   const auto file = [this](const char* name, int step)
   { return write(name, dumpFrame(step, 1, "x y z", "1 2 3\n")); };
-  const std::vector<std::string> names = {
-      file("p.1000.dump", 1000), write("m.vtp", ""),  file("p.200.dump", 200), file("q.5.dump", 5),
-      file("dump.9", 9),         file("dump.10", 10), path("x.3.dump2")};
+  const std::vector<std::string> names = {file("p.1000.dump", 1000), write("m.vtp", ""),
+    file("p.200.dump", 200), file("q.5.dump", 5), file("dump.9", 9), file("dump.10", 10),
+    path("x.3.dump2")};
   const auto groups = vtkMoteReaderTable::GroupSeries(names);
   ASSERT_EQ(groups.size(), 5u);
   EXPECT_EQ(groups[0], (std::vector<std::string>{names[2], names[0]}));
