@@ -34,11 +34,14 @@ class vtkDataArray;
 class vtkImageData;
 class vtkScalarsToColors;
 
-namespace mote::imaging
+namespace mote
+{
+namespace imaging // in two steps, for VTK's wrappers
 {
 struct LegendContent;
 struct TickScale;
-} // namespace mote::imaging
+}
+}
 
 class MOTEFILTERSIMAGING_EXPORT vtkMoteColorLegend : public vtkImageAlgorithm
 {
