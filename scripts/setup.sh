@@ -50,7 +50,7 @@ install_packages() {
     fi
     as_root=(sudo)
   fi
-  stage "Installing ${#missing[@]} packages: ${missing[*]}"
+  stage "Installing packages: ${missing[*]}"
   local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y)
   local log=$root/build/packages.log
   # The package lists are fetched only when those at hand do not do.
