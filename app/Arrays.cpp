@@ -1,0 +1,216 @@
+#include "Arrays.h"
+
+#include "Failure.h"
+#include "Text.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkPointData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+namespace mote::app
+{
+
+namespace
+{
+
+bool isAnyOf(const std::string& name, std::initializer_list<const char*> names)
+{
+  const std::string lower = lowerCase(name);
+  return std::any_of(names.begin(), names.end(), [&](const char* n) { return lower == n; });
+}
+
+bool namesTypes(const std::string& name)
+{
+  return isAnyOf(name, {"type", "types", "atom_type", "atom_types", "particletype", "species",
+                         "element", "atomic_number", "kind", "group", "phase", "material"});
+}
+
+/// Arrays that say which particle it is and where, not what happens to it.
+bool isBookkeeping(const std::string& name)
+{
+  return isAnyOf(name,
+    {"id", "ids", "particleids", "globalids", "globalpointids", "vtkoriginalpointids",
+      "vtkoriginalcellids", "vtkghosttype", "mol", "proc", "procp1", "ix", "iy", "iz", "image", "x",
+      "y", "z", "xu", "yu", "zu", "xs", "ys", "zs", "position", "positions", "coordinates",
+      "points", "pos", "radius", "radii", "diameter", "mass", "normals", "tcoords", "residue",
+      "chain", "is_hetatm", "atom_type_strings", "secondary_structures",
+      "secondary_structures_begin", "secondary_structures_end", "rgb_colors"});
+}
+
+vtkDataSetAttributes* attributesOf(vtkDataSet* data, bool ofCells)
+{
+  return ofCells ? static_cast<vtkDataSetAttributes*>(data->GetCellData())
+                 : static_cast<vtkDataSetAttributes*>(data->GetPointData());
+}
+
+int rank(vtkDataSet* data, const ArrayChoice& choice)
+{
+  vtkDataArray* array = arrayOf(data, choice);
+  double range[2] = {0.0, 0.0};
+  if (isColors(array))
+    return 5;
+  if (!finiteRange(array, choice.component, range) || range[0] == range[1])
+    return 1;
+  if (namesTypes(choice.name))
+    return 3;
+  const bool whole = array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
+  if (whole)
+    return 4;
+  const int components = array->GetNumberOfComponents();
+  return components == 1 ? 10 : components <= 3 ? 8 : 6;
+}
+
+int componentOf(vtkDataArray* array, const std::string& text)
+{
+  if (lowerCase(text) == "magnitude" || lowerCase(text) == "mag")
+    return ArrayChoice::magnitude;
+  for (int i = 0; i < array->GetNumberOfComponents(); ++i)
+    if (array->GetComponentName(i) && text == array->GetComponentName(i))
+      return i;
+  double number = -1.0;
+  if (parseNumber(text, number) && number >= 0.0 && number < array->GetNumberOfComponents() &&
+    number == std::floor(number))
+    return static_cast<int>(number);
+  std::vector<std::string> known = {"magnitude"};
+  for (int i = 0; i < array->GetNumberOfComponents(); ++i)
+    known.push_back(array->GetComponentName(i) ? array->GetComponentName(i) : std::to_string(i));
+  throw Failure(std::string("array ") + array->GetName() + " has no component " + text +
+    "; there are " + joined(known, ", "));
+}
+
+template <class Visit>
+void forEachValue(vtkDataArray* array, int component, const Visit& visit)
+{
+  const int components = array->GetNumberOfComponents();
+  const vtkIdType tuples = array->GetNumberOfTuples();
+  for (vtkIdType i = 0; i < tuples; ++i)
+  {
+    if (component != ArrayChoice::magnitude || components == 1)
+    {
+      visit(array->GetComponent(i, std::max(component, 0)));
+      continue;
+    }
+    double square = 0.0;
+    for (int c = 0; c < components; ++c)
+      square += array->GetComponent(i, c) * array->GetComponent(i, c);
+    visit(std::sqrt(square));
+  }
+}
+
+} // namespace
+
+ArrayChoice findArray(vtkDataSet* data, const std::string& text)
+{
+  const auto choiceFor = [&](const std::string& name, const std::string& component)
+  {
+    for (const bool ofCells : {false, true})
+      if (vtkDataArray* array = attributesOf(data, ofCells)->GetArray(name.c_str()))
+      {
+        const bool vector = array->GetNumberOfComponents() > 1;
+        const int which = !component.empty() ? componentOf(array, component)
+          : vector                           ? ArrayChoice::magnitude
+                                             : 0;
+        return ArrayChoice{name, which, ofCells};
+      }
+    return ArrayChoice{};
+  };
+  if (const ArrayChoice whole = choiceFor(text, ""))
+    return whole;
+  const std::size_t colon = text.rfind(':');
+  return colon == std::string::npos ? ArrayChoice{}
+                                    : choiceFor(text.substr(0, colon), text.substr(colon + 1));
+}
+
+std::vector<ArrayChoice> rankedArrays(vtkDataSet* data)
+{
+  std::vector<std::pair<int, ArrayChoice>> ranked;
+  for (const bool ofCells : {false, true})
+  {
+    vtkDataSetAttributes* attributes = attributesOf(data, ofCells);
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = attributes->GetArray(i);
+      if (!array || !array->GetName() || isBookkeeping(array->GetName()))
+        continue;
+      const bool vector = array->GetNumberOfComponents() > 1;
+      const ArrayChoice choice{array->GetName(), vector ? ArrayChoice::magnitude : 0, ofCells};
+      // Points and cells may both hold an array of one name: the points' one is smooth.
+      if (!ofCells || !data->GetPointData()->GetArray(array->GetName()))
+        ranked.emplace_back(rank(data, choice), choice);
+    }
+  }
+  std::stable_sort(ranked.begin(), ranked.end(),
+    [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<ArrayChoice> choices;
+  for (const auto& entry : ranked)
+    choices.push_back(entry.second);
+  return choices;
+}
+
+vtkDataArray* arrayOf(vtkDataSet* data, const ArrayChoice& choice)
+{
+  return choice ? attributesOf(data, choice.ofCells)->GetArray(choice.name.c_str()) : nullptr;
+}
+
+std::string describe(vtkDataSet* data, const ArrayChoice& choice)
+{
+  vtkDataArray* array = arrayOf(data, choice);
+  if (!array || array->GetNumberOfComponents() == 1 || isColors(array))
+    return choice.name;
+  if (choice.component == ArrayChoice::magnitude)
+    return choice.name + " magnitude";
+  const char* component = array->GetComponentName(choice.component);
+  return choice.name + ": " + (component ? component : std::to_string(choice.component));
+}
+
+std::string listArrays(vtkDataSet* data)
+{
+  std::vector<std::string> names;
+  for (const bool ofCells : {false, true})
+    for (int i = 0; i < attributesOf(data, ofCells)->GetNumberOfArrays(); ++i)
+      if (vtkDataArray* array = attributesOf(data, ofCells)->GetArray(i); array && array->GetName())
+        names.emplace_back(array->GetName());
+  return joined(names, ", ");
+}
+
+bool finiteRange(vtkDataArray* array, int component, double range[2])
+{
+  if (!array || array->GetNumberOfTuples() == 0)
+    return false;
+  const bool single = array->GetNumberOfComponents() == 1;
+  array->GetFiniteRange(range, single ? 0 : component);
+  return range[0] <= range[1];
+}
+
+double leastPositive(vtkDataArray* array, int component)
+{
+  double least = HUGE_VAL;
+  forEachValue(array, component,
+    [&](double value)
+    {
+      if (value > 0.0 && value < least)
+        least = value;
+    });
+  return std::isfinite(least) ? least : 0.0;
+}
+
+bool isTypes(vtkDataSet* data, const ArrayChoice& choice)
+{
+  vtkDataArray* array = arrayOf(data, choice);
+  double range[2];
+  return array && array->GetNumberOfComponents() == 1 && namesTypes(choice.name) &&
+    finiteRange(array, 0, range) && range[1] - range[0] < 12.0 &&
+    range[0] == std::floor(range[0]) && range[1] == std::floor(range[1]);
+}
+
+bool isColors(vtkDataArray* array)
+{
+  return array && array->GetDataType() == VTK_UNSIGNED_CHAR && array->GetNumberOfComponents() >= 3;
+}
+
+} // namespace mote::app

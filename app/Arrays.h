@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkDataSet;
+
+namespace mote::app
+{
+
+/// An array of a data set and the component that is meant.
+struct ArrayChoice
+{
+  static constexpr int magnitude = -1;
+
+  std::string name; ///< empty: no array
+  int component = 0;
+  bool ofCells = false;
+
+  explicit operator bool() const { return !name.empty(); }
+  bool operator==(const ArrayChoice&) const = default;
+};
+
+/// The array that is meant by NAME, NAME:COMPONENT or NAME:magnitude; no array where the data set
+/// has none of that name. Throws Failure for a component that the array lacks.
+ArrayChoice findArray(vtkDataSet* data, const std::string& text);
+
+/// What may colour this data set, the most telling first: numbers that vary, magnitudes of vectors,
+/// integers, types. No ids, radii, positions; those with one value everywhere come last.
+std::vector<ArrayChoice> rankedArrays(vtkDataSet* data);
+
+/// The array itself, or null.
+vtkDataArray* arrayOf(vtkDataSet* data, const ArrayChoice& choice);
+
+/// "c_1", "v magnitude", "v: vx".
+std::string describe(vtkDataSet* data, const ArrayChoice& choice);
+
+/// The names of all arrays that could be meant, "a, b, c"; for messages.
+std::string listArrays(vtkDataSet* data);
+
+/// Least and greatest finite value; false where there is none.
+bool finiteRange(vtkDataArray* array, int component, double range[2]);
+
+/// The least value above zero; 0 where there is none.
+double leastPositive(vtkDataArray* array, int component);
+
+/// Whether an array of few different integers that name kinds, such as atom types.
+bool isTypes(vtkDataSet* data, const ArrayChoice& choice);
+
+/// Whether the array holds colours (bytes, three or four of them) rather than values.
+bool isColors(vtkDataArray* array);
+
+} // namespace mote::app

@@ -1,0 +1,109 @@
+#include "ColorMaps.h"
+
+#include <vtkLookupTable.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace mote::app
+{
+
+namespace
+{
+
+/// Colours as 0xrrggbb at even distances, straight lines between them.
+struct ControlPoints
+{
+  const char* name;
+  std::vector<std::uint32_t> colors;
+};
+
+// viridis, plasma and inferno: S. van der Walt and N. Smith (CC0); cividis: J. Nuñez, C. Anderton
+// and R. Renslow, "Optimizing colormaps with consideration for color vision deficiency" (2018);
+// coolwarm: K. Moreland, "Diverging Color Maps for Scientific Visualization" (2009);
+// types: M. Okabe and K. Ito, "Color Universal Design" (2008), its black made a light grey.
+const std::vector<ControlPoints>& controlPoints()
+{
+  static const std::vector<ControlPoints> maps = {
+    {"viridis",
+      {0x440154, 0x481a6c, 0x472f7d, 0x414487, 0x39568c, 0x31688e, 0x2a788e, 0x23888e, 0x1f988b,
+        0x22a884, 0x35b779, 0x54c568, 0x7ad151, 0xa5db36, 0xd2e21b, 0xfde725}},
+    {"plasma",
+      {0x0d0887, 0x330597, 0x5002a2, 0x6a00a8, 0x8405a7, 0x9c179e, 0xb12a90, 0xc33d80, 0xd35171,
+        0xe16462, 0xed7953, 0xf68f44, 0xfca636, 0xfec029, 0xf9dc24, 0xf0f921}},
+    {"inferno",
+      {0x000004, 0x0c0826, 0x240c4f, 0x420a68, 0x5d126e, 0x781c6d, 0x932667, 0xae305c, 0xc73e4c,
+        0xdd513a, 0xed6925, 0xf8850f, 0xfca50a, 0xfac62d, 0xf2e661, 0xfcffa4}},
+    {"cividis",
+      {0x00204d, 0x00306f, 0x2a406c, 0x48526b, 0x5e626e, 0x727374, 0x878479, 0x9e9677, 0xb6a971,
+        0xd0be67, 0xead357, 0xffea46}},
+    {"gray", {0x1b1b1b, 0x5e5e5e, 0xababab, 0xf7f7f7}},
+    {"coolwarm",
+      {0x3b4cc0, 0x5977e3, 0x7b9ff9, 0x9ebeff, 0xc0d4f5, 0xdddcdc, 0xf2cbb7, 0xf7ac8e, 0xee8468,
+        0xd65244, 0xb40426}},
+    {"types",
+      {0x56b4e9, 0xe69f00, 0x009e73, 0xf0e442, 0x0072b2, 0xd55e00, 0xcc79a7, 0xd0d0d0}},
+  };
+  return maps;
+}
+
+void setColor(vtkLookupTable* table, int index, std::uint32_t from, std::uint32_t to, double blend)
+{
+  const auto channel = [&](int shift)
+  {
+    const double a = (from >> shift) & 0xff, b = (to >> shift) & 0xff;
+    return (a + (b - a) * blend) / 255.0;
+  };
+  table->SetTableValue(index, channel(16), channel(8), channel(0), 1.0);
+}
+
+} // namespace
+
+const std::vector<std::string>& colorMapNames()
+{
+  static const std::vector<std::string> names = []
+  {
+    std::vector<std::string> list;
+    for (const ControlPoints& map : controlPoints())
+      list.emplace_back(map.name);
+    return list;
+  }();
+  return names;
+}
+
+vtkSmartPointer<vtkLookupTable> makeColorMap(
+  const std::string& name, const double range[2], bool logarithmic)
+{
+  const auto& maps = controlPoints();
+  const auto found = std::find_if(
+    maps.begin(), maps.end(), [&](const ControlPoints& map) { return name == map.name; });
+  const std::vector<std::uint32_t>& colors = (found == maps.end() ? maps.front() : *found).colors;
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetNanColor(0.55, 0.55, 0.55, 1.0);
+  if (name == "types")
+  {
+    const double first = std::floor(range[0]);
+    const int count = static_cast<int>(std::clamp(std::floor(range[1]) - first + 1.0, 1.0, 256.0));
+    table->SetNumberOfTableValues(count);
+    table->SetTableRange(first - 0.5, first + count - 0.5);
+    for (int i = 0; i < count; ++i)
+      setColor(table, i, colors[i % colors.size()], 0, 0.0);
+    return table;
+  }
+  constexpr int size = 256;
+  table->SetNumberOfTableValues(size);
+  if (logarithmic)
+    table->SetScaleToLog10();
+  table->SetTableRange(range[0], range[1]);
+  const int last = static_cast<int>(colors.size()) - 1;
+  for (int i = 0; i < size; ++i)
+  {
+    const double place = static_cast<double>(i) / (size - 1) * last;
+    const int left = std::min(static_cast<int>(place), last - 1);
+    setColor(table, i, colors[left], colors[left + 1], place - left);
+  }
+  return table;
+}
+
+} // namespace mote::app

@@ -1,0 +1,206 @@
+#include "Coloring.h"
+
+#include "ColorMaps.h"
+#include "Failure.h"
+#include "Text.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkLookupTable.h>
+#include <vtkVariant.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mote::app
+{
+
+namespace
+{
+
+using Parts = std::vector<std::unique_ptr<Part>>;
+
+/// The first part that has the array, or null.
+const Part* holderOf(const Parts& parts, const ArrayChoice& choice)
+{
+  for (const auto& part : parts)
+    if (arrayOf(part->data(), choice))
+      return part.get();
+  return nullptr;
+}
+
+std::vector<ArrayChoice> candidatesOf(const Parts& parts)
+{
+  std::vector<ArrayChoice> all;
+  for (const auto& part : parts)
+    for (const ArrayChoice& choice : rankedArrays(part->data()))
+      if (std::find(all.begin(), all.end(), choice) == all.end())
+        all.push_back(choice);
+  return all;
+}
+
+} // namespace
+
+Coloring::Coloring(const ViewOptions& options)
+  : options_(options)
+  , map_(options.colorMap)
+{
+}
+
+void Coloring::choose(const Parts& parts)
+{
+  const std::string& wanted = options_.colorBy;
+  if (wanted == "none")
+  {
+    chosen_ = true;
+    return;
+  }
+  if (!wanted.empty())
+  {
+    for (const auto& part : parts)
+      if (!choice_)
+        choice_ = findArray(part->data(), wanted);
+    if (!choice_ && !parts.empty())
+    {
+      const std::string known = listArrays(parts.front()->data());
+      throw Failure("--color-by: " + parts.front()->name() + " has no array '" + wanted + "'; it has " +
+        (known.empty() ? "none at all" : known));
+    }
+    chosen_ = static_cast<bool>(choice_);
+    return;
+  }
+  const std::vector<ArrayChoice> candidates = candidatesOf(parts);
+  double range[2];
+  for (const ArrayChoice& candidate : candidates)
+    if (const Part* part = holderOf(parts, candidate);
+        !choice_ && finiteRange(arrayOf(part->data(), candidate), candidate.component, range) &&
+        range[0] < range[1])
+      choice_ = candidate;
+  // A step without particles says nothing about the arrays to come.
+  chosen_ = std::any_of(parts.begin(), parts.end(),
+    [](const auto& part) { return part->data()->GetNumberOfPoints() > 0; });
+}
+
+bool Coloring::updateRange(const Parts& parts)
+{
+  for (const auto& part : parts)
+  {
+    double range[2];
+    vtkDataArray* array = arrayOf(part->data(), choice_);
+    if (!finiteRange(array, choice_.component, range))
+      continue;
+    const bool first = range_[0] > range_[1];
+    range_[0] = first ? range[0] : std::min(range_[0], range[0]);
+    range_[1] = first ? range[1] : std::max(range_[1], range[1]);
+    if (options_.logarithmic && range[0] <= 0.0)
+      if (const double least = leastPositive(array, choice_.component); least > 0.0)
+        leastPositive_ = leastPositive_ > 0.0 ? std::min(least, leastPositive_) : least;
+  }
+  return range_[0] <= range_[1];
+}
+
+void Coloring::apply(const Parts& parts)
+{
+  if (!chosen_)
+    this->choose(parts);
+  const Part* holder = holderOf(parts, choice_);
+  explained_ = holder && !isColors(arrayOf(holder->data(), choice_)) && this->updateRange(parts);
+  if (holder)
+    title_ = describe(holder->data(), choice_);
+  this->makeTable(explained_ &&
+    (map_ == "types" || (map_.empty() && isTypes(holder->data(), choice_))));
+  for (const auto& part : parts)
+    part->setColors(choice_, table_);
+}
+
+void Coloring::makeTable(bool types)
+{
+  double range[2] = {range_[0], range_[1]};
+  if (!options_.range.empty())
+    std::copy_n(options_.range.begin(), 2, range);
+  if (!(range[0] <= range[1]))
+    range[0] = 0.0, range[1] = 1.0;
+  if (options_.logarithmic && explained_)
+  {
+    if (!(range[1] > 0.0))
+      throw Failure("--log needs values above zero; those of " + title_ + " go from " +
+        asNumber(range[0]) + " to " + asNumber(range[1]));
+    if (range[0] <= 0.0 && options_.range.empty())
+      range[0] = leastPositive_;
+    if (!(range[0] > 0.0))
+      throw Failure("--log needs a --range above zero, not " + asNumber(range[0]) + " to " +
+        asNumber(range[1]));
+  }
+  if (!types && range[0] == range[1])
+  {
+    // One value everywhere: put it in the middle.
+    const double margin = range[0] == 0.0 ? 0.5 : 0.5 * std::abs(range[0]);
+    range[0] -= options_.logarithmic ? 0.5 * margin : margin;
+    range[1] += margin;
+  }
+  types = types && range[1] - range[0] < 64.0;
+  const std::string map = types ? "types" : map_.empty() || map_ == "types" ? "viridis" : map_;
+  table_ = makeColorMap(map, range, options_.logarithmic && !types);
+  if (choice_.component == ArrayChoice::magnitude)
+    table_->SetVectorModeToMagnitude();
+  else
+    table_->SetVectorModeToComponent();
+  table_->SetVectorComponent(std::max(0, choice_.component));
+
+  legendTable_ = table_;
+  if (types)
+  {
+    legendTable_ = vtkSmartPointer<vtkLookupTable>::New();
+    legendTable_->DeepCopy(table_);
+    legendTable_->IndexedLookupOn();
+    for (int i = 0; i < static_cast<int>(table_->GetNumberOfTableValues()); ++i)
+    {
+      const int type = static_cast<int>(std::lround(range[0])) + i;
+      legendTable_->SetAnnotation(vtkVariant(type), std::to_string(type));
+    }
+  }
+}
+
+void Coloring::nextArray(const Parts& parts)
+{
+  const std::vector<ArrayChoice> candidates = candidatesOf(parts);
+  const auto same = [&](const ArrayChoice& c)
+  { return c.name == choice_.name && c.ofCells == choice_.ofCells; };
+  const auto present = std::find_if(candidates.begin(), candidates.end(), same);
+  if (!choice_ || present == candidates.end())
+    choice_ = candidates.empty() ? ArrayChoice{} : candidates.front();
+  else
+    choice_ = present + 1 == candidates.end() ? ArrayChoice{} : present[1];
+  range_[0] = 1.0, range_[1] = 0.0;
+  leastPositive_ = 0.0;
+  chosen_ = true;
+  this->apply(parts);
+}
+
+void Coloring::nextComponent(const Parts& parts)
+{
+  const Part* holder = holderOf(parts, choice_);
+  const int components = holder ? arrayOf(holder->data(), choice_)->GetNumberOfComponents() : 1;
+  if (components < 2)
+    return;
+  choice_.component = choice_.component + 1 < components ? choice_.component + 1
+                                                         : ArrayChoice::magnitude;
+  range_[0] = 1.0, range_[1] = 0.0;
+  leastPositive_ = 0.0;
+  this->apply(parts);
+}
+
+void Coloring::nextMap(const Parts& parts)
+{
+  const auto& names = colorMapNames();
+  const std::string shown = map_.empty() ? names.front() : map_;
+  const auto present = std::find(names.begin(), names.end(), shown);
+  map_ = present == names.end() || present + 1 == names.end() ? names.front() : present[1];
+  this->apply(parts);
+}
+
+vtkLookupTable* Coloring::table() const { return explained_ ? table_ : nullptr; }
+
+vtkLookupTable* Coloring::legendTable() const { return explained_ ? legendTable_ : nullptr; }
+
+} // namespace mote::app

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "Arrays.h"
+#include "Part.h"
+
+#include <memory>
+#include <vector>
+
+class vtkLookupTable;
+
+namespace mote::app
+{
+
+/// Which array colours the parts, and how: the array, its range, the table of colours.
+class Coloring
+{
+public:
+  explicit Coloring(const ViewOptions& options);
+
+  /// Gives the parts their colours. The first call with arrays chooses one, unless the options name
+  /// it; throws Failure if no part has the array that they name. The range grows from step to step,
+  /// so that colours keep their meaning.
+  void apply(const std::vector<std::unique_ptr<Part>>& parts);
+
+  /// The next of the arrays that the parts have, then no array, then the first again.
+  void nextArray(const std::vector<std::unique_ptr<Part>>& parts);
+
+  /// The next component of the array, if it has several.
+  void nextComponent(const std::vector<std::unique_ptr<Part>>& parts);
+
+  void nextMap(const std::vector<std::unique_ptr<Part>>& parts);
+
+  /// The colours to explain in a legend; null where there is no array, or it holds colours.
+  vtkLookupTable* table() const;
+
+  /// The same for legends: a table of types has a name for each.
+  vtkLookupTable* legendTable() const;
+
+  const ArrayChoice& choice() const { return choice_; }
+
+  /// What the colours mean: "v magnitude".
+  const std::string& title() const { return title_; }
+  const std::string& mapName() const { return map_; }
+
+private:
+  void choose(const std::vector<std::unique_ptr<Part>>& parts);
+  bool updateRange(const std::vector<std::unique_ptr<Part>>& parts);
+  void makeTable(bool types);
+
+  const ViewOptions& options_;
+  ArrayChoice choice_;
+  bool chosen_ = false;
+  double range_[2] = {1.0, 0.0};
+  double leastPositive_ = 0.0;
+  std::string map_;
+  std::string title_;
+  bool explained_ = false; // there is something for a legend to explain
+  vtkSmartPointer<vtkLookupTable> table_;
+  vtkSmartPointer<vtkLookupTable> legendTable_;
+};
+
+} // namespace mote::app

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "ViewOptions.h"
+
+#include <string>
+
+class vtkRenderer;
+
+namespace mote::app
+{
+
+/// A colour by its HTML name or as #rgb or #rrggbb; false if the text is neither.
+bool parseColor(const std::string& text, Color& color);
+
+/// Gives the renderer one colour, or two from bottom to top, or the default for none.
+void setBackground(vtkRenderer* renderer, const std::vector<Color>& colors);
+
+/// A colour for text and lines that stands out against the renderer's background.
+Color inkOn(vtkRenderer* renderer);
+
+} // namespace mote::app

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "ViewOptions.h"
+
+#include <string>
+#include <vector>
+
+class vtkCamera;
+class vtkRenderer;
+
+namespace mote::app
+{
+
+/// auto, iso, +x, -x, +y, -y, +z, -z.
+const std::vector<std::string>& viewNames();
+
+/// Shares of the picture's width and height that data should leave free on each side.
+struct Margins
+{
+  double left = 0.03, right = 0.03, bottom = 0.03, top = 0.03;
+};
+
+/// Turns the camera to look from a side of viewNames() at the middle of the bounds, which "auto"
+/// chooses from.
+void lookFrom(vtkCamera* camera, const std::string& view, const double bounds[6]);
+
+/// Moves the camera, without turning it, so that the box of the bounds just fits into a picture of
+/// this aspect (width to height) within the margins. Bounds without volume are fine.
+void frame(vtkCamera* camera, const double bounds[6], double aspect, const Margins& margins);
+
+} // namespace mote::app

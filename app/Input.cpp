@@ -1,0 +1,134 @@
+#include "Input.h"
+
+#include "Failure.h"
+#include "Text.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkCompositeDataIterator.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataSet.h>
+#include <vtkInformation.h>
+#include <vtkMoteReaderTable.h>
+
+#include <algorithm>
+
+namespace mote::app
+{
+
+namespace
+{
+
+void collectDataSets(
+  vtkDataObject* object, const std::string& name, std::vector<NamedData>& collected)
+{
+  if (auto* data = vtkDataSet::SafeDownCast(object))
+  {
+    collected.push_back({name, data});
+    return;
+  }
+  auto* composite = vtkCompositeDataSet::SafeDownCast(object);
+  if (!composite)
+    throw Failure(name + " holds a " + object->GetClassName() +
+      ", which has no points in space to show");
+  auto blocks = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
+  {
+    vtkInformation* facts =
+      blocks->HasCurrentMetaData() ? blocks->GetCurrentMetaData() : nullptr;
+    const char* block = facts && facts->Has(vtkCompositeDataSet::NAME())
+      ? facts->Get(vtkCompositeDataSet::NAME())
+      : nullptr;
+    if (auto* data = vtkDataSet::SafeDownCast(blocks->GetCurrentDataObject()))
+      collected.push_back({block ? name + ": " + block : name, data});
+  }
+}
+
+} // namespace
+
+Input::Input(const std::vector<std::string>& files)
+{
+  for (const auto& group : vtkMoteReaderTable::GroupSeries(files))
+  {
+    Source source;
+    source.files = group;
+    source.name = baseName(group.front()) + (group.size() > 1 ? " ..." : "");
+    std::string error;
+    source.reader = vtkMoteReaderTable::MakeReader(group, error);
+    if (!source.reader)
+      throw Failure(error);
+    sources_.push_back(source);
+  }
+}
+
+void Input::open(Progress& progress)
+{
+  times_.clear();
+  for (Source& source : sources_)
+  {
+    std::string error;
+    {
+      Progress::Work work(progress, "Scanning " + source.name, source.reader);
+      source.times = vtkMoteReaderTable::GetTimeSteps(source.reader, error);
+      work.finish();
+    }
+    if (!error.empty())
+      throw Failure(error);
+    times_.insert(times_.end(), source.times.begin(), source.times.end());
+  }
+  std::sort(times_.begin(), times_.end());
+  times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
+}
+
+int Input::chosenStep(const ViewOptions& options) const
+{
+  const int last = this->numberOfSteps() - 1;
+  if (options.time)
+  {
+    if (times_.empty())
+      throw Failure(this->name() + " has no time, so --time means nothing for it");
+    const auto after = std::upper_bound(times_.begin(), times_.end(), *options.time);
+    return std::max(0, static_cast<int>(after - times_.begin()) - 1);
+  }
+  if (options.step == "first")
+    return 0;
+  if (options.step == "last")
+    return last;
+  double number = 1.0;
+  parseNumber(options.step, number);
+  if (number > last + 1)
+    throw Failure(this->name() + " has " + counted(last + 1, "time step") + ", so there is no --step " +
+      options.step);
+  return static_cast<int>(number) - 1;
+}
+
+std::vector<NamedData> Input::read(int step, Progress& progress)
+{
+  std::vector<NamedData> all;
+  for (Source& source : sources_)
+  {
+    std::string error;
+    vtkSmartPointer<vtkDataObject> data;
+    {
+      Progress::Work work(progress, "Reading " + source.name, source.reader);
+      data = times_.empty() ? vtkMoteReaderTable::Read(source.reader, error)
+                            : vtkMoteReaderTable::Read(source.reader, times_[step], error);
+      work.finish();
+    }
+    if (!data)
+      throw Failure(error.empty() ? source.name + " could not be read" : error);
+    // The reader writes its next step into the same object.
+    auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
+    copy->ShallowCopy(data);
+    collectDataSets(copy, source.name, all);
+  }
+  return all;
+}
+
+std::string Input::name() const
+{
+  const std::string first = sources_.empty() ? "" : sources_.front().name;
+  return sources_.size() > 1 ? first + " and " + std::to_string(sources_.size() - 1) + " more"
+                             : first;
+}
+
+} // namespace mote::app

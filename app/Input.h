@@ -1,0 +1,60 @@
+#pragma once
+
+#include "Progress.h"
+#include "ViewOptions.h"
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkDataSet;
+
+namespace mote::app
+{
+
+/// One data set of a file, with the name to show for it.
+struct NamedData
+{
+  std::string name;
+  vtkSmartPointer<vtkDataSet> data;
+};
+
+/// The files of one command line: their readers, and the time steps of all of them together. Every
+/// member function throws Failure with a sentence if something cannot be read, and Interrupted.
+class Input
+{
+public:
+  /// Recognises the files; reads nothing.
+  explicit Input(const std::vector<std::string>& files);
+
+  /// Finds the time steps, which may mean to read through the files.
+  void open(Progress& progress);
+
+  /// Ascending; empty where no file has time.
+  const std::vector<double>& times() const { return times_; }
+  int numberOfSteps() const { return times_.empty() ? 1 : static_cast<int>(times_.size()); }
+
+  /// The index of the step that --step and --time ask for.
+  int chosenStep(const ViewOptions& options) const;
+
+  /// All data sets at a step; of composite data every leaf.
+  std::vector<NamedData> read(int step, Progress& progress);
+
+  /// The first file's name without folders, with "..." or "and 2 more" for several.
+  std::string name() const;
+
+private:
+  struct Source
+  {
+    std::vector<std::string> files;
+    std::string name;
+    vtkSmartPointer<vtkAlgorithm> reader;
+    std::vector<double> times;
+  };
+  std::vector<Source> sources_;
+  std::vector<double> times_;
+};
+
+} // namespace mote::app

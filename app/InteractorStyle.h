@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vtkInteractorStyleTrackballCamera.h>
+
+#include <functional>
+#include <string>
+
+namespace mote::app
+{
+
+/// A trackball whose keys and wheel are the program's own.
+class InteractorStyle : public vtkInteractorStyleTrackballCamera
+{
+public:
+  static InteractorStyle* New();
+  vtkTypeMacro(InteractorStyle, vtkInteractorStyleTrackballCamera);
+
+  std::function<void(const std::string& key)> onKey; ///< an X11 key symbol, such as "bracketleft"
+  std::function<void(double factor)> onZoom;         ///< a turn of the wheel
+
+  void OnKeyPress() override;
+  void OnMouseWheelForward() override;
+  void OnMouseWheelBackward() override;
+
+  /// VTK's own keys are off.
+  void OnChar() override {}
+  /// Timers are the program's own: VTK would repeat the last motion at each.
+  void OnTimer() override {}
+};
+
+} // namespace mote::app

@@ -1,0 +1,67 @@
+#include "Messages.h"
+
+#include <vtkObjectFactory.h>
+#include <vtkSmartPointer.h>
+
+#include <cstdio>
+
+namespace mote::app
+{
+
+namespace
+{
+
+vtkSmartPointer<Messages> installed;
+
+/// The sentence in "ERROR: In FILE, line N\nvtkClass (0x5581): SENTENCE\n\n".
+std::string sentenceOf(const std::string& text)
+{
+  std::size_t begin = 0;
+  const std::size_t object = text.find("): ");
+  if (text.find("In ") != std::string::npos && object != std::string::npos)
+    begin = object + 3;
+  const std::size_t end = text.find_last_not_of(" \n\r\t");
+  return end == std::string::npos || end < begin ? "" : text.substr(begin, end + 1 - begin);
+}
+
+} // namespace
+
+vtkStandardNewMacro(Messages);
+
+void Messages::install()
+{
+  installed = vtkSmartPointer<Messages>::New();
+  vtkOutputWindow::SetInstance(installed);
+}
+
+std::string Messages::takeError()
+{
+  std::string error;
+  if (installed)
+    error.swap(installed->error_);
+  return error;
+}
+
+void Messages::DisplayText(const char*) {}
+
+void Messages::DisplayErrorText(const char* text)
+{
+  if (this->error_.empty())
+    this->error_ = sentenceOf(text);
+}
+
+void Messages::DisplayWarningText(const char* text)
+{
+  const std::string whole = text;
+  if (whole.find("vtkMote") == std::string::npos)
+    return;
+  const std::string sentence = sentenceOf(whole);
+  if (this->warnings_.find(sentence) != std::string::npos)
+    return;
+  this->warnings_ += sentence;
+  std::fprintf(stderr, "mote: warning: %s\n", sentence.c_str());
+}
+
+void Messages::DisplayGenericWarningText(const char* text) { this->DisplayWarningText(text); }
+
+} // namespace mote::app

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vtkOutputWindow.h>
+
+#include <string>
+
+namespace mote::app
+{
+
+/// Keeps what VTK and Mote would print: the first error since the last takeError() as a plain
+/// sentence. Warnings of Mote's own classes go to the terminal once each, those of VTK nowhere.
+class Messages : public vtkOutputWindow
+{
+public:
+  static Messages* New();
+  vtkTypeMacro(Messages, vtkOutputWindow);
+
+  /// Makes this kind of window the process's one.
+  static void install();
+
+  /// The first error since the last call, without file, line and class; empty if there was none.
+  static std::string takeError();
+
+  void DisplayText(const char* text) override;
+  void DisplayErrorText(const char* text) override;
+  void DisplayWarningText(const char* text) override;
+  void DisplayGenericWarningText(const char* text) override;
+  void DisplayDebugText(const char*) override {}
+
+private:
+  std::string error_;
+  std::string warnings_; // those printed so far, one after the other
+};
+
+} // namespace mote::app

@@ -1,0 +1,94 @@
+#include "Overlay.h"
+
+#include "Keys.h"
+
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+
+namespace mote::app
+{
+
+namespace
+{
+
+vtkTextProperty* place(vtkTextActor* text, double x, double y, int size, bool top)
+{
+  text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  text->SetPosition(x, y);
+  vtkTextProperty* property = text->GetTextProperty();
+  property->SetFontSize(size);
+  if (top)
+    property->SetVerticalJustificationToTop();
+  return property;
+}
+
+void onPanel(vtkTextProperty* property)
+{
+  property->SetFontFamilyToCourier();
+  property->SetColor(0.97, 0.97, 0.97);
+  property->SetBackgroundColor(0.09, 0.10, 0.12);
+  property->SetBackgroundOpacity(0.82);
+  property->SetLineSpacing(1.15);
+}
+
+} // namespace
+
+Overlay::Overlay(vtkRenderer* renderer)
+{
+  place(statusText_, 0.012, 0.012, 16, false);
+  onPanel(place(messageText_, 0.012, 0.98, 15, true));
+  vtkTextProperty* help = place(helpText_, 0.5, 0.5, 15, false);
+  onPanel(help);
+  help->SetJustificationToLeft();
+  help->SetVerticalJustificationToCentered();
+  helpText_->SetPosition(0.012, 0.55);
+  helpText_->SetInput(keysHelp().c_str());
+  helpText_->VisibilityOff();
+  messageText_->VisibilityOff();
+  for (vtkTextActor* text : {statusText_.Get(), messageText_.Get(), helpText_.Get()})
+    renderer->AddActor2D(text);
+}
+
+void Overlay::setStatus(const std::string& text)
+{
+  if (text == status_)
+    return;
+  status_ = text;
+  statusText_->SetInput(text.c_str());
+}
+
+void Overlay::setMessage(const std::string& text)
+{
+  messageOn_ = !text.empty();
+  messageText_->SetInput(text.c_str());
+  messageText_->SetVisibility(messageOn_);
+}
+
+bool Overlay::hasMessage() const { return messageOn_; }
+
+void Overlay::toggleHelp()
+{
+  helpOn_ = !helpOn_;
+  helpText_->SetVisibility(helpOn_);
+}
+
+void Overlay::hideHelp()
+{
+  helpOn_ = false;
+  helpText_->VisibilityOff();
+}
+
+void Overlay::setVisible(bool visible)
+{
+  statusText_->SetVisibility(visible);
+  messageText_->SetVisibility(visible && messageOn_);
+  helpText_->SetVisibility(visible && helpOn_);
+}
+
+void Overlay::setInk(const Color& ink)
+{
+  statusText_->GetTextProperty()->SetColor(ink[0], ink[1], ink[2]);
+}
+
+} // namespace mote::app

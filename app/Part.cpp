@@ -1,0 +1,202 @@
+#include "Part.h"
+
+#include "Failure.h"
+#include "Messages.h"
+#include "Text.h"
+
+#include <vtkActor.h>
+#include <vtkCellTypes.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkLookupTable.h>
+#include <vtkMoteParticleMapper.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkProperty.h>
+#include <vtkUnstructuredGrid.h>
+
+namespace mote::app
+{
+
+namespace
+{
+
+bool hasRadiusArray(vtkDataSet* data)
+{
+  for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
+    if (const char* name = data->GetPointData()->GetArrayName(i))
+      if (lowerCase(name) == "radius" || lowerCase(name) == "diameter")
+        return true;
+  return false;
+}
+
+void shade(vtkProperty* property, bool mesh)
+{
+  property->SetColor(0.62, 0.72, 0.84);
+  property->SetAmbient(mesh ? 0.1 : 0.2);
+  property->SetDiffuse(mesh ? 0.9 : 0.8);
+  property->SetSpecular(mesh ? 0.1 : 0.0);
+  property->SetSpecularPower(30.0);
+}
+
+} // namespace
+
+Part::Part(const std::string& name, vtkDataSet* data, const ViewOptions& options)
+  : options_(options)
+  , radiusScale_(options.radiusScale)
+{
+  if (!isMesh(data))
+  {
+    auto mapper = vtkSmartPointer<vtkMoteParticleMapper>::New();
+    particles_ = mapper;
+    mapper_ = mapper;
+  }
+  shade(actor_->GetProperty(), isMesh(data));
+  this->setData(name, data);
+}
+
+bool Part::isMesh(vtkDataSet* data)
+{
+  if (auto* surface = vtkPolyData::SafeDownCast(data))
+    return surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    vtkNew<vtkCellTypes> types;
+    grid->GetCellTypes(types);
+    for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+      if (types->GetCellType(i) > VTK_POLY_LINE)
+        return true;
+    return false;
+  }
+  return data->GetNumberOfCells() > 0;
+}
+
+void Part::setData(const std::string& name, vtkDataSet* data)
+{
+  name_ = name;
+  data_ = data;
+  if (particles_)
+  {
+    this->setRadius();
+    particles_->SetInputData(vtkPointSet::SafeDownCast(data));
+  }
+  else
+    mapper_ = this->makeSurface();
+  actor_->SetMapper(mapper_);
+  actor_->VisibilityOn();
+}
+
+void Part::setRadius()
+{
+  particles_->SetRadiusScale(radiusScale_);
+  double radius = 0.0;
+  const bool number = parseNumber(options_.radius, radius);
+  if (number)
+  {
+    if (!(radius > 0.0))
+      throw Failure("--radius must be above zero, not " + options_.radius);
+    particles_->SetRadius(radius);
+  }
+  if (!options_.typeRadius.empty())
+  {
+    if (!data_->GetPointData()->GetArray("type"))
+      throw Failure(name_ + " has no array 'type' for --type-radius; it has " + listArrays(data_));
+    particles_->SetRadiusModeToType();
+    for (const auto& [type, value] : options_.typeRadius)
+      particles_->SetTypeRadius(type, value);
+  }
+  else if (number)
+    particles_->SetRadiusModeToConstant();
+  else if (options_.radius == "spacing" || (options_.radius == "auto" && !hasRadiusArray(data_)))
+  {
+    // Particles keep their size when a simulation spreads or packs them.
+    particles_->SetRadius(keptRadius_);
+    particles_->SetRadiusMode(keptRadius_ > 0.0 ? vtkMoteParticleMapper::RADIUS_CONSTANT
+                                                : vtkMoteParticleMapper::RADIUS_FROM_SPACING);
+  }
+  else if (options_.radius == "auto")
+    particles_->SetRadiusModeToAutomatic();
+  else
+  {
+    if (!data_->GetPointData()->GetArray(options_.radius.c_str()))
+      throw Failure("--radius: " + name_ + " has no array '" + options_.radius + "'; it has " +
+        listArrays(data_));
+    particles_->SetRadiusArrayName(options_.radius.c_str());
+    particles_->SetRadiusModeToArray();
+  }
+}
+
+void Part::setRadiusScale(double scale)
+{
+  radiusScale_ = scale;
+  if (particles_)
+    particles_->SetRadiusScale(scale);
+}
+
+void Part::build(Progress& progress)
+{
+  Messages::takeError();
+  actor_->VisibilityOff(); // whatever happens, nothing half built is drawn
+  {
+    Progress::Work work(progress, particles_ ? "Building structure" : "Extracting surface", mapper_);
+    mapper_->Update();
+    work.finish();
+  }
+  if (const std::string error = Messages::takeError(); !error.empty())
+    throw Failure(error);
+  actor_->VisibilityOn();
+  if (particles_ && particles_->GetRadiusMode() == vtkMoteParticleMapper::RADIUS_FROM_SPACING &&
+    particles_->GetNumberOfParticles() > 1)
+    keptRadius_ = particles_->GetRadiusInUse() / radiusScale_;
+}
+
+vtkSmartPointer<vtkMapper> Part::makeSurface()
+{
+  auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+  auto* surface = vtkPolyData::SafeDownCast(data_);
+  if (surface && surface->GetPointData()->GetNormals())
+    mapper->SetInputData(surface);
+  else if (surface)
+  {
+    vtkNew<vtkPolyDataNormals> normals;
+    normals->SetInputData(surface);
+    mapper->SetInputConnection(normals->GetOutputPort());
+  }
+  else
+  {
+    vtkNew<vtkDataSetSurfaceFilter> faces;
+    faces->SetInputData(data_);
+    mapper->SetInputConnection(faces->GetOutputPort());
+  }
+  return mapper;
+}
+
+void Part::setColors(const ArrayChoice& choice, vtkLookupTable* table)
+{
+  mapper_->SetScalarVisibility(arrayOf(data_, choice) != nullptr);
+  if (!mapper_->GetScalarVisibility())
+    return;
+  if (choice.ofCells)
+    mapper_->SetScalarModeToUseCellFieldData();
+  else
+    mapper_->SetScalarModeToUsePointFieldData();
+  mapper_->SelectColorArray(choice.name.c_str());
+  mapper_->SetLookupTable(table);
+  mapper_->UseLookupTableScalarRangeOn();
+}
+
+void Part::setVisible(const ArrayChoice& choice, const double range[2])
+{
+  if (!particles_)
+    return;
+  particles_->SetUseVisibilityRange(arrayOf(data_, choice) != nullptr);
+  if (!particles_->GetUseVisibilityRange())
+    return;
+  particles_->SetVisibilityArrayName(choice.name.c_str());
+  particles_->SetVisibilityComponent(choice.component);
+  particles_->SetVisibilityRange(range[0], range[1]);
+}
+
+} // namespace mote::app

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "Arrays.h"
+#include "Progress.h"
+#include "ViewOptions.h"
+
+#include <vtkDataSet.h>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+class vtkActor;
+class vtkLookupTable;
+class vtkMapper;
+class vtkMoteParticleMapper;
+
+namespace mote::app
+{
+
+/// One data set in the picture: its points as particles, or, where it has faces or volumes, its
+/// surface.
+class Part
+{
+public:
+  Part(const std::string& name, vtkDataSet* data, const ViewOptions& options);
+
+  /// Whether a data set is shown by its surface rather than as particles.
+  static bool isMesh(vtkDataSet* data);
+
+  /// Other data of the same kind, such as the next time step.
+  void setData(const std::string& name, vtkDataSet* data);
+
+  /// Brings structures up to date. Throws Failure and Interrupted, after which nothing is drawn.
+  void build(Progress& progress);
+
+  /// Colours by an array through the table; by none with one colour.
+  void setColors(const ArrayChoice& choice, vtkLookupTable* table);
+
+  /// Hides particles with values outside; no array to show all.
+  void setVisible(const ArrayChoice& choice, const double range[2]);
+
+  void setRadiusScale(double scale);
+
+  const std::string& name() const { return name_; }
+  vtkDataSet* data() const { return data_; }
+  vtkActor* actor() const { return actor_; }
+  vtkMoteParticleMapper* particles() const { return particles_; } ///< null for a surface
+
+private:
+  void setRadius();
+  vtkSmartPointer<vtkMapper> makeSurface();
+
+  std::string name_;
+  vtkSmartPointer<vtkDataSet> data_;
+  const ViewOptions& options_;
+  vtkNew<vtkActor> actor_;
+  vtkSmartPointer<vtkMapper> mapper_;
+  vtkMoteParticleMapper* particles_ = nullptr;
+  double radiusScale_ = 1.0;
+  double keptRadius_ = 0.0; // from the spacing of the first step with particles
+};
+
+} // namespace mote::app

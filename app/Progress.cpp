@@ -1,0 +1,126 @@
+#include "Progress.h"
+
+#include "Failure.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkCommand.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <functional>
+#include <unistd.h>
+
+namespace mote::app
+{
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+constexpr auto patience = std::chrono::milliseconds(300); // before a bar appears
+constexpr auto period = std::chrono::milliseconds(80);    // from one drawing to the next
+
+volatile std::sig_atomic_t interrupts = 0;
+
+void onInterrupt(int)
+{
+  interrupts = interrupts + 1;
+  if (interrupts > 1)
+    _exit(130);
+}
+
+class ProgressCommand : public vtkCommand
+{
+public:
+  static ProgressCommand* New() { return new ProgressCommand; }
+  void Execute(vtkObject*, unsigned long, void* share) override
+  {
+    this->advance(share ? *static_cast<double*>(share) : 0.0);
+  }
+  std::function<void(double)> advance;
+};
+
+} // namespace
+
+void Progress::add(ProgressDisplay& display) { displays_.push_back(&display); }
+
+void Progress::remove(ProgressDisplay& display) { std::erase(displays_, &display); }
+
+Progress::Work::Work(Progress& progress, const std::string& what, vtkObject* object)
+  : progress_(progress)
+  , what_(what)
+  , object_(object)
+  , algorithm_(vtkAlgorithm::SafeDownCast(object))
+  , thread_(std::this_thread::get_id())
+  , next_(Clock::now() + patience)
+{
+  interrupts = 0;
+  std::signal(SIGINT, onInterrupt);
+  if (algorithm_)
+    algorithm_->SetAbortExecute(0);
+  auto* command = ProgressCommand::New();
+  command->advance = [this](double share) { this->advance(share); };
+  observer_ = object_->AddObserver(vtkCommand::ProgressEvent, command);
+  command->Delete();
+}
+
+Progress::Work::~Work()
+{
+  object_->RemoveObserver(observer_);
+  std::signal(SIGINT, SIG_DFL);
+  if (algorithm_)
+    algorithm_->SetAbortExecute(0);
+  if (shown_)
+    for (ProgressDisplay* display : progress_.displays_)
+      display->hide();
+}
+
+void Progress::Work::finish() const
+{
+  if (stopped_ || interrupts > 0)
+    throw Interrupted();
+}
+
+void Progress::Work::advance(double share)
+{
+  // Displays draw with OpenGL, which belongs to the thread that began the work.
+  if (std::this_thread::get_id() != thread_)
+    return;
+  stopped_ = stopped_ || interrupts > 0;
+  for (ProgressDisplay* display : progress_.displays_)
+    stopped_ = stopped_ || display->wantsStop();
+  if (stopped_ && algorithm_)
+    algorithm_->SetAbortExecute(1);
+  const auto now = Clock::now();
+  if (now < next_)
+    return;
+  next_ = now + period;
+  shown_ = true;
+  for (ProgressDisplay* display : progress_.displays_)
+    display->show(what_, std::clamp(share, 0.0, 1.0));
+}
+
+TerminalProgress::TerminalProgress()
+  : terminal_(isatty(STDERR_FILENO) != 0)
+{
+}
+
+void TerminalProgress::show(const std::string& what, double share)
+{
+  if (!terminal_)
+    return;
+  constexpr int width = 30;
+  const int full = static_cast<int>(share * width + 0.5);
+  const std::string bar = std::string(full, '=') + std::string(width - full, ' ');
+  std::fprintf(stderr, "\r%-40.40s [%s] %3.0f %%", what.c_str(), bar.c_str(), 100.0 * share);
+  std::fflush(stderr);
+}
+
+void TerminalProgress::hide()
+{
+  if (terminal_)
+    std::fputs("\r\033[K", stderr);
+}
+
+} // namespace mote::app

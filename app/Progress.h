@@ -1,0 +1,83 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <thread>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkObject;
+
+namespace mote::app
+{
+
+/// Where progress is shown: the terminal, the window.
+class ProgressDisplay
+{
+public:
+  virtual ~ProgressDisplay() = default;
+
+  /// Shows the share done, in [0, 1], of what is under way. Called some ten times a second.
+  virtual void show(const std::string& what, double share) = 0;
+
+  /// The work is over; leaves nothing behind.
+  virtual void hide() = 0;
+
+  /// Whether the user wants the work to stop.
+  virtual bool wantsStop() { return false; }
+};
+
+/// Carries progress from pipeline objects to the displays, and interruption the other way.
+class Progress
+{
+public:
+  /// Displays are not owned.
+  void add(ProgressDisplay& display);
+  void remove(ProgressDisplay& display);
+
+  /// One long work of a pipeline object: shows its ProgressEvents from construction to destruction,
+  /// once it takes longer than a moment, and lets Ctrl-C and the displays stop it. An algorithm is
+  /// stopped by its AbortExecute flag; other objects find out themselves. A second Ctrl-C ends the
+  /// program at once, as does the first outside of any work.
+  class Work
+  {
+  public:
+    Work(Progress& progress, const std::string& what, vtkObject* object);
+    ~Work();
+    Work(const Work&) = delete;
+    Work& operator=(const Work&) = delete;
+
+    /// Throws Interrupted if the user asked to stop. Call when the object has returned.
+    void finish() const;
+
+  private:
+    void advance(double share);
+
+    Progress& progress_;
+    std::string what_;
+    vtkObject* object_;
+    vtkAlgorithm* algorithm_;
+    unsigned long observer_ = 0;
+    std::thread::id thread_;
+    std::chrono::steady_clock::time_point next_;
+    bool shown_ = false;
+    bool stopped_ = false;
+  };
+
+private:
+  std::vector<ProgressDisplay*> displays_;
+};
+
+/// A bar on standard error, where that is a terminal.
+class TerminalProgress : public ProgressDisplay
+{
+public:
+  TerminalProgress();
+  void show(const std::string& what, double share) override;
+  void hide() override;
+
+private:
+  bool terminal_;
+};
+
+} // namespace mote::app

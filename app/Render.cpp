@@ -1,0 +1,191 @@
+#include "Render.h"
+
+#include "Failure.h"
+#include "Messages.h"
+#include "Scene.h"
+#include "Text.h"
+
+#include <vtkLookupTable.h>
+#include <vtkMoteColorLegend.h>
+#include <vtkMoteImageWriter.h>
+#include <vtkMoteRendererSource.h>
+#include <vtkTimerLog.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <filesystem>
+
+namespace mote::app
+{
+
+namespace
+{
+
+/// The pipeline from a scene to a file.
+class Picture
+{
+public:
+  Picture(Scene& scene, const ViewOptions& options)
+    : scene_(scene)
+    , options_(options)
+  {
+    source_->SetRenderer(scene.renderer());
+    source_->SetSize(options.size[0], options.size[1]);
+    source_->SetSamplesPerPixel(options.samples);
+    legend_->SetInputConnection(source_->GetOutputPort());
+  }
+
+  /// Throws Failure if the file could not be written, as far as can be told beforehand.
+  void aim(const std::string& file)
+  {
+    writer_->SetFileName(file.c_str());
+    if (!writer_->CheckFileName())
+      throw Failure(writer_->GetErrorMessage());
+    const bool exr = lowerCase(std::filesystem::path(file).extension().string()) == ".exr";
+    // An EXR is for further work: everything there is, and nothing drawn over it.
+    source_->SetDepth(exr);
+    source_->SetNormals(exr);
+    source_->SetIds(exr);
+    source_->SetTransparentBackground(exr);
+    labelled_ = !exr;
+    writer_->SetInputConnection(
+      labelled_ ? legend_->GetOutputPort() : source_->GetOutputPort());
+  }
+
+  bool labelled() const { return labelled_; }
+
+  void write(const std::string& caption, Progress& progress)
+  {
+    vtkScalarsToColors* table = scene_.coloring().legendTable();
+    legend_->SetLookupTable(options_.legend ? table : nullptr);
+    legend_->SetTitle(options_.title.value_or(scene_.coloring().title()));
+    legend_->SetCaption(options_.caption.value_or(caption));
+    Messages::takeError();
+    source_->Modified(); // parts and camera may have changed
+    {
+      Progress::Work work(progress, "Tracing", source_);
+      source_->Update();
+      work.finish();
+    }
+    if (const std::string error = Messages::takeError(); !error.empty())
+      throw Failure(error);
+    if (!writer_->Write())
+      throw Failure(writer_->GetErrorMessage());
+  }
+
+  double traceTime() const { return source_->GetTraceTime(); }
+
+private:
+  Scene& scene_;
+  const ViewOptions& options_;
+  vtkNew<vtkMoteRendererSource> source_;
+  vtkNew<vtkMoteColorLegend> legend_;
+  vtkNew<vtkMoteImageWriter> writer_;
+  bool labelled_ = true;
+};
+
+/// "picture.png" to "picture.0012.png".
+std::string numbered(const std::string& file, int step, int steps)
+{
+  const int digits = std::max(4, static_cast<int>(std::to_string(steps - 1).size()));
+  std::string number = std::to_string(step);
+  number.insert(0, std::max(0, digits - static_cast<int>(number.size())), '0');
+  std::filesystem::path path(file);
+  return (path.parent_path() / (path.stem().string() + "." + number)).string() +
+    path.extension().string();
+}
+
+void requireParticles(const Scene& scene)
+{
+  for (const auto& part : scene.parts())
+    if (part->particles())
+      return;
+  const std::string name = scene.parts().empty() ? "the input" : scene.parts().front()->name();
+  throw Failure(name + " holds cells and no particles, and mote render draws particles only; "
+                       "see its surface in a window with: mote FILE");
+}
+
+/// Room for the legend at the right and for the caption below.
+Margins marginsFor(const Picture& picture, Scene& scene, const ViewOptions& options)
+{
+  Margins margins;
+  if (picture.labelled() && options.legend && scene.coloring().legendTable())
+    margins.right += 0.13 * options.size[1] / options.size[0];
+  if (picture.labelled())
+    margins.bottom += 0.03;
+  return margins;
+}
+
+} // namespace
+
+void addRenderOptions(CLI::App& app, RenderOptions& options)
+{
+  app.add_option("--output,-o", options.output,
+       "Picture to write: .png, .jpg or .tif; or .exr with colour, depth, normal and particle id, "
+       "the background transparent")
+    ->required()
+    ->type_name("FILE");
+  addViewOptions(app, options.view);
+  app.add_option("--caption", options.view.caption,
+       "Line at the lower left. By default file, particles and time")
+    ->type_name("TEXT")
+    ->group("Picture");
+  app.add_flag("--all-steps", options.allSteps,
+       "A picture of every time step: out.png gives out.0000.png, out.0001.png ... The view "
+       "is framed for the last step, and its range of colours grows where another exceeds it; "
+       "--range holds it still")
+    ->group("Data");
+}
+
+void render(const RenderOptions& given)
+{
+  ViewOptions options = given.view;
+  if (options.size[0] == 0)
+    options.size = {1280, 960};
+  TerminalProgress terminal;
+  Progress progress;
+  progress.add(terminal);
+  Scene scene(options);
+  Picture picture(scene, options);
+  Input input(options.files);
+  picture.aim(given.allSteps ? numbered(given.output, 0, 1) : given.output);
+  input.open(progress);
+
+  const auto show = [&](int step)
+  {
+    const double start = vtkTimerLog::GetUniversalTime();
+    scene.setData(input.read(step, progress));
+    const double seconds = vtkTimerLog::GetUniversalTime() - start;
+    requireParticles(scene);
+    scene.build(progress);
+    scene.applyColors();
+    return seconds;
+  };
+  const auto trace = [&](int step, const std::string& file, double readTime)
+  {
+    picture.aim(file);
+    std::string caption = input.name() + "   " + scene.contents();
+    if (!input.times().empty())
+      caption += "   t = " + asNumber(input.times()[step], 10);
+    picture.write(caption, progress);
+    std::printf("%s: %dx%d, %s; read in %s, built in %s, traced in %s\n", file.c_str(),
+      options.size[0], options.size[1], scene.contents().c_str(), asDuration(readTime).c_str(),
+      asDuration(scene.buildTime()).c_str(), asDuration(picture.traceTime()).c_str());
+    std::fflush(stdout);
+  };
+
+  // A sequence has one frame, radius and first range of colours: those of its last step.
+  const int last = input.numberOfSteps() - 1;
+  const int chosen = given.allSteps ? last : input.chosenStep(options);
+  const double readTime = show(chosen);
+  scene.look(options.view, double(options.size[0]) / options.size[1],
+    marginsFor(picture, scene, options));
+  if (!given.allSteps)
+    trace(chosen, given.output, readTime);
+  else
+    for (int step = 0; step <= last; ++step)
+      trace(step, numbered(given.output, step, last + 1), show(step));
+}
+
+} // namespace mote::app

@@ -1,0 +1,182 @@
+#include "Scene.h"
+
+#include "Colors.h"
+#include "Failure.h"
+#include "Text.h"
+
+#include <vtkActor.h>
+#include <vtkBoundingBox.h>
+#include <vtkCamera.h>
+#include <vtkDataSet.h>
+#include <vtkLight.h>
+#include <vtkMath.h>
+#include <vtkMoteParticleMapper.h>
+
+#include <algorithm>
+
+namespace mote::app
+{
+
+namespace
+{
+
+/// A main light over the viewer's left shoulder gives spheres their form; a weaker one from the
+/// eye keeps their other side from going dark. Both move with the camera.
+void addLights(vtkRenderer* renderer)
+{
+  vtkNew<vtkLight> over;
+  over->SetLightTypeToCameraLight();
+  over->SetPosition(-0.45, 0.65, 1.0);
+  over->SetFocalPoint(0.0, 0.0, 0.0);
+  over->SetIntensity(0.72);
+  renderer->AddLight(over);
+  vtkNew<vtkLight> eye;
+  eye->SetLightTypeToHeadlight();
+  eye->SetIntensity(0.33);
+  renderer->AddLight(eye);
+  renderer->AutomaticLightCreationOff();
+}
+
+} // namespace
+
+Scene::Scene(const ViewOptions& options)
+  : options_(options)
+  , coloring_(options)
+{
+  setBackground(renderer_, options.background);
+  addLights(renderer_);
+  renderer_->GetActiveCamera()->SetParallelProjection(options.orthographic);
+}
+
+void Scene::setData(const std::vector<NamedData>& data)
+{
+  bool sameKinds = parts_.size() == data.size();
+  for (std::size_t i = 0; sameKinds && i < data.size(); ++i)
+    sameKinds = (parts_[i]->particles() == nullptr) == Part::isMesh(data[i].data);
+  if (sameKinds)
+  {
+    for (std::size_t i = 0; i < data.size(); ++i)
+      parts_[i]->setData(data[i].name, data[i].data);
+    return;
+  }
+  for (const auto& part : parts_)
+    renderer_->RemoveActor(part->actor());
+  parts_.clear();
+  for (const NamedData& one : data)
+  {
+    parts_.push_back(std::make_unique<Part>(one.name, one.data, options_));
+    renderer_->AddActor(parts_.back()->actor());
+  }
+}
+
+void Scene::build(Progress& progress)
+{
+  for (const auto& part : parts_)
+    part->build(progress);
+}
+
+void Scene::applyColors()
+{
+  coloring_.apply(parts_);
+  if (options_.showRange.empty())
+    return;
+  bool found = false;
+  for (const auto& part : parts_)
+  {
+    const ArrayChoice choice = options_.showBy.empty()
+      ? coloring_.choice()
+      : findArray(part->data(), options_.showBy);
+    found = found || arrayOf(part->data(), choice);
+    part->setVisible(choice, options_.showRange.data());
+  }
+  if (!found && !parts_.empty() && options_.showBy.empty())
+    throw Failure("--show-range needs an array: name one with --show-by");
+  if (!found && !parts_.empty())
+    throw Failure("--show-by: " + parts_.front()->name() + " has no array '" + options_.showBy +
+      "'; it has " + listArrays(parts_.front()->data()));
+}
+
+void Scene::look(const std::string& side, double aspect, const Margins& margins)
+{
+  double box[6];
+  this->bounds(box);
+  vtkCamera* camera = renderer_->GetActiveCamera();
+  lookFrom(camera, side, box);
+  if (side == options_.view)
+  {
+    camera->Azimuth(options_.azimuth);
+    camera->Elevation(options_.elevation);
+  }
+  frame(camera, box, aspect, margins);
+  camera->Zoom(options_.zoom);
+  renderer_->ResetCameraClippingRange(box);
+}
+
+void Scene::setRadiusScale(double scale)
+{
+  for (const auto& part : parts_)
+    part->setRadiusScale(scale);
+}
+
+void Scene::bounds(double bounds[6]) const
+{
+  vtkBoundingBox box;
+  for (const auto& part : parts_)
+    if (const double* own = part->actor()->GetVisibility() ? part->actor()->GetBounds() : nullptr)
+      if (vtkMath::AreBoundsInitialized(own))
+        box.AddBounds(own);
+  if (!box.IsValid())
+    box.SetBounds(-0.5, 0.5, -0.5, 0.5, -0.5, 0.5);
+  box.GetBounds(bounds);
+}
+
+vtkIdType Scene::numberOfParticles() const
+{
+  vtkIdType count = 0;
+  for (const auto& part : parts_)
+    if (part->particles())
+      count += part->particles()->GetNumberOfParticles();
+  return count;
+}
+
+vtkIdType Scene::numberOfCells() const
+{
+  vtkIdType count = 0;
+  for (const auto& part : parts_)
+    if (!part->particles())
+      count += part->data()->GetNumberOfCells();
+  return count;
+}
+
+vtkTypeInt64 Scene::structureBytes() const
+{
+  vtkTypeInt64 bytes = 0;
+  for (const auto& part : parts_)
+    if (part->particles())
+      bytes += part->particles()->GetStructureBytes();
+  return bytes;
+}
+
+double Scene::buildTime() const
+{
+  double seconds = 0.0;
+  for (const auto& part : parts_)
+    if (part->particles())
+      seconds += part->particles()->GetBuildTime();
+  return seconds;
+}
+
+std::string Scene::contents() const
+{
+  std::string text;
+  const vtkIdType cells = this->numberOfCells();
+  const bool particles = std::any_of(
+    parts_.begin(), parts_.end(), [](const auto& part) { return part->particles() != nullptr; });
+  if (particles || parts_.empty())
+    text = counted(this->numberOfParticles(), "particle");
+  if (cells > 0)
+    text += (text.empty() ? "" : ", ") + counted(cells, "cell");
+  return text;
+}
+
+} // namespace mote::app

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "Coloring.h"
+#include "Framing.h"
+#include "Input.h"
+#include "Part.h"
+
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include <memory>
+#include <vector>
+
+namespace mote::app
+{
+
+/// What is seen, in the window as in a file: the parts of the present time step in a renderer, with
+/// background, lights, camera and colours as the options say.
+class Scene
+{
+public:
+  explicit Scene(const ViewOptions& options);
+
+  /// Shows other data; build() must follow.
+  void setData(const std::vector<NamedData>& data);
+
+  /// Brings all structures up to date. Throws Failure and Interrupted.
+  void build(Progress& progress);
+
+  /// Colours by the options' array, or the most telling one, and hides what they hide.
+  void applyColors();
+
+  /// Looks from a side and frames all parts, spheres and all.
+  void look(const std::string& side, double aspect, const Margins& margins);
+
+  void setRadiusScale(double scale);
+
+  vtkRenderer* renderer() { return renderer_; }
+  Coloring& coloring() { return coloring_; }
+  const std::vector<std::unique_ptr<Part>>& parts() const { return parts_; }
+
+  /// Bounds of all that is built; of a unit cube where there is nothing.
+  void bounds(double bounds[6]) const;
+
+  vtkIdType numberOfParticles() const;
+  vtkIdType numberOfCells() const; ///< of parts that are shown by their surface
+  vtkTypeInt64 structureBytes() const;
+  double buildTime() const;
+
+  /// "84,270 particles", "33,600 cells"...
+  std::string contents() const;
+
+private:
+  const ViewOptions& options_;
+  vtkNew<vtkRenderer> renderer_;
+  std::vector<std::unique_ptr<Part>> parts_;
+  Coloring coloring_;
+};
+
+} // namespace mote::app

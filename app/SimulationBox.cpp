@@ -1,0 +1,40 @@
+#include "SimulationBox.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkFieldData.h>
+
+namespace mote::app
+{
+
+std::optional<SimulationBox> simulationBoxOf(vtkDataSet* data)
+{
+  vtkDataArray* vectors = data->GetFieldData()->GetArray("box");
+  vtkDataArray* origin = data->GetFieldData()->GetArray("box_origin");
+  if (!vectors || vectors->GetNumberOfValues() != 9)
+    return std::nullopt;
+  const auto value = [](vtkDataArray* array, int i)
+  {
+    const int components = array->GetNumberOfComponents();
+    return array->GetComponent(i / components, i % components);
+  };
+  SimulationBox box{};
+  for (int i = 0; i < 9; ++i)
+    box.vectors[i / 3][i % 3] = value(vectors, i);
+  for (int i = 0; origin && origin->GetNumberOfValues() == 3 && i < 3; ++i)
+    box.origin[i] = value(origin, i);
+  return box;
+}
+
+SimulationBox boxOfBounds(const double bounds[6])
+{
+  SimulationBox box{};
+  for (int i = 0; i < 3; ++i)
+  {
+    box.origin[i] = bounds[2 * i];
+    box.vectors[i][i] = bounds[2 * i + 1] - bounds[2 * i];
+  }
+  return box;
+}
+
+} // namespace mote::app

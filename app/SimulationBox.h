@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+class vtkDataSet;
+
+namespace mote::app
+{
+
+/// A parallelepiped: the cell that a simulation ran in.
+struct SimulationBox
+{
+  double origin[3];
+  double vectors[3][3];
+};
+
+/// What readers leave in the field data as "box" (nine values: three vectors) and "box_origin".
+std::optional<SimulationBox> simulationBoxOf(vtkDataSet* data);
+
+/// A box along the axes.
+SimulationBox boxOfBounds(const double bounds[6]);
+
+} // namespace mote::app

@@ -1,0 +1,115 @@
+#include "Text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+namespace mote::app
+{
+
+namespace
+{
+
+std::string formatted(const char* format, double value)
+{
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, format, value);
+  return buffer;
+}
+
+} // namespace
+
+std::string withThousands(std::int64_t value)
+{
+  std::string digits = std::to_string(value);
+  const std::size_t first = value < 0 ? 1 : 0;
+  for (std::size_t i = digits.size(); i > first + 3; i -= 3)
+    digits.insert(i - 3, 1, ',');
+  return digits;
+}
+
+std::string counted(std::int64_t count, const std::string& thing)
+{
+  return withThousands(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+std::string asBytes(double bytes)
+{
+  const char* const units[] = {"B", "kB", "MB", "GB", "TB"};
+  int unit = 0;
+  for (; bytes >= 999.5 && unit < 4; ++unit)
+    bytes /= 1000.0;
+  return formatted(unit > 0 && bytes < 9.95 ? "%.1f " : "%.0f ", bytes) + units[unit];
+}
+
+std::string asDuration(double seconds)
+{
+  if (seconds < 0.0995)
+    return formatted(seconds < 0.00095 ? "%.1f ms" : "%.0f ms", 1000.0 * seconds);
+  return formatted(seconds < 9.95 ? "%.2f s" : "%.1f s", seconds);
+}
+
+std::string asNumber(double value, int digits)
+{
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
+  return buffer;
+}
+
+std::string baseName(const std::string& path)
+{
+  return std::filesystem::path(path).filename().string();
+}
+
+std::string joined(const std::vector<std::string>& words, const std::string& separator)
+{
+  std::string text;
+  for (const std::string& word : words)
+    text += (text.empty() ? "" : separator) + word;
+  return text;
+}
+
+std::string lowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+bool parseNumber(const std::string& text, double& value)
+{
+  if (text.empty() || std::isspace(static_cast<unsigned char>(text.front())))
+    return false;
+  char* end = nullptr;
+  value = std::strtod(text.c_str(), &end);
+  return *end == '\0' && std::isfinite(value);
+}
+
+std::string jsonString(const std::string& text)
+{
+  std::string quoted = "\"";
+  for (const char c : text)
+  {
+    if (c == '"' || c == '\\')
+      quoted += '\\';
+    if (static_cast<unsigned char>(c) >= 0x20)
+      quoted += c;
+    else
+    {
+      char buffer[8];
+      std::snprintf(buffer, sizeof buffer, "\\u%04x", static_cast<unsigned>(c));
+      quoted += buffer;
+    }
+  }
+  return quoted + "\"";
+}
+
+std::string jsonNumber(double value)
+{
+  return std::isfinite(value) ? asNumber(value, 17) : "null";
+}
+
+} // namespace mote::app

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace mote::app
+{
+
+/// 84270 as "84,270".
+std::string withThousands(std::int64_t value);
+
+/// "84,270 particles", "1 particle".
+std::string counted(std::int64_t count, const std::string& thing);
+
+/// A count of bytes with a decimal unit: "1.7 MB".
+std::string asBytes(double bytes);
+
+/// Seconds with a sensible unit: "35 ms", "2.41 s".
+std::string asDuration(double seconds);
+
+/// The shortest text with up to `digits` digits: "0.000125", "3000", "1.2e+20".
+std::string asNumber(double value, int digits = 6);
+
+/// The file's name without its folders.
+std::string baseName(const std::string& path);
+
+/// `separator` between the words.
+std::string joined(const std::vector<std::string>& words, const std::string& separator);
+
+/// Lower-case copy (ASCII).
+std::string lowerCase(std::string text);
+
+/// Whether all of the text is one finite number, and which.
+bool parseNumber(const std::string& text, double& value);
+
+/// The text as a JSON string with its quotation marks; a number as JSON (null if not finite).
+std::string jsonString(const std::string& text);
+std::string jsonNumber(double value);
+
+} // namespace mote::app

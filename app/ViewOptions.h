@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI
+{
+class App;
+}
+
+namespace mote::app
+{
+
+using Color = std::array<double, 3>;
+
+/// What the user may say about a picture, in the window as in a file. Declared to the command line
+/// once, by addViewOptions().
+struct ViewOptions
+{
+  std::vector<std::string> files;
+
+  // Time
+  std::optional<double> time;
+  std::string step = "last"; ///< a number from 1, "first" or "last"
+
+  // Colour
+  std::string colorBy;         ///< NAME, NAME:component, NAME:magnitude or "none"; empty: choose
+  std::string colorMap;        ///< a name of colorMapNames(); empty: choose
+  std::vector<double> range;   ///< none or two
+  bool logarithmic = false;
+
+  // Selection
+  std::vector<double> showRange; ///< none or two
+  std::string showBy;            ///< as colorBy; empty: what colours
+
+  // Radius
+  std::string radius = "auto"; ///< a number, "auto", "spacing" or an array's name
+  std::map<int, double> typeRadius;
+  double radiusScale = 1.0;
+
+  // Camera
+  std::string view = "auto";
+  double azimuth = 0.0;
+  double elevation = 0.0;
+  double zoom = 1.0;
+  bool orthographic = false;
+
+  // Picture
+  std::array<int, 2> size = {0, 0}; ///< 0: the command's own default
+  int samples = 16;
+  std::vector<Color> background; ///< none: the default; one; or bottom and top
+  bool legend = true;
+  std::optional<std::string> title;
+  std::optional<std::string> caption;
+  int threads = 0;
+};
+
+/// Declares the files and all options of a view.
+void addViewOptions(CLI::App& app, ViewOptions& options);
+
+/// Declares what belongs to reading alone: the files, --time, --step and --threads.
+void addReadOptions(CLI::App& app, ViewOptions& options);
+
+} // namespace mote::app

@@ -1,0 +1,320 @@
+#include "Window.h"
+
+#include "Colors.h"
+#include "Failure.h"
+#include "InteractorStyle.h"
+#include "Text.h"
+
+#include <vtkCamera.h>
+#include <vtkCommand.h>
+#include <vtkRenderer.h>
+#include <vtkTimerLog.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace mote::app
+{
+
+namespace
+{
+
+constexpr unsigned long restAfter = 250; // ms from a turn of the wheel to sharpening
+constexpr unsigned long playPause = 60;  // ms between time steps
+
+template <class Function>
+void observe(vtkObject* object, unsigned long event, const Function& function)
+{
+  class Command : public vtkCommand
+  {
+  public:
+    explicit Command(const Function& f)
+      : function_(f)
+    {
+    }
+    void Execute(vtkObject*, unsigned long, void* data) override { function_(data); }
+
+  private:
+    Function function_;
+  };
+  auto* command = new Command(function);
+  object->AddObserver(event, command);
+  command->Delete();
+}
+
+/// Leaves the object alone when the window goes: what is still fired finds no one.
+void forget(vtkObject* object) { object->RemoveAllObservers(); }
+
+} // namespace
+
+void addWindowOptions(CLI::App& app, WindowOptions& options) { addViewOptions(app, options.view); }
+
+void showWindow(const WindowOptions& options)
+{
+  Input input(options.view.files);
+  if (!displayAvailable())
+    throw Failure("there is no display to open a window on; make a picture instead: "
+                  "mote render FILE -o picture.png");
+  Window window(options.view, input);
+  window.run();
+}
+
+Window::Window(const ViewOptions& options, Input& input)
+  : options_(options)
+  , input_(input)
+  , scene_(options)
+  , overlay_(scene_.renderer())
+  , props_(scene_)
+  , bar_(window_, scene_.renderer())
+  , radiusScale_(options.radiusScale)
+{
+  progress_.add(terminal_);
+  progress_.add(bar_);
+  this->setUpWindow();
+  this->setUpEvents();
+}
+
+Window::~Window()
+{
+  forget(window_);
+  forget(interactor_);
+}
+
+void Window::setUpWindow()
+{
+  window_->SetMultiSamples(0); // the rays are the antialiasing
+  window_->SetWindowName(("Mote - " + input_.name()).c_str());
+  window_->AddRenderer(scene_.renderer());
+  const bool sized = options_.size[0] > 0;
+  const int* screen = window_->GetScreenSize();
+  window_->SetSize(sized ? options_.size[0] : std::min(1280, screen[0] * 9 / 10),
+    sized ? options_.size[1] : std::min(860, screen[1] * 8 / 10));
+  pass_->ProgressiveOn();
+  pass_->SetSamplesPerPixel(options_.samples);
+  pass_->SetNumberOfThreads(options_.threads);
+  scene_.renderer()->SetPass(pass_);
+  overlay_.setInk(inkOn(scene_.renderer()));
+  interactor_->SetRenderWindow(window_);
+  interactor_->SetInteractorStyle(style_);
+}
+
+void Window::setUpEvents()
+{
+  style_->onKey = [this](const std::string& key) { this->act(actionOf(key)); };
+  style_->onZoom = [this](double factor) { this->zoom(factor); };
+  observe(window_, vtkCommand::StartEvent, [this](void*) { this->onRenderStart(); });
+  observe(window_, vtkCommand::EndEvent, [this](void*) { this->onRenderEnd(); });
+  observe(window_, vtkCommand::AbortCheckEvent,
+    [this](void*)
+    {
+      if (!busy_ && inputWaits(window_))
+        window_->SetAbortRender(1);
+    });
+  observe(interactor_, vtkCommand::TimerEvent,
+    [this](void* timer) { this->onTimer(*static_cast<int*>(timer)); });
+}
+
+void Window::run()
+{
+  interactor_->Initialize();
+  busy_ = true;
+  try
+  {
+    bar_.show("Opening " + input_.name(), 0.0);
+    input_.open(progress_);
+    step_ = input_.chosenStep(options_);
+    scene_.setData(input_.read(step_, progress_));
+    scene_.build(progress_);
+    scene_.applyColors();
+    bar_.hide();
+  }
+  catch (const Interrupted&)
+  {
+    if (bar_.wantsQuit())
+      return;
+    throw;
+  }
+  busy_ = false;
+  props_.attach(interactor_);
+  props_.update(options_);
+  const bool rays = scene_.numberOfCells() == 0 || scene_.numberOfParticles() > 0;
+  if (!rays)
+  {
+    // Nothing to trace: let OpenGL smooth the edges.
+    scene_.renderer()->SetPass(nullptr);
+    scene_.renderer()->UseFXAAOn();
+  }
+  this->look(options_.view);
+  this->say("Press h for the keys");
+  this->render();
+  interactor_->Start();
+}
+
+//------------------------------------------------------------------------------------------------
+// Time
+
+bool Window::perform(const std::function<void()>& work)
+{
+  busy_ = true;
+  bar_.reset();
+  bool done = false;
+  std::string message;
+  try
+  {
+    work();
+    done = true;
+  }
+  catch (const Interrupted&)
+  {
+    message = "Stopped";
+  }
+  catch (const Failure& failure)
+  {
+    message = failure.what();
+  }
+  busy_ = false;
+  if (bar_.wantsQuit())
+    interactor_->TerminateApp();
+  else if (!done)
+  {
+    playing_ = false;
+    this->say(message);
+  }
+  return done;
+}
+
+bool Window::load(int step)
+{
+  const bool done = this->perform(
+    [&]
+    {
+      const auto data = input_.read(step, progress_);
+      scene_.setData(data);
+      step_ = step;
+      scene_.build(progress_);
+      scene_.applyColors();
+    });
+  props_.unmark();
+  props_.update(options_);
+  return done;
+}
+
+bool Window::buildAgain()
+{
+  const bool done = this->perform([&] { scene_.build(progress_); });
+  props_.unmark();
+  props_.update(options_);
+  return done;
+}
+
+void Window::advance()
+{
+  if (playing_ && this->load((step_ + 1) % input_.numberOfSteps()))
+    this->startTimer(playTimer_, playPause);
+  this->render();
+}
+
+//------------------------------------------------------------------------------------------------
+// Drawing
+
+void Window::look(const std::string& side)
+{
+  const int* size = window_->GetSize();
+  Margins margins;
+  margins.left = margins.right = 0.06;
+  margins.bottom = 0.06;
+  margins.top = 0.04;
+  scene_.look(side, double(size[0]) / std::max(1, size[1]), margins);
+}
+
+void Window::render()
+{
+  window_->SetDesiredUpdateRate(interactor_->GetStillUpdateRate());
+  window_->Render();
+}
+
+void Window::renderMoving()
+{
+  wheeling_ = true;
+  window_->SetDesiredUpdateRate(interactor_->GetDesiredUpdateRate());
+  window_->Render();
+  this->startTimer(restTimer_, restAfter);
+}
+
+void Window::onRenderStart()
+{
+  frameStart_ = vtkTimerLog::GetUniversalTime();
+  if (!busy_)
+    overlay_.setStatus(this->statusText());
+}
+
+void Window::onRenderEnd()
+{
+  if (busy_)
+    return;
+  const bool rays = scene_.renderer()->GetPass() != nullptr;
+  if (!rays || pass_->GetTraceTime() > 0.0)
+    frameTime_ = vtkTimerLog::GetUniversalTime() - frameStart_;
+  if (wheeling_ || style_->GetState() != VTKIS_NONE)
+    return;
+  // Sharpen until all samples are there; then once more, for the status line to say so.
+  if (rays && (!pass_->IsConverged() || overlay_.status() != this->statusText()))
+    this->startTimer(sharpenTimer_, 1);
+}
+
+void Window::startTimer(int& timer, unsigned long milliseconds)
+{
+  if (timer > 0)
+    interactor_->DestroyTimer(timer);
+  timer = interactor_->CreateOneShotTimer(milliseconds);
+}
+
+void Window::onTimer(int timer)
+{
+  const auto due = [timer](int& own)
+  {
+    if (own != timer)
+      return false;
+    own = 0;
+    return true;
+  };
+  if (busy_)
+    return;
+  if (due(playTimer_))
+    this->advance();
+  else if (due(messageTimer_))
+  {
+    overlay_.setMessage("");
+    this->render();
+  }
+  else if (due(restTimer_))
+  {
+    wheeling_ = false;
+    this->render();
+  }
+  else if (due(sharpenTimer_) && !wheeling_ && style_->GetState() == VTKIS_NONE)
+    this->render();
+}
+
+std::string Window::statusText() const
+{
+  const std::string dot = "   \u00b7   ";
+  std::string text = scene_.contents();
+  if (!input_.times().empty())
+    text += dot + "step " + std::to_string(step_ + 1) + "/" +
+      std::to_string(input_.numberOfSteps()) + ", t = " + asNumber(input_.times()[step_], 10);
+  if (frameTime_ > 0.0)
+    text += dot + "frame " + asDuration(frameTime_);
+  if (scene_.numberOfParticles() == 0 || !scene_.parts().size())
+    return text;
+  text += dot + "structure " + asBytes(static_cast<double>(scene_.structureBytes()));
+  if (frameTime_ > 0.0 && pass_->GetImageSampleDistance() > 1.0)
+    text += dot + "1/" + asNumber(pass_->GetImageSampleDistance(), 2) + " resolution";
+  else if (frameTime_ > 0.0)
+    text += dot + counted(pass_->GetNumberOfSamples(), "ray") + " a pixel";
+  return text;
+}
+
+} // namespace mote::app

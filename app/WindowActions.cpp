@@ -1,0 +1,297 @@
+#include "Window.h"
+
+#include "Arrays.h"
+#include "Colors.h"
+#include "InteractorStyle.h"
+#include "Text.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkImageData.h>
+#include <vtkMath.h>
+#include <vtkMoteImageWriter.h>
+#include <vtkMoteParticlePicker.h>
+#include <vtkPointData.h>
+#include <vtkRenderer.h>
+#include <vtkStringArray.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+namespace mote::app
+{
+
+void Window::act(Action action)
+{
+  if (busy_)
+    return;
+  switch (action)
+  {
+    case Action::None:
+      return;
+    case Action::Help:
+      overlay_.setMessage("");
+      overlay_.toggleHelp();
+      break;
+    case Action::ResetView:
+      this->look(options_.view);
+      break;
+    case Action::ViewPlusX:
+      this->look("+x");
+      break;
+    case Action::ViewMinusX:
+      this->look("-x");
+      break;
+    case Action::ViewPlusY:
+      this->look("+y");
+      break;
+    case Action::ViewMinusY:
+      this->look("-y");
+      break;
+    case Action::ViewPlusZ:
+      this->look("+z");
+      break;
+    case Action::ViewMinusZ:
+      this->look("-z");
+      break;
+    case Action::Projection:
+    {
+      vtkCamera* camera = scene_.renderer()->GetActiveCamera();
+      // What is at the focal point keeps its size.
+      const double half = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
+      if (!camera->GetParallelProjection())
+        camera->SetParallelScale(camera->GetDistance() * half);
+      else
+        camera->Dolly(camera->GetDistance() * half / camera->GetParallelScale());
+      camera->SetParallelProjection(!camera->GetParallelProjection());
+      scene_.renderer()->ResetCameraClippingRange();
+      break;
+    }
+    case Action::ZoomIn:
+      return this->zoom(1.25);
+    case Action::ZoomOut:
+      return this->zoom(0.8);
+    case Action::NextArray:
+      scene_.coloring().nextArray(scene_.parts());
+      props_.update(options_);
+      this->say(scene_.coloring().choice() ? "Coloured by " + scene_.coloring().title()
+                                           : "One colour for all");
+      break;
+    case Action::NextComponent:
+      scene_.coloring().nextComponent(scene_.parts());
+      props_.update(options_);
+      this->say(scene_.coloring().choice() ? "Coloured by " + scene_.coloring().title()
+                                           : "One colour for all");
+      break;
+    case Action::NextMap:
+      scene_.coloring().nextMap(scene_.parts());
+      props_.update(options_);
+      this->say("Colour map " + scene_.coloring().mapName());
+      break;
+    case Action::Smaller:
+      return this->scaleRadius(1.0 / 1.15);
+    case Action::Larger:
+      return this->scaleRadius(1.15);
+    case Action::PreviousStep:
+      return this->goTo(step_ - 1);
+    case Action::NextStep:
+      return this->goTo(step_ + 1);
+    case Action::FirstStep:
+      return this->goTo(0);
+    case Action::LastStep:
+      return this->goTo(input_.numberOfSteps() - 1);
+    case Action::Play:
+      playing_ = !playing_ && input_.numberOfSteps() > 1;
+      if (playing_)
+        return this->advance();
+      break;
+    case Action::Pick:
+      this->pick();
+      break;
+    case Action::Center:
+      this->center();
+      break;
+    case Action::Box:
+      props_.toggleBox();
+      break;
+    case Action::Legend:
+      props_.toggleLegend();
+      break;
+    case Action::Axes:
+      props_.toggleAxes();
+      break;
+    case Action::Background:
+      this->toggleBackground();
+      break;
+    case Action::Save:
+      this->savePicture();
+      break;
+    case Action::Escape:
+      playing_ = false;
+      overlay_.hideHelp();
+      overlay_.setMessage("");
+      props_.unmark();
+      break;
+    case Action::Quit:
+      interactor_->TerminateApp();
+      return;
+  }
+  this->render();
+}
+
+void Window::say(const std::string& message)
+{
+  overlay_.setMessage(" " + message + " ");
+  this->startTimer(messageTimer_, 4000);
+}
+
+void Window::goTo(int step)
+{
+  playing_ = false;
+  if (step < 0 || step >= input_.numberOfSteps())
+    this->say(input_.numberOfSteps() == 1 ? "There is one time step only"
+        : step < 0                        ? "This is the first time step"
+                                          : "This is the last time step");
+  else
+    this->load(step);
+  this->render();
+}
+
+void Window::zoom(double factor)
+{
+  vtkCamera* camera = scene_.renderer()->GetActiveCamera();
+  if (camera->GetParallelProjection())
+    camera->SetParallelScale(camera->GetParallelScale() / factor);
+  else
+    camera->Dolly(factor);
+  scene_.renderer()->ResetCameraClippingRange();
+  this->renderMoving();
+}
+
+void Window::scaleRadius(double factor)
+{
+  radiusScale_ *= factor;
+  scene_.setRadiusScale(radiusScale_);
+  if (this->buildAgain())
+    this->say("Radius x " + asNumber(radiusScale_, 3));
+  this->render();
+}
+
+void Window::pick()
+{
+  const int* cursor = interactor_->GetEventPosition();
+  vtkNew<vtkMoteParticlePicker> picker;
+  props_.unmark();
+  overlay_.setMessage("");
+  if (!picker->Pick(cursor[0], cursor[1], 0.0, scene_.renderer()))
+    return this->say("There is no particle under the cursor");
+  for (const auto& part : scene_.parts())
+  {
+    if (part->actor() != picker->GetActor())
+      continue;
+    double center[3], at[3];
+    part->data()->GetPoint(picker->GetParticleId(), center);
+    picker->GetPickPosition(at);
+    props_.mark(center, std::sqrt(vtkMath::Distance2BetweenPoints(center, at)));
+    overlay_.hideHelp();
+    overlay_.setMessage(this->particleFacts(*part, picker->GetParticleId()));
+    if (messageTimer_ > 0)
+      interactor_->DestroyTimer(messageTimer_);
+    messageTimer_ = 0;
+  }
+}
+
+std::string Window::particleFacts(const Part& part, vtkIdType id) const
+{
+  const auto line = [](std::string what, const std::string& value)
+  {
+    what.resize(std::max<std::size_t>(what.size(), 12), ' ');
+    return "\n " + what + " " + value + " ";
+  };
+  const auto tuple = [](const double* values, int count)
+  {
+    std::string text;
+    for (int i = 0; i < count; ++i)
+      text += (i > 0 ? ", " : "") + asNumber(values[i]);
+    return text;
+  };
+  double position[3];
+  part.data()->GetPoint(id, position);
+  std::string text = line("particle", withThousands(id) + " of " + part.name()).substr(1);
+  text += line("position", tuple(position, 3));
+  vtkPointData* arrays = part.data()->GetPointData();
+  for (int i = 0; i < std::min(20, arrays->GetNumberOfArrays()); ++i)
+  {
+    vtkAbstractArray* array = arrays->GetAbstractArray(i);
+    if (!array || !array->GetName() || id >= array->GetNumberOfTuples())
+      continue;
+    if (auto* numbers = vtkDataArray::SafeDownCast(array))
+      text += line(array->GetName(),
+        tuple(numbers->GetTuple(id), std::min(9, numbers->GetNumberOfComponents())));
+    else if (auto* words = vtkStringArray::SafeDownCast(array))
+      text += line(array->GetName(), words->GetValue(id));
+  }
+  return text;
+}
+
+void Window::center()
+{
+  const int* cursor = interactor_->GetEventPosition();
+  vtkNew<vtkMoteParticlePicker> picker;
+  if (!picker->Pick(cursor[0], cursor[1], 0.0, scene_.renderer()))
+    return this->say("There is no particle under the cursor");
+  double at[3], focus[3], position[3];
+  picker->GetPickPosition(at);
+  vtkCamera* camera = scene_.renderer()->GetActiveCamera();
+  camera->GetFocalPoint(focus);
+  camera->GetPosition(position);
+  for (int i = 0; i < 3; ++i)
+    position[i] += at[i] - focus[i];
+  camera->SetFocalPoint(at);
+  camera->SetPosition(position);
+  scene_.renderer()->ResetCameraClippingRange();
+}
+
+void Window::toggleBackground()
+{
+  const bool light = inkOn(scene_.renderer())[0] < 0.5;
+  setBackground(scene_.renderer(),
+    light ? std::vector<Color>{} : std::vector<Color>{{1.0, 1.0, 1.0}});
+  props_.setInk(inkOn(scene_.renderer()));
+  overlay_.setInk(inkOn(scene_.renderer()));
+}
+
+void Window::savePicture()
+{
+  const std::string stem =
+    std::filesystem::path(options_.files.front()).stem().stem().string();
+  std::string file;
+  for (int i = 1; file.empty() || std::filesystem::exists(file); ++i)
+  {
+    char number[16];
+    std::snprintf(number, sizeof number, "-%03d.png", i);
+    file = stem + number;
+  }
+  overlay_.setVisible(false);
+  do
+    this->render();
+  while (scene_.renderer()->GetPass() && !pass_->IsConverged() && !inputWaits(window_));
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(window_);
+  image->SetInputBufferTypeToRGB();
+  image->ReadFrontBufferOff();
+  image->ShouldRerenderOff();
+  vtkNew<vtkMoteImageWriter> writer;
+  writer->SetInputConnection(image->GetOutputPort());
+  writer->SetFileName(file.c_str());
+  const bool written = writer->Write() != 0;
+  overlay_.setVisible(true);
+  this->say(written ? "Saved " + file : writer->GetErrorMessage());
+}
+
+} // namespace mote::app

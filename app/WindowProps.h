@@ -1,0 +1,49 @@
+#pragma once
+
+#include "Scene.h"
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+class vtkActor;
+class vtkAxesActor;
+class vtkOrientationMarkerWidget;
+class vtkRenderWindowInteractor;
+class vtkScalarBarActor;
+
+namespace mote::app
+{
+
+/// The ordinary VTK props around the data: simulation box, colour legend, axes, the mark on a
+/// picked particle.
+class WindowProps
+{
+public:
+  explicit WindowProps(Scene& scene);
+  ~WindowProps();
+
+  /// Shows the little axes in the corner; call once, when the interactor is initialized.
+  void attach(vtkRenderWindowInteractor* interactor);
+
+  /// Follows the scene's data and colours.
+  void update(const ViewOptions& options);
+
+  void toggleBox();
+  void toggleLegend();
+  void toggleAxes();
+  void setInk(const Color& ink);
+
+  void mark(const double center[3], double radius);
+  void unmark();
+
+private:
+  Scene& scene_;
+  bool boxOn_ = true, legendOn_ = true;
+  vtkNew<vtkActor> box_;
+  vtkNew<vtkActor> mark_;
+  vtkNew<vtkScalarBarActor> legend_;
+  vtkNew<vtkAxesActor> axes_;
+  vtkNew<vtkOrientationMarkerWidget> corner_;
+};
+
+} // namespace mote::app
