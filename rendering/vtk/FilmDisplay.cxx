@@ -120,11 +120,13 @@ void FilmDisplay::convertDepth(vtkRenderer* renderer, const Film& film)
     });
 }
 
-void FilmDisplay::upload(const Film& film, const unsigned char* colors)
+void FilmDisplay::upload(const Film& film, const unsigned char* colors, bool smooth)
 {
   const auto width = static_cast<unsigned>(film.width());
   const auto height = static_cast<unsigned>(film.height());
-  prepareTexture(color_, window_, vtkTextureObject::Nearest);
+  // A film of fewer pixels than the viewport is smoothed; depths must not be blended.
+  prepareTexture(
+    color_, window_, smooth ? vtkTextureObject::Linear : vtkTextureObject::Nearest);
   prepareTexture(depth_, window_, vtkTextureObject::Nearest);
   color_->Create2DFromRaw(width, height, 4, VTK_UNSIGNED_CHAR, const_cast<unsigned char*>(colors));
   depth_->Create2DFromRaw(width, height, 1, VTK_FLOAT, windowDepth_.data());
@@ -171,7 +173,9 @@ void FilmDisplay::draw(vtkRenderer* renderer, const Film& film, unsigned long ve
           colorBytes_[i] = static_cast<unsigned char>(film.color()[i] * 255.0f + 0.5f);
       });
     convertDepth(renderer, film);
-    upload(film, colorBytes_.data());
+    int width = 0, height = 0, x = 0, y = 0;
+    renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
+    upload(film, colorBytes_.data(), width != film.width() || height != film.height());
     shown_ = wanted;
   }
   drawQuad(true);
@@ -184,7 +188,7 @@ void FilmDisplay::drawFlat(
     return;
   shown_.clear();
   convertDepth(renderer, film);
-  upload(film, colors.data());
+  upload(film, colors.data(), false);
   drawQuad(false);
 }
 

@@ -37,7 +37,7 @@ public:
 
 private:
   bool prepare(vtkRenderer* renderer);
-  void upload(const Film& film, const unsigned char* colors);
+  void upload(const Film& film, const unsigned char* colors, bool smooth);
   void convertDepth(vtkRenderer* renderer, const Film& film);
   void drawQuad(bool blend);
 
