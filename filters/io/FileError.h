@@ -25,16 +25,17 @@ public:
 
   /// `line` and `column` count from 1, the column in characters; 0 means that there is none.
   FileError(Kind kind, const std::string& file, const std::string& sentence, std::uint64_t line = 0,
-            std::uint64_t column = 0)
-      : std::runtime_error(compose(file, sentence, line, column)), m_kind(kind)
+    std::uint64_t column = 0)
+    : std::runtime_error(compose(file, sentence, line, column))
+    , m_kind(kind)
   {
   }
 
   Kind kind() const { return m_kind; }
 
 private:
-  static std::string compose(const std::string& file, const std::string& sentence,
-                             std::uint64_t line, std::uint64_t column)
+  static std::string compose(
+    const std::string& file, const std::string& sentence, std::uint64_t line, std::uint64_t column)
   {
     std::string text = file;
     if (line > 0)

@@ -37,7 +37,7 @@ struct LAMMPSFrame
   std::uint64_t atoms = 0;
   LAMMPSBox box;
   std::shared_ptr<const std::vector<std::string>>
-      columns;                   ///< never null; "id type xs ys zs" if old
+    columns;                     ///< never null; "id type xs ys zs" if old
   std::uint64_t columnsLine = 0; ///< the line ITEM: ATOMS
   TextCursor::Place rows;
   std::optional<FileError> damage; ///< why this step cannot be read

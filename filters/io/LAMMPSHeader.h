@@ -14,7 +14,11 @@ class LAMMPSHeader
 {
 public:
   /// `frame` brings the units and columns of the frame before, and receives what is read.
-  LAMMPSHeader(TextCursor& cursor, LAMMPSFrame& frame) : m_cursor(cursor), m_frame(frame) {}
+  LAMMPSHeader(TextCursor& cursor, LAMMPSFrame& frame)
+    : m_cursor(cursor)
+    , m_frame(frame)
+  {
+  }
 
   /// False at the end of the file. Throws FileError for whatever is not as it should be.
   bool read();

@@ -13,8 +13,8 @@ namespace mote
 namespace
 {
 
-void requireCoordinates(const std::string& path, const LAMMPSFrame& frame,
-                        const LAMMPSLayout& layout)
+void requireCoordinates(
+  const std::string& path, const LAMMPSFrame& frame, const LAMMPSLayout& layout)
 {
   const std::string& axis = layout.missing;
   if (axis.empty())
@@ -27,13 +27,13 @@ void requireCoordinates(const std::string& path, const LAMMPSFrame& frame,
     names += ' ' + column;
   }
   throw FileError(FileError::Kind::Malformed, path,
-                  "no column gives the " + axis + " coordinate (" + axis + ", " + axis + "u, " +
-                      axis + "s or " + axis + "su); the columns are" + names,
-                  frame.columnsLine);
+    "no column gives the " + axis + " coordinate (" + axis + ", " + axis + "u, " + axis + "s or " +
+      axis + "su); the columns are" + names,
+    frame.columnsLine);
 }
 
 std::vector<ColumnType> chooseTypes(TextCursor& cursor, const LAMMPSFrame& frame,
-                                    const LAMMPSLayout& layout, const LAMMPSReadOptions& options)
+  const LAMMPSLayout& layout, const LAMMPSReadOptions& options)
 {
   const std::vector<std::string>& columns = *frame.columns;
   std::vector<ColumnType> types(columns.size(), ColumnType::Skip);
@@ -81,8 +81,7 @@ void addHeader(const LAMMPSFrame& frame, vtkFieldData* fields)
 } // namespace
 
 void readLAMMPSFrame(const std::string& path, const LAMMPSFrame& frame,
-                     const LAMMPSReadOptions& options, const Progress& progress,
-                     vtkPolyData* output)
+  const LAMMPSReadOptions& options, const Progress& progress, vtkPolyData* output)
 {
   if (frame.damage)
   {

@@ -23,8 +23,7 @@ struct LAMMPSReadOptions
 /// Reads one frame into `output`, which should be empty: points, one vertex cell an atom, point
 /// data, and the frame's header as field data. Throws FileError, and then `output` must be dropped.
 void readLAMMPSFrame(const std::string& path, const LAMMPSFrame& frame,
-                     const LAMMPSReadOptions& options, const Progress& progress,
-                     vtkPolyData* output);
+  const LAMMPSReadOptions& options, const Progress& progress, vtkPolyData* output);
 
 } // namespace mote
 

@@ -43,20 +43,21 @@ std::string withoutDecoration(const std::string& text)
 
 } // namespace
 
-MessageCatcher::MessageCatcher(vtkAlgorithm* algorithm) : m_window(vtkOutputWindow::GetInstance())
+MessageCatcher::MessageCatcher(vtkAlgorithm* algorithm)
+  : m_window(vtkOutputWindow::GetInstance())
 {
   m_command->SetClientData(this);
   m_command->SetCallback(
-      [](vtkObject*, unsigned long event, void* self, void* text)
+    [](vtkObject*, unsigned long event, void* self, void* text)
+    {
+      auto* catcher = static_cast<MessageCatcher*>(self);
+      auto& list = event == vtkCommand::ErrorEvent ? catcher->m_errors : catcher->m_warnings;
+      const std::string message = withoutDecoration(text ? static_cast<const char*>(text) : "");
+      if (!message.empty())
       {
-        auto* catcher = static_cast<MessageCatcher*>(self);
-        auto& list = event == vtkCommand::ErrorEvent ? catcher->m_errors : catcher->m_warnings;
-        const std::string message = withoutDecoration(text ? static_cast<const char*>(text) : "");
-        if (!message.empty())
-        {
-          list.push_back(message);
-        }
-      });
+        list.push_back(message);
+      }
+    });
   this->watch(algorithm);
   this->watch(algorithm->GetExecutive());
   if (m_window)

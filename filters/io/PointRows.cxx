@@ -61,8 +61,8 @@ void widen(PointRows& rows, const WidenColumn& request)
 
 } // namespace
 
-void readPointRows(TextCursor& cursor, PointRows rows, const Progress& progress,
-                   vtkPolyData* output)
+void readPointRows(
+  TextCursor& cursor, PointRows rows, const Progress& progress, vtkPolyData* output)
 {
   RowsResult result;
   do

@@ -33,8 +33,8 @@ struct PointRows
 /// Makes points (double), one vertex cell a point and the arrays as point data. Integer columns
 /// with a value that is no such integer become wider, or Float64. Throws FileError, and then
 /// `output` must be dropped.
-void readPointRows(TextCursor& cursor, PointRows rows, const Progress& progress,
-                   vtkPolyData* output);
+void readPointRows(
+  TextCursor& cursor, PointRows rows, const Progress& progress, vtkPolyData* output);
 
 } // namespace mote
 

@@ -49,8 +49,8 @@ vtkSmartPointer<vtkAbstractArray> makeArray(int components, vtkIdType tuples, vo
 
 } // namespace
 
-vtkSmartPointer<vtkAbstractArray> makeColumnArray(ColumnType type, int components, vtkIdType tuples,
-                                                  void*& data)
+vtkSmartPointer<vtkAbstractArray> makeColumnArray(
+  ColumnType type, int components, vtkIdType tuples, void*& data)
 {
   switch (type)
   {

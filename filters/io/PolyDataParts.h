@@ -19,8 +19,8 @@ namespace mote
 
 /// A VTK array for columns of one type, with `data` at its first value, or null if it has none.
 /// Int64 is vtkIdTypeArray, String vtkStringArray (whose values are std::string).
-vtkSmartPointer<vtkAbstractArray> makeColumnArray(ColumnType type, int components, vtkIdType tuples,
-                                                  void*& data);
+vtkSmartPointer<vtkAbstractArray> makeColumnArray(
+  ColumnType type, int components, vtkIdType tuples, void*& data);
 
 /// The size of one value in such an array.
 std::size_t bytesOf(ColumnType type);

@@ -60,23 +60,20 @@ vtkSmartPointer<vtkAlgorithm> makePLY(const FileNames& fileNames)
 const std::vector<ReaderFormat>& readerFormats()
 {
   static const std::vector<ReaderFormat> formats = {
-      {{".dump", ".lammpstrj", ".lammps", ".dump.gz", ".lammpstrj.gz", ".lammps.gz"},
-       "LAMMPS text dump, a file or a series",
-       makeLAMMPS,
-       true,
-       looksLikeLAMMPSDump},
-      {{".xyz", ".xyz.gz"}, "XYZ and extended XYZ atoms", make<vtkMoteXYZReader>},
-      {{".pts", ".pts.gz"}, "points, x y z a line", make<vtkMotePointsReader>},
-      {{".csv"}, "table with columns x, y, z", make<vtkMoteDelimitedPointsReader>},
-      {{".pdb"}, "Protein Data Bank atoms", make<vtkPDBReader>},
-      {{".vtp"}, "VTK XML polygonal data", make<vtkXMLPolyDataReader>},
-      {{".vtu"}, "VTK XML unstructured grid", make<vtkXMLUnstructuredGridReader>},
-      {{".vti"}, "VTK XML image", make<vtkXMLImageDataReader>},
-      {{".vtk"}, "VTK legacy file of any data set", make<vtkGenericDataObjectReader>},
-      {{".ply"}, "Stanford triangle mesh", makePLY},
-      {{".obj"}, "Wavefront mesh", make<vtkOBJReader>},
-      {{".stl"}, "STL triangle mesh", make<vtkSTLReader>},
-      {{".foam"}, "OpenFOAM case", make<vtkOpenFOAMReader>},
+    {{".dump", ".lammpstrj", ".lammps", ".dump.gz", ".lammpstrj.gz", ".lammps.gz"},
+      "LAMMPS text dump, a file or a series", makeLAMMPS, true, looksLikeLAMMPSDump},
+    {{".xyz", ".xyz.gz"}, "XYZ and extended XYZ atoms", make<vtkMoteXYZReader>},
+    {{".pts", ".pts.gz"}, "points, x y z a line", make<vtkMotePointsReader>},
+    {{".csv"}, "table with columns x, y, z", make<vtkMoteDelimitedPointsReader>},
+    {{".pdb"}, "Protein Data Bank atoms", make<vtkPDBReader>},
+    {{".vtp"}, "VTK XML polygonal data", make<vtkXMLPolyDataReader>},
+    {{".vtu"}, "VTK XML unstructured grid", make<vtkXMLUnstructuredGridReader>},
+    {{".vti"}, "VTK XML image", make<vtkXMLImageDataReader>},
+    {{".vtk"}, "VTK legacy file of any data set", make<vtkGenericDataObjectReader>},
+    {{".ply"}, "Stanford triangle mesh", makePLY},
+    {{".obj"}, "Wavefront mesh", make<vtkOBJReader>},
+    {{".stl"}, "STL triangle mesh", make<vtkSTLReader>},
+    {{".foam"}, "OpenFOAM case", make<vtkOpenFOAMReader>},
   };
   return formats;
 }

@@ -64,7 +64,7 @@ struct RowsResult
 /// column, too few or too many values in a line, too few lines (Truncated), and when `progress`
 /// asks to stop (Aborted). What was stored by then is of no use.
 RowsResult readRows(TextCursor& cursor, std::uint64_t rows, const std::vector<TextColumn>& columns,
-                    const RowsStored& stored, const Progress& progress);
+  const RowsStored& stored, const Progress& progress);
 
 /// The values of the next line, which stays the next one; empty at the end of the text.
 std::vector<std::string> peekValues(TextCursor& cursor);

@@ -38,8 +38,8 @@ std::vector<XYZFrame> indexXYZ(const std::string& path, const Progress& progress
 
 /// What the columns are, from the comment of an extended file, else from the values of the first
 /// row. Throws FileError for a description that makes no sense or has no positions.
-XYZLayout xyzLayout(const std::string& path, const XYZFrame& frame,
-                    const std::vector<std::string>& firstRow);
+XYZLayout xyzLayout(
+  const std::string& path, const XYZFrame& frame, const std::vector<std::string>& firstRow);
 
 } // namespace mote
 

@@ -60,16 +60,15 @@ vtkDataArray* coordinate(vtkTable* table, const std::string& axis, const std::st
       if (!isNumber)
       {
         throw FileError(FileError::Kind::Malformed, path,
-                        "expected a number for '" + axis + "', found '" + words->GetValue(row) +
-                            "'",
-                        static_cast<std::uint64_t>(row) + 2);
+          "expected a number for '" + axis + "', found '" + words->GetValue(row) + "'",
+          static_cast<std::uint64_t>(row) + 2);
       }
     }
   }
   throw FileError(FileError::Kind::Malformed, path,
-                  "no column is named '" + axis +
-                      "'; points need columns x, y and z, and here are " + namesOf(table),
-                  1);
+    "no column is named '" + axis + "'; points need columns x, y and z, and here are " +
+      namesOf(table),
+    1);
 }
 
 void convert(vtkTable* table, const std::string& path, vtkPolyData* output)
@@ -105,42 +104,41 @@ vtkStandardNewMacro(vtkMoteDelimitedPointsReader);
 vtkMoteDelimitedPointsReader::vtkMoteDelimitedPointsReader() = default;
 vtkMoteDelimitedPointsReader::~vtkMoteDelimitedPointsReader() = default;
 
-int vtkMoteDelimitedPointsReader::RequestData(vtkInformation*, vtkInformationVector**,
-                                              vtkInformationVector* outputVector)
+int vtkMoteDelimitedPointsReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->Initialize();
   vtkNew<vtkPolyData> result;
   const bool good = this->Attempt(
-      [&](const ProgressFunction&)
+    [&](const ProgressFunction&)
+    {
+      this->RequireFileName();
+      const std::string path = this->GetFileName();
+      const mote::TextFile file(path); // says clearly why a file cannot be opened
+      if (file.isGzip())
       {
-        this->RequireFileName();
-        const std::string path = this->GetFileName();
-        const mote::TextFile file(path); // says clearly why a file cannot be opened
-        if (file.isGzip())
-        {
-          throw FileError(FileError::Kind::OtherFormat, path,
-                          "tables are not read from gzip files; unpack it first (gunzip)");
-        }
-        std::string message;
-        vtkNew<vtkCallbackCommand> keep;
-        keep->SetCallback(keepMessage);
-        keep->SetClientData(&message);
-        vtkNew<vtkDelimitedTextReader> reader;
-        reader->AddObserver(vtkCommand::ErrorEvent, keep);
-        reader->SetFileName(path.c_str());
-        reader->SetHaveHeaders(true);
-        reader->DetectNumericColumnsOn();
-        reader->Update();
-        if (!message.empty() || reader->GetOutput()->GetNumberOfRows() == 0)
-        {
-          throw FileError(FileError::Kind::Truncated, path,
-                          file.bytes() == 0
-                              ? "the file is empty"
-                              : "the table has no row below the names of its columns");
-        }
-        convert(reader->GetOutput(), path, result);
-      });
+        throw FileError(FileError::Kind::OtherFormat, path,
+          "tables are not read from gzip files; unpack it first (gunzip)");
+      }
+      std::string message;
+      vtkNew<vtkCallbackCommand> keep;
+      keep->SetCallback(keepMessage);
+      keep->SetClientData(&message);
+      vtkNew<vtkDelimitedTextReader> reader;
+      reader->AddObserver(vtkCommand::ErrorEvent, keep);
+      reader->SetFileName(path.c_str());
+      reader->SetHaveHeaders(true);
+      reader->DetectNumericColumnsOn();
+      reader->Update();
+      if (!message.empty() || reader->GetOutput()->GetNumberOfRows() == 0)
+      {
+        throw FileError(FileError::Kind::Truncated, path,
+          file.bytes() == 0 ? "the file is empty"
+                            : "the table has no row below the names of its columns");
+      }
+      convert(reader->GetOutput(), path, result);
+    });
   if (good)
   {
     output->ShallowCopy(result);

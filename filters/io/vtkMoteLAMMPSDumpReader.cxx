@@ -85,9 +85,9 @@ void vtkMoteLAMMPSDumpReader::Internals::MakeSteps()
   bool haveTimes = true;
   for (const auto& [name, file] : this->Files)
   {
-    haveTimes = haveTimes &&
-                std::all_of(file.Index.frames.begin(), file.Index.frames.end(),
-                            [](const mote::LAMMPSFrame& frame) { return frame.time.has_value(); });
+    haveTimes =
+      haveTimes && std::all_of(file.Index.frames.begin(), file.Index.frames.end(),
+                     [](const mote::LAMMPSFrame& frame) { return frame.time.has_value(); });
   }
   std::map<double, Step> steps;
   for (const std::string& name : this->Names)
@@ -109,20 +109,22 @@ void vtkMoteLAMMPSDumpReader::Internals::MakeSteps()
 const Step& vtkMoteLAMMPSDumpReader::Internals::Choose(double time) const
 {
   auto after = std::upper_bound(this->Steps.begin(), this->Steps.end(), time,
-                                [](double t, const Step& step) { return t < step.Time; });
+    [](double t, const Step& step) { return t < step.Time; });
   return after == this->Steps.begin() ? *after : *(after - 1);
 }
 
 bool vtkMoteLAMMPSDumpReader::Internals::FilesHaveChanged() const
 {
   return std::any_of(this->Files.begin(), this->Files.end(),
-                     [](const auto& file)
-                     { return !(mote::stampOf(file.first) == file.second.Stamp); });
+    [](const auto& file) { return !(mote::stampOf(file.first) == file.second.Stamp); });
 }
 
 vtkStandardNewMacro(vtkMoteLAMMPSDumpReader);
 
-vtkMoteLAMMPSDumpReader::vtkMoteLAMMPSDumpReader() : Internal(std::make_unique<Internals>()) {}
+vtkMoteLAMMPSDumpReader::vtkMoteLAMMPSDumpReader()
+  : Internal(std::make_unique<Internals>())
+{
+}
 
 vtkMoteLAMMPSDumpReader::~vtkMoteLAMMPSDumpReader() = default;
 
@@ -239,14 +241,14 @@ void vtkMoteLAMMPSDumpReader::OfferArrays()
     if (selection->GetArraySetting(i) && offered.find(name) == offered.end())
     {
       throw mote::FileError(mote::FileError::Kind::Malformed, this->Internal->Names.front(),
-                            "there is no array '" + std::string(name) + "' to read; there " +
-                                (known.empty() ? "are none" : "are " + known));
+        "there is no array '" + std::string(name) + "' to read; there " +
+          (known.empty() ? "are none" : "are " + known));
     }
   }
 }
 
-int vtkMoteLAMMPSDumpReader::RequestInformation(vtkInformation*, vtkInformationVector**,
-                                                vtkInformationVector* outputVector)
+int vtkMoteLAMMPSDumpReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* information = outputVector->GetInformationObject(0);
@@ -254,12 +256,12 @@ int vtkMoteLAMMPSDumpReader::RequestInformation(vtkInformation*, vtkInformationV
   information->Remove(Pipeline::TIME_RANGE());
   this->AbortExecute = 0; // of an earlier run: only REQUEST_DATA resets it
   this->Ready = this->Attempt(
-      [this](const mote::Progress& progress)
-      {
-        this->RequireFileName();
-        this->Internal->Update(progress);
-        this->OfferArrays();
-      });
+    [this](const mote::Progress& progress)
+    {
+      this->RequireFileName();
+      this->Internal->Update(progress);
+      this->OfferArrays();
+    });
   if (this->Ready)
   {
     for (const auto& [name, file] : this->Internal->Files)
@@ -283,8 +285,8 @@ int vtkMoteLAMMPSDumpReader::RequestInformation(vtkInformation*, vtkInformationV
   return 1;
 }
 
-int vtkMoteLAMMPSDumpReader::RequestData(vtkInformation*, vtkInformationVector**,
-                                         vtkInformationVector* outputVector)
+int vtkMoteLAMMPSDumpReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* information = outputVector->GetInformationObject(0);
@@ -297,26 +299,26 @@ int vtkMoteLAMMPSDumpReader::RequestData(vtkInformation*, vtkInformationVector**
   vtkNew<vtkPolyData> result; // the output sees nothing that is half read
   double time = 0;
   const bool good = this->Attempt(
-      [&](const mote::Progress& progress)
+    [&](const mote::Progress& progress)
+    {
+      if (this->Internal->FilesHaveChanged())
       {
-        if (this->Internal->FilesHaveChanged())
-        {
-          this->Internal->Update(progress);
-        }
-        time = this->Internal->Steps.front().Time;
-        if (information->Has(Pipeline::UPDATE_TIME_STEP()))
-        {
-          time = information->Get(Pipeline::UPDATE_TIME_STEP());
-        }
-        const Step& step = this->Internal->Choose(time);
-        time = step.Time;
-        mote::LAMMPSReadOptions options;
-        options.combine = this->CombineVectors;
-        options.singlePrecision = this->SinglePrecision;
-        options.wanted = [this](const std::string& name)
-        { return this->Internal->Selection->ArrayIsEnabled(name.c_str()) != 0; };
-        mote::readLAMMPSFrame(*step.File, *step.Frame, options, progress, result);
-      });
+        this->Internal->Update(progress);
+      }
+      time = this->Internal->Steps.front().Time;
+      if (information->Has(Pipeline::UPDATE_TIME_STEP()))
+      {
+        time = information->Get(Pipeline::UPDATE_TIME_STEP());
+      }
+      const Step& step = this->Internal->Choose(time);
+      time = step.Time;
+      mote::LAMMPSReadOptions options;
+      options.combine = this->CombineVectors;
+      options.singlePrecision = this->SinglePrecision;
+      options.wanted = [this](const std::string& name)
+      { return this->Internal->Selection->ArrayIsEnabled(name.c_str()) != 0; };
+      mote::readLAMMPSFrame(*step.File, *step.Frame, options, progress, result);
+    });
   if (good)
   {
     vtkNew<vtkDoubleArray> value;

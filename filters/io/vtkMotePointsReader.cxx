@@ -35,30 +35,30 @@ vtkStandardNewMacro(vtkMotePointsReader);
 vtkMotePointsReader::vtkMotePointsReader() = default;
 vtkMotePointsReader::~vtkMotePointsReader() = default;
 
-int vtkMotePointsReader::RequestData(vtkInformation*, vtkInformationVector**,
-                                     vtkInformationVector* outputVector)
+int vtkMotePointsReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->Initialize();
   vtkNew<vtkPolyData> result;
   const bool good = this->Attempt(
-      [&](const ProgressFunction& progress)
+    [&](const ProgressFunction& progress)
+    {
+      this->RequireFileName();
+      mote::TextCursor cursor(this->GetFileName(), mote::TextCursor::OpenEnd::Accept);
+      mote::PointRows rows;
+      rows.place = cursor.place();
+      rows.columns = {"x", "y", "z"};
+      rows.coordinates = {0, 1, 2};
+      rows.types.assign(3, mote::ColumnType::Float64);
+      rows.rows = countLines(cursor);
+      if (rows.rows == 0)
       {
-        this->RequireFileName();
-        mote::TextCursor cursor(this->GetFileName(), mote::TextCursor::OpenEnd::Accept);
-        mote::PointRows rows;
-        rows.place = cursor.place();
-        rows.columns = {"x", "y", "z"};
-        rows.coordinates = {0, 1, 2};
-        rows.types.assign(3, mote::ColumnType::Float64);
-        rows.rows = countLines(cursor);
-        if (rows.rows == 0)
-        {
-          throw mote::FileError(mote::FileError::Kind::Truncated, this->GetFileName(),
-                                "the file is empty");
-        }
-        mote::readPointRows(cursor, std::move(rows), progress, result);
-      });
+        throw mote::FileError(
+          mote::FileError::Kind::Truncated, this->GetFileName(), "the file is empty");
+      }
+      mote::readPointRows(cursor, std::move(rows), progress, result);
+    });
   if (good)
   {
     output->ShallowCopy(result);

@@ -63,8 +63,8 @@ void vtkMotePolyDataReader::RequireFileName()
 {
   if (!this->GetFileName())
   {
-    throw mote::FileError(mote::FileError::Kind::NotFound, this->GetClassName(),
-                          "no file name has been set");
+    throw mote::FileError(
+      mote::FileError::Kind::NotFound, this->GetClassName(), "no file name has been set");
   }
 }
 
@@ -75,11 +75,11 @@ bool vtkMotePolyDataReader::Attempt(const std::function<void(const ProgressFunct
   try
   {
     work(
-        [this](double fraction)
-        {
-          this->UpdateProgress(fraction);
-          return !this->GetAbortExecute();
-        });
+      [this](double fraction)
+      {
+        this->UpdateProgress(fraction);
+        return !this->GetAbortExecute();
+      });
     return true;
   }
   catch (const mote::FileError& error)

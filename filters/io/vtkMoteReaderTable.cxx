@@ -42,12 +42,11 @@ const mote::ReaderFormat& requireFormat(const std::string& path)
       beginning.find("DUMPCUSTOM") != std::string::npos)
   {
     throw mote::FileError(Kind::OtherFormat, path,
-                          "this is a binary LAMMPS dump, and only text dumps are read (LAMMPS's "
-                          "tool binary2txt turns one into the other)");
+      "this is a binary LAMMPS dump, and only text dumps are read (LAMMPS's "
+      "tool binary2txt turns one into the other)");
   }
   throw mote::FileError(Kind::OtherFormat, path,
-                        "no reader knows this file; known extensions are " +
-                            vtkMoteReaderTable::GetExtensions());
+    "no reader knows this file; known extensions are " + vtkMoteReaderTable::GetExtensions());
 }
 
 /// Where the last number in a file's own name is: [first, second).
@@ -134,8 +133,8 @@ std::string runQuietly(vtkAlgorithm* reader, const Update& update, std::string* 
 }
 
 template <class Update>
-vtkSmartPointer<vtkDataObject> readWith(vtkAlgorithm* reader, const Update& update,
-                                        std::string& error, std::string* warnings)
+vtkSmartPointer<vtkDataObject> readWith(
+  vtkAlgorithm* reader, const Update& update, std::string& error, std::string* warnings)
 {
   error = runQuietly(reader, update, warnings);
   vtkDataObject* data = error.empty() ? reader->GetOutputDataObject(0) : nullptr;
@@ -150,8 +149,8 @@ vtkSmartPointer<vtkDataObject> readWith(vtkAlgorithm* reader, const Update& upda
 
 } // namespace
 
-vtkSmartPointer<vtkAlgorithm>
-vtkMoteReaderTable::MakeReader(const std::vector<std::string>& fileNames, std::string& error)
+vtkSmartPointer<vtkAlgorithm> vtkMoteReaderTable::MakeReader(
+  const std::vector<std::string>& fileNames, std::string& error)
 {
   error.clear();
   try
@@ -166,15 +165,15 @@ vtkMoteReaderTable::MakeReader(const std::vector<std::string>& fileNames, std::s
       if (&requireFormat(name) != &format)
       {
         throw mote::FileError(mote::FileError::Kind::OtherFormat, name,
-                              "the files of a series must have one format, and this is no " +
-                                  std::string(format.description));
+          "the files of a series must have one format, and this is no " +
+            std::string(format.description));
       }
     }
     if (fileNames.size() > 1 && !format.series)
     {
       throw mote::FileError(mote::FileError::Kind::OtherFormat, fileNames[1],
-                            "several files of this format (" + std::string(format.description) +
-                                ") make no series; read them one by one");
+        "several files of this format (" + std::string(format.description) +
+          ") make no series; read them one by one");
     }
     vtkSmartPointer<vtkAlgorithm> reader = format.make(fileNames);
     reader->GetInformation()->Set(FILE_NAME(), fileNames.front());
@@ -187,8 +186,8 @@ vtkMoteReaderTable::MakeReader(const std::vector<std::string>& fileNames, std::s
   }
 }
 
-vtkSmartPointer<vtkAlgorithm> vtkMoteReaderTable::MakeReader(const std::string& fileName,
-                                                             std::string& error)
+vtkSmartPointer<vtkAlgorithm> vtkMoteReaderTable::MakeReader(
+  const std::string& fileName, std::string& error)
 {
   return MakeReader(std::vector<std::string>{fileName}, error);
 }
@@ -219,15 +218,15 @@ std::string vtkMoteReaderTable::CheckFile(const std::string& fileName)
   }
 }
 
-vtkSmartPointer<vtkDataObject> vtkMoteReaderTable::Read(vtkAlgorithm* reader, std::string& error,
-                                                        std::string* warnings)
+vtkSmartPointer<vtkDataObject> vtkMoteReaderTable::Read(
+  vtkAlgorithm* reader, std::string& error, std::string* warnings)
 {
   return readWith(
-      reader, [&] { reader->Update(); }, error, warnings);
+    reader, [&] { reader->Update(); }, error, warnings);
 }
 
-vtkSmartPointer<vtkDataObject> vtkMoteReaderTable::Read(vtkAlgorithm* reader, double time,
-                                                        std::string& error, std::string* warnings)
+vtkSmartPointer<vtkDataObject> vtkMoteReaderTable::Read(
+  vtkAlgorithm* reader, double time, std::string& error, std::string* warnings)
 {
   const auto update = [&]
   {
@@ -254,7 +253,7 @@ vtkDataObject* vtkMoteReaderTable::ReadFile(const std::string& fileName)
 std::vector<double> vtkMoteReaderTable::GetTimeSteps(vtkAlgorithm* reader, std::string& error)
 {
   error = runQuietly(
-      reader, [&] { reader->UpdateInformation(); }, nullptr);
+    reader, [&] { reader->UpdateInformation(); }, nullptr);
   vtkInformation* information = reader->GetOutputInformation(0);
   auto* key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
   if (!error.empty() || !information || !information->Has(key))
@@ -265,8 +264,8 @@ std::vector<double> vtkMoteReaderTable::GetTimeSteps(vtkAlgorithm* reader, std::
   return std::vector<double>(times, times + information->Length(key));
 }
 
-std::vector<std::vector<std::string>>
-vtkMoteReaderTable::GroupSeries(const std::vector<std::string>& fileNames)
+std::vector<std::vector<std::string>> vtkMoteReaderTable::GroupSeries(
+  const std::vector<std::string>& fileNames)
 {
   std::vector<std::vector<std::string>> groups;
   std::vector<std::string> patterns; // of the groups; empty for those that take no more files
@@ -292,8 +291,7 @@ vtkMoteReaderTable::GroupSeries(const std::vector<std::string>& fileNames)
   for (std::vector<std::string>& group : groups)
   {
     std::stable_sort(group.begin(), group.end(),
-                     [](const std::string& a, const std::string& b)
-                     { return orderOf(a) < orderOf(b); });
+      [](const std::string& a, const std::string& b) { return orderOf(a) < orderOf(b); });
   }
   return groups;
 }
@@ -321,7 +319,13 @@ std::string vtkMoteReaderTable::GetFormatsHelp()
     {
       line += ' ' + std::string(extension);
     }
-    line.resize(std::max<std::size_t>(line.size() + 2, 32), ' ');
+    const std::size_t width = 32;
+    if (line.size() + 2 > width)
+    {
+      text += line + '\n'; // the description goes below
+      line.clear();
+    }
+    line.resize(width, ' ');
     text += line + format.description + '\n';
   }
   return text;

@@ -38,8 +38,8 @@ public:
    * files. Null, with the reason in `error`, when a file is missing, is a directory, may not be
    * read, or has a format that is not in the table.
    */
-  static vtkSmartPointer<vtkAlgorithm> MakeReader(const std::vector<std::string>& fileNames,
-                                                  std::string& error);
+  static vtkSmartPointer<vtkAlgorithm> MakeReader(
+    const std::vector<std::string>& fileNames, std::string& error);
   static vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& fileName, std::string& error);
 
   /**
@@ -63,10 +63,10 @@ public:
    *
    * Messages are caught by the process-wide vtkOutputWindow: call this from one thread at a time.
    */
-  static vtkSmartPointer<vtkDataObject> Read(vtkAlgorithm* reader, std::string& error,
-                                             std::string* warnings = nullptr);
-  static vtkSmartPointer<vtkDataObject> Read(vtkAlgorithm* reader, double time, std::string& error,
-                                             std::string* warnings = nullptr);
+  static vtkSmartPointer<vtkDataObject> Read(
+    vtkAlgorithm* reader, std::string& error, std::string* warnings = nullptr);
+  static vtkSmartPointer<vtkDataObject> Read(
+    vtkAlgorithm* reader, double time, std::string& error, std::string* warnings = nullptr);
 
   /**
    * MakeReader and Read in one call, for Python: the data, or null after a VTK error with the
@@ -86,8 +86,8 @@ public:
    * group, ordered by that number; every other name is a group of its own. Groups come in the order
    * of their first members. Files whose extension says nothing are opened for their first bytes.
    */
-  static std::vector<std::vector<std::string>>
-  GroupSeries(const std::vector<std::string>& fileNames);
+  static std::vector<std::vector<std::string>> GroupSeries(
+    const std::vector<std::string>& fileNames);
 
   /**
    * The extensions that the table knows, with their dots, separated by blanks (".dump .vtp ...").
@@ -95,7 +95,7 @@ public:
   static std::string GetExtensions();
 
   /**
-   * A text of one line a format, "  .dump .lammpstrj ...   LAMMPS text dump", for help pages.
+   * A text of a line or two a format, "  .vtp     VTK XML polygonal data", for help pages.
    */
   static std::string GetFormatsHelp();
 

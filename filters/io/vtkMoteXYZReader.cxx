@@ -27,7 +27,7 @@ namespace
 void addTypes(vtkPolyData* data, const std::string& species)
 {
   auto* names =
-      vtkStringArray::SafeDownCast(data->GetPointData()->GetAbstractArray(species.c_str()));
+    vtkStringArray::SafeDownCast(data->GetPointData()->GetAbstractArray(species.c_str()));
   if (!names || data->GetPointData()->HasArray("type"))
   {
     return;
@@ -50,7 +50,7 @@ void addTypes(vtkPolyData* data, const std::string& species)
 }
 
 void readFrame(const std::string& path, const mote::XYZFrame& frame, const mote::Progress& progress,
-               vtkPolyData* output)
+  vtkPolyData* output)
 {
   mote::TextCursor cursor(path, mote::TextCursor::OpenEnd::Accept);
   cursor.seek(frame.rows);
@@ -91,12 +91,15 @@ public:
 
 vtkStandardNewMacro(vtkMoteXYZReader);
 
-vtkMoteXYZReader::vtkMoteXYZReader() : Internal(std::make_unique<Internals>()) {}
+vtkMoteXYZReader::vtkMoteXYZReader()
+  : Internal(std::make_unique<Internals>())
+{
+}
 
 vtkMoteXYZReader::~vtkMoteXYZReader() = default;
 
-int vtkMoteXYZReader::RequestInformation(vtkInformation*, vtkInformationVector**,
-                                         vtkInformationVector* outputVector)
+int vtkMoteXYZReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* information = outputVector->GetInformationObject(0);
@@ -104,11 +107,11 @@ int vtkMoteXYZReader::RequestInformation(vtkInformation*, vtkInformationVector**
   information->Remove(Pipeline::TIME_RANGE());
   this->AbortExecute = 0; // of an earlier run: only REQUEST_DATA resets it
   const bool good = this->Attempt(
-      [this](const ProgressFunction& progress)
-      {
-        this->RequireFileName();
-        this->Internal->Update(this->GetFileName(), progress);
-      });
+    [this](const ProgressFunction& progress)
+    {
+      this->RequireFileName();
+      this->Internal->Update(this->GetFileName(), progress);
+    });
   if (!good)
   {
     this->Internal->Frames.clear();
@@ -125,8 +128,8 @@ int vtkMoteXYZReader::RequestInformation(vtkInformation*, vtkInformationVector**
   return 1;
 }
 
-int vtkMoteXYZReader::RequestData(vtkInformation*, vtkInformationVector**,
-                                  vtkInformationVector* outputVector)
+int vtkMoteXYZReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* information = outputVector->GetInformationObject(0);
@@ -139,21 +142,21 @@ int vtkMoteXYZReader::RequestData(vtkInformation*, vtkInformationVector**,
   vtkNew<vtkPolyData> result;
   double time = 0;
   const bool good = this->Attempt(
-      [&](const ProgressFunction& progress)
+    [&](const ProgressFunction& progress)
+    {
+      this->Internal->Update(this->GetFileName(), progress);
+      const auto& frames = this->Internal->Frames;
+      auto step = frames.begin();
+      if (information->Has(Pipeline::UPDATE_TIME_STEP()))
       {
-        this->Internal->Update(this->GetFileName(), progress);
-        const auto& frames = this->Internal->Frames;
-        auto step = frames.begin();
-        if (information->Has(Pipeline::UPDATE_TIME_STEP()))
-        {
-          const double requested = information->Get(Pipeline::UPDATE_TIME_STEP());
-          step = std::upper_bound(frames.begin(), frames.end(), requested,
-                                  [](double t, const mote::XYZFrame& f) { return t < f.time; });
-          step -= step == frames.begin() ? 0 : 1;
-        }
-        time = step->time;
-        readFrame(this->GetFileName(), *step, progress, result);
-      });
+        const double requested = information->Get(Pipeline::UPDATE_TIME_STEP());
+        step = std::upper_bound(frames.begin(), frames.end(), requested,
+          [](double t, const mote::XYZFrame& f) { return t < f.time; });
+        step -= step == frames.begin() ? 0 : 1;
+      }
+      time = step->time;
+      readFrame(this->GetFileName(), *step, progress, result);
+    });
   if (good)
   {
     vtkNew<vtkDoubleArray> value;
