@@ -2,9 +2,9 @@
 
 #include "ImageError.h"
 #include "ImageLayers.h"
+#include "MemoryFile.h"
 #include "PixelColors.h"
 
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <vtkDataArray.h>
@@ -25,6 +25,8 @@ using EncodeRow = std::function<void(int row, std::uint8_t* out)>;
 
 /// Rows that are handed over at once: several blocks of 16, EXR's unit of compression.
 constexpr int BatchRows = 64;
+/// libjpeg ends the process when asked for more.
+constexpr int LargestJPEG = 65500;
 
 [[noreturn]] void failWithLibraryError(const OIIO::ImageOutput* output)
 {
@@ -58,7 +60,9 @@ void setAttributes(OIIO::ImageSpec& spec, FileFormat format, const EncodeOptions
   spec.attribute("Software", "Mote " MOTE_VERSION);
   for (const auto& [name, value] : options.attributes)
   {
-    spec.attribute(name, value);
+    // What every format has a place for has this name.
+    const bool isDescription = name == "Description" || name == "description";
+    spec.attribute(isDescription ? "ImageDescription" : name, value);
   }
   spec.attribute("oiio:ColorSpace", "sRGB");
   switch (format)
@@ -80,9 +84,8 @@ std::vector<unsigned char> writeRows(
   OIIO::ImageSpec spec, FileFormat format, const EncodeOptions& options, const EncodeRow& encodeRow)
 {
   setAttributes(spec, format, options);
+  MemoryFile memory; // outlives what writes to it
   std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(pluginOf(format));
-  std::vector<unsigned char> bytes;
-  OIIO::Filesystem::IOVecOutput memory(bytes);
   if (!output || !output->supports("ioproxy") || !output->set_ioproxy(&memory) ||
       !output->open(pluginOf(format), spec))
   {
@@ -110,7 +113,7 @@ std::vector<unsigned char> writeRows(
   {
     failWithLibraryError(output.get());
   }
-  return bytes;
+  return memory.takeBytes();
 }
 
 EncodedImage encodeBytes(
@@ -186,6 +189,12 @@ EncodedImage encodeImage(vtkImageData* image, FileFormat format, const EncodeOpt
   {
     throw ImageError(vtkErrorCode::FileFormatError,
       "the image has " + std::to_string(size[2]) + " slices, and must have one");
+  }
+  if (format == FileFormat::JPEG && std::max(size[0], size[1]) > LargestJPEG)
+  {
+    throw ImageError(vtkErrorCode::FileFormatError,
+      "JPEG images have at most 65500 rows and columns, and this one has " +
+        std::to_string(size[1]) + " rows and " + std::to_string(size[0]) + " columns");
   }
   vtkDataArray* colors = findColors(image);
   return format == FileFormat::EXR ? encodeLayers(image, colors, size, options)

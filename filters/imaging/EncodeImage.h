@@ -44,8 +44,8 @@ struct EncodedImage
 };
 
 /**
- * The whole file, in memory: OpenImageIO 2.4 itself does not notice a full disk when it writes PNG
- * or a small EXR, and with JPEG ends the process. `image` has one slice in z. Throws ImageError
+ * The whole file, in memory: when OpenImageIO 2.4 writes to a full disk itself, PNG and small EXR
+ * files count as written, and JPEG ends the process. `image` has one slice in z. Throws ImageError
  * with the reason alone ("the image has no colours"), for the caller to add the file's name.
  */
 EncodedImage encodeImage(vtkImageData* image, FileFormat format, const EncodeOptions& options);

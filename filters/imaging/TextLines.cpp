@@ -84,20 +84,23 @@ std::string cutText(TextFont& font, const std::string& text, int size, double wi
   {
     return text;
   }
-  std::string cut = text;
-  while (!cut.empty())
+  // How many bytes of the beginning fit, found by halving; a cut never splits a character.
+  const auto beginning = [&](std::size_t bytes)
   {
-    while (!cut.empty() && (static_cast<unsigned char>(cut.back()) & 0xc0) == 0x80)
+    while (bytes > 0 && (static_cast<unsigned char>(text[bytes]) & 0xc0) == 0x80)
     {
-      cut.pop_back(); // the tail of a character in UTF-8
+      --bytes;
     }
-    cut.resize(cut.size() - std::min<std::size_t>(1, cut.size()));
-    if (font.width(cut + "\u2026", size) <= width)
-    {
-      return cut + "\u2026";
-    }
+    return text.substr(0, bytes) + "\u2026";
+  };
+  std::size_t fitting = 0;
+  for (std::size_t tooMany = text.size(); tooMany - fitting > 1;)
+  {
+    const std::size_t middle = (fitting + tooMany) / 2;
+    (font.width(beginning(middle), size) <= width ? fitting : tooMany) = middle;
   }
-  return "";
+  const std::string cut = beginning(fitting);
+  return font.width(cut, size) <= width ? cut : "";
 }
 
 TextLines wrapText(TextFont& font, const std::string& text, int size, double width, int most)

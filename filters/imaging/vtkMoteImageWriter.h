@@ -83,10 +83,10 @@ public:
   ///@{
   /**
    * Text to keep in the file's header, such as "Camera" or "Description". Names of one to 31
-   * letters, digits, underscores or inner spaces; a name given twice keeps the last value. PNG
-   * and EXR keep every name, JPEG and TIFF only those that their formats know ("Artist",
-   * "Copyright", "ImageDescription"...). "Software" is set to "Mote x.y.z" if not given.
-   * Other names are refused with a warning.
+   * letters, digits, underscores or inner spaces, that the formats do not need themselves; others
+   * are refused with a warning. A name given twice keeps the last value. PNG and EXR keep every
+   * name, JPEG and TIFF those that their formats know: "Description", "Artist", "Copyright"...
+   * "Software" is set to "Mote x.y.z" if not given.
    */
   void AddAttribute(const char* name, const char* value);
   void ClearAttributes();

@@ -8,9 +8,10 @@
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
-#include <vtkStringOutputWindow.h>
 
 #include <gtest/gtest.h>
 
@@ -32,7 +33,17 @@ inline vtkSmartPointer<vtkImageData> makeImage(int width, int height, int compon
   return image;
 }
 
-/// A new empty folder, removed at the end, and VTK's errors kept from the terminal.
+/// Keeps VTK's messages, and keeps them from the terminal.
+class MessageKeeper : public vtkOutputWindow
+{
+public:
+  static MessageKeeper* New() { VTK_STANDARD_NEW_BODY(MessageKeeper); }
+  vtkTypeMacro(MessageKeeper, vtkOutputWindow);
+  void DisplayText(const char* text) override { this->Text += text; }
+  std::string Text;
+};
+
+/// A new empty folder, removed at the end.
 class ImagingTest : public testing::Test
 {
 protected:
@@ -62,7 +73,7 @@ protected:
   }
 
   std::filesystem::path Folder;
-  vtkNew<vtkStringOutputWindow> Messages;
+  vtkNew<MessageKeeper> Messages;
 };
 
 #endif

@@ -177,11 +177,11 @@ TEST_F(ColorLegend, LabelFormat)
   EXPECT_EQ(this->labels(), "\u22121.0 K \u22120.5 K 0.0 K 0.5 K 1.0 K");
   for (const char* format : {"%s", "%d", "%f %f", "none", "%", "%*f", "%n", "%999999f"})
   {
-    this->Messages->Initialize();
+    this->Messages->Text.clear();
     this->Legend->SetLabelFormat(format);
     this->useRange(0.0, 1.0);
     EXPECT_NE(this->labels().find("0.2"), std::string::npos);
-    EXPECT_NE(this->Messages->GetOutput().find("not a format"), std::string::npos) << format;
+    EXPECT_NE(this->Messages->Text.find("not a format"), std::string::npos) << format;
   }
 }
 
@@ -195,7 +195,7 @@ TEST_F(ColorLegend, BadRangesAreReported)
   this->Legend->SetLookupTable(function);
   auto image = makeImage(64, 64, 4);
   unchanged = this->draw(image);
-  EXPECT_NE(this->Messages->GetOutput().find("logarithmic"), std::string::npos);
+  EXPECT_NE(this->Messages->Text.find("logarithmic"), std::string::npos);
   EXPECT_LT(this->Legend->GetLegendRectangle()[1], this->Legend->GetLegendRectangle()[0]);
   EXPECT_EQ(unchanged->GetScalarComponentAsDouble(50, 32, 0, 0), 1.0);
 }
@@ -292,7 +292,7 @@ TEST_F(ColorLegend, FollowsItsTableAndCountsMissingCharacters)
   EXPECT_EQ(this->Legend->GetTickValue(this->Legend->GetNumberOfTicks() - 1), 1.0);
   this->Legend->SetTitle("\U00012345 \xff");
   this->Legend->Update();
-  EXPECT_NE(this->Messages->GetOutput().find("No font has"), std::string::npos);
+  EXPECT_NE(this->Messages->Text.find("No font has"), std::string::npos);
 }
 
 TEST_F(ColorLegend, TinyImagesAndLongTexts)
@@ -305,7 +305,7 @@ TEST_F(ColorLegend, TinyImagesAndLongTexts)
     this->draw(makeImage(size, 3 * size, 3));
     this->draw(makeImage(50 * size, size, 4));
   }
-  EXPECT_EQ(this->Messages->GetOutput(), "");
+  EXPECT_EQ(this->Messages->Text, "");
 }
 
 } // namespace
