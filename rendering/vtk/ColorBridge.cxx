@@ -38,11 +38,11 @@ void copyTable(vtkLookupTable* from, ColorMap& map)
 
 void sampleFunction(vtkScalarsToColors* from, ColorMap& map)
 {
-  // Steps are kept as steps: between equal parts there is nothing to blend.
+  // Steps are kept as steps, one entry each: between equal parts there is nothing to blend.
   auto* discretizable = vtkDiscretizableColorTransferFunction::SafeDownCast(from);
   const bool steps = discretizable && discretizable->GetDiscretize();
   map.interpolation = steps ? ColorMap::Interpolation::Nearest : ColorMap::Interpolation::Linear;
-  map.table.resize(4096);
+  map.table.resize(steps ? static_cast<std::size_t>(discretizable->GetNumberOfValues()) : 4096);
   const auto n = static_cast<double>(map.table.size());
   for (std::size_t i = 0; i < map.table.size(); ++i)
   {
@@ -61,6 +61,14 @@ void sampleFunction(vtkScalarsToColors* from, ColorMap& map)
     map.below = rgba(function->GetBelowRangeColor(), 1.0);
     map.above = rgba(function->GetAboveRangeColor(), 1.0);
     map.nan = rgba(function->GetNanColor(), function->GetNanOpacity());
+    if (!function->GetClamping() && !steps)
+    {
+      // Outside its range such a function is black.
+      const Vec4f black(0.0f, 0.0f, 0.0f, 1.0f);
+      map.below = map.useBelow ? map.below : black;
+      map.above = map.useAbove ? map.above : black;
+      map.useBelow = map.useAbove = true;
+    }
   }
 }
 
@@ -82,6 +90,12 @@ bool toColorMap(vtkScalarsToColors* colors, ColorMap& map)
     copyTable(table, map);
   else
     sampleFunction(colors, map);
+  if (!(map.upper > map.lower))
+  {
+    // VTK gives the one value of such a range the first entry, and what is above it the last.
+    map.table = {map.table.front(), map.table.front(), map.table.back()};
+    map.interpolation = ColorMap::Interpolation::Nearest;
+  }
   return true;
 }
 

@@ -22,7 +22,9 @@
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 vtkStandardNewMacro(vtkMoteParticleMapper);
@@ -190,6 +192,56 @@ void addArray(Key& key, vtkDataArray* array)
   key.push_back(array ? static_cast<double>(array->GetMTime()) : -1.0);
 }
 
+/// NaN differs from itself: as radii NaN and infinity are unfit alike.
+void addRadius(Key& key, double radius)
+{
+  key.push_back(std::isnan(radius) ? std::numeric_limits<double>::infinity() : radius);
+}
+
+/// All that radii depend on, besides `radii`, the array that they come from.
+void addChoice(Key& key, const mote::RadiusChoice& choice, vtkDataArray* radii, bool half)
+{
+  const bool byType = choice.mode == vtkMoteParticleMapper::RADIUS_BY_TYPE;
+  key.insert(key.end(), {double(choice.mode), double(half)});
+  addRadius(key, choice.scale);
+  if (byType || choice.mode == vtkMoteParticleMapper::RADIUS_CONSTANT)
+    addRadius(key, choice.radius);
+  addArray(key, radii);
+  if (byType)
+    for (const auto& [type, radius] : choice.typeRadii)
+    {
+      key.push_back(type);
+      addRadius(key, radius);
+    }
+}
+
+/// Throws Error where no structure has this name. Without a name it is the first.
+mote::ParticleStructureKind structureOf(const char* name)
+{
+  const std::vector<std::string>& names = mote::particleStructureNames();
+  const auto found = name && *name ? std::find(names.begin(), names.end(), name) : names.begin();
+  if (found != names.end())
+    return static_cast<mote::ParticleStructureKind>(found - names.begin());
+  std::string known;
+  for (const std::string& n : names)
+    known += (known.empty() ? "" : ", ") + n;
+  throw mote::Error(
+    std::string("There is no structure \"") + name + "\"; there are: " + known + ".");
+}
+
+/// Tells that a build starts and, however it goes, that it has ended.
+struct BuildEvents
+{
+  vtkMoteParticleMapper* mapper;
+  explicit BuildEvents(vtkMoteParticleMapper* m)
+    : mapper(m)
+  {
+    mapper->SetAbortExecute(0);
+    mapper->InvokeEvent(vtkCommand::StartEvent, nullptr);
+  }
+  ~BuildEvents() { mapper->InvokeEvent(vtkCommand::EndEvent, nullptr); }
+};
+
 std::string leftOutSentence(const mote::ParticleStatistics& s)
 {
   std::string text;
@@ -236,11 +288,9 @@ void vtkMoteParticleMapper::UpdateStructure()
       throw mote::Error("The input is not a data set of points.");
     bool half = false;
     vtkDataArray* radii = mote::findRadiusArray(input, choice, half);
-    Key key = {double(this->RadiusMode), this->Radius, this->RadiusScale, double(half)};
+    Key key = {double(structureOf(this->StructureName))};
     addArray(key, input->GetPoints() ? input->GetPoints()->GetData() : nullptr);
-    addArray(key, radii);
-    for (const auto& [type, radius] : choice.typeRadii)
-      key.insert(key.end(), {double(type), radius});
+    addChoice(key, choice, radii, half);
     if (impl.structure && key == impl.structureKey)
       return;
     impl.structureKey.clear();
@@ -263,16 +313,16 @@ void vtkMoteParticleMapper::BuildStructure(vtkPointSet* input)
 {
   Internals& impl = *this->Impl;
   const auto start = std::chrono::steady_clock::now();
-  this->SetAbortExecute(0);
-  this->InvokeEvent(vtkCommand::StartEvent, nullptr);
+  mote::ParticleStructureOptions options;
+  options.kind = structureOf(this->StructureName);
+  const BuildEvents events(this);
   const mote::ParticleInput particles = mote::makeParticleInput(input, impl.choice);
-  impl.structure = mote::makeParticleStructure(particles.set, {},
+  impl.structure = mote::makeParticleStructure(particles.set, options,
     [this](double done)
     {
       this->UpdateProgress(done);
       return this->GetAbortExecute() == 0;
     });
-  this->InvokeEvent(vtkCommand::EndEvent, nullptr);
   impl.buildTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   impl.commonRadius = particles.commonRadius;
   impl.visibilityKey.clear();
@@ -332,31 +382,51 @@ void vtkMoteParticleMapper::GetColorArrayRange(double range[2])
     array->GetFiniteRange(range, this->GetColorComponent(array));
 }
 
+vtkDataArray* vtkMoteParticleMapper::FindVisibilityArray(int& component)
+{
+  vtkPointSet* input = this->GetInput();
+  if (!this->VisibilityArrayName || !*this->VisibilityArrayName)
+  {
+    vtkDataArray* array = this->GetColorArray();
+    if (!array)
+      throw mote::Error("There is no array for the visibility range.");
+    component = this->GetColorComponent(array);
+    return array;
+  }
+  const std::string name = this->VisibilityArrayName;
+  vtkDataArray* array = input->GetPointData()->GetArray(name.c_str());
+  if (!array)
+    throw mote::Error("There is no point array \"" + name + "\" for the visibility range.");
+  if (array->GetNumberOfTuples() != input->GetNumberOfPoints())
+    throw mote::Error(
+      "The array \"" + name + "\" for the visibility range has not one tuple a point.");
+  component = this->VisibilityComponent;
+  if (component < -1 || component >= array->GetNumberOfComponents())
+    throw mote::Error("The array \"" + name + "\" for the visibility range has no component " +
+                      std::to_string(component) + ".");
+  return array;
+}
+
 void vtkMoteParticleMapper::UpdateVisibility()
 {
   Internals& impl = *this->Impl;
   if (!impl.structure)
     return;
   vtkDataArray* array = nullptr;
-  int component = this->VisibilityComponent;
-  if (this->UseVisibilityRange)
+  int component = 0;
+  std::string problem;
+  try
   {
-    const bool named = this->VisibilityArrayName && *this->VisibilityArrayName;
-    array = named ? this->GetInput()->GetPointData()->GetArray(this->VisibilityArrayName)
-                  : this->GetColorArray();
-    if (array && !named)
-      component = this->GetColorComponent(array);
-    else if (array)
-      component = std::clamp(component, -1, array->GetNumberOfComponents() - 1);
-    const std::string problem = array ? ""
-                                : named
-                                  ? std::string("There is no point array \"") +
-                                      this->VisibilityArrayName + "\" for the visibility range."
-                                  : "There is no array for the visibility range.";
-    if (!problem.empty() && problem != impl.arrayError)
-      vtkErrorMacro(<< problem);
-    impl.arrayError = problem;
+    if (this->UseVisibilityRange && this->GetInput()->GetNumberOfPoints() > 0)
+      array = this->FindVisibilityArray(component);
   }
+  catch (const mote::Error& error)
+  {
+    problem = error.what();
+    if (problem != impl.arrayError)
+      vtkErrorMacro(<< problem);
+  }
+  impl.arrayError = problem;
   Key key;
   if (array)
   {
@@ -411,13 +481,13 @@ void vtkMoteParticleMapper::DescribeColors(mote::ParticleColoring& coloring)
     coloring.component = this->GetColorComponent(array);
     return;
   }
-  // What only VTK itself can map: annotated values, floating point colours.
-  Key key = {double(colors->GetMTime()), double(this->ColorMode)};
+  // What only VTK itself can map: annotated values, floating point colours, vectors as colours.
+  const int component = vectorColors ? -1 : this->GetColorComponent(array);
+  Key key = {double(colors->GetMTime()), double(this->ColorMode), double(component)};
   addArray(key, array);
   if (key != impl.directKey)
   {
-    impl.directColors.TakeReference(
-      colors->MapScalars(array, this->ColorMode, this->GetColorComponent(array)));
+    impl.directColors.TakeReference(colors->MapScalars(array, this->ColorMode, component));
     impl.directKey = key;
   }
   coloring.direct = mote::DataArrayView(impl.directColors).view;

@@ -264,6 +264,7 @@ private:
   void UpdateStructure();
   void BuildStructure(vtkPointSet* input);
   void UpdateVisibility();
+  vtkDataArray* FindVisibilityArray(int& component);
   int GetColorComponent(vtkDataArray* array);
 #ifndef __VTK_WRAP__
   void DescribeColors(mote::ParticleColoring& coloring);
