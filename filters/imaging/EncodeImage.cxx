@@ -5,6 +5,7 @@
 #include "MemoryFile.h"
 #include "PixelColors.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <vtkDataArray.h>
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 
 namespace mote::imaging
@@ -22,6 +24,10 @@ namespace
 {
 
 using EncodeRow = std::function<void(int row, std::uint8_t* out)>;
+
+/// The texts that a TIFF has a place for in its main directory.
+constexpr const char* TIFFNames[] = {
+  "Software", "ImageDescription", "Artist", "Copyright", "DocumentName", "HostComputer"};
 
 /// Rows that are handed over at once: several blocks of 16, EXR's unit of compression.
 constexpr int BatchRows = 64;
@@ -62,9 +68,20 @@ void setAttributes(OIIO::ImageSpec& spec, FileFormat format, const EncodeOptions
   {
     // What every format has a place for has this name.
     const bool isDescription = name == "Description" || name == "description";
-    spec.attribute(isDescription ? "ImageDescription" : name, value);
+    const std::string kept = isDescription ? "ImageDescription" : name;
+    const auto isKnown = [&](const char* known) { return kept == known; };
+    if (format != FileFormat::TIFF ||
+        std::any_of(std::begin(TIFFNames), std::end(TIFFNames), isKnown))
+    {
+      spec.attribute(kept, value);
+    }
   }
-  spec.attribute("oiio:ColorSpace", "sRGB");
+  if (format != FileFormat::TIFF)
+  {
+    // In a TIFF this would need an Exif directory, after which libtiff 4.5 does not write the main
+    // directory to memory, and says nothing.
+    spec.attribute("oiio:ColorSpace", "sRGB");
+  }
   switch (format)
   {
   case FileFormat::PNG:
@@ -78,6 +95,17 @@ void setAttributes(OIIO::ImageSpec& spec, FileFormat format, const EncodeOptions
   default:
     spec.attribute("compression", "zip");
   }
+}
+
+/// Whether a TIFF is whole. OpenImageIO 2.4 reports an error (no Exif data) for every good one.
+bool canReadBack(const std::vector<unsigned char>& bytes, const OIIO::ImageSpec& spec)
+{
+  OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
+  const auto input = OIIO::ImageInput::open("memory.tif", nullptr, &memory);
+  std::vector<std::uint8_t> pixels(spec.image_bytes());
+  return input && input->spec().width == spec.width && input->spec().height == spec.height &&
+         input->spec().nchannels == spec.nchannels &&
+         input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeUInt8, pixels.data());
 }
 
 std::vector<unsigned char> writeRows(
@@ -109,11 +137,15 @@ std::vector<unsigned char> writeRows(
       throw ImageError(vtkErrorCode::UserError, "it was stopped");
     }
   }
-  if (!output->close() || output->has_error())
+  const bool isClosed = output->close();
+  const bool isTIFF = format == FileFormat::TIFF;
+  std::vector<unsigned char> bytes = memory.takeBytes();
+  if (!isClosed || (isTIFF ? !canReadBack(bytes, spec) : output->has_error()))
   {
     failWithLibraryError(output.get());
   }
-  return memory.takeBytes();
+  output->geterror(); // or the library prints what nobody asked for
+  return bytes;
 }
 
 EncodedImage encodeBytes(
