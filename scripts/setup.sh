@@ -91,9 +91,6 @@ job_count() {
 build() {
   local preset=$1 dir=$root/build/$1 n
   n=$(job_count)
-  if [[ $(ninja -C "$dir" -n 2>/dev/null | tail -n 1) == 'ninja: no work to do.' ]]; then
-    return
-  fi
   stage "Building build/$preset, $n at a time"
   if [[ -t 1 ]]; then
     ninja -C "$dir" -j "$n" || fail "the build failed"
