@@ -18,9 +18,23 @@ bool RendererImage::trace(vtkRenderer* renderer, std::vector<vtkActor*> actors,
   settings.interactive = window && window->GetDesiredUpdateRate() >= 1.0;
   int width = 0, height = 0, x = 0, y = 0;
   renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
-  return tracer_.trace(renderer, actors, width, height, settings,
-    [&](double done)
-    { return !(window && window->CheckAbortStatus()) && (!progress || progress(done)); });
+  problem_.clear();
+  interrupted_ = false;
+  try
+  {
+    return tracer_.trace(renderer, actors, width, height, settings,
+      [&](double done)
+      {
+        interrupted_ = (window && window->CheckAbortStatus()) || (progress && !progress(done));
+        return !interrupted_;
+      });
+  }
+  catch (const std::exception& error)
+  {
+    problem_ = error.what();
+    interrupted_ = true;
+    return false;
+  }
 }
 
 void RendererImage::draw(vtkRenderer* renderer)

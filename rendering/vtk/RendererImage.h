@@ -5,6 +5,7 @@
 
 #include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace mote
@@ -15,12 +16,17 @@ class RendererImage
 {
 public:
   /// Brings the picture up to date; see FrameTracer::trace(). Whether the view moves, and whether
-  /// to stop, is asked of the renderer's window.
+  /// to stop, is asked of the renderer's window. False, too, where there is a problem().
   bool trace(vtkRenderer* renderer, std::vector<vtkActor*> actors, FrameSettings settings,
     const Progress& progress);
 
   /// Draws the picture; while a vtkHardwareSelector is at work, what it asks for instead.
   void draw(vtkRenderer* renderer);
+
+  /// What kept the last trace() from tracing, or empty.
+  const std::string& problem() const { return problem_; }
+  /// Whether the last trace() was stopped or failed before the picture was complete.
+  bool interrupted() const { return interrupted_; }
 
   const FrameTracer& tracer() const { return tracer_; }
   FilmDisplay& display() { return display_; }
@@ -32,6 +38,8 @@ private:
 
   FrameTracer tracer_;
   FilmDisplay display_;
+  std::string problem_;
+  bool interrupted_ = false;
   double displaySeconds_ = 0.0;
 };
 

@@ -50,6 +50,7 @@ public:
   Key directKey;
   std::string arrayError;
 
+  std::string reportedFrame; ///< the same for drawing
   mote::RendererImages images; ///< for renderers that have no vtkMoteRayCastPass
 
   template <typename Get>
@@ -512,6 +513,9 @@ void vtkMoteParticleMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   mote::FrameSettings settings;
   if (image.trace(renderer, {actor}, settings, {}))
     image.draw(renderer);
+  if (!image.problem().empty() && image.problem() != this->Impl->reportedFrame)
+    vtkErrorMacro(<< image.problem());
+  this->Impl->reportedFrame = image.problem();
   this->TimeToDraw = image.traceTime() + image.displayTime();
 }
 

@@ -37,10 +37,14 @@ int vtkMoteParticlePicker::Pick(double x, double y, double z, vtkRenderer* rende
     return 0;
   }
   this->InvokeEvent(vtkCommand::StartPickEvent, nullptr);
-  if (this->GetPickFromList())
-    this->CastRay(x, y, this->GetPickList());
-  else
-    this->CastRay(x, y, renderer->GetViewProps());
+  try
+  {
+    this->CastRay(x, y, this->GetPickFromList() ? this->GetPickList() : renderer->GetViewProps());
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+  }
   const bool picked = this->ParticleId >= 0;
   if (picked)
     this->InvokeEvent(vtkCommand::PickEvent, nullptr);

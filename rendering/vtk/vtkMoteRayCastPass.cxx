@@ -53,6 +53,7 @@ public:
   vtkSmartPointer<vtkRenderPass> delegate;
   mote::RendererImages images;
   std::vector<vtkActor*> actors; ///< Mote's, of the frame being drawn
+  std::string reported; ///< last problem, so that it is told once and not every frame
   bool converged = true;
   double distance = 1.0;
   int samples = 0;
@@ -162,8 +163,11 @@ void vtkMoteRayCastPass::DrawImage(vtkRenderer* renderer)
     impl.displayTime = image.displayTime();
     this->NumberOfRenderedProps += static_cast<int>(impl.actors.size());
   }
+  if (!image.problem().empty() && image.problem() != impl.reported)
+    vtkErrorMacro(<< image.problem());
+  impl.reported = image.problem();
   const mote::FrameTracer& tracer = image.tracer();
-  impl.converged = !shown || tracer.converged();
+  impl.converged = shown ? tracer.converged() : !image.interrupted();
   impl.distance = tracer.distance();
   impl.samples = shown ? tracer.film().samples() : 0;
   impl.rays = tracer.rays();

@@ -11,6 +11,8 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -132,7 +134,8 @@ std::vector<vtkActor*> vtkMoteRendererSource::CollectActors()
 bool vtkMoteRendererSource::Trace(mote::Film& film)
 {
   std::vector<vtkActor*> actors = this->CollectActors();
-  this->Renderer->GetActiveCamera(); // makes one, that shows everything, where there is none
+  if (!this->Renderer->IsActiveCameraCreated())
+    this->Renderer->ResetCamera(); // makes one and shows everything, as a window would
   if (this->ResetClippingRange)
     this->Renderer->ResetCameraClippingRange();
   this->Renderer->UpdateLightsGeometryToFollowCamera();
@@ -207,9 +210,14 @@ vtkMTimeType vtkMoteRendererSource::GetMTime()
   vtkMTimeType time = this->Superclass::GetMTime();
   if (!this->Renderer)
     return time;
-  time = std::max(time, this->Renderer->GetMTime());
+  // The renderer's own time knows its camera, but not what is added, removed or lit by others.
+  vtkLightCollection* lights = this->Renderer->GetLights();
   vtkPropCollection* props = this->Renderer->GetViewProps();
+  time = std::max({time, this->Renderer->GetMTime(), lights->GetMTime(), props->GetMTime()});
   vtkCollectionSimpleIterator next;
+  lights->InitTraversal(next);
+  while (vtkLight* light = lights->GetNextLight(next))
+    time = std::max(time, light->GetMTime());
   props->InitTraversal(next);
   while (vtkProp* prop = props->GetNextProp(next))
     time = std::max(time, prop->GetRedrawMTime());
