@@ -152,6 +152,26 @@ TEST_F(CoherentGridPacket, DirectionsWithoutLengthHitNothing)
     EXPECT_EQ(packet.object[i], i % 2 == 0 ? -1 : 1);
 }
 
+TEST_F(CoherentGridPacket, CastingAgainChangesNothing)
+{
+  // What was found becomes the farthest t that counts, and the same hit is not nearer than that.
+  for (int k = 0; k < 50; ++k)
+  {
+    RayPacket packet = emptyPacket();
+    for (int i = 0; i < RayPacket::capacity; ++i)
+      addRay(packet, {0.1, 0.2, 3.0}, {random(-0.3, 0.3), random(-0.3, 0.3), -random(0.5, 1.5)});
+    grid.cast(packet, 1);
+    const RayPacket once = packet;
+    grid.cast(packet, 2);
+    for (int i = 0; i < RayPacket::capacity; ++i)
+    {
+      EXPECT_EQ(packet.object[i], once.object[i]);
+      EXPECT_EQ(packet.t[i], once.t[i]);
+      EXPECT_EQ(packet.slot[i], once.slot[i]);
+    }
+  }
+}
+
 TEST_F(CoherentGridPacket, TCountsInLengthsOfTheDirection)
 {
   for (const double length : {1e-6, 0.5, 1.0, 3.0, 1e6})

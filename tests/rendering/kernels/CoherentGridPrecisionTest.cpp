@@ -69,17 +69,16 @@ Errors errorsAt(double distance, const Vec3d& direction, double share)
 
 TEST(CoherentGridPrecision, DoesNotDependOnTheEyesDistance)
 {
-  // Measured: at most 1 wrong pixel of 16384 and depths to 6e-4 of a radius (near silhouettes,
-  // where depth is steep) at every distance, since rays are brought to the box in double.
+  // Measured: no wrong pixel, and depths to 1.3e-4 of a radius (near silhouettes, where depth is
+  // steep; 2e-5 in the median view), at every distance: rays are brought to the box in double.
   for (const double distance : {3e1, 1e2, 1e3, 1e4, 1e5, 1e7})
     for (const Vec3d& direction :
       {Vec3d(0.3, 0.2, 1.0), Vec3d(1.0, 1.0, 1.0), Vec3d(0.0, 0.0, 1.0)})
     {
       const Errors errors = errorsAt(distance, direction, 0.8);
       SCOPED_TRACE(distance);
-      EXPECT_LE(errors.wrong, 2u) << "of " << errors.pixels;
-      EXPECT_LT(errors.largestDepth, 5e-3);
-      RecordProperty("wrong", static_cast<int>(errors.wrong));
+      EXPECT_LE(errors.wrong, 1u) << "of " << errors.pixels;
+      EXPECT_LT(errors.largestDepth, 1e-3);
     }
 }
 

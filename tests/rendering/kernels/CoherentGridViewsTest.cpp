@@ -120,6 +120,22 @@ TEST(CoherentGridViews, CameraInsideASphere)
   }
 }
 
+TEST(CoherentGridViews, SpheresBehindTheEyeThatReachBeforeIt)
+{
+  // Spheres as large as the distance between them, and rays that spread as widely as they may in
+  // one packet: what they meet beside the eye may be centred behind it.
+  const Fixture f(randomParticles(40, 37, 0.2, 0.6));
+  Random random(10);
+  for (int k = 0; k < 200; ++k)
+  {
+    const Vec3d eye = random.inBox(Vec3d(-1.3), Vec3d(1.3));
+    Vec3d axis(0.0);
+    axis[k % 3] = k % 2 == 0 ? 1.0 : -1.0;
+    expectRight(
+      f, lookAt(eye, eye + axis + 0.2 * random.direction(), random(80.0, 120.0)), false, 8);
+  }
+}
+
 TEST(CoherentGridViews, WideAnglesSplitPackets)
 {
   const Fixture f(randomParticles(1000, 35, 0.02, 0.1));
