@@ -1,0 +1,280 @@
+// When vtkMoteRayCastPass traces, how finely, and what it makes known of it.
+#include "WindowTestSupport.h"
+
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkProperty.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+
+#include <algorithm>
+#include <sstream>
+#include <thread>
+
+using namespace mote::testing;
+
+namespace
+{
+
+struct Frames : ::testing::Test
+{
+  Drawing drawing;
+  vtkSmartPointer<vtkActor> actor = drawing.addParticles(someBalls(200), {1, 0.7, 0.4});
+  vtkMoteRayCastPass* pass = drawing.pass;
+  static constexpr int pixels = 160 * 120;
+
+  Frames() { drawing.renderer->ResetCameraClippingRange(); }
+};
+
+} // namespace
+
+TEST_F(Frames, CastsSamplesPerPixelRaysAtRest)
+{
+  drawing.shoot();
+  EXPECT_EQ(pass->GetNumberOfSamples(), 4);
+  EXPECT_EQ(pass->GetNumberOfRays(), 4 * pixels);
+  EXPECT_TRUE(pass->IsConverged());
+  EXPECT_EQ(pass->GetImageSampleDistance(), 1.0);
+  EXPECT_GT(pass->GetTraceTime(), 0.0);
+  EXPECT_GT(pass->GetDisplayTime(), 0.0);
+  pass->SetSamplesPerPixel(6); // two more
+  drawing.shoot();
+  EXPECT_EQ(pass->GetNumberOfRays(), 2 * pixels);
+  EXPECT_EQ(pass->GetNumberOfSamples(), 6);
+}
+
+TEST_F(Frames, UnchangedOnesAreNotTracedAgain)
+{
+  const Shot first = drawing.shoot();
+  const Shot second = drawing.shoot();
+  EXPECT_EQ(pass->GetNumberOfRays(), 0);
+  EXPECT_EQ(pass->GetTraceTime(), 0.0);
+  EXPECT_EQ(differentPixels(first, second, 0), 0);
+  EXPECT_EQ(first.depth, second.depth);
+}
+
+TEST_F(Frames, OverlayChangesShowWithoutTracing)
+{
+  vtkNew<vtkTextActor> text;
+  text->SetInput("one");
+  text->GetTextProperty()->SetFontSize(40);
+  drawing.renderer->AddActor2D(text);
+  const Shot first = drawing.shoot();
+  text->SetInput("two");
+  const Shot second = drawing.shoot();
+  EXPECT_EQ(pass->GetNumberOfRays(), 0);
+  EXPECT_GT(differentPixels(first, second), 50);
+  drawing.renderer->SetBackground(0, 0.2, 0);
+  const Shot third = drawing.shoot();
+  EXPECT_EQ(pass->GetNumberOfRays(), 0);
+  EXPECT_GT(differentPixels(second, third), 1000);
+}
+
+TEST_F(Frames, OrdinaryPropsWithinTheBoundsMoveWithoutTracing)
+{
+  auto ball = drawing.addTriangles({{0, 0, 0, 0.3}}, {0, 0, 1});
+  const Shot first = drawing.shoot();
+  ball->SetPosition(0.3, 0.3, 0.2);
+  const Shot second = drawing.shoot();
+  EXPECT_EQ(pass->GetNumberOfRays(), 0);
+  EXPECT_GT(differentPixels(first, second), 10);
+}
+
+TEST_F(Frames, EveryChangeIsTraced)
+{
+  drawing.shoot();
+  const auto traced = [&]
+  {
+    drawing.shoot();
+    const bool did = pass->GetNumberOfRays() > 0;
+    drawing.shoot();
+    EXPECT_EQ(pass->GetNumberOfRays(), 0) << "and then no more";
+    return did;
+  };
+  auto* mapper = vtkMoteParticleMapper::SafeDownCast(actor->GetMapper());
+  vtkPolyData* data = vtkPolyData::SafeDownCast(mapper->GetInput());
+  drawing.camera()->Azimuth(5);
+  EXPECT_TRUE(traced()) << "camera";
+  drawing.camera()->SetWindowCenter(0.1, 0);
+  EXPECT_TRUE(traced()) << "window centre";
+  drawing.camera()->ParallelProjectionOn();
+  EXPECT_TRUE(traced()) << "projection";
+  actor->SetPosition(0.1, 0, 0);
+  EXPECT_TRUE(traced()) << "actor";
+  actor->GetProperty()->SetColor(0, 1, 0);
+  EXPECT_TRUE(traced()) << "property";
+  vtkNew<vtkProperty> property;
+  actor->SetProperty(property);
+  EXPECT_TRUE(traced()) << "another property";
+  mapper->SetRadiusScale(0.5);
+  EXPECT_TRUE(traced()) << "radii";
+  addValues(data, "v", std::vector<double>(200, 0.5));
+  EXPECT_TRUE(traced()) << "values";
+  mapper->SetScalarRange(0, 0.6);
+  EXPECT_TRUE(traced()) << "range";
+  mapper->UseVisibilityRangeOn();
+  EXPECT_TRUE(traced()) << "visibility";
+  data->GetPoints()->SetPoint(0, 0, 0, 1);
+  data->GetPoints()->Modified();
+  EXPECT_TRUE(traced()) << "points";
+  vtkLight* light = vtkLight::SafeDownCast(drawing.renderer->GetLights()->GetItemAsObject(0));
+  light->SetIntensity(0.4);
+  EXPECT_TRUE(traced()) << "light";
+  auto other = drawing.addParticles({{0, 0, 1, 0.2}}, {1, 0, 0});
+  EXPECT_TRUE(traced()) << "actor added";
+  other->VisibilityOff();
+  EXPECT_TRUE(traced()) << "actor hidden";
+  drawing.window->SetSize(170, 120);
+  EXPECT_TRUE(traced()) << "size";
+}
+
+TEST_F(Frames, MovingViewsAreCoarserAndRestIsFullAgain)
+{
+  const Shot full = drawing.shoot();
+  pass->SetInteractiveFrameTime(0.001);
+  drawing.window->SetDesiredUpdateRate(15);
+  drawing.camera()->Azimuth(1);
+  drawing.shoot();
+  drawing.camera()->Azimuth(-1);
+  drawing.window->SetSize(640, 480); // more than a millisecond's work
+  drawing.shoot();
+  EXPECT_GT(pass->GetImageSampleDistance(), 1.0);
+  EXPECT_EQ(pass->GetNumberOfSamples(), 1);
+  EXPECT_LT(pass->GetNumberOfRays(), 640 * 480);
+  EXPECT_FALSE(pass->IsConverged());
+  drawing.window->SetSize(160, 120);
+  drawing.window->SetDesiredUpdateRate(0.001);
+  const Shot still = drawing.shoot();
+  EXPECT_EQ(pass->GetImageSampleDistance(), 1.0);
+  EXPECT_EQ(pass->GetNumberOfSamples(), 4);
+  EXPECT_TRUE(pass->IsConverged());
+  EXPECT_EQ(differentPixels(full, still, 1), 0);
+}
+
+TEST_F(Frames, MovingViewsAreOneSampleWithoutAdjustment)
+{
+  pass->AutoAdjustResolutionOff();
+  pass->SetInteractiveFrameTime(0.001);
+  drawing.window->SetSize(640, 480);
+  drawing.window->SetDesiredUpdateRate(15);
+  drawing.shoot();
+  EXPECT_EQ(pass->GetImageSampleDistance(), 1.0);
+  EXPECT_EQ(pass->GetNumberOfRays(), 640 * 480);
+  EXPECT_FALSE(pass->IsConverged());
+}
+
+TEST_F(Frames, ProgressiveOnesConvergeToTheSamePicture)
+{
+  pass->SetSamplesPerPixel(16);
+  const Shot atOnce = drawing.shoot();
+  Drawing step;
+  step.addParticles(someBalls(200), {1, 0.7, 0.4});
+  step.renderer->ResetCameraClippingRange();
+  step.pass->SetSamplesPerPixel(16);
+  step.pass->ProgressiveOn();
+  step.pass->SetInteractiveFrameTime(0.001);
+  int frames = 0;
+  int samples = 0;
+  do
+  {
+    step.window->Render();
+    ASSERT_LT(++frames, 20);
+    EXPECT_GT(step.pass->GetNumberOfSamples(), samples);
+    samples = step.pass->GetNumberOfSamples();
+    EXPECT_EQ(step.pass->IsConverged(), samples == 16);
+  } while (!step.pass->IsConverged());
+  EXPECT_GT(frames, 1);
+  EXPECT_EQ(differentPixels(atOnce, step.shoot(), 0), 0);
+  EXPECT_EQ(step.pass->GetNumberOfRays(), 0);
+}
+
+TEST_F(Frames, ProgressComesFromTheDrawingThread)
+{
+  struct Listener
+  {
+    double last = 0;
+    int count = 0;
+    bool otherThread = false;
+    std::thread::id thread = std::this_thread::get_id();
+    void progress(vtkObject*, unsigned long, void* done)
+    {
+      const double now = *static_cast<double*>(done);
+      EXPECT_GE(now, 0.0);
+      EXPECT_LE(now, 1.0);
+      last = std::max(last, now);
+      ++count;
+      otherThread = otherThread || std::this_thread::get_id() != thread;
+    }
+  } listener;
+  pass->AddObserver(vtkCommand::ProgressEvent, &listener, &Listener::progress);
+  drawing.shoot();
+  EXPECT_GT(listener.count, 2);
+  EXPECT_GT(listener.last, 0.7);
+  EXPECT_FALSE(listener.otherThread);
+}
+
+TEST_F(Frames, AbortedOnesHaveNotConverged)
+{
+  struct Aborter
+  {
+    vtkRenderWindow* window;
+    bool on = true;
+    void check()
+    {
+      if (on)
+        window->SetAbortRender(1);
+    }
+  } aborter{drawing.window};
+  drawing.window->AddObserver(vtkCommand::AbortCheckEvent, &aborter, &Aborter::check);
+  drawing.window->Render();
+  EXPECT_FALSE(pass->IsConverged());
+  aborter.on = false;
+  drawing.window->SetAbortRender(0);
+  drawing.shoot();
+  EXPECT_TRUE(pass->IsConverged());
+  EXPECT_EQ(pass->GetNumberOfSamples(), 4);
+}
+
+TEST_F(Frames, WithNothingToDrawConverge)
+{
+  actor->VisibilityOff();
+  const Shot shot = drawing.shoot();
+  EXPECT_TRUE(pass->IsConverged());
+  EXPECT_EQ(pass->GetNumberOfRays(), 0);
+  EXPECT_EQ(std::count(shot.depth.begin(), shot.depth.end(), 1.0f), pixels);
+  auto* mapper = vtkMoteParticleMapper::SafeDownCast(actor->GetMapper());
+  actor->VisibilityOn();
+  mapper->SetInputData(nullptr);
+  drawing.shoot();
+  EXPECT_TRUE(pass->IsConverged());
+}
+
+TEST_F(Frames, CameraWithoutDirectionIsAnErrorOnce)
+{
+  Complaints complaints(pass), camera(drawing.camera());
+  drawing.camera()->SetViewUp(0, 0, 1);
+  drawing.window->Render();
+  drawing.window->Render();
+  EXPECT_EQ(complaints.errors, 1);
+  EXPECT_FALSE(pass->IsConverged());
+}
+
+TEST_F(Frames, WithoutDelegateIsAnError)
+{
+  Complaints complaints(pass);
+  pass->SetDelegatePass(nullptr);
+  drawing.window->Render();
+  EXPECT_GE(complaints.errors, 1);
+}
+
+TEST_F(Frames, PrintSelfTellsItsState)
+{
+  std::ostringstream text;
+  pass->Print(text);
+  for (const char* part : {"SamplesPerPixel: 4", "Progressive: Off", "AutoAdjustResolution: On"})
+    EXPECT_NE(text.str().find(part), std::string::npos) << part;
+}
