@@ -4,6 +4,7 @@
 
 #include "vtkCamera.h"
 #include "vtkOpenGLError.h"
+#include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -157,7 +158,30 @@ void FilmDisplay::drawQuad(bool blend)
   color_->Deactivate();
 }
 
-void FilmDisplay::draw(vtkRenderer* renderer, const Film& film, unsigned long version)
+void FilmDisplay::drawIntoWindow(vtkRenderer* renderer)
+{
+  vtkOpenGLState* state = window_->GetState();
+  const vtkOpenGLState::ScopedglViewport keepViewport(state);
+  const vtkOpenGLState::ScopedglScissor keepScissor(state);
+  int width = 0, height = 0, x = 0, y = 0;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
+  state->PushDrawFramebufferBinding();
+  window_->GetRenderFramebuffer()->Bind(GL_DRAW_FRAMEBUFFER);
+  state->vtkglViewport(x, y, width, height);
+  state->vtkglScissor(x, y, width, height);
+  // Depth peeling asks for the same picture again and again, and blends by maximum.
+  const vtkOpenGLState::ScopedglDepthFunc keepDepthFunction(state);
+  state->vtkglDepthFunc(GL_LESS);
+  GLint equation = GL_FUNC_ADD;
+  glGetIntegerv(GL_BLEND_EQUATION_RGB, &equation);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  drawQuad(true);
+  state->vtkglBlendEquation(static_cast<GLenum>(equation));
+  state->PopDrawFramebufferBinding();
+}
+
+void FilmDisplay::draw(
+  vtkRenderer* renderer, const Film& film, unsigned long version, bool translucent)
 {
   if (!prepare(renderer))
     return;
@@ -178,7 +202,10 @@ void FilmDisplay::draw(vtkRenderer* renderer, const Film& film, unsigned long ve
     upload(film, colorBytes_.data(), width != film.width() || height != film.height());
     shown_ = wanted;
   }
-  drawQuad(true);
+  if (translucent)
+    drawIntoWindow(renderer);
+  else
+    drawQuad(true);
 }
 
 void FilmDisplay::drawFlat(

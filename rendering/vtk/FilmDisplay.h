@@ -25,8 +25,9 @@ public:
   ~FilmDisplay();
 
   /// Blends the film over what is there, hidden by what is nearer. `version` tells films apart: the
-  /// same one is not converted and sent again.
-  void draw(vtkRenderer* renderer, const Film& film, unsigned long version);
+  /// same one is not converted and sent again. VTK's translucent step collects props in framebuffers
+  /// of its own kind; with `translucent` the film goes past them straight into the window's.
+  void draw(vtkRenderer* renderer, const Film& film, unsigned long version, bool translucent);
 
   /// Writes one colour, without blending, wherever the film shows something: for selection passes.
   /// `colors` holds four bytes a pixel of the film.
@@ -40,6 +41,7 @@ private:
   void upload(const Film& film, const unsigned char* colors, bool smooth);
   void convertDepth(vtkRenderer* renderer, const Film& film);
   void drawQuad(bool blend);
+  void drawIntoWindow(vtkRenderer* renderer);
 
   vtkOpenGLRenderWindow* window_ = nullptr;
   vtkNew<vtkTextureObject> color_;

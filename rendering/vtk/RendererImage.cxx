@@ -37,13 +37,13 @@ bool RendererImage::trace(vtkRenderer* renderer, std::vector<vtkActor*> actors,
   }
 }
 
-void RendererImage::draw(vtkRenderer* renderer)
+void RendererImage::draw(vtkRenderer* renderer, bool translucent)
 {
   const auto start = std::chrono::steady_clock::now();
   if (renderer->GetSelector())
     drawSelection(renderer);
   else
-    display_.draw(renderer, tracer_.film(), tracer_.version());
+    display_.draw(renderer, tracer_.film(), tracer_.version(), translucent);
   displaySeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 

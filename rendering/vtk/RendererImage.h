@@ -21,7 +21,8 @@ public:
     const Progress& progress);
 
   /// Draws the picture; while a vtkHardwareSelector is at work, what it asks for instead.
-  void draw(vtkRenderer* renderer);
+  /// `translucent`: VTK calls from its translucent step.
+  void draw(vtkRenderer* renderer, bool translucent = false);
 
   /// What kept the last trace() from tracing, or empty.
   const std::string& problem() const { return problem_; }

@@ -512,7 +512,7 @@ void vtkMoteParticleMapper::Render(vtkRenderer* renderer, vtkActor* actor)
   mote::RendererImage& image = this->Impl->images.of(renderer);
   mote::FrameSettings settings;
   if (image.trace(renderer, {actor}, settings, {}))
-    image.draw(renderer);
+    image.draw(renderer, !actor->HasOpaqueGeometry());
   if (!image.problem().empty() && image.problem() != this->Impl->reportedFrame)
     vtkErrorMacro(<< image.problem());
   this->Impl->reportedFrame = image.problem();
