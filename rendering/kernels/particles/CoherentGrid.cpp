@@ -18,6 +18,7 @@ void CoherentGrid::clear()
 {
   statistics_ = {};
   origin_ = Vec3d(0.0);
+  unit_ = 1.0;
   resolution_ = macroResolution_ = Vec3i(0);
   largestRadius_ = 0.0f;
   count_ = 0;

@@ -24,7 +24,9 @@ struct CoherentGridOptions
 /// Every particle lies in exactly one cell, that of its centre (the sphere-centre method); a packet
 /// visits, in each slice of cells across its major axis, the cells that its frustum overlaps when
 /// widened by the largest radius. Macrocells of 6x6x6 cells skip empty space.
-/// Particles are stored in cell order as x y z r in float, relative to one double origin.
+/// Particles are stored in cell order as x y z r in float, relative to one double origin and in a
+/// unit, a power of two near the size of a cell, that keeps squares within float's range whatever
+/// the scene is measured in.
 ///
 /// Source: Gribble, Ize, Kensler, Wald, Parker, "A Coherent Grid Traversal Approach to Visualizing
 /// Particle-based Simulation Data", UUSCI-2006-024; docs/coherent-grid.md says what is done
@@ -32,7 +34,7 @@ struct CoherentGridOptions
 class CoherentGrid
 {
 public:
-  /// One particle: centre relative to origin(), and radius. 16 bytes.
+  /// One particle: centre relative to origin(), and radius, in unit(). 16 bytes.
   struct Record
   {
     float x, y, z, r;
@@ -47,9 +49,9 @@ public:
     const Progress& progress = {});
 
   /// Finds for each ray of the packet the nearest hit with tMin < t < packet.t, and where there is
-  /// one writes t, slot and `object`. Rays may point anywhere. Of spheres hit at exactly the same
-  /// distance, as coincident ones are, the one with the smallest input index is taken. A ray that
-  /// starts inside a sphere hits its far side. Thread-safe.
+  /// one writes t, slot and `object`. Rays may point anywhere. Of coincident spheres the one with
+  /// the smallest input index is hit. A ray that starts inside a sphere hits its far side.
+  /// Thread-safe.
   void cast(RayPacket& packet, std::int32_t object) const;
 
   /// Shows only the particles whose slots `shown` accepts, without a rebuild; called from several
@@ -59,14 +61,15 @@ public:
   std::size_t size() const { return count_; }
   const ParticleStatistics& statistics() const { return statistics_; }
   const Vec3d& origin() const { return origin_; }
+  double unit() const { return unit_; }
   /// Centre (in the input's coordinates) and radius of the particle at `slot`, as stored: rounded
   /// to float relative to origin().
   Vec3d center(std::size_t slot) const
   {
     const Record& p = records_[slot];
-    return origin_ + Vec3d(p.x, p.y, p.z);
+    return origin_ + unit_ * Vec3d(p.x, p.y, p.z);
   }
-  double radius(std::size_t slot) const { return records_[slot].r; }
+  double radius(std::size_t slot) const { return unit_ * records_[slot].r; }
   /// Index in the input of the particle at `slot`; the slot itself where indices were not kept.
   std::uint64_t inputIndex(std::size_t slot) const
   {
@@ -77,7 +80,7 @@ public:
   /// Memory of the structure and of the particles stored in it.
   std::size_t bytes() const;
   Vec3i resolution() const { return resolution_; }
-  double cellSize() const { return cellSize_; }
+  double cellSize() const { return unit_ * cellSize_; }
 
 private:
   friend struct CoherentGridBuilder;
@@ -88,7 +91,8 @@ private:
 
   ParticleStatistics statistics_;
   Vec3d origin_{0.0};
-  Vec3f lower_{0.0f}; ///< corner of cell (0,0,0), relative to origin_
+  double unit_ = 1.0; ///< a power of two: scaling by it rounds nothing
+  Vec3f lower_{0.0f}; ///< corner of cell (0,0,0)
   Vec3i resolution_{0};
   Vec3i macroResolution_{0};
   float cellSize_ = 1.0f;

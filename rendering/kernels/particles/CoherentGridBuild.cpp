@@ -72,15 +72,16 @@ struct CoherentGridBuilder
     const double longest = std::max({size.x, size.y, size.z});
     // Finer cells float could not tell apart; where all centres coincide any size will do.
     edge = std::max({edge, longest * std::ldexp(1.0, -20), s.largestRadius * 1e-3});
-    grid.cellSize_ = static_cast<float>(edge);
-    grid.lower_ = Vec3f(s.centers.lower - grid.origin_);
+    grid.unit_ = std::exp2(std::round(std::log2(edge)));
+    grid.cellSize_ = static_cast<float>(edge / grid.unit_);
+    grid.lower_ = Vec3f((s.centers.lower - grid.origin_) / grid.unit_);
     for (int k = 0; k < 3; ++k)
     {
-      grid.resolution_[k] = 1 + static_cast<int>(size[k] / grid.cellSize_);
+      grid.resolution_[k] = 1 + static_cast<int>(size[k] / grid.cellSize());
       grid.macroResolution_[k] =
         (grid.resolution_[k] + CoherentGrid::macrocellSize - 1) / CoherentGrid::macrocellSize;
     }
-    grid.largestRadius_ = static_cast<float>(s.largestRadius);
+    grid.largestRadius_ = static_cast<float>(s.largestRadius / grid.unit_);
   }
 
   void planSort()
@@ -101,8 +102,8 @@ struct CoherentGridBuilder
     const double r = particles.radiusOf(i);
     if (!isValidParticle(p, r))
       return false;
-    const Vec3f local(p - grid.origin_);
-    out = {local.x, local.y, local.z, static_cast<float>(r)};
+    const Vec3f local((p - grid.origin_) / grid.unit_);
+    out = {local.x, local.y, local.z, static_cast<float>(r / grid.unit_)};
     return true;
   }
 

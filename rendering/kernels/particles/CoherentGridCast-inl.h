@@ -15,7 +15,7 @@ namespace mote
 namespace HWY_NAMESPACE
 {
 
-/// Bounds of the live rays' (u, v) as linear functions of kappa, from the start plane on.
+/// Bounds of the live rays' (u, v) as linear functions of kappa, for kappa >= 0.
 struct Frustum
 {
   float uLow, uLowSlope, uHigh, uHighSlope;
@@ -103,8 +103,8 @@ public:
     const float h = grid_.cellSize;
     const int slices = grid_.resolution[K];
     frustum_ = frustumOf(p_, -infinity);
-    const int start =
-      std::max(0, static_cast<int>(std::floor((entry - grid_.reach - front0_) * cells_ - 1e-3f)));
+    const float place = std::floor((entry - grid_.reach - front0_) * cells_ - 1e-3f);
+    const int start = static_cast<int>(std::clamp(place, 0.0f, static_cast<float>(slices)));
     for (int step = start; step < slices; ++step)
     {
       const float front = front0_ + h * static_cast<float>(step);
@@ -161,10 +161,6 @@ private:
   CellRange range(float low, float lowSlope, float high, float highSlope, float widen, float k0,
     float k1, float base, int resolution) const
   {
-    // No ray is looked at before the start plane, where the linear bounds do not hold: a sphere
-    // centred before it is met behind it, within the widened radius of the bounds there.
-    k0 = std::max(k0, 0.0f);
-    k1 = std::max(k1, 0.0f);
     const float reach = grid_.reach * widen;
     const float from = std::min(low + lowSlope * k0, low + lowSlope * k1) - reach;
     const float to = std::max(high + highSlope * k0, high + highSlope * k1) + reach;
@@ -249,12 +245,13 @@ private:
       const VF k = hn::Mul(difference(c[K], plane_), hn::Set(d, sign_));
       const VF ru = hn::Mul(r, hn::Set(d, frustum_.uWiden));
       const VF rv = hn::Mul(r, hn::Set(d, frustum_.vWiden));
-      // At its own depth the sphere's centre may lie as far outside as the widened radius.
-      const VF at = hn::Max(k, hn::Zero(d)); // as in range()
-      const VF uLow = hn::MulAdd(hn::Set(d, frustum_.uLowSlope), at, hn::Set(d, frustum_.uLow));
-      const VF uHigh = hn::MulAdd(hn::Set(d, frustum_.uHighSlope), at, hn::Set(d, frustum_.uHigh));
-      const VF vLow = hn::MulAdd(hn::Set(d, frustum_.vLowSlope), at, hn::Set(d, frustum_.vLow));
-      const VF vHigh = hn::MulAdd(hn::Set(d, frustum_.vHighSlope), at, hn::Set(d, frustum_.vHigh));
+      // At its own depth the sphere's centre may lie as far outside as the widened radius. That holds
+      // before the start plane too, where the bounds alone do not: the ray meets the sphere behind
+      // the plane, and |slope| x + sqrt(r^2 - x^2), for a hit x behind the centre, is never more.
+      const VF uLow = hn::MulAdd(hn::Set(d, frustum_.uLowSlope), k, hn::Set(d, frustum_.uLow));
+      const VF uHigh = hn::MulAdd(hn::Set(d, frustum_.uHighSlope), k, hn::Set(d, frustum_.uHigh));
+      const VF vLow = hn::MulAdd(hn::Set(d, frustum_.vLowSlope), k, hn::Set(d, frustum_.vLow));
+      const VF vHigh = hn::MulAdd(hn::Set(d, frustum_.vHighSlope), k, hn::Set(d, frustum_.vHigh));
       const auto inU = hn::And(hn::Ge(hn::Add(u, ru), uLow), hn::Le(hn::Sub(u, ru), uHigh));
       const auto inV = hn::And(hn::Ge(hn::Add(v, rv), vLow), hn::Le(hn::Sub(v, rv), vHigh));
       const auto before = hn::Lt(hn::Sub(k, r), hn::Set(d, frustum_.farthest));

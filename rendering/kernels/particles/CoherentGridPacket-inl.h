@@ -33,7 +33,8 @@ using VD = hn::Vec<DD>;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// The rays of a packet relative to the grid and to a start plane across the major axis K.
+/// The rays of a packet in the grid's coordinates, relative to a start plane across the major
+/// axis K.
 ///
 /// kappa counts along K from the start plane, forward in the direction of travel. Ray i passes
 /// (u, v) = (su + du kappa, sv + dv kappa). Formed in double and only then rounded, so that all
@@ -49,8 +50,8 @@ struct Packet
   alignas(64) double perKappa[64];      ///< t for one kappa
   int K, U, V;                          ///< axes
   double sign;                          ///< of travel along K
-  double plane;            ///< start plane's coordinate on K, relative to the grid's origin
-  double centerU, centerV; ///< where the middle ray crosses it, relative to the grid's origin
+  double plane;            ///< start plane's coordinate on K
+  double centerU, centerV; ///< where the middle ray crosses it
   float depth;             ///< kappa at which the last sphere has ended
 };
 
@@ -64,7 +65,7 @@ HWY_INLINE VF laneMax(VF v)
 }
 
 /// Whether all rays travel forward along K and nowhere near across it; and, in `nearest`, the
-/// smallest signed K at which one of them starts, relative to the grid's origin.
+/// smallest signed K at which one of them starts, in the grid's coordinates.
 inline bool isCoherent(
   const CoherentGridView& grid, const RayPacket& rays, const Packet& p, double& nearest)
 {
@@ -85,7 +86,7 @@ inline bool isCoherent(
       hn::Load(dd, rays.tMin + i), d, hn::Sub(hn::Load(dd, rays.origin[p.K] + i), originK));
     least = hn::IfThenElse(used, hn::Min(least, hn::Mul(sign, start)), least);
   }
-  nearest = hn::GetLane(hn::MinOfLanes(dd, least));
+  nearest = grid.perUnit * hn::GetLane(hn::MinOfLanes(dd, least));
   return true;
 }
 
@@ -95,32 +96,42 @@ inline void localize(const CoherentGridView& grid, const RayPacket& rays, Packet
   const DD dd;
   const DH dh;
   const int middle = rays.count / 2;
+  const double planeWorld = grid.origin[p.K] + grid.unit * p.plane;
   const double tMiddle =
-    (p.plane + grid.origin[p.K] - rays.origin[p.K][middle]) / rays.direction[p.K][middle];
-  p.centerU = rays.origin[p.U][middle] - grid.origin[p.U] + tMiddle * rays.direction[p.U][middle];
-  p.centerV = rays.origin[p.V][middle] - grid.origin[p.V] + tMiddle * rays.direction[p.V][middle];
-  const VD planeK = hn::Set(dd, p.plane + grid.origin[p.K]);
-  const VD shiftU = hn::Set(dd, grid.origin[p.U] + p.centerU);
-  const VD shiftV = hn::Set(dd, grid.origin[p.V] + p.centerV);
-  const VD one = hn::Set(dd, 1.0), sign = hn::Set(dd, p.sign);
+    (planeWorld - rays.origin[p.K][middle]) / rays.direction[p.K][middle];
+  const auto middleAt = [&](int axis)
+  {
+    const double along = tMiddle * rays.direction[axis][middle];
+    return grid.perUnit * (rays.origin[axis][middle] - grid.origin[axis] + along);
+  };
+  p.centerU = middleAt(p.U);
+  p.centerV = middleAt(p.V);
+  const VD planeK = hn::Set(dd, planeWorld);
+  const VD shiftU = hn::Set(dd, grid.origin[p.U] + grid.unit * p.centerU);
+  const VD shiftV = hn::Set(dd, grid.origin[p.V] + grid.unit * p.centerV);
+  const VD one = hn::Set(dd, 1.0), perUnit = hn::Set(dd, grid.perUnit);
+  const VD signPerUnit = hn::Set(dd, p.sign * grid.perUnit);
   for (int i = 0; i < 64; i += static_cast<int>(hn::Lanes(dd)))
   {
     const int left = std::max(0, rays.count - i);
     const auto used = hn::FirstN(dd, static_cast<std::size_t>(left));
     // Unused lanes are dead; all that is asked of them is no NaN.
     const VD dk = hn::IfThenElse(used, hn::Load(dd, rays.direction[p.K] + i), one);
-    const VD length = hn::Abs(dk);
+    const VD length = hn::Mul(hn::Abs(dk), perUnit);
     const VD perKappa = hn::Div(one, length);
     const VD t =
-      hn::Mul(hn::Sub(planeK, hn::Load(dd, rays.origin[p.K] + i)), hn::Mul(perKappa, sign));
+      hn::Mul(hn::Sub(planeK, hn::Load(dd, rays.origin[p.K] + i)), hn::Mul(perKappa, signPerUnit));
     const VD du = hn::Load(dd, rays.direction[p.U] + i);
     const VD dv = hn::Load(dd, rays.direction[p.V] + i);
     const auto put = [&](VD v, float* to)
     { hn::Store(hn::DemoteTo(dh, hn::IfThenElseZero(used, v)), dh, to + i); };
-    put(hn::MulAdd(t, du, hn::Sub(hn::Load(dd, rays.origin[p.U] + i), shiftU)), p.su);
-    put(hn::MulAdd(t, dv, hn::Sub(hn::Load(dd, rays.origin[p.V] + i), shiftV)), p.sv);
-    put(hn::Mul(du, perKappa), p.du);
-    put(hn::Mul(dv, perKappa), p.dv);
+    const auto crossing = [&](int axis, VD slope, VD shift)
+    { return hn::MulAdd(t, slope, hn::Sub(hn::Load(dd, rays.origin[axis] + i), shift)); };
+    const VD slopePerUnit = hn::Mul(perKappa, perUnit);
+    put(hn::Mul(crossing(p.U, du, shiftU), perUnit), p.su);
+    put(hn::Mul(crossing(p.V, dv, shiftV), perUnit), p.sv);
+    put(hn::Mul(du, slopePerUnit), p.du);
+    put(hn::Mul(dv, slopePerUnit), p.dv);
     put(hn::Mul(hn::Sub(hn::Load(dd, rays.tMin + i), t), length), p.first);
     const VD last = hn::Mul(hn::Sub(hn::Load(dd, rays.t + i), t), length);
     hn::Store(hn::DemoteTo(dh,

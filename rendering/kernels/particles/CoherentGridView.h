@@ -16,6 +16,7 @@ struct CoherentGridView
   const std::uint32_t* index32;
   const std::uint64_t* index64;
   Vec3d origin;
+  double unit, perUnit; ///< world length of one unit of the grid's coordinates, and its inverse
   Vec3f lower;
   Vec3i resolution;
   Vec3i macroResolution;
@@ -31,6 +32,8 @@ struct CoherentGridView
     , index32(grid.index32_.empty() ? nullptr : grid.index32_.data())
     , index64(grid.index64_.empty() ? nullptr : grid.index64_.data())
     , origin(grid.origin_)
+    , unit(grid.unit_)
+    , perUnit(1.0 / grid.unit_)
     , lower(grid.lower_)
     , resolution(grid.resolution_)
     , macroResolution(grid.macroResolution_)

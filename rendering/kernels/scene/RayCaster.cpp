@@ -176,6 +176,8 @@ bool RayCaster::addSample(const Camera& camera, Film& film, const Progress& prog
     tbb::task_arena(threads_).execute(trace);
   else
     trace();
+  if (progress && !stop)
+    stop = !progress(1.0);
   film.setSamples(stop ? 0 : film.samples() + 1);
   return !stop;
 }

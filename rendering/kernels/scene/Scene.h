@@ -35,7 +35,7 @@ struct ParticleObject
 struct Scene
 {
   std::vector<ParticleObject> particles;
-  std::vector<Light> lights{Light{}};
+  std::vector<Light> lights = std::vector<Light>(1); ///< a headlight to begin with
 
   /// Of all objects; the bounds of a transformed object enclose its transformed box.
   Box bounds() const;

@@ -129,3 +129,35 @@ TEST(CoherentGridPrecision, SmallParticlesInALargeSet)
     EXPECT_GT(report.hits, report.rays / 8);
   }
 }
+
+TEST(CoherentGridPrecision, DoesNotDependOnTheUnitOfLength)
+{
+  // From nuclei in metres to clusters of galaxies in centimetres: a power of two as factor changes
+  // no hit, and scales every distance exactly.
+  const auto castAt = [](double unit)
+  {
+    Particles particles = randomParticles(500, 17, 0.02, 0.08, Vec3d(0.0), Vec3d(1.0));
+    for (double& v : particles.positions)
+      v *= unit;
+    for (double& r : particles.radii)
+      r *= unit;
+    CoherentGrid grid;
+    grid.build(particles.set());
+    const CameraRays rays(lookAt(unit * Vec3d(2.0, 1.5, 3.0), Vec3d(0.5 * unit), 30.0), 64, 64);
+    std::vector<std::pair<std::uint64_t, double>> hits;
+    RayPacket packet;
+    for (int y = 0; y < 64; y += 8)
+      for (int x = 0; x < 64; x += 8)
+      {
+        rays.fillBlock(packet, x, y, 0.0, 0.0);
+        grid.cast(packet, 0);
+        for (int i = 0; i < packet.count; ++i)
+          hits.emplace_back(packet.object[i] < 0 ? ~0u : grid.inputIndex(packet.slot[i]),
+            packet.object[i] < 0 ? 0.0 : packet.t[i] / unit);
+      }
+    return hits;
+  };
+  const auto wanted = castAt(1.0);
+  for (const int power : {-140, -90, -30, 30, 70, 90, 130})
+    EXPECT_EQ(castAt(std::ldexp(1.0, power)), wanted) << "2^" << power;
+}

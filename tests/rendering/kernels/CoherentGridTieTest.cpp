@@ -83,31 +83,3 @@ TEST(CoherentGridTie, HiddenTwinsLeaveTheNextOne)
   ASSERT_EQ(packet.object[0], 0);
   EXPECT_EQ(grid.inputIndex(packet.slot[0]), 4u);
 }
-
-// The grid takes the one that it meets first: whether that shall stay so is not decided.
-TEST(CoherentGridTie, DISABLED_MirrorImagesAtTheSameDistance)
-{
-  // Two spheres side by side, and rays in the plane between them: both are hit at the same t, in
-  // the same arithmetic but for signs.
-  for (const bool swapped : {false, true})
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      Vec3d aside(0.0), forward(0.0);
-      aside[(axis + 1) % 3] = swapped ? -0.25 : 0.25;
-      forward[axis] = 1.0;
-      Particles particles;
-      particles.add(aside, 0.5);
-      particles.add(-aside, 0.5);
-      CoherentGrid grid;
-      grid.build(particles.set());
-      for (const double sign : {-1.0, 1.0})
-      {
-        RayPacket packet = emptyPacket();
-        addRay(packet, -3.0 * sign * forward, sign * forward);
-        grid.cast(packet, 0);
-        ASSERT_EQ(packet.object[0], 0);
-        EXPECT_EQ(grid.inputIndex(packet.slot[0]), 0u)
-          << "axis " << axis << ", sign " << sign << ", swapped " << swapped;
-      }
-    }
-}
