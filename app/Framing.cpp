@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace mote::app
 {
@@ -28,20 +29,6 @@ constexpr Side sides[] = {
   {"+z", {0, 0, 1}, {0, 1, 0}},
   {"-z", {0, 0, -1}, {0, 1, 0}},
 };
-
-/// The side from which flat data show their face; else iso.
-const Side& automaticSide(const double bounds[6])
-{
-  const double length[3] = {
-    bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]};
-  const double longest = *std::max_element(length, length + 3);
-  const auto thin = [&](int axis) { return length[axis] < 0.04 * longest; };
-  if (thin(2))
-    return sides[5];
-  if (thin(1))
-    return sides[4];
-  return thin(0) ? sides[1] : sides[0];
-}
 
 /// The corners of the box along the camera's axes (right, up, towards the camera).
 struct CornersInView
@@ -100,21 +87,22 @@ const std::vector<std::string>& viewNames()
   return names;
 }
 
-void lookFrom(vtkCamera* camera, const std::string& view, const double bounds[6])
+std::string automaticView(const double bounds[6])
 {
-  const Side* side = &automaticSide(bounds);
-  for (const Side& candidate : sides)
-    if (view == candidate.name)
-      side = &candidate;
-  double center[3], position[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    center[i] = 0.5 * (bounds[2 * i] + bounds[2 * i + 1]);
-    position[i] = center[i] + side->direction[i];
-  }
-  camera->SetFocalPoint(center);
-  camera->SetPosition(position);
-  camera->SetViewUp(side->up);
+  const double length[3] = {
+    bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]};
+  const double longest = *std::max_element(length, length + 3);
+  const auto thin = [&](int axis) { return length[axis] < 0.04 * longest; };
+  return thin(2) ? "+z" : thin(1) ? "-y" : thin(0) ? "+x" : "iso";
+}
+
+void lookFrom(vtkCamera* camera, const std::string& view)
+{
+  const auto side = std::find_if(
+    std::begin(sides), std::end(sides), [&](const Side& s) { return view == s.name; });
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetPosition((side == std::end(sides) ? sides : side)->direction);
+  camera->SetViewUp((side == std::end(sides) ? sides : side)->up);
 }
 
 void frame(vtkCamera* camera, const double bounds[6], double aspect, const Margins& margins)

@@ -20,9 +20,12 @@ struct Margins
   double left = 0.03, right = 0.03, bottom = 0.03, top = 0.03;
 };
 
-/// Turns the camera to look from a side of viewNames() at the middle of the bounds, which "auto"
-/// chooses from.
-void lookFrom(vtkCamera* camera, const std::string& view, const double bounds[6]);
+/// The side that "auto" stands for: where positions with these bounds are flat, the one that shows
+/// their face, else iso.
+std::string automaticView(const double bounds[6]);
+
+/// Turns the camera to look from a side of viewNames(), other than auto.
+void lookFrom(vtkCamera* camera, const std::string& view);
 
 /// Moves the camera, without turning it, so that the box of the bounds just fits into a picture of
 /// this aspect (width to height) within the margins. Bounds without volume are fine.

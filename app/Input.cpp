@@ -43,6 +43,28 @@ void collectDataSets(
   }
 }
 
+/// "peri.00300.dump" and "peri.01500.dump" as "peri.*.dump".
+std::string nameOf(const std::vector<std::string>& files)
+{
+  std::string first = baseName(files.front());
+  for (const std::string& file : files)
+  {
+    const std::string other = baseName(file);
+    if (other == first)
+      continue;
+    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+    std::size_t begin =
+      std::mismatch(first.begin(), first.end(), other.begin(), other.end()).first - first.begin();
+    while (begin > 0 && isDigit(first[begin - 1]))
+      --begin;
+    std::size_t end = begin;
+    while (end < first.size() && isDigit(first[end]))
+      ++end;
+    return first.replace(begin, end - begin, 1, '*');
+  }
+  return first;
+}
+
 } // namespace
 
 Input::Input(const std::vector<std::string>& files)
@@ -51,7 +73,7 @@ Input::Input(const std::vector<std::string>& files)
   {
     Source source;
     source.files = group;
-    source.name = baseName(group.front()) + (group.size() > 1 ? " ..." : "");
+    source.name = nameOf(group);
     std::string error;
     source.reader = vtkMoteReaderTable::MakeReader(group, error);
     if (!source.reader)

@@ -42,7 +42,7 @@ public:
   /// All data sets at a step; of composite data every leaf.
   std::vector<NamedData> read(int step, Progress& progress);
 
-  /// The first file's name without folders, with "..." or "and 2 more" for several.
+  /// The first file's name without folders, a series' with a "*"; "and 2 more" where there are.
   std::string name() const;
 
 private:

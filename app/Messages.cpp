@@ -1,5 +1,6 @@
 #include "Messages.h"
 
+#include <vtkLogger.h>
 #include <vtkObjectFactory.h>
 #include <vtkSmartPointer.h>
 
@@ -30,6 +31,7 @@ vtkStandardNewMacro(Messages);
 
 void Messages::install()
 {
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // it would print on its own
   installed = vtkSmartPointer<Messages>::New();
   vtkOutputWindow::SetInstance(installed);
 }

@@ -38,11 +38,7 @@ Overlay::Overlay(vtkRenderer* renderer)
 {
   place(statusText_, 0.012, 0.012, 16, false);
   onPanel(place(messageText_, 0.012, 0.98, 15, true));
-  vtkTextProperty* help = place(helpText_, 0.5, 0.5, 15, false);
-  onPanel(help);
-  help->SetJustificationToLeft();
-  help->SetVerticalJustificationToCentered();
-  helpText_->SetPosition(0.012, 0.55);
+  onPanel(place(helpText_, 0.012, 0.98, 15, true));
   helpText_->SetInput(keysHelp().c_str());
   helpText_->VisibilityOff();
   messageText_->VisibilityOff();

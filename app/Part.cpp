@@ -34,9 +34,9 @@ bool hasRadiusArray(vtkDataSet* data)
 
 void shade(vtkProperty* property, bool mesh)
 {
-  property->SetColor(0.62, 0.72, 0.84);
-  property->SetAmbient(mesh ? 0.1 : 0.2);
-  property->SetDiffuse(mesh ? 0.9 : 0.8);
+  property->SetColor(0.91, 0.87, 0.79); // warm against the cool background
+  property->SetAmbient(mesh ? 0.1 : 0.22);
+  property->SetDiffuse(mesh ? 0.9 : 0.78);
   property->SetSpecular(mesh ? 0.1 : 0.0);
   property->SetSpecularPower(30.0);
 }

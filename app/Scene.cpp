@@ -26,13 +26,13 @@ void addLights(vtkRenderer* renderer)
 {
   vtkNew<vtkLight> over;
   over->SetLightTypeToCameraLight();
-  over->SetPosition(-0.45, 0.65, 1.0);
+  over->SetPosition(-0.35, 0.5, 1.0);
   over->SetFocalPoint(0.0, 0.0, 0.0);
-  over->SetIntensity(0.72);
+  over->SetIntensity(0.64);
   renderer->AddLight(over);
   vtkNew<vtkLight> eye;
   eye->SetLightTypeToHeadlight();
-  eye->SetIntensity(0.33);
+  eye->SetIntensity(0.41);
   renderer->AddLight(eye);
   renderer->AutomaticLightCreationOff();
 }
@@ -101,7 +101,14 @@ void Scene::look(const std::string& side, double aspect, const Margins& margins)
   double box[6];
   this->bounds(box);
   vtkCamera* camera = renderer_->GetActiveCamera();
-  lookFrom(camera, side, box);
+  vtkBoundingBox positions;
+  for (const auto& part : parts_)
+    if (part->data()->GetNumberOfPoints() > 0)
+      positions.AddBounds(part->data()->GetBounds());
+  double flat[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+  if (positions.IsValid())
+    positions.GetBounds(flat);
+  lookFrom(camera, side == "auto" ? automaticView(flat) : side);
   if (side == options_.view)
   {
     camera->Azimuth(options_.azimuth);

@@ -112,6 +112,7 @@ void Window::setUpEvents()
       if (!busy_ && inputWaits(window_))
         window_->SetAbortRender(1);
     });
+  observe(interactor_, vtkCommand::ExitEvent, [this](void*) { this->quit(); });
   observe(interactor_, vtkCommand::TimerEvent,
     [this](void* timer) { this->onTimer(*static_cast<int*>(timer)); });
 }
@@ -149,11 +150,19 @@ void Window::run()
   this->look(options_.view);
   this->say("Press h for the keys");
   this->render();
-  interactor_->Start();
+  if (!quit_)
+    interactor_->Start();
 }
 
 //------------------------------------------------------------------------------------------------
 // Time
+
+void Window::quit()
+{
+  quit_ = true;
+  // Not TerminateApp(): that of VTK 9.1 closes the display under the event loop's feet.
+  interactor_->SetDone(true);
+}
 
 bool Window::perform(const std::function<void()>& work)
 {
@@ -176,7 +185,7 @@ bool Window::perform(const std::function<void()>& work)
   }
   busy_ = false;
   if (bar_.wantsQuit())
-    interactor_->TerminateApp();
+    this->quit();
   else if (!done)
   {
     playing_ = false;
@@ -246,8 +255,10 @@ void Window::renderMoving()
 void Window::onRenderStart()
 {
   frameStart_ = vtkTimerLog::GetUniversalTime();
-  if (!busy_)
-    overlay_.setStatus(this->statusText());
+  if (busy_)
+    return;
+  overlay_.setStatus(this->statusText());
+  props_.legend().update();
 }
 
 void Window::onRenderEnd()
@@ -280,7 +291,7 @@ void Window::onTimer(int timer)
     own = 0;
     return true;
   };
-  if (busy_)
+  if (busy_ || quit_)
     return;
   if (due(playTimer_))
     this->advance();

@@ -56,6 +56,7 @@ private:
   bool buildAgain();
   bool perform(const std::function<void()>& work);
   void advance();
+  void quit();
 
   // Drawing
   void render();
@@ -97,6 +98,7 @@ private:
   bool playing_ = false;
   bool busy_ = false; // in long work: events wait
   bool wheeling_ = false;
+  bool quit_ = false;
   double radiusScale_ = 1.0;
   double frameStart_ = 0.0, frameTime_ = 0.0;
   int sharpenTimer_ = 0, restTimer_ = 0, playTimer_ = 0, messageTimer_ = 0;

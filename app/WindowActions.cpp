@@ -120,7 +120,7 @@ void Window::act(Action action)
       props_.toggleBox();
       break;
     case Action::Legend:
-      props_.toggleLegend();
+      props_.legend().toggle();
       break;
     case Action::Axes:
       props_.toggleAxes();
@@ -138,8 +138,7 @@ void Window::act(Action action)
       props_.unmark();
       break;
     case Action::Quit:
-      interactor_->TerminateApp();
-      return;
+      return this->quit();
   }
   this->render();
 }

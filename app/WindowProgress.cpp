@@ -14,6 +14,7 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace mote::app
@@ -57,7 +58,7 @@ WindowProgress::WindowProgress(vtkRenderWindow* window, vtkRenderer* view)
   const Color ink = inkOn(view);
   vtkNew<vtkPlaneSource> groove;
   setSpan(groove, right);
-  setSpan(bar_, left);
+  setSpan(bar_, right);
   addBar(renderer_, groove, ink, 0.2);
   addBar(renderer_, bar_, ink, 0.9);
   text_->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
@@ -76,7 +77,7 @@ void WindowProgress::show(const std::string& what, double share)
     window_->AddRenderer(renderer_);
     shown_ = true;
   }
-  setSpan(bar_, left + share * (right - left));
+  setSpan(bar_, left + std::max(share, 0.004) * (right - left)); // a plane needs an area
   text_->SetInput((what + "   " + asNumber(std::round(100.0 * share)) + " %   (Esc stops)").c_str());
   window_->Render();
 }

@@ -5,19 +5,24 @@
 
 #include <vtkActor.h>
 #include <vtkAxesActor.h>
+#include <vtkCamera.h>
 #include <vtkCaptionActor2D.h>
 #include <vtkCellArray.h>
 #include <vtkDataSet.h>
 #include <vtkLookupTable.h>
+#include <vtkMath.h>
 #include <vtkOrientationMarkerWidget.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindowInteractor.h>
-#include <vtkScalarBarActor.h>
 #include <vtkSphereSource.h>
+#include <vtkTextActor.h>
 #include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace mote::app
 {
@@ -54,19 +59,11 @@ vtkSmartPointer<vtkPolyData> edgesOf(const SimulationBox& box)
   return edges;
 }
 
-void setUpText(vtkTextProperty* property, int size)
-{
-  property->SetFontFamilyToArial();
-  property->SetFontSize(size);
-  property->BoldOff();
-  property->ItalicOff();
-  property->ShadowOff();
-}
-
 } // namespace
 
 WindowProps::WindowProps(Scene& scene)
   : scene_(scene)
+  , legend_(scene.renderer())
 {
   for (vtkActor* lines : {box_.Get(), mark_.Get()})
   {
@@ -81,21 +78,6 @@ WindowProps::WindowProps(Scene& scene)
   mark_->VisibilityOff();
   mark_->GetProperty()->SetRepresentationToWireframe();
   mark_->GetProperty()->SetColor(1.0, 1.0, 1.0);
-
-  legend_->SetUnconstrainedFontSize(true);
-  legend_->SetMaximumWidthInPixels(90);
-  legend_->SetWidth(0.07);
-  legend_->SetHeight(0.5);
-  legend_->SetPosition(0.91, 0.25);
-  legend_->SetBarRatio(0.25);
-  legend_->SetNumberOfLabels(5);
-  legend_->SetLabelFormat("%-.4g");
-  legend_->SetVerticalTitleSeparation(10);
-  setUpText(legend_->GetTitleTextProperty(), 17);
-  setUpText(legend_->GetLabelTextProperty(), 15);
-  setUpText(legend_->GetAnnotationTextProperty(), 15);
-  legend_->VisibilityOff();
-  scene.renderer()->AddActor2D(legend_);
 
   axes_->SetShaftTypeToCylinder();
   axes_->SetTotalLength(1.0, 1.0, 1.0);
@@ -134,10 +116,8 @@ void WindowProps::update(const ViewOptions& options)
   }
   static_cast<vtkPolyDataMapper*>(box_->GetMapper())->SetInputData(edgesOf(box));
   box_->SetVisibility(boxOn_);
-  vtkLookupTable* table = scene_.coloring().legendTable();
-  legend_->SetLookupTable(table);
-  legend_->SetVisibility(legendOn_ && table);
-  legend_->SetTitle(options.title.value_or(scene_.coloring().title()).c_str());
+  legend_.set(options.legend ? scene_.coloring().legendTable() : nullptr,
+    options.title.value_or(scene_.coloring().title()));
 }
 
 void WindowProps::toggleBox()
@@ -146,36 +126,47 @@ void WindowProps::toggleBox()
   box_->SetVisibility(boxOn_);
 }
 
-void WindowProps::toggleLegend()
-{
-  legendOn_ = !legendOn_;
-  legend_->SetVisibility(legendOn_ && scene_.coloring().legendTable());
-}
-
 void WindowProps::toggleAxes() { corner_->SetEnabled(!corner_->GetEnabled()); }
 
 void WindowProps::setInk(const Color& ink)
 {
-  box_->GetProperty()->SetColor(ink[0], ink[1], ink[2]);
-  box_->GetProperty()->SetOpacity(0.6);
-  for (vtkTextProperty* text : {legend_->GetTitleTextProperty(), legend_->GetLabelTextProperty(),
-         legend_->GetAnnotationTextProperty()})
-    text->SetColor(ink[0], ink[1], ink[2]);
+  const double* ground = scene_.renderer()->GetBackground();
+  double quiet[3];
+  for (int i = 0; i < 3; ++i)
+    quiet[i] = 0.6 * ink[i] + 0.4 * ground[i];
+  box_->GetProperty()->SetColor(quiet);
+  legend_.setInk(ink);
   for (vtkCaptionActor2D* caption : {axes_->GetXAxisCaptionActor2D(),
          axes_->GetYAxisCaptionActor2D(), axes_->GetZAxisCaptionActor2D()})
   {
-    setUpText(caption->GetCaptionTextProperty(), 15);
+    caption->GetTextActor()->SetTextScaleModeToNone();
+    vtkTextProperty* text = caption->GetCaptionTextProperty();
+    text->SetFontSize(14);
+    text->ItalicOff();
+    text->BoldOff();
+    text->ShadowOff();
     caption->GetCaptionTextProperty()->SetColor(ink[0], ink[1], ink[2]);
   }
+}
+
+double WindowProps::pixelSizeAt(const double position[3])
+{
+  vtkCamera* camera = scene_.renderer()->GetActiveCamera();
+  const double rows = std::max(1, scene_.renderer()->GetSize()[1]);
+  if (camera->GetParallelProjection())
+    return 2.0 * camera->GetParallelScale() / rows;
+  const double half = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
+  return 2.0 * half / rows *
+    std::sqrt(vtkMath::Distance2BetweenPoints(camera->GetPosition(), position));
 }
 
 void WindowProps::mark(const double center[3], double radius)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetCenter(center[0], center[1], center[2]);
-  sphere->SetRadius(1.04 * radius);
-  sphere->SetThetaResolution(16);
-  sphere->SetPhiResolution(9);
+  sphere->SetRadius(std::max(1.04 * radius, 8.0 * this->pixelSizeAt(center)));
+  sphere->SetThetaResolution(12);
+  sphere->SetPhiResolution(7);
   sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   sphere->Update();
   static_cast<vtkPolyDataMapper*>(mark_->GetMapper())->SetInputData(sphere->GetOutput());

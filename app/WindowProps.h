@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Scene.h"
+#include "WindowLegend.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -9,7 +10,6 @@ class vtkActor;
 class vtkAxesActor;
 class vtkOrientationMarkerWidget;
 class vtkRenderWindowInteractor;
-class vtkScalarBarActor;
 
 namespace mote::app
 {
@@ -29,19 +29,22 @@ public:
   void update(const ViewOptions& options);
 
   void toggleBox();
-  void toggleLegend();
+  WindowLegend& legend() { return legend_; }
   void toggleAxes();
   void setInk(const Color& ink);
 
+  /// A cage around a picked particle, never smaller than a few pixels.
   void mark(const double center[3], double radius);
   void unmark();
 
 private:
+  double pixelSizeAt(const double position[3]);
+
   Scene& scene_;
-  bool boxOn_ = true, legendOn_ = true;
+  bool boxOn_ = true;
+  WindowLegend legend_;
   vtkNew<vtkActor> box_;
   vtkNew<vtkActor> mark_;
-  vtkNew<vtkScalarBarActor> legend_;
   vtkNew<vtkAxesActor> axes_;
   vtkNew<vtkOrientationMarkerWidget> corner_;
 };

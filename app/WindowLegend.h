@@ -1,0 +1,44 @@
+#pragma once
+
+#include "ViewOptions.h"
+
+#include <vtkMoteColorLegend.h>
+#include <vtkNew.h>
+
+#include <string>
+
+class vtkActor2D;
+class vtkImageData;
+class vtkImageMapper;
+class vtkRenderer;
+class vtkScalarsToColors;
+
+namespace mote::app
+{
+
+/// The colour legend of the window: the one that `mote render` draws, as a prop.
+class WindowLegend
+{
+public:
+  explicit WindowLegend(vtkRenderer* renderer);
+  ~WindowLegend();
+
+  /// What to explain; no table to show nothing.
+  void set(vtkScalarsToColors* table, const std::string& title);
+  void setInk(const Color& ink);
+  void toggle();
+
+  /// Draws anew where something has changed, the size of the window too. Call before each frame.
+  void update();
+
+private:
+  vtkRenderer* renderer_;
+  vtkNew<vtkImageData> canvas_;
+  vtkNew<vtkMoteColorLegend> legend_;
+  vtkNew<vtkImageMapper> mapper_;
+  vtkNew<vtkActor2D> actor_;
+  bool on_ = true;
+  vtkMTimeType drawn_ = 0;
+};
+
+} // namespace mote::app
