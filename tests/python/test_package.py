@@ -1,0 +1,75 @@
+"""The package `mote` beside vtkmodules: what it holds and what it says of itself."""
+
+import inspect
+import subprocess
+import sys
+import unittest
+
+import mote
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+from vtkmodules.vtkRenderingCore import vtkAbstractPicker, vtkMapper
+
+CLASSES = [name for name in dir(mote) if name.startswith("vtkMote")]
+
+
+class Package(unittest.TestCase):
+    def test_names_its_version(self):
+        self.assertRegex(mote.__version__, r"^\d+\.\d+\.\d+$")
+
+    def test_holds_the_classes(self):
+        for name in [
+            "vtkMoteParticleMapper",
+            "vtkMoteParticlePicker",
+            "vtkMoteRayCastPass",
+            "vtkMoteRendererSource",
+            "vtkMoteReaderTable",
+            "vtkMoteLAMMPSDumpReader",
+        ]:
+            self.assertIn(name, CLASSES)
+
+    def test_knows_its_place_among_vtks_classes(self):
+        self.assertIsInstance(mote.vtkMoteParticleMapper(), vtkMapper)
+        self.assertIsInstance(mote.vtkMoteParticlePicker(), vtkAbstractPicker)
+        self.assertIsInstance(mote.vtkMoteRendererSource(), vtkAlgorithm)
+
+    def test_every_class_has_a_docstring(self):
+        for name in CLASSES:
+            with self.subTest(name):
+                self.assertGreater(len((getattr(mote, name).__doc__ or "").split()), 8)
+
+    def test_methods_have_docstrings_of_their_own(self):
+        text = mote.vtkMoteParticleMapper.SetRadiusScale.__doc__
+        self.assertIn("Multiplies the radius", text)
+
+    def test_every_class_prints_itself(self):
+        for name in CLASSES:
+            with self.subTest(name):
+                try:
+                    made = getattr(mote, name)()
+                except TypeError as error:
+                    self.assertIn("abstract", str(error))
+                    continue
+                self.assertIn(name, str(made))
+
+    def test_imports_first_of_all(self):
+        # Not after a vtkmodules that a program has imported by chance.
+        code = "import mote; m = mote.vtkMoteParticleMapper(); print(m.GetClassName())"
+        done = subprocess.run(
+            [sys.executable, "-c", code], capture_output=True, text=True, check=False
+        )
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stdout.strip(), "vtkMoteParticleMapper")
+
+    def test_star_imports_nothing_else(self):
+        strangers = [
+            name
+            for name in dir(mote)
+            if not name.startswith("_")
+            and not name.startswith("vtkMote")
+            and not inspect.ismodule(getattr(mote, name))
+        ]
+        self.assertEqual(strangers, [])
+
+
+if __name__ == "__main__":
+    unittest.main()
