@@ -22,6 +22,11 @@ vtk_module_build(
 
 if (MOTE_BUILD_PYTHON)
   vtk_module_python_default_destination(MOTE_PYTHON_DESTINATION)
+  # Extension modules lie deeper than programs do, and find the libraries from there.
+  set(_install_rpath "${CMAKE_INSTALL_RPATH}")
+  file(RELATIVE_PATH _to_libraries
+    "/${MOTE_PYTHON_DESTINATION}/mote" "/${CMAKE_INSTALL_LIBDIR}")
+  set(CMAKE_INSTALL_RPATH "$ORIGIN/${_to_libraries}")
   vtk_module_wrap_python(
     MODULES ${MOTE_MODULES}
     INSTALL_EXPORT MotePython
@@ -32,5 +37,6 @@ if (MOTE_BUILD_PYTHON)
     WRAPPED_MODULES MOTE_WRAPPED_MODULES
     TARGET Mote::Python
     BUILD_STATIC OFF)
+  set(CMAKE_INSTALL_RPATH "${_install_rpath}")
   add_subdirectory(plugins/python)
 endif ()
