@@ -339,3 +339,14 @@ TEST(Lifetimes, ManyWindowsOneAfterTheOther)
       drawing.renderer->SetPass(nullptr);
   }
 }
+
+TEST(Lifetimes, WindowReopensWhileThePassIsAway)
+{
+  Drawing drawing;
+  drawing.addParticles({{0, 0, 0, 0.5}}, {1, 1, 1});
+  const Shot first = drawing.shoot();
+  drawing.renderer->SetPass(nullptr);
+  drawing.window->Finalize();
+  drawing.renderer->SetPass(drawing.pass);
+  EXPECT_EQ(differentPixels(first, drawing.shoot(), 0), 0);
+}
