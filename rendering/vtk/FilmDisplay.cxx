@@ -98,10 +98,10 @@ bool FilmDisplay::prepare(vtkRenderer* renderer)
   if (!window)
     return false;
   if (window != window_)
-  {
     release(window_);
-    window_ = window;
-  }
+  if (quad_ && !quad_->Program)
+    release(window); // the window was closed and opened again: all that was in it has gone
+  window_ = window;
   if (!quad_)
     quad_ = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, fragmentShader, nullptr);
   else
@@ -126,8 +126,7 @@ void FilmDisplay::upload(const Film& film, const unsigned char* colors, bool smo
   const auto width = static_cast<unsigned>(film.width());
   const auto height = static_cast<unsigned>(film.height());
   // A film of fewer pixels than the viewport is smoothed; depths must not be blended.
-  prepareTexture(
-    color_, window_, smooth ? vtkTextureObject::Linear : vtkTextureObject::Nearest);
+  prepareTexture(color_, window_, smooth ? vtkTextureObject::Linear : vtkTextureObject::Nearest);
   prepareTexture(depth_, window_, vtkTextureObject::Nearest);
   color_->Create2DFromRaw(width, height, 4, VTK_UNSIGNED_CHAR, const_cast<unsigned char*>(colors));
   depth_->Create2DFromRaw(width, height, 1, VTK_FLOAT, windowDepth_.data());

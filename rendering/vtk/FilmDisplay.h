@@ -3,12 +3,13 @@
 #include "kernels/core/Film.h"
 
 #include "vtkNew.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkWeakPointer.h"
 
 #include <memory>
 #include <vector>
 
 class vtkOpenGLQuadHelper;
-class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkTextureObject;
 class vtkWindow;
@@ -25,8 +26,9 @@ public:
   ~FilmDisplay();
 
   /// Blends the film over what is there, hidden by what is nearer. `version` tells films apart: the
-  /// same one is not converted and sent again. VTK's translucent step collects props in framebuffers
-  /// of its own kind; with `translucent` the film goes past them straight into the window's.
+  /// same one is not converted and sent again. VTK's translucent step collects props in
+  /// framebuffers of its own kind; with `translucent` the film goes past them straight into the
+  /// window's.
   void draw(vtkRenderer* renderer, const Film& film, unsigned long version, bool translucent);
 
   /// Writes one colour, without blending, wherever the film shows something: for selection passes.
@@ -43,7 +45,7 @@ private:
   void drawQuad(bool blend);
   void drawIntoWindow(vtkRenderer* renderer);
 
-  vtkOpenGLRenderWindow* window_ = nullptr;
+  vtkWeakPointer<vtkOpenGLRenderWindow> window_; ///< may go away unnoticed while the pass is unset
   vtkNew<vtkTextureObject> color_;
   vtkNew<vtkTextureObject> depth_;
   std::unique_ptr<vtkOpenGLQuadHelper> quad_;

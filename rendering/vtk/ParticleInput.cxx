@@ -9,6 +9,10 @@
 #include "vtkPoints.h"
 #include "vtksys/SystemTools.hxx"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace mote
 {
 
@@ -46,6 +50,12 @@ vtkDataArray* findByLowerName(vtkPointData* data, const std::string& wanted)
       return array;
   }
   return nullptr;
+}
+
+/// NaN differs from itself: as radii NaN and infinity are unfit alike.
+void addRadius(InputKey& key, double radius)
+{
+  key.push_back(std::isnan(radius) ? std::numeric_limits<double>::infinity() : radius);
 }
 
 } // namespace
@@ -104,6 +114,50 @@ ParticleInput makeParticleInput(vtkPointSet* points, const RadiusChoice& choice)
     input.commonRadius = input.set.radius * choice.scale;
   }
   return input;
+}
+
+void addArray(InputKey& key, vtkDataArray* array)
+{
+  key.push_back(array ? static_cast<double>(array->GetMTime()) : -1.0);
+}
+
+void addChoice(InputKey& key, const RadiusChoice& choice, vtkDataArray* radii, bool half)
+{
+  const bool byType = choice.mode == vtkMoteParticleMapper::RADIUS_BY_TYPE;
+  key.insert(key.end(), {double(choice.mode), double(half)});
+  addRadius(key, choice.scale);
+  if (byType || choice.mode == vtkMoteParticleMapper::RADIUS_CONSTANT)
+    addRadius(key, choice.radius);
+  addArray(key, radii);
+  if (byType)
+    for (const auto& [type, radius] : choice.typeRadii)
+    {
+      key.push_back(type);
+      addRadius(key, radius);
+    }
+}
+
+ParticleStructureKind structureOf(const char* name)
+{
+  const std::vector<std::string>& names = particleStructureNames();
+  const auto found = name && *name ? std::find(names.begin(), names.end(), name) : names.begin();
+  if (found != names.end())
+    return static_cast<ParticleStructureKind>(found - names.begin());
+  std::string known;
+  for (const std::string& n : names)
+    known += (known.empty() ? "" : ", ") + n;
+  throw Error(std::string("There is no structure \"") + name + "\"; there are: " + known + ".");
+}
+
+std::string leftOutSentence(const ParticleStatistics& s)
+{
+  std::string text;
+  if (s.badPositions > 0)
+    text += std::to_string(s.badPositions) + " with a position that is not finite";
+  if (s.badRadii > 0)
+    text += (text.empty() ? "" : " and ") + std::to_string(s.badRadii) +
+            " with a radius that is not a finite number above zero";
+  return text;
 }
 
 } // namespace mote

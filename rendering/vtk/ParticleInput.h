@@ -3,6 +3,7 @@
 #include "DataArrayView.h"
 
 #include "kernels/particles/ParticleSet.h"
+#include "kernels/particles/ParticleStructure.h"
 
 #include <map>
 #include <string>
@@ -40,5 +41,21 @@ vtkDataArray* findRadiusArray(vtkPointSet* points, const RadiusChoice& choice, b
 
 /// Looks up radii as `choice` says. Throws Error as findRadiusArray() does.
 ParticleInput makeParticleInput(vtkPointSet* points, const RadiusChoice& choice);
+
+/// What a structure was built from: equal keys, equal structures.
+using InputKey = std::vector<double>;
+
+/// MTimes are one counter over all VTK objects: an array is known by its own. They stay far below
+/// 2^53, where doubles would stop telling integers apart.
+void addArray(InputKey& key, vtkDataArray* array);
+
+/// All that radii depend on; `radii` and `half` as findRadiusArray() gives them.
+void addChoice(InputKey& key, const RadiusChoice& choice, vtkDataArray* radii, bool half);
+
+/// Throws Error where no structure has this name. Without a name it is the first.
+ParticleStructureKind structureOf(const char* name);
+
+/// Counts the particles that were left out, and why; empty where none was.
+std::string leftOutSentence(const ParticleStatistics& statistics);
 
 } // namespace mote

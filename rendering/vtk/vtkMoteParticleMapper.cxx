@@ -33,7 +33,7 @@ class vtkMoteParticleMapper::Internals
 {
 public:
   /// What the structure was built from, and which particles it was told to show.
-  using Key = std::vector<double>;
+  using Key = mote::InputKey;
 
   mote::RadiusChoice choice;
   std::shared_ptr<mote::ParticleStructure> structure;
@@ -50,7 +50,7 @@ public:
   Key directKey;
   std::string arrayError;
 
-  std::string reportedFrame; ///< the same for drawing
+  std::string reportedFrame;   ///< the same for drawing
   mote::RendererImages images; ///< for renderers that have no vtkMoteRayCastPass
 
   template <typename Get>
@@ -184,52 +184,6 @@ vtkMTimeType vtkMoteParticleMapper::GetPictureMTime()
 namespace
 {
 
-using Key = std::vector<double>;
-
-/// MTimes are one counter over all VTK objects: an array is known by its own. They stay far below
-/// 2^53, where doubles would stop telling integers apart.
-void addArray(Key& key, vtkDataArray* array)
-{
-  key.push_back(array ? static_cast<double>(array->GetMTime()) : -1.0);
-}
-
-/// NaN differs from itself: as radii NaN and infinity are unfit alike.
-void addRadius(Key& key, double radius)
-{
-  key.push_back(std::isnan(radius) ? std::numeric_limits<double>::infinity() : radius);
-}
-
-/// All that radii depend on, besides `radii`, the array that they come from.
-void addChoice(Key& key, const mote::RadiusChoice& choice, vtkDataArray* radii, bool half)
-{
-  const bool byType = choice.mode == vtkMoteParticleMapper::RADIUS_BY_TYPE;
-  key.insert(key.end(), {double(choice.mode), double(half)});
-  addRadius(key, choice.scale);
-  if (byType || choice.mode == vtkMoteParticleMapper::RADIUS_CONSTANT)
-    addRadius(key, choice.radius);
-  addArray(key, radii);
-  if (byType)
-    for (const auto& [type, radius] : choice.typeRadii)
-    {
-      key.push_back(type);
-      addRadius(key, radius);
-    }
-}
-
-/// Throws Error where no structure has this name. Without a name it is the first.
-mote::ParticleStructureKind structureOf(const char* name)
-{
-  const std::vector<std::string>& names = mote::particleStructureNames();
-  const auto found = name && *name ? std::find(names.begin(), names.end(), name) : names.begin();
-  if (found != names.end())
-    return static_cast<mote::ParticleStructureKind>(found - names.begin());
-  std::string known;
-  for (const std::string& n : names)
-    known += (known.empty() ? "" : ", ") + n;
-  throw mote::Error(
-    std::string("There is no structure \"") + name + "\"; there are: " + known + ".");
-}
-
 /// Tells that a build starts and, however it goes, that it has ended.
 struct BuildEvents
 {
@@ -242,17 +196,6 @@ struct BuildEvents
   }
   ~BuildEvents() { mapper->InvokeEvent(vtkCommand::EndEvent, nullptr); }
 };
-
-std::string leftOutSentence(const mote::ParticleStatistics& s)
-{
-  std::string text;
-  if (s.badPositions > 0)
-    text += std::to_string(s.badPositions) + " with a position that is not finite";
-  if (s.badRadii > 0)
-    text += (text.empty() ? "" : " and ") + std::to_string(s.badRadii) +
-            " with a radius that is not a finite number above zero";
-  return text;
-}
 
 } // namespace
 
@@ -289,9 +232,9 @@ void vtkMoteParticleMapper::UpdateStructure()
       throw mote::Error("The input is not a data set of points.");
     bool half = false;
     vtkDataArray* radii = mote::findRadiusArray(input, choice, half);
-    Key key = {double(structureOf(this->StructureName))};
-    addArray(key, input->GetPoints() ? input->GetPoints()->GetData() : nullptr);
-    addChoice(key, choice, radii, half);
+    mote::InputKey key = {double(mote::structureOf(this->StructureName))};
+    mote::addArray(key, input->GetPoints() ? input->GetPoints()->GetData() : nullptr);
+    mote::addChoice(key, choice, radii, half);
     if (impl.structure && key == impl.structureKey)
       return;
     impl.structureKey.clear();
@@ -315,7 +258,7 @@ void vtkMoteParticleMapper::BuildStructure(vtkPointSet* input)
   Internals& impl = *this->Impl;
   const auto start = std::chrono::steady_clock::now();
   mote::ParticleStructureOptions options;
-  options.kind = structureOf(this->StructureName);
+  options.kind = mote::structureOf(this->StructureName);
   const BuildEvents events(this);
   const mote::ParticleInput particles = mote::makeParticleInput(input, impl.choice);
   impl.structure = mote::makeParticleStructure(particles.set, options,
@@ -331,7 +274,7 @@ void vtkMoteParticleMapper::BuildStructure(vtkPointSet* input)
   ++impl.builds;
   if (!impl.structure)
     return;
-  const std::string leftOut = leftOutSentence(
+  const std::string leftOut = mote::leftOutSentence(
     mote::withStructure(*impl.structure, [](const auto& s) { return s.statistics(); }));
   if (!leftOut.empty())
     vtkWarningMacro(<< "Particles left out: " << leftOut << ".");
@@ -428,11 +371,11 @@ void vtkMoteParticleMapper::UpdateVisibility()
       vtkErrorMacro(<< problem);
   }
   impl.arrayError = problem;
-  Key key;
+  mote::InputKey key;
   if (array)
   {
     key = {this->VisibilityRange[0], this->VisibilityRange[1], double(component)};
-    addArray(key, array);
+    mote::addArray(key, array);
   }
   if (key == impl.visibilityKey)
     return;
@@ -484,8 +427,8 @@ void vtkMoteParticleMapper::DescribeColors(mote::ParticleColoring& coloring)
   }
   // What only VTK itself can map: annotated values, floating point colours, vectors as colours.
   const int component = vectorColors ? -1 : this->GetColorComponent(array);
-  Key key = {double(colors->GetMTime()), double(this->ColorMode), double(component)};
-  addArray(key, array);
+  mote::InputKey key = {double(colors->GetMTime()), double(this->ColorMode), double(component)};
+  mote::addArray(key, array);
   if (key != impl.directKey)
   {
     impl.directColors.TakeReference(colors->MapScalars(array, this->ColorMode, component));
