@@ -22,6 +22,7 @@ struct Side
 
 constexpr Side sides[] = {
   {"iso", {0.61, -0.61, 0.5}, {0, 0, 1}},
+  {"iso-y", {0.45, 0.35, 0.82}, {0, 1, 0}},
   {"+x", {1, 0, 0}, {0, 0, 1}},
   {"-x", {-1, 0, 0}, {0, 0, 1}},
   {"+y", {0, 1, 0}, {0, 0, 1}},
@@ -83,7 +84,7 @@ struct Fit
 const std::vector<std::string>& viewNames()
 {
   static const std::vector<std::string> names = {
-    "auto", "iso", "+x", "-x", "+y", "-y", "+z", "-z"};
+    "auto", "iso", "iso-y", "+x", "-x", "+y", "-y", "+z", "-z"};
   return names;
 }
 

@@ -11,7 +11,7 @@ class vtkRenderer;
 namespace mote::app
 {
 
-/// auto, iso, +x, -x, +y, -y, +z, -z.
+/// auto, iso, iso-y, +x, -x, +y, -y, +z, -z.
 const std::vector<std::string>& viewNames();
 
 /// Shares of the picture's width and height that data should leave free on each side.

@@ -35,6 +35,7 @@ struct ArrayFacts
   std::vector<std::string> components;
   double range[2] = {1.0, 0.0};
   bool ranged = false;
+  bool whole = false;
 };
 
 ArrayFacts factsOf(vtkAbstractArray* array, const char* place)
@@ -47,6 +48,8 @@ ArrayFacts factsOf(vtkAbstractArray* array, const char* place)
   for (int i = 0; components > 1 && i < components; ++i)
     facts.components.push_back(
       array->GetComponentName(i) ? array->GetComponentName(i) : std::to_string(i));
+  facts.whole = array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE &&
+    components == 1;
   if (auto* numbers = vtkDataArray::SafeDownCast(array))
     facts.ranged = finiteRange(
       numbers, components > 1 ? ArrayChoice::magnitude : 0, facts.range);
@@ -76,9 +79,9 @@ double spacingOf(vtkDataSet* data)
   return 2.0 * mapper->GetRadiusInUse();
 }
 
-std::string interval(const double range[2])
+std::string interval(const double range[2], int digits = 6)
 {
-  return "[" + asNumber(range[0]) + ", " + asNumber(range[1]) + "]";
+  return "[" + asNumber(range[0], digits) + ", " + asNumber(range[1], digits) + "]";
 }
 
 std::string vector(const double v[3])
@@ -115,7 +118,7 @@ void printArrays(const std::vector<ArrayFacts>& arrays)
     width = std::max(width, facts.name.size());
   for (const ArrayFacts& facts : arrays)
   {
-    std::string text = facts.ranged ? interval(facts.range) : "";
+    std::string text = facts.ranged ? interval(facts.range, facts.whole ? 16 : 6) : "";
     if (!facts.components.empty())
       text = "(" + joined(facts.components, " ") + ")" + (text.empty() ? "" : ", magnitude ") + text;
     std::printf("  %-5s  %-*s  %-9s  %s\n", facts.place.c_str(), static_cast<int>(width),

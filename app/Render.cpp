@@ -150,7 +150,9 @@ void render(const RenderOptions& given)
   Picture picture(scene, options);
   Input input(options.files);
   picture.aim(given.allSteps ? numbered(given.output, 0, 1) : given.output);
+  const double start = vtkTimerLog::GetUniversalTime();
   input.open(progress);
+  const double openTime = vtkTimerLog::GetUniversalTime() - start;
 
   const auto show = [&](int step)
   {
@@ -182,7 +184,7 @@ void render(const RenderOptions& given)
   scene.look(options.view, double(options.size[0]) / options.size[1],
     marginsFor(picture, scene, options));
   if (!given.allSteps)
-    trace(chosen, given.output, readTime);
+    trace(chosen, given.output, openTime + readTime);
   else
     for (int step = 0; step <= last; ++step)
       trace(step, numbered(given.output, step, last + 1), show(step));

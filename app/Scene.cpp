@@ -2,6 +2,7 @@
 
 #include "Colors.h"
 #include "Failure.h"
+#include "SimulationBox.h"
 #include "Text.h"
 
 #include <vtkActor.h>
@@ -101,14 +102,7 @@ void Scene::look(const std::string& side, double aspect, const Margins& margins)
   double box[6];
   this->bounds(box);
   vtkCamera* camera = renderer_->GetActiveCamera();
-  vtkBoundingBox positions;
-  for (const auto& part : parts_)
-    if (part->data()->GetNumberOfPoints() > 0)
-      positions.AddBounds(part->data()->GetBounds());
-  double flat[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-  if (positions.IsValid())
-    positions.GetBounds(flat);
-  lookFrom(camera, side == "auto" ? automaticView(flat) : side);
+  lookFrom(camera, side == "auto" ? this->automaticSide() : side);
   if (side == options_.view)
   {
     camera->Azimuth(options_.azimuth);
@@ -117,6 +111,24 @@ void Scene::look(const std::string& side, double aspect, const Margins& margins)
   frame(camera, box, aspect, margins);
   camera->Zoom(options_.zoom);
   renderer_->ResetCameraClippingRange(box);
+}
+
+std::string Scene::automaticSide() const
+{
+  vtkBoundingBox positions;
+  bool surfaces = !parts_.empty();
+  for (const auto& part : parts_)
+  {
+    if (part->data()->GetNumberOfPoints() > 0)
+      positions.AddBounds(part->data()->GetBounds());
+    surfaces = surfaces && !part->particles() && part->data()->IsA("vtkPolyData");
+  }
+  double bounds[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+  if (positions.IsValid())
+    positions.GetBounds(bounds);
+  const std::string side = automaticView(bounds);
+  // Modellers of surfaces have y up, simulations z.
+  return side == "iso" && surfaces ? "iso-y" : side;
 }
 
 void Scene::setRadiusScale(double scale)
@@ -132,6 +144,11 @@ void Scene::bounds(double bounds[6]) const
     if (const double* own = part->actor()->GetVisibility() ? part->actor()->GetBounds() : nullptr)
       if (vtkMath::AreBoundsInitialized(own))
         box.AddBounds(own);
+  // Without particles the box that they will come into.
+  for (const auto& part : parts_)
+    if (const auto own = simulationBoxOf(part->data()); own && !box.IsValid())
+      for (int corner = 0; corner < 8; ++corner)
+        box.AddPoint(cornerOf(*own, corner).data());
   if (!box.IsValid())
     box.SetBounds(-0.5, 0.5, -0.5, 0.5, -0.5, 0.5);
   box.GetBounds(bounds);

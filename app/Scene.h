@@ -39,7 +39,7 @@ public:
   Coloring& coloring() { return coloring_; }
   const std::vector<std::unique_ptr<Part>>& parts() const { return parts_; }
 
-  /// Bounds of all that is built; of a unit cube where there is nothing.
+  /// Bounds of all that is built; else of the simulation box; of a unit cube where there is nothing.
   void bounds(double bounds[6]) const;
 
   vtkIdType numberOfParticles() const;
@@ -51,6 +51,8 @@ public:
   std::string contents() const;
 
 private:
+  std::string automaticSide() const;
+
   const ViewOptions& options_;
   vtkNew<vtkRenderer> renderer_;
   std::vector<std::unique_ptr<Part>> parts_;

@@ -26,6 +26,15 @@ std::optional<SimulationBox> simulationBoxOf(vtkDataSet* data)
   return box;
 }
 
+std::array<double, 3> cornerOf(const SimulationBox& box, int number)
+{
+  std::array<double, 3> corner = {box.origin[0], box.origin[1], box.origin[2]};
+  for (int v = 0; v < 3; ++v)
+    for (int axis = 0; axis < 3; ++axis)
+      corner[axis] += ((number >> v) & 1) * box.vectors[v][axis];
+  return corner;
+}
+
 SimulationBox boxOfBounds(const double bounds[6])
 {
   SimulationBox box{};

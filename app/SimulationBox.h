@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 class vtkDataSet;
@@ -16,6 +17,9 @@ struct SimulationBox
 
 /// What readers leave in the field data as "box" (nine values: three vectors) and "box_origin".
 std::optional<SimulationBox> simulationBoxOf(vtkDataSet* data);
+
+/// One of its eight corners: bit i of the number says whether vector i is added to the origin.
+std::array<double, 3> cornerOf(const SimulationBox& box, int number);
 
 /// A box along the axes.
 SimulationBox boxOfBounds(const double bounds[6]);

@@ -135,7 +135,8 @@ void addCameraOptions(CLI::App& app, ViewOptions& o)
   const std::string group = "Camera";
   app.add_option("--view", o.view,
        "Side to look from: " + joined(viewNames(), ", ") +
-         ". 'auto' looks along the thin axis of flat data, else as iso")
+         ". iso has z up, iso-y y. 'auto' looks along the thin axis of flat data, as iso-y at surface "
+         "meshes and as iso at all else")
     ->check(CLI::IsMember(viewNames()).description(""))
     ->type_name("SIDE")
     ->capture_default_str()

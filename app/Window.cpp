@@ -232,10 +232,25 @@ void Window::look(const std::string& side)
 {
   const int* size = window_->GetSize();
   Margins margins;
-  margins.left = margins.right = 0.06;
-  margins.bottom = 0.06;
-  margins.top = 0.04;
+  // Both sides alike, so that what turns about its middle stays in the window's middle.
+  const bool legend = options_.legend && scene_.coloring().legendTable();
+  margins.left = margins.right = legend ? 0.03 + 0.13 * size[1] / std::max(1, size[0]) : 0.04;
+  margins.bottom = margins.top = 0.06;
   scene_.look(side, double(size[0]) / std::max(1, size[1]), margins);
+  side_ = side;
+  view_ = this->viewNow();
+  viewSize_ = {size[0], size[1]};
+}
+
+std::array<double, 10> Window::viewNow()
+{
+  vtkCamera* camera = scene_.renderer()->GetActiveCamera();
+  std::array<double, 10> view{};
+  camera->GetPosition(&view[0]);
+  camera->GetFocalPoint(&view[3]);
+  camera->GetViewUp(&view[6]);
+  view[9] = camera->GetParallelScale() + camera->GetParallelProjection();
+  return view;
 }
 
 void Window::render()
@@ -257,6 +272,10 @@ void Window::onRenderStart()
   frameStart_ = vtkTimerLog::GetUniversalTime();
   if (busy_)
     return;
+  // A view that the user has not touched goes on to fit when the window's shape changes.
+  const int* size = window_->GetSize();
+  if (viewSize_ != std::array<int, 2>{size[0], size[1]} && view_ == this->viewNow())
+    this->look(side_);
   overlay_.setStatus(this->statusText());
   props_.legend().update();
 }

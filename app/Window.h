@@ -12,6 +12,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include <array>
 #include <functional>
 #include <string>
 
@@ -81,6 +82,9 @@ private:
   void say(const std::string& message);
   std::string particleFacts(const Part& part, vtkIdType id) const;
 
+  /// What tells one view from another.
+  std::array<double, 10> viewNow();
+
   const ViewOptions& options_;
   Input& input_;
   Scene scene_;
@@ -94,6 +98,9 @@ private:
   WindowProgress bar_;
   Progress progress_;
 
+  std::string side_;               // that was looked from last
+  std::array<double, 10> view_{};  // as it was then
+  std::array<int, 2> viewSize_{};  // of the window
   int step_ = 0;
   bool playing_ = false;
   bool busy_ = false; // in long work: events wait

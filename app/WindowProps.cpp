@@ -38,14 +38,7 @@ vtkSmartPointer<vtkPolyData> edgesOf(const SimulationBox& box)
   vtkNew<vtkCellArray> lines;
   for (int corner = 0; corner < 8; ++corner)
   {
-    double position[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      position[axis] = box.origin[axis];
-      for (int v = 0; v < 3; ++v)
-        position[axis] += ((corner >> v) & 1) * box.vectors[v][axis];
-    }
-    points->InsertNextPoint(position);
+    points->InsertNextPoint(cornerOf(box, corner).data());
     for (int v = 0; v < 3; ++v)
       if (!((corner >> v) & 1))
       {

@@ -1,0 +1,99 @@
+// Which array a user sees without asking, and which one is meant by a name.
+
+#include "Arrays.h"
+#include "Failure.h"
+
+#include <gtest/gtest.h>
+#include <vtkDoubleArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+using namespace mote::app;
+
+namespace
+{
+
+template <class Array>
+void add(vtkPolyData* data, const char* name, int components, double slope, double offset = 0.0)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(data->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+    for (int c = 0; c < components; ++c)
+      array->SetComponent(i, c, offset + slope * i);
+  data->GetPointData()->AddArray(array);
+}
+
+class Arrays : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    vtkNew<vtkPoints> points;
+    for (int i = 0; i < 4; ++i)
+      points->InsertNextPoint(i, 0, 0);
+    data->SetPoints(points);
+    add<vtkIdTypeArray>(data, "id", 1, 1.0);
+    add<vtkDoubleArray>(data, "radius", 1, 0.1, 1.0);
+    add<vtkIntArray>(data, "type", 1, 1.0, 1.0);
+  }
+  std::string best() { return rankedArrays(data).front().name; }
+  vtkNew<vtkPolyData> data;
+};
+
+} // namespace
+
+TEST_F(Arrays, TheMostTellingComesFirst)
+{
+  EXPECT_EQ(best(), "type");
+  add<vtkDoubleArray>(data, "v", 3, 1.0);
+  EXPECT_EQ(best(), "v");
+  EXPECT_EQ(rankedArrays(data).front().component, ArrayChoice::magnitude);
+  add<vtkDoubleArray>(data, "constant", 1, 0.0, 7.0);
+  EXPECT_EQ(best(), "v");
+  add<vtkDoubleArray>(data, "damage", 1, 0.25);
+  EXPECT_EQ(best(), "damage");
+  for (const ArrayChoice& choice : rankedArrays(data))
+    EXPECT_TRUE(choice.name != "id" && choice.name != "radius") << choice.name;
+}
+
+TEST_F(Arrays, NamesAreFound)
+{
+  add<vtkDoubleArray>(data, "v", 2, 1.0);
+  add<vtkDoubleArray>(data, "odd:name", 1, 1.0);
+  data->GetPointData()->GetArray("v")->SetComponentName(1, "vy");
+  EXPECT_EQ(findArray(data, "v").component, ArrayChoice::magnitude);
+  EXPECT_EQ(findArray(data, "v:0").component, 0);
+  EXPECT_EQ(findArray(data, "v:vy").component, 1);
+  EXPECT_EQ(findArray(data, "v:magnitude").component, ArrayChoice::magnitude);
+  EXPECT_EQ(findArray(data, "odd:name").name, "odd:name");
+  EXPECT_FALSE(findArray(data, "w"));
+  EXPECT_THROW(findArray(data, "v:2"), Failure);
+  EXPECT_EQ(describe(data, findArray(data, "v:vy")), "v: vy");
+  EXPECT_EQ(describe(data, findArray(data, "type")), "type");
+}
+
+TEST_F(Arrays, RangesLeaveOutWhatIsNotFinite)
+{
+  add<vtkDoubleArray>(data, "t", 1, 1.0, -1.0);
+  vtkDataArray* t = data->GetPointData()->GetArray("t");
+  t->SetComponent(3, 0, 0.0 / 0.0);
+  double range[2];
+  ASSERT_TRUE(finiteRange(t, 0, range));
+  EXPECT_EQ(range[0], -1.0);
+  EXPECT_EQ(range[1], 1.0);
+  EXPECT_EQ(leastPositive(t, 0), 1.0);
+}
+
+TEST_F(Arrays, TypesAreFewIntegersThatNameKinds)
+{
+  EXPECT_TRUE(isTypes(data, findArray(data, "type")));
+  EXPECT_FALSE(isTypes(data, findArray(data, "id")));
+  EXPECT_FALSE(isTypes(data, findArray(data, "radius")));
+}

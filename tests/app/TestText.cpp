@@ -1,0 +1,41 @@
+#include "Text.h"
+
+#include <gtest/gtest.h>
+
+using namespace mote::app;
+
+TEST(Text, Thousands)
+{
+  EXPECT_EQ(withThousands(0), "0");
+  EXPECT_EQ(withThousands(999), "999");
+  EXPECT_EQ(withThousands(84270), "84,270");
+  EXPECT_EQ(withThousands(-1234567), "-1,234,567");
+  EXPECT_EQ(counted(1, "particle"), "1 particle");
+  EXPECT_EQ(counted(0, "particle"), "0 particles");
+}
+
+TEST(Text, Units)
+{
+  EXPECT_EQ(asBytes(0), "0 B");
+  EXPECT_EQ(asBytes(999.6), "1.0 kB");
+  EXPECT_EQ(asBytes(1.7e6), "1.7 MB");
+  EXPECT_EQ(asBytes(48e6), "48 MB");
+  EXPECT_EQ(asDuration(0.035), "35 ms");
+  EXPECT_EQ(asDuration(2.414), "2.41 s");
+}
+
+TEST(Text, NumbersAreReadWhole)
+{
+  double value = 0.0;
+  EXPECT_TRUE(parseNumber("-1.5e3", value));
+  EXPECT_EQ(value, -1500.0);
+  for (const char* text : {"", " 1", "1x", "nan", "inf", "radius", "--"})
+    EXPECT_FALSE(parseNumber(text, value)) << text;
+}
+
+TEST(Text, Json)
+{
+  EXPECT_EQ(jsonString("a\"b\\\n"), "\"a\\\"b\\\\\\u000a\"");
+  EXPECT_EQ(jsonNumber(0.5), "0.5");
+  EXPECT_EQ(jsonNumber(1.0 / 0.0), "null");
+}

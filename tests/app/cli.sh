@@ -1,0 +1,171 @@
+#!/usr/bin/env bash
+# cli.sh MOTE DATA CASE: one test of the command line. None of them may need a display.
+source "$(dirname "$0")/common.sh"
+unset DISPLAY
+hopper=$data/hopper.dump.gz
+copper=$data/copper-scratch.dump.gz
+
+case $3 in
+  help)
+    run 0 "$mote" --help
+    said out --color-by
+    said out .dump
+    said out render
+    run 0 "$mote" render --help
+    said out --all-steps
+    run 0 "$mote" --version
+    ;;
+
+  render) # a good picture of any file without one option
+    for file in "$data"/*.dump.gz; do
+      run 0 "$mote" render "$file" -o picture.png
+      is_picture picture.png 1280x960
+      said out "picture.png: 1280x960"
+      [ ! -s err ] || { cat err; fail "something on standard error"; }
+    done
+    ;;
+
+  formats)
+    run 0 "$mote" render "$hopper" -o a.png --size 320x200
+    is_picture a.png 320x200
+    run 0 "$mote" render "$hopper" -o a.jpg --size 320x200
+    run 0 "$mote" render "$hopper" -o a.tif --size 320x200
+    run 0 "$mote" render "$hopper" -o a.exr --size 320x200
+    [ "$(head -c 4 a.exr | od -A n -t x1 | tr -d ' ')" = 762f3101 ] || fail "a.exr is no EXR"
+    for view in auto iso iso-y +x -x +y -y +z -z; do
+      run 0 "$mote" render "$hopper" -o view.png --size 320x200 --view "$view"
+    done
+    run 0 "$mote" render "$hopper" -o b.png --size 320x200 --color-by none --radius spacing \
+      --radius-scale 0.5 --orthographic --zoom 2 --azimuth 30 --elevation 10 --no-legend \
+      --background '#ffffff,navy' --caption '' --threads 1 --samples 4
+    cmp -s a.png b.png && fail "options changed nothing"
+    ;;
+
+  series) # two files that differ in a number are two steps of one series
+    zcat "$hopper" >part.1.dump
+    zcat "$hopper" >part.2.dump
+    run 0 "$mote" info part.1.dump part.2.dump
+    said out 'part.*.dump'
+    ;;
+
+  steps)
+    run 0 "$mote" render "$copper" -o last.png --size 320x200 --caption ''
+    run 0 "$mote" render "$copper" -o first.png --size 320x200 --caption '' --step first
+    cmp -s last.png first.png && fail "first and last step look alike"
+    run 0 "$mote" render "$copper" -o all.png --size 320x200 --all-steps
+    [ -e all.0000.png ] && [ -e all.0001.png ] || fail "no numbered pictures"
+    [ "$(wc -l <out)" = "$(ls all.*.png | wc -l)" ] || fail "not a line for every picture"
+    run 1 "$mote" render "$copper" -o a.png --step 1000
+    one_sentence
+    ;;
+
+  info)
+    run 0 "$mote" info "$copper" "$hopper"
+    said out c_centro
+    said out 'time steps'
+    said out bounds
+    said out spacing
+    said out hopper.dump.gz
+    ;;
+
+  json)
+    run 0 "$mote" info --json "$copper" "$hopper"
+    if command -v python3 >/dev/null; then
+      python3 -c 'import json; d = json.load(open("out")); assert len(d) == 2 and d[0]["points"] > 0
+assert any(a["name"] == "c_centro" for a in d[0]["arrays"])' || fail "not the JSON that it should be"
+    fi
+    ;;
+
+  errors) # one sentence, exit code 1, no picture
+    failing() {
+      run 1 "$mote" "$@"
+      one_sentence
+    }
+    failing render missing.dump -o a.png
+    said err missing.dump
+    failing info "$data"
+    failing render "$hopper" -o a.png --color-by nothing
+    said err 'it has id'
+    failing render "$hopper" -o a.png --color-by v:7
+    failing render "$hopper" -o a.png --show-by nothing --show-range 0 1
+    failing render "$hopper" -o a.png --radius nothing
+    failing render "$hopper" -o a.png --radius -1
+    failing render "$hopper" -o a.png --log --range -1 1
+    failing render "$hopper" -o a.picture
+    failing render "$hopper" -o nowhere/a.png
+    failing render "$hopper" -o /dev/full
+    echo "words, no particles" >words.unknown
+    failing info words.unknown
+    said err .dump
+    ls a.* >/dev/null 2>&1 && fail "a picture in spite of an error"
+    true
+    ;;
+
+  usage) # exit code 2
+    misused() {
+      run 2 "$mote" "$@"
+      said err 'mote: '
+      said err --help
+    }
+    misused
+    misused render "$hopper"
+    misused render -o a.png
+    misused --no-such-option "$hopper"
+    misused render "$hopper" -o a.png --range 2 1
+    misused render "$hopper" -o a.png --range 1
+    misused render "$hopper" -o a.png --size 100
+    misused render "$hopper" -o a.png --view sideways
+    misused render "$hopper" -o a.png --background mudd
+    misused render "$hopper" -o a.png --color-map rainbow
+    misused render "$hopper" -o a.png --step 0
+    misused render "$hopper" -o a.png --type-radius 1:2
+    misused render "$hopper" -o a.png --time 1 --step 1
+    ;;
+
+  truncated)
+    head -c 20000 "$hopper" >cut.dump.gz
+    run 1 "$mote" render cut.dump.gz -o a.png
+    one_sentence
+    said err cut.dump.gz
+    zcat "$hopper" | head -c 30000 >cut.dump
+    run 1 "$mote" render cut.dump -o a.png
+    one_sentence
+    [ ! -e a.png ] || fail "a picture of a broken file"
+    ;;
+
+  nodisplay)
+    run 1 "$mote" "$hopper"
+    one_sentence
+    said err 'no display'
+    run 1 env DISPLAY=:9876 "$mote" "$hopper"
+    one_sentence
+    ;;
+
+  stdout_full)
+    [ -e /dev/full ] || exit 0
+    "$mote" info "$hopper" >/dev/full 2>err
+    [ $? = 1 ] || fail "a full standard output went unnoticed"
+    one_sentence
+    ;;
+
+  disk_full) # files end at half a kilobyte, as on a full disk
+    (
+      trap '' XFSZ
+      ulimit -f 1
+      "$mote" render "$hopper" -o a.png >/dev/null 2>/dev/null
+    )
+    [ $? = 1 ] || fail "a full disk went unnoticed"
+    [ -z "$(ls | grep -v -e '^out$' -e '^err$')" ] || { ls; fail "something was left"; }
+    ;;
+
+  interrupt)
+    # Shells start background commands with SIGINT ignored; timeout does not.
+    timeout --preserve-status -s INT 3 "$mote" render "$copper" -o a.png --samples 60000 >out 2>err
+    code=$?
+    [ $code = 130 ] || { cat out err; fail "exit code $code, not 130"; }
+    said err interrupted
+    [ -z "$(ls | grep -v -e '^out$' -e '^err$')" ] || { ls; fail "something was left"; }
+    ;;
+
+  *) fail "no such case: $3" ;;
+esac

@@ -1,0 +1,42 @@
+# What the scripts that drive the program share. They run in a folder of their own.
+
+mote=$1
+data=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+
+fail() {
+  echo "FAILED: $*" >&2
+  exit 1
+}
+
+# run CODE COMMAND...: the command must exit with CODE; its output goes to out and err.
+run() {
+  local wanted=$1
+  shift
+  "$@" >out 2>err
+  local code=$?
+  [ $code = "$wanted" ] || { cat out err; fail "exit code $code, not $wanted: $*"; }
+}
+
+# said FILE TEXT: the file contains the text.
+said() { grep -qF -- "$2" "$1" || { cat "$1"; fail "$1 does not say: $2"; }; }
+
+# one_sentence: err is a single line that begins with "mote: ".
+one_sentence() {
+  [ "$(wc -l <err)" = 1 ] && grep -q '^mote: ' err || { cat err; fail "not one sentence"; }
+}
+
+# png_size FILE: "WIDTHxHEIGHT" of a PNG, from its header; nothing if it is none.
+png_size() {
+  [ "$(head -c 4 "$1" | tail -c 3)" = PNG ] || return
+  set -- $(od -A n -t u1 -j 16 -N 8 "$1")
+  echo "$(($1 * 16777216 + $2 * 65536 + $3 * 256 + $4))x$(($5 * 16777216 + $6 * 65536 + $7 * 256 + $8))"
+}
+
+# is_picture FILE SIZE: a PNG of that size with something on it.
+is_picture() {
+  [ "$(png_size "$1")" = "$2" ] || fail "$1 is no PNG of $2 but '$(png_size "$1")'"
+  [ "$(stat -c %s "$1")" -gt 8000 ] || fail "there is hardly anything on $1"
+}

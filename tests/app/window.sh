@@ -1,0 +1,177 @@
+#!/usr/bin/env bash
+# window.sh MOTE DATA CASE: one test of the window, on the X server that DISPLAY names. What the
+# window shows is judged by the pictures that it saves itself: the key s writes NAME-001.png, ...
+source "$(dirname "$0")/common.sh"
+[ -n "$DISPLAY" ] || fail "no display"
+copper=$data/copper-scratch.dump.gz
+
+# open ARGUMENTS...: starts the program and waits for its window.
+open() {
+  "$mote" "$@" >out 2>err &
+  process=$!
+  window=
+  for _ in $(seq 150); do
+    window=$(xdotool search --onlyvisible --name '^Mote - ' 2>/dev/null | head -1)
+    [ -n "$window" ] && break
+    kill -0 $process 2>/dev/null || { cat err; fail "the program ended"; }
+    sleep 0.2
+  done
+  [ -n "$window" ] || fail "no window"
+  xdotool windowfocus "$window" mousemove 640 400
+}
+
+press() {
+  kill -0 $process 2>/dev/null || { cat err; fail "the program had ended before $*"; }
+  xdotool key --window 0 "$@"
+}
+
+saved=0
+# picture NAME: has the window save what it shows and calls the file NAME.
+picture() {
+  saved=$((saved + 1))
+  local file
+  press s
+  for _ in $(seq 300); do
+    file=$(ls -- *-001.png 2>/dev/null | head -1)
+    [ -n "$file" ] && break
+    sleep 0.1
+  done
+  [ -n "$file" ] || fail "the window saved no picture $1"
+  mv "$file" "$1"
+}
+
+differ() { cmp -s "$1" "$2" && fail "$1 and $2 look alike"; }
+alike() { cmp -s "$1" "$2" || fail "$1 and $2 differ"; }
+
+quit() {
+  press q
+  wait $process
+  local code=$?
+  [ $code = 0 ] || { cat err; fail "exit code $code after q"; }
+  [ ! -s err ] || { cat err; fail "something on standard error"; }
+}
+
+case $3 in
+  keys)
+    open "$copper" --size 640x480
+    picture start.png
+    is_picture start.png 640x480
+    picture again.png
+    alike start.png again.png
+    press h # texts over the view stay out of pictures
+    press question
+    picture help.png
+    alike start.png help.png
+    before=start
+    for key in c m bracketright x o l b a g; do
+      press "$key"
+      picture "$key.png"
+      differ "$before.png" "$key.png"
+      before=$key
+    done
+    press p Escape h h plus minus Y Z
+    quit
+    ;;
+
+  mouse)
+    open "$copper" --size 640x480
+    picture start.png
+    xdotool mousemove 300 240 mousedown 1
+    for x in $(seq 300 10 400); do
+      xdotool mousemove "$x" 240
+    done
+    xdotool mouseup 1
+    picture turned.png
+    differ start.png turned.png
+    xdotool click 4 click 4
+    picture nearer.png
+    differ turned.png nearer.png
+    press r
+    picture reset.png
+    alike start.png reset.png
+    xdotool mousemove 320 240
+    press p
+    picture picked.png # with the mark on the particle
+    differ start.png picked.png
+    press Escape
+    picture unpicked.png
+    alike start.png unpicked.png
+    quit
+    ;;
+
+  resize)
+    open "$copper" --size 640x480
+    xdotool getwindowname "$window" | grep -q 'Mote - copper-scratch' || fail "title"
+    picture start.png
+    xdotool windowsize --sync "$window" 500 600
+    sleep 1
+    picture tall.png
+    is_picture tall.png 500x600
+    xdotool windowsize --sync "$window" 120 90 # too small for the texts
+    sleep 1
+    xdotool windowsize --sync "$window" 640 480
+    sleep 1
+    picture back.png
+    alike start.png back.png
+    quit
+    ;;
+
+  steps)
+    open "$copper" --size 640x480
+    picture last.png
+    press Left
+    picture before.png
+    differ last.png before.png
+    press Home
+    press Left # there is none before
+    picture first.png
+    press End
+    picture end.png
+    alike last.png end.png
+    press space
+    sleep 2
+    press space
+    quit
+    ;;
+
+  mesh) # cells are shown by their surface, without rays
+    cat >cube.ply <<'PLY'
+ply
+format ascii 1.0
+element vertex 4
+property float x
+property float y
+property float z
+element face 4
+property list uchar int vertex_indices
+end_header
+0 0 0
+1 0 0
+0 1 0
+0 0 1
+3 0 2 1
+3 0 1 3
+3 0 3 2
+3 1 2 3
+PLY
+    open cube.ply --size 640x480
+    picture mesh.png
+    [ "$(png_size mesh.png)" = 640x480 ] || fail "no picture of a mesh"
+    press y
+    picture turned.png
+    differ mesh.png turned.png
+    quit
+    ;;
+
+  errors) # files are looked at before a window opens; what fails later ends it
+    run 1 "$mote" missing.dump
+    one_sentence
+    head -c 20000 "$copper" >cut.dump.gz
+    run 1 "$mote" cut.dump.gz
+    one_sentence
+    run 1 "$mote" "$copper" --color-by nothing
+    one_sentence
+    ;;
+
+  *) fail "no such case: $3" ;;
+esac
