@@ -110,6 +110,7 @@ void describeActor(vtkActor* actor, ParticleObject& object)
   m.ambient = static_cast<float>(property->GetAmbient());
   m.diffuse = static_cast<float>(property->GetDiffuse());
   m.specular = static_cast<float>(property->GetSpecular());
+  m.specularColor = toColor(property->GetSpecularColor());
   m.specularPower = static_cast<float>(property->GetSpecularPower());
 }
 

@@ -1,8 +1,6 @@
 #include "vtkMoteParticleMapper.h"
 
-#include "ColorBridge.h"
-#include "ParticleInput.h"
-#include "RendererImage.h"
+#include "ParticleMapperInternals.h"
 #include "SceneBridge.h"
 
 #include "kernels/core/Error.h"
@@ -15,6 +13,7 @@
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
@@ -28,37 +27,6 @@
 #include <limits>
 
 vtkStandardNewMacro(vtkMoteParticleMapper);
-
-class vtkMoteParticleMapper::Internals
-{
-public:
-  /// What the structure was built from, and which particles it was told to show.
-  using Key = mote::InputKey;
-
-  mote::RadiusChoice choice;
-  std::shared_ptr<mote::ParticleStructure> structure;
-  Key structureKey;
-  Key visibilityKey;
-  vtkTimeStamp builtAt;
-  double commonRadius = 0.0;
-  double buildTime = 0.0;
-  int builds = 0;
-  std::string reported; ///< last error, so that it is told once and not every frame
-
-  mote::DataArrayView colorValues;
-  vtkSmartPointer<vtkDataArray> directColors;
-  Key directKey;
-  std::string arrayError;
-
-  std::string reportedFrame;   ///< the same for drawing
-  mote::RendererImages images; ///< for renderers that have no vtkMoteRayCastPass
-
-  template <typename Get>
-  auto fromStructure(const Get& get, decltype(get(mote::CoherentGrid{})) otherwise) const
-  {
-    return structure ? mote::withStructure(*structure, get) : otherwise;
-  }
-};
 
 vtkMoteParticleMapper::vtkMoteParticleMapper()
   : Impl(std::make_unique<Internals>())
@@ -280,163 +248,6 @@ void vtkMoteParticleMapper::BuildStructure(vtkPointSet* input)
     vtkWarningMacro(<< "Particles left out: " << leftOut << ".");
 }
 
-//------------------------------------------------------------------------------------------------
-// Colours and visibility
-
-vtkDataArray* vtkMoteParticleMapper::GetColorArray()
-{
-  vtkPointSet* input = this->GetInput();
-  if (!input || !this->ScalarVisibility)
-    return nullptr;
-  int cellFlag = 0;
-  auto* array = vtkDataArray::SafeDownCast(vtkAbstractMapper::GetAbstractScalars(
-    input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag));
-  // Cells are not particles: only arrays with a tuple for every point can colour them.
-  if (!array || cellFlag == 1 || array->GetNumberOfTuples() != input->GetNumberOfPoints())
-    return nullptr;
-  return array;
-}
-
-int vtkMoteParticleMapper::GetColorComponent(vtkDataArray* array)
-{
-  vtkScalarsToColors* colors = this->GetLookupTable();
-  if (array->GetNumberOfComponents() == 1)
-    return 0;
-  if (colors->GetVectorMode() == vtkScalarsToColors::MAGNITUDE)
-    return mote::ArrayView::magnitude;
-  const int component =
-    this->ArrayComponent > 0 ? this->ArrayComponent : colors->GetVectorComponent();
-  return std::clamp(component, 0, array->GetNumberOfComponents() - 1);
-}
-
-double vtkMoteParticleMapper::GetParticleValue(vtkIdType id)
-{
-  vtkDataArray* array = this->GetColorArray();
-  if (!array || id < 0 || id >= array->GetNumberOfTuples())
-    return vtkMath::Nan();
-  return mote::DataArrayView(array).view.value(
-    static_cast<std::size_t>(id), this->GetColorComponent(array));
-}
-
-void vtkMoteParticleMapper::GetColorArrayRange(double range[2])
-{
-  range[0] = 1.0;
-  range[1] = 0.0;
-  if (vtkDataArray* array = this->GetColorArray())
-    array->GetFiniteRange(range, this->GetColorComponent(array));
-}
-
-vtkDataArray* vtkMoteParticleMapper::FindVisibilityArray(int& component)
-{
-  vtkPointSet* input = this->GetInput();
-  if (!this->VisibilityArrayName || !*this->VisibilityArrayName)
-  {
-    vtkDataArray* array = this->GetColorArray();
-    if (!array)
-      throw mote::Error("There is no array for the visibility range.");
-    component = this->GetColorComponent(array);
-    return array;
-  }
-  const std::string name = this->VisibilityArrayName;
-  vtkDataArray* array = input->GetPointData()->GetArray(name.c_str());
-  if (!array)
-    throw mote::Error("There is no point array \"" + name + "\" for the visibility range.");
-  if (array->GetNumberOfTuples() != input->GetNumberOfPoints())
-    throw mote::Error(
-      "The array \"" + name + "\" for the visibility range has not one tuple a point.");
-  component = this->VisibilityComponent;
-  if (component < -1 || component >= array->GetNumberOfComponents())
-    throw mote::Error("The array \"" + name + "\" for the visibility range has no component " +
-                      std::to_string(component) + ".");
-  return array;
-}
-
-void vtkMoteParticleMapper::UpdateVisibility()
-{
-  Internals& impl = *this->Impl;
-  if (!impl.structure)
-    return;
-  vtkDataArray* array = nullptr;
-  int component = 0;
-  std::string problem;
-  try
-  {
-    if (this->UseVisibilityRange && this->GetInput()->GetNumberOfPoints() > 0)
-      array = this->FindVisibilityArray(component);
-  }
-  catch (const mote::Error& error)
-  {
-    problem = error.what();
-    if (problem != impl.arrayError)
-      vtkErrorMacro(<< problem);
-  }
-  impl.arrayError = problem;
-  mote::InputKey key;
-  if (array)
-  {
-    key = {this->VisibilityRange[0], this->VisibilityRange[1], double(component)};
-    mote::addArray(key, array);
-  }
-  if (key == impl.visibilityKey)
-    return;
-  impl.visibilityKey = key;
-  impl.builtAt.Modified();
-  const mote::DataArrayView values(array);
-  const double low = this->VisibilityRange[0], high = this->VisibilityRange[1];
-  std::visit(
-    [&](auto& s)
-    {
-      if (!array)
-        s.setVisibility({});
-      else
-        s.setVisibility(
-          [&](std::size_t slot)
-          {
-            const double v = values.view.value(s.inputIndex(slot), component);
-            return v >= low && v <= high;
-          });
-    },
-    *impl.structure);
-}
-
-void vtkMoteParticleMapper::DescribeColors(mote::ParticleColoring& coloring)
-{
-  Internals& impl = *this->Impl;
-  vtkDataArray* array = this->GetColorArray();
-  if (!array)
-    return;
-  vtkScalarsToColors* colors = this->GetLookupTable(); // creates the default one
-  if (!this->UseLookupTableScalarRange)
-    colors->SetRange(this->ScalarRange);
-  const bool bytes = vtkUnsignedCharArray::SafeDownCast(array) != nullptr;
-  const bool direct = this->ColorMode == VTK_COLOR_MODE_DIRECT_SCALARS ||
-                      (this->ColorMode == VTK_COLOR_MODE_DEFAULT && bytes);
-  const bool vectorColors =
-    array->GetNumberOfComponents() > 1 && colors->GetVectorMode() == vtkScalarsToColors::RGBCOLORS;
-  impl.colorValues = mote::DataArrayView(array);
-  if (direct && bytes)
-  {
-    coloring.direct = impl.colorValues.view;
-    return;
-  }
-  if (!direct && !vectorColors && mote::toColorMap(colors, coloring.map))
-  {
-    coloring.values = impl.colorValues.view;
-    coloring.component = this->GetColorComponent(array);
-    return;
-  }
-  // What only VTK itself can map: annotated values, floating point colours, vectors as colours.
-  const int component = vectorColors ? -1 : this->GetColorComponent(array);
-  mote::InputKey key = {double(colors->GetMTime()), double(this->ColorMode), double(component)};
-  mote::addArray(key, array);
-  if (key != impl.directKey)
-  {
-    impl.directColors.TakeReference(colors->MapScalars(array, this->ColorMode, component));
-    impl.directKey = key;
-  }
-  coloring.direct = mote::DataArrayView(impl.directColors).view;
-}
-
 bool vtkMoteParticleMapper::DescribeTo(mote::ParticleObject& object, vtkActor* actor)
 {
   this->Update();
@@ -445,6 +256,12 @@ bool vtkMoteParticleMapper::DescribeTo(mote::ParticleObject& object, vtkActor* a
   object.structure = this->Impl->structure;
   mote::describeActor(actor, object);
   this->DescribeColors(object.coloring);
+  const bool clipped = this->ClippingPlanes && this->ClippingPlanes->GetNumberOfItems() > 0;
+  if (clipped && !this->Impl->reportedClipping)
+    vtkWarningMacro(
+      "Clipping planes do not cut particles; use the visibility range or the camera's "
+      "clipping range.");
+  this->Impl->reportedClipping = clipped;
   return true;
 }
 

@@ -53,7 +53,7 @@ public:
   vtkSmartPointer<vtkRenderPass> delegate;
   mote::RendererImages images;
   std::vector<vtkActor*> actors; ///< Mote's, of the frame being drawn
-  std::string reported; ///< last problem, so that it is told once and not every frame
+  std::string reported;          ///< last problem, so that it is told once and not every frame
   bool converged = true;
   double distance = 1.0;
   int samples = 0;

@@ -25,6 +25,7 @@ struct Material
   float ambient = 0.0f;
   float diffuse = 1.0f;
   float specular = 0.0f;
+  Vec3f specularColor{1.0f}; ///< of the highlight, whatever colour the surface has
   float specularPower = 1.0f;
   float opacity = 1.0f;
 };

@@ -32,10 +32,11 @@ Vec4f ParticleShader::colorOf(std::uint64_t particle) const
   return c.values.empty() ? c.constant : c.map(c.values.value(particle, c.component));
 }
 
-Vec3f ParticleShader::lightOn(const Vec3f& normal, const Vec3f& toEye, const Vec3d& position) const
+Vec3f ParticleShader::lit(
+  const Vec3f& color, const Vec3f& normal, const Vec3f& toEye, const Vec3d& position) const
 {
   const Material& m = object_.material;
-  Vec3f sum(m.ambient);
+  Vec3f even(m.ambient), highlight(0.0f);
   for (const Light& light : lights_)
   {
     Vec3f toLight = toEye;
@@ -46,15 +47,15 @@ Vec3f ParticleShader::lightOn(const Vec3f& normal, const Vec3f& toEye, const Vec
     const float cosine = glm::dot(normal, toLight);
     if (cosine <= 0.0f)
       continue;
-    sum += light.color * (m.diffuse * cosine);
+    even += light.color * (m.diffuse * cosine);
     if (m.specular > 0.0f)
     {
       const float shine = glm::dot(2.0f * cosine * normal - toLight, toEye);
       if (shine > 0.0f)
-        sum += light.color * (m.specular * std::pow(shine, m.specularPower));
+        highlight += light.color * (m.specular * std::pow(shine, m.specularPower));
     }
   }
-  return sum;
+  return glm::min(color * even + m.specularColor * highlight, Vec3f(1.0f));
 }
 
 ShadedHit ParticleShader::shade(
@@ -69,15 +70,14 @@ ShadedHit ParticleShader::shade(
       center = s.center(slot);
       hit.particle = s.inputIndex(slot);
     });
-  const Vec3f outward(normalToWorld_ * (transformPoint(toLocal_, position) - center));
-  hit.normal = glm::normalize(outward);
+  // In double: in float the squares of very small or very large scenes would vanish or overflow.
+  const Vec3d outward = normalToWorld_ * (transformPoint(toLocal_, position) - center);
+  hit.normal = Vec3f(glm::normalize(outward));
   const Vec3f toEye = -Vec3f(glm::normalize(direction));
   const Vec3f facing = glm::dot(hit.normal, toEye) < 0.0f ? -hit.normal : hit.normal;
   const Vec4f color = colorOf(hit.particle);
-  const Vec3f light = lightOn(facing, toEye, position);
   const float alpha = color.a * object_.material.opacity;
-  const Vec3f lit = glm::min(Vec3f(color) * light, Vec3f(1.0f));
-  hit.color = Vec4f(lit * alpha, alpha);
+  hit.color = Vec4f(lit(Vec3f(color), facing, toEye, position) * alpha, alpha);
   return hit;
 }
 

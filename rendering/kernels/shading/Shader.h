@@ -27,7 +27,9 @@ public:
 
 private:
   Vec4f colorOf(std::uint64_t particle) const;
-  Vec3f lightOn(const Vec3f& normal, const Vec3f& toEye, const Vec3d& position) const;
+  /// Light that leaves a surface of this colour towards the eye.
+  Vec3f lit(
+    const Vec3f& color, const Vec3f& normal, const Vec3f& toEye, const Vec3d& position) const;
 
   const ParticleObject& object_;
   const std::vector<Light>& lights_;
