@@ -3,7 +3,6 @@
 #include <vtkRenderWindow.h>
 
 #include <X11/Xlib.h>
-#include <X11/Xutil.h>
 #include <X11/keysym.h>
 
 namespace mote::app
@@ -15,6 +14,22 @@ namespace
 ::Display* displayOf(vtkRenderWindow* window)
 {
   return static_cast<::Display*>(window->GetGenericDisplayId());
+}
+
+/// What takeRequest() takes out of the queue. Looked up beforehand: a predicate may not call Xlib.
+struct Requests
+{
+  unsigned int escape, quit;
+  Atom close;
+};
+
+Bool isRequest(::Display*, XEvent* event, XPointer arg)
+{
+  const auto& requests = *reinterpret_cast<const Requests*>(arg);
+  if (event->type == KeyPress)
+    return event->xkey.keycode == requests.escape || event->xkey.keycode == requests.quit;
+  return event->type == ClientMessage &&
+    static_cast<Atom>(event->xclient.data.l[0]) == requests.close;
 }
 
 /// Notes presses in `arg` (a bool) and leaves all events in the queue.
@@ -39,18 +54,19 @@ Request takeRequest(vtkRenderWindow* window)
 {
   ::Display* display = displayOf(window);
   Request request = Request::Nothing;
+  if (!display)
+    return request;
+  Requests requests{XKeysymToKeycode(display, XK_Escape), XKeysymToKeycode(display, XK_q),
+    XInternAtom(display, "WM_DELETE_WINDOW", 0)};
   XEvent event;
-  while (display && XCheckTypedEvent(display, KeyPress, &event))
+  while (XCheckIfEvent(display, &event, isRequest, reinterpret_cast<XPointer>(&requests)))
   {
-    const KeySym key = XLookupKeysym(&event.xkey, 0);
-    if (key == XK_q)
+    const bool escape = event.type == KeyPress && event.xkey.keycode == requests.escape;
+    if (!escape)
       request = Request::Quit;
-    else if (key == XK_Escape && request == Request::Nothing)
+    else if (request == Request::Nothing)
       request = Request::Stop;
   }
-  while (display && XCheckTypedEvent(display, ClientMessage, &event))
-    if (static_cast<Atom>(event.xclient.data.l[0]) == XInternAtom(display, "WM_DELETE_WINDOW", 0))
-      request = Request::Quit;
   return request;
 }
 

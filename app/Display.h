@@ -8,8 +8,8 @@ namespace mote::app
 /// Whether there is a display to open a window on. VTK itself ends the process where there is none.
 bool displayAvailable();
 
-/// What the user did to the window since the last call, while the program was busy and did not
-/// handle events. Keys typed meanwhile are forgotten, so that they do not all act later.
+/// What the user asked for since the last call, while the program was busy and did not handle
+/// events. Other keys stay where they are and act later.
 enum class Request
 {
   Nothing,

@@ -85,7 +85,7 @@ Window::~Window()
 void Window::setUpWindow()
 {
   window_->SetMultiSamples(0); // the rays are the antialiasing
-  window_->SetWindowName(("Mote - " + input_.name()).c_str());
+  window_->SetWindowName(("Mote: opening " + input_.name()).c_str());
   window_->AddRenderer(scene_.renderer());
   const bool sized = options_.size[0] > 0;
   const int* screen = window_->GetScreenSize();
@@ -138,6 +138,7 @@ void Window::run()
     throw;
   }
   busy_ = false;
+  window_->SetWindowName(("Mote - " + input_.name()).c_str());
   props_.attach(interactor_);
   props_.update(options_);
   const bool rays = scene_.numberOfCells() == 0 || scene_.numberOfParticles() > 0;

@@ -169,3 +169,4 @@ assert any(a["name"] == "c_centro" for a in d[0]["arrays"])' || fail "not the JS
 
   *) fail "no such case: $3" ;;
 esac
+echo "$3: passed"
