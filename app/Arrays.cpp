@@ -33,13 +33,13 @@ bool namesTypes(const std::string& name)
 /// Arrays that say which particle it is and where, not what happens to it.
 bool isBookkeeping(const std::string& name)
 {
-  return isAnyOf(name,
-    {"id", "ids", "particleids", "globalids", "globalpointids", "vtkoriginalpointids",
-      "vtkoriginalcellids", "vtkghosttype", "mol", "proc", "procp1", "ix", "iy", "iz", "image", "x",
-      "y", "z", "xu", "yu", "zu", "xs", "ys", "zs", "position", "positions", "coordinates",
-      "points", "pos", "radius", "radii", "diameter", "mass", "normals", "tcoords", "residue",
-      "chain", "is_hetatm", "atom_type_strings", "secondary_structures",
-      "secondary_structures_begin", "secondary_structures_end", "rgb_colors"});
+  return isAnyOf(
+    name, {"id", "ids", "particleids", "globalids", "globalpointids", "vtkoriginalpointids",
+            "vtkoriginalcellids", "vtkghosttype", "mol", "proc", "procp1", "ix", "iy", "iz",
+            "image", "x", "y", "z", "xu", "yu", "zu", "xs", "ys", "zs", "position", "positions",
+            "coordinates", "points", "pos", "radius", "radii", "diameter", "mass", "normals",
+            "tcoords", "residue", "chain", "is_hetatm", "atom_type_strings", "secondary_structures",
+            "secondary_structures_begin", "secondary_structures_end", "rgb_colors"});
 }
 
 vtkDataSetAttributes* attributesOf(vtkDataSet* data, bool ofCells)
@@ -74,13 +74,13 @@ int componentOf(vtkDataArray* array, const std::string& text)
       return i;
   double number = -1.0;
   if (parseNumber(text, number) && number >= 0.0 && number < array->GetNumberOfComponents() &&
-    number == std::floor(number))
+      number == std::floor(number))
     return static_cast<int>(number);
   std::vector<std::string> known = {"magnitude"};
   for (int i = 0; i < array->GetNumberOfComponents(); ++i)
     known.push_back(array->GetComponentName(i) ? array->GetComponentName(i) : std::to_string(i));
   throw Failure(std::string("array ") + array->GetName() + " has no component " + text +
-    "; there are " + joined(known, ", "));
+                "; there are " + joined(known, ", "));
 }
 
 template <class Visit>
@@ -113,7 +113,7 @@ ArrayChoice findArray(vtkDataSet* data, const std::string& text)
       {
         const bool vector = array->GetNumberOfComponents() > 1;
         const int which = !component.empty() ? componentOf(array, component)
-          : vector                           ? ArrayChoice::magnitude
+                          : vector           ? ArrayChoice::magnitude
                                              : 0;
         return ArrayChoice{name, which, ofCells};
       }
@@ -144,8 +144,8 @@ std::vector<ArrayChoice> rankedArrays(vtkDataSet* data)
         ranked.emplace_back(rank(data, choice), choice);
     }
   }
-  std::stable_sort(ranked.begin(), ranked.end(),
-    [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::stable_sort(
+    ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<ArrayChoice> choices;
   for (const auto& entry : ranked)
     choices.push_back(entry.second);
@@ -204,8 +204,8 @@ bool isTypes(vtkDataSet* data, const ArrayChoice& choice)
   vtkDataArray* array = arrayOf(data, choice);
   double range[2];
   return array && array->GetNumberOfComponents() == 1 && namesTypes(choice.name) &&
-    finiteRange(array, 0, range) && range[1] - range[0] < 12.0 &&
-    range[0] == std::floor(range[0]) && range[1] == std::floor(range[1]);
+         finiteRange(array, 0, range) && range[1] - range[0] < 12.0 &&
+         range[0] == std::floor(range[0]) && range[1] == std::floor(range[1]);
 }
 
 bool isColors(vtkDataArray* array)

@@ -63,8 +63,8 @@ void Coloring::choose(const Parts& parts)
     if (!choice_ && !parts.empty())
     {
       const std::string known = listArrays(parts.front()->data());
-      throw Failure("--color-by: " + parts.front()->name() + " has no array '" + wanted + "'; it has " +
-        (known.empty() ? "none at all" : known));
+      throw Failure("--color-by: " + parts.front()->name() + " has no array '" + wanted +
+                    "'; it has " + (known.empty() ? "none at all" : known));
     }
     chosen_ = static_cast<bool>(choice_);
     return;
@@ -107,8 +107,8 @@ void Coloring::apply(const Parts& parts)
   explained_ = holder && !isColors(arrayOf(holder->data(), choice_)) && this->updateRange(parts);
   if (holder)
     title_ = describe(holder->data(), choice_);
-  this->makeTable(explained_ &&
-    (map_ == "types" || (map_.empty() && isTypes(holder->data(), choice_))));
+  this->makeTable(
+    explained_ && (map_ == "types" || (map_.empty() && isTypes(holder->data(), choice_))));
   for (const auto& part : parts)
     part->setColors(choice_, table_);
 }
@@ -124,12 +124,12 @@ void Coloring::makeTable(bool types)
   {
     if (!(range[1] > 0.0))
       throw Failure("--log needs values above zero; those of " + title_ + " go from " +
-        asNumber(range[0]) + " to " + asNumber(range[1]));
+                    asNumber(range[0]) + " to " + asNumber(range[1]));
     if (range[0] <= 0.0 && options_.range.empty())
       range[0] = leastPositive_;
     if (!(range[0] > 0.0))
       throw Failure("--log needs a --range above zero, not " + asNumber(range[0]) + " to " +
-        asNumber(range[1]));
+                    asNumber(range[1]));
   }
   if (!types && range[0] == range[1])
   {
@@ -183,8 +183,8 @@ void Coloring::nextComponent(const Parts& parts)
   const int components = holder ? arrayOf(holder->data(), choice_)->GetNumberOfComponents() : 1;
   if (components < 2)
     return;
-  choice_.component = choice_.component + 1 < components ? choice_.component + 1
-                                                         : ArrayChoice::magnitude;
+  choice_.component =
+    choice_.component + 1 < components ? choice_.component + 1 : ArrayChoice::magnitude;
   range_[0] = 1.0, range_[1] = 0.0;
   leastPositive_ = 0.0;
   this->apply(parts);
@@ -199,8 +199,14 @@ void Coloring::nextMap(const Parts& parts)
   this->apply(parts);
 }
 
-vtkLookupTable* Coloring::table() const { return explained_ ? table_ : nullptr; }
+vtkLookupTable* Coloring::table() const
+{
+  return explained_ ? table_ : nullptr;
+}
 
-vtkLookupTable* Coloring::legendTable() const { return explained_ ? legendTable_ : nullptr; }
+vtkLookupTable* Coloring::legendTable() const
+{
+  return explained_ ? legendTable_ : nullptr;
+}
 
 } // namespace mote::app

@@ -15,7 +15,10 @@ namespace
 constexpr Color defaultBottom = {0.255, 0.275, 0.310};
 constexpr Color defaultTop = {0.420, 0.450, 0.495};
 
-double luminance(const double* c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
+double luminance(const double* c)
+{
+  return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+}
 
 } // namespace
 
@@ -29,7 +32,7 @@ bool parseColor(const std::string& text, Color& color)
     return true;
   }
   const bool hexadecimal = (text.size() == 4 || text.size() == 7) && text.front() == '#' &&
-    text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+                           text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
   if (!hexadecimal)
     return false;
   const vtkColor3ub bytes = names->HTMLColorToRGB(text);

@@ -29,7 +29,7 @@ Bool isRequest(::Display*, XEvent* event, XPointer arg)
   if (event->type == KeyPress)
     return event->xkey.keycode == requests.escape || event->xkey.keycode == requests.quit;
   return event->type == ClientMessage &&
-    static_cast<Atom>(event->xclient.data.l[0]) == requests.close;
+         static_cast<Atom>(event->xclient.data.l[0]) == requests.close;
 }
 
 /// Notes presses in `arg` (a bool) and leaves all events in the queue.

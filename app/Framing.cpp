@@ -90,8 +90,7 @@ const std::vector<std::string>& viewNames()
 
 std::string automaticView(const double bounds[6])
 {
-  const double length[3] = {
-    bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]};
+  const double length[3] = {bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]};
   const double longest = *std::max_element(length, length + 3);
   const auto thin = [&](int axis) { return length[axis] < 0.04 * longest; };
   return thin(2) ? "+z" : thin(1) ? "-y" : thin(0) ? "+x" : "iso";
@@ -99,8 +98,8 @@ std::string automaticView(const double bounds[6])
 
 void lookFrom(vtkCamera* camera, const std::string& view)
 {
-  const auto side = std::find_if(
-    std::begin(sides), std::end(sides), [&](const Side& s) { return view == s.name; });
+  const auto side =
+    std::find_if(std::begin(sides), std::end(sides), [&](const Side& s) { return view == s.name; });
   camera->SetFocalPoint(0.0, 0.0, 0.0);
   camera->SetPosition((side == std::end(sides) ? sides : side)->direction);
   camera->SetViewUp((side == std::end(sides) ? sides : side)->up);

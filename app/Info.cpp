@@ -48,11 +48,10 @@ ArrayFacts factsOf(vtkAbstractArray* array, const char* place)
   for (int i = 0; components > 1 && i < components; ++i)
     facts.components.push_back(
       array->GetComponentName(i) ? array->GetComponentName(i) : std::to_string(i));
-  facts.whole = array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE &&
-    components == 1;
+  facts.whole =
+    array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE && components == 1;
   if (auto* numbers = vtkDataArray::SafeDownCast(array))
-    facts.ranged = finiteRange(
-      numbers, components > 1 ? ArrayChoice::magnitude : 0, facts.range);
+    facts.ranged = finiteRange(numbers, components > 1 ? ArrayChoice::magnitude : 0, facts.range);
   return facts;
 }
 
@@ -107,8 +106,8 @@ void printTimes(const Input& input, int step)
     else if (i == 4)
       shown.emplace_back("...");
   printLine("time steps", std::to_string(count) + ": " + joined(shown, ", "));
-  printLine("shown here",
-    "step " + std::to_string(step + 1) + ", t = " + asNumber(times[step], 10));
+  printLine(
+    "shown here", "step " + std::to_string(step + 1) + ", t = " + asNumber(times[step], 10));
 }
 
 void printArrays(const std::vector<ArrayFacts>& arrays)
@@ -120,7 +119,8 @@ void printArrays(const std::vector<ArrayFacts>& arrays)
   {
     std::string text = facts.ranged ? interval(facts.range, facts.whole ? 16 : 6) : "";
     if (!facts.components.empty())
-      text = "(" + joined(facts.components, " ") + ")" + (text.empty() ? "" : ", magnitude ") + text;
+      text =
+        "(" + joined(facts.components, " ") + ")" + (text.empty() ? "" : ", magnitude ") + text;
     std::printf("  %-5s  %-*s  %-9s  %s\n", facts.place.c_str(), static_cast<int>(width),
       facts.name.c_str(), facts.type.c_str(), text.c_str());
   }
@@ -141,8 +141,8 @@ void printText(const NamedData& one, const Input& input, int step, double second
     printLine("bounds", interval(b) + " x " + interval(b + 2) + " x " + interval(b + 4));
   }
   if (const auto box = simulationBoxOf(data))
-    printLine("box", "origin " + vector(box->origin) + ", vectors " + vector(box->vectors[0]) + " " +
-        vector(box->vectors[1]) + " " + vector(box->vectors[2]));
+    printLine("box", "origin " + vector(box->origin) + ", vectors " + vector(box->vectors[0]) +
+                       " " + vector(box->vectors[1]) + " " + vector(box->vectors[2]));
   if (const double spacing = spacingOf(data); spacing > 0.0)
     printLine("spacing", asNumber(spacing, 4) + " between neighbours");
   printLine("read in", asDuration(seconds));
@@ -151,7 +151,10 @@ void printText(const NamedData& one, const Input& input, int step, double second
   printArrays(arrays);
 }
 
-std::string jsonList(const std::vector<std::string>& items) { return "[" + joined(items, ", ") + "]"; }
+std::string jsonList(const std::vector<std::string>& items)
+{
+  return "[" + joined(items, ", ") + "]";
+}
 
 std::string jsonNumbers(const double* values, int count)
 {
@@ -167,8 +170,8 @@ std::string jsonArray(const ArrayFacts& facts)
   for (const std::string& name : facts.components)
     components.push_back(jsonString(name));
   return "{\"name\": " + jsonString(facts.name) + ", \"of\": " + jsonString(facts.place) +
-    ", \"type\": " + jsonString(facts.type) + ", \"components\": " + jsonList(components) +
-    ", \"range\": " + (facts.ranged ? jsonNumbers(facts.range, 2) : "null") + "}";
+         ", \"type\": " + jsonString(facts.type) + ", \"components\": " + jsonList(components) +
+         ", \"range\": " + (facts.ranged ? jsonNumbers(facts.range, 2) : "null") + "}";
 }
 
 std::string asJson(const NamedData& one, const Input& input, int step, double seconds)
@@ -180,16 +183,18 @@ std::string asJson(const NamedData& one, const Input& input, int step, double se
   const auto box = simulationBoxOf(data);
   const bool any = data->GetNumberOfPoints() > 0;
   const double spacing = spacingOf(data);
-  return "  {\"name\": " + jsonString(one.name) + ", \"class\": " + jsonString(data->GetClassName()) +
-    ",\n    \"points\": " + std::to_string(data->GetNumberOfPoints()) +
-    ", \"cells\": " + std::to_string(data->GetNumberOfCells()) +
-    ",\n    \"times\": " + jsonNumbers(input.times().data(), static_cast<int>(input.times().size())) +
-    ", \"step\": " + std::to_string(step + 1) +
-    ",\n    \"bounds\": " + (any ? jsonNumbers(data->GetBounds(), 6) : "null") +
-    ",\n    \"box\": " + (box ? jsonNumbers(&box->vectors[0][0], 9) : "null") +
-    ", \"box_origin\": " + (box ? jsonNumbers(box->origin, 3) : "null") +
-    ",\n    \"spacing\": " + (spacing > 0.0 ? jsonNumber(spacing) : "null") +
-    ", \"read_seconds\": " + jsonNumber(seconds) + ",\n    \"arrays\": " + jsonList(arrays) + "}";
+  return "  {\"name\": " + jsonString(one.name) +
+         ", \"class\": " + jsonString(data->GetClassName()) +
+         ",\n    \"points\": " + std::to_string(data->GetNumberOfPoints()) +
+         ", \"cells\": " + std::to_string(data->GetNumberOfCells()) + ",\n    \"times\": " +
+         jsonNumbers(input.times().data(), static_cast<int>(input.times().size())) +
+         ", \"step\": " + std::to_string(step + 1) +
+         ",\n    \"bounds\": " + (any ? jsonNumbers(data->GetBounds(), 6) : "null") +
+         ",\n    \"box\": " + (box ? jsonNumbers(&box->vectors[0][0], 9) : "null") +
+         ", \"box_origin\": " + (box ? jsonNumbers(box->origin, 3) : "null") +
+         ",\n    \"spacing\": " + (spacing > 0.0 ? jsonNumber(spacing) : "null") +
+         ", \"read_seconds\": " + jsonNumber(seconds) + ",\n    \"arrays\": " + jsonList(arrays) +
+         "}";
 }
 
 } // namespace

@@ -28,16 +28,15 @@ void collectDataSets(
   }
   auto* composite = vtkCompositeDataSet::SafeDownCast(object);
   if (!composite)
-    throw Failure(name + " holds a " + object->GetClassName() +
-      ", which has no points in space to show");
+    throw Failure(
+      name + " holds a " + object->GetClassName() + ", which has no points in space to show");
   auto blocks = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
   for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
   {
-    vtkInformation* facts =
-      blocks->HasCurrentMetaData() ? blocks->GetCurrentMetaData() : nullptr;
+    vtkInformation* facts = blocks->HasCurrentMetaData() ? blocks->GetCurrentMetaData() : nullptr;
     const char* block = facts && facts->Has(vtkCompositeDataSet::NAME())
-      ? facts->Get(vtkCompositeDataSet::NAME())
-      : nullptr;
+                          ? facts->Get(vtkCompositeDataSet::NAME())
+                          : nullptr;
     if (auto* data = vtkDataSet::SafeDownCast(blocks->GetCurrentDataObject()))
       collected.push_back({block ? name + ": " + block : name, data});
   }
@@ -118,8 +117,8 @@ int Input::chosenStep(const ViewOptions& options) const
   double number = 1.0;
   parseNumber(options.step, number);
   if (number > last + 1)
-    throw Failure(this->name() + " has " + counted(last + 1, "time step") + ", so there is no --step " +
-      options.step);
+    throw Failure(this->name() + " has " + counted(last + 1, "time step") +
+                  ", so there is no --step " + options.step);
   return static_cast<int>(number) - 1;
 }
 

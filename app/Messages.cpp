@@ -64,6 +64,9 @@ void Messages::DisplayWarningText(const char* text)
   std::fprintf(stderr, "mote: warning: %s\n", sentence.c_str());
 }
 
-void Messages::DisplayGenericWarningText(const char* text) { this->DisplayWarningText(text); }
+void Messages::DisplayGenericWarningText(const char* text)
+{
+  this->DisplayWarningText(text);
+}
 
 } // namespace mote::app

@@ -61,7 +61,10 @@ void Overlay::setMessage(const std::string& text)
   messageText_->SetVisibility(messageOn_);
 }
 
-bool Overlay::hasMessage() const { return messageOn_; }
+bool Overlay::hasMessage() const
+{
+  return messageOn_;
+}
 
 void Overlay::toggleHelp()
 {

@@ -22,7 +22,8 @@ public:
   void setStatus(const std::string& text);
   const std::string& status() const { return status_; }
 
-  /// A text at the upper left; none to take it away. Words of equal length stand one over the other.
+  /// A text at the upper left; none to take it away. Words of equal length stand one over the
+  /// other.
   void setMessage(const std::string& text);
   bool hasMessage() const;
 

@@ -122,7 +122,7 @@ void Part::setRadius()
   {
     if (!data_->GetPointData()->GetArray(options_.radius.c_str()))
       throw Failure("--radius: " + name_ + " has no array '" + options_.radius + "'; it has " +
-        listArrays(data_));
+                    listArrays(data_));
     particles_->SetRadiusArrayName(options_.radius.c_str());
     particles_->SetRadiusModeToArray();
   }
@@ -140,7 +140,8 @@ void Part::build(Progress& progress)
   Messages::takeError();
   actor_->VisibilityOff(); // whatever happens, nothing half built is drawn
   {
-    Progress::Work work(progress, particles_ ? "Building structure" : "Extracting surface", mapper_);
+    Progress::Work work(
+      progress, particles_ ? "Building structure" : "Extracting surface", mapper_);
     mapper_->Update();
     work.finish();
   }
@@ -148,7 +149,7 @@ void Part::build(Progress& progress)
     throw Failure(error);
   actor_->VisibilityOn();
   if (particles_ && particles_->GetRadiusMode() == vtkMoteParticleMapper::RADIUS_FROM_SPACING &&
-    particles_->GetNumberOfParticles() > 1)
+      particles_->GetNumberOfParticles() > 1)
     keptRadius_ = particles_->GetRadiusInUse() / radiusScale_;
 }
 

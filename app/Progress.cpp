@@ -43,9 +43,15 @@ public:
 
 } // namespace
 
-void Progress::add(ProgressDisplay& display) { displays_.push_back(&display); }
+void Progress::add(ProgressDisplay& display)
+{
+  displays_.push_back(&display);
+}
 
-void Progress::remove(ProgressDisplay& display) { std::erase(displays_, &display); }
+void Progress::remove(ProgressDisplay& display)
+{
+  std::erase(displays_, &display);
+}
 
 Progress::Work::Work(Progress& progress, const std::string& what, vtkObject* object)
   : progress_(progress)

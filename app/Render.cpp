@@ -49,8 +49,7 @@ public:
     source_->SetIds(exr);
     source_->SetTransparentBackground(exr);
     labelled_ = !exr;
-    writer_->SetInputConnection(
-      labelled_ ? legend_->GetOutputPort() : source_->GetOutputPort());
+    writer_->SetInputConnection(labelled_ ? legend_->GetOutputPort() : source_->GetOutputPort());
   }
 
   bool labelled() const { return labelled_; }
@@ -93,7 +92,7 @@ std::string numbered(const std::string& file, int step, int steps)
   number.insert(0, std::max(0, digits - static_cast<int>(number.size())), '0');
   std::filesystem::path path(file);
   return (path.parent_path() / (path.stem().string() + "." + number)).string() +
-    path.extension().string();
+         path.extension().string();
 }
 
 void requireParticles(const Scene& scene)
@@ -121,20 +120,23 @@ Margins marginsFor(const Picture& picture, Scene& scene, const ViewOptions& opti
 
 void addRenderOptions(CLI::App& app, RenderOptions& options)
 {
-  app.add_option("--output,-o", options.output,
-       "Picture to write: .png, .jpg or .tif; or .exr with colour, depth, normal and particle id, "
-       "the background transparent")
+  app
+    .add_option("--output,-o", options.output,
+      "Picture to write: .png, .jpg or .tif; or .exr with colour, depth, normal and particle id, "
+      "the background transparent")
     ->required()
     ->type_name("FILE");
   addViewOptions(app, options.view);
-  app.add_option("--caption", options.view.caption,
-       "Line at the lower left. By default file, particles and time")
+  app
+    .add_option("--caption", options.view.caption,
+      "Line at the lower left. By default file, particles and time")
     ->type_name("TEXT")
     ->group("Picture");
-  app.add_flag("--all-steps", options.allSteps,
-       "A picture of every time step: out.png gives out.0000.png, out.0001.png ... The view "
-       "is framed for the last step, and its range of colours grows where another exceeds it; "
-       "--range holds it still")
+  app
+    .add_flag("--all-steps", options.allSteps,
+      "A picture of every time step: out.png gives out.0000.png, out.0001.png ... The view "
+      "is framed for the last step, and its range of colours grows where another exceeds it; "
+      "--range holds it still")
     ->group("Data");
 }
 
@@ -181,8 +183,8 @@ void render(const RenderOptions& given)
   const int last = input.numberOfSteps() - 1;
   const int chosen = given.allSteps ? last : input.chosenStep(options);
   const double readTime = show(chosen);
-  scene.look(options.view, double(options.size[0]) / options.size[1],
-    marginsFor(picture, scene, options));
+  scene.look(
+    options.view, double(options.size[0]) / options.size[1], marginsFor(picture, scene, options));
   if (!given.allSteps)
     trace(chosen, given.output, openTime + readTime);
   else

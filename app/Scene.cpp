@@ -84,9 +84,8 @@ void Scene::applyColors()
   bool found = false;
   for (const auto& part : parts_)
   {
-    const ArrayChoice choice = options_.showBy.empty()
-      ? coloring_.choice()
-      : findArray(part->data(), options_.showBy);
+    const ArrayChoice choice =
+      options_.showBy.empty() ? coloring_.choice() : findArray(part->data(), options_.showBy);
     found = found || arrayOf(part->data(), choice);
     part->setVisible(choice, options_.showRange.data());
   }
@@ -94,7 +93,7 @@ void Scene::applyColors()
     throw Failure("--show-range needs an array: name one with --show-by");
   if (!found && !parts_.empty())
     throw Failure("--show-by: " + parts_.front()->name() + " has no array '" + options_.showBy +
-      "'; it has " + listArrays(parts_.front()->data()));
+                  "'; it has " + listArrays(parts_.front()->data()));
 }
 
 void Scene::look(const std::string& side, double aspect, const Margins& margins)

@@ -39,7 +39,8 @@ public:
   Coloring& coloring() { return coloring_; }
   const std::vector<std::unique_ptr<Part>>& parts() const { return parts_; }
 
-  /// Bounds of all that is built; else of the simulation box; of a unit cube where there is nothing.
+  /// Bounds of all that is built; else of the simulation box; of a unit cube where there is
+  /// nothing.
   void bounds(double bounds[6]) const;
 
   vtkIdType numberOfParticles() const;

@@ -20,7 +20,7 @@ std::array<int, 2> parseSize(const std::string& text)
   std::array<int, 2> size{};
   char rest = 0;
   if (std::sscanf(text.c_str(), "%d%*1[xX]%d%c", &size[0], &size[1], &rest) != 2 || size[0] < 1 ||
-    size[1] < 1 || size[0] > 65536 || size[1] > 65536)
+      size[1] < 1 || size[0] > 65536 || size[1] > 65536)
     throw CLI::ValidationError("--size", "'" + text + "' is no size like 1920x1080");
   return size;
 }
@@ -29,7 +29,7 @@ std::string checkStep(const std::string& text)
 {
   double number = 0.0;
   if (text == "first" || text == "last" ||
-    (parseNumber(text, number) && number >= 1.0 && number == static_cast<int>(number)))
+      (parseNumber(text, number) && number >= 1.0 && number == static_cast<int>(number)))
     return {};
   return "'" + text + "' is neither a number from 1 nor first nor last";
 }
@@ -42,8 +42,8 @@ std::map<int, double> parseTypeRadii(const std::vector<std::string>& entries)
     const std::size_t sign = entry.find('=');
     double type = 0.0, radius = 0.0;
     if (sign == std::string::npos || !parseNumber(entry.substr(0, sign), type) ||
-      !parseNumber(entry.substr(sign + 1), radius) || type != static_cast<int>(type) ||
-      radius <= 0.0)
+        !parseNumber(entry.substr(sign + 1), radius) || type != static_cast<int>(type) ||
+        radius <= 0.0)
       throw CLI::ValidationError(
         "--type-radius", "'" + entry + "' is not of the form TYPE=RADIUS, such as 1=0.5");
     radii[static_cast<int>(type)] = radius;
@@ -73,26 +73,30 @@ std::string checkOrder(const std::vector<double>& range)
 void addColorOptions(CLI::App& app, ViewOptions& o)
 {
   const std::string group = "Colour";
-  app.add_option("--color-by,-c", o.colorBy,
-       "Array that colours: NAME, or NAME:COMPONENT (a number from 0, or its name) or "
-       "NAME:magnitude for one with several components; 'none' for one colour. By default an array "
-       "that varies: a number, else a vector's magnitude, else the type")
+  app
+    .add_option("--color-by,-c", o.colorBy,
+      "Array that colours: NAME, or NAME:COMPONENT (a number from 0, or its name) or "
+      "NAME:magnitude for one with several components; 'none' for one colour. By default an array "
+      "that varies: a number, else a vector's magnitude, else the type")
     ->type_name("NAME")
     ->group(group);
-  app.add_option("--color-map,-m", o.colorMap,
-       "Colours: " + joined(colorMapNames(), ", ") +
-         ". By default viridis, and types for an array of types")
+  app
+    .add_option("--color-map,-m", o.colorMap,
+      "Colours: " + joined(colorMapNames(), ", ") +
+        ". By default viridis, and types for an array of types")
     ->check(CLI::IsMember(colorMapNames()).description(""))
     ->type_name("NAME")
     ->group(group);
-  app.add_option_function<std::vector<double>>("--range",
-       [&o](const std::vector<double>& range)
-       {
-         if (const std::string error = checkOrder(range); !error.empty())
-           throw CLI::ValidationError("--range", error);
-         o.range = range;
-       },
-       "Values at the two ends of the colours. By default the array's least and greatest")
+  app
+    .add_option_function<std::vector<double>>(
+      "--range",
+      [&o](const std::vector<double>& range)
+      {
+        if (const std::string error = checkOrder(range); !error.empty())
+          throw CLI::ValidationError("--range", error);
+        o.range = range;
+      },
+      "Values at the two ends of the colours. By default the array's least and greatest")
     ->expected(2)
     ->type_name("LO HI")
     ->group(group);
@@ -101,8 +105,9 @@ void addColorOptions(CLI::App& app, ViewOptions& o)
     ->expected(2)
     ->type_name("LO HI")
     ->group(group);
-  app.add_option("--show-by", o.showBy,
-       "Array that --show-range speaks of, named as in --color-by. By default the one that colours")
+  app
+    .add_option("--show-by", o.showBy,
+      "Array that --show-range speaks of, named as in --color-by. By default the one that colours")
     ->type_name("NAME")
     ->group(group);
 }
@@ -110,21 +115,25 @@ void addColorOptions(CLI::App& app, ViewOptions& o)
 void addRadiusOptions(CLI::App& app, ViewOptions& o)
 {
   const std::string group = "Radius";
-  app.add_option("--radius,-r", o.radius,
-       "Radius of the particles: a number, the name of an array of radii, 'spacing' (half the "
-       "typical distance between neighbours) or 'auto' (an array named radius, half of one named "
-       "diameter, else as spacing)")
+  app
+    .add_option("--radius,-r", o.radius,
+      "Radius of the particles: a number, the name of an array of radii, 'spacing' (half the "
+      "typical distance between neighbours) or 'auto' (an array named radius, half of one named "
+      "diameter, else as spacing)")
     ->type_name("R|NAME")
     ->capture_default_str()
     ->group(group);
-  app.add_option_function<std::vector<std::string>>("--type-radius",
-       [&o](const std::vector<std::string>& entries) { o.typeRadius = parseTypeRadii(entries); },
-       "Radii by the array 'type': 1=0.5,2=0.7. Other types get the number of --radius")
+  app
+    .add_option_function<std::vector<std::string>>(
+      "--type-radius",
+      [&o](const std::vector<std::string>& entries) { o.typeRadius = parseTypeRadii(entries); },
+      "Radii by the array 'type': 1=0.5,2=0.7. Other types get the number of --radius")
     ->delimiter(',')
     ->type_name("TYPE=R,...")
     ->group(group);
-  app.add_option("--radius-scale", o.radiusScale,
-       "Factor on every radius; 0.5 where the array holds diameters")
+  app
+    .add_option("--radius-scale", o.radiusScale,
+      "Factor on every radius; 0.5 where the array holds diameters")
     ->check(CLI::PositiveNumber.description(""))
     ->type_name("F")
     ->group(group);
@@ -133,10 +142,12 @@ void addRadiusOptions(CLI::App& app, ViewOptions& o)
 void addCameraOptions(CLI::App& app, ViewOptions& o)
 {
   const std::string group = "Camera";
-  app.add_option("--view", o.view,
-       "Side to look from: " + joined(viewNames(), ", ") +
-         ". iso has z up, iso-y y. 'auto' looks along the thin axis of flat data, as iso-y at surface "
-         "meshes and as iso at all else")
+  app
+    .add_option("--view", o.view,
+      "Side to look from: " + joined(viewNames(), ", ") +
+        ". iso has z up, iso-y y. 'auto' looks along the thin axis of flat data, as iso-y at "
+        "surface "
+        "meshes and as iso at all else")
     ->check(CLI::IsMember(viewNames()).description(""))
     ->type_name("SIDE")
     ->capture_default_str()
@@ -158,8 +169,10 @@ void addCameraOptions(CLI::App& app, ViewOptions& o)
 void addPictureOptions(CLI::App& app, ViewOptions& o)
 {
   const std::string group = "Picture";
-  app.add_option_function<std::string>("--size,-s",
-       [&o](const std::string& text) { o.size = parseSize(text); }, "Width and height in pixels")
+  app
+    .add_option_function<std::string>(
+      "--size,-s", [&o](const std::string& text) { o.size = parseSize(text); },
+      "Width and height in pixels")
     ->type_name("WxH")
     ->group(group);
   app.add_option("--samples", o.samples, "Rays a pixel; more make smoother edges")
@@ -167,15 +180,18 @@ void addPictureOptions(CLI::App& app, ViewOptions& o)
     ->type_name("N")
     ->capture_default_str()
     ->group(group);
-  app.add_option_function<std::vector<std::string>>("--background,-b",
-       [&o](const std::vector<std::string>& names) { o.background = parseBackground(names); },
-       "Colour behind: a name or #rrggbb, or two with a comma for bottom and top")
+  app
+    .add_option_function<std::vector<std::string>>(
+      "--background,-b",
+      [&o](const std::vector<std::string>& names) { o.background = parseBackground(names); },
+      "Colour behind: a name or #rrggbb, or two with a comma for bottom and top")
     ->delimiter(',')
     ->expected(1, 2)
     ->type_name("COLOUR[,TOP]")
     ->group(group);
-  app.add_flag_function("--no-legend", [&o](std::int64_t) { o.legend = false; },
-       "No colour legend")
+  app
+    .add_flag_function(
+      "--no-legend", [&o](std::int64_t) { o.legend = false; }, "No colour legend")
     ->group(group);
   app.add_option("--title", o.title, "Title of the colour legend. By default the array's name")
     ->type_name("TEXT")
@@ -186,16 +202,17 @@ void addPictureOptions(CLI::App& app, ViewOptions& o)
 
 void addReadOptions(CLI::App& app, ViewOptions& o)
 {
-  app.add_option("FILE", o.files,
-       "Files to read. Files that differ only in the digits of a number are steps of one series")
+  app
+    .add_option("FILE", o.files,
+      "Files to read. Files that differ only in the digits of a number are steps of one series")
     ->type_name("");
   const std::string group = "Data";
-  auto* step = app.add_option("--step", o.step, "Time step: a number from 1, first or last")
-                 ->check(CLI::Validator(
-                   [](std::string& text) { return checkStep(text); }, "", "step"))
-                 ->type_name("N")
-                 ->capture_default_str()
-                 ->group(group);
+  auto* step =
+    app.add_option("--step", o.step, "Time step: a number from 1, first or last")
+      ->check(CLI::Validator([](std::string& text) { return checkStep(text); }, "", "step"))
+      ->type_name("N")
+      ->capture_default_str()
+      ->group(group);
   app.add_option("--time", o.time, "Time step by its time: the nearest at or before T")
     ->type_name("T")
     ->excludes(step)

@@ -27,9 +27,9 @@ struct ViewOptions
   std::string step = "last"; ///< a number from 1, "first" or "last"
 
   // Colour
-  std::string colorBy;         ///< NAME, NAME:component, NAME:magnitude or "none"; empty: choose
-  std::string colorMap;        ///< a name of colorMapNames(); empty: choose
-  std::vector<double> range;   ///< none or two
+  std::string colorBy;       ///< NAME, NAME:component, NAME:magnitude or "none"; empty: choose
+  std::string colorMap;      ///< a name of colorMapNames(); empty: choose
+  std::vector<double> range; ///< none or two
   bool logarithmic = false;
 
   // Selection

@@ -45,11 +45,17 @@ void observe(vtkObject* object, unsigned long event, const Function& function)
 }
 
 /// Leaves the object alone when the window goes: what is still fired finds no one.
-void forget(vtkObject* object) { object->RemoveAllObservers(); }
+void forget(vtkObject* object)
+{
+  object->RemoveAllObservers();
+}
 
 } // namespace
 
-void addWindowOptions(CLI::App& app, WindowOptions& options) { addViewOptions(app, options.view); }
+void addWindowOptions(CLI::App& app, WindowOptions& options)
+{
+  addViewOptions(app, options.view);
+}
 
 void showWindow(const WindowOptions& options)
 {
@@ -335,7 +341,7 @@ std::string Window::statusText() const
   std::string text = scene_.contents();
   if (!input_.times().empty())
     text += dot + "step " + std::to_string(step_ + 1) + "/" +
-      std::to_string(input_.numberOfSteps()) + ", t = " + asNumber(input_.times()[step_], 10);
+            std::to_string(input_.numberOfSteps()) + ", t = " + asNumber(input_.times()[step_], 10);
   if (frameTime_ > 0.0)
     text += dot + "frame " + asDuration(frameTime_);
   if (scene_.numberOfParticles() == 0 || !scene_.parts().size())

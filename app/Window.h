@@ -30,8 +30,8 @@ struct WindowOptions
 /// Declares the options of the window.
 void addWindowOptions(CLI::App& app, WindowOptions& options);
 
-/// Opens a window on the files and returns when the user closes it. Throws Failure where there is no
-/// display or nothing can be shown, and Interrupted.
+/// Opens a window on the files and returns when the user closes it. Throws Failure where there is
+/// no display or nothing can be shown, and Interrupted.
 void showWindow(const WindowOptions& options);
 
 /// The window: what it shows and how it answers. Window.cpp has set-up, drawing and time;
@@ -98,9 +98,9 @@ private:
   WindowProgress bar_;
   Progress progress_;
 
-  std::string side_;               // that was looked from last
-  std::array<double, 10> view_{};  // as it was then
-  std::array<int, 2> viewSize_{};  // of the window
+  std::string side_;              // that was looked from last
+  std::array<double, 10> view_{}; // as it was then
+  std::array<int, 2> viewSize_{}; // of the window
   int step_ = 0;
   bool playing_ = false;
   bool busy_ = false; // in long work: events wait

@@ -32,113 +32,113 @@ void Window::act(Action action)
     return;
   switch (action)
   {
-    case Action::None:
-      return;
-    case Action::Help:
-      overlay_.setMessage("");
-      overlay_.toggleHelp();
-      break;
-    case Action::ResetView:
-      this->look(options_.view);
-      break;
-    case Action::ViewPlusX:
-      this->look("+x");
-      break;
-    case Action::ViewMinusX:
-      this->look("-x");
-      break;
-    case Action::ViewPlusY:
-      this->look("+y");
-      break;
-    case Action::ViewMinusY:
-      this->look("-y");
-      break;
-    case Action::ViewPlusZ:
-      this->look("+z");
-      break;
-    case Action::ViewMinusZ:
-      this->look("-z");
-      break;
-    case Action::Projection:
-    {
-      vtkCamera* camera = scene_.renderer()->GetActiveCamera();
-      // What is at the focal point keeps its size.
-      const double half = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
-      if (!camera->GetParallelProjection())
-        camera->SetParallelScale(camera->GetDistance() * half);
-      else
-        camera->Dolly(camera->GetDistance() * half / camera->GetParallelScale());
-      camera->SetParallelProjection(!camera->GetParallelProjection());
-      scene_.renderer()->ResetCameraClippingRange();
-      break;
-    }
-    case Action::ZoomIn:
-      return this->zoom(1.25);
-    case Action::ZoomOut:
-      return this->zoom(0.8);
-    case Action::NextArray:
-      scene_.coloring().nextArray(scene_.parts());
-      props_.update(options_);
-      this->say(scene_.coloring().choice() ? "Coloured by " + scene_.coloring().title()
-                                           : "One colour for all");
-      break;
-    case Action::NextComponent:
-      scene_.coloring().nextComponent(scene_.parts());
-      props_.update(options_);
-      this->say(scene_.coloring().choice() ? "Coloured by " + scene_.coloring().title()
-                                           : "One colour for all");
-      break;
-    case Action::NextMap:
-      scene_.coloring().nextMap(scene_.parts());
-      props_.update(options_);
-      this->say("Colour map " + scene_.coloring().mapName());
-      break;
-    case Action::Smaller:
-      return this->scaleRadius(1.0 / 1.15);
-    case Action::Larger:
-      return this->scaleRadius(1.15);
-    case Action::PreviousStep:
-      return this->goTo(step_ - 1);
-    case Action::NextStep:
-      return this->goTo(step_ + 1);
-    case Action::FirstStep:
-      return this->goTo(0);
-    case Action::LastStep:
-      return this->goTo(input_.numberOfSteps() - 1);
-    case Action::Play:
-      playing_ = !playing_ && input_.numberOfSteps() > 1;
-      if (playing_)
-        return this->advance();
-      break;
-    case Action::Pick:
-      this->pick();
-      break;
-    case Action::Center:
-      this->center();
-      break;
-    case Action::Box:
-      props_.toggleBox();
-      break;
-    case Action::Legend:
-      props_.legend().toggle();
-      break;
-    case Action::Axes:
-      props_.toggleAxes();
-      break;
-    case Action::Background:
-      this->toggleBackground();
-      break;
-    case Action::Save:
-      this->savePicture();
-      break;
-    case Action::Escape:
-      playing_ = false;
-      overlay_.hideHelp();
-      overlay_.setMessage("");
-      props_.unmark();
-      break;
-    case Action::Quit:
-      return this->quit();
+  case Action::None:
+    return;
+  case Action::Help:
+    overlay_.setMessage("");
+    overlay_.toggleHelp();
+    break;
+  case Action::ResetView:
+    this->look(options_.view);
+    break;
+  case Action::ViewPlusX:
+    this->look("+x");
+    break;
+  case Action::ViewMinusX:
+    this->look("-x");
+    break;
+  case Action::ViewPlusY:
+    this->look("+y");
+    break;
+  case Action::ViewMinusY:
+    this->look("-y");
+    break;
+  case Action::ViewPlusZ:
+    this->look("+z");
+    break;
+  case Action::ViewMinusZ:
+    this->look("-z");
+    break;
+  case Action::Projection:
+  {
+    vtkCamera* camera = scene_.renderer()->GetActiveCamera();
+    // What is at the focal point keeps its size.
+    const double half = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
+    if (!camera->GetParallelProjection())
+      camera->SetParallelScale(camera->GetDistance() * half);
+    else
+      camera->Dolly(camera->GetDistance() * half / camera->GetParallelScale());
+    camera->SetParallelProjection(!camera->GetParallelProjection());
+    scene_.renderer()->ResetCameraClippingRange();
+    break;
+  }
+  case Action::ZoomIn:
+    return this->zoom(1.25);
+  case Action::ZoomOut:
+    return this->zoom(0.8);
+  case Action::NextArray:
+    scene_.coloring().nextArray(scene_.parts());
+    props_.update(options_);
+    this->say(scene_.coloring().choice() ? "Coloured by " + scene_.coloring().title()
+                                         : "One colour for all");
+    break;
+  case Action::NextComponent:
+    scene_.coloring().nextComponent(scene_.parts());
+    props_.update(options_);
+    this->say(scene_.coloring().choice() ? "Coloured by " + scene_.coloring().title()
+                                         : "One colour for all");
+    break;
+  case Action::NextMap:
+    scene_.coloring().nextMap(scene_.parts());
+    props_.update(options_);
+    this->say("Colour map " + scene_.coloring().mapName());
+    break;
+  case Action::Smaller:
+    return this->scaleRadius(1.0 / 1.15);
+  case Action::Larger:
+    return this->scaleRadius(1.15);
+  case Action::PreviousStep:
+    return this->goTo(step_ - 1);
+  case Action::NextStep:
+    return this->goTo(step_ + 1);
+  case Action::FirstStep:
+    return this->goTo(0);
+  case Action::LastStep:
+    return this->goTo(input_.numberOfSteps() - 1);
+  case Action::Play:
+    playing_ = !playing_ && input_.numberOfSteps() > 1;
+    if (playing_)
+      return this->advance();
+    break;
+  case Action::Pick:
+    this->pick();
+    break;
+  case Action::Center:
+    this->center();
+    break;
+  case Action::Box:
+    props_.toggleBox();
+    break;
+  case Action::Legend:
+    props_.legend().toggle();
+    break;
+  case Action::Axes:
+    props_.toggleAxes();
+    break;
+  case Action::Background:
+    this->toggleBackground();
+    break;
+  case Action::Save:
+    this->savePicture();
+    break;
+  case Action::Escape:
+    playing_ = false;
+    overlay_.hideHelp();
+    overlay_.setMessage("");
+    props_.unmark();
+    break;
+  case Action::Quit:
+    return this->quit();
   }
   this->render();
 }
@@ -154,7 +154,7 @@ void Window::goTo(int step)
   playing_ = false;
   if (step < 0 || step >= input_.numberOfSteps())
     this->say(input_.numberOfSteps() == 1 ? "There is one time step only"
-        : step < 0                        ? "This is the first time step"
+              : step < 0                  ? "This is the first time step"
                                           : "This is the last time step");
   else
     this->load(step);
@@ -259,16 +259,15 @@ void Window::center()
 void Window::toggleBackground()
 {
   const bool light = inkOn(scene_.renderer())[0] < 0.5;
-  setBackground(scene_.renderer(),
-    light ? std::vector<Color>{} : std::vector<Color>{{1.0, 1.0, 1.0}});
+  setBackground(
+    scene_.renderer(), light ? std::vector<Color>{} : std::vector<Color>{{1.0, 1.0, 1.0}});
   props_.setInk(inkOn(scene_.renderer()));
   overlay_.setInk(inkOn(scene_.renderer()));
 }
 
 void Window::savePicture()
 {
-  const std::string stem =
-    std::filesystem::path(options_.files.front()).stem().stem().string();
+  const std::string stem = std::filesystem::path(options_.files.front()).stem().stem().string();
   std::string file;
   for (int i = 1; file.empty() || std::filesystem::exists(file); ++i)
   {

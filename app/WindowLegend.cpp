@@ -17,20 +17,19 @@ namespace mote::app
 namespace
 {
 
-/// The rectangle {x min, x max, y min, y max} of an image of premultiplied floats, in bytes that are
-/// not premultiplied, as OpenGL blends them.
+/// The rectangle {x min, x max, y min, y max} of an image of premultiplied floats, in bytes that
+/// are not premultiplied, as OpenGL blends them.
 vtkSmartPointer<vtkImageData> cutOut(vtkImageData* image, const int rectangle[4])
 {
   auto part = vtkSmartPointer<vtkImageData>::New();
-  part->SetDimensions(
-    rectangle[1] - rectangle[0] + 1, rectangle[3] - rectangle[2] + 1, 1);
+  part->SetDimensions(rectangle[1] - rectangle[0] + 1, rectangle[3] - rectangle[2] + 1, 1);
   part->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
   for (int y = rectangle[2]; y <= rectangle[3]; ++y)
     for (int x = rectangle[0]; x <= rectangle[1]; ++x)
     {
       const auto* from = static_cast<const float*>(image->GetScalarPointer(x, y, 0));
-      auto* to = static_cast<unsigned char*>(
-        part->GetScalarPointer(x - rectangle[0], y - rectangle[2], 0));
+      auto* to =
+        static_cast<unsigned char*>(part->GetScalarPointer(x - rectangle[0], y - rectangle[2], 0));
       for (int c = 0; c < 4; ++c)
       {
         const float value = c < 3 && from[3] > 0.0f ? from[c] / from[3] : from[c];
@@ -63,9 +62,15 @@ void WindowLegend::set(vtkScalarsToColors* table, const std::string& title)
   legend_->SetTitle(title);
 }
 
-void WindowLegend::setInk(const Color& ink) { legend_->SetTextColor(ink[0], ink[1], ink[2]); }
+void WindowLegend::setInk(const Color& ink)
+{
+  legend_->SetTextColor(ink[0], ink[1], ink[2]);
+}
 
-void WindowLegend::toggle() { on_ = !on_; }
+void WindowLegend::toggle()
+{
+  on_ = !on_;
+}
 
 void WindowLegend::update()
 {

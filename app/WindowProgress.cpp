@@ -78,7 +78,8 @@ void WindowProgress::show(const std::string& what, double share)
     shown_ = true;
   }
   setSpan(bar_, left + std::max(share, 0.004) * (right - left)); // a plane needs an area
-  text_->SetInput((what + "   " + asNumber(std::round(100.0 * share)) + " %   (Esc stops)").c_str());
+  text_->SetInput(
+    (what + "   " + asNumber(std::round(100.0 * share)) + " %   (Esc stops)").c_str());
   window_->Render();
 }
 

@@ -80,7 +80,10 @@ WindowProps::WindowProps(Scene& scene)
   this->setInk(inkOn(scene.renderer()));
 }
 
-WindowProps::~WindowProps() { corner_->SetInteractor(nullptr); }
+WindowProps::~WindowProps()
+{
+  corner_->SetInteractor(nullptr);
+}
 
 void WindowProps::attach(vtkRenderWindowInteractor* interactor)
 {
@@ -119,7 +122,10 @@ void WindowProps::toggleBox()
   box_->SetVisibility(boxOn_);
 }
 
-void WindowProps::toggleAxes() { corner_->SetEnabled(!corner_->GetEnabled()); }
+void WindowProps::toggleAxes()
+{
+  corner_->SetEnabled(!corner_->GetEnabled());
+}
 
 void WindowProps::setInk(const Color& ink)
 {
@@ -150,7 +156,7 @@ double WindowProps::pixelSizeAt(const double position[3])
     return 2.0 * camera->GetParallelScale() / rows;
   const double half = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
   return 2.0 * half / rows *
-    std::sqrt(vtkMath::Distance2BetweenPoints(camera->GetPosition(), position));
+         std::sqrt(vtkMath::Distance2BetweenPoints(camera->GetPosition(), position));
 }
 
 void WindowProps::mark(const double center[3], double radius)
@@ -166,6 +172,9 @@ void WindowProps::mark(const double center[3], double radius)
   mark_->VisibilityOn();
 }
 
-void WindowProps::unmark() { mark_->VisibilityOff(); }
+void WindowProps::unmark()
+{
+  mark_->VisibilityOff();
+}
 
 } // namespace mote::app

@@ -60,10 +60,12 @@ int run(CLI::App& app, const WindowOptions& window, const RenderOptions& renderi
 
 int main(int argc, char** argv)
 {
-  CLI::App app("Mote shows what particle simulations write: every particle a sphere, ray cast.", "mote");
+  CLI::App app(
+    "Mote shows what particle simulations write: every particle a sphere, ray cast.", "mote");
   app.set_version_flag("--version", "mote " MOTE_VERSION);
   app.require_subcommand(0, 1);
-  app.footer("Files:\n" + vtkMoteReaderTable::GetFormatsHelp() +
+  app.footer(
+    "Files:\n" + vtkMoteReaderTable::GetFormatsHelp() +
     "\nWithout a command a window opens; press h in it for its keys. Exit codes: 0 done, 1 failed\n"
     "with a sentence on standard error, 2 a wrong command line, 130 interrupted.");
   WindowOptions window;

@@ -72,7 +72,7 @@ case $3 in
     run 0 "$mote" info --json "$copper" "$hopper"
     if command -v python3 >/dev/null; then
       python3 -c 'import json; d = json.load(open("out")); assert len(d) == 2 and d[0]["points"] > 0
-assert any(a["name"] == "c_centro" for a in d[0]["arrays"])' || fail "not the JSON that it should be"
+assert any(a["name"] == "c_centro" for a in d[0]["arrays"])' || fail "not the right JSON"
     fi
     ;;
 

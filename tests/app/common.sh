@@ -32,7 +32,7 @@ one_sentence() {
 png_size() {
   [ "$(head -c 4 "$1" | tail -c 3)" = PNG ] || return
   set -- $(od -A n -t u1 -j 16 -N 8 "$1")
-  echo "$(($1 * 16777216 + $2 * 65536 + $3 * 256 + $4))x$(($5 * 16777216 + $6 * 65536 + $7 * 256 + $8))"
+  echo "$(($1 << 24 | $2 << 16 | $3 << 8 | $4))x$(($5 << 24 | $6 << 16 | $7 << 8 | $8))"
 }
 
 # is_picture FILE SIZE: a PNG of that size with something on it.
