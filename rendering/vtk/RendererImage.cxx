@@ -15,6 +15,8 @@ bool RendererImage::trace(vtkRenderer* renderer, std::vector<vtkActor*> actors,
   FrameSettings settings, const Progress& progress)
 {
   vtkRenderWindow* window = renderer->GetRenderWindow();
+  // Drawing the picture takes its part of a frame, too.
+  settings.frameTime = std::max(0.25 * settings.frameTime, settings.frameTime - displaySeconds_);
   settings.interactive = window && window->GetDesiredUpdateRate() >= 1.0;
   int width = 0, height = 0, x = 0, y = 0;
   renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);

@@ -26,7 +26,8 @@ public:
   void setThreads(int threads) { threads_ = threads; }
 
   /// Adds one sample to every pixel of the film. Returns false, with the film's samples reset to 0,
-  /// where `progress` asked to stop; it is called between tiles with the share done.
+  /// where `progress` asked to stop; it is called between tiles with the share done, on any of the
+  /// tracing threads but on one at a time.
   bool addSample(const Camera& camera, Film& film, const Progress& progress = {}) const;
 
   /// Position of a sample in its pixel, in pixels from the centre, in [-1/2, 1/2); sample 0 is the
