@@ -80,7 +80,7 @@ void setAttributes(OIIO::ImageSpec& spec, FileFormat format, const EncodeOptions
   {
     // In a TIFF this would need an Exif directory, after which libtiff 4.5 does not write the main
     // directory to memory, and says nothing.
-    spec.attribute("oiio:ColorSpace", "sRGB");
+    spec.attribute("oiio:ColorSpace", format == FileFormat::EXR ? "Linear" : "sRGB");
   }
   switch (format)
   {

@@ -1,5 +1,6 @@
 #include "ImageLayers.h"
 
+#include <OpenImageIO/color.h>
 #include <OpenImageIO/imageio.h>
 
 #include <vtkDataArray.h>
@@ -94,6 +95,22 @@ std::string componentName(const std::string& name, int component, int components
          (components <= 3 ? std::string(1, "XYZ"[component]) : std::to_string(component));
 }
 
+/// From the values that a screen shows to light, which is what an EXR holds. Alpha stays, and what
+/// it multiplies is brought to light before it.
+void toLight(std::vector<float>& colors, int channels)
+{
+  const bool hasAlpha = channels % 2 == 0;
+  const int count = hasAlpha ? channels - 1 : channels;
+  for (std::size_t pixel = 0; pixel < colors.size(); pixel += channels)
+  {
+    const float alpha = hasAlpha ? colors[pixel + count] : 1.0f;
+    for (int c = 0; c < count && alpha > 0.0f; ++c)
+    {
+      colors[pixel + c] = alpha * OIIO::sRGB_to_linear(colors[pixel + c] / alpha);
+    }
+  }
+}
+
 } // namespace
 
 ImageLayers::ImageLayers(vtkImageData* image, vtkDataArray* colors, int width, int height)
@@ -185,6 +202,7 @@ void ImageLayers::encode(int row, std::uint8_t* out) const
   const int colorCount = m_colors.channels(AlphaKind::Premultiplied);
   std::vector<float> colors(static_cast<std::size_t>(m_width) * colorCount);
   m_colors.encode(row, colors.data());
+  toLight(colors, colorCount);
   std::vector<float> floats(m_width);
   std::vector<std::uint64_t> integers(m_width);
   std::vector<std::uint8_t> encoded(static_cast<std::size_t>(m_width) * 4);

@@ -40,8 +40,8 @@ namespace imaging // in two steps, for VTK's wrappers
 {
 struct LegendContent;
 struct TickScale;
-}
-}
+} // namespace imaging
+} // namespace mote
 
 class MOTEFILTERSIMAGING_EXPORT vtkMoteColorLegend : public vtkImageAlgorithm
 {

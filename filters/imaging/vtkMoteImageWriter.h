@@ -10,8 +10,8 @@
  *    alpha; 8-bit values are written as they are. An alpha channel is written only if some pixel
  *    has an alpha below 1; PNG gets colours divided by alpha, as PNG wants them, JPEG, which has no
  *    alpha, the image over white.
- *  - `.exr`: channels R G B and, if not 1 everywhere, A as half floats (of 8-bit colours: their
- *    value / 255), then the other point arrays, zip-compressed:
+ *  - `.exr`: channels R G B and, if not 1 everywhere, A as half floats, then the other point
+ * arrays, zip-compressed:
  *      - `depth` becomes Z, float, infinity kept;
  *      - `normal` becomes N.X N.Y N.Z, half;
  *      - integer arrays become uint32 channels of their own name, negative values 0xffffffff;
@@ -20,6 +20,9 @@
  * none);
  *      - any other array becomes a float channel of its own name, or, with several components,
  *        NAME.X NAME.Y NAME.Z (or NAME.0, NAME.1 ... above three).
+ *
+ * The colours of the image are those a screen shows (sRGB). An EXR holds light: R, G and B are
+ * brought to it, alpha is not, and premultiplies them afterwards.
  *
  * A file is written under a temporary name in the same folder and then renamed: under the
  * name asked for there is always either what was there before or a complete image.

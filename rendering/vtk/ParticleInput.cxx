@@ -19,15 +19,6 @@ namespace mote
 namespace
 {
 
-std::string arrayNames(vtkPointData* data)
-{
-  std::string names;
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-    if (const char* name = data->GetArrayName(i))
-      names += (names.empty() ? "" : ", ") + std::string(name);
-  return names.empty() ? "none" : names;
-}
-
 vtkDataArray* requireScalar(vtkPointSet* points, const std::string& name, const char* what)
 {
   vtkDataArray* array = points->GetPointData()->GetArray(name.c_str());
@@ -59,6 +50,15 @@ void addRadius(InputKey& key, double radius)
 }
 
 } // namespace
+
+std::string arrayNames(vtkPointData* data)
+{
+  std::string names;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    if (const char* name = data->GetArrayName(i))
+      names += (names.empty() ? "" : ", ") + std::string(name);
+  return names.empty() ? "none" : names;
+}
 
 vtkDataArray* findRadiusArray(vtkPointSet* points, const RadiusChoice& choice, bool& half)
 {

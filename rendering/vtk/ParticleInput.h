@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+class vtkPointData;
 class vtkPointSet;
 
 namespace mote
@@ -34,6 +35,9 @@ struct ParticleInput
   std::vector<double> typeRadii; ///< a particle each, in RADIUS_BY_TYPE mode
   double commonRadius = 0.0;     ///< 0 where radii differ
 };
+
+/// The names of the arrays, separated by commas, for messages; "none" where there is none.
+std::string arrayNames(vtkPointData* data);
 
 /// Array of the points that holds the radii under `choice`, or null for none; with half = true
 /// where it holds diameters. Throws Error where the choice names an array that is missing or unfit.

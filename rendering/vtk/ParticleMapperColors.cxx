@@ -32,6 +32,23 @@ vtkDataArray* vtkMoteParticleMapper::GetColorArray()
   return array;
 }
 
+std::string vtkMoteParticleMapper::WhyNoColorArray()
+{
+  const bool named = this->ScalarVisibility && this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME &&
+                     this->ArrayName && *this->ArrayName &&
+                     this->ScalarMode >= VTK_SCALAR_MODE_USE_POINT_FIELD_DATA;
+  vtkPointSet* input = this->GetInput();
+  if (!named || !input || input->GetNumberOfPoints() == 0)
+    return {};
+  vtkPointData* data = input->GetPointData();
+  const std::string quoted = "\"" + std::string(this->ArrayName) + "\"";
+  if (data->HasArray(this->ArrayName))
+    return "The point array " + quoted + " cannot colour particles: it is text, or was asked for " +
+           "as something else than point data.";
+  return "There is no point array " + quoted +
+         " to colour by; there are: " + mote::arrayNames(data) + ".";
+}
+
 int vtkMoteParticleMapper::GetColorComponent(vtkDataArray* array)
 {
   vtkScalarsToColors* colors = this->GetLookupTable();
@@ -141,6 +158,10 @@ void vtkMoteParticleMapper::DescribeColors(mote::ParticleColoring& coloring)
 {
   Internals& impl = *this->Impl;
   vtkDataArray* array = this->GetColorArray();
+  const std::string problem = array ? "" : this->WhyNoColorArray();
+  if (!problem.empty() && problem != impl.reportedColors)
+    vtkErrorMacro(<< problem);
+  impl.reportedColors = problem;
   if (!array)
     return;
   vtkScalarsToColors* colors = this->GetLookupTable(); // creates the default one

@@ -35,6 +35,7 @@ public:
   vtkSmartPointer<vtkDataArray> directColors;
   Key directKey;
   std::string arrayError;
+  std::string reportedColors; ///< the same for colours
 
   std::string reportedFrame; ///< the same for drawing
   bool reportedClipping = false;

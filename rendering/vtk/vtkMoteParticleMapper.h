@@ -28,6 +28,7 @@
 #include "vtkMapper.h"
 
 #include <memory> // for the implementation
+#include <string> // for messages
 
 class vtkDataArray;
 class vtkPointSet;
@@ -266,6 +267,7 @@ private:
   void UpdateVisibility();
   vtkDataArray* FindVisibilityArray(int& component);
   int GetColorComponent(vtkDataArray* array);
+  std::string WhyNoColorArray();
 #ifndef __VTK_WRAP__
   void DescribeColors(mote::ParticleColoring& coloring);
 #endif

@@ -128,6 +128,10 @@ std::vector<vtkActor*> vtkMoteRendererSource::CollectActors()
     else
       ++this->NumberOfIgnoredProps;
   }
+  if (this->NumberOfIgnoredProps > 0 && !this->WarnedOfIgnoredProps)
+    vtkWarningMacro(<< this->NumberOfIgnoredProps
+                    << " visible props have no Mote mapper and are not in the image.");
+  this->WarnedOfIgnoredProps = this->NumberOfIgnoredProps > 0;
   return actors;
 }
 

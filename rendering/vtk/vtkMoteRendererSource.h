@@ -3,9 +3,9 @@
  * @brief   An image of the Mote props of a renderer, traced without OpenGL and without a display.
  *
  * The renderer needs no window. Its camera, lights, background (also a gradient) and those of its
- * actors that have a Mote mapper are used; other props need OpenGL and are left out (counted by
- * GetNumberOfIgnoredProps()). The camera's clipping range is set to enclose the props, as a window
- * would do, where ResetClippingRange is on.
+ * actors that have a Mote mapper are used; other props need OpenGL and are left out (with one
+ * warning, counted by GetNumberOfIgnoredProps()). The camera's clipping range is set to enclose the
+ * props, as a window would do, where ResetClippingRange is on.
  *
  * The output is a vtkImageData whose row 0 is the bottom row, with the point arrays
  *  - `color`: float RGBA in [0, 1], the active scalars: over the background with alpha 1, or, with
@@ -136,6 +136,7 @@ protected:
   int NumberOfIgnoredProps = 0;
   double TraceTime = 0.0;
   vtkSmartPointer<vtkRenderer> Renderer;
+  bool WarnedOfIgnoredProps = false;
 
 private:
   vtkMoteRendererSource(const vtkMoteRendererSource&) = delete;

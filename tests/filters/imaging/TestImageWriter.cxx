@@ -226,6 +226,13 @@ void addIds(vtkImageData* image, const std::vector<std::int64_t>& ids)
   image->GetPointData()->AddArray(object);
 }
 
+/// What an EXR holds of a colour: light, by the definition of sRGB.
+double light(double shown)
+{
+  return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
+}
+constexpr double halfStep = 1.0 / 2048; // relative rounding of half floats
+
 TEST_F(ImageWriter, ExrHasAllLayers)
 {
   auto image = makeImage(2, 2, 4);
@@ -235,7 +242,8 @@ TEST_F(ImageWriter, ExrHasAllLayers)
   const std::string file = this->write(image, "a.exr");
   // In the file the rows are turned: pixels 2, 3, 0, 1.
   const auto red = readChannel<float>(file, "R", OIIO::TypeHalf);
-  EXPECT_EQ(red, (std::vector<float>{1.0f, 1.0f, 1.0f, 0.125f}));
+  EXPECT_EQ(std::vector<float>(red.begin(), red.begin() + 3), std::vector<float>(3, 1.0f));
+  EXPECT_NEAR(red[3], light(0.125), halfStep * light(0.125));
   const auto z = readChannel<float>(file, "Z", OIIO::TypeFloat);
   EXPECT_EQ(z, (std::vector<float>{100.0f + 2 / 1024.0f, 100.0f + 3 / 1024.0f,
                  std::numeric_limits<float>::infinity(), 100.0f + 1 / 1024.0f}));
@@ -279,8 +287,19 @@ TEST_F(ImageWriter, ExrOfManyRowsIsWhole)
   const auto green = readChannel<float>(this->write(image, "a.exr"), "G", OIIO::TypeHalf);
   for (int y = 0; y < 1000; ++y)
   {
-    EXPECT_EQ(green[(999 - y) * 3 + 1], y / 1024.0f);
+    const double wanted = light(y / 1024.0);
+    EXPECT_NEAR(green[(999 - y) * 3 + 1], wanted, halfStep * wanted + 1e-7);
   }
+}
+
+TEST_F(ImageWriter, ExrBringsColoursToLightBeforeAlpha)
+{
+  auto image = makeImage(1, 1, 4);
+  at(image, "color", 0, 0, 0) = 0.25f; // 0.5 seen through an alpha of one half
+  at(image, "color", 0, 0, 3) = 0.5f;
+  const std::string file = this->write(image, "a.exr");
+  EXPECT_NEAR(readChannel<float>(file, "R", OIIO::TypeHalf)[0], 0.5 * 0.21404114, 1e-4);
+  EXPECT_EQ(readChannel<float>(file, "A", OIIO::TypeHalf)[0], 0.5f);
 }
 
 TEST_F(ImageWriter, ArraysOfTakenNamesAreReported)

@@ -215,6 +215,25 @@ TEST(ParticleMapperErrors, MissingRadiusArray)
   EXPECT_EQ(complaints.errors, 1);
 }
 
+TEST(ParticleMapperErrors, MissingColorArray)
+{
+  Stage stage(makeParticles({{0, 0, 0, 1}}));
+  Complaints complaints(stage.mapper);
+  stage.mapper->SetScalarModeToUsePointFieldData();
+  stage.mapper->SelectColorArray("nothing");
+  EXPECT_GT(stage.trace().covered(), 0) << "the particles themselves are there";
+  stage.trace();
+  EXPECT_EQ(complaints.errors, 1) << complaints.text;
+  EXPECT_NE(complaints.text.find("\"nothing\""), std::string::npos) << complaints.text;
+  EXPECT_NE(complaints.text.find("radius"), std::string::npos) << "names what there is";
+  stage.mapper->SelectColorArray("radius");
+  stage.trace();
+  stage.mapper->ScalarVisibilityOff();
+  stage.mapper->SelectColorArray("nothing");
+  stage.trace();
+  EXPECT_EQ(complaints.errors, 1);
+}
+
 TEST(ParticleMapperErrors, NoNameForTheRadiusArray)
 {
   Stage stage(makeParticles({{0, 0, 0, 1}}));

@@ -168,8 +168,13 @@ TEST_F(Source, LeavesOutAndCountsOtherProps)
   stage.renderer->AddActor(plain);
   stage.renderer->AddActor(hidden);
   stage.renderer->AddViewProp(text);
+  Complaints complaints(source);
   source->Update();
   EXPECT_EQ(source->GetNumberOfIgnoredProps(), 2);
+  EXPECT_EQ(complaints.warnings, 1) << complaints.text;
+  source->Modified();
+  source->Update();
+  EXPECT_EQ(complaints.warnings, 1) << "told once";
   text->VisibilityOff();
   source->Update();
   EXPECT_EQ(source->GetNumberOfIgnoredProps(), 1);
