@@ -204,8 +204,40 @@ bool isTypes(vtkDataSet* data, const ArrayChoice& choice)
   vtkDataArray* array = arrayOf(data, choice);
   double range[2];
   return array && array->GetNumberOfComponents() == 1 && namesTypes(choice.name) &&
-         finiteRange(array, 0, range) && range[1] - range[0] < 12.0 &&
-         range[0] == std::floor(range[0]) && range[1] == std::floor(range[1]);
+         finiteRange(array, 0, range) && range[0] == std::floor(range[0]) &&
+         range[1] == std::floor(range[1]);
+}
+
+bool collectTypes(
+  vtkDataArray* array, int component, std::size_t limit, int span, std::vector<int>& types)
+{
+  double range[2];
+  if (!finiteRange(array, component, range) || range[0] < -1e6 || range[1] > 1e6)
+    return false;
+  std::vector<int> added;
+  bool possible = true;
+  double previous = std::nan("");
+  const auto isIn = [](const std::vector<int>& list, int type)
+  { return std::find(list.begin(), list.end(), type) != list.end(); };
+  forEachValue(array, component,
+    [&](double value)
+    {
+      if (!possible || value == previous || !std::isfinite(value))
+        return;
+      previous = value;
+      const int type = static_cast<int>(value);
+      possible = type == value;
+      if (!possible || isIn(types, type) || isIn(added, type))
+        return;
+      possible = types.size() + added.size() < limit;
+      added.push_back(type);
+    });
+  if (!possible)
+    return false;
+  std::sort(added.begin(), added.end());
+  types.insert(types.end(), added.begin(), added.end());
+  const auto [least, greatest] = std::minmax_element(types.begin(), types.end());
+  return *greatest - *least < span;
 }
 
 bool isColors(vtkDataArray* array)

@@ -45,8 +45,14 @@ bool finiteRange(vtkDataArray* array, int component, double range[2]);
 /// The least value above zero; 0 where there is none.
 double leastPositive(vtkDataArray* array, int component);
 
-/// Whether an array of few different integers that name kinds, such as atom types.
+/// Whether an array whose integers name kinds, such as atom types.
 bool isTypes(vtkDataSet* data, const ArrayChoice& choice);
+
+/// Adds the values that are not among `types` yet, in ascending order. False, with an incomplete
+/// list, where there are others than integers, more than `limit` in all, or less than `span` does
+/// not reach from the least to the greatest.
+bool collectTypes(
+  vtkDataArray* array, int component, std::size_t limit, int span, std::vector<int>& types);
 
 /// Whether the array holds colours (bytes, three or four of them) rather than values.
 bool isColors(vtkDataArray* array);

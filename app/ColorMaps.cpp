@@ -1,6 +1,7 @@
 #include "ColorMaps.h"
 
 #include <vtkLookupTable.h>
+#include <vtkVariant.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,6 +53,17 @@ void setColor(vtkLookupTable* table, int index, std::uint32_t from, std::uint32_
   table->SetTableValue(index, channel(16), channel(8), channel(0), 1.0);
 }
 
+/// For what has no value.
+void setNoColor(vtkLookupTable* table)
+{
+  table->SetNanColor(0.55, 0.55, 0.55, 1.0);
+}
+
+const std::vector<std::uint32_t>& typeColors()
+{
+  return controlPoints().back().colors;
+}
+
 } // namespace
 
 const std::vector<std::string>& colorMapNames()
@@ -74,17 +86,7 @@ vtkSmartPointer<vtkLookupTable> makeColorMap(
     maps.begin(), maps.end(), [&](const ControlPoints& map) { return name == map.name; });
   const std::vector<std::uint32_t>& colors = (found == maps.end() ? maps.front() : *found).colors;
   auto table = vtkSmartPointer<vtkLookupTable>::New();
-  table->SetNanColor(0.55, 0.55, 0.55, 1.0);
-  if (name == "types")
-  {
-    const double first = std::floor(range[0]);
-    const int count = static_cast<int>(std::clamp(std::floor(range[1]) - first + 1.0, 1.0, 256.0));
-    table->SetNumberOfTableValues(count);
-    table->SetTableRange(first - 0.5, first + count - 0.5);
-    for (int i = 0; i < count; ++i)
-      setColor(table, i, colors[i % colors.size()], 0, 0.0);
-    return table;
-  }
+  setNoColor(table);
   constexpr int size = 256;
   table->SetNumberOfTableValues(size);
   if (logarithmic)
@@ -96,6 +98,43 @@ vtkSmartPointer<vtkLookupTable> makeColorMap(
     const double place = static_cast<double>(i) / (size - 1) * last;
     const int left = std::min(static_cast<int>(place), last - 1);
     setColor(table, i, colors[left], colors[left + 1], place - left);
+  }
+  return table;
+}
+
+std::size_t numberOfTypeColors()
+{
+  return typeColors().size();
+}
+
+vtkSmartPointer<vtkLookupTable> makeTypeMap(const std::vector<int>& types)
+{
+  const auto [least, greatest] = std::minmax_element(types.begin(), types.end());
+  const int count = *greatest - *least + 1;
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  setNoColor(table);
+  table->SetNumberOfTableValues(count);
+  table->SetTableRange(*least - 0.5, *greatest + 0.5);
+  for (int i = 0; i < count; ++i)
+    table->SetTableValue(i, table->GetNanColor());
+  for (std::size_t i = 0; i < types.size(); ++i)
+    setColor(table, types[i] - *least, typeColors()[i], 0, 0.0);
+  return table;
+}
+
+vtkSmartPointer<vtkLookupTable> makeTypeLegend(const std::vector<int>& types)
+{
+  std::vector<int> ascending = types;
+  std::sort(ascending.begin(), ascending.end());
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  setNoColor(table);
+  table->SetNumberOfTableValues(static_cast<vtkIdType>(types.size()));
+  table->IndexedLookupOn();
+  for (std::size_t i = 0; i < types.size(); ++i)
+  {
+    const auto place = std::find(types.begin(), types.end(), ascending[i]) - types.begin();
+    setColor(table, static_cast<int>(i), typeColors()[place], 0, 0.0);
+    table->SetAnnotation(vtkVariant(ascending[i]), std::to_string(ascending[i]));
   }
   return table;
 }

@@ -13,9 +13,18 @@ namespace mote::app
 /// The names that makeColorMap() knows, the default first; "types", the last, is for few integers.
 const std::vector<std::string>& colorMapNames();
 
-/// A table of 256 colours between the ends of `range`; "types" gives one colour to each integer
-/// from range[0] to range[1] instead, and the table then spans half a number more at both ends.
+/// A table of 256 colours between the ends of `range`.
 vtkSmartPointer<vtkLookupTable> makeColorMap(
   const std::string& name, const double range[2], bool logarithmic);
+
+/// How many types makeTypeMap() can tell apart.
+std::size_t numberOfTypeColors();
+
+/// A colour of its own for each of these types, which may not be more than numberOfTypeColors(), in
+/// their order; a table that has an entry for every integer from the least to the greatest.
+vtkSmartPointer<vtkLookupTable> makeTypeMap(const std::vector<int>& types);
+
+/// The same colours as a table of names, for legends: ascending.
+vtkSmartPointer<vtkLookupTable> makeTypeLegend(const std::vector<int>& types);
 
 } // namespace mote::app

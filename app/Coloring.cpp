@@ -7,7 +7,6 @@
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
 #include <vtkLookupTable.h>
-#include <vtkVariant.h>
 
 #include <algorithm>
 #include <cmath>
@@ -99,6 +98,38 @@ bool Coloring::updateRange(const Parts& parts)
   return range_[0] <= range_[1];
 }
 
+bool Coloring::updateTypes(const Parts& parts)
+{
+  const Part* holder = holderOf(parts, choice_);
+  if (map_ != "types" && !(map_.empty() && isTypes(holder->data(), choice_)))
+    return false;
+  constexpr int greatestSpan = 4096;
+  const std::size_t limit = numberOfTypeColors();
+  if (!options_.range.empty())
+  {
+    const double first = std::ceil(options_.range[0]), last = std::floor(options_.range[1]);
+    types_.clear();
+    if (!(last - first < static_cast<double>(limit)) || std::abs(first) > 1e6)
+      return false;
+    for (int type = static_cast<int>(first); type <= last; ++type)
+      types_.push_back(type);
+    return !types_.empty();
+  }
+  for (const auto& part : parts)
+    if (vtkDataArray* array = arrayOf(part->data(), choice_); array && array->GetNumberOfTuples())
+      countable_ =
+        countable_ && collectTypes(array, choice_.component, limit, greatestSpan, types_);
+  return countable_ && !types_.empty();
+}
+
+void Coloring::forget()
+{
+  range_[0] = 1.0, range_[1] = 0.0;
+  leastPositive_ = 0.0;
+  types_.clear();
+  countable_ = true;
+}
+
 void Coloring::apply(const Parts& parts)
 {
   if (!chosen_)
@@ -107,8 +138,7 @@ void Coloring::apply(const Parts& parts)
   explained_ = holder && !isColors(arrayOf(holder->data(), choice_)) && this->updateRange(parts);
   if (holder)
     title_ = describe(holder->data(), choice_);
-  this->makeTable(
-    explained_ && (map_ == "types" || (map_.empty() && isTypes(holder->data(), choice_))));
+  this->makeTable(explained_ && this->updateTypes(parts));
   for (const auto& part : parts)
     part->setColors(choice_, table_);
 }
@@ -138,27 +168,16 @@ void Coloring::makeTable(bool types)
     range[0] -= options_.logarithmic ? 0.5 * margin : margin;
     range[1] += margin;
   }
-  types = types && range[1] - range[0] < 64.0;
-  const std::string map = types ? "types" : map_.empty() || map_ == "types" ? "viridis" : map_;
-  table_ = makeColorMap(map, range, options_.logarithmic && !types);
+  const bool named = !map_.empty() && map_ != "types";
+  table_ = types ? makeTypeMap(types_)
+                 : makeColorMap(named ? map_ : "viridis", range, options_.logarithmic);
   if (choice_.component == ArrayChoice::magnitude)
     table_->SetVectorModeToMagnitude();
   else
     table_->SetVectorModeToComponent();
   table_->SetVectorComponent(std::max(0, choice_.component));
 
-  legendTable_ = table_;
-  if (types)
-  {
-    legendTable_ = vtkSmartPointer<vtkLookupTable>::New();
-    legendTable_->DeepCopy(table_);
-    legendTable_->IndexedLookupOn();
-    for (int i = 0; i < static_cast<int>(table_->GetNumberOfTableValues()); ++i)
-    {
-      const int type = static_cast<int>(std::lround(range[0])) + i;
-      legendTable_->SetAnnotation(vtkVariant(type), std::to_string(type));
-    }
-  }
+  legendTable_ = types ? makeTypeLegend(types_) : table_;
 }
 
 void Coloring::nextArray(const Parts& parts)
@@ -171,8 +190,7 @@ void Coloring::nextArray(const Parts& parts)
     choice_ = candidates.empty() ? ArrayChoice{} : candidates.front();
   else
     choice_ = present + 1 == candidates.end() ? ArrayChoice{} : present[1];
-  range_[0] = 1.0, range_[1] = 0.0;
-  leastPositive_ = 0.0;
+  this->forget();
   chosen_ = true;
   this->apply(parts);
 }
@@ -185,8 +203,7 @@ void Coloring::nextComponent(const Parts& parts)
     return;
   choice_.component =
     choice_.component + 1 < components ? choice_.component + 1 : ArrayChoice::magnitude;
-  range_[0] = 1.0, range_[1] = 0.0;
-  leastPositive_ = 0.0;
+  this->forget();
   this->apply(parts);
 }
 

@@ -45,13 +45,17 @@ public:
 private:
   void choose(const std::vector<std::unique_ptr<Part>>& parts);
   bool updateRange(const std::vector<std::unique_ptr<Part>>& parts);
+  bool updateTypes(const std::vector<std::unique_ptr<Part>>& parts);
   void makeTable(bool types);
+  void forget();
 
   const ViewOptions& options_;
   ArrayChoice choice_;
   bool chosen_ = false;
   double range_[2] = {1.0, 0.0};
   double leastPositive_ = 0.0;
+  std::vector<int> types_; // in the order of their colours; new ones come last
+  bool countable_ = true;  // whether types_ could be found
   std::string map_;
   std::string title_;
   bool explained_ = false; // there is something for a legend to explain

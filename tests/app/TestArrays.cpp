@@ -97,3 +97,16 @@ TEST_F(Arrays, TypesAreFewIntegersThatNameKinds)
   EXPECT_FALSE(isTypes(data, findArray(data, "id")));
   EXPECT_FALSE(isTypes(data, findArray(data, "radius")));
 }
+
+TEST_F(Arrays, TypesAreCollectedOnce)
+{
+  std::vector<int> types = {4, 9};
+  EXPECT_TRUE(collectTypes(data->GetPointData()->GetArray("type"), 0, 8, 100, types));
+  EXPECT_EQ(types, (std::vector<int>{4, 9, 1, 2, 3}));
+  types.clear();
+  EXPECT_FALSE(collectTypes(data->GetPointData()->GetArray("type"), 0, 3, 100, types));
+  types.clear();
+  EXPECT_FALSE(collectTypes(data->GetPointData()->GetArray("type"), 0, 8, 3, types));
+  types.clear();
+  EXPECT_FALSE(collectTypes(data->GetPointData()->GetArray("radius"), 0, 8, 100, types));
+}
