@@ -2,6 +2,7 @@
 
 #include "FileError.h"
 #include "LAMMPSDump.h"
+#include "PDBReader.h"
 #include "PLYCheck.h"
 #include "TextFile.h"
 #include "vtkMoteDelimitedPointsReader.h"
@@ -12,7 +13,6 @@
 #include "vtkGenericDataObjectReader.h"
 #include "vtkOBJReader.h"
 #include "vtkOpenFOAMReader.h"
-#include "vtkPDBReader.h"
 #include "vtkPLYReader.h"
 #include "vtkSTLReader.h"
 #include "vtkXMLImageDataReader.h"
@@ -49,6 +49,11 @@ vtkSmartPointer<vtkAlgorithm> makeLAMMPS(const FileNames& fileNames)
   return reader;
 }
 
+vtkSmartPointer<vtkAlgorithm> makePDB(const FileNames& fileNames)
+{
+  return makePDBReader(fileNames.front());
+}
+
 vtkSmartPointer<vtkAlgorithm> makePLY(const FileNames& fileNames)
 {
   checkPLYIsWhole(fileNames.front());
@@ -65,7 +70,7 @@ const std::vector<ReaderFormat>& readerFormats()
     {{".xyz", ".xyz.gz"}, "XYZ and extended XYZ atoms", make<vtkMoteXYZReader>},
     {{".pts", ".pts.gz"}, "points, x y z a line", make<vtkMotePointsReader>},
     {{".csv"}, "table with columns x, y, z", make<vtkMoteDelimitedPointsReader>},
-    {{".pdb"}, "Protein Data Bank atoms", make<vtkPDBReader>},
+    {{".pdb"}, "Protein Data Bank atoms", makePDB},
     {{".vtp"}, "VTK XML polygonal data", make<vtkXMLPolyDataReader>},
     {{".vtu"}, "VTK XML unstructured grid", make<vtkXMLUnstructuredGridReader>},
     {{".vti"}, "VTK XML image", make<vtkXMLImageDataReader>},

@@ -11,6 +11,7 @@
 #include "vtkNew.h"
 #include "vtkOutputWindow.h"
 #include "vtkPLYWriter.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSTLWriter.h"
 #include "vtkSphereSource.h"
@@ -115,6 +116,56 @@ TEST_F(TestReaderTable, ReadersOfVTK)
   const std::string atom =
     "ATOM      1  N   ASP E   1       4.868 -17.809  25.188  1.00 34.37      E    N\n";
   EXPECT_EQ(points(write("a.pdb", atom), "vtkPDBReader"), 1);
+}
+
+TEST_F(TestReaderTable, WholePDB)
+{
+  const std::string atom =
+    "ATOM      1  N   ASP E   1       4.868 -17.809  25.188  1.00 34.37      E    N";
+  const std::string master = "MASTER        0    0    0    0    0    0    0    0";
+  const std::vector<std::pair<std::string, int>> cases = {
+    {atom + "\n" + atom + "\n", 2},
+    {atom + "\r\n" + atom + "\r\nEND\r\n", 2},
+    {atom + "\nEND", 1},
+    {atom + "\n" + atom, 2},
+    {atom.substr(0, 54) + "\nEND\n", 1},
+    {atom + "\n" + master + "    1    0\nEND\n", 1},
+    {atom + "\n" + atom + "\n" + master + "    1    0\nEND\n", 2},
+    {"MODEL        1\n" + atom + "\nENDMDL\nMODEL        2\n" + atom + "\nENDMDL\n" + master +
+        "    2    0\nEND\n",
+      2},
+  };
+  for (const auto& [text, count] : cases)
+  {
+    auto object = read(write("a.pdb", text), "vtkPDBReader");
+    auto* data = vtkPolyData::SafeDownCast(object);
+    ASSERT_TRUE(data) << text;
+    EXPECT_EQ(data->GetNumberOfPoints(), count) << text;
+    vtkDataArray* radius = data->GetPointData()->GetArray("radius");
+    ASSERT_TRUE(radius) << text;
+    EXPECT_EQ(radius->GetNumberOfComponents(), 1);
+    EXPECT_EQ(radius->GetNumberOfTuples(), count);
+    EXPECT_NEAR(radius->GetTuple1(0), 1.55, 0.2); // nitrogen
+  }
+}
+
+TEST_F(TestReaderTable, DamagedPDB)
+{
+  const std::string atom =
+    "ATOM      1  N   ASP E   1       4.868 -17.809  25.188  1.00 34.37      E    N\n";
+  std::string words = atom;
+  words.replace(38, 8, "   -17.x");
+  const std::string cut = "the last line has no line end, so the file may have been cut short";
+  expectError(write("a.pdb", atom + atom.substr(0, 60)), ", line 2: " + cut);
+  expectError(write("b.pdb", atom + atom.substr(0, 29)), ", line 2: " + cut);
+  expectError(write("c.pdb", atom + atom.substr(0, 50) + "\n" + atom),
+    ", line 2: the record of an atom ends after 50 columns, and its coordinates take 54");
+  expectError(
+    write("d.pdb", atom + words), ", line 2, column 39: expected a number for 'y', found '-17.x'");
+  expectError(
+    write("e.pdb", atom + "MASTER        0    0    0    0    0    0    0    0    2    0\nEND\n"),
+    ", line 2: the MASTER record counts 2 atoms, but the file has 1");
+  expectError(writeGzip("f.pdb", atom), "PDB is not read from gzip files");
 }
 
 TEST_F(TestReaderTable, OpenFOAMCase)

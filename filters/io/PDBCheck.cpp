@@ -1,0 +1,152 @@
+#include "PDBCheck.h"
+
+#include "FileError.h"
+#include "ParseNumber.h"
+#include "TextFile.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <string_view>
+
+namespace mote
+{
+namespace
+{
+
+// Columns of the format (wwPDB, Atomic Coordinate Entry Format 3.3), from 0.
+constexpr std::size_t CoordinatesBegin = 30;
+constexpr std::size_t CoordinateWidth = 8;
+constexpr std::size_t CoordinatesEnd = 54;
+constexpr std::size_t ElementEnd = 78; ///< only an optional charge follows
+constexpr std::size_t MasterAtoms = 50;
+constexpr std::size_t MasterWidth = 5;
+
+/// What has been seen of a file.
+struct Walk
+{
+  const std::string& path;
+  std::uint64_t line = 0;
+  std::int64_t atoms = 0;
+
+  [[noreturn]] void refuse(
+    FileError::Kind kind, const std::string& sentence, std::size_t column = 0) const
+  {
+    throw FileError(kind, this->path, sentence, this->line, column);
+  }
+};
+
+/// The name of a record: its first word of up to six characters, in upper case.
+std::string recordName(std::string_view line)
+{
+  std::string name;
+  for (const char c : line.substr(0, 6))
+  {
+    if (!endsToken(c))
+    {
+      name.push_back(static_cast<char>(std::toupper(static_cast<unsigned char>(c))));
+    }
+    else if (!name.empty())
+    {
+      break;
+    }
+  }
+  return name;
+}
+
+/// The columns of a field without blanks around the value, and with an end for the parsers.
+std::string field(std::string_view line, std::size_t begin, std::size_t width)
+{
+  std::string_view text = line.substr(std::min(begin, line.size()), width);
+  const std::size_t first = text.find_first_not_of(' ');
+  text = first == text.npos ? std::string_view() : text.substr(first);
+  return std::string(text.substr(0, text.find_last_not_of(' ') + 1));
+}
+
+void checkAtom(const Walk& walk, std::string_view line)
+{
+  if (line.size() < CoordinatesEnd)
+  {
+    walk.refuse(FileError::Kind::Malformed,
+      "the record of an atom ends after " + std::to_string(line.size()) +
+        " columns, and its coordinates take " + std::to_string(CoordinatesEnd));
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const std::size_t begin = CoordinatesBegin + axis * CoordinateWidth;
+    const std::string text = field(line, begin, CoordinateWidth);
+    double value = 0;
+    const char* const end = parseDouble(text.c_str(), value);
+    if (!end || *end != '\0')
+    {
+      walk.refuse(FileError::Kind::Malformed,
+        std::string("expected a number for '") + static_cast<char>('x' + axis) + "', found '" +
+          text + "'",
+        begin + 1);
+    }
+  }
+}
+
+/// A last line without a line end may still be whole.
+void checkOpenEnd(const Walk& walk, const std::string& record, std::string_view line)
+{
+  if (record != "END" && line.size() < ElementEnd)
+  {
+    walk.refuse(FileError::Kind::Truncated,
+      "the last line has no line end, so the file may have been cut short");
+  }
+}
+
+/// MASTER counts the atoms, in entries of several models often those of the first one only.
+void checkMaster(const Walk& walk, std::string_view line)
+{
+  const std::string text = field(line, MasterAtoms, MasterWidth);
+  std::int64_t count = 0;
+  const char* const end = parseInteger(text.c_str(), count);
+  // More atoms are no sign of a cut: programs that add hydrogens leave the record as it was.
+  if (end && *end == '\0' && walk.atoms < count)
+  {
+    walk.refuse(FileError::Kind::Truncated, "the MASTER record counts " + std::to_string(count) +
+                                              " atoms, but the file has " +
+                                              std::to_string(walk.atoms));
+  }
+}
+
+} // namespace
+
+void checkPDBIsWhole(const std::string& path)
+{
+  const TextFile file(path);
+  if (file.isGzip())
+  {
+    throw FileError(FileError::Kind::OtherFormat, path,
+      "PDB is not read from gzip files; unpack it first (gunzip)");
+  }
+  Walk walk{path};
+  std::string_view rest = file.text();
+  std::string record;
+  while (!rest.empty() && record != "END")
+  {
+    ++walk.line;
+    const std::size_t end = rest.find('\n');
+    std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(end == rest.npos ? rest.size() : end + 1);
+    line = line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
+    record = recordName(line);
+    if (end == std::string_view::npos)
+    {
+      checkOpenEnd(walk, record, line);
+    }
+    if (record == "ATOM" || record == "HETATM")
+    {
+      checkAtom(walk, line);
+      ++walk.atoms;
+    }
+    else if (record == "MASTER")
+    {
+      checkMaster(walk, line);
+    }
+  }
+}
+
+} // namespace mote
