@@ -5,8 +5,17 @@
 
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <set>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 namespace mote
 {
@@ -63,6 +72,68 @@ std::vector<ColumnType> chooseTypes(TextCursor& cursor, const LAMMPSFrame& frame
   return types;
 }
 
+/// The words that stand for the types of atoms: element, typelabel or any other array of words.
+vtkStringArray* typeWords(vtkPointData* arrays)
+{
+  for (const char* name : {"element", "typelabel"})
+  {
+    if (auto* words = vtkStringArray::SafeDownCast(arrays->GetAbstractArray(name)))
+    {
+      return words;
+    }
+  }
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    auto* words = vtkStringArray::SafeDownCast(arrays->GetAbstractArray(i));
+    if (words && words->GetNumberOfComponents() == 1)
+    {
+      return words;
+    }
+  }
+  return nullptr;
+}
+
+/// Adds "type" to a frame that has only words for it: their place in alphabetical order, from 1.
+void addTypes(const LAMMPSFrame& frame, vtkPointData* arrays)
+{
+  const std::vector<std::string>& columns = *frame.columns;
+  vtkStringArray* words = typeWords(arrays);
+  if (!words || std::find(columns.begin(), columns.end(), "type") != columns.end())
+  {
+    return;
+  }
+  using Range = tbb::blocked_range<vtkIdType>;
+  using Words = std::set<std::string>;
+  const Range all(0, words->GetNumberOfValues(), 10000);
+  const vtkStdString* const texts = all.empty() ? nullptr : words->GetPointer(0);
+  const Words distinct = tbb::parallel_reduce(
+    all, Words(),
+    [&](const Range& range, Words found)
+    {
+      found.insert(texts + range.begin(), texts + range.end());
+      return found;
+    },
+    [](Words a, const Words& b)
+    {
+      a.insert(b.begin(), b.end());
+      return a;
+    });
+  const std::vector<std::string> sorted(distinct.begin(), distinct.end());
+  vtkNew<vtkIntArray> types;
+  types->SetName("type");
+  types->SetNumberOfTuples(words->GetNumberOfValues());
+  tbb::parallel_for(all,
+    [&](const Range& range)
+    {
+      for (vtkIdType i = range.begin(); i < range.end(); ++i)
+      {
+        const auto at = std::lower_bound(sorted.begin(), sorted.end(), texts[i]);
+        types->SetValue(i, static_cast<int>(at - sorted.begin()) + 1);
+      }
+    });
+  arrays->AddArray(types);
+}
+
 void addHeader(const LAMMPSFrame& frame, vtkFieldData* fields)
 {
   vtkNew<vtkIdTypeArray> timestep;
@@ -107,6 +178,7 @@ void readLAMMPSFrame(const std::string& path, const LAMMPSFrame& frame,
     { placement.apply(positions, first, count); };
   }
   readPointRows(cursor, std::move(rows), progress, output);
+  addTypes(frame, output->GetPointData());
   addHeader(frame, output->GetFieldData());
 }
 

@@ -14,6 +14,10 @@
  *   vtkIdType, type, proc, ix, iy, iz int (wider where a value needs it), element and other
  *   columns of words strings, the rest double. Columns that make a vector become one array whose
  *   components carry the columns' names: vx vy vz are "v", c_s[1] c_s[2] c_s[3] "c_s".
+ * - point data "type" (int) also where no column has that name but one of words does (element, else
+ *   typelabel, else the first): the distinct words of the time step numbered from 1 in alphabetical
+ *   order. It comes and goes with the array of words, and is not in the array selection. A step
+ *   that lacks some of the words numbers the others differently.
  * - field data: "TimeValue" (as other readers name it), "timestep", "box" (nine values: the cell
  *   vectors a, b, c), "box_origin", "boundary" ("pp pp fm") and "units", the last two where given.
  *

@@ -80,6 +80,37 @@ TEST_F(TestLAMMPSReader, PointsArraysAndTheirTypes)
   EXPECT_EQ(elements->GetValue(1), "O");
 }
 
+TEST_F(TestLAMMPSReader, WordsBecomeTypesWhereThereIsNoTypeColumn)
+{
+  vtkPolyData* data = read(write("a.dump",
+    dumpFrame(0, 4, "id element x y z", "1 Si 0 0 0\n2 C 0 0 0\n3 O 0 0 0\n4 Si 0 0 0\n")));
+  vtkDataArray* types = data->GetPointData()->GetArray("type");
+  ASSERT_TRUE(types);
+  EXPECT_EQ(types->GetDataType(), VTK_INT);
+  const double expected[] = {3, 1, 2, 3};
+  for (vtkIdType i = 0; i < 4; ++i)
+  {
+    EXPECT_EQ(types->GetTuple1(i), expected[i]) << i;
+  }
+  EXPECT_TRUE(data->GetPointData()->GetAbstractArray("element"));
+  // Many rows, shared out among threads.
+  std::string rows;
+  for (int i = 0; i < 50000; ++i)
+  {
+    rows += std::string(1, static_cast<char>('z' - i % 26)) + " 0 0 0\n";
+  }
+  types = read(write("b.dump", dumpFrame(0, 50000, "word x y z", rows)))
+            ->GetPointData()
+            ->GetArray("type");
+  ASSERT_TRUE(types);
+  for (int i = 0; i < 50000; ++i)
+  {
+    ASSERT_EQ(types->GetTuple1(i), 26 - i % 26);
+  }
+  data = read(write("c.dump", dumpFrame(0, 0, "element x y z", "")));
+  EXPECT_EQ(data->GetNumberOfPoints(), 0);
+}
+
 TEST_F(TestLAMMPSReader, FieldDataHoldTheHeader)
 {
   vtkPolyData* data = read(write("a.dump", "ITEM: UNITS\nmetal\nITEM: TIME\n0.5\n" +
