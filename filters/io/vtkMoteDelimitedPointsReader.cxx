@@ -17,6 +17,9 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
+#include <algorithm>
+#include <string_view>
+
 #include <vtksys/SystemTools.hxx>
 
 namespace
@@ -29,6 +32,51 @@ void keepMessage(vtkObject*, unsigned long, void* message, void* text)
   *static_cast<std::string*>(message) = static_cast<const char*>(text);
 }
 
+/// What separates the names in the first line: the most frequent of comma, semicolon and tab.
+char delimiterOf(std::string_view text)
+{
+  const std::string_view names = text.substr(0, text.find_first_of("\r\n"));
+  char best = ',';
+  for (const char candidate : {';', '\t'})
+  {
+    if (std::count(names.begin(), names.end(), candidate) >
+        std::count(names.begin(), names.end(), best))
+    {
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+/// Takes blanks, and the byte order mark that some programs begin a file with, off the names.
+void trimNames(vtkTable* table)
+{
+  for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
+  {
+    const char* given = table->GetColumnName(i);
+    std::string name = given ? given : "";
+    name.erase(0, name.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+    name.erase(0, std::min(name.find_first_not_of(" \t"), name.size()));
+    name.erase(name.find_last_not_of(" \t") + 1);
+    table->GetColumn(i)->SetName(name.c_str());
+  }
+}
+
+/// Throws FileError for what is no plain text.
+void requireText(const mote::TextFile& file)
+{
+  if (file.isGzip())
+  {
+    throw FileError(FileError::Kind::OtherFormat, file.path(),
+      "tables are not read from gzip files; unpack it first (gunzip)");
+  }
+  if (file.text().substr(0, 4096).find('\0') != std::string_view::npos)
+  {
+    throw FileError(
+      FileError::Kind::OtherFormat, file.path(), "this is a binary file, not a table of text");
+  }
+}
+
 std::string namesOf(vtkTable* table)
 {
   std::string names;
@@ -39,7 +87,7 @@ std::string namesOf(vtkTable* table)
   return names;
 }
 
-/// The column of an axis, as numbers.
+/// The column of an axis, as numbers; null if there is none for z.
 vtkDataArray* coordinate(vtkTable* table, const std::string& axis, const std::string& path)
 {
   for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
@@ -65,8 +113,12 @@ vtkDataArray* coordinate(vtkTable* table, const std::string& axis, const std::st
       }
     }
   }
+  if (axis == "z")
+  {
+    return nullptr;
+  }
   throw FileError(FileError::Kind::Malformed, path,
-    "no column is named '" + axis + "'; points need columns x, y and z, and here are " +
+    "no column is named '" + axis + "'; points need columns x, y and mostly z, and here are " +
       namesOf(table),
     1);
 }
@@ -82,7 +134,7 @@ void convert(vtkTable* table, const std::string& path, vtkPolyData* output)
     axes[axis] = coordinate(table, std::string(1, static_cast<char>('x' + axis)), path);
     for (vtkIdType row = 0; row < count; ++row)
     {
-      positions[3 * row + axis] = axes[axis]->GetComponent(row, 0);
+      positions[3 * row + axis] = axes[axis] ? axes[axis]->GetComponent(row, 0) : 0.0;
     }
   }
   output->SetPoints(points);
@@ -116,11 +168,7 @@ int vtkMoteDelimitedPointsReader::RequestData(
       this->RequireFileName();
       const std::string path = this->GetFileName();
       const mote::TextFile file(path); // says clearly why a file cannot be opened
-      if (file.isGzip())
-      {
-        throw FileError(FileError::Kind::OtherFormat, path,
-          "tables are not read from gzip files; unpack it first (gunzip)");
-      }
+      requireText(file);
       std::string message;
       vtkNew<vtkCallbackCommand> keep;
       keep->SetCallback(keepMessage);
@@ -130,6 +178,9 @@ int vtkMoteDelimitedPointsReader::RequestData(
       reader->SetFileName(path.c_str());
       reader->SetHaveHeaders(true);
       reader->DetectNumericColumnsOn();
+      reader->TrimWhitespacePriorToNumericConversionOn();
+      const char delimiter[] = {delimiterOf(file.text()), '\0'};
+      reader->SetFieldDelimiterCharacters(delimiter);
       reader->Update();
       if (!message.empty() || reader->GetOutput()->GetNumberOfRows() == 0)
       {
@@ -137,6 +188,7 @@ int vtkMoteDelimitedPointsReader::RequestData(
           file.bytes() == 0 ? "the file is empty"
                             : "the table has no row below the names of its columns");
       }
+      trimNames(reader->GetOutput());
       convert(reader->GetOutput(), path, result);
     });
   if (good)

@@ -1,8 +1,10 @@
 /**
  * @class   vtkMoteDelimitedPointsReader
- * @brief   reads points from a table of comma-separated values
+ * @brief   reads points from a table of values between commas, semicolons or tabs
  *
- * The first line names the columns; those named x, y and z (in either case) hold the coordinates
+ * The first line names the columns, and tells by its most frequent one of comma, semicolon and tab
+ * what separates the values; blanks around names and numbers do not matter. The columns x, y and z
+ * (in either case) hold the coordinates, z = 0 where there is no column z,
  * and every other one becomes a point array under its own name, numbers as numbers (see
  * vtkDelimitedTextReader's DetectNumericColumns) and all else as strings. Output: vtkPolyData with
  * the points in double and file order, and one vertex cell a point. A file without such columns,

@@ -124,7 +124,7 @@ TEST_F(TestPointReaders, Tables)
       {"", "the file is empty"},
       {"x,y,z\n", "the table has no row below the names"},
       {"a,b\n1,2\n",
-       "line 1: no column is named 'x'; points need columns x, y and z, and here are 'a', 'b'"},
+       "line 1: no column is named 'x'; points need columns x, y and mostly z, and here are 'a', 'b'"},
       {"x,y,z\n1,2,3\n1,two,3\n", "line 3: expected a number for 'y', found 'two'"},
   };
   for (const auto& [text, sentence] : cases)
@@ -135,6 +135,32 @@ TEST_F(TestPointReaders, Tables)
   }
   read(*reader, writeGzip("b.csv", "x,y,z\n1,2,3\n"));
   EXPECT_NE(m_error.find("gzip"), std::string::npos) << m_error;
+}
+
+TEST_F(TestPointReaders, TablesAsOtherProgramsWriteThem)
+{
+  const std::vector<std::pair<const char*, double>> cases = {
+    {"x, y, z, mass\n1, 2, 3, 0.5\n", 3},
+    {" X ; y;z; mass \r\n1;2;3; 0.5\r\n", 3},
+    {"x\ty\tz\tmass\n1\t2\t3\t0.5\n", 3},
+    {"\xEF\xBB\xBFx,y,z,mass\n1,2,3,0.5\n", 3},
+    {"x,y,mass\n1,2,0.5\n", 0},
+  };
+  for (const auto& [text, z] : cases)
+  {
+    vtkNew<vtkMoteDelimitedPointsReader> reader;
+    vtkPolyData* data = read(*reader, write("a.csv", text));
+    ASSERT_EQ(m_error, "") << text;
+    ASSERT_EQ(data->GetNumberOfPoints(), 1) << text;
+    EXPECT_EQ(data->GetPoint(0)[0], 1) << text;
+    EXPECT_EQ(data->GetPoint(0)[1], 2) << text;
+    EXPECT_EQ(data->GetPoint(0)[2], z) << text;
+    ASSERT_TRUE(data->GetPointData()->GetArray("mass")) << text;
+    EXPECT_EQ(data->GetPointData()->GetArray("mass")->GetTuple1(0), 0.5) << text;
+  }
+  vtkNew<vtkMoteDelimitedPointsReader> reader;
+  read(*reader, write("binary.csv", std::string("\x01\0\x02x,y,z\n1,2,3\n", 16)));
+  EXPECT_NE(m_error.find("binary.csv: this is a binary file"), std::string::npos) << m_error;
 }
 
 } // namespace
