@@ -187,6 +187,14 @@ bool finiteRange(vtkDataArray* array, int component, double range[2])
   return range[0] <= range[1];
 }
 
+std::int64_t countInRange(vtkDataArray* array, int component, const double range[2])
+{
+  std::int64_t count = 0;
+  forEachValue(
+    array, component, [&](double value) { count += value >= range[0] && value <= range[1]; });
+  return count;
+}
+
 double leastPositive(vtkDataArray* array, int component)
 {
   double least = HUGE_VAL;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,9 @@ std::string listArrays(vtkDataSet* data);
 
 /// Least and greatest finite value; false where there is none.
 bool finiteRange(vtkDataArray* array, int component, double range[2]);
+
+/// How many values lie in the range, its ends included.
+std::int64_t countInRange(vtkDataArray* array, int component, const double range[2]);
 
 /// The least value above zero; 0 where there is none.
 double leastPositive(vtkDataArray* array, int component);

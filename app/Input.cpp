@@ -107,6 +107,9 @@ int Input::chosenStep(const ViewOptions& options) const
   {
     if (times_.empty())
       throw Failure(this->name() + " has no time, so --time means nothing for it");
+    if (*options.time < times_.front())
+      throw Failure(this->name() + " begins at time " + asNumber(times_.front(), 10) +
+                    ", after --time " + asNumber(*options.time, 10));
     const auto after = std::upper_bound(times_.begin(), times_.end(), *options.time);
     return std::max(0, static_cast<int>(after - times_.begin()) - 1);
   }

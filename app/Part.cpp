@@ -192,12 +192,20 @@ void Part::setVisible(const ArrayChoice& choice, const double range[2])
 {
   if (!particles_)
     return;
+  numberHidden_ = 0;
   particles_->SetUseVisibilityRange(arrayOf(data_, choice) != nullptr);
   if (!particles_->GetUseVisibilityRange())
     return;
   particles_->SetVisibilityArrayName(choice.name.c_str());
   particles_->SetVisibilityComponent(choice.component);
   particles_->SetVisibilityRange(range[0], range[1]);
+  vtkDataArray* array = arrayOf(data_, choice);
+  numberHidden_ = array->GetNumberOfTuples() - countInRange(array, choice.component, range);
+}
+
+vtkIdType Part::numberShown() const
+{
+  return particles_ ? particles_->GetNumberOfParticles() - numberHidden_ : 0;
 }
 
 } // namespace mote::app

@@ -38,6 +38,9 @@ public:
   /// Hides particles with values outside; no array to show all.
   void setVisible(const ArrayChoice& choice, const double range[2]);
 
+  /// How many particles are not hidden.
+  vtkIdType numberShown() const;
+
   void setRadiusScale(double scale);
 
   const std::string& name() const { return name_; }
@@ -55,6 +58,7 @@ private:
   vtkNew<vtkActor> actor_;
   vtkSmartPointer<vtkMapper> mapper_;
   vtkMoteParticleMapper* particles_ = nullptr;
+  vtkIdType numberHidden_ = 0;
   double radiusScale_ = 1.0;
   double keptRadius_ = 0.0; // from the spacing of the first step with particles
 };

@@ -169,6 +169,9 @@ void render(const RenderOptions& given)
   const auto trace = [&](int step, const std::string& file, double readTime)
   {
     picture.aim(file);
+    if (scene.numberShown() == 0 && scene.numberOfParticles() > 0)
+      std::fprintf(
+        stderr, "mote: warning: --show-range hides every particle in %s\n", file.c_str());
     std::string caption = input.name() + "   " + scene.contents();
     if (!input.times().empty())
       caption += "   t = " + asNumber(input.times()[step], 10);

@@ -162,6 +162,14 @@ vtkIdType Scene::numberOfParticles() const
   return count;
 }
 
+vtkIdType Scene::numberShown() const
+{
+  vtkIdType count = 0;
+  for (const auto& part : parts_)
+    count += part->numberShown();
+  return count;
+}
+
 vtkIdType Scene::numberOfCells() const
 {
   vtkIdType count = 0;
@@ -196,7 +204,11 @@ std::string Scene::contents() const
   const bool particles = std::any_of(
     parts_.begin(), parts_.end(), [](const auto& part) { return part->particles() != nullptr; });
   if (particles || parts_.empty())
+  {
     text = counted(this->numberOfParticles(), "particle");
+    if (this->numberShown() != this->numberOfParticles())
+      text = withThousands(this->numberShown()) + " of " + text + " shown";
+  }
   if (cells > 0)
     text += (text.empty() ? "" : ", ") + counted(cells, "cell");
   return text;

@@ -44,11 +44,12 @@ public:
   void bounds(double bounds[6]) const;
 
   vtkIdType numberOfParticles() const;
+  vtkIdType numberShown() const;   ///< of the particles, those that are not hidden
   vtkIdType numberOfCells() const; ///< of parts that are shown by their surface
   vtkTypeInt64 structureBytes() const;
   double buildTime() const;
 
-  /// "84,270 particles", "33,600 cells"...
+  /// "84,270 particles", "12 of 84,270 particles shown", "33,600 cells"...
   std::string contents() const;
 
 private:

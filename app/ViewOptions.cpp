@@ -7,7 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include <cstdio>
+#include <algorithm>
+#include <cmath>
 
 namespace mote::app
 {
@@ -17,12 +18,16 @@ namespace
 
 std::array<int, 2> parseSize(const std::string& text)
 {
-  std::array<int, 2> size{};
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%d%*1[xX]%d%c", &size[0], &size[1], &rest) != 2 || size[0] < 1 ||
-      size[1] < 1 || size[0] > 65536 || size[1] > 65536)
+  const std::size_t sign = text.find_first_of("xX");
+  double width = 0.0, height = 0.0;
+  if (sign == std::string::npos || !parseNumber(text.substr(0, sign), width) ||
+      !parseNumber(text.substr(sign + 1), height) || width != std::floor(width) ||
+      height != std::floor(height))
     throw CLI::ValidationError("--size", "'" + text + "' is no size like 1920x1080");
-  return size;
+  if (std::min(width, height) < 1.0 || std::max(width, height) > 65536.0)
+    throw CLI::ValidationError(
+      "--size", "width and height may go from 1 to 65536 pixels, unlike " + text);
+  return {static_cast<int>(width), static_cast<int>(height)};
 }
 
 std::string checkStep(const std::string& text)
@@ -70,6 +75,19 @@ std::string checkOrder(const std::vector<double>& range)
   return range.size() == 2 && !(range[0] < range[1]) ? "LO must be less than HI" : "";
 }
 
+/// For every option that takes a number: it must be finite, and perhaps above zero.
+CLI::Validator number(bool aboveZero)
+{
+  return {[aboveZero](std::string& text) -> std::string
+    {
+      double value = 0.0;
+      if (!parseNumber(text, value))
+        return "'" + text + "' is no finite number";
+      return aboveZero && value <= 0.0 ? "must be above zero, not " + text : "";
+    },
+    "", "number"};
+}
+
 void addColorOptions(CLI::App& app, ViewOptions& o)
 {
   const std::string group = "Colour";
@@ -97,17 +115,30 @@ void addColorOptions(CLI::App& app, ViewOptions& o)
         o.range = range;
       },
       "Values at the two ends of the colours. By default the array's least and greatest")
+    ->check(number(false))
     ->expected(2)
     ->type_name("LO HI")
     ->group(group);
   app.add_flag("--log", o.logarithmic, "Logarithmic colours")->group(group);
-  app.add_option("--show-range", o.showRange, "Hide particles with values outside LO to HI")
-    ->expected(2)
-    ->type_name("LO HI")
-    ->group(group);
+  auto* shown =
+    app
+      .add_option_function<std::vector<double>>(
+        "--show-range",
+        [&o](const std::vector<double>& range)
+        {
+          if (range.size() == 2 && range[0] > range[1])
+            throw CLI::ValidationError("--show-range", "LO must not be greater than HI");
+          o.showRange = range;
+        },
+        "Hide particles with values outside LO to HI")
+      ->check(number(false))
+      ->expected(2)
+      ->type_name("LO HI")
+      ->group(group);
   app
     .add_option("--show-by", o.showBy,
       "Array that --show-range speaks of, named as in --color-by. By default the one that colours")
+    ->needs(shown)
     ->type_name("NAME")
     ->group(group);
 }
@@ -134,7 +165,7 @@ void addRadiusOptions(CLI::App& app, ViewOptions& o)
   app
     .add_option("--radius-scale", o.radiusScale,
       "Factor on every radius; 0.5 where the array holds diameters")
-    ->check(CLI::PositiveNumber.description(""))
+    ->check(number(true))
     ->type_name("F")
     ->group(group);
 }
@@ -153,13 +184,15 @@ void addCameraOptions(CLI::App& app, ViewOptions& o)
     ->capture_default_str()
     ->group(group);
   app.add_option("--azimuth", o.azimuth, "Then walk around to the right by so many degrees")
+    ->check(number(false))
     ->type_name("DEG")
     ->group(group);
   app.add_option("--elevation", o.elevation, "Then climb by so many degrees")
+    ->check(number(false))
     ->type_name("DEG")
     ->group(group);
   app.add_option("--zoom", o.zoom, "Factor on the size of what is seen")
-    ->check(CLI::PositiveNumber.description(""))
+    ->check(number(true))
     ->type_name("F")
     ->group(group);
   app.add_flag("--orthographic", o.orthographic, "Parallel projection instead of perspective")
@@ -214,6 +247,7 @@ void addReadOptions(CLI::App& app, ViewOptions& o)
       ->capture_default_str()
       ->group(group);
   app.add_option("--time", o.time, "Time step by its time: the nearest at or before T")
+    ->check(number(false))
     ->type_name("T")
     ->excludes(step)
     ->group(group);

@@ -41,6 +41,15 @@ case $3 in
     cmp -s a.png b.png && fail "options changed nothing"
     ;;
 
+  shown) # what a range leaves is counted; nothing left is worth a warning
+    run 0 "$mote" render "$hopper" -o a.png --size 320x200 --show-by id --show-range 1 10
+    said out '10 of 5,518 particles shown'
+    [ ! -s err ] || { cat err; fail "something on standard error"; }
+    run 0 "$mote" render "$hopper" -o a.png --size 320x200 --show-by id --show-range -2 -1
+    said out '0 of 5,518 particles shown'
+    one_sentence
+    ;;
+
   series) # two files that differ in a number are two steps of one series
     zcat "$hopper" >part.1.dump
     zcat "$hopper" >part.2.dump
@@ -90,6 +99,8 @@ assert any(a["name"] == "c_centro" for a in d[0]["arrays"])' || fail "not the ri
     failing render "$hopper" -o a.png --show-by nothing --show-range 0 1
     failing render "$hopper" -o a.png --radius nothing
     failing render "$hopper" -o a.png --radius -1
+    failing render "$hopper" -o a.png --time -5
+    said err 'begins at time 0'
     failing render "$hopper" -o a.png --log --range -1 1
     failing render "$hopper" -o a.picture
     failing render "$hopper" -o nowhere/a.png
@@ -113,6 +124,15 @@ assert any(a["name"] == "c_centro" for a in d[0]["arrays"])' || fail "not the ri
     misused --no-such-option "$hopper"
     misused render "$hopper" -o a.png --range 2 1
     misused render "$hopper" -o a.png --range 1
+    misused render "$hopper" -o a.png --range nan 1
+    misused render "$hopper" -o a.png --show-range 2 1
+    misused render "$hopper" -o a.png --show-by type
+    misused render "$hopper" -o a.png --time inf
+    misused render "$hopper" -o a.png --zoom nan
+    misused render "$hopper" -o a.png --radius-scale 0
+    said err 'above zero'
+    misused render "$hopper" -o a.png --size 70000x10
+    said err 65536
     misused render "$hopper" -o a.png --size 100
     misused render "$hopper" -o a.png --view sideways
     misused render "$hopper" -o a.png --background mudd
