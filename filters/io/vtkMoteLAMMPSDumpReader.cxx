@@ -5,8 +5,6 @@
 #include "LAMMPSPolyData.h"
 
 #include "vtkDataArraySelection.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -276,9 +274,7 @@ int vtkMoteLAMMPSDumpReader::RequestInformation(
     {
       times.push_back(step.Time);
     }
-    const double range[2] = {times.front(), times.back()};
-    information->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
-    information->Set(Pipeline::TIME_RANGE(), range, 2);
+    OfferTimeSteps(information, times);
   }
   // Success in any case: a failed request would leave old data downstream, where this leads to
   // empty output.
@@ -321,12 +317,7 @@ int vtkMoteLAMMPSDumpReader::RequestData(
     });
   if (good)
   {
-    vtkNew<vtkDoubleArray> value;
-    value->SetName("TimeValue");
-    value->InsertNextValue(time);
-    result->GetFieldData()->AddArray(value);
-    output->ShallowCopy(result);
-    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+    DeliverStep(result, time, output);
   }
   return 1;
 }

@@ -2,7 +2,13 @@
 
 #include "FileError.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <new>
 
@@ -66,6 +72,25 @@ void vtkMotePolyDataReader::RequireFileName()
     throw mote::FileError(
       mote::FileError::Kind::NotFound, this->GetClassName(), "no file name has been set");
   }
+}
+
+void vtkMotePolyDataReader::OfferTimeSteps(
+  vtkInformation* information, const std::vector<double>& times)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  const double range[2] = {times.front(), times.back()};
+  information->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+  information->Set(Pipeline::TIME_RANGE(), range, 2);
+}
+
+void vtkMotePolyDataReader::DeliverStep(vtkPolyData* result, double time, vtkPolyData* output)
+{
+  vtkNew<vtkDoubleArray> value;
+  value->SetName("TimeValue");
+  value->InsertNextValue(time);
+  result->GetFieldData()->AddArray(value);
+  output->ShallowCopy(result);
+  output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
 }
 
 bool vtkMotePolyDataReader::Attempt(const std::function<void(const ProgressFunction&)>& work)

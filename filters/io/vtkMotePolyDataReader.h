@@ -15,6 +15,7 @@
 
 #include <functional> // For Attempt
 #include <string>     // For names and messages
+#include <vector>     // For times
 
 class MOTEFILTERSIO_EXPORT vtkMotePolyDataReader : public vtkPolyDataAlgorithm
 {
@@ -55,6 +56,15 @@ protected:
    * Throws, inside Attempt, when there is no file name.
    */
   void RequireFileName();
+
+  ///@{
+  /**
+   * What readers of time steps say in RequestInformation (the times ascend; there is one at least),
+   * and how they hand on the step that they have read, with its time.
+   */
+  static void OfferTimeSteps(vtkInformation* information, const std::vector<double>& times);
+  static void DeliverStep(vtkPolyData* result, double time, vtkPolyData* output);
+  ///@}
 
 private:
   vtkMotePolyDataReader(const vtkMotePolyDataReader&) = delete;

@@ -4,8 +4,6 @@
 #include "PointRows.h"
 #include "XYZFile.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
@@ -122,9 +120,7 @@ int vtkMoteXYZReader::RequestInformation(
   {
     times.push_back(frame.time);
   }
-  const double range[2] = {times.front(), times.back()};
-  information->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
-  information->Set(Pipeline::TIME_RANGE(), range, 2);
+  OfferTimeSteps(information, times);
   return 1;
 }
 
@@ -159,12 +155,7 @@ int vtkMoteXYZReader::RequestData(
     });
   if (good)
   {
-    vtkNew<vtkDoubleArray> value;
-    value->SetName("TimeValue");
-    value->InsertNextValue(time);
-    result->GetFieldData()->AddArray(value);
-    output->ShallowCopy(result);
-    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+    DeliverStep(result, time, output);
   }
   return 1;
 }
