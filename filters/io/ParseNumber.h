@@ -27,6 +27,23 @@ inline const char* tokenEnd(const char* p)
   return p;
 }
 
+/// Moves past a sign; whether it was a minus.
+inline bool passSign(const char*& p)
+{
+  const bool negative = *p == '-';
+  p += negative || *p == '+';
+  return negative;
+}
+
+/// Moves past decimal digits, and appends them to those of `digits`.
+inline void passDigits(const char*& p, std::uint64_t& digits)
+{
+  for (unsigned digit = 0; (digit = static_cast<unsigned char>(*p) - '0') <= 9; ++p)
+  {
+    digits = 10 * digits + digit;
+  }
+}
+
 /// The general case: any length, any exponent, nan and inf. See parseDouble.
 inline const char* parseDoubleSlowly(const char* begin, double& value)
 {
@@ -65,33 +82,25 @@ inline const char* parseDouble(const char* begin, double& value)
   static constexpr double Powers[] = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11,
     1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
   const char* p = begin;
-  const bool negative = *p == '-';
-  p += negative || *p == '+';
-  std::uint64_t digits = 0;
+  const bool negative = passSign(p);
   const char* const first = p;
-  unsigned digit = 0;
-  for (; (digit = static_cast<unsigned char>(*p) - '0') <= 9; ++p)
-  {
-    digits = 10 * digits + digit;
-  }
+  std::uint64_t digits = 0;
+  passDigits(p, digits);
   std::ptrdiff_t count = p - first;
   std::ptrdiff_t exponent = 0;
   if (*p == '.')
   {
     const char* const fraction = ++p;
-    for (; (digit = static_cast<unsigned char>(*p) - '0') <= 9; ++p)
-    {
-      digits = 10 * digits + digit;
-    }
+    passDigits(p, digits);
     exponent = fraction - p;
     count -= exponent;
   }
   if ((*p | 0x20) == 'e')
   {
-    const bool down = *++p == '-';
-    p += down || *p == '+';
+    const bool down = passSign(++p);
     const char* const power = p;
     std::ptrdiff_t written = 0;
+    unsigned digit = 0;
     for (; (digit = static_cast<unsigned char>(*p) - '0') <= 9 && p - power < 4; ++p)
     {
       written = 10 * written + digit;
@@ -119,15 +128,10 @@ template <class Integer>
 const char* parseInteger(const char* begin, Integer& value)
 {
   const char* p = begin;
-  const bool negative = *p == '-';
-  p += negative || *p == '+';
-  std::uint64_t digits = 0;
+  const bool negative = passSign(p);
   const char* const first = p;
-  unsigned digit = 0;
-  for (; (digit = static_cast<unsigned char>(*p) - '0') <= 9; ++p)
-  {
-    digits = 10 * digits + digit;
-  }
+  std::uint64_t digits = 0;
+  passDigits(p, digits);
   if (p == first || !endsToken(*p))
   {
     return nullptr;
