@@ -300,6 +300,22 @@ TEST(SharedDumps, OtherFormats)
   EXPECT_GT(mesh.at(0)->GetNumberOfPoints(), 100);
 }
 
+TEST(SharedDumps, ACutPDBSaysSo)
+{
+  MOTE_REQUIRE_SHARED(pdb, "variants/pept.pdb");
+  const auto cut =
+    std::filesystem::temp_directory_path() / ("mote-cut-" + std::to_string(::getpid()) + ".pdb");
+  std::filesystem::copy_file(pdb, cut, std::filesystem::copy_options::overwrite_existing);
+  std::filesystem::permissions(cut, std::filesystem::perms::owner_all);
+  std::filesystem::resize_file(cut, std::filesystem::file_size(pdb) * 2 / 3);
+  std::string error;
+  auto reader = vtkMoteReaderTable::MakeReader(cut.string(), error);
+  ASSERT_TRUE(reader) << error;
+  EXPECT_FALSE(vtkMoteReaderTable::Read(reader, error));
+  EXPECT_NE(error.find("line 72: the last line has no line end"), std::string::npos) << error;
+  std::filesystem::remove(cut);
+}
+
 TEST(SharedDumps, WhatIsNotReadSaysSo)
 {
   for (const char* name : {"melt.atom.bin", "nemd.triclinic.custom.bin", "melt.triclinic3d.bin"})
