@@ -130,15 +130,21 @@ void Coloring::forget()
   countable_ = true;
 }
 
-void Coloring::apply(const Parts& parts)
+void Coloring::include(const Parts& parts)
 {
   if (!chosen_)
     this->choose(parts);
   const Part* holder = holderOf(parts, choice_);
   explained_ = holder && !isColors(arrayOf(holder->data(), choice_)) && this->updateRange(parts);
-  if (holder)
+  typed_ = explained_ && this->updateTypes(parts);
+}
+
+void Coloring::apply(const Parts& parts)
+{
+  this->include(parts);
+  if (const Part* holder = holderOf(parts, choice_))
     title_ = describe(holder->data(), choice_);
-  this->makeTable(explained_ && this->updateTypes(parts));
+  this->makeTable(typed_);
   for (const auto& part : parts)
     part->setColors(choice_, table_);
 }

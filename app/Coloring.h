@@ -22,6 +22,9 @@ public:
   /// so that colours keep their meaning.
   void apply(const std::vector<std::unique_ptr<Part>>& parts);
 
+  /// Only takes the parts' values into the range and the types.
+  void include(const std::vector<std::unique_ptr<Part>>& parts);
+
   /// The next of the arrays that the parts have, then no array, then the first again.
   void nextArray(const std::vector<std::unique_ptr<Part>>& parts);
 
@@ -58,6 +61,7 @@ private:
   bool countable_ = true;  // whether types_ could be found
   std::string map_;
   std::string title_;
+  bool typed_ = false;     // colours stand for types_
   bool explained_ = false; // there is something for a legend to explain
   vtkSmartPointer<vtkLookupTable> table_;
   vtkSmartPointer<vtkLookupTable> legendTable_;

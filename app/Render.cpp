@@ -84,10 +84,10 @@ private:
   bool labelled_ = true;
 };
 
-/// "picture.png" to "picture.0012.png".
+/// "picture.png" to "picture.0012.png"; steps count from 1.
 std::string numbered(const std::string& file, int step, int steps)
 {
-  const int digits = std::max(4, static_cast<int>(std::to_string(steps - 1).size()));
+  const int digits = std::max(4, static_cast<int>(std::to_string(steps).size()));
   std::string number = std::to_string(step);
   number.insert(0, std::max(0, digits - static_cast<int>(number.size())), '0');
   std::filesystem::path path(file);
@@ -134,9 +134,11 @@ void addRenderOptions(CLI::App& app, RenderOptions& options)
     ->group("Picture");
   app
     .add_flag("--all-steps", options.allSteps,
-      "A picture of every time step: out.png gives out.0000.png, out.0001.png ... The view "
-      "is framed for the last step, and its range of colours grows where another exceeds it; "
-      "--range holds it still")
+      "A picture of every time step: out.png gives out.0001.png, out.0002.png ... All have the "
+      "last step's frame and one range of colours, for which the steps are read twice unless "
+      "--range gives it")
+    ->excludes(app.get_option("--step"))
+    ->excludes(app.get_option("--time"))
     ->group("Data");
 }
 
@@ -151,7 +153,7 @@ void render(const RenderOptions& given)
   Scene scene(options);
   Picture picture(scene, options);
   Input input(options.files);
-  picture.aim(given.allSteps ? numbered(given.output, 0, 1) : given.output);
+  picture.aim(given.allSteps ? numbered(given.output, 1, 1) : given.output);
   const double start = vtkTimerLog::GetUniversalTime();
   input.open(progress);
   const double openTime = vtkTimerLog::GetUniversalTime() - start;
@@ -182,7 +184,7 @@ void render(const RenderOptions& given)
     std::fflush(stdout);
   };
 
-  // A sequence has one frame, radius and first range of colours: those of its last step.
+  // A sequence has one frame and radius, those of its last step, and one range of colours.
   const int last = input.numberOfSteps() - 1;
   const int chosen = given.allSteps ? last : input.chosenStep(options);
   const double readTime = show(chosen);
@@ -191,8 +193,15 @@ void render(const RenderOptions& given)
   if (!given.allSteps)
     trace(chosen, given.output, openTime + readTime);
   else
+  {
+    for (int step = 0; step < last && options.range.empty() && options.colorBy != "none"; ++step)
+    {
+      scene.setData(input.read(step, progress));
+      scene.coloring().include(scene.parts());
+    }
     for (int step = 0; step <= last; ++step)
-      trace(step, numbered(given.output, step, last + 1), show(step));
+      trace(step, numbered(given.output, step + 1, last + 1), show(step));
+  }
 }
 
 } // namespace mote::app
