@@ -35,11 +35,12 @@ bool isBookkeeping(const std::string& name)
 {
   return isAnyOf(
     name, {"id", "ids", "particleids", "globalids", "globalpointids", "vtkoriginalpointids",
-            "vtkoriginalcellids", "vtkghosttype", "mol", "proc", "procp1", "ix", "iy", "iz",
-            "image", "x", "y", "z", "xu", "yu", "zu", "xs", "ys", "zs", "position", "positions",
-            "coordinates", "points", "pos", "radius", "radii", "diameter", "mass", "normals",
-            "tcoords", "residue", "chain", "is_hetatm", "atom_type_strings", "secondary_structures",
-            "secondary_structures_begin", "secondary_structures_end", "rgb_colors"});
+            "vtkoriginalcellids", "vtkghosttype", "mol", "molecule", "proc", "map_shift",
+            "n_neighb", "model", "ishetatm", "procp1", "ix", "iy", "iz", "image", "x", "y", "z",
+            "xu", "yu", "zu", "xs", "ys", "zs", "position", "positions", "coordinates", "points",
+            "pos", "radius", "radii", "diameter", "mass", "normals", "tcoords", "residue", "chain",
+            "is_hetatm", "atom_type_strings", "secondary_structures", "secondary_structures_begin",
+            "secondary_structures_end", "rgb_colors"});
 }
 
 vtkDataSetAttributes* attributesOf(vtkDataSet* data, bool ofCells)
@@ -121,6 +122,13 @@ ArrayChoice findArray(vtkDataSet* data, const std::string& text)
   };
   if (const ArrayChoice whole = choiceFor(text, ""))
     return whole;
+  // What a file calls "vx" may be a component of "v" here.
+  for (const bool ofCells : {false, true})
+    for (int i = 0; i < attributesOf(data, ofCells)->GetNumberOfArrays(); ++i)
+      if (vtkDataArray* array = attributesOf(data, ofCells)->GetArray(i); array && array->GetName())
+        for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+          if (array->GetComponentName(c) && text == array->GetComponentName(c))
+            return {array->GetName(), c, ofCells};
   const std::size_t colon = text.rfind(':');
   return colon == std::string::npos ? ArrayChoice{}
                                     : choiceFor(text.substr(0, colon), text.substr(colon + 1));

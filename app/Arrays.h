@@ -23,8 +23,9 @@ struct ArrayChoice
   bool operator==(const ArrayChoice&) const = default;
 };
 
-/// The array that is meant by NAME, NAME:COMPONENT or NAME:magnitude; no array where the data set
-/// has none of that name. Throws Failure for a component that the array lacks.
+/// The array that is meant by NAME, NAME:COMPONENT or NAME:magnitude, or by a component's name
+/// alone; no array where the data set has none of that name. Throws Failure for a component that
+/// the array lacks.
 ArrayChoice findArray(vtkDataSet* data, const std::string& text);
 
 /// What may colour this data set, the most telling first: numbers that vary, magnitudes of vectors,

@@ -71,6 +71,7 @@ TEST_F(Arrays, NamesAreFound)
   EXPECT_EQ(findArray(data, "v").component, ArrayChoice::magnitude);
   EXPECT_EQ(findArray(data, "v:0").component, 0);
   EXPECT_EQ(findArray(data, "v:vy").component, 1);
+  EXPECT_EQ(findArray(data, "vy"), findArray(data, "v:vy"));
   EXPECT_EQ(findArray(data, "v:magnitude").component, ArrayChoice::magnitude);
   EXPECT_EQ(findArray(data, "odd:name").name, "odd:name");
   EXPECT_FALSE(findArray(data, "w"));
