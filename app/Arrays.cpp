@@ -186,6 +186,17 @@ std::string listArrays(vtkDataSet* data)
   return joined(names, ", ");
 }
 
+bool isText(vtkDataSet* data, const std::string& name)
+{
+  for (const bool ofCells : {false, true})
+  {
+    vtkDataSetAttributes* attributes = attributesOf(data, ofCells);
+    if (attributes->HasArray(name.c_str()) && !attributes->GetArray(name.c_str()))
+      return true;
+  }
+  return false;
+}
+
 bool finiteRange(vtkDataArray* array, int component, double range[2])
 {
   if (!array || array->GetNumberOfTuples() == 0)

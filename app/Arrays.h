@@ -41,6 +41,9 @@ std::string describe(vtkDataSet* data, const ArrayChoice& choice);
 /// The names of all arrays that could be meant, "a, b, c"; for messages.
 std::string listArrays(vtkDataSet* data);
 
+/// Whether the data have an array of that name which holds words instead of numbers.
+bool isText(vtkDataSet* data, const std::string& name);
+
 /// Least and greatest finite value; false where there is none.
 bool finiteRange(vtkDataArray* array, int component, double range[2]);
 

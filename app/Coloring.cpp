@@ -61,6 +61,9 @@ void Coloring::choose(const Parts& parts)
         choice_ = findArray(part->data(), wanted);
     if (!choice_ && !parts.empty())
     {
+      if (isText(parts.front()->data(), wanted))
+        throw Failure(
+          "--color-by: '" + wanted + "' is text and cannot colour; an array of numbers can");
       const std::string known = listArrays(parts.front()->data());
       throw Failure("--color-by: " + parts.front()->name() + " has no array '" + wanted +
                     "'; it has " + (known.empty() ? "none at all" : known));

@@ -35,8 +35,8 @@ bool hasRadiusArray(vtkDataSet* data)
 void shade(vtkProperty* property, bool mesh)
 {
   property->SetColor(0.91, 0.87, 0.79); // warm against the cool background
-  property->SetAmbient(mesh ? 0.1 : 0.22);
-  property->SetDiffuse(mesh ? 0.9 : 0.78);
+  property->SetAmbient(mesh ? 0.1 : 0.28);
+  property->SetDiffuse(mesh ? 0.9 : 0.75);
   property->SetSpecular(mesh ? 0.1 : 0.0);
   property->SetSpecularPower(30.0);
 }

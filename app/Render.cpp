@@ -95,6 +95,26 @@ std::string numbered(const std::string& file, int step, int steps)
          path.extension().string();
 }
 
+/// The line on standard output that tells of a finished picture.
+void report(const std::string& file, const Scene& scene, const Picture& picture,
+  const ViewOptions& options, double readTime)
+{
+  std::printf("%s: %dx%d, %s; read in %s, built in %s, traced in %s\n", file.c_str(),
+    options.size[0], options.size[1], scene.contents().c_str(), asDuration(readTime).c_str(),
+    asDuration(scene.buildTime()).c_str(), asDuration(picture.traceTime()).c_str());
+  std::fflush(stdout);
+}
+
+/// Lets the colours' range and types take in the first `steps` time steps.
+void includeColors(Scene& scene, Input& input, int steps, Progress& progress)
+{
+  for (int step = 0; step < steps; ++step)
+  {
+    scene.setData(input.read(step, progress));
+    scene.coloring().include(scene.parts());
+  }
+}
+
 void requireParticles(const Scene& scene)
 {
   for (const auto& part : scene.parts())
@@ -178,10 +198,7 @@ void render(const RenderOptions& given)
     if (!input.times().empty())
       caption += "   t = " + asNumber(input.times()[step], 10);
     picture.write(caption, progress);
-    std::printf("%s: %dx%d, %s; read in %s, built in %s, traced in %s\n", file.c_str(),
-      options.size[0], options.size[1], scene.contents().c_str(), asDuration(readTime).c_str(),
-      asDuration(scene.buildTime()).c_str(), asDuration(picture.traceTime()).c_str());
-    std::fflush(stdout);
+    report(file, scene, picture, options, readTime);
   };
 
   // A sequence has one frame and radius, those of its last step, and one range of colours.
@@ -194,11 +211,8 @@ void render(const RenderOptions& given)
     trace(chosen, given.output, openTime + readTime);
   else
   {
-    for (int step = 0; step < last && options.range.empty() && options.colorBy != "none"; ++step)
-    {
-      scene.setData(input.read(step, progress));
-      scene.coloring().include(scene.parts());
-    }
+    if (options.range.empty() && options.colorBy != "none")
+      includeColors(scene, input, last, progress);
     for (int step = 0; step <= last; ++step)
       trace(step, numbered(given.output, step + 1, last + 1), show(step));
   }

@@ -25,21 +25,21 @@ void addOptions(CLI::App& command, const Suite& suite, Options& options, std::st
     return out;
   };
   command.add_option("--input", options.input, "What is measured on; see the list of inputs below")
-      ->required()
-      ->type_name("SPEC");
+    ->required()
+    ->type_name("SPEC");
   command.add_option("--methods", options.methods, "Comma-separated; all unless given")
-      ->delimiter(',')
-      ->check(CLI::IsMember(names(suite.methods)));
+    ->delimiter(',')
+    ->check(CLI::IsMember(names(suite.methods)));
   if (!suite.views.empty())
     command.add_option("--view", options.views, "Comma-separated; all unless given")
-        ->delimiter(',')
-        ->check(CLI::IsMember(names(suite.views)));
+      ->delimiter(',')
+      ->check(CLI::IsMember(names(suite.views)));
   command.add_option("--threads", options.threads, "0: as many as the machine has")
-      ->check(CLI::Range(0, 4096))
-      ->capture_default_str();
+    ->check(CLI::Range(0, 4096))
+    ->capture_default_str();
   command.add_option("--repeat", options.repeat, "Rounds over all methods; medians are given")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+    ->check(CLI::Range(1, 1000))
+    ->capture_default_str();
   command.add_option("--size", size, "Pixels of an image, WIDTHxHEIGHT")->capture_default_str();
   command.add_option("--json", options.json, "File for the records, a JSON array");
   command.footer("\n" + describe(suite));
@@ -51,8 +51,8 @@ void parseSize(const std::string& text, Options& options)
   if (std::sscanf(text.c_str(), "%dx%d%c", &options.width, &options.height, &rest) != 2 ||
       std::min(options.width, options.height) < 1 ||
       std::max(options.width, options.height) > 32768)
-    throw mote::Error("--size wants WIDTHxHEIGHT in pixels, each from 1 to 32768, not \"" + text +
-                      "\".");
+    throw mote::Error(
+      "--size wants WIDTHxHEIGHT in pixels, each from 1 to 32768, not \"" + text + "\".");
 }
 
 void runSuite(const Suite& suite, const Options& options)
@@ -93,11 +93,11 @@ int main(int argc, char** argv)
     CLI::App* command = app.add_subcommand(suite.name, suite.summary);
     addOptions(*command, suite, options, size);
     command->callback(
-        [&suite, &options, &size]
-        {
-          parseSize(size, options);
-          runSuite(suite, options);
-        });
+      [&suite, &options, &size]
+      {
+        parseSize(size, options);
+        runSuite(suite, options);
+      });
     footer += describe(suite);
   }
   app.footer(footer + "mote-bench SUITE --help lists the options of a suite.");

@@ -22,7 +22,10 @@ struct FloatRays
   Vec3f origin, d0, dx, dy;
 
   FloatRays(const CameraRays& rays, const Vec3d& middle)
-      : origin(rays.o0 - middle), d0(rays.d0), dx(rays.dx), dy(rays.dy)
+    : origin(rays.o0 - middle)
+    , d0(rays.d0)
+    , dx(rays.dx)
+    , dy(rays.dy)
   {
   }
   Vec3f direction(int x, int y) const
@@ -96,7 +99,7 @@ public:
   {
     // Embree limits itself to 256 bits a vector unless told that wide ones are welcome.
     const std::string config =
-        "threads=" + std::to_string(threads) + ",frequency_level=simd512,set_affinity=0";
+      "threads=" + std::to_string(threads) + ",frequency_level=simd512,set_affinity=0";
     device_ = rtcNewDevice(config.c_str());
     if (device_ == nullptr)
       throw Error("Embree cannot start on this machine.");
@@ -117,20 +120,19 @@ public:
     middle_ = input.statistics.centers.center();
     spheres_.resize(set.count());
     tbb::parallel_for(std::size_t{0}, set.count(),
-                      [&](std::size_t i)
-                      {
-                        const double r = set.radiusOf(i);
-                        const bool valid = isValidParticle(set.position(i), r);
-                        spheres_[i] =
-                            valid ? Vec4f(Vec3f(set.position(i) - middle_), static_cast<float>(r))
-                                  : Vec4f(Vec3f(std::numeric_limits<float>::quiet_NaN()), 0.0f);
-                      });
+      [&](std::size_t i)
+      {
+        const double r = set.radiusOf(i);
+        const bool valid = isValidParticle(set.position(i), r);
+        spheres_[i] = valid ? Vec4f(Vec3f(set.position(i) - middle_), static_cast<float>(r))
+                            : Vec4f(Vec3f(std::numeric_limits<float>::quiet_NaN()), 0.0f);
+      });
     scene_ = rtcNewScene(device_);
     // Measured: HIGH gives points the same tree as MEDIUM does.
     rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_MEDIUM);
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_SPHERE_POINT);
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
-                               spheres_.data(), 0, sizeof(Vec4f), spheres_.size());
+      spheres_.data(), 0, sizeof(Vec4f), spheres_.size());
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene_, geometry);
     rtcReleaseGeometry(geometry);
@@ -178,53 +180,52 @@ private:
   void castSingle(const FloatRays& camera, HitImage& image) const
   {
     forBlocks(image.width, image.height, 8,
-              [&](int x0, int y0)
-              {
-                RTCIntersectContext context = coherentContext();
-                for (int y = y0; y < std::min(image.height, y0 + 8); ++y)
-                  for (int x = x0; x < std::min(image.width, x0 + 8); ++x)
-                  {
-                    const Vec3f o = camera.origin, d = camera.direction(x, y);
-                    alignas(16) RTCRayHit hit = {};
-                    hit.ray = {o.x, o.y, o.z, 0.0f, d.x, d.y, d.z, 0.0f, infinity, ~0u, 0, 0};
-                    hit.hit.geomID = hit.hit.primID = RTC_INVALID_GEOMETRY_ID;
-                    rtcIntersect1(scene_, &context, &hit);
-                    image.put(x, y, hit.ray.tfar, hit.hit.primID);
-                  }
-              });
+      [&](int x0, int y0)
+      {
+        RTCIntersectContext context = coherentContext();
+        for (int y = y0; y < std::min(image.height, y0 + 8); ++y)
+          for (int x = x0; x < std::min(image.width, x0 + 8); ++x)
+          {
+            const Vec3f o = camera.origin, d = camera.direction(x, y);
+            alignas(16) RTCRayHit hit = {};
+            hit.ray = {o.x, o.y, o.z, 0.0f, d.x, d.y, d.z, 0.0f, infinity, ~0u, 0, 0};
+            hit.hit.geomID = hit.hit.primID = RTC_INVALID_GEOMETRY_ID;
+            rtcIntersect1(scene_, &context, &hit);
+            image.put(x, y, hit.ray.tfar, hit.hit.primID);
+          }
+      });
   }
 
   void castPackets(const FloatRays& camera, HitImage& image) const
   {
     forBlocks(image.width, image.height, 4,
-              [&](int x0, int y0)
-              {
-                static_assert(sizeof(RTCRayHitNt<16>) == sizeof(RTCRayHit16));
-                RTCIntersectContext context = coherentContext();
-                Block<4> block;
-                block.fill(camera, x0, y0, image);
-                alignas(64) int valid[16];
-                for (int i = 0; i < 16; ++i)
-                  valid[i] = block.rays.ray.tfar[i] > 0.0f ? -1 : 0;
-                rtcIntersect16(valid, scene_, &context,
-                               reinterpret_cast<RTCRayHit16*>(&block.rays));
-                block.keep(x0, y0, image);
-              });
+      [&](int x0, int y0)
+      {
+        static_assert(sizeof(RTCRayHitNt<16>) == sizeof(RTCRayHit16));
+        RTCIntersectContext context = coherentContext();
+        Block<4> block;
+        block.fill(camera, x0, y0, image);
+        alignas(64) int valid[16];
+        for (int i = 0; i < 16; ++i)
+          valid[i] = block.rays.ray.tfar[i] > 0.0f ? -1 : 0;
+        rtcIntersect16(valid, scene_, &context, reinterpret_cast<RTCRayHit16*>(&block.rays));
+        block.keep(x0, y0, image);
+      });
   }
 
   template <int SIDE>
   void castStreams(const FloatRays& camera, HitImage& image) const
   {
     forBlocks(image.width, image.height, SIDE,
-              [&](int x0, int y0)
-              {
-                RTCIntersectContext context = coherentContext();
-                Block<SIDE> block;
-                block.fill(camera, x0, y0, image);
-                rtcIntersectNM(scene_, &context, reinterpret_cast<RTCRayHitN*>(&block.rays),
-                               Block<SIDE>::size, 1, sizeof(block.rays));
-                block.keep(x0, y0, image);
-              });
+      [&](int x0, int y0)
+      {
+        RTCIntersectContext context = coherentContext();
+        Block<SIDE> block;
+        block.fill(camera, x0, y0, image);
+        rtcIntersectNM(scene_, &context, reinterpret_cast<RTCRayHitN*>(&block.rays),
+          Block<SIDE>::size, 1, sizeof(block.rays));
+        block.keep(x0, y0, image);
+      });
   }
 
   std::atomic<ssize_t> bytes_{0};

@@ -22,7 +22,10 @@ struct HitImage
   RawVector<std::uint32_t> particle;
 
   HitImage(int w, int h)
-      : width(w), height(h), t(static_cast<std::size_t>(w) * h), particle(t.size())
+    : width(w)
+    , height(h)
+    , t(static_cast<std::size_t>(w) * h)
+    , particle(t.size())
   {
   }
   void put(int x, int y, float depth, std::uint32_t id)
@@ -40,16 +43,15 @@ void forBlocks(int width, int height, int block, const Cast& cast)
 {
   constexpr int tile = 32;
   const int columns = (width + tile - 1) / tile, rows = (height + tile - 1) / tile;
-  tbb::parallel_for(
-      tbb::blocked_range2d<int>(0, rows, 1, 0, columns, 1),
-      [&](const tbb::blocked_range2d<int>& tiles)
-      {
-        for (int row = tiles.rows().begin(); row != tiles.rows().end(); ++row)
-          for (int column = tiles.cols().begin(); column != tiles.cols().end(); ++column)
-            for (int y = row * tile; y < std::min(height, (row + 1) * tile); y += block)
-              for (int x = column * tile; x < std::min(width, (column + 1) * tile); x += block)
-                cast(x, y);
-      });
+  tbb::parallel_for(tbb::blocked_range2d<int>(0, rows, 1, 0, columns, 1),
+    [&](const tbb::blocked_range2d<int>& tiles)
+    {
+      for (int row = tiles.rows().begin(); row != tiles.rows().end(); ++row)
+        for (int column = tiles.cols().begin(); column != tiles.cols().end(); ++column)
+          for (int y = row * tile; y < std::min(height, (row + 1) * tile); y += block)
+            for (int x = column * tile; x < std::min(width, (column + 1) * tile); x += block)
+              cast(x, y);
+    });
 }
 
 } // namespace mote::bench

@@ -5,18 +5,18 @@
 namespace mote::bench
 {
 
-std::vector<double> referenceDepths(const reference::SphereTree& tree, const CameraRays& rays,
-                                    int width, int height)
+std::vector<double> referenceDepths(
+  const reference::SphereTree& tree, const CameraRays& rays, int width, int height)
 {
   std::vector<double> depths(static_cast<std::size_t>(width) * height);
   forBlocks(width, height, 8,
-            [&](int x0, int y0)
-            {
-              for (int y = y0; y < std::min(height, y0 + 8); ++y)
-                for (int x = x0; x < std::min(width, x0 + 8); ++x)
-                  depths[static_cast<std::size_t>(y) * width + x] =
-                      tree.cast(reference::cameraRay(rays, x + 0.5, y + 0.5)).t;
-            });
+    [&](int x0, int y0)
+    {
+      for (int y = y0; y < std::min(height, y0 + 8); ++y)
+        for (int x = x0; x < std::min(width, x0 + 8); ++x)
+          depths[static_cast<std::size_t>(y) * width + x] =
+            tree.cast(reference::cameraRay(rays, x + 0.5, y + 0.5)).t;
+    });
   return depths;
 }
 

@@ -9,8 +9,8 @@ namespace mote::bench
 {
 
 /// Depths of an image's pixels from the reference: t along the view axis, infinity for none.
-std::vector<double> referenceDepths(const reference::SphereTree& tree, const CameraRays& rays,
-                                    int width, int height);
+std::vector<double> referenceDepths(
+  const reference::SphereTree& tree, const CameraRays& rays, int width, int height);
 
 /// How far a method's image is from the reference. A pixel is wrong where one hits and the other
 /// does not, or where the depths differ by more than 1e-4 of the right one.

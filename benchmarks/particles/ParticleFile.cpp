@@ -28,7 +28,7 @@ vtkDataArray* arrayNamed(vtkPointData* arrays, const std::string& wanted)
       continue;
     std::string name = array->GetName();
     std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+      [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (name == wanted)
       return array;
   }
@@ -68,8 +68,8 @@ vtkSmartPointer<vtkDataObject> readLastStep(const std::string& fileName)
   if (!error.empty())
     throw Error(error);
   const vtkSmartPointer<vtkDataObject> data =
-      times.empty() ? vtkMoteReaderTable::Read(reader, error)
-                    : vtkMoteReaderTable::Read(reader, times.back(), error);
+    times.empty() ? vtkMoteReaderTable::Read(reader, error)
+                  : vtkMoteReaderTable::Read(reader, times.back(), error);
   if (!data)
     throw Error(error);
   return data;

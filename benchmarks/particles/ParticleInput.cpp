@@ -34,8 +34,8 @@ T number(const std::string& text, const std::string& specification)
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || stop != end || !(value > T{0}))
-    throw Error("\"" + text + "\" in the input \"" + specification +
-                "\" is not a number above zero.");
+    throw Error(
+      "\"" + text + "\" in the input \"" + specification + "\" is not a number above zero.");
   return value;
 }
 
@@ -57,16 +57,16 @@ ParticleInput makeLattice(std::size_t count)
   auto positions = std::make_shared<std::vector<float>>(3 * n * n * n);
   const double spacing = 1.0 / static_cast<double>(n), jitter = 0.2;
   tbb::parallel_for(std::size_t{0}, n * n * n,
-                    [&](std::size_t i)
-                    {
-                      const std::size_t cell[3] = {i % n, (i / n) % n, i / (n * n)};
-                      for (std::size_t axis = 0; axis < 3; ++axis)
-                      {
-                        const double shift = jitter * (2.0 * uniform(1, 3 * i + axis) - 1.0);
-                        (*positions)[3 * i + axis] = static_cast<float>(
-                            (static_cast<double>(cell[axis]) + 0.5 + shift) * spacing);
-                      }
-                    });
+    [&](std::size_t i)
+    {
+      const std::size_t cell[3] = {i % n, (i / n) % n, i / (n * n)};
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const double shift = jitter * (2.0 * uniform(1, 3 * i + axis) - 1.0);
+        (*positions)[3 * i + axis] =
+          static_cast<float>((static_cast<double>(cell[axis]) + 0.5 + shift) * spacing);
+      }
+    });
   return fromPositions(std::move(positions), 0.5 * spacing);
 }
 
@@ -74,7 +74,7 @@ ParticleInput makeRandom(std::size_t count, double radius)
 {
   auto positions = std::make_shared<std::vector<float>>(3 * count);
   tbb::parallel_for(std::size_t{0}, 3 * count,
-                    [&](std::size_t k) { (*positions)[k] = static_cast<float>(uniform(2, k)); });
+    [&](std::size_t k) { (*positions)[k] = static_cast<float>(uniform(2, k)); });
   return fromPositions(std::move(positions), radius);
 }
 
@@ -107,8 +107,8 @@ ParticleInput makeOrRead(const std::string& specification)
   if (parts[0] == "lattice" && parts.size() == 2 && !isFile)
     return makeLattice(particleCount(parts[1], specification));
   if (parts[0] == "random" && parts.size() == 3 && !isFile)
-    return makeRandom(particleCount(parts[1], specification),
-                      number<double>(parts[2], specification));
+    return makeRandom(
+      particleCount(parts[1], specification), number<double>(parts[2], specification));
   if (isFile)
     return readParticles(specification);
   throw Error("The input \"" + specification +
@@ -129,11 +129,11 @@ ParticleInput makeParticleInput(const std::string& specification)
 std::vector<Named> particleInputs()
 {
   return {
-      {"lattice:N", "cubic lattice in the unit cube, n^3 particles nearest to N, each moved by up "
-                    "to 0.2 spacings an axis, radius half a spacing"},
-      {"random:N:R", "N particles evenly at random in the unit cube, radius R"},
-      {"FILE",
-       "what Mote's readers read; arrays radius or diameter count, half the spacing otherwise"}};
+    {"lattice:N", "cubic lattice in the unit cube, n^3 particles nearest to N, each moved by up "
+                  "to 0.2 spacings an axis, radius half a spacing"},
+    {"random:N:R", "N particles evenly at random in the unit cube, radius R"},
+    {"FILE",
+      "what Mote's readers read; arrays radius or diameter count, half the spacing otherwise"}};
 }
 
 } // namespace mote::bench

@@ -35,10 +35,9 @@ struct View
 const std::vector<View>& views()
 {
   static const std::vector<View> all = {
-      {"far",
-       "eye at (1.1, 0.7, 1.5) sides from the middle: all of the data in sight",
-       {1.1, 0.7, 1.5}},
-      {"near", "eye at (0.65, 0.3, 0.7) sides from the middle", {0.65, 0.3, 0.7}}};
+    {"far", "eye at (1.1, 0.7, 1.5) sides from the middle: all of the data in sight",
+      {1.1, 0.7, 1.5}},
+    {"near", "eye at (0.65, 0.3, 0.7) sides from the middle", {0.65, 0.3, 0.7}}};
   return all;
 }
 
@@ -81,7 +80,10 @@ bool isWanted(const std::vector<std::string>& wanted, const std::string& name)
 class Run
 {
 public:
-  Run(const Options& options, int threads) : options_(options), threads_(threads), arena_(threads)
+  Run(const Options& options, int threads)
+    : options_(options)
+    , threads_(threads)
+    , arena_(threads)
   {
   }
 
@@ -104,13 +106,13 @@ private:
     progress("making or reading %s", options_.input.c_str());
     input_ = makeParticleInput(options_.input);
     progress("%zu particles, radius %g to %g", input_.statistics.valid,
-             input_.statistics.smallestRadius, input_.statistics.largestRadius);
+      input_.statistics.smallestRadius, input_.statistics.largestRadius);
     for (const View& view : views())
       if (isWanted(options_.views, view.name))
       {
         views_.push_back(view);
-        rays_.emplace_back(cameraOf(view, input_.statistics.bounds), options_.width,
-                           options_.height);
+        rays_.emplace_back(
+          cameraOf(view, input_.statistics.bounds), options_.width, options_.height);
       }
   }
 
@@ -119,13 +121,13 @@ private:
     Entrant entrant{entry, entry.make(threads_), {}, 0.0, 0.0, {}};
     entrant.buildSeconds = timed([&] { entrant.method->build(input_); });
     entrant.bytesPerParticle =
-        static_cast<double>(entrant.method->bytes()) / static_cast<double>(input_.statistics.valid);
+      static_cast<double>(entrant.method->bytes()) / static_cast<double>(input_.statistics.valid);
     entrant.modes = entrant.method->modes();
     entrant.timings.resize(views_.size());
     for (Timing& timing : entrant.timings)
       timing.seconds.resize(entrant.modes.size());
     progress("built %s in %.2f s, %.1f bytes a particle", entry.name.c_str(), entrant.buildSeconds,
-             entrant.bytesPerParticle);
+      entrant.bytesPerParticle);
     entrants_.push_back(std::move(entrant));
   }
 
@@ -133,12 +135,12 @@ private:
   double timed(const std::function<void()>& work)
   {
     return arena_.execute(
-        [&]
-        {
-          const auto begin = std::chrono::steady_clock::now();
-          work();
-          return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        });
+      [&]
+      {
+        const auto begin = std::chrono::steady_clock::now();
+        work();
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      });
   }
 
   /// One round: every view, method and mode once, so that whatever else the machine does meanwhile
@@ -152,7 +154,7 @@ private:
       for (Entrant& entrant : entrants_)
         for (std::size_t m = 0; m < entrant.modes.size(); ++m)
           entrant.timings[v].seconds[m].push_back(
-              timed([&] { entrant.method->cast(m, rays_[v], image); }));
+            timed([&] { entrant.method->cast(m, rays_[v], image); }));
     progress("round %d of %d cast", round + 1, options_.repeat);
   }
 
@@ -170,8 +172,7 @@ private:
           if (median(timing.seconds[m]) < median(timing.seconds[timing.best]))
             timing.best = m;
           progress("view %s, %s %s: %.2f Mrays/s", views_[v].name.c_str(),
-                   entrant.entry.name.c_str(), entrant.modes[m].c_str(),
-                   mrays(median(timing.seconds[m])));
+            entrant.entry.name.c_str(), entrant.modes[m].c_str(), mrays(median(timing.seconds[m])));
         }
         timing.image = HitImage(options_.width, options_.height);
         entrant.method->cast(timing.best, rays_[v], timing.image);
@@ -188,7 +189,7 @@ private:
     {
       progress("casting the reference, view %s", views_[v].name.c_str());
       const std::vector<double> depths =
-          referenceDepths(tree, rays_[v], options_.width, options_.height);
+        referenceDepths(tree, rays_[v], options_.width, options_.height);
       for (Entrant& entrant : entrants_)
         entrant.timings[v].errors = compare(entrant.timings[v].image, depths);
     }
@@ -216,15 +217,15 @@ private:
   {
     Report report;
     report.table.add({"method", "mode", "view", "Mrays/s", "(min - max)", "x embree", "build s",
-                      "bytes/particle", "wrong/checked", "depth error", "of right pixels"});
+      "bytes/particle", "wrong/checked", "depth error", "of right pixels"});
     for (std::size_t v = 0; v < views_.size(); ++v)
       for (const Entrant& entrant : entrants_)
         addRow(entrant, v, report);
     report.notes.push_back(
-        format("%zu particles (%s), %dx%d rays a view, %d threads, medians of %d "
-               "rounds. Depth errors are relative, the largest.",
-               input_.statistics.valid, options_.input.c_str(), options_.width, options_.height,
-               threads_, options_.repeat));
+      format("%zu particles (%s), %dx%d rays a view, %d threads, medians of %d "
+             "rounds. Depth errors are relative, the largest.",
+        input_.statistics.valid, options_.input.c_str(), options_.width, options_.height, threads_,
+        options_.repeat));
     return report;
   }
 
@@ -236,31 +237,22 @@ private:
     const double speed = mrays(median(seconds));
     const std::optional<double> peer = peerSpeed(v);
     const ImageErrors& errors = timing.errors;
-    report.table.add(
-        {entrant.entry.name, entrant.modes[timing.best], views_[v].name, format("%.2f", speed),
-         format("%.2f - %.2f", mrays(*most), mrays(*least)),
-         peer ? format("%.2f", speed / *peer) : "-", format("%.2f", entrant.buildSeconds),
-         format("%.1f", entrant.bytesPerParticle), format("%zu/%zu", errors.wrong, errors.checked),
-         format("%.1e", errors.maxDepthError), format("%.1e", errors.maxRightDepthError)});
-    report.records.push_back({{"suite", "particles"},
-                              {"method", entrant.entry.name},
-                              {"mode", entrant.modes[timing.best]},
-                              {"input", options_.input},
-                              {"particles", static_cast<std::int64_t>(input_.statistics.valid)},
-                              {"view", views_[v].name},
-                              {"width", std::int64_t{options_.width}},
-                              {"height", std::int64_t{options_.height}},
-                              {"threads", std::int64_t{threads_}},
-                              {"repeat", std::int64_t{options_.repeat}},
-                              {"mrays_per_s", speed},
-                              {"mrays_per_s_min", mrays(*most)},
-                              {"mrays_per_s_max", mrays(*least)},
-                              {"build_s", entrant.buildSeconds},
-                              {"bytes_per_particle", entrant.bytesPerParticle},
-                              {"checked_pixels", static_cast<std::int64_t>(errors.checked)},
-                              {"wrong_pixels", static_cast<std::int64_t>(errors.wrong)},
-                              {"max_depth_error", errors.maxDepthError},
-                              {"max_depth_error_of_right", errors.maxRightDepthError}});
+    report.table.add({entrant.entry.name, entrant.modes[timing.best], views_[v].name,
+      format("%.2f", speed), format("%.2f - %.2f", mrays(*most), mrays(*least)),
+      peer ? format("%.2f", speed / *peer) : "-", format("%.2f", entrant.buildSeconds),
+      format("%.1f", entrant.bytesPerParticle), format("%zu/%zu", errors.wrong, errors.checked),
+      format("%.1e", errors.maxDepthError), format("%.1e", errors.maxRightDepthError)});
+    report.records.push_back({{"suite", "particles"}, {"method", entrant.entry.name},
+      {"mode", entrant.modes[timing.best]}, {"input", options_.input},
+      {"particles", static_cast<std::int64_t>(input_.statistics.valid)}, {"view", views_[v].name},
+      {"width", std::int64_t{options_.width}}, {"height", std::int64_t{options_.height}},
+      {"threads", std::int64_t{threads_}}, {"repeat", std::int64_t{options_.repeat}},
+      {"mrays_per_s", speed}, {"mrays_per_s_min", mrays(*most)}, {"mrays_per_s_max", mrays(*least)},
+      {"build_s", entrant.buildSeconds}, {"bytes_per_particle", entrant.bytesPerParticle},
+      {"checked_pixels", static_cast<std::int64_t>(errors.checked)},
+      {"wrong_pixels", static_cast<std::int64_t>(errors.wrong)},
+      {"max_depth_error", errors.maxDepthError},
+      {"max_depth_error_of_right", errors.maxRightDepthError}});
   }
 
   const Options& options_;
@@ -275,8 +267,8 @@ private:
 Report run(const Options& options)
 {
   const int threads = options.threads > 0
-                          ? options.threads
-                          : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+                        ? options.threads
+                        : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   return Run(options, threads)();
 }
 

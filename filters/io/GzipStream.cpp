@@ -37,7 +37,9 @@ struct GzipStream::State
 };
 
 GzipStream::GzipStream(const TextFile& file)
-    : m_file(file), m_state(std::make_unique<State>()), m_input(InputBytes)
+  : m_file(file)
+  , m_state(std::make_unique<State>())
+  , m_input(InputBytes)
 {
   if (inflateInit2(&m_state->z, GzipOnly) != Z_OK)
   {
@@ -54,8 +56,8 @@ std::uint64_t GzipStream::fileOffset() const
 
 bool GzipStream::fillInput()
 {
-  const ssize_t count = ::pread(m_file.descriptor(), m_input.data(), m_input.size(),
-                                static_cast<off_t>(m_inputOffset));
+  const ssize_t count =
+    ::pread(m_file.descriptor(), m_input.data(), m_input.size(), static_cast<off_t>(m_inputOffset));
   if (count <= 0)
   {
     return false;
@@ -87,7 +89,7 @@ std::size_t GzipStream::read(char* out, std::size_t count)
   {
     z.next_out = reinterpret_cast<Bytef*>(out + done);
     z.avail_out =
-        static_cast<uInt>(std::min<std::size_t>(count - done, std::numeric_limits<uInt>::max()));
+      static_cast<uInt>(std::min<std::size_t>(count - done, std::numeric_limits<uInt>::max()));
     const uInt offered = z.avail_out;
     try
     {
@@ -116,7 +118,7 @@ void GzipStream::inflateMore()
   if (z.avail_in == 0 && !fillInput())
   {
     throw FileError(FileError::Kind::Truncated, m_file.path(),
-                    "the gzip data end too early: the file is truncated");
+      "the gzip data end too early: the file is truncated");
   }
   const int status = inflate(&z, Z_NO_FLUSH);
   if (status == Z_STREAM_END)
@@ -126,8 +128,7 @@ void GzipStream::inflateMore()
   else if (status != Z_OK && status != Z_BUF_ERROR)
   {
     throw FileError(FileError::Kind::Malformed, m_file.path(),
-                    std::string("the gzip data are damaged (") + (z.msg ? z.msg : zError(status)) +
-                        ")");
+      std::string("the gzip data are damaged (") + (z.msg ? z.msg : zError(status)) + ")");
   }
 }
 

@@ -83,12 +83,11 @@ bool isNumberOfLAMMPS(const std::string& name)
       return true;
     }
   }
-  return isOneOf(name, {"id",     "mol",     "proc",    "procp1",  "mass",     "x",      "y",
-                        "z",      "xs",      "ys",      "zs",      "xu",       "yu",     "zu",
-                        "xsu",    "ysu",     "zsu",     "ix",      "iy",       "iz",     "vx",
-                        "vy",     "vz",      "fx",      "fy",      "fz",       "q",      "mux",
-                        "muy",    "muz",     "mu",      "radius",  "diameter", "omegax", "omegay",
-                        "omegaz", "angmomx", "angmomy", "angmomz", "tqx",      "tqy",    "tqz"});
+  return isOneOf(
+    name, {"id", "mol", "proc", "procp1", "mass", "x", "y", "z", "xs", "ys", "zs", "xu", "yu", "zu",
+            "xsu", "ysu", "zsu", "ix", "iy", "iz", "vx", "vy", "vz", "fx", "fy", "fz", "q", "mux",
+            "muy", "muz", "mu", "radius", "diameter", "omegax", "omegay", "omegaz", "angmomx",
+            "angmomy", "angmomz", "tqx", "tqy", "tqz"});
 }
 
 } // namespace
@@ -157,9 +156,9 @@ ColumnType typeOf(const std::string& column, const std::string& firstValue)
   return ColumnType::Float64;
 }
 
-LAMMPSPlacement::LAMMPSPlacement(const LAMMPSFrame& frame, const LAMMPSLayout& layout,
-                                 const std::string& path)
-    : m_box(frame.box)
+LAMMPSPlacement::LAMMPSPlacement(
+  const LAMMPSFrame& frame, const LAMMPSLayout& layout, const std::string& path)
+  : m_box(frame.box)
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -169,13 +168,12 @@ LAMMPSPlacement::LAMMPSPlacement(const LAMMPSFrame& frame, const LAMMPSLayout& l
   if (count > 0 && !m_box.known)
   {
     throw FileError(FileError::Kind::Malformed, path,
-                    "scaled coordinates need 'ITEM: BOX BOUNDS' before them", frame.columnsLine);
+      "scaled coordinates need 'ITEM: BOX BOUNDS' before them", frame.columnsLine);
   }
   if (count > 0 && count < 3 && m_box.general)
   {
     throw FileError(FileError::Kind::Malformed, path,
-                    "in a general triclinic box either all coordinates are scaled or none",
-                    frame.columnsLine);
+      "in a general triclinic box either all coordinates are scaled or none", frame.columnsLine);
   }
 }
 

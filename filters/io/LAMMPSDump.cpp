@@ -21,7 +21,9 @@ bool startsFrame(std::string_view line)
 class Indexer
 {
 public:
-  Indexer(const std::string& path, const Progress& progress) : m_cursor(path), m_progress(progress)
+  Indexer(const std::string& path, const Progress& progress)
+    : m_cursor(path)
+    , m_progress(progress)
   {
   }
 
@@ -34,8 +36,8 @@ public:
     if (m_index.frames.empty())
     {
       throw m_lastDamage
-          ? *m_lastDamage
-          : FileError(FileError::Kind::Truncated, m_cursor.path(), "the file has no time step");
+        ? *m_lastDamage
+        : FileError(FileError::Kind::Truncated, m_cursor.path(), "the file has no time step");
     }
     return std::move(m_index);
   }
@@ -81,8 +83,8 @@ void Indexer::checkBeginning()
       beginning.find("DUMPCUSTOM") != std::string::npos)
   {
     refuse(FileError::Kind::OtherFormat,
-           "this is a binary LAMMPS dump, and only text dumps are read (LAMMPS's tool binary2txt "
-           "turns one into the other)");
+      "this is a binary LAMMPS dump, and only text dumps are read (LAMMPS's tool binary2txt "
+      "turns one into the other)");
   }
   if (beginning.find('\0') != std::string::npos)
   {
@@ -90,8 +92,7 @@ void Indexer::checkBeginning()
   }
   const std::string line = beginning.substr(0, std::min<std::size_t>(beginning.find('\n'), 40));
   throw FileError(FileError::Kind::OtherFormat, m_cursor.path(),
-                  "this is no LAMMPS text dump: expected 'ITEM: TIMESTEP', found '" + line + "'",
-                  1);
+    "this is no LAMMPS text dump: expected 'ITEM: TIMESTEP', found '" + line + "'", 1);
 }
 
 /// Adds the next frame to the index; false at the end of the file.
@@ -139,10 +140,9 @@ void Indexer::skipRows(const LAMMPSFrame& frame)
   const auto damaged = [&](FileError::Kind kind, const std::string& sentence)
   {
     return FileError(kind, m_cursor.path(),
-                     "step " + std::to_string(frame.timestep) + " announces " +
-                         std::to_string(frame.atoms) + (frame.atoms == 1 ? " atom" : " atoms") +
-                         ", but " + sentence,
-                     m_cursor.line());
+      "step " + std::to_string(frame.timestep) + " announces " + std::to_string(frame.atoms) +
+        (frame.atoms == 1 ? " atom" : " atoms") + ", but " + sentence,
+      m_cursor.line());
   };
   const std::uint64_t found = skipLines(frame.atoms);
   std::string_view line;
@@ -150,9 +150,9 @@ void Indexer::skipRows(const LAMMPSFrame& frame)
   {
     const std::string after = std::to_string(found);
     throw m_cursor.peekLine(line)
-        ? damaged(FileError::Kind::Malformed,
-                  "'" + std::string(line.substr(0, 40)) + "' follows after " + after)
-        : damaged(FileError::Kind::Truncated, "the file ends after " + after + ": it is truncated");
+      ? damaged(FileError::Kind::Malformed,
+          "'" + std::string(line.substr(0, 40)) + "' follows after " + after)
+      : damaged(FileError::Kind::Truncated, "the file ends after " + after + ": it is truncated");
   }
   while (m_cursor.peekLine(line) && line.find_first_not_of(" \t\r") == line.npos)
   {
@@ -160,8 +160,8 @@ void Indexer::skipRows(const LAMMPSFrame& frame)
   }
   if (m_cursor.peekLine(line) && !line.starts_with("ITEM:"))
   {
-    throw damaged(FileError::Kind::Malformed,
-                  "more follow: '" + std::string(line.substr(0, 40)) + "'");
+    throw damaged(
+      FileError::Kind::Malformed, "more follow: '" + std::string(line.substr(0, 40)) + "'");
   }
 }
 

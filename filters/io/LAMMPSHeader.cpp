@@ -54,8 +54,8 @@ std::string_view LAMMPSHeader::value(const char* what)
   if (!m_cursor.nextLine(line))
   {
     throw FileError(FileError::Kind::Truncated, m_cursor.path(),
-                    std::string("the file ends where ") + what + " should follow: it is truncated",
-                    m_cursor.line());
+      std::string("the file ends where ") + what + " should follow: it is truncated",
+      m_cursor.line());
   }
   return trimmed(line);
 }
@@ -90,8 +90,7 @@ bool LAMMPSHeader::read()
         return false;
       }
       throw FileError(FileError::Kind::Truncated, m_cursor.path(),
-                      "the file ends within the header of a time step: it is truncated",
-                      m_cursor.line());
+        "the file ends within the header of a time step: it is truncated", m_cursor.line());
     }
     const std::string_view text = trimmed(line);
     if (text.empty())
@@ -194,8 +193,8 @@ void LAMMPSHeader::readBox(std::string_view item)
     double rows[3][3] = {};
     for (auto& row : rows)
     {
-      numbers(row, tilted ? 3 : 2,
-              tilted ? "low and high bounds and a tilt" : "low and high bounds");
+      numbers(
+        row, tilted ? 3 : 2, tilted ? "low and high bounds and a tilt" : "low and high bounds");
     }
     setTilted(box, rows);
   }

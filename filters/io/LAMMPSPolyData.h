@@ -21,7 +21,8 @@ struct LAMMPSReadOptions
 };
 
 /// Reads one frame into `output`, which should be empty: points, one vertex cell an atom, point
-/// data (with a "type" numbered from words where no column is so named), and the frame's header as field data. Throws FileError, and then `output` must be dropped.
+/// data (with a "type" numbered from words where no column is so named), and the frame's header as
+/// field data. Throws FileError, and then `output` must be dropped.
 void readLAMMPSFrame(const std::string& path, const LAMMPSFrame& frame,
   const LAMMPSReadOptions& options, const Progress& progress, vtkPolyData* output);
 

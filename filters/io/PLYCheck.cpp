@@ -85,7 +85,7 @@ Header readHeader(TextCursor& cursor)
     {
       const bool list = words[1] == "list" && words.size() >= 5;
       header.elements.back().properties.push_back(
-          list ? Property{bytesOf(words[2]), bytesOf(words[3])} : Property{0, bytesOf(words[1])});
+        list ? Property{bytesOf(words[2]), bytesOf(words[3])} : Property{0, bytesOf(words[1])});
     }
   }
   header.format = line.starts_with("end_header") ? format : Header::Format::None;
@@ -118,7 +118,7 @@ bool isWhole(std::string_view bytes, const Header& header)
           return false;
         }
         const std::uint64_t count =
-            property.countBytes > 0 ? readCount(bytes.data(), property.countBytes, bigEndian) : 1;
+          property.countBytes > 0 ? readCount(bytes.data(), property.countBytes, bigEndian) : 1;
         bytes.remove_prefix(property.countBytes);
         if (bytes.size() / property.valueBytes < count)
         {
@@ -141,8 +141,8 @@ void checkPLYIsWhole(const std::string& path)
   if (file.isGzip() || header.format == Header::Format::None)
   {
     throw FileError(FileError::Kind::OtherFormat, path,
-                    file.isGzip() ? "PLY is not read from gzip files; unpack it first (gunzip)"
-                                  : "this is no PLY file: its header is missing or damaged");
+      file.isGzip() ? "PLY is not read from gzip files; unpack it first (gunzip)"
+                    : "this is no PLY file: its header is missing or damaged");
   }
   bool whole = true;
   if (header.format == Header::Format::Text)
@@ -163,8 +163,8 @@ void checkPLYIsWhole(const std::string& path)
   if (!whole)
   {
     throw FileError(FileError::Kind::Truncated, path,
-                    "the file ends before all the elements that its header announces: it is "
-                    "truncated");
+      "the file ends before all the elements that its header announces: it is "
+      "truncated");
   }
 }
 

@@ -26,7 +26,9 @@ std::string_view wholeLines(std::string_view text)
 
 } // namespace
 
-TextCursor::TextCursor(const std::string& path, OpenEnd openEnd) : m_file(path), m_openEnd(openEnd)
+TextCursor::TextCursor(const std::string& path, OpenEnd openEnd)
+  : m_file(path)
+  , m_openEnd(openEnd)
 {
   seek(Place());
 }
@@ -113,9 +115,9 @@ void TextCursor::acceptOpenEnd(std::string_view rest)
   if (m_openEnd == OpenEnd::Reject)
   {
     throw FileError(FileError::Kind::Truncated, path(),
-                    "the last line has no line end, so the file may have been cut short here (if "
-                    "it is whole, add a line end)",
-                    m_line);
+      "the last line has no line end, so the file may have been cut short here (if "
+      "it is whole, add a line end)",
+      m_line);
   }
   m_originOffset = offset();
   m_lastLine.assign(rest).push_back('\n');
@@ -148,7 +150,7 @@ void TextCursor::fillFromStream()
     if (m_filled > LongestLine)
     {
       throw FileError(FileError::Kind::OtherFormat, path(),
-                      "this line is longer than 64 MiB: the file is no text", m_line);
+        "this line is longer than 64 MiB: the file is no text", m_line);
     }
     rest = m_filled;
     if (rest == m_buffer.size())
@@ -183,7 +185,7 @@ bool TextCursor::peekLine(std::string_view& line)
     return false;
   }
   const auto* lineEnd = static_cast<const char*>(
-      std::memchr(m_position, '\n', static_cast<std::size_t>(m_end - m_position)));
+    std::memchr(m_position, '\n', static_cast<std::size_t>(m_end - m_position)));
   line = {m_position, static_cast<std::size_t>(lineEnd - m_position)};
   if (!line.empty() && line.back() == '\r')
   {

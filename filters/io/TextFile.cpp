@@ -29,7 +29,7 @@ FileError cannotOpen(const std::string& path, int error)
     return {Kind::CannotOpen, path, "you have no permission to read this file"};
   default:
     return {Kind::CannotOpen, path,
-            std::string("this file cannot be read (") + std::strerror(error) + ")"};
+      std::string("this file cannot be read (") + std::strerror(error) + ")"};
   }
 }
 
@@ -57,10 +57,11 @@ FileStamp stampOf(const std::string& path)
 {
   const struct stat status = statOf(path);
   return {static_cast<std::uint64_t>(status.st_size),
-          std::int64_t{status.st_mtim.tv_sec} * 1000000000 + status.st_mtim.tv_nsec};
+    std::int64_t{status.st_mtim.tv_sec} * 1000000000 + status.st_mtim.tv_nsec};
 }
 
-TextFile::TextFile(const std::string& path) : m_path(path)
+TextFile::TextFile(const std::string& path)
+  : m_path(path)
 {
   statOf(path); // before open: opening a pipe would wait for its writer
   m_descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);

@@ -86,8 +86,8 @@ const char* storeValue(const TextColumn& column, std::uint64_t row, const char* 
 }
 
 /// Parses one line; returns the beginning of the next, or null after describing the fault.
-const char* parseRow(const std::vector<TextColumn>& columns, std::uint64_t row, const char* p,
-                     Fault& fault)
+const char* parseRow(
+  const std::vector<TextColumn>& columns, std::uint64_t row, const char* p, Fault& fault)
 {
   const char* const lineBegin = p;
   for (std::size_t c = 0; c < columns.size(); ++c)
@@ -158,7 +158,7 @@ std::string countOf(std::size_t count, const char* noun)
 
 /// The fault as a sentence for the user.
 FileError describe(const Fault& fault, const std::vector<TextColumn>& columns,
-                   const TextCursor& cursor, std::uint64_t line)
+  const TextCursor& cursor, std::uint64_t line)
 {
   const auto column = static_cast<std::uint64_t>(fault.token - fault.lineBegin) + 1;
   const char* lineEnd = fault.token;
@@ -166,8 +166,8 @@ FileError describe(const Fault& fault, const std::vector<TextColumn>& columns,
   {
     ++lineEnd;
   }
-  const std::string_view whole(fault.lineBegin,
-                               static_cast<std::size_t>(lineEnd - fault.lineBegin));
+  const std::string_view whole(
+    fault.lineBegin, static_cast<std::size_t>(lineEnd - fault.lineBegin));
   const std::size_t found = splitValues(whole).size();
   std::string sentence;
   switch (fault.trouble)
@@ -198,11 +198,10 @@ WidenColumn widened(const Fault& fault, const std::vector<TextColumn>& columns)
 
 /// Finds which rows the pieces are, at most `rows` of them, and parses them.
 void parseBatch(std::vector<Piece>& pieces, std::uint64_t firstRow, std::uint64_t rows,
-                const std::vector<TextColumn>& columns, const RowsStored& stored)
+  const std::vector<TextColumn>& columns, const RowsStored& stored)
 {
   tbb::parallel_for(std::size_t{0}, pieces.size(),
-                    [&](std::size_t i)
-                    { pieces[i].rows = countBytes(pieces[i].text, '\n', '\n').first; });
+    [&](std::size_t i) { pieces[i].rows = countBytes(pieces[i].text, '\n', '\n').first; });
   for (Piece& piece : pieces)
   {
     piece.firstRow = firstRow;
@@ -210,8 +209,8 @@ void parseBatch(std::vector<Piece>& pieces, std::uint64_t firstRow, std::uint64_
     firstRow += piece.rows;
     rows -= piece.rows;
   }
-  tbb::parallel_for(std::size_t{0}, pieces.size(),
-                    [&](std::size_t i) { parsePiece(pieces[i], columns, stored); });
+  tbb::parallel_for(
+    std::size_t{0}, pieces.size(), [&](std::size_t i) { parsePiece(pieces[i], columns, stored); });
 }
 
 void report(const Progress& progress, double fraction, const TextCursor& cursor)
@@ -225,7 +224,7 @@ void report(const Progress& progress, double fraction, const TextCursor& cursor)
 } // namespace
 
 RowsResult readRows(TextCursor& cursor, std::uint64_t rows, const std::vector<TextColumn>& columns,
-                    const RowsStored& stored, const Progress& progress)
+  const RowsStored& stored, const Progress& progress)
 {
   std::uint64_t done = 0;
   while (done < rows)
@@ -235,9 +234,8 @@ RowsResult readRows(TextCursor& cursor, std::uint64_t rows, const std::vector<Te
     if (text.empty())
     {
       throw FileError(FileError::Kind::Truncated, cursor.path(),
-                      "the file ends after " + std::to_string(done) + " of " +
-                          std::to_string(rows) + " rows",
-                      cursor.line());
+        "the file ends after " + std::to_string(done) + " of " + std::to_string(rows) + " rows",
+        cursor.line());
     }
     std::vector<Piece> pieces = cutIntoPieces(text);
     parseBatch(pieces, done, rows - done, columns, stored);

@@ -40,9 +40,9 @@ void skipRows(TextCursor& cursor, XYZFrame& frame, const Progress& progress)
     if (!cursor.nextLine(line))
     {
       throw FileError(FileError::Kind::Truncated, cursor.path(),
-                      "the file ends after " + std::to_string(row) + " of " +
-                          std::to_string(frame.atoms) + " atoms: it is truncated",
-                      cursor.line());
+        "the file ends after " + std::to_string(row) + " of " + std::to_string(frame.atoms) +
+          " atoms: it is truncated",
+        cursor.line());
     }
     if (row % 65536 == 0 && progress && !progress(cursor.fraction()))
     {
@@ -94,8 +94,8 @@ void addGroup(XYZLayout& layout, const std::string& name, ColumnType type, std::
   layout.arrays.push_back(std::move(group));
 }
 
-XYZLayout extendedLayout(const std::string& path, const XYZFrame& frame,
-                         const std::string& properties)
+XYZLayout extendedLayout(
+  const std::string& path, const XYZFrame& frame, const std::string& properties)
 {
   const auto refuse = [&](const std::string& sentence)
   { return FileError(FileError::Kind::Malformed, path, sentence, frame.commentLine); };
@@ -124,10 +124,10 @@ XYZLayout extendedLayout(const std::string& path, const XYZFrame& frame,
       continue;
     }
     addGroup(layout, fields[i],
-             type == 'R'   ? ColumnType::Float64
-             : type == 'I' ? ColumnType::Int32
-                           : ColumnType::String,
-             count);
+      type == 'R'   ? ColumnType::Float64
+      : type == 'I' ? ColumnType::Int32
+                    : ColumnType::String,
+      count);
     if (type == 'S' && count == 1 && layout.species.empty())
     {
       layout.species = fields[i];
@@ -158,10 +158,10 @@ std::vector<XYZFrame> indexXYZ(const std::string& path, const Progress& progress
     if (values.size() != 1 || !parseInteger(values[0].c_str(), atoms) || atoms < 0)
     {
       throw FileError(frames.empty() ? FileError::Kind::OtherFormat : FileError::Kind::Malformed,
-                      path,
-                      "expected the number of atoms of an XYZ frame, found '" +
-                          std::string(line.substr(0, 40)) + "'",
-                      cursor.line() - 1);
+        path,
+        "expected the number of atoms of an XYZ frame, found '" + std::string(line.substr(0, 40)) +
+          "'",
+        cursor.line() - 1);
     }
     XYZFrame frame;
     frame.atoms = static_cast<std::uint64_t>(atoms);
@@ -169,8 +169,7 @@ std::vector<XYZFrame> indexXYZ(const std::string& path, const Progress& progress
     if (!cursor.nextLine(line))
     {
       throw FileError(FileError::Kind::Truncated, path,
-                      "the file ends where a comment should follow: it is truncated",
-                      cursor.line());
+        "the file ends where a comment should follow: it is truncated", cursor.line());
     }
     frame.comment = line;
     frame.rows = cursor.place();
@@ -185,8 +184,8 @@ std::vector<XYZFrame> indexXYZ(const std::string& path, const Progress& progress
   return frames;
 }
 
-XYZLayout xyzLayout(const std::string& path, const XYZFrame& frame,
-                    const std::vector<std::string>& firstRow)
+XYZLayout xyzLayout(
+  const std::string& path, const XYZFrame& frame, const std::vector<std::string>& firstRow)
 {
   const std::string properties = propertiesOf(frame.comment);
   if (!properties.empty())
@@ -196,8 +195,8 @@ XYZLayout xyzLayout(const std::string& path, const XYZFrame& frame,
   std::int64_t number = 0;
   const bool numbered = !firstRow.empty() && parseInteger(firstRow[0].c_str(), number);
   XYZLayout layout;
-  addGroup(layout, numbered ? "type" : "element", numbered ? ColumnType::Int32 : ColumnType::String,
-           1);
+  addGroup(
+    layout, numbered ? "type" : "element", numbered ? ColumnType::Int32 : ColumnType::String, 1);
   layout.species = numbered ? "" : "element";
   for (const char* axis : {"x", "y", "z"})
   {
@@ -209,7 +208,7 @@ XYZLayout xyzLayout(const std::string& path, const XYZFrame& frame,
     double value = 0;
     const bool isNumber = parseDouble(firstRow[i].c_str(), value) != nullptr;
     addGroup(layout, "column" + std::to_string(i + 1),
-             isNumber ? ColumnType::Float64 : ColumnType::String, 1);
+      isNumber ? ColumnType::Float64 : ColumnType::String, 1);
   }
   return layout;
 }

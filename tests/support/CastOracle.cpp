@@ -35,9 +35,11 @@ std::vector<Sphere> resized(std::vector<Sphere> spheres, double by)
 } // namespace
 
 CastOracle::CastOracle(const ParticleSet& particles, double slack)
-    : particles_(particles), slack_(slack), exact_(reference::validSpheres(particles)),
-      grown_(resized(reference::validSpheres(particles), slack)),
-      shrunk_(resized(reference::validSpheres(particles), -slack))
+  : particles_(particles)
+  , slack_(slack)
+  , exact_(reference::validSpheres(particles))
+  , grown_(resized(reference::validSpheres(particles), slack))
+  , shrunk_(resized(reference::validSpheres(particles), -slack))
 {
 }
 
@@ -93,9 +95,8 @@ void CastOracle::judge(const Ray& ray, double t, std::size_t particle, CastRepor
 Ray rayOf(const RayPacket& packet, int i)
 {
   return {{packet.origin[0][i], packet.origin[1][i], packet.origin[2][i]},
-          {packet.direction[0][i], packet.direction[1][i], packet.direction[2][i]},
-          packet.tMin[i],
-          packet.t[i]};
+    {packet.direction[0][i], packet.direction[1][i], packet.direction[2][i]}, packet.tMin[i],
+    packet.t[i]};
 }
 
 RayPacket emptyPacket()
@@ -105,8 +106,8 @@ RayPacket emptyPacket()
   return packet;
 }
 
-void addRay(RayPacket& packet, const Vec3d& origin, const Vec3d& direction, double tMin,
-            double tMax)
+void addRay(
+  RayPacket& packet, const Vec3d& origin, const Vec3d& direction, double tMin, double tMax)
 {
   const int i = packet.count++;
   for (int axis = 0; axis < 3; ++axis)

@@ -52,8 +52,8 @@ reference::Ray rayOf(const RayPacket& packet, int i);
 
 /// Casts the packet and judges every ray of it.
 template <typename Structure>
-CastReport checkPacket(const Structure& structure, const CastOracle& oracle,
-                       const RayPacket& question)
+CastReport checkPacket(
+  const Structure& structure, const CastOracle& oracle, const RayPacket& question)
 {
   CastReport report;
   RayPacket packet = question;
@@ -64,15 +64,15 @@ CastReport checkPacket(const Structure& structure, const CastOracle& oracle,
     if (isHit != (packet.object[i] == 3))
       report.complaint = "slot and object do not agree";
     oracle.judge(rayOf(question, i), packet.t[i],
-                 isHit ? structure.inputIndex(packet.slot[i]) : reference::Hit::none, report);
+      isHit ? structure.inputIndex(packet.slot[i]) : reference::Hit::none, report);
   }
   return report;
 }
 
 /// Casts all rays of an image.
 template <typename Structure>
-CastReport checkImage(const Structure& structure, const CastOracle& oracle, const Camera& camera,
-                      int width, int height)
+CastReport checkImage(
+  const Structure& structure, const CastOracle& oracle, const Camera& camera, int width, int height)
 {
   CastReport report;
   const CameraRays rays(camera, width, height);
@@ -91,7 +91,7 @@ RayPacket emptyPacket();
 
 /// Adds a ray to a packet that has room.
 void addRay(RayPacket& packet, const Vec3d& origin, const Vec3d& direction, double tMin = 0.0,
-            double tMax = std::numeric_limits<double>::infinity());
+  double tMax = std::numeric_limits<double>::infinity());
 
 /// A camera at `eye` that looks at `target`, up being whatever suits.
 Camera lookAt(const Vec3d& eye, const Vec3d& target, double viewAngle = 30.0);

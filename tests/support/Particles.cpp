@@ -33,7 +33,7 @@ void Particles::move(const Vec3d& by)
 }
 
 Particles randomParticles(std::size_t count, std::uint64_t seed, double smallest, double largest,
-                          const Vec3d& lower, const Vec3d& upper)
+  const Vec3d& lower, const Vec3d& upper)
 {
   Random random(seed);
   Particles particles;

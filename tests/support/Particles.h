@@ -13,7 +13,10 @@ namespace mote::testing
 class Random
 {
 public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  explicit Random(std::uint64_t seed)
+    : engine_(seed)
+  {
+  }
   double operator()(double from = 0.0, double to = 1.0)
   {
     return from + (to - from) * static_cast<double>(engine_() >> 11) * 0x1p-53;
@@ -49,6 +52,6 @@ struct Particles
 
 /// `count` particles evenly in a box, with radii evenly in a range.
 Particles randomParticles(std::size_t count, std::uint64_t seed, double smallest, double largest,
-                          const Vec3d& lower = Vec3d(-1.0), const Vec3d& upper = Vec3d(1.0));
+  const Vec3d& lower = Vec3d(-1.0), const Vec3d& upper = Vec3d(1.0));
 
 } // namespace mote::testing

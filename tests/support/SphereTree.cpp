@@ -14,7 +14,8 @@ constexpr std::size_t leafSize = 8;
 constexpr std::size_t parallelSize = 1 << 16; // below that a task costs more than it saves
 } // namespace
 
-SphereTree::SphereTree(std::vector<Sphere> spheres) : spheres_(std::move(spheres))
+SphereTree::SphereTree(std::vector<Sphere> spheres)
+  : spheres_(std::move(spheres))
 {
   while ((spheres_.size() >> depth_) > leafSize)
     ++depth_;
@@ -50,8 +51,7 @@ void SphereTree::build(std::size_t node, int level, Range range)
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const std::size_t middle = range.middle();
   std::nth_element(begin, spheres_.begin() + static_cast<std::ptrdiff_t>(middle), end,
-                   [axis](const Sphere& a, const Sphere& c)
-                   { return a.center[axis] < c.center[axis]; });
+    [axis](const Sphere& a, const Sphere& c) { return a.center[axis] < c.center[axis]; });
   const auto left = [&] { build(2 * node, level + 1, {range.first, middle}); };
   const auto right = [&] { build(2 * node + 1, level + 1, {middle, range.last}); };
   if (range.last - range.first > parallelSize)
@@ -104,7 +104,7 @@ void SphereTree::visit(const Ray& ray, std::size_t node, int level, Range range,
   bool wanted[2];
   for (int side = 0; side < 2; ++side)
     wanted[side] = mayMeet(ray, bounds_[2 * node + static_cast<std::size_t>(side)],
-                           std::min(ray.tMax, hit.t), tIn[side]);
+      std::min(ray.tMax, hit.t), tIn[side]);
   const int nearer = wanted[0] && wanted[1] && tIn[1] < tIn[0] ? 1 : 0;
   for (const int side : {nearer, 1 - nearer})
   {

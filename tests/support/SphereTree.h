@@ -12,7 +12,10 @@ class SphereTree
 {
 public:
   explicit SphereTree(std::vector<Sphere> spheres);
-  explicit SphereTree(const ParticleSet& particles) : SphereTree(validSpheres(particles)) {}
+  explicit SphereTree(const ParticleSet& particles)
+    : SphereTree(validSpheres(particles))
+  {
+  }
 
   /// The same answer as bruteForce().
   Hit cast(const Ray& ray) const;

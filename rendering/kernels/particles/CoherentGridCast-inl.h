@@ -245,9 +245,10 @@ private:
       const VF k = hn::Mul(difference(c[K], plane_), hn::Set(d, sign_));
       const VF ru = hn::Mul(r, hn::Set(d, frustum_.uWiden));
       const VF rv = hn::Mul(r, hn::Set(d, frustum_.vWiden));
-      // At its own depth the sphere's centre may lie as far outside as the widened radius. That holds
-      // before the start plane too, where the bounds alone do not: the ray meets the sphere behind
-      // the plane, and |slope| x + sqrt(r^2 - x^2), for a hit x behind the centre, is never more.
+      // At its own depth the sphere's centre may lie as far outside as the widened radius. That
+      // holds before the start plane too, where the bounds alone do not: the ray meets the sphere
+      // behind the plane, and |slope| x + sqrt(r^2 - x^2), for a hit x behind the centre, is never
+      // more.
       const VF uLow = hn::MulAdd(hn::Set(d, frustum_.uLowSlope), k, hn::Set(d, frustum_.uLow));
       const VF uHigh = hn::MulAdd(hn::Set(d, frustum_.uHighSlope), k, hn::Set(d, frustum_.uHigh));
       const VF vLow = hn::MulAdd(hn::Set(d, frustum_.vLowSlope), k, hn::Set(d, frustum_.vLow));

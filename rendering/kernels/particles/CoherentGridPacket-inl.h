@@ -50,9 +50,9 @@ struct Packet
   alignas(64) double perKappa[64];      ///< t for one kappa
   int K, U, V;                          ///< axes
   double sign;                          ///< of travel along K
-  double plane;            ///< start plane's coordinate on K
-  double centerU, centerV; ///< where the middle ray crosses it
-  float depth;             ///< kappa at which the last sphere has ended
+  double plane;                         ///< start plane's coordinate on K
+  double centerU, centerV;              ///< where the middle ray crosses it
+  float depth;                          ///< kappa at which the last sphere has ended
 };
 
 HWY_INLINE VF laneMin(VF v)
@@ -97,8 +97,7 @@ inline void localize(const CoherentGridView& grid, const RayPacket& rays, Packet
   const DH dh;
   const int middle = rays.count / 2;
   const double planeWorld = grid.origin[p.K] + grid.unit * p.plane;
-  const double tMiddle =
-    (planeWorld - rays.origin[p.K][middle]) / rays.direction[p.K][middle];
+  const double tMiddle = (planeWorld - rays.origin[p.K][middle]) / rays.direction[p.K][middle];
   const auto middleAt = [&](int axis)
   {
     const double along = tMiddle * rays.direction[axis][middle];

@@ -51,8 +51,7 @@ private:
 
 /// The text of a dump's frame; `rows` end with line ends.
 inline std::string dumpFrame(long step, long atoms, const std::string& columns,
-                             const std::string& rows,
-                             const std::string& box = "pp pp pp\n0 10\n0 20\n0 40\n")
+  const std::string& rows, const std::string& box = "pp pp pp\n0 10\n0 20\n0 40\n")
 {
   return "ITEM: TIMESTEP\n" + std::to_string(step) + "\nITEM: NUMBER OF ATOMS\n" +
          std::to_string(atoms) + "\nITEM: BOX BOUNDS " + box + "ITEM: ATOMS " + columns + "\n" +

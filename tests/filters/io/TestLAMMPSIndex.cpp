@@ -63,9 +63,9 @@ TEST_F(TestLAMMPSIndex, DamageDoesNotHideOtherFrames)
   EXPECT_FALSE(index.frames[0].damage);
   ASSERT_TRUE(index.frames[1].damage);
   EXPECT_NE(std::string(index.frames[1].damage->what())
-                .find("line 22: step 1 announces 3 atoms, but 'ITEM: TIMESTEP' follows after 2"),
-            std::string::npos)
-      << index.frames[1].damage->what();
+              .find("line 22: step 1 announces 3 atoms, but 'ITEM: TIMESTEP' follows after 2"),
+    std::string::npos)
+    << index.frames[1].damage->what();
   ASSERT_TRUE(index.frames[2].damage);
   EXPECT_NE(std::string(index.frames[2].damage->what()).find("more follow"), std::string::npos);
   EXPECT_FALSE(index.frames[3].damage);
@@ -102,7 +102,7 @@ TEST_F(TestLAMMPSIndex, EveryTruncationIsNoticed)
 TEST_F(TestLAMMPSIndex, Layouts)
 {
   auto layout =
-      layoutOf({"id", "xs", "y", "zsu", "xu", "vx", "vy", "vz", "c_s[1]", "c_s[2]", "fx"}, true);
+    layoutOf({"id", "xs", "y", "zsu", "xu", "vx", "vy", "vz", "c_s[1]", "c_s[2]", "fx"}, true);
   EXPECT_TRUE(layout.missing.empty());
   EXPECT_EQ(layout.coordinates[0].column, 4u); // xu before xs
   EXPECT_FALSE(layout.coordinates[0].scaled);
@@ -116,8 +116,8 @@ TEST_F(TestLAMMPSIndex, Layouts)
   EXPECT_EQ(names, "id:1 xs:1 v:3 c_s:2 fx:1 ");
   EXPECT_EQ(layoutOf({"x", "y", "z", "vx", "vy", "vz"}, false).arrays.size(), 3u);
   EXPECT_EQ(layoutOf({"id", "x", "z"}, true).missing, "y");
-  EXPECT_EQ(layoutOf({"x", "y", "z", "c_1[1]", "c_2[2]", "c_q[0]", "c_q["}, true).arrays.size(),
-            4u);
+  EXPECT_EQ(
+    layoutOf({"x", "y", "z", "c_1[1]", "c_2[2]", "c_q[0]", "c_q["}, true).arrays.size(), 4u);
 }
 
 TEST_F(TestLAMMPSIndex, Types)

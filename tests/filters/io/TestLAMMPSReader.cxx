@@ -52,9 +52,9 @@ protected:
 TEST_F(TestLAMMPSReader, PointsArraysAndTheirTypes)
 {
   vtkPolyData* data =
-      read(write("a.dump", dumpFrame(42, 2, "id type element x y z vx vy vz c_s[1] c_s[2] ix q mol",
-                                     "7 1 Si 1.5 2.5 -3.5 1 2 3 4 5 -1 0.5 12\n"
-                                     "3 2 O 1e3 nan inf 6 7 8 9 10 2 -0.5 13\n")));
+    read(write("a.dump", dumpFrame(42, 2, "id type element x y z vx vy vz c_s[1] c_s[2] ix q mol",
+                           "7 1 Si 1.5 2.5 -3.5 1 2 3 4 5 -1 0.5 12\n"
+                           "3 2 O 1e3 nan inf 6 7 8 9 10 2 -0.5 13\n")));
   ASSERT_EQ(data->GetNumberOfPoints(), 2);
   ASSERT_EQ(data->GetNumberOfVerts(), 2);
   EXPECT_EQ(data->GetCellType(1), VTK_VERTEX);
@@ -113,16 +113,16 @@ TEST_F(TestLAMMPSReader, WordsBecomeTypesWhereThereIsNoTypeColumn)
 
 TEST_F(TestLAMMPSReader, FieldDataHoldTheHeader)
 {
-  vtkPolyData* data = read(write("a.dump", "ITEM: UNITS\nmetal\nITEM: TIME\n0.5\n" +
-                                               dumpFrame(42, 1, "x y z", "1 2 3\n")));
+  vtkPolyData* data = read(write(
+    "a.dump", "ITEM: UNITS\nmetal\nITEM: TIME\n0.5\n" + dumpFrame(42, 1, "x y z", "1 2 3\n")));
   vtkFieldData* fields = data->GetFieldData();
   EXPECT_EQ(fields->GetArray("TimeValue")->GetTuple1(0), 0.5);
   EXPECT_EQ(fields->GetArray("timestep")->GetTuple1(0), 42);
   ASSERT_EQ(fields->GetArray("box")->GetNumberOfComponents(), 9);
   EXPECT_EQ(fields->GetArray("box")->GetComponent(0, 4), 20);
   EXPECT_EQ(fields->GetArray("box_origin")->GetNumberOfComponents(), 3);
-  EXPECT_EQ(vtkStringArray::SafeDownCast(fields->GetAbstractArray("boundary"))->GetValue(0),
-            "pp pp pp");
+  EXPECT_EQ(
+    vtkStringArray::SafeDownCast(fields->GetAbstractArray("boundary"))->GetValue(0), "pp pp pp");
   EXPECT_EQ(vtkStringArray::SafeDownCast(fields->GetAbstractArray("units"))->GetValue(0), "metal");
   EXPECT_EQ(dataTime(), 0.5);
 }
@@ -145,7 +145,7 @@ TEST_F(TestLAMMPSReader, TriclinicCells)
   // Cell: origin (1, 2, 3), a = 10, b = (-2, 20, 0), c = (3, -4, 40).
   const std::string box = "xy xz yz pp pp pp\n-1 14 -2\n-2 22 3\n3 43 -4\n";
   vtkPolyData* data =
-      read(write("a.dump", dumpFrame(0, 2, "xs ys zs", "1 1 1\n0.5 0.5 0.5\n", box)));
+    read(write("a.dump", dumpFrame(0, 2, "xs ys zs", "1 1 1\n0.5 0.5 0.5\n", box)));
   EXPECT_DOUBLE_EQ(data->GetPoint(0)[0], 12);
   EXPECT_DOUBLE_EQ(data->GetPoint(0)[1], 18);
   EXPECT_DOUBLE_EQ(data->GetPoint(0)[2], 43);
@@ -174,7 +174,7 @@ TEST_F(TestLAMMPSReader, TimeStepsAndTheNearestAtOrBefore)
   EXPECT_EQ(times(), (std::vector<double>{0, 100, 250}));
   EXPECT_EQ(dataTime(), 0);
   for (const auto& [asked, given] :
-       {std::pair{100.0, 100.0}, {249.0, 100.0}, {1e9, 250.0}, {-5.0, 0.0}})
+    {std::pair{100.0, 100.0}, {249.0, 100.0}, {1e9, 250.0}, {-5.0, 0.0}})
   {
     m_reader->UpdateTimeStep(asked);
     EXPECT_EQ(dataTime(), given);
@@ -186,8 +186,8 @@ TEST_F(TestLAMMPSReader, TimeStepsAndTheNearestAtOrBefore)
 TEST_F(TestLAMMPSReader, SeriesInAnyOrderAndRestarts)
 {
   m_reader->AddFileName(
-      write("b.dump", dumpFrame(20, 1, "x y z", "20 0 0\n") + dumpFrame(30, 1, "x y z", "30 0 0\n"))
-          .c_str());
+    write("b.dump", dumpFrame(20, 1, "x y z", "20 0 0\n") + dumpFrame(30, 1, "x y z", "30 0 0\n"))
+      .c_str());
   m_reader->AddFileName(writeGzip("a.dump", dumpFrame(10, 1, "x y z", "10 0 0\n")).c_str());
   m_reader->AddFileName(write("c.dump", dumpFrame(30, 1, "x y z", "31 0 0\n")).c_str());
   EXPECT_EQ(m_reader->GetNumberOfFileNames(), 3);
@@ -211,7 +211,7 @@ TEST_F(TestLAMMPSReader, EmptyFramesAreValid)
 TEST_F(TestLAMMPSReader, DisabledArraysAreNotParsed)
 {
   const std::string file =
-      write("a.dump", dumpFrame(0, 1, "id x y z c_a c_b", "1 2 3 4 broken 6\n"));
+    write("a.dump", dumpFrame(0, 1, "id x y z c_a c_b", "1 2 3 4 broken 6\n"));
   m_reader->SetFileName(file.c_str());
   m_reader->UpdateInformation();
   vtkDataArraySelection* selection = m_reader->GetPointDataArraySelection();
@@ -236,7 +236,7 @@ TEST_F(TestLAMMPSReader, VectorsAndPrecisionAreOptions)
   m_reader->CombineVectorsOff();
   m_reader->SinglePrecisionOn();
   vtkPolyData* data =
-      read(write("a.dump", dumpFrame(0, 1, "id x y z vx vy vz", "1 0.1 3 4 5 6 7\n")));
+    read(write("a.dump", dumpFrame(0, 1, "id x y z vx vy vz", "1 0.1 3 4 5 6 7\n")));
   EXPECT_EQ(data->GetPointData()->GetNumberOfArrays(), 4);
   EXPECT_EQ(data->GetPointData()->GetArray("vy")->GetDataType(), VTK_FLOAT);
   EXPECT_EQ(data->GetPointData()->GetArray("vy")->GetTuple1(0), 6);
@@ -283,7 +283,7 @@ std::string largeDump(int atoms)
   for (int i = 0; i < atoms; ++i)
   {
     rows +=
-        std::to_string(i) + " 1 0.123456789 0.987654321 5.5555555555 -1.234567e-05 123.456789\n";
+      std::to_string(i) + " 1 0.123456789 0.987654321 5.5555555555 -1.234567e-05 123.456789\n";
   }
   return dumpFrame(0, atoms, "id type x y z c_a c_b", rows);
 }
@@ -364,7 +364,7 @@ TEST_F(TestLAMMPSReader, CanReadFile)
   const std::string frame = dumpFrame(0, 0, "x y z", "");
   EXPECT_EQ(vtkMoteLAMMPSDumpReader::CanReadFile(write("a", frame).c_str()), 1);
   EXPECT_EQ(
-      vtkMoteLAMMPSDumpReader::CanReadFile(writeGzip("b", "ITEM: UNITS\nlj\n" + frame).c_str()), 1);
+    vtkMoteLAMMPSDumpReader::CanReadFile(writeGzip("b", "ITEM: UNITS\nlj\n" + frame).c_str()), 1);
   EXPECT_EQ(vtkMoteLAMMPSDumpReader::CanReadFile(write("c", "something").c_str()), 0);
   EXPECT_EQ(vtkMoteLAMMPSDumpReader::CanReadFile(write("d", "").c_str()), 0);
   EXPECT_EQ(vtkMoteLAMMPSDumpReader::CanReadFile(path("missing").c_str()), 0);

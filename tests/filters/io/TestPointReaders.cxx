@@ -42,8 +42,8 @@ TEST_F(TestPointReaders, PlainXYZ)
   EXPECT_EQ(data->GetPointData()->GetArray("type")->GetTuple1(1), 8);
   EXPECT_EQ(data->GetPointData()->GetArray("column5")->GetTuple1(1), 0.25);
   EXPECT_EQ(
-      vtkStringArray::SafeDownCast(data->GetPointData()->GetAbstractArray("element"))->GetValue(0),
-      "Si");
+    vtkStringArray::SafeDownCast(data->GetPointData()->GetAbstractArray("element"))->GetValue(0),
+    "Si");
   EXPECT_EQ(vtkMoteReaderTable::GetTimeSteps(reader, m_error), (std::vector<double>{0, 1}));
   ASSERT_TRUE(vtkMoteReaderTable::Read(reader, 1.0, m_error)) << m_error;
   EXPECT_EQ(reader->GetOutput()->GetPoint(0)[0], 7);
@@ -53,11 +53,10 @@ TEST_F(TestPointReaders, PlainXYZ)
 TEST_F(TestPointReaders, ExtendedXYZ)
 {
   vtkNew<vtkMoteXYZReader> reader;
-  vtkPolyData* data =
-      read(*reader,
-           writeGzip("a.xyz", "1\nLattice=\"1 0 0 0 1 0 0 0 1\" "
-                              "Properties=species:S:1:force:R:3:pos:R:3:Z:I:1:fixed:L:1 energy=1\n"
-                              "Si 1 2 3 4 5 6 14 T\n"));
+  vtkPolyData* data = read(*reader,
+    writeGzip("a.xyz", "1\nLattice=\"1 0 0 0 1 0 0 0 1\" "
+                       "Properties=species:S:1:force:R:3:pos:R:3:Z:I:1:fixed:L:1 energy=1\n"
+                       "Si 1 2 3 4 5 6 14 T\n"));
   ASSERT_EQ(m_error, "");
   EXPECT_EQ(data->GetPoint(0)[0], 4);
   EXPECT_EQ(data->GetPointData()->GetArray("force")->GetComponent(0, 2), 3);
@@ -70,17 +69,16 @@ TEST_F(TestPointReaders, BadXYZ)
 {
   vtkNew<vtkMoteXYZReader> reader;
   const std::vector<std::pair<const char*, const char*>> cases = {
-      {"", "bad.xyz: the file is empty"},
-      {"hello\n", "line 1: expected the number of atoms of an XYZ frame, found 'hello'"},
-      {"2\ncomment\nSi 1 2 3\n", "line 4: the file ends after 1 of 2 atoms"},
-      {"2\n", "line 2: the file ends where a comment should follow"},
-      {"1\nc\nSi 1 2\n", "line 3, column 7: expected 4 values, found only 3 ('z' is missing)"},
-      {"1\nc\nSi 1 2 x\n", "line 3, column 8: expected a number for 'z', found 'x'"},
-      {"1\nProperties=pos:R\nSi 1 2 3\n", "line 2: expected Properties=name:type:count"},
-      {"1\nProperties=a:R:1\n1\n", "line 2: the properties have no positions"},
-      {"1\nc\nSi 1 2 3\n7 8\n",
-       "line 4: expected the number of atoms of an XYZ frame, found '7 8'"},
-      {"99999999999\nc\nSi 1 2 3\n", "the file ends after 1 of 99999999999 atoms"},
+    {"", "bad.xyz: the file is empty"},
+    {"hello\n", "line 1: expected the number of atoms of an XYZ frame, found 'hello'"},
+    {"2\ncomment\nSi 1 2 3\n", "line 4: the file ends after 1 of 2 atoms"},
+    {"2\n", "line 2: the file ends where a comment should follow"},
+    {"1\nc\nSi 1 2\n", "line 3, column 7: expected 4 values, found only 3 ('z' is missing)"},
+    {"1\nc\nSi 1 2 x\n", "line 3, column 8: expected a number for 'z', found 'x'"},
+    {"1\nProperties=pos:R\nSi 1 2 3\n", "line 2: expected Properties=name:type:count"},
+    {"1\nProperties=a:R:1\n1\n", "line 2: the properties have no positions"},
+    {"1\nc\nSi 1 2 3\n7 8\n", "line 4: expected the number of atoms of an XYZ frame, found '7 8'"},
+    {"99999999999\nc\nSi 1 2 3\n", "the file ends after 1 of 99999999999 atoms"},
   };
   for (const auto& [text, sentence] : cases)
   {
@@ -104,7 +102,7 @@ TEST_F(TestPointReaders, Points)
   }
   EXPECT_EQ(read(*reader, write("b.pts", "1 2\n"))->GetNumberOfPoints(), 0);
   EXPECT_NE(m_error.find("line 1, column 4: expected 3 values, found only 2"), std::string::npos)
-      << m_error;
+    << m_error;
   read(*reader, write("c.pts", ""));
   EXPECT_NE(m_error.find("the file is empty"), std::string::npos) << m_error;
 }
@@ -113,7 +111,7 @@ TEST_F(TestPointReaders, Tables)
 {
   vtkNew<vtkMoteDelimitedPointsReader> reader;
   vtkPolyData* data =
-      read(*reader, write("a.csv", "name,X,Y,Z,mass\na,1,2,3,0.5\nb,4,5,6.5,0.25\n"));
+    read(*reader, write("a.csv", "name,X,Y,Z,mass\na,1,2,3,0.5\nb,4,5,6.5,0.25\n"));
   ASSERT_EQ(m_error, "");
   ASSERT_EQ(data->GetNumberOfPoints(), 2);
   EXPECT_EQ(data->GetPoint(1)[2], 6.5);
@@ -121,11 +119,11 @@ TEST_F(TestPointReaders, Tables)
   EXPECT_EQ(data->GetPointData()->GetNumberOfArrays(), 2);
   EXPECT_EQ(data->GetPointData()->GetArray("mass")->GetTuple1(1), 0.25);
   const std::vector<std::pair<const char*, const char*>> cases = {
-      {"", "the file is empty"},
-      {"x,y,z\n", "the table has no row below the names"},
-      {"a,b\n1,2\n",
-       "line 1: no column is named 'x'; points need columns x, y and mostly z, and here are 'a', 'b'"},
-      {"x,y,z\n1,2,3\n1,two,3\n", "line 3: expected a number for 'y', found 'two'"},
+    {"", "the file is empty"},
+    {"x,y,z\n", "the table has no row below the names"},
+    {"a,b\n1,2\n", "line 1: no column is named 'x'; points need columns x, y and mostly z, and "
+                   "here are 'a', 'b'"},
+    {"x,y,z\n1,2,3\n1,two,3\n", "line 3: expected a number for 'y', found 'two'"},
   };
   for (const auto& [text, sentence] : cases)
   {

@@ -21,7 +21,7 @@ namespace
 struct Dump
 {
   explicit Dump(const std::vector<std::string>& files)
-      : reader(vtkMoteReaderTable::MakeReader(files, error))
+    : reader(vtkMoteReaderTable::MakeReader(files, error))
   {
     if (reader)
     {
@@ -79,7 +79,7 @@ std::array<double, 3> fractions(vtkPolyData* data, const double* point)
 {
   const double* h = static_cast<double*>(data->GetFieldData()->GetArray("box")->GetVoidPointer(0));
   const double* o =
-      static_cast<double*>(data->GetFieldData()->GetArray("box_origin")->GetVoidPointer(0));
+    static_cast<double*>(data->GetFieldData()->GetArray("box_origin")->GetVoidPointer(0));
   const double z = (point[2] - o[2]) / h[8];
   const double y = (point[1] - o[1] - z * h[7]) / h[4];
   return {(point[0] - o[0] - y * h[3] - z * h[6]) / h[0], y, z};
@@ -105,7 +105,7 @@ TEST(SharedDumps, VariantsOfTheMeltAgree)
   Dump plain({plainFile});
   EXPECT_EQ(plain.times, (std::vector<double>{0, 125, 250}));
   for (const char* name : {"melt.atom.scaled.dump", "melt.custom.xs.dump", "melt.custom.xsu.dump",
-                           "melt.custom.units_time.dump", "melt.custom.dump.gz"})
+         "melt.custom.units_time.dump", "melt.custom.dump.gz"})
   {
     MOTE_REQUIRE_SHARED(file, std::string("variants/") + name);
     Dump other({file});
@@ -132,7 +132,7 @@ TEST(SharedDumps, ScaledUnwrappedEqualsWrappedPlusImages)
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
     auto& position =
-        expected[static_cast<vtkIdType>(data->GetPointData()->GetArray("id")->GetTuple1(i))];
+      expected[static_cast<vtkIdType>(data->GetPointData()->GetArray("id")->GetTuple1(i))];
     for (int axis = 0; axis < 3; ++axis)
     {
       const char* names[] = {"ix", "iy", "iz"};
@@ -162,9 +162,9 @@ TEST(SharedDumps, SeriesEqualsOneFile)
   MOTE_REQUIRE_SHARED(first, "variants/melt.custom.perstep.000000.dump");
   MOTE_REQUIRE_SHARED(whole, "variants/melt.custom.dump.gz");
   Dump one({whole});
-  const auto groups = vtkMoteReaderTable::GroupSeries(
-      {sharedParticles("variants/melt.custom.perstep.000250.dump"), first,
-       sharedParticles("variants/melt.custom.perstep.000125.dump")});
+  const auto groups =
+    vtkMoteReaderTable::GroupSeries({sharedParticles("variants/melt.custom.perstep.000250.dump"),
+      first, sharedParticles("variants/melt.custom.perstep.000125.dump")});
   ASSERT_EQ(groups.size(), 1u);
   Dump series(groups[0]);
   EXPECT_EQ(series.times, one.times);
@@ -176,7 +176,7 @@ TEST(SharedDumps, SeriesEqualsOneFile)
     for (vtkIdType i = 0; i < a->GetNumberOfPoints(); ++i)
     {
       ASSERT_EQ(a->GetPointData()->GetArray("c_ke")->GetTuple1(i),
-                b->GetPointData()->GetArray("c_ke")->GetTuple1(i));
+        b->GetPointData()->GetArray("c_ke")->GetTuple1(i));
     }
   }
 }
@@ -249,7 +249,7 @@ TEST(SharedDumps, Simulations)
   MOTE_REQUIRE_SHARED(pour, "pour.dump.gz");
   MOTE_REQUIRE_SHARED(shear, "shear_void.dump.gz");
   Dump series(
-      {fracture, sharedParticles("peri3d.01500.dump.gz"), sharedParticles("peri3d.03000.dump.gz")});
+    {fracture, sharedParticles("peri3d.01500.dump.gz"), sharedParticles("peri3d.03000.dump.gz")});
   EXPECT_EQ(series.times, (std::vector<double>{300, 1500, 3000}));
   vtkPolyData* data = series.at(3000);
   EXPECT_EQ(data->GetNumberOfPoints(), 84270);
@@ -279,8 +279,7 @@ TEST(SharedDumps, Simulations)
 TEST(SharedDumps, OtherFormats)
 {
   const std::map<std::string, vtkIdType> counts = {{"variants/melt.xyz", 4000},
-                                                   {"variants/SiH.extended.xyz", 101},
-                                                   {"uintah_foam.pts.gz", 380892}};
+    {"variants/SiH.extended.xyz", 101}, {"uintah_foam.pts.gz", 380892}};
   for (const auto& [name, count] : counts)
   {
     MOTE_REQUIRE_SHARED(file, name);
@@ -322,7 +321,7 @@ TEST(SharedDumps, WhatIsNotReadSaysSo)
   {
     MOTE_REQUIRE_SHARED(file, std::string("variants/") + name);
     EXPECT_NE(vtkMoteReaderTable::CheckFile(file).find("binary LAMMPS dump"), std::string::npos)
-        << name;
+      << name;
     vtkNew<vtkMoteLAMMPSDumpReader> reader;
     reader->SetFileName(file.c_str());
     std::string error;
@@ -333,7 +332,7 @@ TEST(SharedDumps, WhatIsNotReadSaysSo)
   {
     MOTE_REQUIRE_SHARED(file, std::string("variants/") + name);
     EXPECT_NE(vtkMoteReaderTable::CheckFile(file).find("known extensions are"), std::string::npos)
-        << name;
+      << name;
   }
 }
 

@@ -88,10 +88,10 @@ TEST_F(TestTextCursor, BlocksAreWholeLines)
     {
       ASSERT_EQ(block.back(), '\n');
       const auto counts = mote::countBytes(block, '\n', 'x');
-      ASSERT_EQ(counts.first,
-                static_cast<std::uint64_t>(std::count(block.begin(), block.end(), '\n')));
-      ASSERT_EQ(counts.second,
-                static_cast<std::uint64_t>(std::count(block.begin(), block.end(), 'x')));
+      ASSERT_EQ(
+        counts.first, static_cast<std::uint64_t>(std::count(block.begin(), block.end(), '\n')));
+      ASSERT_EQ(
+        counts.second, static_cast<std::uint64_t>(std::count(block.begin(), block.end(), 'x')));
       joined += block;
       cursor.advance(block.size(), counts.first);
     }
@@ -127,8 +127,8 @@ TEST_F(TestTextCursor, LineEnds)
 TEST_F(TestTextCursor, LongLinesAndOpenEndsOfGzip)
 {
   const std::string longLine(10000000, 'x');
-  TextCursor cursor(writeGzip("a.gz", "short\n" + longLine + "\nopen"),
-                    TextCursor::OpenEnd::Accept);
+  TextCursor cursor(
+    writeGzip("a.gz", "short\n" + longLine + "\nopen"), TextCursor::OpenEnd::Accept);
   std::string_view line;
   ASSERT_TRUE(cursor.nextLine(line));
   ASSERT_TRUE(cursor.nextLine(line));

@@ -25,9 +25,8 @@ protected:
     TextCursor cursor(write("rows", text), TextCursor::OpenEnd::Accept);
     try
     {
-      mote::readRows(
-          cursor, rows,
-          {{"a", ColumnType::Int64, a.data(), 1}, {"b", ColumnType::Float64, b.data(), 1}}, {}, {});
+      mote::readRows(cursor, rows,
+        {{"a", ColumnType::Int64, a.data(), 1}, {"b", ColumnType::Float64, b.data(), 1}}, {}, {});
     }
     catch (const FileError& error)
     {
@@ -45,10 +44,10 @@ TEST_F(TestTextRows, EveryTypeAndStride)
   std::vector<float> c(4, 0.0F);
   std::vector<double> d(2);
   std::vector<std::string> e(2);
-  const std::vector<TextColumn> columns = {
-      {"a", ColumnType::Int32, a.data(), 1},       {"b", ColumnType::Int64, b.data(), 1},
-      {"c", ColumnType::Float32, c.data() + 1, 2}, {"d", ColumnType::Float64, d.data(), 1},
-      {"e", ColumnType::String, e.data(), 1},      {"f", ColumnType::Skip, nullptr, 1}};
+  const std::vector<TextColumn> columns = {{"a", ColumnType::Int32, a.data(), 1},
+    {"b", ColumnType::Int64, b.data(), 1}, {"c", ColumnType::Float32, c.data() + 1, 2},
+    {"d", ColumnType::Float64, d.data(), 1}, {"e", ColumnType::String, e.data(), 1},
+    {"f", ColumnType::Skip, nullptr, 1}};
   EXPECT_TRUE(mote::readRows(cursor, 2, columns, {}, {}).complete);
   EXPECT_EQ(a, (std::vector<std::int32_t>{1, -1}));
   EXPECT_EQ(b, (std::vector<std::int64_t>{2, -2}));
@@ -79,12 +78,9 @@ TEST_F(TestTextRows, ManyPiecesManyThreads)
       std::atomic<std::uint64_t> stored{0};
       TextCursor cursor(file);
       mote::readRows(cursor, Rows,
-                     {{"a", ColumnType::Int64, a.data(), 1},
-                      {"b", ColumnType::Float64, b.data(), 1},
-                      {"c"},
-                      {"d"},
-                      {"e"}},
-                     [&](std::uint64_t, std::uint64_t count) { stored += count; }, {});
+        {{"a", ColumnType::Int64, a.data(), 1}, {"b", ColumnType::Float64, b.data(), 1}, {"c"},
+          {"d"}, {"e"}},
+        [&](std::uint64_t, std::uint64_t count) { stored += count; }, {});
       EXPECT_EQ(stored, static_cast<std::uint64_t>(Rows));
       for (int i = 0; i < Rows; ++i)
       {
@@ -100,17 +96,17 @@ TEST_F(TestTextRows, ManyPiecesManyThreads)
 
 TEST_F(TestTextRows, ErrorsNameLineAndColumn)
 {
-  EXPECT_NE(failure("1 2\n3 x4\n", 2)
-                .find("rows, line 2, column 3: expected a number for 'b', found 'x4'"),
-            std::string::npos);
+  EXPECT_NE(
+    failure("1 2\n3 x4\n", 2).find("rows, line 2, column 3: expected a number for 'b', found 'x4'"),
+    std::string::npos);
   EXPECT_NE(failure("1 2\n3\n", 2)
-                .find("line 2, column 2: expected 2 values, found only 1 ('b' is "
-                      "missing)"),
-            std::string::npos);
+              .find("line 2, column 2: expected 2 values, found only 1 ('b' is "
+                    "missing)"),
+    std::string::npos);
   EXPECT_NE(failure("1 2\n\n3 4\n", 2).find("line 2, column 1: expected 2 values, found an empty"),
-            std::string::npos);
-  EXPECT_NE(failure("1 2 3\n", 1).find("line 1, column 5: expected 2 values, found 3"),
-            std::string::npos);
+    std::string::npos);
+  EXPECT_NE(
+    failure("1 2 3\n", 1).find("line 1, column 5: expected 2 values, found 3"), std::string::npos);
   EXPECT_NE(failure("1 2\n", 2).find("line 2: the file ends after 1 of 2 rows"), std::string::npos);
   EXPECT_EQ(failure("1 2", 1), "nothing");
 }
