@@ -2,6 +2,7 @@
 
 #include "Error.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mote
@@ -59,6 +60,57 @@ CameraRays CameraRays::transformed(const Mat4d& toLocal) const
   rays.dx = transformVector(toLocal, dx);
   rays.dy = transformVector(toLocal, dy);
   return rays;
+}
+
+namespace
+{
+
+/// Places of the rays of a bundle, in pixels from the middle of its square.
+struct BundlePlaces
+{
+  float x[RayBundle::capacity], y[RayBundle::capacity];
+
+  explicit BundlePlaces(int side)
+  {
+    const float middle = 0.5f * static_cast<float>(side - 1);
+    for (int i = 0; i < RayBundle::capacity; ++i)
+    {
+      int column = 0, row = 0;
+      if (i < side * side)
+        bundleOffset(side, i, column, row);
+      x[i] = static_cast<float>(column) - middle;
+      y[i] = static_cast<float>(row) - middle;
+    }
+  }
+};
+
+const BundlePlaces& placesOf(int side)
+{
+  static const BundlePlaces two(2), four(4), eight(8), sixteen(16);
+  return side == 2 ? two : side == 4 ? four : side == 8 ? eight : sixteen;
+}
+
+} // namespace
+
+void CameraRays::fillBundle(
+  RayBundle& bundle, int side, int x0, int y0, double jitterX, double jitterY) const
+{
+  const int count = side * side;
+  const double x = x0 + 0.5 * side + jitterX, y = y0 + 0.5 * side + jitterY;
+  const bool common = ox == Vec3d(0.0) && oy == Vec3d(0.0);
+  bundle.kind = common ? RayBundle::Kind::CommonOrigin : RayBundle::Kind::CommonDirection;
+  bundle.count = count;
+  bundle.origin = originAt(x, y);
+  bundle.direction = directionAt(x, y);
+  bundle.dx = common ? dx : ox;
+  bundle.dy = common ? dy : oy;
+  bundle.tMin = tMin;
+  const BundlePlaces& places = placesOf(side);
+  std::copy_n(places.x, count, bundle.x);
+  std::copy_n(places.y, count, bundle.y);
+  std::fill_n(bundle.t, count, tMax);
+  std::fill_n(bundle.slot, count, RayBundle::noHit);
+  std::fill_n(bundle.object, count, -1);
 }
 
 } // namespace mote

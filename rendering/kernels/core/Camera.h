@@ -1,5 +1,6 @@
 #pragma once
 
+#include "RayBundle.h"
 #include "RayPacket.h"
 #include "Vec.h"
 
@@ -52,6 +53,11 @@ struct CameraRays
   /// Z order, at `jitter` (pixels, 0 is the centre) from the pixel centres, with nothing hit.
   /// Blocks may reach over the image's edge: those rays are traced and not kept.
   void fillBlock(RayPacket& packet, int x0, int y0, double jitterX, double jitterY) const;
+
+  /// The same for a bundle of `side` x `side` pixels (2, 4, 8 or 16), in the order of
+  /// bundleOffset().
+  void fillBundle(
+    RayBundle& bundle, int side, int x0, int y0, double jitterX, double jitterY) const;
 };
 
 } // namespace mote

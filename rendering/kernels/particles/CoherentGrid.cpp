@@ -14,6 +14,11 @@ std::size_t CoherentGrid::bytes() const
          shown_.capacity() * sizeof(std::uint64_t);
 }
 
+int CoherentGrid::bundleSide(const CameraRays&, int, int, int) const
+{
+  return 8;
+}
+
 void CoherentGrid::clear()
 {
   statistics_ = {};

@@ -1,12 +1,14 @@
 #pragma once
 
+#include "../core/Camera.h"
 #include "../core/Progress.h"
 #include "../core/RawVector.h"
-#include "../core/RayPacket.h"
 #include "ParticleSet.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace mote
@@ -17,6 +19,31 @@ struct CoherentGridOptions
 {
   double cellsPerParticle = 1.0; ///< lambda of the paper; [0.2, 5], values outside are clamped
   bool keepIndices = true;       ///< keep the way back to the input index: 4 or 8 bytes a particle
+};
+
+/// A value that every particle has beside its centre and radius, in input order.
+struct ParticleAttribute
+{
+  ArrayView values;
+  int component = 0; ///< or ArrayView::magnitude
+};
+
+/// Bounds on the eight values of a particle: x, y, z of its centre and its radius, in the input's
+/// coordinates, and its up to four attributes. Both ends of a range belong to it; a NaN lies in no
+/// range but the unlimited one.
+struct ParticleRanges
+{
+  static constexpr int count = 8;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, count> lower;
+  std::array<double, count> upper;
+
+  ParticleRanges()
+  {
+    lower.fill(-infinity);
+    upper.fill(infinity);
+  }
+  bool isLimited(int value) const { return lower[value] > -infinity || upper[value] < infinity; }
 };
 
 /// A uniform grid of cubic cells over particles, traversed slice by slice by packets of rays.
@@ -53,6 +80,28 @@ public:
   /// the smallest input index is hit. A ray that starts inside a sphere hits its far side.
   /// Thread-safe.
   void cast(RayPacket& packet, std::int32_t object) const;
+
+  /// The same for the rays of a bundle: faster, since they need not be compared with one another.
+  void cast(RayBundle& bundle, std::int32_t object) const;
+
+  /// Looks for anything between the ends of the rays: t of each ray that meets a sphere with tMin <
+  /// t < bundle.t becomes -infinity. What the ray starts or ends on does not count: the particle
+  /// `slot`, where the ray's `object` is this one. slot and object stay as they are. Thread-safe.
+  void occlude(RayBundle& bundle, std::int32_t object) const;
+
+  /// Side in pixels (2, 4, 8 or 16) of the camera's bundles that are cast fastest in the square of
+  /// `size` pixels at (x0, y0): the larger a cell looks, the larger.
+  int bundleSide(const CameraRays& rays, int x0, int y0, int size) const;
+
+  /// Keeps up to four attributes for setRanges(), in float, 16 bytes a particle; none forgets
+  /// them. `attributes` are in input order and need kept indices; nothing is viewed after the call.
+  /// Throws Error where an attribute has not one tuple a particle of the input.
+  void setAttributes(const std::vector<ParticleAttribute>& attributes);
+
+  /// Shows only the particles with all values in range, besides what setVisibility() hides. A
+  /// change costs a look at the macrocells, not at the particles. Attributes compare as
+  /// float: limits are rounded inwards, so that for values that are float the answer is exact.
+  void setRanges(const ParticleRanges& ranges);
 
   /// Shows only the particles whose slots `shown` accepts, without a rebuild; called from several
   /// threads. An empty function shows all again.
@@ -105,6 +154,9 @@ private:
   std::vector<std::uint8_t> macrocellShown_; ///< whether a macrocell has a particle to show
   RawVector<std::uint32_t> index32_;
   RawVector<std::uint64_t> index64_;
+  /// Attributes in the order of the records; empty where no range asks for them.
+  RawVector<std::array<float, 4>> values_;
+  ParticleRanges ranges_;
   RawVector<std::uint64_t> shown_; ///< one bit a particle, or empty: all are shown
 };
 

@@ -87,6 +87,78 @@ void CoherentGrid::cast(RayPacket& packet, std::int32_t object) const
     castSplit(view, packet, object);
 }
 
+namespace
+{
+
+template <typename Visit>
+void byPackets(const RayBundle& bundle, const Visit& visit)
+{
+  for (int first = 0; first < bundle.count; first += RayPacket::capacity)
+  {
+    RayPacket packet;
+    packet.count = std::min(RayPacket::capacity, bundle.count - first);
+    for (int k = 0; k < packet.count; ++k)
+    {
+      const Vec3d o = bundle.originOf(first + k), d = bundle.directionOf(first + k);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        packet.origin[axis][k] = o[axis];
+        packet.direction[axis][k] = d[axis];
+      }
+      packet.tMin[k] = bundle.tMin;
+      packet.t[k] = bundle.t[first + k];
+      packet.slot[k] = bundle.slot[first + k];
+      packet.object[k] = bundle.object[first + k];
+    }
+    visit(packet, first);
+  }
+}
+
+} // namespace
+
+void CoherentGrid::cast(RayBundle& bundle, std::int32_t object) const
+{
+  byPackets(bundle,
+    [&](RayPacket& packet, int first)
+    {
+      cast(packet, object);
+      for (int k = 0; k < packet.count; ++k)
+      {
+        bundle.t[first + k] = packet.t[k];
+        bundle.slot[first + k] = packet.slot[k];
+        bundle.object[first + k] = packet.object[k];
+      }
+    });
+}
+
+void CoherentGrid::occlude(RayBundle& bundle, std::int32_t object) const
+{
+  byPackets(bundle,
+    [&](RayPacket& packet, int first)
+    {
+      for (int k = 0; k < packet.count; ++k)
+      {
+        const int i = first + k;
+        const bool skips = bundle.object[i] == object;
+        if (!(bundle.t[i] > bundle.tMin))
+          continue;
+        RayPacket one;
+        one.count = 1;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          one.origin[axis][0] = packet.origin[axis][k];
+          one.direction[axis][0] = packet.direction[axis][k];
+        }
+        one.tMin[0] = bundle.tMin;
+        one.t[0] = bundle.t[i];
+        one.slot[0] = RayPacket::noHit;
+        cast(one, object);
+        if (one.slot[0] != RayPacket::noHit && !(skips && one.slot[0] == bundle.slot[i]))
+          bundle.t[i] = -std::numeric_limits<double>::infinity();
+      }
+    });
+}
+
 } // namespace mote
 
 #endif

@@ -5,7 +5,10 @@
 namespace mote
 {
 
-/// A light without size, in world coordinates.
+/// A light in world coordinates.
+///
+/// A light that casts shadows does so from `samples` x `samples` points spread over its `size`; one
+/// sample gives hard shadows. A headlight stands in the eye and casts none.
 struct Light
 {
   enum class Kind
@@ -17,6 +20,11 @@ struct Light
   Kind kind = Kind::Headlight;
   Vec3d vector{0.0, 0.0, -1.0};
   Vec3f color{1.0f}; ///< times intensity
+  bool shadows = false;
+  int samples = 1; ///< a side of the square of samples, in [1, 64]
+  /// Point: edge of the square that the samples fill, in world units; it faces what it lights.
+  /// Directional: its edge as seen from the scene, in degrees (the sun has 0.53).
+  double size = 0.0;
 };
 
 /// How a surface answers light: Lambert's cosine law, an even part, and Phong's highlight.
