@@ -92,18 +92,24 @@ const BundlePlaces& placesOf(int side)
 
 } // namespace
 
-void CameraRays::fillBundle(
+void CameraRays::placeBundle(
   RayBundle& bundle, int side, int x0, int y0, double jitterX, double jitterY) const
 {
-  const int count = side * side;
   const double x = x0 + 0.5 * side + jitterX, y = y0 + 0.5 * side + jitterY;
   const bool common = ox == Vec3d(0.0) && oy == Vec3d(0.0);
   bundle.kind = common ? RayBundle::Kind::CommonOrigin : RayBundle::Kind::CommonDirection;
-  bundle.count = count;
   bundle.origin = originAt(x, y);
   bundle.direction = directionAt(x, y);
   bundle.dx = common ? dx : ox;
   bundle.dy = common ? dy : oy;
+}
+
+void CameraRays::fillBundle(
+  RayBundle& bundle, int side, int x0, int y0, double jitterX, double jitterY) const
+{
+  placeBundle(bundle, side, x0, y0, jitterX, jitterY);
+  const int count = side * side;
+  bundle.count = count;
   bundle.tMin = tMin;
   const BundlePlaces& places = placesOf(side);
   std::copy_n(places.x, count, bundle.x);

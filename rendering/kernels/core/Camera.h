@@ -58,6 +58,11 @@ struct CameraRays
   /// bundleOffset().
   void fillBundle(
     RayBundle& bundle, int side, int x0, int y0, double jitterX, double jitterY) const;
+
+  /// The part of fillBundle() that tells where the rays run: kind, origin, direction, dx, dy. With
+  /// rays that are transformed() it takes a bundle to another coordinate system, hits and all.
+  void placeBundle(
+    RayBundle& bundle, int side, int x0, int y0, double jitterX, double jitterY) const;
 };
 
 } // namespace mote

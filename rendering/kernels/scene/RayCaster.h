@@ -25,6 +25,11 @@ public:
   /// 0 (default): all the threads that TBB's present arena allows.
   void setThreads(int threads) { threads_ = threads; }
 
+  /// Side in pixels of the bundles of rays that are traced together: 2, 4, 8 or 16, or 0 (default)
+  /// for what the structures suggest, tile by tile. The image is the same within rounding. Throws
+  /// Error for other sides.
+  void setBundleSide(int side);
+
   /// Adds one sample to every pixel of the film. Returns false, with the film's samples reset to 0,
   /// where `progress` asked to stop; it is called between tiles with the share done, on any of the
   /// tracing threads but on one at a time.
@@ -37,6 +42,7 @@ public:
 private:
   const Scene& scene_;
   int threads_ = 0;
+  int bundleSide_ = 0;
 };
 
 } // namespace mote

@@ -1,6 +1,7 @@
 #include "Shader.h"
 
-#include <glm/exponential.hpp>
+#include "ShadowCaster.h"
+
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -9,76 +10,139 @@
 namespace mote
 {
 
-ParticleShader::ParticleShader(const ParticleObject& object, const std::vector<Light>& lights)
-  : object_(object)
-  , lights_(lights)
-  , toLocal_(glm::inverse(object.toWorld))
-  , normalToWorld_(glm::transpose(Mat3d(toLocal_)))
+std::vector<ShadedLight> shadedLights(const Scene& scene, const Vec3d& reference, int filmSample)
 {
-}
-
-Vec4f ParticleShader::colorOf(std::uint64_t particle) const
-{
-  const ParticleColoring& c = object_.coloring;
-  if (!c.direct.empty())
+  std::vector<ShadedLight> lights;
+  const auto casts = [](const Light& l) { return l.shadows && l.kind != Light::Kind::Headlight; };
+  const bool anyShadows = std::any_of(scene.lights.begin(), scene.lights.end(), casts);
+  const Vec3d middle = anyShadows ? scene.bounds().center() : Vec3d(0.0);
+  for (const Light& light : scene.lights)
   {
-    const int n = c.direct.components();
-    const auto channel = [&](int k)
-    { return static_cast<float>(c.direct.value(particle, k) / 255.0); };
-    const float alpha = n == 2 ? channel(1) : n == 4 ? channel(3) : 1.0f;
-    return n < 3 ? Vec4f(Vec3f(channel(0)), alpha)
-                 : Vec4f(channel(0), channel(1), channel(2), alpha);
-  }
-  return c.values.empty() ? c.constant : c.map(c.values.value(particle, c.component));
-}
-
-Vec3f ParticleShader::lit(
-  const Vec3f& color, const Vec3f& normal, const Vec3f& toEye, const Vec3d& position) const
-{
-  const Material& m = object_.material;
-  Vec3f even(m.ambient), highlight(0.0f);
-  for (const Light& light : lights_)
-  {
-    Vec3f toLight = toEye;
-    if (light.kind == Light::Kind::Directional)
-      toLight = -Vec3f(glm::normalize(light.vector));
-    else if (light.kind == Light::Kind::Point)
-      toLight = Vec3f(glm::normalize(light.vector - position));
-    const float cosine = glm::dot(normal, toLight);
-    if (cosine <= 0.0f)
+    ShadedLight shaded;
+    shaded.samples = lightSamples(light, middle, filmSample);
+    if (shaded.samples.empty() || light.color == Vec3f(0.0f))
       continue;
-    even += light.color * (m.diffuse * cosine);
-    if (m.specular > 0.0f)
-    {
-      const float shine = glm::dot(2.0f * cosine * normal - toLight, toEye);
-      if (shine > 0.0f)
-        highlight += light.color * (m.specular * std::pow(shine, m.specularPower));
-    }
+    if (light.kind == Light::Kind::Point)
+      for (LightSample& sample : shaded.samples)
+        sample.place -= reference;
+    shaded.color = light.color / static_cast<float>(shaded.samples.size());
+    shaded.shadows = casts(light);
+    lights.push_back(std::move(shaded));
   }
-  return glm::min(color * even + m.specularColor * highlight, Vec3f(1.0f));
+  return lights;
 }
 
-ShadedHit ParticleShader::shade(
-  const Vec3d& origin, const Vec3d& direction, double t, std::uint64_t slot) const
+ParticleShader::ParticleShader(const ParticleObject& object)
+  : object_(object)
 {
-  const Vec3d position = origin + t * direction;
-  Vec3d center(0.0);
-  ShadedHit hit;
+  const Mat3d linear(object.toWorld);
+  isIdentity_ = linear == Mat3d(1.0);
+  const Mat3d normals = glm::transpose(glm::inverse(linear));
+  // Only directions count: a common factor keeps the numbers within float's range.
+  double largest = 0.0;
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row)
+      largest = std::max(largest, std::abs(normals[column][row]));
+  normalToWorld_ = glm::mat3(largest > 0.0 ? normals / largest : normals);
+}
+
+void ParticleShader::gather(const RayBundle& local, std::int32_t index, const std::uint8_t* skipped,
+  SurfaceBlock& block) const
+{
+  int count = 0;
+  for (int i = 0; i < local.count; ++i)
+  {
+    block.ray[count] = static_cast<std::uint16_t>(i);
+    count += local.object[i] == index && skipped[i] == 0;
+  }
+  block.count = count;
+  block.object = index;
   withStructure(*object_.structure,
     [&](const auto& s)
     {
-      center = s.center(slot);
-      hit.particle = s.inputIndex(slot);
+      for (int k = 0; k < count; ++k)
+      {
+        const int i = block.ray[k];
+        block.slot[k] = local.slot[i];
+        block.t[k] = local.t[i];
+        block.rayX[k] = local.x[i];
+        block.rayY[k] = local.y[i];
+        const Vec3d center = s.center(block.slot[k]) - local.origin;
+        block.center.x[k] = center.x;
+        block.center.y[k] = center.y;
+        block.center.z[k] = center.z;
+        block.perRadius[k] = 1.0 / s.radius(block.slot[k]);
+      }
     });
-  // In double: in float the squares of very small or very large scenes would vanish or overflow.
-  const Vec3d outward = normalToWorld_ * (transformPoint(toLocal_, position) - center);
-  hit.normal = Vec3f(glm::normalize(outward));
-  const Vec3f toEye = -Vec3f(glm::normalize(direction));
-  const Vec3f facing = glm::dot(hit.normal, toEye) < 0.0f ? -hit.normal : hit.normal;
-  const Vec4f color = colorOf(hit.particle);
-  const float alpha = color.a * object_.material.opacity;
-  hit.color = Vec4f(lit(Vec3f(color), facing, toEye, position) * alpha, alpha);
-  return hit;
+}
+
+void ParticleShader::fillColors(SurfaceBlock& block) const
+{
+  const ParticleColoring& c = object_.coloring;
+  const auto set = [&](int k, float red, float green, float blue, float alpha)
+  {
+    block.color.x[k] = red;
+    block.color.y[k] = green;
+    block.color.z[k] = blue;
+    block.alpha[k] = alpha;
+  };
+  if (!c.direct.empty())
+  {
+    const int n = c.direct.components();
+    const bool isGrey = n < 3, hasAlpha = n == 2 || n == 4;
+    for (int k = 0; k < block.count; ++k)
+    {
+      const auto channel = [&](int channel)
+      { return static_cast<float>(c.direct.value(block.particle[k], channel) / 255.0); };
+      const float first = channel(0);
+      set(k, first, isGrey ? first : channel(1), isGrey ? first : channel(2),
+        hasAlpha ? channel(n - 1) : 1.0f);
+    }
+  }
+  else if (!c.values.empty())
+    for (int k = 0; k < block.count; ++k)
+    {
+      const Vec4f color = c.map(c.values.value(block.particle[k], c.component));
+      set(k, color.r, color.g, color.b, color.a);
+    }
+  else
+    for (int k = 0; k < block.count; ++k)
+      set(k, c.constant.r, c.constant.g, c.constant.b, c.constant.a);
+}
+
+void ParticleShader::shade(SurfaceBlock& block, const RayBundle& local, const RayBundle& world,
+  const Vec3d& worldOrigin, const std::vector<ShadedLight>& lights, const ShadowCaster* shadows,
+  double footprint, bool indices) const
+{
+  const ParticleColoring& c = object_.coloring;
+  if (indices || !c.direct.empty() || !c.values.empty())
+    withStructure(*object_.structure,
+      [&](const auto& s)
+      {
+        for (int k = 0; k < block.count; ++k)
+          block.particle[k] = s.inputIndex(block.slot[k]);
+      });
+  fillColors(block);
+
+  const Material& material = object_.material;
+  const auto needsPositions = [](const ShadedLight& light)
+  { return light.shadows || light.samples.front().kind == Light::Kind::Point; };
+  SurfacePlacing placing;
+  placing.local = &local;
+  placing.world = &world;
+  placing.worldOrigin = worldOrigin;
+  placing.normalToWorld = isIdentity_ ? nullptr : &normalToWorld_;
+  placing.positions = std::any_of(lights.begin(), lights.end(), needsPositions);
+  placeSurfaces(block, placing, material.ambient);
+  for (const ShadedLight& light : lights)
+    for (const LightSample& sample : light.samples)
+    {
+      faceLight(block, sample, material.specular > 0.0f);
+      if (light.shadows)
+        shadows->remove(block, sample, footprint);
+      addLight(block, light.color, material);
+    }
+  finishSurfaces(block, material);
 }
 
 } // namespace mote

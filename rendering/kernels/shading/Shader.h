@@ -1,40 +1,53 @@
 #pragma once
 
 #include "../scene/Scene.h"
+#include "SurfaceBlock.h"
 
 #include <vector>
 
 namespace mote
 {
 
-/// The look of one hit.
-struct ShadedHit
+class ShadowCaster;
+
+/// A light of the scene as its samples, their places counted from the tracer's reference point.
+struct ShadedLight
 {
-  Vec4f color{0.0f};          ///< premultiplied by alpha
-  Vec3f normal{0.0f};         ///< unit length, in world coordinates
-  std::uint64_t particle = 0; ///< input index
+  std::vector<LightSample> samples;
+  Vec3f color{1.0f}; ///< of one sample
+  bool shadows = false;
 };
+
+/// The lights of a scene that light anything, for one sample of a film.
+std::vector<ShadedLight> shadedLights(const Scene& scene, const Vec3d& reference, int filmSample);
 
 /// Shades hits on the particles of one object by its material, colours and the scene's lights.
 /// Spheres are lit on both sides: whoever stands inside one sees it lit from within.
 class ParticleShader
 {
 public:
-  ParticleShader(const ParticleObject& object, const std::vector<Light>& lights);
+  /// `object` must stay where it is while the shader lives.
+  explicit ParticleShader(const ParticleObject& object);
 
-  /// The hit at origin + t * direction (world coordinates) on the particle at `slot`.
-  ShadedHit shade(const Vec3d& origin, const Vec3d& direction, double t, std::uint64_t slot) const;
+  /// Takes the hits on object `index` of the bundle into the block. `local` tells where the rays
+  /// run in the object's coordinates; rays whose `skipped` is not 0 are left out.
+  void gather(const RayBundle& local, std::int32_t index, const std::uint8_t* skipped,
+    SurfaceBlock& block) const;
+
+  /// Shades what gather() took: fills everything that the block holds for `world`, the bundle in
+  /// world coordinates, `worldOrigin` being its origin from the reference point. Input indices are
+  /// filled where `indices`, or the colours, ask for them. `shadows` may be null where no light
+  /// casts any; `footprint` as in ShadowCaster::remove().
+  void shade(SurfaceBlock& block, const RayBundle& local, const RayBundle& world,
+    const Vec3d& worldOrigin, const std::vector<ShadedLight>& lights, const ShadowCaster* shadows,
+    double footprint, bool indices) const;
 
 private:
-  Vec4f colorOf(std::uint64_t particle) const;
-  /// Light that leaves a surface of this colour towards the eye.
-  Vec3f lit(
-    const Vec3f& color, const Vec3f& normal, const Vec3f& toEye, const Vec3d& position) const;
+  void fillColors(SurfaceBlock& block) const;
 
   const ParticleObject& object_;
-  const std::vector<Light>& lights_;
-  Mat4d toLocal_;
-  Mat3d normalToWorld_;
+  glm::mat3 normalToWorld_{1.0f};
+  bool isIdentity_ = false;
 };
 
 } // namespace mote

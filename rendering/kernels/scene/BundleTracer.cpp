@@ -1,0 +1,204 @@
+#include "BundleTracer.h"
+
+#include "RayCaster.h"
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mote
+{
+
+namespace
+{
+
+/// Columns and rows of the rays of a bundle.
+struct BundlePixels
+{
+  std::uint8_t column[RayBundle::capacity], row[RayBundle::capacity];
+
+  explicit BundlePixels(int side)
+  {
+    for (int i = 0; i < side * side; ++i)
+    {
+      int x = 0, y = 0;
+      bundleOffset(side, i, x, y);
+      column[i] = static_cast<std::uint8_t>(x);
+      row[i] = static_cast<std::uint8_t>(y);
+    }
+  }
+};
+
+const BundlePixels& pixelsOf(int side)
+{
+  static const BundlePixels two(2), four(4), eight(8), sixteen(16);
+  return side == 2 ? two : side == 4 ? four : side == 8 ? eight : sixteen;
+}
+
+} // namespace
+
+/// A bundle on its way: rays, what they hit, and what that looks like.
+struct BundleTracer::Bundle
+{
+  RayBundle rays;  ///< in the coordinates of whichever object they last met
+  RayBundle world; ///< where the rays run in the world, nothing else
+  SurfaceBlock block;
+  std::uint8_t outside[RayBundle::capacity]; ///< 1: no pixel of the film
+  alignas(64) float color[RayBundle::capacity][4];
+  float normal[RayBundle::capacity][3];
+  std::uint64_t particle[RayBundle::capacity];
+  const BundlePixels* pixels = nullptr;
+};
+
+BundleTracer::BundleTracer(const Scene& scene, const Camera& camera, Film& film, int side)
+  : scene_(scene)
+  , film_(film)
+  , side_(side)
+  , rays_(camera, film.width(), film.height())
+{
+  RayCaster::sampleOffset(film.samples(), jitterX_, jitterY_);
+  for (const ParticleObject& object : scene.particles)
+  {
+    localRays_.push_back(rays_.transformed(glm::inverse(object.toWorld)));
+    shaders_.emplace_back(object);
+  }
+  // Positions count from where the rays start: they are small numbers wherever the scene lies.
+  lights_ = shadedLights(scene, rays_.o0, film.samples());
+  if (std::any_of(lights_.begin(), lights_.end(), [](const auto& light) { return light.shadows; }))
+    shadows_.emplace(scene, rays_.o0);
+}
+
+void BundleTracer::traceTile(int x0, int y0, int size) const
+{
+  int side = side_;
+  if (side == 0)
+  {
+    side = scene_.particles.empty() ? 8 : 16;
+    for (std::size_t k = 0; k < scene_.particles.size(); ++k)
+      side = std::min(side, withStructure(*scene_.particles[k].structure, [&](const auto& s)
+                              { return s.bundleSide(localRays_[k], x0, y0, size); }));
+  }
+  Bundle bundle;
+  bundle.pixels = &pixelsOf(side);
+  const int right = std::min(film_.width(), x0 + size), top = std::min(film_.height(), y0 + size);
+  for (int y = y0; y < top; y += side)
+    for (int x = x0; x < right; x += side)
+    {
+      traceBundle(bundle, side, x, y);
+      shadeBundle(bundle, side, x, y);
+      keep(bundle, x, y);
+    }
+}
+
+void BundleTracer::traceBundle(Bundle& bundle, int side, int x0, int y0) const
+{
+  RayBundle& rays = bundle.rays;
+  rays_.fillBundle(rays, side, x0, y0, jitterX_, jitterY_);
+  const bool inside = x0 + side <= film_.width() && y0 + side <= film_.height();
+  std::fill_n(bundle.outside, rays.count, std::uint8_t{0});
+  for (int i = 0; !inside && i < rays.count; ++i)
+  {
+    bundle.outside[i] = x0 + bundle.pixels->column[i] >= film_.width() ||
+                        y0 + bundle.pixels->row[i] >= film_.height();
+    if (bundle.outside[i])
+      rays.t[i] = -std::numeric_limits<double>::infinity();
+  }
+  for (std::size_t k = 0; k < scene_.particles.size(); ++k)
+  {
+    localRays_[k].placeBundle(rays, side, x0, y0, jitterX_, jitterY_);
+    withStructure(*scene_.particles[k].structure,
+      [&](const auto& s) { s.cast(rays, static_cast<std::int32_t>(k)); });
+  }
+}
+
+/// Width in the world of the bundle at its hits.
+double BundleTracer::footprint(const RayBundle& rays, int side) const
+{
+  double sum = 0.0;
+  int hits = 0;
+  for (int i = 0; i < rays.count; ++i)
+    if (rays.object[i] >= 0)
+    {
+      sum += rays.t[i];
+      ++hits;
+    }
+  const bool fan = rays.kind == RayBundle::Kind::CommonOrigin;
+  const double pixel = fan && hits > 0 ? glm::length(rays_.dx) * sum / hits : glm::length(rays_.ox);
+  return side * pixel;
+}
+
+void BundleTracer::shadeBundle(Bundle& bundle, int side, int x0, int y0) const
+{
+  const RayBundle& rays = bundle.rays;
+  std::fill_n(&bundle.color[0][0], 4 * rays.count, 0.0f);
+  rays_.placeBundle(bundle.world, side, x0, y0, jitterX_, jitterY_);
+  const Vec3d worldOrigin = bundle.world.origin - rays_.o0;
+  const double width = shadows_ ? footprint(rays, side) : 0.0;
+  const bool first = film_.samples() == 0;
+  const bool ids = first && film_.has(Film::Id), normals = first && film_.has(Film::Normal);
+  if (normals)
+    std::fill_n(&bundle.normal[0][0], 3 * rays.count, 0.0f);
+  SurfaceBlock& block = bundle.block;
+  for (std::size_t object = 0; object < shaders_.size(); ++object)
+  {
+    localRays_[object].placeBundle(bundle.rays, side, x0, y0, jitterX_, jitterY_);
+    const ParticleShader& shader = shaders_[object];
+    shader.gather(rays, static_cast<std::int32_t>(object), bundle.outside, block);
+    if (block.count == 0)
+      continue;
+    shader.shade(
+      block, rays, bundle.world, worldOrigin, lights_, shadows_ ? &*shadows_ : nullptr, width, ids);
+    for (int k = 0; k < block.count; ++k)
+      for (int c = 0; c < 4; ++c)
+        bundle.color[block.ray[k]][c] = block.out[c][k];
+    for (int k = 0; ids && k < block.count; ++k)
+      bundle.particle[block.ray[k]] = block.particle[k];
+    for (int k = 0; normals && k < block.count; ++k)
+    {
+      float* normal = bundle.normal[block.ray[k]];
+      normal[0] = block.side[k] * block.normal.x[k];
+      normal[1] = block.side[k] * block.normal.y[k];
+      normal[2] = block.side[k] * block.normal.z[k];
+    }
+  }
+}
+
+/// Adds the bundle to the film.
+void BundleTracer::keep(const Bundle& bundle, int x0, int y0) const
+{
+  const RayBundle& rays = bundle.rays;
+  const bool first = film_.samples() == 0;
+  const float share = 1.0f / static_cast<float>(film_.samples() + 1);
+  const auto depthOf = [&](int i)
+  {
+    return rays.object[i] >= 0 ? static_cast<float>(rays.t[i])
+                               : std::numeric_limits<float>::infinity();
+  };
+  for (int i = 0; i < rays.count; ++i)
+  {
+    if (bundle.outside[i])
+      continue;
+    const std::size_t pixel = static_cast<std::size_t>(y0 + bundle.pixels->row[i]) * film_.width() +
+                              x0 + bundle.pixels->column[i];
+    float* mean = film_.color() + 4 * pixel;
+    if (!first)
+    {
+      for (int c = 0; c < 4; ++c)
+        mean[c] += (bundle.color[i][c] - mean[c]) * share;
+      film_.nearestDepth()[pixel] = std::min(film_.nearestDepth()[pixel], depthOf(i));
+      continue;
+    }
+    std::copy_n(bundle.color[i], 4, mean);
+    film_.depth()[pixel] = depthOf(i);
+    if (film_.has(Film::Id))
+    {
+      film_.id()[pixel] = rays.object[i] >= 0 ? bundle.particle[i] : Film::noId;
+      film_.object()[pixel] = rays.object[i];
+    }
+    if (film_.has(Film::Normal))
+      std::copy_n(bundle.normal[i], 3, film_.normal() + 3 * pixel);
+  }
+}
+
+} // namespace mote

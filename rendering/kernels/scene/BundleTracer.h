@@ -1,0 +1,47 @@
+#pragma once
+
+#include "../core/Camera.h"
+#include "../core/Film.h"
+#include "../shading/Shader.h"
+#include "../shading/ShadowCaster.h"
+#include "Scene.h"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace mote
+{
+
+/// Traces one sample of a film, a bundle of rays at a time: finds the hits, shades them, and writes
+/// them into the film. Made once before the tiles; threads may trace different tiles at a time.
+class BundleTracer
+{
+public:
+  /// Scene and film must outlive the tracer. `side` of the bundles in pixels is 2, 4, 8 or 16, or
+  /// 0 to take, in each tile, the smallest that the structures of the scene suggest.
+  BundleTracer(const Scene& scene, const Camera& camera, Film& film, int side);
+
+  /// Traces the pixels of the square of `size` (a multiple of 16) at (x0, y0) that are in the film.
+  void traceTile(int x0, int y0, int size) const;
+
+private:
+  struct Bundle;
+
+  void traceBundle(Bundle& bundle, int side, int x0, int y0) const;
+  void shadeBundle(Bundle& bundle, int side, int x0, int y0) const;
+  void keep(const Bundle& bundle, int x0, int y0) const;
+  double footprint(const RayBundle& rays, int side) const;
+
+  const Scene& scene_;
+  Film& film_;
+  int side_;
+  CameraRays rays_;
+  double jitterX_ = 0.0, jitterY_ = 0.0;
+  std::vector<CameraRays> localRays_; ///< a scene object each
+  std::vector<ParticleShader> shaders_;
+  std::vector<ShadedLight> lights_;
+  std::optional<ShadowCaster> shadows_; ///< where a light casts any
+};
+
+} // namespace mote

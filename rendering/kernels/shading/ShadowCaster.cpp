@@ -1,0 +1,230 @@
+#include "ShadowCaster.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mote
+{
+
+namespace
+{
+
+/// Shadow rays lie up to this many widths of the camera's bundle apart (see docs/shadows.md).
+constexpr double widestBundle = 4.0;
+/// Fewer rays than these are not split because they lie far apart: a SIMD vector of them costs as
+/// much as one.
+constexpr int smallestBundle = 4;
+/// Points are seen from a point light within this ratio of half their extent to their distance.
+constexpr double widestAngle = 0.5;
+
+} // namespace
+
+/// What one call of remove() works with.
+struct ShadowCaster::Work
+{
+  SurfaceBlock& block;
+  const LightSample& sample;
+  double widest;     ///< how far the points of a bundle may lie apart, seen from the light
+  Vec3d ahead, u, v; ///< the present bundle's frame: unit vectors, `ahead` from the light
+  Vec3d middle;      ///< of the points, from the reference point
+  double distance;   ///< of the middle from the sample; directional: from where rays start
+  double x[SurfaceBlock::capacity], y[SurfaceBlock::capacity]; ///< of hits, from the middle
+  double t[SurfaceBlock::capacity];
+  std::uint16_t spare[SurfaceBlock::capacity];
+  RayBundle bundle;
+
+  Work(SurfaceBlock& hits, const LightSample& light, double widestSpread)
+    : block(hits)
+    , sample(light)
+    , widest(widestSpread)
+  {
+  }
+
+  Vec3d position(int i) const
+  {
+    return {block.position.x[i], block.position.y[i], block.position.z[i]};
+  }
+  void shadow(int i)
+  {
+    block.cosine[i] = 0.0f;
+    block.shine[i] = 0.0f;
+  }
+  bool isPoint() const { return sample.kind == Light::Kind::Point; }
+
+  /// Brings hits with a key below `middle` to the front; answers how many. Where that would
+  /// separate none, the front half.
+  template <typename Key>
+  int split(std::uint16_t* hits, int count, double at, const Key& key)
+  {
+    int low = 0, high = 0;
+    for (int k = 0; k < count; ++k)
+    {
+      const std::uint16_t i = hits[k];
+      (key(i) < at ? hits[low++] : spare[high++]) = i;
+    }
+    std::copy_n(spare, high, hits + low);
+    return low == 0 || high == 0 ? count / 2 : low;
+  }
+
+  void look(const Vec3d& lowest, const Vec3d& highest, const Box& bounds);
+  double project(const std::uint16_t* hits, int count);
+};
+
+/// Sets the frame for points in a box.
+void ShadowCaster::Work::look(const Vec3d& lowest, const Vec3d& highest, const Box& bounds)
+{
+  middle = lowest + 0.5 * (highest - lowest);
+  if (isPoint())
+  {
+    const Vec3d way = middle - sample.place;
+    distance = glm::length(way);
+    ahead = way / distance;
+  }
+  else
+  {
+    // The rays start before all that there is.
+    ahead = -sample.place;
+    const Vec3d first = {ahead.x > 0.0 ? bounds.lower.x : bounds.upper.x,
+      ahead.y > 0.0 ? bounds.lower.y : bounds.upper.y,
+      ahead.z > 0.0 ? bounds.lower.z : bounds.upper.z};
+    const Vec3d size = bounds.size();
+    distance = glm::dot(middle - first, ahead) + 0.01 * (size.x + size.y + size.z);
+  }
+  perpendiculars(ahead, u, v);
+}
+
+/// Places the points in the frame: where their rays cross the plane through the middle, and t in
+/// distances of that plane. Answers their largest coordinate.
+double ShadowCaster::Work::project(const std::uint16_t* hits, int count)
+{
+  double spread = 0.0;
+  const bool fan = isPoint();
+  const double perDistance = 1.0 / distance;
+  for (int k = 0; k < count; ++k)
+  {
+    const int i = hits[k];
+    const Vec3d p = position(i) - middle;
+    t[i] = 1.0 + glm::dot(p, ahead) * perDistance;
+    const double scale = fan ? 1.0 / t[i] : 1.0;
+    x[i] = scale * glm::dot(p, u);
+    y[i] = scale * glm::dot(p, v);
+    spread = std::max({spread, std::abs(x[i]), std::abs(y[i])});
+  }
+  return spread;
+}
+
+ShadowCaster::ShadowCaster(const Scene& scene, const Vec3d& reference)
+  : scene_(scene)
+  , reference_(reference)
+  , bounds_(scene.bounds())
+{
+  for (const ParticleObject& object : scene.particles)
+    toLocal_.push_back(glm::inverse(object.toWorld));
+  bounds_.lower -= reference;
+  bounds_.upper -= reference;
+}
+
+void ShadowCaster::remove(SurfaceBlock& block, const LightSample& sample, double footprint) const
+{
+  Work work(block, sample, widestBundle * footprint);
+  std::uint16_t hits[SurfaceBlock::capacity];
+  int count = 0;
+  for (int i = 0; i < block.count; ++i)
+  {
+    if (!(block.cosine[i] > 0.0f))
+      continue;
+    if (block.side[i] > 0.0f || reachesWithin(block, i, sample))
+      hits[count++] = static_cast<std::uint16_t>(i);
+    else
+      work.shadow(i);
+  }
+  if (count > 0)
+    cast(work, hits, count);
+}
+
+/// Whether the sample lies in the sphere that hit i is seen from within: else the sphere itself
+/// keeps its light out.
+bool ShadowCaster::reachesWithin(const SurfaceBlock& block, int i, const LightSample& sample) const
+{
+  if (sample.kind != Light::Kind::Point)
+    return false;
+  const auto index = static_cast<std::size_t>(block.object);
+  const Vec3d place = transformPoint(toLocal_[index], reference_ + sample.place);
+  return withStructure(*scene_.particles[index].structure, [&](const auto& s)
+    { return glm::length(place - s.center(block.slot[i])) < s.radius(block.slot[i]); });
+}
+
+void ShadowCaster::cast(Work& work, std::uint16_t* hits, int count) const
+{
+  const auto castParts = [&](int first)
+  {
+    cast(work, hits, first);
+    cast(work, hits + first, count - first);
+  };
+  Vec3d lowest = work.position(hits[0]), highest = lowest;
+  for (int k = 1; k < count; ++k)
+  {
+    const Vec3d p = work.position(hits[k]);
+    lowest = glm::min(lowest, p);
+    highest = glm::max(highest, p);
+  }
+  const Vec3d size = highest - lowest;
+  work.look(lowest, highest, bounds_);
+  // All points must lie before a point light, and not far aside.
+  if (count > 1 && work.isPoint() && !(0.5 * glm::length(size) < widestAngle * work.distance))
+  {
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const double at = lowest[axis] + 0.5 * size[axis];
+    return castParts(work.split(hits, count, at, [&](int i) { return work.position(i)[axis]; }));
+  }
+  const double spread = work.project(hits, count);
+  if (count > smallestBundle && 2.0 * spread > work.widest)
+  {
+    double width = 0.0;
+    for (int k = 0; k < count; ++k)
+      width = std::max(width, std::abs(work.x[hits[k]]));
+    const double* key = width == spread ? work.x : work.y;
+    return castParts(work.split(hits, count, 0.0, [&](int i) { return key[i]; }));
+  }
+  RayBundle& bundle = work.bundle;
+  const double scale = spread > 0.0 ? spread : work.distance;
+  for (int k = 0; k < count; ++k)
+  {
+    bundle.x[k] = static_cast<float>(work.x[hits[k]] / scale);
+    bundle.y[k] = static_cast<float>(work.y[hits[k]] / scale);
+    bundle.t[k] = work.t[hits[k]];
+    bundle.slot[k] = work.block.slot[hits[k]];
+    bundle.object[k] = work.block.object;
+  }
+  work.u *= scale;
+  work.v *= scale;
+  castTogether(work, hits, count);
+}
+
+void ShadowCaster::castTogether(Work& work, const std::uint16_t* hits, int count) const
+{
+  RayBundle& bundle = work.bundle;
+  bundle.kind = work.isPoint() ? RayBundle::Kind::CommonOrigin : RayBundle::Kind::CommonDirection;
+  bundle.count = count;
+  bundle.tMin = 0.0;
+  const Vec3d origin =
+    reference_ + (work.isPoint() ? work.sample.place : work.middle - work.distance * work.ahead);
+  for (std::size_t k = 0; k < toLocal_.size(); ++k)
+  {
+    bundle.origin = transformPoint(toLocal_[k], origin);
+    bundle.direction = transformVector(toLocal_[k], work.distance * work.ahead);
+    bundle.dx = transformVector(toLocal_[k], work.u);
+    bundle.dy = transformVector(toLocal_[k], work.v);
+    withStructure(*scene_.particles[k].structure,
+      [&](const auto& s) { s.occlude(bundle, static_cast<std::int32_t>(k)); });
+  }
+  for (int k = 0; k < count; ++k)
+    if (!(bundle.t[k] > 0.0))
+      work.shadow(hits[k]);
+}
+
+} // namespace mote

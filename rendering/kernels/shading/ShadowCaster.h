@@ -1,0 +1,42 @@
+#pragma once
+
+#include "../scene/Scene.h"
+#include "SurfaceBlock.h"
+
+#include <vector>
+
+namespace mote
+{
+
+/// Finds which hits a light sample does not reach, by bundles of rays with the sample as their
+/// common origin (or common direction) through the structures of all objects.
+///
+/// Every particle that is shown casts a full shadow, whatever its opacity. The particle that is lit
+/// is left out, being convex: it shadows only the side of it that faces away, which Lambert's law
+/// leaves dark. A surface seen from within its sphere is lit by what lies within and by nothing
+/// else. Source: Gribble et al., UUSCI-2006-024, section on soft shadows; docs/shadows.md.
+class ShadowCaster
+{
+public:
+  /// `reference` is the point in the world that positions and light samples count from.
+  ShadowCaster(const Scene& scene, const Vec3d& reference);
+
+  /// Sets cosine and shine to 0 where something stands between the hit and the sample. Casts rays
+  /// to the hits with a cosine above 0 and to no others. `footprint` is the width in the world that
+  /// the block's camera bundle has at its hits: bundles of shadow rays become not much wider.
+  void remove(SurfaceBlock& block, const LightSample& sample, double footprint) const;
+
+private:
+  struct Work;
+
+  bool reachesWithin(const SurfaceBlock& block, int i, const LightSample& sample) const;
+  void cast(Work& work, std::uint16_t* hits, int count) const;
+  void castTogether(Work& work, const std::uint16_t* hits, int count) const;
+
+  const Scene& scene_;
+  Vec3d reference_;
+  std::vector<Mat4d> toLocal_; ///< an object each
+  Box bounds_;                 ///< of the scene, from the reference point
+};
+
+} // namespace mote
