@@ -12,6 +12,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <thread>
@@ -42,6 +43,7 @@ std::vector<double> signatureOf(vtkRenderer* renderer, const std::vector<vtkActo
     s.push_back(double(light.kind));
     add(s, light.vector);
     add(s, Vec3d(light.color));
+    s.insert(s.end(), {double(light.shadows), double(light.samples), light.size});
   }
   for (std::size_t i = 0; i < actors.size(); ++i)
   {
@@ -53,6 +55,12 @@ std::vector<double> signatureOf(vtkRenderer* renderer, const std::vector<vtkActo
       add(s, Vec3d(scene.particles[i].toWorld[column]));
   }
   return s;
+}
+
+bool hasSoftShadows(const Scene& scene)
+{
+  return std::any_of(scene.lights.begin(), scene.lights.end(),
+    [](const Light& light) { return light.shadows && light.samples > 1; });
 }
 
 } // namespace
@@ -68,12 +76,22 @@ double FrameTracer::distanceFor(int width, int height, const FrameSettings& sett
   return 8.0;
 }
 
+void FrameTracer::begin(
+  const std::vector<double>& signature, double distance, bool draft, int width, int height)
+{
+  signature_ = signature;
+  distance_ = distance;
+  draft_ = draft;
+  film_.resize(
+    std::max(1, int(std::ceil(width / distance))), std::max(1, int(std::ceil(height / distance))));
+}
+
 bool FrameTracer::trace(vtkRenderer* renderer, std::vector<vtkActor*>& actors, int width,
   int height, const FrameSettings& settings, const Progress& progress)
 {
   seconds_ = 0.0;
   rays_ = 0;
-  const Scene scene = sceneOf(renderer, actors);
+  Scene scene = sceneOf(renderer, actors);
   if (actors.empty() || width < 1 || height < 1)
   {
     signature_.clear();
@@ -83,16 +101,33 @@ bool FrameTracer::trace(vtkRenderer* renderer, std::vector<vtkActor*>& actors, i
   const auto signature =
     signatureOf(renderer, actors, cameraOf(renderer, aspect, width, height), scene, width, height);
   const double wanted = distanceFor(width, height, settings);
+  const bool moving = settings.interactive;
+  const bool soft = hasSoftShadows(scene);
   if (signature != signature_ || distance_ > wanted)
-  {
-    distance_ = wanted;
-    film_.resize(std::max(1, int(std::ceil(width / distance_))),
-      std::max(1, int(std::ceil(height / distance_))));
-    signature_ = signature;
-  }
-  const Camera camera = cameraOf(renderer, aspect, film_.width(), film_.height());
-  const int target = settings.interactive ? 1 : settings.samples;
+    begin(signature, wanted, soft && (moving || settings.progressive), width, height);
+  else if (draft_ && !moving && film_.samples() > 0)
+    begin(signature, wanted, false, width, height);
+  if (draft_)
+    for (Light& light : scene.lights)
+      light.samples = 1;
 
+  const Camera camera = cameraOf(renderer, aspect, film_.width(), film_.height());
+  if (!addSamples(scene, camera, settings, progress))
+  {
+    signature_.clear();
+    return false;
+  }
+  // A still picture with all its shadow rays says nothing about the next that moves.
+  if (rays_ > 0 && (draft_ || !soft))
+    secondsPerRay_ = seconds_ / static_cast<double>(rays_);
+  converged_ = distance_ == 1.0 && !draft_ && film_.samples() >= settings.samples;
+  return true;
+}
+
+bool FrameTracer::addSamples(
+  const Scene& scene, const Camera& camera, const FrameSettings& settings, const Progress& progress)
+{
+  const int target = settings.interactive || draft_ ? 1 : settings.samples;
   const auto caller = std::this_thread::get_id();
   RayCaster caster(scene);
   caster.setThreads(settings.threads);
@@ -105,10 +140,7 @@ bool FrameTracer::trace(vtkRenderer* renderer, std::vector<vtkActor*>& actors, i
         return !progress || std::this_thread::get_id() != caller || progress(done + part / target);
       });
     if (!complete)
-    {
-      signature_.clear();
       return false;
-    }
     rays_ += static_cast<long long>(film_.pixels());
     ++version_;
     seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -116,9 +148,6 @@ bool FrameTracer::trace(vtkRenderer* renderer, std::vector<vtkActor*>& actors, i
         seconds_ + seconds_ / std::max(1, film_.samples()) > settings.frameTime)
       break;
   }
-  if (rays_ > 0)
-    secondsPerRay_ = seconds_ / static_cast<double>(rays_);
-  converged_ = distance_ == 1.0 && film_.samples() >= settings.samples;
   return true;
 }
 

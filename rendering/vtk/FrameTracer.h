@@ -2,6 +2,7 @@
 
 #include "kernels/core/Film.h"
 #include "kernels/core/Progress.h"
+#include "kernels/scene/Scene.h"
 
 #include <vector>
 
@@ -23,6 +24,10 @@ struct FrameSettings
 };
 
 /// Keeps the traced picture of one renderer up to date with as few rays as the settings allow.
+///
+/// Soft shadows take most of the rays of a scene that has them. While the view moves, and for the
+/// first of the samples that a progressive picture shows, such a scene is drawn as a draft, with
+/// one shadow ray a light; the picture at rest begins anew with all.
 class FrameTracer
 {
 public:
@@ -43,11 +48,16 @@ public:
 
 private:
   double distanceFor(int width, int height, const FrameSettings& settings) const;
+  void begin(
+    const std::vector<double>& signature, double distance, bool draft, int width, int height);
+  bool addSamples(const Scene& scene, const Camera& camera, const FrameSettings& settings,
+    const Progress& progress);
 
   Film film_;
   std::vector<double> signature_; ///< all that the film depends on
   double distance_ = 1.0;
-  double secondsPerRay_ = 1e-7; ///< of the last tracing: what the next will take, most likely
+  bool draft_ = false;          ///< the film's shadows are hard, though they should be soft
+  double secondsPerRay_ = 1e-7; ///< of the last such tracing: what the next will take, most likely
   double seconds_ = 0.0;
   long long rays_ = 0;
   unsigned long version_ = 0;

@@ -6,6 +6,7 @@
 #include "kernels/particles/ParticleStructure.h"
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,12 @@ void addChoice(InputKey& key, const RadiusChoice& choice, vtkDataArray* radii, b
 
 /// Throws Error where no structure has this name. Without a name it is the first.
 ParticleStructureKind structureOf(const char* name);
+
+/// Builds the structure that `options` name over the particles; into `structure`, whose memory is
+/// then used again, where it is of that kind and nobody else holds it. What is left is null where
+/// `progress` stopped the build. Throws Error for malformed sets.
+void buildStructure(std::shared_ptr<ParticleStructure>& structure, const ParticleSet& particles,
+  const ParticleStructureOptions& options, const Progress& progress);
 
 /// Counts the particles that were left out, and why; empty where none was.
 std::string leftOutSentence(const ParticleStatistics& statistics);

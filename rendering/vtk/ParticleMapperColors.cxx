@@ -1,10 +1,9 @@
-// The part of vtkMoteParticleMapper that says how particles look, and which are hidden.
+// The part of vtkMoteParticleMapper that says how particles look.
 
 #include "ParticleMapperInternals.h"
 
 #include "ColorBridge.h"
 
-#include "kernels/core/Error.h"
 #include "kernels/scene/Scene.h"
 
 #include "vtkDataSet.h"
@@ -79,79 +78,6 @@ void vtkMoteParticleMapper::GetColorArrayRange(double range[2])
   range[1] = 0.0;
   if (vtkDataArray* array = this->GetColorArray())
     array->GetFiniteRange(range, this->GetColorComponent(array));
-}
-
-vtkDataArray* vtkMoteParticleMapper::FindVisibilityArray(int& component)
-{
-  vtkPointSet* input = this->GetInput();
-  if (!this->VisibilityArrayName || !*this->VisibilityArrayName)
-  {
-    vtkDataArray* array = this->GetColorArray();
-    if (!array)
-      throw mote::Error("There is no array for the visibility range.");
-    component = this->GetColorComponent(array);
-    return array;
-  }
-  const std::string name = this->VisibilityArrayName;
-  vtkDataArray* array = input->GetPointData()->GetArray(name.c_str());
-  if (!array)
-    throw mote::Error("There is no point array \"" + name + "\" for the visibility range.");
-  if (array->GetNumberOfTuples() != input->GetNumberOfPoints())
-    throw mote::Error(
-      "The array \"" + name + "\" for the visibility range has not one tuple a point.");
-  component = this->VisibilityComponent;
-  if (component < -1 || component >= array->GetNumberOfComponents())
-    throw mote::Error("The array \"" + name + "\" for the visibility range has no component " +
-                      std::to_string(component) + ".");
-  return array;
-}
-
-void vtkMoteParticleMapper::UpdateVisibility()
-{
-  Internals& impl = *this->Impl;
-  if (!impl.structure)
-    return;
-  vtkDataArray* array = nullptr;
-  int component = 0;
-  std::string problem;
-  try
-  {
-    if (this->UseVisibilityRange && this->GetInput()->GetNumberOfPoints() > 0)
-      array = this->FindVisibilityArray(component);
-  }
-  catch (const mote::Error& error)
-  {
-    problem = error.what();
-    if (problem != impl.arrayError)
-      vtkErrorMacro(<< problem);
-  }
-  impl.arrayError = problem;
-  mote::InputKey key;
-  if (array)
-  {
-    key = {this->VisibilityRange[0], this->VisibilityRange[1], double(component)};
-    mote::addArray(key, array);
-  }
-  if (key == impl.visibilityKey)
-    return;
-  impl.visibilityKey = key;
-  impl.builtAt.Modified();
-  const mote::DataArrayView values(array);
-  const double low = this->VisibilityRange[0], high = this->VisibilityRange[1];
-  std::visit(
-    [&](auto& s)
-    {
-      if (!array)
-        s.setVisibility({});
-      else
-        s.setVisibility(
-          [&](std::size_t slot)
-          {
-            const double v = values.view.value(s.inputIndex(slot), component);
-            return v >= low && v <= high;
-          });
-    },
-    *impl.structure);
 }
 
 void vtkMoteParticleMapper::DescribeColors(mote::ParticleColoring& coloring)

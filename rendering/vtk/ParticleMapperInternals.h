@@ -3,38 +3,52 @@
 #include "vtkMoteParticleMapper.h"
 
 #include "ParticleInput.h"
+#include "ParticleSelection.h"
 #include "RendererImage.h"
 
 #include "kernels/particles/ParticleStructure.h"
 
 #include "vtkTimeStamp.h"
 
+#include <set>
 #include <string>
+#include <vector>
 
-/// What vtkMoteParticleMapper keeps between frames. Its methods stand in two files: input,
-/// structure and drawing in vtkMoteParticleMapper.cxx, colours and visibility in
-/// ParticleMapperColors.cxx.
+/// What vtkMoteParticleMapper keeps between frames. Its methods stand in three files: input,
+/// structure and drawing in vtkMoteParticleMapper.cxx, colours in ParticleMapperColors.cxx, ranges
+/// in ParticleMapperRanges.cxx.
 class vtkMoteParticleMapper::Internals
 {
 public:
-  /// What the structure was built from, and which particles it was told to show.
+  /// What the structure was built from.
   using Key = mote::InputKey;
+
+  /// A range that the user wants of an array.
+  struct ArrayRange
+  {
+    std::string name;
+    int component;
+    double low, high;
+  };
 
   mote::RadiusChoice choice;
   std::shared_ptr<mote::ParticleStructure> structure;
   Key structureKey;
-  Key visibilityKey;
   vtkTimeStamp builtAt;
   double commonRadius = 0.0;
   double buildTime = 0.0;
   int builds = 0;
   std::string reported; ///< last error, so that it is told once and not every frame
 
+  std::vector<ArrayRange> ranges;
+  mote::PlaceRanges places;
+  mote::ParticleSelection selection;
+  std::set<std::string> rangeErrors; ///< those that hold now, told when they began to
+
   mote::DataArrayView colorValues;
   Key colorValuesKey;
   vtkSmartPointer<vtkDataArray> directColors;
   Key directKey;
-  std::string arrayError;
   std::string reportedColors; ///< the same for colours
 
   std::string reportedFrame; ///< the same for drawing

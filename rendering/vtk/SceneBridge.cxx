@@ -1,5 +1,6 @@
 #include "SceneBridge.h"
 
+#include "vtkMoteAreaLight.h"
 #include "vtkMoteParticleMapper.h"
 
 #include "vtkActor.h"
@@ -10,6 +11,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mote
@@ -44,6 +46,12 @@ Light toLight(vtkLight* from)
   {
     light.kind = Light::Kind::Directional;
     light.vector = toVec(focalPoint) - toVec(position);
+  }
+  if (auto* area = vtkMoteAreaLight::SafeDownCast(from))
+  {
+    light.shadows = area->GetShadows() != 0;
+    light.size = from->GetPositional() ? area->GetSize() : std::min(area->GetSize(), 90.0);
+    light.samples = light.size > 0.0 ? area->GetSamples() : 1;
   }
   return light;
 }

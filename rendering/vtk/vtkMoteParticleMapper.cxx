@@ -7,11 +7,14 @@
 #include "kernels/scene/Scene.h"
 
 #include "vtkActor.h"
+#include "vtkAlgorithmOutput.h"
 #include "vtkCommand.h"
 #include "vtkDataSet.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
@@ -19,6 +22,7 @@
 #include "vtkPoints.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -146,6 +150,33 @@ vtkMTimeType vtkMoteParticleMapper::GetPictureMTime()
   return time;
 }
 
+int vtkMoteParticleMapper::UpdateTimeStep(
+  double time, int piece, int pieces, int ghostLevels, const int extents[6])
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkAlgorithmOutput* input =
+    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputConnection(0, 0) : nullptr;
+  if (!input)
+    return 0;
+  // A sink has no output to ask a time of: the request goes to its input's.
+  vtkNew<vtkInformationVector> requests;
+  for (int port = 0; port < input->GetProducer()->GetNumberOfOutputPorts(); ++port)
+    requests->Append(vtkNew<vtkInformation>());
+  vtkInformation* request = requests->GetInformationObject(input->GetIndex());
+  request->Set(Pipeline::UPDATE_TIME_STEP(), time);
+  if (piece >= 0)
+  {
+    request->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece);
+    request->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
+    request->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), ghostLevels);
+  }
+  if (extents)
+    request->Set(Pipeline::UPDATE_EXTENT(), extents, 6);
+  const int done = input->GetProducer()->Update(input->GetIndex(), requests);
+  this->Update();
+  return done && this->Impl->structure ? 1 : 0;
+}
+
 //------------------------------------------------------------------------------------------------
 // Building
 
@@ -181,7 +212,7 @@ void vtkMoteParticleMapper::Update(int port)
     this->Superclass::Update(port);
   }
   this->UpdateStructure();
-  this->UpdateVisibility();
+  this->UpdateRanges();
 }
 
 void vtkMoteParticleMapper::UpdateStructure()
@@ -229,7 +260,9 @@ void vtkMoteParticleMapper::BuildStructure(vtkPointSet* input)
   options.kind = mote::structureOf(this->StructureName);
   const BuildEvents events(this);
   const mote::ParticleInput particles = mote::makeParticleInput(input, impl.choice);
-  impl.structure = mote::makeParticleStructure(particles.set, options,
+  if (impl.structure)
+    impl.selection.release(*impl.structure);
+  mote::buildStructure(impl.structure, particles.set, options,
     [this](double done)
     {
       this->UpdateProgress(done);
@@ -237,7 +270,6 @@ void vtkMoteParticleMapper::BuildStructure(vtkPointSet* input)
     });
   impl.buildTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   impl.commonRadius = particles.commonRadius;
-  impl.visibilityKey.clear();
   impl.builtAt.Modified();
   ++impl.builds;
   if (!impl.structure)
@@ -303,6 +335,7 @@ void vtkMoteParticleMapper::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "VisibilityArrayName: " << text(this->VisibilityArrayName) << "\n";
   os << indent << "VisibilityComponent: " << this->VisibilityComponent << "\n";
+  this->PrintRanges(os, indent);
   os << indent << "StructureName: " << text(this->StructureName) << "\n";
   os << indent << "NumberOfParticles: " << this->GetNumberOfParticles() << "\n";
   os << indent << "NumberOfUnfitParticles: " << this->GetNumberOfUnfitParticles() << "\n";

@@ -155,6 +155,58 @@ public:
 
   ///@{
   /**
+   * Hides the particles whose value of a point array lies outside of `low` to `high` (both ends
+   * belong to it; NaN is outside; infinite ends are no limit). Component -1 is the magnitude. Up to
+   * four arrays or components at a time, besides the visibility range above and the ranges of
+   * position and radius below: only what lies in all of them is shown. A second range of an array's
+   * component takes the first one's place. False, with an error, for a fifth one and for ranges
+   * that end before they begin.
+   *
+   * Answers are exact whatever type the array has. A change rebuilds no structure; for arrays of
+   * float or of integers up to 16 bit, of which the structure keeps a copy in its own order while a
+   * range is on (16 bytes a particle for up to four), it does not look at the particles either.
+   * An array that the input lacks is an error, told once; then the others hold, and this one
+   * again from the time step on that has the array.
+   */
+  bool AddRange(const char* array, int component, double low, double high);
+  bool AddRange(const char* array, double low, double high)
+  {
+    return this->AddRange(array, 0, low, high);
+  }
+  void RemoveRange(const char* array, int component = 0);
+  int GetNumberOfRanges();
+  ///@}
+
+  ///@{
+  /**
+   * Hides the particles whose centre lies outside along an axis (0, 1, 2 for x, y, z), in the
+   * input's coordinates, as AddRange() does for arrays. Infinite at first: no limit.
+   */
+  bool SetCenterRange(int axis, double low, double high);
+  void GetCenterRange(int axis, double range[2]);
+  ///@}
+
+  ///@{
+  /**
+   * The same for the radius, as drawn: in the units of the points, RadiusScale and all.
+   */
+  bool SetRadiusRange(double low, double high);
+  void GetRadiusRange(double range[2]);
+  ///@}
+
+  /**
+   * Takes away the ranges of AddRange(), SetCenterRange() and SetRadiusRange().
+   */
+  void RemoveAllRanges();
+
+  /**
+   * The number of particles that all ranges leave to be seen, as of the last Update(). The first
+   * call after a change looks at all particles.
+   */
+  vtkIdType GetNumberOfVisibleParticles();
+
+  ///@{
+  /**
    * The structure that rays are cast through, by name: "coherent-grid".
    */
   vtkSetStringMacro(StructureName);
@@ -177,6 +229,16 @@ public:
   void Update() override { this->Update(0); }
   void Update(int port) override;
   ///@}
+
+  /**
+   * Update() for another time step of the input's pipeline, which stays the one that is shown.
+   * The structure is built again into the memory of the last one. Ranges, colours and all else stay
+   * what they were; so do lookup tables, which the mapper never fits to a step's values. Radii of
+   * RADIUS_FROM_SPACING follow each step's spacing: for radii that stay, use RADIUS_CONSTANT with
+   * GetRadiusInUse() of one step.
+   */
+  int UpdateTimeStep(double time, int piece = -1, int pieces = 1, int ghostLevels = 0,
+    const int extents[6] = nullptr) override;
 
   ///@{
   /**
@@ -264,8 +326,11 @@ private:
 
   void UpdateStructure();
   void BuildStructure(vtkPointSet* input);
-  void UpdateVisibility();
+  void UpdateRanges();
   vtkDataArray* FindVisibilityArray(int& component);
+  vtkDataArray* FindRangeArray(const std::string& name, int component, const char* purpose);
+  bool CheckRange(double low, double high);
+  void PrintRanges(ostream& os, vtkIndent indent);
   int GetColorComponent(vtkDataArray* array);
   std::string WhyNoColorArray();
 #ifndef __VTK_WRAP__

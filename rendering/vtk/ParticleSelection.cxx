@@ -1,0 +1,332 @@
+#include "ParticleSelection.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mote
+{
+
+namespace
+{
+
+constexpr std::size_t mostAttributes = 4;
+constexpr std::size_t grain = 1 << 15;
+
+/// What lies on both sides of the two limits of a range, among the values that are stored as the
+/// limit is. Bits: 1, 2: outside and inside of the lower limit; 4, 8: of the upper.
+enum Side : unsigned
+{
+  belowLow = 1,
+  fromLow = 2,
+  aboveHigh = 4,
+  toHigh = 8
+};
+
+bool isFloat(const ArrayView& values, int component)
+{
+  using Type = ArrayView::Type;
+  if (component == ArrayView::magnitude)
+    return false;
+  const Type type = values.type();
+  return type == Type::Float32 || type == Type::Int8 || type == Type::UInt8 ||
+         type == Type::Int16 || type == Type::UInt16;
+}
+
+/// Looks for values that are rounded to the very floats that the limits are rounded to.
+unsigned tiesOf(const ArrayView& values, int component, double low, double high)
+{
+  const auto lowFloat = static_cast<float>(low), highFloat = static_cast<float>(high);
+  return tbb::parallel_reduce(
+    tbb::blocked_range<std::size_t>(0, values.count(), grain), 0u,
+    [&](const tbb::blocked_range<std::size_t>& range, unsigned sides)
+    {
+      for (std::size_t i = range.begin(); i != range.end(); ++i)
+      {
+        const double v = values.value(i, component);
+        const auto stored = static_cast<float>(v);
+        if (stored == lowFloat)
+          sides |= v < low ? belowLow : fromLow;
+        if (stored == highFloat)
+          sides |= v > high ? aboveHigh : toHigh;
+      }
+      return sides;
+    },
+    [](unsigned a, unsigned b) { return a | b; });
+}
+
+/// Turns a range of values into one of the floats that they are stored as. False where there is
+/// none that parts them alike.
+bool findFloatLimits(const ArrayView& values, int component, double& low, double& high)
+{
+  constexpr double infinity = ParticleRanges::infinity;
+  if (low == -infinity && high == infinity)
+    return false; // leaves out NaN only, and for the structure is no range at all
+  if (isFloat(values, component) || low > high)
+    return true;
+  const auto lowFloat = static_cast<float>(low), highFloat = static_cast<float>(high);
+  if ((std::isinf(lowFloat) && !std::isinf(low)) || (std::isinf(highFloat) && !std::isinf(high)))
+    return false; // beyond what float holds
+  const unsigned ties = tiesOf(values, component, low, high);
+  const auto both = [ties](unsigned a, unsigned b) { return (ties & a) && (ties & b); };
+  if (both(belowLow, fromLow) || both(aboveHigh, toHigh))
+    return false;
+  constexpr float far = std::numeric_limits<float>::infinity();
+  low = ties & belowLow ? std::nextafter(lowFloat, far) : lowFloat;
+  high = ties & aboveHigh ? std::nextafter(highFloat, -far) : highFloat;
+  return true;
+}
+
+/// Near a limit: the greatest stored value outside of it and the least inside, for a lower limit.
+/// An upper limit is one of negative values.
+struct Border
+{
+  double outside = -ParticleRanges::infinity;
+  double inside = ParticleRanges::infinity;
+
+  void add(double stored, bool isInside)
+  {
+    if (isInside)
+      inside = std::min(inside, stored);
+    else
+      outside = std::max(outside, stored);
+  }
+  void add(const Border& other)
+  {
+    outside = std::max(outside, other.outside);
+    inside = std::min(inside, other.inside);
+  }
+  /// A limit between the two; false where stored values of both sides are mixed.
+  bool between(double limit, double tolerance, double& found) const
+  {
+    const double from = std::max(outside, limit - tolerance);
+    const double to = std::min(inside, limit + tolerance);
+    if (!(from < to))
+      return false;
+    found = 0.5 * (from + to);
+    if (!(found > from))
+      found = to;
+    return true;
+  }
+};
+
+/// Where the stored value of a particle may lie from the exact one, generously.
+double toleranceOf(const ParticleStatistics& s, int k, double limit)
+{
+  if (k == 3)
+    return 1e-6 * std::abs(limit);
+  const Vec3d size = s.centers.size();
+  return 1e-6 * std::max({size.x, size.y, size.z, s.largestRadius}) + 1e-15 * std::abs(limit);
+}
+
+double placeOf(const ParticleInput& particles, std::uint64_t input, int k)
+{
+  return k < 3 ? particles.set.positions.value(input, k) : particles.set.radiusOf(input);
+}
+
+template <typename Structure>
+double storedPlaceOf(const Structure& structure, std::size_t slot, int k)
+{
+  return k < 3 ? structure.center(slot)[k] : structure.radius(slot);
+}
+
+/// As findFloatLimits(), of centres and radii, whose rounding is the structure's own affair.
+template <typename Structure>
+bool findPlaceLimits(
+  const Structure& s, const ParticleInput& particles, int k, double& low, double& high)
+{
+  struct Borders
+  {
+    Border low, high;
+  };
+  const double lowTolerance = toleranceOf(s.statistics(), k, low);
+  const double highTolerance = toleranceOf(s.statistics(), k, high);
+  const Borders found = tbb::parallel_reduce(
+    tbb::blocked_range<std::size_t>(0, s.size(), grain), Borders{},
+    [&](const tbb::blocked_range<std::size_t>& range, Borders borders)
+    {
+      for (std::size_t slot = range.begin(); slot != range.end(); ++slot)
+      {
+        const double stored = storedPlaceOf(s, slot, k);
+        if (std::abs(stored - low) <= lowTolerance)
+          borders.low.add(stored, placeOf(particles, s.inputIndex(slot), k) >= low);
+        if (std::abs(stored - high) <= highTolerance)
+          borders.high.add(-stored, placeOf(particles, s.inputIndex(slot), k) <= high);
+      }
+      return borders;
+    },
+    [](Borders a, const Borders& b)
+    {
+      a.low.add(b.low);
+      a.high.add(b.high);
+      return a;
+    });
+  double lowFound = low, highFound = -high;
+  if (std::isfinite(low) && !found.low.between(low, lowTolerance, lowFound))
+    return false;
+  if (std::isfinite(high) && !found.high.between(-high, highTolerance, highFound))
+    return false;
+  low = lowFound;
+  high = -highFound;
+  return true;
+}
+
+/// NaN as a limit leaves nothing, as no value compares with it.
+void makeComparable(double& low, double& high)
+{
+  if (!std::isnan(low) && !std::isnan(high))
+    return;
+  low = ParticleRanges::infinity;
+  high = -ParticleRanges::infinity;
+}
+
+} // namespace
+
+bool ParticleSelection::shows(std::uint64_t input) const
+{
+  for (const KeptRange& range : values_)
+  {
+    const double v = range.values.view.value(input, range.component);
+    if (!(v >= range.low && v <= range.high))
+      return false;
+  }
+  for (int k = 0; k < 4; ++k)
+    if (places_.isLimited(k))
+      if (const double v = placeOf(particles_, input, k);
+          !(v >= places_.low[k] && v <= places_.high[k]))
+        return false;
+  return true;
+}
+
+void ParticleSelection::setAttributes(ParticleStructure& structure)
+{
+  std::vector<ParticleAttribute> attributes;
+  for (const KeptRange& range : values_)
+    if (attributes.size() < mostAttributes)
+      attributes.push_back({range.values.view, range.component});
+  std::visit([&](auto& s) { s.setAttributes(attributes); }, structure);
+}
+
+bool ParticleSelection::findLimits(const ParticleStructure& structure, ParticleRanges& limits) const
+{
+  bool complete = values_.size() <= mostAttributes;
+  for (std::size_t i = 0; i < std::min(values_.size(), mostAttributes); ++i)
+  {
+    double low = values_[i].low, high = values_[i].high;
+    if (!findFloatLimits(values_[i].values.view, values_[i].component, low, high))
+    {
+      complete = false;
+      continue;
+    }
+    limits.lower[4 + i] = low;
+    limits.upper[4 + i] = high;
+  }
+  for (int k = 0; k < 4; ++k)
+  {
+    double low = places_.low[k], high = places_.high[k];
+    const bool found = !places_.isLimited(k) || low > high ||
+                       withStructure(structure, [&](const auto& s)
+                         { return findPlaceLimits(s, particles_, k, low, high); });
+    complete = complete && found;
+    limits.lower[k] = found ? low : -ParticleRanges::infinity;
+    limits.upper[k] = found ? high : ParticleRanges::infinity;
+  }
+  return complete;
+}
+
+bool ParticleSelection::apply(ParticleStructure& structure, const std::vector<ValueRange>& values,
+  const PlaceRanges& places, const std::function<ParticleInput()>& particles)
+{
+  InputKey attributesKey, key;
+  for (const ValueRange& range : values)
+  {
+    addArray(attributesKey, range.array);
+    attributesKey.push_back(range.component);
+    double low = range.low, high = range.high;
+    makeComparable(low, high);
+    key.insert(key.end(), {low, high});
+  }
+  key.insert(key.end(), attributesKey.begin(), attributesKey.end());
+  if (!values.empty())
+    key.push_back(double(values.size()));
+  if (places.anyLimited())
+    for (int k = 0; k < 4; ++k)
+      key.insert(key.end(), {places.low[k], places.high[k]});
+  if (key == key_)
+    return false;
+  key_ = key;
+  counted_ = false;
+  places_ = places;
+  particles_ = places.anyLimited() ? particles() : ParticleInput{};
+  if (attributesKey != attributesKey_ || values.size() != values_.size())
+  {
+    values_.clear();
+    for (const ValueRange& range : values)
+      values_.push_back({DataArrayView(range.array), range.component, 0.0, 0.0});
+    setAttributes(structure);
+    attributesKey_ = attributesKey;
+  }
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    values_[i].low = values[i].low;
+    values_[i].high = values[i].high;
+    makeComparable(values_[i].low, values_[i].high);
+  }
+
+  ParticleRanges limits;
+  const bool wasMasked = masked_;
+  masked_ = !findLimits(structure, limits);
+  std::visit(
+    [&](auto& s)
+    {
+      if (wasMasked && !masked_)
+        s.setVisibility({});
+      s.setRanges(limits);
+      if (masked_)
+        s.setVisibility([&](std::size_t slot) { return this->shows(s.inputIndex(slot)); });
+    },
+    structure);
+  return true;
+}
+
+void ParticleSelection::release(ParticleStructure& structure)
+{
+  if (!key_.empty())
+    std::visit(
+      [](auto& s)
+      {
+        s.setAttributes({});
+        s.setVisibility({});
+        s.setRanges({});
+      },
+      structure);
+  *this = {};
+}
+
+std::size_t ParticleSelection::count(const ParticleStructure& structure) const
+{
+  if (counted_)
+    return count_;
+  count_ = withStructure(structure,
+    [&](const auto& s)
+    {
+      if (values_.empty() && !places_.anyLimited())
+        return s.size();
+      return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, s.size(), grain), std::size_t{0},
+        [&](const tbb::blocked_range<std::size_t>& range, std::size_t sum)
+        {
+          for (std::size_t slot = range.begin(); slot != range.end(); ++slot)
+            sum += this->shows(s.inputIndex(slot)) ? 1 : 0;
+          return sum;
+        },
+        std::plus<>());
+    });
+  counted_ = true;
+  return count_;
+}
+
+} // namespace mote

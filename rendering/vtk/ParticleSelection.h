@@ -1,0 +1,77 @@
+#pragma once
+
+#include "DataArrayView.h"
+#include "ParticleInput.h"
+
+#include "kernels/particles/ParticleStructure.h"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace mote
+{
+
+/// A range of the values of one array; both ends belong to it, NaN does not.
+struct ValueRange
+{
+  vtkDataArray* array = nullptr;
+  int component = 0; ///< or ArrayView::magnitude
+  double low = 0.0, high = 0.0;
+};
+
+/// Ranges of what every particle has: x, y, z of its centre and its radius, as drawn.
+struct PlaceRanges
+{
+  static constexpr double infinity = ParticleRanges::infinity;
+  std::array<double, 4> low{-infinity, -infinity, -infinity, -infinity};
+  std::array<double, 4> high{infinity, infinity, infinity, infinity};
+
+  bool isLimited(int k) const { return low[k] > -infinity || high[k] < infinity; }
+  bool anyLimited() const { return isLimited(0) || isLimited(1) || isLimited(2) || isLimited(3); }
+};
+
+/// Has a structure show the particles that lie in all of some ranges, and no others.
+///
+/// The structure compares stored floats. Rounding keeps order, so that float limits can mostly be
+/// found which part the stored values as the ranges part the exact ones; the answer is then exact
+/// whatever type the values have. Finding them costs nothing for values that are float themselves,
+/// and a look at the values for others. Where values on both sides of a limit are stored alike, and
+/// for arrays beyond the fourth, every particle is asked and the structure given a bit for each.
+class ParticleSelection
+{
+public:
+  /// Makes a structure show what the ranges leave, with as little work as the changes since the
+  /// last call ask for. `particles` gives the input and is asked only where it is needed. Returns
+  /// whether anything changed.
+  bool apply(ParticleStructure& structure, const std::vector<ValueRange>& values,
+    const PlaceRanges& places, const std::function<ParticleInput()>& particles);
+
+  /// The structure is to be built anew: takes from it what it kept for ranges.
+  void release(ParticleStructure& structure);
+
+  /// How many particles of the structure are shown. Counted anew after a change.
+  std::size_t count(const ParticleStructure& structure) const;
+
+private:
+  struct KeptRange
+  {
+    DataArrayView values;
+    int component;
+    double low, high;
+  };
+  void setAttributes(ParticleStructure& structure);
+  bool findLimits(const ParticleStructure& structure, ParticleRanges& limits) const;
+  bool shows(std::uint64_t input) const;
+
+  InputKey key_;           ///< of all that the structure was told
+  InputKey attributesKey_; ///< of the arrays whose values it keeps
+  std::vector<KeptRange> values_;
+  PlaceRanges places_;
+  ParticleInput particles_; ///< where places are limited
+  bool masked_ = false;     ///< the structure has a bit for each particle
+  mutable std::size_t count_ = 0;
+  mutable bool counted_ = false;
+};
+
+} // namespace mote
