@@ -110,6 +110,7 @@ void CameraRays::fillBundle(
   placeBundle(bundle, side, x0, y0, jitterX, jitterY);
   const int count = side * side;
   bundle.count = count;
+  bundle.side = side;
   bundle.tMin = tMin;
   const BundlePlaces& places = placesOf(side);
   std::copy_n(places.x, count, bundle.x);

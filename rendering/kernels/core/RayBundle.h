@@ -2,6 +2,9 @@
 
 #include "Vec.h"
 
+#include <glm/common.hpp>
+
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -28,6 +31,7 @@ struct RayBundle
 
   Kind kind = Kind::CommonOrigin;
   int count = 0; ///< rays in use, from the front
+  int side = 0;  ///< of the square that the rays fill in the order of bundleOffset(); 0: any rays
   Vec3d origin{0.0};
   Vec3d direction{0.0};
   Vec3d dx{0.0}, dy{0.0};
@@ -63,6 +67,31 @@ inline void bundleOffset(int side, int i, int& x, int& y)
   const int block = i / 16;
   x = (i & 3) | ((block & 1) << 2) | ((block & 4) << 1);
   y = ((i >> 2) & 3) | ((block & 2) << 1) | (block & 8);
+}
+
+/// Makes `to` of `count` rays of `from`: the same rays with the same answers so far.
+void copyRays(const RayBundle& from, int first, int count, RayBundle& to);
+
+/// Two unit vectors perpendicular to `v` and to one another. `v` may have any length but 0.
+void acrossAxes(const Vec3d& v, Vec3d& a, Vec3d& b);
+
+/// Calls cast(bundle), and where that answers false the same for each quarter of the bundle, down
+/// to single rays; answers come back into the bundle. cast() must take single rays.
+template <typename Cast>
+void bySplitting(RayBundle& bundle, const Cast& cast)
+{
+  if (cast(bundle) || bundle.count <= 1)
+    return;
+  const int quarter = (bundle.count + 3) / 4;
+  for (int first = 0; first < bundle.count; first += quarter)
+  {
+    RayBundle part;
+    copyRays(bundle, first, std::min(quarter, bundle.count - first), part);
+    bySplitting(part, cast);
+    std::copy_n(part.t, part.count, bundle.t + first);
+    std::copy_n(part.slot, part.count, bundle.slot + first);
+    std::copy_n(part.object, part.count, bundle.object + first);
+  }
 }
 
 } // namespace mote

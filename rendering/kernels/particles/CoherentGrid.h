@@ -46,14 +46,15 @@ struct ParticleRanges
   bool isLimited(int value) const { return lower[value] > -infinity || upper[value] < infinity; }
 };
 
-/// A uniform grid of cubic cells over particles, traversed slice by slice by packets of rays.
+/// A uniform grid of cubic cells over particles, traversed slice by slice by bundles of rays.
 ///
-/// Every particle lies in exactly one cell, that of its centre (the sphere-centre method); a packet
+/// Every particle lies in exactly one cell, that of its centre (the sphere-centre method); a bundle
 /// visits, in each slice of cells across its major axis, the cells that its frustum overlaps when
-/// widened by the largest radius. Macrocells of 6x6x6 cells skip empty space.
-/// Particles are stored in cell order as x y z r in float, relative to one double origin and in a
-/// unit, a power of two near the size of a cell, that keeps squares within float's range whatever
-/// the scene is measured in.
+/// widened by the largest radius. Macrocells of 6x6x6 cells skip empty space and what no range
+/// shows. Where radii differ much, particles of similar radius have a grid of their own, so that
+/// few large spheres do not widen the frustum for all. Particles are stored in cell order as x y z
+/// r in float, relative to one double origin and in a unit, a power of two near the size of a cell,
+/// that keeps squares within float's range whatever the scene is measured in.
 ///
 /// Source: Gribble, Ize, Kensler, Wald, Parker, "A Coherent Grid Traversal Approach to Visualizing
 /// Particle-based Simulation Data", UUSCI-2006-024; docs/coherent-grid.md says what is done
@@ -69,19 +70,27 @@ public:
 
   static constexpr int macrocellSize = 6;
 
-  /// Builds over `particles`, in parallel, and forgets what was there; memory is reused.
+  /// Least and greatest of the eight values of the particles in a macrocell, as they are stored. 64
+  /// bytes.
+  struct MacroBounds
+  {
+    std::array<float, ParticleRanges::count> least, greatest;
+  };
+
+  /// Builds over `particles`, in parallel, and forgets what was there, attributes, ranges and
+  /// visibility included; memory is reused.
   /// Throws Error for a malformed set (see examine()); stops early, leaving the grid empty, when
   /// `progress` answers false. The result does not depend on the number of threads.
   void build(const ParticleSet& particles, const CoherentGridOptions& options = {},
     const Progress& progress = {});
 
   /// Finds for each ray of the packet the nearest hit with tMin < t < packet.t, and where there is
-  /// one writes t, slot and `object`. Rays may point anywhere. Of coincident spheres the one with
-  /// the smallest input index is hit. A ray that starts inside a sphere hits its far side.
-  /// Thread-safe.
+  /// one writes t, slot and `object`. Rays may point anywhere, and are cast one by one. Of
+  /// coincident spheres the one with the smallest input index is hit. A ray that starts inside a
+  /// sphere hits its far side. Thread-safe.
   void cast(RayPacket& packet, std::int32_t object) const;
 
-  /// The same for the rays of a bundle: faster, since they need not be compared with one another.
+  /// The same for the rays of a bundle, many times faster.
   void cast(RayBundle& bundle, std::int32_t object) const;
 
   /// Looks for anything between the ends of the rays: t of each ray that meets a sphere with tMin <
@@ -128,36 +137,68 @@ public:
   }
   /// Memory of the structure and of the particles stored in it.
   std::size_t bytes() const;
-  Vec3i resolution() const { return resolution_; }
-  double cellSize() const { return unit_ * cellSize_; }
+  /// Grids, one for each group of similar radii that pays for a grid of its own, the largest radii
+  /// first; and cells along each axis, edge of a cell, and number of particles of each.
+  int layers() const { return static_cast<int>(layers_.size()); }
+  Vec3i resolution(int layer = 0) const { return layers_[layer].resolution; }
+  double cellSize(int layer = 0) const { return unit_ * layers_[layer].cellSize; }
+  std::size_t layerSize(int layer) const { return layers_[layer].count; }
 
 private:
   friend struct CoherentGridBuilder;
   friend struct CoherentGridView;
 
+  /// One grid of cells over the particles of similar radius. All arrays hold layer after layer.
+  struct Layer
+  {
+    Vec3f lower{0.0f}; ///< corner of cell (0,0,0), in unit() relative to origin()
+    Vec3i resolution{0};
+    Vec3i macroResolution{0};
+    float cellSize = 1.0f;
+    float largestRadius = 0.0f;
+    std::size_t firstSlot = 0;
+    std::size_t count = 0;
+    std::size_t firstRow = 0;       ///< in rowStart_
+    std::size_t firstCell = 0;      ///< in cellStart_
+    std::size_t firstMacrocell = 0; ///< in macrocellShown_
+
+    std::size_t rows() const { return static_cast<std::size_t>(resolution.y) * resolution.z; }
+    std::size_t rowWidth() const { return static_cast<std::size_t>(resolution.x) + 1; }
+    std::size_t macrocells() const
+    {
+      return static_cast<std::size_t>(macroResolution.x) * macroResolution.y * macroResolution.z;
+    }
+  };
+
   void clear();
-  void markMacrocells();
+  template <typename Visit>
+  void forMacrocells(const Visit& visit) const;
+  void findOccupied();
+  void findMacroBounds();
+  void findShown();
 
   ParticleStatistics statistics_;
   Vec3d origin_{0.0};
   double unit_ = 1.0; ///< a power of two: scaling by it rounds nothing
-  Vec3f lower_{0.0f}; ///< corner of cell (0,0,0)
-  Vec3i resolution_{0};
-  Vec3i macroResolution_{0};
-  float cellSize_ = 1.0f;
-  float largestRadius_ = 0.0f;
   std::size_t count_ = 0;
-  RawVector<Record> records_; ///< in cell order, x fastest; a few more at the end for SIMD loads
+  std::vector<Layer> layers_; ///< largest radii first: what hides most is met first
+  /// By layer and cell, x fastest; a few more at the end for SIMD loads.
+  RawVector<Record> records_;
   /// First particle of every cell relative to its row's; resolution.x + 1 entries a row.
   RawVector<std::uint32_t> cellStart_;
-  RawVector<std::uint64_t> rowStart_; ///< first particle of row (y, z) at y + z * resolution.y
-  std::vector<std::uint8_t> macrocellShown_; ///< whether a macrocell has a particle to show
+  /// First particle of row (y, z), counted y + z * resolution.y.
+  RawVector<std::uint64_t> rowStart_;
   RawVector<std::uint32_t> index32_;
   RawVector<std::uint64_t> index64_;
-  /// Attributes in the order of the records; empty where no range asks for them.
-  RawVector<std::array<float, 4>> values_;
+
+  // What is shown.
+  RawVector<std::uint64_t> shown_; ///< one bit a particle, or empty: all are
   ParticleRanges ranges_;
-  RawVector<std::uint64_t> shown_; ///< one bit a particle, or empty: all are shown
+  RawVector<std::array<float, 4>> values_; ///< attributes in the order of the records, or empty
+  /// Least and greatest of each value in a macrocell; made for the first limited range.
+  std::vector<MacroBounds> macroBounds_;
+  std::vector<std::uint8_t> macrocellOccupied_; ///< whether `shown_` leaves it a particle
+  std::vector<std::uint8_t> macrocellShown_;    ///< whether ranges leave it one, most likely
 };
 
 } // namespace mote

@@ -1,13 +1,16 @@
 #include "CoherentGrid.h"
 
 #include "../core/Error.h"
+#include "RadiusGroups.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace mote
@@ -18,85 +21,49 @@ namespace
 
 constexpr std::size_t paddingRecords = 16; // what one SIMD load may read past the last particle
 
-/// Edge of cubic cells that cut a box of this size into about `cells` cells. Directions thinner
-/// than a cell count as one cell, so flat and linear sets get as many cells as others.
-double cellEdge(const Vec3d& size, double cells)
+/// Octave of a radius: its exponent as a float, in [0, 256).
+int octaveOf(float radius)
 {
-  std::array<double, 3> extents = {size.x, size.y, size.z};
-  std::sort(extents.begin(), extents.end(), std::greater<>());
-  double edge = 0.0;
-  for (int dims = 3; dims >= 1; --dims)
-  {
-    double measure = 1.0;
-    for (int k = 0; k < dims; ++k)
-      measure *= extents[k] > 0.0 ? std::pow(extents[k] / cells, 1.0 / dims) : 0.0;
-    // measure = (product / cells^dims)^(1/dims), formed so that no product over- or underflows.
-    edge = measure * std::pow(cells, (dims - 1.0) / dims);
-    if (edge > 0.0 && extents[dims - 1] >= edge)
-      break;
-  }
-  return edge;
+  return static_cast<int>(std::bit_cast<std::uint32_t>(radius) >> 23);
 }
 
 } // namespace
 
-/// One build of one grid: sizes it, sorts the particles into slabs of rows (in parallel over chunks
-/// of the input), then each slab into its cells (in parallel over slabs). No locks, and both sorts
-/// are stable, so the order within a cell is that of the input on any number of threads.
+/// One build of one grid: sizes its layers, sorts the particles into slabs of rows (in parallel
+/// over chunks of the input), then each slab into its cells (in parallel over slabs). No locks, and
+/// both sorts are stable, so the order within a cell is that of the input on any number of threads.
 struct CoherentGridBuilder
 {
+  using Layer = CoherentGrid::Layer;
+  using Record = CoherentGrid::Record;
+
   CoherentGrid& grid;
   const ParticleSet& particles;
   const CoherentGridOptions& options;
   const Progress& progress;
 
-  std::size_t rows = 0;
-  std::size_t rowsPerSlab = 1;
-  std::size_t slabs = 1;
+  const double cellsPerParticle = std::clamp(options.cellsPerParticle, 0.2, 5.0);
+
+  /// Neighbouring rows of one layer, sorted into cells by one task.
+  struct Slab
+  {
+    std::size_t layer, firstRow, lastRow; ///< rows within the layer
+  };
+
+  std::array<std::uint8_t, 256> layerOfOctave{};
+  std::vector<std::size_t> rowsPerSlab{}; ///< by layer
+  std::vector<std::size_t> firstSlab{};   ///< by layer
+  std::vector<Slab> slabs{};
   std::size_t chunkSize = 1;
   std::size_t chunks = 1;
   std::vector<std::size_t> offsets{}; ///< chunk-major: first place of a chunk's particles in a slab
   std::vector<std::size_t> slabStart{};
-  RawVector<CoherentGrid::Record> sortedRecords{}; ///< by slab
-  RawVector<std::uint64_t> sortedIndices{};        ///< by slab; empty where indices are not kept
+  RawVector<Record> sortedRecords{};        ///< by slab
+  RawVector<std::uint64_t> sortedIndices{}; ///< by slab; empty where indices are not kept
 
   bool report(double done) const { return !progress || progress(done); }
 
-  void sizeGrid()
-  {
-    const ParticleStatistics& s = grid.statistics_;
-    grid.origin_ = s.centers.center();
-    const Vec3d size = s.centers.size();
-    const double lambda = std::clamp(options.cellsPerParticle, 0.2, 5.0);
-    double edge = cellEdge(size, lambda * static_cast<double>(s.valid));
-    const double longest = std::max({size.x, size.y, size.z});
-    // Finer cells float could not tell apart; where all centres coincide any size will do.
-    edge = std::max({edge, longest * std::ldexp(1.0, -20), s.largestRadius * 1e-3});
-    grid.unit_ = std::exp2(std::round(std::log2(edge)));
-    grid.cellSize_ = static_cast<float>(edge / grid.unit_);
-    grid.lower_ = Vec3f((s.centers.lower - grid.origin_) / grid.unit_);
-    for (int k = 0; k < 3; ++k)
-    {
-      grid.resolution_[k] = 1 + static_cast<int>(size[k] / grid.cellSize());
-      grid.macroResolution_[k] =
-        (grid.resolution_[k] + CoherentGrid::macrocellSize - 1) / CoherentGrid::macrocellSize;
-    }
-    grid.largestRadius_ = static_cast<float>(s.largestRadius / grid.unit_);
-  }
-
-  void planSort()
-  {
-    const std::size_t n = particles.count();
-    const int threads = tbb::this_task_arena::max_concurrency();
-    rows = static_cast<std::size_t>(grid.resolution_.y) * grid.resolution_.z;
-    slabs = std::min<std::size_t>({rows, 1024, 1 + grid.statistics_.valid / 512});
-    rowsPerSlab = (rows + slabs - 1) / slabs;
-    slabs = (rows + rowsPerSlab - 1) / rowsPerSlab;
-    chunkSize = std::max<std::size_t>(4096, n / (4 * static_cast<std::size_t>(threads)) + 1);
-    chunks = (n + chunkSize - 1) / chunkSize;
-  }
-
-  bool record(std::size_t i, CoherentGrid::Record& out) const
+  bool record(std::size_t i, Record& out) const
   {
     const Vec3d p = particles.position(i);
     const double r = particles.radiusOf(i);
@@ -107,44 +74,165 @@ struct CoherentGridBuilder
     return true;
   }
 
-  int cellAlong(float local, int axis) const
-  {
-    const int c = static_cast<int>((local - grid.lower_[axis]) / grid.cellSize_);
-    return std::clamp(c, 0, grid.resolution_[axis] - 1);
-  }
-  std::size_t rowOf(const CoherentGrid::Record& p) const
-  {
-    return static_cast<std::size_t>(cellAlong(p.z, 2)) * grid.resolution_.y + cellAlong(p.y, 1);
-  }
-
   template <typename Visit>
   void forChunk(std::size_t chunk, const Visit& visit) const
   {
     const std::size_t last = std::min(particles.count(), (chunk + 1) * chunkSize);
-    CoherentGrid::Record p;
+    Record p;
     for (std::size_t i = chunk * chunkSize; i < last; ++i)
       if (record(i, p))
-        visit(i, p, rowOf(p) / rowsPerSlab);
+        visit(i, p);
+  }
+
+  void planChunks()
+  {
+    const std::size_t n = particles.count();
+    const int threads = tbb::this_task_arena::max_concurrency();
+    chunkSize = std::max<std::size_t>(4096, n / (4 * static_cast<std::size_t>(threads)) + 1);
+    chunks = (n + chunkSize - 1) / chunkSize;
+  }
+
+  void chooseUnit()
+  {
+    const ParticleStatistics& s = grid.statistics_;
+    grid.origin_ = s.centers.center();
+    const double edge = particleGridEdge(
+      s.centers.size(), cellsPerParticle * static_cast<double>(s.valid), s.largestRadius);
+    grid.unit_ = std::exp2(std::round(std::log2(edge)));
+  }
+
+  /// What the radii ask for: one layer mostly, and no look at them then.
+  std::vector<RadiusGroup> groups()
+  {
+    const ParticleStatistics& s = grid.statistics_;
+    RadiusGroup all;
+    all.count = s.valid;
+    all.centers.add(Vec3d(Vec3f((s.centers.lower - grid.origin_) / grid.unit_)));
+    all.centers.add(Vec3d(Vec3f((s.centers.upper - grid.origin_) / grid.unit_)));
+    all.largestRadius = static_cast<float>(s.largestRadius / grid.unit_);
+    all.octave = octaveOf(static_cast<float>(s.largestRadius / grid.unit_));
+    if (octaveOf(static_cast<float>(s.smallestRadius / grid.unit_)) == all.octave)
+      return {all};
+    std::vector<RadiusGroup> found;
+    for (const RadiusGroup& octave : octaves())
+      if (octave.count > 0)
+        found.push_back(octave);
+    std::reverse(found.begin(), found.end());
+    return mergedGroups(found, cellsPerParticle);
+  }
+
+  std::vector<RadiusGroup> octaves() const
+  {
+    return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, chunks, 1), std::vector<RadiusGroup>(256),
+      [&](const tbb::blocked_range<std::size_t>& range, std::vector<RadiusGroup> found)
+      {
+        for (std::size_t chunk = range.begin(); chunk != range.end(); ++chunk)
+          forChunk(chunk,
+            [&](std::size_t, const Record& p)
+            {
+              const int octave = octaveOf(p.r);
+              found[octave].add({1, {Vec3d(p.x, p.y, p.z), Vec3d(p.x, p.y, p.z)}, p.r, octave});
+            });
+        return found;
+      },
+      [](std::vector<RadiusGroup> a, const std::vector<RadiusGroup>& b)
+      {
+        for (std::size_t k = 0; k < a.size(); ++k)
+          a[k].add(b[k]);
+        return a;
+      });
+  }
+
+  void addLayer(const RadiusGroup& group)
+  {
+    Layer layer;
+    const Vec3d size = group.centers.size();
+    const double edge = particleGridEdge(
+      size, cellsPerParticle * static_cast<double>(group.count), group.largestRadius);
+    layer.cellSize = static_cast<float>(edge);
+    layer.lower = Vec3f(group.centers.lower);
+    layer.largestRadius = group.largestRadius;
+    for (int k = 0; k < 3; ++k)
+    {
+      constexpr int m = CoherentGrid::macrocellSize;
+      layer.resolution[k] = 1 + static_cast<int>(size[k] / layer.cellSize);
+      layer.macroResolution[k] = (layer.resolution[k] + m - 1) / m;
+    }
+    if (!grid.layers_.empty())
+    {
+      const Layer& last = grid.layers_.back();
+      layer.firstRow = last.firstRow + last.rows() + 1;
+      layer.firstCell = last.firstCell + last.rows() * last.rowWidth();
+      layer.firstMacrocell = last.firstMacrocell + last.macrocells();
+    }
+    grid.layers_.push_back(layer);
+  }
+
+  void addLayers()
+  {
+    const std::vector<RadiusGroup> found = groups();
+    int octave = 255;
+    for (const RadiusGroup& group : found)
+    {
+      for (; octave >= group.octave; --octave)
+        layerOfOctave[static_cast<std::size_t>(octave)] =
+          static_cast<std::uint8_t>(grid.layers_.size());
+      addLayer(group);
+    }
+    // Rounding may carry a radius over the edge of the least octave.
+    for (; octave >= 0; --octave)
+      layerOfOctave[static_cast<std::size_t>(octave)] =
+        static_cast<std::uint8_t>(grid.layers_.size() - 1);
+    for (std::size_t k = 0; k < found.size(); ++k)
+      addSlabs(k, found[k].count);
+  }
+
+  void addSlabs(std::size_t layer, std::size_t count)
+  {
+    const std::size_t rows = grid.layers_[layer].rows();
+    const std::size_t wanted = std::min<std::size_t>({rows, 1024, 1 + count / 512});
+    const std::size_t each = (rows + wanted - 1) / wanted;
+    rowsPerSlab.push_back(each);
+    firstSlab.push_back(slabs.size());
+    for (std::size_t row = 0; row < rows; row += each)
+      slabs.push_back({layer, row, std::min(rows, row + each)});
+  }
+
+  static int cellAlong(const Layer& layer, float local, int axis)
+  {
+    const int c = static_cast<int>((local - layer.lower[axis]) / layer.cellSize);
+    return std::clamp(c, 0, layer.resolution[axis] - 1);
+  }
+  static std::size_t rowOf(const Layer& layer, const Record& p)
+  {
+    return static_cast<std::size_t>(cellAlong(layer, p.z, 2)) * layer.resolution.y +
+           cellAlong(layer, p.y, 1);
+  }
+  std::size_t slabOf(const Record& p) const
+  {
+    const std::size_t layer = layerOfOctave[static_cast<std::size_t>(octaveOf(p.r))];
+    return firstSlab[layer] + rowOf(grid.layers_[layer], p) / rowsPerSlab[layer];
   }
 
   void sortIntoSlabs()
   {
-    offsets.assign(chunks * slabs, 0);
+    offsets.assign(chunks * slabs.size(), 0);
     tbb::parallel_for(std::size_t{0}, chunks,
       [&](std::size_t chunk)
       {
-        forChunk(chunk,
-          [&](std::size_t, const auto&, std::size_t slab) { ++offsets[chunk * slabs + slab]; });
+        std::size_t* counts = &offsets[chunk * slabs.size()];
+        forChunk(chunk, [&](std::size_t, const Record& p) { ++counts[slabOf(p)]; });
       });
-    slabStart.assign(slabs + 1, 0);
+    slabStart.assign(slabs.size() + 1, 0);
     std::size_t sum = 0;
-    for (std::size_t slab = 0; slab < slabs; ++slab)
+    for (std::size_t slab = 0; slab < slabs.size(); ++slab)
     {
       slabStart[slab] = sum;
       for (std::size_t chunk = 0; chunk < chunks; ++chunk)
-        sum += std::exchange(offsets[chunk * slabs + slab], sum);
+        sum += std::exchange(offsets[chunk * slabs.size() + slab], sum);
     }
-    slabStart[slabs] = sum;
+    slabStart.back() = sum;
     grid.count_ = sum;
 
     sortedRecords.resize(sum);
@@ -152,10 +240,11 @@ struct CoherentGridBuilder
     tbb::parallel_for(std::size_t{0}, chunks,
       [&](std::size_t chunk)
       {
+        std::size_t* places = &offsets[chunk * slabs.size()];
         forChunk(chunk,
-          [&](std::size_t i, const auto& p, std::size_t slab)
+          [&](std::size_t i, const Record& p)
           {
-            const std::size_t place = offsets[chunk * slabs + slab]++;
+            const std::size_t place = places[slabOf(p)]++;
             sortedRecords[place] = p;
             if (!sortedIndices.empty())
               sortedIndices[place] = i;
@@ -166,43 +255,54 @@ struct CoherentGridBuilder
   void allocate()
   {
     const std::size_t n = grid.count_;
+    const Layer& last = grid.layers_.back();
     grid.records_.resize(n + paddingRecords);
-    std::fill(grid.records_.begin() + n, grid.records_.end(), CoherentGrid::Record{});
-    grid.cellStart_.resize(rows * (static_cast<std::size_t>(grid.resolution_.x) + 1));
-    grid.rowStart_.resize(rows + 1);
-    grid.rowStart_[rows] = n;
+    std::fill(
+      grid.records_.begin() + static_cast<std::ptrdiff_t>(n), grid.records_.end(), Record{});
+    grid.cellStart_.resize(last.firstCell + last.rows() * last.rowWidth());
+    grid.rowStart_.resize(last.firstRow + last.rows() + 1);
+    for (std::size_t k = 0; k < grid.layers_.size(); ++k)
+    {
+      Layer& layer = grid.layers_[k];
+      const bool isLast = k + 1 == grid.layers_.size();
+      const std::size_t end = isLast ? n : slabStart[firstSlab[k + 1]];
+      layer.firstSlot = slabStart[firstSlab[k]];
+      layer.count = end - layer.firstSlot;
+      grid.rowStart_[layer.firstRow + layer.rows()] = end;
+    }
     const bool narrow = particles.count() <= std::numeric_limits<std::uint32_t>::max();
     grid.index32_.resize(options.keepIndices && narrow ? n : 0);
     grid.index64_.resize(options.keepIndices && !narrow ? n : 0);
   }
 
-  void sortSlab(std::size_t slab)
+  void sortSlab(std::size_t k)
   {
-    const std::size_t firstRow = slab * rowsPerSlab;
-    const std::size_t lastRow = std::min(rows, firstRow + rowsPerSlab);
-    const std::size_t width = static_cast<std::size_t>(grid.resolution_.x) + 1;
-    std::vector<std::size_t> next((lastRow - firstRow) * width, 0);
-    const auto cell = [&](const CoherentGrid::Record& p)
-    { return (rowOf(p) - firstRow) * width + cellAlong(p.x, 0); };
+    const Slab slab = slabs[k];
+    const Layer& layer = grid.layers_[slab.layer];
+    const std::size_t width = layer.rowWidth();
+    std::vector<std::size_t> next((slab.lastRow - slab.firstRow) * width, 0);
+    const auto cell = [&](const Record& p)
+    { return (rowOf(layer, p) - slab.firstRow) * width + cellAlong(layer, p.x, 0); };
 
-    for (std::size_t i = slabStart[slab]; i < slabStart[slab + 1]; ++i)
+    for (std::size_t i = slabStart[k]; i < slabStart[k + 1]; ++i)
       ++next[cell(sortedRecords[i])];
-    std::size_t sum = slabStart[slab];
-    for (std::size_t row = firstRow; row < lastRow; ++row)
+    std::size_t sum = slabStart[k];
+    for (std::size_t row = slab.firstRow; row < slab.lastRow; ++row)
     {
-      grid.rowStart_[row] = sum;
-      std::size_t* counts = &next[(row - firstRow) * width];
-      std::uint32_t* starts = &grid.cellStart_[row * width];
+      const std::size_t rowStart = sum;
+      grid.rowStart_[layer.firstRow + row] = rowStart;
+      std::size_t* counts = &next[(row - slab.firstRow) * width];
+      std::uint32_t* starts = &grid.cellStart_[layer.firstCell + row * width];
       for (std::size_t x = 0; x < width; ++x)
       {
-        const std::size_t start = sum - grid.rowStart_[row];
+        const std::size_t start = sum - rowStart;
         if (start > std::numeric_limits<std::uint32_t>::max())
           throw Error("More than 2^32 particles lie in one row of the grid.");
         starts[x] = static_cast<std::uint32_t>(start);
         sum += std::exchange(counts[x], sum);
       }
     }
-    for (std::size_t i = slabStart[slab]; i < slabStart[slab + 1]; ++i)
+    for (std::size_t i = slabStart[k]; i < slabStart[k + 1]; ++i)
     {
       const std::size_t place = next[cell(sortedRecords[i])]++;
       grid.records_[place] = sortedRecords[i];
@@ -220,14 +320,16 @@ struct CoherentGridBuilder
       return false;
     if (grid.statistics_.valid == 0)
       return true;
-    sizeGrid();
-    planSort();
+    planChunks();
+    chooseUnit();
+    addLayers();
     sortIntoSlabs();
     if (!report(0.7))
       return false;
     allocate();
-    tbb::parallel_for(std::size_t{0}, slabs, [&](std::size_t slab) { sortSlab(slab); });
-    grid.markMacrocells();
+    tbb::parallel_for(std::size_t{0}, slabs.size(), [&](std::size_t slab) { sortSlab(slab); });
+    grid.findOccupied();
+    grid.findShown();
     return report(1.0);
   }
 };

@@ -2,51 +2,125 @@
 
 #include "CoherentGrid.h"
 
+#include <cmath>
+#include <limits>
+
 namespace mote
 {
+
+/// The limited ones among a grid's ranges, in the numbers that it stores.
+struct StoredRanges
+{
+  int limits = 0;
+  int value[ParticleRanges::count]; ///< which of the eight values
+  float lower[ParticleRanges::count], upper[ParticleRanges::count];
+
+  StoredRanges(const ParticleRanges& ranges, const Vec3d& origin, double unit, bool attributes)
+  {
+    for (int k = 0; k < ParticleRanges::count; ++k)
+    {
+      if (!ranges.isLimited(k) || (k > 3 && !attributes))
+        continue;
+      const double shift = k < 3 ? origin[k] : 0.0, scale = k < 4 ? unit : 1.0;
+      value[limits] = k;
+      lower[limits] = inwards((ranges.lower[k] - shift) / scale, +1.0f);
+      upper[limits] = inwards((ranges.upper[k] - shift) / scale, -1.0f);
+      ++limits;
+    }
+  }
+
+  /// `v` as a float that is not outside of it in the direction given.
+  static float inwards(double v, float direction)
+  {
+    const auto f = static_cast<float>(v);
+    const bool outside = direction > 0.0f ? double(f) < v : double(f) > v;
+    return outside ? std::nextafter(f, direction * std::numeric_limits<float>::infinity()) : f;
+  }
+
+  /// `record` are x y z r, `values` the attributes.
+  bool contain(const float* record, const float* values) const
+  {
+    for (int k = 0; k < limits; ++k)
+    {
+      const float v = value[k] < 4 ? record[value[k]] : values[value[k] - 4];
+      if (!(v >= lower[k] && v <= upper[k]))
+        return false;
+    }
+    return true;
+  }
+};
+
+/// What a cast did, summed over bundles.
+struct CastCounts
+{
+  std::uint64_t slices = 0;    ///< visited, across the major axis
+  std::uint64_t cells = 0;     ///< visited
+  std::uint64_t particles = 0; ///< in those cells
+  std::uint64_t inFrustum = 0; ///< left after culling by the frustum
+  std::uint64_t tests = 0;     ///< of a particle against a block of 16 rays
+  std::uint64_t hits = 0;      ///< particles that were the nearest hit so far of a ray
+};
 
 /// What the traversal needs of a grid, without the vectors that own it.
 struct CoherentGridView
 {
-  const CoherentGrid::Record* records;
-  const std::uint32_t* cellStart;
-  const std::uint64_t* rowStart;
-  const std::uint8_t* macrocellShown;
-  const std::uint64_t* shown; ///< null: all are
-  const std::uint32_t* index32;
-  const std::uint64_t* index64;
-  Vec3d origin;
-  double unit, perUnit; ///< world length of one unit of the grid's coordinates, and its inverse
-  Vec3f lower;
-  Vec3i resolution;
-  Vec3i macroResolution;
-  float cellSize;
-  float reach; ///< largest radius and a margin for rounding of coordinates and cells
-
-  explicit CoherentGridView(const CoherentGrid& grid)
-    : records(grid.records_.data())
-    , cellStart(grid.cellStart_.data())
-    , rowStart(grid.rowStart_.data())
-    , macrocellShown(grid.macrocellShown_.data())
-    , shown(grid.shown_.empty() ? nullptr : grid.shown_.data())
-    , index32(grid.index32_.empty() ? nullptr : grid.index32_.data())
-    , index64(grid.index64_.empty() ? nullptr : grid.index64_.data())
-    , origin(grid.origin_)
-    , unit(grid.unit_)
-    , perUnit(1.0 / grid.unit_)
-    , lower(grid.lower_)
-    , resolution(grid.resolution_)
-    , macroResolution(grid.macroResolution_)
-    , cellSize(grid.cellSize_)
+  /// The same of one layer.
+  struct Layer
   {
-    const Vec3f extent = Vec3f(resolution) * cellSize;
+    const std::uint32_t* cellStart;
+    const std::uint64_t* rowStart;
+    const std::uint8_t* macrocellShown;
+    Vec3f lower;
+    Vec3i resolution;
+    Vec3i macroResolution;
+    float cellSize;
+    float reach; ///< largest radius and a margin for rounding of coordinates and cells
+  };
+
+  const CoherentGrid& grid;
+  const CoherentGrid::Record* records;
+  const std::uint64_t* shown; ///< null: all are
+  const float* values;        ///< four a particle, or null
+  StoredRanges ranges;
+  bool selects; ///< whether a particle may be hidden
+
+  explicit CoherentGridView(const CoherentGrid& g)
+    : grid(g)
+    , records(g.records_.data())
+    , shown(g.shown_.empty() ? nullptr : g.shown_.data())
+    , values(g.values_.empty() ? nullptr : g.values_.front().data())
+    , ranges(g.ranges_, g.origin_, g.unit_, values != nullptr)
+    , selects(shown != nullptr || ranges.limits > 0)
+  {
+  }
+
+  int layers() const { return static_cast<int>(grid.layers_.size()); }
+
+  Layer layer(int i) const
+  {
+    const CoherentGrid::Layer& from = grid.layers_[static_cast<std::size_t>(i)];
+    Layer l;
+    l.cellStart = grid.cellStart_.data() + from.firstCell;
+    l.rowStart = grid.rowStart_.data() + from.firstRow;
+    l.macrocellShown = grid.macrocellShown_.data() + from.firstMacrocell;
+    l.lower = from.lower;
+    l.resolution = from.resolution;
+    l.macroResolution = from.macroResolution;
+    l.cellSize = from.cellSize;
+    const Vec3f extent = Vec3f(l.resolution) * l.cellSize;
     const float longest = glm::max(extent.x, glm::max(extent.y, extent.z));
-    reach = grid.largestRadius_ * 1.00001f + longest * 1e-6f;
+    const Vec3f farthest = glm::max(glm::abs(l.lower), glm::abs(l.lower + extent));
+    const float size = glm::max(longest, glm::max(farthest.x, glm::max(farthest.y, farthest.z)));
+    l.reach = from.largestRadius * 1.00001f + size * 1e-6f;
+    return l;
   }
 
   bool isShown(std::uint64_t slot) const
   {
-    return shown == nullptr || ((shown[slot / 64] >> (slot % 64)) & 1) != 0;
+    if (shown != nullptr && ((shown[slot / 64] >> (slot % 64)) & 1) == 0)
+      return false;
+    return ranges.limits == 0 ||
+           ranges.contain(&records[slot].x, values == nullptr ? nullptr : values + 4 * slot);
   }
 };
 
