@@ -45,6 +45,7 @@ struct BundleTracer::Bundle
   RayBundle world; ///< where the rays run in the world, nothing else
   SurfaceBlock block;
   std::uint8_t outside[RayBundle::capacity]; ///< 1: no pixel of the film
+  std::size_t pixel[RayBundle::capacity];    ///< of each ray, from that of the first
   alignas(64) float color[RayBundle::capacity][4];
   float normal[RayBundle::capacity][3];
   std::uint64_t particle[RayBundle::capacity];
@@ -81,6 +82,9 @@ void BundleTracer::traceTile(int x0, int y0, int size) const
   }
   Bundle bundle;
   bundle.pixels = &pixelsOf(side);
+  for (int i = 0; i < side * side; ++i)
+    bundle.pixel[i] =
+      static_cast<std::size_t>(bundle.pixels->row[i]) * film_.width() + bundle.pixels->column[i];
   const int right = std::min(film_.width(), x0 + size), top = std::min(film_.height(), y0 + size);
   for (int y = y0; y < top; y += side)
     for (int x = x0; x < right; x += side)
@@ -131,7 +135,8 @@ double BundleTracer::footprint(const RayBundle& rays, int side) const
 void BundleTracer::shadeBundle(Bundle& bundle, int side, int x0, int y0) const
 {
   const RayBundle& rays = bundle.rays;
-  std::fill_n(&bundle.color[0][0], 4 * rays.count, 0.0f);
+  if (std::any_of(rays.object, rays.object + rays.count, [](std::int32_t k) { return k < 0; }))
+    std::fill_n(&bundle.color[0][0], 4 * rays.count, 0.0f);
   rays_.placeBundle(bundle.world, side, x0, y0, jitterX_, jitterY_);
   const Vec3d worldOrigin = bundle.world.origin - rays_.o0;
   const double width = shadows_ ? footprint(rays, side) : 0.0;
@@ -150,8 +155,7 @@ void BundleTracer::shadeBundle(Bundle& bundle, int side, int x0, int y0) const
     shader.shade(
       block, rays, bundle.world, worldOrigin, lights_, shadows_ ? &*shadows_ : nullptr, width, ids);
     for (int k = 0; k < block.count; ++k)
-      for (int c = 0; c < 4; ++c)
-        bundle.color[block.ray[k]][c] = block.out[c][k];
+      std::copy_n(block.out[k], 4, bundle.color[block.ray[k]]);
     for (int k = 0; ids && k < block.count; ++k)
       bundle.particle[block.ray[k]] = block.particle[k];
     for (int k = 0; normals && k < block.count; ++k)
@@ -170,35 +174,47 @@ void BundleTracer::keep(const Bundle& bundle, int x0, int y0) const
   const RayBundle& rays = bundle.rays;
   const bool first = film_.samples() == 0;
   const float share = 1.0f / static_cast<float>(film_.samples() + 1);
+  const std::size_t corner = static_cast<std::size_t>(y0) * film_.width() + x0;
+  // Channel by channel: one stream of memory at a time.
+  const auto forEach = [&](const auto& visit)
+  {
+    for (int i = 0; i < rays.count; ++i)
+      if (!bundle.outside[i])
+        visit(i, corner + bundle.pixel[i]);
+  };
   const auto depthOf = [&](int i)
   {
     return rays.object[i] >= 0 ? static_cast<float>(rays.t[i])
                                : std::numeric_limits<float>::infinity();
   };
-  for (int i = 0; i < rays.count; ++i)
+  if (!first)
   {
-    if (bundle.outside[i])
-      continue;
-    const std::size_t pixel = static_cast<std::size_t>(y0 + bundle.pixels->row[i]) * film_.width() +
-                              x0 + bundle.pixels->column[i];
-    float* mean = film_.color() + 4 * pixel;
-    if (!first)
-    {
-      for (int c = 0; c < 4; ++c)
-        mean[c] += (bundle.color[i][c] - mean[c]) * share;
-      film_.nearestDepth()[pixel] = std::min(film_.nearestDepth()[pixel], depthOf(i));
-      continue;
-    }
-    std::copy_n(bundle.color[i], 4, mean);
-    film_.depth()[pixel] = depthOf(i);
-    if (film_.has(Film::Id))
-    {
-      film_.id()[pixel] = rays.object[i] >= 0 ? bundle.particle[i] : Film::noId;
-      film_.object()[pixel] = rays.object[i];
-    }
-    if (film_.has(Film::Normal))
-      std::copy_n(bundle.normal[i], 3, film_.normal() + 3 * pixel);
+    forEach(
+      [&](int i, std::size_t pixel)
+      {
+        float* mean = film_.color() + 4 * pixel;
+        for (int c = 0; c < 4; ++c)
+          mean[c] += (bundle.color[i][c] - mean[c]) * share;
+      });
+    float* nearest = film_.nearestDepth();
+    forEach(
+      [&](int i, std::size_t pixel) { nearest[pixel] = std::min(nearest[pixel], depthOf(i)); });
+    return;
   }
+  float* color = film_.color();
+  forEach([&](int i, std::size_t pixel) { std::copy_n(bundle.color[i], 4, color + 4 * pixel); });
+  float* depth = film_.depth();
+  forEach([&](int i, std::size_t pixel) { depth[pixel] = depthOf(i); });
+  if (film_.has(Film::Id))
+    forEach(
+      [&](int i, std::size_t pixel)
+      {
+        film_.id()[pixel] = rays.object[i] >= 0 ? bundle.particle[i] : Film::noId;
+        film_.object()[pixel] = rays.object[i];
+      });
+  if (film_.has(Film::Normal))
+    forEach([&](int i, std::size_t pixel)
+      { std::copy_n(bundle.normal[i], 3, film_.normal() + 3 * pixel); });
 }
 
 } // namespace mote

@@ -2,30 +2,77 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mote
 {
 
+namespace
+{
+
+/// What a look-up needs of a map, worked out once for many values.
+class Lookup
+{
+public:
+  explicit Lookup(const ColorMap& map)
+    : map_(map)
+    , last_(map.table.size() - 1)
+    , isNearest_(map.interpolation == ColorMap::Interpolation::Nearest)
+  {
+    const double width = map.upper - map.lower;
+    const auto steps = static_cast<double>(isNearest_ ? map.table.size() : last_);
+    steps_ = width > 0.0 ? steps / width : 0.0;
+    offset_ = width > 0.0 ? 0.0 : 0.5 * steps; // a range of no width shows its middle
+  }
+
+  Vec4f operator()(double value) const
+  {
+    if (map_.logarithmic && !std::isnan(value))
+      value = value > 0.0 ? std::log10(value) : -std::numeric_limits<double>::infinity();
+    if (!(value >= map_.lower && value <= map_.upper))
+      return outside(value);
+    const double place = (value - map_.lower) * steps_ + offset_;
+    if (!(place < static_cast<double>(last_)))
+      return map_.table.back();
+    const auto entry = static_cast<std::size_t>(place);
+    if (isNearest_)
+      return map_.table[entry];
+    const auto blend = static_cast<float>(place - static_cast<double>(entry));
+    return glm::mix(map_.table[entry], map_.table[entry + 1], blend);
+  }
+
+private:
+  Vec4f outside(double value) const
+  {
+    if (std::isnan(value))
+      return map_.nan;
+    if (value < map_.lower)
+      return map_.useBelow ? map_.below : map_.table.front();
+    return map_.useAbove ? map_.above : map_.table.back();
+  }
+
+  const ColorMap& map_;
+  std::size_t last_;
+  bool isNearest_;
+  double steps_, offset_;
+};
+
+} // namespace
+
 Vec4f ColorMap::operator()(double value) const
 {
-  if (std::isnan(value))
-    return nan;
-  if (logarithmic)
-    value = value > 0.0 ? std::log10(value) : -std::numeric_limits<double>::infinity();
-  if (value < lower)
-    return useBelow ? below : table.front();
-  if (value > upper)
-    return useAbove ? above : table.back();
-  const double width = upper - lower;
-  const double share = width > 0.0 ? (value - lower) / width : 0.5;
-  const auto last = static_cast<double>(table.size() - 1);
-  if (interpolation == Interpolation::Nearest)
-    return table[static_cast<std::size_t>(
-      std::min(share * static_cast<double>(table.size()), last))];
-  const double place = share * last;
-  const auto i = static_cast<std::size_t>(std::min(place, std::max(0.0, last - 1.0)));
-  const auto blend = static_cast<float>(place - static_cast<double>(i));
-  return glm::mix(table[i], table[std::min(i + 1, table.size() - 1)], blend);
+  return Lookup(*this)(value);
+}
+
+void ColorMap::map(const double* values, int count, float* const channels[4]) const
+{
+  const Lookup look(*this);
+  for (int k = 0; k < count; ++k)
+  {
+    const Vec4f color = look(values[k]);
+    for (int c = 0; c < 4; ++c)
+      channels[c][k] = color[c];
+  }
 }
 
 } // namespace mote

@@ -28,6 +28,9 @@ struct ColorMap
   Vec4f nan{0.5f, 0.0f, 0.0f, 1.0f};
 
   Vec4f operator()(double value) const;
+
+  /// The colours of `count` values, the same as one by one; `channels` are four arrays.
+  void map(const double* values, int count, float* const channels[4]) const;
 };
 
 } // namespace mote

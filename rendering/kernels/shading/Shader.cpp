@@ -100,11 +100,14 @@ void ParticleShader::fillColors(SurfaceBlock& block) const
     }
   }
   else if (!c.values.empty())
+  {
+    // Values come from anywhere in memory: with nothing else in the loop many are on their way.
+    double values[SurfaceBlock::capacity];
     for (int k = 0; k < block.count; ++k)
-    {
-      const Vec4f color = c.map(c.values.value(block.particle[k], c.component));
-      set(k, color.r, color.g, color.b, color.a);
-    }
+      values[k] = c.values.value(block.particle[k], c.component);
+    float* const channels[4] = {block.color.x, block.color.y, block.color.z, block.alpha};
+    c.map.map(values, block.count, channels);
+  }
   else
     for (int k = 0; k < block.count; ++k)
       set(k, c.constant.r, c.constant.g, c.constant.b, c.constant.a);

@@ -236,10 +236,8 @@ void finish(SurfaceBlock& b, const Material& m)
       sum.z = hn::MulAdd(hn::Set(d, m.specularColor.z), h.z, sum.z);
     }
     const VF alpha = hn::Mul(hn::Load(d, b.alpha + i), opacity);
-    hn::Store(hn::Mul(hn::Min(sum.x, one), alpha), d, b.out[0] + i);
-    hn::Store(hn::Mul(hn::Min(sum.y, one), alpha), d, b.out[1] + i);
-    hn::Store(hn::Mul(hn::Min(sum.z, one), alpha), d, b.out[2] + i);
-    hn::Store(alpha, d, b.out[3] + i);
+    const auto limited = [&](VF v) { return hn::Mul(hn::Min(v, one), alpha); };
+    hn::StoreInterleaved4(limited(sum.x), limited(sum.y), limited(sum.z), alpha, d, b.out[i]);
   }
 }
 

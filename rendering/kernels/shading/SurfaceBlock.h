@@ -46,7 +46,7 @@ struct SurfaceBlock
   alignas(64) float shine[capacity];  ///< cosine between the mirrored light and the eye, or 0
   Triple<float> even;                 ///< light received, times the material's share
   Triple<float> highlight;
-  alignas(64) float out[4][capacity]; ///< red, green, blue times alpha; alpha
+  alignas(64) float out[capacity][4]; ///< red, green, blue times alpha; alpha
 };
 
 /// How positions and normals follow from hits; constant over an object, or over a bundle.

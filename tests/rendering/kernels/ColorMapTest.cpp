@@ -109,3 +109,56 @@ TEST(ColorMap, OneEntryAndARangeOfNoWidth)
   expectColor(map(2.0), map.table[0]);
   expectColor(map(4.0), map.table[2]);
 }
+
+TEST(ColorMap, ValuesOnABoundaryBelongToTheUpperPart)
+{
+  ColorMap map;
+  map.interpolation = ColorMap::Interpolation::Nearest;
+  map.table.clear();
+  for (int i = 0; i < 10; ++i)
+    map.table.push_back(Vec4f(0.1f * float(i)));
+  for (const double upper : {10.0, 0.625, 30.0})
+  {
+    map.upper = upper;
+    for (int i = 0; i < 10; ++i)
+      expectColor(map(upper / 10.0 * i), map.table[std::size_t(i)]);
+  }
+}
+
+TEST(ColorMap, RangesWithoutAUsableWidthAreHarmless)
+{
+  for (const auto interpolation :
+    {ColorMap::Interpolation::Linear, ColorMap::Interpolation::Nearest})
+  {
+    ColorMap map = ramp(interpolation);
+    for (const double width : {1e-310, 0.0})
+    {
+      map.lower = 0.0;
+      map.upper = width;
+      for (const double value : {0.0, 5e-311, 1e-310})
+        EXPECT_TRUE(map(value).x >= 0.0f && map(value).x <= 1.0f);
+    }
+    map.lower = -INFINITY;
+    map.upper = INFINITY;
+    for (const double value : {-double(INFINITY), -1e300, 0.0, 1e300, double(INFINITY)})
+      EXPECT_TRUE(map(value).x >= 0.0f && map(value).x <= 1.0f);
+  }
+}
+
+TEST(ColorMap, ManyAtOnceAreTheSameAsOneByOne)
+{
+  const double values[] = {-3.0, -2.0, -0.5, 0.0, 0.7, 3.9, 4.0, 5.0, std::nan("")};
+  constexpr int count = 9;
+  for (const bool logarithmic : {false, true})
+  {
+    ColorMap map = ramp(ColorMap::Interpolation::Linear);
+    map.logarithmic = logarithmic;
+    map.useBelow = true;
+    float channels[4][count];
+    float* const to[4] = {channels[0], channels[1], channels[2], channels[3]};
+    map.map(values, count, to);
+    for (int k = 0; k < count; ++k)
+      for (int c = 0; c < 4; ++c)
+        EXPECT_EQ(channels[c][k], map(values[k])[c]);
+  }
+}
