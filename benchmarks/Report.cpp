@@ -24,7 +24,7 @@ std::string Table::text() const
     {
       // Numbers stand under one another by their right end; what begins a row is words.
       const std::string gap(widths[c] - row[c].size(), ' ');
-      const bool words = c < 3;
+      const bool words = c < words_;
       out += (c > 0 ? "  " : "") + (words ? row[c] + gap : gap + row[c]);
     }
     out += '\n';
@@ -69,6 +69,15 @@ std::string formatList(const char* pattern, va_list list)
 }
 
 } // namespace
+
+std::string toText(const Section& section)
+{
+  std::string out = section.title.empty() ? "" : section.title + "\n\n";
+  out += section.table.text();
+  for (const std::string& note : section.notes)
+    out += note + '\n';
+  return out;
+}
 
 std::string toJson(const std::vector<Record>& records)
 {

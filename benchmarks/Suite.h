@@ -21,6 +21,8 @@ struct Suite
   std::vector<Named> inputs;
   std::vector<Named> methods;
   std::vector<Named> views;
+  std::vector<Named> tables;
+  std::string tablesInput; ///< that --tables takes where no other is named
   Report (*run)(const Options& options);
 };
 

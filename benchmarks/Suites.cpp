@@ -23,6 +23,9 @@ std::string describe(const Suite& suite)
   list("inputs (--input)", suite.inputs);
   list("methods (--methods)", suite.methods);
   list("views (--view)", suite.views);
+  if (!suite.tables.empty())
+    list(("tables (--tables), on " + suite.tablesInput + " unless told otherwise").c_str(),
+      suite.tables);
   return out;
 }
 

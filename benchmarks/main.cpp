@@ -25,7 +25,6 @@ void addOptions(CLI::App& command, const Suite& suite, Options& options, std::st
     return out;
   };
   command.add_option("--input", options.input, "What is measured on; see the list of inputs below")
-    ->required()
     ->type_name("SPEC");
   command.add_option("--methods", options.methods, "Comma-separated; all unless given")
     ->delimiter(',')
@@ -41,6 +40,21 @@ void addOptions(CLI::App& command, const Suite& suite, Options& options, std::st
     ->check(CLI::Range(1, 1000))
     ->capture_default_str();
   command.add_option("--size", size, "Pixels of an image, WIDTHxHEIGHT")->capture_default_str();
+  command.add_option("--lambda", options.lambda, "Cells of Mote's grid a particle, from 0.2 to 5")
+    ->check(CLI::Range(0.2, 5.0))
+    ->capture_default_str();
+  command
+    .add_option("--packet", options.packet,
+      "Side of the bundles of rays that are cast through Mote's grid; 0: what suits each tile")
+    ->check(CLI::IsMember({0, 2, 4, 8, 16}))
+    ->capture_default_str();
+  if (!suite.tables.empty())
+    command
+      .add_option("--tables", options.tables,
+        "Print tables instead, all or those named, comma-separated; see the list below")
+      ->expected(0, -1)
+      ->delimiter(',')
+      ->check(CLI::IsMember(names(suite.tables)));
   command.add_option("--json", options.json, "File for the records, a JSON array");
   command.footer("\n" + describe(suite));
 }
@@ -66,9 +80,8 @@ void runSuite(const Suite& suite, const Options& options)
       throw mote::Error("The file \"" + options.json + "\" cannot be written.");
   }
   const Report report = suite.run(options);
-  std::fputs(report.table.text().c_str(), stdout);
-  for (const std::string& note : report.notes)
-    std::printf("%s\n", note.c_str());
+  for (std::size_t i = 0; i < report.sections.size(); ++i)
+    std::printf("%s%s", i > 0 ? "\n" : "", toText(report.sections[i]).c_str());
   if (!options.json.empty())
   {
     json << toJson(report.records);
@@ -93,9 +106,16 @@ int main(int argc, char** argv)
     CLI::App* command = app.add_subcommand(suite.name, suite.summary);
     addOptions(*command, suite, options, size);
     command->callback(
-      [&suite, &options, &size]
+      [&suite, &options, &size, command]
       {
         parseSize(size, options);
+        std::erase(options.tables, ""); // what --tables without a name leaves
+        if (!suite.tables.empty())
+          options.allTables = command->count("--tables") > 0 && options.tables.empty();
+        if (options.input.empty() && options.wantsTables())
+          options.input = suite.tablesInput;
+        if (options.input.empty())
+          throw CLI::RequiredError("--input");
         runSuite(suite, options);
       });
     footer += describe(suite);

@@ -1,6 +1,6 @@
-#include "ParticleMethod.h"
+#include "CoherentGridMethod.h"
 
-#include <kernels/particles/CoherentGrid.h>
+#include "ParticleMethod.h"
 
 namespace mote::bench
 {
@@ -8,64 +8,81 @@ namespace mote::bench
 namespace
 {
 
-/// Where in a packet the ray of a block's pixel lies: hits are written row by row.
-struct Places
+/// Copies what a bundle has hit to its pixels: four rows of four at a time where it is that large.
+void keepHits(const RayBundle& bundle, int side, int x0, int y0, HitImage& image)
 {
-  int ray[8][8];
-  Places()
+  if (side < HitImage::blockSide)
   {
-    for (int i = 0; i < RayPacket::capacity; ++i)
+    for (int i = 0; i < bundle.count; ++i)
     {
       int x = 0, y = 0;
-      packetOffset(i, x, y);
-      ray[y][x] = i;
+      bundleOffset(side, i, x, y);
+      image.put(x0 + x, y0 + y, static_cast<float>(bundle.t[i]),
+        static_cast<std::uint32_t>(bundle.slot[i]));
     }
+    return;
   }
-};
-const Places places;
+  for (int i = 0; i < bundle.count; i += HitImage::blockPixels)
+  {
+    int x = 0, y = 0;
+    bundleOffset(side, i, x, y);
+    image.putBlock(x0 + x, y0 + y, bundle.t + i, bundle.slot + i);
+  }
+}
 
 class CoherentGridMethod : public ParticleMethod
 {
 public:
-  void build(const ParticleInput& input) override
+  explicit CoherentGridMethod(const MethodOptions& options)
+    : side_(options.packet)
   {
-    CoherentGridOptions options;
-    options.keepIndices = false;
-    grid_.build(input.set, options);
+    build_.keepIndices = false;
+    build_.cellsPerParticle = options.lambda;
   }
+
+  void build(const ParticleInput& input) override { grid_.build(input.set, build_); }
 
   std::size_t bytes() const override { return grid_.bytes(); }
 
-  std::vector<std::string> modes() const override { return {"packet 8x8"}; }
+  std::vector<std::string> modes() const override
+  {
+    const std::string side = std::to_string(side_);
+    return {side_ == 0 ? "auto" : "packet " + side + "x" + side};
+  }
 
   void cast(std::size_t, const CameraRays& rays, HitImage& image) const override
   {
-    forBlocks(image.width, image.height, 8,
-      [&](int x0, int y0)
-      {
-        RayPacket packet;
-        rays.fillBlock(packet, x0, y0, 0.0, 0.0);
-        grid_.cast(packet, 0);
-        const int columns = std::min(8, image.width - x0), rows = std::min(8, image.height - y0);
-        for (int y = 0; y < rows; ++y)
-          for (int x = 0; x < columns; ++x)
-          {
-            const auto i = static_cast<std::size_t>(places.ray[y][x]);
-            image.put(x0 + x, y0 + y, static_cast<float>(packet.t[i]),
-              static_cast<std::uint32_t>(packet.slot[i]));
-          }
-      });
+    castBundles(grid_, side_, rays, image);
   }
 
 private:
   CoherentGrid grid_;
+  CoherentGridOptions build_;
+  int side_;
 };
 
 } // namespace
 
-std::unique_ptr<ParticleMethod> makeCoherentGridMethod(int)
+void castBundles(const CoherentGrid& grid, int side, const CameraRays& rays, HitImage& image)
 {
-  return std::make_unique<CoherentGridMethod>();
+  forTiles(image.width(), image.height(),
+    [&](int x0, int y0)
+    {
+      RayBundle bundle;
+      const int chosen = side > 0 ? side : grid.bundleSide(rays, x0, y0, tileSide);
+      forBlocksOfTile(x0, y0, image.width(), image.height(), chosen,
+        [&](int x, int y)
+        {
+          rays.fillBundle(bundle, chosen, x, y, 0.0, 0.0);
+          grid.cast(bundle, 0);
+          keepHits(bundle, chosen, x, y, image);
+        });
+    });
+}
+
+std::unique_ptr<ParticleMethod> makeCoherentGridMethod(const MethodOptions& options)
+{
+  return std::make_unique<CoherentGridMethod>(options);
 }
 
 } // namespace mote::bench

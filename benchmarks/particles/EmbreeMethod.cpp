@@ -55,7 +55,7 @@ struct Block
       int x = 0, y = 0;
       offset(i, x, y);
       const Vec3f d = camera.direction(x0 + x, y0 + y);
-      const bool used = x0 + x < image.width && y0 + y < image.height;
+      const bool used = x0 + x < image.width() && y0 + y < image.height();
       rays.ray.org_x[i] = camera.origin.x;
       rays.ray.org_y[i] = camera.origin.y;
       rays.ray.org_z[i] = camera.origin.z;
@@ -74,12 +74,11 @@ struct Block
 
   void keep(int x0, int y0, HitImage& image) const
   {
-    for (int i = 0; i < size; ++i)
+    for (int i = 0; i < size; i += HitImage::blockPixels)
     {
       int x = 0, y = 0;
       offset(i, x, y);
-      if (x0 + x < image.width && y0 + y < image.height)
-        image.put(x0 + x, y0 + y, rays.ray.tfar[i], rays.hit.primID[i]);
+      image.putBlock(x0 + x, y0 + y, &rays.ray.tfar[i], &rays.hit.primID[i]);
     }
   }
 };
@@ -179,12 +178,12 @@ private:
 
   void castSingle(const FloatRays& camera, HitImage& image) const
   {
-    forBlocks(image.width, image.height, 8,
+    forBlocks(image.width(), image.height(), 8,
       [&](int x0, int y0)
       {
         RTCIntersectContext context = coherentContext();
-        for (int y = y0; y < std::min(image.height, y0 + 8); ++y)
-          for (int x = x0; x < std::min(image.width, x0 + 8); ++x)
+        for (int y = y0; y < std::min(image.height(), y0 + 8); ++y)
+          for (int x = x0; x < std::min(image.width(), x0 + 8); ++x)
           {
             const Vec3f o = camera.origin, d = camera.direction(x, y);
             alignas(16) RTCRayHit hit = {};
@@ -198,7 +197,7 @@ private:
 
   void castPackets(const FloatRays& camera, HitImage& image) const
   {
-    forBlocks(image.width, image.height, 4,
+    forBlocks(image.width(), image.height(), 4,
       [&](int x0, int y0)
       {
         static_assert(sizeof(RTCRayHitNt<16>) == sizeof(RTCRayHit16));
@@ -216,7 +215,7 @@ private:
   template <int SIDE>
   void castStreams(const FloatRays& camera, HitImage& image) const
   {
-    forBlocks(image.width, image.height, SIDE,
+    forBlocks(image.width(), image.height(), SIDE,
       [&](int x0, int y0)
       {
         RTCIntersectContext context = coherentContext();
@@ -237,9 +236,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<ParticleMethod> makeEmbreeMethod(int threads)
+std::unique_ptr<ParticleMethod> makeEmbreeMethod(const MethodOptions& options)
 {
-  return std::make_unique<EmbreeMethod>(threads);
+  return std::make_unique<EmbreeMethod>(options.threads);
 }
 
 } // namespace mote::bench

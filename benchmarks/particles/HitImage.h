@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -14,44 +15,107 @@ namespace mote::bench
 
 /// What every method writes for a pixel: t along the view axis (infinity for none) and the number
 /// that the method gives the particle. Row 0 is the bottom row.
-struct HitImage
+///
+/// Pixels are kept in blocks of 4x4, two cache lines each, because that is how bundles and packets
+/// of rays are ordered: a method writes whole lines, not sixteen rows a page apart. The image
+/// reaches up to 15 pixels over its right and upper edge, so that blocks of up to 16x16 pixels are
+/// written without a look at the edge.
+class HitImage
 {
-  int width = 0;
-  int height = 0;
-  RawVector<float> t;
-  RawVector<std::uint32_t> particle;
+public:
+  static constexpr int blockSide = 4;
+  static constexpr int blockPixels = blockSide * blockSide;
+  static constexpr int largestBundle = 16;
 
-  HitImage(int w, int h)
-    : width(w)
-    , height(h)
-    , t(static_cast<std::size_t>(w) * h)
-    , particle(t.size())
+  HitImage(int width, int height)
+    : width_(width)
+    , height_(height)
+    , columns_(roundedUp(width) / blockSide)
+    , blocks_(static_cast<std::size_t>(columns_) * (roundedUp(height) / blockSide))
   {
   }
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  float t(int x, int y) const { return blockAt(x, y).t[place(x, y)]; }
+
   void put(int x, int y, float depth, std::uint32_t id)
   {
-    const std::size_t pixel = static_cast<std::size_t>(y) * width + x;
-    t[pixel] = depth;
-    particle[pixel] = id;
+    Block& block = blockAt(x, y);
+    block.t[place(x, y)] = depth;
+    block.particle[place(x, y)] = id;
   }
+
+  /// Writes the 4x4 pixels whose lower left one is (x, y), both multiples of 4, row by row.
+  template <typename T, typename Id>
+  void putBlock(int x, int y, const T* depths, const Id* ids)
+  {
+    Block& block = blockAt(x, y);
+    for (int i = 0; i < blockPixels; ++i)
+      block.t[i] = static_cast<float>(depths[i]);
+    for (int i = 0; i < blockPixels; ++i)
+      block.particle[i] = static_cast<std::uint32_t>(ids[i]);
+  }
+
+private:
+  struct alignas(64) Block
+  {
+    float t[blockPixels];
+    std::uint32_t particle[blockPixels];
+  };
+
+  static int roundedUp(int size)
+  {
+    return (size + largestBundle - 1) / largestBundle * largestBundle;
+  }
+  std::size_t blockIndex(int x, int y) const
+  {
+    return static_cast<std::size_t>(y / blockSide) * columns_ + x / blockSide;
+  }
+  Block& blockAt(int x, int y) { return blocks_[blockIndex(x, y)]; }
+  const Block& blockAt(int x, int y) const { return blocks_[blockIndex(x, y)]; }
+  static int place(int x, int y) { return (y % blockSide) * blockSide + x % blockSide; }
+
+  int width_;
+  int height_;
+  int columns_; ///< blocks a row
+  RawVector<Block> blocks_;
 };
 
-/// Calls cast(x0, y0) for the lower left corner of every `block` x `block` pixels, in tiles of
-/// 32 x 32 pixels a task: the same share of the work for every method.
+constexpr int tileSide = 32; ///< pixels a side of a task
+
+/// Calls cast(x0, y0) for the lower left corner of every tile of 32x32 pixels, a task each: the
+/// same share of the work for every method.
 template <typename Cast>
-void forBlocks(int width, int height, int block, const Cast& cast)
+void forTiles(int width, int height, const Cast& cast)
 {
-  constexpr int tile = 32;
-  const int columns = (width + tile - 1) / tile, rows = (height + tile - 1) / tile;
+  const int columns = (width + tileSide - 1) / tileSide, rows = (height + tileSide - 1) / tileSide;
   tbb::parallel_for(tbb::blocked_range2d<int>(0, rows, 1, 0, columns, 1),
     [&](const tbb::blocked_range2d<int>& tiles)
     {
       for (int row = tiles.rows().begin(); row != tiles.rows().end(); ++row)
         for (int column = tiles.cols().begin(); column != tiles.cols().end(); ++column)
-          for (int y = row * tile; y < std::min(height, (row + 1) * tile); y += block)
-            for (int x = column * tile; x < std::min(width, (column + 1) * tile); x += block)
-              cast(x, y);
+          cast(column * tileSide, row * tileSide);
     });
+}
+
+/// Calls cast(x, y) for the lower left corner of every `block` x `block` pixels of a tile, `block`
+/// being a divisor of its side.
+template <typename Cast>
+void forBlocksOfTile(int x0, int y0, int width, int height, int block, const Cast& cast)
+{
+  for (int y = y0; y < std::min(height, y0 + tileSide); y += block)
+    for (int x = x0; x < std::min(width, x0 + tileSide); x += block)
+      cast(x, y);
+}
+
+/// The same for all blocks of an image, in tiles.
+template <typename Cast>
+void forBlocks(int width, int height, int block, const Cast& cast)
+{
+  forTiles(
+    width, height, [&](int x0, int y0) { forBlocksOfTile(x0, y0, width, height, block, cast); });
 }
 
 } // namespace mote::bench

@@ -26,13 +26,15 @@ ImageErrors compare(const HitImage& image, const std::vector<double>& depths)
   errors.checked = depths.size();
   for (std::size_t i = 0; i < depths.size(); ++i)
   {
-    const bool isHit = std::isfinite(image.t[i]), wanted = std::isfinite(depths[i]);
+    const auto width = static_cast<std::size_t>(image.width());
+    const double t = image.t(static_cast<int>(i % width), static_cast<int>(i / width));
+    const bool isHit = std::isfinite(t), wanted = std::isfinite(depths[i]);
     if (!isHit || !wanted)
     {
       errors.wrong += isHit != wanted;
       continue;
     }
-    const double error = std::abs(double(image.t[i]) - depths[i]) / depths[i];
+    const double error = std::abs(t - depths[i]) / depths[i];
     errors.maxDepthError = std::max(errors.maxDepthError, error);
     if (error <= ImageErrors::tolerance)
       errors.maxRightDepthError = std::max(errors.maxRightDepthError, error);

@@ -2,7 +2,9 @@
 
 #include <kernels/core/Error.h>
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <charconv>
 #include <cmath>
@@ -78,6 +80,37 @@ ParticleInput makeRandom(std::size_t count, double radius)
   return fromPositions(std::move(positions), radius);
 }
 
+double sumOfSquares(const std::vector<float>& values)
+{
+  // Deterministic: the same sum on any number of threads.
+  return tbb::parallel_deterministic_reduce(
+    tbb::blocked_range<std::size_t>(0, values.size(), 1 << 16), 0.0,
+    [&](const tbb::blocked_range<std::size_t>& range, double sum)
+    {
+      for (std::size_t i = range.begin(); i != range.end(); ++i)
+        sum += double(values[i]) * values[i];
+      return sum;
+    },
+    std::plus<double>());
+}
+
+/// Radii over four decades. They cover as much as `count` spheres of equalRadius(count) do: then a
+/// ray meets as many of them, and times compare.
+ParticleInput makeVaried(std::size_t count)
+{
+  ParticleInput input = makeRandom(count, 1.0);
+  auto radii = std::make_shared<std::vector<float>>(count);
+  tbb::parallel_for(std::size_t{0}, count,
+    [&](std::size_t i) { (*radii)[i] = static_cast<float>(std::pow(10.0, -4.0 * uniform(3, i))); });
+  const double covered = static_cast<double>(count) * std::pow(equalRadius(count), 2);
+  const double largest = std::sqrt(covered / sumOfSquares(*radii));
+  input.set.radii = ArrayView(radii->data(), count, 1);
+  input.set.radiusScale = largest;
+  using Owners = std::pair<std::shared_ptr<const void>, std::shared_ptr<const void>>;
+  input.owner = std::make_shared<Owners>(input.owner, std::move(radii));
+  return input;
+}
+
 std::vector<std::string> split(const std::string& text)
 {
   std::vector<std::string> parts(1);
@@ -109,17 +142,25 @@ ParticleInput makeOrRead(const std::string& specification)
   if (parts[0] == "random" && parts.size() == 3 && !isFile)
     return makeRandom(
       particleCount(parts[1], specification), number<double>(parts[2], specification));
+  if (parts[0] == "varied" && parts.size() == 2 && !isFile)
+    return makeVaried(particleCount(parts[1], specification));
   if (isFile)
     return readParticles(specification);
   throw Error("The input \"" + specification +
-              "\" is neither lattice:N nor random:N:R nor a file that exists.");
+              "\" is neither lattice:N nor random:N:R nor varied:N nor a file that exists.");
 }
 
 } // namespace
 
+double equalRadius(std::size_t count)
+{
+  return 0.3 / std::cbrt(static_cast<double>(count));
+}
+
 ParticleInput makeParticleInput(const std::string& specification)
 {
   ParticleInput input = makeOrRead(specification);
+  input.name = specification;
   input.statistics = examine(input.set);
   if (input.statistics.valid == 0)
     throw Error("The input \"" + specification + "\" has no particle.");
@@ -132,6 +173,9 @@ std::vector<Named> particleInputs()
     {"lattice:N", "cubic lattice in the unit cube, n^3 particles nearest to N, each moved by up "
                   "to 0.2 spacings an axis, radius half a spacing"},
     {"random:N:R", "N particles evenly at random in the unit cube, radius R"},
+    {"varied:N", "N particles evenly at random in the unit cube, radii log-uniform over four "
+                 "decades; the largest is such that the sum of the cross sections is that of "
+                 "random:N:R with R = 0.3 / cbrt(N)"},
     {"FILE",
       "what Mote's readers read; arrays radius or diameter count, half the spacing otherwise"}};
 }

@@ -14,13 +14,18 @@ namespace mote::bench
 /// Particles to measure on, and whoever owns their numbers.
 struct ParticleInput
 {
+  std::string name; ///< as it was specified
   ParticleSet set;
   ParticleStatistics statistics;
   std::shared_ptr<const void> owner;
 };
 
-/// Makes or reads what the specification says: `lattice:N`, `random:N:R` or a file. Throws Error.
+/// Makes or reads what the specification says: `lattice:N`, `random:N:R`, `varied:N` or a file; a
+/// name that is also a file is a file. Throws Error.
 ParticleInput makeParticleInput(const std::string& specification);
+
+/// Radius of the random:N:R that covers as much as varied:N does.
+double equalRadius(std::size_t count);
 
 /// The forms of specifications, for --help.
 std::vector<Named> particleInputs();

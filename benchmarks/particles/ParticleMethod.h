@@ -12,6 +12,14 @@
 namespace mote::bench
 {
 
+/// What a method is made with.
+struct MethodOptions
+{
+  int threads = 1;     ///< that it builds with, where it keeps threads of its own
+  double lambda = 1.0; ///< cells of Mote's grid a particle
+  int packet = 0;      ///< side of the bundles cast through Mote's grid, 0: its own choice
+};
+
 /// One way to find what the rays of a camera meet. A new one is a file with a class like this and a
 /// row in ParticleMethods.cpp.
 class ParticleMethod
@@ -33,13 +41,13 @@ struct ParticleMethodEntry
 {
   std::string name;
   std::string summary;
-  std::unique_ptr<ParticleMethod> (*make)(int threads);
+  std::unique_ptr<ParticleMethod> (*make)(const MethodOptions& options);
 };
 
 /// All of them.
 const std::vector<ParticleMethodEntry>& particleMethods();
 
-std::unique_ptr<ParticleMethod> makeCoherentGridMethod(int threads);
-std::unique_ptr<ParticleMethod> makeEmbreeMethod(int threads);
+std::unique_ptr<ParticleMethod> makeCoherentGridMethod(const MethodOptions& options);
+std::unique_ptr<ParticleMethod> makeEmbreeMethod(const MethodOptions& options);
 
 } // namespace mote::bench

@@ -6,7 +6,7 @@ namespace mote::bench
 const std::vector<ParticleMethodEntry>& particleMethods()
 {
   static const std::vector<ParticleMethodEntry> all = {
-    {"cgt", "Mote's coherent grid, packets of 8x8 rays", makeCoherentGridMethod},
+    {"cgt", "Mote's coherent grid, bundles of rays as large as suits", makeCoherentGridMethod},
     {"embree", "Embree's sphere points, the fastest of its single rays, packets and streams",
       makeEmbreeMethod}};
   return all;

@@ -1,0 +1,153 @@
+#include "Contest.h"
+
+namespace mote::bench
+{
+
+Record toRecord(const Measurement& m)
+{
+  Record record = {{"suite", "particles"}};
+  if (!m.table.empty())
+    record.emplace_back("table", m.table);
+  const Record rest = {{"method", m.method}, {"mode", m.mode}, {"input", m.input},
+    {"particles", static_cast<std::int64_t>(m.particles)}, {"view", m.view},
+    {"width", std::int64_t{m.width}}, {"height", std::int64_t{m.height}},
+    {"threads", std::int64_t{m.threads}}, {"repeat", std::int64_t{m.repeat}},
+    {"mrays_per_s", m.mrays()}, {"mrays_per_s_min", m.mrays(m.most)},
+    {"mrays_per_s_max", m.mrays(m.least)}, {"build_s", m.buildSeconds},
+    {"bytes_per_particle", m.bytesPerParticle},
+    {"checked_pixels", static_cast<std::int64_t>(m.errors.checked)},
+    {"wrong_pixels", static_cast<std::int64_t>(m.errors.wrong)},
+    {"max_depth_error", m.errors.checked > 0 ? m.errors.maxDepthError : unknown},
+    {"max_depth_error_of_right", m.errors.checked > 0 ? m.errors.maxRightDepthError : unknown}};
+  record.insert(record.end(), rest.begin(), rest.end());
+  record.insert(record.end(), m.more.begin(), m.more.end());
+  return record;
+}
+
+const std::vector<double>& ReferenceImages::depths(
+  const ParticleInput& input, const View& view, int width, int height)
+{
+  std::vector<double>& depths =
+    images_[format("%s|%s|%dx%d", input.name.c_str(), view.name.c_str(), width, height)];
+  if (depths.empty())
+  {
+    if (!tree_ || treeOf_ != input.name)
+    {
+      progress("building the reference of %s", input.name.c_str());
+      tree_ = std::make_unique<reference::SphereTree>(input.set);
+      treeOf_ = input.name;
+    }
+    progress("casting the reference, view %s, %dx%d", view.name.c_str(), width, height);
+    const CameraRays rays(cameraOf(view, input.statistics.bounds), width, height);
+    depths = referenceDepths(*tree_, rays, width, height);
+  }
+  return depths;
+}
+
+Contestant contestantOf(const ParticleMethodEntry& entry, const MethodOptions& options,
+  const ParticleInput& input, int threads)
+{
+  const std::shared_ptr<ParticleMethod> method = entry.make(options);
+  Contestant contestant;
+  contestant.method = entry.name;
+  contestant.modes = method->modes();
+  contestant.cast = [method](std::size_t mode, const CameraRays& rays, HitImage& image)
+  { method->cast(mode, rays, image); };
+  contestant.input = &input;
+  contestant.threads = threads;
+  contestant.buildSeconds = timed(threads, [&] { method->build(input); });
+  contestant.bytesPerParticle =
+    static_cast<double>(method->bytes()) / static_cast<double>(input.statistics.valid);
+  progress("built %s in %.3f s, %.1f bytes a particle", entry.name.c_str(), contestant.buildSeconds,
+    contestant.bytesPerParticle);
+  return contestant;
+}
+
+Contest::Contest(std::vector<View> views, int width, int height, int repeat)
+  : views_(std::move(views))
+  , width_(width)
+  , height_(height)
+  , repeat_(repeat)
+{
+}
+
+void Contest::enterAll(Race& race, HitImage& image)
+{
+  for (const Contestant& c : contestants_)
+    for (const View& view : views_)
+      rays_.emplace_back(cameraOf(view, c.input->statistics.bounds), width_, height_);
+  // View by view: those who are compared directly stand side by side.
+  places_.resize(rays_.size());
+  for (std::size_t v = 0; v < views_.size(); ++v)
+    for (std::size_t c = 0; c < contestants_.size(); ++c)
+    {
+      const Contestant* who = &contestants_[c];
+      const CameraRays* rays = &rays_[c * views_.size() + v];
+      for (std::size_t mode = 0; mode < who->modes.size(); ++mode)
+      {
+        const std::size_t place =
+          race.add(who->threads, [who, rays, mode, &image] { who->cast(mode, *rays, image); });
+        if (mode == 0)
+          places_[c * views_.size() + v] = place;
+      }
+    }
+}
+
+void Contest::keep(const Race& race, std::size_t c, std::size_t v)
+{
+  const Contestant& who = contestants_[c];
+  const std::size_t first = places_[c * views_.size() + v];
+  std::size_t best = 0;
+  for (std::size_t mode = 0; mode < who.modes.size(); ++mode)
+    if (race.seconds(first + mode) < race.seconds(first + best))
+      best = mode;
+  Measurement m;
+  m.method = who.method;
+  m.mode = who.modes[best];
+  m.input = who.input->name;
+  m.view = views_[v].name;
+  m.particles = who.input->statistics.valid;
+  m.width = width_;
+  m.height = height_;
+  m.threads = who.threads;
+  m.repeat = repeat_;
+  m.seconds = race.seconds(first + best);
+  m.least = race.least(first + best);
+  m.most = race.most(first + best);
+  m.buildSeconds = who.buildSeconds;
+  m.bytesPerParticle = who.bytesPerParticle;
+  for (std::size_t mode = 0; mode < who.modes.size(); ++mode)
+    progress("view %s, %s %s: %.2f Mrays/s", m.view.c_str(), m.method.c_str(),
+      who.modes[mode].c_str(), m.mrays(race.seconds(first + mode)));
+  images_.emplace_back(width_, height_);
+  who.cast(best, rays_[c * views_.size() + v], images_.back());
+  measurements_.push_back(std::move(m));
+}
+
+void Contest::race()
+{
+  HitImage image(width_, height_);
+  Race race;
+  enterAll(race, image);
+  progress("casting %d rounds of %zu contestants", repeat_, contestants_.size());
+  race.run(repeat_);
+  for (std::size_t c = 0; c < contestants_.size(); ++c)
+    for (std::size_t v = 0; v < views_.size(); ++v)
+      keep(race, c, v);
+  for (Contestant& contestant : contestants_)
+    contestant.cast = nullptr;
+}
+
+void Contest::check(ReferenceImages& references)
+{
+  for (std::size_t c = 0; c < contestants_.size(); ++c)
+    for (std::size_t v = 0; v < views_.size(); ++v)
+    {
+      const std::size_t i = c * views_.size() + v;
+      measurements_[i].errors =
+        compare(images_[i], references.depths(*contestants_[c].input, views_[v], width_, height_));
+    }
+  images_.clear();
+}
+
+} // namespace mote::bench
