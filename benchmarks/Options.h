@@ -19,7 +19,7 @@ struct Options
   std::string json;                ///< file for the records, or empty
   bool allTables = false;          ///< print all of the suite's tables instead of one measurement
   std::vector<std::string> tables; ///< or these
-  double lambda = 1.0;             ///< cells a particle of Mote's grid, in [0.2, 5]
+  double lambda = 1.0;             ///< cells of a grid a particle, in [0.2, 5]
   int packet = 0;                  ///< side of the bundles of rays, 0: the structure's own choice
 
   bool wantsTables() const { return allTables || !tables.empty(); }

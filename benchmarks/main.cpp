@@ -40,7 +40,7 @@ void addOptions(CLI::App& command, const Suite& suite, Options& options, std::st
     ->check(CLI::Range(1, 1000))
     ->capture_default_str();
   command.add_option("--size", size, "Pixels of an image, WIDTHxHEIGHT")->capture_default_str();
-  command.add_option("--lambda", options.lambda, "Cells of Mote's grid a particle, from 0.2 to 5")
+  command.add_option("--lambda", options.lambda, "Cells of a grid a particle, from 0.2 to 5")
     ->check(CLI::Range(0.2, 5.0))
     ->capture_default_str();
   command

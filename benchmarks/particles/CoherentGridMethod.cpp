@@ -8,28 +8,6 @@ namespace mote::bench
 namespace
 {
 
-/// Copies what a bundle has hit to its pixels: four rows of four at a time where it is that large.
-void keepHits(const RayBundle& bundle, int side, int x0, int y0, HitImage& image)
-{
-  if (side < HitImage::blockSide)
-  {
-    for (int i = 0; i < bundle.count; ++i)
-    {
-      int x = 0, y = 0;
-      bundleOffset(side, i, x, y);
-      image.put(x0 + x, y0 + y, static_cast<float>(bundle.t[i]),
-        static_cast<std::uint32_t>(bundle.slot[i]));
-    }
-    return;
-  }
-  for (int i = 0; i < bundle.count; i += HitImage::blockPixels)
-  {
-    int x = 0, y = 0;
-    bundleOffset(side, i, x, y);
-    image.putBlock(x0 + x, y0 + y, bundle.t + i, bundle.slot + i);
-  }
-}
-
 class CoherentGridMethod : public ParticleMethod
 {
 public:
@@ -75,7 +53,7 @@ void castBundles(const CoherentGrid& grid, int side, const CameraRays& rays, Hit
         {
           rays.fillBundle(bundle, chosen, x, y, 0.0, 0.0);
           grid.cast(bundle, 0);
-          keepHits(bundle, chosen, x, y, image);
+          image.putBundle(bundle, chosen, x, y);
         });
     });
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kernels/core/RawVector.h>
+#include <kernels/core/RayBundle.h>
 
 #include <tbb/blocked_range2d.h>
 #include <tbb/parallel_for.h>
@@ -56,6 +57,23 @@ public:
       block.t[i] = static_cast<float>(depths[i]);
     for (int i = 0; i < blockPixels; ++i)
       block.particle[i] = static_cast<std::uint32_t>(ids[i]);
+  }
+
+  /// Writes what a bundle of `side` x `side` rays has hit to the square of pixels at (x0, y0): four
+  /// rows of four at a time where it is that large.
+  void putBundle(const RayBundle& bundle, int side, int x0, int y0)
+  {
+    const int pixels = side < blockSide ? 1 : blockPixels;
+    for (int i = 0; i < bundle.count; i += pixels)
+    {
+      int x = 0, y = 0;
+      bundleOffset(side, i, x, y);
+      if (pixels > 1)
+        putBlock(x0 + x, y0 + y, bundle.t + i, bundle.slot + i);
+      else
+        put(x0 + x, y0 + y, static_cast<float>(bundle.t[i]),
+          static_cast<std::uint32_t>(bundle.slot[i]));
+    }
   }
 
 private:

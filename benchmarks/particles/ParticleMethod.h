@@ -16,7 +16,7 @@ namespace mote::bench
 struct MethodOptions
 {
   int threads = 1;     ///< that it builds with, where it keeps threads of its own
-  double lambda = 1.0; ///< cells of Mote's grid a particle
+  double lambda = 1.0; ///< cells of a grid a particle
   int packet = 0;      ///< side of the bundles cast through Mote's grid, 0: its own choice
 };
 
@@ -48,6 +48,8 @@ struct ParticleMethodEntry
 const std::vector<ParticleMethodEntry>& particleMethods();
 
 std::unique_ptr<ParticleMethod> makeCoherentGridMethod(const MethodOptions& options);
+std::unique_ptr<ParticleMethod> makeReferenceGridMethod(const MethodOptions& options);
+std::unique_ptr<ParticleMethod> makeSingleRayMethod(const MethodOptions& options);
 std::unique_ptr<ParticleMethod> makeEmbreeMethod(const MethodOptions& options);
 
 } // namespace mote::bench

@@ -7,6 +7,10 @@ const std::vector<ParticleMethodEntry>& particleMethods()
 {
   static const std::vector<ParticleMethodEntry> all = {
     {"cgt", "Mote's coherent grid, bundles of rays as large as suits", makeCoherentGridMethod},
+    {"cgt-reference", "grid with references to spheres in all cells they overlap, packets of 8x8",
+      makeReferenceGridMethod},
+    {"grid-single", "grid as Mote's, stepped through from cell to cell by single rays",
+      makeSingleRayMethod},
     {"embree", "Embree's sphere points, the fastest of its single rays, packets and streams",
       makeEmbreeMethod}};
   return all;

@@ -12,6 +12,7 @@ const std::vector<TableEntry>& tables()
   static const std::vector<TableEntry> all = {
     {"packet", "Size of the bundles of rays", packetTable},
     {"resolution", "Resolution of the image", resolutionTable},
+    {"reference-grid", "Sphere-centre method against a grid of references", referenceGridTable},
     {"range", "Culling by a range of a value", rangeTable},
     {"shadows", "Soft shadows of a point light with size", shadowTable},
     {"methods", "Comparison of methods", methodTable},
