@@ -1,5 +1,7 @@
 #include "LightSamples.h"
 
+#include "../core/RayBundle.h"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -25,16 +27,6 @@ Vec3d unitOf(const Vec3d& v)
 
 } // namespace
 
-void perpendiculars(const Vec3d& axis, Vec3d& first, Vec3d& second)
-{
-  const Vec3d a = glm::abs(axis);
-  const Vec3d other = a.x <= a.y && a.x <= a.z ? Vec3d(1.0, 0.0, 0.0)
-                      : a.y <= a.z             ? Vec3d(0.0, 1.0, 0.0)
-                                               : Vec3d(0.0, 0.0, 1.0);
-  first = glm::normalize(glm::cross(other, axis));
-  second = glm::cross(axis, first);
-}
-
 std::vector<LightSample> lightSamples(const Light& light, const Vec3d& faced, int filmSample)
 {
   if (light.kind == Light::Kind::Headlight)
@@ -50,8 +42,7 @@ std::vector<LightSample> lightSamples(const Light& light, const Vec3d& faced, in
 
   const Vec3d towards = unitOf(faced - light.vector);
   Vec3d u, v;
-  perpendiculars(
-    isPoint ? (towards == Vec3d(0.0) ? Vec3d(0.0, 0.0, 1.0) : towards) : direction, u, v);
+  acrossAxes(isPoint ? (towards == Vec3d(0.0) ? Vec3d(0.0, 0.0, 1.0) : towards) : direction, u, v);
   const double degree = M_PI / 180.0;
   const double edge =
     isPoint ? light.size : 2.0 * std::tan(0.5 * degree * std::min(light.size, 170.0));

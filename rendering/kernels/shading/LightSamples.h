@@ -14,9 +14,6 @@ struct LightSample
   Vec3d place{0.0}; ///< Point: where it is. Directional: unit vector towards it
 };
 
-/// Two unit vectors perpendicular to `axis`, of unit length, and to one another.
-void perpendiculars(const Vec3d& axis, Vec3d& first, Vec3d& second);
-
 /// The samples of a light, in world coordinates; each sends the same share of the light.
 ///
 /// A light that casts shadows has samples x samples of them: a point light over the square about it

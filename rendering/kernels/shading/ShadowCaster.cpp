@@ -14,10 +14,7 @@ namespace
 {
 
 /// Shadow rays lie up to this many widths of the camera's bundle apart (see docs/shadows.md).
-constexpr double widestBundle = 4.0;
-/// Fewer rays than these are not split because they lie far apart: a SIMD vector of them costs as
-/// much as one.
-constexpr int smallestBundle = 4;
+constexpr double widestBundle = 2.0;
 /// Points are seen from a point light within this ratio of half their extent to their distance.
 constexpr double widestAngle = 0.5;
 
@@ -70,9 +67,26 @@ struct ShadowCaster::Work
     return low == 0 || high == 0 ? count / 2 : low;
   }
 
+  int splitInPlane(std::uint16_t* hits, int count);
   void look(const Vec3d& lowest, const Vec3d& highest, const Box& bounds);
   double project(const std::uint16_t* hits, int count);
 };
+
+/// Splits across the longer side of the points' rectangle in the frame.
+int ShadowCaster::Work::splitInPlane(std::uint16_t* hits, int count)
+{
+  double left = x[hits[0]], right = left, low = y[hits[0]], high = low;
+  for (int k = 1; k < count; ++k)
+  {
+    left = std::min(left, x[hits[k]]);
+    right = std::max(right, x[hits[k]]);
+    low = std::min(low, y[hits[k]]);
+    high = std::max(high, y[hits[k]]);
+  }
+  if (right - left > high - low)
+    return split(hits, count, 0.5 * (left + right), [&](int i) { return x[i]; });
+  return split(hits, count, 0.5 * (low + high), [&](int i) { return y[i]; });
+}
 
 /// Sets the frame for points in a box.
 void ShadowCaster::Work::look(const Vec3d& lowest, const Vec3d& highest, const Box& bounds)
@@ -94,7 +108,7 @@ void ShadowCaster::Work::look(const Vec3d& lowest, const Vec3d& highest, const B
     const Vec3d size = bounds.size();
     distance = glm::dot(middle - first, ahead) + 0.01 * (size.x + size.y + size.z);
   }
-  perpendiculars(ahead, u, v);
+  acrossAxes(ahead, u, v);
 }
 
 /// Places the points in the frame: where their rays cross the plane through the middle, and t in
@@ -182,14 +196,8 @@ void ShadowCaster::cast(Work& work, std::uint16_t* hits, int count) const
     return castParts(work.split(hits, count, at, [&](int i) { return work.position(i)[axis]; }));
   }
   const double spread = work.project(hits, count);
-  if (count > smallestBundle && 2.0 * spread > work.widest)
-  {
-    double width = 0.0;
-    for (int k = 0; k < count; ++k)
-      width = std::max(width, std::abs(work.x[hits[k]]));
-    const double* key = width == spread ? work.x : work.y;
-    return castParts(work.split(hits, count, 0.0, [&](int i) { return key[i]; }));
-  }
+  if (count > 1 && 2.0 * spread > work.widest)
+    return castParts(work.splitInPlane(hits, count));
   RayBundle& bundle = work.bundle;
   const double scale = spread > 0.0 ? spread : work.distance;
   for (int k = 0; k < count; ++k)

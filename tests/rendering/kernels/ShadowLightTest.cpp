@@ -168,7 +168,7 @@ TEST(ShadowLight, SamplesFillTheSquareThatFacesTheScene)
       const auto samples = lightSamples(shadowLight(point, place, n, 0.5), faced, filmSample);
       ASSERT_EQ(samples.size(), std::size_t(n * n));
       Vec3d u, v;
-      perpendiculars(normal, u, v);
+      acrossAxes(normal, u, v);
       std::set<int> strata, columns, rows;
       for (const LightSample& sample : samples)
       {
