@@ -45,6 +45,7 @@ struct BundleTracer::Bundle
   RayBundle world; ///< where the rays run in the world, nothing else
   SurfaceBlock block;
   std::uint8_t outside[RayBundle::capacity]; ///< 1: no pixel of the film
+  bool isInside = true;                      ///< none is outside
   std::size_t pixel[RayBundle::capacity];    ///< of each ray, from that of the first
   alignas(64) float color[RayBundle::capacity][4];
   float normal[RayBundle::capacity][3];
@@ -99,9 +100,9 @@ void BundleTracer::traceBundle(Bundle& bundle, int side, int x0, int y0) const
 {
   RayBundle& rays = bundle.rays;
   rays_.fillBundle(rays, side, x0, y0, jitterX_, jitterY_);
-  const bool inside = x0 + side <= film_.width() && y0 + side <= film_.height();
+  bundle.isInside = x0 + side <= film_.width() && y0 + side <= film_.height();
   std::fill_n(bundle.outside, rays.count, std::uint8_t{0});
-  for (int i = 0; !inside && i < rays.count; ++i)
+  for (int i = 0; !bundle.isInside && i < rays.count; ++i)
   {
     bundle.outside[i] = x0 + bundle.pixels->column[i] >= film_.width() ||
                         y0 + bundle.pixels->row[i] >= film_.height();
@@ -178,9 +179,14 @@ void BundleTracer::keep(const Bundle& bundle, int x0, int y0) const
   // Channel by channel: one stream of memory at a time.
   const auto forEach = [&](const auto& visit)
   {
-    for (int i = 0; i < rays.count; ++i)
-      if (!bundle.outside[i])
+    const int count = rays.count;
+    if (bundle.isInside)
+      for (int i = 0; i < count; ++i)
         visit(i, corner + bundle.pixel[i]);
+    else
+      for (int i = 0; i < count; ++i)
+        if (!bundle.outside[i])
+          visit(i, corner + bundle.pixel[i]);
   };
   const auto depthOf = [&](int i)
   {

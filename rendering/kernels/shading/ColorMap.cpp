@@ -64,14 +64,13 @@ Vec4f ColorMap::operator()(double value) const
   return Lookup(*this)(value);
 }
 
-void ColorMap::map(const double* values, int count, float* const channels[4]) const
+void ColorMap::map(const double* values, int count, float (*colors)[4]) const
 {
   const Lookup look(*this);
   for (int k = 0; k < count; ++k)
   {
     const Vec4f color = look(values[k]);
-    for (int c = 0; c < 4; ++c)
-      channels[c][k] = color[c];
+    std::copy_n(&color.x, 4, colors[k]);
   }
 }
 

@@ -29,8 +29,8 @@ struct ColorMap
 
   Vec4f operator()(double value) const;
 
-  /// The colours of `count` values, the same as one by one; `channels` are four arrays.
-  void map(const double* values, int count, float* const channels[4]) const;
+  /// The colours of `count` values, the same as one by one, as red, green, blue and alpha.
+  void map(const double* values, int count, float (*colors)[4]) const;
 };
 
 } // namespace mote

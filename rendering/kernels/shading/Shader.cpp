@@ -57,21 +57,28 @@ void ParticleShader::gather(const RayBundle& local, std::int32_t index, const st
   }
   block.count = count;
   block.object = index;
+  const auto take = [&](const auto* from, auto* to)
+  {
+    if (count == local.count) // as a rule
+      std::copy_n(from, count, to);
+    else
+      for (int k = 0; k < count; ++k)
+        to[k] = from[block.ray[k]];
+  };
+  take(local.slot, block.slot);
+  take(local.t, block.t);
+  take(local.x, block.rayX);
+  take(local.y, block.rayY);
   withStructure(*object_.structure,
     [&](const auto& s)
     {
       for (int k = 0; k < count; ++k)
       {
-        const int i = block.ray[k];
-        block.slot[k] = local.slot[i];
-        block.t[k] = local.t[i];
-        block.rayX[k] = local.x[i];
-        block.rayY[k] = local.y[i];
-        const Vec3d center = s.center(block.slot[k]) - local.origin;
+        const Vec3d center = s.center(block.slot[k]);
         block.center.x[k] = center.x;
         block.center.y[k] = center.y;
         block.center.z[k] = center.z;
-        block.perRadius[k] = 1.0 / s.radius(block.slot[k]);
+        block.radius[k] = s.radius(block.slot[k]);
       }
     });
 }
@@ -81,10 +88,10 @@ void ParticleShader::fillColors(SurfaceBlock& block) const
   const ParticleColoring& c = object_.coloring;
   const auto set = [&](int k, float red, float green, float blue, float alpha)
   {
-    block.color.x[k] = red;
-    block.color.y[k] = green;
-    block.color.z[k] = blue;
-    block.alpha[k] = alpha;
+    block.color[k][0] = red;
+    block.color[k][1] = green;
+    block.color[k][2] = blue;
+    block.color[k][3] = alpha;
   };
   if (!c.direct.empty())
   {
@@ -105,8 +112,7 @@ void ParticleShader::fillColors(SurfaceBlock& block) const
     double values[SurfaceBlock::capacity];
     for (int k = 0; k < block.count; ++k)
       values[k] = c.values.value(block.particle[k], c.component);
-    float* const channels[4] = {block.color.x, block.color.y, block.color.z, block.alpha};
-    c.map.map(values, block.count, channels);
+    c.map.map(values, block.count, block.color);
   }
   else
     for (int k = 0; k < block.count; ++k)

@@ -86,6 +86,13 @@ HWY_INLINE Three<VD> pointsOn(
   return {along(0), along(1), along(2)};
 }
 
+HWY_INLINE Three<VD> fromOrigin(const Three<VD>& v, const Vec3d& origin)
+{
+  const DD d;
+  return {hn::Sub(v.x, hn::Set(d, origin.x)), hn::Sub(v.y, hn::Set(d, origin.y)),
+    hn::Sub(v.z, hn::Set(d, origin.z))};
+}
+
 HWY_INLINE Three<VH> narrowed(const Three<VD>& v)
 {
   const DH d;
@@ -128,11 +135,11 @@ void place(SurfaceBlock& b, const SurfacePlacing& placing, float ambient)
     if (placing.positions)
       store(d, pointsOn(*placing.world, placing.worldOrigin, b, i), b.position, i);
     const Three<VD> point = pointsOn(*placing.local, Vec3d(0.0), b, i);
-    const Three<VD> center = load(d, b.center, i);
+    const Three<VD> center = fromOrigin(load(d, b.center, i), placing.local->origin);
     const Three<VD> outward = {
       hn::Sub(point.x, center.x), hn::Sub(point.y, center.y), hn::Sub(point.z, center.z)};
     // In radii: squares of very small or very large numbers would leave float's range.
-    Three<VH> n = narrowed(scaled(outward, hn::Load(d, b.perRadius + i)));
+    Three<VH> n = narrowed(scaled(outward, hn::Div(hn::Set(d, 1.0), hn::Load(d, b.radius + i))));
     if (placing.normalToWorld != nullptr)
       n = transformed(*placing.normalToWorld, n);
     n = scaled(n, inverseRoot(dh, dot(n, n)));
@@ -226,7 +233,11 @@ void finish(SurfaceBlock& b, const Material& m)
   const bool specular = m.specular > 0.0f;
   for (int i = 0; i < b.count; i += static_cast<int>(hn::Lanes(d)))
   {
-    const Three<VF> color = load(d, b.color, i), even = load(d, b.even, i);
+    Three<VF> color;
+    VF alpha;
+    hn::LoadInterleaved4(d, b.color[i], color.x, color.y, color.z, alpha);
+    alpha = hn::Mul(alpha, opacity);
+    const Three<VF> even = load(d, b.even, i);
     Three<VF> sum = {hn::Mul(color.x, even.x), hn::Mul(color.y, even.y), hn::Mul(color.z, even.z)};
     if (specular)
     {
@@ -235,7 +246,6 @@ void finish(SurfaceBlock& b, const Material& m)
       sum.y = hn::MulAdd(hn::Set(d, m.specularColor.y), h.y, sum.y);
       sum.z = hn::MulAdd(hn::Set(d, m.specularColor.z), h.z, sum.z);
     }
-    const VF alpha = hn::Mul(hn::Load(d, b.alpha + i), opacity);
     const auto limited = [&](VF v) { return hn::Mul(hn::Min(v, one), alpha); };
     hn::StoreInterleaved4(limited(sum.x), limited(sum.y), limited(sum.z), alpha, d, b.out[i]);
   }

@@ -32,15 +32,14 @@ struct SurfaceBlock
   alignas(64) float rayX[capacity]; ///< place of the ray in its bundle
   alignas(64) float rayY[capacity];
   alignas(64) double t[capacity];
-  Triple<double> center; ///< of the particle, from the bundle's origin, in the object's coordinates
-  alignas(64) double perRadius[capacity]; ///< 1 / radius
+  Triple<double> center; ///< of the particle, in the object's coordinates
+  alignas(64) double radius[capacity];
 
-  Triple<double> position;          ///< in the world, from the tracer's reference point
-  Triple<float> normal;             ///< unit length, in the world, towards the eye
-  Triple<float> toEye;              ///< unit length
-  alignas(64) float side[capacity]; ///< 1, or -1 where the eye sees the sphere from within
-  Triple<float> color;              ///< of the surface
-  alignas(64) float alpha[capacity];
+  Triple<double> position;              ///< in the world, from the tracer's reference point
+  Triple<float> normal;                 ///< unit length, in the world, towards the eye
+  Triple<float> toEye;                  ///< unit length
+  alignas(64) float side[capacity];     ///< 1, or -1 where the eye sees the sphere from within
+  alignas(64) float color[capacity][4]; ///< of the surface, with its alpha
 
   alignas(64) float cosine[capacity]; ///< to one light sample; 0 where it lights nothing
   alignas(64) float shine[capacity];  ///< cosine between the mirrored light and the eye, or 0

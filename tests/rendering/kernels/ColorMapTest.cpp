@@ -154,11 +154,10 @@ TEST(ColorMap, ManyAtOnceAreTheSameAsOneByOne)
     ColorMap map = ramp(ColorMap::Interpolation::Linear);
     map.logarithmic = logarithmic;
     map.useBelow = true;
-    float channels[4][count];
-    float* const to[4] = {channels[0], channels[1], channels[2], channels[3]};
-    map.map(values, count, to);
+    float colors[count][4];
+    map.map(values, count, colors);
     for (int k = 0; k < count; ++k)
       for (int c = 0; c < 4; ++c)
-        EXPECT_EQ(channels[c][k], map(values[k])[c]);
+        EXPECT_EQ(colors[k][c], map(values[k])[c]);
   }
 }
