@@ -99,6 +99,11 @@ Ray rayOf(const RayPacket& packet, int i)
     packet.t[i]};
 }
 
+Ray rayOf(const RayBundle& bundle, int i)
+{
+  return {bundle.originOf(i), bundle.directionOf(i), bundle.tMin, bundle.t[i]};
+}
+
 RayPacket emptyPacket()
 {
   RayPacket packet = {};

@@ -2,6 +2,7 @@
 
 #include "SphereTree.h"
 
+#include <kernels/core/RayBundle.h>
 #include <kernels/core/RayPacket.h>
 
 #include <string>
@@ -69,19 +70,41 @@ CastReport checkPacket(
   return report;
 }
 
-/// Casts all rays of an image.
+/// Ray i of a bundle.
+reference::Ray rayOf(const RayBundle& bundle, int i);
+
+/// Casts the bundle and judges every ray of it.
 template <typename Structure>
-CastReport checkImage(
-  const Structure& structure, const CastOracle& oracle, const Camera& camera, int width, int height)
+CastReport checkBundle(
+  const Structure& structure, const CastOracle& oracle, const RayBundle& question)
+{
+  CastReport report;
+  RayBundle bundle = question;
+  structure.cast(bundle, 3);
+  for (int i = 0; i < bundle.count; ++i)
+  {
+    const bool isHit = bundle.slot[i] != RayBundle::noHit;
+    if (isHit != (bundle.object[i] == 3))
+      report.complaint = "slot and object do not agree";
+    oracle.judge(rayOf(question, i), bundle.t[i],
+      isHit ? structure.inputIndex(bundle.slot[i]) : reference::Hit::none, report);
+  }
+  return report;
+}
+
+/// Casts all rays of an image, in bundles of `side` x `side`.
+template <typename Structure>
+CastReport checkImage(const Structure& structure, const CastOracle& oracle, const Camera& camera,
+  int width, int height, int side = 16)
 {
   CastReport report;
   const CameraRays rays(camera, width, height);
-  RayPacket packet;
-  for (int y = 0; y < height; y += 8)
-    for (int x = 0; x < width; x += 8)
+  RayBundle bundle;
+  for (int y = 0; y < height; y += side)
+    for (int x = 0; x < width; x += side)
     {
-      rays.fillBlock(packet, x, y, 0.0, 0.0);
-      report.add(checkPacket(structure, oracle, packet));
+      rays.fillBundle(bundle, side, x, y, 0.0, 0.0);
+      report.add(checkBundle(structure, oracle, bundle));
     }
   return report;
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "RayBundle.h"
-#include "RayPacket.h"
 #include "Vec.h"
 
 namespace mote
@@ -49,13 +48,10 @@ struct CameraRays
   Vec3d originAt(double x, double y) const { return o0 + x * ox + y * oy; }
   Vec3d directionAt(double x, double y) const { return d0 + x * dx + y * dy; }
 
-  /// Fills the packet with the rays of the 8x8 block of pixels whose lower left one is (x0, y0), in
-  /// Z order, at `jitter` (pixels, 0 is the centre) from the pixel centres, with nothing hit.
-  /// Blocks may reach over the image's edge: those rays are traced and not kept.
-  void fillBlock(RayPacket& packet, int x0, int y0, double jitterX, double jitterY) const;
-
-  /// The same for a bundle of `side` x `side` pixels (2, 4, 8 or 16), in the order of
-  /// bundleOffset().
+  /// Fills the bundle with the rays of the `side` x `side` pixels (2, 4, 8 or 16) whose lower left
+  /// one is (x0, y0), in the order of bundleOffset(), at `jitter` (pixels, 0 is the centre) from
+  /// the pixel centres, with nothing hit. Bundles may reach over the image's edge: those rays are
+  /// traced and not kept.
   void fillBundle(
     RayBundle& bundle, int side, int x0, int y0, double jitterX, double jitterY) const;
 

@@ -6,11 +6,11 @@
 namespace mote
 {
 
-/// Up to 64 rays that travel together, and what they have hit so far.
+/// Up to 64 rays that need have nothing in common, and what they have hit so far. Rays of one
+/// origin or one direction are cast much faster as a RayBundle.
 ///
 /// Ray i is origin + t * direction in double; the direction need not have unit length, and t counts
-/// in its lengths (camera rays make t the distance along the view axis). Rays are best stored so
-/// that neighbours in the array are neighbours in the image: Z order, see packetOffset().
+/// in its lengths.
 struct RayPacket
 {
   static constexpr int capacity = 64;
@@ -24,13 +24,5 @@ struct RayPacket
   alignas(64) std::int32_t object[capacity]; ///< index of the object in the scene, or -1
   int count = 0;                             ///< rays in use, from the front
 };
-
-/// Column and row of ray i in an 8x8 block, in Z order: every aligned run of 4, 8 or 16 rays is
-/// a compact 2x2, 4x2 or 4x4 block, so that SIMD vectors of any width hold neighbours.
-inline void packetOffset(int i, int& x, int& y)
-{
-  x = (i & 1) | ((i >> 1) & 2) | ((i >> 2) & 4);
-  y = ((i >> 1) & 1) | ((i >> 2) & 2) | ((i >> 3) & 4);
-}
 
 } // namespace mote

@@ -3,6 +3,7 @@
 #include "../core/Camera.h"
 #include "../core/Progress.h"
 #include "../core/RawVector.h"
+#include "../core/RayPacket.h"
 #include "ParticleSet.h"
 
 #include <array>

@@ -86,17 +86,14 @@ public:
         continue;
       }
       visitSlab(slab, front, front + depth);
-      if (buffered_ >= flushAt)
-        flush();
+      flush();
     }
-    flush();
   }
 
 private:
   static constexpr int stepsInMacrocell = CoherentGrid::macrocellSize / thickness;
   static_assert(CoherentGrid::macrocellSize % thickness == 0);
   static constexpr int bufferSize = 128;
-  static constexpr int flushAt = 1;
 
   int stepsLeftInMacrocell(int slab, int slabs) const
   {

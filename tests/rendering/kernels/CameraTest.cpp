@@ -83,48 +83,53 @@ TEST(Camera, TransformedRaysMeetTransformedPointsAtTheSameT)
   EXPECT_EQ(local.tMax, rays.tMax);
 }
 
-TEST(Camera, BlocksHoldTheRaysOfTheirPixels)
+TEST(Camera, BundlesHoldTheRaysOfTheirPixels)
 {
-  Camera camera = mote::testing::lookAt({3.0, 1.0, 2.0}, {0.0, 0.0, 0.0}, 70.0);
-  camera.nearDistance = 0.25;
-  camera.farDistance = 40.0;
-  const CameraRays rays(camera, 64, 48);
-  RayPacket packet;
-  rays.fillBlock(packet, 16, 40, 0.25, -0.125);
-  ASSERT_EQ(packet.count, 64);
-  std::set<std::pair<int, int>> seen;
-  for (int i = 0; i < 64; ++i)
-  {
-    int dx = 0, dy = 0;
-    packetOffset(i, dx, dy);
-    seen.insert({dx, dy});
-    const double x = 16 + dx + 0.75, y = 40 + dy + 0.375;
-    const reference::Ray ray = mote::testing::rayOf(packet, i);
-    expectNear(ray.origin, rays.originAt(x, y), 1e-14);
-    expectNear(ray.direction, rays.directionAt(x, y), 1e-14);
-    EXPECT_EQ(packet.tMin[i], 0.25);
-    EXPECT_EQ(packet.t[i], 40.0);
-    EXPECT_EQ(packet.slot[i], RayPacket::noHit);
-    EXPECT_EQ(packet.object[i], -1);
-  }
-  EXPECT_EQ(seen.size(), 64u);
+  for (const auto projection : {Camera::Projection::Perspective, Camera::Projection::Orthographic})
+    for (const int side : {2, 4, 8, 16})
+    {
+      Camera camera = mote::testing::lookAt({3.0, 1.0, 2.0}, {0.0, 0.0, 0.0}, 70.0);
+      camera.projection = projection;
+      camera.nearDistance = 0.25;
+      camera.farDistance = 40.0;
+      const CameraRays rays(camera, 64, 48);
+      RayBundle bundle;
+      rays.fillBundle(bundle, side, 16, 32, 0.25, -0.125);
+      ASSERT_EQ(bundle.count, side * side);
+      EXPECT_EQ(bundle.side, side);
+      EXPECT_EQ(bundle.tMin, 0.25);
+      std::set<std::pair<int, int>> seen;
+      for (int i = 0; i < bundle.count; ++i)
+      {
+        int dx = 0, dy = 0;
+        bundleOffset(side, i, dx, dy);
+        seen.insert({dx, dy});
+        const double x = 16 + dx + 0.75, y = 32 + dy + 0.375;
+        const reference::Ray ray = mote::testing::rayOf(bundle, i);
+        expectNear(ray.origin, rays.originAt(x, y), 1e-14);
+        expectNear(ray.direction, rays.directionAt(x, y), 1e-14);
+        EXPECT_EQ(bundle.t[i], 40.0);
+        EXPECT_EQ(bundle.slot[i], RayBundle::noHit);
+        EXPECT_EQ(bundle.object[i], -1);
+      }
+      EXPECT_EQ(seen.size(), static_cast<std::size_t>(side * side));
+    }
 }
 
-TEST(Camera, AlignedRunsOfABlockAreCompact)
+TEST(Camera, AlignedRunsOfABundleAreCompact)
 {
-  for (const int run : {4, 8, 16, 32})
-    for (int first = 0; first < 64; first += run)
+  for (const int run : {4, 8, 16, 64, 256})
+    for (int first = 0; first < 256; first += run)
     {
-      int left = 8, right = 0, bottom = 8, top = 0;
+      int left = 16, right = 0, bottom = 16, top = 0;
       for (int i = first; i < first + run; ++i)
       {
         int x = 0, y = 0;
-        packetOffset(i, x, y);
+        bundleOffset(16, i, x, y);
         left = std::min(left, x), right = std::max(right, x);
         bottom = std::min(bottom, y), top = std::max(top, y);
       }
       EXPECT_EQ((right - left + 1) * (top - bottom + 1), run);
-      EXPECT_LE(std::abs((right - left) - (top - bottom)), run == 8 || run == 32 ? 4 : 0);
     }
 }
 

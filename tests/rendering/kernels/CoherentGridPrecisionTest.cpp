@@ -42,21 +42,21 @@ Errors errorsAt(double distance, const Vec3d& direction, double share)
   const CameraRays rays(
     lookAt(middle + distance * glm::normalize(direction), middle, angle), size, size);
   Errors errors;
-  RayPacket packet;
-  for (int y = 0; y < size; y += 8)
-    for (int x = 0; x < size; x += 8)
+  RayBundle bundle;
+  for (int y = 0; y < size; y += 16)
+    for (int x = 0; x < size; x += 16)
     {
-      rays.fillBlock(packet, x, y, 0.0, 0.0);
-      const RayPacket question = packet;
-      grid.cast(packet, 0);
-      for (int i = 0; i < packet.count; ++i)
+      rays.fillBundle(bundle, 16, x, y, 0.0, 0.0);
+      const RayBundle question = bundle;
+      grid.cast(bundle, 0);
+      for (int i = 0; i < bundle.count; ++i)
       {
         const reference::Hit hit = tree.cast(rayOf(question, i));
-        const double error = std::abs(packet.t[i] - hit.t);
+        const double error = std::abs(bundle.t[i] - hit.t);
         ++errors.pixels;
-        if (packet.object[i] < 0 && !hit)
+        if (bundle.object[i] < 0 && !hit)
           continue;
-        if (packet.object[i] < 0 || !hit || error > 0.01)
+        if (bundle.object[i] < 0 || !hit || error > 0.01)
           ++errors.wrong;
         else
           errors.largestDepth = std::max(errors.largestDepth, error);
@@ -145,15 +145,15 @@ TEST(CoherentGridPrecision, DoesNotDependOnTheUnitOfLength)
     grid.build(particles.set());
     const CameraRays rays(lookAt(unit * Vec3d(2.0, 1.5, 3.0), Vec3d(0.5 * unit), 30.0), 64, 64);
     std::vector<std::pair<std::uint64_t, double>> hits;
-    RayPacket packet;
-    for (int y = 0; y < 64; y += 8)
-      for (int x = 0; x < 64; x += 8)
+    RayBundle bundle;
+    for (int y = 0; y < 64; y += 16)
+      for (int x = 0; x < 64; x += 16)
       {
-        rays.fillBlock(packet, x, y, 0.0, 0.0);
-        grid.cast(packet, 0);
-        for (int i = 0; i < packet.count; ++i)
-          hits.emplace_back(packet.object[i] < 0 ? ~0u : grid.inputIndex(packet.slot[i]),
-            packet.object[i] < 0 ? 0.0 : packet.t[i] / unit);
+        rays.fillBundle(bundle, 16, x, y, 0.0, 0.0);
+        grid.cast(bundle, 0);
+        for (int i = 0; i < bundle.count; ++i)
+          hits.emplace_back(bundle.object[i] < 0 ? ~0u : grid.inputIndex(bundle.slot[i]),
+            bundle.object[i] < 0 ? 0.0 : bundle.t[i] / unit);
       }
     return hits;
   };

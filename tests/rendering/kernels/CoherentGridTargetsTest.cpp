@@ -32,24 +32,25 @@ private:
   }
 };
 
-std::vector<RayPacket> questions()
+std::vector<RayBundle> questions()
 {
-  std::vector<RayPacket> packets;
+  std::vector<RayBundle> bundles;
   Random random(101);
   for (int k = 0; k < 60; ++k)
   {
-    const CameraRays rays(lookAt(random(1.0, 4.0) * random.direction(), Vec3d(0.0), 50.0), 32, 32);
-    packets.emplace_back();
-    rays.fillBlock(packets.back(), 8 * (k % 4), 8, 0.0, 0.0);
-    packets.back().count = k % 3 == 0 ? 1 + k : 64;
+    Camera camera = lookAt(random(1.0, 4.0) * random.direction(), Vec3d(0.0), 50.0);
+    if (k % 5 == 4)
+      camera.projection = Camera::Projection::Orthographic;
+    const CameraRays rays(camera, 32, 32);
+    bundles.emplace_back();
+    rays.fillBundle(bundles.back(), 2 << (k % 4), 16 * (k / 4 % 2), 8, 0.0, 0.0);
+    if (k % 3 == 0) // rays anywhere
+    {
+      bundles.back().count = std::min(bundles.back().count, 1 + 2 * k);
+      bundles.back().side = 0;
+    }
   }
-  for (int k = 0; k < 20; ++k)
-  {
-    packets.push_back(emptyPacket());
-    for (int i = 0; i < 64; ++i)
-      addRay(packets.back(), random.inBox(Vec3d(-1.0), Vec3d(1.0)), random.direction(), 0.1, 2.0);
-  }
-  return packets;
+  return bundles;
 }
 
 } // namespace
@@ -60,23 +61,23 @@ TEST(CoherentGridTargets, EveryInstructionSetAgreesWithTheReference)
   CoherentGrid grid;
   grid.build(particles.set());
   const CastOracle oracle = CastOracle::forFloat(particles.set());
-  const std::vector<RayPacket> packets = questions();
+  const std::vector<RayBundle> bundles = questions();
 
   std::vector<std::int64_t> targets;
   for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1)
     targets.push_back(left & -left);
   ASSERT_FALSE(targets.empty());
-  std::vector<RayPacket> first;
+  std::vector<RayBundle> first;
   for (const std::int64_t target : targets)
   {
     SCOPED_TRACE(hwy::TargetName(target));
     const OnlyTargets only(target);
     CastReport report;
     std::size_t differing = 0, rays = 0;
-    std::vector<RayPacket> answers = packets;
-    for (std::size_t k = 0; k < packets.size(); ++k)
+    std::vector<RayBundle> answers = bundles;
+    for (std::size_t k = 0; k < bundles.size(); ++k)
     {
-      report.add(checkPacket(grid, oracle, packets[k]));
+      report.add(checkBundle(grid, oracle, bundles[k]));
       grid.cast(answers[k], 0);
       if (!first.empty())
         for (int i = 0; i < answers[k].count; ++i, ++rays)

@@ -54,8 +54,8 @@ TEST(CoherentGridTie, CoincidentParticlesGiveTheSmallestIndex)
   for (int k = 0; k < 100; ++k)
   {
     const CameraRays rays(lookAt(3.0 * random.direction(), Vec3d(0.0), 40.0), 24, 24);
-    RayPacket packet;
-    rays.fillBlock(packet, 8, 8, 0.0, 0.0);
+    RayBundle packet;
+    rays.fillBundle(packet, 8, 8, 8, 0.0, 0.0);
     grid.cast(packet, 0);
     for (int i = 0; i < packet.count; ++i)
     {

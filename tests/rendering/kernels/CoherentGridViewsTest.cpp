@@ -29,11 +29,15 @@ struct Fixture
 
 void expectRight(const Fixture& f, const Camera& camera, bool expectHits = true, int size = 40)
 {
-  const CastReport report = checkImage(f.grid, f.oracle, camera, size, size);
-  EXPECT_EQ(report.wrong, 0u) << "of " << report.rays << " rays; " << report.complaint;
-  if (expectHits)
+  for (const int side : {2, 4, 8, 16})
   {
-    EXPECT_GT(report.hits, report.rays / 50);
+    const CastReport report = checkImage(f.grid, f.oracle, camera, size, size, side);
+    EXPECT_EQ(report.wrong, 0u) << "of " << report.rays << " rays in bundles of " << side << "x"
+                                << side << "; " << report.complaint;
+    if (expectHits)
+    {
+      EXPECT_GT(report.hits, report.rays / 50);
+    }
   }
 }
 
