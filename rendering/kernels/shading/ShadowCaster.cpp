@@ -15,6 +15,9 @@ namespace
 
 /// Shadow rays lie up to this many widths of the camera's bundle apart (see docs/shadows.md).
 constexpr double widestBundle = 2.0;
+/// Surfaces lie where they should to within this share of their object's longest side: float
+/// numbers relative to its middle, and a ray's formulas (tests/support/CastOracle.h).
+constexpr double floatError = 5e-7;
 /// Points are seen from a point light within this ratio of half their extent to their distance.
 constexpr double widestAngle = 0.5;
 
@@ -31,6 +34,7 @@ struct ShadowCaster::Work
   double distance;   ///< of the middle from the sample; directional: from where rays start
   double x[SurfaceBlock::capacity], y[SurfaceBlock::capacity]; ///< of hits, from the middle
   double t[SurfaceBlock::capacity];
+  double rounding = 0.0; ///< of the positions, in the world
   std::uint16_t spare[SurfaceBlock::capacity];
   RayBundle bundle;
 
@@ -65,6 +69,14 @@ struct ShadowCaster::Work
     }
     std::copy_n(spare, high, hits + low);
     return low == 0 || high == 0 ? count / 2 : low;
+  }
+
+  /// Where the ray to hit i ends: at the hit, less what rounding may move surfaces by along the
+  /// ray. Spheres that coincide with the one that is lit would shadow it in speckles.
+  double endOf(int i) const
+  {
+    const double blur = rounding / (double(block.cosine[i]) * distance);
+    return std::max(t[i] - blur, 0.5 * t[i]);
   }
 
   int splitInPlane(std::uint16_t* hits, int count);
@@ -137,7 +149,15 @@ ShadowCaster::ShadowCaster(const Scene& scene, const Vec3d& reference)
   , bounds_(scene.bounds())
 {
   for (const ParticleObject& object : scene.particles)
+  {
     toLocal_.push_back(glm::inverse(object.toWorld));
+    const Vec3d size =
+      withStructure(*object.structure, [](const auto& s) { return s.statistics().bounds.size(); });
+    const Mat3d stretch(object.toWorld);
+    rounding_.push_back(
+      floatError * std::max({size.x, size.y, size.z}) *
+      std::max({glm::length(stretch[0]), glm::length(stretch[1]), glm::length(stretch[2])}));
+  }
   bounds_.lower -= reference;
   bounds_.upper -= reference;
 }
@@ -145,6 +165,7 @@ ShadowCaster::ShadowCaster(const Scene& scene, const Vec3d& reference)
 void ShadowCaster::remove(SurfaceBlock& block, const LightSample& sample, double footprint) const
 {
   Work work(block, sample, widestBundle * footprint);
+  work.rounding = rounding_[static_cast<std::size_t>(block.object)];
   std::uint16_t hits[SurfaceBlock::capacity];
   int count = 0;
   for (int i = 0; i < block.count; ++i)
@@ -204,7 +225,7 @@ void ShadowCaster::cast(Work& work, std::uint16_t* hits, int count) const
   {
     bundle.x[k] = static_cast<float>(work.x[hits[k]] / scale);
     bundle.y[k] = static_cast<float>(work.y[hits[k]] / scale);
-    bundle.t[k] = work.t[hits[k]];
+    bundle.t[k] = work.endOf(hits[k]);
     bundle.slot[k] = work.block.slot[hits[k]];
     bundle.object[k] = work.block.object;
   }

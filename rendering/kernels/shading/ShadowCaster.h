@@ -13,8 +13,10 @@ namespace mote
 ///
 /// Every particle that is shown casts a full shadow, whatever its opacity. The particle that is lit
 /// is left out, being convex: it shadows only the side of it that faces away, which Lambert's law
-/// leaves dark. A surface seen from within its sphere is lit by what lies within and by nothing
-/// else. Source: Gribble et al., UUSCI-2006-024, section on soft shadows; docs/shadows.md.
+/// leaves dark. Others count up to where rounding could confuse them with the surface that is lit,
+/// so that spheres which coincide do not shadow one another in speckles. A surface seen from within
+/// its sphere is lit by what lies within and by nothing else. Source: Gribble et al.,
+/// UUSCI-2006-024, section on soft shadows; docs/shadows.md.
 class ShadowCaster
 {
 public:
@@ -36,7 +38,9 @@ private:
   const Scene& scene_;
   Vec3d reference_;
   std::vector<Mat4d> toLocal_; ///< an object each
-  Box bounds_;                 ///< of the scene, from the reference point
+  std::vector<double>
+    rounding_; ///< an object each: how far its positions may be wrong, in the world
+  Box bounds_; ///< of the scene, from the reference point
 };
 
 } // namespace mote

@@ -149,6 +149,33 @@ TEST(Shadow, ALoneSphereNeverShadowsItself)
   }
 }
 
+TEST(Shadow, CoincidentSpheresDoNotShadowOneAnother)
+{
+  for (int k = 0; k < 6; ++k)
+  {
+    Random random(401 + std::uint64_t(k));
+    const Particles particles = randomParticles(50, 411 + std::uint64_t(k), 0.1, 0.3);
+    Particles doubled = particles;
+    for (std::size_t i = 0; i < particles.size(); ++i)
+      doubled.add(particles.center(i), particles.radii[i]);
+    const Vec3d eye = 4.0 * random.direction();
+    Scene once, twice, apart;
+    const Mat4d toWorld = unevenTransform(random);
+    once.particles = {objectOf(particles, toWorld)};
+    twice.particles = {objectOf(doubled, toWorld)};
+    apart.particles = {objectOf(particles, toWorld), objectOf(particles, toWorld)};
+    once.lights = twice.lights = apart.lights = {lightFromAside(random, k, eye)};
+    const Camera camera = lookAt(eye, Vec3d(0.0), 45.0);
+    const Film wanted = tracedFilm(once, camera, 150);
+    for (const Scene* scene : {&twice, &apart})
+    {
+      const FilmDifference difference = differenceOf(wanted, tracedFilm(*scene, camera, 150));
+      EXPECT_LE(difference.pixels, 1);
+      EXPECT_LE(difference.rest, 1e-3);
+    }
+  }
+}
+
 TEST(Shadow, BundlesOfAnySideGiveTheSamePicture)
 {
   Scene scene;
