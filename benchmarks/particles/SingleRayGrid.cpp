@@ -226,10 +226,10 @@ private:
 void castBlock(const CellGrid& grid, const CameraRays& rays, int x0, int y0, HitImage& image)
 {
   SingleRay ray(grid);
-  for (int i = 0; i < RayPacket::capacity; ++i)
+  for (int i = 0; i < 64; ++i)
   {
     int x = 0, y = 0;
-    packetOffset(i, x, y);
+    bundleOffset(8, i, x, y);
     const double px = x0 + x + 0.5, py = y0 + y + 0.5;
     const double t =
       ray.cast(rays.originAt(px, py), rays.directionAt(px, py), rays.tMin, rays.tMax);
