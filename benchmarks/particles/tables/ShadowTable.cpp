@@ -4,7 +4,9 @@
 
 #include <kernels/scene/RayCaster.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace mote::bench
 {
@@ -13,7 +15,7 @@ namespace
 {
 
 constexpr int finestSamples = 32; ///< a side; what the noise is measured against
-constexpr int filmSide = 512;     ///< pixels: the finest picture takes a thousand rays for each
+constexpr int largestSide = 512;  ///< pixels: the finest picture takes a thousand rays for each
 
 /// A light above and beside the data, as large as a quarter of its longest side.
 Light lightOver(const Box& bounds)
@@ -43,9 +45,9 @@ Scene sceneOf(const std::shared_ptr<const ParticleStructure>& structure, Light l
   return scene;
 }
 
-void draw(const Scene& scene, const Camera& camera, Film& film)
+void draw(const Scene& scene, const Camera& camera, const Options& options, Film& film)
 {
-  film.resize(filmSide, filmSide);
+  film.resize(std::min(largestSide, options.width), std::min(largestSide, options.height));
   RayCaster(scene).addSample(camera, film);
 }
 
@@ -104,13 +106,13 @@ struct Shadows
   {
     for (const Camera& camera : cameras)
       for (const Scene& scene : scenes)
-        race.add(run.threads, [&] { draw(scene, camera, film); });
+        race.add(run.threads, [&] { draw(scene, camera, run.options, film); });
     race.run(run.options.repeat);
     for (const Camera& camera : cameras)
     {
       progress("a picture with %s samples", sampleText(finestSamples).c_str());
       finest.emplace_back();
-      draw(sceneOf(structure, light, finestSamples), camera, finest.back());
+      draw(sceneOf(structure, light, finestSamples), camera, run.options, finest.back());
     }
   }
 
@@ -124,7 +126,8 @@ struct Shadows
     const std::size_t place = view * count + k;
     Measurement m = run.measurement("cgt", sampleText(samples[k]));
     m.view = run.views[view].name;
-    m.width = m.height = filmSide;
+    m.width = film.width();
+    m.height = film.height();
     m.seconds = race.seconds(place);
     m.least = race.least(place);
     m.most = race.most(place);
@@ -132,7 +135,7 @@ struct Shadows
     const std::size_t bytes = withStructure(*structure, [](const auto& s) { return s.bytes(); });
     m.bytesPerParticle =
       static_cast<double>(bytes) / static_cast<double>(run.input.statistics.valid);
-    draw(scenes[k], cameras[view], film);
+    draw(scenes[k], cameras[view], run.options, film);
     error = noise(film, finest[view]);
     m.more = {{"shadow_samples", std::int64_t{samples[k]} * samples[k]},
       {"times_no_shadows", timesNoShadows(k, view)}, {"rms_error", error}};
@@ -168,7 +171,7 @@ Section shadowTable(TableRun& run)
   }
   section.notes.push_back(format("Whole frames of %dx%d pixels with shading. RMS error: of colours "
                                  "in [0, 1] against %s samples. 1x1: a point without size.",
-    filmSide, filmSide, sampleText(finestSamples).c_str()));
+    shadows.film.width(), shadows.film.height(), sampleText(finestSamples).c_str()));
   return section;
 }
 

@@ -1,0 +1,125 @@
+#!/usr/bin/env bash
+# bench.sh MOTE-BENCH DATA CASE: one test of the benchmarks, on inputs so small that only what is
+# said is tested and not how fast it is.
+source "$(dirname "$0")/../app/common.sh"
+bench=$mote
+
+# last_is_sentence: what went wrong stands at the end of err, after what was being done.
+last_is_sentence() {
+  tail -n 1 err | grep -q '^mote-bench: [A-Z"-].*\.$' || { cat err; fail "no sentence at the end"; }
+}
+
+# records FILE CONDITION: the file is a JSON array and the condition holds for `r`, its records.
+records() {
+  command -v python3 >/dev/null || return 0
+  python3 - "$1" "$2" <<'END' || fail "records: $2"
+import json, sys
+r = json.load(open(sys.argv[1]))
+keys = """suite method mode input particles view width height threads repeat mrays_per_s mrays_per_s_min
+mrays_per_s_max build_s bytes_per_particle checked_pixels wrong_pixels max_depth_error
+max_depth_error_of_right""".split()
+missing = {k for record in r for k in keys if k not in record}
+if missing or not r or not eval(sys.argv[2], {"r": r}):
+    print("missing keys:", missing, file=sys.stderr)
+    json.dump(r, sys.stderr, indent=1)
+    sys.exit(1)
+END
+}
+
+right="all(x['checked_pixels'] == 96 * 80 and x['wrong_pixels'] <= 1 for x in r)"
+small=(--size 96x80 --repeat 1)
+
+case $3 in
+  help)
+    run 0 "$bench" --help
+    said out particles
+    run 0 "$bench" particles --help
+    for word in cgt cgt-reference grid-single embree lattice:N random:N:R varied:N 'cross sections' \
+      --tables --lambda --packet shadows; do
+      said out "$word"
+    done
+    ;;
+
+  methods) # every method casts the right picture, on one thread and on two
+    for threads in 1 2; do
+      run 0 "$bench" particles --input random:4000:0.02 "${small[@]}" --threads $threads \
+        --json a.json
+      records a.json "$right"
+      records a.json "len(r) == 8 and len({x['method'] for x in r}) == 4"
+      records a.json "all(x['threads'] == $threads and x['mrays_per_s'] > 0 for x in r)"
+      records a.json "all(x['bytes_per_particle'] >= 16 and x['build_s'] > 0 for x in r)"
+    done
+    run 0 "$bench" particles --input lattice:1000 "${small[@]}" --methods cgt --view near \
+      --packet 4 --lambda 2 --json a.json
+    records a.json "len(r) == 1 and r[0]['mode'] == 'packet 4x4' and r[0]['view'] == 'near'"
+    records a.json "$right"
+    ;;
+
+  inputs) # radii over four decades, one particle, a file, and a file with the name of an input
+    run 0 "$bench" particles --input varied:3000 "${small[@]}" --json a.json
+    records a.json "$right"
+    run 0 "$bench" particles --input lattice:1 "${small[@]}" --json a.json
+    records a.json "$right"
+    run 0 "$bench" particles --input "$data/hopper.dump.gz" "${small[@]}" --json a.json
+    records a.json "$right and r[0]['particles'] == 5518"
+    zcat "$data/hopper.dump.gz" >varied:5
+    run 0 "$bench" particles --input varied:5 "${small[@]}" --methods cgt --json a.json
+    records a.json "r[0]['particles'] == 5518"
+    ;;
+
+  tables)
+    run 0 "$bench" particles --input lattice:700 "${small[@]}" --json a.json \
+      --tables packet,reference-grid,range,shadows,methods,radii,build,lambda
+    said out 'Size of the bundles of rays: lattice:700, 729 particles'
+    said out 'Soft shadows'
+    records a.json "{x['table'] for x in r} == {'packet', 'reference-grid', 'range', 'shadows',
+      'methods', 'radii', 'build', 'lambda'}"
+    records a.json "all(x['wrong_pixels'] <= 1 for x in r)"
+    records a.json "[x['kept'] for x in r if x['table'] == 'range'][:6:2] == [729, 364, 182]"
+    records a.json "all(x['rms_error'] < 0.02 for x in r if x['mode'] == '8x8')"
+    run 0 "$bench" particles --input lattice:700 "${small[@]}" --view far --tables lambda
+    said out 'Cells a particle'
+    ;;
+
+  errors)
+    failing() {
+      run 1 "$bench" particles --repeat 1 "$@"
+      last_is_sentence
+    }
+    failing --input missing.dump
+    said err missing.dump
+    failing --input lattice:0
+    said err 'above zero'
+    failing --input lattice:many
+    failing --input varied:-5
+    failing --input varied:1e3
+    failing --input random:10
+    failing --input random:10:0
+    failing --input random:10:nan
+    failing --input lattice:99999999999999
+    failing --input lattice:10 --size 0x10
+    failing --input lattice:10 --size 10
+    failing --input lattice:10 --json nowhere/a.json
+    said err nowhere
+    ;;
+
+  usage)
+    misused() {
+      "$bench" "$@" >out 2>err
+      local code=$?
+      [ $code -gt 1 ] && [ $code -lt 126 ] || { cat out err; fail "exit code $code: $*"; }
+    }
+    misused
+    misused particles
+    said err --input
+    misused particles --input lattice:10 --methods none
+    misused particles --input lattice:10 --view sideways
+    misused particles --input lattice:10 --lambda 9
+    misused particles --input lattice:10 --packet 3
+    misused particles --tables nothing
+    misused particles --input lattice:10 --repeat 0
+    ;;
+
+  *) fail "no such case: $3" ;;
+esac
+echo "$3: passed"
