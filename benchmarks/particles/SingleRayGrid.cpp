@@ -226,10 +226,11 @@ private:
 void castBlock(const CellGrid& grid, const CameraRays& rays, int x0, int y0, HitImage& image)
 {
   SingleRay ray(grid);
-  for (int i = 0; i < 64; ++i)
+  constexpr int side = 8;
+  for (int i = 0; i < side * side; ++i) // neighbours after one another: they find the same cells
   {
     int x = 0, y = 0;
-    bundleOffset(8, i, x, y);
+    bundleOffset(side, i, x, y);
     const double px = x0 + x + 0.5, py = y0 + y + 0.5;
     const double t =
       ray.cast(rays.originAt(px, py), rays.directionAt(px, py), rays.tMin, rays.tMax);
