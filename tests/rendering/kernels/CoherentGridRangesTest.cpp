@@ -1,0 +1,177 @@
+// What ranges of values show: exactly the particles in range, whatever the traversal skips.
+
+#include <kernels/core/Error.h>
+#include <kernels/particles/CoherentGrid.h>
+
+#include <support/CastOracle.h>
+#include <support/Particles.h>
+
+#include <gtest/gtest.h>
+
+using namespace mote;
+using namespace mote::testing;
+
+namespace
+{
+
+/// A set with two attributes, one a clear function of the place and one of none.
+struct Attributed
+{
+  Particles particles = randomParticles(3000, 131, 0.01, 0.06);
+  std::vector<float> smooth, noise;
+  CoherentGrid grid;
+
+  Attributed()
+  {
+    Random random(132);
+    for (std::size_t i = 0; i < particles.size(); ++i)
+    {
+      smooth.push_back(static_cast<float>(particles.center(i).x + particles.center(i).y));
+      noise.push_back(static_cast<float>(random(0.0, 1.0)));
+    }
+    grid.build(particles.set());
+    grid.setAttributes(
+      {{ArrayView(smooth.data(), smooth.size(), 1)}, {ArrayView(noise.data(), noise.size(), 1)}});
+  }
+
+  /// Casts two views and expects what a set of the `kept` particles alone would answer.
+  template <typename Kept>
+  void expectOnly(const Kept& kept) const
+  {
+    Particles left;
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < particles.size(); ++i)
+      if (kept(i))
+      {
+        left.add(particles.center(i), particles.radii[i]);
+        indices.push_back(i);
+      }
+    CoherentGrid alone;
+    alone.build(left.set());
+    std::size_t hits = 0;
+    for (const Vec3d& eye : {Vec3d(3.0, 1.0, 2.0), Vec3d(-1.0, -2.0, -3.0)})
+    {
+      const CameraRays rays(lookAt(eye, Vec3d(0.0), 45.0), 64, 64);
+      for (int y = 0; y < 64; y += 16)
+        for (int x = 0; x < 64; x += 16)
+        {
+          RayBundle bundle, wanted;
+          rays.fillBundle(bundle, 16, x, y, 0.0, 0.0);
+          wanted = bundle;
+          grid.cast(bundle, 0);
+          alone.cast(wanted, 0);
+          for (int i = 0; i < bundle.count; ++i)
+          {
+            ASSERT_EQ(bundle.object[i], wanted.object[i]);
+            if (bundle.object[i] < 0)
+              continue;
+            ++hits;
+            ASSERT_EQ(grid.inputIndex(bundle.slot[i]), indices[alone.inputIndex(wanted.slot[i])]);
+          }
+        }
+    }
+    EXPECT_EQ(hits > 0, !indices.empty());
+  }
+};
+
+} // namespace
+
+TEST(CoherentGridRanges, EachOfTheEightValuesSelects)
+{
+  Attributed a;
+  const auto center = [&](std::size_t i) { return a.particles.center(i); };
+  ParticleRanges ranges;
+  a.expectOnly([](std::size_t) { return true; });
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    ranges = {};
+    ranges.lower[axis] = -0.25;
+    ranges.upper[axis] = 0.5;
+    a.grid.setRanges(ranges);
+    a.expectOnly([&](std::size_t i) { return center(i)[axis] >= -0.25 && center(i)[axis] <= 0.5; });
+  }
+  ranges = {};
+  ranges.lower[3] = 0.05;
+  a.grid.setRanges(ranges);
+  a.expectOnly([&](std::size_t i) { return a.particles.radii[i] >= 0.05; });
+  ranges = {};
+  ranges.lower[4] = 0.25;
+  ranges.upper[4] = 0.75;
+  a.grid.setRanges(ranges);
+  a.expectOnly([&](std::size_t i) { return a.smooth[i] >= 0.25f && a.smooth[i] <= 0.75f; });
+  ranges.upper[5] = 0.1;
+  a.grid.setRanges(ranges);
+  a.expectOnly([&](std::size_t i)
+    { return a.smooth[i] >= 0.25f && a.smooth[i] <= 0.75f && a.noise[i] <= 0.1; });
+  a.grid.setRanges({});
+  a.expectOnly([](std::size_t) { return true; });
+}
+
+TEST(CoherentGridRanges, LimitsBelongToTheRangeAndFloatRoundsInwards)
+{
+  Attributed a;
+  ParticleRanges ranges;
+  ranges.lower[4] = ranges.upper[4] = a.smooth[7];
+  a.grid.setRanges(ranges);
+  a.expectOnly([&](std::size_t i) { return a.smooth[i] == a.smooth[7]; });
+  ranges.lower[4] = std::nextafter(double(a.smooth[7]), 10.0); // above it by less than float tells
+  ranges.upper[4] = ParticleRanges::infinity;
+  a.grid.setRanges(ranges);
+  a.expectOnly([&](std::size_t i) { return a.smooth[i] > a.smooth[7]; });
+}
+
+TEST(CoherentGridRanges, NaNIsInTheUnlimitedRangeAlone)
+{
+  Attributed a;
+  for (std::size_t i = 0; i < a.noise.size(); i += 2)
+    a.noise[i] = std::numeric_limits<float>::quiet_NaN();
+  a.grid.setAttributes({{ArrayView(a.smooth.data(), a.smooth.size(), 1)},
+    {ArrayView(a.noise.data(), a.noise.size(), 1)}});
+  a.expectOnly([](std::size_t) { return true; });
+  ParticleRanges ranges;
+  ranges.lower[5] = -1.0;
+  a.grid.setRanges(ranges);
+  a.expectOnly([](std::size_t i) { return i % 2 == 1; });
+}
+
+TEST(CoherentGridRanges, CombineWithTheVisibilityInAnyOrder)
+{
+  Attributed a;
+  ParticleRanges ranges;
+  ranges.lower[4] = 0.0;
+  const auto third = [&](std::size_t slot) { return a.grid.inputIndex(slot) % 3 == 0; };
+  const auto kept = [&](std::size_t i) { return i % 3 == 0 && a.smooth[i] >= 0.0f; };
+  a.grid.setRanges(ranges);
+  a.grid.setVisibility(third);
+  a.expectOnly(kept);
+  a.grid.setRanges({});
+  a.grid.setVisibility({});
+  a.grid.setVisibility(third);
+  a.grid.setRanges(ranges);
+  a.expectOnly(kept);
+  ranges.lower[4] = 100.0; // nothing at all
+  a.grid.setRanges(ranges);
+  a.expectOnly([](std::size_t) { return false; });
+}
+
+TEST(CoherentGridRanges, RefusesWhatIsNoAttribute)
+{
+  Attributed a;
+  const ArrayView noise(a.noise.data(), a.noise.size(), 1);
+  const ArrayView few(a.noise.data(), 5, 1);
+  EXPECT_THROW(a.grid.setAttributes({{few}}), Error);
+  EXPECT_THROW(a.grid.setAttributes({{noise, 1}}), Error);
+  EXPECT_THROW(a.grid.setAttributes({{noise}, {noise}, {noise}, {noise}, {noise}}), Error);
+  a.grid.setAttributes({});
+  ParticleRanges ranges;
+  ranges.lower[6] = 0.0;
+  EXPECT_THROW(a.grid.setRanges(ranges), Error);
+}
+
+TEST(CoherentGridRanges, AttributesTakeMemoryOnlyWhereTheyAreKept)
+{
+  Attributed a;
+  const std::size_t with = a.grid.bytes();
+  a.grid.setAttributes({});
+  EXPECT_GE(with - a.grid.bytes(), 16 * a.particles.size());
+}
