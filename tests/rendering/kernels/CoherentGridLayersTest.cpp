@@ -78,9 +78,11 @@ TEST(CoherentGridLayers, AFewGiantsLeaveTheOthersTheirGrid)
     particles.add(Vec3d(0.3 * i, 0.5, -0.2 * i), 0.4);
   CoherentGrid grid;
   grid.build(particles.set());
+  // Whoever shares the giants' grid, most particles do not.
   ASSERT_EQ(grid.layers(), 2);
-  EXPECT_EQ(grid.layerSize(0), 3u);
-  EXPECT_LT(grid.cellSize(1), 0.15);
+  EXPECT_GE(grid.layerSize(0), 3u);
+  EXPECT_LT(grid.layerSize(0), 2000u);
+  EXPECT_LT(grid.cellSize(1), 0.1);
 }
 
 TEST(CoherentGridLayers, ARebuildReusesMemoryAndForgetsTheOld)
