@@ -44,6 +44,7 @@ const std::vector<Binding>& bindings()
     {Action::Legend, {"l", "L"}},
     {Action::Axes, {"a", "A"}},
     {Action::Background, {"g", "G"}},
+    {Action::Shadows, {"d", "D"}},
     {Action::Save, {"s", "S"}},
     {Action::Escape, {"Escape"}},
     {Action::Quit, {"q", "Q"}},
@@ -77,6 +78,7 @@ std::string keysHelp()
          " Left Right    previous, next time step (or , and .); Home first, End last \n"
          " space         play the time steps, or pause \n"
          " b l a g       box, legend, axes, light or dark background \n"
+         " d             shadows: none, hard, soft \n"
          " s             save a picture of the view \n"
          " Escape        stop long work; take messages away \n"
          " h ?           these keys \n"

@@ -36,6 +36,7 @@ enum class Action
   Legend,
   Axes,
   Background,
+  Shadows,
   Save,
   Escape,
   Quit

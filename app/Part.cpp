@@ -8,6 +8,7 @@
 #include <vtkCellTypes.h>
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkLookupTable.h>
+#include <vtkMath.h>
 #include <vtkMoteParticleMapper.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
@@ -16,6 +17,8 @@
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
 #include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
 
 namespace mote::app
 {
@@ -79,6 +82,7 @@ void Part::setData(const std::string& name, vtkDataSet* data)
   data_ = data;
   if (particles_)
   {
+    this->showAll(); // other data may lack the arrays
     this->setRadius();
     particles_->SetInputData(vtkPointSet::SafeDownCast(data));
   }
@@ -133,6 +137,7 @@ void Part::setRadiusScale(double scale)
   radiusScale_ = scale;
   if (particles_)
     particles_->SetRadiusScale(scale);
+  this->limitRadius();
 }
 
 void Part::build(Progress& progress)
@@ -188,24 +193,71 @@ void Part::setColors(const ArrayChoice& choice, vtkLookupTable* table)
   mapper_->UseLookupTableScalarRangeOn();
 }
 
+void Part::showAll()
+{
+  if (!particles_)
+    return;
+  particles_->RemoveAllRanges();
+  particles_->UseVisibilityRangeOff();
+  radiusRange_[0] = -HUGE_VAL, radiusRange_[1] = HUGE_VAL;
+}
+
+void Part::limit(const ArrayChoice& choice, double low, double high)
+{
+  if (particles_)
+    particles_->AddRange(choice.name.c_str(), choice.component, low, high);
+}
+
+void Part::limitPlace(int place, double low, double high)
+{
+  if (particles_ && place < 3)
+    particles_->SetCenterRange(place, low, high);
+  if (place < 3)
+    return;
+  radiusRange_[0] = low, radiusRange_[1] = high;
+  this->limitRadius();
+}
+
+void Part::limitRadius()
+{
+  // Who scales all radii does not mean to see others.
+  const double scale = radiusScale_ / options_.radiusScale;
+  if (particles_)
+    particles_->SetRadiusRange(scale * radiusRange_[0], scale * radiusRange_[1]);
+}
+
 void Part::setVisible(const ArrayChoice& choice, const double range[2])
 {
   if (!particles_)
     return;
-  numberHidden_ = 0;
   particles_->SetUseVisibilityRange(arrayOf(data_, choice) != nullptr);
   if (!particles_->GetUseVisibilityRange())
     return;
   particles_->SetVisibilityArrayName(choice.name.c_str());
   particles_->SetVisibilityComponent(choice.component);
   particles_->SetVisibilityRange(range[0], range[1]);
-  vtkDataArray* array = arrayOf(data_, choice);
-  numberHidden_ = array->GetNumberOfTuples() - countInRange(array, choice.component, range);
+}
+
+void Part::applyRanges()
+{
+  if (particles_)
+    particles_->Update();
+}
+
+void Part::shownBounds(double bounds[6]) const
+{
+  vtkMath::UninitializeBounds(bounds);
+  if (!actor_->GetVisibility())
+    return;
+  if (particles_)
+    particles_->GetVisibleBounds(bounds);
+  else if (const double* own = actor_->GetBounds())
+    std::copy_n(own, 6, bounds);
 }
 
 vtkIdType Part::numberShown() const
 {
-  return particles_ ? particles_->GetNumberOfParticles() - numberHidden_ : 0;
+  return particles_ ? particles_->GetNumberOfVisibleParticles() : 0;
 }
 
 } // namespace mote::app

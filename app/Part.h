@@ -8,6 +8,8 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+#include <cmath>
+
 class vtkActor;
 class vtkLookupTable;
 class vtkMapper;
@@ -35,11 +37,22 @@ public:
   /// Colours by an array through the table; by none with one colour.
   void setColors(const ArrayChoice& choice, vtkLookupTable* table);
 
-  /// Hides particles with values outside; no array to show all.
+  /// Hides no particle.
+  void showAll();
+  /// Hides particles with values outside, besides those that are hidden already.
+  void limit(const ArrayChoice& choice, double low, double high);
+  /// The same by place: 0, 1, 2 for x, y, z, 3 for the radius (at the radius scale of the options).
+  void limitPlace(int place, double low, double high);
+  /// The same by one more array, if the part has it.
   void setVisible(const ArrayChoice& choice, const double range[2]);
+  /// Brings what is shown up to date with the limits.
+  void applyRanges();
 
   /// How many particles are not hidden.
   vtkIdType numberShown() const;
+
+  /// Bounds of what is not hidden; not initialized where there is nothing.
+  void shownBounds(double bounds[6]) const;
 
   void setRadiusScale(double scale);
 
@@ -50,6 +63,7 @@ public:
 
 private:
   void setRadius();
+  void limitRadius();
   vtkSmartPointer<vtkMapper> makeSurface();
 
   std::string name_;
@@ -58,7 +72,7 @@ private:
   vtkNew<vtkActor> actor_;
   vtkSmartPointer<vtkMapper> mapper_;
   vtkMoteParticleMapper* particles_ = nullptr;
-  vtkIdType numberHidden_ = 0;
+  double radiusRange_[2] = {-HUGE_VAL, HUGE_VAL};
   double radiusScale_ = 1.0;
   double keptRadius_ = 0.0; // from the spacing of the first step with particles
 };

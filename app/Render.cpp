@@ -193,7 +193,7 @@ void render(const RenderOptions& given)
     picture.aim(file);
     if (scene.numberShown() == 0 && scene.numberOfParticles() > 0)
       std::fprintf(
-        stderr, "mote: warning: --show-range hides every particle in %s\n", file.c_str());
+        stderr, "mote: warning: the ranges to show leave no particle in %s\n", file.c_str());
     std::string caption = input.name() + "   " + scene.contents();
     if (!input.times().empty())
       caption += "   t = " + asNumber(input.times()[step], 10);

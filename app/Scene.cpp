@@ -1,7 +1,6 @@
 #include "Scene.h"
 
 #include "Colors.h"
-#include "Failure.h"
 #include "SimulationBox.h"
 #include "Text.h"
 
@@ -9,7 +8,6 @@
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
 #include <vtkDataSet.h>
-#include <vtkLight.h>
 #include <vtkMath.h>
 #include <vtkMoteParticleMapper.h>
 
@@ -18,34 +16,13 @@
 namespace mote::app
 {
 
-namespace
-{
-
-/// A main light over the viewer's left shoulder gives spheres their form; a weaker one from the
-/// eye keeps their other side from going dark. Both move with the camera.
-void addLights(vtkRenderer* renderer)
-{
-  vtkNew<vtkLight> over;
-  over->SetLightTypeToCameraLight();
-  over->SetPosition(-0.35, 0.5, 1.0);
-  over->SetFocalPoint(0.0, 0.0, 0.0);
-  over->SetIntensity(0.64);
-  renderer->AddLight(over);
-  vtkNew<vtkLight> eye;
-  eye->SetLightTypeToHeadlight();
-  eye->SetIntensity(0.41);
-  renderer->AddLight(eye);
-  renderer->AutomaticLightCreationOff();
-}
-
-} // namespace
-
 Scene::Scene(const ViewOptions& options)
   : options_(options)
+  , lighting_(renderer_, options)
   , coloring_(options)
+  , selection_(options)
 {
   setBackground(renderer_, options.background);
-  addLights(renderer_);
   renderer_->GetActiveCamera()->SetParallelProjection(options.orthographic);
 }
 
@@ -79,27 +56,14 @@ void Scene::build(Progress& progress)
 void Scene::applyColors()
 {
   coloring_.apply(parts_);
-  if (options_.showRange.empty())
-    return;
-  bool found = false;
-  for (const auto& part : parts_)
-  {
-    const ArrayChoice choice =
-      options_.showBy.empty() ? coloring_.choice() : findArray(part->data(), options_.showBy);
-    found = found || arrayOf(part->data(), choice);
-    part->setVisible(choice, options_.showRange.data());
-  }
-  if (!found && !parts_.empty() && options_.showBy.empty())
-    throw Failure("--show-range needs an array: name one with --show-by");
-  if (!found && !parts_.empty())
-    throw Failure("--show-by: " + parts_.front()->name() + " has no array '" + options_.showBy +
-                  "'; it has " + listArrays(parts_.front()->data()));
+  selection_.apply(parts_, coloring_.choice());
 }
 
 void Scene::look(const std::string& side, double aspect, const Margins& margins)
 {
-  double box[6];
+  double box[6], shown[6];
   this->bounds(box);
+  this->shownBounds(shown);
   vtkCamera* camera = renderer_->GetActiveCamera();
   lookFrom(camera, side == "auto" ? this->automaticSide() : side);
   if (side == options_.view)
@@ -107,7 +71,7 @@ void Scene::look(const std::string& side, double aspect, const Margins& margins)
     camera->Azimuth(options_.azimuth);
     camera->Elevation(options_.elevation);
   }
-  frame(camera, box, aspect, margins);
+  frame(camera, shown, aspect, margins);
   camera->Zoom(options_.zoom);
   renderer_->ResetCameraClippingRange(box);
 }
@@ -151,6 +115,22 @@ void Scene::bounds(double bounds[6]) const
   if (!box.IsValid())
     box.SetBounds(-0.5, 0.5, -0.5, 0.5, -0.5, 0.5);
   box.GetBounds(bounds);
+}
+
+void Scene::shownBounds(double bounds[6]) const
+{
+  vtkBoundingBox box;
+  for (const auto& part : parts_)
+  {
+    double own[6];
+    part->shownBounds(own);
+    if (vtkMath::AreBoundsInitialized(own))
+      box.AddBounds(own);
+  }
+  if (box.IsValid())
+    box.GetBounds(bounds);
+  else
+    this->bounds(bounds);
 }
 
 vtkIdType Scene::numberOfParticles() const

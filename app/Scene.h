@@ -3,7 +3,9 @@
 #include "Coloring.h"
 #include "Framing.h"
 #include "Input.h"
+#include "Lighting.h"
 #include "Part.h"
+#include "Selection.h"
 
 #include <vtkNew.h>
 #include <vtkRenderer.h>
@@ -30,18 +32,22 @@ public:
   /// Colours by the options' array, or the most telling one, and hides what they hide.
   void applyColors();
 
-  /// Looks from a side and frames all parts, spheres and all.
+  /// Looks from a side and frames all that is shown, spheres and all.
   void look(const std::string& side, double aspect, const Margins& margins);
 
   void setRadiusScale(double scale);
 
   vtkRenderer* renderer() { return renderer_; }
   Coloring& coloring() { return coloring_; }
+  Lighting& lighting() { return lighting_; }
   const std::vector<std::unique_ptr<Part>>& parts() const { return parts_; }
 
   /// Bounds of all that is built; else of the simulation box; of a unit cube where there is
   /// nothing.
   void bounds(double bounds[6]) const;
+
+  /// Bounds of what is not hidden; of all where everything is.
+  void shownBounds(double bounds[6]) const;
 
   vtkIdType numberOfParticles() const;
   vtkIdType numberShown() const;   ///< of the particles, those that are not hidden
@@ -58,7 +64,9 @@ private:
   const ViewOptions& options_;
   vtkNew<vtkRenderer> renderer_;
   std::vector<std::unique_ptr<Part>> parts_;
+  Lighting lighting_;
   Coloring coloring_;
+  Selection selection_;
 };
 
 } // namespace mote::app

@@ -3,6 +3,8 @@
 #include "ColorMaps.h"
 #include "Colors.h"
 #include "Framing.h"
+#include "Lighting.h"
+#include "Selection.h"
 #include "Text.h"
 
 #include <CLI/CLI.hpp>
@@ -75,6 +77,30 @@ std::string checkOrder(const std::vector<double>& range)
   return range.size() == 2 && !(range[0] < range[1]) ? "LO must be less than HI" : "";
 }
 
+std::vector<ShowRange> parseShow(const std::vector<std::string>& entries)
+{
+  std::vector<ShowRange> ranges;
+  for (const std::string& entry : entries)
+  {
+    try
+    {
+      ranges.push_back(parseShowRange(entry));
+    }
+    catch (const std::string& sentence)
+    {
+      throw CLI::ValidationError("--show", sentence);
+    }
+    const std::string& name = ranges.back().name;
+    if (std::count_if(ranges.begin(), ranges.end(), [&](const auto& r) { return r.name == name; }) >
+        1)
+      throw CLI::ValidationError("--show", "'" + name + "' has two ranges, and one is possible");
+  }
+  if (ranges.size() > 8)
+    throw CLI::ValidationError(
+      "--show", "at most eight ranges are possible, not " + std::to_string(ranges.size()));
+  return ranges;
+}
+
 /// For every option that takes a number: it must be finite, and perhaps above zero.
 CLI::Validator number(bool aboveZero)
 {
@@ -120,6 +146,21 @@ void addColorOptions(CLI::App& app, ViewOptions& o)
     ->type_name("LO HI")
     ->group(group);
   app.add_flag("--log", o.logarithmic, "Logarithmic colours")->group(group);
+}
+
+void addSelectionOptions(CLI::App& app, ViewOptions& o)
+{
+  const std::string group = "Selection";
+  app
+    .add_option_function<std::vector<std::string>>(
+      "--show", [&o](const std::vector<std::string>& entries) { o.show = parseShow(entries); },
+      "Show only particles with a value from LO to HI of x, y, z, radius (as drawn) or an array, "
+      "named as in --color-by; LO or HI may be left out, and type=2 is one value. Up to eight "
+      "times, of which four for arrays: what lies in all ranges is shown")
+    ->expected(1)
+    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+    ->type_name("NAME=LO:HI")
+    ->group(group);
   auto* shown =
     app
       .add_option_function<std::vector<double>>(
@@ -167,6 +208,43 @@ void addRadiusOptions(CLI::App& app, ViewOptions& o)
       "Factor on every radius; 0.5 where the array holds diameters")
     ->check(number(true))
     ->type_name("F")
+    ->group(group);
+}
+
+/// An option whose words are checked by a function that says what is wrong with them.
+CLI::Validator words(std::string (*check)(const std::string&))
+{
+  return {[check](std::string& text) { return check(text); }, "", "words"};
+}
+
+void addLightOptions(CLI::App& app, ViewOptions& o)
+{
+  const std::string group = "Light";
+  app
+    .add_option("--shadows", o.shadows,
+      "Shadows of the main light: none, hard, soft; or the number of light samples a side, such as "
+      "4 for 4 x 4 for every ray of a pixel")
+    ->check(words(checkShadows))
+    ->type_name("KIND")
+    ->capture_default_str()
+    ->group(group);
+  app
+    .add_option("--light", o.light,
+      "Where the main light is. As the viewer sees it: " + joined(lightNames(), ", ") +
+        ", or AZIMUTH,ELEVATION in degrees to the right and up. Or X,Y,Z: in that direction from "
+        "the data, however they are looked at. By default left-top, nearer to the eye without "
+        "shadows")
+    ->check(words(checkLight))
+    ->type_name("PLACE")
+    ->group(group);
+  app
+    .add_option("--light-size", o.lightSize,
+      "Size of the main light as the data see it, in degrees up to 90: the larger, the softer its "
+      "shadows. The sun has 0.5")
+    ->check(number(false))
+    ->check(CLI::Range(0.0, 90.0).description(""))
+    ->type_name("DEG")
+    ->capture_default_str()
     ->group(group);
 }
 
@@ -261,8 +339,10 @@ void addViewOptions(CLI::App& app, ViewOptions& o)
 {
   addReadOptions(app, o);
   addColorOptions(app, o);
+  addSelectionOptions(app, o);
   addRadiusOptions(app, o);
   addCameraOptions(app, o);
+  addLightOptions(app, o);
   addPictureOptions(app, o);
 }
 

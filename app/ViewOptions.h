@@ -16,6 +16,13 @@ namespace mote::app
 
 using Color = std::array<double, 3>;
 
+/// What --show asks for: values of x, y, z, radius or an array from `low` to `high`.
+struct ShowRange
+{
+  std::string name;
+  double low, high;
+};
+
 /// What the user may say about a picture, in the window as in a file. Declared to the command line
 /// once, by addViewOptions().
 struct ViewOptions
@@ -33,6 +40,7 @@ struct ViewOptions
   bool logarithmic = false;
 
   // Selection
+  std::vector<ShowRange> show;
   std::vector<double> showRange; ///< none or two
   std::string showBy;            ///< as colorBy; empty: what colours
 
@@ -40,6 +48,11 @@ struct ViewOptions
   std::string radius = "auto"; ///< a number, "auto", "spacing" or an array's name
   std::map<int, double> typeRadius;
   double radiusScale = 1.0;
+
+  // Light
+  std::string light = "auto";   ///< a name of lightNames(), "azimuth,elevation" or "x,y,z"
+  std::string shadows = "none"; ///< "none", "hard", "soft", or a side of the square of samples
+  double lightSize = 15.0;      ///< degrees
 
   // Camera
   std::string view = "auto";

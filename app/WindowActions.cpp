@@ -128,6 +128,10 @@ void Window::act(Action action)
   case Action::Background:
     this->toggleBackground();
     break;
+  case Action::Shadows:
+    scene_.lighting().nextShadows();
+    this->say(scene_.lighting().shadowsName());
+    break;
   case Action::Save:
     this->savePicture();
     break;

@@ -4,6 +4,7 @@
 
 #include "kernels/core/Error.h"
 
+#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 
@@ -13,6 +14,16 @@ namespace
 {
 
 constexpr std::size_t mostRanges = 4;
+
+void copyBounds(const mote::Box& box, double bounds[6])
+{
+  vtkMath::UninitializeBounds(bounds);
+  for (int axis = 0; axis < 3 && !box.empty(); ++axis)
+  {
+    bounds[2 * axis] = box.lower[axis];
+    bounds[2 * axis + 1] = box.upper[axis];
+  }
+}
 
 } // namespace
 
@@ -124,7 +135,14 @@ void vtkMoteParticleMapper::RemoveAllRanges()
 vtkIdType vtkMoteParticleMapper::GetNumberOfVisibleParticles()
 {
   const auto& structure = this->Impl->structure;
-  return structure ? static_cast<vtkIdType>(this->Impl->selection.count(*structure)) : 0;
+  return structure ? static_cast<vtkIdType>(this->Impl->selection.shown(*structure).count) : 0;
+}
+
+void vtkMoteParticleMapper::GetVisibleBounds(double bounds[6])
+{
+  const auto& structure = this->Impl->structure;
+  const mote::Box box = structure ? this->Impl->selection.shown(*structure).bounds : mote::Box{};
+  copyBounds(box, bounds);
 }
 
 vtkDataArray* vtkMoteParticleMapper::FindRangeArray(

@@ -258,7 +258,7 @@ bool ParticleSelection::apply(ParticleStructure& structure, const std::vector<Va
   if (key == key_)
     return false;
   key_ = key;
-  counted_ = false;
+  looked_ = false;
   places_ = places;
   particles_ = places.anyLimited() ? particles() : ParticleInput{};
   if (attributesKey != attributesKey_ || values.size() != values_.size())
@@ -306,27 +306,37 @@ void ParticleSelection::release(ParticleStructure& structure)
   *this = {};
 }
 
-std::size_t ParticleSelection::count(const ParticleStructure& structure) const
+const ParticleSelection::Shown& ParticleSelection::shown(const ParticleStructure& structure) const
 {
-  if (counted_)
-    return count_;
-  count_ = withStructure(structure,
-    [&](const auto& s)
-    {
-      if (values_.empty() && !places_.anyLimited())
-        return s.size();
-      return tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, s.size(), grain), std::size_t{0},
-        [&](const tbb::blocked_range<std::size_t>& range, std::size_t sum)
-        {
-          for (std::size_t slot = range.begin(); slot != range.end(); ++slot)
-            sum += this->shows(s.inputIndex(slot)) ? 1 : 0;
-          return sum;
-        },
-        std::plus<>());
-    });
-  counted_ = true;
-  return count_;
+  if (looked_)
+    return shown_;
+  const auto look = [&](const auto& s) -> Shown
+  {
+    if (key_.empty())
+      return {s.size(), s.statistics().bounds};
+    return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, s.size(), grain), Shown{},
+      [&](const tbb::blocked_range<std::size_t>& range, Shown sum)
+      {
+        for (std::size_t slot = range.begin(); slot != range.end(); ++slot)
+          if (this->shows(s.inputIndex(slot)))
+          {
+            ++sum.count;
+            sum.bounds.add(s.center(slot) - s.radius(slot));
+            sum.bounds.add(s.center(slot) + s.radius(slot));
+          }
+        return sum;
+      },
+      [](Shown a, const Shown& b)
+      {
+        a.count += b.count;
+        a.bounds.add(b.bounds);
+        return a;
+      });
+  };
+  shown_ = withStructure(structure, look);
+  looked_ = true;
+  return shown_;
 }
 
 } // namespace mote

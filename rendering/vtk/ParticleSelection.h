@@ -50,8 +50,14 @@ public:
   /// The structure is to be built anew: takes from it what it kept for ranges.
   void release(ParticleStructure& structure);
 
-  /// How many particles of the structure are shown. Counted anew after a change.
-  std::size_t count(const ParticleStructure& structure) const;
+  /// The particles of the structure that are shown, and the bounds of their spheres.
+  struct Shown
+  {
+    std::size_t count = 0;
+    Box bounds;
+  };
+  /// Looks at all particles after a change.
+  const Shown& shown(const ParticleStructure& structure) const;
 
 private:
   struct KeptRange
@@ -70,8 +76,8 @@ private:
   PlaceRanges places_;
   ParticleInput particles_; ///< where places are limited
   bool masked_ = false;     ///< the structure has a bit for each particle
-  mutable std::size_t count_ = 0;
-  mutable bool counted_ = false;
+  mutable Shown shown_;
+  mutable bool looked_ = false;
 };
 
 } // namespace mote

@@ -199,11 +199,15 @@ public:
    */
   void RemoveAllRanges();
 
+  ///@{
   /**
-   * The number of particles that all ranges leave to be seen, as of the last Update(). The first
-   * call after a change looks at all particles.
+   * The particles that all ranges leave to be seen, as of the last Update(): their number, and the
+   * bounds of their spheres (GetBounds() are those of all, so that the camera stays when a range
+   * changes). The first call after a change looks at all particles.
    */
   vtkIdType GetNumberOfVisibleParticles();
+  void GetVisibleBounds(double bounds[6]);
+  ///@}
 
   ///@{
   /**

@@ -1,0 +1,172 @@
+#include "Lighting.h"
+
+#include "Text.h"
+
+#include <vtkLight.h>
+#include <vtkMath.h>
+#include <vtkMoteAreaLight.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace mote::app
+{
+
+namespace
+{
+
+struct Place
+{
+  const char* name;
+  double azimuth, elevation; // degrees, from behind the viewer to the right and up
+};
+
+constexpr Place places[] = {
+  {"left-top", -32, 38},
+  {"top", 0, 48},
+  {"right-top", 32, 38},
+  {"left", -48, 0},
+  {"right", 48, 0},
+  {"left-bottom", -32, -38},
+  {"bottom", 0, -48},
+  {"right-bottom", 32, -38},
+  {"eye", 0, 0},
+};
+
+/// The main light of a picture without shadows, where one from far aside would leave much dark.
+constexpr Place plainPlace = {"", -19.3, 25.3};
+
+const Place* placeNamed(const std::string& name)
+{
+  const auto found = std::find_if(
+    std::begin(places), std::end(places), [&](const Place& p) { return name == p.name; });
+  return found == std::end(places) ? nullptr : found;
+}
+
+/// "1,-2,3" as numbers; none where one is not.
+std::vector<double> numbersOf(const std::string& text)
+{
+  std::vector<double> numbers;
+  std::size_t begin = 0;
+  while (begin <= text.size())
+  {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    double number = 0.0;
+    if (!parseNumber(text.substr(begin, end - begin), number))
+      return {};
+    numbers.push_back(number);
+    begin = end + 1;
+  }
+  return numbers;
+}
+
+} // namespace
+
+const std::vector<std::string>& lightNames()
+{
+  static const std::vector<std::string> names = []
+  {
+    std::vector<std::string> all;
+    for (const Place& place : places)
+      all.emplace_back(place.name);
+    return all;
+  }();
+  return names;
+}
+
+std::string checkLight(const std::string& text)
+{
+  const std::vector<double> numbers = numbersOf(text);
+  if (numbers == std::vector<double>(3, 0.0))
+    return "'" + text + "' is no direction: at least one of X,Y,Z must not be 0";
+  if (placeNamed(text) || numbers.size() == 2 || numbers.size() == 3)
+    return {};
+  return "'" + text + "' is neither one of " + joined(lightNames(), ", ") +
+         " nor AZIMUTH,ELEVATION nor X,Y,Z";
+}
+
+std::string checkShadows(const std::string& text)
+{
+  double number = 0.0;
+  if (text == "none" || text == "hard" || text == "soft" ||
+      (parseNumber(text, number) && number >= 1 && number <= 64 && number == std::floor(number)))
+    return {};
+  return "'" + text + "' is neither none, hard, soft nor a number from 1 to 64";
+}
+
+Lighting::Lighting(vtkRenderer* renderer, const ViewOptions& options)
+  : options_(options)
+{
+  fill_->SetLightTypeToHeadlight();
+  main_->SetFocalPoint(0.0, 0.0, 0.0);
+  main_->SetSize(options.lightSize);
+  renderer->AddLight(main_);
+  renderer->AddLight(fill_);
+  renderer->AutomaticLightCreationOff();
+  this->setShadows(options.shadows);
+}
+
+Lighting::~Lighting() = default;
+
+void Lighting::place(const std::string& where)
+{
+  const std::vector<double> numbers = numbersOf(where);
+  if (numbers.size() == 3)
+  {
+    // With the data, however the viewer turns.
+    main_->SetLightTypeToSceneLight();
+    main_->SetPosition(numbers.data());
+    return;
+  }
+  const Place* named = placeNamed(where);
+  const Place from = named ? *named
+                     : numbers.size() == 2
+                       ? Place{"", numbers[0], numbers[1]}
+                       : (shadows_ == "none" ? plainPlace : *placeNamed("left-top"));
+  const double azimuth = vtkMath::RadiansFromDegrees(from.azimuth);
+  const double elevation = vtkMath::RadiansFromDegrees(from.elevation);
+  main_->SetLightTypeToCameraLight();
+  main_->SetPosition(std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
+    std::cos(azimuth) * std::cos(elevation));
+  fromEye_ = from.azimuth == 0.0 && from.elevation == 0.0;
+}
+
+void Lighting::setShadows(const std::string& shadows)
+{
+  shadows_ = shadows;
+  this->place(options_.light);
+  const bool on = shadows != "none";
+  main_->SetShadows(on);
+  double samples = 1.0;
+  // A light's samples differ from one ray of a pixel to the next: 64 in all look smooth.
+  if (shadows == "soft")
+    samples = std::clamp(std::ceil(8.0 / std::sqrt(std::max(1, options_.samples))), 2.0, 8.0);
+  else if (shadows != "hard")
+    parseNumber(shadows, samples);
+  main_->SetSamples(static_cast<int>(samples));
+  main_->SetIntensity(fromEye_ ? 1.05 : on ? 0.8 : 0.64);
+  fill_->SetIntensity(fromEye_ ? 0.0 : on ? 0.28 : 0.41);
+}
+
+void Lighting::nextShadows()
+{
+  if (shadows_ == "none")
+    this->setShadows("hard");
+  else if (shadows_ == "hard" || shadows_ == "1")
+    // A number that was asked for is the softness that the user wants.
+    this->setShadows(
+      options_.shadows == "none" || options_.shadows == "hard" ? "soft" : options_.shadows);
+  else
+    this->setShadows("none");
+}
+
+std::string Lighting::shadowsName() const
+{
+  return shadows_ == "none"                      ? "No shadows"
+         : shadows_ == "hard" || shadows_ == "1" ? "Hard shadows"
+                                                 : "Soft shadows";
+}
+
+} // namespace mote::app

@@ -1,0 +1,137 @@
+#include "Selection.h"
+
+#include "Failure.h"
+#include "Text.h"
+
+#include <vtkDataSet.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace mote::app
+{
+
+namespace
+{
+
+constexpr std::size_t mostArrays = 4;
+
+/// Which of x, y, z, radius; -1 for arrays.
+int placeNamed(const std::string& name)
+{
+  const std::vector<std::string> names = {"x", "y", "z", "radius"};
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+}
+
+ArrayChoice pointArray(vtkDataSet* data, const std::string& text)
+{
+  const ArrayChoice choice = findArray(data, text);
+  return choice.ofCells ? ArrayChoice{} : choice;
+}
+
+} // namespace
+
+ShowRange parseShowRange(const std::string& text)
+{
+  const std::string wrong = "'" + text + "' is not of the form NAME=LO:HI, such as x=0:10 or x=5:";
+  const std::size_t sign = text.rfind('=');
+  if (sign == std::string::npos || sign == 0)
+    throw wrong;
+  ShowRange range = {text.substr(0, sign), -HUGE_VAL, HUGE_VAL};
+  const std::string values = text.substr(sign + 1);
+  const std::size_t colon = values.find(':');
+  const auto read = [&](const std::string& number, double& value)
+  {
+    if (!number.empty() && !parseNumber(number, value))
+      throw wrong;
+  };
+  if (values.empty() || values == ":")
+    throw wrong;
+  read(values.substr(0, colon), range.low);
+  if (colon == std::string::npos)
+    range.high = range.low;
+  else
+    read(values.substr(colon + 1), range.high);
+  if (range.low > range.high)
+    throw "'" + text + "' is empty: LO must not be greater than HI";
+  return range;
+}
+
+Selection::Selection(const ViewOptions& options)
+  : options_(options)
+  , known_(options.show.size() + 1, false)
+  , warned_(options.show.size() + 1, false)
+{
+}
+
+void Selection::require(bool found, std::size_t range, const std::string& name, const Part& part,
+  const std::string& option)
+{
+  if (found)
+    known_[range] = true;
+  else if (!known_[range])
+    throw Failure(option + ": " + part.name() + " has no array '" + name + "'; it has " +
+                  (option == "--show" ? "x, y, z, radius, " : "") + listArrays(part.data()));
+  else if (!warned_[range])
+  {
+    warned_[range] = true;
+    std::fprintf(stderr,
+      "mote: warning: %s: a time step has no array '%s', so it is shown without that range\n",
+      option.c_str(), name.c_str());
+  }
+}
+
+void Selection::apply(const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& colored)
+{
+  const Part* first = nullptr; // with particles: an empty step says nothing about arrays
+  for (const auto& part : parts)
+  {
+    part->showAll();
+    if (!first && part->particles() && part->data()->GetNumberOfPoints() > 0)
+      first = part.get();
+  }
+  if (!first)
+    return;
+  std::vector<ArrayChoice> arrays;
+  for (std::size_t i = 0; i < options_.show.size(); ++i)
+  {
+    const ShowRange& range = options_.show[i];
+    const int place = placeNamed(range.name);
+    bool found = place >= 0;
+    for (const auto& part : parts)
+    {
+      const ArrayChoice choice = place < 0 ? pointArray(part->data(), range.name) : ArrayChoice{};
+      if (choice && std::find(arrays.begin(), arrays.end(), choice) == arrays.end())
+        arrays.push_back(choice);
+      if (arrays.size() > mostArrays)
+        throw Failure("--show takes at most four arrays, besides x, y, z and radius");
+      if (place >= 0)
+        part->limitPlace(place, range.low, range.high);
+      else if (choice)
+        part->limit(choice, range.low, range.high);
+      found = found || choice;
+    }
+    this->require(found, i + 1, range.name, *first, "--show");
+  }
+  if (!options_.showRange.empty())
+  {
+    bool found = false;
+    for (const auto& part : parts)
+    {
+      const ArrayChoice choice =
+        options_.showBy.empty() ? colored : pointArray(part->data(), options_.showBy);
+      found = found || arrayOf(part->data(), choice);
+      part->setVisible(choice, options_.showRange.data());
+    }
+    if (!found && options_.showBy.empty() && !known_[0])
+      throw Failure("--show-range needs an array: name one with --show-by");
+    this->require(found, 0, options_.showBy.empty() ? colored.name : options_.showBy, *first,
+      options_.showBy.empty() ? "--show-range" : "--show-by");
+  }
+  for (const auto& part : parts)
+    part->applyRanges();
+}
+
+} // namespace mote::app
