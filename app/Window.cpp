@@ -262,7 +262,9 @@ std::array<double, 10> Window::viewNow()
 
 void Window::render()
 {
-  window_->SetDesiredUpdateRate(interactor_->GetStillUpdateRate());
+  // While time goes on the next step matters more than a sharp picture of this one.
+  window_->SetDesiredUpdateRate(
+    playing_ ? interactor_->GetDesiredUpdateRate() : interactor_->GetStillUpdateRate());
   window_->Render();
 }
 
@@ -294,7 +296,7 @@ void Window::onRenderEnd()
   const bool rays = scene_.renderer()->GetPass() != nullptr;
   if (!rays || pass_->GetTraceTime() > 0.0)
     frameTime_ = vtkTimerLog::GetUniversalTime() - frameStart_;
-  if (wheeling_ || style_->GetState() != VTKIS_NONE)
+  if (wheeling_ || playing_ || style_->GetState() != VTKIS_NONE)
     return;
   // Sharpen until all samples are there; then once more, for the status line to say so.
   if (rays && (!pass_->IsConverged() || overlay_.status() != this->statusText()))
@@ -331,7 +333,7 @@ void Window::onTimer(int timer)
     wheeling_ = false;
     this->render();
   }
-  else if (due(sharpenTimer_) && !wheeling_ && style_->GetState() == VTKIS_NONE)
+  else if (due(sharpenTimer_) && !wheeling_ && !playing_ && style_->GetState() == VTKIS_NONE)
     this->render();
 }
 

@@ -133,6 +133,7 @@ void Window::act(Action action)
     this->say(scene_.lighting().shadowsName());
     break;
   case Action::Save:
+    playing_ = false; // a picture takes rest
     this->savePicture();
     break;
   case Action::Escape:

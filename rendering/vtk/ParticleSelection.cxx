@@ -292,20 +292,6 @@ bool ParticleSelection::apply(ParticleStructure& structure, const std::vector<Va
   return true;
 }
 
-void ParticleSelection::release(ParticleStructure& structure)
-{
-  if (!key_.empty())
-    std::visit(
-      [](auto& s)
-      {
-        s.setAttributes({});
-        s.setVisibility({});
-        s.setRanges({});
-      },
-      structure);
-  *this = {};
-}
-
 const ParticleSelection::Shown& ParticleSelection::shown(const ParticleStructure& structure) const
 {
   if (looked_)

@@ -47,8 +47,8 @@ public:
   bool apply(ParticleStructure& structure, const std::vector<ValueRange>& values,
     const PlaceRanges& places, const std::function<ParticleInput()>& particles);
 
-  /// The structure is to be built anew: takes from it what it kept for ranges.
-  void release(ParticleStructure& structure);
+  /// The structure is another one, or built anew, which made it forget all ranges.
+  void forget() { *this = {}; }
 
   /// The particles of the structure that are shown, and the bounds of their spheres.
   struct Shown

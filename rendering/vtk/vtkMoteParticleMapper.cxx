@@ -260,8 +260,7 @@ void vtkMoteParticleMapper::BuildStructure(vtkPointSet* input)
   options.kind = mote::structureOf(this->StructureName);
   const BuildEvents events(this);
   const mote::ParticleInput particles = mote::makeParticleInput(input, impl.choice);
-  if (impl.structure)
-    impl.selection.release(*impl.structure);
+  impl.selection.forget();
   mote::buildStructure(impl.structure, particles.set, options,
     [this](double done)
     {

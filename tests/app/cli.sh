@@ -50,6 +50,63 @@ case $3 in
     one_sentence
     ;;
 
+  show) # ranges of several values at a time
+    run 0 "$mote" render "$hopper" -o a.png --size 320x200 --show id=1:100 --show type=1
+    said out 'of 5,518 particles shown'
+    count=$(sed 's/.*, \([0-9]*\) of 5,518.*/\1/' out)
+    [ "$count" -gt 0 ] && [ "$count" -le 100 ] || fail "$count particles of the first 100 shown"
+    run 0 "$mote" render "$hopper" -o b.png --size 320x200 --show x=:0 --show y=-5:5 --show z=1: \
+      --show radius=0.3:0.8 --show type=1:3 --show v:0=-9:9 --show v:magnitude=0:9 --show vz=-9:9
+    said out 'of 5,518 particles shown'
+    [ ! -s err ] || { cat err; fail "something on standard error"; }
+    cmp -s a.png b.png && fail "ranges changed nothing"
+    # both ends belong to a range, and the two options hold together
+    run 0 "$mote" render "$hopper" -o a.png --size 320x200 --show id=5:10 --show-by id --show-range 1 5
+    said out ' 1 of 5,518 particles shown'
+    run 0 "$mote" render "$hopper" -o a.png --size 320x200 --show id=5: --show-by id --show-range 1 4
+    said out ' 0 of 5,518 particles shown'
+    one_sentence
+    ;;
+
+  light) # every light and shadow is another picture
+    before=
+    for light in '' '--shadows hard' '--shadows soft' '--shadows soft --light-size 40' \
+      '--shadows 3 --light right-top' '--light eye' '--light 60,20' '--light 0,0,1 --shadows hard' \
+      '--light -1,0,1'; do
+      # shellcheck disable=SC2086
+      run 0 "$mote" render "$hopper" -o "light.png" --size 320x200 --samples 4 $light
+      is_picture light.png 320x200
+      sum=$(md5sum <light.png)
+      case $before in *"$sum"*) fail "no other picture with $light" ;; esac
+      before="$before $sum"
+    done
+    ;;
+
+  vanishing) # an array that one step lacks is told once; the range holds again later
+    frame() { # STEP COLUMNS ROWS...
+      printf 'ITEM: TIMESTEP\n%s\nITEM: NUMBER OF ATOMS\n%s\n' "$1" "$(($# - 2))"
+      printf 'ITEM: BOX BOUNDS pp pp pp\n0 4\n0 4\n0 4\nITEM: ATOMS %s\n' "$2"
+      shift 2
+      printf '%s\n' "$@"
+    }
+    {
+      frame 0 'id type x y z c_pe' '1 1 1 1 1 5' '2 1 2 2 2 6' '3 1 3 3 3 7'
+      frame 1 'id type x y z' '1 1 1 1 1' '2 1 2 2 2'
+      frame 2 'id type x y z c_pe' '1 1 1 1 1 6' '2 1 2 2 2 8'
+      frame 3 'id type x y z' '1 1 1 1 1' '2 1 2 2 2'
+      frame 4 'id type x y z c_pe' '1 1 1 1 1 6' '2 1 2 2 2 7' '3 1 3 3 3 8' '4 1 3 1 3 9'
+    } >film.dump
+    run 0 "$mote" render film.dump -o a.png --size 320x200 --all-steps --show c_pe=6:8
+    one_sentence
+    said err c_pe
+    for line in '2 of 3 particles shown' '2 particles;' '2 particles;' '2 particles;' \
+      '3 of 4 particles shown'; do
+      said out "$line"
+    done
+    run 1 "$mote" render film.dump -o a.png --size 320x200 --step 2 --show c_pe=6:8
+    one_sentence
+    ;;
+
   series) # two files that differ in a number are two steps of one series
     zcat "$hopper" >part.1.dump
     zcat "$hopper" >part.2.dump
@@ -97,6 +154,12 @@ assert any(a["name"] == "c_centro" for a in d[0]["arrays"])' || fail "not the ri
     said err 'it has id'
     failing render "$hopper" -o a.png --color-by v:7
     failing render "$hopper" -o a.png --show-by nothing --show-range 0 1
+    failing render "$hopper" -o a.png --show nothing=0:1
+    said err 'it has x, y, z, radius, id'
+    failing render "$hopper" -o a.png --show v:7=0:1
+    failing render "$hopper" -o a.png --show id=0: --show type=0: --show v:0=0: --show v:1=0: \
+      --show v:2=0:
+    said err 'at most four arrays'
     failing render "$hopper" -o a.png --radius nothing
     failing render "$hopper" -o a.png --radius -1
     failing render "$hopper" -o a.png --time -5
@@ -129,6 +192,24 @@ assert any(a["name"] == "c_centro" for a in d[0]["arrays"])' || fail "not the ri
     misused render "$hopper" -o a.png --all-steps --time 1
     misused render "$hopper" -o a.png --show-range 2 1
     misused render "$hopper" -o a.png --show-by type
+    misused render "$hopper" -o a.png --show id
+    misused render "$hopper" -o a.png --show =1:2
+    misused render "$hopper" -o a.png --show id=
+    misused render "$hopper" -o a.png --show id=:
+    misused render "$hopper" -o a.png --show id=one:2
+    misused render "$hopper" -o a.png --show id=2:1
+    said err 'LO must not be greater than HI'
+    misused render "$hopper" -o a.png --show id=1:2 --show id=3:4
+    said err 'two ranges'
+    misused render "$hopper" -o a.png --show a=1 --show b=1 --show c=1 --show d=1 --show e=1 \
+      --show f=1 --show g=1 --show h=1 --show i=1
+    said err 'at most eight'
+    misused render "$hopper" -o a.png --shadows long
+    misused render "$hopper" -o a.png --shadows 65
+    misused render "$hopper" -o a.png --light behind
+    misused render "$hopper" -o a.png --light 0,0,0
+    misused render "$hopper" -o a.png --light-size -1
+    misused render "$hopper" -o a.png --light-size 100
     misused render "$hopper" -o a.png --time inf
     misused render "$hopper" -o a.png --zoom nan
     misused render "$hopper" -o a.png --radius-scale 0

@@ -129,9 +129,50 @@ case $3 in
     press End
     picture end.png
     alike last.png end.png
+    press space # plays
+    sleep 2
+    press space # pauses
+    press End   # with the camera and the colours of before
+    picture after.png
+    alike last.png after.png
     press space
+    sleep 1
+    picture during.png # which pauses, too
+    press End
+    picture again.png
+    alike last.png again.png
+    quit
+    ;;
+
+  light) # d goes from no shadows to hard to soft and back
+    open "$copper" --size 640x480 --show z=0:
+    picture none.png
+    press d
+    picture hard.png
+    differ none.png hard.png
+    press d
+    picture soft.png
+    differ hard.png soft.png
+    press d
+    picture none-again.png
+    alike none.png none-again.png
+    press d d
+    xdotool mousemove 300 240 mousedown 1
+    for x in $(seq 300 20 400); do
+      xdotool mousemove "$x" 240
+    done
+    xdotool mouseup 1
+    picture turned.png
+    differ soft.png turned.png
+    press r
+    picture back.png # soft again, with all its samples
+    alike soft.png back.png
+    press space # time goes on under soft shadows
     sleep 2
     press space
+    press End
+    picture end.png
+    alike soft.png end.png
     quit
     ;;
 

@@ -8,6 +8,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkMoteAreaLight.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -127,4 +128,111 @@ TEST(AreaLight, SourceFollowsIt)
   EXPECT_TRUE(traced());
   EXPECT_FALSE(traced());
   EXPECT_EQ(stage.mapper->GetNumberOfBuilds(), 1);
+}
+
+namespace
+{
+
+/// A ball over a flat bed of particles, lit from above the ball; seen along the z axis, which is
+/// up.
+struct Shadowed : ::testing::Test
+{
+  std::vector<Ball> balls = bed();
+  Stage stage{makeParticles(balls), true};
+  vtkNew<vtkMoteAreaLight> light;
+
+  static std::vector<Ball> bed()
+  {
+    std::vector<Ball> all = {{0, 0, 2, 0.4}};
+    for (int i = -20; i <= 20; ++i)
+      for (int k = -20; k <= 20; ++k)
+        all.push_back({0.1 * i, 0.1 * k, 0, 0.08});
+    return all;
+  }
+  Shadowed()
+  {
+    light->SetPosition(3, 0, 3); // so that the shadow falls about x = -2
+    light->SetFocalPoint(0, 0, 0);
+    stage.renderer->AddLight(light);
+    stage.mapper->SetRadiusModeToArray();
+    stage.mapper->SetRadiusArrayName("radius");
+    vtkCamera* camera = stage.renderer->GetActiveCamera();
+    camera->SetParallelScale(2.0);
+  }
+  /// Brightness of the bed's particles, by x, along y = 0.
+  std::vector<double> brightness(int samples = 1)
+  {
+    const Picture picture = trace(stage.renderer, 164, 164, samples);
+    std::vector<double> values;
+    for (int i = -20; i <= 20; ++i)
+    {
+      const int x = static_cast<int>(82 + 41 * 0.1 * i), y = 82;
+      values.push_back(picture.color(picture.at(x, y))[0]);
+    }
+    return values;
+  }
+  static int between(const std::vector<double>& values, double low, double high)
+  {
+    return static_cast<int>(
+      std::count_if(values.begin(), values.end(), [&](double v) { return v > low && v < high; }));
+  }
+};
+
+} // namespace
+
+TEST_F(Shadowed, HardShadowsAreDarkAndTheRestIsAsBefore)
+{
+  light->ShadowsOff();
+  const auto lit = brightness();
+  light->ShadowsOn();
+  const auto hard = brightness();
+  int dark = 0;
+  for (std::size_t i = 0; i < lit.size(); ++i)
+  {
+    if (std::abs(hard[i] - lit[i]) < 1e-6)
+      continue;
+    ++dark;
+    EXPECT_LT(hard[i], 0.1 * lit[i] + 1e-6) << i;
+    EXPECT_NEAR(-2.0 + 0.1 * i, -2.0, 0.8) << "where the shadow falls";
+  }
+  EXPECT_GE(dark, 3);
+}
+
+TEST_F(Shadowed, SoftOnesHaveAPenumbraThatSizeWidens)
+{
+  stage.actor->SetPosition(0.8, 0, 0); // the whole shadow into the picture
+  light->ShadowsOff();
+  const double full = brightness()[20];
+  light->ShadowsOn();
+  light->SetSamples(8);
+  const int hard = between(brightness(4), 0.1 * full, 0.7 * full);
+  light->SetSize(10);
+  const int soft = between(brightness(4), 0.1 * full, 0.7 * full);
+  light->SetSize(25);
+  const int softer = between(brightness(4), 0.1 * full, 0.7 * full);
+  EXPECT_GT(soft, hard);
+  EXPECT_GT(softer, soft);
+}
+
+TEST_F(Shadowed, HiddenParticlesThrowNone)
+{
+  light->ShadowsOff();
+  stage.mapper->SetCenterRange(2, -1, 1);
+  const auto alone = brightness();
+  light->ShadowsOn();
+  const auto shadowed = brightness();
+  for (std::size_t i = 0; i < alone.size(); ++i)
+    EXPECT_NEAR(alone[i], shadowed[i], 1e-6) << i;
+}
+
+TEST_F(Shadowed, PlainLightsThrowNone)
+{
+  light->ShadowsOff();
+  const auto lit = brightness();
+  stage.renderer->RemoveAllLights();
+  vtkNew<vtkLight> plain;
+  plain->SetPosition(3, 0, 3);
+  plain->SetFocalPoint(0, 0, 0);
+  stage.renderer->AddLight(plain);
+  EXPECT_EQ(brightness(), lit);
 }
