@@ -164,7 +164,7 @@ struct Shadowed : ::testing::Test
   {
     const Picture picture = trace(stage.renderer, 164, 164, samples);
     std::vector<double> values;
-    for (int i = -20; i <= 20; ++i)
+    for (int i = -20; i < 20; ++i)
     {
       const int x = static_cast<int>(82 + 41 * 0.1 * i), y = 82;
       values.push_back(picture.color(picture.at(x, y))[0]);
