@@ -8,7 +8,8 @@ namespace mote
 /// A light in world coordinates.
 ///
 /// A light that casts shadows does so from `samples` x `samples` points spread over its `size`; one
-/// sample gives hard shadows. A headlight stands in the eye and casts none.
+/// sample, or no size, gives hard shadows from the middle. A headlight stands in the eye and casts
+/// none. See lightSamples() for what numbers out of range mean, and docs/shadows.md.
 struct Light
 {
   enum class Kind
@@ -22,8 +23,9 @@ struct Light
   Vec3f color{1.0f}; ///< times intensity
   bool shadows = false;
   int samples = 1; ///< a side of the square of samples, in [1, 64]
-  /// Point: edge of the square that the samples fill, in world units; it faces what it lights.
-  /// Directional: its edge as seen from the scene, in degrees (the sun has 0.53).
+  /// Point: edge of the square that the samples fill, in world units; it faces the middle
+  /// of the scene's bounds.
+  /// Directional: its edge as seen from the scene, in degrees (the sun has 0.53); [0, 170].
   double size = 0.0;
 };
 
