@@ -145,7 +145,7 @@ case $3 in
     ;;
 
   light) # d goes from no shadows to hard to soft and back
-    open "$copper" --size 640x480 --show z=0:
+    open "$copper" --size 640x480 --show z=0: --range 0 20
     picture none.png
     press d
     picture hard.png
