@@ -63,25 +63,20 @@ struct CoherentGridBuilder
 
   bool report(double done) const { return !progress || progress(done); }
 
-  bool record(std::size_t i, Record& out) const
-  {
-    const Vec3d p = particles.position(i);
-    const double r = particles.radiusOf(i);
-    if (!isValidParticle(p, r))
-      return false;
-    const Vec3f local((p - grid.origin_) / grid.unit_);
-    out = {local.x, local.y, local.z, static_cast<float>(r / grid.unit_)};
-    return true;
-  }
-
   template <typename Visit>
   void forChunk(std::size_t chunk, const Visit& visit) const
   {
     const std::size_t last = std::min(particles.count(), (chunk + 1) * chunkSize);
-    Record p;
-    for (std::size_t i = chunk * chunkSize; i < last; ++i)
-      if (record(i, p))
-        visit(i, p);
+    const Vec3d origin = grid.origin_;
+    const double perUnit = 1.0 / grid.unit_; // exact: a power of two
+    particles.forRange(chunk * chunkSize, last,
+      [&](std::size_t i, const Vec3d& p, double r)
+      {
+        if (!isValidParticle(p, r))
+          return;
+        const Vec3f local((p - origin) * perUnit);
+        visit(i, Record{local.x, local.y, local.z, static_cast<float>(r * perUnit)});
+      });
   }
 
   void planChunks()

@@ -11,12 +11,6 @@
 namespace mote
 {
 
-bool isValidParticle(const Vec3d& p, double radius)
-{
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(radius) &&
-         radius > 0.0;
-}
-
 namespace
 {
 
@@ -69,8 +63,8 @@ ParticleStatistics examine(const ParticleSet& particles)
     tbb::blocked_range<std::size_t>(0, n, 1 << 15), ParticleStatistics{},
     [&](const tbb::blocked_range<std::size_t>& range, ParticleStatistics s)
     {
-      for (std::size_t i = range.begin(); i != range.end(); ++i)
-        addParticle(s, particles.position(i), particles.radiusOf(i));
+      particles.forRange(range.begin(), range.end(),
+        [&](std::size_t, const Vec3d& p, double r) { addParticle(s, p, r); });
       return s;
     },
     merged);

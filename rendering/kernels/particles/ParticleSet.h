@@ -3,6 +3,7 @@
 #include "../core/ArrayView.h"
 #include "../core/Box.h"
 
+#include <cmath>
 #include <cstdint>
 
 namespace mote
@@ -29,6 +30,30 @@ struct ParticleSet
   {
     return radiusScale * (radii.empty() ? radius : radii.value(i));
   }
+
+  /// Calls visit(i, position(i), radiusOf(i)) for first <= i < last. Where all types are the usual
+  /// ones they are looked at once, not for every number.
+  template <typename Visit>
+  void forRange(std::size_t first, std::size_t last, const Visit& visit) const
+  {
+    const auto walk = [&](const auto& at)
+    {
+      if (radii.empty())
+        for (std::size_t i = first; i < last; ++i)
+          visit(i, at(i), radiusScale * radius);
+      else
+        for (std::size_t i = first; i < last; ++i)
+          visit(i, at(i), radiusScale * radii.value(i));
+    };
+    const auto tuples = [&](const auto* v)
+    { walk([v](std::size_t i) { return Vec3d(v[3 * i], v[3 * i + 1], v[3 * i + 2]); }); };
+    if (positions.type() == ArrayView::Type::Float32)
+      tuples(static_cast<const float*>(positions.data()));
+    else if (positions.type() == ArrayView::Type::Float64)
+      tuples(static_cast<const double*>(positions.data()));
+    else
+      walk([this](std::size_t i) { return position(i); });
+  }
 };
 
 /// What a look over all particles found.
@@ -48,7 +73,11 @@ struct ParticleStatistics
 ParticleStatistics examine(const ParticleSet& particles);
 
 /// Whether every structure takes this particle.
-bool isValidParticle(const Vec3d& position, double radius);
+inline bool isValidParticle(const Vec3d& position, double radius)
+{
+  return std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z) &&
+         std::isfinite(radius) && radius > 0.0;
+}
 
 /// The typical distance between neighbours: the median, over an even sample of up to 256 particles,
 /// of the distance to the nearest other particle. Coincident particles do not count as
