@@ -107,6 +107,27 @@ case $3 in
     one_sentence
     ;;
 
+  readme) # the pictures of README.md and the user guide are made as printed
+    root=$(dirname "$data")
+    ln -s "$data" data
+    count=0
+    while read -r command; do
+      # shellcheck disable=SC2086
+      run 0 "$mote" ${command#mote }
+      count=$((count + 1))
+    done < <(sed -n 's/^    \(mote render .*\)/\1/p' "$root/README.md" "$root/docs/user-guide.md")
+    [ $count -ge 8 ] || fail "only $count commands"
+    for part in '' render info; do # and what they name are options
+      # shellcheck disable=SC2086
+      run 0 "$mote" $part --help
+      cat out >>help
+    done
+    for option in $(sed -n -e '/^    mote /p' -e 's/`\(--[a-z-]*\)/\n    mote \1\n/gp' "$root/README.md" \
+      "$root/docs/user-guide.md" | sed -n '/^    mote /p' | grep -oE -e ' --[a-z][a-z-]*' | sort -u); do
+      grep -qE -e "(^|[ ,])$option([ ,=]|$)" help || fail "a page names $option, which is no option"
+    done
+    ;;
+
   series) # two files that differ in a number are two steps of one series
     zcat "$hopper" >part.1.dump
     zcat "$hopper" >part.2.dump

@@ -93,6 +93,45 @@ class Pipeline(unittest.TestCase):
         self.assertAlmostEqual(mapper.GetBounds()[1], 0.625, 6)
         self.assertEqual(mapper.GetNumberOfParticles(), 2)
 
+    def test_ranges(self):
+        data = particles([(i * 0.1, 0, 0) for i in range(10)], [0.05] * 10)
+        mapper, source = scene(data)
+        source.Update()
+        self.assertTrue(mapper.SetCenterRange(0, 0.2, math.inf))
+        self.assertTrue(mapper.AddRange("radius", 0, 1))
+        self.assertTrue(mapper.AddRange("radius", 0, 0.01, 1))
+        self.assertTrue(mapper.SetRadiusRange(0.01, 1))
+        self.assertEqual(mapper.GetNumberOfRanges(), 1)
+        mapper.Update()
+        self.assertEqual(mapper.GetNumberOfVisibleParticles(), 8)
+        limits = [0.0, 0.0]
+        mapper.GetCenterRange(0, limits)
+        self.assertEqual(limits, [0.2, math.inf])
+        bounds = [0.0] * 6
+        mapper.GetVisibleBounds(bounds)
+        self.assertAlmostEqual(bounds[0], 0.15, 6)
+        mapper.RemoveAllRanges()
+        mapper.Update()
+        self.assertEqual(mapper.GetNumberOfVisibleParticles(), 10)
+        self.assertEqual(mapper.GetNumberOfBuilds(), 1)
+
+    def test_area_light(self):
+        _, source = scene(particles([(0, 0, 0), (0.4, 0, 0.8)], [0.5, 0.2]))
+        light = mote.vtkMoteAreaLight()
+        light.SetPosition(1, 0, 2)
+        light.SetSize(10)
+        light.SetSamples(3)
+        source.GetRenderer().AddLight(light)
+
+        def brightness():
+            source.Update()
+            colors = source.GetOutput().GetPointData().GetScalars()
+            return sum(colors.GetComponent(i, 0) for i in range(colors.GetNumberOfTuples()))
+
+        shadowed = brightness()
+        light.ShadowsOff()
+        self.assertGreater(brightness(), shadowed)
+
     def test_errors_reach_python(self):
         mapper, source = scene(particles([(0, 0, 0)], [0.5]))
         errors = Errors(mapper)

@@ -1,4 +1,5 @@
-"""Runs the Python examples of README.md as a reader would: in a folder of their own."""
+"""Runs the Python examples of README.md and the user guide as a reader would: in a folder of their
+own."""
 
 import os
 import pathlib
@@ -8,13 +9,13 @@ import sys
 import tempfile
 import unittest
 
-README = pathlib.Path(os.environ["MOTE_SOURCE_DIR"]) / "README.md"
+ROOT = pathlib.Path(os.environ["MOTE_SOURCE_DIR"])
+PAGES = [ROOT / "README.md", ROOT / "docs" / "user-guide.md"]
 
 
 def examples():
-    if not README.exists():
-        return []
-    return re.findall(r"^```python\n(.*?)^```", README.read_text(encoding="utf-8"), re.M | re.S)
+    texts = [page.read_text(encoding="utf-8") for page in PAGES if page.exists()]
+    return re.findall(r"^```python\n(.*?)^```", "\n".join(texts), re.M | re.S)
 
 
 class Readme(unittest.TestCase):
@@ -39,6 +40,6 @@ class Readme(unittest.TestCase):
 
 if __name__ == "__main__":
     if not examples():
-        print("README.md has no ```python block yet: skipped")
+        print("there is no ```python block yet: skipped")
         sys.exit(77)
     unittest.main()
