@@ -156,6 +156,7 @@ private:
     Vec3i resolution{0};
     Vec3i macroResolution{0};
     float cellSize = 1.0f;
+    float cellsPerUnit = 1.0f; ///< 1 / cellSize
     float largestRadius = 0.0f;
     std::size_t firstSlot = 0;
     std::size_t count = 0;

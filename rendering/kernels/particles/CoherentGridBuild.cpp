@@ -51,7 +51,7 @@ struct CoherentGridBuilder
   };
 
   std::array<std::uint8_t, 256> layerOfOctave{};
-  std::vector<std::size_t> rowsPerSlab{}; ///< by layer
+  std::vector<std::uint32_t> slabOfRow{}; ///< as rowStart_ is ordered: dividing would take longer
   std::vector<std::size_t> firstSlab{};   ///< by layer
   std::vector<Slab> slabs{};
   std::size_t chunkSize = 1;
@@ -146,6 +146,7 @@ struct CoherentGridBuilder
     const double edge = particleGridEdge(
       size, cellsPerParticle * static_cast<double>(group.count), group.largestRadius);
     layer.cellSize = static_cast<float>(edge);
+    layer.cellsPerUnit = 1.0f / layer.cellSize;
     layer.lower = Vec3f(group.centers.lower);
     layer.largestRadius = group.largestRadius;
     for (int k = 0; k < 3; ++k)
@@ -188,15 +189,22 @@ struct CoherentGridBuilder
     const std::size_t rows = grid.layers_[layer].rows();
     const std::size_t wanted = std::min<std::size_t>({rows, 1024, 1 + count / 512});
     const std::size_t each = (rows + wanted - 1) / wanted;
-    rowsPerSlab.push_back(each);
     firstSlab.push_back(slabs.size());
+    slabOfRow.resize(grid.layers_[layer].firstRow + rows);
     for (std::size_t row = 0; row < rows; row += each)
-      slabs.push_back({layer, row, std::min(rows, row + each)});
+    {
+      const std::size_t last = std::min(rows, row + each);
+      const auto begin =
+        slabOfRow.begin() + static_cast<std::ptrdiff_t>(grid.layers_[layer].firstRow);
+      std::fill(begin + static_cast<std::ptrdiff_t>(row), begin + static_cast<std::ptrdiff_t>(last),
+        static_cast<std::uint32_t>(slabs.size()));
+      slabs.push_back({layer, row, last});
+    }
   }
 
   static int cellAlong(const Layer& layer, float local, int axis)
   {
-    const int c = static_cast<int>((local - layer.lower[axis]) / layer.cellSize);
+    const int c = static_cast<int>((local - layer.lower[axis]) * layer.cellsPerUnit);
     return std::clamp(c, 0, layer.resolution[axis] - 1);
   }
   static std::size_t rowOf(const Layer& layer, const Record& p)
@@ -207,7 +215,8 @@ struct CoherentGridBuilder
   std::size_t slabOf(const Record& p) const
   {
     const std::size_t layer = layerOfOctave[static_cast<std::size_t>(octaveOf(p.r))];
-    return firstSlab[layer] + rowOf(grid.layers_[layer], p) / rowsPerSlab[layer];
+    const Layer& l = grid.layers_[layer];
+    return slabOfRow[l.firstRow + rowOf(l, p)];
   }
 
   void sortIntoSlabs()
