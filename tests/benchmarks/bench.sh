@@ -69,12 +69,14 @@ case $3 in
 
   tables)
     run 0 "$bench" particles --input lattice:700 "${small[@]}" --json a.json \
-      --tables packet,reference-grid,range,shadows,methods,radii,build,lambda
+      --tables packet,reference-grid,culling,culling-speed,range,shadows,methods,radii,build,lambda
     said out 'Size of the bundles of rays: lattice:700, 729 particles'
     said out 'Soft shadows'
-    records a.json "{x['table'] for x in r} == {'packet', 'reference-grid', 'range', 'shadows',
-      'methods', 'radii', 'build', 'lambda'}"
+    records a.json "{x['table'] for x in r} == {'packet', 'reference-grid', 'culling', 'culling-speed',
+      'range', 'shadows', 'methods', 'radii', 'build', 'lambda'}"
     records a.json "all(x['wrong_pixels'] <= 1 for x in r)"
+    records a.json "all(x['particles_in_cells'] > x['particles_in_frustum'] > x['nearest_hits'] > 0
+      for x in r if x['table'] == 'culling')"
     records a.json "[x['kept'] for x in r if x['table'] == 'range'][:6:2] == [729, 364, 182]"
     records a.json "all(x['rms_error'] < 0.02 for x in r if x['mode'] == '8x8')"
     run 0 "$bench" particles --input lattice:700 "${small[@]}" --view far --tables lambda

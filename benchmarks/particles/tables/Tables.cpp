@@ -13,6 +13,8 @@ const std::vector<TableEntry>& tables()
     {"packet", "Size of the bundles of rays", packetTable},
     {"resolution", "Resolution of the image", resolutionTable},
     {"reference-grid", "Sphere-centre method against a grid of references", referenceGridTable},
+    {"culling", "What bundles visit, and what culling by the frustum leaves", cullingTable},
+    {"culling-speed", "Casting with and without culling by the frustum", cullingSpeedTable},
     {"range", "Culling by a range of a value", rangeTable},
     {"shadows", "Soft shadows of a point light with size", shadowTable},
     {"methods", "Comparison of methods", methodTable},

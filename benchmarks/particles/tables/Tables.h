@@ -51,6 +51,8 @@ const ParticleMethodEntry& methodNamed(const std::string& name);
 Section packetTable(TableRun& run);
 Section resolutionTable(TableRun& run);
 Section referenceGridTable(TableRun& run);
+Section cullingTable(TableRun& run);
+Section cullingSpeedTable(TableRun& run);
 Section rangeTable(TableRun& run);
 Section shadowTable(TableRun& run);
 Section methodTable(TableRun& run);
