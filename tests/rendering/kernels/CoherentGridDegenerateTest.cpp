@@ -133,6 +133,24 @@ TEST(CoherentGridDegenerate, AllAtOnePoint)
   expectRightFromAllAround(particles);
 }
 
+TEST(CoherentGridDegenerate, AMillionAtOnePoint)
+{
+  // Cells cannot tell them apart, and every ray meets them all: slow, never wrong or unbounded. The
+  // reference need not look at all of them.
+  Particles particles, one;
+  for (int i = 0; i < 1000000; ++i)
+    particles.add({1.0, 2.0, 3.0}, 0.25);
+  one.add({1.0, 2.0, 3.0}, 0.25);
+  CoherentGrid grid;
+  grid.build(particles.set());
+  EXPECT_EQ(grid.size(), 1000000u);
+  EXPECT_LT(grid.bytes(), 50u * 1000000u);
+  const CastReport report = checkImage(
+    grid, CastOracle::forFloat(one.set()), lookAt({4.0, 3.0, 5.0}, {1.0, 2.0, 3.0}, 10.0), 32, 32);
+  EXPECT_EQ(report.wrong, 0u) << report.complaint; // and of all, the first is named
+  EXPECT_GT(report.hits, report.rays / 4);
+}
+
 TEST(CoherentGridDegenerate, OneParticleFarFromTheOthers)
 {
   Particles particles = randomParticles(500, 6, 0.01, 0.05);

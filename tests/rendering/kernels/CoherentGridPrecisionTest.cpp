@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 
 using namespace mote;
 using namespace mote::testing;
@@ -20,10 +21,24 @@ struct Errors
   std::size_t pixels = 0;
   std::size_t wrong = 0;     ///< hit and miss differ, or depth by more than a hundredth of a radius
   double largestDepth = 0.0; ///< of the others, in radii
+
+  /// An answer (infinity: no hit), beside the reference's; radii are 1.
+  void add(double t, const reference::Hit& hit)
+  {
+    ++pixels;
+    const bool isHit = t < INFINITY;
+    if (!isHit && !hit)
+      return;
+    const double error = std::abs(t - hit.t);
+    if (!isHit || !hit || !(error <= 0.01))
+      ++wrong;
+    else
+      largestDepth = std::max(largestDepth, error);
+  }
 };
 
-/// A view across a cubic set of spheres of radius 1 from `distance` radii.
-Errors errorsAt(double distance, const Vec3d& direction, double share)
+/// A cubic set of spheres of radius 1, 12 along each edge, jittered.
+Particles unitSpheres()
 {
   Particles particles;
   Random random(91);
@@ -33,14 +48,24 @@ Errors errorsAt(double distance, const Vec3d& direction, double share)
     const Vec3d cell(i % n, i / n % n, i / (n * n));
     particles.add(2.0 * (cell + 0.2 * random.inBox(Vec3d(-1.0), Vec3d(1.0))), 1.0);
   }
+  return particles;
+}
+
+/// A view across them from `distance` radii.
+CameraRays raysFrom(double distance, const Vec3d& direction, int size)
+{
+  const Vec3d middle(11.0);
+  const double angle = 2.0 * std::atan(0.8 * 12.0 / distance) * 180.0 / M_PI;
+  return CameraRays(
+    lookAt(middle + distance * glm::normalize(direction), middle, angle), size, size);
+}
+
+/// What the grid answers, and which of the rays' numbers it rounds, is its own affair.
+Errors errorsOfGrid(const Particles& particles, const CameraRays& rays, int size)
+{
   CoherentGrid grid;
   grid.build(particles.set());
   const reference::SphereTree tree(particles.set());
-  const Vec3d middle(n - 1.0);
-  const double angle = 2.0 * std::atan(share * n / distance) * 180.0 / M_PI;
-  const int size = 128;
-  const CameraRays rays(
-    lookAt(middle + distance * glm::normalize(direction), middle, angle), size, size);
   Errors errors;
   RayBundle bundle;
   for (int y = 0; y < size; y += 16)
@@ -50,16 +75,58 @@ Errors errorsAt(double distance, const Vec3d& direction, double share)
       const RayBundle question = bundle;
       grid.cast(bundle, 0);
       for (int i = 0; i < bundle.count; ++i)
+        errors.add(bundle.object[i] < 0 ? INFINITY : bundle.t[i], tree.cast(rayOf(question, i)));
+    }
+  return errors;
+}
+
+/// The nearer of foot -+ sqrt(half2) that lies ahead.
+float nearestRoot(float foot, float half2)
+{
+  if (!(half2 >= 0.0f))
+    return INFINITY;
+  const float half = std::sqrt(half2);
+  return foot - half > 0.0f ? foot - half : foot + half;
+}
+
+/// Roots of the quadratic |o + t d - c|^2 = 1 by the textbook, all in float.
+float textbook(const Vec3f& o, const Vec3f& d, const Vec3f& c)
+{
+  const Vec3f f = o - c;
+  const float b = glm::dot(f, d);
+  return nearestRoot(-b, b * b - (glm::dot(f, f) - 1.0f));
+}
+
+/// The same by the perpendicular from the centre to the ray, which cancels least.
+float perpendicular(const Vec3f& o, const Vec3f& d, const Vec3f& c)
+{
+  const Vec3f f = c - o;
+  const float foot = glm::dot(f, d);
+  const Vec3f across = f - foot * d;
+  return nearestRoot(foot, 1.0f - glm::dot(across, across));
+}
+
+/// All spheres by one of the formulas in float, with the ray's origin where it is: in the eye.
+template <typename Formula>
+Errors errorsOfFormula(
+  const Particles& particles, const CameraRays& rays, int size, const Formula& formula)
+{
+  const reference::SphereTree tree(particles.set());
+  Errors errors;
+  RayBundle bundle;
+  for (int y = 0; y < size; y += 16)
+    for (int x = 0; x < size; x += 16)
+    {
+      rays.fillBundle(bundle, 16, x, y, 0.0, 0.0);
+      for (int i = 0; i < bundle.count; ++i)
       {
-        const reference::Hit hit = tree.cast(rayOf(question, i));
-        const double error = std::abs(bundle.t[i] - hit.t);
-        ++errors.pixels;
-        if (bundle.object[i] < 0 && !hit)
-          continue;
-        if (bundle.object[i] < 0 || !hit || error > 0.01)
-          ++errors.wrong;
-        else
-          errors.largestDepth = std::max(errors.largestDepth, error);
+        const double length = glm::length(bundle.directionOf(i));
+        const Vec3f o(bundle.originOf(i)), d(bundle.directionOf(i) / length);
+        float t = INFINITY;
+        for (std::size_t k = 0; k < particles.size(); ++k)
+          if (const float hit = formula(o, d, Vec3f(particles.center(k))); hit > 0.0f)
+            t = std::min(t, hit);
+        errors.add(t / length, tree.cast(rayOf(bundle, i)));
       }
     }
   return errors;
@@ -71,15 +138,50 @@ TEST(CoherentGridPrecision, DoesNotDependOnTheEyesDistance)
 {
   // Measured: no wrong pixel, and depths to 1.3e-4 of a radius (near silhouettes, where depth is
   // steep; 2e-5 in the median view), at every distance: rays are brought to the box in double.
-  for (const double distance : {3e1, 1e2, 1e3, 1e4, 1e5, 1e7})
+  const Particles particles = unitSpheres();
+  for (const double distance : {1e1, 3e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7})
     for (const Vec3d& direction :
       {Vec3d(0.3, 0.2, 1.0), Vec3d(1.0, 1.0, 1.0), Vec3d(0.0, 0.0, 1.0)})
     {
-      const Errors errors = errorsAt(distance, direction, 0.8);
+      const Errors errors = errorsOfGrid(particles, raysFrom(distance, direction, 128), 128);
       SCOPED_TRACE(distance);
       EXPECT_LE(errors.wrong, 1u) << "of " << errors.pixels;
       EXPECT_LT(errors.largestDepth, 1e-3);
     }
+}
+
+TEST(CoherentGridPrecision, WithoutRebasingFloatErrsWithTheDistance)
+{
+  // What the grid saves by moving origins in double: the same picture by float formulas whose rays
+  // start in the eye. Prints the table of docs/coherent-grid.md.
+  const Particles particles = unitSpheres();
+  const int size = 64;
+  std::printf("distance  textbook            perpendicular       grid\n");
+  for (const double distance : {1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7})
+  {
+    const CameraRays rays = raysFrom(distance, {0.3, 0.2, 1.0}, size);
+    const Errors book = errorsOfFormula(particles, rays, size, textbook);
+    const Errors perp = errorsOfFormula(particles, rays, size, perpendicular);
+    const Errors grid = errorsOfGrid(particles, rays, size);
+    std::printf("%-8.0e", distance);
+    for (const Errors& e : {book, perp, grid})
+      std::printf("  %6.2f %% %9.1e",
+        100.0 * static_cast<double>(e.wrong) / static_cast<double>(e.pixels), e.largestDepth);
+    std::printf("\n");
+    EXPECT_LE(grid.wrong, 0u);
+    if (distance >= 1e3)
+    {
+      EXPECT_GT(book.wrong, book.pixels / 5);
+    }
+    if (distance <= 1e3)
+    {
+      EXPECT_LT(perp.wrong, perp.pixels / 100);
+    }
+    if (distance >= 1e6)
+    {
+      EXPECT_GT(perp.wrong, perp.pixels / 5);
+    }
+  }
 }
 
 TEST(CoherentGridPrecision, DoesNotDependOnTheOrigin)
