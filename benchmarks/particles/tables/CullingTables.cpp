@@ -81,8 +81,8 @@ std::shared_ptr<CoherentGrid> buildGrid(const TableRun& run)
 
 /// Casts the image bundle by bundle, as castBundles() does, with one of the kernels above.
 template <typename Kernel>
-void castImage(const CoherentGrid& grid, int side, const CameraRays& rays, HitImage& image,
-  const Kernel& kernel)
+void castImage(
+  const CoherentGrid& grid, int side, const CameraRays& rays, HitImage& image, const Kernel& kernel)
 {
   const CoherentGridView view(grid);
   forTiles(image.width(), image.height(),
@@ -153,9 +153,8 @@ Section cullingTable(TableRun& run)
       section.table.add({view.name, bundleName(side), format("%.1f", perBundle(counts.slices)),
         format("%.0f", perBundle(counts.cells)), format("%.0f", perBundle(counts.particles)),
         format("%.1f %%", 100.0 * share(counts.inFrustum, counts.particles)),
-        format("%.1f %%",
-          100.0 * static_cast<double>(tests) /
-            (static_cast<double>(counts.particles) * side * side)),
+        format("%.1f %%", 100.0 * static_cast<double>(tests) /
+                            (static_cast<double>(counts.particles) * side * side)),
         format("%.1f", perBundle(counts.hits)), format("%.1f", testsPerRay),
         format("%.2f", share(counts.hits, counts.tests))});
       Measurement m = run.measurement("cgt", "counting " + bundleName(side));
@@ -169,12 +168,12 @@ Section cullingTable(TableRun& run)
         {"nearest_hits", perBundle(counts.hits)}};
       run.record(m);
     }
-  section.notes.push_back("Means a bundle, each bundle's cells counted as it visits them. in "
-                          "frustum: share of the particles in those cells that the bundle's "
-                          "frustum overlaps. tested rays: share of all pairs of a particle in "
-                          "those cells and a ray that are tested, 16 rays at a time; tests/ray "
-                          "counts them. nearest hits: particles that were some ray's nearest so "
-                          "far; hits/test: a test of 16 rays.");
+  section.notes = {"slices to particles, nearest hits: means a bundle; nearest hits are particles "
+                   "that were some ray's nearest so far.",
+    "in frustum: share of the particles in the visited cells that the frustum overlaps.",
+    "tested rays: share of the pairs of a ray and a particle there that are tested, 16 rays at "
+    "once; "
+    "tests/ray counts them."};
   return section;
 }
 
@@ -219,8 +218,8 @@ Section cullingSpeedTable(TableRun& run)
     }
     section.table.add(row);
   }
-  section.notes.push_back("Without: every particle in the visited cells is tested against every "
-                          "ray whose block is not yet hit nearer.");
+  section.notes.push_back(
+    "Without: all particles in the visited cells meet all rays whose block is not hit nearer.");
   return section;
 }
 
