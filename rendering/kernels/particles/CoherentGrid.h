@@ -99,6 +99,9 @@ public:
   /// `slot`, where the ray's `object` is this one. slot and object stay as they are. Thread-safe.
   void occlude(RayBundle& bundle, std::int32_t object) const;
 
+  /// The same for rays that have nothing in common, one by one.
+  void occlude(RayPacket& packet, std::int32_t object) const;
+
   /// Side in pixels (2, 4, 8 or 16) of the camera's bundles that are cast fastest in the square of
   /// `size` pixels at (x0, y0): the larger a cell looks, the larger.
   int bundleSide(const CameraRays& rays, int x0, int y0, int size) const;

@@ -203,3 +203,41 @@ TEST_F(CoherentGridPacket, ASecondStructureOnlyTakesWhatIsNearer)
     EXPECT_NEAR(packet.t[0], 6.5, 1e-6);
   }
 }
+
+TEST_F(CoherentGridPacket, OccludedRaysAreThoseThatHitSomething)
+{
+  int occluded = 0;
+  for (int k = 0; k < 40; ++k)
+  {
+    RayPacket packet = emptyPacket();
+    for (int i = 0; i < RayPacket::capacity; ++i)
+      addRay(packet, random.inBox(Vec3d(-1.5), Vec3d(1.5)), random.direction(), random(0.0, 0.3),
+        random(0.1, 2.0));
+    RayPacket nearest = packet;
+    grid.cast(nearest, 1);
+    RayPacket any = packet;
+    grid.occlude(any, 1);
+    for (int i = 0; i < packet.count; ++i)
+    {
+      const bool hit = nearest.object[i] == 1;
+      occluded += hit;
+      EXPECT_EQ(any.t[i], hit ? -INFINITY : packet.t[i]);
+      EXPECT_EQ(any.slot[i], packet.slot[i]);
+      EXPECT_EQ(any.object[i], -1);
+    }
+    // The particle that a ray names does not occlude it.
+    RayPacket own = packet;
+    for (int i = 0; i < packet.count; ++i)
+    {
+      own.slot[i] = nearest.slot[i];
+      own.object[i] = nearest.object[i];
+      if (nearest.object[i] == 1) // up to just behind it
+        own.t[i] = nearest.t[i] * (1.0 + 1e-9) + 1e-9;
+    }
+    const RayPacket question = own;
+    grid.occlude(own, 1);
+    for (int i = 0; i < packet.count; ++i)
+      EXPECT_EQ(own.t[i], question.t[i]);
+  }
+  EXPECT_GT(occluded, 40 * RayPacket::capacity / 8);
+}
