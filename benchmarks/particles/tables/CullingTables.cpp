@@ -47,7 +47,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
-#include "../CoherentGridMethod.h"
+#include "../StructureMethod.h"
 
 namespace mote
 {

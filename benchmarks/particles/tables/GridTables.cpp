@@ -1,7 +1,9 @@
 // How Mote's grid is used: size of bundles, size of the image, cells a particle.
 
-#include "../CoherentGridMethod.h"
+#include "../StructureMethod.h"
 #include "Tables.h"
+
+#include <kernels/particles/CoherentGrid.h>
 
 namespace mote::bench
 {

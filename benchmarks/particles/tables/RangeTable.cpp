@@ -1,7 +1,9 @@
 // What it costs to show a part of the particles, and to change which.
 
-#include "../CoherentGridMethod.h"
+#include "../StructureMethod.h"
 #include "Tables.h"
+
+#include <kernels/particles/CoherentGrid.h>
 
 #include <algorithm>
 
