@@ -21,6 +21,7 @@ struct Options
   std::vector<std::string> tables; ///< or these
   double lambda = 1.0;             ///< cells of a grid a particle, in [0.2, 5]
   int packet = 0;                  ///< side of the bundles of rays, 0: the structure's own choice
+  int rays = 1;                    ///< from every hit of a primary ray
 
   bool wantsTables() const { return allTables || !tables.empty(); }
 };

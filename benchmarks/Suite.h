@@ -20,9 +20,11 @@ struct Suite
   std::string summary;
   std::vector<Named> inputs;
   std::vector<Named> methods;
-  std::vector<Named> views;
+  std::vector<Named> views; ///< none where no images are cast
   std::vector<Named> tables;
   std::string tablesInput; ///< that --tables takes where no other is named
+  bool bundles = false;    ///< whether it reads --packet
+  bool raysOfHits = false; ///< whether it reads --rays
   Report (*run)(const Options& options);
 };
 

@@ -1,5 +1,6 @@
 #include "Suite.h"
 
+#include "particles/OcclusionSuite.h"
 #include "particles/ParticlesSuite.h"
 
 namespace mote::bench
@@ -7,7 +8,7 @@ namespace mote::bench
 
 const std::vector<Suite>& suites()
 {
-  static const std::vector<Suite> all = {particlesSuite()};
+  static const std::vector<Suite> all = {particlesSuite(), occlusionSuite()};
   return all;
 }
 
@@ -22,7 +23,8 @@ std::string describe(const Suite& suite)
   };
   list("inputs (--input)", suite.inputs);
   list("methods (--methods)", suite.methods);
-  list("views (--view)", suite.views);
+  if (!suite.views.empty())
+    list("views (--view)", suite.views);
   if (!suite.tables.empty())
     list(("tables (--tables), on " + suite.tablesInput + " unless told otherwise").c_str(),
       suite.tables);

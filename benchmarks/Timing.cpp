@@ -56,6 +56,15 @@ void Race::run(int rounds)
       seconds_[i].push_back(work_[i]());
 }
 
+std::size_t Race::fastest(std::size_t first, std::size_t count) const
+{
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < count; ++i)
+    if (seconds(first + i) < seconds(first + best))
+      best = i;
+  return best;
+}
+
 double Race::least(std::size_t place) const
 {
   return *std::min_element(seconds_[place].begin(), seconds_[place].end());

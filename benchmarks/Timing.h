@@ -31,6 +31,8 @@ public:
 
   /// Median of the seconds that the work at this place took.
   double seconds(std::size_t place) const { return median(seconds_[place]); }
+  /// Which of `count` places from `first` on has the least median, counted from `first`.
+  std::size_t fastest(std::size_t first, std::size_t count) const;
   double least(std::size_t place) const;
   double most(std::size_t place) const;
 

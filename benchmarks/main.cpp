@@ -15,38 +15,52 @@ using namespace mote::bench;
 namespace
 {
 
+std::vector<std::string> names(const std::vector<Named>& entries)
+{
+  std::vector<std::string> out;
+  for (const Named& entry : entries)
+    out.push_back(entry.first);
+  return out;
+}
+
+/// What concerns the rays that are cast.
+void addRayOptions(CLI::App& command, const Suite& suite, Options& options, std::string& size)
+{
+  if (!suite.views.empty())
+  {
+    command.add_option("--view", options.views, "Comma-separated; all unless given")
+      ->delimiter(',')
+      ->check(CLI::IsMember(names(suite.views)));
+    command.add_option("--size", size, "Pixels of an image, WIDTHxHEIGHT")->capture_default_str();
+  }
+  if (suite.bundles)
+    command
+      .add_option("--packet", options.packet,
+        "Side of the bundles of rays that are cast through Mote's grid; 0: what suits each tile")
+      ->check(CLI::IsMember({0, 2, 4, 8, 16}))
+      ->capture_default_str();
+  if (suite.raysOfHits)
+    command.add_option("--rays", options.rays, "Rays from what every pixel shows")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
+}
+
 void addOptions(CLI::App& command, const Suite& suite, Options& options, std::string& size)
 {
-  const auto names = [](const std::vector<Named>& entries)
-  {
-    std::vector<std::string> out;
-    for (const Named& entry : entries)
-      out.push_back(entry.first);
-    return out;
-  };
   command.add_option("--input", options.input, "What is measured on; see the list of inputs below")
     ->type_name("SPEC");
   command.add_option("--methods", options.methods, "Comma-separated; all unless given")
     ->delimiter(',')
     ->check(CLI::IsMember(names(suite.methods)));
-  if (!suite.views.empty())
-    command.add_option("--view", options.views, "Comma-separated; all unless given")
-      ->delimiter(',')
-      ->check(CLI::IsMember(names(suite.views)));
+  addRayOptions(command, suite, options, size);
   command.add_option("--threads", options.threads, "0: as many as the machine has")
     ->check(CLI::Range(0, 4096))
     ->capture_default_str();
   command.add_option("--repeat", options.repeat, "Rounds over all methods; medians are given")
     ->check(CLI::Range(1, 1000))
     ->capture_default_str();
-  command.add_option("--size", size, "Pixels of an image, WIDTHxHEIGHT")->capture_default_str();
   command.add_option("--lambda", options.lambda, "Cells of a grid a particle, from 0.2 to 5")
     ->check(CLI::Range(0.2, 5.0))
-    ->capture_default_str();
-  command
-    .add_option("--packet", options.packet,
-      "Side of the bundles of rays that are cast through Mote's grid; 0: what suits each tile")
-    ->check(CLI::IsMember({0, 2, 4, 8, 16}))
     ->capture_default_str();
   if (!suite.tables.empty())
     command

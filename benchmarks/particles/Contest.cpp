@@ -5,7 +5,7 @@ namespace mote::bench
 
 Record toRecord(const Measurement& m)
 {
-  Record record = {{"suite", "particles"}};
+  Record record = {{"suite", m.suite}};
   if (!m.table.empty())
     record.emplace_back("table", m.table);
   const Record rest = {{"method", m.method}, {"mode", m.mode}, {"input", m.input},
@@ -44,22 +44,52 @@ const std::vector<double>& ReferenceImages::depths(
   return depths;
 }
 
-Contestant contestantOf(const ParticleMethodEntry& entry, const MethodOptions& options,
+void Measurement::setTimes(const Race& race, std::size_t place)
+{
+  seconds = race.seconds(place);
+  least = race.least(place);
+  most = race.most(place);
+}
+
+Measurement measurementOf(
+  const ParticleInput& input, int width, int height, int threads, int repeat)
+{
+  Measurement m;
+  m.input = input.name;
+  m.particles = input.statistics.valid;
+  m.width = width;
+  m.height = height;
+  m.threads = threads;
+  m.repeat = repeat;
+  return m;
+}
+
+BuiltMethod buildMethod(const ParticleMethodEntry& entry, const MethodOptions& options,
   const ParticleInput& input, int threads)
 {
   const std::shared_ptr<ParticleMethod> method = entry.make(options);
+  BuiltMethod built{entry.name, method};
+  built.seconds = timed(threads, [&] { method->build(input); });
+  built.bytesPerParticle =
+    static_cast<double>(method->bytes()) / static_cast<double>(input.statistics.valid);
+  progress("built %s in %.3f s, %.1f bytes a particle", entry.name.c_str(), built.seconds,
+    built.bytesPerParticle);
+  return built;
+}
+
+Contestant contestantOf(const ParticleMethodEntry& entry, const MethodOptions& options,
+  const ParticleInput& input, int threads)
+{
+  const BuiltMethod built = buildMethod(entry, options, input, threads);
   Contestant contestant;
-  contestant.method = entry.name;
-  contestant.modes = method->modes();
-  contestant.cast = [method](std::size_t mode, const CameraRays& rays, HitImage& image)
-  { method->cast(mode, rays, image); };
+  contestant.method = built.name;
+  contestant.modes = built.method->modes();
+  contestant.cast = [method = built.method](std::size_t mode, const CameraRays& rays,
+                      HitImage& image) { method->cast(mode, rays, image); };
   contestant.input = &input;
   contestant.threads = threads;
-  contestant.buildSeconds = timed(threads, [&] { method->build(input); });
-  contestant.bytesPerParticle =
-    static_cast<double>(method->bytes()) / static_cast<double>(input.statistics.valid);
-  progress("built %s in %.3f s, %.1f bytes a particle", entry.name.c_str(), contestant.buildSeconds,
-    contestant.bytesPerParticle);
+  contestant.buildSeconds = built.seconds;
+  contestant.bytesPerParticle = built.bytesPerParticle;
   return contestant;
 }
 
@@ -97,23 +127,12 @@ void Contest::keep(const Race& race, std::size_t c, std::size_t v)
 {
   const Contestant& who = contestants_[c];
   const std::size_t first = places_[c * views_.size() + v];
-  std::size_t best = 0;
-  for (std::size_t mode = 0; mode < who.modes.size(); ++mode)
-    if (race.seconds(first + mode) < race.seconds(first + best))
-      best = mode;
-  Measurement m;
+  const std::size_t best = race.fastest(first, who.modes.size());
+  Measurement m = measurementOf(*who.input, width_, height_, who.threads, repeat_);
   m.method = who.method;
   m.mode = who.modes[best];
-  m.input = who.input->name;
   m.view = views_[v].name;
-  m.particles = who.input->statistics.valid;
-  m.width = width_;
-  m.height = height_;
-  m.threads = who.threads;
-  m.repeat = repeat_;
-  m.seconds = race.seconds(first + best);
-  m.least = race.least(first + best);
-  m.most = race.most(first + best);
+  m.setTimes(race, first + best);
   m.buildSeconds = who.buildSeconds;
   m.bytesPerParticle = who.bytesPerParticle;
   for (std::size_t mode = 0; mode < who.modes.size(); ++mode)

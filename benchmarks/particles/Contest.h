@@ -19,6 +19,7 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN(); ///< null i
 /// What one record says.
 struct Measurement
 {
+  std::string suite = "particles";
   std::string table{}; ///< empty outside --tables
   std::string method{}, mode{}, input{}, view{};
   std::size_t particles = 0;
@@ -28,12 +29,21 @@ struct Measurement
   double buildSeconds = unknown;
   double bytesPerParticle = unknown;
   ImageErrors errors{};
-  Record more{}; ///< of its table alone
+  std::size_t rays = 0; ///< that are timed, where it is not one a pixel
+  Record more{};        ///< of its table or suite alone
 
   /// Rays a microsecond.
   double mrays() const { return mrays(seconds); }
-  double mrays(double t) const { return 1e-6 * width * static_cast<double>(height) / t; }
+  double mrays(double t) const
+  {
+    return 1e-6 * (rays > 0 ? static_cast<double>(rays) : width * static_cast<double>(height)) / t;
+  }
+  void setTimes(const Race& race, std::size_t place);
 };
+
+/// A measurement on the input that says nothing yet.
+Measurement measurementOf(
+  const ParticleInput& input, int width, int height, int threads, int repeat);
 
 Record toRecord(const Measurement& measurement);
 
@@ -62,7 +72,20 @@ struct Contestant
   double bytesPerParticle = unknown;
 };
 
+/// A method that is built over an input.
+struct BuiltMethod
+{
+  std::string name;
+  std::shared_ptr<const ParticleMethod> method;
+  double seconds = unknown;
+  double bytesPerParticle = unknown;
+};
+
 /// Builds the method over the input on so many threads, and says so.
+BuiltMethod buildMethod(const ParticleMethodEntry& entry, const MethodOptions& options,
+  const ParticleInput& input, int threads);
+
+/// The same as one who casts images.
 Contestant contestantOf(const ParticleMethodEntry& entry, const MethodOptions& options,
   const ParticleInput& input, int threads);
 

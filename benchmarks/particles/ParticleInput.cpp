@@ -1,5 +1,7 @@
 #include "ParticleInput.h"
 
+#include "Random.h"
+
 #include <kernels/core/Error.h>
 
 #include <tbb/blocked_range.h>
@@ -17,17 +19,6 @@ namespace
 {
 
 constexpr std::size_t largestCount = std::size_t{1} << 31; // embree counts in 32 bits
-
-/// A generator whose k-th number does not depend on those before it: the same particles come out on
-/// any number of threads. Source: splitmix64, public domain, S. Vigna.
-double uniform(std::uint64_t seed, std::uint64_t k)
-{
-  std::uint64_t z = seed + (k + 1) * 0x9e3779b97f4a7c15u;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  z ^= z >> 31;
-  return static_cast<double>(z >> 11) * 0x1p-53;
-}
 
 template <typename T>
 T number(const std::string& text, const std::string& specification)

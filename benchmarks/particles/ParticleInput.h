@@ -20,6 +20,12 @@ struct ParticleInput
   std::shared_ptr<const void> owner;
 };
 
+/// What coordinates in float are relative to.
+inline Vec3d middleOf(const ParticleInput& input)
+{
+  return input.statistics.centers.center();
+}
+
 /// Makes or reads what the specification says: `lattice:N`, `random:N:R`, `varied:N` or a file; a
 /// name that is also a file is a file. Throws Error.
 ParticleInput makeParticleInput(const std::string& specification);

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "HitImage.h"
+#include "OcclusionRays.h"
 #include "ParticleInput.h"
 
 #include <kernels/core/Camera.h>
+#include <kernels/core/Error.h>
 
 #include <memory>
 #include <string>
@@ -35,6 +37,15 @@ public:
   virtual std::vector<std::string> modes() const = 0;
   /// Casts a ray through every pixel's centre. Timed. May be called from one thread at a time.
   virtual void cast(std::size_t mode, const CameraRays& rays, HitImage& image) const = 0;
+
+  /// Ways of looking for anything in the way of rays; none where the method has not learnt it.
+  virtual std::vector<std::string> occlusionModes() const { return {}; }
+  /// Answers which rays meet a particle. Timed. May be called from one thread at a time.
+  virtual void occlude(
+    std::size_t /*mode*/, const OcclusionRays& /*rays*/, OcclusionAnswers& /*answers*/) const
+  {
+    throw Error("This method looks for nearest hits only.");
+  }
 };
 
 struct ParticleMethodEntry
@@ -42,6 +53,7 @@ struct ParticleMethodEntry
   std::string name;
   std::string summary;
   std::unique_ptr<ParticleMethod> (*make)(const MethodOptions& options);
+  bool occludes; ///< whether it has occlusionModes(), known before it is made
 };
 
 /// All of them.

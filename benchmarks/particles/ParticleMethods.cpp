@@ -6,13 +6,14 @@ namespace mote::bench
 const std::vector<ParticleMethodEntry>& particleMethods()
 {
   static const std::vector<ParticleMethodEntry> all = {
-    {"cgt", "Mote's coherent grid, bundles of rays as large as suits", makeCoherentGridMethod},
+    {"cgt", "Mote's coherent grid, bundles of rays as large as suits", makeCoherentGridMethod,
+      true},
     {"cgt-reference", "grid with references to spheres in all cells they overlap, packets of 8x8",
-      makeReferenceGridMethod},
+      makeReferenceGridMethod, false},
     {"grid-single", "grid as Mote's, stepped through from cell to cell by single rays",
-      makeSingleRayMethod},
+      makeSingleRayMethod, false},
     {"embree", "Embree's sphere points, the fastest of its single rays, packets and streams",
-      makeEmbreeMethod}};
+      makeEmbreeMethod, true}};
   return all;
 }
 

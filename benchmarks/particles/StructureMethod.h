@@ -2,6 +2,9 @@
 
 #include "ParticleMethod.h"
 
+#include <algorithm>
+#include <cstring>
+
 namespace mote::bench
 {
 
@@ -22,6 +25,30 @@ void castBundles(const Structure& structure, int side, const CameraRays& rays, H
           structure.cast(bundle, 0);
           image.putBundle(bundle, chosen, x, y);
         });
+    });
+}
+
+/// Asks a structure of Mote's for whatever is in the way of the rays, packet by packet.
+template <typename Structure>
+void occludePackets(
+  const Structure& structure, const OcclusionRays& rays, OcclusionAnswers& answers)
+{
+  forPackets(rays, answers,
+    [&](const OcclusionRays::Packet& from)
+    {
+      RayPacket packet;
+      packet.count = from.count;
+      std::memcpy(packet.origin, from.origin, sizeof(from.origin));
+      std::memcpy(packet.direction, from.direction, sizeof(from.direction));
+      std::fill_n(packet.tMin, from.count, 0.0);
+      std::fill_n(packet.t, from.count, rays.reach);
+      std::fill_n(packet.slot, from.count, RayPacket::noHit);
+      std::fill_n(packet.object, from.count, -1);
+      structure.occlude(packet, 0);
+      std::uint64_t bits = 0;
+      for (int i = 0; i < from.count; ++i)
+        bits |= std::uint64_t{packet.t[i] < 0.0} << i;
+      return bits;
     });
 }
 
@@ -49,6 +76,13 @@ public:
   void cast(std::size_t, const CameraRays& rays, HitImage& image) const override
   {
     castBundles(structure_, side_, rays, image);
+  }
+
+  std::vector<std::string> occlusionModes() const override { return {"packet 64"}; }
+
+  void occlude(std::size_t, const OcclusionRays& rays, OcclusionAnswers& answers) const override
+  {
+    occludePackets(structure_, rays, answers);
   }
 
 private:

@@ -19,7 +19,7 @@ keys = """suite method mode input particles view width height threads repeat mra
 mrays_per_s_max build_s bytes_per_particle checked_pixels wrong_pixels max_depth_error
 max_depth_error_of_right""".split()
 missing = {k for record in r for k in keys if k not in record}
-if missing or not r or not eval(sys.argv[2], {"r": r}):
+if missing or not r or not eval("(" + sys.argv[2] + ")", {"r": r, "json": json}):
     print("missing keys:", missing, file=sys.stderr)
     json.dump(r, sys.stderr, indent=1)
     sys.exit(1)
@@ -38,6 +38,11 @@ case $3 in
       --tables --lambda --packet shadows; do
       said out "$word"
     done
+    run 0 "$bench" occlusion --help
+    for word in cgt embree near --rays --size; do
+      said out "$word"
+    done
+    ! grep -q grid-single out || fail "a method that cannot"
     ;;
 
   methods) # every method casts the right picture, on one thread and on two
@@ -83,6 +88,29 @@ case $3 in
     said out 'Cells a particle'
     ;;
 
+  occlusion) # the same rays whoever casts them, and the reference's answers
+    asking() { run 0 "$bench" occlusion "${small[@]}" --json a.json "$@"; }
+    answered="all(x['suite'] == 'occlusion' and x['checked_pixels'] == x['rays'] > 3000 and
+      x['wrong_pixels'] <= 1 and 0.2 < x['occluded_share'] < 0.8 and x['mrays_per_s'] > 0 for x in r)"
+    for threads in 1 2; do
+      asking --input random:4000:0.02 --threads $threads
+      records a.json "$answered and all(x['threads'] == $threads for x in r)"
+      records a.json "{x['method'] + ' ' + x['view'] for x in r} >=
+        {'cgt far', 'embree far', 'cgt near', 'embree near'}"
+      records a.json "len({(x['rays'], x['occluded_share']) for x in r}) == 2"
+      mv a.json $threads.json
+    done
+    records 1.json "[x['occluded_share'] for x in r] ==
+      [x['occluded_share'] for x in json.load(open('2.json'))]"
+    asking --input random:4000:0.02 --rays 3 --methods cgt --view far
+    records a.json "$answered and len(r) == 1"
+    records a.json "r[0]['rays'] == 3 * json.load(open('1.json'))[0]['rays']"
+    asking --input varied:20000 # spheres so small that float has few numbers across them
+    records a.json "$answered"
+    asking --input lattice:1 # rays that leave their own particle alone
+    records a.json "all(x['wrong_pixels'] == 0 and x['occluded_share'] == 0 for x in r)"
+    ;;
+
   errors)
     failing() {
       run 1 "$bench" particles --repeat 1 "$@"
@@ -103,6 +131,11 @@ case $3 in
     failing --input lattice:10 --size 10
     failing --input lattice:10 --json nowhere/a.json
     said err nowhere
+    run 1 "$bench" occlusion --input missing.dump
+    last_is_sentence
+    run 1 "$bench" occlusion --input random:2:1e-9 --size 4x4
+    last_is_sentence
+    said err 'shows no particle'
     ;;
 
   usage)
@@ -120,6 +153,13 @@ case $3 in
     misused particles --input lattice:10 --packet 3
     misused particles --tables nothing
     misused particles --input lattice:10 --repeat 0
+    misused particles --input lattice:10 --rays 2
+    misused occlusion
+    said err --input
+    misused occlusion --input lattice:10 --methods grid-single
+    misused occlusion --input lattice:10 --rays 0
+    misused occlusion --input lattice:10 --packet 8
+    misused occlusion --input lattice:10 --tables build
     ;;
 
   *) fail "no such case: $3" ;;

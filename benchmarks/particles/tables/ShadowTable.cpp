@@ -128,9 +128,7 @@ struct Shadows
     m.view = run.views[view].name;
     m.width = film.width();
     m.height = film.height();
-    m.seconds = race.seconds(place);
-    m.least = race.least(place);
-    m.most = race.most(place);
+    m.setTimes(race, place);
     m.buildSeconds = buildSeconds;
     const std::size_t bytes = withStructure(*structure, [](const auto& s) { return s.bytes(); });
     m.bytesPerParticle =

@@ -1,5 +1,7 @@
 #include "Tables.h"
 
+#include "../Comparison.h"
+
 #include <kernels/core/Error.h>
 
 #include <algorithm>
@@ -33,15 +35,9 @@ const ParticleMethodEntry& methodNamed(const std::string& name)
 
 Measurement TableRun::measurement(const std::string& method, const std::string& mode) const
 {
-  Measurement m;
+  Measurement m = measurementOf(input, options.width, options.height, threads, options.repeat);
   m.method = method;
   m.mode = mode;
-  m.input = input.name;
-  m.particles = input.statistics.valid;
-  m.width = options.width;
-  m.height = options.height;
-  m.threads = threads;
-  m.repeat = options.repeat;
   return m;
 }
 
@@ -60,8 +56,7 @@ void TableRun::record(Contest& contest)
 
 Report makeTables(const Options& options)
 {
-  progress("making or reading %s", options.input.c_str());
-  const ParticleInput input = makeParticleInput(options.input);
+  const ParticleInput input = inputOf(options);
   TableRun run{options, input, threadCount(options.threads), viewsNamed(options.views), ""};
   const std::vector<std::string>& wanted = options.tables;
   for (const TableEntry& entry : tables())
