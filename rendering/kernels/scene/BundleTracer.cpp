@@ -1,5 +1,6 @@
 #include "BundleTracer.h"
 
+#include "../shading/SampleSequence.h"
 #include "RayCaster.h"
 
 #include <glm/matrix.hpp>
@@ -58,6 +59,8 @@ BundleTracer::BundleTracer(const Scene& scene, const Camera& camera, Film& film,
   , film_(film)
   , side_(side)
   , rays_(camera, film.width(), film.height())
+  // Positions count from where the rays start: they are small numbers wherever the scene lies.
+  , lighting_(scene, rays_.o0, film.samples())
 {
   RayCaster::sampleOffset(film.samples(), jitterX_, jitterY_);
   for (const ParticleObject& object : scene.particles)
@@ -65,10 +68,6 @@ BundleTracer::BundleTracer(const Scene& scene, const Camera& camera, Film& film,
     localRays_.push_back(rays_.transformed(glm::inverse(object.toWorld)));
     shaders_.emplace_back(object);
   }
-  // Positions count from where the rays start: they are small numbers wherever the scene lies.
-  lights_ = shadedLights(scene, rays_.o0, film.samples());
-  if (std::any_of(lights_.begin(), lights_.end(), [](const auto& light) { return light.shadows; }))
-    shadows_.emplace(scene, rays_.o0);
 }
 
 void BundleTracer::traceTile(int x0, int y0, int size) const
@@ -133,14 +132,26 @@ double BundleTracer::footprint(const RayBundle& rays, int side) const
   return side * pixel;
 }
 
+/// Gives each hit of the block the seed of its pixel: the same whatever the bundles.
+void BundleTracer::seed(Bundle& bundle, int x0, int y0) const
+{
+  SurfaceBlock& block = bundle.block;
+  for (int k = 0; k < block.count; ++k)
+  {
+    const int ray = block.ray[k];
+    block.seed[k] = mixedBits(static_cast<std::uint32_t>(x0 + bundle.pixels->column[ray]),
+      static_cast<std::uint32_t>(y0 + bundle.pixels->row[ray]));
+  }
+}
+
 void BundleTracer::shadeBundle(Bundle& bundle, int side, int x0, int y0) const
 {
   const RayBundle& rays = bundle.rays;
   if (std::any_of(rays.object, rays.object + rays.count, [](std::int32_t k) { return k < 0; }))
     std::fill_n(&bundle.color[0][0], 4 * rays.count, 0.0f);
   rays_.placeBundle(bundle.world, side, x0, y0, jitterX_, jitterY_);
-  const Vec3d worldOrigin = bundle.world.origin - rays_.o0;
-  const double width = shadows_ ? footprint(rays, side) : 0.0;
+  BundlePlacing placing{rays, bundle.world, bundle.world.origin - rays_.o0};
+  placing.footprint = lighting_.shadows ? footprint(rays, side) : 0.0;
   const bool first = film_.samples() == 0;
   const bool ids = first && film_.has(Film::Id), normals = first && film_.has(Film::Normal);
   if (normals)
@@ -153,8 +164,9 @@ void BundleTracer::shadeBundle(Bundle& bundle, int side, int x0, int y0) const
     shader.gather(rays, static_cast<std::int32_t>(object), bundle.outside, block);
     if (block.count == 0)
       continue;
-    shader.shade(
-      block, rays, bundle.world, worldOrigin, lights_, shadows_ ? &*shadows_ : nullptr, width, ids);
+    if (lighting_.occlusion)
+      seed(bundle, x0, y0);
+    shader.shade(block, placing, lighting_, ids);
     for (int k = 0; k < block.count; ++k)
       std::copy_n(block.out[k], 4, bundle.color[block.ray[k]]);
     for (int k = 0; ids && k < block.count; ++k)

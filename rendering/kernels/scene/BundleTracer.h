@@ -3,11 +3,8 @@
 #include "../core/Camera.h"
 #include "../core/Film.h"
 #include "../shading/Shader.h"
-#include "../shading/ShadowCaster.h"
 #include "Scene.h"
 
-#include <array>
-#include <optional>
 #include <vector>
 
 namespace mote
@@ -30,6 +27,7 @@ private:
 
   void traceBundle(Bundle& bundle, int side, int x0, int y0) const;
   void shadeBundle(Bundle& bundle, int side, int x0, int y0) const;
+  void seed(Bundle& bundle, int x0, int y0) const;
   void keep(const Bundle& bundle, int x0, int y0) const;
   double footprint(const RayBundle& rays, int side) const;
 
@@ -40,8 +38,7 @@ private:
   double jitterX_ = 0.0, jitterY_ = 0.0;
   std::vector<CameraRays> localRays_; ///< a scene object each
   std::vector<ParticleShader> shaders_;
-  std::vector<ShadedLight> lights_;
-  std::optional<ShadowCaster> shadows_; ///< where a light casts any
+  SceneLighting lighting_;
 };
 
 } // namespace mote

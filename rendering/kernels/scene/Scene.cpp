@@ -1,4 +1,4 @@
-#include "Scene.h"
+#include "SceneRays.h"
 
 #include <cmath>
 #include <glm/matrix.hpp>
@@ -23,37 +23,21 @@ Box Scene::bounds() const
   return all;
 }
 
-namespace
+std::optional<ScenePick> pick(
+  const Scene& scene, const Vec3d& origin, const Vec3d& direction, double tMin, double tMax)
 {
-
-void setRay(RayPacket& packet, const Vec3d& origin, const Vec3d& direction, double tMin)
-{
+  RayPacket packet;
+  packet.count = 1;
   for (int axis = 0; axis < 3; ++axis)
   {
     packet.origin[axis][0] = origin[axis];
     packet.direction[axis][0] = direction[axis];
   }
   packet.tMin[0] = tMin;
-}
-
-} // namespace
-
-std::optional<ScenePick> pick(
-  const Scene& scene, const Vec3d& origin, const Vec3d& direction, double tMin, double tMax)
-{
-  RayPacket packet;
-  packet.count = 1;
   packet.t[0] = tMax;
   packet.slot[0] = RayPacket::noHit;
   packet.object[0] = -1;
-  for (std::size_t k = 0; k < scene.particles.size(); ++k)
-  {
-    const ParticleObject& object = scene.particles[k];
-    const Mat4d toLocal = glm::inverse(object.toWorld);
-    setRay(packet, transformPoint(toLocal, origin), transformVector(toLocal, direction), tMin);
-    withStructure(
-      *object.structure, [&](const auto& s) { s.cast(packet, static_cast<std::int32_t>(k)); });
-  }
+  SceneRays(scene, Vec3d(0.0)).cast(packet);
   if (packet.object[0] < 0)
     return std::nullopt;
 

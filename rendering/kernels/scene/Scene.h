@@ -31,11 +31,20 @@ struct ParticleObject
   Material material;
 };
 
+/// Rays that find how much of an even sky the surfaces see; see docs/ambient-occlusion.md.
+struct OcclusionOptions
+{
+  static constexpr int mostRays = 4096;
+  int rays = 0;       ///< a hit, for each sample of a film, up to mostRays; 0 or less: none
+  double reach = 0.0; ///< world units that a ray goes, or infinity; 0 or less: occlusionReach()
+};
+
 /// All that is traced into one image, in world coordinates.
 struct Scene
 {
   std::vector<ParticleObject> particles;
   std::vector<Light> lights = std::vector<Light>(1); ///< a headlight to begin with
+  OcclusionOptions occlusion;                        ///< of the ambient light
 
   /// Of all objects; the bounds of a transformed object enclose its transformed box.
   Box bounds() const;

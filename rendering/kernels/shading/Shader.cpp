@@ -1,7 +1,5 @@
 #include "Shader.h"
 
-#include "ShadowCaster.h"
-
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -30,6 +28,20 @@ std::vector<ShadedLight> shadedLights(const Scene& scene, const Vec3d& reference
     lights.push_back(std::move(shaded));
   }
   return lights;
+}
+
+SceneLighting::SceneLighting(const Scene& scene, const Vec3d& reference, int filmSample)
+  : lights(shadedLights(scene, reference, filmSample))
+{
+  const bool anyShadows =
+    std::any_of(lights.begin(), lights.end(), [](const auto& light) { return light.shadows; });
+  const bool anyOcclusion = scene.occlusion.rays > 0;
+  if (anyShadows || anyOcclusion)
+    rays.emplace(scene, reference);
+  if (anyShadows)
+    shadows.emplace(*rays);
+  if (anyOcclusion)
+    occlusion.emplace(*rays, filmSample);
 }
 
 ParticleShader::ParticleShader(const ParticleObject& object)
@@ -119,9 +131,8 @@ void ParticleShader::fillColors(SurfaceBlock& block) const
       set(k, c.constant.r, c.constant.g, c.constant.b, c.constant.a);
 }
 
-void ParticleShader::shade(SurfaceBlock& block, const RayBundle& local, const RayBundle& world,
-  const Vec3d& worldOrigin, const std::vector<ShadedLight>& lights, const ShadowCaster* shadows,
-  double footprint, bool indices) const
+void ParticleShader::shade(SurfaceBlock& block, const BundlePlacing& placing,
+  const SceneLighting& lighting, bool indices) const
 {
   const ParticleColoring& c = object_.coloring;
   if (indices || !c.direct.empty() || !c.values.empty())
@@ -134,21 +145,25 @@ void ParticleShader::shade(SurfaceBlock& block, const RayBundle& local, const Ra
   fillColors(block);
 
   const Material& material = object_.material;
+  const bool occluded = lighting.occlusion && material.ambient > 0.0f;
   const auto needsPositions = [](const ShadedLight& light)
   { return light.shadows || light.samples.front().kind == Light::Kind::Point; };
-  SurfacePlacing placing;
-  placing.local = &local;
-  placing.world = &world;
-  placing.worldOrigin = worldOrigin;
-  placing.normalToWorld = isIdentity_ ? nullptr : &normalToWorld_;
-  placing.positions = std::any_of(lights.begin(), lights.end(), needsPositions);
-  placeSurfaces(block, placing, material.ambient);
-  for (const ShadedLight& light : lights)
+  SurfacePlacing surfaces;
+  surfaces.local = &placing.local;
+  surfaces.world = &placing.world;
+  surfaces.worldOrigin = placing.worldOrigin;
+  surfaces.normalToWorld = isIdentity_ ? nullptr : &normalToWorld_;
+  surfaces.positions =
+    occluded || std::any_of(lighting.lights.begin(), lighting.lights.end(), needsPositions);
+  placeSurfaces(block, surfaces, material.ambient);
+  if (occluded)
+    lighting.occlusion->darken(block);
+  for (const ShadedLight& light : lighting.lights)
     for (const LightSample& sample : light.samples)
     {
       faceLight(block, sample, material.specular > 0.0f);
       if (light.shadows)
-        shadows->remove(block, sample, footprint);
+        lighting.shadows->remove(block, sample, placing.footprint);
       addLight(block, light.color, material);
     }
   finishSurfaces(block, material);

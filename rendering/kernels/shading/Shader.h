@@ -1,14 +1,13 @@
 #pragma once
 
-#include "../scene/Scene.h"
-#include "SurfaceBlock.h"
+#include "AmbientOcclusion.h"
+#include "ShadowCaster.h"
 
+#include <optional>
 #include <vector>
 
 namespace mote
 {
-
-class ShadowCaster;
 
 /// A light of the scene as its samples, their places counted from the tracer's reference point.
 struct ShadedLight
@@ -20,6 +19,29 @@ struct ShadedLight
 
 /// The lights of a scene that light anything, for one sample of a film.
 std::vector<ShadedLight> shadedLights(const Scene& scene, const Vec3d& reference, int filmSample);
+
+/// All that lights a scene in one sample of a film.
+struct SceneLighting
+{
+  /// `reference` is the point in the world that positions count from. The scene must outlive this.
+  SceneLighting(const Scene& scene, const Vec3d& reference, int filmSample);
+  SceneLighting(const SceneLighting&) = delete;
+  SceneLighting& operator=(const SceneLighting&) = delete;
+
+  std::vector<ShadedLight> lights;
+  std::optional<SceneRays> rays; ///< where shadows or occlusion cast any
+  std::optional<ShadowCaster> shadows;
+  std::optional<AmbientOcclusion> occlusion;
+};
+
+/// Where the rays of a bundle run.
+struct BundlePlacing
+{
+  const RayBundle& local; ///< in the coordinates of the object that is shaded
+  const RayBundle& world; ///< in the world
+  Vec3d worldOrigin{0.0}; ///< of `world`, from the reference point
+  double footprint = 0.0; ///< as in ShadowCaster::remove()
+};
 
 /// Shades hits on the particles of one object by its material, colours and the scene's lights.
 /// Spheres are lit on both sides: whoever stands inside one sees it lit from within.
@@ -34,13 +56,11 @@ public:
   void gather(const RayBundle& local, std::int32_t index, const std::uint8_t* skipped,
     SurfaceBlock& block) const;
 
-  /// Shades what gather() took: fills everything that the block holds for `world`, the bundle in
-  /// world coordinates, `worldOrigin` being its origin from the reference point. Input indices are
-  /// filled where `indices`, or the colours, ask for them. `shadows` may be null where no light
-  /// casts any; `footprint` as in ShadowCaster::remove().
-  void shade(SurfaceBlock& block, const RayBundle& local, const RayBundle& world,
-    const Vec3d& worldOrigin, const std::vector<ShadedLight>& lights, const ShadowCaster* shadows,
-    double footprint, bool indices) const;
+  /// Shades what gather() took: fills everything that the block holds. Input indices are filled
+  /// where `indices`, or the colours, ask for them; seeds must be filled where the lighting has
+  /// occlusion.
+  void shade(SurfaceBlock& block, const BundlePlacing& placing, const SceneLighting& lighting,
+    bool indices) const;
 
 private:
   void fillColors(SurfaceBlock& block) const;

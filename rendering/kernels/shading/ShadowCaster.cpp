@@ -1,7 +1,6 @@
 #include "ShadowCaster.h"
 
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +14,6 @@ namespace
 
 /// Shadow rays lie up to this many widths of the camera's bundle apart (see docs/shadows.md).
 constexpr double widestBundle = 2.0;
-/// Surfaces lie where they should to within this share of their object's longest side: float
-/// numbers relative to its middle, and a ray's formulas (tests/support/CastOracle.h).
-constexpr double floatError = 5e-7;
 /// Points are seen from a point light within this ratio of half their extent to their distance.
 constexpr double widestAngle = 0.5;
 
@@ -143,29 +139,18 @@ double ShadowCaster::Work::project(const std::uint16_t* hits, int count)
   return spread;
 }
 
-ShadowCaster::ShadowCaster(const Scene& scene, const Vec3d& reference)
-  : scene_(scene)
-  , reference_(reference)
-  , bounds_(scene.bounds())
+ShadowCaster::ShadowCaster(const SceneRays& rays)
+  : rays_(rays)
+  , bounds_(rays.scene().bounds())
 {
-  for (const ParticleObject& object : scene.particles)
-  {
-    toLocal_.push_back(glm::inverse(object.toWorld));
-    const Vec3d size =
-      withStructure(*object.structure, [](const auto& s) { return s.statistics().bounds.size(); });
-    const Mat3d stretch(object.toWorld);
-    rounding_.push_back(
-      floatError * std::max({size.x, size.y, size.z}) *
-      std::max({glm::length(stretch[0]), glm::length(stretch[1]), glm::length(stretch[2])}));
-  }
-  bounds_.lower -= reference;
-  bounds_.upper -= reference;
+  bounds_.lower -= rays.reference();
+  bounds_.upper -= rays.reference();
 }
 
 void ShadowCaster::remove(SurfaceBlock& block, const LightSample& sample, double footprint) const
 {
   Work work(block, sample, widestBundle * footprint);
-  work.rounding = rounding_[static_cast<std::size_t>(block.object)];
+  work.rounding = rays_.rounding(static_cast<std::size_t>(block.object));
   std::uint16_t hits[SurfaceBlock::capacity];
   int count = 0;
   for (int i = 0; i < block.count; ++i)
@@ -188,8 +173,8 @@ bool ShadowCaster::reachesWithin(const SurfaceBlock& block, int i, const LightSa
   if (sample.kind != Light::Kind::Point)
     return false;
   const auto index = static_cast<std::size_t>(block.object);
-  const Vec3d place = transformPoint(toLocal_[index], reference_ + sample.place);
-  return withStructure(*scene_.particles[index].structure, [&](const auto& s)
+  const Vec3d place = transformPoint(rays_.toLocal(index), rays_.reference() + sample.place);
+  return withStructure(*rays_.scene().particles[index].structure, [&](const auto& s)
     { return glm::length(place - s.center(block.slot[i])) < s.radius(block.slot[i]); });
 }
 
@@ -241,14 +226,15 @@ void ShadowCaster::castTogether(Work& work, const std::uint16_t* hits, int count
   bundle.count = count;
   bundle.tMin = 0.0;
   const Vec3d origin =
-    reference_ + (work.isPoint() ? work.sample.place : work.middle - work.distance * work.ahead);
-  for (std::size_t k = 0; k < toLocal_.size(); ++k)
+    rays_.reference() +
+    (work.isPoint() ? work.sample.place : work.middle - work.distance * work.ahead);
+  for (std::size_t k = 0; k < rays_.scene().particles.size(); ++k)
   {
-    bundle.origin = transformPoint(toLocal_[k], origin);
-    bundle.direction = transformVector(toLocal_[k], work.distance * work.ahead);
-    bundle.dx = transformVector(toLocal_[k], work.u);
-    bundle.dy = transformVector(toLocal_[k], work.v);
-    withStructure(*scene_.particles[k].structure,
+    bundle.origin = transformPoint(rays_.toLocal(k), origin);
+    bundle.direction = transformVector(rays_.toLocal(k), work.distance * work.ahead);
+    bundle.dx = transformVector(rays_.toLocal(k), work.u);
+    bundle.dy = transformVector(rays_.toLocal(k), work.v);
+    withStructure(*rays_.scene().particles[k].structure,
       [&](const auto& s) { s.occlude(bundle, static_cast<std::int32_t>(k)); });
   }
   for (int k = 0; k < count; ++k)

@@ -1,9 +1,7 @@
 #pragma once
 
-#include "../scene/Scene.h"
+#include "../scene/SceneRays.h"
 #include "SurfaceBlock.h"
-
-#include <vector>
 
 namespace mote
 {
@@ -20,8 +18,8 @@ namespace mote
 class ShadowCaster
 {
 public:
-  /// `reference` is the point in the world that positions and light samples count from.
-  ShadowCaster(const Scene& scene, const Vec3d& reference);
+  /// Positions and light samples count from the rays' reference point.
+  explicit ShadowCaster(const SceneRays& rays);
 
   /// Sets cosine and shine to 0 where something stands between the hit and the sample. Casts rays
   /// to the hits with a cosine above 0 and to no others. `footprint` is the width in the world that
@@ -35,11 +33,7 @@ private:
   void cast(Work& work, std::uint16_t* hits, int count) const;
   void castTogether(Work& work, const std::uint16_t* hits, int count) const;
 
-  const Scene& scene_;
-  Vec3d reference_;
-  std::vector<Mat4d> toLocal_; ///< an object each
-  std::vector<double>
-    rounding_; ///< an object each: how far its positions may be wrong, in the world
+  const SceneRays& rays_;
   Box bounds_; ///< of the scene, from the reference point
 };
 

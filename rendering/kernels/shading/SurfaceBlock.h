@@ -29,6 +29,7 @@ struct SurfaceBlock
   std::uint16_t ray[capacity];
   std::uint64_t slot[capacity];
   std::uint64_t particle[capacity]; ///< input index; filled where somebody asks for it
+  std::uint32_t seed[capacity];     ///< of the pixel's random numbers; filled likewise
   alignas(64) float rayX[capacity]; ///< place of the ray in its bundle
   alignas(64) float rayY[capacity];
   alignas(64) double t[capacity];

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "../scene/SceneRays.h"
+#include "SurfaceBlock.h"
+
+namespace mote
+{
+
+/// Finds how much of an even sky the surfaces see: the share of cosine-weighted directions about
+/// the normal along which nothing stands within reach.
+///
+/// The share is an estimate by a few rays a hit, stratified, different from pixel to pixel, and
+/// moving on with the film sample: the mean over film samples tends to the exact share. The
+/// particle that is lit is left out, being convex: a lone sphere is open everywhere. Others count
+/// from where rounding could no longer confuse them with the surface, so that spheres which
+/// coincide do not darken one another in speckles. A surface that is seen from within its sphere
+/// has that sphere's far side before it. Source: Zhukov, Iones, Kronin, "An Ambient Light
+/// Illumination Model", Rendering Techniques 1998; docs/ambient-occlusion.md.
+class AmbientOcclusion
+{
+public:
+  /// For the options that the scene of `rays` has, and one sample of a film.
+  AmbientOcclusion(const SceneRays& rays, int filmSample);
+
+  /// Multiplies the even light that the block has received so far by the open share of the sky.
+  /// Takes positions, normals, sides and seeds.
+  void darken(SurfaceBlock& block) const;
+
+private:
+  struct Work;
+
+  void cast(Work& work) const;
+
+  const SceneRays& rays_;
+  int count_; ///< rays a hit
+  double reach_;
+  std::uint32_t first_; ///< of the sample points of this film sample
+};
+
+/// The reach in world units that the scene's options mean: a tenth of the longest side of its
+/// bounds where they give none.
+double occlusionReach(const Scene& scene);
+
+} // namespace mote
