@@ -1,5 +1,6 @@
 #include "Suite.h"
 
+#include "particles/BuildSuite.h"
 #include "particles/OcclusionSuite.h"
 #include "particles/ParticlesSuite.h"
 
@@ -8,7 +9,7 @@ namespace mote::bench
 
 const std::vector<Suite>& suites()
 {
-  static const std::vector<Suite> all = {particlesSuite(), occlusionSuite()};
+  static const std::vector<Suite> all = {particlesSuite(), occlusionSuite(), buildSuite()};
   return all;
 }
 

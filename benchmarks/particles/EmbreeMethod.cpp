@@ -156,7 +156,10 @@ public:
   ~EmbreeMethod() override
   {
     if (scene_ != nullptr)
+    {
+      rtcReleaseGeometry(geometry_);
       rtcReleaseScene(scene_);
+    }
     rtcReleaseDevice(device_);
   }
   EmbreeMethod(const EmbreeMethod&) = delete;
@@ -175,15 +178,11 @@ public:
         spheres_[i] = valid ? Vec4f(Vec3f(set.position(i) - middle_), static_cast<float>(r))
                             : Vec4f(Vec3f(std::numeric_limits<float>::quiet_NaN()), 0.0f);
       });
-    scene_ = rtcNewScene(device_);
-    // Measured: HIGH gives points the same tree as MEDIUM does.
-    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_MEDIUM);
-    RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_SPHERE_POINT);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
+    if (scene_ == nullptr)
+      makeScene();
+    rtcSetSharedGeometryBuffer(geometry_, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
       spheres_.data(), 0, sizeof(Vec4f), spheres_.size());
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_, geometry);
-    rtcReleaseGeometry(geometry);
+    rtcCommitGeometry(geometry_);
     rtcCommitScene(scene_);
     if (rtcGetDeviceError(device_) != RTC_ERROR_NONE)
       throw Error("Embree could not build its structure over this input.");
@@ -235,6 +234,15 @@ public:
   }
 
 private:
+  void makeScene()
+  {
+    scene_ = rtcNewScene(device_);
+    // Measured: HIGH gives points the same tree as MEDIUM does.
+    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_MEDIUM);
+    geometry_ = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_SPHERE_POINT);
+    rtcAttachGeometry(scene_, geometry_);
+  }
+
   static bool countBytes(void* sum, ssize_t bytes, bool)
   {
     *static_cast<std::atomic<ssize_t>*>(sum) += bytes;
@@ -345,6 +353,7 @@ private:
   std::atomic<ssize_t> bytes_{0};
   RTCDevice device_ = nullptr;
   RTCScene scene_ = nullptr;
+  RTCGeometry geometry_ = nullptr; ///< all spheres
   Vec3d middle_{0.0};
   RawVector<Vec4f> spheres_;
 };

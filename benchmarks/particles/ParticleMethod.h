@@ -29,7 +29,7 @@ class ParticleMethod
 public:
   virtual ~ParticleMethod() = default;
 
-  /// Builds everything that casting needs. Timed.
+  /// Builds everything that casting needs, anew where that was done before. Timed.
   virtual void build(const ParticleInput& input) = 0;
   /// Memory of structure and particle storage together.
   virtual std::size_t bytes() const = 0;

@@ -43,6 +43,10 @@ case $3 in
       said out "$word"
     done
     ! grep -q grid-single out || fail "a method that cannot"
+    run 0 "$bench" build --help
+    for word in cgt grid-single embree --threads --lambda; do
+      said out "$word"
+    done
     ;;
 
   methods) # every method casts the right picture, on one thread and on two
@@ -82,6 +86,7 @@ case $3 in
     records a.json "all(x['wrong_pixels'] <= 1 for x in r)"
     records a.json "all(x['particles_in_cells'] > x['particles_in_frustum'] > x['nearest_hits'] > 0
       for x in r if x['table'] == 'culling')"
+    records a.json "all(x['build_again_s'] > 0 for x in r if x['table'] == 'build')"
     records a.json "[x['kept'] for x in r if x['table'] == 'range'][:6:2] == [729, 364, 182]"
     records a.json "all(x['rms_error'] < 0.02 for x in r if x['mode'] == '8x8')"
     run 0 "$bench" particles --input lattice:700 "${small[@]}" --view far --tables lambda
@@ -111,6 +116,26 @@ case $3 in
     records a.json "all(x['wrong_pixels'] == 0 and x['occluded_share'] == 0 for x in r)"
     ;;
 
+  build) # time and memory, on one thread and on two
+    run 0 "$bench" build --input random:200000:0.005 --threads 2 --repeat 1 --json a.json
+    said out 'at most'
+    records a.json "{(x['method'], x['threads']) for x in r} >= {('cgt', 1), ('embree', 1), ('cgt', 2),
+      ('embree', 2), ('cgt-reference', 2), ('grid-single', 1)}"
+    records a.json "all(x['suite'] == 'build' and x['particles'] == 200000 for x in r)"
+    records a.json "all(x['build_again_s'] > 0 and
+      0 < x['build_s_min'] <= x['build_s'] <= x['build_s_max'] for x in r)"
+    records a.json "all(x['mrays_per_s'] is None and x['checked_pixels'] == 0 for x in r)"
+    records a.json "all(x['bytes_per_particle'] >= 16 for x in r)"
+    # What is built is held at the end, so the peak is no less; pages and counters are coarse.
+    if [ -w /proc/self/clear_refs ]; then
+      records a.json "all(0.9 * x['bytes_per_particle'] < x['peak_build_bytes_per_particle'] < 500
+        for x in r)"
+    fi
+    run 0 "$bench" build --input lattice:1000 --threads 1 --repeat 2 --methods cgt --lambda 5 \
+      --json a.json
+    records a.json "len(r) == 1 and r[0]['method'] == 'cgt' and r[0]['threads'] == 1"
+    ;;
+
   errors)
     failing() {
       run 1 "$bench" particles --repeat 1 "$@"
@@ -131,8 +156,11 @@ case $3 in
     failing --input lattice:10 --size 10
     failing --input lattice:10 --json nowhere/a.json
     said err nowhere
-    run 1 "$bench" occlusion --input missing.dump
-    last_is_sentence
+    for suite in occlusion build; do
+      run 1 "$bench" $suite --input missing.dump
+      last_is_sentence
+      said err missing.dump
+    done
     run 1 "$bench" occlusion --input random:2:1e-9 --size 4x4
     last_is_sentence
     said err 'shows no particle'
@@ -160,6 +188,11 @@ case $3 in
     misused occlusion --input lattice:10 --rays 0
     misused occlusion --input lattice:10 --packet 8
     misused occlusion --input lattice:10 --tables build
+    misused build
+    said err --input
+    misused build --input lattice:10 --methods none
+    misused build --input lattice:10 --view far
+    misused build --input lattice:10 --size 10x10
     ;;
 
   *) fail "no such case: $3" ;;

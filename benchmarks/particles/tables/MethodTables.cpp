@@ -1,8 +1,7 @@
 // Methods beside one another: speed, memory, time to build.
 
+#include "../BuildCosts.h"
 #include "Tables.h"
-
-#include <kernels/particles/CoherentGrid.h>
 
 namespace mote::bench
 {
@@ -10,25 +9,9 @@ namespace mote::bench
 namespace
 {
 
-/// The thread counts to compare: one and as many as may be used.
-std::vector<int> threadCounts(const TableRun& run)
-{
-  return run.threads > 1 ? std::vector<int>{1, run.threads} : std::vector<int>{1};
-}
-
 std::string threadsText(int threads)
 {
   return format("%d thread%s", threads, threads == 1 ? "" : "s");
-}
-
-/// Builds a new object of the method over the input; the object is made and let go of outside the
-/// time.
-double timedBuild(const std::string& method, const TableRun& run, int threads)
-{
-  MethodOptions options = run.methodOptions();
-  options.threads = threads;
-  const std::unique_ptr<ParticleMethod> made = methodNamed(method).make(options);
-  return timed(threads, [&] { made->build(run.input); });
 }
 
 } // namespace
@@ -36,10 +19,9 @@ double timedBuild(const std::string& method, const TableRun& run, int threads)
 Section referenceGridTable(TableRun& run)
 {
   const std::vector<std::string> names = {"cgt", "cgt-reference"};
-  Race builds;
-  for (const std::string& name : names)
-    builds.addTimed([&run, name] { return timedBuild(name, run, run.threads); });
-  builds.run(run.options.repeat);
+  const std::vector<BuildCost> builds =
+    measureBuilds({&methodNamed(names[0]), &methodNamed(names[1])}, run.methodOptions(), run.input,
+      {run.threads}, run.options.repeat);
   Contest contest = run.contest();
   for (const std::string& name : names)
     contest.add(contestantOf(methodNamed(name), run.methodOptions(), run.input, run.threads));
@@ -57,10 +39,10 @@ Section referenceGridTable(TableRun& run)
     std::vector<std::string> row = {names[c]};
     for (std::size_t v = 0; v < run.views.size(); ++v)
     {
-      contest.at(c, v).buildSeconds = builds.seconds(c);
+      contest.at(c, v).buildSeconds = builds[c].first;
       row.push_back(format("%.1f", 1e3 * contest.at(c, v).seconds));
     }
-    row.push_back(format("%.1f", 1e3 * builds.seconds(c)));
+    row.push_back(format("%.1f", 1e3 * builds[c].first));
     row.push_back(format("%.1f", contest.at(c, 0).bytesPerParticle));
     section.table.add(row);
   }
@@ -71,7 +53,7 @@ Section referenceGridTable(TableRun& run)
 Section methodTable(TableRun& run)
 {
   Contest contest = run.contest();
-  const std::vector<int> counts = threadCounts(run);
+  const std::vector<int> counts = threadCounts(run.threads);
   for (const ParticleMethodEntry& entry : particleMethods())
   {
     const Contestant contestant = contestantOf(entry, run.methodOptions(), run.input, run.threads);
@@ -141,55 +123,14 @@ Section radiiTable(TableRun& run)
 
 Section buildTable(TableRun& run)
 {
-  const std::vector<int> counts = threadCounts(run);
-  std::vector<std::string> names = {"cgt again"};
+  std::vector<const ParticleMethodEntry*> methods;
   for (const ParticleMethodEntry& entry : particleMethods())
-    names.push_back(entry.name);
-  Race race;
-  for (const int threads : counts)
-  {
-    // The object that is built into again and again lives as long as the race.
-    const auto grid = std::make_shared<CoherentGrid>();
-    race.add(threads,
-      [&run, grid]
-      {
-        CoherentGridOptions options;
-        options.keepIndices = false;
-        options.cellsPerParticle = run.options.lambda;
-        grid->build(run.input.set, options);
-      });
-    for (std::size_t k = 1; k < names.size(); ++k)
-      race.addTimed([&run, name = names[k], threads] { return timedBuild(name, run, threads); });
-  }
-  race.run(run.options.repeat);
-
-  Section section;
-  std::vector<std::string> titles = {"method"};
-  for (const int threads : counts)
-  {
-    titles.push_back(threadsText(threads) + ", ms");
-    titles.push_back("embree / this");
-  }
-  section.table.add(titles);
-  for (std::size_t k = 0; k < names.size(); ++k)
-  {
-    std::vector<std::string> row = {names[k]};
-    for (std::size_t t = 0; t < counts.size(); ++t)
-    {
-      const double own = race.seconds(t * names.size() + k);
-      const double peer = race.seconds(t * names.size() + names.size() - 1);
-      row.push_back(format("%.1f", 1e3 * own));
-      row.push_back(format("%.2f", peer / own));
-      Measurement m = run.measurement(k == 0 ? "cgt" : names[k], k == 0 ? "again" : "first");
-      m.threads = counts[t];
-      m.buildSeconds = own;
-      run.record(m);
-    }
-    section.table.add(row);
-  }
-  section.notes.push_back(
-    "First build of a new object; cgt again: into an object that was built before.");
-  return section;
+    methods.push_back(&entry);
+  const std::vector<BuildCost> costs = measureBuilds(
+    methods, run.methodOptions(), run.input, threadCounts(run.threads), run.options.repeat);
+  for (const BuildCost& cost : costs)
+    run.record(toMeasurement(cost, run.input, run.options.repeat));
+  return buildSection(costs);
 }
 
 } // namespace mote::bench
