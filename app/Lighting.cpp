@@ -5,6 +5,7 @@
 #include <vtkLight.h>
 #include <vtkMath.h>
 #include <vtkMoteAreaLight.h>
+#include <vtkMoteShading.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
@@ -105,10 +106,17 @@ Lighting::Lighting(vtkRenderer* renderer, const ViewOptions& options)
   renderer->AddLight(main_);
   renderer->AddLight(fill_);
   renderer->AutomaticLightCreationOff();
+  shading_->SetAmbientOcclusionSamples(options.ambientOcclusion);
+  shading_->SetAmbientOcclusionReach(options.occlusionReach);
   this->setShadows(options.shadows);
 }
 
 Lighting::~Lighting() = default;
+
+double Lighting::ambient() const
+{
+  return shading_->GetAmbientOcclusionSamples() > 0 ? 0.72 : 0.28;
+}
 
 void Lighting::place(const std::string& where)
 {
@@ -146,8 +154,10 @@ void Lighting::setShadows(const std::string& shadows)
   else if (shadows != "hard")
     parseNumber(shadows, samples);
   main_->SetSamples(static_cast<int>(samples));
-  main_->SetIntensity(fromEye_ ? 1.05 : on ? 0.8 : 0.64);
-  fill_->SetIntensity(fromEye_ ? 0.0 : on ? 0.28 : 0.41);
+  // Where the sky is light that crevices see less of it takes over from the light of the eye.
+  const bool sky = shading_->GetAmbientOcclusionSamples() > 0;
+  main_->SetIntensity(fromEye_ ? (sky ? 0.5 : 1.05) : on ? 0.8 : 0.64);
+  fill_->SetIntensity(fromEye_ ? 0.0 : sky ? 0.1 : on ? 0.28 : 0.41);
 }
 
 void Lighting::nextShadows()

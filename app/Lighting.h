@@ -9,6 +9,7 @@
 
 class vtkLight;
 class vtkMoteAreaLight;
+class vtkMoteShading;
 class vtkRenderer;
 
 namespace mote::app
@@ -38,6 +39,12 @@ public:
   /// "No shadows", "Hard shadows", "Soft shadows".
   std::string shadowsName() const;
 
+  /// For whatever traces the scene.
+  vtkMoteShading* shading() { return shading_; }
+
+  /// The share of the light that comes from all sides, for the particles' properties.
+  double ambient() const;
+
 private:
   void place(const std::string& where);
   void setShadows(const std::string& shadows);
@@ -45,6 +52,7 @@ private:
   const ViewOptions& options_;
   std::string shadows_;
   bool fromEye_ = false;
+  vtkNew<vtkMoteShading> shading_;
   vtkNew<vtkMoteAreaLight> main_;
   vtkNew<vtkLight> fill_;
 };

@@ -35,10 +35,10 @@ bool hasRadiusArray(vtkDataSet* data)
   return false;
 }
 
-void shade(vtkProperty* property, bool mesh)
+void shade(vtkProperty* property, bool mesh, double ambient)
 {
   property->SetColor(0.91, 0.87, 0.79); // warm against the cool background
-  property->SetAmbient(mesh ? 0.1 : 0.28);
+  property->SetAmbient(mesh ? 0.1 : ambient);
   property->SetDiffuse(mesh ? 0.9 : 0.75);
   property->SetSpecular(mesh ? 0.1 : 0.0);
   property->SetSpecularPower(30.0);
@@ -46,7 +46,7 @@ void shade(vtkProperty* property, bool mesh)
 
 } // namespace
 
-Part::Part(const std::string& name, vtkDataSet* data, const ViewOptions& options)
+Part::Part(const std::string& name, vtkDataSet* data, const ViewOptions& options, double ambient)
   : options_(options)
   , radiusScale_(options.radiusScale)
 {
@@ -56,7 +56,7 @@ Part::Part(const std::string& name, vtkDataSet* data, const ViewOptions& options
     particles_ = mapper;
     mapper_ = mapper;
   }
-  shade(actor_->GetProperty(), isMesh(data));
+  shade(actor_->GetProperty(), isMesh(data), ambient);
   this->setData(name, data);
 }
 

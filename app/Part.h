@@ -23,7 +23,8 @@ namespace mote::app
 class Part
 {
 public:
-  Part(const std::string& name, vtkDataSet* data, const ViewOptions& options);
+  /// `ambient` is the share of light from all sides.
+  Part(const std::string& name, vtkDataSet* data, const ViewOptions& options, double ambient);
 
   /// Whether a data set is shown by its surface rather than as particles.
   static bool isMesh(vtkDataSet* data);

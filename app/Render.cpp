@@ -9,6 +9,7 @@
 #include <vtkMoteColorLegend.h>
 #include <vtkMoteImageWriter.h>
 #include <vtkMoteRendererSource.h>
+#include <vtkMoteShading.h>
 #include <vtkTimerLog.h>
 
 #include <CLI/CLI.hpp>
@@ -33,6 +34,7 @@ public:
     source_->SetRenderer(scene.renderer());
     source_->SetSize(options.size[0], options.size[1]);
     source_->SetSamplesPerPixel(options.samples);
+    source_->SetShading(scene.lighting().shading());
     legend_->SetInputConnection(source_->GetOutputPort());
   }
 

@@ -42,7 +42,7 @@ void Scene::setData(const std::vector<NamedData>& data)
   parts_.clear();
   for (const NamedData& one : data)
   {
-    parts_.push_back(std::make_unique<Part>(one.name, one.data, options_));
+    parts_.push_back(std::make_unique<Part>(one.name, one.data, options_, lighting_.ambient()));
     renderer_->AddActor(parts_.back()->actor());
   }
 }

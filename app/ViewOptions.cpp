@@ -246,6 +246,22 @@ void addLightOptions(CLI::App& app, ViewOptions& o)
     ->type_name("DEG")
     ->capture_default_str()
     ->group(group);
+  auto* occlusion =
+    app
+      .add_option("--ambient-occlusion,--ao", o.ambientOcclusion,
+        "Light of an even sky, which crevices see less of, found by so many rays for every ray of "
+        "a pixel; 4 look smooth, 0 is none")
+      ->check(CLI::Range(0, 4096).description(""))
+      ->type_name("N")
+      ->group(group);
+  app
+    .add_option("--occlusion-reach", o.occlusionReach,
+      "How far those rays go, in the data's units: what is farther away darkens nothing. By "
+      "default a tenth of the data's longest side")
+    ->check(number(true))
+    ->needs(occlusion)
+    ->type_name("R")
+    ->group(group);
 }
 
 void addCameraOptions(CLI::App& app, ViewOptions& o)

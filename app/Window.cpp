@@ -7,6 +7,7 @@
 
 #include <vtkCamera.h>
 #include <vtkCommand.h>
+#include <vtkMoteShading.h>
 #include <vtkRenderer.h>
 #include <vtkTimerLog.h>
 
@@ -100,6 +101,7 @@ void Window::setUpWindow()
   pass_->ProgressiveOn();
   pass_->SetSamplesPerPixel(options_.samples);
   pass_->SetNumberOfThreads(options_.threads);
+  pass_->SetShading(scene_.lighting().shading());
   scene_.renderer()->SetPass(pass_);
   overlay_.setInk(inkOn(scene_.renderer()));
   interactor_->SetRenderWindow(window_);

@@ -45,6 +45,7 @@ std::vector<double> signatureOf(vtkRenderer* renderer, const std::vector<vtkActo
     add(s, Vec3d(light.color));
     s.insert(s.end(), {double(light.shadows), double(light.samples), light.size});
   }
+  s.insert(s.end(), {double(scene.occlusion.rays), scene.occlusion.reach});
   for (std::size_t i = 0; i < actors.size(); ++i)
   {
     auto* mapper = vtkMoteParticleMapper::SafeDownCast(actors[i]->GetMapper());
@@ -57,10 +58,20 @@ std::vector<double> signatureOf(vtkRenderer* renderer, const std::vector<vtkActo
   return s;
 }
 
-bool hasSoftShadows(const Scene& scene)
+/// Whether there are many rays for each of the camera's.
+bool takesManyRays(const Scene& scene)
 {
-  return std::any_of(scene.lights.begin(), scene.lights.end(),
-    [](const Light& light) { return light.shadows && light.samples > 1; });
+  return scene.occlusion.rays > 0 ||
+         std::any_of(scene.lights.begin(), scene.lights.end(),
+           [](const Light& light) { return light.shadows && light.samples > 1; });
+}
+
+/// Leaves one ray a light.
+void makeDraft(Scene& scene)
+{
+  scene.occlusion.rays = 0;
+  for (Light& light : scene.lights)
+    light.samples = 1;
 }
 
 } // namespace
@@ -91,7 +102,7 @@ bool FrameTracer::trace(vtkRenderer* renderer, std::vector<vtkActor*>& actors, i
 {
   seconds_ = 0.0;
   rays_ = 0;
-  Scene scene = sceneOf(renderer, actors);
+  Scene scene = sceneOf(renderer, actors, settings.shading);
   if (actors.empty() || width < 1 || height < 1)
   {
     signature_.clear();
@@ -102,14 +113,13 @@ bool FrameTracer::trace(vtkRenderer* renderer, std::vector<vtkActor*>& actors, i
     signatureOf(renderer, actors, cameraOf(renderer, aspect, width, height), scene, width, height);
   const double wanted = distanceFor(width, height, settings);
   const bool moving = settings.interactive;
-  const bool soft = hasSoftShadows(scene);
+  const bool slow = takesManyRays(scene);
   if (signature != signature_ || distance_ > wanted)
-    begin(signature, wanted, soft && (moving || settings.progressive), width, height);
+    begin(signature, wanted, slow && (moving || settings.progressive), width, height);
   else if (draft_ && !moving && film_.samples() > 0)
     begin(signature, wanted, false, width, height);
   if (draft_)
-    for (Light& light : scene.lights)
-      light.samples = 1;
+    makeDraft(scene);
 
   const Camera camera = cameraOf(renderer, aspect, film_.width(), film_.height());
   if (!addSamples(scene, camera, settings, progress))
@@ -117,8 +127,8 @@ bool FrameTracer::trace(vtkRenderer* renderer, std::vector<vtkActor*>& actors, i
     signature_.clear();
     return false;
   }
-  // A still picture with all its shadow rays says nothing about the next that moves.
-  if (rays_ > 0 && (draft_ || !soft))
+  // A still picture with all its rays says nothing about the next that moves.
+  if (rays_ > 0 && (draft_ || !slow))
     secondsPerRay_ = seconds_ / static_cast<double>(rays_);
   converged_ = distance_ == 1.0 && !draft_ && film_.samples() >= settings.samples;
   return true;

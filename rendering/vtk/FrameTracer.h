@@ -7,6 +7,7 @@
 #include <vector>
 
 class vtkActor;
+class vtkMoteShading;
 class vtkRenderer;
 
 namespace mote
@@ -21,13 +22,15 @@ struct FrameSettings
   double frameTime = 0.08; ///< seconds that a frame may take while the view moves
   int threads = 0;
   bool interactive = false; ///< the view moves
+  vtkMoteShading* shading = nullptr;
 };
 
 /// Keeps the traced picture of one renderer up to date with as few rays as the settings allow.
 ///
-/// Soft shadows take most of the rays of a scene that has them. While the view moves, and for the
-/// first of the samples that a progressive picture shows, such a scene is drawn as a draft, with
-/// one shadow ray a light; the picture at rest begins anew with all.
+/// Soft shadows and ambient occlusion take most of the rays of a scene that has them. While the
+/// view moves, and for the first of the samples that a progressive picture shows, such a scene is
+/// drawn as a draft, with one shadow ray a light and no occlusion; the picture at rest begins anew
+/// with all.
 class FrameTracer
 {
 public:
@@ -56,7 +59,7 @@ private:
   Film film_;
   std::vector<double> signature_; ///< all that the film depends on
   double distance_ = 1.0;
-  bool draft_ = false;          ///< the film's shadows are hard, though they should be soft
+  bool draft_ = false;          ///< the film has fewer rays a hit than it should
   double secondsPerRay_ = 1e-7; ///< of the last such tracing: what the next will take, most likely
   double seconds_ = 0.0;
   long long rays_ = 0;

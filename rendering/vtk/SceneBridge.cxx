@@ -2,6 +2,7 @@
 
 #include "vtkMoteAreaLight.h"
 #include "vtkMoteParticleMapper.h"
+#include "vtkMoteShading.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -128,7 +129,7 @@ vtkActor* moteActor(vtkProp* prop)
   return actor && vtkMoteParticleMapper::SafeDownCast(actor->GetMapper()) ? actor : nullptr;
 }
 
-Scene sceneOf(vtkRenderer* renderer, std::vector<vtkActor*>& actors)
+Scene sceneOf(vtkRenderer* renderer, std::vector<vtkActor*>& actors, vtkMoteShading* shading)
 {
   Scene scene;
   std::vector<vtkActor*> kept;
@@ -142,6 +143,8 @@ Scene sceneOf(vtkRenderer* renderer, std::vector<vtkActor*>& actors)
   }
   actors = kept;
   scene.lights = lightsOf(renderer);
+  if (shading)
+    scene.occlusion = {shading->GetAmbientOcclusionSamples(), shading->GetAmbientOcclusionReach()};
   return scene;
 }
 

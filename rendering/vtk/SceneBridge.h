@@ -6,6 +6,7 @@
 #include <vector>
 
 class vtkActor;
+class vtkMoteShading;
 class vtkProp;
 class vtkRenderer;
 
@@ -26,7 +27,8 @@ void describeActor(vtkActor* actor, ParticleObject& object);
 vtkActor* moteActor(vtkProp* prop);
 
 /// The scene of these actors as the renderer sees it. `actors` loses those that have nothing to
-/// draw, so that scene object i belongs to actors[i].
-Scene sceneOf(vtkRenderer* renderer, std::vector<vtkActor*>& actors);
+/// draw, so that scene object i belongs to actors[i]. `shading` may be null: as a new one.
+Scene sceneOf(
+  vtkRenderer* renderer, std::vector<vtkActor*>& actors, vtkMoteShading* shading = nullptr);
 
 } // namespace mote

@@ -2,6 +2,7 @@
 
 #include "RendererImage.h"
 #include "SceneBridge.h"
+#include "vtkMoteShading.h"
 
 #include "vtkActor.h"
 #include "vtkCameraPass.h"
@@ -63,7 +64,8 @@ public:
 };
 
 vtkMoteRayCastPass::vtkMoteRayCastPass()
-  : Impl(std::make_unique<Internals>())
+  : Shading(vtkSmartPointer<vtkMoteShading>::New())
+  , Impl(std::make_unique<Internals>())
 {
   this->Impl->step->Draw = [this](vtkRenderer* renderer) { this->DrawImage(renderer); };
   vtkNew<vtkRenderStepsPass> steps;
@@ -78,6 +80,19 @@ vtkMoteRayCastPass::vtkMoteRayCastPass()
 }
 
 vtkMoteRayCastPass::~vtkMoteRayCastPass() = default;
+
+void vtkMoteRayCastPass::SetShading(vtkMoteShading* shading)
+{
+  if (this->Shading == shading)
+    return;
+  this->Shading = shading;
+  this->Modified();
+}
+
+vtkMoteShading* vtkMoteRayCastPass::GetShading()
+{
+  return this->Shading;
+}
 
 void vtkMoteRayCastPass::SetDelegatePass(vtkRenderPass* pass)
 {
@@ -149,6 +164,7 @@ void vtkMoteRayCastPass::DrawImage(vtkRenderer* renderer)
   settings.autoAdjust = this->AutoAdjustResolution != 0;
   settings.frameTime = this->InteractiveFrameTime;
   settings.threads = this->NumberOfThreads;
+  settings.shading = this->Shading;
   mote::RendererImage& image = impl.images.of(renderer);
   impl.displayTime = 0.0;
   const bool shown = image.trace(renderer, impl.actors, settings,
@@ -220,5 +236,6 @@ void vtkMoteRayCastPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AutoAdjustResolution: " << (this->AutoAdjustResolution ? "On" : "Off") << "\n";
   os << indent << "InteractiveFrameTime: " << this->InteractiveFrameTime << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "Shading: " << this->Shading << "\n";
   os << indent << "DelegatePass: " << this->Impl->delegate << "\n";
 }

@@ -22,9 +22,11 @@
 
 #include "MoteRenderingVTKModule.h" // for export macro
 #include "vtkRenderPass.h"
-#include "vtkSmartPointer.h" // for DelegatePass
+#include "vtkSmartPointer.h" // for DelegatePass and Shading
 
 #include <memory> // for the implementation
+
+class vtkMoteShading;
 
 class MOTERENDERINGVTK_EXPORT vtkMoteRayCastPass : public vtkRenderPass
 {
@@ -87,6 +89,15 @@ public:
 
   ///@{
   /**
+   * How rays find light on what is drawn: see there. There is one of its own to begin with; null
+   * is the same as a new one.
+   */
+  void SetShading(vtkMoteShading* shading);
+  vtkMoteShading* GetShading();
+  ///@}
+
+  ///@{
+  /**
    * Facts of the last Render(): distance of neighbouring rays in pixels (1: full resolution),
    * samples a pixel shown so far, rays cast in it, and seconds spent tracing and drawing (0 traced:
    * the picture was still good).
@@ -117,6 +128,7 @@ protected:
   vtkTypeBool AutoAdjustResolution = 1;
   double InteractiveFrameTime = 0.08;
   int NumberOfThreads = 0;
+  vtkSmartPointer<vtkMoteShading> Shading;
 
 private:
   vtkMoteRayCastPass(const vtkMoteRayCastPass&) = delete;

@@ -1,6 +1,7 @@
 #include "vtkMoteRendererSource.h"
 
 #include "SceneBridge.h"
+#include "vtkMoteShading.h"
 
 #include "kernels/core/Error.h"
 #include "kernels/scene/RayCaster.h"
@@ -28,6 +29,7 @@
 vtkStandardNewMacro(vtkMoteRendererSource);
 
 vtkMoteRendererSource::vtkMoteRendererSource()
+  : Shading(vtkSmartPointer<vtkMoteShading>::New())
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -45,6 +47,19 @@ void vtkMoteRendererSource::SetRenderer(vtkRenderer* renderer)
 vtkRenderer* vtkMoteRendererSource::GetRenderer()
 {
   return this->Renderer;
+}
+
+void vtkMoteRendererSource::SetShading(vtkMoteShading* shading)
+{
+  if (this->Shading == shading)
+    return;
+  this->Shading = shading;
+  this->Modified();
+}
+
+vtkMoteShading* vtkMoteRendererSource::GetShading()
+{
+  return this->Shading;
 }
 
 int vtkMoteRendererSource::RequestInformation(vtkInformation* vtkNotUsed(request),
@@ -143,7 +158,7 @@ bool vtkMoteRendererSource::Trace(mote::Film& film)
   if (this->ResetClippingRange)
     this->Renderer->ResetCameraClippingRange();
   this->Renderer->UpdateLightsGeometryToFollowCamera();
-  const mote::Scene scene = mote::sceneOf(this->Renderer, actors);
+  const mote::Scene scene = mote::sceneOf(this->Renderer, actors, this->Shading);
   const mote::Camera camera = mote::cameraOf(
     this->Renderer, double(film.width()) / film.height(), film.width(), film.height());
   mote::RayCaster caster(scene);
@@ -212,6 +227,8 @@ int vtkMoteRendererSource::RequestData(vtkInformation* vtkNotUsed(request),
 vtkMTimeType vtkMoteRendererSource::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
+  if (this->Shading)
+    time = std::max(time, this->Shading->GetMTime());
   if (!this->Renderer)
     return time;
   // The renderer's own time knows its camera, but not what is added, removed or lit by others.
@@ -241,5 +258,6 @@ void vtkMoteRendererSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TransparentBackground: " << onOff(this->TransparentBackground) << "\n";
   os << indent << "ResetClippingRange: " << onOff(this->ResetClippingRange) << "\n";
   os << indent << "NumberOfIgnoredProps: " << this->NumberOfIgnoredProps << "\n";
+  os << indent << "Shading: " << this->Shading.Get() << "\n";
   os << indent << "Renderer: " << this->Renderer.Get() << "\n";
 }

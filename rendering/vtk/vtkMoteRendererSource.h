@@ -21,11 +21,12 @@
 
 #include "MoteRenderingVTKModule.h" // for export macro
 #include "vtkImageAlgorithm.h"
-#include "vtkSmartPointer.h" // for Renderer
+#include "vtkSmartPointer.h" // for Renderer and Shading
 
 #include <vector> // for lists of actors
 
 class vtkActor;
+class vtkMoteShading;
 class vtkRenderer;
 
 namespace mote
@@ -70,6 +71,15 @@ public:
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
+   * How rays find light on what is drawn: see there. There is one of its own to begin with; null
+   * is the same as a new one.
+   */
+  void SetShading(vtkMoteShading* shading);
+  vtkMoteShading* GetShading();
   ///@}
 
   ///@{
@@ -136,6 +146,7 @@ protected:
   int NumberOfIgnoredProps = 0;
   double TraceTime = 0.0;
   vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkMoteShading> Shading;
   bool WarnedOfIgnoredProps = false;
 
 private:

@@ -72,7 +72,8 @@ case $3 in
     before=
     for light in '' '--shadows hard' '--shadows soft' '--shadows soft --light-size 40' \
       '--shadows 3 --light right-top' '--light eye' '--light 60,20' '--light 0,0,1 --shadows hard' \
-      '--light -1,0,1'; do
+      '--light -1,0,1' '--ambient-occlusion 2' '--ambient-occlusion 2 --occlusion-reach 1' \
+      '--ambient-occlusion 2 --shadows soft'; do
       # shellcheck disable=SC2086
       run 0 "$mote" render "$hopper" -o "light.png" --size 320x200 --samples 4 $light
       is_picture light.png 320x200
@@ -231,6 +232,10 @@ assert any(a["name"] == "c_centro" for a in d[0]["arrays"])' || fail "not the ri
     misused render "$hopper" -o a.png --light 0,0,0
     misused render "$hopper" -o a.png --light-size -1
     misused render "$hopper" -o a.png --light-size 100
+    misused render "$hopper" -o a.png --ambient-occlusion -1
+    misused render "$hopper" -o a.png --ambient-occlusion 1.5
+    misused render "$hopper" -o a.png --occlusion-reach 1
+    misused render "$hopper" -o a.png --ambient-occlusion 1 --occlusion-reach 0
     misused render "$hopper" -o a.png --time inf
     misused render "$hopper" -o a.png --zoom nan
     misused render "$hopper" -o a.png --radius-scale 0

@@ -3,6 +3,8 @@
 
 #include "vtkCamera.h"
 #include "vtkMoteAreaLight.h"
+#include "vtkMoteShading.h"
+#include "vtkProperty.h"
 
 #include <algorithm>
 
@@ -118,4 +120,31 @@ TEST_F(Lights, WorkWithoutThePass)
   EXPECT_LT(differentPixels(drawing.shoot(), plain.shoot(), 2), 20);
   light->ShadowsOff();
   EXPECT_LT(differentPixels(drawing.shoot(), plain.shoot(), 2), 20);
+}
+
+TEST_F(Lights, OcclusionIsLeftOutWhileTheViewMovesAndAllThereAtRest)
+{
+  light->ShadowsOff();
+  actor->GetProperty()->SetAmbient(0.6);
+  vtkMoteShading* shading = pass->GetShading();
+  const Shot plain = drawing.shoot();
+  shading->SetAmbientOcclusionSamples(8);
+  EXPECT_TRUE(traced()) << "rays";
+  shading->SetAmbientOcclusionReach(0.5);
+  EXPECT_TRUE(traced()) << "reach";
+  const Shot still = drawing.shoot();
+  EXPECT_GT(differentPixels(plain, still), pixels / 20);
+  EXPECT_TRUE(pass->IsConverged());
+  drawing.window->SetDesiredUpdateRate(15);
+  drawing.camera()->Azimuth(10);
+  drawing.shoot();
+  EXPECT_FALSE(pass->IsConverged());
+  drawing.camera()->Azimuth(-10);
+  shading->SetAmbientOcclusionSamples(0);
+  const Shot without = drawing.shoot();
+  shading->SetAmbientOcclusionSamples(8);
+  EXPECT_EQ(differentPixels(without, drawing.shoot(), 0), 0);
+  drawing.window->SetDesiredUpdateRate(0.001);
+  EXPECT_EQ(differentPixels(still, drawing.shoot(), 0), 0);
+  EXPECT_TRUE(pass->IsConverged());
 }
