@@ -4,12 +4,12 @@
 #include "../core/Progress.h"
 #include "../core/RawVector.h"
 #include "../core/RayPacket.h"
+#include "ParticleRanges.h"
 #include "ParticleSet.h"
 
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <vector>
 
 namespace mote
@@ -20,31 +20,6 @@ struct CoherentGridOptions
 {
   double cellsPerParticle = 1.0; ///< lambda of the paper; [0.2, 5], values outside are clamped
   bool keepIndices = true;       ///< keep the way back to the input index: 4 or 8 bytes a particle
-};
-
-/// A value that every particle has beside its centre and radius, in input order.
-struct ParticleAttribute
-{
-  ArrayView values;
-  int component = 0; ///< or ArrayView::magnitude
-};
-
-/// Bounds on the eight values of a particle: x, y, z of its centre and its radius, in the input's
-/// coordinates, and its up to four attributes. Both ends of a range belong to it; a NaN lies in no
-/// range but the unlimited one.
-struct ParticleRanges
-{
-  static constexpr int count = 8;
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::array<double, count> lower;
-  std::array<double, count> upper;
-
-  ParticleRanges()
-  {
-    lower.fill(-infinity);
-    upper.fill(infinity);
-  }
-  bool isLimited(int value) const { return lower[value] > -infinity || upper[value] < infinity; }
 };
 
 /// A uniform grid of cubic cells over particles, traversed slice by slice by bundles of rays.

@@ -1,0 +1,142 @@
+#pragma once
+
+#include "../core/Camera.h"
+#include "../core/Progress.h"
+#include "../core/RawVector.h"
+#include "../core/RayPacket.h"
+#include "ParticleRanges.h"
+#include "ParticleSet.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace mote
+{
+
+/// How a PkdTree is built.
+struct PkdTreeOptions
+{
+  enum class Split
+  {
+    MaximumExtent, ///< across the longest side of what is split
+    RoundRobin     ///< across x, y, z in turn
+  };
+  Split split = Split::MaximumExtent;
+  bool keepIndices = true; ///< keep the way back to the input index: 4 or 8 bytes a particle
+};
+
+/// A balanced k-d tree over particles, without pointers.
+///
+/// The particles themselves are reordered, by splits at medians, so that 16 neighbours make a
+/// bucket, 16 buckets a treelet, 16 treelets a node above them, and so on: where the children of a
+/// node are follows from its number. A node holds the bounds of its 16 children's spheres in 8 bits
+/// each, and nothing else; a ray looks at all 16 at once. A bucket holds x, y, z and, where radii
+/// differ, r of its particles, each a row of 16 numbers.
+///
+/// Coordinates are multiples of one power of two, step(), counted from a corner of the treelet: at
+/// least as fine as float numbers relative to the middle of the set, and much finer in large sets.
+/// Coincident particles stay coincident.
+///
+/// Source: Wald, Knoll, Johnson, Usher, Pascucci, Papka, "CPU Ray Tracing Large Particle Data with
+/// Balanced P-k-d Trees", IEEE Vis 2015; docs/pkd-tree.md says what is done otherwise.
+class PkdTree
+{
+public:
+  static constexpr int fanout = 16; ///< children of a node, buckets of a treelet
+  static constexpr int bucketSize = 16;
+  static constexpr std::size_t treeletSize = std::size_t{fanout} * bucketSize;
+
+  /// Builds over `particles`, in parallel, and forgets what was there, ranges and visibility
+  /// included; memory is reused. Takes little memory besides what it leaves. Throws Error for a
+  /// malformed set (see examine()); stops early, leaving the tree empty, when `progress` answers
+  /// false. The result does not depend on the number of threads.
+  void build(const ParticleSet& particles, const PkdTreeOptions& options = {},
+    const Progress& progress = {});
+
+  /// Finds for each ray of the packet the nearest hit with tMin < t < packet.t, and where there is
+  /// one writes t, slot and `object`. Rays may point anywhere. Of coincident spheres the one with
+  /// the smallest input index is hit. A ray that starts inside a sphere hits its far side.
+  /// Thread-safe.
+  void cast(RayPacket& packet, std::int32_t object) const;
+
+  /// The same for the rays of a bundle, many times faster.
+  void cast(RayBundle& bundle, std::int32_t object) const;
+
+  /// Looks for anything between the ends of the rays: t of each ray that meets a sphere with tMin <
+  /// t < packet.t becomes -infinity. What the ray starts or ends on does not count: the particle
+  /// `slot`, where the ray's `object` is this one. slot and object stay as they are. Thread-safe.
+  void occlude(RayPacket& packet, std::int32_t object) const;
+  void occlude(RayBundle& bundle, std::int32_t object) const;
+
+  /// Side in pixels (2, 4, 8 or 16) of the camera's bundles that are cast fastest in the square of
+  /// `size` pixels at (x0, y0): the larger a bucket looks, the larger.
+  int bundleSide(const CameraRays& rays, int x0, int y0, int size) const;
+
+  std::size_t size() const { return count_; }
+  const ParticleStatistics& statistics() const { return statistics_; }
+  const Vec3d& origin() const { return origin_; }
+  double unit() const { return unit_; }
+  /// Coordinates are multiples of this, in the input's unit of length: a power of two.
+  double step() const { return step_; }
+  /// Centre (in the input's coordinates) and radius of the particle at `slot`, as stored.
+  Vec3d center(std::size_t slot) const;
+  double radius(std::size_t slot) const;
+  /// Index in the input of the particle at `slot`; the slot itself where indices were not kept.
+  std::uint64_t inputIndex(std::size_t slot) const;
+  /// Memory of the structure and of the particles stored in it.
+  std::size_t bytes() const;
+  /// Levels of nodes; buckets do not count.
+  int levels() const { return static_cast<int>(levels_.size()); }
+
+private:
+  friend struct PkdTreeBuilder;
+  friend struct PkdTreeView;
+
+  /// Bounds of 16 children: `lower` + bounds * 2^exponent, in unit() from origin(). Children that
+  /// do not exist have low > high.
+  struct alignas(64) Node
+  {
+    std::array<float, 3> lower;
+    std::array<float, 3> corner; ///< that coordinates count from; of treelets only
+    std::array<std::int8_t, 3> exponent;
+    std::array<std::uint8_t, 5> unused;
+    std::array<std::array<std::uint8_t, fanout>, 3> low, high;
+  };
+  static_assert(sizeof(Node) == 128);
+
+  /// One number of each particle of a bucket: a cache line.
+  struct alignas(64) Row
+  {
+    std::array<std::uint32_t, bucketSize> words;
+  };
+
+  /// Nodes of one height, in the order of the particles below them.
+  struct Level
+  {
+    std::size_t first; ///< in nodes_
+    std::size_t count;
+  };
+
+  void clear();
+  std::size_t buckets() const { return (count_ + bucketSize - 1) / bucketSize; }
+  const Row* bucketOf(std::size_t slot) const { return &rows_[slot / bucketSize * rowsABucket_]; }
+  float number(std::size_t slot, int row) const;
+
+  ParticleStatistics statistics_;
+  Vec3d origin_{0.0};
+  double unit_ = 1.0; ///< a power of two: scaling by it rounds nothing
+  double step_ = 1.0;
+  float coarse_ = 1.0f;        ///< corners of treelets are multiples of this, in unit()
+  float radius_ = 0.0f;        ///< of all particles, in unit(), where no row of radii is kept
+  std::size_t count_ = 0;
+  std::size_t rowsABucket_ = 3; ///< x y z, then r, then the input index in one or two rows
+  bool ownRadii_ = false;
+  int indexRows_ = 0;
+  std::vector<Level> levels_; ///< treelets first, the root last
+  RawVector<Node> nodes_;     ///< the root first
+  RawVector<Row> rows_;       ///< bucket by bucket
+};
+
+} // namespace mote

@@ -1,0 +1,439 @@
+#include "PkdTree.h"
+
+#include "MedianSplit.h"
+#include "RadiusGroups.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#include <tbb/parallel_reduce.h>
+
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <numeric>
+
+namespace mote
+{
+
+/// One build of one tree: turns coordinates into whole numbers, splits the particles in place, and
+/// makes of each bucket its rows and of each node its bounds.
+struct PkdTreeBuilder
+{
+  using Node = PkdTree::Node;
+  using Row = PkdTree::Row;
+
+  PkdTree& tree;
+  const ParticleSet& particles;
+  const PkdTreeOptions& options;
+  const Progress& progress;
+
+  /// Where particles lie: bounds of their centres in whole numbers, both ends included.
+  struct Region
+  {
+    std::array<std::uint32_t, 3> low, high;
+  };
+
+  static constexpr double middleKey = 2147483648.0; ///< of origin(): 2^31
+  static constexpr int coarseBits = 10;             ///< corners of treelets leave these 0
+  static constexpr std::size_t serialCount = 8192;  ///< particles that are one task
+  static constexpr std::size_t tightCount = 1 << 16; ///< up to which regions are made tight
+
+  double keyStep = 1.0; ///< between neighbouring whole numbers, in the input's unit: a power of two
+  double unitsAKey = 1.0;
+  int roundedBits = 0;                         ///< low bits that coordinates lose in the end
+  std::atomic<std::uint32_t> treeletExtent{0}; ///< the largest, in whole numbers
+  std::atomic<std::size_t> splitDone{0};       ///< particles in finished treelets
+  std::atomic<bool> stopped{false};
+
+  bool report(double done) const { return !progress || progress(done); }
+
+  void chooseNumbers()
+  {
+    const ParticleStatistics& s = tree.statistics_;
+    tree.origin_ = s.centers.center();
+    const Vec3d size = s.centers.size();
+    const double extent = std::max({size.x, size.y, size.z, s.largestRadius});
+    keyStep = std::exp2(std::ceil(std::log2(extent / (4294967296.0 - 8192.0))));
+    const double edge = particleGridEdge(size, static_cast<double>(s.valid), s.largestRadius);
+    tree.unit_ = std::exp2(std::round(std::log2(edge)));
+    unitsAKey = keyStep / tree.unit_;
+    tree.coarse_ = static_cast<float>(unitsAKey * (1 << coarseBits));
+    tree.radius_ = static_cast<float>(s.largestRadius / tree.unit_);
+    tree.ownRadii_ = static_cast<float>(s.smallestRadius / tree.unit_) != tree.radius_;
+    const bool narrow = particles.count() <= std::numeric_limits<std::uint32_t>::max();
+    tree.indexRows_ = !options.keepIndices ? 0 : narrow ? 1 : 2;
+    tree.rowsABucket_ = static_cast<std::size_t>(3 + tree.ownRadii_ + tree.indexRows_);
+  }
+
+  void planLevels()
+  {
+    tree.count_ = tree.statistics_.valid;
+    std::size_t count = tree.buckets(), nodes = 0;
+    do
+    {
+      count = (count + PkdTree::fanout - 1) / PkdTree::fanout;
+      tree.levels_.push_back({0, count});
+      nodes += count;
+    } while (count > 1);
+    tree.nodes_.resize(nodes);
+    std::size_t first = 0;
+    for (std::size_t k = tree.levels_.size(); k-- > 0; first += tree.levels_[k].count)
+      tree.levels_[k].first = first;
+    tree.rows_.resize(tree.buckets() * tree.rowsABucket_);
+  }
+
+  template <int WORDS>
+  KdRecord<WORDS>* records()
+  {
+    return reinterpret_cast<KdRecord<WORDS>*>(static_cast<void*>(tree.rows_.data()));
+  }
+
+  // Valid particles, in the order of the input.
+
+  template <int WORDS>
+  KdRecord<WORDS> recordOf(std::size_t i, const Vec3d& p, double r) const
+  {
+    KdRecord<WORDS> record{};
+    const Vec3d key = (p - tree.origin_) * (1.0 / keyStep) + (middleKey + 0.5);
+    for (int k = 0; k < 3; ++k)
+      record.words[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(key[k]);
+    std::size_t next = 3;
+    if (tree.ownRadii_)
+      record.words[next++] = std::bit_cast<std::uint32_t>(static_cast<float>(r / tree.unit_));
+    if (tree.indexRows_ > 1) // the upper half first, as the order of records wants it
+      record.words[next++] = static_cast<std::uint32_t>(i >> 32);
+    if (tree.indexRows_ > 0)
+      record.words[next] = static_cast<std::uint32_t>(i);
+    return record;
+  }
+
+  template <int WORDS>
+  void fill()
+  {
+    constexpr std::size_t chunk = 1 << 16;
+    const std::size_t n = particles.count(), chunks = (n + chunk - 1) / chunk;
+    std::vector<std::size_t> place(chunks + 1, 0);
+    for (std::size_t c = 0; c < chunks; ++c)
+      place[c] = c * chunk;
+    if (tree.count_ != n)
+    {
+      tbb::parallel_for(std::size_t{0}, chunks,
+        [&](std::size_t c)
+        {
+          std::size_t valid = 0;
+          particles.forRange(c * chunk, std::min(n, (c + 1) * chunk),
+            [&](std::size_t, const Vec3d& p, double r) { valid += isValidParticle(p, r); });
+          place[c] = valid;
+        });
+      std::exclusive_scan(place.begin(), place.end(), place.begin(), std::size_t{0});
+    }
+    KdRecord<WORDS>* to = records<WORDS>();
+    tbb::parallel_for(std::size_t{0}, chunks,
+      [&](std::size_t c)
+      {
+        KdRecord<WORDS>* next = to + place[c];
+        particles.forRange(c * chunk, std::min(n, (c + 1) * chunk),
+          [&](std::size_t i, const Vec3d& p, double r)
+          {
+            if (isValidParticle(p, r))
+              *next++ = recordOf<WORDS>(i, p, r);
+          });
+      });
+  }
+
+  // Splitting.
+
+  template <int WORDS>
+  static Region regionOf(const KdRecord<WORDS>* first, const KdRecord<WORDS>* last)
+  {
+    Region r{first->words[0], first->words[1], first->words[2], first->words[0], first->words[1],
+      first->words[2]};
+    for (; first != last; ++first)
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        r.low[k] = std::min(r.low[k], first->words[k]);
+        r.high[k] = std::max(r.high[k], first->words[k]);
+      }
+    return r;
+  }
+
+  /// Splits what belongs to `children` whole children of `size` particles each (the last may have
+  /// less) until there is one, and that into its own children.
+  template <int WORDS>
+  void split(std::size_t first, std::size_t last, std::size_t size, const Region& region, int axis)
+  {
+    if (stopped)
+      return;
+    const std::size_t count = last - first, children = (count + size - 1) / size;
+    if (children <= 1)
+      return size <= PkdTree::bucketSize
+               ? void()
+               : descend<WORDS>(first, last, size / PkdTree::fanout, region, axis);
+    KdRecord<WORDS>* from = records<WORDS>();
+    const Region tight =
+      count <= tightCount ? regionOf(from + first, from + last) : region;
+    if (options.split == PkdTreeOptions::Split::MaximumExtent)
+      for (int k = axis = 0; k < 3; ++k)
+        if (tight.high[k] - tight.low[k] > tight.high[axis] - tight.low[axis])
+          axis = k;
+    const std::size_t middle = first + children / 2 * size;
+    MedianSplit<WORDS>::run(
+      from + first, from + middle, from + last, axis, tight.low[axis], tight.high[axis]);
+    Region lower = tight, upper = tight;
+    lower.high[axis] = upper.low[axis] = from[middle][axis];
+    const int next = axis == 2 ? 0 : axis + 1;
+    if (count <= serialCount)
+    {
+      split<WORDS>(first, middle, size, lower, next);
+      split<WORDS>(middle, last, size, upper, next);
+    }
+    else
+      tbb::parallel_invoke([&] { split<WORDS>(first, middle, size, lower, next); },
+        [&] { split<WORDS>(middle, last, size, upper, next); });
+  }
+
+  template <int WORDS>
+  void descend(
+    std::size_t first, std::size_t last, std::size_t size, const Region& region, int axis)
+  {
+    if (size == PkdTree::bucketSize)
+    {
+      const Region tight = regionOf(records<WORDS>() + first, records<WORDS>() + last);
+      std::uint32_t extent = 0;
+      for (std::size_t k = 0; k < 3; ++k)
+        extent = std::max(extent, tight.high[k] - tight.low[k]);
+      std::uint32_t largest = treeletExtent;
+      while (extent > largest && !treeletExtent.compare_exchange_weak(largest, extent))
+      {
+      }
+      const std::size_t done = splitDone += last - first;
+      if (done / serialCount != (done - (last - first)) / serialCount &&
+          !report(0.2 + 0.7 * static_cast<double>(done) / static_cast<double>(tree.count_)))
+        stopped = true;
+    }
+    split<WORDS>(first, last, size, region, axis);
+  }
+
+  // What the traversal reads.
+
+  void chooseStep()
+  {
+    // Local coordinates need 24 bits at most; the corner may lie so much before the treelet.
+    const std::uint64_t extent = std::uint64_t{treeletExtent} + (1u << coarseBits);
+    roundedBits = std::max(0, static_cast<int>(std::bit_width(extent)) - 24);
+    tree.step_ = std::ldexp(keyStep, roundedBits);
+  }
+
+  std::uint64_t rounded(std::uint32_t key) const
+  {
+    const std::uint64_t half = roundedBits > 0 ? std::uint64_t{1} << (roundedBits - 1) : 0;
+    return (key + half) >> roundedBits << roundedBits;
+  }
+
+  /// Least and greatest of the spheres' coordinates, in unit() from origin().
+  struct Bounds
+  {
+    std::array<double, 3> lower, upper;
+
+    Bounds()
+    {
+      lower.fill(std::numeric_limits<double>::infinity());
+      upper.fill(-std::numeric_limits<double>::infinity());
+    }
+    void add(const Bounds& b)
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        lower[k] = std::min(lower[k], b.lower[k]);
+        upper[k] = std::max(upper[k], b.upper[k]);
+      }
+    }
+  };
+
+  template <int WORDS>
+  void finishTreelet(std::size_t treelet, Bounds& bounds)
+  {
+    Node& node = tree.nodes_[tree.levels_[0].first + treelet];
+    const std::size_t first = treelet * PkdTree::treeletSize;
+    const std::size_t last = std::min(tree.count_, first + PkdTree::treeletSize);
+    const Region region = regionOf(records<WORDS>() + first, records<WORDS>() + last);
+    std::array<std::uint64_t, 3> corner;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      corner[k] = rounded(region.low[k]) >> coarseBits << coarseBits;
+      node.corner[k] =
+        static_cast<float>((static_cast<double>(corner[k]) - middleKey) * unitsAKey);
+    }
+    std::array<Bounds, PkdTree::fanout> children;
+    for (std::size_t b = 0; first + b * PkdTree::bucketSize < last; ++b)
+    {
+      children[b] = finishBucket<WORDS>(first + b * PkdTree::bucketSize, corner);
+      bounds.add(children[b]);
+    }
+    setBounds(node, bounds, children);
+  }
+
+  /// Turns records into rows where they are.
+  template <int WORDS>
+  Bounds finishBucket(std::size_t first, const std::array<std::uint64_t, 3>& corner)
+  {
+    std::array<KdRecord<WORDS>, PkdTree::bucketSize> copy;
+    const std::size_t count = std::min<std::size_t>(PkdTree::bucketSize, tree.count_ - first);
+    std::copy_n(records<WORDS>() + first, count, copy.begin());
+    Row* rows = &tree.rows_[first / PkdTree::bucketSize * tree.rowsABucket_];
+    Bounds bounds;
+    for (std::size_t i = 0; i < PkdTree::bucketSize; ++i)
+      for (std::size_t k = 0; k < WORDS; ++k)
+      {
+        // A place that nothing takes is not a number, which no ray meets.
+        std::uint32_t word = std::bit_cast<std::uint32_t>(std::numeric_limits<float>::quiet_NaN());
+        if (i < count && k >= 3)
+          word = copy[i].words[k];
+        else if (i < count)
+        {
+          const std::uint64_t key = rounded(copy[i].words[k]);
+          const auto local = static_cast<float>(static_cast<double>(key - corner[k]) * unitsAKey);
+          word = std::bit_cast<std::uint32_t>(local);
+          const double place = (static_cast<double>(key) - middleKey) * unitsAKey;
+          const double r =
+            tree.ownRadii_ ? double(std::bit_cast<float>(copy[i].words[3])) : double(tree.radius_);
+          bounds.lower[k] = std::min(bounds.lower[k], place - r);
+          bounds.upper[k] = std::max(bounds.upper[k], place + r);
+        }
+        rows[k].words[i] = word;
+      }
+    return bounds;
+  }
+
+  void setBounds(
+    Node& node, const Bounds& all, const std::array<Bounds, PkdTree::fanout>& children) const
+  {
+    node.unused = {};
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const double largest = std::max(std::abs(all.lower[k]), std::abs(all.upper[k]));
+      const double margin = marginOfSet + 1e-6 * (all.upper[k] - all.lower[k]);
+      node.lower[k] = static_cast<float>(all.lower[k] - margin - 1e-7 * largest);
+      const double extent = all.upper[k] + margin - node.lower[k];
+      const int exponent = std::clamp(static_cast<int>(std::ceil(std::log2(extent / 254.0))), -120, 120);
+      node.exponent[k] = static_cast<std::int8_t>(exponent);
+      const double perSize = std::ldexp(1.0, -exponent);
+      for (std::size_t c = 0; c < PkdTree::fanout; ++c)
+      {
+        const Bounds& child = children[c];
+        const bool empty = !(child.lower[k] <= child.upper[k]);
+        const double low = std::floor((child.lower[k] - margin - node.lower[k]) * perSize);
+        const double high = std::ceil((child.upper[k] + margin - node.lower[k]) * perSize);
+        node.low[k][c] = empty ? 255 : static_cast<std::uint8_t>(std::clamp(low, 0.0, 255.0));
+        node.high[k][c] = empty ? 0 : static_cast<std::uint8_t>(std::clamp(high, 0.0, 255.0));
+      }
+    }
+  }
+
+  double marginOfSet = 0.0; ///< by which rays may be rounded, in unit()
+
+  template <int WORDS>
+  void finish()
+  {
+    chooseStep();
+    const Vec3d size = tree.statistics_.bounds.size();
+    marginOfSet = 2e-7 * std::max({size.x, size.y, size.z}) / tree.unit_;
+    std::vector<Bounds> below(tree.levels_[0].count);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, below.size(), 16),
+      [&](const tbb::blocked_range<std::size_t>& treelets)
+      {
+        for (std::size_t t = treelets.begin(); t != treelets.end(); ++t)
+          finishTreelet<WORDS>(t, below[t]);
+      });
+    for (std::size_t k = 1; k < tree.levels_.size(); ++k)
+    {
+      std::vector<Bounds> own(tree.levels_[k].count);
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, own.size(), 64),
+        [&](const tbb::blocked_range<std::size_t>& nodes)
+        {
+          for (std::size_t i = nodes.begin(); i != nodes.end(); ++i)
+          {
+            std::array<Bounds, PkdTree::fanout> children;
+            const std::size_t first = i * PkdTree::fanout;
+            const std::size_t last = std::min(below.size(), first + PkdTree::fanout);
+            std::copy(below.begin() + static_cast<std::ptrdiff_t>(first),
+              below.begin() + static_cast<std::ptrdiff_t>(last), children.begin());
+            for (const Bounds& child : children)
+              own[i].add(child);
+            Node& node = tree.nodes_[tree.levels_[k].first + i];
+            node.corner = {};
+            setBounds(node, own[i], children);
+          }
+        });
+      below = std::move(own);
+    }
+  }
+
+  template <int WORDS>
+  bool sort()
+  {
+    fill<WORDS>();
+    if (!report(0.2))
+      return false;
+    std::size_t size = PkdTree::bucketSize;
+    while (size < tree.count_)
+      size *= PkdTree::fanout;
+    Region all;
+    const Vec3d low = (tree.statistics_.centers.lower - tree.origin_) / keyStep + middleKey;
+    const Vec3d high = (tree.statistics_.centers.upper - tree.origin_) / keyStep + middleKey + 1.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      all.low[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(low[k]);
+      all.high[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(high[k]);
+    }
+    descend<WORDS>(0, tree.count_, std::max(size / PkdTree::fanout, std::size_t{PkdTree::bucketSize}), all, 0);
+    if (stopped || !report(0.9))
+      return false;
+    finish<WORDS>();
+    return report(1.0);
+  }
+
+  bool run()
+  {
+    tree.statistics_ = examine(particles);
+    if (!report(0.1))
+      return false;
+    if (tree.statistics_.valid == 0)
+      return true;
+    chooseNumbers();
+    planLevels();
+    switch (tree.rowsABucket_)
+    {
+    case 3:
+      return sort<3>();
+    case 4:
+      return sort<4>();
+    case 5:
+      return sort<5>();
+    default:
+      return sort<6>();
+    }
+  }
+};
+
+void PkdTree::build(
+  const ParticleSet& particles, const PkdTreeOptions& options, const Progress& progress)
+{
+  clear();
+  PkdTreeBuilder builder{*this, particles, options, progress};
+  bool complete = false;
+  try
+  {
+    complete = builder.run();
+  }
+  catch (...)
+  {
+    clear();
+    throw;
+  }
+  if (!complete)
+    clear();
+}
+
+} // namespace mote
