@@ -51,7 +51,8 @@ bool castBundle(
   Pencil p;
   bool coherent = false;
   const Spread spread = spreadOf(bundle);
-  if (!placePencil(view, bundle, spread, least, most, p, coherent))
+  if (!placePencil(
+        {view.grid.origin(), view.grid.unit()}, bundle, spread, least, most, p, coherent))
     return coherent || bundle.count == 1;
   prepareProjection(spread, p);
   prepareRays(bundle, p);

@@ -145,8 +145,8 @@ class MedianSplit
 public:
   using Record = KdRecord<WORDS>;
 
-  static void run(Record* first, Record* middle, Record* last, int axis, std::uint32_t low,
-    std::uint32_t high)
+  static void run(
+    Record* first, Record* middle, Record* last, int axis, std::uint32_t low, std::uint32_t high)
   {
     while (last - first > few && low < high)
     {

@@ -128,8 +128,8 @@ private:
   Vec3d origin_{0.0};
   double unit_ = 1.0; ///< a power of two: scaling by it rounds nothing
   double step_ = 1.0;
-  float coarse_ = 1.0f;        ///< corners of treelets are multiples of this, in unit()
-  float radius_ = 0.0f;        ///< of all particles, in unit(), where no row of radii is kept
+  float coarse_ = 1.0f; ///< corners of treelets are multiples of this, in unit()
+  float radius_ = 0.0f; ///< of all particles, in unit(), where no row of radii is kept
   std::size_t count_ = 0;
   std::size_t rowsABucket_ = 3; ///< x y z, then r, then the input index in one or two rows
   bool ownRadii_ = false;

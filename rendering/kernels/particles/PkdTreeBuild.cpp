@@ -34,9 +34,9 @@ struct PkdTreeBuilder
     std::array<std::uint32_t, 3> low, high;
   };
 
-  static constexpr double middleKey = 2147483648.0; ///< of origin(): 2^31
-  static constexpr int coarseBits = 10;             ///< corners of treelets leave these 0
-  static constexpr std::size_t serialCount = 8192;  ///< particles that are one task
+  static constexpr double middleKey = 2147483648.0;  ///< of origin(): 2^31
+  static constexpr int coarseBits = 10;              ///< corners of treelets leave these 0
+  static constexpr std::size_t serialCount = 8192;   ///< particles that are one task
   static constexpr std::size_t tightCount = 1 << 16; ///< up to which regions are made tight
 
   double keyStep = 1.0; ///< between neighbouring whole numbers, in the input's unit: a power of two
@@ -171,8 +171,7 @@ struct PkdTreeBuilder
                ? void()
                : descend<WORDS>(first, last, size / PkdTree::fanout, region, axis);
     KdRecord<WORDS>* from = records<WORDS>();
-    const Region tight =
-      count <= tightCount ? regionOf(from + first, from + last) : region;
+    const Region tight = count <= tightCount ? regionOf(from + first, from + last) : region;
     if (options.split == PkdTreeOptions::Split::MaximumExtent)
       for (int k = axis = 0; k < 3; ++k)
         if (tight.high[k] - tight.low[k] > tight.high[axis] - tight.low[axis])
@@ -262,8 +261,7 @@ struct PkdTreeBuilder
     for (std::size_t k = 0; k < 3; ++k)
     {
       corner[k] = rounded(region.low[k]) >> coarseBits << coarseBits;
-      node.corner[k] =
-        static_cast<float>((static_cast<double>(corner[k]) - middleKey) * unitsAKey);
+      node.corner[k] = static_cast<float>((static_cast<double>(corner[k]) - middleKey) * unitsAKey);
     }
     std::array<Bounds, PkdTree::fanout> children;
     for (std::size_t b = 0; first + b * PkdTree::bucketSize < last; ++b)
@@ -316,7 +314,8 @@ struct PkdTreeBuilder
       const double margin = marginOfSet + 1e-6 * (all.upper[k] - all.lower[k]);
       node.lower[k] = static_cast<float>(all.lower[k] - margin - 1e-7 * largest);
       const double extent = all.upper[k] + margin - node.lower[k];
-      const int exponent = std::clamp(static_cast<int>(std::ceil(std::log2(extent / 254.0))), -120, 120);
+      const int exponent =
+        std::clamp(static_cast<int>(std::ceil(std::log2(extent / 254.0))), -120, 120);
       node.exponent[k] = static_cast<std::int8_t>(exponent);
       const double perSize = std::ldexp(1.0, -exponent);
       for (std::size_t c = 0; c < PkdTree::fanout; ++c)
@@ -387,7 +386,8 @@ struct PkdTreeBuilder
       all.low[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(low[k]);
       all.high[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(high[k]);
     }
-    descend<WORDS>(0, tree.count_, std::max(size / PkdTree::fanout, std::size_t{PkdTree::bucketSize}), all, 0);
+    descend<WORDS>(
+      0, tree.count_, std::max(size / PkdTree::fanout, std::size_t{PkdTree::bucketSize}), all, 0);
     if (stopped || !report(0.9))
       return false;
     finish<WORDS>();

@@ -1,15 +1,16 @@
-// What is common to the traversal of a grid by bundles on every SIMD instruction set: the rays and
-// the spheres as a bundle sees them. Included once per instruction set.
+// The rays of a bundle as every structure's traversal needs them. Included once per SIMD
+// instruction set.
 
-#if defined(MOTE_COHERENT_GRID_BUNDLE_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef MOTE_COHERENT_GRID_BUNDLE_INL_H
-#undef MOTE_COHERENT_GRID_BUNDLE_INL_H
+#if defined(MOTE_BUNDLE_PENCIL_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MOTE_BUNDLE_PENCIL_INL_H
+#undef MOTE_BUNDLE_PENCIL_INL_H
 #else
-#define MOTE_COHERENT_GRID_BUNDLE_INL_H
+#define MOTE_BUNDLE_PENCIL_INL_H
 #endif
 
-#include "CoherentGridView.h"
+#include "../core/RayBundle.h"
 
+#include <glm/geometric.hpp>
 #include <hwy/highway.h>
 
 #include <algorithm>
@@ -38,6 +39,13 @@ constexpr int blockCount = RayBundle::capacity / blockRays; ///< most blocks of 
 /// take that between those: at 0.15 rounding is up to 6 times that of a narrow view.
 constexpr double leastLean = 0.15;
 
+/// What a structure's coordinates count from, and in.
+struct Frame
+{
+  Vec3d origin;
+  double unit;
+};
+
 /// A double as the sum of two floats, to subtract it from floats with less error.
 struct Split
 {
@@ -50,12 +58,12 @@ struct Split
   }
 };
 
-/// The rays of a bundle in the grid's coordinates.
+/// The rays of a bundle in the structure's coordinates.
 ///
-/// Q is the point where the middle ray enters the grid, and tau counts from there in the grid's
+/// Q is the point where the middle ray enters the structure, and tau counts from there in its
 /// unit. Ray i passes Q + x ox + y oy + tau (d + x dx + y dy), with |d| = 1: formed in double and
-/// only then rounded, so that all float numbers are small and their errors relative to the grid,
-/// not to the camera's distance.
+/// only then rounded, so that all float numbers are small and their errors relative to the
+/// structure, not to the camera's distance.
 ///
 /// A sphere's centre is Q + tau d + m wx + n wy; w is what a step of 1 in x or y makes at Q, or, if
 /// Q is nearly the eye, one unit behind it. The ray through the centre is that of x = m / w, y = n
@@ -136,14 +144,14 @@ inline Spread spreadOf(const RayBundle& bundle)
   return s;
 }
 
-/// Expresses the bundle's lines in the grid's coordinates, from the plane across K at which its
-/// first ray can meet a sphere. `least` and `most` bound all spheres. False where the bundle
+/// Expresses the bundle's lines in the structure's coordinates, from the plane across K at which
+/// its first ray can meet a sphere. `least` and `most` bound all spheres. False where the bundle
 /// ends before, or where its rays do not all travel forward along K and nowhere near across it:
 /// `coherent` tells which.
-inline bool placePencil(const CoherentGridView& view, const RayBundle& bundle, const Spread& spread,
+inline bool placePencil(const Frame& frame, const RayBundle& bundle, const Spread& spread,
   const Vec3d& least, const Vec3d& most, Pencil& p, bool& coherent)
 {
-  const double perUnit = 1.0 / view.grid.unit();
+  const double perUnit = 1.0 / frame.unit;
   p.common = bundle.kind == RayBundle::Kind::CommonOrigin;
   const double speed = glm::length(bundle.direction);
   coherent = speed > 0.0;
@@ -156,7 +164,7 @@ inline bool placePencil(const CoherentGridView& view, const RayBundle& bundle, c
   majorAxis(p.d + 0.5 * (double(spread.lowX) + double(spread.highX)) * p.dx +
               0.5 * (double(spread.lowY) + double(spread.highY)) * p.dy,
     p);
-  const Vec3d eye = (bundle.origin - view.grid.origin()) * perUnit;
+  const Vec3d eye = (bundle.origin - frame.origin) * perUnit;
   const double begin = bundle.tMin * p.perT;
   double start = std::numeric_limits<double>::infinity();
   for (int corner = 0; corner < 4; ++corner)

@@ -1,0 +1,381 @@
+// Spheres as a bundle of rays sees them, and the test of rays against them, for every structure's
+// traversal. Included once per SIMD instruction set.
+
+#if defined(MOTE_BUNDLE_SPHERES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MOTE_BUNDLE_SPHERES_INL_H
+#undef MOTE_BUNDLE_SPHERES_INL_H
+#else
+#define MOTE_BUNDLE_SPHERES_INL_H
+#endif
+
+#include "BundlePencil-inl.h"
+#include "CastCounts.h"
+
+#include <array>
+#include <vector>
+
+HWY_BEFORE_NAMESPACE();
+namespace mote
+{
+namespace HWY_NAMESPACE
+{
+
+/// The walls of a bundle's frustum: the least and greatest u, and v, of its rays as linear
+/// functions of kappa, relative to Q.
+struct Walls
+{
+  alignas(16) float at[4];    ///< least u, greatest u, least v, greatest v at kappa = 0
+  alignas(16) float slope[4]; ///< of them
+  float widenU, widenV;       ///< a sphere's radius counts this many times along u and v
+
+  /// The rays at the corners of the spread are the outermost: u is a quotient of linear functions
+  /// of x and y at each kappa.
+  void set(const Spread& spread, const Pencil& p, int U, int V)
+  {
+    const float xs[4] = {spread.lowX, spread.highX, spread.lowX, spread.highX};
+    const float ys[4] = {spread.lowY, spread.lowY, spread.highY, spread.highY};
+    using Corners = std::array<float, 4>;
+    const auto linear = [&](double c, double cx, double cy)
+    {
+      const auto f = static_cast<float>(c), fx = static_cast<float>(cx),
+                 fy = static_cast<float>(cy);
+      Corners out;
+      for (int i = 0; i < 4; ++i)
+        out[i] = xs[i] * fx + (ys[i] * fy + f);
+      return out;
+    };
+    const double s = p.sign, dk = p.d[p.K];
+    const Corners perSlope = linear(s * dk, s * p.dx[p.K], s * p.dy[p.K]);
+    const auto bounds = [&](const Corners& numerator, float& low, float& high)
+    {
+      low = infinity;
+      high = -infinity;
+      for (int i = 0; i < 4; ++i)
+      {
+        const float v = numerator[i] / perSlope[i];
+        low = std::min(low, v);
+        high = std::max(high, v);
+      }
+    };
+    const auto wall = [&](int axis, int k)
+    {
+      // Differences of products of the lines' steps: what the plane across K makes of them.
+      const double cx = p.ox[axis] * dk - p.d[axis] * p.ox[p.K];
+      const double cy = p.oy[axis] * dk - p.d[axis] * p.oy[p.K];
+      bounds(linear(0.0, s * cx, s * cy), at[k], at[k + 1]);
+      bounds(linear(p.d[axis], p.dx[axis], p.dy[axis]), slope[k], slope[k + 1]);
+      const float steepest = std::max(std::abs(slope[k]), std::abs(slope[k + 1]));
+      return std::sqrt(1.0f + steepest * steepest);
+    };
+    widenU = wall(U, 0);
+    widenV = wall(V, 2);
+  }
+};
+
+/// Up to 16 spheres as a bundle sees them, one in each lane.
+struct Projected
+{
+  alignas(64) float x[16], y[16];           ///< the ray through the centre
+  alignas(64) float reachX[16], reachY[16]; ///< half the extent in x and y
+  alignas(64) float a[16], b[16], c[16];    ///< squared distance: a dx^2 + b dx dy + c dy^2
+  alignas(64) float tau[16], width[16], r2[16];
+  alignas(64) float fromQ[3][16]; ///< the centre; where a sphere reaches behind the eye
+  alignas(64) float nearest[16];  ///< tau before which nothing of the sphere lies
+  unsigned in;                    ///< lanes that may be hit
+  unsigned ahead;                 ///< those that lie in front of the eye as a whole
+};
+
+/// Tests spheres against the rays of a bundle. `Policy` says at compile time what is asked:
+/// any: whether anything is hit at all; culls: whether spheres are tested against the frustum
+/// first; counts: whether work is counted. `Structure` is asked which of equally near hits counts:
+/// takesTie(a, b) says whether slot a goes before slot b, which was met earlier.
+template <typename Policy, typename Structure>
+class SphereTester
+{
+public:
+  SphereTester(const Structure& structure, Pencil& pencil, const RayBundle& bundle,
+    std::int32_t object, std::vector<std::uint64_t>& hits, CastCounts* counts)
+    : structure_(structure)
+    , p_(pencil)
+    , bundle_(bundle)
+    , object_(object)
+    , hits_(hits)
+    , counts_(counts)
+  {
+  }
+
+  const Walls& walls() const { return walls_; }
+  float farthestKappa() const { return farthestKappa_; }
+  bool changed() const { return changed_ != 0; }
+
+  /// Narrows the frustum to the blocks that can still hit something at kappa > `front`; false where
+  /// there is none.
+  bool narrow(float front, int U, int V)
+  {
+    changed_ = 0;
+    Spread spread;
+    farthest_ = farthestKappa_ = -infinity;
+    for (int b = 0; b < p_.blocks; ++b)
+    {
+      if (!(p_.farthestKappa[b] > front))
+        continue;
+      spread.add(p_.lowX[b], p_.lowY[b]);
+      spread.add(p_.highX[b], p_.highY[b]);
+      farthest_ = std::max(farthest_, p_.farthest[b]);
+      farthestKappa_ = std::max(farthestKappa_, p_.farthestKappa[b]);
+    }
+    if (spread.empty())
+      return false;
+    if (spread != spread_)
+    {
+      spread_ = spread;
+      walls_.set(spread, p_, U, V);
+    }
+    return true;
+  }
+
+  /// Projects a vector of spheres, their centres given from Q; of `used` lanes.
+  template <typename Used>
+  HWY_INLINE void project(VF x, VF y, VF z, VF r, Used used, Projected& s)
+  {
+    const DF d;
+    const auto set = [&](float v) { return hn::Set(d, v); };
+    const auto dot = [&](const Vec3f& g)
+    { return hn::MulAdd(x, set(g.x), hn::MulAdd(y, set(g.y), hn::Mul(z, set(g.z)))); };
+    const VF tau = dot(p_.gTau), m = dot(p_.gM), n = dot(p_.gN);
+    const VF width = hn::MulAdd(tau, set(p_.scaleSlope), set(p_.scale));
+    const VF perWidth = hn::Div(set(1.0f), width);
+    const VF cx = hn::Mul(m, perWidth), cy = hn::Mul(n, perWidth);
+    const VF rWidth = hn::Mul(r, perWidth);
+    const VF reachX = hn::Mul(rWidth, set(p_.reachX)), reachY = hn::Mul(rWidth, set(p_.reachY));
+    const VF along = hn::Mul(r, set(p_.gLength));
+    const VF nearest = hn::Sub(tau, along);
+    auto in = hn::And(
+      used, hn::And(hn::Lt(nearest, set(farthest_)), hn::Gt(hn::Add(tau, along), set(p_.first))));
+    const auto inX = hn::And(hn::Ge(hn::Add(cx, reachX), set(spread_.lowX)),
+      hn::Le(hn::Sub(cx, reachX), set(spread_.highX)));
+    const auto inY = hn::And(hn::Ge(hn::Add(cy, reachY), set(spread_.lowY)),
+      hn::Le(hn::Sub(cy, reachY), set(spread_.highY)));
+    // What reaches behind the eye has no such place in the picture.
+    const auto ahead = hn::Gt(nearest, set(p_.common ? static_cast<float>(-p_.t0) : -infinity));
+    if constexpr (Policy::culls)
+      in = hn::And(in, hn::Or(hn::Not(ahead), hn::And(inX, inY)));
+    s.in = bitsOf(in);
+    if constexpr (Policy::counts)
+      counts_->inFrustum += static_cast<unsigned>(__builtin_popcount(s.in));
+    if (s.in == 0)
+      return;
+    s.ahead = bitsOf(ahead);
+    if (HWY_UNLIKELY((s.in & ~s.ahead) != 0))
+    {
+      hn::Store(x, d, s.fromQ[0]);
+      hn::Store(y, d, s.fromQ[1]);
+      hn::Store(z, d, s.fromQ[2]);
+    }
+    const VF w2 = hn::Mul(width, width);
+    const VF two = set(2.0f), zz = set(p_.zz), xz = set(p_.xz), yz = set(p_.yz);
+    // (X + cy Z)^2, 2 (X + cy Z)(Y - cx Z) and (Y - cx Z)^2, with X = wx x d, Y = wy x d, Z = wx x
+    // dy
+    const VF xPart = hn::MulAdd(cy, zz, xz), yPart = hn::NegMulAdd(cx, zz, yz);
+    const VF a = hn::MulAdd(cy, hn::Add(xPart, xz), set(p_.xx));
+    const VF c = hn::NegMulAdd(cx, hn::Add(yPart, yz), set(p_.yy));
+    const VF b = hn::MulAdd(cy, yPart, hn::NegMulAdd(cx, xz, set(p_.xy)));
+    hn::Store(cx, d, s.x);
+    hn::Store(cy, d, s.y);
+    hn::Store(reachX, d, s.reachX);
+    hn::Store(reachY, d, s.reachY);
+    hn::Store(hn::Mul(a, w2), d, s.a);
+    hn::Store(hn::Mul(hn::Mul(two, b), w2), d, s.b);
+    hn::Store(hn::Mul(c, w2), d, s.c);
+    hn::Store(tau, d, s.tau);
+    hn::Store(width, d, s.width);
+    hn::Store(hn::Mul(r, r), d, s.r2);
+    hn::Store(nearest, d, s.nearest);
+  }
+
+  /// Tests the sphere in lane j, the particle at `slot`.
+  HWY_INLINE void test(const Projected& s, int j, std::uint64_t slot)
+  {
+    const DF d;
+    const DU du32;
+    const auto mark = hn::Set(du32, static_cast<std::uint32_t>(hits_.size()));
+    const bool ahead = (s.ahead >> j & 1) != 0;
+    unsigned changed = 0;
+    for (unsigned blocks = blocksOf(s, j); blocks != 0; blocks &= blocks - 1)
+    {
+      const int block = __builtin_ctz(blocks);
+      if constexpr (Policy::counts)
+        ++counts_->tests;
+      for (int k = 0; k < blockRays; k += static_cast<int>(hn::Lanes(d)))
+      {
+        const int i = blockRays * block + k;
+        VF near;
+        auto nearer = ahead ? meetAhead(s, j, i, near) : meetAround(s, j, i, near);
+        if (hn::AllFalse(d, nearer))
+          continue;
+        if constexpr (!Policy::any && Structure::hasTies)
+          nearer = hn::And(nearer, withoutLaterTies(near, i, slot));
+        if constexpr (Policy::any)
+          nearer = withoutOwn(nearer, i, slot);
+        const VF kept = Policy::any ? hn::Set(d, -infinity) : near;
+        hn::Store(hn::IfThenElse(nearer, kept, hn::Load(d, p_.best + i)), d, p_.best + i);
+        const auto old = hn::Load(du32, p_.hit + i);
+        hn::Store(hn::IfThenElse(hn::RebindMask(du32, nearer), mark, old), du32, p_.hit + i);
+        changed |= 1u << block;
+      }
+    }
+    stale_ |= changed;
+    if constexpr (!Policy::any)
+      if (changed != 0)
+        hits_.push_back(slot);
+    if constexpr (Policy::counts)
+      counts_->hits += changed != 0;
+  }
+
+  /// Bounds of the blocks that were hit.
+  HWY_INLINE void refresh()
+  {
+    for (unsigned blocks = stale_; blocks != 0; blocks &= blocks - 1)
+      refreshBlock(p_, __builtin_ctz(blocks));
+    changed_ |= stale_;
+    stale_ = 0;
+  }
+
+private:
+  template <typename Mask>
+  static HWY_INLINE unsigned bitsOf(Mask mask)
+  {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(DF(), mask, bytes);
+    return bytes[0] | (static_cast<unsigned>(bytes[1]) << 8);
+  }
+
+  /// Blocks of rays that the sphere in lane j may hide.
+  HWY_INLINE unsigned blocksOf(const Projected& s, int j) const
+  {
+    const DF d;
+    const bool ahead = (s.ahead >> j & 1) != 0;
+    const VF lowX = hn::Set(d, s.x[j] - s.reachX[j]), highX = hn::Set(d, s.x[j] + s.reachX[j]);
+    const VF lowY = hn::Set(d, s.y[j] - s.reachY[j]), highY = hn::Set(d, s.y[j] + s.reachY[j]);
+    const VF nearest = hn::Set(d, s.nearest[j]);
+    unsigned bits = 0;
+    for (int k = 0; k < p_.blocks; k += static_cast<int>(hn::Lanes(d)))
+    {
+      auto in = hn::Gt(hn::Load(d, p_.farthest + k), nearest);
+      if (ahead && Policy::culls)
+        in = hn::And(in, hn::And(hn::And(hn::Le(hn::Load(d, p_.lowX + k), highX),
+                                   hn::Ge(hn::Load(d, p_.highX + k), lowX)),
+                           hn::And(hn::Le(hn::Load(d, p_.lowY + k), highY),
+                             hn::Ge(hn::Load(d, p_.highY + k), lowY))));
+      bits |= bitsOf(in) << k;
+    }
+    return bits;
+  }
+
+  using Mask = hn::Mask<DF>;
+
+  /// Where rays i and on meet the sphere in lane j nearer than anything so far, given in `near`.
+  ///
+  /// The stable form: squared distance of the centre from the ray as a form in the ray's distance
+  /// from the centre's own ray, never as a difference of squared distances to the origin.
+  HWY_INLINE Mask meetAhead(const Projected& s, int j, int i, VF& near) const
+  {
+    const DF d;
+    const VF dx = hn::Sub(hn::Load(d, p_.x + i), hn::Set(d, s.x[j]));
+    const VF dy = hn::Sub(hn::Load(d, p_.y + i), hn::Set(d, s.y[j]));
+    const VF inverse = hn::Load(d, p_.inverse + i);
+    const VF part = hn::MulAdd(dx, hn::Set(d, s.a[j]), hn::Mul(dy, hn::Set(d, s.b[j])));
+    const VF distance2 = hn::MulAdd(part, dx, hn::Mul(hn::Mul(dy, dy), hn::Set(d, s.c[j])));
+    const VF left = hn::NegMulAdd(distance2, inverse, hn::Set(d, s.r2[j]));
+    const auto meets = hn::Ge(left, hn::Zero(d));
+    if (hn::AllFalse(d, meets))
+      return meets;
+    const VF shift =
+      hn::MulAdd(dx, hn::Load(d, p_.shiftX + i), hn::Mul(dy, hn::Load(d, p_.shiftY + i)));
+    const VF foot = hn::NegMulAdd(shift, hn::Set(d, s.width[j]), hn::Set(d, s.tau[j]));
+    return nearerOf(meets, foot, hn::Mul(left, inverse), i, near);
+  }
+
+  /// The same for a sphere that reaches behind the eye: by the perpendicular remainder.
+  HWY_INLINE Mask meetAround(const Projected& s, int j, int i, VF& near) const
+  {
+    const DF d;
+    const Vec3f f(Vec3d(s.fromQ[0][j], s.fromQ[1][j], s.fromQ[2][j]) + p_.t0 * p_.d);
+    const Vec3f direction(p_.d), dx(p_.dx), dy(p_.dy);
+    const VF x = hn::Load(d, p_.x + i), y = hn::Load(d, p_.y + i);
+    const VF inverse = hn::Load(d, p_.inverse + i);
+    VF along[3], product = hn::Zero(d);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      along[axis] = hn::MulAdd(
+        x, hn::Set(d, dx[axis]), hn::MulAdd(y, hn::Set(d, dy[axis]), hn::Set(d, direction[axis])));
+      product = hn::MulAdd(along[axis], hn::Set(d, f[axis]), product);
+    }
+    const VF foot = hn::Mul(product, inverse);
+    VF left = hn::Set(d, s.r2[j]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const VF across = hn::NegMulAdd(foot, along[axis], hn::Set(d, f[axis]));
+      left = hn::NegMulAdd(across, across, left);
+    }
+    const VF fromQ = hn::Sub(foot, hn::Set(d, static_cast<float>(p_.t0)));
+    return nearerOf(hn::Ge(left, hn::Zero(d)), fromQ, hn::Mul(left, inverse), i, near);
+  }
+
+  HWY_INLINE Mask nearerOf(Mask meets, VF foot, VF half2, int i, VF& near) const
+  {
+    const DF d;
+    const VF half = hn::Sqrt(hn::Max(half2, hn::Zero(d)));
+    const VF first = hn::Set(d, p_.first);
+    const VF in = hn::Sub(foot, half), out = hn::Add(foot, half);
+    near = hn::IfThenElse(hn::Gt(in, first), in, out);
+    const VF best = hn::Load(d, p_.best + i);
+    const auto nearer =
+      Structure::hasTies && !Policy::any ? hn::Le(near, best) : hn::Lt(near, best);
+    return hn::And(meets, hn::And(hn::Gt(near, first), nearer));
+  }
+
+  /// The lanes among `nearer` whose ray does not end on the particle itself.
+  HWY_INLINE Mask withoutOwn(Mask nearer, int i, std::uint64_t slot) const
+  {
+    const DF d;
+    alignas(64) float keep[16];
+    for (int k = 0; k < static_cast<int>(hn::Lanes(d)); ++k)
+      keep[k] =
+        i + k < bundle_.count && bundle_.slot[i + k] == slot && bundle_.object[i + k] == object_
+          ? 0.0f
+          : 1.0f;
+    return hn::And(nearer, hn::Gt(hn::Load(d, keep), hn::Zero(d)));
+  }
+
+  /// All lanes but those where the hit so far is as near and counts before `slot`.
+  HWY_INLINE Mask withoutLaterTies(VF near, int i, std::uint64_t slot) const
+  {
+    const DF d;
+    const auto ties = hn::Eq(near, hn::Load(d, p_.best + i));
+    if (HWY_LIKELY(hn::AllFalse(d, ties)))
+      return hn::Not(ties);
+    alignas(64) float keep[16];
+    for (int k = 0; k < static_cast<int>(hn::Lanes(d)); ++k)
+      keep[k] = p_.hit[i + k] != 0 && structure_.takesTie(slot, hits_[p_.hit[i + k]]) ? 1.0f : 0.0f;
+    return hn::Or(hn::Not(ties), hn::Gt(hn::Load(d, keep), hn::Zero(d)));
+  }
+
+  const Structure& structure_;
+  Pencil& p_;
+  const RayBundle& bundle_;
+  const std::int32_t object_;
+  std::vector<std::uint64_t>& hits_;
+  CastCounts* counts_;
+  Walls walls_;
+  Spread spread_;
+  float farthest_ = -infinity, farthestKappa_ = -infinity;
+  unsigned changed_ = 0; ///< blocks that were hit since the frustum was last narrowed
+  unsigned stale_ = 0;   ///< blocks whose bounds are older than their last hit
+};
+
+} // namespace HWY_NAMESPACE
+} // namespace mote
+HWY_AFTER_NAMESPACE();
+
+#endif
