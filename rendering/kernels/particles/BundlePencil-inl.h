@@ -46,6 +46,15 @@ struct Frame
   double unit;
 };
 
+/// A mask as bits, the first lane lowest.
+template <typename Mask>
+HWY_INLINE unsigned bitsOf(Mask mask)
+{
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(DF(), mask, bytes);
+  return bytes[0] | (static_cast<unsigned>(bytes[1]) << 8);
+}
+
 /// A double as the sum of two floats, to subtract it from floats with less error.
 struct Split
 {
@@ -334,20 +343,6 @@ inline void prepareBlocks(const RayBundle& bundle, Pencil& p)
     p.shiftK[b] = most(oxk, oyk);
     refreshBlock(p, b);
   }
-}
-
-/// Writes the nearest hits back to the rays they belong to. hits[0] is not used.
-inline void keepHits(
-  const Pencil& p, const std::uint64_t* hits, std::int32_t object, RayBundle& bundle)
-{
-  const double perTau = 1.0 / p.perT;
-  for (int i = 0; i < bundle.count; ++i)
-    if (p.hit[i] != 0)
-    {
-      bundle.t[i] = (p.t0 + static_cast<double>(p.best[i])) * perTau;
-      bundle.slot[i] = hits[p.hit[i]];
-      bundle.object[i] = object;
-    }
 }
 
 } // namespace HWY_NAMESPACE

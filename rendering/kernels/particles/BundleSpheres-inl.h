@@ -85,6 +85,15 @@ struct Projected
   unsigned ahead;                 ///< those that lie in front of the eye as a whole
 };
 
+struct NearestPolicy
+{
+  static constexpr bool any = false, culls = true, counts = false;
+};
+struct AnyPolicy
+{
+  static constexpr bool any = true, culls = true, counts = false;
+};
+
 /// Tests spheres against the rays of a bundle. `Policy` says at compile time what is asked:
 /// any: whether anything is hit at all; culls: whether spheres are tested against the frustum
 /// first; counts: whether work is counted. `Structure` is asked which of equally near hits counts:
@@ -242,14 +251,6 @@ public:
   }
 
 private:
-  template <typename Mask>
-  static HWY_INLINE unsigned bitsOf(Mask mask)
-  {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(DF(), mask, bytes);
-    return bytes[0] | (static_cast<unsigned>(bytes[1]) << 8);
-  }
-
   /// Blocks of rays that the sphere in lane j may hide.
   HWY_INLINE unsigned blocksOf(const Projected& s, int j) const
   {
@@ -373,6 +374,26 @@ private:
   unsigned changed_ = 0; ///< blocks that were hit since the frustum was last narrowed
   unsigned stale_ = 0;   ///< blocks whose bounds are older than their last hit
 };
+
+/// Writes what was found back to the rays. hits[0] is not used.
+template <typename Policy>
+void keepAnswers(const Pencil& p, const std::uint64_t* hits, std::int32_t object, RayBundle& bundle)
+{
+  const double perTau = 1.0 / p.perT;
+  for (int i = 0; i < bundle.count; ++i)
+  {
+    if (p.hit[i] == 0)
+      continue;
+    if constexpr (Policy::any)
+      bundle.t[i] = -std::numeric_limits<double>::infinity();
+    else
+    {
+      bundle.t[i] = (p.t0 + static_cast<double>(p.best[i])) * perTau;
+      bundle.slot[i] = hits[p.hit[i]];
+      bundle.object[i] = object;
+    }
+  }
+}
 
 } // namespace HWY_NAMESPACE
 } // namespace mote

@@ -15,15 +15,6 @@ namespace mote
 namespace HWY_NAMESPACE
 {
 
-struct NearestPolicy
-{
-  static constexpr bool any = false, culls = true, counts = false;
-};
-struct AnyPolicy
-{
-  static constexpr bool any = true, culls = true, counts = false;
-};
-
 template <int K, typename Policy>
 void castAlong(const CoherentGridView& view, Pencil& pencil, RayBundle& bundle, std::int32_t object,
   std::vector<std::uint64_t>& hits, CastCounts* counts)
@@ -71,14 +62,7 @@ bool castBundle(
   default:
     castAlong<2, Policy>(view, p, bundle, object, hits, counts);
   }
-  if constexpr (Policy::any)
-  {
-    for (int i = 0; i < bundle.count; ++i)
-      if (p.hit[i] != 0)
-        bundle.t[i] = -std::numeric_limits<double>::infinity();
-  }
-  else
-    keepHits(p, hits.data(), object, bundle);
+  keepAnswers<Policy>(p, hits.data(), object, bundle);
   return true;
 }
 

@@ -1,0 +1,224 @@
+// Bundles of rays through a PkdTree, included once per SIMD instruction set by PkdTreeCast.cpp.
+
+#if defined(MOTE_PKD_TREE_BUNDLE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MOTE_PKD_TREE_BUNDLE_INL_H
+#undef MOTE_PKD_TREE_BUNDLE_INL_H
+#else
+#define MOTE_PKD_TREE_BUNDLE_INL_H
+#endif
+
+#include "BundleSpheres-inl.h"
+#include "PkdTreeView.h"
+
+#include <array>
+
+HWY_BEFORE_NAMESPACE();
+namespace mote
+{
+namespace HWY_NAMESPACE
+{
+
+/// Children that a bundle or a ray meets, nearest first.
+struct NearChildren
+{
+  int count = 0;
+  std::array<float, PkdTree::fanout> near;
+  std::array<std::uint8_t, PkdTree::fanout> child;
+
+  /// Takes the lanes of `bits`, child `first` being in lane 0, whose distances are `from`.
+  void add(unsigned bits, const float* from, int first)
+  {
+    for (; bits != 0; bits &= bits - 1)
+    {
+      const int lane = __builtin_ctz(bits);
+      int place = count++;
+      for (; place > 0 && near[place - 1] > from[lane]; --place)
+      {
+        near[place] = near[place - 1];
+        child[place] = child[place - 1];
+      }
+      near[place] = from[lane];
+      child[place] = static_cast<std::uint8_t>(first + lane);
+    }
+  }
+};
+
+/// Bounds in 8 bits as float numbers.
+HWY_INLINE VF boundsAt(const std::uint8_t* bounds)
+{
+  const DF d;
+  const hn::Rebind<std::int32_t, DF> di;
+  const hn::Rebind<std::uint8_t, DF> d8;
+  return hn::ConvertTo(d, hn::PromoteTo(di, hn::LoadU(d8, bounds)));
+}
+
+/// Casts a bundle, its major axis being any.
+template <typename Policy>
+class TreeCaster
+{
+public:
+  TreeCaster(const PkdTreeView& view, Pencil& pencil, const RayBundle& bundle, std::int32_t object,
+    std::vector<std::uint64_t>& hits)
+    : view_(view)
+    , p_(pencil)
+    , tester_(view, pencil, bundle, object, hits, nullptr)
+  {
+    const double coarse = view.coarse;
+    for (int k = 0; k < 3; ++k)
+    {
+      high_[k] = std::round(p_.q[k] / coarse) * coarse;
+      low_[k] = static_cast<float>(p_.q[k] - high_[k]);
+    }
+  }
+
+  void run()
+  {
+    if (!tester_.narrow(-infinity, p_.U, p_.V))
+      return;
+    push(view_.top, 0, 0.0f);
+    while (depth_ > 0)
+    {
+      const Entry next = stack_[--depth_];
+      if (!(next.near < tester_.farthestKappa()))
+        continue;
+      if (tester_.changed() && !tester_.narrow(next.least, p_.U, p_.V))
+        return;
+      if (!(next.near < tester_.farthestKappa()))
+        continue;
+      visit(next.level, next.node);
+    }
+  }
+
+private:
+  struct Entry
+  {
+    std::size_t node;
+    int level;
+    float near;  ///< kappa before which it holds nothing
+    float least; ///< the same of this and of all that lies deeper in the stack
+  };
+
+  void push(int level, std::size_t node, float near)
+  {
+    const float least = depth_ > 0 ? std::min(near, stack_[depth_ - 1].least) : near;
+    stack_[depth_++] = {node, level, near, least};
+  }
+
+  void visit(int level, std::size_t index)
+  {
+    const PkdTreeView::Node& node = view_.node(level, index);
+    NearChildren children;
+    findChildren(node, children);
+    if (level > 0)
+    {
+      for (int i = children.count; i-- > 0;)
+        push(level - 1, index * PkdTree::fanout + children.child[i], children.near[i]);
+      return;
+    }
+    for (int k = 0; k < 3; ++k)
+      corner_[k] = static_cast<float>(double(node.corner[k]) - high_[k]);
+    for (int i = 0; i < children.count; ++i)
+      if (children.near[i] < tester_.farthestKappa())
+        visitBucket(index * PkdTree::fanout + children.child[i]);
+  }
+
+  /// Children whose bounds the frustum overlaps, from Q's plane on.
+  HWY_INLINE void findChildren(const PkdTreeView::Node& node, NearChildren& children) const
+  {
+    const DF d;
+    const Walls& walls = tester_.walls();
+    const auto set = [&](float v) { return hn::Set(d, v); };
+    const auto lowerOf = [&](int axis)
+    { return set(static_cast<float>(double(node.lower[axis]) - p_.q[axis])); };
+    const auto lowerK = lowerOf(p_.K), lowerU = lowerOf(p_.U), lowerV = lowerOf(p_.V);
+    const auto stepK = set(stepOf(node, p_.K)), stepU = set(stepOf(node, p_.U)),
+               stepV = set(stepOf(node, p_.V));
+    const auto& first = p_.sign > 0.0 ? node.low[p_.K] : node.high[p_.K];
+    const auto& last = p_.sign > 0.0 ? node.high[p_.K] : node.low[p_.K];
+    const auto sign = set(static_cast<float>(p_.sign));
+    const auto farthest = set(tester_.farthestKappa());
+    for (int c = 0; c < PkdTree::fanout; c += static_cast<int>(hn::Lanes(d)))
+    {
+      const VF enter = hn::Mul(sign, hn::MulAdd(boundsAt(first.data() + c), stepK, lowerK));
+      const VF leave = hn::Mul(sign, hn::MulAdd(boundsAt(last.data() + c), stepK, lowerK));
+      // No ray is anywhere before Q's plane.
+      const VF from = hn::Max(enter, hn::Zero(d));
+      auto in = hn::And(hn::Ge(leave, from), hn::Lt(from, farthest));
+      // A wall is a line over kappa: its extremes lie at the ends.
+      const auto wall = [&](int k, bool most)
+      {
+        const bool late = (walls.slope[k] > 0.0f) == most;
+        return hn::MulAdd(late ? leave : from, set(walls.slope[k]), set(walls.at[k]));
+      };
+      const auto beside = [&](const auto& low, const auto& high, VF step, VF lower, int k)
+      {
+        const VF least = hn::MulAdd(boundsAt(low.data() + c), step, lower);
+        const VF most = hn::MulAdd(boundsAt(high.data() + c), step, lower);
+        in = hn::And(in, hn::And(hn::Ge(most, wall(k, false)), hn::Le(least, wall(k + 1, true))));
+      };
+      beside(node.low[p_.U], node.high[p_.U], stepU, lowerU, 0);
+      beside(node.low[p_.V], node.high[p_.V], stepV, lowerV, 2);
+      alignas(64) float near[PkdTree::fanout];
+      hn::Store(from, d, near);
+      children.add(bitsOf(in), near, c);
+    }
+  }
+
+  void visitBucket(std::size_t bucket)
+  {
+    const DF d;
+    const PkdTreeView::Row* rows = view_.rows + bucket * view_.rowsABucket;
+    const auto load = [&](int row, int lane)
+    { return hn::Load(d, reinterpret_cast<const float*>(rows[row].words.data()) + lane); };
+    Projected s;
+    for (int lane = 0; lane < PkdTree::bucketSize; lane += static_cast<int>(hn::Lanes(d)))
+    {
+      const auto from = [&](int k)
+      { return hn::Sub(hn::Add(load(k, lane), hn::Set(d, corner_[k])), hn::Set(d, low_[k])); };
+      const VF r = view_.ownRadii ? load(3, lane) : hn::Set(d, view_.radius);
+      tester_.project(from(0), from(1), from(2), r, hn::FirstN(d, hn::Lanes(d)), s);
+      for (unsigned bits = s.in; bits != 0; bits &= bits - 1)
+      {
+        const int j = __builtin_ctz(bits);
+        tester_.test(s, j, bucket * PkdTree::bucketSize + static_cast<std::size_t>(lane + j));
+      }
+      tester_.refresh();
+    }
+  }
+
+  const PkdTreeView& view_;
+  Pencil& p_;
+  SphereTester<Policy, PkdTreeView> tester_;
+  double high_[3];  ///< Q, to what corners of treelets are multiples of
+  float low_[3];    ///< and the rest of it
+  float corner_[3]; ///< of the treelet that is visited, from `high_`
+  int depth_ = 0;
+  Entry stack_[PkdTree::fanout * 16];
+};
+
+/// Casts a bundle; false, with nothing done, where its rays do not travel the same way along one
+/// axis.
+template <typename Policy>
+bool castTreeBundle(const PkdTreeView& view, RayBundle& bundle, std::int32_t object)
+{
+  Pencil p;
+  bool coherent = false;
+  const Spread spread = spreadOf(bundle);
+  if (!placePencil(
+        {view.tree.origin(), view.tree.unit()}, bundle, spread, view.least, view.most, p, coherent))
+    return coherent || bundle.count == 1;
+  prepareProjection(spread, p);
+  prepareRays(bundle, p);
+  prepareBlocks(bundle, p);
+  static thread_local std::vector<std::uint64_t> hits;
+  hits.assign(1, RayBundle::noHit);
+  TreeCaster<Policy>(view, p, bundle, object, hits).run();
+  keepAnswers<Policy>(p, hits.data(), object, bundle);
+  return true;
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace mote
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "PkdTree.h"
+
+#include <bit>
+#include <cmath>
+
+namespace mote
+{
+
+/// What the traversal needs of a tree, without the vectors that own it.
+struct PkdTreeView
+{
+  using Node = PkdTree::Node;
+  using Row = PkdTree::Row;
+
+  const PkdTree& tree;
+  const Node* nodes;
+  const PkdTree::Level* levels;
+  const Row* rows;
+  std::size_t rowsABucket;
+  float radius;
+  bool ownRadii;
+  float coarse;
+  int top;           ///< level of the root
+  Vec3d least, most; ///< bounds of all spheres, in unit() from origin()
+
+  static constexpr bool hasTies = true;
+
+  explicit PkdTreeView(const PkdTree& t)
+    : tree(t)
+    , nodes(t.nodes_.data())
+    , levels(t.levels_.data())
+    , rows(t.rows_.data())
+    , rowsABucket(t.rowsABucket_)
+    , radius(t.radius_)
+    , ownRadii(t.ownRadii_)
+    , coarse(t.coarse_)
+    , top(t.levels() - 1)
+  {
+    const Box& bounds = t.statistics_.bounds;
+    const Vec3d size = bounds.size() / t.unit_;
+    const Vec3d margin(1e-6 * std::max({size.x, size.y, size.z}));
+    least = (bounds.lower - t.origin_) / t.unit_ - margin;
+    most = (bounds.upper - t.origin_) / t.unit_ + margin;
+  }
+
+  /// Of equally near hits that on the particle given first counts.
+  bool takesTie(std::uint64_t slot, std::uint64_t before) const
+  {
+    return tree.inputIndex(slot) < tree.inputIndex(before);
+  }
+
+  const Node& node(int level, std::size_t i) const { return nodes[levels[level].first + i]; }
+};
+
+/// A bound's step of a node along an axis: 2^exponent.
+inline float stepOf(const PkdTreeView::Node& node, std::size_t axis)
+{
+  return std::bit_cast<float>(static_cast<std::uint32_t>(node.exponent[axis] + 127) << 23);
+}
+
+} // namespace mote
