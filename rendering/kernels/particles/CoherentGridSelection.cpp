@@ -2,8 +2,8 @@
 
 #include "CoherentGrid.h"
 
-#include "../core/Error.h"
 #include "CoherentGridView.h"
+#include "ParticleAttributes.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -39,44 +39,19 @@ void CoherentGrid::setVisibility(const std::function<bool(std::size_t)>& shown)
 
 void CoherentGrid::setAttributes(const std::vector<ParticleAttribute>& attributes)
 {
-  if (attributes.size() > 4)
-    throw Error("A particle has at most four attributes for ranges.");
-  if (!attributes.empty() && count_ > 0 && index32_.empty() && index64_.empty())
-    throw Error("Attributes need a structure that keeps the particles' input indices.");
-  const std::size_t inputs = statistics_.valid + statistics_.badPositions + statistics_.badRadii;
-  for (const ParticleAttribute& a : attributes)
-  {
-    if (a.values.count() != inputs)
-      throw Error("An attribute has " + std::to_string(a.values.count()) + " values for " +
-                  std::to_string(inputs) + " particles.");
-    if (a.component >= a.values.components() || a.component < ArrayView::magnitude)
-      throw Error("An attribute has no component " + std::to_string(a.component) + ".");
-  }
+  checkAttributes(attributes, statistics_, !index32_.empty() || !index64_.empty());
   values_.clear();
   values_.shrink_to_fit();
   macroBounds_.clear();
   if (!attributes.empty())
     values_.resize(count_);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, values_.size(), 4096),
-    [&](const tbb::blocked_range<std::size_t>& range)
-    {
-      for (std::size_t slot = range.begin(); slot != range.end(); ++slot)
-      {
-        values_[slot].fill(0.0f);
-        const std::uint64_t input = inputIndex(slot);
-        for (std::size_t k = 0; k < attributes.size(); ++k)
-          values_[slot][k] =
-            static_cast<float>(attributes[k].values.value(input, attributes[k].component));
-      }
-    });
+  fillAttributes(attributes, values_, [this](std::size_t slot) { return inputIndex(slot); });
   findShown();
 }
 
 void CoherentGrid::setRanges(const ParticleRanges& ranges)
 {
-  for (int k = 4; k < ParticleRanges::count; ++k)
-    if (ranges.isLimited(k) && values_.empty() && count_ > 0)
-      throw Error("A range is set on an attribute, and there are no attributes.");
+  checkRanges(ranges, !values_.empty() || count_ == 0);
   ranges_ = ranges;
   findShown();
 }

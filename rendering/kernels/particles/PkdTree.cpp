@@ -39,7 +39,8 @@ std::uint64_t PkdTree::inputIndex(std::size_t slot) const
 std::size_t PkdTree::bytes() const
 {
   const auto bytesOf = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  return bytesOf(nodes_) + bytesOf(rows_) + bytesOf(levels_);
+  return bytesOf(nodes_) + bytesOf(rows_) + bytesOf(levels_) + bytesOf(values_) +
+         bytesOf(visible_) + bytesOf(shown_) + bytesOf(nodeShown_);
 }
 
 void PkdTree::clear()
@@ -51,6 +52,11 @@ void PkdTree::clear()
   levels_.clear();
   nodes_.clear();
   rows_.clear();
+  ranges_ = {};
+  values_.clear();
+  visible_.clear();
+  shown_.clear();
+  nodeShown_.clear();
 }
 
 int PkdTree::bundleSide(const CameraRays& rays, int x0, int y0, int size) const

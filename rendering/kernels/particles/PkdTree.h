@@ -74,6 +74,21 @@ public:
   /// `size` pixels at (x0, y0): the larger a bucket looks, the larger.
   int bundleSide(const CameraRays& rays, int x0, int y0, int size) const;
 
+  /// Keeps up to four attributes for setRanges(), in float, 16 bytes a particle; none forgets
+  /// them. `attributes` are in input order and need kept indices; nothing is viewed after the call.
+  /// Throws Error where an attribute has not one tuple a particle of the input.
+  void setAttributes(const std::vector<ParticleAttribute>& attributes);
+
+  /// Shows only the particles with all values in range, besides what setVisibility() hides. A
+  /// change looks at every particle, in parallel, and keeps a bit for each; nodes without any are
+  /// passed over. Attributes compare as float: limits are rounded inwards, so that for values that
+  /// are float the answer is exact.
+  void setRanges(const ParticleRanges& ranges);
+
+  /// Shows only the particles whose slots `shown` accepts, without a rebuild; called from several
+  /// threads. An empty function shows all again.
+  void setVisibility(const std::function<bool(std::size_t slot)>& shown);
+
   std::size_t size() const { return count_; }
   const ParticleStatistics& statistics() const { return statistics_; }
   const Vec3d& origin() const { return origin_; }
@@ -119,7 +134,11 @@ private:
     std::size_t count;
   };
 
+  /// A bit for each of 16 particles or children, the first lowest.
+  using Bits = std::uint16_t;
+
   void clear();
+  void findShown();
   std::size_t buckets() const { return (count_ + bucketSize - 1) / bucketSize; }
   const Row* bucketOf(std::size_t slot) const { return &rows_[slot / bucketSize * rowsABucket_]; }
   float number(std::size_t slot, int row) const;
@@ -137,6 +156,13 @@ private:
   std::vector<Level> levels_; ///< treelets first, the root last
   RawVector<Node> nodes_;     ///< the root first
   RawVector<Row> rows_;       ///< bucket by bucket
+
+  // What is shown.
+  ParticleRanges ranges_;
+  RawVector<std::array<float, 4>> values_; ///< attributes by slot, or empty
+  RawVector<Bits> visible_;                ///< a bucket each, or empty: all are
+  RawVector<Bits> shown_;                  ///< a bucket each, of what ranges leave; or empty
+  RawVector<Bits> nodeShown_; ///< children of each node that hold anything shown; or empty
 };
 
 } // namespace mote

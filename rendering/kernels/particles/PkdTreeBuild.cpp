@@ -11,6 +11,7 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
+#include <mutex>
 #include <numeric>
 
 namespace mote
@@ -46,7 +47,18 @@ struct PkdTreeBuilder
   std::atomic<std::size_t> splitDone{0};       ///< particles in finished treelets
   std::atomic<bool> stopped{false};
 
-  bool report(double done) const { return !progress || progress(done); }
+  std::mutex reporting{};
+  double reported = 0.0;
+
+  /// From any thread; tells the caller only what is more than what it was told.
+  bool report(double done)
+  {
+    const std::lock_guard lock(reporting);
+    if (!progress || done < reported)
+      return !stopped;
+    reported = done;
+    return progress(done);
+  }
 
   void chooseNumbers()
   {

@@ -62,7 +62,9 @@ public:
     : view_(view)
     , p_(pencil)
     , tester_(view, pencil, bundle, object, hits, nullptr)
+    , queue_(queueOfThread())
   {
+    queue_.clear();
     const double coarse = view.coarse;
     for (int k = 0; k < 3; ++k)
     {
@@ -76,54 +78,63 @@ public:
     if (!tester_.narrow(-infinity, p_.U, p_.V))
       return;
     push(view_.top, 0, 0.0f);
-    while (depth_ > 0)
+    while (!queue_.empty())
     {
-      const Entry next = stack_[--depth_];
-      if (!(next.near < tester_.farthestKappa()))
-        continue;
-      if (tester_.changed() && !tester_.narrow(next.least, p_.U, p_.V))
+      std::pop_heap(queue_.begin(), queue_.end());
+      const Entry next = queue_.back();
+      queue_.pop_back();
+      if (tester_.changed() && !tester_.narrow(next.near, p_.U, p_.V))
         return;
       if (!(next.near < tester_.farthestKappa()))
-        continue;
-      visit(next.level, next.node);
+        return;
+      if (next.level < 0)
+        visitBucket(next.index);
+      else
+        visitNode(next.level, next.index);
     }
   }
 
 private:
+  /// A node, or, where the level is -1, a bucket.
   struct Entry
   {
-    std::size_t node;
+    float near; ///< kappa before which it holds nothing
     int level;
-    float near;  ///< kappa before which it holds nothing
-    float least; ///< the same of this and of all that lies deeper in the stack
+    std::size_t index;
+
+    /// Heaps have their greatest in front.
+    bool operator<(const Entry& other) const { return near > other.near; }
   };
 
-  void push(int level, std::size_t node, float near)
+  static std::vector<Entry>& queueOfThread()
   {
-    const float least = depth_ > 0 ? std::min(near, stack_[depth_ - 1].least) : near;
-    stack_[depth_++] = {node, level, near, least};
+    static thread_local std::vector<Entry> queue;
+    return queue;
   }
 
-  void visit(int level, std::size_t index)
+  void push(int level, std::size_t index, float near)
   {
-    const PkdTreeView::Node& node = view_.node(level, index);
-    NearChildren children;
-    findChildren(node, children);
-    if (level > 0)
-    {
-      for (int i = children.count; i-- > 0;)
-        push(level - 1, index * PkdTree::fanout + children.child[i], children.near[i]);
-      return;
-    }
-    for (int k = 0; k < 3; ++k)
-      corner_[k] = static_cast<float>(double(node.corner[k]) - high_[k]);
-    for (int i = 0; i < children.count; ++i)
-      if (children.near[i] < tester_.farthestKappa())
-        visitBucket(index * PkdTree::fanout + children.child[i]);
+    queue_.push_back({near, level, index});
+    std::push_heap(queue_.begin(), queue_.end());
+  }
+
+  void visitNode(int level, std::size_t index)
+  {
+    findChildren(view_.node(level, index),
+      [&](unsigned bits, const float* near, int first)
+      {
+        for (; bits != 0; bits &= bits - 1)
+        {
+          const int lane = __builtin_ctz(bits);
+          push(level - 1, index * PkdTree::fanout + static_cast<std::size_t>(first + lane),
+            near[lane]);
+        }
+      });
   }
 
   /// Children whose bounds the frustum overlaps, from Q's plane on.
-  HWY_INLINE void findChildren(const PkdTreeView::Node& node, NearChildren& children) const
+  template <typename Found>
+  HWY_INLINE void findChildren(const PkdTreeView::Node& node, const Found& found) const
   {
     const DF d;
     const Walls& walls = tester_.walls();
@@ -137,6 +148,7 @@ private:
     const auto& last = p_.sign > 0.0 ? node.high[p_.K] : node.low[p_.K];
     const auto sign = set(static_cast<float>(p_.sign));
     const auto farthest = set(tester_.farthestKappa());
+    const unsigned shown = view_.shownOf(node);
     for (int c = 0; c < PkdTree::fanout; c += static_cast<int>(hn::Lanes(d)))
     {
       const VF enter = hn::Mul(sign, hn::MulAdd(boundsAt(first.data() + c), stepK, lowerK));
@@ -160,7 +172,7 @@ private:
       beside(node.low[p_.V], node.high[p_.V], stepV, lowerV, 2);
       alignas(64) float near[PkdTree::fanout];
       hn::Store(from, d, near);
-      children.add(bitsOf(in), near, c);
+      found(bitsOf(in) & (shown >> c), near, c);
     }
   }
 
@@ -170,14 +182,21 @@ private:
     const PkdTreeView::Row* rows = view_.rows + bucket * view_.rowsABucket;
     const auto load = [&](int row, int lane)
     { return hn::Load(d, reinterpret_cast<const float*>(rows[row].words.data()) + lane); };
+    const PkdTreeView::Node& node = view_.node(0, bucket / PkdTree::fanout);
+    float corner[3]; // from `high_`
+    for (int k = 0; k < 3; ++k)
+      corner[k] = static_cast<float>(double(node.corner[k]) - high_[k]);
+    const unsigned shown = view_.shownIn(bucket);
     Projected s;
     for (int lane = 0; lane < PkdTree::bucketSize; lane += static_cast<int>(hn::Lanes(d)))
     {
       const auto from = [&](int k)
-      { return hn::Sub(hn::Add(load(k, lane), hn::Set(d, corner_[k])), hn::Set(d, low_[k])); };
+      { return hn::Sub(hn::Add(load(k, lane), hn::Set(d, corner[k])), hn::Set(d, low_[k])); };
       const VF r = view_.ownRadii ? load(3, lane) : hn::Set(d, view_.radius);
       tester_.project(from(0), from(1), from(2), r, hn::FirstN(d, hn::Lanes(d)), s);
-      for (unsigned bits = s.in; bits != 0; bits &= bits - 1)
+      if (s.in == 0)
+        continue;
+      for (unsigned bits = s.in & (shown >> lane); bits != 0; bits &= bits - 1)
       {
         const int j = __builtin_ctz(bits);
         tester_.test(s, j, bucket * PkdTree::bucketSize + static_cast<std::size_t>(lane + j));
@@ -189,11 +208,9 @@ private:
   const PkdTreeView& view_;
   Pencil& p_;
   SphereTester<Policy, PkdTreeView> tester_;
-  double high_[3];  ///< Q, to what corners of treelets are multiples of
-  float low_[3];    ///< and the rest of it
-  float corner_[3]; ///< of the treelet that is visited, from `high_`
-  int depth_ = 0;
-  Entry stack_[PkdTree::fanout * 16];
+  double high_[3];            ///< Q, to what corners of treelets are multiples of
+  float low_[3];              ///< and the rest of it
+  std::vector<Entry>& queue_; ///< a heap: what is nearest is visited first
 };
 
 /// Casts a bundle; false, with nothing done, where its rays do not travel the same way along one

@@ -167,6 +167,7 @@ private:
     const PkdTreeView::Node& node, int left, NearChildren& children) const
   {
     const DF d;
+    const unsigned shown = view_.shownOf(node);
     VF perBound[3], base[3];
     const std::uint8_t* near[3];
     const std::uint8_t* far[3];
@@ -187,7 +188,7 @@ private:
       const VF leave = hn::Min(
         hn::Min(at(far[0], 0), at(far[1], 1)), hn::Min(at(far[2], 2), hn::Set(d, ray_.best)));
       // Children that do not exist have turned bounds on every axis.
-      unsigned bits = bitsOf(hn::Le(enter, leave));
+      unsigned bits = bitsOf(hn::Le(enter, leave)) & (shown >> c);
       if (left >= c && left < c + static_cast<int>(hn::Lanes(d)))
         bits &= ~(1u << (left - c));
       if (bits == 0)
@@ -227,7 +228,8 @@ private:
       const VF in = hn::Sub(foot, half), out = hn::Add(foot, half);
       const VF t = hn::IfThenElse(hn::Gt(in, first), in, out);
       const auto before = ANY ? hn::Lt(t, best) : hn::Le(t, best);
-      const unsigned hits = bitsOf(hn::And(meets, hn::And(hn::Gt(t, first), before)));
+      const unsigned hits =
+        bitsOf(hn::And(meets, hn::And(hn::Gt(t, first), before))) & (view_.shownIn(bucket) >> lane);
       if (hits != 0 && keep(hits, t, bucket * PkdTree::bucketSize + static_cast<std::size_t>(lane)))
         return true;
     }

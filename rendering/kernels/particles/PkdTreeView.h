@@ -18,6 +18,8 @@ struct PkdTreeView
   const Node* nodes;
   const PkdTree::Level* levels;
   const Row* rows;
+  const std::uint16_t* shown;     ///< null: all are
+  const std::uint16_t* nodeShown; ///< null likewise
   std::size_t rowsABucket;
   float radius;
   bool ownRadii;
@@ -32,6 +34,8 @@ struct PkdTreeView
     , nodes(t.nodes_.data())
     , levels(t.levels_.data())
     , rows(t.rows_.data())
+    , shown(t.shown_.empty() ? nullptr : t.shown_.data())
+    , nodeShown(t.nodeShown_.empty() ? nullptr : t.nodeShown_.data())
     , rowsABucket(t.rowsABucket_)
     , radius(t.radius_)
     , ownRadii(t.ownRadii_)
@@ -52,6 +56,14 @@ struct PkdTreeView
   }
 
   const Node& node(int level, std::size_t i) const { return nodes[levels[level].first + i]; }
+
+  /// The bits of children that hold anything shown.
+  unsigned shownOf(const Node& of) const
+  {
+    return nodeShown == nullptr ? 0xffffu : nodeShown[&of - nodes];
+  }
+  /// The bits of a bucket's particles that are shown.
+  unsigned shownIn(std::size_t bucket) const { return shown == nullptr ? 0xffffu : shown[bucket]; }
 };
 
 /// A bound's step of a node along an axis: 2^exponent.

@@ -119,3 +119,35 @@ TEST(CoherentGridLayers, BundlesGrowWithTheCellsThatAreSeen)
   }
   EXPECT_EQ(last, 16);
 }
+
+TEST(CoherentGridMemory, TakesTwentyBytesAParticleWithoutIndices)
+{
+  const Particles particles = randomParticles(100000, 76, 0.001, 0.01);
+  CoherentGrid with, without;
+  with.build(particles.set());
+  without.build(particles.set(), {1.0, false});
+  EXPECT_LT(double(without.bytes()) / 100000, 21.0);
+  EXPECT_EQ(with.bytes() - without.bytes(), 4u * 100000);
+  EXPECT_EQ(without.inputIndex(1234), 1234u); // the slot stands in
+}
+
+TEST(CoherentGridLambda, LambdaOnlyChangesTheCells)
+{
+  const Particles particles = randomParticles(2000, 8, 0.01, 0.06);
+  CoherentGrid least, most, grid;
+  least.build(particles.set(), {0.2, true});
+  most.build(particles.set(), {5.0, true});
+  EXPECT_NEAR(std::cbrt(5.0 / 0.2), least.cellSize() / most.cellSize(), 1e-4);
+  grid.build(particles.set(), {0.0001, true}); // clamped
+  EXPECT_EQ(grid.cellSize(), least.cellSize());
+  grid.build(particles.set(), {1e9, true});
+  EXPECT_EQ(grid.cellSize(), most.cellSize());
+  for (const double lambda : {0.2, 0.5, 2.0, 5.0})
+  {
+    grid.build(particles.set(), {lambda, true});
+    const CastReport report = checkImage(grid, CastOracle::forFloat(particles.set()),
+      lookAt({3.0, 2.0, 2.5}, Vec3d(0.0), 40.0), 64, 64);
+    EXPECT_EQ(report.wrong, 0u) << report.complaint;
+    EXPECT_GT(report.hits, 500u);
+  }
+}

@@ -1,7 +1,7 @@
 // Spheres hit at exactly the same distance: the smallest input index is taken, from every side, on
 // any number of threads.
 
-#include <kernels/particles/CoherentGrid.h>
+#include <support/Structure.h>
 
 #include <support/CastOracle.h>
 #include <support/Particles.h>
@@ -44,10 +44,10 @@ std::size_t firstTwin(const Particles& particles, std::size_t i)
 
 } // namespace
 
-TEST(CoherentGridTie, CoincidentParticlesGiveTheSmallestIndex)
+TEST(StructureTie, CoincidentParticlesGiveTheSmallestIndex)
 {
   const Particles particles = repeated(5, 61);
-  CoherentGrid grid;
+  Structure grid;
   grid.build(particles.set());
   Random random(62);
   int hits = 0;
@@ -69,12 +69,12 @@ TEST(CoherentGridTie, CoincidentParticlesGiveTheSmallestIndex)
   EXPECT_GT(hits, 1000);
 }
 
-TEST(CoherentGridTie, HiddenTwinsLeaveTheNextOne)
+TEST(StructureTie, HiddenTwinsLeaveTheNextOne)
 {
   Particles particles;
   for (int i = 0; i < 6; ++i)
     particles.add({0.0, 0.0, 0.0}, 1.0);
-  CoherentGrid grid;
+  Structure grid;
   grid.build(particles.set());
   grid.setVisibility([&](std::size_t slot) { return grid.inputIndex(slot) >= 4; });
   RayPacket packet = emptyPacket();

@@ -1,7 +1,7 @@
 // What a built grid holds: every particle once, in an order that threads do not change.
 
 #include <kernels/core/Error.h>
-#include <kernels/particles/CoherentGrid.h>
+#include <support/Structure.h>
 
 #include <support/CastOracle.h>
 #include <support/Particles.h>
@@ -27,7 +27,7 @@ struct Contents
   bool operator==(const Contents&) const = default;
 };
 
-Contents contentsOf(const CoherentGrid& grid)
+Contents contentsOf(const Structure& grid)
 {
   Contents contents{{}, {}, {}, grid.bytes()};
   for (std::size_t slot = 0; slot < grid.size(); ++slot)
@@ -41,10 +41,10 @@ Contents contentsOf(const CoherentGrid& grid)
 
 } // namespace
 
-TEST(CoherentGridBuild, HoldsEveryParticleOnceWithItsNumbers)
+TEST(StructureBuild, HoldsEveryParticleOnceWithItsNumbers)
 {
   const Particles particles = randomParticles(20000, 71, 0.001, 0.01);
-  CoherentGrid grid;
+  Structure grid;
   grid.build(particles.set());
   ASSERT_EQ(grid.size(), particles.size());
   std::vector<bool> seen(particles.size(), false);
@@ -60,10 +60,10 @@ TEST(CoherentGridBuild, HoldsEveryParticleOnceWithItsNumbers)
   }
 }
 
-TEST(CoherentGridBuild, StatisticsAreThoseOfTheInput)
+TEST(StructureBuild, StatisticsAreThoseOfTheInput)
 {
   const Particles particles = randomParticles(30000, 72, 0.001, 0.01);
-  CoherentGrid grid;
+  Structure grid;
   grid.build(particles.set());
   Box centers, bounds;
   double least = 1.0, most = 0.0;
@@ -85,7 +85,7 @@ TEST(CoherentGridBuild, StatisticsAreThoseOfTheInput)
   EXPECT_EQ(s.largestRadius, most);
 }
 
-TEST(CoherentGridBuild, ThreadsDoNotChangeTheResult)
+TEST(StructureBuild, ThreadsDoNotChangeTheResult)
 {
   Particles particles = randomParticles(50000, 73, 0.001, 0.01);
   for (std::size_t i = 0; i < 20000; ++i) // many in one cell
@@ -93,7 +93,7 @@ TEST(CoherentGridBuild, ThreadsDoNotChangeTheResult)
   std::vector<Contents> results;
   for (const int threads : {1, 2, 4})
   {
-    CoherentGrid grid;
+    Structure grid;
     tbb::task_arena(threads).execute([&] { grid.build(particles.set()); });
     results.push_back(contentsOf(grid));
   }
@@ -101,11 +101,11 @@ TEST(CoherentGridBuild, ThreadsDoNotChangeTheResult)
   EXPECT_TRUE(results[0] == results[2]);
 }
 
-TEST(CoherentGridBuild, RebuildForgetsWhatWasThere)
+TEST(StructureBuild, RebuildForgetsWhatWasThere)
 {
   const Particles many = randomParticles(5000, 74, 0.01, 0.02);
   const Particles few = randomParticles(50, 75, 0.1, 0.2);
-  CoherentGrid used, fresh;
+  Structure used, fresh;
   used.build(many.set());
   used.setVisibility([](std::size_t) { return false; });
   used.build(few.set());
@@ -117,25 +117,14 @@ TEST(CoherentGridBuild, RebuildForgetsWhatWasThere)
   EXPECT_GT(report.hits, 100u);
 }
 
-TEST(CoherentGridBuild, TakesTwentyBytesAParticleWithoutIndices)
-{
-  const Particles particles = randomParticles(100000, 76, 0.001, 0.01);
-  CoherentGrid with, without;
-  with.build(particles.set());
-  without.build(particles.set(), {1.0, false});
-  EXPECT_LT(double(without.bytes()) / 100000, 21.0);
-  EXPECT_EQ(with.bytes() - without.bytes(), 4u * 100000);
-  EXPECT_EQ(without.inputIndex(1234), 1234u); // the slot stands in
-}
-
-TEST(CoherentGridBuild, ConstantRadiusAndScale)
+TEST(StructureBuild, ConstantRadiusAndScale)
 {
   const Particles particles = randomParticles(10, 77, 0.01, 0.01);
   ParticleSet set = particles.set();
   set.radii = {};
   set.radius = 0.25;
   set.radiusScale = 2.0;
-  CoherentGrid grid;
+  Structure grid;
   grid.build(set);
   EXPECT_EQ(grid.radius(3), 0.5);
   set = particles.set();
@@ -144,13 +133,13 @@ TEST(CoherentGridBuild, ConstantRadiusAndScale)
   EXPECT_FLOAT_EQ(static_cast<float>(grid.radius(3)), 0.005f);
 }
 
-TEST(CoherentGridBuild, TakesEveryTypeOfPosition)
+TEST(StructureBuild, TakesEveryTypeOfPosition)
 {
   const std::vector<std::int16_t> positions = {0, 0, 0, 10, 0, 0, 0, -20, 5};
   ParticleSet set;
   set.positions = ArrayView(positions.data(), ArrayView::Type::Int16, 3, 3);
   const CastOracle oracle = CastOracle::forFloat(set);
-  CoherentGrid grid;
+  Structure grid;
   grid.build(set);
   const CastReport report =
     checkImage(grid, oracle, lookAt({30.0, 10.0, 50.0}, {5.0, -10.0, 0.0}, 40.0), 64, 64);
@@ -158,10 +147,10 @@ TEST(CoherentGridBuild, TakesEveryTypeOfPosition)
   EXPECT_GT(report.hits, 5u);
 }
 
-TEST(CoherentGridBuild, MalformedSetsAreRefused)
+TEST(StructureBuild, MalformedSetsAreRefused)
 {
   const Particles particles = randomParticles(10, 78, 0.01, 0.01);
-  CoherentGrid grid;
+  Structure grid;
   grid.build(particles.set());
   ParticleSet set = particles.set();
   set.radii = ArrayView(particles.radii.data(), 9, 1);
@@ -172,10 +161,10 @@ TEST(CoherentGridBuild, MalformedSetsAreRefused)
   EXPECT_THROW(grid.build(set), Error);
 }
 
-TEST(CoherentGridBuild, ProgressRisesAndStops)
+TEST(StructureBuild, ProgressRisesAndStops)
 {
   const Particles particles = randomParticles(10000, 79, 0.01, 0.01);
-  CoherentGrid grid;
+  Structure grid;
   std::vector<double> told;
   grid.build(particles.set(), {},
     [&](double done)
@@ -195,10 +184,10 @@ TEST(CoherentGridBuild, ProgressRisesAndStops)
   }
 }
 
-TEST(CoherentGridVisibility, EqualsAGridOfTheSubset)
+TEST(StructureVisibility, EqualsAGridOfTheSubset)
 {
   const Particles particles = randomParticles(3000, 80, 0.01, 0.06);
-  CoherentGrid grid;
+  Structure grid;
   grid.build(particles.set());
   for (const int every : {2, 7, 500, 100000})
   {
@@ -222,10 +211,10 @@ TEST(CoherentGridVisibility, EqualsAGridOfTheSubset)
   EXPECT_EQ(all.wrong, 0u) << all.complaint;
 }
 
-TEST(CoherentGridVisibility, NoneShownHitsNothing)
+TEST(StructureVisibility, NoneShownHitsNothing)
 {
   const Particles particles = randomParticles(1000, 82, 0.05, 0.1);
-  CoherentGrid grid;
+  Structure grid;
   grid.build(particles.set());
   grid.setVisibility([](std::size_t) { return false; });
   RayPacket packet = emptyPacket();

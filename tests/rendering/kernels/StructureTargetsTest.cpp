@@ -1,6 +1,6 @@
 // Every SIMD instruction set of this machine gives the same answer.
 
-#include <kernels/particles/CoherentGrid.h>
+#include <support/Structure.h>
 
 #include <support/CastOracle.h>
 #include <support/Particles.h>
@@ -55,10 +55,10 @@ std::vector<RayBundle> questions()
 
 } // namespace
 
-TEST(CoherentGridTargets, EveryInstructionSetAgreesWithTheReference)
+TEST(StructureTargets, EveryInstructionSetAgreesWithTheReference)
 {
   const Particles particles = randomParticles(2000, 102, 0.01, 0.08);
-  CoherentGrid grid;
+  Structure grid;
   grid.build(particles.set());
   const CastOracle oracle = CastOracle::forFloat(particles.set());
   const std::vector<RayBundle> bundles = questions();

@@ -1,6 +1,6 @@
 // Few particles, flat and linear sets, bad numbers, and sizes far from one.
 
-#include <kernels/particles/CoherentGrid.h>
+#include <support/Structure.h>
 
 #include <support/CastOracle.h>
 #include <support/Particles.h>
@@ -16,10 +16,10 @@ namespace
 {
 
 /// From all around, near and far, in both projections.
-void expectRightFromAllAround(const Particles& particles, const CoherentGridOptions& options = {})
+void expectRightFromAllAround(const Particles& particles)
 {
-  CoherentGrid grid;
-  grid.build(particles.set(), options);
+  Structure grid;
+  grid.build(particles.set());
   const CastOracle oracle = CastOracle::forFloat(particles.set());
   const Box bounds = grid.statistics().bounds;
   const double size = std::max(glm::length(bounds.size()), 1e-30);
@@ -45,9 +45,9 @@ void expectRightFromAllAround(const Particles& particles, const CoherentGridOpti
 
 } // namespace
 
-TEST(CoherentGridDegenerate, NoParticleHitsNothing)
+TEST(StructureDegenerate, NoParticleHitsNothing)
 {
-  CoherentGrid grid;
+  Structure grid;
   RayPacket packet = emptyPacket();
   addRay(packet, {0.0, 0.0, -5.0}, {0.0, 0.0, 1.0});
   grid.cast(packet, 0); // never built
@@ -62,7 +62,7 @@ TEST(CoherentGridDegenerate, NoParticleHitsNothing)
   grid.setVisibility({});
 }
 
-TEST(CoherentGridDegenerate, OneTwoAndThreeParticles)
+TEST(StructureDegenerate, OneTwoAndThreeParticles)
 {
   Random random(2);
   for (int round = 0; round < 10; ++round)
@@ -76,7 +76,7 @@ TEST(CoherentGridDegenerate, OneTwoAndThreeParticles)
   }
 }
 
-TEST(CoherentGridDegenerate, OneParticleOfAnySize)
+TEST(StructureDegenerate, OneParticleOfAnySize)
 {
   for (const double radius : {1e-12, 1e-6, 1.0, 1e6, 1e12})
   {
@@ -87,7 +87,7 @@ TEST(CoherentGridDegenerate, OneParticleOfAnySize)
   }
 }
 
-TEST(CoherentGridDegenerate, SetsOfAnySize)
+TEST(StructureDegenerate, SetsOfAnySize)
 {
   for (const double scale : {1e-12, 1e-9, 1e-3, 1e3, 1e9, 1e12})
   {
@@ -101,7 +101,7 @@ TEST(CoherentGridDegenerate, SetsOfAnySize)
   }
 }
 
-TEST(CoherentGridDegenerate, FlatSets)
+TEST(StructureDegenerate, FlatSets)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -112,7 +112,7 @@ TEST(CoherentGridDegenerate, FlatSets)
   }
 }
 
-TEST(CoherentGridDegenerate, LinearSets)
+TEST(StructureDegenerate, LinearSets)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -125,7 +125,7 @@ TEST(CoherentGridDegenerate, LinearSets)
   }
 }
 
-TEST(CoherentGridDegenerate, AllAtOnePoint)
+TEST(StructureDegenerate, AllAtOnePoint)
 {
   Particles particles;
   for (int i = 0; i < 300; ++i)
@@ -133,7 +133,7 @@ TEST(CoherentGridDegenerate, AllAtOnePoint)
   expectRightFromAllAround(particles);
 }
 
-TEST(CoherentGridDegenerate, AMillionAtOnePoint)
+TEST(StructureDegenerate, AMillionAtOnePoint)
 {
   // Cells cannot tell them apart, and every ray meets them all: slow, never wrong or unbounded. The
   // reference need not look at all of them.
@@ -141,7 +141,7 @@ TEST(CoherentGridDegenerate, AMillionAtOnePoint)
   for (int i = 0; i < 1000000; ++i)
     particles.add({1.0, 2.0, 3.0}, 0.25);
   one.add({1.0, 2.0, 3.0}, 0.25);
-  CoherentGrid grid;
+  Structure grid;
   grid.build(particles.set());
   EXPECT_EQ(grid.size(), 1000000u);
   EXPECT_LT(grid.bytes(), 50u * 1000000u);
@@ -151,11 +151,11 @@ TEST(CoherentGridDegenerate, AMillionAtOnePoint)
   EXPECT_GT(report.hits, report.rays / 4);
 }
 
-TEST(CoherentGridDegenerate, OneParticleFarFromTheOthers)
+TEST(StructureDegenerate, OneParticleFarFromTheOthers)
 {
   Particles particles = randomParticles(500, 6, 0.01, 0.05);
   particles.add({3000.0, -10.0, 20.0}, 0.5);
-  CoherentGrid grid;
+  Structure grid;
   grid.build(particles.set());
   const CastOracle oracle = CastOracle::forFloat(particles.set());
   const CastReport report =
@@ -164,28 +164,13 @@ TEST(CoherentGridDegenerate, OneParticleFarFromTheOthers)
   EXPECT_GT(report.hits, 100u);
 }
 
-TEST(CoherentGridDegenerate, RadiiManyTimesTheCells)
+TEST(StructureDegenerate, RadiiManyTimesTheCells)
 {
   const Particles particles = randomParticles(1000, 7, 0.5, 1.5);
   expectRightFromAllAround(particles);
 }
 
-TEST(CoherentGridDegenerate, LambdaOnlyChangesTheCells)
-{
-  const Particles particles = randomParticles(2000, 8, 0.01, 0.06);
-  CoherentGrid least, most, grid;
-  least.build(particles.set(), {0.2, true});
-  most.build(particles.set(), {5.0, true});
-  EXPECT_NEAR(std::cbrt(5.0 / 0.2), least.cellSize() / most.cellSize(), 1e-4);
-  grid.build(particles.set(), {0.0001, true}); // clamped
-  EXPECT_EQ(grid.cellSize(), least.cellSize());
-  grid.build(particles.set(), {1e9, true});
-  EXPECT_EQ(grid.cellSize(), most.cellSize());
-  for (const double lambda : {0.2, 0.5, 2.0, 5.0})
-    expectRightFromAllAround(particles, {lambda, true});
-}
-
-TEST(CoherentGridDegenerate, BadNumbersAreCountedAndLeftOut)
+TEST(StructureDegenerate, BadNumbersAreCountedAndLeftOut)
 {
   const double nan = std::nan(""), infinity = INFINITY;
   Particles particles = randomParticles(500, 9, 0.01, 0.1);
@@ -197,7 +182,7 @@ TEST(CoherentGridDegenerate, BadNumbersAreCountedAndLeftOut)
   particles.add({0.0, 0.0, 0.0}, nan);
   particles.add({0.0, 0.0, 0.0}, infinity);
   particles.add({0.0, 0.0, 0.0}, 0.1);
-  CoherentGrid grid;
+  Structure grid;
   grid.build(particles.set());
   EXPECT_EQ(grid.size(), 501u);
   EXPECT_EQ(grid.statistics().valid, 501u);
@@ -206,11 +191,11 @@ TEST(CoherentGridDegenerate, BadNumbersAreCountedAndLeftOut)
   expectRightFromAllAround(particles);
 }
 
-TEST(CoherentGridDegenerate, OnlyBadParticlesHitNothing)
+TEST(StructureDegenerate, OnlyBadParticlesHitNothing)
 {
   Particles particles;
   particles.add({0.0, 0.0, 0.0}, -1.0);
-  CoherentGrid grid;
+  Structure grid;
   grid.build(particles.set());
   EXPECT_EQ(grid.size(), 0u);
   RayPacket packet = emptyPacket();

@@ -1,6 +1,6 @@
 // Packets that are not 64 rays of a camera: fewer, incoherent, bounded, odd.
 
-#include <kernels/particles/CoherentGrid.h>
+#include <support/Structure.h>
 
 #include <support/CastOracle.h>
 #include <support/Particles.h>
@@ -13,7 +13,7 @@ using namespace mote::testing;
 namespace
 {
 
-class CoherentGridPacket : public ::testing::Test
+class StructurePacket : public ::testing::Test
 {
 protected:
   void SetUp() override { grid.build(particles.set()); }
@@ -26,14 +26,14 @@ protected:
 
   Particles particles = randomParticles(2000, 51, 0.01, 0.08);
   CastOracle oracle = CastOracle::forFloat(particles.set());
-  CoherentGrid grid;
+  Structure grid;
   CastReport report;
   Random random{52};
 };
 
 } // namespace
 
-TEST_F(CoherentGridPacket, AnyNumberOfRays)
+TEST_F(StructurePacket, AnyNumberOfRays)
 {
   for (int count = 1; count <= RayPacket::capacity; ++count)
   {
@@ -45,14 +45,14 @@ TEST_F(CoherentGridPacket, AnyNumberOfRays)
   EXPECT_GT(report.hits, report.rays / 2);
 }
 
-TEST_F(CoherentGridPacket, NoRayIsNoWork)
+TEST_F(StructurePacket, NoRayIsNoWork)
 {
   RayPacket packet = emptyPacket();
   grid.cast(packet, 1);
   EXPECT_EQ(packet.count, 0);
 }
 
-TEST_F(CoherentGridPacket, RaysBeyondTheCountAreNotTouched)
+TEST_F(StructurePacket, RaysBeyondTheCountAreNotTouched)
 {
   RayPacket packet = emptyPacket();
   for (int i = 0; i < RayPacket::capacity; ++i)
@@ -64,7 +64,7 @@ TEST_F(CoherentGridPacket, RaysBeyondTheCountAreNotTouched)
     EXPECT_EQ(packet.object[i], -1);
 }
 
-TEST_F(CoherentGridPacket, IncoherentRays)
+TEST_F(StructurePacket, IncoherentRays)
 {
   for (int k = 0; k < 100; ++k)
   {
@@ -77,7 +77,7 @@ TEST_F(CoherentGridPacket, IncoherentRays)
   EXPECT_GT(report.hits, report.rays / 4);
 }
 
-TEST_F(CoherentGridPacket, ParallelAndOppositeRays)
+TEST_F(StructurePacket, ParallelAndOppositeRays)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -92,7 +92,7 @@ TEST_F(CoherentGridPacket, ParallelAndOppositeRays)
   }
 }
 
-TEST_F(CoherentGridPacket, IntervalsAreRespected)
+TEST_F(StructurePacket, IntervalsAreRespected)
 {
   for (int k = 0; k < 100; ++k)
   {
@@ -109,7 +109,7 @@ TEST_F(CoherentGridPacket, IntervalsAreRespected)
   EXPECT_LT(report.hits, 3 * report.rays / 4);
 }
 
-TEST_F(CoherentGridPacket, EmptyIntervalsHitNothing)
+TEST_F(StructurePacket, EmptyIntervalsHitNothing)
 {
   RayPacket packet = emptyPacket();
   for (int i = 0; i < 20; ++i)
@@ -118,7 +118,7 @@ TEST_F(CoherentGridPacket, EmptyIntervalsHitNothing)
   EXPECT_EQ(report.hits, 0u);
 }
 
-TEST_F(CoherentGridPacket, RaysThatStartBeyondOrPointAway)
+TEST_F(StructurePacket, RaysThatStartBeyondOrPointAway)
 {
   for (int k = 0; k < 50; ++k)
   {
@@ -133,7 +133,7 @@ TEST_F(CoherentGridPacket, RaysThatStartBeyondOrPointAway)
   EXPECT_EQ(report.hits, 0u);
 }
 
-TEST_F(CoherentGridPacket, OneRayOfManyMeetsTheSet)
+TEST_F(StructurePacket, OneRayOfManyMeetsTheSet)
 {
   RayPacket packet = emptyPacket();
   for (int i = 0; i < RayPacket::capacity; ++i)
@@ -142,7 +142,7 @@ TEST_F(CoherentGridPacket, OneRayOfManyMeetsTheSet)
   EXPECT_EQ(report.hits, 1u);
 }
 
-TEST_F(CoherentGridPacket, DirectionsWithoutLengthHitNothing)
+TEST_F(StructurePacket, DirectionsWithoutLengthHitNothing)
 {
   RayPacket packet = emptyPacket();
   for (int i = 0; i < 16; ++i)
@@ -152,7 +152,7 @@ TEST_F(CoherentGridPacket, DirectionsWithoutLengthHitNothing)
     EXPECT_EQ(packet.object[i], i % 2 == 0 ? -1 : 1);
 }
 
-TEST_F(CoherentGridPacket, CastingAgainChangesNothing)
+TEST_F(StructurePacket, CastingAgainChangesNothing)
 {
   // What was found becomes the farthest t that counts, and the same hit is not nearer than that.
   for (int k = 0; k < 50; ++k)
@@ -172,7 +172,7 @@ TEST_F(CoherentGridPacket, CastingAgainChangesNothing)
   }
 }
 
-TEST_F(CoherentGridPacket, TCountsInLengthsOfTheDirection)
+TEST_F(StructurePacket, TCountsInLengthsOfTheDirection)
 {
   for (const double length : {1e-6, 0.5, 1.0, 3.0, 1e6})
   {
@@ -185,12 +185,12 @@ TEST_F(CoherentGridPacket, TCountsInLengthsOfTheDirection)
   }
 }
 
-TEST_F(CoherentGridPacket, ASecondStructureOnlyTakesWhatIsNearer)
+TEST_F(StructurePacket, ASecondStructureOnlyTakesWhatIsNearer)
 {
   Particles front, back;
   front.add({0.0, 0.0, 2.0}, 0.5);
   back.add({0.0, 0.0, -2.0}, 0.5);
-  CoherentGrid first, second;
+  Structure first, second;
   first.build(front.set());
   second.build(back.set());
   for (const bool frontFirst : {true, false})
@@ -204,7 +204,7 @@ TEST_F(CoherentGridPacket, ASecondStructureOnlyTakesWhatIsNearer)
   }
 }
 
-TEST_F(CoherentGridPacket, OccludedRaysAreThoseThatHitSomething)
+TEST_F(StructurePacket, OccludedRaysAreThoseThatHitSomething)
 {
   int occluded = 0;
   for (int k = 0; k < 40; ++k)

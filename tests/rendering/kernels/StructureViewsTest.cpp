@@ -1,6 +1,6 @@
 // The grid against the reference over random sets, cameras and projections.
 
-#include <kernels/particles/CoherentGrid.h>
+#include <support/Structure.h>
 
 #include <support/CastOracle.h>
 #include <support/Particles.h>
@@ -24,7 +24,7 @@ struct Fixture
   }
   Particles particles;
   CastOracle oracle;
-  CoherentGrid grid;
+  Structure grid;
 };
 
 void expectRight(const Fixture& f, const Camera& camera, bool expectHits = true, int size = 40)
@@ -43,7 +43,7 @@ void expectRight(const Fixture& f, const Camera& camera, bool expectHits = true,
 
 } // namespace
 
-TEST(CoherentGridViews, RandomSetsInPerspective)
+TEST(StructureViews, RandomSetsInPerspective)
 {
   for (std::uint64_t seed = 1; seed <= 8; ++seed)
   {
@@ -57,7 +57,7 @@ TEST(CoherentGridViews, RandomSetsInPerspective)
   }
 }
 
-TEST(CoherentGridViews, RandomSetsInOrthographicProjection)
+TEST(StructureViews, RandomSetsInOrthographicProjection)
 {
   for (std::uint64_t seed = 1; seed <= 4; ++seed)
   {
@@ -73,7 +73,7 @@ TEST(CoherentGridViews, RandomSetsInOrthographicProjection)
   }
 }
 
-TEST(CoherentGridViews, SixDirectionsAlongTheAxes)
+TEST(StructureViews, SixDirectionsAlongTheAxes)
 {
   const Fixture f(randomParticles(2000, 31, 0.01, 0.08));
   for (int axis = 0; axis < 3; ++axis)
@@ -89,7 +89,7 @@ TEST(CoherentGridViews, SixDirectionsAlongTheAxes)
     }
 }
 
-TEST(CoherentGridViews, DiagonalsWhereTheMajorAxisChangesWithinAPacket)
+TEST(StructureViews, DiagonalsWhereTheMajorAxisChangesWithinAPacket)
 {
   const Fixture f(randomParticles(2000, 32, 0.01, 0.08));
   for (int corner = 0; corner < 8; ++corner)
@@ -99,7 +99,7 @@ TEST(CoherentGridViews, DiagonalsWhereTheMajorAxisChangesWithinAPacket)
   }
 }
 
-TEST(CoherentGridViews, CameraAmongTheParticles)
+TEST(StructureViews, CameraAmongTheParticles)
 {
   const Fixture f(randomParticles(3000, 33, 0.005, 0.05));
   Random random(5);
@@ -110,7 +110,7 @@ TEST(CoherentGridViews, CameraAmongTheParticles)
   }
 }
 
-TEST(CoherentGridViews, CameraInsideASphere)
+TEST(StructureViews, CameraInsideASphere)
 {
   Particles particles = randomParticles(500, 34, 0.01, 0.1);
   particles.add({0.2, 0.1, -0.1}, 0.7);
@@ -124,7 +124,7 @@ TEST(CoherentGridViews, CameraInsideASphere)
   }
 }
 
-TEST(CoherentGridViews, SpheresBehindTheEyeThatReachBeforeIt)
+TEST(StructureViews, SpheresBehindTheEyeThatReachBeforeIt)
 {
   // Spheres as large as the distance between them, and rays that spread as widely as they may in
   // one packet: what they meet beside the eye may be centred behind it.
@@ -140,7 +140,7 @@ TEST(CoherentGridViews, SpheresBehindTheEyeThatReachBeforeIt)
   }
 }
 
-TEST(CoherentGridViews, WideAnglesSplitPackets)
+TEST(StructureViews, WideAnglesSplitPackets)
 {
   const Fixture f(randomParticles(1000, 35, 0.02, 0.1));
   Random random(6);
@@ -154,7 +154,7 @@ TEST(CoherentGridViews, WideAnglesSplitPackets)
     }
 }
 
-TEST(CoherentGridViews, NarrowAngles)
+TEST(StructureViews, NarrowAngles)
 {
   const Fixture f(randomParticles(4000, 36, 0.02, 0.08));
   Random random(7);
@@ -168,7 +168,7 @@ TEST(CoherentGridViews, NarrowAngles)
     }
 }
 
-TEST(CoherentGridViews, RadiiOverManyOrders)
+TEST(StructureViews, RadiiOverManyOrders)
 {
   Random random(8);
   Particles particles;
@@ -179,7 +179,7 @@ TEST(CoherentGridViews, RadiiOverManyOrders)
     expectRight(f, lookAt(random(1.2, 5.0) * random.direction(), Vec3d(0.0), 40.0));
 }
 
-TEST(CoherentGridViews, ClustersWithEmptySpaceBetween)
+TEST(StructureViews, ClustersWithEmptySpaceBetween)
 {
   // Most macrocells are empty and are jumped over, from every side and for both signs.
   Random random(9);

@@ -1,7 +1,7 @@
 // What ranges of values show: exactly the particles in range, whatever the traversal skips.
 
 #include <kernels/core/Error.h>
-#include <kernels/particles/CoherentGrid.h>
+#include <support/Structure.h>
 
 #include <support/CastOracle.h>
 #include <support/Particles.h>
@@ -19,7 +19,7 @@ struct Attributed
 {
   Particles particles = randomParticles(3000, 131, 0.01, 0.06);
   std::vector<float> smooth, noise;
-  CoherentGrid grid;
+  Structure grid;
 
   Attributed()
   {
@@ -46,7 +46,7 @@ struct Attributed
         left.add(particles.center(i), particles.radii[i]);
         indices.push_back(i);
       }
-    CoherentGrid alone;
+    Structure alone;
     alone.build(left.set());
     std::size_t hits = 0;
     for (const Vec3d& eye : {Vec3d(3.0, 1.0, 2.0), Vec3d(-1.0, -2.0, -3.0)})
@@ -76,7 +76,7 @@ struct Attributed
 
 } // namespace
 
-TEST(CoherentGridRanges, EachOfTheEightValuesSelects)
+TEST(StructureRanges, EachOfTheEightValuesSelects)
 {
   Attributed a;
   const auto center = [&](std::size_t i) { return a.particles.center(i); };
@@ -107,7 +107,7 @@ TEST(CoherentGridRanges, EachOfTheEightValuesSelects)
   a.expectOnly([](std::size_t) { return true; });
 }
 
-TEST(CoherentGridRanges, LimitsBelongToTheRangeAndFloatRoundsInwards)
+TEST(StructureRanges, LimitsBelongToTheRangeAndFloatRoundsInwards)
 {
   Attributed a;
   ParticleRanges ranges;
@@ -120,7 +120,7 @@ TEST(CoherentGridRanges, LimitsBelongToTheRangeAndFloatRoundsInwards)
   a.expectOnly([&](std::size_t i) { return a.smooth[i] > a.smooth[7]; });
 }
 
-TEST(CoherentGridRanges, NaNIsInTheUnlimitedRangeAlone)
+TEST(StructureRanges, NaNIsInTheUnlimitedRangeAlone)
 {
   Attributed a;
   for (std::size_t i = 0; i < a.noise.size(); i += 2)
@@ -134,7 +134,7 @@ TEST(CoherentGridRanges, NaNIsInTheUnlimitedRangeAlone)
   a.expectOnly([](std::size_t i) { return i % 2 == 1; });
 }
 
-TEST(CoherentGridRanges, CombineWithTheVisibilityInAnyOrder)
+TEST(StructureRanges, CombineWithTheVisibilityInAnyOrder)
 {
   Attributed a;
   ParticleRanges ranges;
@@ -154,7 +154,7 @@ TEST(CoherentGridRanges, CombineWithTheVisibilityInAnyOrder)
   a.expectOnly([](std::size_t) { return false; });
 }
 
-TEST(CoherentGridRanges, RefusesWhatIsNoAttribute)
+TEST(StructureRanges, RefusesWhatIsNoAttribute)
 {
   Attributed a;
   const ArrayView noise(a.noise.data(), a.noise.size(), 1);
@@ -168,7 +168,7 @@ TEST(CoherentGridRanges, RefusesWhatIsNoAttribute)
   EXPECT_THROW(a.grid.setRanges(ranges), Error);
 }
 
-TEST(CoherentGridRanges, AttributesTakeMemoryOnlyWhereTheyAreKept)
+TEST(StructureRanges, AttributesTakeMemoryOnlyWhereTheyAreKept)
 {
   Attributed a;
   const std::size_t with = a.grid.bytes();

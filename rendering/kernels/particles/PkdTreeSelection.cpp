@@ -1,0 +1,116 @@
+// Which particles of a PkdTree are shown: a bit for each, made when visibility or ranges change,
+// and one for each child of each node.
+
+#include "PkdTree.h"
+
+#include "ParticleAttributes.h"
+#include "StoredRanges.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <bit>
+
+namespace mote
+{
+
+namespace
+{
+
+constexpr std::size_t bucketsATask = 1024;
+
+/// Sets bits[bucket] to a bit for each of its particles that accepts(slot) takes.
+template <typename Bits, typename Accepts>
+void findBits(std::size_t count, Bits& bits, const Accepts& accepts)
+{
+  constexpr std::size_t size = PkdTree::bucketSize;
+  bits.resize((count + size - 1) / size);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, bits.size(), bucketsATask),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t bucket = range.begin(); bucket != range.end(); ++bucket)
+      {
+        unsigned found = 0;
+        const std::size_t first = size * bucket, last = std::min(count, first + size);
+        for (std::size_t slot = first; slot < last; ++slot)
+          found |= static_cast<unsigned>(accepts(slot)) << (slot - first);
+        bits[bucket] = static_cast<typename Bits::value_type>(found);
+      }
+    });
+}
+
+} // namespace
+
+void PkdTree::setVisibility(const std::function<bool(std::size_t)>& shown)
+{
+  visible_.clear();
+  if (shown && count_ > 0)
+    findBits(count_, visible_, shown);
+  findShown();
+}
+
+void PkdTree::setAttributes(const std::vector<ParticleAttribute>& attributes)
+{
+  checkAttributes(attributes, statistics_, indexRows_ > 0);
+  values_.clear();
+  values_.shrink_to_fit();
+  if (!attributes.empty())
+    values_.resize(count_);
+  fillAttributes(attributes, values_, [this](std::size_t slot) { return inputIndex(slot); });
+  findShown();
+}
+
+void PkdTree::setRanges(const ParticleRanges& ranges)
+{
+  checkRanges(ranges, !values_.empty() || count_ == 0);
+  ranges_ = ranges;
+  findShown();
+}
+
+void PkdTree::findShown()
+{
+  const StoredRanges stored(ranges_, origin_, unit_, !values_.empty());
+  shown_.clear();
+  nodeShown_.clear();
+  if (count_ == 0 || (stored.limits == 0 && visible_.empty()))
+    return;
+  if (stored.limits == 0)
+    shown_ = visible_;
+  else
+    findBits(count_, shown_,
+      [&](std::size_t slot)
+      {
+        if (!visible_.empty() && ((visible_[slot / bucketSize] >> (slot % bucketSize)) & 1) == 0)
+          return false;
+        const Node& treelet = nodes_[levels_.front().first + slot / treeletSize];
+        float record[4];
+        for (int k = 0; k < 3; ++k)
+          record[k] = treelet.corner[static_cast<std::size_t>(k)] + number(slot, k);
+        record[3] = ownRadii_ ? number(slot, 3) : radius_;
+        return stored.contain(record, values_.empty() ? nullptr : values_[slot].data());
+      });
+  nodeShown_.resize(nodes_.size());
+  const Bits* below = shown_.data();
+  std::size_t count = shown_.size();
+  for (const Level& level : levels_)
+  {
+    Bits* own = nodeShown_.data() + level.first;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, level.count, bucketsATask),
+      [&](const tbb::blocked_range<std::size_t>& range)
+      {
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+        {
+          unsigned found = 0;
+          const std::size_t first = fanout * i, last = std::min<std::size_t>(count, first + fanout);
+          for (std::size_t child = first; child < last; ++child)
+            found |= static_cast<unsigned>(below[child] != 0) << (child - first);
+          own[i] = static_cast<Bits>(found);
+        }
+      });
+    below = own;
+    count = level.count;
+  }
+}
+
+} // namespace mote

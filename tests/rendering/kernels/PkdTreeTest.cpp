@@ -1,0 +1,173 @@
+// What is the P-k-d tree's own: its shape, its numbers, its memory.
+
+#include <kernels/particles/MedianSplit.h>
+#include <kernels/particles/PkdTree.h>
+
+#include <support/CastOracle.h>
+#include <support/Particles.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace mote;
+using namespace mote::testing;
+
+namespace
+{
+
+template <int WORDS>
+std::vector<KdRecord<WORDS>> randomRecords(
+  std::size_t count, std::uint32_t values, std::uint64_t seed)
+{
+  Random random(seed);
+  std::vector<KdRecord<WORDS>> records(count);
+  for (auto& record : records)
+    for (auto& word : record.words)
+      word = static_cast<std::uint32_t>(random(0.0, double(values)));
+  return records;
+}
+
+void expectRight(const Particles& particles, const PkdTreeOptions& options = {})
+{
+  PkdTree tree;
+  tree.build(particles.set(), options);
+  ASSERT_EQ(tree.size(), particles.size());
+  const CastOracle oracle = CastOracle::forFloat(particles.set());
+  Random random(3);
+  CastReport report;
+  for (int k = 0; k < 6; ++k)
+    report.add(checkImage(
+      tree, oracle, lookAt(random(1.5, 4.0) * random.direction(), Vec3d(0.0), 50.0), 32, 32));
+  EXPECT_EQ(report.wrong, 0u) << "of " << report.rays << " rays; " << report.complaint;
+}
+
+} // namespace
+
+TEST(MedianSplit, PartsAnyRangeAsSortingWould)
+{
+  for (const std::size_t count : {2u, 3u, 33u, 700u, 5000u, 600000u})
+    for (const std::uint32_t values : {1u, 2u, 50u, 4000000000u})
+    {
+      auto records = randomRecords<4>(count, values, count + values);
+      auto sorted = records;
+      const int axis = static_cast<int>(count % 3);
+      std::sort(sorted.begin(), sorted.end(), KdLess{axis});
+      const std::size_t middle = count / 2;
+      MedianSplit<4>::run(records.data(), records.data() + middle, records.data() + count, axis, 0,
+        values == 1 ? 0 : values - 1);
+      std::sort(
+        records.begin(), records.begin() + static_cast<std::ptrdiff_t>(middle), KdLess{axis});
+      std::sort(records.begin() + static_cast<std::ptrdiff_t>(middle), records.end(), KdLess{axis});
+      for (std::size_t i = 0; i < count; ++i)
+        ASSERT_EQ(records[i].words, sorted[i].words) << i << " of " << count;
+    }
+}
+
+TEST(PkdTree, AnyNumberOfParticles)
+{
+  for (const std::size_t count : {1u, 2u, 3u, 15u, 16u, 17u, 31u, 32u, 33u, 255u, 256u, 257u, 4095u,
+         4096u, 4097u, 65535u, 65536u, 65537u})
+    expectRight(randomParticles(count, count, 0.02, 0.08));
+}
+
+TEST(PkdTree, EitherRuleOfSplitting)
+{
+  PkdTreeOptions options;
+  options.split = PkdTreeOptions::Split::RoundRobin;
+  expectRight(randomParticles(5000, 11, 0.01, 0.05), options);
+  Particles flat = randomParticles(5000, 12, 0.01, 0.05);
+  for (std::size_t i = 0; i < flat.size(); ++i)
+    flat.positions[3 * i + 1] = 0.0;
+  expectRight(flat, options);
+}
+
+TEST(PkdTree, DuplicatesByTheThousand)
+{
+  Particles particles = randomParticles(200, 13, 0.02, 0.06);
+  for (int copy = 0; copy < 20; ++copy)
+    for (std::size_t i = 0; i < 100; ++i)
+      particles.add(particles.center(i), particles.radii[i]);
+  for (int copy = 0; copy < 3000; ++copy)
+    particles.add({0.5, 0.5, 0.5}, 0.1);
+  expectRight(particles);
+}
+
+TEST(PkdTree, TakesLittleMoreThanTheCoordinates)
+{
+  Particles particles = randomParticles(200000, 14, 0.002, 0.002);
+  ParticleSet set = particles.set();
+  set.radii = {};
+  set.radius = 0.002;
+  PkdTreeOptions options;
+  options.keepIndices = false;
+  PkdTree tree;
+  tree.build(set, options);
+  EXPECT_LT(double(tree.bytes()) / 200000.0, 12.6);
+  EXPECT_EQ(tree.inputIndex(4321), 4321u); // the slot stands in
+  options.keepIndices = true;
+  tree.build(set, options);
+  EXPECT_LT(double(tree.bytes()) / 200000.0, 16.6);
+  tree.build(particles.set(), options); // radii of their own that are all the same
+  EXPECT_LT(double(tree.bytes()) / 200000.0, 16.6);
+}
+
+TEST(PkdTree, CoordinatesAreAtLeastAsFineAsFloat)
+{
+  const Particles particles = randomParticles(100000, 15, 0.002, 0.004);
+  PkdTree tree;
+  tree.build(particles.set());
+  EXPECT_LE(tree.step(), 2.0 * 0x1p-24);
+  double largest = 0.0;
+  for (std::size_t slot = 0; slot < tree.size(); ++slot)
+  {
+    const Vec3d error = glm::abs(tree.center(slot) - particles.center(tree.inputIndex(slot)));
+    largest = std::max({largest, error.x, error.y, error.z});
+  }
+  EXPECT_LE(largest, 0.52 * tree.step()); // rounded twice, the first time far finer
+  EXPECT_LE(largest, 0.6 * 0x1p-25);      // float would be wrong by up to 2^-25 here
+}
+
+TEST(PkdTree, GiantsAmongDwarfs)
+{
+  Random random(16);
+  Particles particles;
+  for (int i = 0; i < 20000; ++i)
+    particles.add(random.inBox(Vec3d(-1.0), Vec3d(1.0)), std::pow(10.0, random(-5.0, -1.0)));
+  expectRight(particles);
+}
+
+TEST(PkdTree, OcclusionFromTheParticleThatTheRayLeaves)
+{
+  // What is asked from the particle upwards is what is asked from the top.
+  const Particles particles = randomParticles(20000, 17, 0.005, 0.03);
+  PkdTree tree;
+  tree.build(particles.set());
+  Random random(18);
+  int occluded = 0, rays = 0;
+  for (int k = 0; k < 200; ++k)
+  {
+    RayPacket packet = emptyPacket();
+    for (int i = 0; i < RayPacket::capacity; ++i)
+    {
+      const auto slot = static_cast<std::size_t>(random(0.0, double(tree.size())));
+      const Vec3d normal = random.direction();
+      addRay(packet, tree.center(slot) + 1.0001 * tree.radius(slot) * normal,
+        normal + random.direction(), 0.0, random(0.05, 0.5));
+      packet.slot[i] = slot;
+      packet.object[i] = 2;
+    }
+    RayPacket stranger = packet;
+    std::fill_n(stranger.object, packet.count, 1);
+    tree.occlude(packet, 2);
+    tree.occlude(stranger, 2);
+    for (int i = 0; i < packet.count; ++i, ++rays)
+    {
+      ASSERT_EQ(packet.t[i], stranger.t[i]);
+      occluded += packet.t[i] < 0.0;
+    }
+  }
+  EXPECT_GT(occluded, rays / 10);
+  EXPECT_LT(occluded, rays);
+}
