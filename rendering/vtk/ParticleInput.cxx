@@ -152,23 +152,10 @@ ParticleStructureKind structureOf(const char* name)
 void buildStructure(std::shared_ptr<ParticleStructure>& structure, const ParticleSet& particles,
   const ParticleStructureOptions& options, const Progress& progress)
 {
-  const bool again = structure && structure.use_count() == 1 &&
-                     structure->index() == static_cast<std::size_t>(options.kind);
-  if (!again)
-  {
-    structure = nullptr; // so that the old one does not stand beside the new one
-    structure = makeParticleStructure(particles, options, progress);
-    return;
-  }
-  bool complete = true;
-  const Progress watched = [&](double done)
-  {
-    complete = complete && (!progress || progress(done));
-    return complete;
-  };
-  std::get<CoherentGrid>(*structure).build(particles, options.coherentGrid, watched);
-  if (!complete)
-    structure = nullptr;
+  // One that somebody else still looks at stays as it is.
+  std::shared_ptr<ParticleStructure> used = structure.use_count() == 1 ? structure : nullptr;
+  structure = nullptr;
+  structure = makeParticleStructure(particles, options, progress, std::move(used));
 }
 
 std::string leftOutSentence(const ParticleStatistics& s)

@@ -109,13 +109,13 @@ private:
   friend struct PkdTreeBuilder;
   friend struct PkdTreeView;
 
-  /// Bounds of 16 children: `lower` + bounds * 2^exponent, in unit() from origin(). Children that
-  /// do not exist have low > high.
+  /// Bounds of 16 children: `lower` + bounds * 2^(exponent - 127), in unit() from origin().
+  /// Children that do not exist have low > high.
   struct alignas(64) Node
   {
     std::array<float, 3> lower;
     std::array<float, 3> corner; ///< that coordinates count from; of treelets only
-    std::array<std::int8_t, 3> exponent;
+    std::array<std::uint8_t, 3> exponent;
     std::array<std::uint8_t, 5> unused;
     std::array<std::array<std::uint8_t, fanout>, 3> low, high;
   };

@@ -328,7 +328,7 @@ struct PkdTreeBuilder
       const double extent = all.upper[k] + margin - node.lower[k];
       const int exponent =
         std::clamp(static_cast<int>(std::ceil(std::log2(extent / 254.0))), -120, 120);
-      node.exponent[k] = static_cast<std::int8_t>(exponent);
+      node.exponent[k] = static_cast<std::uint8_t>(exponent + 127);
       const double perSize = std::ldexp(1.0, -exponent);
       for (std::size_t c = 0; c < PkdTree::fanout; ++c)
       {

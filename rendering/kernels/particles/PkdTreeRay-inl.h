@@ -17,63 +17,102 @@ namespace mote
 namespace HWY_NAMESPACE
 {
 
-/// A ray in the tree's coordinates: P + tau d, with |d| = 1 and P where it enters the bounds.
+using D4 = hn::CappedTag<float, 4>;
+
+/// A ray in the tree's coordinates: P + tau d, with |d| = 1 and P where it enters the bounds. The
+/// fourth numbers hold nothing.
 struct TreeRay
 {
-  double p[3];
-  double high[3]; ///< P, to what corners of treelets are multiples of
-  float low[3];   ///< and the rest of it
+  alignas(16) float p[4];
+  alignas(16) float high[4];    ///< P, to what corners of treelets are multiples of
+  alignas(16) float low[4];     ///< and the rest of it
+  alignas(16) float inverse[4]; ///< of d, finite
   float d[3];
-  float inverse[3]; ///< of d, finite
-  float first;      ///< hits at tau <= first do not count
-  float best;       ///< tau of the nearest hit so far
-  double t0;        ///< tau of P counted from the ray's own origin
-  double perT;      ///< units of tau in one of the ray's t
+  float first; ///< hits at tau <= first do not count
+  float best;  ///< tau of the nearest hit so far
   std::uint64_t slot;
+};
 
-  /// False where the ray passes by the bounds.
-  bool place(const PkdTreeView& view, const RayPacket& packet, int i)
+/// The rays of a packet in the tree's coordinates, many at a time.
+struct TreeRays
+{
+  alignas(64) float p[3][RayPacket::capacity], high[3][RayPacket::capacity],
+    low[3][RayPacket::capacity], d[3][RayPacket::capacity], inverse[3][RayPacket::capacity];
+  alignas(64) float first[RayPacket::capacity], best[RayPacket::capacity];
+  alignas(64) double t0[RayPacket::capacity];   ///< tau of P counted from the ray's own origin
+  alignas(64) double perT[RayPacket::capacity]; ///< units of tau in one of the ray's t
+
+  TreeRays(const PkdTreeView& view, const RayPacket& packet)
   {
-    const double perUnit = 1.0 / view.tree.unit();
-    const Vec3d direction(packet.direction[0][i], packet.direction[1][i], packet.direction[2][i]);
-    const Vec3d origin =
-      (Vec3d(packet.origin[0][i], packet.origin[1][i], packet.origin[2][i]) - view.tree.origin()) *
-      perUnit;
-    const double speed = glm::length(direction);
-    if (!(speed > 0.0))
-      return false;
-    perT = speed * perUnit;
-    const Vec3d way = direction / speed;
-    double enter = packet.tMin[i] * perT, leave = packet.t[i] * perT;
-    for (int k = 0; k < 3; ++k)
+    const DD d;
+    const DH h;
+    const auto set = [&](double v) { return hn::Set(d, v); };
+    const VD perUnit = set(1.0 / view.tree.unit()), one = set(1.0);
+    const VD coarse = set(view.coarse), perCoarse = set(1.0 / double(view.coarse));
+    for (int i = 0; i < packet.count; i += static_cast<int>(hn::Lanes(d)))
     {
-      if (way[k] == 0.0)
+      VD origin[3], way[3], inverses[3], length2 = hn::Zero(d);
+      for (int k = 0; k < 3; ++k)
       {
-        if (origin[k] < view.least[k] || origin[k] > view.most[k])
-          return false;
-        continue;
+        origin[k] =
+          hn::Mul(hn::Sub(hn::Load(d, packet.origin[k] + i), set(view.tree.origin()[k])), perUnit);
+        way[k] = hn::Load(d, packet.direction[k] + i);
+        length2 = hn::MulAdd(way[k], way[k], length2);
       }
-      const double a = (view.least[k] - origin[k]) / way[k];
-      const double b = (view.most[k] - origin[k]) / way[k];
-      enter = std::max(enter, std::min(a, b));
-      leave = std::min(leave, std::max(a, b));
+      const VD speed = hn::Sqrt(length2), perSpeed = hn::Div(one, speed);
+      const VD toTau = hn::Mul(speed, perUnit);
+      VD enter = hn::Mul(hn::Load(d, packet.tMin + i), toTau);
+      VD leave = hn::Mul(hn::Load(d, packet.t + i), toTau);
+      const VD begin = enter, end = leave;
+      for (int k = 0; k < 3; ++k)
+      {
+        way[k] = hn::Mul(way[k], perSpeed);
+        // Never infinite, so that no product with it is without meaning.
+        inverses[k] = hn::Div(one, hn::CopySign(hn::Max(hn::Abs(way[k]), set(1e-18)), way[k]));
+        const VD a = hn::Mul(hn::Sub(set(view.least[k]), origin[k]), inverses[k]);
+        const VD b = hn::Mul(hn::Sub(set(view.most[k]), origin[k]), inverses[k]);
+        enter = hn::Max(enter, hn::Min(a, b));
+        leave = hn::Min(leave, hn::Max(a, b));
+      }
+      for (int k = 0; k < 3; ++k)
+      {
+        const VD at = hn::MulAdd(enter, way[k], origin[k]);
+        const VD rough = hn::Mul(hn::Round(hn::Mul(at, perCoarse)), coarse);
+        hn::Store(hn::DemoteTo(h, at), h, p[k] + i);
+        hn::Store(hn::DemoteTo(h, rough), h, high[k] + i);
+        hn::Store(hn::DemoteTo(h, hn::Sub(at, rough)), h, low[k] + i);
+        hn::Store(hn::DemoteTo(h, way[k]), h, this->d[k] + i);
+        hn::Store(hn::DemoteTo(h, inverses[k]), h, inverse[k] + i);
+      }
+      // A ray that passes by, or has no direction, ends before it begins.
+      const auto meets = hn::And(hn::Lt(enter, leave), hn::Gt(length2, hn::Zero(d)));
+      const VD last =
+        hn::IfThenElse(meets, hn::Sub(end, enter), set(-std::numeric_limits<double>::infinity()));
+      hn::Store(hn::DemoteTo(h, hn::Sub(begin, enter)), h, first + i);
+      hn::Store(hn::DemoteTo(h, last), h, best + i);
+      hn::Store(enter, d, t0 + i);
+      hn::Store(toTau, d, perT + i);
     }
-    if (!(enter < leave))
-      return false;
-    t0 = enter;
+  }
+
+  bool meets(int i) const { return best[i] > first[i]; }
+
+  TreeRay ray(int i) const
+  {
+    TreeRay r;
     for (int k = 0; k < 3; ++k)
     {
-      p[k] = origin[k] + t0 * way[k];
-      high[k] = std::round(p[k] / double(view.coarse)) * double(view.coarse);
-      low[k] = static_cast<float>(p[k] - high[k]);
-      d[k] = static_cast<float>(way[k]);
-      const double least = std::copysign(std::max(std::abs(way[k]), 1e-18), way[k]);
-      inverse[k] = static_cast<float>(1.0 / least);
+      r.p[k] = p[k][i];
+      r.high[k] = high[k][i];
+      r.low[k] = low[k][i];
+      r.inverse[k] = inverse[k][i];
+      r.d[k] = d[k][i];
     }
-    first = static_cast<float>(packet.tMin[i] * perT - t0);
-    best = static_cast<float>(packet.t[i] * perT - t0);
-    slot = RayPacket::noHit;
-    return true;
+    r.p[3] = r.high[3] = r.low[3] = r.inverse[3] = 0.0f;
+    r.first = first[i];
+    r.best = best[i];
+    r.slot = RayPacket::noHit;
+    return r;
   }
 };
 
@@ -138,7 +177,7 @@ private:
   void setCorner(const PkdTreeView::Node& node)
   {
     for (int k = 0; k < 3; ++k)
-      corner_[k] = static_cast<float>(double(node.corner[k]) - ray_.high[k]);
+      corner_[k] = node.corner[k] - ray_.high[k]; // exact
   }
 
   /// All children that the ray meets but `left`. True: the answer is known.
@@ -168,21 +207,32 @@ private:
   {
     const DF d;
     const unsigned shown = view_.shownOf(node);
-    VF perBound[3], base[3];
+    alignas(16) float perBound[4], base[4];
+    const D4 d4;
+    const hn::Rebind<std::uint32_t, D4> u4;
+    const hn::Rebind<std::uint8_t, D4> bytes;
+    for (int k = 0; k < 4; k += static_cast<int>(hn::Lanes(d4)))
+    {
+      const auto inverse = hn::Load(d4, ray_.inverse + k);
+      const auto step = hn::BitCast(
+        d4, hn::ShiftLeft<23>(hn::PromoteTo(u4, hn::LoadU(bytes, node.exponent.data() + k))));
+      hn::Store(hn::Mul(step, inverse), d4, perBound + k);
+      const auto from = hn::Sub(hn::LoadU(d4, node.lower.data() + k), hn::Load(d4, ray_.p + k));
+      hn::Store(hn::Mul(from, inverse), d4, base + k);
+    }
+    const auto* low = node.low.data();
+    const auto* high = node.high.data();
     const std::uint8_t* near[3];
     const std::uint8_t* far[3];
     for (int k = 0; k < 3; ++k)
     {
-      const float inverse = ray_.inverse[k];
-      perBound[k] = hn::Set(d, stepOf(node, k) * inverse);
-      base[k] = hn::Set(d, static_cast<float>(double(node.lower[k]) - ray_.p[k]) * inverse);
-      near[k] = (inverse > 0.0f ? node.low : node.high)[k].data();
-      far[k] = (inverse > 0.0f ? node.high : node.low)[k].data();
+      near[k] = (ray_.inverse[k] > 0.0f ? low : high)[k].data();
+      far[k] = (ray_.inverse[k] > 0.0f ? high : low)[k].data();
     }
     for (int c = 0; c < PkdTree::fanout; c += static_cast<int>(hn::Lanes(d)))
     {
       const auto at = [&](const std::uint8_t* bounds, int k)
-      { return hn::MulAdd(boundsAt(bounds + c), perBound[k], base[k]); };
+      { return hn::MulAdd(boundsAt(bounds + c), hn::Set(d, perBound[k]), hn::Set(d, base[k])); };
       const VF enter = hn::Max(
         hn::Max(at(near[0], 0), at(near[1], 1)), hn::Max(at(near[2], 2), hn::Set(d, ray_.first)));
       const VF leave = hn::Min(
@@ -270,15 +320,16 @@ private:
 
 inline void castTreePacket(const PkdTreeView& view, RayPacket& packet, std::int32_t object)
 {
+  const TreeRays rays(view, packet);
   for (int i = 0; i < packet.count; ++i)
   {
-    TreeRay ray;
-    if (!ray.place(view, packet, i))
+    if (!rays.meets(i))
       continue;
+    TreeRay ray = rays.ray(i);
     TreeRayCaster<false>(view, ray, RayPacket::noHit).fromTop();
     if (ray.slot == RayPacket::noHit)
       continue;
-    packet.t[i] = (ray.t0 + static_cast<double>(ray.best)) / ray.perT;
+    packet.t[i] = (rays.t0[i] + static_cast<double>(ray.best)) / rays.perT[i];
     packet.slot[i] = ray.slot;
     packet.object[i] = object;
   }
@@ -286,11 +337,12 @@ inline void castTreePacket(const PkdTreeView& view, RayPacket& packet, std::int3
 
 inline void occludeTreePacket(const PkdTreeView& view, RayPacket& packet, std::int32_t object)
 {
+  const TreeRays rays(view, packet);
   for (int i = 0; i < packet.count; ++i)
   {
-    TreeRay ray;
-    if (!ray.place(view, packet, i))
+    if (!rays.meets(i))
       continue;
+    TreeRay ray = rays.ray(i);
     const bool isOwn = packet.object[i] == object && packet.slot[i] < view.tree.size();
     TreeRayCaster<true> caster(view, ray, isOwn ? packet.slot[i] : RayPacket::noHit);
     if (isOwn ? caster.from(packet.slot[i]) : caster.fromTop())

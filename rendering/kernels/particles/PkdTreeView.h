@@ -66,10 +66,10 @@ struct PkdTreeView
   unsigned shownIn(std::size_t bucket) const { return shown == nullptr ? 0xffffu : shown[bucket]; }
 };
 
-/// A bound's step of a node along an axis: 2^exponent.
+/// A bound's step of a node along an axis.
 inline float stepOf(const PkdTreeView::Node& node, std::size_t axis)
 {
-  return std::bit_cast<float>(static_cast<std::uint32_t>(node.exponent[axis] + 127) << 23);
+  return std::bit_cast<float>(std::uint32_t{node.exponent[axis]} << 23);
 }
 
 } // namespace mote
