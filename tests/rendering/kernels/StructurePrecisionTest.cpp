@@ -153,7 +153,7 @@ TEST(StructurePrecision, DoesNotDependOnTheEyesDistance)
 TEST(StructurePrecision, WithoutRebasingFloatErrsWithTheDistance)
 {
   // What the grid saves by moving origins in double: the same picture by float formulas whose rays
-  // start in the eye. Prints the table of docs/coherent-grid.md.
+  // start in the eye. Prints the table of docs/results.md.
   const Particles particles = unitSpheres();
   const int size = 64;
   std::printf("distance  textbook            perpendicular       grid\n");

@@ -430,6 +430,6 @@ TEST(ParticleMapperInput, PrintSelfTellsItsState)
   std::ostringstream after;
   mapper->Print(after);
   for (const char* part : {"TypeRadius of 4: 2.5", "RadiusArrayName: size",
-         "StructureName: coherent-grid", "NumberOfParticles: 1", "NumberOfUnfitParticles: 1"})
+         "StructureName: auto", "NumberOfParticles: 1", "NumberOfUnfitParticles: 1"})
     EXPECT_NE(after.str().find(part), std::string::npos) << part;
 }
