@@ -16,6 +16,7 @@ void Film::resize(int width, int height, unsigned channels)
   id_.resize(has(Id) ? n : 0);
   object_.resize(has(Id) ? n : 0);
   normal_.resize(has(Normal) ? 3 * n : 0);
+  squares_.resize(has(Variance) ? n : 0);
 }
 
 void Film::splitNearestDepth()
@@ -26,7 +27,8 @@ void Film::splitNearestDepth()
 
 std::size_t Film::bytes() const
 {
-  return (color_.capacity() + depth_.capacity() + nearest_.capacity() + normal_.capacity()) *
+  return (color_.capacity() + depth_.capacity() + nearest_.capacity() + normal_.capacity() +
+           squares_.capacity()) *
            sizeof(float) +
          id_.capacity() * sizeof(std::uint64_t) + object_.capacity() * sizeof(std::int32_t);
 }

@@ -20,8 +20,9 @@ public:
 
   enum Channel : unsigned
   {
-    Id = 1u,    ///< input index of the particle, and index of its object in the scene
-    Normal = 2u ///< unit normal in world coordinates
+    Id = 1u,      ///< input index of the particle, and index of its object in the scene
+    Normal = 2u,  ///< unit normal in world coordinates
+    Variance = 4u ///< of the samples of a pixel
   };
 
   /// Sets the size in pixels and the channels besides colour and depth, and forgets all samples.
@@ -54,6 +55,15 @@ public:
   /// Three floats a pixel; 0 0 0 where nothing was hit.
   float* normal() { return normal_.data(); }
   const float* normal() const { return normal_.data(); }
+  /// Sum over the samples of the squared distance of their colour from its mean, a pixel each; the
+  /// mean over the four channels.
+  float* squares() { return squares_.data(); }
+  const float* squares() const { return squares_.data(); }
+  /// Variance of one sample of a pixel, estimated from all; 0 before there are two.
+  float variance(std::size_t pixel) const
+  {
+    return samples_ > 1 ? squares_[pixel] / static_cast<float>(samples_ - 1) : 0.0f;
+  }
 
 private:
   int width_ = 0;
@@ -66,6 +76,7 @@ private:
   std::vector<std::uint64_t> id_;
   std::vector<std::int32_t> object_;
   std::vector<float> normal_;
+  std::vector<float> squares_;
 };
 
 } // namespace mote

@@ -207,6 +207,16 @@ void BundleTracer::keep(const Bundle& bundle, int x0, int y0) const
   };
   if (!first)
   {
+    if (film_.has(Film::Variance))
+      // Before the mean moves: by Welford's update the sum grows by difference^2 (1 - share).
+      forEach(
+        [&](int i, std::size_t pixel)
+        {
+          float sum = 0.0f;
+          for (int c = 0; c < 4; ++c)
+            sum += std::pow(bundle.color[i][c] - film_.color()[4 * pixel + c], 2.0f);
+          film_.squares()[pixel] += 0.25f * sum * (1.0f - share);
+        });
     forEach(
       [&](int i, std::size_t pixel)
       {
@@ -223,6 +233,8 @@ void BundleTracer::keep(const Bundle& bundle, int x0, int y0) const
   forEach([&](int i, std::size_t pixel) { std::copy_n(bundle.color[i], 4, color + 4 * pixel); });
   float* depth = film_.depth();
   forEach([&](int i, std::size_t pixel) { depth[pixel] = depthOf(i); });
+  if (film_.has(Film::Variance))
+    forEach([&](int, std::size_t pixel) { film_.squares()[pixel] = 0.0f; });
   if (film_.has(Film::Id))
     forEach(
       [&](int i, std::size_t pixel)
