@@ -150,7 +150,7 @@ void Lighting::setShadows(const std::string& shadows)
   double samples = 1.0;
   // A light's samples differ from one ray of a pixel to the next: 64 in all look smooth.
   if (shadows == "soft")
-    samples = std::clamp(std::ceil(8.0 / std::sqrt(std::max(1, options_.samples))), 2.0, 8.0);
+    samples = std::clamp(std::ceil(8.0 / std::sqrt(options_.mostSamples())), 2.0, 8.0);
   else if (shadows != "hard")
     parseNumber(shadows, samples);
   main_->SetSamples(static_cast<int>(samples));

@@ -33,7 +33,8 @@ public:
   {
     source_->SetRenderer(scene.renderer());
     source_->SetSize(options.size[0], options.size[1]);
-    source_->SetSamplesPerPixel(options.samples);
+    source_->SetSamplesPerPixel(options.mostSamples());
+    source_->SetNoiseLevel(options.noise);
     source_->SetShading(scene.lighting().shading());
     legend_->SetInputConnection(source_->GetOutputPort());
   }
@@ -49,6 +50,7 @@ public:
     source_->SetDepth(exr);
     source_->SetNormals(exr);
     source_->SetIds(exr);
+    source_->SetVariance(exr && options_.noise > 0.0);
     source_->SetTransparentBackground(exr);
     labelled_ = !exr;
     writer_->SetInputConnection(labelled_ ? legend_->GetOutputPort() : source_->GetOutputPort());
@@ -77,6 +79,15 @@ public:
 
   double traceTime() const { return source_->GetTraceTime(); }
 
+  /// "16 rays a pixel", and with --noise what came of it.
+  std::string quality() const
+  {
+    std::string text = counted(source_->GetNumberOfSamples(), "ray") + " a pixel";
+    if (options_.noise > 0.0)
+      text += ", noise " + asNumber(source_->GetNoise(), 3);
+    return text;
+  }
+
 private:
   Scene& scene_;
   const ViewOptions& options_;
@@ -101,9 +112,10 @@ std::string numbered(const std::string& file, int step, int steps)
 void report(const std::string& file, const Scene& scene, const Picture& picture,
   const ViewOptions& options, double readTime)
 {
-  std::printf("%s: %dx%d, %s; read in %s, built in %s, traced in %s\n", file.c_str(),
+  std::printf("%s: %dx%d, %s; read in %s, built in %s, traced in %s, %s\n", file.c_str(),
     options.size[0], options.size[1], scene.contents().c_str(), asDuration(readTime).c_str(),
-    asDuration(scene.buildTime()).c_str(), asDuration(picture.traceTime()).c_str());
+    asDuration(scene.buildTime()).c_str(), asDuration(picture.traceTime()).c_str(),
+    picture.quality().c_str());
   std::fflush(stdout);
 }
 

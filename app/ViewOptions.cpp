@@ -302,10 +302,19 @@ void addPictureOptions(CLI::App& app, ViewOptions& o)
       "Width and height in pixels")
     ->type_name("WxH")
     ->group(group);
-  app.add_option("--samples", o.samples, "Rays a pixel; more make smoother edges")
+  app
+    .add_option("--samples", o.samples,
+      "Rays a pixel; more make smoother edges. By default 16, and at most 4096 with --noise")
     ->check(CLI::Range(1, 65536).description(""))
     ->type_name("N")
-    ->capture_default_str()
+    ->group(group);
+  app
+    .add_option("--noise", o.noise,
+      "Cast rays until the picture's standard error is down to this, where colours go from 0 to "
+      "1: 0.005 looks smooth. --samples is then the most")
+    ->check(number(true))
+    ->check(CLI::Range(0.0, 1.0).description(""))
+    ->type_name("LEVEL")
     ->group(group);
   app
     .add_option_function<std::vector<std::string>>(

@@ -65,12 +65,16 @@ struct ViewOptions
 
   // Picture
   std::array<int, 2> size = {0, 0}; ///< 0: the command's own default
-  int samples = 16;
-  std::vector<Color> background; ///< none: the default; one; or bottom and top
+  int samples = 0;                  ///< at most; 0: choose
+  double noise = 0.0;               ///< standard error that is good enough; 0: take all samples
+  std::vector<Color> background;    ///< none: the default; one; or bottom and top
   bool legend = true;
   std::optional<std::string> title;
   std::optional<std::string> caption;
   int threads = 0;
+
+  /// Rays a pixel, at most.
+  int mostSamples() const { return samples > 0 ? samples : noise > 0.0 ? 4096 : 16; }
 };
 
 /// Declares the files and all options of a view.

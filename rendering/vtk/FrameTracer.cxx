@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <thread>
 
 namespace mote
@@ -87,14 +88,19 @@ double FrameTracer::distanceFor(int width, int height, const FrameSettings& sett
   return 8.0;
 }
 
-void FrameTracer::begin(
-  const std::vector<double>& signature, double distance, bool draft, int width, int height)
+double FrameTracer::noise() const
+{
+  return film_.has(Film::Variance) ? standardError(film_) : std::numeric_limits<double>::infinity();
+}
+
+void FrameTracer::begin(const std::vector<double>& signature, double distance, bool draft,
+  const Refinement& refinement, int width, int height)
 {
   signature_ = signature;
   distance_ = distance;
   draft_ = draft;
-  film_.resize(
-    std::max(1, int(std::ceil(width / distance))), std::max(1, int(std::ceil(height / distance))));
+  film_.resize(std::max(1, int(std::ceil(width / distance))),
+    std::max(1, int(std::ceil(height / distance))), draft ? 0u : refinement.channels());
 }
 
 bool FrameTracer::trace(vtkRenderer* renderer, std::vector<vtkActor*>& actors, int width,
@@ -115,9 +121,11 @@ bool FrameTracer::trace(vtkRenderer* renderer, std::vector<vtkActor*>& actors, i
   const bool moving = settings.interactive;
   const bool slow = takesManyRays(scene);
   if (signature != signature_ || distance_ > wanted)
-    begin(signature, wanted, slow && (moving || settings.progressive), width, height);
-  else if (draft_ && !moving && film_.samples() > 0)
-    begin(signature, wanted, false, width, height);
+    begin(signature, wanted, slow && (moving || settings.progressive), settings.refinement, width,
+      height);
+  else if (!moving && film_.samples() > 0 &&
+           (draft_ || (settings.refinement.channels() != 0 && !film_.has(Film::Variance))))
+    begin(signature, wanted, false, settings.refinement, width, height);
   if (draft_)
     makeDraft(scene);
 
@@ -130,24 +138,27 @@ bool FrameTracer::trace(vtkRenderer* renderer, std::vector<vtkActor*>& actors, i
   // A still picture with all its rays says nothing about the next that moves.
   if (rays_ > 0 && (draft_ || !slow))
     secondsPerRay_ = seconds_ / static_cast<double>(rays_);
-  converged_ = distance_ == 1.0 && !draft_ && film_.samples() >= settings.samples;
+  converged_ = distance_ == 1.0 && !draft_ && settings.refinement.isDone(film_);
   return true;
 }
 
 bool FrameTracer::addSamples(
   const Scene& scene, const Camera& camera, const FrameSettings& settings, const Progress& progress)
 {
-  const int target = settings.interactive || draft_ ? 1 : settings.samples;
+  Refinement refinement = settings.refinement;
+  if (settings.interactive || draft_)
+    refinement = {1};
   const auto caller = std::this_thread::get_id();
   RayCaster caster(scene);
   caster.setThreads(settings.threads);
   const auto start = std::chrono::steady_clock::now();
-  while (film_.samples() < target)
+  while (!refinement.isDone(film_))
   {
-    const double done = double(film_.samples()) / target;
+    const double done = refinement.progress(film_);
+    const double step = (1.0 - done) / std::max(1, refinement.samples - film_.samples());
     const bool complete = caster.addSample(camera, film_,
       [&](double part) {
-        return !progress || std::this_thread::get_id() != caller || progress(done + part / target);
+        return !progress || std::this_thread::get_id() != caller || progress(done + part * step);
       });
     if (!complete)
       return false;

@@ -2,6 +2,7 @@
 
 #include "kernels/core/Film.h"
 #include "kernels/core/Progress.h"
+#include "kernels/scene/Refinement.h"
 #include "kernels/scene/Scene.h"
 
 #include <vector>
@@ -16,7 +17,7 @@ namespace mote
 /// How one frame is to be traced; see vtkMoteRayCastPass.
 struct FrameSettings
 {
-  int samples = 4;
+  Refinement refinement{4};
   bool progressive = false;
   bool autoAdjust = true;
   double frameTime = 0.08; ///< seconds that a frame may take while the view moves
@@ -44,6 +45,8 @@ public:
   /// Distance of neighbouring rays in pixels of the viewport.
   double distance() const { return distance_; }
   bool converged() const { return converged_; }
+  /// Standard error of the film, infinite where nobody asked for it.
+  double noise() const;
   double seconds() const { return seconds_; }
   long long rays() const { return rays_; }
   /// Changes whenever the film does.
@@ -51,8 +54,8 @@ public:
 
 private:
   double distanceFor(int width, int height, const FrameSettings& settings) const;
-  void begin(
-    const std::vector<double>& signature, double distance, bool draft, int width, int height);
+  void begin(const std::vector<double>& signature, double distance, bool draft,
+    const Refinement& refinement, int width, int height);
   bool addSamples(const Scene& scene, const Camera& camera, const FrameSettings& settings,
     const Progress& progress);
 

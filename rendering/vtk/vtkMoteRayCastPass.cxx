@@ -17,6 +17,8 @@
 #include "vtkRenderer.h"
 #include "vtkSequencePass.h"
 
+#include <limits>
+
 vtkStandardNewMacro(vtkMoteRayCastPass);
 
 namespace
@@ -58,6 +60,7 @@ public:
   bool converged = true;
   double distance = 1.0;
   int samples = 0;
+  double noise = std::numeric_limits<double>::infinity();
   long long rays = 0;
   double traceTime = 0.0;
   double displayTime = 0.0;
@@ -159,7 +162,7 @@ void vtkMoteRayCastPass::DrawImage(vtkRenderer* renderer)
 {
   Internals& impl = *this->Impl;
   mote::FrameSettings settings;
-  settings.samples = this->SamplesPerPixel;
+  settings.refinement = {this->SamplesPerPixel, this->NoiseLevel};
   settings.progressive = this->Progressive != 0;
   settings.autoAdjust = this->AutoAdjustResolution != 0;
   settings.frameTime = this->InteractiveFrameTime;
@@ -186,6 +189,7 @@ void vtkMoteRayCastPass::DrawImage(vtkRenderer* renderer)
   impl.converged = shown ? tracer.converged() : !image.interrupted();
   impl.distance = tracer.distance();
   impl.samples = shown ? tracer.film().samples() : 0;
+  impl.noise = tracer.noise();
   impl.rays = tracer.rays();
   impl.traceTime = tracer.seconds();
 }
@@ -213,6 +217,11 @@ int vtkMoteRayCastPass::GetNumberOfSamples()
   return this->Impl->samples;
 }
 
+double vtkMoteRayCastPass::GetNoise()
+{
+  return this->Impl->noise;
+}
+
 vtkTypeInt64 vtkMoteRayCastPass::GetNumberOfRays()
 {
   return this->Impl->rays;
@@ -232,6 +241,7 @@ void vtkMoteRayCastPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SamplesPerPixel: " << this->SamplesPerPixel << "\n";
+  os << indent << "NoiseLevel: " << this->NoiseLevel << "\n";
   os << indent << "Progressive: " << (this->Progressive ? "On" : "Off") << "\n";
   os << indent << "AutoAdjustResolution: " << (this->AutoAdjustResolution ? "On" : "Off") << "\n";
   os << indent << "InteractiveFrameTime: " << this->InteractiveFrameTime << "\n";

@@ -48,6 +48,17 @@ public:
 
   ///@{
   /**
+   * Noise at which a picture is good enough although it has not yet SamplesPerPixel: its standard
+   * error, the root mean square over covered pixels and channels of what the mean of a pixel's
+   * samples may err by, in units of colours from 0 to 1. 0.005 is smooth to the eye. It is judged
+   * from the fourth sample on. Default 0: all samples are taken, and nothing is judged.
+   */
+  vtkSetClampMacro(NoiseLevel, double, 0.0, 1.0);
+  vtkGetMacro(NoiseLevel, double);
+  ///@}
+
+  ///@{
+  /**
    * When on, each Render() at rest adds as many samples as fit into InteractiveFrameTime (at least
    * one) and shows what there is; render until IsConverged(). Off, the default: one Render() adds
    * all.
@@ -58,7 +69,7 @@ public:
   ///@}
 
   /**
-   * Whether the picture shown last has full resolution and all its samples.
+   * Whether the picture shown last has full resolution and all its samples, or little enough noise.
    */
   bool IsConverged();
 
@@ -99,11 +110,13 @@ public:
   ///@{
   /**
    * Facts of the last Render(): distance of neighbouring rays in pixels (1: full resolution),
-   * samples a pixel shown so far, rays cast in it, and seconds spent tracing and drawing (0 traced:
-   * the picture was still good).
+   * samples a pixel shown so far, the standard error of the picture with these (infinite where
+   * NoiseLevel is 0, and before there are two), rays cast in it, and seconds spent tracing and
+   * drawing (0 traced: the picture was still good).
    */
   double GetImageSampleDistance();
   int GetNumberOfSamples();
+  double GetNoise();
   vtkTypeInt64 GetNumberOfRays();
   double GetTraceTime();
   double GetDisplayTime();
@@ -124,6 +137,7 @@ protected:
   ~vtkMoteRayCastPass() override;
 
   int SamplesPerPixel = 4;
+  double NoiseLevel = 0.0;
   vtkTypeBool Progressive = 0;
   vtkTypeBool AutoAdjustResolution = 1;
   double InteractiveFrameTime = 0.08;

@@ -5,6 +5,7 @@
 
 #include "kernels/core/Error.h"
 #include "kernels/scene/RayCaster.h"
+#include "kernels/scene/Refinement.h"
 
 #include "vtkActor.h"
 #include "vtkFloatArray.h"
@@ -24,6 +25,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <thread>
 
 vtkStandardNewMacro(vtkMoteRendererSource);
@@ -164,18 +166,24 @@ bool vtkMoteRendererSource::Trace(mote::Film& film)
   mote::RayCaster caster(scene);
   caster.setThreads(this->NumberOfThreads);
   const auto caller = std::this_thread::get_id();
-  for (int sample = 0; sample < this->SamplesPerPixel; ++sample)
+  const mote::Refinement refinement{this->SamplesPerPixel, this->NoiseLevel};
+  while (!refinement.isDone(film))
   {
+    const double done = refinement.progress(film);
+    const double step = (1.0 - done) / (this->SamplesPerPixel - film.samples());
     const auto progress = [&](double part)
     {
       if (std::this_thread::get_id() != caller)
         return true;
-      this->UpdateProgress((sample + part) / this->SamplesPerPixel);
+      this->UpdateProgress(done + part * step);
       return this->GetAbortExecute() == 0;
     };
     if (!caster.addSample(camera, film, progress))
       return false;
   }
+  this->NumberOfSamples = film.samples();
+  this->Noise = film.has(mote::Film::Variance) ? mote::standardError(film)
+                                               : std::numeric_limits<double>::infinity();
   return true;
 }
 
@@ -199,7 +207,8 @@ int vtkMoteRendererSource::RequestData(vtkInformation* vtkNotUsed(request),
   try
   {
     film.resize(this->Size[0], this->Size[1],
-      (this->Ids ? mote::Film::Id : 0u) | (this->Normals ? mote::Film::Normal : 0u));
+      (this->Ids ? mote::Film::Id : 0u) | (this->Normals ? mote::Film::Normal : 0u) |
+        (this->Variance || this->NoiseLevel > 0.0 ? mote::Film::Variance : 0u));
     if (!this->Trace(film))
       return 1; // aborted: no image
   }
@@ -219,6 +228,12 @@ int vtkMoteRendererSource::RequestData(vtkInformation* vtkNotUsed(request),
     std::copy_n(film.depth(), film.pixels(), addArray<vtkFloatArray>(image, "depth", 1));
   if (this->Normals)
     std::copy_n(film.normal(), 3 * film.pixels(), addArray<vtkFloatArray>(image, "normal", 3));
+  if (this->Variance)
+  {
+    float* variance = addArray<vtkFloatArray>(image, "variance", 1);
+    for (std::size_t i = 0; i < film.pixels(); ++i)
+      variance[i] = film.variance(i);
+  }
   if (this->Ids)
     copyIds(film, image);
   return 1;
@@ -251,9 +266,11 @@ void vtkMoteRendererSource::PrintSelf(ostream& os, vtkIndent indent)
   const auto onOff = [](vtkTypeBool on) { return on ? "On" : "Off"; };
   os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
   os << indent << "SamplesPerPixel: " << this->SamplesPerPixel << "\n";
+  os << indent << "NoiseLevel: " << this->NoiseLevel << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "Depth: " << onOff(this->Depth) << "\n";
   os << indent << "Normals: " << onOff(this->Normals) << "\n";
+  os << indent << "Variance: " << onOff(this->Variance) << "\n";
   os << indent << "Ids: " << onOff(this->Ids) << "\n";
   os << indent << "TransparentBackground: " << onOff(this->TransparentBackground) << "\n";
   os << indent << "ResetClippingRange: " << onOff(this->ResetClippingRange) << "\n";

@@ -12,6 +12,8 @@
  *    TransparentBackground on, premultiplied by an alpha that is the covered share of the pixel;
  *  - `depth` (Depth on): float, distance along the view axis in world units, infinity if nothing;
  *  - `normal` (Normals on): float x y z, unit length in world coordinates, 0 0 0 if nothing;
+ *  - `variance` (Variance on): float, of one sample of the pixel, the mean over the channels of the
+ *    premultiplied colour; 0 with one sample;
  *  - `particle` (Ids on): 64-bit index of the particle in its mapper's input, -1 if nothing;
  *  - `object` (Ids on): 32-bit place of its actor among the Mote props traced, -1 if nothing.
  */
@@ -67,6 +69,17 @@ public:
 
   ///@{
   /**
+   * Noise at which a picture is good enough although it has not yet SamplesPerPixel: its standard
+   * error, the root mean square over covered pixels and channels of what the mean of a pixel's
+   * samples may err by, in units of colours from 0 to 1. 0.005 is smooth to the eye. It is judged
+   * from the fourth sample on. Default 0: all samples are taken, and nothing is judged.
+   */
+  vtkSetClampMacro(NoiseLevel, double, 0.0, 1.0);
+  vtkGetMacro(NoiseLevel, double);
+  ///@}
+
+  ///@{
+  /**
    * Threads to trace with; 0, the default, for all.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
@@ -92,6 +105,9 @@ public:
   vtkSetMacro(Normals, vtkTypeBool);
   vtkGetMacro(Normals, vtkTypeBool);
   vtkBooleanMacro(Normals, vtkTypeBool);
+  vtkSetMacro(Variance, vtkTypeBool);
+  vtkGetMacro(Variance, vtkTypeBool);
+  vtkBooleanMacro(Variance, vtkTypeBool);
   vtkSetMacro(Ids, vtkTypeBool);
   vtkGetMacro(Ids, vtkTypeBool);
   vtkBooleanMacro(Ids, vtkTypeBool);
@@ -120,6 +136,15 @@ public:
    */
   vtkGetMacro(NumberOfIgnoredProps, int);
 
+  ///@{
+  /**
+   * Samples a pixel of the last update, and its standard error: infinite where neither NoiseLevel
+   * nor Variance asked for it, or with one sample.
+   */
+  vtkGetMacro(NumberOfSamples, int);
+  vtkGetMacro(Noise, double);
+  ///@}
+
   /**
    * Seconds of the last update that were spent tracing.
    */
@@ -137,10 +162,14 @@ protected:
 
   int Size[2] = {1024, 1024};
   int SamplesPerPixel = 16;
+  double NoiseLevel = 0.0;
   int NumberOfThreads = 0;
   vtkTypeBool Depth = 0;
   vtkTypeBool Normals = 0;
   vtkTypeBool Ids = 0;
+  vtkTypeBool Variance = 0;
+  int NumberOfSamples = 0;
+  double Noise = 0.0;
   vtkTypeBool TransparentBackground = 0;
   vtkTypeBool ResetClippingRange = 1;
   int NumberOfIgnoredProps = 0;

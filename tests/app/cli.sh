@@ -83,6 +83,22 @@ case $3 in
     done
     ;;
 
+  noise) # rays are cast until the noise is low; an EXR then tells the variance
+    run 0 "$mote" render "$hopper" -o a.png --size 320x200 --noise 0.02
+    said out ' rays a pixel, noise 0.01'
+    coarse=$(sed 's/.*, \([0-9]*\) rays a pixel.*/\1/' out)
+    run 0 "$mote" render "$hopper" -o b.exr --size 320x200 --noise 0.01
+    fine=$(sed 's/.*, \([0-9]*\) rays a pixel.*/\1/' out)
+    [ "$fine" -gt "$coarse" ] || fail "$fine rays for less noise than with $coarse"
+    grep -qa variance b.exr || fail "no variance in b.exr"
+    run 0 "$mote" render "$hopper" -o c.exr --size 320x200 --noise 0.001 --samples 5
+    said out ', 5 rays a pixel, noise 0.0'
+    run 0 "$mote" render "$hopper" -o c.exr --size 320x200
+    said out ', 16 rays a pixel'
+    grep -qa variance c.exr && fail "variance in c.exr, which nobody asked for"
+    true
+    ;;
+
   vanishing) # an array that one step lacks is told once; the range holds again later
     frame() { # STEP COLUMNS ROWS...
       printf 'ITEM: TIMESTEP\n%s\nITEM: NUMBER OF ATOMS\n%s\n' "$1" "$(($# - 2))"
@@ -236,6 +252,8 @@ assert any(a["name"] == "c_centro" for a in d[0]["arrays"])' || fail "not the ri
     misused render "$hopper" -o a.png --ambient-occlusion 1.5
     misused render "$hopper" -o a.png --occlusion-reach 1
     misused render "$hopper" -o a.png --ambient-occlusion 1 --occlusion-reach 0
+    misused render "$hopper" -o a.png --noise 0
+    misused render "$hopper" -o a.png --noise 2
     misused render "$hopper" -o a.png --time inf
     misused render "$hopper" -o a.png --zoom nan
     misused render "$hopper" -o a.png --radius-scale 0

@@ -15,6 +15,8 @@
 #include <sstream>
 #include <thread>
 
+#include <cmath>
+
 using namespace mote::testing;
 
 namespace
@@ -190,6 +192,52 @@ TEST_F(Frames, ProgressiveOnesConvergeToTheSamePicture)
   EXPECT_GT(frames, 1);
   EXPECT_EQ(differentPixels(atOnce, step.shoot(), 0), 0);
   EXPECT_EQ(step.pass->GetNumberOfRays(), 0);
+}
+
+TEST_F(Frames, RefinementEndsAtTheNoiseLevel)
+{
+  pass->SetSamplesPerPixel(1000);
+  pass->SetNoiseLevel(0.02);
+  EXPECT_TRUE(std::isinf(pass->GetNoise()));
+  const Shot atOnce = drawing.shoot();
+  const int samples = pass->GetNumberOfSamples();
+  EXPECT_TRUE(pass->IsConverged());
+  EXPECT_LE(pass->GetNoise(), 0.02);
+  EXPECT_GE(samples, 4);
+  EXPECT_LT(samples, 100);
+  drawing.shoot();
+  EXPECT_EQ(pass->GetNumberOfRays(), 0) << "nothing more to do";
+  pass->SetNoiseLevel(0.01); // goes on from there
+  pass->ProgressiveOn();
+  pass->SetInteractiveFrameTime(0.001);
+  for (int frames = 0; frames == 0 || !pass->IsConverged(); ++frames)
+  {
+    ASSERT_LT(frames, 400);
+    drawing.window->Render();
+    EXPECT_GT(pass->GetNumberOfSamples(), samples);
+  }
+  EXPECT_LE(pass->GetNoise(), 0.01);
+  // Moving is one sample, and rest is the same picture again.
+  drawing.window->SetDesiredUpdateRate(15);
+  drawing.camera()->Azimuth(1);
+  drawing.shoot();
+  EXPECT_EQ(pass->GetNumberOfSamples(), 1);
+  drawing.camera()->Azimuth(-1);
+  drawing.window->SetDesiredUpdateRate(0.001);
+  pass->ProgressiveOff();
+  pass->SetNoiseLevel(0.02);
+  EXPECT_EQ(differentPixels(atOnce, drawing.shoot(), 0), 0);
+  EXPECT_EQ(pass->GetNumberOfSamples(), samples);
+  // A picture that was traced without looking at the noise is traced again for it.
+  pass->SetNoiseLevel(0.0);
+  pass->SetSamplesPerPixel(5);
+  drawing.camera()->Azimuth(1);
+  drawing.shoot();
+  pass->SetNoiseLevel(0.02);
+  pass->SetSamplesPerPixel(1000);
+  drawing.shoot();
+  EXPECT_TRUE(pass->IsConverged());
+  EXPECT_LE(pass->GetNoise(), 0.02);
 }
 
 TEST_F(Frames, ProgressComesFromTheDrawingThread)

@@ -355,10 +355,47 @@ TEST_F(Source, ManyThreadsAndOneGiveTheSamePicture)
   }
 }
 
+TEST_F(Source, StopsAtTheNoiseLevel)
+{
+  source->SetSamplesPerPixel(7);
+  source->Update();
+  EXPECT_EQ(source->GetNumberOfSamples(), 7);
+  EXPECT_TRUE(std::isinf(source->GetNoise())) << "which nobody asked for";
+  source->SetSamplesPerPixel(2000);
+  source->SetNoiseLevel(0.02);
+  source->Update();
+  const int samples = source->GetNumberOfSamples();
+  EXPECT_LE(source->GetNoise(), 0.02);
+  EXPECT_LT(samples, 500);
+  EXPECT_EQ(source->GetOutput()->GetPointData()->GetArray("variance"), nullptr);
+  source->SetNoiseLevel(0.01);
+  source->Update();
+  EXPECT_LE(source->GetNoise(), 0.01);
+  EXPECT_NEAR(source->GetNumberOfSamples(), 4 * samples, 2 * samples);
+}
+
+TEST_F(Source, VarianceIsAnArrayWhereAskedFor)
+{
+  source->SetSamplesPerPixel(16);
+  source->VarianceOn();
+  source->Update();
+  vtkDataArray* variance = source->GetOutput()->GetPointData()->GetArray("variance");
+  ASSERT_NE(variance, nullptr);
+  double sum = 0.0;
+  int covered = 0;
+  for (int i = 0; i < 32 * 24; ++i)
+    sum += variance->GetTuple1(i);
+  EXPECT_EQ(variance->GetTuple1(0), 0.0) << "a corner without anything";
+  for (int i = 0; i < 32 * 24; ++i)
+    covered += source->GetOutput()->GetPointData()->GetScalars()->GetComponent(i, 0) > 0.0;
+  EXPECT_NEAR(source->GetNoise(), std::sqrt(sum / covered / 16), 1e-6);
+}
+
 TEST_F(Source, PrintSelfTellsItsState)
 {
   std::ostringstream text;
   source->Print(text);
-  for (const char* part : {"Size: 32 24", "SamplesPerPixel: 1", "NumberOfIgnoredProps: 0"})
+  for (const char* part : {"Size: 32 24", "SamplesPerPixel: 1", "NoiseLevel: 0", "Variance: Off",
+         "NumberOfIgnoredProps: 0"})
     EXPECT_NE(text.str().find(part), std::string::npos) << part;
 }
