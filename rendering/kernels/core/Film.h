@@ -37,7 +37,8 @@ public:
   bool has(Channel c) const { return (channels_ & c) != 0; }
   std::size_t bytes() const;
 
-  /// Four floats a pixel, premultiplied red, green, blue and alpha, in [0, 1].
+  /// Four floats a pixel, premultiplied red, green, blue and alpha; in [0, 1], but what paths find
+  /// may be brighter.
   float* color() { return color_.data(); }
   const float* color() const { return color_.data(); }
   /// Distance along the view axis in world units; +infinity where nothing was hit.

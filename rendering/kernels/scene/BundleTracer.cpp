@@ -59,8 +59,6 @@ BundleTracer::BundleTracer(const Scene& scene, const Camera& camera, Film& film,
   , film_(film)
   , side_(side)
   , rays_(camera, film.width(), film.height())
-  // Positions count from where the rays start: they are small numbers wherever the scene lies.
-  , lighting_(scene, rays_.o0, film.samples())
 {
   RayCaster::sampleOffset(film.samples(), jitterX_, jitterY_);
   for (const ParticleObject& object : scene.particles)
@@ -68,6 +66,14 @@ BundleTracer::BundleTracer(const Scene& scene, const Camera& camera, Film& film,
     localRays_.push_back(rays_.transformed(glm::inverse(object.toWorld)));
     shaders_.emplace_back(object);
   }
+  // Positions count from where the rays start: they are small numbers wherever the scene lies.
+  if (scene.paths.bounces > 0)
+  {
+    pathRays_.emplace(scene, rays_.o0);
+    paths_.emplace(*pathRays_, shaders_, rays_, film.samples());
+  }
+  else
+    lighting_.emplace(scene, rays_.o0, film.samples());
 }
 
 void BundleTracer::traceTile(int x0, int y0, int size) const
@@ -151,7 +157,7 @@ void BundleTracer::shadeBundle(Bundle& bundle, int side, int x0, int y0) const
     std::fill_n(&bundle.color[0][0], 4 * rays.count, 0.0f);
   rays_.placeBundle(bundle.world, side, x0, y0, jitterX_, jitterY_);
   BundlePlacing placing{rays, bundle.world, bundle.world.origin - rays_.o0};
-  placing.footprint = lighting_.shadows ? footprint(rays, side) : 0.0;
+  placing.footprint = lighting_ && lighting_->shadows ? footprint(rays, side) : 0.0;
   const bool first = film_.samples() == 0;
   const bool ids = first && film_.has(Film::Id), normals = first && film_.has(Film::Normal);
   if (normals)
@@ -164,9 +170,15 @@ void BundleTracer::shadeBundle(Bundle& bundle, int side, int x0, int y0) const
     shader.gather(rays, static_cast<std::int32_t>(object), bundle.outside, block);
     if (block.count == 0)
       continue;
-    if (lighting_.occlusion)
+    if (paths_ || lighting_->occlusion)
       seed(bundle, x0, y0);
-    shader.shade(block, placing, lighting_, ids);
+    if (paths_)
+    {
+      shader.place(block, placing, true, ids);
+      paths_->shade(block);
+    }
+    else
+      shader.shade(block, placing, *lighting_, ids);
     for (int k = 0; k < block.count; ++k)
       std::copy_n(block.out[k], 4, bundle.color[block.ray[k]]);
     for (int k = 0; ids && k < block.count; ++k)

@@ -2,7 +2,7 @@
 
 #include "../core/Camera.h"
 #include "../core/Film.h"
-#include "../shading/Shader.h"
+#include "../shading/PathTracer.h"
 #include "Scene.h"
 
 #include <vector>
@@ -38,7 +38,9 @@ private:
   double jitterX_ = 0.0, jitterY_ = 0.0;
   std::vector<CameraRays> localRays_; ///< a scene object each
   std::vector<ParticleShader> shaders_;
-  SceneLighting lighting_;
+  std::optional<SceneLighting> lighting_; ///< of local shading
+  std::optional<SceneRays> pathRays_;
+  std::optional<PathTracer> paths_; ///< instead
 };
 
 } // namespace mote

@@ -39,12 +39,22 @@ struct OcclusionOptions
   double reach = 0.0; ///< world units that a ray goes, or infinity; 0 or less: occlusionReach()
 };
 
+/// Light by way of other surfaces, along paths; see PathTracer.
+struct PathOptions
+{
+  /// Surfaces that light comes by before it reaches the camera, at most; 0: no paths, shading is
+  /// local. 1 is light straight from sky and lights.
+  int bounces = 0;
+};
+
 /// All that is traced into one image, in world coordinates.
 struct Scene
 {
   std::vector<ParticleObject> particles;
   std::vector<Light> lights = std::vector<Light>(1); ///< a headlight to begin with
   OcclusionOptions occlusion;                        ///< of the ambient light
+  PathOptions paths;                                 ///< instead of local shading
+  Sky sky;                                           ///< that paths end in
 
   /// Of all objects; the bounds of a transformed object enclose its transformed box.
   Box bounds() const;

@@ -1,6 +1,6 @@
 #include "AmbientOcclusion.h"
 
-#include "../core/RayBundle.h"
+#include "Reflectance.h"
 #include "SampleSequence.h"
 
 #include <algorithm>
@@ -54,22 +54,18 @@ void AmbientOcclusion::darken(SurfaceBlock& block) const
   {
     const Vec3d position(block.position.x[i], block.position.y[i], block.position.z[i]);
     const Vec3d normal(block.normal.x[i], block.normal.y[i], block.normal.z[i]);
-    Vec3d u, v;
-    acrossAxes(normal, u, v);
     const bool isOutside = block.side[i] > 0.0f;
     for (int ray = 0; ray < count_; ++ray)
     {
       const glm::dvec2 at = samplePoint(first_ + static_cast<std::uint32_t>(ray), block.seed[i]);
-      const double angle = 2.0 * M_PI * at.y, sine = std::sqrt(at.x), cosine = std::sqrt(1 - at.x);
-      const Vec3d direction =
-        sine * std::cos(angle) * u + sine * std::sin(angle) * v + cosine * normal;
+      const Vec3d direction = cosineDirection(normal, at);
       const int k = packet.count++;
       for (int axis = 0; axis < 3; ++axis)
       {
         packet.origin[axis][k] = position[axis];
         packet.direction[axis][k] = direction[axis];
       }
-      packet.tMin[k] = rounding / cosine;
+      packet.tMin[k] = rounding / std::sqrt(1.0 - at.x);
       packet.t[k] = reach_;
       packet.slot[k] = isOutside ? block.slot[i] : RayPacket::noHit;
       packet.object[k] = isOutside ? block.object : -1;

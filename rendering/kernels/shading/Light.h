@@ -29,6 +29,22 @@ struct Light
   double size = 0.0;
 };
 
+/// The light that comes from all around, behind all that there is: even, or changing with the
+/// cosine to `up` from one colour to another.
+struct Sky
+{
+  Vec3f top{1.0f};
+  Vec3f bottom{1.0f};
+  Vec3d up{0.0, 0.0, 1.0}; ///< unit length
+
+  /// From a direction of unit length.
+  Vec3f operator()(const Vec3d& direction) const
+  {
+    const auto share = static_cast<float>(0.5 + 0.5 * glm::dot(direction, up));
+    return bottom + share * (top - bottom);
+  }
+};
+
 /// How a surface answers light: Lambert's cosine law, an even part, and Phong's highlight.
 struct Material
 {
@@ -38,6 +54,10 @@ struct Material
   Vec3f specularColor{1.0f}; ///< of the highlight, whatever colour the surface has
   float specularPower = 1.0f;
   float opacity = 1.0f;
+  /// For paths alone, which know no ambient part and no Phong: the share of a metal in [0, 1], and
+  /// how rough it is, from 0 (a mirror, nearly) to 1.
+  float metallic = 0.0f;
+  float roughness = 0.5f;
 };
 
 } // namespace mote

@@ -14,6 +14,29 @@ struct LightSample
   Vec3d place{0.0}; ///< Point: where it is. Directional: unit vector towards it
 };
 
+/// The square that a light shines from: of points about the place of a point light, facing
+/// `faced`, or of directions. Sizes that are not finite or not above 0 are 0, angles up to 170
+/// degrees.
+class LightSquare
+{
+public:
+  LightSquare(const Light& light, const Vec3d& faced);
+
+  /// Whether it shines: numbers are finite, and a direction has a length.
+  bool isLight() const { return isLight_; }
+  bool hasSize() const { return edge_ > 0.0; }
+  /// The sample at a place of the square, [-1/2, 1/2] from its middle.
+  LightSample at(double x, double y) const;
+  /// Moves places, and not directions.
+  void move(const Vec3d& by);
+
+private:
+  Light::Kind kind_;
+  bool isLight_ = false;
+  Vec3d middle_{0.0}, u_{0.0}, v_{0.0};
+  double edge_ = 0.0;
+};
+
 /// The samples of a light, in world coordinates; each sends the same share of the light.
 ///
 /// A light that casts shadows has samples x samples of them: a point light over the square about it

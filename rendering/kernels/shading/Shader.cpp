@@ -95,24 +95,25 @@ void ParticleShader::gather(const RayBundle& local, std::int32_t index, const st
     });
 }
 
-void ParticleShader::fillColors(SurfaceBlock& block) const
+/// Colours of up to SurfaceBlock::capacity particles, by input index.
+void ParticleShader::fillColors(const std::uint64_t* particles, int count, float (*colors)[4]) const
 {
   const ParticleColoring& c = object_.coloring;
   const auto set = [&](int k, float red, float green, float blue, float alpha)
   {
-    block.color[k][0] = red;
-    block.color[k][1] = green;
-    block.color[k][2] = blue;
-    block.color[k][3] = alpha;
+    colors[k][0] = red;
+    colors[k][1] = green;
+    colors[k][2] = blue;
+    colors[k][3] = alpha;
   };
   if (!c.direct.empty())
   {
     const int n = c.direct.components();
     const bool isGrey = n < 3, hasAlpha = n == 2 || n == 4;
-    for (int k = 0; k < block.count; ++k)
+    for (int k = 0; k < count; ++k)
     {
       const auto channel = [&](int channel)
-      { return static_cast<float>(c.direct.value(block.particle[k], channel) / 255.0); };
+      { return static_cast<float>(c.direct.value(particles[k], channel) / 255.0); };
       const float first = channel(0);
       set(k, first, isGrey ? first : channel(1), isGrey ? first : channel(2),
         hasAlpha ? channel(n - 1) : 1.0f);
@@ -122,40 +123,68 @@ void ParticleShader::fillColors(SurfaceBlock& block) const
   {
     // Values come from anywhere in memory: with nothing else in the loop many are on their way.
     double values[SurfaceBlock::capacity];
-    for (int k = 0; k < block.count; ++k)
-      values[k] = c.values.value(block.particle[k], c.component);
-    c.map.map(values, block.count, block.color);
+    for (int k = 0; k < count; ++k)
+      values[k] = c.values.value(particles[k], c.component);
+    c.map.map(values, count, colors);
   }
   else
-    for (int k = 0; k < block.count; ++k)
+    for (int k = 0; k < count; ++k)
       set(k, c.constant.r, c.constant.g, c.constant.b, c.constant.a);
 }
 
-void ParticleShader::shade(SurfaceBlock& block, const BundlePlacing& placing,
-  const SceneLighting& lighting, bool indices) const
+bool ParticleShader::needsIndices() const
 {
-  const ParticleColoring& c = object_.coloring;
-  if (indices || !c.direct.empty() || !c.values.empty())
+  return !object_.coloring.direct.empty() || !object_.coloring.values.empty();
+}
+
+Vec4f ParticleShader::colorOf(std::uint64_t slot) const
+{
+  const std::uint64_t particle =
+    needsIndices()
+      ? withStructure(*object_.structure, [&](const auto& s) { return s.inputIndex(slot); })
+      : slot;
+  float color[1][4];
+  fillColors(&particle, 1, color);
+  return {color[0][0], color[0][1], color[0][2], color[0][3]};
+}
+
+Vec3f ParticleShader::normalAt(std::uint64_t slot, const Vec3d& local) const
+{
+  const Vec3d outward = withStructure(
+    *object_.structure, [&](const auto& s) { return (local - s.center(slot)) / s.radius(slot); });
+  return glm::normalize(normalToWorld_ * Vec3f(outward));
+}
+
+void ParticleShader::place(
+  SurfaceBlock& block, const BundlePlacing& placing, bool positions, bool indices) const
+{
+  if (indices || needsIndices())
     withStructure(*object_.structure,
       [&](const auto& s)
       {
         for (int k = 0; k < block.count; ++k)
           block.particle[k] = s.inputIndex(block.slot[k]);
       });
-  fillColors(block);
-
-  const Material& material = object_.material;
-  const bool occluded = lighting.occlusion && material.ambient > 0.0f;
-  const auto needsPositions = [](const ShadedLight& light)
-  { return light.shadows || light.samples.front().kind == Light::Kind::Point; };
+  fillColors(block.particle, block.count, block.color);
   SurfacePlacing surfaces;
   surfaces.local = &placing.local;
   surfaces.world = &placing.world;
   surfaces.worldOrigin = placing.worldOrigin;
   surfaces.normalToWorld = isIdentity_ ? nullptr : &normalToWorld_;
-  surfaces.positions =
+  surfaces.positions = positions;
+  placeSurfaces(block, surfaces, object_.material.ambient);
+}
+
+void ParticleShader::shade(SurfaceBlock& block, const BundlePlacing& placing,
+  const SceneLighting& lighting, bool indices) const
+{
+  const Material& material = object_.material;
+  const bool occluded = lighting.occlusion && material.ambient > 0.0f;
+  const auto needsPositions = [](const ShadedLight& light)
+  { return light.shadows || light.samples.front().kind == Light::Kind::Point; };
+  const bool positions =
     occluded || std::any_of(lighting.lights.begin(), lighting.lights.end(), needsPositions);
-  placeSurfaces(block, surfaces, material.ambient);
+  place(block, placing, positions, indices);
   if (occluded)
     lighting.occlusion->darken(block);
   for (const ShadedLight& light : lighting.lights)

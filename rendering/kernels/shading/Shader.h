@@ -62,8 +62,19 @@ public:
   void shade(SurfaceBlock& block, const BundlePlacing& placing, const SceneLighting& lighting,
     bool indices) const;
 
+  /// What shade() does before any light: fills colours, normals, sides and, where asked for,
+  /// positions.
+  void place(SurfaceBlock& block, const BundlePlacing& placing, bool positions, bool indices) const;
+
+  /// Colour of the particle at a slot of the structure.
+  Vec4f colorOf(std::uint64_t slot) const;
+
+  /// Unit normal in the world, outwards, of that particle at a point in the object's coordinates.
+  Vec3f normalAt(std::uint64_t slot, const Vec3d& local) const;
+
 private:
-  void fillColors(SurfaceBlock& block) const;
+  void fillColors(const std::uint64_t* particles, int count, float (*colors)[4]) const;
+  bool needsIndices() const;
 
   const ParticleObject& object_;
   glm::mat3 normalToWorld_{1.0f};
