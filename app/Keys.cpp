@@ -45,6 +45,7 @@ const std::vector<Binding>& bindings()
     {Action::Axes, {"a", "A"}},
     {Action::Background, {"g", "G"}},
     {Action::Shadows, {"d", "D"}},
+    {Action::Shading, {"t", "T"}},
     {Action::Save, {"s", "S"}},
     {Action::Escape, {"Escape"}},
     {Action::Quit, {"q", "Q"}},
@@ -79,6 +80,7 @@ std::string keysHelp()
          " space         play the time steps, or pause \n"
          " b l a g       box, legend, axes, light or dark background \n"
          " d             shadows: none, hard, soft \n"
+         " t             light: plain, ambient occlusion, path tracing \n"
          " s             save a picture of the view \n"
          " Escape        stop long work; take messages away \n"
          " h ?           these keys \n"

@@ -37,6 +37,7 @@ enum class Action
   Axes,
   Background,
   Shadows,
+  Shading,
   Save,
   Escape,
   Quit

@@ -63,6 +63,8 @@ std::vector<double> numbersOf(const std::string& text)
   return numbers;
 }
 
+constexpr int usualOcclusion = 4; // rays a hit
+
 } // namespace
 
 const std::vector<std::string>& lightNames()
@@ -108,6 +110,9 @@ Lighting::Lighting(vtkRenderer* renderer, const ViewOptions& options)
   renderer->AutomaticLightCreationOff();
   shading_->SetAmbientOcclusionSamples(options.ambientOcclusion);
   shading_->SetAmbientOcclusionReach(options.occlusionReach);
+  shading_->SetMode(options.pathTrace ? vtkMoteShading::PATH_TRACED : vtkMoteShading::LOCAL);
+  shading_->SetSkyTop(0.95, 0.97, 1.0);
+  shading_->SetSkyBottom(0.45, 0.43, 0.4);
   this->setShadows(options.shadows);
 }
 
@@ -129,10 +134,11 @@ void Lighting::place(const std::string& where)
     return;
   }
   const Place* named = placeNamed(where);
-  const Place from = named ? *named
-                     : numbers.size() == 2
-                       ? Place{"", numbers[0], numbers[1]}
-                       : (shadows_ == "none" ? plainPlace : *placeNamed("left-top"));
+  const Place from =
+    named ? *named
+    : numbers.size() == 2
+      ? Place{"", numbers[0], numbers[1]}
+      : (shadows_ == "none" && !this->tracesPaths() ? plainPlace : *placeNamed("left-top"));
   const double azimuth = vtkMath::RadiansFromDegrees(from.azimuth);
   const double elevation = vtkMath::RadiansFromDegrees(from.elevation);
   main_->SetLightTypeToCameraLight();
@@ -144,20 +150,59 @@ void Lighting::place(const std::string& where)
 void Lighting::setShadows(const std::string& shadows)
 {
   shadows_ = shadows;
-  this->place(options_.light);
   const bool on = shadows != "none";
   main_->SetShadows(on);
   double samples = 1.0;
   // A light's samples differ from one ray of a pixel to the next: 64 in all look smooth.
   if (shadows == "soft")
-    samples = std::clamp(std::ceil(8.0 / std::sqrt(options_.mostSamples())), 2.0, 8.0);
+    samples = std::clamp(std::ceil(8.0 / std::sqrt(options_.mostSamples(false))), 2.0, 8.0);
   else if (shadows != "hard")
     parseNumber(shadows, samples);
   main_->SetSamples(static_cast<int>(samples));
-  // Where the sky is light that crevices see less of it takes over from the light of the eye.
-  const bool sky = shading_->GetAmbientOcclusionSamples() > 0;
-  main_->SetIntensity(fromEye_ ? (sky ? 0.5 : 1.05) : on ? 0.8 : 0.64);
-  fill_->SetIntensity(fromEye_ ? 0.0 : sky ? 0.1 : on ? 0.28 : 0.41);
+  this->balance();
+}
+
+/// Places the main light, and shares the light out between the lights and the sky.
+void Lighting::balance()
+{
+  this->place(options_.light);
+  const bool on = shadows_ != "none";
+  if (this->tracesPaths() || shading_->GetAmbientOcclusionSamples() > 0)
+  {
+    // The sky, of which crevices see less, takes over from the light of the eye.
+    main_->SetIntensity(this->tracesPaths() ? 0.8 : 0.55);
+    fill_->SetIntensity(fromEye_ || this->tracesPaths() ? 0.0 : 0.1);
+    return;
+  }
+  main_->SetIntensity(fromEye_ ? 1.05 : on ? 0.8 : 0.64);
+  fill_->SetIntensity(fromEye_ ? 0.0 : on ? 0.28 : 0.41);
+}
+
+void Lighting::nextShading()
+{
+  if (this->tracesPaths())
+    shading_->SetModeToLocal();
+  else if (shading_->GetAmbientOcclusionSamples() > 0)
+  {
+    shading_->SetAmbientOcclusionSamples(0);
+    shading_->SetModeToPathTraced();
+  }
+  else
+    shading_->SetAmbientOcclusionSamples(
+      options_.ambientOcclusion > 0 ? options_.ambientOcclusion : usualOcclusion);
+  this->balance();
+}
+
+std::string Lighting::shadingName() const
+{
+  return this->tracesPaths()                          ? "Path tracing"
+         : shading_->GetAmbientOcclusionSamples() > 0 ? "Ambient occlusion"
+                                                      : "Plain light";
+}
+
+bool Lighting::tracesPaths() const
+{
+  return shading_->GetMode() == vtkMoteShading::PATH_TRACED;
 }
 
 void Lighting::nextShadows()

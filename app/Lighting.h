@@ -39,6 +39,15 @@ public:
   /// "No shadows", "Hard shadows", "Soft shadows".
   std::string shadowsName() const;
 
+  /// From plain light to ambient occlusion to paths to plain light.
+  void nextShading();
+
+  /// "Plain light", "Ambient occlusion", "Path tracing".
+  std::string shadingName() const;
+
+  /// Whether light is found by paths.
+  bool tracesPaths() const;
+
   /// For whatever traces the scene.
   vtkMoteShading* shading() { return shading_; }
 
@@ -48,6 +57,7 @@ public:
 private:
   void place(const std::string& where);
   void setShadows(const std::string& shadows);
+  void balance();
 
   const ViewOptions& options_;
   std::string shadows_;

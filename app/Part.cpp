@@ -60,6 +60,11 @@ Part::Part(const std::string& name, vtkDataSet* data, const ViewOptions& options
   this->setData(name, data);
 }
 
+void Part::setAmbient(double ambient)
+{
+  shade(actor_->GetProperty(), !particles_, ambient);
+}
+
 bool Part::isMesh(vtkDataSet* data)
 {
   if (auto* surface = vtkPolyData::SafeDownCast(data))

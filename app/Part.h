@@ -26,6 +26,9 @@ public:
   /// `ambient` is the share of light from all sides.
   Part(const std::string& name, vtkDataSet* data, const ViewOptions& options, double ambient);
 
+  /// Sets the share of light from all sides.
+  void setAmbient(double ambient);
+
   /// Whether a data set is shown by its surface rather than as particles.
   static bool isMesh(vtkDataSet* data);
 

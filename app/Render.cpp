@@ -33,7 +33,7 @@ public:
   {
     source_->SetRenderer(scene.renderer());
     source_->SetSize(options.size[0], options.size[1]);
-    source_->SetSamplesPerPixel(options.mostSamples());
+    source_->SetSamplesPerPixel(options.mostSamples(options.pathTrace));
     source_->SetNoiseLevel(options.noise);
     source_->SetShading(scene.lighting().shading());
     legend_->SetInputConnection(source_->GetOutputPort());

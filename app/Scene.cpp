@@ -100,6 +100,13 @@ void Scene::setRadiusScale(double scale)
     part->setRadiusScale(scale);
 }
 
+void Scene::nextShading()
+{
+  lighting_.nextShading();
+  for (const auto& part : parts_)
+    part->setAmbient(lighting_.ambient());
+}
+
 void Scene::bounds(double bounds[6]) const
 {
   vtkBoundingBox box;

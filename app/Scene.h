@@ -37,6 +37,9 @@ public:
 
   void setRadiusScale(double scale);
 
+  /// Goes on to the next way of lighting; see Lighting::nextShading().
+  void nextShading();
+
   vtkRenderer* renderer() { return renderer_; }
   Coloring& coloring() { return coloring_; }
   Lighting& lighting() { return lighting_; }

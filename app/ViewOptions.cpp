@@ -262,6 +262,12 @@ void addLightOptions(CLI::App& app, ViewOptions& o)
     ->needs(occlusion)
     ->type_name("R")
     ->group(group);
+  app
+    .add_flag("--path-trace", o.pathTrace,
+      "Light by way of other particles, under a sky that is bright above (+z) and dim below, with "
+      "the shadows of the main light as soft as --light-size says")
+    ->excludes(occlusion)
+    ->group(group);
 }
 
 void addCameraOptions(CLI::App& app, ViewOptions& o)
@@ -304,7 +310,8 @@ void addPictureOptions(CLI::App& app, ViewOptions& o)
     ->group(group);
   app
     .add_option("--samples", o.samples,
-      "Rays a pixel; more make smoother edges. By default 16, and at most 4096 with --noise")
+      "Rays a pixel; more make smoother edges. By default 16, with --path-trace 64, and at "
+      "most 4096 with --noise")
     ->check(CLI::Range(1, 65536).description(""))
     ->type_name("N")
     ->group(group);

@@ -55,6 +55,7 @@ struct ViewOptions
   double lightSize = 15.0;      ///< degrees
   int ambientOcclusion = 0;     ///< rays a hit
   double occlusionReach = 0.0;  ///< world units; 0: choose
+  bool pathTrace = false;
 
   // Camera
   std::string view = "auto";
@@ -73,8 +74,11 @@ struct ViewOptions
   std::optional<std::string> caption;
   int threads = 0;
 
-  /// Rays a pixel, at most.
-  int mostSamples() const { return samples > 0 ? samples : noise > 0.0 ? 4096 : 16; }
+  /// Rays a pixel, at most; `paths` are noisier than other light.
+  int mostSamples(bool paths) const
+  {
+    return samples > 0 ? samples : noise > 0.0 ? 4096 : paths ? 64 : 16;
+  }
 };
 
 /// Declares the files and all options of a view.

@@ -99,7 +99,7 @@ void Window::setUpWindow()
   window_->SetSize(sized ? options_.size[0] : std::min(1280, screen[0] * 9 / 10),
     sized ? options_.size[1] : std::min(860, screen[1] * 8 / 10));
   pass_->ProgressiveOn();
-  pass_->SetSamplesPerPixel(options_.mostSamples());
+  pass_->SetSamplesPerPixel(options_.mostSamples(options_.pathTrace));
   pass_->SetNoiseLevel(options_.noise);
   pass_->SetNumberOfThreads(options_.threads);
   pass_->SetShading(scene_.lighting().shading());

@@ -132,6 +132,11 @@ void Window::act(Action action)
     scene_.lighting().nextShadows();
     this->say(scene_.lighting().shadowsName());
     break;
+  case Action::Shading:
+    scene_.nextShading();
+    pass_->SetSamplesPerPixel(options_.mostSamples(scene_.lighting().tracesPaths()));
+    this->say(scene_.lighting().shadingName());
+    break;
   case Action::Save:
     playing_ = false; // a picture takes rest
     this->savePicture();

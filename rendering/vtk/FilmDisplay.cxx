@@ -193,7 +193,8 @@ void FilmDisplay::draw(
       [&](const tbb::blocked_range<std::size_t>& bytes)
       {
         for (std::size_t i = bytes.begin(); i != bytes.end(); ++i)
-          colorBytes_[i] = static_cast<unsigned char>(film.color()[i] * 255.0f + 0.5f);
+          colorBytes_[i] =
+            static_cast<unsigned char>(std::min(film.color()[i], 1.0f) * 255.0f + 0.5f);
       });
     convertDepth(renderer, film);
     int width = 0, height = 0, x = 0, y = 0;

@@ -46,7 +46,11 @@ std::vector<double> signatureOf(vtkRenderer* renderer, const std::vector<vtkActo
     add(s, Vec3d(light.color));
     s.insert(s.end(), {double(light.shadows), double(light.samples), light.size});
   }
-  s.insert(s.end(), {double(scene.occlusion.rays), scene.occlusion.reach});
+  s.insert(
+    s.end(), {double(scene.occlusion.rays), scene.occlusion.reach, double(scene.paths.bounces)});
+  add(s, Vec3d(scene.sky.top));
+  add(s, Vec3d(scene.sky.bottom));
+  add(s, scene.sky.up);
   for (std::size_t i = 0; i < actors.size(); ++i)
   {
     auto* mapper = vtkMoteParticleMapper::SafeDownCast(actors[i]->GetMapper());
@@ -62,15 +66,15 @@ std::vector<double> signatureOf(vtkRenderer* renderer, const std::vector<vtkActo
 /// Whether there are many rays for each of the camera's.
 bool takesManyRays(const Scene& scene)
 {
-  return scene.occlusion.rays > 0 ||
+  return scene.occlusion.rays > 0 || scene.paths.bounces > 0 ||
          std::any_of(scene.lights.begin(), scene.lights.end(),
            [](const Light& light) { return light.shadows && light.samples > 1; });
 }
 
-/// Leaves one ray a light.
+/// Leaves local shading with one ray a light.
 void makeDraft(Scene& scene)
 {
-  scene.occlusion.rays = 0;
+  scene.occlusion.rays = scene.paths.bounces = 0;
   for (Light& light : scene.lights)
     light.samples = 1;
 }

@@ -28,10 +28,10 @@ struct FrameSettings
 
 /// Keeps the traced picture of one renderer up to date with as few rays as the settings allow.
 ///
-/// Soft shadows and ambient occlusion take most of the rays of a scene that has them. While the
-/// view moves, and for the first of the samples that a progressive picture shows, such a scene is
-/// drawn as a draft, with one shadow ray a light and no occlusion; the picture at rest begins anew
-/// with all.
+/// Soft shadows, ambient occlusion and paths take most of the rays of a scene that has them. While
+/// the view moves, and for the first of the samples that a progressive picture shows, such a scene
+/// is drawn as a draft, with one shadow ray a light and nothing of the others; the picture at rest
+/// begins anew with all.
 class FrameTracer
 {
 public:

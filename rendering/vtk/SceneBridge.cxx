@@ -116,6 +116,8 @@ void describeActor(vtkActor* actor, ParticleObject& object)
     m.diffuse = m.specular = 0.0f;
     return;
   }
+  m.metallic = static_cast<float>(property->GetMetallic());
+  m.roughness = static_cast<float>(property->GetRoughness());
   m.ambient = static_cast<float>(property->GetAmbient());
   m.diffuse = static_cast<float>(property->GetDiffuse());
   m.specular = static_cast<float>(property->GetSpecular());
@@ -128,6 +130,26 @@ vtkActor* moteActor(vtkProp* prop)
   vtkActor* actor = vtkActor::SafeDownCast(prop);
   return actor && vtkMoteParticleMapper::SafeDownCast(actor->GetMapper()) ? actor : nullptr;
 }
+
+namespace
+{
+
+void shadeBy(Scene& scene, vtkMoteShading* shading)
+{
+  if (shading->GetMode() == vtkMoteShading::LOCAL)
+  {
+    scene.occlusion = {shading->GetAmbientOcclusionSamples(), shading->GetAmbientOcclusionReach()};
+    return;
+  }
+  scene.paths.bounces = shading->GetMaximumBounces();
+  scene.sky.top = toColor(shading->GetSkyTop());
+  scene.sky.bottom = toColor(shading->GetSkyBottom());
+  const Vec3d up = toVec(shading->GetSkyUp());
+  if (glm::length(up) > 0.0)
+    scene.sky.up = glm::normalize(up);
+}
+
+} // namespace
 
 Scene sceneOf(vtkRenderer* renderer, std::vector<vtkActor*>& actors, vtkMoteShading* shading)
 {
@@ -144,7 +166,7 @@ Scene sceneOf(vtkRenderer* renderer, std::vector<vtkActor*>& actors, vtkMoteShad
   actors = kept;
   scene.lights = lightsOf(renderer);
   if (shading)
-    scene.occlusion = {shading->GetAmbientOcclusionSamples(), shading->GetAmbientOcclusionReach()};
+    shadeBy(scene, shading);
   return scene;
 }
 

@@ -10,6 +10,14 @@
  * directions above the surface, each weighted by its cosine to the normal, those along which no
  * particle stands within AmbientOcclusionReach. Crevices darken. Lights and their shadows add to
  * that as ever; properties with no ambient part show nothing of it.
+ *
+ * Path tracing. Light comes from a sky all around and from the lights, straight and by way of up to
+ * MaximumBounces particles. Of a vtkProperty the colour times Diffuse, Metallic and Roughness tell
+ * how particles answer; the ambient and the specular part do not count, except that a property
+ * with Lighting off, or Diffuse and Metallic 0, shines with its ambient colour. All lights cast
+ * shadows, vtkMoteAreaLight with its size and any other light from a point; a headlight stands in
+ * the eye. The picture is noisy until many rays a pixel have been cast: see SamplesPerPixel and
+ * NoiseLevel of what traces. Colours may exceed 1.
  */
 
 #ifndef vtkMoteShading_h
@@ -24,6 +32,22 @@ public:
   static vtkMoteShading* New();
   vtkTypeMacro(vtkMoteShading, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Modes
+  {
+    LOCAL,      ///< lights, their shadows, and ambient light with or without occlusion
+    PATH_TRACED ///< light by way of other particles, too
+  };
+
+  ///@{
+  /**
+   * How light is found. Default LOCAL.
+   */
+  vtkSetClampMacro(Mode, int, LOCAL, PATH_TRACED);
+  vtkGetMacro(Mode, int);
+  void SetModeToLocal() { this->SetMode(LOCAL); }
+  void SetModeToPathTraced() { this->SetMode(PATH_TRACED); }
+  ///@}
 
   ///@{
   /**
@@ -43,12 +67,42 @@ public:
   vtkGetMacro(AmbientOcclusionReach, double);
   ///@}
 
+  ///@{
+  /**
+   * Particles that light comes by before it reaches the eye, at most, in [1, 1000]. 1 is light
+   * straight from sky and lights. Default 16, with which little is lost even among bright
+   * particles. Of path tracing.
+   */
+  vtkSetClampMacro(MaximumBounces, int, 1, 1000);
+  vtkGetMacro(MaximumBounces, int);
+  ///@}
+
+  ///@{
+  /**
+   * The light of the sky, of path tracing: red, green and blue (1 is as bright as white paper under
+   * it) from the direction SkyUp, in world coordinates, and from the other; in between it changes
+   * with the cosine. Default: white all around; up is +z, of any length but 0. The sky is not in
+   * the picture: where there are no particles the background stays.
+   */
+  vtkSetVector3Macro(SkyTop, double);
+  vtkGetVector3Macro(SkyTop, double);
+  vtkSetVector3Macro(SkyBottom, double);
+  vtkGetVector3Macro(SkyBottom, double);
+  vtkSetVector3Macro(SkyUp, double);
+  vtkGetVector3Macro(SkyUp, double);
+  ///@}
+
 protected:
   vtkMoteShading() = default;
   ~vtkMoteShading() override = default;
 
+  int Mode = LOCAL;
   int AmbientOcclusionSamples = 0;
   double AmbientOcclusionReach = 0.0;
+  int MaximumBounces = 16;
+  double SkyTop[3] = {1.0, 1.0, 1.0};
+  double SkyBottom[3] = {1.0, 1.0, 1.0};
+  double SkyUp[3] = {0.0, 0.0, 1.0};
 
 private:
   vtkMoteShading(const vtkMoteShading&) = delete;

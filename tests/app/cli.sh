@@ -73,7 +73,7 @@ case $3 in
     for light in '' '--shadows hard' '--shadows soft' '--shadows soft --light-size 40' \
       '--shadows 3 --light right-top' '--light eye' '--light 60,20' '--light 0,0,1 --shadows hard' \
       '--light -1,0,1' '--ambient-occlusion 2' '--ambient-occlusion 2 --occlusion-reach 1' \
-      '--ambient-occlusion 2 --shadows soft'; do
+      '--ambient-occlusion 2 --shadows soft' --path-trace '--path-trace --light-size 40'; do
       # shellcheck disable=SC2086
       run 0 "$mote" render "$hopper" -o "light.png" --size 320x200 --samples 4 $light
       is_picture light.png 320x200
@@ -252,6 +252,7 @@ assert any(a["name"] == "c_centro" for a in d[0]["arrays"])' || fail "not the ri
     misused render "$hopper" -o a.png --ambient-occlusion 1.5
     misused render "$hopper" -o a.png --occlusion-reach 1
     misused render "$hopper" -o a.png --ambient-occlusion 1 --occlusion-reach 0
+    misused render "$hopper" -o a.png --path-trace --ambient-occlusion 2
     misused render "$hopper" -o a.png --noise 0
     misused render "$hopper" -o a.png --noise 2
     misused render "$hopper" -o a.png --time inf

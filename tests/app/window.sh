@@ -176,6 +176,31 @@ case $3 in
     quit
     ;;
 
+  shading) # t goes from plain light to ambient occlusion to paths and back; all end at the noise
+    open "$copper" --size 320x240 --range 0 20 --noise 0.02
+    picture plain.png
+    press t
+    picture occlusion.png
+    differ plain.png occlusion.png
+    press t
+    picture paths.png
+    differ occlusion.png paths.png
+    xdotool mousemove 160 120 mousedown 1
+    for x in $(seq 160 20 240); do
+      xdotool mousemove "$x" 120
+    done
+    xdotool mouseup 1
+    picture turned.png
+    differ paths.png turned.png
+    press r
+    picture back.png
+    alike paths.png back.png
+    press t
+    picture plain-again.png
+    alike plain.png plain-again.png
+    quit
+    ;;
+
   mesh) # cells are shown by their surface, without rays
     cat >cube.ply <<'PLY'
 ply

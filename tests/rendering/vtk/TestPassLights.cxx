@@ -148,3 +148,37 @@ TEST_F(Lights, OcclusionIsLeftOutWhileTheViewMovesAndAllThereAtRest)
   EXPECT_EQ(differentPixels(still, drawing.shoot(), 0), 0);
   EXPECT_TRUE(pass->IsConverged());
 }
+
+TEST_F(Lights, PathsAreADraftWhileTheViewMovesAndRefinedAtRest)
+{
+  const Shot plain = drawing.shoot();
+  vtkMoteShading* shading = pass->GetShading();
+  shading->SetModeToPathTraced();
+  pass->SetNoiseLevel(0.03);
+  pass->SetSamplesPerPixel(500);
+  EXPECT_TRUE(traced()) << "mode";
+  EXPECT_TRUE(pass->IsConverged());
+  EXPECT_LE(pass->GetNoise(), 0.03);
+  shading->SetMaximumBounces(2);
+  EXPECT_TRUE(traced()) << "bounces";
+  shading->SetSkyBottom(0, 0, 0.5);
+  EXPECT_TRUE(traced()) << "sky";
+  const Shot still = drawing.shoot();
+  EXPECT_GT(differentPixels(plain, still), pixels / 20);
+  drawing.window->SetDesiredUpdateRate(15);
+  drawing.camera()->Azimuth(10);
+  drawing.shoot();
+  EXPECT_EQ(pass->GetNumberOfSamples(), 1);
+  EXPECT_FALSE(pass->IsConverged());
+  drawing.camera()->Azimuth(-10);
+  drawing.window->SetDesiredUpdateRate(0.001);
+  pass->ProgressiveOn();
+  int frames = 0;
+  do
+  {
+    drawing.window->Render();
+    ASSERT_LT(++frames, 500);
+  } while (!pass->IsConverged());
+  EXPECT_GT(frames, 1) << "the first one is a draft";
+  EXPECT_EQ(differentPixels(still, drawing.shoot(), 0), 0);
+}

@@ -5,6 +5,7 @@
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
+#include "vtkLight.h"
 #include "vtkMoteShading.h"
 #include "vtkProperty.h"
 
@@ -16,6 +17,8 @@ using namespace mote::testing;
 TEST(Shading, Defaults)
 {
   vtkNew<vtkMoteShading> shading;
+  EXPECT_EQ(shading->GetMode(), vtkMoteShading::LOCAL);
+  EXPECT_EQ(shading->GetMaximumBounces(), 16);
   EXPECT_EQ(shading->GetAmbientOcclusionSamples(), 0);
   EXPECT_EQ(shading->GetAmbientOcclusionReach(), 0.0);
   shading->SetAmbientOcclusionSamples(100000);
@@ -33,7 +36,8 @@ TEST(Shading, PrintSelfTellsItsState)
   shading->SetAmbientOcclusionReach(2.5);
   std::ostringstream text;
   shading->Print(text);
-  for (const char* part : {"AmbientOcclusionSamples: 3", "AmbientOcclusionReach: 2.5"})
+  for (const char* part :
+    {"Mode: Local", "SkyUp: 0 0 1", "AmbientOcclusionSamples: 3", "AmbientOcclusionReach: 2.5"})
     EXPECT_NE(text.str().find(part), std::string::npos) << part;
 }
 
@@ -49,6 +53,25 @@ TEST(Shading, ReachesTheKernels)
   const mote::Scene scene = mote::sceneOf(stage.renderer, actors, shading);
   EXPECT_EQ(scene.occlusion.rays, 3);
   EXPECT_EQ(scene.occlusion.reach, 2.5);
+  EXPECT_EQ(scene.paths.bounces, 0);
+
+  shading->SetModeToPathTraced();
+  shading->SetMaximumBounces(5);
+  shading->SetSkyTop(0.5, 0.25, 1.0);
+  shading->SetSkyBottom(0.0, 0.75, 2.0);
+  shading->SetSkyUp(0.0, 3.0, 0.0);
+  stage.actor->GetProperty()->SetMetallic(0.25);
+  stage.actor->GetProperty()->SetRoughness(0.125);
+  const mote::Scene paths = mote::sceneOf(stage.renderer, actors, shading);
+  EXPECT_EQ(paths.paths.bounces, 5);
+  EXPECT_EQ(paths.occlusion.rays, 0);
+  EXPECT_EQ(paths.sky.top, mote::Vec3f(0.5f, 0.25f, 1.0f));
+  EXPECT_EQ(paths.sky.bottom, mote::Vec3f(0.0f, 0.75f, 2.0f));
+  EXPECT_EQ(paths.sky.up, mote::Vec3d(0.0, 1.0, 0.0));
+  EXPECT_EQ(paths.particles[0].material.metallic, 0.25f);
+  EXPECT_EQ(paths.particles[0].material.roughness, 0.125f);
+  shading->SetSkyUp(0.0, 0.0, 0.0);
+  EXPECT_EQ(mote::sceneOf(stage.renderer, actors, shading).sky.up, mote::Vec3d(0.0, 0.0, 1.0));
 }
 
 TEST(Shading, SourceFollowsIt)
@@ -68,6 +91,10 @@ TEST(Shading, SourceFollowsIt)
   source->GetShading()->SetAmbientOcclusionSamples(2);
   EXPECT_TRUE(traced());
   source->GetShading()->SetAmbientOcclusionReach(0.5);
+  EXPECT_TRUE(traced());
+  source->GetShading()->SetModeToPathTraced();
+  EXPECT_TRUE(traced());
+  source->GetShading()->SetSkyTop(0.5, 0.5, 0.5);
   EXPECT_TRUE(traced());
   vtkNew<vtkMoteShading> other;
   source->SetShading(other);
@@ -104,4 +131,27 @@ TEST(Shading, OcclusionDarkensBesideALargeBall)
     EXPECT_NEAR(red(x), 1.0 - std::pow(s * s + 1.0, -1.5), 0.02) << s;
   }
   EXPECT_EQ(red(25), 1.0) << "on top of the ball all is open";
+}
+
+TEST(Shading, PathsInAnEvenSkyShowTheColour)
+{
+  Stage stage(makeParticles({{0, 0, 0, 1}}));
+  stage.actor->GetProperty()->SetColor(0.75, 0.5, 0.25);
+  vtkNew<vtkLight> dark;
+  dark->SetIntensity(0.0);
+  stage.renderer->AddLight(dark);
+  vtkNew<vtkMoteRendererSource> source;
+  source->SetRenderer(stage.renderer);
+  source->SetSize(32, 32);
+  source->SetSamplesPerPixel(2);
+  source->GetShading()->SetModeToPathTraced();
+  source->Update();
+  for (int c = 0; c < 3; ++c)
+    EXPECT_NEAR(
+      source->GetOutput()->GetScalarComponentAsDouble(16, 16, 0, c), 0.75 - 0.25 * c, 1e-6);
+  stage.actor->GetProperty()->LightingOff(); // and without light its own
+  source->GetShading()->SetSkyTop(0, 0, 0);
+  source->GetShading()->SetSkyBottom(0, 0, 0);
+  source->Update();
+  EXPECT_NEAR(source->GetOutput()->GetScalarComponentAsDouble(16, 16, 0, 0), 0.75, 1e-6);
 }
