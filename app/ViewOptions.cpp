@@ -318,7 +318,7 @@ void addPictureOptions(CLI::App& app, ViewOptions& o)
   app
     .add_option("--noise", o.noise,
       "Cast rays until the picture's standard error is down to this, where colours go from 0 to "
-      "1: 0.005 looks smooth. --samples is then the most")
+      "1: 0.01 looks smooth. --samples is then the most")
     ->check(number(true))
     ->check(CLI::Range(0.0, 1.0).description(""))
     ->type_name("LEVEL")

@@ -50,7 +50,7 @@ public:
   /**
    * Noise at which a picture is good enough although it has not yet SamplesPerPixel: its standard
    * error, the root mean square over covered pixels and channels of what the mean of a pixel's
-   * samples may err by, in units of colours from 0 to 1. 0.005 is smooth to the eye. It is judged
+   * samples may err by, in units of colours from 0 to 1. 0.01 is smooth to the eye. It is judged
    * from the fourth sample on. Default 0: all samples are taken, and nothing is judged.
    */
   vtkSetClampMacro(NoiseLevel, double, 0.0, 1.0);

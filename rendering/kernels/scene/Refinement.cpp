@@ -27,7 +27,9 @@ double standardError(const Film& film)
       for (std::size_t i = range.begin(); i != range.end(); ++i)
         if (film.color()[4 * i + 3] > 0.0f)
         {
-          sum.variance += film.variance(i);
+          const float* c = film.color() + 4 * i;
+          const double bright = std::max({1.0f, c[0], c[1], c[2]});
+          sum.variance += film.variance(i) / (bright * bright);
           ++sum.pixels;
         }
       return sum;

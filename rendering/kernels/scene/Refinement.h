@@ -7,7 +7,8 @@ namespace mote
 
 /// Standard error of a picture, in units of its colours: the root mean square, over the pixels that
 /// show something and over their premultiplied red, green, blue and alpha, of the standard error of
-/// the pixel's mean, which is the root of the samples' variance over their number.
+/// the pixel's mean, which is the root of the samples' variance over their number. In a pixel that
+/// is brighter than 1 errors count as shares of its brightness.
 ///
 /// Infinity before there are two samples; 0 where no pixel shows anything. The film must have
 /// Film::Variance. Samples here are spread more evenly than random ones: the true error is smaller

@@ -2,6 +2,7 @@
 
 #include "ShadowParts.h"
 
+#include <kernels/scene/Refinement.h>
 #include <kernels/shading/Reflectance.h>
 #include <kernels/shading/SampleSequence.h>
 
@@ -343,6 +344,33 @@ TEST(PathTracer, BundlesAndThreadsDoNotChangeThePicture)
   EXPECT_TRUE(std::equal(wanted.color(), wanted.color() + 4 * wanted.pixels(), threads.color()));
   for (const int side : {2, 4, 8, 16})
     EXPECT_LE(differenceOf(wanted, tracedFilm(scene, camera, 90, 70, {2, 1, side})).pixels, 60);
+}
+
+TEST(PathTracer, ErrorFallsWithTheNumberOfSamples)
+{
+  Scene scene = randomSpheres(781);
+  trace(scene, 16);
+  scene.particles[0].coloring.constant = {0.8f, 0.8f, 0.8f, 1.0f};
+  scene.sky.bottom = Vec3f(0.3f);
+  scene.lights = {shadowLight(directional, {-1.0, -1.0, -1.0}, 1, 15.0)};
+  Film wanted, film;
+  wanted.resize(64, 64, Film::Id);
+  film.resize(64, 64, Film::Id | Film::Variance);
+  const RayCaster caster(scene);
+  for (int k = 0; k < 2048; ++k)
+    caster.addSample(camera, wanted);
+  double before = INFINITY;
+  for (const int samples : {4, 16, 64, 256})
+  {
+    while (film.samples() < samples)
+      caster.addSample(camera, film);
+    const double error = rmsOf(film, wanted);
+    std::printf(
+      "%4d samples: rms error %.4f, standard error %.4f\n", samples, error, standardError(film));
+    EXPECT_LT(error, 0.55 * before); // random samples: 0.5
+    EXPECT_LT(error, 1.3 * standardError(film));
+    before = error;
+  }
 }
 
 TEST(Reflectance, SamplesAreWorthWhatTheyStandFor)

@@ -98,6 +98,9 @@ TEST(Refinement, StandardErrorIsThatOfPicturesOfIndependentSamples)
   film.setSamples(7);
   EXPECT_NEAR(standardError(film), std::sqrt(0.5 / 7.0), 1e-6);
   for (std::size_t i = 0; i < film.pixels(); ++i)
+    film.color()[4 * i + 1] = 3.0f;
+  EXPECT_NEAR(standardError(film), std::sqrt(0.5 / 7.0) / 3.0, 1e-6);
+  for (std::size_t i = 0; i < film.pixels(); ++i)
     film.color()[4 * i + 3] = 0.0f;
   EXPECT_EQ(standardError(film), 0.0);
 }
