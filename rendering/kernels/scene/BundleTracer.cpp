@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mote
 {
@@ -52,6 +53,12 @@ struct BundleTracer::Bundle
   float normal[RayBundle::capacity][3];
   std::uint64_t particle[RayBundle::capacity];
   const BundlePixels* pixels = nullptr;
+
+  float depthOf(int i) const
+  {
+    return rays.object[i] >= 0 ? static_cast<float>(rays.t[i])
+                               : std::numeric_limits<float>::infinity();
+  }
 };
 
 BundleTracer::BundleTracer(const Scene& scene, const Camera& camera, Film& film, int side)
@@ -97,7 +104,10 @@ void BundleTracer::traceTile(int x0, int y0, int size) const
     {
       traceBundle(bundle, side, x, y);
       shadeBundle(bundle, side, x, y);
-      keep(bundle, x, y);
+      if (film_.samples() == 0)
+        keepFirst(bundle, x, y);
+      else
+        keep(bundle, x, y);
     }
 }
 
@@ -193,69 +203,69 @@ void BundleTracer::shadeBundle(Bundle& bundle, int side, int x0, int y0) const
   }
 }
 
-/// Adds the bundle to the film.
+/// Calls visit(ray, pixel of the film) for the bundle's rays within the film.
+template <typename Visit>
+void BundleTracer::forPixels(const Bundle& bundle, int x0, int y0, const Visit& visit) const
+{
+  const std::size_t corner = static_cast<std::size_t>(y0) * film_.width() + x0;
+  const int count = bundle.rays.count;
+  if (bundle.isInside)
+    for (int i = 0; i < count; ++i)
+      visit(i, corner + bundle.pixel[i]);
+  else
+    for (int i = 0; i < count; ++i)
+      if (!bundle.outside[i])
+        visit(i, corner + bundle.pixel[i]);
+}
+
+/// Adds the bundle to the film. Channel by channel: one stream of memory at a time.
 void BundleTracer::keep(const Bundle& bundle, int x0, int y0) const
 {
-  const RayBundle& rays = bundle.rays;
-  const bool first = film_.samples() == 0;
   const float share = 1.0f / static_cast<float>(film_.samples() + 1);
-  const std::size_t corner = static_cast<std::size_t>(y0) * film_.width() + x0;
-  // Channel by channel: one stream of memory at a time.
-  const auto forEach = [&](const auto& visit)
-  {
-    const int count = rays.count;
-    if (bundle.isInside)
-      for (int i = 0; i < count; ++i)
-        visit(i, corner + bundle.pixel[i]);
-    else
-      for (int i = 0; i < count; ++i)
-        if (!bundle.outside[i])
-          visit(i, corner + bundle.pixel[i]);
-  };
-  const auto depthOf = [&](int i)
-  {
-    return rays.object[i] >= 0 ? static_cast<float>(rays.t[i])
-                               : std::numeric_limits<float>::infinity();
-  };
-  if (!first)
-  {
-    if (film_.has(Film::Variance))
-      // Before the mean moves: by Welford's update the sum grows by difference^2 (1 - share).
-      forEach(
-        [&](int i, std::size_t pixel)
-        {
-          float sum = 0.0f;
-          for (int c = 0; c < 4; ++c)
-            sum += std::pow(bundle.color[i][c] - film_.color()[4 * pixel + c], 2.0f);
-          film_.squares()[pixel] += 0.25f * sum * (1.0f - share);
-        });
-    forEach(
-      [&](int i, std::size_t pixel)
-      {
-        float* mean = film_.color() + 4 * pixel;
-        for (int c = 0; c < 4; ++c)
-          mean[c] += (bundle.color[i][c] - mean[c]) * share;
-      });
-    float* nearest = film_.nearestDepth();
-    forEach(
-      [&](int i, std::size_t pixel) { nearest[pixel] = std::min(nearest[pixel], depthOf(i)); });
-    return;
-  }
-  float* color = film_.color();
-  forEach([&](int i, std::size_t pixel) { std::copy_n(bundle.color[i], 4, color + 4 * pixel); });
-  float* depth = film_.depth();
-  forEach([&](int i, std::size_t pixel) { depth[pixel] = depthOf(i); });
   if (film_.has(Film::Variance))
-    forEach([&](int, std::size_t pixel) { film_.squares()[pixel] = 0.0f; });
-  if (film_.has(Film::Id))
-    forEach(
+    // Before the mean moves: by Welford's update the sum grows by difference^2 (1 - share).
+    forPixels(bundle, x0, y0,
       [&](int i, std::size_t pixel)
       {
-        film_.id()[pixel] = rays.object[i] >= 0 ? bundle.particle[i] : Film::noId;
-        film_.object()[pixel] = rays.object[i];
+        float sum = 0.0f;
+        for (int c = 0; c < 4; ++c)
+          sum += std::pow(bundle.color[i][c] - film_.color()[4 * pixel + c], 2.0f);
+        film_.squares()[pixel] += 0.25f * sum * (1.0f - share);
+      });
+  forPixels(bundle, x0, y0,
+    [&](int i, std::size_t pixel)
+    {
+      float* mean = film_.color() + 4 * pixel;
+      for (int c = 0; c < 4; ++c)
+        mean[c] += (bundle.color[i][c] - mean[c]) * share;
+    });
+  float* nearest = film_.nearestDepth();
+  forPixels(bundle, x0, y0,
+    [&](int i, std::size_t pixel)
+    { nearest[pixel] = std::min(nearest[pixel], bundle.depthOf(i)); });
+}
+
+/// Writes the bundle into the film as its first sample.
+void BundleTracer::keepFirst(const Bundle& bundle, int x0, int y0) const
+{
+  float* color = film_.color();
+  forPixels(bundle, x0, y0,
+    [&](int i, std::size_t pixel) { std::copy_n(bundle.color[i], 4, color + 4 * pixel); });
+  float* depth = film_.depth();
+  forPixels(bundle, x0, y0, [&](int i, std::size_t pixel) { depth[pixel] = bundle.depthOf(i); });
+  if (film_.has(Film::Variance))
+    forPixels(bundle, x0, y0, [&](int, std::size_t pixel) { film_.squares()[pixel] = 0.0f; });
+  if (film_.has(Film::Id))
+    forPixels(bundle, x0, y0,
+      [&](int i, std::size_t pixel)
+      {
+        const std::int32_t object = bundle.rays.object[i];
+        film_.id()[pixel] = object >= 0 ? bundle.particle[i] : Film::noId;
+        film_.object()[pixel] = object;
       });
   if (film_.has(Film::Normal))
-    forEach([&](int i, std::size_t pixel)
+    forPixels(bundle, x0, y0,
+      [&](int i, std::size_t pixel)
       { std::copy_n(bundle.normal[i], 3, film_.normal() + 3 * pixel); });
 }
 

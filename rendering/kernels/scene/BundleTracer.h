@@ -28,7 +28,10 @@ private:
   void traceBundle(Bundle& bundle, int side, int x0, int y0) const;
   void shadeBundle(Bundle& bundle, int side, int x0, int y0) const;
   void seed(Bundle& bundle, int x0, int y0) const;
+  template <typename Visit>
+  void forPixels(const Bundle& bundle, int x0, int y0, const Visit& visit) const;
   void keep(const Bundle& bundle, int x0, int y0) const;
+  void keepFirst(const Bundle& bundle, int x0, int y0) const;
   double footprint(const RayBundle& rays, int side) const;
 
   const Scene& scene_;

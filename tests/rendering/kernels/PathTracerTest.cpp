@@ -346,6 +346,31 @@ TEST(PathTracer, BundlesAndThreadsDoNotChangeThePicture)
     EXPECT_LE(differenceOf(wanted, tracedFilm(scene, camera, 90, 70, {2, 1, side})).pixels, 60);
 }
 
+TEST(PathTracer, EveryStructureGivesTheSamePicture)
+{
+  const Particles particles = randomParticles(300, 791, 0.05, 0.2);
+  ParticleStructureOptions options;
+  options.kind = ParticleStructureKind::CoherentGrid;
+  Scene grid;
+  grid.particles.resize(1);
+  grid.particles[0].structure = makeParticleStructure(particles.set(), options);
+  grid.particles[0].material.ambient = 0.8f;
+  grid.particles[0].coloring.constant = {0.7f, 0.7f, 0.7f, 1.0f};
+  Scene tree = grid;
+  options.kind = ParticleStructureKind::PkdTree;
+  tree.particles[0].structure = makeParticleStructure(particles.set(), options);
+  for (const bool paths : {false, true})
+  {
+    for (Scene* scene : {&grid, &tree})
+    {
+      scene->occlusion = {8, 0.5};
+      scene->paths.bounces = paths ? 8 : 0;
+    }
+    const Film wanted = tracedFilm(grid, camera, 90), film = tracedFilm(tree, camera, 90);
+    EXPECT_LE(differenceOf(wanted, film).pixels, paths ? 60 : 10); // paths part at a hair
+  }
+}
+
 TEST(PathTracer, ErrorFallsWithTheNumberOfSamples)
 {
   Scene scene = randomSpheres(781);
