@@ -1,8 +1,9 @@
 #include "vtkMoteImageWriter.h"
 
-#include "AtomicFile.h"
 #include "EncodeImage.h"
 #include "ImageError.h"
+
+#include "kernels/core/AtomicFile.h"
 
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
@@ -41,6 +42,12 @@ bool isAttributeName(const std::string& name)
   return !name.empty() && name.size() <= 31 && std::all_of(name.begin(), name.end(), isPlain) &&
          name.front() != ' ' && name.back() != ' ' &&
          std::none_of(std::begin(ReservedNames), std::end(ReservedNames), isSame);
+}
+
+unsigned long codeOf(const mote::WriteError& error)
+{
+  return error.kind() == mote::WriteError::Kind::NoSpace ? vtkErrorCode::OutOfDiskSpaceError
+                                                         : vtkErrorCode::CannotOpenFileError;
 }
 
 } // namespace
@@ -120,13 +127,18 @@ int vtkMoteImageWriter::CheckFileName()
         "\": the name must end in .png, .jpg, .jpeg, .tif, .tiff or .exr.");
     return 0;
   }
+  if (name.empty())
+  {
+    this->Fail(vtkErrorCode::NoFileNameError, "The image needs a file name.");
+    return 0;
+  }
   try
   {
-    mote::imaging::checkWritable(name);
+    mote::checkWritable(name);
   }
-  catch (const mote::imaging::ImageError& error)
+  catch (const mote::WriteError& error)
   {
-    this->Fail(error.code(), error.what());
+    this->Fail(codeOf(error), error.what());
     return 0;
   }
   return 1;
@@ -169,6 +181,10 @@ void vtkMoteImageWriter::WriteData()
   {
     this->Fail(error.code(), error.what());
   }
+  catch (const mote::WriteError& error)
+  {
+    this->Fail(codeOf(error), error.what());
+  }
   catch (const std::bad_alloc&)
   {
     this->Fail(vtkErrorCode::UnknownError, cannotWrite + "the image does not fit in memory.");
@@ -205,7 +221,7 @@ void vtkMoteImageWriter::WriteImage(vtkImageData* image)
     vtkWarningMacro(<< "\"" << name << "\" is without the array \"" << array
                     << "\", whose name is empty or that of another channel.");
   }
-  mote::imaging::AtomicFile file(name);
+  mote::AtomicFile file(name);
   file.write(encoded.bytes.data(), encoded.bytes.size());
   file.commit();
   this->UpdateProgress(1.0);

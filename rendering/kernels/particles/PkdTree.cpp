@@ -39,8 +39,8 @@ std::uint64_t PkdTree::inputIndex(std::size_t slot) const
 std::size_t PkdTree::bytes() const
 {
   const auto bytesOf = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  return bytesOf(nodes_) + bytesOf(rows_) + bytesOf(levels_) + bytesOf(values_) +
-         bytesOf(visible_) + bytesOf(shown_) + bytesOf(nodeShown_);
+  return nodes_.bytes() + rows_.bytes() + bytesOf(levels_) + bytesOf(values_) + bytesOf(visible_) +
+         bytesOf(shown_) + bytesOf(nodeShown_);
 }
 
 void PkdTree::clear()
@@ -49,6 +49,7 @@ void PkdTree::clear()
   origin_ = Vec3d(0.0);
   unit_ = step_ = 1.0;
   count_ = 0;
+  inOrder_ = false;
   levels_.clear();
   nodes_.clear();
   rows_.clear();
@@ -57,6 +58,22 @@ void PkdTree::clear()
   visible_.clear();
   shown_.clear();
   nodeShown_.clear();
+}
+
+std::size_t PkdTree::planLevels()
+{
+  levels_.clear();
+  std::size_t count = buckets(), nodes = 0;
+  do
+  {
+    count = (count + fanout - 1) / fanout;
+    levels_.push_back({0, count});
+    nodes += count;
+  } while (count > 1);
+  std::size_t first = 0;
+  for (std::size_t k = levels_.size(); k-- > 0; first += levels_[k].count)
+    levels_[k].first = first;
+  return nodes;
 }
 
 int PkdTree::bundleSide(const CameraRays& rays, int x0, int y0, int size) const

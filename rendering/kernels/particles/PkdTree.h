@@ -4,6 +4,7 @@
 #include "../core/Progress.h"
 #include "../core/RawVector.h"
 #include "../core/RayPacket.h"
+#include "../core/StoredArray.h"
 #include "ParticleRanges.h"
 #include "ParticleSet.h"
 
@@ -100,7 +101,10 @@ public:
   double radius(std::size_t slot) const;
   /// Index in the input of the particle at `slot`; the slot itself where indices were not kept.
   std::uint64_t inputIndex(std::size_t slot) const;
-  /// Memory of the structure and of the particles stored in it.
+  /// Whether indices of the input are known: kept, or those of slots.
+  bool knowsInput() const { return indexRows_ > 0 || inOrder_; }
+  /// Memory of the structure and of the particles stored in it, or, where they lie in a file (see
+  /// PkdTreeFile), their size there.
   std::size_t bytes() const;
   /// Levels of nodes; buckets do not count.
   int levels() const { return static_cast<int>(levels_.size()); }
@@ -108,6 +112,8 @@ public:
 private:
   friend struct PkdTreeBuilder;
   friend struct PkdTreeView;
+  friend class PkdTreeFile;
+  friend class PkdTreeFileWriter;
 
   /// Bounds of 16 children: `lower` + bounds * 2^(exponent - 127), in unit() from origin().
   /// Children that do not exist have low > high.
@@ -138,6 +144,8 @@ private:
   using Bits = std::uint16_t;
 
   void clear();
+  /// Levels of a tree over count_ particles. Returns how many nodes it has.
+  std::size_t planLevels();
   void findShown();
   std::size_t buckets() const { return (count_ + bucketSize - 1) / bucketSize; }
   const Row* bucketOf(std::size_t slot) const { return &rows_[slot / bucketSize * rowsABucket_]; }
@@ -153,9 +161,10 @@ private:
   std::size_t rowsABucket_ = 3; ///< x y z, then r, then the input index in one or two rows
   bool ownRadii_ = false;
   int indexRows_ = 0;
+  bool inOrder_ = false;      ///< the input has the tree's own order, and indices are slots
   std::vector<Level> levels_; ///< treelets first, the root last
-  RawVector<Node> nodes_;     ///< the root first
-  RawVector<Row> rows_;       ///< bucket by bucket
+  StoredArray<Node> nodes_;   ///< the root first
+  StoredArray<Row> rows_;     ///< bucket by bucket
 
   // What is shown.
   ParticleRanges ranges_;

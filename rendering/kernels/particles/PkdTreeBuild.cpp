@@ -81,24 +81,14 @@ struct PkdTreeBuilder
   void planLevels()
   {
     tree.count_ = tree.statistics_.valid;
-    std::size_t count = tree.buckets(), nodes = 0;
-    do
-    {
-      count = (count + PkdTree::fanout - 1) / PkdTree::fanout;
-      tree.levels_.push_back({0, count});
-      nodes += count;
-    } while (count > 1);
-    tree.nodes_.resize(nodes);
-    std::size_t first = 0;
-    for (std::size_t k = tree.levels_.size(); k-- > 0; first += tree.levels_[k].count)
-      tree.levels_[k].first = first;
+    tree.nodes_.resize(tree.planLevels());
     tree.rows_.resize(tree.buckets() * tree.rowsABucket_);
   }
 
   template <int WORDS>
   KdRecord<WORDS>* records()
   {
-    return reinterpret_cast<KdRecord<WORDS>*>(static_cast<void*>(tree.rows_.data()));
+    return reinterpret_cast<KdRecord<WORDS>*>(static_cast<void*>(tree.rows_.own()));
   }
 
   // Valid particles, in the order of the input.
@@ -265,7 +255,7 @@ struct PkdTreeBuilder
   template <int WORDS>
   void finishTreelet(std::size_t treelet, Bounds& bounds)
   {
-    Node& node = tree.nodes_[tree.levels_[0].first + treelet];
+    Node& node = tree.nodes_.own()[tree.levels_[0].first + treelet];
     const std::size_t first = treelet * PkdTree::treeletSize;
     const std::size_t last = std::min(tree.count_, first + PkdTree::treeletSize);
     const Region region = regionOf(records<WORDS>() + first, records<WORDS>() + last);
@@ -291,7 +281,7 @@ struct PkdTreeBuilder
     std::array<KdRecord<WORDS>, PkdTree::bucketSize> copy;
     const std::size_t count = std::min<std::size_t>(PkdTree::bucketSize, tree.count_ - first);
     std::copy_n(records<WORDS>() + first, count, copy.begin());
-    Row* rows = &tree.rows_[first / PkdTree::bucketSize * tree.rowsABucket_];
+    Row* rows = tree.rows_.own() + first / PkdTree::bucketSize * tree.rowsABucket_;
     Bounds bounds;
     for (std::size_t i = 0; i < PkdTree::bucketSize; ++i)
       for (std::size_t k = 0; k < WORDS; ++k)
@@ -372,7 +362,7 @@ struct PkdTreeBuilder
               below.begin() + static_cast<std::ptrdiff_t>(last), children.begin());
             for (const Bounds& child : children)
               own[i].add(child);
-            Node& node = tree.nodes_[tree.levels_[k].first + i];
+            Node& node = tree.nodes_.own()[tree.levels_[k].first + i];
             node.corner = {};
             setBounds(node, own[i], children);
           }

@@ -52,7 +52,7 @@ void PkdTree::setVisibility(const std::function<bool(std::size_t)>& shown)
 
 void PkdTree::setAttributes(const std::vector<ParticleAttribute>& attributes)
 {
-  checkAttributes(attributes, statistics_, indexRows_ > 0);
+  checkAttributes(attributes, statistics_, knowsInput());
   values_.clear();
   values_.shrink_to_fit();
   if (!attributes.empty())

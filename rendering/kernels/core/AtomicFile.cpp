@@ -1,0 +1,201 @@
+#include "AtomicFile.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <random>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace mote
+{
+namespace
+{
+
+[[noreturn]] void fail(WriteError::Kind kind, const std::string& name, const std::string& reason)
+{
+  throw WriteError(kind, "Cannot write \"" + name + "\": " + reason + ".");
+}
+
+[[noreturn]] void failWithSystemError(const std::string& name, int error)
+{
+  switch (error)
+  {
+  case ENOSPC:
+    fail(WriteError::Kind::NoSpace, name, "the disk is full");
+  case EDQUOT:
+    fail(WriteError::Kind::NoSpace, name, "the disk quota is used up");
+  case EFBIG:
+    fail(WriteError::Kind::NoSpace, name, "the file is larger than the limit on files");
+  case EROFS:
+    fail(WriteError::Kind::CannotOpen, name, "the file system is read-only");
+  case EACCES:
+  case EPERM:
+    fail(WriteError::Kind::CannotOpen, name, "no permission to write in its folder");
+  case ENAMETOOLONG:
+    fail(WriteError::Kind::CannotOpen, name, "the name is too long");
+  default:
+    fail(WriteError::Kind::CannotOpen, name, std::strerror(error));
+  }
+}
+
+/// The file that is to be replaced: the end of the chain where `name` is a symbolic link.
+fs::path resolve(const std::string& name)
+{
+  std::error_code error;
+  fs::path path = fs::absolute(name, error);
+  if (!error && fs::is_symlink(path, error))
+  {
+    const fs::path target = fs::weakly_canonical(path, error);
+    path = error ? path : target;
+  }
+  return path;
+}
+
+void checkTarget(const std::string& name, const fs::path& target)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status(target, error);
+  if (fs::is_directory(status))
+    fail(WriteError::Kind::CannotOpen, name, "it is a folder");
+  if (error && status.type() == fs::file_type::none)
+    failWithSystemError(name, error.value());
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    fail(WriteError::Kind::CannotOpen, name, "it is not a regular file");
+  if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0)
+    fail(WriteError::Kind::CannotOpen, name, "the file is write-protected");
+}
+
+void checkFolder(const std::string& name, const fs::path& folder)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status(folder, error);
+  if (!fs::exists(status) && status.type() != fs::file_type::none)
+    fail(WriteError::Kind::CannotOpen, name, "its folder does not exist");
+  if (status.type() != fs::file_type::none && !fs::is_directory(status))
+    fail(WriteError::Kind::CannotOpen, name, "what should be its folder is a file");
+  if (::access(folder.c_str(), W_OK | X_OK) != 0)
+    failWithSystemError(name, errno);
+}
+
+std::string makeTemporaryName(const fs::path& folder)
+{
+  std::random_device random;
+  char name[32];
+  std::snprintf(name, sizeof(name), ".mote-%08x%04x.tmp", random(), random() & 0xffffu);
+  return (folder / name).string();
+}
+
+} // namespace
+
+void checkWritable(const std::string& name)
+{
+  if (name.empty())
+    throw WriteError(WriteError::Kind::CannotOpen, "A file to write needs a name.");
+  const fs::path target = resolve(name);
+  checkFolder(name, target.parent_path());
+  checkTarget(name, target);
+}
+
+AtomicFile::AtomicFile(const std::string& name)
+  : name_(name)
+{
+  checkWritable(name);
+  const fs::path target = resolve(name);
+  targetName_ = target.string();
+  struct stat old;
+  const bool replaces = ::stat(targetName_.c_str(), &old) == 0;
+  for (int attempt = 0; attempt < 100 && descriptor_ < 0; ++attempt)
+  {
+    temporaryName_ = makeTemporaryName(target.parent_path());
+    descriptor_ = ::open(temporaryName_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && errno != EEXIST)
+      break;
+  }
+  if (descriptor_ < 0)
+  {
+    temporaryName_.clear();
+    failWithSystemError(name, errno);
+  }
+  if (replaces && ::fchmod(descriptor_, old.st_mode & 0777) != 0)
+  {
+    // Some file systems have no permissions; the new file's own will do there.
+  }
+}
+
+AtomicFile::~AtomicFile()
+{
+  remove();
+}
+
+void AtomicFile::remove()
+{
+  if (descriptor_ >= 0)
+  {
+    ::close(descriptor_);
+    descriptor_ = -1;
+  }
+  if (!temporaryName_.empty())
+  {
+    ::unlink(temporaryName_.c_str());
+    temporaryName_.clear();
+  }
+}
+
+template <typename Put>
+void AtomicFile::putAll(const void* data, std::size_t size, const Put& put)
+{
+  const auto* from = static_cast<const unsigned char*>(data);
+  for (std::size_t done = 0; done < size;)
+  {
+    const ssize_t written = put(from + done, size - done, done);
+    if (written < 0 && errno == EINTR)
+      continue;
+    if (written <= 0)
+    {
+      const int error = written < 0 ? errno : ENOSPC;
+      remove();
+      failWithSystemError(name_, error);
+    }
+    done += static_cast<std::size_t>(written);
+  }
+}
+
+void AtomicFile::write(const void* data, std::size_t size)
+{
+  putAll(data, size,
+    [this](const unsigned char* from, std::size_t left, std::size_t)
+    { return ::write(descriptor_, from, left); });
+}
+
+void AtomicFile::rewrite(std::uint64_t offset, const void* data, std::size_t size)
+{
+  putAll(data, size,
+    [&](const unsigned char* from, std::size_t left, std::size_t done)
+    { return ::pwrite(descriptor_, from, left, static_cast<off_t>(offset + done)); });
+}
+
+void AtomicFile::commit()
+{
+  // Quotas and network file systems report a full disk only here. A descriptor is gone after
+  // close() whatever that returns.
+  int error = ::fsync(descriptor_) != 0 && errno != EINVAL ? errno : 0;
+  if (::close(descriptor_) != 0 && error == 0 && errno != EINTR)
+    error = errno;
+  descriptor_ = -1;
+  if (error == 0 && ::rename(temporaryName_.c_str(), targetName_.c_str()) != 0)
+    error = errno;
+  if (error != 0)
+  {
+    remove();
+    failWithSystemError(name_, error);
+  }
+  temporaryName_.clear();
+}
+
+} // namespace mote

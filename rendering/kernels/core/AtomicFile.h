@@ -1,0 +1,68 @@
+#pragma once
+
+#include "Error.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace mote
+{
+
+/// Why a file could not be written, in a sentence that names it.
+class WriteError : public Error
+{
+public:
+  enum class Kind
+  {
+    CannotOpen, ///< the folder is missing or read-only, `name` is a folder or a device
+    NoSpace     ///< the disk is full, or a quota or limit used up
+  };
+  WriteError(Kind kind, const std::string& sentence)
+    : Error(sentence)
+    , kind_(kind)
+  {
+  }
+  Kind kind() const { return kind_; }
+
+private:
+  Kind kind_;
+};
+
+/// Whether a regular file of this name can be made or replaced, as far as can be seen without
+/// writing. Throws WriteError with the reason if not.
+void checkWritable(const std::string& name);
+
+/// A file that appears under its name complete or not at all.
+///
+/// Writes into a temporary file in the folder of `name`; commit() renames it to `name`. What is not
+/// committed is removed. Where `name` is a symbolic link, the file that it points to is
+/// replaced and the link stays; a file that is replaced passes its permissions on.
+///
+/// Every function throws WriteError.
+class AtomicFile
+{
+public:
+  explicit AtomicFile(const std::string& name);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  /// Appends.
+  void write(const void* data, std::size_t size);
+  /// Overwrites what was written from `offset` on.
+  void rewrite(std::uint64_t offset, const void* data, std::size_t size);
+  void commit();
+
+private:
+  void remove();
+  template <typename Put>
+  void putAll(const void* data, std::size_t size, const Put& put);
+
+  std::string name_;          ///< as the user gave it, for messages
+  std::string targetName_;    ///< with links resolved
+  std::string temporaryName_; ///< empty when there is nothing left to remove
+  int descriptor_ = -1;
+};
+
+} // namespace mote

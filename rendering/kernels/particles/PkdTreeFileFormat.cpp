@@ -1,0 +1,243 @@
+// The header of a file of particles: from memory to bytes and, distrusting them, back.
+
+#include "PkdTreeFileFormat.h"
+
+#include "../core/Error.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+
+namespace mote
+{
+
+namespace
+{
+
+using Header = PkdTreeFileHeader;
+
+constexpr std::uint32_t otherByteOrder = 0x04030201;
+constexpr std::size_t checksumAt = offsetof(Header, checksum);
+
+/// FNV-1a, the checksum itself left out. Each step can be undone, so that no change of one byte
+/// goes unnoticed.
+std::uint64_t checksumOf(const unsigned char* data, std::size_t size)
+{
+  std::uint64_t sum = 0xcbf29ce484222325u;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const bool isOwn = i >= checksumAt && i < checksumAt + sizeof(Header::checksum);
+    sum = (sum ^ (isOwn ? 0 : data[i])) * 0x100000001b3u;
+  }
+  return sum;
+}
+
+std::uint64_t padded(std::uint64_t bytes)
+{
+  return (bytes + Header::alignment - 1) / Header::alignment * Header::alignment;
+}
+
+void append(std::vector<unsigned char>& to, const void* data, std::size_t size)
+{
+  const auto* from = static_cast<const unsigned char*>(data);
+  to.insert(to.end(), from, from + size);
+}
+
+void append(std::vector<unsigned char>& to, const std::string& text)
+{
+  const auto length = static_cast<std::uint32_t>(text.size());
+  append(to, &length, sizeof(length));
+  append(to, text.data(), text.size());
+}
+
+/// Takes values from a block of memory and never more than it holds.
+class Cursor
+{
+public:
+  Cursor(const std::string& name, const unsigned char* data, std::size_t size)
+    : name_(name)
+    , at_(data)
+    , left_(size)
+  {
+  }
+
+  void take(void* to, std::size_t size)
+  {
+    need(size);
+    std::memcpy(to, at_, size);
+    at_ += size;
+    left_ -= size;
+  }
+  template <typename T>
+  T take()
+  {
+    T value;
+    take(&value, sizeof(value));
+    return value;
+  }
+  std::string takeText()
+  {
+    const auto length = take<std::uint32_t>();
+    need(length);
+    std::string text(reinterpret_cast<const char*>(at_), length);
+    at_ += length;
+    left_ -= length;
+    return text;
+  }
+  void need(std::size_t size) const
+  {
+    if (size > left_)
+      failDamaged(name_, "its table of arrays ends too early");
+  }
+
+private:
+  const std::string& name_;
+  const unsigned char* at_;
+  std::size_t left_;
+};
+
+/// Whether this is a header that can be read at all.
+void checkBeginning(const std::string& name, const Header& header, std::uint64_t size)
+{
+  if (header.byteOrder == otherByteOrder)
+    throw Error(name + ": this file was written on a machine with another order of bytes");
+  if (header.byteOrder != Header::theByteOrder)
+    failDamaged(name, "its mark of the order of bytes is none");
+  if (header.version != Header::theVersion)
+    throw Error(name + ": this file has version " + std::to_string(header.version) +
+                " of the format, and version " + std::to_string(Header::theVersion) +
+                " is what is read here");
+  if (header.headerBytes < sizeof(Header) || header.headerBytes % Header::alignment != 0)
+    failDamaged(name, "its header has no right size");
+  if (header.headerBytes > size)
+    throw Error(name + ": the file is cut short, or its header is damaged");
+}
+
+PkdTreeFileTableRow takeRow(const std::string& name, Cursor& cursor)
+{
+  PkdTreeFileTableRow row;
+  PkdTreeFileEntry& entry = row.entry;
+  entry = cursor.take<PkdTreeFileEntry>();
+  const auto type = static_cast<ArrayView::Type>(entry.type);
+  const std::size_t size = entry.type < 256 ? bytesOf(type) : 0;
+  if (size == 0 || entry.components < 1 || entry.components > (1u << 20) || entry.role > 1)
+    failDamaged(name, "an array in its table is of no known kind");
+  const std::uint64_t tuple = size * entry.components;
+  if (entry.section.bytes / tuple != entry.tuples || entry.section.bytes % tuple != 0)
+    failDamaged(name, "an array in its table has not the size of its values");
+  cursor.need((entry.components + 1) * sizeof(PkdTreeFile::Range));
+  row.array.ranges.resize(entry.components + 1);
+  for (PkdTreeFile::Range& range : row.array.ranges)
+    range = cursor.take<PkdTreeFile::Range>();
+  row.array.finite = entry.finite != 0;
+  row.array.name = cursor.takeText();
+  if (entry.componentNames != 0 && entry.componentNames != entry.components)
+    failDamaged(name, "an array in its table has not a name for every component");
+  for (std::uint32_t k = 0; k < entry.componentNames; ++k)
+    row.array.components.push_back(cursor.takeText());
+  return row;
+}
+
+} // namespace
+
+void failDamaged(const std::string& name, const std::string& how)
+{
+  throw Error(name + ": the file is damaged: " + how);
+}
+
+std::size_t bytesOf(ArrayView::Type type)
+{
+  using Type = ArrayView::Type;
+  switch (type)
+  {
+  case Type::Int8:
+  case Type::UInt8:
+    return 1;
+  case Type::Int16:
+  case Type::UInt16:
+    return 2;
+  case Type::Float32:
+  case Type::Int32:
+  case Type::UInt32:
+    return 4;
+  case Type::Float64:
+  case Type::Int64:
+  case Type::UInt64:
+    return 8;
+  case Type::None:
+    break;
+  }
+  return 0;
+}
+
+std::vector<unsigned char> packHeader(
+  PkdTreeFileHeader header, const std::vector<PkdTreeFileTableRow>& table)
+{
+  std::vector<unsigned char> block(sizeof(Header));
+  for (const PkdTreeFileTableRow& row : table)
+  {
+    append(block, &row.entry, sizeof(row.entry));
+    for (const PkdTreeFile::Range& range : row.array.ranges)
+      append(block, &range, sizeof(range));
+    append(block, row.array.name);
+    for (const std::string& component : row.array.components)
+      append(block, component);
+  }
+  block.resize(padded(block.size()));
+  header.headerBytes = block.size();
+  header.arrays = table.size();
+  std::memcpy(block.data(), &header, sizeof(header));
+  header.checksum = checksumOf(block.data(), block.size());
+  std::memcpy(block.data(), &header, sizeof(header));
+  return block;
+}
+
+PkdTreeFileHeader unpackHeader(const std::string& name, const unsigned char* data,
+  std::uint64_t size, std::vector<PkdTreeFileTableRow>& table)
+{
+  const auto begins = std::min<std::uint64_t>(size, Header::theMagic.size());
+  if (size == 0)
+    throw Error(name + ": the file is empty");
+  if (std::memcmp(data, Header::theMagic.data(), begins) != 0)
+    throw Error(name + ": this is no file of particles that Mote has written");
+  if (size < sizeof(Header))
+    throw Error(name + ": the file is cut short");
+  Header header;
+  std::memcpy(&header, data, sizeof(header));
+  checkBeginning(name, header, size);
+  if (checksumOf(data, header.headerBytes) != header.checksum)
+    failDamaged(name, "its header is not what was written");
+  if (header.fileBytes > size)
+    throw Error(name + ": the file is cut short: it has " + std::to_string(size) + " of " +
+                std::to_string(header.fileBytes) + " bytes");
+  Cursor cursor(name, data + sizeof(Header), header.headerBytes - sizeof(Header));
+  if (header.arrays > header.headerBytes / sizeof(PkdTreeFileEntry))
+    failDamaged(name, "its table of arrays ends too early");
+  for (std::uint64_t k = 0; k < header.arrays; ++k)
+    table.push_back(takeRow(name, cursor));
+  return header;
+}
+
+void checkSections(const std::string& name, const PkdTreeFileHeader& header,
+  const std::vector<PkdTreeFileTableRow>& table)
+{
+  std::vector<Header::Section> sections = {header.nodes, header.rows};
+  for (const PkdTreeFileTableRow& row : table)
+    sections.push_back(row.entry.section);
+  std::erase_if(sections, [](const Header::Section& s) { return s.bytes == 0; });
+  std::sort(sections.begin(), sections.end(),
+    [](const Header::Section& a, const Header::Section& b) { return a.offset < b.offset; });
+  std::uint64_t end = header.headerBytes;
+  for (const Header::Section& s : sections)
+  {
+    if (s.offset % Header::alignment != 0)
+      failDamaged(name, "a part of it does not begin at a page");
+    if (s.offset < end)
+      failDamaged(name, "parts of it overlap");
+    if (s.offset > header.fileBytes || s.bytes > header.fileBytes - s.offset)
+      failDamaged(name, "a part of it lies behind its end");
+    end = s.offset + s.bytes;
+  }
+}
+
+} // namespace mote
