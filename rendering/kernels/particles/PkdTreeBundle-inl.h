@@ -18,31 +18,6 @@ namespace mote
 namespace HWY_NAMESPACE
 {
 
-/// Children that a bundle or a ray meets, nearest first.
-struct NearChildren
-{
-  int count = 0;
-  std::array<float, PkdTree::fanout> near;
-  std::array<std::uint8_t, PkdTree::fanout> child;
-
-  /// Takes the lanes of `bits`, child `first` being in lane 0, whose distances are `from`.
-  void add(unsigned bits, const float* from, int first)
-  {
-    for (; bits != 0; bits &= bits - 1)
-    {
-      const int lane = __builtin_ctz(bits);
-      int place = count++;
-      for (; place > 0 && near[place - 1] > from[lane]; --place)
-      {
-        near[place] = near[place - 1];
-        child[place] = child[place - 1];
-      }
-      near[place] = from[lane];
-      child[place] = static_cast<std::uint8_t>(first + lane);
-    }
-  }
-};
-
 /// Bounds in 8 bits as float numbers.
 HWY_INLINE VF boundsAt(const std::uint8_t* bounds)
 {

@@ -8,7 +8,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "PkdTreeRay-inl.h"
+#include "PkdTreeNearest-inl.h"
+#include "PkdTreeOcclusion-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mote
