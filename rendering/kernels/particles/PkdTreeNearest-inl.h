@@ -19,8 +19,9 @@ namespace HWY_NAMESPACE
 class NearestCaster
 {
 public:
-  NearestCaster(const PkdTreeView& view, TreeRay& ray)
+  NearestCaster(const PkdTreeView& view, TreeRays& rays, int ray)
     : view_(view)
+    , rays_(rays)
     , ray_(ray)
   {
   }
@@ -28,12 +29,12 @@ public:
   /// Slot of the particle that is hit, or noHit; the ray's `best` is where.
   std::uint64_t cast()
   {
-    stack_[depth_++] = {0, view_.top, ray_.first};
+    stack_[depth_++] = {0, view_.top, rays_.first[ray_]};
     while (depth_ > 0)
     {
       const Entry next = stack_[--depth_];
       // Not <: of coincident particles another one may count.
-      if (next.near <= ray_.best)
+      if (next.near <= rays_.best[ray_])
         visit(next.level, next.node);
     }
     return slot_;
@@ -51,7 +52,7 @@ private:
   {
     const PkdTreeView::Node& node = view_.node(level, index);
     alignas(64) float enter[PkdTree::fanout];
-    const unsigned bits = childrenMet(node, ray_, enter) & view_.shownOf(node);
+    const unsigned bits = childrenMet(node, rays_, ray_, enter) & view_.shownOf(node);
     Children children;
     children.take(bits, enter);
     if (level > 0)
@@ -61,9 +62,9 @@ private:
           index * PkdTree::fanout + children.child[i], level - 1, enter[children.child[i]]};
       return;
     }
-    cornerFrom(node, ray_, corner_);
+    cornerFrom(node, rays_, ray_, corner_);
     for (int i = 0; i < children.count; ++i)
-      if (enter[children.child[i]] <= ray_.best)
+      if (enter[children.child[i]] <= rays_.best[ray_])
         visitBucket(index * PkdTree::fanout + children.child[i]);
   }
 
@@ -92,12 +93,12 @@ private:
     for (int lane = 0; lane < PkdTree::bucketSize; lane += static_cast<int>(hn::Lanes(d)))
     {
       VF foot, left;
-      spheresBeside(view_, bucket, lane, corner_, ray_, foot, left);
+      spheresBeside(view_, bucket, lane, corner_, rays_, ray_, foot, left);
       const auto meets = hn::Ge(left, hn::Zero(d));
       if (hn::AllFalse(d, meets))
         continue;
       const VF half = hn::Sqrt(hn::Max(left, hn::Zero(d)));
-      const VF first = hn::Set(d, ray_.first), best = hn::Set(d, ray_.best);
+      const VF first = hn::Set(d, rays_.first[ray_]), best = hn::Set(d, rays_.best[ray_]);
       const VF in = hn::Sub(foot, half), out = hn::Add(foot, half);
       const VF t = hn::IfThenElse(hn::Gt(in, first), in, out);
       const auto hits = hn::And(meets, hn::And(hn::Gt(t, first), hn::Le(t, best)));
@@ -114,17 +115,19 @@ private:
     {
       const int lane = __builtin_ctz(hits);
       const std::uint64_t slot = firstSlot + static_cast<std::uint64_t>(lane);
-      if (at[lane] < ray_.best ||
-          (at[lane] == ray_.best && slot_ != RayPacket::noHit && view_.takesTie(slot, slot_)))
+      if (at[lane] < rays_.best[ray_] ||
+          (at[lane] == rays_.best[ray_] && slot_ != RayPacket::noHit &&
+            view_.takesTie(slot, slot_)))
       {
-        ray_.best = at[lane];
+        rays_.best[ray_] = at[lane];
         slot_ = slot;
       }
     }
   }
 
   const PkdTreeView& view_;
-  TreeRay& ray_;
+  TreeRays& rays_;
+  const int ray_;
   std::uint64_t slot_ = RayPacket::noHit;
   float corner_[3]; ///< of the treelet that is visited, from the ray's `high`
   int depth_ = 0;
@@ -136,12 +139,12 @@ inline void castTreePacket(const PkdTreeView& view, RayPacket& packet, std::int3
   TreeRays rays(view, packet);
   for (int i = 0; i < packet.count; ++i)
   {
-    if (!rays.ray[i].isAnywhere())
+    if (!rays.isAnywhere(i))
       continue;
-    const std::uint64_t slot = NearestCaster(view, rays.ray[i]).cast();
+    const std::uint64_t slot = NearestCaster(view, rays, i).cast();
     if (slot == RayPacket::noHit)
       continue;
-    packet.t[i] = (rays.t0[i] + static_cast<double>(rays.ray[i].best)) / rays.perT[i];
+    packet.t[i] = (rays.t0[i] + static_cast<double>(rays.best[i])) / rays.perT[i];
     packet.slot[i] = slot;
     packet.object[i] = object;
   }

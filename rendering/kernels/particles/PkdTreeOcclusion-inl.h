@@ -20,11 +20,12 @@ namespace HWY_NAMESPACE
 
 /// Whether the first of foot -+ sqrt(left) that lies after the ray's begin lies before its end;
 /// without the root, which would take as long as all else.
-HWY_INLINE hn::Mask<DF> betweenEnds(const TreeRay& ray, VF foot, VF left)
+HWY_INLINE hn::Mask<DF> betweenEnds(const TreeRays& rays, int i, VF foot, VF left)
 {
   const DF d;
   const VF zero = hn::Zero(d);
-  const VF a = hn::Sub(foot, hn::Set(d, ray.first)), b = hn::Sub(hn::Set(d, ray.best), foot);
+  const VF a = hn::Sub(foot, hn::Set(d, rays.first[i])),
+           b = hn::Sub(hn::Set(d, rays.best[i]), foot);
   const VF a2 = hn::Mul(a, a), b2 = hn::Mul(b, b);
   const auto ahead = hn::Gt(a, zero), before = hn::Gt(b, zero);
   const auto inAhead = hn::And(ahead, hn::Gt(a2, left));
@@ -51,9 +52,9 @@ public:
       most_[k] = -infinity;
       for (int n = 0; n < count; ++n)
       {
-        const TreeRay& ray = rays.ray[which[n]];
-        const float from = ray.p[k] + ray.first * ray.d[k];
-        const float to = ray.p[k] + ray.best * ray.d[k];
+        const int i = which[n];
+        const float from = rays.p[i][k] + rays.first[i] * rays.d[k][i];
+        const float to = rays.p[i][k] + rays.best[i] * rays.d[k][i];
         least_[k] = std::min({least_[k], from, to});
         most_[k] = std::max({most_[k], from, to});
       }
@@ -77,13 +78,13 @@ public:
   int count() const { return count_; }
 
   /// The nodes n to n + lanes that the ray meets, as bits.
-  HWY_INLINE unsigned met(const TreeRay& ray, int n) const
+  HWY_INLINE unsigned met(const TreeRays& rays, int i, int n) const
   {
     const DF d;
-    VF enter = hn::Set(d, ray.first), leave = hn::Set(d, ray.best);
+    VF enter = hn::Set(d, rays.first[i]), leave = hn::Set(d, rays.best[i]);
     for (int k = 0; k < 3; ++k)
     {
-      const VF inverse = hn::Set(d, ray.inverse[k]), p = hn::Set(d, ray.p[k]);
+      const VF inverse = hn::Set(d, rays.inverse[i][k]), p = hn::Set(d, rays.p[i][k]);
       const VF a = hn::Mul(hn::Sub(hn::Load(d, low_[k] + n), p), inverse);
       const VF b = hn::Mul(hn::Sub(hn::Load(d, high_[k] + n), p), inverse);
       enter = hn::Max(enter, hn::Min(a, b));
@@ -183,7 +184,7 @@ public:
     int count = 0;
     for (int i = 0; i < packet_.count; ++i)
     {
-      hit_[i] = !rays_.ray[i].isAnywhere();
+      hit_[i] = !rays_.isAnywhere(i);
       count += add(left_, count, i, !hit_[i]);
     }
     count = besides(count);
@@ -195,7 +196,7 @@ public:
       drain(nodes.level());
     }
     for (int i = 0; i < packet_.count; ++i)
-      if (hit_[i] && rays_.ray[i].isAnywhere())
+      if (hit_[i] && rays_.isAnywhere(i))
         packet_.t[i] = -std::numeric_limits<double>::infinity();
   }
 
@@ -275,7 +276,7 @@ private:
     const DU d;
     pairs_.reserve(StartNodes::capacity);
     for (int n = 0; n < nodes.count(); n += static_cast<int>(hn::Lanes(d)))
-      append(nodes.met(rays_.ray[i], n), hn::Load(d, nodes.indices() + n), i);
+      append(nodes.met(rays_, i, n), hn::Load(d, nodes.indices() + n), i);
   }
 
   void drain(int level)
@@ -320,7 +321,7 @@ private:
     const DU d;
     const PkdTreeView::Node& node = view_.node(level, index);
     alignas(64) float near[PkdTree::fanout];
-    const unsigned bits = childrenMet(node, rays_.ray[i], near) & view_.shownOf(node) & mask;
+    const unsigned bits = childrenMet(node, rays_, i, near) & view_.shownOf(node) & mask;
     for (int c = 0; c < PkdTree::fanout; c += static_cast<int>(hn::Lanes(d)))
       append(bits >> c, hn::Iota(d, index * PkdTree::fanout + static_cast<std::uint32_t>(c)), i);
   }
@@ -343,16 +344,15 @@ private:
   HWY_INLINE bool testBucket(std::size_t bucket, int i) const
   {
     const DF d;
-    const TreeRay& ray = rays_.ray[i];
     float corner[3];
-    cornerFrom(view_.node(0, bucket / PkdTree::fanout), ray, corner);
+    cornerFrom(view_.node(0, bucket / PkdTree::fanout), rays_, i, corner);
     unsigned hits = 0;
     for (int lane = 0; lane < PkdTree::bucketSize; lane += static_cast<int>(hn::Lanes(d)))
     {
       VF foot, left;
-      spheresBeside(view_, bucket, lane, corner, ray, foot, left);
+      spheresBeside(view_, bucket, lane, corner, rays_, i, foot, left);
       const auto meets = hn::Ge(left, hn::Zero(d));
-      hits |= bitsOf(hn::And(meets, betweenEnds(ray, foot, left))) << lane;
+      hits |= bitsOf(hn::And(meets, betweenEnds(rays_, i, foot, left))) << lane;
     }
     hits &= view_.shownIn(bucket);
     const std::uint64_t lane = own_[i] - bucket * PkdTree::bucketSize;

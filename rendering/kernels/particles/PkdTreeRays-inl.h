@@ -19,31 +19,29 @@ namespace HWY_NAMESPACE
 
 using D4 = hn::CappedTag<float, 4>;
 
-/// A ray in the tree's coordinates: P + tau d, with |d| = 1 and P where it enters the bounds. The
-/// fourth numbers hold nothing.
-struct TreeRay
-{
-  alignas(16) float p[4];
-  alignas(16) float inverse[4]; ///< of d, finite
-  float high[3];                ///< P, to what corners of treelets are multiples of
-  float low[3];                 ///< and the rest of it
-  float d[3];
-  float first; ///< hits at tau <= first do not count
-  float best;  ///< tau of the nearest hit so far
-
-  bool isAnywhere() const { return best > first; }
-};
-
-/// The rays of a packet in the tree's coordinates, made many at a time.
+/// The rays of a packet in the tree's coordinates, made many at a time: P + tau d, with |d| = 1 and
+/// P where the ray enters the bounds.
 struct TreeRays
 {
-  TreeRay ray[RayPacket::capacity];
-  alignas(64) double t0[RayPacket::capacity];   ///< tau of P counted from the ray's own origin
-  alignas(64) double perT[RayPacket::capacity]; ///< units of tau in one of the ray's t
+  template <typename T>
+  using Row = T[RayPacket::capacity];
+
+  alignas(64) float p[RayPacket::capacity][4];       ///< P; the fourth number is 0
+  alignas(64) float inverse[RayPacket::capacity][4]; ///< of d, finite; likewise
+  alignas(64) Row<float> high[3]; ///< P, to what corners of treelets are multiples of
+  alignas(64) Row<float> low[3];  ///< and the rest of it
+  alignas(64) Row<float> d[3];
+  alignas(64) Row<float> first; ///< hits at tau <= first do not count
+  alignas(64) Row<float> best;  ///< tau of the nearest hit so far
+  alignas(64) Row<double> t0;   ///< tau of P counted from the ray's own origin
+  alignas(64) Row<double> perT; ///< units of tau in one of the ray's t
+
+  bool isAnywhere(int i) const { return best[i] > first[i]; }
 
   TreeRays(const PkdTreeView& view, const RayPacket& packet)
   {
-    Numbers n;
+    alignas(64) Row<float> at3[3];
+    alignas(64) Row<float> inverse3[3];
     const DD d;
     const DH h;
     const auto set = [&](double v) { return hn::Set(d, v); };
@@ -78,56 +76,37 @@ struct TreeRays
       {
         const VD at = hn::MulAdd(enter, way[k], origin[k]);
         const VD rough = hn::Mul(hn::Round(hn::Mul(at, perCoarse)), coarse);
-        hn::Store(hn::DemoteTo(h, at), h, n.p[k] + i);
-        hn::Store(hn::DemoteTo(h, rough), h, n.high[k] + i);
-        hn::Store(hn::DemoteTo(h, hn::Sub(at, rough)), h, n.low[k] + i);
-        hn::Store(hn::DemoteTo(h, way[k]), h, n.d[k] + i);
-        hn::Store(hn::DemoteTo(h, inverses[k]), h, n.inverse[k] + i);
+        hn::Store(hn::DemoteTo(h, at), h, at3[k] + i);
+        hn::Store(hn::DemoteTo(h, rough), h, high[k] + i);
+        hn::Store(hn::DemoteTo(h, hn::Sub(at, rough)), h, low[k] + i);
+        hn::Store(hn::DemoteTo(h, way[k]), h, this->d[k] + i);
+        hn::Store(hn::DemoteTo(h, inverses[k]), h, inverse3[k] + i);
       }
       // A ray that passes by, or has no direction, ends before it begins.
       const auto meets = hn::And(hn::Lt(enter, leave), hn::Gt(length2, hn::Zero(d)));
       const VD last =
         hn::IfThenElse(meets, hn::Sub(end, enter), set(-std::numeric_limits<double>::infinity()));
-      hn::Store(hn::DemoteTo(h, hn::Sub(begin, enter)), h, n.first + i);
-      hn::Store(hn::DemoteTo(h, last), h, n.best + i);
+      hn::Store(hn::DemoteTo(h, hn::Sub(begin, enter)), h, first + i);
+      hn::Store(hn::DemoteTo(h, last), h, best + i);
       hn::Store(enter, d, t0 + i);
       hn::Store(toTau, d, perT + i);
     }
     for (int i = 0; i < packet.count; ++i)
     {
-      TreeRay& to = ray[i];
       for (int k = 0; k < 3; ++k)
       {
-        to.p[k] = n.p[k][i];
-        to.high[k] = n.high[k][i];
-        to.low[k] = n.low[k][i];
-        to.inverse[k] = n.inverse[k][i];
-        to.d[k] = n.d[k][i];
+        p[i][k] = at3[k][i];
+        inverse[i][k] = inverse3[k][i];
       }
-      to.p[3] = to.inverse[3] = 0.0f;
-      to.first = n.first[i];
-      to.best = n.best[i];
+      p[i][3] = inverse[i][3] = 0.0f;
     }
   }
-
-private:
-  template <typename T>
-  using Row = T[RayPacket::capacity];
-  struct Numbers
-  {
-    alignas(64) Row<float> p[3];
-    alignas(64) Row<float> high[3];
-    alignas(64) Row<float> low[3];
-    alignas(64) Row<float> d[3];
-    alignas(64) Row<float> inverse[3];
-    alignas(64) Row<float> first;
-    alignas(64) Row<float> best;
-  };
 };
 
-/// The children that the ray meets before its end, as bits; `near`, of 16, becomes where it enters
+/// The children that ray i meets before its end, as bits; `near`, of 16, becomes where it enters
 /// them.
-HWY_INLINE unsigned childrenMet(const PkdTreeView::Node& node, const TreeRay& ray, float* near)
+HWY_INLINE unsigned childrenMet(
+  const PkdTreeView::Node& node, const TreeRays& rays, int i, float* near)
 {
   const DF d;
   const D4 d4;
@@ -136,20 +115,20 @@ HWY_INLINE unsigned childrenMet(const PkdTreeView::Node& node, const TreeRay& ra
   alignas(16) float perBound[4], base[4];
   for (int k = 0; k < 4; k += static_cast<int>(hn::Lanes(d4)))
   {
-    const auto inverse = hn::Load(d4, ray.inverse + k);
+    const auto inverse = hn::Load(d4, rays.inverse[i] + k);
     const auto step = hn::BitCast(
       d4, hn::ShiftLeft<23>(hn::PromoteTo(u4, hn::LoadU(bytes, node.exponent.data() + k))));
     hn::Store(hn::Mul(step, inverse), d4, perBound + k);
-    const auto from = hn::Sub(hn::LoadU(d4, node.lower.data() + k), hn::Load(d4, ray.p + k));
+    const auto from = hn::Sub(hn::LoadU(d4, node.lower.data() + k), hn::Load(d4, rays.p[i] + k));
     hn::Store(hn::Mul(from, inverse), d4, base + k);
   }
   unsigned bits = 0;
   for (int c = 0; c < PkdTree::fanout; c += static_cast<int>(hn::Lanes(d)))
   {
-    VF enter = hn::Set(d, ray.first), leave = hn::Set(d, ray.best);
+    VF enter = hn::Set(d, rays.first[i]), leave = hn::Set(d, rays.best[i]);
     for (int k = 0; k < 3; ++k)
     {
-      const bool forward = ray.inverse[k] > 0.0f;
+      const bool forward = rays.inverse[i][k] > 0.0f;
       const std::uint8_t* first = (forward ? node.low : node.high)[k].data() + c;
       const std::uint8_t* last = (forward ? node.high : node.low)[k].data() + c;
       const VF scale = hn::Set(d, perBound[k]), shift = hn::Set(d, base[k]);
@@ -167,7 +146,7 @@ HWY_INLINE unsigned childrenMet(const PkdTreeView::Node& node, const TreeRay& ra
 /// from their centres are, and what the perpendiculars leave of r^2. `corner` is the treelet's from
 /// the ray's `high`.
 HWY_INLINE void spheresBeside(const PkdTreeView& view, std::size_t bucket, int lane,
-  const float* corner, const TreeRay& ray, VF& foot, VF& left)
+  const float* corner, const TreeRays& rays, int i, VF& foot, VF& left)
 {
   const DF d;
   const PkdTreeView::Row* rows = view.rows + bucket * view.rowsABucket;
@@ -178,23 +157,24 @@ HWY_INLINE void spheresBeside(const PkdTreeView& view, std::size_t bucket, int l
   for (int k = 0; k < 3; ++k)
   {
     // Both steps round the same for coincident particles, wherever their corners are.
-    f[k] = hn::Sub(hn::Add(load(k), hn::Set(d, corner[k])), hn::Set(d, ray.low[k]));
-    foot = hn::MulAdd(f[k], hn::Set(d, ray.d[k]), foot);
+    f[k] = hn::Sub(hn::Add(load(k), hn::Set(d, corner[k])), hn::Set(d, rays.low[k][i]));
+    foot = hn::MulAdd(f[k], hn::Set(d, rays.d[k][i]), foot);
   }
   const VF r = view.ownRadii ? load(3) : hn::Set(d, view.radius);
   left = hn::Mul(r, r);
   for (int k = 0; k < 3; ++k)
   {
-    const VF across = hn::NegMulAdd(foot, hn::Set(d, ray.d[k]), f[k]);
+    const VF across = hn::NegMulAdd(foot, hn::Set(d, rays.d[k][i]), f[k]);
     left = hn::NegMulAdd(across, across, left);
   }
 }
 
 /// The corner of a treelet from the ray's `high`: exact.
-HWY_INLINE void cornerFrom(const PkdTreeView::Node& treelet, const TreeRay& ray, float* corner)
+HWY_INLINE void cornerFrom(
+  const PkdTreeView::Node& treelet, const TreeRays& rays, int i, float* corner)
 {
   for (int k = 0; k < 3; ++k)
-    corner[k] = treelet.corner[static_cast<std::size_t>(k)] - ray.high[k];
+    corner[k] = treelet.corner[static_cast<std::size_t>(k)] - rays.high[k][i];
 }
 
 } // namespace HWY_NAMESPACE
