@@ -76,7 +76,7 @@ struct Contestant
 struct BuiltMethod
 {
   std::string name;
-  std::shared_ptr<const ParticleMethod> method;
+  std::shared_ptr<ParticleMethod> method;
   double seconds = unknown;
   double bytesPerParticle = unknown;
 };

@@ -16,7 +16,7 @@ namespace
 
 struct Ray
 {
-  Vec3d origin, direction;
+  Vec3d origin, direction, left;
 };
 
 /// Two random numbers make a direction about the normal, weighted by the cosine: the normal and a
@@ -56,7 +56,7 @@ struct RayMaker
     for (int k = 0; k < raysPerHit; ++k)
     {
       const std::uint64_t n = 2 * (pixel * raysPerHit + k);
-      rays.push_back({origin, cosineWeighted(normal, uniform(4, n), uniform(4, n + 1))});
+      rays.push_back({origin, cosineWeighted(normal, uniform(4, n), uniform(4, n + 1)), center});
     }
   }
 };
@@ -89,6 +89,7 @@ void put(const Ray& ray, const Vec3d& middle, OcclusionRays::Packet& packet)
     packet.direction[axis][i] = ray.direction[axis];
     packet.origin32[axis][i] = static_cast<float>(ray.origin[axis] - middle[axis]);
     packet.direction32[axis][i] = static_cast<float>(ray.direction[axis]);
+    packet.left[axis][i] = ray.left[axis];
   }
 }
 

@@ -30,6 +30,7 @@ struct OcclusionRays
     double direction[3][packetRays]; ///< of unit length
     float origin32[3][packetRays];   ///< relative to the middle of the input
     float direction32[3][packetRays];
+    double left[3][packetRays]; ///< centre of the particle that the ray leaves
   };
 
   double reach = 0.0;

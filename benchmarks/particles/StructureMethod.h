@@ -2,8 +2,12 @@
 
 #include "ParticleMethod.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cstring>
+#include <map>
+#include <vector>
 
 namespace mote::bench
 {
@@ -28,10 +32,45 @@ void castBundles(const Structure& structure, int side, const CameraRays& rays, H
     });
 }
 
-/// Asks a structure of Mote's for whatever is in the way of the rays, packet by packet.
+/// For every ray the slot of the particle that it leaves, found by a ray back to it.
 template <typename Structure>
-void occludePackets(
-  const Structure& structure, const OcclusionRays& rays, OcclusionAnswers& answers)
+std::vector<std::uint64_t> slotsLeft(const Structure& structure, const OcclusionRays& rays)
+{
+  std::vector<std::uint64_t> slots(rays.packets.size() * RayPacket::capacity, RayPacket::noHit);
+  for (std::size_t p = 0; p < rays.packets.size(); ++p)
+  {
+    const OcclusionRays::Packet& from = rays.packets[p];
+    RayPacket packet;
+    packet.count = from.count;
+    std::memcpy(packet.origin, from.origin, sizeof(from.origin));
+    for (int i = 0; i < from.count; ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+        packet.direction[k][i] = from.left[k][i] - from.origin[k][i];
+      packet.tMin[i] = 0.0;
+      packet.t[i] = 1.0;
+      packet.slot[i] = RayPacket::noHit;
+      packet.object[i] = -1;
+    }
+    structure.cast(packet, 0);
+    for (int i = 0; i < from.count; ++i)
+    {
+      // Where spheres overlap, the way back may meet another one first.
+      const Vec3d left(from.left[0][i], from.left[1][i], from.left[2][i]);
+      const Vec3d origin(from.origin[0][i], from.origin[1][i], from.origin[2][i]);
+      if (packet.slot[i] != RayPacket::noHit && glm::distance(structure.center(packet.slot[i]),
+                                                  left) < 1e-3 * glm::distance(origin, left))
+        slots[p * RayPacket::capacity + static_cast<std::size_t>(i)] = packet.slot[i];
+    }
+  }
+  return slots;
+}
+
+/// Asks a structure of Mote's for whatever is in the way of the rays, packet by packet. `slots` are
+/// of the particles that the rays leave, or null.
+template <typename Structure>
+void occludePackets(const Structure& structure, const OcclusionRays& rays,
+  const std::uint64_t* slots, OcclusionAnswers& answers)
 {
   forPackets(rays, answers,
     [&](const OcclusionRays::Packet& from)
@@ -42,8 +81,12 @@ void occludePackets(
       std::memcpy(packet.direction, from.direction, sizeof(from.direction));
       std::fill_n(packet.tMin, from.count, 0.0);
       std::fill_n(packet.t, from.count, rays.reach);
-      std::fill_n(packet.slot, from.count, RayPacket::noHit);
-      std::fill_n(packet.object, from.count, -1);
+      std::fill_n(packet.object, from.count, slots == nullptr ? -1 : 0);
+      if (slots == nullptr)
+        std::fill_n(packet.slot, from.count, RayPacket::noHit);
+      else
+        std::copy_n(
+          slots + (&from - rays.packets.data()) * RayPacket::capacity, from.count, packet.slot);
       structure.occlude(packet, 0);
       std::uint64_t bits = 0;
       for (int i = 0; i < from.count; ++i)
@@ -78,17 +121,27 @@ public:
     castBundles(structure_, side_, rays, image);
   }
 
-  std::vector<std::string> occlusionModes() const override { return {"packet 64"}; }
-
-  void occlude(std::size_t, const OcclusionRays& rays, OcclusionAnswers& answers) const override
+  std::vector<std::string> occlusionModes() const override
   {
-    occludePackets(structure_, rays, answers);
+    return {"from hits", "from anywhere"};
+  }
+
+  void prepareOcclusion(const OcclusionRays& rays) override
+  {
+    slots_[&rays] = slotsLeft(structure_, rays);
+  }
+
+  void occlude(
+    std::size_t mode, const OcclusionRays& rays, OcclusionAnswers& answers) const override
+  {
+    occludePackets(structure_, rays, mode == 0 ? slots_.at(&rays).data() : nullptr, answers);
   }
 
 private:
   Structure structure_;
   BuildOptions build_;
   int side_;
+  std::map<const OcclusionRays*, std::vector<std::uint64_t>> slots_; ///< that the rays leave
 };
 
 } // namespace mote::bench
