@@ -135,7 +135,8 @@ private:
 };
 
 /// Puts the records at [first, last) in such an order that by KdLess none at [first, middle) comes
-/// after one at [middle, last). All their coordinates along the axis lie in [low, high].
+/// after one at [middle, last), and none after `middle` before that at `middle`. All their
+/// coordinates along the axis lie in [low, high].
 ///
 /// Histograms find the median: what lies in other bins than the median's is moved once, whatever
 /// its order.
@@ -164,7 +165,10 @@ public:
       low = std::max(low, static_cast<std::uint32_t>(binLow));
       high = std::min(high, static_cast<std::uint32_t>(std::min<std::uint64_t>(binHigh - 1, high)));
       if (first == middle)
+      {
+        std::iter_swap(middle, std::min_element(middle, last, KdLess{axis}));
         return;
+      }
     }
     if (middle != last)
       std::nth_element(first, middle, last, KdLess{axis});

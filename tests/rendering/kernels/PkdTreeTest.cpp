@@ -57,12 +57,26 @@ TEST(MedianSplit, PartsAnyRangeAsSortingWould)
       const std::size_t middle = count / 2;
       MedianSplit<4>::run(records.data(), records.data() + middle, records.data() + count, axis, 0,
         values == 1 ? 0 : values - 1);
+      // Who splits the upper part next takes its first record for the least.
+      ASSERT_EQ(records[middle].words, sorted[middle].words) << count << ", " << values;
       std::sort(
         records.begin(), records.begin() + static_cast<std::ptrdiff_t>(middle), KdLess{axis});
       std::sort(records.begin() + static_cast<std::ptrdiff_t>(middle), records.end(), KdLess{axis});
       for (std::size_t i = 0; i < count; ++i)
         ASSERT_EQ(records[i].words, sorted[i].words) << i << " of " << count;
     }
+}
+
+TEST(MedianSplit, PutsTheLeastOfTheUpperPartFirst)
+{
+  // The upper half begins where a bin of the histogram does.
+  auto records = randomRecords<3>(1000, 1000, 21);
+  for (std::size_t i = 0; i < 500; ++i)
+    records[2 * i].words[0] += 1u << 31;
+  MedianSplit<3>::run(
+    records.data(), records.data() + 500, records.data() + 1000, 0, 0, (1u << 31) + 999);
+  for (std::size_t i = 0; i < 1000; ++i)
+    ASSERT_EQ(records[i].words[0] >= records[500].words[0], i >= 500) << i;
 }
 
 TEST(PkdTree, AnyNumberOfParticles)
