@@ -104,7 +104,8 @@ struct Pencil
 
   // Of the spheres' projection.
   Split qx, qy, qz;
-  Vec3f gTau, gM, gN; ///< tau, m and n of a unit along each axis
+  Vec3d dTau, dM, dN; ///< tau, m and n of a unit along each axis
+  Vec3f gTau, gM, gN; ///< the same, rounded
   float gLength;      ///< |gTau|
   float scale, scaleSlope;
   float reachX, reachY; ///< half the extent in x and y of a sphere of radius 1 where the width is 1
@@ -223,11 +224,13 @@ inline void prepareProjection(const Spread& spread, Pencil& p)
   p.qz = Split(p.q.z);
   const Vec3d crossed = glm::cross(p.wx, p.wy);
   const double volume = glm::dot(p.d, crossed);
-  const Vec3d gTau = crossed / volume;
-  p.gTau = Vec3f(gTau);
-  p.gM = Vec3f(glm::cross(p.wy, p.d) / volume);
-  p.gN = Vec3f(glm::cross(p.d, p.wx) / volume);
-  p.gLength = static_cast<float>(glm::length(gTau));
+  p.dTau = crossed / volume;
+  p.dM = glm::cross(p.wy, p.d) / volume;
+  p.dN = glm::cross(p.d, p.wx) / volume;
+  p.gTau = Vec3f(p.dTau);
+  p.gM = Vec3f(p.dM);
+  p.gN = Vec3f(p.dN);
+  p.gLength = static_cast<float>(glm::length(p.dTau));
   const Vec3d x = glm::cross(p.wx, p.d), y = glm::cross(p.wy, p.d), z = glm::cross(p.wx, p.dy);
   p.xx = static_cast<float>(glm::dot(x, x));
   p.xy = static_cast<float>(glm::dot(x, y));

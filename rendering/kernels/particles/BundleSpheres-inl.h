@@ -80,6 +80,7 @@ struct Projected
   alignas(64) float a[16], b[16], c[16];    ///< squared distance: a dx^2 + b dx dy + c dy^2
   alignas(64) float tau[16], width[16], r2[16];
   alignas(64) float fromQ[3][16]; ///< the centre; where a sphere reaches behind the eye
+  alignas(64) float tie[16];      ///< hits nearer to one another than this may be equal
   alignas(64) float nearest[16];  ///< tau before which nothing of the sphere lies
   unsigned in;                    ///< lanes that may be hit
   unsigned ahead;                 ///< those that lie in front of the eye as a whole
@@ -97,7 +98,9 @@ struct AnyPolicy
 /// Tests spheres against the rays of a bundle. `Policy` says at compile time what is asked:
 /// any: whether anything is hit at all; culls: whether spheres are tested against the frustum
 /// first; counts: whether work is counted. `Structure` is asked which of equally near hits counts:
-/// takesTie(a, b) says whether slot a goes before slot b, which was met earlier.
+/// coincide(a, b) says whether the particles
+/// at two slots are the same sphere, takesTie(a, b) whether then slot a goes before slot b, which
+/// was met earlier.
 template <typename Policy, typename Structure>
 class SphereTester
 {
@@ -143,15 +146,20 @@ public:
     return true;
   }
 
-  /// Projects a vector of spheres, their centres given from Q; of `used` lanes.
+  /// Projects a vector of spheres, their centres given from a base that is `fromQ` from Q; of
+  /// `used` lanes. What the base makes of tau, m and n is found in double: the rest is small, and
+  /// so is its error.
   template <typename Used>
-  HWY_INLINE void project(VF x, VF y, VF z, VF r, Used used, Projected& s)
+  HWY_INLINE void project(const Vec3d& fromQ, VF x, VF y, VF z, VF r, Used used, Projected& s)
   {
     const DF d;
     const auto set = [&](float v) { return hn::Set(d, v); };
-    const auto dot = [&](const Vec3f& g)
-    { return hn::MulAdd(x, set(g.x), hn::MulAdd(y, set(g.y), hn::Mul(z, set(g.z)))); };
-    const VF tau = dot(p_.gTau), m = dot(p_.gM), n = dot(p_.gN);
+    const auto dot = [&](const Vec3f& g, const Vec3d& exact)
+    {
+      const VF base = set(static_cast<float>(glm::dot(exact, fromQ)));
+      return hn::MulAdd(x, set(g.x), hn::MulAdd(y, set(g.y), hn::MulAdd(z, set(g.z), base)));
+    };
+    const VF tau = dot(p_.gTau, p_.dTau), m = dot(p_.gM, p_.dM), n = dot(p_.gN, p_.dN);
     const VF width = hn::MulAdd(tau, set(p_.scaleSlope), set(p_.scale));
     const VF perWidth = hn::Div(set(1.0f), width);
     const VF cx = hn::Mul(m, perWidth), cy = hn::Mul(n, perWidth);
@@ -177,9 +185,9 @@ public:
     s.ahead = bitsOf(ahead);
     if (HWY_UNLIKELY((s.in & ~s.ahead) != 0))
     {
-      hn::Store(x, d, s.fromQ[0]);
-      hn::Store(y, d, s.fromQ[1]);
-      hn::Store(z, d, s.fromQ[2]);
+      hn::Store(hn::Add(x, set(static_cast<float>(fromQ.x))), d, s.fromQ[0]);
+      hn::Store(hn::Add(y, set(static_cast<float>(fromQ.y))), d, s.fromQ[1]);
+      hn::Store(hn::Add(z, set(static_cast<float>(fromQ.z))), d, s.fromQ[2]);
     }
     const VF w2 = hn::Mul(width, width);
     const VF two = set(2.0f), zz = set(p_.zz), xz = set(p_.xz), yz = set(p_.yz);
@@ -200,6 +208,7 @@ public:
     hn::Store(width, d, s.width);
     hn::Store(hn::Mul(r, r), d, s.r2);
     hn::Store(nearest, d, s.nearest);
+    hn::Store(hn::Mul(r, set(tieShare)), d, s.tie);
   }
 
   /// Tests the sphere in lane j, the particle at `slot`.
@@ -223,7 +232,7 @@ public:
         if (hn::AllFalse(d, nearer))
           continue;
         if constexpr (!Policy::any && Structure::hasTies)
-          nearer = hn::And(nearer, withoutLaterTies(near, i, slot));
+          nearer = withTies(nearer, near, s.tie[j], i, slot);
         if constexpr (Policy::any)
           nearer = withoutOwn(nearer, i, slot);
         const VF kept = Policy::any ? hn::Set(d, -infinity) : near;
@@ -294,7 +303,7 @@ private:
     const VF shift =
       hn::MulAdd(dx, hn::Load(d, p_.shiftX + i), hn::Mul(dy, hn::Load(d, p_.shiftY + i)));
     const VF foot = hn::NegMulAdd(shift, hn::Set(d, s.width[j]), hn::Set(d, s.tau[j]));
-    return nearerOf(meets, foot, hn::Mul(left, inverse), i, near);
+    return nearerOf(meets, foot, hn::Mul(left, inverse), s.tie[j], i, near);
   }
 
   /// The same for a sphere that reaches behind the eye: by the perpendicular remainder.
@@ -320,10 +329,10 @@ private:
       left = hn::NegMulAdd(across, across, left);
     }
     const VF fromQ = hn::Sub(foot, hn::Set(d, static_cast<float>(p_.t0)));
-    return nearerOf(hn::Ge(left, hn::Zero(d)), fromQ, hn::Mul(left, inverse), i, near);
+    return nearerOf(hn::Ge(left, hn::Zero(d)), fromQ, hn::Mul(left, inverse), s.tie[j], i, near);
   }
 
-  HWY_INLINE Mask nearerOf(Mask meets, VF foot, VF half2, int i, VF& near) const
+  HWY_INLINE Mask nearerOf(Mask meets, VF foot, VF half2, float tie, int i, VF& near) const
   {
     const DF d;
     const VF half = hn::Sqrt(hn::Max(half2, hn::Zero(d)));
@@ -331,8 +340,10 @@ private:
     const VF in = hn::Sub(foot, half), out = hn::Add(foot, half);
     near = hn::IfThenElse(hn::Gt(in, first), in, out);
     const VF best = hn::Load(d, p_.best + i);
-    const auto nearer =
-      Structure::hasTies && !Policy::any ? hn::Le(near, best) : hn::Lt(near, best);
+    VF limit = best;
+    if constexpr (Structure::hasTies && !Policy::any)
+      limit = hn::Add(best, hn::Set(d, tie));
+    const auto nearer = hn::Lt(near, limit);
     return hn::And(meets, hn::And(hn::Gt(near, first), nearer));
   }
 
@@ -349,18 +360,32 @@ private:
     return hn::And(nearer, hn::Gt(hn::Load(d, keep), hn::Zero(d)));
   }
 
-  /// All lanes but those where the hit so far is as near and counts before `slot`.
-  HWY_INLINE Mask withoutLaterTies(VF near, int i, std::uint64_t slot) const
+  /// Of the lanes of `hits`, which may be a little behind the hit so far, those that count.
+  /// Particles that coincide are told by their places, for their hits may differ by rounding.
+  HWY_INLINE Mask withTies(Mask hits, VF near, float tie, int i, std::uint64_t slot) const
   {
     const DF d;
-    const auto ties = hn::Eq(near, hn::Load(d, p_.best + i));
-    if (HWY_LIKELY(hn::AllFalse(d, ties)))
-      return hn::Not(ties);
+    const VF best = hn::Load(d, p_.best + i);
+    const auto nearer = hn::Lt(near, best);
+    const auto close = hn::And(hits, hn::Le(hn::Abs(hn::Sub(near, best)), hn::Set(d, tie)));
+    if (HWY_LIKELY(hn::AllFalse(d, close)))
+      return hn::And(hits, nearer);
     alignas(64) float keep[16];
+    const unsigned bits = bitsOf(close);
     for (int k = 0; k < static_cast<int>(hn::Lanes(d)); ++k)
-      keep[k] = p_.hit[i + k] != 0 && structure_.takesTie(slot, hits_[p_.hit[i + k]]) ? 1.0f : 0.0f;
-    return hn::Or(hn::Not(ties), hn::Gt(hn::Load(d, keep), hn::Zero(d)));
+    {
+      const std::uint32_t hit = p_.hit[i + k];
+      const bool same = (bits >> k & 1) != 0 && hit != 0 && structure_.coincide(slot, hits_[hit]);
+      keep[k] = !same ? 0.5f : structure_.takesTie(slot, hits_[hit]) ? 1.0f : 0.0f;
+    }
+    const VF kept = hn::Load(d, keep);
+    const auto known = hn::Ne(kept, hn::Set(d, 0.5f));
+    const auto wins = hn::Gt(kept, hn::Set(d, 0.75f));
+    return hn::And(hits, hn::Or(wins, hn::AndNot(known, nearer)));
   }
+
+  /// Of a radius: near the rim a hit's place is much less certain than the sphere's.
+  static constexpr float tieShare = 0.01f;
 
   const Structure& structure_;
   Pencil& p_;

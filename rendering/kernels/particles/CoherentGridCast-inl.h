@@ -168,7 +168,7 @@ private:
       hn::LoadInterleaved4(d, buffer_ + 4 * i, x, y, z, r);
       const auto from = [&](VF c, Split q)
       { return hn::Sub(hn::Sub(c, hn::Set(d, q.high)), hn::Set(d, q.low)); };
-      tester_.project(from(x, p_.qx), from(y, p_.qy), from(z, p_.qz), r,
+      tester_.project(Vec3d(0.0), from(x, p_.qx), from(y, p_.qy), from(z, p_.qz), r,
         hn::FirstN(d, static_cast<std::size_t>(buffered_ - i)), s);
       for (unsigned bits = s.in; bits != 0; bits &= bits - 1)
       {

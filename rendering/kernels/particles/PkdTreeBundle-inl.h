@@ -40,12 +40,6 @@ public:
     , queue_(queueOfThread())
   {
     queue_.clear();
-    const double coarse = view.coarse;
-    for (int k = 0; k < 3; ++k)
-    {
-      high_[k] = std::round(p_.q[k] / coarse) * coarse;
-      low_[k] = static_cast<float>(p_.q[k] - high_[k]);
-    }
   }
 
   void run()
@@ -158,17 +152,14 @@ private:
     const auto load = [&](int row, int lane)
     { return hn::Load(d, reinterpret_cast<const float*>(rows[row].words.data()) + lane); };
     const PkdTreeView::Node& node = view_.node(0, bucket / PkdTree::fanout);
-    float corner[3]; // from `high_`
-    for (int k = 0; k < 3; ++k)
-      corner[k] = static_cast<float>(double(node.corner[k]) - high_[k]);
+    const Vec3d corner(node.corner[0], node.corner[1], node.corner[2]);
     const unsigned shown = view_.shownIn(bucket);
     Projected s;
     for (int lane = 0; lane < PkdTree::bucketSize; lane += static_cast<int>(hn::Lanes(d)))
     {
-      const auto from = [&](int k)
-      { return hn::Sub(hn::Add(load(k, lane), hn::Set(d, corner[k])), hn::Set(d, low_[k])); };
       const VF r = view_.ownRadii ? load(3, lane) : hn::Set(d, view_.radius);
-      tester_.project(from(0), from(1), from(2), r, hn::FirstN(d, hn::Lanes(d)), s);
+      tester_.project(corner - p_.q, load(0, lane), load(1, lane), load(2, lane), r,
+        hn::FirstN(d, hn::Lanes(d)), s);
       if (s.in == 0)
         continue;
       for (unsigned bits = s.in & (shown >> lane); bits != 0; bits &= bits - 1)
@@ -183,8 +174,6 @@ private:
   const PkdTreeView& view_;
   Pencil& p_;
   SphereTester<Policy, PkdTreeView> tester_;
-  double high_[3];            ///< Q, to what corners of treelets are multiples of
-  float low_[3];              ///< and the rest of it
   std::vector<Entry>& queue_; ///< a heap: what is nearest is visited first
 };
 

@@ -55,6 +55,12 @@ struct PkdTreeView
     return tree.inputIndex(slot) < tree.inputIndex(before);
   }
 
+  /// Whether two particles are the same sphere.
+  bool coincide(std::uint64_t a, std::uint64_t b) const
+  {
+    return tree.center(a) == tree.center(b) && tree.radius(a) == tree.radius(b);
+  }
+
   const Node& node(int level, std::size_t i) const { return nodes[levels[level].first + i]; }
 
   /// The bits of children that hold anything shown.
