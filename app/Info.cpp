@@ -10,6 +10,7 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
+#include <vtkMoteParticleFilePoints.h>
 #include <vtkMoteParticleMapper.h>
 #include <vtkMoteReaderTable.h>
 #include <vtkNew.h>
@@ -71,6 +72,8 @@ double spacingOf(vtkDataSet* data)
   auto* points = vtkPointSet::SafeDownCast(data);
   if (!points || Part::isMesh(data) || points->GetNumberOfPoints() < 2)
     return 0.0;
+  if (Part::isInFile(data))
+    return vtkMoteParticleFilePoints::SafeDownCast(points->GetPoints())->GetSpacing();
   vtkNew<vtkMoteParticleMapper> mapper;
   mapper->SetInputData(points);
   mapper->SetRadiusModeToSpacing();

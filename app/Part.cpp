@@ -9,6 +9,7 @@
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkLookupTable.h>
 #include <vtkMath.h>
+#include <vtkMoteParticleFilePoints.h>
 #include <vtkMoteParticleMapper.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
@@ -26,8 +27,11 @@ namespace mote::app
 namespace
 {
 
-bool hasRadiusArray(vtkDataSet* data)
+/// Whether the data say how large particles are.
+bool hasRadii(vtkDataSet* data)
 {
+  if (Part::isInFile(data))
+    return true;
   for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
     if (const char* name = data->GetPointData()->GetArrayName(i))
       if (lowerCase(name) == "radius" || lowerCase(name) == "diameter")
@@ -63,6 +67,13 @@ Part::Part(const std::string& name, vtkDataSet* data, const ViewOptions& options
 void Part::setAmbient(double ambient)
 {
   shade(actor_->GetProperty(), !particles_, ambient);
+}
+
+bool Part::isInFile(vtkDataSet* data)
+{
+  auto* points = vtkPointSet::SafeDownCast(data);
+  auto* inFile = points ? vtkMoteParticleFilePoints::SafeDownCast(points->GetPoints()) : nullptr;
+  return inFile && inFile->GetFile();
 }
 
 bool Part::isMesh(vtkDataSet* data)
@@ -118,7 +129,7 @@ void Part::setRadius()
   }
   else if (number)
     particles_->SetRadiusModeToConstant();
-  else if (options_.radius == "spacing" || (options_.radius == "auto" && !hasRadiusArray(data_)))
+  else if (options_.radius == "spacing" || (options_.radius == "auto" && !hasRadii(data_)))
   {
     // Particles keep their size when a simulation spreads or packs them.
     particles_->SetRadius(keptRadius_);

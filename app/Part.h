@@ -32,6 +32,9 @@ public:
   /// Whether a data set is shown by its surface rather than as particles.
   static bool isMesh(vtkDataSet* data);
 
+  /// Whether the particles are drawn from a .mote file, with the radii that it has.
+  static bool isInFile(vtkDataSet* data);
+
   /// Other data of the same kind, such as the next time step.
   void setData(const std::string& name, vtkDataSet* data);
 

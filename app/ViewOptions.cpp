@@ -184,33 +184,6 @@ void addSelectionOptions(CLI::App& app, ViewOptions& o)
     ->group(group);
 }
 
-void addRadiusOptions(CLI::App& app, ViewOptions& o)
-{
-  const std::string group = "Radius";
-  app
-    .add_option("--radius,-r", o.radius,
-      "Radius of the particles: a number, the name of an array of radii, 'spacing' (half the "
-      "typical distance between neighbours) or 'auto' (an array named radius, half of one named "
-      "diameter, else as spacing)")
-    ->type_name("R|NAME")
-    ->capture_default_str()
-    ->group(group);
-  app
-    .add_option_function<std::vector<std::string>>(
-      "--type-radius",
-      [&o](const std::vector<std::string>& entries) { o.typeRadius = parseTypeRadii(entries); },
-      "Radii by the array 'type': 1=0.5,2=0.7. Other types get the number of --radius")
-    ->delimiter(',')
-    ->type_name("TYPE=R,...")
-    ->group(group);
-  app
-    .add_option("--radius-scale", o.radiusScale,
-      "Factor on every radius; 0.5 where the array holds diameters")
-    ->check(number(true))
-    ->type_name("F")
-    ->group(group);
-}
-
 /// An option whose words are checked by a function that says what is wrong with them.
 CLI::Validator words(std::string (*check)(const std::string&))
 {
@@ -364,6 +337,33 @@ void addReadOptions(CLI::App& app, ViewOptions& o)
   app.add_option("--threads", o.threads, "Threads to work with. By default all")
     ->check(CLI::Range(0, 4096).description(""))
     ->type_name("N")
+    ->group(group);
+}
+
+void addRadiusOptions(CLI::App& app, ViewOptions& o)
+{
+  const std::string group = "Radius";
+  app
+    .add_option("--radius,-r", o.radius,
+      "Radius of the particles: a number, the name of an array of radii, 'spacing' (half the "
+      "typical distance between neighbours) or 'auto' (an array named radius, half of one named "
+      "diameter, else as spacing)")
+    ->type_name("R|NAME")
+    ->capture_default_str()
+    ->group(group);
+  app
+    .add_option_function<std::vector<std::string>>(
+      "--type-radius",
+      [&o](const std::vector<std::string>& entries) { o.typeRadius = parseTypeRadii(entries); },
+      "Radii by the array 'type': 1=0.5,2=0.7. Other types get the number of --radius")
+    ->delimiter(',')
+    ->type_name("TYPE=R,...")
+    ->group(group);
+  app
+    .add_option("--radius-scale", o.radiusScale,
+      "Factor on every radius; 0.5 where the array holds diameters")
+    ->check(number(true))
+    ->type_name("F")
     ->group(group);
 }
 

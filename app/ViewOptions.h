@@ -84,6 +84,9 @@ struct ViewOptions
 /// Declares the files and all options of a view.
 void addViewOptions(CLI::App& app, ViewOptions& options);
 
+/// Declares those of them that say how large particles are.
+void addRadiusOptions(CLI::App& app, ViewOptions& options);
+
 /// Declares what belongs to reading alone: the files, --time, --step and --threads.
 void addReadOptions(CLI::App& app, ViewOptions& options);
 

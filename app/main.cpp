@@ -1,6 +1,7 @@
-// The program: chooses between window, render and info, and turns what goes wrong into a sentence
-// and an exit code.
+// The program: chooses between window, render, convert and info, and turns what goes wrong into a
+// sentence and an exit code.
 
+#include "Convert.h"
 #include "Failure.h"
 #include "Info.h"
 #include "Messages.h"
@@ -34,10 +35,14 @@ std::unique_ptr<tbb::global_control> limitThreads(int threads)
 }
 
 int run(CLI::App& app, const WindowOptions& window, const RenderOptions& rendering,
-  const InfoOptions& info)
+  const InfoOptions& info, const ConvertOptions& converting)
 {
-  const bool toRender = app.got_subcommand("render"), toInform = app.got_subcommand("info");
-  const ViewOptions& view = toRender ? rendering.view : toInform ? info.read : window.view;
+  const bool toRender = app.got_subcommand("render"), toInform = app.got_subcommand("info"),
+             toConvert = app.got_subcommand("convert");
+  const ViewOptions& view = toRender    ? rendering.view
+                            : toInform  ? info.read
+                            : toConvert ? converting.view
+                                        : window.view;
   if (view.files.empty())
   {
     std::fprintf(stderr, "mote: no file given. Try: mote --help\n");
@@ -48,6 +53,8 @@ int run(CLI::App& app, const WindowOptions& window, const RenderOptions& renderi
     render(rendering);
   else if (toInform)
     printInfo(info);
+  else if (toConvert)
+    convert(converting);
   else
     showWindow(window);
   // What stdout could not take, such as on a full disk, is only seen here.
@@ -71,8 +78,12 @@ int main(int argc, char** argv)
   WindowOptions window;
   RenderOptions rendering;
   InfoOptions info;
+  ConvertOptions converting;
   addWindowOptions(app, window);
   addRenderOptions(*app.add_subcommand("render", "Write a picture; needs no display"), rendering);
+  addConvertOptions(
+    *app.add_subcommand("convert", "Write particles as a .mote file, which opens at once"),
+    converting);
   addInfoOptions(*app.add_subcommand("info", "List arrays, ranges, types and time steps"), info);
   try
   {
@@ -91,7 +102,7 @@ int main(int argc, char** argv)
   Messages::install();
   try
   {
-    return run(app, window, rendering, info);
+    return run(app, window, rendering, info, converting);
   }
   catch (const Interrupted&)
   {

@@ -7,8 +7,11 @@
 #include "TextFile.h"
 #include "vtkMoteDelimitedPointsReader.h"
 #include "vtkMoteLAMMPSDumpReader.h"
+#include "vtkMoteParticleFileReader.h"
 #include "vtkMotePointsReader.h"
 #include "vtkMoteXYZReader.h"
+
+#include "kernels/particles/PkdTreeFile.h"
 
 #include "vtkGenericDataObjectReader.h"
 #include "vtkOBJReader.h"
@@ -67,6 +70,8 @@ const std::vector<ReaderFormat>& readerFormats()
   static const std::vector<ReaderFormat> formats = {
     {{".dump", ".lammpstrj", ".lammps", ".dump.gz", ".lammpstrj.gz", ".lammps.gz"},
       "LAMMPS text dump, a file or a series", makeLAMMPS, true, looksLikeLAMMPSDump},
+    {{".mote"}, "Mote's own file of particles", make<vtkMoteParticleFileReader>, false,
+      PkdTreeFile::recognises},
     {{".xyz", ".xyz.gz"}, "XYZ and extended XYZ atoms", make<vtkMoteXYZReader>},
     {{".pts", ".pts.gz"}, "points, x y z a line", make<vtkMotePointsReader>},
     {{".csv"}, "table with columns x, y, z", make<vtkMoteDelimitedPointsReader>},

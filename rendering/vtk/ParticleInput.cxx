@@ -3,7 +3,9 @@
 #include "vtkMoteParticleMapper.h"
 
 #include "kernels/core/Error.h"
+#include "kernels/particles/PkdTreeFile.h"
 
+#include "vtkMoteParticleFilePoints.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
@@ -49,7 +51,43 @@ void addRadius(InputKey& key, double radius)
   key.push_back(std::isnan(radius) ? std::numeric_limits<double>::infinity() : radius);
 }
 
+/// The radii that a file has.
+void takeRadii(const PkdTreeFile& file, ParticleInput& input)
+{
+  const ParticleStatistics& s = file.statistics();
+  input.set.radius = s.largestRadius;
+  if (s.smallestRadius == s.largestRadius)
+    return;
+  const PkdTree tree = file.tree();
+  input.ownRadii.resize(tree.size());
+  for (std::size_t i = 0; i < tree.size(); ++i)
+    input.ownRadii[i] = tree.radius(i);
+  input.set.radii = ArrayView(input.ownRadii.data(), input.ownRadii.size(), 1);
+}
+
 } // namespace
+
+std::shared_ptr<const PkdTreeFile> fileOf(vtkPointSet* points)
+{
+  auto* inFile = vtkMoteParticleFilePoints::SafeDownCast(points->GetPoints());
+  return inFile ? inFile->GetFile() : nullptr;
+}
+
+bool drawsFile(vtkPointSet* points, const RadiusChoice& choice, ParticleStructureKind kind)
+{
+  return choice.mode == vtkMoteParticleMapper::RADIUS_AUTOMATIC && choice.scale == 1.0 &&
+         kind != ParticleStructureKind::CoherentGrid && fileOf(points);
+}
+
+double spacingOf(vtkPointSet* points)
+{
+  const auto file = fileOf(points);
+  if (file && file->spacing() > 0.0)
+    return file->spacing();
+  return points->GetNumberOfPoints() > 1
+           ? estimateSpacing(DataArrayView(points->GetPoints()->GetData()).view)
+           : 0.0;
+}
 
 std::string arrayNames(vtkPointData* data)
 {
@@ -70,6 +108,8 @@ vtkDataArray* findRadiusArray(vtkPointSet* points, const RadiusChoice& choice, b
   case vtkMoteParticleMapper::RADIUS_BY_TYPE:
     return requireScalar(points, choice.typeArray, "types");
   case vtkMoteParticleMapper::RADIUS_AUTOMATIC:
+    if (fileOf(points))
+      return nullptr; // the file's own radii
     if (vtkDataArray* radius = findByLowerName(points->GetPointData(), "radius"))
       return radius;
     half = true;
@@ -93,13 +133,13 @@ ParticleInput makeParticleInput(vtkPointSet* points, const RadiusChoice& choice)
   if (array && choice.mode == vtkMoteParticleMapper::RADIUS_BY_TYPE)
   {
     const DataArrayView types(array);
-    input.typeRadii.resize(types.view.count());
+    input.ownRadii.resize(types.view.count());
     for (std::size_t i = 0; i < types.view.count(); ++i)
     {
       const auto found = choice.typeRadii.find(static_cast<int>(types.view.value(i)));
-      input.typeRadii[i] = found == choice.typeRadii.end() ? choice.radius : found->second;
+      input.ownRadii[i] = found == choice.typeRadii.end() ? choice.radius : found->second;
     }
-    input.set.radii = ArrayView(input.typeRadii.data(), input.typeRadii.size(), 1);
+    input.set.radii = ArrayView(input.ownRadii.data(), input.ownRadii.size(), 1);
   }
   else if (array)
   {
@@ -109,9 +149,16 @@ ParticleInput makeParticleInput(vtkPointSet* points, const RadiusChoice& choice)
   }
   else
   {
-    const bool constant = choice.mode == vtkMoteParticleMapper::RADIUS_CONSTANT;
-    input.set.radius = constant ? choice.radius : 0.5 * estimateSpacing(input.set.positions);
-    input.commonRadius = input.set.radius * choice.scale;
+    const auto file = fileOf(points);
+    if (choice.mode == vtkMoteParticleMapper::RADIUS_CONSTANT)
+      input.set.radius = choice.radius;
+    else if (file && choice.mode == vtkMoteParticleMapper::RADIUS_AUTOMATIC)
+      takeRadii(*file, input);
+    else if (file && file->spacing() > 0.0)
+      input.set.radius = 0.5 * file->spacing();
+    else
+      input.set.radius = 0.5 * estimateSpacing(input.set.positions);
+    input.commonRadius = input.set.radii.empty() ? input.set.radius * choice.scale : 0.0;
   }
   return input;
 }

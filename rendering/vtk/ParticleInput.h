@@ -16,6 +16,8 @@ class vtkPointSet;
 namespace mote
 {
 
+class PkdTreeFile;
+
 /// How vtkMoteParticleMapper was asked to choose radii; `mode` is one of its RadiusModes.
 struct RadiusChoice
 {
@@ -33,8 +35,10 @@ struct ParticleInput
   ParticleSet set;
   DataArrayView positions;
   DataArrayView radii;
-  std::vector<double> typeRadii; ///< a particle each, in RADIUS_BY_TYPE mode
-  double commonRadius = 0.0;     ///< 0 where radii differ
+  std::vector<double> ownRadii; ///< a particle each, where no array holds them
+  double commonRadius = 0.0;    ///< 0 where radii differ
+  /// Of points that stay in a file: their tree, which tells places and radii where `set` does not.
+  std::shared_ptr<const PkdTree> tree;
 };
 
 /// The names of the arrays, separated by commas, for messages; "none" where there is none.
@@ -43,6 +47,15 @@ std::string arrayNames(vtkPointData* data);
 /// Array of the points that holds the radii under `choice`, or null for none; with half = true
 /// where it holds diameters. Throws Error where the choice names an array that is missing or unfit.
 vtkDataArray* findRadiusArray(vtkPointSet* points, const RadiusChoice& choice, bool& half);
+
+/// The file that the points stay in (vtkMoteParticleFilePoints), or null.
+std::shared_ptr<const PkdTreeFile> fileOf(vtkPointSet* points);
+
+/// Whether what is to be drawn is the very tree of that file.
+bool drawsFile(vtkPointSet* points, const RadiusChoice& choice, ParticleStructureKind kind);
+
+/// The typical distance between neighbours; of points in a file what that says.
+double spacingOf(vtkPointSet* points);
 
 /// Looks up radii as `choice` says. Throws Error as findRadiusArray() does.
 ParticleInput makeParticleInput(vtkPointSet* points, const RadiusChoice& choice);

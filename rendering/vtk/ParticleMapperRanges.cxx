@@ -3,6 +3,7 @@
 #include "ParticleMapperInternals.h"
 
 #include "kernels/core/Error.h"
+#include "kernels/particles/PkdTreeFile.h"
 
 #include "vtkMath.h"
 #include "vtkPointData.h"
@@ -215,6 +216,12 @@ void vtkMoteParticleMapper::UpdateRanges()
   const auto particles = [&]
   {
     mote::RadiusChoice choice = impl.choice;
+    if (mote::drawsFile(this->GetInput(), choice, mote::structureOf(this->StructureName)))
+    {
+      mote::ParticleInput input;
+      input.tree = std::make_shared<const mote::PkdTree>(mote::fileOf(this->GetInput())->tree());
+      return input;
+    }
     if (impl.commonRadius > 0.0)
     {
       // As it was built; the spacing need not be estimated again.

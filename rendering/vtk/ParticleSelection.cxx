@@ -122,15 +122,17 @@ double toleranceOf(const ParticleStatistics& s, int k, double limit)
   return 1e-6 * std::max({size.x, size.y, size.z, s.largestRadius}) + 1e-15 * std::abs(limit);
 }
 
-double placeOf(const ParticleInput& particles, std::uint64_t input, int k)
-{
-  return k < 3 ? particles.set.positions.value(input, k) : particles.set.radiusOf(input);
-}
-
 template <typename Structure>
 double storedPlaceOf(const Structure& structure, std::size_t slot, int k)
 {
   return k < 3 ? structure.center(slot)[k] : structure.radius(slot);
+}
+
+double placeOf(const ParticleInput& particles, std::uint64_t input, int k)
+{
+  if (particles.tree)
+    return storedPlaceOf(*particles.tree, input, k);
+  return k < 3 ? particles.set.positions.value(input, k) : particles.set.radiusOf(input);
 }
 
 /// As findFloatLimits(), of centres and radii, whose rounding is the structure's own affair.

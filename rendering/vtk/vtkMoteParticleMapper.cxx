@@ -4,6 +4,7 @@
 #include "SceneBridge.h"
 
 #include "kernels/core/Error.h"
+#include "kernels/particles/PkdTreeFile.h"
 #include "kernels/scene/Scene.h"
 
 #include "vtkActor.h"
@@ -142,6 +143,13 @@ double vtkMoteParticleMapper::GetRadiusInUse()
   return this->Impl->commonRadius;
 }
 
+std::shared_ptr<const mote::PkdTree> vtkMoteParticleMapper::GetTree()
+{
+  const auto& structure = this->Impl->structure;
+  auto* tree = structure ? std::get_if<mote::PkdTree>(structure.get()) : nullptr;
+  return tree ? std::shared_ptr<const mote::PkdTree>(structure, tree) : nullptr;
+}
+
 vtkMTimeType vtkMoteParticleMapper::GetPictureMTime()
 {
   vtkMTimeType time = std::max(this->GetMTime(), this->Impl->builtAt.GetMTime());
@@ -237,7 +245,10 @@ void vtkMoteParticleMapper::UpdateStructure()
     if (impl.structure && key == impl.structureKey)
       return;
     impl.structureKey.clear();
-    this->BuildStructure(input);
+    if (mote::drawsFile(input, choice, mote::structureOf(this->StructureName)))
+      this->TakeStructure(input);
+    else
+      this->BuildStructure(input);
     if (impl.structure)
       impl.structureKey = key;
     impl.reported.clear();
@@ -277,6 +288,19 @@ void vtkMoteParticleMapper::BuildStructure(vtkPointSet* input)
     mote::withStructure(*impl.structure, [](const auto& s) { return s.statistics(); }));
   if (!leftOut.empty())
     vtkWarningMacro(<< "Particles left out: " << leftOut << ".");
+}
+
+void vtkMoteParticleMapper::TakeStructure(vtkPointSet* input)
+{
+  Internals& impl = *this->Impl;
+  const auto file = mote::fileOf(input);
+  impl.selection.forget();
+  // A tree of its own, for ranges of its own.
+  impl.structure = std::make_shared<mote::ParticleStructure>(file->tree());
+  impl.buildTime = 0.0;
+  const mote::ParticleStatistics& s = file->statistics();
+  impl.commonRadius = s.smallestRadius == s.largestRadius ? s.largestRadius : 0.0;
+  impl.builtAt.Modified();
 }
 
 bool vtkMoteParticleMapper::DescribeTo(mote::ParticleObject& object, vtkActor* actor)

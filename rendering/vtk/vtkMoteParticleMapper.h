@@ -17,6 +17,10 @@
  * In a renderer with a vtkMoteRayCastPass all particles are traced together, so that they hide one
  * another exactly; without one each actor is traced alone and composited by depth.
  *
+ * Points that stay in a .mote file (vtkMoteParticleFileReader) are drawn from the file's pages,
+ * nothing being built or copied, in RADIUS_AUTOMATIC mode with a RadiusScale of 1 and with the
+ * structures "auto" and "pkd-tree"; otherwise a structure is built over them as over any.
+ *
  * What cannot be drawn, particles at positions that are not finite or with a radius that is not a
  * finite number above zero, is left out, counted and reported once for each input.
  */
@@ -35,6 +39,7 @@ class vtkPointSet;
 
 namespace mote
 {
+class PkdTree;
 struct ParticleColoring;
 struct ParticleObject;
 } // namespace mote
@@ -57,7 +62,7 @@ public:
   /**
    * Where a particle's radius comes from. AUTOMATIC, the default, takes a point array named radius
    * (or half of one named diameter, in any case of letters), else half the typical distance
-   * between neighbours.
+   * between neighbours; of points that stay in a .mote file it is the radii that the file has.
    */
   enum RadiusModes
   {
@@ -306,6 +311,13 @@ public:
   bool DescribeTo(mote::ParticleObject& object, vtkActor* actor);
 #endif
 
+#ifndef __VTK_WRAP__
+  /**
+   * The P-k-d tree as of the last Update(); null where that is not the structure.
+   */
+  std::shared_ptr<const mote::PkdTree> GetTree();
+#endif
+
   /**
    * Changes with everything that the picture of this mapper depends on, its input included.
    */
@@ -333,6 +345,7 @@ private:
 
   void UpdateStructure();
   void BuildStructure(vtkPointSet* input);
+  void TakeStructure(vtkPointSet* input);
   void UpdateRanges();
   vtkDataArray* FindVisibilityArray(int& component);
   vtkDataArray* FindRangeArray(const std::string& name, int component, const char* purpose);

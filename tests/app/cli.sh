@@ -4,6 +4,7 @@ source "$(dirname "$0")/common.sh"
 unset DISPLAY
 hopper=$data/hopper.dump.gz
 copper=$data/copper-scratch.dump.gz
+tests=$(realpath "$(dirname "$0")")
 
 case $3 in
   help)
@@ -170,6 +171,52 @@ case $3 in
     said out bounds
     said out spacing
     said out hopper.dump.gz
+    ;;
+
+  convert) # a file of its own gives the picture that the dump gives
+    run 0 "$mote" convert "$copper" a.mote
+    said out 'a.mote: '
+    said out 'built in'
+    [ ! -s err ] || { cat err; fail "something on standard error"; }
+    run 0 "$mote" info a.mote
+    for text in c_centro vtkOriginalPointIds 'time steps' spacing bounds; do said out "$text"; done
+    for extra in '' '--show c_centro=5:' '--radius 0.9 --color-by type' '--radius-scale 0.7'; do
+      # shellcheck disable=SC2086
+      run 0 "$mote" render "$copper" -o a.png --size 320x200 --caption '' $extra
+      # shellcheck disable=SC2086
+      run 0 "$mote" render a.mote -o b.png --size 320x200 --caption '' $extra
+      is_picture b.png 320x200
+      if command -v python3 >/dev/null; then
+        wrong= bias=
+        read -r wrong bias < <(python3 "$tests/compare_png.py" a.png b.png)
+        [ -n "$bias" ] && [ "$wrong" -le 20 ] && [ "${bias#-}" -le 50 ] ||
+          fail "the pictures differ: $wrong in 10,000 pixels, bias $bias, with '$extra'"
+      fi
+    done
+    run 0 "$mote" convert a.mote b.mote # and again
+    cmp a.mote b.mote || fail "a file written from a file is another"
+    run 0 "$mote" convert "$copper" c.mote --radius 0.5 --step first
+    cmp -s a.mote c.mote && fail "options changed nothing"
+    run 1 "$mote" convert "$copper" "$hopper"
+    one_sentence
+    said err .mote
+    run 1 "$mote" convert a.mote
+    one_sentence
+    run 1 "$mote" convert "$copper" no/folder/a.mote
+    one_sentence
+    run 2 "$mote" convert
+    head -c 5000 a.mote >short.mote
+    run 1 "$mote" render short.mote -o a.png
+    one_sentence
+    said err 'cut short'
+    (
+      trap '' XFSZ
+      ulimit -f 100
+      "$mote" convert "$copper" full.mote >/dev/null 2>err
+    )
+    [ $? = 1 ] || fail "a full disk went unnoticed"
+    one_sentence
+    [ -z "$(ls -A | grep -e full -e tmp)" ] || { ls -A; fail "something was left"; }
     ;;
 
   json)

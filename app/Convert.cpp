@@ -1,0 +1,97 @@
+#include "Convert.h"
+
+#include "Failure.h"
+#include "Input.h"
+#include "Messages.h"
+#include "Part.h"
+#include "Text.h"
+
+#include <vtkActor.h>
+#include <vtkMoteParticleFileWriter.h>
+#include <vtkMoteParticleMapper.h>
+#include <vtkNew.h>
+#include <vtkTimerLog.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <filesystem>
+
+namespace mote::app
+{
+
+namespace
+{
+
+/// The one set of particles of the input.
+NamedData particlesOf(Input& input, int step, Progress& progress)
+{
+  const std::vector<NamedData> all = input.read(step, progress);
+  std::vector<NamedData> particles;
+  for (const NamedData& one : all)
+    if (!Part::isMesh(one.data))
+      particles.push_back(one);
+  if (particles.size() != 1)
+    throw Failure(input.name() + " holds " + std::to_string(particles.size()) +
+                  " sets of particles, and a .mote file holds one");
+  return particles.front();
+}
+
+double secondsSince(double start)
+{
+  return vtkTimerLog::GetUniversalTime() - start;
+}
+
+} // namespace
+
+void addConvertOptions(CLI::App& app, ConvertOptions& options)
+{
+  addReadOptions(app, options.view);
+  app.get_option("FILE")->description(
+    "Files to read, as elsewhere, and last the .mote file to write");
+  addRadiusOptions(app, options.view);
+}
+
+void convert(const ConvertOptions& given)
+{
+  ViewOptions options = given.view;
+  const std::string output = options.files.back();
+  options.files.pop_back();
+  if (lowerCase(std::filesystem::path(output).extension().string()) != ".mote")
+    throw Failure("the last file is the one to write, and must end in .mote, not " + output);
+  if (options.files.empty())
+    throw Failure("no file to read is given, only " + output + " to write");
+
+  TerminalProgress terminal;
+  Progress progress;
+  progress.add(terminal);
+  const double start = vtkTimerLog::GetUniversalTime();
+  Input input(options.files);
+  input.open(progress);
+  const NamedData data = particlesOf(input, input.chosenStep(options), progress);
+  const double readTime = secondsSince(start);
+
+  Part part(data.name, data.data, options, 0.0);
+  part.particles()->SetStructureName("pkd-tree");
+  part.build(progress);
+  vtkNew<vtkMoteParticleFileWriter> writer;
+  writer->SetFileName(output.c_str());
+  writer->SetMapper(part.particles());
+  const double written = vtkTimerLog::GetUniversalTime();
+  Messages::takeError();
+  {
+    Progress::Work work(progress, "Writing " + baseName(output), writer);
+    writer->Write();
+    work.finish();
+  }
+  Messages::takeError(); // the writer says it too
+  if (const std::string error = writer->GetErrorMessage(); !error.empty())
+    throw Failure(error);
+  std::printf("%s: %s, %s; read in %s, built in %s, written in %s\n", output.c_str(),
+    counted(part.particles()->GetNumberOfParticles(), "particle").c_str(),
+    asBytes(static_cast<double>(std::filesystem::file_size(output))).c_str(),
+    asDuration(readTime).c_str(), asDuration(part.particles()->GetBuildTime()).c_str(),
+    asDuration(secondsSince(written)).c_str());
+}
+
+} // namespace mote::app

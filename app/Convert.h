@@ -1,0 +1,20 @@
+#pragma once
+
+#include "ViewOptions.h"
+
+namespace mote::app
+{
+
+/// What `mote convert` may be told: the files, the last of which is written, the time step, radii.
+struct ConvertOptions
+{
+  ViewOptions view;
+};
+
+/// Declares the options of `mote convert`.
+void addConvertOptions(CLI::App& app, ConvertOptions& options);
+
+/// Writes a .mote file. Throws Failure and Interrupted; then no file is left that is not complete.
+void convert(const ConvertOptions& options);
+
+} // namespace mote::app

@@ -1,0 +1,99 @@
+#include "vtkMoteParticleFileReader.h"
+
+#include "FileError.h"
+
+#include "kernels/core/Error.h"
+#include "kernels/particles/PkdTreeFile.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMoteParticleFilePoints.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+vtkStandardNewMacro(vtkMoteParticleFileReader);
+
+vtkMoteParticleFileReader::vtkMoteParticleFileReader() = default;
+vtkMoteParticleFileReader::~vtkMoteParticleFileReader() = default;
+
+bool vtkMoteParticleFileReader::Open()
+{
+  this->File = nullptr;
+  return this->Attempt(
+    [this](const ProgressFunction&)
+    {
+      this->RequireFileName();
+      try
+      {
+        this->File = std::make_shared<const mote::PkdTreeFile>(this->GetFileName());
+      }
+      catch (const mote::Error& error)
+      {
+        // It begins with the file's name, as the composed sentence will.
+        const std::string sentence = error.what();
+        const std::string name = std::string(this->GetFileName()) + ": ";
+        throw mote::FileError(mote::FileError::Kind::Malformed, this->GetFileName(),
+          sentence.starts_with(name) ? sentence.substr(name.size()) : sentence);
+      }
+    });
+}
+
+int vtkMoteParticleFileReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* information = outputVector->GetInformationObject(0);
+  information->Remove(Pipeline::TIME_STEPS());
+  information->Remove(Pipeline::TIME_RANGE());
+  if (this->Open() && this->File->time())
+  {
+    OfferTimeSteps(information, {*this->File->time()});
+  }
+  return 1;
+}
+
+int vtkMoteParticleFileReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  output->Initialize();
+  if (!this->File)
+  {
+    return 1; // the error has been reported
+  }
+  vtkNew<vtkPolyData> result;
+  vtkNew<vtkMoteParticleFilePoints> points;
+  points->SetFile(this->File);
+  result->SetPoints(points);
+  const auto add = [this](vtkFieldData* to, std::size_t count, bool ofWhole)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      to->AddArray(vtkSmartPointer<vtkDataArray>::Take(
+        vtkMoteParticleFilePoints::NewArray(this->File, i, ofWhole)));
+    }
+  };
+  add(result->GetPointData(), this->File->arrays().size(), false);
+  add(result->GetFieldData(), this->File->facts().size(), true);
+  if (this->File->time())
+  {
+    DeliverStep(result, *this->File->time(), output);
+  }
+  else
+  {
+    output->ShallowCopy(result);
+  }
+  return 1;
+}
+
+void vtkMoteParticleFileReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Particles: " << (this->File ? this->File->size() : 0) << "\n";
+}

@@ -1,0 +1,176 @@
+#include "vtkMoteParticleFilePoints.h"
+
+#include "TreePositions.h"
+
+#include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
+#include "vtkInformationInformationVectorKey.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+
+#include <map>
+#include <mutex>
+
+namespace
+{
+
+using FilePointer = std::shared_ptr<const mote::PkdTreeFile>;
+
+/// Which file the memory of an array lies in. VTK tells, when it is done with an array's memory,
+/// nothing but where that was.
+struct Keepers
+{
+  std::mutex mutex;
+  std::multimap<const void*, FilePointer> files;
+
+  static Keepers& all()
+  {
+    static auto* const keepers = new Keepers; // arrays may outlive static objects
+    return *keepers;
+  }
+};
+
+void keep(const void* memory, const FilePointer& file)
+{
+  Keepers& keepers = Keepers::all();
+  const std::lock_guard lock(keepers.mutex);
+  keepers.files.emplace(memory, file);
+}
+
+void release(void* memory)
+{
+  Keepers& keepers = Keepers::all();
+  FilePointer last; // closed when the lock is gone
+  const std::lock_guard lock(keepers.mutex);
+  if (const auto found = keepers.files.find(memory); found != keepers.files.end())
+  {
+    last = std::move(found->second);
+    keepers.files.erase(found);
+  }
+}
+
+int dataTypeOf(mote::ArrayView::Type type)
+{
+  using Type = mote::ArrayView::Type;
+  switch (type)
+  {
+  case Type::Float32:
+    return VTK_FLOAT;
+  case Type::Float64:
+    return VTK_DOUBLE;
+  case Type::Int8:
+    return VTK_SIGNED_CHAR;
+  case Type::UInt8:
+    return VTK_UNSIGNED_CHAR;
+  case Type::Int16:
+    return VTK_SHORT;
+  case Type::UInt16:
+    return VTK_UNSIGNED_SHORT;
+  case Type::Int32:
+    return VTK_INT;
+  case Type::UInt32:
+    return VTK_UNSIGNED_INT;
+  case Type::Int64:
+    return VTK_LONG_LONG;
+  case Type::UInt64:
+    return VTK_UNSIGNED_LONG_LONG;
+  case Type::None:
+    break;
+  }
+  return VTK_DOUBLE;
+}
+
+/// Tells an array what it would else look through all its values for.
+void setRanges(vtkDataArray* array, const mote::PkdTreeFile::Array& from)
+{
+  const int components = array->GetNumberOfComponents();
+  const auto set = [&](vtkInformationInformationVectorKey* each, vtkInformationDoubleVectorKey* all)
+  {
+    vtkNew<vtkInformationVector> ranges;
+    ranges->SetNumberOfInformationObjects(components);
+    for (int k = 0; k < components; ++k)
+      ranges->GetInformationObject(k)->Set(
+        vtkDataArray::COMPONENT_RANGE(), from.ranges[static_cast<std::size_t>(k)].data(), 2);
+    array->GetInformation()->Set(each, ranges);
+    array->GetInformation()->Set(all, from.ranges.back().data(), 2);
+  };
+  set(vtkAbstractArray::PER_FINITE_COMPONENT(), vtkDataArray::L2_NORM_FINITE_RANGE());
+  if (from.finite)
+    set(vtkAbstractArray::PER_COMPONENT(), vtkDataArray::L2_NORM_RANGE());
+}
+
+} // namespace
+
+vtkStandardNewMacro(vtkMoteParticleFilePoints);
+
+vtkMoteParticleFilePoints::vtkMoteParticleFilePoints() = default;
+vtkMoteParticleFilePoints::~vtkMoteParticleFilePoints() = default;
+
+void vtkMoteParticleFilePoints::SetFile(FilePointer file)
+{
+  this->File = std::move(file);
+  vtkNew<mote::TreePositions> positions;
+  if (this->File)
+    positions->SetTree(this->File->tree());
+  this->SetData(positions);
+  this->Modified();
+}
+
+FilePointer vtkMoteParticleFilePoints::GetFile() const
+{
+  return dynamic_cast<mote::TreePositions*>(this->Data) ? this->File : nullptr;
+}
+
+double vtkMoteParticleFilePoints::GetSpacing()
+{
+  const FilePointer file = this->GetFile();
+  return file ? file->spacing() : 0.0;
+}
+
+void vtkMoteParticleFilePoints::ComputeBounds()
+{
+  const FilePointer file = this->GetFile();
+  if (!file || file->size() == 0)
+  {
+    this->Superclass::ComputeBounds();
+    return;
+  }
+  const mote::Box& box = file->statistics().centers;
+  for (int k = 0; k < 3; ++k)
+  {
+    this->Bounds[2 * k] = box.lower[k];
+    this->Bounds[2 * k + 1] = box.upper[k];
+  }
+}
+
+vtkDataArray* vtkMoteParticleFilePoints::NewArray(
+  const FilePointer& file, std::size_t index, bool ofWhole)
+{
+  const mote::PkdTreeFile::Array& from = (ofWhole ? file->facts() : file->arrays())[index];
+  const mote::ArrayView& values = from.values;
+  vtkDataArray* array = vtkDataArray::CreateDataArray(dataTypeOf(values.type()));
+  array->SetName(from.name.c_str());
+  array->SetNumberOfComponents(values.components());
+  for (std::size_t k = 0; k < from.components.size(); ++k)
+    array->SetComponentName(static_cast<vtkIdType>(k), from.components[k].c_str());
+  if (values.count() > 0)
+  {
+    keep(values.data(), file);
+    array->SetVoidArray(const_cast<void*>(values.data()),
+      static_cast<vtkIdType>(values.count()) * values.components(), 0,
+      vtkAbstractArray::VTK_DATA_ARRAY_USER_DEFINED);
+    array->SetArrayFreeFunction(release);
+  }
+  setRanges(array, from);
+  return array;
+}
+
+void vtkMoteParticleFilePoints::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "File: " << (this->GetFile() ? this->File->name() : "(none)") << "\n";
+  os << indent << "Spacing: " << this->GetSpacing() << "\n";
+}

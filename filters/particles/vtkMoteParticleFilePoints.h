@@ -1,0 +1,77 @@
+/**
+ * @class   vtkMoteParticleFilePoints
+ * @brief   points that stay in a .mote file
+ *
+ * The points of a data set that vtkMoteParticleFileReader gives: their coordinates (double) are
+ * worked out from the file's pages when they are asked for, and bounds are known without. Nothing
+ * is copied, so that there may be more points than memory has room for; only GetVoidPointer(), as
+ * many filters of VTK call it, makes a copy of all, 24 bytes a point, when it is first called.
+ *
+ * They cannot be changed. A vtkMoteParticleMapper that meets such points draws the tree in the file
+ * itself; everybody else sees points as any.
+ */
+
+#ifndef vtkMoteParticleFilePoints_h
+#define vtkMoteParticleFilePoints_h
+
+#include "MoteFiltersParticlesModule.h" // For export macro
+#include "vtkPoints.h"
+
+#include <memory> // For the file
+
+class vtkDataArray;
+
+namespace mote
+{
+class PkdTreeFile;
+} // namespace mote
+
+class MOTEFILTERSPARTICLES_EXPORT vtkMoteParticleFilePoints : public vtkPoints
+{
+public:
+  static vtkMoteParticleFilePoints* New();
+  vtkTypeMacro(vtkMoteParticleFilePoints, vtkPoints);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The typical distance between neighbours as the file has it, in its unit of length; 0 where it
+   * says nothing.
+   */
+  double GetSpacing();
+
+  /**
+   * The bounds of the points, from the file's header.
+   */
+  void ComputeBounds() override;
+
+#ifndef __VTK_WRAP__
+  ///@{
+  /**
+   * The file, which stays open as long as these points. Null for points that do not lie in one any
+   * more: those that were copied into this object.
+   */
+  void SetFile(std::shared_ptr<const mote::PkdTreeFile> file);
+  std::shared_ptr<const mote::PkdTreeFile> GetFile() const;
+  ///@}
+
+  /**
+   * Array `index` of the file's arrays(), or with `ofWhole` of its facts(): a view of the file's
+   * memory with name, components' names and ranges, which keeps the file open. It must not be
+   * written to. The caller owns the reference.
+   */
+  static vtkDataArray* NewArray(
+    const std::shared_ptr<const mote::PkdTreeFile>& file, std::size_t index, bool ofWhole);
+#endif
+
+protected:
+  vtkMoteParticleFilePoints();
+  ~vtkMoteParticleFilePoints() override;
+
+private:
+  vtkMoteParticleFilePoints(const vtkMoteParticleFilePoints&) = delete;
+  void operator=(const vtkMoteParticleFilePoints&) = delete;
+
+  std::shared_ptr<const mote::PkdTreeFile> File;
+};
+
+#endif
