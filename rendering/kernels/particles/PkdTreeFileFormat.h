@@ -59,6 +59,8 @@ struct PkdTreeFileEntry
 };
 static_assert(sizeof(PkdTreeFileEntry) == 48);
 
+static_assert(static_cast<int>(ArrayView::Type::UInt64) == 10, "types are numbers in files");
+
 /// An entry as it is used.
 struct PkdTreeFileTableRow
 {
