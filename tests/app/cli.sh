@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # cli.sh MOTE DATA CASE: one test of the command line. None of them may need a display.
-source "$(dirname "$0")/common.sh"
+tests=$(realpath "$(dirname "$0")")
+source "$tests/common.sh"
 unset DISPLAY
 hopper=$data/hopper.dump.gz
 copper=$data/copper-scratch.dump.gz
-tests=$(realpath "$(dirname "$0")")
 
 case $3 in
   help)
