@@ -17,11 +17,27 @@ std::unique_ptr<ParticleMethod> makeCoherentGridMethod(const MethodOptions& opti
     build, options.packet);
 }
 
-std::unique_ptr<ParticleMethod> makePkdTreeMethod(const MethodOptions& options)
+namespace
+{
+
+std::unique_ptr<ParticleMethod> makeTree(const MethodOptions& options, bool compact)
 {
   PkdTreeOptions build;
   build.keepIndices = false;
+  build.compact = compact;
   return std::make_unique<StructureMethod<PkdTree, PkdTreeOptions>>(build, options.packet);
+}
+
+} // namespace
+
+std::unique_ptr<ParticleMethod> makePkdTreeMethod(const MethodOptions& options)
+{
+  return makeTree(options, false);
+}
+
+std::unique_ptr<ParticleMethod> makeCompactPkdTreeMethod(const MethodOptions& options)
+{
+  return makeTree(options, true);
 }
 
 } // namespace mote::bench

@@ -120,4 +120,19 @@ void CameraRays::fillBundle(
   std::fill_n(bundle.object, count, -1);
 }
 
+int suitingBundleSide(
+  const CameraRays& rays, const Box& bounds, double spacing, int x0, int y0, int size)
+{
+  const double x = x0 + 0.5 * size, y = y0 + 0.5 * size;
+  const Vec3d direction = rays.directionAt(x, y), toMiddle = bounds.center() - rays.originAt(x, y);
+  const double along = glm::dot(toMiddle, direction) / glm::dot(direction, direction);
+  const Vec3d extent = bounds.size();
+  const double quarter = 0.25 * std::max({extent.x, extent.y, extent.z}) / glm::length(direction);
+  const double t = std::max({along, quarter, rays.tMin});
+  const double pixel =
+    std::max(glm::length(rays.ox + t * rays.dx), glm::length(rays.oy + t * rays.dy));
+  const double pixels = spacing / pixel;
+  return pixels > 4.0 ? 16 : pixels > 1.0 ? 8 : pixels > 0.25 ? 4 : 2;
+}
+
 } // namespace mote

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Box.h"
 #include "RayBundle.h"
 #include "Vec.h"
 
@@ -60,5 +61,12 @@ struct CameraRays
   void placeBundle(
     RayBundle& bundle, int side, int x0, int y0, double jitterX, double jitterY) const;
 };
+
+/// Side in pixels (2, 4, 8 or 16) of the bundles that suit the square of `size` pixels at (x0, y0):
+/// the larger `spacing`, a length in the world that holds one particle, looks where the square's
+/// middle ray passes the middle of the data within `bounds`, or, from within, a quarter of the
+/// data's size in front of the eye.
+int suitingBundleSide(
+  const CameraRays& rays, const Box& bounds, double spacing, int x0, int y0, int size);
 
 } // namespace mote

@@ -11,18 +11,25 @@ float PkdTree::number(std::size_t slot, int row) const
   return std::bit_cast<float>(bucketOf(slot)[row].words[slot % bucketSize]);
 }
 
+Vec3f PkdTree::place(std::size_t slot) const
+{
+  if (placeRows_ == 3)
+    return {number(slot, 0), number(slot, 1), number(slot, 2)};
+  const std::uint32_t a = bucketOf(slot)[0].words[slot % bucketSize];
+  const std::uint32_t b = bucketOf(slot)[1].words[slot % bucketSize];
+  const auto step = static_cast<float>(step_ / unit_);
+  return step * Vec3f(a & 0xfffff, b & 0xfffff, (a >> 20) | (b >> 20 << 12));
+}
+
 Vec3d PkdTree::center(std::size_t slot) const
 {
-  const Node& treelet = nodes_[levels_.front().first + slot / treeletSize];
-  Vec3d local;
-  for (int k = 0; k < 3; ++k)
-    local[k] = double(treelet.corner[static_cast<std::size_t>(k)]) + double(number(slot, k));
-  return origin_ + unit_ * local;
+  const std::array<float, 3>& corner = nodes_[levels_.front().first + slot / treeletSize].corner;
+  return origin_ + unit_ * (Vec3d(corner[0], corner[1], corner[2]) + Vec3d(place(slot)));
 }
 
 double PkdTree::radius(std::size_t slot) const
 {
-  return unit_ * (ownRadii_ ? number(slot, 3) : radius_);
+  return unit_ * storedRadius(slot);
 }
 
 std::uint64_t PkdTree::inputIndex(std::size_t slot) const
@@ -53,6 +60,7 @@ void PkdTree::clear()
   levels_.clear();
   nodes_.clear();
   rows_.clear();
+  placeRows_ = 3;
   ranges_ = {};
   values_.clear();
   visible_.clear();
@@ -80,18 +88,7 @@ int PkdTree::bundleSide(const CameraRays& rays, int x0, int y0, int size) const
 {
   if (count_ == 0)
     return 16;
-  // Pixels that the space of one particle covers where the tile's middle ray passes the middle of
-  // the data, or, from within, a quarter of the data's size in front of the eye.
-  const double x = x0 + 0.5 * size, y = y0 + 0.5 * size;
-  const Vec3d direction = rays.directionAt(x, y), toMiddle = origin_ - rays.originAt(x, y);
-  const double along = glm::dot(toMiddle, direction) / glm::dot(direction, direction);
-  const Vec3d extent = statistics_.bounds.size();
-  const double quarter = 0.25 * std::max({extent.x, extent.y, extent.z}) / glm::length(direction);
-  const double t = std::max({along, quarter, rays.tMin});
-  const double pixel =
-    std::max(glm::length(rays.ox + t * rays.dx), glm::length(rays.oy + t * rays.dy));
-  const double spacing = unit_ / pixel;
-  return spacing > 4.0 ? 16 : spacing > 1.0 ? 8 : spacing > 0.25 ? 4 : 2;
+  return suitingBundleSide(rays, statistics_.bounds, unit_, x0, y0, size);
 }
 
 } // namespace mote

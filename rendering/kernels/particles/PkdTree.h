@@ -26,6 +26,9 @@ struct PkdTreeOptions
   };
   Split split = Split::MaximumExtent;
   bool keepIndices = true; ///< keep the way back to the input index: 4 or 8 bytes a particle
+  /// Keep 20 bits of each coordinate, 8 bytes a particle instead of 12; see PkdTree::step(). Takes
+  /// both while it builds.
+  bool compact = false;
 };
 
 /// A balanced k-d tree over particles, without pointers.
@@ -94,8 +97,10 @@ public:
   const ParticleStatistics& statistics() const { return statistics_; }
   const Vec3d& origin() const { return origin_; }
   double unit() const { return unit_; }
-  /// Coordinates are multiples of this, in the input's unit of length: a power of two.
+  /// Coordinates are multiples of this, in the input's unit of length: a power of two. They are off
+  /// by up to half of it.
   double step() const { return step_; }
+  bool isCompact() const { return placeRows_ == 2; }
   /// Centre (in the input's coordinates) and radius of the particle at `slot`, as stored.
   Vec3d center(std::size_t slot) const;
   double radius(std::size_t slot) const;
@@ -149,7 +154,13 @@ private:
   void findShown();
   std::size_t buckets() const { return (count_ + bucketSize - 1) / bucketSize; }
   const Row* bucketOf(std::size_t slot) const { return &rows_[slot / bucketSize * rowsABucket_]; }
+  /// Number of a particle's row `row`; its coordinates from its treelet's corner.
   float number(std::size_t slot, int row) const;
+  Vec3f place(std::size_t slot) const;
+  float storedRadius(std::size_t slot) const
+  {
+    return ownRadii_ ? number(slot, placeRows_) : radius_;
+  }
 
   ParticleStatistics statistics_;
   Vec3d origin_{0.0};
@@ -158,7 +169,10 @@ private:
   float coarse_ = 1.0f; ///< corners of treelets are multiples of this, in unit()
   float radius_ = 0.0f; ///< of all particles, in unit(), where no row of radii is kept
   std::size_t count_ = 0;
-  std::size_t rowsABucket_ = 3; ///< x y z, then r, then the input index in one or two rows
+  std::size_t rowsABucket_ = 3; ///< of places, then r, then the input index in one or two rows
+  /// 3: x, y and z as float. 2, with 20 bits a coordinate, in steps: x and the 12 lower bits of z,
+  /// y and the 8 upper ones.
+  int placeRows_ = 3;
   bool ownRadii_ = false;
   int indexRows_ = 0;
   bool inOrder_ = false;      ///< the input has the tree's own order, and indices are slots

@@ -42,6 +42,7 @@ struct PkdTreeBuilder
 
   double keyStep = 1.0; ///< between neighbouring whole numbers, in the input's unit: a power of two
   double unitsAKey = 1.0;
+  Row* finished = nullptr;                     ///< what the traversal reads
   int roundedBits = 0;                         ///< low bits that coordinates lose in the end
   std::atomic<std::uint32_t> treeletExtent{0}; ///< the largest, in whole numbers
   std::atomic<std::size_t> splitDone{0};       ///< particles in finished treelets
@@ -220,9 +221,10 @@ struct PkdTreeBuilder
 
   void chooseStep()
   {
-    // Local coordinates need 24 bits at most; the corner may lie so much before the treelet.
+    // Local coordinates need so many bits at most; the corner may lie so much before the treelet.
+    const int bits = options.compact ? 20 : 24;
     const std::uint64_t extent = std::uint64_t{treeletExtent} + (1u << coarseBits);
-    roundedBits = std::max(0, static_cast<int>(std::bit_width(extent)) - 24);
+    roundedBits = std::max(0, static_cast<int>(std::bit_width(extent)) - bits);
     tree.step_ = std::ldexp(keyStep, roundedBits);
   }
 
@@ -274,35 +276,67 @@ struct PkdTreeBuilder
     setBounds(node, bounds, children);
   }
 
-  /// Turns records into rows where they are.
+  template <int WORDS>
+  void addTo(Bounds& bounds, const KdRecord<WORDS>& record) const
+  {
+    float r = tree.radius_;
+    if constexpr (WORDS > 3)
+      r = tree.ownRadii_ ? std::bit_cast<float>(record.words[3]) : r;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const double key = static_cast<double>(rounded(record.words[k]));
+      const double place = (key - middleKey) * unitsAKey;
+      bounds.lower[k] = std::min(bounds.lower[k], place - double(r));
+      bounds.upper[k] = std::max(bounds.upper[k], place + double(r));
+    }
+  }
+
+  /// The words of a place from its treelet's corner, as many as there are rows of them.
+  template <int WORDS>
+  std::array<std::uint32_t, 3> placeOf(
+    const KdRecord<WORDS>& record, const std::array<std::uint64_t, 3>& corner) const
+  {
+    std::array<std::uint32_t, 3> words;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const std::uint64_t keys = rounded(record.words[k]) - corner[k];
+      words[k] =
+        options.compact
+          ? static_cast<std::uint32_t>(std::min<std::uint64_t>(keys >> roundedBits, 0xfffff))
+          : std::bit_cast<std::uint32_t>(static_cast<float>(static_cast<double>(keys) * unitsAKey));
+    }
+    if (options.compact)
+    {
+      words[0] |= words[2] << 20;
+      words[1] |= words[2] >> 12 << 20;
+    }
+    return words;
+  }
+
+  /// Turns records into rows.
   template <int WORDS>
   Bounds finishBucket(std::size_t first, const std::array<std::uint64_t, 3>& corner)
   {
     std::array<KdRecord<WORDS>, PkdTree::bucketSize> copy;
     const std::size_t count = std::min<std::size_t>(PkdTree::bucketSize, tree.count_ - first);
     std::copy_n(records<WORDS>() + first, count, copy.begin());
-    Row* rows = tree.rows_.own() + first / PkdTree::bucketSize * tree.rowsABucket_;
+    Row* rows = finished + first / PkdTree::bucketSize * tree.rowsABucket_;
     Bounds bounds;
+    for (std::size_t i = 0; i < count; ++i)
+      addTo(bounds, copy[i]);
+    const auto places = static_cast<std::size_t>(tree.placeRows_);
     for (std::size_t i = 0; i < PkdTree::bucketSize; ++i)
-      for (std::size_t k = 0; k < WORDS; ++k)
-      {
-        // A place that nothing takes is not a number, which no ray meets.
-        std::uint32_t word = std::bit_cast<std::uint32_t>(std::numeric_limits<float>::quiet_NaN());
-        if (i < count && k >= 3)
-          word = copy[i].words[k];
-        else if (i < count)
-        {
-          const std::uint64_t key = rounded(copy[i].words[k]);
-          const auto local = static_cast<float>(static_cast<double>(key - corner[k]) * unitsAKey);
-          word = std::bit_cast<std::uint32_t>(local);
-          const double place = (static_cast<double>(key) - middleKey) * unitsAKey;
-          const double r =
-            tree.ownRadii_ ? double(std::bit_cast<float>(copy[i].words[3])) : double(tree.radius_);
-          bounds.lower[k] = std::min(bounds.lower[k], place - r);
-          bounds.upper[k] = std::max(bounds.upper[k], place + r);
-        }
-        rows[k].words[i] = word;
-      }
+    {
+      // A place that nothing takes is not a number; rays know how many the last bucket has.
+      std::array<std::uint32_t, 3> place;
+      place.fill(std::bit_cast<std::uint32_t>(std::numeric_limits<float>::quiet_NaN()));
+      if (i < count)
+        place = placeOf(copy[i], corner);
+      for (std::size_t k = 0; k < places; ++k)
+        rows[k].words[i] = place[k];
+      for (std::size_t k = 3; k < WORDS; ++k)
+        rows[places + k - 3].words[i] = i < count ? copy[i].words[k] : place[2];
+    }
     return bounds;
   }
 
@@ -338,6 +372,15 @@ struct PkdTreeBuilder
   void finish()
   {
     chooseStep();
+    StoredArray<Row> compactRows;
+    if (options.compact)
+    {
+      // Shorter rows end up where others' records still are: they get a place of their own.
+      tree.placeRows_ = 2;
+      tree.rowsABucket_ -= 1;
+      compactRows.resize(tree.buckets() * tree.rowsABucket_);
+    }
+    finished = options.compact ? compactRows.own() : tree.rows_.own();
     const Vec3d size = tree.statistics_.bounds.size();
     marginOfSet = 2e-7 * std::max({size.x, size.y, size.z}) / tree.unit_;
     std::vector<Bounds> below(tree.levels_[0].count);
@@ -347,6 +390,8 @@ struct PkdTreeBuilder
         for (std::size_t t = treelets.begin(); t != treelets.end(); ++t)
           finishTreelet<WORDS>(t, below[t]);
       });
+    if (options.compact)
+      tree.rows_ = std::move(compactRows);
     for (std::size_t k = 1; k < tree.levels_.size(); ++k)
     {
       std::vector<Bounds> own(tree.levels_[k].count);

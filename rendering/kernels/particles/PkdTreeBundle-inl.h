@@ -27,6 +27,41 @@ HWY_INLINE VF boundsAt(const std::uint8_t* bounds)
   return hn::ConvertTo(d, hn::PromoteTo(di, hn::LoadU(d8, bounds)));
 }
 
+/// Centres, from their treelet's corner, and radii of a bucket's particles from `lane` on.
+struct Spheres
+{
+  VF x, y, z, r;
+
+  HWY_INLINE Spheres(const PkdTreeView& view, std::size_t bucket, int lane)
+  {
+    const DF d;
+    const DU du;
+    const PkdTreeView::Row* rows = view.rows + bucket * view.rowsABucket;
+    const auto number = [&](int row)
+    { return hn::Load(d, reinterpret_cast<const float*>(rows[row].words.data()) + lane); };
+    if (view.placeRows == 3)
+    {
+      x = number(0);
+      y = number(1);
+      z = number(2);
+    }
+    else
+    {
+      const hn::Rebind<std::int32_t, DF> di;
+      const auto a = hn::Load(du, rows[0].words.data() + lane);
+      const auto b = hn::Load(du, rows[1].words.data() + lane);
+      const auto low = hn::Set(du, 0xfffff);
+      const VF step = hn::Set(d, view.step);
+      const auto place = [&](auto steps)
+      { return hn::Mul(hn::ConvertTo(d, hn::BitCast(di, steps)), step); };
+      x = place(hn::And(a, low));
+      y = place(hn::And(b, low));
+      z = place(hn::Or(hn::ShiftRight<20>(a), hn::ShiftLeft<12>(hn::ShiftRight<20>(b))));
+    }
+    r = view.ownRadii ? number(view.placeRows) : hn::Set(d, view.radius);
+  }
+};
+
 /// Casts a bundle, its major axis being any.
 template <typename Policy>
 class TreeCaster
@@ -148,18 +183,15 @@ private:
   void visitBucket(std::size_t bucket)
   {
     const DF d;
-    const PkdTreeView::Row* rows = view_.rows + bucket * view_.rowsABucket;
-    const auto load = [&](int row, int lane)
-    { return hn::Load(d, reinterpret_cast<const float*>(rows[row].words.data()) + lane); };
     const PkdTreeView::Node& node = view_.node(0, bucket / PkdTree::fanout);
     const Vec3d corner(node.corner[0], node.corner[1], node.corner[2]);
     const unsigned shown = view_.shownIn(bucket);
     Projected s;
     for (int lane = 0; lane < PkdTree::bucketSize; lane += static_cast<int>(hn::Lanes(d)))
     {
-      const VF r = view_.ownRadii ? load(3, lane) : hn::Set(d, view_.radius);
-      tester_.project(corner - p_.q, load(0, lane), load(1, lane), load(2, lane), r,
-        hn::FirstN(d, hn::Lanes(d)), s);
+      const Spheres spheres(view_, bucket, lane);
+      tester_.project(
+        corner - p_.q, spheres.x, spheres.y, spheres.z, spheres.r, hn::FirstN(d, hn::Lanes(d)), s);
       if (s.in == 0)
         continue;
       for (unsigned bits = s.in & (shown >> lane); bits != 0; bits &= bits - 1)

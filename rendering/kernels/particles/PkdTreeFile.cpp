@@ -68,7 +68,8 @@ PkdTreeFile::PkdTreeFile(const std::string& name)
       h.fanout != PkdTree::fanout || h.bucketSize != PkdTree::bucketSize)
     throw Error(name + ": this file has nodes of another shape than is read here");
   // Below this no product that follows can overflow.
-  if (h.count > file_->size() || h.ownRadii > 1 || h.rowsABucket != 3 + h.ownRadii)
+  if (h.count > file_->size() || h.ownRadii > 1 ||
+      (h.rowsABucket != 3 + h.ownRadii && h.rowsABucket != 2 + h.ownRadii))
     failDamaged(name, "its numbers of particles and rows are none");
   tree_.count_ = h.count;
   const std::size_t nodes = h.count > 0 ? tree_.planLevels() : 0;
@@ -100,6 +101,7 @@ PkdTreeFile::PkdTreeFile(const std::string& name)
   tree_.radius_ = static_cast<float>(h.radius);
   tree_.ownRadii_ = h.ownRadii != 0;
   tree_.rowsABucket_ = h.rowsABucket;
+  tree_.placeRows_ = static_cast<int>(h.rowsABucket - h.ownRadii);
   tree_.nodes_.view(
     reinterpret_cast<const PkdTree::Node*>(file_->data() + h.nodes.offset), nodes, file_);
   tree_.rows_.view(reinterpret_cast<const PkdTree::Row*>(file_->data() + h.rows.offset),
@@ -137,7 +139,7 @@ void PkdTreeFile::checkEnds(const std::string& name) const
   }
   const PkdTree::Row* last = t.bucketOf(t.count_ - 1);
   for (std::size_t i = (t.count_ - 1) % PkdTree::bucketSize + 1; i < PkdTree::bucketSize; ++i)
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < t.placeRows_; ++k)
       if (!std::isnan(std::bit_cast<float>(last[k].words[i])))
         failDamaged(name, "the end of its particles is not what was written");
 }

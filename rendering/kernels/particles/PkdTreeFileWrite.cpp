@@ -202,7 +202,7 @@ private:
     h.count = t.count_;
     h.levels = static_cast<std::uint32_t>(t.levels());
     h.ownRadii = t.ownRadii_;
-    h.rowsABucket = 3 + h.ownRadii;
+    h.rowsABucket = static_cast<std::uint32_t>(t.placeRows_) + h.ownRadii;
     h.hasTime = contents_.time.has_value();
     h.time = contents_.time.value_or(0.0);
     h.spacing = contents_.spacing;

@@ -149,19 +149,17 @@ HWY_INLINE void spheresBeside(const PkdTreeView& view, std::size_t bucket, int l
   const float* corner, const TreeRays& rays, int i, VF& foot, VF& left)
 {
   const DF d;
-  const PkdTreeView::Row* rows = view.rows + bucket * view.rowsABucket;
-  const auto load = [&](int row)
-  { return hn::Load(d, reinterpret_cast<const float*>(rows[row].words.data()) + lane); };
+  const Spheres spheres(view, bucket, lane);
+  const VF local[3] = {spheres.x, spheres.y, spheres.z};
   VF f[3];
   foot = hn::Zero(d);
   for (int k = 0; k < 3; ++k)
   {
     // Both steps round the same for coincident particles, wherever their corners are.
-    f[k] = hn::Sub(hn::Add(load(k), hn::Set(d, corner[k])), hn::Set(d, rays.low[k][i]));
+    f[k] = hn::Sub(hn::Add(local[k], hn::Set(d, corner[k])), hn::Set(d, rays.low[k][i]));
     foot = hn::MulAdd(f[k], hn::Set(d, rays.d[k][i]), foot);
   }
-  const VF r = view.ownRadii ? load(3) : hn::Set(d, view.radius);
-  left = hn::Mul(r, r);
+  left = hn::Mul(spheres.r, spheres.r);
   for (int k = 0; k < 3; ++k)
   {
     const VF across = hn::NegMulAdd(foot, hn::Set(d, rays.d[k][i]), f[k]);

@@ -85,9 +85,10 @@ void PkdTree::findShown()
           return false;
         const Node& treelet = nodes_[levels_.front().first + slot / treeletSize];
         float record[4];
+        const Vec3f local = place(slot);
         for (int k = 0; k < 3; ++k)
-          record[k] = treelet.corner[static_cast<std::size_t>(k)] + number(slot, k);
-        record[3] = ownRadii_ ? number(slot, 3) : radius_;
+          record[k] = treelet.corner[static_cast<std::size_t>(k)] + local[k];
+        record[3] = storedRadius(slot);
         return stored.contain(record, values_.empty() ? nullptr : values_[slot].data());
       });
   nodeShown_.resize(nodes_.size());

@@ -23,6 +23,10 @@ struct PkdTreeView
   std::size_t rowsABucket;
   float radius;
   bool ownRadii;
+  int placeRows;
+  float step; ///< in unit()
+  std::size_t lastBucket;
+  unsigned lastShown; ///< bits of its particles
   float coarse;
   int top;           ///< level of the root
   Vec3d least, most; ///< bounds of all spheres, in unit() from origin()
@@ -39,6 +43,10 @@ struct PkdTreeView
     , rowsABucket(t.rowsABucket_)
     , radius(t.radius_)
     , ownRadii(t.ownRadii_)
+    , placeRows(t.placeRows_)
+    , step(static_cast<float>(t.step_ / t.unit_))
+    , lastBucket((t.count_ - 1) / PkdTree::bucketSize)
+    , lastShown(0xffffu >> (PkdTree::bucketSize - 1 - (t.count_ - 1) % PkdTree::bucketSize))
     , coarse(t.coarse_)
     , top(t.levels() - 1)
   {

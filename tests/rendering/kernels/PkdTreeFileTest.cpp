@@ -160,6 +160,20 @@ TEST(PkdTreeFile, AnyShape)
   }
 }
 
+TEST(PkdTreeFile, CompactTreesStayCompact)
+{
+  const Folder folder;
+  PkdTreeOptions options;
+  options.compact = true;
+  Example example(20001);
+  example.tree.build(example.particles.set(), options);
+  ASSERT_TRUE(writePkdTreeFile(folder.file(), example.tree, example.contents()));
+  const PkdTreeFile file(folder.file());
+  EXPECT_TRUE(file.tree().isCompact());
+  EXPECT_EQ(file.tree().step(), example.tree.step());
+  expectSameAnswers(example.tree, file);
+}
+
 TEST(PkdTreeFile, WrittenAgainIsTheSameFile)
 {
   const Folder folder;

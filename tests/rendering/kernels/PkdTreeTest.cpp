@@ -143,6 +143,55 @@ TEST(PkdTree, CoordinatesAreAtLeastAsFineAsFloat)
   EXPECT_LE(largest, 0.6 * 0x1p-25);      // float would be wrong by up to 2^-25 here
 }
 
+TEST(PkdTree, CompactCoordinatesAreOffByHalfAStep)
+{
+  for (const bool mixed : {false, true})
+    for (const bool indices : {false, true})
+    {
+      const Particles particles = randomParticles(50003, 19, 0.004, mixed ? 0.008 : 0.004);
+      PkdTreeOptions options;
+      options.compact = true;
+      options.keepIndices = indices;
+      PkdTree tree;
+      tree.build(particles.set(), options);
+      ASSERT_TRUE(tree.isCompact());
+      EXPECT_LT(double(tree.bytes()) / 50003.0, 8.6 + (mixed ? 4.0 : 0.0) + (indices ? 4.0 : 0.0));
+      EXPECT_LT(tree.step(), 1e-6);
+      for (std::size_t slot = 0; slot < tree.size() && indices; ++slot)
+      {
+        const std::size_t i = tree.inputIndex(slot);
+        const Vec3d error = glm::abs(tree.center(slot) - particles.center(i));
+        ASSERT_LE(std::max({error.x, error.y, error.z}), 0.51 * tree.step());
+        ASSERT_NEAR(tree.radius(slot), particles.radii[i], 1e-8);
+      }
+      // The picture is that of spheres which are off by no more than that.
+      if (!indices)
+        continue;
+      const CastOracle oracle(particles.set(), 2.0 * tree.step() + 4e-7);
+      const CastReport report =
+        checkImage(tree, oracle, lookAt({2.0, 1.5, 2.5}, Vec3d(0.0), 45.0), 64, 64);
+      EXPECT_EQ(report.wrong, 0u) << report.complaint;
+      EXPECT_GT(report.hits, 1000u);
+    }
+}
+
+TEST(PkdTree, CompactTreesOfFewParticlesHitNothingElse)
+{
+  // The places behind the last particle hold no sphere.
+  for (std::size_t count = 1; count <= 40; ++count)
+  {
+    const Particles particles = randomParticles(count, count, 0.05, 0.05);
+    PkdTreeOptions options;
+    options.compact = true;
+    PkdTree tree;
+    tree.build(particles.set(), options);
+    const CastOracle oracle(particles.set(), 2.0 * tree.step() + 1e-6);
+    const CastReport report =
+      checkImage(tree, oracle, lookAt({2.0, 1.5, 2.5}, Vec3d(0.0), 60.0), 48, 48);
+    EXPECT_EQ(report.wrong, 0u) << report.complaint;
+  }
+}
+
 TEST(PkdTree, GiantsAmongDwarfs)
 {
   Random random(16);
