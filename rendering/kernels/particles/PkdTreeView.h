@@ -77,7 +77,11 @@ struct PkdTreeView
     return nodeShown == nullptr ? 0xffffu : nodeShown[&of - nodes];
   }
   /// The bits of a bucket's particles that are shown.
-  unsigned shownIn(std::size_t bucket) const { return shown == nullptr ? 0xffffu : shown[bucket]; }
+  unsigned shownIn(std::size_t bucket) const
+  {
+    const unsigned some = shown == nullptr ? 0xffffu : shown[bucket];
+    return bucket == lastBucket ? some & lastShown : some;
+  }
 };
 
 /// A bound's step of a node along an axis.

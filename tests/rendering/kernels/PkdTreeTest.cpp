@@ -175,21 +175,30 @@ TEST(PkdTree, CompactCoordinatesAreOffByHalfAStep)
     }
 }
 
-TEST(PkdTree, CompactTreesOfFewParticlesHitNothingElse)
+TEST(PkdTree, PlacesBehindTheLastParticleHoldNoSphere)
 {
-  // The places behind the last particle hold no sphere.
-  for (std::size_t count = 1; count <= 40; ++count)
-  {
-    const Particles particles = randomParticles(count, count, 0.05, 0.05);
-    PkdTreeOptions options;
-    options.compact = true;
-    PkdTree tree;
-    tree.build(particles.set(), options);
-    const CastOracle oracle(particles.set(), 2.0 * tree.step() + 1e-6);
-    const CastReport report =
-      checkImage(tree, oracle, lookAt({2.0, 1.5, 2.5}, Vec3d(0.0), 60.0), 48, 48);
-    EXPECT_EQ(report.wrong, 0u) << report.complaint;
-  }
+  // Equal particles whose radius is large beside the places that the numbers there would mean.
+  for (const bool compact : {false, true})
+    for (std::size_t count = 1; count <= 40; ++count)
+    {
+      Particles particles;
+      for (std::size_t i = 0; i < count; ++i)
+        particles.add({0.5 + 0.01 * double(i), 0.5, 0.5}, 0.5);
+      PkdTreeOptions options;
+      options.compact = compact;
+      PkdTree tree;
+      tree.build(particles.set(), options);
+      const CastOracle oracle(particles.set(), 2.0 * tree.step() + 1e-6);
+      const CameraRays rays(lookAt({2.0, 1.5, 2.5}, Vec3d(0.5), 60.0), 16, 16);
+      RayBundle bundle;
+      rays.fillBundle(bundle, 16, 0, 0, 0.0, 0.0);
+      const CastReport report = checkBundle(tree, oracle, bundle);
+      EXPECT_EQ(report.wrong, 0u) << report.complaint;
+      EXPECT_GT(report.hits, 10u);
+      tree.cast(bundle, 0);
+      for (int i = 0; i < bundle.count; ++i)
+        EXPECT_TRUE(bundle.object[i] < 0 || bundle.slot[i] < count);
+    }
 }
 
 TEST(PkdTree, GiantsAmongDwarfs)
