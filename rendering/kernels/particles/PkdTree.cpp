@@ -1,5 +1,7 @@
 #include "PkdTree.h"
 
+#include "RadiusGroups.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -88,7 +90,9 @@ int PkdTree::bundleSide(const CameraRays& rays, int x0, int y0, int size) const
 {
   if (count_ == 0)
     return 16;
-  return suitingBundleSide(rays, statistics_.bounds, unit_, x0, y0, size);
+  const double spacing = particleGridEdge(
+    statistics_.centers.size(), static_cast<double>(count_), statistics_.largestRadius);
+  return suitingBundleSide(rays, statistics_.bounds, spacing, x0, y0, size);
 }
 
 } // namespace mote

@@ -10,6 +10,8 @@
 #include "BundleSpheres-inl.h"
 #include "PkdTreeView.h"
 
+#include <hwy/cache_control.h>
+
 #include <array>
 
 HWY_BEFORE_NAMESPACE();
@@ -130,10 +132,27 @@ private:
         for (; bits != 0; bits &= bits - 1)
         {
           const int lane = __builtin_ctz(bits);
-          push(level - 1, index * PkdTree::fanout + static_cast<std::size_t>(first + lane),
-            near[lane]);
+          const std::size_t child =
+            index * PkdTree::fanout + static_cast<std::size_t>(first + lane);
+          push(level - 1, child, near[lane]);
+          prefetch(level - 1, child);
         }
       });
+  }
+
+  /// What is visited later is brought from memory meanwhile.
+  HWY_INLINE void prefetch(int level, std::size_t index) const
+  {
+    if (level >= 0)
+    {
+      const PkdTreeView::Node* node = &view_.node(level, index);
+      hwy::Prefetch(node);
+      hwy::Prefetch(&node->low[2]);
+      return;
+    }
+    const PkdTreeView::Row* rows = view_.rows + index * view_.rowsABucket;
+    for (int k = 0; k < view_.placeRows + view_.ownRadii; ++k)
+      hwy::Prefetch(rows + k);
   }
 
   /// Children whose bounds the frustum overlaps, from Q's plane on.
