@@ -1,5 +1,6 @@
 #include "PkdTree.h"
 
+#include "../core/Error.h"
 #include "RadiusGroups.h"
 
 #include <algorithm>
@@ -72,6 +73,8 @@ void PkdTree::clear()
 
 std::size_t PkdTree::planLevels()
 {
+  if (count_ > mostParticles)
+    throw Error("A P-k-d tree holds at most 2^36 particles.");
   levels_.clear();
   std::size_t count = buckets(), nodes = 0;
   do

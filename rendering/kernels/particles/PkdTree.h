@@ -52,10 +52,13 @@ public:
   static constexpr int bucketSize = 16;
   static constexpr std::size_t treeletSize = std::size_t{fanout} * bucketSize;
 
+  /// Most particles of a tree: casting counts its buckets in 32 bits.
+  static constexpr std::size_t mostParticles = std::size_t{bucketSize} << 32;
+
   /// Builds over `particles`, in parallel, and forgets what was there, ranges and visibility
   /// included; memory is reused. Takes little memory besides what it leaves. Throws Error for a
-  /// malformed set (see examine()); stops early, leaving the tree empty, when `progress` answers
-  /// false. The result does not depend on the number of threads.
+  /// malformed set (see examine()) and for more than mostParticles; stops early, leaving the tree
+  /// empty, when `progress` answers false. The result does not depend on the number of threads.
   void build(const ParticleSet& particles, const PkdTreeOptions& options = {},
     const Progress& progress = {});
 

@@ -91,14 +91,19 @@ struct TreeRays
       hn::Store(enter, d, t0 + i);
       hn::Store(toTau, d, perT + i);
     }
-    for (int i = 0; i < packet.count; ++i)
+    interleave(at3, p, packet.count);
+    interleave(inverse3, inverse, packet.count);
+  }
+
+private:
+  /// Three rows as tuples of four numbers, the last being 0.
+  static void interleave(const Row<float>* rows, float (*tuples)[4], int count)
+  {
+    for (int i = 0; i < count; ++i)
     {
       for (int k = 0; k < 3; ++k)
-      {
-        p[i][k] = at3[k][i];
-        inverse[i][k] = inverse3[k][i];
-      }
-      p[i][3] = inverse[i][3] = 0.0f;
+        tuples[i][k] = rows[k][i];
+      tuples[i][3] = 0.0f;
     }
   }
 };
