@@ -63,8 +63,48 @@ public:
   static constexpr std::size_t chunk = std::size_t{1} << 17; ///< records a task
 
 private:
-  /// No branch depends on the data: a wrong guess would cost as much as ten records.
+  /// From both ends, a few records at a time: first those that are on the wrong side are noted,
+  /// then they are exchanged. So no branch depends on a single record, where a wrong guess would
+  /// cost as much as ten records.
   static Record* serial(Record* first, Record* last, int axis, std::uint64_t bound)
+  {
+    constexpr std::ptrdiff_t few = 128;
+    std::uint8_t others[few], lower[few]; // of the records from `first` on; before `last`
+    std::ptrdiff_t othersBegin = 0, othersEnd = 0, lowerBegin = 0, lowerEnd = 0;
+    while (last - first >= 2 * few)
+    {
+      if (othersBegin == othersEnd)
+      {
+        othersBegin = othersEnd = 0;
+        for (std::ptrdiff_t i = 0; i < few; ++i)
+        {
+          others[othersEnd] = static_cast<std::uint8_t>(i);
+          othersEnd += first[i][axis] >= bound;
+        }
+      }
+      if (lowerBegin == lowerEnd)
+      {
+        lowerBegin = lowerEnd = 0;
+        for (std::ptrdiff_t i = 0; i < few; ++i)
+        {
+          lower[lowerEnd] = static_cast<std::uint8_t>(i);
+          lowerEnd += last[-1 - i][axis] < bound;
+        }
+      }
+      const std::ptrdiff_t n = std::min(othersEnd - othersBegin, lowerEnd - lowerBegin);
+      for (std::ptrdiff_t k = 0; k < n; ++k)
+        std::swap(first[others[othersBegin + k]], last[-1 - lower[lowerBegin + k]]);
+      othersBegin += n;
+      lowerBegin += n;
+      if (othersBegin == othersEnd)
+        first += few;
+      if (lowerBegin == lowerEnd)
+        last -= few;
+    }
+    return oneByOne(first, last, axis, bound);
+  }
+
+  static Record* oneByOne(Record* first, Record* last, int axis, std::uint64_t bound)
   {
     Record* below = first;
     for (Record* i = first; i != last; ++i)

@@ -1,5 +1,6 @@
 #include "PkdTree.h"
 
+#include "BlockSplit.h"
 #include "MedianSplit.h"
 #include "RadiusGroups.h"
 
@@ -35,10 +36,10 @@ struct PkdTreeBuilder
     std::array<std::uint32_t, 3> low, high;
   };
 
-  static constexpr double middleKey = 2147483648.0;  ///< of origin(): 2^31
-  static constexpr int coarseBits = 10;              ///< corners of treelets leave these 0
-  static constexpr std::size_t serialCount = 8192;   ///< particles that are one task
-  static constexpr std::size_t tightCount = 1 << 16; ///< up to which regions are made tight
+  static constexpr double middleKey = 2147483648.0;         ///< of origin(): 2^31
+  static constexpr int coarseBits = 10;                     ///< corners of treelets leave these 0
+  static constexpr std::size_t serialCount = blockCapacity; ///< particles that are one task
+  static constexpr std::size_t tightCount = 1 << 16;        ///< up to which regions are made tight
 
   double keyStep = 1.0; ///< between neighbouring whole numbers, in the input's unit: a power of two
   double unitsAKey = 1.0;
@@ -168,11 +169,12 @@ struct PkdTreeBuilder
   {
     if (stopped)
       return;
-    const std::size_t count = last - first, children = (count + size - 1) / size;
+    const std::size_t count = last - first;
+    if (count <= serialCount)
+      return finishSplit<WORDS>(first, count, size, axis);
+    const std::size_t children = (count + size - 1) / size;
     if (children <= 1)
-      return size <= PkdTree::bucketSize
-               ? void()
-               : descend<WORDS>(first, last, size / PkdTree::fanout, region, axis);
+      return split<WORDS>(first, last, size / PkdTree::fanout, region, axis);
     KdRecord<WORDS>* from = records<WORDS>();
     const Region tight = count <= tightCount ? regionOf(from + first, from + last) : region;
     if (options.split == PkdTreeOptions::Split::MaximumExtent)
@@ -185,36 +187,25 @@ struct PkdTreeBuilder
     Region lower = tight, upper = tight;
     lower.high[axis] = upper.low[axis] = from[middle][axis];
     const int next = axis == 2 ? 0 : axis + 1;
-    if (count <= serialCount)
-    {
-      split<WORDS>(first, middle, size, lower, next);
-      split<WORDS>(middle, last, size, upper, next);
-    }
-    else
-      tbb::parallel_invoke([&] { split<WORDS>(first, middle, size, lower, next); },
-        [&] { split<WORDS>(middle, last, size, upper, next); });
+    tbb::parallel_invoke([&] { split<WORDS>(first, middle, size, lower, next); },
+      [&] { split<WORDS>(middle, last, size, upper, next); });
   }
 
+  /// Splits all that is left to split of a few thousand particles.
   template <int WORDS>
-  void descend(
-    std::size_t first, std::size_t last, std::size_t size, const Region& region, int axis)
+  void finishSplit(std::size_t first, std::size_t count, std::size_t size, int axis)
   {
-    if (size == PkdTree::bucketSize)
+    KdBlock<WORDS> block{records<WORDS>() + first, count, size, PkdTree::bucketSize,
+      PkdTree::fanout, options.split == PkdTreeOptions::Split::MaximumExtent, axis};
+    splitBlock(block);
+    std::uint32_t largest = treeletExtent;
+    while (block.treeletExtent > largest &&
+           !treeletExtent.compare_exchange_weak(largest, block.treeletExtent))
     {
-      const Region tight = regionOf(records<WORDS>() + first, records<WORDS>() + last);
-      std::uint32_t extent = 0;
-      for (std::size_t k = 0; k < 3; ++k)
-        extent = std::max(extent, tight.high[k] - tight.low[k]);
-      std::uint32_t largest = treeletExtent;
-      while (extent > largest && !treeletExtent.compare_exchange_weak(largest, extent))
-      {
-      }
-      const std::size_t done = splitDone += last - first;
-      if (done / serialCount != (done - (last - first)) / serialCount &&
-          !report(0.2 + 0.7 * static_cast<double>(done) / static_cast<double>(tree.count_)))
-        stopped = true;
     }
-    split<WORDS>(first, last, size, region, axis);
+    const std::size_t done = splitDone += count;
+    if (!report(0.2 + 0.7 * static_cast<double>(done) / static_cast<double>(tree.count_)))
+      stopped = true;
   }
 
   // What the traversal reads.
@@ -433,8 +424,7 @@ struct PkdTreeBuilder
       all.low[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(low[k]);
       all.high[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(high[k]);
     }
-    descend<WORDS>(
-      0, tree.count_, std::max(size / PkdTree::fanout, std::size_t{PkdTree::bucketSize}), all, 0);
+    split<WORDS>(0, tree.count_, std::max(size, PkdTree::treeletSize), all, 0);
     if (stopped || !report(0.9))
       return false;
     finish<WORDS>();

@@ -4,33 +4,15 @@
 
 #include <support/CastOracle.h>
 #include <support/Particles.h>
+#include <support/Targets.h>
 
 #include <gtest/gtest.h>
-
-#include <hwy/highway.h>
 
 using namespace mote;
 using namespace mote::testing;
 
 namespace
 {
-
-/// Lets Highway choose among `targets` only, until it goes.
-class OnlyTargets
-{
-public:
-  explicit OnlyTargets(std::int64_t targets) { set(targets); }
-  ~OnlyTargets() { set(0); }
-  OnlyTargets(const OnlyTargets&) = delete;
-  OnlyTargets& operator=(const OnlyTargets&) = delete;
-
-private:
-  static void set(std::int64_t targets)
-  {
-    hwy::SetSupportedTargetsForTest(targets);
-    hwy::GetChosenTarget().DeInit();
-  }
-};
 
 std::vector<RayBundle> questions()
 {
@@ -63,9 +45,7 @@ TEST(StructureTargets, EveryInstructionSetAgreesWithTheReference)
   const CastOracle oracle = CastOracle::forFloat(particles.set());
   const std::vector<RayBundle> bundles = questions();
 
-  std::vector<std::int64_t> targets;
-  for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1)
-    targets.push_back(left & -left);
+  const std::vector<std::int64_t> targets = everyTarget();
   ASSERT_FALSE(targets.empty());
   std::vector<RayBundle> first;
   for (const std::int64_t target : targets)
