@@ -95,6 +95,57 @@ struct AnyPolicy
   static constexpr bool any = true, culls = true, counts = false;
 };
 
+/// What the centres of spheres count from, relative to Q: the same for all.
+struct OneBase
+{
+  Vec3d fromQ;
+
+  VF along(int axis) const { return hn::Set(DF(), static_cast<float>(fromQ[axis])); }
+  VF dot(const Vec3d& v) const { return hn::Set(DF(), static_cast<float>(glm::dot(v, fromQ))); }
+};
+
+/// The same with one base for each sphere.
+struct BaseEach
+{
+  alignas(64) double fromQ[3][16];
+
+  /// From Q to `bases`, three rows of them.
+  BaseEach(const Vec3d& q, const float* const bases[3])
+  {
+    const DD d;
+    const DH h;
+    for (int k = 0; k < 3; ++k)
+      for (std::size_t i = 0; i < hn::Lanes(DF()); i += hn::Lanes(d))
+        hn::Store(
+          hn::Sub(hn::PromoteTo(d, hn::Load(h, bases[k] + i)), hn::Set(d, q[k])), d, fromQ[k] + i);
+  }
+
+  template <typename Value>
+  HWY_INLINE VF each(const Value& value) const
+  {
+    const DD d;
+    alignas(64) float rounded[16];
+    for (std::size_t i = 0; i < hn::Lanes(DF()); i += hn::Lanes(d))
+      hn::Store(hn::DemoteTo(DH(), value(i)), DH(), rounded + i);
+    return hn::Load(DF(), rounded);
+  }
+  VF along(int axis) const
+  {
+    return each([&](std::size_t i) { return hn::Load(DD(), fromQ[axis] + i); });
+  }
+  VF dot(const Vec3d& v) const
+  {
+    const DD d;
+    return each(
+      [&](std::size_t i)
+      {
+        const auto part = [&](int k, VD sum)
+        { return hn::MulAdd(hn::Load(d, fromQ[k] + i), hn::Set(d, v[k]), sum); };
+        return part(2, part(1, part(0, hn::Zero(d))));
+      });
+  }
+};
+
 /// Tests spheres against the rays of a bundle. `Policy` says at compile time what is asked:
 /// any: whether anything is hit at all; culls: whether spheres are tested against the frustum
 /// first; counts: whether work is counted. `Structure` is asked which of equally near hits counts:
@@ -147,17 +198,24 @@ public:
   }
 
   /// Projects a vector of spheres, their centres given from a base that is `fromQ` from Q; of
-  /// `used` lanes. What the base makes of tau, m and n is found in double: the rest is small, and
-  /// so is its error.
+  /// `used` lanes.
   template <typename Used>
   HWY_INLINE void project(const Vec3d& fromQ, VF x, VF y, VF z, VF r, Used used, Projected& s)
+  {
+    projectFrom(OneBase{fromQ}, x, y, z, r, used, s);
+  }
+
+  /// The same from any base. What it makes of tau, m and n is found in double: the rest is small,
+  /// and so is its error.
+  template <typename Base, typename Used>
+  HWY_INLINE void projectFrom(const Base& base, VF x, VF y, VF z, VF r, Used used, Projected& s)
   {
     const DF d;
     const auto set = [&](float v) { return hn::Set(d, v); };
     const auto dot = [&](const Vec3f& g, const Vec3d& exact)
     {
-      const VF base = set(static_cast<float>(glm::dot(exact, fromQ)));
-      return hn::MulAdd(x, set(g.x), hn::MulAdd(y, set(g.y), hn::MulAdd(z, set(g.z), base)));
+      const VF start = base.dot(exact);
+      return hn::MulAdd(x, set(g.x), hn::MulAdd(y, set(g.y), hn::MulAdd(z, set(g.z), start)));
     };
     const VF tau = dot(p_.gTau, p_.dTau), m = dot(p_.gM, p_.dM), n = dot(p_.gN, p_.dN);
     const VF width = hn::MulAdd(tau, set(p_.scaleSlope), set(p_.scale));
@@ -185,9 +243,9 @@ public:
     s.ahead = bitsOf(ahead);
     if (HWY_UNLIKELY((s.in & ~s.ahead) != 0))
     {
-      hn::Store(hn::Add(x, set(static_cast<float>(fromQ.x))), d, s.fromQ[0]);
-      hn::Store(hn::Add(y, set(static_cast<float>(fromQ.y))), d, s.fromQ[1]);
-      hn::Store(hn::Add(z, set(static_cast<float>(fromQ.z))), d, s.fromQ[2]);
+      hn::Store(hn::Add(x, base.along(0)), d, s.fromQ[0]);
+      hn::Store(hn::Add(y, base.along(1)), d, s.fromQ[1]);
+      hn::Store(hn::Add(z, base.along(2)), d, s.fromQ[2]);
     }
     const VF w2 = hn::Mul(width, width);
     const VF two = set(2.0f), zz = set(p_.zz), xz = set(p_.xz), yz = set(p_.yz);

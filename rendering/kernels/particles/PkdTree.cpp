@@ -1,6 +1,5 @@
 #include "PkdTree.h"
 
-#include "../core/Error.h"
 #include "RadiusGroups.h"
 
 #include <algorithm>
@@ -50,7 +49,10 @@ std::size_t PkdTree::bytes() const
 {
   const auto bytesOf = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return nodes_.bytes() + rows_.bytes() + bytesOf(levels_) + bytesOf(values_) + bytesOf(visible_) +
-         bytesOf(shown_) + bytesOf(nodeShown_);
+         bytesOf(shown_) + bytesOf(nodeShown_) + bytesOf(valueBounds_) +
+         (sparse_ ? bytesOf(sparse_->levels) + bytesOf(sparse_->nodes) + bytesOf(sparse_->rows) +
+                      bytesOf(sparse_->slots)
+                  : 0);
 }
 
 void PkdTree::clear()
@@ -69,32 +71,23 @@ void PkdTree::clear()
   visible_.clear();
   shown_.clear();
   nodeShown_.clear();
-}
-
-std::size_t PkdTree::planLevels()
-{
-  if (count_ > mostParticles)
-    throw Error("A P-k-d tree holds at most 2^36 particles.");
-  levels_.clear();
-  std::size_t count = buckets(), nodes = 0;
-  do
-  {
-    count = (count + fanout - 1) / fanout;
-    levels_.push_back({0, count});
-    nodes += count;
-  } while (count > 1);
-  std::size_t first = 0;
-  for (std::size_t k = levels_.size(); k-- > 0; first += levels_[k].count)
-    levels_[k].first = first;
-  return nodes;
+  valueBounds_.clear();
+  sparse_.reset();
 }
 
 int PkdTree::bundleSide(const CameraRays& rays, int x0, int y0, int size) const
 {
   if (count_ == 0)
     return 16;
+  Vec3d extent = statistics_.centers.size();
+  if (sparse_)
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto axis = static_cast<std::size_t>(k);
+      extent[k] = unit_ * (sparse_->bounds.upper[axis] - sparse_->bounds.lower[axis]);
+    }
   const double spacing = particleGridEdge(
-    statistics_.centers.size(), static_cast<double>(count_), statistics_.largestRadius);
+    extent, static_cast<double>(sparse_ ? sparse_->count : count_), statistics_.largestRadius);
   return suitingBundleSide(rays, statistics_.bounds, spacing, x0, y0, size);
 }
 

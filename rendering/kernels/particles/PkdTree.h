@@ -8,13 +8,17 @@
 #include "ParticleRanges.h"
 #include "ParticleSet.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace mote
 {
+
+struct StoredRanges;
 
 /// How a PkdTree is built.
 struct PkdTreeOptions
@@ -29,6 +33,9 @@ struct PkdTreeOptions
   /// Keep 20 bits of each coordinate, 8 bytes a particle instead of 12; see PkdTree::step(). Takes
   /// both while it builds.
   bool compact = false;
+  /// Where at most one particle in so many is shown, rays meet a tree of those alone, 33 bytes each
+  /// (37 where radii differ); 0: never.
+  std::size_t sparseShare = 8;
 };
 
 /// A balanced k-d tree over particles, without pointers.
@@ -81,15 +88,17 @@ public:
   /// `size` pixels at (x0, y0): the larger a bucket looks, the larger.
   int bundleSide(const CameraRays& rays, int x0, int y0, int size) const;
 
-  /// Keeps up to four attributes for setRanges(), in float, 16 bytes a particle; none forgets
-  /// them. `attributes` are in input order and need kept indices; nothing is viewed after the call.
-  /// Throws Error where an attribute has not one tuple a particle of the input.
+  /// Keeps up to four attributes for setRanges(), in float, 16 bytes a particle, and the least and
+  /// greatest of each below every node, 0.2 bytes a particle; none forgets them. `attributes` are
+  /// in input order and need kept indices; nothing is viewed after the call. Throws Error where an
+  /// attribute has not one tuple a particle of the input.
   void setAttributes(const std::vector<ParticleAttribute>& attributes);
 
   /// Shows only the particles with all values in range, besides what setVisibility() hides. A
-  /// change looks at every particle, in parallel, and keeps a bit for each; nodes without any are
-  /// passed over. Attributes compare as float: limits are rounded inwards, so that for values that
-  /// are float the answer is exact.
+  /// change looks, in parallel, at the particles of those treelets that lie neither inside nor
+  /// outside as a whole, and keeps a bit for each particle; nodes without any are passed over (see
+  /// also PkdTreeOptions::sparseShare). Attributes compare as float: limits are rounded inwards, so
+  /// that for values that are float the answer is exact.
   void setRanges(const ParticleRanges& ranges);
 
   /// Shows only the particles whose slots `shown` accepts, without a rebuild; called from several
@@ -119,6 +128,7 @@ public:
 
 private:
   friend struct PkdTreeBuilder;
+  friend struct PkdTreeQuery;
   friend struct PkdTreeView;
   friend class PkdTreeFile;
   friend class PkdTreeFileWriter;
@@ -151,10 +161,67 @@ private:
   /// A bit for each of 16 particles or children, the first lowest.
   using Bits = std::uint16_t;
 
+  /// Least and greatest of spheres' coordinates, in unit() from origin().
+  struct Bounds
+  {
+    std::array<double, 3> lower, upper;
+
+    Bounds();
+    void add(const Bounds& b);
+    void add(const Vec3d& center, double radius)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const auto axis = static_cast<std::size_t>(k);
+        lower[axis] = std::min(lower[axis], center[k] - radius);
+        upper[axis] = std::max(upper[axis], center[k] + radius);
+      }
+    }
+  };
+
+  /// A tree over the particles that are shown alone. The first three rows of a bucket are places
+  /// from the corners of the treelets of the whole tree, then come r, where radii differ, and three
+  /// rows with those corners: rays find the same numbers as in the whole tree.
+  struct Sparse
+  {
+    std::size_t count = 0;
+    Bounds bounds;
+    std::vector<Level> levels;
+    RawVector<Node> nodes;
+    RawVector<Row> rows;
+    RawVector<std::uint64_t> slots; ///< in the whole tree
+  };
+
+  /// Least and greatest of the radius and the attributes below a node, but for NaN.
+  struct ValueBounds
+  {
+    static constexpr int count = 5;
+    std::array<float, count> least, greatest;
+    unsigned hasNaN = 0; ///< a bit for each
+
+    ValueBounds();
+    void add(std::size_t k, float v);
+    void add(const ValueBounds& b);
+  };
+
   void clear();
-  /// Levels of a tree over count_ particles. Returns how many nodes it has.
-  std::size_t planLevels();
+  /// Levels of a tree over `count` particles. Returns how many nodes it has.
+  static std::size_t planLevels(std::size_t count, std::vector<Level>& levels);
+  /// Bounds of a node: `all` of it, and its children's, widened by a margin.
+  static void setBounds(
+    Node& node, const Bounds& all, const std::array<Bounds, fanout>& children, double marginOfSet);
+  /// Sets the bounds of all nodes above treelets, `below` being those of treelets; returns the
+  /// root's.
+  static Bounds boundNodes(
+    const std::vector<Level>& levels, Node* nodes, std::vector<Bounds> below, double marginOfSet);
+  /// By which rays may be rounded, in unit().
+  double roundingMargin() const;
+  void findValueBounds();
   void findShown();
+  void findInRange(const StoredRanges& stored);
+  void findNodesShown();
+  void makeSparse();
+  Bounds copyBucket(Sparse& sparse, std::size_t bucket) const;
   std::size_t buckets() const { return (count_ + bucketSize - 1) / bucketSize; }
   const Row* bucketOf(std::size_t slot) const { return &rows_[slot / bucketSize * rowsABucket_]; }
   /// Number of a particle's row `row`; its coordinates from its treelet's corner.
@@ -184,11 +251,14 @@ private:
   StoredArray<Row> rows_;     ///< bucket by bucket
 
   // What is shown.
+  std::size_t sparseShare_ = PkdTreeOptions().sparseShare;
   ParticleRanges ranges_;
   RawVector<std::array<float, 4>> values_; ///< attributes by slot, or empty
   RawVector<Bits> visible_;                ///< a bucket each, or empty: all are
   RawVector<Bits> shown_;                  ///< a bucket each, of what ranges leave; or empty
-  RawVector<Bits> nodeShown_; ///< children of each node that hold anything shown; or empty
+  RawVector<Bits> nodeShown_;          ///< children of each node that hold anything shown; or empty
+  RawVector<ValueBounds> valueBounds_; ///< of each node, once a range asks for them
+  std::shared_ptr<const Sparse> sparse_; ///< what rays meet instead, where little is shown
 };
 
 } // namespace mote

@@ -24,6 +24,7 @@ struct PkdTreeBuilder
 {
   using Node = PkdTree::Node;
   using Row = PkdTree::Row;
+  using Bounds = PkdTree::Bounds;
 
   PkdTree& tree;
   const ParticleSet& particles;
@@ -83,7 +84,7 @@ struct PkdTreeBuilder
   void planLevels()
   {
     tree.count_ = tree.statistics_.valid;
-    tree.nodes_.resize(tree.planLevels());
+    tree.nodes_.resize(PkdTree::planLevels(tree.count_, tree.levels_));
     tree.rows_.resize(tree.buckets() * tree.rowsABucket_);
   }
 
@@ -225,26 +226,6 @@ struct PkdTreeBuilder
     return (key + half) >> roundedBits << roundedBits;
   }
 
-  /// Least and greatest of the spheres' coordinates, in unit() from origin().
-  struct Bounds
-  {
-    std::array<double, 3> lower, upper;
-
-    Bounds()
-    {
-      lower.fill(std::numeric_limits<double>::infinity());
-      upper.fill(-std::numeric_limits<double>::infinity());
-    }
-    void add(const Bounds& b)
-    {
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        lower[k] = std::min(lower[k], b.lower[k]);
-        upper[k] = std::max(upper[k], b.upper[k]);
-      }
-    }
-  };
-
   template <int WORDS>
   void finishTreelet(std::size_t treelet, Bounds& bounds)
   {
@@ -264,7 +245,7 @@ struct PkdTreeBuilder
       children[b] = finishBucket<WORDS>(first + b * PkdTree::bucketSize, corner);
       bounds.add(children[b]);
     }
-    setBounds(node, bounds, children);
+    PkdTree::setBounds(node, bounds, children, marginOfSet);
   }
 
   template <int WORDS>
@@ -273,13 +254,10 @@ struct PkdTreeBuilder
     float r = tree.radius_;
     if constexpr (WORDS > 3)
       r = tree.ownRadii_ ? std::bit_cast<float>(record.words[3]) : r;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const double key = static_cast<double>(rounded(record.words[k]));
-      const double place = (key - middleKey) * unitsAKey;
-      bounds.lower[k] = std::min(bounds.lower[k], place - double(r));
-      bounds.upper[k] = std::max(bounds.upper[k], place + double(r));
-    }
+    Vec3d center;
+    for (int k = 0; k < 3; ++k)
+      center[k] = (static_cast<double>(rounded(record[k])) - middleKey) * unitsAKey;
+    bounds.add(center, double(r));
   }
 
   /// The words of a place from its treelet's corner, as many as there are rows of them.
@@ -331,32 +309,6 @@ struct PkdTreeBuilder
     return bounds;
   }
 
-  void setBounds(
-    Node& node, const Bounds& all, const std::array<Bounds, PkdTree::fanout>& children) const
-  {
-    node.unused = {};
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const double largest = std::max(std::abs(all.lower[k]), std::abs(all.upper[k]));
-      const double margin = marginOfSet + 1e-6 * (all.upper[k] - all.lower[k]);
-      node.lower[k] = static_cast<float>(all.lower[k] - margin - 1e-7 * largest);
-      const double extent = all.upper[k] + margin - node.lower[k];
-      const int exponent =
-        std::clamp(static_cast<int>(std::ceil(std::log2(extent / 254.0))), -120, 120);
-      node.exponent[k] = static_cast<std::uint8_t>(exponent + 127);
-      const double perSize = std::ldexp(1.0, -exponent);
-      for (std::size_t c = 0; c < PkdTree::fanout; ++c)
-      {
-        const Bounds& child = children[c];
-        const bool empty = !(child.lower[k] <= child.upper[k]);
-        const double low = std::floor((child.lower[k] - margin - node.lower[k]) * perSize);
-        const double high = std::ceil((child.upper[k] + margin - node.lower[k]) * perSize);
-        node.low[k][c] = empty ? 255 : static_cast<std::uint8_t>(std::clamp(low, 0.0, 255.0));
-        node.high[k][c] = empty ? 0 : static_cast<std::uint8_t>(std::clamp(high, 0.0, 255.0));
-      }
-    }
-  }
-
   double marginOfSet = 0.0; ///< by which rays may be rounded, in unit()
 
   template <int WORDS>
@@ -372,8 +324,7 @@ struct PkdTreeBuilder
       compactRows.resize(tree.buckets() * tree.rowsABucket_);
     }
     finished = options.compact ? compactRows.own() : tree.rows_.own();
-    const Vec3d size = tree.statistics_.bounds.size();
-    marginOfSet = 2e-7 * std::max({size.x, size.y, size.z}) / tree.unit_;
+    marginOfSet = tree.roundingMargin();
     std::vector<Bounds> below(tree.levels_[0].count);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, below.size(), 16),
       [&](const tbb::blocked_range<std::size_t>& treelets)
@@ -383,28 +334,7 @@ struct PkdTreeBuilder
       });
     if (options.compact)
       tree.rows_ = std::move(compactRows);
-    for (std::size_t k = 1; k < tree.levels_.size(); ++k)
-    {
-      std::vector<Bounds> own(tree.levels_[k].count);
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, own.size(), 64),
-        [&](const tbb::blocked_range<std::size_t>& nodes)
-        {
-          for (std::size_t i = nodes.begin(); i != nodes.end(); ++i)
-          {
-            std::array<Bounds, PkdTree::fanout> children;
-            const std::size_t first = i * PkdTree::fanout;
-            const std::size_t last = std::min(below.size(), first + PkdTree::fanout);
-            std::copy(below.begin() + static_cast<std::ptrdiff_t>(first),
-              below.begin() + static_cast<std::ptrdiff_t>(last), children.begin());
-            for (const Bounds& child : children)
-              own[i].add(child);
-            Node& node = tree.nodes_.own()[tree.levels_[k].first + i];
-            node.corner = {};
-            setBounds(node, own[i], children);
-          }
-        });
-      below = std::move(own);
-    }
+    tree.boundNodes(tree.levels_, tree.nodes_.own(), std::move(below), marginOfSet);
   }
 
   template <int WORDS>
@@ -458,6 +388,7 @@ void PkdTree::build(
   const ParticleSet& particles, const PkdTreeOptions& options, const Progress& progress)
 {
   clear();
+  sparseShare_ = options.sparseShare;
   PkdTreeBuilder builder{*this, particles, options, progress};
   bool complete = false;
   try

@@ -151,7 +151,8 @@ private:
       return;
     }
     const PkdTreeView::Row* rows = view_.rows + index * view_.rowsABucket;
-    for (int k = 0; k < view_.placeRows + view_.ownRadii; ++k)
+    const int needed = view_.slots != nullptr ? 6 : view_.placeRows;
+    for (int k = 0; k < needed + view_.ownRadii; ++k)
       hwy::Prefetch(rows + k);
   }
 
@@ -201,22 +202,43 @@ private:
 
   void visitBucket(std::size_t bucket)
   {
+    const PkdTreeView::Row* corners = view_.cornersOf(bucket);
+    const auto number = [&](std::size_t k)
+    { return reinterpret_cast<const float*>(corners[k].words.data()); };
+    if (corners == nullptr)
+    {
+      const PkdTreeView::Node& node = view_.node(0, bucket / PkdTree::fanout);
+      const OneBase base{Vec3d(node.corner[0], node.corner[1], node.corner[2]) - p_.q};
+      testBucket(bucket, [&](int) { return base; });
+    }
+    else
+      testBucket(bucket,
+        [&](int lane)
+        {
+          const float* const rows[3] = {number(0) + lane, number(1) + lane, number(2) + lane};
+          return BaseEach(p_.q, rows);
+        });
+  }
+
+  /// Tests the spheres of a bucket, those from `lane` on given from baseOf(lane).
+  template <typename BaseOf>
+  HWY_INLINE void testBucket(std::size_t bucket, const BaseOf& baseOf)
+  {
     const DF d;
-    const PkdTreeView::Node& node = view_.node(0, bucket / PkdTree::fanout);
-    const Vec3d corner(node.corner[0], node.corner[1], node.corner[2]);
     const unsigned shown = view_.shownIn(bucket);
     Projected s;
     for (int lane = 0; lane < PkdTree::bucketSize; lane += static_cast<int>(hn::Lanes(d)))
     {
       const Spheres spheres(view_, bucket, lane);
-      tester_.project(
-        corner - p_.q, spheres.x, spheres.y, spheres.z, spheres.r, hn::FirstN(d, hn::Lanes(d)), s);
+      tester_.projectFrom(
+        baseOf(lane), spheres.x, spheres.y, spheres.z, spheres.r, hn::FirstN(d, hn::Lanes(d)), s);
       if (s.in == 0)
         continue;
       for (unsigned bits = s.in & (shown >> lane); bits != 0; bits &= bits - 1)
       {
         const int j = __builtin_ctz(bits);
-        tester_.test(s, j, bucket * PkdTree::bucketSize + static_cast<std::size_t>(lane + j));
+        tester_.test(
+          s, j, view_.slotOf(bucket * PkdTree::bucketSize + static_cast<std::size_t>(lane + j)));
       }
       tester_.refresh();
     }

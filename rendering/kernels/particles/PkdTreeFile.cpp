@@ -72,7 +72,7 @@ PkdTreeFile::PkdTreeFile(const std::string& name)
       (h.rowsABucket != 3 + h.ownRadii && h.rowsABucket != 2 + h.ownRadii))
     failDamaged(name, "its numbers of particles and rows are none");
   tree_.count_ = h.count;
-  const std::size_t nodes = h.count > 0 ? tree_.planLevels() : 0;
+  const std::size_t nodes = h.count > 0 ? PkdTree::planLevels(h.count, tree_.levels_) : 0;
   if (h.levels != tree_.levels_.size() || h.nodes.bytes != nodes * sizeof(PkdTree::Node) ||
       h.rows.bytes != tree_.buckets() * h.rowsABucket * sizeof(PkdTree::Row))
     failDamaged(name, "its tree has not the size that its particles ask for");

@@ -109,12 +109,12 @@ private:
     }
   }
 
-  HWY_INLINE void keep(unsigned hits, const float* at, std::uint64_t firstSlot)
+  HWY_INLINE void keep(unsigned hits, const float* at, std::uint64_t first)
   {
     for (; hits != 0; hits &= hits - 1)
     {
       const int lane = __builtin_ctz(hits);
-      const std::uint64_t slot = firstSlot + static_cast<std::uint64_t>(lane);
+      const std::uint64_t slot = view_.slotOf(first + static_cast<std::uint64_t>(lane));
       if (at[lane] < rays_.best[ray_] ||
           (at[lane] == rays_.best[ray_] && slot_ != RayPacket::noHit &&
             view_.takesTie(slot, slot_)))

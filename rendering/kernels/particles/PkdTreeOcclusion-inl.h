@@ -247,7 +247,7 @@ private:
     for (int n = 0; n < count; ++n)
     {
       const int i = left_[n];
-      if (own_[i] != RayPacket::noHit)
+      if (knowsOwnBucket(i))
         hit_[i] |= testBucket(own_[i] / PkdTree::bucketSize, i);
       left += add(left_, left, i, !hit_[i]);
     }
@@ -256,7 +256,7 @@ private:
     {
       const int i = left_[n];
       done_[i] = ~0u;
-      if (own_[i] == RayPacket::noHit)
+      if (!knowsOwnBucket(i))
         continue;
       const std::size_t bucket = own_[i] / PkdTree::bucketSize;
       done_[i] = static_cast<std::uint32_t>(bucket / PkdTree::fanout);
@@ -355,9 +355,25 @@ private:
       hits |= bitsOf(hn::And(meets, betweenEnds(rays_, i, foot, left))) << lane;
     }
     hits &= view_.shownIn(bucket);
+    if (view_.slots != nullptr)
+      return isHitByOther(hits, bucket, i);
     const std::uint64_t lane = own_[i] - bucket * PkdTree::bucketSize;
     hits &= lane < PkdTree::bucketSize ? ~(1u << lane) : ~0u;
     return hits != 0;
+  }
+
+  /// Where slots are no places, what does not count is known only when it is met.
+  bool knowsOwnBucket(int i) const { return view_.slots == nullptr && own_[i] != RayPacket::noHit; }
+
+  bool isHitByOther(unsigned hits, std::size_t bucket, int i) const
+  {
+    for (; hits != 0; hits &= hits - 1)
+    {
+      const auto lane = static_cast<std::size_t>(__builtin_ctz(hits));
+      if (view_.slots[bucket * PkdTree::bucketSize + lane] != own_[i])
+        return true;
+    }
+    return false;
   }
 
   const PkdTreeView& view_;

@@ -158,10 +158,16 @@ HWY_INLINE void spheresBeside(const PkdTreeView& view, std::size_t bucket, int l
   const VF local[3] = {spheres.x, spheres.y, spheres.z};
   VF f[3];
   foot = hn::Zero(d);
+  const PkdTreeView::Row* corners = view.cornersOf(bucket);
   for (int k = 0; k < 3; ++k)
   {
+    const VF from =
+      corners == nullptr
+        ? hn::Set(d, corner[k])
+        : hn::Sub(hn::Load(d, reinterpret_cast<const float*>(corners[k].words.data()) + lane),
+            hn::Set(d, rays.high[k][i]));
     // Both steps round the same for coincident particles, wherever their corners are.
-    f[k] = hn::Sub(hn::Add(local[k], hn::Set(d, corner[k])), hn::Set(d, rays.low[k][i]));
+    f[k] = hn::Sub(hn::Add(local[k], from), hn::Set(d, rays.low[k][i]));
     foot = hn::MulAdd(f[k], hn::Set(d, rays.d[k][i]), foot);
   }
   left = hn::Mul(spheres.r, spheres.r);

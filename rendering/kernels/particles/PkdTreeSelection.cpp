@@ -1,5 +1,5 @@
 // Which particles of a PkdTree are shown: a bit for each, made when visibility or ranges change,
-// and one for each child of each node.
+// and one for each child of each node, or a tree of those that are shown.
 
 #include "PkdTree.h"
 
@@ -10,7 +10,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <bit>
 
 namespace mote
 {
@@ -40,11 +39,18 @@ void findBits(std::size_t count, Bits& bits, const Accepts& accepts)
     });
 }
 
+/// Gives the memory back.
+template <typename Vector>
+void release(Vector& vector)
+{
+  Vector().swap(vector);
+}
+
 } // namespace
 
 void PkdTree::setVisibility(const std::function<bool(std::size_t)>& shown)
 {
-  visible_.clear();
+  release(visible_);
   if (shown && count_ > 0)
     findBits(count_, visible_, shown);
   findShown();
@@ -53,11 +59,13 @@ void PkdTree::setVisibility(const std::function<bool(std::size_t)>& shown)
 void PkdTree::setAttributes(const std::vector<ParticleAttribute>& attributes)
 {
   checkAttributes(attributes, statistics_, knowsInput());
-  values_.clear();
-  values_.shrink_to_fit();
+  release(values_);
   if (!attributes.empty())
     values_.resize(count_);
   fillAttributes(attributes, values_, [this](std::size_t slot) { return inputIndex(slot); });
+  release(valueBounds_);
+  if (!values_.empty())
+    findValueBounds();
   findShown();
 }
 
@@ -71,26 +79,25 @@ void PkdTree::setRanges(const ParticleRanges& ranges)
 void PkdTree::findShown()
 {
   const StoredRanges stored(ranges_, origin_, unit_, !values_.empty());
-  shown_.clear();
   nodeShown_.clear();
+  sparse_.reset();
   if (count_ == 0 || (stored.limits == 0 && visible_.empty()))
+  {
+    release(shown_);
+    release(nodeShown_);
     return;
+  }
   if (stored.limits == 0)
     shown_ = visible_;
   else
-    findBits(count_, shown_,
-      [&](std::size_t slot)
-      {
-        if (!visible_.empty() && ((visible_[slot / bucketSize] >> (slot % bucketSize)) & 1) == 0)
-          return false;
-        const Node& treelet = nodes_[levels_.front().first + slot / treeletSize];
-        float record[4];
-        const Vec3f local = place(slot);
-        for (int k = 0; k < 3; ++k)
-          record[k] = treelet.corner[static_cast<std::size_t>(k)] + local[k];
-        record[3] = storedRadius(slot);
-        return stored.contain(record, values_.empty() ? nullptr : values_[slot].data());
-      });
+    findInRange(stored);
+  makeSparse();
+  if (!sparse_)
+    findNodesShown();
+}
+
+void PkdTree::findNodesShown()
+{
   nodeShown_.resize(nodes_.size());
   const Bits* below = shown_.data();
   std::size_t count = shown_.size();

@@ -2,6 +2,7 @@
 
 #include "PkdTree.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -18,8 +19,9 @@ struct PkdTreeView
   const Node* nodes;
   const PkdTree::Level* levels;
   const Row* rows;
-  const std::uint16_t* shown;     ///< null: all are
-  const std::uint16_t* nodeShown; ///< null likewise
+  const std::uint16_t* shown;           ///< null: all are
+  const std::uint16_t* nodeShown;       ///< null likewise
+  const std::uint64_t* slots = nullptr; ///< by place in `rows`; null: they are the places
   std::size_t rowsABucket;
   float radius;
   bool ownRadii;
@@ -45,8 +47,6 @@ struct PkdTreeView
     , ownRadii(t.ownRadii_)
     , placeRows(t.placeRows_)
     , step(static_cast<float>(t.step_ / t.unit_))
-    , lastBucket((t.count_ - 1) / PkdTree::bucketSize)
-    , lastShown(0xffffu >> (PkdTree::bucketSize - 1 - (t.count_ - 1) % PkdTree::bucketSize))
     , coarse(t.coarse_)
     , top(t.levels() - 1)
   {
@@ -55,6 +55,35 @@ struct PkdTreeView
     const Vec3d margin(1e-6 * std::max({size.x, size.y, size.z}));
     least = (bounds.lower - t.origin_) / t.unit_ - margin;
     most = (bounds.upper - t.origin_) / t.unit_ + margin;
+    std::size_t count = t.count_;
+    if (t.sparse_)
+    {
+      const PkdTree::Sparse& sparse = *t.sparse_;
+      nodes = sparse.nodes.data();
+      levels = sparse.levels.data();
+      rows = sparse.rows.data();
+      shown = nodeShown = nullptr;
+      placeRows = 3;
+      rowsABucket = 6 + ownRadii;
+      top = static_cast<int>(sparse.levels.size()) - 1;
+      slots = sparse.slots.data();
+      count = sparse.count;
+    }
+    lastBucket = (count - 1) / PkdTree::bucketSize;
+    lastShown = 0xffffu >> (PkdTree::bucketSize - 1 - (count - 1) % PkdTree::bucketSize);
+  }
+
+  /// The particle's slot in the tree whose place in `rows` is given.
+  std::uint64_t slotOf(std::uint64_t place) const
+  {
+    return slots == nullptr ? place : slots[place];
+  }
+
+  /// Rows of the corners that the particles of a bucket count from, or null where the corner of
+  /// their treelet in `nodes` is that of all.
+  const Row* cornersOf(std::size_t bucket) const
+  {
+    return slots == nullptr ? nullptr : &rows[(bucket + 1) * rowsABucket - 3];
   }
 
   /// Of equally near hits that on the particle given first counts.

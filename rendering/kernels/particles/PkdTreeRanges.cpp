@@ -1,0 +1,233 @@
+// Which particles of a PkdTree lie in ranges: decided for whole nodes wherever the least and the
+// greatest of the values below them tell.
+
+#include "PkdTree.h"
+
+#include "PkdTreeView.h"
+#include "StoredRanges.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace mote
+{
+
+PkdTree::ValueBounds::ValueBounds()
+{
+  least.fill(std::numeric_limits<float>::infinity());
+  greatest.fill(-std::numeric_limits<float>::infinity());
+}
+
+void PkdTree::ValueBounds::add(std::size_t k, float v)
+{
+  // Comparisons with NaN fail: it widens no bounds.
+  least[k] = v < least[k] ? v : least[k];
+  greatest[k] = v > greatest[k] ? v : greatest[k];
+  hasNaN |= static_cast<unsigned>(v != v) << k;
+}
+
+void PkdTree::ValueBounds::add(const ValueBounds& b)
+{
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    least[k] = std::min(least[k], b.least[k]);
+    greatest[k] = std::max(greatest[k], b.greatest[k]);
+  }
+  hasNaN |= b.hasNaN;
+}
+
+void PkdTree::findValueBounds()
+{
+  valueBounds_.resize(nodes_.size());
+  for (std::size_t k = 0; k < levels_.size(); ++k)
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, levels_[k].count, 16),
+      [&, k](const tbb::blocked_range<std::size_t>& range)
+      {
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+        {
+          ValueBounds bounds;
+          const std::size_t size = k == 0 ? treeletSize : fanout, first = i * size;
+          const std::size_t last = std::min(k == 0 ? count_ : levels_[k - 1].count, first + size);
+          for (std::size_t below = first; below < last; ++below)
+            if (k == 0)
+            {
+              bounds.add(0, storedRadius(below));
+              for (std::size_t a = 0; a < 4 && !values_.empty(); ++a)
+                bounds.add(1 + a, values_[below][a]);
+            }
+            else
+              bounds.add(valueBounds_[levels_[k - 1].first + below]);
+          valueBounds_[levels_[k].first + i] = bounds;
+        }
+      });
+}
+
+/// One query: goes down from the root as far as a node lies neither inside nor outside of a range.
+struct PkdTreeQuery
+{
+  using Node = PkdTree::Node;
+  using Bits = PkdTree::Bits;
+
+  PkdTree& tree;
+  const StoredRanges& stored;
+
+  /// Of the spheres below a node, along each axis, both ends included.
+  struct Box
+  {
+    std::array<double, 3> lower, upper;
+  };
+
+  enum class Place
+  {
+    Outside,
+    Inside,
+    Across
+  };
+
+  /// Where the values of the limit `k` below a node are.
+  Place placeOf(int k, std::size_t node, const Box& box) const
+  {
+    const auto value = static_cast<std::size_t>(stored.value[k]);
+    double least, greatest;
+    bool hasNaN = false;
+    if (value < 3)
+    {
+      // Spheres reach beyond their centres, which may be rounded.
+      least = box.lower[value];
+      greatest = box.upper[value];
+    }
+    else
+    {
+      const PkdTree::ValueBounds& bounds = tree.valueBounds_[node];
+      least = bounds.least[value - 3];
+      greatest = bounds.greatest[value - 3];
+      hasNaN = (bounds.hasNaN >> (value - 3) & 1) != 0;
+    }
+    if (least > stored.upper[k] || greatest < stored.lower[k])
+      return Place::Outside;
+    const bool in = least >= stored.lower[k] && greatest <= stored.upper[k] && !hasNaN;
+    return in ? Place::Inside : Place::Across;
+  }
+
+  /// Decides what the limits `open`, a bit each, leave of a node.
+  void visit(std::size_t level, std::size_t i, const Box& box, unsigned open) const
+  {
+    const std::size_t place = tree.levels_[level].first + i;
+    for (int k = 0; k < stored.limits; ++k)
+      if ((open >> k & 1) != 0)
+      {
+        const Place where = placeOf(k, place, box);
+        if (where == Place::Outside)
+          return fill(level, i, false);
+        if (where == Place::Inside)
+          open &= ~(1u << k);
+      }
+    if (open == 0)
+      return fill(level, i, true);
+    if (level == 0)
+      return look(i, open);
+    const std::size_t first = i * PkdTree::fanout;
+    const std::size_t last =
+      std::min<std::size_t>(tree.levels_[level - 1].count, first + PkdTree::fanout);
+    const auto child = [&](std::size_t c)
+    { visit(level - 1, c, childBox(tree.nodes_[place], c - first), open); };
+    if (level == 1)
+      for (std::size_t c = first; c < last; ++c)
+        child(c);
+    else
+      tbb::parallel_for(first, last, child);
+  }
+
+  static Box childBox(const Node& node, std::size_t child)
+  {
+    Box box;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const double step = stepOf(node, k);
+      box.lower[k] = double(node.lower[k]) + step * node.low[k][child];
+      box.upper[k] = double(node.lower[k]) + step * node.high[k][child];
+    }
+    return box;
+  }
+
+  /// Shows all below a node but what visibility hides, or nothing.
+  void fill(std::size_t level, std::size_t i, bool all) const
+  {
+    const std::size_t each = std::size_t{PkdTree::fanout} << (4 * level); // buckets
+    const std::size_t first = i * each, last = std::min(tree.buckets(), first + each);
+    if (!all)
+      std::fill(tree.shown_.begin() + static_cast<std::ptrdiff_t>(first),
+        tree.shown_.begin() + static_cast<std::ptrdiff_t>(last), Bits{0});
+    else
+      for (std::size_t b = first; b < last; ++b)
+        tree.shown_[b] = visible(b);
+  }
+
+  Bits visible(std::size_t bucket) const
+  {
+    if (!tree.visible_.empty())
+      return tree.visible_[bucket];
+    const std::size_t count = tree.count_ - bucket * PkdTree::bucketSize;
+    return count >= PkdTree::bucketSize ? Bits{0xffff} : static_cast<Bits>((1u << count) - 1);
+  }
+
+  /// Looks at each particle of a treelet.
+  void look(std::size_t treelet, unsigned open) const
+  {
+    const std::size_t first = treelet * PkdTree::fanout;
+    const std::size_t last = std::min(tree.buckets(), first + PkdTree::fanout);
+    const Node& node = tree.nodes_[tree.levels_[0].first + treelet];
+    for (std::size_t bucket = first; bucket < last; ++bucket)
+    {
+      unsigned bits = visible(bucket);
+      for (int k = 0; k < stored.limits && bits != 0; ++k)
+        if ((open >> k & 1) != 0)
+          bits &= within(node, bucket, k);
+      tree.shown_[bucket] = static_cast<Bits>(bits);
+    }
+  }
+
+  unsigned within(const Node& node, std::size_t bucket, int k) const
+  {
+    const int value = stored.value[k];
+    const float lower = stored.lower[k], upper = stored.upper[k];
+    const std::size_t first = bucket * PkdTree::bucketSize;
+    const std::size_t count = std::min<std::size_t>(tree.count_ - first, PkdTree::bucketSize);
+    unsigned bits = 0;
+    const auto each = [&](const auto& valueOf)
+    {
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        const float v = valueOf(first + i);
+        bits |= static_cast<unsigned>((v >= lower) & (v <= upper)) << i;
+      }
+    };
+    if (value > 3)
+      each(
+        [&](std::size_t slot) { return tree.values_[slot][static_cast<std::size_t>(value - 4)]; });
+    else if (value == 3)
+      each([&](std::size_t slot) { return tree.storedRadius(slot); });
+    else
+      each([&](std::size_t slot)
+        { return node.corner[static_cast<std::size_t>(value)] + tree.place(slot)[value]; });
+    return bits;
+  }
+};
+
+void PkdTree::findInRange(const StoredRanges& stored)
+{
+  for (int k = 0; k < stored.limits; ++k)
+    if (stored.value[k] > 2 && valueBounds_.empty())
+      findValueBounds();
+  shown_.resize(buckets());
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  PkdTreeQuery::Box everywhere;
+  everywhere.lower.fill(-infinity);
+  everywhere.upper.fill(infinity);
+  PkdTreeQuery{*this, stored}.visit(levels_.size() - 1, 0, everywhere, (1u << stored.limits) - 1);
+}
+
+} // namespace mote
