@@ -87,7 +87,7 @@ case $3 in
     records a.json "all(x['particles_in_cells'] > x['particles_in_frustum'] > x['nearest_hits'] > 0
       for x in r if x['table'] == 'culling')"
     records a.json "all(x['build_again_s'] > 0 for x in r if x['table'] == 'build')"
-    records a.json "[x['kept'] for x in r if x['table'] == 'range'][:6:2] == [729, 364, 182]"
+    records a.json "[x['kept'] for x in r if x['table'] == 'range'][:6:2] == [729, 72, 7]"
     records a.json "all(x['rms_error'] < 0.02 for x in r if x['mode'] == '8x8')"
     run 0 "$bench" particles --input lattice:700 "${small[@]}" --view far --tables lambda
     said out 'Cells a particle'
