@@ -42,7 +42,11 @@ Overlay::Overlay(vtkRenderer* renderer)
   helpText_->SetInput(keysHelp().c_str());
   helpText_->VisibilityOff();
   messageText_->VisibilityOff();
-  for (vtkTextActor* text : {statusText_.Get(), messageText_.Get(), helpText_.Get()})
+  onPanel(place(previewText_, 0.5, 0.98, 15, true));
+  previewText_->GetTextProperty()->SetJustificationToCentered();
+  previewText_->VisibilityOff();
+  for (vtkTextActor* text :
+    {statusText_.Get(), messageText_.Get(), helpText_.Get(), previewText_.Get()})
     renderer->AddActor2D(text);
 }
 
@@ -59,6 +63,13 @@ void Overlay::setMessage(const std::string& text)
   messageOn_ = !text.empty();
   messageText_->SetInput(text.c_str());
   messageText_->SetVisibility(messageOn_);
+}
+
+void Overlay::setPreview(const std::string& text)
+{
+  previewOn_ = !text.empty();
+  previewText_->SetInput(text.c_str());
+  previewText_->SetVisibility(previewOn_);
 }
 
 bool Overlay::hasMessage() const
@@ -83,6 +94,7 @@ void Overlay::setVisible(bool visible)
   statusText_->SetVisibility(visible);
   messageText_->SetVisibility(visible && messageOn_);
   helpText_->SetVisibility(visible && helpOn_);
+  previewText_->SetVisibility(visible && previewOn_);
 }
 
 void Overlay::setInk(const Color& ink)

@@ -27,6 +27,9 @@ public:
   void setMessage(const std::string& text);
   bool hasMessage() const;
 
+  /// The line at the top that says that this is a preview; none to take it away.
+  void setPreview(const std::string& text);
+
   void toggleHelp();
   void hideHelp();
 
@@ -40,9 +43,11 @@ private:
   std::string status_;
   bool helpOn_ = false;
   bool messageOn_ = false;
+  bool previewOn_ = false;
   vtkNew<vtkTextActor> statusText_;
   vtkNew<vtkTextActor> messageText_;
   vtkNew<vtkTextActor> helpText_;
+  vtkNew<vtkTextActor> previewText_;
 };
 
 } // namespace mote::app

@@ -156,18 +156,45 @@ void Part::setRadiusScale(double scale)
   this->limitRadius();
 }
 
-void Part::build(Progress& progress)
+void Part::setPreview(bool on)
+{
+  if (particles_)
+    particles_->SetPreview(on);
+}
+
+std::string Part::update()
+{
+  // One that could not be built stays away, and is told of already.
+  if (!particles_ || !actor_->GetVisibility())
+    return {};
+  Messages::takeError();
+  particles_->Update();
+  return Messages::takeError();
+}
+
+void Part::work(Progress& progress, const std::function<void()>& build)
 {
   Messages::takeError();
-  actor_->VisibilityOff(); // whatever happens, nothing half built is drawn
   {
     Progress::Work work(
       progress, particles_ ? "Building structure" : "Extracting surface", mapper_);
-    mapper_->Update();
+    build();
     work.finish();
   }
   if (const std::string error = Messages::takeError(); !error.empty())
     throw Failure(error);
+}
+
+void Part::finishBuild(Progress& progress)
+{
+  if (particles_)
+    this->work(progress, [this] { particles_->FinishBuild(); });
+}
+
+void Part::build(Progress& progress)
+{
+  actor_->VisibilityOff(); // whatever happens, nothing half built is drawn
+  this->work(progress, [this] { mapper_->Update(); });
   actor_->VisibilityOn();
   if (particles_ && particles_->GetRadiusMode() == vtkMoteParticleMapper::RADIUS_FROM_SPACING &&
       particles_->GetNumberOfParticles() > 1)

@@ -9,6 +9,7 @@
 #include <vtkSmartPointer.h>
 
 #include <cmath>
+#include <functional>
 
 class vtkActor;
 class vtkLookupTable;
@@ -41,6 +42,13 @@ public:
   /// Brings structures up to date. Throws Failure and Interrupted, after which nothing is drawn.
   void build(Progress& progress);
 
+  /// Whether build() of many particles leaves them to another thread, with a preview meanwhile.
+  void setPreview(bool on);
+  /// Takes what another thread has built by now. Returns what went wrong, or nothing.
+  std::string update();
+  /// Waits for what another thread builds. Throws Failure and Interrupted.
+  void finishBuild(Progress& progress);
+
   /// Colours by an array through the table; by none with one colour.
   void setColors(const ArrayChoice& choice, vtkLookupTable* table);
 
@@ -71,6 +79,7 @@ public:
 private:
   void setRadius();
   void limitRadius();
+  void work(Progress& progress, const std::function<void()>& build);
   vtkSmartPointer<vtkMapper> makeSurface();
 
   std::string name_;

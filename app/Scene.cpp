@@ -12,6 +12,7 @@
 #include <vtkMoteParticleMapper.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace mote::app
 {
@@ -51,6 +52,63 @@ void Scene::build(Progress& progress)
 {
   for (const auto& part : parts_)
     part->build(progress);
+}
+
+void Scene::setPreview(bool on)
+{
+  for (const auto& part : parts_)
+    part->setPreview(on);
+}
+
+std::string Scene::update()
+{
+  std::string error;
+  for (const auto& part : parts_)
+    if (const std::string own = part->update(); error.empty())
+      error = own;
+  return error;
+}
+
+void Scene::finishBuild(Progress& progress)
+{
+  for (const auto& part : parts_)
+    part->finishBuild(progress);
+}
+
+void Scene::stopBuild()
+{
+  for (const auto& part : parts_)
+    if (part->particles())
+      part->particles()->StopBuild();
+}
+
+bool Scene::isBuilding() const
+{
+  return std::any_of(parts_.begin(), parts_.end(),
+    [](const auto& part) { return part->particles() && part->particles()->IsBuilding(); });
+}
+
+std::string Scene::preview() const
+{
+  vtkIdType shown = 0;
+  bool any = false;
+  double built = 0.0;
+  for (const auto& part : parts_)
+    if (vtkMoteParticleMapper* mapper = part->particles())
+    {
+      any = any || mapper->IsPreview();
+      shown += mapper->IsPreview() ? mapper->GetNumberOfPreviewParticles()
+                                   : mapper->GetNumberOfParticles();
+      built += mapper->GetBuildProgress() * static_cast<double>(mapper->GetNumberOfParticles());
+    }
+  if (!any)
+    return {};
+  const vtkIdType all = this->numberOfParticles();
+  std::string text =
+    "Preview: " + withThousands(shown) + " of " + counted(all, "particle") + ", enlarged";
+  if (this->isBuilding())
+    text += "; " + asNumber(std::floor(100.0 * built / static_cast<double>(all))) + " % built";
+  return text;
 }
 
 void Scene::applyColors()
@@ -193,7 +251,8 @@ std::string Scene::contents() const
   if (particles || parts_.empty())
   {
     text = counted(this->numberOfParticles(), "particle");
-    if (this->numberShown() != this->numberOfParticles())
+    // How many of all are shown a preview does not know.
+    if (this->preview().empty() && this->numberShown() != this->numberOfParticles())
       text = withThousands(this->numberShown()) + " of " + text + " shown";
   }
   if (cells > 0)

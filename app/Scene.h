@@ -29,6 +29,19 @@ public:
   /// Brings all structures up to date. Throws Failure and Interrupted.
   void build(Progress& progress);
 
+  /// As Part::setPreview(), update() and finishBuild().
+  void setPreview(bool on);
+  std::string update();
+  void finishBuild(Progress& progress);
+  /// Stops what other threads build, before data change.
+  void stopBuild();
+
+  /// Whether other threads build.
+  bool isBuilding() const;
+  /// "Preview: 1,000,000 of 80,000,000 particles, enlarged"; empty where all that is shown is
+  /// exact.
+  std::string preview() const;
+
   /// Colours by the options' array, or the most telling one, and hides what they hide.
   void applyColors();
 

@@ -74,6 +74,8 @@ struct ViewOptions
   std::optional<std::string> caption;
   int threads = 0;
 
+  bool preview = false; ///< of large sets, until they are built; the window's alone
+
   /// Rays a pixel, at most; `paths` are noisier than other light.
   int mostSamples(bool paths) const
   {

@@ -22,8 +22,10 @@ namespace mote::app
 namespace
 {
 
-constexpr unsigned long restAfter = 250; // ms from a turn of the wheel to sharpening
-constexpr unsigned long playPause = 60;  // ms between time steps
+constexpr unsigned long restAfter = 250;  // ms from a turn of the wheel to sharpening
+constexpr unsigned long playPause = 60;   // ms between time steps
+constexpr unsigned long buildPause = 200; // ms between looks at what other threads build
+constexpr int previewSamples = 4;         // rays a pixel: more would slow down the build behind it
 
 template <class Function>
 void observe(vtkObject* object, unsigned long event, const Function& function)
@@ -56,6 +58,13 @@ void forget(vtkObject* object)
 void addWindowOptions(CLI::App& app, WindowOptions& options)
 {
   addViewOptions(app, options.view);
+  options.view.preview = true;
+  app
+    .add_flag_function(
+      "--no-preview", [&options](std::int64_t) { options.view.preview = false; },
+      "Show nothing before the structure is built. Else large sets begin with a preview: a part of "
+      "the particles, enlarged, and a line that says so")
+    ->group("Picture");
 }
 
 void showWindow(const WindowOptions& options)
@@ -99,7 +108,6 @@ void Window::setUpWindow()
   window_->SetSize(sized ? options_.size[0] : std::min(1280, screen[0] * 9 / 10),
     sized ? options_.size[1] : std::min(860, screen[1] * 8 / 10));
   pass_->ProgressiveOn();
-  pass_->SetSamplesPerPixel(options_.mostSamples(options_.pathTrace));
   pass_->SetNoiseLevel(options_.noise);
   pass_->SetNumberOfThreads(options_.threads);
   pass_->SetShading(scene_.lighting().shading());
@@ -136,6 +144,7 @@ void Window::run()
     input_.open(progress_);
     step_ = input_.chosenStep(options_);
     scene_.setData(input_.read(step_, progress_));
+    scene_.setPreview(options_.preview);
     scene_.build(progress_);
     scene_.applyColors();
     bar_.hide();
@@ -147,7 +156,9 @@ void Window::run()
     throw;
   }
   busy_ = false;
-  window_->SetWindowName(("Mote - " + input_.name()).c_str());
+  previewed_ = !scene_.preview().empty();
+  this->nameWindow();
+  this->look(options_.view); // before the axes, which draw the window
   props_.attach(interactor_);
   props_.update(options_);
   const bool rays = scene_.numberOfCells() == 0 || scene_.numberOfParticles() > 0;
@@ -157,7 +168,6 @@ void Window::run()
     scene_.renderer()->SetPass(nullptr);
     scene_.renderer()->UseFXAAOn();
   }
-  this->look(options_.view);
   this->say("Press h for the keys");
   this->render();
   if (!quit_)
@@ -209,8 +219,11 @@ bool Window::load(int step)
   const bool done = this->perform(
     [&]
     {
+      scene_.stopBuild();
       const auto data = input_.read(step, progress_);
       scene_.setData(data);
+      // What plays would go on to the next step before it is built.
+      scene_.setPreview(options_.preview && !playing_);
       step_ = step;
       scene_.build(progress_);
       scene_.applyColors();
@@ -279,6 +292,28 @@ void Window::renderMoving()
   this->startTimer(restTimer_, restAfter);
 }
 
+void Window::nameWindow()
+{
+  window_->SetWindowName(("Mote - " + input_.name() + (previewed_ ? " (preview)" : "")).c_str());
+}
+
+void Window::updatePreview()
+{
+  // Before the frame: what is built meanwhile may be in it, but no preview that nothing tells of.
+  if (const std::string error = scene_.update(); !error.empty())
+    this->say(error);
+  const std::string preview = scene_.preview();
+  if (previewed_ != !preview.empty())
+  {
+    previewed_ = !preview.empty();
+    props_.unmark(); // its size was that of the particle as it was drawn
+    this->nameWindow();
+  }
+  overlay_.setPreview(preview);
+  const int samples = options_.mostSamples(scene_.lighting().tracesPaths());
+  pass_->SetSamplesPerPixel(previewed_ ? std::min(previewSamples, samples) : samples);
+}
+
 void Window::onRenderStart()
 {
   frameStart_ = vtkTimerLog::GetUniversalTime();
@@ -288,6 +323,7 @@ void Window::onRenderStart()
   const int* size = window_->GetSize();
   if (viewSize_ != std::array<int, 2>{size[0], size[1]} && view_ == this->viewNow())
     this->look(side_);
+  this->updatePreview();
   overlay_.setStatus(this->statusText());
   props_.legend().update();
 }
@@ -301,9 +337,15 @@ void Window::onRenderEnd()
     frameTime_ = vtkTimerLog::GetUniversalTime() - frameStart_;
   if (wheeling_ || playing_ || style_->GetState() != VTKIS_NONE)
     return;
-  // Sharpen until all samples are there; then once more, for the status line to say so.
-  if (rays && (!pass_->IsConverged() || overlay_.status() != this->statusText()))
+  if (!rays)
+    return;
+  // Sharpen until all samples are there; then once more, for the texts to say so.
+  const bool preview = pass_->IsPreview();
+  const bool sharp = preview ? pass_->GetTraceTime() == 0.0 : pass_->IsConverged();
+  if (!sharp || previewed_ != preview || overlay_.status() != this->statusText())
     this->startTimer(sharpenTimer_, 1);
+  else if (scene_.isBuilding())
+    this->startTimer(sharpenTimer_, buildPause);
 }
 
 void Window::startTimer(int& timer, unsigned long milliseconds)
@@ -351,7 +393,8 @@ std::string Window::statusText() const
     text += dot + "frame " + asDuration(frameTime_);
   if (scene_.numberOfParticles() == 0 || !scene_.parts().size())
     return text;
-  text += dot + "structure " + asBytes(static_cast<double>(scene_.structureBytes()));
+  if (!previewed_)
+    text += dot + "structure " + asBytes(static_cast<double>(scene_.structureBytes()));
   if (frameTime_ > 0.0 && pass_->GetImageSampleDistance() > 1.0)
     text += dot + "1/" + asNumber(pass_->GetImageSampleDistance(), 2) + " resolution";
   else if (frameTime_ > 0.0)

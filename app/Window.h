@@ -64,6 +64,8 @@ private:
   void renderMoving();
   void look(const std::string& side);
   void updateProps();
+  void updatePreview();
+  void nameWindow();
   void onRenderStart();
   void onRenderEnd();
   void onTimer(int timer);
@@ -108,6 +110,7 @@ private:
   bool quit_ = false;
   double radiusScale_ = 1.0;
   double frameStart_ = 0.0, frameTime_ = 0.0;
+  bool previewed_ = false; // the picture shown last was a preview
   int sharpenTimer_ = 0, restTimer_ = 0, playTimer_ = 0, messageTimer_ = 0;
 };
 

@@ -134,7 +134,6 @@ void Window::act(Action action)
     break;
   case Action::Shading:
     scene_.nextShading();
-    pass_->SetSamplesPerPixel(options_.mostSamples(scene_.lighting().tracesPaths()));
     this->say(scene_.lighting().shadingName());
     break;
   case Action::Save:
@@ -285,6 +284,9 @@ void Window::savePicture()
     std::snprintf(number, sizeof number, "-%03d.png", i);
     file = stem + number;
   }
+  // A preview is for looking; what is kept is exact.
+  if (previewed_ && !this->perform([&] { scene_.finishBuild(progress_); }))
+    return;
   overlay_.setVisible(false);
   do
     this->render();

@@ -113,6 +113,9 @@ bool FrameTracer::trace(vtkRenderer* renderer, std::vector<vtkActor*>& actors, i
   seconds_ = 0.0;
   rays_ = 0;
   Scene scene = sceneOf(renderer, actors, settings.shading);
+  preview_ = std::any_of(actors.begin(), actors.end(),
+    [](vtkActor* actor)
+    { return vtkMoteParticleMapper::SafeDownCast(actor->GetMapper())->IsPreview(); });
   if (actors.empty() || width < 1 || height < 1)
   {
     signature_.clear();
@@ -142,7 +145,7 @@ bool FrameTracer::trace(vtkRenderer* renderer, std::vector<vtkActor*>& actors, i
   // A still picture with all its rays says nothing about the next that moves.
   if (rays_ > 0 && (draft_ || !slow))
     secondsPerRay_ = seconds_ / static_cast<double>(rays_);
-  converged_ = distance_ == 1.0 && !draft_ && settings.refinement.isDone(film_);
+  converged_ = distance_ == 1.0 && !draft_ && !preview_ && settings.refinement.isDone(film_);
   return true;
 }
 

@@ -45,6 +45,8 @@ public:
   /// Distance of neighbouring rays in pixels of the viewport.
   double distance() const { return distance_; }
   bool converged() const { return converged_; }
+  /// Whether anything in the film is a preview of more; such a film never counts as converged.
+  bool preview() const { return preview_; }
   /// Standard error of the film, infinite where nobody asked for it.
   double noise() const;
   double seconds() const { return seconds_; }
@@ -68,6 +70,7 @@ private:
   long long rays_ = 0;
   unsigned long version_ = 0;
   bool converged_ = false;
+  bool preview_ = false;
 };
 
 } // namespace mote

@@ -11,6 +11,8 @@
 #include "vtkPoints.h"
 #include "vtksys/SystemTools.hxx"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -134,11 +136,12 @@ ParticleInput makeParticleInput(vtkPointSet* points, const RadiusChoice& choice)
   {
     const DataArrayView types(array);
     input.ownRadii.resize(types.view.count());
-    for (std::size_t i = 0; i < types.view.count(); ++i)
-    {
-      const auto found = choice.typeRadii.find(static_cast<int>(types.view.value(i)));
-      input.ownRadii[i] = found == choice.typeRadii.end() ? choice.radius : found->second;
-    }
+    tbb::parallel_for(std::size_t{0}, types.view.count(),
+      [&](std::size_t i)
+      {
+        const auto found = choice.typeRadii.find(static_cast<int>(types.view.value(i)));
+        input.ownRadii[i] = found == choice.typeRadii.end() ? choice.radius : found->second;
+      });
     input.set.radii = ArrayView(input.ownRadii.data(), input.ownRadii.size(), 1);
   }
   else if (array)

@@ -37,6 +37,7 @@ struct ParticleInput
   DataArrayView radii;
   std::vector<double> ownRadii; ///< a particle each, where no array holds them
   double commonRadius = 0.0;    ///< 0 where radii differ
+  double enlargement = 1.0;     ///< what the structure's radii are times those of `set`
   /// Of points that stay in a file: their tree, which tells places and radii where `set` does not.
   std::shared_ptr<const PkdTree> tree;
 };

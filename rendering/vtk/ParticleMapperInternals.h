@@ -5,18 +5,22 @@
 #include "ParticleInput.h"
 #include "ParticleSelection.h"
 #include "RendererImage.h"
+#include "StructureBuild.h"
 
 #include "kernels/particles/ParticleStructure.h"
 
 #include "vtkTimeStamp.h"
 
+#include <chrono>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
-/// What vtkMoteParticleMapper keeps between frames. Its methods stand in three files: input,
+/// What vtkMoteParticleMapper keeps between frames. Its methods stand in four files: input,
 /// structure and drawing in vtkMoteParticleMapper.cxx, colours in ParticleMapperColors.cxx, ranges
-/// in ParticleMapperRanges.cxx.
+/// in ParticleMapperRanges.cxx, the preview and what is built behind it in
+/// ParticleMapperPreview.cxx.
 class vtkMoteParticleMapper::Internals
 {
 public:
@@ -29,6 +33,14 @@ public:
     std::string name;
     int component;
     double low, high;
+  };
+
+  /// What is known of a preview, and of all that it stands for.
+  struct PreviewFacts
+  {
+    mote::ParticleStatistics whole;
+    double enlargement = 1.0;
+    std::size_t particles = 0; ///< that are drawn or hidden by range
   };
 
   mote::RadiusChoice choice;
@@ -55,9 +67,23 @@ public:
   bool reportedClipping = false;
   mote::RendererImages images; ///< for renderers that have no vtkMoteRayCastPass
 
+  std::unique_ptr<PreviewFacts> preview; ///< where `structure` is that of a preview
+  std::chrono::steady_clock::time_point buildStart;
+  bool exactOnly = false;  ///< somebody waits for the exact structure
+  bool continuing = false; ///< in ContinueBuild()
+  std::unique_ptr<mote::StructureBuild> build;
+
   template <typename Get>
   auto fromStructure(const Get& get, decltype(get(mote::CoherentGrid{})) otherwise) const
   {
     return structure ? mote::withStructure(*structure, get) : otherwise;
+  }
+
+  /// Of all particles that can be drawn, also while a part of them is.
+  mote::ParticleStatistics statistics() const
+  {
+    return preview ? preview->whole
+                   : fromStructure(
+                       [](const auto& s) { return s.statistics(); }, mote::ParticleStatistics{});
   }
 };

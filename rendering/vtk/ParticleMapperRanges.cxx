@@ -141,8 +141,14 @@ vtkIdType vtkMoteParticleMapper::GetNumberOfVisibleParticles()
 
 void vtkMoteParticleMapper::GetVisibleBounds(double bounds[6])
 {
-  const auto& structure = this->Impl->structure;
-  const mote::Box box = structure ? this->Impl->selection.shown(*structure).bounds : mote::Box{};
+  const Internals& impl = *this->Impl;
+  mote::Box box;
+  if (impl.structure)
+  {
+    const mote::ParticleSelection::Shown& shown = impl.selection.shown(*impl.structure);
+    const bool all = impl.preview && shown.count == impl.preview->particles;
+    box = all ? impl.preview->whole.bounds : shown.bounds;
+  }
   copyBounds(box, bounds);
 }
 
@@ -229,7 +235,9 @@ void vtkMoteParticleMapper::UpdateRanges()
       choice.radius = impl.commonRadius;
       choice.scale = 1.0;
     }
-    return mote::makeParticleInput(this->GetInput(), choice);
+    mote::ParticleInput input = mote::makeParticleInput(this->GetInput(), choice);
+    input.enlargement = impl.preview ? impl.preview->enlargement : 1.0;
+    return input;
   };
   if (impl.selection.apply(*impl.structure, values, impl.places, particles))
     impl.builtAt.Modified();

@@ -140,6 +140,8 @@ template <typename Structure>
 bool findPlaceLimits(
   const Structure& s, const ParticleInput& particles, int k, double& low, double& high)
 {
+  if (k == 3 && particles.enlargement != 1.0)
+    return false; // what is stored are not the radii that the range speaks of
   struct Borders
   {
     Border low, high;

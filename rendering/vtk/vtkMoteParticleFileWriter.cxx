@@ -143,7 +143,7 @@ bool vtkMoteParticleFileWriter::WriteParticles()
   if (this->GetNumberOfInputConnections(0) > 0)
     this->Mapper->SetInputConnection(this->GetInputConnection(0, 0));
   this->Mapper->SetStructureName("pkd-tree");
-  this->Mapper->Update();
+  this->Mapper->FinishBuild();
   if (this->Mapper->GetAbortExecute())
     return false;
   vtkPointSet* input = this->Mapper->GetInput();

@@ -98,8 +98,7 @@ double* vtkMoteParticleMapper::GetBounds()
   }
   if (!this->Static)
     this->Update();
-  const mote::Box box =
-    this->Impl->fromStructure([](const auto& s) { return s.statistics().bounds; }, mote::Box{});
+  const mote::Box box = this->Impl->statistics().bounds;
   vtkMath::UninitializeBounds(this->Bounds);
   for (int axis = 0; axis < 3 && !box.empty(); ++axis)
   {
@@ -111,15 +110,13 @@ double* vtkMoteParticleMapper::GetBounds()
 
 vtkIdType vtkMoteParticleMapper::GetNumberOfParticles()
 {
-  return this->Impl->fromStructure(
-    [](const auto& s) { return static_cast<vtkIdType>(s.size()); }, vtkIdType{0});
+  return static_cast<vtkIdType>(this->Impl->statistics().valid);
 }
 
 vtkIdType vtkMoteParticleMapper::GetNumberOfUnfitParticles()
 {
-  return this->Impl->fromStructure([](const auto& s)
-    { return static_cast<vtkIdType>(s.statistics().badPositions + s.statistics().badRadii); },
-    vtkIdType{0});
+  const mote::ParticleStatistics s = this->Impl->statistics();
+  return static_cast<vtkIdType>(s.badPositions + s.badRadii);
 }
 
 vtkTypeInt64 vtkMoteParticleMapper::GetStructureBytes()
@@ -212,6 +209,7 @@ void vtkMoteParticleMapper::Update(int port)
   {
     if (this->GetNumberOfInputConnections(0) < 1)
     {
+      this->StopBuild();
       this->Impl->structure = nullptr;
       this->Impl->structureKey.clear();
       return;
@@ -242,11 +240,18 @@ void vtkMoteParticleMapper::UpdateStructure()
     mote::InputKey key = {double(mote::structureOf(this->StructureName))};
     mote::addArray(key, input->GetPoints() ? input->GetPoints()->GetData() : nullptr);
     mote::addChoice(key, choice, radii, half);
-    if (impl.structure && key == impl.structureKey)
+    const bool failed = impl.preview && !impl.build;
+    if (impl.structure && key == impl.structureKey && (!failed || this->UsesPreview()))
+    {
+      this->ContinueBuild();
       return;
+    }
+    this->StopBuild();
     impl.structureKey.clear();
     if (mote::drawsFile(input, choice, mote::structureOf(this->StructureName)))
       this->TakeStructure(input);
+    else if (this->UsesPreview())
+      this->BeginPreview(input);
     else
       this->BuildStructure(input);
     if (impl.structure)
@@ -255,6 +260,7 @@ void vtkMoteParticleMapper::UpdateStructure()
   }
   catch (const std::exception& error)
   {
+    this->StopBuild();
     impl.structure = nullptr;
     impl.structureKey.clear();
     if (impl.reported != error.what())
@@ -282,10 +288,13 @@ void vtkMoteParticleMapper::BuildStructure(vtkPointSet* input)
   impl.commonRadius = particles.commonRadius;
   impl.builtAt.Modified();
   ++impl.builds;
-  if (!impl.structure)
-    return;
-  const std::string leftOut = mote::leftOutSentence(
-    mote::withStructure(*impl.structure, [](const auto& s) { return s.statistics(); }));
+  if (impl.structure)
+    this->WarnOfLeftOut(impl.statistics());
+}
+
+void vtkMoteParticleMapper::WarnOfLeftOut(const mote::ParticleStatistics& statistics)
+{
+  const std::string leftOut = mote::leftOutSentence(statistics);
   if (!leftOut.empty())
     vtkWarningMacro(<< "Particles left out: " << leftOut << ".");
 }
@@ -360,6 +369,9 @@ void vtkMoteParticleMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VisibilityComponent: " << this->VisibilityComponent << "\n";
   this->PrintRanges(os, indent);
   os << indent << "StructureName: " << text(this->StructureName) << "\n";
+  os << indent << "Preview: " << (this->Preview ? "On" : "Off") << "\n";
+  os << indent << "PreviewSize: " << this->PreviewSize << "\n";
+  os << indent << "IsPreview: " << (this->IsPreview() ? "Yes" : "No") << "\n";
   os << indent << "NumberOfParticles: " << this->GetNumberOfParticles() << "\n";
   os << indent << "NumberOfUnfitParticles: " << this->GetNumberOfUnfitParticles() << "\n";
   os << indent << "StructureBytes: " << this->GetStructureBytes() << "\n";

@@ -21,6 +21,9 @@
  * nothing being built or copied, in RADIUS_AUTOMATIC mode with a RadiusScale of 1 and with the
  * structures "auto" and "pkd-tree"; otherwise a structure is built over them as over any.
  *
+ * With PreviewOn() a large set is built on another thread, and an evenly taken part of its
+ * particles, enlarged, is drawn meanwhile. It is off by default: what is drawn is then exact.
+ *
  * What cannot be drawn, particles at positions that are not finite or with a radius that is not a
  * finite number above zero, is left out, counted and reported once for each input.
  */
@@ -42,6 +45,7 @@ namespace mote
 class PkdTree;
 struct ParticleColoring;
 struct ParticleObject;
+struct ParticleStatistics;
 } // namespace mote
 
 class MOTERENDERINGVTK_EXPORT vtkMoteParticleMapper : public vtkMapper
@@ -242,6 +246,55 @@ public:
   void Update(int port) override;
   ///@}
 
+  ///@{
+  /**
+   * When on, Update() of a set of more than four times PreviewSize particles does not wait until
+   * the structure is built. It makes a preview of PreviewSize particles, evenly taken from the
+   * input, with radii times the cube root of the share left out: all that is drawn is then a
+   * preview, colours, ranges and ids of particles being those of the input, and the structure is
+   * built on another thread. An Update() that finds it built, such as that of the next frame, takes
+   * it; there is no event from another thread. StartEvent is fired when the build begins,
+   * ProgressEvents by each Update(), EndEvent when the exact structure is there, or will not be.
+   * SetAbortExecute(1) from within one stops the build and leaves nothing to draw.
+   *
+   * Off by default. Off, nothing is ever drawn but the exact picture: Update() waits for a build
+   * that goes on. A vtkMoteRendererSource and a vtkMoteParticleFileWriter wait in any case.
+   *
+   * While a build goes on the arrays of the input must not be written to in place, nor resized;
+   * StopBuild() before that. Other input or other radii stop it by themselves.
+   */
+  vtkSetMacro(Preview, vtkTypeBool);
+  vtkGetMacro(Preview, vtkTypeBool);
+  vtkBooleanMacro(Preview, vtkTypeBool);
+  vtkSetClampMacro(PreviewSize, vtkIdType, 1, VTK_ID_MAX);
+  vtkGetMacro(PreviewSize, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Whether what is drawn as of the last Update() is a preview; of how many particles (else 0);
+   * whether a structure is built on another thread; and the share of it that is built, in [0, 1].
+   * Where the build failed, of which there is an error, the preview stays. See also
+   * vtkMoteRayCastPass::IsPreview().
+   */
+  bool IsPreview();
+  bool IsBuilding();
+  vtkIdType GetNumberOfPreviewParticles();
+  double GetBuildProgress();
+  ///@}
+
+  /**
+   * Update() that waits for the exact structure, firing ProgressEvents meanwhile. True when it is
+   * there.
+   */
+  bool FinishBuild();
+
+  /**
+   * Stops what is built on another thread, which takes a moment, and forgets the preview. The next
+   * Update() begins anew.
+   */
+  void StopBuild();
+
   /**
    * Update() for another time step of the input's pipeline, which stays the one that is shown.
    * The structure is built again into the memory of the last one. Ranges, colours and all else stay
@@ -256,7 +309,8 @@ public:
   /**
    * Facts of the present structure, as of the last Update(): particles drawn or hidden by range,
    * particles left out as unfit, bytes of structure and particles, seconds of the last build,
-   * number of builds so far, and the radius in use where it is one for all (else 0).
+   * number of builds so far, and the radius in use where it is one for all (else 0). While there is
+   * a preview, bytes and GetNumberOfVisibleParticles() are its own, and all else the input's.
    */
   vtkIdType GetNumberOfParticles();
   vtkIdType GetNumberOfUnfitParticles();
@@ -338,6 +392,8 @@ protected:
   char* VisibilityArrayName = nullptr;
   int VisibilityComponent = 0;
   char* StructureName = nullptr;
+  vtkTypeBool Preview = 0;
+  vtkIdType PreviewSize = 1000000;
 
 private:
   vtkMoteParticleMapper(const vtkMoteParticleMapper&) = delete;
@@ -346,6 +402,10 @@ private:
   void UpdateStructure();
   void BuildStructure(vtkPointSet* input);
   void TakeStructure(vtkPointSet* input);
+  bool UsesPreview();
+  void BeginPreview(vtkPointSet* input);
+  void ContinueBuild();
+  void TakeBuild();
   void UpdateRanges();
   vtkDataArray* FindVisibilityArray(int& component);
   vtkDataArray* FindRangeArray(const std::string& name, int component, const char* purpose);
@@ -355,6 +415,7 @@ private:
   std::string WhyNoColorArray();
 #ifndef __VTK_WRAP__
   void DescribeColors(mote::ParticleColoring& coloring);
+  void WarnOfLeftOut(const mote::ParticleStatistics& statistics);
 #endif
 
   class Internals;

@@ -58,6 +58,7 @@ public:
   std::vector<vtkActor*> actors; ///< Mote's, of the frame being drawn
   std::string reported;          ///< last problem, so that it is told once and not every frame
   bool converged = true;
+  bool preview = false;
   double distance = 1.0;
   int samples = 0;
   double noise = std::numeric_limits<double>::infinity();
@@ -187,6 +188,7 @@ void vtkMoteRayCastPass::DrawImage(vtkRenderer* renderer)
   impl.reported = image.problem();
   const mote::FrameTracer& tracer = image.tracer();
   impl.converged = shown ? tracer.converged() : !image.interrupted();
+  impl.preview = shown && tracer.preview();
   impl.distance = tracer.distance();
   impl.samples = shown ? tracer.film().samples() : 0;
   impl.noise = tracer.noise();
@@ -205,6 +207,11 @@ void vtkMoteRayCastPass::ReleaseGraphicsResources(vtkWindow* window)
 bool vtkMoteRayCastPass::IsConverged()
 {
   return this->Impl->converged;
+}
+
+bool vtkMoteRayCastPass::IsPreview()
+{
+  return this->Impl->preview;
 }
 
 double vtkMoteRayCastPass::GetImageSampleDistance()

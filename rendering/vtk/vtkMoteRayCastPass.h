@@ -69,9 +69,16 @@ public:
   ///@}
 
   /**
-   * Whether the picture shown last has full resolution and all its samples, or little enough noise.
+   * Whether the picture shown last has full resolution and all its samples, or little enough noise,
+   * and is no preview.
    */
   bool IsConverged();
+
+  /**
+   * Whether anything in the picture shown last is a preview: see
+   * vtkMoteParticleMapper::PreviewOn().
+   */
+  bool IsPreview();
 
   ///@{
   /**

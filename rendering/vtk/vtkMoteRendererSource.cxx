@@ -1,6 +1,7 @@
 #include "vtkMoteRendererSource.h"
 
 #include "SceneBridge.h"
+#include "vtkMoteParticleMapper.h"
 #include "vtkMoteShading.h"
 
 #include "kernels/core/Error.h"
@@ -155,6 +156,8 @@ std::vector<vtkActor*> vtkMoteRendererSource::CollectActors()
 bool vtkMoteRendererSource::Trace(mote::Film& film)
 {
   std::vector<vtkActor*> actors = this->CollectActors();
+  std::erase_if(actors, [](vtkActor* actor)
+    { return !vtkMoteParticleMapper::SafeDownCast(actor->GetMapper())->FinishBuild(); });
   if (!this->Renderer->IsActiveCameraCreated())
     this->Renderer->ResetCamera(); // makes one and shows everything, as a window would
   if (this->ResetClippingRange)

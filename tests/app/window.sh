@@ -25,6 +25,53 @@ press() {
   xdotool key --window 0 "$@"
 }
 
+# titled TEXT: the window's title contains it, within a while.
+titled() {
+  for _ in $(seq 600); do
+    xdotool getwindowname "$window" | grep -qF -- "$1" && return
+    kill -0 $process 2>/dev/null || { cat err; fail "the program had ended before its title had $1"; }
+    sleep 0.02
+  done
+  fail "no $1 in the title: $(xdotool getwindowname "$window")"
+}
+
+# untitled TEXT: the title does not contain it any more, within a while.
+untitled() {
+  for _ in $(seq 600); do
+    xdotool getwindowname "$window" | grep -qF -- "$1" || return
+    sleep 0.1
+  done
+  fail "$1 stays in the title"
+}
+
+# many_particles FILE: eight million in a cube, in the order of a simulation.
+many_particles() {
+  python3 - "$1" <<'END'
+import array, struct, sys
+side = 200
+n = side ** 3
+row = array.array("f", [0.0] * (3 * side))
+row[0::3] = array.array("f", range(side))
+with open(sys.argv[1], "wb") as f:
+    f.write(f'''<?xml version="1.0"?>
+<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64"><PolyData>
+<Piece NumberOfPoints="{n}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="0">
+<PointData><DataArray type="Float32" Name="height" format="appended" offset="{8 + 12 * n}"/></PointData>
+<Points><DataArray type="Float32" NumberOfComponents="3" Name="Points" format="appended" offset="0"/></Points>
+</Piece></PolyData><AppendedData encoding="raw">_'''.encode())
+    f.write(struct.pack("<Q", 12 * n))
+    for z in range(side):
+        row[2::3] = array.array("f", [z] * side)
+        for y in range(side):
+            row[1::3] = array.array("f", [y] * side)
+            row.tofile(f)
+    f.write(struct.pack("<Q", 4 * n))
+    for z in range(side):
+        array.array("f", [z] * (side * side)).tofile(f)
+    f.write(b"</AppendedData></VTKFile>")
+END
+}
+
 saved=0
 # picture NAME: has the window save what it shows and calls the file NAME.
 picture() {
@@ -199,6 +246,39 @@ case $3 in
     picture plain-again.png
     alike plain.png plain-again.png
     quit
+    ;;
+
+  preview) # many particles begin with a preview; what is saved is the exact picture
+    many_particles many.vtp
+    open many.vtp --size 320x240 --no-preview
+    xdotool getwindowname "$window" | grep -qF '(preview)' && fail "a preview against --no-preview"
+    picture exact.png
+    quit
+    open many.vtp --size 320x240
+    titled '(preview)'
+    picture saved.png
+    alike exact.png saved.png
+    untitled '(preview)'
+    for key in bracketright bracketleft; do # other radii are built anew, in the same view
+      press $key
+      titled '(preview)'
+      press p plus minus # usable meanwhile
+      untitled '(preview)'
+    done
+    press Escape
+    xdotool mousemove 300 200
+    picture again.png
+    press r
+    picture reset.png
+    alike exact.png reset.png
+    press bracketright bracketright bracketright
+    titled '(preview)'
+    quit # amid the build
+    open many.vtp --size 320x240
+    titled '(preview)'
+    kill -INT $process
+    wait $process
+    [ $? = 130 ] || fail "not interrupted"
     ;;
 
   mesh) # cells are shown by their surface, without rays

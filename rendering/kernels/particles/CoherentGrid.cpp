@@ -19,7 +19,7 @@ void CoherentGrid::clear()
   statistics_ = {};
   origin_ = Vec3d(0.0);
   unit_ = 1.0;
-  count_ = 0;
+  count_ = inputs_ = 0;
   ranges_ = {};
   layers_.clear();
   records_.clear();

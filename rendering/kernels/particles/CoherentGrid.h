@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace mote
@@ -20,6 +21,10 @@ struct CoherentGridOptions
 {
   double cellsPerParticle = 1.0; ///< lambda of the paper; [0.2, 5], values outside are clamped
   bool keepIndices = true;       ///< keep the way back to the input index: 4 or 8 bytes a particle
+  /// Of a part of a larger input (see ParticleSample): the index there of every particle, read
+  /// during the build, and the number of particles there. Empty: the particles are the input.
+  std::span<const std::uint64_t> indices = {};
+  std::size_t inputs = 0;
 };
 
 /// A uniform grid of cubic cells over particles, traversed slice by slice by bundles of rays.
@@ -161,6 +166,7 @@ private:
   Vec3d origin_{0.0};
   double unit_ = 1.0; ///< a power of two: scaling by it rounds nothing
   std::size_t count_ = 0;
+  std::size_t inputs_ = 0;    ///< particles of the input, unfit ones too
   std::vector<Layer> layers_; ///< largest radii first: what hides most is met first
   /// By layer and cell, x fastest; a few more at the end for SIMD loads.
   RawVector<Record> records_;

@@ -10,8 +10,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
+#include <thread>
 
 namespace mote
 {
@@ -62,6 +64,31 @@ struct CoherentGridBuilder
   RawVector<std::uint64_t> sortedIndices{}; ///< by slab; empty where indices are not kept
 
   bool report(double done) const { return !progress || progress(done); }
+
+  /// Calls body(i) for i < count, in parallel, and tells, on the calling thread, how the share done
+  /// goes from one to the other. False where it was asked to stop, which it does soon.
+  template <typename Body>
+  bool forEach(std::size_t count, double from, double to, const Body& body) const
+  {
+    const auto caller = std::this_thread::get_id();
+    std::atomic<std::size_t> done{0};
+    std::atomic<bool> goesOn{true};
+    bool reporting = false; // who is told may work in parallel, and this thread then lend a hand
+    tbb::parallel_for(std::size_t{0}, count,
+      [&](std::size_t i)
+      {
+        if (!goesOn)
+          return;
+        body(i);
+        const double share = double(++done) / double(count);
+        if (std::this_thread::get_id() != caller || reporting)
+          return;
+        reporting = true;
+        goesOn = report(from + share * (to - from));
+        reporting = false;
+      });
+    return goesOn;
+  }
 
   template <typename Visit>
   void forChunk(std::size_t chunk, const Visit& visit) const
@@ -219,15 +246,17 @@ struct CoherentGridBuilder
     return slabOfRow[l.firstRow + rowOf(l, p)];
   }
 
-  void sortIntoSlabs()
+  bool sortIntoSlabs()
   {
     offsets.assign(chunks * slabs.size(), 0);
-    tbb::parallel_for(std::size_t{0}, chunks,
+    const bool counted = forEach(chunks, 0.1, 0.3,
       [&](std::size_t chunk)
       {
         std::size_t* counts = &offsets[chunk * slabs.size()];
         forChunk(chunk, [&](std::size_t, const Record& p) { ++counts[slabOf(p)]; });
       });
+    if (!counted)
+      return false;
     slabStart.assign(slabs.size() + 1, 0);
     std::size_t sum = 0;
     for (std::size_t slab = 0; slab < slabs.size(); ++slab)
@@ -241,7 +270,7 @@ struct CoherentGridBuilder
 
     sortedRecords.resize(sum);
     sortedIndices.resize(options.keepIndices ? sum : 0);
-    tbb::parallel_for(std::size_t{0}, chunks,
+    return forEach(chunks, 0.3, 0.7,
       [&](std::size_t chunk)
       {
         std::size_t* places = &offsets[chunk * slabs.size()];
@@ -251,7 +280,7 @@ struct CoherentGridBuilder
             const std::size_t place = places[slabOf(p)]++;
             sortedRecords[place] = p;
             if (!sortedIndices.empty())
-              sortedIndices[place] = i;
+              sortedIndices[place] = options.indices.empty() ? i : options.indices[i];
           });
       });
   }
@@ -274,7 +303,7 @@ struct CoherentGridBuilder
       layer.count = end - layer.firstSlot;
       grid.rowStart_[layer.firstRow + layer.rows()] = end;
     }
-    const bool narrow = particles.count() <= std::numeric_limits<std::uint32_t>::max();
+    const bool narrow = grid.inputs_ <= std::numeric_limits<std::uint32_t>::max();
     grid.index32_.resize(options.keepIndices && narrow ? n : 0);
     grid.index64_.resize(options.keepIndices && !narrow ? n : 0);
   }
@@ -320,18 +349,19 @@ struct CoherentGridBuilder
   bool run()
   {
     grid.statistics_ = examine(particles);
-    if (!report(0.2))
+    grid.inputs_ = options.indices.empty() ? particles.count() : options.inputs;
+    if (!report(0.1))
       return false;
     if (grid.statistics_.valid == 0)
       return true;
     planChunks();
     chooseUnit();
     addLayers();
-    sortIntoSlabs();
-    if (!report(0.7))
+    if (!sortIntoSlabs())
       return false;
     allocate();
-    tbb::parallel_for(std::size_t{0}, slabs.size(), [&](std::size_t slab) { sortSlab(slab); });
+    if (!forEach(slabs.size(), 0.7, 1.0, [&](std::size_t slab) { sortSlab(slab); }))
+      return false;
     grid.findOccupied();
     grid.findShown();
     return report(1.0);

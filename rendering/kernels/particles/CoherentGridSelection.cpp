@@ -39,7 +39,7 @@ void CoherentGrid::setVisibility(const std::function<bool(std::size_t)>& shown)
 
 void CoherentGrid::setAttributes(const std::vector<ParticleAttribute>& attributes)
 {
-  checkAttributes(attributes, statistics_, !index32_.empty() || !index64_.empty());
+  checkAttributes(attributes, statistics_, !index32_.empty() || !index64_.empty(), inputs_);
   values_.clear();
   values_.shrink_to_fit();
   macroBounds_.clear();

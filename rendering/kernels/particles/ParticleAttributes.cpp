@@ -8,13 +8,14 @@ namespace mote
 {
 
 void checkAttributes(const std::vector<ParticleAttribute>& attributes,
-  const ParticleStatistics& statistics, bool hasIndices)
+  const ParticleStatistics& statistics, bool hasIndices, std::size_t inputs)
 {
   if (attributes.size() > 4)
     throw Error("A particle has at most four attributes for ranges.");
   if (!attributes.empty() && statistics.valid > 0 && !hasIndices)
     throw Error("Attributes need a structure that keeps the particles' input indices.");
-  const std::size_t inputs = statistics.valid + statistics.badPositions + statistics.badRadii;
+  if (inputs == 0)
+    inputs = statistics.valid + statistics.badPositions + statistics.badRadii;
   for (const ParticleAttribute& a : attributes)
   {
     if (a.values.count() != inputs)

@@ -16,9 +16,9 @@ namespace mote
 
 /// Throws Error where a structure over particles with these statistics cannot take the attributes:
 /// more than four, not one tuple a particle of the input, no such component, no way back from its
-/// particles to the input.
+/// particles to the input. `inputs`: particles of the input; 0: as many as the statistics count.
 void checkAttributes(const std::vector<ParticleAttribute>& attributes,
-  const ParticleStatistics& statistics, bool hasIndices);
+  const ParticleStatistics& statistics, bool hasIndices, std::size_t inputs = 0);
 
 /// Throws Error where a range is set on an attribute and there are none.
 void checkRanges(const ParticleRanges& ranges, bool hasAttributes);

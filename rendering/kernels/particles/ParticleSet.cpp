@@ -34,6 +34,27 @@ void addParticle(ParticleStatistics& s, const Vec3d& p, double r)
   ++s.valid;
 }
 
+/// The same for particles of one good radius, many times as fast.
+ParticleStatistics examineRange(
+  const ParticleSet& particles, std::size_t first, std::size_t last, double radius)
+{
+  ParticleStatistics s;
+  particles.forRange(first, last,
+    [&s](std::size_t, const Vec3d& p, double)
+    {
+      if (isValidParticle(p, 1.0))
+        s.centers.add(p);
+      else
+        ++s.badPositions;
+    });
+  s.valid = last - first - s.badPositions;
+  if (s.valid == 0)
+    return s;
+  s.bounds = s.centers.expanded(radius);
+  s.largestRadius = s.smallestRadius = radius;
+  return s;
+}
+
 ParticleStatistics merged(const ParticleStatistics& a, const ParticleStatistics& b)
 {
   ParticleStatistics s = a;
@@ -51,7 +72,7 @@ ParticleStatistics merged(const ParticleStatistics& a, const ParticleStatistics&
 
 } // namespace
 
-ParticleStatistics examine(const ParticleSet& particles)
+void checkParticles(const ParticleSet& particles)
 {
   const std::size_t n = particles.count();
   if (n > 0 && particles.positions.components() != 3)
@@ -59,10 +80,19 @@ ParticleStatistics examine(const ParticleSet& particles)
   if (!particles.radii.empty() && particles.radii.count() != n)
     throw Error("There are " + std::to_string(particles.radii.count()) + " radii for " +
                 std::to_string(n) + " particles.");
+}
+
+ParticleStatistics examine(const ParticleSet& particles)
+{
+  checkParticles(particles);
+  const double radius = particles.radiusScale * particles.radius;
+  const bool alike = particles.radii.empty() && isValidParticle(Vec3d(0.0), radius);
   return tbb::parallel_reduce(
-    tbb::blocked_range<std::size_t>(0, n, 1 << 15), ParticleStatistics{},
+    tbb::blocked_range<std::size_t>(0, particles.count(), 1 << 15), ParticleStatistics{},
     [&](const tbb::blocked_range<std::size_t>& range, ParticleStatistics s)
     {
+      if (alike)
+        return merged(s, examineRange(particles, range.begin(), range.end(), radius));
       particles.forRange(range.begin(), range.end(),
         [&](std::size_t, const Vec3d& p, double r) { addParticle(s, p, r); });
       return s;

@@ -68,8 +68,11 @@ struct ParticleStatistics
   std::size_t badRadii = 0;     ///< not finite or not above zero, position being good
 };
 
-/// Looks over all particles, in parallel. Throws Error where `positions` has not three components
-/// or `radii` has another count than `positions`.
+/// Throws Error where `positions` has not three components or `radii` has another count than
+/// `positions`.
+void checkParticles(const ParticleSet& particles);
+
+/// Looks over all particles, in parallel. Throws Error as checkParticles() does.
 ParticleStatistics examine(const ParticleSet& particles);
 
 /// Whether every structure takes this particle.

@@ -23,6 +23,7 @@ public:
     double cell)
     : positions_(positions)
     , lower_(lower)
+    , cellsPerUnit_(1.0 / cell)
     , cell_(cell)
   {
     for (const std::size_t i : indices)
@@ -32,28 +33,34 @@ public:
       for (int dz = -1; dz <= 1; ++dz)
         for (int dy = -1; dy <= 1; ++dy)
           for (int dx = -1; dx <= 1; ++dx)
-            near_[key(c + Vec3i(dx, dy, dz))].push_back(probes_.size() - 1);
+          {
+            const std::uint64_t k = key(c + Vec3i(dx, dy, dz));
+            near_[k].push_back(probes_.size() - 1);
+            maybe_[bitOf(k) / 64] |= std::uint64_t{1} << bitOf(k) % 64;
+          }
     }
     best_ = std::vector<std::atomic<double>>(probes_.size());
     for (auto& b : best_)
       b.store(std::numeric_limits<double>::infinity());
   }
 
-  /// Offers particle i as a neighbour to the probes in the cells around it.
-  void offer(std::size_t i)
+  /// Offers a particle as a neighbour to the probes in the cells around it.
+  void offer(const Vec3d& p)
   {
-    const Vec3d p = at(i);
     if (!isValidParticle(p, 1.0))
       return;
-    const auto found = near_.find(key(cellOf(p)));
+    const std::uint64_t k = key(cellOf(p));
+    if ((maybe_[bitOf(k) / 64] >> bitOf(k) % 64 & 1) == 0)
+      return;
+    const auto found = near_.find(k);
     if (found == near_.end())
       return;
-    for (const std::size_t k : found->second)
+    for (const std::size_t probe : found->second)
     {
-      const Vec3d d = p - probes_[k].position;
+      const Vec3d d = p - probes_[probe].position;
       const double d2 = glm::dot(d, d);
-      double old = best_[k].load(std::memory_order_relaxed);
-      while (d2 > 0.0 && d2 < old && !best_[k].compare_exchange_weak(old, d2))
+      double old = best_[probe].load(std::memory_order_relaxed);
+      while (d2 > 0.0 && d2 < old && !best_[probe].compare_exchange_weak(old, d2))
       {
       }
     }
@@ -84,7 +91,8 @@ private:
   {
     return {positions_.value(i, 0), positions_.value(i, 1), positions_.value(i, 2)};
   }
-  Vec3i cellOf(const Vec3d& p) const { return Vec3i(glm::floor((p - lower_) / cell_)); }
+  /// Nothing good lies below lower_, so that to cut off is to round down.
+  Vec3i cellOf(const Vec3d& p) const { return Vec3i((p - lower_) * cellsPerUnit_); }
   static std::uint64_t key(const Vec3i& c)
   {
     // 21 bits an axis: cells are never smaller than 2^-18 of the bounds.
@@ -92,12 +100,22 @@ private:
     return bits(c.x) | (bits(c.y) << 21) | (bits(c.z) << 42);
   }
 
+  static std::size_t bitOf(std::uint64_t key)
+  {
+    return static_cast<std::size_t>(key * 0x9e3779b97f4a7c15u >> (64 - maybeBits));
+  }
+
+  static constexpr int maybeBits = 19; // 64 kB, of which probes fill one bit in 75
+
   const ArrayView& positions_;
   Vec3d lower_;
+  double cellsPerUnit_;
   double cell_;
   std::vector<Probe> probes_;
   std::vector<std::atomic<double>> best_;
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> near_;
+  /// Whether a cell can be in near_, by a hash: what most particles need not look up.
+  std::vector<std::uint64_t> maybe_ = std::vector<std::uint64_t>((1u << maybeBits) / 64);
 };
 
 /// Edge of the cells in which evenly spread particles would lie one by one.
@@ -152,8 +170,8 @@ double estimateSpacing(const ArrayView& positions)
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 1 << 14),
       [&](const tbb::blocked_range<std::size_t>& range)
       {
-        for (std::size_t i = range.begin(); i != range.end(); ++i)
-          probes.offer(i);
+        set.forRange(range.begin(), range.end(),
+          [&](std::size_t, const Vec3d& p, double) { probes.offer(p); });
       });
     open.clear();
     probes.collect(distances, open);
