@@ -3,13 +3,14 @@
 #include "particles/BuildSuite.h"
 #include "particles/OcclusionSuite.h"
 #include "particles/ParticlesSuite.h"
+#include "particles/PreviewSuite.h"
 
 namespace mote::bench
 {
 
 const std::vector<Suite>& suites()
 {
-  static const std::vector<Suite> all = {particlesSuite(), occlusionSuite(), buildSuite()};
+  static const std::vector<Suite> all = {particlesSuite(), occlusionSuite(), buildSuite(), previewSuite()};
   return all;
 }
 

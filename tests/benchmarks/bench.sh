@@ -136,6 +136,20 @@ case $3 in
     records a.json "len(r) == 1 and r[0]['method'] == 'cgt' and r[0]['threads'] == 1"
     ;;
 
+  preview) # a preview covers about what the whole does
+    run 0 "$bench" preview --input random:300000:0.02 --repeat 1 --json a.json
+    said out 'picture after'
+    python3 - <<'END' || fail "records"
+import json
+r = {x['method']: x for x in json.load(open('a.json'))}
+assert set(r) == {'preview-250k', 'preview-500k', 'preview-1m', 'preview-2m', 'cgt', 'pkd'}
+assert all(x['build_s'] > 0 and x['frame_s'] > 0 and x['before_s'] > 0 for x in r.values())
+assert r['cgt']['wrongly_covered_share'] == r['preview-1m']['wrongly_covered_share'] == 0
+assert r['pkd']['wrongly_covered_share'] < 1e-4
+assert 0 < r['preview-250k']['wrongly_covered_share'] < 0.1
+END
+    ;;
+
   errors)
     failing() {
       run 1 "$bench" particles --repeat 1 "$@"
@@ -156,7 +170,7 @@ case $3 in
     failing --input lattice:10 --size 10
     failing --input lattice:10 --json nowhere/a.json
     said err nowhere
-    for suite in occlusion build; do
+    for suite in occlusion build preview; do
       run 1 "$bench" $suite --input missing.dump
       last_is_sentence
       said err missing.dump
