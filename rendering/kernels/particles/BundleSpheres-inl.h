@@ -458,23 +458,40 @@ private:
   unsigned stale_ = 0;   ///< blocks whose bounds are older than their last hit
 };
 
-/// Writes what was found back to the rays. hits[0] is not used.
+/// Writes what was found back to the rays. hits[0] belongs to rays that met nothing.
 template <typename Policy>
 void keepAnswers(const Pencil& p, const std::uint64_t* hits, std::int32_t object, RayBundle& bundle)
 {
-  const double perTau = 1.0 / p.perT;
-  for (int i = 0; i < bundle.count; ++i)
+  const DF d;
+  const DU du;
+  const DD dd;
+  const DH dh;
+  const hn::Rebind<std::int32_t, DF> di;
+  const hn::Rebind<std::uint64_t, DD> du64;
+  const hn::Rebind<std::int64_t, DD> di64;
+  const hn::Rebind<std::uint32_t, DD> duh;
+  const VD t0 = hn::Set(dd, p.t0), perTau = hn::Set(dd, 1.0 / p.perT);
+  for (int i = 0; i < blockRays * p.blocks; i += static_cast<int>(hn::Lanes(dd)))
   {
-    if (p.hit[i] == 0)
-      continue;
+    const auto place = hn::PromoteTo(du64, hn::Load(duh, p.hit + i));
+    const auto hit = hn::Ne(place, hn::Zero(du64));
+    const VD best = hn::PromoteTo(dd, hn::Load(dh, p.best + i));
+    const VD t = Policy::any ? hn::Set(dd, -std::numeric_limits<double>::infinity())
+                             : hn::Mul(hn::Add(t0, best), perTau);
+    const VD old = hn::Load(dd, bundle.t + i);
+    hn::Store(hn::IfThenElse(hn::RebindMask(dd, hit), t, old), dd, bundle.t + i);
     if constexpr (Policy::any)
-      bundle.t[i] = -std::numeric_limits<double>::infinity();
-    else
-    {
-      bundle.t[i] = (p.t0 + static_cast<double>(p.best[i])) * perTau;
-      bundle.slot[i] = hits[p.hit[i]];
-      bundle.object[i] = object;
-    }
+      continue;
+    const auto slot = hn::GatherIndex(du64, hits, hn::BitCast(di64, place));
+    hn::Store(hn::IfThenElse(hit, slot, hn::Load(du64, bundle.slot + i)), du64, bundle.slot + i);
+  }
+  if constexpr (Policy::any)
+    return;
+  const auto own = hn::Set(di, object);
+  for (int i = 0; i < blockRays * p.blocks; i += static_cast<int>(hn::Lanes(d)))
+  {
+    const auto hit = hn::RebindMask(di, hn::Ne(hn::Load(du, p.hit + i), hn::Zero(du)));
+    hn::Store(hn::IfThenElse(hit, own, hn::Load(di, bundle.object + i)), di, bundle.object + i);
   }
 }
 

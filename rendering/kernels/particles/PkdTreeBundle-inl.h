@@ -8,6 +8,7 @@
 #endif
 
 #include "BundleSpheres-inl.h"
+#include "NearestFirst-inl.h"
 #include "PkdTreeView.h"
 
 #include <hwy/cache_control.h>
@@ -83,12 +84,10 @@ public:
   {
     if (!tester_.narrow(-infinity, p_.U, p_.V))
       return;
-    push(view_.top, 0, 0.0f);
+    queue_.push({0.0f, view_.top, 0});
     while (!queue_.empty())
     {
-      std::pop_heap(queue_.begin(), queue_.end());
-      const Entry next = queue_.back();
-      queue_.pop_back();
+      const NearestFirst::Entry next = queue_.pop();
       if (tester_.changed() && !tester_.narrow(next.near, p_.U, p_.V))
         return;
       if (!(next.near < tester_.farthestKappa()))
@@ -101,27 +100,10 @@ public:
   }
 
 private:
-  /// A node, or, where the level is -1, a bucket.
-  struct Entry
+  static NearestFirst& queueOfThread()
   {
-    float near; ///< kappa before which it holds nothing
-    int level;
-    std::size_t index;
-
-    /// Heaps have their greatest in front.
-    bool operator<(const Entry& other) const { return near > other.near; }
-  };
-
-  static std::vector<Entry>& queueOfThread()
-  {
-    static thread_local std::vector<Entry> queue;
+    static thread_local NearestFirst queue;
     return queue;
-  }
-
-  void push(int level, std::size_t index, float near)
-  {
-    queue_.push_back({near, level, index});
-    std::push_heap(queue_.begin(), queue_.end());
   }
 
   void visitNode(int level, std::size_t index)
@@ -134,7 +116,7 @@ private:
           const int lane = __builtin_ctz(bits);
           const std::size_t child =
             index * PkdTree::fanout + static_cast<std::size_t>(first + lane);
-          push(level - 1, child, near[lane]);
+          queue_.push({near[lane], level - 1, child});
           prefetch(level - 1, child);
         }
       });
@@ -247,7 +229,7 @@ private:
   const PkdTreeView& view_;
   Pencil& p_;
   SphereTester<Policy, PkdTreeView> tester_;
-  std::vector<Entry>& queue_; ///< a heap: what is nearest is visited first
+  NearestFirst& queue_;
 };
 
 /// Casts a bundle; false, with nothing done, where its rays do not travel the same way along one
