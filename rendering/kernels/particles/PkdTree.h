@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -192,15 +193,23 @@ private:
     RawVector<std::uint64_t> slots; ///< in the whole tree
   };
 
+  /// A particle on its way there.
+  struct SparseParticle
+  {
+    Vec3f place;
+    float radius;
+    Vec3f corner;
+    std::uint64_t slot;
+  };
+
   /// Least and greatest of the radius and the attributes below a node, but for NaN.
   struct ValueBounds
   {
-    static constexpr int count = 5;
-    std::array<float, count> least, greatest;
-    unsigned hasNaN = 0; ///< a bit for each
+    float smallest = std::numeric_limits<float>::infinity(), largest = 0.0f; ///< radius
+    std::array<float, 4> least, greatest;
+    std::array<std::uint32_t, 4> hasNaN{};
 
     ValueBounds();
-    void add(std::size_t k, float v);
     void add(const ValueBounds& b);
   };
 
@@ -216,12 +225,16 @@ private:
     const std::vector<Level>& levels, Node* nodes, std::vector<Bounds> below, double marginOfSet);
   /// By which rays may be rounded, in unit().
   double roundingMargin() const;
+  ValueBounds boundsOfTreelet(std::size_t treelet) const;
   void findValueBounds();
   void findShown();
   void findInRange(const StoredRanges& stored);
   void findNodesShown();
   void makeSparse();
-  Bounds copyBucket(Sparse& sparse, std::size_t bucket) const;
+  SparseParticle particleAt(std::size_t slot) const;
+  /// Fills a bucket of the sparse tree, and its slots, with what `order` has there.
+  Bounds copyBucket(const RawVector<SparseParticle>& shown, const PkdTree& order, Sparse& sparse,
+    std::size_t bucket) const;
   std::size_t buckets() const { return (count_ + bucketSize - 1) / bucketSize; }
   const Row* bucketOf(std::size_t slot) const { return &rows_[slot / bucketSize * rowsABucket_]; }
   /// Number of a particle's row `row`; its coordinates from its treelet's corner.

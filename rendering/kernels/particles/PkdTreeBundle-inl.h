@@ -111,13 +111,19 @@ private:
     findChildren(view_.node(level, index),
       [&](unsigned bits, const float* near, int first)
       {
+        const std::size_t firstChild = index * PkdTree::fanout + static_cast<std::size_t>(first);
+        for (unsigned left = bits; left != 0; left &= left - 1)
+          prefetch(level - 1, firstChild + static_cast<std::size_t>(__builtin_ctz(left)));
+        // Where little is shown, little hides anything: order is not worth its time.
+        const bool atOnce = level == 0 && view_.slots != nullptr;
         for (; bits != 0; bits &= bits - 1)
         {
           const int lane = __builtin_ctz(bits);
-          const std::size_t child =
-            index * PkdTree::fanout + static_cast<std::size_t>(first + lane);
-          queue_.push({near[lane], level - 1, child});
-          prefetch(level - 1, child);
+          const std::size_t child = firstChild + static_cast<std::size_t>(lane);
+          if (!atOnce)
+            queue_.push({near[lane], level - 1, child});
+          else if (near[lane] < tester_.farthestKappa())
+            visitBucket(child);
         }
       });
   }

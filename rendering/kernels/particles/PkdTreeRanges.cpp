@@ -21,22 +21,43 @@ PkdTree::ValueBounds::ValueBounds()
   greatest.fill(-std::numeric_limits<float>::infinity());
 }
 
-void PkdTree::ValueBounds::add(std::size_t k, float v)
-{
-  // Comparisons with NaN fail: it widens no bounds.
-  least[k] = v < least[k] ? v : least[k];
-  greatest[k] = v > greatest[k] ? v : greatest[k];
-  hasNaN |= static_cast<unsigned>(v != v) << k;
-}
-
 void PkdTree::ValueBounds::add(const ValueBounds& b)
 {
-  for (std::size_t k = 0; k < count; ++k)
+  smallest = std::min(smallest, b.smallest);
+  largest = std::max(largest, b.largest);
+  for (std::size_t k = 0; k < 4; ++k)
   {
-    least[k] = std::min(least[k], b.least[k]);
-    greatest[k] = std::max(greatest[k], b.greatest[k]);
+    // Comparisons with NaN fail: it widens no bounds.
+    least[k] = b.least[k] < least[k] ? b.least[k] : least[k];
+    greatest[k] = b.greatest[k] > greatest[k] ? b.greatest[k] : greatest[k];
+    hasNaN[k] |= b.hasNaN[k];
   }
-  hasNaN |= b.hasNaN;
+}
+
+PkdTree::ValueBounds PkdTree::boundsOfTreelet(std::size_t treelet) const
+{
+  const std::size_t first = treelet * treeletSize, last = std::min(count_, first + treeletSize);
+  ValueBounds bounds;
+  bounds.smallest = bounds.largest = radius_;
+  if (ownRadii_)
+  {
+    bounds.smallest = bounds.largest = storedRadius(first);
+    for (std::size_t slot = first; slot < last; ++slot)
+    {
+      bounds.smallest = std::min(bounds.smallest, storedRadius(slot));
+      bounds.largest = std::max(bounds.largest, storedRadius(slot));
+    }
+  }
+  ValueBounds one = bounds;
+  if (!values_.empty())
+    for (std::size_t slot = first; slot < last; ++slot)
+    {
+      one.least = one.greatest = values_[slot];
+      for (std::size_t k = 0; k < 4; ++k)
+        one.hasNaN[k] = values_[slot][k] != values_[slot][k];
+      bounds.add(one);
+    }
+  return bounds;
 }
 
 void PkdTree::findValueBounds()
@@ -49,17 +70,12 @@ void PkdTree::findValueBounds()
         for (std::size_t i = range.begin(); i != range.end(); ++i)
         {
           ValueBounds bounds;
-          const std::size_t size = k == 0 ? treeletSize : fanout, first = i * size;
-          const std::size_t last = std::min(k == 0 ? count_ : levels_[k - 1].count, first + size);
-          for (std::size_t below = first; below < last; ++below)
-            if (k == 0)
-            {
-              bounds.add(0, storedRadius(below));
-              for (std::size_t a = 0; a < 4 && !values_.empty(); ++a)
-                bounds.add(1 + a, values_[below][a]);
-            }
-            else
-              bounds.add(valueBounds_[levels_[k - 1].first + below]);
+          if (k == 0)
+            bounds = boundsOfTreelet(i);
+          else
+            for (std::size_t child = i * fanout;
+                 child < std::min(levels_[k - 1].count, (i + 1) * fanout); ++child)
+              bounds.add(valueBounds_[levels_[k - 1].first + child]);
           valueBounds_[levels_[k].first + i] = bounds;
         }
       });
@@ -102,9 +118,9 @@ struct PkdTreeQuery
     else
     {
       const PkdTree::ValueBounds& bounds = tree.valueBounds_[node];
-      least = bounds.least[value - 3];
-      greatest = bounds.greatest[value - 3];
-      hasNaN = (bounds.hasNaN >> (value - 3) & 1) != 0;
+      least = value == 3 ? bounds.smallest : bounds.least[value - 4];
+      greatest = value == 3 ? bounds.largest : bounds.greatest[value - 4];
+      hasNaN = value > 3 && bounds.hasNaN[value - 4] != 0;
     }
     if (least > stored.upper[k] || greatest < stored.lower[k])
       return Place::Outside;

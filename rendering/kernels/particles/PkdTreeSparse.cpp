@@ -58,7 +58,7 @@ void PkdTree::makeSparse()
   // Where whole buckets are shown, the whole tree is as good.
   if (count == 0 || count > count_ / sparseShare_ || count > fullestSparse * occupied)
     return;
-  RawVector<std::uint64_t> slots(count);
+  RawVector<SparseParticle> shown(count);
   RawVector<Vec3d> centers(count);
   tbb::parallel_for(std::size_t{0}, places.size() - 1,
     [&](std::size_t part)
@@ -69,28 +69,20 @@ void PkdTree::makeSparse()
       for (std::size_t b = first; b < last; ++b)
         for (unsigned bits = shown_[b]; bits != 0; bits &= bits - 1)
         {
-          slots[next] = b * bucketSize + static_cast<std::size_t>(std::countr_zero(bits));
-          centers[next] = center(slots[next]);
+          shown[next] =
+            particleAt(b * bucketSize + static_cast<std::size_t>(std::countr_zero(bits)));
+          centers[next] = Vec3d(shown[next].corner) + Vec3d(shown[next].place);
           ++next;
         }
     });
   auto sparse = std::make_shared<Sparse>();
   sparse->count = count;
   sparse->slots.resize(count);
-  {
-    // Only the order is taken from this tree: its coordinates are others.
-    ParticleSet set;
-    set.positions = ArrayView(&centers.data()->x, count, 3);
-    set.radius = unit_;
-    PkdTree order;
-    order.build(set);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, bucketsAPart),
-      [&](const tbb::blocked_range<std::size_t>& range)
-      {
-        for (std::size_t i = range.begin(); i != range.end(); ++i)
-          sparse->slots[i] = slots[order.inputIndex(i)];
-      });
-  }
+  // Only the order is taken from this tree: its coordinates are others.
+  PkdTree order;
+  ParticleSet set;
+  set.positions = ArrayView(&centers.data()->x, count, 3);
+  order.build(set);
   sparse->nodes.resize(planLevels(sparse->count, sparse->levels));
   sparse->rows.resize((sparse->count + bucketSize - 1) / bucketSize * (6 + ownRadii_));
   std::vector<Bounds> below(sparse->levels[0].count);
@@ -103,7 +95,7 @@ void PkdTree::makeSparse()
         std::array<Bounds, fanout> children;
         for (std::size_t b = 0; b < fanout && (t * fanout + b) * bucketSize < sparse->count; ++b)
         {
-          children[b] = copyBucket(*sparse, t * fanout + b);
+          children[b] = copyBucket(shown, order, *sparse, t * fanout + b);
           below[t].add(children[b]);
         }
         sparse->nodes[sparse->levels[0].first + t].corner = {};
@@ -114,7 +106,14 @@ void PkdTree::makeSparse()
   sparse_ = std::move(sparse);
 }
 
-PkdTree::Bounds PkdTree::copyBucket(Sparse& sparse, std::size_t bucket) const
+PkdTree::SparseParticle PkdTree::particleAt(std::size_t slot) const
+{
+  const std::array<float, 3>& corner = nodes_[levels_.front().first + slot / treeletSize].corner;
+  return {place(slot), storedRadius(slot), {corner[0], corner[1], corner[2]}, slot};
+}
+
+PkdTree::Bounds PkdTree::copyBucket(const RawVector<SparseParticle>& shown, const PkdTree& order,
+  Sparse& sparse, std::size_t bucket) const
 {
   Bounds bounds;
   const std::size_t first = bucket * bucketSize, rowCount = 6 + ownRadii_;
@@ -131,18 +130,16 @@ PkdTree::Bounds PkdTree::copyBucket(Sparse& sparse, std::size_t bucket) const
         write(row, std::numeric_limits<float>::quiet_NaN());
       continue;
     }
-    const std::size_t slot = sparse.slots[first + i];
-    const std::array<float, 3>& corner = nodes_[levels_.front().first + slot / treeletSize].corner;
-    const Vec3f local = place(slot);
-    const float r = storedRadius(slot);
-    for (std::size_t k = 0; k < 3; ++k)
+    const SparseParticle& p = shown[order.inputIndex(first + i)];
+    sparse.slots[first + i] = p.slot;
+    for (int k = 0; k < 3; ++k)
     {
-      write(k, local[static_cast<int>(k)]);
-      write(rowCount - 3 + k, corner[k]);
+      write(static_cast<std::size_t>(k), p.place[k]);
+      write(rowCount - 3 + static_cast<std::size_t>(k), p.corner[k]);
     }
     if (ownRadii_)
-      write(3, r);
-    bounds.add(Vec3d(corner[0], corner[1], corner[2]) + Vec3d(local), double(r));
+      write(3, p.radius);
+    bounds.add(Vec3d(p.corner) + Vec3d(p.place), double(p.radius));
   }
   return bounds;
 }
