@@ -1,0 +1,94 @@
+#pragma once
+
+#include "HexMesh.h"
+
+#include <array>
+#include <cstdint>
+
+namespace mote
+{
+
+/// The part [in, out) of a line that lies in a cell, in the line's own parameter.
+struct CellInterval
+{
+  double in = 0.0;
+  double out = 0.0;
+};
+
+/// The parts of a line in one cell, in order. A cell with eight corners has up to six: each of the
+/// faces is passed twice at most.
+struct CellIntervals
+{
+  std::array<CellInterval, 6> of;
+  int count = 0;
+
+  const CellInterval* begin() const { return of.data(); }
+  const CellInterval* end() const { return of.data() + count; }
+};
+
+/// A line, ready to be intersected with cells: exact in what it decides, and equal on both sides of
+/// every face.
+///
+/// How. Corners are moved into a frame in which the line is the third axis (subtracted, then
+/// sheared, as in Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", 2013). That is
+/// rounded, but a corner becomes the same numbers whatever cell it is looked at from, and from
+/// there on nothing that decides *whether* a face is passed is rounded:
+///
+/// - A face's edges are straight, so how often the line passes the face, leaving counted +1 and
+///   entering -1, is the winding number of a plane quadrilateral about the line. It is the sum over
+///   the edges of whether the edge passes the half-line y = 0, x > 0, decided by the exact sign of
+///   x1 y2 - x2 y1 (rounded products, and their rounding errors where these are equal). What lies
+///   on y = 0 counts as below, what passes at x = 0 not at all: the line is thought to be moved by
+///   an infinitely small step. An edge adds the same number with the other sign to the faces on
+///   its two sides. So every cell is left as often as it is entered, along edges and through
+///   corners as well, and no line gets lost between two faces.
+/// - A bilinear map of the plane takes a value at most twice, with opposite orientations. A winding
+///   number of +1 or -1 is thus one point, the root with that orientation; 0 is none or two, and
+///   both lie inside of the face or neither.
+/// - The roots, and t on the face, are found from the face's corners in an order that depends on
+///   their places alone (the least one first, then its lesser neighbour). The cells on both sides
+///   get the same t to the last bit, also where their points are different but equal.
+///
+/// A cell is where the sum over the passed faces is above zero. For cells that do not cross
+/// themselves that is their inside. Over all cells of a mesh the sums add up to the mesh's own
+/// winding number, whatever was rounded: nothing is lost. Two cells can both claim something only
+/// where a third one is thinner than the rounding of t.
+///
+/// The bilinear patch's roots: Reshetov, "Cool Patches", Ray Tracing Gems, 2019, chapter 8; the
+/// choice among them there is by comparing with 0 and 1, which leaves gaps at edges.
+class CrossingLine
+{
+public:
+  /// The line origin + t direction; `direction` is finite and not zero, of any length.
+  CrossingLine(const Vec3d& origin, const Vec3d& direction);
+
+  /// Where the line is in the cell. True where it is anywhere.
+  bool intersect(const HexMesh& mesh, std::size_t cell, CellIntervals& intervals) const;
+  bool intersect(const HexCorners& corners, CellIntervals& intervals) const;
+
+private:
+  Vec3d origin_;
+  int kx_, ky_, kz_;
+  double shearX_, shearY_, inverse_;
+};
+
+/// Whether points are in cells, with one answer for every point: points of faces belong to the cell
+/// on one side, the same one whichever is asked. It is asked by a line through the point, of a
+/// direction that is parallel to nothing usual, and 1e-14 of the mesh's size behind the point: so
+/// points on edges and corners, where t is nothing but rounding, are asked beside
+/// them. Of points that near to the mesh's outside some are in no cell.
+class CrossingPoint
+{
+public:
+  /// `size` is the mesh's, the same for all of its cells.
+  CrossingPoint(const Vec3d& point, double size);
+
+  bool isIn(const HexMesh& mesh, std::size_t cell) const { return isIn(mesh.corners(cell)); }
+  bool isIn(const HexCorners& corners) const;
+
+private:
+  CrossingLine line_;
+  double at_;
+};
+
+} // namespace mote

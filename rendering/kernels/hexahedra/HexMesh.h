@@ -1,0 +1,107 @@
+#pragma once
+
+#include "../core/ArrayView.h"
+#include "../core/Box.h"
+#include "../core/RawVector.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace mote
+{
+
+/// The cell types that a HexMesh takes, with VTK's numbers.
+enum class HexCellType : std::uint8_t
+{
+  Tetrahedron = 10,
+  Voxel = 11,
+  Hexahedron = 12,
+  Wedge = 13,
+  Pyramid = 14
+};
+
+/// Cells as the user gave them: views, nothing is copied. Cell i is of type types[i] and has the
+/// points connectivity[offsets[i]] to connectivity[offsets[i + 1] - 1], in VTK's order.
+struct HexMeshInput
+{
+  ArrayView points;       ///< three components, any type
+  ArrayView types;        ///< n values; VTK's numbers
+  ArrayView offsets;      ///< n + 1 values
+  ArrayView connectivity; ///< point numbers
+};
+
+/// What became of the cells of an input.
+struct HexMeshReport
+{
+  std::size_t cells = 0;        ///< in the input
+  std::size_t kept = 0;         ///< in the mesh
+  std::size_t hexahedra = 0;    ///< of the kept ones; voxels are among them
+  std::size_t wedges = 0;       ///< of the kept ones
+  std::size_t pyramids = 0;     ///< of the kept ones
+  std::size_t tetrahedra = 0;   ///< of the kept ones
+  std::size_t otherTypes = 0;   ///< left out
+  std::size_t nonFinite = 0;    ///< left out: a corner has a coordinate that is not finite
+  std::size_t zeroVolume = 0;   ///< left out
+  std::size_t inverted = 0;     ///< kept: the corners, listed inside out, are mirrored
+  std::size_t selfCrossing = 0; ///< kept: the Jacobian's sign changes inside of the cell
+  double volume = 0.0;          ///< of the kept cells
+
+  /// One sentence about what was left out or mended; empty where there is nothing to say.
+  std::string sentence() const;
+};
+
+/// The eight corners of a cell, in VTK's order of a hexahedron.
+using HexCorners = std::array<Vec3d, 8>;
+
+/// Cells with eight corners and trilinear insides; faces are bilinear patches. An owned copy.
+///
+/// Wedges, pyramids and tetrahedra are hexahedra with corners that coincide, voxels are put in
+/// order. Points are kept in double, as they come: cells 1e6 away from the origin keep their shape.
+class HexMesh
+{
+public:
+  using Cell = std::array<std::uint32_t, 8>;
+  static constexpr std::uint32_t noCell = 0xffffffffU;
+
+  HexMesh() = default;
+  /// Copies what is usable, in parallel. Throws Error where the arrays do not fit together, where a
+  /// cell has not as many points as its type, or names a point that is not there, and where there
+  /// are more than 2^32 - 2 points or cells.
+  explicit HexMesh(const HexMeshInput& input);
+
+  std::size_t cellCount() const { return cells_.size(); }
+  std::size_t pointCount() const { return points_.size(); }
+  const Vec3d& point(std::size_t i) const { return points_[i]; }
+  const Cell& cell(std::size_t c) const { return cells_[c]; }
+  /// The input's number of cell `c`.
+  std::size_t inputCell(std::size_t c) const { return inputCells_.empty() ? c : inputCells_[c]; }
+  HexCorners corners(std::size_t c) const
+  {
+    HexCorners corners;
+    for (std::size_t i = 0; i < 8; ++i)
+      corners[i] = points_[cells_[c][i]];
+    return corners;
+  }
+
+  /// Of the corners of all cells.
+  const Box& bounds() const { return bounds_; }
+  const HexMeshReport& report() const { return report_; }
+  std::size_t bytes() const;
+
+private:
+  RawVector<Vec3d> points_;
+  RawVector<Cell> cells_;
+  RawVector<std::uint32_t> inputCells_; ///< empty where all cells were kept
+  Box bounds_;
+  HexMeshReport report_;
+};
+
+/// The volume of a trilinear cell, negative where it is inside out.
+double cellVolume(const HexCorners& corners);
+
+/// The middle of a cell's corners.
+Vec3d cellCenter(const HexCorners& corners);
+
+} // namespace mote

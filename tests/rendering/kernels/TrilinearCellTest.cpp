@@ -1,0 +1,164 @@
+// A cell's own coordinates, weights and gradients.
+
+#include <kernels/hexahedra/TrilinearCell.h>
+
+#include <support/HexMeshes.h>
+#include <support/HexOracle.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace mote;
+using namespace mote::testing;
+
+namespace
+{
+
+/// Cells that are twisted by 10 degrees a layer.
+HexCells twisted()
+{
+  HexCells cells = hexBlock(4, 4, 4, 0.15);
+  cells.move(
+    [](const Vec3d& p)
+    {
+      const double a = p.z * 10.0 / 180.0 * M_PI, x = p.x - 2.0, y = p.y - 2.0;
+      return Vec3d(x * std::cos(a) - y * std::sin(a), x * std::sin(a) + y * std::cos(a), p.z);
+    });
+  return cells;
+}
+
+double largestError(const HexMesh& mesh, double slack)
+{
+  double worst = 0.0;
+  for (std::size_t c = 0; c < mesh.cellCount(); ++c)
+  {
+    const TrilinearCell cell(mesh, c);
+    for (const Vec3d& rst : randomPoints(50, Vec3d(slack), Vec3d(1.0 - slack), 7))
+    {
+      Vec3d found;
+      EXPECT_TRUE(cell.coordinates(cell.point(rst), found)) << c;
+      worst = std::max(worst, glm::length(found - rst));
+    }
+  }
+  return worst;
+}
+
+} // namespace
+
+TEST(TrilinearCell, CoordinatesComeBack)
+{
+  EXPECT_LT(largestError(*hexBlock(4, 4, 4, 0.3).mesh(), 0.0), 1e-11);
+  EXPECT_LT(largestError(*twisted().mesh(), 0.0), 1e-11);
+}
+
+TEST(TrilinearCell, CoordinatesComeBackFromFarAway)
+{
+  HexCells cells = hexBlock(4, 4, 4, 0.3);
+  cells.move([](const Vec3d& p) { return p + Vec3d(1e6, -1e6, 1e6); });
+  // Points are rounded to 1e-10 there.
+  EXPECT_LT(largestError(*cells.mesh(), 0.0), 5e-9);
+}
+
+TEST(TrilinearCell, CoordinatesComeBackInFlatCells)
+{
+  HexCells cells = hexBlock(4, 4, 4, 0.3);
+  cells.move([](const Vec3d& p) { return Vec3d(p.x + p.y, p.y - p.x, 1e-5 * p.z + 0.3 * p.x); });
+  EXPECT_LT(largestError(*cells.mesh(), 0.0), 1e-8);
+}
+
+TEST(TrilinearCell, CoordinatesComeBackInCollapsedCells)
+{
+  const std::vector<Vec3d> p = {{0, 0, 0}, {1, 0.1, 0}, {1.1, 1, 0.2}, {0, 1, 0}, {0.4, 0.6, 1.3}};
+  HexCells cells;
+  cells.addCell(HexCellType::Pyramid, p);
+  cells.addCell(HexCellType::Tetrahedron, std::vector<Vec3d>{p[0], p[1], p[3], p[4]});
+  cells.addCell(HexCellType::Wedge,
+    std::vector<Vec3d>{p[0], p[1], p[3], p[0] + p[4], p[1] + p[4], p[3] + 1.2 * p[4]});
+  EXPECT_LT(largestError(*cells.mesh(), 0.01), 1e-9);
+}
+
+TEST(TrilinearCell, EveryPointInsideHasCoordinatesThatGiveItBack)
+{
+  const HexMesh mesh(hexBlock(3, 3, 3, 0.45, 5).input());
+  int inside = 0;
+  for (std::size_t c = 0; c < mesh.cellCount(); ++c)
+  {
+    const TrilinearCell cell(mesh, c);
+    const HexOracle oracle(mesh.corners(c));
+    const Vec3d middle = cellCenter(mesh.corners(c));
+    for (const Vec3d& p : randomPoints(40, middle - Vec3d(0.8), middle + Vec3d(0.8), 3))
+    {
+      HexOracle::Vec exact;
+      if (!oracle.coordinates(p, exact))
+        continue;
+      ++inside;
+      Vec3d rst;
+      cell.coordinates(p, rst);
+      EXPECT_LT(glm::length(cell.point(rst) - p), 1e-10);
+    }
+  }
+  EXPECT_GT(inside, 200);
+}
+
+TEST(TrilinearCell, AnApexHasCoordinates)
+{
+  const std::vector<Vec3d> p = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}};
+  HexCells cells;
+  cells.addCell(HexCellType::Pyramid, p);
+  const TrilinearCell cell(*cells.mesh(), 0);
+  Vec3d rst;
+  cell.coordinates(p[4], rst);
+  EXPECT_NEAR(rst.z, 1.0, 1e-9);
+  EXPECT_LT(glm::length(cell.point(rst) - p[4]), 1e-9);
+}
+
+TEST(TrilinearCell, LinearFieldsAreReproduced)
+{
+  const HexMesh mesh(twisted().input());
+  const Vec3d slope(0.3, -1.2, 0.7);
+  const auto field = [&](const Vec3d& p) { return 2.0 + glm::dot(slope, p); };
+  const double range = glm::dot(glm::abs(slope), mesh.bounds().size());
+  for (std::size_t c = 0; c < mesh.cellCount(); ++c)
+  {
+    const TrilinearCell cell(mesh, c);
+    CornerValues values;
+    for (std::size_t i = 0; i < 8; ++i)
+      values[i] = field(cell.corners()[i]);
+    for (const Vec3d& at : randomPoints(20, Vec3d(0.0), Vec3d(1.0), 11))
+    {
+      const Vec3d p = cell.point(at);
+      Vec3d rst;
+      ASSERT_TRUE(cell.coordinates(p, rst));
+      EXPECT_NEAR(weighted(values, TrilinearCell::weights(rst)), field(p), 1e-9 * range);
+      EXPECT_LT(glm::length(cell.gradient(values, rst) - slope), 1e-9);
+    }
+  }
+}
+
+TEST(TrilinearCell, GradientsAtAnApexAreFinite)
+{
+  const std::vector<Vec3d> p = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}};
+  HexCells cells;
+  cells.addCell(HexCellType::Pyramid, p);
+  const TrilinearCell cell(*cells.mesh(), 0);
+  CornerValues values;
+  for (std::size_t i = 0; i < 8; ++i)
+    values[i] = cell.corners()[i].x + 2.0 * cell.corners()[i].z;
+  EXPECT_LT(glm::length(cell.gradient(values, {0.3, 0.6, 1.0}) - Vec3d(1, 0, 2)), 1e-6);
+}
+
+TEST(TrilinearCell, InverseDistanceWeights)
+{
+  const HexMesh mesh(hexBlock(1, 1, 1).input());
+  const TrilinearCell cell(mesh, 0);
+  for (const double w : cell.inverseDistanceWeights(Vec3d(0.5)))
+    EXPECT_NEAR(w, 0.125, 1e-15);
+  EXPECT_EQ(cell.inverseDistanceWeights({1, 1, 0})[2], 1.0);
+  const Vec3d p(0.25, 0.5, 0.75);
+  double sum = 0.0;
+  for (const Vec3d& q : cell.corners())
+    sum += 1.0 / glm::length(p - q);
+  EXPECT_NEAR(
+    cell.inverseDistanceWeights(p)[6], 1.0 / glm::length(p - cell.corners()[6]) / sum, 1e-15);
+}

@@ -1,0 +1,118 @@
+#include "HexMeshes.h"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace mote::testing
+{
+
+std::size_t HexCells::addPoint(const Vec3d& p)
+{
+  points.insert(points.end(), {p.x, p.y, p.z});
+  return points.size() / 3 - 1;
+}
+
+void HexCells::addCell(HexCellType type, const std::vector<std::int64_t>& ids)
+{
+  types.push_back(static_cast<std::uint8_t>(type));
+  connectivity.insert(connectivity.end(), ids.begin(), ids.end());
+  offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+}
+
+void HexCells::addCell(HexCellType type, const std::vector<Vec3d>& corners)
+{
+  std::vector<std::int64_t> ids;
+  for (const Vec3d& p : corners)
+    ids.push_back(static_cast<std::int64_t>(addPoint(p)));
+  addCell(type, ids);
+}
+
+void HexCells::move(const std::function<Vec3d(const Vec3d&)>& to)
+{
+  for (std::size_t i = 0; i < points.size(); i += 3)
+  {
+    const Vec3d p = to({points[i], points[i + 1], points[i + 2]});
+    points[i] = p.x, points[i + 1] = p.y, points[i + 2] = p.z;
+  }
+}
+
+HexMeshInput HexCells::input() const
+{
+  return {{points.data(), points.size() / 3, 3},
+    {types.data(), ArrayView::Type::UInt8, types.size(), 1},
+    {offsets.data(), ArrayView::Type::Int64, offsets.size(), 1},
+    {connectivity.data(), ArrayView::Type::Int64, connectivity.size(), 1}};
+}
+
+namespace
+{
+
+/// The hexahedra of a lattice of points; `around` closes the second direction.
+void addLattice(HexCells& cells, int nx, int ny, int nz, bool around = false)
+{
+  const int py = around ? ny : ny + 1;
+  const auto id = [&](int i, int j, int k)
+  { return static_cast<std::int64_t>((k * py + j % py) * (nx + 1) + i); };
+  for (int k = 0; k < nz; ++k)
+    for (int j = 0; j < ny; ++j)
+      for (int i = 0; i < nx; ++i)
+        cells.addCell(HexCellType::Hexahedron,
+          {id(i, j, k), id(i + 1, j, k), id(i + 1, j + 1, k), id(i, j + 1, k), id(i, j, k + 1),
+            id(i + 1, j, k + 1), id(i + 1, j + 1, k + 1), id(i, j + 1, k + 1)});
+}
+
+} // namespace
+
+HexCells hexBlock(int nx, int ny, int nz, double jitter, unsigned seed)
+{
+  HexCells cells;
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> shift(-jitter, jitter);
+  for (int k = 0; k <= nz; ++k)
+    for (int j = 0; j <= ny; ++j)
+      for (int i = 0; i <= nx; ++i)
+      {
+        const Vec3d by(shift(random), shift(random), shift(random));
+        const bool inside = i > 0 && i < nx && j > 0 && j < ny && k > 0 && k < nz;
+        cells.addPoint(Vec3d(i, j, k) + (inside ? by : Vec3d(0.0)));
+      }
+  addLattice(cells, nx, ny, nz);
+  return cells;
+}
+
+HexCells hexRing(const RingShape& s)
+{
+  HexCells cells;
+  const bool closed = s.turn > 2.0 * std::numbers::pi - 1e-9;
+  const int around = closed ? s.around : s.around + 1;
+  for (int k = 0; k <= s.axial; ++k)
+    for (int j = 0; j < around; ++j)
+      for (int i = 0; i <= s.radial; ++i)
+      {
+        const double u = static_cast<double>(i) / s.radial, w = static_cast<double>(k) / s.axial;
+        double v = static_cast<double>(j) / s.around;
+        if (s.blades > 0)
+          v -= 0.9 * std::sin(2.0 * std::numbers::pi * s.blades * v) /
+               (2.0 * std::numbers::pi * s.blades);
+        const double angle = s.turn * v + s.twist * (w + u);
+        const double r = (s.inner + u * (s.outer - s.inner)) * (1.0 + s.bulge * w * w);
+        cells.addPoint({r * std::cos(angle), r * std::sin(angle), s.height * w});
+      }
+  addLattice(cells, s.radial, s.around, s.axial, closed);
+  return cells;
+}
+
+std::vector<Vec3d> randomPoints(
+  std::size_t count, const Vec3d& lower, const Vec3d& upper, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::vector<Vec3d> points(count);
+  for (Vec3d& p : points)
+    for (int k = 0; k < 3; ++k)
+      p[k] = lower[k] + unit(random) * (upper[k] - lower[k]);
+  return points;
+}
+
+} // namespace mote::testing
