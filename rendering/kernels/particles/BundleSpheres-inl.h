@@ -175,18 +175,29 @@ public:
   /// there is none.
   bool narrow(float front, int U, int V)
   {
-    changed_ = 0;
-    Spread spread;
-    farthest_ = farthestKappa_ = -infinity;
-    for (int b = 0; b < p_.blocks; ++b)
+    const DF d;
+    const VF most = hn::Set(d, infinity), least = hn::Set(d, -infinity);
+    VF lowX = most, lowY = most, highX = least, highY = least, farthest = least, kappa = least;
+    for (int b = 0; b < p_.blocks; b += static_cast<int>(hn::Lanes(d)))
     {
-      if (!(p_.farthestKappa[b] > front))
-        continue;
-      spread.add(p_.lowX[b], p_.lowY[b]);
-      spread.add(p_.highX[b], p_.highY[b]);
-      farthest_ = std::max(farthest_, p_.farthest[b]);
-      farthestKappa_ = std::max(farthestKappa_, p_.farthestKappa[b]);
+      // Blocks that are not there are dead.
+      const VF own = hn::Load(d, p_.farthestKappa + b);
+      const auto alive = hn::Gt(own, hn::Set(d, front));
+      const auto of = [&](const float* v, VF otherwise)
+      { return hn::IfThenElse(alive, hn::Load(d, v + b), otherwise); };
+      lowX = hn::Min(lowX, of(p_.lowX, most));
+      lowY = hn::Min(lowY, of(p_.lowY, most));
+      highX = hn::Max(highX, of(p_.highX, least));
+      highY = hn::Max(highY, of(p_.highY, least));
+      farthest = hn::Max(farthest, of(p_.farthest, least));
+      kappa = hn::Max(kappa, hn::IfThenElse(alive, own, least));
     }
+    const auto leastOf = [d](VF v) { return hn::GetLane(hn::MinOfLanes(d, v)); };
+    const auto mostOf = [d](VF v) { return hn::GetLane(hn::MaxOfLanes(d, v)); };
+    changed_ = 0;
+    farthest_ = mostOf(farthest);
+    farthestKappa_ = mostOf(kappa);
+    const Spread spread{leastOf(lowX), mostOf(highX), leastOf(lowY), mostOf(highY)};
     if (spread.empty())
       return false;
     if (spread != spread_)
