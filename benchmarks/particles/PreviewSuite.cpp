@@ -68,7 +68,11 @@ private:
       structure->emplace<CoherentGrid>().build(sample.set(), sample.gridOptions());
     }
     else
-      structure = makeParticleStructure(input_.set, {method_.kind});
+    {
+      ParticleStructureOptions options;
+      options.kind = method_.kind;
+      structure = makeParticleStructure(input_.set, options);
+    }
     scene_.particles[0].structure = structure;
   }
 

@@ -40,7 +40,8 @@ std::string vtkMoteParticleMapper::WhyNoColorArray()
   if (!named || !input || input->GetNumberOfPoints() == 0)
     return {};
   vtkPointData* data = input->GetPointData();
-  const std::string quoted = "\"" + std::string(this->ArrayName) + "\"";
+  std::string quoted = "\"";
+  quoted.append(this->ArrayName).append("\"");
   if (data->HasArray(this->ArrayName))
     return "The point array " + quoted + " cannot colour particles: it is text, or was asked for " +
            "as something else than point data.";
