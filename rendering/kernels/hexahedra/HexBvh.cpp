@@ -1,0 +1,301 @@
+#include "HexBvh.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace mote
+{
+
+namespace
+{
+
+constexpr int binCount = 16;
+constexpr std::size_t serial = 4096; ///< cells that one task does alone
+
+/// The bounds and the number of the cells in each bin along each coordinate.
+struct Bins
+{
+  struct Bin
+  {
+    SpaceBounds bounds;
+    std::size_t count = 0;
+  };
+  std::array<std::array<Bin, binCount>, 3> of;
+
+  void add(const Bins& other)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t b = 0; b < binCount; ++b)
+      {
+        of[k][b].bounds.add(other.of[k][b].bounds);
+        of[k][b].count += other.of[k][b].count;
+      }
+  }
+};
+
+struct Split
+{
+  double cost = std::numeric_limits<double>::infinity();
+  std::size_t axis = 0;
+  int bin = 0; ///< the first one of the upper part
+};
+
+template <typename Space>
+Split bestSplit(const Bins& bins)
+{
+  Split best;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    std::array<double, binCount> below{};
+    SpaceBounds bounds;
+    std::size_t count = 0;
+    for (std::size_t b = 0; b + 1 < binCount; ++b)
+    {
+      bounds.add(bins.of[k][b].bounds);
+      count += bins.of[k][b].count;
+      below[b + 1] = count > 0 ? Space::area(bounds) * static_cast<double>(count) : -1.0;
+    }
+    bounds = {};
+    count = 0;
+    for (std::size_t b = binCount - 1; b > 0; --b)
+    {
+      bounds.add(bins.of[k][b].bounds);
+      count += bins.of[k][b].count;
+      if (count == 0 || below[b] < 0.0)
+        continue;
+      const double cost = below[b] + Space::area(bounds) * static_cast<double>(count);
+      if (cost < best.cost)
+        best = {cost, k, static_cast<int>(b)};
+    }
+  }
+  return best;
+}
+
+/// A cell's middle along coordinate k, twice.
+float middle2(const SpaceBounds& b, std::size_t k)
+{
+  return b.lower[k] + b.upper[k];
+}
+
+} // namespace
+
+template <typename Space>
+class HexBvh<Space>::Builder
+{
+public:
+  Builder(HexBvh& tree, int leafSize)
+    : tree_(tree)
+    , leafSize_(static_cast<std::size_t>(std::max(1, leafSize)))
+    , bounds_(tree.cells_.size())
+  {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, bounds_.size(), serial),
+      [&](const tbb::blocked_range<std::size_t>& range)
+      {
+        for (std::size_t c = range.begin(); c < range.end(); ++c)
+          bounds_[c] = tree_.space_.boundsOf(tree_.mesh_->corners(c));
+      });
+  }
+
+  /// Makes the node `node` of the cells from first to last; the nodes below it lie from `below` on.
+  void build(std::size_t node, std::size_t below, std::size_t first, std::size_t last)
+  {
+    const auto [all, middles] = boundsOf(first, last);
+    Node& n = tree_.nodes_[node];
+    n.region = typename Space::Region(all);
+    if (last - first <= leafSize_)
+    {
+      n.first = static_cast<std::uint32_t>(first);
+      n.count = static_cast<std::uint32_t>(last - first);
+      return;
+    }
+    const std::size_t at = divide(middles, first, last);
+    n.first = static_cast<std::uint32_t>(below);
+    n.count = 0;
+    const std::size_t right = below + 2 * (at - first);
+    const auto lower = [&] { build(below, below + 2, first, at); };
+    const auto upper = [&] { build(below + 1, right, at, last); };
+    if (last - first > serial)
+      tbb::parallel_invoke(lower, upper);
+    else
+    {
+      lower();
+      upper();
+    }
+  }
+
+private:
+  struct Bounds
+  {
+    SpaceBounds all, middles; ///< the second of twice the middles
+    void add(const SpaceBounds& b)
+    {
+      all.add(b);
+      SpaceBounds middle;
+      for (std::size_t k = 0; k < 3; ++k)
+        middle.lower[k] = middle.upper[k] = middle2(b, k);
+      middles.add(middle);
+    }
+  };
+
+  /// fold(sum, cell) over the cells from first to last, in parallel where they are many.
+  template <typename Sum, typename Fold>
+  Sum reduce(std::size_t first, std::size_t last, const Fold& fold, void (*join)(Sum&, const Sum&))
+  {
+    const auto some = [&](std::size_t from, std::size_t to, Sum sum)
+    {
+      for (std::size_t i = from; i < to; ++i)
+        fold(sum, bounds_[tree_.cells_[i]]);
+      return sum;
+    };
+    if (last - first <= 4 * serial)
+      return some(first, last, {});
+    return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(first, last, serial), Sum{},
+      [&](const tbb::blocked_range<std::size_t>& r, const Sum& sum)
+      { return some(r.begin(), r.end(), sum); },
+      [&](Sum a, const Sum& b)
+      {
+        join(a, b);
+        return a;
+      });
+  }
+
+  Bounds boundsOf(std::size_t first, std::size_t last)
+  {
+    return reduce<Bounds>(
+      first, last, [](Bounds& sum, const SpaceBounds& b) { sum.add(b); },
+      [](Bounds& a, const Bounds& b)
+      {
+        a.all.add(b.all);
+        a.middles.add(b.middles);
+      });
+  }
+
+  /// Puts the lower part's cells first; gives where the upper part begins.
+  std::size_t divide(const SpaceBounds& middles, std::size_t first, std::size_t last)
+  {
+    std::array<float, 3> scale{};
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const float size = middles.upper[k] - middles.lower[k];
+      scale[k] = size > 0.0F ? (binCount - 1e-3F) / size : 0.0F;
+    }
+    const auto binOf = [&](const SpaceBounds& b, std::size_t k)
+    {
+      const int bin = static_cast<int>((middle2(b, k) - middles.lower[k]) * scale[k]);
+      return std::clamp(bin, 0, binCount - 1);
+    };
+    const Bins bins = reduce<Bins>(
+      first, last,
+      [&](Bins& sum, const SpaceBounds& b)
+      {
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          Bins::Bin& bin = sum.of[k][static_cast<std::size_t>(binOf(b, k))];
+          bin.bounds.add(b);
+          ++bin.count;
+        }
+      },
+      [](Bins& a, const Bins& b) { a.add(b); });
+    const Split split = bestSplit<Space>(bins);
+    if (split.cost == std::numeric_limits<double>::infinity())
+      return first + (last - first) / 2; // all middles coincide
+    const auto begin = tree_.cells_.begin();
+    const auto at = std::partition(begin + static_cast<std::ptrdiff_t>(first),
+      begin + static_cast<std::ptrdiff_t>(last),
+      [&](std::uint32_t c) { return binOf(bounds_[c], split.axis) < split.bin; });
+    return static_cast<std::size_t>(at - begin);
+  }
+
+  HexBvh& tree_;
+  std::size_t leafSize_;
+  RawVector<SpaceBounds> bounds_;
+};
+
+template <typename Space>
+HexBvh<Space>::HexBvh(
+  std::shared_ptr<const HexMesh> mesh, const Space& space, const HexBvhOptions& options)
+  : mesh_(std::move(mesh))
+  , space_(space)
+  , size_(glm::length(mesh_->bounds().size()))
+{
+  const std::size_t n = mesh_->cellCount();
+  if (n == 0)
+    return;
+  cells_.resize(n);
+  std::iota(cells_.begin(), cells_.end(), 0U);
+  nodes_.resize(2 * n - 1);
+  Builder(*this, options.leafSize).build(0, 1, 0, n);
+  if (options.leafSize > 1)
+    compact();
+}
+
+/// Larger leaves leave nodes unused.
+template <typename Space>
+void HexBvh<Space>::compact()
+{
+  RawVector<Node> packed;
+  packed.push_back(nodes_[0]);
+  for (std::size_t i = 0; i < packed.size(); ++i)
+    if (packed[i].count == 0)
+    {
+      const std::uint32_t from = packed[i].first;
+      packed[i].first = static_cast<std::uint32_t>(packed.size());
+      packed.push_back(nodes_[from]);
+      packed.push_back(nodes_[from + 1]);
+    }
+  packed.shrink_to_fit();
+  nodes_ = std::move(packed);
+}
+
+template <typename Space>
+void HexBvh<Space>::setRanges(const RawVector<ScalarRange>& ofCells)
+{
+  ranges_.resize(nodes_.size());
+  if (nodes_.empty())
+    return;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, nodes_.size(), serial),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t i = range.begin(); i < range.end(); ++i)
+      {
+        const Node& node = nodes_[i];
+        ranges_[i] = {};
+        for (std::uint32_t k = 0; k < node.count; ++k)
+          ranges_[i].add(ofCells[cells_[node.first + k]]);
+      }
+    });
+  // Children come behind their parents.
+  for (std::size_t i = nodes_.size(); i-- > 0;)
+    if (nodes_[i].count == 0)
+    {
+      ranges_[i].add(ranges_[nodes_[i].first]);
+      ranges_[i].add(ranges_[nodes_[i].first + 1]);
+    }
+}
+
+template <typename Space>
+std::size_t HexBvh<Space>::bytes() const
+{
+  return nodes_.capacity() * sizeof(Node) + cells_.capacity() * sizeof(std::uint32_t) +
+         ranges_.capacity() * sizeof(ScalarRange);
+}
+
+template <typename Space>
+std::size_t HexBvh<Space>::largestLeaf() const
+{
+  std::size_t largest = 0;
+  for (const Node& node : nodes_)
+    largest = std::max<std::size_t>(largest, node.count);
+  return largest;
+}
+
+template class HexBvh<CartesianSpace>;
+template class HexBvh<CylindricalSpace>;
+
+} // namespace mote

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "CartesianSpace.h"
+#include "CellRanges.h"
+#include "CylindricalSpace.h"
+
+#include <memory>
+
+namespace mote
+{
+
+struct HexBvhOptions
+{
+  int leafSize = 1; ///< cells that a leaf has at most, at least 1
+};
+
+/// A hierarchy of bounds over the coordinates of a space, split by the surface-area heuristic over
+/// 16 bins along each coordinate (Wald, "On fast Construction of SAH-based Bounding Volume
+/// Hierarchies", 2007), with the areas of Wang, Elshehaly and Cao in (r, theta, h). A cell is in
+/// one leaf; bounds that reach over the seam go on above 2 pi. The result does not depend on the
+/// number of threads.
+///
+/// Queries are in HexBvhWalk.h and may run from any number of threads.
+template <typename Space>
+class HexBvh
+{
+public:
+  HexBvh() = default;
+  HexBvh(std::shared_ptr<const HexMesh> mesh, const Space& space, const HexBvhOptions& options);
+
+  const HexMesh& mesh() const { return *mesh_; }
+  const std::shared_ptr<const HexMesh>& sharedMesh() const { return mesh_; }
+  const Space& space() const { return space_; }
+
+  /// As TwoLevelGrid's functions of these names.
+  template <typename Counts = NoCounts>
+  std::uint32_t cellAt(
+    const Vec3d& p, std::uint32_t hint = HexMesh::noCell, Counts&& counts = {}) const;
+  template <typename Visit, typename Keep = KeepAll, typename Counts = NoCounts>
+  void forCellsAlong(
+    const HexRay& ray, const Visit& visit, const Keep& keep = {}, Counts&& counts = {}) const;
+  void setRanges(const RawVector<ScalarRange>& ofCells);
+
+  std::size_t bytes() const; ///< without the mesh
+  std::size_t references() const { return cells_.size(); }
+  std::size_t nodes() const { return nodes_.size(); }
+  std::size_t largestLeaf() const;
+
+private:
+  /// A leaf has `count` cells from `first` on; an inner node, of count 0, the nodes first and
+  /// first + 1.
+  struct Node
+  {
+    typename Space::Region region;
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+  };
+  class Builder;
+
+  void compact();
+
+  std::shared_ptr<const HexMesh> mesh_;
+  Space space_;
+  double size_ = 0.0; ///< of the mesh
+  RawVector<Node> nodes_;
+  RawVector<std::uint32_t> cells_;
+  RawVector<ScalarRange> ranges_; ///< of the nodes, or empty
+};
+
+using CartesianBvh = HexBvh<CartesianSpace>;
+using CylindricalBvh = HexBvh<CylindricalSpace>;
+
+} // namespace mote

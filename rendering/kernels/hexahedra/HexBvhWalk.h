@@ -1,0 +1,147 @@
+#pragma once
+
+// Queries of the hierarchy. Included where they are asked.
+
+#include "CellCrossings.h"
+#include "HexBvh.h"
+
+#include <algorithm>
+#include <memory_resource>
+#include <vector>
+
+namespace mote
+{
+
+namespace detail
+{
+
+/// Nodes that a ray will enter and spans that it will pass, the one with the least t on top.
+class WalkQueue
+{
+public:
+  struct Entry
+  {
+    double t;
+    double tOut; ///< of a span
+    std::uint32_t id;
+    bool isSpan;
+  };
+
+  WalkQueue() { heap_.reserve(kept); }
+  bool empty() const { return heap_.empty(); }
+  void push(const Entry& entry)
+  {
+    heap_.push_back(entry);
+    std::push_heap(heap_.begin(), heap_.end(), isLater);
+  }
+  Entry pop()
+  {
+    std::pop_heap(heap_.begin(), heap_.end(), isLater);
+    const Entry entry = heap_.back();
+    heap_.pop_back();
+    return entry;
+  }
+
+private:
+  static constexpr std::size_t kept = 128;
+  /// Of equal t, nodes come first, as they may hold spans with that t, and then the lower numbers.
+  static bool isLater(const Entry& a, const Entry& b)
+  {
+    if (a.t != b.t)
+      return a.t > b.t;
+    return a.isSpan != b.isSpan ? a.isSpan : a.id > b.id;
+  }
+
+  std::array<std::byte, kept * sizeof(Entry) + 64> memory_;
+  std::pmr::monotonic_buffer_resource pool_{memory_.data(), memory_.size()};
+  std::pmr::vector<Entry> heap_{&pool_};
+};
+
+} // namespace detail
+
+template <typename Space>
+template <typename Counts>
+std::uint32_t HexBvh<Space>::cellAt(const Vec3d& p, std::uint32_t hint, Counts&& counts) const
+{
+  const CrossingPoint point(p, size_);
+  const auto holds = [&](std::uint32_t c)
+  {
+    counts.addCell();
+    return point.isIn(*mesh_, c);
+  };
+  if (nodes_.empty() || !std::isfinite(p.x + p.y + p.z))
+    return HexMesh::noCell;
+  if (hint < mesh_->cellCount() && holds(hint))
+    return hint;
+  const Vec3d at = Space::regionCoordinates(space_.coordinates(p));
+  std::array<std::byte, 512> memory;
+  std::pmr::monotonic_buffer_resource pool{memory.data(), memory.size()};
+  std::pmr::vector<std::uint32_t> stack{&pool};
+  stack.reserve(96);
+  stack.push_back(0);
+  while (!stack.empty())
+  {
+    const Node& node = nodes_[stack.back()];
+    stack.pop_back();
+    counts.addNode();
+    if (!node.region.contains(at))
+      continue;
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+      if (holds(cells_[i]))
+        return cells_[i];
+    if (node.count == 0)
+    {
+      stack.push_back(node.first + 1);
+      stack.push_back(node.first);
+    }
+  }
+  return HexMesh::noCell;
+}
+
+template <typename Space>
+template <typename Visit, typename Keep, typename Counts>
+void HexBvh<Space>::forCellsAlong(
+  const HexRay& ray, const Visit& visit, const Keep& keep, Counts&& counts) const
+{
+  if (nodes_.empty())
+    return;
+  const typename Space::Ray path = space_.ray(ray);
+  const CrossingLine line(ray.origin, ray.direction);
+  detail::WalkQueue queue;
+  const auto enter = [&](std::uint32_t n)
+  {
+    counts.addNode();
+    double tIn = ray.tMin, tOut = ray.tMax;
+    if ((ranges_.empty() || keep(ranges_[n])) && nodes_[n].region.clip(path, tIn, tOut))
+      queue.push({tIn, tOut, n, false});
+  };
+  enter(0);
+  while (!queue.empty())
+  {
+    const auto entry = queue.pop();
+    if (entry.isSpan)
+    {
+      if (!visit(CellSpan{entry.id, entry.t, entry.tOut}))
+        return;
+      continue;
+    }
+    const Node& node = nodes_[entry.id];
+    if (node.count == 0)
+    {
+      enter(node.first);
+      enter(node.first + 1);
+    }
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+    {
+      counts.addCell();
+      CellIntervals intervals;
+      if (!line.intersect(*mesh_, cells_[i], intervals))
+        continue;
+      for (const CellInterval& v : intervals)
+        if (const double t = std::max(v.in, ray.tMin), out = std::min(v.out, ray.tMax); t < out)
+          queue.push({t, out, cells_[i], true});
+    }
+  }
+}
+
+} // namespace mote

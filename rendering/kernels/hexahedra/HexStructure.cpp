@@ -1,0 +1,94 @@
+#include "HexStructure.h"
+
+#include "../core/Error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mote
+{
+
+namespace
+{
+
+/// What coordinates may be off by, as a share of the mesh's size.
+constexpr double slack = 1e-9;
+
+/// The seam belongs where no cells are: at the end of the widest gap between cells' middles.
+double seamOf(const HexMesh& mesh, const CylindricalSpace& space)
+{
+  constexpr int bins = 720;
+  constexpr double width = 6.283185307179586 / bins;
+  std::vector<bool> taken(bins, false);
+  for (std::size_t c = 0; c < mesh.cellCount(); ++c)
+  {
+    const SpaceBounds b = space.boundsOf(mesh.corners(c));
+    const int last = static_cast<int>(b.upper[1] / width);
+    for (int i = std::max(0, static_cast<int>(b.lower[1] / width)); i <= last; ++i)
+      taken[static_cast<std::size_t>(i % bins)] = true;
+  }
+  int widest = 0, end = 0, run = 0;
+  for (int i = 0; i < 2 * bins; ++i)
+  {
+    run = taken[static_cast<std::size_t>(i % bins)] ? 0 : run + 1;
+    if (run > widest && run < bins)
+    {
+      widest = run;
+      end = i;
+    }
+  }
+  return widest > 0 ? (end % bins + 0.5) * width : 0.0;
+}
+
+CylindricalSpace cylindricalSpace(const HexMesh& mesh, const std::optional<CylinderAxis>& given)
+{
+  const CylinderAxis axis = given ? *given : findAxis(mesh);
+  if (!(glm::length(axis.direction) > 0.0) || !std::isfinite(glm::length(axis.direction)))
+    throw Error("The axis of a cylindrical structure needs a direction.");
+  const double size = glm::length(mesh.bounds().size());
+  return {axis, size, seamOf(mesh, CylindricalSpace(axis, size))};
+}
+
+CartesianSpace cartesianSpace(const HexMesh& mesh)
+{
+  return {mesh.bounds().center(), slack * glm::length(mesh.bounds().size())};
+}
+
+} // namespace
+
+std::shared_ptr<HexStructure> makeHexStructure(
+  std::shared_ptr<const HexMesh> mesh, const HexStructureOptions& options)
+{
+  const auto made = [](auto structure)
+  { return std::make_shared<HexStructure>(std::move(structure)); };
+  switch (options.kind)
+  {
+  case HexStructureKind::CartesianGrid:
+    return made(CartesianGrid(mesh, cartesianSpace(*mesh), options.grid));
+  case HexStructureKind::CylindricalBvh:
+    return made(CylindricalBvh(mesh, cylindricalSpace(*mesh, options.axis), options.bvh));
+  case HexStructureKind::CartesianBvh:
+    return made(CartesianBvh(mesh, cartesianSpace(*mesh), options.bvh));
+  case HexStructureKind::CylindricalGrid:
+    break;
+  }
+  return made(CylindricalGrid(mesh, cylindricalSpace(*mesh, options.axis), options.grid));
+}
+
+const std::vector<std::string>& hexStructureNames()
+{
+  static const std::vector<std::string> names = {"cylgrid", "cartgrid", "cylbvh", "cartbvh"};
+  return names;
+}
+
+std::uint32_t cellAt(const HexStructure& structure, const Vec3d& p, std::uint32_t hint)
+{
+  return withStructure(structure, [&](const auto& s) { return s.cellAt(p, hint); });
+}
+
+void setRanges(HexStructure& structure, const HexScalar& scalar)
+{
+  std::visit([&](auto& s) { s.setRanges(cellRanges(s.mesh(), scalar)); }, structure);
+}
+
+} // namespace mote

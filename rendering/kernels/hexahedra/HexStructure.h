@@ -1,0 +1,62 @@
+#pragma once
+
+#include "HexBvhWalk.h"
+#include "TwoLevelGridWalk.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace mote
+{
+
+/// Every structure over a HexMesh: which cell holds a point, and which cells a ray passes. A new
+/// one is one more alternative here and one more entry in HexStructure.cpp.
+///
+/// All offer cellAt(), forCellsAlong(), setRanges(), mesh(), bytes(), references() and
+/// largestLeaf(); see TwoLevelGrid.h for what they do, and ask through withStructure(), once a tile
+/// rather than once a ray.
+using HexStructure = std::variant<CylindricalGrid, CartesianGrid, CylindricalBvh, CartesianBvh>;
+
+/// Which structure to build, in the order of the alternatives.
+enum class HexStructureKind
+{
+  CylindricalGrid,
+  CartesianGrid,
+  CylindricalBvh,
+  CartesianBvh
+};
+
+struct HexStructureOptions
+{
+  HexStructureKind kind = HexStructureKind::CylindricalGrid;
+  TwoLevelGridOptions grid;
+  HexBvhOptions bvh;
+  std::optional<CylinderAxis> axis; ///< found where it is not given, see findAxis()
+};
+
+/// Builds the structure that the options name. Throws Error for an axis without direction and, for
+/// grids, where there would be too many references.
+std::shared_ptr<HexStructure> makeHexStructure(
+  std::shared_ptr<const HexMesh> mesh, const HexStructureOptions& options = {});
+
+/// The names of the structures, for options and messages, in the order of HexStructureKind.
+const std::vector<std::string>& hexStructureNames();
+
+/// Calls `visit` with the structure that the variant holds.
+template <typename Visit>
+decltype(auto) withStructure(const HexStructure& structure, const Visit& visit)
+{
+  return std::visit(visit, structure);
+}
+
+/// The cell of `structure` that holds `p`, see TwoLevelGrid::cellAt().
+std::uint32_t cellAt(
+  const HexStructure& structure, const Vec3d& p, std::uint32_t hint = HexMesh::noCell);
+
+/// Tells the structure the ranges of a scalar, see TwoLevelGrid::setRanges().
+void setRanges(HexStructure& structure, const HexScalar& scalar);
+
+} // namespace mote

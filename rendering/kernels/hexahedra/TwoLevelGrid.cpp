@@ -1,0 +1,246 @@
+#include "TwoLevelGrid.h"
+
+#include "../core/Error.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace mote
+{
+
+namespace
+{
+
+constexpr std::size_t most = 0xffffffffU;
+constexpr int mostAlong = 1024;     ///< macro cells along a coordinate
+constexpr int mostWithin = 255;     ///< leaves along a coordinate of a macro cell
+constexpr std::size_t block = 4096; ///< cells that a task takes
+
+std::array<int, 3> resolution(const Vec3d& sides, double wanted, int limit)
+{
+  const double volume = sides.x * sides.y * sides.z;
+  const double k = volume > 0.0 ? std::cbrt(wanted / volume) : 0.0;
+  std::array<int, 3> n;
+  for (int i = 0; i < 3; ++i)
+    n[static_cast<std::size_t>(i)] =
+      static_cast<int>(std::clamp(std::round(sides[i] * k), 1.0, static_cast<double>(limit)));
+  return n;
+}
+
+/// Calls visit(index) for the steps of a range; the second coordinate may go round.
+template <typename Visit>
+void forSteps(const Lattice& l, const LatticeRange& r, const Visit& visit)
+{
+  for (int k = r.first[2]; k <= r.last[2]; ++k)
+    for (int j = r.first[1]; j <= r.last[1]; ++j)
+      for (int i = r.first[0]; i <= r.last[0]; ++i)
+        visit(static_cast<std::size_t>(l.index(i, j < l.n[1] ? j : j - l.n[1], k)));
+}
+
+/// Makes starts of counts; the last of `counts` is what the sum comes to. Throws where it is too
+/// large.
+void toStarts(RawVector<std::uint32_t>& counts, const char* what)
+{
+  std::size_t sum = 0;
+  for (std::uint32_t& c : counts)
+  {
+    const std::size_t n = c;
+    c = static_cast<std::uint32_t>(sum);
+    sum += n;
+    if (sum > most)
+      throw Error(std::string("The grid would have more than 4294967295 ") + what +
+                  "; take a smaller lambda2, or a hierarchy.");
+  }
+}
+
+template <typename Work>
+void forBlocks(std::size_t n, std::size_t size, const Work& work)
+{
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, size),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t i = range.begin(); i < range.end(); ++i)
+        work(i);
+    });
+}
+
+} // namespace
+
+/// The cells that overlap each macro cell, in the order of their numbers.
+template <typename Space>
+struct TwoLevelGrid<Space>::MacroLists
+{
+  RawVector<std::uint32_t> starts, cells;
+};
+
+template <typename Space>
+TwoLevelGrid<Space>::TwoLevelGrid(
+  std::shared_ptr<const HexMesh> mesh, const Space& space, const TwoLevelGridOptions& options)
+  : mesh_(std::move(mesh))
+  , space_(space)
+  , size_(glm::length(mesh_->bounds().size()))
+{
+  if (mesh_->cellCount() == 0)
+    return;
+  RawVector<SpaceBounds> bounds(mesh_->cellCount());
+  forBlocks(
+    bounds.size(), block, [&](std::size_t c) { bounds[c] = space_.boundsOf(mesh_->corners(c)); });
+  layOutMacros(bounds, options.lambda1);
+  const MacroLists lists = listMacros(bounds);
+  layOutLeaves(lists, options.lambda2);
+  fillLeaves(lists, bounds);
+}
+
+template <typename Space>
+void TwoLevelGrid<Space>::layOutMacros(const RawVector<SpaceBounds>& bounds, double lambda)
+{
+  SpaceBounds extent;
+  for (const SpaceBounds& b : bounds)
+    extent.add(b);
+  if (Space::wraps) // of a part of a circle there are as many steps as of the whole
+  {
+    const double turn = 6.283185307179586;
+    lambda *= turn / std::min<double>(turn, extent.upper[1] - extent.lower[1]);
+    extent.lower[1] = 0.0F;
+    extent.upper[1] = static_cast<float>(turn);
+  }
+  std::array<int, 3> n = resolution(Space::sides(extent.from(), extent.to()),
+    lambda * static_cast<double>(bounds.size()), mostAlong);
+  if (n[1] > 1)
+    n[1] = std::max(n[1], Space::leastAround);
+  top_ = Space::lattice(extent, n);
+  extent_ = typename Space::Region(extent);
+  macros_.resize(static_cast<std::size_t>(top_.size()));
+}
+
+template <typename Space>
+auto TwoLevelGrid<Space>::listMacros(const RawVector<SpaceBounds>& bounds) const -> MacroLists
+{
+  MacroLists lists;
+  const std::size_t n = macros_.size();
+  std::vector<std::atomic<std::uint32_t>> counters(n);
+  const auto forMacros = [&](std::size_t c, const auto& visit)
+  { forSteps(top_, Space::overlap(top_, bounds[c]), visit); };
+  forBlocks(bounds.size(), block,
+    [&](std::size_t c)
+    { forMacros(c, [&](std::size_t m) { counters[m].fetch_add(1, std::memory_order_relaxed); }); });
+  lists.starts.resize(n + 1);
+  for (std::size_t m = 0; m < n; ++m)
+    lists.starts[m] = counters[m].load(std::memory_order_relaxed);
+  lists.starts[n] = 0;
+  toStarts(lists.starts, "references");
+  for (std::size_t m = 0; m < n; ++m)
+    counters[m].store(lists.starts[m], std::memory_order_relaxed);
+  lists.cells.resize(lists.starts[n]);
+  forBlocks(bounds.size(), block,
+    [&](std::size_t c)
+    {
+      forMacros(c,
+        [&](std::size_t m)
+        {
+          lists.cells[counters[m].fetch_add(1, std::memory_order_relaxed)] =
+            static_cast<std::uint32_t>(c);
+        });
+    });
+  // Threads filled the lists in any order.
+  forBlocks(n, 16,
+    [&](std::size_t m)
+    {
+      const auto begin = lists.cells.begin();
+      std::sort(begin + lists.starts[m], begin + lists.starts[m + 1]);
+    });
+  return lists;
+}
+
+template <typename Space>
+void TwoLevelGrid<Space>::layOutLeaves(const MacroLists& lists, double lambda)
+{
+  std::size_t leaves = 0;
+  for (int k = 0; k < top_.n[2]; ++k)
+    for (int j = 0; j < top_.n[1]; ++j)
+      for (int i = 0; i < top_.n[0]; ++i)
+      {
+        const auto m = static_cast<std::size_t>(top_.index(i, j, k));
+        const Vec3d lower = top_.lower + Vec3d(i, j, k) * top_.step;
+        const double wanted = lambda * (lists.starts[m + 1] - lists.starts[m]);
+        const auto n = resolution(Space::sides(lower, lower + top_.step), wanted, mostWithin);
+        macros_[m].leaf = static_cast<std::uint32_t>(leaves);
+        for (std::size_t a = 0; a < 3; ++a)
+          macros_[m].n[a] = static_cast<std::uint8_t>(n[a]);
+        leaves += static_cast<std::size_t>(n[0]) * n[1] * n[2];
+        if (leaves >= most)
+          throw Error("The grid would have more than 4294967294 leaves; take a smaller lambda2.");
+      }
+  starts_.resize(leaves + 1);
+}
+
+template <typename Space>
+void TwoLevelGrid<Space>::fillLeaves(const MacroLists& lists, const RawVector<SpaceBounds>& bounds)
+{
+  const auto forLeaves = [&](std::size_t m, const auto& visit)
+  {
+    const int i = static_cast<int>(m);
+    const Lattice l = macroLattice(
+      {i % top_.n[0], i / top_.n[0] % top_.n[1], i / top_.n[0] / top_.n[1]}, macros_[m]);
+    for (std::uint32_t at = lists.starts[m]; at < lists.starts[m + 1]; ++at)
+    {
+      const std::uint32_t c = lists.cells[at];
+      forSteps(l, Space::overlapWithin(l, bounds[c]),
+        [&](std::size_t leaf) { visit(macros_[m].leaf + leaf, c); });
+    }
+  };
+  // A macro cell's leaves are counted, and filled, by one task.
+  std::fill(starts_.begin(), starts_.end(), 0U);
+  forBlocks(macros_.size(), 16,
+    [&](std::size_t m)
+    { forLeaves(m, [&](std::size_t leaf, std::uint32_t) { ++starts_[leaf]; }); });
+  toStarts(starts_, "references");
+  references_.resize(starts_.back());
+  forBlocks(macros_.size(), 16,
+    [&](std::size_t m) {
+      forLeaves(m, [&](std::size_t leaf, std::uint32_t c) { references_[starts_[leaf]++] = c; });
+    });
+  // Each start is now the next one's.
+  std::copy_backward(starts_.begin(), starts_.end() - 1, starts_.end());
+  starts_[0] = 0;
+}
+
+template <typename Space>
+void TwoLevelGrid<Space>::setRanges(const RawVector<ScalarRange>& ofCells)
+{
+  ranges_.resize(macros_.size());
+  forBlocks(macros_.size(), 16,
+    [&](std::size_t m)
+    {
+      ScalarRange range;
+      const std::size_t last = m + 1 < macros_.size() ? macros_[m + 1].leaf : leaves();
+      for (std::uint32_t at = starts_[macros_[m].leaf]; at < starts_[last]; ++at)
+        range.add(ofCells[references_[at]]);
+      ranges_[m] = range;
+    });
+}
+
+template <typename Space>
+std::size_t TwoLevelGrid<Space>::bytes() const
+{
+  return macros_.capacity() * sizeof(Macro) + starts_.capacity() * sizeof(std::uint32_t) +
+         references_.capacity() * sizeof(std::uint32_t) + ranges_.capacity() * sizeof(ScalarRange);
+}
+
+template <typename Space>
+std::size_t TwoLevelGrid<Space>::largestLeaf() const
+{
+  std::size_t largest = 0;
+  for (std::size_t i = 0; i < leaves(); ++i)
+    largest = std::max<std::size_t>(largest, starts_[i + 1] - starts_[i]);
+  return largest;
+}
+
+template class TwoLevelGrid<CartesianSpace>;
+template class TwoLevelGrid<CylindricalSpace>;
+
+} // namespace mote

@@ -1,0 +1,96 @@
+#pragma once
+
+#include "CartesianSpace.h"
+#include "CellRanges.h"
+#include "CylindricalSpace.h"
+
+#include <memory>
+#include <optional>
+
+namespace mote
+{
+
+struct TwoLevelGridOptions
+{
+  double lambda1 = 1.0 / 16.0; ///< macro cells per cell
+  double lambda2 = 4.0;        ///< leaves per reference of a macro cell
+};
+
+/// A grid of macro cells, each with a grid of its own: Kalojanov, Billeter, Slusallek, "Two-Level
+/// Grids for Ray Tracing on GPUs", 2011, over the coordinates of a space. Cells are referred to
+/// from all leaves that their bounds overlap.
+///
+/// The resolution along a coordinate is a region's side times cbrt(lambda n / volume), of n cells
+/// or references in it; in (r, theta, h) the sides are d_r, d_theta (2 r + d_r) / 2 and d_h (Wang,
+/// Elshehaly, Cao). Leaves hold references in the order of cell numbers. The result does not depend
+/// on the number of threads.
+///
+/// Queries are in TwoLevelGridWalk.h and may run from any number of threads.
+template <typename Space>
+class TwoLevelGrid
+{
+public:
+  TwoLevelGrid() = default;
+  /// Throws Error where there are more than 2^32 - 1 references or leaves.
+  TwoLevelGrid(
+    std::shared_ptr<const HexMesh> mesh, const Space& space, const TwoLevelGridOptions& options);
+
+  const HexMesh& mesh() const { return *mesh_; }
+  const std::shared_ptr<const HexMesh>& sharedMesh() const { return mesh_; }
+  const Space& space() const { return space_; }
+
+  /// The cell that holds `p`, or HexMesh::noCell. `hint` is asked first, if it is a cell.
+  template <typename Counts = NoCounts>
+  std::uint32_t cellAt(
+    const Vec3d& p, std::uint32_t hint = HexMesh::noCell, Counts&& counts = {}) const;
+
+  /// Calls visit(CellSpan) for the parts of a ray in cells, in the order of tIn, until it answers
+  /// false. A cell is told of once for each of its parts. Where keep(ScalarRange) answers false for
+  /// a region that setRanges() told the range of, its cells are passed over; a range within one
+  /// that is not kept must not be kept either.
+  template <typename Visit, typename Keep = KeepAll, typename Counts = NoCounts>
+  void forCellsAlong(
+    const HexRay& ray, const Visit& visit, const Keep& keep = {}, Counts&& counts = {}) const;
+
+  /// Takes the ranges of a scalar in every cell, for `keep`. In parallel; nothing is rebuilt.
+  void setRanges(const RawVector<ScalarRange>& ofCells);
+
+  std::size_t bytes() const; ///< without the mesh
+  std::size_t references() const { return references_.size(); }
+  std::size_t leaves() const { return starts_.empty() ? 0 : starts_.size() - 1; }
+  std::size_t largestLeaf() const;
+
+private:
+  /// A macro cell: its leaves begin at `leaf`; n along each coordinate.
+  struct Macro
+  {
+    std::uint32_t leaf = 0;
+    std::array<std::uint8_t, 3> n{1, 1, 1};
+    std::array<int, 3> resolution() const { return {n[0], n[1], n[2]}; }
+  };
+  struct MacroLists;
+
+  void layOutMacros(const RawVector<SpaceBounds>& bounds, double lambda);
+  MacroLists listMacros(const RawVector<SpaceBounds>& bounds) const;
+  void layOutLeaves(const MacroLists& lists, double lambda);
+  void fillLeaves(const MacroLists& lists, const RawVector<SpaceBounds>& bounds);
+  Lattice macroLattice(const std::array<int, 3>& at, const Macro& macro) const
+  {
+    return Space::within(top_, at[0], at[1], at[2], macro.resolution());
+  }
+
+  std::shared_ptr<const HexMesh> mesh_;
+  Space space_;
+  Lattice top_;
+  typename Space::Region extent_;
+  double size_ = 0.0; ///< of the mesh
+  RawVector<Macro> macros_;
+  RawVector<std::uint32_t> starts_; ///< of the leaves' references; one more than leaves
+  RawVector<std::uint32_t> references_;
+  RawVector<ScalarRange> ranges_; ///< of the macro cells, or empty
+};
+
+using CartesianGrid = TwoLevelGrid<CartesianSpace>;
+using CylindricalGrid = TwoLevelGrid<CylindricalSpace>;
+
+} // namespace mote

@@ -1,0 +1,326 @@
+// Every structure over hexahedra gives the answers of asking every cell.
+
+#include <kernels/core/Error.h>
+#include <kernels/hexahedra/HexStructure.h>
+
+#include <support/HexMeshes.h>
+
+#include <gtest/gtest.h>
+
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace mote;
+using namespace mote::testing;
+
+namespace
+{
+
+using Mesh = std::shared_ptr<const HexMesh>;
+
+constexpr HexStructureKind kinds[] = {HexStructureKind::CylindricalGrid,
+  HexStructureKind::CartesianGrid, HexStructureKind::CylindricalBvh,
+  HexStructureKind::CartesianBvh};
+
+std::shared_ptr<HexStructure> build(const Mesh& mesh, HexStructureKind kind,
+  std::optional<CylinderAxis> axis = CylinderAxis{}, int leafSize = 1)
+{
+  HexStructureOptions options;
+  options.kind = kind;
+  options.axis = axis;
+  options.bvh.leafSize = leafSize;
+  return makeHexStructure(mesh, options);
+}
+
+std::vector<CellSpan> spans(const HexStructure& structure, const HexRay& ray)
+{
+  std::vector<CellSpan> all;
+  withStructure(structure,
+    [&](const auto& s)
+    {
+      s.forCellsAlong(ray,
+        [&](const CellSpan& span)
+        {
+          all.push_back(span);
+          return true;
+        });
+    });
+  return all;
+}
+
+std::vector<CellSpan> allSpans(const HexMesh& mesh, const HexRay& ray)
+{
+  std::vector<CellSpan> all;
+  const CrossingLine line(ray.origin, ray.direction);
+  CellIntervals intervals;
+  for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
+    if (line.intersect(mesh, c, intervals))
+      for (const CellInterval& i : intervals)
+        if (const CellSpan s{c, std::max(i.in, ray.tMin), std::min(i.out, ray.tMax)};
+            s.tIn < s.tOut)
+          all.push_back(s);
+  std::sort(all.begin(), all.end(),
+    [](const CellSpan& a, const CellSpan& b)
+    { return a.tIn != b.tIn ? a.tIn < b.tIn : a.cell < b.cell; });
+  return all;
+}
+
+std::uint32_t anyCellAt(const HexMesh& mesh, const Vec3d& p)
+{
+  const CrossingPoint point(p, glm::length(mesh.bounds().size()));
+  for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
+    if (point.isIn(mesh, c))
+      return c;
+  return HexMesh::noCell;
+}
+
+/// A mesh and the frame that it lies in.
+struct Case
+{
+  const char* name;
+  Mesh mesh;
+  CylinderAxis axis;
+};
+
+Case placed(const char* name, HexCells cells, const Vec3d& away, bool tilted)
+{
+  const Vec3d h = tilted ? glm::normalize(Vec3d(1, 2, -0.5)) : Vec3d(0, 0, 1);
+  const Vec3d u = tilted ? glm::normalize(glm::cross(h, Vec3d(0, 0, 1))) : Vec3d(1, 0, 0);
+  const Vec3d v = glm::cross(h, u);
+  cells.move([&](const Vec3d& p) { return away + p.x * u + p.y * v + p.z * h; });
+  return {name, cells.mesh(), {away, h}};
+}
+
+std::vector<Case> cases()
+{
+  HexCells onAxis = hexBlock(6, 6, 5, 0.3);
+  onAxis.move([](const Vec3d& p) { return p - Vec3d(2.9, 3.05, 0.0); });
+  HexCells disc = hexRing({4, 9, 3, 0.0, 1.0, 1.0}); // wedges at the axis
+  const RingShape twisted{6, 24, 6, 1.0, 2.0, 1.5, 0.4, 0.3, 3};
+  RingShape part = twisted;
+  part.turn = 2.0;
+  return {placed("ring", hexRing({5, 20, 4}), Vec3d(0.0), false),
+    placed("twisted", hexRing(twisted), Vec3d(0.0), false),
+    placed("tilted", hexRing(twisted), Vec3d(3, -1, 2), true),
+    placed("far", hexRing(twisted), Vec3d(1e6, -1e6, 2e6), true),
+    placed("part", hexRing(part), Vec3d(0.0), false), placed("onAxis", onAxis, Vec3d(0.0), false),
+    placed("disc", disc, Vec3d(0.0), false),
+    placed("coarse", hexRing({1, 3, 1, 0.2, 2.0, 1.0}), Vec3d(0.0), false),
+    placed("one", hexBlock(1, 1, 1), Vec3d(0.5, 0, 0), false),
+    placed("none", HexCells{}, Vec3d(0.0), false)};
+}
+
+/// Rays at random and the unkind ones: along the axis, across it, in the planes through it, from
+/// inside.
+std::vector<HexRay> raysFor(const Case& c)
+{
+  std::vector<HexRay> rays;
+  const Box box = c.mesh->bounds().empty() ? Box{Vec3d(0.0), Vec3d(1.0)} : c.mesh->bounds();
+  const Vec3d size = box.size(), o = c.axis.origin, h = c.axis.direction;
+  const auto ends = randomPoints(160, box.lower - 0.4 * size, box.upper + 0.4 * size, 5);
+  for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
+    rays.push_back({ends[i], ends[i + 1] - ends[i]});
+  const auto inside = randomPoints(60, box.lower, box.upper, 6);
+  for (std::size_t i = 0; i + 1 < inside.size(); i += 2)
+    rays.push_back({inside[i], inside[i + 1] - inside[i], 0.0, i % 4 == 0 ? 0.7 : 1e9});
+  const Vec3d other = std::abs(h.x) < 0.9 ? Vec3d(1, 0, 0) : Vec3d(0, 1, 0);
+  const Vec3d u = glm::normalize(glm::cross(h, other)), v = glm::cross(h, u);
+  rays.push_back({o - 5.0 * h, h});
+  for (const double x : {0.25, 1.0, 1.5, 2.0})
+    for (const Vec3d& across : {u, v, -u, Vec3d(1, 0, 0), Vec3d(0, 1, 0), Vec3d(0.6, 0.8, 0)})
+    {
+      rays.push_back({o + x * across - 5.0 * h, h});
+      rays.push_back({o + x * across + 5.0 * h, -2.0 * h});
+      rays.push_back({o - 7.0 * across + 0.3 * x * h, across});
+      rays.push_back({o - 7.0 * across, across + 0.1 * x * h});
+      rays.push_back({o + x * across, glm::cross(h, across) + 1e-3 * h, -20.0, 20.0});
+    }
+  return rays;
+}
+
+} // namespace
+
+TEST(HexStructure, RaysPassTheSameCellsInOrder)
+{
+  for (const Case& c : cases())
+    for (const HexStructureKind kind : kinds)
+      for (const int leafSize : {1, 5})
+      {
+        const auto structure = build(c.mesh, kind, c.axis, leafSize);
+        std::size_t passed = 0, wrong = 0;
+        for (const HexRay& ray : raysFor(c))
+        {
+          const auto expected = allSpans(*c.mesh, ray), found = spans(*structure, ray);
+          wrong += !std::equal(expected.begin(), expected.end(), found.begin(), found.end());
+          passed += expected.size();
+        }
+        EXPECT_EQ(wrong, 0U) << c.name << " " << hexStructureNames()[static_cast<int>(kind)];
+        EXPECT_EQ(passed > 0, c.mesh->cellCount() > 0) << c.name;
+      }
+}
+
+TEST(HexStructure, PointsAreInTheSameCells)
+{
+  for (const Case& c : cases())
+    for (const HexStructureKind kind : kinds)
+    {
+      const auto structure = build(c.mesh, kind, c.axis);
+      const Box box = c.mesh->bounds().empty() ? Box{Vec3d(0.0), Vec3d(1.0)} : c.mesh->bounds();
+      auto points = randomPoints(300, box.lower, box.upper, 9);
+      for (std::size_t i = 0; i < c.mesh->cellCount(); i += 7)
+      {
+        points.push_back(cellCenter(c.mesh->corners(i)));
+        const HexCorners q = c.mesh->corners(i);
+        points.push_back(0.25 * (q[0] + q[1] + q[5] + q[4])); // on a face
+        points.push_back(q[6]);
+      }
+      points.push_back(c.axis.origin + 0.1 * c.axis.direction);
+      points.push_back(c.axis.origin);
+      std::size_t wrong = 0;
+      std::uint32_t hint = HexMesh::noCell;
+      for (const Vec3d& p : points)
+      {
+        const std::uint32_t expected = anyCellAt(*c.mesh, p);
+        wrong += cellAt(*structure, p) != expected;
+        wrong += cellAt(*structure, p, hint) != expected;
+        hint = expected;
+      }
+      EXPECT_EQ(wrong, 0U) << c.name << " " << hexStructureNames()[static_cast<int>(kind)];
+    }
+}
+
+TEST(HexStructure, NoPointNoCell)
+{
+  for (const HexStructureKind kind : kinds)
+  {
+    const auto structure = build(hexRing({}).mesh(), kind);
+    EXPECT_EQ(cellAt(*structure, Vec3d(NAN, 0, 0)), HexMesh::noCell);
+    EXPECT_EQ(cellAt(*structure, Vec3d(INFINITY, 0, 0)), HexMesh::noCell);
+    EXPECT_EQ(cellAt(*structure, Vec3d(1e300, 0, 0)), HexMesh::noCell);
+    EXPECT_EQ(cellAt(*structure, Vec3d(0.0, 0, 0.5)), HexMesh::noCell); // in the hole
+  }
+}
+
+TEST(HexStructure, StopsWhereItIsToldTo)
+{
+  for (const HexStructureKind kind : kinds)
+  {
+    const auto structure = build(hexRing({}).mesh(), kind);
+    int told = 0;
+    WalkCounts counts;
+    withStructure(*structure,
+      [&](const auto& s)
+      {
+        s.forCellsAlong(
+          {Vec3d(-5, 0.1, 0.5), Vec3d(1, 0, 0)}, [&](const CellSpan&) { return ++told < 3; },
+          KeepAll{}, counts);
+      });
+    EXPECT_EQ(told, 3);
+    EXPECT_GE(counts.cells, 3U);
+    EXPECT_GT(counts.nodes, 0U);
+  }
+}
+
+TEST(HexStructure, PassesOverWhatIsNotKept)
+{
+  const Mesh mesh = hexRing({8, 48, 8}).mesh();
+  std::vector<double> height;
+  for (std::size_t p = 0; p < mesh->pointCount(); ++p)
+    height.push_back(mesh->point(p).x);
+  const HexScalar scalar{{height.data(), height.size(), 1}};
+  const RawVector<ScalarRange> ranges = cellRanges(*mesh, scalar);
+  const auto keep = [](const ScalarRange& r) { return r.upper > 1.5F; };
+  const HexRay ray{Vec3d(-5, -0.2, 0.4), Vec3d(1, 0.08, 0.01)};
+  for (const HexStructureKind kind : kinds)
+  {
+    const auto structure = build(mesh, kind);
+    setRanges(*structure, scalar);
+    std::vector<CellSpan> found;
+    WalkCounts all, some;
+    withStructure(*structure,
+      [&](const auto& s)
+      {
+        s.forCellsAlong(
+          ray, [&](const CellSpan&) { return true; }, KeepAll{}, all);
+        s.forCellsAlong(
+          ray,
+          [&](const CellSpan& span)
+          {
+            if (keep(ranges[span.cell]))
+              found.push_back(span);
+            return true;
+          },
+          keep, some);
+      });
+    std::vector<CellSpan> expected;
+    for (const CellSpan& span : allSpans(*mesh, ray))
+      if (keep(ranges[span.cell]))
+        expected.push_back(span);
+    EXPECT_TRUE(std::equal(expected.begin(), expected.end(), found.begin(), found.end()));
+    EXPECT_FALSE(expected.empty());
+    EXPECT_LT(2 * some.cells, all.cells);
+  }
+}
+
+TEST(HexStructure, DoesNotDependOnThreads)
+{
+  const RingShape shape{16, 60, 24, 1.0, 2.0, 1.5, 0.4, 0.3, 5};
+  const Mesh mesh = hexRing(shape).mesh();
+  const auto rays = raysFor({"", mesh, {}});
+  for (const HexStructureKind kind : kinds)
+  {
+    const auto answers = [&](std::size_t threads)
+    {
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+      const auto structure = build(mesh, kind, std::nullopt);
+      WalkCounts counts;
+      std::size_t bytes = 0, references = 0;
+      withStructure(*structure,
+        [&](const auto& s)
+        {
+          for (const HexRay& ray : rays)
+            s.forCellsAlong(
+              ray, [](const CellSpan&) { return true; }, KeepAll{}, counts);
+          bytes = s.bytes();
+          references = s.references();
+        });
+      return std::array<std::size_t, 4>{counts.cells, counts.nodes, bytes, references};
+    };
+    EXPECT_EQ(answers(1), answers(4));
+  }
+}
+
+TEST(HexStructure, LeafSizeIsKept)
+{
+  const Mesh mesh = hexRing({}).mesh();
+  for (const int leafSize : {1, 2, 8})
+    withStructure(*build(mesh, HexStructureKind::CylindricalBvh, CylinderAxis{}, leafSize),
+      [&](const auto& s)
+      {
+        EXPECT_LE(s.largestLeaf(), static_cast<std::size_t>(leafSize));
+        EXPECT_EQ(s.references(), mesh->cellCount());
+      });
+}
+
+TEST(HexStructure, RefusesAnAxisWithoutDirection)
+{
+  EXPECT_THROW(build(hexRing({}).mesh(), HexStructureKind::CylindricalGrid,
+                 CylinderAxis{Vec3d(0.0), Vec3d(0.0)}),
+    Error);
+}
+
+TEST(HexStructure, RangesOfNaNsAreKept)
+{
+  const Mesh mesh = hexBlock(2, 1, 1).mesh();
+  std::vector<float> values(mesh->pointCount(), 1.0F);
+  values[0] = NAN;
+  const auto ranges = cellRanges(*mesh, {{values.data(), values.size(), 1}});
+  EXPECT_EQ(ranges[0].upper, INFINITY);
+  EXPECT_EQ(ranges[0].lower, -INFINITY);
+  EXPECT_EQ(ranges[1].upper, 1.0F);
+  EXPECT_EQ(ranges[1].lower, 1.0F);
+  EXPECT_THROW(cellRanges(*mesh, {{values.data(), 5, 1}}), Error);
+  EXPECT_THROW(cellRanges(*mesh, {{values.data(), values.size(), 1}, 1}), Error);
+}
