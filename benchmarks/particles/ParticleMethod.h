@@ -65,6 +65,7 @@ const std::vector<ParticleMethodEntry>& particleMethods();
 std::unique_ptr<ParticleMethod> makeCoherentGridMethod(const MethodOptions& options);
 std::unique_ptr<ParticleMethod> makePkdTreeMethod(const MethodOptions& options);
 std::unique_ptr<ParticleMethod> makeCompactPkdTreeMethod(const MethodOptions& options);
+std::unique_ptr<ParticleMethod> makePkdPaperMethod(const MethodOptions& options);
 std::unique_ptr<ParticleMethod> makeReferenceGridMethod(const MethodOptions& options);
 std::unique_ptr<ParticleMethod> makeSingleRayMethod(const MethodOptions& options);
 std::unique_ptr<ParticleMethod> makeEmbreeMethod(const MethodOptions& options);

@@ -10,6 +10,8 @@ const std::vector<ParticleMethodEntry>& particleMethods()
       true},
     {"pkd", "Mote's P-k-d tree, bundles of rays as large as suits", makePkdTreeMethod, true},
     {"pkd8", "the same tree with 8 bytes a particle", makeCompactPkdTreeMethod, true},
+    {"pkd-paper", "the P-k-d tree as published, in heap order, single rays", makePkdPaperMethod,
+      true},
     {"cgt-reference", "grid with references to spheres in all cells they overlap, packets of 8x8",
       makeReferenceGridMethod, false},
     {"grid-single", "grid as Mote's, stepped through from cell to cell by single rays",

@@ -3,6 +3,7 @@
 #include "StructureMethod.h"
 
 #include <kernels/particles/CoherentGrid.h>
+#include <kernels/particles/PkdPaperTree.h>
 #include <kernels/particles/PkdTree.h>
 
 namespace mote::bench
@@ -38,6 +39,14 @@ std::unique_ptr<ParticleMethod> makePkdTreeMethod(const MethodOptions& options)
 std::unique_ptr<ParticleMethod> makeCompactPkdTreeMethod(const MethodOptions& options)
 {
   return makeTree(options, true);
+}
+
+std::unique_ptr<ParticleMethod> makePkdPaperMethod(const MethodOptions& options)
+{
+  PkdPaperTreeOptions build;
+  build.keepIndices = false;
+  return std::make_unique<StructureMethod<PkdPaperTree, PkdPaperTreeOptions>>(
+    build, options.packet);
 }
 
 } // namespace mote::bench

@@ -222,8 +222,9 @@ public:
   /**
    * The structure that rays are cast through, by name: "coherent-grid", the fastest for a camera's
    * rays; "pkd-tree", which takes 12.5 bytes a particle instead of 20 (and 4 for its id, either)
-   * and is faster for ambient occlusion; or "auto" (default), the grid up to 100 million particles
-   * and the tree above.
+   * and is faster for ambient occlusion; "pkd-paper", that tree as it was published, slower and
+   * there to compare with; or "auto" (default), the grid up to 100 million particles and the
+   * "pkd-tree" above.
    */
   vtkSetStringMacro(StructureName);
   vtkGetStringMacro(StructureName);

@@ -4,6 +4,7 @@
 // for each.
 
 #include <kernels/particles/CoherentGrid.h>
+#include <kernels/particles/PkdPaperTree.h>
 #include <kernels/particles/PkdTree.h>
 
 namespace mote::testing

@@ -18,21 +18,7 @@ void CoherentGrid::setVisibility(const std::function<bool(std::size_t)>& shown)
 {
   shown_.clear();
   if (shown && count_ > 0)
-  {
-    shown_.resize((count_ + 63) / 64);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, shown_.size(), 256),
-      [&](const tbb::blocked_range<std::size_t>& words)
-      {
-        for (std::size_t w = words.begin(); w != words.end(); ++w)
-        {
-          std::uint64_t bits = 0;
-          const std::size_t first = 64 * w, last = std::min(count_, first + 64);
-          for (std::size_t slot = first; slot < last; ++slot)
-            bits |= static_cast<std::uint64_t>(shown(slot)) << (slot - first);
-          shown_[w] = bits;
-        }
-      });
-  }
+    findBits(count_, shown_, shown);
   findOccupied();
   findShown();
 }
@@ -40,12 +26,9 @@ void CoherentGrid::setVisibility(const std::function<bool(std::size_t)>& shown)
 void CoherentGrid::setAttributes(const std::vector<ParticleAttribute>& attributes)
 {
   checkAttributes(attributes, statistics_, !index32_.empty() || !index64_.empty(), inputs_);
-  values_.clear();
-  values_.shrink_to_fit();
   macroBounds_.clear();
-  if (!attributes.empty())
-    values_.resize(count_);
-  fillAttributes(attributes, values_, [this](std::size_t slot) { return inputIndex(slot); });
+  keepAttributes(
+    attributes, count_, values_, [this](std::size_t slot) { return inputIndex(slot); });
   findShown();
 }
 

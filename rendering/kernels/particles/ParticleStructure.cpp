@@ -28,19 +28,22 @@ std::shared_ptr<ParticleStructure> makeParticleStructure(const ParticleSet& part
   };
   if (!used)
     used = std::make_shared<ParticleStructure>();
-  const bool grid = options.kind == ParticleStructureKind::Automatic
-                      ? particles.count() <= automaticGridParticles
-                      : options.kind == ParticleStructureKind::CoherentGrid;
-  if (grid)
+  ParticleStructureKind kind = options.kind;
+  if (kind == ParticleStructureKind::Automatic)
+    kind = particles.count() <= automaticGridParticles ? ParticleStructureKind::CoherentGrid
+                                                       : ParticleStructureKind::PkdTree;
+  if (kind == ParticleStructureKind::CoherentGrid)
     ensure<CoherentGrid>(*used).build(particles, options.coherentGrid, watched);
-  else
+  else if (kind == ParticleStructureKind::PkdTree)
     ensure<PkdTree>(*used).build(particles, options.pkdTree, watched);
+  else
+    ensure<PkdPaperTree>(*used).build(particles, options.pkdPaper, watched);
   return complete ? used : nullptr;
 }
 
 const std::vector<std::string>& particleStructureNames()
 {
-  static const std::vector<std::string> names = {"auto", "coherent-grid", "pkd-tree"};
+  static const std::vector<std::string> names = {"auto", "coherent-grid", "pkd-tree", "pkd-paper"};
   return names;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "CoherentGrid.h"
+#include "PkdPaperTree.h"
 #include "PkdTree.h"
 
 #include <memory>
@@ -13,14 +14,15 @@ namespace mote
 
 /// Every structure that can hold particles for ray casting. A new one is one more alternative here
 /// and one more entry in ParticleStructure.cpp.
-using ParticleStructure = std::variant<CoherentGrid, PkdTree>;
+using ParticleStructure = std::variant<CoherentGrid, PkdTree, PkdPaperTree>;
 
 /// Which structure to build.
 enum class ParticleStructureKind
 {
   Automatic, ///< the coherent grid up to automaticGridParticles, the P-k-d tree above
   CoherentGrid,
-  PkdTree
+  PkdTree,
+  PkdPaper ///< the published P-k-d tree, to compare with
 };
 
 /// The grid casts a camera's rays faster, the tree takes 12.5 bytes a particle and not 20.
@@ -31,6 +33,7 @@ struct ParticleStructureOptions
   ParticleStructureKind kind = ParticleStructureKind::Automatic;
   CoherentGridOptions coherentGrid;
   PkdTreeOptions pkdTree;
+  PkdPaperTreeOptions pkdPaper;
 };
 
 /// Builds the structure that the options name over the particles, in `used` where that is given and

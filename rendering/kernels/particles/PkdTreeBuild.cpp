@@ -1,7 +1,7 @@
 #include "PkdTree.h"
 
 #include "BlockSplit.h"
-#include "MedianSplit.h"
+#include "KdBuild.h"
 #include "RadiusGroups.h"
 
 #include <tbb/blocked_range.h>
@@ -12,8 +12,6 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
-#include <mutex>
-#include <numeric>
 
 namespace mote
 {
@@ -29,18 +27,14 @@ struct PkdTreeBuilder
   PkdTree& tree;
   const ParticleSet& particles;
   const PkdTreeOptions& options;
-  const Progress& progress;
+  SharedProgress progress;
 
-  /// Where particles lie: bounds of their centres in whole numbers, both ends included.
-  struct Region
-  {
-    std::array<std::uint32_t, 3> low, high;
-  };
+  /// Where particles lie, in whole numbers.
+  using Region = KdRegion;
 
   static constexpr double middleKey = 2147483648.0;         ///< of origin(): 2^31
   static constexpr int coarseBits = 10;                     ///< corners of treelets leave these 0
   static constexpr std::size_t serialCount = blockCapacity; ///< particles that are one task
-  static constexpr std::size_t tightCount = 1 << 16;        ///< up to which regions are made tight
 
   double keyStep = 1.0; ///< between neighbouring whole numbers, in the input's unit: a power of two
   double unitsAKey = 1.0;
@@ -48,20 +42,6 @@ struct PkdTreeBuilder
   int roundedBits = 0;                         ///< low bits that coordinates lose in the end
   std::atomic<std::uint32_t> treeletExtent{0}; ///< the largest, in whole numbers
   std::atomic<std::size_t> splitDone{0};       ///< particles in finished treelets
-  std::atomic<bool> stopped{false};
-
-  std::mutex reporting{};
-  double reported = 0.0;
-
-  /// From any thread; tells the caller only what is more than what it was told.
-  bool report(double done)
-  {
-    const std::lock_guard lock(reporting);
-    if (!progress || done < reported)
-      return !stopped;
-    reported = done;
-    return progress(done);
-  }
 
   void chooseNumbers()
   {
@@ -113,62 +93,14 @@ struct PkdTreeBuilder
     return record;
   }
 
-  template <int WORDS>
-  void fill()
-  {
-    constexpr std::size_t chunk = 1 << 16;
-    const std::size_t n = particles.count(), chunks = (n + chunk - 1) / chunk;
-    std::vector<std::size_t> place(chunks + 1, 0);
-    for (std::size_t c = 0; c < chunks; ++c)
-      place[c] = c * chunk;
-    if (tree.count_ != n)
-    {
-      tbb::parallel_for(std::size_t{0}, chunks,
-        [&](std::size_t c)
-        {
-          std::size_t valid = 0;
-          particles.forRange(c * chunk, std::min(n, (c + 1) * chunk),
-            [&](std::size_t, const Vec3d& p, double r) { valid += isValidParticle(p, r); });
-          place[c] = valid;
-        });
-      std::exclusive_scan(place.begin(), place.end(), place.begin(), std::size_t{0});
-    }
-    KdRecord<WORDS>* to = records<WORDS>();
-    tbb::parallel_for(std::size_t{0}, chunks,
-      [&](std::size_t c)
-      {
-        KdRecord<WORDS>* next = to + place[c];
-        particles.forRange(c * chunk, std::min(n, (c + 1) * chunk),
-          [&](std::size_t i, const Vec3d& p, double r)
-          {
-            if (isValidParticle(p, r))
-              *next++ = recordOf<WORDS>(i, p, r);
-          });
-      });
-  }
-
   // Splitting.
-
-  template <int WORDS>
-  static Region regionOf(const KdRecord<WORDS>* first, const KdRecord<WORDS>* last)
-  {
-    Region r{first->words[0], first->words[1], first->words[2], first->words[0], first->words[1],
-      first->words[2]};
-    for (; first != last; ++first)
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        r.low[k] = std::min(r.low[k], first->words[k]);
-        r.high[k] = std::max(r.high[k], first->words[k]);
-      }
-    return r;
-  }
 
   /// Splits what belongs to `children` whole children of `size` particles each (the last may have
   /// less) until there is one, and that into its own children.
   template <int WORDS>
   void split(std::size_t first, std::size_t last, std::size_t size, const Region& region, int axis)
   {
-    if (stopped)
+    if (progress.stopped())
       return;
     const std::size_t count = last - first;
     if (count <= serialCount)
@@ -177,7 +109,7 @@ struct PkdTreeBuilder
     if (children <= 1)
       return split<WORDS>(first, last, size / PkdTree::fanout, region, axis);
     KdRecord<WORDS>* from = records<WORDS>();
-    const Region tight = count <= tightCount ? regionOf(from + first, from + last) : region;
+    const Region tight = count <= tightKdCount ? Region(from + first, from + last) : region;
     if (options.split == PkdTreeOptions::Split::MaximumExtent)
       for (int k = axis = 0; k < 3; ++k)
         if (tight.high[k] - tight.low[k] > tight.high[axis] - tight.low[axis])
@@ -205,8 +137,7 @@ struct PkdTreeBuilder
     {
     }
     const std::size_t done = splitDone += count;
-    if (!report(0.2 + 0.7 * static_cast<double>(done) / static_cast<double>(tree.count_)))
-      stopped = true;
+    progress.report(0.2 + 0.7 * static_cast<double>(done) / static_cast<double>(tree.count_));
   }
 
   // What the traversal reads.
@@ -232,7 +163,7 @@ struct PkdTreeBuilder
     Node& node = tree.nodes_.own()[tree.levels_[0].first + treelet];
     const std::size_t first = treelet * PkdTree::treeletSize;
     const std::size_t last = std::min(tree.count_, first + PkdTree::treeletSize);
-    const Region region = regionOf(records<WORDS>() + first, records<WORDS>() + last);
+    const Region region(records<WORDS>() + first, records<WORDS>() + last);
     std::array<std::uint64_t, 3> corner;
     for (std::size_t k = 0; k < 3; ++k)
     {
@@ -340,8 +271,9 @@ struct PkdTreeBuilder
   template <int WORDS>
   bool sort()
   {
-    fill<WORDS>();
-    if (!report(0.2))
+    fillKdRecords(particles, tree.count_, records<WORDS>(),
+      [this](std::size_t i, const Vec3d& p, double r) { return recordOf<WORDS>(i, p, r); });
+    if (!progress.report(0.2))
       return false;
     std::size_t size = PkdTree::bucketSize;
     while (size < tree.count_)
@@ -355,16 +287,16 @@ struct PkdTreeBuilder
       all.high[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(high[k]);
     }
     split<WORDS>(0, tree.count_, std::max(size, PkdTree::treeletSize), all, 0);
-    if (stopped || !report(0.9))
+    if (!progress.report(0.9))
       return false;
     finish<WORDS>();
-    return report(1.0);
+    return progress.report(1.0);
   }
 
   bool run()
   {
     tree.statistics_ = examine(particles);
-    if (!report(0.1))
+    if (!progress.report(0.1))
       return false;
     if (tree.statistics_.valid == 0)
       return true;
@@ -389,7 +321,7 @@ void PkdTree::build(
 {
   clear();
   sparseShare_ = options.sparseShare;
-  PkdTreeBuilder builder{*this, particles, options, progress};
+  PkdTreeBuilder builder{*this, particles, options, SharedProgress(progress)};
   bool complete = false;
   try
   {

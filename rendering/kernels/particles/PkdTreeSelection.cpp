@@ -19,26 +19,6 @@ namespace
 
 constexpr std::size_t bucketsATask = 1024;
 
-/// Sets bits[bucket] to a bit for each of its particles that accepts(slot) takes.
-template <typename Bits, typename Accepts>
-void findBits(std::size_t count, Bits& bits, const Accepts& accepts)
-{
-  constexpr std::size_t size = PkdTree::bucketSize;
-  bits.resize((count + size - 1) / size);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, bits.size(), bucketsATask),
-    [&](const tbb::blocked_range<std::size_t>& range)
-    {
-      for (std::size_t bucket = range.begin(); bucket != range.end(); ++bucket)
-      {
-        unsigned found = 0;
-        const std::size_t first = size * bucket, last = std::min(count, first + size);
-        for (std::size_t slot = first; slot < last; ++slot)
-          found |= static_cast<unsigned>(accepts(slot)) << (slot - first);
-        bits[bucket] = static_cast<typename Bits::value_type>(found);
-      }
-    });
-}
-
 /// Gives the memory back.
 template <typename Vector>
 void release(Vector& vector)
@@ -59,10 +39,8 @@ void PkdTree::setVisibility(const std::function<bool(std::size_t)>& shown)
 void PkdTree::setAttributes(const std::vector<ParticleAttribute>& attributes)
 {
   checkAttributes(attributes, statistics_, knowsInput());
-  release(values_);
-  if (!attributes.empty())
-    values_.resize(count_);
-  fillAttributes(attributes, values_, [this](std::size_t slot) { return inputIndex(slot); });
+  keepAttributes(
+    attributes, count_, values_, [this](std::size_t slot) { return inputIndex(slot); });
   release(valueBounds_);
   if (!values_.empty())
     findValueBounds();
