@@ -78,7 +78,8 @@ std::shared_ptr<const PkdTreeFile> fileOf(vtkPointSet* points)
 bool drawsFile(vtkPointSet* points, const RadiusChoice& choice, ParticleStructureKind kind)
 {
   return choice.mode == vtkMoteParticleMapper::RADIUS_AUTOMATIC && choice.scale == 1.0 &&
-         kind != ParticleStructureKind::CoherentGrid && fileOf(points);
+         (kind == ParticleStructureKind::Automatic || kind == ParticleStructureKind::PkdTree) &&
+         fileOf(points);
 }
 
 double spacingOf(vtkPointSet* points)
