@@ -54,7 +54,7 @@ case $3 in
       run 0 "$bench" particles --input random:4000:0.02 "${small[@]}" --threads $threads \
         --json a.json
       records a.json "$right"
-      records a.json "len(r) == 12 and len({x['method'] for x in r}) == 6"
+      records a.json "len(r) == 14 and len({x['method'] for x in r}) == 7"
       records a.json "all(x['threads'] == $threads and x['mrays_per_s'] > 0 for x in r)"
       records a.json "all(x['bytes_per_particle'] >= 8 and x['build_s'] > 0 for x in r)"
     done

@@ -7,7 +7,6 @@
 #include <tbb/parallel_for.h>
 
 #include <atomic>
-#include <mutex>
 #include <numeric>
 
 namespace mote
@@ -23,14 +22,19 @@ public:
   {
   }
 
-  /// False where the work shall stop.
+  /// False where the work shall stop. While somebody is told, others are not, and do not wait: who
+  /// is told may work in parallel, and come here again by way of that.
   bool report(double done)
   {
-    const std::lock_guard lock(reporting_);
-    if (stopped_ || !progress_ || done < reported_)
+    if (!progress_ || stopped_ || telling_.exchange(true))
       return !stopped_;
-    reported_ = done;
-    stopped_ = !progress_(done);
+    if (!stopped_ && done >= reported_)
+    {
+      reported_ = done;
+      if (!progress_(done))
+        stopped_ = true;
+    }
+    telling_ = false;
     return !stopped_;
   }
 
@@ -38,7 +42,7 @@ public:
 
 private:
   const Progress& progress_;
-  std::mutex reporting_;
+  std::atomic<bool> telling_{false};
   double reported_ = 0.0;
   std::atomic<bool> stopped_{false};
 };
