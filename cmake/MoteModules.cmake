@@ -5,8 +5,8 @@ vtk_module_find_modules(_mote_rendering_files "${CMAKE_SOURCE_DIR}/rendering/vtk
 list(APPEND _mote_module_files ${_mote_rendering_files})
 vtk_module_scan(
   MODULE_FILES ${_mote_module_files}
-  REQUEST_MODULES Mote::FiltersIO Mote::FiltersImaging Mote::FiltersParticles
-    Mote::RenderingVTK
+  REQUEST_MODULES Mote::FiltersHexahedra Mote::FiltersIO Mote::FiltersImaging
+    Mote::FiltersParticles Mote::RenderingVTK
   PROVIDES_MODULES MOTE_MODULES
   ENABLE_TESTS OFF)
 vtk_module_build(

@@ -4,7 +4,8 @@
  *
  * One table says which reader reads which file; a new format is one entry of it (in
  * vtkMoteReaderTable.cxx). A file is recognised by its extension and, where that says nothing, by
- * its first bytes. Every function is static; the class is a vtkObject so that Python sees it.
+ * its first bytes; `pump:SCALE[:PART]` names a vtkMotePumpSource instead. Every function is static;
+ * the class is a vtkObject so that Python sees it.
  *
  * Errors are sentences that a user can act on. The C++ functions hand them back through `error`
  * and print nothing; the ones for Python (NewReader, ReadFile) report them as VTK errors and

@@ -173,6 +173,22 @@ case $3 in
     said out hopper.dump.gz
     ;;
 
+  pump) # a mesh that is made stands where a file may
+    run 0 "$mote" info pump:0.0005
+    for text in 'pump:0.0005: inlet' 'pump:0.0005: rotor' 'pump:0.0005: diffuser' '80: 0, 0.0005' \
+      pressure velocity; do
+      said out "$text"
+    done
+    run 0 "$mote" info pump:0.0005:rotor --time 0.01
+    said out 't = 0.01'
+    grep -q inlet out && fail "more parts than were asked for"
+    for wrong in pump:x pump:99 pump:0.01:blade; do
+      run 1 "$mote" info "$wrong"
+      one_sentence
+      said err "$wrong: "
+    done
+    ;;
+
   convert) # a file of its own gives the picture that the dump gives
     run 0 "$mote" convert "$copper" a.mote
     said out 'a.mote: '

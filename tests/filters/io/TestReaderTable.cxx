@@ -250,6 +250,31 @@ TEST_F(TestReaderTable, TheOutputWindowIsLeftAsItWas)
   EXPECT_FALSE(window->HasObserver(vtkCommand::ErrorEvent));
 }
 
+TEST_F(TestReaderTable, ThePumpIsMade)
+{
+  std::string error;
+  const auto pump = vtkMoteReaderTable::MakeReader("pump:0.0005", error);
+  ASSERT_TRUE(pump) << error;
+  EXPECT_EQ(vtkMoteReaderTable::GetTimeSteps(pump, error).size(), 80u);
+  const auto all = vtkMoteReaderTable::Read(pump, 0.01, error);
+  ASSERT_TRUE(vtkCompositeDataSet::SafeDownCast(all)) << error;
+  EXPECT_GT(vtkCompositeDataSet::SafeDownCast(all)->GetNumberOfCells(), 3000);
+  for (const char* part : {"inlet", "rotor", "diffuser"})
+  {
+    const auto one = vtkMoteReaderTable::MakeReader("pump:5e-4:" + std::string(part), error);
+    ASSERT_TRUE(one) << error;
+    EXPECT_TRUE(vtkDataSet::SafeDownCast(vtkMoteReaderTable::Read(one, error))) << error;
+  }
+  for (const char* wrong : {"pump:", "pump:x", "pump:0.01x", "pump:nan", "pump:0", "pump:11",
+         "pump:1:", "pump:1:blade", "pump::rotor"})
+  {
+    EXPECT_FALSE(vtkMoteReaderTable::MakeReader(wrong, error)) << wrong;
+    EXPECT_NE(error.find(wrong), std::string::npos) << error;
+    EXPECT_NE(error.find(" pump"), std::string::npos) << error;
+    EXPECT_EQ(vtkMoteReaderTable::CheckFile(wrong), error);
+  }
+}
+
 TEST_F(TestReaderTable, Series)
 {
   const auto file = [this](const char* name, int step)
