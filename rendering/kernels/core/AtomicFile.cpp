@@ -22,7 +22,9 @@ namespace
   throw WriteError(kind, "Cannot write \"" + name + "\": " + reason + ".");
 }
 
-[[noreturn]] void failWithSystemError(const std::string& name, int error)
+} // namespace
+
+void throwWriteError(const std::string& name, int error)
 {
   switch (error)
   {
@@ -44,6 +46,9 @@ namespace
   }
 }
 
+namespace
+{
+
 /// The file that is to be replaced: the end of the chain where `name` is a symbolic link.
 fs::path resolve(const std::string& name)
 {
@@ -64,7 +69,7 @@ void checkTarget(const std::string& name, const fs::path& target)
   if (fs::is_directory(status))
     fail(WriteError::Kind::CannotOpen, name, "it is a folder");
   if (error && status.type() == fs::file_type::none)
-    failWithSystemError(name, error.value());
+    throwWriteError(name, error.value());
   if (fs::exists(status) && !fs::is_regular_file(status))
     fail(WriteError::Kind::CannotOpen, name, "it is not a regular file");
   if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0)
@@ -80,7 +85,7 @@ void checkFolder(const std::string& name, const fs::path& folder)
   if (status.type() != fs::file_type::none && !fs::is_directory(status))
     fail(WriteError::Kind::CannotOpen, name, "what should be its folder is a file");
   if (::access(folder.c_str(), W_OK | X_OK) != 0)
-    failWithSystemError(name, errno);
+    throwWriteError(name, errno);
 }
 
 std::string makeTemporaryName(const fs::path& folder)
@@ -91,7 +96,48 @@ std::string makeTemporaryName(const fs::path& folder)
   return (folder / name).string();
 }
 
+/// A file without a name in a folder, or -1 where there are none.
+int openUnnamed(const fs::path& folder, int access)
+{
+#ifdef O_TMPFILE
+  return ::open(folder.c_str(), O_TMPFILE | access | O_CLOEXEC, 0666);
+#else
+  return -1;
+#endif
+}
+
+/// A new file in a folder, whose name it tells; -1, with the reason in errno, where there is none.
+int openTemporary(const fs::path& folder, int access, std::string& name)
+{
+  for (int attempt = 0; attempt < 100; ++attempt)
+  {
+    name = makeTemporaryName(folder);
+    const int file = ::open(name.c_str(), access | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file >= 0 || errno != EEXIST)
+      return file;
+  }
+  return -1;
+}
+
+/// Where the system shows an open file.
+std::string linkTo(int file)
+{
+  return "/proc/self/fd/" + std::to_string(file);
+}
+
 } // namespace
+
+int openNameless(const std::string& beside)
+{
+  const fs::path folder = resolve(beside).parent_path();
+  int file = openUnnamed(folder, O_RDWR);
+  std::string name;
+  if (file < 0 && (file = openTemporary(folder, O_RDWR, name)) >= 0)
+    ::unlink(name.c_str());
+  if (file < 0)
+    throwWriteError(beside, errno);
+  return file;
+}
 
 void checkWritable(const std::string& name)
 {
@@ -110,21 +156,26 @@ AtomicFile::AtomicFile(const std::string& name)
   targetName_ = target.string();
   struct stat old;
   const bool replaces = ::stat(targetName_.c_str(), &old) == 0;
-  for (int attempt = 0; attempt < 100 && descriptor_ < 0; ++attempt)
-  {
-    temporaryName_ = makeTemporaryName(target.parent_path());
-    descriptor_ = ::open(temporaryName_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ < 0 && errno != EEXIST)
-      break;
-  }
-  if (descriptor_ < 0)
-  {
-    temporaryName_.clear();
-    failWithSystemError(name, errno);
-  }
+  this->open();
   if (replaces && ::fchmod(descriptor_, old.st_mode & 0777) != 0)
   {
     // Some file systems have no permissions; the new file's own will do there.
+  }
+}
+
+void AtomicFile::open()
+{
+  const fs::path folder = fs::path(targetName_).parent_path();
+  descriptor_ = openUnnamed(folder, O_WRONLY);
+  if (descriptor_ >= 0 && ::access(linkTo(descriptor_).c_str(), F_OK) == 0)
+    return;
+  if (descriptor_ >= 0) // it could not be given a name
+    ::close(descriptor_);
+  descriptor_ = openTemporary(folder, O_WRONLY, temporaryName_);
+  if (descriptor_ < 0)
+  {
+    temporaryName_.clear();
+    throwWriteError(name_, errno);
   }
 }
 
@@ -160,7 +211,7 @@ void AtomicFile::putAll(const void* data, std::size_t size, const Put& put)
     {
       const int error = written < 0 ? errno : ENOSPC;
       remove();
-      failWithSystemError(name_, error);
+      throwWriteError(name_, error);
     }
     done += static_cast<std::size_t>(written);
   }
@@ -180,11 +231,31 @@ void AtomicFile::rewrite(std::uint64_t offset, const void* data, std::size_t siz
     { return ::pwrite(descriptor_, from, left, static_cast<off_t>(offset + done)); });
 }
 
+/// Gives the file a temporary name, which it needs to replace another. Returns the system's error.
+int AtomicFile::giveName()
+{
+  for (int attempt = 0; attempt < 100; ++attempt)
+  {
+    const std::string name = makeTemporaryName(fs::path(targetName_).parent_path());
+    if (::linkat(
+          AT_FDCWD, linkTo(descriptor_).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0)
+    {
+      temporaryName_ = name;
+      return 0;
+    }
+    if (errno != EEXIST)
+      break;
+  }
+  return errno;
+}
+
 void AtomicFile::commit()
 {
   // Quotas and network file systems report a full disk only here. A descriptor is gone after
   // close() whatever that returns.
   int error = ::fsync(descriptor_) != 0 && errno != EINVAL ? errno : 0;
+  if (error == 0 && temporaryName_.empty())
+    error = this->giveName();
   if (::close(descriptor_) != 0 && error == 0 && errno != EINTR)
     error = errno;
   descriptor_ = -1;
@@ -193,7 +264,7 @@ void AtomicFile::commit()
   if (error != 0)
   {
     remove();
-    failWithSystemError(name_, error);
+    throwWriteError(name_, error);
   }
   temporaryName_.clear();
 }

@@ -33,11 +33,19 @@ private:
 /// writing. Throws WriteError with the reason if not.
 void checkWritable(const std::string& name);
 
+/// Throws a WriteError that says what the system's error `error` means for the file `name`.
+[[noreturn]] void throwWriteError(const std::string& name, int error);
+
+/// Opens a new file, to be read and written, in the folder of the file `beside`. It has no name,
+/// and is gone when it is closed. Throws WriteError.
+int openNameless(const std::string& beside);
+
 /// A file that appears under its name complete or not at all.
 ///
-/// Writes into a temporary file in the folder of `name`; commit() renames it to `name`. What is not
-/// committed is removed. Where `name` is a symbolic link, the file that it points to is
-/// replaced and the link stays; a file that is replaced passes its permissions on.
+/// Writes into a file in the folder of `name` that has no name, or a temporary one where the file
+/// system knows no other; commit() gives it its name. What is not committed is removed. Where
+/// `name` is a symbolic link, the file that it points to is replaced and the link stays; a file
+/// that is replaced passes its permissions on.
 ///
 /// Every function throws WriteError.
 class AtomicFile
@@ -55,13 +63,15 @@ public:
   void commit();
 
 private:
+  void open();
+  int giveName();
   void remove();
   template <typename Put>
   void putAll(const void* data, std::size_t size, const Put& put);
 
   std::string name_;          ///< as the user gave it, for messages
   std::string targetName_;    ///< with links resolved
-  std::string temporaryName_; ///< empty when there is nothing left to remove
+  std::string temporaryName_; ///< empty while there is nothing to remove
   int descriptor_ = -1;
 };
 

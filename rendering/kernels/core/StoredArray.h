@@ -26,6 +26,7 @@ public:
       return *this;
     own_ = other.own_;
     keeper_ = other.keeper_;
+    given_ = nullptr; // who else keeps the memory does not write to it
     data_ = keeper_ ? other.data_ : own_.data();
     size_ = other.size_;
     return *this;
@@ -36,6 +37,7 @@ public:
       return *this;
     own_ = std::move(other.own_); // the values stay where they are
     keeper_ = std::move(other.keeper_);
+    given_ = std::exchange(other.given_, nullptr);
     data_ = std::exchange(other.data_, nullptr);
     size_ = std::exchange(other.size_, 0);
     other.clear();
@@ -46,9 +48,21 @@ public:
   void resize(std::size_t size)
   {
     keeper_.reset();
+    given_ = nullptr;
     own_.resize(size);
     data_ = own_.data();
     size_ = size;
+  }
+  /// The same in memory that it is given; null stands for its own.
+  void resize(std::size_t size, std::shared_ptr<void> memory)
+  {
+    if (!memory)
+    {
+      this->resize(size);
+      return;
+    }
+    given_ = static_cast<T*>(memory.get());
+    this->view(given_, size, std::move(memory));
   }
   /// Forgets the values; memory of its own is kept for the next ones.
   void clear() { resize(0); }
@@ -56,6 +70,7 @@ public:
   void view(const T* data, std::size_t size, std::shared_ptr<const void> keeper)
   {
     own_ = {};
+    given_ = data == given_ ? given_ : nullptr;
     keeper_ = std::move(keeper);
     data_ = data;
     size_ = size;
@@ -65,12 +80,13 @@ public:
   std::size_t size() const { return size_; }
   const T& operator[](std::size_t i) const { return data_[i]; }
   /// For writing, after resize(); null where the values are somebody else's.
-  T* own() { return keeper_ ? nullptr : own_.data(); }
+  T* own() { return keeper_ ? given_ : own_.data(); }
   std::size_t bytes() const { return (keeper_ ? size_ : own_.capacity()) * sizeof(T); }
 
 private:
   RawVector<T> own_;
   std::shared_ptr<const void> keeper_;
+  T* given_ = nullptr; ///< the values, where they may be written to and are not in own_
   const T* data_ = nullptr;
   std::size_t size_ = 0;
 };
