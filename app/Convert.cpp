@@ -6,10 +6,14 @@
 #include "Part.h"
 #include "Text.h"
 
+#include <kernels/core/AtomicFile.h>
+#include <kernels/core/ScratchSpace.h>
+
 #include <vtkActor.h>
 #include <vtkMoteParticleFileWriter.h>
 #include <vtkMoteParticleMapper.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkTimerLog.h>
 
 #include <CLI/CLI.hpp>
@@ -50,6 +54,14 @@ void addConvertOptions(CLI::App& app, ConvertOptions& options)
   app.get_option("FILE")->description(
     "Files to read, as elsewhere, and last the .mote file to write");
   addRadiusOptions(app, options.view);
+  app
+    .add_option("--memory", options.memory,
+      "Memory for particles, such as 4G; what needs more lies in files beside the one that is "
+      "written, without a name, until it is. By default half of the machine's")
+    ->transform(CLI::AsSizeValue(false))
+    ->check(CLI::PositiveNumber.description(""))
+    ->type_name("SIZE")
+    ->group("Conversion");
 }
 
 void convert(const ConvertOptions& given)
@@ -66,17 +78,27 @@ void convert(const ConvertOptions& given)
   Progress progress;
   progress.add(terminal);
   const double start = vtkTimerLog::GetUniversalTime();
+  checkWritable(output); // before hours of reading
+  const std::uint64_t memory = given.memory > 0 ? given.memory : physicalMemory() / 2;
+  // The rest is for putting arrays in order.
+  const auto space = std::make_shared<ScratchSpace>(output, memory / 4 * 3);
   Input input(options.files);
+  input.setSpace(space);
   input.open(progress);
   const NamedData data = particlesOf(input, input.chosenStep(options), progress);
   const double readTime = secondsSince(start);
 
   Part part(data.name, data.data, options, 0.0);
   part.particles()->SetStructureName("pkd-tree");
+  part.particles()->SetScratchSpace(space);
+  const bool ofSource = Part::isOfSource(data.data); // whose order says nothing
+  part.particles()->SetKeepPointIds(
+    !ofSource || data.data->GetPointData()->GetNumberOfArrays() > 0);
   part.build(progress);
   vtkNew<vtkMoteParticleFileWriter> writer;
   writer->SetFileName(output.c_str());
   writer->SetMapper(part.particles());
+  writer->SetWriteOriginalIds(part.particles()->GetKeepPointIds());
   const double written = vtkTimerLog::GetUniversalTime();
   Messages::takeError();
   {

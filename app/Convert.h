@@ -2,6 +2,8 @@
 
 #include "ViewOptions.h"
 
+#include <cstdint>
+
 namespace mote::app
 {
 
@@ -9,6 +11,7 @@ namespace mote::app
 struct ConvertOptions
 {
   ViewOptions view;
+  std::uint64_t memory = 0; ///< bytes to keep to; 0: half of the machine's
 };
 
 /// Declares the options of `mote convert`.

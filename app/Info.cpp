@@ -10,10 +10,8 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
-#include <vtkMoteParticleFilePoints.h>
 #include <vtkMoteParticleMapper.h>
 #include <vtkMoteReaderTable.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkTimerLog.h>
@@ -72,13 +70,7 @@ double spacingOf(vtkDataSet* data)
   auto* points = vtkPointSet::SafeDownCast(data);
   if (!points || Part::isMesh(data) || points->GetNumberOfPoints() < 2)
     return 0.0;
-  if (Part::isInFile(data))
-    return vtkMoteParticleFilePoints::SafeDownCast(points->GetPoints())->GetSpacing();
-  vtkNew<vtkMoteParticleMapper> mapper;
-  mapper->SetInputData(points);
-  mapper->SetRadiusModeToSpacing();
-  mapper->Update();
-  return 2.0 * mapper->GetRadiusInUse();
+  return vtkMoteParticleMapper::EstimateSpacing(points);
 }
 
 std::string interval(const double range[2], int digits = 6)

@@ -8,6 +8,7 @@
 #include <vtkCompositeDataSet.h>
 #include <vtkDataSet.h>
 #include <vtkInformation.h>
+#include <vtkMotePolyDataReader.h>
 #include <vtkMoteReaderTable.h>
 
 #include <algorithm>
@@ -79,6 +80,13 @@ Input::Input(const std::vector<std::string>& files)
       throw Failure(error);
     sources_.push_back(source);
   }
+}
+
+void Input::setSpace(const std::shared_ptr<ScratchSpace>& space)
+{
+  for (const Source& source : sources_)
+    if (auto* reader = vtkMotePolyDataReader::SafeDownCast(source.reader))
+      reader->SetScratchSpace(space);
 }
 
 void Input::open(Progress& progress)

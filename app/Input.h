@@ -5,11 +5,17 @@
 
 #include <vtkSmartPointer.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
 class vtkAlgorithm;
 class vtkDataSet;
+
+namespace mote
+{
+class ScratchSpace;
+} // namespace mote
 
 namespace mote::app
 {
@@ -28,6 +34,10 @@ class Input
 public:
   /// Recognises the files; reads nothing.
   explicit Input(const std::vector<std::string>& files);
+
+  /// Has the readers of text put what they read there rather than on the heap (see
+  /// vtkMotePolyDataReader), before any reading.
+  void setSpace(const std::shared_ptr<ScratchSpace>& space);
 
   /// Finds the time steps, which may mean to read through the files.
   void open(Progress& progress);

@@ -9,8 +9,8 @@
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkLookupTable.h>
 #include <vtkMath.h>
-#include <vtkMoteParticleFilePoints.h>
 #include <vtkMoteParticleMapper.h>
+#include <vtkMoteSourcePoints.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPolyData.h>
@@ -30,7 +30,7 @@ namespace
 /// Whether the data say how large particles are.
 bool hasRadii(vtkDataSet* data)
 {
-  if (Part::isInFile(data))
+  if (Part::isOfSource(data))
     return true;
   for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
     if (const char* name = data->GetPointData()->GetArrayName(i))
@@ -69,11 +69,11 @@ void Part::setAmbient(double ambient)
   shade(actor_->GetProperty(), !particles_, ambient);
 }
 
-bool Part::isInFile(vtkDataSet* data)
+bool Part::isOfSource(vtkDataSet* data)
 {
   auto* points = vtkPointSet::SafeDownCast(data);
-  auto* inFile = points ? vtkMoteParticleFilePoints::SafeDownCast(points->GetPoints()) : nullptr;
-  return inFile && inFile->GetFile();
+  auto* ofSource = points ? vtkMoteSourcePoints::SafeDownCast(points->GetPoints()) : nullptr;
+  return ofSource && ofSource->GetSource();
 }
 
 bool Part::isMesh(vtkDataSet* data)

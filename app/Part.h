@@ -33,8 +33,8 @@ public:
   /// Whether a data set is shown by its surface rather than as particles.
   static bool isMesh(vtkDataSet* data);
 
-  /// Whether the particles are drawn from a .mote file, with the radii that it has.
-  static bool isInFile(vtkDataSet* data);
+  /// Whether points come from a generator or a .mote file, which tells their radii too.
+  static bool isOfSource(vtkDataSet* data);
 
   /// Other data of the same kind, such as the next time step.
   void setData(const std::string& name, vtkDataSet* data);

@@ -1,7 +1,8 @@
 #include "OcclusionRays.h"
 
 #include "HitImage.h"
-#include "Random.h"
+
+#include <kernels/particles/GeneratedParticles.h>
 
 #include <glm/geometric.hpp>
 
@@ -56,7 +57,8 @@ struct RayMaker
     for (int k = 0; k < raysPerHit; ++k)
     {
       const std::uint64_t n = 2 * (pixel * raysPerHit + k);
-      rays.push_back({origin, cosineWeighted(normal, uniform(4, n), uniform(4, n + 1)), center});
+      rays.push_back(
+        {origin, cosineWeighted(normal, uniformNumber(4, n), uniformNumber(4, n + 1)), center});
     }
   }
 };

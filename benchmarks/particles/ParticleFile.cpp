@@ -95,7 +95,7 @@ ParticleInput readParticles(const std::string& fileName)
     input.set.radiusScale = 0.5;
   }
   else
-    input.set.radius = 0.5 * estimateSpacing(input.set.positions);
+    input.set.radius = 0.5 * estimateSpacing(input.set);
   input.owner = particles;
   return input;
 }

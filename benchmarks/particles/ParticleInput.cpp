@@ -1,15 +1,11 @@
 #include "ParticleInput.h"
 
-#include "Random.h"
-
 #include <kernels/core/Error.h>
+#include <kernels/particles/GeneratedParticles.h>
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 
-#include <charconv>
-#include <cmath>
+#include <algorithm>
 #include <filesystem>
 
 namespace mote::bench
@@ -20,121 +16,78 @@ namespace
 
 constexpr std::size_t largestCount = std::size_t{1} << 31; // embree counts in 32 bits
 
-template <typename T>
-T number(const std::string& text, const std::string& specification)
+/// Whoever owns the numbers of made particles.
+struct MadeParticles
 {
-  T value{};
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end || !(value > T{0}))
-    throw Error(
-      "\"" + text + "\" in the input \"" + specification + "\" is not a number above zero.");
-  return value;
-}
+  std::vector<float> positions, radii;
+};
 
-ParticleInput fromPositions(std::shared_ptr<std::vector<float>> positions, double radius)
+/// The source's particles in memory: what builds a structure is not to be timed making them.
+ParticleSet inMemory(const ParticleSource& source, MadeParticles& owner)
 {
-  ParticleInput input;
-  input.set.positions = ArrayView(positions->data(), positions->size() / 3, 3);
-  input.set.radius = radius;
-  input.owner = std::move(positions);
-  return input;
-}
-
-ParticleInput makeLattice(std::size_t count)
-{
-  auto n = static_cast<std::size_t>(std::cbrt(static_cast<double>(count)));
-  const auto miss = [&](std::size_t m)
-  { return std::abs(static_cast<double>(m * m * m) - static_cast<double>(count)); };
-  n = n < 1 || miss(n + 1) < miss(n) ? n + 1 : n;
-  auto positions = std::make_shared<std::vector<float>>(3 * n * n * n);
-  const double spacing = 1.0 / static_cast<double>(n), jitter = 0.2;
-  tbb::parallel_for(std::size_t{0}, n * n * n,
-    [&](std::size_t i)
+  const std::size_t n = source.count(), piece = 4096;
+  owner.positions.resize(3 * n);
+  owner.radii.resize(source.hasRadii() ? n : 0);
+  tbb::parallel_for(std::size_t{0}, (n + piece - 1) / piece,
+    [&](std::size_t k)
     {
-      const std::size_t cell[3] = {i % n, (i / n) % n, i / (n * n)};
-      for (std::size_t axis = 0; axis < 3; ++axis)
+      const std::size_t first = k * piece, last = std::min(n, first + piece);
+      std::vector<Vec3d> places(last - first);
+      std::vector<double> sizes(last - first);
+      source.positions(first, last, places.data());
+      source.radii(first, last, sizes.data());
+      for (std::size_t i = first; i < last; ++i)
       {
-        const double shift = jitter * (2.0 * uniform(1, 3 * i + axis) - 1.0);
-        (*positions)[3 * i + axis] =
-          static_cast<float>((static_cast<double>(cell[axis]) + 0.5 + shift) * spacing);
+        for (int axis = 0; axis < 3; ++axis)
+          owner.positions[3 * i + static_cast<std::size_t>(axis)] =
+            static_cast<float>(places[i - first][axis]);
+        if (source.hasRadii())
+          owner.radii[i] = static_cast<float>(sizes[i - first]);
       }
     });
-  return fromPositions(std::move(positions), 0.5 * spacing);
+  ParticleSet set;
+  set.positions = ArrayView(owner.positions.data(), n, 3);
+  if (source.hasRadii())
+    set.radii = ArrayView(owner.radii.data(), n, 1);
+  (source.hasRadii() ? set.radiusScale : set.radius) = source.radius();
+  return set;
 }
 
-ParticleInput makeRandom(std::size_t count, double radius)
+std::shared_ptr<const ParticleSource> sourceNamed(const std::string& specification)
 {
-  auto positions = std::make_shared<std::vector<float>>(3 * count);
-  tbb::parallel_for(std::size_t{0}, 3 * count,
-    [&](std::size_t k) { (*positions)[k] = static_cast<float>(uniform(2, k)); });
-  return fromPositions(std::move(positions), radius);
+  try
+  {
+    return makeParticles(specification);
+  }
+  catch (const Error& error)
+  {
+    throw Error(std::string("The input ") + error.what() + ".");
+  }
 }
 
-double sumOfSquares(const std::vector<float>& values)
+ParticleInput make(const std::string& specification, bool onTheFly)
 {
-  // Deterministic: the same sum on any number of threads.
-  return tbb::parallel_deterministic_reduce(
-    tbb::blocked_range<std::size_t>(0, values.size(), 1 << 16), 0.0,
-    [&](const tbb::blocked_range<std::size_t>& range, double sum)
-    {
-      for (std::size_t i = range.begin(); i != range.end(); ++i)
-        sum += double(values[i]) * values[i];
-      return sum;
-    },
-    std::plus<double>());
-}
-
-/// Radii over four decades. They cover as much as `count` spheres of equalRadius(count) do: then a
-/// ray meets as many of them, and times compare.
-ParticleInput makeVaried(std::size_t count)
-{
-  ParticleInput input = makeRandom(count, 1.0);
-  auto radii = std::make_shared<std::vector<float>>(count);
-  tbb::parallel_for(std::size_t{0}, count,
-    [&](std::size_t i) { (*radii)[i] = static_cast<float>(std::pow(10.0, -4.0 * uniform(3, i))); });
-  const double covered = static_cast<double>(count) * std::pow(equalRadius(count), 2);
-  const double largest = std::sqrt(covered / sumOfSquares(*radii));
-  input.set.radii = ArrayView(radii->data(), count, 1);
-  input.set.radiusScale = largest;
-  using Owners = std::pair<std::shared_ptr<const void>, std::shared_ptr<const void>>;
-  input.owner = std::make_shared<Owners>(input.owner, std::move(radii));
+  const std::shared_ptr<const ParticleSource> source = sourceNamed(specification);
+  if (source->count() > largestCount)
+    throw Error("The input \"" + specification + "\" has more than " +
+                std::to_string(largestCount) + " particles.");
+  ParticleInput input;
+  if (onTheFly)
+  {
+    input.set = ParticleSet::of(source);
+    return input;
+  }
+  const auto owner = std::make_shared<MadeParticles>();
+  input.set = inMemory(*source, *owner);
+  input.owner = owner;
   return input;
 }
 
-std::vector<std::string> split(const std::string& text)
+ParticleInput makeOrRead(const std::string& specification, bool onTheFly)
 {
-  std::vector<std::string> parts(1);
-  for (const char c : text)
-  {
-    if (c == ':')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  return parts;
-}
-
-std::size_t particleCount(const std::string& text, const std::string& specification)
-{
-  const auto count = number<std::size_t>(text, specification);
-  if (count > largestCount)
-    throw Error("The input \"" + specification + "\" has more than " +
-                std::to_string(largestCount) + " particles.");
-  return count;
-}
-
-ParticleInput makeOrRead(const std::string& specification)
-{
-  const std::vector<std::string> parts = split(specification);
   const bool isFile = std::filesystem::exists(specification);
-  if (parts[0] == "lattice" && parts.size() == 2 && !isFile)
-    return makeLattice(particleCount(parts[1], specification));
-  if (parts[0] == "random" && parts.size() == 3 && !isFile)
-    return makeRandom(
-      particleCount(parts[1], specification), number<double>(parts[2], specification));
-  if (parts[0] == "varied" && parts.size() == 2 && !isFile)
-    return makeVaried(particleCount(parts[1], specification));
+  if (!isFile && namesGeneratedParticles(specification))
+    return make(specification, onTheFly);
   if (isFile)
     return readParticles(specification);
   throw Error("The input \"" + specification +
@@ -143,14 +96,9 @@ ParticleInput makeOrRead(const std::string& specification)
 
 } // namespace
 
-double equalRadius(std::size_t count)
+ParticleInput makeParticleInput(const std::string& specification, bool onTheFly)
 {
-  return 0.3 / std::cbrt(static_cast<double>(count));
-}
-
-ParticleInput makeParticleInput(const std::string& specification)
-{
-  ParticleInput input = makeOrRead(specification);
+  ParticleInput input = makeOrRead(specification, onTheFly);
   input.name = specification;
   input.statistics = examine(input.set);
   if (input.statistics.valid == 0)

@@ -27,11 +27,9 @@ inline Vec3d middleOf(const ParticleInput& input)
 }
 
 /// Makes or reads what the specification says: `lattice:N`, `random:N:R`, `varied:N` or a file; a
-/// name that is also a file is a file. Throws Error.
-ParticleInput makeParticleInput(const std::string& specification);
-
-/// Radius of the random:N:R that covers as much as varied:N does.
-double equalRadius(std::size_t count);
+/// name that is also a file is a file. Made particles are kept in memory, or with `onTheFly` made
+/// again whenever they are looked at. Throws Error.
+ParticleInput makeParticleInput(const std::string& specification, bool onTheFly = false);
 
 /// The forms of specifications, for --help.
 std::vector<Named> particleInputs();

@@ -129,7 +129,7 @@ Report run(const Options& options)
   const std::size_t looking = race.add(threadCount(options.threads),
     [&]
     {
-      estimateSpacing(input.set.positions);
+      estimateSpacing(input.set);
       examine(input.set);
     });
   for (Painter& painter : painters)

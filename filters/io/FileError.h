@@ -52,6 +52,12 @@ private:
   Kind m_kind;
 };
 
+/// What is left of a sentence when the file's name, which a FileError puts before it, is taken off.
+inline std::string withoutFile(const std::string& sentence, const std::string& file)
+{
+  return sentence.starts_with(file + ": ") ? sentence.substr(file.size() + 2) : sentence;
+}
+
 } // namespace mote
 
 #endif

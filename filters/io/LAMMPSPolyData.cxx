@@ -12,6 +12,8 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <set>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -72,10 +74,44 @@ std::vector<ColumnType> chooseTypes(TextCursor& cursor, const LAMMPSFrame& frame
   return types;
 }
 
-/// The words that stand for the types of atoms: element, typelabel or any other array of words.
+constexpr const char* wordColumns[] = {"element", "typelabel"};
+
+bool hasTypes(const LAMMPSFrame& frame)
+{
+  const std::vector<std::string>& columns = *frame.columns;
+  return std::find(columns.begin(), columns.end(), "type") != columns.end();
+}
+
+/// The column whose words stand for the types of atoms: element, typelabel or any other; or none.
+std::optional<std::size_t> wordColumn(const PointRows& rows)
+{
+  const auto find = [&](const char* name) -> std::optional<std::size_t>
+  {
+    for (const ColumnGroup& array : rows.arrays)
+    {
+      const std::size_t column = array.columns[0];
+      if (array.columns.size() == 1 && rows.types[column] == ColumnType::String &&
+          (!name || array.name == name))
+      {
+        return column;
+      }
+    }
+    return {};
+  };
+  for (const char* name : wordColumns)
+  {
+    if (const auto column = find(name))
+    {
+      return column;
+    }
+  }
+  return find(nullptr);
+}
+
+/// The words that stand for the types of atoms, as wordColumn() chooses them.
 vtkStringArray* typeWords(vtkPointData* arrays)
 {
-  for (const char* name : {"element", "typelabel"})
+  for (const char* name : wordColumns)
   {
     if (auto* words = vtkStringArray::SafeDownCast(arrays->GetAbstractArray(name)))
     {
@@ -96,9 +132,8 @@ vtkStringArray* typeWords(vtkPointData* arrays)
 /// Adds "type" to a frame that has only words for it: their place in alphabetical order, from 1.
 void addTypes(const LAMMPSFrame& frame, vtkPointData* arrays)
 {
-  const std::vector<std::string>& columns = *frame.columns;
   vtkStringArray* words = typeWords(arrays);
-  if (!words || std::find(columns.begin(), columns.end(), "type") != columns.end())
+  if (!words || hasTypes(frame))
   {
     return;
   }
@@ -132,6 +167,22 @@ void addTypes(const LAMMPSFrame& frame, vtkPointData* arrays)
       }
     });
   arrays->AddArray(types);
+}
+
+/// The same from words as numbers.
+void addTypes(NumberedWords& words, vtkPolyData* output)
+{
+  std::map<std::string, int> types;
+  for (const auto& [word, number] : words.table.numbers())
+  {
+    types[word] = 0;
+  }
+  int last = 0;
+  for (auto& [word, type] : types)
+  {
+    type = ++last;
+  }
+  addTypes(words, types, output);
 }
 
 void addHeader(const LAMMPSFrame& frame, vtkFieldData* fields)
@@ -177,8 +228,23 @@ void readLAMMPSFrame(const std::string& path, const LAMMPSFrame& frame,
     rows.transform = [&](double* positions, std::uint64_t first, std::uint64_t count)
     { placement.apply(positions, first, count); };
   }
+  NumberedWords words;
+  const auto column = wordColumn(rows);
+  rows.space = options.space;
+  if (rows.space && column && !hasTypes(frame))
+  {
+    words.column = *column;
+    rows.words = &words;
+  }
   readPointRows(cursor, std::move(rows), progress, output);
-  addTypes(frame, output->GetPointData());
+  if (words.numbers)
+  {
+    addTypes(words, output);
+  }
+  else if (!options.space)
+  {
+    addTypes(frame, output->GetPointData());
+  }
   addHeader(frame, output->GetFieldData());
 }
 

@@ -5,6 +5,7 @@
 #include "LAMMPSDump.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 
 class vtkPolyData;
@@ -12,12 +13,15 @@ class vtkPolyData;
 namespace mote
 {
 
+class ScratchSpace;
+
 /// How a frame becomes a vtkPolyData.
 struct LAMMPSReadOptions
 {
   bool combine = true;          ///< see layoutOf
   bool singlePrecision = false; ///< Float32 for what would be Float64, save positions
   std::function<bool(const std::string& array)> wanted; ///< arrays to make; empty means all
+  std::shared_ptr<ScratchSpace> space;                  ///< see PointRows
 };
 
 /// Reads one frame into `output`, which should be empty: points, one vertex cell an atom, point

@@ -7,16 +7,56 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 
 #include <algorithm>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 namespace mote
 {
 namespace
 {
 
+/// Where the arrays of `rows` go.
+ColumnSpace chooseSpace(const PointRows& rows)
+{
+  if (!rows.space)
+  {
+    return {};
+  }
+  std::uint64_t bytes = 3 * sizeof(double);
+  for (const ColumnType type : rows.types)
+  {
+    bytes += type == ColumnType::Skip ? 0 : bytesOf(type);
+  }
+  // A structure over the points is read here and there, columns from their begin to their end.
+  const std::uint64_t structure = 20;
+  return {rows.space.get(), !rows.space->hasRoomFor((bytes + structure) * rows.rows)};
+}
+
+/// The words of a column are read as numbers; the name of their array is kept for whoever says what
+/// is left out.
+void addWords(const PointRows& rows, const ColumnGroup& group, const ColumnSpace& space,
+  vtkPolyData* output, std::vector<TextColumn>& targets)
+{
+  vtkNew<vtkStringArray> name;
+  name->SetName(group.name.c_str());
+  output->GetPointData()->AddArray(name);
+  if (!rows.words || group.columns[0] != rows.words->column)
+  {
+    return;
+  }
+  TextColumn& target = targets[group.columns[0]];
+  target.type = ColumnType::Word;
+  target.words = &rows.words->table;
+  rows.words->numbers = vtkDataArray::SafeDownCast(
+    makeColumnArray(ColumnType::Word, 1, static_cast<vtkIdType>(rows.rows), target.data, space));
+}
+
 /// Adds the arrays to the output, and points the columns at them.
-void addArrays(const PointRows& rows, vtkPolyData* output, std::vector<TextColumn>& targets)
+void addArrays(const PointRows& rows, const ColumnSpace& space, vtkPolyData* output,
+  std::vector<TextColumn>& targets)
 {
   for (const ColumnGroup& group : rows.arrays)
   {
@@ -25,9 +65,14 @@ void addArrays(const PointRows& rows, vtkPolyData* output, std::vector<TextColum
     {
       continue;
     }
+    if (type == ColumnType::String && rows.space)
+    {
+      addWords(rows, group, space, output, targets);
+      continue;
+    }
     const int components = static_cast<int>(group.columns.size());
     void* data = nullptr;
-    auto array = makeColumnArray(type, components, static_cast<vtkIdType>(rows.rows), data);
+    auto array = makeColumnArray(type, components, static_cast<vtkIdType>(rows.rows), data, space);
     array->SetName(group.name.c_str());
     for (int i = 0; i < components; ++i)
     {
@@ -74,7 +119,8 @@ void readPointRows(
       targets[i].name = rows.columns[i];
     }
     vtkNew<vtkPoints> points;
-    double* const positions = makePositions(points, static_cast<vtkIdType>(rows.rows));
+    const ColumnSpace space = chooseSpace(rows);
+    double* const positions = makePositions(points, static_cast<vtkIdType>(rows.rows), space);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       TextColumn& target = targets[rows.coordinates[axis]];
@@ -82,7 +128,7 @@ void readPointRows(
       target.data = positions ? positions + axis : nullptr;
       target.stride = 3;
     }
-    addArrays(rows, output, targets);
+    addArrays(rows, space, output, targets);
     output->SetPoints(points);
     RowsStored stored;
     if (rows.transform)
@@ -97,7 +143,31 @@ void readPointRows(
       widen(rows, result.widen);
     }
   } while (!result.complete);
-  setVertices(output, static_cast<vtkIdType>(rows.rows));
+  if (!rows.space)
+  {
+    setVertices(output, static_cast<vtkIdType>(rows.rows));
+  }
+}
+
+void addTypes(NumberedWords& words, const std::map<std::string, int>& types, vtkPolyData* output)
+{
+  std::vector<int> typeOf(static_cast<std::size_t>(words.table.end()), 0);
+  for (const auto& [word, number] : words.table.numbers())
+  {
+    typeOf[static_cast<std::size_t>(number)] = types.at(word);
+  }
+  const vtkIdType count = words.numbers->GetNumberOfTuples();
+  auto* const values = static_cast<int*>(words.numbers->GetVoidPointer(0));
+  tbb::parallel_for(tbb::blocked_range<vtkIdType>(0, count, 10000),
+    [&](const tbb::blocked_range<vtkIdType>& range)
+    {
+      for (vtkIdType i = range.begin(); i < range.end(); ++i)
+      {
+        values[i] = typeOf[static_cast<std::size_t>(values[i])];
+      }
+    });
+  words.numbers->SetName("type");
+  output->GetPointData()->AddArray(words.numbers);
 }
 
 } // namespace mote

@@ -3,10 +3,17 @@
 
 #include "TextRows.h"
 
+#include "kernels/core/ScratchSpace.h"
+
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,6 +21,14 @@ class vtkPolyData;
 
 namespace mote
 {
+
+/// A column of words as numbers.
+struct NumberedWords
+{
+  std::size_t column = 0;
+  WordTable table;
+  vtkSmartPointer<vtkDataArray> numbers; ///< Int32, one a point
+};
 
 /// Lines of a text file, one a point, and what their columns become.
 struct PointRows
@@ -28,13 +43,22 @@ struct PointRows
   /// Called for rows [first, first + count) of the positions, x y z of a point one after the other,
   /// from any thread; or empty.
   std::function<void(double* positions, std::uint64_t first, std::uint64_t count)> transform;
+
+  /// Where the values are put, in place of the heap; or null. With a space there are no cells, and
+  /// of text only the names of its arrays, which have no tuples.
+  std::shared_ptr<ScratchSpace> space;
+  /// With a space: a column of text whose words are numbered; or null.
+  NumberedWords* words = nullptr;
 };
 
 /// Makes points (double), one vertex cell a point and the arrays as point data. Integer columns
 /// with a value that is no such integer become wider, or Float64. Throws FileError, and then
-/// `output` must be dropped.
+/// `output` must be dropped; and WriteError where a space has no more room.
 void readPointRows(
   TextCursor& cursor, PointRows rows, const Progress& progress, vtkPolyData* output);
+
+/// Makes the numbers of words those of types, in an array "type".
+void addTypes(NumberedWords& words, const std::map<std::string, int>& types, vtkPolyData* output);
 
 } // namespace mote
 

@@ -1,5 +1,7 @@
 #include "PolyDataParts.h"
 
+#include "ForeignMemory.h"
+
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -38,11 +40,22 @@ static_assert(sizeof(vtkStdString) == sizeof(std::string), "rows are stored as s
 static_assert(sizeof(vtkIdType) == sizeof(std::int64_t), "Int64 columns become vtkIdTypeArray");
 
 template <class Array>
-vtkSmartPointer<vtkAbstractArray> makeArray(int components, vtkIdType tuples, void*& data)
+vtkSmartPointer<Array> makeArray(
+  int components, vtkIdType tuples, void*& data, const ColumnSpace& space)
 {
   auto array = vtkSmartPointer<Array>::New();
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
+  const vtkIdType values = components * tuples;
+  if (space.space && values > 0)
+  {
+    const auto memory = space.space->allocate(
+      static_cast<std::uint64_t>(values) * array->GetDataTypeSize(), space.inFile);
+    viewMemory(array, memory.get(), values, memory);
+  }
+  else
+  {
+    array->SetNumberOfTuples(tuples);
+  }
   data = tuples > 0 ? array->GetPointer(0) : nullptr;
   return array;
 }
@@ -50,16 +63,17 @@ vtkSmartPointer<vtkAbstractArray> makeArray(int components, vtkIdType tuples, vo
 } // namespace
 
 vtkSmartPointer<vtkAbstractArray> makeColumnArray(
-  ColumnType type, int components, vtkIdType tuples, void*& data)
+  ColumnType type, int components, vtkIdType tuples, void*& data, const ColumnSpace& space)
 {
   switch (type)
   {
   case ColumnType::Int32:
-    return makeArray<vtkIntArray>(components, tuples, data);
+  case ColumnType::Word:
+    return makeArray<vtkIntArray>(components, tuples, data, space);
   case ColumnType::Int64:
-    return makeArray<vtkIdTypeArray>(components, tuples, data);
+    return makeArray<vtkIdTypeArray>(components, tuples, data, space);
   case ColumnType::Float32:
-    return makeArray<vtkFloatArray>(components, tuples, data);
+    return makeArray<vtkFloatArray>(components, tuples, data, space);
   case ColumnType::String:
   {
     auto array = vtkSmartPointer<vtkStringArray>::New();
@@ -69,22 +83,30 @@ vtkSmartPointer<vtkAbstractArray> makeColumnArray(
     return array;
   }
   default:
-    return makeArray<vtkDoubleArray>(components, tuples, data);
+    return makeArray<vtkDoubleArray>(components, tuples, data, space);
   }
 }
 
 std::size_t bytesOf(ColumnType type)
 {
-  return type == ColumnType::String                                 ? sizeof(std::string)
-         : type == ColumnType::Int32 || type == ColumnType::Float32 ? 4
-                                                                    : 8;
+  switch (type)
+  {
+  case ColumnType::String:
+    return sizeof(std::string);
+  case ColumnType::Int32:
+  case ColumnType::Float32:
+  case ColumnType::Word:
+    return 4;
+  default:
+    return 8;
+  }
 }
 
-double* makePositions(vtkPoints* points, vtkIdType count)
+double* makePositions(vtkPoints* points, vtkIdType count, const ColumnSpace& space)
 {
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(count);
-  return count > 0 ? static_cast<double*>(points->GetVoidPointer(0)) : nullptr;
+  void* data = nullptr;
+  points->SetData(makeArray<vtkDoubleArray>(3, count, data, space));
+  return static_cast<double*>(data);
 }
 
 void setVertices(vtkPolyData* output, vtkIdType points)

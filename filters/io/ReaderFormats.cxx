@@ -6,11 +6,13 @@
 #include "PLYCheck.h"
 #include "TextFile.h"
 #include "vtkMoteDelimitedPointsReader.h"
+#include "vtkMoteGeneratedParticlesReader.h"
 #include "vtkMoteLAMMPSDumpReader.h"
 #include "vtkMoteParticleFileReader.h"
 #include "vtkMotePointsReader.h"
 #include "vtkMoteXYZReader.h"
 
+#include "kernels/particles/GeneratedParticles.h"
 #include "kernels/particles/PkdTreeFile.h"
 
 #include "vtkGenericDataObjectReader.h"
@@ -88,8 +90,20 @@ const std::vector<ReaderFormat>& readerFormats()
   return formats;
 }
 
+const ReaderFormat* generatedFormat(const std::string& path)
+{
+  static const ReaderFormat format = {
+    {}, "particles that are made", make<vtkMoteGeneratedParticlesReader>};
+  const bool named = namesGeneratedParticles(path) && !vtksys::SystemTools::PathExists(path);
+  return named ? &format : nullptr;
+}
+
 const ReaderFormat* formatOf(const std::string& path, std::string_view beginning)
 {
+  if (const ReaderFormat* format = generatedFormat(path))
+  {
+    return format;
+  }
   const std::string name = vtksys::SystemTools::LowerCase(path);
   const ReaderFormat* found = nullptr;
   std::size_t longest = 0;

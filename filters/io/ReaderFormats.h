@@ -28,6 +28,10 @@ struct ReaderFormat
 /// The table.
 const std::vector<ReaderFormat>& readerFormats();
 
+/// The format of particles that are made, where the path is such a specification (see
+/// vtkMoteGeneratedParticlesReader) and not that of a file; else null.
+const ReaderFormat* generatedFormat(const std::string& path);
+
 /// The format of a file by its name, else by its first bytes; null if it has none.
 const ReaderFormat* formatOf(const std::string& path, std::string_view beginning);
 

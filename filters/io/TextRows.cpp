@@ -79,6 +79,12 @@ const char* storeValue(const TextColumn& column, std::uint64_t row, const char* 
     static_cast<std::string*>(column.data)[at].assign(p, end);
     return end;
   }
+  case ColumnType::Word:
+  {
+    const char* const end = tokenEnd(p);
+    static_cast<std::int32_t*>(column.data)[at] = column.words->numberOf(std::string(p, end));
+    return end;
+  }
   case ColumnType::Skip:
     break;
   }

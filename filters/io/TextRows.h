@@ -3,10 +3,12 @@
 
 #include "TextCursor.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <tbb/concurrent_unordered_map.h>
 #include <vector>
 
 namespace mote
@@ -20,7 +22,31 @@ enum class ColumnType
   Int64,
   Float32, ///< rounded once more, from the double
   Float64,
-  String
+  String,
+  Word ///< a number, Int32, that stands for the text; see WordTable
+};
+
+/// Gives every word that occurs a number, in no order. Thread-safe.
+class WordTable
+{
+public:
+  std::int32_t numberOf(std::string word)
+  {
+    const auto found = m_numbers.find(word);
+    return found != m_numbers.end() ? found->second
+                                    : m_numbers.emplace(std::move(word), m_next++).first->second;
+  }
+  /// One more than the largest number that was given.
+  std::int32_t end() const { return m_next; }
+  /// All words and their numbers; while nobody asks for one.
+  const tbb::concurrent_unordered_map<std::string, std::int32_t>& numbers() const
+  {
+    return m_numbers;
+  }
+
+private:
+  tbb::concurrent_unordered_map<std::string, std::int32_t> m_numbers;
+  std::atomic<std::int32_t> m_next{0};
 };
 
 /// One column and where its values go.
@@ -28,8 +54,9 @@ struct TextColumn
 {
   std::string name; ///< for messages
   ColumnType type = ColumnType::Skip;
-  void* data = nullptr;      ///< of the type, std::string for String; null for Skip
-  std::ptrdiff_t stride = 1; ///< from one row's value to the next, in elements
+  void* data = nullptr;       ///< of the type, std::string for String; null for Skip
+  std::ptrdiff_t stride = 1;  ///< from one row's value to the next, in elements
+  WordTable* words = nullptr; ///< of a Word
 };
 
 /// Columns that make one array, a component each.

@@ -311,6 +311,7 @@ int vtkMoteLAMMPSDumpReader::RequestData(
       mote::LAMMPSReadOptions options;
       options.combine = this->CombineVectors;
       options.singlePrecision = this->SinglePrecision;
+      options.space = this->GetScratchSpace();
       options.wanted = [this](const std::string& name)
       { return this->Internal->Selection->ArrayIsEnabled(name.c_str()) != 0; };
       mote::readLAMMPSFrame(*step.File, *step.Frame, options, progress, result);

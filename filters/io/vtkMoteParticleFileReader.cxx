@@ -35,11 +35,8 @@ bool vtkMoteParticleFileReader::Open()
       }
       catch (const mote::Error& error)
       {
-        // It begins with the file's name, as the composed sentence will.
-        const std::string sentence = error.what();
-        const std::string name = std::string(this->GetFileName()) + ": ";
         throw mote::FileError(mote::FileError::Kind::Malformed, this->GetFileName(),
-          sentence.starts_with(name) ? sentence.substr(name.size()) : sentence);
+          mote::withoutFile(error.what(), this->GetFileName()));
       }
     });
 }

@@ -48,6 +48,7 @@ int vtkMotePointsReader::RequestData(
       mote::TextCursor cursor(this->GetFileName(), mote::TextCursor::OpenEnd::Accept);
       mote::PointRows rows;
       rows.place = cursor.place();
+      rows.space = this->GetScratchSpace();
       rows.columns = {"x", "y", "z"};
       rows.coordinates = {0, 1, 2};
       rows.types.assign(3, mote::ColumnType::Float64);

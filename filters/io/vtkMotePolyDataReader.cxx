@@ -2,6 +2,8 @@
 
 #include "FileError.h"
 
+#include "kernels/core/Error.h"
+
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
@@ -65,6 +67,20 @@ std::string vtkMotePolyDataReader::GetLastErrorMessage()
   return this->LastErrorMessage;
 }
 
+void vtkMotePolyDataReader::SetScratchSpace(std::shared_ptr<mote::ScratchSpace> space)
+{
+  if (space != this->Space)
+  {
+    this->Space = std::move(space);
+    this->Modified();
+  }
+}
+
+std::shared_ptr<mote::ScratchSpace> vtkMotePolyDataReader::GetScratchSpace() const
+{
+  return this->Space;
+}
+
 void vtkMotePolyDataReader::RequireFileName()
 {
   if (!this->GetFileName())
@@ -116,14 +132,23 @@ bool vtkMotePolyDataReader::Attempt(const std::function<void(const ProgressFunct
       vtkErrorMacro(<< this->LastErrorMessage);
     }
   }
+  catch (const mote::Error& error)
+  {
+    this->Fail(error.what());
+  }
   catch (const std::bad_alloc&)
   {
     const char* name = this->GetFileName();
-    this->LastErrorMessage = std::string(name ? name : "") + ": there is not enough memory for it";
-    this->SetErrorCode(vtkErrorCode::UserError);
-    vtkErrorMacro(<< this->LastErrorMessage);
+    this->Fail(std::string(name ? name : "") + ": there is not enough memory for it");
   }
   return false;
+}
+
+void vtkMotePolyDataReader::Fail(const std::string& message)
+{
+  this->LastErrorMessage = message;
+  this->SetErrorCode(vtkErrorCode::UserError);
+  vtkErrorMacro(<< this->LastErrorMessage);
 }
 
 void vtkMotePolyDataReader::PrintSelf(ostream& os, vtkIndent indent)

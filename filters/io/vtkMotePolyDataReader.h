@@ -14,8 +14,14 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <functional> // For Attempt
+#include <memory>     // For the scratch space
 #include <string>     // For names and messages
 #include <vector>     // For times
+
+namespace mote
+{
+class ScratchSpace;
+} // namespace mote
 
 class MOTEFILTERSIO_EXPORT vtkMotePolyDataReader : public vtkPolyDataAlgorithm
 {
@@ -37,6 +43,18 @@ public:
    * vtkErrorCode's. An abort is no error: it has a message and a code, but is not reported.
    */
   std::string GetLastErrorMessage();
+
+#ifndef __VTK_WRAP__
+  ///@{
+  /**
+   * Where readers of text put what they read, in place of the heap; null, the default, for the
+   * heap. With a space points have no cells, and arrays of text no values: what is meant to be
+   * written as numbers, and may be larger than memory.
+   */
+  void SetScratchSpace(std::shared_ptr<mote::ScratchSpace> space);
+  std::shared_ptr<mote::ScratchSpace> GetScratchSpace() const;
+  ///@}
+#endif
 
 protected:
   vtkMotePolyDataReader();
@@ -70,8 +88,11 @@ private:
   vtkMotePolyDataReader(const vtkMotePolyDataReader&) = delete;
   void operator=(const vtkMotePolyDataReader&) = delete;
 
+  void Fail(const std::string& message);
+
   std::string FileName;
   std::string LastErrorMessage;
+  std::shared_ptr<mote::ScratchSpace> Space;
 };
 
 #endif

@@ -37,6 +37,10 @@ const mote::ReaderFormat& requireFormat(const std::string& path)
   {
     return *format;
   }
+  if (const mote::ReaderFormat* format = mote::generatedFormat(path))
+  {
+    return *format;
+  }
   const std::string beginning = mote::readBeginning(path, 4096);
   if (const mote::ReaderFormat* format = mote::formatOf(path, beginning))
   {
@@ -334,7 +338,9 @@ std::string vtkMoteReaderTable::GetFormatsHelp()
     text += line + format.description + '\n';
   }
   return text +
-         "  pump:SCALE  pump:SCALE:PART     a pump of hexahedra that is made; 6.45 million at 1\n";
+         "  pump:SCALE  pump:SCALE:PART     a pump of hexahedra that is made; 6.45 million at 1\n"
+         "  lattice:N  random:N:R  varied:N\n" +
+         std::string(32, ' ') + "particles that are made: a lattice, or at random\n";
 }
 
 void vtkMoteReaderTable::PrintSelf(ostream& os, vtkIndent indent)

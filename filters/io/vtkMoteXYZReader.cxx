@@ -16,6 +16,7 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
+#include <map>
 #include <unordered_map>
 
 namespace
@@ -47,7 +48,20 @@ void addTypes(vtkPolyData* data, const std::string& species)
   data->GetPointData()->AddArray(types);
 }
 
-void readFrame(const std::string& path, const mote::XYZFrame& frame, const mote::Progress& progress,
+/// The same from words as numbers.
+void addTypes(vtkPolyData* data, mote::NumberedWords& words)
+{
+  vtkNew<vtkPeriodicTable> table;
+  std::map<std::string, int> types;
+  for (const auto& [word, number] : words.table.numbers())
+  {
+    types[word] = table->GetAtomicNumber(word);
+  }
+  mote::addTypes(words, types, data);
+}
+
+void readFrame(const std::string& path, const mote::XYZFrame& frame,
+  const std::shared_ptr<mote::ScratchSpace>& space, const mote::Progress& progress,
   vtkPolyData* output)
 {
   mote::TextCursor cursor(path, mote::TextCursor::OpenEnd::Accept);
@@ -61,8 +75,27 @@ void readFrame(const std::string& path, const mote::XYZFrame& frame, const mote:
   rows.types = layout.types;
   rows.coordinates = layout.coordinates;
   rows.arrays = layout.arrays;
+  rows.space = space;
+  mote::NumberedWords words;
+  const auto isNamed = [](const char* name)
+  { return [name](const mote::ColumnGroup& group) { return group.name == name; }; };
+  const auto& arrays = layout.arrays;
+  const auto species = std::find_if(arrays.begin(), arrays.end(), isNamed(layout.species.c_str()));
+  if (space && !layout.species.empty() && species != arrays.end() &&
+      std::none_of(arrays.begin(), arrays.end(), isNamed("type")))
+  {
+    words.column = species->columns[0];
+    rows.words = &words;
+  }
   mote::readPointRows(cursor, std::move(rows), progress, output);
-  addTypes(output, layout.species);
+  if (words.numbers)
+  {
+    addTypes(output, words);
+  }
+  else if (!space)
+  {
+    addTypes(output, layout.species);
+  }
 }
 
 } // namespace
@@ -151,7 +184,7 @@ int vtkMoteXYZReader::RequestData(
         step -= step == frames.begin() ? 0 : 1;
       }
       time = step->time;
-      readFrame(this->GetFileName(), *step, progress, result);
+      readFrame(this->GetFileName(), *step, this->GetScratchSpace(), progress, result);
     });
   if (good)
   {

@@ -1,6 +1,8 @@
 #include "vtkMoteParticleFilePoints.h"
 
-#include "TreePositions.h"
+#include "ForeignMemory.h"
+
+#include "kernels/particles/PkdTreeFile.h"
 
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
@@ -11,46 +13,10 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
-#include <map>
-#include <mutex>
-
 namespace
 {
 
 using FilePointer = std::shared_ptr<const mote::PkdTreeFile>;
-
-/// Which file the memory of an array lies in. VTK tells, when it is done with an array's memory,
-/// nothing but where that was.
-struct Keepers
-{
-  std::mutex mutex;
-  std::multimap<const void*, FilePointer> files;
-
-  static Keepers& all()
-  {
-    static auto* const keepers = new Keepers; // arrays may outlive static objects
-    return *keepers;
-  }
-};
-
-void keep(const void* memory, const FilePointer& file)
-{
-  Keepers& keepers = Keepers::all();
-  const std::lock_guard lock(keepers.mutex);
-  keepers.files.emplace(memory, file);
-}
-
-void release(void* memory)
-{
-  Keepers& keepers = Keepers::all();
-  FilePointer last; // closed when the lock is gone
-  const std::lock_guard lock(keepers.mutex);
-  if (const auto found = keepers.files.find(memory); found != keepers.files.end())
-  {
-    last = std::move(found->second);
-    keepers.files.erase(found);
-  }
-}
 
 int dataTypeOf(mote::ArrayView::Type type)
 {
@@ -112,16 +78,12 @@ vtkMoteParticleFilePoints::~vtkMoteParticleFilePoints() = default;
 void vtkMoteParticleFilePoints::SetFile(FilePointer file)
 {
   this->File = std::move(file);
-  vtkNew<mote::TreePositions> positions;
-  if (this->File)
-    positions->SetTree(this->File->tree());
-  this->SetData(positions);
-  this->Modified();
+  this->SetSource(this->File ? this->File->particles() : nullptr);
 }
 
 FilePointer vtkMoteParticleFilePoints::GetFile() const
 {
-  return dynamic_cast<mote::TreePositions*>(this->Data) ? this->File : nullptr;
+  return this->GetSource() ? this->File : nullptr;
 }
 
 double vtkMoteParticleFilePoints::GetSpacing()
@@ -157,13 +119,8 @@ vtkDataArray* vtkMoteParticleFilePoints::NewArray(
   for (std::size_t k = 0; k < from.components.size(); ++k)
     array->SetComponentName(static_cast<vtkIdType>(k), from.components[k].c_str());
   if (values.count() > 0)
-  {
-    keep(values.data(), file);
-    array->SetVoidArray(const_cast<void*>(values.data()),
-      static_cast<vtkIdType>(values.count()) * values.components(), 0,
-      vtkAbstractArray::VTK_DATA_ARRAY_USER_DEFINED);
-    array->SetArrayFreeFunction(release);
-  }
+    mote::viewMemory(array, const_cast<void*>(values.data()),
+      static_cast<vtkIdType>(values.count()) * values.components(), file);
   setRanges(array, from);
   return array;
 }

@@ -2,20 +2,18 @@
  * @class   vtkMoteParticleFilePoints
  * @brief   points that stay in a .mote file
  *
- * The points of a data set that vtkMoteParticleFileReader gives: their coordinates (double) are
- * worked out from the file's pages when they are asked for, and bounds are known without. Nothing
- * is copied, so that there may be more points than memory has room for; only GetVoidPointer(), as
- * many filters of VTK call it, makes a copy of all, 24 bytes a point, when it is first called.
+ * The points of a data set that vtkMoteParticleFileReader gives: their coordinates are worked out
+ * from the file's pages when they are asked for, and bounds are known without.
  *
- * They cannot be changed. A vtkMoteParticleMapper that meets such points draws the tree in the file
- * itself; everybody else sees points as any.
+ * A vtkMoteParticleMapper that meets such points draws the tree in the file itself; everybody else
+ * sees points as any.
  */
 
 #ifndef vtkMoteParticleFilePoints_h
 #define vtkMoteParticleFilePoints_h
 
 #include "MoteFiltersParticlesModule.h" // For export macro
-#include "vtkPoints.h"
+#include "vtkMoteSourcePoints.h"
 
 #include <memory> // For the file
 
@@ -26,11 +24,11 @@ namespace mote
 class PkdTreeFile;
 } // namespace mote
 
-class MOTEFILTERSPARTICLES_EXPORT vtkMoteParticleFilePoints : public vtkPoints
+class MOTEFILTERSPARTICLES_EXPORT vtkMoteParticleFilePoints : public vtkMoteSourcePoints
 {
 public:
   static vtkMoteParticleFilePoints* New();
-  vtkTypeMacro(vtkMoteParticleFilePoints, vtkPoints);
+  vtkTypeMacro(vtkMoteParticleFilePoints, vtkMoteSourcePoints);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**

@@ -6,6 +6,7 @@
 #include "kernels/particles/PkdTreeFile.h"
 
 #include "vtkMoteParticleFilePoints.h"
+#include "vtkMoteSourcePoints.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
@@ -53,18 +54,21 @@ void addRadius(InputKey& key, double radius)
   key.push_back(std::isnan(radius) ? std::numeric_limits<double>::infinity() : radius);
 }
 
-/// The radii that a file has.
-void takeRadii(const PkdTreeFile& file, ParticleInput& input)
+/// Who tells the points where they are in no array, such as a generator or a file; or null.
+std::shared_ptr<const ParticleSource> sourceOf(vtkPointSet* points)
 {
-  const ParticleStatistics& s = file.statistics();
-  input.set.radius = s.largestRadius;
-  if (s.smallestRadius == s.largestRadius)
+  auto* ofSource = vtkMoteSourcePoints::SafeDownCast(points->GetPoints());
+  return ofSource ? ofSource->GetSource() : nullptr;
+}
+
+/// The points, without radii.
+void takePositions(vtkPointSet* points, ParticleInput& input)
+{
+  input.set.source = sourceOf(points);
+  if (input.set.source)
     return;
-  const PkdTree tree = file.tree();
-  input.ownRadii.resize(tree.size());
-  for (std::size_t i = 0; i < tree.size(); ++i)
-    input.ownRadii[i] = tree.radius(i);
-  input.set.radii = ArrayView(input.ownRadii.data(), input.ownRadii.size(), 1);
+  input.positions = DataArrayView(points->GetPoints()->GetData());
+  input.set.positions = input.positions.view;
 }
 
 } // namespace
@@ -87,9 +91,11 @@ double spacingOf(vtkPointSet* points)
   const auto file = fileOf(points);
   if (file && file->spacing() > 0.0)
     return file->spacing();
-  return points->GetNumberOfPoints() > 1
-           ? estimateSpacing(DataArrayView(points->GetPoints()->GetData()).view)
-           : 0.0;
+  if (points->GetNumberOfPoints() < 2)
+    return 0.0;
+  ParticleInput input;
+  takePositions(points, input);
+  return estimateSpacing(input.set);
 }
 
 std::string arrayNames(vtkPointData* data)
@@ -111,8 +117,8 @@ vtkDataArray* findRadiusArray(vtkPointSet* points, const RadiusChoice& choice, b
   case vtkMoteParticleMapper::RADIUS_BY_TYPE:
     return requireScalar(points, choice.typeArray, "types");
   case vtkMoteParticleMapper::RADIUS_AUTOMATIC:
-    if (fileOf(points))
-      return nullptr; // the file's own radii
+    if (sourceOf(points))
+      return nullptr; // the source's own radii
     if (vtkDataArray* radius = findByLowerName(points->GetPointData(), "radius"))
       return radius;
     half = true;
@@ -122,13 +128,13 @@ vtkDataArray* findRadiusArray(vtkPointSet* points, const RadiusChoice& choice, b
   }
 }
 
-ParticleInput makeParticleInput(vtkPointSet* points, const RadiusChoice& choice)
+ParticleInput makeParticleInput(
+  vtkPointSet* points, const RadiusChoice& choice, ScratchSpace* space)
 {
   ParticleInput input;
   if (!points->GetPoints() || points->GetNumberOfPoints() == 0)
     return input;
-  input.positions = DataArrayView(points->GetPoints()->GetData());
-  input.set.positions = input.positions.view;
+  takePositions(points, input);
   input.set.radiusScale = choice.scale;
 
   bool half = false;
@@ -136,12 +142,15 @@ ParticleInput makeParticleInput(vtkPointSet* points, const RadiusChoice& choice)
   if (array && choice.mode == vtkMoteParticleMapper::RADIUS_BY_TYPE)
   {
     const DataArrayView types(array);
-    input.ownRadii.resize(types.view.count());
-    tbb::parallel_for(std::size_t{0}, types.view.count(),
+    const std::size_t count = types.view.count();
+    input.ownRadii.resize(
+      count, space && count > 0 ? space->allocate(count * sizeof(double)) : nullptr);
+    double* const own = input.ownRadii.own();
+    tbb::parallel_for(std::size_t{0}, count,
       [&](std::size_t i)
       {
         const auto found = choice.typeRadii.find(static_cast<int>(types.view.value(i)));
-        input.ownRadii[i] = found == choice.typeRadii.end() ? choice.radius : found->second;
+        own[i] = found == choice.typeRadii.end() ? choice.radius : found->second;
       });
     input.set.radii = ArrayView(input.ownRadii.data(), input.ownRadii.size(), 1);
   }
@@ -153,16 +162,18 @@ ParticleInput makeParticleInput(vtkPointSet* points, const RadiusChoice& choice)
   }
   else
   {
-    const auto file = fileOf(points);
     if (choice.mode == vtkMoteParticleMapper::RADIUS_CONSTANT)
       input.set.radius = choice.radius;
-    else if (file && choice.mode == vtkMoteParticleMapper::RADIUS_AUTOMATIC)
-      takeRadii(*file, input);
-    else if (file && file->spacing() > 0.0)
+    else if (input.set.source && choice.mode == vtkMoteParticleMapper::RADIUS_AUTOMATIC)
+    {
+      input.set = ParticleSet::of(input.set.source);
+      input.set.radiusScale *= choice.scale;
+    }
+    else if (const auto file = fileOf(points); file && file->spacing() > 0.0)
       input.set.radius = 0.5 * file->spacing();
     else
-      input.set.radius = 0.5 * estimateSpacing(input.set.positions);
-    input.commonRadius = input.set.radii.empty() ? input.set.radius * choice.scale : 0.0;
+      input.set.radius = 0.5 * estimateSpacing(input.set);
+    input.commonRadius = input.set.radiiOfSource ? 0.0 : input.set.radius * choice.scale;
   }
   return input;
 }

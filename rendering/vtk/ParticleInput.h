@@ -2,6 +2,8 @@
 
 #include "DataArrayView.h"
 
+#include "kernels/core/ScratchSpace.h"
+#include "kernels/core/StoredArray.h"
 #include "kernels/particles/ParticleSet.h"
 #include "kernels/particles/ParticleStructure.h"
 
@@ -35,11 +37,9 @@ struct ParticleInput
   ParticleSet set;
   DataArrayView positions;
   DataArrayView radii;
-  std::vector<double> ownRadii; ///< a particle each, where no array holds them
+  StoredArray<double> ownRadii; ///< a particle each, where no array holds them
   double commonRadius = 0.0;    ///< 0 where radii differ
   double enlargement = 1.0;     ///< what the structure's radii are times those of `set`
-  /// Of points that stay in a file: their tree, which tells places and radii where `set` does not.
-  std::shared_ptr<const PkdTree> tree;
 };
 
 /// The names of the arrays, separated by commas, for messages; "none" where there is none.
@@ -58,8 +58,10 @@ bool drawsFile(vtkPointSet* points, const RadiusChoice& choice, ParticleStructur
 /// The typical distance between neighbours; of points in a file what that says.
 double spacingOf(vtkPointSet* points);
 
-/// Looks up radii as `choice` says. Throws Error as findRadiusArray() does.
-ParticleInput makeParticleInput(vtkPointSet* points, const RadiusChoice& choice);
+/// Looks up radii as `choice` says, and puts those that are in no array into `space`, or on the
+/// heap where that is null. Throws Error as findRadiusArray() does.
+ParticleInput makeParticleInput(
+  vtkPointSet* points, const RadiusChoice& choice, ScratchSpace* space = nullptr);
 
 /// What a structure was built from: equal keys, equal structures.
 using InputKey = std::vector<double>;

@@ -44,6 +44,7 @@ public:
   };
 
   mote::RadiusChoice choice;
+  std::shared_ptr<mote::ScratchSpace> space; ///< for structures that are built, or null
   std::shared_ptr<mote::ParticleStructure> structure;
   Key structureKey;
   vtkTimeStamp builtAt;

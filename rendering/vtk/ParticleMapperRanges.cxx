@@ -222,12 +222,6 @@ void vtkMoteParticleMapper::UpdateRanges()
   const auto particles = [&]
   {
     mote::RadiusChoice choice = impl.choice;
-    if (mote::drawsFile(this->GetInput(), choice, mote::structureOf(this->StructureName)))
-    {
-      mote::ParticleInput input;
-      input.tree = std::make_shared<const mote::PkdTree>(mote::fileOf(this->GetInput())->tree());
-      return input;
-    }
     if (impl.commonRadius > 0.0)
     {
       // As it was built; the spacing need not be estimated again.

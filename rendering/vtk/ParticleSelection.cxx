@@ -130,9 +130,7 @@ double storedPlaceOf(const Structure& structure, std::size_t slot, int k)
 
 double placeOf(const ParticleInput& particles, std::uint64_t input, int k)
 {
-  if (particles.tree)
-    return storedPlaceOf(*particles.tree, input, k);
-  return k < 3 ? particles.set.positions.value(input, k) : particles.set.radiusOf(input);
+  return k < 3 ? particles.set.position(input)[k] : particles.set.radiusOf(input);
 }
 
 /// As findFloatLimits(), of centres and radii, whose rounding is the structure's own affair.

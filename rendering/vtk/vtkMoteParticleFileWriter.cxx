@@ -163,6 +163,9 @@ bool vtkMoteParticleFileWriter::WriteParticles()
   if (input->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()))
     contents.time = input->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP());
   contents.spacing = mote::spacingOf(input);
+  // What lies in files because memory is short is not read here and there.
+  if (const auto space = this->Mapper->GetScratchSpace(); space && space->usesFiles())
+    contents.workBytes = std::max<std::size_t>(space->budget() / 3, 1);
   return mote::writePkdTreeFile(this->FileName, *tree, contents,
     [this](double done)
     {

@@ -147,6 +147,21 @@ std::shared_ptr<const mote::PkdTree> vtkMoteParticleMapper::GetTree()
   return tree ? std::shared_ptr<const mote::PkdTree>(structure, tree) : nullptr;
 }
 
+void vtkMoteParticleMapper::SetScratchSpace(std::shared_ptr<mote::ScratchSpace> space)
+{
+  this->Impl->space = std::move(space);
+}
+
+std::shared_ptr<mote::ScratchSpace> vtkMoteParticleMapper::GetScratchSpace() const
+{
+  return this->Impl->space;
+}
+
+double vtkMoteParticleMapper::EstimateSpacing(vtkPointSet* points)
+{
+  return mote::spacingOf(points);
+}
+
 vtkMTimeType vtkMoteParticleMapper::GetPictureMTime()
 {
   vtkMTimeType time = std::max(this->GetMTime(), this->Impl->builtAt.GetMTime());
@@ -237,7 +252,8 @@ void vtkMoteParticleMapper::UpdateStructure()
       throw mote::Error("The input is not a data set of points.");
     bool half = false;
     vtkDataArray* radii = mote::findRadiusArray(input, choice, half);
-    mote::InputKey key = {double(mote::structureOf(this->StructureName))};
+    mote::InputKey key = {
+      double(mote::structureOf(this->StructureName)), double(this->KeepPointIds)};
     mote::addArray(key, input->GetPoints() ? input->GetPoints()->GetData() : nullptr);
     mote::addChoice(key, choice, radii, half);
     const bool failed = impl.preview && !impl.build;
@@ -275,8 +291,11 @@ void vtkMoteParticleMapper::BuildStructure(vtkPointSet* input)
   const auto start = std::chrono::steady_clock::now();
   mote::ParticleStructureOptions options;
   options.kind = mote::structureOf(this->StructureName);
+  options.pkdTree.keepIndices = this->KeepPointIds;
+  options.pkdTree.space = impl.space;
   const BuildEvents events(this);
-  const mote::ParticleInput particles = mote::makeParticleInput(input, impl.choice);
+  const mote::ParticleInput particles =
+    mote::makeParticleInput(input, impl.choice, impl.space.get());
   impl.selection.forget();
   mote::buildStructure(impl.structure, particles.set, options,
     [this](double done)
@@ -372,6 +391,7 @@ void vtkMoteParticleMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Preview: " << (this->Preview ? "On" : "Off") << "\n";
   os << indent << "PreviewSize: " << this->PreviewSize << "\n";
   os << indent << "IsPreview: " << (this->IsPreview() ? "Yes" : "No") << "\n";
+  os << indent << "KeepPointIds: " << (this->KeepPointIds ? "On" : "Off") << "\n";
   os << indent << "NumberOfParticles: " << this->GetNumberOfParticles() << "\n";
   os << indent << "NumberOfUnfitParticles: " << this->GetNumberOfUnfitParticles() << "\n";
   os << indent << "StructureBytes: " << this->GetStructureBytes() << "\n";

@@ -43,6 +43,7 @@ class vtkPointSet;
 namespace mote
 {
 class PkdTree;
+class ScratchSpace;
 struct ParticleColoring;
 struct ParticleObject;
 struct ParticleStatistics;
@@ -366,12 +367,37 @@ public:
   bool DescribeTo(mote::ParticleObject& object, vtkActor* actor);
 #endif
 
+  ///@{
+  /**
+   * Whether a P-k-d tree keeps the way back from its particles to the points: 4 or 8 bytes a
+   * particle. Without it only those can use the tree who do not ask what a particle is called or
+   * what values it has, such as writers of files without arrays. On unless set.
+   */
+  vtkSetMacro(KeepPointIds, bool);
+  vtkGetMacro(KeepPointIds, bool);
+  vtkBooleanMacro(KeepPointIds, bool);
+  ///@}
+
 #ifndef __VTK_WRAP__
   /**
    * The P-k-d tree as of the last Update(); null where that is not the structure.
    */
   std::shared_ptr<const mote::PkdTree> GetTree();
+
+  ///@{
+  /**
+   * Where a P-k-d tree that is built from now on lies, in place of the heap; null for the heap.
+   */
+  void SetScratchSpace(std::shared_ptr<mote::ScratchSpace> space);
+  std::shared_ptr<mote::ScratchSpace> GetScratchSpace() const;
+  ///@}
 #endif
+
+  /**
+   * The typical distance between neighbours among the points, 0 for less than two points, whatever
+   * radii they have. Builds nothing; looks at all points some times, unless a file knows it.
+   */
+  static double EstimateSpacing(vtkPointSet* points);
 
   /**
    * Changes with everything that the picture of this mapper depends on, its input included.
@@ -395,6 +421,7 @@ protected:
   char* StructureName = nullptr;
   vtkTypeBool Preview = 0;
   vtkIdType PreviewSize = 1000000;
+  bool KeepPointIds = true;
 
 private:
   vtkMoteParticleMapper(const vtkMoteParticleMapper&) = delete;

@@ -235,6 +235,85 @@ case $3 in
     [ -z "$(ls -A | grep -e full -e tmp)" ] || { ls -A; fail "something was left"; }
     ;;
 
+  generated) # particles that are made, wherever a file may be named
+    for input in lattice:5000 random:5000:0.01 varied:5000; do
+      run 0 "$mote" info "$input"
+      grep -q -e '4,913 points' -e '5,000 points' out || fail "not so many points"
+      run 0 "$mote" convert "$input" a.mote
+      run 0 "$mote" convert "$input" b.mote --memory 1K
+      cmp a.mote b.mote || fail "by way of scratch files it is another"
+      run 0 "$mote" render "$input" -o a.png --size 320x200 --caption ''
+      run 0 "$mote" render a.mote -o b.png --size 320x200 --caption ''
+      is_picture a.png 320x200
+      if command -v python3 >/dev/null; then
+        wrong= bias=
+        read -r wrong bias < <(python3 "$tests/compare_png.py" a.png b.png)
+        [ -n "$bias" ] && [ "$wrong" -le 20 ] || fail "the pictures of $input differ: $wrong"
+      fi
+    done
+    run 0 "$mote" render lattice:5000 -o b.png --size 320x200 --radius 0.01 --show x=0.2:0.5
+    said out 'of 4,913 particles shown'
+    run 0 "$mote" convert lattice:5000 c.mote --radius 0.01
+    cmp -s a.mote c.mote && fail "options changed nothing"
+    for wrong in lattice: lattice:x random:5 random:5:0 lattice:99999999999999; do
+      run 1 "$mote" render "$wrong" -o c.png
+      one_sentence
+      said err "$wrong: "
+      [ ! -e c.png ] || fail "a picture of $wrong"
+    done
+    run 1 "$mote" convert lattice:x d.mote
+    one_sentence
+    cp "$hopper" lattice:8 # a file of that name
+    run 0 "$mote" info lattice:8
+    said out '5,518 points'
+    ;;
+
+  streamed) # as much through files as there is: the same bytes, and nothing is left
+    zcat "$copper" >copper.dump
+    { echo 3; echo; echo 'O 0 0 0'; echo 'H 1 0 0'; echo 'H 0 1 0'; } >water.xyz
+    for input in "$copper" copper.dump "$hopper" water.xyz; do
+      run 0 "$mote" convert "$input" a.mote
+      cp err said
+      for memory in 1 300K; do
+        run 0 "$mote" convert "$input" b.mote --memory $memory
+        cmp a.mote b.mote || fail "with $memory another file"
+        sed 's/b\.mote/a.mote/' err | cmp said - || fail "something else is said"
+      done
+    done
+    (
+      trap '' XFSZ
+      ulimit -f 100
+      "$mote" convert "$copper" full.mote --memory 1K >/dev/null 2>err
+    )
+    [ $? = 1 ] || fail "a full disk went unnoticed"
+    one_sentence
+    said err full.mote
+    run 2 "$mote" convert "$copper" a.mote --memory 0
+    run 2 "$mote" convert "$copper" a.mote --memory much
+    # stopped on the way, and killed
+    for signal in INT KILL; do
+      for seconds in 0.5 2; do
+        timeout --preserve-status -s $signal $seconds "$mote" convert random:20000000:0.001 \
+          stopped.mote --memory 1M >out 2>err
+      done
+      [ $signal = KILL ] || said err interrupted
+    done
+    mkdir full
+    if mount -t tmpfs -o size=1m none full 2>/dev/null; then
+      run 1 "$mote" convert "$copper" full/a.mote --memory 1K
+      one_sentence
+      run 1 "$mote" convert random:200000:0.001 full/a.mote
+      one_sentence
+      said err 'disk is full'
+      left=$(ls -A full)
+      umount full
+      [ -z "$left" ] || fail "left: $left"
+    fi
+    rmdir full
+    left=$(ls -A | grep -v -x -e out -e err -e said -e 'copper.dump' -e 'water.xyz' -e '[ab].mote')
+    [ -z "$left" ] || fail "left: $left"
+    ;;
+
   json)
     run 0 "$mote" info --json "$copper" "$hopper"
     if command -v python3 >/dev/null; then

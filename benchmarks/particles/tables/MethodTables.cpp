@@ -3,6 +3,8 @@
 #include "../BuildCosts.h"
 #include "Tables.h"
 
+#include <kernels/particles/GeneratedParticles.h>
+
 namespace mote::bench
 {
 

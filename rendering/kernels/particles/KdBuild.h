@@ -12,8 +12,8 @@
 namespace mote
 {
 
-/// Progress of a work on many threads: may be told from any of them, passes on only what is more
-/// than what it passed on before, and remembers that the work shall stop.
+/// Progress of a work on many threads: may be told from any of them, passes on nothing less than
+/// what it passed on before, and remembers that the work shall stop.
 class SharedProgress
 {
 public:
@@ -28,12 +28,9 @@ public:
   {
     if (!progress_ || stopped_ || telling_.exchange(true))
       return !stopped_;
-    if (!stopped_ && done >= reported_)
-    {
-      reported_ = done;
-      if (!progress_(done))
-        stopped_ = true;
-    }
+    reported_ = std::max(reported_, done);
+    if (!stopped_ && !progress_(reported_))
+      stopped_ = true;
     telling_ = false;
     return !stopped_;
   }

@@ -75,9 +75,9 @@ ParticleStatistics merged(const ParticleStatistics& a, const ParticleStatistics&
 void checkParticles(const ParticleSet& particles)
 {
   const std::size_t n = particles.count();
-  if (n > 0 && particles.positions.components() != 3)
+  if (n > 0 && !particles.source && particles.positions.components() != 3)
     throw Error("Particle positions need three components.");
-  if (!particles.radii.empty() && particles.radii.count() != n)
+  if (!particles.radiiOfSource && !particles.radii.empty() && particles.radii.count() != n)
     throw Error("There are " + std::to_string(particles.radii.count()) + " radii for " +
                 std::to_string(n) + " particles.");
 }

@@ -2,9 +2,13 @@
 
 #include "../core/ArrayView.h"
 #include "../core/Box.h"
+#include "ParticleSource.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 
 namespace mote
 {
@@ -12,23 +16,45 @@ namespace mote
 /// The particles as the user gave them: a view, nothing is copied.
 ///
 /// Particle i is a sphere about positions[i] with radius radiusScale * radii[i], or radiusScale *
-/// radius where `radii` is empty. Particles with a coordinate or a radius that is not finite, or
-/// with a radius not above zero, are left out by every structure and counted.
+/// radius where `radii` is empty. A `source` tells positions instead of `positions`, and where
+/// `radiiOfSource` radii instead of `radii`. Particles with a coordinate or a radius that is not
+/// finite, or with a radius not above zero, are left out by every structure and counted.
 struct ParticleSet
 {
   ArrayView positions; ///< three components, any type
   ArrayView radii;     ///< one component, or empty: then `radius` holds for all
   double radius = 1.0;
   double radiusScale = 1.0;
+  std::shared_ptr<const ParticleSource> source;
+  bool radiiOfSource = false;
 
-  std::size_t count() const { return positions.count(); }
+  /// All that a source tells.
+  static ParticleSet of(std::shared_ptr<const ParticleSource> source)
+  {
+    ParticleSet set;
+    set.radiiOfSource = source->hasRadii();
+    (set.radiiOfSource ? set.radiusScale : set.radius) = source->radius();
+    set.source = std::move(source);
+    return set;
+  }
+
+  std::size_t count() const { return source ? source->count() : positions.count(); }
   Vec3d position(std::size_t i) const
   {
-    return {positions.value(i, 0), positions.value(i, 1), positions.value(i, 2)};
+    if (!source)
+      return {positions.value(i, 0), positions.value(i, 1), positions.value(i, 2)};
+    Vec3d position;
+    source->positions(i, i + 1, &position);
+    return position;
   }
   double radiusOf(std::size_t i) const
   {
-    return radiusScale * (radii.empty() ? radius : radii.value(i));
+    double r = radius;
+    if (radiiOfSource)
+      source->radii(i, i + 1, &r);
+    else if (!radii.empty())
+      r = radii.value(i);
+    return radiusScale * r;
   }
 
   /// Calls visit(i, position(i), radiusOf(i)) for first <= i < last. Where all types are the usual
@@ -36,6 +62,11 @@ struct ParticleSet
   template <typename Visit>
   void forRange(std::size_t first, std::size_t last, const Visit& visit) const
   {
+    if (source)
+    {
+      this->forRangeOfSource(first, last, visit);
+      return;
+    }
     const auto walk = [&](const auto& at)
     {
       if (radii.empty())
@@ -53,6 +84,26 @@ struct ParticleSet
       tuples(static_cast<const double*>(positions.data()));
     else
       walk([this](std::size_t i) { return position(i); });
+  }
+
+private:
+  template <typename Visit>
+  void forRangeOfSource(std::size_t first, std::size_t last, const Visit& visit) const
+  {
+    constexpr std::size_t piece = 256;
+    std::array<Vec3d, piece> places;
+    std::array<double, piece> sizes;
+    sizes.fill(radius);
+    for (; first < last; first += std::min(piece, last - first))
+    {
+      const std::size_t end = std::min(last, first + piece);
+      source->positions(first, end, places.data());
+      if (radiiOfSource)
+        source->radii(first, end, sizes.data());
+      for (std::size_t i = first; i < end; ++i)
+        visit(i, places[i - first],
+          radiusScale * (radiiOfSource || radii.empty() ? sizes[i - first] : radii.value(i)));
+    }
   }
 };
 
@@ -82,9 +133,9 @@ inline bool isValidParticle(const Vec3d& position, double radius)
          std::isfinite(radius) && radius > 0.0;
 }
 
-/// The typical distance between neighbours: the median, over an even sample of up to 256 particles,
-/// of the distance to the nearest other particle. Coincident particles do not count as
-/// neighbours. For one particle, or when all coincide, the answer is 1.
-double estimateSpacing(const ArrayView& positions);
+/// The typical distance between neighbours, whatever their radii: the median, over an even sample
+/// of up to 256 particles, of the distance to the nearest other particle. Coincident particles do
+/// not count as neighbours. For one particle, or when all coincide, the answer is 1.
+double estimateSpacing(const ParticleSet& particles);
 
 } // namespace mote

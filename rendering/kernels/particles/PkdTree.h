@@ -19,6 +19,7 @@
 namespace mote
 {
 
+class ScratchSpace;
 struct StoredRanges;
 
 /// How a PkdTree is built.
@@ -37,6 +38,8 @@ struct PkdTreeOptions
   /// Where at most one particle in so many is shown, rays meet a tree of those alone, 33 bytes each
   /// (37 where radii differ); 0: never.
   std::size_t sparseShare = 8;
+  /// Where the tree lies, in place of the heap; null for the heap.
+  std::shared_ptr<ScratchSpace> space;
 };
 
 /// A balanced k-d tree over particles, without pointers.

@@ -1,5 +1,6 @@
 #include "PkdTree.h"
 
+#include "../core/ScratchSpace.h"
 #include "BlockSplit.h"
 #include "KdBuild.h"
 #include "RadiusGroups.h"
@@ -35,6 +36,7 @@ struct PkdTreeBuilder
   static constexpr double middleKey = 2147483648.0;         ///< of origin(): 2^31
   static constexpr int coarseBits = 10;                     ///< corners of treelets leave these 0
   static constexpr std::size_t serialCount = blockCapacity; ///< particles that are one task
+  static constexpr std::size_t longCount = 1 << 24;         ///< particles that take long to split
 
   double keyStep = 1.0; ///< between neighbouring whole numbers, in the input's unit: a power of two
   double unitsAKey = 1.0;
@@ -64,8 +66,14 @@ struct PkdTreeBuilder
   void planLevels()
   {
     tree.count_ = tree.statistics_.valid;
-    tree.nodes_.resize(PkdTree::planLevels(tree.count_, tree.levels_));
-    tree.rows_.resize(tree.buckets() * tree.rowsABucket_);
+    this->reserve(tree.nodes_, PkdTree::planLevels(tree.count_, tree.levels_));
+    this->reserve(tree.rows_, tree.buckets() * tree.rowsABucket_);
+  }
+
+  template <typename T>
+  void reserve(StoredArray<T>& array, std::size_t size) const
+  {
+    array.resize(size, options.space ? options.space->allocate(size * sizeof(T)) : nullptr);
   }
 
   template <int WORDS>
@@ -108,6 +116,8 @@ struct PkdTreeBuilder
     const std::size_t children = (count + size - 1) / size;
     if (children <= 1)
       return split<WORDS>(first, last, size / PkdTree::fanout, region, axis);
+    if (count >= longCount && !progress.report(0.0))
+      return;
     KdRecord<WORDS>* from = records<WORDS>();
     const Region tight = count <= tightKdCount ? Region(from + first, from + last) : region;
     if (options.split == PkdTreeOptions::Split::MaximumExtent)
@@ -252,7 +262,7 @@ struct PkdTreeBuilder
       // Shorter rows end up where others' records still are: they get a place of their own.
       tree.placeRows_ = 2;
       tree.rowsABucket_ -= 1;
-      compactRows.resize(tree.buckets() * tree.rowsABucket_);
+      this->reserve(compactRows, tree.buckets() * tree.rowsABucket_);
     }
     finished = options.compact ? compactRows.own() : tree.rows_.own();
     marginOfSet = tree.roundingMargin();

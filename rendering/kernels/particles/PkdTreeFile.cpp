@@ -51,7 +51,42 @@ void checkNumbers(const std::string& name, const Header& h)
     failDamaged(name, "its numbers on places are none");
 }
 
+/// A tree's particles in its own order.
+class ParticlesOfTree : public ParticleSource
+{
+public:
+  explicit ParticlesOfTree(PkdTree tree)
+    : tree_(std::move(tree))
+  {
+  }
+
+  std::size_t count() const override { return tree_.size(); }
+  void positions(std::size_t first, std::size_t last, Vec3d* positions) const override
+  {
+    for (std::size_t i = first; i < last; ++i)
+      positions[i - first] = tree_.center(i);
+  }
+  bool hasRadii() const override
+  {
+    return tree_.statistics().smallestRadius != tree_.statistics().largestRadius;
+  }
+  void radii(std::size_t first, std::size_t last, double* radii) const override
+  {
+    for (std::size_t i = first; i < last; ++i)
+      radii[i - first] = tree_.radius(i);
+  }
+  double radius() const override { return hasRadii() ? 1.0 : tree_.statistics().largestRadius; }
+
+private:
+  PkdTree tree_;
+};
+
 } // namespace
+
+std::shared_ptr<const ParticleSource> PkdTreeFile::particles() const
+{
+  return std::make_shared<ParticlesOfTree>(tree_);
+}
 
 bool PkdTreeFile::recognises(std::string_view beginning)
 {

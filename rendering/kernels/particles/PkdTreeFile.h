@@ -35,6 +35,9 @@ struct PkdTreeFileContents
   double spacing = 0.0; ///< typical distance between neighbours; 0: not known
   /// Name of one more array for the particles' indices in the input; none if empty.
   std::string indexArray;
+  /// Bytes of memory to work in for arrays that lie in a file and are better read from their begin
+  /// to their end, some times over; 0 for arrays in memory, which are read here and there.
+  std::size_t workBytes = 0;
 };
 
 /// Writes a tree and what belongs to it as a file (docs/mote-file.md) that PkdTreeFile opens. The
@@ -76,6 +79,8 @@ public:
   /// The tree; each copy is shown in parts (setRanges(), setVisibility()) for itself, and keeps the
   /// file open. Its particles' input indices are their slots. build() makes it forget the file.
   PkdTree tree() const { return tree_; }
+  /// The same particles one by one, in the order of slots. Keeps the file open too.
+  std::shared_ptr<const ParticleSource> particles() const;
   std::size_t size() const { return tree_.size(); }
   const ParticleStatistics& statistics() const { return tree_.statistics(); }
 

@@ -8,6 +8,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,7 @@ namespace
 {
 
 constexpr std::size_t bucketsAPiece = 1 << 14;
+constexpr std::size_t mostBucketsAPiece = 1 << 28;
 constexpr std::size_t bucketsATask = 256;
 
 /// The extremes of an array's finite values.
@@ -252,7 +254,7 @@ private:
     const std::size_t kept = header_.rowsABucket;
     header_.rows = this->begin(tree_.buckets() * kept * sizeof(Row));
     RawVector<Row> piece;
-    return this->byPieces(
+    return this->byPieces(bucketsAPiece,
       [&](std::size_t first, std::size_t last)
       {
         piece.resize((last - first) * kept);
@@ -270,11 +272,11 @@ private:
   }
 
   template <typename Write>
-  bool byPieces(const Write& write) const
+  bool byPieces(std::size_t size, const Write& write) const
   {
     const std::size_t buckets = tree_.buckets();
-    for (std::size_t first = 0; first < buckets; first += bucketsAPiece)
-      if (!write(first, std::min(buckets, first + bucketsAPiece)))
+    for (std::size_t first = 0; first < buckets; first += size)
+      if (!write(first, std::min(buckets, first + size)))
         return false;
     return true;
   }
@@ -311,37 +313,90 @@ private:
     return complete;
   }
 
-  /// Without data the values are the indices themselves.
   bool writeInOrder(const ArrayView& values, Extremes& found)
   {
     const std::size_t tuple =
       bytesOf(values.type()) * static_cast<std::size_t>(values.components());
-    const auto* data = static_cast<const unsigned char*>(values.data());
+    // Without data the values are the indices themselves.
+    const bool farther = contents_.workBytes > 0 && values.data() != nullptr;
+    const std::size_t bucketBytes = PkdTree::bucketSize * (tuple + (farther ? sizeof(Place) : 0));
+    const std::size_t size =
+      farther ? std::clamp<std::size_t>(contents_.workBytes / bucketBytes, 1, mostBucketsAPiece)
+              : bucketsAPiece;
     RawVector<unsigned char> piece;
-    return this->byPieces(
+    return this->byPieces(size,
       [&](std::size_t first, std::size_t last)
       {
         const std::size_t firstSlot = first * PkdTree::bucketSize;
         const std::size_t count = std::min(tree_.count_, last * PkdTree::bucketSize) - firstSlot;
         piece.resize(count * tuple);
-        this->forBuckets(first, last,
-          [&](std::size_t bucket, const auto& order)
-          {
-            const std::size_t slot = bucket * PkdTree::bucketSize;
-            for (std::size_t i = 0; i < this->countIn(bucket); ++i)
-            {
-              const std::uint64_t input = tree_.inputIndex(slot + order[i]);
-              unsigned char* to = &piece[(slot + i - firstSlot) * tuple];
-              if (data != nullptr)
-                copyTuple(to, data + input * tuple, tuple);
-              else if (const auto narrow = static_cast<std::uint32_t>(input); tuple == 4)
-                std::memcpy(to, &narrow, 4);
-              else
-                std::memcpy(to, &input, 8);
-            }
-          });
+        if (farther)
+          this->gatherAscending(values, first, last, piece);
+        else
+          this->gather(values, first, last, piece);
         found.add(extremesOf(ArrayView(piece.data(), values.type(), count, values.components())));
         return this->put(piece.data(), piece.size());
+      });
+  }
+
+  /// Calls visit(place in the piece, index in the input) for the particles of some buckets.
+  template <typename Visit>
+  void forPlaces(std::size_t first, std::size_t last, const Visit& visit) const
+  {
+    this->forBuckets(first, last,
+      [&](std::size_t bucket, const auto& order)
+      {
+        const std::size_t slot = bucket * PkdTree::bucketSize;
+        for (std::size_t i = 0; i < this->countIn(bucket); ++i)
+          visit(slot + i - first * PkdTree::bucketSize, tree_.inputIndex(slot + order[i]));
+      });
+  }
+
+  void gather(const ArrayView& values, std::size_t first, std::size_t last,
+    RawVector<unsigned char>& piece) const
+  {
+    const std::size_t tuple =
+      bytesOf(values.type()) * static_cast<std::size_t>(values.components());
+    const auto* data = static_cast<const unsigned char*>(values.data());
+    this->forPlaces(first, last,
+      [&](std::size_t place, std::uint64_t input)
+      {
+        unsigned char* to = &piece[place * tuple];
+        if (data != nullptr)
+          copyTuple(to, data + input * tuple, tuple);
+        else if (const auto narrow = static_cast<std::uint32_t>(input); tuple == 4)
+          std::memcpy(to, &narrow, 4);
+        else
+          std::memcpy(to, &input, 8);
+      });
+  }
+
+  /// Where in a piece a value of the input belongs.
+  struct Place
+  {
+    std::uint64_t input;
+    std::uint64_t place;
+  };
+
+  /// The same in the order of the input: pages of a file are then read one after another.
+  void gatherAscending(
+    const ArrayView& values, std::size_t first, std::size_t last, RawVector<unsigned char>& piece)
+  {
+    const std::size_t tuple =
+      bytesOf(values.type()) * static_cast<std::size_t>(values.components());
+    const auto* data = static_cast<const unsigned char*>(values.data());
+    places_.resize(piece.size() / tuple);
+    this->forPlaces(first, last,
+      [&](std::size_t place, std::uint64_t input) {
+        places_[place] = {input, place};
+      });
+    tbb::parallel_sort(places_.begin(), places_.end(),
+      [](const Place& a, const Place& b) { return a.input < b.input; });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places_.size(), 16 * bucketsATask),
+      [&](const tbb::blocked_range<std::size_t>& range)
+      {
+        for (std::size_t i = range.begin(); i != range.end(); ++i)
+          copyTuple(&piece[places_[i].place * tuple], data + places_[i].input * tuple, tuple);
       });
   }
 
@@ -351,6 +406,7 @@ private:
   AtomicFile file_;
   PkdTreeFileHeader header_;
   std::vector<PkdTreeFileTableRow> table_;
+  RawVector<Place> places_;
   std::uint64_t place_ = 0; ///< bytes written
   std::uint64_t total_ = 0; ///< bytes that will be, without padding
 };

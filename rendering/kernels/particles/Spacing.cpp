@@ -19,16 +19,15 @@ namespace
 class Probes
 {
 public:
-  Probes(const ArrayView& positions, const std::vector<std::size_t>& indices, const Vec3d& lower,
+  Probes(const ParticleSet& particles, const std::vector<std::size_t>& indices, const Vec3d& lower,
     double cell)
-    : positions_(positions)
-    , lower_(lower)
+    : lower_(lower)
     , cellsPerUnit_(1.0 / cell)
     , cell_(cell)
   {
     for (const std::size_t i : indices)
     {
-      probes_.push_back({at(i), i});
+      probes_.push_back({particles.position(i), i});
       const Vec3i c = cellOf(probes_.back().position);
       for (int dz = -1; dz <= 1; ++dz)
         for (int dy = -1; dy <= 1; ++dy)
@@ -44,7 +43,7 @@ public:
       b.store(std::numeric_limits<double>::infinity());
   }
 
-  /// Offers a particle as a neighbour to the probes in the cells around it.
+  /// Offers a particle at `p` as a neighbour to the probes in the cells around it.
   void offer(const Vec3d& p)
   {
     if (!isValidParticle(p, 1.0))
@@ -87,10 +86,6 @@ private:
     std::size_t index;
   };
 
-  Vec3d at(std::size_t i) const
-  {
-    return {positions_.value(i, 0), positions_.value(i, 1), positions_.value(i, 2)};
-  }
   /// Nothing good lies below lower_, so that to cut off is to round down.
   Vec3i cellOf(const Vec3d& p) const { return Vec3i((p - lower_) * cellsPerUnit_); }
   static std::uint64_t key(const Vec3i& c)
@@ -107,7 +102,6 @@ private:
 
   static constexpr int maybeBits = 19; // 64 kB, of which probes fill one bit in 75
 
-  const ArrayView& positions_;
   Vec3d lower_;
   double cellsPerUnit_;
   double cell_;
@@ -139,17 +133,18 @@ double meanSpacing(const Vec3d& size, std::size_t count)
 
 } // namespace
 
-double estimateSpacing(const ArrayView& positions)
+double estimateSpacing(const ParticleSet& particles)
 {
-  ParticleSet set;
-  set.positions = positions;
+  ParticleSet set; // without radii, which might be bad where positions are good
+  set.positions = particles.positions;
+  set.source = particles.source;
   const ParticleStatistics statistics = examine(set);
   const Vec3d size = statistics.centers.size();
   const double longest = std::max({size.x, size.y, size.z});
   if (statistics.valid < 2 || !(longest > 0.0))
     return 1.0;
 
-  const std::size_t n = positions.count();
+  const std::size_t n = set.count();
   std::vector<std::size_t> open;
   const std::size_t samples = std::min<std::size_t>(256, n);
   for (std::size_t k = 0; k < samples; ++k)
@@ -166,7 +161,7 @@ double estimateSpacing(const ArrayView& positions)
   double cell = std::max(2.0 * meanSpacing(size, statistics.valid), longest * std::ldexp(1.0, -18));
   while (!open.empty() && distances.size() <= middle)
   {
-    Probes probes(positions, open, statistics.centers.lower, cell);
+    Probes probes(set, open, statistics.centers.lower, cell);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 1 << 14),
       [&](const tbb::blocked_range<std::size_t>& range)
       {

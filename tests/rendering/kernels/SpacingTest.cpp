@@ -18,7 +18,7 @@ namespace
 
 double spacingOf(const Particles& particles)
 {
-  return estimateSpacing(particles.set().positions);
+  return estimateSpacing(particles.set());
 }
 
 Particles lattice(int nx, int ny, int nz, double spacing, const Vec3d& corner = Vec3d(0.0))
@@ -107,7 +107,7 @@ TEST(Spacing, DuplicatesAreNoNeighbours)
 TEST(Spacing, IsOneWhereThereIsNone)
 {
   Particles particles;
-  EXPECT_EQ(estimateSpacing(ArrayView()), 1.0);
+  EXPECT_EQ(estimateSpacing(ParticleSet{}), 1.0);
   particles.add({3.0, 4.0, 5.0}, 1.0);
   EXPECT_EQ(spacingOf(particles), 1.0);
   for (int i = 0; i < 100; ++i)
@@ -130,5 +130,7 @@ TEST(Spacing, PassesOverBadPositions)
 TEST(Spacing, RefusesTwoComponents)
 {
   const double numbers[] = {0.0, 1.0, 2.0, 3.0};
-  EXPECT_THROW(estimateSpacing(ArrayView(numbers, 2, 2)), Error);
+  ParticleSet flat;
+  flat.positions = ArrayView(numbers, 2, 2);
+  EXPECT_THROW(estimateSpacing(flat), Error);
 }
