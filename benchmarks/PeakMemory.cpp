@@ -10,7 +10,6 @@
 #include <fstream>
 #include <limits>
 #include <sstream>
-#include <string>
 
 namespace mote::bench
 {
@@ -20,7 +19,17 @@ namespace
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// A line of /proc/self/status, in bytes.
+/// Makes the peak what is resident now.
+bool forgetPeak()
+{
+  std::ofstream file("/proc/self/clear_refs");
+  file << "5";
+  file.close();
+  return static_cast<bool>(file);
+}
+
+} // namespace
+
 double statusBytes(const std::string& key)
 {
   std::ifstream status("/proc/self/status");
@@ -34,17 +43,6 @@ double statusBytes(const std::string& key)
     }
   return unknown;
 }
-
-/// Makes the peak what is resident now.
-bool forgetPeak()
-{
-  std::ofstream file("/proc/self/clear_refs");
-  file << "5";
-  file.close();
-  return static_cast<bool>(file);
-}
-
-} // namespace
 
 double peakExtraBytes(const std::function<void()>& work)
 {

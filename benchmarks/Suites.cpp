@@ -1,6 +1,8 @@
 #include "Suite.h"
 
 #include "particles/BuildSuite.h"
+#include "particles/FileSuite.h"
+#include "particles/GrowthSuite.h"
 #include "particles/OcclusionSuite.h"
 #include "particles/ParticlesSuite.h"
 #include "particles/PreviewSuite.h"
@@ -10,7 +12,8 @@ namespace mote::bench
 
 const std::vector<Suite>& suites()
 {
-  static const std::vector<Suite> all = {particlesSuite(), occlusionSuite(), buildSuite(), previewSuite()};
+  static const std::vector<Suite> all = {particlesSuite(), occlusionSuite(), buildSuite(),
+    previewSuite(), growthSuite(), fileSuite()};
   return all;
 }
 
@@ -24,7 +27,8 @@ std::string describe(const Suite& suite)
       out += format("    %-16s %s\n", name.c_str(), summary.c_str());
   };
   list("inputs (--input)", suite.inputs);
-  list("methods (--methods)", suite.methods);
+  if (!suite.methods.empty())
+    list("methods (--methods)", suite.methods);
   if (!suite.views.empty())
     list("views (--view)", suite.views);
   if (!suite.tables.empty())

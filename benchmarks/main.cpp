@@ -49,9 +49,10 @@ void addOptions(CLI::App& command, const Suite& suite, Options& options, std::st
 {
   command.add_option("--input", options.input, "What is measured on; see the list of inputs below")
     ->type_name("SPEC");
-  command.add_option("--methods", options.methods, "Comma-separated; all unless given")
-    ->delimiter(',')
-    ->check(CLI::IsMember(names(suite.methods)));
+  if (!suite.methods.empty())
+    command.add_option("--methods", options.methods, "Comma-separated; all unless given")
+      ->delimiter(',')
+      ->check(CLI::IsMember(names(suite.methods)));
   addRayOptions(command, suite, options, size);
   command.add_option("--threads", options.threads, "0: as many as the machine has")
     ->check(CLI::Range(0, 4096))
@@ -59,9 +60,10 @@ void addOptions(CLI::App& command, const Suite& suite, Options& options, std::st
   command.add_option("--repeat", options.repeat, "Rounds over all methods; medians are given")
     ->check(CLI::Range(1, 1000))
     ->capture_default_str();
-  command.add_option("--lambda", options.lambda, "Cells of a grid a particle, from 0.2 to 5")
-    ->check(CLI::Range(0.2, 5.0))
-    ->capture_default_str();
+  if (!suite.methods.empty())
+    command.add_option("--lambda", options.lambda, "Cells of a grid a particle, from 0.2 to 5")
+      ->check(CLI::Range(0.2, 5.0))
+      ->capture_default_str();
   if (!suite.tables.empty())
     command
       .add_option("--tables", options.tables,
