@@ -61,10 +61,12 @@ struct Streamed : FileTest
     mapper->SetRadiusModeToType();
     mapper->SetTypeRadius(2, 0.25);
     writer->SetMapper(mapper);
-    writer->SetInputConnection(reader->GetOutputPort());
+    const auto data = vtkMoteReaderTable::Read(reader, error);
+    EXPECT_TRUE(data) << error;
+    writer->SetInputData(data);
     writer->SetFileName(output.c_str());
     EXPECT_EQ(writer->Write(), 1) << writer->GetErrorMessage();
-    complaints = said.text;
+    complaints = said.text.substr(std::min(said.text.size(), said.text.find("): ")));
     if (budget)
       EXPECT_EQ(mapper->GetScratchSpace()->usesFiles(), *budget < 1000000);
     std::ifstream file(output, std::ios::binary);
