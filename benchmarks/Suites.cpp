@@ -12,8 +12,8 @@ namespace mote::bench
 
 const std::vector<Suite>& suites()
 {
-  static const std::vector<Suite> all = {particlesSuite(), occlusionSuite(), buildSuite(),
-    previewSuite(), growthSuite(), fileSuite()};
+  static const std::vector<Suite> all = {
+    particlesSuite(), occlusionSuite(), buildSuite(), previewSuite(), growthSuite(), fileSuite()};
   return all;
 }
 

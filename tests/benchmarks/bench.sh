@@ -43,6 +43,12 @@ case $3 in
       said out "$word"
     done
     ! grep -q grid-single out || fail "a method that cannot"
+    run 0 "$bench" file --help
+    ! grep -q -e --methods out || fail "methods that there are not"
+    run 0 "$bench" growth --input lattice:3000 --methods pkd --size 96x80 --repeat 1 --json a.json
+    records a.json "len(r) == 2 and all(x['seconds'] > 0 and x['making_s'] > 0 for x in r)"
+    run 1 "$bench" growth --input random:10:0.1
+    last_is_sentence
     run 0 "$bench" build --help
     for word in cgt grid-single embree --threads --lambda; do
       said out "$word"

@@ -35,7 +35,7 @@ ParticleSample::ParticleSample(const ParticleSet& particles, std::size_t wanted)
   const std::size_t each = inputs_ / count, rest = inputs_ % count;
   indices_.resize(count);
   positions_.resize(3 * count);
-  radii_.resize(particles.radii.empty() ? 0 : count);
+  radii_.resize(particles.hasOneRadius() ? 0 : count);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 4096),
     [&](const tbb::blocked_range<std::size_t>& range)
     {
@@ -49,7 +49,7 @@ ParticleSample::ParticleSample(const ParticleSet& particles, std::size_t wanted)
         for (int axis = 0; axis < 3; ++axis)
           positions_[3 * k + static_cast<std::size_t>(axis)] = p[axis];
         if (!radii_.empty())
-          radii_[k] = particles.radii.value(i);
+          radii_[k] = particles.unscaledRadius(i);
       }
     });
   set_.positions = ArrayView(positions_.data(), count, 3);

@@ -86,7 +86,7 @@ ParticleStatistics examine(const ParticleSet& particles)
 {
   checkParticles(particles);
   const double radius = particles.radiusScale * particles.radius;
-  const bool alike = particles.radii.empty() && isValidParticle(Vec3d(0.0), radius);
+  const bool alike = particles.hasOneRadius() && isValidParticle(Vec3d(0.0), radius);
   return tbb::parallel_reduce(
     tbb::blocked_range<std::size_t>(0, particles.count(), 1 << 15), ParticleStatistics{},
     [&](const tbb::blocked_range<std::size_t>& range, ParticleStatistics s)

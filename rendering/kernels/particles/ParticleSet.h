@@ -38,6 +38,8 @@ struct ParticleSet
     return set;
   }
 
+  /// Whether radiusScale * radius is everybody's.
+  bool hasOneRadius() const { return !radiiOfSource && radii.empty(); }
   std::size_t count() const { return source ? source->count() : positions.count(); }
   Vec3d position(std::size_t i) const
   {
@@ -47,14 +49,13 @@ struct ParticleSet
     source->positions(i, i + 1, &position);
     return position;
   }
-  double radiusOf(std::size_t i) const
+  double radiusOf(std::size_t i) const { return radiusScale * unscaledRadius(i); }
+  double unscaledRadius(std::size_t i) const
   {
     double r = radius;
     if (radiiOfSource)
       source->radii(i, i + 1, &r);
-    else if (!radii.empty())
-      r = radii.value(i);
-    return radiusScale * r;
+    return radiiOfSource || radii.empty() ? r : radii.value(i);
   }
 
   /// Calls visit(i, position(i), radiusOf(i)) for first <= i < last. Where all types are the usual
