@@ -1,6 +1,7 @@
 #include "CellCrossings.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -14,10 +15,21 @@ namespace mote
 namespace
 {
 
-/// A cell's corners in the line's frame: the line is x = y = 0, and t its parameter.
+/// A cell's corners in the line's frame: the line is x = y = 0, and its parameter t is proportional
+/// to z. Bit i of `right` and `above` says whether corner i has x > 0 and y > 0.
 struct Frame
 {
-  std::array<double, 8> x, y, t;
+  std::array<double, 8> x, y, z;
+  unsigned right = 0, above = 0;
+
+  void add(unsigned i, double px, double py, double pz)
+  {
+    x[i] = px;
+    y[i] = py;
+    z[i] = pz;
+    right |= static_cast<unsigned>(px > 0.0) << i;
+    above |= static_cast<unsigned>(py > 0.0) << i;
+  }
 };
 
 struct Point2
@@ -59,13 +71,53 @@ constexpr std::uint8_t edgeCorners[12][2] = {
 constexpr std::uint8_t edgeFaces[12][2] = {
   {2, 0}, {5, 0}, {3, 0}, {4, 0}, {1, 2}, {1, 5}, {1, 3}, {1, 4}, {4, 2}, {2, 5}, {5, 3}, {3, 4}};
 
-constexpr unsigned faceMask(std::size_t f)
+/// What 8 bits, one a corner, say about edges and faces.
+struct CornerBits
 {
-  return 1U << faceCorners[f][0] | 1U << faceCorners[f][1] | 1U << faceCorners[f][2] |
-         1U << faceCorners[f][3];
+  std::array<std::uint16_t, 256> first{}; ///< the edge's first corner's bit
+  std::array<std::uint16_t, 256> mixed{}; ///< whether the edge's corners differ
+  std::array<std::uint8_t, 256> mixedFaces{};
+};
+constexpr CornerBits makeCornerBits()
+{
+  CornerBits bits;
+  for (unsigned set = 0; set < 256; ++set)
+  {
+    for (unsigned e = 0; e < 12; ++e)
+    {
+      const unsigned i = set >> edgeCorners[e][0] & 1U, j = set >> edgeCorners[e][1] & 1U;
+      bits.first[set] = static_cast<std::uint16_t>(bits.first[set] | i << e);
+      bits.mixed[set] = static_cast<std::uint16_t>(bits.mixed[set] | (i ^ j) << e);
+    }
+    for (unsigned f = 0; f < 6; ++f)
+    {
+      unsigned sum = 0;
+      for (const std::uint8_t corner : faceCorners[f])
+        sum += set >> corner & 1U;
+      bits.mixedFaces[set] =
+        static_cast<std::uint8_t>(bits.mixedFaces[set] | (sum % 4 != 0 ? 1U : 0U) << f);
+    }
+  }
+  return bits;
 }
-constexpr unsigned faceMasks[6] = {
-  faceMask(0), faceMask(1), faceMask(2), faceMask(3), faceMask(4), faceMask(5)};
+constexpr CornerBits cornerBits = makeCornerBits();
+
+/// Six windings, a byte each, counted from 4 so that no byte borrows from the next.
+class Windings
+{
+public:
+  /// An edge passes the half-line, upwards or downwards.
+  void add(unsigned edge, bool up)
+  {
+    const std::uint64_t by =
+      (std::uint64_t(1) << 8 * edgeFaces[edge][0]) - (std::uint64_t(1) << 8 * edgeFaces[edge][1]);
+    bytes_ += up ? by : std::uint64_t(0) - by;
+  }
+  int of(unsigned face) const { return static_cast<int>(bytes_ >> 8 * face & 0xffU) - 4; }
+
+private:
+  std::uint64_t bytes_ = 0x040404040404U;
+};
 
 /// The exact sign of x1 y2 - x2 y1.
 int sideOfOrigin(double x1, double y1, double x2, double y2)
@@ -77,17 +129,26 @@ int sideOfOrigin(double x1, double y1, double x2, double y2)
   return c > d ? 1 : c < d ? -1 : 0;
 }
 
-/// How the edge from i to j passes the half-line y = 0, x > 0: +1 upwards, -1 downwards.
-int passing(const Frame& f, std::size_t i, std::size_t j)
+/// How the edges pass the half-line y = 0, x > 0.
+Windings windingsOf(const Frame& f)
 {
-  const bool up = f.y[j] > 0.0;
-  if (up == (f.y[i] > 0.0))
-    return 0;
-  const bool right = f.x[i] > 0.0;
-  if (right == (f.x[j] > 0.0))
-    return right ? (up ? 1 : -1) : 0;
-  const int side = sideOfOrigin(f.x[i], f.y[i], f.x[j], f.y[j]);
-  return up ? side > 0 : -static_cast<int>(side < 0);
+  Windings windings;
+  const unsigned passing = cornerBits.mixed[f.above], down = cornerBits.first[f.above];
+  const unsigned mixed = cornerBits.mixed[f.right], right = cornerBits.first[f.right];
+  for (unsigned edges = passing & ~mixed & right; edges != 0; edges &= edges - 1)
+  {
+    const auto e = static_cast<unsigned>(std::countr_zero(edges));
+    windings.add(e, (down >> e & 1U) == 0);
+  }
+  for (unsigned edges = passing & mixed; edges != 0; edges &= edges - 1)
+  {
+    const auto e = static_cast<unsigned>(std::countr_zero(edges));
+    const std::size_t i = edgeCorners[e][0], j = edgeCorners[e][1];
+    const bool up = (down >> e & 1U) == 0;
+    if (sideOfOrigin(f.x[i], f.y[i], f.x[j], f.y[j]) == (up ? 1 : -1))
+      windings.add(e, up);
+  }
+  return windings;
 }
 
 /// A face in an order that depends on its corners' places alone. `sense` is +1 or -1: whether
@@ -95,15 +156,15 @@ int passing(const Frame& f, std::size_t i, std::size_t j)
 struct Patch
 {
   Point2 a, b, c, d;
-  double ta, tb, tc, td;
+  double za, zb, zc, zd;
   int sense;
   bool isTriangle; ///< d is a
 
   Patch(const Frame& f, const std::uint8_t (&corners)[4]);
 
-  double t(double u, double v) const
+  double z(double u, double v) const
   {
-    return (1.0 - v) * ((1.0 - u) * ta + u * tb) + v * ((1.0 - u) * td + u * tc);
+    return (1.0 - v) * ((1.0 - u) * za + u * zb) + v * ((1.0 - u) * zd + u * zc);
   }
 };
 
@@ -113,51 +174,50 @@ bool isLess(const Frame& f, std::size_t i, std::size_t j)
     return f.x[i] < f.x[j];
   if (f.y[i] != f.y[j])
     return f.y[i] < f.y[j];
-  return f.t[i] < f.t[j];
+  return f.z[i] < f.z[j];
 }
 
 bool isSame(const Frame& f, std::size_t i, std::size_t j)
 {
-  return f.x[i] == f.x[j] && f.y[i] == f.y[j] && f.t[i] == f.t[j];
+  return f.x[i] == f.x[j] && f.y[i] == f.y[j] && f.z[i] == f.z[j];
 }
 
 Patch::Patch(const Frame& f, const std::uint8_t (&corners)[4])
 {
   std::array<std::size_t, 4> k = {corners[0], corners[1], corners[2], corners[3]};
   std::size_t size = 4;
-  for (std::size_t i = 0; i < 4 && size == 4; ++i)
+  for (std::size_t i = 0; i < 4; ++i)
     if (isSame(f, k[i], k[(i + 1) % 4]))
     {
-      std::rotate(k.begin(), k.begin() + static_cast<std::ptrdiff_t>(i), k.end());
-      k = {k[0], k[2], k[3], k[0]};
+      k = {k[i], k[(i + 2) % 4], k[(i + 3) % 4], k[i]};
       size = 3;
+      break;
     }
   isTriangle = size == 3;
   std::size_t least = 0;
   for (std::size_t j = 1; j < size; ++j)
     if (isLess(f, k[j], k[least]))
       least = j;
-  const auto last = k.begin() + static_cast<std::ptrdiff_t>(size);
-  std::rotate(k.begin(), k.begin() + static_cast<std::ptrdiff_t>(least), last);
-  sense = 1;
-  if (isLess(f, k[size - 1], k[1]))
-  {
-    std::swap(k[1], k[size - 1]);
-    sense = -1;
-  }
-  if (isTriangle)
-    k[3] = k[0];
-  a = {f.x[k[0]], f.y[k[0]]}, b = {f.x[k[1]], f.y[k[1]]};
-  c = {f.x[k[2]], f.y[k[2]]}, d = {f.x[k[3]], f.y[k[3]]};
-  ta = f.t[k[0]], tb = f.t[k[1]], tc = f.t[k[2]], td = f.t[k[3]];
+  const auto behind = [&](std::size_t i)
+  { return k[least + i < size ? least + i : least + i - size]; };
+  const std::size_t first = k[least], middle = behind(2);
+  const std::size_t next = behind(1), previous = behind(size - 1);
+  const bool turned = isLess(f, previous, next);
+  sense = turned ? -1 : 1;
+  const std::size_t second = turned ? previous : next;
+  const std::size_t last = isTriangle ? first : turned ? next : previous;
+  const std::size_t third = isTriangle ? (turned ? next : previous) : middle;
+  a = {f.x[first], f.y[first]}, b = {f.x[second], f.y[second]};
+  c = {f.x[third], f.y[third]}, d = {f.x[last], f.y[last]};
+  za = f.z[first], zb = f.z[second], zc = f.z[third], zd = f.z[last];
 }
 
-/// t where the line passes a triangle.
-double tOfTriangle(const Patch& p)
+/// z where the line passes a triangle.
+double zOfTriangle(const Patch& p)
 {
   const double a = cross(p.b, p.c), b = cross(p.c, p.a), c = cross(p.a, p.b), sum = a + b + c;
-  const double t = sum == 0.0 ? p.ta : (a * p.ta + b * p.tb + c * p.tc) / sum;
-  return std::clamp(t, std::min({p.ta, p.tb, p.tc}), std::max({p.ta, p.tb, p.tc}));
+  const double z = sum == 0.0 ? p.za : (a * p.za + b * p.zb + c * p.zc) / sum;
+  return std::clamp(z, std::min({p.za, p.zb, p.zc}), std::max({p.za, p.zb, p.zc}));
 }
 
 /// The roots of h0 (1 - x)^2 + 2 h1 x (1 - x) + h2 x^2.
@@ -213,17 +273,6 @@ private:
   BernsteinRoots u_, v_;
 };
 
-/// Whether the plane shape turns the same way at all of its corners, and so has no fold.
-bool isConvex(const Patch& p)
-{
-  const auto turn = [](const Point2& a, const Point2& b, const Point2& c) {
-    return cross({b.x - a.x, b.y - a.y}, {c.x - b.x, c.y - b.y});
-  };
-  const double a = turn(p.d, p.a, p.b), b = turn(p.a, p.b, p.c), c = turn(p.b, p.c, p.d),
-               d = turn(p.c, p.d, p.a);
-  return std::min({a, b, c, d}) >= 0.0 || std::max({a, b, c, d}) <= 0.0;
-}
-
 /// How far inside of the unit square; negative outside.
 double margin(const Point2& uv)
 {
@@ -236,27 +285,32 @@ double clamped(double x)
   return x > 0.0 ? std::min(x, 1.0) : 0.0;
 }
 
-double tAt(const Patch& patch, const Point2& uv)
+double zAt(const Patch& patch, const Point2& uv)
 {
-  return patch.t(clamped(uv.x), clamped(uv.y));
+  return patch.z(clamped(uv.x), clamped(uv.y));
 }
 
-/// Adds where the line passes a face, given its winding number about the line.
-void addFace(const Frame& frame, std::size_t face, int winding, Crossings& crossings)
+/// Whether a face's plane shape turns the same way at all of its corners, and so has no fold. The
+/// other way round the same numbers come out with the other sign.
+bool isConvex(const Frame& f, const std::uint8_t (&k)[4])
 {
+  const auto side = [&](std::size_t i, std::size_t j) {
+    return Point2{f.x[k[j]] - f.x[k[i]], f.y[k[j]] - f.y[k[i]]};
+  };
+  const Point2 e[4] = {side(0, 1), side(1, 2), side(2, 3), side(3, 0)};
+  const auto turn = [&](std::size_t i, std::size_t j) { return e[i].x * e[j].y - e[i].y * e[j].x; };
+  const double t0 = turn(0, 1), t1 = turn(1, 2), t2 = turn(2, 3), t3 = turn(3, 0);
+  return std::min(std::min(t0, t1), std::min(t2, t3)) >= 0.0 ||
+         std::max(std::max(t0, t1), std::max(t2, t3)) <= 0.0;
+}
+
+/// Adds where the line passes a face whose winding number is 0: nowhere or twice.
+void addFold(const Frame& frame, unsigned face, Crossings& crossings)
+{
+  if (isConvex(frame, faceCorners[face]))
+    return;
   const Patch patch(frame, faceCorners[face]);
   if (patch.isTriangle)
-  {
-    if (winding != 0)
-      crossings.add(tOfTriangle(patch), winding);
-    return;
-  }
-  if (winding != 0)
-  {
-    crossings.add(tAt(patch, PatchRoots(patch).root(winding * patch.sense)), winding);
-    return;
-  }
-  if (isConvex(patch))
     return;
   const PatchRoots roots(patch);
   if (!roots.exist())
@@ -266,34 +320,30 @@ void addFace(const Frame& frame, std::size_t face, int winding, Crossings& cross
   const double p = margin(plus), m = margin(minus);
   if ((std::abs(p) > std::abs(m) ? p : m) <= 0.0)
     return;
-  crossings.add(tAt(patch, plus), patch.sense);
-  crossings.add(tAt(patch, minus), -patch.sense);
+  crossings.add(zAt(patch, plus), patch.sense);
+  crossings.add(zAt(patch, minus), -patch.sense);
 }
 
-/// All passed faces of a cell.
+/// All passed faces of a cell, with z for t.
 void findCrossings(const Frame& frame, Crossings& crossings)
 {
-  unsigned right = 0, above = 0;
-  for (unsigned i = 0; i < 8; ++i)
-  {
-    right |= static_cast<unsigned>(frame.x[i] > 0.0) << i;
-    above |= static_cast<unsigned>(frame.y[i] > 0.0) << i;
-  }
-  if (right == 0 || right == 0xff || above == 0 || above == 0xff)
+  if (frame.right == 0 || frame.right == 0xff || frame.above == 0 || frame.above == 0xff)
     return;
-  std::array<int, 6> winding{};
-  for (std::size_t e = 0; e < 12; ++e)
+  const Windings windings = windingsOf(frame);
+  unsigned faces = cornerBits.mixedFaces[frame.right] & cornerBits.mixedFaces[frame.above];
+  for (; faces != 0; faces &= faces - 1) // the line is beside the others
   {
-    const int p = passing(frame, edgeCorners[e][0], edgeCorners[e][1]);
-    winding[edgeFaces[e][0]] += p;
-    winding[edgeFaces[e][1]] -= p;
-  }
-  for (std::size_t f = 0; f < 6; ++f)
-  {
-    const unsigned mask = faceMasks[f], r = right & mask, a = above & mask;
-    if (r == 0 || r == mask || a == 0 || a == mask)
-      continue; // the line is beside the face
-    addFace(frame, f, winding[f], crossings);
+    const auto f = static_cast<unsigned>(std::countr_zero(faces));
+    const int winding = windings.of(f);
+    if (winding == 0)
+    {
+      addFold(frame, f, crossings);
+      continue;
+    }
+    const Patch patch(frame, faceCorners[f]);
+    const double z = patch.isTriangle ? zOfTriangle(patch)
+                                      : zAt(patch, PatchRoots(patch).root(winding * patch.sense));
+    crossings.add(z, winding);
   }
 }
 
@@ -305,22 +355,20 @@ bool toIntervals(Crossings& crossings, CellIntervals& intervals)
     for (int j = i; j > 0 && first[j].t < first[j - 1].t; --j)
       std::swap(first[j], first[j - 1]);
   int inside = 0;
+  double in = 0.0;
   for (int i = 0; i < crossings.count; ++i)
   {
     const bool before = inside > 0;
     inside -= first[i].leaving;
     if (!before && inside > 0)
-      intervals.of[static_cast<std::size_t>(intervals.count)].in = first[i].t;
-    else if (before && inside <= 0)
-    {
-      CellInterval& interval = intervals.of[static_cast<std::size_t>(intervals.count)];
-      interval.out = first[i].t;
-      if (intervals.count > 0 &&
-          intervals.of[static_cast<std::size_t>(intervals.count - 1)].out == interval.in)
-        intervals.of[static_cast<std::size_t>(intervals.count - 1)].out = interval.out;
-      else
-        intervals.count += interval.in < interval.out;
-    }
+      in = first[i].t;
+    if (!before || inside > 0 || !(in < first[i].t))
+      continue;
+    if (intervals.count > 0 &&
+        intervals.of[static_cast<std::size_t>(intervals.count - 1)].out == in)
+      intervals.of[static_cast<std::size_t>(intervals.count - 1)].out = first[i].t;
+    else
+      intervals.of[static_cast<std::size_t>(intervals.count++)] = {in, first[i].t};
   }
   return intervals.count > 0;
 }
@@ -331,7 +379,6 @@ const Vec3d askedDirection(0.8391, 0.3241, 0.4372);
 } // namespace
 
 CrossingLine::CrossingLine(const Vec3d& origin, const Vec3d& direction)
-  : origin_(origin)
 {
   const Vec3d size = glm::abs(direction);
   kz_ = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -339,31 +386,39 @@ CrossingLine::CrossingLine(const Vec3d& origin, const Vec3d& direction)
   ky_ = (kz_ + 2) % 3;
   if (direction[kz_] < 0.0) // so that leaving is counter-clockwise
     std::swap(kx_, ky_);
+  origin_ = {origin[kx_], origin[ky_], origin[kz_]};
   shearX_ = direction[kx_] / direction[kz_];
   shearY_ = direction[ky_] / direction[kz_];
   inverse_ = 1.0 / direction[kz_];
 }
 
-bool CrossingLine::intersect(const HexMesh& mesh, std::size_t cell, CellIntervals& intervals) const
-{
-  return intersect(mesh.corners(cell), intervals);
-}
-
-bool CrossingLine::intersect(const HexCorners& corners, CellIntervals& intervals) const
+template <typename Corner>
+bool CrossingLine::intersectCorners(const Corner& corner, CellIntervals& intervals) const
 {
   Frame frame;
-  for (std::size_t i = 0; i < 8; ++i)
+  for (unsigned i = 0; i < 8; ++i)
   {
-    const Vec3d v = corners[i] - origin_;
-    const double z = v[kz_];
-    frame.x[i] = v[kx_] - shearX_ * z;
-    frame.y[i] = v[ky_] - shearY_ * z;
-    frame.t[i] = z * inverse_;
+    const double* const p = corner(i);
+    const double z = p[kz_] - origin_.z;
+    frame.add(i, p[kx_] - origin_.x - shearX_ * z, p[ky_] - origin_.y - shearY_ * z, z);
   }
   Crossings crossings;
   findCrossings(frame, crossings);
   intervals.count = 0;
+  for (int i = 0; i < crossings.count; ++i)
+    crossings.of[static_cast<std::size_t>(i)].t *= inverse_;
   return crossings.count > 0 && toIntervals(crossings, intervals);
+}
+
+bool CrossingLine::intersect(const HexMesh& mesh, std::size_t cell, CellIntervals& intervals) const
+{
+  const HexMesh::Cell& ids = mesh.cell(cell);
+  return intersectCorners([&](unsigned i) { return &mesh.point(ids[i]).x; }, intervals);
+}
+
+bool CrossingLine::intersect(const HexCorners& corners, CellIntervals& intervals) const
+{
+  return intersectCorners([&](unsigned i) { return &corners[i].x; }, intervals);
 }
 
 CrossingPoint::CrossingPoint(const Vec3d& point, double size)
@@ -372,15 +427,22 @@ CrossingPoint::CrossingPoint(const Vec3d& point, double size)
 {
 }
 
+bool CrossingPoint::isIn(const HexMesh& mesh, std::size_t cell) const
+{
+  CellIntervals intervals;
+  return line_.intersect(mesh, cell, intervals) && isIn(intervals);
+}
+
 bool CrossingPoint::isIn(const HexCorners& corners) const
 {
   CellIntervals intervals;
-  if (!line_.intersect(corners, intervals))
-    return false;
-  for (const CellInterval& i : intervals)
-    if (i.in <= at_ && at_ < i.out)
-      return true;
-  return false;
+  return line_.intersect(corners, intervals) && isIn(intervals);
+}
+
+bool CrossingPoint::isIn(const CellIntervals& intervals) const
+{
+  return std::any_of(intervals.begin(), intervals.end(),
+    [this](const CellInterval& i) { return i.in <= at_ && at_ < i.out; });
 }
 
 } // namespace mote

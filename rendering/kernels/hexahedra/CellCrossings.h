@@ -67,7 +67,10 @@ public:
   bool intersect(const HexCorners& corners, CellIntervals& intervals) const;
 
 private:
-  Vec3d origin_;
+  template <typename Corner>
+  bool intersectCorners(const Corner& corner, CellIntervals& intervals) const;
+
+  Vec3d origin_; ///< in the frame's order of axes
   int kx_, ky_, kz_;
   double shearX_, shearY_, inverse_;
 };
@@ -83,10 +86,12 @@ public:
   /// `size` is the mesh's, the same for all of its cells.
   CrossingPoint(const Vec3d& point, double size);
 
-  bool isIn(const HexMesh& mesh, std::size_t cell) const { return isIn(mesh.corners(cell)); }
+  bool isIn(const HexMesh& mesh, std::size_t cell) const;
   bool isIn(const HexCorners& corners) const;
 
 private:
+  bool isIn(const CellIntervals& intervals) const;
+
   CrossingLine line_;
   double at_;
 };

@@ -40,19 +40,21 @@ std::vector<CellInterval> allIntervals(const HexMesh& mesh, const Vec3d& o, cons
   return all;
 }
 
-/// Expects the intervals to follow one another exactly, and gives their sum.
+/// Expects gaps and overlaps of the intervals to be no longer than `slack`, and gives their sum.
 double chord(const HexMesh& mesh, const Vec3d& o, const Vec3d& d, double slack = 0.0)
 {
-  const std::vector<CellInterval> all = allIntervals(mesh, o, d);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < all.size(); ++i)
+  double sum = 0.0, reach = 0.0, gap = 0.0, overlap = 0.0;
+  bool first = true;
+  for (const CellInterval& i : allIntervals(mesh, o, d))
   {
-    sum += all[i].out - all[i].in;
-    if (i > 0)
-    {
-      EXPECT_NEAR(all[i].in, all[i - 1].out, slack) << o.x << " " << o.y << " " << o.z;
-    }
+    sum += i.out - i.in;
+    gap = first ? 0.0 : std::max(gap, i.in - reach);
+    overlap = first ? 0.0 : std::max(overlap, std::min(reach, i.out) - i.in);
+    reach = first ? i.out : std::max(reach, i.out);
+    first = false;
   }
+  EXPECT_LE(gap, slack) << o.x << " " << o.y << " " << o.z;
+  EXPECT_LE(overlap, slack) << o.x << " " << o.y << " " << o.z;
   return sum;
 }
 
