@@ -1,5 +1,6 @@
 #pragma once
 
+#include "CellOutline.h"
 #include "HexMesh.h"
 #include "HexRay.h"
 #include "SpaceBounds.h"
@@ -31,6 +32,14 @@ public:
     : origin_(origin)
     , margin_(margin)
   {
+  }
+
+  using Steps = CartesianSteps;
+  CellOutline outlineOf(HexCorners corners) const
+  {
+    for (Vec3d& p : corners)
+      p -= origin_;
+    return {corners, margin_};
   }
 
   Vec3d coordinates(const Vec3d& p) const { return p - origin_; }

@@ -135,6 +135,13 @@ Vec3d CylindricalSpace::coordinates(const Vec3d& p) const
   return {std::sqrt(q.x * q.x + q.y * q.y), angle < 0.0 ? angle + fullTurn : angle, q.z};
 }
 
+CellOutline CylindricalSpace::outlineOf(HexCorners corners) const
+{
+  for (Vec3d& p : corners)
+    p = toFrame(p);
+  return {corners, slack * extent_};
+}
+
 CylindricalSpace::Ray CylindricalSpace::ray(const HexRay& r) const
 {
   Ray ray;
@@ -148,6 +155,8 @@ CylindricalSpace::Ray CylindricalSpace::ray(const HexRay& r) const
   ray.turn = ray.planar > 0.0 ? cross(o, d) : 0.0;
   ray.nearest = ray.planar > 0.0 ? -dot(o, d) / ray.planar : 0.0;
   ray.nearest2 = ray.planar > 0.0 ? ray.turn * ray.turn / ray.planar : dot(o, o);
+  ray.inversePlanar = 1.0 / ray.planar;
+  ray.inverseHeight = 1.0 / ray.direction.z;
   ray.foot = ray.planar > 0.0
                ? Vec3d(ray.turn / ray.planar * d.y, -ray.turn / ray.planar * d.x, 0.0)
                : Vec3d(o.x, o.y, 0.0);
@@ -264,16 +273,15 @@ CylindricalSpace::Region::Region(const SpaceBounds& b)
 namespace
 {
 
-/// Narrows to where a + b t >= 0.
+/// Narrows to where a + b t >= 0. Most are all on one side, and nothing is divided.
 bool clipHalf(double a, double b, double& tIn, double& tOut)
 {
-  if (b == 0.0)
-    return a >= 0.0;
-  const double t = -a / b;
-  if (b > 0.0)
-    tIn = std::max(tIn, t);
-  else
-    tOut = std::min(tOut, t);
+  const double in = a + b * tIn, out = a + b * tOut;
+  if (in >= 0.0 && out >= 0.0)
+    return true;
+  if (!(in >= 0.0 || out >= 0.0))
+    return false;
+  (in >= 0.0 ? tOut : tIn) = -a / b;
   return tIn <= tOut;
 }
 
@@ -281,31 +289,45 @@ bool clipHalf(double a, double b, double& tIn, double& tOut)
 
 bool CylindricalSpace::Region::clip(const Ray& ray, double& tIn, double& tOut) const
 {
+  const double outer2 = static_cast<double>(outer_) * outer_;
+  const double inner2 = static_cast<double>(inner_) * inner_;
+  if (ray.nearest2 > outer2)
+    return false;
   const Vec3d &o = ray.origin, &d = ray.direction;
-  if (!clipHalf(o.z - bottom_, d.z, tIn, tOut) || !clipHalf(top_ - o.z, -d.z, tIn, tOut))
+  if (d.z == 0.0)
+  {
+    if (o.z < bottom_ || o.z > top_)
+      return false;
+  }
+  else
+  {
+    const double a = (bottom_ - o.z) * ray.inverseHeight, b = (top_ - o.z) * ray.inverseHeight;
+    tIn = std::max(tIn, std::min(a, b));
+    tOut = std::min(tOut, std::max(a, b));
+  }
+  if (ray.planar > 0.0)
+  {
+    const double half = std::sqrt((outer2 - ray.nearest2) * ray.inversePlanar);
+    tIn = std::max(tIn, ray.nearest - half);
+    tOut = std::min(tOut, ray.nearest + half);
+  }
+  else if (ray.nearest2 < inner2)
+    return false;
+  if (tIn > tOut)
     return false;
   if (isSector() &&
       (!clipHalf(from_[0] * o.y - from_[1] * o.x, from_[0] * d.y - from_[1] * d.x, tIn, tOut) ||
         !clipHalf(to_[1] * o.x - to_[0] * o.y, to_[1] * d.x - to_[0] * d.y, tIn, tOut)))
     return false;
-  return clipRadius(ray, tIn, tOut);
+  return ray.planar == 0.0 || ray.nearest2 >= inner2 || clipHole(ray, inner2, tIn, tOut);
 }
 
-bool CylindricalSpace::Region::clipRadius(const Ray& ray, double& tIn, double& tOut) const
+/// Moves ends that lie within the inner cylinder out of it.
+bool CylindricalSpace::Region::clipHole(
+  const Ray& ray, double inner2, double& tIn, double& tOut) const
 {
-  const double outer2 = static_cast<double>(outer_) * outer_;
-  const double inner2 = static_cast<double>(inner_) * inner_;
-  if (ray.nearest2 > outer2)
-    return false;
-  if (ray.planar == 0.0)
-    return ray.nearest2 >= inner2;
-  const double half = std::sqrt((outer2 - ray.nearest2) / ray.planar);
-  tIn = std::max(tIn, ray.nearest - half);
-  tOut = std::min(tOut, ray.nearest + half);
-  if (tIn > tOut || ray.nearest2 >= inner2)
-    return tIn <= tOut;
-  const double hole = std::sqrt((inner2 - ray.nearest2) / ray.planar);
-  const double begin = ray.nearest - hole, end = ray.nearest + hole;
+  const double half = std::sqrt((inner2 - ray.nearest2) * ray.inversePlanar);
+  const double begin = ray.nearest - half, end = ray.nearest + half;
   if (tIn > begin && tIn < end)
     tIn = end;
   if (tOut > begin && tOut < end)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "CellOutline.h"
 #include "CylinderAxis.h"
 #include "HexRay.h"
 #include "SpaceBounds.h"
@@ -26,7 +27,8 @@ public:
     double nearest;          ///< t of the point nearest to the axis
     double nearest2;         ///< the squared distance there
     double turn;             ///< above 0 where theta rises, below where it falls
-    Vec3d foot;              ///< the point nearest to the axis, h left out
+    double inversePlanar, inverseHeight;
+    Vec3d foot; ///< the point nearest to the axis, h left out
 
     /// (x, y, h), with exact proportions of x and y also next to the axis.
     Vec3d at(double t) const
@@ -39,6 +41,9 @@ public:
   CylindricalSpace() = default;
   /// `extent` is the mesh's size; the seam lies at the angle `seam` from an arbitrary direction.
   CylindricalSpace(const CylinderAxis& axis, double extent, double seam = 0.0);
+
+  using Steps = CylindricalSteps;
+  CellOutline outlineOf(HexCorners corners) const;
 
   /// (r, theta, h) of a point.
   Vec3d coordinates(const Vec3d& p) const;
@@ -76,7 +81,7 @@ public:
     bool contains(const Vec3d& xyh) const;
 
   private:
-    bool clipRadius(const Ray& ray, double& tIn, double& tOut) const;
+    bool clipHole(const Ray& ray, double inner2, double& tIn, double& tOut) const;
     bool isSector() const { return from_[0] != 0.0F || from_[1] != 0.0F; }
 
     float inner_ = 0.0F, outer_ = 0.0F, bottom_ = 0.0F, top_ = 0.0F;

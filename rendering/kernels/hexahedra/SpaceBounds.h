@@ -66,6 +66,8 @@ struct Lattice
 struct LatticeRange
 {
   std::array<int, 3> first{}, last{};
+
+  bool isOne() const { return first == last; }
 };
 
 } // namespace mote

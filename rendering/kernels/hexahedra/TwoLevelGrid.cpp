@@ -31,14 +31,16 @@ std::array<int, 3> resolution(const Vec3d& sides, double wanted, int limit)
   return n;
 }
 
-/// Calls visit(index) for the steps of a range; the second coordinate may go round.
-template <typename Visit>
-void forSteps(const Lattice& l, const LatticeRange& r, const Visit& visit)
+/// Calls visit(index) for the steps of a range that meets(i, j, k); the second coordinate may go
+/// round.
+template <typename Meets, typename Visit>
+void forSteps(const Lattice& l, const LatticeRange& r, const Meets& meets, const Visit& visit)
 {
   for (int k = r.first[2]; k <= r.last[2]; ++k)
-    for (int j = r.first[1]; j <= r.last[1]; ++j)
+    for (int up = r.first[1]; up <= r.last[1]; ++up)
       for (int i = r.first[0]; i <= r.last[0]; ++i)
-        visit(static_cast<std::size_t>(l.index(i, j < l.n[1] ? j : j - l.n[1], k)));
+        if (const int j = up < l.n[1] ? up : up - l.n[1]; meets(i, j, k))
+          visit(static_cast<std::size_t>(l.index(i, j, k)));
 }
 
 /// Makes starts of counts; the last of `counts` is what the sum comes to. Throws where it is too
@@ -83,6 +85,7 @@ TwoLevelGrid<Space>::TwoLevelGrid(
   : mesh_(std::move(mesh))
   , space_(space)
   , size_(glm::length(mesh_->bounds().size()))
+  , trimmed_(options.trimmed)
 {
   if (mesh_->cellCount() == 0)
     return;
@@ -117,14 +120,38 @@ void TwoLevelGrid<Space>::layOutMacros(const RawVector<SpaceBounds>& bounds, dou
   macros_.resize(static_cast<std::size_t>(top_.size()));
 }
 
+/// Calls visit(index) for the steps, of those in a range, that a cell is referred to from.
+template <typename Space>
+template <typename Visit>
+void TwoLevelGrid<Space>::forCellSteps(std::size_t cell, const Lattice& lattice,
+  const typename Space::Steps& steps, const LatticeRange& range, const Visit& visit) const
+{
+  if (!trimmed_ || range.isOne())
+  {
+    forSteps(
+      lattice, range, [](int, int, int) { return true; }, visit);
+    return;
+  }
+  const CellOutline outline = space_.outlineOf(mesh_->corners(cell));
+  forSteps(
+    lattice, range,
+    [&](int i, int j, int k)
+    {
+      return steps.meets(outline.slabs[0], i, j, k) && steps.meets(outline.slabs[1], i, j, k) &&
+             steps.meets(outline.slabs[2], i, j, k);
+    },
+    visit);
+}
+
 template <typename Space>
 auto TwoLevelGrid<Space>::listMacros(const RawVector<SpaceBounds>& bounds) const -> MacroLists
 {
   MacroLists lists;
   const std::size_t n = macros_.size();
   std::vector<std::atomic<std::uint32_t>> counters(n);
+  const typename Space::Steps steps(top_);
   const auto forMacros = [&](std::size_t c, const auto& visit)
-  { forSteps(top_, Space::overlap(top_, bounds[c]), visit); };
+  { forCellSteps(c, top_, steps, Space::overlap(top_, bounds[c]), visit); };
   forBlocks(bounds.size(), block,
     [&](std::size_t c)
     { forMacros(c, [&](std::size_t m) { counters[m].fetch_add(1, std::memory_order_relaxed); }); });
@@ -186,10 +213,11 @@ void TwoLevelGrid<Space>::fillLeaves(const MacroLists& lists, const RawVector<Sp
     const int i = static_cast<int>(m);
     const Lattice l = macroLattice(
       {i % top_.n[0], i / top_.n[0] % top_.n[1], i / top_.n[0] / top_.n[1]}, macros_[m]);
+    const typename Space::Steps steps(l);
     for (std::uint32_t at = lists.starts[m]; at < lists.starts[m + 1]; ++at)
     {
       const std::uint32_t c = lists.cells[at];
-      forSteps(l, Space::overlapWithin(l, bounds[c]),
+      forCellSteps(c, l, steps, Space::overlapWithin(l, bounds[c]),
         [&](std::size_t leaf) { visit(macros_[m].leaf + leaf, c); });
     }
   };

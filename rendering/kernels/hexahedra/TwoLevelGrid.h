@@ -14,6 +14,9 @@ struct TwoLevelGridOptions
 {
   double lambda1 = 1.0 / 16.0; ///< macro cells per cell
   double lambda2 = 4.0;        ///< leaves per reference of a macro cell
+  /// Refer to a cell from a leaf only where the cell's CellOutline meets it, rather than from all
+  /// that its bounds overlap, as published: fewer references, in a longer build.
+  bool trimmed = false;
 };
 
 /// A grid of macro cells, each with a grid of its own: Kalojanov, Billeter, Slusallek, "Two-Level
@@ -71,6 +74,9 @@ private:
   struct MacroLists;
 
   void layOutMacros(const RawVector<SpaceBounds>& bounds, double lambda);
+  template <typename Visit>
+  void forCellSteps(std::size_t cell, const Lattice& lattice, const typename Space::Steps& steps,
+    const LatticeRange& range, const Visit& visit) const;
   MacroLists listMacros(const RawVector<SpaceBounds>& bounds) const;
   void layOutLeaves(const MacroLists& lists, double lambda);
   void fillLeaves(const MacroLists& lists, const RawVector<SpaceBounds>& bounds);
@@ -84,6 +90,7 @@ private:
   Lattice top_;
   typename Space::Region extent_;
   double size_ = 0.0; ///< of the mesh
+  bool trimmed_ = false;
   RawVector<Macro> macros_;
   RawVector<std::uint32_t> starts_; ///< of the leaves' references; one more than leaves
   RawVector<std::uint32_t> references_;

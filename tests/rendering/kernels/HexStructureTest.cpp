@@ -25,12 +25,13 @@ constexpr HexStructureKind kinds[] = {HexStructureKind::CylindricalGrid,
   HexStructureKind::CartesianBvh};
 
 std::shared_ptr<HexStructure> build(const Mesh& mesh, HexStructureKind kind,
-  std::optional<CylinderAxis> axis = CylinderAxis{}, int leafSize = 1)
+  std::optional<CylinderAxis> axis = CylinderAxis{}, int leafSize = 1, bool trimmed = false)
 {
   HexStructureOptions options;
   options.kind = kind;
   options.axis = axis;
   options.bvh.leafSize = leafSize;
+  options.grid.trimmed = trimmed;
   return makeHexStructure(mesh, options);
 }
 
@@ -148,7 +149,7 @@ TEST(HexStructure, RaysPassTheSameCellsInOrder)
     for (const HexStructureKind kind : kinds)
       for (const int leafSize : {1, 5})
       {
-        const auto structure = build(c.mesh, kind, c.axis, leafSize);
+        const auto structure = build(c.mesh, kind, c.axis, leafSize, leafSize > 1);
         std::size_t passed = 0, wrong = 0;
         for (const HexRay& ray : raysFor(c))
         {
@@ -302,6 +303,20 @@ TEST(HexStructure, LeafSizeIsKept)
         EXPECT_LE(s.largestLeaf(), static_cast<std::size_t>(leafSize));
         EXPECT_EQ(s.references(), mesh->cellCount());
       });
+}
+
+TEST(HexStructure, TrimmedGridsReferToLess)
+{
+  const Mesh mesh = hexRing({12, 48, 12, 1.0, 2.0, 1.0, 0.6, 0.2}).mesh();
+  for (const HexStructureKind kind :
+    {HexStructureKind::CylindricalGrid, HexStructureKind::CartesianGrid})
+  {
+    std::size_t references[2];
+    for (const bool trimmed : {false, true})
+      references[trimmed] = withStructure(*build(mesh, kind, CylinderAxis{}, 1, trimmed),
+        [](const auto& s) { return s.references(); });
+    EXPECT_LT(references[1], 0.8 * references[0]);
+  }
 }
 
 TEST(HexStructure, RefusesAnAxisWithoutDirection)
