@@ -28,18 +28,20 @@ public:
   };
 
   WalkQueue() { heap_.reserve(kept); }
-  bool empty() const { return heap_.empty(); }
   void push(const Entry& entry)
   {
     heap_.push_back(entry);
     std::push_heap(heap_.begin(), heap_.end(), isLater);
   }
-  Entry pop()
+  /// Takes the entry with the least t; false where there is none.
+  bool next(Entry& entry)
   {
+    if (heap_.empty())
+      return false;
     std::pop_heap(heap_.begin(), heap_.end(), isLater);
-    const Entry entry = heap_.back();
+    entry = heap_.back();
     heap_.pop_back();
-    return entry;
+    return true;
   }
 
 private:
@@ -108,17 +110,19 @@ void HexBvh<Space>::forCellsAlong(
   const typename Space::Ray path = space_.ray(ray);
   const CrossingLine line(ray.origin, ray.direction);
   detail::WalkQueue queue;
-  const auto enter = [&](std::uint32_t n)
+  using Entry = detail::WalkQueue::Entry;
+  const auto meets = [&](std::uint32_t n, Entry& entry)
   {
     counts.addNode();
-    double tIn = ray.tMin, tOut = ray.tMax;
-    if ((ranges_.empty() || keep(ranges_[n])) && nodes_[n].region.clip(path, tIn, tOut))
-      queue.push({tIn, tOut, n, false});
+    entry = {ray.tMin, ray.tMax, n, false};
+    return (ranges_.empty() || keep(ranges_[n])) &&
+           nodes_[n].region.clip(path, entry.t, entry.tOut);
   };
-  enter(0);
-  while (!queue.empty())
+  Entry entry;
+  if (!meets(0, entry))
+    return;
+  for (bool more = true; more; more = queue.next(entry))
   {
-    const auto entry = queue.pop();
     if (entry.isSpan)
     {
       if (!visit(CellSpan{entry.id, entry.t, entry.tOut}))
@@ -126,11 +130,9 @@ void HexBvh<Space>::forCellsAlong(
       continue;
     }
     const Node& node = nodes_[entry.id];
-    if (node.count == 0)
-    {
-      enter(node.first);
-      enter(node.first + 1);
-    }
+    for (Entry child; const std::uint32_t n : {node.first, node.first + 1})
+      if (node.count == 0 && meets(n, child))
+        queue.push(child);
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
     {
       counts.addCell();

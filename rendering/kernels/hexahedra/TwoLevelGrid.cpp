@@ -72,13 +72,6 @@ void forBlocks(std::size_t n, std::size_t size, const Work& work)
 
 } // namespace
 
-/// The cells that overlap each macro cell, in the order of their numbers.
-template <typename Space>
-struct TwoLevelGrid<Space>::MacroLists
-{
-  RawVector<std::uint32_t> starts, cells;
-};
-
 template <typename Space>
 TwoLevelGrid<Space>::TwoLevelGrid(
   std::shared_ptr<const HexMesh> mesh, const Space& space, const TwoLevelGridOptions& options)
@@ -93,9 +86,9 @@ TwoLevelGrid<Space>::TwoLevelGrid(
   forBlocks(
     bounds.size(), block, [&](std::size_t c) { bounds[c] = space_.boundsOf(mesh_->corners(c)); });
   layOutMacros(bounds, options.lambda1);
-  const MacroLists lists = listMacros(bounds);
-  layOutLeaves(lists, options.lambda2);
-  fillLeaves(lists, bounds);
+  listMacros(bounds);
+  layOutLeaves(options.lambda2);
+  fillLeaves(bounds);
 }
 
 template <typename Space>
@@ -144,9 +137,8 @@ void TwoLevelGrid<Space>::forCellSteps(std::size_t cell, const Lattice& lattice,
 }
 
 template <typename Space>
-auto TwoLevelGrid<Space>::listMacros(const RawVector<SpaceBounds>& bounds) const -> MacroLists
+void TwoLevelGrid<Space>::listMacros(const RawVector<SpaceBounds>& bounds)
 {
-  MacroLists lists;
   const std::size_t n = macros_.size();
   std::vector<std::atomic<std::uint32_t>> counters(n);
   const typename Space::Steps steps(top_);
@@ -155,21 +147,21 @@ auto TwoLevelGrid<Space>::listMacros(const RawVector<SpaceBounds>& bounds) const
   forBlocks(bounds.size(), block,
     [&](std::size_t c)
     { forMacros(c, [&](std::size_t m) { counters[m].fetch_add(1, std::memory_order_relaxed); }); });
-  lists.starts.resize(n + 1);
+  lists_.starts.resize(n + 1);
   for (std::size_t m = 0; m < n; ++m)
-    lists.starts[m] = counters[m].load(std::memory_order_relaxed);
-  lists.starts[n] = 0;
-  toStarts(lists.starts, "references");
+    lists_.starts[m] = counters[m].load(std::memory_order_relaxed);
+  lists_.starts[n] = 0;
+  toStarts(lists_.starts, "references");
   for (std::size_t m = 0; m < n; ++m)
-    counters[m].store(lists.starts[m], std::memory_order_relaxed);
-  lists.cells.resize(lists.starts[n]);
+    counters[m].store(lists_.starts[m], std::memory_order_relaxed);
+  lists_.cells.resize(lists_.starts[n]);
   forBlocks(bounds.size(), block,
     [&](std::size_t c)
     {
       forMacros(c,
         [&](std::size_t m)
         {
-          lists.cells[counters[m].fetch_add(1, std::memory_order_relaxed)] =
+          lists_.cells[counters[m].fetch_add(1, std::memory_order_relaxed)] =
             static_cast<std::uint32_t>(c);
         });
     });
@@ -177,14 +169,13 @@ auto TwoLevelGrid<Space>::listMacros(const RawVector<SpaceBounds>& bounds) const
   forBlocks(n, 16,
     [&](std::size_t m)
     {
-      const auto begin = lists.cells.begin();
-      std::sort(begin + lists.starts[m], begin + lists.starts[m + 1]);
+      const auto begin = lists_.cells.begin();
+      std::sort(begin + lists_.starts[m], begin + lists_.starts[m + 1]);
     });
-  return lists;
 }
 
 template <typename Space>
-void TwoLevelGrid<Space>::layOutLeaves(const MacroLists& lists, double lambda)
+void TwoLevelGrid<Space>::layOutLeaves(double lambda)
 {
   std::size_t leaves = 0;
   for (int k = 0; k < top_.n[2]; ++k)
@@ -193,7 +184,7 @@ void TwoLevelGrid<Space>::layOutLeaves(const MacroLists& lists, double lambda)
       {
         const auto m = static_cast<std::size_t>(top_.index(i, j, k));
         const Vec3d lower = top_.lower + Vec3d(i, j, k) * top_.step;
-        const double wanted = lambda * (lists.starts[m + 1] - lists.starts[m]);
+        const double wanted = lambda * (lists_.starts[m + 1] - lists_.starts[m]);
         const auto n = resolution(Space::sides(lower, lower + top_.step), wanted, mostWithin);
         macros_[m].leaf = static_cast<std::uint32_t>(leaves);
         for (std::size_t a = 0; a < 3; ++a)
@@ -206,7 +197,7 @@ void TwoLevelGrid<Space>::layOutLeaves(const MacroLists& lists, double lambda)
 }
 
 template <typename Space>
-void TwoLevelGrid<Space>::fillLeaves(const MacroLists& lists, const RawVector<SpaceBounds>& bounds)
+void TwoLevelGrid<Space>::fillLeaves(const RawVector<SpaceBounds>& bounds)
 {
   const auto forLeaves = [&](std::size_t m, const auto& visit)
   {
@@ -214,9 +205,9 @@ void TwoLevelGrid<Space>::fillLeaves(const MacroLists& lists, const RawVector<Sp
     const Lattice l = macroLattice(
       {i % top_.n[0], i / top_.n[0] % top_.n[1], i / top_.n[0] / top_.n[1]}, macros_[m]);
     const typename Space::Steps steps(l);
-    for (std::uint32_t at = lists.starts[m]; at < lists.starts[m + 1]; ++at)
+    for (std::uint32_t at = lists_.starts[m]; at < lists_.starts[m + 1]; ++at)
     {
-      const std::uint32_t c = lists.cells[at];
+      const std::uint32_t c = lists_.cells[at];
       forCellSteps(c, l, steps, Space::overlapWithin(l, bounds[c]),
         [&](std::size_t leaf) { visit(macros_[m].leaf + leaf, c); });
     }
@@ -245,9 +236,8 @@ void TwoLevelGrid<Space>::setRanges(const RawVector<ScalarRange>& ofCells)
     [&](std::size_t m)
     {
       ScalarRange range;
-      const std::size_t last = m + 1 < macros_.size() ? macros_[m + 1].leaf : leaves();
-      for (std::uint32_t at = starts_[macros_[m].leaf]; at < starts_[last]; ++at)
-        range.add(ofCells[references_[at]]);
+      for (std::uint32_t at = lists_.starts[m]; at < lists_.starts[m + 1]; ++at)
+        range.add(ofCells[lists_.cells[at]]);
       ranges_[m] = range;
     });
 }
@@ -255,7 +245,9 @@ void TwoLevelGrid<Space>::setRanges(const RawVector<ScalarRange>& ofCells)
 template <typename Space>
 std::size_t TwoLevelGrid<Space>::bytes() const
 {
-  return macros_.capacity() * sizeof(Macro) + starts_.capacity() * sizeof(std::uint32_t) +
+  return macros_.capacity() * sizeof(Macro) +
+         (lists_.starts.capacity() + lists_.cells.capacity()) * sizeof(std::uint32_t) +
+         starts_.capacity() * sizeof(std::uint32_t) +
          references_.capacity() * sizeof(std::uint32_t) + ranges_.capacity() * sizeof(ScalarRange);
 }
 

@@ -71,15 +71,20 @@ private:
     std::array<std::uint8_t, 3> n{1, 1, 1};
     std::array<int, 3> resolution() const { return {n[0], n[1], n[2]}; }
   };
-  struct MacroLists;
+  /// The cells that overlap each macro cell, in the order of their numbers: what a new scalar's
+  /// ranges are found from, a few percent of the memory.
+  struct MacroLists
+  {
+    RawVector<std::uint32_t> starts, cells;
+  };
 
   void layOutMacros(const RawVector<SpaceBounds>& bounds, double lambda);
   template <typename Visit>
   void forCellSteps(std::size_t cell, const Lattice& lattice, const typename Space::Steps& steps,
     const LatticeRange& range, const Visit& visit) const;
-  MacroLists listMacros(const RawVector<SpaceBounds>& bounds) const;
-  void layOutLeaves(const MacroLists& lists, double lambda);
-  void fillLeaves(const MacroLists& lists, const RawVector<SpaceBounds>& bounds);
+  void listMacros(const RawVector<SpaceBounds>& bounds);
+  void layOutLeaves(double lambda);
+  void fillLeaves(const RawVector<SpaceBounds>& bounds);
   Lattice macroLattice(const std::array<int, 3>& at, const Macro& macro) const
   {
     return Space::within(top_, at[0], at[1], at[2], macro.resolution());
@@ -92,6 +97,7 @@ private:
   double size_ = 0.0; ///< of the mesh
   bool trimmed_ = false;
   RawVector<Macro> macros_;
+  MacroLists lists_;
   RawVector<std::uint32_t> starts_; ///< of the leaves' references; one more than leaves
   RawVector<std::uint32_t> references_;
   RawVector<ScalarRange> ranges_; ///< of the macro cells, or empty
