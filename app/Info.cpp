@@ -2,6 +2,7 @@
 
 #include "Arrays.h"
 #include "Input.h"
+#include "MeshFacts.h"
 #include "Part.h"
 #include "SimulationBox.h"
 #include "Text.h"
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 
 namespace mote::app
 {
@@ -35,6 +37,7 @@ struct ArrayFacts
   double range[2] = {1.0, 0.0};
   bool ranged = false;
   bool whole = false;
+  std::optional<double> mean; ///< by volume
 };
 
 ArrayFacts factsOf(vtkAbstractArray* array, const char* place)
@@ -54,14 +57,26 @@ ArrayFacts factsOf(vtkAbstractArray* array, const char* place)
   return facts;
 }
 
-std::vector<ArrayFacts> allFacts(vtkDataSet* data)
+std::vector<ArrayFacts> allFacts(vtkDataSet* data, const std::optional<MeshFacts>& mesh)
 {
   std::vector<ArrayFacts> all;
   for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
     all.push_back(factsOf(data->GetPointData()->GetAbstractArray(i), "point"));
   for (int i = 0; i < data->GetCellData()->GetNumberOfArrays(); ++i)
     all.push_back(factsOf(data->GetCellData()->GetAbstractArray(i), "cell"));
+  for (ArrayFacts& facts : all)
+    if (mesh)
+      facts.mean = mesh->meanOf(facts.name, facts.place);
   return all;
+}
+
+/// What there is to say about cells that fill space; nothing where there are none.
+std::optional<MeshFacts> meshOf(vtkDataSet* data)
+{
+  if (!Part::isMesh(data))
+    return {};
+  MeshFacts facts(data);
+  return facts.any() ? std::optional(facts) : std::nullopt;
 }
 
 /// The typical distance between neighbours; 0 where there is none.
@@ -116,9 +131,24 @@ void printArrays(const std::vector<ArrayFacts>& arrays)
     if (!facts.components.empty())
       text =
         "(" + joined(facts.components, " ") + ")" + (text.empty() ? "" : ", magnitude ") + text;
+    if (facts.mean)
+      text += ", mean by volume " + asNumber(*facts.mean);
     std::printf("  %-5s  %-*s  %-9s  %s\n", facts.place.c_str(), static_cast<int>(width),
       facts.name.c_str(), facts.type.c_str(), text.c_str());
   }
+}
+
+void printMesh(const MeshFacts& mesh)
+{
+  printLine("cells", mesh.cells());
+  const double range[2] = {mesh.of("min_volume"), mesh.of("max_volume")};
+  printLine("volume", asNumber(mesh.of("volume")) + ", of a cell " + interval(range));
+  printLine("quality", "scaled Jacobian " + asNumber(mesh.of("min_scaled_jacobian"), 3) +
+                         " at worst, " + asNumber(mesh.of("mean_scaled_jacobian"), 3) +
+                         " on average; aspect ratio up to " +
+                         asNumber(mesh.of("max_aspect_ratio"), 3));
+  const std::string complaints = mesh.complaints();
+  printLine("bad cells", complaints.empty() ? "none" : complaints);
 }
 
 void printText(const NamedData& one, const Input& input, int step, double seconds)
@@ -141,7 +171,10 @@ void printText(const NamedData& one, const Input& input, int step, double second
   if (const double spacing = spacingOf(data); spacing > 0.0)
     printLine("spacing", asNumber(spacing, 4) + " between neighbours");
   printLine("read in", asDuration(seconds));
-  const std::vector<ArrayFacts> arrays = allFacts(data);
+  const std::optional<MeshFacts> mesh = meshOf(data);
+  if (mesh)
+    printMesh(*mesh);
+  const std::vector<ArrayFacts> arrays = allFacts(data, mesh);
   printLine("arrays", arrays.empty() ? "none" : std::to_string(arrays.size()));
   printArrays(arrays);
 }
@@ -166,14 +199,16 @@ std::string jsonArray(const ArrayFacts& facts)
     components.push_back(jsonString(name));
   return "{\"name\": " + jsonString(facts.name) + ", \"of\": " + jsonString(facts.place) +
          ", \"type\": " + jsonString(facts.type) + ", \"components\": " + jsonList(components) +
-         ", \"range\": " + (facts.ranged ? jsonNumbers(facts.range, 2) : "null") + "}";
+         ", \"range\": " + (facts.ranged ? jsonNumbers(facts.range, 2) : "null") +
+         ", \"mean\": " + (facts.mean ? jsonNumber(*facts.mean) : "null") + "}";
 }
 
 std::string asJson(const NamedData& one, const Input& input, int step, double seconds)
 {
   vtkDataSet* data = one.data;
+  const std::optional<MeshFacts> mesh = meshOf(data);
   std::vector<std::string> arrays;
-  for (const ArrayFacts& facts : allFacts(data))
+  for (const ArrayFacts& facts : allFacts(data, mesh))
     arrays.push_back("\n      " + jsonArray(facts));
   const auto box = simulationBoxOf(data);
   const bool any = data->GetNumberOfPoints() > 0;
@@ -188,8 +223,9 @@ std::string asJson(const NamedData& one, const Input& input, int step, double se
          ",\n    \"box\": " + (box ? jsonNumbers(&box->vectors[0][0], 9) : "null") +
          ", \"box_origin\": " + (box ? jsonNumbers(box->origin, 3) : "null") +
          ",\n    \"spacing\": " + (spacing > 0.0 ? jsonNumber(spacing) : "null") +
-         ", \"read_seconds\": " + jsonNumber(seconds) + ",\n    \"arrays\": " + jsonList(arrays) +
-         "}";
+         ", \"read_seconds\": " + jsonNumber(seconds) +
+         ",\n    \"mesh\": " + (mesh ? mesh->json() : "null") +
+         ",\n    \"arrays\": " + jsonList(arrays) + "}";
 }
 
 } // namespace

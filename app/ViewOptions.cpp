@@ -114,40 +114,6 @@ CLI::Validator number(bool aboveZero)
     "", "number"};
 }
 
-void addColorOptions(CLI::App& app, ViewOptions& o)
-{
-  const std::string group = "Colour";
-  app
-    .add_option("--color-by,-c", o.colorBy,
-      "Array that colours: NAME, or NAME:COMPONENT (a number from 0, or its name) or "
-      "NAME:magnitude for one with several components; 'none' for one colour. By default an array "
-      "that varies: a number, else a vector's magnitude, else the type")
-    ->type_name("NAME")
-    ->group(group);
-  app
-    .add_option("--color-map,-m", o.colorMap,
-      "Colours: " + joined(colorMapNames(), ", ") +
-        ". By default viridis, and types for an array of types")
-    ->check(CLI::IsMember(colorMapNames()).description(""))
-    ->type_name("NAME")
-    ->group(group);
-  app
-    .add_option_function<std::vector<double>>(
-      "--range",
-      [&o](const std::vector<double>& range)
-      {
-        if (const std::string error = checkOrder(range); !error.empty())
-          throw CLI::ValidationError("--range", error);
-        o.range = range;
-      },
-      "Values at the two ends of the colours. By default the array's least and greatest")
-    ->check(number(false))
-    ->expected(2)
-    ->type_name("LO HI")
-    ->group(group);
-  app.add_flag("--log", o.logarithmic, "Logarithmic colours")->group(group);
-}
-
 void addSelectionOptions(CLI::App& app, ViewOptions& o)
 {
   const std::string group = "Selection";
@@ -316,6 +282,40 @@ void addPictureOptions(CLI::App& app, ViewOptions& o)
 
 } // namespace
 
+void addColorOptions(CLI::App& app, ViewOptions& o)
+{
+  const std::string group = "Colour";
+  app
+    .add_option("--color-by,-c", o.colorBy,
+      "Array that colours: NAME, or NAME:COMPONENT (a number from 0, or its name) or "
+      "NAME:magnitude for one with several components; 'none' for one colour. By default an array "
+      "that varies: a number, else a vector's magnitude, else the type")
+    ->type_name("NAME")
+    ->group(group);
+  app
+    .add_option("--color-map,-m", o.colorMap,
+      "Colours: " + joined(colorMapNames(), ", ") +
+        ". By default viridis, and types for an array of types")
+    ->check(CLI::IsMember(colorMapNames()).description(""))
+    ->type_name("NAME")
+    ->group(group);
+  app
+    .add_option_function<std::vector<double>>(
+      "--range",
+      [&o](const std::vector<double>& range)
+      {
+        if (const std::string error = checkOrder(range); !error.empty())
+          throw CLI::ValidationError("--range", error);
+        o.range = range;
+      },
+      "Values at the two ends of the colours. By default the array's least and greatest")
+    ->check(number(false))
+    ->expected(2)
+    ->type_name("LO HI")
+    ->group(group);
+  app.add_flag("--log", o.logarithmic, "Logarithmic colours")->group(group);
+}
+
 void addReadOptions(CLI::App& app, ViewOptions& o)
 {
   app
@@ -338,6 +338,22 @@ void addReadOptions(CLI::App& app, ViewOptions& o)
     ->check(CLI::Range(0, 4096).description(""))
     ->type_name("N")
     ->group(group);
+}
+
+CLI::Option* addVectorOption(CLI::App& app, const std::string& name,
+  std::optional<std::array<double, 3>>& value, const std::string& help)
+{
+  return app
+    .add_option_function<std::vector<double>>(
+      name,
+      [&value](const std::vector<double>& v) {
+        value = {v[0], v[1], v[2]};
+      },
+      help)
+    ->delimiter(',')
+    ->check(number(false))
+    ->expected(3)
+    ->type_name("X,Y,Z");
 }
 
 void addRadiusOptions(CLI::App& app, ViewOptions& o)

@@ -9,7 +9,8 @@
 namespace CLI
 {
 class App;
-}
+class Option;
+} // namespace CLI
 
 namespace mote::app
 {
@@ -88,6 +89,13 @@ void addViewOptions(CLI::App& app, ViewOptions& options);
 
 /// Declares those of them that say how large particles are.
 void addRadiusOptions(CLI::App& app, ViewOptions& options);
+
+/// Declares those of them that say what colours mean.
+void addColorOptions(CLI::App& app, ViewOptions& options);
+
+/// Declares an option of three numbers with commas.
+CLI::Option* addVectorOption(CLI::App& app, const std::string& name,
+  std::optional<std::array<double, 3>>& value, const std::string& help);
 
 /// Declares what belongs to reading alone: the files, --time, --step and --threads.
 void addReadOptions(CLI::App& app, ViewOptions& options);

@@ -1,10 +1,12 @@
-// The program: chooses between window, render, convert and info, and turns what goes wrong into a
+// The program: chooses between the window and the commands, and turns what goes wrong into a
 // sentence and an exit code.
 
+#include "Average.h"
 #include "Convert.h"
 #include "Failure.h"
 #include "Info.h"
 #include "Messages.h"
+#include "Probe.h"
 #include "Render.h"
 #include "ViewOptions.h"
 #include "Window.h"
@@ -34,15 +36,28 @@ std::unique_ptr<tbb::global_control> limitThreads(int threads)
     tbb::global_control::max_allowed_parallelism, threads);
 }
 
-int run(CLI::App& app, const WindowOptions& window, const RenderOptions& rendering,
-  const InfoOptions& info, const ConvertOptions& converting)
+/// The options of the window and of every command.
+struct AllOptions
+{
+  WindowOptions window;
+  RenderOptions rendering;
+  InfoOptions info;
+  ConvertOptions converting;
+  AverageOptions averaging;
+  ProbeOptions probing;
+};
+
+int run(CLI::App& app, const AllOptions& all)
 {
   const bool toRender = app.got_subcommand("render"), toInform = app.got_subcommand("info"),
-             toConvert = app.got_subcommand("convert");
-  const ViewOptions& view = toRender    ? rendering.view
-                            : toInform  ? info.read
-                            : toConvert ? converting.view
-                                        : window.view;
+             toConvert = app.got_subcommand("convert"), toAverage = app.got_subcommand("average"),
+             toProbe = app.got_subcommand("probe");
+  const ViewOptions& view = toRender    ? all.rendering.view
+                            : toInform  ? all.info.read
+                            : toConvert ? all.converting.view
+                            : toAverage ? all.averaging.view
+                            : toProbe   ? all.probing.read
+                                        : all.window.view;
   if (view.files.empty())
   {
     std::fprintf(stderr, "mote: no file given. Try: mote --help\n");
@@ -50,13 +65,17 @@ int run(CLI::App& app, const WindowOptions& window, const RenderOptions& renderi
   }
   const auto limit = limitThreads(view.threads);
   if (toRender)
-    render(rendering);
+    render(all.rendering);
   else if (toInform)
-    printInfo(info);
+    printInfo(all.info);
   else if (toConvert)
-    convert(converting);
+    convert(all.converting);
+  else if (toAverage)
+    average(all.averaging);
+  else if (toProbe)
+    probe(all.probing);
   else
-    showWindow(window);
+    showWindow(all.window);
   // What stdout could not take, such as on a full disk, is only seen here.
   if (std::fflush(stdout) != 0 || std::ferror(stdout))
     throw Failure("the standard output could not be written");
@@ -75,16 +94,20 @@ int main(int argc, char** argv)
     "Files:\n" + vtkMoteReaderTable::GetFormatsHelp() +
     "\nWithout a command a window opens; press h in it for its keys. Exit codes: 0 done, 1 failed\n"
     "with a sentence on standard error, 2 a wrong command line, 130 interrupted.");
-  WindowOptions window;
-  RenderOptions rendering;
-  InfoOptions info;
-  ConvertOptions converting;
-  addWindowOptions(app, window);
-  addRenderOptions(*app.add_subcommand("render", "Write a picture; needs no display"), rendering);
+  AllOptions all;
+  addWindowOptions(app, all.window);
+  const auto command = [&app](const char* name, const char* help) -> CLI::App&
+  { return *app.add_subcommand(name, help); };
+  addRenderOptions(command("render", "Write a picture; needs no display"), all.rendering);
   addConvertOptions(
-    *app.add_subcommand("convert", "Write particles as a .mote file, which opens at once"),
-    converting);
-  addInfoOptions(*app.add_subcommand("info", "List arrays, ranges, types and time steps"), info);
+    command("convert", "Write particles as a .mote file, which opens at once"), all.converting);
+  addInfoOptions(
+    command("info", "List arrays, ranges, types and time steps; cells, volumes and quality"),
+    all.info);
+  addAverageOptions(
+    command("average", "Average an array over circles about an axis: a table or a picture"),
+    all.averaging);
+  addProbeOptions(command("probe", "List the values along a line"), all.probing);
   try
   {
     app.parse(argc, argv);
@@ -102,7 +125,7 @@ int main(int argc, char** argv)
   Messages::install();
   try
   {
-    return run(app, window, rendering, info, converting);
+    return run(app, all);
   }
   catch (const Interrupted&)
   {

@@ -18,6 +18,13 @@ void forRanges(vtkIdType count, const Work& work)
     [&](const tbb::blocked_range<vtkIdType>& range) { work(range.begin(), range.end()); });
 }
 
+/// Calls work(i) for i in [0, count), in parallel, one at a time.
+template <class Work>
+void forEach(vtkIdType count, const Work& work)
+{
+  tbb::parallel_for(vtkIdType{0}, count, work);
+}
+
 } // namespace mote
 
 #endif

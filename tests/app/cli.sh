@@ -133,9 +133,9 @@ case $3 in
       # shellcheck disable=SC2086
       run 0 "$mote" ${command#mote }
       count=$((count + 1))
-    done < <(sed -n 's/^    \(mote render .*\)/\1/p' "$root/README.md" "$root/docs/user-guide.md")
+    done < <(sed -nE 's/^    (mote (render|average|probe) .*)/\1/p' "$root/README.md" "$root/docs/user-guide.md")
     [ $count -ge 8 ] || fail "only $count commands"
-    for part in '' render info; do # and what they name are options
+    for part in '' render info convert average probe; do # and what they name are options
       # shellcheck disable=SC2086
       run 0 "$mote" $part --help
       cat out >>help
@@ -176,7 +176,8 @@ case $3 in
   pump) # a mesh that is made stands where a file may
     run 0 "$mote" info pump:0.0005
     for text in 'pump:0.0005: inlet' 'pump:0.0005: rotor' 'pump:0.0005: diffuser' '80: 0, 0.0005' \
-      pressure velocity; do
+      pressure velocity '429 hexahedra' 'scaled Jacobian 0.82' 'bad cells   none' \
+      'mean by volume'; do
       said out "$text"
     done
     run 0 "$mote" info pump:0.0005:rotor --time 0.01
@@ -187,6 +188,52 @@ case $3 in
       one_sentence
       said err "$wrong: "
     done
+    ;;
+
+  average) # over circles: tables, pictures, and sentences
+    run 0 "$mote" average pump:0.001 --array pressure --resolution 30
+    [ "$(head -n 1 out)" = axial,radial,volume,pressure,pressure_deviation ] || fail "other columns"
+    [ "$(wc -l <out)" -gt 100 ] || fail "hardly a row"
+    # All of the volume is there.
+    run 0 "$mote" average "$data/swirl.1.vtu" -a U -o u.csv
+    awk -F, 'NR > 1 { v += $3 } END { exit !(v > 0.00013395 && v < 0.00013397) }' u.csv ||
+      fail "the volume is another than that of the cells"
+    run 0 "$mote" average "$data/swirl.1.vtu" -a U --axis 0,0,2 --origin 0,0,1 -o v.csv
+    [ "$(wc -l <u.csv)" = "$(wc -l <v.csv)" ] || fail "the same axis gives other bins"
+    awk -F, 'NR == 2 { exit !($1 > -1.031 && $1 < -1.029) }' v.csv || fail "the origin is not used"
+    run 0 "$mote" average "$data/swirl.1.vtu" -a U -c U_circumferential -m plasma -o u.png
+    is_picture u.png 1280x480
+    run 1 "$mote" average "$data/swirl.1.vtu" -a nothing
+    one_sentence
+    said err 'it has p, U'
+    run 1 "$mote" average "$data/swirl.1.vtu" -a U -c nothing -o a.png
+    one_sentence
+    run 1 "$mote" average "$data/swirl.1.vtu" -a p -o a.gif
+    one_sentence
+    run 1 "$mote" average "$data/swirl.1.vtu" -a p -o no/folder/a.csv
+    one_sentence
+    run 1 "$mote" average "$hopper" -a radius
+    one_sentence
+    run 2 "$mote" average "$data/swirl.1.vtu"
+    run 2 "$mote" average "$data/swirl.1.vtu" -a p --axis 1,2
+    ;;
+
+  probe) # values along a line
+    run 0 "$mote" probe "$data/swirl.1.vtu" --from 0,0,-0.02 --to 0,0,0.08 --points 11
+    [ "$(head -n 1 out)" = distance,x,y,z,part,U:0,U:1,U:2,p ] || fail "other columns"
+    [ "$(wc -l <out)" = 12 ] || fail "not a row for every point"
+    # The jet in the narrow pipe, and water that flows back behind it.
+    awk -F, 'NR == 3 { exit !($8 > 0.05) }' out || fail "no jet"
+    awk -F, 'NR > 7 && $8 < 0 { back = 1 } END { exit !back }' out || fail "nothing flows back"
+    run 0 "$mote" probe pump:0.002 --from 0,0,-0.2 --to 0,0,-0.1 --points 21 -o line.csv
+    grep -q '^0,0,0,-0.2,,nan,nan,nan,nan$' line.csv || fail "something outside of the pump"
+    grep -q 'pump:0.002: inlet,' line.csv || fail "nothing inside of the inlet"
+    run 1 "$mote" probe pump:0.002 --from 0,0,5 --to 0,0,6
+    one_sentence
+    run 1 "$mote" probe pump:0.002 --from 0,0,-0.2 --to 0,0,-0.1 -o no/folder/a.csv
+    one_sentence
+    run 2 "$mote" probe pump:0.002 --from 0,0,5
+    run 2 "$mote" probe pump:0.002 --from 0,0,x --to 0,0,6
     ;;
 
   convert) # a file of its own gives the picture that the dump gives

@@ -1,0 +1,160 @@
+#include "Probe.h"
+
+#include "Failure.h"
+#include "Input.h"
+#include "Messages.h"
+#include "TableFile.h"
+
+#include <vtkCharArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkLineSource.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkProbeFilter.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+
+namespace mote::app
+{
+
+namespace
+{
+
+/// The columns of the table in their order; values are NaN until they are known.
+class LineTable
+{
+public:
+  explicit LineTable(vtkDataSet* line)
+    : rows_(line->GetNumberOfPoints())
+  {
+    vtkDoubleArray* distance = this->column("distance");
+    vtkDoubleArray* place[3] = {this->column("x"), this->column("y"), this->column("z")};
+    double start[3];
+    line->GetPoint(0, start);
+    for (vtkIdType i = 0; i < rows_; ++i)
+    {
+      double p[3];
+      line->GetPoint(i, p);
+      distance->SetValue(i, std::sqrt(vtkMath::Distance2BetweenPoints(start, p)));
+      for (int k = 0; k < 3; ++k)
+        place[k]->SetValue(i, p[k]);
+    }
+    parts_->SetName("part");
+    parts_->SetNumberOfValues(rows_);
+    table_->AddColumn(parts_);
+  }
+
+  /// Takes a part's values at the points that lie in it and in no part before.
+  void add(const std::string& name, vtkPointData* values)
+  {
+    auto* valid = vtkCharArray::SafeDownCast(values->GetArray("vtkValidPointMask"));
+    if (!valid)
+      return;
+    std::vector<vtkIdType> mine;
+    for (vtkIdType i = 0; i < rows_; ++i)
+      if (valid->GetValue(i) && parts_->GetValue(i).empty())
+        mine.push_back(i);
+    for (const vtkIdType i : mine)
+      parts_->SetValue(i, name);
+    for (int a = 0; a < values->GetNumberOfArrays(); ++a)
+    {
+      vtkDataArray* array = values->GetArray(a);
+      if (!array || array == valid || !array->GetName())
+        continue;
+      const int components = array->GetNumberOfComponents();
+      for (int k = 0; k < components; ++k)
+      {
+        const char* component = array->GetComponentName(k);
+        vtkDoubleArray* column =
+          this->column(array->GetName() +
+                       (components == 1 ? "" : ":" + (component ? component : std::to_string(k))));
+        for (const vtkIdType i : mine)
+          column->SetValue(i, array->GetComponent(i, k));
+      }
+    }
+  }
+
+  vtkTable* table() const { return table_; }
+
+  bool anyInside() const
+  {
+    for (vtkIdType i = 0; i < rows_; ++i)
+      if (!parts_->GetValue(i).empty())
+        return true;
+    return false;
+  }
+
+private:
+  vtkDoubleArray* column(const std::string& name)
+  {
+    if (auto* known = vtkDoubleArray::SafeDownCast(table_->GetColumnByName(name.c_str())))
+      return known;
+    vtkNew<vtkDoubleArray> made;
+    made->SetName(name.c_str());
+    made->SetNumberOfValues(rows_);
+    made->Fill(std::nan(""));
+    table_->AddColumn(made);
+    return made;
+  }
+
+  vtkIdType rows_;
+  vtkNew<vtkTable> table_;
+  vtkNew<vtkStringArray> parts_;
+};
+
+} // namespace
+
+void addProbeOptions(CLI::App& app, ProbeOptions& options)
+{
+  addReadOptions(app, options.read);
+  addVectorOption(app, "--from", options.from, "Where the line begins")->required();
+  addVectorOption(app, "--to", options.to, "Where it ends")->required();
+  app.add_option("--points", options.points, "Points along the line, its ends included")
+    ->check(CLI::Range(2, 1000000).description(""))
+    ->capture_default_str()
+    ->type_name("N");
+  app
+    .add_option("--output,-o", options.output,
+      "Table to write, as comma-separated values; standard output by default")
+    ->type_name("FILE");
+}
+
+void probe(const ProbeOptions& options)
+{
+  if (!options.output.empty())
+    checkTableFile(options.output);
+  TerminalProgress terminal;
+  Progress progress;
+  progress.add(terminal);
+  Input input(options.read.files);
+  input.open(progress);
+  vtkNew<vtkLineSource> line;
+  line->SetPoint1(options.from->data());
+  line->SetPoint2(options.to->data());
+  line->SetResolution(options.points - 1);
+  line->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  line->Update();
+  LineTable table(line->GetOutput());
+  for (const NamedData& one : input.read(input.chosenStep(options.read), progress))
+  {
+    vtkNew<vtkProbeFilter> filter;
+    filter->SetInputConnection(line->GetOutputPort());
+    filter->SetSourceData(one.data);
+    Progress::Work work(progress, "Probing " + one.name, filter);
+    filter->Update();
+    work.finish();
+    table.add(one.name, filter->GetOutput()->GetPointData());
+  }
+  if (const std::string error = Messages::takeError(); !error.empty())
+    throw Failure(error);
+  if (!table.anyInside())
+    throw Failure("no point of the line lies in a cell of " + input.name());
+  writeTable(table.table(), options.output);
+}
+
+} // namespace mote::app

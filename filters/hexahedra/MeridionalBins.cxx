@@ -1,0 +1,190 @@
+#include "MeridionalBins.h"
+
+#include "ForRanges.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mote
+{
+
+namespace
+{
+
+/// What a cell brings: its shape and its corners' values.
+struct Sampled
+{
+  CollapsedCell cell;
+  double side;                   // -1 for a cell that is inside out
+  std::array<Vec3d, 8> values{}; // scalars in x
+};
+
+/// Into how many pieces a cell is cut along its three directions, so that pieces are smaller than
+/// bins; chords of circles count by how far they dip below them.
+std::array<int, 3> piecesOf(const CollapsedCell& cell, const Axis& axis, double size)
+{
+  static constexpr int edges[3][4][2] = {{{0, 1}, {3, 2}, {4, 5}, {7, 6}},
+    {{0, 3}, {1, 2}, {4, 7}, {5, 6}}, {{0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+  std::array<int, 3> pieces{};
+  for (int k = 0; k < 3; ++k)
+  {
+    double reach = 0.0;
+    for (const auto& [a, b] : edges[k])
+    {
+      const Vec3d &p = cell.corners[a], &q = cell.corners[b];
+      const double dip = 0.5 * (axis.from(p) + axis.from(q)) - axis.from(0.5 * (p + q));
+      reach = std::max({reach, std::abs(axis.along(p) - axis.along(q)),
+        std::abs(axis.from(p) - axis.from(q)), 2.0 * dip});
+    }
+    // Two samples a piece.
+    pieces[k] = static_cast<int>(std::clamp(std::ceil(reach / size), 1.0, 128.0));
+  }
+  return pieces;
+}
+
+void addSample(Bin& bin, const Sampled& from, const Axis& axis, const Vec3d& place,
+  const Vec3d& value, double volume, bool isVector)
+{
+  bin.volume += volume;
+  if (!isVector)
+  {
+    bin.sums[0] += volume * value.x;
+    bin.sums[1] += volume * value.x * value.x;
+    return;
+  }
+  const Vec3d outwards = axis.outwards(place);
+  const double radius = glm::length(outwards);
+  const Vec3d radial = radius > 0.0 ? outwards / radius : Vec3d(0.0);
+  bin.sums[0] += volume * glm::dot(value, axis.direction);
+  bin.sums[1] += volume * glm::dot(value, radial);
+  bin.sums[2] += volume * glm::dot(value, glm::cross(axis.direction, radial));
+  bin.sums[3] += volume * glm::length(value);
+}
+
+/// The Gauss rule with two samples a direction in every piece: exact for the volume as a whole.
+void addCell(
+  std::vector<Bin>& bins, const BinGrid& grid, const Axis& axis, const Sampled& from, bool isVector)
+{
+  static const double low = 0.5 - 0.5 / std::sqrt(3.0);
+  const auto pieces = piecesOf(from.cell, axis, grid.size);
+  const auto sample = [&](int i, int n) { return (i / 2 + (i % 2 == 0 ? low : 1.0 - low)) / n; };
+  const double share = from.side / (8.0 * pieces[0] * pieces[1] * pieces[2]);
+  for (int k = 0; k < 2 * pieces[2]; ++k)
+    for (int j = 0; j < 2 * pieces[1]; ++j)
+      for (int i = 0; i < 2 * pieces[0]; ++i)
+      {
+        const Vec3d rst(sample(i, pieces[0]), sample(j, pieces[1]), sample(k, pieces[2]));
+        const auto weights = trilinearWeights(rst);
+        Vec3d place(0.0), value(0.0);
+        for (int c = 0; c < 8; ++c)
+        {
+          place += weights[c] * from.cell.corners[c];
+          value += weights[c] * from.values[c];
+        }
+        addSample(bins[grid.at(axis.along(place), axis.from(place))], from, axis, place, value,
+          share * jacobianAt(from.cell, rst), isVector);
+      }
+}
+
+/// Reads a cell's values; false where one is not finite.
+bool readValues(Sampled& into, vtkDataArray* array, bool ofCells, vtkIdType cell)
+{
+  const int components = array->GetNumberOfComponents();
+  bool finite = true;
+  for (int c = 0; c < 8; ++c)
+    for (int k = 0; k < components; ++k)
+    {
+      into.values[c][k] = array->GetComponent(ofCells ? cell : into.cell.ids[c], k);
+      finite = finite && std::isfinite(into.values[c][k]);
+    }
+  return finite;
+}
+
+} // namespace
+
+std::size_t BinGrid::at(double along, double from) const
+{
+  const int i = std::clamp(static_cast<int>((along - first) / size), 0, axial - 1);
+  const int j = std::clamp(static_cast<int>(from / size), 0, radial - 1);
+  return static_cast<std::size_t>(j) * axial + i;
+}
+
+BinGrid binsFor(const std::vector<vtkDataSet*>& data, const Axis& axis, int resolution)
+{
+  double low = std::numeric_limits<double>::infinity(), high = -low, radius = 0.0;
+  for (vtkDataSet* one : data)
+    for (vtkIdType i = 0; i < one->GetNumberOfPoints(); ++i)
+    {
+      Vec3d p;
+      one->GetPoint(i, &p.x);
+      const double along = axis.along(p), from = axis.from(p);
+      if (!std::isfinite(along) || !std::isfinite(from))
+        continue;
+      low = std::min(low, along);
+      high = std::max(high, along);
+      radius = std::max(radius, from);
+    }
+  BinGrid grid;
+  const double longer = std::max(high - low, radius);
+  if (!(longer > 0.0))
+    return grid;
+  grid.size = longer / resolution;
+  grid.first = low;
+  const auto count = [&](double length)
+  { return std::max(1, static_cast<int>(std::ceil(length / grid.size - 1e-9))); };
+  grid.axial = count(high - low);
+  grid.radial = count(radius);
+  return grid;
+}
+
+vtkIdType addToBins(std::vector<Bin>& bins, const BinGrid& grid, const Axis& axis, vtkDataSet* data,
+  vtkDataArray* array, bool ofCells)
+{
+  // A few runs of cells with bins of their own, added in their order: threads do not change sums.
+  constexpr vtkIdType runs = 16;
+  const vtkIdType count = data->GetNumberOfCells();
+  const bool isVector = array->GetNumberOfComponents() == 3;
+  std::vector<std::vector<Bin>> partial(runs);
+  std::vector<vtkIdType> leftOut(runs, 0);
+  const CellReader first(data);
+  forEach(runs,
+    [&](vtkIdType run)
+    {
+      partial[run].resize(grid.count());
+      CellReader reader(first);
+      Sampled sampled{};
+      for (vtkIdType id = count * run / runs; id < count * (run + 1) / runs; ++id)
+      {
+        if (reader.read(id, sampled.cell) != CellReader::Answer::Taken)
+          continue;
+        if (!readValues(sampled, array, ofCells, id))
+        {
+          ++leftOut[run];
+          continue;
+        }
+        double volume = 0.0;
+        for (const double part : sampled.cell.cornerVolumes())
+          volume += part;
+        sampled.side = volume < 0.0 ? -1.0 : 1.0;
+        addCell(partial[run], grid, axis, sampled, isVector);
+      }
+    });
+  vtkIdType sum = 0;
+  for (vtkIdType run = 0; run < runs; ++run)
+  {
+    sum += leftOut[run];
+    for (std::size_t i = 0; i < bins.size(); ++i)
+    {
+      bins[i].volume += partial[run][i].volume;
+      for (int k = 0; k < 4; ++k)
+        bins[i].sums[k] += partial[run][i].sums[k];
+    }
+  }
+  return sum;
+}
+
+} // namespace mote

@@ -1,0 +1,60 @@
+#ifndef MoteMeridionalBins_h
+#define MoteMeridionalBins_h
+
+#include "CollapsedCell.h"
+
+#include <vector>
+
+class vtkDataArray;
+class vtkDataSet;
+
+namespace mote
+{
+
+/// A line in space.
+struct Axis
+{
+  Vec3d origin{0.0}, direction{0.0, 0.0, 1.0}; ///< of length 1
+
+  double along(const Vec3d& p) const { return glm::dot(p - origin, direction); }
+  double from(const Vec3d& p) const { return glm::length(this->outwards(p)); }
+  /// From the axis to the point, square to it.
+  Vec3d outwards(const Vec3d& p) const
+  {
+    const Vec3d d = p - origin;
+    return d - glm::dot(d, direction) * direction;
+  }
+};
+
+/// Square bins in the plane of the place along an axis and the distance from it.
+struct BinGrid
+{
+  int axial = 0, radial = 0; ///< how many
+  double size = 1.0,
+         first = 0.0; ///< a bin's edge; where along the axis they begin. Radii begin at 0
+
+  std::size_t count() const { return static_cast<std::size_t>(axial) * radial; }
+  /// The bin of a point; those at the rim count to the last one inside.
+  std::size_t at(double along, double from) const;
+};
+
+/// Bins of which the longer edge of what the points of the data sets reach has `resolution`.
+BinGrid binsFor(const std::vector<vtkDataSet*>& data, const Axis& axis, int resolution);
+
+/// The integrals over the part of the volume that falls into a bin.
+struct Bin
+{
+  double volume = 0.0;
+  /// Of the value and its square; of vectors of the parts along axis, radius and circumference,
+  /// and of the magnitude.
+  double sums[4] = {0.0, 0.0, 0.0, 0.0};
+};
+
+/// Adds a data set's cells. The array lies on its points or cells, and has one or three components.
+/// Returns how many cells were left out for a value that is not finite.
+vtkIdType addToBins(std::vector<Bin>& bins, const BinGrid& grid, const Axis& axis, vtkDataSet* data,
+  vtkDataArray* array, bool ofCells);
+
+} // namespace mote
+
+#endif

@@ -1,0 +1,227 @@
+#include "vtkMoteMeridionalAverage.h"
+
+#include "DataSetParts.h"
+#include "MeridionalBins.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkMoteMeridionalAverage);
+
+namespace
+{
+
+/// The array of one data set.
+struct Chosen
+{
+  vtkDataSet* data;
+  vtkDataArray* array;
+  bool ofCells;
+};
+
+Chosen choose(vtkDataSet* data, const std::string& name)
+{
+  if (vtkDataArray* array = data->GetPointData()->GetArray(name.c_str()))
+    return {data, array, false};
+  return {data, data->GetCellData()->GetArray(name.c_str()), true};
+}
+
+bool readVector(vtkDataSet* data, const char* name, mote::Vec3d& value)
+{
+  vtkDataArray* array = data->GetFieldData()->GetArray(name);
+  if (!array || array->GetNumberOfComponents() * array->GetNumberOfTuples() != 3)
+    return false;
+  for (int k = 0; k < 3; ++k)
+    value[k] = array->GetVariantValue(k).ToDouble();
+  return true;
+}
+
+/// A column's name, and its value in a bin.
+struct Column
+{
+  std::string name;
+  double (*value)(const mote::Bin&);
+};
+
+std::vector<Column> columnsFor(const std::string& name, bool isVector)
+{
+  using mote::Bin;
+  const Column volume{"volume", [](const Bin& b) { return b.volume; }};
+  if (!isVector)
+    return {volume, {name, [](const Bin& b) { return b.sums[0] / b.volume; }},
+      {name + "_deviation", [](const Bin& b)
+        {
+          const double mean = b.sums[0] / b.volume;
+          return std::sqrt(std::max(0.0, b.sums[1] / b.volume - mean * mean));
+        }}};
+  return {volume, {name + "_axial", [](const Bin& b) { return b.sums[0] / b.volume; }},
+    {name + "_radial", [](const Bin& b) { return b.sums[1] / b.volume; }},
+    {name + "_circumferential", [](const Bin& b) { return b.sums[2] / b.volume; }},
+    {name + "_magnitude", [](const Bin& b) { return b.sums[3] / b.volume; }}};
+}
+
+vtkSmartPointer<vtkDoubleArray> newArray(const std::string& name, vtkIdType count)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name.c_str());
+  array->SetNumberOfValues(count);
+  return array;
+}
+
+void fillTable(vtkTable* table, const std::vector<mote::Bin>& bins, const mote::BinGrid& grid,
+  const std::vector<Column>& columns)
+{
+  std::vector<vtkIdType> filled;
+  for (std::size_t i = 0; i < bins.size(); ++i)
+    if (bins[i].volume > 0.0)
+      filled.push_back(static_cast<vtkIdType>(i));
+  const auto rows = static_cast<vtkIdType>(filled.size());
+  const auto axial = newArray("axial", rows), radial = newArray("radial", rows);
+  for (vtkIdType row = 0; row < rows; ++row)
+  {
+    axial->SetValue(row, grid.first + (filled[row] % grid.axial + 0.5) * grid.size);
+    radial->SetValue(row, (filled[row] / grid.axial + 0.5) * grid.size);
+  }
+  table->AddColumn(axial);
+  table->AddColumn(radial);
+  for (const Column& column : columns)
+  {
+    const auto values = newArray(column.name, rows);
+    for (vtkIdType row = 0; row < rows; ++row)
+      values->SetValue(row, column.value(bins[filled[row]]));
+    table->AddColumn(values);
+  }
+}
+
+void fillImage(vtkImageData* image, const std::vector<mote::Bin>& bins, const mote::BinGrid& grid,
+  const std::vector<Column>& columns)
+{
+  image->SetDimensions(grid.axial, grid.radial, 1);
+  image->SetSpacing(grid.size, grid.size, grid.size);
+  image->SetOrigin(grid.first + 0.5 * grid.size, 0.5 * grid.size, 0.0);
+  for (const Column& column : columns)
+  {
+    const auto values = newArray(column.name, static_cast<vtkIdType>(bins.size()));
+    for (std::size_t i = 0; i < bins.size(); ++i)
+      values->SetValue(static_cast<vtkIdType>(i), bins[i].volume > 0.0      ? column.value(bins[i])
+                                                  : column.name == "volume" ? 0.0
+                                                                            : std::nan(""));
+    image->GetPointData()->AddArray(values);
+  }
+  image->GetPointData()->SetActiveScalars(columns[1].name.c_str());
+}
+
+} // namespace
+
+vtkMoteMeridionalAverage::vtkMoteMeridionalAverage()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkMoteMeridionalAverage::~vtkMoteMeridionalAverage() = default;
+
+vtkImageData* vtkMoteMeridionalAverage::GetImage()
+{
+  return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+int vtkMoteMeridionalAverage::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+int vtkMoteMeridionalAverage::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkTable" : "vtkImageData");
+  return 1;
+}
+
+int vtkMoteMeridionalAverage::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  // The image's size follows from the data: whoever reads it takes what there is.
+  outputVector->GetInformationObject(1)->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 0);
+  return 1;
+}
+
+std::string vtkMoteMeridionalAverage::Average(
+  vtkDataObject* input, vtkTable* table, vtkImageData* image)
+{
+  std::vector<vtkDataSet*> data;
+  std::vector<Chosen> arrays;
+  for (const mote::DataSetPart& part : mote::partsOf(input))
+  {
+    const Chosen chosen = choose(part.data, this->ArrayName);
+    if (!chosen.array)
+      continue;
+    data.push_back(part.data);
+    arrays.push_back(chosen);
+  }
+  if (arrays.empty())
+    return "there is no array of numbers named '" + this->ArrayName + "'";
+  const int components = arrays.front().array->GetNumberOfComponents();
+  for (const Chosen& chosen : arrays)
+    if (chosen.array->GetNumberOfComponents() != components || (components != 1 && components != 3))
+      return "the array '" + this->ArrayName + "' has " + std::to_string(components) +
+             " components, and one or three are averaged";
+
+  mote::Axis axis{{this->Origin[0], this->Origin[1], this->Origin[2]},
+    {this->Axis[0], this->Axis[1], this->Axis[2]}};
+  if (mote::Axis own; this->AxisFromInput && readVector(data.front(), "AxisOrigin", own.origin) &&
+                      readVector(data.front(), "AxisDirection", own.direction))
+    axis = own;
+  const double length = glm::length(axis.direction);
+  if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(glm::length(axis.origin)))
+    return "the axis needs a finite origin and a direction of finite length above 0";
+  axis.direction /= length;
+
+  const mote::BinGrid grid = mote::binsFor(data, axis, this->Resolution);
+  std::vector<mote::Bin> bins(grid.count());
+  for (const Chosen& chosen : arrays)
+    mote::addToBins(bins, grid, axis, chosen.data, chosen.array, chosen.ofCells);
+  if (std::none_of(bins.begin(), bins.end(), [](const mote::Bin& b) { return b.volume > 0.0; }))
+    return "there is no cell with volume and a finite value to average";
+  const std::vector<Column> columns = columnsFor(this->ArrayName, components == 3);
+  fillTable(table, bins, grid, columns);
+  fillImage(image, bins, grid, columns);
+  return {};
+}
+
+int vtkMoteMeridionalAverage::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkTable* table = vtkTable::GetData(outputVector, 0);
+  vtkImageData* image = vtkImageData::GetData(outputVector, 1);
+  table->Initialize();
+  image->Initialize();
+  this->ErrorMessage = this->Average(vtkDataObject::GetData(inputVector[0]), table, image);
+  if (!this->ErrorMessage.empty())
+    vtkErrorMacro(<< this->ErrorMessage << ".");
+  return this->ErrorMessage.empty() ? 1 : 0;
+}
+
+void vtkMoteMeridionalAverage::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ArrayName: " << this->ArrayName << "\n";
+  os << indent << "Resolution: " << this->Resolution << "\n";
+  os << indent << "AxisFromInput: " << this->AxisFromInput << "\n";
+  os << indent << "Origin: " << this->Origin[0] << " " << this->Origin[1] << " " << this->Origin[2]
+     << "\n";
+  os << indent << "Axis: " << this->Axis[0] << " " << this->Axis[1] << " " << this->Axis[2] << "\n";
+}
