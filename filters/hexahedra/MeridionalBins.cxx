@@ -21,10 +21,12 @@ struct Sampled
   CollapsedCell cell;
   double side;                   // -1 for a cell that is inside out
   std::array<Vec3d, 8> values{}; // scalars in x
+  double middle = 0.0;
 };
 
-/// Into how many pieces a cell is cut along its three directions, so that pieces are smaller than
-/// bins; chords of circles count by how far they dip below them.
+/// Into how many pieces a cell is cut along its three directions: three for each bin that it
+/// reaches over, for fewer show as stripes where cells and bins are in step. Chords of circles
+/// count by how far they dip below them.
 std::array<int, 3> piecesOf(const CollapsedCell& cell, const Axis& axis, double size)
 {
   static constexpr int edges[3][4][2] = {{{0, 1}, {3, 2}, {4, 5}, {7, 6}},
@@ -41,7 +43,7 @@ std::array<int, 3> piecesOf(const CollapsedCell& cell, const Axis& axis, double 
         std::abs(axis.from(p) - axis.from(q)), 2.0 * dip});
     }
     // Two samples a piece.
-    pieces[k] = static_cast<int>(std::clamp(std::ceil(reach / size), 1.0, 128.0));
+    pieces[k] = static_cast<int>(std::clamp(std::ceil(3.0 * reach / size), 1.0, 256.0));
   }
   return pieces;
 }
@@ -53,7 +55,7 @@ void addSample(Bin& bin, const Sampled& from, const Axis& axis, const Vec3d& pla
   if (!isVector)
   {
     bin.sums[0] += volume * value.x;
-    bin.sums[1] += volume * value.x * value.x;
+    bin.sums[1] += volume * (value.x - from.middle) * (value.x - from.middle);
     return;
   }
   const Vec3d outwards = axis.outwards(place);
@@ -142,7 +144,7 @@ BinGrid binsFor(const std::vector<vtkDataSet*>& data, const Axis& axis, int reso
 }
 
 vtkIdType addToBins(std::vector<Bin>& bins, const BinGrid& grid, const Axis& axis, vtkDataSet* data,
-  vtkDataArray* array, bool ofCells)
+  vtkDataArray* array, bool ofCells, double middle)
 {
   // A few runs of cells with bins of their own, added in their order: threads do not change sums.
   constexpr vtkIdType runs = 16;
@@ -157,6 +159,7 @@ vtkIdType addToBins(std::vector<Bin>& bins, const BinGrid& grid, const Axis& axi
       partial[run].resize(grid.count());
       CellReader reader(first);
       Sampled sampled{};
+      sampled.middle = middle;
       for (vtkIdType id = count * run / runs; id < count * (run + 1) / runs; ++id)
       {
         if (reader.read(id, sampled.cell) != CellReader::Answer::Taken)

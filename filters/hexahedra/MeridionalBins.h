@@ -45,15 +45,16 @@ BinGrid binsFor(const std::vector<vtkDataSet*>& data, const Axis& axis, int reso
 struct Bin
 {
   double volume = 0.0;
-  /// Of the value and its square; of vectors of the parts along axis, radius and circumference,
-  /// and of the magnitude.
+  /// Of the value and the square of its difference from a middle; of vectors of the parts along
+  /// axis, radius and circumference, and of the magnitude.
   double sums[4] = {0.0, 0.0, 0.0, 0.0};
 };
 
 /// Adds a data set's cells. The array lies on its points or cells, and has one or three components.
-/// Returns how many cells were left out for a value that is not finite.
+/// `middle` is a value within the range of a scalar. Returns how many cells were left out for a
+/// value that is not finite.
 vtkIdType addToBins(std::vector<Bin>& bins, const BinGrid& grid, const Axis& axis, vtkDataSet* data,
-  vtkDataArray* array, bool ofCells);
+  vtkDataArray* array, bool ofCells, double middle);
 
 } // namespace mote
 

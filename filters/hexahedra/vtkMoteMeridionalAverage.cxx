@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 vtkStandardNewMacro(vtkMoteMeridionalAverage);
 
@@ -53,19 +54,19 @@ bool readVector(vtkDataSet* data, const char* name, mote::Vec3d& value)
 struct Column
 {
   std::string name;
-  double (*value)(const mote::Bin&);
+  std::function<double(const mote::Bin&)> value;
 };
 
-std::vector<Column> columnsFor(const std::string& name, bool isVector)
+std::vector<Column> columnsFor(const std::string& name, bool isVector, double middle)
 {
   using mote::Bin;
   const Column volume{"volume", [](const Bin& b) { return b.volume; }};
   if (!isVector)
     return {volume, {name, [](const Bin& b) { return b.sums[0] / b.volume; }},
-      {name + "_deviation", [](const Bin& b)
+      {name + "_deviation", [middle](const Bin& b)
         {
-          const double mean = b.sums[0] / b.volume;
-          return std::sqrt(std::max(0.0, b.sums[1] / b.volume - mean * mean));
+          const double off = b.sums[0] / b.volume - middle;
+          return std::sqrt(std::max(0.0, b.sums[1] / b.volume - off * off));
         }}};
   return {volume, {name + "_axial", [](const Bin& b) { return b.sums[0] / b.volume; }},
     {name + "_radial", [](const Bin& b) { return b.sums[1] / b.volume; }},
@@ -192,11 +193,15 @@ std::string vtkMoteMeridionalAverage::Average(
 
   const mote::BinGrid grid = mote::binsFor(data, axis, this->Resolution);
   std::vector<mote::Bin> bins(grid.count());
+  // Squares are taken of differences from here: those of large values cancel badly.
+  double range[2];
+  arrays.front().array->GetFiniteRange(range, 0);
+  const double middle = range[0] <= range[1] ? 0.5 * range[0] + 0.5 * range[1] : 0.0;
   for (const Chosen& chosen : arrays)
-    mote::addToBins(bins, grid, axis, chosen.data, chosen.array, chosen.ofCells);
+    mote::addToBins(bins, grid, axis, chosen.data, chosen.array, chosen.ofCells, middle);
   if (std::none_of(bins.begin(), bins.end(), [](const mote::Bin& b) { return b.volume > 0.0; }))
     return "there is no cell with volume and a finite value to average";
-  const std::vector<Column> columns = columnsFor(this->ArrayName, components == 3);
+  const std::vector<Column> columns = columnsFor(this->ArrayName, components == 3, middle);
   fillTable(table, bins, grid, columns);
   fillImage(image, bins, grid, columns);
   return {};

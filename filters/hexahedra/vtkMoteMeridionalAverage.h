@@ -8,8 +8,8 @@
  *
  * The plane of place along the axis and distance from it is cut into square bins. A bin's average
  * is the integral over the part of the cells' volume that falls into it when it turns about the
- * axis, by that volume. Cells are cut into pieces smaller than a bin, with two Gauss samples along
- * each direction; a point array is interpolated by the trilinear map of the cell.
+ * axis, by that volume. Cells are cut into pieces of a third of a bin, with two Gauss samples
+ * along each direction; a point array is interpolated by the trilinear map of the cell.
  *
  * First output, a vtkTable with a row for each bin that holds something: `axial` and `radial`, the
  * middle of the bin; `volume`; for an array NAME of one component `NAME`, its average, and
