@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <memory_resource>
+#include <utility>
 #include <vector>
 
 namespace mote
@@ -27,12 +28,22 @@ public:
     bool isSpan;
   };
 
+  /// Of equal t, nodes come first, as they may hold spans with that t, and then the lower numbers.
+  static bool isLater(const Entry& a, const Entry& b)
+  {
+    if (a.t != b.t)
+      return a.t > b.t;
+    return a.isSpan != b.isSpan ? a.isSpan : a.id > b.id;
+  }
+
   WalkQueue() { heap_.reserve(kept); }
   void push(const Entry& entry)
   {
     heap_.push_back(entry);
     std::push_heap(heap_.begin(), heap_.end(), isLater);
   }
+  /// Whether the entry comes before all others, and need not be put among them.
+  bool isNext(const Entry& entry) const { return heap_.empty() || isLater(heap_.front(), entry); }
   /// Takes the entry with the least t; false where there is none.
   bool next(Entry& entry)
   {
@@ -46,14 +57,6 @@ public:
 
 private:
   static constexpr std::size_t kept = 128;
-  /// Of equal t, nodes come first, as they may hold spans with that t, and then the lower numbers.
-  static bool isLater(const Entry& a, const Entry& b)
-  {
-    if (a.t != b.t)
-      return a.t > b.t;
-    return a.isSpan != b.isSpan ? a.isSpan : a.id > b.id;
-  }
-
   std::array<std::byte, kept * sizeof(Entry) + 64> memory_;
   std::pmr::monotonic_buffer_resource pool_{memory_.data(), memory_.size()};
   std::pmr::vector<Entry> heap_{&pool_};
@@ -118,22 +121,10 @@ void HexBvh<Space>::forCellsAlong(
     return (ranges_.empty() || keep(ranges_[n])) &&
            nodes_[n].region.clip(path, entry.t, entry.tOut);
   };
-  Entry entry;
-  if (!meets(0, entry))
-    return;
-  for (bool more = true; more; more = queue.next(entry))
+  /// Tests a leaf's cells.
+  const auto open = [&](const Node& leaf)
   {
-    if (entry.isSpan)
-    {
-      if (!visit(CellSpan{entry.id, entry.t, entry.tOut}))
-        return;
-      continue;
-    }
-    const Node& node = nodes_[entry.id];
-    for (Entry child; const std::uint32_t n : {node.first, node.first + 1})
-      if (node.count == 0 && meets(n, child))
-        queue.push(child);
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+    for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i)
     {
       counts.addCell();
       CellIntervals intervals;
@@ -143,6 +134,37 @@ void HexBvh<Space>::forCellsAlong(
         if (const double t = std::max(v.in, ray.tMin), out = std::min(v.out, ray.tMax); t < out)
           queue.push({t, out, cells_[i], true});
     }
+  };
+  Entry entry;
+  bool more = meets(0, entry);
+  while (more)
+  {
+    if (entry.isSpan)
+    {
+      if (!visit(CellSpan{entry.id, entry.t, entry.tOut}))
+        return;
+    }
+    else if (const Node& node = nodes_[entry.id]; node.count > 0)
+      open(node);
+    else
+    {
+      Entry first, second;
+      const bool hasFirst = meets(node.first, first), hasSecond = meets(node.first + 1, second);
+      if (hasFirst && hasSecond)
+      {
+        if (detail::WalkQueue::isLater(first, second))
+          std::swap(first, second);
+        queue.push(second);
+      }
+      if (hasFirst || hasSecond)
+      {
+        entry = hasFirst || !hasSecond ? first : second;
+        if (queue.isNext(entry))
+          continue;
+        queue.push(entry);
+      }
+    }
+    more = queue.next(entry);
   }
 }
 
