@@ -180,6 +180,24 @@ TEST(CellCrossings, ChordsAgreeWithTheOracle)
   EXPECT_GT(met, 60);
 }
 
+TEST(CellCrossings, ChordsOfATwistedRingAgreeWithTheOracle)
+{
+  const HexMesh mesh(hexRing({1, 8, 2, 1.0, 2.0, 1.0, 0.4, 0.2}).input());
+  const auto from = randomPoints(3, Vec3d(-3, -2, 0.2), Vec3d(-2, -1, 0.8), 31);
+  const auto to = randomPoints(3, Vec3d(2, 1, 0.2), Vec3d(3, 2, 0.8), 32);
+  for (std::size_t i = 0; i < from.size(); ++i)
+  {
+    double exact = 0.0;
+    for (std::size_t c = 0; c < mesh.cellCount(); ++c)
+      exact += HexOracle(mesh.corners(c)).share(from[i], to[i], 60);
+    EXPECT_GT(exact, 0.1);
+    double sum = 0.0;
+    for (const CellInterval& part : allIntervals(mesh, from[i], to[i] - from[i]))
+      sum += part.out - part.in;
+    EXPECT_NEAR(sum, exact, 1e-9);
+  }
+}
+
 TEST(CellCrossings, AConcaveCellHasSeveralIntervals)
 {
   // The lid's middle hangs low between two opposite corners.
