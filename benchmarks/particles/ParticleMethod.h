@@ -64,7 +64,8 @@ const std::vector<ParticleMethodEntry>& particleMethods();
 
 std::unique_ptr<ParticleMethod> makeCoherentGridMethod(const MethodOptions& options);
 std::unique_ptr<ParticleMethod> makePkdTreeMethod(const MethodOptions& options);
-std::unique_ptr<ParticleMethod> makeCompactPkdTreeMethod(const MethodOptions& options);
+std::unique_ptr<ParticleMethod> makePkdTree8Method(const MethodOptions& options);
+std::unique_ptr<ParticleMethod> makePkdTree4Method(const MethodOptions& options);
 std::unique_ptr<ParticleMethod> makePkdPaperMethod(const MethodOptions& options);
 std::unique_ptr<ParticleMethod> makeReferenceGridMethod(const MethodOptions& options);
 std::unique_ptr<ParticleMethod> makeSingleRayMethod(const MethodOptions& options);

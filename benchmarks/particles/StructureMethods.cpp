@@ -6,6 +6,8 @@
 #include <kernels/particles/PkdPaperTree.h>
 #include <kernels/particles/PkdTree.h>
 
+#include <limits>
+
 namespace mote::bench
 {
 
@@ -21,11 +23,12 @@ std::unique_ptr<ParticleMethod> makeCoherentGridMethod(const MethodOptions& opti
 namespace
 {
 
-std::unique_ptr<ParticleMethod> makeTree(const MethodOptions& options, bool compact)
+std::unique_ptr<ParticleMethod> makeTree(const MethodOptions& options, PkdTreeOptions::Form form)
 {
   PkdTreeOptions build;
   build.keepIndices = false;
-  build.compact = compact;
+  build.form = form;
+  build.mostError = std::numeric_limits<double>::infinity(); // wrong pixels tell
   return std::make_unique<StructureMethod<PkdTree, PkdTreeOptions>>(build, options.packet);
 }
 
@@ -33,12 +36,17 @@ std::unique_ptr<ParticleMethod> makeTree(const MethodOptions& options, bool comp
 
 std::unique_ptr<ParticleMethod> makePkdTreeMethod(const MethodOptions& options)
 {
-  return makeTree(options, false);
+  return makeTree(options, PkdTreeOptions::Form::Exact);
 }
 
-std::unique_ptr<ParticleMethod> makeCompactPkdTreeMethod(const MethodOptions& options)
+std::unique_ptr<ParticleMethod> makePkdTree8Method(const MethodOptions& options)
 {
-  return makeTree(options, true);
+  return makeTree(options, PkdTreeOptions::Form::Bytes8);
+}
+
+std::unique_ptr<ParticleMethod> makePkdTree4Method(const MethodOptions& options)
+{
+  return makeTree(options, PkdTreeOptions::Form::Bytes4);
 }
 
 std::unique_ptr<ParticleMethod> makePkdPaperMethod(const MethodOptions& options)

@@ -8,6 +8,12 @@
 namespace mote
 {
 
+const std::vector<std::string>& pkdTreeFormNames()
+{
+  static const std::vector<std::string> names = {"exact", "8-byte", "4-byte"};
+  return names;
+}
+
 float PkdTree::number(std::size_t slot, int row) const
 {
   return std::bit_cast<float>(bucketOf(slot)[row].words[slot % bucketSize]);
@@ -18,15 +24,31 @@ Vec3f PkdTree::place(std::size_t slot) const
   if (placeRows_ == 3)
     return {number(slot, 0), number(slot, 1), number(slot, 2)};
   const std::uint32_t a = bucketOf(slot)[0].words[slot % bucketSize];
-  const std::uint32_t b = bucketOf(slot)[1].words[slot % bucketSize];
   const auto step = static_cast<float>(step_ / unit_);
-  return step * Vec3f(a & 0xfffff, b & 0xfffff, (a >> 20) | (b >> 20 << 12));
+  if (placeRows_ == 2)
+  {
+    const std::uint32_t b = bucketOf(slot)[1].words[slot % bucketSize];
+    return step * Vec3f(a & 0xfffff, b & 0xfffff, (a >> 20) | (b >> 20 << 12));
+  }
+  Vec3f place;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const int steps = static_cast<std::int32_t>(a << (22 - 10 * k)) >> 22;
+    place[static_cast<int>(k)] =
+      treeletOf(slot).middle(k, slot / bucketSize % fanout) + step * static_cast<float>(steps);
+  }
+  return place;
 }
 
 Vec3d PkdTree::center(std::size_t slot) const
 {
-  const std::array<float, 3>& corner = nodes_[levels_.front().first + slot / treeletSize].corner;
+  const std::array<float, 3>& corner = treeletOf(slot).corner;
   return origin_ + unit_ * (Vec3d(corner[0], corner[1], corner[2]) + Vec3d(place(slot)));
+}
+
+double PkdTree::positionError() const
+{
+  return 0.5 * (step_ + unit_ * double(coarse_) / (1 << cornerBits));
 }
 
 double PkdTree::radius(std::size_t slot) const

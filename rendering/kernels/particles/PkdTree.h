@@ -10,10 +10,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace mote
@@ -32,15 +34,27 @@ struct PkdTreeOptions
   };
   Split split = Split::MaximumExtent;
   bool keepIndices = true; ///< keep the way back to the input index: 4 or 8 bytes a particle
-  /// Keep 20 bits of each coordinate, 8 bytes a particle instead of 12; see PkdTree::step(). Takes
-  /// both while it builds.
-  bool compact = false;
   /// Where at most one particle in so many is shown, rays meet a tree of those alone, 33 bytes each
   /// (37 where radii differ); 0: never.
   std::size_t sparseShare = 8;
   /// Where the tree lies, in place of the heap; null for the heap.
   std::shared_ptr<ScratchSpace> space;
+
+  /// What centres are kept in; see PkdTree::positionError(). Others than Exact take both while they
+  /// build.
+  enum class Form
+  {
+    Exact,  ///< 12 bytes a particle, at least as fine as float
+    Bytes8, ///< 8: 20 bits of each coordinate, counted from the treelet's corner
+    Bytes4  ///< 4: 10 bits of each, counted from the middle of the bucket
+  };
+  Form form = Form::Exact;
+  /// Largest positionError() of a form that is not exact, as a share of the smallest radius.
+  double mostError = 0.01;
 };
+
+/// The names of the forms, for options and messages, in the order of PkdTreeOptions::Form.
+const std::vector<std::string>& pkdTreeFormNames();
 
 /// A balanced k-d tree over particles, without pointers.
 ///
@@ -68,8 +82,9 @@ public:
 
   /// Builds over `particles`, in parallel, and forgets what was there, ranges and visibility
   /// included; memory is reused. Takes little memory besides what it leaves. Throws Error for a
-  /// malformed set (see examine()) and for more than mostParticles; stops early, leaving the tree
-  /// empty, when `progress` answers false. The result does not depend on the number of threads.
+  /// malformed set (see examine()), for more than mostParticles, and where the form asked for would
+  /// move particles by more than the options allow; stops early, leaving the tree empty, when
+  /// `progress` answers false. The result does not depend on the number of threads.
   void build(const ParticleSet& particles, const PkdTreeOptions& options = {},
     const Progress& progress = {});
 
@@ -113,10 +128,12 @@ public:
   const ParticleStatistics& statistics() const { return statistics_; }
   const Vec3d& origin() const { return origin_; }
   double unit() const { return unit_; }
-  /// Coordinates are multiples of this, in the input's unit of length: a power of two. They are off
-  /// by up to half of it.
+  PkdTreeOptions::Form form() const { return static_cast<PkdTreeOptions::Form>(3 - placeRows_); }
+  /// Coordinates are multiples of this, in the input's unit of length: a power of two.
   double step() const { return step_; }
-  bool isCompact() const { return placeRows_ == 2; }
+  /// Most by which a coordinate of a centre may differ from the input's, in the input's unit of
+  /// length and beside the rounding of double: half a step, and what sorting rounded.
+  double positionError() const;
   /// Centre (in the input's coordinates) and radius of the particle at `slot`, as stored.
   Vec3d center(std::size_t slot) const;
   double radius(std::size_t slot) const;
@@ -146,6 +163,13 @@ private:
     std::array<std::uint8_t, 3> exponent;
     std::array<std::uint8_t, 5> unused;
     std::array<std::array<std::uint8_t, fanout>, 3> low, high;
+
+    /// The middle of a child's bounds, from `corner` of a treelet.
+    float middle(std::size_t axis, std::size_t child) const
+    {
+      const auto half = std::bit_cast<float>((std::uint32_t{exponent[axis]} - 1) << 23);
+      return (lower[axis] - corner[axis]) + half * float(low[axis][child] + high[axis][child]);
+    }
   };
   static_assert(sizeof(Node) == 128);
 
@@ -164,6 +188,9 @@ private:
 
   /// A bit for each of 16 particles or children, the first lowest.
   using Bits = std::uint16_t;
+
+  /// Corners of treelets are multiples of 2^cornerBits of the numbers that are sorted.
+  static constexpr int cornerBits = 10;
 
   /// Least and greatest of spheres' coordinates, in unit() from origin().
   struct Bounds
@@ -219,9 +246,10 @@ private:
   void clear();
   /// Levels of a tree over `count` particles. Returns how many nodes it has.
   static std::size_t planLevels(std::size_t count, std::vector<Level>& levels);
-  /// Bounds of a node: `all` of it, and its children's, widened by a margin.
-  static void setBounds(
-    Node& node, const Bounds& all, const std::array<Bounds, fanout>& children, double marginOfSet);
+  /// Bounds of a node: `all` of it, and its children's, widened by a margin. With a `step`, in
+  /// unit(), the bounds and the middles of children's are whole numbers of it.
+  static void setBounds(Node& node, const Bounds& all, const std::array<Bounds, fanout>& children,
+    double marginOfSet, double step = 0.0);
   /// Sets the bounds of all nodes above treelets, `below` being those of treelets; returns the
   /// root's.
   static Bounds boundNodes(
@@ -240,6 +268,10 @@ private:
     std::size_t bucket) const;
   std::size_t buckets() const { return (count_ + bucketSize - 1) / bucketSize; }
   const Row* bucketOf(std::size_t slot) const { return &rows_[slot / bucketSize * rowsABucket_]; }
+  const Node& treeletOf(std::size_t slot) const
+  {
+    return nodes_[levels_.front().first + slot / treeletSize];
+  }
   /// Number of a particle's row `row`; its coordinates from its treelet's corner.
   float number(std::size_t slot, int row) const;
   Vec3f place(std::size_t slot) const;
@@ -257,7 +289,8 @@ private:
   std::size_t count_ = 0;
   std::size_t rowsABucket_ = 3; ///< of places, then r, then the input index in one or two rows
   /// 3: x, y and z as float. 2, with 20 bits a coordinate, in steps: x and the 12 lower bits of z,
-  /// y and the 8 upper ones.
+  /// y and the 8 upper ones. 1, with 10 bits and a sign in each, in steps from the middle of the
+  /// bucket's bounds: x, y, z from the lowest bit on.
   int placeRows_ = 3;
   bool ownRadii_ = false;
   int indexRows_ = 0;

@@ -54,16 +54,17 @@ double PkdTree::roundingMargin() const
   return 2e-7 * std::max({size.x, size.y, size.z}) / unit_;
 }
 
-void PkdTree::setBounds(
-  Node& node, const Bounds& all, const std::array<Bounds, fanout>& children, double marginOfSet)
+void PkdTree::setBounds(Node& node, const Bounds& all, const std::array<Bounds, fanout>& children,
+  double marginOfSet, double step)
 {
   node.unused = {};
   for (std::size_t k = 0; k < 3; ++k)
   {
     const double largest = std::max(std::abs(all.lower[k]), std::abs(all.upper[k]));
     const double margin = marginOfSet + 1e-6 * (all.upper[k] - all.lower[k]);
-    node.lower[k] = static_cast<float>(all.lower[k] - margin - 1e-7 * largest);
-    const double extent = all.upper[k] + margin - node.lower[k];
+    const double lower = all.lower[k] - margin - 1e-7 * largest;
+    node.lower[k] = static_cast<float>(step > 0.0 ? std::floor(lower / step) * step : lower);
+    const double extent = std::max(all.upper[k] + margin - node.lower[k], 508.0 * step);
     const int exponent =
       std::clamp(static_cast<int>(std::ceil(std::log2(extent / 254.0))), -120, 120);
     node.exponent[k] = static_cast<std::uint8_t>(exponent + 127);

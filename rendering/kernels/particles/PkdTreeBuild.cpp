@@ -1,5 +1,6 @@
 #include "PkdTree.h"
 
+#include "../core/Error.h"
 #include "../core/ScratchSpace.h"
 #include "BlockSplit.h"
 #include "KdBuild.h"
@@ -13,6 +14,7 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
+#include <sstream>
 
 namespace mote
 {
@@ -24,6 +26,7 @@ struct PkdTreeBuilder
   using Node = PkdTree::Node;
   using Row = PkdTree::Row;
   using Bounds = PkdTree::Bounds;
+  using Form = PkdTreeOptions::Form;
 
   PkdTree& tree;
   const ParticleSet& particles;
@@ -152,13 +155,86 @@ struct PkdTreeBuilder
 
   // What the traversal reads.
 
+  template <int WORDS>
   void chooseStep()
   {
     // Local coordinates need so many bits at most; the corner may lie so much before the treelet.
-    const int bits = options.compact ? 20 : 24;
+    const int bits = options.form == Form::Bytes8 ? 20 : 24;
     const std::uint64_t extent = std::uint64_t{treeletExtent} + (1u << coarseBits);
     roundedBits = std::max(0, static_cast<int>(std::bit_width(extent)) - bits);
+    if (options.form == Form::Bytes4)
+    {
+      // Of 511 steps some are lost to rounding. All places are less than 2^24 steps from origin():
+      // sums of them are exact in float.
+      const double steps = bucketReach<WORDS>() / unitsAKey / 505.0;
+      roundedBits = std::max(coarseBits, static_cast<int>(std::ceil(std::log2(steps))));
+    }
     tree.step_ = std::ldexp(keyStep, roundedBits);
+    if (options.form != Form::Exact)
+      checkError();
+  }
+
+  void checkError() const
+  {
+    const double error = tree.positionError(), radius = tree.statistics_.smallestRadius;
+    if (!(error > options.mostError * radius))
+      return;
+    std::ostringstream text;
+    text.precision(3);
+    text << "The form " << pkdTreeFormNames()[static_cast<std::size_t>(options.form)]
+         << " of a P-k-d tree would move particles by up to " << error << ", more than "
+         << 100.0 * options.mostError << " % of the smallest radius, " << radius << ".";
+    throw Error(text.str());
+  }
+
+  /// How far a particle may lie from the middle of its bucket's bounds, along an axis and before
+  /// anything is rounded to steps, in unit().
+  template <int WORDS>
+  double bucketReach()
+  {
+    return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, tree.levels_[0].count, 16), 0.0,
+      [&](const tbb::blocked_range<std::size_t>& treelets, double reach)
+      {
+        for (std::size_t t = treelets.begin(); t != treelets.end(); ++t)
+        {
+          Bounds all;
+          std::array<double, 3> inBuckets{};
+          forBuckets(t,
+            [&](std::size_t, std::size_t first, std::size_t count)
+            {
+              const Bounds bounds = boundsOf<WORDS>(first, count);
+              all.add(bounds);
+              const Region region(records<WORDS>() + first, records<WORDS>() + first + count);
+              for (std::size_t k = 0; k < 3; ++k)
+              {
+                const double middle = 0.5 * (bounds.lower[k] + bounds.upper[k]);
+                inBuckets[k] = std::max({inBuckets[k], middle - placeOfKey(region.low[k]),
+                  placeOfKey(region.high[k]) - middle});
+              }
+            });
+          // Bounds in 8 bits move the middle by up to half their step.
+          for (std::size_t k = 0; k < 3; ++k)
+            reach = std::max(reach, inBuckets[k] + (all.upper[k] - all.lower[k]) / 254.0);
+        }
+        return reach;
+      },
+      [](double a, double b) { return std::max(a, b); });
+  }
+
+  /// Calls visit(child, first, count) for the buckets of a treelet.
+  template <typename Visit>
+  void forBuckets(std::size_t treelet, const Visit& visit) const
+  {
+    std::size_t first = treelet * PkdTree::treeletSize;
+    const std::size_t last = std::min(tree.count_, first + PkdTree::treeletSize);
+    for (std::size_t b = 0; first < last; ++b, first += PkdTree::bucketSize)
+      visit(b, first, std::min<std::size_t>(PkdTree::bucketSize, last - first));
+  }
+
+  double placeOfKey(std::uint64_t key) const
+  {
+    return (static_cast<double>(key) - middleKey) * unitsAKey;
   }
 
   std::uint64_t rounded(std::uint32_t key) const
@@ -178,15 +254,28 @@ struct PkdTreeBuilder
     for (std::size_t k = 0; k < 3; ++k)
     {
       corner[k] = rounded(region.low[k]) >> coarseBits << coarseBits;
-      node.corner[k] = static_cast<float>((static_cast<double>(corner[k]) - middleKey) * unitsAKey);
+      node.corner[k] = static_cast<float>(placeOfKey(corner[k]));
     }
     std::array<Bounds, PkdTree::fanout> children;
-    for (std::size_t b = 0; first + b * PkdTree::bucketSize < last; ++b)
-    {
-      children[b] = finishBucket<WORDS>(first + b * PkdTree::bucketSize, corner);
-      bounds.add(children[b]);
-    }
-    PkdTree::setBounds(node, bounds, children, marginOfSet);
+    forBuckets(treelet,
+      [&](std::size_t b, std::size_t from, std::size_t count)
+      {
+        children[b] = boundsOf<WORDS>(from, count);
+        bounds.add(children[b]);
+      });
+    PkdTree::setBounds(node, bounds, children, marginOfSet,
+      options.form == Form::Bytes4 ? tree.step_ / tree.unit_ : 0.0);
+    forBuckets(treelet, [&](std::size_t b, std::size_t from, std::size_t count)
+      { finishBucket<WORDS>(from, count, corner, node, b); });
+  }
+
+  template <int WORDS>
+  Bounds boundsOf(std::size_t first, std::size_t count)
+  {
+    Bounds bounds;
+    for (std::size_t i = first; i < first + count; ++i)
+      addTo(bounds, records<WORDS>()[i]);
+    return bounds;
   }
 
   template <int WORDS>
@@ -197,43 +286,47 @@ struct PkdTreeBuilder
       r = tree.ownRadii_ ? std::bit_cast<float>(record.words[3]) : r;
     Vec3d center;
     for (int k = 0; k < 3; ++k)
-      center[k] = (static_cast<double>(rounded(record[k])) - middleKey) * unitsAKey;
+      center[k] = placeOfKey(rounded(record[k]));
     bounds.add(center, double(r));
   }
 
-  /// The words of a place from its treelet's corner, as many as there are rows of them.
+  /// The words of a place in its bucket, as many as there are rows of them.
   template <int WORDS>
-  std::array<std::uint32_t, 3> placeOf(
-    const KdRecord<WORDS>& record, const std::array<std::uint64_t, 3>& corner) const
+  std::array<std::uint32_t, 3> placeOf(const KdRecord<WORDS>& record,
+    const std::array<std::uint64_t, 3>& corner, const Node& treelet, std::size_t bucket) const
   {
-    std::array<std::uint32_t, 3> words;
+    std::array<std::uint64_t, 3> keys;
+    for (std::size_t k = 0; k < 3; ++k)
+      keys[k] = rounded(record.words[k]) - corner[k];
+    std::array<std::uint32_t, 3> words{};
+    const auto steps = [&](std::size_t k) {
+      return static_cast<std::uint32_t>(std::min<std::uint64_t>(keys[k] >> roundedBits, 0xfffff));
+    };
+    if (options.form == Form::Bytes8)
+      return {steps(0) | steps(2) << 20, steps(1) | steps(2) >> 12 << 20, 0};
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const std::uint64_t keys = rounded(record.words[k]) - corner[k];
-      words[k] =
-        options.compact
-          ? static_cast<std::uint32_t>(std::min<std::uint64_t>(keys >> roundedBits, 0xfffff))
-          : std::bit_cast<std::uint32_t>(static_cast<float>(static_cast<double>(keys) * unitsAKey));
-    }
-    if (options.compact)
-    {
-      words[0] |= words[2] << 20;
-      words[1] |= words[2] >> 12 << 20;
+      const double place = static_cast<double>(keys[k]) * unitsAKey;
+      if (options.form == Form::Exact)
+      {
+        words[k] = std::bit_cast<std::uint32_t>(static_cast<float>(place));
+        continue;
+      }
+      const double from = (place - double(treelet.middle(k, bucket))) * tree.unit_ / tree.step_;
+      const auto whole = static_cast<std::int32_t>(std::clamp(from, -512.0, 511.0));
+      words[0] |= (static_cast<std::uint32_t>(whole) & 0x3ffu) << (10 * k);
     }
     return words;
   }
 
   /// Turns records into rows.
   template <int WORDS>
-  Bounds finishBucket(std::size_t first, const std::array<std::uint64_t, 3>& corner)
+  void finishBucket(std::size_t first, std::size_t count,
+    const std::array<std::uint64_t, 3>& corner, const Node& treelet, std::size_t bucket)
   {
     std::array<KdRecord<WORDS>, PkdTree::bucketSize> copy;
-    const std::size_t count = std::min<std::size_t>(PkdTree::bucketSize, tree.count_ - first);
     std::copy_n(records<WORDS>() + first, count, copy.begin());
     Row* rows = finished + first / PkdTree::bucketSize * tree.rowsABucket_;
-    Bounds bounds;
-    for (std::size_t i = 0; i < count; ++i)
-      addTo(bounds, copy[i]);
     const auto places = static_cast<std::size_t>(tree.placeRows_);
     for (std::size_t i = 0; i < PkdTree::bucketSize; ++i)
     {
@@ -241,13 +334,12 @@ struct PkdTreeBuilder
       std::array<std::uint32_t, 3> place;
       place.fill(std::bit_cast<std::uint32_t>(std::numeric_limits<float>::quiet_NaN()));
       if (i < count)
-        place = placeOf(copy[i], corner);
+        place = placeOf(copy[i], corner, treelet, bucket);
       for (std::size_t k = 0; k < places; ++k)
         rows[k].words[i] = place[k];
       for (std::size_t k = 3; k < WORDS; ++k)
         rows[places + k - 3].words[i] = i < count ? copy[i].words[k] : place[2];
     }
-    return bounds;
   }
 
   double marginOfSet = 0.0; ///< by which rays may be rounded, in unit()
@@ -255,16 +347,17 @@ struct PkdTreeBuilder
   template <int WORDS>
   void finish()
   {
-    chooseStep();
-    StoredArray<Row> compactRows;
-    if (options.compact)
+    chooseStep<WORDS>();
+    const bool exact = options.form == Form::Exact;
+    StoredArray<Row> shortRows;
+    if (!exact)
     {
       // Shorter rows end up where others' records still are: they get a place of their own.
-      tree.placeRows_ = 2;
-      tree.rowsABucket_ -= 1;
-      this->reserve(compactRows, tree.buckets() * tree.rowsABucket_);
+      tree.placeRows_ = options.form == Form::Bytes8 ? 2 : 1;
+      tree.rowsABucket_ -= static_cast<std::size_t>(3 - tree.placeRows_);
+      this->reserve(shortRows, tree.buckets() * tree.rowsABucket_);
     }
-    finished = options.compact ? compactRows.own() : tree.rows_.own();
+    finished = exact ? tree.rows_.own() : shortRows.own();
     marginOfSet = tree.roundingMargin();
     std::vector<Bounds> below(tree.levels_[0].count);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, below.size(), 16),
@@ -273,8 +366,8 @@ struct PkdTreeBuilder
         for (std::size_t t = treelets.begin(); t != treelets.end(); ++t)
           finishTreelet<WORDS>(t, below[t]);
       });
-    if (options.compact)
-      tree.rows_ = std::move(compactRows);
+    if (!exact)
+      tree.rows_ = std::move(shortRows);
     tree.boundNodes(tree.levels_, tree.nodes_.own(), std::move(below), marginOfSet);
   }
 

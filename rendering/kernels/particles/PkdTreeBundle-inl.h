@@ -52,14 +52,30 @@ struct Spheres
     {
       const hn::Rebind<std::int32_t, DF> di;
       const auto a = hn::Load(du, rows[0].words.data() + lane);
-      const auto b = hn::Load(du, rows[1].words.data() + lane);
-      const auto low = hn::Set(du, 0xfffff);
       const VF step = hn::Set(d, view.step);
-      const auto place = [&](auto steps)
-      { return hn::Mul(hn::ConvertTo(d, hn::BitCast(di, steps)), step); };
-      x = place(hn::And(a, low));
-      y = place(hn::And(b, low));
-      z = place(hn::Or(hn::ShiftRight<20>(a), hn::ShiftLeft<12>(hn::ShiftRight<20>(b))));
+      const auto inSteps = [&](auto steps) { return hn::ConvertTo(d, hn::BitCast(di, steps)); };
+      if (view.placeRows == 2)
+      {
+        const auto b = hn::Load(du, rows[1].words.data() + lane);
+        const auto low = hn::Set(du, 0xfffff);
+        x = hn::Mul(inSteps(hn::And(a, low)), step);
+        y = hn::Mul(inSteps(hn::And(b, low)), step);
+        z = hn::Mul(
+          inSteps(hn::Or(hn::ShiftRight<20>(a), hn::ShiftLeft<12>(hn::ShiftRight<20>(b)))), step);
+      }
+      else
+      {
+        const PkdTreeView::Node& node = view.node(0, bucket / PkdTree::fanout);
+        const auto place = [&](auto upmost, std::size_t k)
+        {
+          const auto steps = hn::ShiftRight<22>(hn::BitCast(di, upmost));
+          const VF middle = hn::Set(d, node.middle(k, bucket % PkdTree::fanout));
+          return hn::MulAdd(hn::ConvertTo(d, steps), step, middle); // exact
+        };
+        x = place(hn::ShiftLeft<22>(a), 0);
+        y = place(hn::ShiftLeft<12>(a), 1);
+        z = place(hn::ShiftLeft<2>(a), 2);
+      }
     }
     r = view.ownRadii ? number(view.placeRows) : hn::Set(d, view.radius);
   }

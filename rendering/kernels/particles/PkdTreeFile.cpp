@@ -103,8 +103,8 @@ PkdTreeFile::PkdTreeFile(const std::string& name)
       h.fanout != PkdTree::fanout || h.bucketSize != PkdTree::bucketSize)
     throw Error(name + ": this file has nodes of another shape than is read here");
   // Below this no product that follows can overflow.
-  if (h.count > file_->size() || h.ownRadii > 1 ||
-      (h.rowsABucket != 3 + h.ownRadii && h.rowsABucket != 2 + h.ownRadii))
+  if (h.count > file_->size() || h.ownRadii > 1 || h.rowsABucket < 1 + h.ownRadii ||
+      h.rowsABucket > 3 + h.ownRadii)
     failDamaged(name, "its numbers of particles and rows are none");
   tree_.count_ = h.count;
   const std::size_t nodes = h.count > 0 ? PkdTree::planLevels(h.count, tree_.levels_) : 0;

@@ -108,7 +108,7 @@ void PkdTree::makeSparse()
 
 PkdTree::SparseParticle PkdTree::particleAt(std::size_t slot) const
 {
-  const std::array<float, 3>& corner = nodes_[levels_.front().first + slot / treeletSize].corner;
+  const std::array<float, 3>& corner = treeletOf(slot).corner;
   return {place(slot), storedRadius(slot), {corner[0], corner[1], corner[2]}, slot};
 }
 

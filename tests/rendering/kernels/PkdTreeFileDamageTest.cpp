@@ -158,7 +158,8 @@ TEST(PkdTreeFileDamage, HeadersThatDoNotFit)
   expect("another shape", [](Header& h, Table&) { h.fanout = 8; });
   expect("cut short", [](Header& h, Table&) { h.fileBytes += 1; });
   expect("numbers of particles", [](Header& h, Table&) { h.count = ~std::uint64_t{0}; });
-  expect("numbers of particles", [](Header& h, Table&) { h.rowsABucket = 2; });
+  expect("numbers of particles", [](Header& h, Table&) { h.rowsABucket = 1; });
+  expect("size that its particles", [](Header& h, Table&) { h.rowsABucket = 2; });
   expect("size that its particles", [](Header& h, Table&) { h.rowsABucket = 3; });
   expect("numbers of particles", [](Header& h, Table&) { h.ownRadii = 2; });
   expect("size that its particles", [](Header& h, Table&) { h.count += 16; });

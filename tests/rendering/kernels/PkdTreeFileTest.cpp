@@ -160,18 +160,24 @@ TEST(PkdTreeFile, AnyShape)
   }
 }
 
-TEST(PkdTreeFile, CompactTreesStayCompact)
+TEST(PkdTreeFile, KeepsTheForm)
 {
+  using Form = PkdTreeOptions::Form;
   const Folder folder;
-  PkdTreeOptions options;
-  options.compact = true;
-  Example example(20001);
-  example.tree.build(example.particles.set(), options);
-  ASSERT_TRUE(writePkdTreeFile(folder.file(), example.tree, example.contents()));
-  const PkdTreeFile file(folder.file());
-  EXPECT_TRUE(file.tree().isCompact());
-  EXPECT_EQ(file.tree().step(), example.tree.step());
-  expectSameAnswers(example.tree, file);
+  for (const bool mixed : {false, true})
+    for (const Form form : {Form::Exact, Form::Bytes8, Form::Bytes4})
+    {
+      PkdTreeOptions options;
+      options.form = form;
+      Example example(20001, 0.04, mixed ? 0.05 : 0.04);
+      example.tree.build(example.particles.set(), options);
+      ASSERT_TRUE(writePkdTreeFile(folder.file(), example.tree, example.contents()));
+      const PkdTreeFile file(folder.file());
+      EXPECT_EQ(file.tree().form(), form);
+      EXPECT_EQ(file.tree().step(), example.tree.step());
+      EXPECT_EQ(file.tree().positionError(), example.tree.positionError());
+      expectSameAnswers(example.tree, file);
+    }
 }
 
 TEST(PkdTreeFile, WrittenAgainIsTheSameFile)

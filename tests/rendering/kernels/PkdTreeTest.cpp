@@ -1,5 +1,6 @@
 // What is the P-k-d tree's own: its shape, its numbers, its memory.
 
+#include <kernels/core/Error.h>
 #include <kernels/particles/MedianSplit.h>
 #include <kernels/particles/PkdTree.h>
 
@@ -16,6 +17,8 @@ using namespace mote::testing;
 
 namespace
 {
+
+using Form = PkdTreeOptions::Form;
 
 template <int WORDS>
 std::vector<KdRecord<WORDS>> randomRecords(
@@ -41,6 +44,19 @@ void expectRight(const Particles& particles, const PkdTreeOptions& options = {})
     report.add(checkImage(
       tree, oracle, lookAt(random(1.5, 4.0) * random.direction(), Vec3d(0.0), 50.0), 32, 32));
   EXPECT_EQ(report.wrong, 0u) << "of " << report.rays << " rays; " << report.complaint;
+}
+
+/// Every particle is where the input says, within the error that the tree tells.
+void expectPlaces(const PkdTree& tree, const Particles& particles)
+{
+  ASSERT_EQ(tree.size(), particles.size());
+  for (std::size_t slot = 0; slot < tree.size(); ++slot)
+  {
+    const std::size_t i = tree.inputIndex(slot);
+    const Vec3d error = glm::abs(tree.center(slot) - particles.center(i));
+    ASSERT_LE(std::max({error.x, error.y, error.z}), tree.positionError() + 1e-15) << slot;
+    ASSERT_NEAR(tree.radius(slot), particles.radii[i], 1e-7 * particles.radii[i]);
+  }
 }
 
 } // namespace
@@ -139,53 +155,141 @@ TEST(PkdTree, CoordinatesAreAtLeastAsFineAsFloat)
     const Vec3d error = glm::abs(tree.center(slot) - particles.center(tree.inputIndex(slot)));
     largest = std::max({largest, error.x, error.y, error.z});
   }
-  EXPECT_LE(largest, 0.52 * tree.step()); // rounded twice, the first time far finer
-  EXPECT_LE(largest, 0.6 * 0x1p-25);      // float would be wrong by up to 2^-25 here
+  EXPECT_LE(largest, tree.positionError());
+  EXPECT_LE(largest, 0.6 * 0x1p-25); // float would be wrong by up to 2^-25 here
 }
 
-TEST(PkdTree, CompactCoordinatesAreOffByHalfAStep)
+TEST(PkdTree, ShortFormsTakeTheirBytesAndMoveNoParticleFarther)
 {
-  for (const bool mixed : {false, true})
-    for (const bool indices : {false, true})
+  for (const Form form : {Form::Exact, Form::Bytes8, Form::Bytes4})
+    for (const bool mixed : {false, true})
+      for (const bool indices : {false, true})
+      {
+        const Particles particles = randomParticles(50003, 19, 0.03, mixed ? 0.06 : 0.03);
+        PkdTreeOptions options;
+        options.form = form;
+        options.keepIndices = indices;
+        PkdTree tree;
+        tree.build(particles.set(), options);
+        ASSERT_EQ(tree.form(), form);
+        const double bytes = form == Form::Exact ? 12.0 : form == Form::Bytes8 ? 8.0 : 4.0;
+        EXPECT_LT(double(tree.bytes()) / 50003.0,
+          bytes + 0.6 + (mixed ? 4.0 : 0.0) + (indices ? 4.0 : 0.0));
+        EXPECT_LT(tree.positionError(), form == Form::Exact    ? 1e-7
+                                        : form == Form::Bytes8 ? 1e-6
+                                                               : 3e-4);
+        EXPECT_GT(tree.positionError(), 0.49 * tree.step());
+        EXPECT_LE(tree.positionError(), tree.step());
+        if (indices)
+          expectPlaces(tree, particles);
+      }
+}
+
+TEST(PkdTree, ShortFormsAreCastAsWhatTheyStore)
+{
+  // Mixed radii, and a dense cluster in a sparse set: there steps are longer than what bounds tell.
+  Random random(31);
+  std::vector<Particles> sets = {randomParticles(20000, 32, 0.01, 0.02), {}, {}};
+  for (int i = 0; i < 5000; ++i)
+  {
+    const Vec3d p = random.inBox(Vec3d(-1.0), Vec3d(1.0));
+    sets[1].add(p, std::pow(10.0, random(-4.0, -0.7)));
+    sets[2].add(i % 2 == 0 ? p : 1e-3 * p, 0.02);
+  }
+  for (Particles& particles : sets)
+    for (const Form form : {Form::Bytes8, Form::Bytes4})
     {
-      const Particles particles = randomParticles(50003, 19, 0.004, mixed ? 0.008 : 0.004);
+      for (std::size_t i = 0; i < 100; ++i) // some coincide
+        particles.add(particles.center(17 * i), particles.radii[17 * i]);
       PkdTreeOptions options;
-      options.compact = true;
-      options.keepIndices = indices;
+      options.form = form;
+      options.mostError = 1e3;
       PkdTree tree;
       tree.build(particles.set(), options);
-      ASSERT_TRUE(tree.isCompact());
-      EXPECT_LT(double(tree.bytes()) / 50003.0, 8.6 + (mixed ? 4.0 : 0.0) + (indices ? 4.0 : 0.0));
-      EXPECT_LT(tree.step(), 1e-6);
-      for (std::size_t slot = 0; slot < tree.size() && indices; ++slot)
+      expectPlaces(tree, particles);
+      Particles stored = particles;
+      for (std::size_t slot = 0; slot < tree.size(); ++slot)
+        for (int k = 0; k < 3; ++k)
+          stored.positions[3 * tree.inputIndex(slot) + static_cast<std::size_t>(k)] =
+            tree.center(slot)[k];
+      for (std::size_t i = 0; i < 100; ++i)
+        EXPECT_EQ(stored.center(stored.size() - 100 + i), stored.center(17 * i));
+      const CastOracle oracle = CastOracle::forFloat(stored.set());
+      CastReport report;
+      for (int k = 0; k < 4; ++k)
+        report.add(checkImage(
+          tree, oracle, lookAt(random(0.5, 4.0) * random.direction(), Vec3d(0.0), 50.0), 48, 48));
+      for (int k = 0; k < 20; ++k)
       {
-        const std::size_t i = tree.inputIndex(slot);
-        const Vec3d error = glm::abs(tree.center(slot) - particles.center(i));
-        ASSERT_LE(std::max({error.x, error.y, error.z}), 0.51 * tree.step());
-        ASSERT_NEAR(tree.radius(slot), particles.radii[i], 1e-8);
+        RayPacket packet = emptyPacket();
+        for (int i = 0; i < RayPacket::capacity; ++i)
+          addRay(packet, random.inBox(Vec3d(-1.5), Vec3d(1.5)), random.direction());
+        RayPacket any = packet;
+        report.add(checkPacket(tree, oracle, packet));
+        tree.cast(packet, 3);
+        tree.occlude(any, 3);
+        for (int i = 0; i < packet.count; ++i)
+          EXPECT_EQ(any.t[i] < 0.0, packet.object[i] == 3);
       }
-      // The picture is that of spheres which are off by no more than that.
-      if (!indices)
-        continue;
-      const CastOracle oracle(particles.set(), 2.0 * tree.step() + 4e-7);
-      const CastReport report =
-        checkImage(tree, oracle, lookAt({2.0, 1.5, 2.5}, Vec3d(0.0), 45.0), 64, 64);
       EXPECT_EQ(report.wrong, 0u) << report.complaint;
       EXPECT_GT(report.hits, 1000u);
     }
 }
 
+TEST(PkdTree, ShortFormsOfFewParticles)
+{
+  for (const Form form : {Form::Bytes8, Form::Bytes4})
+    for (const std::size_t count : {1u, 2u, 15u, 16u, 17u, 255u, 256u, 257u, 4097u})
+    {
+      PkdTreeOptions options;
+      options.form = form;
+      PkdTree tree;
+      const Particles particles = randomParticles(count, count, 0.3, 0.3);
+      tree.build(particles.set(), options);
+      expectPlaces(tree, particles);
+    }
+}
+
+TEST(PkdTree, AFormThatMovesParticlesTooFarIsRefused)
+{
+  const Particles particles = randomParticles(5000, 33, 0.002, 0.004);
+  PkdTreeOptions options;
+  options.form = Form::Bytes8;
+  PkdTree tree;
+  tree.build(particles.set(), options);
+  EXPECT_EQ(tree.size(), 5000u);
+  options.form = Form::Bytes4;
+  try
+  {
+    tree.build(particles.set(), options);
+    FAIL() << "not refused, and off by " << tree.positionError();
+  }
+  catch (const Error& error)
+  {
+    const std::string text = error.what();
+    EXPECT_EQ(text.find("The form 4-byte of a P-k-d tree would move particles by up to 0.000"), 0u)
+      << text;
+    EXPECT_NE(text.find("more than 1 % of the smallest radius, 0.002."), std::string::npos) << text;
+  }
+  EXPECT_EQ(tree.size(), 0u);
+  options.mostError = 0.5;
+  tree.build(particles.set(), options);
+  EXPECT_EQ(tree.size(), 5000u);
+  EXPECT_GT(tree.positionError(), 0.01 * tree.statistics().smallestRadius);
+  expectPlaces(tree, particles);
+}
+
 TEST(PkdTree, PlacesBehindTheLastParticleHoldNoSphere)
 {
   // Equal particles whose radius is large beside the places that the numbers there would mean.
-  for (const bool compact : {false, true})
+  for (const Form form : {Form::Exact, Form::Bytes8, Form::Bytes4})
     for (std::size_t count = 1; count <= 40; ++count)
     {
       Particles particles;
       for (std::size_t i = 0; i < count; ++i)
         particles.add({0.5 + 0.01 * double(i), 0.5, 0.5}, 0.5);
       PkdTreeOptions options;
-      options.compact = compact;
+      options.form = form;
       PkdTree tree;
       tree.build(particles.set(), options);
       const CastOracle oracle(particles.set(), 2.0 * tree.step() + 1e-6);
