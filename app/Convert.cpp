@@ -54,6 +54,7 @@ void addConvertOptions(CLI::App& app, ConvertOptions& options)
   app.get_option("FILE")->description(
     "Files to read, as elsewhere, and last the .mote file to write");
   addRadiusOptions(app, options.view);
+  addFormOption(app, options.view);
   app
     .add_option("--memory", options.memory,
       "Memory for particles, such as 4G; what needs more lies in files beside the one that is "

@@ -79,6 +79,14 @@ std::optional<MeshFacts> meshOf(vtkDataSet* data)
   return facts.any() ? std::optional(facts) : std::nullopt;
 }
 
+/// The points, where they stay in a .mote file; else null.
+vtkMoteParticleFilePoints* pointsInFile(vtkDataSet* data)
+{
+  return Part::isInFile(data)
+           ? vtkMoteParticleFilePoints::SafeDownCast(vtkPointSet::SafeDownCast(data)->GetPoints())
+           : nullptr;
+}
+
 /// The typical distance between neighbours; 0 where there is none.
 double spacingOf(vtkDataSet* data)
 {
@@ -170,6 +178,9 @@ void printText(const NamedData& one, const Input& input, int step, double second
                        " " + vector(box->vectors[1]) + " " + vector(box->vectors[2]));
   if (const double spacing = spacingOf(data); spacing > 0.0)
     printLine("spacing", asNumber(spacing, 4) + " between neighbours");
+  if (auto* inFile = pointsInFile(data))
+    printLine("form",
+      inFile->GetForm() + ", coordinates off by up to " + asNumber(inFile->GetPositionError(), 3));
   printLine("read in", asDuration(seconds));
   const std::optional<MeshFacts> mesh = meshOf(data);
   if (mesh)
@@ -213,6 +224,7 @@ std::string asJson(const NamedData& one, const Input& input, int step, double se
   const auto box = simulationBoxOf(data);
   const bool any = data->GetNumberOfPoints() > 0;
   const double spacing = spacingOf(data);
+  auto* inFile = pointsInFile(data);
   return "  {\"name\": " + jsonString(one.name) +
          ", \"class\": " + jsonString(data->GetClassName()) +
          ",\n    \"points\": " + std::to_string(data->GetNumberOfPoints()) +
@@ -223,6 +235,8 @@ std::string asJson(const NamedData& one, const Input& input, int step, double se
          ",\n    \"box\": " + (box ? jsonNumbers(&box->vectors[0][0], 9) : "null") +
          ", \"box_origin\": " + (box ? jsonNumbers(box->origin, 3) : "null") +
          ",\n    \"spacing\": " + (spacing > 0.0 ? jsonNumber(spacing) : "null") +
+         ", \"form\": " + (inFile ? jsonString(inFile->GetForm()) : "null") +
+         ", \"position_error\": " + (inFile ? jsonNumber(inFile->GetPositionError()) : "null") +
          ", \"read_seconds\": " + jsonNumber(seconds) +
          ",\n    \"mesh\": " + (mesh ? mesh->json() : "null") +
          ",\n    \"arrays\": " + jsonList(arrays) + "}";

@@ -57,6 +57,8 @@ Part::Part(const std::string& name, vtkDataSet* data, const ViewOptions& options
   if (!isMesh(data))
   {
     auto mapper = vtkSmartPointer<vtkMoteParticleMapper>::New();
+    mapper->SetStructureName(options.structure.c_str());
+    mapper->SetStructureForm(options.form.c_str());
     particles_ = mapper;
     mapper_ = mapper;
   }

@@ -7,6 +7,8 @@
 #include "Selection.h"
 #include "Text.h"
 
+#include <vtkMoteParticleMapper.h>
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -383,12 +385,45 @@ void addRadiusOptions(CLI::App& app, ViewOptions& o)
     ->group(group);
 }
 
+void addFormOption(CLI::App& app, ViewOptions& o)
+{
+  const std::vector<std::string> names = vtkMoteParticleMapper::GetStructureForms();
+  app
+    .add_option("--form", o.form,
+      "What the pkd-tree keeps centres of particles in: " + joined(names, ", ") +
+        ". Refused where it would move particles by more than a hundredth of the smallest radius. "
+        "By default as a .mote file has it, else exact")
+    ->check(CLI::IsMember(names).description(""))
+    ->type_name("NAME")
+    ->group("Structure");
+}
+
+namespace
+{
+
+void addStructureOptions(CLI::App& app, ViewOptions& o)
+{
+  const std::vector<std::string> names = vtkMoteParticleMapper::GetStructureNames();
+  app
+    .add_option("--structure", o.structure,
+      "What rays are cast through: " + joined(names, ", ") +
+        ". By default the coherent grid up to 100 million particles, the P-k-d tree above, and for "
+        ".mote files")
+    ->check(CLI::IsMember(names).description(""))
+    ->type_name("NAME")
+    ->group("Structure");
+  addFormOption(app, o);
+}
+
+} // namespace
+
 void addViewOptions(CLI::App& app, ViewOptions& o)
 {
   addReadOptions(app, o);
   addColorOptions(app, o);
   addSelectionOptions(app, o);
   addRadiusOptions(app, o);
+  addStructureOptions(app, o);
   addCameraOptions(app, o);
   addLightOptions(app, o);
   addPictureOptions(app, o);

@@ -50,6 +50,10 @@ struct ViewOptions
   std::map<int, double> typeRadius;
   double radiusScale = 1.0;
 
+  // Structure
+  std::string structure = "auto"; ///< a name of vtkMoteParticleMapper::GetStructureNames()
+  std::string form = "auto";      ///< a name of vtkMoteParticleMapper::GetStructureForms()
+
   // Light
   std::string light = "auto";   ///< a name of lightNames(), "azimuth,elevation" or "x,y,z"
   std::string shadows = "none"; ///< "none", "hard", "soft", or a side of the square of samples
@@ -89,6 +93,9 @@ void addViewOptions(CLI::App& app, ViewOptions& options);
 
 /// Declares those of them that say how large particles are.
 void addRadiusOptions(CLI::App& app, ViewOptions& options);
+
+/// Declares --form, the one of a structure that files have too.
+void addFormOption(CLI::App& app, ViewOptions& options);
 
 /// Declares those of them that say what colours mean.
 void addColorOptions(CLI::App& app, ViewOptions& options);

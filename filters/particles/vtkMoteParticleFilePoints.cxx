@@ -92,6 +92,18 @@ double vtkMoteParticleFilePoints::GetSpacing()
   return file ? file->spacing() : 0.0;
 }
 
+std::string vtkMoteParticleFilePoints::GetForm()
+{
+  const FilePointer file = this->GetFile();
+  return file ? mote::pkdTreeFormNames()[static_cast<std::size_t>(file->tree().form())] : "";
+}
+
+double vtkMoteParticleFilePoints::GetPositionError()
+{
+  const FilePointer file = this->GetFile();
+  return file ? file->tree().positionError() : 0.0;
+}
+
 void vtkMoteParticleFilePoints::ComputeBounds()
 {
   const FilePointer file = this->GetFile();
@@ -130,4 +142,6 @@ void vtkMoteParticleFilePoints::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "File: " << (this->GetFile() ? this->File->name() : "(none)") << "\n";
   os << indent << "Spacing: " << this->GetSpacing() << "\n";
+  os << indent << "Form: " << this->GetForm() << "\n";
+  os << indent << "PositionError: " << this->GetPositionError() << "\n";
 }

@@ -16,6 +16,7 @@
 #include "vtkMoteSourcePoints.h"
 
 #include <memory> // For the file
+#include <string> // For the form
 
 class vtkDataArray;
 
@@ -36,6 +37,16 @@ public:
    * says nothing.
    */
   double GetSpacing();
+
+  ///@{
+  /**
+   * The form that the file keeps centres in (see vtkMoteParticleMapper::SetStructureForm()), and by
+   * how much a coordinate may differ from what the file was made from. Empty and 0 for points that
+   * lie in no file.
+   */
+  std::string GetForm();
+  double GetPositionError();
+  ///@}
 
   /**
    * The bounds of the points, from the file's header.

@@ -79,11 +79,14 @@ std::shared_ptr<const PkdTreeFile> fileOf(vtkPointSet* points)
   return inFile ? inFile->GetFile() : nullptr;
 }
 
-bool drawsFile(vtkPointSet* points, const RadiusChoice& choice, ParticleStructureKind kind)
+bool drawsFile(vtkPointSet* points, const RadiusChoice& choice, const StructureChoice& structure)
 {
-  return choice.mode == vtkMoteParticleMapper::RADIUS_AUTOMATIC && choice.scale == 1.0 &&
-         (kind == ParticleStructureKind::Automatic || kind == ParticleStructureKind::PkdTree) &&
-         fileOf(points);
+  if (choice.mode != vtkMoteParticleMapper::RADIUS_AUTOMATIC || choice.scale != 1.0 ||
+      (structure.kind != ParticleStructureKind::Automatic &&
+        structure.kind != ParticleStructureKind::PkdTree))
+    return false;
+  const auto file = fileOf(points);
+  return file && (!structure.form || *structure.form == file->tree().form());
 }
 
 double spacingOf(vtkPointSet* points)
@@ -199,16 +202,53 @@ void addChoice(InputKey& key, const RadiusChoice& choice, vtkDataArray* radii, b
     }
 }
 
-ParticleStructureKind structureOf(const char* name)
+std::vector<std::string> structureFormNames()
 {
-  const std::vector<std::string>& names = particleStructureNames();
+  std::vector<std::string> names = pkdTreeFormNames();
+  names.insert(names.begin(), "auto");
+  return names;
+}
+
+namespace
+{
+
+/// Place of a name among others; the first for none.
+std::size_t findName(const std::vector<std::string>& names, const char* name, const char* what)
+{
   const auto found = name && *name ? std::find(names.begin(), names.end(), name) : names.begin();
   if (found != names.end())
-    return static_cast<ParticleStructureKind>(found - names.begin());
+    return static_cast<std::size_t>(found - names.begin());
   std::string known;
   for (const std::string& n : names)
     known += (known.empty() ? "" : ", ") + n;
-  throw Error(std::string("There is no structure \"") + name + "\"; there are: " + known + ".");
+  throw Error(std::string("There is no ") + what + " \"" + name + "\"; there are: " + known + ".");
+}
+
+} // namespace
+
+StructureChoice structureOf(const char* name, const char* form)
+{
+  const std::vector<std::string>& names = particleStructureNames();
+  StructureChoice choice;
+  choice.kind = static_cast<ParticleStructureKind>(findName(names, name, "structure"));
+  const std::size_t asked = findName(structureFormNames(), form, "form");
+  if (asked == 0)
+    return choice;
+  choice.form = static_cast<PkdTreeOptions::Form>(asked - 1);
+  if (choice.kind == ParticleStructureKind::Automatic)
+    choice.kind = ParticleStructureKind::PkdTree;
+  if (choice.kind != ParticleStructureKind::PkdTree)
+    throw Error(std::string("The structure \"") + name + "\" has no forms; \"" + form +
+                "\" is one of \"pkd-tree\".");
+  return choice;
+}
+
+ParticleStructureOptions StructureChoice::options() const
+{
+  ParticleStructureOptions options;
+  options.kind = kind;
+  options.pkdTree.form = form.value_or(PkdTreeOptions::Form::Exact);
+  return options;
 }
 
 void buildStructure(std::shared_ptr<ParticleStructure>& structure, const ParticleSet& particles,

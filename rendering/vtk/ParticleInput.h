@@ -9,6 +9,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,8 +53,25 @@ vtkDataArray* findRadiusArray(vtkPointSet* points, const RadiusChoice& choice, b
 /// The file that the points stay in (vtkMoteParticleFilePoints), or null.
 std::shared_ptr<const PkdTreeFile> fileOf(vtkPointSet* points);
 
+/// The structure that vtkMoteParticleMapper was asked for.
+struct StructureChoice
+{
+  ParticleStructureKind kind = ParticleStructureKind::Automatic;
+  std::optional<PkdTreeOptions::Form> form; ///< none: as a file has it, else exact
+
+  /// How it is built where it is not in a file.
+  ParticleStructureOptions options() const;
+};
+
+/// What these names mean; empty or null ones mean the first of their kind. Throws Error where there
+/// is no such structure or form, or where the structure does not come in forms.
+StructureChoice structureOf(const char* name, const char* form);
+
+/// Names of forms for messages and options: "auto", then all.
+std::vector<std::string> structureFormNames();
+
 /// Whether what is to be drawn is the very tree of that file.
-bool drawsFile(vtkPointSet* points, const RadiusChoice& choice, ParticleStructureKind kind);
+bool drawsFile(vtkPointSet* points, const RadiusChoice& choice, const StructureChoice& structure);
 
 /// The typical distance between neighbours; of points in a file what that says.
 double spacingOf(vtkPointSet* points);
@@ -72,9 +90,6 @@ void addArray(InputKey& key, vtkDataArray* array);
 
 /// All that radii depend on; `radii` and `half` as findRadiusArray() gives them.
 void addChoice(InputKey& key, const RadiusChoice& choice, vtkDataArray* radii, bool half);
-
-/// Throws Error where no structure has this name. Without a name it is the first.
-ParticleStructureKind structureOf(const char* name);
 
 /// Builds the structure that `options` name over the particles; into `structure`, whose memory is
 /// then used again, where it is of that kind and nobody else holds it. What is left is null where

@@ -81,8 +81,8 @@ void vtkMoteParticleMapper::BeginPreview(vtkPointSet* input)
 {
   Internals& impl = *this->Impl;
   impl.buildStart = std::chrono::steady_clock::now();
-  mote::ParticleStructureOptions options;
-  options.kind = mote::structureOf(this->StructureName);
+  const mote::ParticleStructureOptions options =
+    mote::structureOf(this->StructureName, this->StructureForm).options();
   mote::ParticleInput particles = mote::makeParticleInput(input, impl.choice);
   auto preview = std::make_unique<Internals::PreviewFacts>();
   preview->whole = mote::examine(particles.set);

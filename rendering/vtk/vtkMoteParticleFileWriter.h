@@ -46,7 +46,8 @@ public:
   ///@{
   /**
    * The mapper whose rules of radii hold and, where the writer has no input of its own, whose
-   * input is written. One of the writer's own at first. Its StructureName becomes "pkd-tree".
+   * input is written. One of the writer's own at first. Its StructureName becomes "pkd-tree"; its
+   * StructureForm is the form that is written.
    */
   void SetMapper(vtkMoteParticleMapper* mapper);
   vtkMoteParticleMapper* GetMapper();

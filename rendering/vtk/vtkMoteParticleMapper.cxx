@@ -38,6 +38,7 @@ vtkMoteParticleMapper::vtkMoteParticleMapper()
 {
   this->SetTypeArrayName("type");
   this->SetStructureName(mote::particleStructureNames().front().c_str());
+  this->SetStructureForm(mote::structureFormNames().front().c_str());
 }
 
 vtkMoteParticleMapper::~vtkMoteParticleMapper()
@@ -46,6 +47,7 @@ vtkMoteParticleMapper::~vtkMoteParticleMapper()
   this->SetTypeArrayName(nullptr);
   this->SetVisibilityArrayName(nullptr);
   this->SetStructureName(nullptr);
+  this->SetStructureForm(nullptr);
 }
 
 int vtkMoteParticleMapper::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
@@ -138,6 +140,16 @@ int vtkMoteParticleMapper::GetNumberOfBuilds()
 double vtkMoteParticleMapper::GetRadiusInUse()
 {
   return this->Impl->commonRadius;
+}
+
+std::vector<std::string> vtkMoteParticleMapper::GetStructureNames()
+{
+  return mote::particleStructureNames();
+}
+
+std::vector<std::string> vtkMoteParticleMapper::GetStructureForms()
+{
+  return mote::structureFormNames();
 }
 
 std::shared_ptr<const mote::PkdTree> vtkMoteParticleMapper::GetTree()
@@ -252,8 +264,10 @@ void vtkMoteParticleMapper::UpdateStructure()
       throw mote::Error("The input is not a data set of points.");
     bool half = false;
     vtkDataArray* radii = mote::findRadiusArray(input, choice, half);
-    mote::InputKey key = {
-      double(mote::structureOf(this->StructureName)), double(this->KeepPointIds)};
+    const mote::StructureChoice structure =
+      mote::structureOf(this->StructureName, this->StructureForm);
+    mote::InputKey key = {double(structure.kind), structure.form ? double(*structure.form) : -1.0,
+      double(this->KeepPointIds)};
     mote::addArray(key, input->GetPoints() ? input->GetPoints()->GetData() : nullptr);
     mote::addChoice(key, choice, radii, half);
     const bool failed = impl.preview && !impl.build;
@@ -264,7 +278,7 @@ void vtkMoteParticleMapper::UpdateStructure()
     }
     this->StopBuild();
     impl.structureKey.clear();
-    if (mote::drawsFile(input, choice, mote::structureOf(this->StructureName)))
+    if (mote::drawsFile(input, choice, structure))
       this->TakeStructure(input);
     else if (this->UsesPreview())
       this->BeginPreview(input);
@@ -289,8 +303,8 @@ void vtkMoteParticleMapper::BuildStructure(vtkPointSet* input)
 {
   Internals& impl = *this->Impl;
   const auto start = std::chrono::steady_clock::now();
-  mote::ParticleStructureOptions options;
-  options.kind = mote::structureOf(this->StructureName);
+  mote::ParticleStructureOptions options =
+    mote::structureOf(this->StructureName, this->StructureForm).options();
   options.pkdTree.keepIndices = this->KeepPointIds;
   options.pkdTree.space = impl.space;
   const BuildEvents events(this);
@@ -388,6 +402,7 @@ void vtkMoteParticleMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VisibilityComponent: " << this->VisibilityComponent << "\n";
   this->PrintRanges(os, indent);
   os << indent << "StructureName: " << text(this->StructureName) << "\n";
+  os << indent << "StructureForm: " << text(this->StructureForm) << "\n";
   os << indent << "Preview: " << (this->Preview ? "On" : "Off") << "\n";
   os << indent << "PreviewSize: " << this->PreviewSize << "\n";
   os << indent << "IsPreview: " << (this->IsPreview() ? "Yes" : "No") << "\n";

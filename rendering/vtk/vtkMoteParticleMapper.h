@@ -36,6 +36,7 @@
 
 #include <memory> // for the implementation
 #include <string> // for messages
+#include <vector> // for names
 
 class vtkDataArray;
 class vtkPointSet;
@@ -231,6 +232,17 @@ public:
   vtkGetStringMacro(StructureName);
   ///@}
 
+  ///@{
+  /**
+   * What the "pkd-tree" keeps centres in, by name: "exact", 12 bytes a particle and as fine as
+   * float; "8-byte"; "4-byte"; or "auto" (default), as the file has it that the points stay in,
+   * else exact. A form that would move particles by more than a hundredth of the smallest radius
+   * is refused. A form but "auto" is one of the "pkd-tree", which "auto" structures then are.
+   */
+  vtkSetStringMacro(StructureForm);
+  vtkGetStringMacro(StructureForm);
+  ///@}
+
   /**
    * Bounds of the spheres, not of their centres alone.
    */
@@ -379,6 +391,14 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
+  ///@{
+  /**
+   * The names that StructureName and StructureForm may be, the default first.
+   */
+  static std::vector<std::string> GetStructureNames();
+  static std::vector<std::string> GetStructureForms();
+  ///@}
+
   /**
    * The P-k-d tree as of the last Update(); null where that is not the structure.
    */
@@ -419,6 +439,7 @@ protected:
   char* VisibilityArrayName = nullptr;
   int VisibilityComponent = 0;
   char* StructureName = nullptr;
+  char* StructureForm = nullptr;
   vtkTypeBool Preview = 0;
   vtkIdType PreviewSize = 1000000;
   bool KeepPointIds = true;

@@ -32,6 +32,12 @@ case $3 in
     run 0 "$mote" render "$hopper" -o a.jpg --size 320x200
     run 0 "$mote" render "$hopper" -o a.tif --size 320x200
     run 0 "$mote" render "$hopper" -o a.exr --size 320x200
+    for options in '--structure coherent-grid' '--structure pkd-tree --form 8-byte' \
+      '--structure pkd-paper' '--form 4-byte'; do
+      # shellcheck disable=SC2086
+      run 0 "$mote" render "$hopper" -o structure.png --size 320x200 $options
+      is_picture structure.png 320x200
+    done
     [ "$(head -c 4 a.exr | od -A n -t x1 | tr -d ' ')" = 762f3101 ] || fail "a.exr is no EXR"
     for view in auto iso iso-y +x -x +y -y +z -z; do
       run 0 "$mote" render "$hopper" -o view.png --size 320x200 --view "$view"
@@ -260,6 +266,24 @@ case $3 in
     cmp a.mote b.mote || fail "a file written from a file is another"
     run 0 "$mote" convert "$copper" c.mote --radius 0.5 --step first
     cmp -s a.mote c.mote && fail "options changed nothing"
+    for form in exact 8-byte 4-byte; do
+      run 0 "$mote" convert "$copper" "$form.mote" --form "$form"
+      run 0 "$mote" info "$form.mote"
+      said out "$form, coordinates off by up to"
+      run 0 "$mote" info --json "$form.mote"
+      said out "\"form\": \"$form\""
+      run 0 "$mote" render "$form.mote" -o a.png --size 320x200
+      is_picture a.png 320x200
+    done
+    cmp a.mote exact.mote || fail "the exact form is not what is written without --form"
+    [ "$(wc -c <4-byte.mote)" -lt "$(wc -c <8-byte.mote)" ] &&
+      [ "$(wc -c <8-byte.mote)" -lt "$(wc -c <exact.mote)" ] || fail "short forms are not shorter"
+    run 0 "$mote" convert 4-byte.mote again.mote
+    cmp 4-byte.mote again.mote || fail "a file's form was not kept"
+    run 1 "$mote" convert "$copper" d.mote --form 4-byte --radius 0.001
+    one_sentence
+    said err 'of the smallest radius, 0.001'
+    [ ! -e d.mote ] || fail "a file in spite of an error"
     run 1 "$mote" convert "$copper" "$hopper"
     one_sentence
     said err .mote
@@ -392,6 +416,8 @@ assert any(a["name"] == "c_centro" for a in d[0]["arrays"])' || fail "not the ri
     failing render "$hopper" -o a.png --time -5
     said err 'begins at time 0'
     failing render "$hopper" -o a.png --log --range -1 1
+    failing render "$hopper" -o a.png --structure coherent-grid --form 4-byte
+    said err 'has no forms'
     failing render "$hopper" -o a.picture
     failing render "$hopper" -o nowhere/a.png
     failing render "$hopper" -o /dev/full
@@ -431,6 +457,13 @@ assert any(a["name"] == "c_centro" for a in d[0]["arrays"])' || fail "not the ri
     misused render "$hopper" -o a.png --show a=1 --show b=1 --show c=1 --show d=1 --show e=1 \
       --show f=1 --show g=1 --show h=1 --show i=1
     said err 'at most eight'
+    misused render "$hopper" -o a.png --structure octree
+    said err pkd-paper
+    misused render "$hopper" -o a.png --form 5-byte
+    said err 8-byte
+    misused convert "$hopper" a.mote --form small
+    misused convert "$hopper" a.mote --structure pkd-tree # there is no other in a file
+    misused "$hopper" --structure octree
     misused render "$hopper" -o a.png --shadows long
     misused render "$hopper" -o a.png --shadows 65
     misused render "$hopper" -o a.png --light behind

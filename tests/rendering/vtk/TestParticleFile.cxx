@@ -199,6 +199,47 @@ TEST_F(Filed, IsBuiltWhereOtherRadiiAreWanted)
   EXPECT_EQ(stage.mapper->GetNumberOfBuilds(), 3); // back to the file
 }
 
+TEST_F(Filed, KeepsTheFormUntilAnotherIsWanted)
+{
+  const auto read = [&](vtkPolyData* from, const char* form, const char* to)
+  {
+    vtkNew<vtkMoteParticleFileWriter> writer;
+    writer->GetMapper()->SetStructureForm(form);
+    writer->SetInputData(from);
+    writer->SetFileName(path(to).c_str());
+    EXPECT_EQ(writer->Write(), 1) << writer->GetErrorMessage();
+    EXPECT_EQ(writer->GetMapper()->GetNumberOfBuilds(), from == data || *form != 'a' ? 1 : 0);
+    vtkNew<vtkMoteParticleFileReader> reader;
+    reader->SetFileName(path(to).c_str());
+    reader->Update();
+    return vtkSmartPointer<vtkPolyData>(reader->GetOutput());
+  };
+  const auto pointsOf = [](vtkPolyData* points)
+  { return vtkMoteParticleFilePoints::SafeDownCast(points->GetPoints()); };
+  const auto exact = read(data, "auto", "exact.mote"), small = read(exact, "4-byte", "4.mote"),
+             again = read(small, "auto", "again.mote");
+  EXPECT_EQ(pointsOf(exact)->GetForm(), "exact");
+  EXPECT_LT(pointsOf(exact)->GetPositionError(), 1e-6);
+  for (vtkPolyData* points : {small.Get(), again.Get()})
+  {
+    EXPECT_EQ(pointsOf(points)->GetForm(), "4-byte");
+    EXPECT_GT(pointsOf(points)->GetPositionError(), 1e-5);
+  }
+  const double error = pointsOf(small)->GetPositionError() + pointsOf(exact)->GetPositionError();
+  vtkDataArray* ids = small->GetPointData()->GetArray("vtkOriginalPointIds");
+  for (vtkIdType i = 0; i < 400; ++i)
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_NEAR(
+        small->GetPoint(i)[k], data->GetPoint(static_cast<vtkIdType>(ids->GetTuple1(i)))[k], error);
+      EXPECT_EQ(small->GetPoint(i)[k], again->GetPoint(i)[k]);
+    }
+  Stage stage(small), truth(data);
+  const int covered = truth.trace().covered();
+  EXPECT_NEAR(stage.trace().covered(), covered, 0.01 * covered);
+  EXPECT_EQ(stage.mapper->GetNumberOfBuilds(), 0);
+}
+
 TEST_F(Filed, ArraysOutliveReaderAndFile)
 {
   vtkSmartPointer<vtkDataArray> energy;

@@ -300,6 +300,67 @@ TEST(ParticleMapperErrors, UnknownStructure)
   EXPECT_GT(stage.trace().covered(), 0);
 }
 
+TEST(ParticleMapperErrors, UnknownOrUnfitForm)
+{
+  Stage stage(makeParticles({{0, 0, 0, 1}}));
+  Complaints complaints(stage.mapper);
+  stage.mapper->SetStructureForm("5-byte");
+  EXPECT_EQ(stage.trace().covered(), 0);
+  EXPECT_NE(
+    complaints.text.find("\"5-byte\"; there are: auto, exact, 8-byte, 4-byte."), std::string::npos)
+    << complaints.text;
+  stage.mapper->SetStructureForm("4-byte");
+  stage.mapper->SetStructureName("coherent-grid");
+  EXPECT_EQ(stage.trace().covered(), 0);
+  EXPECT_NE(complaints.text.find("\"coherent-grid\" has no forms"), std::string::npos)
+    << complaints.text;
+  EXPECT_EQ(complaints.errors, 2);
+  stage.mapper->SetStructureName("auto");
+  EXPECT_GT(stage.trace().covered(), 0);
+  EXPECT_EQ(complaints.errors, 2) << complaints.text;
+}
+
+TEST(ParticleMapperErrors, AFormThatMovesParticlesTooFar)
+{
+  // Two specks, far from one another: ten bits for what lies between.
+  Stage stage(makeParticles({{0, 0, 0, 1e-4}, {1, 0, 0, 1e-4}}));
+  Complaints complaints(stage.mapper);
+  stage.mapper->SetStructureForm("4-byte");
+  stage.mapper->Update();
+  EXPECT_EQ(stage.mapper->GetNumberOfParticles(), 0);
+  EXPECT_EQ(complaints.errors, 1);
+  EXPECT_NE(complaints.text.find("% of the smallest radius, 0.0001."), std::string::npos)
+    << complaints.text;
+  stage.mapper->SetStructureForm("8-byte");
+  stage.mapper->Update();
+  EXPECT_EQ(stage.mapper->GetNumberOfParticles(), 2);
+}
+
+TEST(ParticleMapperInput, EveryStructureAndFormDrawsTheSame)
+{
+  Stage truth(makeParticles(someBalls(400)));
+  truth.mapper->SetStructureName("coherent-grid");
+  const int covered = truth.trace().covered();
+  vtkTypeInt64 bytes = 0;
+  for (const std::string& name : vtkMoteParticleMapper::GetStructureNames())
+    for (const std::string& form : vtkMoteParticleMapper::GetStructureForms())
+    {
+      if (form != "auto" && name != "auto" && name != "pkd-tree")
+        continue;
+      Stage stage(makeParticles(someBalls(400)));
+      stage.mapper->SetStructureName(name.c_str());
+      stage.mapper->SetStructureForm(form.c_str());
+      EXPECT_NEAR(stage.trace().covered(), covered, 0.01 * covered) << name << ", " << form;
+      if (form == "exact")
+        bytes = stage.mapper->GetStructureBytes();
+      if (form == "8-byte" || form == "4-byte")
+      {
+        EXPECT_LT(stage.mapper->GetStructureBytes(), bytes) << form;
+        bytes = stage.mapper->GetStructureBytes();
+      }
+    }
+}
+
 TEST(ParticleMapperInput, NoneOrEmptyDrawsNothingAndSaysNothing)
 {
   vtkNew<vtkPolyData> noPoints;
@@ -429,7 +490,7 @@ TEST(ParticleMapperInput, PrintSelfTellsItsState)
   mapper->Update();
   std::ostringstream after;
   mapper->Print(after);
-  for (const char* part : {"TypeRadius of 4: 2.5", "RadiusArrayName: size",
-         "StructureName: auto", "NumberOfParticles: 1", "NumberOfUnfitParticles: 1"})
+  for (const char* part : {"TypeRadius of 4: 2.5", "RadiusArrayName: size", "StructureName: auto",
+         "NumberOfParticles: 1", "NumberOfUnfitParticles: 1"})
     EXPECT_NE(after.str().find(part), std::string::npos) << part;
 }
