@@ -69,7 +69,9 @@ TEST(ParticleSample, TakesOneOfEachStretchOfTheInput)
       EXPECT_GT(at, double(k) - 1.0) << wanted;
       EXPECT_LT(at, double(k) + 2.0) << wanted;
       if (k > 0)
+      {
         EXPECT_GT(sample.indices()[k], sample.indices()[k - 1]);
+      }
     }
     EXPECT_LT(sample.indices().back(), 1003u);
   }

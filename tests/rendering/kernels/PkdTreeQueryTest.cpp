@@ -238,14 +238,16 @@ TEST(PkdTreeQuery, TheTreeOfFewAnswersAsTheWholeOne)
       q.particles.positions.begin() + static_cast<std::ptrdiff_t>(3 * i + 3));
     q.particles.radii[i + 1] = q.particles.radii[i];
   }
-  for (const bool compact : {false, true})
+  for (const auto form :
+    {PkdTreeOptions::Form::Exact, PkdTreeOptions::Form::Bytes8, PkdTreeOptions::Form::Bytes4})
     for (const bool mixed : {true, false})
     {
       const std::vector<double> radii = q.particles.radii;
       if (!mixed)
         std::fill(q.particles.radii.begin(), q.particles.radii.end(), 0.012);
       PkdTreeOptions options;
-      options.compact = compact;
+      options.form = form;
+      options.mostError = 1.0;
       PkdTree few, whole;
       q.build(few, options);
       options.sparseShare = 0;
