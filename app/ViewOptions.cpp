@@ -391,7 +391,7 @@ void addFormOption(CLI::App& app, ViewOptions& o)
   app
     .add_option("--form", o.form,
       "What the pkd-tree keeps centres of particles in: " + joined(names, ", ") +
-        ". Refused where it would move particles by more than a hundredth of the smallest radius. "
+        ". Refused where it would move particles by more than a twentieth of the smallest radius. "
         "By default as a .mote file has it, else exact")
     ->check(CLI::IsMember(names).description(""))
     ->type_name("NAME")

@@ -236,7 +236,7 @@ public:
   /**
    * What the "pkd-tree" keeps centres in, by name: "exact", 12 bytes a particle and as fine as
    * float; "8-byte"; "4-byte"; or "auto" (default), as the file has it that the points stay in,
-   * else exact. A form that would move particles by more than a hundredth of the smallest radius
+   * else exact. A form that would move particles by more than a twentieth of the smallest radius
    * is refused. A form but "auto" is one of the "pkd-tree", which "auto" structures then are.
    */
   vtkSetStringMacro(StructureForm);

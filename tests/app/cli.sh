@@ -35,7 +35,7 @@ case $3 in
     for options in '--structure coherent-grid' '--structure pkd-tree --form 8-byte' \
       '--structure pkd-paper' '--form 4-byte'; do
       # shellcheck disable=SC2086
-      run 0 "$mote" render "$hopper" -o structure.png --size 320x200 $options
+      run 0 "$mote" render "$copper" -o structure.png --size 320x200 $options
       is_picture structure.png 320x200
     done
     [ "$(head -c 4 a.exr | od -A n -t x1 | tr -d ' ')" = 762f3101 ] || fail "a.exr is no EXR"

@@ -50,7 +50,7 @@ struct PkdTreeOptions
   };
   Form form = Form::Exact;
   /// Largest positionError() of a form that is not exact, as a share of the smallest radius.
-  double mostError = 0.01;
+  double mostError = 0.05;
 };
 
 /// The names of the forms, for options and messages, in the order of PkdTreeOptions::Form.

@@ -269,13 +269,13 @@ TEST(PkdTree, AFormThatMovesParticlesTooFarIsRefused)
     const std::string text = error.what();
     EXPECT_EQ(text.find("The form 4-byte of a P-k-d tree would move particles by up to 0.000"), 0u)
       << text;
-    EXPECT_NE(text.find("more than 1 % of the smallest radius, 0.002."), std::string::npos) << text;
+    EXPECT_NE(text.find("more than 5 % of the smallest radius, 0.002."), std::string::npos) << text;
   }
   EXPECT_EQ(tree.size(), 0u);
   options.mostError = 0.5;
   tree.build(particles.set(), options);
   EXPECT_EQ(tree.size(), 5000u);
-  EXPECT_GT(tree.positionError(), 0.01 * tree.statistics().smallestRadius);
+  EXPECT_GT(tree.positionError(), 0.05 * tree.statistics().smallestRadius);
   expectPlaces(tree, particles);
 }
 
