@@ -11,6 +11,7 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
+#include <vtkMoteParticleFilePoints.h>
 #include <vtkMoteParticleMapper.h>
 #include <vtkMoteReaderTable.h>
 #include <vtkPointData.h>
@@ -82,9 +83,8 @@ std::optional<MeshFacts> meshOf(vtkDataSet* data)
 /// The points, where they stay in a .mote file; else null.
 vtkMoteParticleFilePoints* pointsInFile(vtkDataSet* data)
 {
-  return Part::isInFile(data)
-           ? vtkMoteParticleFilePoints::SafeDownCast(vtkPointSet::SafeDownCast(data)->GetPoints())
-           : nullptr;
+  auto* points = vtkPointSet::SafeDownCast(data);
+  return points ? vtkMoteParticleFilePoints::SafeDownCast(points->GetPoints()) : nullptr;
 }
 
 /// The typical distance between neighbours; 0 where there is none.

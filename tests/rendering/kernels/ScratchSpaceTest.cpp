@@ -98,7 +98,8 @@ TEST(ScratchSpace, HoldsTheSameTree)
     {
       PkdTree inMemory, inFiles;
       PkdTreeOptions options;
-      options.compact = compact;
+      options.form = compact ? PkdTreeOptions::Form::Bytes8 : PkdTreeOptions::Form::Exact;
+      options.mostError = 1e3;
       inMemory.build(ParticleSet::of(makeParticles(specification)), options);
       options.space = std::make_shared<ScratchSpace>(folder.name("a.mote"), 0);
       inFiles.build(ParticleSet::of(makeParticles(specification)), options);
