@@ -1,18 +1,47 @@
 #pragma once
 
 #include "HexMesh.h"
+#include "HexRay.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
 namespace mote
 {
 
-/// The part [in, out) of a line that lies in a cell, in the line's own parameter.
+/// The part [in, out) of a line that lies in a cell, in the line's own parameter, and the faces by
+/// which the line enters and leaves: 0 to 5, with the corners 0321, 4567, 0154, 3762, 0473, 1265.
 struct CellInterval
 {
   double in = 0.0;
   double out = 0.0;
+  std::uint8_t inFace = noFace;
+  std::uint8_t outFace = noFace;
+
+  /// What of it lies within [tMin, tMax], as a span of a ray: empty where tIn >= tOut.
+  CellSpan within(std::uint32_t cell, double tMin, double tMax) const
+  {
+    return {cell, std::max(in, tMin), std::min(out, tMax), in < tMin ? noFace : inFace,
+      out > tMax ? noFace : outFace};
+  }
+};
+
+/// A point of a face, as four corners of the cell and their weights, which are bilinear and add up
+/// to 1 but for rounding. From the cells on both sides the same corners come in the same order with
+/// the same weights, and so value() gives the same to the last bit.
+struct FacePoint
+{
+  std::array<std::uint8_t, 4> corners{};
+  std::array<double, 4> weights{};
+
+  /// The value of a scalar; `ofCorner(i)` is that of the cell's corner i, 0 to 7.
+  template <typename OfCorner>
+  double value(const OfCorner& ofCorner) const
+  {
+    return weights[0] * ofCorner(corners[0]) + weights[1] * ofCorner(corners[1]) +
+           weights[2] * ofCorner(corners[2]) + weights[3] * ofCorner(corners[3]);
+  }
 };
 
 /// The parts of a line in one cell, in order. A cell with eight corners has up to six: each of the
@@ -66,7 +95,27 @@ public:
   bool intersect(const HexMesh& mesh, std::size_t cell, CellIntervals& intervals) const;
   bool intersect(const HexCorners& corners, CellIntervals& intervals) const;
 
+  /// Where the line enters or leaves a cell by `face`, 0 to 5, which an interval or a span of this
+  /// line and cell named. Nothing is iterated: values at the ends of spans need no coordinates
+  /// within the cell.
+  FacePoint entry(const HexMesh& mesh, std::size_t cell, std::uint8_t face) const
+  {
+    return facePoint(mesh, cell, face, -1);
+  }
+  FacePoint exit(const HexMesh& mesh, std::size_t cell, std::uint8_t face) const
+  {
+    return facePoint(mesh, cell, face, 1);
+  }
+
 private:
+  FacePoint facePoint(const HexMesh& mesh, std::size_t cell, std::uint8_t face, int leaving) const;
+  /// A point in the line's frame.
+  Vec3d inFrame(const double* p) const
+  {
+    const double z = p[kz_] - origin_.z;
+    return {p[kx_] - origin_.x - shearX_ * z, p[ky_] - origin_.y - shearY_ * z, z};
+  }
+
   template <typename Corner>
   bool intersectCorners(const Corner& corner, CellIntervals& intervals) const;
 

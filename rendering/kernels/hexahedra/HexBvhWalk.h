@@ -26,6 +26,7 @@ public:
     double tOut; ///< of a span
     std::uint32_t id;
     bool isSpan;
+    std::uint8_t inFace, outFace; ///< of a span
   };
 
   /// Of equal t, nodes come first, as they may hold spans with that t, and then the lower numbers.
@@ -117,7 +118,7 @@ void HexBvh<Space>::forCellsAlong(
   const auto meets = [&](std::uint32_t n, Entry& entry)
   {
     counts.addNode();
-    entry = {ray.tMin, ray.tMax, n, false};
+    entry = {ray.tMin, ray.tMax, n, false, noFace, noFace};
     return (ranges_.empty() || keep(ranges_[n])) &&
            nodes_[n].region.clip(path, entry.t, entry.tOut);
   };
@@ -131,8 +132,8 @@ void HexBvh<Space>::forCellsAlong(
       if (!line.intersect(*mesh_, cells_[i], intervals))
         continue;
       for (const CellInterval& v : intervals)
-        if (const double t = std::max(v.in, ray.tMin), out = std::min(v.out, ray.tMax); t < out)
-          queue.push({t, out, cells_[i], true});
+        if (const CellSpan s = v.within(cells_[i], ray.tMin, ray.tMax); s.tIn < s.tOut)
+          queue.push({s.tIn, s.tOut, s.cell, true, s.inFace, s.outFace});
     }
   };
   Entry entry;
@@ -141,7 +142,7 @@ void HexBvh<Space>::forCellsAlong(
   {
     if (entry.isSpan)
     {
-      if (!visit(CellSpan{entry.id, entry.t, entry.tOut}))
+      if (!visit(CellSpan{entry.id, entry.t, entry.tOut, entry.inFace, entry.outFace}))
         return;
     }
     else if (const Node& node = nodes_[entry.id]; node.count > 0)

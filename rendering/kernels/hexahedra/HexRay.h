@@ -18,12 +18,18 @@ struct HexRay
   double tMax = std::numeric_limits<double>::infinity();
 };
 
-/// The part [tIn, tOut) of a ray in a cell.
+/// Stands for no face where faces of cells are numbered 0 to 5, see CrossingLine.
+inline constexpr std::uint8_t noFace = 6;
+
+/// The part [tIn, tOut) of a ray in a cell, and the faces by which it comes and goes: noFace where
+/// the ray itself begins or ends. CrossingLine::entry() and exit() tell where on a face.
 struct CellSpan
 {
   std::uint32_t cell = 0;
   double tIn = 0.0;
   double tOut = 0.0;
+  std::uint8_t inFace = noFace;
+  std::uint8_t outFace = noFace;
 
   bool operator==(const CellSpan&) const = default;
 };

@@ -96,7 +96,7 @@ private:
     if (line_.intersect(mesh_, cell, intervals))
       for (const CellInterval& i : intervals)
       {
-        const CellSpan span{cell, std::max(i.in, ray_.tMin), std::min(i.out, ray_.tMax)};
+        const CellSpan span = i.within(cell, ray_.tMin, ray_.tMax);
         if (span.tIn >= span.tOut)
           continue;
         any = true;

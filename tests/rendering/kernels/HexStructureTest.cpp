@@ -59,8 +59,7 @@ std::vector<CellSpan> allSpans(const HexMesh& mesh, const HexRay& ray)
   for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
     if (line.intersect(mesh, c, intervals))
       for (const CellInterval& i : intervals)
-        if (const CellSpan s{c, std::max(i.in, ray.tMin), std::min(i.out, ray.tMax)};
-            s.tIn < s.tOut)
+        if (const CellSpan s = i.within(c, ray.tMin, ray.tMax); s.tIn < s.tOut)
           all.push_back(s);
   std::sort(all.begin(), all.end(),
     [](const CellSpan& a, const CellSpan& b)
