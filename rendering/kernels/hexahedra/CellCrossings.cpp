@@ -21,43 +21,12 @@ const Vec3d askedDirection(0.8391, 0.3241, 0.4372);
 CrossingLine::CrossingLine(const Vec3d& origin, const Vec3d& direction)
 {
   const Vec3d size = glm::abs(direction);
-  kz_ = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  kx_ = (kz_ + 1) % 3;
-  ky_ = (kz_ + 2) % 3;
-  if (direction[kz_] < 0.0) // so that leaving is counter-clockwise
-    std::swap(kx_, ky_);
-  origin_ = {origin[kx_], origin[ky_], origin[kz_]};
-  shearX_ = direction[kx_] / direction[kz_];
-  shearY_ = direction[ky_] / direction[kz_];
-  inverse_ = 1.0 / direction[kz_];
-}
-
-template <typename Corner>
-bool CrossingLine::intersectCorners(const Corner& corner, CellIntervals& intervals) const
-{
-  CellFrame frame;
-  for (unsigned i = 0; i < 8; ++i)
-  {
-    const Vec3d p = inFrame(corner(i));
-    frame.add(i, p.x, p.y, p.z);
-  }
-  Crossings crossings;
-  findCrossings(frame, crossings);
-  intervals.count = 0;
-  for (int i = 0; i < crossings.count; ++i)
-    crossings.of[static_cast<std::size_t>(i)].t *= inverse_;
-  return crossings.count > 0 && toIntervals(crossings, intervals);
-}
-
-bool CrossingLine::intersect(const HexMesh& mesh, std::size_t cell, CellIntervals& intervals) const
-{
-  const HexMesh::Cell& ids = mesh.cell(cell);
-  return intersectCorners([&](unsigned i) { return &mesh.point(ids[i]).x; }, intervals);
-}
-
-bool CrossingLine::intersect(const HexCorners& corners, CellIntervals& intervals) const
-{
-  return intersectCorners([&](unsigned i) { return &corners[i].x; }, intervals);
+  const int kz = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  int kx = (kz + 1) % 3, ky = (kz + 2) % 3;
+  if (direction[kz] < 0.0) // so that leaving is counter-clockwise
+    std::swap(kx, ky);
+  frame_ = {{origin[kx], origin[ky], origin[kz]}, kx, ky, kz, direction[kx] / direction[kz],
+    direction[ky] / direction[kz], 1.0 / direction[kz]};
 }
 
 FacePoint CrossingLine::facePoint(
@@ -65,10 +34,7 @@ FacePoint CrossingLine::facePoint(
 {
   CellFrame frame;
   for (const std::uint8_t i : faceCorners[face])
-  {
-    const Vec3d p = inFrame(&mesh.point(mesh.cell(cell)[i]).x);
-    frame.add(i, p.x, p.y, p.z);
-  }
+    frame.add(i, frame_.at(mesh.point(mesh.cell(cell)[i])));
   return facePointOf(frame, face, leaving);
 }
 

@@ -55,6 +55,41 @@ struct CellIntervals
   const CellInterval* end() const { return of.data() + count; }
 };
 
+/// The spans that a ray has in some cells, as many as there is room for.
+class SpanBatch
+{
+public:
+  bool hasRoom() const { return count_ + mostOfCell <= of_.size(); }
+  void clear() { count_ = 0; }
+  void add(const CellSpan& span)
+  {
+    of_[count_] = span;
+    count_ += span.tIn < span.tOut ? 1 : 0;
+  }
+  const CellSpan* begin() const { return of_.data(); }
+  const CellSpan* end() const { return of_.data() + count_; }
+
+private:
+  static constexpr std::size_t mostOfCell = 6;
+  std::array<CellSpan, 16 + mostOfCell> of_;
+  std::size_t count_ = 0;
+};
+
+/// The frame in which a line is the third axis: a shear, and an order of axes.
+struct LineFrame
+{
+  Vec3d origin; ///< in the frame's order of axes
+  int kx, ky, kz;
+  double shearX, shearY;
+  double inverse; ///< t of z
+
+  Vec3d at(const Vec3d& p) const
+  {
+    const double z = p[kz] - origin.z;
+    return {p[kx] - origin.x - shearX * z, p[ky] - origin.y - shearY * z, z};
+  }
+};
+
 /// A line, ready to be intersected with cells: exact in what it decides, and equal on both sides of
 /// every face.
 ///
@@ -94,6 +129,11 @@ public:
   /// Where the line is in the cell. True where it is anywhere.
   bool intersect(const HexMesh& mesh, std::size_t cell, CellIntervals& intervals) const;
   bool intersect(const HexCorners& corners, CellIntervals& intervals) const;
+  /// Adds the parts between tMin and tMax that the line has in cells[0] to cells[count - 1], in
+  /// this order, until there is no room. Gives how many cells were looked at: call again for the
+  /// others.
+  std::size_t addSpans(const HexMesh& mesh, const std::uint32_t* cells, std::size_t count,
+    double tMin, double tMax, SpanBatch& spans) const;
 
   /// Where the line enters or leaves a cell by `face`, 0 to 5, which an interval or a span of this
   /// line and cell named. Nothing is iterated: values at the ends of spans need no coordinates
@@ -109,19 +149,8 @@ public:
 
 private:
   FacePoint facePoint(const HexMesh& mesh, std::size_t cell, std::uint8_t face, int leaving) const;
-  /// A point in the line's frame.
-  Vec3d inFrame(const double* p) const
-  {
-    const double z = p[kz_] - origin_.z;
-    return {p[kx_] - origin_.x - shearX_ * z, p[ky_] - origin_.y - shearY_ * z, z};
-  }
 
-  template <typename Corner>
-  bool intersectCorners(const Corner& corner, CellIntervals& intervals) const;
-
-  Vec3d origin_; ///< in the frame's order of axes
-  int kx_, ky_, kz_;
-  double shearX_, shearY_, inverse_;
+  LineFrame frame_;
 };
 
 /// Whether points are in cells, with one answer for every point: points of faces belong to the cell

@@ -15,6 +15,25 @@ namespace mote
 namespace
 {
 
+/// A passed face: t, and +1 for leaving the cell, -1 for entering.
+struct Crossing
+{
+  double t;
+  int leaving;
+  std::uint8_t face;
+};
+
+struct Crossings
+{
+  std::array<Crossing, 12> of;
+  int count = 0;
+
+  void add(double t, int leaving, unsigned face)
+  {
+    of[static_cast<std::size_t>(count++)] = {t, leaving, static_cast<std::uint8_t>(face)};
+  }
+};
+
 struct Point2
 {
   double x, y;
@@ -30,23 +49,6 @@ double cross(const Point2& a, const Point2& b)
   return d + (std::fma(a.x, b.y, -p) - std::fma(a.y, b.x, -q));
 }
 
-/// Six windings, a byte each, counted from 4 so that no byte borrows from the next.
-class Windings
-{
-public:
-  /// An edge passes the half-line, upwards or downwards.
-  void add(unsigned edge, bool up)
-  {
-    const std::uint64_t by =
-      (std::uint64_t(1) << 8 * edgeFaces[edge][0]) - (std::uint64_t(1) << 8 * edgeFaces[edge][1]);
-    bytes_ += up ? by : std::uint64_t(0) - by;
-  }
-  int of(unsigned face) const { return static_cast<int>(bytes_ >> 8 * face & 0xffU) - 4; }
-
-private:
-  std::uint64_t bytes_ = 0x040404040404U;
-};
-
 /// The exact sign of x1 y2 - x2 y1.
 int sideOfOrigin(double x1, double y1, double x2, double y2)
 {
@@ -60,23 +62,17 @@ int sideOfOrigin(double x1, double y1, double x2, double y2)
 /// How the edges pass the half-line y = 0, x > 0.
 Windings windingsOf(const CellFrame& f)
 {
-  Windings windings;
   const unsigned passing = cornerBits.mixed[f.above], down = cornerBits.first[f.above];
-  const unsigned mixed = cornerBits.mixed[f.right], right = cornerBits.first[f.right];
-  for (unsigned edges = passing & ~mixed & right; edges != 0; edges &= edges - 1)
-  {
-    const auto e = static_cast<unsigned>(std::countr_zero(edges));
-    windings.add(e, (down >> e & 1U) == 0);
-  }
+  const unsigned mixed = cornerBits.mixed[f.right];
+  unsigned through = passing & ~mixed & cornerBits.first[f.right];
   for (unsigned edges = passing & mixed; edges != 0; edges &= edges - 1)
   {
     const auto e = static_cast<unsigned>(std::countr_zero(edges));
     const std::size_t i = edgeCorners[e][0], j = edgeCorners[e][1];
-    const bool up = (down >> e & 1U) == 0;
-    if (sideOfOrigin(f.x[i], f.y[i], f.x[j], f.y[j]) == (up ? 1 : -1))
-      windings.add(e, up);
+    if (sideOfOrigin(f.x[i], f.y[i], f.x[j], f.y[j]) == ((down >> e & 1U) == 0 ? 1 : -1))
+      through |= 1U << e;
   }
-  return windings;
+  return {through & ~down, through & down};
 }
 
 bool isLess(const CellFrame& f, std::size_t i, std::size_t j)
@@ -260,31 +256,35 @@ bool isConvex(const CellFrame& f, const std::uint8_t (&k)[4])
          std::max(std::max(t0, t1), std::max(t2, t3)) <= 0.0;
 }
 
-/// Adds where the line passes a face whose winding number is 0: nowhere or twice.
-void addFold(const CellFrame& frame, unsigned face, Crossings& crossings)
+/// Where the line passes a face whose winding number is 0: nowhere or twice.
+struct Fold
+{
+  bool isPassed = false;
+  double plus = 0.0, minus = 0.0; ///< z where the face's orientation is positive and negative
+  int sense = 0;
+};
+Fold foldOf(const CellFrame& frame, unsigned face)
 {
   if (isConvex(frame, faceCorners[face]))
-    return;
+    return {};
   const Patch patch(frame, faceCorners[face]);
   if (patch.isTriangle)
-    return;
+    return {};
   const PatchRoots roots(patch);
   if (!roots.exist())
-    return;
+    return {};
   const Point2 plus = roots.root(1), minus = roots.root(-1);
   // Both are in the face or neither is: the one that is surer of it says which.
   const double p = margin(plus), m = margin(minus);
   if ((std::abs(p) > std::abs(m) ? p : m) <= 0.0)
-    return;
-  crossings.add(zAt(patch, plus), patch.sense, face);
-  crossings.add(zAt(patch, minus), -patch.sense, face);
+    return {};
+  return {true, zAt(patch, plus), zAt(patch, minus), patch.sense};
 }
 
-} // namespace
-
+/// All passed faces of a cell, with z for t.
 void findCrossings(const CellFrame& frame, Crossings& crossings)
 {
-  if (frame.right == 0 || frame.right == 0xff || frame.above == 0 || frame.above == 0xff)
+  if (frame.isBeside())
     return;
   const Windings windings = windingsOf(frame);
   unsigned faces = cornerBits.mixedFaces[frame.right] & cornerBits.mixedFaces[frame.above];
@@ -294,7 +294,11 @@ void findCrossings(const CellFrame& frame, Crossings& crossings)
     const int winding = windings.of(f);
     if (winding == 0)
     {
-      addFold(frame, f, crossings);
+      if (const Fold fold = foldOf(frame, f); fold.isPassed)
+      {
+        crossings.add(fold.plus, fold.sense, f);
+        crossings.add(fold.minus, -fold.sense, f);
+      }
       continue;
     }
     const Patch patch(frame, faceCorners[f]);
@@ -304,6 +308,7 @@ void findCrossings(const CellFrame& frame, Crossings& crossings)
   }
 }
 
+/// From passed faces, which it sorts, to intervals: where more were entered than left.
 bool toIntervals(Crossings& crossings, CellIntervals& intervals)
 {
   Crossing* const first = crossings.of.data();
@@ -335,6 +340,23 @@ bool toIntervals(Crossings& crossings, CellIntervals& intervals)
       intervals.of[static_cast<std::size_t>(intervals.count++)] = part;
   }
   return intervals.count > 0;
+}
+
+} // namespace
+
+bool isFoldPassed(const CellFrame& frame, unsigned face)
+{
+  return foldOf(frame, face).isPassed;
+}
+
+bool intersectFrame(const CellFrame& frame, double inverse, CellIntervals& intervals)
+{
+  Crossings crossings;
+  findCrossings(frame, crossings);
+  intervals.count = 0;
+  for (int i = 0; i < crossings.count; ++i)
+    crossings.of[static_cast<std::size_t>(i)].t *= inverse;
+  return crossings.count > 0 && toIntervals(crossings, intervals);
 }
 
 FacePoint facePointOf(const CellFrame& frame, std::uint8_t face, int leaving)

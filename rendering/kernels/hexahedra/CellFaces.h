@@ -19,33 +19,16 @@ struct CellFrame
   std::array<double, 8> x, y, z;
   unsigned right = 0, above = 0;
 
-  void add(unsigned i, double px, double py, double pz)
+  void add(unsigned i, const Vec3d& p)
   {
-    x[i] = px;
-    y[i] = py;
-    z[i] = pz;
-    right |= static_cast<unsigned>(px > 0.0) << i;
-    above |= static_cast<unsigned>(py > 0.0) << i;
+    x[i] = p.x;
+    y[i] = p.y;
+    z[i] = p.z;
+    right |= static_cast<unsigned>(p.x > 0.0) << i;
+    above |= static_cast<unsigned>(p.y > 0.0) << i;
   }
-};
-
-/// A passed face: t, and +1 for leaving the cell, -1 for entering.
-struct Crossing
-{
-  double t;
-  int leaving;
-  std::uint8_t face;
-};
-
-struct Crossings
-{
-  std::array<Crossing, 12> of;
-  int count = 0;
-
-  void add(double t, int leaving, unsigned face)
-  {
-    of[static_cast<std::size_t>(count++)] = {t, leaving, static_cast<std::uint8_t>(face)};
-  }
+  /// Whether all corners are on one side of the line, as seen along x or y.
+  bool isBeside() const { return right == 0 || right == 0xff || above == 0 || above == 0xff; }
 };
 
 /// The corners of the faces, counter-clockwise seen from outside.
@@ -88,6 +71,39 @@ constexpr CornerBits makeCornerBits()
 }
 constexpr CornerBits cornerBits = makeCornerBits();
 
+/// Six windings, a byte each, counted from 4 so that no byte borrows from the next.
+class Windings
+{
+public:
+  Windings() = default;
+  /// Of the edges that pass the half-line upwards and downwards, in their own direction.
+  Windings(unsigned up, unsigned down);
+  int of(unsigned face) const { return static_cast<int>(bytes_ >> 8 * face & 0xffU) - 4; }
+
+private:
+  std::uint64_t bytes_ = 0x040404040404U;
+};
+
+/// What sets of six edges add to the windings: the first six, and the last.
+using EdgeWindings = std::array<std::array<std::uint64_t, 64>, 2>;
+constexpr EdgeWindings makeEdgeWindings()
+{
+  EdgeWindings sums{};
+  for (unsigned e = 0; e < 12; ++e)
+    for (unsigned set = 0; set < 64; ++set)
+      if ((set >> e % 6 & 1U) != 0)
+        sums[e / 6][set] +=
+          (std::uint64_t(1) << 8 * edgeFaces[e][0]) - (std::uint64_t(1) << 8 * edgeFaces[e][1]);
+  return sums;
+}
+constexpr EdgeWindings edgeWindings = makeEdgeWindings();
+
+inline Windings::Windings(unsigned up, unsigned down)
+  : bytes_(0x040404040404U + edgeWindings[0][up & 63U] + edgeWindings[1][up >> 6 & 63U] -
+           edgeWindings[0][down & 63U] - edgeWindings[1][down >> 6 & 63U])
+{
+}
+
 /// A face's corners in an order that depends on their places alone. `sense` is +1 or -1: whether
 /// that is the order that was given or the other way round.
 struct FaceOrder
@@ -100,11 +116,44 @@ struct FaceOrder
   FaceOrder(const CellFrame& f, const std::uint8_t (&given)[4]);
 };
 
-/// All passed faces of a cell, with z for t.
-void findCrossings(const CellFrame& frame, Crossings& crossings);
+/// The orders of corners that do not coincide.
+struct FaceOrders
+{
+  /// By bits: 0 to 3 whether a corner comes before the next one, 4 and 5 whether the first
+  /// and the second come before the one across. Odd where the corners are the other way round.
+  std::array<std::uint8_t, 64> of{};
+  std::uint8_t corners[6][8][4]{};
+};
+constexpr FaceOrders makeFaceOrders()
+{
+  FaceOrders orders;
+  for (unsigned set = 0; set < 64; ++set)
+  {
+    const auto bit = [&](unsigned i) { return (set >> i & 1U) != 0; };
+    // Of two beside each other the lesser, and of these two.
+    const unsigned i = bit(0) ? 0 : 1, j = bit(2) ? 2 : 3;
+    const bool iLess = i == 0 && j == 2   ? bit(4)
+                       : i == 1 && j == 3 ? bit(5)
+                       : i == 0           ? !bit(3)
+                                          : bit(1);
+    const unsigned least = iLess ? i : j;
+    const bool turned = least % 2 == 0 ? bit(5) == (least == 2) : bit(4) == (least == 1);
+    orders.of[set] = static_cast<std::uint8_t>(2 * least + (turned ? 1 : 0));
+  }
+  for (unsigned f = 0; f < 6; ++f)
+    for (unsigned which = 0; which < 8; ++which)
+      for (unsigned k = 0; k < 4; ++k)
+        orders.corners[f][which][k] =
+          faceCorners[f][(which / 2 + (which % 2 != 0 ? 4 - k : k)) % 4];
+  return orders;
+}
+constexpr FaceOrders faceOrders = makeFaceOrders();
 
-/// From passed faces, which it sorts, to intervals: where more were entered than left.
-bool toIntervals(Crossings& crossings, CellIntervals& intervals);
+/// Whether the line passes a face twice whose winding number is 0.
+bool isFoldPassed(const CellFrame& frame, unsigned face);
+
+/// Where the line is in the cell. True where it is anywhere.
+bool intersectFrame(const CellFrame& frame, double inverse, CellIntervals& intervals);
 
 /// Where the line passes `face`, of which the frame holds the corners: there where it leaves the
 /// cell (`leaving` is 1) or enters it (-1).

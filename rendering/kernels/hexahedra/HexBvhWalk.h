@@ -122,19 +122,20 @@ void HexBvh<Space>::forCellsAlong(
     return (ranges_.empty() || keep(ranges_[n])) &&
            nodes_[n].region.clip(path, entry.t, entry.tOut);
   };
+  SpanBatch batch;
   /// Tests a leaf's cells.
   const auto open = [&](const Node& leaf)
   {
-    for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i)
+    for (std::uint32_t done = 0; done < leaf.count;)
     {
-      counts.addCell();
-      CellIntervals intervals;
-      if (!line.intersect(*mesh_, cells_[i], intervals))
-        continue;
-      for (const CellInterval& v : intervals)
-        if (const CellSpan s = v.within(cells_[i], ray.tMin, ray.tMax); s.tIn < s.tOut)
-          queue.push({s.tIn, s.tOut, s.cell, true, s.inFace, s.outFace});
+      batch.clear();
+      done += static_cast<std::uint32_t>(line.addSpans(
+        *mesh_, &cells_[leaf.first + done], leaf.count - done, ray.tMin, ray.tMax, batch));
+      for (const CellSpan& s : batch)
+        queue.push({s.tIn, s.tOut, s.cell, true, s.inFace, s.outFace});
     }
+    for (std::uint32_t i = 0; i < leaf.count; ++i)
+      counts.addCell();
   };
   Entry entry;
   bool more = meets(0, entry);

@@ -14,33 +14,45 @@ namespace mote
 namespace detail
 {
 
-/// The cells that a ray is done with, as far as they are remembered: forgetting costs a test.
+/// The cells that a ray has looked at, as far as they are remembered: forgetting costs a test.
 class Mailbox
 {
 public:
   Mailbox() { cells_.fill(HexMesh::noCell); }
-  bool has(std::uint32_t cell) const { return cells_[cell % size] == cell; }
-  void put(std::uint32_t cell) { cells_[cell % size] = cell; }
+  /// Whether the cell is new; from now on it is not.
+  bool put(std::uint32_t cell)
+  {
+    std::uint32_t& box = cells_[cell * 0x9e3779b1U >> shift];
+    const bool isNew = box != cell;
+    box = cell;
+    return isNew;
+  }
 
 private:
-  static constexpr std::uint32_t size = 64;
-  std::array<std::uint32_t, size> cells_;
+  static constexpr int shift = 26;
+  std::array<std::uint32_t, (1U << (32 - shift))> cells_;
 };
 
-/// The spans that begin in one leaf, ordered by tIn and then by cell.
+/// Spans that a ray will enter, ordered by tIn and then by cell, each of them once.
 class SpanList
 {
 public:
   SpanList() { spans_.reserve(kept); }
 
-  void clear() { spans_.clear(); }
   void add(const CellSpan& span)
   {
-    spans_.push_back(span);
-    for (std::size_t i = spans_.size() - 1; i > 0 && isBefore(spans_[i], spans_[i - 1]); --i)
-      std::swap(spans_[i], spans_[i - 1]);
+    std::size_t at = spans_.size();
+    while (at > 0 && isBefore(span, spans_[at - 1]))
+      --at;
+    if (at > 0 && !isBefore(spans_[at - 1], span))
+      return;
+    spans_.insert(spans_.begin() + static_cast<std::ptrdiff_t>(at), span);
   }
   const auto& spans() const { return spans_; }
+  void dropFirst(std::size_t count)
+  {
+    spans_.erase(spans_.begin(), spans_.begin() + static_cast<std::ptrdiff_t>(count));
+  }
 
 private:
   static constexpr std::size_t kept = 32;
@@ -72,40 +84,57 @@ public:
   {
   }
 
-  /// Looks at a leaf's cells for spans that begin in [from, to). False where `visit` wants no more.
+  /// Looks at a leaf's cells, and tells of the spans that begin in [from, to). False where `visit`
+  /// wants no more.
   bool leaf(const std::uint32_t* cell, const std::uint32_t* end, double from, double to)
   {
     counts_.addNode();
-    list_.clear();
-    for (; cell < end; ++cell)
-      if (!done_.has(*cell))
-        look(*cell, from, to);
-    for (const CellSpan& span : list_.spans())
-      if (!visit_(span))
-        return false;
-    return true;
+    std::array<std::uint32_t, 16> cells;
+    while (cell < end)
+    {
+      std::size_t count = 0;
+      for (; cell < end && count < cells.size(); ++cell)
+      {
+        cells[count] = *cell;
+        count += mailbox_.put(*cell) ? 1 : 0;
+      }
+      look(cells.data(), count, from);
+    }
+    return tell(from, to);
   }
 
 private:
-  void look(std::uint32_t cell, double from, double to)
+  /// When a span begins on the walk: before the walk does only by a rounding.
+  double beginOf(const CellSpan& span) const { return std::max(span.tIn, begin_); }
+
+  void look(const std::uint32_t* cells, std::size_t count, double from)
   {
-    counts_.addCell();
-    CellIntervals intervals;
-    double last = 0.0;
-    bool any = false;
-    if (line_.intersect(mesh_, cell, intervals))
-      for (const CellInterval& i : intervals)
-      {
-        const CellSpan span = i.within(cell, ray_.tMin, ray_.tMax);
-        if (span.tIn >= span.tOut)
-          continue;
-        any = true;
-        last = std::max(span.tIn, begin_); // before it only by a rounding
-        if (from <= last && last < to)
+    for (std::size_t done = 0; done < count;)
+    {
+      batch_.clear();
+      done += line_.addSpans(mesh_, cells + done, count - done, ray_.tMin, ray_.tMax, batch_);
+      for (const CellSpan& span : batch_)
+        if (from <= beginOf(span))
           list_.add(span);
-      }
-    if (!any || last < to)
-      done_.put(cell);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+      counts_.addCell();
+  }
+
+  bool tell(double from, double to)
+  {
+    std::size_t told = 0;
+    for (const CellSpan& span : list_.spans())
+    {
+      const double t = beginOf(span);
+      if (t >= to)
+        break;
+      ++told;
+      if (from <= t && !visit_(span)) // not those that begin where nothing was kept
+        return false;
+    }
+    list_.dropFirst(told);
+    return true;
   }
 
   const HexMesh& mesh_;
@@ -114,7 +143,8 @@ private:
   const CrossingLine line_;
   const Visit& visit_;
   Counts& counts_;
-  Mailbox done_;
+  Mailbox mailbox_;
+  SpanBatch batch_;
   SpanList list_;
 };
 
