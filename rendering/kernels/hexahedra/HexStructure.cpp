@@ -86,9 +86,9 @@ std::uint32_t cellAt(const HexStructure& structure, const Vec3d& p, std::uint32_
   return withStructure(structure, [&](const auto& s) { return s.cellAt(p, hint); });
 }
 
-void setRanges(HexStructure& structure, const HexScalar& scalar)
+void setRanges(HexStructure& structure, const HexField& field)
 {
-  std::visit([&](auto& s) { s.setRanges(cellRanges(s.mesh(), scalar)); }, structure);
+  std::visit([&](auto& s) { s.setRanges(cellRanges(s.mesh(), field)); }, structure);
 }
 
 } // namespace mote

@@ -56,7 +56,7 @@ decltype(auto) withStructure(const HexStructure& structure, const Visit& visit)
 std::uint32_t cellAt(
   const HexStructure& structure, const Vec3d& p, std::uint32_t hint = HexMesh::noCell);
 
-/// Tells the structure the ranges of a scalar, see TwoLevelGrid::setRanges().
-void setRanges(HexStructure& structure, const HexScalar& scalar);
+/// Tells the structure the ranges of a field, see TwoLevelGrid::setRanges().
+void setRanges(HexStructure& structure, const HexField& field);
 
 } // namespace mote

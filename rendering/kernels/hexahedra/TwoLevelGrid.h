@@ -1,7 +1,7 @@
 #pragma once
 
 #include "CartesianSpace.h"
-#include "CellRanges.h"
+#include "HexField.h"
 #include "CylindricalSpace.h"
 
 #include <memory>

@@ -30,6 +30,11 @@ public:
   /// Error for other sides.
   void setBundleSide(int side);
 
+  /// How far rays go: along the view axis, in world units, one value a pixel of the film, row after
+  /// row from the bottom; infinity where nothing stands in the way. Rays end there, in surfaces and
+  /// in volumes. The values must outlive the caster; null (default): no limit.
+  void setLimits(const float* limits) { limits_ = limits; }
+
   /// Adds one sample to every pixel of the film. Returns false, with the film's samples reset to 0,
   /// where `progress` asked to stop; it is called between tiles with the share done, on any of the
   /// tracing threads but on one at a time.
@@ -41,6 +46,7 @@ public:
 
 private:
   const Scene& scene_;
+  const float* limits_ = nullptr;
   int threads_ = 0;
   int bundleSide_ = 0;
 };

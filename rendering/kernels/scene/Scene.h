@@ -3,6 +3,7 @@
 #include "../particles/ParticleStructure.h"
 #include "../shading/ColorMap.h"
 #include "../shading/Light.h"
+#include "Volume.h"
 
 #include <memory>
 #include <optional>
@@ -51,6 +52,7 @@ struct PathOptions
 struct Scene
 {
   std::vector<ParticleObject> particles;
+  std::vector<VolumeObject> volumes; ///< numbered after the particles in Film::object()
   std::vector<Light> lights = std::vector<Light>(1); ///< a headlight to begin with
   OcclusionOptions occlusion;                        ///< of the ambient light
   PathOptions paths;                                 ///< instead of local shading

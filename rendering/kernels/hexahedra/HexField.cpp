@@ -1,0 +1,114 @@
+#include "HexField.h"
+
+#include "../core/Error.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mote
+{
+
+namespace
+{
+
+constexpr std::size_t grain = 1 << 14;
+
+struct Extent
+{
+  double lower = std::numeric_limits<double>::infinity();
+  double upper = -std::numeric_limits<double>::infinity();
+};
+
+template <typename Value>
+Extent extentOf(std::size_t count, const Value& value)
+{
+  return tbb::parallel_reduce(
+    tbb::blocked_range<std::size_t>(0, count, grain), Extent{},
+    [&](const tbb::blocked_range<std::size_t>& block, Extent extent)
+    {
+      for (std::size_t i = block.begin(); i < block.end(); ++i)
+        if (const double v = value(i); std::isfinite(v))
+        {
+          extent.lower = std::min(extent.lower, v);
+          extent.upper = std::max(extent.upper, v);
+        }
+      return extent;
+    },
+    [](const Extent& a, const Extent& b) {
+      return Extent{std::min(a.lower, b.lower), std::max(a.upper, b.upper)};
+    });
+}
+
+template <typename Value>
+void copy(RawVector<float>& to, const Value& value, double offset)
+{
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, to.size(), grain),
+    [&](const tbb::blocked_range<std::size_t>& block)
+    {
+      for (std::size_t i = block.begin(); i < block.end(); ++i)
+      {
+        const double v = value(i) - offset;
+        to[i] = std::isfinite(v) ? static_cast<float>(v) : std::numeric_limits<float>::quiet_NaN();
+      }
+    });
+}
+
+} // namespace
+
+HexField::HexField(const HexMesh& mesh, const HexScalar& scalar)
+  : ofCells_(scalar.ofCells)
+{
+  const std::size_t wanted = ofCells_ ? mesh.report().cells : mesh.pointCount();
+  const ArrayView& v = scalar.values;
+  if (v.count() != wanted)
+    throw Error("There are " + std::to_string(v.count()) + " scalars for " +
+                std::to_string(wanted) + (ofCells_ ? " cells." : " points."));
+  if (wanted > 0 && (scalar.component < ArrayView::magnitude || scalar.component >= v.components()))
+    throw Error("The scalars have no component " + std::to_string(scalar.component) + ".");
+  values_.resize(ofCells_ ? mesh.cellCount() : mesh.pointCount());
+  const auto take = [&](const auto& value)
+  {
+    const Extent extent = extentOf(values_.size(), value);
+    lower_ = extent.lower;
+    upper_ = extent.upper;
+    offset_ = lower_ <= upper_ ? lower_ + 0.5 * (upper_ - lower_) : 0.0;
+    copy(values_, value, offset_);
+  };
+  // The usual array is read without asking for each value what type it has.
+  if (v.type() == ArrayView::Type::Float32 && v.components() == 1 && !ofCells_)
+    take([f = static_cast<const float*>(v.data())](std::size_t i) { return double(f[i]); });
+  else if (ofCells_)
+    take([&](std::size_t c) { return v.value(mesh.inputCell(c), scalar.component); });
+  else
+    take([&](std::size_t i) { return v.value(i, scalar.component); });
+}
+
+RawVector<ScalarRange> cellRanges(const HexMesh& mesh, const HexField& field)
+{
+  constexpr ScalarRange everything{
+    -std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};
+  RawVector<ScalarRange> ranges(mesh.cellCount());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, ranges.size(), grain),
+    [&](const tbb::blocked_range<std::size_t>& block)
+    {
+      for (std::size_t c = block.begin(); c < block.end(); ++c)
+      {
+        ScalarRange range;
+        const auto add = [&](float v)
+        { range.add(std::isnan(v) ? everything : ScalarRange{v, v}); };
+        if (field.isOfCells())
+          add(field.ofCell(c));
+        else
+          for (const std::uint32_t p : mesh.cell(c))
+            add(field.ofPoint(p));
+        ranges[c] = range;
+      }
+    });
+  return ranges;
+}
+
+} // namespace mote

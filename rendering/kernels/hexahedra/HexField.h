@@ -1,0 +1,62 @@
+#pragma once
+
+#include "HexMesh.h"
+#include "HexRay.h"
+#include "TrilinearCell.h"
+
+namespace mote
+{
+
+/// A scalar of a mesh's input: component `component` (or ArrayView::magnitude) of values of the
+/// input's points or of the input's cells.
+struct HexScalar
+{
+  ArrayView values;
+  int component = 0;
+  bool ofCells = false;
+};
+
+/// A scalar on a mesh, at its points (trilinear in each cell) or one value a cell: an owned copy,
+/// 4 bytes a value. Values count from the middle of their range, so that float keeps 6e-8 of half
+/// the range whatever the values are: 101325 +- 1 Pa loses nothing that is seen.
+class HexField
+{
+public:
+  HexField() = default;
+  /// Copies in parallel. Throws Error where there is another number of values than of points or of
+  /// the input's cells, or no such component.
+  HexField(const HexMesh& mesh, const HexScalar& scalar);
+
+  bool isOfCells() const { return ofCells_; }
+  /// What the kept values count from.
+  double offset() const { return offset_; }
+  /// The least and greatest finite value, as the user gave them; lower > upper where there is none.
+  double lower() const { return lower_; }
+  double upper() const { return upper_; }
+
+  /// From offset(); NaN where the input has NaN or an infinity.
+  float ofPoint(std::size_t point) const { return values_[point]; }
+  float ofCell(std::size_t cell) const { return values_[cell]; }
+  CornerValues corners(const HexMesh::Cell& cell) const
+  {
+    CornerValues v;
+    for (std::size_t i = 0; i < 8; ++i)
+      v[i] = values_[cell[i]];
+    return v;
+  }
+
+  std::size_t bytes() const { return values_.size() * sizeof(float); }
+
+private:
+  RawVector<float> values_; ///< of points or of the mesh's cells
+  double offset_ = 0.0;
+  double lower_ = std::numeric_limits<double>::infinity();
+  double upper_ = -std::numeric_limits<double>::infinity();
+  bool ofCells_ = false;
+};
+
+/// The least and greatest value in each cell, counted from the field's offset. A cell with a NaN
+/// has the range of all numbers, so that no query passes it over. In parallel.
+RawVector<ScalarRange> cellRanges(const HexMesh& mesh, const HexField& field);
+
+} // namespace mote
