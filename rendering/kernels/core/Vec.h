@@ -12,6 +12,7 @@ namespace mote
 using Vec3f = glm::vec3;
 using Vec4f = glm::vec4;
 using Vec3d = glm::dvec3;
+using Vec4d = glm::dvec4;
 using Vec3i = glm::ivec3;
 using Mat3d = glm::dmat3;
 using Mat4d = glm::dmat4;
@@ -19,13 +20,13 @@ using Mat4d = glm::dmat4;
 /// Applies an affine 4x4 matrix to a point.
 inline Vec3d transformPoint(const Mat4d& m, const Vec3d& p)
 {
-  return Vec3d(m * glm::dvec4(p, 1.0));
+  return Vec3d(m * Vec4d(p, 1.0));
 }
 
 /// Applies the linear part of an affine 4x4 matrix to a vector.
 inline Vec3d transformVector(const Mat4d& m, const Vec3d& v)
 {
-  return Vec3d(m * glm::dvec4(v, 0.0));
+  return Vec3d(m * Vec4d(v, 0.0));
 }
 
 } // namespace mote

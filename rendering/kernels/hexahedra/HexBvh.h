@@ -1,8 +1,8 @@
 #pragma once
 
 #include "CartesianSpace.h"
-#include "HexField.h"
 #include "CylindricalSpace.h"
+#include "HexField.h"
 
 #include <memory>
 

@@ -98,8 +98,9 @@ RawVector<ScalarRange> cellRanges(const HexMesh& mesh, const HexField& field)
       for (std::size_t c = block.begin(); c < block.end(); ++c)
       {
         ScalarRange range;
-        const auto add = [&](float v)
-        { range.add(std::isnan(v) ? everything : ScalarRange{v, v}); };
+        const auto add = [&](float v) {
+          range.add(std::isnan(v) ? everything : ScalarRange{v, v});
+        };
         if (field.isOfCells())
           add(field.ofCell(c));
         else

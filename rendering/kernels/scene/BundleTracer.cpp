@@ -53,6 +53,8 @@ struct BundleTracer::Bundle
   float normal[RayBundle::capacity][3];
   std::uint64_t particle[RayBundle::capacity];
   const BundlePixels* pixels = nullptr;
+  BundleVolumes::Place place[RayBundle::capacity]; ///< filled where there are volumes
+  BundleVolumes::Surfaces surfaces;
 
   float depthOf(int i) const
   {
@@ -61,10 +63,12 @@ struct BundleTracer::Bundle
   }
 };
 
-BundleTracer::BundleTracer(const Scene& scene, const Camera& camera, Film& film, int side)
+BundleTracer::BundleTracer(
+  const Scene& scene, const Camera& camera, Film& film, int side, const float* limits)
   : scene_(scene)
   , film_(film)
   , side_(side)
+  , limits_(limits)
   , rays_(camera, film.width(), film.height())
 {
   RayCaster::sampleOffset(film.samples(), jitterX_, jitterY_);
@@ -79,8 +83,10 @@ BundleTracer::BundleTracer(const Scene& scene, const Camera& camera, Film& film,
     pathRays_.emplace(scene, rays_.o0);
     paths_.emplace(*pathRays_, shaders_, rays_, film.samples());
   }
-  else
+  if (scene.paths.bounces <= 0 || !scene.volumes.empty())
     lighting_.emplace(scene, rays_.o0, film.samples());
+  if (!scene.volumes.empty())
+    volumes_.emplace(scene, rays_, *lighting_, film.samples());
 }
 
 void BundleTracer::traceTile(int x0, int y0, int size) const
@@ -124,12 +130,28 @@ void BundleTracer::traceBundle(Bundle& bundle, int side, int x0, int y0) const
     if (bundle.outside[i])
       rays.t[i] = -std::numeric_limits<double>::infinity();
   }
+  if (limits_ != nullptr)
+    limitRays(bundle, x0, y0);
   for (std::size_t k = 0; k < scene_.particles.size(); ++k)
   {
     localRays_[k].placeBundle(rays, side, x0, y0, jitterX_, jitterY_);
     withStructure(*scene_.particles[k].structure,
       [&](const auto& s) { s.cast(rays, static_cast<std::int32_t>(k)); });
   }
+  if (!volumes_)
+    return;
+  for (int i = 0; i < rays.count; ++i)
+    bundle.place[i] = {
+      x0 + bundle.pixels->column[i] + 0.5 + jitterX_, y0 + bundle.pixels->row[i] + 0.5 + jitterY_};
+  volumes_->cast(
+    rays, [&](int i) { return bundle.place[i]; }, bundle.surfaces);
+}
+
+void BundleTracer::limitRays(Bundle& bundle, int x0, int y0) const
+{
+  forPixels(bundle, x0, y0,
+    [&](int i, std::size_t pixel)
+    { bundle.rays.t[i] = std::min(bundle.rays.t[i], double(limits_[pixel])); });
 }
 
 /// Width in the world of the bundle at its hits.
@@ -165,13 +187,23 @@ void BundleTracer::shadeBundle(Bundle& bundle, int side, int x0, int y0) const
   const RayBundle& rays = bundle.rays;
   if (std::any_of(rays.object, rays.object + rays.count, [](std::int32_t k) { return k < 0; }))
     std::fill_n(&bundle.color[0][0], 4 * rays.count, 0.0f);
+  if (film_.samples() == 0 && film_.has(Film::Normal))
+    std::fill_n(&bundle.normal[0][0], 3 * rays.count, 0.0f);
+  shadeParticles(bundle, side, x0, y0);
+  if (volumes_)
+  {
+    shadeVolumes(bundle, side, x0, y0);
+    addClouds(bundle);
+  }
+}
+
+void BundleTracer::shadeParticles(Bundle& bundle, int side, int x0, int y0) const
+{
+  const RayBundle& rays = bundle.rays;
   rays_.placeBundle(bundle.world, side, x0, y0, jitterX_, jitterY_);
   BundlePlacing placing{rays, bundle.world, bundle.world.origin - rays_.o0};
   placing.footprint = lighting_ && lighting_->shadows ? footprint(rays, side) : 0.0;
-  const bool first = film_.samples() == 0;
-  const bool ids = first && film_.has(Film::Id), normals = first && film_.has(Film::Normal);
-  if (normals)
-    std::fill_n(&bundle.normal[0][0], 3 * rays.count, 0.0f);
+  const bool ids = film_.samples() == 0 && film_.has(Film::Id);
   SurfaceBlock& block = bundle.block;
   for (std::size_t object = 0; object < shaders_.size(); ++object)
   {
@@ -189,17 +221,51 @@ void BundleTracer::shadeBundle(Bundle& bundle, int side, int x0, int y0) const
     }
     else
       shader.shade(block, placing, *lighting_, ids);
-    for (int k = 0; k < block.count; ++k)
-      std::copy_n(block.out[k], 4, bundle.color[block.ray[k]]);
-    for (int k = 0; ids && k < block.count; ++k)
-      bundle.particle[block.ray[k]] = block.particle[k];
-    for (int k = 0; normals && k < block.count; ++k)
-    {
-      float* normal = bundle.normal[block.ray[k]];
-      normal[0] = block.side[k] * block.normal.x[k];
-      normal[1] = block.side[k] * block.normal.y[k];
-      normal[2] = block.side[k] * block.normal.z[k];
-    }
+    takeShaded(bundle);
+  }
+}
+
+void BundleTracer::shadeVolumes(Bundle& bundle, int side, int x0, int y0) const
+{
+  const double width = lighting_->shadows ? footprint(bundle.rays, side) : 0.0;
+  for (std::size_t k = 0; volumes_->hasSurfaces() && k < scene_.volumes.size(); ++k)
+  {
+    volumes_->shade(static_cast<std::int32_t>(k), bundle.rays, bundle.surfaces, bundle.block, width,
+      bundle.place, [&](SurfaceBlock&) { seed(bundle, x0, y0); });
+    takeShaded(bundle);
+  }
+}
+
+/// Puts clouds in front of what the bundle's rays have met.
+void BundleTracer::addClouds(Bundle& bundle) const
+{
+  for (int i = 0; i < bundle.rays.count; ++i)
+  {
+    if (bundle.outside[i])
+      continue;
+    const RayColor cloud = volumes_->clouds(bundle.place[i], bundle.rays.t[i]);
+    float* color = bundle.color[i];
+    for (int c = 0; c < 3; ++c)
+      color[c] = static_cast<float>(cloud.color[c] + cloud.transmittance * color[c]);
+    color[3] = static_cast<float>(1.0 - cloud.transmittance * (1.0 - double(color[3])));
+  }
+}
+
+/// Takes what a shaded block tells of its rays.
+void BundleTracer::takeShaded(Bundle& bundle) const
+{
+  const SurfaceBlock& block = bundle.block;
+  const bool first = film_.samples() == 0;
+  for (int k = 0; k < block.count; ++k)
+    std::copy_n(block.out[k], 4, bundle.color[block.ray[k]]);
+  for (int k = 0; first && film_.has(Film::Id) && k < block.count; ++k)
+    bundle.particle[block.ray[k]] = block.particle[k];
+  for (int k = 0; first && film_.has(Film::Normal) && k < block.count; ++k)
+  {
+    float* normal = bundle.normal[block.ray[k]];
+    normal[0] = block.side[k] * block.normal.x[k];
+    normal[1] = block.side[k] * block.normal.y[k];
+    normal[2] = block.side[k] * block.normal.z[k];
   }
 }
 

@@ -3,6 +3,7 @@
 #include "../core/Camera.h"
 #include "../core/Film.h"
 #include "../shading/PathTracer.h"
+#include "BundleVolumes.h"
 #include "Scene.h"
 
 #include <vector>
@@ -16,8 +17,10 @@ class BundleTracer
 {
 public:
   /// Scene and film must outlive the tracer. `side` of the bundles in pixels is 2, 4, 8 or 16, or
-  /// 0 to take, in each tile, the smallest that the structures of the scene suggest.
-  BundleTracer(const Scene& scene, const Camera& camera, Film& film, int side);
+  /// 0 to take, in each tile, the smallest that the structures of the scene suggest. `limits` as in
+  /// RayCaster::setLimits().
+  BundleTracer(
+    const Scene& scene, const Camera& camera, Film& film, int side, const float* limits = nullptr);
 
   /// Traces the pixels of the square of `size` (a multiple of 16) at (x0, y0) that are in the film.
   void traceTile(int x0, int y0, int size) const;
@@ -27,6 +30,11 @@ private:
 
   void traceBundle(Bundle& bundle, int side, int x0, int y0) const;
   void shadeBundle(Bundle& bundle, int side, int x0, int y0) const;
+  void shadeParticles(Bundle& bundle, int side, int x0, int y0) const;
+  void shadeVolumes(Bundle& bundle, int side, int x0, int y0) const;
+  void addClouds(Bundle& bundle) const;
+  void limitRays(Bundle& bundle, int x0, int y0) const;
+  void takeShaded(Bundle& bundle) const;
   void seed(Bundle& bundle, int x0, int y0) const;
   template <typename Visit>
   void forPixels(const Bundle& bundle, int x0, int y0, const Visit& visit) const;
@@ -37,11 +45,13 @@ private:
   const Scene& scene_;
   Film& film_;
   int side_;
+  const float* limits_;
   CameraRays rays_;
   double jitterX_ = 0.0, jitterY_ = 0.0;
   std::vector<CameraRays> localRays_; ///< a scene object each
   std::vector<ParticleShader> shaders_;
   std::optional<SceneLighting> lighting_; ///< of local shading
+  std::optional<BundleVolumes> volumes_;  ///< where there are any
   std::optional<SceneRays> pathRays_;
   std::optional<PathTracer> paths_; ///< instead
 };

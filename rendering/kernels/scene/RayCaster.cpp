@@ -40,7 +40,7 @@ void RayCaster::setBundleSide(int side)
 
 bool RayCaster::addSample(const Camera& camera, Film& film, const Progress& progress) const
 {
-  const BundleTracer tracer(scene_, camera, film, bundleSide_);
+  const BundleTracer tracer(scene_, camera, film, bundleSide_, limits_);
   if (film.samples() > 0)
     film.splitNearestDepth();
   const int columns = (film.width() + tileSize - 1) / tileSize;

@@ -9,17 +9,19 @@ namespace mote
 Box Scene::bounds() const
 {
   Box all;
-  for (const ParticleObject& object : particles)
+  const auto add = [&](const Box& local, const Mat4d& toWorld)
   {
-    const Box local =
-      withStructure(*object.structure, [](const auto& s) { return s.statistics().bounds; });
-    if (local.empty())
-      continue;
-    for (int corner = 0; corner < 8; ++corner)
-      all.add(transformPoint(object.toWorld,
+    for (int corner = 0; !local.empty() && corner < 8; ++corner)
+      all.add(transformPoint(toWorld,
         {corner & 1 ? local.upper.x : local.lower.x, corner & 2 ? local.upper.y : local.lower.y,
           corner & 4 ? local.upper.z : local.lower.z}));
-  }
+  };
+  for (const ParticleObject& object : particles)
+    add(withStructure(*object.structure, [](const auto& s) { return s.statistics().bounds; }),
+      object.toWorld);
+  for (const VolumeObject& volume : volumes)
+    add(withStructure(*volume.structure, [](const auto& s) { return s.mesh().bounds(); }),
+      volume.toWorld);
   return all;
 }
 

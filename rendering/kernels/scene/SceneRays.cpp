@@ -20,16 +20,23 @@ SceneRays::SceneRays(const Scene& scene, const Vec3d& reference)
   : scene_(scene)
   , reference_(reference)
 {
-  for (const ParticleObject& object : scene.particles)
+  const auto round = [this](const Vec3d& size, const Mat4d& toWorld)
   {
-    toLocal_.push_back(glm::inverse(object.toWorld));
-    const Vec3d size =
-      withStructure(*object.structure, [](const auto& s) { return s.statistics().bounds.size(); });
-    const Mat3d stretch(object.toWorld);
+    const Mat3d stretch(toWorld);
     rounding_.push_back(
       floatError * std::max({size.x, size.y, size.z}) *
       std::max({glm::length(stretch[0]), glm::length(stretch[1]), glm::length(stretch[2])}));
+  };
+  for (const ParticleObject& object : scene.particles)
+  {
+    toLocal_.push_back(glm::inverse(object.toWorld));
+    round(
+      withStructure(*object.structure, [](const auto& s) { return s.statistics().bounds.size(); }),
+      object.toWorld);
   }
+  for (const VolumeObject& volume : scene.volumes)
+    round(withStructure(*volume.structure, [](const auto& s) { return s.mesh().bounds().size(); }),
+      volume.toWorld);
 }
 
 /// Calls visit(structure, packet, index) for each object, the packet holding the rays in the

@@ -25,10 +25,11 @@ public:
 
   const Scene& scene() const { return scene_; }
   const Vec3d& reference() const { return reference_; }
-  /// From the world to the coordinates of an object.
+  /// From the world to the coordinates of an object of particles.
   const Mat4d& toLocal(std::size_t object) const { return toLocal_[object]; }
-  /// How far positions on an object's surfaces may be wrong, in world units, because of float
-  /// numbers relative to its middle (docs/shadows.md tells the measurement).
+  /// How far positions on an object's surfaces (volumes are numbered after particles) may be wrong,
+  /// in world units, because of float numbers relative to its middle (docs/shadows.md tells the
+  /// measurement).
   double rounding(std::size_t object) const { return rounding_[object]; }
 
 private:
@@ -37,8 +38,8 @@ private:
 
   const Scene& scene_;
   Vec3d reference_;
-  std::vector<Mat4d> toLocal_; ///< an object each
-  std::vector<double> rounding_;
+  std::vector<Mat4d> toLocal_;   ///< of the particles' objects
+  std::vector<double> rounding_; ///< of the particles' objects and of the volumes
 };
 
 } // namespace mote

@@ -48,8 +48,8 @@ struct VolumeObject
   Material material;             ///< of iso-surfaces, and of the cloud where it is lit
 };
 
-/// The step of a volume that names none, in world units: half the mean edge of its cells, or
-/// 1/2000 of its size where that is more.
+/// The step of a volume that names none, in world units: half the edge of a cube as large as the
+/// mean cell, or 1/2000 of the mesh's size where that is more.
 double volumeStep(const VolumeObject& volume);
 
 } // namespace mote

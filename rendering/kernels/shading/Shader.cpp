@@ -178,21 +178,29 @@ void ParticleShader::place(
 void ParticleShader::shade(SurfaceBlock& block, const BundlePlacing& placing,
   const SceneLighting& lighting, bool indices) const
 {
-  const Material& material = object_.material;
-  const bool occluded = lighting.occlusion && material.ambient > 0.0f;
-  const auto needsPositions = [](const ShadedLight& light)
-  { return light.shadows || light.samples.front().kind == Light::Kind::Point; };
-  const bool positions =
-    occluded || std::any_of(lighting.lights.begin(), lighting.lights.end(), needsPositions);
-  place(block, placing, positions, indices);
-  if (occluded)
+  place(block, placing, needsPositions(object_.material, lighting), indices);
+  lightSurfaces(block, object_.material, lighting, placing.footprint);
+}
+
+bool needsPositions(const Material& material, const SceneLighting& lighting)
+{
+  return (lighting.occlusion && material.ambient > 0.0f) ||
+         std::any_of(lighting.lights.begin(), lighting.lights.end(),
+           [](const ShadedLight& light)
+           { return light.shadows || light.samples.front().kind == Light::Kind::Point; });
+}
+
+void lightSurfaces(
+  SurfaceBlock& block, const Material& material, const SceneLighting& lighting, double footprint)
+{
+  if (lighting.occlusion && material.ambient > 0.0f)
     lighting.occlusion->darken(block);
   for (const ShadedLight& light : lighting.lights)
     for (const LightSample& sample : light.samples)
     {
       faceLight(block, sample, material.specular > 0.0f);
       if (light.shadows)
-        lighting.shadows->remove(block, sample, placing.footprint);
+        lighting.shadows->remove(block, sample, footprint);
       addLight(block, light.color, material);
     }
   finishSurfaces(block, material);

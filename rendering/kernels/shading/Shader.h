@@ -34,6 +34,13 @@ struct SceneLighting
   std::optional<AmbientOcclusion> occlusion;
 };
 
+/// Lights a block that is placed: fills everything that is left. Positions must be filled where
+/// needsPositions() says so, seeds where the lighting has occlusion; `footprint` is as in
+/// ShadowCaster::remove().
+void lightSurfaces(
+  SurfaceBlock& block, const Material& material, const SceneLighting& lighting, double footprint);
+bool needsPositions(const Material& material, const SceneLighting& lighting);
+
 /// Where the rays of a bundle run.
 struct BundlePlacing
 {

@@ -43,7 +43,7 @@ public:
   /// ascend, or where the unit distance is not above 0.
   explicit TransferTable(const TransferFunction& function, double offset = 0.0);
 
-  Sample operator()(double value) const;
+  Sample operator()(double value) const { return inPiece(pieceOf(value), value); }
   /// As operator(), for values of the piece `piece` alone: of two at a step, that piece's.
   Sample inPiece(std::size_t piece, double value) const;
   Sample ofNaN() const { return nan_; }
@@ -59,12 +59,16 @@ public:
   /// Whether any value in the range has an opacity above 0, or, for what has no range, NaN has.
   bool isVisible(double lower, double upper) const;
   /// How much colour times extinction can change in the range, at most, per unit of the scalar:
-  /// the rate at which errors of the scalar become errors of the picture. Steps do not count.
+  /// the rate at which errors of the scalar become errors of the picture. A step counts as if it
+  /// were spread over the range.
   double steepest(double lower, double upper) const;
   /// The greatest extinction in the range.
   double densest(double lower, double upper) const;
 
 private:
+  double extinction(double opacity) const;
+  Vec4d colorIn(std::size_t piece, double value) const;
+
   std::vector<double> values_;    ///< of the knots
   std::vector<Vec4d> colors_;     ///< of the knots
   std::vector<std::size_t> next_; ///< the first knot from each on with an opacity above 0

@@ -4,6 +4,7 @@
 #include <kernels/hexahedra/HexStructure.h>
 
 #include <support/HexMeshes.h>
+#include <support/Volumes.h>
 
 #include <gtest/gtest.h>
 
@@ -48,22 +49,6 @@ std::vector<CellSpan> spans(const HexStructure& structure, const HexRay& ray)
           return true;
         });
     });
-  return all;
-}
-
-std::vector<CellSpan> allSpans(const HexMesh& mesh, const HexRay& ray)
-{
-  std::vector<CellSpan> all;
-  const CrossingLine line(ray.origin, ray.direction);
-  CellIntervals intervals;
-  for (std::uint32_t c = 0; c < mesh.cellCount(); ++c)
-    if (line.intersect(mesh, c, intervals))
-      for (const CellInterval& i : intervals)
-        if (const CellSpan s = i.within(c, ray.tMin, ray.tMax); s.tIn < s.tOut)
-          all.push_back(s);
-  std::sort(all.begin(), all.end(),
-    [](const CellSpan& a, const CellSpan& b)
-    { return a.tIn != b.tIn ? a.tIn < b.tIn : a.cell < b.cell; });
   return all;
 }
 
@@ -229,14 +214,14 @@ TEST(HexStructure, PassesOverWhatIsNotKept)
   std::vector<double> height;
   for (std::size_t p = 0; p < mesh->pointCount(); ++p)
     height.push_back(mesh->point(p).x);
-  const HexScalar scalar{{height.data(), height.size(), 1}};
-  const RawVector<ScalarRange> ranges = cellRanges(*mesh, scalar);
-  const auto keep = [](const ScalarRange& r) { return r.upper > 1.5F; };
+  const HexField field(*mesh, HexScalar{{height.data(), height.size(), 1}});
+  const RawVector<ScalarRange> ranges = cellRanges(*mesh, field);
+  const auto keep = [&](const ScalarRange& r) { return r.upper > 1.5 - field.offset(); };
   const HexRay ray{Vec3d(-5, -0.2, 0.4), Vec3d(1, 0.08, 0.01)};
   for (const HexStructureKind kind : kinds)
   {
     const auto structure = build(mesh, kind);
-    setRanges(*structure, scalar);
+    setRanges(*structure, field);
     std::vector<CellSpan> found;
     WalkCounts all, some;
     withStructure(*structure,
@@ -323,18 +308,4 @@ TEST(HexStructure, RefusesAnAxisWithoutDirection)
   EXPECT_THROW(build(hexRing({}).mesh(), HexStructureKind::CylindricalGrid,
                  CylinderAxis{Vec3d(0.0), Vec3d(0.0)}),
     Error);
-}
-
-TEST(HexStructure, RangesOfNaNsAreKept)
-{
-  const Mesh mesh = hexBlock(2, 1, 1).mesh();
-  std::vector<float> values(mesh->pointCount(), 1.0F);
-  values[0] = NAN;
-  const auto ranges = cellRanges(*mesh, {{values.data(), values.size(), 1}});
-  EXPECT_EQ(ranges[0].upper, INFINITY);
-  EXPECT_EQ(ranges[0].lower, -INFINITY);
-  EXPECT_EQ(ranges[1].upper, 1.0F);
-  EXPECT_EQ(ranges[1].lower, 1.0F);
-  EXPECT_THROW(cellRanges(*mesh, {{values.data(), 5, 1}}), Error);
-  EXPECT_THROW(cellRanges(*mesh, {{values.data(), values.size(), 1}, 1}), Error);
 }

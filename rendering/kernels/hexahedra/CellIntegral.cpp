@@ -1,0 +1,209 @@
+#include "CellIntegral.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mote
+{
+
+CellIntegral::CellIntegral(const HexMesh& mesh, const HexField& field,
+  const CloudSettings& settings, const CloudLighting* lighting, const HexRay& ray, double speed,
+  RayGatherer& gatherer)
+  : settings_(settings)
+  , lighting_(lighting)
+  , ray_(ray)
+  , speed_(speed)
+  , gatherer_(gatherer)
+  , cell_(mesh, field)
+  , end_(-std::numeric_limits<double>::infinity())
+{
+}
+
+bool CellIntegral::operator()(const CellSpan& span)
+{
+  if (span.tIn > end_)
+  {
+    gatherer_.begin(span.tIn);
+    hasExit_ = false;
+  }
+  hasExit_ = hasExit_ && span.tIn == end_;
+  end_ = std::max(end_, span.tOut);
+  cell_.enter(span.cell);
+  const double length = (span.tOut - span.tIn) * speed_;
+  if (cell_.isNaN())
+  {
+    gatherer_.color().add(settings_.transfer.ofNaN(), length);
+    hasExit_ = false;
+  }
+  else if (cell_.isConstant())
+    gatherer_.color().add(settings_.transfer(cell_.values()[0]), length);
+  else
+  {
+    const auto [low, high] = std::minmax_element(cell_.values().begin(), cell_.values().end());
+    lower_ = *low;
+    upper_ = *high;
+    if (!settings_.transfer.isVisible(lower_, upper_))
+    {
+      hasExit_ = false;
+      return true;
+    }
+    // The value at a face is the same from both sides.
+    const double entry = hasExit_ ? exit_ : valueAt(span.tIn);
+    exit_ = valueAt(span.tOut);
+    hasExit_ = true;
+    if (lighting_ != nullptr)
+      light(0.5 * (span.tIn + span.tOut), light_);
+    integrate(span.tIn, entry, span.tOut, exit_, 0);
+  }
+  return gatherer_.transmittance() > settings_.leastTransmittance;
+}
+
+/// The light at t, as what it does to colours: it is linear in them.
+void CellIntegral::light(double t, Light& light)
+{
+  const Vec3d p = ray_.origin + t * ray_.direction, gradient = cell_.gradient(p);
+  light.isOn = true;
+  light.plus = (*lighting_)(Vec3d(0.0), p, gradient, ray_.direction);
+  light.times = (*lighting_)(Vec3d(1.0), p, gradient, ray_.direction) - light.plus;
+}
+
+/// How far the scalar may be from a line through the cell, at most: a sum of what is not linear in
+/// the cell's own coordinates, and of what makes these bend.
+double CellIntegral::bend() const
+{
+  const CornerValues& v = cell_.values();
+  const double rs = (v[2] - v[3]) - (v[1] - v[0]), st = (v[7] - v[4]) - (v[3] - v[0]);
+  const double tr = (v[5] - v[1]) - (v[4] - v[0]);
+  const double rst = ((v[6] - v[7]) - (v[5] - v[4])) - ((v[2] - v[3]) - (v[1] - v[0]));
+  return 0.25 * (std::abs(rs) + std::abs(st) + std::abs(tr) + std::abs(rst));
+}
+
+void CellIntegral::integrate(double t0, double v0, double t1, double v1, int depth)
+{
+  const double length = (t1 - t0) * speed_;
+  // An error e of the scalar changes the picture by e rate length at most; each length of the ray
+  // may have its share of the tolerance.
+  const double allowed = settings_.tolerance / (settings_.size * gatherer_.transmittance());
+  const double rate = settings_.transfer.steepest(lower_, upper_);
+  const double range = upper_ - lower_;
+  if (range == 0.0 || rate * range < allowed)
+    return addCubic(CubicPiece::line(v0, v1), length);
+  const double middle = valueAt(0.5 * (t0 + t1)), bent = middle - 0.5 * (v0 + v1);
+  // A parabola is off by less than what it differs from the line by, unless the cell bends to both
+  // sides: a share of what bends it in its own coordinates stands for that.
+  if (rate * (0.5 * std::abs(bent) + 0.05 * bend()) < allowed)
+    return addCubic(CubicPiece{{v0, v1 - v0 + 4.0 * bent, -4.0 * bent, 0.0}}, length);
+  const CubicPiece cubic =
+    CubicPiece::through(v0, valueAt(t0 + 0.25 * (t1 - t0)), valueAt(t0 + 0.75 * (t1 - t0)), v1);
+  if (depth >= 8 || rate * 2.0 * std::abs(cubic(0.5) - middle) < allowed)
+    return addCubic(cubic, length);
+  const double t = 0.5 * (t0 + t1);
+  integrate(t0, v0, t, middle, depth + 1);
+  if (gatherer_.transmittance() > settings_.leastTransmittance)
+    integrate(t, middle, t1, v1, depth + 1);
+}
+
+void CellIntegral::addCubic(const CubicPiece& piece, double length)
+{
+  double turns[2];
+  const int count = piece.turns(turns);
+  double from = 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    addMonotonic(piece, from, turns[i], length);
+    from = turns[i];
+  }
+  addMonotonic(piece, from, 1.0, length);
+}
+
+void CellIntegral::addMonotonic(const CubicPiece& piece, double from, double to, double length)
+{
+  const TransferTable& transfer = settings_.transfer;
+  const double first = piece(from), last = piece(to);
+  const bool rises = last > first;
+  std::size_t knots = transfer.pieceOf(first);
+  const std::size_t end = transfer.pieceOf(last);
+  while (knots != end)
+  {
+    const double knot = rises ? transfer.upperEnd(knots) : transfer.lowerEnd(knots);
+    const double at = rootIn(piece, knot, from, to);
+    addPiece(piece, knots, from, at, length, 0);
+    from = at;
+    knots += rises ? 1 : -1;
+  }
+  addPiece(piece, knots, from, to, length, 0);
+}
+
+TransferTable::Sample CellIntegral::look(std::size_t knots, double value) const
+{
+  TransferTable::Sample sample = settings_.transfer.inPiece(knots, value);
+  if (light_.isOn)
+    sample.color = sample.color * light_.times + light_.plus;
+  return sample;
+}
+
+/// Adds a part of a piece that lies between two knots.
+void CellIntegral::addPiece(
+  const CubicPiece& piece, std::size_t knots, double from, double to, double length, int depth)
+{
+  if (!(to > from))
+    return;
+  const double h = (to - from) * length;
+  const TransferTable::Sample a = look(knots, piece(from)), b = look(knots, piece(to));
+  RayColor& out = gatherer_.color();
+  const double most = std::max(a.extinction, b.extinction);
+  const double least = std::min(a.extinction, b.extinction);
+  if (most == 0.0)
+    return;
+  if (std::isinf(least))
+    return out.add(a, h);
+  // Near an opacity of 1 the extinction is no polynomial: the parts must be short there.
+  const double thick = most * h;
+  const bool smooth = thick <= 0.5 && (most - least) * h <= 0.25;
+  if (!smooth && depth < 48)
+  {
+    const double middle = 0.5 * (from + to);
+    addPiece(piece, knots, from, middle, length, depth + 1);
+    if (gatherer_.transmittance() > settings_.leastTransmittance)
+      addPiece(piece, knots, middle, to, length, depth + 1);
+    return;
+  }
+  if (std::isinf(most))
+    return out.add(std::isinf(a.extinction) ? b : a, h);
+  const double variation = (most - least) * h;
+  const double share = settings_.tolerance * h / settings_.size;
+  if (gatherer_.transmittance() * (variation + thick) * thick < 0.1 * share)
+    return out.add(look(knots, piece(0.5 * (from + to))), h);
+  addByGauss(piece, knots, from, to, h);
+}
+
+/// The same where it is smooth.
+void CellIntegral::addByGauss(
+  const CubicPiece& piece, std::size_t knots, double from, double to, double h)
+{
+  RayColor& out = gatherer_.color();
+  // Gauss' nodes, and the integrals up to them of the polynomial through the nodes.
+  constexpr double r = 3.872983346207417; // sqrt(15)
+  constexpr double node[3] = {0.5 - r / 10.0, 0.5, 0.5 + r / 10.0};
+  constexpr double upTo[3][3] = {{5.0 / 36.0, 2.0 / 9.0 - r / 15.0, 5.0 / 36.0 - r / 30.0},
+    {5.0 / 36.0 + r / 24.0, 2.0 / 9.0, 5.0 / 36.0 - r / 24.0},
+    {5.0 / 36.0 + r / 30.0, 2.0 / 9.0 + r / 15.0, 5.0 / 36.0}};
+  constexpr double weight[3] = {5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0};
+  TransferTable::Sample s[3];
+  for (int i = 0; i < 3; ++i)
+    s[i] = look(knots, piece(from + node[i] * (to - from)));
+  double depthOfAll = 0.0;
+  Vec3d color(0.0);
+  for (int i = 0; i < 3; ++i)
+  {
+    double before = 0.0;
+    for (int j = 0; j < 3; ++j)
+      before += upTo[i][j] * s[j].extinction;
+    color += weight[i] * h * s[i].extinction * std::exp(-before * h) * s[i].color;
+    depthOfAll += weight[i] * h * s[i].extinction;
+  }
+  out.color += out.transmittance * color;
+  out.transmittance *= std::exp(-depthOfAll);
+}
+
+} // namespace mote

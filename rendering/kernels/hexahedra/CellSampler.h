@@ -1,0 +1,97 @@
+#pragma once
+
+#include "HexField.h"
+#include "TrilinearCell.h"
+
+#include <cmath>
+
+namespace mote
+{
+
+/// The cell that a ray is in, to be asked for values of a field at points of the ray: where in the
+/// cell a point is, is found from where the last one was.
+class CellSampler
+{
+public:
+  CellSampler(const HexMesh& mesh, const HexField& field)
+    : mesh_(mesh)
+    , field_(field)
+  {
+  }
+
+  /// Goes to a cell. Nothing is computed but whether it has a value.
+  void enter(std::uint32_t cell)
+  {
+    if (cell == cell_)
+      return;
+    cell_ = cell;
+    hasShape_ = false;
+    if (field_.isOfCells())
+      values_.fill(field_.ofCell(cell));
+    else
+      values_ = field_.corners(mesh_.cell(cell));
+    double sum = 0.0;
+    for (const double v : values_)
+      sum += v;
+    isNaN_ = std::isnan(sum);
+  }
+
+  std::uint32_t cell() const { return cell_; }
+  bool isNaN() const { return isNaN_; }
+  bool isConstant() const { return field_.isOfCells(); }
+  const CornerValues& values() const { return values_; }
+  const TrilinearCell& shape()
+  {
+    if (!hasShape_)
+    {
+      shape_ = TrilinearCell(mesh_, cell_);
+      hasShape_ = true;
+      rst_ = Vec3d(0.5);
+    }
+    return shape_;
+  }
+
+  /// The trilinear value at a point of the cell, and, next to it, rst(). A cell's value where
+  /// values are of cells.
+  double trilinear(const Vec3d& p)
+  {
+    if (isConstant())
+      return values_[0];
+    locate(p);
+    return weighted(values_, TrilinearCell::weights(rst_));
+  }
+  /// The mean of the corners' values by the inverse of their distance.
+  double byDistance(const Vec3d& p)
+  {
+    return isConstant() ? values_[0] : weighted(values_, shape().inverseDistanceWeights(p));
+  }
+  /// The gradient of the trilinear value at a point; 0 where values are of cells.
+  Vec3d gradient(const Vec3d& p)
+  {
+    if (isConstant())
+      return Vec3d(0.0);
+    locate(p);
+    return shape_.gradient(values_, rst_);
+  }
+
+private:
+  void locate(const Vec3d& p)
+  {
+    shape();
+    if (!shape_.coordinates(p, rst_, rst_))
+      return;
+    // Points on faces are within to rounding.
+    rst_ = glm::clamp(rst_, Vec3d(0.0), Vec3d(1.0));
+  }
+
+  const HexMesh& mesh_;
+  const HexField& field_;
+  std::uint32_t cell_ = HexMesh::noCell;
+  bool isNaN_ = false;
+  bool hasShape_ = false;
+  CornerValues values_{};
+  TrilinearCell shape_{HexCorners{}};
+  Vec3d rst_{0.5};
+};
+
+} // namespace mote

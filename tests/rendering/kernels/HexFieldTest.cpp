@@ -1,0 +1,90 @@
+// A scalar on hexahedra keeps its values.
+
+#include <kernels/core/Error.h>
+#include <kernels/hexahedra/HexField.h>
+
+#include <support/HexMeshes.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace mote;
+using namespace mote::testing;
+
+TEST(HexField, KeepsSmallDifferencesOfLargeValues)
+{
+  const auto mesh = hexBlock(4, 4, 4).mesh();
+  std::vector<double> values;
+  for (std::size_t p = 0; p < mesh->pointCount(); ++p)
+    values.push_back(101325.0 + std::sin(double(p)));
+  const HexField field(*mesh, {{values.data(), values.size(), 1}});
+  for (std::size_t p = 0; p < values.size(); ++p)
+    EXPECT_NEAR(field.offset() + field.ofPoint(p), values[p], 1e-7);
+  EXPECT_EQ(field.lower(), *std::min_element(values.begin(), values.end()));
+  EXPECT_EQ(field.upper(), *std::max_element(values.begin(), values.end()));
+}
+
+TEST(HexField, TakesComponentsMagnitudesAndCells)
+{
+  HexCells cells = hexBlock(2, 1, 1);
+  // A cell of another type in front shifts the numbers of those that are kept.
+  HexCells mixed;
+  mixed.points = cells.points;
+  mixed.addCell(static_cast<HexCellType>(42), std::vector<std::int64_t>{0, 1, 2});
+  for (int c = 0; c < 2; ++c)
+    mixed.addCell(
+      HexCellType::Hexahedron, std::vector<std::int64_t>(cells.connectivity.begin() + 8 * c,
+                                 cells.connectivity.begin() + 8 * (c + 1)));
+  const auto mesh = mixed.mesh();
+  ASSERT_EQ(mesh->cellCount(), 2U);
+  const float ofCells[] = {7.0F, 1.0F, 5.0F};
+  const HexField byCell(*mesh, {{ofCells, 3, 1}, 0, true});
+  EXPECT_TRUE(byCell.isOfCells());
+  EXPECT_EQ(byCell.offset() + byCell.ofCell(0), 1.0);
+  EXPECT_EQ(byCell.offset() + byCell.ofCell(1), 5.0);
+  EXPECT_EQ(byCell.lower(), 1.0); // what is left out has no say
+
+  std::vector<double> vectors;
+  for (std::size_t p = 0; p < mesh->pointCount(); ++p)
+    vectors.insert(vectors.end(), {3.0 * double(p), 4.0 * double(p), 0.0});
+  const ArrayView view(vectors.data(), mesh->pointCount(), 3);
+  const HexField second(*mesh, {view, 1}), length(*mesh, {view, ArrayView::magnitude});
+  for (std::size_t p = 0; p < mesh->pointCount(); ++p)
+  {
+    EXPECT_NEAR(second.offset() + second.ofPoint(p), 4.0 * double(p), 1e-5);
+    EXPECT_NEAR(length.offset() + length.ofPoint(p), 5.0 * double(p), 1e-5);
+  }
+}
+
+TEST(HexField, RangesAreTheCornersAndNaNsHaveAll)
+{
+  const auto mesh = hexBlock(2, 1, 1).mesh();
+  std::vector<float> values(mesh->pointCount(), 1.0F);
+  values[0] = NAN;
+  const HexField field(*mesh, {{values.data(), values.size(), 1}});
+  const auto ranges = cellRanges(*mesh, field);
+  EXPECT_EQ(ranges[0].upper, INFINITY);
+  EXPECT_EQ(ranges[0].lower, -INFINITY);
+  EXPECT_EQ(ranges[1].upper + field.offset(), 1.0);
+  EXPECT_EQ(ranges[1].lower + field.offset(), 1.0);
+  EXPECT_EQ(field.lower(), 1.0);
+}
+
+TEST(HexField, RefusesWhatDoesNotFit)
+{
+  const auto mesh = hexBlock(2, 1, 1).mesh();
+  const std::vector<float> values(mesh->pointCount(), 1.0F);
+  EXPECT_THROW(HexField(*mesh, {{values.data(), 5, 1}}), Error);
+  EXPECT_THROW(HexField(*mesh, {{values.data(), values.size(), 1}, 1}), Error);
+  EXPECT_THROW(HexField(*mesh, {{values.data(), values.size(), 1}, 0, true}), Error);
+}
+
+TEST(HexField, OfNothingButNaNHasNoRange)
+{
+  const auto mesh = hexBlock(1, 1, 1).mesh();
+  const std::vector<float> values(mesh->pointCount(), NAN);
+  const HexField field(*mesh, {{values.data(), values.size(), 1}});
+  EXPECT_GT(field.lower(), field.upper());
+  EXPECT_EQ(field.offset(), 0.0);
+}

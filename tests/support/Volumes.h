@@ -1,0 +1,34 @@
+#pragma once
+
+#include "HexMeshes.h"
+
+#include <kernels/hexahedra/RayColor.h>
+#include <kernels/scene/Scene.h>
+
+#include <functional>
+#include <optional>
+
+namespace mote::testing
+{
+
+/// All parts of a ray in the cells of a mesh, by asking every cell; in order.
+std::vector<CellSpan> allSpans(const HexMesh& mesh, const HexRay& ray);
+
+/// A function of the place as values at the points of a mesh.
+std::vector<double> pointValues(
+  const HexMesh& mesh, const std::function<double(const Vec3d&)>& function);
+
+/// A volume over cells, with ranges set. The axis is z through the origin unless told.
+VolumeObject volumeOf(std::shared_ptr<const HexMesh> mesh, const std::vector<double>& values,
+  const TransferFunction& transfer, HexStructureKind kind = HexStructureKind::CylindricalBvh,
+  bool ofCells = false);
+
+/// A transfer function of even opacity per unit, grey.
+TransferFunction evenTransfer(float opacity, float grey = 1.0f);
+
+/// What a ray in the world gathers of a volume, by the definition: every cell's span cut into
+/// `parts` steps, each taken as its middle. Slow.
+RayColor gatheredByDefinition(const VolumeObject& volume, const Vec3d& origin,
+  const Vec3d& direction, double tMin, double tMax, int parts = 500);
+
+} // namespace mote::testing
