@@ -1,0 +1,223 @@
+#pragma once
+
+// How a ray visits the leaves of a grid. Only for TwoLevelGridWalk.h.
+
+#include "CellCrossings.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory_resource>
+#include <vector>
+
+namespace mote
+{
+
+namespace detail
+{
+
+/// The cells that a ray has looked at, as far as they are remembered: forgetting costs a test.
+class Mailbox
+{
+public:
+  Mailbox() { cells_.fill(HexMesh::noCell); }
+  bool has(std::uint32_t cell) const { return cells_[box(cell)] == cell; }
+  /// Whether the cell is new; from now on it is not.
+  bool put(std::uint32_t cell)
+  {
+    const bool isNew = !has(cell);
+    cells_[box(cell)] = cell;
+    return isNew;
+  }
+
+private:
+  static constexpr int shift = 24;
+  static std::uint32_t box(std::uint32_t cell) { return cell * 0x9e3779b1U >> shift; }
+  std::array<std::uint32_t, (1U << (32 - shift))> cells_;
+};
+
+/// Spans that a ray will enter, ordered by tIn and then by cell, each of them once.
+class SpanList
+{
+public:
+  SpanList() { spans_.reserve(kept); }
+
+  void add(const CellSpan& span)
+  {
+    std::size_t at = spans_.size();
+    while (at > 0 && isBefore(span, spans_[at - 1]))
+      --at;
+    if (at > 0 && !isBefore(spans_[at - 1], span))
+      return;
+    spans_.insert(spans_.begin() + static_cast<std::ptrdiff_t>(at), span);
+  }
+  const auto& spans() const { return spans_; }
+  void dropFirst(std::size_t count)
+  {
+    spans_.erase(spans_.begin(), spans_.begin() + static_cast<std::ptrdiff_t>(count));
+  }
+
+private:
+  static constexpr std::size_t kept = 32;
+  static bool isBefore(const CellSpan& a, const CellSpan& b)
+  {
+    return a.tIn != b.tIn ? a.tIn < b.tIn : a.cell < b.cell;
+  }
+
+  std::array<std::byte, kept * sizeof(CellSpan) + 64> memory_;
+  std::pmr::monotonic_buffer_resource pool_{memory_.data(), memory_.size()};
+  std::pmr::vector<CellSpan> spans_{&pool_};
+};
+
+/// A ray's state while it goes through leaves. A span is told of in the leaf in which it begins:
+/// the leaves' own parts of the ray follow one another without a gap, so that is one leaf.
+///
+/// A leaf is looked at some steps after the ray has come to it. Meanwhile what it refers to is on
+/// its way from memory, one thing after another: where its references are, they, the cells'
+/// corners, the points. In large meshes waiting for them would take most of the time.
+template <typename Visit, typename Counts>
+class LeafVisits
+{
+public:
+  /// The leaves' parts begin at `begin`; leaf i has references[starts[i]] up to
+  /// references[starts[i + 1] - 1].
+  LeafVisits(const HexMesh& mesh, const std::uint32_t* starts, const std::uint32_t* references,
+    const HexRay& ray, double begin, const Visit& visit, Counts& counts)
+    : mesh_(mesh)
+    , starts_(starts)
+    , references_(references)
+    , ray_(ray)
+    , begin_(begin)
+    , line_(ray.origin, ray.direction)
+    , visit_(visit)
+    , counts_(counts)
+  {
+  }
+
+  /// The ray comes to a leaf and is in it from `from` to `to`. Tells of the spans that begin in the
+  /// leaf that it came to some steps before; false where `visit` wants no more.
+  bool leaf(std::size_t leaf, double from, double to)
+  {
+    __builtin_prefetch(&starts_[leaf]);
+    return step({leaf, nullptr, nullptr, from, to});
+  }
+  /// Tells of the last leaves' spans.
+  void finish()
+  {
+    for (int i = 0; i < stages; ++i)
+      if (!step({}))
+        return;
+  }
+
+private:
+  static constexpr std::size_t none = ~std::size_t(0);
+  static constexpr int stages = 4;
+  struct Leaf
+  {
+    std::size_t leaf = none;
+    const std::uint32_t *first = nullptr, *last = nullptr; ///< references
+    double from = 0.0, to = 0.0;
+  };
+
+  /// Each leaf under way comes a step further.
+  bool step(const Leaf& leaf)
+  {
+    const auto behind = [&](int count) -> Leaf&
+    { return leaves_[(came_ - static_cast<unsigned>(count)) % leaves_.size()]; };
+    ++came_;
+    behind(0) = leaf;
+    find(behind(1));
+    fetchCells(behind(2));
+    fetchPoints(behind(3));
+    const Leaf& now = behind(4);
+    return now.first == now.last || (look(now), tell(now));
+  }
+
+  void find(Leaf& leaf) const
+  {
+    if (leaf.leaf == none)
+      return;
+    leaf.first = references_ + starts_[leaf.leaf];
+    leaf.last = references_ + starts_[leaf.leaf + 1];
+    __builtin_prefetch(leaf.first);
+  }
+  void fetchCells(const Leaf& leaf) const
+  {
+    for (const std::uint32_t* cell = leaf.first; cell < leaf.last; ++cell)
+      __builtin_prefetch(&mesh_.cell(*cell));
+  }
+  void fetchPoints(const Leaf& leaf) const
+  {
+    for (const std::uint32_t* cell = leaf.first; cell < leaf.last; ++cell)
+      if (!mailbox_.has(*cell))
+        for (const std::uint32_t point : mesh_.cell(*cell))
+          __builtin_prefetch(&mesh_.point(point));
+  }
+
+  /// When a span begins on the walk: before the walk does only by a rounding.
+  double beginOf(const CellSpan& span) const { return std::max(span.tIn, begin_); }
+
+  /// Finds the spans of the cells that are new.
+  void look(const Leaf& leaf)
+  {
+    counts_.addNode();
+    std::array<std::uint32_t, 16> cells;
+    for (const std::uint32_t* cell = leaf.first; cell < leaf.last;)
+    {
+      std::size_t count = 0;
+      for (; cell < leaf.last && count < cells.size(); ++cell)
+      {
+        cells[count] = *cell;
+        count += mailbox_.put(*cell) ? 1 : 0;
+      }
+      test(cells.data(), count, leaf.from);
+    }
+  }
+
+  void test(const std::uint32_t* cells, std::size_t count, double from)
+  {
+    for (std::size_t done = 0; done < count;)
+    {
+      batch_.clear();
+      done += line_.addSpans(mesh_, cells + done, count - done, ray_.tMin, ray_.tMax, batch_);
+      for (const CellSpan& span : batch_)
+        if (from <= beginOf(span))
+          list_.add(span);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+      counts_.addCell();
+  }
+
+  bool tell(const Leaf& leaf)
+  {
+    std::size_t told = 0;
+    for (const CellSpan& span : list_.spans())
+    {
+      const double t = beginOf(span);
+      if (t >= leaf.to)
+        break;
+      ++told;
+      if (leaf.from <= t && !visit_(span)) // not those that begin where nothing was kept
+        return false;
+    }
+    list_.dropFirst(told);
+    return true;
+  }
+
+  const HexMesh& mesh_;
+  const std::uint32_t *const starts_, *const references_;
+  const HexRay& ray_;
+  const double begin_;
+  const CrossingLine line_;
+  const Visit& visit_;
+  Counts& counts_;
+  std::array<Leaf, 8> leaves_; ///< the last ones that the ray came to
+  unsigned came_ = stages;
+  Mailbox mailbox_;
+  SpanBatch batch_;
+  SpanList list_;
+};
+
+} // namespace detail
+
+} // namespace mote
