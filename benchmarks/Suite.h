@@ -25,6 +25,8 @@ struct Suite
   std::string tablesInput; ///< that --tables takes where no other is named
   bool bundles = false;    ///< whether it reads --packet
   bool raysOfHits = false; ///< whether it reads --rays
+  bool volumes = false;    ///< whether it reads --step, --integrator and --lambda2, not --lambda
+  std::string size = "1024x1024"; ///< that images have unless told otherwise
   Report (*run)(const Options& options);
 };
 

@@ -1,5 +1,6 @@
 #include "Suite.h"
 
+#include "hexahedra/HexSuite.h"
 #include "particles/BuildSuite.h"
 #include "particles/FileSuite.h"
 #include "particles/GrowthSuite.h"
@@ -12,8 +13,8 @@ namespace mote::bench
 
 const std::vector<Suite>& suites()
 {
-  static const std::vector<Suite> all = {
-    particlesSuite(), occlusionSuite(), buildSuite(), previewSuite(), growthSuite(), fileSuite()};
+  static const std::vector<Suite> all = {particlesSuite(), occlusionSuite(), buildSuite(),
+    previewSuite(), growthSuite(), fileSuite(), hexahedraSuite()};
   return all;
 }
 

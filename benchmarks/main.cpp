@@ -31,7 +31,7 @@ void addRayOptions(CLI::App& command, const Suite& suite, Options& options, std:
     command.add_option("--view", options.views, "Comma-separated; all unless given")
       ->delimiter(',')
       ->check(CLI::IsMember(names(suite.views)));
-    command.add_option("--size", size, "Pixels of an image, WIDTHxHEIGHT")->capture_default_str();
+    command.add_option("--size", size, "Pixels of an image, WIDTHxHEIGHT")->default_str(suite.size);
   }
   if (suite.bundles)
     command
@@ -43,6 +43,24 @@ void addRayOptions(CLI::App& command, const Suite& suite, Options& options, std:
     command.add_option("--rays", options.rays, "Rays from what every pixel shows")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
+}
+
+/// What concerns volumes.
+void addVolumeOptions(CLI::App& command, Options& options)
+{
+  command
+    .add_option("--step", options.step,
+      "Between samples, in units of the input; 0: half the edge of its mean cell")
+    ->check(CLI::NonNegativeNumber)
+    ->capture_default_str();
+  command.add_option("--integrator", options.integrator, "How Mote's structures sample rays")
+    ->check(CLI::IsMember({"inverse-distance", "trilinear", "cell-by-cell"}))
+    ->capture_default_str();
+  command
+    .add_option("--lambda2", options.lambda2,
+      "Leaves per reference of a macro cell of a grid, from 0.1 to 64")
+    ->check(CLI::Range(0.1, 64.0))
+    ->capture_default_str();
 }
 
 void addOptions(CLI::App& command, const Suite& suite, Options& options, std::string& size)
@@ -60,7 +78,9 @@ void addOptions(CLI::App& command, const Suite& suite, Options& options, std::st
   command.add_option("--repeat", options.repeat, "Rounds over all methods; medians are given")
     ->check(CLI::Range(1, 1000))
     ->capture_default_str();
-  if (!suite.methods.empty())
+  if (suite.volumes)
+    addVolumeOptions(command, options);
+  else if (!suite.methods.empty())
     command.add_option("--lambda", options.lambda, "Cells of a grid a particle, from 0.2 to 5")
       ->check(CLI::Range(0.2, 5.0))
       ->capture_default_str();
@@ -115,7 +135,7 @@ int main(int argc, char** argv)
                "reference in double and long double.");
   app.require_subcommand(1);
   Options options;
-  std::string size = "1024x1024";
+  std::string size;
   std::string footer = "\n";
   for (const Suite& suite : suites())
   {
@@ -124,7 +144,7 @@ int main(int argc, char** argv)
     command->callback(
       [&suite, &options, &size, command]
       {
-        parseSize(size, options);
+        parseSize(size.empty() ? suite.size : size, options);
         std::erase(options.tables, ""); // what --tables without a name leaves
         if (!suite.tables.empty())
           options.allTables = command->count("--tables") > 0 && options.tables.empty();

@@ -1,11 +1,8 @@
+#include "../DataFile.h"
 #include "ParticleInput.h"
 
 #include <kernels/core/Error.h>
 
-#include <vtkAlgorithm.h>
-#include <vtkDataArray.h>
-#include <vtkDoubleArray.h>
-#include <vtkMoteReaderTable.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
@@ -39,41 +36,8 @@ vtkDataArray* arrayNamed(vtkPointData* arrays, const std::string& wanted)
 struct FileParticles
 {
   vtkSmartPointer<vtkDataObject> data;
-  std::vector<vtkSmartPointer<vtkDoubleArray>> copies;
-
-  /// Float and double as they are, other types as a copy in double.
-  ArrayView view(vtkDataArray* array)
-  {
-    const auto count = static_cast<std::size_t>(array->GetNumberOfTuples());
-    const int components = array->GetNumberOfComponents();
-    if (array->HasStandardMemoryLayout() && array->GetDataType() == VTK_FLOAT)
-      return {static_cast<const float*>(array->GetVoidPointer(0)), count, components};
-    if (!array->HasStandardMemoryLayout() || array->GetDataType() != VTK_DOUBLE)
-    {
-      copies.push_back(vtkSmartPointer<vtkDoubleArray>::New());
-      copies.back()->DeepCopy(array);
-      array = copies.back();
-    }
-    return {static_cast<const double*>(array->GetVoidPointer(0)), count, components};
-  }
+  ArrayViews views;
 };
-
-vtkSmartPointer<vtkDataObject> readLastStep(const std::string& fileName)
-{
-  std::string error;
-  const vtkSmartPointer<vtkAlgorithm> reader = vtkMoteReaderTable::MakeReader(fileName, error);
-  if (!reader)
-    throw Error(error);
-  const std::vector<double> times = vtkMoteReaderTable::GetTimeSteps(reader, error);
-  if (!error.empty())
-    throw Error(error);
-  const vtkSmartPointer<vtkDataObject> data =
-    times.empty() ? vtkMoteReaderTable::Read(reader, error)
-                  : vtkMoteReaderTable::Read(reader, times.back(), error);
-  if (!data)
-    throw Error(error);
-  return data;
-}
 
 } // namespace
 
@@ -86,12 +50,12 @@ ParticleInput readParticles(const std::string& fileName)
     throw Error("The file \"" + fileName + "\" holds no particles.");
 
   ParticleInput input;
-  input.set.positions = particles->view(points->GetPoints()->GetData());
+  input.set.positions = particles->views.of(points->GetPoints()->GetData());
   if (vtkDataArray* radii = arrayNamed(points->GetPointData(), "radius"))
-    input.set.radii = particles->view(radii);
+    input.set.radii = particles->views.of(radii);
   else if (vtkDataArray* diameters = arrayNamed(points->GetPointData(), "diameter"))
   {
-    input.set.radii = particles->view(diameters);
+    input.set.radii = particles->views.of(diameters);
     input.set.radiusScale = 0.5;
   }
   else

@@ -9,16 +9,18 @@ last_is_sentence() {
   tail -n 1 err | grep -q '^mote-bench: [A-Z"-].*\.$' || { cat err; fail "no sentence at the end"; }
 }
 
+# What every record has.
+keys="suite method mode input particles view width height threads repeat mrays_per_s mrays_per_s_min
+  mrays_per_s_max build_s bytes_per_particle checked_pixels wrong_pixels max_depth_error
+  max_depth_error_of_right"
+
 # records FILE CONDITION: the file is a JSON array and the condition holds for `r`, its records.
 records() {
   command -v python3 >/dev/null || return 0
-  python3 - "$1" "$2" <<'END' || fail "records: $2"
+  python3 - "$1" "$2" "$keys" <<'END' || fail "records: $2"
 import json, sys
 r = json.load(open(sys.argv[1]))
-keys = """suite method mode input particles view width height threads repeat mrays_per_s mrays_per_s_min
-mrays_per_s_max build_s bytes_per_particle checked_pixels wrong_pixels max_depth_error
-max_depth_error_of_right""".split()
-missing = {k for record in r for k in keys if k not in record}
+missing = {k for record in r for k in sys.argv[3].split() if k not in record}
 if missing or not r or not eval("(" + sys.argv[2] + ")", {"r": r, "json": json}):
     print("missing keys:", missing, file=sys.stderr)
     json.dump(r, sys.stderr, indent=1)
@@ -157,6 +159,55 @@ assert 0 < r['preview-250k']['wrongly_covered_share'] < 0.1
 END
     ;;
 
+  hexahedra) # the same picture through every structure, and VTK's mappers where there is a display
+    keys="suite method integrator input view cells threads width height repeat fps build_s memory_mb
+      references max_cells_per_leaf cells_visited nodes_visited step tolerance lambda2 rms_error
+      max_error checked_pixels frame_change_s"
+    hexahedra() { run 0 "$bench" hexahedra "${small[@]}" --json a.json "$@"; }
+    ours="[x for x in r if not x['method'].startswith('vtk')]"
+    agreeing="(lambda e: max(e) - min(e) < 1e-6)([x['rms_error'] for x in $ours])"
+    hexahedra --input pump:0.002:rotor --threads 2
+    records a.json "{x['method'] for x in $ours} == {'cylgrid', 'cartgrid', 'cylbvh', 'cartbvh'}"
+    records a.json "all(x['cells'] == 4284 and x['checked_pixels'] >= 20 and x['fps'] > 0 and
+      x['build_s'] > 0 and x['memory_mb'] > 0 for x in r)"
+    records a.json "all(x['cells_visited'] > 5 and x['nodes_visited'] > 5 and
+      x['references'] >= 4284 and x['max_cells_per_leaf'] >= 1 and x['step'] > 0 for x in $ours)"
+    records a.json "$agreeing and all(0 < x['rms_error'] < 0.02 and
+      x['rms_error'] <= x['max_error'] for x in $ours)"
+    if [ -n "$DISPLAY" ]; then
+      records a.json "len(r) == 6 and all(x['rms_error'] < 0.05 and x['references'] is None
+        for x in r if x['method'].startswith('vtk'))"
+    fi
+    mv a.json even.json
+    DISPLAY= hexahedra --input pump:0.002:rotor --integrator cell-by-cell --lambda2 1
+    said out 'left out'
+    records a.json "len(r) == 4 and $agreeing and all(x['rms_error'] < 1e-3 and x['step'] is None for x in r)"
+    records a.json "r[0]['lambda2'] == 1 and
+      r[0]['references'] < json.load(open('even.json'))[0]['references']"
+    hexahedra --input pump:0.001:inlet --methods cylbvh --integrator inverse-distance --step 0.003
+    records a.json "len(r) == 1 and r[0]['step'] == 0.003 and 0 < r[0]['rms_error'] < 0.1"
+    hexahedra --input pump:0.001 --tables
+    for words in 'Two-level grids' Hierarchies 'Leaves per reference' 'distance of samples' \
+      'Error against time'; do
+      said out "$words"
+    done
+    records a.json "{x['table'] for x in r} >= {'grids', 'hierarchies', 'lambda2', 'step', 'integrators'}"
+    records a.json "len({x['input'] for x in r if x['table'] == 'grids'}) == 3"
+    # Finer is better, to where what is drawn is as good as it can be.
+    for name in trilinear cell-by-cell; do
+      records a.json "(lambda e: e[-1] < 0.1 * e[0])([x['rms_error'] for x in r
+        if x['table'] == 'integrators' and x['integrator'] == '$name'])"
+    done
+    if [ -n "$DISPLAY" ]; then
+      said out 'x vtk-raycast'
+      records a.json "len({x['input'] for x in r if x['method'] == 'vtk-raycast'}) == 3"
+    fi
+    for input in pump:0.002 missing.vtu "$data/hopper.dump.gz"; do
+      run 1 "$bench" hexahedra --input "$input"
+      last_is_sentence
+    done
+    ;;
+
   errors)
     failing() {
       run 1 "$bench" particles --repeat 1 "$@"
@@ -214,6 +265,12 @@ END
     misused build --input lattice:10 --methods none
     misused build --input lattice:10 --view far
     misused build --input lattice:10 --size 10x10
+    misused hexahedra
+    said err --input
+    misused hexahedra --input pump:0.001:inlet --integrator none
+    misused hexahedra --input pump:0.001:inlet --lambda 1
+    misused hexahedra --input pump:0.001:inlet --step -1
+    misused particles --input lattice:10 --step 1
     ;;
 
   *) fail "no such case: $3" ;;

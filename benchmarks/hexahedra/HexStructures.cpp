@@ -1,0 +1,70 @@
+#include "HexStructures.h"
+
+#include "../Timing.h"
+
+#include <kernels/core/Error.h>
+
+namespace mote::bench
+{
+
+const std::vector<HexMethodEntry>& hexMethods()
+{
+  static const std::vector<HexMethodEntry> all = {
+    {"cylgrid", "two-level grid over (r, theta, h)", HexStructureKind::CylindricalGrid},
+    {"cartgrid", "two-level grid over (x, y, z)", HexStructureKind::CartesianGrid},
+    {"cylbvh", "hierarchy of bounds over (r, theta, h)", HexStructureKind::CylindricalBvh},
+    {"cartbvh", "hierarchy of bounds over (x, y, z)", HexStructureKind::CartesianBvh}};
+  return all;
+}
+
+const HexMethodEntry& hexMethodNamed(const std::string& name)
+{
+  for (const HexMethodEntry& entry : hexMethods())
+    if (entry.name == name)
+      return entry;
+  throw Error("There is no structure " + name + ".");
+}
+
+std::vector<BuiltHexStructure> buildStructures(
+  const VolumeTask& task, const std::vector<HexStructureRequest>& requests)
+{
+  const HexInput& input = task.input;
+  std::vector<BuiltHexStructure> all;
+  for (const HexStructureRequest& request : requests)
+    all.push_back({request.method->name, request.lambda2, {}});
+  Race race;
+  for (std::size_t i = 0; i < requests.size(); ++i)
+  {
+    HexStructureOptions options;
+    options.kind = requests[i].method->kind;
+    options.grid.lambda2 = requests[i].lambda2;
+    options.axis = input.axis;
+    race.addTimed(
+      [&, i, options]
+      {
+        all[i].structure.reset();
+        return timed(
+          task.threads, [&] { all[i].structure = makeHexStructure(input.mesh, options); });
+      });
+    race.add(task.threads,
+      [&, i] { setRanges(*all[i].structure, HexField(*input.mesh, input.hexScalar())); });
+  }
+  progress("building %zu structures, %d rounds", requests.size(), task.repeat);
+  race.run(task.repeat);
+  for (std::size_t i = 0; i < requests.size(); ++i)
+  {
+    BuiltHexStructure& built = all[i];
+    built.buildSeconds = race.seconds(2 * i);
+    built.frameChangeSeconds = race.seconds(2 * i + 1);
+    withStructure(*built.structure,
+      [&](const auto& structure)
+      {
+        built.megabytes = 1e-6 * static_cast<double>(structure.bytes());
+        built.references = structure.references();
+        built.largestLeaf = structure.largestLeaf();
+      });
+  }
+  return all;
+}
+
+} // namespace mote::bench

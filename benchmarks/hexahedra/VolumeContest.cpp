@@ -1,0 +1,205 @@
+#include "VolumeContest.h"
+
+#include <kernels/scene/VolumeTracer.h>
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <cmath>
+
+namespace mote::bench
+{
+
+namespace
+{
+
+/// A whole number as such, null for none.
+Value counted(double number)
+{
+  if (std::isnan(number))
+    return number;
+  return static_cast<std::int64_t>(number);
+}
+
+/// What draws a structure, frame after frame.
+struct Caster
+{
+  Scene scene;
+  Camera camera;
+  Film film;
+
+  void draw()
+  {
+    film.setSamples(0);
+    RayCaster(scene).addSample(camera, film);
+  }
+};
+
+std::string nameOf(VolumeIntegrator integrator)
+{
+  for (const auto& [name, value] : volumeIntegrators())
+    if (value == integrator)
+      return name;
+  return "";
+}
+
+/// What rays looked at, summed over those that meet the volume.
+struct Visits
+{
+  std::uint64_t rays = 0, cells = 0, nodes = 0;
+
+  Visits operator+(const Visits& other) const
+  {
+    return {rays + other.rays, cells + other.cells, nodes + other.nodes};
+  }
+};
+
+Visits rowVisits(const VolumeTracer& tracer, const CameraRays& rays, int width, int y)
+{
+  Visits visits;
+  for (int x = 0; x < width; ++x)
+  {
+    RayGatherer gatherer(nullptr);
+    WalkCounts counts;
+    tracer.gather(tracer.ray(rays.originAt(x + 0.5, y + 0.5), rays.directionAt(x + 0.5, y + 0.5),
+                    rays.tMin, rays.tMax),
+      gatherer, counts);
+    if (gatherer.transmittance() < 1.0)
+      visits = visits + Visits{1, counts.cells, counts.nodes};
+  }
+  return visits;
+}
+
+/// Casts the task's rays once more, counting.
+void countVisits(const VolumeTask& task, const VolumeObject& volume, VolumeMeasurement& m)
+{
+  const CameraRays rays = task.rays();
+  const std::vector<ShadedLight> noLights;
+  const VolumeTracer tracer(volume, noLights, rays.o0, 0);
+  const Visits visits = tbb::parallel_reduce(
+    tbb::blocked_range<int>(0, task.height), Visits(),
+    [&](const tbb::blocked_range<int>& rows, Visits part)
+    {
+      for (int y = rows.begin(); y != rows.end(); ++y)
+        part = part + rowVisits(tracer, rays, task.width, y);
+      return part;
+    },
+    std::plus<>());
+  m.cellsVisited = static_cast<double>(visits.cells) / static_cast<double>(visits.rays);
+  m.nodesVisited = static_cast<double>(visits.nodes) / static_cast<double>(visits.rays);
+}
+
+} // namespace
+
+Record toRecord(const VolumeMeasurement& m)
+{
+  Record record = {{"suite", std::string("hexahedra")}};
+  if (!m.table.empty())
+    record.emplace_back("table", m.table);
+  const Record more = {{"method", m.method}, {"integrator", m.integrator}, {"input", m.input},
+    {"view", wholeView.first}, {"cells", static_cast<std::int64_t>(m.cells)},
+    {"width", std::int64_t{m.width}}, {"height", std::int64_t{m.height}},
+    {"threads", std::int64_t{m.threads}}, {"repeat", std::int64_t{m.repeat}},
+    {"fps", 1.0 / m.seconds}, {"fps_min", 1.0 / m.most}, {"fps_max", 1.0 / m.least},
+    {"build_s", m.buildSeconds}, {"frame_change_s", m.frameChangeSeconds},
+    {"memory_mb", m.megabytes}, {"references", counted(m.references)},
+    {"max_cells_per_leaf", counted(m.largestLeaf)}, {"lambda2", m.lambda2},
+    {"cells_visited", m.cellsVisited}, {"nodes_visited", m.nodesVisited}, {"step", m.step},
+    {"tolerance", m.tolerance}, {"checked_pixels", static_cast<std::int64_t>(m.errors.checked)},
+    {"rms_error", m.errors.rms}, {"max_error", m.errors.max}};
+  record.insert(record.end(), more.begin(), more.end());
+  return record;
+}
+
+const std::vector<std::pair<std::string, VolumeIntegrator>>& volumeIntegrators()
+{
+  static const std::vector<std::pair<std::string, VolumeIntegrator>> all = {
+    {"inverse-distance", VolumeIntegrator::InverseDistance},
+    {"trilinear", VolumeIntegrator::Trilinear}, {"cell-by-cell", VolumeIntegrator::CellByCell}};
+  return all;
+}
+
+VolumeSampling samplingOf(const Options& options)
+{
+  VolumeSampling sampling;
+  sampling.step = options.step;
+  sampling.saturation = 0.9999;
+  for (const auto& [name, value] : volumeIntegrators())
+    if (name == options.integrator)
+      sampling.integrator = value;
+  return sampling;
+}
+
+VolumeMeasurement VolumeContest::measurement(const std::string& method) const
+{
+  VolumeMeasurement m;
+  m.method = method;
+  m.input = task_.input.name;
+  m.cells = task_.input.mesh->cellCount();
+  m.width = task_.width;
+  m.height = task_.height;
+  m.threads = task_.threads;
+  m.repeat = task_.repeat;
+  return m;
+}
+
+void VolumeContest::add(const BuiltHexStructure& built, const VolumeSampling& sampling)
+{
+  VolumeMeasurement m = measurement(built.method);
+  m.integrator = nameOf(sampling.integrator);
+  m.buildSeconds = built.buildSeconds;
+  m.frameChangeSeconds = built.frameChangeSeconds;
+  m.megabytes = built.megabytes;
+  m.references = static_cast<double>(built.references);
+  m.largestLeaf = static_cast<double>(built.largestLeaf);
+  if (built.method.ends_with("grid"))
+    m.lambda2 = built.lambda2;
+
+  const auto caster = std::make_shared<Caster>();
+  caster->scene.volumes = {task_.volume(built.structure, sampling)};
+  caster->camera = task_.camera;
+  caster->film.resize(task_.width, task_.height);
+  if (sampling.integrator == VolumeIntegrator::CellByCell)
+    m.tolerance = sampling.tolerance;
+  else
+    m.step = sampling.step > 0.0 ? sampling.step : volumeStep(caster->scene.volumes.front());
+  countVisits(task_, caster->scene.volumes.front(), m);
+  contestants_.push_back(
+    {m, [this, caster] { return timed(task_.threads, [&] { caster->draw(); }); },
+      [this, caster] { return compare(task_.reference, caster->film.color()); }});
+}
+
+void VolumeContest::addPeer(const std::string& name, const Tetrahedra& tetrahedra)
+{
+  VolumeMeasurement m = measurement(name);
+  m.integrator = name == "vtk-raycast" ? "partial-pre-integration" : "projection";
+  m.buildSeconds = tetrahedra.seconds;
+  m.megabytes = tetrahedra.megabytes;
+  const auto peer = std::make_shared<VolumePeer>(name, task_, tetrahedra);
+  contestants_.push_back({m, [peer] { return peer->draw(); },
+    [this, peer] { return compare(task_.reference, peer->colors().data()); }});
+}
+
+std::vector<VolumeMeasurement> VolumeContest::race()
+{
+  Race race;
+  for (const Contestant& contestant : contestants_)
+    race.addTimed(contestant.draw);
+  progress("drawing %d rounds of %zu", task_.repeat, contestants_.size());
+  race.run(task_.repeat);
+  std::vector<VolumeMeasurement> all;
+  for (std::size_t i = 0; i < contestants_.size(); ++i)
+  {
+    VolumeMeasurement m = contestants_[i].said;
+    m.seconds = race.seconds(i);
+    m.least = race.least(i);
+    m.most = race.most(i);
+    m.errors = contestants_[i].check();
+    progress("%s, %s: %.3g s, rms error %.2e", m.method.c_str(), m.integrator.c_str(), m.seconds,
+      m.errors.rms);
+    all.push_back(std::move(m));
+  }
+  return all;
+}
+
+} // namespace mote::bench
