@@ -12,6 +12,7 @@ CellIntegral::CellIntegral(const HexMesh& mesh, const HexField& field,
   : settings_(settings)
   , lighting_(lighting)
   , ray_(ray)
+  , line_(ray.origin, ray.direction)
   , speed_(speed)
   , gatherer_(gatherer)
   , cell_(mesh, field)
@@ -48,8 +49,8 @@ bool CellIntegral::operator()(const CellSpan& span)
       return true;
     }
     // The value at a face is the same from both sides.
-    const double entry = hasExit_ ? exit_ : valueAt(span.tIn);
-    exit_ = valueAt(span.tOut);
+    const double entry = hasExit_ ? exit_ : cell_.entry(line_, span, ray_);
+    exit_ = cell_.exit(line_, span, ray_);
     hasExit_ = true;
     if (lighting_ != nullptr)
       light(0.5 * (span.tIn + span.tOut), light_);

@@ -48,6 +48,7 @@ private:
   const CloudSettings& settings_;
   const CloudLighting* lighting_; ///< none: colours are seen as they are
   const HexRay& ray_;
+  CrossingLine line_;
   double speed_;
   RayGatherer& gatherer_;
   CellSampler cell_;

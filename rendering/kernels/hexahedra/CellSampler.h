@@ -1,5 +1,6 @@
 #pragma once
 
+#include "CellCrossings.h"
 #include "HexField.h"
 #include "TrilinearCell.h"
 
@@ -60,6 +61,18 @@ public:
     locate(p);
     return weighted(values_, TrilinearCell::weights(rst_));
   }
+  /// The trilinear value where the ray enters and leaves the cell: on a face it needs no place
+  /// within the cell, and is the same to the last bit from both sides.
+  double entry(const CrossingLine& line, const CellSpan& span, const HexRay& ray)
+  {
+    return span.inFace == noFace ? trilinear(ray.origin + span.tIn * ray.direction)
+                                 : valueOf(line.entry(mesh_, cell_, span.inFace));
+  }
+  double exit(const CrossingLine& line, const CellSpan& span, const HexRay& ray)
+  {
+    return span.outFace == noFace ? trilinear(ray.origin + span.tOut * ray.direction)
+                                  : valueOf(line.exit(mesh_, cell_, span.outFace));
+  }
   /// The mean of the corners' values by the inverse of their distance.
   double byDistance(const Vec3d& p)
   {
@@ -75,6 +88,10 @@ public:
   }
 
 private:
+  double valueOf(const FacePoint& point) const
+  {
+    return point.value([this](std::size_t i) { return values_[i]; });
+  }
   void locate(const Vec3d& p)
   {
     shape();

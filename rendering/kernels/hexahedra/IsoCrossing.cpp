@@ -21,6 +21,7 @@ IsoCrossing::IsoCrossing(
   const HexMesh& mesh, const HexField& field, const std::vector<double>& values, const HexRay& ray)
   : values_(values)
   , ray_(ray)
+  , line_(ray.origin, ray.direction)
   , cell_(mesh, field)
   , end_(std::numeric_limits<double>::quiet_NaN())
 {
@@ -38,8 +39,8 @@ bool IsoCrossing::operator()(const CellSpan& span)
   const auto isMet = [lower = *low, upper = *high](double v) { return v >= lower && v <= upper; };
   if (std::none_of(values_.begin(), values_.end(), isMet))
     return true;
-  const double entry = follows ? exit_ : valueAt(span.tIn);
-  exit_ = valueAt(span.tOut);
+  const double entry = follows ? exit_ : cell_.entry(line_, span, ray_);
+  exit_ = cell_.exit(line_, span, ray_);
   end_ = span.tOut;
   found_ = search(span.tIn, entry, span.tOut, exit_, 0);
   if (!found_)

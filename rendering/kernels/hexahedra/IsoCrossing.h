@@ -40,6 +40,7 @@ private:
 
   const std::vector<double>& values_;
   const HexRay& ray_;
+  CrossingLine line_;
   CellSampler cell_;
   double end_, exit_ = 0.0;
   double range_ = 0.0; ///< of the cell's values

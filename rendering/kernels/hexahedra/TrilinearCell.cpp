@@ -50,8 +50,8 @@ double largest(const Vec3d& v)
 /// Whether the determinant says anything, in view of the columns' lengths.
 bool isRegular(const Mat3d& m, double determinant)
 {
-  const double size = glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
-  return std::abs(determinant) > 1e-14 * size && size > 0.0;
+  const double size = glm::dot(m[0], m[0]) * glm::dot(m[1], m[1]) * glm::dot(m[2], m[2]);
+  return determinant * determinant > 1e-28 * size && size > 0.0;
 }
 
 constexpr double converged = 1e-11;

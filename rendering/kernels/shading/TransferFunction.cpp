@@ -40,6 +40,7 @@ TransferTable::TransferTable(const TransferFunction& function, double offset)
     values_.push_back(value);
     colors_.push_back(glm::clamp(Vec4d(knot.color), 0.0, 1.0));
   }
+  findBins();
   next_.assign(values_.size() + 1, values_.size());
   for (std::size_t i = values_.size(); i-- > 0;)
     next_[i] = colors_[i].w > 0.0 ? i : next_[i + 1];
@@ -55,15 +56,21 @@ TransferTable::TransferTable(const TransferFunction& function, double offset)
   nan_ = {Vec3d(function.nan), extinction(std::clamp<double>(function.nan.w, 0.0, 1.0))};
 }
 
+void TransferTable::findBins()
+{
+  binsFrom_ = values_.front();
+  const double width = values_.back() - values_.front();
+  binsPer_ = width > 0.0 ? double(bins) / width : 0.0;
+  bins_.assign(bins + 1, 0);
+  // Knots go into bins by the same rounding that values do: none is passed over.
+  for (std::size_t i = 0; i < values_.size(); ++i)
+    for (std::size_t bin = binOf(values_[i]) + 1; bin <= bins; ++bin)
+      bins_[bin] = static_cast<std::uint32_t>(i + 1);
+}
+
 double TransferTable::extinction(double opacity) const
 {
   return -std::log1p(-opacity) * perUnit_;
-}
-
-std::size_t TransferTable::pieceOf(double value) const
-{
-  return static_cast<std::size_t>(
-    std::upper_bound(values_.begin(), values_.end(), value) - values_.begin());
 }
 
 double TransferTable::lowerEnd(std::size_t piece) const

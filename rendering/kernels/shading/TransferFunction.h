@@ -2,6 +2,8 @@
 
 #include "../core/Vec.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace mote
@@ -51,7 +53,13 @@ public:
   /// Pieces lie between knots: piece 0 below the first, piece i from knot i - 1 to knot i.
   std::size_t pieces() const { return values_.size() + 1; }
   /// The piece with the value; at a knot the one above it.
-  std::size_t pieceOf(double value) const;
+  std::size_t pieceOf(double value) const
+  {
+    std::size_t piece = bins_[binOf(value)]; // of the bin's lower end
+    while (piece < values_.size() && values_[piece] <= value)
+      ++piece;
+    return piece;
+  }
   /// Where a piece ends below and above; infinite for the first and last.
   double lowerEnd(std::size_t piece) const;
   double upperEnd(std::size_t piece) const;
@@ -66,11 +74,21 @@ public:
   double densest(double lower, double upper) const;
 
 private:
+  static constexpr std::size_t bins = 64;
+  /// Even parts of the range of knots, to find knots by.
+  std::size_t binOf(double value) const
+  {
+    const double at = (value - binsFrom_) * binsPer_;
+    return at > 0.0 ? (at < double(bins) ? static_cast<std::size_t>(at) : bins) : 0;
+  }
+  void findBins();
   double extinction(double opacity) const;
   Vec4d colorIn(std::size_t piece, double value) const;
 
-  std::vector<double> values_;    ///< of the knots
-  std::vector<Vec4d> colors_;     ///< of the knots
+  std::vector<double> values_;      ///< of the knots
+  std::vector<Vec4d> colors_;       ///< of the knots
+  std::vector<std::uint32_t> bins_; ///< a piece each, that begins where the bin does or before
+  double binsFrom_ = 0.0, binsPer_ = 0.0;
   std::vector<std::size_t> next_; ///< the first knot from each on with an opacity above 0
   std::vector<double> rates_;     ///< of the pieces, see steepest()
   double perUnit_ = 1.0;          ///< 1 / unitDistance
