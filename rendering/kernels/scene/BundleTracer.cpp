@@ -1,6 +1,7 @@
 #include "BundleTracer.h"
 
 #include "../shading/SampleSequence.h"
+#include "CloudSquare.h"
 #include "RayCaster.h"
 
 #include <glm/matrix.hpp>
@@ -94,7 +95,7 @@ void BundleTracer::traceTile(int x0, int y0, int size) const
   int side = side_;
   if (side == 0)
   {
-    side = scene_.particles.empty() ? 8 : 16;
+    side = 16;
     for (std::size_t k = 0; k < scene_.particles.size(); ++k)
       side = std::min(side, withStructure(*scene_.particles[k].structure, [&](const auto& s)
                               { return s.bundleSide(localRays_[k], x0, y0, size); }));
@@ -193,7 +194,7 @@ void BundleTracer::shadeBundle(Bundle& bundle, int side, int x0, int y0) const
   if (volumes_)
   {
     shadeVolumes(bundle, side, x0, y0);
-    addClouds(bundle);
+    addClouds(bundle, side);
   }
 }
 
@@ -236,19 +237,42 @@ void BundleTracer::shadeVolumes(Bundle& bundle, int side, int x0, int y0) const
   }
 }
 
-/// Puts clouds in front of what the bundle's rays have met.
-void BundleTracer::addClouds(Bundle& bundle) const
+namespace
 {
+
+void putBefore(const RayColor& cloud, float* color)
+{
+  for (int c = 0; c < 3; ++c)
+    color[c] = static_cast<float>(cloud.color[c] + cloud.transmittance * color[c]);
+  color[3] = static_cast<float>(1.0 - cloud.transmittance * (1.0 - double(color[3])));
+}
+
+} // namespace
+
+/// Puts clouds in front of what the bundle's rays have met.
+void BundleTracer::addClouds(Bundle& bundle, int side) const
+{
+  const RayBundle& rays = bundle.rays;
+  // Where surfaces end some of the rays neighbours have nothing to do with one another.
+  const bool isEven = side >= 8 && std::all_of(rays.t, rays.t + rays.count,
+                                     [&](double t) { return t == rays_.tMax; });
+  if (scene_.cloudTolerance > 0.0 && isEven && bundle.isInside)
+    return addCloudsBetween(bundle, side);
+  for (int i = 0; i < rays.count; ++i)
+    if (!bundle.outside[i])
+      putBefore(volumes_->clouds(bundle.place[i], rays.t[i]), bundle.color[i]);
+}
+
+/// The same where not every ray needs to be traced.
+void BundleTracer::addCloudsBetween(Bundle& bundle, int side) const
+{
+  const BundleVolumes::Place corner = bundle.place[0];
+  const CloudSquare square(side, scene_.cloudTolerance,
+    [&](int x, int y) {
+      return volumes_->clouds({corner.x + x, corner.y + y}, rays_.tMax);
+    });
   for (int i = 0; i < bundle.rays.count; ++i)
-  {
-    if (bundle.outside[i])
-      continue;
-    const RayColor cloud = volumes_->clouds(bundle.place[i], bundle.rays.t[i]);
-    float* color = bundle.color[i];
-    for (int c = 0; c < 3; ++c)
-      color[c] = static_cast<float>(cloud.color[c] + cloud.transmittance * color[c]);
-    color[3] = static_cast<float>(1.0 - cloud.transmittance * (1.0 - double(color[3])));
-  }
+    putBefore(square(bundle.pixels->column[i], bundle.pixels->row[i]), bundle.color[i]);
 }
 
 /// Takes what a shaded block tells of its rays.

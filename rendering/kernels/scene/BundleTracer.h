@@ -32,7 +32,8 @@ private:
   void shadeBundle(Bundle& bundle, int side, int x0, int y0) const;
   void shadeParticles(Bundle& bundle, int side, int x0, int y0) const;
   void shadeVolumes(Bundle& bundle, int side, int x0, int y0) const;
-  void addClouds(Bundle& bundle) const;
+  void addClouds(Bundle& bundle, int side) const;
+  void addCloudsBetween(Bundle& bundle, int side) const;
   void limitRays(Bundle& bundle, int x0, int y0) const;
   void takeShaded(Bundle& bundle) const;
   void seed(Bundle& bundle, int x0, int y0) const;

@@ -57,6 +57,9 @@ struct Scene
   OcclusionOptions occlusion;                        ///< of the ambient light
   PathOptions paths;                                 ///< instead of local shading
   Sky sky;                                           ///< that paths end in
+  /// Where clouds change so little from pixel to pixel that interpolation is right to within this,
+  /// in [0, 1] of a colour, not every pixel is traced; see CloudSquare. 0: every pixel is.
+  double cloudTolerance = 0.0;
 
   /// Of all objects; the bounds of a transformed object enclose its transformed box.
   Box bounds() const;
