@@ -9,6 +9,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkLineSource.h>
 #include <vtkMath.h>
+#include <vtkMoteCylindricalLocator.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkProbeFilter.h>
@@ -140,11 +141,15 @@ void probe(const ProbeOptions& options)
   line->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   line->Update();
   LineTable table(line->GetOutput());
+  vtkNew<vtkMoteCylindricalLocator> locator;
   for (const NamedData& one : input.read(input.chosenStep(options.read), progress))
   {
     vtkNew<vtkProbeFilter> filter;
     filter->SetInputConnection(line->GetOutputPort());
     filter->SetSourceData(one.data);
+    // To build a structure takes as long as VTK's own search does for about this many points.
+    if (options.points > one.data->GetNumberOfCells() / 50)
+      filter->SetCellLocatorPrototype(locator);
     Progress::Work work(progress, "Probing " + one.name, filter);
     filter->Update();
     work.finish();

@@ -2,7 +2,7 @@
 
 set(MOTE_VTK_COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
-  CommonColor FiltersCore FiltersGeneral FiltersGeometry FiltersModeling FiltersSources FiltersVerdict
+  CommonColor FiltersCore FiltersFlowPaths FiltersGeneral FiltersGeometry FiltersModeling FiltersSources FiltersVerdict
   ImagingCore ImagingHybrid
   InteractionStyle InteractionWidgets
   IOChemistry IOCore IOGeometry IOImage IOInfovis IOLegacy IOParallel IOPLY IOXML

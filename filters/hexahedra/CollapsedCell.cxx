@@ -1,5 +1,7 @@
 #include "CollapsedCell.h"
 
+#include "kernels/hexahedra/HexMesh.h"
+
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -17,14 +19,12 @@ namespace mote
 namespace
 {
 
-using Corners = std::array<int, 8>;
 using Trihedron = std::array<int, 4>; // a corner and the ends of its edges, counter-clockwise
 
 /// What there is to know about a type of cell; numbers are those of VTK's points.
 struct CellShape
 {
-  int points = 0;
-  Corners collapsed{};
+  CollapsedCorners collapsed;
   std::span<const Trihedron> trihedra; ///< corners with three edges
   double regular = 1.0;                ///< by which a regular cell's scaled Jacobian becomes 1
 };
@@ -41,11 +41,11 @@ constexpr Trihedron tetrahedron[] = {{0, 1, 2, 3}, {1, 2, 0, 3}, {2, 0, 1, 3}, {
 
 const CellShape* shapeOf(int type)
 {
-  static const CellShape hexahedra{8, {0, 1, 2, 3, 4, 5, 6, 7}, hexahedron};
-  static const CellShape voxels{8, {0, 1, 3, 2, 4, 5, 7, 6}, voxel};
-  static const CellShape wedges{6, {0, 2, 1, 1, 3, 5, 4, 4}, wedge, 2.0 / std::sqrt(3.0)};
-  static const CellShape pyramids{5, {0, 1, 2, 3, 4, 4, 4, 4}, pyramid, std::sqrt(2.0)};
-  static const CellShape tetrahedra{4, {0, 1, 2, 2, 3, 3, 3, 3}, tetrahedron, std::sqrt(2.0)};
+  static const CellShape hexahedra{collapsedCorners(VTK_HEXAHEDRON), hexahedron};
+  static const CellShape voxels{collapsedCorners(VTK_VOXEL), voxel};
+  static const CellShape wedges{collapsedCorners(VTK_WEDGE), wedge, 2.0 / std::sqrt(3.0)};
+  static const CellShape pyramids{collapsedCorners(VTK_PYRAMID), pyramid, std::sqrt(2.0)};
+  static const CellShape tetrahedra{collapsedCorners(VTK_TETRA), tetrahedron, std::sqrt(2.0)};
   switch (type)
   {
   case VTK_HEXAHEDRON:
@@ -104,7 +104,7 @@ CellQuality qualityOf(const CollapsedCell& cell, double volume)
   const CellShape& shape = *shapeOf(cell.type);
   std::array<int, 8> place{}; // of VTK's points among the corners
   for (int i = 0; i < 8; ++i)
-    place[shape.collapsed[i]] = i;
+    place[shape.collapsed.of[i]] = i;
   const auto at = [&](int point) { return cell.corners[place[point]]; };
   double least = std::numeric_limits<double>::max(), shortest = least, longest = 0.0;
   // Files have wedges in both orders.
@@ -166,12 +166,12 @@ CellReader::Answer CellReader::read(vtkIdType cell, CollapsedCell& into)
   if (!shape)
     return Answer::OtherType;
   data_->GetCellPoints(cell, ids_);
-  if (ids_->GetNumberOfIds() != shape->points)
+  if (ids_->GetNumberOfIds() != shape->collapsed.points)
     return Answer::OtherType;
   bool finite = true;
   for (int i = 0; i < 8; ++i)
   {
-    into.ids[i] = ids_->GetId(shape->collapsed[i]);
+    into.ids[i] = ids_->GetId(shape->collapsed.of[i]);
     data_->GetPoint(into.ids[i], &into.corners[i].x);
     for (int k = 0; k < 3; ++k)
       finite = finite && std::isfinite(into.corners[i][k]);

@@ -24,6 +24,7 @@ class Package(unittest.TestCase):
             "vtkMoteRendererSource",
             "vtkMoteReaderTable",
             "vtkMoteLAMMPSDumpReader",
+            "vtkMoteCylindricalLocator",
         ]:
             self.assertIn(name, CLASSES)
 

@@ -123,6 +123,14 @@ public:
       return true;
     }
 
+    bool overlaps(const Region& other) const
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+        if (bounds_.lower[k] > other.bounds_.upper[k] || other.bounds_.lower[k] > bounds_.upper[k])
+          return false;
+      return true;
+    }
+
   private:
     SpaceBounds bounds_;
   };

@@ -341,8 +341,17 @@ bool CylindricalSpace::Region::contains(const Vec3d& p) const
   if (p.z < bottom_ || p.z > top_ || r2 > static_cast<double>(outer_) * outer_ ||
       r2 < static_cast<double>(inner_) * inner_)
     return false;
-  return !isSector() ||
-         (from_[0] * p.y - from_[1] * p.x >= 0.0 && to_[1] * p.x - to_[0] * p.y >= 0.0);
+  return !isSector() || isBetween(p.x, p.y);
+}
+
+bool CylindricalSpace::Region::overlaps(const Region& other) const
+{
+  if (inner_ > other.outer_ || other.inner_ > outer_ || bottom_ > other.top_ ||
+      other.bottom_ > top_)
+    return false;
+  // Of two sectors that overlap one begins within the other.
+  return !isSector() || !other.isSector() || isBetween(other.from_[0], other.from_[1]) ||
+         other.isBetween(from_[0], from_[1]);
 }
 
 CylindricalSpace::Walk::Walk(

@@ -79,10 +79,16 @@ public:
     explicit Region(const SpaceBounds& b);
     bool clip(const Ray& ray, double& tIn, double& tOut) const;
     bool contains(const Vec3d& xyh) const;
+    bool overlaps(const Region& other) const;
 
   private:
     bool clipHole(const Ray& ray, double inner2, double& tIn, double& tOut) const;
     bool isSector() const { return from_[0] != 0.0F || from_[1] != 0.0F; }
+    /// Whether a direction, or a point across the axis, lies in the sector, which has two sides.
+    bool isBetween(double x, double y) const
+    {
+      return from_[0] * y - from_[1] * x >= 0.0 && to_[1] * x - to_[0] * y >= 0.0;
+    }
 
     float inner_ = 0.0F, outer_ = 0.0F, bottom_ = 0.0F, top_ = 0.0F;
     std::array<float, 2> from_{}, to_{}; ///< both (0, 0) for the full circle

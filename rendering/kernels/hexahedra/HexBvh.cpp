@@ -254,6 +254,26 @@ void HexBvh<Space>::compact()
 }
 
 template <typename Space>
+void HexBvh<Space>::gatherWithin(const Box& box, std::vector<std::uint32_t>& cells) const
+{
+  if (nodes_.empty())
+    return;
+  const typename Space::Region region(space_.boundsOf(cornersOf(box)));
+  std::vector<std::uint32_t> stack = {0};
+  while (!stack.empty())
+  {
+    const Node& node = nodes_[stack.back()];
+    stack.pop_back();
+    if (!node.region.overlaps(region))
+      continue;
+    if (node.count == 0)
+      stack.insert(stack.end(), {node.first, node.first + 1});
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+      cells.push_back(cells_[i]);
+  }
+}
+
+template <typename Space>
 void HexBvh<Space>::setRanges(const RawVector<ScalarRange>& ofCells)
 {
   ranges_.resize(nodes_.size());

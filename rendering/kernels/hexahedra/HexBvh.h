@@ -5,6 +5,7 @@
 #include "HexField.h"
 
 #include <memory>
+#include <vector>
 
 namespace mote
 {
@@ -39,6 +40,7 @@ public:
   template <typename Visit, typename Keep = KeepAll, typename Counts = NoCounts>
   void forCellsAlong(
     const HexRay& ray, const Visit& visit, const Keep& keep = {}, Counts&& counts = {}) const;
+  void gatherWithin(const Box& box, std::vector<std::uint32_t>& cells) const;
   void setRanges(const RawVector<ScalarRange>& ofCells);
 
   std::size_t bytes() const; ///< without the mesh

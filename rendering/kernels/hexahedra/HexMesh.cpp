@@ -28,33 +28,6 @@ enum class Fate : std::uint8_t
   ZeroVolume
 };
 
-/// How a type's points become the eight corners; empty for other types.
-struct Corners
-{
-  int points = 0;
-  std::array<std::uint8_t, 8> of{};
-};
-
-Corners cornersOf(double type)
-{
-  switch (static_cast<int>(type))
-  {
-  case static_cast<int>(HexCellType::Tetrahedron):
-    return {4, {0, 1, 2, 2, 3, 3, 3, 3}};
-  case static_cast<int>(HexCellType::Voxel):
-    return {8, {0, 1, 3, 2, 4, 5, 7, 6}};
-  case static_cast<int>(HexCellType::Hexahedron):
-    return {8, {0, 1, 2, 3, 4, 5, 6, 7}};
-  case static_cast<int>(HexCellType::Wedge):
-    // The order that vtkWedge's own coordinates have. Files have both orders.
-    return {6, {0, 2, 1, 1, 3, 5, 4, 4}};
-  case static_cast<int>(HexCellType::Pyramid):
-    return {5, {0, 1, 2, 3, 4, 4, 4, 4}};
-  default:
-    return {};
-  }
-}
-
 void checkArrays(const HexMeshInput& input)
 {
   const std::size_t n = input.types.count();
@@ -115,7 +88,7 @@ Looked lookAt(const HexMeshInput& input, const RawVector<Vec3d>& points, std::si
 {
   Looked looked;
   const double type = input.types.value(i);
-  const Corners corners = cornersOf(type);
+  const CollapsedCorners corners = collapsedCorners(static_cast<int>(type));
   if (corners.points == 0)
     return looked;
   const std::size_t first = checkedOffset(input, i, corners.points);
@@ -175,6 +148,26 @@ void count(HexMeshReport& report, Fate fate, double type)
 }
 
 } // namespace
+
+CollapsedCorners collapsedCorners(int type)
+{
+  switch (type)
+  {
+  case static_cast<int>(HexCellType::Tetrahedron):
+    return {4, {0, 1, 2, 2, 3, 3, 3, 3}};
+  case static_cast<int>(HexCellType::Voxel):
+    return {8, {0, 1, 3, 2, 4, 5, 7, 6}};
+  case static_cast<int>(HexCellType::Hexahedron):
+    return {8, {0, 1, 2, 3, 4, 5, 6, 7}};
+  case static_cast<int>(HexCellType::Wedge):
+    // The order that vtkWedge's own coordinates have. Files have both orders.
+    return {6, {0, 2, 1, 1, 3, 5, 4, 4}};
+  case static_cast<int>(HexCellType::Pyramid):
+    return {5, {0, 1, 2, 3, 4, 4, 4, 4}};
+  default:
+    return {};
+  }
+}
 
 std::string HexMeshReport::sentence() const
 {
@@ -270,6 +263,21 @@ Vec3d cellCenter(const HexCorners& corners)
   for (std::size_t i = 1; i < 8; ++i)
     sum += corners[i] - corners[0];
   return corners[0] + 0.125 * sum;
+}
+
+Box boundsOf(const HexCorners& corners)
+{
+  Box box;
+  for (const Vec3d& p : corners)
+    box.add(p);
+  return box;
+}
+
+HexCorners cornersOf(const Box& box)
+{
+  const Vec3d &a = box.lower, &b = box.upper;
+  return {a, {b.x, a.y, a.z}, {b.x, b.y, a.z}, {a.x, b.y, a.z}, {a.x, a.y, b.z}, {b.x, a.y, b.z}, b,
+    {a.x, b.y, b.z}};
 }
 
 } // namespace mote

@@ -22,6 +22,15 @@ enum class HexCellType : std::uint8_t
   Pyramid = 14
 };
 
+/// How the points of a cell become the eight corners of a hexahedron, whose i-th corner is the
+/// cell's point of[i]. Corners of wedges, pyramids and tetrahedra coincide.
+struct CollapsedCorners
+{
+  int points = 0; ///< that the cell has; 0 for a type that is no HexCellType
+  std::array<std::uint8_t, 8> of{};
+};
+CollapsedCorners collapsedCorners(int type);
+
 /// Cells as the user gave them: views, nothing is copied. Cell i is of type types[i] and has the
 /// points connectivity[offsets[i]] to connectivity[offsets[i + 1] - 1], in VTK's order.
 struct HexMeshInput
@@ -103,5 +112,10 @@ double cellVolume(const HexCorners& corners);
 
 /// The middle of a cell's corners.
 Vec3d cellCenter(const HexCorners& corners);
+
+Box boundsOf(const HexCorners& corners);
+
+/// A box as a cell.
+HexCorners cornersOf(const Box& box);
 
 } // namespace mote

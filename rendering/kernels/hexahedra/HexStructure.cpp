@@ -86,6 +86,29 @@ std::uint32_t cellAt(const HexStructure& structure, const Vec3d& p, std::uint32_
   return withStructure(structure, [&](const auto& s) { return s.cellAt(p, hint); });
 }
 
+std::vector<std::uint32_t> cellsWithin(const HexStructure& structure, const Box& box)
+{
+  return withStructure(structure,
+    [&](const auto& s)
+    {
+      std::vector<std::uint32_t> cells;
+      const Box& all = s.mesh().bounds();
+      const Box part{glm::max(box.lower, all.lower), glm::min(box.upper, all.upper)};
+      if (part.empty())
+        return cells;
+      s.gatherWithin(part, cells);
+      std::sort(cells.begin(), cells.end());
+      cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+      std::erase_if(cells,
+        [&](std::uint32_t c)
+        {
+          const Box of = boundsOf(s.mesh().corners(c));
+          return Box{glm::max(part.lower, of.lower), glm::min(part.upper, of.upper)}.empty();
+        });
+      return cells;
+    });
+}
+
 void setRanges(HexStructure& structure, const HexField& field)
 {
   std::visit([&](auto& s) { s.setRanges(cellRanges(s.mesh(), field)); }, structure);

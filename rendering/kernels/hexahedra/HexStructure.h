@@ -56,6 +56,11 @@ decltype(auto) withStructure(const HexStructure& structure, const Visit& visit)
 std::uint32_t cellAt(
   const HexStructure& structure, const Vec3d& p, std::uint32_t hint = HexMesh::noCell);
 
+/// The cells that meet `box`, and of those beside it some whose corners' bounds do, in the order of
+/// their numbers. (Beside it: a cell that lies aslant misses parts of its bounds.) Bounds that
+/// touch count as meeting.
+std::vector<std::uint32_t> cellsWithin(const HexStructure& structure, const Box& box);
+
 /// Tells the structure the ranges of a field, see TwoLevelGrid::setRanges().
 void setRanges(HexStructure& structure, const HexField& field);
 

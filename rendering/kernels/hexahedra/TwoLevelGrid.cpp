@@ -229,6 +229,36 @@ void TwoLevelGrid<Space>::fillLeaves(const RawVector<SpaceBounds>& bounds)
 }
 
 template <typename Space>
+void TwoLevelGrid<Space>::gatherWithin(const Box& box, std::vector<std::uint32_t>& cells) const
+{
+  if (macros_.empty())
+    return;
+  const SpaceBounds bounds = space_.boundsOf(cornersOf(box));
+  const auto always = [](int, int, int) { return true; };
+  const auto append = [&cells](const RawVector<std::uint32_t>& from, std::size_t i, std::size_t end)
+  { cells.insert(cells.end(), from.begin() + i, from.begin() + end); };
+  forSteps(top_, Space::overlap(top_, bounds), always,
+    [&](std::size_t m)
+    {
+      const int i = static_cast<int>(m);
+      const Lattice l = macroLattice(
+        {i % top_.n[0], i / top_.n[0] % top_.n[1], i / top_.n[0] / top_.n[1]}, macros_[m]);
+      const LatticeRange range = Space::overlapWithin(l, bounds);
+      // A macro cell that is wanted as a whole has a list without repetitions.
+      if (range.first == std::array<int, 3>{} && range.last[0] == l.n[0] - 1 &&
+          range.last[1] == l.n[1] - 1 && range.last[2] == l.n[2] - 1)
+        append(lists_.cells, lists_.starts[m], lists_.starts[m + 1]);
+      else
+        forSteps(l, range, always,
+          [&](std::size_t step)
+          {
+            const std::size_t leaf = macros_[m].leaf + step;
+            append(references_, starts_[leaf], starts_[leaf + 1]);
+          });
+    });
+}
+
+template <typename Space>
 void TwoLevelGrid<Space>::setRanges(const RawVector<ScalarRange>& ofCells)
 {
   ranges_.resize(macros_.size());

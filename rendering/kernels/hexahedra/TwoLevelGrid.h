@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace mote
 {
@@ -54,6 +55,10 @@ public:
   template <typename Visit, typename Keep = KeepAll, typename Counts = NoCounts>
   void forCellsAlong(
     const HexRay& ray, const Visit& visit, const Keep& keep = {}, Counts&& counts = {}) const;
+
+  /// Appends cells, some more than once: all that the cells of this grid refer to where `box` is,
+  /// so all that meet it and others near to it. See cellsWithin().
+  void gatherWithin(const Box& box, std::vector<std::uint32_t>& cells) const;
 
   /// Takes the ranges of a scalar in every cell, for `keep`. In parallel; nothing is rebuilt.
   void setRanges(const RawVector<ScalarRange>& ofCells);

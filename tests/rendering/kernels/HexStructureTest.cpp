@@ -2,6 +2,7 @@
 
 #include <kernels/core/Error.h>
 #include <kernels/hexahedra/HexStructure.h>
+#include <kernels/hexahedra/TrilinearCell.h>
 
 #include <support/HexMeshes.h>
 #include <support/Volumes.h>
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 using namespace mote;
 using namespace mote::testing;
@@ -97,6 +99,23 @@ std::vector<Case> cases()
     placed("none", HexCells{}, Vec3d(0.0), false)};
 }
 
+bool meet(const Box& a, const Box& b)
+{
+  return !Box{glm::max(a.lower, b.lower), glm::min(a.upper, b.upper)}.empty();
+}
+
+/// Whether one of a lattice of the cell's points is in the box.
+bool reachesInto(const TrilinearCell& cell, const Box& box)
+{
+  for (int i = 0; i < 5 * 5 * 5; ++i)
+  {
+    const Vec3d p = cell.point(0.25 * Vec3d(i % 5, i / 5 % 5, i / 25));
+    if (meet(box, {p, p}))
+      return true;
+  }
+  return false;
+}
+
 /// Rays at random and the unkind ones: along the axis, across it, in the planes through it, from
 /// inside.
 std::vector<HexRay> raysFor(const Case& c)
@@ -174,6 +193,38 @@ TEST(HexStructure, PointsAreInTheSameCells)
       }
       EXPECT_EQ(wrong, 0U) << c.name << " " << hexStructureNames()[static_cast<int>(kind)];
     }
+}
+
+TEST(HexStructure, BoxesMeetTheirCells)
+{
+  for (const Case& c : cases())
+    for (const HexStructureKind kind : kinds)
+      for (const bool trimmed : {false, true})
+      {
+        const auto structure = build(c.mesh, kind, c.axis, 1, trimmed);
+        const Box all = c.mesh->bounds().empty() ? Box{Vec3d(0.0), Vec3d(1.0)} : c.mesh->bounds();
+        auto middles = randomPoints(60, all.lower - 0.2 * all.size(), all.upper, 4);
+        middles.push_back(c.axis.origin);
+        std::size_t lost = 0, strange = 0, met = 0;
+        for (std::size_t i = 0; i < middles.size(); ++i)
+        {
+          const Vec3d half = (i % 3 == 0 ? 0.3 : 0.02) * all.size();
+          const Box box{middles[i] - half, middles[i] + half};
+          const auto found = cellsWithin(*structure, box);
+          strange += !std::is_sorted(found.begin(), found.end(), std::less_equal<>());
+          for (std::uint32_t cell = 0; cell < c.mesh->cellCount(); ++cell)
+          {
+            const bool isFound = std::binary_search(found.begin(), found.end(), cell);
+            met += isFound;
+            strange += isFound && !meet(box, boundsOf(c.mesh->corners(cell)));
+            lost += !isFound && reachesInto(TrilinearCell(*c.mesh, cell), box);
+          }
+        }
+        EXPECT_EQ(lost, 0U) << c.name << " " << hexStructureNames()[static_cast<int>(kind)];
+        EXPECT_EQ(strange, 0U) << c.name << " " << hexStructureNames()[static_cast<int>(kind)];
+        EXPECT_EQ(met > 0, c.mesh->cellCount() > 0) << c.name;
+        EXPECT_EQ(cellsWithin(*structure, all.expanded(1.0)).size(), c.mesh->cellCount());
+      }
 }
 
 TEST(HexStructure, NoPointNoCell)
