@@ -234,6 +234,11 @@ case $3 in
     run 0 "$mote" probe pump:0.002 --from 0,0,-0.2 --to 0,0,-0.1 --points 21 -o line.csv
     grep -q '^0,0,0,-0.2,,nan,nan,nan,nan$' line.csv || fail "something outside of the pump"
     grep -q 'pump:0.002: inlet,' line.csv || fail "nothing inside of the inlet"
+    # Many points take another search, which knows hexahedra and their kin alone: triangles are found as well.
+    printf '%s\n' '# vtk DataFile Version 3.0' t ASCII 'DATASET UNSTRUCTURED_GRID' 'POINTS 3 double' '0 0 0 1 0 0 0 1 0' \
+      'CELLS 1 4' '3 0 1 2' 'CELL_TYPES 1' 5 >triangle.vtk
+    run 0 "$mote" probe triangle.vtk --from 0,0.1,0 --to 1,0.1,0 --points 11 -o triangle.csv
+    [ "$(grep -c 'triangle.vtk' triangle.csv)" -ge 9 ] || fail "a triangle is not found"
     run 1 "$mote" probe pump:0.002 --from 0,0,5 --to 0,0,6
     one_sentence
     run 1 "$mote" probe pump:0.002 --from 0,0,-0.2 --to 0,0,-0.1 -o no/folder/a.csv
