@@ -4,8 +4,10 @@
 
 #include "CellCrossings.h"
 #include "HexBvh.h"
+#include "LeafVisits.h"
 
 #include <algorithm>
+#include <limits>
 #include <memory_resource>
 #include <utility>
 #include <vector>
@@ -16,51 +18,43 @@ namespace mote
 namespace detail
 {
 
-/// Nodes that a ray will enter and spans that it will pass, the one with the least t on top.
-class WalkQueue
+/// Nodes that a ray will enter, in order. Most come to lie near the front, so that moving a few
+/// entries is faster than a heap.
+class NodeQueue
 {
 public:
-  struct Entry
+  NodeQueue() { entries_.reserve(kept); }
+  void push(std::uint32_t node, double t)
   {
-    double t;
-    double tOut; ///< of a span
-    std::uint32_t id;
-    bool isSpan;
-    std::uint8_t inFace, outFace; ///< of a span
-  };
-
-  /// Of equal t, nodes come first, as they may hold spans with that t, and then the lower numbers.
-  static bool isLater(const Entry& a, const Entry& b)
-  {
-    if (a.t != b.t)
-      return a.t > b.t;
-    return a.isSpan != b.isSpan ? a.isSpan : a.id > b.id;
+    entries_.push_back({t, node});
+    for (std::size_t i = entries_.size() - 1; i > 0 && entries_[i - 1].t < t; --i)
+      std::swap(entries_[i - 1], entries_[i]);
   }
-
-  WalkQueue() { heap_.reserve(kept); }
-  void push(const Entry& entry)
-  {
-    heap_.push_back(entry);
-    std::push_heap(heap_.begin(), heap_.end(), isLater);
-  }
-  /// Whether the entry comes before all others, and need not be put among them.
-  bool isNext(const Entry& entry) const { return heap_.empty() || isLater(heap_.front(), entry); }
   /// Takes the entry with the least t; false where there is none.
-  bool next(Entry& entry)
+  bool pop(std::uint32_t& node)
   {
-    if (heap_.empty())
+    if (entries_.empty())
       return false;
-    std::pop_heap(heap_.begin(), heap_.end(), isLater);
-    entry = heap_.back();
-    heap_.pop_back();
+    node = entries_.back().node;
+    entries_.pop_back();
     return true;
+  }
+  /// Nothing that is to come begins before.
+  double least() const
+  {
+    return entries_.empty() ? std::numeric_limits<double>::infinity() : entries_.back().t;
   }
 
 private:
+  struct Entry
+  {
+    double t;
+    std::uint32_t node;
+  };
   static constexpr std::size_t kept = 128;
   std::array<std::byte, kept * sizeof(Entry) + 64> memory_;
   std::pmr::monotonic_buffer_resource pool_{memory_.data(), memory_.size()};
-  std::pmr::vector<Entry> heap_{&pool_};
+  std::pmr::vector<Entry> entries_{&pool_}; ///< the last one first
 };
 
 } // namespace detail
@@ -112,62 +106,54 @@ void HexBvh<Space>::forCellsAlong(
   if (nodes_.empty())
     return;
   const typename Space::Ray path = space_.ray(ray);
-  const CrossingLine line(ray.origin, ray.direction);
-  detail::WalkQueue queue;
-  using Entry = detail::WalkQueue::Entry;
-  const auto meets = [&](std::uint32_t n, Entry& entry)
+  detail::LeafVisits<Visit, std::remove_reference_t<Counts>> visits(
+    *mesh_, ray, ray.tMin, visit, counts);
+  detail::NodeQueue queue;
+  const auto meets = [&](std::uint32_t n, double& t)
   {
     counts.addNode();
-    entry = {ray.tMin, ray.tMax, n, false, noFace, noFace};
-    return (ranges_.empty() || keep(ranges_[n])) &&
-           nodes_[n].region.clip(path, entry.t, entry.tOut);
+    t = ray.tMin;
+    double tOut = ray.tMax;
+    if ((!ranges_.empty() && !keep(ranges_[n])) || !nodes_[n].region.clip(path, t, tOut))
+      return false;
+    if (nodes_[n].count == 0)
+      __builtin_prefetch(&nodes_[nodes_[n].first]);
+    return true;
   };
-  SpanBatch batch;
-  /// Tests a leaf's cells.
-  const auto open = [&](const Node& leaf)
-  {
-    for (std::uint32_t done = 0; done < leaf.count;)
-    {
-      batch.clear();
-      done += static_cast<std::uint32_t>(line.addSpans(
-        *mesh_, &cells_[leaf.first + done], leaf.count - done, ray.tMin, ray.tMax, batch));
-      for (const CellSpan& s : batch)
-        queue.push({s.tIn, s.tOut, s.cell, true, s.inFace, s.outFace});
-    }
-    for (std::uint32_t i = 0; i < leaf.count; ++i)
-      counts.addCell();
-  };
-  Entry entry;
-  bool more = meets(0, entry);
+  std::uint32_t n = 0;
+  double t;
+  bool more = meets(n, t);
   while (more)
   {
-    if (entry.isSpan)
+    const Node& node = nodes_[n];
+    if (node.count > 0)
     {
-      if (!visit(CellSpan{entry.id, entry.t, entry.tOut, entry.inFace, entry.outFace}))
+      if (!visits.leaf(&cells_[node.first], node.count, queue.least()))
         return;
+      more = queue.pop(n);
+      continue;
     }
-    else if (const Node& node = nodes_[entry.id]; node.count > 0)
-      open(node);
-    else
+    double first, second;
+    const bool hasFirst = meets(node.first, first), hasSecond = meets(node.first + 1, second);
+    if (!hasFirst && !hasSecond)
     {
-      Entry first, second;
-      const bool hasFirst = meets(node.first, first), hasSecond = meets(node.first + 1, second);
-      if (hasFirst && hasSecond)
-      {
-        if (detail::WalkQueue::isLater(first, second))
-          std::swap(first, second);
-        queue.push(second);
-      }
-      if (hasFirst || hasSecond)
-      {
-        entry = hasFirst || !hasSecond ? first : second;
-        if (queue.isNext(entry))
-          continue;
-        queue.push(entry);
-      }
+      more = queue.pop(n);
+      continue;
     }
-    more = queue.next(entry);
+    const bool isSecondNext = !hasFirst || (hasSecond && second < first);
+    if (hasFirst && hasSecond)
+      queue.push(isSecondNext ? node.first : node.first + 1, std::max(first, second));
+    const std::uint32_t nearer = isSecondNext ? node.first + 1 : node.first;
+    t = isSecondNext ? second : first;
+    if (t <= queue.least())
+    {
+      n = nearer;
+      continue;
+    }
+    queue.push(nearer, t);
+    more = queue.pop(n);
   }
+  visits.finish(ray.tMax);
 }
 
 } // namespace mote

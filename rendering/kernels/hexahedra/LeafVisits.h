@@ -1,12 +1,13 @@
 #pragma once
 
-// How a ray visits the leaves of a grid. Only for TwoLevelGridWalk.h.
+// How a ray visits leaves. Only for TwoLevelGridWalk.h and HexBvhWalk.h.
 
 #include "CellCrossings.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <memory_resource>
 #include <vector>
 
@@ -69,8 +70,9 @@ private:
   std::pmr::vector<CellSpan> spans_{&pool_};
 };
 
-/// A ray's state while it goes through leaves. A span is told of in the leaf in which it begins:
-/// the leaves' own parts of the ray follow one another without a gap, so that is one leaf.
+/// A ray's state while it goes through leaves: those of a grid, in which its parts follow one
+/// another without a gap, and in one of which a span begins and is told of; or those of a
+/// hierarchy, in the order in which it enters them.
 ///
 /// A leaf is looked at some steps after the ray has come to it. Meanwhile what it refers to is on
 /// its way from memory, one thing after another: where its references are, they, the cells'
@@ -79,13 +81,10 @@ template <typename Visit, typename Counts>
 class LeafVisits
 {
 public:
-  /// The leaves' parts begin at `begin`; leaf i has references[starts[i]] up to
-  /// references[starts[i + 1] - 1].
-  LeafVisits(const HexMesh& mesh, const std::uint32_t* starts, const std::uint32_t* references,
-    const HexRay& ray, double begin, const Visit& visit, Counts& counts)
+  /// The parts begin at `begin`.
+  LeafVisits(
+    const HexMesh& mesh, const HexRay& ray, double begin, const Visit& visit, Counts& counts)
     : mesh_(mesh)
-    , starts_(starts)
-    , references_(references)
     , ray_(ray)
     , begin_(begin)
     , line_(ray.origin, ray.direction)
@@ -94,27 +93,36 @@ public:
   {
   }
 
-  /// The ray comes to a leaf and is in it from `from` to `to`. Tells of the spans that begin in the
-  /// leaf that it came to some steps before; false where `visit` wants no more.
-  bool leaf(std::size_t leaf, double from, double to)
+  /// The ray comes to the leaf of a grid with references[starts[0]] up to references[starts[1] -
+  /// 1], and is in it from `from` to `to`. Tells of the spans that begin in the leaf that it came
+  /// to some steps before; false where `visit` wants no more.
+  bool leaf(const std::uint32_t* starts, const std::uint32_t* references, double from, double to)
   {
-    __builtin_prefetch(&starts_[leaf]);
-    return step({leaf, nullptr, nullptr, from, to});
+    __builtin_prefetch(starts);
+    return step({starts, references, references, from, to});
   }
-  /// Tells of the last leaves' spans.
-  void finish()
+  /// The ray comes to the leaf of a hierarchy. No leaf that it comes to later has spans that begin
+  /// before `t`; up to there it tells of those of a leaf before this one, as above.
+  bool leaf(const std::uint32_t* first, std::uint32_t count, double t)
+  {
+    __builtin_prefetch(first);
+    return step({nullptr, first, first + count, -never, t});
+  }
+  /// Tells of the last leaves' spans, and of what else begins before `t`.
+  void finish(double t)
   {
     for (int i = 0; i < stages; ++i)
       if (!step({}))
         return;
+    tell({nullptr, nullptr, nullptr, -never, t});
   }
 
 private:
-  static constexpr std::size_t none = ~std::size_t(0);
+  static constexpr double never = std::numeric_limits<double>::infinity();
   static constexpr int stages = 4;
   struct Leaf
   {
-    std::size_t leaf = none;
+    const std::uint32_t* starts = nullptr; ///< of the references, while they are not known
     const std::uint32_t *first = nullptr, *last = nullptr; ///< references
     double from = 0.0, to = 0.0;
   };
@@ -133,12 +141,12 @@ private:
     return now.first == now.last || (look(now), tell(now));
   }
 
-  void find(Leaf& leaf) const
+  static void find(Leaf& leaf)
   {
-    if (leaf.leaf == none)
+    if (leaf.starts == nullptr)
       return;
-    leaf.first = references_ + starts_[leaf.leaf];
-    leaf.last = references_ + starts_[leaf.leaf + 1];
+    leaf.last = leaf.first + leaf.starts[1];
+    leaf.first += leaf.starts[0];
     __builtin_prefetch(leaf.first);
   }
   void fetchCells(const Leaf& leaf) const
@@ -160,7 +168,8 @@ private:
   /// Finds the spans of the cells that are new.
   void look(const Leaf& leaf)
   {
-    counts_.addNode();
+    if (leaf.starts != nullptr)
+      counts_.addNode();
     std::array<std::uint32_t, 16> cells;
     for (const std::uint32_t* cell = leaf.first; cell < leaf.last;)
     {
@@ -205,7 +214,6 @@ private:
   }
 
   const HexMesh& mesh_;
-  const std::uint32_t *const starts_, *const references_;
   const HexRay& ray_;
   const double begin_;
   const CrossingLine line_;

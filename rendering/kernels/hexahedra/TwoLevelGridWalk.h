@@ -49,7 +49,7 @@ void TwoLevelGrid<Space>::forCellsAlong(
   if (macros_.empty() || !extent_.clip(path, tIn, tOut))
     return;
   detail::LeafVisits<Visit, std::remove_reference_t<Counts>> visits(
-    *mesh_, &starts_[0], &references_[0], ray, tIn, visit, counts);
+    *mesh_, ray, tIn, visit, counts);
   typename Space::Walk outer(space_, path, top_, tIn, tOut);
   do
   {
@@ -67,11 +67,11 @@ void TwoLevelGrid<Space>::forCellsAlong(
     {
       const std::size_t leaf =
         macro.leaf + static_cast<std::size_t>(l.index(inner.at()[0], inner.at()[1], inner.at()[2]));
-      if (!visits.leaf(leaf, inner.tIn(), inner.tOut()))
+      if (!visits.leaf(&starts_[leaf], &references_[0], inner.tIn(), inner.tOut()))
         return;
     } while (inner.next());
   } while (outer.next());
-  visits.finish();
+  visits.finish(ray.tMin);
 }
 
 } // namespace mote
