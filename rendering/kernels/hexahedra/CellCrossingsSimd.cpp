@@ -127,7 +127,7 @@ public:
     Windings windings;
     if (!wind(x, y, right, above, windings))
       return Outcome::Seldom;
-    return crossFaces(frame, windings, interval);
+    return crossFaces(frame, windings, foldedFaces(x, y), interval);
   }
 
 private:
@@ -186,14 +186,34 @@ private:
     return picked(v, k[0], k[1], k[2], k[3]);
   }
 
-  /// As CellFaces.cpp's isConvex().
-  static HWY_INLINE bool isConvex(const CellFrame& f, const std::uint8_t (&k)[4])
+  /// Bit 4 f is set where CellFaces.cpp's isConvex() does not hold for face f.
+  static HWY_INLINE unsigned foldedFaces(const Eight& x, const Eight& y)
   {
-    const V x = pickedFrom(f.x, k), y = pickedFrom(f.y, k);
-    const V sideX = hn::Sub(next(x), x), sideY = hn::Sub(next(y), y);
-    const V turns = hn::Sub(hn::Mul(sideX, next(sideY)), hn::Mul(next(sideX), sideY));
-    const V zero = hn::Zero(D4());
-    return bitsOf(hn::Lt(turns, zero)) == 0 || bitsOf(hn::Gt(turns, zero)) == 0;
+    const D4 d;
+    const V zero = hn::Zero(d);
+    unsigned left = 0, right = 0; // how each face turns at its corners
+    const auto turn = [&](V px, V py, int face)
+    {
+      const V sideX = hn::Sub(next(px), px), sideY = hn::Sub(next(py), py);
+      const V turns = hn::Sub(hn::Mul(sideX, next(sideY)), hn::Mul(next(sideX), sideY));
+      left |= bitsOf(hn::Gt(turns, zero)) << 4 * face;
+      right |= bitsOf(hn::Lt(turns, zero)) << 4 * face;
+    };
+    turn(x.low, y.low, 0);
+    turn(x.high, y.high, 1);
+    const V x5476 = hn::Shuffle01(x.high), y5476 = hn::Shuffle01(y.high);
+    turn(hn::ConcatLowerLower(d, x5476, x.low), hn::ConcatLowerLower(d, y5476, y.low), 2);
+    turn(hn::ConcatUpperUpper(d, x5476, x.low), hn::ConcatUpperUpper(d, y5476, y.low), 3);
+    const V x6547 = hn::Shuffle01(next(x.high)), y6547 = hn::Shuffle01(next(y.high));
+    const V x1230 = next(x.low), y1230 = next(y.low);
+    turn(hn::ConcatUpperUpper(d, x6547, x1230), hn::ConcatUpperUpper(d, y6547, y1230), 4);
+    turn(hn::ConcatLowerLower(d, x6547, x1230), hn::ConcatLowerLower(d, y6547, y1230), 5);
+    const auto any = [](unsigned bits)
+    {
+      bits |= bits >> 1;
+      return (bits | bits >> 2) & 0x111111U;
+    };
+    return any(left) & any(right);
   }
 
   /// Bits of how corners follow one another: which of the first six are less than another, and
@@ -244,28 +264,25 @@ private:
   }
 
   HWY_INLINE Outcome crossFaces(
-    const CellFrame& frame, const Windings& windings, CellInterval& interval) const
+    const CellFrame& frame, const Windings& windings, unsigned folded, CellInterval& interval) const
   {
-    Passed passed[2];
-    unsigned count = 0;
-    unsigned faces = cornerBits.mixedFaces[frame.right] & cornerBits.mixedFaces[frame.above];
-    for (; faces != 0; faces &= faces - 1)
+    const unsigned mixed = cornerBits.mixedFaces[frame.right] & cornerBits.mixedFaces[frame.above];
+    for (; folded != 0; folded &= folded - 1)
     {
-      const auto f = static_cast<unsigned>(std::countr_zero(faces));
-      const int winding = windings.of(f);
-      if (winding == 0)
-      {
-        if (!isConvex(frame, faceCorners[f]) && isFoldPassed(frame, f))
-          return Outcome::Seldom;
-        continue;
-      }
-      if (count == 2)
+      const auto f = static_cast<unsigned>(std::countr_zero(folded)) / 4;
+      if ((mixed >> f & 1U) != 0 && windings.of(f) == 0 && isFoldPassed(frame, f))
         return Outcome::Seldom;
-      passed[count].face = f;
-      passed[count++].winding = winding;
     }
-    if (count == 0)
+    const std::uint64_t faces = windings.passed();
+    if (faces == 0)
       return Outcome::Nothing;
+    if (std::popcount(faces) != 2)
+      return Outcome::Seldom;
+    Passed passed[2];
+    passed[0].face = static_cast<unsigned>(std::countr_zero(faces)) / 8;
+    passed[1].face = static_cast<unsigned>(std::countr_zero(faces & (faces - 1))) / 8;
+    for (Passed& p : passed)
+      p.winding = windings.of(p.face);
     if (passed[0].winding * passed[1].winding != -1 || !order(frame, passed[0]) ||
         !order(frame, passed[1]))
       return Outcome::Seldom;

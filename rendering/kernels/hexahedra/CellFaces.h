@@ -79,6 +79,12 @@ public:
   /// Of the edges that pass the half-line upwards and downwards, in their own direction.
   Windings(unsigned up, unsigned down);
   int of(unsigned face) const { return static_cast<int>(bytes_ >> 8 * face & 0xffU) - 4; }
+  /// Bit 8 f is set where the winding of face f is not 0.
+  std::uint64_t passed() const
+  {
+    const std::uint64_t differing = bytes_ ^ 0x040404040404U;
+    return (differing | differing >> 1) & 0x010101010101U; // windings are -2 to 2
+  }
 
 private:
   std::uint64_t bytes_ = 0x040404040404U;
