@@ -7,9 +7,9 @@ set(MOTE_VTK_COMPONENTS
   InteractionStyle InteractionWidgets
   IOChemistry IOCore IOGeometry IOImage IOInfovis IOLegacy IOParallel IOPLY IOXML
   RenderingAnnotation RenderingContextOpenGL2 RenderingCore RenderingFreeType
-  RenderingOpenGL2 RenderingUI opengl glew)
+  RenderingOpenGL2 RenderingUI RenderingVolume opengl glew)
 if (MOTE_BUILD_BENCHMARKS)
-  list(APPEND MOTE_VTK_COMPONENTS RenderingVolume RenderingVolumeOpenGL2) # peers
+  list(APPEND MOTE_VTK_COMPONENTS RenderingVolumeOpenGL2) # peers
 endif ()
 if (MOTE_BUILD_PYTHON)
   # VTK must be found before Python: otherwise another interpreter on PATH is taken, which lacks

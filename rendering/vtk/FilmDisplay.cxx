@@ -2,6 +2,8 @@
 
 #include "FilmDisplay.h"
 
+#include "DepthScale.h"
+
 #include "vtkCamera.h"
 #include "vtkOpenGLError.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -39,29 +41,6 @@ void main()
   gl_FragDepth = texture2D(depthTexture, texCoord).r;
 }
 )";
-
-/// Depth-buffer value of a distance along the view axis between the clipping planes.
-struct DepthScale
-{
-  bool orthographic;
-  double near, far;
-
-  explicit DepthScale(vtkCamera* camera)
-    : orthographic(camera->GetParallelProjection())
-    , near(camera->GetClippingRange()[0])
-    , far(camera->GetClippingRange()[1])
-  {
-  }
-  float operator()(float t) const
-  {
-    if (!std::isfinite(t))
-      return 1.0f;
-    const double ndc = orthographic
-                         ? (2.0 * t - far - near) / (far - near)
-                         : (far + near) / (far - near) - 2.0 * far * near / ((far - near) * t);
-    return static_cast<float>(std::clamp(0.5 * ndc + 0.5, 0.0, 1.0));
-  }
-};
 
 void prepareTexture(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int filter)
 {
@@ -117,7 +96,7 @@ void FilmDisplay::convertDepth(vtkRenderer* renderer, const Film& film)
     [&](const tbb::blocked_range<std::size_t>& range)
     {
       for (std::size_t i = range.begin(); i != range.end(); ++i)
-        windowDepth_[i] = scale(film.nearestDepth()[i]);
+        windowDepth_[i] = scale.valueOf(film.nearestDepth()[i]);
     });
 }
 
@@ -130,6 +109,17 @@ void FilmDisplay::upload(const Film& film, const unsigned char* colors, bool smo
   prepareTexture(depth_, window_, vtkTextureObject::Nearest);
   color_->Create2DFromRaw(width, height, 4, VTK_UNSIGNED_CHAR, const_cast<unsigned char*>(colors));
   depth_->Create2DFromRaw(width, height, 1, VTK_FLOAT, windowDepth_.data());
+}
+
+void FilmDisplay::renderQuad()
+{
+  color_->Activate();
+  depth_->Activate();
+  quad_->Program->SetUniformi("colorTexture", color_->GetTextureUnit());
+  quad_->Program->SetUniformi("depthTexture", depth_->GetTextureUnit());
+  quad_->Render();
+  depth_->Deactivate();
+  color_->Deactivate();
 }
 
 void FilmDisplay::drawQuad(bool blend)
@@ -148,13 +138,28 @@ void FilmDisplay::drawQuad(bool blend)
   }
   else
     state->vtkglDisable(GL_BLEND);
-  color_->Activate();
-  depth_->Activate();
-  quad_->Program->SetUniformi("colorTexture", color_->GetTextureUnit());
-  quad_->Program->SetUniformi("depthTexture", depth_->GetTextureUnit());
-  quad_->Render();
-  depth_->Deactivate();
-  color_->Deactivate();
+  renderQuad();
+}
+
+void FilmDisplay::drawOver()
+{
+  vtkOpenGLState* state = window_->GetState();
+  const vtkOpenGLState::ScopedglEnableDisable keepDepthTest(state, GL_DEPTH_TEST);
+  const vtkOpenGLState::ScopedglEnableDisable keepBlend(state, GL_BLEND);
+  const vtkOpenGLState::ScopedglDepthMask keepMask(state);
+  const vtkOpenGLState::ScopedglDepthFunc keepDepthFunction(state);
+  const vtkOpenGLState::ScopedglColorMask keepColors(state);
+  const vtkOpenGLState::ScopedglBlendFuncSeparate keepFunction(state);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  state->vtkglDisable(GL_DEPTH_TEST); // which keeps depths from being written, too
+  renderQuad();
+  // Then depths alone. A cloud has none: its pixels hold 1, which is nearer than nothing.
+  state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LESS);
+  state->vtkglDepthMask(GL_TRUE);
+  renderQuad();
 }
 
 void FilmDisplay::drawIntoWindow(vtkRenderer* renderer)
@@ -179,8 +184,7 @@ void FilmDisplay::drawIntoWindow(vtkRenderer* renderer)
   state->PopDrawFramebufferBinding();
 }
 
-void FilmDisplay::draw(
-  vtkRenderer* renderer, const Film& film, unsigned long version, bool translucent)
+void FilmDisplay::draw(vtkRenderer* renderer, const Film& film, unsigned long version, Way way)
 {
   if (!prepare(renderer))
     return;
@@ -202,8 +206,10 @@ void FilmDisplay::draw(
     upload(film, colorBytes_.data(), width != film.width() || height != film.height());
     shown_ = wanted;
   }
-  if (translucent)
+  if (way == Way::Translucent)
     drawIntoWindow(renderer);
+  else if (way == Way::Over)
+    drawOver();
   else
     drawQuad(true);
 }

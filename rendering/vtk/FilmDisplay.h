@@ -25,11 +25,18 @@ public:
   FilmDisplay();
   ~FilmDisplay();
 
-  /// Blends the film over what is there, hidden by what is nearer. `version` tells films apart: the
-  /// same one is not converted and sent again. VTK's translucent step collects props in
-  /// framebuffers of its own kind; with `translucent` the film goes past them straight into the
-  /// window's.
-  void draw(vtkRenderer* renderer, const Film& film, unsigned long version, bool translucent);
+  /// How a film comes into the window.
+  enum class Way
+  {
+    Opaque,      ///< blended, hidden by what is nearer
+    Translucent, ///< the same; VTK's translucent step collects props in framebuffers of its own
+                 ///< kind, and the film goes past them straight into the window's
+    Over         ///< blended over all: nothing in the film lies behind what is there
+  };
+
+  /// Blends the film over what is there, and writes the depth of what is opaque in it. `version`
+  /// tells films apart: the same one is not converted and sent again.
+  void draw(vtkRenderer* renderer, const Film& film, unsigned long version, Way way);
 
   /// Writes one colour, without blending, wherever the film shows something: for selection passes.
   /// `colors` holds four bytes a pixel of the film.
@@ -43,6 +50,8 @@ private:
   void upload(const Film& film, const unsigned char* colors, bool smooth);
   void convertDepth(vtkRenderer* renderer, const Film& film);
   void drawQuad(bool blend);
+  void drawOver();
+  void renderQuad();
   void drawIntoWindow(vtkRenderer* renderer);
 
   vtkWeakPointer<vtkOpenGLRenderWindow> window_; ///< may go away unnoticed while the pass is unset

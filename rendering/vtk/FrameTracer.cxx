@@ -2,14 +2,10 @@
 
 #include "SceneBridge.h"
 
-#include "vtkMoteParticleMapper.h"
-
 #include "kernels/scene/RayCaster.h"
 
-#include "vtkActor.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
-#include "vtkProperty.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -30,8 +26,8 @@ void add(std::vector<double>& s, const Vec3d& v)
 }
 
 /// Everything that the picture depends on but its resolution. MTimes are exact in a double.
-std::vector<double> signatureOf(vtkRenderer* renderer, const std::vector<vtkActor*>& actors,
-  const Camera& camera, const Scene& scene, int width, int height)
+std::vector<double> signatureOf(const MoteProps& props, const Camera& camera, const Scene& scene,
+  const WindowDepth* others, int width, int height)
 {
   std::vector<double> s = {double(width), double(height), double(camera.projection),
     camera.viewAngle, camera.parallelScale, camera.centerX, camera.centerY, camera.nearDistance,
@@ -51,15 +47,18 @@ std::vector<double> signatureOf(vtkRenderer* renderer, const std::vector<vtkActo
   add(s, Vec3d(scene.sky.top));
   add(s, Vec3d(scene.sky.bottom));
   add(s, scene.sky.up);
-  for (std::size_t i = 0; i < actors.size(); ++i)
+  for (const auto& prop : props)
   {
-    auto* mapper = vtkMoteParticleMapper::SafeDownCast(actors[i]->GetMapper());
-    s.push_back(static_cast<double>(reinterpret_cast<std::uintptr_t>(actors[i])));
-    s.push_back(static_cast<double>(mapper->GetPictureMTime()));
-    s.push_back(static_cast<double>(actors[i]->GetProperty()->GetMTime()));
+    s.push_back(static_cast<double>(reinterpret_cast<std::uintptr_t>(prop->prop())));
+    for (const vtkMTimeType time : prop->times())
+      s.push_back(static_cast<double>(time));
+    const Mat4d toWorld = placementOf(prop->prop());
     for (int column = 0; column < 4; ++column)
-      add(s, Vec3d(scene.particles[i].toWorld[column]));
+      add(s, Vec3d(toWorld[column]));
   }
+  if (others)
+    for (const std::uint64_t half : {others->hash.low, others->hash.high})
+      s.insert(s.end(), {double(half >> 32U), double(half & 0xffffffffU)});
   return s;
 }
 
@@ -107,23 +106,22 @@ void FrameTracer::begin(const std::vector<double>& signature, double distance, b
     std::max(1, int(std::ceil(height / distance))), draft ? 0u : refinement.channels());
 }
 
-bool FrameTracer::trace(vtkRenderer* renderer, std::vector<vtkActor*>& actors, int width,
-  int height, const FrameSettings& settings, const Progress& progress)
+bool FrameTracer::trace(vtkRenderer* renderer, MoteProps& props, int width, int height,
+  const FrameSettings& settings, const Progress& progress)
 {
   seconds_ = 0.0;
   rays_ = 0;
-  Scene scene = sceneOf(renderer, actors, settings.shading);
-  preview_ = std::any_of(actors.begin(), actors.end(),
-    [](vtkActor* actor)
-    { return vtkMoteParticleMapper::SafeDownCast(actor->GetMapper())->IsPreview(); });
-  if (actors.empty() || width < 1 || height < 1)
+  Scene scene = sceneOf(renderer, props, settings.shading);
+  preview_ =
+    std::any_of(props.begin(), props.end(), [](const auto& prop) { return prop->isPreview(); });
+  if (props.empty() || width < 1 || height < 1)
   {
     signature_.clear();
     return false;
   }
   const double aspect = double(width) / height;
-  const auto signature =
-    signatureOf(renderer, actors, cameraOf(renderer, aspect, width, height), scene, width, height);
+  const auto signature = signatureOf(
+    props, cameraOf(renderer, aspect, width, height), scene, settings.others, width, height);
   const double wanted = distanceFor(width, height, settings);
   const bool moving = settings.interactive;
   const bool slow = takesManyRays(scene);
@@ -158,6 +156,12 @@ bool FrameTracer::addSamples(
   const auto caller = std::this_thread::get_id();
   RayCaster caster(scene);
   caster.setThreads(settings.threads);
+  std::vector<float> limits;
+  if (settings.others)
+  {
+    limits = settings.others->resampled(film_.width(), film_.height());
+    caster.setLimits(limits.data());
+  }
   const auto start = std::chrono::steady_clock::now();
   while (!refinement.isDone(film_))
   {

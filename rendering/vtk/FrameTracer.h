@@ -1,5 +1,8 @@
 #pragma once
 
+#include "MoteProp.h"
+#include "WindowDepth.h"
+
 #include "kernels/core/Film.h"
 #include "kernels/core/Progress.h"
 #include "kernels/scene/Refinement.h"
@@ -7,7 +10,6 @@
 
 #include <vector>
 
-class vtkActor;
 class vtkMoteShading;
 class vtkRenderer;
 
@@ -24,6 +26,7 @@ struct FrameSettings
   int threads = 0;
   bool interactive = false; ///< the view moves
   vtkMoteShading* shading = nullptr;
+  const WindowDepth* others = nullptr; ///< where other props stand, which end rays; or null
 };
 
 /// Keeps the traced picture of one renderer up to date with as few rays as the settings allow.
@@ -35,10 +38,10 @@ struct FrameSettings
 class FrameTracer
 {
 public:
-  /// Traces what is missing of the picture of these actors; `width` and `height` are the viewport's
-  /// in pixels. Actors with nothing to draw are taken out of the list. False where none is left, or
+  /// Traces what is missing of the picture of these props; `width` and `height` are the viewport's
+  /// in pixels. Props with nothing to draw are taken out of the list. False where none is left, or
   /// where `progress` stopped the tracing. `progress` is called on the calling thread only.
-  bool trace(vtkRenderer* renderer, std::vector<vtkActor*>& actors, int width, int height,
+  bool trace(vtkRenderer* renderer, MoteProps& props, int width, int height,
     const FrameSettings& settings, const Progress& progress);
 
   const Film& film() const { return film_; }

@@ -1,5 +1,6 @@
 #include "ParticleInput.h"
 
+#include "Names.h"
 #include "vtkMoteParticleMapper.h"
 
 #include "kernels/core/Error.h"
@@ -101,15 +102,6 @@ double spacingOf(vtkPointSet* points)
   return estimateSpacing(input.set);
 }
 
-std::string arrayNames(vtkPointData* data)
-{
-  std::string names;
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-    if (const char* name = data->GetArrayName(i))
-      names += (names.empty() ? "" : ", ") + std::string(name);
-  return names.empty() ? "none" : names;
-}
-
 vtkDataArray* findRadiusArray(vtkPointSet* points, const RadiusChoice& choice, bool& half)
 {
   half = false;
@@ -208,23 +200,6 @@ std::vector<std::string> structureFormNames()
   names.insert(names.begin(), "auto");
   return names;
 }
-
-namespace
-{
-
-/// Place of a name among others; the first for none.
-std::size_t findName(const std::vector<std::string>& names, const char* name, const char* what)
-{
-  const auto found = name && *name ? std::find(names.begin(), names.end(), name) : names.begin();
-  if (found != names.end())
-    return static_cast<std::size_t>(found - names.begin());
-  std::string known;
-  for (const std::string& n : names)
-    known += (known.empty() ? "" : ", ") + n;
-  throw Error(std::string("There is no ") + what + " \"" + name + "\"; there are: " + known + ".");
-}
-
-} // namespace
 
 StructureChoice structureOf(const char* name, const char* form)
 {

@@ -43,9 +43,6 @@ struct ParticleInput
   double enlargement = 1.0;     ///< what the structure's radii are times those of `set`
 };
 
-/// The names of the arrays, separated by commas, for messages; "none" where there is none.
-std::string arrayNames(vtkPointData* data);
-
 /// Array of the points that holds the radii under `choice`, or null for none; with half = true
 /// where it holds diameters. Throws Error where the choice names an array that is missing or unfit.
 vtkDataArray* findRadiusArray(vtkPointSet* points, const RadiusChoice& choice, bool& half);

@@ -3,6 +3,7 @@
 #include "ParticleMapperInternals.h"
 
 #include "ColorBridge.h"
+#include "Names.h"
 
 #include "kernels/scene/Scene.h"
 

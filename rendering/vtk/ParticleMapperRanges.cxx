@@ -2,6 +2,8 @@
 
 #include "ParticleMapperInternals.h"
 
+#include "Names.h"
+
 #include "kernels/core/Error.h"
 #include "kernels/particles/PkdTreeFile.h"
 

@@ -11,8 +11,8 @@
 namespace mote
 {
 
-bool RendererImage::trace(vtkRenderer* renderer, std::vector<vtkActor*> actors,
-  FrameSettings settings, const Progress& progress)
+bool RendererImage::trace(
+  vtkRenderer* renderer, MoteProps props, FrameSettings settings, const Progress& progress)
 {
   vtkRenderWindow* window = renderer->GetRenderWindow();
   // Drawing the picture takes its part of a frame, too.
@@ -22,9 +22,16 @@ bool RendererImage::trace(vtkRenderer* renderer, std::vector<vtkActor*> actors,
   renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
   problem_.clear();
   interrupted_ = false;
+  ended_ = std::any_of(props.begin(), props.end(), [](const auto& p) { return p->isVolume(); });
   try
   {
-    return tracer_.trace(renderer, actors, width, height, settings,
+    WindowDepth others;
+    if (ended_)
+    {
+      others = depthReader_.read(renderer);
+      settings.others = &others;
+    }
+    return tracer_.trace(renderer, props, width, height, settings,
       [&](double done)
       {
         interrupted_ = (window && window->CheckAbortStatus()) || (progress && !progress(done));
@@ -45,8 +52,17 @@ void RendererImage::draw(vtkRenderer* renderer, bool translucent)
   if (renderer->GetSelector())
     drawSelection(renderer);
   else
-    display_.draw(renderer, tracer_.film(), tracer_.version(), translucent);
+    display_.draw(renderer, tracer_.film(), tracer_.version(),
+      ended_        ? FilmDisplay::Way::Over
+      : translucent ? FilmDisplay::Way::Translucent
+                    : FilmDisplay::Way::Opaque);
   displaySeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void RendererImage::release(vtkWindow* window)
+{
+  display_.release(window);
+  depthReader_.release(window);
 }
 
 void RendererImage::drawSelection(vtkRenderer* renderer)
@@ -83,7 +99,7 @@ void RendererImages::release(vtkWindow* window)
       ++it;
       continue;
     }
-    it->second->display().release(window);
+    it->second->release(window);
     it = images_.erase(it);
   }
 }

@@ -11,14 +11,17 @@
 namespace mote
 {
 
-/// The traced picture of some actors in one renderer, and its way onto the screen.
+/// The traced picture of some props in one renderer, and its way onto the screen.
 class RendererImage
 {
 public:
   /// Brings the picture up to date; see FrameTracer::trace(). Whether the view moves, and whether
   /// to stop, is asked of the renderer's window. False, too, where there is a problem().
-  bool trace(vtkRenderer* renderer, std::vector<vtkActor*> actors, FrameSettings settings,
-    const Progress& progress);
+  ///
+  /// Where there is a volume among the props, rays end at what the framebuffer that is bound shows
+  /// already, whose depth is read; call when opaque props have been drawn.
+  bool trace(
+    vtkRenderer* renderer, MoteProps props, FrameSettings settings, const Progress& progress);
 
   /// Draws the picture; while a vtkHardwareSelector is at work, what it asks for instead.
   /// `translucent`: VTK calls from its translucent step.
@@ -31,6 +34,8 @@ public:
 
   const FrameTracer& tracer() const { return tracer_; }
   FilmDisplay& display() { return display_; }
+  /// Lets go of all that lies in the window.
+  void release(vtkWindow* window);
   double traceTime() const { return tracer_.seconds(); }
   double displayTime() const { return displaySeconds_; }
 
@@ -39,6 +44,8 @@ private:
 
   FrameTracer tracer_;
   FilmDisplay display_;
+  WindowDepthReader depthReader_;
+  bool ended_ = false; ///< rays of the film ended at what the depth buffer held
   std::string problem_;
   bool interrupted_ = false;
   double displaySeconds_ = 0.0;

@@ -1,7 +1,6 @@
 #include "SceneBridge.h"
 
 #include "vtkMoteAreaLight.h"
-#include "vtkMoteParticleMapper.h"
 #include "vtkMoteShading.h"
 
 #include "vtkActor.h"
@@ -11,6 +10,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,12 +100,19 @@ std::vector<Light> lightsOf(vtkRenderer* renderer)
   return lights;
 }
 
-void describeActor(vtkActor* actor, ParticleObject& object)
+Mat4d placementOf(vtkProp3D* prop)
 {
-  vtkMatrix4x4* matrix = actor->GetMatrix();
+  Mat4d toWorld;
+  vtkMatrix4x4* matrix = prop->GetMatrix();
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column)
-      object.toWorld[column][row] = matrix->GetElement(row, column);
+      toWorld[column][row] = matrix->GetElement(row, column);
+  return toWorld;
+}
+
+void describeActor(vtkActor* actor, ParticleObject& object)
+{
+  object.toWorld = placementOf(actor);
   vtkProperty* property = actor->GetProperty();
   object.coloring.constant = Vec4f(toColor(property->GetDiffuseColor()), 1.0f);
   Material& m = object.material;
@@ -125,10 +132,14 @@ void describeActor(vtkActor* actor, ParticleObject& object)
   m.specularPower = static_cast<float>(property->GetSpecularPower());
 }
 
-vtkActor* moteActor(vtkProp* prop)
+Material materialOf(vtkVolumeProperty* property)
 {
-  vtkActor* actor = vtkActor::SafeDownCast(prop);
-  return actor && vtkMoteParticleMapper::SafeDownCast(actor->GetMapper()) ? actor : nullptr;
+  Material m;
+  m.ambient = static_cast<float>(property->GetAmbient());
+  m.diffuse = static_cast<float>(property->GetDiffuse());
+  m.specular = static_cast<float>(property->GetSpecular());
+  m.specularPower = static_cast<float>(property->GetSpecularPower());
+  return m;
 }
 
 namespace
@@ -151,19 +162,12 @@ void shadeBy(Scene& scene, vtkMoteShading* shading)
 
 } // namespace
 
-Scene sceneOf(vtkRenderer* renderer, std::vector<vtkActor*>& actors, vtkMoteShading* shading)
+Scene sceneOf(vtkRenderer* renderer, MoteProps& props, vtkMoteShading* shading)
 {
   Scene scene;
-  std::vector<vtkActor*> kept;
-  for (vtkActor* actor : actors)
-  {
-    ParticleObject object;
-    if (!vtkMoteParticleMapper::SafeDownCast(actor->GetMapper())->DescribeTo(object, actor))
-      continue;
-    scene.particles.push_back(std::move(object));
-    kept.push_back(actor);
-  }
-  actors = kept;
+  std::erase_if(props, [&](const auto& prop) { return !prop->describe(scene); });
+  std::stable_partition(
+    props.begin(), props.end(), [](const auto& prop) { return !prop->isVolume(); });
   scene.lights = lightsOf(renderer);
   if (shading)
     shadeBy(scene, shading);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "MoteProp.h"
+
 #include "kernels/core/Camera.h"
 #include "kernels/scene/Scene.h"
 
@@ -7,8 +9,8 @@
 
 class vtkActor;
 class vtkMoteShading;
-class vtkProp;
 class vtkRenderer;
+class vtkVolumeProperty;
 
 namespace mote
 {
@@ -20,15 +22,18 @@ Camera cameraOf(vtkRenderer* renderer, double viewportAspect, int width, int hei
 /// The renderer's lights that are on; a headlight where it has none at all.
 std::vector<Light> lightsOf(vtkRenderer* renderer);
 
+/// From the coordinates of a prop's data to the world.
+Mat4d placementOf(vtkProp3D* prop);
+
 /// Placement, material and plain colour of an actor.
 void describeActor(vtkActor* actor, ParticleObject& object);
 
-/// The prop as an actor with a Mote mapper, or null.
-vtkActor* moteActor(vtkProp* prop);
+/// How a volume, and a surface in it, answers light.
+Material materialOf(vtkVolumeProperty* property);
 
-/// The scene of these actors as the renderer sees it. `actors` loses those that have nothing to
-/// draw, so that scene object i belongs to actors[i]. `shading` may be null: as a new one.
-Scene sceneOf(
-  vtkRenderer* renderer, std::vector<vtkActor*>& actors, vtkMoteShading* shading = nullptr);
+/// The scene of these props as the renderer sees it. `props` loses those that have nothing to draw,
+/// and volumes go behind the others, so that what Film::object() calls i belongs to props[i].
+/// `shading` may be null: as a new one.
+Scene sceneOf(vtkRenderer* renderer, MoteProps& props, vtkMoteShading* shading = nullptr);
 
 } // namespace mote

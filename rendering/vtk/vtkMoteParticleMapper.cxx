@@ -1,5 +1,7 @@
 #include "vtkMoteParticleMapper.h"
 
+#include "BuildEvents.h"
+#include "InputTimeStep.h"
 #include "ParticleMapperInternals.h"
 #include "SceneBridge.h"
 
@@ -8,12 +10,10 @@
 #include "kernels/scene/Scene.h"
 
 #include "vtkActor.h"
-#include "vtkAlgorithmOutput.h"
 #include "vtkCommand.h"
 #include "vtkDataSet.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -23,7 +23,6 @@
 #include "vtkPoints.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -185,50 +184,13 @@ vtkMTimeType vtkMoteParticleMapper::GetPictureMTime()
 int vtkMoteParticleMapper::UpdateTimeStep(
   double time, int piece, int pieces, int ghostLevels, const int extents[6])
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkAlgorithmOutput* input =
-    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputConnection(0, 0) : nullptr;
-  if (!input)
-    return 0;
-  // A sink has no output to ask a time of: the request goes to its input's.
-  vtkNew<vtkInformationVector> requests;
-  for (int port = 0; port < input->GetProducer()->GetNumberOfOutputPorts(); ++port)
-    requests->Append(vtkNew<vtkInformation>());
-  vtkInformation* request = requests->GetInformationObject(input->GetIndex());
-  request->Set(Pipeline::UPDATE_TIME_STEP(), time);
-  if (piece >= 0)
-  {
-    request->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece);
-    request->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
-    request->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), ghostLevels);
-  }
-  if (extents)
-    request->Set(Pipeline::UPDATE_EXTENT(), extents, 6);
-  const int done = input->GetProducer()->Update(input->GetIndex(), requests);
+  const bool done = mote::updateInputTimeStep(this, time, piece, pieces, ghostLevels, extents);
   this->Update();
   return done && this->Impl->structure ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------------------------
 // Building
-
-namespace
-{
-
-/// Tells that a build starts and, however it goes, that it has ended.
-struct BuildEvents
-{
-  vtkMoteParticleMapper* mapper;
-  explicit BuildEvents(vtkMoteParticleMapper* m)
-    : mapper(m)
-  {
-    mapper->SetAbortExecute(0);
-    mapper->InvokeEvent(vtkCommand::StartEvent, nullptr);
-  }
-  ~BuildEvents() { mapper->InvokeEvent(vtkCommand::EndEvent, nullptr); }
-};
-
-} // namespace
 
 void vtkMoteParticleMapper::Update(int port)
 {
@@ -307,7 +269,7 @@ void vtkMoteParticleMapper::BuildStructure(vtkPointSet* input)
     mote::structureOf(this->StructureName, this->StructureForm).options();
   options.pkdTree.keepIndices = this->KeepPointIds;
   options.pkdTree.space = impl.space;
-  const BuildEvents events(this);
+  const mote::BuildEvents events(this);
   const mote::ParticleInput particles =
     mote::makeParticleInput(input, impl.choice, impl.space.get());
   impl.selection.forget();
@@ -368,7 +330,7 @@ void vtkMoteParticleMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
   mote::RendererImage& image = this->Impl->images.of(renderer);
   mote::FrameSettings settings;
-  if (image.trace(renderer, {actor}, settings, {}))
+  if (image.trace(renderer, {mote::motePropOf(actor)}, settings, {}))
     image.draw(renderer, !actor->HasOpaqueGeometry());
   if (!image.problem().empty() && image.problem() != this->Impl->reportedFrame)
     vtkErrorMacro(<< image.problem());

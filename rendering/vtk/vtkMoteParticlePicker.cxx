@@ -54,14 +54,14 @@ int vtkMoteParticlePicker::Pick(double x, double y, double z, vtkRenderer* rende
 
 void vtkMoteParticlePicker::CastRay(double x, double y, vtkPropCollection* props)
 {
-  std::vector<vtkActor*> actors;
+  mote::MoteProps particles;
   vtkCollectionSimpleIterator next;
   props->InitTraversal(next);
   while (vtkProp* prop = props->GetNextProp(next))
-    if (vtkActor* actor = mote::moteActor(prop))
-      if (actor->GetVisibility() && actor->GetPickable())
-        actors.push_back(actor);
-  const mote::Scene scene = mote::sceneOf(this->Renderer, actors);
+    if (auto ours = mote::motePropOf(prop))
+      if (!ours->isVolume() && prop->GetVisibility() && prop->GetPickable())
+        particles.push_back(std::move(ours));
+  const mote::Scene scene = mote::sceneOf(this->Renderer, particles);
 
   const int* size = this->Renderer->GetSize();
   const int* corner = this->Renderer->GetOrigin();
@@ -75,7 +75,7 @@ void vtkMoteParticlePicker::CastRay(double x, double y, vtkPropCollection* props
     mote::pick(scene, rays.originAt(px, py), rays.directionAt(px, py), rays.tMin, rays.tMax);
   if (!hit)
     return;
-  vtkActor* actor = actors[hit->object];
+  vtkActor* actor = vtkActor::SafeDownCast(particles[hit->object]->prop());
   vtkNew<vtkAssemblyPath> path;
   path->AddNode(actor, actor->GetMatrix());
   this->SetPath(path);

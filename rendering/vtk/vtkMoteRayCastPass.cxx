@@ -4,7 +4,6 @@
 #include "SceneBridge.h"
 #include "vtkMoteShading.h"
 
-#include "vtkActor.h"
 #include "vtkCameraPass.h"
 #include "vtkCommand.h"
 #include "vtkHardwareSelector.h"
@@ -55,8 +54,8 @@ public:
   vtkNew<vtkMoteImageStep> step;
   vtkSmartPointer<vtkRenderPass> delegate;
   mote::RendererImages images;
-  std::vector<vtkActor*> actors; ///< Mote's, of the frame being drawn
-  std::string reported;          ///< last problem, so that it is told once and not every frame
+  mote::MoteProps props; ///< of the frame being drawn
+  std::string reported;  ///< last problem, so that it is told once and not every frame
   bool converged = true;
   bool preview = false;
   double distance = 1.0;
@@ -124,13 +123,13 @@ void vtkMoteRayCastPass::Render(const vtkRenderState* state)
     this->RenderSelection(state);
     return;
   }
-  this->Impl->actors.clear();
+  this->Impl->props.clear();
   std::vector<vtkProp*> others;
   for (int i = 0; i < state->GetPropArrayCount(); ++i)
   {
     vtkProp* prop = state->GetPropArray()[i];
-    if (vtkActor* actor = mote::moteActor(prop))
-      this->Impl->actors.push_back(actor);
+    if (auto ours = mote::motePropOf(prop))
+      this->Impl->props.push_back(std::move(ours));
     else
       others.push_back(prop);
   }
@@ -171,7 +170,7 @@ void vtkMoteRayCastPass::DrawImage(vtkRenderer* renderer)
   settings.shading = this->Shading;
   mote::RendererImage& image = impl.images.of(renderer);
   impl.displayTime = 0.0;
-  const bool shown = image.trace(renderer, impl.actors, settings,
+  const bool shown = image.trace(renderer, impl.props, settings,
     [this](double done)
     {
       this->InvokeEvent(vtkCommand::ProgressEvent, &done);
@@ -181,7 +180,7 @@ void vtkMoteRayCastPass::DrawImage(vtkRenderer* renderer)
   {
     image.draw(renderer);
     impl.displayTime = image.displayTime();
-    this->NumberOfRenderedProps += static_cast<int>(impl.actors.size());
+    this->NumberOfRenderedProps += static_cast<int>(impl.props.size());
   }
   if (!image.problem().empty() && image.problem() != impl.reported)
     vtkErrorMacro(<< image.problem());

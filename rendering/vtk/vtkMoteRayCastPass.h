@@ -8,6 +8,12 @@
  * they hide one another exactly, and written into the framebuffer with colour and depth. Edges are
  * blended over what lies behind them.
  *
+ * Where there is a volume (a vtkVolume with a vtkMoteVolumeMapper) among them, the depth of the
+ * opaque props is read first, and rays end there: a volume is seen up to what stands inside of it.
+ * Clouds are blended over the opaque props and write no depth, iso-surfaces and particles do.
+ * Translucent props come after, over all of that but what surfaces hide. A prop that moves in a
+ * renderer with volumes has the picture traced again. Without volumes nothing is read.
+ *
  * While the view moves (the window's desired update rate is 1 or more, as interactors set it) one
  * ray a pixel is cast, or fewer, so that a frame takes no longer than InteractiveFrameTime. At
  * rest every pixel gets SamplesPerPixel rays. A frame in which nothing that Mote draws has changed

@@ -1,14 +1,12 @@
 #include "vtkMoteRendererSource.h"
 
 #include "SceneBridge.h"
-#include "vtkMoteParticleMapper.h"
 #include "vtkMoteShading.h"
 
 #include "kernels/core/Error.h"
 #include "kernels/scene/RayCaster.h"
 #include "kernels/scene/Refinement.h"
 
-#include "vtkActor.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -130,9 +128,9 @@ void copyIds(const mote::Film& film, vtkImageData* image)
 
 } // namespace
 
-std::vector<vtkActor*> vtkMoteRendererSource::CollectActors()
+std::vector<std::shared_ptr<mote::MoteProp>> vtkMoteRendererSource::CollectProps()
 {
-  std::vector<vtkActor*> actors;
+  mote::MoteProps ours;
   this->NumberOfIgnoredProps = 0;
   vtkPropCollection* props = this->Renderer->GetViewProps();
   vtkCollectionSimpleIterator next;
@@ -141,8 +139,8 @@ std::vector<vtkActor*> vtkMoteRendererSource::CollectActors()
   {
     if (!prop->GetVisibility())
       continue;
-    if (vtkActor* actor = mote::moteActor(prop))
-      actors.push_back(actor);
+    if (auto found = mote::motePropOf(prop))
+      ours.push_back(std::move(found));
     else
       ++this->NumberOfIgnoredProps;
   }
@@ -150,20 +148,19 @@ std::vector<vtkActor*> vtkMoteRendererSource::CollectActors()
     vtkWarningMacro(<< this->NumberOfIgnoredProps
                     << " visible props have no Mote mapper and are not in the image.");
   this->WarnedOfIgnoredProps = this->NumberOfIgnoredProps > 0;
-  return actors;
+  return ours;
 }
 
 bool vtkMoteRendererSource::Trace(mote::Film& film)
 {
-  std::vector<vtkActor*> actors = this->CollectActors();
-  std::erase_if(actors, [](vtkActor* actor)
-    { return !vtkMoteParticleMapper::SafeDownCast(actor->GetMapper())->FinishBuild(); });
+  mote::MoteProps props = this->CollectProps();
+  std::erase_if(props, [](const auto& prop) { return !prop->finish(); });
   if (!this->Renderer->IsActiveCameraCreated())
     this->Renderer->ResetCamera(); // makes one and shows everything, as a window would
   if (this->ResetClippingRange)
     this->Renderer->ResetCameraClippingRange();
   this->Renderer->UpdateLightsGeometryToFollowCamera();
-  const mote::Scene scene = mote::sceneOf(this->Renderer, actors, this->Shading);
+  const mote::Scene scene = mote::sceneOf(this->Renderer, props, this->Shading);
   const mote::Camera camera = mote::cameraOf(
     this->Renderer, double(film.width()) / film.height(), film.width(), film.height());
   mote::RayCaster caster(scene);
@@ -259,7 +256,12 @@ vtkMTimeType vtkMoteRendererSource::GetMTime()
     time = std::max(time, light->GetMTime());
   props->InitTraversal(next);
   while (vtkProp* prop = props->GetNextProp(next))
+  {
     time = std::max(time, prop->GetRedrawMTime());
+    if (const auto ours = mote::motePropOf(prop))
+      for (const vtkMTimeType part : ours->times())
+        time = std::max(time, part);
+  }
   return time;
 }
 

@@ -3,9 +3,9 @@
  * @brief   An image of the Mote props of a renderer, traced without OpenGL and without a display.
  *
  * The renderer needs no window. Its camera, lights, background (also a gradient) and those of its
- * actors that have a Mote mapper are used; other props need OpenGL and are left out (with one
- * warning, counted by GetNumberOfIgnoredProps()). The camera's clipping range is set to enclose the
- * props, as a window would do, where ResetClippingRange is on.
+ * actors and volumes that have a Mote mapper are used; other props need OpenGL and are left out
+ * (with one warning, counted by GetNumberOfIgnoredProps()). The camera's clipping range is set to
+ * enclose the props, as a window would do, where ResetClippingRange is on.
  *
  * The output is a vtkImageData whose row 0 is the bottom row, with the point arrays
  *  - `color`: float RGBA in [0, 1], the active scalars: over the background with alpha 1, or, with
@@ -14,8 +14,12 @@
  *  - `normal` (Normals on): float x y z, unit length in world coordinates, 0 0 0 if nothing;
  *  - `variance` (Variance on): float, of one sample of the pixel, the mean over the channels of the
  *    premultiplied colour; 0 with one sample;
- *  - `particle` (Ids on): 64-bit index of the particle in its mapper's input, -1 if nothing;
- *  - `object` (Ids on): 32-bit place of its actor among the Mote props traced, -1 if nothing.
+ *  - `particle` (Ids on): 64-bit index of the particle, or of an iso-surface's cell, in its
+ * mapper's input, -1 if nothing;
+ *  - `object` (Ids on): 32-bit place of its prop among the Mote props traced, those with particles
+ *    first, then volumes; -1 if nothing.
+ *
+ * Clouds have colour and nothing else.
  */
 
 #ifndef vtkMoteRendererSource_h
@@ -25,16 +29,17 @@
 #include "vtkImageAlgorithm.h"
 #include "vtkSmartPointer.h" // for Renderer and Shading
 
-#include <vector> // for lists of actors
+#include <memory> // for lists of props
+#include <vector>
 
-class vtkActor;
 class vtkMoteShading;
 class vtkRenderer;
 
 namespace mote
 {
 class Film;
-}
+class MoteProp;
+} // namespace mote
 
 class MOTERENDERINGVTK_EXPORT vtkMoteRendererSource : public vtkImageAlgorithm
 {
@@ -183,7 +188,7 @@ private:
   void operator=(const vtkMoteRendererSource&) = delete;
 
 #ifndef __VTK_WRAP__
-  std::vector<vtkActor*> CollectActors();
+  std::vector<std::shared_ptr<mote::MoteProp>> CollectProps();
   bool Trace(mote::Film& film);
 #endif
 };

@@ -22,6 +22,7 @@ class Package(unittest.TestCase):
             "vtkMoteParticlePicker",
             "vtkMoteRayCastPass",
             "vtkMoteRendererSource",
+            "vtkMoteVolumeMapper",
             "vtkMoteReaderTable",
             "vtkMoteLAMMPSDumpReader",
             "vtkMoteCylindricalLocator",

@@ -1,4 +1,4 @@
-"""Runs the Python examples of README.md and the user guide as a reader would: in a folder of their
+"""Runs the Python examples of README.md and of pages in docs as a reader would: in a folder of their
 own."""
 
 import os
@@ -10,7 +10,7 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(os.environ["MOTE_SOURCE_DIR"])
-PAGES = [ROOT / "README.md", ROOT / "docs" / "user-guide.md"]
+PAGES = [ROOT / name for name in ["README.md", "docs/user-guide.md", "docs/volumes.md"]]
 
 
 def examples():

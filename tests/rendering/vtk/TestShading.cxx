@@ -45,12 +45,12 @@ TEST(Shading, ReachesTheKernels)
 {
   Stage stage(makeParticles({{0, 0, 0, 1}}));
   stage.mapper->Update();
-  std::vector<vtkActor*> actors = {stage.actor};
-  EXPECT_EQ(mote::sceneOf(stage.renderer, actors).occlusion.rays, 0);
+  mote::MoteProps props = {mote::motePropOf(stage.actor)};
+  EXPECT_EQ(mote::sceneOf(stage.renderer, props).occlusion.rays, 0);
   vtkNew<vtkMoteShading> shading;
   shading->SetAmbientOcclusionSamples(3);
   shading->SetAmbientOcclusionReach(2.5);
-  const mote::Scene scene = mote::sceneOf(stage.renderer, actors, shading);
+  const mote::Scene scene = mote::sceneOf(stage.renderer, props, shading);
   EXPECT_EQ(scene.occlusion.rays, 3);
   EXPECT_EQ(scene.occlusion.reach, 2.5);
   EXPECT_EQ(scene.paths.bounces, 0);
@@ -62,7 +62,7 @@ TEST(Shading, ReachesTheKernels)
   shading->SetSkyUp(0.0, 3.0, 0.0);
   stage.actor->GetProperty()->SetMetallic(0.25);
   stage.actor->GetProperty()->SetRoughness(0.125);
-  const mote::Scene paths = mote::sceneOf(stage.renderer, actors, shading);
+  const mote::Scene paths = mote::sceneOf(stage.renderer, props, shading);
   EXPECT_EQ(paths.paths.bounces, 5);
   EXPECT_EQ(paths.occlusion.rays, 0);
   EXPECT_EQ(paths.sky.top, mote::Vec3f(0.5f, 0.25f, 1.0f));
@@ -71,7 +71,7 @@ TEST(Shading, ReachesTheKernels)
   EXPECT_EQ(paths.particles[0].material.metallic, 0.25f);
   EXPECT_EQ(paths.particles[0].material.roughness, 0.125f);
   shading->SetSkyUp(0.0, 0.0, 0.0);
-  EXPECT_EQ(mote::sceneOf(stage.renderer, actors, shading).sky.up, mote::Vec3d(0.0, 0.0, 1.0));
+  EXPECT_EQ(mote::sceneOf(stage.renderer, props, shading).sky.up, mote::Vec3d(0.0, 0.0, 1.0));
 }
 
 TEST(Shading, SourceFollowsIt)

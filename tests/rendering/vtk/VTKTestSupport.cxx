@@ -194,6 +194,18 @@ Point TrueView::unproject(double x, double y, double z) const
   return {out[0] / out[3], out[1] / out[3], out[2] / out[3]};
 }
 
+TrueView::Line TrueView::line(double x, double y) const
+{
+  const Point start = unproject(x, y, -1.0);
+  Line line;
+  line.direction = unit(minus(unproject(x, y, 1.0), start));
+  line.along = dot(line.direction, m_axis);
+  const double back = dot(minus(start, m_eye), m_axis) / line.along;
+  for (std::size_t k = 0; k < 3; ++k)
+    line.origin[k] = start[k] - back * line.direction[k];
+  return line;
+}
+
 std::optional<TrueView::Hit> TrueView::hit(double x, double y, const std::vector<Ball>& balls) const
 {
   const Point start = unproject(x, y, -1.0);

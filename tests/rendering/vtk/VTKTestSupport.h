@@ -105,6 +105,14 @@ public:
     double depth;  ///< along the view axis
     double window; ///< value in the depth buffer
   };
+  /// A ray from the eye, or from the plane through it: `along` is what the unit direction has of
+  /// the view axis.
+  struct Line
+  {
+    Point origin, direction;
+    double along;
+  };
+  Line line(double x, double y) const;
   /// What the ray through image position (x, y), in pixels, meets between the clipping planes.
   std::optional<Hit> hit(double x, double y, const std::vector<Ball>& balls) const;
   /// Whether all positions within `margin` pixels meet the same ball, or none does.

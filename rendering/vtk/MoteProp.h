@@ -1,0 +1,52 @@
+#pragma once
+
+#include "vtkType.h"
+
+#include <memory>
+#include <vector>
+
+class vtkProp;
+class vtkProp3D;
+
+namespace mote
+{
+
+struct Scene;
+
+/// A prop that Mote traces, whatever its mapper: what the bridge to the kernels asks of each kind.
+/// A new kind is one more class in a file of its own, and one more entry in motePropOf().
+class MoteProp
+{
+public:
+  explicit MoteProp(vtkProp3D* prop)
+    : prop_(prop)
+  {
+  }
+  virtual ~MoteProp() = default;
+  MoteProp(const MoteProp&) = delete;
+  MoteProp& operator=(const MoteProp&) = delete;
+
+  vtkProp3D* prop() const { return prop_; }
+
+  /// Updates the mapper and adds to the scene what there is to draw; false where there is nothing.
+  virtual bool describe(Scene& scene) const = 0;
+  /// The times of change of all that its look depends on, besides place, camera and lights.
+  virtual std::vector<vtkMTimeType> times() const = 0;
+  /// Whether rays go through it, so that they must be told where other props stand.
+  virtual bool isVolume() const { return false; }
+  /// Whether what is drawn is a preview of more.
+  virtual bool isPreview() const { return false; }
+  /// Waits until what is drawn is no preview; false where nothing is to be had.
+  virtual bool finish() const { return true; }
+
+private:
+  vtkProp3D* prop_;
+};
+
+using MoteProps = std::vector<std::shared_ptr<MoteProp>>;
+
+/// The prop as one that Mote traces, for as long as the prop lives and keeps its mapper; null for
+/// all others.
+std::shared_ptr<MoteProp> motePropOf(vtkProp* prop);
+
+} // namespace mote

@@ -1,0 +1,56 @@
+#include "MoteProp.h"
+
+#include "vtkMoteParticleMapper.h"
+
+#include "kernels/scene/Scene.h"
+
+#include "vtkActor.h"
+#include "vtkProperty.h"
+
+namespace mote
+{
+
+namespace
+{
+
+/// An actor with a vtkMoteParticleMapper.
+class ParticleProp : public MoteProp
+{
+public:
+  ParticleProp(vtkActor* actor, vtkMoteParticleMapper* mapper)
+    : MoteProp(actor)
+    , actor_(actor)
+    , mapper_(mapper)
+  {
+  }
+
+  bool describe(Scene& scene) const override
+  {
+    ParticleObject object;
+    if (!mapper_->DescribeTo(object, actor_))
+      return false;
+    scene.particles.push_back(std::move(object));
+    return true;
+  }
+  std::vector<vtkMTimeType> times() const override
+  {
+    return {mapper_->GetPictureMTime(), actor_->GetProperty()->GetMTime()};
+  }
+  bool isPreview() const override { return mapper_->IsPreview(); }
+  bool finish() const override { return mapper_->FinishBuild(); }
+
+private:
+  vtkActor* actor_;
+  vtkMoteParticleMapper* mapper_;
+};
+
+} // namespace
+
+std::shared_ptr<MoteProp> particlePropOf(vtkProp* prop)
+{
+  vtkActor* actor = vtkActor::SafeDownCast(prop);
+  auto* mapper = actor ? vtkMoteParticleMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+  return mapper ? std::make_shared<ParticleProp>(actor, mapper) : nullptr;
+}
+
+} // namespace mote

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "ContentHash.h"
+#include "DataArrayView.h"
+#include "ParticleInput.h"
+
+#include "kernels/hexahedra/HexStructure.h"
+
+#include <memory>
+
+class vtkUnstructuredGrid;
+
+namespace mote
+{
+
+/// The cells of an unstructured grid as the kernels see them, and what keeps their memory alive.
+struct GridCells
+{
+  DataArrayView points, types, offsets, connectivity;
+
+  explicit GridCells(vtkUnstructuredGrid* grid);
+  HexMeshInput input() const;
+  /// Of all numbers, which tells whether the cells of two grids are the same.
+  ContentHash hash() const;
+};
+
+/// The mesh of a volume, and the structure over it, which follow a pipeline's output.
+class VolumeGeometry
+{
+public:
+  /// Whether there is a structure over the grid's cells as the options want it: points, types,
+  /// offsets and connectivity are the same arrays, unchanged, or have the same content.
+  bool fits(vtkUnstructuredGrid* grid, const HexStructureOptions& options);
+
+  /// Takes the grid's cells where they are not those that are there. True where it did; there is no
+  /// structure then. Throws Error as HexMesh does, and where the grid has no cells or none that can
+  /// be drawn, and has no mesh then.
+  bool takeCells(vtkUnstructuredGrid* grid);
+
+  /// Builds the structure over the mesh. Throws as makeHexStructure() does.
+  void build(const HexStructureOptions& options);
+
+  /// Tells the structure the ranges of a field; a structure that somebody looks at is left alone,
+  /// and a copy takes its place.
+  void setRanges(const HexField& field);
+
+  void forget() { *this = VolumeGeometry(); }
+
+  const std::shared_ptr<const HexMesh>& mesh() const { return mesh_; }
+  std::shared_ptr<const HexStructure> structure() const { return structure_; }
+
+private:
+  bool hasCellsOf(vtkUnstructuredGrid* grid);
+
+  InputKey seenKey_; ///< times of the arrays that were looked at last
+  ContentHash seen_; ///< and what they held
+  ContentHash content_;
+  std::shared_ptr<const HexMesh> mesh_; ///< made of `content_`
+  InputKey structureKey_;
+  std::shared_ptr<HexStructure> structure_;
+};
+
+} // namespace mote

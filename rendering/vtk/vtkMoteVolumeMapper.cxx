@@ -1,0 +1,432 @@
+#include "vtkMoteVolumeMapper.h"
+
+#include "BuildEvents.h"
+#include "InputTimeStep.h"
+#include "Names.h"
+#include "RendererImage.h"
+#include "SceneBridge.h"
+#include "TransferBridge.h"
+#include "VolumeInput.h"
+
+#include "kernels/core/Error.h"
+#include "kernels/scene/Volume.h"
+
+#include "vtkCellData.h"
+#include "vtkContourValues.h"
+#include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPointData.h"
+#include "vtkRenderer.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <chrono>
+
+vtkStandardNewMacro(vtkMoteVolumeMapper);
+
+/// What the mapper keeps between frames.
+class vtkMoteVolumeMapper::Internals
+{
+public:
+  mote::VolumeGeometry geometry;
+  std::shared_ptr<const mote::HexField> field;
+  mote::InputKey fieldKey; ///< what it was taken from
+  vtkTimeStamp changedAt;  ///< when geometry or field last did
+  double buildTime = 0.0;
+  int builds = 0;
+  int fieldUpdates = 0;
+
+  mote::TransferFunction transfer;
+  std::vector<double> transferKey; ///< the property that it was made from, and when
+
+  vtkMTimeType failedAt = 0; ///< of the picture that could not be made: not tried again
+
+  // The last of each kind of message, so that it is told once and not every frame.
+  std::string reported;
+  std::string reportedLook;
+  std::string reportedFrame;
+  std::string reportedUnused;
+
+  mote::RendererImages images; ///< for renderers that have no vtkMoteRayCastPass
+
+  void forgetField()
+  {
+    field = nullptr;
+    fieldKey.clear();
+  }
+};
+
+vtkMoteVolumeMapper::vtkMoteVolumeMapper()
+  : Impl(std::make_unique<Internals>())
+{
+  this->SetStructureName("cylbvh");
+  this->SetIntegratorName("trilinear");
+}
+
+vtkMoteVolumeMapper::~vtkMoteVolumeMapper()
+{
+  this->SetStructureName(nullptr);
+  this->SetIntegratorName(nullptr);
+}
+
+int vtkMoteVolumeMapper::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGridBase");
+  return 1;
+}
+
+std::vector<std::string> vtkMoteVolumeMapper::GetStructureNames()
+{
+  return mote::hexStructureNames();
+}
+
+std::vector<std::string> vtkMoteVolumeMapper::GetIntegratorNames()
+{
+  return {"inverse-distance", "trilinear", "cell-by-cell"}; // as VolumeIntegrator counts them
+}
+
+double* vtkMoteVolumeMapper::GetBounds()
+{
+  vtkMath::UninitializeBounds(this->Bounds);
+  this->Update();
+  const auto& mesh = this->Impl->geometry.mesh();
+  for (int axis = 0; axis < 3 && mesh; ++axis)
+  {
+    this->Bounds[2 * axis] = mesh->bounds().lower[axis];
+    this->Bounds[2 * axis + 1] = mesh->bounds().upper[axis];
+  }
+  return this->Bounds;
+}
+
+vtkIdType vtkMoteVolumeMapper::GetNumberOfCells()
+{
+  const auto& mesh = this->Impl->geometry.mesh();
+  return mesh ? static_cast<vtkIdType>(mesh->cellCount()) : 0;
+}
+
+std::string vtkMoteVolumeMapper::GetReport()
+{
+  const auto& mesh = this->Impl->geometry.mesh();
+  return mesh ? mesh->report().sentence() : std::string();
+}
+
+vtkTypeInt64 vtkMoteVolumeMapper::GetStructureBytes()
+{
+  const Internals& impl = *this->Impl;
+  std::size_t bytes = 0;
+  if (const auto& mesh = impl.geometry.mesh())
+    bytes += mesh->bytes();
+  if (const auto structure = impl.geometry.structure())
+    bytes += mote::withStructure(*structure, [](const auto& s) { return s.bytes(); });
+  if (impl.field)
+    bytes += impl.field->bytes();
+  return static_cast<vtkTypeInt64>(bytes);
+}
+
+double vtkMoteVolumeMapper::GetBuildTime()
+{
+  return this->Impl->buildTime;
+}
+
+int vtkMoteVolumeMapper::GetNumberOfBuilds()
+{
+  return this->Impl->builds;
+}
+
+int vtkMoteVolumeMapper::GetNumberOfFieldUpdates()
+{
+  return this->Impl->fieldUpdates;
+}
+
+double* vtkMoteVolumeMapper::GetScalarRange()
+{
+  const auto& field = this->Impl->field;
+  const bool any = field && field->lower() <= field->upper();
+  this->ScalarRange[0] = any ? field->lower() : 1.0;
+  this->ScalarRange[1] = any ? field->upper() : 0.0;
+  return this->ScalarRange;
+}
+
+void vtkMoteVolumeMapper::GetScalarRange(double range[2])
+{
+  std::copy_n(this->GetScalarRange(), 2, range);
+}
+
+vtkMTimeType vtkMoteVolumeMapper::GetPictureMTime()
+{
+  vtkMTimeType time = std::max(this->GetMTime(), this->Impl->changedAt.GetMTime());
+  if (this->GetNumberOfInputConnections(0) > 0)
+    if (vtkDataObject* input = this->GetExecutive()->GetInputData(0, 0))
+      time = std::max(time, input->GetMTime());
+  return time;
+}
+
+int vtkMoteVolumeMapper::UpdateTimeStep(
+  double time, int piece, int pieces, int ghostLevels, const int extents[6])
+{
+  const bool done = mote::updateInputTimeStep(this, time, piece, pieces, ghostLevels, extents);
+  this->Update();
+  return done && this->Impl->field ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------------------------
+// Building
+
+void vtkMoteVolumeMapper::Update(int vtkNotUsed(port))
+{
+  if (this->GetNumberOfInputConnections(0) < 1)
+  {
+    this->Impl->geometry.forget();
+    this->Impl->forgetField();
+    return;
+  }
+  // The executive's own way would tell of an execution, with its events, where nothing is built.
+  int output = 0;
+  this->GetInputAlgorithm(0, 0, output)->Update(output);
+  this->UpdateVolume();
+}
+
+void vtkMoteVolumeMapper::UpdateVolume()
+{
+  Internals& impl = *this->Impl;
+  if (impl.failedAt != 0 && impl.failedAt == this->GetPictureMTime())
+    return;
+  std::string problem;
+  try
+  {
+    auto* grid = vtkUnstructuredGrid::SafeDownCast(this->GetExecutive()->GetInputData(0, 0));
+    if (!grid)
+      throw mote::Error("The input is not a vtkUnstructuredGrid.");
+    if (this->UpdateGeometry(grid))
+      this->UpdateField(grid);
+    else
+      impl.forgetField();
+  }
+  catch (const std::exception& error)
+  {
+    impl.forgetField();
+    problem = error.what();
+  }
+  impl.failedAt = problem.empty() ? 0 : this->GetPictureMTime();
+  if (!problem.empty() && impl.reported != problem)
+    vtkErrorMacro(<< problem);
+  impl.reported = problem;
+}
+
+mote::HexStructureOptions vtkMoteVolumeMapper::StructureOptions()
+{
+  mote::HexStructureOptions options;
+  options.kind = static_cast<mote::HexStructureKind>(
+    mote::findName(mote::hexStructureNames(), this->StructureName, "structure"));
+  const double* d = this->AxisDirection;
+  const double* o = this->AxisOrigin;
+  if (d[0] != 0.0 || d[1] != 0.0 || d[2] != 0.0)
+    options.axis = mote::CylinderAxis{{o[0], o[1], o[2]}, {d[0], d[1], d[2]}};
+  return options;
+}
+
+bool vtkMoteVolumeMapper::UpdateGeometry(vtkUnstructuredGrid* grid)
+{
+  Internals& impl = *this->Impl;
+  const mote::HexStructureOptions options = this->StructureOptions();
+  const auto start = std::chrono::steady_clock::now();
+  if (impl.geometry.fits(grid, options))
+    return true;
+  const mote::BuildEvents events(this);
+  const auto stopped = [&](double done)
+  {
+    this->UpdateProgress(done);
+    if (this->GetAbortExecute())
+      impl.geometry.forget();
+    return this->GetAbortExecute() != 0;
+  };
+  impl.forgetField();
+  impl.changedAt.Modified();
+  if (stopped(0.0))
+    return false;
+  if (impl.geometry.takeCells(grid))
+  {
+    const std::string report = this->GetReport();
+    if (!report.empty())
+      vtkWarningMacro(<< report);
+  }
+  if (stopped(0.3))
+    return false;
+  impl.geometry.build(options);
+  impl.buildTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  ++impl.builds;
+  return !stopped(1.0);
+}
+
+vtkDataArray* vtkMoteVolumeMapper::FindArray(vtkUnstructuredGrid* grid, bool& ofCells)
+{
+  int cellFlag = 0;
+  vtkDataArray* array = vtkAbstractMapper::GetScalars(
+    grid, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
+  ofCells = cellFlag == 1;
+  if (array && cellFlag <= 1)
+    return array;
+  const std::string points = mote::arrayNames(grid->GetPointData());
+  const std::string cells = mote::arrayNames(grid->GetCellData());
+  const bool wantsPoints = this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA;
+  if (!wantsPoints && this->ScalarMode != VTK_SCALAR_MODE_USE_CELL_FIELD_DATA)
+    throw mote::Error("There are no active scalars to draw; there are point arrays: " + points +
+                      ", and cell arrays: " + cells + ".");
+  std::string name = "\"";
+  if (this->ArrayAccessMode == VTK_GET_ARRAY_BY_ID)
+    name = "number " + std::to_string(this->ArrayId);
+  else
+    name.append(this->ArrayName ? this->ArrayName : "").append("\"");
+  throw mote::Error(std::string("There is no ") + (wantsPoints ? "point" : "cell") + " array " +
+                    name + " to draw; there are: " + (wantsPoints ? points : cells) + ".");
+}
+
+void vtkMoteVolumeMapper::UpdateField(vtkUnstructuredGrid* grid)
+{
+  Internals& impl = *this->Impl;
+  mote::HexScalar scalar;
+  vtkDataArray* array = this->FindArray(grid, scalar.ofCells);
+  scalar.component =
+    this->VectorMode == COMPONENT ? this->VectorComponent : mote::ArrayView::magnitude;
+  if (array->GetNumberOfComponents() == 1)
+    scalar.component = 0; // of one number there is nothing to choose
+  mote::InputKey key = {double(scalar.component), double(scalar.ofCells)};
+  mote::addArray(key, array);
+  if (impl.field && key == impl.fieldKey)
+    return;
+  const mote::DataArrayView values(array);
+  scalar.values = values.view;
+  impl.field = std::make_shared<mote::HexField>(*impl.geometry.mesh(), scalar);
+  impl.geometry.setRanges(*impl.field);
+  impl.fieldKey = std::move(key);
+  impl.changedAt.Modified();
+  ++impl.fieldUpdates;
+}
+
+//------------------------------------------------------------------------------------------------
+// Drawing
+
+bool vtkMoteVolumeMapper::DescribeTo(mote::VolumeObject& object, vtkVolume* volume)
+{
+  Internals& impl = *this->Impl;
+  this->Update();
+  if (!impl.field)
+    return false;
+  std::string problem;
+  try
+  {
+    this->DescribeLook(object, volume->GetProperty());
+  }
+  catch (const std::exception& error)
+  {
+    problem = error.what();
+  }
+  if (!problem.empty() && problem != impl.reportedLook)
+    vtkErrorMacro(<< problem);
+  impl.reportedLook = problem;
+  object.structure = impl.geometry.structure();
+  object.field = impl.field;
+  object.toWorld = mote::placementOf(volume);
+  return problem.empty() && (object.isCloud || !object.isoValues.empty());
+}
+
+void vtkMoteVolumeMapper::DescribeLook(mote::VolumeObject& object, vtkVolumeProperty* property)
+{
+  Internals& impl = *this->Impl;
+  if (this->BlendMode != COMPOSITE_BLEND)
+    throw mote::Error("Volumes are drawn in the composite blend mode only.");
+  if (property->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D)
+    throw mote::Error("Volumes are drawn with one-dimensional transfer functions only.");
+  this->WarnOfUnused(property);
+  const std::vector<double> key = {
+    double(reinterpret_cast<std::uintptr_t>(property)), double(property->GetMTime())};
+  if (key != impl.transferKey)
+  {
+    impl.transfer = mote::transferOf(property);
+    impl.transferKey = key;
+  }
+  object.transfer = impl.transfer;
+  const auto real = [](double v) { return static_cast<float>(v); };
+  object.transfer.nan = {real(this->NanColor[0]), real(this->NanColor[1]), real(this->NanColor[2]),
+    real(this->NanOpacity)};
+  object.sampling.integrator = static_cast<mote::VolumeIntegrator>(
+    mote::findName(GetIntegratorNames(), this->IntegratorName, "integrator"));
+  object.sampling.step = this->SampleDistance;
+  object.sampling.tolerance = this->Tolerance;
+  object.sampling.saturation = this->Saturation;
+  object.isCloud = this->ShowCloud != 0;
+  object.shade = property->GetShade() != 0;
+  vtkContourValues* surfaces = property->GetIsoSurfaceValues();
+  for (int i = 0; this->ShowIsoSurfaces && i < surfaces->GetNumberOfContours(); ++i)
+    object.isoValues.push_back(surfaces->GetValue(i));
+  object.material = mote::materialOf(property);
+}
+
+void vtkMoteVolumeMapper::WarnOfUnused(vtkVolumeProperty* property)
+{
+  std::string unused;
+  vtkPiecewiseFunction* gradient =
+    property->HasGradientOpacity() ? property->GetStoredGradientOpacity() : nullptr;
+  if (gradient && !property->GetDisableGradientOpacity())
+  {
+    const double* range = gradient->GetRange();
+    double values[64];
+    gradient->GetTable(range[0], range[1], 64, values);
+    if (std::any_of(values, values + 64, [](double v) { return v != 1.0; }))
+      unused += "Gradient opacity is not used. ";
+  }
+  if (this->ClippingPlanes && this->ClippingPlanes->GetNumberOfItems() > 0)
+    unused += "Clipping planes do not cut volumes; use the camera's clipping range.";
+  if (!unused.empty() && unused != this->Impl->reportedUnused)
+    vtkWarningMacro(<< unused);
+  this->Impl->reportedUnused = unused;
+}
+
+void vtkMoteVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  mote::RendererImage& image = this->Impl->images.of(renderer);
+  if (image.trace(renderer, {mote::motePropOf(volume)}, mote::FrameSettings{}, {}))
+    image.draw(renderer);
+  if (!image.problem().empty() && image.problem() != this->Impl->reportedFrame)
+    vtkErrorMacro(<< image.problem());
+  this->Impl->reportedFrame = image.problem();
+  this->TimeToDraw = image.traceTime() + image.displayTime();
+}
+
+void vtkMoteVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Impl->images.release(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+void vtkMoteVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  const auto text = [](const char* s) { return s ? s : "(none)"; };
+  const auto three = [](const double* v)
+  { return std::to_string(v[0]) + " " + std::to_string(v[1]) + " " + std::to_string(v[2]); };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "VectorMode: " << (this->VectorMode == MAGNITUDE ? "Magnitude" : "Component")
+     << "\n";
+  os << indent << "VectorComponent: " << this->VectorComponent << "\n";
+  os << indent << "StructureName: " << text(this->StructureName) << "\n";
+  os << indent << "AxisOrigin: " << three(this->AxisOrigin) << "\n";
+  os << indent << "AxisDirection: " << three(this->AxisDirection) << "\n";
+  os << indent << "IntegratorName: " << text(this->IntegratorName) << "\n";
+  os << indent << "SampleDistance: " << this->SampleDistance << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "Saturation: " << this->Saturation << "\n";
+  os << indent << "ShowCloud: " << (this->ShowCloud ? "On" : "Off") << "\n";
+  os << indent << "ShowIsoSurfaces: " << (this->ShowIsoSurfaces ? "On" : "Off") << "\n";
+  os << indent << "NanColor: " << three(this->NanColor) << "\n";
+  os << indent << "NanOpacity: " << this->NanOpacity << "\n";
+  os << indent << "NumberOfCells: " << this->GetNumberOfCells() << "\n";
+  os << indent << "NumberOfBuilds: " << this->GetNumberOfBuilds() << "\n";
+  os << indent << "NumberOfFieldUpdates: " << this->GetNumberOfFieldUpdates() << "\n";
+  os << indent << "StructureBytes: " << this->GetStructureBytes() << "\n";
+}

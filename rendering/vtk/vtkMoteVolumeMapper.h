@@ -1,0 +1,274 @@
+/**
+ * @class   vtkMoteVolumeMapper
+ * @brief   Draws a scalar on hexahedral cells as a cloud, as iso-surfaces or both, ray cast on the
+ * CPU.
+ *
+ * Input is a vtkUnstructuredGrid. Hexahedra, voxels, wedges, pyramids and tetrahedra are drawn,
+ * with warped faces as they are; what cannot be is left out, counted and told of once for each
+ * mesh. Use it with a vtkVolume, as any volume mapper: its position, scale and orientation, its
+ * visibility, and of its vtkVolumeProperty the colour (RGB or gray), scalar opacity and its unit
+ * distance (in world units), Shade, Ambient, Diffuse, Specular and SpecularPower hold, those of
+ * component 0. With ShowIsoSurfaces each of the property's IsoSurfaceValues adds an opaque surface,
+ * coloured by the colour function and lit by the property's material, Shade or not.
+ *
+ * Which array is drawn is chosen as in other mappers: ScalarMode, SelectScalarArray(); of arrays
+ * with several components VectorMode and VectorComponent say what counts. Point values vary
+ * trilinearly in a cell, cell values are even.
+ *
+ * In a renderer with a vtkMoteRayCastPass volumes and particles are traced together: they hide one
+ * another exactly, and volumes that lie behind one another are put in order pixel by pixel. Without
+ * one each volume is traced alone. Either way rays end at the opaque props that VTK has drawn
+ * before.
+ *
+ * A structure is built for a mesh and kept while points and cells stay what they are; where a
+ * reader makes them anew for each time step their content is compared. Other scalars refresh the
+ * structure's ranges, other colours, opacities, camera or light nothing.
+ *
+ * What an input, a property or a setting lacks or has that cannot be drawn is told once, in one
+ * sentence, and nothing is drawn: bad connectivity, no cells, no such array, arrays of another
+ * length, blend modes other than composite, two-dimensional transfer functions. Gradient opacity
+ * and clipping planes are not used, with a warning.
+ */
+
+#ifndef vtkMoteVolumeMapper_h
+#define vtkMoteVolumeMapper_h
+
+#include "MoteRenderingVTKModule.h" // for export macro
+#include "vtkUnstructuredGridVolumeMapper.h"
+
+#include <memory> // for the implementation
+#include <string> // for messages
+#include <vector> // for names
+
+class vtkDataArray;
+class vtkUnstructuredGrid;
+class vtkVolumeProperty;
+
+namespace mote
+{
+struct HexStructureOptions;
+struct VolumeObject;
+} // namespace mote
+
+class MOTERENDERINGVTK_EXPORT vtkMoteVolumeMapper : public vtkUnstructuredGridVolumeMapper
+{
+public:
+  static vtkMoteVolumeMapper* New();
+  vtkTypeMacro(vtkMoteVolumeMapper, vtkUnstructuredGridVolumeMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum VectorModes
+  {
+    COMPONENT = 0, ///< VectorComponent
+    MAGNITUDE      ///< the Euclidean length
+  };
+
+  ///@{
+  /**
+   * What counts of arrays with several components: one of VectorModes, and the component, from 0
+   * on. Default component 0.
+   */
+  vtkSetClampMacro(VectorMode, int, COMPONENT, MAGNITUDE);
+  vtkGetMacro(VectorMode, int);
+  void SetVectorModeToComponent() { this->SetVectorMode(COMPONENT); }
+  void SetVectorModeToMagnitude() { this->SetVectorMode(MAGNITUDE); }
+  vtkSetClampMacro(VectorComponent, int, 0, VTK_INT_MAX);
+  vtkGetMacro(VectorComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * The structure that rays are cast through, by name: "cylbvh" (default) and "cartbvh",
+   * hierarchies, "cylgrid" and "cartgrid", two-level grids; with bounds in cylindrical or Cartesian
+   * coordinates. docs/hexahedra.md compares them; the picture is the same.
+   */
+  vtkSetStringMacro(StructureName);
+  vtkGetStringMacro(StructureName);
+  ///@}
+
+  ///@{
+  /**
+   * The axis of cylindrical structures, in the input's coordinates. A direction of 0 0 0 (default)
+   * has it found.
+   */
+  vtkSetVector3Macro(AxisOrigin, double);
+  vtkGetVector3Macro(AxisOrigin, double);
+  vtkSetVector3Macro(AxisDirection, double);
+  vtkGetVector3Macro(AxisDirection, double);
+  ///@}
+
+  ///@{
+  /**
+   * How colour is integrated along rays, by name: "trilinear" (default), even samples of the
+   * trilinear cell; "inverse-distance", even samples of the mean of a cell's corners by inverse
+   * distance, as published and not continuous between cells; "cell-by-cell", between the exact
+   * places of entry and exit, to Tolerance.
+   */
+  vtkSetStringMacro(IntegratorName);
+  vtkGetStringMacro(IntegratorName);
+  ///@}
+
+  ///@{
+  /**
+   * Distance of even samples, in world units. 0 (default): half the edge of a cube as large as the
+   * mean cell, or 1/2000 of the size of the mesh where that is more.
+   */
+  vtkSetClampMacro(SampleDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(SampleDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * What a pixel's colour, in [0, 1], may err by in "cell-by-cell" integration; in [1e-9, 1].
+   * Default 0.001.
+   */
+  vtkSetClampMacro(Tolerance, double, 1e-9, 1.0);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * The opacity at which a ray ends; in [0, 1], 1: never. Default 0.999.
+   */
+  vtkSetClampMacro(Saturation, double, 0.0, 1.0);
+  vtkGetMacro(Saturation, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the cloud is drawn. On by default.
+   */
+  vtkSetMacro(ShowCloud, vtkTypeBool);
+  vtkGetMacro(ShowCloud, vtkTypeBool);
+  vtkBooleanMacro(ShowCloud, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether there is an opaque surface wherever the scalar has one of the property's
+   * IsoSurfaceValues. Off by default, as a new property holds the value 0.
+   */
+  vtkSetMacro(ShowIsoSurfaces, vtkTypeBool);
+  vtkGetMacro(ShowIsoSurfaces, vtkTypeBool);
+  vtkBooleanMacro(ShowIsoSurfaces, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Colour, and opacity per unit distance, of cells that have a value that is not a finite number.
+   * With opacity 0, the default, they are left out. Default colour 0.5 0 0, as in VTK's tables.
+   */
+  vtkSetVector3Macro(NanColor, double);
+  vtkGetVector3Macro(NanColor, double);
+  vtkSetClampMacro(NanOpacity, double, 0.0, 1.0);
+  vtkGetMacro(NanOpacity, double);
+  ///@}
+
+  /**
+   * Bounds of the cells that are drawn.
+   */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
+
+  ///@{
+  /**
+   * Brings the input up to date, builds the structure where points or cells changed, and takes the
+   * scalars where they did. Fires Start-, Progress- and EndEvents around a build;
+   * SetAbortExecute(1) from within one stops it between two of its steps and leaves nothing to
+   * draw.
+   */
+  using Superclass::Update;
+  void Update() override { this->Update(0); }
+  void Update(int port) override;
+  ///@}
+
+  /**
+   * Update() for another time step of the input's pipeline, which stays the one that is shown.
+   * 1 where there is something to draw, else 0.
+   */
+  int UpdateTimeStep(double time, int piece = -1, int pieces = 1, int ghostLevels = 0,
+    const int extents[6] = nullptr) override;
+
+  ///@{
+  /**
+   * Facts as of the last Update(): cells that are drawn; a sentence about cells that were left out
+   * or mended, empty where none was; bytes of mesh, structure and scalars; seconds of the last
+   * build; number of builds, and of times that scalars were taken, so far; and the range of the
+   * finite scalars (1, 0 where there is none).
+   */
+  vtkIdType GetNumberOfCells();
+  std::string GetReport();
+  vtkTypeInt64 GetStructureBytes();
+  double GetBuildTime();
+  int GetNumberOfBuilds();
+  int GetNumberOfFieldUpdates();
+  double* GetScalarRange() VTK_SIZEHINT(2);
+  void GetScalarRange(double range[2]);
+  ///@}
+
+  /**
+   * Draws this one volume. Called by vtkVolume.
+   */
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  /**
+   * Changes with everything that the picture of this mapper depends on, its input included.
+   */
+  vtkMTimeType GetPictureMTime();
+
+#ifndef __VTK_WRAP__
+  /**
+   * Updates, and describes the volume to the kernels as this prop shows it; false where there is
+   * nothing to draw.
+   */
+  bool DescribeTo(mote::VolumeObject& object, vtkVolume* volume);
+
+  ///@{
+  /**
+   * The names that StructureName and IntegratorName may be.
+   */
+  static std::vector<std::string> GetStructureNames();
+  static std::vector<std::string> GetIntegratorNames();
+  ///@}
+#endif
+
+protected:
+  vtkMoteVolumeMapper();
+  ~vtkMoteVolumeMapper() override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  int VectorMode = COMPONENT;
+  int VectorComponent = 0;
+  char* StructureName = nullptr;
+  double AxisOrigin[3] = {0.0, 0.0, 0.0};
+  double AxisDirection[3] = {0.0, 0.0, 0.0};
+  char* IntegratorName = nullptr;
+  double SampleDistance = 0.0;
+  double Tolerance = 1e-3;
+  double Saturation = 0.999;
+  vtkTypeBool ShowCloud = 1;
+  vtkTypeBool ShowIsoSurfaces = 0;
+  double NanColor[3] = {0.5, 0.0, 0.0};
+  double NanOpacity = 0.0;
+  double ScalarRange[2] = {1.0, 0.0};
+
+private:
+  vtkMoteVolumeMapper(const vtkMoteVolumeMapper&) = delete;
+  void operator=(const vtkMoteVolumeMapper&) = delete;
+
+  void UpdateVolume();
+  bool UpdateGeometry(vtkUnstructuredGrid* grid);
+  void UpdateField(vtkUnstructuredGrid* grid);
+  vtkDataArray* FindArray(vtkUnstructuredGrid* grid, bool& ofCells);
+  void WarnOfUnused(vtkVolumeProperty* property);
+#ifndef __VTK_WRAP__
+  mote::HexStructureOptions StructureOptions();
+  void DescribeLook(mote::VolumeObject& object, vtkVolumeProperty* property);
+#endif
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif

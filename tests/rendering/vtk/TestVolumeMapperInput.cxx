@@ -1,0 +1,490 @@
+// vtkMoteVolumeMapper: what is built again, what is not, and what is refused.
+#include "ContentHash.h"
+#include "VolumeTestSupport.h"
+
+#include "kernels/scene/Volume.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCommand.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkMotePumpSource.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace mote::testing;
+
+namespace
+{
+
+double one(const Point&)
+{
+  return 1.0;
+}
+
+/// How often a mapper built a structure and took scalars since the last question.
+struct Work
+{
+  vtkMoteVolumeMapper* mapper;
+  int builds = 0, fields = 0;
+
+  std::pair<int, int> done()
+  {
+    mapper->Update();
+    const std::pair<int, int> more(
+      mapper->GetNumberOfBuilds() - builds, mapper->GetNumberOfFieldUpdates() - fields);
+    builds = mapper->GetNumberOfBuilds();
+    fields = mapper->GetNumberOfFieldUpdates();
+    return more;
+  }
+};
+
+using Pair = std::pair<int, int>;
+
+struct VolumeRebuild : ::testing::Test
+{
+  vtkSmartPointer<vtkUnstructuredGrid> grid = makeBox(3, one);
+  VolumeStage stage{grid, true};
+  Work work{stage.mapper};
+
+  VolumeRebuild() { EXPECT_EQ(work.done(), Pair(1, 1)); }
+};
+
+} // namespace
+
+TEST_F(VolumeRebuild, NotForLookOrView)
+{
+  stage.paint({1, 0, 0}, 0.3);
+  stage.mapper->SetIntegratorName("cell-by-cell");
+  stage.mapper->SetNanOpacity(0.5);
+  stage.volume->SetPosition(1, 0, 0);
+  stage.trace();
+  EXPECT_EQ(work.done(), Pair(0, 0));
+}
+
+TEST_F(VolumeRebuild, NotForScalars)
+{
+  grid->GetPointData()->GetScalars()->Fill(2);
+  grid->GetPointData()->GetScalars()->Modified();
+  grid->Modified();
+  EXPECT_EQ(work.done(), Pair(0, 1));
+  double range[2];
+  stage.mapper->GetScalarRange(range);
+  EXPECT_EQ(range[0], 2);
+  stage.mapper->SetScalarModeToUseCellFieldData();
+  stage.mapper->SelectScalarArray("c");
+  EXPECT_EQ(work.done(), Pair(0, 1));
+}
+
+TEST_F(VolumeRebuild, NotForTheSameCellsInOtherObjects)
+{
+  stage.mapper->SetInputData(copyOf(grid));
+  EXPECT_EQ(work.done(), Pair(0, 1)) << "the scalars' array is another one";
+  stage.mapper->SetInputData(grid);
+  EXPECT_EQ(work.done(), Pair(0, 1));
+  grid->GetPoints()->GetData()->Modified();
+  grid->GetPoints()->Modified();
+  EXPECT_EQ(work.done(), Pair(0, 0));
+}
+
+TEST_F(VolumeRebuild, ForMovedPoints)
+{
+  auto moved = copyOf(grid);
+  double p[3];
+  moved->GetPoint(5, p);
+  moved->GetPoints()->SetPoint(5, p[0] + 1e-6, p[1], p[2]);
+  stage.mapper->SetInputData(moved);
+  EXPECT_EQ(work.done(), Pair(1, 1));
+  moved->GetPoints()->SetPoint(5, p);
+  moved->GetPoints()->Modified();
+  moved->GetPoints()->GetData()->Modified();
+  moved->Modified();
+  EXPECT_EQ(work.done(), Pair(1, 1));
+}
+
+TEST_F(VolumeRebuild, ForOtherCells)
+{
+  auto fewer = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  fewer->SetPoints(grid->GetPoints());
+  fewer->GetPointData()->ShallowCopy(grid->GetPointData());
+  for (vtkIdType i = 1; i < grid->GetNumberOfCells(); ++i)
+    fewer->InsertNextCell(grid->GetCellType(i), grid->GetCell(i)->GetPointIds());
+  stage.mapper->SetInputData(fewer);
+  EXPECT_EQ(work.done(), Pair(1, 1));
+  EXPECT_EQ(stage.mapper->GetNumberOfCells(), 26);
+}
+
+TEST_F(VolumeRebuild, ForStructureAndAxis)
+{
+  stage.mapper->SetStructureName("cartgrid");
+  EXPECT_EQ(work.done(), Pair(1, 1));
+  stage.mapper->SetStructureName("cylgrid");
+  stage.mapper->SetAxisDirection(1, 0, 0);
+  EXPECT_EQ(work.done(), Pair(1, 1));
+  stage.mapper->SetAxisOrigin(0, 0.25, 0);
+  EXPECT_EQ(work.done(), Pair(1, 1));
+}
+
+TEST_F(VolumeRebuild, FollowsThePictureOfNewScalars)
+{
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0, 0);
+  opacity->AddPoint(4, 0.8);
+  stage.property()->SetScalarOpacity(opacity);
+  for (const double value : {0.0, 3.0, 1.0, 0.0, 2.0})
+  {
+    // Ranges that were not refreshed would hide what is there.
+    grid->GetPointData()->GetScalars()->Fill(value);
+    grid->GetPointData()->GetScalars()->Modified();
+    EXPECT_NEAR(stage.trace().color(16 + 32 * 16)[3], covered(0.2 * value, 2), 1.0 / 255) << value;
+  }
+  EXPECT_EQ(work.done().first, 0);
+}
+
+TEST_F(VolumeRebuild, LeavesAloneWhatSomebodyHolds)
+{
+  mote::VolumeObject held, later;
+  ASSERT_TRUE(stage.mapper->DescribeTo(held, stage.volume));
+  const mote::HexStructure* first = held.structure.get();
+  const auto change = [&]
+  {
+    grid->GetPointData()->GetScalars()->Fill(2);
+    grid->GetPointData()->GetScalars()->Modified();
+    later = {};
+    ASSERT_TRUE(stage.mapper->DescribeTo(later, stage.volume));
+  };
+  change();
+  EXPECT_NE(later.structure.get(), first) << "it may be traced on another thread";
+  EXPECT_EQ(held.field->upper(), 1);
+  EXPECT_EQ(later.field->upper(), 2);
+  held = {};
+  first = later.structure.get();
+  change();
+  EXPECT_EQ(later.structure.get(), first) << "nobody else's memory is taken again";
+  EXPECT_EQ(stage.mapper->GetNumberOfBuilds(), 1);
+}
+
+TEST(VolumeInput, FollowsItsPipeline)
+{
+  vtkNew<vtkMotePumpSource> pump;
+  pump->SetScale(0.001);
+  pump->SetPartToRotor();
+  VolumeStage stage;
+  stage.mapper->SetInputConnection(pump->GetOutputPort());
+  Work work{stage.mapper};
+  EXPECT_EQ(work.done(), Pair(1, 1));
+  const vtkIdType rotor = stage.mapper->GetNumberOfCells();
+  EXPECT_EQ(rotor, stage.mapper->GetInput()->GetNumberOfCells());
+  EXPECT_LT(stage.mapper->GetScalarRange()[0], stage.mapper->GetScalarRange()[1]);
+  pump->SetPartToInlet();
+  EXPECT_EQ(work.done(), Pair(1, 1));
+  EXPECT_NE(stage.mapper->GetNumberOfCells(), rotor);
+  stage.mapper->RemoveAllInputConnections(0);
+  stage.mapper->Update();
+  EXPECT_EQ(stage.mapper->GetNumberOfCells(), 0);
+}
+
+TEST(VolumeTime, StepsOfTheSameGeometryBuildNothing)
+{
+  vtkNew<vtkMotePumpSource> pump;
+  pump->SetScale(0.001);
+  pump->SetPartToRotor();
+  pump->UpdateInformation();
+  VolumeStage stage;
+  stage.mapper->SetInputConnection(pump->GetOutputPort());
+  std::vector<double> least;
+  for (const double time : {0.0, 0.003, 0.006})
+  {
+    EXPECT_EQ(stage.mapper->UpdateTimeStep(time), 1);
+    double range[2];
+    stage.mapper->GetScalarRange(range);
+    least.push_back(range[0]);
+  }
+  EXPECT_EQ(stage.mapper->GetNumberOfBuilds(), 1);
+  EXPECT_EQ(stage.mapper->GetNumberOfFieldUpdates(), 3);
+  EXPECT_NE(least[0], least[1]);
+  EXPECT_NE(least[1], least[2]);
+}
+
+TEST(ContentHash, TellsContentsApart)
+{
+  std::mt19937_64 random(1);
+  std::vector<double> numbers(100003);
+  for (double& x : numbers)
+    x = std::uniform_real_distribution<double>(-1, 1)(random);
+  const auto hash = [&] { return mote::hashOf(numbers.data(), numbers.size() * sizeof(double)); };
+  const mote::ContentHash first = hash();
+  EXPECT_EQ(first, hash());
+  for (const std::size_t i : {0UL, 1UL, 5UL, 8191UL, 8192UL, 50000UL, 100002UL})
+  {
+    numbers[i] = -numbers[i]; // one bit
+    EXPECT_NE(first, hash()) << i;
+    const std::size_t j = i < 90000 ? i + 4 : i - 4;
+    numbers[j] = -numbers[j];
+    EXPECT_NE(first, hash()) << "two of the highest bits, in one chain";
+    numbers[i] = -numbers[i];
+    numbers[j] = -numbers[j];
+  }
+  std::swap(numbers[10], numbers[14]);
+  EXPECT_NE(first, hash());
+  std::swap(numbers[10], numbers[14]);
+  std::swap_ranges(numbers.begin(), numbers.begin() + 8192, numbers.begin() + 8192);
+  EXPECT_NE(first, hash()) << "blocks in another order";
+  std::swap_ranges(numbers.begin(), numbers.begin() + 8192, numbers.begin() + 8192);
+  EXPECT_EQ(first, hash());
+  EXPECT_NE(first, mote::hashOf(numbers.data(), numbers.size() * sizeof(double) - 1));
+  const unsigned char zeros[16] = {};
+  EXPECT_NE(mote::hashOf(zeros, 7), mote::hashOf(zeros, 8));
+  EXPECT_NE(mote::hashOf(zeros, 0), mote::hashOf(zeros, 1));
+}
+
+TEST(ContentHash, MirroredAndShiftedMeshesDiffer)
+{
+  std::vector<std::uint64_t> seen;
+  std::vector<double> points;
+  for (int i = 0; i < 3000; ++i)
+    points.push_back(0.25 * (i % 13));
+  const auto note = [&]
+  {
+    const mote::ContentHash h = mote::hashOf(points.data(), points.size() * sizeof(double));
+    seen.push_back(h.low);
+    seen.push_back(h.high);
+  };
+  note();
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    for (std::size_t i = k; i < points.size(); i += 3)
+      points[i] = -points[i];
+    note();
+    for (std::size_t i = k; i < points.size(); i += 3)
+      points[i] += 0.5;
+    note();
+  }
+  std::sort(seen.begin(), seen.end());
+  EXPECT_EQ(std::unique(seen.begin(), seen.end()), seen.end());
+}
+
+//------------------------------------------------------------------------------------------------
+
+namespace
+{
+
+/// Expects one error with these words however often it is drawn, and an empty picture.
+void expectRefused(VolumeStage& stage, const std::string& words)
+{
+  Complaints complaints(stage.mapper);
+  for (int i = 0; i < 2; ++i)
+  {
+    const Picture picture = stage.trace(8, 8);
+    for (int p = 0; p < picture.count(); ++p)
+      ASSERT_EQ(picture.color(p)[3], 0) << words;
+  }
+  EXPECT_EQ(complaints.errors, 1) << words;
+  EXPECT_EQ(complaints.warnings, 0) << complaints.text;
+  EXPECT_NE(complaints.text.find(words), std::string::npos) << complaints.text;
+}
+
+} // namespace
+
+TEST(VolumeErrors, NoCells)
+{
+  vtkNew<vtkUnstructuredGrid> empty;
+  VolumeStage stage(empty);
+  expectRefused(stage, "The input has no cells.");
+}
+
+TEST(VolumeErrors, NoCellThatCanBeDrawn)
+{
+  auto grid = makeBox(1, one);
+  vtkNew<vtkUnstructuredGrid> flat;
+  flat->SetPoints(grid->GetPoints());
+  const vtkIdType ids[4] = {0, 1, 3, 2};
+  flat->InsertNextCell(VTK_QUAD, 4, ids);
+  VolumeStage stage(flat);
+  expectRefused(stage, "No cell of the input can be drawn. Of 1 cells: 1 of other types left out.");
+}
+
+TEST(VolumeErrors, BadConnectivity)
+{
+  auto grid = makeBox(2, one);
+  grid->GetCells()->GetConnectivityArray()->SetTuple1(11, 99);
+  VolumeStage stage(grid);
+  expectRefused(stage, "names the point 99, and there are 27 points.");
+  grid->GetCells()->GetConnectivityArray()->SetTuple1(11, -3);
+  grid->GetCells()->GetConnectivityArray()->Modified();
+  grid->Modified();
+  expectRefused(stage, "names the point -3");
+}
+
+TEST(VolumeErrors, NoSuchArray)
+{
+  VolumeStage stage(makeBox(2, one));
+  stage.mapper->SetScalarModeToUsePointFieldData();
+  stage.mapper->SelectScalarArray("temperature");
+  expectRefused(stage, "There is no point array \"temperature\" to draw; there are: f.");
+  stage.mapper->SetScalarModeToUseCellFieldData();
+  expectRefused(stage, "There is no cell array \"temperature\" to draw; there are: c.");
+  stage.mapper->SelectScalarArray("c");
+  EXPECT_GT(stage.trace().color(16 + 32 * 16)[3], 0.5) << "as soon as there is one";
+}
+
+TEST(VolumeErrors, NoScalars)
+{
+  auto grid = makeBox(2, one);
+  grid->GetPointData()->SetActiveScalars(nullptr);
+  VolumeStage stage(grid);
+  expectRefused(
+    stage, "There are no active scalars to draw; there are point arrays: f, and cell arrays: c.");
+}
+
+TEST(VolumeErrors, ArrayOfAnotherLength)
+{
+  auto grid = makeBox(2, one);
+  addValues(grid, "short", {1, 2, 3});
+  VolumeStage stage(grid);
+  expectRefused(stage, "There are 3 scalars for 27 points.");
+}
+
+TEST(VolumeErrors, NoSuchComponent)
+{
+  auto grid = makeBox(2, one);
+  vtkNew<vtkFloatArray> vectors;
+  vectors->SetName("v");
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(27);
+  vectors->Fill(1);
+  grid->GetPointData()->SetScalars(vectors);
+  VolumeStage stage(grid);
+  stage.mapper->SetVectorComponent(3);
+  expectRefused(stage, "The scalars have no component 3.");
+}
+
+TEST(VolumeErrors, NoSuchStructureOrIntegrator)
+{
+  VolumeStage stage(makeBox(2, one));
+  stage.mapper->SetStructureName("octree");
+  expectRefused(
+    stage, "There is no structure \"octree\"; there are: cylgrid, cartgrid, cylbvh, cartbvh.");
+  stage.mapper->SetStructureName("cartbvh");
+  stage.mapper->SetIntegratorName("splats");
+  expectRefused(stage, "There is no integrator \"splats\"; there are: inverse-distance, trilinear");
+}
+
+TEST(VolumeErrors, BlendModesAndFunctionsOfTwoVariables)
+{
+  VolumeStage stage(makeBox(2, one));
+  stage.mapper->SetBlendModeToMaximumIntensity();
+  expectRefused(stage, "Volumes are drawn in the composite blend mode only.");
+  stage.mapper->SetBlendModeToComposite();
+  stage.property()->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
+  expectRefused(stage, "Volumes are drawn with one-dimensional transfer functions only.");
+  stage.property()->SetTransferFunctionMode(vtkVolumeProperty::TF_1D);
+  EXPECT_GT(stage.trace().color(16 + 32 * 16)[3], 0.5);
+}
+
+TEST(VolumeErrors, WithoutInputNothingHappens)
+{
+  VolumeStage stage;
+  Complaints complaints(stage.mapper);
+  EXPECT_EQ(stage.trace().color(16 + 32 * 16)[3], 0);
+  EXPECT_EQ(complaints.errors + complaints.warnings, 0);
+  EXPECT_EQ(stage.mapper->GetNumberOfCells(), 0);
+}
+
+TEST(VolumeWarnings, ToldOnce)
+{
+  auto grid = makeBox(2, one);
+  double p[3];
+  grid->GetPoint(0, p);
+  grid->GetPoints()->SetPoint(0, std::nan(""), p[1], p[2]);
+  VolumeStage stage(grid, true);
+  {
+    Complaints complaints(stage.mapper);
+    EXPECT_GT(stage.trace().color(20 + 32 * 20)[3], 0.5);
+    stage.trace();
+    EXPECT_EQ(complaints.warnings, 1);
+    EXPECT_NE(complaints.text.find("Of 8 cells: 1 with points that are not finite left out."),
+      std::string::npos)
+      << complaints.text;
+    EXPECT_EQ(stage.mapper->GetReport(), "Of 8 cells: 1 with points that are not finite left out.");
+    EXPECT_EQ(stage.mapper->GetNumberOfCells(), 7);
+  }
+  Complaints complaints(stage.mapper);
+  vtkNew<vtkPiecewiseFunction> gradient;
+  gradient->AddPoint(0, 1);
+  stage.property()->SetGradientOpacity(gradient);
+  stage.trace();
+  EXPECT_EQ(complaints.warnings, 0) << "that changes nothing";
+  gradient->AddPoint(1, 0);
+  stage.trace();
+  stage.trace();
+  EXPECT_EQ(complaints.warnings, 1);
+  EXPECT_NE(complaints.text.find("Gradient opacity is not used."), std::string::npos);
+  stage.property()->DisableGradientOpacityOn();
+  stage.mapper->AddClippingPlane(vtkNew<vtkPlane>());
+  stage.trace();
+  stage.trace();
+  EXPECT_EQ(complaints.warnings, 2);
+  EXPECT_NE(complaints.text.find("Clipping planes do not cut volumes"), std::string::npos);
+  EXPECT_EQ(complaints.errors, 0);
+}
+
+namespace
+{
+
+struct Watch
+{
+  vtkMoteVolumeMapper* mapper;
+  double abortAt;
+  int starts = 0, ends = 0;
+  double last = -1.0;
+
+  Watch(vtkMoteVolumeMapper* m, double at)
+    : mapper(m)
+    , abortAt(at)
+  {
+    m->AddObserver(vtkCommand::StartEvent, this, &Watch::start);
+    m->AddObserver(vtkCommand::ProgressEvent, this, &Watch::progress);
+    m->AddObserver(vtkCommand::EndEvent, this, &Watch::end);
+  }
+  ~Watch() { mapper->RemoveAllObservers(); }
+  void start() { ++starts; }
+  void end() { ++ends; }
+  void progress(vtkObject*, unsigned long, void* done)
+  {
+    EXPECT_GE(*static_cast<double*>(done), last);
+    last = *static_cast<double*>(done);
+    if (last >= abortAt)
+      mapper->SetAbortExecute(1);
+  }
+};
+
+} // namespace
+
+TEST(VolumeAbort, LeavesNothingAndLaterBuildsAgain)
+{
+  for (const double at : {0.0, 0.3, 1.0})
+  {
+    VolumeStage stage(makeBox(2, one), true);
+    Complaints complaints(stage.mapper);
+    {
+      Watch watch(stage.mapper, at);
+      stage.mapper->Update();
+      EXPECT_EQ(watch.starts, 1);
+      EXPECT_EQ(watch.ends, 1);
+    }
+    EXPECT_EQ(stage.mapper->GetNumberOfCells(), 0) << at;
+    Watch watch(stage.mapper, 2.0);
+    EXPECT_GT(stage.trace().color(16 + 32 * 16)[3], 0.5);
+    EXPECT_EQ(watch.last, 1.0);
+    EXPECT_EQ(watch.starts, 1);
+    EXPECT_EQ(complaints.errors + complaints.warnings, 0) << complaints.text;
+  }
+}
