@@ -79,8 +79,9 @@ public:
   ///@{
   /**
    * The structure that rays are cast through, by name: "cylbvh" (default) and "cartbvh",
-   * hierarchies, "cylgrid" and "cartgrid", two-level grids; with bounds in cylindrical or Cartesian
-   * coordinates. docs/hexahedra.md compares them; the picture is the same.
+   * hierarchies, "cylgrid" and "cartgrid", two-level grids, which take up to a quarter less time a
+   * ray and 3 to 10 times the memory; with bounds in cylindrical or Cartesian coordinates. The
+   * picture is the same; docs/hexahedra.md compares them.
    */
   vtkSetStringMacro(StructureName);
   vtkGetStringMacro(StructureName);
