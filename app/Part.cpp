@@ -11,6 +11,7 @@
 #include <vtkMath.h>
 #include <vtkMoteParticleMapper.h>
 #include <vtkMoteSourcePoints.h>
+#include <vtkMoteVolumeMapper.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPolyData.h>
@@ -18,6 +19,7 @@
 #include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkVolume.h>
 
 #include <algorithm>
 
@@ -52,9 +54,12 @@ void shade(vtkProperty* property, bool mesh, double ambient)
 
 Part::Part(const std::string& name, vtkDataSet* data, const ViewOptions& options, double ambient)
   : options_(options)
+  , kind_(kindOf(data, options))
   , radiusScale_(options.radiusScale)
 {
-  if (!isMesh(data))
+  if (kind_ == Kind::Volume)
+    volume_ = std::make_unique<Volume>(options.volume);
+  if (kind_ == Kind::Particles)
   {
     auto mapper = vtkSmartPointer<vtkMoteParticleMapper>::New();
     mapper->SetStructureName(options.structure.c_str());
@@ -62,13 +67,51 @@ Part::Part(const std::string& name, vtkDataSet* data, const ViewOptions& options
     particles_ = mapper;
     mapper_ = mapper;
   }
-  shade(actor_->GetProperty(), isMesh(data), ambient);
+  this->setAmbient(ambient);
   this->setData(name, data);
 }
 
 void Part::setAmbient(double ambient)
 {
   shade(actor_->GetProperty(), !particles_, ambient);
+  if (volume_)
+    volume_->setAmbient(ambient);
+}
+
+Part::Kind Part::kindOf(vtkDataSet* data, const ViewOptions& options)
+{
+  if (!isMesh(data))
+    return Kind::Particles;
+  if (options.volume.cells != "surface" && options.colorBy != "none" && Volume::canShow(data))
+    return Kind::Volume;
+  if (options.volume.cells == "volume")
+    throw Failure("--cells volume needs tetrahedra, voxels, hexahedra, wedges or pyramids in an "
+                  "unstructured grid, and an array of numbers that colours them");
+  return Kind::Surface;
+}
+
+vtkProp3D* Part::prop() const
+{
+  return volume_ ? static_cast<vtkProp3D*>(volume_->volume()) : actor_;
+}
+
+vtkAlgorithm* Part::worker() const
+{
+  return volume_ ? static_cast<vtkAlgorithm*>(volume_->mapper()) : mapper_;
+}
+
+vtkTypeInt64 Part::structureBytes() const
+{
+  return particles_ ? particles_->GetStructureBytes()
+         : volume_  ? volume_->mapper()->GetStructureBytes()
+                    : 0;
+}
+
+double Part::buildTime() const
+{
+  return particles_ ? particles_->GetBuildTime()
+         : volume_  ? volume_->mapper()->GetBuildTime()
+                    : 0.0;
 }
 
 bool Part::isOfSource(vtkDataSet* data)
@@ -104,10 +147,12 @@ void Part::setData(const std::string& name, vtkDataSet* data)
     this->setRadius();
     particles_->SetInputData(vtkPointSet::SafeDownCast(data));
   }
+  else if (volume_)
+    volume_->setData(vtkUnstructuredGrid::SafeDownCast(data));
   else
     mapper_ = this->makeSurface();
   actor_->SetMapper(mapper_);
-  actor_->VisibilityOn();
+  this->prop()->VisibilityOn();
 }
 
 void Part::setRadius()
@@ -167,7 +212,7 @@ void Part::setPreview(bool on)
 std::string Part::update()
 {
   // One that could not be built stays away, and is told of already.
-  if (!particles_ || !actor_->GetVisibility())
+  if (!particles_ || !this->prop()->GetVisibility())
     return {};
   Messages::takeError();
   particles_->Update();
@@ -178,8 +223,8 @@ void Part::work(Progress& progress, const std::function<void()>& build)
 {
   Messages::takeError();
   {
-    Progress::Work work(
-      progress, particles_ ? "Building structure" : "Extracting surface", mapper_);
+    Progress::Work work(progress,
+      kind_ == Kind::Surface ? "Extracting surface" : "Building structure", this->worker());
     build();
     work.finish();
   }
@@ -195,9 +240,9 @@ void Part::finishBuild(Progress& progress)
 
 void Part::build(Progress& progress)
 {
-  actor_->VisibilityOff(); // whatever happens, nothing half built is drawn
-  this->work(progress, [this] { mapper_->Update(); });
-  actor_->VisibilityOn();
+  this->prop()->VisibilityOff(); // whatever happens, nothing half built is drawn
+  this->work(progress, [this] { this->worker()->Update(); });
+  this->prop()->VisibilityOn();
   if (particles_ && particles_->GetRadiusMode() == vtkMoteParticleMapper::RADIUS_FROM_SPACING &&
       particles_->GetNumberOfParticles() > 1)
     keptRadius_ = particles_->GetRadiusInUse() / radiusScale_;
@@ -226,6 +271,9 @@ vtkSmartPointer<vtkMapper> Part::makeSurface()
 
 void Part::setColors(const ArrayChoice& choice, vtkLookupTable* table)
 {
+  colored_ = choice;
+  if (volume_)
+    return volume_->setColors(data_, choice, table, sceneSize_);
   mapper_->SetScalarVisibility(arrayOf(data_, choice) != nullptr);
   if (!mapper_->GetScalarVisibility())
     return;
@@ -240,6 +288,8 @@ void Part::setColors(const ArrayChoice& choice, vtkLookupTable* table)
 
 void Part::showAll()
 {
+  if (volume_)
+    volume_->showAll();
   if (!particles_)
     return;
   particles_->RemoveAllRanges();
@@ -251,6 +301,11 @@ void Part::limit(const ArrayChoice& choice, double low, double high)
 {
   if (particles_)
     particles_->AddRange(choice.name.c_str(), choice.component, low, high);
+  if (volume_ && choice == colored_)
+    volume_->limit(low, high);
+  else if (volume_)
+    throw Failure("--show: a volume hides values of the array that colours it, '" + colored_.name +
+                  "', and of no other, such as '" + choice.name + "'");
 }
 
 void Part::limitPlace(int place, double low, double high)
@@ -273,6 +328,8 @@ void Part::limitRadius()
 
 void Part::setVisible(const ArrayChoice& choice, const double range[2])
 {
+  if (volume_ && choice == colored_)
+    volume_->limit(range[0], range[1]);
   if (!particles_)
     return;
   particles_->SetUseVisibilityRange(arrayOf(data_, choice) != nullptr);
@@ -292,11 +349,11 @@ void Part::applyRanges()
 void Part::shownBounds(double bounds[6]) const
 {
   vtkMath::UninitializeBounds(bounds);
-  if (!actor_->GetVisibility())
+  if (!this->prop()->GetVisibility())
     return;
   if (particles_)
     particles_->GetVisibleBounds(bounds);
-  else if (const double* own = actor_->GetBounds())
+  else if (const double* own = this->prop()->GetBounds())
     std::copy_n(own, 6, bounds);
 }
 

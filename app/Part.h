@@ -3,6 +3,7 @@
 #include "Arrays.h"
 #include "Progress.h"
 #include "ViewOptions.h"
+#include "Volume.h"
 
 #include <vtkDataSet.h>
 #include <vtkNew.h>
@@ -10,17 +11,19 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 
 class vtkActor;
+class vtkAlgorithm;
 class vtkLookupTable;
 class vtkMapper;
 class vtkMoteParticleMapper;
+class vtkProp3D;
 
 namespace mote::app
 {
 
-/// One data set in the picture: its points as particles, or, where it has faces or volumes, its
-/// surface.
+/// One data set in the picture: its points as particles, its cells as a volume, or their surface.
 class Part
 {
 public:
@@ -30,7 +33,16 @@ public:
   /// Sets the share of light from all sides.
   void setAmbient(double ambient);
 
-  /// Whether a data set is shown by its surface rather than as particles.
+  enum class Kind
+  {
+    Particles,
+    Surface,
+    Volume
+  };
+  /// How a data set is shown.
+  static Kind kindOf(vtkDataSet* data, const ViewOptions& options);
+
+  /// Whether a data set has cells to show rather than particles.
   static bool isMesh(vtkDataSet* data);
 
   /// Whether points come from a generator or a .mote file, which tells their radii too.
@@ -48,6 +60,9 @@ public:
   std::string update();
   /// Waits for what another thread builds. Throws Failure and Interrupted.
   void finishBuild(Progress& progress);
+
+  /// Tells how large all that is shown is.
+  void setSceneSize(double diagonal) { sceneSize_ = diagonal; }
 
   /// Colours by an array through the table; by none with one colour.
   void setColors(const ArrayChoice& choice, vtkLookupTable* table);
@@ -73,8 +88,11 @@ public:
 
   const std::string& name() const { return name_; }
   vtkDataSet* data() const { return data_; }
-  vtkActor* actor() const { return actor_; }
-  vtkMoteParticleMapper* particles() const { return particles_; } ///< null for a surface
+  Kind kind() const { return kind_; }
+  vtkProp3D* prop() const;
+  vtkMoteParticleMapper* particles() const { return particles_; } ///< null for cells
+  vtkTypeInt64 structureBytes() const;
+  double buildTime() const;
 
 private:
   void setRadius();
@@ -82,10 +100,16 @@ private:
   void work(Progress& progress, const std::function<void()>& build);
   vtkSmartPointer<vtkMapper> makeSurface();
 
+  vtkAlgorithm* worker() const;
+
   std::string name_;
   vtkSmartPointer<vtkDataSet> data_;
   const ViewOptions& options_;
+  Kind kind_;
   vtkNew<vtkActor> actor_;
+  std::unique_ptr<Volume> volume_;
+  ArrayChoice colored_;
+  double sceneSize_ = 1.0;
   vtkSmartPointer<vtkMapper> mapper_;
   vtkMoteParticleMapper* particles_ = nullptr;
   double radiusRange_[2] = {-HUGE_VAL, HUGE_VAL};

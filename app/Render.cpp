@@ -129,14 +129,14 @@ void includeColors(Scene& scene, Input& input, int steps, Progress& progress)
   }
 }
 
-void requireParticles(const Scene& scene)
+void requireTraced(const Scene& scene)
 {
   for (const auto& part : scene.parts())
-    if (part->particles())
+    if (part->kind() != Part::Kind::Surface)
       return;
   const std::string name = scene.parts().empty() ? "the input" : scene.parts().front()->name();
-  throw Failure(name + " holds cells and no particles, and mote render draws particles only; "
-                       "see its surface in a window with: mote FILE");
+  throw Failure(name + " holds faces, or cells without numbers on them, and mote render draws "
+                       "particles and volumes only; see its surface in a window with: mote FILE");
 }
 
 /// Room for the legend at the right and for the caption below.
@@ -197,7 +197,7 @@ void render(const RenderOptions& given)
     const double start = vtkTimerLog::GetUniversalTime();
     scene.setData(input.read(step, progress));
     const double seconds = vtkTimerLog::GetUniversalTime() - start;
-    requireParticles(scene);
+    requireTraced(scene);
     scene.build(progress);
     scene.applyColors();
     return seconds;

@@ -4,12 +4,12 @@
 #include "SimulationBox.h"
 #include "Text.h"
 
-#include <vtkActor.h>
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
 #include <vtkDataSet.h>
 #include <vtkMath.h>
 #include <vtkMoteParticleMapper.h>
+#include <vtkProp3D.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,21 +31,33 @@ void Scene::setData(const std::vector<NamedData>& data)
 {
   bool sameKinds = parts_.size() == data.size();
   for (std::size_t i = 0; sameKinds && i < data.size(); ++i)
-    sameKinds = (parts_[i]->particles() == nullptr) == Part::isMesh(data[i].data);
+    sameKinds = parts_[i]->kind() == Part::kindOf(data[i].data, options_);
   if (sameKinds)
   {
     for (std::size_t i = 0; i < data.size(); ++i)
       parts_[i]->setData(data[i].name, data[i].data);
-    return;
+    return this->setSizes();
   }
   for (const auto& part : parts_)
-    renderer_->RemoveActor(part->actor());
+    renderer_->RemoveViewProp(part->prop());
   parts_.clear();
   for (const NamedData& one : data)
   {
     parts_.push_back(std::make_unique<Part>(one.name, one.data, options_, lighting_.ambient()));
-    renderer_->AddActor(parts_.back()->actor());
+    renderer_->AddViewProp(parts_.back()->prop());
   }
+  this->setSizes();
+}
+
+void Scene::setSizes()
+{
+  vtkBoundingBox all;
+  for (const auto& part : parts_)
+    if (part->data()->GetNumberOfPoints() > 0)
+      all.AddBounds(part->data()->GetBounds());
+  for (const auto& part : parts_)
+    part->setSceneSize(
+      all.IsValid() && all.GetDiagonalLength() > 0.0 ? all.GetDiagonalLength() : 1.0);
 }
 
 void Scene::build(Progress& progress)
@@ -169,7 +181,7 @@ void Scene::bounds(double bounds[6]) const
 {
   vtkBoundingBox box;
   for (const auto& part : parts_)
-    if (const double* own = part->actor()->GetVisibility() ? part->actor()->GetBounds() : nullptr)
+    if (const double* own = part->prop()->GetVisibility() ? part->prop()->GetBounds() : nullptr)
       if (vtkMath::AreBoundsInitialized(own))
         box.AddBounds(own);
   // Without particles the box that they will come into.
@@ -228,8 +240,7 @@ vtkTypeInt64 Scene::structureBytes() const
 {
   vtkTypeInt64 bytes = 0;
   for (const auto& part : parts_)
-    if (part->particles())
-      bytes += part->particles()->GetStructureBytes();
+    bytes += part->structureBytes();
   return bytes;
 }
 
@@ -237,8 +248,7 @@ double Scene::buildTime() const
 {
   double seconds = 0.0;
   for (const auto& part : parts_)
-    if (part->particles())
-      seconds += part->particles()->GetBuildTime();
+    seconds += part->buildTime();
   return seconds;
 }
 

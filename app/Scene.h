@@ -67,7 +67,7 @@ public:
 
   vtkIdType numberOfParticles() const;
   vtkIdType numberShown() const;   ///< of the particles, those that are not hidden
-  vtkIdType numberOfCells() const; ///< of parts that are shown by their surface
+  vtkIdType numberOfCells() const; ///< of parts that are no particles
   vtkTypeInt64 structureBytes() const;
   double buildTime() const;
 
@@ -76,6 +76,7 @@ public:
 
 private:
   std::string automaticSide() const;
+  void setSizes();
 
   const ViewOptions& options_;
   vtkNew<vtkRenderer> renderer_;

@@ -89,7 +89,7 @@ void Selection::apply(const std::vector<std::unique_ptr<Part>>& parts, const Arr
   for (const auto& part : parts)
   {
     part->showAll();
-    if (!first && part->particles() && part->data()->GetNumberOfPoints() > 0)
+    if (!first && part->kind() != Part::Kind::Surface && part->data()->GetNumberOfPoints() > 0)
       first = part.get();
   }
   if (!first)
@@ -102,11 +102,17 @@ void Selection::apply(const std::vector<std::unique_ptr<Part>>& parts, const Arr
     bool found = place >= 0;
     for (const auto& part : parts)
     {
-      const ArrayChoice choice = place < 0 ? pointArray(part->data(), range.name) : ArrayChoice{};
+      const bool isVolume = part->kind() == Part::Kind::Volume;
+      const ArrayChoice choice = place >= 0 ? ArrayChoice{}
+                                 : isVolume ? findArray(part->data(), range.name)
+                                            : pointArray(part->data(), range.name);
       if (choice && std::find(arrays.begin(), arrays.end(), choice) == arrays.end())
         arrays.push_back(choice);
       if (arrays.size() > mostArrays)
         throw Failure("--show takes at most four arrays, besides x, y, z and radius");
+      if (place >= 0 && isVolume)
+        throw Failure(
+          "--show: volumes are hidden by the array that colours them, not by " + range.name);
       if (place >= 0)
         part->limitPlace(place, range.low, range.high);
       else if (choice)

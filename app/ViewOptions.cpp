@@ -424,6 +424,7 @@ void addViewOptions(CLI::App& app, ViewOptions& o)
   addSelectionOptions(app, o);
   addRadiusOptions(app, o);
   addStructureOptions(app, o);
+  addVolumeOptions(app, o.volume);
   addCameraOptions(app, o);
   addLightOptions(app, o);
   addPictureOptions(app, o);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "VolumeOptions.h"
+
 #include <array>
 #include <map>
 #include <optional>
@@ -53,6 +55,8 @@ struct ViewOptions
   // Structure
   std::string structure = "auto"; ///< a name of vtkMoteParticleMapper::GetStructureNames()
   std::string form = "auto";      ///< a name of vtkMoteParticleMapper::GetStructureForms()
+
+  VolumeOptions volume;
 
   // Light
   std::string light = "auto";   ///< a name of lightNames(), "azimuth,elevation" or "x,y,z"

@@ -200,7 +200,7 @@ void Window::pick()
     return this->say("There is no particle under the cursor");
   for (const auto& part : scene_.parts())
   {
-    if (part->actor() != picker->GetActor())
+    if (part->prop() != picker->GetActor())
       continue;
     double center[3], at[3];
     part->data()->GetPoint(picker->GetParticleId(), center);

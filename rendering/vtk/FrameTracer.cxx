@@ -42,8 +42,8 @@ std::vector<double> signatureOf(const MoteProps& props, const Camera& camera, co
     add(s, Vec3d(light.color));
     s.insert(s.end(), {double(light.shadows), double(light.samples), light.size});
   }
-  s.insert(
-    s.end(), {double(scene.occlusion.rays), scene.occlusion.reach, double(scene.paths.bounces)});
+  s.insert(s.end(), {double(scene.occlusion.rays), scene.occlusion.reach,
+                      double(scene.paths.bounces), scene.cloudTolerance});
   add(s, Vec3d(scene.sky.top));
   add(s, Vec3d(scene.sky.bottom));
   add(s, scene.sky.up);
@@ -62,17 +62,21 @@ std::vector<double> signatureOf(const MoteProps& props, const Camera& camera, co
   return s;
 }
 
-/// Whether there are many rays for each of the camera's.
-bool takesManyRays(const Scene& scene)
+/// What a cloud's colour may be wrong by while the view moves.
+constexpr double draftTolerance = 0.02;
+
+/// Whether there is much work for each of the camera's rays.
+bool takesLong(const Scene& scene)
 {
-  return scene.occlusion.rays > 0 || scene.paths.bounces > 0 ||
+  return !scene.volumes.empty() || scene.occlusion.rays > 0 || scene.paths.bounces > 0 ||
          std::any_of(scene.lights.begin(), scene.lights.end(),
            [](const Light& light) { return light.shadows && light.samples > 1; });
 }
 
-/// Leaves local shading with one ray a light.
+/// Leaves local shading with one ray a light, and clouds as they are good enough to move in.
 void makeDraft(Scene& scene)
 {
+  scene.cloudTolerance = std::max(scene.cloudTolerance, draftTolerance);
   scene.occlusion.rays = scene.paths.bounces = 0;
   for (Light& light : scene.lights)
     light.samples = 1;
@@ -124,7 +128,7 @@ bool FrameTracer::trace(vtkRenderer* renderer, MoteProps& props, int width, int 
     props, cameraOf(renderer, aspect, width, height), scene, settings.others, width, height);
   const double wanted = distanceFor(width, height, settings);
   const bool moving = settings.interactive;
-  const bool slow = takesManyRays(scene);
+  const bool slow = takesLong(scene);
   if (signature != signature_ || distance_ > wanted)
     begin(signature, wanted, slow && (moving || settings.progressive), settings.refinement, width,
       height);

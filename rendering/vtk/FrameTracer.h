@@ -31,10 +31,11 @@ struct FrameSettings
 
 /// Keeps the traced picture of one renderer up to date with as few rays as the settings allow.
 ///
-/// Soft shadows, ambient occlusion and paths take most of the rays of a scene that has them. While
-/// the view moves, and for the first of the samples that a progressive picture shows, such a scene
-/// is drawn as a draft, with one shadow ray a light and nothing of the others; the picture at rest
-/// begins anew with all.
+/// Soft shadows, ambient occlusion and paths take most of the rays of a scene that has them, and
+/// volumes most of the time. While the view moves, and for the first of the samples that a
+/// progressive picture shows, such a scene is drawn as a draft, with one shadow ray a light,
+/// nothing of the others and volumes interpolated between fewer rays; the picture at rest begins
+/// anew with all.
 class FrameTracer
 {
 public:

@@ -8,6 +8,7 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkVolumeProperty.h"
@@ -147,6 +148,7 @@ namespace
 
 void shadeBy(Scene& scene, vtkMoteShading* shading)
 {
+  scene.cloudTolerance = shading->GetCloudTolerance();
   if (shading->GetMode() == vtkMoteShading::LOCAL)
   {
     scene.occlusion = {shading->GetAmbientOcclusionSamples(), shading->GetAmbientOcclusionReach()};
@@ -169,8 +171,8 @@ Scene sceneOf(vtkRenderer* renderer, MoteProps& props, vtkMoteShading* shading)
   std::stable_partition(
     props.begin(), props.end(), [](const auto& prop) { return !prop->isVolume(); });
   scene.lights = lightsOf(renderer);
-  if (shading)
-    shadeBy(scene, shading);
+  const vtkNew<vtkMoteShading> usual;
+  shadeBy(scene, shading ? shading : usual.Get());
   return scene;
 }
 

@@ -16,4 +16,5 @@ void vtkMoteShading::PrintSelf(ostream& os, vtkIndent indent)
   print("SkyUp", this->SkyUp);
   os << indent << "AmbientOcclusionSamples: " << this->AmbientOcclusionSamples << "\n";
   os << indent << "AmbientOcclusionReach: " << this->AmbientOcclusionReach << "\n";
+  os << indent << "CloudTolerance: " << this->CloudTolerance << "\n";
 }

@@ -92,6 +92,16 @@ public:
   vtkGetVector3Macro(SkyUp, double);
   ///@}
 
+  ///@{
+  /**
+   * Where a cloud's colour changes so evenly from pixel to pixel that interpolation is right to
+   * within this, in [0, 1] of a colour, not every pixel is traced. Default 1/512, half of what 8
+   * bits can tell; 0 traces every pixel. While the view moves it is 0.02 at least.
+   */
+  vtkSetClampMacro(CloudTolerance, double, 0.0, 1.0);
+  vtkGetMacro(CloudTolerance, double);
+  ///@}
+
 protected:
   vtkMoteShading() = default;
   ~vtkMoteShading() override = default;
@@ -103,6 +113,7 @@ protected:
   double SkyTop[3] = {1.0, 1.0, 1.0};
   double SkyBottom[3] = {1.0, 1.0, 1.0};
   double SkyUp[3] = {0.0, 0.0, 1.0};
+  double CloudTolerance = 1.0 / 512.0;
 
 private:
   vtkMoteShading(const vtkMoteShading&) = delete;

@@ -179,6 +179,44 @@ case $3 in
     said out hopper.dump.gz
     ;;
 
+  volume) # cells are seen as clouds and surfaces
+    run 0 "$mote" render pump:0.002 -o a.png --size 320x240 --samples 1
+    is_picture a.png 320x240
+    grep -q ' cells; read in' out || fail "no word about the cells"
+    [ ! -s err ] || { cat err; fail "something on standard error"; }
+    for options in '--integrator cell-by-cell --tolerance 0.01' '--integrator inverse-distance' \
+      '--sample-distance 0.02' '--cell-structure cartgrid --cloud-tolerance 0' '--lit' \
+      '--opacity 0%=0,100%=0.5' '--opacity-unit 0.5' '--iso 120000' '--iso 0,120000 --no-cloud' \
+      '--color-by velocity:magnitude' '--show pressure=100000:' '--time 0.01' '--nan-color red'; do
+      # shellcheck disable=SC2086
+      run 0 "$mote" render pump:0.002 -o b.png --size 320x240 --samples 1 $options
+      is_picture b.png 320x240
+    done
+    run 0 "$mote" render pump:0.002 -o b.exr --size 64x48 --samples 1 --iso 120000 --no-cloud
+    run 0 "$mote" render "$data/swirl.0.vtu" -o b.png --size 320x240 --samples 1
+    is_picture b.png 320x240
+    run 0 "$mote" render "$data/swirl.0.vtu" "$hopper" -o b.png --size 320x240 --samples 1
+    is_picture b.png 320x240
+    run 1 "$mote" render pump:0.002 -o c.png --show x=0:1
+    one_sentence
+    run 1 "$mote" render pump:0.002 -o c.png --show velocity:0=0:1
+    said err "'pressure'"
+    run 1 "$mote" render pump:0.002 -o c.png --color-by none
+    one_sentence
+    run 1 "$mote" render pump:0.002 -o c.png --color-by speed
+    said err "no array 'speed'"
+    run 1 "$mote" render pump:0.002 -o c.png --cells surface
+    said err 'see its surface in a window'
+    run 1 "$mote" render pump:0.002 -o c.png --cells volume --color-by none
+    one_sentence
+    for wrong in '--opacity 5' '--opacity 5=2' '--opacity-unit 0' '--iso x' '--cells soup' \
+      '--integrator best' '--cloud-tolerance 2' '--nan-color soup'; do
+      # shellcheck disable=SC2086
+      run 2 "$mote" render pump:0.002 -o c.png $wrong
+    done
+    [ ! -e c.png ] || fail "a picture in spite of errors"
+    ;;
+
   pump) # a mesh that is made stands where a file may
     run 0 "$mote" info pump:0.0005
     for text in 'pump:0.0005: inlet' 'pump:0.0005: rotor' 'pump:0.0005: diffuser' '80: 0, 0.0005' \

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "Arrays.h"
+#include "VolumeOptions.h"
+
+#include <vtkMoteVolumeMapper.h>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+#include <vtkVolume.h>
+
+class vtkDataSet;
+class vtkLookupTable;
+class vtkUnstructuredGrid;
+
+namespace mote::app
+{
+
+/// Cells of a part, shown as a volume.
+class Volume
+{
+public:
+  explicit Volume(const VolumeOptions& options);
+
+  /// Whether a data set has cells with a volume and an array to look by.
+  static bool canShow(vtkDataSet* data);
+
+  void setData(vtkUnstructuredGrid* data);
+  /// How volumes look: colours by an array through the table, opacities as the options say.
+  /// `diagonal` is the size of all that is shown.
+  void setColors(
+    vtkDataSet* data, const ArrayChoice& choice, vtkLookupTable* table, double diagonal);
+  /// Hides values of the array that colours outside of the range; from then on, until showAll().
+  void limit(double low, double high);
+  void showAll();
+  void setAmbient(double ambient);
+
+  vtkVolume* volume() const { return volume_; }
+  vtkMoteVolumeMapper* mapper() const { return mapper_; }
+
+private:
+  void select(const ArrayChoice& choice);
+  void setOpacity();
+
+  const VolumeOptions& options_;
+  vtkNew<vtkVolume> volume_;
+  vtkNew<vtkMoteVolumeMapper> mapper_;
+  vtkSmartPointer<vtkLookupTable> table_;
+  double limits_[2];
+};
+
+} // namespace mote::app
