@@ -22,6 +22,7 @@ struct Options
   double lambda = 1.0;             ///< cells of a grid a particle, in [0.2, 5]
   int packet = 0;                  ///< side of the bundles of rays, 0: the structure's own choice
   int rays = 1;                    ///< from every hit of a primary ray
+  double cloudTolerance = 0.0;     ///< between pixels of a volume; 0: all are traced
   double step = 0.0;               ///< between samples of a volume; 0: the volume's own choice
   std::string integrator = "trilinear";
   double lambda2 = 4.0; ///< leaves per reference of a macro cell of a two-level grid

@@ -53,6 +53,11 @@ void addVolumeOptions(CLI::App& command, Options& options)
       "Between samples, in units of the input; 0: half the edge of its mean cell")
     ->check(CLI::NonNegativeNumber)
     ->capture_default_str();
+  command
+    .add_option("--cloud-tolerance", options.cloudTolerance,
+      "Error of a colour, from 0 to 1, up to which pixels are interpolated; 0: all are traced")
+    ->check(CLI::Range(0.0, 1.0))
+    ->capture_default_str();
   command.add_option("--integrator", options.integrator, "How Mote's structures sample rays")
     ->check(CLI::IsMember({"inverse-distance", "trilinear", "cell-by-cell"}))
     ->capture_default_str();

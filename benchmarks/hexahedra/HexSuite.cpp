@@ -42,7 +42,7 @@ Report compareMethods(const Options& options)
       requests.push_back({&entry, options.lambda2});
   VolumeContest contest(task);
   for (const BuiltHexStructure& built : buildStructures(task, requests))
-    contest.add(built, samplingOf(options));
+    contest.add(built, samplingOf(options), options.cloudTolerance);
   std::vector<std::string> peers;
   for (const auto& [name, summary] : volumePeers())
     if (isWanted(options, name))

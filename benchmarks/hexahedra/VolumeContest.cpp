@@ -105,8 +105,9 @@ Record toRecord(const VolumeMeasurement& m)
     {"memory_mb", m.megabytes}, {"references", counted(m.references)},
     {"max_cells_per_leaf", counted(m.largestLeaf)}, {"lambda2", m.lambda2},
     {"cells_visited", m.cellsVisited}, {"nodes_visited", m.nodesVisited}, {"step", m.step},
-    {"tolerance", m.tolerance}, {"checked_pixels", static_cast<std::int64_t>(m.errors.checked)},
-    {"rms_error", m.errors.rms}, {"max_error", m.errors.max}};
+    {"tolerance", m.tolerance}, {"cloud_tolerance", m.cloudTolerance},
+    {"checked_pixels", static_cast<std::int64_t>(m.errors.checked)}, {"rms_error", m.errors.rms},
+    {"max_error", m.errors.max}};
   record.insert(record.end(), more.begin(), more.end());
   return record;
 }
@@ -143,7 +144,8 @@ VolumeMeasurement VolumeContest::measurement(const std::string& method) const
   return m;
 }
 
-void VolumeContest::add(const BuiltHexStructure& built, const VolumeSampling& sampling)
+void VolumeContest::add(
+  const BuiltHexStructure& built, const VolumeSampling& sampling, double cloudTolerance)
 {
   VolumeMeasurement m = measurement(built.method);
   m.integrator = nameOf(sampling.integrator);
@@ -157,6 +159,7 @@ void VolumeContest::add(const BuiltHexStructure& built, const VolumeSampling& sa
 
   const auto caster = std::make_shared<Caster>();
   caster->scene.volumes = {task_.volume(built.structure, sampling)};
+  caster->scene.cloudTolerance = m.cloudTolerance = cloudTolerance;
   caster->camera = task_.camera;
   caster->film.resize(task_.width, task_.height);
   if (sampling.integrator == VolumeIntegrator::CellByCell)

@@ -34,6 +34,7 @@ struct VolumeMeasurement
   /// For a ray that meets the volume, the mean.
   double cellsVisited = unknown, nodesVisited = unknown;
   double step = unknown, tolerance = unknown;
+  double cloudTolerance = 0.0; ///< between pixels, see Scene::cloudTolerance
   ColorErrors errors{};
 };
 
@@ -56,8 +57,9 @@ public:
   {
   }
 
-  /// A way of drawing the structure.
-  void add(const BuiltHexStructure& built, const VolumeSampling& sampling);
+  /// A way of drawing the structure; `cloudTolerance` is the scene's.
+  void add(
+    const BuiltHexStructure& built, const VolumeSampling& sampling, double cloudTolerance = 0.0);
   /// VTK's mapper of this name. The tetrahedra must outlive this.
   void addPeer(const std::string& name, const Tetrahedra& tetrahedra);
 

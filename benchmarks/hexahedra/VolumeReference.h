@@ -10,11 +10,11 @@
 namespace mote::bench
 {
 
-/// Colours of every 8th pixel in each direction, the 5th first: premultiplied red, green, blue and
+/// Colours of every 7th pixel in each direction, the 4th first: premultiplied red, green, blue and
 /// alpha, row after row from the bottom.
 struct ReferencePixels
 {
-  static constexpr int first = 4, stride = 8;
+  static constexpr int first = 3, stride = 7;
   int width = 0, height = 0; ///< of the image
   std::vector<Vec4d> colors;
 

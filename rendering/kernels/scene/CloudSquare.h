@@ -3,6 +3,7 @@
 #include "../hexahedra/RayColor.h"
 
 #include <array>
+#include <utility>
 
 namespace mote
 {
@@ -17,8 +18,10 @@ public:
   static constexpr int largest = 16;
 
   /// Of `side` pixels, 8 or 16; trace(x, y) answers for the pixel (x, y) of the square, also for x
-  /// and y of `side`. Parts are of 8 pixels at first, and are halved where their middle is further
-  /// from what interpolation gives than `tolerance`, in any channel.
+  /// and y of `side`. A square of 16 pixels is traced at its corners and half-way between them;
+  /// where interpolation between the corners gives the other five to within `tolerance`, in any
+  /// channel, that is enough. Else, and in squares of 8 pixels, each part of 8 is traced in its
+  /// middle, and halved where that is off.
   template <typename Trace>
   CloudSquare(int side, double tolerance, const Trace& trace)
   {
@@ -30,9 +33,14 @@ public:
       known = true;
       return colors_[index(x, y)];
     };
+    const bool isEven = side == largest && isEvenAt(tolerance, at);
     for (int y = 0; y < side; y += first)
       for (int x = 0; x < side; x += first)
-        refine(x, y, first, tolerance, at);
+        if (isEven)
+          fill(
+            x, y, first, {at(x, y), at(x + first, y), at(x, y + first), at(x + first, y + first)});
+        else
+          refine(x, y, first, tolerance, at);
   }
 
   const RayColor& operator()(int x, int y) const { return colors_[index(x, y)]; }
@@ -40,6 +48,17 @@ public:
 private:
   static constexpr int first = 8;
   static std::size_t index(int x, int y) { return static_cast<std::size_t>(y * (largest + 1) + x); }
+
+  /// Whether interpolation between the corners of the whole square is good enough half-way.
+  template <typename At>
+  bool isEvenAt(double tolerance, const At& at)
+  {
+    const RayColor corners[4] = {at(0, 0), at(largest, 0), at(0, largest), at(largest, largest)};
+    for (const auto [x, y] : {std::pair(1, 1), {1, 0}, {0, 1}, {2, 1}, {1, 2}})
+      if (difference(at(x * first, y * first), between(corners, 0.5 * x, 0.5 * y)) > tolerance)
+        return false;
+    return true;
+  }
 
   template <typename At>
   void refine(int x, int y, int size, double tolerance, const At& at)

@@ -40,7 +40,7 @@ TEST(CloudSquare, OfABilinearImageIsExactFromFewRays)
     for (int y = 0; y < side; ++y)
       for (int x = 0; x < side; ++x)
         EXPECT_NEAR(square(x, y).color.x, image(x, y), 1e-12);
-    EXPECT_EQ(traced, side == 8 ? 5 : 13);
+    EXPECT_EQ(traced, side == 8 ? 5 : 9);
   }
 }
 
