@@ -106,6 +106,48 @@ TEST(Volume, AnEvenFieldIsItsChordWhateverTheMesh)
     }
 }
 
+TEST(Volume, InvertedConcaveAndCollapsedCellsAreTheirVolume)
+{
+  // The even-field integral over many parallel rays is the volume, found by Gauss' rule.
+  HexCells mixed;
+  const auto add = [&](HexCellType type, std::vector<Vec3d> corners, double x)
+  {
+    for (Vec3d& c : corners)
+      c.x += x;
+    mixed.addCell(type, corners);
+  };
+  const std::vector<Vec3d> hex = {
+    {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+  std::vector<Vec3d> inverted = {hex[4], hex[5], hex[6], hex[7], hex[0], hex[1], hex[2], hex[3]};
+  std::vector<Vec3d> concave = hex, flat = hex;
+  concave[6] = Vec3d(0.45, 0.45, 0.8); // beyond the diagonal of its faces
+  for (Vec3d& c : flat)
+    c.z = 0.0;
+  add(HexCellType::Hexahedron, inverted, 0.0);
+  add(HexCellType::Hexahedron, concave, 2.0);
+  add(HexCellType::Wedge, {hex[0], hex[3], hex[1], hex[4], hex[7], hex[5]}, 4.0);
+  add(HexCellType::Pyramid, {hex[0], hex[1], hex[2], hex[3], {0.5, 0.5, 1.0}}, 6.0);
+  add(HexCellType::Tetrahedron, {hex[0], hex[1], hex[3], hex[4]}, 8.0);
+  add(HexCellType::Hexahedron, flat, 10.0); // no volume: left out
+  const auto mesh = mixed.mesh();
+  EXPECT_EQ(mesh->report().zeroVolume, 1U);
+  EXPECT_EQ(mesh->report().inverted, 1U);
+  for (const VolumeIntegrator integrator : integrators)
+  {
+    VolumeObject volume =
+      volumeOf(mesh, std::vector<double>(mesh->pointCount(), 2.0), evenTransfer(0.5F));
+    volume.sampling.integrator = integrator;
+    volume.sampling.step = 0.01;
+    const int n = 40;
+    double sum = 0.0;
+    for (int x = 0; x < 12 * n; ++x)
+      for (int y = 0; y < n; ++y)
+        sum +=
+          opticalDepth(gathered(volume, {(x + 0.5) / n, (y + 0.5) / n, -2.0}, {0.0, 0.0, 1.0}));
+    EXPECT_NEAR(sum / (n * n) / std::log(2.0), mesh->report().volume, 0.01);
+  }
+}
+
 TEST(Volume, TheStepOfSamplesDoesNotChangeAnEvenField)
 {
   const auto mesh = hexBlock(4, 4, 4, 0.2).mesh();
