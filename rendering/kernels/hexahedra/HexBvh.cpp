@@ -277,26 +277,43 @@ template <typename Space>
 void HexBvh<Space>::setRanges(const RawVector<ScalarRange>& ofCells)
 {
   ranges_.resize(nodes_.size());
-  if (nodes_.empty())
-    return;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, nodes_.size(), serial),
-    [&](const tbb::blocked_range<std::size_t>& range)
+  if (!nodes_.empty())
+    setRangesBelow(0, ofCells, parallelLevels);
+}
+
+/// Sets the ranges of a node and all below it; of so many levels both sides at a time.
+template <typename Space>
+void HexBvh<Space>::setRangesBelow(
+  std::uint32_t root, const RawVector<ScalarRange>& ofCells, int levels)
+{
+  const auto setRange = [&](std::uint32_t i)
+  {
+    const Node& node = nodes_[i];
+    ScalarRange range;
+    for (std::uint32_t k = 0; k < node.count; ++k)
+      range.add(ofCells[cells_[node.first + k]]);
+    if (node.count == 0)
     {
-      for (std::size_t i = range.begin(); i < range.end(); ++i)
-      {
-        const Node& node = nodes_[i];
-        ranges_[i] = {};
-        for (std::uint32_t k = 0; k < node.count; ++k)
-          ranges_[i].add(ofCells[cells_[node.first + k]]);
-      }
-    });
-  // Children come behind their parents.
-  for (std::size_t i = nodes_.size(); i-- > 0;)
-    if (nodes_[i].count == 0)
-    {
-      ranges_[i].add(ranges_[nodes_[i].first]);
-      ranges_[i].add(ranges_[nodes_[i].first + 1]);
+      range.add(ranges_[node.first]);
+      range.add(ranges_[node.first + 1]);
     }
+    ranges_[i] = range;
+  };
+  const std::uint32_t first = nodes_[root].first;
+  if (nodes_[root].count == 0 && levels > 0)
+    tbb::parallel_invoke([&] { setRangesBelow(first, ofCells, levels - 1); },
+      [&] { setRangesBelow(first + 1, ofCells, levels - 1); });
+  else if (nodes_[root].count == 0)
+  {
+    // Parents before their children, to be gone through backwards.
+    std::vector<std::uint32_t> below = {first, first + 1};
+    for (std::size_t i = 0; i < below.size(); ++i)
+      if (const Node& node = nodes_[below[i]]; node.count == 0)
+        below.insert(below.end(), {node.first, node.first + 1});
+    for (std::size_t i = below.size(); i-- > 0;)
+      setRange(below[i]);
+  }
+  setRange(root);
 }
 
 template <typename Space>

@@ -59,7 +59,11 @@ private:
   };
   class Builder;
 
+  /// Levels of the tree whose halves are refreshed at a time: 256 pieces of work.
+  static constexpr int parallelLevels = 8;
+
   void compact();
+  void setRangesBelow(std::uint32_t root, const RawVector<ScalarRange>& ofCells, int levels);
 
   std::shared_ptr<const HexMesh> mesh_;
   Space space_;
