@@ -34,7 +34,10 @@ FacePoint CrossingLine::facePoint(
 {
   CellFrame frame;
   for (const std::uint8_t i : faceCorners[face])
-    frame.add(i, frame_.at(mesh.point(mesh.cell(cell)[i])));
+  {
+    const Vec3d& point = mesh.point(mesh.cell(cell)[i]);
+    frame.add(i, point, frame_.at(point));
+  }
   return facePointOf(frame, face, leaving);
 }
 

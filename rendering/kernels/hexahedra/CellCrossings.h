@@ -110,8 +110,8 @@ struct LineFrame
 ///   number of +1 or -1 is thus one point, the root with that orientation; 0 is none or two, and
 ///   both lie inside of the face or neither.
 /// - The roots, and t on the face, are found from the face's corners in an order that depends on
-///   their places alone (the least one first, then its lesser neighbour). The cells on both sides
-///   get the same t to the last bit, also where their points are different but equal.
+///   their places in the mesh alone (the least one first, then its lesser neighbour). The cells on
+///   both sides get the same t to the last bit, also where their points are different but equal.
 ///
 /// A cell is where the sum over the passed faces is above zero. For cells that do not cross
 /// themselves that is their inside. Over all cells of a mesh the sums add up to the mesh's own
@@ -146,6 +146,8 @@ public:
   {
     return facePoint(mesh, cell, face, 1);
   }
+
+  const LineFrame& frame() const { return frame_; }
 
 private:
   FacePoint facePoint(const HexMesh& mesh, std::size_t cell, std::uint8_t face, int leaving) const;

@@ -114,14 +114,18 @@ public:
     const Vec3d* points, const HexMesh::Cell& ids, CellFrame& frame, CellInterval& interval) const
   {
     Eight x, y, z;
-    toFrame(Columns(points, &ids[0]), x.low, y.low, z.low);
-    toFrame(Columns(points, &ids[4]), x.high, y.high, z.high);
+    const Columns low(points, &ids[0]), high(points, &ids[4]);
+    toFrame(low, x.low, y.low, z.low);
+    toFrame(high, x.high, y.high, z.high);
     const unsigned right = bitsAbove(x), above = bitsAbove(y);
     if (right == 0 || right == 0xff || above == 0 || above == 0xff)
       return Outcome::Nothing;
     store(x, frame.x);
     store(y, frame.y);
     store(z, frame.z);
+    store({low.x, high.x}, frame.points[0]);
+    store({low.y, high.y}, frame.points[1]);
+    store({low.z, high.z}, frame.points[2]);
     frame.right = right;
     frame.above = above;
     Windings windings;
@@ -234,7 +238,8 @@ private:
   /// coincide stay tied.
   static HWY_NOINLINE Comparison comparedFully(const CellFrame& f, const std::uint8_t (&k)[4])
   {
-    const V x = pickedFrom(f.x, k), y = pickedFrom(f.y, k), z = pickedFrom(f.z, k);
+    const V x = pickedFrom(f.points[0], k), y = pickedFrom(f.points[1], k),
+            z = pickedFrom(f.points[2], k);
     const auto compare = [&](V xs, V ys, V zs, bool& tied)
     {
       const auto sameX = hn::Eq(x, xs), sameY = hn::Eq(y, ys);
@@ -253,7 +258,7 @@ private:
   static HWY_INLINE bool order(const CellFrame& f, Passed& passed)
   {
     const auto& k = faceCorners[passed.face];
-    Comparison c = compared(pickedFrom(f.x, k));
+    Comparison c = compared(pickedFrom(f.points[0], k));
     if (c.tied)
       c = comparedFully(f, k);
     const unsigned which = faceOrders.of[c.less];
@@ -370,7 +375,7 @@ public:
   {
     frame.right = frame.above = 0;
     for (unsigned i = 0; i < 8; ++i)
-      frame.add(i, line_.at(points[ids[i]]));
+      frame.add(i, points[ids[i]], line_.at(points[ids[i]]));
     return frame.isBeside() ? Outcome::Nothing : Outcome::Seldom;
   }
 

@@ -77,16 +77,14 @@ Windings windingsOf(const CellFrame& f)
 
 bool isLess(const CellFrame& f, std::size_t i, std::size_t j)
 {
-  if (f.x[i] != f.x[j])
-    return f.x[i] < f.x[j];
-  if (f.y[i] != f.y[j])
-    return f.y[i] < f.y[j];
-  return f.z[i] < f.z[j];
+  const auto& [x, y, z] = f.points;
+  return x[i] != x[j] ? x[i] < x[j] : y[i] != y[j] ? y[i] < y[j] : z[i] < z[j];
 }
 
 bool isSame(const CellFrame& f, std::size_t i, std::size_t j)
 {
-  return f.x[i] == f.x[j] && f.y[i] == f.y[j] && f.z[i] == f.z[j];
+  const auto& [x, y, z] = f.points;
+  return x[i] == x[j] && y[i] == y[j] && z[i] == z[j];
 }
 
 } // namespace

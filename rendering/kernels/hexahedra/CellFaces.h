@@ -13,14 +13,18 @@ namespace mote
 {
 
 /// A cell's corners in the line's frame: the line is x = y = 0, and its parameter t is proportional
-/// to z. Bit i of `right` and `above` says whether corner i has x > 0 and y > 0.
+/// to z. Bit i of `right` and `above` says whether corner i has x > 0 and y > 0. `points` are the
+/// corners' places in the mesh, coordinate by coordinate.
 struct CellFrame
 {
   std::array<double, 8> x, y, z;
+  std::array<std::array<double, 8>, 3> points;
   unsigned right = 0, above = 0;
 
-  void add(unsigned i, const Vec3d& p)
+  void add(unsigned i, const Vec3d& point, const Vec3d& p)
   {
+    for (std::size_t k = 0; k < 3; ++k)
+      points[k][i] = point[static_cast<int>(k)];
     x[i] = p.x;
     y[i] = p.y;
     z[i] = p.z;
@@ -110,8 +114,8 @@ inline Windings::Windings(unsigned up, unsigned down)
 {
 }
 
-/// A face's corners in an order that depends on their places alone. `sense` is +1 or -1: whether
-/// that is the order that was given or the other way round.
+/// A face's corners in an order that depends on their places in the mesh alone, the same for all
+/// lines. `sense` is +1 or -1: whether that is the order that was given or the other way round.
 struct FaceOrder
 {
   std::array<std::size_t, 4> corners;
