@@ -103,6 +103,17 @@ HexCells hexRing(const RingShape& s)
   return cells;
 }
 
+std::vector<HexCells> unevenMeshes()
+{
+  HexCells folded = hexBlock(4, 4, 4, 0.9, 5);
+  HexCells far = hexBlock(4, 4, 4, 0.3, 6);
+  far.move([](const Vec3d& p) { return p + Vec3d(1e6, -1e5, 3e5); });
+  HexCells extruded = hexBlock(5, 5, 3, 0.3, 7);
+  extruded.move([](const Vec3d& p) { return Vec3d(p.x, p.y, std::round(p.z)); });
+  return {hexBlock(4, 4, 4), hexBlock(5, 4, 3, 0.3, 4), folded, far, extruded,
+    hexRing({4, 16, 4, 1.0, 2.0, 1.0, 0.4, 0.2, 3}), hexRing({3, 9, 3, 0.0, 1.0, 1.0})};
+}
+
 std::vector<Vec3d> randomPoints(
   std::size_t count, const Vec3d& lower, const Vec3d& upper, unsigned seed)
 {

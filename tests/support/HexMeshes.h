@@ -45,6 +45,9 @@ struct RingShape
 };
 HexCells hexRing(const RingShape& shape);
 
+/// Meshes of plane, warped, folded, far, extruded, twisted and collapsed cells.
+std::vector<HexCells> unevenMeshes();
+
 /// Points in a box, from a fixed sequence.
 std::vector<Vec3d> randomPoints(
   std::size_t count, const Vec3d& lower, const Vec3d& upper, unsigned seed);

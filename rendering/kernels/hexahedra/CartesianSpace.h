@@ -42,6 +42,8 @@ public:
     return {corners, margin_};
   }
 
+  /// Where coordinates count from.
+  const Vec3d& origin() const { return origin_; }
   Vec3d coordinates(const Vec3d& p) const { return p - origin_; }
   Ray ray(const HexRay& r) const { return {r.origin - origin_, r.direction, 1.0 / r.direction}; }
   SpaceBounds boundsOf(const HexCorners& corners) const
@@ -95,6 +97,7 @@ public:
       : bounds_(b)
     {
     }
+    const SpaceBounds& bounds() const { return bounds_; }
     bool clip(const Ray& ray, double& tIn, double& tOut) const
     {
       for (int k = 0; k < 3; ++k)

@@ -20,7 +20,7 @@ CellIntegral::CellIntegral(const HexMesh& mesh, const HexField& field,
 {
 }
 
-bool CellIntegral::operator()(const CellSpan& span)
+bool CellIntegral::take(const CellSpan& span, const ValuedSpan* values)
 {
   if (span.tIn > end_)
   {
@@ -49,8 +49,12 @@ bool CellIntegral::operator()(const CellSpan& span)
       return true;
     }
     // The value at a face is the same from both sides.
-    const double entry = hasExit_ ? exit_ : cell_.entry(line_, span, ray_);
-    exit_ = cell_.exit(line_, span, ray_);
+    const double entry = hasExit_ ? exit_
+                         : values != nullptr && span.inFace != noFace
+                           ? values->valueIn
+                           : cell_.entry(line_, span, ray_);
+    exit_ = values != nullptr && span.outFace != noFace ? values->valueOut
+                                                        : cell_.exit(line_, span, ray_);
     hasExit_ = true;
     if (lighting_ != nullptr)
       light(0.5 * (span.tIn + span.tOut), light_);

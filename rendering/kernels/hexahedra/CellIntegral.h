@@ -3,6 +3,7 @@
 #include "CellSampler.h"
 #include "CubicPiece.h"
 #include "HexRay.h"
+#include "LineBundle.h"
 #include "RayColor.h"
 
 namespace mote
@@ -22,7 +23,8 @@ public:
     const CloudLighting* lighting, const HexRay& ray, double speed, RayGatherer& gatherer);
 
   /// Takes the ray's next span. False where nothing behind it can be seen.
-  bool operator()(const CellSpan& span);
+  bool operator()(const CellSpan& span) { return take(span, nullptr); }
+  bool operator()(const ValuedSpan& span) { return take(span.span, &span); }
   /// To be called behind the last span.
   void finish() { gatherer_.end(); }
 
@@ -34,6 +36,7 @@ private:
     Vec3d times{1.0}, plus{0.0};
   };
 
+  bool take(const CellSpan& span, const ValuedSpan* values);
   double valueAt(double t) { return cell_.trilinear(ray_.origin + t * ray_.direction); }
   void integrate(double t0, double v0, double t1, double v1, int depth);
   double bend() const;

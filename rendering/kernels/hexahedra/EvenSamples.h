@@ -2,6 +2,7 @@
 
 #include "CellSampler.h"
 #include "HexRay.h"
+#include "LineBundle.h"
 #include "RayColor.h"
 
 namespace mote
@@ -27,6 +28,7 @@ public:
 
   /// Takes the ray's next span. False where nothing behind it can be seen.
   bool operator()(const CellSpan& span);
+  bool operator()(const ValuedSpan& span) { return (*this)(span.span); }
   /// To be called behind the last span.
   void finish();
 

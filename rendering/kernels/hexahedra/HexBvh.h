@@ -1,5 +1,6 @@
 #pragma once
 
+#include "BundleFrustum.h"
 #include "CartesianSpace.h"
 #include "CylindricalSpace.h"
 #include "HexField.h"
@@ -9,6 +10,8 @@
 
 namespace mote
 {
+
+class BundleSpans;
 
 struct HexBvhOptions
 {
@@ -21,7 +24,7 @@ struct HexBvhOptions
 /// one leaf; bounds that reach over the seam go on above 2 pi. The result does not depend on the
 /// number of threads.
 ///
-/// Queries are in HexBvhWalk.h and may run from any number of threads.
+/// Queries are in HexBvhWalk.h and HexBvhBundle.h and may run from any number of threads.
 template <typename Space>
 class HexBvh
 {
@@ -40,6 +43,14 @@ public:
   template <typename Visit, typename Keep = KeepAll, typename Counts = NoCounts>
   void forCellsAlong(
     const HexRay& ray, const Visit& visit, const Keep& keep = {}, Counts&& counts = {}) const;
+  /// The same for 1 to 64 rays at once, which have their origin or their direction in common:
+  /// visit( ray, ValuedSpan) tells each ray's spans in forCellsAlong()'s order, several of a ray at
+  /// a time, until it answers false for the ray. Values are of `field`, which may be null and else
+  /// has values at points. `spans` is room to work in. False where these rays must go one at a
+  /// time; then nothing was told. In HexBvhBundle.h, for Cartesian bounds only.
+  template <typename Visit, typename Keep = KeepAll>
+  bool forCellsAlongBundle(const HexRay* rays, int count, const BundleFrustum::Sides& sides,
+    const HexField* field, BundleSpans& spans, const Visit& visit, const Keep& keep = {}) const;
   void gatherWithin(const Box& box, std::vector<std::uint32_t>& cells) const;
   void setRanges(const RawVector<ScalarRange>& ofCells);
 

@@ -45,6 +45,8 @@ public:
     return v;
   }
 
+  void prefetch(std::size_t point) const { __builtin_prefetch(&values_[point]); }
+
   std::size_t bytes() const { return values_.size() * sizeof(float); }
 
 private:

@@ -240,6 +240,8 @@ void BundleTracer::shadeVolumes(Bundle& bundle, int side, int x0, int y0) const
 namespace
 {
 
+constexpr int cloudRays = static_cast<int>(BundleSpans::rays); ///< that are traced together
+
 void putBefore(const RayColor& cloud, float* color)
 {
   for (int c = 0; c < 3; ++c)
@@ -258,9 +260,24 @@ void BundleTracer::addClouds(Bundle& bundle, int side) const
                                      [&](double t) { return t == rays_.tMax; });
   if (scene_.cloudTolerance > 0.0 && isEven && bundle.isInside)
     return addCloudsBetween(bundle, side);
-  for (int i = 0; i < rays.count; ++i)
-    if (!bundle.outside[i])
-      putBefore(volumes_->clouds(bundle.place[i], rays.t[i]), bundle.color[i]);
+  for (int first = 0; first < rays.count; first += cloudRays)
+  {
+    BundleVolumes::Place places[cloudRays];
+    double t[cloudRays];
+    int ray[cloudRays], count = 0;
+    for (int i = first; i < std::min(first + cloudRays, rays.count); ++i)
+      if (!bundle.outside[i])
+      {
+        places[count] = bundle.place[i];
+        t[count] = rays.t[i];
+        ray[count++] = i;
+      }
+    RayColor colors[cloudRays];
+    if (count > 0)
+      volumes_->clouds(places, t, count, colors);
+    for (int k = 0; k < count; ++k)
+      putBefore(colors[k], bundle.color[ray[k]]);
+  }
 }
 
 /// The same where not every ray needs to be traced.
@@ -268,8 +285,12 @@ void BundleTracer::addCloudsBetween(Bundle& bundle, int side) const
 {
   const BundleVolumes::Place corner = bundle.place[0];
   const CloudSquare square(side, scene_.cloudTolerance,
-    [&](int x, int y) {
-      return volumes_->clouds({corner.x + x, corner.y + y}, rays_.tMax);
+    [&](int x, int y)
+    {
+      const BundleVolumes::Place place{corner.x + x, corner.y + y};
+      RayColor color;
+      volumes_->clouds(&place, &rays_.tMax, 1, &color);
+      return color;
     });
   for (int i = 0; i < bundle.rays.count; ++i)
     putBefore(square(bundle.pixels->column[i], bundle.pixels->row[i]), bundle.color[i]);

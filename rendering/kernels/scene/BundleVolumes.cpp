@@ -19,6 +19,7 @@ BundleVolumes::BundleVolumes(
       tracers_.emplace_back(volume, lighting.lights, rays.o0, filmSample);
     hasSurfaces_ = hasSurfaces_ || tracer.hasSurfaces();
     clouds_ += tracer.hasCloud();
+    sides_.push_back(tracer.sidesOf(rays));
   }
 }
 
@@ -88,26 +89,39 @@ void BundleVolumes::gather(std::int32_t volume, const RayBundle& rays, const Sur
   }
 }
 
-RayColor BundleVolumes::clouds(const Place& place, double t) const
+void BundleVolumes::clouds(const Place* places, const double* t, int count, RayColor* colors) const
 {
-  const Vec3d origin = rays_.originAt(place.x, place.y);
-  const Vec3d direction = rays_.directionAt(place.x, place.y);
-  RayColor all;
-  std::vector<RayRun> runs;
-  for (const VolumeTracer& tracer : tracers_)
+  constexpr std::size_t most = BundleSpans::rays;
+  std::array<VolumeRay, most> rays;
+  std::array<std::vector<RayRun>, most> runs;
+  for (std::size_t k = 0; k < tracers_.size(); ++k)
   {
+    const VolumeTracer& tracer = tracers_[k];
     if (!tracer.hasCloud())
       continue;
-    RayGatherer gatherer(clouds_ > 1 ? &runs : nullptr);
-    tracer.gather(tracer.ray(origin, direction, rays_.tMin, t), gatherer);
-    if (clouds_ == 1)
-      return gatherer.total();
+    std::vector<RayGatherer> gatherers;
+    std::array<RayGatherer*, most> pointers;
+    gatherers.reserve(most);
+    for (int i = 0; i < count; ++i)
+    {
+      const auto r = static_cast<std::size_t>(i);
+      rays[r] = tracer.ray(rays_.originAt(places[i].x, places[i].y),
+        rays_.directionAt(places[i].x, places[i].y), rays_.tMin, t[i]);
+      pointers[r] = &gatherers.emplace_back(clouds_ > 1 ? &runs[r] : nullptr);
+    }
+    tracer.gather(rays.data(), count, sides_[k], pointers.data());
+    for (int i = 0; i < count; ++i)
+      colors[i] = gatherers[static_cast<std::size_t>(i)].total();
   }
-  std::stable_sort(
-    runs.begin(), runs.end(), [](const RayRun& a, const RayRun& b) { return a.tIn < b.tIn; });
-  for (const RayRun& run : runs)
-    all.add(run.color);
-  return all;
+  for (int i = 0; clouds_ > 1 && i < count; ++i)
+  {
+    std::vector<RayRun>& parts = runs[static_cast<std::size_t>(i)];
+    std::stable_sort(
+      parts.begin(), parts.end(), [](const RayRun& a, const RayRun& b) { return a.tIn < b.tIn; });
+    colors[i] = {};
+    for (const RayRun& part : parts)
+      colors[i].add(part.color);
+  }
 }
 
 } // namespace mote

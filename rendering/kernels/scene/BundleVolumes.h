@@ -58,8 +58,8 @@ public:
       block, tracers_[static_cast<std::size_t>(volume)].volume().material, lighting_, footprint);
   }
 
-  /// What lies in front of t on the ray: premultiplied colour and what comes through.
-  RayColor clouds(const Place& place, double t) const;
+  /// What lies in front of t on up to 64 rays: premultiplied colour and what comes through.
+  void clouds(const Place* places, const double* t, int count, RayColor* colors) const;
 
 private:
   void castRay(RayBundle& rays, int i, const Place& place, Surfaces& surfaces) const;
@@ -70,6 +70,7 @@ private:
   const SceneLighting& lighting_;
   std::size_t particles_; ///< objects of the scene before the volumes
   std::deque<VolumeTracer> tracers_;
+  std::vector<BundleFrustum::Sides> sides_; ///< a volume each
   int clouds_ = 0;
   bool hasSurfaces_ = false;
 };

@@ -3,6 +3,7 @@
 #include "../core/Error.h"
 #include "../hexahedra/CellIntegral.h"
 #include "../hexahedra/EvenSamples.h"
+#include "../hexahedra/HexBvhBundle.h"
 #include "../shading/CloudLight.h"
 #include "RayCaster.h"
 
@@ -120,34 +121,90 @@ std::optional<IsoHit> VolumeTracer::surface(const VolumeRay& ray, Counts&& count
   return hit;
 }
 
+/// Makes the integrator that the volume wants: calls with(type, make), where make(integrator, ray,
+/// gatherer) puts one into an optional of that type.
+template <typename With>
+void VolumeTracer::withIntegrator(const HexMesh& mesh, const With& with) const
+{
+  if (volume_.sampling.integrator == VolumeIntegrator::CellByCell)
+    return with(std::type_identity<CellIntegral>(),
+      [&](auto& integrator, const VolumeRay& ray, RayGatherer& gatherer)
+      {
+        integrator.emplace(
+          mesh, *volume_.field, settings_, lighting(), ray.local, ray.speed, gatherer);
+      });
+  const auto interpolation = volume_.sampling.integrator == VolumeIntegrator::Trilinear
+                               ? EvenSamples::Interpolation::Trilinear
+                               : EvenSamples::Interpolation::InverseDistance;
+  with(std::type_identity<EvenSamples>(),
+    [&](auto& integrator, const VolumeRay& ray, RayGatherer& gatherer)
+    {
+      integrator.emplace(
+        mesh, *volume_.field, settings_, lighting(), interpolation, ray.local, ray.speed, gatherer);
+    });
+}
+
 template <typename Counts>
 void VolumeTracer::gather(const VolumeRay& ray, RayGatherer& gatherer, Counts&& counts) const
 {
-  const auto walk = [&](const auto& structure, auto& integrator)
-  {
-    structure.forCellsAlong(
-      ray.local, [&](const CellSpan& span) { return integrator(span); },
-      [&](const ScalarRange& range)
-      { return settings_.transfer.isVisible(range.lower, range.upper); },
-      counts);
-    integrator.finish();
-  };
   withStructure(*volume_.structure,
     [&](const auto& s)
     {
-      if (volume_.sampling.integrator == VolumeIntegrator::CellByCell)
-      {
-        CellIntegral integral(
-          s.mesh(), *volume_.field, settings_, lighting(), ray.local, ray.speed, gatherer);
-        return walk(s, integral);
-      }
-      const auto interpolation = volume_.sampling.integrator == VolumeIntegrator::Trilinear
-                                   ? EvenSamples::Interpolation::Trilinear
-                                   : EvenSamples::Interpolation::InverseDistance;
-      EvenSamples samples(s.mesh(), *volume_.field, settings_, lighting(), interpolation, ray.local,
-        ray.speed, gatherer);
-      walk(s, samples);
+      withIntegrator(s.mesh(),
+        [&]<typename Integrator>(std::type_identity<Integrator>, const auto& make)
+        {
+          std::optional<Integrator> integrator;
+          make(integrator, ray, gatherer);
+          s.forCellsAlong(
+            ray.local, [&](const CellSpan& span) { return (*integrator)(span); }, keep(), counts);
+          integrator->finish();
+        });
     });
+}
+
+BundleFrustum::Sides VolumeTracer::sidesOf(const CameraRays& rays) const
+{
+  const CameraRays local = rays.transformed(toLocal_);
+  const bool isFan = rays.ox == Vec3d(0.0) && rays.oy == Vec3d(0.0);
+  return isFan ? BundleFrustum::Sides{local.dx, local.dy}
+               : BundleFrustum::Sides{local.ox, local.oy};
+}
+
+/// False where the rays must go one at a time.
+template <typename Integrator, typename Make>
+bool VolumeTracer::gatherTogether(const CartesianBvh& bvh, const VolumeRay* rays, int count,
+  const BundleFrustum::Sides& sides, RayGatherer* const* gatherers, const Make& make) const
+{
+  std::array<HexRay, BundleSpans::rays> local;
+  std::array<std::optional<Integrator>, BundleSpans::rays> integrators;
+  for (int i = 0; i < count; ++i)
+  {
+    const auto k = static_cast<std::size_t>(i);
+    local[k] = rays[i].local;
+    make(integrators[k], rays[i], *gatherers[i]);
+  }
+  thread_local BundleSpans spans; // keeps its memory
+  const HexField* values = std::is_same_v<Integrator, CellIntegral> && !volume_.field->isOfCells()
+                             ? volume_.field.get()
+                             : nullptr;
+  const bool done = bvh.forCellsAlongBundle(
+    local.data(), count, sides, values, spans,
+    [&](std::size_t ray, const ValuedSpan& span) { return (*integrators[ray])(span); }, keep());
+  for (int i = 0; done && i < count; ++i)
+    integrators[static_cast<std::size_t>(i)]->finish();
+  return done;
+}
+
+void VolumeTracer::gather(const VolumeRay* rays, int count, const BundleFrustum::Sides& sides,
+  RayGatherer* const* gatherers) const
+{
+  bool done = false;
+  if (const auto* bvh = std::get_if<CartesianBvh>(volume_.structure.get()); bvh && count > 1)
+    withIntegrator(bvh->mesh(),
+      [&]<typename Integrator>(std::type_identity<Integrator>, const auto& make)
+      { done = gatherTogether<Integrator>(*bvh, rays, count, sides, gatherers, make); });
+  for (int i = 0; !done && i < count; ++i)
+    gather(rays[i], *gatherers[i]);
 }
 
 template std::optional<IsoHit> VolumeTracer::surface(const VolumeRay&, NoCounts&&) const;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "../core/Camera.h"
 #include "../hexahedra/IsoCrossing.h"
+#include "../hexahedra/LineBundle.h"
 #include "../hexahedra/RayColor.h"
 #include "../shading/Shader.h"
 #include "Volume.h"
@@ -45,6 +47,13 @@ public:
   template <typename Counts = NoCounts>
   void gather(const VolumeRay& ray, RayGatherer& gatherer, Counts&& counts = {}) const;
 
+  /// The same for a bundle of 1 to 64 rays, a gatherer each.
+  void gather(const VolumeRay* rays, int count, const BundleFrustum::Sides& sides,
+    RayGatherer* const* gatherers) const;
+
+  /// How the rays of a camera differ from pixel to pixel, in the coordinates of the mesh.
+  BundleFrustum::Sides sidesOf(const CameraRays& rays) const;
+
   /// Of an iso-surface, with an opacity of 1.
   Vec4f colorOf(const IsoHit& hit) const { return colors_[hit.surface]; }
   std::uint64_t inputCell(const IsoHit& hit) const;
@@ -52,6 +61,17 @@ public:
   Vec3d normalOf(const IsoHit& hit) const;
 
 private:
+  template <typename With>
+  void withIntegrator(const HexMesh& mesh, const With& with) const;
+  template <typename Integrator, typename Make>
+  bool gatherTogether(const CartesianBvh& bvh, const VolumeRay* rays, int count,
+    const BundleFrustum::Sides& sides, RayGatherer* const* gatherers, const Make& make) const;
+  /// What queries of the structure keep for the cloud.
+  auto keep() const
+  {
+    return [this](const ScalarRange& range)
+    { return settings_.transfer.isVisible(range.lower, range.upper); };
+  }
   const CloudLighting* lighting() const { return lighting_ ? &lighting_ : nullptr; }
 
   const VolumeObject& volume_;

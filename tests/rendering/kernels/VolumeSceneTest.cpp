@@ -276,3 +276,52 @@ TEST(VolumeScene, PathsAreBehindClouds)
   EXPECT_NEAR(at(film, 16, 16)[1], none * open, 1e-3); // samples beside the middle pass more of it
   EXPECT_NEAR(at(film, 16, 16)[3], 1.0, 1e-6);
 }
+
+TEST(VolumeScene, FilmsAreTheSameWhateverTheStructureAndTheBundles)
+{
+  const auto mesh = hexRing({6, 24, 6, 1.0, 2.0, 1.5, 0.4, 0.3, 3}).mesh();
+  const auto values = pointValues(
+    *mesh, [](const Vec3d& p) { return std::sin(3.0 * p.x) * std::cos(2.0 * p.y) + p.z; });
+  TransferFunction f;
+  f.knots = {{-0.5, Vec4f(0, 0.2F, 1, 0.9F)}, {0.3, Vec4f(1, 1, 0, 0)}, {0.8, Vec4f(1, 1, 1, 0)},
+    {1.5, Vec4f(1, 0, 0, 1)}};
+  const auto film = [&](HexStructureKind kind, VolumeIntegrator integrator, const Camera& camera,
+                      double saturation, int side, bool isLit)
+  {
+    Scene scene;
+    VolumeObject volume = volumeOf(mesh, values, f, kind);
+    volume.sampling.integrator = integrator;
+    volume.sampling.saturation = saturation;
+    volume.shade = isLit;
+    scene.volumes.push_back(volume);
+    if (isLit) // behind and within it, with a surface
+    {
+      volume.toWorld = glm::translate(Mat4d(1.0), Vec3d(0.4, 0.3, -0.5));
+      volume.isoValues = {1.0};
+      scene.volumes.push_back(volume);
+    }
+    Film film;
+    film.resize(50, 37);
+    RayCaster caster(scene);
+    caster.setBundleSide(side);
+    for (int k = 0; k < 2; ++k)
+      EXPECT_TRUE(caster.addSample(camera, film));
+    return std::vector<float>(film.color(), film.color() + 4 * film.pixels());
+  };
+  Camera flat = lookAt({3, 2, 5}, Vec3d(0.0), 50.0);
+  flat.projection = Camera::Projection::Orthographic;
+  flat.parallelScale = 2.5;
+  for (const Camera& camera :
+    {flat, lookAt({3, 2, 5}, Vec3d(0.0), 50.0), lookAt({1.4, 0.3, 0.7}, Vec3d(0.0), 120.0)})
+    for (const auto integrator : {VolumeIntegrator::CellByCell, VolumeIntegrator::Trilinear})
+      for (const double saturation : {0.5, 1.0})
+        for (const bool isLit : {false, true})
+        {
+          const auto one =
+            film(HexStructureKind::CylindricalBvh, integrator, camera, saturation, 8, isLit);
+          EXPECT_GT(*std::max_element(one.begin(), one.end()), 0.1F);
+          for (const int side : {0, 4, 8, 16})
+            EXPECT_TRUE(one == film(HexStructureKind::CartesianBvh, integrator, camera, saturation,
+                                 side, isLit));
+        }
+}
