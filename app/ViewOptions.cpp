@@ -322,7 +322,8 @@ void addReadOptions(CLI::App& app, ViewOptions& o)
 {
   app
     .add_option("FILE", o.files,
-      "Files to read. Files that differ only in the digits of a number are steps of one series")
+      "Files to read. LAMMPS dumps and VTK files that differ only in the digits of a number are "
+      "steps of one series")
     ->type_name("");
   const std::string group = "Data";
   auto* step =

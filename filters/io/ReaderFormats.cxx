@@ -6,6 +6,7 @@
 #include "PLYCheck.h"
 #include "TextFile.h"
 #include "vtkMoteDelimitedPointsReader.h"
+#include "vtkMoteFileSeriesReader.h"
 #include "vtkMoteGeneratedParticlesReader.h"
 #include "vtkMoteLAMMPSDumpReader.h"
 #include "vtkMoteParticleFileReader.h"
@@ -44,14 +45,24 @@ vtkSmartPointer<vtkAlgorithm> make(const FileNames& fileNames)
   return reader;
 }
 
-vtkSmartPointer<vtkAlgorithm> makeLAMMPS(const FileNames& fileNames)
+/// The factory of every reader that takes the files of a series.
+template <class Reader>
+vtkSmartPointer<vtkAlgorithm> makeSeries(const FileNames& fileNames)
 {
-  auto reader = vtkSmartPointer<vtkMoteLAMMPSDumpReader>::New();
+  auto reader = vtkSmartPointer<Reader>::New();
   for (const std::string& name : fileNames)
   {
     reader->AddFileName(name.c_str());
   }
   return reader;
+}
+
+/// The factory of a format that has one time step a file: a file's own reader, or that of a series.
+template <class Reader>
+vtkSmartPointer<vtkAlgorithm> makeOneOrSeries(const FileNames& fileNames)
+{
+  return fileNames.size() == 1 ? make<Reader>(fileNames)
+                               : makeSeries<vtkMoteFileSeriesReader>(fileNames);
 }
 
 vtkSmartPointer<vtkAlgorithm> makePDB(const FileNames& fileNames)
@@ -71,17 +82,18 @@ const std::vector<ReaderFormat>& readerFormats()
 {
   static const std::vector<ReaderFormat> formats = {
     {{".dump", ".lammpstrj", ".lammps", ".dump.gz", ".lammpstrj.gz", ".lammps.gz"},
-      "LAMMPS text dump, a file or a series", makeLAMMPS, true, looksLikeLAMMPSDump},
+      "LAMMPS text dump", makeSeries<vtkMoteLAMMPSDumpReader>, true, looksLikeLAMMPSDump},
     {{".mote"}, "Mote's own file of particles", make<vtkMoteParticleFileReader>, false,
       PkdTreeFile::recognises},
     {{".xyz", ".xyz.gz"}, "XYZ and extended XYZ atoms", make<vtkMoteXYZReader>},
     {{".pts", ".pts.gz"}, "points, x y z a line", make<vtkMotePointsReader>},
     {{".csv"}, "table with columns x, y, z", make<vtkMoteDelimitedPointsReader>},
     {{".pdb"}, "Protein Data Bank atoms", makePDB},
-    {{".vtp"}, "VTK XML polygonal data", make<vtkXMLPolyDataReader>},
-    {{".vtu"}, "VTK XML unstructured grid", make<vtkXMLUnstructuredGridReader>},
-    {{".vti"}, "VTK XML image", make<vtkXMLImageDataReader>},
-    {{".vtk"}, "VTK legacy file of any data set", make<vtkGenericDataObjectReader>},
+    {{".vtp"}, "VTK XML polygonal data", makeOneOrSeries<vtkXMLPolyDataReader>, true},
+    {{".vtu"}, "VTK XML unstructured grid", makeOneOrSeries<vtkXMLUnstructuredGridReader>, true},
+    {{".vti"}, "VTK XML image", makeOneOrSeries<vtkXMLImageDataReader>, true},
+    {{".vtk"}, "VTK legacy file of any data set", makeOneOrSeries<vtkGenericDataObjectReader>,
+      true},
     {{".ply"}, "Stanford triangle mesh", makePLY},
     {{".obj"}, "Wavefront mesh", make<vtkOBJReader>},
     {{".stl"}, "STL triangle mesh", make<vtkSTLReader>},

@@ -3,6 +3,7 @@
 #include "LAMMPSColumns.h"
 #include "LAMMPSDump.h"
 #include "LAMMPSPolyData.h"
+#include "TimeSteps.h"
 
 #include "vtkDataArraySelection.h"
 #include "vtkInformation.h"
@@ -10,7 +11,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <map>
@@ -42,7 +42,6 @@ class vtkMoteLAMMPSDumpReader::Internals
 public:
   void Update(const mote::Progress& progress);
   void MakeSteps();
-  const Step& Choose(double time) const;
   bool FilesHaveChanged() const;
 
   std::vector<std::string> Names;
@@ -101,14 +100,6 @@ void vtkMoteLAMMPSDumpReader::Internals::MakeSteps()
   {
     this->Steps.push_back(step);
   }
-}
-
-/// The nearest step at or before a time; the first one for earlier times. There must be a step.
-const Step& vtkMoteLAMMPSDumpReader::Internals::Choose(double time) const
-{
-  auto after = std::upper_bound(this->Steps.begin(), this->Steps.end(), time,
-    [](double t, const Step& step) { return t < step.Time; });
-  return after == this->Steps.begin() ? *after : *(after - 1);
 }
 
 bool vtkMoteLAMMPSDumpReader::Internals::FilesHaveChanged() const
@@ -248,10 +239,8 @@ void vtkMoteLAMMPSDumpReader::OfferArrays()
 int vtkMoteLAMMPSDumpReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* information = outputVector->GetInformationObject(0);
-  information->Remove(Pipeline::TIME_STEPS());
-  information->Remove(Pipeline::TIME_RANGE());
+  mote::offerTimeSteps(information, {});
   this->AbortExecute = 0; // of an earlier run: only REQUEST_DATA resets it
   this->Ready = this->Attempt(
     [this](const mote::Progress& progress)
@@ -274,7 +263,7 @@ int vtkMoteLAMMPSDumpReader::RequestInformation(
     {
       times.push_back(step.Time);
     }
-    OfferTimeSteps(information, times);
+    mote::offerTimeSteps(information, times);
   }
   // Success in any case: a failed request would leave old data downstream, where this leads to
   // empty output.
@@ -284,7 +273,6 @@ int vtkMoteLAMMPSDumpReader::RequestInformation(
 int vtkMoteLAMMPSDumpReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* information = outputVector->GetInformationObject(0);
   vtkPolyData* output = vtkPolyData::GetData(information);
   output->Initialize();
@@ -301,12 +289,7 @@ int vtkMoteLAMMPSDumpReader::RequestData(
       {
         this->Internal->Update(progress);
       }
-      time = this->Internal->Steps.front().Time;
-      if (information->Has(Pipeline::UPDATE_TIME_STEP()))
-      {
-        time = information->Get(Pipeline::UPDATE_TIME_STEP());
-      }
-      const Step& step = this->Internal->Choose(time);
+      const Step& step = mote::requestedStep(information, this->Internal->Steps, &Step::Time);
       time = step.Time;
       mote::LAMMPSReadOptions options;
       options.combine = this->CombineVectors;

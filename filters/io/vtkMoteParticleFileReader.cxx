@@ -1,6 +1,7 @@
 #include "vtkMoteParticleFileReader.h"
 
 #include "FileError.h"
+#include "TimeSteps.h"
 
 #include "kernels/core/Error.h"
 #include "kernels/particles/PkdTreeFile.h"
@@ -15,7 +16,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 vtkStandardNewMacro(vtkMoteParticleFileReader);
 
@@ -44,13 +44,11 @@ bool vtkMoteParticleFileReader::Open()
 int vtkMoteParticleFileReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* information = outputVector->GetInformationObject(0);
-  information->Remove(Pipeline::TIME_STEPS());
-  information->Remove(Pipeline::TIME_RANGE());
+  mote::offerTimeSteps(information, {});
   if (this->Open() && this->File->time())
   {
-    OfferTimeSteps(information, {*this->File->time()});
+    mote::offerTimeSteps(information, {*this->File->time()});
   }
   return 1;
 }

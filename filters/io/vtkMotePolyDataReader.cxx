@@ -10,7 +10,6 @@
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <new>
 
@@ -88,15 +87,6 @@ void vtkMotePolyDataReader::RequireFileName()
     throw mote::FileError(
       mote::FileError::Kind::NotFound, this->GetClassName(), "no file name has been set");
   }
-}
-
-void vtkMotePolyDataReader::OfferTimeSteps(
-  vtkInformation* information, const std::vector<double>& times)
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  const double range[2] = {times.front(), times.back()};
-  information->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
-  information->Set(Pipeline::TIME_RANGE(), range, 2);
 }
 
 void vtkMotePolyDataReader::DeliverStep(vtkPolyData* result, double time, vtkPolyData* output)

@@ -16,7 +16,6 @@
 #include <functional> // For Attempt
 #include <memory>     // For the scratch space
 #include <string>     // For names and messages
-#include <vector>     // For times
 
 namespace mote
 {
@@ -75,14 +74,10 @@ protected:
    */
   void RequireFileName();
 
-  ///@{
   /**
-   * What readers of time steps say in RequestInformation (the times ascend; there is one at least),
-   * and how they hand on the step that they have read, with its time.
+   * How readers of time steps hand on the step that they have read, with its time.
    */
-  static void OfferTimeSteps(vtkInformation* information, const std::vector<double>& times);
   static void DeliverStep(vtkPolyData* result, double time, vtkPolyData* output);
-  ///@}
 
 private:
   vtkMotePolyDataReader(const vtkMotePolyDataReader&) = delete;

@@ -5,6 +5,7 @@
 #include "PumpInput.h"
 #include "ReaderFormats.h"
 #include "TextFile.h"
+#include "vtkMoteFileSeriesReader.h"
 #include "vtkMotePolyDataReader.h"
 
 #include "vtkAlgorithm.h"
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cctype>
 #include <exception>
+#include <set>
 
 vtkStandardNewMacro(vtkMoteReaderTable);
 vtkInformationKeyMacro(vtkMoteReaderTable, FILE_NAME, String);
@@ -126,9 +128,10 @@ std::string runQuietly(vtkAlgorithm* reader, const Update& update, std::string* 
   {
     return withFile(reader, std::string("reading failed (") + error.what() + ")");
   }
+  std::set<std::string> told; // readers repeat themselves
   for (const std::string& warning : catcher.warnings())
   {
-    if (warnings)
+    if (warnings && told.insert(warning).second)
     {
       *warnings += (warnings->empty() ? "" : "\n") + warning;
     }
@@ -136,6 +139,11 @@ std::string runQuietly(vtkAlgorithm* reader, const Update& update, std::string* 
   if (auto* own = vtkMotePolyDataReader::SafeDownCast(reader))
   {
     return own->GetLastErrorMessage();
+  }
+  auto* series = vtkMoteFileSeriesReader::SafeDownCast(reader);
+  if (series && !series->GetLastErrorMessage().empty())
+  {
+    return series->GetLastErrorMessage();
   }
   const std::string error = catcher.firstError();
   return error.empty() ? error : withFile(reader, error);
@@ -335,7 +343,7 @@ std::string vtkMoteReaderTable::GetFormatsHelp()
       line.clear();
     }
     line.resize(width, ' ');
-    text += line + format.description + '\n';
+    text += line + format.description + (format.series ? ", a file or a series\n" : "\n");
   }
   return text +
          "  pump:SCALE  pump:SCALE:PART     a pump of hexahedra that is made; 6.45 million at 1\n"

@@ -2,6 +2,7 @@
 
 #include "FileError.h"
 #include "PointRows.h"
+#include "TimeSteps.h"
 #include "XYZFile.h"
 
 #include "vtkInformation.h"
@@ -12,7 +13,6 @@
 #include "vtkPeriodicTable.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 
 #include <algorithm>
@@ -132,10 +132,8 @@ vtkMoteXYZReader::~vtkMoteXYZReader() = default;
 int vtkMoteXYZReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* information = outputVector->GetInformationObject(0);
-  information->Remove(Pipeline::TIME_STEPS());
-  information->Remove(Pipeline::TIME_RANGE());
+  mote::offerTimeSteps(information, {});
   this->AbortExecute = 0; // of an earlier run: only REQUEST_DATA resets it
   const bool good = this->Attempt(
     [this](const ProgressFunction& progress)
@@ -153,14 +151,13 @@ int vtkMoteXYZReader::RequestInformation(
   {
     times.push_back(frame.time);
   }
-  OfferTimeSteps(information, times);
+  mote::offerTimeSteps(information, times);
   return 1;
 }
 
 int vtkMoteXYZReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* information = outputVector->GetInformationObject(0);
   vtkPolyData* output = vtkPolyData::GetData(information);
   output->Initialize();
@@ -174,17 +171,10 @@ int vtkMoteXYZReader::RequestData(
     [&](const ProgressFunction& progress)
     {
       this->Internal->Update(this->GetFileName(), progress);
-      const auto& frames = this->Internal->Frames;
-      auto step = frames.begin();
-      if (information->Has(Pipeline::UPDATE_TIME_STEP()))
-      {
-        const double requested = information->Get(Pipeline::UPDATE_TIME_STEP());
-        step = std::upper_bound(frames.begin(), frames.end(), requested,
-          [](double t, const mote::XYZFrame& f) { return t < f.time; });
-        step -= step == frames.begin() ? 0 : 1;
-      }
-      time = step->time;
-      readFrame(this->GetFileName(), *step, this->GetScratchSpace(), progress, result);
+      const mote::XYZFrame& frame =
+        mote::requestedStep(information, this->Internal->Frames, &mote::XYZFrame::time);
+      time = frame.time;
+      readFrame(this->GetFileName(), frame, this->GetScratchSpace(), progress, result);
     });
   if (good)
   {

@@ -157,6 +157,18 @@ case $3 in
     zcat "$hopper" >part.2.dump
     run 0 "$mote" info part.1.dump part.2.dump
     said out 'part.*.dump'
+    run 0 "$mote" info "$data"/swirl.0.vtu "$data"/swirl.1.vtu # as do files of VTK
+    said out 'time steps  2: 7.5, 8'
+    run 0 "$mote" render "$data"/swirl.?.vtu -o s.png --size 320x200 --all-steps --color-by p
+    cmp -s s.0001.png s.0002.png && fail "both steps look alike"
+    is_picture s.0002.png 320x200
+    run 0 "$mote" render "$data"/swirl.?.vtu -o t.png --size 320x200 --time 7.9 --color-by p
+    is_picture t.png 320x200
+    head -c 90000 "$data"/swirl.0.vtu >cut.1.vtu
+    cp "$data"/swirl.0.vtu cut.0.vtu
+    run 1 "$mote" render cut.0.vtu cut.1.vtu -o c.png --all-steps
+    one_sentence
+    said err cut.1.vtu
     ;;
 
   steps)

@@ -40,6 +40,18 @@ protected:
     return path(name);
   }
 
+  /// Has a writer of VTK write a data object.
+  template <class Writer, class Data>
+  std::string writeWith(const std::string& name, const Data& data) const
+  {
+    auto* writer = Writer::New();
+    writer->SetInputDataObject(data);
+    writer->SetFileName(path(name).c_str());
+    writer->Write();
+    writer->Delete();
+    return path(name);
+  }
+
   void truncate(const std::string& name, std::uintmax_t bytes) const
   {
     std::filesystem::resize_file(path(name), bytes);
