@@ -12,8 +12,9 @@ namespace mote
 /// Gathers a ray's colour cell by cell, between the exact places of entry and exit. Along a ray the
 /// scalar of a cell is a cubic where the cell is a parallelepiped, and nearly so elsewhere: it is
 /// taken as a line or a cubic where that changes the picture by less than the tolerance, and halved
-/// where not. The pieces are split at the transfer function's knots and integrated by Gauss' rule
-/// (the collocation of order 6), as smooth as they then are.
+/// where not. The pieces are split at the transfer function's knots and integrated by Simpson's
+/// rule, corrected for what hides itself, or where that is not enough by Gauss' (the collocation of
+/// order 6), as smooth as they then are.
 class CellIntegral
 {
 public:
@@ -38,13 +39,15 @@ private:
 
   bool take(const CellSpan& span, const ValuedSpan* values);
   double valueAt(double t) { return cell_.trilinear(ray_.origin + t * ray_.direction); }
-  void integrate(double t0, double v0, double t1, double v1, int depth);
-  double bend() const;
+  void integrate(double t0, double v0, double t1, double v1, double bend, int depth);
+  double ownBend() const;
   void light(double t, Light& light);
   void addCubic(const CubicPiece& piece, double length);
   void addMonotonic(const CubicPiece& piece, double from, double to, double length);
   void addPiece(
     const CubicPiece& piece, std::size_t knots, double from, double to, double length, int depth);
+  bool addBySimpson(const CubicPiece& piece, std::size_t knots, double from, double to, double h,
+    const TransferTable::Sample& a, const TransferTable::Sample& b);
   void addByGauss(const CubicPiece& piece, std::size_t knots, double from, double to, double h);
   TransferTable::Sample look(std::size_t knots, double value) const;
 

@@ -37,6 +37,7 @@ public:
     isNaN_ = std::isnan(sum);
   }
 
+  const HexMesh& mesh() const { return mesh_; }
   std::uint32_t cell() const { return cell_; }
   bool isNaN() const { return isNaN_; }
   bool isConstant() const { return field_.isOfCells(); }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 // This file must be compiled without contraction to fused multiply-adds, see CellFaces.cpp.
 
@@ -57,45 +58,56 @@ LineBundle::LineBundle(const HexRay* rays, int count)
   lanes_.groupZ = boundsOf(lanes_.originZ);
   lanes_.groupShearX = boundsOf(lanes_.shearX);
   lanes_.groupShearY = boundsOf(lanes_.shearY);
+  const auto [x0, x1] = std::minmax_element(lanes_.shearX.begin(), lanes_.shearX.end());
+  const auto [y0, y1] = std::minmax_element(lanes_.shearY.begin(), lanes_.shearY.end());
+  lanes_.middle = {0.5 * (*x0 + *x1), 0.5 * (*y0 + *y1), 1.0};
+  lanes_.reachX = 0.5 * (*x1 - *x0);
+  lanes_.reachY = 0.5 * (*y1 - *y0);
+  lanes_.farthest = 0.0;
+  for (std::size_t i = 0; i < capacity && !lanes_.isFan; ++i)
+    lanes_.farthest = std::max({lanes_.farthest, std::abs(lanes_.originX[i]),
+      std::abs(lanes_.originY[i]), std::abs(lanes_.originZ[i])});
 }
 
 void LineBundle::addSpans(const HexMesh& mesh, std::uint32_t cell, const HexField* field,
   std::uint64_t wanted, BundleSpans& spans) const
 {
-  CornerValues values;
+  CornerValues of;
   if (field != nullptr)
-    values = field->corners(mesh.cell(cell));
+    of = field->corners(mesh.cell(cell));
+  const CornerValues* const values = field != nullptr ? &of : nullptr;
+  const HexCorners corners = mesh.corners(cell);
   BundlePasses passes;
-  passesOf(lanes_, mesh.corners(cell), field != nullptr ? &values : nullptr, wanted, passes);
+  passesOf(lanes_, corners, values, wanted, passes);
+  if ((passes.passed | passes.seldom) == 0)
+    return;
+  const double bend = values != nullptr ? bendOf(corners, *values) : 0.0;
   for (std::uint64_t rays = passes.passed; rays != 0; rays &= rays - 1)
   {
     const auto i = static_cast<std::size_t>(std::countr_zero(rays));
     const CellInterval part{passes.in[i], passes.out[i], passes.inFace[i], passes.outFace[i]};
-    spans.add(
-      i, {part.within(cell, rays_[i].tMin, rays_[i].tMax), passes.valueIn[i], passes.valueOut[i]});
+    spans.add(i, {part.within(cell, rays_[i].tMin, rays_[i].tMax), passes.valueIn[i],
+                   passes.valueOut[i], bend});
   }
   for (std::uint64_t rays = passes.seldom; rays != 0; rays &= rays - 1)
-    addSeldom(mesh, cell, field, static_cast<std::size_t>(std::countr_zero(rays)), spans);
+    addSeldom(mesh, cell, values, bend, static_cast<std::size_t>(std::countr_zero(rays)), spans);
 }
 
-void LineBundle::addSeldom(const HexMesh& mesh, std::uint32_t cell, const HexField* field,
-  std::size_t ray, BundleSpans& spans) const
+void LineBundle::addSeldom(const HexMesh& mesh, std::uint32_t cell, const CornerValues* values,
+  double bend, std::size_t ray, BundleSpans& spans) const
 {
   const CrossingLine& line = lines_[ray];
   CellIntervals intervals;
   if (!line.intersect(mesh, cell, intervals))
     return;
   const auto value = [&](const FacePoint& point)
-  {
-    return point.value(
-      [&](std::size_t corner) { return double(field->ofPoint(mesh.cell(cell)[corner])); });
-  };
+  { return point.value([&](std::size_t corner) { return (*values)[corner]; }); };
   for (const CellInterval& part : intervals)
   {
-    ValuedSpan span{part.within(cell, rays_[ray].tMin, rays_[ray].tMax)};
-    if (field != nullptr && span.span.inFace != noFace)
+    ValuedSpan span{part.within(cell, rays_[ray].tMin, rays_[ray].tMax), 0.0, 0.0, bend};
+    if (values != nullptr && span.span.inFace != noFace)
       span.valueIn = value(line.entry(mesh, cell, span.span.inFace));
-    if (field != nullptr && span.span.outFace != noFace)
+    if (values != nullptr && span.span.outFace != noFace)
       span.valueOut = value(line.exit(mesh, cell, span.span.outFace));
     spans.add(ray, span);
   }

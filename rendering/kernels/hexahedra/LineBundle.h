@@ -10,12 +10,12 @@
 namespace mote
 {
 
-/// A span, and a field's values where it begins and ends: at the faces that it names, and only
-/// there.
+/// A span, a field's values where it begins and ends (at the faces that it names, and only there),
+/// and the cell's bendOf() the field.
 struct ValuedSpan
 {
   CellSpan span;
-  double valueIn = 0.0, valueOut = 0.0;
+  double valueIn = 0.0, valueOut = 0.0, bend = 0.0;
 };
 
 /// The spans of up to 64 rays that have been found and not yet been told of, each ray's ordered by
@@ -97,13 +97,16 @@ public:
       alignas(64) std::array<double, groups> lower, upper;
     };
     Bounds groupX, groupY, groupZ, groupShearX, groupShearY;
+    Vec3d middle;            ///< a line's direction between all others, the third coordinate 1
+    double reachX, reachY;   ///< from there to the farthest shears
+    double farthest;         ///< what origins count, at most, where they are not subtracted first
     std::array<int, 3> axes; ///< the frame's order of axes
     bool isFan;              ///< all rays have the same origin
   };
 
 private:
-  void addSeldom(const HexMesh& mesh, std::uint32_t cell, const HexField* field, std::size_t ray,
-    BundleSpans& spans) const;
+  void addSeldom(const HexMesh& mesh, std::uint32_t cell, const CornerValues* values, double bend,
+    std::size_t ray, BundleSpans& spans) const;
 
   const HexRay* rays_;
   int count_;

@@ -6,7 +6,9 @@
 #include "CellFaces.h"
 #include "LineBundlePasses.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "hexahedra/LineBundleSimd.cpp"
@@ -263,11 +265,42 @@ private:
       const std::uint64_t all = above_[k[0]] & above_[k[1]] & above_[k[2]] & above_[k[3]];
       const std::uint64_t any = above_[k[0]] | above_[k[1]] | above_[k[2]] | above_[k[3]];
       const std::uint64_t left = asked & any & ~all & ~(windings_[f].plus | windings_[f].minus);
+      if (left == 0 || isConvex(k))
+        continue;
       for (std::size_t first = 0; first < rays; first += width)
         if ((left >> first & (width == 8 ? 0xffU : 0xfU)) != 0)
           found |= (foldedAt<isFan>(linesAt(first), k) << first) & left;
     }
     return found;
+  }
+
+  /// Whether a face is convex as all lines see it, beyond the roundings of foldedAt(). Turns are
+  /// linear in the shears.
+  HWY_INLINE bool isConvex(const std::uint8_t (&k)[4]) const
+  {
+    Vec3d sides[4];
+    double length = 0.0;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        const double side = at_[c][k[(i + 1) % 4]] - at_[c][k[i]];
+        sides[i][static_cast<int>(c)] = side;
+        length = std::max(length, std::abs(side));
+      }
+    double far = 0.0; // no place counts from further away
+    for (std::size_t c = 0; c < 3; ++c)
+      far = std::max(far, lanes_.farthest + 2.0 * length + std::abs(at_[c][k[0]]));
+    const double least = 1e-13 * length * far;
+    bool left = true, right = true;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      const Vec3d normal = glm::cross(sides[i], sides[(i + 1) % 4]);
+      const double turn = glm::dot(normal, lanes_.middle);
+      const double reach = std::abs(normal.x) * lanes_.reachX + std::abs(normal.y) * lanes_.reachY;
+      left = left && turn - reach > least;
+      right = right && turn + reach < -least;
+    }
+    return left || right;
   }
 
   /// As CellFaces.cpp's isConvex(), and whether the face has corners on both sides along x.

@@ -80,6 +80,7 @@ Mat3d TrilinearCell::jacobian(const Vec3d& rst) const
 
 bool TrilinearCell::newton(const Vec3d& target, Vec3d& rst) const
 {
+  double last = 0.0;
   for (int i = 0; i < newtonSteps; ++i)
   {
     const Mat3d j = jacobian(rst);
@@ -94,9 +95,11 @@ bool TrilinearCell::newton(const Vec3d& target, Vec3d& rst) const
     if (size > 1.0)
       step /= size;
     rst += step;
-    // The error after a step is about the square of the step.
-    if (size < 1e-7 || size < converged * largest(rst))
+    // The error after a step is about the square of the step, times what the last two steps tell.
+    if (size < 1e-7 || size < converged * largest(rst) ||
+        (size < 1e-3 && size * size * size < 1e-14 * last * last))
       return true;
+    last = size;
   }
   return false;
 }
@@ -218,6 +221,42 @@ Vec3d TrilinearCell::gradient(const CornerValues& v, const Vec3d& rst) const
   return (own.x * glm::cross(j[1], j[2]) + own.y * glm::cross(j[2], j[0]) +
            own.z * glm::cross(j[0], j[1])) /
          determinant;
+}
+
+double bendOf(const HexCorners& corners, const CornerValues& v)
+{
+  const auto [least, most] = std::minmax_element(v.begin(), v.end());
+  const double range = *most - *least;
+  // Along the way x(t) the value's second derivative is grad . x'' + x' . H x', and x'' is
+  // -J^-1 (x' . H x') of the places; half of an eighth of it, twice for each mixed derivative.
+  const Coefficients c = coefficientsOf(corners, corners[0]);
+  const Vec3d along[3] = {c[1] + 0.5 * (c[4] + c[6]) + 0.25 * c[7],
+    c[2] + 0.5 * (c[4] + c[5]) + 0.25 * c[7], c[3] + 0.5 * (c[5] + c[6]) + 0.25 * c[7]};
+  const Vec3d rows[3] = {
+    glm::cross(along[1], along[2]), glm::cross(along[2], along[0]), glm::cross(along[0], along[1])};
+  const double determinant = std::abs(glm::dot(along[0], rows[0]));
+  const Vec3d half = 0.5 * c[7];
+  const Vec3d mixed[4] = {c[4] + half, c[5] + half, c[6] + half, 3.0 * half};
+  double q[3] = {0.0, 0.0, 0.0};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const Vec3d& m : mixed)
+      q[i] += std::abs(glm::dot(rows[i], m));
+  const double bends = (q[0] + q[1] + q[2]) / determinant;
+  if (!(bends < 0.5))
+    return range;
+  const double slopes[3] = {std::max({std::abs(v[1] - v[0]), std::abs(v[2] - v[3]),
+                              std::abs(v[5] - v[4]), std::abs(v[6] - v[7])}),
+    std::max(
+      {std::abs(v[3] - v[0]), std::abs(v[2] - v[1]), std::abs(v[7] - v[4]), std::abs(v[6] - v[5])}),
+    std::max({std::abs(v[4] - v[0]), std::abs(v[5] - v[1]), std::abs(v[7] - v[3]),
+      std::abs(v[6] - v[2])})};
+  const double rs = (v[2] - v[3]) - (v[1] - v[0]), st = (v[7] - v[4]) - (v[3] - v[0]);
+  const double tr = (v[5] - v[1]) - (v[4] - v[0]);
+  const double rst = ((v[6] - v[7]) - (v[5] - v[4])) - rs, own = 0.5 * rst;
+  double sum = std::abs(rs + own) + std::abs(st + own) + std::abs(tr + own) + 3.0 * std::abs(own);
+  for (std::size_t i = 0; i < 3; ++i)
+    sum += slopes[i] * q[i] / determinant;
+  return std::min(range, 0.25 * sum / ((1.0 - bends) * (1.0 - bends)));
 }
 
 JacobianRange jacobianRange(const HexCorners& corners)
