@@ -17,6 +17,22 @@ struct BundlePasses
   std::array<std::uint8_t, LineBundle::capacity> inFace, outFace;
 };
 
+/// The winding numbers of a face about 64 lines.
+struct FaceWindings
+{
+  std::uint64_t plus = 0, minus = 0; ///< where they are 1 and -1
+};
+
+/// Lines that pass a face, side by side.
+struct FacePassing
+{
+  alignas(64) std::array<double, LineBundle::capacity> originX, originY, originZ, shearX, shearY,
+    inverse, sign;
+  alignas(64) std::array<double, LineBundle::capacity> t, value;
+  std::array<std::uint8_t, LineBundle::capacity> line;
+  std::size_t count = 0;
+};
+
 /// Whether passesOf() is there for this machine.
 bool hasBundlePasses();
 

@@ -57,12 +57,6 @@ struct Place
   V x, y, z;
 };
 
-/// The winding numbers of a face about 64 lines.
-struct FaceWindings
-{
-  std::uint64_t plus = 0, minus = 0; ///< where they are 1 and -1
-};
-
 /// A cell and a bundle.
 class CellTest
 {
@@ -357,15 +351,6 @@ private:
     return hn::IfThenElseZero(hn::Gt(x, zero), hn::Min(x, one));
   }
 
-  /// Lines that pass a face, side by side.
-  struct Passing
-  {
-    alignas(64) std::array<double, rays> originX, originY, originZ, shearX, shearY, inverse, sign;
-    alignas(64) std::array<double, rays> t, value;
-    std::array<std::uint8_t, rays> line;
-    std::size_t count = 0;
-  };
-
   /// Where the lines pass a face. Those that pass one with corners that coincide are left.
   template <bool isFan>
   void passFace(unsigned f, BundlePasses& passes, std::uint64_t& unsure) const
@@ -378,7 +363,7 @@ private:
       unsure |= lines;
       return;
     }
-    Passing p;
+    FacePassing p;
     for (std::uint64_t left = lines; left != 0; left &= left - 1)
     {
       const auto i = static_cast<std::size_t>(std::countr_zero(left));
@@ -409,7 +394,7 @@ private:
 
   /// t, and the value, where lines n to n + width - 1 pass the face.
   template <bool isFan>
-  HWY_INLINE void passAt(const FaceOrder& order, Passing& p, std::size_t n) const
+  HWY_INLINE void passAt(const FaceOrder& order, FacePassing& p, std::size_t n) const
   {
     const D d;
     Lines lines{V(), V(), V(), hn::Load(d, &p.shearX[n]), hn::Load(d, &p.shearY[n])};
