@@ -54,7 +54,7 @@ private:
   bool isEvenAt(double tolerance, const At& at)
   {
     const RayColor corners[4] = {at(0, 0), at(largest, 0), at(0, largest), at(largest, largest)};
-    for (const auto [x, y] : {std::pair(1, 1), {1, 0}, {0, 1}, {2, 1}, {1, 2}})
+    for (const auto& [x, y] : {std::pair(1, 1), {1, 0}, {0, 1}, {2, 1}, {1, 2}})
       if (difference(at(x * first, y * first), between(corners, 0.5 * x, 0.5 * y)) > tolerance)
         return false;
     return true;

@@ -187,7 +187,9 @@ TEST_P(Volumes, SurfacesWriteTheirDepth)
       else if (!isInner(view, x + 0.5, y + 0.5))
         continue;
       else if (chord(view, x + 0.5, y + 0.5) == 0.0)
+      {
         EXPECT_EQ(shot.depthAt(x, y), 1);
+      }
   EXPECT_EQ(surface, 23 * 23);
   // What VTK draws later is hidden by it or hides it.
   box.mapper->ShowCloudOff();

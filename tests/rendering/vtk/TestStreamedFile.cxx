@@ -68,7 +68,9 @@ struct Streamed : FileTest
     EXPECT_EQ(writer->Write(), 1) << writer->GetErrorMessage();
     complaints = said.text.substr(std::min(said.text.size(), said.text.find("): ")));
     if (budget)
+    {
       EXPECT_EQ(mapper->GetScratchSpace()->usesFiles(), *budget < 1000000);
+    }
     std::ifstream file(output, std::ios::binary);
     return std::string(std::istreambuf_iterator<char>(file), {});
   }
