@@ -109,8 +109,7 @@ Lighting::Lighting(vtkRenderer* renderer, const ViewOptions& options)
   renderer->AddLight(fill_);
   renderer->AutomaticLightCreationOff();
   shading_->SetAmbientOcclusionSamples(options.ambientOcclusion);
-  if (options.volume.cloudTolerance >= 0.0)
-    shading_->SetCloudTolerance(options.volume.cloudTolerance);
+  shading_->SetCloudTolerance(options.volume.cloudTolerance);
   shading_->SetAmbientOcclusionReach(options.occlusionReach);
   shading_->SetMode(options.pathTrace ? vtkMoteShading::PATH_TRACED : vtkMoteShading::LOCAL);
   shading_->SetSkyTop(0.95, 0.97, 1.0);

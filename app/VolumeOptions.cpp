@@ -142,7 +142,7 @@ void addVolumeOptions(CLI::App& app, VolumeOptions& o)
   app
     .add_option("--cloud-tolerance", o.cloudTolerance,
       "Error of a colour, from 0 to 1, where pixels of a volume are interpolated rather than "
-      "traced; 0 traces all. By default 1/512")
+      "traced. By default 0: all are traced")
     ->check(CLI::Range(0.0, 1.0).description(""))
     ->type_name("ERROR")
     ->group(group);

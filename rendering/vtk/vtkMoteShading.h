@@ -95,8 +95,8 @@ public:
   ///@{
   /**
    * Where a cloud's colour changes so evenly from pixel to pixel that interpolation is right to
-   * within this, in [0, 1] of a colour, not every pixel is traced. Default 1/512, half of what 8
-   * bits can tell; 0 traces every pixel. While the view moves it is 0.02 at least.
+   * within this, in [0, 1] of a colour, not every pixel is traced. Default 0: every pixel is.
+   * While the view moves it is 0.02 at least.
    */
   vtkSetClampMacro(CloudTolerance, double, 0.0, 1.0);
   vtkGetMacro(CloudTolerance, double);
@@ -113,7 +113,7 @@ protected:
   double SkyTop[3] = {1.0, 1.0, 1.0};
   double SkyBottom[3] = {1.0, 1.0, 1.0};
   double SkyUp[3] = {0.0, 0.0, 1.0};
-  double CloudTolerance = 1.0 / 512.0;
+  double CloudTolerance = 0.0;
 
 private:
   vtkMoteShading(const vtkMoteShading&) = delete;

@@ -65,7 +65,7 @@ public:
 vtkMoteVolumeMapper::vtkMoteVolumeMapper()
   : Impl(std::make_unique<Internals>())
 {
-  this->SetStructureName("cylbvh");
+  this->SetStructureName("cartbvh");
   this->SetIntegratorName("trilinear");
 }
 

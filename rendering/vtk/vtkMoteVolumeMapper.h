@@ -78,10 +78,11 @@ public:
 
   ///@{
   /**
-   * The structure that rays are cast through, by name: "cylbvh" (default) and "cartbvh",
-   * hierarchies, "cylgrid" and "cartgrid", two-level grids, which take up to a quarter less time a
-   * ray and 3 to 10 times the memory; with bounds in cylindrical or Cartesian coordinates. The
-   * picture is the same; docs/hexahedra.md compares them.
+   * The structure that rays are cast through, by name: "cartbvh" (default), a
+   * hierarchy that neighbouring rays go through together, with the least memory; "cylbvh", a
+   * hierarchy, "cylgrid" and "cartgrid", two-level grids, which rays go through one by one; grids
+   * take 3 to 10 times the memory. Bounds are in Cartesian or cylindrical coordinates. The picture
+   * is the same; docs/hexahedra.md compares them.
    */
   vtkSetStringMacro(StructureName);
   vtkGetStringMacro(StructureName);
