@@ -78,6 +78,11 @@ void Coloring::choose(const Parts& parts)
         !choice_ && finiteRange(arrayOf(part->data(), candidate), candidate.component, range) &&
         range[0] < range[1])
       choice_ = candidate;
+  // A volume is seen by an array alone, though it be the same everywhere.
+  const bool isVolume = std::any_of(parts.begin(), parts.end(),
+    [](const auto& part) { return part->kind() == Part::Kind::Volume; });
+  if (!choice_ && isVolume && !candidates.empty())
+    choice_ = candidates.front();
   // A step without particles says nothing about the arrays to come.
   chosen_ = std::any_of(parts.begin(), parts.end(),
     [](const auto& part) { return part->data()->GetNumberOfPoints() > 0; });

@@ -330,6 +330,9 @@ void Part::setVisible(const ArrayChoice& choice, const double range[2])
 {
   if (volume_ && choice == colored_)
     volume_->limit(range[0], range[1]);
+  else if (volume_)
+    throw Failure("--show-by: a volume hides values of the array that colours it, '" +
+                  colored_.name + "', and of no other");
   if (!particles_)
     return;
   particles_->SetUseVisibilityRange(arrayOf(data_, choice) != nullptr);

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace mote::app
 {
@@ -96,7 +97,14 @@ bool Volume::canShow(vtkDataSet* data)
 void Volume::setData(vtkUnstructuredGrid* data)
 {
   mapper_->SetInputData(data);
-  if (const auto arrays = rankedArrays(data); !table_ && !arrays.empty())
+  if (arrayOf(data, choice_))
+    return this->select(choice_);
+  if (table_ && !warned_)
+    std::fprintf(stderr,
+      "mote: warning: a time step has no array '%s', so its cells are not shown\n",
+      choice_.name.c_str());
+  warned_ = warned_ || table_;
+  if (const auto arrays = rankedArrays(data); !arrays.empty())
     this->select(arrays.front()); // something to build with, until colours come
 }
 
@@ -120,6 +128,7 @@ void Volume::setColors(
   volume_->SetVisibility(isColored);
   if (!isColored)
     return;
+  choice_ = choice;
   this->select(choice);
   table_ = table;
   vtkVolumeProperty* look = volume_->GetProperty();
@@ -147,6 +156,7 @@ void Volume::setOpacity()
   if (!table_)
     return;
   vtkNew<vtkPiecewiseFunction> whole, part;
+  whole->AllowDuplicateScalarsOn(); // two points of one value are a step
   for (const OpacityPoint& point : options_.opacity.empty() ? usual : options_.opacity)
     whole->AddPoint(point.isShare ? valueAt(table_, point.value) : point.value, point.opacity);
   vtkVolumeProperty* look = volume_->GetProperty();

@@ -45,6 +45,8 @@ private:
   vtkNew<vtkVolume> volume_;
   vtkNew<vtkMoteVolumeMapper> mapper_;
   vtkSmartPointer<vtkLookupTable> table_;
+  ArrayChoice choice_;
+  bool warned_ = false; ///< of a time step without the array
   double limits_[2];
 };
 

@@ -87,7 +87,8 @@ int run(CLI::App& app, const AllOptions& all)
 int main(int argc, char** argv)
 {
   CLI::App app(
-    "Mote shows what particle simulations write: every particle a sphere, ray cast.", "mote");
+    "Mote shows what simulations write: particles as spheres, hexahedra as volumes, ray cast.",
+    "mote");
   app.set_version_flag("--version", "mote " MOTE_VERSION);
   app.require_subcommand(0, 1);
   app.footer(

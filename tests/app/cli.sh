@@ -227,6 +227,15 @@ case $3 in
       run 2 "$mote" render pump:0.002 -o c.png $wrong
     done
     [ ! -e c.png ] || fail "a picture in spite of errors"
+    # A step without the array is left out, with a word, and the next one has it again.
+    sed 's/Name="p"/Name="q"/' "$data/swirl.0.vtu" >step.1.vtu
+    cp "$data/swirl.0.vtu" step.0.vtu
+    cp "$data/swirl.1.vtu" step.2.vtu
+    run 0 "$mote" render step.0.vtu step.1.vtu step.2.vtu --all-steps --color-by p -o step.png \
+      --size 160x120 --samples 1
+    one_sentence
+    said err "no array 'p'"
+    [ -e step.0003.png ] || fail "no third step"
     ;;
 
   pump) # a mesh that is made stands where a file may

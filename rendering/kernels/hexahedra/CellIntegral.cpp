@@ -30,19 +30,12 @@ CellIntegral::CellIntegral(const HexMesh& mesh, const HexField& field,
 bool CellIntegral::take(const CellSpan& span, const ValuedSpan* values)
 {
   if (span.tIn > end_)
-  {
     gatherer_.begin(span.tIn);
-    hasExit_ = false;
-  }
-  hasExit_ = hasExit_ && span.tIn == end_;
   end_ = std::max(end_, span.tOut);
   cell_.enter(span.cell);
   const double length = (span.tOut - span.tIn) * speed_;
   if (cell_.isNaN())
-  {
     gatherer_.color().add(settings_.transfer.ofNaN(), length);
-    hasExit_ = false;
-  }
   else if (cell_.isConstant())
     gatherer_.color().add(settings_.transfer(cell_.values()[0]), length);
   else
@@ -51,23 +44,18 @@ bool CellIntegral::take(const CellSpan& span, const ValuedSpan* values)
     lower_ = *low;
     upper_ = *high;
     if (!settings_.transfer.isVisible(lower_, upper_))
-    {
-      hasExit_ = false;
       return true;
-    }
-    // The value at a face is the same from both sides.
-    const double entry = hasExit_ ? exit_
-                         : values != nullptr && span.inFace != noFace
-                           ? values->valueIn
-                           : cell_.entry(line_, span, ray_);
-    exit_ = values != nullptr && span.outFace != noFace ? values->valueOut
-                                                        : cell_.exit(line_, span, ray_);
-    hasExit_ = true;
+    // Each cell takes the values of its own points: where they coincide with the neighbour's and
+    // have other values, the field jumps.
+    const double entry =
+      values != nullptr && span.inFace != noFace ? values->valueIn : cell_.entry(line_, span, ray_);
+    const double exit = values != nullptr && span.outFace != noFace ? values->valueOut
+                                                                    : cell_.exit(line_, span, ray_);
     if (lighting_ != nullptr)
       light(0.5 * (span.tIn + span.tOut), light_);
     const double bend =
       values != nullptr ? values->bend : bendOf(cell_.mesh().corners(span.cell), cell_.values());
-    integrate(span.tIn, entry, span.tOut, exit_, bend, 0);
+    integrate(span.tIn, entry, span.tOut, exit, bend, 0);
   }
   return gatherer_.transmittance() > settings_.leastTransmittance;
 }

@@ -59,8 +59,6 @@ private:
   RayGatherer& gatherer_;
   CellSampler cell_;
   double end_;                       ///< of the last span
-  double exit_ = 0.0;                ///< the value there
-  bool hasExit_ = false;             ///< whether there is one
   double lower_ = 0.0, upper_ = 0.0; ///< of the cell's values
   Light light_;
 };

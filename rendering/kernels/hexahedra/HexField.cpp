@@ -75,6 +75,9 @@ HexField::HexField(const HexMesh& mesh, const HexScalar& scalar)
     const Extent extent = extentOf(values_.size(), value);
     lower_ = extent.lower;
     upper_ = extent.upper;
+    if (0.5 * upper_ - 0.5 * lower_ > std::numeric_limits<float>::max())
+      throw Error("The scalars reach from " + std::to_string(lower_) + " to " +
+                  std::to_string(upper_) + ", and a range above 6.8e38 cannot be shown.");
     offset_ = lower_ <= upper_ ? lower_ + 0.5 * (upper_ - lower_) : 0.0;
     copy(values_, value, offset_);
   };

@@ -24,7 +24,7 @@ class HexField
 public:
   HexField() = default;
   /// Copies in parallel. Throws Error where there is another number of values than of points or of
-  /// the input's cells, or no such component.
+  /// the input's cells, no such component, or a range above 6.8e38.
   HexField(const HexMesh& mesh, const HexScalar& scalar);
 
   bool isOfCells() const { return ofCells_; }

@@ -23,14 +23,11 @@ IsoCrossing::IsoCrossing(
   , ray_(ray)
   , line_(ray.origin, ray.direction)
   , cell_(mesh, field)
-  , end_(std::numeric_limits<double>::quiet_NaN())
 {
 }
 
 bool IsoCrossing::operator()(const CellSpan& span)
 {
-  const bool follows = span.tIn == end_;
-  end_ = std::numeric_limits<double>::quiet_NaN();
   cell_.enter(span.cell);
   if (cell_.isNaN() || cell_.isConstant())
     return true;
@@ -39,10 +36,8 @@ bool IsoCrossing::operator()(const CellSpan& span)
   const auto isMet = [lower = *low, upper = *high](double v) { return v >= lower && v <= upper; };
   if (std::none_of(values_.begin(), values_.end(), isMet))
     return true;
-  const double entry = follows ? exit_ : cell_.entry(line_, span, ray_);
-  exit_ = cell_.exit(line_, span, ray_);
-  end_ = span.tOut;
-  found_ = search(span.tIn, entry, span.tOut, exit_, 0);
+  found_ =
+    search(span.tIn, cell_.entry(line_, span, ray_), span.tOut, cell_.exit(line_, span, ray_), 0);
   if (!found_)
     return true;
   hit_.cell = span.cell;

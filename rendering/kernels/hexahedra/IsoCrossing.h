@@ -18,8 +18,8 @@ struct IsoHit
 };
 
 /// Looks along a ray for the first place where a trilinear field takes one of some values. No
-/// surface is missed between cells: the value at a face is computed once, for the cells on both
-/// sides. Cells with a NaN, and fields of cells, have no surfaces.
+/// surface is missed between cells: the value at a face is the same to the last bit from both
+/// sides, where these share their points. Cells with a NaN, and fields of cells, have no surfaces.
 class IsoCrossing
 {
 public:
@@ -42,7 +42,6 @@ private:
   const HexRay& ray_;
   CrossingLine line_;
   CellSampler cell_;
-  double end_, exit_ = 0.0;
   double range_ = 0.0; ///< of the cell's values
   bool found_ = false;
   IsoHit hit_;

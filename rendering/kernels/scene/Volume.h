@@ -27,7 +27,8 @@ enum class VolumeIntegrator
 struct VolumeSampling
 {
   VolumeIntegrator integrator = VolumeIntegrator::Trilinear;
-  double step = 0.0;         ///< world units between samples; 0 or less: volumeStep()
+  /// World units between samples; 0 or less: volumeStep(). At least 1e-5 of the mesh's size.
+  double step = 0.0;
   double tolerance = 1e-3;   ///< of CellByCell: error of a pixel's colour, of about 1, at most
   double saturation = 0.999; ///< rays end at this opacity; 1 or more: never
 };

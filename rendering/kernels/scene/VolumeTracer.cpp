@@ -18,6 +18,10 @@ namespace mote
 namespace
 {
 
+/// Samples are at least so far apart, as a share of the mesh's size: 100,000 on a ray are more
+/// than any picture can show.
+constexpr double leastStep = 1e-5;
+
 /// How much longer things are in the world.
 double scaleOf(const VolumeObject& volume)
 {
@@ -56,6 +60,7 @@ VolumeTracer::VolumeTracer(const VolumeObject& volume, const std::vector<ShadedL
   settings_.step = sampling.step > 0.0 ? sampling.step : volumeStep(volume);
   settings_.tolerance = sampling.tolerance > 0.0 ? sampling.tolerance : 1e-12;
   settings_.size = scaleOf(volume) * glm::length(meshOf(volume).bounds().size());
+  settings_.step = std::max(settings_.step, leastStep * settings_.size);
   settings_.leastTransmittance = std::max(0.0, 1.0 - sampling.saturation);
   double y = 0.0;
   RayCaster::sampleOffset(filmSample, settings_.phase, y);

@@ -80,6 +80,19 @@ TEST(HexField, RefusesWhatDoesNotFit)
   EXPECT_THROW(HexField(*mesh, {{values.data(), values.size(), 1}, 0, true}), Error);
 }
 
+TEST(HexField, RefusesARangeThatFloatHasNot)
+{
+  const auto mesh = hexBlock(1, 1, 1).mesh();
+  for (const double large : {1e39, 1.7e308})
+  {
+    std::vector<double> values(mesh->pointCount(), -large);
+    values[0] = large;
+    EXPECT_THROW(HexField(*mesh, {{values.data(), values.size(), 1}}), Error);
+  }
+  const std::vector<double> same(mesh->pointCount(), 1e300);
+  EXPECT_EQ(HexField(*mesh, {{same.data(), same.size(), 1}}).ofPoint(0), 0.0F);
+}
+
 TEST(HexField, OfNothingButNaNHasNoRange)
 {
   const auto mesh = hexBlock(1, 1, 1).mesh();

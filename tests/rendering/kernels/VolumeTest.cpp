@@ -153,7 +153,7 @@ TEST(Volume, TheStepOfSamplesDoesNotChangeAnEvenField)
   const auto mesh = hexBlock(4, 4, 4, 0.2).mesh();
   VolumeObject volume =
     volumeOf(mesh, std::vector<double>(mesh->pointCount(), 1.0), evenTransfer(0.2F));
-  for (const double step : {1e-3, 0.1, 0.77, 3.0, 100.0})
+  for (const double step : {1e-300, 1e-3, 0.1, 0.77, 3.0, 100.0})
   {
     volume.sampling.step = step;
     const RayColor color = gathered(volume, {2.1, 1.9, -3.0}, {0.0, 0.0, 1.0});
@@ -362,6 +362,30 @@ TEST(Volume, CellsWithNaNAreLeftOutOrShown)
     EXPECT_NEAR(shown.color.x, 1.0 - shown.transmittance, 1e-9);
     EXPECT_NEAR(shown.color.y, 0.75 * 0.75 * 0.5, 1e-9);
   }
+}
+
+TEST(Volume, PointsThatCoincideKeepTheirOwnValues)
+{
+  // Two cubes that share no point: the field jumps from 0 to 1 between them.
+  HexCells cells;
+  for (const double x : {0.0, 1.0})
+    cells.addCell(
+      HexCellType::Hexahedron, std::vector<Vec3d>{{x, 0, 0}, {x + 1, 0, 0}, {x + 1, 1, 0},
+                                 {x, 1, 0}, {x, 0, 1}, {x + 1, 0, 1}, {x + 1, 1, 1}, {x, 1, 1}});
+  const auto mesh = cells.mesh();
+  std::vector<double> values(16, 0.0);
+  std::fill(values.begin() + 8, values.end(), 1.0);
+  TransferFunction f;
+  f.knots = {{0.0, Vec4f(1, 0, 0, 0.2F)}, {0.5, Vec4f(0, 1, 0, 0.9F)}, {1.0, Vec4f(0, 0, 1, 0.3F)}};
+  for (const HexStructureKind kind : kinds)
+    for (const VolumeIntegrator integrator : integrators)
+    {
+      VolumeObject volume = volumeOf(mesh, values, f, kind);
+      volume.sampling.integrator = integrator;
+      const RayColor color = gathered(volume, {-1, 0.4, 0.6}, {1, 0, 0});
+      EXPECT_NEAR(color.transmittance, 0.8 * 0.7, 1e-7);
+      EXPECT_NEAR(color.color.y, 0.0, 1e-7);
+    }
 }
 
 TEST(Volume, ValuesOfCellsAreEvenInEach)
