@@ -121,13 +121,4 @@ double TransferTable::steepest(double lower, double upper) const
   return steps > 0.0 ? rate + steps / (upper - lower) : rate;
 }
 
-double TransferTable::densest(double lower, double upper) const
-{
-  const std::size_t first = pieceOf(lower), last = pieceOf(upper);
-  double opacity = std::max(colorIn(first, lower).w, colorIn(last, upper).w);
-  for (std::size_t i = first; i < last; ++i)
-    opacity = std::max(opacity, colors_[i].w);
-  return extinction(opacity);
-}
-
 } // namespace mote

@@ -70,8 +70,6 @@ public:
   /// the rate at which errors of the scalar become errors of the picture. A step counts as if it
   /// were spread over the range.
   double steepest(double lower, double upper) const;
-  /// The greatest extinction in the range.
-  double densest(double lower, double upper) const;
 
 private:
   static constexpr std::size_t bins = 64;

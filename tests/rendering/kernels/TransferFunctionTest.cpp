@@ -69,8 +69,6 @@ TEST(TransferFunction, BoundsHowFastItChanges)
   }
   EXPECT_EQ(t.steepest(1.2, 1.8), 0.0);
   EXPECT_GT(t.steepest(0.9, 1.8), t.steepest(0.9, 0.95)); // the step counts
-  EXPECT_NEAR(t.densest(0.0, 1.0), -std::log(0.5) / 2.0, 1e-12);
-  EXPECT_NEAR(t.densest(1.5, 2.5), -std::log(1.0 - 0.45) / 2.0, 1e-7);
 }
 
 TEST(TransferFunction, RefusesWhatIsNone)
