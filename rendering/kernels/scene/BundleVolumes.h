@@ -31,7 +31,6 @@ public:
   BundleVolumes(
     const Scene& scene, const CameraRays& rays, const SceneLighting& lighting, int filmSample);
 
-  bool empty() const { return tracers_.empty(); }
   bool hasSurfaces() const { return hasSurfaces_; }
 
   /// Looks for iso-surfaces nearer than rays.t; where there are, t, slot and object become theirs.
