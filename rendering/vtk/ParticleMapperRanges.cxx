@@ -227,7 +227,7 @@ void vtkMoteParticleMapper::UpdateRanges()
     if (impl.commonRadius > 0.0)
     {
       // As it was built; the spacing need not be estimated again.
-      choice.mode = RADIUS_CONSTANT;
+      choice.mode = mote::RadiusMode::Constant;
       choice.radius = impl.commonRadius;
       choice.scale = 1.0;
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ContentHash.h"
+#include "kernels/core/ContentHash.h"
 
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"

@@ -210,12 +210,16 @@ void vtkMoteParticleMapper::Update(int port)
   this->UpdateRanges();
 }
 
+static_assert(
+  static_cast<int>(mote::RadiusMode::FromSpacing) == vtkMoteParticleMapper::RADIUS_FROM_SPACING,
+  "the modes stand in the same order");
+
 void vtkMoteParticleMapper::UpdateStructure()
 {
   Internals& impl = *this->Impl;
   vtkPointSet* input = this->GetInput();
   mote::RadiusChoice& choice = impl.choice;
-  choice.mode = this->RadiusMode;
+  choice.mode = static_cast<mote::RadiusMode>(this->RadiusMode);
   choice.radius = this->Radius;
   choice.scale = this->RadiusScale;
   choice.radiusArray = this->RadiusArrayName ? this->RadiusArrayName : "";

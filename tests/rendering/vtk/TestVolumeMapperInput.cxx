@@ -1,5 +1,5 @@
 // vtkMoteVolumeMapper: what is built again, what is not, and what is refused.
-#include "ContentHash.h"
+#include "kernels/core/ContentHash.h"
 #include "VolumeTestSupport.h"
 
 #include "kernels/scene/Volume.h"

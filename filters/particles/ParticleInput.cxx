@@ -1,7 +1,6 @@
 #include "ParticleInput.h"
 
 #include "Names.h"
-#include "vtkMoteParticleMapper.h"
 
 #include "kernels/core/Error.h"
 #include "kernels/particles/PkdTreeFile.h"
@@ -82,7 +81,7 @@ std::shared_ptr<const PkdTreeFile> fileOf(vtkPointSet* points)
 
 bool drawsFile(vtkPointSet* points, const RadiusChoice& choice, const StructureChoice& structure)
 {
-  if (choice.mode != vtkMoteParticleMapper::RADIUS_AUTOMATIC || choice.scale != 1.0 ||
+  if (choice.mode != RadiusMode::Automatic || choice.scale != 1.0 ||
       (structure.kind != ParticleStructureKind::Automatic &&
         structure.kind != ParticleStructureKind::PkdTree))
     return false;
@@ -107,11 +106,11 @@ vtkDataArray* findRadiusArray(vtkPointSet* points, const RadiusChoice& choice, b
   half = false;
   switch (choice.mode)
   {
-  case vtkMoteParticleMapper::RADIUS_BY_ARRAY:
+  case RadiusMode::ByArray:
     return requireScalar(points, choice.radiusArray, "radii");
-  case vtkMoteParticleMapper::RADIUS_BY_TYPE:
+  case RadiusMode::ByType:
     return requireScalar(points, choice.typeArray, "types");
-  case vtkMoteParticleMapper::RADIUS_AUTOMATIC:
+  case RadiusMode::Automatic:
     if (sourceOf(points))
       return nullptr; // the source's own radii
     if (vtkDataArray* radius = findByLowerName(points->GetPointData(), "radius"))
@@ -134,7 +133,7 @@ ParticleInput makeParticleInput(
 
   bool half = false;
   vtkDataArray* array = findRadiusArray(points, choice, half);
-  if (array && choice.mode == vtkMoteParticleMapper::RADIUS_BY_TYPE)
+  if (array && choice.mode == RadiusMode::ByType)
   {
     const DataArrayView types(array);
     const std::size_t count = types.view.count();
@@ -157,9 +156,9 @@ ParticleInput makeParticleInput(
   }
   else
   {
-    if (choice.mode == vtkMoteParticleMapper::RADIUS_CONSTANT)
+    if (choice.mode == RadiusMode::Constant)
       input.set.radius = choice.radius;
-    else if (input.set.source && choice.mode == vtkMoteParticleMapper::RADIUS_AUTOMATIC)
+    else if (input.set.source && choice.mode == RadiusMode::Automatic)
     {
       input.set = ParticleSet::of(input.set.source);
       input.set.radiusScale *= choice.scale;
@@ -180,10 +179,10 @@ void addArray(InputKey& key, vtkDataArray* array)
 
 void addChoice(InputKey& key, const RadiusChoice& choice, vtkDataArray* radii, bool half)
 {
-  const bool byType = choice.mode == vtkMoteParticleMapper::RADIUS_BY_TYPE;
+  const bool byType = choice.mode == RadiusMode::ByType;
   key.insert(key.end(), {double(choice.mode), double(half)});
   addRadius(key, choice.scale);
-  if (byType || choice.mode == vtkMoteParticleMapper::RADIUS_CONSTANT)
+  if (byType || choice.mode == RadiusMode::Constant)
     addRadius(key, choice.radius);
   addArray(key, radii);
   if (byType)

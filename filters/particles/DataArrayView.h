@@ -1,5 +1,7 @@
 #pragma once
 
+#include "MoteFiltersParticlesModule.h" // For export macro
+
 #include "kernels/core/ArrayView.h"
 
 #include "vtkDataArray.h"
@@ -16,7 +18,7 @@ struct DataArrayView
   ArrayView view;
 
   DataArrayView() = default;
-  explicit DataArrayView(vtkDataArray* array);
+  MOTEFILTERSPARTICLES_EXPORT explicit DataArrayView(vtkDataArray* array);
 };
 
 } // namespace mote

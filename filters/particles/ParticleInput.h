@@ -1,6 +1,7 @@
 #pragma once
 
 #include "DataArrayView.h"
+#include "MoteFiltersParticlesModule.h" // For export macro
 
 #include "kernels/core/ScratchSpace.h"
 #include "kernels/core/StoredArray.h"
@@ -21,10 +22,20 @@ namespace mote
 
 class PkdTreeFile;
 
-/// How vtkMoteParticleMapper was asked to choose radii; `mode` is one of its RadiusModes.
+/// Where radii come from: RadiusModes of vtkMoteParticleMapper and of whatever else has them.
+enum class RadiusMode
+{
+  Automatic,
+  Constant,
+  ByArray,
+  ByType,
+  FromSpacing
+};
+
+/// How a mapper or filter was asked to choose radii.
 struct RadiusChoice
 {
-  int mode = 0;
+  RadiusMode mode = RadiusMode::Automatic;
   double radius = 0.5;
   double scale = 1.0;
   std::string radiusArray;
@@ -45,37 +56,39 @@ struct ParticleInput
 
 /// Array of the points that holds the radii under `choice`, or null for none; with half = true
 /// where it holds diameters. Throws Error where the choice names an array that is missing or unfit.
-vtkDataArray* findRadiusArray(vtkPointSet* points, const RadiusChoice& choice, bool& half);
+MOTEFILTERSPARTICLES_EXPORT vtkDataArray* findRadiusArray(
+  vtkPointSet* points, const RadiusChoice& choice, bool& half);
 
 /// The file that the points stay in (vtkMoteParticleFilePoints), or null.
-std::shared_ptr<const PkdTreeFile> fileOf(vtkPointSet* points);
+MOTEFILTERSPARTICLES_EXPORT std::shared_ptr<const PkdTreeFile> fileOf(vtkPointSet* points);
 
-/// The structure that vtkMoteParticleMapper was asked for.
+/// The structure that a mapper or filter was asked for.
 struct StructureChoice
 {
   ParticleStructureKind kind = ParticleStructureKind::Automatic;
   std::optional<PkdTreeOptions::Form> form; ///< none: as a file has it, else exact
 
   /// How it is built where it is not in a file.
-  ParticleStructureOptions options() const;
+  MOTEFILTERSPARTICLES_EXPORT ParticleStructureOptions options() const;
 };
 
 /// What these names mean; empty or null ones mean the first of their kind. Throws Error where there
 /// is no such structure or form, or where the structure does not come in forms.
-StructureChoice structureOf(const char* name, const char* form);
+MOTEFILTERSPARTICLES_EXPORT StructureChoice structureOf(const char* name, const char* form);
 
 /// Names of forms for messages and options: "auto", then all.
-std::vector<std::string> structureFormNames();
+MOTEFILTERSPARTICLES_EXPORT std::vector<std::string> structureFormNames();
 
 /// Whether what is to be drawn is the very tree of that file.
-bool drawsFile(vtkPointSet* points, const RadiusChoice& choice, const StructureChoice& structure);
+MOTEFILTERSPARTICLES_EXPORT bool drawsFile(
+  vtkPointSet* points, const RadiusChoice& choice, const StructureChoice& structure);
 
 /// The typical distance between neighbours; of points in a file what that says.
-double spacingOf(vtkPointSet* points);
+MOTEFILTERSPARTICLES_EXPORT double spacingOf(vtkPointSet* points);
 
 /// Looks up radii as `choice` says, and puts those that are in no array into `space`, or on the
 /// heap where that is null. Throws Error as findRadiusArray() does.
-ParticleInput makeParticleInput(
+MOTEFILTERSPARTICLES_EXPORT ParticleInput makeParticleInput(
   vtkPointSet* points, const RadiusChoice& choice, ScratchSpace* space = nullptr);
 
 /// What a structure was built from: equal keys, equal structures.
@@ -83,18 +96,19 @@ using InputKey = std::vector<double>;
 
 /// MTimes are one counter over all VTK objects: an array is known by its own. They stay far below
 /// 2^53, where doubles would stop telling integers apart.
-void addArray(InputKey& key, vtkDataArray* array);
+MOTEFILTERSPARTICLES_EXPORT void addArray(InputKey& key, vtkDataArray* array);
 
 /// All that radii depend on; `radii` and `half` as findRadiusArray() gives them.
-void addChoice(InputKey& key, const RadiusChoice& choice, vtkDataArray* radii, bool half);
+MOTEFILTERSPARTICLES_EXPORT void addChoice(
+  InputKey& key, const RadiusChoice& choice, vtkDataArray* radii, bool half);
 
 /// Builds the structure that `options` name over the particles; into `structure`, whose memory is
 /// then used again, where it is of that kind and nobody else holds it. What is left is null where
 /// `progress` stopped the build. Throws Error for malformed sets.
-void buildStructure(std::shared_ptr<ParticleStructure>& structure, const ParticleSet& particles,
-  const ParticleStructureOptions& options, const Progress& progress);
+MOTEFILTERSPARTICLES_EXPORT void buildStructure(std::shared_ptr<ParticleStructure>& structure,
+  const ParticleSet& particles, const ParticleStructureOptions& options, const Progress& progress);
 
 /// Counts the particles that were left out, and why; empty where none was.
-std::string leftOutSentence(const ParticleStatistics& statistics);
+MOTEFILTERSPARTICLES_EXPORT std::string leftOutSentence(const ParticleStatistics& statistics);
 
 } // namespace mote
