@@ -1,0 +1,217 @@
+#include "Silhouettes.h"
+
+#include "LineStamps.h"
+#include "SilhouetteRows.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mote
+{
+
+namespace
+{
+
+/// Rows of the output that one thread takes at a time.
+constexpr int bandRows = 64;
+
+/// Rounding of distances must not make edges; in shares of the distance, for the sum over eight.
+constexpr float roundingShare = 16.0f * std::numeric_limits<float>::epsilon();
+
+StepLimit limitOf(const DepthImage& image, const SilhouetteOptions& options)
+{
+  const double pixels = 3.0 * std::max(0.0, options.stepInPixels);
+  const double angle = std::max(std::abs(image.dx), std::abs(image.dy));
+  StepLimit limit;
+  limit.least = static_cast<float>(std::max(3.0 * options.step, pixels * image.pixelSize));
+  limit.share = std::max(static_cast<float>(pixels * angle), roundingShare);
+  limit.hulls = options.hulls;
+  return limit;
+}
+
+/// A part of the depth image in which edges are found, row after row from below.
+class RowFinder
+{
+public:
+  RowFinder(const DepthImage& image, const StepLimit& limit, const PixelBox& box)
+    : image_(image)
+    , limit_(limit)
+    , box_(box)
+    , begin_(std::max(0, box.x0 - 1))
+    , end_(std::min(image.width, box.x1 + 1))
+    , values_(3 * static_cast<std::size_t>(end_ - begin_ + EdgePixels::spare))
+    , found_(box.x1 - box.x0)
+  {
+  }
+
+  /// Calls draw(edges) for row `y`, perhaps twice. Rows must be asked for in rising order.
+  template <typename Draw>
+  void find(int y, const Draw& draw)
+  {
+    const int down = std::max(0, y - 1), up = std::min(image_.height - 1, y + 1);
+    for (int row = std::max(next_, down); row <= up; ++row)
+      rayDistances(image_, row, begin_, end_, at(row));
+    next_ = up + 1;
+    // The image's border: what is beyond counts not, and neither does what is opposite to it.
+    const bool inner = down < y && up > y;
+    const DistanceRows rows = {at(inner ? down : y), at(y), at(inner ? up : y)};
+    findSteps(rows, limit_, image_.width, box_.x0, box_.x1, found_);
+    draw(found_);
+    if (image_.group == nullptr)
+      return;
+    const std::ptrdiff_t stride = image_.groupStride != 0 ? image_.groupStride : image_.width;
+    const auto groups = [&](int row) { return image_.group + row * stride; };
+    findGroupChanges(rows, {groups(inner ? down : y), groups(y), groups(inner ? up : y)},
+      image_.width, box_.x0, box_.x1, found_);
+    draw(found_);
+  }
+
+private:
+  /// Distances of a row, counted from column 0.
+  float* at(int row)
+  {
+    const std::size_t length = values_.size() / 3;
+    return values_.data() + static_cast<std::size_t>(row % 3) * length - begin_;
+  }
+
+  const DepthImage& image_;
+  const StepLimit& limit_;
+  PixelBox box_;
+  int begin_, end_; ///< columns whose distances are kept
+  std::vector<float> values_;
+  EdgePixels found_;
+  int next_ = 0; ///< first row whose distances are not there yet
+};
+
+/// Draws the pixels of one row of edges into those of `box`, of which `out` is the first.
+void drawRow(const EdgePixels& edges, int y, const LineStamps& stamps, const PixelBox& box,
+  float* out, std::ptrdiff_t stride)
+{
+  const int reach = stamps.reach();
+  const bool innerRow = y - reach >= box.y0 && y + reach < box.y1;
+  for (int i = 0; i < edges.count; ++i)
+  {
+    const int x = edges.x[i];
+    float opacity;
+    const auto& stamp = stamps.stamp(edges.step[i], edges.direction[i], opacity);
+    float* center = out + (y - box.y0) * stride + (x - box.x0);
+    const bool inner = innerRow && x - reach >= box.x0 && x + reach < box.x1;
+    for (const LineStamps::Pixel& pixel : stamp)
+    {
+      const int px = x + pixel.x, py = y + pixel.y;
+      if (inner || (px >= box.x0 && px < box.x1 && py >= box.y0 && py < box.y1))
+      {
+        float& covered = center[pixel.y * stride + pixel.x];
+        covered = std::max(covered, pixel.coverage * opacity);
+      }
+    }
+  }
+}
+
+/// Edges of the pixels `box` of the depth image itself.
+void drawBox(const DepthImage& image, const StepLimit& limit, const LineStamps& stamps,
+  const PixelBox& box, float* out, std::ptrdiff_t stride)
+{
+  const int reach = stamps.reach();
+  const PixelBox wider = {std::max(0, box.x0 - reach), std::max(0, box.y0 - reach),
+    std::min(image.width, box.x1 + reach), std::min(image.height, box.y1 + reach)};
+  RowFinder finder(image, limit, wider);
+  for (int y = wider.y0; y < wider.y1; ++y)
+    finder.find(y, [&](const EdgePixels& edges) { drawRow(edges, y, stamps, box, out, stride); });
+}
+
+/// Means over the squares of `factor` x `factor` fine pixels; the last may be cut off.
+void addMeans(const std::vector<float>& fine, const PixelBox& fineBox, int factor,
+  const PixelBox& box, float* out, std::ptrdiff_t stride)
+{
+  const int width = fineBox.x1 - fineBox.x0;
+  for (int y = box.y0; y < box.y1; ++y)
+    for (int x = box.x0; x < box.x1; ++x)
+    {
+      const int x0 = x * factor, x1 = std::min(fineBox.x1, x0 + factor);
+      const int y0 = y * factor, y1 = std::min(fineBox.y1, y0 + factor);
+      float sum = 0.0f;
+      for (int j = y0; j < y1; ++j)
+        for (int i = x0; i < x1; ++i)
+          sum += fine[static_cast<std::size_t>(j - fineBox.y0) * width + (i - fineBox.x0)];
+      float& covered = out[(y - box.y0) * stride + (x - box.x0)];
+      covered = std::max(covered, sum / static_cast<float>((x1 - x0) * (y1 - y0)));
+    }
+}
+
+/// Edges of the pixels `box` of the output, in this thread.
+void findInBox(const DepthImage& image, const SilhouetteOptions& options, const LineStamps& stamps,
+  const PixelBox& box, float* edges, std::ptrdiff_t stride)
+{
+  const StepLimit limit = limitOf(image, options);
+  const int factor = options.reduction;
+  for (int y0 = box.y0; y0 < box.y1; y0 += bandRows)
+  {
+    const PixelBox band = {box.x0, y0, box.x1, std::min(box.y1, y0 + bandRows)};
+    float* out = edges + (y0 - box.y0) * stride;
+    if (factor <= 1)
+    {
+      drawBox(image, limit, stamps, band, out, stride);
+      continue;
+    }
+    const PixelBox fineBox = {band.x0 * factor, band.y0 * factor,
+      std::min(image.width, band.x1 * factor), std::min(image.height, band.y1 * factor)};
+    const std::size_t width = fineBox.x1 - fineBox.x0;
+    std::vector<float> fine(width * (fineBox.y1 - fineBox.y0), 0.0f);
+    drawBox(image, limit, stamps, fineBox, fine.data(), static_cast<std::ptrdiff_t>(width));
+    addMeans(fine, fineBox, factor, band, out, stride);
+  }
+}
+
+bool isEmpty(const PixelBox& box)
+{
+  return box.x0 >= box.x1 || box.y0 >= box.y1;
+}
+
+} // namespace
+
+int silhouetteMargin(const SilhouetteOptions& options)
+{
+  // One more for the neighbours of the pixels whose lines reach in.
+  return reducedSize(LineStamps(options).reach() + 1, options.reduction);
+}
+
+void findSilhouettes(
+  const DepthImage& image, const SilhouetteOptions& options, float* edges, int threads)
+{
+  const PixelBox all = {0, 0, reducedSize(image.width, options.reduction),
+    reducedSize(image.height, options.reduction)};
+  if (isEmpty(all))
+    return;
+  const LineStamps stamps(options);
+  const auto band = [&](int first, int last)
+  {
+    const PixelBox box = {0, first * bandRows, all.x1, std::min(all.y1, last * bandRows)};
+    findInBox(image, options, stamps, box, edges + std::ptrdiff_t(box.y0) * all.x1, all.x1);
+  };
+  const int bands = reducedSize(all.y1, bandRows);
+  if (threads == 1 || bands == 1)
+    return band(0, bands);
+  const auto run = [&]
+  {
+    tbb::parallel_for(tbb::blocked_range<int>(0, bands),
+      [&](const tbb::blocked_range<int>& range) { band(range.begin(), range.end()); });
+  };
+  if (threads > 0)
+    tbb::task_arena(threads).execute(run);
+  else
+    run();
+}
+
+void findSilhouettes(const DepthImage& image, const SilhouetteOptions& options, const PixelBox& box,
+  float* edges, std::ptrdiff_t stride)
+{
+  if (!isEmpty(box))
+    findInBox(image, options, LineStamps(options), box, edges, stride);
+}
+
+} // namespace mote

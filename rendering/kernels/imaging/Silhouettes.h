@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace mote
+{
+
+/// A depth image, as edges are found in it. Row 0 is the bottom row.
+struct DepthImage
+{
+  int width = 0, height = 0;      ///< pixels; 0 is an empty image
+  const float* depth = nullptr;   ///< one a pixel, world units; not finite: background
+  std::ptrdiff_t depthStride = 0; ///< values from one row to the next; 0: `width`
+  /// Depths from here on are background, too.
+  float background = std::numeric_limits<float>::infinity();
+
+  /// Optional, one a pixel: an edge stands also where this changes between two surfaces.
+  const std::uint64_t* group = nullptr;
+  std::ptrdiff_t groupStride = 0; ///< as depthStride
+
+  /// Perspective: the tangents of the view angle that a pixel spans, and those of the lower left
+  /// corner of the image from the view axis; pixel (i, j) looks along (x0 + (i + 1/2) dx,
+  /// y0 + (j + 1/2) dy, 1). All 0 for an orthographic view.
+  double dx = 0.0, dy = 0.0, x0 = 0.0, y0 = 0.0;
+  /// Perspective: whether depth counts along the rays already, and not along the view axis.
+  bool alongRays = false;
+  /// Orthographic: width of a pixel in world units; 0 where it is not known.
+  double pixelSize = 0.0;
+};
+
+/// What is an edge, and how it is drawn.
+struct SilhouetteOptions
+{
+  /// World units, at least 0: the least step across a straight border that is an edge.
+  double step = 1.0;
+  /// ... and never less than the width of so many pixels at that distance: relief finer than pixels
+  /// has no outlines. 0 or less: any step will do.
+  double stepInPixels = 2.0;
+  bool hulls = true; ///< whether surfaces have edges against the background
+
+  double thickness = 1.0;      ///< of the strongest edges, in pixels of the output
+  double leastThickness = 1.0; ///< of the weakest; grows with the step's logarithm
+  double leastOpacity = 1.0;   ///< of the weakest edges, in [0, 1]; likewise. 1: no grey levels
+  /// Multiples of `step`, above 1, from which on an edge is as strong as edges get. Those against
+  /// the background and between groups always are.
+  double fullStep = 8.0;
+  /// Whether a line's middle lies on the border itself, so that it covers the two pixels beside it
+  /// by halves; otherwise it covers the farther pixel, as published.
+  bool centered = true;
+
+  /// Pixels of the depth image along each side of a pixel of the output, which is their mean: edges
+  /// are smooth. At least 1.
+  int reduction = 1;
+};
+
+/// Pixels [x0, x1) x [y0, y1).
+struct PixelBox
+{
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+/// Pixels of the output along a side of `pixels` of the depth image; the last may be cut off.
+constexpr int reducedSize(int pixels, int reduction)
+{
+  return (pixels + reduction - 1) / reduction;
+}
+
+/// How many pixels of the output around a pixel take part in its edges, those at its side included:
+/// what a part of a depth image needs to be found in it as in the whole.
+int silhouetteMargin(const SilhouetteOptions& options);
+
+/// Finds the edges of a depth image: pixels that are farther than the eight around them by more
+/// than the mean over a straight border of the step,
+///   sum_i (d_0 - d_i) > 3 step    (3x3 Laplacian of ray distances d, 8 at the centre, -1 around),
+/// and farther than the four beside them by more than one step, which keeps slanted lines as thin
+/// as others. Only the farther side has an edge, so no line is double. Neighbours that are
+/// background count not, nor do those opposite to them; a background pixel beside a surface is an
+/// edge of full strength. Where groups differ, the farther pixel is, and of two equally far ones
+/// that with the larger group. At the image's border only steps along it count.
+///
+/// `edges` has a float for each pixel of the output, reducedSize() of the image, row after row:
+/// each becomes the larger of what it is and the share of the pixel that the lines cover, in [0,
+/// 1]. The result does not depend on `threads`; 0: all that TBB's present arena allows. Source:
+/// Bigler, "Use of Silhouette Edges and Ambient Occlusion in Particle Visualization", University of
+/// Utah 2004; docs/silhouettes.md.
+void findSilhouettes(
+  const DepthImage& image, const SilhouetteOptions& options, float* edges, int threads = 0);
+
+/// The same for the pixels `box` of the output alone, in the calling thread. `edges` is pixel
+/// (box.x0, box.y0), and `stride` counts from one row to the next.
+void findSilhouettes(const DepthImage& image, const SilhouetteOptions& options, const PixelBox& box,
+  float* edges, std::ptrdiff_t stride);
+
+} // namespace mote

@@ -1,0 +1,205 @@
+// Edges of depth images: where they stand, where none must be, and what background, groups and
+// options do.
+
+#include <kernels/imaging/Silhouettes.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+#include <vector>
+
+using namespace mote;
+
+namespace
+{
+
+constexpr float nothing = std::numeric_limits<float>::infinity();
+
+/// A depth image of one's own making. `at` gets pixel coordinates.
+struct Picture
+{
+  Picture(int w, int h, const std::function<float(int, int)>& at)
+    : depth(static_cast<std::size_t>(w) * h)
+  {
+    for (int y = 0; y < h; ++y)
+      for (int x = 0; x < w; ++x)
+        depth[static_cast<std::size_t>(y) * w + x] = at(x, y);
+    image.width = w;
+    image.height = h;
+    image.depth = depth.data();
+    image.pixelSize = 1.0;
+  }
+
+  std::vector<float> edges(const SilhouetteOptions& options, int threads = 1) const
+  {
+    std::vector<float> out(static_cast<std::size_t>(reducedSize(image.width, options.reduction)) *
+                             reducedSize(image.height, options.reduction),
+      0.0f);
+    findSilhouettes(image, options, out.data(), threads);
+    return out;
+  }
+
+  std::vector<float> depth;
+  DepthImage image;
+};
+
+/// Lines on the farther pixels alone, which are either edges or not.
+SilhouetteOptions onPixels(double step)
+{
+  SilhouetteOptions options;
+  options.step = step;
+  options.stepInPixels = 0.0;
+  options.centered = false;
+  return options;
+}
+
+int count(const std::vector<float>& edges)
+{
+  return static_cast<int>(std::count_if(edges.begin(), edges.end(), [](float e) { return e > 0; }));
+}
+
+} // namespace
+
+TEST(Silhouettes, StraightBordersOfMoreThanTheStepHaveOneLine)
+{
+  for (const double height : {0.99, 1.01, 50.0, 1e6})
+  {
+    for (const bool upright : {true, false})
+    {
+      const Picture picture(70, 67,
+        [&](int x, int y) { return (upright ? x : y) < 30 ? 10.0f : float(10.0 + height); });
+      const auto edges = picture.edges(onPixels(1.0));
+      for (int y = 0; y < 67; ++y)
+        for (int x = 0; x < 70; ++x)
+          ASSERT_EQ(edges[y * 70 + x], height > 1.0 && (upright ? x : y) == 30 ? 1.0f : 0.0f)
+            << x << " " << y << " " << height;
+    }
+  }
+}
+
+TEST(Silhouettes, DiagonalBordersHaveALineOfOnePixel)
+{
+  const Picture picture(64, 64, [](int x, int y) { return x + y < 60 ? 10.0f : 100.0f; });
+  const auto edges = picture.edges(onPixels(1.0));
+  for (int y = 1; y < 63; ++y)
+    for (int x = 1; x < 63; ++x)
+      ASSERT_EQ(edges[y * 64 + x], x + y == 60 ? 1.0f : 0.0f) << x << " " << y;
+}
+
+TEST(Silhouettes, PlanesHaveNone)
+{
+  // Seen in perspective with half of the right angle, at tilts up to 89 degrees.
+  for (const double tilt : {0.0, 30.0, 60.0, 80.0, 89.0})
+    for (const double turn : {0.0, 20.0, 90.0, 200.0})
+    {
+      const double a = tilt * M_PI / 180.0, b = turn * M_PI / 180.0;
+      const double dx = 1.0 / 256.0;
+      Picture picture(256, 256,
+        [&](int x, int y)
+        {
+          const double u = (x + 0.5 - 128) * dx, v = (y + 0.5 - 128) * dx;
+          // n . p = n . (0, 0, 100)
+          const double n[3] = {std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), std::cos(a)};
+          const double t = 100.0 * n[2] / (n[0] * u + n[1] * v + n[2]);
+          return t > 0.0 && t < 1e5 ? static_cast<float>(t) : nothing;
+        });
+      picture.image.pixelSize = 0.0;
+      picture.image.dx = picture.image.dy = dx;
+      picture.image.x0 = picture.image.y0 = -128 * dx;
+      SilhouetteOptions options = onPixels(0.0);
+      options.hulls = false;
+      EXPECT_EQ(count(picture.edges(options)), 0) << tilt << " " << turn;
+    }
+}
+
+TEST(Silhouettes, BackgroundHasOneLineAroundSurfaces)
+{
+  for (const float background : {nothing, -nothing, std::nanf(""), 1e10f})
+  {
+    Picture picture(40, 40,
+      [&](int x, int y) { return x >= 10 && x < 20 && y >= 12 && y < 30 ? 5.0f : background; });
+    picture.image.background = 1e9f;
+    const auto edges = picture.edges(onPixels(1.0));
+    for (int y = 0; y < 40; ++y)
+      for (int x = 0; x < 40; ++x)
+      {
+        const bool beside =
+          (y >= 12 && y < 30 && (x == 9 || x == 20)) || (x >= 10 && x < 20 && (y == 11 || y == 30));
+        ASSERT_EQ(edges[y * 40 + x], beside ? 1.0f : 0.0f) << x << " " << y;
+      }
+    SilhouetteOptions without = onPixels(1.0);
+    without.hulls = false;
+    EXPECT_EQ(count(picture.edges(without)), 0);
+  }
+}
+
+TEST(Silhouettes, ImagesOfOnePixelAndOfOneRow)
+{
+  for (const float value : {1.0f, nothing, std::nanf("")})
+    EXPECT_EQ(count(Picture(1, 1, [&](int, int) { return value; }).edges(onPixels(1.0))), 0);
+  const auto step = [](int i, int) { return i < 20 ? 1.0f : 9.0f; };
+  for (const int length : {2, 3, 21, 22, 100})
+  {
+    const int expected = length > 21 ? 1 : 0; // none across the image's border
+    EXPECT_EQ(count(Picture(length, 1, step).edges(onPixels(1.0))), expected);
+    const auto upright = [&](int x, int y) { return step(y, x); };
+    EXPECT_EQ(count(Picture(1, length, upright).edges(onPixels(1.0))), expected);
+    EXPECT_EQ(count(Picture(2, length, upright).edges(onPixels(1.0))), 2 * expected);
+  }
+  const Picture none(0, 0, [](int, int) { return 0.0f; });
+  none.edges(onPixels(1.0));
+}
+
+TEST(Silhouettes, ThreadsAndPartsMakeNoDifference)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> uniform(0.0f, 20.0f);
+  const int w = 301, h = 259;
+  std::vector<std::uint64_t> groups;
+  Picture picture(w, h,
+    [&](int, int)
+    {
+      const float v = uniform(random);
+      groups.push_back(static_cast<std::uint64_t>(v) % 3);
+      return v < 4.0f ? nothing : v;
+    });
+  picture.image.group = groups.data();
+  SilhouetteOptions options;
+  options.step = 4.0;
+  options.thickness = 3.3;
+  options.leastOpacity = 0.2;
+  for (const int reduction : {1, 2, 3})
+  {
+    options.reduction = reduction;
+    const auto whole = picture.edges(options, 1);
+    EXPECT_GT(count(whole), 1000);
+    EXPECT_EQ(picture.edges(options, 0), whole);
+    EXPECT_EQ(picture.edges(options, 2), whole);
+    // Each part from no more of the image than the margin says.
+    const int rw = reducedSize(w, reduction), rh = reducedSize(h, reduction);
+    const int margin = silhouetteMargin(options);
+    std::vector<float> parts(whole.size(), 0.0f);
+    for (int y0 = 0; y0 < rh; y0 += 37)
+      for (int x0 = 0; x0 < rw; x0 += 23)
+      {
+        const int left = std::max(0, x0 - margin), low = std::max(0, y0 - margin);
+        const int right = std::min(w, (x0 + 23 + margin) * reduction);
+        const int top = std::min(h, (y0 + 37 + margin) * reduction);
+        DepthImage part = picture.image;
+        part.width = right - left * reduction;
+        part.height = top - low * reduction;
+        const std::ptrdiff_t first = std::ptrdiff_t(low) * reduction * w + left * reduction;
+        part.depth += first;
+        part.group += first;
+        part.depthStride = part.groupStride = w;
+        const PixelBox box = {
+          x0 - left, y0 - low, std::min(rw, x0 + 23) - left, std::min(rh, y0 + 37) - low};
+        findSilhouettes(part, options, box, parts.data() + std::ptrdiff_t(y0) * rw + x0, rw);
+      }
+    EXPECT_EQ(parts, whole) << reduction;
+  }
+}
