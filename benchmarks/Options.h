@@ -16,7 +16,8 @@ struct Options
   int repeat = 5;
   int width = 1024;
   int height = 1024;
-  std::string json;                ///< file for the records, or empty
+  std::vector<int> sizes = {512, 1024, 2048}; ///< sides of square images, where a suite takes many
+  std::string json;                           ///< file for the records, or empty
   bool allTables = false;          ///< print all of the suite's tables instead of one measurement
   std::vector<std::string> tables; ///< or these
   double lambda = 1.0;             ///< cells of a grid a particle, in [0.2, 5]

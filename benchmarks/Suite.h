@@ -23,6 +23,7 @@ struct Suite
   std::vector<Named> views; ///< none where no images are cast
   std::vector<Named> tables;
   std::string tablesInput; ///< that --tables takes where no other is named
+  bool squares = false;    ///< whether it reads --sizes, not --size
   bool bundles = false;    ///< whether it reads --packet
   bool raysOfHits = false; ///< whether it reads --rays
   bool volumes = false;    ///< whether it reads --step, --integrator and --lambda2, not --lambda

@@ -1,6 +1,7 @@
 #include "Suite.h"
 
 #include "hexahedra/HexSuite.h"
+#include "imaging/SilhouetteSuite.h"
 #include "particles/BuildSuite.h"
 #include "particles/FileSuite.h"
 #include "particles/GrowthSuite.h"
@@ -14,7 +15,7 @@ namespace mote::bench
 const std::vector<Suite>& suites()
 {
   static const std::vector<Suite> all = {particlesSuite(), occlusionSuite(), buildSuite(),
-    previewSuite(), growthSuite(), fileSuite(), hexahedraSuite()};
+    previewSuite(), growthSuite(), fileSuite(), silhouetteSuite(), hexahedraSuite()};
   return all;
 }
 

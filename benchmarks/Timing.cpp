@@ -65,6 +65,14 @@ std::size_t Race::fastest(std::size_t first, std::size_t count) const
   return best;
 }
 
+double Race::ratio(std::size_t place, std::size_t base) const
+{
+  std::vector<double> ratios;
+  for (std::size_t k = 0; k < seconds_[place].size(); ++k)
+    ratios.push_back(seconds_[place][k] / seconds_[base][k]);
+  return median(std::move(ratios));
+}
+
 double Race::least(std::size_t place) const
 {
   return *std::min_element(seconds_[place].begin(), seconds_[place].end());

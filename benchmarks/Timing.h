@@ -33,6 +33,9 @@ public:
   double seconds(std::size_t place) const { return median(seconds_[place]); }
   /// Which of `count` places from `first` on has the least median, counted from `first`.
   std::size_t fastest(std::size_t first, std::size_t count) const;
+  /// Median over the rounds of the seconds here over those at `base` in the same round: what else
+  /// the machine does falls on both.
+  double ratio(std::size_t place, std::size_t base) const;
   double least(std::size_t place) const;
   double most(std::size_t place) const;
 

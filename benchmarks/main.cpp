@@ -31,7 +31,14 @@ void addRayOptions(CLI::App& command, const Suite& suite, Options& options, std:
     command.add_option("--view", options.views, "Comma-separated; all unless given")
       ->delimiter(',')
       ->check(CLI::IsMember(names(suite.views)));
-    command.add_option("--size", size, "Pixels of an image, WIDTHxHEIGHT")->default_str(suite.size);
+    if (suite.squares)
+      command.add_option("--sizes", options.sizes, "Sides of square images, comma-separated")
+        ->delimiter(',')
+        ->check(CLI::Range(1, 8192))
+        ->capture_default_str();
+    else
+      command.add_option("--size", size, "Pixels of an image, WIDTHxHEIGHT")
+        ->default_str(suite.size);
   }
   if (suite.bundles)
     command

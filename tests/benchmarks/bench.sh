@@ -159,6 +159,21 @@ assert 0 < r['preview-250k']['wrongly_covered_share'] < 0.1
 END
     ;;
 
+  silhouettes) # the outline of a lone sphere is as long as it should be
+    keys="suite method input particles view size threads repeat step filter_ms frame_ms
+      frame_with_edges_ms frame_share covered_share"
+    silhouettes() { run 0 "$bench" silhouettes --repeat 1 --json a.json "$@"; }
+    silhouettes --input lattice:20000 --sizes 40,96 --threads 2
+    said out 'share of it'
+    records a.json "{(x['method'], x['view'], x['size']) for x in r} == {(m, v, s) for m in
+      ('published', 'default', 'graded') for v in ('far', 'near') for s in (40, 96)}"
+    records a.json "all(x['filter_ms'] > 0 and x['frame_ms'] > 0 and x['frame_share'] < 1 and
+      0.01 < x['covered_share'] < 0.7 for x in r)"
+    # The sphere's outline is 2.59 sides of the picture long, and a pixel wide.
+    silhouettes --input lattice:1 --sizes 96,200 --view far --methods default
+    records a.json "len(r) == 2 and all(abs(x['covered_share'] * x['size'] - 2.59) < 0.13 for x in r)"
+    ;;
+
   hexahedra) # the same picture through every structure, and VTK's mappers where there is a display
     keys="suite method integrator input view cells threads width height repeat fps build_s memory_mb
       references max_cells_per_leaf cells_visited nodes_visited step tolerance lambda2 rms_error
@@ -228,7 +243,7 @@ END
     failing --input lattice:10 --size 10
     failing --input lattice:10 --json nowhere/a.json
     said err nowhere
-    for suite in occlusion build preview; do
+    for suite in occlusion build preview silhouettes; do
       run 1 "$bench" $suite --input missing.dump
       last_is_sentence
       said err missing.dump
@@ -265,6 +280,11 @@ END
     misused build --input lattice:10 --methods none
     misused build --input lattice:10 --view far
     misused build --input lattice:10 --size 10x10
+    misused silhouettes
+    said err --input
+    misused silhouettes --input lattice:10 --sizes 0
+    misused silhouettes --input lattice:10 --size 10x10
+    misused silhouettes --input lattice:10 --methods none
     misused hexahedra
     said err --input
     misused hexahedra --input pump:0.001:inlet --integrator none

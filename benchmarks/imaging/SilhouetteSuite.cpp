@@ -1,0 +1,241 @@
+#include "SilhouetteSuite.h"
+
+#include "../Timing.h"
+#include "../particles/Comparison.h"
+#include "../particles/Views.h"
+
+#include <kernels/imaging/Silhouettes.h>
+#include <kernels/scene/RayCaster.h>
+
+#include <algorithm>
+
+namespace mote::bench
+{
+
+namespace
+{
+
+struct Method
+{
+  std::string name;
+  std::string summary;
+  SilhouetteOptions (*options)(double step); ///< `step` in world units
+};
+
+SilhouetteOptions standard(double step)
+{
+  SilhouetteOptions options;
+  options.step = step;
+  return options;
+}
+
+SilhouetteOptions published(double step)
+{
+  SilhouetteOptions options = standard(step);
+  options.stepInPixels = 0.0;
+  options.thickness = options.leastThickness = 1.0;
+  options.leastOpacity = 1.0;
+  options.centered = false;
+  return options;
+}
+
+SilhouetteOptions graded(double step)
+{
+  SilhouetteOptions options = standard(step);
+  options.thickness = 3.0;
+  options.leastThickness = 1.0;
+  options.leastOpacity = 0.2;
+  return options;
+}
+
+const std::vector<Method>& methods()
+{
+  static const std::vector<Method> all = {
+    {"published", "3x3 Laplacian and one threshold, one pixel wide on the far side", published},
+    {"default", "what is drawn unless told otherwise", standard},
+    {"graded", "grey and 1 to 3 pixels wide by the size of the step", graded}};
+  return all;
+}
+
+/// The depths of a film's first sample.
+DepthImage depthImageOf(const Film& film, const Camera& camera)
+{
+  const CameraRays rays(camera, film.width(), film.height());
+  DepthImage image;
+  image.width = film.width();
+  image.height = film.height();
+  image.depth = film.depth();
+  image.dx = glm::length(rays.dx);
+  image.dy = glm::length(rays.dy);
+  image.x0 = glm::dot(rays.d0, rays.dx) / image.dx;
+  image.y0 = glm::dot(rays.d0, rays.dy) / image.dy;
+  return image;
+}
+
+/// One view at one size: frames without edges, and with those of every method.
+class Frames
+{
+public:
+  Frames(const Scene& scene, const Camera& camera, int side, double step)
+    : scene_(scene)
+    , camera_(camera)
+    , side_(side)
+    , step_(step)
+  {
+    draw(nullptr);
+    edges_.resize(film_.pixels());
+  }
+
+  void enter(Race& race, const std::vector<Method>& chosen, int threads)
+  {
+    plain_ = race.add(threads, [this] { this->draw(nullptr); });
+    for (const Method& method : chosen)
+    {
+      frames_.push_back(race.add(threads, [this, &method] { this->draw(&method); }));
+      filters_.push_back(race.add(threads, [this, &method] { this->filter(method); }));
+    }
+  }
+
+  int side() const { return side_; }
+  double plain(const Race& race) const { return race.seconds(plain_); }
+  double frame(const Race& race, std::size_t k) const { return race.seconds(frames_[k]); }
+  double filterSeconds(const Race& race, std::size_t k) const { return race.seconds(filters_[k]); }
+  /// Edges' part of the whole frame: from each round, so that a slow round tells nothing.
+  double share(const Race& race, std::size_t k) const
+  {
+    return 1.0 - race.ratio(plain_, frames_[k]);
+  }
+
+  /// Share of the pixels that the edges of a method cover.
+  double covered(const Method& method)
+  {
+    draw(&method);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < film_.pixels(); ++i)
+      sum += edges_[i];
+    return sum / static_cast<double>(film_.pixels());
+  }
+
+private:
+  void draw(const Method* method)
+  {
+    film_.resize(side_, side_);
+    RayCaster(scene_).addSample(camera_, film_);
+    if (method != nullptr)
+      filter(*method);
+  }
+
+  /// The film holds a frame: whoever draws leaves the same depths.
+  void filter(const Method& method)
+  {
+    std::fill(edges_.begin(), edges_.end(), 0.0f);
+    findSilhouettes(depthImageOf(film_, camera_), method.options(step_), edges_.data());
+  }
+
+  const Scene& scene_;
+  Camera camera_;
+  int side_;
+  double step_;
+  Film film_;
+  std::vector<float> edges_;
+  std::size_t plain_ = 0;
+  std::vector<std::size_t> frames_, filters_; ///< places in the race, by method
+};
+
+/// Median over an even sample of the particles: what steps count in.
+double medianRadius(const ParticleInput& input)
+{
+  constexpr std::size_t most = 10'000;
+  const std::size_t stride = 1 + input.set.count() / most;
+  std::vector<double> radii;
+  for (std::size_t i = 0; i < input.set.count(); i += stride)
+    if (isValidParticle(input.set.position(i), input.set.radiusOf(i)))
+      radii.push_back(input.set.radiusOf(i));
+  return radii.empty() ? input.statistics.largestRadius : median(radii);
+}
+
+Scene sceneOf(const ParticleInput& input, const Options& options)
+{
+  progress("building the structure");
+  ParticleStructureOptions building;
+  building.coherentGrid.cellsPerParticle = options.lambda;
+  Scene scene;
+  scene.particles.resize(1);
+  scene.particles[0].structure = makeParticleStructure(input.set, building);
+  return scene;
+}
+
+/// Everything at one size: one view after another.
+void measureSize(const Scene& scene, const ParticleInput& input, const Options& options, int side,
+  Table& table, std::vector<Record>& records)
+{
+  const int threads = threadCount(options.threads);
+  const double step = medianRadius(input);
+  std::vector<Method> chosen;
+  for (const Method& method : methods())
+    if (isWanted(options, method.name))
+      chosen.push_back(method);
+  for (const View& view : viewsNamed(options.views))
+  {
+    progress("%d frames of %dx%d, view %s", options.repeat, side, side, view.name.c_str());
+    Frames frames(scene, cameraOf(view, input.statistics.bounds), side, step);
+    Race race;
+    frames.enter(race, chosen, threads);
+    race.run(options.repeat);
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+    {
+      const double plain = frames.plain(race), filter = frames.filterSeconds(race, k);
+      const double share = frames.share(race, k), covered = frames.covered(chosen[k]);
+      table.add({chosen[k].name, view.name, std::to_string(side), format("%.2f", 1e3 * filter),
+        format("%.1f", 1e3 * plain), format("%.1f", 1e3 * frames.frame(race, k)),
+        format("%.1f %%", 100.0 * share), format("%.1f %%", 100.0 * filter / plain),
+        format("%.1f %%", 100.0 * covered)});
+      records.push_back({{"suite", "silhouettes"}, {"method", chosen[k].name},
+        {"input", input.name}, {"particles", static_cast<std::int64_t>(input.statistics.valid)},
+        {"view", view.name}, {"size", std::int64_t{side}}, {"threads", std::int64_t{threads}},
+        {"repeat", std::int64_t{options.repeat}}, {"step", step}, {"filter_ms", 1e3 * filter},
+        {"frame_ms", 1e3 * plain}, {"frame_with_edges_ms", 1e3 * frames.frame(race, k)},
+        {"frame_share", share}, {"covered_share", covered}});
+    }
+  }
+}
+
+Report run(const Options& options)
+{
+  const ParticleInput input = inputOf(options);
+  const Scene scene = sceneOf(input, options);
+  Report report;
+  Section section{"", Table(2)};
+  section.table.add({"method", "view", "size", "filter ms", "frame ms", "with edges ms",
+    "share of it", "filter/frame", "covered"});
+  for (const int side : options.sizes)
+    measureSize(scene, input, options, side, section.table, report.records);
+  section.notes = {
+    "share of it: the edges' part of the frame with edges, the median over rounds in which frames "
+    "with and without take turns.",
+    "filter: finding the edges in the depths of a frame, alone. covered: by edges, of the picture.",
+    format("%zu particles (%s), frames of one ray a pixel with shading, step of one median radius, "
+           "%d threads, medians of %d rounds.",
+      input.statistics.valid, options.input.c_str(), threadCount(options.threads), options.repeat)};
+  report.sections.push_back(std::move(section));
+  return report;
+}
+
+} // namespace
+
+Suite silhouetteSuite()
+{
+  Suite suite;
+  suite.name = "silhouettes";
+  suite.summary = "edges in depth images: the filter alone, and its part of whole frames";
+  suite.inputs = particleInputs();
+  for (const Method& method : methods())
+    suite.methods.emplace_back(method.name, method.summary);
+  for (const View& view : views())
+    suite.views.emplace_back(view.name, view.summary);
+  suite.squares = true;
+  suite.run = run;
+  return suite;
+}
+
+} // namespace mote::bench
