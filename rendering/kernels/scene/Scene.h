@@ -3,6 +3,7 @@
 #include "../particles/ParticleStructure.h"
 #include "../shading/ColorMap.h"
 #include "../shading/Light.h"
+#include "../shading/OcclusionMaps.h"
 #include "Volume.h"
 
 #include <memory>
@@ -30,9 +31,13 @@ struct ParticleObject
   Mat4d toWorld{1.0}; ///< affine; spheres become ellipsoids where it scales unevenly
   ParticleColoring coloring;
   Material material;
+  /// By slot of the structure, or null. Local shading takes the ambient light from them in place of
+  /// rays; see OcclusionOptions for what has no map.
+  std::shared_ptr<const OcclusionMaps> occlusion;
 };
 
-/// Rays that find how much of an even sky the surfaces see; see docs/ambient-occlusion.md.
+/// Rays that find how much of an even sky the surfaces see, where no maps of the particles tell it;
+/// see docs/ambient-occlusion.md. Without such rays surfaces that no map knows see all of it.
 struct OcclusionOptions
 {
   static constexpr int mostRays = 4096;

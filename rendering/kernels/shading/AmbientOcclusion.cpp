@@ -43,15 +43,18 @@ void AmbientOcclusion::cast(Work& work) const
   work.packet.count = 0;
 }
 
-void AmbientOcclusion::darken(SurfaceBlock& block) const
+void AmbientOcclusion::findShares(const SurfaceBlock& block, float* shares, bool known) const
 {
   Work work;
   RayPacket& packet = work.packet;
   packet.count = 0;
   std::fill_n(work.open, block.count, 0);
   const double rounding = rays_.rounding(static_cast<std::size_t>(block.object));
+  const auto isWanted = [&](int i) { return !known || std::isnan(shares[i]); };
   for (int i = 0; i < block.count; ++i)
   {
+    if (!isWanted(i))
+      continue;
     const Vec3d position(block.position.x[i], block.position.y[i], block.position.z[i]);
     const Vec3d normal(block.normal.x[i], block.normal.y[i], block.normal.z[i]);
     const bool isOutside = block.side[i] > 0.0f;
@@ -76,12 +79,8 @@ void AmbientOcclusion::darken(SurfaceBlock& block) const
   }
   cast(work);
   for (int i = 0; i < block.count; ++i)
-  {
-    const float share = static_cast<float>(work.open[i]) / static_cast<float>(count_);
-    block.even.x[i] *= share;
-    block.even.y[i] *= share;
-    block.even.z[i] *= share;
-  }
+    if (isWanted(i))
+      shares[i] = static_cast<float>(work.open[i]) / static_cast<float>(count_);
 }
 
 } // namespace mote

@@ -22,9 +22,9 @@ public:
   /// For the options that the scene of `rays` has, and one sample of a film.
   AmbientOcclusion(const SceneRays& rays, int filmSample);
 
-  /// Multiplies the even light that the block has received so far by the open share of the sky.
-  /// Takes positions, normals, sides and seeds.
-  void darken(SurfaceBlock& block) const;
+  /// Finds the open share of the sky of the block's hits, or where `shares` knows some already of
+  /// those alone that are NaN there. Takes positions, normals, sides and seeds.
+  void findShares(const SurfaceBlock& block, float* shares, bool known) const;
 
 private:
   struct Work;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mote
 {
@@ -56,6 +57,7 @@ ParticleShader::ParticleShader(const ParticleObject& object)
     for (int row = 0; row < 3; ++row)
       largest = std::max(largest, std::abs(normals[column][row]));
   normalToWorld_ = glm::mat3(largest > 0.0 ? normals / largest : normals);
+  normalToLocal_ = glm::mat3(glm::transpose(linear) * (largest > 0.0 ? largest : 1.0));
 }
 
 void ParticleShader::gather(const RayBundle& local, std::int32_t index, const std::uint8_t* skipped,
@@ -179,7 +181,33 @@ void ParticleShader::shade(SurfaceBlock& block, const BundlePlacing& placing,
   const SceneLighting& lighting, bool indices) const
 {
   place(block, placing, needsPositions(object_.material, lighting), indices);
-  lightSurfaces(block, object_.material, lighting, placing.footprint);
+  if (!object_.occlusion || object_.material.ambient <= 0.0f)
+    return lightSurfaces(block, object_.material, lighting, placing.footprint);
+  float shares[SurfaceBlock::capacity];
+  lookUpShares(block, shares);
+  lightSurfaces(block, object_.material, lighting, placing.footprint, shares);
+}
+
+/// What the maps know; of spheres that are seen from within they know nothing.
+void ParticleShader::lookUpShares(const SurfaceBlock& block, float* shares) const
+{
+  const SurfaceBlock::Triple<float>* normals = &block.normal;
+  SurfaceBlock::Triple<float> local;
+  if (!isIdentity_)
+  {
+    for (int k = 0; k < block.count; ++k)
+    {
+      const Vec3f normal = glm::normalize(
+        normalToLocal_ * Vec3f(block.normal.x[k], block.normal.y[k], block.normal.z[k]));
+      local.x[k] = normal.x;
+      local.y[k] = normal.y;
+      local.z[k] = normal.z;
+    }
+    normals = &local;
+  }
+  object_.occlusion->lookUp(block.slot, normals->x, normals->y, normals->z, block.count, shares);
+  for (int k = 0; k < block.count; ++k)
+    shares[k] = block.side[k] > 0.0f ? shares[k] : std::numeric_limits<float>::quiet_NaN();
 }
 
 bool needsPositions(const Material& material, const SceneLighting& lighting)
@@ -190,11 +218,35 @@ bool needsPositions(const Material& material, const SceneLighting& lighting)
            { return light.shadows || light.samples.front().kind == Light::Kind::Point; });
 }
 
-void lightSurfaces(
-  SurfaceBlock& block, const Material& material, const SceneLighting& lighting, double footprint)
+namespace
 {
-  if (lighting.occlusion && material.ambient > 0.0f)
-    lighting.occlusion->darken(block);
+
+/// Multiplies the even light that the block has received so far by the open share of the sky.
+void darken(SurfaceBlock& block, const AmbientOcclusion* occlusion, float* shares)
+{
+  float found[SurfaceBlock::capacity];
+  const bool known = shares != nullptr;
+  if (!known)
+    shares = found;
+  if (occlusion)
+    occlusion->findShares(block, shares, known);
+  for (int k = 0; k < block.count; ++k)
+  {
+    const float share = std::isnan(shares[k]) ? 1.0f : shares[k];
+    block.even.x[k] *= share;
+    block.even.y[k] *= share;
+    block.even.z[k] *= share;
+  }
+}
+
+} // namespace
+
+void lightSurfaces(SurfaceBlock& block, const Material& material, const SceneLighting& lighting,
+  double footprint, float* shares)
+{
+  const AmbientOcclusion* occlusion = lighting.occlusion ? &*lighting.occlusion : nullptr;
+  if ((occlusion || shares) && material.ambient > 0.0f)
+    darken(block, occlusion, shares);
   for (const ShadedLight& light : lighting.lights)
     for (const LightSample& sample : light.samples)
     {

@@ -36,9 +36,10 @@ struct SceneLighting
 
 /// Lights a block that is placed: fills everything that is left. Positions must be filled where
 /// needsPositions() says so, seeds where the lighting has occlusion; `footprint` is as in
-/// ShadowCaster::remove().
-void lightSurfaces(
-  SurfaceBlock& block, const Material& material, const SceneLighting& lighting, double footprint);
+/// ShadowCaster::remove(). `shares` are open shares of the sky that maps tell, a hit each, NaN
+/// where they know nothing; null: where they know nothing of any. What is unknown is filled.
+void lightSurfaces(SurfaceBlock& block, const Material& material, const SceneLighting& lighting,
+  double footprint, float* shares = nullptr);
 bool needsPositions(const Material& material, const SceneLighting& lighting);
 
 /// Where the rays of a bundle run.
@@ -80,11 +81,13 @@ public:
   Vec3f normalAt(std::uint64_t slot, const Vec3d& local) const;
 
 private:
+  void lookUpShares(const SurfaceBlock& block, float* shares) const;
   void fillColors(const std::uint64_t* particles, int count, float (*colors)[4]) const;
   bool needsIndices() const;
 
   const ParticleObject& object_;
   glm::mat3 normalToWorld_{1.0f};
+  glm::mat3 normalToLocal_{1.0f}; ///< times any factor
   bool isIdentity_ = false;
 };
 
