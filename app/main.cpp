@@ -3,6 +3,7 @@
 
 #include "Average.h"
 #include "Convert.h"
+#include "Edges.h"
 #include "Failure.h"
 #include "Info.h"
 #include "Messages.h"
@@ -44,6 +45,7 @@ struct AllOptions
   InfoOptions info;
   ConvertOptions converting;
   AverageOptions averaging;
+  EdgesOptions edges;
   ProbeOptions probing;
 };
 
@@ -51,19 +53,19 @@ int run(CLI::App& app, const AllOptions& all)
 {
   const bool toRender = app.got_subcommand("render"), toInform = app.got_subcommand("info"),
              toConvert = app.got_subcommand("convert"), toAverage = app.got_subcommand("average"),
-             toProbe = app.got_subcommand("probe");
+             toProbe = app.got_subcommand("probe"), toDraw = app.got_subcommand("edges");
   const ViewOptions& view = toRender    ? all.rendering.view
                             : toInform  ? all.info.read
                             : toConvert ? all.converting.view
                             : toAverage ? all.averaging.view
                             : toProbe   ? all.probing.read
                                         : all.window.view;
-  if (view.files.empty())
+  if (view.files.empty() && !toDraw)
   {
     std::fprintf(stderr, "mote: no file given. Try: mote --help\n");
     return misused;
   }
-  const auto limit = limitThreads(view.threads);
+  const auto limit = limitThreads(toDraw ? all.edges.threads : view.threads);
   if (toRender)
     render(all.rendering);
   else if (toInform)
@@ -74,6 +76,8 @@ int run(CLI::App& app, const AllOptions& all)
     average(all.averaging);
   else if (toProbe)
     probe(all.probing);
+  else if (toDraw)
+    drawEdges(all.edges);
   else
     showWindow(all.window);
   // What stdout could not take, such as on a full disk, is only seen here.
@@ -108,6 +112,8 @@ int main(int argc, char** argv)
   addAverageOptions(
     command("average", "Average an array over circles about an axis: a table or a picture"),
     all.averaging);
+  addEdgesOptions(
+    command("edges", "Draw the silhouettes of a depth image, of any program's"), all.edges);
   addProbeOptions(command("probe", "List the values along a line"), all.probing);
   try
   {
