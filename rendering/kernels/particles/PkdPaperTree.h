@@ -5,6 +5,7 @@
 #include "../core/RawVector.h"
 #include "../core/RayBundle.h"
 #include "../core/RayPacket.h"
+#include "NearParticle.h"
 #include "ParticleRanges.h"
 #include "ParticleSet.h"
 #include "PkdTree.h"
@@ -80,6 +81,15 @@ public:
   /// threads. An empty function shows all again.
   void setVisibility(const std::function<bool(std::size_t slot)>& shown);
 
+  /// Whether visibility and ranges leave the particle at `slot` shown.
+  bool isShown(std::size_t slot) const
+  {
+    return shown_.empty() || (shown_[slot / 64] >> (slot % 64) & 1) != 0;
+  }
+  /// Adds to `found` the shown particles whose spheres come closer to `point`, in the input's
+  /// coordinates, than `distance`, in no special order. Thread-safe.
+  void findNear(const Vec3d& point, double distance, std::vector<NearParticle>& found) const;
+
   std::size_t size() const { return count_; }
   const ParticleStatistics& statistics() const { return statistics_; }
   const Vec3d& origin() const { return origin_; }
@@ -114,10 +124,6 @@ private:
     return std::bit_cast<float>(words_[slot * wordsAParticle_ + k]);
   }
   float storedRadius(std::size_t slot) const { return ownRadii_ ? number(slot, 3) : radius_; }
-  bool isShown(std::size_t slot) const
-  {
-    return shown_.empty() || (shown_[slot / 64] >> (slot % 64) & 1) != 0;
-  }
 
   ParticleStatistics statistics_;
   Vec3d origin_{0.0};

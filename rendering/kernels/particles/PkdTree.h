@@ -5,6 +5,7 @@
 #include "../core/RawVector.h"
 #include "../core/RayPacket.h"
 #include "../core/StoredArray.h"
+#include "NearParticle.h"
 #include "ParticleRanges.h"
 #include "ParticleSet.h"
 
@@ -123,6 +124,12 @@ public:
   /// Shows only the particles whose slots `shown` accepts, without a rebuild; called from several
   /// threads. An empty function shows all again.
   void setVisibility(const std::function<bool(std::size_t slot)>& shown);
+
+  /// Whether visibility and ranges leave the particle at `slot` shown.
+  bool isShown(std::size_t slot) const;
+  /// Adds to `found` the shown particles whose spheres come closer to `point`, in the input's
+  /// coordinates, than `distance`, in no special order. Thread-safe.
+  void findNear(const Vec3d& point, double distance, std::vector<NearParticle>& found) const;
 
   std::size_t size() const { return count_; }
   const ParticleStatistics& statistics() const { return statistics_; }

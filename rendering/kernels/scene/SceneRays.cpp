@@ -7,15 +7,6 @@
 namespace mote
 {
 
-namespace
-{
-
-/// Surfaces lie where they should to within this share of their object's longest side: float
-/// numbers relative to its middle, and a ray's formulas (tests/support/CastOracle.h).
-constexpr double floatError = 5e-7;
-
-} // namespace
-
 SceneRays::SceneRays(const Scene& scene, const Vec3d& reference)
   : scene_(scene)
   , reference_(reference)
@@ -24,7 +15,7 @@ SceneRays::SceneRays(const Scene& scene, const Vec3d& reference)
   {
     const Mat3d stretch(toWorld);
     rounding_.push_back(
-      floatError * std::max({size.x, size.y, size.z}) *
+      surfaceError * std::max({size.x, size.y, size.z}) *
       std::max({glm::length(stretch[0]), glm::length(stretch[1]), glm::length(stretch[2])}));
   };
   for (const ParticleObject& object : scene.particles)

@@ -134,7 +134,7 @@ std::uint8_t OcclusionMaps::encoded(float value) const
 
 float OcclusionMaps::decoded(float byte) const
 {
-  return maximum() / (255.0f * 255.0f) * byte * byte;
+  return maximum() * (byte * byte / (255.0f * 255.0f));
 }
 
 float OcclusionMaps::at(std::size_t particle, const Vec3f& normal) const
@@ -172,11 +172,14 @@ void OcclusionMaps::lookUp(const std::uint64_t* particles, const float* nx, cons
       // Beyond a pole lies the same row, half-way round.
       const bool beyond = r < 0 || r >= n;
       r = std::clamp(r, 0, n - 1);
-      return decoded(map[r * n + ((c + (beyond ? n / 2 : 0)) & (n - 1))]);
+      const float q = map[r * n + ((c + (beyond ? n / 2 : 0)) & (n - 1))];
+      return q * q;
     };
+    // Between equal numbers there is nothing but these numbers, to the last bit.
     const auto rowValue = [&](int r)
-    { return (1.0f - along) * texel(r, column) + along * texel(r, column + 1); };
-    values[i] = (1.0f - down) * rowValue(row) + down * rowValue(row + 1);
+    { return texel(r, column) + along * (texel(r, column + 1) - texel(r, column)); };
+    const float upper = rowValue(row), lower = rowValue(row + 1);
+    values[i] = maximum() * ((upper + down * (lower - upper)) / (255.0f * 255.0f));
   }
 }
 

@@ -66,21 +66,6 @@ Errors errorsOf(const Scene& scene, const Camera& camera, int size, const Wanted
   return errors;
 }
 
-/// The share of the sky that a sphere takes from a surface, also where it stands partly below its
-/// horizon: I. Quilez, "Sphere ambient occlusion" (2014), after the form factor of Snyder.
-double occlusionBySphere(const ScenePick& at, const Vec3d& center, double radius)
-{
-  const Vec3d way = center - at.position;
-  const double distance = glm::length(way), cosine = glm::dot(at.normal, way) / distance;
-  const double h2 = distance * distance / (radius * radius), k2 = 1.0 - h2 * cosine * cosine;
-  if (k2 <= 0.0 || h2 <= 1.0)
-    return std::max(0.0, cosine) / h2;
-  const double edge =
-    std::clamp(-cosine * std::sqrt((h2 - 1.0) / (1.0 - cosine * cosine)), -1., 1.);
-  const double part = cosine * std::acos(edge) - std::sqrt(k2 * (h2 - 1.0));
-  return (part / h2 + std::atan(std::sqrt(k2 / (h2 - 1.0)))) / M_PI;
-}
-
 /// Two spheres, and the open share of either.
 Scene pairOf(double radius, double otherRadius, double gap = 0.0)
 {
@@ -97,8 +82,8 @@ Wanted openBeside(double radius, double otherRadius, double gap = 0.0)
   return [=](const ScenePick& at)
   {
     const Vec3d other(radius + otherRadius + gap, 0.0, 0.0);
-    return 1.0 - (at.particle == 0 ? occlusionBySphere(at, other, otherRadius)
-                                   : occlusionBySphere(at, Vec3d(0.0), radius));
+    return 1.0 - (at.particle == 0 ? occlusionBySphere(at.position, at.normal, other, otherRadius)
+                                   : occlusionBySphere(at.position, at.normal, Vec3d(0.0), radius));
   };
 }
 

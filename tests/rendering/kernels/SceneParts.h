@@ -4,6 +4,9 @@
 
 #include <support/Particles.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace mote::testing
 {
 
@@ -24,6 +27,22 @@ inline Scene oneSphere(double radius = 1.0)
   Scene scene;
   scene.particles.push_back(objectOf(particles));
   return scene;
+}
+
+/// The share of the sky that a sphere takes from a surface, also where it stands partly below its
+/// horizon: I. Quilez, "Sphere ambient occlusion" (2014), after the form factor of Snyder.
+inline double occlusionBySphere(
+  const Vec3d& position, const Vec3d& normal, const Vec3d& center, double radius)
+{
+  const Vec3d way = center - position;
+  const double distance = glm::length(way), cosine = glm::dot(normal, way) / distance;
+  const double h2 = distance * distance / (radius * radius), k2 = 1.0 - h2 * cosine * cosine;
+  if (k2 <= 0.0 || h2 <= 1.0)
+    return std::max(0.0, cosine) / h2;
+  const double edge =
+    std::clamp(-cosine * std::sqrt((h2 - 1.0) / (1.0 - cosine * cosine)), -1., 1.);
+  const double part = cosine * std::acos(edge) - std::sqrt(k2 * (h2 - 1.0));
+  return (part / h2 + std::atan(std::sqrt(k2 / (h2 - 1.0)))) / M_PI;
 }
 
 } // namespace mote::testing
