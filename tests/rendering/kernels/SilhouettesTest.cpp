@@ -203,3 +203,97 @@ TEST(Silhouettes, ThreadsAndPartsMakeNoDifference)
     EXPECT_EQ(parts, whole) << reduction;
   }
 }
+
+TEST(Silhouettes, GroupsHaveALineOnTheFartherSide)
+{
+  // Three upright strips: groups 7, 3, 3, and nothing to the right.
+  const auto lineAt = [](float left, float right)
+  {
+    const int w = 40, h = 9;
+    Picture picture(w, h, [&](int x, int) { return x < 20 ? left : x < 35 ? right : nothing; });
+    std::vector<std::uint64_t> groups;
+    for (int i = 0; i < w * h; ++i)
+      groups.push_back(i % w < 20 ? 7 : i % w < 30 ? 3 : 3 + (i % w >= 35));
+    picture.image.group = groups.data();
+    SilhouetteOptions options = onPixels(5.0);
+    options.hulls = false;
+    const auto edges = picture.edges(options);
+    int line = -1;
+    for (int i = 0; i < w * h; ++i)
+      if (edges[i] != 0.0f)
+      {
+        EXPECT_EQ(edges[i], 1.0f);
+        EXPECT_TRUE(line < 0 || line == i % w);
+        line = i % w;
+      }
+    EXPECT_EQ(count(edges), h);
+    return line;
+  };
+  EXPECT_EQ(lineAt(10.0f, 10.0f), 19); // the larger group
+  EXPECT_EQ(lineAt(10.0f, 10.5f), 20); // the farther, with a step that is no edge
+  EXPECT_EQ(lineAt(10.5f, 10.0f), 19);
+  EXPECT_EQ(lineAt(10.0f, 30.0f), 20); // and with one that is
+}
+
+TEST(Silhouettes, LinesAreAsThickAndDarkAsTheirStep)
+{
+  SilhouetteOptions options;
+  options.stepInPixels = 0.0;
+  options.fullStep = 16.0;
+  // What a line covers across itself is its thickness times its opacity.
+  const auto across = [&](double step, bool upright)
+  {
+    const Picture picture(
+      41, 41, [&](int x, int y) { return (upright ? x : y) < 20 ? 5.0f : float(5.0 + step); });
+    const auto edges = picture.edges(options);
+    double sum = 0.0;
+    for (int k = 0; k < 41; ++k)
+      sum += edges[upright ? 20 * 41 + k : k * 41 + 20];
+    return sum;
+  };
+  for (const bool upright : {true, false})
+    for (const double thickness : {0.5, 1.0, 2.0, 3.5, 7.0})
+    {
+      options.thickness = options.leastThickness = thickness;
+      options.leastOpacity = 1.0;
+      EXPECT_NEAR(across(2.0, upright), thickness, 1e-5);
+      EXPECT_NEAR(across(1e9, upright), thickness, 1e-5);
+      options.leastOpacity = 0.2;
+      EXPECT_NEAR(across(1.0001, upright), 0.2 * thickness, 1e-3 * thickness);
+      EXPECT_NEAR(across(4.0, upright), 0.6 * thickness, 1e-5); // half of the way to 16
+      EXPECT_NEAR(across(16.0, upright), thickness, 1e-5);
+    }
+  options.leastThickness = 1.0;
+  options.thickness = 4.0;
+  options.leastOpacity = 1.0;
+  EXPECT_NEAR(across(1.0001, true), 1.0, 1e-5);
+  EXPECT_NEAR(across(16.0, true), 4.0, 1e-5);
+  EXPECT_NEAR(across(4.0, true), 2.5, 3.0 / 15); // in sixteen steps
+}
+
+TEST(Silhouettes, WeakerEdgesDoNotEraseStrongerOnes)
+{
+  const Picture picture(30, 5, [](int x, int) { return x < 15 ? 1.0f : 9.0f; });
+  std::vector<float> edges(150, 0.75f);
+  SilhouetteOptions options;
+  findSilhouettes(picture.image, options, edges.data());
+  EXPECT_EQ(edges[2 * 30 + 15], 0.75f); // 0.5 of the line
+  EXPECT_EQ(edges[2 * 30 + 3], 0.75f);
+}
+
+TEST(Silhouettes, FootprintsLimitTheStepByDistance)
+{
+  // Steps of 2 units; a pixel is 0.01 of the distance wide.
+  for (const double distance : {50.0, 99.0, 101.0, 500.0})
+  {
+    Picture picture(
+      32, 32, [&](int x, int) { return static_cast<float>(x < 16 ? distance - 2.0 : distance); });
+    picture.image.pixelSize = 0.0;
+    picture.image.dx = picture.image.dy = 0.01;
+    picture.image.x0 = picture.image.y0 = -0.16;
+    picture.image.alongRays = true;
+    SilhouetteOptions options = onPixels(0.5);
+    options.stepInPixels = 2.0;
+    EXPECT_EQ(count(picture.edges(options)), distance < 100.0 ? 32 : 0) << distance;
+  }
+}
