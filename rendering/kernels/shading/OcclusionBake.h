@@ -73,4 +73,14 @@ OcclusionMaps bakeOcclusion(const ParticleStructure& structure,
 /// The reach that the options mean, in the particles' unit of length.
 double occlusionReach(const ParticleStructure& structure, const OcclusionBakeOptions& options);
 
+/// Which particles are shown, a bit a slot, the first lowest.
+std::vector<std::uint64_t> shownBits(const ParticleStructure& structure);
+
+/// What of the maps still holds after a change of what is shown, baked with `reach`: particles are
+/// NotBaked that have one within reach whose bit in `shownBefore`, the shownBits() then, differs
+/// from now, and a few beside them. Baked anew with the answer as what is known, they are as if all
+/// had been baked. Hidden particles keep their maps. Throws Error where sizes do not fit.
+OcclusionMaps stillValid(const OcclusionMaps& maps, const ParticleStructure& structure,
+  const std::vector<std::uint64_t>& shownBefore, double reach);
+
 } // namespace mote

@@ -230,6 +230,11 @@ OcclusionMaps OcclusionMaps::updated(const OcclusionMaps& newer) const
   return maps;
 }
 
+OcclusionMaps OcclusionMaps::without(const std::function<bool(std::size_t particle)>& forgets) const
+{
+  return gathered(count_, [&](std::size_t k) { return isBaked(k) && forgets(k) ? count_ : k; });
+}
+
 OcclusionMaps OcclusionMaps::inInputOrder(
   const ParticleStructure& structure, std::size_t inputs) const
 {

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -117,6 +118,9 @@ public:
   /// These maps with what `newer` knows in place of what they knew. Throws Error where the numbers
   /// of particles or the skies differ.
   OcclusionMaps updated(const OcclusionMaps& newer) const;
+
+  /// These maps less those of particles that `forgets` accepts; called from several threads.
+  OcclusionMaps without(const std::function<bool(std::size_t particle)>& forgets) const;
 
   /// The maps that stand by slot of `structure`, by index of the input, `inputs` particles. What
   /// the structure has left out is NotBaked. Throws Error where the structure has another number of

@@ -40,6 +40,15 @@ OcclusionMaps baked(const Particles& particles, const OcclusionBakeOptions& opti
     .inInputOrder(*structure, particles.size());
 }
 
+bool isSame(const OcclusionMaps& a, const OcclusionMaps& b)
+{
+  for (std::size_t k = 0; k < a.size(); ++k)
+    if (a.level(k) != b.level(k))
+      return false;
+  return a.size() == b.size() &&
+         std::equal(a.texels().begin(), a.texels().end(), b.texels().begin(), b.texels().end());
+}
+
 OcclusionBakeOptions fullMaps(int side, int samples, double reach = infinity)
 {
   OcclusionBakeOptions options;
@@ -177,4 +186,35 @@ TEST(OcclusionBake, ErrorFallsAtLeastAsTheRootOfTheRays)
     EXPECT_LE(std::sqrt(std::max(0.0, error * error - 2e-6)), 0.5 * before);
     before = error;
   }
+}
+
+TEST(OcclusionBake, AfterAChangeOnlyWhatItReachesIsBakedAnew)
+{
+  const Particles particles = randomParticles(800, 704, 0.02, 0.06);
+  for (const auto kind : kinds)
+    for (const double reach : {0.15, 5.0, infinity})
+    {
+      const auto structure = structureOf(particles, kind);
+      const auto show = [&](double most)
+      {
+        ParticleRanges ranges;
+        ranges.upper[0] = most;
+        std::visit([&](auto& s) { s.setRanges(ranges); }, *structure);
+      };
+      OcclusionBakeOptions options = fullMaps(4, 20, reach);
+      show(0.5);
+      const OcclusionMaps before = bakeOcclusion(*structure, options);
+      const auto shownBefore = shownBits(*structure);
+      EXPECT_TRUE(isSame(before, stillValid(before, *structure, shownBefore, reach)));
+      show(0.7);
+      const OcclusionMaps kept = stillValid(before, *structure, shownBefore, reach);
+      OcclusionBakeStatistics statistics;
+      const OcclusionMaps after = bakeOcclusion(*structure, options, {}, &statistics, &kept);
+      EXPECT_TRUE(isSame(after, bakeOcclusion(*structure, options)));
+      if (reach < 1.0)
+        EXPECT_LT(statistics.particles, 350u); // of 680, 160 of them within reach of the change
+      else
+        EXPECT_GT(statistics.particles, 600u);
+      EXPECT_THROW(stillValid(before, *structure, {}, reach), Error);
+    }
 }
