@@ -28,6 +28,14 @@ struct Options
   std::string integrator = "trilinear";
   double lambda2 = 4.0; ///< leaves per reference of a macro cell of a two-level grid
 
+  std::string structure = "auto"; ///< over the particles
+  int frameWidth = 1024;          ///< of frames whose speed is compared, not their picture
+  int frameHeight = 1024;
+  int referenceRays = 4096;   ///< a hit of a reference picture
+  int samples = 49;           ///< rays a texel of a map
+  double reach = 0.0;         ///< of the rays of ambient occlusion; 0: a tenth of the longest side
+  std::string baked = "auto"; ///< which particles: auto, seen or all
+
   bool wantsTables() const { return allTables || !tables.empty(); }
 };
 

@@ -1,5 +1,6 @@
 #include "Suite.h"
 
+#include "ambient/AmbientSuite.h"
 #include "hexahedra/HexSuite.h"
 #include "imaging/SilhouetteSuite.h"
 #include "particles/BuildSuite.h"
@@ -15,7 +16,8 @@ namespace mote::bench
 const std::vector<Suite>& suites()
 {
   static const std::vector<Suite> all = {particlesSuite(), occlusionSuite(), buildSuite(),
-    previewSuite(), growthSuite(), fileSuite(), silhouetteSuite(), hexahedraSuite()};
+    previewSuite(), growthSuite(), fileSuite(), silhouetteSuite(), ambientSuite(),
+    hexahedraSuite()};
   return all;
 }
 

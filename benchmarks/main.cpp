@@ -3,6 +3,7 @@
 #include "Suite.h"
 
 #include <kernels/core/Error.h>
+#include <kernels/particles/ParticleStructure.h>
 
 #include <CLI/CLI.hpp>
 
@@ -23,8 +24,14 @@ std::vector<std::string> names(const std::vector<Named>& entries)
   return out;
 }
 
+/// Sizes of images as they were typed.
+struct Sizes
+{
+  std::string image, frame;
+};
+
 /// What concerns the rays that are cast.
-void addRayOptions(CLI::App& command, const Suite& suite, Options& options, std::string& size)
+void addRayOptions(CLI::App& command, const Suite& suite, Options& options, Sizes& sizes)
 {
   if (!suite.views.empty())
   {
@@ -37,7 +44,7 @@ void addRayOptions(CLI::App& command, const Suite& suite, Options& options, std:
         ->check(CLI::Range(1, 8192))
         ->capture_default_str();
     else
-      command.add_option("--size", size, "Pixels of an image, WIDTHxHEIGHT")
+      command.add_option("--size", sizes.image, "Pixels of an image, WIDTHxHEIGHT")
         ->default_str(suite.size);
   }
   if (suite.bundles)
@@ -75,7 +82,33 @@ void addVolumeOptions(CLI::App& command, Options& options)
     ->capture_default_str();
 }
 
-void addOptions(CLI::App& command, const Suite& suite, Options& options, std::string& size)
+/// What concerns ambient occlusion, live and baked.
+void addMapOptions(CLI::App& command, Options& options, Sizes& sizes)
+{
+  command
+    .add_option("--frame-size", sizes.frame, "Pixels of the frames that look-ups are timed in")
+    ->default_str("1024x1024");
+  command.add_option("--structure", options.structure, "Over the particles, for rays and maps")
+    ->check(CLI::IsMember(mote::particleStructureNames()));
+  command.add_option("--reference-rays", options.referenceRays, "A hit of the reference pictures")
+    ->check(CLI::Range(4, 16384))
+    ->capture_default_str();
+  command.add_option("--samples", options.samples, "Rays a texel")
+    ->check(CLI::Range(1, 4096))
+    ->capture_default_str();
+  command
+    .add_option("--reach", options.reach,
+      "How far rays go, in units of the input; 0: a tenth of its longest side")
+    ->check(CLI::NonNegativeNumber)
+    ->capture_default_str();
+  command
+    .add_option("--bake", options.baked,
+      "Which particles: all, those seen in the pictures, or all of a small input")
+    ->check(CLI::IsMember({"auto", "all", "seen"}))
+    ->capture_default_str();
+}
+
+void addOptions(CLI::App& command, const Suite& suite, Options& options, Sizes& sizes)
 {
   command.add_option("--input", options.input, "What is measured on; see the list of inputs below")
     ->type_name("SPEC");
@@ -83,13 +116,15 @@ void addOptions(CLI::App& command, const Suite& suite, Options& options, std::st
     command.add_option("--methods", options.methods, "Comma-separated; all unless given")
       ->delimiter(',')
       ->check(CLI::IsMember(names(suite.methods)));
-  addRayOptions(command, suite, options, size);
+  addRayOptions(command, suite, options, sizes);
   command.add_option("--threads", options.threads, "0: as many as the machine has")
     ->check(CLI::Range(0, 4096))
     ->capture_default_str();
   command.add_option("--repeat", options.repeat, "Rounds over all methods; medians are given")
     ->check(CLI::Range(1, 1000))
     ->capture_default_str();
+  if (suite.maps)
+    addMapOptions(command, options, sizes);
   if (suite.volumes)
     addVolumeOptions(command, options);
   else if (!suite.methods.empty())
@@ -107,14 +142,13 @@ void addOptions(CLI::App& command, const Suite& suite, Options& options, std::st
   command.footer("\n" + describe(suite));
 }
 
-void parseSize(const std::string& text, Options& options)
+void parseSize(const char* option, const std::string& text, int& width, int& height)
 {
   char rest = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%c", &options.width, &options.height, &rest) != 2 ||
-      std::min(options.width, options.height) < 1 ||
-      std::max(options.width, options.height) > 32768)
-    throw mote::Error(
-      "--size wants WIDTHxHEIGHT in pixels, each from 1 to 32768, not \"" + text + "\".");
+  if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 ||
+      std::min(width, height) < 1 || std::max(width, height) > 32768)
+    throw mote::Error(std::string(option) +
+                      " wants WIDTHxHEIGHT in pixels, each from 1 to 32768, not \"" + text + "\".");
 }
 
 void runSuite(const Suite& suite, const Options& options)
@@ -147,16 +181,19 @@ int main(int argc, char** argv)
                "reference in double and long double.");
   app.require_subcommand(1);
   Options options;
-  std::string size;
+  Sizes sizes;
   std::string footer = "\n";
   for (const Suite& suite : suites())
   {
     CLI::App* command = app.add_subcommand(suite.name, suite.summary);
-    addOptions(*command, suite, options, size);
+    addOptions(*command, suite, options, sizes);
     command->callback(
-      [&suite, &options, &size, command]
+      [&suite, &options, &sizes, command]
       {
-        parseSize(size.empty() ? suite.size : size, options);
+        parseSize(
+          "--size", sizes.image.empty() ? suite.size : sizes.image, options.width, options.height);
+        if (!sizes.frame.empty())
+          parseSize("--frame-size", sizes.frame, options.frameWidth, options.frameHeight);
         std::erase(options.tables, ""); // what --tables without a name leaves
         if (!suite.tables.empty())
           options.allTables = command->count("--tables") > 0 && options.tables.empty();

@@ -1,4 +1,4 @@
-#include "EmbreeSpheres.h"
+#include "EmbreeOcclusion.h"
 #include "ParticleMethod.h"
 
 #include <algorithm>
@@ -80,52 +80,9 @@ struct Block
   }
 };
 
-/// Writes `size` rays of a packet from `first` on; those past its end are passed over.
-template <int size>
-void fillRays(const OcclusionRays::Packet& packet, int first, float reach, RTCRayNt<size>& rays)
-{
-  const auto copy = [&](const float* from, float* to) { std::copy_n(from + first, size, to); };
-  copy(packet.origin32[0], rays.org_x);
-  copy(packet.origin32[1], rays.org_y);
-  copy(packet.origin32[2], rays.org_z);
-  copy(packet.direction32[0], rays.dir_x);
-  copy(packet.direction32[1], rays.dir_y);
-  copy(packet.direction32[2], rays.dir_z);
-  for (int i = 0; i < size; ++i)
-  {
-    const bool used = first + i < packet.count;
-    rays.tnear[i] = used ? 0.0f : infinity;
-    rays.tfar[i] = used ? reach : -infinity;
-    rays.time[i] = 0.0f;
-    rays.mask[i] = ~0u;
-    rays.id[i] = rays.flags[i] = 0;
-  }
-}
-
-RTCRay singleRay(const OcclusionRays::Packet& packet, int i, float reach)
-{
-  const auto &o = packet.origin32, &d = packet.direction32;
-  return {o[0][i], o[1][i], o[2][i], 0.0f, d[0][i], d[1][i], d[2][i], 0.0f, reach, ~0u, 0, 0};
-}
-
-/// Bits of the rays that Embree has found something on: their tfar has become -infinity.
-template <typename FarEnd>
-std::uint64_t occludedBits(const OcclusionRays::Packet& packet, const FarEnd& tfar)
-{
-  std::uint64_t bits = 0;
-  for (int i = 0; i < packet.count; ++i)
-    bits |= std::uint64_t{tfar(i) < 0.0f} << i;
-  return bits;
-}
-
 RTCIntersectContext coherentContext()
 {
   return embreeContext(RTC_INTERSECT_CONTEXT_FLAG_COHERENT);
-}
-
-RTCIntersectContext incoherentContext()
-{
-  return embreeContext(RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT);
 }
 
 class EmbreeMethod : public ParticleMethod
@@ -163,20 +120,24 @@ public:
     }
   }
 
-  std::vector<std::string> occlusionModes() const override
-  {
-    return {"single", "packet 16", "stream 64", "ray stream 64"};
-  }
+  std::vector<std::string> occlusionModes() const override { return embreeOcclusionModes(); }
 
   void occlude(
     std::size_t mode, const OcclusionRays& rays, OcclusionAnswers& answers) const override
   {
-    using Occlude = std::uint64_t (EmbreeMethod::*)(const OcclusionRays::Packet&, float) const;
-    static constexpr Occlude all[] = {&EmbreeMethod::occludeSingle, &EmbreeMethod::occludePackets,
-      &EmbreeMethod::occludeStream, &EmbreeMethod::occludeRayStream};
-    const auto reach = static_cast<float>(rays.reach);
     forPackets(rays, answers,
-      [&](const OcclusionRays::Packet& packet) { return (this->*all[mode])(packet, reach); });
+      [&](const OcclusionRays::Packet& packet)
+      {
+        EmbreeRays asked;
+        asked.count = packet.count;
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          asked.origin[k] = packet.origin32[k];
+          asked.direction[k] = packet.direction32[k];
+        }
+        asked.reach = static_cast<float>(rays.reach);
+        return embreeOccluded(mode, spheres_.scene(), RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT, asked);
+      });
   }
 
 private:
@@ -230,58 +191,6 @@ private:
           Block<SIDE>::size, 1, sizeof(block.rays));
         block.keep(x0, y0, image);
       });
-  }
-
-  std::uint64_t occludeSingle(const OcclusionRays::Packet& packet, float reach) const
-  {
-    RTCIntersectContext context = incoherentContext();
-    return occludedBits(packet,
-      [&](int i)
-      {
-        RTCRay ray = singleRay(packet, i, reach);
-        rtcOccluded1(spheres_.scene(), &context, &ray);
-        return ray.tfar;
-      });
-  }
-
-  std::uint64_t occludePackets(const OcclusionRays::Packet& packet, float reach) const
-  {
-    constexpr int size = 16;
-    static_assert(sizeof(RTCRayNt<size>) == sizeof(RTCRay16));
-    RTCIntersectContext context = incoherentContext();
-    alignas(64) RTCRayNt<size> rays[OcclusionRays::packetRays / size];
-    for (int first = 0; first < packet.count; first += size)
-    {
-      RTCRayNt<size>& part = rays[first / size];
-      fillRays(packet, first, reach, part);
-      alignas(64) int valid[size];
-      for (int i = 0; i < size; ++i)
-        valid[i] = first + i < packet.count ? -1 : 0;
-      rtcOccluded16(valid, spheres_.scene(), &context, reinterpret_cast<RTCRay16*>(&part));
-    }
-    return occludedBits(packet, [&](int i) { return rays[i / size].tfar[i % size]; });
-  }
-
-  std::uint64_t occludeStream(const OcclusionRays::Packet& packet, float reach) const
-  {
-    constexpr int size = OcclusionRays::packetRays;
-    RTCIntersectContext context = incoherentContext();
-    alignas(64) RTCRayNt<size> rays;
-    fillRays(packet, 0, reach, rays);
-    rtcOccludedNM(
-      spheres_.scene(), &context, reinterpret_cast<RTCRayN*>(&rays), size, 1, sizeof(rays));
-    return occludedBits(packet, [&](int i) { return rays.tfar[i]; });
-  }
-
-  std::uint64_t occludeRayStream(const OcclusionRays::Packet& packet, float reach) const
-  {
-    RTCIntersectContext context = incoherentContext();
-    RTCRay rays[OcclusionRays::packetRays];
-    for (int i = 0; i < packet.count; ++i)
-      rays[i] = singleRay(packet, i, reach);
-    rtcOccluded1M(
-      spheres_.scene(), &context, rays, static_cast<unsigned>(packet.count), sizeof(RTCRay));
-    return occludedBits(packet, [&](int i) { return rays[i].tfar; });
   }
 
   EmbreeSpheres spheres_;

@@ -174,6 +174,58 @@ END
     records a.json "len(r) == 2 and all(abs(x['covered_share'] * x['size'] - 2.59) < 0.13 for x in r)"
     ;;
 
+  ambient) # more rays, more texels and more samples are nearer to the reference
+    keys="suite table method input particles view width height threads repeat reach samples baked
+      mode"
+    errors="suite mrays_per_s seconds bytes_per_particle bytes_per_baked_particle baked_particles"
+    errors+=" rays frame_s frame_without_s rms_error max_error checked_pixels reference_error"
+    ambient() {
+      run 0 "$bench" ambient --size 64x64 --frame-size 48x32 --reference-rays 256 --repeat 1 \
+        --structure pkd-tree --json a.json "$@"
+    }
+    of="{m: [x for x in r if x['method'] == m and x['table'] == 'errors']
+      for m in {x['method'] for x in r}}"
+    error() { echo "(lambda e: e('$1', '$2'))(lambda m, v: next(x for x in r if x['table'] == 'errors'
+      and x['method'] == m and x['view'] == v)['rms_error'])"; }
+    ambient --input lattice:20000 --samples 9 --threads 2 --methods "live-1,live-4,live-16,baked-1x1,$(
+      )baked-8x8,baked-8x8-undilated,baked-16x16,baked-adaptive,baked-embree,baked-adaptive-embree"
+    said out 'Error against time'
+    said out 'Looking up'
+    records a.json "all(set('$errors'.split()) <= set(x) and x['width'] == 64 for x in r
+      if x['table'] == 'errors')"
+    records a.json "(lambda of: len(of) == 10 and all(len({x['view'] for x in v}) == len(v) == 2
+      for v in of.values()))($of)"
+    records a.json "all(x['particles'] == 19683 and x['baked'] == 'seen' and x['reach'] > 0.1 for x in r)"
+    records a.json "all(3000 < x['checked_pixels'] <= 4096 and 0 < x['reference_error'] < 0.02 and
+      0 < x['rms_error'] < x['max_error'] <= 1 and x['seconds'] > 0 and x['rays'] > 3000 for x in r
+      if x['table'] == 'errors')"
+    for view in far near; do
+      records a.json "$(error live-1 $view) > 2 * $(error live-4 $view) > 4 * $(error live-16 $view)"
+      # The same rays, whoever answers them.
+      for kind in 16x16 adaptive; do
+        embree=baked-embree
+        [ $kind = adaptive ] && embree=baked-adaptive-embree
+        records a.json "abs($(error baked-$kind $view) - $(error $embree $view)) < 0.005"
+      done
+    done
+    records a.json "all(x['bytes_per_baked_particle'] == (1 + 64 if '8x8' in x['method'] else 257)
+      for x in r if x['table'] == 'errors' and x['method'] in ('baked-8x8', 'baked-16x16', 'baked-embree'))"
+    records a.json "{x['method'] for x in r if x['table'] == 'embree'} ==
+      {'baked-embree', 'baked-adaptive-embree'}"
+    records a.json "all(x['times_embree'] > 0 and x['race_threads'] == 2 for x in r
+      if x['table'] == 'embree')"
+    records a.json "all(x['frame_cost'] > -1 and (x['width'], x['height']) == (48, 32) for x in r
+      if x['table'] == 'look-up') and len([x for x in r if x['table'] == 'look-up']) == 8"
+    mv a.json few.json
+    ambient --input lattice:20000 --samples 49 --methods baked-16x16 --view far
+    records a.json "r[0]['rms_error'] < 0.6 * next(x for x in json.load(open('few.json'))
+      if x['method'] == 'baked-16x16')['rms_error']"
+    ambient --input lattice:1 --samples 16 # nothing is in the way
+    records a.json "all(x['rms_error'] < 1e-6 and x['baked'] == 'all' for x in r if x['table'] == 'errors')"
+    records a.json "all(x['baked_particles'] == 1 for x in r if 'baked-' in x['method'] and
+      x['table'] == 'errors')"
+    ;;
+
   hexahedra) # the same picture through every structure, and VTK's mappers where there is a display
     keys="suite method integrator input view cells threads width height repeat fps build_s memory_mb
       references max_cells_per_leaf cells_visited nodes_visited step tolerance lambda2 rms_error
@@ -241,9 +293,11 @@ END
     failing --input lattice:99999999999999
     failing --input lattice:10 --size 0x10
     failing --input lattice:10 --size 10
+    run 1 "$bench" ambient --input lattice:10 --frame-size 10
+    said err '--frame-size wants'
     failing --input lattice:10 --json nowhere/a.json
     said err nowhere
-    for suite in occlusion build preview silhouettes; do
+    for suite in occlusion build preview silhouettes ambient; do
       run 1 "$bench" $suite --input missing.dump
       last_is_sentence
       said err missing.dump
@@ -285,6 +339,13 @@ END
     misused silhouettes --input lattice:10 --sizes 0
     misused silhouettes --input lattice:10 --size 10x10
     misused silhouettes --input lattice:10 --methods none
+    misused ambient
+    said err --input
+    misused ambient --input lattice:10 --methods baked-3x3
+    misused ambient --input lattice:10 --structure heap
+    misused ambient --input lattice:10 --bake some
+    misused ambient --input lattice:10 --reference-rays 0
+    misused ambient --input lattice:10 --reach -1
     misused hexahedra
     said err --input
     misused hexahedra --input pump:0.001:inlet --integrator none
