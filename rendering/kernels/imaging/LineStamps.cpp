@@ -1,78 +1,244 @@
-#include "LineStamps.h"
+// What lines cover, pixel by pixel, compiled once for every SIMD instruction set.
 
-#include "SilhouetteRows.h"
+#include "LineStamps.h"
 
 #include <algorithm>
 #include <cmath>
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "imaging/LineStamps.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace mote
+{
+namespace HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using DB = hn::CappedTag<std::uint8_t, 64>;
+using VB = hn::Vec<DB>;
+
+/// Whether some of the columns [x - reach, x + lanes + reach) of a row has an edge.
+HWY_INLINE bool hasEdges(const std::uint8_t* code, int x, int reach)
+{
+  const DB d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  VB all = hn::And(hn::LoadU(d, code + x - reach), hn::LoadU(d, code + x + reach));
+  for (int i = x - reach + lanes; i < x + reach; i += lanes)
+    all = hn::And(all, hn::LoadU(d, code + i));
+  return !hn::AllTrue(d, hn::Eq(all, hn::Set(d, EdgeRow::none)));
+}
+
+/// p / 254 for products of bytes, the factor 254 exactly: p / 254 = (p + p / 127) / 256, of which
+/// the parts of p / 127 lose less than 2 by rounding.
+constexpr unsigned rest = 2;
+
+#if HWY_TARGET == HWY_SCALAR
+
+HWY_INLINE VB product(VB a, VB b)
+{
+  const unsigned p = unsigned(hn::GetLane(a)) * hn::GetLane(b);
+  return hn::Set(DB(), static_cast<std::uint8_t>((p + (p >> 7) + (p >> 14) + rest) >> 8));
+}
+
+HWY_INLINE VB lookUp(const std::uint8_t* table, VB code)
+{
+  const std::uint8_t place = hn::GetLane(code);
+  return hn::Set(DB(), place < EdgeRow::directions ? table[place] : std::uint8_t(0));
+}
+
+#else
+
+HWY_INLINE VB product(VB a, VB b)
+{
+  const DB d;
+  const hn::Repartition<std::uint16_t, DB> wide;
+  const auto a16 = hn::BitCast(wide, a), b16 = hn::BitCast(wide, b);
+  const auto low = hn::Set(wide, std::uint16_t(0xff));
+  const auto share = [&](auto p)
+  {
+    const auto part = hn::Add(hn::ShiftRight<7>(p), hn::ShiftRight<14>(p));
+    return hn::ShiftRight<8>(hn::Add(p, hn::Add(part, hn::Set(wide, std::uint16_t(rest)))));
+  };
+  const auto even = share(hn::Mul(hn::And(a16, low), hn::And(b16, low)));
+  const auto odd = share(hn::Mul(hn::ShiftRight<8>(a16), hn::ShiftRight<8>(b16)));
+  return hn::BitCast(d, hn::Or(hn::ShiftLeft<8>(odd), even));
+}
+
+/// 0 for codes with the highest bit.
+HWY_INLINE VB lookUp(const std::uint8_t* table, VB code)
+{
+  return hn::TableLookupBytesOr0(hn::LoadDup128(DB(), table), code);
+}
+
+#endif
+
+/// Adds the larger of what is there and the coverage of the pixels x and following.
+HWY_INLINE void addCoverage(VB cover, int count, float* out)
+{
+  const DB d;
+  alignas(64) std::uint8_t bytes[64];
+  hn::Store(cover, d, bytes);
+  const hn::CappedTag<float, 16> df;
+  const hn::Rebind<std::int32_t, decltype(df)> di;
+  const hn::Rebind<std::uint8_t, decltype(df)> db;
+  const int lanes = static_cast<int>(hn::Lanes(df));
+  const auto unit = hn::Set(df, 1.0f / EdgeRow::opaque);
+  int i = 0;
+  for (; i + lanes <= count; i += lanes)
+  {
+    const auto value =
+      hn::Mul(hn::ConvertTo(df, hn::PromoteTo(di, hn::LoadU(db, bytes + i))), unit);
+    hn::StoreU(hn::Max(value, hn::LoadU(df, out + i)), df, out + i);
+  }
+  for (; i < count; ++i)
+    out[i] = std::max(out[i], static_cast<float>(bytes[i]) * (1.0f / EdgeRow::opaque));
+}
+
+/// The rows that reach into one, from `first` on.
+struct RowsAround
+{
+  std::vector<EdgeRow> rows;
+  int first;
+};
+
+/// What they cover of the pixels at x and following.
+HWY_INLINE VB coverageAt(
+  const RowsAround& around, const LineStamps& stamps, bool opacities, int y, int x)
+{
+  const DB d;
+  const bool graded = stamps.levels().size() > 1;
+  const VB round = hn::Set(d, EdgeRow::round);
+  VB sum = hn::Zero(d);
+  for (std::size_t level = 0; level < stamps.levels().size(); ++level)
+    for (const StampPixel& pixel : stamps.levels()[level])
+    {
+      const int row = y - pixel.y - around.first;
+      if (row < 0 || row >= static_cast<int>(around.rows.size()))
+        continue;
+      const EdgeRow& from = around.rows[row];
+      const std::ptrdiff_t at = x - pixel.x;
+      const VB code = hn::LoadU(d, from.code + at);
+      VB value = hn::Or(lookUp(pixel.coverage, code),
+        hn::IfThenElseZero(hn::Eq(code, round), hn::Set(d, pixel.round)));
+      if (graded)
+        value = hn::IfThenElseZero(
+          hn::Eq(hn::LoadU(d, from.level + at), hn::Set(d, static_cast<std::uint8_t>(level))),
+          value);
+      if (opacities)
+        value = product(value, hn::LoadU(d, from.opacity + at));
+      sum = hn::Max(sum, value);
+    }
+  return sum;
+}
+
+void cover(EdgeRows& edges, const LineStamps& stamps, bool opacities, int y, int firstRow,
+  int lastRow, int begin, int end, float* out)
+{
+  const int lanes = static_cast<int>(hn::Lanes(DB())), reach = stamps.reach();
+  RowsAround around = {{}, std::max(firstRow, y - reach)};
+  bool some = false;
+  for (int row = around.first; row <= std::min(lastRow, y + reach); ++row)
+  {
+    around.rows.push_back(edges[row]);
+    some = some || *around.rows.back().any;
+  }
+  for (int x = begin; some && x < end; x += lanes)
+  {
+    bool any = false;
+    for (const EdgeRow& row : around.rows)
+      any = any || (*row.any && hasEdges(row.code, x, reach));
+    if (any)
+      addCoverage(
+        coverageAt(around, stamps, opacities, y, x), std::min(lanes, end - x), out + (x - begin));
+  }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace mote
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
 namespace mote
 {
 
-LineStamps::LineStamps(const SilhouetteOptions& options)
-  : inverseStep_(static_cast<float>(1.0 / std::max(options.step, 1e-30)))
-  , inverseLog_(static_cast<float>(1.0 / std::log(std::max(options.fullStep, 1.0 + 1e-6))))
-  , leastOpacity_(static_cast<float>(std::clamp(options.leastOpacity, 0.0, 1.0)))
-  , graded_(options.leastOpacity < 1.0 || options.leastThickness != options.thickness)
-{
-  const int count = graded_ ? levels : 1;
-  stamps_.resize(static_cast<std::size_t>(count) * EdgePixels::directions);
-  for (int level = 0; level < count; ++level)
-  {
-    const double strength = graded_ ? level / (levels - 1.0) : 1.0;
-    const double thickness =
-      options.leastThickness + strength * (options.thickness - options.leastThickness);
-    for (int direction = 0; direction < EdgePixels::directions; ++direction)
-      make(std::max(0.0, thickness) * options.reduction, options.centered, direction,
-        stamps_[level * EdgePixels::directions + direction]);
-  }
-}
+HWY_EXPORT(cover);
 
-const std::vector<LineStamps::Pixel>& LineStamps::stamp(
-  float step, int direction, float& opacity) const
+namespace
 {
-  opacity = 1.0f;
-  if (!graded_)
-    return stamps_[direction];
-  const float strength = std::clamp(std::log(step * inverseStep_) * inverseLog_, 0.0f, 1.0f);
-  opacity = leastOpacity_ + strength * (1.0f - leastOpacity_);
-  const int level = static_cast<int>(strength * (levels - 1) + 0.5f);
-  return stamps_[level * EdgePixels::directions + direction];
-}
 
-void LineStamps::make(double thickness, bool centered, int direction, std::vector<Pixel>& stamp)
+/// The share of a pixel at (x, y) that the piece of an edge at (0, 0) covers, which is turned
+/// towards the unit vector (nx, ny); (0, 0) for one without direction.
+double coverageOf(int x, int y, double nx, double ny, double thickness, bool centered)
 {
-  double nx = direction % 7 - 3, ny = direction / 7 - 3;
-  const double length = std::hypot(nx, ny);
-  double away = 0.0, half = 0.0;
-  if (centered && length > 0.0)
-  {
-    nx /= length;
-    ny /= length;
-    // The border runs between the pixel and that beside it to which it is turned the most, so the
-    // distance from the pixel's centre is even between 0 and this.
-    const double most = std::max(std::abs(nx), std::abs(ny));
-    away = 0.5 * most;
-    // Pieces of a diagonal are 1.41 pixels apart, and meet; those along an axis are 1 pixel apart,
-    // and must not stick out at the line's end.
-    half = 1.7 * (1.0 / most - 1.0);
-  }
+  // The border runs between the pixel and that beside it to which it is turned the most, so the
+  // distance from the pixel's centre is even between 0 and this.
+  const double most = std::max(std::abs(nx), std::abs(ny));
+  const bool moved = centered && most > 0.0;
+  const double away = moved ? 0.5 * most : 0.0;
+  // Pieces of a diagonal are 1.41 pixels apart, and meet; those along an axis are 1 pixel apart,
+  // and must not stick out at the line's end.
+  const double half = moved ? 1.7 * (1.0 / most - 1.0) : 0.0;
+  const double along = std::abs(nx * y - ny * x);
+  const double distance =
+    moved ? std::hypot(nx * x + ny * y - away, std::max(0.0, along - half)) : std::hypot(x, y);
   // A line thinner than a pixel is as wide as one, and fainter.
   const double radius = 0.5 * std::max(1.0, thickness) + 0.5;
-  const int reach = static_cast<int>(std::ceil(radius + away + half));
+  return std::clamp(radius - distance, 0.0, 1.0) * std::clamp(thickness, 0.0, 1.0);
+}
+
+std::vector<StampPixel> makeStamp(double thickness, bool centered)
+{
+  const auto rounded = [](double coverage)
+  { return static_cast<std::uint8_t>(std::lround(coverage * EdgeRow::opaque)); };
+  std::vector<StampPixel> stamp;
+  const int reach = static_cast<int>(std::ceil(0.5 * thickness + 2.0));
   for (int y = -reach; y <= reach; ++y)
     for (int x = -reach; x <= reach; ++x)
     {
-      const double across = nx * x + ny * y - away, along = nx * y - ny * x;
-      const double distance = half > 0.0 || away > 0.0
-                                ? std::hypot(across, std::max(0.0, std::abs(along) - half))
-                                : std::hypot(x, y);
-      const double coverage = std::clamp(radius - distance, 0.0, 1.0);
-      if (thickness > 0.0 && coverage > 1e-6)
+      StampPixel pixel = {x, y, {}, rounded(coverageOf(x, y, 0.0, 0.0, thickness, centered))};
+      int most = pixel.round;
+      for (int k = 0; k < EdgeRow::directions; ++k)
       {
-        stamp.push_back({x, y, static_cast<float>(coverage * std::min(1.0, thickness))});
-        reach_ = std::max({reach_, std::abs(x), std::abs(y)});
+        const double angle = 2.0 * M_PI * k / EdgeRow::directions;
+        pixel.coverage[k] =
+          rounded(coverageOf(x, y, std::cos(angle), std::sin(angle), thickness, centered));
+        most = std::max<int>(most, pixel.coverage[k]);
       }
+      if (most > 0)
+        stamp.push_back(pixel);
     }
+  return stamp;
+}
+
+} // namespace
+
+LineStamps::LineStamps(const SilhouetteOptions& options)
+{
+  const bool graded = options.leastThickness != options.thickness;
+  const int count = graded ? EdgeRow::levels : 1;
+  for (int level = 0; level < count; ++level)
+  {
+    const double strength = graded ? level / (count - 1.0) : 1.0;
+    const double thickness =
+      options.leastThickness + strength * (options.thickness - options.leastThickness);
+    levels_.push_back(makeStamp(thickness * options.reduction, options.centered));
+    for (const StampPixel& pixel : levels_.back())
+      reach_ = std::max({reach_, std::abs(pixel.x), std::abs(pixel.y)});
+  }
+}
+
+void coverRow(EdgeRows& edges, const LineStamps& stamps, bool opacities, int y, int firstRow,
+  int lastRow, int begin, int end, float* out)
+{
+  HWY_DYNAMIC_DISPATCH(cover)
+  (edges, stamps, opacities, y, firstRow, lastRow, begin, end, out);
 }
 
 } // namespace mote
+
+#endif

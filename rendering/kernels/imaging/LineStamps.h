@@ -1,5 +1,6 @@
 #pragma once
 
+#include "EdgeRows.h"
 #include "Silhouettes.h"
 
 #include <vector>
@@ -7,7 +8,15 @@
 namespace mote
 {
 
-/// What one edge pixel covers of the pixels around it, for each direction and strength.
+/// What an edge pixel covers of a pixel at one place beside it.
+struct StampPixel
+{
+  int x, y;                                   ///< from the edge pixel
+  std::uint8_t coverage[EdgeRow::directions]; ///< for each direction, in [0, EdgeRow::opaque]
+  std::uint8_t round;                         ///< for an edge without direction
+};
+
+/// What edge pixels cover around them, for each direction and level of thickness.
 ///
 /// A line is made of short pieces, one for each edge pixel: a piece is as far from the pixel's
 /// centre as the border is on average, runs across the direction in which the nearer pixels lie,
@@ -16,29 +25,22 @@ namespace mote
 class LineStamps
 {
 public:
-  struct Pixel
-  {
-    int x, y; ///< from the edge pixel
-    float coverage;
-  };
-
   explicit LineStamps(const SilhouetteOptions& options);
 
-  /// Pixels beyond this are never covered, along an axis.
+  /// No pixel farther than this along an axis is covered.
   int reach() const { return reach_; }
-  /// For a step in world units and a code of EdgePixels.
-  const std::vector<Pixel>& stamp(float step, int direction, float& opacity) const;
+  /// For each level; there is one if all lines are equally thick.
+  const std::vector<std::vector<StampPixel>>& levels() const { return levels_; }
 
 private:
-  static constexpr int levels = 16;
-
-  void make(double thickness, bool centered, int direction, std::vector<Pixel>& stamp);
-
-  std::vector<std::vector<Pixel>> stamps_; ///< direction by direction for each level
-  float inverseStep_, inverseLog_;         ///< strength = log(step * inverseStep) * inverseLog
-  float leastOpacity_;
-  bool graded_;
+  std::vector<std::vector<StampPixel>> levels_;
   int reach_ = 0;
 };
+
+/// Adds what the edges of rows y - reach .. y + reach cover of row `y`, as the larger of both, to
+/// the pixels [begin, end), of which `out` is the first. Rows outside [firstRow, lastRow] have no
+/// edges. `opacities`: whether there are others than 1.
+void coverRow(EdgeRows& edges, const LineStamps& stamps, bool opacities, int y, int firstRow,
+  int lastRow, int begin, int end, float* out);
 
 } // namespace mote

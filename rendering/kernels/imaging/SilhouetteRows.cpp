@@ -10,6 +10,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include <hwy/contrib/math/math-inl.h>
+
 HWY_BEFORE_NAMESPACE();
 namespace mote
 {
@@ -18,7 +20,7 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using DF = hn::CappedTag<float, EdgePixels::spare>;
+using DF = hn::CappedTag<float, 16>;
 using DG = hn::CappedTag<std::uint64_t, 8>;
 using D1 = hn::CappedTag<float, 1>; ///< for the pixels that whole vectors leave over
 
@@ -56,23 +58,54 @@ HWY_INLINE V pairStep(D d, V center, V a, V b)
 template <typename D, typename V = hn::Vec<D>>
 HWY_INLINE V directionCode(D d, const Neighbours<D>& n, V least)
 {
-  const auto shares = [&](V neighbour, float code)
-  { return hn::IfThenElseZero(hn::Gt(hn::Sub(n.center, neighbour), least), hn::Set(d, code)); };
-  const V beside = hn::Add(shares(n.right, 1.0f), shares(n.left, -1.0f));
-  const V above = hn::Add(shares(n.up, 7.0f), shares(n.down, -7.0f));
-  const V rising = hn::Add(shares(n.upRight, 8.0f), shares(n.downLeft, -8.0f));
-  const V falling = hn::Add(shares(n.upLeft, 6.0f), shares(n.downRight, -6.0f));
-  return hn::Add(
-    hn::Add(hn::Add(beside, above), hn::Add(rising, falling)), hn::Set(d, 24.0f)); // (0, 0)
+  const V one = hn::Set(d, 1.0f), zero = hn::Zero(d);
+  const auto isNear = [&](V neighbour)
+  { return hn::IfThenElseZero(hn::Gt(hn::Sub(n.center, neighbour), least), one); };
+  const V rising = hn::Sub(isNear(n.upRight), isNear(n.downLeft));
+  const V falling = hn::Sub(isNear(n.upLeft), isNear(n.downRight));
+  const V x = hn::Add(hn::Sub(isNear(n.right), isNear(n.left)), hn::Sub(rising, falling));
+  const V y = hn::Add(hn::Sub(isNear(n.up), isNear(n.down)), hn::Add(rising, falling));
+  const V ax = hn::Abs(x), ay = hn::Abs(y);
+  // Sectors of 22.5 degrees from 0 to 90, bounded by the tangents of 11.25, 33.75 ... degrees.
+  V code = zero;
+  for (const float tangent : {0.19891237f, 0.66817864f, 1.49660576f, 5.02733949f})
+    code = hn::Add(code, hn::IfThenElseZero(hn::Gt(ay, hn::Mul(ax, hn::Set(d, tangent))), one));
+  code = hn::IfThenElse(hn::Lt(x, zero), hn::Sub(hn::Set(d, 8.0f), code), code);
+  code = hn::IfThenElse(hn::Lt(y, zero), hn::Sub(hn::Set(d, 16.0f), code), code);
+  const V none = hn::Set(d, static_cast<float>(EdgeRow::round));
+  return hn::IfThenElse(hn::Eq(hn::Add(ax, ay), zero), none, code);
 }
 
-/// Edges among the pixels of a vector at x; appends them.
+template <typename D, typename V = hn::Vec<D>>
+HWY_INLINE void storeBytes(D d, V values, std::uint8_t* out)
+{
+  const hn::Rebind<std::uint8_t, D> db;
+  const hn::RebindToSigned<D> di;
+  hn::StoreU(hn::DemoteTo(db, hn::ConvertTo(di, values)), db, out);
+}
+
+/// Levels and opacities of edges of these steps.
+template <typename D, typename V = hn::Vec<D>>
+HWY_INLINE void storeGrades(
+  D d, V step, const EdgeGrades& grades, std::uint8_t* level, std::uint8_t* opacity)
+{
+  const auto number = [&](float v) { return hn::Set(d, v); };
+  const V one = number(1.0f), half = number(0.5f);
+  // Steps below the threshold's own are no weaker; the logarithm wants finite numbers.
+  const V share = hn::Min(hn::Max(hn::Mul(step, number(grades.perStep)), one), number(1e30f));
+  const V strength = hn::Min(hn::Mul(hn::Log2(d, share), number(grades.perLog)), one);
+  const V least = number(grades.leastOpacity);
+  const V opaque = hn::MulAdd(strength, hn::Sub(one, least), least);
+  storeBytes(d, hn::MulAdd(strength, number(EdgeRow::levels - 1.0f), half), level);
+  storeBytes(d, hn::MulAdd(opaque, number(EdgeRow::opaque), half), opacity);
+}
+
+/// Adds the edges among the pixels of a vector at x.
 template <typename D>
-HWY_INLINE void findStepsAt(
-  D d, const DistanceRows& rows, const StepLimit& limit, int x, int side, EdgePixels& found)
+HWY_INLINE void findStepsAt(D d, const DistanceRows& rows, const StepLimit& limit,
+  const EdgeGrades& grades, int x, int side, const EdgeRow& found)
 {
   using V = hn::Vec<D>;
-  const hn::RebindToSigned<D> di;
   const Neighbours<D> n(d, rows, x, side);
   const V infinity = hn::Inf(d);
   const V four =
@@ -89,32 +122,31 @@ HWY_INLINE void findStepsAt(
   const auto isEdge = limit.hulls ? hn::Or(isStep, isHull) : isStep;
   if (HWY_LIKELY(hn::AllFalse(d, isEdge)))
     return;
+  *found.any = true;
   const V mean = hn::Mul(eight, hn::Set(d, 0.125f));
   const V code = directionCode(d, n, hn::IfThenZeroElse(isHull, mean));
-  const V step = hn::IfThenElse(isHull, infinity, hn::Mul(eight, third));
-  const int end = found.count;
-  hn::CompressStore(hn::Iota(di, x), hn::RebindMask(di, isEdge), di, found.x.data() + end);
-  hn::CompressStore(step, isEdge, d, found.step.data() + end);
-  found.count += static_cast<int>(hn::CompressStore(
-    hn::ConvertTo(di, code), hn::RebindMask(di, isEdge), di, found.direction.data() + end));
+  const V none = hn::Set(d, static_cast<float>(EdgeRow::none));
+  storeBytes(d, hn::IfThenElse(isEdge, code, none), found.code + x);
+  if (grades.graded)
+    storeGrades(d, hn::IfThenElse(isHull, infinity, hn::Mul(eight, third)), grades, found.level + x,
+      found.opacity + x);
 }
 
-void steps(const DistanceRows& rows, const StepLimit& limit, int width, int begin, int end,
-  EdgePixels& found)
+void steps(const DistanceRows& rows, const StepLimit& limit, const EdgeGrades& grades, int width,
+  int begin, int end, const EdgeRow& found)
 {
   const DF d;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  found.count = 0;
   int x = begin;
   if (x == 0 && x < end)
-    findStepsAt(D1(), rows, limit, x++, 0, found);
+    findStepsAt(D1(), rows, limit, grades, x++, 0, found);
   const int inner = std::min(end, width - 1);
   for (; x + lanes <= inner; x += lanes)
-    findStepsAt(d, rows, limit, x, 1, found);
+    findStepsAt(d, rows, limit, grades, x, 1, found);
   for (; x < inner; ++x)
-    findStepsAt(D1(), rows, limit, x, 1, found);
+    findStepsAt(D1(), rows, limit, grades, x, 1, found);
   for (; x < end; ++x)
-    findStepsAt(D1(), rows, limit, x, 0, found);
+    findStepsAt(D1(), rows, limit, grades, x, 0, found);
 }
 
 template <typename D>
@@ -152,11 +184,11 @@ void distances(const DepthImage& image, int row, int begin, int end, float* out)
 
 /// The pixel at x, if it is an edge by group.
 void findGroupAt(
-  const DistanceRows& rows, const GroupRows& groups, int x, int side, EdgePixels& found)
+  const DistanceRows& rows, const GroupRows& groups, int x, int side, const EdgeRow& found)
 {
   const float distance = rows.row[x];
   const std::uint64_t group = groups.row[x];
-  const auto isNear = [&](const float* row, const std::uint64_t* groupRow, int at)
+  const auto isNear = [&](const float* row, const std::uint64_t* groupRow, int at) -> int
   {
     return groupRow[at] != group && row[at] < std::numeric_limits<float>::infinity() &&
            (row[at] < distance || (row[at] == distance && groupRow[at] < group));
@@ -168,23 +200,25 @@ void findGroupAt(
   const int down = isNear(rows.down, groups.down, x), up = isNear(rows.up, groups.up, x);
   if (left + right + down + up == 0)
     return;
-  const int downLeft = isNear(rows.down, groups.down, x - side);
-  const int downRight = isNear(rows.down, groups.down, x + side);
-  const int upLeft = isNear(rows.up, groups.up, x - side);
-  const int upRight = isNear(rows.up, groups.up, x + side);
-  found.x[found.count] = x;
-  found.step[found.count] = std::numeric_limits<float>::infinity();
-  found.direction[found.count] = (right + downRight + upRight - left - downLeft - upLeft + 3) +
-                                 7 * (up + upLeft + upRight - down - downLeft - downRight + 3);
-  ++found.count;
+  const int rising =
+    isNear(rows.up, groups.up, x + side) - isNear(rows.down, groups.down, x - side);
+  const int falling =
+    isNear(rows.up, groups.up, x - side) - isNear(rows.down, groups.down, x + side);
+  const int dx = right - left + rising - falling, dy = up - down + rising + falling;
+  const long sector = std::lround(std::atan2(dy, dx) * (EdgeRow::directions / (2.0 * M_PI)));
+  found.code[x] = dx == 0 && dy == 0
+                    ? EdgeRow::round
+                    : static_cast<std::uint8_t>(sector & (EdgeRow::directions - 1));
+  found.level[x] = EdgeRow::levels - 1;
+  found.opacity[x] = EdgeRow::opaque;
+  *found.any = true;
 }
 
 void groupChanges(const DistanceRows& rows, const GroupRows& groups, int width, int begin, int end,
-  EdgePixels& found)
+  const EdgeRow& found)
 {
   const DG d;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  found.count = 0;
   int x = begin;
   if (x == 0 && x < end)
     findGroupAt(rows, groups, x++, 0, found);
@@ -225,14 +259,14 @@ void rayDistances(const DepthImage& image, int y, int begin, int end, float* out
   HWY_DYNAMIC_DISPATCH(distances)(image, y, begin, end, out);
 }
 
-void findSteps(const DistanceRows& rows, const StepLimit& limit, int width, int begin, int end,
-  EdgePixels& found)
+void findSteps(const DistanceRows& rows, const StepLimit& limit, const EdgeGrades& grades,
+  int width, int begin, int end, const EdgeRow& found)
 {
-  HWY_DYNAMIC_DISPATCH(steps)(rows, limit, width, begin, end, found);
+  HWY_DYNAMIC_DISPATCH(steps)(rows, limit, grades, width, begin, end, found);
 }
 
 void findGroupChanges(const DistanceRows& rows, const GroupRows& groups, int width, int begin,
-  int end, EdgePixels& found)
+  int end, const EdgeRow& found)
 {
   HWY_DYNAMIC_DISPATCH(groupChanges)(rows, groups, width, begin, end, found);
 }

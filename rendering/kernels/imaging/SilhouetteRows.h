@@ -1,8 +1,7 @@
 #pragma once
 
+#include "EdgeRows.h"
 #include "Silhouettes.h"
-
-#include <vector>
 
 namespace mote
 {
@@ -29,36 +28,23 @@ struct StepLimit
   bool hulls = true;
 };
 
-/// The pixels of a row that are edges.
-struct EdgePixels
+/// How levels of thickness and opacities follow from steps.
+struct EdgeGrades
 {
-  /// What writes whole vectors may write beyond the end.
-  static constexpr int spare = 16;
-  /// Code of the direction in which the nearer pixels lie: (x + 3) + 7 (y + 3), x and y in [-3, 3].
-  static constexpr int directions = 49;
-
-  explicit EdgePixels(int width)
-    : x(width + spare)
-    , step(width + spare)
-    , direction(width + spare)
-  {
-  }
-
-  int count = 0;
-  std::vector<std::int32_t> x;
-  std::vector<float> step; ///< world units; infinity for those of full strength
-  std::vector<std::int32_t> direction;
+  bool graded = false;                 ///< otherwise all edges are as strong as edges get
+  float perStep = 0.0f, perLog = 0.0f; ///< strength = log2(step perStep) perLog, in [0, 1]
+  float leastOpacity = 1.0f;
 };
 
 /// Ray distances of row `y` of the image, columns [begin, end), into out[begin, end).
 void rayDistances(const DepthImage& image, int y, int begin, int end, float* out);
 
-/// Sets `found` to the edges by depth among the columns [begin, end) of an image `width` wide.
-void findSteps(const DistanceRows& rows, const StepLimit& limit, int width, int begin, int end,
-  EdgePixels& found);
+/// Adds the edges by depth among the columns [begin, end) of an image `width` wide.
+void findSteps(const DistanceRows& rows, const StepLimit& limit, const EdgeGrades& grades,
+  int width, int begin, int end, const EdgeRow& found);
 
-/// Sets `found` to the edges by group.
+/// Adds the edges by group.
 void findGroupChanges(const DistanceRows& rows, const GroupRows& groups, int width, int begin,
-  int end, EdgePixels& found);
+  int end, const EdgeRow& found);
 
 } // namespace mote

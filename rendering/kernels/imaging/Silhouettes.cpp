@@ -33,41 +33,67 @@ StepLimit limitOf(const DepthImage& image, const SilhouetteOptions& options)
   return limit;
 }
 
-/// A part of the depth image in which edges are found, row after row from below.
-class RowFinder
+EdgeGrades gradesOf(const SilhouetteOptions& options)
 {
-public:
-  RowFinder(const DepthImage& image, const StepLimit& limit, const PixelBox& box)
-    : image_(image)
-    , limit_(limit)
-    , box_(box)
-    , begin_(std::max(0, box.x0 - 1))
-    , end_(std::min(image.width, box.x1 + 1))
-    , values_(3 * static_cast<std::size_t>(end_ - begin_ + EdgePixels::spare))
-    , found_(box.x1 - box.x0)
+  EdgeGrades grades;
+  grades.leastOpacity = static_cast<float>(std::clamp(options.leastOpacity, 0.0, 1.0));
+  grades.graded = options.leastOpacity < 1.0 || options.leastThickness != options.thickness;
+  grades.perStep = static_cast<float>(1.0 / std::max(options.step, 1e-30));
+  grades.perLog = static_cast<float>(1.0 / std::log2(std::max(options.fullStep, 1.0 + 1e-6)));
+  return grades;
+}
+
+/// What is constant over an image.
+struct Work
+{
+  Work(const DepthImage& depths, const SilhouetteOptions& options)
+    : image(depths)
+    , limit(limitOf(depths, options))
+    , grades(gradesOf(options))
+    , stamps(options)
+    , reduction(std::max(1, options.reduction))
   {
   }
 
-  /// Calls draw(edges) for row `y`, perhaps twice. Rows must be asked for in rising order.
-  template <typename Draw>
-  void find(int y, const Draw& draw)
+  const DepthImage& image;
+  StepLimit limit;
+  EdgeGrades grades;
+  LineStamps stamps;
+  int reduction;
+};
+
+/// Finds the edges of a part of the depth image row after row, from below.
+class RowFinder
+{
+public:
+  RowFinder(const Work& work, const PixelBox& box)
+    : work_(work)
+    , box_(box)
+    , begin_(std::max(0, box.x0 - 1))
+    , end_(std::min(work.image.width, box.x1 + 1))
+    , values_(3 * static_cast<std::size_t>(end_ - begin_))
   {
-    const int down = std::max(0, y - 1), up = std::min(image_.height - 1, y + 1);
+  }
+
+  /// Sets `found` to the edges of row `y`. Rows must be asked for in rising order.
+  void find(int y, EdgeRows& found)
+  {
+    const DepthImage& image = work_.image;
+    const int down = std::max(0, y - 1), up = std::min(image.height - 1, y + 1);
     for (int row = std::max(next_, down); row <= up; ++row)
-      rayDistances(image_, row, begin_, end_, at(row));
+      rayDistances(image, row, begin_, end_, at(row));
     next_ = up + 1;
     // The image's border: what is beyond counts not, and neither does what is opposite to it.
     const bool inner = down < y && up > y;
     const DistanceRows rows = {at(inner ? down : y), at(y), at(inner ? up : y)};
-    findSteps(rows, limit_, image_.width, box_.x0, box_.x1, found_);
-    draw(found_);
-    if (image_.group == nullptr)
+    const EdgeRow edges = found.cleared(y);
+    findSteps(rows, work_.limit, work_.grades, image.width, box_.x0, box_.x1, edges);
+    if (image.group == nullptr)
       return;
-    const std::ptrdiff_t stride = image_.groupStride != 0 ? image_.groupStride : image_.width;
-    const auto groups = [&](int row) { return image_.group + row * stride; };
+    const std::ptrdiff_t stride = image.groupStride != 0 ? image.groupStride : image.width;
+    const auto groups = [&](int row) { return image.group + row * stride; };
     findGroupChanges(rows, {groups(inner ? down : y), groups(y), groups(inner ? up : y)},
-      image_.width, box_.x0, box_.x1, found_);
-    draw(found_);
+      image.width, box_.x0, box_.x1, edges);
   }
 
 private:
@@ -78,50 +104,29 @@ private:
     return values_.data() + static_cast<std::size_t>(row % 3) * length - begin_;
   }
 
-  const DepthImage& image_;
-  const StepLimit& limit_;
+  const Work& work_;
   PixelBox box_;
   int begin_, end_; ///< columns whose distances are kept
   std::vector<float> values_;
-  EdgePixels found_;
   int next_ = 0; ///< first row whose distances are not there yet
 };
 
-/// Draws the pixels of one row of edges into those of `box`, of which `out` is the first.
-void drawRow(const EdgePixels& edges, int y, const LineStamps& stamps, const PixelBox& box,
-  float* out, std::ptrdiff_t stride)
-{
-  const int reach = stamps.reach();
-  const bool innerRow = y - reach >= box.y0 && y + reach < box.y1;
-  for (int i = 0; i < edges.count; ++i)
-  {
-    const int x = edges.x[i];
-    float opacity;
-    const auto& stamp = stamps.stamp(edges.step[i], edges.direction[i], opacity);
-    float* center = out + (y - box.y0) * stride + (x - box.x0);
-    const bool inner = innerRow && x - reach >= box.x0 && x + reach < box.x1;
-    for (const LineStamps::Pixel& pixel : stamp)
-    {
-      const int px = x + pixel.x, py = y + pixel.y;
-      if (inner || (px >= box.x0 && px < box.x1 && py >= box.y0 && py < box.y1))
-      {
-        float& covered = center[pixel.y * stride + pixel.x];
-        covered = std::max(covered, pixel.coverage * opacity);
-      }
-    }
-  }
-}
-
 /// Edges of the pixels `box` of the depth image itself.
-void drawBox(const DepthImage& image, const StepLimit& limit, const LineStamps& stamps,
-  const PixelBox& box, float* out, std::ptrdiff_t stride)
+void drawBox(const Work& work, const PixelBox& box, float* out, std::ptrdiff_t stride)
 {
-  const int reach = stamps.reach();
+  const int reach = work.stamps.reach();
   const PixelBox wider = {std::max(0, box.x0 - reach), std::max(0, box.y0 - reach),
-    std::min(image.width, box.x1 + reach), std::min(image.height, box.y1 + reach)};
-  RowFinder finder(image, limit, wider);
-  for (int y = wider.y0; y < wider.y1; ++y)
-    finder.find(y, [&](const EdgePixels& edges) { drawRow(edges, y, stamps, box, out, stride); });
+    std::min(work.image.width, box.x1 + reach), std::min(work.image.height, box.y1 + reach)};
+  RowFinder finder(work, wider);
+  EdgeRows edges(wider.x0, wider.x1, reach);
+  int found = wider.y0;
+  for (int y = box.y0; y < box.y1; ++y)
+  {
+    for (; found < std::min(wider.y1, y + reach + 1); ++found)
+      finder.find(found, edges);
+    coverRow(edges, work.stamps, work.grades.leastOpacity < 1.0f, y, wider.y0, wider.y1 - 1, box.x0,
+      box.x1, out + (y - box.y0) * stride);
+  }
 }
 
 /// Means over the squares of `factor` x `factor` fine pixels; the last may be cut off.
@@ -144,26 +149,20 @@ void addMeans(const std::vector<float>& fine, const PixelBox& fineBox, int facto
 }
 
 /// Edges of the pixels `box` of the output, in this thread.
-void findInBox(const DepthImage& image, const SilhouetteOptions& options, const LineStamps& stamps,
-  const PixelBox& box, float* edges, std::ptrdiff_t stride)
+void findInBox(const Work& work, const PixelBox& box, float* edges, std::ptrdiff_t stride)
 {
-  const StepLimit limit = limitOf(image, options);
-  const int factor = options.reduction;
+  const int factor = work.reduction;
+  if (factor == 1)
+    return drawBox(work, box, edges, stride);
   for (int y0 = box.y0; y0 < box.y1; y0 += bandRows)
   {
     const PixelBox band = {box.x0, y0, box.x1, std::min(box.y1, y0 + bandRows)};
-    float* out = edges + (y0 - box.y0) * stride;
-    if (factor <= 1)
-    {
-      drawBox(image, limit, stamps, band, out, stride);
-      continue;
-    }
     const PixelBox fineBox = {band.x0 * factor, band.y0 * factor,
-      std::min(image.width, band.x1 * factor), std::min(image.height, band.y1 * factor)};
+      std::min(work.image.width, band.x1 * factor), std::min(work.image.height, band.y1 * factor)};
     const std::size_t width = fineBox.x1 - fineBox.x0;
     std::vector<float> fine(width * (fineBox.y1 - fineBox.y0), 0.0f);
-    drawBox(image, limit, stamps, fineBox, fine.data(), static_cast<std::ptrdiff_t>(width));
-    addMeans(fine, fineBox, factor, band, out, stride);
+    drawBox(work, fineBox, fine.data(), static_cast<std::ptrdiff_t>(width));
+    addMeans(fine, fineBox, factor, band, edges + (y0 - box.y0) * stride, stride);
   }
 }
 
@@ -187,11 +186,11 @@ void findSilhouettes(
     reducedSize(image.height, options.reduction)};
   if (isEmpty(all))
     return;
-  const LineStamps stamps(options);
+  const Work work(image, options);
   const auto band = [&](int first, int last)
   {
     const PixelBox box = {0, first * bandRows, all.x1, std::min(all.y1, last * bandRows)};
-    findInBox(image, options, stamps, box, edges + std::ptrdiff_t(box.y0) * all.x1, all.x1);
+    findInBox(work, box, edges + std::ptrdiff_t(box.y0) * all.x1, all.x1);
   };
   const int bands = reducedSize(all.y1, bandRows);
   if (threads == 1 || bands == 1)
@@ -211,7 +210,7 @@ void findSilhouettes(const DepthImage& image, const SilhouetteOptions& options, 
   float* edges, std::ptrdiff_t stride)
 {
   if (!isEmpty(box))
-    findInBox(image, options, LineStamps(options), box, edges, stride);
+    findInBox(Work(image, options), box, edges, stride);
 }
 
 } // namespace mote

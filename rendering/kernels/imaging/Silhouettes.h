@@ -40,9 +40,11 @@ struct SilhouetteOptions
   double stepInPixels = 2.0;
   bool hulls = true; ///< whether surfaces have edges against the background
 
-  double thickness = 1.0;      ///< of the strongest edges, in pixels of the output
-  double leastThickness = 1.0; ///< of the weakest; grows with the step's logarithm
-  double leastOpacity = 1.0;   ///< of the weakest edges, in [0, 1]; likewise. 1: no grey levels
+  double thickness = 1.0; ///< of the strongest edges, in pixels of the output
+  /// Of the weakest; it grows with the step's logarithm, in eight levels. Another one than the
+  /// strongest takes several times as long to draw.
+  double leastThickness = 1.0;
+  double leastOpacity = 1.0; ///< of the weakest edges, in [0, 1]; likewise. 1: no grey levels
   /// Multiples of `step`, above 1, from which on an edge is as strong as edges get. Those against
   /// the background and between groups always are.
   double fullStep = 8.0;
