@@ -12,7 +12,9 @@ namespace mote
 ///
 /// Colour is kept as the mean over the samples of a pixel, with alpha = the share of samples that
 /// hit (colour is premultiplied by it). Depth, id and normal belong to the ray through the pixel's
-/// centre, which is the first sample. Channels that nobody asked for take no memory.
+/// centre, which is the first sample; the latest channels to the sample taken last, whose rays are
+/// displaced in their pixels as RayCaster::sampleOffset() says. Channels that nobody asked for take
+/// no memory.
 class Film
 {
 public:
@@ -20,9 +22,11 @@ public:
 
   enum Channel : unsigned
   {
-    Id = 1u,      ///< input index of the particle, and index of its object in the scene
-    Normal = 2u,  ///< unit normal in world coordinates
-    Variance = 4u ///< of the samples of a pixel
+    Id = 1u,          ///< input index of the particle, and index of its object in the scene
+    Normal = 2u,      ///< unit normal in world coordinates
+    Variance = 4u,    ///< of the samples of a pixel
+    LatestDepth = 8u, ///< depth of the latest sample
+    LatestId = 16u    ///< what Id tells, of the latest sample
   };
 
   /// Sets the size in pixels and the channels besides colour and depth, and forgets all samples.
@@ -49,10 +53,20 @@ public:
   const float* nearestDepth() const { return nearest_.empty() ? depth_.data() : nearest_.data(); }
   /// From the second sample on nearestDepth() differs from depth(), and is stored apart.
   void splitNearestDepth();
+  /// Depth of the latest sample; that of the first where LatestDepth was not asked for.
+  float* latestDepth() { return latest_.empty() ? depth_.data() : latest_.data(); }
+  const float* latestDepth() const { return latest_.empty() ? depth_.data() : latest_.data(); }
+  /// From the second sample on latestDepth() differs from depth(), and is stored apart where asked.
+  void splitLatestDepth();
   std::uint64_t* id() { return id_.data(); }
   const std::uint64_t* id() const { return id_.data(); }
   std::int32_t* object() { return object_.data(); }
   const std::int32_t* object() const { return object_.data(); }
+  /// Empty unless LatestId was asked for.
+  std::uint64_t* latestId() { return latestId_.data(); }
+  const std::uint64_t* latestId() const { return latestId_.data(); }
+  std::int32_t* latestObject() { return latestObject_.data(); }
+  const std::int32_t* latestObject() const { return latestObject_.data(); }
   /// Three floats a pixel; 0 0 0 where nothing was hit.
   float* normal() { return normal_.data(); }
   const float* normal() const { return normal_.data(); }
@@ -74,8 +88,11 @@ private:
   std::vector<float> color_;
   std::vector<float> depth_;
   std::vector<float> nearest_;
+  std::vector<float> latest_;
   std::vector<std::uint64_t> id_;
   std::vector<std::int32_t> object_;
+  std::vector<std::uint64_t> latestId_;
+  std::vector<std::int32_t> latestObject_;
   std::vector<float> normal_;
   std::vector<float> squares_;
 };

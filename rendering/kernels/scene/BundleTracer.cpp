@@ -115,6 +115,8 @@ void BundleTracer::traceTile(int x0, int y0, int size) const
         keepFirst(bundle, x, y);
       else
         keep(bundle, x, y);
+      if (film_.has(Film::LatestId))
+        keepIds(bundle, x, y, film_.latestId(), film_.latestObject());
     }
 }
 
@@ -204,7 +206,7 @@ void BundleTracer::shadeParticles(Bundle& bundle, int side, int x0, int y0) cons
   rays_.placeBundle(bundle.world, side, x0, y0, jitterX_, jitterY_);
   BundlePlacing placing{rays, bundle.world, bundle.world.origin - rays_.o0};
   placing.footprint = lighting_ && lighting_->shadows ? footprint(rays, side) : 0.0;
-  const bool ids = film_.samples() == 0 && film_.has(Film::Id);
+  const bool ids = wantsIds();
   SurfaceBlock& block = bundle.block;
   for (std::size_t object = 0; object < shaders_.size(); ++object)
   {
@@ -303,7 +305,7 @@ void BundleTracer::takeShaded(Bundle& bundle) const
   const bool first = film_.samples() == 0;
   for (int k = 0; k < block.count; ++k)
     std::copy_n(block.out[k], 4, bundle.color[block.ray[k]]);
-  for (int k = 0; first && film_.has(Film::Id) && k < block.count; ++k)
+  for (int k = 0; wantsIds() && k < block.count; ++k)
     bundle.particle[block.ray[k]] = block.particle[k];
   for (int k = 0; first && film_.has(Film::Normal) && k < block.count; ++k)
   {
@@ -354,6 +356,27 @@ void BundleTracer::keep(const Bundle& bundle, int x0, int y0) const
   forPixels(bundle, x0, y0,
     [&](int i, std::size_t pixel)
     { nearest[pixel] = std::min(nearest[pixel], bundle.depthOf(i)); });
+  if (film_.has(Film::LatestDepth))
+    forPixels(bundle, x0, y0,
+      [&](int i, std::size_t pixel) { film_.latestDepth()[pixel] = bundle.depthOf(i); });
+}
+
+bool BundleTracer::wantsIds() const
+{
+  return film_.has(Film::LatestId) || (film_.samples() == 0 && film_.has(Film::Id));
+}
+
+/// Writes what the bundle's rays met into two channels.
+void BundleTracer::keepIds(
+  const Bundle& bundle, int x0, int y0, std::uint64_t* id, std::int32_t* object) const
+{
+  forPixels(bundle, x0, y0,
+    [&](int i, std::size_t pixel)
+    {
+      const std::int32_t met = bundle.rays.object[i];
+      id[pixel] = met >= 0 ? bundle.particle[i] : Film::noId;
+      object[pixel] = met;
+    });
 }
 
 /// Writes the bundle into the film as its first sample.
@@ -367,13 +390,7 @@ void BundleTracer::keepFirst(const Bundle& bundle, int x0, int y0) const
   if (film_.has(Film::Variance))
     forPixels(bundle, x0, y0, [&](int, std::size_t pixel) { film_.squares()[pixel] = 0.0f; });
   if (film_.has(Film::Id))
-    forPixels(bundle, x0, y0,
-      [&](int i, std::size_t pixel)
-      {
-        const std::int32_t object = bundle.rays.object[i];
-        film_.id()[pixel] = object >= 0 ? bundle.particle[i] : Film::noId;
-        film_.object()[pixel] = object;
-      });
+    keepIds(bundle, x0, y0, film_.id(), film_.object());
   if (film_.has(Film::Normal))
     forPixels(bundle, x0, y0,
       [&](int i, std::size_t pixel)

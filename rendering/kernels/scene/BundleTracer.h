@@ -41,6 +41,8 @@ private:
   void forPixels(const Bundle& bundle, int x0, int y0, const Visit& visit) const;
   void keep(const Bundle& bundle, int x0, int y0) const;
   void keepFirst(const Bundle& bundle, int x0, int y0) const;
+  void keepIds(const Bundle& bundle, int x0, int y0, std::uint64_t* id, std::int32_t* object) const;
+  bool wantsIds() const;
   double footprint(const RayBundle& rays, int side) const;
 
   const Scene& scene_;

@@ -29,7 +29,10 @@ bool RayCaster::addSample(const Camera& camera, Film& film, const Progress& prog
 {
   const BundleTracer tracer(scene_, camera, film, bundleSide_, limits_);
   if (film.samples() > 0)
+  {
     film.splitNearestDepth();
+    film.splitLatestDepth();
+  }
   const bool complete = forTiles(film.width(), film.height(), threads_, progress,
     [&](int x0, int y0) { tracer.traceTile(x0, y0, tileSize); });
   film.setSamples(complete ? film.samples() + 1 : 0);

@@ -1,7 +1,10 @@
 #include "SceneRays.h"
 
-#include <cmath>
 #include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace mote
 {
@@ -23,6 +26,32 @@ Box Scene::bounds() const
     add(withStructure(*volume.structure, [](const auto& s) { return s.mesh().bounds(); }),
       volume.toWorld);
   return all;
+}
+
+double typicalRadius(const Scene& scene)
+{
+  constexpr std::size_t most = 512;               // of an object: each is a miss of the cache
+  std::vector<std::pair<double, double>> samples; // radius, and the cross-section it stands for
+  double all = 0.0;
+  for (const ParticleObject& object : scene.particles)
+    withStructure(*object.structure,
+      [&](const auto& s)
+      {
+        const double scale = std::cbrt(std::abs(glm::determinant(Mat3d(object.toWorld))));
+        const std::size_t count = std::min(s.size(), most);
+        for (std::size_t k = 0; k < count; ++k)
+        {
+          const double radius = scale * s.radius(k * s.size() / count);
+          samples.emplace_back(radius, radius * radius * double(s.size()) / double(count));
+          all += samples.back().second;
+        }
+      });
+  std::sort(samples.begin(), samples.end());
+  double sum = 0.0;
+  for (const auto& [radius, section] : samples)
+    if ((sum += section) >= 0.5 * all)
+      return radius;
+  return 0.0;
 }
 
 std::optional<ScenePick> pick(

@@ -70,6 +70,10 @@ struct Scene
   Box bounds() const;
 };
 
+/// Radius in the world of a typical particle: half of the cross-section of all particles belongs to
+/// smaller ones. Of a sample of them; 0 where there are none.
+double typicalRadius(const Scene& scene);
+
 /// What one ray meets first.
 struct ScenePick
 {
