@@ -88,7 +88,28 @@ bool FilmDisplay::prepare(vtkRenderer* renderer)
   return quad_->Program != nullptr && quad_->Program->GetCompiled();
 }
 
-void FilmDisplay::convertDepth(vtkRenderer* renderer, const Film& film)
+void FilmDisplay::convertColors(const Film& film, const EdgeLayer& edges)
+{
+  const auto byteOf = [](float value)
+  { return static_cast<unsigned char>(std::min(value, 1.0f) * 255.0f + 0.5f); };
+  colorBytes_.resize(4 * film.pixels());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, film.pixels(), 1 << 14),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t i = 4 * range.begin(); i != 4 * range.end(); ++i)
+        colorBytes_[i] = byteOf(film.color()[i]);
+      for (std::size_t i = range.begin(); edges.coverage && i != range.end(); ++i)
+        if (edges.coverage[i] > 0.0f)
+        {
+          float color[4];
+          std::copy_n(film.color() + 4 * i, 4, color);
+          edges.drawOver(i, color);
+          std::transform(color, color + 4, &colorBytes_[4 * i], byteOf);
+        }
+    });
+}
+
+void FilmDisplay::convertDepth(vtkRenderer* renderer, const Film& film, const EdgeLayer& edges)
 {
   const DepthScale scale(renderer->GetActiveCamera());
   windowDepth_.resize(film.pixels());
@@ -97,6 +118,13 @@ void FilmDisplay::convertDepth(vtkRenderer* renderer, const Film& film)
     {
       for (std::size_t i = range.begin(); i != range.end(); ++i)
         windowDepth_[i] = scale.valueOf(film.nearestDepth()[i]);
+      for (std::size_t i = range.begin(); edges.coverage && i != range.end(); ++i)
+        if (edges.coverage[i] > 0.0f)
+        {
+          const int x = static_cast<int>(i % film.width()), y = static_cast<int>(i / film.width());
+          windowDepth_[i] = scale.valueOf(
+            nearSide(film.nearestDepth(), film.width(), film.height(), x, y, edges.reach));
+        }
     });
 }
 
@@ -184,23 +212,20 @@ void FilmDisplay::drawIntoWindow(vtkRenderer* renderer)
   state->PopDrawFramebufferBinding();
 }
 
-void FilmDisplay::draw(vtkRenderer* renderer, const Film& film, unsigned long version, Way way)
+void FilmDisplay::draw(
+  vtkRenderer* renderer, const Film& film, const EdgeLayer& edges, unsigned long version, Way way)
 {
   if (!prepare(renderer))
     return;
   const double* range = renderer->GetActiveCamera()->GetClippingRange();
-  const std::vector<double> wanted = {double(version), range[0], range[1]};
+  std::vector<double> wanted = {double(version), range[0], range[1]};
+  if (edges.coverage)
+    for (int c = 0; c < 3; ++c)
+      wanted.push_back(edges.color[c]);
   if (wanted != shown_)
   {
-    colorBytes_.resize(4 * film.pixels());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, colorBytes_.size(), 1 << 16),
-      [&](const tbb::blocked_range<std::size_t>& bytes)
-      {
-        for (std::size_t i = bytes.begin(); i != bytes.end(); ++i)
-          colorBytes_[i] =
-            static_cast<unsigned char>(std::min(film.color()[i], 1.0f) * 255.0f + 0.5f);
-      });
-    convertDepth(renderer, film);
+    convertColors(film, edges);
+    convertDepth(renderer, film, edges);
     int width = 0, height = 0, x = 0, y = 0;
     renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
     upload(film, colorBytes_.data(), width != film.width() || height != film.height());
@@ -220,7 +245,7 @@ void FilmDisplay::drawFlat(
   if (!prepare(renderer))
     return;
   shown_.clear();
-  convertDepth(renderer, film);
+  convertDepth(renderer, film, {});
   upload(film, colors.data(), false);
   drawQuad(false);
 }

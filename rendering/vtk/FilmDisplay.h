@@ -1,6 +1,6 @@
 #pragma once
 
-#include "kernels/core/Film.h"
+#include "FilmEdges.h"
 
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -34,9 +34,11 @@ public:
     Over         ///< blended over all: nothing in the film lies behind what is there
   };
 
-  /// Blends the film over what is there, and writes the depth of what is opaque in it. `version`
-  /// tells films apart: the same one is not converted and sent again.
-  void draw(vtkRenderer* renderer, const Film& film, unsigned long version, Way way);
+  /// Blends the film, and the lines over it, over what is there, and writes the depth of what is
+  /// opaque in it; lines are as near as what they belong to. `version` tells films and places of
+  /// lines apart: the same one is not converted and sent again.
+  void draw(vtkRenderer* renderer, const Film& film, const EdgeLayer& edges, unsigned long version,
+    Way way);
 
   /// Writes one colour, without blending, wherever the film shows something: for selection passes.
   /// `colors` holds four bytes a pixel of the film.
@@ -48,7 +50,8 @@ public:
 private:
   bool prepare(vtkRenderer* renderer);
   void upload(const Film& film, const unsigned char* colors, bool smooth);
-  void convertDepth(vtkRenderer* renderer, const Film& film);
+  void convertColors(const Film& film, const EdgeLayer& edges);
+  void convertDepth(vtkRenderer* renderer, const Film& film, const EdgeLayer& edges);
   void drawQuad(bool blend);
   void drawOver();
   void renderQuad();
@@ -60,7 +63,7 @@ private:
   std::unique_ptr<vtkOpenGLQuadHelper> quad_;
   std::vector<unsigned char> colorBytes_;
   std::vector<float> windowDepth_;
-  std::vector<double> shown_; ///< version and camera of what the textures hold
+  std::vector<double> shown_; ///< version, camera and lines of what the textures hold
 };
 
 } // namespace mote

@@ -107,7 +107,9 @@ void FrameTracer::begin(const std::vector<double>& signature, double distance, b
   distance_ = distance;
   draft_ = draft;
   film_.resize(std::max(1, int(std::ceil(width / distance))),
-    std::max(1, int(std::ceil(height / distance))), draft ? 0u : refinement.channels());
+    std::max(1, int(std::ceil(height / distance))),
+    (draft ? 0u : refinement.channels()) | edges_.channels());
+  edges_.clear();
 }
 
 bool FrameTracer::trace(vtkRenderer* renderer, MoteProps& props, int width, int height,
@@ -129,17 +131,23 @@ bool FrameTracer::trace(vtkRenderer* renderer, MoteProps& props, int width, int 
   const double wanted = distanceFor(width, height, settings);
   const bool moving = settings.interactive;
   const bool slow = takesLong(scene);
-  if (signature != signature_ || distance_ > wanted)
-    begin(signature, wanted, slow && (moving || settings.progressive), settings.refinement, width,
-      height);
-  else if (!moving && film_.samples() > 0 &&
-           (draft_ || (settings.refinement.channels() != 0 && !film_.has(Film::Variance))))
-    begin(signature, wanted, false, settings.refinement, width, height);
+  const bool changed = signature != signature_ || distance_ > wanted;
+  const bool worse =
+    !moving && film_.samples() > 0 &&
+    (draft_ || (settings.refinement.channels() != 0 && !film_.has(Film::Variance)));
+  edges_.prepare(settings.silhouettes, props, scene, changed || worse ? wanted : distance_);
+  if (changed || worse)
+    begin(signature, wanted, changed && slow && (moving || settings.progressive),
+      settings.refinement, width, height);
   if (draft_)
     makeDraft(scene);
 
   const Camera camera = cameraOf(renderer, aspect, film_.width(), film_.height());
-  if (!addSamples(scene, camera, settings, progress))
+  std::vector<float> limits;
+  if (settings.others)
+    limits = settings.others->resampled(film_.width(), film_.height());
+  const float* ends = settings.others ? limits.data() : nullptr;
+  if (!addSamples(scene, camera, settings, ends, progress))
   {
     signature_.clear();
     return false;
@@ -147,12 +155,14 @@ bool FrameTracer::trace(vtkRenderer* renderer, MoteProps& props, int width, int 
   // A still picture with all its rays says nothing about the next that moves.
   if (rays_ > 0 && (draft_ || !slow))
     secondsPerRay_ = seconds_ / static_cast<double>(rays_);
-  converged_ = distance_ == 1.0 && !draft_ && !preview_ && settings.refinement.isDone(film_);
-  return true;
+  const bool finished = addEdges(scene, camera, settings, ends, progress);
+  converged_ = distance_ == 1.0 && !draft_ && !preview_ && settings.refinement.isDone(film_) &&
+               !edges_.isBehind(film_);
+  return finished;
 }
 
-bool FrameTracer::addSamples(
-  const Scene& scene, const Camera& camera, const FrameSettings& settings, const Progress& progress)
+bool FrameTracer::addSamples(const Scene& scene, const Camera& camera,
+  const FrameSettings& settings, const float* limits, const Progress& progress)
 {
   Refinement refinement = settings.refinement;
   if (settings.interactive || draft_)
@@ -160,12 +170,7 @@ bool FrameTracer::addSamples(
   const auto caller = std::this_thread::get_id();
   RayCaster caster(scene);
   caster.setThreads(settings.threads);
-  std::vector<float> limits;
-  if (settings.others)
-  {
-    limits = settings.others->resampled(film_.width(), film_.height());
-    caster.setLimits(limits.data());
-  }
+  caster.setLimits(limits);
   const auto start = std::chrono::steady_clock::now();
   while (!refinement.isDone(film_))
   {
@@ -177,11 +182,36 @@ bool FrameTracer::addSamples(
       });
     if (!complete)
       return false;
+    edges_.add(film_, camera, limits, settings.threads);
     rays_ += static_cast<long long>(film_.pixels());
     ++version_;
     seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (settings.progressive &&
         seconds_ + seconds_ / std::max(1, film_.samples()) > settings.frameTime)
+      break;
+  }
+  return true;
+}
+
+/// Finds the edges of the film's samples where they are not found yet.
+bool FrameTracer::addEdges(const Scene& scene, const Camera& camera, const FrameSettings& settings,
+  const float* limits, const Progress& progress)
+{
+  const auto caller = std::this_thread::get_id();
+  const double before = seconds_;
+  const auto start = std::chrono::steady_clock::now();
+  while (edges_.isBehind(film_))
+  {
+    const bool complete = edges_.catchUp(scene, film_, camera, limits, settings.threads,
+      [&](double part)
+      { return !progress || std::this_thread::get_id() != caller || progress(part); });
+    if (!complete)
+      return false;
+    rays_ += static_cast<long long>(film_.pixels());
+    ++version_;
+    seconds_ =
+      before + std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (settings.progressive && seconds_ > settings.frameTime)
       break;
   }
   return true;

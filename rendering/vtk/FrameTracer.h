@@ -1,5 +1,6 @@
 #pragma once
 
+#include "FilmEdges.h"
 #include "MoteProp.h"
 #include "WindowDepth.h"
 
@@ -11,6 +12,7 @@
 #include <vector>
 
 class vtkMoteShading;
+class vtkMoteSilhouettes;
 class vtkRenderer;
 
 namespace mote
@@ -26,7 +28,8 @@ struct FrameSettings
   int threads = 0;
   bool interactive = false; ///< the view moves
   vtkMoteShading* shading = nullptr;
-  const WindowDepth* others = nullptr; ///< where other props stand, which end rays; or null
+  vtkMoteSilhouettes* silhouettes = nullptr; ///< null: none
+  const WindowDepth* others = nullptr;       ///< where other props stand, which end rays; or null
 };
 
 /// Keeps the traced picture of one renderer up to date with as few rays as the settings allow.
@@ -36,6 +39,9 @@ struct FrameSettings
 /// progressive picture shows, such a scene is drawn as a draft, with one shadow ray a light,
 /// nothing of the others and volumes interpolated between fewer rays; the picture at rest begins
 /// anew with all.
+///
+/// Edges are found in the depths of each sample. Where they are wanted otherwise than before, the
+/// film stays, and rays are cast again for their depths alone.
 class FrameTracer
 {
 public:
@@ -46,6 +52,8 @@ public:
     const FrameSettings& settings, const Progress& progress);
 
   const Film& film() const { return film_; }
+  /// What is to be drawn over the film.
+  EdgeLayer edges() const { return edges_.layer(); }
   /// Distance of neighbouring rays in pixels of the viewport.
   double distance() const { return distance_; }
   bool converged() const { return converged_; }
@@ -54,8 +62,10 @@ public:
   /// Standard error of the film, infinite where nobody asked for it.
   double noise() const;
   double seconds() const { return seconds_; }
+  /// The part of them that edges took.
+  double edgeSeconds() const { return edges_.seconds(); }
   long long rays() const { return rays_; }
-  /// Changes whenever the film does.
+  /// Changes whenever the film does, or where edges are.
   unsigned long version() const { return version_; }
 
 private:
@@ -63,9 +73,12 @@ private:
   void begin(const std::vector<double>& signature, double distance, bool draft,
     const Refinement& refinement, int width, int height);
   bool addSamples(const Scene& scene, const Camera& camera, const FrameSettings& settings,
-    const Progress& progress);
+    const float* limits, const Progress& progress);
+  bool addEdges(const Scene& scene, const Camera& camera, const FrameSettings& settings,
+    const float* limits, const Progress& progress);
 
   Film film_;
+  FilmEdges edges_;
   std::vector<double> signature_; ///< all that the film depends on
   double distance_ = 1.0;
   bool draft_ = false;          ///< the film has fewer rays a hit than it should

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+class vtkDataArray;
 class vtkProp;
 class vtkProp3D;
 
@@ -34,6 +35,12 @@ public:
   virtual std::vector<vtkMTimeType> times() const = 0;
   /// Whether rays go through it, so that they must be told where other props stand.
   virtual bool isVolume() const { return false; }
+  /// The array of its particles with one tuple for each, or null where there is none of that name.
+  virtual vtkDataArray* particleArray(const char* name) const
+  {
+    (void)name;
+    return nullptr;
+  }
   /// Whether what is drawn is a preview of more.
   virtual bool isPreview() const { return false; }
   /// Waits until what is drawn is no preview; false where nothing is to be had.

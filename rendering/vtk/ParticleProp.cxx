@@ -5,6 +5,9 @@
 #include "kernels/scene/Scene.h"
 
 #include "vtkActor.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkProperty.h"
 
 namespace mote
@@ -35,6 +38,12 @@ public:
   std::vector<vtkMTimeType> times() const override
   {
     return {mapper_->GetPictureMTime(), actor_->GetProperty()->GetMTime()};
+  }
+  vtkDataArray* particleArray(const char* name) const override
+  {
+    vtkPointSet* input = mapper_->GetInput();
+    vtkDataArray* array = input ? input->GetPointData()->GetArray(name) : nullptr;
+    return array && array->GetNumberOfTuples() == input->GetNumberOfPoints() ? array : nullptr;
   }
   bool isPreview() const override { return mapper_->IsPreview(); }
   bool finish() const override { return mapper_->FinishBuild(); }

@@ -68,7 +68,7 @@ WindowDepth WindowDepthReader::read(vtkRenderer* renderer)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window)
-    throw Error("Volumes need to know what stands in a window, and this one is not OpenGL's.");
+    throw Error("What stands in a window must be known, and this one is not OpenGL's.");
   vtkOpenGLState* state = window->GetState();
   int viewport[4] = {};
   glGetIntegerv(GL_VIEWPORT, viewport);
@@ -98,7 +98,7 @@ WindowDepth WindowDepthReader::read(vtkRenderer* renderer)
   state->PopReadFramebufferBinding();
   if (glGetError() != GL_NO_ERROR)
     throw Error("OpenGL does not tell the depth buffer's values, by which volumes end at other "
-                "props.");
+                "props and edges are found.");
 
   const DepthScale scale(renderer->GetActiveCamera());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, depth.distances.size(), 1 << 14),

@@ -1,12 +1,12 @@
 #include "vtkMoteRayCastPass.h"
 
+#include "DrawStep.h"
 #include "RendererImage.h"
 #include "SceneBridge.h"
 #include "vtkMoteShading.h"
+#include "vtkMoteSilhouettes.h"
 
-#include "vtkCameraPass.h"
 #include "vtkCommand.h"
-#include "vtkHardwareSelector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
@@ -20,38 +20,12 @@
 
 vtkStandardNewMacro(vtkMoteRayCastPass);
 
-namespace
-{
-
-/// The step after the opaque one, in which the traced picture is drawn. It must come after opaque
-/// props, over which edges are blended, and before translucent ones.
-class vtkMoteImageStep : public vtkRenderPass
-{
-public:
-  static vtkMoteImageStep* New();
-  vtkTypeMacro(vtkMoteImageStep, vtkRenderPass);
-
-  std::function<void(vtkRenderer*)> Draw;
-
-  void Render(const vtkRenderState* state) override
-  {
-    this->NumberOfRenderedProps = 0;
-    if (this->Draw)
-      this->Draw(state->GetRenderer());
-  }
-
-private:
-  vtkMoteImageStep() = default;
-};
-
-vtkStandardNewMacro(vtkMoteImageStep);
-
-} // namespace
-
 class vtkMoteRayCastPass::Internals
 {
 public:
-  vtkNew<vtkMoteImageStep> step;
+  /// After the opaque step. It must come after opaque props, over which edges are blended, and
+  /// before translucent ones.
+  vtkNew<mote::DrawStep> step;
   vtkSmartPointer<vtkRenderPass> delegate;
   mote::RendererImages images;
   mote::MoteProps props; ///< of the frame being drawn
@@ -64,10 +38,12 @@ public:
   long long rays = 0;
   double traceTime = 0.0;
   double displayTime = 0.0;
+  double silhouetteTime = 0.0;
 };
 
 vtkMoteRayCastPass::vtkMoteRayCastPass()
   : Shading(vtkSmartPointer<vtkMoteShading>::New())
+  , Silhouettes(vtkSmartPointer<vtkMoteSilhouettes>::New())
   , Impl(std::make_unique<Internals>())
 {
   this->Impl->step->Draw = [this](vtkRenderer* renderer) { this->DrawImage(renderer); };
@@ -97,6 +73,19 @@ vtkMoteShading* vtkMoteRayCastPass::GetShading()
   return this->Shading;
 }
 
+void vtkMoteRayCastPass::SetSilhouettes(vtkMoteSilhouettes* silhouettes)
+{
+  if (this->Silhouettes == silhouettes)
+    return;
+  this->Silhouettes = silhouettes;
+  this->Modified();
+}
+
+vtkMoteSilhouettes* vtkMoteRayCastPass::GetSilhouettes()
+{
+  return this->Silhouettes;
+}
+
 void vtkMoteRayCastPass::SetDelegatePass(vtkRenderPass* pass)
 {
   if (this->Impl->delegate == pass)
@@ -120,7 +109,7 @@ void vtkMoteRayCastPass::Render(const vtkRenderState* state)
   this->NumberOfRenderedProps = 0;
   if (state->GetRenderer()->GetSelector())
   {
-    this->RenderSelection(state);
+    mote::renderSelection(state);
     return;
   }
   this->Impl->props.clear();
@@ -146,18 +135,6 @@ void vtkMoteRayCastPass::Render(const vtkRenderState* state)
   this->NumberOfRenderedProps += this->Impl->delegate->GetNumberOfRenderedProps();
 }
 
-void vtkMoteRayCastPass::RenderSelection(const vtkRenderState* state)
-{
-  // A renderer with a pass leaves it to the pass to serve the selector. All props, Mote's too, are
-  // drawn one by one with the colours that the selector gives them.
-  vtkNew<vtkCameraPass> camera;
-  vtkNew<vtkMoteImageStep> step;
-  step->Draw = [state](vtkRenderer* renderer)
-  { renderer->GetSelector()->Render(renderer, state->GetPropArray(), state->GetPropArrayCount()); };
-  camera->SetDelegatePass(step);
-  camera->Render(state);
-}
-
 void vtkMoteRayCastPass::DrawImage(vtkRenderer* renderer)
 {
   Internals& impl = *this->Impl;
@@ -168,6 +145,7 @@ void vtkMoteRayCastPass::DrawImage(vtkRenderer* renderer)
   settings.frameTime = this->InteractiveFrameTime;
   settings.threads = this->NumberOfThreads;
   settings.shading = this->Shading;
+  settings.silhouettes = this->Silhouettes;
   mote::RendererImage& image = impl.images.of(renderer);
   impl.displayTime = 0.0;
   const bool shown = image.trace(renderer, impl.props, settings,
@@ -193,6 +171,7 @@ void vtkMoteRayCastPass::DrawImage(vtkRenderer* renderer)
   impl.noise = tracer.noise();
   impl.rays = tracer.rays();
   impl.traceTime = tracer.seconds();
+  impl.silhouetteTime = tracer.edgeSeconds();
 }
 
 void vtkMoteRayCastPass::ReleaseGraphicsResources(vtkWindow* window)
@@ -243,6 +222,11 @@ double vtkMoteRayCastPass::GetDisplayTime()
   return this->Impl->displayTime;
 }
 
+double vtkMoteRayCastPass::GetSilhouetteTime()
+{
+  return this->Impl->silhouetteTime;
+}
+
 void vtkMoteRayCastPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -253,5 +237,6 @@ void vtkMoteRayCastPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InteractiveFrameTime: " << this->InteractiveFrameTime << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "Shading: " << this->Shading << "\n";
+  os << indent << "Silhouettes: " << this->Silhouettes << "\n";
   os << indent << "DelegatePass: " << this->Impl->delegate << "\n";
 }

@@ -28,11 +28,12 @@
 
 #include "MoteRenderingVTKModule.h" // for export macro
 #include "vtkRenderPass.h"
-#include "vtkSmartPointer.h" // for DelegatePass and Shading
+#include "vtkSmartPointer.h" // for Shading and Silhouettes
 
 #include <memory> // for the implementation
 
 class vtkMoteShading;
+class vtkMoteSilhouettes;
 
 class MOTERENDERINGVTK_EXPORT vtkMoteRayCastPass : public vtkRenderPass
 {
@@ -122,10 +123,21 @@ public:
 
   ///@{
   /**
+   * Edges on what is drawn: see there. There is one of its own to begin with, which is not Enabled;
+   * null is none. They are found in the depths of each of a pixel's rays, and smoothed with them.
+   * Other options change the edges of a picture at rest without tracing its colours again.
+   */
+  void SetSilhouettes(vtkMoteSilhouettes* silhouettes);
+  vtkMoteSilhouettes* GetSilhouettes();
+  ///@}
+
+  ///@{
+  /**
    * Facts of the last Render(): distance of neighbouring rays in pixels (1: full resolution),
    * samples a pixel shown so far, the standard error of the picture with these (infinite where
    * NoiseLevel is 0, and before there are two), rays cast in it, and seconds spent tracing and
-   * drawing (0 traced: the picture was still good).
+   * drawing (0 traced: the picture was still good). SilhouetteTime is the part of TraceTime in
+   * which edges were looked for.
    */
   double GetImageSampleDistance();
   int GetNumberOfSamples();
@@ -133,6 +145,7 @@ public:
   vtkTypeInt64 GetNumberOfRays();
   double GetTraceTime();
   double GetDisplayTime();
+  double GetSilhouetteTime();
   ///@}
 
   ///@{
@@ -156,13 +169,13 @@ protected:
   double InteractiveFrameTime = 0.08;
   int NumberOfThreads = 0;
   vtkSmartPointer<vtkMoteShading> Shading;
+  vtkSmartPointer<vtkMoteSilhouettes> Silhouettes;
 
 private:
   vtkMoteRayCastPass(const vtkMoteRayCastPass&) = delete;
   void operator=(const vtkMoteRayCastPass&) = delete;
 
   void DrawImage(vtkRenderer* renderer);
-  void RenderSelection(const vtkRenderState* state);
 
   class Internals;
   std::unique_ptr<Internals> Impl;

@@ -1,7 +1,9 @@
 #include "vtkMoteRendererSource.h"
 
+#include "FilmEdges.h"
 #include "SceneBridge.h"
 #include "vtkMoteShading.h"
+#include "vtkMoteSilhouettes.h"
 
 #include "kernels/core/Error.h"
 #include "kernels/scene/RayCaster.h"
@@ -31,6 +33,7 @@ vtkStandardNewMacro(vtkMoteRendererSource);
 
 vtkMoteRendererSource::vtkMoteRendererSource()
   : Shading(vtkSmartPointer<vtkMoteShading>::New())
+  , Silhouettes(vtkSmartPointer<vtkMoteSilhouettes>::New())
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -61,6 +64,19 @@ void vtkMoteRendererSource::SetShading(vtkMoteShading* shading)
 vtkMoteShading* vtkMoteRendererSource::GetShading()
 {
   return this->Shading;
+}
+
+void vtkMoteRendererSource::SetSilhouettes(vtkMoteSilhouettes* silhouettes)
+{
+  if (this->Silhouettes == silhouettes)
+    return;
+  this->Silhouettes = silhouettes;
+  this->Modified();
+}
+
+vtkMoteSilhouettes* vtkMoteRendererSource::GetSilhouettes()
+{
+  return this->Silhouettes;
 }
 
 int vtkMoteRendererSource::RequestInformation(vtkInformation* vtkNotUsed(request),
@@ -151,7 +167,7 @@ std::vector<std::shared_ptr<mote::MoteProp>> vtkMoteRendererSource::CollectProps
   return ours;
 }
 
-bool vtkMoteRendererSource::Trace(mote::Film& film)
+bool vtkMoteRendererSource::Trace(mote::Film& film, mote::FilmEdges& edges)
 {
   mote::MoteProps props = this->CollectProps();
   std::erase_if(props, [](const auto& prop) { return !prop->finish(); });
@@ -161,6 +177,10 @@ bool vtkMoteRendererSource::Trace(mote::Film& film)
     this->Renderer->ResetCameraClippingRange();
   this->Renderer->UpdateLightsGeometryToFollowCamera();
   const mote::Scene scene = mote::sceneOf(this->Renderer, props, this->Shading);
+  edges.prepare(this->Silhouettes, props, scene, 1.0);
+  film.resize(this->Size[0], this->Size[1],
+    (this->Ids ? mote::Film::Id : 0u) | (this->Normals ? mote::Film::Normal : 0u) |
+      (this->Variance || this->NoiseLevel > 0.0 ? mote::Film::Variance : 0u) | edges.channels());
   const mote::Camera camera = mote::cameraOf(
     this->Renderer, double(film.width()) / film.height(), film.width(), film.height());
   mote::RayCaster caster(scene);
@@ -180,6 +200,7 @@ bool vtkMoteRendererSource::Trace(mote::Film& film)
     };
     if (!caster.addSample(camera, film, progress))
       return false;
+    edges.add(film, camera, nullptr, this->NumberOfThreads);
   }
   this->NumberOfSamples = film.samples();
   this->Noise = film.has(mote::Film::Variance) ? mote::standardError(film)
@@ -204,12 +225,10 @@ int vtkMoteRendererSource::RequestData(vtkInformation* vtkNotUsed(request),
   }
   const auto start = std::chrono::steady_clock::now();
   mote::Film film;
+  mote::FilmEdges edges;
   try
   {
-    film.resize(this->Size[0], this->Size[1],
-      (this->Ids ? mote::Film::Id : 0u) | (this->Normals ? mote::Film::Normal : 0u) |
-        (this->Variance || this->NoiseLevel > 0.0 ? mote::Film::Variance : 0u));
-    if (!this->Trace(film))
+    if (!this->Trace(film, edges))
       return 1; // aborted: no image
   }
   catch (const std::exception& error)
@@ -219,9 +238,14 @@ int vtkMoteRendererSource::RequestData(vtkInformation* vtkNotUsed(request),
   }
   this->TraceTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
+  this->SilhouetteTime = edges.seconds();
+
   image->SetDimensions(film.width(), film.height(), 1);
   float* colors = addArray<vtkFloatArray>(image, "color", 4, true);
   std::copy_n(film.color(), 4 * film.pixels(), colors);
+  const mote::EdgeLayer lines = edges.layer();
+  for (std::size_t i = 0; lines.coverage && i < film.pixels(); ++i)
+    lines.drawOver(i, colors + 4 * i);
   if (!this->TransparentBackground)
     putBackground(this->Renderer, film.width(), film.height(), colors);
   if (this->Depth)
@@ -236,6 +260,14 @@ int vtkMoteRendererSource::RequestData(vtkInformation* vtkNotUsed(request),
   }
   if (this->Ids)
     copyIds(film, image);
+  if (this->Edges)
+  {
+    float* coverage = addArray<vtkFloatArray>(image, "edges", 1);
+    if (lines.coverage)
+      std::copy_n(lines.coverage, film.pixels(), coverage);
+    else
+      std::fill_n(coverage, film.pixels(), 0.0f);
+  }
   return 1;
 }
 
@@ -244,6 +276,8 @@ vtkMTimeType vtkMoteRendererSource::GetMTime()
   vtkMTimeType time = this->Superclass::GetMTime();
   if (this->Shading)
     time = std::max(time, this->Shading->GetMTime());
+  if (this->Silhouettes)
+    time = std::max(time, this->Silhouettes->GetMTime());
   if (!this->Renderer)
     return time;
   // The renderer's own time knows its camera, but not what is added, removed or lit by others.
@@ -277,9 +311,11 @@ void vtkMoteRendererSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Normals: " << onOff(this->Normals) << "\n";
   os << indent << "Variance: " << onOff(this->Variance) << "\n";
   os << indent << "Ids: " << onOff(this->Ids) << "\n";
+  os << indent << "Edges: " << onOff(this->Edges) << "\n";
   os << indent << "TransparentBackground: " << onOff(this->TransparentBackground) << "\n";
   os << indent << "ResetClippingRange: " << onOff(this->ResetClippingRange) << "\n";
   os << indent << "NumberOfIgnoredProps: " << this->NumberOfIgnoredProps << "\n";
   os << indent << "Shading: " << this->Shading.Get() << "\n";
+  os << indent << "Silhouettes: " << this->Silhouettes.Get() << "\n";
   os << indent << "Renderer: " << this->Renderer.Get() << "\n";
 }

@@ -18,6 +18,8 @@
  * mapper's input, -1 if nothing;
  *  - `object` (Ids on): 32-bit place of its prop among the Mote props traced, those with particles
  *    first, then volumes; -1 if nothing.
+ *  - `edges` (Edges on): float, the share of the pixel that the lines of Silhouettes cover, in [0,
+ *    1]; 0 where these are not Enabled. They are drawn over `color` already.
  *
  * Clouds have colour and nothing else.
  */
@@ -27,17 +29,19 @@
 
 #include "MoteRenderingVTKModule.h" // for export macro
 #include "vtkImageAlgorithm.h"
-#include "vtkSmartPointer.h" // for Renderer and Shading
+#include "vtkSmartPointer.h" // for Renderer, Shading, Silhouettes
 
 #include <memory> // for lists of props
 #include <vector>
 
 class vtkMoteShading;
+class vtkMoteSilhouettes;
 class vtkRenderer;
 
 namespace mote
 {
 class Film;
+class FilmEdges;
 class MoteProp;
 } // namespace mote
 
@@ -102,6 +106,15 @@ public:
 
   ///@{
   /**
+   * Edges on what is drawn: see there. There is one of its own to begin with, which is not Enabled;
+   * null is none. They are found in the depths of each of a pixel's rays, and smoothed with them.
+   */
+  void SetSilhouettes(vtkMoteSilhouettes* silhouettes);
+  vtkMoteSilhouettes* GetSilhouettes();
+  ///@}
+
+  ///@{
+  /**
    * Which arrays to make besides `color`. All off by default.
    */
   vtkSetMacro(Depth, vtkTypeBool);
@@ -116,6 +129,9 @@ public:
   vtkSetMacro(Ids, vtkTypeBool);
   vtkGetMacro(Ids, vtkTypeBool);
   vtkBooleanMacro(Ids, vtkTypeBool);
+  vtkSetMacro(Edges, vtkTypeBool);
+  vtkGetMacro(Edges, vtkTypeBool);
+  vtkBooleanMacro(Edges, vtkTypeBool);
   ///@}
 
   ///@{
@@ -155,6 +171,11 @@ public:
    */
   vtkGetMacro(TraceTime, double);
 
+  /**
+   * The part of them in which edges were looked for.
+   */
+  vtkGetMacro(SilhouetteTime, double);
+
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -173,14 +194,17 @@ protected:
   vtkTypeBool Normals = 0;
   vtkTypeBool Ids = 0;
   vtkTypeBool Variance = 0;
+  vtkTypeBool Edges = 0;
   int NumberOfSamples = 0;
   double Noise = 0.0;
   vtkTypeBool TransparentBackground = 0;
   vtkTypeBool ResetClippingRange = 1;
   int NumberOfIgnoredProps = 0;
   double TraceTime = 0.0;
+  double SilhouetteTime = 0.0;
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkMoteShading> Shading;
+  vtkSmartPointer<vtkMoteSilhouettes> Silhouettes;
   bool WarnedOfIgnoredProps = false;
 
 private:
@@ -189,7 +213,7 @@ private:
 
 #ifndef __VTK_WRAP__
   std::vector<std::shared_ptr<mote::MoteProp>> CollectProps();
-  bool Trace(mote::Film& film);
+  bool Trace(mote::Film& film, mote::FilmEdges& edges);
 #endif
 };
 

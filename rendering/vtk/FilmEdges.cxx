@@ -1,0 +1,150 @@
+#include "FilmEdges.h"
+
+#include "vtkMoteSilhouettes.h"
+
+#include "kernels/scene/RayCaster.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace mote
+{
+
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(const Clock::time_point& start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// The same scene without the work that finding colours takes.
+Scene withoutLight(const Scene& scene)
+{
+  Scene bare = scene;
+  bare.lights.clear();
+  bare.occlusion.rays = bare.paths.bounces = 0;
+  return bare;
+}
+
+} // namespace
+
+double stepOf(vtkMoteSilhouettes* silhouettes, const Scene& particles, double diagonal)
+{
+  constexpr double radiusOfNone = 1e-3; // of the diagonal
+  const double threshold = silhouettes->GetThreshold();
+  if (silhouettes->GetThresholdMode() == vtkMoteSilhouettes::WORLD)
+    return threshold;
+  if (silhouettes->GetThresholdMode() == vtkMoteSilhouettes::SCENE_SIZE)
+    return threshold * diagonal;
+  const double radius = typicalRadius(particles);
+  return threshold * (radius > 0.0 ? radius : radiusOfNone * diagonal);
+}
+
+SilhouetteOptions silhouetteOptionsOf(vtkMoteSilhouettes* silhouettes, double step, double distance)
+{
+  SilhouetteOptions options;
+  options.step = step;
+  options.stepInPixels = silhouettes->GetStepInPixels();
+  options.hulls = silhouettes->GetHulls();
+  options.thickness = silhouettes->GetThickness() / distance;
+  options.leastThickness = options.thickness * silhouettes->GetLeastThickness();
+  options.leastOpacity = silhouettes->GetLeastOpacity();
+  options.fullStep = std::max(silhouettes->GetFullStep(), 1.0 + 1e-6);
+  options.centered = silhouettes->GetCentered();
+  return options;
+}
+
+/// False where the name stands for nothing.
+bool FilmEdges::takeGroups(const std::string& name, const MoteProps& props)
+{
+  groups_ = {};
+  std::vector<vtkDataArray*> arrays;
+  for (const auto& prop : props)
+    arrays.push_back(name.empty() ? nullptr : prop->particleArray(name.c_str()));
+  const bool found =
+    std::any_of(arrays.begin(), arrays.end(), [](vtkDataArray* array) { return array; });
+  if (found)
+    groups_.by = EdgeGroups::By::Value;
+  else if (name == "object")
+    groups_.by = EdgeGroups::By::Object;
+  else if (name == "particle")
+    groups_.by = EdgeGroups::By::Particle;
+  if (!found)
+    arrays.clear();
+  values_.resize(arrays.size());
+  for (std::size_t i = 0; i < arrays.size(); ++i)
+  {
+    const auto time = static_cast<double>(arrays[i] ? arrays[i]->GetMTime() : 0);
+    // Arrays that are not one piece of memory are copied: once, not every frame.
+    if (std::find(key_.begin(), key_.end(), time) == key_.end() || !values_[i].owner)
+      values_[i] = DataArrayView(arrays[i]);
+    groups_.values.push_back(values_[i].view);
+  }
+  return found || name.empty() || groups_.by != EdgeGroups::By::Nothing;
+}
+
+void FilmEdges::prepare(
+  vtkMoteSilhouettes* silhouettes, const MoteProps& props, const Scene& scene, double distance)
+{
+  seconds_ = 0.0;
+  wanted_ = silhouettes && silhouettes->GetEnabled();
+  if (!wanted_)
+    return;
+  const double* color = silhouettes->GetColor();
+  color_ = {float(color[0]), float(color[1]), float(color[2])};
+  const Box bounds = scene.bounds();
+  const double diagonal = bounds.empty() ? 0.0 : glm::length(bounds.size());
+  options_ = silhouetteOptionsOf(silhouettes, stepOf(silhouettes, scene, diagonal), distance);
+  const std::string name = silhouettes->GetGroupArrayName();
+  const std::string missed = this->takeGroups(name, props) ? std::string() : name;
+  if (!missed.empty() && missed != reported_)
+    vtkErrorWithObjectMacro(silhouettes,
+      "There is no point array \"" << missed << "\" to draw edges between its values.");
+  reported_ = missed;
+  const SilhouetteOptions& o = options_;
+  std::vector<double> key = {o.step, o.stepInPixels, double(o.hulls), o.thickness, o.leastThickness,
+    o.leastOpacity, o.fullStep, double(o.centered), double(groups_.by)};
+  for (const DataArrayView& values : values_)
+    key.push_back(static_cast<double>(values.owner ? values.owner->GetMTime() : 0));
+  if (key != key_)
+    this->clear();
+  key_ = key;
+}
+
+bool FilmEdges::isBehind(const Film& film) const
+{
+  return wanted_ && edges_.samples() < std::min(film.samples(), EdgeFilm::mostSamples);
+}
+
+void FilmEdges::add(const Film& film, const Camera& camera, const float* limits, int threads)
+{
+  const bool kept = (channels() & ~Film::LatestDepth) == 0 || film.has(Film::LatestId);
+  const bool latest = film.samples() == 1 || film.has(Film::LatestDepth);
+  if (!this->isBehind(film) || edges_.samples() != film.samples() - 1 || !kept || !latest)
+    return;
+  const auto start = Clock::now();
+  edges_.add(film, camera, options_, groups_, limits, threads);
+  seconds_ += secondsSince(start);
+}
+
+bool FilmEdges::catchUp(const Scene& scene, const Film& film, const Camera& camera,
+  const float* limits, int threads, const Progress& progress)
+{
+  const auto start = Clock::now();
+  again_.resize(film.width(), film.height(), this->channels());
+  again_.setSamples(edges_.samples());
+  const Scene bare = withoutLight(scene);
+  RayCaster caster(bare);
+  caster.setThreads(threads);
+  caster.setLimits(limits);
+  const bool done = caster.addSample(camera, again_, progress);
+  if (done)
+    edges_.add(again_, camera, options_, groups_, limits, threads);
+  seconds_ += secondsSince(start);
+  return done;
+}
+
+} // namespace mote

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "DataArrayView.h"
+#include "MoteProp.h"
+
+#include "kernels/core/Progress.h"
+#include "kernels/scene/EdgeFilm.h"
+#include "kernels/scene/Scene.h"
+
+#include <string>
+#include <vector>
+
+class vtkMoteSilhouettes;
+
+namespace mote
+{
+
+/// The least step of an edge in world units, for particles in a box of this diagonal: see
+/// vtkMoteSilhouettes::ThresholdModes.
+double stepOf(vtkMoteSilhouettes* silhouettes, const Scene& particles, double diagonal);
+
+/// All of the options that says which pixels edges cover; `distance` is that of neighbouring pixels
+/// of the image, in those that line widths count in.
+SilhouetteOptions silhouetteOptionsOf(
+  vtkMoteSilhouettes* silhouettes, double step, double distance = 1.0);
+
+/// Lines to be drawn over a film, in the size of the film.
+struct EdgeLayer
+{
+  const float* coverage = nullptr; ///< the share of each pixel that they cover; null: no lines
+  Vec3f color{0.0f};
+  int reach = 1; ///< see silhouetteReach()
+
+  /// Puts the lines over premultiplied red, green, blue and alpha of pixel `i`.
+  void drawOver(std::size_t i, float* rgba) const
+  {
+    const float share = coverage[i];
+    for (int c = 0; c < 4; ++c)
+      rgba[c] += share * ((c < 3 ? color[c] : 1.0f) - rgba[c]);
+  }
+};
+
+/// The edges of a film as vtkMoteSilhouettes wants them.
+class FilmEdges
+{
+public:
+  /// Takes the options, which may be null for none, as they are for this scene of these props, of a
+  /// film whose neighbouring pixels are `distance` pixels of the picture apart. Forgets edges that
+  /// were found with others.
+  void prepare(
+    vtkMoteSilhouettes* silhouettes, const MoteProps& props, const Scene& scene, double distance);
+
+  /// Whether there are edges to draw.
+  bool wanted() const { return wanted_; }
+  /// What the film must have for add(), besides colour and depth.
+  unsigned channels() const { return wanted_ ? groups_.channels() : 0u; }
+  /// Forgets all edges: the film begins anew.
+  void clear() { edges_.clear(); }
+
+  /// Adds the edges in the film's latest sample where those of the samples before are there.
+  /// `limits` as RayCaster has them.
+  void add(const Film& film, const Camera& camera, const float* limits, int threads);
+  /// Whether samples of the film have no edges yet.
+  bool isBehind(const Film& film) const;
+  /// Finds the edges of one such sample, casting its rays again where what they met is not kept.
+  /// False where `progress` stopped that.
+  bool catchUp(const Scene& scene, const Film& film, const Camera& camera, const float* limits,
+    int threads, const Progress& progress);
+
+  /// The lines over the film; valid until it, or they, change.
+  EdgeLayer layer() const
+  {
+    if (!wanted_ || edges_.samples() == 0)
+      return {};
+    return {edges_.coverage(), color_, edges_.reach()};
+  }
+  /// Spent in add() and catchUp() since prepare().
+  double seconds() const { return seconds_; }
+
+private:
+  bool takeGroups(const std::string& name, const MoteProps& props);
+
+  bool wanted_ = false;
+  SilhouetteOptions options_;
+  Vec3f color_{0.0f};
+  EdgeGroups groups_;
+  std::vector<DataArrayView> values_; ///< behind those of groups_
+  std::vector<double> key_;           ///< all that edges depend on besides the film
+  std::string reported_;              ///< the array that was missed last
+  EdgeFilm edges_;
+  Film again_; ///< for rays that are cast again
+  double seconds_ = 0.0;
+};
+
+} // namespace mote
