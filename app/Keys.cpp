@@ -46,6 +46,7 @@ const std::vector<Binding>& bindings()
     {Action::Background, {"g", "G"}},
     {Action::Shadows, {"d", "D"}},
     {Action::Shading, {"t", "T"}},
+    {Action::Silhouettes, {"e", "E"}},
     {Action::Save, {"s", "S"}},
     {Action::Escape, {"Escape"}},
     {Action::Quit, {"q", "Q"}},
@@ -81,6 +82,7 @@ std::string keysHelp()
          " b l a g       box, legend, axes, light or dark background \n"
          " d             shadows: none, hard, soft \n"
          " t             light: plain, ambient occlusion, path tracing \n"
+         " e             silhouettes: lines where depth jumps \n"
          " s             save a picture of the view \n"
          " Escape        stop long work; take messages away \n"
          " h ?           these keys \n"

@@ -38,6 +38,7 @@ enum class Action
   Background,
   Shadows,
   Shading,
+  Silhouettes,
   Save,
   Escape,
   Quit

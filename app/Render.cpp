@@ -10,6 +10,7 @@
 #include <vtkMoteImageWriter.h>
 #include <vtkMoteRendererSource.h>
 #include <vtkMoteShading.h>
+#include <vtkMoteSilhouettes.h>
 #include <vtkTimerLog.h>
 
 #include <CLI/CLI.hpp>
@@ -36,6 +37,7 @@ public:
     source_->SetSamplesPerPixel(options.mostSamples(options.pathTrace));
     source_->SetNoiseLevel(options.noise);
     source_->SetShading(scene.lighting().shading());
+    source_->SetSilhouettes(scene.silhouettes().settings());
     legend_->SetInputConnection(source_->GetOutputPort());
   }
 
@@ -51,6 +53,7 @@ public:
     source_->SetNormals(exr);
     source_->SetIds(exr);
     source_->SetVariance(exr && options_.noise > 0.0);
+    source_->SetEdges(exr && scene_.silhouettes().isOn());
     source_->SetTransparentBackground(exr);
     labelled_ = !exr;
     writer_->SetInputConnection(labelled_ ? legend_->GetOutputPort() : source_->GetOutputPort());

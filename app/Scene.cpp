@@ -20,6 +20,7 @@ namespace mote::app
 Scene::Scene(const ViewOptions& options)
   : options_(options)
   , lighting_(renderer_, options)
+  , silhouettes_(options.silhouettes)
   , coloring_(options)
   , selection_(options)
 {

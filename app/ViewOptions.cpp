@@ -428,6 +428,7 @@ void addViewOptions(CLI::App& app, ViewOptions& o)
   addVolumeOptions(app, o.volume);
   addCameraOptions(app, o);
   addLightOptions(app, o);
+  addSilhouetteOptions(app, o.silhouettes);
   addPictureOptions(app, o);
 }
 

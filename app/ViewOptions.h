@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Silhouettes.h"
 #include "VolumeOptions.h"
 
 #include <array>
@@ -65,6 +66,7 @@ struct ViewOptions
   int ambientOcclusion = 0;     ///< rays a hit
   double occlusionReach = 0.0;  ///< world units; 0: choose
   bool pathTrace = false;
+  SilhouetteOptions silhouettes;
 
   // Camera
   std::string view = "auto";

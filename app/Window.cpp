@@ -8,6 +8,7 @@
 #include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkMoteShading.h>
+#include <vtkMoteSilhouettes.h>
 #include <vtkRenderer.h>
 #include <vtkTimerLog.h>
 
@@ -111,6 +112,7 @@ void Window::setUpWindow()
   pass_->SetNoiseLevel(options_.noise);
   pass_->SetNumberOfThreads(options_.threads);
   pass_->SetShading(scene_.lighting().shading());
+  pass_->SetSilhouettes(scene_.silhouettes().settings());
   scene_.renderer()->SetPass(pass_);
   overlay_.setInk(inkOn(scene_.renderer()));
   interactor_->SetRenderWindow(window_);

@@ -136,6 +136,10 @@ void Window::act(Action action)
     scene_.nextShading();
     this->say(scene_.lighting().shadingName());
     break;
+  case Action::Silhouettes:
+    scene_.silhouettes().toggle();
+    this->say(scene_.silhouettes().isOn() ? "Silhouettes" : "No silhouettes");
+    break;
   case Action::Save:
     playing_ = false; // a picture takes rest
     this->savePicture();

@@ -90,6 +90,37 @@ case $3 in
     done
     ;;
 
+  silhouettes) # every option of them is another picture; an EXR has them in a layer of their own
+    before=
+    for lines in '' '--silhouettes' '--silhouettes=2' '--silhouettes --silhouette-thickness 3' \
+      '--silhouettes --silhouette-color white' '--silhouettes --silhouette-groups particle' \
+      '--silhouettes=1e9 --silhouette-groups type'; do
+      # shellcheck disable=SC2086
+      run 0 "$mote" render $lines "$hopper" -o lines.png --size 320x200 --samples 4
+      is_picture lines.png 320x200
+      sum=$(md5sum <lines.png)
+      case $before in *"$sum"*) fail "no other picture with $lines" ;; esac
+      before="$before $sum"
+    done
+    run 0 "$mote" render "$hopper" -o off.png --size 320x200 --samples 4 --silhouettes=off \
+      --silhouette-thickness 3
+    sum=$(md5sum <off.png)
+    case $before in " $sum"*) ;; *) fail "lines that are off" ;; esac
+    run 0 "$mote" render "$hopper" -o a.exr --size 320x200 --samples 1 --silhouettes
+    grep -qa edges a.exr || fail "no edges in a.exr"
+    run 0 "$mote" render "$hopper" -o b.exr --size 320x200 --samples 1
+    grep -qa edges b.exr && fail "edges in b.exr, which nobody asked for"
+    run 1 "$mote" render "$hopper" -o a.png --size 320x200 --silhouettes --silhouette-groups nothing
+    one_sentence
+    said err nothing
+    for wrong in --silhouettes=thick --silhouettes=-1 '--silhouette-thickness 0' \
+      '--silhouette-color noone'; do
+      # shellcheck disable=SC2086
+      run 2 "$mote" render "$hopper" -o a.png $wrong
+      one_sentence
+    done
+    ;;
+
   noise) # rays are cast until the noise is low; an EXR then tells the variance
     run 0 "$mote" render "$hopper" -o a.png --size 320x200 --noise 0.02
     said out ' rays a pixel, noise 0.01'

@@ -110,7 +110,7 @@ case $3 in
     picture help.png
     alike start.png help.png
     before=start
-    for key in c m bracketright x o l b a g; do
+    for key in c m bracketright x o l b a e g; do
       press "$key"
       picture "$key.png"
       differ "$before.png" "$key.png"

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <vtkNew.h>
+
+#include <array>
+#include <optional>
+#include <string>
+
+class vtkMoteSilhouettes;
+
+namespace CLI
+{
+class App;
+} // namespace CLI
+
+namespace mote::app
+{
+
+/// What the user may say about edges.
+struct SilhouetteOptions
+{
+  std::string threshold = "off"; ///< "off", "true" for the usual one, or a number of radii
+  double thickness = 0.0;        ///< pixels; 0: choose
+  std::optional<std::array<double, 3>> color;
+  std::string groups; ///< array between whose values edges stand, too; empty: none
+};
+
+/// Declares them to the command line.
+void addSilhouetteOptions(CLI::App& app, SilhouetteOptions& options);
+
+/// The edges of a scene.
+class Silhouettes
+{
+public:
+  /// `options` must have been checked.
+  explicit Silhouettes(const SilhouetteOptions& options);
+  ~Silhouettes();
+
+  /// On or off.
+  void toggle();
+  bool isOn() const;
+
+  /// For whatever traces the scene.
+  vtkMoteSilhouettes* settings() { return settings_; }
+
+private:
+  vtkNew<vtkMoteSilhouettes> settings_;
+};
+
+} // namespace mote::app
