@@ -13,12 +13,13 @@ namespace
 {
 
 constexpr int lanes = OcclusionDirections::lanes;
-/// Rays nearer to the horizon than this cosine weigh nothing, and rounding would have much to say.
-constexpr float leastCosine = 1e-3f;
 
 /// Rays a texel of the few and of the many, as shares of the options' samples: of two spheres that
 /// touch, about half of the texels take the many.
 constexpr double fewShare = 0.25, manyShare = 1.45;
+
+/// Spheres that rays are tested against before they are cast.
+constexpr std::size_t mostNear = 64;
 
 OcclusionDirections directionsFor(double rays)
 {
@@ -45,14 +46,15 @@ OcclusionSampler::OcclusionSampler(const ParticleStructure& structure,
   const Vec3d size =
     withStructure(structure, [](const auto& s) { return s.statistics().bounds.size(); });
   rounding_ = surfaceError * std::max({size.x, size.y, size.z});
-  asker_.resize(RayPacket::capacity);
+  spacing_ = std::cbrt(size.x * size.y * size.z /
+                       withStructure(structure, [](const auto& s) { return double(s.size()); }));
   packet_.count = 0;
 }
 
 void OcclusionSampler::begin(std::size_t slot)
 {
   slot_ = slot;
-  near_.clear();
+  found_.clear();
   withStructure(structure_,
     [&](const auto& s)
     {
@@ -60,11 +62,14 @@ void OcclusionSampler::begin(std::size_t slot)
       radius_ = s.radius(slot);
       const std::uint64_t input = s.inputIndex(slot);
       seed_ = mixedBits(static_cast<std::uint32_t>(input), static_cast<std::uint32_t>(input >> 32));
-      s.findNear(center_, radius_, near_);
+      // About as many as are tested, and whatever stands between the surface and its tangents.
+      ball_ = std::min(radius_ + reach_,
+        std::max(1.5 * radius_, std::min(4.0 * radius_, radius_ + 1.25 * spacing_)));
+      s.findNear(center_, ball_, found_);
     });
   swallowed_ = false;
   overlaps_.clear();
-  for (const NearParticle& other : near_)
+  for (const NearParticle& other : found_)
   {
     const Vec3d way = other.center - center_;
     const double distance = glm::length(way), radius = other.radius - rounding_;
@@ -74,6 +79,9 @@ void OcclusionSampler::begin(std::size_t slot)
     swallowed_ = swallowed_ || distance + radius_ < radius;
     overlaps_.push_back({way, radius * radius});
   }
+  if (options_.occlude)
+    found_.clear();
+  near_.place(found_, center_, radius_, slot_, reach_, mostNear);
 }
 
 bool OcclusionSampler::isInside(const Vec3f& place) const
@@ -89,20 +97,20 @@ bool OcclusionSampler::isInside(const Vec3f& place) const
 
 void OcclusionSampler::placeAskers()
 {
-  const std::size_t count = places_->middles.size();
+  const std::size_t count = map_->middles.size();
   askers_.assign(count, {});
   texels_.clear();
-  for (std::size_t texel = 0; texel < count; ++texel)
+  for (const std::uint32_t texel : map_->order)
   {
     Asker& asker = askers_[texel];
-    asker.place = places_->middles[texel];
+    asker.place = map_->middles[texel];
     if (!overlaps_.empty())
     {
       int outside = 0;
       bool isPlaced = !isInside(asker.place);
       for (std::size_t k = 0; k < OcclusionPlaces::jitters; ++k)
       {
-        const Vec3f& place = places_->jittered[texel * OcclusionPlaces::jitters + k];
+        const Vec3f& place = map_->jittered[texel * OcclusionPlaces::jitters + k];
         if (isInside(place))
           continue;
         ++outside;
@@ -114,33 +122,26 @@ void OcclusionSampler::placeAskers()
         isPlaced ? static_cast<float>(std::max(outside, 1)) / OcclusionPlaces::jitters : 0.0f;
     }
     if (asker.outside > 0.0f)
-      texels_.push_back(static_cast<std::uint32_t>(texel));
+      texels_.push_back(texel);
   }
 }
 
 void OcclusionSampler::ask(const OcclusionDirections& directions)
 {
   directions.turn(seed_, turned_);
-  const auto blocks = static_cast<std::size_t>(turned_.blocks);
-  facing_.resize(texels_.size() * blocks);
-  for (std::size_t i = 0; i < texels_.size(); ++i)
-  {
-    const Vec3f& place = askers_[texels_[i]].place;
-    for (std::size_t block = 0; block < blocks; ++block)
-    {
-      unsigned bits = 0;
-      for (std::size_t lane = 0; lane < lanes; ++lane)
-      {
-        const std::size_t k = block * lanes + lane;
-        const float cosine =
-          place.x * turned_.x[k] + place.y * turned_.y[k] + place.z * turned_.z[k];
-        bits |= unsigned(cosine > leastCosine) << lane;
-      }
-      facing_[i * blocks + block] = static_cast<Bits>(bits);
-    }
-  }
-  unmet_ = facing_;
-  cast();
+  light_.resize(turned_.x.size());
+  for (std::size_t k = 0; k < light_.size(); ++k)
+    light_[k] = options_.sky.towards({turned_.x[k], turned_.y[k], turned_.z[k]});
+  places_.clear();
+  for (const std::uint32_t texel : texels_)
+    places_.push_back(askers_[texel].place);
+  facing_.resize(texels_.size() * static_cast<std::size_t>(turned_.blocks));
+  unmet_.resize(facing_.size());
+  near_.ask(turned_, places_.data(), places_.size(), facing_.data(), unmet_.data());
+  if (options_.occlude || !near_.hasTouching)
+    castPackets();
+  else if (!near_.hasAll || ball_ < radius_ + reach_)
+    castBundles();
   addUp();
 }
 
@@ -158,7 +159,7 @@ void OcclusionSampler::answer()
   packet_.count = 0;
 }
 
-void OcclusionSampler::cast()
+void OcclusionSampler::castPackets()
 {
   const auto blocks = static_cast<std::size_t>(turned_.blocks);
   for (std::size_t direction = 0; direction < turned_.x.size(); ++direction)
@@ -170,7 +171,7 @@ void OcclusionSampler::cast()
       const std::size_t entry = i * blocks + block;
       if ((unmet_[entry] >> lane & 1) == 0)
         continue;
-      const Vec3d place(askers_[texels_[i]].place);
+      const Vec3d place(places_[i]);
       const Vec3d origin = center_ + radius_ * place;
       const int k = packet_.count++;
       for (int axis = 0; axis < 3; ++axis)
@@ -190,36 +191,83 @@ void OcclusionSampler::cast()
   answer();
 }
 
+/// Casts the rays of one direction that have met nothing so far. What stands before the plane that
+/// touches the particle across the direction is known.
+void OcclusionSampler::castBundles()
+{
+  const auto blocks = static_cast<std::size_t>(turned_.blocks);
+  bundle_.kind = RayBundle::Kind::CommonDirection;
+  bundle_.count = 0;
+  bundle_.origin = center_;
+  bundle_.tMin = radius_;
+  for (std::size_t block = 0; block < blocks; ++block)
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+    {
+      const std::size_t k = block * lanes + lane;
+      const Vec3f way(turned_.x[k], turned_.y[k], turned_.z[k]);
+      Vec3f u(0.0f), v(0.0f);
+      for (std::size_t i = 0; i < places_.size(); ++i)
+      {
+        const std::size_t entry = i * blocks + block;
+        if ((unmet_[entry] >> lane & 1) == 0)
+          continue;
+        if (bundle_.count == 0)
+        {
+          bundle_.direction = Vec3d(way);
+          acrossAxes(bundle_.direction, bundle_.dx, bundle_.dy);
+          u = Vec3f(bundle_.dx);
+          v = Vec3f(bundle_.dy);
+          bundle_.dx *= radius_;
+          bundle_.dy *= radius_;
+        }
+        const double end = radius_ * double(glm::dot(places_[i], way)) + reach_;
+        if (end <= radius_)
+          continue;
+        const int ray = bundle_.count++;
+        bundle_.x[ray] = glm::dot(places_[i], u);
+        bundle_.y[ray] = glm::dot(places_[i], v);
+        bundle_.t[ray] = end;
+        asker_[static_cast<std::size_t>(ray)] = static_cast<std::uint32_t>(entry * lanes + lane);
+        if (bundle_.count == RayBundle::capacity)
+          castBundle();
+      }
+      castBundle();
+    }
+}
+
+void OcclusionSampler::castBundle()
+{
+  if (bundle_.count == 0)
+    return;
+  std::fill_n(bundle_.slot, bundle_.count, slot_);
+  std::fill_n(bundle_.object, bundle_.count, 0);
+  bundle_.side = 0;
+  withStructure(structure_, [this](const auto& s) { s.occlude(bundle_, 0); });
+  for (std::size_t k = 0; k < static_cast<std::size_t>(bundle_.count); ++k)
+    if (!(bundle_.t[k] > 0.0))
+      unmet_[asker_[k] / lanes] &= static_cast<Bits>(~(1u << asker_[k] % lanes));
+  bundle_.count = 0;
+}
+
 void OcclusionSampler::addUp()
 {
   const auto blocks = static_cast<std::size_t>(turned_.blocks);
   for (std::size_t i = 0; i < texels_.size(); ++i)
   {
     Asker& asker = askers_[texels_[i]];
-    const Vec3f& place = asker.place;
-    for (std::size_t block = 0; block < blocks; ++block)
-    {
-      const std::size_t entry = i * blocks + block;
-      asked_ += static_cast<std::size_t>(std::popcount(facing_[entry]));
-      open_ += static_cast<std::size_t>(std::popcount(unmet_[entry]));
-      for (unsigned bits = facing_[entry]; bits != 0; bits &= bits - 1)
-      {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
-        const std::size_t k = block * lanes + lane;
-        const Vec3f way(turned_.x[k], turned_.y[k], turned_.z[k]);
-        const float weight = glm::dot(place, way) * options_.sky.towards(way);
-        asker.all += weight;
-        if ((unmet_[entry] >> lane & 1) != 0)
-          asker.open += weight;
-      }
-    }
+    addOcclusionRays(turned_, light_.data(), asker.place, &facing_[i * blocks], &unmet_[i * blocks],
+      asker.open, asker.all);
   }
+  for (const Bits bits : facing_)
+    asked_ += static_cast<std::size_t>(std::popcount(bits));
+  for (const Bits bits : unmet_)
+    open_ += static_cast<std::size_t>(std::popcount(bits));
 }
 
 /// Whether the few rays of a texel and of those around all met something, or all nothing.
 bool OcclusionSampler::isSettled(int texel) const
 {
-  const int side = places_->side, row = texel / side, column = texel % side;
+  const int side = map_->side, row = texel / side, column = texel % side;
   bool allOpen = true, noneOpen = true;
   for (int k = 0; k < 9; ++k)
   {
@@ -233,7 +281,7 @@ bool OcclusionSampler::isSettled(int texel) const
 
 void OcclusionSampler::askFew(const OcclusionPlaces& places)
 {
-  places_ = &places;
+  map_ = &places;
   asked_ = open_ = 0;
   placeAskers();
   ask(directions_.few);
@@ -248,15 +296,16 @@ void OcclusionSampler::askMany(bool everywhere, OcclusionTexels& texels)
       texels_, [this](std::uint32_t texel) { return isSettled(static_cast<int>(texel)); });
   ask(directions_.many);
   rays_ += asked_;
-  texels.side = places_->side;
+  texels.side = map_->side;
   for (std::size_t texel = 0; texel < askers_.size(); ++texel)
   {
     const Asker& asker = askers_[texel];
     const float share = asker.all > 0.0f ? asker.open / asker.all : 0.0f;
+    const float known = options_.dilate ? asker.outside : 1.0f; // or known to be dark
     texels.weight[texel] =
-      asker.outside * OcclusionTexels::area(texels.side, static_cast<int>(texel) / texels.side);
-    texels.value[texel] = options_.sky.onOpen(places_->middles[texel]) * share *
-                          (options_.dilate ? 1.0f : asker.outside);
+      known * OcclusionTexels::area(texels.side, static_cast<int>(texel) / texels.side);
+    texels.value[texel] =
+      options_.sky.onOpen(map_->middles[texel]) * share * (options_.dilate ? 1.0f : asker.outside);
   }
 }
 

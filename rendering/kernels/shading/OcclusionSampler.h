@@ -1,8 +1,10 @@
 #pragma once
 
+#include "../core/RayBundle.h"
 #include "../core/RayPacket.h"
 #include "../particles/NearParticle.h"
 #include "OcclusionBake.h"
+#include "OcclusionNear.h"
 #include "OcclusionSamples.h"
 #include "OcclusionTexels.h"
 
@@ -65,8 +67,10 @@ private:
   bool isInside(const Vec3f& place) const;
   void placeAskers();
   void ask(const OcclusionDirections& directions);
-  void cast();
+  void castPackets();
   void answer();
+  void castBundles();
+  void castBundle();
   void addUp();
   bool isSettled(int texel) const;
 
@@ -74,23 +78,30 @@ private:
   const OcclusionBakeOptions& options_;
   const OcclusionDirectionSets& directions_;
   double reach_, rounding_;
+  double spacing_; ///< edge of the cube that a particle has on average
 
   std::uint64_t slot_ = 0;
   Vec3d center_{0.0};
   double radius_ = 0.0;
   std::uint32_t seed_ = 0;
   bool swallowed_ = false;
-  std::vector<NearParticle> near_;
+  std::vector<NearParticle> found_;
+  OcclusionNear near_;
+  double ball_ = 0.0; ///< all spheres are found that come as close to the centre
   std::vector<Overlap> overlaps_;
 
-  const OcclusionPlaces* places_ = nullptr;
+  const OcclusionPlaces* map_ = nullptr;
   std::vector<Asker> askers_;
   std::vector<std::uint32_t> texels_; ///< those that ask now
+  std::vector<Vec3f> places_;         ///< of these
   OcclusionDirections turned_;
+  std::vector<float> light_; ///< of the sky in these directions
   std::vector<Bits> facing_; ///< by asking texel and block: rays that are asked
   std::vector<Bits> unmet_;  ///< those that have met nothing so far
   RayPacket packet_;
-  std::vector<std::uint32_t> asker_; ///< entry of `unmet_` and lane of each ray of the packet
+  RayBundle bundle_;
+  /// Entry of `unmet_` and lane of each ray of the packet or the bundle.
+  std::array<std::uint32_t, RayBundle::capacity> asker_;
   std::size_t asked_ = 0, open_ = 0, rays_ = 0;
 };
 

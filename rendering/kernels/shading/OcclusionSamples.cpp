@@ -97,6 +97,17 @@ OcclusionPlaces::OcclusionPlaces(int mapSide)
     return Vec3f(
       std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around), std::cos(polar));
   };
+  // Z order: one bit of the column, one of the row, and so on.
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(texels); ++i)
+  {
+    std::uint32_t row = 0, column = 0;
+    for (std::uint32_t bit = 0; bit < 5; ++bit)
+    {
+      column |= (i >> (2 * bit) & 1) << bit;
+      row |= (i >> (2 * bit + 1) & 1) << bit;
+    }
+    order.push_back(row * static_cast<std::uint32_t>(side) + column);
+  }
   for (int texel = 0; texel < texels; ++texel)
   {
     const int row = texel / side, column = texel % side;

@@ -30,8 +30,9 @@ struct OcclusionPlaces
   explicit OcclusionPlaces(int side);
 
   int side;
-  int texels;                 ///< side * side
-  std::vector<Vec3f> middles; ///< of the texels
+  int texels;                       ///< side * side
+  std::vector<std::uint32_t> order; ///< of the texels, in which neighbours lie together
+  std::vector<Vec3f> middles;       ///< of the texels
   std::vector<Vec3f>
     jittered; ///< `jitters` a texel, evenly over its area, its middle's nearest first
 };
