@@ -19,7 +19,7 @@ std::string checkThreshold(const std::string& text)
   double radii = 0.0;
   if (text == "off" || text == "true" || (parseNumber(text, radii) && radii >= 0.0))
     return {};
-  return "'" + text + "' is neither off nor a number of radii, such as in --silhouettes=6";
+  return "'" + text + "' is neither off nor a number of radii, such as in --silhouettes=4";
 }
 
 CLI::Validator checked()
@@ -34,12 +34,13 @@ void addSilhouetteOptions(CLI::App& app, SilhouetteOptions& o)
   const std::string group = "Silhouettes";
   app
     .add_flag("--silhouettes", o.threshold,
-      "Lines where depth jumps, around all that stands before other things: by more than 6 radii "
-      "of a typical particle, or so many as in --silhouettes=12")
+      "Lines where depth jumps, around all that stands before other things: by more than 10 radii "
+      "of a typical particle, or so many as in --silhouettes=4")
     ->check(checked())
     ->group(group);
   app
-    .add_option("--silhouette-thickness", o.thickness, "Width of the lines in pixels. By default 1.5")
+    .add_option(
+      "--silhouette-thickness", o.thickness, "Width of the lines in pixels. By default 1.5")
     ->check(CLI::Range(0.1, 64.0).description(""))
     ->type_name("PIXELS")
     ->group(group);

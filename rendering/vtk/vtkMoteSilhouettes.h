@@ -47,7 +47,7 @@ public:
 
   ///@{
   /**
-   * The least step of depth that makes an edge, at least 0, in units of ThresholdMode. Default 6
+   * The least step of depth that makes an edge, at least 0, in units of ThresholdMode. Default 10
    * radii: particles that touch have no lines between them, parts and heaps of them have.
    */
   vtkSetClampMacro(Threshold, double, 0.0, VTK_DOUBLE_MAX);
@@ -141,7 +141,7 @@ protected:
   ~vtkMoteSilhouettes() override = default;
 
   bool Enabled = false;
-  double Threshold = 6.0;
+  double Threshold = 10.0;
   int ThresholdMode = RADII;
   double StepInPixels = 2.0;
   double Thickness = 1.5;

@@ -76,7 +76,7 @@ TEST_F(Silhouettes, Defaults)
   vtkNew<vtkMoteSilhouettes> fresh;
   EXPECT_FALSE(fresh->GetEnabled());
   EXPECT_EQ(fresh->GetThresholdMode(), vtkMoteSilhouettes::RADII);
-  EXPECT_EQ(fresh->GetThreshold(), 6.0);
+  EXPECT_EQ(fresh->GetThreshold(), 10.0);
   EXPECT_TRUE(fresh->GetHulls());
   EXPECT_TRUE(fresh->GetCentered());
   EXPECT_STREQ(fresh->GetGroupArrayName(), "");
