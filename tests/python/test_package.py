@@ -22,6 +22,8 @@ class Package(unittest.TestCase):
             "vtkMoteParticlePicker",
             "vtkMoteRayCastPass",
             "vtkMoteRendererSource",
+            "vtkMoteSilhouettePass",
+            "vtkMoteSilhouettes",
             "vtkMoteVolumeMapper",
             "vtkMoteReaderTable",
             "vtkMoteLAMMPSDumpReader",
