@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,10 @@ struct Options
   std::string baked = "auto"; ///< which particles: auto, seen or all
 
   bool wantsTables() const { return allTables || !tables.empty(); }
+  bool wantsTable(const std::string& name) const
+  {
+    return allTables || std::find(tables.begin(), tables.end(), name) != tables.end();
+  }
 };
 
 } // namespace mote::bench

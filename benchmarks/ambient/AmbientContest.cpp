@@ -139,30 +139,26 @@ double AmbientContest::Entry::mrays() const
   return frame > plain ? 1e-6 * rays / (frame - plain) : unknown;
 }
 
-/// Bakes what is to be baked: one bake serves all views.
-void AmbientContest::addEntries(std::vector<Entry>& entries)
+/// Bakes, where that is the method: one bake serves all views.
+void AmbientContest::addEntry(const AmbientMethod& method, std::vector<Entry>& entries)
 {
-  for (const AmbientMethod* method : wanted([](const AmbientMethod&) { return true; }))
+  Entry entry;
+  entry.method = &method;
+  entry.scene = ambientScene(method.isLive() ? live_ : structure_, method.rays, reach_);
+  entry.mode = nameOf(*live_);
+  if (!method.isLive())
   {
-    Entry entry;
-    entry.method = method;
-    entry.scene = ambientScene(
-      method->isLive() ? live_ : structure_, method->isLive() ? method->rays : 0, reach_);
-    entry.mode = nameOf(*live_);
-    if (!method->isLive())
-    {
-      entry.baked = baker_->bake(*method, slots_, threads_);
-      progress("%s: %zu particles in %.2f s, %.1f Mrays/s, %.2f bytes a particle",
-        method->name.c_str(), entry.baked.statistics.particles, entry.seconds(), entry.mrays(),
-        entry.baked.bytesPerParticle());
-      entry.mode = entry.baked.mode;
-      entry.scene.particles[0].occlusion = entry.baked.maps;
-    }
-    for (const ReferencePicture& reference : references_)
-    {
-      entry.reference = &reference;
-      entries.push_back(entry);
-    }
+    entry.baked = baker_->bake(method, slots_, threads_);
+    progress("%s: %zu particles in %.2f s, %.1f Mrays/s, %.2f bytes a particle",
+      method.name.c_str(), entry.baked.statistics.particles, entry.seconds(), entry.mrays(),
+      entry.baked.bytesPerParticle());
+    entry.mode = entry.baked.mode;
+    entry.scene.particles[0].occlusion = entry.baked.maps;
+  }
+  for (const ReferencePicture& reference : references_)
+  {
+    entry.reference = &reference;
+    entries.push_back(entry);
   }
 }
 
@@ -203,14 +199,16 @@ Record AmbientContest::recordOf(const std::string& table, const std::string& met
     {"particles", static_cast<std::int64_t>(input_.statistics.valid)}, {"view", view},
     {"width", std::int64_t{size.width}}, {"height", std::int64_t{size.height}},
     {"threads", std::int64_t{threads_}}, {"repeat", std::int64_t{options_.repeat}},
-    {"reach", reach_}, {"samples", std::int64_t{options_.samples}}, {"baked", bakedName()}};
+    {"reach", reach_}, {"baked", bakedName()}};
 }
 
-Record AmbientContest::recordOf(const Entry& e) const
+Record AmbientContest::recordOf(const std::string& table, const Entry& e) const
 {
-  Record record = recordOf("errors", e.method->name, e.reference->view.name, size_);
+  Record record = recordOf(table, e.method->name, e.reference->view.name, size_);
   const bool maps = e.baked.maps != nullptr;
-  const Record rest = {{"mode", e.mode}, {"seconds", e.seconds()}, {"mrays_per_s", e.mrays()},
+  const Record rest = {{"mode", e.mode},
+    {"samples", std::int64_t{e.method->samples > 0 ? e.method->samples : options_.samples}},
+    {"seconds", e.seconds()}, {"mrays_per_s", e.mrays()},
     {"bytes_per_particle", maps ? e.baked.bytesPerParticle() : 0.0},
     {"bytes_per_baked_particle", maps ? e.baked.bytesPerBaked() : unknown},
     {"baked_particles", static_cast<std::int64_t>(e.baked.statistics.particles)},
@@ -227,10 +225,26 @@ Record AmbientContest::recordOf(const Entry& e) const
 
 void AmbientContest::compareErrors(Report& report)
 {
+  compareErrors(
+    "errors", "Error against time", wanted([](const AmbientMethod&) { return true; }), report);
+}
+
+void AmbientContest::compareErrors(const AmbientTable& table, Report& report)
+{
+  std::vector<const AmbientMethod*> methods;
+  for (const AmbientMethod& method : table.methods)
+    methods.push_back(&method);
+  compareErrors(table.name, table.title, methods, report);
+}
+
+void AmbientContest::compareErrors(const std::string& table, const std::string& title,
+  const std::vector<const AmbientMethod*>& methods, Report& report)
+{
   std::vector<Entry> entries;
-  addEntries(entries);
+  for (const AmbientMethod* method : methods)
+    addEntry(*method, entries);
   timeFrames(entries);
-  Section section{"Error against time", Table(3)};
+  Section section{title, Table(3)};
   section.table.add({"method", "mode", "view", "seconds", "Mrays/s", "bytes/particle",
     "of the baked", "frame ms", "without ms", "RMS error", "greatest"});
   for (Entry& e : entries)
@@ -242,7 +256,7 @@ void AmbientContest::compareErrors(Report& report)
       maps ? format("%.1f", e.baked.bytesPerBaked()) : "-", format("%.2f", 1e3 * e.frame),
       format("%.2f", 1e3 * e.plain), format("%.5f", e.errors.rms),
       format("%.3f", e.errors.greatest)});
-    report.records.push_back(recordOf(e));
+    report.records.push_back(recordOf(table, e));
   }
   for (const ReferencePicture& reference : references_)
     section.notes.push_back(

@@ -17,8 +17,10 @@ public:
   /// Builds the structures and makes the reference pictures.
   AmbientContest(const Options& options, const ParticleInput& input);
 
-  /// Error of the picture against the time that it takes.
+  /// Error of the picture against the time that it takes, by all methods that the options ask for.
   void compareErrors(Report& report);
+  /// The same by those of a table.
+  void compareErrors(const AmbientTable& table, Report& report);
   /// Bakes of the same particles by Mote and by Embree, round after round.
   void raceEmbree(Report& report);
   /// Frames with and without a look-up in maps.
@@ -56,7 +58,9 @@ private:
   SlotBits seen(const PictureSize& size) const;
   std::vector<const AmbientMethod*> wanted(
     const std::function<bool(const AmbientMethod&)>& is) const;
-  void addEntries(std::vector<Entry>& entries);
+  void addEntry(const AmbientMethod& method, std::vector<Entry>& entries);
+  void compareErrors(const std::string& table, const std::string& title,
+    const std::vector<const AmbientMethod*>& methods, Report& report);
   void timeFrames(std::vector<Entry>& entries) const;
   void raceEmbree(
     const AmbientMethod& method, const SlotBits& some, int threads, Table& table, Report& report);
@@ -65,7 +69,7 @@ private:
   std::string bakedName() const { return slots_.empty() ? "all" : "seen"; }
   Record recordOf(const std::string& table, const std::string& method, const std::string& view,
     const PictureSize& size) const;
-  Record recordOf(const Entry& entry) const;
+  Record recordOf(const std::string& table, const Entry& entry) const;
 
   const Options& options_;
   const ParticleInput& input_;

@@ -54,6 +54,36 @@ std::vector<AmbientMethod> allMethods()
   return all;
 }
 
+AmbientTable toleranceTable()
+{
+  AmbientTable table{"tolerance", "Adaptive maps: bytes and error by the tolerance", {}};
+  table.methods.push_back(baked(16, true));
+  for (const double tolerance : {0.0, 0.0025, 0.005, 0.01, 0.02, 0.04})
+  {
+    AmbientMethod method = baked(16, true);
+    method.name = format("tolerance %g", tolerance);
+    method.adaptive = true;
+    method.tolerance = tolerance;
+    table.methods.push_back(method);
+  }
+  return table;
+}
+
+AmbientTable sampleTable()
+{
+  AmbientTable table{"samples", "Rays a texel", {}};
+  for (const bool adaptive : {false, true})
+    for (const int samples : {16, 25, 49, 100, 196})
+    {
+      AmbientMethod method = baked(16, true);
+      method.name = format("%s, %d rays", adaptive ? "adaptive" : "16x16", samples);
+      method.adaptive = adaptive;
+      method.samples = samples;
+      table.methods.push_back(method);
+    }
+  return table;
+}
+
 } // namespace
 
 OcclusionBakeOptions AmbientMethod::baking(OcclusionBakeOptions like) const
@@ -61,12 +91,22 @@ OcclusionBakeOptions AmbientMethod::baking(OcclusionBakeOptions like) const
   like.side = side;
   like.adaptive = adaptive;
   like.dilate = dilate;
+  if (samples > 0)
+    like.samples = samples;
+  if (tolerance >= 0.0)
+    like.tolerance = tolerance;
   return like;
 }
 
 const std::vector<AmbientMethod>& ambientMethods()
 {
   static const std::vector<AmbientMethod> all = allMethods();
+  return all;
+}
+
+const std::vector<AmbientTable>& ambientTables()
+{
+  static const std::vector<AmbientTable> all = {toleranceTable(), sampleTable()};
   return all;
 }
 

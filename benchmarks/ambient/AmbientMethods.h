@@ -17,7 +17,9 @@ struct AmbientMethod
   int side = 16;
   bool adaptive = false;
   bool dilate = true;
-  bool embree = false; ///< answers the rays of the bake
+  bool embree = false;     ///< answers the rays of the bake
+  int samples = 0;         ///< rays a texel; 0: what all others have
+  double tolerance = -1.0; ///< of adaptive maps; below 0: likewise
 
   bool isLive() const { return rays > 0; }
   /// How it bakes; `like` has what all have in common.
@@ -26,5 +28,15 @@ struct AmbientMethod
 
 /// All of them.
 const std::vector<AmbientMethod>& ambientMethods();
+
+/// Methods that are compared with one another alone.
+struct AmbientTable
+{
+  std::string name;
+  std::string title;
+  std::vector<AmbientMethod> methods;
+};
+
+const std::vector<AmbientTable>& ambientTables();
 
 } // namespace mote::bench

@@ -14,6 +14,11 @@ Report run(const Options& options)
   const ParticleInput input = inputOf(options);
   AmbientContest contest(options, input);
   Report report;
+  for (const AmbientTable& table : ambientTables())
+    if (options.wantsTable(table.name))
+      contest.compareErrors(table, report);
+  if (options.wantsTables())
+    return report;
   contest.compareErrors(report);
   contest.raceEmbree(report);
   contest.timeLookUps(report);
@@ -32,6 +37,9 @@ Suite ambientSuite()
     suite.methods.emplace_back(method.name, method.summary);
   for (const View& view : views())
     suite.views.emplace_back(view.name, view.summary);
+  for (const AmbientTable& table : ambientTables())
+    suite.tables.emplace_back(table.name, table.title);
+  suite.tablesInput = "lattice:1000000";
   suite.maps = true;
   suite.size = "256x256";
   suite.run = run;

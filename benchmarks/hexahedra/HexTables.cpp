@@ -313,10 +313,9 @@ std::vector<std::string> volumeNotes(const VolumeTask& task)
 Report makeHexTables(const Options& options)
 {
   HexTableRun run{options, partsOf(options.input), ""};
-  const std::vector<std::string>& wanted = options.tables;
   for (const HexTableEntry& entry : entries())
   {
-    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), entry.name) == wanted.end())
+    if (!options.wantsTable(entry.name))
       continue;
     progress("table %s", entry.name.c_str());
     run.name = entry.name;

@@ -175,9 +175,9 @@ END
     ;;
 
   ambient) # more rays, more texels and more samples are nearer to the reference
-    keys="suite table method input particles view width height threads repeat reach samples baked
+    keys="suite table method input particles view width height threads repeat reach baked
       mode"
-    errors="suite mrays_per_s seconds bytes_per_particle bytes_per_baked_particle baked_particles"
+    errors="samples mrays_per_s seconds bytes_per_particle bytes_per_baked_particle baked_particles"
     errors+=" rays frame_s frame_without_s rms_error max_error checked_pixels reference_error"
     ambient() {
       run 0 "$bench" ambient --size 64x64 --frame-size 48x32 --reference-rays 256 --repeat 1 \
@@ -220,6 +220,12 @@ END
     ambient --input lattice:20000 --samples 49 --methods baked-16x16 --view far
     records a.json "r[0]['rms_error'] < 0.6 * next(x for x in json.load(open('few.json'))
       if x['method'] == 'baked-16x16')['rms_error']"
+    ambient --input lattice:2000 --tables tolerance --bake all --view near
+    records a.json "len(r) == 7 and all(x['baked_particles'] == x['particles'] for x in r)"
+    # The looser, the fewer bytes, and the larger the error.
+    records a.json "(lambda b: b == sorted(b, reverse=True) and b[0] == b[1] > 2 * b[-1])(
+      [x['bytes_per_particle'] for x in r])"
+    records a.json "r[-1]['rms_error'] > 1.5 * r[0]['rms_error']"
     ambient --input lattice:1 --samples 16 # nothing is in the way
     records a.json "all(x['rms_error'] < 1e-6 and x['baked'] == 'all' for x in r if x['table'] == 'errors')"
     records a.json "all(x['baked_particles'] == 1 for x in r if 'baked-' in x['method'] and
@@ -344,6 +350,7 @@ END
     misused ambient --input lattice:10 --methods baked-3x3
     misused ambient --input lattice:10 --structure heap
     misused ambient --input lattice:10 --bake some
+    misused ambient --tables bytes
     misused ambient --input lattice:10 --reference-rays 0
     misused ambient --input lattice:10 --reach -1
     misused hexahedra

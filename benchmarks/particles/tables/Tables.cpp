@@ -4,8 +4,6 @@
 
 #include <kernels/core/Error.h>
 
-#include <algorithm>
-
 namespace mote::bench
 {
 
@@ -58,10 +56,9 @@ Report makeTables(const Options& options)
 {
   const ParticleInput input = inputOf(options);
   TableRun run{options, input, threadCount(options.threads), viewsNamed(options.views), ""};
-  const std::vector<std::string>& wanted = options.tables;
   for (const TableEntry& entry : tables())
   {
-    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), entry.name) == wanted.end())
+    if (!options.wantsTable(entry.name))
       continue;
     progress("table %s", entry.name.c_str());
     run.name = entry.name;
