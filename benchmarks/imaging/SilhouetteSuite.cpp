@@ -4,8 +4,10 @@
 #include "../particles/Comparison.h"
 #include "../particles/Views.h"
 
-#include <kernels/imaging/Silhouettes.h>
+#include <kernels/scene/EdgeFilm.h>
 #include <kernels/scene/RayCaster.h>
+
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 
@@ -14,6 +16,9 @@ namespace mote::bench
 
 namespace
 {
+
+/// As vtkMoteSilhouettes has it: the least step, and that many radii of a typical particle.
+constexpr double radii = 6.0;
 
 struct Method
 {
@@ -26,6 +31,7 @@ SilhouetteOptions standard(double step)
 {
   SilhouetteOptions options;
   options.step = step;
+  options.thickness = options.leastThickness = 1.5;
   return options;
 }
 
@@ -55,21 +61,6 @@ const std::vector<Method>& methods()
     {"default", "what is drawn unless told otherwise", standard},
     {"graded", "grey and 1 to 3 pixels wide by the size of the step", graded}};
   return all;
-}
-
-/// The depths of a film's first sample.
-DepthImage depthImageOf(const Film& film, const Camera& camera)
-{
-  const CameraRays rays(camera, film.width(), film.height());
-  DepthImage image;
-  image.width = film.width();
-  image.height = film.height();
-  image.depth = film.depth();
-  image.dx = glm::length(rays.dx);
-  image.dy = glm::length(rays.dy);
-  image.x0 = glm::dot(rays.d0, rays.dx) / image.dx;
-  image.y0 = glm::dot(rays.d0, rays.dy) / image.dy;
-  return image;
 }
 
 /// One view at one size: frames without edges, and with those of every method.
@@ -112,24 +103,41 @@ public:
     draw(&method);
     double sum = 0.0;
     for (std::size_t i = 0; i < film_.pixels(); ++i)
-      sum += edges_[i];
+      sum += edgeFilm_.coverage()[i];
     return sum / static_cast<double>(film_.pixels());
   }
 
 private:
   void draw(const Method* method)
   {
-    film_.resize(side_, side_);
+    film_.resize(side_, side_, method != nullptr ? EdgeGroups().channels() : 0u);
     RayCaster(scene_).addSample(camera_, film_);
-    if (method != nullptr)
-      filter(*method);
+    if (method == nullptr)
+      return;
+    edgeFilm_.clear();
+    edgeFilm_.add(film_, camera_, method->options(step_), {});
+    tbb::parallel_for(0, side_, [this](int row) { this->blacken(row); });
+  }
+
+  /// Draws the edges over a row of the picture.
+  void blacken(int row)
+  {
+    const auto width = static_cast<std::size_t>(side_), first = row * width;
+    for (std::size_t i = first; i < first + width; ++i)
+    {
+      const float share = edgeFilm_.coverage()[i];
+      float* rgba = film_.color() + 4 * i;
+      for (int c = 0; c < 4; ++c)
+        rgba[c] += share * ((c < 3 ? 0.05f : 1.0f) - rgba[c]);
+    }
   }
 
   /// The film holds a frame: whoever draws leaves the same depths.
   void filter(const Method& method)
   {
     std::fill(edges_.begin(), edges_.end(), 0.0f);
-    findSilhouettes(depthImageOf(film_, camera_), method.options(step_), edges_.data());
+    findSilhouettes(
+      depthImageOf(film_.depth(), side_, side_, camera_), method.options(step_), edges_.data());
   }
 
   const Scene& scene_;
@@ -137,22 +145,11 @@ private:
   int side_;
   double step_;
   Film film_;
+  EdgeFilm edgeFilm_;
   std::vector<float> edges_;
   std::size_t plain_ = 0;
   std::vector<std::size_t> frames_, filters_; ///< places in the race, by method
 };
-
-/// Median over an even sample of the particles: what steps count in.
-double medianRadius(const ParticleInput& input)
-{
-  constexpr std::size_t most = 10'000;
-  const std::size_t stride = 1 + input.set.count() / most;
-  std::vector<double> radii;
-  for (std::size_t i = 0; i < input.set.count(); i += stride)
-    if (isValidParticle(input.set.position(i), input.set.radiusOf(i)))
-      radii.push_back(input.set.radiusOf(i));
-  return radii.empty() ? input.statistics.largestRadius : median(radii);
-}
 
 Scene sceneOf(const ParticleInput& input, const Options& options)
 {
@@ -170,7 +167,7 @@ void measureSize(const Scene& scene, const ParticleInput& input, const Options& 
   Table& table, std::vector<Record>& records)
 {
   const int threads = threadCount(options.threads);
-  const double step = medianRadius(input);
+  const double step = radii * typicalRadius(scene);
   std::vector<Method> chosen;
   for (const Method& method : methods())
     if (isWanted(options, method.name))
@@ -212,11 +209,12 @@ Report run(const Options& options)
     measureSize(scene, input, options, side, section.table, report.records);
   section.notes = {
     "share of it: the edges' part of the frame with edges, the median over rounds in which frames "
-    "with and without take turns.",
+    "with and without take turns; with them they are found and drawn.",
     "filter: finding the edges in the depths of a frame, alone. covered: by edges, of the picture.",
-    format("%zu particles (%s), frames of one ray a pixel with shading, step of one median radius, "
+    format("%zu particles (%s), frames of one ray a pixel with shading, least step of %g radii, "
            "%d threads, medians of %d rounds.",
-      input.statistics.valid, options.input.c_str(), threadCount(options.threads), options.repeat)};
+      input.statistics.valid, options.input.c_str(), radii, threadCount(options.threads),
+      options.repeat)};
   report.sections.push_back(std::move(section));
   return report;
 }
