@@ -1,6 +1,7 @@
 #include "OcclusionMaps.h"
 
 #include "../core/Error.h"
+#include "OcclusionLookUp.h"
 
 #include <tbb/parallel_for.h>
 
@@ -148,38 +149,77 @@ float OcclusionMaps::at(std::size_t particle, const Vec3f& normal) const
 void OcclusionMaps::lookUp(const std::uint64_t* particles, const float* nx, const float* ny,
   const float* nz, int count, float* values) const
 {
-  const float pi = static_cast<float>(M_PI);
+  for (int first = 0; first < count; first += OcclusionLookUp::capacity)
+    lookUpBlock(particles + first, nx + first, ny + first, nz + first,
+      std::min(count - first, OcclusionLookUp::capacity), values + first);
+}
+
+void OcclusionMaps::lookUpBlock(const std::uint64_t* particles, const float* nx, const float* ny,
+  const float* nz, int count, float* values) const
+{
+  OcclusionLookUp block;
+  const std::uint8_t* maps[OcclusionLookUp::capacity];
+  for (int i = 0; i < count; ++i)
+    __builtin_prefetch(&blocks_[particles[i] / blockSize]);
+  bool stored = false; // whether anything is
   for (int i = 0; i < count; ++i)
   {
-    const std::size_t particle = particles[i];
-    const Level stored = level(particle);
-    const int n = side(stored);
-    if (n == 0)
+    block.nx[i] = nx[i];
+    block.ny[i] = ny[i];
+    block.nz[i] = nz[i];
+    if (i > 0 && particles[i] == particles[i - 1])
     {
-      values[i] = stored == Open   ? sky_.onOpen({nx[i], ny[i], nz[i]})
-                  : stored == Dark ? 0.0f
-                                   : std::numeric_limits<float>::quiet_NaN();
+      block.side[i] = block.side[i - 1];
+      maps[i] = maps[i - 1];
       continue;
     }
-    const std::uint8_t* map = texels_.data() + firstTexel(particle);
-    const auto size = static_cast<float>(n);
-    const float v = std::acos(std::clamp(nz[i], -1.0f, 1.0f)) / pi * size - 0.5f;
-    const float u = std::atan2(ny[i], nx[i]) / (2.0f * pi) * size - 0.5f + size;
-    const int row = static_cast<int>(std::floor(v)), column = static_cast<int>(std::floor(u));
-    const float down = v - static_cast<float>(row), along = u - static_cast<float>(column);
-    const auto texel = [&](int r, int c)
-    {
-      // Beyond a pole lies the same row, half-way round.
-      const bool beyond = r < 0 || r >= n;
-      r = std::clamp(r, 0, n - 1);
-      const float q = map[r * n + ((c + (beyond ? n / 2 : 0)) & (n - 1))];
-      return q * q;
-    };
-    // Between equal numbers there is nothing but these numbers, to the last bit.
-    const auto rowValue = [&](int r)
-    { return texel(r, column) + along * (texel(r, column + 1) - texel(r, column)); };
-    const float upper = rowValue(row), lower = rowValue(row + 1);
-    values[i] = maximum() * ((upper + down * (lower - upper)) / (255.0f * 255.0f));
+    const int texelsAlong = side(level(particles[i]));
+    block.side[i] = static_cast<float>(texelsAlong);
+    maps[i] = nullptr;
+    if (texelsAlong == 0)
+      continue;
+    stored = true;
+    maps[i] = texels_.data() + firstTexel(particles[i]);
+    __builtin_prefetch(maps[i] + texelsAlong * texelsAlong / 2);
+  }
+  // Lanes beyond the last are worked out, too, and not used.
+  for (int i = count; i < (count + 15) / 16 * 16; ++i)
+    block.nx[i] = block.ny[i] = block.nz[i] = block.side[i] = 0.0f;
+  if (stored)
+    block.place(count);
+  for (int i = 0; i < count; ++i)
+  {
+    if (maps[i] == nullptr)
+      continue;
+    const int n = static_cast<int>(block.side[i]);
+    // Beyond a pole lies the same row, half-way round.
+    const int half = n / 2, above = block.upper[i], below = above + 1;
+    const int column = block.column[i] + n;
+    const int shiftAbove = above < 0 ? half : 0, shiftBelow = below >= n ? half : 0;
+    const std::uint8_t* upper = maps[i] + std::max(above, 0) * n;
+    const std::uint8_t* lower = maps[i] + std::min(below, n - 1) * n;
+    block.texel[0][i] = upper[(column + shiftAbove) & (n - 1)];
+    block.texel[1][i] = upper[(column + 1 + shiftAbove) & (n - 1)];
+    block.texel[2][i] = lower[(column + shiftBelow) & (n - 1)];
+    block.texel[3][i] = lower[(column + 1 + shiftBelow) & (n - 1)];
+  }
+  if (stored)
+    block.blend(count, maximum());
+  for (int i = 0; i < count; ++i)
+    values[i] =
+      maps[i] != nullptr ? block.value[i] : unstoredValue(particles[i], {nx[i], ny[i], nz[i]});
+}
+
+float OcclusionMaps::unstoredValue(std::size_t particle, const Vec3f& normal) const
+{
+  switch (level(particle))
+  {
+  case Open:
+    return sky_.onOpen(normal);
+  case Dark:
+    return 0.0f;
+  default:
+    return std::numeric_limits<float>::quiet_NaN();
   }
 }
 

@@ -139,6 +139,11 @@ private:
     std::uint64_t first = 0;                  ///< texel of the first particle
   };
 
+  /// The same as lookUp() for a few hits.
+  void lookUpBlock(const std::uint64_t* particles, const float* nx, const float* ny,
+    const float* nz, int count, float* values) const;
+  /// What a particle without texels stands for.
+  float unstoredValue(std::size_t particle, const Vec3f& normal) const;
   /// First texel of a particle.
   std::size_t firstTexel(std::size_t particle) const;
   /// Sets where blocks begin from the levels; returns the number of texels.
