@@ -19,7 +19,7 @@ struct EdgesOptions
   std::string threshold = "1%"; ///< world units, or with % a share of the scene's size
   double stepInPixels = 2.0;
   std::string thickness = "1"; ///< pixels, or LEAST:MOST
-  double leastOpacity = 1.0;
+  double leastOpacity = 0.3;
   bool hulls = true;
   bool onPixels = false;
   int reduction = 1;

@@ -37,7 +37,7 @@ case $3 in
     differs --lines-only --on-pixels
     differs --lines-only --thickness 3
     differs --lines-only --thickness 1:3
-    differs --lines-only --opacity 0.1
+    differs --lines-only --opacity 1
     differs --lines-only --color DarkRed
     differs --lines-only --color '#00f'
     differs --lines-only --far 150

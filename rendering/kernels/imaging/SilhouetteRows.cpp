@@ -119,8 +119,15 @@ HWY_INLINE void findStepsAt(D d, const DistanceRows& rows, const StepLimit& limi
   const V nearest = hn::Min(hn::Min(n.left, n.right), hn::Min(n.down, n.up));
   // A background pixel has no step of its own, so the two cannot both hold.
   const auto isHull = hn::And(hn::Gt(n.center, nearest), hn::Eq(n.center, infinity));
-  const auto isEdge = limit.hulls ? hn::Or(isStep, isHull) : isStep;
-  if (HWY_LIKELY(hn::AllFalse(d, isEdge)))
+  const auto isBorder = limit.hulls ? hn::Or(isStep, isHull) : isStep;
+  if (HWY_LIKELY(hn::AllFalse(d, isBorder)))
+    return;
+  // A pit of one pixel: all around it is nearer by more than a step.
+  const V farthest = hn::Max(hn::Max(hn::Max(n.left, n.right), hn::Max(n.down, n.up)),
+    hn::Max(hn::Max(n.downLeft, n.upRight), hn::Max(n.upLeft, n.downRight)));
+  const V nearer = hn::IfThenElse(isHull, infinity, hn::Sub(n.center, hn::Mul(least, third)));
+  const auto isEdge = hn::And(isBorder, hn::Ge(farthest, nearer));
+  if (hn::AllFalse(d, isEdge))
     return;
   *found.any = true;
   const V mean = hn::Mul(eight, hn::Set(d, 0.125f));

@@ -80,7 +80,8 @@ int silhouetteMargin(const SilhouetteOptions& options);
 /// as others. Only the farther side has an edge, so no line is double. Neighbours that are
 /// background count not, nor do those opposite to them; a background pixel beside a surface is an
 /// edge of full strength. Where groups differ, the farther pixel is, and of two equally far ones
-/// that with the larger group. At the image's border only steps along it count.
+/// that with the larger group. Pits of one pixel, which all eight pixels around are nearer than by
+/// more than a step, have no outline. At the image's border only steps along it count.
 ///
 /// `edges` has a float for each pixel of the output, reducedSize() of the image, row after row:
 /// each becomes the larger of what it is and the share of the pixel that the lines cover, in [0,

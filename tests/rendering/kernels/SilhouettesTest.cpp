@@ -273,6 +273,18 @@ TEST(Silhouettes, LinesAreAsThickAndDarkAsTheirStep)
   EXPECT_NEAR(across(4.0, true), 2.5, 3.0 / 7); // in eight steps
 }
 
+TEST(Silhouettes, PitsOfOnePixelHaveNoOutline)
+{
+  for (const float bottom : {90.0f, nothing})
+    for (const int width : {1, 2, 3})
+    {
+      // What is seen of the bottom of a pit is beside its border.
+      const Picture picture(
+        30, 30, [&](int x, int y) { return x >= 9 && x < 9 + width && y == 20 ? bottom : 5.0f; });
+      EXPECT_EQ(count(picture.edges(onPixels(1.0))), width == 1 ? 0 : width);
+    }
+}
+
 TEST(Silhouettes, WeakerEdgesDoNotEraseStrongerOnes)
 {
   const Picture picture(30, 5, [](int x, int) { return x < 15 ? 1.0f : 9.0f; });
