@@ -170,9 +170,9 @@ case $3 in
       # shellcheck disable=SC2086
       run 0 "$mote" ${command#mote }
       count=$((count + 1))
-    done < <(sed -nE 's/^    (mote (render|average|probe) .*)/\1/p' "$root/README.md" "$root/docs/user-guide.md")
+    done < <(sed -nE 's/^    (mote (render|average|probe|edges) .*)/\1/p' "$root/README.md" "$root/docs/user-guide.md")
     [ $count -ge 8 ] || fail "only $count commands"
-    for part in '' render info convert average probe; do # and what they name are options
+    for part in '' render info convert average probe edges; do # and what they name are options
       # shellcheck disable=SC2086
       run 0 "$mote" $part --help
       cat out >>help
