@@ -24,22 +24,20 @@
 namespace mote::app
 {
 
-namespace
+NamedData particlesOf(Input& input, int step, Progress& progress, const std::string& why)
 {
-
-/// The one set of particles of the input.
-NamedData particlesOf(Input& input, int step, Progress& progress)
-{
-  const std::vector<NamedData> all = input.read(step, progress);
   std::vector<NamedData> particles;
-  for (const NamedData& one : all)
+  for (const NamedData& one : input.read(step, progress))
     if (!Part::isMesh(one.data))
       particles.push_back(one);
   if (particles.size() != 1)
     throw Failure(input.name() + " holds " + std::to_string(particles.size()) +
-                  " sets of particles, and a .mote file holds one");
+                  " sets of particles, and " + why);
   return particles.front();
 }
+
+namespace
+{
 
 double secondsSince(double start)
 {
@@ -86,7 +84,8 @@ void convert(const ConvertOptions& given)
   Input input(options.files);
   input.setSpace(space);
   input.open(progress);
-  const NamedData data = particlesOf(input, input.chosenStep(options), progress);
+  const NamedData data =
+    particlesOf(input, input.chosenStep(options), progress, "a .mote file holds one");
   const double readTime = secondsSince(start);
 
   Part part(data.name, data.data, options, 0.0);

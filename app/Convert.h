@@ -1,8 +1,10 @@
 #pragma once
 
+#include "Input.h"
 #include "ViewOptions.h"
 
 #include <cstdint>
+#include <string>
 
 namespace mote::app
 {
@@ -13,6 +15,10 @@ struct ConvertOptions
   ViewOptions view;
   std::uint64_t memory = 0; ///< bytes to keep to; 0: half of the machine's
 };
+
+/// The one set of particles of the input at a step. Throws Failure, with `why` one is needed, where
+/// there are more or none.
+NamedData particlesOf(Input& input, int step, Progress& progress, const std::string& why);
 
 /// Declares the options of `mote convert`.
 void addConvertOptions(CLI::App& app, ConvertOptions& options);

@@ -81,7 +81,7 @@ std::string keysHelp()
          " space         play the time steps, or pause \n"
          " b l a g       box, legend, axes, light or dark background \n"
          " d             shadows: none, hard, soft \n"
-         " t             light: plain, ambient occlusion, path tracing \n"
+         " t             light: plain, ambient occlusion, the same baked, path tracing \n"
          " e             silhouettes: lines where depth jumps \n"
          " s             save a picture of the view \n"
          " Escape        stop long work; take messages away \n"

@@ -63,8 +63,6 @@ std::vector<double> numbersOf(const std::string& text)
   return numbers;
 }
 
-constexpr int usualOcclusion = 4; // rays a hit
-
 } // namespace
 
 const std::vector<std::string>& lightNames()
@@ -99,6 +97,15 @@ std::string checkShadows(const std::string& text)
   return "'" + text + "' is neither none, hard, soft nor a number from 1 to 64";
 }
 
+std::string checkAmbientOcclusion(const std::string& text)
+{
+  double number = 0.0;
+  if (text == "none" || text == "live" || text == "baked" ||
+      (parseNumber(text, number) && number >= 0 && number <= 4096 && number == std::floor(number)))
+    return {};
+  return "'" + text + "' is neither none, live, baked nor a number from 0 to 4096";
+}
+
 Lighting::Lighting(vtkRenderer* renderer, const ViewOptions& options)
   : options_(options)
 {
@@ -108,7 +115,13 @@ Lighting::Lighting(vtkRenderer* renderer, const ViewOptions& options)
   renderer->AddLight(main_);
   renderer->AddLight(fill_);
   renderer->AutomaticLightCreationOff();
-  shading_->SetAmbientOcclusionSamples(options.ambientOcclusion);
+  double rays = 0.0;
+  if (parseNumber(options.ambientOcclusion, rays))
+    shading_->SetAmbientOcclusionSamples(static_cast<int>(rays));
+  else if (options.ambientOcclusion == "live")
+    shading_->SetAmbientOcclusionToLive();
+  else if (options.ambientOcclusion == "baked")
+    shading_->SetAmbientOcclusionToBaked();
   shading_->SetCloudTolerance(options.volume.cloudTolerance);
   shading_->SetAmbientOcclusionReach(options.occlusionReach);
   shading_->SetMode(options.pathTrace ? vtkMoteShading::PATH_TRACED : vtkMoteShading::LOCAL);
@@ -119,9 +132,14 @@ Lighting::Lighting(vtkRenderer* renderer, const ViewOptions& options)
 
 Lighting::~Lighting() = default;
 
+bool Lighting::isOccluded() const
+{
+  return shading_->GetAmbientOcclusion() != vtkMoteShading::OCCLUSION_NONE;
+}
+
 double Lighting::ambient() const
 {
-  return shading_->GetAmbientOcclusionSamples() > 0 ? 0.72 : 0.28;
+  return this->isOccluded() ? 0.72 : 0.28;
 }
 
 void Lighting::place(const std::string& where)
@@ -168,7 +186,7 @@ void Lighting::balance()
 {
   this->place(options_.light);
   const bool on = shadows_ != "none";
-  if (this->tracesPaths() || shading_->GetAmbientOcclusionSamples() > 0)
+  if (this->tracesPaths() || this->isOccluded())
   {
     // The sky, of which crevices see less, takes over from the light of the eye.
     main_->SetIntensity(this->tracesPaths() ? 0.8 : 0.55);
@@ -183,22 +201,26 @@ void Lighting::nextShading()
 {
   if (this->tracesPaths())
     shading_->SetModeToLocal();
-  else if (shading_->GetAmbientOcclusionSamples() > 0)
+  else if (!this->isOccluded())
+    shading_->SetAmbientOcclusionToLive();
+  else if (shading_->GetAmbientOcclusion() == vtkMoteShading::OCCLUSION_LIVE)
+    shading_->SetAmbientOcclusionToBaked();
+  else
   {
-    shading_->SetAmbientOcclusionSamples(0);
+    shading_->SetAmbientOcclusionToNone();
     shading_->SetModeToPathTraced();
   }
-  else
-    shading_->SetAmbientOcclusionSamples(
-      options_.ambientOcclusion > 0 ? options_.ambientOcclusion : usualOcclusion);
   this->balance();
 }
 
 std::string Lighting::shadingName() const
 {
-  return this->tracesPaths()                          ? "Path tracing"
-         : shading_->GetAmbientOcclusionSamples() > 0 ? "Ambient occlusion"
-                                                      : "Plain light";
+  if (this->tracesPaths())
+    return "Path tracing";
+  return shading_->GetAmbientOcclusion() == vtkMoteShading::OCCLUSION_BAKED
+           ? "Ambient occlusion, baked"
+         : this->isOccluded() ? "Ambient occlusion"
+                              : "Plain light";
 }
 
 bool Lighting::tracesPaths() const

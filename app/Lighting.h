@@ -24,6 +24,9 @@ std::string checkLight(const std::string& text);
 /// Why the text is no --shadows (none, hard, soft or a number); empty where it is.
 std::string checkShadows(const std::string& text);
 
+/// Why the text is no --ambient-occlusion (none, live, baked or a number); empty where it is.
+std::string checkAmbientOcclusion(const std::string& text);
+
 /// The lights of a scene: a main one, which may cast shadows and stands where --light says, and a
 /// weaker one from the eye that keeps the other side of things, and shadows, from going dark.
 class Lighting
@@ -39,10 +42,10 @@ public:
   /// "No shadows", "Hard shadows", "Soft shadows".
   std::string shadowsName() const;
 
-  /// From plain light to ambient occlusion to paths to plain light.
+  /// From plain light to live ambient occlusion, to baked, to paths, to plain light.
   void nextShading();
 
-  /// "Plain light", "Ambient occlusion", "Path tracing".
+  /// "Plain light", "Ambient occlusion", "Ambient occlusion, baked", "Path tracing".
   std::string shadingName() const;
 
   /// Whether light is found by paths.
@@ -58,6 +61,7 @@ private:
   void place(const std::string& where);
   void setShadows(const std::string& shadows);
   void balance();
+  bool isOccluded() const;
 
   const ViewOptions& options_;
   std::string shadows_;

@@ -1,6 +1,7 @@
 #include "Progress.h"
 
 #include "Failure.h"
+#include "Text.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCommand.h>
@@ -20,6 +21,8 @@ namespace
 using Clock = std::chrono::steady_clock;
 constexpr auto patience = std::chrono::milliseconds(300); // before a bar appears
 constexpr auto period = std::chrono::milliseconds(80);    // from one drawing to the next
+
+constexpr double longWork = 5.0; // seconds from which on there is an estimate of what is left
 
 volatile std::sig_atomic_t interrupts = 0;
 
@@ -59,7 +62,8 @@ Progress::Work::Work(Progress& progress, const std::string& what, vtkObject* obj
   , object_(object)
   , algorithm_(vtkAlgorithm::SafeDownCast(object))
   , thread_(std::this_thread::get_id())
-  , next_(Clock::now() + patience)
+  , start_(Clock::now())
+  , next_(start_ + patience)
 {
   interrupts = 0;
   std::signal(SIGINT, onInterrupt);
@@ -103,8 +107,13 @@ void Progress::Work::advance(double share)
     return;
   next_ = now + period;
   shown_ = true;
+  share = std::clamp(share, 0.0, 1.0);
+  std::string what = what_;
+  const double taken = std::chrono::duration<double>(now - start_).count();
+  if (taken > longWork && share > 0.02)
+    what += ", " + asDuration(taken * (1.0 - share) / share) + " left";
   for (ProgressDisplay* display : progress_.displays_)
-    display->show(what_, std::clamp(share, 0.0, 1.0));
+    display->show(what, share);
 }
 
 TerminalProgress::TerminalProgress()

@@ -36,9 +36,10 @@ public:
   void remove(ProgressDisplay& display);
 
   /// One long work of a pipeline object: shows its ProgressEvents from construction to destruction,
-  /// once it takes longer than a moment, and lets Ctrl-C and the displays stop it. An algorithm is
-  /// stopped by its AbortExecute flag; other objects find out themselves. A second Ctrl-C ends the
-  /// program at once, as does the first outside of any work.
+  /// once it takes longer than a moment, with an estimate of what is left where that is long, and
+  /// lets Ctrl-C and the displays stop it. An algorithm is stopped by its AbortExecute flag; other
+  /// objects find out themselves. A second Ctrl-C ends the program at once, as does the first
+  /// outside of any work.
   class Work
   {
   public:
@@ -59,6 +60,7 @@ public:
     vtkAlgorithm* algorithm_;
     unsigned long observer_ = 0;
     std::thread::id thread_;
+    std::chrono::steady_clock::time_point start_;
     std::chrono::steady_clock::time_point next_;
     bool shown_ = false;
     bool stopped_ = false;

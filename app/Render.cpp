@@ -1,5 +1,6 @@
 #include "Render.h"
 
+#include "Bake.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "Scene.h"
@@ -198,7 +199,10 @@ void render(const RenderOptions& given)
   const auto show = [&](int step)
   {
     const double start = vtkTimerLog::GetUniversalTime();
-    scene.setData(input.read(step, progress));
+    const auto data = input.read(step, progress);
+    if (options.ambientOcclusion == "baked")
+      addOcclusionMaps(options, input, step, data);
+    scene.setData(data);
     const double seconds = vtkTimerLog::GetUniversalTime() - start;
     requireTraced(scene);
     scene.build(progress);

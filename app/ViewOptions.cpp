@@ -190,10 +190,12 @@ void addLightOptions(CLI::App& app, ViewOptions& o)
   auto* occlusion =
     app
       .add_option("--ambient-occlusion,--ao", o.ambientOcclusion,
-        "Light of an even sky, which crevices see less of, found by so many rays for every ray of "
-        "a pixel; 4 look smooth, 0 is none")
-      ->check(CLI::Range(0, 4096).description(""))
-      ->type_name("N")
+        "Light of an even sky, which crevices see less of: none; live, found by rays, or by so "
+        "many rays for every ray of a pixel (live means 4); or baked, looked up in maps of the "
+        "particles, from FILE.moteao where mote bake wrote one, and else made of what is seen")
+      ->check(words(checkAmbientOcclusion))
+      ->type_name("none|live|baked|N")
+      ->capture_default_str()
       ->group(group);
   app
     .add_option("--occlusion-reach", o.occlusionReach,

@@ -63,8 +63,8 @@ struct ViewOptions
   std::string light = "auto";   ///< a name of lightNames(), "azimuth,elevation" or "x,y,z"
   std::string shadows = "none"; ///< "none", "hard", "soft", or a side of the square of samples
   double lightSize = 15.0;      ///< degrees
-  int ambientOcclusion = 0;     ///< rays a hit
-  double occlusionReach = 0.0;  ///< world units; 0: choose
+  std::string ambientOcclusion = "none"; ///< or "live", "baked", or rays a hit
+  double occlusionReach = 0.0;           ///< world units; 0: choose
   bool pathTrace = false;
   SilhouetteOptions silhouettes;
 

@@ -1,5 +1,6 @@
 #include "Window.h"
 
+#include "Bake.h"
 #include "Colors.h"
 #include "Failure.h"
 #include "InteractorStyle.h"
@@ -145,7 +146,9 @@ void Window::run()
     bar_.show("Opening " + input_.name(), 0.0);
     input_.open(progress_);
     step_ = input_.chosenStep(options_);
-    scene_.setData(input_.read(step_, progress_));
+    const auto data = input_.read(step_, progress_);
+    addOcclusionMaps(options_, input_, step_, data);
+    scene_.setData(data);
     scene_.setPreview(options_.preview);
     scene_.build(progress_);
     scene_.applyColors();
@@ -223,6 +226,7 @@ bool Window::load(int step)
     {
       scene_.stopBuild();
       const auto data = input_.read(step, progress_);
+      addOcclusionMaps(options_, input_, step, data);
       scene_.setData(data);
       // What plays would go on to the next step before it is built.
       scene_.setPreview(options_.preview && !playing_);

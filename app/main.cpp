@@ -2,6 +2,7 @@
 // sentence and an exit code.
 
 #include "Average.h"
+#include "Bake.h"
 #include "Convert.h"
 #include "Edges.h"
 #include "Failure.h"
@@ -45,6 +46,7 @@ struct AllOptions
   InfoOptions info;
   ConvertOptions converting;
   AverageOptions averaging;
+  BakeOptions baking;
   EdgesOptions edges;
   ProbeOptions probing;
 };
@@ -53,11 +55,13 @@ int run(CLI::App& app, const AllOptions& all)
 {
   const bool toRender = app.got_subcommand("render"), toInform = app.got_subcommand("info"),
              toConvert = app.got_subcommand("convert"), toAverage = app.got_subcommand("average"),
-             toProbe = app.got_subcommand("probe"), toDraw = app.got_subcommand("edges");
+             toBake = app.got_subcommand("bake"), toProbe = app.got_subcommand("probe"),
+             toDraw = app.got_subcommand("edges");
   const ViewOptions& view = toRender    ? all.rendering.view
                             : toInform  ? all.info.read
                             : toConvert ? all.converting.view
                             : toAverage ? all.averaging.view
+                            : toBake    ? all.baking.view
                             : toProbe   ? all.probing.read
                                         : all.window.view;
   if (view.files.empty() && !toDraw)
@@ -74,6 +78,8 @@ int run(CLI::App& app, const AllOptions& all)
     convert(all.converting);
   else if (toAverage)
     average(all.averaging);
+  else if (toBake)
+    bake(all.baking);
   else if (toProbe)
     probe(all.probing);
   else if (toDraw)
@@ -114,6 +120,9 @@ int main(int argc, char** argv)
     all.averaging);
   addEdgesOptions(
     command("edges", "Draw the silhouettes of a depth image, of any program's"), all.edges);
+  addBakeOptions(command("bake", "Write the ambient occlusion of particles as maps, which "
+                                 "--ambient-occlusion baked looks up"),
+    all.baking);
   addProbeOptions(command("probe", "List the values along a line"), all.probing);
   try
   {

@@ -9,6 +9,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -64,6 +65,12 @@ std::vector<double> signatureOf(const MoteProps& props, const Camera& camera, co
 
 /// What a cloud's colour may be wrong by while the view moves.
 constexpr double draftTolerance = 0.02;
+
+/// Samples of a film whose rays find what a view shows: few particles first show up later.
+constexpr int seenSamples = 4;
+
+/// Seconds that a frame of a progressive picture bakes.
+constexpr double bakingTime = 0.25;
 
 /// Whether there is much work for each of the camera's rays.
 bool takesLong(const Scene& scene)
@@ -126,18 +133,31 @@ bool FrameTracer::trace(vtkRenderer* renderer, MoteProps& props, int width, int 
     return false;
   }
   const double aspect = double(width) / height;
-  const auto signature = signatureOf(
-    props, cameraOf(renderer, aspect, width, height), scene, settings.others, width, height);
-  const double wanted = distanceFor(width, height, settings);
+  const Camera viewed = cameraOf(renderer, aspect, width, height);
+  const auto view = signatureOf(props, viewed, scene, settings.others, width, height);
   const bool moving = settings.interactive;
-  const bool slow = takesLong(scene);
+  const bool rested = !settings.progressive || view == view_;
+  view_ = view;
+  baking_.take(scene, props, settings.shading, !moving);
+  const auto hadMaps = baking_.times();
+  bool complete = moving || !OcclusionBaking::isAskedFor(settings.shading);
+  if (!complete && rested && !bake(scene, viewed, width, height, settings, progress, complete))
+  {
+    signature_.clear();
+    return false;
+  }
+  auto signature = view;
+  signature.insert(signature.end(), baking_.times().begin(), baking_.times().end());
+  const double wanted = distanceFor(width, height, settings);
+  const bool slow = takesLong(scene) || !complete;
+  const bool justBaked = complete && hadMaps != baking_.times();
   const bool changed = signature != signature_ || distance_ > wanted;
   const bool worse =
-    !moving && film_.samples() > 0 &&
+    !moving && complete && film_.samples() > 0 &&
     (draft_ || (settings.refinement.channels() != 0 && !film_.has(Film::Variance)));
   edges_.prepare(settings.silhouettes, props, scene, changed || worse ? wanted : distance_);
   if (changed || worse)
-    begin(signature, wanted, changed && slow && (moving || settings.progressive),
+    begin(signature, wanted, changed && slow && !justBaked && (moving || settings.progressive),
       settings.refinement, width, height);
   if (draft_)
     makeDraft(scene);
@@ -156,9 +176,36 @@ bool FrameTracer::trace(vtkRenderer* renderer, MoteProps& props, int width, int 
   if (rays_ > 0 && (draft_ || !slow))
     secondsPerRay_ = seconds_ / static_cast<double>(rays_);
   const bool finished = addEdges(scene, camera, settings, ends, progress);
-  converged_ = distance_ == 1.0 && !draft_ && !preview_ && settings.refinement.isDone(film_) &&
-               !edges_.isBehind(film_);
+  converged_ = distance_ == 1.0 && !draft_ && !preview_ && complete &&
+               settings.refinement.isDone(film_) && !edges_.isBehind(film_);
   return finished;
+}
+
+/// Bakes what the view lacks; for a moment where the picture is progressive. `complete` tells
+/// whether nothing is left; false where `progress` stopped it.
+bool FrameTracer::bake(Scene& scene, const Camera& camera, int width, int height,
+  const FrameSettings& settings, const Progress& progress, bool& complete)
+{
+  std::vector<float> limits;
+  SeenView view{width, height, std::min(settings.refinement.samples, seenSamples)};
+  view.threads = settings.threads;
+  if (settings.others)
+  {
+    limits = settings.others->resampled(width, height);
+    view.limits = limits.data();
+  }
+  const auto caller = std::this_thread::get_id();
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(bakingTime);
+  std::atomic<bool> stopped{false};
+  complete = baking_.bake(scene, camera, view, view_,
+    [&](double done)
+    {
+      if (progress && std::this_thread::get_id() == caller && !progress(done))
+        stopped = true;
+      return !stopped && (!settings.progressive || Clock::now() < end);
+    });
+  return !stopped;
 }
 
 bool FrameTracer::addSamples(const Scene& scene, const Camera& camera,

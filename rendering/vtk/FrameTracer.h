@@ -2,6 +2,7 @@
 
 #include "FilmEdges.h"
 #include "MoteProp.h"
+#include "OcclusionBaking.h"
 #include "WindowDepth.h"
 
 #include "kernels/core/Film.h"
@@ -42,6 +43,9 @@ struct FrameSettings
 ///
 /// Edges are found in the depths of each sample. Where they are wanted otherwise than before, the
 /// film stays, and rays are cast again for their depths alone.
+///
+/// What a picture at rest shows and has no occlusion map is baked before; a progressive picture
+/// stays a draft meanwhile, with the maps that there are, and is baked for a moment each time.
 class FrameTracer
 {
 public:
@@ -72,6 +76,8 @@ private:
   double distanceFor(int width, int height, const FrameSettings& settings) const;
   void begin(const std::vector<double>& signature, double distance, bool draft,
     const Refinement& refinement, int width, int height);
+  bool bake(Scene& scene, const Camera& camera, int width, int height,
+    const FrameSettings& settings, const Progress& progress, bool& complete);
   bool addSamples(const Scene& scene, const Camera& camera, const FrameSettings& settings,
     const float* limits, const Progress& progress);
   bool addEdges(const Scene& scene, const Camera& camera, const FrameSettings& settings,
@@ -80,6 +86,8 @@ private:
   Film film_;
   FilmEdges edges_;
   std::vector<double> signature_; ///< all that the film depends on
+  std::vector<double> view_;      ///< the same without maps, of the last call
+  OcclusionBaking baking_;
   double distance_ = 1.0;
   bool draft_ = false;          ///< the film has fewer rays a hit than it should
   double secondsPerRay_ = 1e-7; ///< of the last such tracing: what the next will take, most likely

@@ -12,6 +12,8 @@ class vtkProp3D;
 namespace mote
 {
 
+class MapperOcclusion;
+struct OcclusionRequest;
 struct Scene;
 
 /// A prop that Mote traces, whatever its mapper: what the bridge to the kernels asks of each kind.
@@ -33,6 +35,9 @@ public:
   virtual bool describe(Scene& scene) const = 0;
   /// The times of change of all that its look depends on, besides place, camera and lights.
   virtual std::vector<vtkMTimeType> times() const = 0;
+  /// Its occlusion maps, brought up to date without baking, or with no request as they are; null
+  /// where it has none.
+  virtual MapperOcclusion* occlusion(const OcclusionRequest*) const { return nullptr; }
   /// Whether rays go through it, so that they must be told where other props stand.
   virtual bool isVolume() const { return false; }
   /// The array of its particles with one tuple for each, or null where there is none of that name.

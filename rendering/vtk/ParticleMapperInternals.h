@@ -2,6 +2,7 @@
 
 #include "vtkMoteParticleMapper.h"
 
+#include "MapperOcclusion.h"
 #include "ParticleInput.h"
 #include "ParticleSelection.h"
 #include "RendererImage.h"
@@ -17,10 +18,10 @@
 #include <string>
 #include <vector>
 
-/// What vtkMoteParticleMapper keeps between frames. Its methods stand in four files: input,
+/// What vtkMoteParticleMapper keeps between frames. Its methods stand in five files: input,
 /// structure and drawing in vtkMoteParticleMapper.cxx, colours in ParticleMapperColors.cxx, ranges
-/// in ParticleMapperRanges.cxx, the preview and what is built behind it in
-/// ParticleMapperPreview.cxx.
+/// in ParticleMapperRanges.cxx, occlusion maps in ParticleMapperOcclusion.cxx, the preview and what
+/// is built behind it in ParticleMapperPreview.cxx.
 class vtkMoteParticleMapper::Internals
 {
 public:
@@ -57,6 +58,8 @@ public:
   mote::PlaceRanges places;
   mote::ParticleSelection selection;
   std::set<std::string> rangeErrors; ///< those that hold now, told when they began to
+
+  mote::MapperOcclusion occlusion;
 
   mote::DataArrayView colorValues;
   Key colorValuesKey;

@@ -184,6 +184,23 @@ vtkDataArray* vtkMoteParticleMapper::FindVisibilityArray(int& component)
   return this->FindRangeArray(this->VisibilityArrayName, component, "the visibility range");
 }
 
+/// The particles of the input as the structure was built from them.
+mote::ParticleInput vtkMoteParticleMapper::DescribeParticles()
+{
+  Internals& impl = *this->Impl;
+  mote::RadiusChoice choice = impl.choice;
+  if (impl.commonRadius > 0.0)
+  {
+    // As it was built; the spacing need not be estimated again.
+    choice.mode = mote::RadiusMode::Constant;
+    choice.radius = impl.commonRadius;
+    choice.scale = 1.0;
+  }
+  mote::ParticleInput input = mote::makeParticleInput(this->GetInput(), choice);
+  input.enlargement = impl.preview ? impl.preview->enlargement : 1.0;
+  return input;
+}
+
 void vtkMoteParticleMapper::UpdateRanges()
 {
   Internals& impl = *this->Impl;
@@ -221,21 +238,8 @@ void vtkMoteParticleMapper::UpdateRanges()
         this->VisibilityRange[0], this->VisibilityRange[1]);
   }
   impl.rangeErrors = errors;
-  const auto particles = [&]
-  {
-    mote::RadiusChoice choice = impl.choice;
-    if (impl.commonRadius > 0.0)
-    {
-      // As it was built; the spacing need not be estimated again.
-      choice.mode = mote::RadiusMode::Constant;
-      choice.radius = impl.commonRadius;
-      choice.scale = 1.0;
-    }
-    mote::ParticleInput input = mote::makeParticleInput(this->GetInput(), choice);
-    input.enlargement = impl.preview ? impl.preview->enlargement : 1.0;
-    return input;
-  };
-  if (impl.selection.apply(*impl.structure, values, impl.places, particles))
+  if (impl.selection.apply(
+        *impl.structure, values, impl.places, [this] { return this->DescribeParticles(); }))
     impl.builtAt.Modified();
 }
 

@@ -45,6 +45,10 @@ public:
     vtkDataArray* array = input ? input->GetPointData()->GetArray(name) : nullptr;
     return array && array->GetNumberOfTuples() == input->GetNumberOfPoints() ? array : nullptr;
   }
+  MapperOcclusion* occlusion(const OcclusionRequest* request) const override
+  {
+    return mapper_->UpdateOcclusion(request);
+  }
   bool isPreview() const override { return mapper_->IsPreview(); }
   bool finish() const override { return mapper_->FinishBuild(); }
 

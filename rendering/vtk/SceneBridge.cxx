@@ -151,7 +151,9 @@ void shadeBy(Scene& scene, vtkMoteShading* shading)
   scene.cloudTolerance = shading->GetCloudTolerance();
   if (shading->GetMode() == vtkMoteShading::LOCAL)
   {
-    scene.occlusion = {shading->GetAmbientOcclusionSamples(), shading->GetAmbientOcclusionReach()};
+    const bool on = shading->GetAmbientOcclusion() != vtkMoteShading::OCCLUSION_NONE;
+    scene.occlusion = {
+      on ? shading->GetAmbientOcclusionSamples() : 0, shading->GetAmbientOcclusionReach()};
     return;
   }
   scene.paths.bounces = shading->GetMaximumBounces();

@@ -43,9 +43,12 @@ class vtkPointSet;
 
 namespace mote
 {
+class MapperOcclusion;
 class PkdTree;
 class ScratchSpace;
+struct OcclusionRequest;
 struct ParticleColoring;
+struct ParticleInput;
 struct ParticleObject;
 struct ParticleStatistics;
 } // namespace mote
@@ -377,7 +380,22 @@ public:
    * is nothing to draw. The views in the description hold until the next Update().
    */
   bool DescribeTo(mote::ParticleObject& object, vtkActor* actor);
+
+  /**
+   * Brings occlusion maps up to date with the last Update(), without baking; with no request as
+   * they are. Null where there are no particles, a preview, or no maps yet of these particles.
+   */
+  mote::MapperOcclusion* UpdateOcclusion(const mote::OcclusionRequest* request);
 #endif
+
+  ///@{
+  /**
+   * Occlusion maps as of the last picture with vtkMoteShading::OCCLUSION_BAKED: how many particles
+   * have one, and what all take, in bytes.
+   */
+  vtkIdType GetNumberOfBakedParticles();
+  vtkTypeInt64 GetOcclusionBytes();
+  ///@}
 
   ///@{
   /**
@@ -463,6 +481,7 @@ private:
   int GetColorComponent(vtkDataArray* array);
   std::string WhyNoColorArray();
 #ifndef __VTK_WRAP__
+  mote::ParticleInput DescribeParticles();
   void DescribeColors(mote::ParticleColoring& coloring);
   void WarnOfLeftOut(const mote::ParticleStatistics& statistics);
 #endif

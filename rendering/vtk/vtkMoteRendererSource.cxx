@@ -1,6 +1,7 @@
 #include "vtkMoteRendererSource.h"
 
 #include "FilmEdges.h"
+#include "OcclusionBaking.h"
 #include "SceneBridge.h"
 #include "vtkMoteShading.h"
 #include "vtkMoteSilhouettes.h"
@@ -176,28 +177,41 @@ bool vtkMoteRendererSource::Trace(mote::Film& film, mote::FilmEdges& edges)
   if (this->ResetClippingRange)
     this->Renderer->ResetCameraClippingRange();
   this->Renderer->UpdateLightsGeometryToFollowCamera();
-  const mote::Scene scene = mote::sceneOf(this->Renderer, props, this->Shading);
+  mote::Scene scene = mote::sceneOf(this->Renderer, props, this->Shading);
   edges.prepare(this->Silhouettes, props, scene, 1.0);
   film.resize(this->Size[0], this->Size[1],
     (this->Ids ? mote::Film::Id : 0u) | (this->Normals ? mote::Film::Normal : 0u) |
       (this->Variance || this->NoiseLevel > 0.0 ? mote::Film::Variance : 0u) | edges.channels());
   const mote::Camera camera = mote::cameraOf(
     this->Renderer, double(film.width()) / film.height(), film.width(), film.height());
+  const mote::Refinement refinement{this->SamplesPerPixel, this->NoiseLevel};
+  const auto caller = std::this_thread::get_id();
+  const auto report = [&](double done)
+  {
+    if (std::this_thread::get_id() != caller)
+      return true;
+    this->UpdateProgress(done);
+    return this->GetAbortExecute() == 0;
+  };
+  double baked = 0.0; // share of the progress
+  if (mote::OcclusionBaking::isAskedFor(this->Shading))
+  {
+    baked = 0.5;
+    mote::OcclusionBaking baking;
+    baking.take(scene, props, this->Shading, true);
+    mote::SeenView view{film.width(), film.height(), std::min(this->SamplesPerPixel, 4)};
+    view.threads = this->NumberOfThreads;
+    if (!baking.bake(scene, camera, view, {}, [&](double done) { return report(baked * done); }))
+      return false;
+  }
   mote::RayCaster caster(scene);
   caster.setThreads(this->NumberOfThreads);
-  const auto caller = std::this_thread::get_id();
-  const mote::Refinement refinement{this->SamplesPerPixel, this->NoiseLevel};
   while (!refinement.isDone(film))
   {
     const double done = refinement.progress(film);
     const double step = (1.0 - done) / (this->SamplesPerPixel - film.samples());
     const auto progress = [&](double part)
-    {
-      if (std::this_thread::get_id() != caller)
-        return true;
-      this->UpdateProgress(done + part * step);
-      return this->GetAbortExecute() == 0;
-    };
+    { return report(baked + (1.0 - baked) * (done + part * step)); };
     if (!caster.addSample(camera, film, progress))
       return false;
     edges.add(film, camera, nullptr, this->NumberOfThreads);

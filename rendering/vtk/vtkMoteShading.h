@@ -6,10 +6,18 @@
  * the same picture: SetShading() of either.
  *
  * Ambient occlusion. The ambient part of an actor's vtkProperty is the light of an even sky; with
- * AmbientOcclusionSamples above 0 a surface receives the share of it that it sees: of all
- * directions above the surface, each weighted by its cosine to the normal, those along which no
- * particle stands within AmbientOcclusionReach. Crevices darken. Lights and their shadows add to
- * that as ever; properties with no ambient part show nothing of it.
+ * AmbientOcclusion a surface receives the share of it that it sees: of all directions above the
+ * surface, each weighted by its cosine to the normal, those along which no particle stands within
+ * AmbientOcclusionReach. Crevices darken. Lights and their shadows add to that as ever; properties
+ * with no ambient part show nothing of it.
+ *
+ * LIVE finds that share by rays at every hit. BAKED looks it up in a map of each particle, of up to
+ * BakeSide x BakeSide numbers, which costs next to nothing: maps come with the data
+ * (vtkMoteAmbientOcclusionBaker), and what a picture at rest shows and has no map is baked before
+ * it is traced; maps stay until particles, radii or settings change, and a change of a mapper's
+ * ranges bakes again what it affects. Nothing is baked while the view moves. Maps count the
+ * particles of their own actor alone. Iso-surfaces, spheres seen from within, and particles that
+ * first show up at a later sample of a pixel are lit as by LIVE.
  *
  * Path tracing. Light comes from a sky all around and from the lights, straight and by way of up to
  * MaximumBounces particles. Of a vtkProperty the colour times Diffuse, Metallic and Roughness tell
@@ -49,12 +57,33 @@ public:
   void SetModeToPathTraced() { this->SetMode(PATH_TRACED); }
   ///@}
 
+  enum AmbientOcclusions
+  {
+    OCCLUSION_NONE, ///< all ambient light reaches every surface
+    OCCLUSION_LIVE, ///< rays at every hit
+    OCCLUSION_BAKED ///< maps of the particles
+  };
+
   ///@{
   /**
-   * Rays that look for the sky at each hit of each of a pixel's rays, in [0, 4096]; 0, the default,
-   * for none. 4, with 16 rays a pixel, make a smooth picture; powers of two spread best.
+   * How the ambient light that surfaces receive is found, in LOCAL mode. Default OCCLUSION_NONE.
+   * The others make AmbientOcclusionSamples 4 where they are 0.
    */
-  vtkSetClampMacro(AmbientOcclusionSamples, int, 0, 4096);
+  void SetAmbientOcclusion(int how);
+  vtkGetMacro(AmbientOcclusion, int);
+  void SetAmbientOcclusionToNone() { this->SetAmbientOcclusion(OCCLUSION_NONE); }
+  void SetAmbientOcclusionToLive() { this->SetAmbientOcclusion(OCCLUSION_LIVE); }
+  void SetAmbientOcclusionToBaked() { this->SetAmbientOcclusion(OCCLUSION_BAKED); }
+  ///@}
+
+  ///@{
+  /**
+   * Rays that look for the sky at each hit of each of a pixel's rays, in [0, 4096]. 4, with 16 rays
+   * a pixel, make a smooth picture; powers of two spread best. More than 0 turn OCCLUSION_NONE
+   * into OCCLUSION_LIVE, and 0, the default, turns that into OCCLUSION_NONE. With OCCLUSION_BAKED
+   * they light what has no map, and with 0 that is lit as if it saw all of the sky.
+   */
+  void SetAmbientOcclusionSamples(int samples);
   vtkGetMacro(AmbientOcclusionSamples, int);
   ///@}
 
@@ -65,6 +94,24 @@ public:
    */
   vtkSetClampMacro(AmbientOcclusionReach, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmbientOcclusionReach, double);
+  ///@}
+
+  ///@{
+  /**
+   * What is baked where maps are missing: texels along a side of a map, at most, a power of two in
+   * [1, 32] (16); rays a texel, in [1, 4096] (default 49); whether particles whose maps
+   * vary little get smaller ones (default on), and how much the light may then be wrong, in [0, 1]
+   *. See vtkMoteAmbientOcclusionBaker, which has more settings.
+   */
+  void SetBakeSide(int side);
+  vtkGetMacro(BakeSide, int);
+  vtkSetClampMacro(BakeSamples, int, 1, 4096);
+  vtkGetMacro(BakeSamples, int);
+  vtkSetMacro(BakeAdaptive, vtkTypeBool);
+  vtkGetMacro(BakeAdaptive, vtkTypeBool);
+  vtkBooleanMacro(BakeAdaptive, vtkTypeBool);
+  vtkSetClampMacro(BakeTolerance, double, 0.0, 1.0);
+  vtkGetMacro(BakeTolerance, double);
   ///@}
 
   ///@{
@@ -103,12 +150,17 @@ public:
   ///@}
 
 protected:
-  vtkMoteShading() = default;
+  vtkMoteShading();
   ~vtkMoteShading() override = default;
 
   int Mode = LOCAL;
+  int AmbientOcclusion = OCCLUSION_NONE;
   int AmbientOcclusionSamples = 0;
   double AmbientOcclusionReach = 0.0;
+  int BakeSide;
+  int BakeSamples;
+  vtkTypeBool BakeAdaptive;
+  double BakeTolerance;
   int MaximumBounces = 16;
   double SkyTop[3] = {1.0, 1.0, 1.0};
   double SkyBottom[3] = {1.0, 1.0, 1.0};

@@ -1,0 +1,166 @@
+#include "Bake.h"
+
+#include "Convert.h"
+#include "Failure.h"
+#include "Messages.h"
+#include "Part.h"
+#include "Text.h"
+
+#include <kernels/core/AtomicFile.h>
+
+#include <vtkActor.h>
+#include <vtkMoteAmbientOcclusionBaker.h>
+#include <vtkMoteParticleMapper.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkTimerLog.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <filesystem>
+
+namespace mote::app
+{
+
+namespace
+{
+
+/// Where the maps of a time step, which counts from 0, lie beside the data.
+std::string mapsFileOf(const ViewOptions& options, const Input& input, int step)
+{
+  const std::string& file = options.files.front();
+  return input.numberOfSteps() > 1 ? file + "." + std::to_string(step + 1) + ".moteao"
+                                   : file + ".moteao";
+}
+
+/// Radii as they are drawn.
+void setRadii(
+  vtkMoteAmbientOcclusionBaker* baker, vtkMoteParticleMapper* from, const ViewOptions& options)
+{
+  baker->SetRadiusMode(from->GetRadiusMode());
+  baker->SetRadius(from->GetRadius());
+  baker->SetRadiusScale(from->GetRadiusScale());
+  baker->SetRadiusArrayName(from->GetRadiusArrayName());
+  baker->SetTypeArrayName(from->GetTypeArrayName());
+  for (const auto& [type, radius] : options.typeRadius)
+    baker->SetTypeRadius(type, radius);
+}
+
+void setQuality(vtkMoteAmbientOcclusionBaker* baker, const BakeOptions& options)
+{
+  if (options.side > 0)
+    baker->SetSide(options.side);
+  if (options.samples > 0)
+    baker->SetSamples(options.samples);
+  baker->SetReach(options.reach);
+  if (options.tolerance == 0.0)
+    baker->AdaptiveOff();
+  else if (options.tolerance > 0.0)
+    baker->SetTolerance(options.tolerance);
+  baker->SetNumberOfThreads(options.view.threads);
+}
+
+} // namespace
+
+void addBakeOptions(CLI::App& app, BakeOptions& options)
+{
+  addReadOptions(app, options.view);
+  app
+    .add_option("--output,-o", options.output,
+      "File to write, .moteao. By default the data file's name with .moteao behind it, and the "
+      "step's number before where there are several: there mote looks for it")
+    ->type_name("FILE");
+  addRadiusOptions(app, options.view);
+  const std::string group = "Baking";
+  app.add_option("--side", options.side, "Texels along a side of the largest maps. By default 16")
+    ->check(CLI::IsMember({1, 2, 4, 8, 16, 32}).description(""))
+    ->type_name("1|2|4|8|16|32")
+    ->group(group);
+  app.add_option("--samples", options.samples, "Rays a texel. By default 49")
+    ->check(CLI::Range(1, 65536).description(""))
+    ->type_name("N")
+    ->group(group);
+  app
+    .add_option("--occlusion-reach", options.reach,
+      "How far rays go, in the data's units: what is farther away darkens nothing. By default a "
+      "tenth of the data's longest side")
+    ->check(CLI::PositiveNumber.description(""))
+    ->type_name("R")
+    ->group(group);
+  app
+    .add_option("--tolerance", options.tolerance,
+      "Error that a particle's smaller map may have, as a share of the light; 0 gives all maps the "
+      "same size. By default 0.01")
+    ->check(CLI::Range(0.0, 1.0).description(""))
+    ->type_name("E")
+    ->group(group);
+}
+
+void bake(const BakeOptions& options)
+{
+  TerminalProgress terminal;
+  Progress progress;
+  progress.add(terminal);
+  Input input(options.view.files);
+  input.open(progress);
+  const int step = input.chosenStep(options.view);
+  const std::string output =
+    options.output.empty() ? mapsFileOf(options.view, input, step) : options.output;
+  if (lowerCase(std::filesystem::path(output).extension().string()) != ".moteao")
+    throw Failure("the file to write must end in .moteao, not " + output);
+  checkWritable(output); // before minutes of baking
+  const NamedData data = particlesOf(input, step, progress, "mote bake takes one");
+  auto* points = vtkPolyData::SafeDownCast(data.data);
+  if (!points)
+    throw Failure(data.name + " holds no points that mote bake could take");
+  Part part(data.name, data.data, options.view, 0.0);
+
+  vtkNew<vtkMoteAmbientOcclusionBaker> baker;
+  setRadii(baker, part.particles(), options.view);
+  setQuality(baker, options);
+  baker->SetFileName(output.c_str());
+  baker->SetInputData(points);
+  Messages::takeError();
+  {
+    Progress::Work work(progress, "Baking", baker);
+    baker->Update();
+    work.finish();
+  }
+  if (const std::string error = Messages::takeError(); !error.empty())
+    throw Failure(error);
+  std::string text = output + ": " + counted(baker->GetNumberOfBaked(), "particle") + ", " +
+                     asNumber(baker->GetBytesPerParticle(), 3) + " bytes a particle, ";
+  if (baker->GetNumberOfNewlyBaked() == 0)
+    text += "as it was";
+  else
+    text += asNumber(static_cast<double>(baker->GetNumberOfRays()), 3) + " rays in " +
+            asDuration(baker->GetBakeTime()) + ", " +
+            asNumber(1e-6 * static_cast<double>(baker->GetNumberOfRays()) /
+                       std::max(baker->GetBakeTime(), 1e-9),
+              3) +
+            " million a second";
+  std::printf("%s\n", text.c_str());
+}
+
+void addOcclusionMaps(
+  const ViewOptions& options, const Input& input, int step, const std::vector<NamedData>& data)
+{
+  vtkDataSet* particles = nullptr;
+  for (const NamedData& one : data)
+    if (!Part::isMesh(one.data))
+    {
+      if (particles)
+        return; // a file holds the maps of one set
+      particles = one.data;
+    }
+  const std::string file = mapsFileOf(options, input, step);
+  std::error_code error;
+  if (!particles || !std::filesystem::is_regular_file(file, error))
+    return;
+  const std::string problem = vtkMoteAmbientOcclusionBaker::ReadMaps(file, particles);
+  if (!problem.empty())
+    std::fprintf(stderr, "mote: warning: %s\n", problem.c_str());
+}
+
+} // namespace mote::app

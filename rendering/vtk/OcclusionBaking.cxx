@@ -1,0 +1,109 @@
+#include "OcclusionBaking.h"
+
+#include "MapperOcclusion.h"
+#include "vtkMoteShading.h"
+
+#include "kernels/shading/AmbientOcclusion.h"
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mote
+{
+
+namespace
+{
+
+constexpr double castingShare = 0.05; ///< of the progress, until it is known what is seen
+
+/// How much longer a length in an object is in the world, on average over directions.
+double scaleOf(const Mat4d& toWorld)
+{
+  return std::cbrt(std::abs(glm::determinant(Mat3d(toWorld))));
+}
+
+} // namespace
+
+bool OcclusionBaking::isAskedFor(vtkMoteShading* shading)
+{
+  return shading && shading->GetMode() == vtkMoteShading::LOCAL &&
+         shading->GetAmbientOcclusion() == vtkMoteShading::OCCLUSION_BAKED;
+}
+
+void OcclusionBaking::take(
+  Scene& scene, const MoteProps& props, vtkMoteShading* shading, bool update)
+{
+  maps_.clear();
+  times_.clear();
+  if (!isAskedFor(shading))
+    return;
+  OcclusionRequest request;
+  request.options.side = shading->GetBakeSide();
+  request.options.samples = shading->GetBakeSamples();
+  request.options.adaptive = shading->GetBakeAdaptive() != 0;
+  request.options.tolerance = shading->GetBakeTolerance();
+  request.reachChosen = shading->GetAmbientOcclusionReach() > 0.0;
+  const double reach = scene.particles.empty() ? 0.0 : occlusionReach(scene);
+  for (std::size_t i = 0; i < scene.particles.size(); ++i)
+  {
+    const double scale = scaleOf(scene.particles[i].toWorld);
+    request.options.reach = reach / scale;
+    maps_.push_back(scale > 0.0 ? props[i]->occlusion(update ? &request : nullptr) : nullptr);
+  }
+  this->give(scene);
+}
+
+void OcclusionBaking::give(Scene& scene)
+{
+  times_.clear();
+  bool complete = std::all_of(scene.volumes.begin(), scene.volumes.end(),
+    [](const VolumeObject& volume) { return volume.isoValues.empty(); });
+  for (std::size_t i = 0; i < maps_.size(); ++i)
+  {
+    scene.particles[i].occlusion = maps_[i] ? maps_[i]->maps() : nullptr;
+    complete = complete && maps_[i] && maps_[i]->complete();
+    times_.push_back(maps_[i] ? static_cast<double>(maps_[i]->time()) : 0.0);
+  }
+  if (complete)
+    scene.occlusion.rays = 0;
+}
+
+bool OcclusionBaking::bake(Scene& scene, const Camera& camera, const SeenView& view,
+  const std::vector<double>& key, const Progress& progress)
+{
+  const auto completeKey = [&]
+  {
+    std::vector<double> all = key;
+    all.insert(all.end(), times_.begin(), times_.end());
+    return all;
+  };
+  const auto has = [](MapperOcclusion* maps) { return !maps || maps->complete(); };
+  if (std::all_of(maps_.begin(), maps_.end(), has) || completeKey_ == completeKey())
+    return true;
+  const auto part = [&](double begin, double share)
+  {
+    return [&progress, begin, share](double done)
+    { return !progress || progress(begin + share * done); };
+  };
+  if (seenKey_ != key)
+  {
+    seenKey_.reset();
+    if (!findSeenParticles(scene, camera, view, seen_, part(0.0, castingShare)))
+      return false;
+    seenKey_ = key;
+  }
+  bool finished = true;
+  const double share = (1.0 - castingShare) / static_cast<double>(maps_.size());
+  for (std::size_t i = 0; i < maps_.size() && finished; ++i)
+    if (maps_[i] && !maps_[i]->complete())
+      finished = maps_[i]->bake(*scene.particles[i].structure, seen_[i],
+        part(castingShare + share * static_cast<double>(i), share));
+  this->give(scene);
+  if (finished)
+    completeKey_ = completeKey();
+  return finished;
+}
+
+} // namespace mote

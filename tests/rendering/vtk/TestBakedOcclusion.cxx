@@ -1,0 +1,216 @@
+// vtkMoteShading::OCCLUSION_BAKED without maps in the data: what pictures bake, and what they keep.
+#include "VTKTestSupport.h"
+
+#include "FrameTracer.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkMoteShading.h"
+#include "vtkProperty.h"
+
+#include <cmath>
+#include <set>
+
+using namespace mote::testing;
+
+namespace
+{
+
+/// Balls in ambient light alone, seen by a source that bakes.
+struct Baked : Stage
+{
+  vtkNew<vtkMoteRendererSource> source;
+
+  explicit Baked(int count = 400)
+    : Stage(makeParticles(someBalls(count)))
+  {
+    mapper->ScalarVisibilityOff();
+    actor->GetProperty()->SetAmbient(1.0);
+    actor->GetProperty()->SetDiffuse(0.0);
+    source->SetRenderer(renderer);
+    source->SetSize(64, 64);
+    source->SetSamplesPerPixel(4);
+    source->IdsOn();
+    source->TransparentBackgroundOn();
+    source->DepthOn();
+    vtkMoteShading* shading = source->GetShading();
+    shading->SetAmbientOcclusionReach(0.5);
+    shading->SetAmbientOcclusionToBaked();
+    shading->SetBakeSide(8);
+    shading->SetBakeSamples(16);
+  }
+
+  Picture shown()
+  {
+    source->Update();
+    vtkNew<vtkImageData> copy;
+    copy->DeepCopy(source->GetOutput());
+    return {64, 64, copy};
+  }
+};
+
+double rmsOf(const Picture& a, const Picture& b)
+{
+  double sum = 0.0;
+  for (int i = 0; i < a.count(); ++i)
+    sum += std::pow(a.color(i)[0] - b.color(i)[0], 2.0);
+  return std::sqrt(sum / a.covered());
+}
+
+} // namespace
+
+TEST(BakedOcclusion, OneOptionSelects)
+{
+  vtkNew<vtkMoteShading> shading;
+  EXPECT_EQ(shading->GetAmbientOcclusion(), vtkMoteShading::OCCLUSION_NONE);
+  shading->SetAmbientOcclusionSamples(2);
+  EXPECT_EQ(shading->GetAmbientOcclusion(), vtkMoteShading::OCCLUSION_LIVE);
+  shading->SetAmbientOcclusionSamples(0);
+  EXPECT_EQ(shading->GetAmbientOcclusion(), vtkMoteShading::OCCLUSION_NONE);
+  shading->SetAmbientOcclusionToLive();
+  EXPECT_EQ(shading->GetAmbientOcclusionSamples(), 4);
+  shading->SetAmbientOcclusionToBaked();
+  shading->SetAmbientOcclusionSamples(0);
+  EXPECT_EQ(shading->GetAmbientOcclusion(), vtkMoteShading::OCCLUSION_BAKED);
+  const vtkMTimeType before = shading->GetMTime();
+  shading->SetAmbientOcclusionToBaked();
+  shading->SetBakeSide(shading->GetBakeSide());
+  EXPECT_EQ(shading->GetMTime(), before);
+  Complaints complaints(shading);
+  shading->SetBakeSide(3);
+  EXPECT_EQ(complaints.errors, 1);
+  EXPECT_EQ(shading->GetBakeSide(), 16);
+}
+
+TEST(BakedOcclusion, LooksLikeLive)
+{
+  Baked baked, live;
+  live.source->GetShading()->SetAmbientOcclusionToLive();
+  live.source->GetShading()->SetAmbientOcclusionSamples(64);
+  baked.source->GetShading()->SetBakeSide(16);
+  baked.source->GetShading()->SetBakeSamples(49);
+  const Picture wanted = live.shown();
+  EXPECT_LT(rmsOf(baked.shown(), wanted), 0.03);
+  live.source->GetShading()->SetAmbientOcclusionToNone();
+  EXPECT_GT(rmsOf(live.shown(), wanted), 0.1);
+}
+
+TEST(BakedOcclusion, BakesWhatIsSeenOnceAndNoMore)
+{
+  Baked baked;
+  const Picture picture = baked.shown();
+  std::set<long long> seen;
+  for (const long long id : picture.particles())
+    if (id >= 0)
+      seen.insert(id);
+  const vtkIdType count = baked.mapper->GetNumberOfBakedParticles();
+  EXPECT_GE(count, static_cast<vtkIdType>(seen.size()));
+  EXPECT_LT(count, 400);
+  EXPECT_GT(baked.mapper->GetOcclusionBytes(), 0);
+  baked.source->Modified();
+  baked.source->Update();
+  EXPECT_EQ(baked.mapper->GetNumberOfBakedParticles(), count);
+  // The other side adds its own, and forgets nothing.
+  baked.renderer->GetActiveCamera()->Azimuth(180.0);
+  baked.source->Update();
+  EXPECT_GT(baked.mapper->GetNumberOfBakedParticles(), count);
+  EXPECT_EQ(baked.mapper->GetNumberOfBuilds(), 1);
+}
+
+TEST(BakedOcclusion, NothingMixesAfterAChange)
+{
+  Baked baked;
+  baked.source->Update();
+  const vtkIdType count = baked.mapper->GetNumberOfBakedParticles();
+  ASSERT_GT(count, 0);
+  baked.mapper->SetRadiusScale(0.5);
+  baked.mapper->Update();
+  EXPECT_EQ(baked.mapper->GetNumberOfBakedParticles(), 0) << "maps of other radii are gone";
+  Baked fresh;
+  fresh.mapper->SetRadiusScale(0.5);
+  EXPECT_EQ(rmsOf(baked.shown(), fresh.shown()), 0.0);
+  baked.mapper->SetInputData(makeParticles(someBalls(300, 7)));
+  Baked other(1);
+  other.mapper->SetInputData(makeParticles(someBalls(300, 7)));
+  other.mapper->SetRadiusScale(0.5);
+  EXPECT_EQ(rmsOf(baked.shown(), other.shown()), 0.0);
+}
+
+TEST(BakedOcclusion, ARangeBakesWhatItAffects)
+{
+  Baked baked(1200);
+  baked.mapper->SetRadiusScale(0.5);
+  baked.source->GetShading()->SetAmbientOcclusionReach(0.1);
+  baked.source->Update();
+  const vtkIdType count = baked.mapper->GetNumberOfBakedParticles();
+  baked.mapper->SetCenterRange(0, -2.0, 0.5);
+  const Picture picture = baked.shown();
+  EXPECT_LE(baked.mapper->GetNumberOfBakedParticles(), count + 400);
+  Baked fresh(1200);
+  fresh.mapper->SetRadiusScale(0.5);
+  fresh.source->GetShading()->SetAmbientOcclusionReach(0.1);
+  fresh.mapper->SetCenterRange(0, -2.0, 0.5);
+  EXPECT_EQ(rmsOf(picture, fresh.shown()), 0.0) << "as if it had been baked so at once";
+}
+
+TEST(BakedOcclusion, PathsAndNoAmbientLightKnowNothingOfIt)
+{
+  Baked baked(50);
+  baked.source->GetShading()->SetModeToPathTraced();
+  baked.source->SetSamplesPerPixel(1);
+  baked.source->Update();
+  EXPECT_EQ(baked.mapper->GetNumberOfBakedParticles(), 0);
+}
+
+TEST(BakedOcclusion, AnAbortedPictureCanBeTakenUpAgain)
+{
+  Baked baked, whole;
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void* share)
+    { vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(*static_cast<double*>(share) > 0.2); });
+  baked.source->SetNumberOfThreads(1);
+  const unsigned long tag = baked.source->AddObserver(vtkCommand::ProgressEvent, stop);
+  baked.source->Update();
+  EXPECT_EQ(baked.source->GetOutput()->GetNumberOfPoints(), 0);
+  baked.source->RemoveObserver(tag);
+  baked.source->SetAbortExecute(0);
+  baked.source->Modified();
+  EXPECT_EQ(rmsOf(baked.shown(), whole.shown()), 0.0);
+}
+
+TEST(BakedOcclusion, NothingIsBakedWhileTheViewMoves)
+{
+  Baked baked;
+  mote::FrameTracer tracer;
+  mote::FrameSettings settings;
+  settings.shading = baked.source->GetShading();
+  settings.autoAdjust = false;
+  settings.progressive = true;
+  settings.frameTime = 10.0;
+  settings.interactive = true;
+  baked.renderer->ResetCameraClippingRange();
+  const auto frame = [&]
+  {
+    mote::MoteProps props = {mote::motePropOf(baked.actor)};
+    EXPECT_TRUE(tracer.trace(baked.renderer, props, 48, 48, settings, {}));
+  };
+  frame();
+  EXPECT_EQ(baked.mapper->GetNumberOfBakedParticles(), 0);
+  EXPECT_FALSE(tracer.converged());
+  settings.interactive = false;
+  int frames = 0;
+  for (; !tracer.converged() && frames < 1000; ++frames)
+    frame();
+  EXPECT_TRUE(tracer.converged());
+  const vtkIdType count = baked.mapper->GetNumberOfBakedParticles();
+  EXPECT_GT(count, 0);
+  const unsigned long version = tracer.version();
+  frame();
+  EXPECT_EQ(tracer.version(), version) << "a frame in which nothing changed is not traced";
+  settings.interactive = true;
+  baked.renderer->GetActiveCamera()->Azimuth(120.0);
+  baked.renderer->ResetCameraClippingRange();
+  frame();
+  EXPECT_EQ(baked.mapper->GetNumberOfBakedParticles(), count);
+}
