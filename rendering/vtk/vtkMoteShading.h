@@ -16,8 +16,9 @@
  * (vtkMoteAmbientOcclusionBaker), and what a picture at rest shows and has no map is baked before
  * it is traced; maps stay until particles, radii or settings change, and a change of a mapper's
  * ranges bakes again what it affects. Nothing is baked while the view moves. Maps count the
- * particles of their own actor alone. Iso-surfaces, spheres seen from within, and particles that
- * first show up at a later sample of a pixel are lit as by LIVE.
+ * particles of their own actor alone. Iso-surfaces and particles that first show up at a later
+ * sample of a pixel are lit as by LIVE; so are spheres seen from within, until all have maps, from
+ * when on they see all of the sky.
  *
  * Path tracing. Light comes from a sky all around and from the lights, straight and by way of up to
  * MaximumBounces particles. Of a vtkProperty the colour times Diffuse, Metallic and Roughness tell
@@ -99,9 +100,9 @@ public:
   ///@{
   /**
    * What is baked where maps are missing: texels along a side of a map, at most, a power of two in
-   * [1, 32] (16); rays a texel, in [1, 4096] (default 49); whether particles whose maps
-   * vary little get smaller ones (default on), and how much the light may then be wrong, in [0, 1]
-   *. See vtkMoteAmbientOcclusionBaker, which has more settings.
+   * [1, 32] (16); rays a texel, in [1, 4096] (49); whether particles whose maps vary little get
+   * smaller ones (on), and how much the light may then be wrong, in [0, 1] (0.01). See
+   * vtkMoteAmbientOcclusionBaker, which has more settings.
    */
   void SetBakeSide(int side);
   vtkGetMacro(BakeSide, int);

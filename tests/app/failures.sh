@@ -87,6 +87,8 @@ case $3 in
     misused render "$hopper" -o a.png --light-size 100
     misused render "$hopper" -o a.png --ambient-occlusion -1
     misused render "$hopper" -o a.png --ambient-occlusion 1.5
+    misused render "$hopper" -o a.png --ambient-occlusion some
+    misused bake "$hopper" --side 5
     misused render "$hopper" -o a.png --occlusion-reach 1
     misused render "$hopper" -o a.png --ambient-occlusion 1 --occlusion-reach 0
     misused render "$hopper" -o a.png --path-trace --ambient-occlusion 2

@@ -223,15 +223,18 @@ case $3 in
     quit
     ;;
 
-  shading) # t goes from plain light to ambient occlusion to paths and back; all end at the noise
+  shading) # t goes from plain light to ambient occlusion, live and baked, to paths and back; all end at the noise
     open "$copper" --size 320x240 --range 0 20 --noise 0.02
     picture plain.png
     press t
     picture occlusion.png
     differ plain.png occlusion.png
     press t
+    picture baked.png
+    differ plain.png baked.png
+    press t
     picture paths.png
-    differ occlusion.png paths.png
+    differ baked.png paths.png
     xdotool mousemove 160 120 mousedown 1
     for x in $(seq 160 20 240); do
       xdotool mousemove "$x" 120
