@@ -44,7 +44,7 @@ std::size_t AmbientBaker::count(const SlotBits& slots) const
 SlotBits AmbientBaker::thinned(const SlotBits& slots, std::size_t count) const
 {
   constexpr std::size_t run = 16;
-  const std::size_t stride = std::max<std::size_t>(1, this->count(slots) / count);
+  const std::size_t stride = (this->count(slots) + count - 1) / count;
   SlotBits thin((size_ + 63) / 64, 0);
   std::size_t seen = 0;
   for (std::size_t slot = 0; slot < size_; ++slot)
