@@ -18,7 +18,7 @@ namespace
 {
 
 /// As vtkMoteSilhouettes has it: the least step, and that many radii of a typical particle.
-constexpr double radii = 6.0;
+constexpr double radii = 10.0;
 
 struct Method
 {
@@ -102,8 +102,7 @@ public:
   {
     draw(&method);
     double sum = 0.0;
-    for (std::size_t i = 0; i < film_.pixels(); ++i)
-      sum += edgeFilm_.coverage()[i];
+    edgeFilm_.forCovered(0, side_, [&](std::size_t, float share) { sum += share; });
     return sum / static_cast<double>(film_.pixels());
   }
 
@@ -112,24 +111,34 @@ private:
   {
     film_.resize(side_, side_, method != nullptr ? EdgeGroups().channels() : 0u);
     RayCaster(scene_).addSample(camera_, film_);
-    if (method == nullptr)
-      return;
-    edgeFilm_.clear();
-    edgeFilm_.add(film_, camera_, method->options(step_), {});
-    tbb::parallel_for(0, side_, [this](int row) { this->blacken(row); });
+    if (method != nullptr)
+    {
+      edgeFilm_.clear();
+      edgeFilm_.add(film_, camera_, method->options(step_), {});
+    }
+    bytes_.resize(4 * film_.pixels());
+    tbb::parallel_for(0, side_, [&](int row) { this->showRow(row, method != nullptr); });
   }
 
-  /// Draws the edges over a row of the picture.
-  void blacken(int row)
+  /// A row of the picture, in 8 bits as a window takes it, with the edges over it.
+  void showRow(int row, bool edges)
   {
-    const auto width = static_cast<std::size_t>(side_), first = row * width;
-    for (std::size_t i = first; i < first + width; ++i)
-    {
-      const float share = edgeFilm_.coverage()[i];
-      float* rgba = film_.color() + 4 * i;
-      for (int c = 0; c < 4; ++c)
-        rgba[c] += share * ((c < 3 ? 0.05f : 1.0f) - rgba[c]);
-    }
+    const auto byteOf = [](float value)
+    { return static_cast<unsigned char>(std::min(value, 1.0f) * 255.0f + 0.5f); };
+    const std::size_t first = 4 * static_cast<std::size_t>(row) * side_;
+    for (std::size_t i = first; i < first + 4 * static_cast<std::size_t>(side_); ++i)
+      bytes_[i] = byteOf(film_.color()[i]);
+    if (!edges)
+      return;
+    edgeFilm_.forCovered(row, row + 1,
+      [&](std::size_t pixel, float share)
+      {
+        for (std::size_t c = 0; c < 4; ++c)
+        {
+          const float color = film_.color()[4 * pixel + c];
+          bytes_[4 * pixel + c] = byteOf(color + share * ((c < 3 ? 0.05f : 1.0f) - color));
+        }
+      });
   }
 
   /// The film holds a frame: whoever draws leaves the same depths.
@@ -147,6 +156,7 @@ private:
   Film film_;
   EdgeFilm edgeFilm_;
   std::vector<float> edges_;
+  std::vector<unsigned char> bytes_;
   std::size_t plain_ = 0;
   std::vector<std::size_t> frames_, filters_; ///< places in the race, by method
 };
@@ -209,7 +219,9 @@ Report run(const Options& options)
     measureSize(scene, input, options, side, section.table, report.records);
   section.notes = {
     "share of it: the edges' part of the frame with edges, the median over rounds in which frames "
-    "with and without take turns; with them they are found and drawn.",
+    "with and without take turns; with them they are found and drawn. A frame is traced, shaded "
+    "and "
+    "converted to the 8 bits a channel of a window.",
     "filter: finding the edges in the depths of a frame, alone. covered: by edges, of the picture.",
     format("%zu particles (%s), frames of one ray a pixel with shading, least step of %g radii, "
            "%d threads, medians of %d rounds.",

@@ -88,24 +88,41 @@ bool FilmDisplay::prepare(vtkRenderer* renderer)
   return quad_->Program != nullptr && quad_->Program->GetCompiled();
 }
 
+namespace
+{
+
+/// Calls work(first row, last, first pixel, last) for all of the film in parallel, a few rows at a
+/// time.
+template <typename Work>
+void forRows(const Film& film, const Work& work)
+{
+  const auto width = static_cast<std::size_t>(film.width());
+  tbb::parallel_for(tbb::blocked_range<int>(0, film.height(), 16),
+    [&](const tbb::blocked_range<int>& rows)
+    { work(rows.begin(), rows.end(), rows.begin() * width, rows.end() * width); });
+}
+
+} // namespace
+
 void FilmDisplay::convertColors(const Film& film, const EdgeLayer& edges)
 {
   const auto byteOf = [](float value)
   { return static_cast<unsigned char>(std::min(value, 1.0f) * 255.0f + 0.5f); };
   colorBytes_.resize(4 * film.pixels());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, film.pixels(), 1 << 14),
-    [&](const tbb::blocked_range<std::size_t>& range)
+  const auto drawLine = [&](std::size_t i, float share)
+  {
+    float color[4];
+    std::copy_n(film.color() + 4 * i, 4, color);
+    edges.drawOver(share, color);
+    std::transform(color, color + 4, &colorBytes_[4 * i], byteOf);
+  };
+  forRows(film,
+    [&](int first, int last, std::size_t begin, std::size_t end)
     {
-      for (std::size_t i = 4 * range.begin(); i != 4 * range.end(); ++i)
+      for (std::size_t i = 4 * begin; i != 4 * end; ++i)
         colorBytes_[i] = byteOf(film.color()[i]);
-      for (std::size_t i = range.begin(); edges.coverage && i != range.end(); ++i)
-        if (edges.coverage[i] > 0.0f)
-        {
-          float color[4];
-          std::copy_n(film.color() + 4 * i, 4, color);
-          edges.drawOver(i, color);
-          std::transform(color, color + 4, &colorBytes_[4 * i], byteOf);
-        }
+      if (edges.edges)
+        edges.edges->forCovered(first, last, drawLine);
     });
 }
 
@@ -113,18 +130,19 @@ void FilmDisplay::convertDepth(vtkRenderer* renderer, const Film& film, const Ed
 {
   const DepthScale scale(renderer->GetActiveCamera());
   windowDepth_.resize(film.pixels());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, film.pixels(), 1 << 14),
-    [&](const tbb::blocked_range<std::size_t>& range)
+  const auto bringForward = [&](std::size_t i, float)
+  {
+    const int x = static_cast<int>(i % film.width()), y = static_cast<int>(i / film.width());
+    windowDepth_[i] = scale.valueOf(
+      nearSide(film.nearestDepth(), film.width(), film.height(), x, y, edges.edges->reach()));
+  };
+  forRows(film,
+    [&](int first, int last, std::size_t begin, std::size_t end)
     {
-      for (std::size_t i = range.begin(); i != range.end(); ++i)
+      for (std::size_t i = begin; i != end; ++i)
         windowDepth_[i] = scale.valueOf(film.nearestDepth()[i]);
-      for (std::size_t i = range.begin(); edges.coverage && i != range.end(); ++i)
-        if (edges.coverage[i] > 0.0f)
-        {
-          const int x = static_cast<int>(i % film.width()), y = static_cast<int>(i / film.width());
-          windowDepth_[i] = scale.valueOf(
-            nearSide(film.nearestDepth(), film.width(), film.height(), x, y, edges.reach));
-        }
+      if (edges.edges)
+        edges.edges->forCovered(first, last, bringForward);
     });
 }
 
@@ -219,7 +237,7 @@ void FilmDisplay::draw(
     return;
   const double* range = renderer->GetActiveCamera()->GetClippingRange();
   std::vector<double> wanted = {double(version), range[0], range[1]};
-  if (edges.coverage)
+  if (edges.edges)
     for (int c = 0; c < 3; ++c)
       wanted.push_back(edges.color[c]);
   if (wanted != shown_)

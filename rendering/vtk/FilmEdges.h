@@ -27,14 +27,13 @@ SilhouetteOptions silhouetteOptionsOf(
 /// Lines to be drawn over a film, in the size of the film.
 struct EdgeLayer
 {
-  const float* coverage = nullptr; ///< the share of each pixel that they cover; null: no lines
+  const EdgeFilm* edges = nullptr; ///< null: no lines
   Vec3f color{0.0f};
-  int reach = 1; ///< see silhouetteReach()
 
-  /// Puts the lines over premultiplied red, green, blue and alpha of pixel `i`.
-  void drawOver(std::size_t i, float* rgba) const
+  /// Puts the lines over premultiplied red, green, blue and alpha of a pixel, of which they cover a
+  /// share.
+  void drawOver(float share, float* rgba) const
   {
-    const float share = coverage[i];
     for (int c = 0; c < 4; ++c)
       rgba[c] += share * ((c < 3 ? color[c] : 1.0f) - rgba[c]);
   }
@@ -72,7 +71,7 @@ public:
   {
     if (!wanted_ || edges_.samples() == 0)
       return {};
-    return {edges_.coverage(), color_, edges_.reach()};
+    return {&edges_, color_};
   }
   /// Spent in add() and catchUp() since prepare().
   double seconds() const { return seconds_; }

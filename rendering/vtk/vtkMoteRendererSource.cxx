@@ -258,8 +258,9 @@ int vtkMoteRendererSource::RequestData(vtkInformation* vtkNotUsed(request),
   float* colors = addArray<vtkFloatArray>(image, "color", 4, true);
   std::copy_n(film.color(), 4 * film.pixels(), colors);
   const mote::EdgeLayer lines = edges.layer();
-  for (std::size_t i = 0; lines.coverage && i < film.pixels(); ++i)
-    lines.drawOver(i, colors + 4 * i);
+  if (lines.edges)
+    lines.edges->forCovered(0, film.height(),
+      [&](std::size_t i, float share) { lines.drawOver(share, colors + 4 * i); });
   if (!this->TransparentBackground)
     putBackground(this->Renderer, film.width(), film.height(), colors);
   if (this->Depth)
@@ -277,10 +278,10 @@ int vtkMoteRendererSource::RequestData(vtkInformation* vtkNotUsed(request),
   if (this->Edges)
   {
     float* coverage = addArray<vtkFloatArray>(image, "edges", 1);
-    if (lines.coverage)
-      std::copy_n(lines.coverage, film.pixels(), coverage);
-    else
-      std::fill_n(coverage, film.pixels(), 0.0f);
+    std::fill_n(coverage, film.pixels(), 0.0f);
+    if (lines.edges)
+      lines.edges->forCovered(
+        0, film.height(), [&](std::size_t i, float share) { coverage[i] = share; });
   }
   return 1;
 }

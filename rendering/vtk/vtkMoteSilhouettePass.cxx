@@ -35,7 +35,7 @@ public:
   mote::WindowDepthReader reader;
   mote::FilmDisplay display;
   mote::Film nothing; ///< that the lines are drawn over
-  std::vector<float> coverage;
+  mote::EdgeFilm edges;
   unsigned long version = 0;
   std::string reported; ///< last problem, so that it is told once and not every frame
   double seconds = 0.0;
@@ -78,10 +78,9 @@ void vtkMoteSilhouettePass::Internals::findEdges(
   const mote::Camera camera = mote::cameraOf(
     renderer, double(depth.width) / std::max(1, depth.height), depth.width, depth.height);
   const double step = mote::stepOf(silhouettes, particlesOf(renderer), diagonalOf(renderer));
-  this->coverage.assign(depth.distances.size(), 0.0f);
-  mote::findSilhouettes(
-    mote::depthImageOf(depth.distances.data(), depth.width, depth.height, camera),
-    mote::silhouetteOptionsOf(silhouettes, step), this->coverage.data());
+  this->edges.clear();
+  this->edges.add(mote::depthImageOf(depth.distances.data(), depth.width, depth.height, camera),
+    mote::silhouetteOptionsOf(silhouettes, step));
   if (this->nothing.width() != depth.width || this->nothing.height() != depth.height)
   {
     this->nothing.resize(depth.width, depth.height);
@@ -107,8 +106,7 @@ void vtkMoteSilhouettePass::Internals::draw(vtkRenderer* renderer, vtkMoteSilhou
   state->vtkglScissor(x, y, width, height);
   this->findEdges(renderer, silhouettes);
   const double* color = silhouettes->GetColor();
-  const mote::EdgeLayer lines{
-    this->coverage.data(), {float(color[0]), float(color[1]), float(color[2])}};
+  const mote::EdgeLayer lines{&this->edges, {float(color[0]), float(color[1]), float(color[2])}};
   this->display.draw(renderer, this->nothing, lines, ++this->version, mote::FilmDisplay::Way::Over);
 }
 

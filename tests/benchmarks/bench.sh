@@ -168,7 +168,7 @@ END
     records a.json "{(x['method'], x['view'], x['size']) for x in r} == {(m, v, s) for m in
       ('published', 'default', 'graded') for v in ('far', 'near') for s in (40, 96)}"
     records a.json "all(x['filter_ms'] > 0 and x['frame_ms'] > 0 and x['frame_share'] < 1 and
-      0.001 < x['covered_share'] < 0.7 for x in r)"
+      0.0005 < x['covered_share'] < 0.7 for x in r)"
     # The sphere's outline is 2.59 sides of the picture long, and 1.5 pixels wide.
     silhouettes --input lattice:1 --sizes 96,200 --view far --methods default
     records a.json "len(r) == 2 and all(abs(x['covered_share'] * x['size'] - 1.5 * 2.59) < 0.2 for x in r)"

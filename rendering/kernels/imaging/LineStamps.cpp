@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "imaging/LineStamps.cpp"
@@ -19,6 +20,7 @@ namespace HWY_NAMESPACE
 namespace hn = hwy::HWY_NAMESPACE;
 
 using DB = hn::CappedTag<std::uint8_t, 64>;
+constexpr int coveredColumns = SilhouetteFinder::coveredColumns;
 using VB = hn::Vec<DB>;
 
 /// Whether some of the columns [x - reach, x + lanes + reach) of a row has an edge.
@@ -76,32 +78,49 @@ HWY_INLINE VB lookUp(const std::uint8_t* table, VB code)
 
 #endif
 
-/// Adds the larger of what is there and the coverage of the pixels x and following.
-HWY_INLINE void addCoverage(VB cover, int count, float* out)
+/// The coverage of 16 pixels or less, as floats.
+HWY_INLINE void convert(const std::uint8_t* bytes, float* out)
 {
-  const DB d;
-  alignas(64) std::uint8_t bytes[64];
-  hn::Store(cover, d, bytes);
   const hn::CappedTag<float, 16> df;
   const hn::Rebind<std::int32_t, decltype(df)> di;
   const hn::Rebind<std::uint8_t, decltype(df)> db;
-  const int lanes = static_cast<int>(hn::Lanes(df));
   const auto unit = hn::Set(df, 1.0f / EdgeRow::opaque);
-  int i = 0;
-  for (; i + lanes <= count; i += lanes)
+  for (int i = 0; i < coveredColumns; i += static_cast<int>(hn::Lanes(df)))
+    hn::Store(
+      hn::Mul(hn::ConvertTo(df, hn::PromoteTo(di, hn::LoadU(db, bytes + i))), unit), df, out + i);
+}
+
+/// Adds the coverage of `count` pixels of the row from column `x` of `out` on.
+HWY_INLINE void addCoverage(VB cover, int x, int count, const CoverRow& out)
+{
+  alignas(64) std::uint8_t bytes[64 + coveredColumns] = {};
+  hn::Store(cover, DB(), bytes);
+  for (int i = 0; i < count; i += coveredColumns)
   {
-    const auto value =
-      hn::Mul(hn::ConvertTo(df, hn::PromoteTo(di, hn::LoadU(db, bytes + i))), unit);
-    hn::StoreU(hn::Max(value, hn::LoadU(df, out + i)), df, out + i);
+    std::uint64_t some[coveredColumns / 8];
+    std::memcpy(some, bytes + i, sizeof(some));
+    if ((some[0] | some[1]) == 0)
+      continue;
+    alignas(64) float shares[coveredColumns];
+    convert(bytes + i, shares);
+    float* to = out.coverage + x + i;
+    const int end = std::min(coveredColumns, count - i);
+    if (out.covered != nullptr)
+    {
+      out.covered[(x + i) / coveredColumns] = 1;
+      std::copy_n(shares, end, to);
+    }
+    else
+      for (int k = 0; k < end; ++k)
+        to[k] = std::max(to[k], shares[k]);
   }
-  for (; i < count; ++i)
-    out[i] = std::max(out[i], static_cast<float>(bytes[i]) * (1.0f / EdgeRow::opaque));
 }
 
 /// The rows that reach into one, from `first` on.
 struct RowsAround
 {
   std::vector<EdgeRow> rows;
+  std::vector<std::uint8_t> counts; ///< whether each has edges near the pixels that are looked at
   int first;
 };
 
@@ -117,7 +136,7 @@ HWY_INLINE VB coverageAt(
     for (const StampPixel& pixel : stamps.levels()[level])
     {
       const int row = y - pixel.y - around.first;
-      if (row < 0 || row >= static_cast<int>(around.rows.size()))
+      if (row < 0 || row >= static_cast<int>(around.rows.size()) || around.counts[row] == 0)
         continue;
       const EdgeRow& from = around.rows[row];
       const std::ptrdiff_t at = x - pixel.x;
@@ -136,24 +155,31 @@ HWY_INLINE VB coverageAt(
 }
 
 void cover(EdgeRows& edges, const LineStamps& stamps, bool opacities, int y, int firstRow,
-  int lastRow, int begin, int end, float* out)
+  int lastRow, int begin, int end, const CoverRow& out)
 {
   const int lanes = static_cast<int>(hn::Lanes(DB())), reach = stamps.reach();
-  RowsAround around = {{}, std::max(firstRow, y - reach)};
+  RowsAround around = {{}, {}, std::max(firstRow, y - reach)};
   bool some = false;
   for (int row = around.first; row <= std::min(lastRow, y + reach); ++row)
   {
     around.rows.push_back(edges[row]);
     some = some || *around.rows.back().any;
   }
+  around.counts.resize(around.rows.size());
+  if (out.covered != nullptr)
+    std::fill_n(out.covered, (end - begin + coveredColumns - 1) / coveredColumns, std::uint8_t{0});
   for (int x = begin; some && x < end; x += lanes)
   {
     bool any = false;
-    for (const EdgeRow& row : around.rows)
-      any = any || (*row.any && hasEdges(row.code, x, reach));
-    if (any)
-      addCoverage(
-        coverageAt(around, stamps, opacities, y, x), std::min(lanes, end - x), out + (x - begin));
+    for (std::size_t k = 0; k < around.rows.size(); ++k)
+    {
+      around.counts[k] = *around.rows[k].any && hasEdges(around.rows[k].code, x, reach);
+      any = any || around.counts[k] != 0;
+    }
+    if (!any)
+      continue;
+    addCoverage(
+      coverageAt(around, stamps, opacities, y, x), x - begin, std::min(lanes, end - x), out);
   }
 }
 
@@ -233,7 +259,7 @@ LineStamps::LineStamps(const SilhouetteOptions& options)
 }
 
 void coverRow(EdgeRows& edges, const LineStamps& stamps, bool opacities, int y, int firstRow,
-  int lastRow, int begin, int end, float* out)
+  int lastRow, int begin, int end, const CoverRow& out)
 {
   HWY_DYNAMIC_DISPATCH(cover)
   (edges, stamps, opacities, y, firstRow, lastRow, begin, end, out);

@@ -37,10 +37,17 @@ private:
   int reach_ = 0;
 };
 
+/// A row of the output.
+struct CoverRow
+{
+  float* coverage = nullptr;       ///< of its first pixel
+  std::uint8_t* covered = nullptr; ///< as SilhouetteFinder has it, or null
+};
+
 /// Adds what the edges of rows y - reach .. y + reach cover of row `y`, as the larger of both, to
-/// the pixels [begin, end), of which `out` is the first. Rows outside [firstRow, lastRow] have no
+/// the pixels [begin, end), which `out` is. Rows outside [firstRow, lastRow] have no
 /// edges. `opacities`: whether there are others than 1.
 void coverRow(EdgeRows& edges, const LineStamps& stamps, bool opacities, int y, int firstRow,
-  int lastRow, int begin, int end, float* out);
+  int lastRow, int begin, int end, const CoverRow& out);
 
 } // namespace mote

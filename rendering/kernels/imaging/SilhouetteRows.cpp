@@ -100,12 +100,34 @@ HWY_INLINE void storeGrades(
   storeBytes(d, hn::MulAdd(opaque, number(EdgeRow::opaque), half), opacity);
 }
 
+/// Whether the pixels beside that are nearer are so by about a third of the limit together, or by
+/// anything if this one is background; others are no edges, which most pixels are.
+template <typename D, typename V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> isBehindOthers(D d, const DistanceRows& rows, V least, int x, int side)
+{
+  const V center = hn::LoadU(d, rows.row + x);
+  const V left = hn::Min(hn::LoadU(d, rows.row + x - side), center);
+  const V right = hn::Min(hn::LoadU(d, rows.row + x + side), center);
+  const V down = hn::Min(hn::LoadU(d, rows.down + x), center);
+  const V up = hn::Min(hn::LoadU(d, rows.up + x), center);
+  const V sum = hn::Add(hn::Add(hn::Sub(center, left), hn::Sub(center, right)),
+    hn::Add(hn::Sub(center, down), hn::Sub(center, up)));
+  const V nearest = hn::Min(hn::Min(left, right), hn::Min(down, up));
+  // A little less, for rounding. All of them infinite is background alone.
+  return hn::Or(hn::Gt(sum, hn::Mul(least, hn::Set(d, 0.99f / 3.0f))),
+    hn::And(hn::Eq(center, hn::Inf(d)), hn::Lt(nearest, center)));
+}
+
 /// Adds the edges among the pixels of a vector at x.
 template <typename D>
 HWY_INLINE void findStepsAt(D d, const DistanceRows& rows, const StepLimit& limit,
   const EdgeGrades& grades, int x, int side, const EdgeRow& found)
 {
   using V = hn::Vec<D>;
+  const V least =
+    hn::Max(hn::Set(d, limit.least), hn::Mul(hn::Set(d, limit.share), hn::LoadU(d, rows.row + x)));
+  if (HWY_LIKELY(hn::AllFalse(d, isBehindOthers(d, rows, least, x, side))))
+    return;
   const Neighbours<D> n(d, rows, x, side);
   const V infinity = hn::Inf(d);
   const V four =
@@ -113,7 +135,6 @@ HWY_INLINE void findStepsAt(D d, const DistanceRows& rows, const StepLimit& limi
   const V slanted = hn::Add(
     pairStep(d, n.center, n.downLeft, n.upRight), pairStep(d, n.center, n.upLeft, n.downRight));
   const V eight = hn::Add(four, slanted);
-  const V least = hn::Max(hn::Set(d, limit.least), hn::Mul(hn::Set(d, limit.share), n.center));
   const V third = hn::Set(d, 1.0f / 3.0f);
   const auto isStep = hn::And(hn::Gt(eight, least), hn::Gt(four, hn::Mul(least, third)));
   const V nearest = hn::Min(hn::Min(n.left, n.right), hn::Min(n.down, n.up));

@@ -111,9 +111,13 @@ private:
   int next_ = 0; ///< first row whose distances are not there yet
 };
 
-/// Edges of the pixels `box` of the depth image itself.
-void drawBox(const Work& work, const PixelBox& box, float* out, std::ptrdiff_t stride)
+/// Edges of the pixels `box` of the depth image itself. `covered` as in SilhouetteFinder, or null
+/// where `out` has been cleared.
+void drawBox(const Work& work, const PixelBox& box, float* out, std::ptrdiff_t stride,
+  std::uint8_t* covered = nullptr)
 {
+  const std::ptrdiff_t blocks =
+    (box.x1 - box.x0 + SilhouetteFinder::coveredColumns - 1) / SilhouetteFinder::coveredColumns;
   const int reach = work.stamps.reach();
   const PixelBox wider = {std::max(0, box.x0 - reach), std::max(0, box.y0 - reach),
     std::min(work.image.width, box.x1 + reach), std::min(work.image.height, box.y1 + reach)};
@@ -125,7 +129,7 @@ void drawBox(const Work& work, const PixelBox& box, float* out, std::ptrdiff_t s
     for (; found < std::min(wider.y1, y + reach + 1); ++found)
       finder.find(found, edges);
     coverRow(edges, work.stamps, work.grades.leastOpacity < 1.0f, y, wider.y0, wider.y1 - 1, box.x0,
-      box.x1, out + (y - box.y0) * stride);
+      box.x1, {out + (y - box.y0) * stride, covered ? covered + (y - box.y0) * blocks : nullptr});
   }
 }
 
@@ -211,6 +215,25 @@ void findSilhouettes(const DepthImage& image, const SilhouetteOptions& options, 
 {
   if (!isEmpty(box))
     findInBox(Work(image, options), box, edges, stride);
+}
+
+struct SilhouetteFinder::Work : mote::Work
+{
+  using mote::Work::Work;
+};
+
+SilhouetteFinder::SilhouetteFinder(const DepthImage& image, const SilhouetteOptions& options)
+  : work_(std::make_unique<Work>(image, options))
+{
+}
+
+SilhouetteFinder::~SilhouetteFinder() = default;
+
+void SilhouetteFinder::find(
+  const PixelBox& box, float* edges, std::ptrdiff_t stride, std::uint8_t* covered) const
+{
+  if (!isEmpty(box))
+    drawBox(*work_, box, edges, stride, covered);
 }
 
 } // namespace mote

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 
 namespace mote
 {
@@ -95,5 +96,30 @@ void findSilhouettes(
 /// (box.x0, box.y0), and `stride` counts from one row to the next.
 void findSilhouettes(const DepthImage& image, const SilhouetteOptions& options, const PixelBox& box,
   float* edges, std::ptrdiff_t stride);
+
+/// Finds the edges of an image whose output has its size, part by part, in arrays that need not
+/// have been cleared.
+class SilhouetteFinder
+{
+public:
+  /// Columns that are told of together in `covered`.
+  static constexpr int coveredColumns = 16;
+
+  /// The image, and what it views, must outlive this; `reduction` must be 1.
+  SilhouetteFinder(const DepthImage& image, const SilhouetteOptions& options);
+  ~SilhouetteFinder();
+  SilhouetteFinder(const SilhouetteFinder&) = delete;
+  SilhouetteFinder& operator=(const SilhouetteFinder&) = delete;
+
+  /// Sets `edges`, as in findSilhouettes(), to the coverage of the pixels `box`, in the calling
+  /// thread. `covered` has a byte for each coveredColumns pixels of a row of the box, row after
+  /// row, which becomes 1 where lines may cover some of them and 0 elsewhere. Where it is 0,
+  /// `edges` stays as it is and stands for 0. Thread-safe.
+  void find(const PixelBox& box, float* edges, std::ptrdiff_t stride, std::uint8_t* covered) const;
+
+private:
+  struct Work;
+  std::unique_ptr<Work> work_;
+};
 
 } // namespace mote

@@ -94,60 +94,77 @@ void EdgeFilm::findGroups(const Film& film, const EdgeGroups& groups)
 }
 
 /// Takes away what lies behind, or hardly in front of, what ends rays, from the edges of some rows.
-void EdgeFilm::hideBehind(
-  const Film& film, const float* limits, double step, const PixelBox& box, float* edges) const
+void EdgeFilm::hideBehind(const DepthImage& image, const float* limits, double step,
+  const PixelBox& box, float* edges, const std::uint8_t* covered) const
 {
-  for (int y = box.y0; y < box.y1; ++y)
+  for (int y = box.y0; y < box.y1; ++y, covered += blocks_)
     for (int x = box.x0; x < box.x1; ++x, ++edges)
     {
-      const float limit = limits[static_cast<std::size_t>(y) * film.width() + x];
-      if (*edges <= 0.0f || !std::isfinite(limit))
+      const float limit = limits[static_cast<std::size_t>(y) * width_ + x];
+      if (covered[x / coveredColumns] == 0 || *edges <= 0.0f || !std::isfinite(limit))
         continue;
-      const float depth = nearSide(film.latestDepth(), film.width(), film.height(), x, y, reach_);
+      const float depth = nearSide(image.depth, image.width, image.height, x, y, reach_);
       if (!(depth + step < limit))
         *edges = 0.0f;
     }
 }
 
-void EdgeFilm::addRows(const Film& film, const DepthImage& image, const SilhouetteOptions& options,
+void EdgeFilm::addRows(const DepthImage& image, const SilhouetteFinder& finder, double step,
   const float* limits, const PixelBox& box)
 {
-  const std::size_t first = static_cast<std::size_t>(box.y0) * image.width;
-  const std::size_t count = static_cast<std::size_t>(box.y1 - box.y0) * image.width;
-  float* mean = mean_.data() + first;
-  std::vector<float> own(samples_ > 0 ? count : 0, 0.0f);
-  float* edges = samples_ > 0 ? own.data() : mean;
-  if (samples_ == 0)
-    std::fill_n(mean, count, 0.0f);
-  findSilhouettes(image, options, box, edges, image.width);
+  const std::size_t first = static_cast<std::size_t>(box.y0) * width_;
+  const std::size_t firstBlock = static_cast<std::size_t>(box.y0) * blocks_;
+  const int rows = box.y1 - box.y0;
+  std::vector<float> ownEdges;
+  std::vector<std::uint8_t> ownCovered;
+  float* edges = mean_.data() + first;
+  std::uint8_t* covered = covered_.data() + firstBlock;
+  if (samples_ > 0)
+  {
+    ownEdges.resize(static_cast<std::size_t>(rows) * width_);
+    ownCovered.resize(static_cast<std::size_t>(rows) * blocks_);
+    edges = ownEdges.data();
+    covered = ownCovered.data();
+  }
+  finder.find(box, edges, width_, covered);
   if (limits != nullptr)
-    hideBehind(film, limits, options.step, box, edges);
+    hideBehind(image, limits, step, box, edges, covered);
   const float share = 1.0f / static_cast<float>(samples_ + 1);
-  for (std::size_t i = 0; samples_ > 0 && i < count; ++i)
-    mean[i] += (own[i] - mean[i]) * share;
+  for (int block = 0; samples_ > 0 && block < rows * blocks_; ++block)
+  {
+    std::uint8_t& any = covered_[firstBlock + static_cast<std::size_t>(block)];
+    if (any == 0 && covered[block] == 0)
+      continue;
+    const int x = block % blocks_ * coveredColumns;
+    const std::size_t at = static_cast<std::size_t>(block / blocks_) * width_ + x;
+    for (std::size_t i = at; i < at + std::min(coveredColumns, width_ - x); ++i)
+    {
+      const float before = any != 0 ? mean_[first + i] : 0.0f;
+      const float own = covered[block] != 0 ? edges[i] : 0.0f;
+      mean_[first + i] = before + (own - before) * share;
+    }
+    any = 1;
+  }
 }
 
-void EdgeFilm::add(const Film& film, const Camera& camera, const SilhouetteOptions& options,
-  const EdgeGroups& groups, const float* limits, int threads)
+void EdgeFilm::add(
+  const DepthImage& image, const SilhouetteOptions& options, const float* limits, int threads)
 {
   constexpr int bandRows = 128; // which stay in the cache of who works on them
-  DepthImage image =
-    depthImageOf(film.latestDepth(), film.width(), film.height(), camera, samples_);
   reach_ = silhouetteReach(options);
-  mean_.resize(film.pixels());
+  width_ = image.width;
+  blocks_ = (width_ + coveredColumns - 1) / coveredColumns;
+  mean_.resize(static_cast<std::size_t>(image.height) * width_);
+  covered_.resize(static_cast<std::size_t>(image.height) * blocks_);
+  const SilhouetteFinder finder(image, options);
   const auto work = [&]
   {
-    if (groups.by != EdgeGroups::By::Nothing)
-    {
-      findGroups(film, groups);
-      image.group = group_.data();
-    }
     tbb::parallel_for(0, (image.height + bandRows - 1) / bandRows,
       [&](int band)
       {
         const int y = band * bandRows;
-        addRows(
-          film, image, options, limits, {0, y, image.width, std::min(y + bandRows, image.height)});
+        addRows(image, finder, options.step, limits,
+          {0, y, width_, std::min(y + bandRows, image.height)});
       });
   };
   if (threads > 0)
@@ -155,6 +172,19 @@ void EdgeFilm::add(const Film& film, const Camera& camera, const SilhouetteOptio
   else
     work();
   ++samples_;
+}
+
+void EdgeFilm::add(const Film& film, const Camera& camera, const SilhouetteOptions& options,
+  const EdgeGroups& groups, const float* limits, int threads)
+{
+  DepthImage image =
+    depthImageOf(film.latestDepth(), film.width(), film.height(), camera, samples_);
+  if (groups.by != EdgeGroups::By::Nothing)
+  {
+    findGroups(film, groups);
+    image.group = group_.data();
+  }
+  add(image, options, limits, threads);
 }
 
 } // namespace mote

@@ -5,6 +5,7 @@
 #include "../core/Film.h"
 #include "../imaging/Silhouettes.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -55,22 +56,48 @@ public:
   void add(const Film& film, const Camera& camera, const SilhouetteOptions& options,
     const EdgeGroups& groups, const float* limits = nullptr, int threads = 0);
 
+  /// The same for a depth image, as large as those added before.
+  void add(const DepthImage& image, const SilhouetteOptions& options, const float* limits = nullptr,
+    int threads = 0);
+
   int samples() const { return samples_; }
-  /// The share of each pixel that edges cover, in [0, 1], row after row from the bottom.
-  const float* coverage() const { return mean_.data(); }
+  /// Calls visit(pixel, share) for the pixels of the rows [first, last) that edges cover, rows from
+  /// the bottom; the share is in (0, 1].
+  template <typename Visit>
+  void forCovered(int first, int last, const Visit& visit) const
+  {
+    for (int y = first; y < last; ++y)
+      for (int block = 0; block < blocks_; ++block)
+      {
+        if (covered_[static_cast<std::size_t>(y) * blocks_ + block] == 0)
+          continue;
+        const int end = std::min(width_, (block + 1) * coveredColumns);
+        for (int x = block * coveredColumns; x < end; ++x)
+        {
+          const std::size_t pixel = static_cast<std::size_t>(y) * width_ + x;
+          if (mean_[pixel] > 0.0f)
+            visit(pixel, mean_[pixel]);
+        }
+      }
+  }
   /// See silhouetteReach().
   int reach() const { return reach_; }
 
 private:
   void findGroups(const Film& film, const EdgeGroups& groups);
-  void addRows(const Film& film, const DepthImage& image, const SilhouetteOptions& options,
+  void addRows(const DepthImage& image, const SilhouetteFinder& finder, double step,
     const float* limits, const PixelBox& box);
-  void hideBehind(
-    const Film& film, const float* limits, double step, const PixelBox& box, float* edges) const;
+  void hideBehind(const DepthImage& image, const float* limits, double step, const PixelBox& box,
+    float* edges, const std::uint8_t* covered) const;
+
+  static constexpr int coveredColumns = SilhouetteFinder::coveredColumns;
 
   int samples_ = 0;
   int reach_ = 1;
-  std::vector<float> mean_;
+  int width_ = 0;
+  int blocks_ = 0;                    ///< in a row, of SilhouetteFinder::coveredColumns pixels
+  std::vector<float> mean_;           ///< anything where not covered_
+  std::vector<std::uint8_t> covered_; ///< a block each
   std::vector<std::uint64_t> group_;
 };
 

@@ -12,6 +12,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
+#include <numeric>
 
 using namespace mote;
 using namespace mote::testing;
@@ -52,13 +53,18 @@ struct Edges
     }
     EXPECT_EQ(edges.samples(), samples);
   }
-  float at(int x, int y) const { return edges.coverage()[y * width + x]; }
+  std::vector<float> coverage() const
+  {
+    std::vector<float> shares(film.pixels(), 0.0f);
+    edges.forCovered(
+      0, film.height(), [&](std::size_t pixel, float share) { shares[pixel] = share; });
+    return shares;
+  }
+  float at(int x, int y) const { return this->coverage()[y * width + x]; }
   double sum() const
   {
-    double all = 0.0;
-    for (std::size_t i = 0; i < film.pixels(); ++i)
-      all += edges.coverage()[i];
-    return all;
+    const std::vector<float> shares = this->coverage();
+    return std::accumulate(shares.begin(), shares.end(), 0.0);
   }
 };
 
@@ -151,14 +157,15 @@ struct Outline
     camera.parallelScale = 1.5;
     Edges traced;
     traced.trace(oneSphere(), camera, samples, options);
+    const std::vector<float> coverage = traced.coverage();
     double weight[sectors] = {}, distance[sectors] = {};
     for (int i = 0; i < ::width * height; ++i)
     {
       const double x = i % ::width + 0.5 - 0.5 * ::width, y = i / ::width + 0.5 - 0.5 * height;
       const int sector =
         static_cast<int>((std::atan2(y, x) / (2.0 * M_PI) + 0.5) * sectors) % sectors;
-      weight[sector] += traced.edges.coverage()[i];
-      distance[sector] += traced.edges.coverage()[i] * std::hypot(x, y);
+      weight[sector] += coverage[i];
+      distance[sector] += coverage[i] * std::hypot(x, y);
     }
     for (int k = 0; k < sectors; ++k)
       error += std::pow(distance[k] / weight[k] - radius, 2.0) / sectors;
@@ -254,8 +261,26 @@ TEST(EdgeFilm, ThreadsDoNotMatterNorWhatWasThereBefore)
   a.trace(scene, camera, 3, anyStep(), {}, nullptr, 1);
   b.trace(oneSphere(), camera, 2, anyStep());
   b.trace(scene, camera, 3, anyStep(), {}, nullptr, 3);
-  for (int i = 0; i < width * height; ++i)
-    ASSERT_EQ(a.edges.coverage()[i], b.edges.coverage()[i]) << i;
+  EXPECT_EQ(a.coverage(), b.coverage());
+}
+
+TEST(EdgeFilm, WhatIsPassedOverHasNoEdges)
+{
+  // A film of two large steps, small ones all over and much background.
+  Scene scene;
+  scene.particles.push_back(objectOf(randomParticles(3000, 11, 0.01, 0.03)));
+  for (const auto projection : {Camera::Projection::Perspective, Camera::Projection::Orthographic})
+    for (const double step : {0.02, 0.3, 1.5})
+    {
+      const Camera camera = cameraOf(projection);
+      Edges traced;
+      traced.trace(scene, camera, 1, anyStep(step));
+      std::vector<float> whole(traced.film.pixels(), 0.0f);
+      findSilhouettes(
+        depthImageOf(traced.film.depth(), width, height, camera), anyStep(step), whole.data());
+      EXPECT_EQ(traced.coverage(), whole) << step;
+      EXPECT_GT(traced.sum(), 0.0) << step;
+    }
 }
 
 TEST(EdgeFilm, LinesReachNoFartherFromWhatTheyBelongToThanTheySay)
