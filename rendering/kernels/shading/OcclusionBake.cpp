@@ -23,6 +23,11 @@ namespace
 constexpr std::size_t pieceSize = 256;
 /// Texels a side of the maps that adaptive ones begin with, and that any are made from.
 constexpr int firstSide = 4;
+/// So many rays, none of which gets out, tell that a particle is dark.
+constexpr std::size_t enoughRays = 190;
+/// Texels that must lie at least partly outside of other particles for a map to tell how much finer
+/// ones would differ: what is seen of a particle may be a fraction of one texel of 4 x 4.
+constexpr std::size_t enoughTexels = 40;
 
 void check(const OcclusionBakeOptions& options)
 {
@@ -75,7 +80,7 @@ Bake::Bake(const ParticleStructure& structure, const OcclusionBakeOptions& optio
   , known_(known)
   , count_(withStructure(structure, [](const auto& s) { return s.size(); }))
   , coding_(0, options.sky)
-  , directions_(std::clamp(options.samples, 1, 65536))
+  , directions_(std::clamp(options.samples, 4, 65536))
   , pieces_((count_ + pieceSize - 1) / pieceSize)
 {
   if (known != nullptr && (known->size() != count_ || known->sky() != options.sky))
@@ -115,19 +120,26 @@ OcclusionMaps::Level Bake::bakeAdaptively(Worker& worker, RawVector<std::uint8_t
   OcclusionSampler& sampler = worker.sampler;
   OcclusionTexels& map = worker.texels;
   bool isOpen = true;
+  std::size_t asked = 0, open = 0;
   for (const OcclusionPlaces& places : places_)
   {
     sampler.askFew(places);
-    if (sampler.open() == 0 && places.side == firstSide)
+    asked += sampler.asked();
+    open += sampler.open();
+    if (open == 0 && asked >= enoughRays)
       return OcclusionMaps::Dark;
     // Where there seems to be nothing in the way, a better look.
     isOpen = isOpen && sampler.open() == sampler.asked();
+    const bool isLast = &places == &places_.back();
+    if (open == 0 || (!isOpen && !isLast && sampler.texels() < enoughTexels))
+      continue;
     sampler.askMany(isOpen, map);
     isOpen = isOpen && sampler.open() == sampler.asked();
     if (isOpen)
       return OcclusionMaps::Open;
     map.dilate();
-    // The coarsest of these that will do.
+    // The coarsest of these that will do. Texels are cheap where maps are coarse: the allowed error
+    // halves with the side, so that a byte more takes about as much off the error everywhere.
     OcclusionTexels best = map, coarse = map;
     double half = 0.0; // error of half as many texels a side
     while (coarse.side > 1)
@@ -136,7 +148,9 @@ OcclusionMaps::Level Bake::bakeAdaptively(Worker& worker, RawVector<std::uint8_t
       const double error = map.error(coarse, options_.sky.brightest());
       if (2 * coarse.side == map.side)
         half = error;
-      if (error > options_.tolerance && coarse.side < options_.side)
+      const double allowed =
+        options_.tolerance * 2.0 * coarse.side / std::max(options_.side, map.side);
+      if (error > allowed && coarse.side < options_.side)
         break;
       best = coarse;
     }

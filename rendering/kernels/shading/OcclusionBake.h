@@ -15,7 +15,7 @@ struct OcclusionBakeOptions
 {
   int side = 16; ///< texels along a side of the largest maps: 1, 2, 4, 8, 16 or 32
   /// Rays a texel, about: those whose neighbourhood is mixed ask 1.7 times as many, others a
-  /// quarter. [1, 65536], values outside are clamped.
+  /// quarter. [4, 65536], values outside are clamped.
   int samples = 49;
   /// How far away particles occlude, in the particles' unit of length; 0: a tenth of the longest
   /// side of their bounds, whether or not they are shown. May be infinite.
@@ -26,7 +26,9 @@ struct OcclusionBakeOptions
   bool adaptive = true;
   /// Error that a coarser map of a particle may have, as a share of the brightest sky: root mean
   /// square over the surface, in which each place counts by its chance to be seen, its open share.
-  double tolerance = 0.01;
+  /// It is what maps of half as many texels a side as the largest may have; coarser ones may have
+  /// less, in proportion to their side.
+  double tolerance = 0.005;
   /// Whether texels that lie inside of other particles are filled from their neighbours; if not,
   /// they are dark.
   bool dilate = true;
@@ -55,11 +57,12 @@ struct OcclusionBakeStatistics
 /// structure, those that are shown.
 ///
 /// Each texel asks rays from its middle, or, where that lies inside of another particle, from a
-/// place of it that does not: in directions spread evenly over the half of space above, turned at
-/// random for each particle and weighted by their cosine to the normal. Texels that lie inside as
-/// a whole, of 9 jittered places, ask none. Other particles count from a rounding distance off the
-/// surface, as in AmbientOcclusion. The answer depends neither on the number of threads nor, but
-/// for rounding, on the kind of structure where that knows input indices.
+/// place of it that does not (jittered over the texel, rays would be blurred with it): in
+/// directions spread evenly over the half of space above, turned at random for each particle and
+/// weighted by their cosine to the normal. Texels that lie inside as a whole, of 9 jittered places,
+/// ask none. Other particles count from a rounding distance off the surface, as in
+/// AmbientOcclusion. The answer depends neither on the number of threads nor, but for rounding, on
+/// the kind of structure where that knows input indices.
 ///
 /// Particles that `known` knows and that are not selected keep their maps; `known` must be of as
 /// many particles and of the same sky, and should be of the same reach. Others that are not baked

@@ -15,7 +15,8 @@ namespace mote
 {
 
 /// The directions that rays are asked in. A texel asks first the few and, where these do not agree
-/// with one another or with those of texels beside it, the many.
+/// with one another or with those of texels beside it, the many, which with the few make one set
+/// that is spread evenly.
 struct OcclusionDirectionSets
 {
   explicit OcclusionDirectionSets(int samples);
@@ -39,6 +40,8 @@ public:
   void askFew(const OcclusionPlaces& places);
   /// Asks the others where it takes them, or everywhere, and fills the map.
   void askMany(bool everywhere, OcclusionTexels& texels);
+  /// Texels that ask rays, after askFew(): those that do not lie inside of other particles.
+  std::size_t texels() const { return texels_.size(); }
   /// Rays asked since askFew(), those of them that met nothing, and all so far.
   std::size_t asked() const { return asked_; }
   std::size_t open() const { return open_; }

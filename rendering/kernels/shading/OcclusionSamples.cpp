@@ -38,17 +38,19 @@ void gather(std::vector<Vec3f>& points, std::size_t first, std::size_t last, std
 
 } // namespace
 
-OcclusionDirections::OcclusionDirections(int count)
-  : blocks((count + lanes - 1) / lanes)
+OcclusionDirections::OcclusionDirections(int count, int period, bool others)
 {
   std::vector<Vec3f> points;
   const double turn = M_PI * (3.0 - std::sqrt(5.0));
   for (int i = 0; i < count; ++i)
   {
+    if ((i % period == period / 2) == others)
+      continue;
     const double height = 1.0 - (2.0 * i + 1.0) / count, around = turn * i;
     const double off = std::sqrt(1.0 - height * height);
     points.emplace_back(off * std::cos(around), off * std::sin(around), height);
   }
+  blocks = (static_cast<int>(points.size()) + lanes - 1) / lanes;
   const auto parts = static_cast<std::size_t>(blocks);
   gather(points, 0, parts, parts);
   for (std::vector<float>* all : {&x, &y, &z})

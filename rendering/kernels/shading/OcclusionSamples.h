@@ -14,7 +14,8 @@ struct OcclusionDirections
 {
   static constexpr int lanes = 16;
 
-  explicit OcclusionDirections(int count);
+  /// Of `count` of them one in `period`, or with `others` all others.
+  explicit OcclusionDirections(int count, int period = 1, bool others = false);
   /// The same turned at random, by a rotation that `seed` chooses evenly.
   void turn(std::uint32_t seed, OcclusionDirections& turned) const;
 

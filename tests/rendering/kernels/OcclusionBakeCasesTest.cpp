@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 
 using namespace mote;
 using namespace mote::testing;
@@ -198,18 +199,22 @@ TEST(OcclusionBake, OverlappingSpheres)
 TEST(OcclusionBake, RadiiOfVeryDifferentSize)
 {
   Random random(807);
-  for (const double other : {1e2, 1e3, 1e4})
+  for (const double other : {1.0, 40.0, 1e2, 1e3, 1e4})
   {
-    double square = 0.0;
-    constexpr int repeats = 12;
+    double square = 0.0, greatest = 0.0;
+    constexpr int repeats = 60;
     for (int k = 0; k < repeats; ++k)
     {
       const Particles particles = touching(1.0, other, random.direction());
       const double error =
         touchingError(particles, baked(particles, fullMaps(16, 49), kinds[k % 3]));
       square += error * error / repeats;
+      greatest = std::max(greatest, error);
     }
-    EXPECT_LE(std::sqrt(square), 1.1e-2) << other;
+    std::cout << "radii 1 and " << other << ": RMS error " << std::sqrt(square) << ", greatest of "
+              << repeats << " directions " << greatest << "\n";
+    EXPECT_LE(std::sqrt(square), 1e-2) << other;
+    EXPECT_LE(greatest, other == 1.0 ? 1e-2 : 1.6e-2) << other;
   }
 }
 
