@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -41,6 +42,10 @@ private:
   std::shared_ptr<std::atomic<std::uint64_t>> used_; ///< of the budget; memory may outlive this
   std::atomic<bool> usesFiles_{false};
 };
+
+/// Advises the system to keep memory that is not touched yet in pages of megabytes where it fills
+/// any: look-ups all over it then miss fewer addresses. Changes nothing else.
+void preferHugePages(void* memory, std::size_t bytes);
 
 /// Memory of the machine, or of the control group that the process is kept to, whichever is less.
 std::uint64_t physicalMemory();

@@ -1,7 +1,7 @@
 #include "OcclusionMaps.h"
 
 #include "../core/Error.h"
-#include "OcclusionLookUp.h"
+#include "../core/ScratchSpace.h"
 
 #include <tbb/parallel_for.h>
 
@@ -31,6 +31,8 @@ constexpr std::array<std::uint16_t, 256> texelsOfPair = []
   return texels;
 }();
 
+constexpr std::uint8_t noMap[4] = {}; ///< 2 x 2 texels
+
 std::size_t texelsOfLevels(std::uint64_t levels)
 {
   std::size_t sum = 0;
@@ -59,6 +61,7 @@ OcclusionMaps::OcclusionMaps(std::size_t count, const OcclusionSky& sky)
     throw Error("The sky of occlusion maps must be bright at its top or its bottom, and not "
                 "negative.");
   blocks_.resize((count + blockSize - 1) / blockSize);
+  preferHugePages(blocks_.data(), blocks_.size() * sizeof(Block));
   std::fill(blocks_.begin(), blocks_.end(), Block());
 }
 
@@ -88,7 +91,7 @@ OcclusionMaps::OcclusionMaps(std::span<const Piece> pieces, const OcclusionSky& 
       throw Error("Occlusion maps should have " + std::to_string(texels) + " texels, not " +
                   std::to_string(piece.texels.size()) + ".");
   }
-  texels_.resize(placeBlocks());
+  makeTexels();
   auto to = texels_.begin();
   for (const Piece& piece : pieces)
     to = std::copy(piece.texels.begin(), piece.texels.end(), to);
@@ -110,6 +113,12 @@ std::size_t OcclusionMaps::placeBlocks()
     texels += texelsOfLevels(block.levels);
   }
   return texels;
+}
+
+void OcclusionMaps::makeTexels()
+{
+  texels_.resize(placeBlocks());
+  preferHugePages(texels_.data(), texels_.size());
 }
 
 std::size_t OcclusionMaps::firstTexel(std::size_t particle) const
@@ -149,71 +158,66 @@ float OcclusionMaps::at(std::size_t particle, const Vec3f& normal) const
 void OcclusionMaps::lookUp(const std::uint64_t* particles, const float* nx, const float* ny,
   const float* nz, int count, float* values) const
 {
+  OcclusionLookUp found;
   for (int first = 0; first < count; first += OcclusionLookUp::capacity)
-    lookUpBlock(particles + first, nx + first, ny + first, nz + first,
-      std::min(count - first, OcclusionLookUp::capacity), values + first);
+  {
+    const int some = std::min(count - first, OcclusionLookUp::capacity);
+    find(particles + first, some, found);
+    lookUp(found, particles + first, nx + first, ny + first, nz + first, values + first);
+  }
 }
 
-void OcclusionMaps::lookUpBlock(const std::uint64_t* particles, const float* nx, const float* ny,
-  const float* nz, int count, float* values) const
+void OcclusionMaps::fetch(const std::uint64_t* particles, int count) const
 {
-  OcclusionLookUp block;
-  const std::uint8_t* maps[OcclusionLookUp::capacity];
   for (int i = 0; i < count; ++i)
     __builtin_prefetch(&blocks_[particles[i] / blockSize]);
-  bool stored = false; // whether anything is
+}
+
+void OcclusionMaps::find(const std::uint64_t* particles, int count, OcclusionLookUp& found) const
+{
+  const std::uint8_t* map = noMap;
+  std::int32_t shift = 1;
+  found.count = count;
+  found.plains = 0;
   for (int i = 0; i < count; ++i)
   {
-    block.nx[i] = nx[i];
-    block.ny[i] = ny[i];
-    block.nz[i] = nz[i];
-    if (i > 0 && particles[i] == particles[i - 1])
+    if (i == 0 || particles[i] != particles[i - 1]) // neighbours often see the same particle
     {
-      block.side[i] = block.side[i - 1];
-      maps[i] = maps[i - 1];
-      continue;
+      const Level level = this->level(particles[i]);
+      const bool isMap = level >= Side2 && level <= Side32;
+      map = isMap ? texels_.data() + firstTexel(particles[i]) : noMap;
+      shift = isMap ? level - Side1 : 1;
+      for (int line = 0; line < 1 << (2 * shift); line += 64)
+        __builtin_prefetch(map + line);
     }
-    const int texelsAlong = side(level(particles[i]));
-    block.side[i] = static_cast<float>(texelsAlong);
-    maps[i] = nullptr;
-    if (texelsAlong == 0)
-      continue;
-    stored = true;
-    maps[i] = texels_.data() + firstTexel(particles[i]);
-    __builtin_prefetch(maps[i] + texelsAlong * texelsAlong / 2);
+    found.map[i] = map;
+    found.shift[i] = shift;
+    found.plain[found.plains] = static_cast<std::uint16_t>(i);
+    found.plains += map == noMap;
   }
   // Lanes beyond the last are worked out, too, and not used.
   for (int i = count; i < (count + 15) / 16 * 16; ++i)
-    block.nx[i] = block.ny[i] = block.nz[i] = block.side[i] = 0.0f;
-  if (stored)
-    block.place(count);
-  for (int i = 0; i < count; ++i)
-  {
-    if (maps[i] == nullptr)
-      continue;
-    const int n = static_cast<int>(block.side[i]);
-    // Beyond a pole lies the same row, half-way round.
-    const int half = n / 2, above = block.upper[i], below = above + 1;
-    const int column = block.column[i] + n;
-    const int shiftAbove = above < 0 ? half : 0, shiftBelow = below >= n ? half : 0;
-    const std::uint8_t* upper = maps[i] + std::max(above, 0) * n;
-    const std::uint8_t* lower = maps[i] + std::min(below, n - 1) * n;
-    block.texel[0][i] = upper[(column + shiftAbove) & (n - 1)];
-    block.texel[1][i] = upper[(column + 1 + shiftAbove) & (n - 1)];
-    block.texel[2][i] = lower[(column + shiftBelow) & (n - 1)];
-    block.texel[3][i] = lower[(column + 1 + shiftBelow) & (n - 1)];
-  }
-  if (stored)
-    block.blend(count, maximum());
-  for (int i = 0; i < count; ++i)
-    values[i] =
-      maps[i] != nullptr ? block.value[i] : unstoredValue(particles[i], {nx[i], ny[i], nz[i]});
+    found.shift[i] = 1;
 }
 
-float OcclusionMaps::unstoredValue(std::size_t particle, const Vec3f& normal) const
+void OcclusionMaps::lookUp(const OcclusionLookUp& found, const std::uint64_t* particles,
+  const float* nx, const float* ny, const float* nz, float* values) const
+{
+  if (found.plains < found.count)
+    found.blend(nx, ny, nz, maximum(), values);
+  for (int k = 0; k < found.plains; ++k)
+  {
+    const int i = found.plain[k];
+    values[i] = plainValue(particles[i], {nx[i], ny[i], nz[i]});
+  }
+}
+
+float OcclusionMaps::plainValue(std::size_t particle, const Vec3f& normal) const
 {
   switch (level(particle))
   {
+  case Side1:
+    return decoded(texels_[firstTexel(particle)]);
   case Open:
     return sky_.onOpen(normal);
   case Dark:
@@ -235,7 +239,7 @@ OcclusionMaps OcclusionMaps::gathered(std::size_t count, const Source& source) c
         if (const std::size_t from = source(k); from < count_)
           maps.setLevel(k, level(from));
     });
-  maps.texels_.resize(maps.placeBlocks());
+  maps.makeTexels();
   tbb::parallel_for(std::size_t{0}, maps.blocks_.size(),
     [&](std::size_t block)
     {
@@ -260,7 +264,7 @@ OcclusionMaps OcclusionMaps::updated(const OcclusionMaps& newer) const
   { return newer.isBaked(k) ? newer : *this; };
   for (std::size_t k = 0; k < count_; ++k)
     maps.setLevel(k, source(k).level(k));
-  maps.texels_.resize(maps.placeBlocks());
+  maps.makeTexels();
   auto to = maps.texels_.begin();
   for (std::size_t k = 0; k < count_; ++k)
   {

@@ -3,6 +3,7 @@
 #include "../core/RawVector.h"
 #include "../core/Vec.h"
 #include "../particles/ParticleStructure.h"
+#include "OcclusionLookUp.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -108,6 +109,12 @@ public:
   /// and over the poles. NaN where nothing is known of a particle. Thread-safe.
   void lookUp(const std::uint64_t* particles, const float* nx, const float* ny, const float* nz,
     int count, float* values) const;
+  /// The same in steps, between which the memory asked for can arrive: fetch(), find() and this.
+  /// Up to OcclusionLookUp::capacity hits.
+  void lookUp(const OcclusionLookUp& found, const std::uint64_t* particles, const float* nx,
+    const float* ny, const float* nz, float* values) const;
+  void fetch(const std::uint64_t* particles, int count) const;
+  void find(const std::uint64_t* particles, int count, OcclusionLookUp& found) const;
   /// The same for one hit.
   float at(std::size_t particle, const Vec3f& normal) const;
 
@@ -139,15 +146,14 @@ private:
     std::uint64_t first = 0;                  ///< texel of the first particle
   };
 
-  /// The same as lookUp() for a few hits.
-  void lookUpBlock(const std::uint64_t* particles, const float* nx, const float* ny,
-    const float* nz, int count, float* values) const;
-  /// What a particle without texels stands for.
-  float unstoredValue(std::size_t particle, const Vec3f& normal) const;
+  /// What a particle with one texel or none stands for.
+  float plainValue(std::size_t particle, const Vec3f& normal) const;
   /// First texel of a particle.
   std::size_t firstTexel(std::size_t particle) const;
   /// Sets where blocks begin from the levels; returns the number of texels.
   std::size_t placeBlocks();
+  /// The same, and makes room for the texels.
+  void makeTexels();
   void setLevel(std::size_t particle, Level level);
   /// Maps of `count` particles, k being particle source(k) of these, or unknown where that is not
   /// below size().

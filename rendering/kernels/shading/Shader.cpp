@@ -80,6 +80,8 @@ void ParticleShader::gather(const RayBundle& local, std::int32_t index, const st
         to[k] = from[block.ray[k]];
   };
   take(local.slot, block.slot);
+  if (usesMaps())
+    object_.occlusion->fetch(block.slot, count);
   take(local.t, block.t);
   take(local.x, block.rayX);
   take(local.y, block.rayY);
@@ -180,16 +182,23 @@ void ParticleShader::place(
 void ParticleShader::shade(SurfaceBlock& block, const BundlePlacing& placing,
   const SceneLighting& lighting, bool indices) const
 {
-  place(block, placing, needsPositions(object_.material, lighting), indices);
-  if (!object_.occlusion || object_.material.ambient <= 0.0f)
+  const bool positions = needsPositions(object_.material, lighting);
+  if (!usesMaps())
+  {
+    place(block, placing, positions, indices);
     return lightSurfaces(block, object_.material, lighting, placing.footprint);
+  }
+  OcclusionLookUp found; // texels are on their way while surfaces are placed
+  object_.occlusion->find(block.slot, block.count, found);
+  place(block, placing, positions, indices);
   float shares[SurfaceBlock::capacity];
-  lookUpShares(block, shares);
+  lookUpShares(block, found, shares);
   lightSurfaces(block, object_.material, lighting, placing.footprint, shares);
 }
 
 /// What the maps know; of spheres that are seen from within they know nothing.
-void ParticleShader::lookUpShares(const SurfaceBlock& block, float* shares) const
+void ParticleShader::lookUpShares(
+  const SurfaceBlock& block, const OcclusionLookUp& found, float* shares) const
 {
   const SurfaceBlock::Triple<float>* normals = &block.normal;
   SurfaceBlock::Triple<float> local;
@@ -205,7 +214,7 @@ void ParticleShader::lookUpShares(const SurfaceBlock& block, float* shares) cons
     }
     normals = &local;
   }
-  object_.occlusion->lookUp(block.slot, normals->x, normals->y, normals->z, block.count, shares);
+  object_.occlusion->lookUp(found, block.slot, normals->x, normals->y, normals->z, shares);
   for (int k = 0; k < block.count; ++k)
     shares[k] = block.side[k] > 0.0f ? shares[k] : std::numeric_limits<float>::quiet_NaN();
 }

@@ -81,7 +81,8 @@ public:
   Vec3f normalAt(std::uint64_t slot, const Vec3d& local) const;
 
 private:
-  void lookUpShares(const SurfaceBlock& block, float* shares) const;
+  void lookUpShares(const SurfaceBlock& block, const OcclusionLookUp& found, float* shares) const;
+  bool usesMaps() const { return object_.occlusion && object_.material.ambient > 0.0f; }
   void fillColors(const std::uint64_t* particles, int count, float (*colors)[4]) const;
   bool needsIndices() const;
 
