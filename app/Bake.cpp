@@ -1,5 +1,6 @@
 #include "Bake.h"
 
+#include "Checks.h"
 #include "Convert.h"
 #include "Failure.h"
 #include "Messages.h"
@@ -19,6 +20,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <map>
 
 namespace mote::app
 {
@@ -26,12 +28,11 @@ namespace mote::app
 namespace
 {
 
-/// Where the maps of a time step, which counts from 0, lie beside the data.
-std::string mapsFileOf(const ViewOptions& options, const Input& input, int step)
+/// Where the maps of particles lie beside their file.
+std::string mapsFileOf(const NamedData& particles)
 {
-  const std::string& file = options.files.front();
-  return input.numberOfSteps() > 1 ? file + "." + std::to_string(step + 1) + ".moteao"
-                                   : file + ".moteao";
+  return particles.steps > 1 ? particles.file + "." + std::to_string(particles.step + 1) + ".moteao"
+                             : particles.file + ".moteao";
 }
 
 /// Radii as they are drawn.
@@ -85,6 +86,7 @@ void addBakeOptions(CLI::App& app, BakeOptions& options)
     .add_option("--occlusion-reach", options.reach,
       "How far rays go, in the data's units: what is farther away darkens nothing. By default a "
       "tenth of the data's longest side")
+    ->check(isNumber())
     ->check(CLI::PositiveNumber.description(""))
     ->type_name("R")
     ->group(group);
@@ -92,6 +94,7 @@ void addBakeOptions(CLI::App& app, BakeOptions& options)
     .add_option("--tolerance", options.tolerance,
       "Error that a particle's smaller map may have, as a share of the light; 0 gives all maps the "
       "same size. By default 0.01")
+    ->check(isNumber())
     ->check(CLI::Range(0.0, 1.0).description(""))
     ->type_name("E")
     ->group(group);
@@ -105,12 +108,11 @@ void bake(const BakeOptions& options)
   Input input(options.view.files);
   input.open(progress);
   const int step = input.chosenStep(options.view);
-  const std::string output =
-    options.output.empty() ? mapsFileOf(options.view, input, step) : options.output;
+  const NamedData data = particlesOf(input, step, progress, "mote bake takes one");
+  const std::string output = options.output.empty() ? mapsFileOf(data) : options.output;
   if (lowerCase(std::filesystem::path(output).extension().string()) != ".moteao")
     throw Failure("the file to write must end in .moteao, not " + output);
   checkWritable(output); // before minutes of baking
-  const NamedData data = particlesOf(input, step, progress, "mote bake takes one");
   auto* points = vtkPolyData::SafeDownCast(data.data);
   if (!points)
     throw Failure(data.name + " holds no points that mote bake could take");
@@ -143,24 +145,24 @@ void bake(const BakeOptions& options)
   std::printf("%s\n", text.c_str());
 }
 
-void addOcclusionMaps(
-  const ViewOptions& options, const Input& input, int step, const std::vector<NamedData>& data)
+void addOcclusionMaps(const std::vector<NamedData>& data)
 {
-  vtkDataSet* particles = nullptr;
+  std::map<std::string, std::vector<NamedData>> files;
   for (const NamedData& one : data)
     if (!Part::isMesh(one.data))
-    {
-      if (particles)
-        return; // a file holds the maps of one set
-      particles = one.data;
-    }
-  const std::string file = mapsFileOf(options, input, step);
-  std::error_code error;
-  if (!particles || !std::filesystem::is_regular_file(file, error))
-    return;
-  const std::string problem = vtkMoteAmbientOcclusionBaker::ReadMaps(file, particles);
-  if (!problem.empty())
-    std::fprintf(stderr, "mote: warning: %s\n", problem.c_str());
+      files[mapsFileOf(one)].push_back(one);
+  for (const auto& [file, particles] : files)
+  {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error))
+      continue;
+    const std::string problem =
+      particles.size() > 1
+        ? file + " holds the maps of one set of particles, of which the data file has several"
+        : vtkMoteAmbientOcclusionBaker::ReadMaps(file, particles.front().data);
+    if (!problem.empty())
+      std::fprintf(stderr, "mote: warning: %s\n", problem.c_str());
+  }
 }
 
 } // namespace mote::app

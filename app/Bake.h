@@ -30,9 +30,8 @@ void addBakeOptions(CLI::App& app, BakeOptions& options);
 /// Writes the occlusion maps of the particles of a file.
 void bake(const BakeOptions& options);
 
-/// Adds the maps that mote bake has written beside the file, if there are any, to the data of a
-/// time step. A file that cannot be read is a warning.
-void addOcclusionMaps(
-  const ViewOptions& options, const Input& input, int step, const std::vector<NamedData>& data);
+/// Adds the maps that mote bake has written beside their files, if there are any, to the particles
+/// among the data. A file that cannot be read is a warning.
+void addOcclusionMaps(const std::vector<NamedData>& data);
 
 } // namespace mote::app

@@ -1,5 +1,6 @@
 #include "Convert.h"
 
+#include "Checks.h"
 #include "Failure.h"
 #include "Input.h"
 #include "Messages.h"
@@ -58,6 +59,7 @@ void addConvertOptions(CLI::App& app, ConvertOptions& options)
       "Memory for particles, such as 4G; what needs more lies in files beside the one that is "
       "written, without a name, until it is. By default half of the machine's")
     ->transform(CLI::AsSizeValue(false))
+    ->check(isNumber())
     ->check(CLI::PositiveNumber.description(""))
     ->type_name("SIZE")
     ->group("Conversion");

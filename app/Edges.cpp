@@ -1,5 +1,6 @@
 #include "Edges.h"
 
+#include "Checks.h"
 #include "Colors.h"
 #include "Failure.h"
 #include "Messages.h"
@@ -73,6 +74,7 @@ void addLineOptions(CLI::App& app, EdgesOptions& o)
   app
     .add_option("--opacity", o.leastOpacity,
       "Opacity of the least steps, 0 to 1, that grows with the step: grey levels")
+    ->check(isNumber())
     ->check(CLI::Range(0.0, 1.0).description(""))
     ->capture_default_str()
     ->type_name("A")
@@ -116,6 +118,7 @@ void addDepthOptions(CLI::App& app, EdgesOptions& o)
   const auto positive = CLI::PositiveNumber.description("");
   auto* angle =
     app.add_option("--view-angle", o.viewAngle, "Angle between bottom and top, in degrees")
+      ->check(isNumber())
       ->check(CLI::Range(1e-6, 179.0).description(""))
       ->capture_default_str()
       ->type_name("A")
@@ -126,6 +129,7 @@ void addDepthOptions(CLI::App& app, EdgesOptions& o)
   app
     .add_option(
       "--orthographic", o.orthographic, "The view is orthographic and so high, in world units")
+    ->check(isNumber())
     ->check(positive)
     ->excludes(angle)
     ->excludes(rays)
@@ -134,6 +138,7 @@ void addDepthOptions(CLI::App& app, EdgesOptions& o)
   app
     .add_option("--far", o.farDepth,
       "Depths from here on are background, as those that are not finite are anyway")
+    ->check(isNumber())
     ->check(positive)
     ->type_name("D")
     ->group(group);
@@ -218,6 +223,7 @@ void addEdgesOptions(CLI::App& app, EdgesOptions& options)
   app
     .add_option("--step-pixels", options.stepInPixels,
       "No step is an edge that is less than the width of so many pixels at its distance")
+    ->check(isNumber())
     ->check(CLI::NonNegativeNumber.description(""))
     ->capture_default_str()
     ->type_name("N");

@@ -24,7 +24,7 @@ void collectDataSets(
 {
   if (auto* data = vtkDataSet::SafeDownCast(object))
   {
-    collected.push_back({name, data});
+    collected.push_back({name, data, {}});
     return;
   }
   auto* composite = vtkCompositeDataSet::SafeDownCast(object);
@@ -39,7 +39,7 @@ void collectDataSets(
                           ? facts->Get(vtkCompositeDataSet::NAME())
                           : nullptr;
     if (auto* data = vtkDataSet::SafeDownCast(blocks->GetCurrentDataObject()))
-      collected.push_back({block ? name + ": " + block : name, data});
+      collected.push_back({block ? name + ": " + block : name, data, {}});
   }
 }
 
@@ -151,7 +151,17 @@ std::vector<NamedData> Input::read(int step, Progress& progress)
     // The reader writes its next step into the same object.
     auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
     copy->ShallowCopy(data);
+    const std::size_t first = all.size();
     collectDataSets(copy, source.name, all);
+    for (std::size_t i = first; i < all.size(); ++i)
+    {
+      all[i].file = source.files.front();
+      if (source.times.empty())
+        continue;
+      const auto after = std::upper_bound(source.times.begin(), source.times.end(), times_[step]);
+      all[i].step = std::max(0, static_cast<int>(after - source.times.begin()) - 1);
+      all[i].steps = static_cast<int>(source.times.size());
+    }
   }
   return all;
 }

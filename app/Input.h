@@ -25,6 +25,9 @@ struct NamedData
 {
   std::string name;
   vtkSmartPointer<vtkDataSet> data;
+  std::string file; ///< that it is from, the first one of a series
+  int step = 0;     ///< among those of the file
+  int steps = 1;
 };
 
 /// The files of one command line: their readers, and the time steps of all of them together. Every

@@ -201,7 +201,7 @@ void render(const RenderOptions& given)
     const double start = vtkTimerLog::GetUniversalTime();
     const auto data = input.read(step, progress);
     if (options.ambientOcclusion == "baked")
-      addOcclusionMaps(options, input, step, data);
+      addOcclusionMaps(data);
     scene.setData(data);
     const double seconds = vtkTimerLog::GetUniversalTime() - start;
     requireTraced(scene);

@@ -1,5 +1,6 @@
 #include "Silhouettes.h"
 
+#include "Checks.h"
 #include "Colors.h"
 #include "Text.h"
 
@@ -19,7 +20,8 @@ std::string checkThreshold(const std::string& text)
   double radii = 0.0;
   if (text == "off" || text == "true" || (parseNumber(text, radii) && radii >= 0.0))
     return {};
-  return "'" + text + "' is neither off nor a number of radii, such as in --silhouettes=4";
+  return "'" + text +
+         "' is neither off nor a number of radii of at least 0, such as in --silhouettes=4";
 }
 
 CLI::Validator checked()
@@ -41,6 +43,7 @@ void addSilhouetteOptions(CLI::App& app, SilhouetteOptions& o)
   app
     .add_option(
       "--silhouette-thickness", o.thickness, "Width of the lines in pixels. By default 1.5")
+    ->check(isNumber())
     ->check(CLI::Range(0.1, 64.0).description(""))
     ->type_name("PIXELS")
     ->group(group);
@@ -69,7 +72,9 @@ void addSilhouetteOptions(CLI::App& app, SilhouetteOptions& o)
 Silhouettes::Silhouettes(const SilhouetteOptions& options)
 {
   double radii = 0.0;
-  settings_->SetEnabled(options.threshold != "off");
+  // Whoever says how lines look wants some.
+  const bool styled = options.thickness > 0.0 || options.color || !options.groups.empty();
+  settings_->SetEnabled(options.threshold.empty() ? styled : options.threshold != "off");
   if (parseNumber(options.threshold, radii))
     settings_->SetThreshold(radii);
   if (options.thickness > 0.0)

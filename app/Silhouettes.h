@@ -19,8 +19,10 @@ namespace mote::app
 /// What the user may say about edges.
 struct SilhouetteOptions
 {
-  std::string threshold = "off"; ///< "off", "true" for the usual one, or a number of radii
-  double thickness = 0.0;        ///< pixels; 0: choose
+  /// "off", "true" for the usual one, or a number of radii; empty: "true" where anything else is
+  /// set
+  std::string threshold;
+  double thickness = 0.0; ///< pixels; 0: choose
   std::optional<std::array<double, 3>> color;
   std::string groups; ///< array between whose values edges stand, too; empty: none
 };

@@ -1,5 +1,6 @@
 #include "ViewOptions.h"
 
+#include "Checks.h"
 #include "ColorMaps.h"
 #include "Colors.h"
 #include "Framing.h"
@@ -183,6 +184,7 @@ void addLightOptions(CLI::App& app, ViewOptions& o)
       "Size of the main light as the data see it, in degrees up to 90: the larger, the softer its "
       "shadows. The sun has 0.5")
     ->check(number(false))
+    ->check(isNumber())
     ->check(CLI::Range(0.0, 90.0).description(""))
     ->type_name("DEG")
     ->capture_default_str()
@@ -263,6 +265,7 @@ void addPictureOptions(CLI::App& app, ViewOptions& o)
       "Cast rays until the picture's standard error is down to this, where colours go from 0 to "
       "1: 0.01 looks smooth. --samples is then the most")
     ->check(number(true))
+    ->check(isNumber())
     ->check(CLI::Range(0.0, 1.0).description(""))
     ->type_name("LEVEL")
     ->group(group);

@@ -1,5 +1,6 @@
 #include "VolumeOptions.h"
 
+#include "Checks.h"
 #include "Colors.h"
 #include "Text.h"
 
@@ -143,6 +144,7 @@ void addVolumeOptions(CLI::App& app, VolumeOptions& o)
     .add_option("--cloud-tolerance", o.cloudTolerance,
       "Error of a colour, from 0 to 1, where pixels of a volume are interpolated rather than "
       "traced. By default 0: all are traced")
+    ->check(isNumber())
     ->check(CLI::Range(0.0, 1.0).description(""))
     ->type_name("ERROR")
     ->group(group);

@@ -147,7 +147,7 @@ void Window::run()
     input_.open(progress_);
     step_ = input_.chosenStep(options_);
     const auto data = input_.read(step_, progress_);
-    addOcclusionMaps(options_, input_, step_, data);
+    addOcclusionMaps(data);
     scene_.setData(data);
     scene_.setPreview(options_.preview);
     scene_.build(progress_);
@@ -226,7 +226,7 @@ bool Window::load(int step)
     {
       scene_.stopBuild();
       const auto data = input_.read(step, progress_);
-      addOcclusionMaps(options_, input_, step, data);
+      addOcclusionMaps(data);
       scene_.setData(data);
       // What plays would go on to the next step before it is built.
       scene_.setPreview(options_.preview && !playing_);

@@ -75,12 +75,15 @@ bool FilmEdges::takeGroups(const std::string& name, const MoteProps& props)
   if (!found)
     arrays.clear();
   values_.resize(arrays.size());
+  viewed_.resize(arrays.size());
   for (std::size_t i = 0; i < arrays.size(); ++i)
   {
-    const auto time = static_cast<double>(arrays[i] ? arrays[i]->GetMTime() : 0);
-    // Arrays that are not one piece of memory are copied: once, not every frame.
-    if (std::find(key_.begin(), key_.end(), time) == key_.end() || !values_[i].owner)
-      values_[i] = DataArrayView(arrays[i]);
+    // Arrays that are not one piece of memory are copied: once, not every frame. MTimes tell arrays
+    // apart, too.
+    const vtkMTimeType time = arrays[i] ? arrays[i]->GetMTime() : 0;
+    if (viewed_[i] != time)
+      values_[i] = arrays[i] ? DataArrayView(arrays[i]) : DataArrayView();
+    viewed_[i] = time;
     groups_.values.push_back(values_[i].view);
   }
   return found || name.empty() || groups_.by != EdgeGroups::By::Nothing;
@@ -107,8 +110,7 @@ void FilmEdges::prepare(
   const SilhouetteOptions& o = options_;
   std::vector<double> key = {o.step, o.stepInPixels, double(o.hulls), o.thickness, o.leastThickness,
     o.leastOpacity, o.fullStep, double(o.centered), double(groups_.by)};
-  for (const DataArrayView& values : values_)
-    key.push_back(static_cast<double>(values.owner ? values.owner->GetMTime() : 0));
+  key.insert(key.end(), viewed_.begin(), viewed_.end());
   if (key != key_)
     this->clear();
   key_ = key;

@@ -84,6 +84,7 @@ private:
   Vec3f color_{0.0f};
   EdgeGroups groups_;
   std::vector<DataArrayView> values_; ///< behind those of groups_
+  std::vector<vtkMTimeType> viewed_;  ///< their arrays' times; 0: no array
   std::vector<double> key_;           ///< all that edges depend on besides the film
   std::string reported_;              ///< the array that was missed last
   EdgeFilm edges_;
