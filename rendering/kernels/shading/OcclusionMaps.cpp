@@ -175,25 +175,36 @@ void OcclusionMaps::fetch(const std::uint64_t* particles, int count) const
 
 void OcclusionMaps::find(const std::uint64_t* particles, int count, OcclusionLookUp& found) const
 {
-  const std::uint8_t* map = noMap;
-  std::int32_t shift = 1;
+  // A bundle sees a few particles again and again, though not always in a row.
+  struct Seen
+  {
+    const std::uint8_t* map;
+    std::int32_t shift;
+  };
+  constexpr int places = 64;
+  std::uint64_t keys[places];
+  Seen seen[places];
+  std::fill_n(keys, places, std::numeric_limits<std::uint64_t>::max());
   found.count = count;
   found.plains = 0;
   for (int i = 0; i < count; ++i)
   {
-    if (i == 0 || particles[i] != particles[i - 1]) // neighbours often see the same particle
+    const std::uint64_t particle = particles[i];
+    const std::uint64_t place = particle * 0x9e3779b97f4a7c15U >> 58;
+    Seen& entry = seen[place];
+    if (keys[place] != particle)
     {
-      const Level level = this->level(particles[i]);
+      keys[place] = particle;
+      const Level level = this->level(particle);
       const bool isMap = level >= Side2 && level <= Side32;
-      map = isMap ? texels_.data() + firstTexel(particles[i]) : noMap;
-      shift = isMap ? level - Side1 : 1;
-      for (int line = 0; line < 1 << (2 * shift); line += 64)
-        __builtin_prefetch(map + line);
+      entry = {isMap ? texels_.data() + firstTexel(particle) : noMap, isMap ? level - Side1 : 1};
+      for (int line = 0; line < 1 << (2 * entry.shift); line += 64)
+        __builtin_prefetch(entry.map + line);
     }
-    found.map[i] = map;
-    found.shift[i] = shift;
+    found.map[i] = entry.map;
+    found.shift[i] = entry.shift;
     found.plain[found.plains] = static_cast<std::uint16_t>(i);
-    found.plains += map == noMap;
+    found.plains += entry.map == noMap;
   }
   // Lanes beyond the last are worked out, too, and not used.
   for (int i = count; i < (count + 15) / 16 * 16; ++i)
