@@ -3,8 +3,8 @@
 #include "../particles/Comparison.h"
 
 #include <kernels/core/Error.h>
-#include <kernels/scene/RayCaster.h>
-#include <kernels/scene/SeenParticles.h>
+#include <kernels/tracing/RayCaster.h>
+#include <kernels/tracing/SeenParticles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -153,7 +153,7 @@ void AmbientContest::addEntry(const AmbientMethod& method, std::vector<Entry>& e
       method.name.c_str(), entry.baked.statistics.particles, entry.seconds(), entry.mrays(),
       entry.baked.bytesPerParticle());
     entry.mode = entry.baked.mode;
-    entry.scene.particles[0].occlusion = entry.baked.maps;
+    entry.scene.surfaces[0].occlusion = entry.baked.maps;
   }
   for (const ReferencePicture& reference : references_)
   {
@@ -366,8 +366,8 @@ void AmbientContest::timeLookUps(Report& report)
   const SlotBits slots = slots_.empty() ? SlotBits() : seen(frameSize_);
   // As a program draws: a headlight, and a third of the light from the sky.
   Scene scene = ambientScene(structure_, 0, reach_);
-  scene.particles[0].material.ambient = 0.3f;
-  scene.particles[0].material.diffuse = 0.7f;
+  scene.surfaces[0].material.ambient = 0.3f;
+  scene.surfaces[0].material.diffuse = 0.7f;
   scene.lights.resize(1);
   std::vector<LookUp> all;
   for (const AmbientMethod* method :
@@ -375,7 +375,7 @@ void AmbientContest::timeLookUps(Report& report)
   {
     progress("look-ups: %s of %zu particles", method->name.c_str(), baker_->count(slots));
     all.push_back({method, baker_->bakeQuickly(*method, slots, threads_), scene});
-    all.back().scene.particles[0].occlusion = all.back().baked.maps;
+    all.back().scene.surfaces[0].occlusion = all.back().baked.maps;
   }
   if (all.empty())
     return;

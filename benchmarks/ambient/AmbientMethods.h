@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kernels/shading/OcclusionBake.h>
+#include <kernels/occlusion/OcclusionBake.h>
 
 #include <string>
 #include <vector>

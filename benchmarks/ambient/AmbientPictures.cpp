@@ -3,7 +3,7 @@
 #include "../Report.h"
 
 #include <kernels/core/Error.h>
-#include <kernels/scene/RayCaster.h>
+#include <kernels/tracing/RayCaster.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,10 +52,10 @@ Scene ambientScene(
   const std::shared_ptr<const ParticleStructure>& structure, int rays, double reach)
 {
   Scene scene;
-  scene.particles.resize(1);
-  scene.particles[0].structure = structure;
-  scene.particles[0].material.ambient = 1.0f;
-  scene.particles[0].material.diffuse = 0.0f;
+  scene.surfaces.resize(1);
+  scene.surfaces[0].surface = ParticleSurface(structure);
+  scene.surfaces[0].material.ambient = 1.0f;
+  scene.surfaces[0].material.diffuse = 0.0f;
   scene.lights.clear();
   scene.occlusion.rays = rays;
   scene.occlusion.reach = reach;

@@ -1,6 +1,6 @@
 #include "VolumeContest.h"
 
-#include <kernels/scene/VolumeTracer.h>
+#include <kernels/tracing/CloudTracer.h>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
@@ -54,7 +54,7 @@ struct Visits
   }
 };
 
-Visits rowVisits(const VolumeTracer& tracer, const CameraRays& rays, int width, int y)
+Visits rowVisits(const CloudTracer& tracer, const CameraRays& rays, int width, int y)
 {
   Visits visits;
   for (int x = 0; x < width; ++x)
@@ -71,11 +71,11 @@ Visits rowVisits(const VolumeTracer& tracer, const CameraRays& rays, int width, 
 }
 
 /// Casts the task's rays once more, counting.
-void countVisits(const VolumeTask& task, const VolumeObject& volume, VolumeMeasurement& m)
+void countVisits(const VolumeTask& task, const CloudObject& volume, VolumeMeasurement& m)
 {
   const CameraRays rays = task.rays();
   const std::vector<ShadedLight> noLights;
-  const VolumeTracer tracer(volume, noLights, rays.o0, 0);
+  const CloudTracer tracer(volume, noLights, rays.o0, 0);
   const Visits visits = tbb::parallel_reduce(
     tbb::blocked_range<int>(0, task.height), Visits(),
     [&](const tbb::blocked_range<int>& rows, Visits part)
@@ -158,15 +158,15 @@ void VolumeContest::add(
     m.lambda2 = built.lambda2;
 
   const auto caster = std::make_shared<Caster>();
-  caster->scene.volumes = {task_.volume(built.structure, sampling)};
+  caster->scene.clouds = {task_.volume(built.structure, sampling)};
   caster->scene.cloudTolerance = m.cloudTolerance = cloudTolerance;
   caster->camera = task_.camera;
   caster->film.resize(task_.width, task_.height);
   if (sampling.integrator == VolumeIntegrator::CellByCell)
     m.tolerance = sampling.tolerance;
   else
-    m.step = sampling.step > 0.0 ? sampling.step : volumeStep(caster->scene.volumes.front());
-  countVisits(task_, caster->scene.volumes.front(), m);
+    m.step = sampling.step > 0.0 ? sampling.step : volumeStep(caster->scene.clouds.front());
+  countVisits(task_, caster->scene.clouds.front(), m);
   contestants_.push_back(
     {m, [this, caster] { return timed(task_.threads, [&] { caster->draw(); }); },
       [this, caster] { return compare(task_.reference, caster->film.color()); }});

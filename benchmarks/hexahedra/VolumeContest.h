@@ -6,7 +6,7 @@
 #include "VolumePeers.h"
 
 #include <kernels/core/Film.h>
-#include <kernels/scene/RayCaster.h>
+#include <kernels/tracing/RayCaster.h>
 
 #include <functional>
 #include <limits>

@@ -59,10 +59,10 @@ TransferFunction moderateTransfer(const HexField& field, const Box& bounds)
 
 } // namespace
 
-VolumeObject VolumeTask::volume(
+CloudObject VolumeTask::volume(
   std::shared_ptr<const HexStructure> structure, const VolumeSampling& sampling) const
 {
-  VolumeObject object;
+  CloudObject object;
   object.structure = std::move(structure);
   object.field = input.field;
   object.transfer = transfer;

@@ -5,7 +5,7 @@
 #include "VolumeReference.h"
 
 #include <kernels/core/Camera.h>
-#include <kernels/scene/Volume.h>
+#include <kernels/scene/Cloud.h>
 
 namespace mote::bench
 {
@@ -21,7 +21,7 @@ struct VolumeTask
   ReferencePixels reference;
 
   /// Of this structure, as the kernels draw it.
-  VolumeObject volume(
+  CloudObject volume(
     std::shared_ptr<const HexStructure> structure, const VolumeSampling& sampling) const;
   CameraRays rays() const { return {camera, width, height}; }
 };

@@ -4,8 +4,8 @@
 #include "../particles/Comparison.h"
 #include "../particles/Views.h"
 
-#include <kernels/scene/EdgeFilm.h>
-#include <kernels/scene/RayCaster.h>
+#include <kernels/tracing/EdgeFilm.h>
+#include <kernels/tracing/RayCaster.h>
 
 #include <tbb/parallel_for.h>
 
@@ -167,8 +167,8 @@ Scene sceneOf(const ParticleInput& input, const Options& options)
   ParticleStructureOptions building;
   building.coherentGrid.cellsPerParticle = options.lambda;
   Scene scene;
-  scene.particles.resize(1);
-  scene.particles[0].structure = makeParticleStructure(input.set, building);
+  scene.surfaces.resize(1);
+  scene.surfaces[0].surface = ParticleSurface(makeParticleStructure(input.set, building));
   return scene;
 }
 

@@ -5,7 +5,7 @@
 #include "Views.h"
 
 #include <kernels/particles/ParticleSample.h>
-#include <kernels/scene/RayCaster.h>
+#include <kernels/tracing/RayCaster.h>
 
 #include <cmath>
 
@@ -60,7 +60,7 @@ public:
 private:
   void build()
   {
-    scene_.particles.resize(1);
+    scene_.surfaces.resize(1);
     auto structure = std::make_shared<ParticleStructure>();
     if (method_.particles > 0)
     {
@@ -73,14 +73,14 @@ private:
       options.kind = method_.kind;
       structure = makeParticleStructure(input_.set, options);
     }
-    scene_.particles[0].structure = structure;
+    scene_.surfaces[0].surface = ParticleSurface(structure);
   }
 
   void cast()
   {
     film_.resize(options_.width, options_.height);
     RayCaster(scene_).addSample(cameraOf(views().front(), input_.statistics.bounds), film_);
-    scene_.particles.clear(); // what follows needs the memory
+    scene_.surfaces.clear(); // what follows needs the memory
   }
 
   const Method& method_;

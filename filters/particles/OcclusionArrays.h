@@ -3,7 +3,7 @@
 
 #include "MoteFiltersParticlesModule.h" // For export macro
 
-#include "kernels/shading/OcclusionFile.h"
+#include "kernels/occlusion/OcclusionFile.h"
 
 #include <optional>
 

@@ -5,9 +5,9 @@
 #include "ParticleSelection.h"
 
 #include "kernels/core/Error.h"
+#include "kernels/occlusion/ParticleOcclusion.h"
 #include "kernels/particles/ParticleHash.h"
 #include "kernels/particles/PkdTreeFile.h"
-#include "kernels/shading/ParticleOcclusion.h"
 
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"

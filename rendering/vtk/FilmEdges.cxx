@@ -2,7 +2,7 @@
 
 #include "vtkMoteSilhouettes.h"
 
-#include "kernels/scene/RayCaster.h"
+#include "kernels/tracing/RayCaster.h"
 
 #include <algorithm>
 #include <chrono>

@@ -4,8 +4,8 @@
 #include "MoteProp.h"
 
 #include "kernels/core/Progress.h"
-#include "kernels/scene/EdgeFilm.h"
 #include "kernels/scene/Scene.h"
+#include "kernels/tracing/EdgeFilm.h"
 
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "SceneBridge.h"
 
-#include "kernels/scene/RayCaster.h"
+#include "kernels/tracing/RayCaster.h"
 
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -75,7 +75,7 @@ constexpr double bakingTime = 0.25;
 /// Whether there is much work for each of the camera's rays.
 bool takesLong(const Scene& scene)
 {
-  return !scene.volumes.empty() || scene.occlusion.rays > 0 || scene.paths.bounces > 0 ||
+  return !scene.clouds.empty() || scene.occlusion.rays > 0 || scene.paths.bounces > 0 ||
          std::any_of(scene.lights.begin(), scene.lights.end(),
            [](const Light& light) { return light.shadows && light.samples > 1; });
 }

@@ -7,8 +7,8 @@
 
 #include "kernels/core/Film.h"
 #include "kernels/core/Progress.h"
-#include "kernels/scene/Refinement.h"
 #include "kernels/scene/Scene.h"
+#include "kernels/tracing/Refinement.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 
 #include "ParticleInput.h"
 
-#include "kernels/shading/ParticleOcclusion.h"
+#include "kernels/occlusion/ParticleOcclusion.h"
 
 #include "vtkTimeStamp.h"
 

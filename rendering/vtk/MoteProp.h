@@ -2,6 +2,7 @@
 
 #include "vtkType.h"
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace mote
 class MapperOcclusion;
 struct OcclusionRequest;
 struct Scene;
+struct ScenePick;
 
 /// A prop that Mote traces, whatever its mapper: what the bridge to the kernels asks of each kind.
 /// A new kind is one more class in a file of its own, and one more entry in motePropOf().
@@ -31,8 +33,9 @@ public:
 
   vtkProp3D* prop() const { return prop_; }
 
-  /// Updates the mapper and adds to the scene what there is to draw; false where there is nothing.
-  virtual bool describe(Scene& scene) const = 0;
+  /// Updates the mapper and adds to the scene what there is to draw, by this id; false where there
+  /// is nothing.
+  virtual bool describe(Scene& scene, std::int32_t id) const = 0;
   /// The times of change of all that its look depends on, besides place, camera and lights.
   virtual std::vector<vtkMTimeType> times() const = 0;
   /// Its occlusion maps, brought up to date without baking, or with no request as they are; null
@@ -46,6 +49,10 @@ public:
     (void)name;
     return nullptr;
   }
+  /// Whether the ids of what is picked are cells of the input, or else points.
+  virtual bool picksCells() const { return false; }
+  /// The value that colours what was picked; NaN where none does.
+  virtual double pickedValue(const ScenePick& pick) const = 0;
   /// Whether what is drawn is a preview of more.
   virtual bool isPreview() const { return false; }
   /// Waits until what is drawn is no preview; false where nothing is to be had.

@@ -3,12 +3,7 @@
 #include "MapperOcclusion.h"
 #include "vtkMoteShading.h"
 
-#include "kernels/shading/AmbientOcclusion.h"
-
-#include <glm/matrix.hpp>
-
 #include <algorithm>
-#include <cmath>
 
 namespace mote
 {
@@ -17,12 +12,6 @@ namespace
 {
 
 constexpr double castingShare = 0.05; ///< of the progress, until it is known what is seen
-
-/// How much longer a length in an object is in the world, on average over directions.
-double scaleOf(const Mat4d& toWorld)
-{
-  return std::cbrt(std::abs(glm::determinant(Mat3d(toWorld))));
-}
 
 } // namespace
 
@@ -45,12 +34,13 @@ void OcclusionBaking::take(
   request.options.adaptive = shading->GetBakeAdaptive() != 0;
   request.options.tolerance = shading->GetBakeTolerance();
   request.reachChosen = shading->GetAmbientOcclusionReach() > 0.0;
-  const double reach = scene.particles.empty() ? 0.0 : occlusionReach(scene);
-  for (std::size_t i = 0; i < scene.particles.size(); ++i)
+  const double reach = scene.surfaces.empty() ? 0.0 : occlusionReach(scene);
+  for (const SurfaceObject& object : scene.surfaces)
   {
-    const double scale = scaleOf(scene.particles[i].toWorld);
+    const double scale = scaleOf(object.toWorld);
     request.options.reach = reach / scale;
-    maps_.push_back(scale > 0.0 ? props[i]->occlusion(update ? &request : nullptr) : nullptr);
+    const MoteProp& prop = *props[static_cast<std::size_t>(object.id)];
+    maps_.push_back(scale > 0.0 ? prop.occlusion(update ? &request : nullptr) : nullptr);
   }
   this->give(scene);
 }
@@ -58,11 +48,10 @@ void OcclusionBaking::take(
 void OcclusionBaking::give(Scene& scene)
 {
   times_.clear();
-  bool complete = std::all_of(scene.volumes.begin(), scene.volumes.end(),
-    [](const VolumeObject& volume) { return volume.isoValues.empty(); });
+  bool complete = true;
   for (std::size_t i = 0; i < maps_.size(); ++i)
   {
-    scene.particles[i].occlusion = maps_[i] ? maps_[i]->maps() : nullptr;
+    scene.surfaces[i].occlusion = maps_[i] ? maps_[i]->maps() : nullptr;
     complete = complete && maps_[i] && maps_[i]->complete();
     times_.push_back(maps_[i] ? static_cast<double>(maps_[i]->time()) : 0.0);
   }
@@ -98,8 +87,8 @@ bool OcclusionBaking::bake(Scene& scene, const Camera& camera, const SeenView& v
   const double share = (1.0 - castingShare) / static_cast<double>(maps_.size());
   for (std::size_t i = 0; i < maps_.size() && finished; ++i)
     if (maps_[i] && !maps_[i]->complete())
-      finished = maps_[i]->bake(*scene.particles[i].structure, seen_[i],
-        part(castingShare + share * static_cast<double>(i), share));
+      finished = maps_[i]->bake(*std::get<ParticleSurface>(scene.surfaces[i].surface).structure(),
+        seen_[i], part(castingShare + share * static_cast<double>(i), share));
   this->give(scene);
   if (finished)
     completeKey_ = completeKey();

@@ -5,7 +5,7 @@
 #include "kernels/core/Camera.h"
 #include "kernels/core/Progress.h"
 #include "kernels/scene/Scene.h"
-#include "kernels/scene/SeenParticles.h"
+#include "kernels/tracing/SeenParticles.h"
 
 #include <optional>
 #include <vector>
@@ -41,7 +41,7 @@ public:
 private:
   void give(Scene& scene);
 
-  std::vector<MapperOcclusion*> maps_; ///< an object of particles each, or null
+  std::vector<MapperOcclusion*> maps_; ///< a surface of the scene each, or null
   std::vector<double> times_;
   std::optional<std::vector<double>> seenKey_; ///< of seen_
   SeenParticles seen_;

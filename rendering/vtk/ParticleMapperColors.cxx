@@ -82,7 +82,7 @@ void vtkMoteParticleMapper::GetColorArrayRange(double range[2])
     array->GetFiniteRange(range, this->GetColorComponent(array));
 }
 
-void vtkMoteParticleMapper::DescribeColors(mote::ParticleColoring& coloring)
+void vtkMoteParticleMapper::DescribeColors(mote::SurfaceColoring& coloring)
 {
   Internals& impl = *this->Impl;
   vtkDataArray* array = this->GetColorArray();

@@ -2,7 +2,7 @@
 
 #include "vtkMoteParticleMapper.h"
 
-#include "kernels/scene/Scene.h"
+#include "kernels/tracing/Picking.h"
 
 #include "vtkActor.h"
 #include "vtkDataArray.h"
@@ -27,12 +27,14 @@ public:
   {
   }
 
-  bool describe(Scene& scene) const override
+  bool describe(Scene& scene, std::int32_t id) const override
   {
-    ParticleObject object;
+    SurfaceObject object;
     if (!mapper_->DescribeTo(object, actor_))
       return false;
-    scene.particles.push_back(std::move(object));
+    object.id = id;
+    object.revision = mapper_->GetPictureMTime();
+    scene.surfaces.push_back(std::move(object));
     return true;
   }
   std::vector<vtkMTimeType> times() const override
@@ -48,6 +50,10 @@ public:
   MapperOcclusion* occlusion(const OcclusionRequest* request) const override
   {
     return mapper_->UpdateOcclusion(request);
+  }
+  double pickedValue(const ScenePick& pick) const override
+  {
+    return mapper_->GetParticleValue(static_cast<vtkIdType>(pick.id));
   }
   bool isPreview() const override { return mapper_->IsPreview(); }
   bool finish() const override { return mapper_->FinishBuild(); }

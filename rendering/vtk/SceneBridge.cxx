@@ -111,7 +111,7 @@ Mat4d placementOf(vtkProp3D* prop)
   return toWorld;
 }
 
-void describeActor(vtkActor* actor, ParticleObject& object)
+void describeActor(vtkActor* actor, SurfaceObject& object)
 {
   object.toWorld = placementOf(actor);
   vtkProperty* property = actor->GetProperty();
@@ -169,9 +169,11 @@ void shadeBy(Scene& scene, vtkMoteShading* shading)
 Scene sceneOf(vtkRenderer* renderer, MoteProps& props, vtkMoteShading* shading)
 {
   Scene scene;
-  std::erase_if(props, [&](const auto& prop) { return !prop->describe(scene); });
-  std::stable_partition(
-    props.begin(), props.end(), [](const auto& prop) { return !prop->isVolume(); });
+  MoteProps drawn;
+  for (auto& prop : props)
+    if (prop->describe(scene, static_cast<std::int32_t>(drawn.size())))
+      drawn.push_back(std::move(prop));
+  props = std::move(drawn);
   scene.lights = lightsOf(renderer);
   const vtkNew<vtkMoteShading> usual;
   shadeBy(scene, shading ? shading : usual.Get());

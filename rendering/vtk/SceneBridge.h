@@ -26,13 +26,13 @@ std::vector<Light> lightsOf(vtkRenderer* renderer);
 Mat4d placementOf(vtkProp3D* prop);
 
 /// Placement, material and plain colour of an actor.
-void describeActor(vtkActor* actor, ParticleObject& object);
+void describeActor(vtkActor* actor, SurfaceObject& object);
 
 /// How a volume, and a surface in it, answers light.
 Material materialOf(vtkVolumeProperty* property);
 
-/// The scene of these props as the renderer sees it. `props` loses those that have nothing to draw,
-/// and volumes go behind the others, so that what Film::object() calls i belongs to props[i].
+/// The scene of these props as the renderer sees it. `props` loses those that have nothing to draw;
+/// the id of all that props[i] gives the scene is i.
 /// `shading` may be null: as a new one.
 Scene sceneOf(vtkRenderer* renderer, MoteProps& props, vtkMoteShading* shading = nullptr);
 

@@ -2,7 +2,7 @@
 
 #include "vtkMoteVolumeMapper.h"
 
-#include "kernels/scene/Scene.h"
+#include "kernels/tracing/Picking.h"
 
 #include "vtkContourValues.h"
 #include "vtkVolume.h"
@@ -25,13 +25,9 @@ public:
   {
   }
 
-  bool describe(Scene& scene) const override
+  bool describe(Scene& scene, std::int32_t id) const override
   {
-    VolumeObject object;
-    if (!mapper_->DescribeTo(object, volume_))
-      return false;
-    scene.volumes.push_back(std::move(object));
-    return true;
+    return mapper_->DescribeTo(scene, volume_, id);
   }
   std::vector<vtkMTimeType> times() const override
   {
@@ -41,6 +37,12 @@ public:
       property->GetIsoSurfaceValues()->GetMTime()};
   }
   bool isVolume() const override { return true; }
+  bool picksCells() const override { return true; }
+  double pickedValue(const ScenePick& pick) const override
+  {
+    return volume_->GetProperty()->GetIsoSurfaceValues()->GetValue(
+      static_cast<int>(pick.colorIndex));
+  }
 
 private:
   vtkVolume* volume_;

@@ -311,12 +311,12 @@ void vtkMoteParticleMapper::TakeStructure(vtkPointSet* input)
   impl.builtAt.Modified();
 }
 
-bool vtkMoteParticleMapper::DescribeTo(mote::ParticleObject& object, vtkActor* actor)
+bool vtkMoteParticleMapper::DescribeTo(mote::SurfaceObject& object, vtkActor* actor)
 {
   this->Update();
   if (!this->Impl->structure || this->GetNumberOfParticles() == 0)
     return false;
-  object.structure = this->Impl->structure;
+  object.surface = mote::ParticleSurface(this->Impl->structure);
   mote::describeActor(actor, object);
   this->DescribeColors(object.coloring);
   const bool clipped = this->ClippingPlanes && this->ClippingPlanes->GetNumberOfItems() > 0;

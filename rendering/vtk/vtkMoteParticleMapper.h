@@ -47,9 +47,9 @@ class MapperOcclusion;
 class PkdTree;
 class ScratchSpace;
 struct OcclusionRequest;
-struct ParticleColoring;
 struct ParticleInput;
-struct ParticleObject;
+struct SurfaceColoring;
+struct SurfaceObject;
 struct ParticleStatistics;
 } // namespace mote
 
@@ -379,7 +379,7 @@ public:
    * Updates, and describes the particles to the kernels as this actor shows them; false where there
    * is nothing to draw. The views in the description hold until the next Update().
    */
-  bool DescribeTo(mote::ParticleObject& object, vtkActor* actor);
+  bool DescribeTo(mote::SurfaceObject& object, vtkActor* actor);
 
   /**
    * Brings occlusion maps up to date with the last Update(), without baking; with no request as
@@ -482,7 +482,7 @@ private:
   std::string WhyNoColorArray();
 #ifndef __VTK_WRAP__
   mote::ParticleInput DescribeParticles();
-  void DescribeColors(mote::ParticleColoring& coloring);
+  void DescribeColors(mote::SurfaceColoring& coloring);
   void WarnOfLeftOut(const mote::ParticleStatistics& statistics);
 #endif
 

@@ -2,9 +2,8 @@
 
 #include "SceneBridge.h"
 
-#include "vtkMoteParticleMapper.h"
+#include "kernels/tracing/Picking.h"
 
-#include "vtkActor.h"
 #include "vtkAssemblyPath.h"
 #include "vtkCommand.h"
 #include "vtkMath.h"
@@ -27,7 +26,7 @@ int vtkMoteParticlePicker::Pick(double x, double y, double z, vtkRenderer* rende
   this->SelectionPoint[0] = x;
   this->SelectionPoint[1] = y;
   this->SelectionPoint[2] = z;
-  this->ParticleId = -1;
+  this->ParticleId = this->CellId = -1;
   this->Value = vtkMath::Nan();
   this->Distance = 0.0;
   std::fill_n(this->PickNormal, 3, 0.0);
@@ -45,7 +44,7 @@ int vtkMoteParticlePicker::Pick(double x, double y, double z, vtkRenderer* rende
   {
     vtkErrorMacro(<< error.what());
   }
-  const bool picked = this->ParticleId >= 0;
+  const bool picked = this->ParticleId >= 0 || this->CellId >= 0;
   if (picked)
     this->InvokeEvent(vtkCommand::PickEvent, nullptr);
   this->InvokeEvent(vtkCommand::EndPickEvent, nullptr);
@@ -54,14 +53,14 @@ int vtkMoteParticlePicker::Pick(double x, double y, double z, vtkRenderer* rende
 
 void vtkMoteParticlePicker::CastRay(double x, double y, vtkPropCollection* props)
 {
-  mote::MoteProps particles;
+  mote::MoteProps pickable;
   vtkCollectionSimpleIterator next;
   props->InitTraversal(next);
   while (vtkProp* prop = props->GetNextProp(next))
     if (auto ours = mote::motePropOf(prop))
-      if (!ours->isVolume() && prop->GetVisibility() && prop->GetPickable())
-        particles.push_back(std::move(ours));
-  const mote::Scene scene = mote::sceneOf(this->Renderer, particles);
+      if (prop->GetVisibility() && prop->GetPickable())
+        pickable.push_back(std::move(ours));
+  const mote::Scene scene = mote::sceneOf(this->Renderer, pickable);
 
   const int* size = this->Renderer->GetSize();
   const int* corner = this->Renderer->GetOrigin();
@@ -75,13 +74,12 @@ void vtkMoteParticlePicker::CastRay(double x, double y, vtkPropCollection* props
     mote::pick(scene, rays.originAt(px, py), rays.directionAt(px, py), rays.tMin, rays.tMax);
   if (!hit)
     return;
-  vtkActor* actor = vtkActor::SafeDownCast(particles[hit->object]->prop());
+  const mote::MoteProp& found = *pickable[static_cast<std::size_t>(hit->object)];
   vtkNew<vtkAssemblyPath> path;
-  path->AddNode(actor, actor->GetMatrix());
+  path->AddNode(found.prop(), found.prop()->GetMatrix());
   this->SetPath(path);
-  this->ParticleId = static_cast<vtkIdType>(hit->particle);
-  this->Value =
-    vtkMoteParticleMapper::SafeDownCast(actor->GetMapper())->GetParticleValue(this->ParticleId);
+  (found.picksCells() ? this->CellId : this->ParticleId) = static_cast<vtkIdType>(hit->id);
+  this->Value = found.pickedValue(*hit);
   this->Distance = hit->t;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -94,6 +92,7 @@ void vtkMoteParticlePicker::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ParticleId: " << this->ParticleId << "\n";
+  os << indent << "CellId: " << this->CellId << "\n";
   os << indent << "Value: " << this->Value << "\n";
   os << indent << "Distance: " << this->Distance << "\n";
 }

@@ -1,10 +1,10 @@
 /**
  * @class   vtkMoteParticlePicker
- * @brief   Finds the particle under a point of the window by casting one exact ray.
+ * @brief   Finds the particle or iso-surface under a point of the window by casting one exact ray.
  *
- * Looks at the visible, pickable actors of the renderer that have a vtkMoteParticleMapper, and
- * needs no OpenGL. GetViewProp(), GetActor() and GetPickPosition() answer as in other pickers.
- * Ordinary props in front of the particles are not seen; use vtkPropPicker for those.
+ * Looks at the visible, pickable props of the renderer that Mote traces, and needs no OpenGL.
+ * Clouds are looked through. GetViewProp(), GetActor() and GetPickPosition() answer as in other
+ * pickers. Ordinary props in front are not seen; use vtkPropPicker for those.
  */
 
 #ifndef vtkMoteParticlePicker_h
@@ -25,7 +25,7 @@ public:
   ///@{
   /**
    * Picks at a position in display coordinates (pixels from the window's lower left corner, z is
-   * not used). Returns 1 where a particle is met, else 0.
+   * not used). Returns 1 where a particle or an iso-surface is met, else 0.
    */
   int Pick(double x, double y, double z, vtkRenderer* renderer) override;
   using Superclass::Pick;
@@ -37,7 +37,12 @@ public:
   vtkGetMacro(ParticleId, vtkIdType);
 
   /**
-   * The value that colours it, NaN where none does.
+   * The cell's index in its mapper's input where an iso-surface was met, or -1.
+   */
+  vtkGetMacro(CellId, vtkIdType);
+
+  /**
+   * The value that colours it, NaN where none does; of an iso-surface its iso-value.
    */
   vtkGetMacro(Value, double);
 
@@ -47,7 +52,7 @@ public:
   vtkGetMacro(Distance, double);
 
   /**
-   * Outward unit normal of the sphere at the picked position, in world coordinates.
+   * Outward unit normal of the surface at the picked position, in world coordinates.
    */
   vtkGetVector3Macro(PickNormal, double);
 
@@ -56,6 +61,7 @@ protected:
   ~vtkMoteParticlePicker() override;
 
   vtkIdType ParticleId = -1;
+  vtkIdType CellId = -1;
   double Value = 0.0;
   double Distance = 0.0;
   double PickNormal[3] = {0.0, 0.0, 0.0};

@@ -7,8 +7,8 @@
 #include "vtkMoteSilhouettes.h"
 
 #include "kernels/core/Error.h"
-#include "kernels/scene/RayCaster.h"
-#include "kernels/scene/Refinement.h"
+#include "kernels/tracing/RayCaster.h"
+#include "kernels/tracing/Refinement.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -259,8 +259,8 @@ int vtkMoteRendererSource::RequestData(vtkInformation* vtkNotUsed(request),
   std::copy_n(film.color(), 4 * film.pixels(), colors);
   const mote::EdgeLayer lines = edges.layer();
   if (lines.edges)
-    lines.edges->forCovered(0, film.height(),
-      [&](std::size_t i, float share) { lines.drawOver(share, colors + 4 * i); });
+    lines.edges->forCovered(
+      0, film.height(), [&](std::size_t i, float share) { lines.drawOver(share, colors + 4 * i); });
   if (!this->TransparentBackground)
     putBackground(this->Renderer, film.width(), film.height(), colors);
   if (this->Depth)

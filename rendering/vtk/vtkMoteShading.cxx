@@ -1,8 +1,8 @@
 #include "vtkMoteShading.h"
 
 #include "kernels/core/Error.h"
+#include "kernels/occlusion/OcclusionBake.h"
 #include "kernels/scene/Scene.h"
-#include "kernels/shading/OcclusionBake.h"
 
 #include "vtkObjectFactory.h"
 

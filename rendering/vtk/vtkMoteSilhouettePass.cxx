@@ -56,7 +56,7 @@ mote::Scene particlesOf(vtkRenderer* renderer)
   props->InitTraversal(next);
   while (vtkProp* prop = props->GetNextProp(next))
     if (const auto ours = prop->GetVisibility() ? mote::motePropOf(prop) : nullptr)
-      ours->describe(scene);
+      ours->describe(scene, 0);
   return scene;
 }
 

@@ -9,7 +9,7 @@
 #include "VolumeInput.h"
 
 #include "kernels/core/Error.h"
-#include "kernels/scene/Volume.h"
+#include "kernels/scene/Scene.h"
 
 #include "vtkCellData.h"
 #include "vtkContourValues.h"
@@ -312,16 +312,18 @@ void vtkMoteVolumeMapper::UpdateField(vtkUnstructuredGrid* grid)
 //------------------------------------------------------------------------------------------------
 // Drawing
 
-bool vtkMoteVolumeMapper::DescribeTo(mote::VolumeObject& object, vtkVolume* volume)
+bool vtkMoteVolumeMapper::DescribeTo(mote::Scene& scene, vtkVolume* volume, int id)
 {
   Internals& impl = *this->Impl;
   this->Update();
   if (!impl.field)
     return false;
+  vtkVolumeProperty* property = volume->GetProperty();
+  mote::CloudObject cloud;
   std::string problem;
   try
   {
-    this->DescribeLook(object, volume->GetProperty());
+    this->DescribeLook(cloud, property);
   }
   catch (const std::exception& error)
   {
@@ -330,13 +332,24 @@ bool vtkMoteVolumeMapper::DescribeTo(mote::VolumeObject& object, vtkVolume* volu
   if (!problem.empty() && problem != impl.reportedLook)
     vtkErrorMacro(<< problem);
   impl.reportedLook = problem;
-  object.structure = impl.geometry.structure();
-  object.field = impl.field;
-  object.toWorld = mote::placementOf(volume);
-  return problem.empty() && (object.isCloud || !object.isoValues.empty());
+  vtkContourValues* surfaces = property->GetIsoSurfaceValues();
+  const int values = this->ShowIsoSurfaces ? surfaces->GetNumberOfContours() : 0;
+  if (!problem.empty() || (values == 0 && !this->ShowCloud))
+    return false;
+  cloud.id = id;
+  cloud.revision = this->GetPictureMTime();
+  cloud.structure = impl.geometry.structure();
+  cloud.field = impl.field;
+  cloud.toWorld = mote::placementOf(volume);
+  if (values > 0)
+    scene.surfaces.push_back(
+      mote::isoSurfacesOf(cloud, {surfaces->GetValues(), surfaces->GetValues() + values}));
+  if (this->ShowCloud)
+    scene.clouds.push_back(std::move(cloud));
+  return true;
 }
 
-void vtkMoteVolumeMapper::DescribeLook(mote::VolumeObject& object, vtkVolumeProperty* property)
+void vtkMoteVolumeMapper::DescribeLook(mote::CloudObject& cloud, vtkVolumeProperty* property)
 {
   Internals& impl = *this->Impl;
   if (this->BlendMode != COMPOSITE_BLEND)
@@ -351,21 +364,17 @@ void vtkMoteVolumeMapper::DescribeLook(mote::VolumeObject& object, vtkVolumeProp
     impl.transfer = mote::transferOf(property);
     impl.transferKey = key;
   }
-  object.transfer = impl.transfer;
+  cloud.transfer = impl.transfer;
   const auto real = [](double v) { return static_cast<float>(v); };
-  object.transfer.nan = {real(this->NanColor[0]), real(this->NanColor[1]), real(this->NanColor[2]),
+  cloud.transfer.nan = {real(this->NanColor[0]), real(this->NanColor[1]), real(this->NanColor[2]),
     real(this->NanOpacity)};
-  object.sampling.integrator = static_cast<mote::VolumeIntegrator>(
+  cloud.sampling.integrator = static_cast<mote::VolumeIntegrator>(
     mote::findName(GetIntegratorNames(), this->IntegratorName, "integrator"));
-  object.sampling.step = this->SampleDistance;
-  object.sampling.tolerance = this->Tolerance;
-  object.sampling.saturation = this->Saturation;
-  object.isCloud = this->ShowCloud != 0;
-  object.shade = property->GetShade() != 0;
-  vtkContourValues* surfaces = property->GetIsoSurfaceValues();
-  for (int i = 0; this->ShowIsoSurfaces && i < surfaces->GetNumberOfContours(); ++i)
-    object.isoValues.push_back(surfaces->GetValue(i));
-  object.material = mote::materialOf(property);
+  cloud.sampling.step = this->SampleDistance;
+  cloud.sampling.tolerance = this->Tolerance;
+  cloud.sampling.saturation = this->Saturation;
+  cloud.shade = property->GetShade() != 0;
+  cloud.material = mote::materialOf(property);
 }
 
 void vtkMoteVolumeMapper::WarnOfUnused(vtkVolumeProperty* property)

@@ -46,8 +46,9 @@ class vtkVolumeProperty;
 
 namespace mote
 {
+struct CloudObject;
 struct HexStructureOptions;
-struct VolumeObject;
+struct Scene;
 } // namespace mote
 
 class MOTERENDERINGVTK_EXPORT vtkMoteVolumeMapper : public vtkUnstructuredGridVolumeMapper
@@ -221,10 +222,10 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * Updates, and describes the volume to the kernels as this prop shows it; false where there is
-   * nothing to draw.
+   * Updates, and adds cloud and iso-surfaces to the scene as this prop shows them, by the same id;
+   * false where there is nothing to draw.
    */
-  bool DescribeTo(mote::VolumeObject& object, vtkVolume* volume);
+  bool DescribeTo(mote::Scene& scene, vtkVolume* volume, int id = 0);
 
   ///@{
   /**
@@ -266,7 +267,7 @@ private:
   void WarnOfUnused(vtkVolumeProperty* property);
 #ifndef __VTK_WRAP__
   mote::HexStructureOptions StructureOptions();
-  void DescribeLook(mote::VolumeObject& object, vtkVolumeProperty* property);
+  void DescribeLook(mote::CloudObject& cloud, vtkVolumeProperty* property);
 #endif
 
   class Internals;

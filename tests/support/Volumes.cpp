@@ -36,13 +36,13 @@ std::vector<double> pointValues(
   return values;
 }
 
-VolumeObject volumeOf(std::shared_ptr<const HexMesh> mesh, const std::vector<double>& values,
+CloudObject volumeOf(std::shared_ptr<const HexMesh> mesh, const std::vector<double>& values,
   const TransferFunction& transfer, HexStructureKind kind, bool ofCells)
 {
   HexStructureOptions options;
   options.kind = kind;
   options.axis = CylinderAxis{};
-  VolumeObject volume;
+  CloudObject volume;
   volume.field =
     std::make_shared<HexField>(*mesh, HexScalar{{values.data(), values.size(), 1}, 0, ofCells});
   const auto structure = makeHexStructure(mesh, options);
@@ -60,7 +60,7 @@ TransferFunction evenTransfer(float opacity, float grey)
   return transfer;
 }
 
-RayColor gatheredByDefinition(const VolumeObject& volume, const Vec3d& origin,
+RayColor gatheredByDefinition(const CloudObject& volume, const Vec3d& origin,
   const Vec3d& direction, double tMin, double tMax, int parts)
 {
   const Mat4d toLocal = glm::inverse(volume.toWorld);

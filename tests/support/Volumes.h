@@ -19,7 +19,7 @@ std::vector<double> pointValues(
   const HexMesh& mesh, const std::function<double(const Vec3d&)>& function);
 
 /// A volume over cells, with ranges set. The axis is z through the origin unless told.
-VolumeObject volumeOf(std::shared_ptr<const HexMesh> mesh, const std::vector<double>& values,
+CloudObject volumeOf(std::shared_ptr<const HexMesh> mesh, const std::vector<double>& values,
   const TransferFunction& transfer, HexStructureKind kind = HexStructureKind::CylindricalBvh,
   bool ofCells = false);
 
@@ -28,7 +28,7 @@ TransferFunction evenTransfer(float opacity, float grey = 1.0f);
 
 /// What a ray in the world gathers of a volume, by the definition: every cell's span cut into
 /// `parts` steps, each taken as its middle. Slow.
-RayColor gatheredByDefinition(const VolumeObject& volume, const Vec3d& origin,
+RayColor gatheredByDefinition(const CloudObject& volume, const Vec3d& origin,
   const Vec3d& direction, double tMin, double tMax, int parts = 500);
 
 } // namespace mote::testing

@@ -2,7 +2,7 @@
 
 #include "Tables.h"
 
-#include <kernels/scene/RayCaster.h>
+#include <kernels/tracing/RayCaster.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,10 +37,10 @@ Scene sceneOf(const std::shared_ptr<const ParticleStructure>& structure, Light l
   if (samples == 1)
     light.size = 0.0; // hard
   Scene scene;
-  ParticleObject object;
-  object.structure = structure;
+  SurfaceObject object;
+  object.surface = ParticleSurface(structure);
   object.material.ambient = 0.1f;
-  scene.particles.push_back(std::move(object));
+  scene.surfaces.push_back(std::move(object));
   scene.lights = {light};
   return scene;
 }

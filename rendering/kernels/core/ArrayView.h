@@ -52,6 +52,9 @@ public:
   Type type() const { return type_; }
   const void* data() const { return data_; }
 
+  /// Whether it is the same view of the same memory.
+  bool operator==(const ArrayView&) const = default;
+
   /// Component `c` of tuple `i` as a double; `c` in [0, components()) or `magnitude`.
   double value(std::size_t i, int c = 0) const
   {

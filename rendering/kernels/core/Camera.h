@@ -27,6 +27,8 @@ struct Camera
   double centerY = 0.0;
   double nearDistance = 0.0; ///< along the view axis; what lies nearer is not seen
   double farDistance = std::numeric_limits<double>::infinity();
+
+  bool operator==(const Camera&) const = default;
 };
 
 /// The rays of a camera through the pixels of an image, as linear functions of the pixel: origin

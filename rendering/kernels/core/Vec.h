@@ -3,8 +3,11 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+
+#include <cmath>
 
 namespace mote
 {
@@ -21,6 +24,12 @@ using Mat4d = glm::dmat4;
 inline Vec3d transformPoint(const Mat4d& m, const Vec3d& p)
 {
   return Vec3d(m * Vec4d(p, 1.0));
+}
+
+/// How much longer lengths become by an affine matrix, on average over directions.
+inline double scaleOf(const Mat4d& m)
+{
+  return std::cbrt(std::abs(glm::determinant(Mat3d(m))));
 }
 
 /// Applies the linear part of an affine 4x4 matrix to a vector.

@@ -52,6 +52,11 @@ decltype(auto) withStructure(const HexStructure& structure, const Visit& visit)
   return std::visit(visit, structure);
 }
 
+inline const HexMesh& meshOf(const HexStructure& structure)
+{
+  return withStructure(structure, [](const auto& s) -> const HexMesh& { return s.mesh(); });
+}
+
 /// The cell of `structure` that holds `p`, see TwoLevelGrid::cellAt().
 std::uint32_t cellAt(
   const HexStructure& structure, const Vec3d& p, std::uint32_t hint = HexMesh::noCell);

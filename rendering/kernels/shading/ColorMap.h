@@ -31,6 +31,8 @@ struct ColorMap
 
   /// The colours of `count` values, the same as one by one, as red, green, blue and alpha.
   void map(const double* values, int count, float (*colors)[4]) const;
+
+  bool operator==(const ColorMap&) const = default;
 };
 
 } // namespace mote

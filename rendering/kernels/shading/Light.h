@@ -27,6 +27,8 @@ struct Light
   /// of the scene's bounds.
   /// Directional: its edge as seen from the scene, in degrees (the sun has 0.53); [0, 170].
   double size = 0.0;
+
+  bool operator==(const Light&) const = default;
 };
 
 /// The light that comes from all around, behind all that there is: even, or changing with the
@@ -43,6 +45,7 @@ struct Sky
     const auto share = static_cast<float>(0.5 + 0.5 * glm::dot(direction, up));
     return bottom + share * (top - bottom);
   }
+  bool operator==(const Sky&) const = default;
 };
 
 /// How a surface answers light: Lambert's cosine law, an even part, and Phong's highlight.
@@ -58,6 +61,8 @@ struct Material
   /// how rough it is, from 0 (a mirror, nearly) to 1.
   float metallic = 0.0f;
   float roughness = 0.5f;
+
+  bool operator==(const Material&) const = default;
 };
 
 } // namespace mote

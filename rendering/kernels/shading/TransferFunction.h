@@ -20,6 +20,8 @@ struct TransferFunction
   {
     double value = 0.0;
     Vec4f color{0.0f}; ///< red, green, blue, not premultiplied, and opacity; all in [0, 1]
+
+    bool operator==(const Knot&) const = default;
   };
 
   /// In ascending order; the first and the last go on for ever. Two knots of one value are a step:
@@ -27,6 +29,8 @@ struct TransferFunction
   std::vector<Knot> knots = {{0.0, Vec4f(0.0f)}, {1.0, Vec4f(1.0f)}};
   double unitDistance = 1.0; ///< above 0, in world units
   Vec4f nan{0.0f};           ///< of cells with a NaN; opacity 0 leaves them out
+
+  bool operator==(const TransferFunction&) const = default;
 };
 
 /// A transfer function ready to be asked for many values.

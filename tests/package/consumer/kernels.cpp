@@ -11,11 +11,11 @@
 #include <kernels/particles/CoherentGrid.h>
 #include <kernels/particles/ParticleSet.h>
 #include <kernels/particles/ParticleStructure.h>
-#include <kernels/scene/RayCaster.h>
 #include <kernels/scene/Scene.h>
 #include <kernels/shading/ColorMap.h>
 #include <kernels/shading/Light.h>
-#include <kernels/shading/Shader.h>
+#include <kernels/tracing/RayCaster.h>
+#include <kernels/tracing/SurfaceShader.h>
 
 #include <cmath>
 #include <cstdio>
@@ -27,8 +27,8 @@ int main()
   particles.positions = mote::ArrayView(center, 1, 3);
   particles.radius = 0.5;
   mote::Scene scene;
-  scene.particles.emplace_back();
-  scene.particles[0].structure = mote::makeParticleStructure(particles);
+  scene.surfaces.emplace_back();
+  scene.surfaces[0].surface = mote::ParticleSurface(mote::makeParticleStructure(particles));
   mote::Camera camera;
   camera.position = {0, 0, 5};
   mote::Film film;

@@ -2,7 +2,7 @@
 
 #include "ShadowParts.h"
 
-#include <kernels/shading/AmbientOcclusion.h>
+#include <kernels/tracing/AmbientOcclusion.h>
 
 #include <support/CastOracle.h>
 
@@ -24,7 +24,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Makes red the open share of the sky.
 void showOpenness(Scene& scene, int rays, double reach)
 {
-  for (ParticleObject& object : scene.particles)
+  for (SurfaceObject& object : scene.surfaces)
   {
     object.material.ambient = 1.0f;
     object.material.diffuse = 0.0f;
@@ -73,7 +73,7 @@ Scene pairOf(double radius, double otherRadius, double gap = 0.0)
   particles.add(Vec3d(0.0), radius);
   particles.add({radius + otherRadius + gap, 0.0, 0.0}, otherRadius);
   Scene scene;
-  scene.particles.push_back(objectOf(particles));
+  addTo(scene, objectOf(particles));
   return scene;
 }
 
@@ -82,8 +82,8 @@ Wanted openBeside(double radius, double otherRadius, double gap = 0.0)
   return [=](const ScenePick& at)
   {
     const Vec3d other(radius + otherRadius + gap, 0.0, 0.0);
-    return 1.0 - (at.particle == 0 ? occlusionBySphere(at.position, at.normal, other, otherRadius)
-                                   : occlusionBySphere(at.position, at.normal, Vec3d(0.0), radius));
+    return 1.0 - (at.id == 0 ? occlusionBySphere(at.position, at.normal, other, otherRadius)
+                             : occlusionBySphere(at.position, at.normal, Vec3d(0.0), radius));
   };
 }
 
@@ -103,11 +103,11 @@ double bruteForceOpen(
     reference::Hit hit;
     for (std::size_t k = 0; k < objects.size() && !hit; ++k)
     {
-      const Mat4d toLocal = glm::inverse(scene.particles[k].toWorld);
+      const Mat4d toLocal = glm::inverse(scene.surfaces[k].toWorld);
       const reference::Ray ray{
         transformPoint(toLocal, at.position), transformVector(toLocal, way), 0.0, reach};
       for (const reference::Sphere& sphere : reference::validSpheres(objects[k].set()))
-        if (k != at.object || sphere.particle != at.particle)
+        if (k != std::size_t(at.object) || sphere.particle != at.id)
           reference::meet(ray, sphere, hit);
     }
     open += !hit;
@@ -124,7 +124,7 @@ TEST(AmbientOcclusion, ALoneSphereIsOpenEverywhere)
   {
     const double radius = std::pow(10.0, random(-6.0, 6.0));
     Scene scene = oneSphere(radius);
-    scene.particles[0].toWorld =
+    scene.surfaces[0].toWorld =
       glm::scale(glm::translate(Mat4d(1.0), 5.0 * radius * random.direction()),
         k % 2 == 0 ? Vec3d(1.0) : random.inBox(Vec3d(0.5), Vec3d(1.5)));
     showOpenness(scene, 16, infinity);
@@ -247,7 +247,7 @@ TEST(AmbientOcclusion, RandomSpheresAgreeWithBruteForce)
       Mat4d m = glm::translate(Mat4d(1.0), random.inBox(Vec3d(-0.5), Vec3d(0.5)));
       if (k % 2 == 1)
         m = glm::scale(glm::rotate(m, random(0.0, 6.0), random.direction()), Vec3d(0.6, 1.0, 1.4));
-      scene.particles.push_back(objectOf(objects.back(), m));
+      addTo(scene, objectOf(objects.back(), m));
     }
     const double reach = k < 2 ? infinity : 0.4;
     showOpenness(scene, 1024, reach);
@@ -270,9 +270,9 @@ TEST(AmbientOcclusion, CoincidentSpheresDoNotDarkenOneAnother)
       doubled.add(particles.center(i), particles.radii[i]);
     Scene once, twice, apart;
     const Mat4d toWorld = glm::scale(Mat4d(1.0), Vec3d(0.6, 1.0, 1.4));
-    once.particles = {objectOf(particles, toWorld)};
-    twice.particles = {objectOf(doubled, toWorld)};
-    apart.particles = {objectOf(particles, toWorld), objectOf(particles, toWorld)};
+    once.surfaces = {objectOf(particles, toWorld)};
+    twice.surfaces = {objectOf(doubled, toWorld)};
+    apart.surfaces = {objectOf(particles, toWorld), objectOf(particles, toWorld)};
     for (Scene* scene : {&once, &twice, &apart})
       showOpenness(*scene, 8, 0.5);
     const Camera camera = lookAt({1.0, 2.0, 4.0}, Vec3d(0.0), 40.0);
@@ -301,11 +301,11 @@ TEST(AmbientOcclusion, FromWithinItsOwnSphereIsBeforeTheSurface)
 TEST(AmbientOcclusion, OnlyAmbientLightIsDarkened)
 {
   Scene scene;
-  scene.particles.push_back(objectOf(randomParticles(200, 541, 0.05, 0.2)));
+  addTo(scene, objectOf(randomParticles(200, 541, 0.05, 0.2)));
   const Camera camera = lookAt({1.0, 2.0, 4.0}, Vec3d(0.0), 40.0);
   showOpenness(scene, 16, 0.5);
   const Film sky = tracedFilm(scene, camera, 80);
-  Material& material = scene.particles[0].material;
+  Material& material = scene.surfaces[0].material;
   material.ambient = 0.0f;
   material.diffuse = 0.6f;
   scene.lights = {shadowLight(Light::Kind::Point, {2.0, 3.0, 3.0}, 2, 0.5)};
@@ -319,7 +319,7 @@ TEST(AmbientOcclusion, OnlyAmbientLightIsDarkened)
 TEST(AmbientOcclusion, BundlesAndThreadsDoNotChangeThePicture)
 {
   Scene scene;
-  scene.particles.push_back(objectOf(randomParticles(500, 551, 0.03, 0.1)));
+  addTo(scene, objectOf(randomParticles(500, 551, 0.03, 0.1)));
   showOpenness(scene, 5, 0.0);
   const Camera camera = lookAt({1.0, 1.5, 4.0}, Vec3d(0.0), 40.0);
   const Film wanted = tracedFilm(scene, camera, 90, 70, {2, 1, 0});
@@ -333,7 +333,7 @@ TEST(AmbientOcclusion, ReachIsInWorldUnitsAndBoundsTheRays)
 {
   Scene scene = pairOf(1.0, 1.0, 0.5); // 4.5 long
   EXPECT_DOUBLE_EQ(occlusionReach(scene), 0.45);
-  scene.particles[0].toWorld = glm::scale(Mat4d(1.0), Vec3d(10.0));
+  scene.surfaces[0].toWorld = glm::scale(Mat4d(1.0), Vec3d(10.0));
   EXPECT_DOUBLE_EQ(occlusionReach(scene), 4.5);
   scene.occlusion.reach = 7.0;
   EXPECT_EQ(occlusionReach(scene), 7.0);
@@ -356,13 +356,13 @@ TEST(AmbientOcclusion, ScenesFarFromTheOriginKeepTheirs)
 {
   const Particles particles = randomParticles(300, 561, 0.05, 0.2);
   Scene here;
-  here.particles.push_back(objectOf(particles));
+  here.surfaces.push_back(objectOf(particles));
   showOpenness(here, 8, 0.5);
   Camera camera = lookAt({1.0, 1.5, 4.0}, Vec3d(0.0), 40.0);
   const Film wanted = tracedFilm(here, camera, 80);
   const Vec3d by(6e5, -5e5, 3e5);
   Scene there = here;
-  there.particles[0].toWorld = glm::translate(Mat4d(1.0), by);
+  there.surfaces[0].toWorld = glm::translate(Mat4d(1.0), by);
   camera.position += by;
   EXPECT_LE(differenceOf(wanted, tracedFilm(there, camera, 80)).pixels, 20);
 }

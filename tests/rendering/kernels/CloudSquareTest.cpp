@@ -2,8 +2,8 @@
 
 #include "SceneParts.h"
 
-#include <kernels/scene/CloudSquare.h>
-#include <kernels/scene/RayCaster.h>
+#include <kernels/tracing/CloudSquare.h>
+#include <kernels/tracing/RayCaster.h>
 
 #include <support/CastOracle.h>
 #include <support/Volumes.h>
@@ -80,9 +80,9 @@ TEST(CloudSquare, InAFilmKeepsToTheToleranceWhereItIsSmooth)
   TransferFunction f;
   f.knots = {{-3.0, Vec4f(1, 0, 0, 0.05F)}, {3.0, Vec4f(0, 1, 1, 0.4F)}};
   Scene scene;
-  scene.volumes.push_back(
+  scene.clouds.push_back(
     volumeOf(mesh, pointValues(*mesh, [](const Vec3d& p) { return p.x - 0.3 * p.y; }), f));
-  scene.volumes[0].sampling.integrator = VolumeIntegrator::CellByCell;
+  scene.clouds[0].sampling.integrator = VolumeIntegrator::CellByCell;
   const Camera camera = lookAt({3, 2, 14}, Vec3d(0.0), 15.0); // within its outline
   const auto traced = [&](double tolerance)
   {
@@ -110,11 +110,11 @@ TEST(CloudSquare, SurfacesAreTracedRayByRay)
   cells.move([](const Vec3d& p) { return p - Vec3d(3.0); });
   const auto mesh = cells.mesh();
   Scene scene;
-  scene.volumes.push_back(
+  scene.clouds.push_back(
     volumeOf(mesh, std::vector<double>(mesh->pointCount(), 1.0), evenTransfer(0.2F)));
   Particles particles;
   particles.add(Vec3d(0.0), 1.0);
-  scene.particles.push_back(objectOf(particles));
+  addTo(scene, objectOf(particles));
   const Camera camera = lookAt({0, 0, 30}, Vec3d(0.0), 6.0);
   Film film[2];
   for (int k = 0; k < 2; ++k)

@@ -2,8 +2,8 @@
 
 #include "SceneParts.h"
 
-#include <kernels/scene/EdgeFilm.h>
-#include <kernels/scene/RayCaster.h>
+#include <kernels/tracing/EdgeFilm.h>
+#include <kernels/tracing/RayCaster.h>
 
 #include <support/CastOracle.h>
 
@@ -82,7 +82,7 @@ TEST(EdgeFilm, FilmsKeepWhatTheLatestRaysMet)
 {
   Scene scene;
   for (int k = 0; k < 2; ++k)
-    scene.particles.push_back(objectOf(randomParticles(60, 41 + std::uint64_t(k), 0.1, 0.3)));
+    addTo(scene, objectOf(randomParticles(60, 41 + std::uint64_t(k), 0.1, 0.3)));
   for (const auto projection : {Camera::Projection::Perspective, Camera::Projection::Orthographic})
   {
     const Camera camera = cameraOf(projection);
@@ -109,7 +109,7 @@ TEST(EdgeFilm, FilmsKeepWhatTheLatestRaysMet)
           continue;
         }
         different += std::abs(film.latestDepth()[i] - found->t) > 1e-3 ||
-                     film.latestId()[i] != found->particle ||
+                     film.latestId()[i] != found->id ||
                      film.latestObject()[i] != int(found->object);
       }
       EXPECT_GT(hits, 1000);
@@ -202,7 +202,7 @@ TEST(EdgeFilm, GroupsHaveLinesBetweenThem)
   particles.add({-0.5, 0.0, 0.0}, 0.8);
   particles.add({0.5, 0.0, 0.0}, 0.8);
   Scene scene;
-  scene.particles.push_back(objectOf(particles));
+  addTo(scene, objectOf(particles));
   const Camera camera = lookAt({0.0, 0.0, 5.0}, Vec3d(0.0), 30.0);
   const auto crossing = [&](const EdgeGroups& groups)
   {
@@ -255,7 +255,7 @@ TEST(EdgeFilm, WhatEndsRaysHidesLinesAndIsNotOutlined)
 TEST(EdgeFilm, ThreadsDoNotMatterNorWhatWasThereBefore)
 {
   Scene scene;
-  scene.particles.push_back(objectOf(randomParticles(200, 7, 0.05, 0.2)));
+  addTo(scene, objectOf(randomParticles(200, 7, 0.05, 0.2)));
   const Camera camera = cameraOf(Camera::Projection::Perspective);
   Edges a, b;
   a.trace(scene, camera, 3, anyStep(), {}, nullptr, 1);
@@ -268,7 +268,7 @@ TEST(EdgeFilm, WhatIsPassedOverHasNoEdges)
 {
   // A film of two large steps, small ones all over and much background.
   Scene scene;
-  scene.particles.push_back(objectOf(randomParticles(3000, 11, 0.01, 0.03)));
+  addTo(scene, objectOf(randomParticles(3000, 11, 0.01, 0.03)));
   for (const auto projection : {Camera::Projection::Perspective, Camera::Projection::Orthographic})
     for (const double step : {0.02, 0.3, 1.5})
     {
@@ -286,7 +286,7 @@ TEST(EdgeFilm, WhatIsPassedOverHasNoEdges)
 TEST(EdgeFilm, LinesReachNoFartherFromWhatTheyBelongToThanTheySay)
 {
   Scene scene;
-  scene.particles.push_back(objectOf(randomParticles(40, 9, 0.05, 0.3)));
+  addTo(scene, objectOf(randomParticles(40, 9, 0.05, 0.3)));
   const Camera camera = cameraOf(Camera::Projection::Perspective);
   for (const double thickness : {0.5, 1.0, 1.5, 2.0, 3.0, 5.0})
     for (const bool centered : {true, false})
@@ -314,13 +314,13 @@ TEST(EdgeFilm, TypicalRadiusHalvesTheCrossSection)
   Particles particles = randomParticles(1000, 3, 0.01, 0.01);
   particles.add({2.0, 0.0, 0.0}, 0.1);
   Scene scene;
-  scene.particles.push_back(objectOf(particles));
+  addTo(scene, objectOf(particles));
   EXPECT_NEAR(typicalRadius(scene), 0.01, 1e-6);
   // In the world: objects are scaled, and each counts with all of its particles.
-  scene.particles[0].toWorld = glm::scale(Mat4d(1.0), Vec3d(3.0));
+  scene.surfaces[0].toWorld = glm::scale(Mat4d(1.0), Vec3d(3.0));
   EXPECT_NEAR(typicalRadius(scene), 0.03, 1e-6);
   Particles large;
   large.add(Vec3d(0.0), 2.0);
-  scene.particles.push_back(objectOf(large));
+  addTo(scene, objectOf(large));
   EXPECT_NEAR(typicalRadius(scene), 2.0, 1e-6);
 }

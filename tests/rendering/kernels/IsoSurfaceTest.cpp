@@ -1,6 +1,6 @@
 // Iso-surfaces of a field on hexahedra.
 
-#include <kernels/scene/VolumeTracer.h>
+#include <kernels/hexahedra/IsoSurface.h>
 
 #include <support/Volumes.h>
 
@@ -18,11 +18,11 @@ constexpr HexStructureKind kinds[] = {HexStructureKind::CylindricalGrid,
   HexStructureKind::CartesianGrid, HexStructureKind::CylindricalBvh,
   HexStructureKind::CartesianBvh};
 
-std::optional<IsoHit> firstHit(const VolumeObject& volume, const Vec3d& from, const Vec3d& way)
+IsoSurface surfaceOf(std::shared_ptr<const HexMesh> mesh, const std::vector<double>& scalar,
+  const std::vector<double>& isoValues, HexStructureKind kind = HexStructureKind::CylindricalBvh)
 {
-  const std::vector<ShadedLight> none;
-  const VolumeTracer tracer(volume, none, Vec3d(0.0), 0);
-  return tracer.surface(tracer.ray(from, way, 0.0, INFINITY));
+  const CloudObject volume = volumeOf(mesh, scalar, evenTransfer(0.5F), kind);
+  return {volume.structure, volume.field, isoValues};
 }
 
 } // namespace
@@ -34,15 +34,14 @@ TEST(IsoSurface, OfALinearFieldIsAPlaneWithoutHoles)
   const auto linear = [&](const Vec3d& p) { return glm::dot(normal, p) + 300.0; };
   for (const HexStructureKind kind : kinds)
   {
-    VolumeObject volume = volumeOf(mesh, pointValues(*mesh, linear), evenTransfer(0.5F), kind);
-    volume.isoValues = {303.3};
+    const IsoSurface surface = surfaceOf(mesh, pointValues(*mesh, linear), {303.3}, kind);
     for (int y = 0; y < 40; ++y)
       for (int x = 0; x < 40; ++x)
       {
         // Every fourth goes along edges and corners of the unmoved lattice.
         const Vec3d from(0.3 + 5.4 * x / 39.0, 0.3 + 5.4 * y / 39.0, -3.0), way(0.03, 0.02, 1.0);
         const double exact = (303.3 - linear(from)) / glm::dot(normal, way);
-        const auto hit = firstHit(volume, from, way);
+        const auto hit = surface.first({from, way});
         ASSERT_TRUE(hit) << x << " " << y;
         EXPECT_NEAR(hit->t, exact, 2e-6);
         EXPECT_NEAR(glm::length(hit->gradient - normal), 0.0, 1e-5);
@@ -53,31 +52,29 @@ TEST(IsoSurface, OfALinearFieldIsAPlaneWithoutHoles)
 TEST(IsoSurface, TheFirstOfSeveralIsSeenFromEitherSide)
 {
   const auto mesh = hexBlock(6, 2, 2).mesh();
-  VolumeObject volume =
-    volumeOf(mesh, pointValues(*mesh, [](const Vec3d& p) { return p.x; }), evenTransfer(0.5F));
-  volume.isoValues = {4.25, 4.75, 1.5};
-  auto hit = firstHit(volume, {-1, 1.1, 0.9}, {1, 0, 0});
+  const IsoSurface surface =
+    surfaceOf(mesh, pointValues(*mesh, [](const Vec3d& p) { return p.x; }), {4.25, 4.75, 1.5});
+  auto hit = surface.first({{-1, 1.1, 0.9}, {1, 0, 0}});
   ASSERT_TRUE(hit);
   EXPECT_NEAR(hit->t, 2.5, 1e-6);
   EXPECT_EQ(hit->surface, 2U);
-  hit = firstHit(volume, {7, 1.1, 0.9}, {-1, 0, 0});
+  hit = surface.first({{7, 1.1, 0.9}, {-1, 0, 0}});
   ASSERT_TRUE(hit);
   EXPECT_NEAR(hit->t, 2.25, 1e-6); // two in one cell: the nearer one
   EXPECT_EQ(hit->surface, 1U);
-  EXPECT_FALSE(firstHit(volume, {-1, 1.1, 2.5}, {1, 0, 0}));
+  EXPECT_FALSE(surface.first({{-1, 1.1, 2.5}, {1, 0, 0}}));
 }
 
 TEST(IsoSurface, AtTheValueOfPointsIsNeitherLostNorDoubled)
 {
   // The surface runs along faces of cells: x = 3.
   const auto mesh = hexBlock(6, 3, 3).mesh();
-  VolumeObject volume =
-    volumeOf(mesh, pointValues(*mesh, [](const Vec3d& p) { return p.x; }), evenTransfer(0.5F));
-  volume.isoValues = {3.0};
+  const IsoSurface surface =
+    surfaceOf(mesh, pointValues(*mesh, [](const Vec3d& p) { return p.x; }), {3.0});
   for (const double y : {0.5, 1.0, 1.7, 2.0})
     for (const double sign : {-1.0, 1.0})
     {
-      const auto hit = firstHit(volume, {3.0 - 5.0 * sign, y, 1.0}, {sign, 0, 0});
+      const auto hit = surface.first({{3.0 - 5.0 * sign, y, 1.0}, {sign, 0, 0}});
       ASSERT_TRUE(hit);
       EXPECT_NEAR(hit->t, 5.0, 1e-9);
     }
@@ -88,12 +85,11 @@ TEST(IsoSurface, IsFoundTwiceWithinACell)
   // One cell in which the field rises and falls along the diagonal.
   HexCells cells = hexBlock(1, 1, 1);
   const auto mesh = cells.mesh();
-  VolumeObject volume = volumeOf(mesh,
-    pointValues(*mesh, [](const Vec3d& p) { return p.x == p.y ? 1.0 : 0.0; }), evenTransfer(0.5F));
-  volume.isoValues = {0.75};
+  const IsoSurface surface = surfaceOf(
+    mesh, pointValues(*mesh, [](const Vec3d& p) { return p.x == p.y ? 1.0 : 0.0; }), {0.75});
   // Along y = 1 - x the field is 2 x (1 - x) <= 1/2; along y = x it is 1 - 2 x (1 - x).
-  EXPECT_FALSE(firstHit(volume, {-1, 2, 0.5}, {1, -1, 0}));
-  const auto hit = firstHit(volume, {-1, -1, 0.5}, {1, 1, 0});
+  EXPECT_FALSE(surface.first({{-1, 2, 0.5}, {1, -1, 0}}));
+  const auto hit = surface.first({{-1, -1, 0.5}, {1, 1, 0}});
   ASSERT_TRUE(hit);
   EXPECT_NEAR(hit->t, 1.0 + 0.5 - 0.5 * std::sqrt(0.5), 1e-6);
 }
@@ -102,16 +98,14 @@ TEST(IsoSurface, OfASphereIsASphere)
 {
   const auto mesh = hexBlock(24, 24, 24, 0.3).mesh();
   const Vec3d middle(12.1, 11.9, 12.0);
-  VolumeObject volume =
-    volumeOf(mesh, pointValues(*mesh, [&](const Vec3d& p) { return glm::length(p - middle); }),
-      evenTransfer(0.5F));
-  volume.isoValues = {9.0};
+  const IsoSurface surface = surfaceOf(
+    mesh, pointValues(*mesh, [&](const Vec3d& p) { return glm::length(p - middle); }), {9.0});
   const auto from = randomPoints(300, Vec3d(-20.0), Vec3d(44.0), 7);
   for (const Vec3d& p : from)
   {
     if (glm::length(p - middle) < 10.0)
       continue;
-    const auto hit = firstHit(volume, p, middle - p);
+    const auto hit = surface.first({p, middle - p});
     ASSERT_TRUE(hit);
     const Vec3d at = p + hit->t * (middle - p);
     EXPECT_NEAR(glm::length(at - middle), 9.0, 0.06); // what the cells' size leaves
@@ -126,9 +120,8 @@ TEST(IsoSurface, CellsWithNaNHaveNone)
   for (std::size_t p = 0; p < mesh->pointCount(); ++p)
     if (mesh->point(p).x == 0.0)
       values[p] = NAN;
-  VolumeObject volume = volumeOf(mesh, values, evenTransfer(0.5F));
-  volume.isoValues = {0.5, 2.5};
-  const auto hit = firstHit(volume, {-1, 0.5, 0.5}, {1, 0, 0});
+  const IsoSurface surface = surfaceOf(mesh, values, {0.5, 2.5});
+  const auto hit = surface.first({{-1, 0.5, 0.5}, {1, 0, 0}});
   ASSERT_TRUE(hit);
   EXPECT_NEAR(hit->t, 3.5, 1e-6);
 }

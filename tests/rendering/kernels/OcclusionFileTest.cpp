@@ -4,8 +4,8 @@
 
 #include <kernels/core/AtomicFile.h>
 #include <kernels/core/Error.h>
+#include <kernels/occlusion/OcclusionFile.h>
 #include <kernels/particles/ParticleHash.h>
-#include <kernels/shading/OcclusionFile.h>
 
 #include <gtest/gtest.h>
 

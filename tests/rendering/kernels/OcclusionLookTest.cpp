@@ -2,7 +2,7 @@
 
 #include "ShadowParts.h"
 
-#include <kernels/scene/SeenParticles.h>
+#include <kernels/tracing/SeenParticles.h>
 
 #include <support/CastOracle.h>
 
@@ -48,9 +48,9 @@ struct Heaps
   {
     Mat4d place = glm::rotate(Mat4d(1.0), 0.7, Vec3d(1.0, 2.0, 3.0));
     place = glm::scale(glm::translate(place, Vec3d(0.4, -0.2, 0.5)), Vec3d(1.0, 0.4, 1.7));
-    scene.particles = {objectOf(randomParticles(150, 3, 0.1, 0.3)),
-      objectOf(randomParticles(150, 4, 0.1, 0.3), place)};
-    for (ParticleObject& object : scene.particles)
+    addTo(scene, objectOf(randomParticles(150, 3, 0.1, 0.3)));
+    addTo(scene, objectOf(randomParticles(150, 4, 0.1, 0.3), place));
+    for (SurfaceObject& object : scene.surfaces)
     {
       object.material.ambient = ambient;
       object.material.diffuse = diffuse;
@@ -61,9 +61,9 @@ struct Heaps
   /// Gives all objects maps; one particle in `share` has none.
   void bake(int share = 0)
   {
-    for (ParticleObject& object : scene.particles)
-      object.occlusion = randomMaps(
-        withStructure(*object.structure, [](const auto& s) { return s.size(); }), 5, share);
+    for (SurfaceObject& object : scene.surfaces)
+      object.occlusion =
+        randomMaps(withSurface(object.surface, [](const auto& s) { return s.slots(); }), 5, share);
   }
 
   Film traced(int size = 97) const { return tracedFilm(scene, camera, size); }
@@ -92,14 +92,14 @@ TEST(OcclusionLook, PicturesShowWhatTheMapsSay)
         pick(heaps.scene, rays.originAt(x + 0.5, y + 0.5), rays.directionAt(x + 0.5, y + 0.5));
       if (!at)
         continue;
-      ++hits[at->object];
-      const ParticleObject& object = heaps.scene.particles[at->object];
+      ++hits[std::size_t(at->object)];
+      const SurfaceObject& object = heaps.scene.surfaces[std::size_t(at->object)];
       const Vec3d local = glm::normalize(glm::transpose(Mat3d(object.toWorld)) * at->normal);
-      const float wanted = withStructure(*object.structure,
+      const float wanted = withStructure(*particlesOf(object),
         [&](const auto& s)
         {
           std::size_t slot = 0;
-          while (s.inputIndex(slot) != at->particle)
+          while (s.inputIndex(slot) != at->id)
             ++slot;
           return object.occlusion->at(slot, Vec3f(local));
         });
@@ -118,9 +118,9 @@ TEST(OcclusionLook, WhatHasNoMapIsLitByRaysOrNotAtAllDarkened)
   const Film live = heaps.traced();
   EXPECT_FALSE(areEqual(plain, live));
 
-  for (ParticleObject& object : heaps.scene.particles)
+  for (SurfaceObject& object : heaps.scene.surfaces)
     object.occlusion = std::make_shared<OcclusionMaps>(
-      withStructure(*object.structure, [](const auto& s) { return s.size(); }));
+      withSurface(object.surface, [](const auto& s) { return s.slots(); }));
   EXPECT_TRUE(areEqual(live, heaps.traced()));
   heaps.scene.occlusion.rays = 0;
   EXPECT_TRUE(areEqual(plain, heaps.traced()));
@@ -170,10 +170,10 @@ TEST(OcclusionLook, PathsKnowNoMaps)
 TEST(OcclusionLook, SpheresSeenFromWithinHaveNoMap)
 {
   Scene scene = oneSphere();
-  scene.particles[0].material.ambient = 1.0f;
+  scene.surfaces[0].material.ambient = 1.0f;
   const Camera inside = lookAt({0.1, 0.2, 0.0}, {0.0, 0.0, -1.0}, 60.0);
   const Film plain = tracedFilm(scene, inside, 20);
-  scene.particles[0].occlusion = randomMaps(1, 1, 0);
+  scene.surfaces[0].occlusion = randomMaps(1, 1, 0);
   EXPECT_TRUE(areEqual(plain, tracedFilm(scene, inside, 20)));
 }
 
@@ -200,7 +200,7 @@ TEST(OcclusionLook, SeenParticlesAreThoseOfThePictures)
   }
   std::set<std::pair<std::size_t, std::uint64_t>> found;
   for (std::size_t object = 0; object < seen.size(); ++object)
-    withStructure(*heaps.scene.particles[object].structure,
+    withStructure(*particlesOf(heaps.scene.surfaces[object]),
       [&](const auto& s)
       {
         ASSERT_EQ(seen[object].size(), (s.size() + 63) / 64);

@@ -1,7 +1,7 @@
 // Storage and look-up of occlusion maps.
 
 #include <kernels/core/Error.h>
-#include <kernels/shading/OcclusionMaps.h>
+#include <kernels/occlusion/OcclusionMaps.h>
 
 #include <support/Particles.h>
 

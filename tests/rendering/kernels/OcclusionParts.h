@@ -2,7 +2,7 @@
 
 #include "SceneParts.h"
 
-#include <kernels/shading/OcclusionBake.h>
+#include <kernels/occlusion/OcclusionBake.h>
 
 #include <algorithm>
 #include <cmath>

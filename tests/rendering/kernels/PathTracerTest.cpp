@@ -2,9 +2,9 @@
 
 #include "ShadowParts.h"
 
-#include <kernels/scene/Refinement.h>
 #include <kernels/shading/Reflectance.h>
 #include <kernels/shading/SampleSequence.h>
+#include <kernels/tracing/Refinement.h>
 
 #include <support/CastOracle.h>
 
@@ -35,7 +35,7 @@ void trace(Scene& scene, int bounces, float sky = 1.0f)
 Scene randomSpheres(std::uint64_t seed, std::size_t count = 200)
 {
   Scene scene;
-  scene.particles.push_back(objectOf(randomParticles(count, seed, 0.05, 0.25)));
+  addTo(scene, objectOf(randomParticles(count, seed, 0.05, 0.25)));
   return scene;
 }
 
@@ -75,8 +75,8 @@ TEST(PathTracer, ALoneSphereInAFurnaceSendsBackItsAlbedo)
     const float albedo = k % 3 == 0 ? 1.0f : static_cast<float>(random());
     Scene scene = oneSphere(radius);
     trace(scene, 16);
-    scene.particles[0].coloring.constant = Vec4f(Vec3f(albedo), 1.0f);
-    scene.particles[0].toWorld =
+    scene.surfaces[0].coloring.constant = Vec4f(Vec3f(albedo), 1.0f);
+    scene.surfaces[0].toWorld =
       glm::scale(glm::translate(Mat4d(1.0), 5.0 * radius * random.direction()),
         k % 2 == 0 ? Vec3d(1.0) : random.inBox(Vec3d(0.5), Vec3d(1.5)));
     const double distance = radius * std::pow(10.0, random(1.0, 4.0));
@@ -107,7 +107,7 @@ TEST(PathTracer, EnergyIsNeverGained)
     {
       Scene scene = randomSpheres(721);
       trace(scene, 16);
-      Material& material = scene.particles[0].material;
+      Material& material = scene.surfaces[0].material;
       material.metallic = metallic;
       material.roughness = roughness;
       material.diffuse = 5.0f; // which is 1 at most
@@ -119,7 +119,7 @@ TEST(PathTracer, WhiteMetalLosesLittle)
 {
   Scene scene = oneSphere();
   trace(scene, 16);
-  Material& material = scene.particles[0].material;
+  Material& material = scene.surfaces[0].material;
   material.metallic = 1.0f;
   // The mean over the sphere's disc of the albedo of GGX with Smith's masking, by integration over
   // 200 x 200 directions at 10 cosines.
@@ -136,8 +136,8 @@ TEST(PathTracer, ASmoothMetalMirrorsTheSky)
   Scene scene = oneSphere();
   trace(scene, 4);
   scene.sky = {Vec3f(1.0f), black, {0.0, 1.0, 0.0}};
-  scene.particles[0].material.metallic = 1.0f;
-  scene.particles[0].material.roughness = 0.0f;
+  scene.surfaces[0].material.metallic = 1.0f;
+  scene.surfaces[0].material.roughness = 0.0f;
   const int size = 40;
   const Film film = tracedFilm(scene, camera, size, size, {16, 0, 0});
   const CameraRays rays(camera, size, size);
@@ -179,11 +179,11 @@ TEST(PathTracer, ATwoColouredSkyFollowsTheCosine)
 TEST(PathTracer, OneBounceIsAmbientOcclusionOfUnlimitedReach)
 {
   Scene paths = randomSpheres(731);
-  paths.particles[0].coloring.constant = {0.7f, 0.7f, 0.7f, 1.0f};
+  paths.surfaces[0].coloring.constant = {0.7f, 0.7f, 0.7f, 1.0f};
   Scene local = paths;
   trace(paths, 1);
   local.lights.clear();
-  local.particles[0].material.ambient = 1.0f;
+  local.surfaces[0].material.ambient = 1.0f;
   local.occlusion = {4, INFINITY};
   const Film a = tracedFilm(paths, camera, 48, 48, {256, 0, 0});
   const Film b = tracedFilm(local, camera, 48, 48, {64, 0, 0});
@@ -255,7 +255,7 @@ TEST(PathTracer, AnIntegratingSphereGathersItsBounces)
   // A light in the middle of a white cavity: bounce by bounce a, a^2, a^3 ... everywhere.
   Scene scene = oneSphere();
   const float a = 0.6f;
-  scene.particles[0].coloring.constant = {a, a, a, 1.0f};
+  scene.surfaces[0].coloring.constant = {a, a, a, 1.0f};
   scene.sky = {Vec3f(1.0f), Vec3f(1.0f)}; // which nobody within sees
   Light light;
   light.kind = point;
@@ -283,10 +283,10 @@ TEST(PathTracer, ColoursBleedFromOneParticleToAnother)
   particles.add(Vec3d(0.0), 1.0);
   particles.add({2.0, 0.0, 0.0}, 1.0);
   Scene scene;
-  scene.particles.push_back(objectOf(particles));
+  addTo(scene, objectOf(particles));
   const std::vector<double> values = {0.0, 1.0};
-  scene.particles[0].coloring.values = ArrayView(values.data(), 2, 1);
-  scene.particles[0].coloring.map.table = {{0.8f, 0.8f, 0.8f, 1.0f}, {0.8f, 0.0f, 0.0f, 1.0f}};
+  scene.surfaces[0].coloring.values = ArrayView(values.data(), 2, 1);
+  scene.surfaces[0].coloring.map.table = {{0.8f, 0.8f, 0.8f, 1.0f}, {0.8f, 0.0f, 0.0f, 1.0f}};
   trace(scene, 8);
   const Film film =
     tracedFilm(scene, lookAt({0.7, 0.0, 9.0}, {0.7, 0.0, 0.0}, 1.0), 8, 8, {64, 0, 0});
@@ -306,10 +306,10 @@ TEST(PathTracer, UnlitSurfacesShine)
   Scene scene = oneSphere();
   Particles other;
   other.add({2.1, 0.0, 0.0}, 1.0);
-  scene.particles.push_back(objectOf(other));
-  scene.particles[0].coloring.constant = {0.25f, 0.5f, 0.75f, 1.0f};
-  scene.particles[0].material.ambient = 1.0f;
-  scene.particles[0].material.diffuse = 0.0f;
+  addTo(scene, objectOf(other));
+  scene.surfaces[0].coloring.constant = {0.25f, 0.5f, 0.75f, 1.0f};
+  scene.surfaces[0].material.ambient = 1.0f;
+  scene.surfaces[0].material.diffuse = 0.0f;
   trace(scene, 4, 0.0f);
   const Film film = tracedFilm(scene, lookAt({1.0, 0.0, 9.0}, {1.0, 0.0, 0.0}, 30.0), 60);
   double lit = 0.0;
@@ -325,8 +325,8 @@ TEST(PathTracer, OpacityIsThatOfThePictureAlone)
 {
   Scene scene = oneSphere();
   trace(scene, 4);
-  scene.particles[0].coloring.constant = {1.0f, 1.0f, 1.0f, 0.5f};
-  scene.particles[0].material.opacity = 0.5f;
+  scene.surfaces[0].coloring.constant = {1.0f, 1.0f, 1.0f, 0.5f};
+  scene.surfaces[0].material.opacity = 0.5f;
   const Film film = tracedFilm(scene, camera, 1);
   EXPECT_FLOAT_EQ(film.color()[3], 0.25f);
   EXPECT_FLOAT_EQ(film.color()[0], 0.25f);
@@ -336,8 +336,8 @@ TEST(PathTracer, BundlesAndThreadsDoNotChangeThePicture)
 {
   Scene scene = randomSpheres(771);
   trace(scene, 4);
-  scene.particles[0].material.metallic = 0.3f;
-  scene.particles[0].coloring.constant = {0.7f, 0.6f, 0.5f, 1.0f};
+  scene.surfaces[0].material.metallic = 0.3f;
+  scene.surfaces[0].coloring.constant = {0.7f, 0.6f, 0.5f, 1.0f};
   scene.lights = {shadowLight(point, {2.0, 2.0, 2.0}, 4, 1.0)};
   const Film wanted = tracedFilm(scene, camera, 90, 70, {2, 1, 0});
   const Film threads = tracedFilm(scene, camera, 90, 70, {2, 2, 0});
@@ -352,13 +352,13 @@ TEST(PathTracer, EveryStructureGivesTheSamePicture)
   ParticleStructureOptions options;
   options.kind = ParticleStructureKind::CoherentGrid;
   Scene grid;
-  grid.particles.resize(1);
-  grid.particles[0].structure = makeParticleStructure(particles.set(), options);
-  grid.particles[0].material.ambient = 0.8f;
-  grid.particles[0].coloring.constant = {0.7f, 0.7f, 0.7f, 1.0f};
+  grid.surfaces.resize(1);
+  grid.surfaces[0].surface = ParticleSurface(makeParticleStructure(particles.set(), options));
+  grid.surfaces[0].material.ambient = 0.8f;
+  grid.surfaces[0].coloring.constant = {0.7f, 0.7f, 0.7f, 1.0f};
   Scene tree = grid;
   options.kind = ParticleStructureKind::PkdTree;
-  tree.particles[0].structure = makeParticleStructure(particles.set(), options);
+  tree.surfaces[0].surface = ParticleSurface(makeParticleStructure(particles.set(), options));
   for (const bool paths : {false, true})
   {
     for (Scene* scene : {&grid, &tree})
@@ -375,7 +375,7 @@ TEST(PathTracer, ErrorFallsWithTheNumberOfSamples)
 {
   Scene scene = randomSpheres(781);
   trace(scene, 16);
-  scene.particles[0].coloring.constant = {0.8f, 0.8f, 0.8f, 1.0f};
+  scene.surfaces[0].coloring.constant = {0.8f, 0.8f, 0.8f, 1.0f};
   scene.sky.bottom = Vec3f(0.3f);
   scene.lights = {shadowLight(directional, {-1.0, -1.0, -1.0}, 1, 15.0)};
   Film wanted, film;

@@ -2,7 +2,7 @@
 
 #include "SceneParts.h"
 
-#include <kernels/scene/RayCaster.h>
+#include <kernels/tracing/RayCaster.h>
 
 #include <support/CastOracle.h>
 
@@ -64,7 +64,7 @@ TEST(RayCasterEnergy, PerspectiveCoverageIsThatOfTheTangentCone)
 TEST(RayCasterEnergy, LambertUnderAHeadlightSendsBackTwoThirds)
 {
   Scene scene = oneSphere();
-  scene.particles[0].coloring.constant = {1.0f, 0.5f, 0.25f, 1.0f};
+  scene.surfaces[0].coloring.constant = {1.0f, 0.5f, 0.25f, 1.0f};
   const glm::dvec4 mean = meanColor(scene, orthographic(), 64, 32);
   EXPECT_NEAR(mean.r, share * 2.0 / 3.0, 2e-4);
   EXPECT_NEAR(mean.g, share / 3.0, 1e-4);
@@ -101,7 +101,7 @@ TEST(RayCasterEnergy, LightsAddUp)
 TEST(RayCasterEnergy, AmbientAndSpecularParts)
 {
   Scene scene = oneSphere();
-  Material& material = scene.particles[0].material;
+  Material& material = scene.surfaces[0].material;
   material.diffuse = 0.0f;
   material.ambient = 0.25f;
   EXPECT_NEAR(meanColor(scene, orthographic(), 64, 32).r, 0.25 * share, 1e-4);
@@ -120,11 +120,11 @@ TEST(RayCasterEnergy, AmbientAndSpecularParts)
 TEST(RayCasterEnergy, OpacityAndAlphaArePremultipliedMeans)
 {
   Scene scene = oneSphere();
-  Material& material = scene.particles[0].material;
+  Material& material = scene.surfaces[0].material;
   material.ambient = 1.0f;
   material.diffuse = 0.0f;
   material.opacity = 0.5f;
-  scene.particles[0].coloring.constant = {0.8f, 0.8f, 0.8f, 0.5f};
+  scene.surfaces[0].coloring.constant = {0.8f, 0.8f, 0.8f, 0.5f};
   for (const int samples : {1, 4, 32})
   {
     const glm::dvec4 mean = meanColor(scene, orthographic(), 64, samples);

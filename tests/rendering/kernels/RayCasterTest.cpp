@@ -2,7 +2,7 @@
 
 #include "SceneParts.h"
 
-#include <kernels/scene/RayCaster.h>
+#include <kernels/tracing/RayCaster.h>
 
 #include <support/CastOracle.h>
 
@@ -46,8 +46,8 @@ TEST(RayCaster, EveryPixelHoldsWhatAPickThroughItsCentreFinds)
   Random random(131);
   Scene scene;
   for (int k = 0; k < 3; ++k)
-    scene.particles.push_back(
-      objectOf(randomParticles(150, 132 + std::uint64_t(k), 0.05, 0.2), somewhere(random)));
+    addTo(
+      scene, objectOf(randomParticles(150, 132 + std::uint64_t(k), 0.05, 0.2), somewhere(random)));
   const int width = 67, height = 45; // no whole number of blocks
   for (const auto projection : {Camera::Projection::Perspective, Camera::Projection::Orthographic})
   {
@@ -65,7 +65,7 @@ TEST(RayCaster, EveryPixelHoldsWhatAPickThroughItsCentreFinds)
         const auto found =
           pick(scene, rays.originAt(x + 0.5, y + 0.5), rays.directionAt(x + 0.5, y + 0.5));
         const std::int32_t object = found ? static_cast<std::int32_t>(found->object) : -1;
-        if (object != film.object()[i] || film.id()[i] != (found ? found->particle : Film::noId))
+        if (object != film.object()[i] || film.id()[i] != (found ? found->id : Film::noId))
         {
           ++differing; // on a silhouette
           continue;
@@ -75,7 +75,7 @@ TEST(RayCaster, EveryPixelHoldsWhatAPickThroughItsCentreFinds)
           EXPECT_EQ(film.depth()[i], INFINITY);
           continue;
         }
-        ++seen[found->object];
+        ++seen[std::size_t(found->object)];
         EXPECT_NEAR(film.depth()[i], found->t, 1e-4);
         const float* n = film.normal() + 3 * i;
         EXPECT_NEAR(glm::dot(found->normal, Vec3d(n[0], n[1], n[2])), 1.0, 1e-3);
@@ -96,8 +96,8 @@ TEST(RayCaster, TransformedObjectsLookLikeTransformedParticles)
   for (std::size_t i = 0; i < particles.size(); ++i)
     moved.add(transformPoint(toWorld, particles.center(i)), scale * particles.radii[i]);
   Scene one, other;
-  one.particles.push_back(objectOf(particles, toWorld));
-  other.particles.push_back(objectOf(moved));
+  one.surfaces.push_back(objectOf(particles, toWorld));
+  other.surfaces.push_back(objectOf(moved));
   const Camera camera = lookAt({3.0, 4.0, 5.0}, Vec3d(0.0), 50.0);
   const Film a = traced(one, camera, 96, 96), b = traced(other, camera, 96, 96);
   int differing = 0;
@@ -115,7 +115,7 @@ TEST(RayCaster, TransformedObjectsLookLikeTransformedParticles)
 TEST(RayCaster, ThreadsDoNotChangeTheImage)
 {
   Scene scene;
-  scene.particles.push_back(objectOf(randomParticles(500, 151, 0.05, 0.15)));
+  addTo(scene, objectOf(randomParticles(500, 151, 0.05, 0.15)));
   const Camera camera = lookAt({3.0, 1.0, 2.0}, Vec3d(0.0), 50.0);
   const Film one = traced(scene, camera, 120, 90, 3, 1), two = traced(scene, camera, 120, 90, 3, 2);
   EXPECT_TRUE(std::equal(one.color(), one.color() + 4 * one.pixels(), two.color()));
@@ -126,7 +126,7 @@ TEST(RayCaster, ThreadsDoNotChangeTheImage)
 TEST(RayCaster, AnEmptySceneIsEmpty)
 {
   Scene objectless, hollow;
-  hollow.particles.push_back(objectOf(Particles()));
+  hollow.surfaces.push_back(objectOf(Particles()));
   for (const Scene* scene : {&objectless, &hollow})
   {
     const Film film = traced(*scene, Camera(), 33, 17, 2);

@@ -2,7 +2,7 @@
 
 #include "ShadowParts.h"
 
-#include <kernels/scene/Refinement.h>
+#include <kernels/tracing/Refinement.h>
 
 #include <support/CastOracle.h>
 
@@ -20,9 +20,9 @@ namespace
 Scene noisyScene()
 {
   Scene scene;
-  scene.particles.push_back(objectOf(randomParticles(200, 601, 0.05, 0.2)));
-  scene.particles[0].material.ambient = 1.0f;
-  scene.particles[0].material.diffuse = 0.0f;
+  addTo(scene, objectOf(randomParticles(200, 601, 0.05, 0.2)));
+  scene.surfaces[0].material.ambient = 1.0f;
+  scene.surfaces[0].material.diffuse = 0.0f;
   scene.lights.clear();
   scene.occlusion = {1, 0.5};
   return scene;

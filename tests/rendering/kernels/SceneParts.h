@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kernels/scene/Scene.h>
+#include <kernels/tracing/Picking.h>
 
 #include <support/Particles.h>
 
@@ -11,12 +11,25 @@ namespace mote::testing
 {
 
 /// An object over the particles; they must outlive nothing, the structure copies them.
-inline ParticleObject objectOf(const Particles& particles, const Mat4d& toWorld = Mat4d(1.0))
+inline SurfaceObject objectOf(const Particles& particles, const Mat4d& toWorld = Mat4d(1.0))
 {
-  ParticleObject object;
-  object.structure = makeParticleStructure(particles.set());
+  SurfaceObject object;
+  object.surface = ParticleSurface(makeParticleStructure(particles.set()));
   object.toWorld = toWorld;
   return object;
+}
+
+/// The structure of a surface of particles.
+inline const std::shared_ptr<const ParticleStructure>& particlesOf(const SurfaceObject& object)
+{
+  return std::get<ParticleSurface>(object.surface).structure();
+}
+
+/// Adds a surface; its id is its place.
+inline void addTo(Scene& scene, SurfaceObject object)
+{
+  object.id = static_cast<std::int32_t>(scene.surfaces.size());
+  scene.surfaces.push_back(std::move(object));
 }
 
 /// A scene of one sphere of radius `radius` about the origin.
@@ -25,7 +38,7 @@ inline Scene oneSphere(double radius = 1.0)
   Particles particles;
   particles.add(Vec3d(0.0), radius);
   Scene scene;
-  scene.particles.push_back(objectOf(particles));
+  addTo(scene, objectOf(particles));
   return scene;
 }
 

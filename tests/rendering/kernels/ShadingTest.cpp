@@ -2,7 +2,7 @@
 
 #include "SceneParts.h"
 
-#include <kernels/scene/RayCaster.h>
+#include <kernels/tracing/RayCaster.h>
 
 #include <support/CastOracle.h>
 
@@ -32,9 +32,9 @@ protected:
     Particles particles;
     for (int i = 0; i < 3; ++i)
       particles.add({3.0 * i, 0.0, 0.0}, 1.0);
-    scene.particles.push_back(objectOf(particles));
+    addTo(scene, objectOf(particles));
   }
-  ParticleColoring& coloring() { return scene.particles[0].coloring; }
+  SurfaceColoring& coloring() { return scene.surfaces[0].coloring; }
   void expectColor(int particle, const Vec4f& wanted) const
   {
     const Vec4f found = colorOf(scene, particle);
@@ -107,7 +107,7 @@ TEST_F(Shading, FromWithinTheSphereIsLitToo)
 
 TEST_F(Shading, LightsBehindAndNoLightsLeaveTheAmbientPart)
 {
-  scene.particles[0].material.ambient = 0.125f;
+  scene.surfaces[0].material.ambient = 0.125f;
   scene.lights = {{Light::Kind::Directional, Vec3d(0.0, 0.0, 1.0), Vec3f(1.0f)}};
   expectColor(0, {0.125f, 0.125f, 0.125f, 1.0f});
   scene.lights.clear();

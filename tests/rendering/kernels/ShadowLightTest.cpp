@@ -31,7 +31,7 @@ struct Hanging
   {
     particles.add({0.0, -100.0, 0.0}, 100.0);
     particles.add({0.0, height, 0.0}, radius);
-    scene.particles.push_back(objectOf(particles));
+    addTo(scene, objectOf(particles));
     // The middle of the bounds is far below: the square lies flat.
     scene.lights = {shadowLight(point, {0.0, lightHeight, 0.0}, 16, edge)};
   }
@@ -116,7 +116,7 @@ TEST(ShadowLight, PenumbraIsTheShareOfTheSquareThatIsSeen)
 TEST(ShadowLight, ErrorFallsWithTheNumberOfSamples)
 {
   Scene scene;
-  scene.particles.push_back(objectOf(randomParticles(300, 341, 0.05, 0.15)));
+  addTo(scene, objectOf(randomParticles(300, 341, 0.05, 0.15)));
   const Camera camera = lookAt({1.0, 1.5, 4.0}, Vec3d(0.0), 40.0);
   for (const auto kind : {point, directional})
   {
@@ -140,7 +140,7 @@ TEST(ShadowLight, ErrorFallsWithTheNumberOfSamples)
 TEST(ShadowLight, FarPointsAreDirections)
 {
   Scene scene;
-  scene.particles.push_back(objectOf(randomParticles(300, 351, 0.05, 0.15)));
+  addTo(scene, objectOf(randomParticles(300, 351, 0.05, 0.15)));
   const Camera camera = lookAt({1.0, 1.5, 4.0}, Vec3d(0.0), 40.0);
   const Vec3d towards = glm::normalize(Vec3d(1.0, 2.0, 1.0));
   for (const double distance : {1e5, 1e8})
@@ -215,7 +215,7 @@ TEST(ShadowLight, OneSampleStandsInTheMiddle)
 TEST(ShadowLight, HeadlightsCastNone)
 {
   Scene scene;
-  scene.particles.push_back(objectOf(randomParticles(100, 361, 0.05, 0.2)));
+  addTo(scene, objectOf(randomParticles(100, 361, 0.05, 0.2)));
   const Camera camera = lookAt({1.0, 1.5, 4.0}, Vec3d(0.0), 40.0);
   const Film wanted = tracedFilm(scene, camera, 64);
   scene.lights[0].shadows = true;
@@ -231,8 +231,8 @@ TEST(ShadowLight, ShadowTakesHighlightsAndLeavesAmbientLight)
   particles.add({0.0, 0.0, 0.0}, 1.0);
   particles.add({0.0, 3.0, 3.0}, 0.9); // between the light and the top of the first
   Scene scene;
-  scene.particles.push_back(objectOf(particles));
-  Material& material = scene.particles[0].material;
+  addTo(scene, objectOf(particles));
+  Material& material = scene.surfaces[0].material;
   material.ambient = 0.2f;
   material.diffuse = 0.3f;
   material.specular = 0.5f;
@@ -248,9 +248,9 @@ TEST(ShadowLight, ShadowTakesHighlightsAndLeavesAmbientLight)
   Particles first, second;
   first.add(particles.center(0), 1.0);
   second.add(particles.center(1), 0.9);
-  apart.particles = {objectOf(first), objectOf(second)};
-  apart.particles[0].material = material;
-  apart.particles[1].material.opacity = 0.1f;
+  apart.surfaces = {objectOf(first), objectOf(second)};
+  apart.surfaces[0].material = material;
+  apart.surfaces[1].material.opacity = 0.1f;
   EXPECT_NEAR(tracedFilm(apart, camera, 1).color()[0], 0.2f, 1e-6f);
 }
 
@@ -292,7 +292,7 @@ TEST(ShadowLight, LightsWithinASphereStayThere)
   particles.add(Vec3d(0.0), 1.0);
   particles.add({3.0, 0.0, 0.0}, 1.0);
   Scene scene;
-  scene.particles.push_back(objectOf(particles));
+  addTo(scene, objectOf(particles));
   scene.lights = {shadowLight(point, {0.5, 0.1, 0.0}, 2, 0.1)};
   const Film film = tracedFilm(scene, lookAt({1.5, 0.0, 9.0}, {1.5, 0.0, 0.0}, 40.0), 64);
   EXPECT_TRUE(isSane(film));
@@ -303,9 +303,9 @@ TEST(ShadowLight, LightsWithinASphereStayThere)
 TEST(ShadowLight, OddLightsGiveSanePictures)
 {
   Scene scene;
-  scene.particles.push_back(objectOf(randomParticles(50, 371, 0.1, 0.3)));
-  scene.particles[0].material.specular = 0.3f;
-  scene.particles[0].material.specularPower = 7.0f;
+  addTo(scene, objectOf(randomParticles(50, 371, 0.1, 0.3)));
+  scene.surfaces[0].material.specular = 0.3f;
+  scene.surfaces[0].material.specularPower = 7.0f;
   const Camera camera = lookAt({0.0, 0.0, 4.0}, Vec3d(0.0), 40.0);
   const double nan = std::nan(""), infinity = INFINITY;
   const Vec3d onSurface = pick(scene, camera.position, camera.forward).value().position;
@@ -331,7 +331,7 @@ TEST(ShadowLight, ALightAtTheEyeSeesWhatTheEyeSees)
 {
   // A point light in the eye casts shadows that nobody sees.
   Scene scene;
-  scene.particles.push_back(objectOf(randomParticles(500, 381, 0.02, 0.1)));
+  addTo(scene, objectOf(randomParticles(500, 381, 0.02, 0.1)));
   const Camera camera = lookAt({1.0, 1.5, 4.0}, Vec3d(0.0), 40.0);
   const Film wanted = tracedFilm(scene, camera, 100);
   scene.lights = {shadowLight(point, camera.position)};

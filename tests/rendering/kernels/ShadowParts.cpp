@@ -67,7 +67,7 @@ double rmsOf(const Film& a, const Film& b)
 
 void ShadowOracle::add(const Particles& particles, const Mat4d& toWorld)
 {
-  scene_.particles.push_back(objectOf(particles, toWorld));
+  addTo(scene_, objectOf(particles, toWorld));
   objects_.push_back({reference::validSpheres(particles.set()), toWorld, glm::inverse(toWorld)});
 }
 

@@ -2,8 +2,8 @@
 
 #include "SceneParts.h"
 
-#include <kernels/scene/RayCaster.h>
 #include <kernels/shading/LightSamples.h>
+#include <kernels/tracing/RayCaster.h>
 
 #include <support/Reference.h>
 

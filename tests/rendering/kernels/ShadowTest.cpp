@@ -161,9 +161,9 @@ TEST(Shadow, CoincidentSpheresDoNotShadowOneAnother)
     const Vec3d eye = 4.0 * random.direction();
     Scene once, twice, apart;
     const Mat4d toWorld = unevenTransform(random);
-    once.particles = {objectOf(particles, toWorld)};
-    twice.particles = {objectOf(doubled, toWorld)};
-    apart.particles = {objectOf(particles, toWorld), objectOf(particles, toWorld)};
+    once.surfaces = {objectOf(particles, toWorld)};
+    twice.surfaces = {objectOf(doubled, toWorld)};
+    apart.surfaces = {objectOf(particles, toWorld), objectOf(particles, toWorld)};
     once.lights = twice.lights = apart.lights = {lightFromAside(random, k, eye)};
     const Camera camera = lookAt(eye, Vec3d(0.0), 45.0);
     const Film wanted = tracedFilm(once, camera, 150);
@@ -179,7 +179,7 @@ TEST(Shadow, CoincidentSpheresDoNotShadowOneAnother)
 TEST(Shadow, BundlesOfAnySideGiveTheSamePicture)
 {
   Scene scene;
-  scene.particles.push_back(objectOf(randomParticles(3000, 301, 0.02, 0.08)));
+  addTo(scene, objectOf(randomParticles(3000, 301, 0.02, 0.08)));
   scene.lights = {shadowLight(point, {1.5, 3.0, 2.0}, 2, 0.5),
     shadowLight(directional, {-1.0, -1.0, -1.0}), shadowLight(point, {0.1, 0.2, 0.3})};
   for (Light& light : scene.lights)
@@ -201,7 +201,7 @@ TEST(Shadow, BundlesOfAnySideGiveTheSamePicture)
 TEST(Shadow, ThreadsDoNotChangeTheShadows)
 {
   Scene scene;
-  scene.particles.push_back(objectOf(randomParticles(800, 311, 0.03, 0.1)));
+  addTo(scene, objectOf(randomParticles(800, 311, 0.03, 0.1)));
   scene.lights = {
     shadowLight(point, {1.5, 3.0, 2.0}), shadowLight(directional, {-1.0, -1.0, -1.0}, 2, 5.0)};
   const Camera camera = lookAt({1.0, 1.5, 4.0}, Vec3d(0.0), 40.0);
@@ -216,7 +216,7 @@ TEST(Shadow, ScenesFarFromTheOriginKeepTheirs)
   for (const auto kind : {point, directional})
   {
     Scene here;
-    here.particles.push_back(objectOf(particles));
+    here.surfaces.push_back(objectOf(particles));
     here.lights = {shadowLight(kind, kind == point ? Vec3d(1.5, 3.0, 2.0) : Vec3d(-1.0), 2, 0.4)};
     Camera camera = lookAt({1.0, 1.5, 4.0}, Vec3d(0.0), 40.0);
     const Film wanted = tracedFilm(here, camera, 100);
@@ -226,15 +226,15 @@ TEST(Shadow, ScenesFarFromTheOriginKeepTheirs)
       Particles moved = particles;
       moved.move(by);
       Scene there = here;
-      there.particles = {objectOf(moved)};
+      there.surfaces = {objectOf(moved)};
       there.lights[0].vector += kind == point ? by : Vec3d(0.0);
       Camera away = camera;
       away.position += by;
       FilmDifference difference = differenceOf(wanted, tracedFilm(there, away, 100));
       EXPECT_LE(difference.pixels, distance > 1e8 ? 20 : 3) << distance;
       // The same by a transform instead of by the particles' own numbers.
-      there.particles = here.particles;
-      there.particles[0].toWorld = glm::translate(Mat4d(1.0), by);
+      there.surfaces = here.surfaces;
+      there.surfaces[0].toWorld = glm::translate(Mat4d(1.0), by);
       difference = differenceOf(wanted, tracedFilm(there, away, 100));
       EXPECT_LE(difference.pixels, distance > 1e8 ? 20 : 3) << distance;
     }

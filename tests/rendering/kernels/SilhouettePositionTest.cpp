@@ -3,7 +3,7 @@
 
 #include <kernels/core/Vec.h>
 #include <kernels/imaging/Silhouettes.h>
-#include <kernels/scene/RayCaster.h>
+#include <kernels/tracing/RayCaster.h>
 
 #include <glm/vec2.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "SceneParts.h"
 
-#include <kernels/scene/RayCaster.h>
+#include <kernels/tracing/RayCaster.h>
 
 #include <support/CastOracle.h>
 #include <support/Volumes.h>
@@ -20,14 +20,14 @@ namespace
 {
 
 /// A cube of side 4 about the origin of an even cloud.
-VolumeObject cube(float opacity, const Vec3f& color, const Mat4d& toWorld = Mat4d(1.0))
+CloudObject cube(float opacity, const Vec3f& color, const Mat4d& toWorld = Mat4d(1.0))
 {
   HexCells cells = hexBlock(4, 4, 4);
   cells.move([](const Vec3d& p) { return p - Vec3d(2.0); });
   const auto mesh = cells.mesh();
   TransferFunction f;
   f.knots = {{0.0, Vec4f(color, opacity)}};
-  VolumeObject volume = volumeOf(mesh, std::vector<double>(mesh->pointCount(), 0.0), f);
+  CloudObject volume = volumeOf(mesh, std::vector<double>(mesh->pointCount(), 0.0), f);
   volume.toWorld = toWorld;
   return volume;
 }
@@ -64,7 +64,7 @@ constexpr double none = 1.0 - double(0.2F);
 TEST(VolumeScene, ACloudIsItsChord)
 {
   Scene scene;
-  scene.volumes.push_back(cube(0.2F, Vec3f(1, 0.5F, 0)));
+  scene.clouds.push_back(cube(0.2F, Vec3f(1, 0.5F, 0)));
   const Film film = traced(scene, along());
   EXPECT_NEAR(at(film, 16, 16)[3], 1.0 - std::pow(none, 4.0), 1e-6);
   EXPECT_NEAR(at(film, 16, 16)[0], 1.0 - std::pow(none, 4.0), 1e-6);
@@ -79,11 +79,11 @@ TEST(VolumeScene, OpaqueParticlesEndIt)
   Scene scene;
   Particles particles;
   particles.add(Vec3d(0.0), 1.0);
-  scene.particles.push_back(objectOf(particles));
-  scene.particles[0].coloring.constant = Vec4f(0, 0, 1, 1);
-  scene.particles[0].material.ambient = 1.0f;
-  scene.particles[0].material.diffuse = 0.0f;
-  scene.volumes.push_back(cube(0.2F, Vec3f(1, 0, 0)));
+  addTo(scene, objectOf(particles));
+  scene.surfaces[0].coloring.constant = Vec4f(0, 0, 1, 1);
+  scene.surfaces[0].material.ambient = 1.0f;
+  scene.surfaces[0].material.diffuse = 0.0f;
+  scene.clouds.push_back(cube(0.2F, Vec3f(1, 0, 0)));
   const Film film = traced(scene, along());
   const float* c = at(film, 16, 16);
   EXPECT_NEAR(c[0], 1.0 - none, 1e-6); // 1 in front of the sphere
@@ -99,8 +99,8 @@ TEST(VolumeScene, LimitsEndAllRays)
   Scene scene;
   Particles particles;
   particles.add(Vec3d(0.0, 0.0, -1.5), 0.2);
-  scene.particles.push_back(objectOf(particles));
-  scene.volumes.push_back(cube(0.2F, Vec3f(1, 0, 0)));
+  addTo(scene, objectOf(particles));
+  scene.clouds.push_back(cube(0.2F, Vec3f(1, 0, 0)));
   std::vector<float> limits(33 * 33, INFINITY);
   limits[16 * 33 + 16] = 19.5f; // 1.5 into the cube, before the particle
   limits[16 * 33 + 17] = 10.0f;
@@ -118,9 +118,9 @@ TEST(VolumeScene, SeveralAreInOrderWhereverTheyStandInTheList)
   for (const bool frontFirst : {true, false})
   {
     Scene scene;
-    scene.volumes.push_back(
+    scene.clouds.push_back(
       cube(0.2F, frontFirst ? Vec3f(1, 0, 0) : Vec3f(0, 1, 0), frontFirst ? front : Mat4d(1.0)));
-    scene.volumes.push_back(
+    scene.clouds.push_back(
       cube(0.2F, frontFirst ? Vec3f(0, 1, 0) : Vec3f(1, 0, 0), frontFirst ? Mat4d(1.0) : front));
     const Film film = traced(scene, along());
     EXPECT_NEAR(at(film, 16, 16)[0], two, 1e-6);
@@ -133,13 +133,13 @@ TEST(VolumeScene, ARingAroundAnotherVolumeIsBeforeAndBehindIt)
 {
   // As the diffuser of a pump around its rotor.
   Scene scene;
-  scene.volumes.push_back(cube(0.2F, Vec3f(0, 1, 0), glm::scale(Mat4d(1.0), Vec3d(0.25))));
+  scene.clouds.push_back(cube(0.2F, Vec3f(0, 1, 0), glm::scale(Mat4d(1.0), Vec3d(0.25))));
   const auto ring = hexRing({4, 40, 4, 2.0, 3.0, 1.0}).mesh();
   TransferFunction red;
   red.knots = {{0.0, Vec4f(1, 0, 0, 0.2F)}};
-  VolumeObject outer = volumeOf(ring, std::vector<double>(ring->pointCount(), 0.0), red);
+  CloudObject outer = volumeOf(ring, std::vector<double>(ring->pointCount(), 0.0), red);
   outer.toWorld = glm::translate(Mat4d(1.0), Vec3d(0, 0, -0.5));
-  scene.volumes.push_back(outer);
+  scene.clouds.push_back(outer);
   Camera camera = lookAt({20, 0.01, 0.02}, Vec3d(0.0), 20.0);
   const Film film = traced(scene, camera);
   const double part = 1.0 - none; // each is passed for a length of about 1
@@ -155,18 +155,17 @@ TEST(VolumeScene, IsoSurfacesAreOpaqueAndHaveDepthNormalAndCell)
   const auto mesh = cells.mesh();
   TransferFunction f;
   f.knots = {{-2.0, Vec4f(1, 0, 0, 0)}, {2.0, Vec4f(0, 1, 0, 0)}};
+  CloudObject volume = volumeOf(mesh, pointValues(*mesh, [](const Vec3d& p) { return p.z; }), f);
+  volume.id = 7;
   Scene scene;
-  scene.volumes.push_back(
-    volumeOf(mesh, pointValues(*mesh, [](const Vec3d& p) { return p.z; }), f));
-  VolumeObject& volume = scene.volumes[0];
-  volume.isoValues = {0.5};
+  scene.surfaces = {isoSurfacesOf(volume, {0.5})};
   for (const bool cloud : {true, false}) // which is clear
   {
-    volume.isCloud = cloud;
+    scene.clouds.assign(cloud ? 1 : 0, volume);
     const Film film = traced(scene, along());
     const std::size_t pixel = 16 * 33 + 16;
     EXPECT_NEAR(film.depth()[pixel], 19.5, 1e-5);
-    EXPECT_EQ(film.object()[pixel], 0);
+    EXPECT_EQ(film.object()[pixel], 7);
     EXPECT_LT(film.id()[pixel], mesh->cellCount());
     EXPECT_NEAR(film.normal()[3 * pixel + 2], 1.0, 1e-6);
     EXPECT_NEAR(at(film, 16, 16)[0], 0.375, 1e-5); // faces the headlight
@@ -178,11 +177,11 @@ TEST(VolumeScene, IsoSurfacesAreOpaqueAndHaveDepthNormalAndCell)
   Particles particles;
   particles.add(Vec3d(0.0, 0.0, 1.5), 0.5);
   particles.add(Vec3d(0.0, 1.0, -1.0), 0.5);
-  scene.particles.push_back(objectOf(particles));
+  addTo(scene, objectOf(particles));
   const Film film = traced(scene, along());
-  EXPECT_EQ(film.object()[16 * 33 + 16], 0);
+  EXPECT_EQ(film.object()[16 * 33 + 16], 1);
   EXPECT_NEAR(film.depth()[16 * 33 + 16], 18.0, 1e-5);
-  EXPECT_EQ(film.object()[21 * 33 + 16], 1); // volumes are numbered after the particles
+  EXPECT_EQ(film.object()[21 * 33 + 16], 7);
   EXPECT_NEAR(film.depth()[21 * 33 + 16], 19.5, 1e-5);
 }
 
@@ -192,13 +191,12 @@ TEST(VolumeScene, IsoSurfacesTakeShadowsAndOcclusion)
   cells.move([](const Vec3d& p) { return p - Vec3d(4.0, 4.0, 2.0); });
   const auto mesh = cells.mesh();
   Scene scene;
-  scene.volumes.push_back(
-    volumeOf(mesh, pointValues(*mesh, [](const Vec3d& p) { return p.z; }), evenTransfer(0.5F)));
-  scene.volumes[0].isoValues = {0.0};
-  scene.volumes[0].isCloud = false;
+  scene.surfaces = {isoSurfacesOf(
+    volumeOf(mesh, pointValues(*mesh, [](const Vec3d& p) { return p.z; }), evenTransfer(0.5F)),
+    {0.0})};
   Particles particles;
   particles.add(Vec3d(1.5, 0.0, 1.0), 0.5);
-  scene.particles.push_back(objectOf(particles));
+  addTo(scene, objectOf(particles));
   Light light;
   light.kind = Light::Kind::Directional;
   light.vector = Vec3d(-1, 0, -1);
@@ -208,7 +206,7 @@ TEST(VolumeScene, IsoSurfacesTakeShadowsAndOcclusion)
   EXPECT_EQ(at(lit, 19, 16)[0], 0.0f); // where the sphere's shadow falls: x = 0.5
   EXPECT_NEAR(at(lit, 16, 24)[0], std::sqrt(0.5), 1e-5);
   scene.lights.clear();
-  scene.volumes[0].material.ambient = 1.0f;
+  scene.surfaces[0].material.ambient = 1.0f;
   scene.occlusion = {64, 4.0};
   const Film dark = traced(scene, along(), 4);
   EXPECT_LT(at(dark, 22, 16)[0], 0.95f);
@@ -224,12 +222,12 @@ TEST(VolumeScene, CloudsAreLitByTheirGradient)
     {VolumeIntegrator::Trilinear, VolumeIntegrator::CellByCell})
   {
     Scene scene;
-    scene.volumes.push_back(volumeOf(
+    scene.clouds.push_back(volumeOf(
       mesh, pointValues(*mesh, [](const Vec3d& p) { return p.x + p.z; }), evenTransfer(0.2F)));
-    scene.volumes[0].shade = true;
-    scene.volumes[0].sampling.integrator = integrator;
-    scene.volumes[0].material.ambient = 0.1f;
-    scene.volumes[0].material.diffuse = 0.8f;
+    scene.clouds[0].shade = true;
+    scene.clouds[0].sampling.integrator = integrator;
+    scene.clouds[0].material.ambient = 0.1f;
+    scene.clouds[0].material.diffuse = 0.8f;
     const Film film = traced(scene, along());
     const double alpha = 1.0 - std::pow(none, 4.0);
     EXPECT_NEAR(at(film, 16, 16)[0], alpha * (0.1 + 0.8 * std::sqrt(0.5)), 1e-5);
@@ -240,10 +238,10 @@ TEST(VolumeScene, CloudsAreLitByTheirGradient)
 TEST(VolumeScene, BoundsAndThreadsAndBundles)
 {
   Scene scene;
-  scene.volumes.push_back(cube(0.2F, Vec3f(1, 0, 0), glm::translate(Mat4d(1.0), Vec3d(5, 0, 0))));
+  scene.clouds.push_back(cube(0.2F, Vec3f(1, 0, 0), glm::translate(Mat4d(1.0), Vec3d(5, 0, 0))));
   EXPECT_EQ(scene.bounds().lower, Vec3d(3, -2, -2));
   EXPECT_EQ(scene.bounds().upper, Vec3d(7, 2, 2));
-  scene.volumes.push_back(cube(0.3F, Vec3f(0, 1, 0)));
+  scene.clouds.push_back(cube(0.3F, Vec3f(0, 1, 0)));
   const Camera camera = lookAt({12, 9, 15}, Vec3d(2, 0, 0), 40.0);
   const Film film = traced(scene, camera, 2);
   for (const int side : {2, 16})
@@ -265,13 +263,13 @@ TEST(VolumeScene, PathsAreBehindClouds)
   Scene scene;
   Particles particles;
   particles.add(Vec3d(0.0), 1.0);
-  scene.particles.push_back(objectOf(particles));
-  scene.particles[0].coloring.constant = Vec4f(1.0f);
+  addTo(scene, objectOf(particles));
+  scene.surfaces[0].coloring.constant = Vec4f(1.0f);
   scene.paths.bounces = 1;
   scene.lights.clear();
   const double open = at(traced(scene, along(), 4), 16, 16)[1]; // a white sphere under a white sky
   EXPECT_NEAR(open, 1.0, 1e-2);
-  scene.volumes.push_back(cube(0.2F, Vec3f(0.0f)));
+  scene.clouds.push_back(cube(0.2F, Vec3f(0.0f)));
   const Film film = traced(scene, along(), 4);
   EXPECT_NEAR(at(film, 16, 16)[1], none * open, 1e-3); // samples beside the middle pass more of it
   EXPECT_NEAR(at(film, 16, 16)[3], 1.0, 1e-6);
@@ -289,16 +287,16 @@ TEST(VolumeScene, FilmsAreTheSameWhateverTheStructureAndTheBundles)
                       double saturation, int side, bool isLit)
   {
     Scene scene;
-    VolumeObject volume = volumeOf(mesh, values, f, kind);
+    CloudObject volume = volumeOf(mesh, values, f, kind);
     volume.sampling.integrator = integrator;
     volume.sampling.saturation = saturation;
     volume.shade = isLit;
-    scene.volumes.push_back(volume);
+    scene.clouds.push_back(volume);
     if (isLit) // behind and within it, with a surface
     {
       volume.toWorld = glm::translate(Mat4d(1.0), Vec3d(0.4, 0.3, -0.5));
-      volume.isoValues = {1.0};
-      scene.volumes.push_back(volume);
+      scene.surfaces.push_back(isoSurfacesOf(volume, {1.0}));
+      scene.clouds.push_back(volume);
     }
     Film film;
     film.resize(50, 37);
@@ -321,7 +319,15 @@ TEST(VolumeScene, FilmsAreTheSameWhateverTheStructureAndTheBundles)
             film(HexStructureKind::CylindricalBvh, integrator, camera, saturation, 8, isLit);
           EXPECT_GT(*std::max_element(one.begin(), one.end()), 0.1F);
           for (const int side : {0, 4, 8, 16})
-            EXPECT_TRUE(one == film(HexStructureKind::CartesianBvh, integrator, camera, saturation,
-                                 side, isLit));
+          {
+            const auto other =
+              film(HexStructureKind::CartesianBvh, integrator, camera, saturation, side, isLit);
+            // Surfaces lie where their bundle's numbers put them: the same to the last bit for the
+            // same bundles, else to rounding.
+            const float most = isLit && side != 8 ? 2e-6F : 0.0F;
+            ASSERT_EQ(one.size(), other.size());
+            for (std::size_t i = 0; i < one.size(); ++i)
+              ASSERT_LE(std::abs(one[i] - other[i]), most) << "side " << side;
+          }
         }
 }

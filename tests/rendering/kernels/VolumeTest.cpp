@@ -1,7 +1,7 @@
 // What rays gather of a volume.
 
 #include <kernels/core/Error.h>
-#include <kernels/scene/VolumeTracer.h>
+#include <kernels/tracing/CloudTracer.h>
 
 #include <support/Volumes.h>
 
@@ -21,11 +21,11 @@ constexpr HexStructureKind kinds[] = {HexStructureKind::CylindricalGrid,
   HexStructureKind::CartesianGrid, HexStructureKind::CylindricalBvh,
   HexStructureKind::CartesianBvh};
 
-RayColor gathered(const VolumeObject& volume, const Vec3d& origin, const Vec3d& direction,
+RayColor gathered(const CloudObject& volume, const Vec3d& origin, const Vec3d& direction,
   double tMin = 0.0, double tMax = INFINITY)
 {
   const std::vector<ShadedLight> lights;
-  const VolumeTracer tracer(volume, lights, Vec3d(0.0), 0);
+  const CloudTracer tracer(volume, lights, Vec3d(0.0), 0);
   RayGatherer gatherer(nullptr);
   tracer.gather(tracer.ray(origin, direction, tMin, tMax), gatherer);
   return gatherer.total();
@@ -83,7 +83,7 @@ TEST(Volume, AnEvenFieldIsItsChordWhateverTheMesh)
     {hexBlock(6, 5, 4, 0.3).mesh(), hexRing(twisted).mesh(), far.mesh(), thin.mesh()})
     for (const VolumeIntegrator integrator : integrators)
     {
-      VolumeObject volume =
+      CloudObject volume =
         volumeOf(mesh, std::vector<double>(mesh->pointCount(), 7.0), evenTransfer(0.3F));
       const double size = glm::length(mesh->bounds().size());
       volume.transfer.unitDistance = 0.2 * size;
@@ -134,7 +134,7 @@ TEST(Volume, InvertedConcaveAndCollapsedCellsAreTheirVolume)
   EXPECT_EQ(mesh->report().inverted, 1U);
   for (const VolumeIntegrator integrator : integrators)
   {
-    VolumeObject volume =
+    CloudObject volume =
       volumeOf(mesh, std::vector<double>(mesh->pointCount(), 2.0), evenTransfer(0.5F));
     volume.sampling.integrator = integrator;
     volume.sampling.step = 0.01;
@@ -151,7 +151,7 @@ TEST(Volume, InvertedConcaveAndCollapsedCellsAreTheirVolume)
 TEST(Volume, TheStepOfSamplesDoesNotChangeAnEvenField)
 {
   const auto mesh = hexBlock(4, 4, 4, 0.2).mesh();
-  VolumeObject volume =
+  CloudObject volume =
     volumeOf(mesh, std::vector<double>(mesh->pointCount(), 1.0), evenTransfer(0.2F));
   for (const double step : {1e-300, 1e-3, 0.1, 0.77, 3.0, 100.0})
   {
@@ -176,7 +176,7 @@ TEST(Volume, ALinearFieldIsTheAnalyticIntegral)
   const auto mesh = cells.mesh();
   TransferFunction f;
   f.knots = {{0.0, Vec4f(1, 1, 1, 0)}, {4.0, Vec4f(1, 1, 1, 0.6F)}};
-  VolumeObject volume = volumeOf(mesh, pointValues(*mesh, [](const Vec3d& p) { return p.x; }), f);
+  CloudObject volume = volumeOf(mesh, pointValues(*mesh, [](const Vec3d& p) { return p.x; }), f);
   const double k = double(0.6F) / 4.0, b = 1.0 - 4.0 * k;
   const double exact = (b * std::log(b) - b + 1.0) / k;
   volume.sampling.integrator = VolumeIntegrator::CellByCell;
@@ -200,7 +200,7 @@ TEST(Volume, LinearFieldsAreExactInTwistedCells)
   // 10-degree twisted cells: what is sampled is the field itself.
   const auto mesh = hexRing(twisted).mesh();
   const auto linear = [](const Vec3d& p) { return 0.3 * p.x - 0.4 * p.y + 0.7 * p.z; };
-  const VolumeObject volume = volumeOf(mesh, pointValues(*mesh, linear), colorful());
+  const CloudObject volume = volumeOf(mesh, pointValues(*mesh, linear), colorful());
   const double range = volume.field->upper() - volume.field->lower();
   CellSampler sampler(*mesh, *volume.field);
   int sampled = 0;
@@ -223,7 +223,7 @@ TEST(Volume, CellByCellKeepsItsTolerance)
 {
   for (const auto& mesh : {hexRing(twisted).mesh(), hexBlock(5, 5, 5, 0.35).mesh()})
   {
-    VolumeObject volume = volumeOf(mesh, pointValues(*mesh, wave), colorful());
+    CloudObject volume = volumeOf(mesh, pointValues(*mesh, wave), colorful());
     volume.sampling.integrator = VolumeIntegrator::CellByCell;
     std::vector<std::pair<Vec3d, Vec3d>> rays;
     std::vector<RayColor> exact;
@@ -249,7 +249,7 @@ TEST(Volume, CellByCellKeepsItsTolerance)
 TEST(Volume, EvenSamplesTendToTheDefinition)
 {
   const auto mesh = hexRing(twisted).mesh();
-  VolumeObject volume = volumeOf(mesh, pointValues(*mesh, wave), colorful());
+  CloudObject volume = volumeOf(mesh, pointValues(*mesh, wave), colorful());
   double last = 1.0;
   for (const double step : {0.1, 0.02, 0.004})
   {
@@ -277,7 +277,7 @@ TEST(Volume, EveryStructureGathersTheSame)
         std::vector<RayColor> colors;
         for (const HexStructureKind kind : kinds)
         {
-          VolumeObject volume = volumeOf(mesh, pointValues(*mesh, wave), evenTransfer(0.4F), kind);
+          CloudObject volume = volumeOf(mesh, pointValues(*mesh, wave), evenTransfer(0.4F), kind);
           volume.sampling.integrator = integrator;
           colors.push_back(gathered(volume, from, way));
         }
@@ -296,12 +296,12 @@ TEST(Volume, WhatCannotBeSeenIsSkippedAndNothingElse)
   f.knots = {{1.2, Vec4f(1, 0, 0, 0)}, {1.4, Vec4f(1, 1, 0, 0.5F)}, {1.6, Vec4f(0, 1, 0, 0)}};
   for (const HexStructureKind kind : kinds)
   {
-    VolumeObject volume =
+    CloudObject volume =
       volumeOf(mesh, pointValues(*mesh, [](const Vec3d& p) { return p.x; }), f, kind);
     volume.sampling.integrator = VolumeIntegrator::CellByCell;
     volume.sampling.tolerance = 1e-5;
     const std::vector<ShadedLight> none;
-    const VolumeTracer tracer(volume, none, Vec3d(0.0), 0);
+    const CloudTracer tracer(volume, none, Vec3d(0.0), 0);
     WalkCounts some, all;
     forRays(*mesh, 40, 29,
       [&](const Vec3d& from, const Vec3d& way)
@@ -325,7 +325,7 @@ TEST(Volume, WhatCannotBeSeenIsSkippedAndNothingElse)
 TEST(Volume, RaysEndAtSaturation)
 {
   const auto mesh = hexBlock(64, 2, 2).mesh();
-  VolumeObject volume =
+  CloudObject volume =
     volumeOf(mesh, std::vector<double>(mesh->pointCount(), 1.0), evenTransfer(0.5F));
   const std::vector<ShadedLight> none;
   for (const VolumeIntegrator integrator : integrators)
@@ -333,7 +333,7 @@ TEST(Volume, RaysEndAtSaturation)
     {
       volume.sampling.integrator = integrator;
       volume.sampling.saturation = saturation;
-      const VolumeTracer tracer(volume, none, Vec3d(0.0), 0);
+      const CloudTracer tracer(volume, none, Vec3d(0.0), 0);
       RayGatherer gatherer(nullptr);
       WalkCounts counts;
       tracer.gather(tracer.ray({-1.0, 1.1, 1.2}, {1, 0, 0}, 0.0, INFINITY), gatherer, counts);
@@ -352,7 +352,7 @@ TEST(Volume, CellsWithNaNAreLeftOutOrShown)
       values[p] = NAN; // of the first two cells
   for (const VolumeIntegrator integrator : integrators)
   {
-    VolumeObject volume = volumeOf(mesh, values, evenTransfer(0.5F));
+    CloudObject volume = volumeOf(mesh, values, evenTransfer(0.5F));
     volume.sampling.integrator = integrator;
     volume.sampling.step = 0.05;
     EXPECT_NEAR(gathered(volume, {-1, 0.6, 0.4}, {1, 0, 0}).transmittance, 0.5, 1e-9);
@@ -380,7 +380,7 @@ TEST(Volume, PointsThatCoincideKeepTheirOwnValues)
   for (const HexStructureKind kind : kinds)
     for (const VolumeIntegrator integrator : integrators)
     {
-      VolumeObject volume = volumeOf(mesh, values, f, kind);
+      CloudObject volume = volumeOf(mesh, values, f, kind);
       volume.sampling.integrator = integrator;
       const RayColor color = gathered(volume, {-1, 0.4, 0.6}, {1, 0, 0});
       EXPECT_NEAR(color.transmittance, 0.8 * 0.7, 1e-7);
@@ -398,7 +398,7 @@ TEST(Volume, ValuesOfCellsAreEvenInEach)
   f.knots = {{0.0, Vec4f(1, 1, 1, 0)}, {2.0, Vec4f(1, 1, 1, 0.5F)}};
   for (const VolumeIntegrator integrator : integrators)
   {
-    VolumeObject volume = volumeOf(mesh, values, f, HexStructureKind::CartesianGrid, true);
+    CloudObject volume = volumeOf(mesh, values, f, HexStructureKind::CartesianGrid, true);
     volume.sampling.integrator = integrator;
     volume.sampling.step = 0.1;
     EXPECT_NEAR(gathered(volume, {-1, 0.6, 0.4}, {1, 0, 0}).transmittance, 0.75 * 0.5, 1e-7);
@@ -412,7 +412,7 @@ TEST(Volume, RaysAlongAxisSeamEdgesAndFromWithin)
   for (const HexStructureKind kind : kinds)
     for (const VolumeIntegrator integrator : integrators)
     {
-      VolumeObject volume =
+      CloudObject volume =
         volumeOf(mesh, std::vector<double>(mesh->pointCount(), 1.0), evenTransfer(0.5F), kind);
       volume.sampling.integrator = integrator;
       const auto depth = [&](const Vec3d& from, const Vec3d& way, double tMin = 0.0)
@@ -432,10 +432,10 @@ TEST(Volume, NoCellAndOneCell)
   const auto empty = HexCells().mesh();
   for (const HexStructureKind kind : kinds)
   {
-    const VolumeObject nothing = volumeOf(empty, {}, evenTransfer(0.5F), kind);
+    const CloudObject nothing = volumeOf(empty, {}, evenTransfer(0.5F), kind);
     EXPECT_EQ(gathered(nothing, {0, 0, 0}, {1, 0, 0}).transmittance, 1.0);
     const auto one = hexBlock(1, 1, 1).mesh();
-    const VolumeObject cell = volumeOf(one, std::vector<double>(8, 1.0), evenTransfer(0.5F), kind);
+    const CloudObject cell = volumeOf(one, std::vector<double>(8, 1.0), evenTransfer(0.5F), kind);
     EXPECT_NEAR(gathered(cell, {-1, 0.5, 0.5}, {1, 0, 0}).transmittance, 0.5, 1e-7);
   }
 }
@@ -445,7 +445,7 @@ TEST(Volume, AnOpacityOfOneHidesAtOnce)
   const auto mesh = hexBlock(8, 2, 2).mesh();
   TransferFunction f;
   f.knots = {{0.0, Vec4f(1, 1, 1, 0)}, {4.0, Vec4f(1, 1, 1, 0)}, {4.0, Vec4f(0, 1, 0, 1)}};
-  VolumeObject volume = volumeOf(mesh, pointValues(*mesh, [](const Vec3d& p) { return p.x; }), f);
+  CloudObject volume = volumeOf(mesh, pointValues(*mesh, [](const Vec3d& p) { return p.x; }), f);
   for (const VolumeIntegrator integrator : integrators)
   {
     volume.sampling.integrator = integrator;
@@ -459,7 +459,7 @@ TEST(Volume, AnOpacityOfOneHidesAtOnce)
 TEST(Volume, LengthsAreOfTheWorld)
 {
   const auto mesh = hexBlock(4, 4, 4).mesh();
-  VolumeObject volume =
+  CloudObject volume =
     volumeOf(mesh, std::vector<double>(mesh->pointCount(), 1.0), evenTransfer(0.25F));
   volume.toWorld = Mat4d(Mat3d(0, 2, 0, -3, 0, 0, 0, 0, 0.5)); // turned and stretched
   for (const VolumeIntegrator integrator : integrators)
@@ -477,10 +477,10 @@ TEST(Volume, RefusesBadSettings)
 {
   const auto mesh = hexBlock(1, 1, 1).mesh();
   const std::vector<ShadedLight> none;
-  VolumeObject volume = volumeOf(mesh, std::vector<double>(8, 1.0), evenTransfer(0.5F));
+  CloudObject volume = volumeOf(mesh, std::vector<double>(8, 1.0), evenTransfer(0.5F));
   volume.transfer.unitDistance = -1.0;
-  EXPECT_THROW(VolumeTracer(volume, none, Vec3d(0.0), 0), Error);
+  EXPECT_THROW(CloudTracer(volume, none, Vec3d(0.0), 0), Error);
   volume.transfer.unitDistance = 1.0;
   volume.field = nullptr;
-  EXPECT_THROW(VolumeTracer(volume, none, Vec3d(0.0), 0), Error);
+  EXPECT_THROW(CloudTracer(volume, none, Vec3d(0.0), 0), Error);
 }

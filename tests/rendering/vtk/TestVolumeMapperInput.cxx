@@ -1,8 +1,8 @@
 // vtkMoteVolumeMapper: what is built again, what is not, and what is refused.
-#include "kernels/core/ContentHash.h"
 #include "VolumeTestSupport.h"
+#include "kernels/core/ContentHash.h"
 
-#include "kernels/scene/Volume.h"
+#include "kernels/scene/Scene.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -150,9 +150,9 @@ TEST_F(VolumeRebuild, FollowsThePictureOfNewScalars)
 
 TEST_F(VolumeRebuild, LeavesAloneWhatSomebodyHolds)
 {
-  mote::VolumeObject held, later;
+  mote::Scene held, later;
   ASSERT_TRUE(stage.mapper->DescribeTo(held, stage.volume));
-  const mote::HexStructure* first = held.structure.get();
+  const mote::HexStructure* first = held.clouds.at(0).structure.get();
   const auto change = [&]
   {
     grid->GetPointData()->GetScalars()->Fill(2);
@@ -161,13 +161,13 @@ TEST_F(VolumeRebuild, LeavesAloneWhatSomebodyHolds)
     ASSERT_TRUE(stage.mapper->DescribeTo(later, stage.volume));
   };
   change();
-  EXPECT_NE(later.structure.get(), first) << "it may be traced on another thread";
-  EXPECT_EQ(held.field->upper(), 1);
-  EXPECT_EQ(later.field->upper(), 2);
+  EXPECT_NE(later.clouds.at(0).structure.get(), first) << "it may be traced on another thread";
+  EXPECT_EQ(held.clouds[0].field->upper(), 1);
+  EXPECT_EQ(later.clouds[0].field->upper(), 2);
   held = {};
-  first = later.structure.get();
+  first = later.clouds.at(0).structure.get();
   change();
-  EXPECT_EQ(later.structure.get(), first) << "nobody else's memory is taken again";
+  EXPECT_EQ(later.clouds.at(0).structure.get(), first) << "nobody else's memory is taken again";
   EXPECT_EQ(stage.mapper->GetNumberOfBuilds(), 1);
 }
 

@@ -1,0 +1,98 @@
+#pragma once
+
+#include "Box.h"
+#include "Camera.h"
+#include "HitBlock.h"
+#include "RayPacket.h"
+
+#include <concepts>
+#include <memory>
+#include <vector>
+
+namespace mote
+{
+
+/// A radius, or half the width, of one of the things that a surface is made of, and the area of
+/// cross-section that it stands for.
+struct FeatureSize
+{
+  double size = 0.0;
+  double section = 0.0;
+};
+
+/// A pointer that equals `owner` and keeps nothing alive.
+template <typename T>
+std::shared_ptr<T> unowned(const std::shared_ptr<T>& owner)
+{
+  return {std::shared_ptr<void>(), owner.get()};
+}
+
+/// What every kind of surface does. All is in the surface's own coordinates, const, and safe to
+/// call from several threads. Rays may have directions of any length but 0; `index` is the
+/// surface's place in the scene, which rays carry as `object` to tell what they hit.
+///
+/// - `bounds()`: of all that can be hit. `rounding()`: how far hits may lie off the surface.
+/// - `cast(bundle, index)`, `cast(packet, index)`: finds for each ray the nearest hit with
+///   tMin < t < ray.t, and where there is one writes t, slot and object. A slot is the kind's own
+///   number for what was hit. A packet of one is a single ray.
+/// - `occlude(bundle, index)`, `occlude(packet, index)`: t of each ray that meets anything between
+///   tMin and t becomes -infinity; slot and object stay. A convex thing that the ray's slot and
+///   object name does not count; kinds that are not convex rely on the rounding() by which rays
+///   are kept off.
+/// - `bundleSide(rays, x0, y0, size)`: side in pixels (2, 4, 8, 16) of the bundles that are cast
+///   fastest in this square of the camera's image.
+/// - `fetch(block)`, then `place(block, placing)`: brings what memory holds of the block's hits;
+///   fills normals, toEye, sides and, where asked for, positions.
+/// - `normalAt(slot, point)`: the outward normal of one hit, of any length, or 0 where there is
+///   none. `encloses(slot, point)`: whether what was hit is a solid with the point inside.
+/// - `colorIndices(slots, count, indices)`: which values or colours of the surface's colouring the
+///   hits have. `inputIds(slots, count, ids)`: what the user knows them by (particle, cell, ...).
+/// - `isConvex`: whether what a slot names is convex, so that a line meets it twice at most.
+/// - `slots()`: how many slots occlusion maps count, or 0 where the kind can have none.
+/// - `featureSizes()`: of a sample of what the surface is made of; empty where nothing has a size.
+/// - `==`: whether it is the same surface of the same data. What changes in place does not show.
+///   `unowned()`: equal to the surface, but it keeps no data alive: to be compared, not used.
+template <typename S>
+concept SurfaceKind = std::equality_comparable<S> &&
+  requires(const S& s, RayBundle& bundle, RayPacket& packet, const CameraRays& rays,
+    HitBlock& block, const HitPlacing& placing, std::int32_t index, std::uint64_t slot,
+    const std::uint64_t* slots, std::uint64_t* ids, const Vec3d& point, int n)
+{
+  {
+    S::isConvex
+    } -> std::convertible_to<bool>;
+  {
+    s.bounds()
+    } -> std::same_as<Box>;
+  {
+    s.rounding()
+    } -> std::same_as<double>;
+  s.cast(bundle, index);
+  s.cast(packet, index);
+  s.occlude(bundle, index);
+  s.occlude(packet, index);
+  {
+    s.bundleSide(rays, n, n, n)
+    } -> std::same_as<int>;
+  s.fetch(block);
+  s.place(block, placing);
+  {
+    s.normalAt(slot, point)
+    } -> std::same_as<Vec3d>;
+  {
+    s.encloses(slot, point)
+    } -> std::same_as<bool>;
+  s.colorIndices(slots, n, ids);
+  s.inputIds(slots, n, ids);
+  {
+    s.slots()
+    } -> std::same_as<std::size_t>;
+  {
+    s.featureSizes()
+    } -> std::same_as<std::vector<FeatureSize>>;
+  {
+    s.unowned()
+    } -> std::same_as<S>;
+};
+
+} // namespace mote

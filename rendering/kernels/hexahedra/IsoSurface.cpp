@@ -1,0 +1,218 @@
+// Iso-surfaces as a surface; how placed hits look is compiled once for every SIMD instruction set.
+
+#include "IsoSurface.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "hexahedra/IsoSurface.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "../core/HitPoints-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mote
+{
+namespace HWY_NAMESPACE
+{
+
+/// Places hits whose normals lie in `own`. Both sides look alike; where the field has no slope the
+/// surface looks straight at the eye.
+void placeByNormals(HitBlock& b, const HitPlacing& placing)
+{
+  const DD d;
+  const DH dh;
+  for (int i = 0; i < b.count; i += static_cast<int>(hn::Lanes(d)))
+  {
+    const Three<VD> normal = {
+      hn::Load(d, b.own[0] + i), hn::Load(d, b.own[1] + i), hn::Load(d, b.own[2] + i)};
+    storePlaced(b, placing, narrowed(normal), i);
+    const Three<VH> found = load(dh, b.normal, i), eye = load(dh, b.toEye, i);
+    const auto none = hn::Eq(dot(found, found), hn::Zero(dh));
+    const auto either = [&](VH a, VH e) { return hn::IfThenElse(none, e, a); };
+    store(dh, Three<VH>{either(found.x, eye.x), either(found.y, eye.y), either(found.z, eye.z)},
+      b.normal, i);
+    hn::Store(hn::Set(dh, 1.0f), dh, b.side + i);
+  }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace mote
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mote
+{
+
+HWY_EXPORT(placeByNormals);
+
+namespace
+{
+
+constexpr double nothing = -std::numeric_limits<double>::infinity();
+
+std::uint64_t slotOf(const IsoHit& hit)
+{
+  return std::uint64_t{hit.surface} << 32 | hit.cell;
+}
+
+std::uint32_t cellOf(std::uint64_t slot)
+{
+  return static_cast<std::uint32_t>(slot);
+}
+
+/// Ray i of a bundle or a packet.
+HexRay rayOf(const RayBundle& rays, int i)
+{
+  return {rays.originOf(i), rays.directionOf(i), rays.tMin, rays.t[i]};
+}
+
+HexRay rayOf(const RayPacket& rays, int i)
+{
+  return {{rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]},
+    {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]}, rays.tMin[i], rays.t[i]};
+}
+
+} // namespace
+
+IsoSurface::IsoSurface(std::shared_ptr<const HexStructure> structure,
+  std::shared_ptr<const HexField> field, const std::vector<double>& values)
+  : structure_(std::move(structure))
+  , field_(std::move(field))
+{
+  // An infinite value is never met, and unlike NaN equal to itself.
+  for (const double value : values)
+    values_.push_back(std::isfinite(value) ? value - field_->offset() : nothing);
+}
+
+double IsoSurface::rounding() const
+{
+  const Vec3d size = this->bounds().size();
+  return surfaceError * std::max({size.x, size.y, size.z});
+}
+
+template <typename Counts>
+std::optional<IsoHit> IsoSurface::first(const HexRay& ray, Counts&& counts) const
+{
+  std::optional<IsoHit> hit;
+  withStructure(*structure_,
+    [&](const auto& s)
+    {
+      IsoCrossing crossing(s.mesh(), *field_, values_, ray);
+      s.forCellsAlong(
+        ray, [&](const CellSpan& span) { return crossing(span); },
+        [&](const ScalarRange& range)
+        {
+          return std::any_of(values_.begin(), values_.end(),
+            [&](double v) { return v >= range.lower && v <= range.upper; });
+        },
+        counts);
+      if (crossing.found())
+        hit = crossing.hit();
+    });
+  return hit;
+}
+
+template <typename Rays>
+void IsoSurface::castEach(Rays& rays, std::int32_t index) const
+{
+  for (int i = 0; i < rays.count; ++i)
+  {
+    const HexRay ray = rayOf(rays, i);
+    if (!(ray.tMax > ray.tMin))
+      continue;
+    if (const auto hit = this->first(ray))
+    {
+      rays.t[i] = hit->t;
+      rays.slot[i] = slotOf(*hit);
+      rays.object[i] = index;
+    }
+  }
+}
+
+template <typename Rays>
+void IsoSurface::occludeEach(Rays& rays) const
+{
+  for (int i = 0; i < rays.count; ++i)
+  {
+    const HexRay ray = rayOf(rays, i);
+    if (ray.tMax > ray.tMin && this->first(ray))
+      rays.t[i] = nothing;
+  }
+}
+
+void IsoSurface::cast(RayBundle& rays, std::int32_t index) const
+{
+  this->castEach(rays, index);
+}
+
+void IsoSurface::cast(RayPacket& rays, std::int32_t index) const
+{
+  this->castEach(rays, index);
+}
+
+void IsoSurface::occlude(RayBundle& rays, std::int32_t) const
+{
+  this->occludeEach(rays);
+}
+
+void IsoSurface::occlude(RayPacket& rays, std::int32_t) const
+{
+  this->occludeEach(rays);
+}
+
+Vec3d IsoSurface::normalAt(std::uint64_t slot, const Vec3d& point) const
+{
+  CellSampler cell(meshOf(*structure_), *field_);
+  cell.enter(cellOf(slot));
+  return cell.gradient(point);
+}
+
+void IsoSurface::place(HitBlock& block, const HitPlacing& placing) const
+{
+  const RayBundle& rays = placing.local;
+  for (int k = 0; k < block.count; ++k)
+  {
+    const int ray = block.ray[k];
+    const Vec3d normal =
+      this->normalAt(block.slot[k], rays.originOf(ray) + block.t[k] * rays.directionOf(ray));
+    // Gradients may be any numbers: only where they point to counts.
+    const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+    for (int axis = 0; axis < 3; ++axis)
+      block.own[axis][k] = largest > 0.0 ? normal[axis] / largest : 0.0;
+  }
+  HWY_DYNAMIC_DISPATCH(placeByNormals)(block, placing);
+}
+
+void IsoSurface::colorIndices(const std::uint64_t* slots, int count, std::uint64_t* indices) const
+{
+  for (int k = 0; k < count; ++k)
+    indices[k] = slots[k] >> 32;
+}
+
+void IsoSurface::inputIds(const std::uint64_t* slots, int count, std::uint64_t* ids) const
+{
+  const HexMesh& mesh = meshOf(*structure_);
+  for (int k = 0; k < count; ++k)
+    ids[k] = mesh.inputCell(cellOf(slots[k]));
+}
+
+IsoSurface IsoSurface::unowned() const
+{
+  IsoSurface copy;
+  copy.structure_ = mote::unowned(structure_);
+  copy.field_ = mote::unowned(field_);
+  copy.values_ = values_;
+  return copy;
+}
+
+template std::optional<IsoHit> IsoSurface::first(const HexRay&, NoCounts&&) const;
+template std::optional<IsoHit> IsoSurface::first(const HexRay&, WalkCounts&) const;
+
+} // namespace mote
+
+#endif

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "../core/SurfaceKind.h"
+#include "HexField.h"
+#include "HexStructure.h"
+#include "IsoCrossing.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace mote
+{
+
+/// The surfaces where a trilinear field on hexahedra takes one of some values: a SurfaceKind. Slots
+/// name the iso-value and the cell, ids are cells of the input, and colours go by the place of the
+/// value among the iso-values. Both sides are alike: normals look at whoever sees them.
+class IsoSurface
+{
+public:
+  static constexpr bool isConvex = false;
+
+  IsoSurface() = default; ///< of no structure
+  /// The field is on the structure's mesh; `values` are as the user's scalar has them, and those
+  /// that are not finite have no surface.
+  IsoSurface(std::shared_ptr<const HexStructure> structure, std::shared_ptr<const HexField> field,
+    const std::vector<double>& values);
+
+  /// The first surface on a ray in the mesh's coordinates.
+  template <typename Counts = NoCounts>
+  std::optional<IsoHit> first(const HexRay& ray, Counts&& counts = {}) const;
+
+  Box bounds() const { return meshOf(*structure_).bounds(); }
+  double rounding() const;
+  void cast(RayBundle& rays, std::int32_t index) const;
+  void cast(RayPacket& rays, std::int32_t index) const;
+  void occlude(RayBundle& rays, std::int32_t index) const;
+  void occlude(RayPacket& rays, std::int32_t index) const;
+  int bundleSide(const CameraRays&, int, int, int) const { return 16; } ///< rays go one by one
+  void fetch(HitBlock&) const {}
+  void place(HitBlock& block, const HitPlacing& placing) const;
+  Vec3d normalAt(std::uint64_t slot, const Vec3d& point) const;
+  bool encloses(std::uint64_t, const Vec3d&) const { return false; }
+  void colorIndices(const std::uint64_t* slots, int count, std::uint64_t* indices) const;
+  void inputIds(const std::uint64_t* slots, int count, std::uint64_t* ids) const;
+  std::size_t slots() const { return 0; }
+  std::vector<FeatureSize> featureSizes() const { return {}; }
+
+  IsoSurface unowned() const;
+  bool operator==(const IsoSurface&) const = default;
+
+private:
+  template <typename Rays>
+  void castEach(Rays& rays, std::int32_t index) const;
+  template <typename Rays>
+  void occludeEach(Rays& rays) const;
+
+  std::shared_ptr<const HexStructure> structure_;
+  std::shared_ptr<const HexField> field_;
+  std::vector<double> values_; ///< from the field's offset
+};
+
+static_assert(SurfaceKind<IsoSurface>);
+
+} // namespace mote

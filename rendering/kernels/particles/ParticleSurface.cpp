@@ -1,0 +1,152 @@
+// Spheres as a surface; where hits lie and look to is compiled once for every SIMD instruction set.
+
+#include "ParticleSurface.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "particles/ParticleSurface.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "../core/HitPoints-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mote
+{
+namespace HWY_NAMESPACE
+{
+
+/// Places hits on spheres, `own` being their centres and radii.
+void placeOnSpheres(HitBlock& b, const HitPlacing& placing)
+{
+  const DD d;
+  const auto from = [&](VD v, double origin) { return hn::Sub(v, hn::Set(d, origin)); };
+  const Vec3d& origin = placing.local.origin;
+  for (int i = 0; i < b.count; i += static_cast<int>(hn::Lanes(d)))
+  {
+    const Three<VD> point = pointsOn(placing.local, Vec3d(0.0), b, i);
+    const Three<VD> outward = {hn::Sub(point.x, from(hn::Load(d, b.own[0] + i), origin.x)),
+      hn::Sub(point.y, from(hn::Load(d, b.own[1] + i), origin.y)),
+      hn::Sub(point.z, from(hn::Load(d, b.own[2] + i), origin.z))};
+    // In radii: squares of very small or very large numbers would leave float's range.
+    const VD perRadius = hn::Div(hn::Set(d, 1.0), hn::Load(d, b.own[3] + i));
+    storePlaced(b, placing, narrowed(scaled(outward, perRadius)), i);
+  }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace mote
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+#include <algorithm>
+
+namespace mote
+{
+
+HWY_EXPORT(placeOnSpheres);
+
+Box ParticleSurface::bounds() const
+{
+  return withStructure(*structure_, [](const auto& s) { return s.statistics().bounds; });
+}
+
+double ParticleSurface::rounding() const
+{
+  const Vec3d size = this->bounds().size();
+  return surfaceError * std::max({size.x, size.y, size.z});
+}
+
+void ParticleSurface::cast(RayBundle& rays, std::int32_t index) const
+{
+  withStructure(*structure_, [&](const auto& s) { s.cast(rays, index); });
+}
+
+void ParticleSurface::cast(RayPacket& rays, std::int32_t index) const
+{
+  withStructure(*structure_, [&](const auto& s) { s.cast(rays, index); });
+}
+
+void ParticleSurface::occlude(RayBundle& rays, std::int32_t index) const
+{
+  withStructure(*structure_, [&](const auto& s) { s.occlude(rays, index); });
+}
+
+void ParticleSurface::occlude(RayPacket& rays, std::int32_t index) const
+{
+  withStructure(*structure_, [&](const auto& s) { s.occlude(rays, index); });
+}
+
+int ParticleSurface::bundleSide(const CameraRays& rays, int x0, int y0, int size) const
+{
+  return withStructure(
+    *structure_, [&](const auto& s) { return s.bundleSide(rays, x0, y0, size); });
+}
+
+void ParticleSurface::fetch(HitBlock& block) const
+{
+  withStructure(*structure_,
+    [&](const auto& s)
+    {
+      for (int k = 0; k < block.count; ++k)
+      {
+        const Vec3d center = s.center(block.slot[k]);
+        block.own[0][k] = center.x;
+        block.own[1][k] = center.y;
+        block.own[2][k] = center.z;
+        block.own[3][k] = s.radius(block.slot[k]);
+      }
+    });
+}
+
+void ParticleSurface::place(HitBlock& block, const HitPlacing& placing) const
+{
+  HWY_DYNAMIC_DISPATCH(placeOnSpheres)(block, placing);
+}
+
+Vec3d ParticleSurface::normalAt(std::uint64_t slot, const Vec3d& point) const
+{
+  return withStructure(
+    *structure_, [&](const auto& s) { return (point - s.center(slot)) / s.radius(slot); });
+}
+
+bool ParticleSurface::encloses(std::uint64_t slot, const Vec3d& point) const
+{
+  return withStructure(*structure_,
+    [&](const auto& s) { return glm::length(point - s.center(slot)) < s.radius(slot); });
+}
+
+void ParticleSurface::inputIds(const std::uint64_t* slots, int count, std::uint64_t* ids) const
+{
+  withStructure(*structure_,
+    [&](const auto& s)
+    {
+      for (int k = 0; k < count; ++k)
+        ids[k] = s.inputIndex(slots[k]);
+    });
+}
+
+std::size_t ParticleSurface::slots() const
+{
+  return withStructure(*structure_, [](const auto& s) { return s.size(); });
+}
+
+std::vector<FeatureSize> ParticleSurface::featureSizes() const
+{
+  constexpr std::size_t most = 512; // each is a miss of the cache
+  return withStructure(*structure_,
+    [&](const auto& s)
+    {
+      std::vector<FeatureSize> sizes(std::min(s.size(), most));
+      for (std::size_t k = 0; k < sizes.size(); ++k)
+      {
+        const double radius = s.radius(k * s.size() / sizes.size());
+        sizes[k] = {radius, radius * radius * double(s.size()) / double(sizes.size())};
+      }
+      return sizes;
+    });
+}
+
+} // namespace mote
+
+#endif

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "../hexahedra/HexField.h"
+#include "../hexahedra/HexStructure.h"
+#include "../shading/TransferFunction.h"
+#include "Surface.h"
+
+#include <memory>
+#include <vector>
+
+namespace mote
+{
+
+/// How a volume's colour is integrated along rays.
+enum class VolumeIntegrator
+{
+  /// Even samples, each the mean of the cell's eight corners by inverse distance, after Wang,
+  /// Elshehaly and Cao. Not continuous between cells.
+  InverseDistance,
+  /// Even samples of the trilinear cell.
+  Trilinear,
+  /// Cell by cell between the exact places of entry and exit, split at the transfer function's
+  /// knots, to a tolerance.
+  CellByCell
+};
+
+struct VolumeSampling
+{
+  VolumeIntegrator integrator = VolumeIntegrator::Trilinear;
+  /// World units between samples; 0 or less: volumeStep(). At least 1e-5 of the mesh's size.
+  double step = 0.0;
+  double tolerance = 1e-3;   ///< of CellByCell: error of a pixel's colour, of about 1, at most
+  double saturation = 0.999; ///< rays end at this opacity; 1 or more: never
+
+  bool operator==(const VolumeSampling&) const = default;
+};
+
+/// A scalar on hexahedra placed in a scene, as a cloud by its transfer function. Where several
+/// clouds lie along a ray, their parts without gaps are put one behind another by where they begin.
+struct CloudObject
+{
+  std::int32_t id = 0;        ///< as SurfaceObject::id
+  std::uint64_t revision = 0; ///< as SurfaceObject::revision
+  std::shared_ptr<const HexStructure> structure;
+  std::shared_ptr<const HexField> field; ///< on the structure's mesh
+  Mat4d toWorld{1.0};                    ///< affine
+  TransferFunction transfer;
+  VolumeSampling sampling;
+  bool shade = false; ///< light it by its gradient and the material
+  Material material;
+
+  bool operator==(const CloudObject&) const = default;
+};
+
+/// The step of a cloud that names none, in world units: half the edge of a cube as large as the
+/// mean cell, or 1/2000 of the mesh's size where that is more.
+double volumeStep(const CloudObject& cloud);
+
+/// The opaque surfaces where the cloud's scalar has these values, in the colours that its transfer
+/// function gives them, with its placement, material, id and revision.
+SurfaceObject isoSurfacesOf(const CloudObject& cloud, const std::vector<double>& values);
+
+} // namespace mote

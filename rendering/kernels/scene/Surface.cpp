@@ -1,0 +1,50 @@
+#include "Surface.h"
+
+#include "../core/HitBlock.h"
+
+#include <algorithm>
+
+namespace mote
+{
+
+void SurfaceColoring::fill(const std::uint64_t* indices, int count, float (*colors)[4]) const
+{
+  const auto set = [&](int k, const Vec4f& color) { std::copy_n(&color.x, 4, colors[k]); };
+  if (!direct.empty())
+  {
+    const int n = direct.components();
+    const bool isGrey = n < 3, hasAlpha = n == 2 || n == 4;
+    for (int k = 0; k < count; ++k)
+    {
+      const auto channel = [&](int c)
+      { return static_cast<float>(direct.value(indices[k], c) / 255.0); };
+      const float first = channel(0);
+      set(k, {first, isGrey ? first : channel(1), isGrey ? first : channel(2),
+               hasAlpha ? channel(n - 1) : 1.0f});
+    }
+  }
+  else if (!values.empty())
+  {
+    // Values come from anywhere in memory: with nothing else in the loop many are on their way.
+    double found[HitBlock::capacity];
+    for (int k = 0; k < count; ++k)
+      found[k] = values.value(indices[k], component);
+    map.map(found, count, colors);
+  }
+  else
+    for (int k = 0; k < count; ++k)
+      set(k, palette.empty() ? constant : palette[indices[k]]);
+}
+
+bool SurfaceColoring::mayBeTransparent() const
+{
+  const auto isClear = [](const Vec4f& color) { return color.a < 1.0f; };
+  if (!direct.empty())
+    return direct.components() % 2 == 0;
+  if (!values.empty())
+    return std::any_of(map.table.begin(), map.table.end(), isClear) || isClear(map.nan) ||
+           (map.useBelow && isClear(map.below)) || (map.useAbove && isClear(map.above));
+  return palette.empty() ? isClear(constant) : std::any_of(palette.begin(), palette.end(), isClear);
+}
+
+} // namespace mote

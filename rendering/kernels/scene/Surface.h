@@ -1,0 +1,71 @@
+#pragma once
+
+#include "../core/ArrayView.h"
+#include "../hexahedra/IsoSurface.h"
+#include "../occlusion/OcclusionMaps.h"
+#include "../particles/ParticleSurface.h"
+#include "../shading/ColorMap.h"
+#include "../shading/Light.h"
+
+#include <cstdint>
+#include <memory>
+#include <variant>
+#include <vector>
+
+namespace mote
+{
+
+/// Every kind of surface; see SurfaceKind for what each does. A new one is one more alternative
+/// here.
+using Surface = std::variant<ParticleSurface, IsoSurface>;
+
+/// Calls `visit` with the surface that the variant holds: once a bundle, rather than once a ray.
+template <typename Visit>
+decltype(auto) withSurface(const Surface& surface, const Visit& visit)
+{
+  return std::visit(visit, surface);
+}
+
+/// Where the colours of a surface come from, by the indices that its kind gives to hits. Values and
+/// colours are looked up for what is seen and nothing else.
+struct SurfaceColoring
+{
+  Vec4f constant{1.0f}; ///< where there is nothing else
+  ArrayView values;     ///< looked up in `map` where not empty
+  int component = 0;    ///< of `values`, or ArrayView::magnitude
+  ColorMap map;
+  ArrayView direct; ///< 8-bit grey, grey+alpha, RGB or RGBA where not empty: used as they are
+  std::vector<Vec4f> palette; ///< a colour an index where not empty
+
+  /// Colours of up to HitBlock::capacity indices: red, green, blue, alpha.
+  void fill(const std::uint64_t* indices, int count, float (*colors)[4]) const;
+  /// Whether any index is asked for.
+  bool usesIndices() const { return !values.empty() || !direct.empty() || !palette.empty(); }
+  /// Whether any alpha may be below 1.
+  bool mayBeTransparent() const;
+
+  bool operator==(const SurfaceColoring&) const = default;
+};
+
+/// A surface placed in a scene.
+struct SurfaceObject
+{
+  /// What films and picks call it: not below 0. Objects may share an id.
+  std::int32_t id = 0;
+  /// To be changed by whoever makes the scene when something has changed that the other members do
+  /// not tell: numbers behind a view, what a structure shows.
+  std::uint64_t revision = 0;
+  Surface surface;
+  Mat4d toWorld{1.0}; ///< affine; spheres become ellipsoids where it scales unevenly
+  SurfaceColoring coloring;
+  Material material;
+  /// By slot, or null. Local shading takes the ambient light from them in place of rays; see
+  /// OcclusionOptions for what has no map.
+  std::shared_ptr<const OcclusionMaps> occlusion;
+  /// Whether it keeps the light of lights from others. The sky's it keeps, and it is seen.
+  bool castsShadows = true;
+
+  bool operator==(const SurfaceObject&) const = default;
+};
+
+} // namespace mote

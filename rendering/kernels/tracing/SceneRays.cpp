@@ -1,0 +1,85 @@
+#include "SceneRays.h"
+
+#include <algorithm>
+
+namespace mote
+{
+
+SceneRays::SceneRays(const Scene& scene, const Vec3d& reference)
+  : scene_(scene)
+  , reference_(reference)
+{
+  for (const SurfaceObject& object : scene.surfaces)
+  {
+    const Mat3d stretch(object.toWorld);
+    toLocal_.push_back(glm::inverse(object.toWorld));
+    rounding_.push_back(
+      withSurface(object.surface, [](const auto& s) { return s.rounding(); }) *
+      std::max({glm::length(stretch[0]), glm::length(stretch[1]), glm::length(stretch[2])}));
+  }
+}
+
+/// Calls visit(surface, packet, index) for each surface that `takes` accepts, the packet holding
+/// the rays in the surface's coordinates; their answers come back into `rays`.
+template <typename Takes, typename Visit>
+void SceneRays::forSurfaces(RayPacket& rays, const Takes& takes, const Visit& visit) const
+{
+  RayPacket local;
+  local.count = rays.count;
+  std::copy_n(rays.tMin, rays.count, local.tMin);
+  std::copy_n(rays.t, rays.count, local.t);
+  std::copy_n(rays.slot, rays.count, local.slot);
+  std::copy_n(rays.object, rays.count, local.object);
+  for (std::size_t k = 0; k < toLocal_.size(); ++k)
+  {
+    if (!takes(scene_.surfaces[k]))
+      continue;
+    const Mat3d linear(toLocal_[k]);
+    const Vec3d origin = transformPoint(toLocal_[k], reference_);
+    for (int i = 0; i < rays.count; ++i)
+    {
+      const Vec3d from =
+        origin + linear * Vec3d(rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]);
+      const Vec3d way =
+        linear * Vec3d(rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        local.origin[axis][i] = from[axis];
+        local.direction[axis][i] = way[axis];
+      }
+    }
+    withSurface(scene_.surfaces[k].surface,
+      [&](const auto& s) { visit(s, local, static_cast<std::int32_t>(k)); });
+  }
+  std::copy_n(local.t, rays.count, rays.t);
+  std::copy_n(local.slot, rays.count, rays.slot);
+  std::copy_n(local.object, rays.count, rays.object);
+}
+
+namespace
+{
+
+constexpr auto all = [](const SurfaceObject&) { return true; };
+constexpr auto casters = [](const SurfaceObject& object) { return object.castsShadows; };
+constexpr auto castAt = [](const auto& s, RayPacket& rays, std::int32_t k) { s.cast(rays, k); };
+constexpr auto occludeAt = [](const auto& s, RayPacket& rays, std::int32_t k)
+{ s.occlude(rays, k); };
+
+} // namespace
+
+void SceneRays::cast(RayPacket& rays) const
+{
+  this->forSurfaces(rays, all, castAt);
+}
+
+void SceneRays::occlude(RayPacket& rays) const
+{
+  this->forSurfaces(rays, all, occludeAt);
+}
+
+void SceneRays::shadow(RayPacket& rays) const
+{
+  this->forSurfaces(rays, casters, occludeAt);
+}
+
+} // namespace mote

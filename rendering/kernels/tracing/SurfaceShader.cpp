@@ -1,0 +1,185 @@
+#include "SurfaceShader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mote
+{
+
+SurfaceShader::SurfaceShader(const SurfaceObject& object)
+  : object_(object)
+{
+  const Mat3d linear(object.toWorld);
+  isIdentity_ = linear == Mat3d(1.0);
+  const Mat3d normals = glm::transpose(glm::inverse(linear));
+  // Only directions count: a common factor keeps the numbers within float's range.
+  double largest = 0.0;
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row)
+      largest = std::max(largest, std::abs(normals[column][row]));
+  normalToWorld_ = glm::mat3(largest > 0.0 ? normals / largest : normals);
+  normalToLocal_ = glm::mat3(glm::transpose(linear) * (largest > 0.0 ? largest : 1.0));
+}
+
+void SurfaceShader::gather(const RayBundle& local, std::int32_t index, const std::uint8_t* skipped,
+  SurfaceBlock& block) const
+{
+  int count = 0;
+  for (int i = 0; i < local.count; ++i)
+  {
+    block.ray[count] = static_cast<std::uint16_t>(i);
+    count += local.object[i] == index && skipped[i] == 0;
+  }
+  block.count = count;
+  block.surface = index;
+  const auto take = [&](const auto* from, auto* to)
+  {
+    if (count == local.count) // as a rule
+      std::copy_n(from, count, to);
+    else
+      for (int k = 0; k < count; ++k)
+        to[k] = from[block.ray[k]];
+  };
+  take(local.slot, block.slot);
+  if (usesMaps())
+    object_.occlusion->fetch(block.slot, count);
+  take(local.t, block.t);
+  take(local.x, block.rayX);
+  take(local.y, block.rayY);
+  withSurface(object_.surface, [&](const auto& s) { s.fetch(block); });
+}
+
+/// Colours of up to SurfaceBlock::capacity hits.
+void SurfaceShader::fillColors(const std::uint64_t* slots, int count, float (*colors)[4]) const
+{
+  std::uint64_t indices[SurfaceBlock::capacity];
+  if (object_.coloring.usesIndices())
+    withSurface(object_.surface, [&](const auto& s) { s.colorIndices(slots, count, indices); });
+  object_.coloring.fill(indices, count, colors);
+}
+
+Vec4f SurfaceShader::colorOf(std::uint64_t slot) const
+{
+  float color[1][4];
+  this->fillColors(&slot, 1, color);
+  return {color[0][0], color[0][1], color[0][2], color[0][3]};
+}
+
+Vec3f SurfaceShader::normalAt(std::uint64_t slot, const Vec3d& local) const
+{
+  const Vec3d outward =
+    withSurface(object_.surface, [&](const auto& s) { return s.normalAt(slot, local); });
+  const double largest = std::max({std::abs(outward.x), std::abs(outward.y), std::abs(outward.z)});
+  return largest > 0.0 ? glm::normalize(normalToWorld_ * Vec3f(outward / largest)) : Vec3f(0.0f);
+}
+
+void SurfaceShader::place(
+  SurfaceBlock& block, const BundlePlacing& placing, bool positions, bool ids) const
+{
+  const HitPlacing hits{placing.local, placing.world, placing.worldOrigin,
+    isIdentity_ ? nullptr : &normalToWorld_, positions};
+  this->fillColors(block.slot, block.count, block.color);
+  withSurface(object_.surface,
+    [&](const auto& s)
+    {
+      if (ids)
+        s.inputIds(block.slot, block.count, block.id);
+      s.place(block, hits);
+    });
+  beginLight(block, object_.material.ambient);
+}
+
+namespace
+{
+
+bool needsPositions(const Material& material, const SceneLighting& lighting)
+{
+  return (lighting.occlusion && material.ambient > 0.0f) ||
+         std::any_of(lighting.lights.begin(), lighting.lights.end(),
+           [](const ShadedLight& light)
+           { return light.shadows || light.samples.front().kind == Light::Kind::Point; });
+}
+
+/// Multiplies the even light that the block has received so far by the open share of the sky.
+void darken(SurfaceBlock& block, const AmbientOcclusion* occlusion, float* shares)
+{
+  float found[SurfaceBlock::capacity];
+  const bool known = shares != nullptr;
+  if (!known)
+    shares = found;
+  if (occlusion)
+    occlusion->findShares(block, shares, known);
+  for (int k = 0; k < block.count; ++k)
+  {
+    const float share = std::isnan(shares[k]) ? 1.0f : shares[k];
+    block.even.x[k] *= share;
+    block.even.y[k] *= share;
+    block.even.z[k] *= share;
+  }
+}
+
+/// Lights a block that is placed: fills everything that is left. Positions must be filled where
+/// needsPositions() says so, seeds where the lighting has occlusion; `footprint` is as in
+/// ShadowCaster::remove(). `shares` are open shares of the sky that maps tell, a hit each, NaN
+/// where they know nothing; null: where they know nothing of any. What is unknown is filled.
+void lightSurfaces(SurfaceBlock& block, const Material& material, const SceneLighting& lighting,
+  double footprint, float* shares = nullptr)
+{
+  const AmbientOcclusion* occlusion = lighting.occlusion ? &*lighting.occlusion : nullptr;
+  if ((occlusion || shares) && material.ambient > 0.0f)
+    darken(block, occlusion, shares);
+  for (const ShadedLight& light : lighting.lights)
+    for (const LightSample& sample : light.samples)
+    {
+      faceLight(block, sample, material.specular > 0.0f);
+      if (light.shadows)
+        lighting.shadows->remove(block, sample, footprint);
+      addLight(block, light.color, material);
+    }
+  finishSurfaces(block, material);
+}
+
+} // namespace
+
+void SurfaceShader::shade(
+  SurfaceBlock& block, const BundlePlacing& placing, const SceneLighting& lighting, bool ids) const
+{
+  const bool positions = needsPositions(object_.material, lighting);
+  if (!usesMaps())
+  {
+    place(block, placing, positions, ids);
+    return lightSurfaces(block, object_.material, lighting, placing.footprint);
+  }
+  OcclusionLookUp found; // texels are on their way while surfaces are placed
+  object_.occlusion->find(block.slot, block.count, found);
+  place(block, placing, positions, ids);
+  float shares[SurfaceBlock::capacity];
+  lookUpShares(block, found, shares);
+  lightSurfaces(block, object_.material, lighting, placing.footprint, shares);
+}
+
+/// What the maps know; of spheres that are seen from within they know nothing.
+void SurfaceShader::lookUpShares(
+  const SurfaceBlock& block, const OcclusionLookUp& found, float* shares) const
+{
+  const SurfaceBlock::Triple<float>* normals = &block.normal;
+  SurfaceBlock::Triple<float> local;
+  if (!isIdentity_)
+  {
+    for (int k = 0; k < block.count; ++k)
+    {
+      const Vec3f normal = glm::normalize(
+        normalToLocal_ * Vec3f(block.normal.x[k], block.normal.y[k], block.normal.z[k]));
+      local.x[k] = normal.x;
+      local.y[k] = normal.y;
+      local.z[k] = normal.z;
+    }
+    normals = &local;
+  }
+  object_.occlusion->lookUp(found, block.slot, normals->x, normals->y, normals->z, shares);
+  for (int k = 0; k < block.count; ++k)
+    shares[k] = block.side[k] > 0.0f ? shares[k] : std::numeric_limits<float>::quiet_NaN();
+}
+
+} // namespace mote

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "SceneLighting.h"
+
+namespace mote
+{
+
+/// Where the rays of a bundle run.
+struct BundlePlacing
+{
+  const RayBundle& local; ///< in the coordinates of the surface that is shaded
+  const RayBundle& world; ///< in the world
+  Vec3d worldOrigin{0.0}; ///< of `world`, from the reference point
+  double footprint = 0.0; ///< as in ShadowCaster::remove()
+};
+
+/// Shades hits on one surface by its material, colours and the scene's lights.
+class SurfaceShader
+{
+public:
+  /// `object` must stay where it is while the shader lives.
+  explicit SurfaceShader(const SurfaceObject& object);
+
+  /// Takes the hits on surface `index` of the bundle into the block. `local` tells where the rays
+  /// run in the surface's coordinates; rays whose `skipped` is not 0 are left out.
+  void gather(const RayBundle& local, std::int32_t index, const std::uint8_t* skipped,
+    SurfaceBlock& block) const;
+
+  /// Shades what gather() took: fills everything that the block holds. Ids are filled where `ids`;
+  /// seeds must be filled where the lighting has occlusion.
+  void shade(SurfaceBlock& block, const BundlePlacing& placing, const SceneLighting& lighting,
+    bool ids) const;
+
+  /// What shade() does before any light: fills colours, normals, sides and, where asked for,
+  /// positions and ids.
+  void place(SurfaceBlock& block, const BundlePlacing& placing, bool positions, bool ids) const;
+
+  /// Colour of what is hit at a slot.
+  Vec4f colorOf(std::uint64_t slot) const;
+
+  /// Unit normal in the world, outwards, at a point in the surface's coordinates; 0 where there is
+  /// none.
+  Vec3f normalAt(std::uint64_t slot, const Vec3d& local) const;
+
+private:
+  void fillColors(const std::uint64_t* slots, int count, float (*colors)[4]) const;
+  void lookUpShares(const SurfaceBlock& block, const OcclusionLookUp& found, float* shares) const;
+  bool usesMaps() const { return object_.occlusion && object_.material.ambient > 0.0f; }
+
+  const SurfaceObject& object_;
+  glm::mat3 normalToWorld_{1.0f};
+  glm::mat3 normalToLocal_{1.0f}; ///< times any factor
+  bool isIdentity_ = false;
+};
+
+} // namespace mote
