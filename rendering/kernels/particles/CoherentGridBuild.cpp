@@ -1,7 +1,7 @@
 #include "CoherentGrid.h"
 
 #include "../core/Error.h"
-#include "RadiusGroups.h"
+#include "detail/RadiusGroups.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

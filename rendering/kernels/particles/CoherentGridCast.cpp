@@ -1,14 +1,14 @@
 // Casting bundles through a CoherentGrid, compiled once for every SIMD instruction set.
 
-#include "BundleCast.h"
-#include "CoherentGridView.h"
+#include "detail/BundleCast.h"
+#include "detail/CoherentGridView.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "particles/CoherentGridCast.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "CoherentGridCastBundle-inl.h"
+#include "detail/CoherentGridCastBundle-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mote

@@ -2,8 +2,8 @@
 
 #include "CoherentGrid.h"
 
-#include "CoherentGridView.h"
-#include "ParticleAttributes.h"
+#include "detail/CoherentGridView.h"
+#include "detail/ParticleAttributes.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

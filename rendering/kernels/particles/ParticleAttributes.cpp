@@ -1,4 +1,4 @@
-#include "ParticleAttributes.h"
+#include "detail/ParticleAttributes.h"
 
 #include "../core/Error.h"
 

@@ -1,7 +1,7 @@
 #include "PkdPaperTree.h"
 
-#include "ParticleAttributes.h"
-#include "StoredRanges.h"
+#include "detail/ParticleAttributes.h"
+#include "detail/StoredRanges.h"
 
 namespace mote
 {

@@ -1,8 +1,8 @@
 #include "PkdPaperTree.h"
 
-#include "HeapOrder.h"
-#include "KdBuild.h"
-#include "RadiusGroups.h"
+#include "detail/HeapOrder.h"
+#include "detail/KdBuild.h"
+#include "detail/RadiusGroups.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

@@ -1,6 +1,6 @@
 #include "PkdTree.h"
 
-#include "RadiusGroups.h"
+#include "detail/RadiusGroups.h"
 
 #include <algorithm>
 #include <bit>

@@ -2,9 +2,9 @@
 
 #include "../core/Error.h"
 #include "../core/ScratchSpace.h"
-#include "BlockSplit.h"
-#include "KdBuild.h"
-#include "RadiusGroups.h"
+#include "detail/BlockSplit.h"
+#include "detail/KdBuild.h"
+#include "detail/RadiusGroups.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

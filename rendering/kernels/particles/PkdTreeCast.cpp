@@ -1,15 +1,15 @@
 // Casting rays through a PkdTree, compiled once for every SIMD instruction set.
 
-#include "BundleCast.h"
-#include "PkdTreeView.h"
+#include "detail/BundleCast.h"
+#include "detail/PkdTreeView.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "particles/PkdTreeCast.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "PkdTreeNearest-inl.h"
-#include "PkdTreeOcclusion-inl.h"
+#include "detail/PkdTreeNearest-inl.h"
+#include "detail/PkdTreeOcclusion-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mote

@@ -3,7 +3,7 @@
 
 #include "../core/AtomicFile.h"
 #include "../core/Error.h"
-#include "PkdTreeFileFormat.h"
+#include "detail/PkdTreeFileFormat.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

@@ -3,8 +3,8 @@
 
 #include "PkdTree.h"
 
-#include "ParticleAttributes.h"
-#include "StoredRanges.h"
+#include "detail/ParticleAttributes.h"
+#include "detail/StoredRanges.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

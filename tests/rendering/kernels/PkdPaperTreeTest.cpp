@@ -1,8 +1,8 @@
 // What is the published P-k-d tree's own: its shape, its planes, its memory, and rays that run
 // along them.
 
-#include <kernels/particles/HeapOrder.h>
 #include <kernels/particles/PkdPaperTree.h>
+#include <kernels/particles/detail/HeapOrder.h>
 
 #include <support/CastOracle.h>
 #include <support/Particles.h>

@@ -1,8 +1,8 @@
 // What is the P-k-d tree's own: its shape, its numbers, its memory.
 
 #include <kernels/core/Error.h>
-#include <kernels/particles/MedianSplit.h>
 #include <kernels/particles/PkdTree.h>
+#include <kernels/particles/detail/MedianSplit.h>
 
 #include <support/CastOracle.h>
 #include <support/Particles.h>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "../core/RawVector.h"
-#include "ParticleRanges.h"
-#include "ParticleSet.h"
+#include "../../core/RawVector.h"
+#include "../ParticleRanges.h"
+#include "../ParticleSet.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

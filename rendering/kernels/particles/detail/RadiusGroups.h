@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../core/Box.h"
+#include "../../core/Box.h"
 
 #include <cstddef>
 #include <vector>

@@ -2,7 +2,7 @@
 
 // What LineBundle's test of a cell in SIMD finds. Only for LineBundle*.cpp.
 
-#include "LineBundle.h"
+#include "../LineBundle.h"
 
 namespace mote
 {

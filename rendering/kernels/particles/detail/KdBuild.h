@@ -1,8 +1,8 @@
 #pragma once
 
-#include "../core/Progress.h"
+#include "../../core/Progress.h"
+#include "../ParticleSet.h"
 #include "MedianSplit.h"
-#include "ParticleSet.h"
 
 #include <tbb/parallel_for.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "CoherentGrid.h"
+#include "../CoherentGrid.h"
 #include "StoredRanges.h"
 
 namespace mote

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "../core/RayBundle.h"
-#include "../core/RayPacket.h"
+#include "../../core/RayBundle.h"
+#include "../../core/RayPacket.h"
 
 #include <tuple>
 

@@ -8,7 +8,7 @@
 #define MOTE_BUNDLE_PENCIL_INL_H
 #endif
 
-#include "../core/RayBundle.h"
+#include "../../core/RayBundle.h"
 
 #include <glm/geometric.hpp>
 #include <hwy/highway.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "PkdTreeFile.h"
+#include "../PkdTreeFile.h"
 
 #include <cstdint>
 #include <string>

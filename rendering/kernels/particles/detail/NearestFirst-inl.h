@@ -7,7 +7,7 @@
 #define MOTE_NEAREST_FIRST_INL_H
 #endif
 
-#include "../core/RawVector.h"
+#include "../../core/RawVector.h"
 #include "BundlePencil-inl.h"
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 // What a line's crossings with the faces of one cell are found from; see CrossingLine. Only for
 // CellCrossings*.cpp and CellFaces.cpp.
 
-#include "CellCrossings.h"
+#include "../CellCrossings.h"
 
 #include <array>
 #include <cstddef>

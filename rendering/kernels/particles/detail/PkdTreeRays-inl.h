@@ -8,7 +8,7 @@
 #define MOTE_PKD_TREE_RAYS_INL_H
 #endif
 
-#include "../core/RayPacket.h"
+#include "../../core/RayPacket.h"
 #include "PkdTreeBundle-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "../core/Vec.h"
-#include "ParticleRanges.h"
+#include "../../core/Vec.h"
+#include "../ParticleRanges.h"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "PkdTree.h"
+#include "../PkdTree.h"
 
 #include <algorithm>
 #include <bit>
