@@ -2,7 +2,6 @@
 
 #include "../../core/RawVector.h"
 #include "../ParticleRanges.h"
-#include "../ParticleSet.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -11,19 +10,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace mote
 {
-
-/// Throws Error where a structure over particles with these statistics cannot take the attributes:
-/// more than four, not one tuple a particle of the input, no such component, no way back from its
-/// particles to the input. `inputs`: particles of the input; 0: as many as the statistics count.
-void checkAttributes(const std::vector<ParticleAttribute>& attributes,
-  const ParticleStatistics& statistics, bool hasIndices, std::size_t inputs = 0);
-
-/// Throws Error where a range is set on an attribute and there are none.
-void checkRanges(const ParticleRanges& ranges, bool hasAttributes);
 
 /// Makes `values` hold, for each of `count` slots, the attributes of the particle that
 /// indexOf(slot) is the input index of, 0 where there are less than four; or nothing where there
@@ -69,6 +60,18 @@ void findBits(std::size_t count, RawVector<Word>& words, const Accepts& accepts)
         words[w] = static_cast<Word>(found);
       }
     });
+}
+
+/// What setVisibility() keeps: the bits of findBits(), or, for an empty function, none and no
+/// memory.
+template <typename Word>
+void keepVisibility(
+  const std::function<bool(std::size_t)>& shown, std::size_t count, RawVector<Word>& words)
+{
+  if (shown && count > 0)
+    findBits(count, words, shown);
+  else
+    RawVector<Word>().swap(words);
 }
 
 } // namespace mote
