@@ -2,6 +2,7 @@
 
 #include <kernels/scene/VolumeTracer.h>
 
+#include <support/Structure.h>
 #include <support/Volumes.h>
 
 #include <gtest/gtest.h>
@@ -13,10 +14,6 @@ using namespace mote::testing;
 
 namespace
 {
-
-constexpr HexStructureKind kinds[] = {HexStructureKind::CylindricalGrid,
-  HexStructureKind::CartesianGrid, HexStructureKind::CylindricalBvh,
-  HexStructureKind::CartesianBvh};
 
 std::optional<IsoHit> firstHit(const VolumeObject& volume, const Vec3d& from, const Vec3d& way)
 {
@@ -32,7 +29,7 @@ TEST(IsoSurface, OfALinearFieldIsAPlaneWithoutHoles)
   const auto mesh = hexBlock(6, 6, 6, 0.35).mesh();
   const Vec3d normal = glm::normalize(Vec3d(0.2, 0.1, 1.0));
   const auto linear = [&](const Vec3d& p) { return glm::dot(normal, p) + 300.0; };
-  for (const HexStructureKind kind : kinds)
+  for (const HexStructureKind kind : hexKinds)
   {
     VolumeObject volume = volumeOf(mesh, pointValues(*mesh, linear), evenTransfer(0.5F), kind);
     volume.isoValues = {303.3};
