@@ -40,20 +40,12 @@ HWY_EXPORT(castAny);
 
 void CoherentGrid::cast(RayBundle& bundle, std::int32_t object) const
 {
-  if (count_ == 0 || bundle.count == 0)
-    return;
-  const CoherentGridView view(*this);
-  bySplittingToRays(bundle, unit_,
-    [&](RayBundle& part) { return HWY_DYNAMIC_DISPATCH(castNearest)(view, part, object); });
+  castInParts<CoherentGridView>(*this, bundle, object, HWY_DYNAMIC_DISPATCH(castNearest));
 }
 
 void CoherentGrid::occlude(RayBundle& bundle, std::int32_t object) const
 {
-  if (count_ == 0 || bundle.count == 0)
-    return;
-  const CoherentGridView view(*this);
-  bySplittingToRays(bundle, unit_,
-    [&](RayBundle& part) { return HWY_DYNAMIC_DISPATCH(castAny)(view, part, object); });
+  castInParts<CoherentGridView>(*this, bundle, object, HWY_DYNAMIC_DISPATCH(castAny));
 }
 
 namespace

@@ -53,20 +53,12 @@ HWY_EXPORT(treePacketAny);
 
 void PkdTree::cast(RayBundle& bundle, std::int32_t object) const
 {
-  if (count_ == 0 || bundle.count == 0)
-    return;
-  const PkdTreeView view(*this);
-  bySplittingToRays(bundle, unit_,
-    [&](RayBundle& part) { return HWY_DYNAMIC_DISPATCH(treeBundleNearest)(view, part, object); });
+  castInParts<PkdTreeView>(*this, bundle, object, HWY_DYNAMIC_DISPATCH(treeBundleNearest));
 }
 
 void PkdTree::occlude(RayBundle& bundle, std::int32_t object) const
 {
-  if (count_ == 0 || bundle.count == 0)
-    return;
-  const PkdTreeView view(*this);
-  bySplittingToRays(bundle, unit_,
-    [&](RayBundle& part) { return HWY_DYNAMIC_DISPATCH(treeBundleAny)(view, part, object); });
+  castInParts<PkdTreeView>(*this, bundle, object, HWY_DYNAMIC_DISPATCH(treeBundleAny));
 }
 
 void PkdTree::cast(RayPacket& packet, std::int32_t object) const

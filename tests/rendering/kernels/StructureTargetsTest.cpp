@@ -75,5 +75,5 @@ TYPED_TEST(StructureTargets, EveryInstructionSetAgreesWithTheReference)
     if (first.empty())
       first = answers;
   }
-  RecordProperty("targets", static_cast<int>(targets.size()));
+  this->RecordProperty("targets", static_cast<int>(targets.size()));
 }

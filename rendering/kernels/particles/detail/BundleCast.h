@@ -50,15 +50,20 @@ private:
   float x_ = 0.0f, y_ = 0.0f;
 };
 
-/// bySplitting() for casters that need steps of single rays too.
-template <typename Cast>
-void bySplittingToRays(RayBundle& bundle, double unit, const Cast& cast)
+/// Casts the rays of a bundle through a structure by kernel(View(structure), part, object), which
+/// answers false where it needs parts whose rays are nearer to one another, down to single rays.
+template <typename View, typename Structure, typename Kernel>
+void castInParts(
+  const Structure& structure, RayBundle& bundle, std::int32_t object, const Kernel& kernel)
 {
+  if (structure.size() == 0 || bundle.count == 0)
+    return;
+  const View view(structure);
   bySplitting(bundle,
     [&](RayBundle& part)
     {
-      const SingleRay single(part, unit);
-      return cast(part);
+      const SingleRay single(part, structure.unit());
+      return kernel(view, part, object);
     });
 }
 
