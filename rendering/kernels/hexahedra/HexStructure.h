@@ -13,8 +13,11 @@
 namespace mote
 {
 
-template <IsHexStructure... Structures>
-using HexStructureOf = std::variant<Structures...>;
+// One by one, so that the compiler names what a listed structure lacks.
+template <IsHexStructure Structure>
+using CheckedHexStructure = Structure;
+template <typename... Structures>
+using HexStructureOf = std::variant<CheckedHexStructure<Structures>...>;
 
 /// Every structure over a HexMesh: which cell holds a point, and which cells a ray passes. What
 /// they offer is written at IsHexStructure; ask through withStructure(), once a tile rather than

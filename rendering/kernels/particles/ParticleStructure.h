@@ -14,8 +14,11 @@
 namespace mote
 {
 
-template <IsParticleStructure... Structures>
-using ParticleStructureOf = std::variant<Structures...>;
+// One by one, so that the compiler names what a listed structure lacks.
+template <IsParticleStructure Structure>
+using CheckedParticleStructure = Structure;
+template <typename... Structures>
+using ParticleStructureOf = std::variant<CheckedParticleStructure<Structures>...>;
 
 /// Every structure over particles. What they offer is written at IsParticleStructure; ask through
 /// withStructure(), once for many rays. docs/architecture.md says how one is added.
