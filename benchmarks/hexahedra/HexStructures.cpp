@@ -2,6 +2,7 @@
 
 #include "../Timing.h"
 
+#include <kernels/core/Alternatives.h>
 #include <kernels/core/Error.h>
 
 namespace mote::bench
@@ -9,11 +10,18 @@ namespace mote::bench
 
 const std::vector<HexMethodEntry>& hexMethods()
 {
-  static const std::vector<HexMethodEntry> all = {
-    {"cylgrid", "two-level grid over (r, theta, h)", HexStructureKind::CylindricalGrid},
-    {"cartgrid", "two-level grid over (x, y, z)", HexStructureKind::CartesianGrid},
-    {"cylbvh", "hierarchy of bounds over (r, theta, h)", HexStructureKind::CylindricalBvh},
-    {"cartbvh", "hierarchy of bounds over (x, y, z)", HexStructureKind::CartesianBvh}};
+  static const std::vector<HexMethodEntry> all = []
+  {
+    std::vector<HexMethodEntry> entries;
+    for (std::size_t i = 0; i < std::variant_size_v<HexStructure>; ++i)
+      withAlternative<HexStructure>(i,
+        [&]<typename Structure>(std::type_identity<Structure>)
+        {
+          entries.push_back(
+            {Structure::name(), Structure::summary(), static_cast<HexStructureKind>(i)});
+        });
+    return entries;
+  }();
   return all;
 }
 

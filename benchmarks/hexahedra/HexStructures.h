@@ -19,7 +19,7 @@ struct HexMethodEntry
   HexStructureKind kind;
 };
 
-/// All of Mote's.
+/// Every alternative of HexStructure.
 const std::vector<HexMethodEntry>& hexMethods();
 
 /// Throws Error where there is none of this name.

@@ -1,6 +1,6 @@
 #include "VolumeContest.h"
 
-#include <kernels/tracing/CloudTracer.h>
+#include <kernels/tracing/detail/CloudTracer.h>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>

@@ -23,7 +23,7 @@ struct MethodOptions
 };
 
 /// One way to find what the rays of a camera meet. A new one is a file with a class like this and a
-/// row in ParticleMethods.cpp.
+/// row in ParticleMethods.cpp; a structure of Mote's is a row in StructureMethods.cpp.
 class ParticleMethod
 {
 public:
@@ -62,11 +62,9 @@ struct ParticleMethodEntry
 /// All of them.
 const std::vector<ParticleMethodEntry>& particleMethods();
 
-std::unique_ptr<ParticleMethod> makeCoherentGridMethod(const MethodOptions& options);
-std::unique_ptr<ParticleMethod> makePkdTreeMethod(const MethodOptions& options);
-std::unique_ptr<ParticleMethod> makePkdTree8Method(const MethodOptions& options);
-std::unique_ptr<ParticleMethod> makePkdTree4Method(const MethodOptions& options);
-std::unique_ptr<ParticleMethod> makePkdPaperMethod(const MethodOptions& options);
+/// Those of Mote's structures.
+std::vector<ParticleMethodEntry> structureMethods();
+
 std::unique_ptr<ParticleMethod> makeReferenceGridMethod(const MethodOptions& options);
 std::unique_ptr<ParticleMethod> makeSingleRayMethod(const MethodOptions& options);
 std::unique_ptr<ParticleMethod> makeEmbreeMethod(const MethodOptions& options);

@@ -3,6 +3,7 @@
 #include "ParticleMethod.h"
 
 #include <glm/geometric.hpp>
+#include <kernels/particles/IsParticleStructure.h>
 
 #include <algorithm>
 #include <cstring>
@@ -95,12 +96,12 @@ void occludePackets(const Structure& structure, const OcclusionRays& rays,
     });
 }
 
-/// Any structure of Mote's that is built and cast as a CoherentGrid is.
-template <typename Structure, typename BuildOptions>
+/// Any structure of Mote's.
+template <IsParticleStructure Structure>
 class StructureMethod : public ParticleMethod
 {
 public:
-  StructureMethod(const BuildOptions& build, int side)
+  StructureMethod(const typename Structure::Options& build, int side)
     : build_(build)
     , side_(side)
   {
@@ -139,7 +140,7 @@ public:
 
 private:
   Structure structure_;
-  BuildOptions build_;
+  typename Structure::Options build_;
   int side_;
   std::map<const OcclusionRays*, std::vector<std::uint64_t>> slots_; ///< that the rays leave
 };

@@ -2,59 +2,60 @@
 
 #include "StructureMethod.h"
 
-#include <kernels/particles/CoherentGrid.h>
-#include <kernels/particles/PkdPaperTree.h>
-#include <kernels/particles/PkdTree.h>
+#include <kernels/particles/ParticleStructure.h>
 
 #include <limits>
 
 namespace mote::bench
 {
 
-std::unique_ptr<ParticleMethod> makeCoherentGridMethod(const MethodOptions& options)
-{
-  CoherentGridOptions build;
-  build.keepIndices = false;
-  build.cellsPerParticle = options.lambda;
-  return std::make_unique<StructureMethod<CoherentGrid, CoherentGridOptions>>(
-    build, options.packet);
-}
-
 namespace
 {
 
-std::unique_ptr<ParticleMethod> makeTree(const MethodOptions& options, PkdTreeOptions::Form form)
+/// `adapt` sets what the method's build options have of their own.
+template <typename Structure, typename Adapt>
+std::unique_ptr<ParticleMethod> makeMethod(const MethodOptions& options, const Adapt& adapt)
 {
-  PkdTreeOptions build;
+  typename Structure::Options build;
   build.keepIndices = false;
-  build.form = form;
-  build.mostError = std::numeric_limits<double>::infinity(); // wrong pixels tell
-  return std::make_unique<StructureMethod<PkdTree, PkdTreeOptions>>(build, options.packet);
+  adapt(build);
+  return std::make_unique<StructureMethod<Structure>>(build, options.packet);
+}
+
+template <typename Structure>
+std::unique_ptr<ParticleMethod> makeMethod(const MethodOptions& options)
+{
+  return makeMethod<Structure>(options, [](auto&) {});
+}
+
+std::unique_ptr<ParticleMethod> makeGrid(const MethodOptions& options)
+{
+  return makeMethod<CoherentGrid>(
+    options, [&](CoherentGridOptions& build) { build.cellsPerParticle = options.lambda; });
+}
+
+template <PkdTreeOptions::Form FORM>
+std::unique_ptr<ParticleMethod> makeTree(const MethodOptions& options)
+{
+  return makeMethod<PkdTree>(options,
+    [](PkdTreeOptions& build)
+    {
+      build.form = FORM;
+      build.mostError = std::numeric_limits<double>::infinity(); // wrong pixels tell
+    });
 }
 
 } // namespace
 
-std::unique_ptr<ParticleMethod> makePkdTreeMethod(const MethodOptions& options)
+std::vector<ParticleMethodEntry> structureMethods()
 {
-  return makeTree(options, PkdTreeOptions::Form::Exact);
-}
-
-std::unique_ptr<ParticleMethod> makePkdTree8Method(const MethodOptions& options)
-{
-  return makeTree(options, PkdTreeOptions::Form::Bytes8);
-}
-
-std::unique_ptr<ParticleMethod> makePkdTree4Method(const MethodOptions& options)
-{
-  return makeTree(options, PkdTreeOptions::Form::Bytes4);
-}
-
-std::unique_ptr<ParticleMethod> makePkdPaperMethod(const MethodOptions& options)
-{
-  PkdPaperTreeOptions build;
-  build.keepIndices = false;
-  return std::make_unique<StructureMethod<PkdPaperTree, PkdPaperTreeOptions>>(
-    build, options.packet);
+  using Form = PkdTreeOptions::Form;
+  return {{"cgt", "Mote's coherent grid, bundles of rays as large as suits", makeGrid, true},
+    {"pkd", "Mote's P-k-d tree, bundles of rays as large as suits", makeTree<Form::Exact>, true},
+    {"pkd8", "the same tree with 8 bytes a particle", makeTree<Form::Bytes8>, true},
+    {"pkd4", "the same tree with 4 bytes a particle", makeTree<Form::Bytes4>, true},
+    {"pkd-paper", "the P-k-d tree as published, in heap order, single rays",
+      makeMethod<PkdPaperTree>, true}};
 }
 
 } // namespace mote::bench

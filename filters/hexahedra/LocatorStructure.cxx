@@ -102,11 +102,6 @@ private:
   std::vector<Vec3d> points_;
 };
 
-bool isCylindrical(HexStructureKind kind)
-{
-  return kind == HexStructureKind::CylindricalGrid || kind == HexStructureKind::CylindricalBvh;
-}
-
 /// How far outside of a cell `p` lies, in the cell's own coordinates; infinite for more than such a
 /// cell allows.
 double outsideBy(const HexMesh& mesh, std::uint32_t cell, const Vec3d& p)

@@ -9,7 +9,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include <kernels/particles/CoherentGridCastBundle-inl.h>
+#include <kernels/particles/detail/CoherentGridCastBundle-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace mote

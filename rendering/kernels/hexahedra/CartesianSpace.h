@@ -21,6 +21,8 @@ public:
   /// The steps around that a lattice needs at least to be walked through; 1 always does.
   static constexpr int leastAround = 1;
   static constexpr bool wraps = false;
+  static constexpr const char* prefix = "cart"; ///< of structures' names
+  static constexpr const char* axes = "(x, y, z)";
 
   struct Ray
   {

@@ -1,6 +1,6 @@
 #include "CellCrossings.h"
 
-#include "CellFaces.h"
+#include "detail/CellFaces.h"
 
 #include <algorithm>
 #include <utility>

@@ -3,7 +3,7 @@
 //
 // This file must be compiled without contraction to fused multiply-adds, see CellFaces.cpp.
 
-#include "CellFaces.h"
+#include "detail/CellFaces.h"
 
 #include <bit>
 #include <utility>

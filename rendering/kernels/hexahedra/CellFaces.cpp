@@ -1,4 +1,4 @@
-#include "CellFaces.h"
+#include "detail/CellFaces.h"
 
 #include <algorithm>
 #include <bit>

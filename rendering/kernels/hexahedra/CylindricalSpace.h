@@ -18,6 +18,8 @@ class CylindricalSpace
 public:
   static constexpr int leastAround = 4;
   static constexpr bool wraps = true;
+  static constexpr const char* prefix = "cyl";
+  static constexpr const char* axes = "(r, theta, h)";
 
   /// A ray in the axis' frame, and how it goes about the axis.
   struct Ray

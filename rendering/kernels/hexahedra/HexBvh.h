@@ -4,8 +4,10 @@
 #include "CartesianSpace.h"
 #include "CylindricalSpace.h"
 #include "HexField.h"
+#include "IsHexStructure.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace mote
@@ -24,39 +26,40 @@ struct HexBvhOptions
 /// one leaf; bounds that reach over the seam go on above 2 pi. The result does not depend on the
 /// number of threads.
 ///
-/// Queries are in HexBvhWalk.h and HexBvhBundle.h and may run from any number of threads.
+/// Functions without a comment do what IsHexStructure says; queries are in HexBvhWalk.h and
+/// HexBvhBundle.h.
 template <typename Space>
 class HexBvh
 {
 public:
+  static std::string name() { return std::string(Space::prefix) + "bvh"; }
+  static std::string summary() { return std::string("hierarchy of bounds over ") + Space::axes; }
+  using Coordinates = Space;
+  using Options = HexBvhOptions;
+
   HexBvh() = default;
   HexBvh(std::shared_ptr<const HexMesh> mesh, const Space& space, const HexBvhOptions& options);
 
   const HexMesh& mesh() const { return *mesh_; }
-  const std::shared_ptr<const HexMesh>& sharedMesh() const { return mesh_; }
-  const Space& space() const { return space_; }
-
-  /// As TwoLevelGrid's functions of these names.
   template <typename Counts = NoCounts>
   std::uint32_t cellAt(
     const Vec3d& p, std::uint32_t hint = HexMesh::noCell, Counts&& counts = {}) const;
   template <typename Visit, typename Keep = KeepAll, typename Counts = NoCounts>
   void forCellsAlong(
     const HexRay& ray, const Visit& visit, const Keep& keep = {}, Counts&& counts = {}) const;
-  /// The same for 1 to 64 rays at once, which have their origin or their direction in common:
-  /// visit( ray, ValuedSpan) tells each ray's spans in forCellsAlong()'s order, several of a ray at
-  /// a time, until it answers false for the ray. Values are of `field`, which may be null and else
-  /// has values at points. `spans` is room to work in. False where these rays must go one at a
-  /// time; then nothing was told. In HexBvhBundle.h, for Cartesian bounds only.
+  /// forCellsAlong() for 1 to 64 rays at once, which have their origin or their direction in
+  /// common: visit(ray, ValuedSpan) tells each ray's spans in forCellsAlong()'s order, several of a
+  /// ray at a time, until it answers false for the ray. Values are of `field`, which may be null
+  /// and else has values at points. `spans` is room to work in. False where these rays must go one
+  /// at a time; then nothing was told. In HexBvhBundle.h, for Cartesian bounds only.
   template <typename Visit, typename Keep = KeepAll>
   bool forCellsAlongBundle(const HexRay* rays, int count, const BundleFrustum::Sides& sides,
     const HexField* field, BundleSpans& spans, const Visit& visit, const Keep& keep = {}) const;
   void gatherWithin(const Box& box, std::vector<std::uint32_t>& cells) const;
   void setRanges(const RawVector<ScalarRange>& ofCells);
 
-  std::size_t bytes() const; ///< without the mesh
+  std::size_t bytes() const;
   std::size_t references() const { return cells_.size(); }
-  std::size_t nodes() const { return nodes_.size(); }
   std::size_t largestLeaf() const;
 
 private:

@@ -1,5 +1,6 @@
 #include "HexStructure.h"
 
+#include "../core/Alternatives.h"
 #include "../core/Error.h"
 
 #include <algorithm>
@@ -40,7 +41,9 @@ double seamOf(const HexMesh& mesh, const CylindricalSpace& space)
   return widest > 0 ? (end % bins + 0.5) * width : 0.0;
 }
 
-CylindricalSpace cylindricalSpace(const HexMesh& mesh, const std::optional<CylinderAxis>& given)
+/// The space of a mesh; the axis is found where it is not given.
+CylindricalSpace spaceOf(std::type_identity<CylindricalSpace>, const HexMesh& mesh,
+  const std::optional<CylinderAxis>& given)
 {
   const CylinderAxis axis = given ? *given : findAxis(mesh);
   if (!(glm::length(axis.direction) > 0.0) || !std::isfinite(glm::length(axis.direction)))
@@ -49,7 +52,8 @@ CylindricalSpace cylindricalSpace(const HexMesh& mesh, const std::optional<Cylin
   return {axis, size, seamOf(mesh, CylindricalSpace(axis, size))};
 }
 
-CartesianSpace cartesianSpace(const HexMesh& mesh)
+CartesianSpace spaceOf(
+  std::type_identity<CartesianSpace>, const HexMesh& mesh, const std::optional<CylinderAxis>&)
 {
   return {mesh.bounds().center(), slack * glm::length(mesh.bounds().size())};
 }
@@ -59,26 +63,26 @@ CartesianSpace cartesianSpace(const HexMesh& mesh)
 std::shared_ptr<HexStructure> makeHexStructure(
   std::shared_ptr<const HexMesh> mesh, const HexStructureOptions& options)
 {
-  const auto made = [](auto structure)
-  { return std::make_shared<HexStructure>(std::move(structure)); };
-  switch (options.kind)
-  {
-  case HexStructureKind::CartesianGrid:
-    return made(CartesianGrid(mesh, cartesianSpace(*mesh), options.grid));
-  case HexStructureKind::CylindricalBvh:
-    return made(CylindricalBvh(mesh, cylindricalSpace(*mesh, options.axis), options.bvh));
-  case HexStructureKind::CartesianBvh:
-    return made(CartesianBvh(mesh, cartesianSpace(*mesh), options.bvh));
-  case HexStructureKind::CylindricalGrid:
-    break;
-  }
-  return made(CylindricalGrid(mesh, cylindricalSpace(*mesh, options.axis), options.grid));
+  return withAlternative<HexStructure>(static_cast<std::size_t>(options.kind),
+    [&]<typename Structure>(std::type_identity<Structure>)
+    {
+      const std::type_identity<typename Structure::Coordinates> coordinates;
+      return std::make_shared<HexStructure>(
+        Structure(mesh, spaceOf(coordinates, *mesh, options.axis), options.of<Structure>()));
+    });
 }
 
 const std::vector<std::string>& hexStructureNames()
 {
-  static const std::vector<std::string> names = {"cylgrid", "cartgrid", "cylbvh", "cartbvh"};
+  static const std::vector<std::string> names = alternativeNames<HexStructure>();
   return names;
+}
+
+bool isCylindrical(HexStructureKind kind)
+{
+  return withAlternative<HexStructure>(static_cast<std::size_t>(kind),
+    []<typename Structure>(std::type_identity<Structure>)
+    { return std::is_same_v<typename Structure::Coordinates, CylindricalSpace>; });
 }
 
 std::uint32_t cellAt(const HexStructure& structure, const Vec3d& p, std::uint32_t hint)

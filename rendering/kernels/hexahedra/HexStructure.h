@@ -6,19 +6,23 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
 
 namespace mote
 {
 
-/// Every structure over a HexMesh: which cell holds a point, and which cells a ray passes. A new
-/// one is one more alternative here and one more entry in HexStructure.cpp.
-///
-/// All offer cellAt(), forCellsAlong(), setRanges(), mesh(), bytes(), references() and
-/// largestLeaf(); see TwoLevelGrid.h for what they do, and ask through withStructure(), once a tile
-/// rather than once a ray.
-using HexStructure = std::variant<CylindricalGrid, CartesianGrid, CylindricalBvh, CartesianBvh>;
+// One by one, so that the compiler names what a listed structure lacks.
+template <IsHexStructure Structure>
+using CheckedHexStructure = Structure;
+template <typename... Structures>
+using HexStructureOf = std::variant<CheckedHexStructure<Structures>...>;
+
+/// Every structure over a HexMesh: which cell holds a point, and which cells a ray passes. What
+/// they offer is written at IsHexStructure; ask through withStructure(), once a tile rather than
+/// once a ray. docs/architecture.md says how one is added.
+using HexStructure = HexStructureOf<CylindricalGrid, CartesianGrid, CylindricalBvh, CartesianBvh>;
 
 /// Which structure to build, in the order of the alternatives.
 enum class HexStructureKind
@@ -28,6 +32,9 @@ enum class HexStructureKind
   CylindricalBvh,
   CartesianBvh
 };
+static_assert(
+  std::variant_size_v<HexStructure> == static_cast<std::size_t>(HexStructureKind::CartesianBvh) + 1,
+  "HexStructureKind names the alternatives of HexStructure in their order.");
 
 struct HexStructureOptions
 {
@@ -35,6 +42,13 @@ struct HexStructureOptions
   TwoLevelGridOptions grid;
   HexBvhOptions bvh;
   std::optional<CylinderAxis> axis; ///< found where it is not given, see findAxis()
+
+  /// Those of a structure.
+  template <typename Structure>
+  const typename Structure::Options& of() const
+  {
+    return std::get<const typename Structure::Options&>(std::tie(grid, bvh));
+  }
 };
 
 /// Builds the structure that the options name. Throws Error for an axis without direction and, for
@@ -44,6 +58,9 @@ std::shared_ptr<HexStructure> makeHexStructure(
 
 /// The names of the structures, for options and messages, in the order of HexStructureKind.
 const std::vector<std::string>& hexStructureNames();
+
+/// Whether a structure of this kind lies about an axis.
+bool isCylindrical(HexStructureKind kind);
 
 /// Calls `visit` with the structure that the variant holds.
 template <typename Visit>
@@ -57,7 +74,7 @@ inline const HexMesh& meshOf(const HexStructure& structure)
   return withStructure(structure, [](const auto& s) -> const HexMesh& { return s.mesh(); });
 }
 
-/// The cell of `structure` that holds `p`, see TwoLevelGrid::cellAt().
+/// The cell of `structure` that holds `p`, see IsHexStructure.
 std::uint32_t cellAt(
   const HexStructure& structure, const Vec3d& p, std::uint32_t hint = HexMesh::noCell);
 
@@ -66,7 +83,7 @@ std::uint32_t cellAt(
 /// touch count as meeting.
 std::vector<std::uint32_t> cellsWithin(const HexStructure& structure, const Box& box);
 
-/// Tells the structure the ranges of a field, see TwoLevelGrid::setRanges().
+/// Tells the structure the ranges of a field, see IsHexStructure.
 void setRanges(HexStructure& structure, const HexField& field);
 
 } // namespace mote

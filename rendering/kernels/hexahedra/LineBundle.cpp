@@ -1,6 +1,6 @@
 #include "LineBundle.h"
 
-#include "LineBundlePasses.h"
+#include "detail/LineBundlePasses.h"
 
 #include <algorithm>
 #include <bit>

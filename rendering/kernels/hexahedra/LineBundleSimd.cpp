@@ -3,8 +3,8 @@
 //
 // This file must be compiled without contraction to fused multiply-adds, see CellFaces.cpp.
 
-#include "CellFaces.h"
-#include "LineBundlePasses.h"
+#include "detail/CellFaces.h"
+#include "detail/LineBundlePasses.h"
 
 #include <algorithm>
 #include <bit>

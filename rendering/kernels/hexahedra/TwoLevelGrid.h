@@ -2,10 +2,10 @@
 
 #include "CartesianSpace.h"
 #include "CylindricalSpace.h"
-#include "HexField.h"
+#include "IsHexStructure.h"
 
 #include <memory>
-#include <optional>
+#include <string>
 #include <vector>
 
 namespace mote
@@ -26,46 +26,35 @@ struct TwoLevelGridOptions
 ///
 /// The resolution along a coordinate is a region's side times cbrt(lambda n / volume), of n cells
 /// or references in it; in (r, theta, h) the sides are d_r, d_theta (2 r + d_r) / 2 and d_h (Wang,
-/// Elshehaly, Cao). Leaves hold references in the order of cell numbers. The result does not depend
-/// on the number of threads.
+/// Elshehaly, Cao). Leaves hold references in the order of cell numbers.
 ///
-/// Queries are in TwoLevelGridWalk.h and may run from any number of threads.
+/// Functions without a comment do what IsHexStructure says; queries are in TwoLevelGridWalk.h.
 template <typename Space>
 class TwoLevelGrid
 {
 public:
+  static std::string name() { return std::string(Space::prefix) + "grid"; }
+  static std::string summary() { return std::string("two-level grid over ") + Space::axes; }
+  using Coordinates = Space;
+  using Options = TwoLevelGridOptions;
+
   TwoLevelGrid() = default;
   /// Throws Error where there are more than 2^32 - 1 references or leaves.
   TwoLevelGrid(
     std::shared_ptr<const HexMesh> mesh, const Space& space, const TwoLevelGridOptions& options);
 
   const HexMesh& mesh() const { return *mesh_; }
-  const std::shared_ptr<const HexMesh>& sharedMesh() const { return mesh_; }
-  const Space& space() const { return space_; }
-
-  /// The cell that holds `p`, or HexMesh::noCell. `hint` is asked first, if it is a cell.
   template <typename Counts = NoCounts>
   std::uint32_t cellAt(
     const Vec3d& p, std::uint32_t hint = HexMesh::noCell, Counts&& counts = {}) const;
-
-  /// Calls visit(CellSpan) for the parts of a ray in cells, in the order of tIn, until it answers
-  /// false. A cell is told of once for each of its parts. Where keep(ScalarRange) answers false for
-  /// a region that setRanges() told the range of, its cells are passed over; a range within one
-  /// that is not kept must not be kept either.
   template <typename Visit, typename Keep = KeepAll, typename Counts = NoCounts>
   void forCellsAlong(
     const HexRay& ray, const Visit& visit, const Keep& keep = {}, Counts&& counts = {}) const;
-
-  /// Appends cells, some more than once: all that the cells of this grid refer to where `box` is,
-  /// so all that meet it and others near to it. See cellsWithin().
   void gatherWithin(const Box& box, std::vector<std::uint32_t>& cells) const;
-
-  /// Takes the ranges of a scalar in every cell, for `keep`. In parallel; nothing is rebuilt.
   void setRanges(const RawVector<ScalarRange>& ofCells);
 
-  std::size_t bytes() const; ///< without the mesh
+  std::size_t bytes() const;
   std::size_t references() const { return references_.size(); }
-  std::size_t leaves() const { return starts_.empty() ? 0 : starts_.size() - 1; }
   std::size_t largestLeaf() const;
 
 private:
@@ -83,6 +72,7 @@ private:
     RawVector<std::uint32_t> starts, cells;
   };
 
+  std::size_t leaves() const { return starts_.empty() ? 0 : starts_.size() - 1; }
   void layOutMacros(const RawVector<SpaceBounds>& bounds, double lambda);
   template <typename Visit>
   void forCellSteps(std::size_t cell, const Lattice& lattice, const typename Space::Steps& steps,

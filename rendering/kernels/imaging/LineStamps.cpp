@@ -1,6 +1,6 @@
 // What lines cover, pixel by pixel, compiled once for every SIMD instruction set.
 
-#include "LineStamps.h"
+#include "detail/LineStamps.h"
 
 #include <algorithm>
 #include <cmath>

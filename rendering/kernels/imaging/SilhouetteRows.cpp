@@ -1,6 +1,6 @@
 // Edges of one row of a depth image, compiled once for every SIMD instruction set.
 
-#include "SilhouetteRows.h"
+#include "detail/SilhouetteRows.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "Silhouettes.h"
 
-#include "LineStamps.h"
-#include "SilhouetteRows.h"
+#include "detail/LineStamps.h"
+#include "detail/SilhouetteRows.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

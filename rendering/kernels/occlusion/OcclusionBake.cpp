@@ -1,7 +1,7 @@
 #include "OcclusionBake.h"
 
 #include "../core/Error.h"
-#include "OcclusionSampler.h"
+#include "detail/OcclusionSampler.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>

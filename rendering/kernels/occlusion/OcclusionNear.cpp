@@ -1,6 +1,6 @@
 // Rays of a particle against the spheres around it, compiled once for every SIMD instruction set.
 
-#include "OcclusionNear.h"
+#include "detail/OcclusionNear.h"
 
 #include <algorithm>
 #include <bit>

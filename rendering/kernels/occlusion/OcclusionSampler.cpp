@@ -1,4 +1,4 @@
-#include "OcclusionSampler.h"
+#include "detail/OcclusionSampler.h"
 
 #include "../shading/SampleSequence.h"
 

@@ -1,4 +1,4 @@
-#include "OcclusionSamples.h"
+#include "detail/OcclusionSamples.h"
 
 #include "../shading/SampleSequence.h"
 

@@ -1,4 +1,4 @@
-#include "OcclusionTexels.h"
+#include "detail/OcclusionTexels.h"
 
 #include <algorithm>
 #include <cmath>

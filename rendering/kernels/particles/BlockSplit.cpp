@@ -1,6 +1,6 @@
 // Splitting some thousand records at a time, compiled once for every SIMD instruction set.
 
-#include "BlockSplit.h"
+#include "detail/BlockSplit.h"
 
 #include "../core/RawVector.h"
 

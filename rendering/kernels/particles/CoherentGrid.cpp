@@ -16,11 +16,8 @@ std::size_t CoherentGrid::bytes() const
 
 void CoherentGrid::clear()
 {
-  statistics_ = {};
-  origin_ = Vec3d(0.0);
-  unit_ = 1.0;
-  count_ = inputs_ = 0;
-  ranges_ = {};
+  StoredParticles::clear();
+  inputs_ = 0;
   layers_.clear();
   records_.clear();
   cellStart_.clear();
@@ -28,7 +25,6 @@ void CoherentGrid::clear()
   index32_.clear();
   index64_.clear();
   shown_.clear();
-  values_.clear();
   macroBounds_.clear();
   macrocellOccupied_.clear();
   macrocellShown_.clear();

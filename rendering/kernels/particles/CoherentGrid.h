@@ -1,17 +1,13 @@
 #pragma once
 
-#include "../core/Camera.h"
-#include "../core/Progress.h"
-#include "../core/RawVector.h"
-#include "../core/RayPacket.h"
-#include "NearParticle.h"
-#include "ParticleRanges.h"
-#include "ParticleSet.h"
+#include "IsParticleStructure.h"
+#include "StoredParticles.h"
 
 #include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace mote
@@ -35,13 +31,12 @@ struct CoherentGridOptions
 /// widened by the largest radius. Macrocells of 6x6x6 cells skip empty space and what no range
 /// shows. Where radii differ much, particles of similar radius have a grid of their own, so that
 /// few large spheres do not widen the frustum for all. Particles are stored in cell order as x y z
-/// r in float, relative to one double origin and in a unit, a power of two near the size of a cell,
-/// that keeps squares within float's range whatever the scene is measured in.
+/// r in float. Functions without a comment do what IsParticleStructure says.
 ///
 /// Source: Gribble, Ize, Kensler, Wald, Parker, "A Coherent Grid Traversal Approach to Visualizing
 /// Particle-based Simulation Data", UUSCI-2006-024; docs/coherent-grid.md says what is done
 /// otherwise.
-class CoherentGrid
+class CoherentGrid : public StoredParticles
 {
 public:
   /// One particle: centre relative to origin(), and radius, in unit(). 16 bytes.
@@ -59,74 +54,39 @@ public:
     std::array<float, ParticleRanges::count> least, greatest;
   };
 
-  /// Builds over `particles`, in parallel, and forgets what was there, attributes, ranges and
-  /// visibility included; memory is reused.
-  /// Throws Error for a malformed set (see examine()); stops early, leaving the grid empty, when
-  /// `progress` answers false. The result does not depend on the number of threads.
+  static std::string name() { return "coherent-grid"; }
+  using Options = CoherentGridOptions;
+
   void build(const ParticleSet& particles, const CoherentGridOptions& options = {},
     const Progress& progress = {});
-
-  /// Finds for each ray of the packet the nearest hit with tMin < t < packet.t, and where there is
-  /// one writes t, slot and `object`. Rays may point anywhere, and are cast one by one. Of
-  /// coincident spheres the one with the smallest input index is hit. A ray that starts inside a
-  /// sphere hits its far side. Thread-safe.
+  /// The rays of packets are cast one by one, those of bundles many times faster.
   void cast(RayPacket& packet, std::int32_t object) const;
-
-  /// The same for the rays of a bundle, many times faster.
   void cast(RayBundle& bundle, std::int32_t object) const;
-
-  /// Looks for anything between the ends of the rays: t of each ray that meets a sphere with tMin <
-  /// t < bundle.t becomes -infinity. What the ray starts or ends on does not count: the particle
-  /// `slot`, where the ray's `object` is this one. slot and object stay as they are. Thread-safe.
-  void occlude(RayBundle& bundle, std::int32_t object) const;
-
-  /// The same for rays that have nothing in common, one by one.
   void occlude(RayPacket& packet, std::int32_t object) const;
-
-  /// Side in pixels (2, 4, 8 or 16) of the camera's bundles that are cast fastest in the square of
-  /// `size` pixels at (x0, y0): the larger a cell looks, the larger.
+  void occlude(RayBundle& bundle, std::int32_t object) const;
+  /// The larger a cell looks, the larger.
   int bundleSide(const CameraRays& rays, int x0, int y0, int size) const;
 
-  /// Keeps up to four attributes for setRanges(), in float, 16 bytes a particle; none forgets
-  /// them. `attributes` are in input order and need kept indices; nothing is viewed after the call.
-  /// Throws Error where an attribute has not one tuple a particle of the input.
+  /// Takes 16 bytes a particle.
   void setAttributes(const std::vector<ParticleAttribute>& attributes);
-
-  /// Shows only the particles with all values in range, besides what setVisibility() hides. A
-  /// change costs a look at the macrocells, not at the particles. Attributes compare as
-  /// float: limits are rounded inwards, so that for values that are float the answer is exact.
+  /// Looks at the macrocells, not at the particles.
   void setRanges(const ParticleRanges& ranges);
-
-  /// Shows only the particles whose slots `shown` accepts, without a rebuild; called from several
-  /// threads. An empty function shows all again.
   void setVisibility(const std::function<bool(std::size_t slot)>& shown);
-
-  /// Whether visibility and ranges leave the particle at `slot` shown.
   bool isShown(std::size_t slot) const;
-  /// Adds to `found` the shown particles whose spheres come closer to `point`, in the input's
-  /// coordinates, than `distance`, in no special order. Thread-safe.
   void findNear(const Vec3d& point, double distance, std::vector<NearParticle>& found) const;
 
-  std::size_t size() const { return count_; }
-  const ParticleStatistics& statistics() const { return statistics_; }
-  const Vec3d& origin() const { return origin_; }
-  double unit() const { return unit_; }
-  /// Centre (in the input's coordinates) and radius of the particle at `slot`, as stored: rounded
-  /// to float relative to origin().
   Vec3d center(std::size_t slot) const
   {
     const Record& p = records_[slot];
     return origin_ + unit_ * Vec3d(p.x, p.y, p.z);
   }
   double radius(std::size_t slot) const { return unit_ * records_[slot].r; }
-  /// Index in the input of the particle at `slot`; the slot itself where indices were not kept.
   std::uint64_t inputIndex(std::size_t slot) const
   {
     if (!index32_.empty())
       return index32_[slot];
     return index64_.empty() ? slot : index64_[slot];
   }
-  /// Memory of the structure and of the particles stored in it.
   std::size_t bytes() const;
   /// Grids, one for each group of similar radii that pays for a grid of its own, the largest radii
   /// first; and cells along each axis, edge of a cell, and number of particles of each.
@@ -136,7 +96,7 @@ public:
   std::size_t layerSize(int layer) const { return layers_[layer].count; }
 
 private:
-  friend struct CoherentGridBuilder;
+  struct Builder;
   friend struct CoherentGridView;
 
   /// One grid of cells over the particles of similar radius. All arrays hold layer after layer.
@@ -169,10 +129,6 @@ private:
   void findMacroBounds();
   void findShown();
 
-  ParticleStatistics statistics_;
-  Vec3d origin_{0.0};
-  double unit_ = 1.0; ///< a power of two: scaling by it rounds nothing
-  std::size_t count_ = 0;
   std::size_t inputs_ = 0;    ///< particles of the input, unfit ones too
   std::vector<Layer> layers_; ///< largest radii first: what hides most is met first
   /// By layer and cell, x fastest; a few more at the end for SIMD loads.
@@ -186,8 +142,6 @@ private:
 
   // What is shown.
   RawVector<std::uint64_t> shown_; ///< one bit a particle, or empty: all are
-  ParticleRanges ranges_;
-  RawVector<std::array<float, 4>> values_; ///< attributes in the order of the records, or empty
   /// Least and greatest of each value in a macrocell; made for the first limited range.
   std::vector<MacroBounds> macroBounds_;
   std::vector<std::uint8_t> macrocellOccupied_; ///< whether `shown_` leaves it a particle

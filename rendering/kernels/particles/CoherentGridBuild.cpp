@@ -1,7 +1,8 @@
 #include "CoherentGrid.h"
 
 #include "../core/Error.h"
-#include "RadiusGroups.h"
+#include "detail/BuildOrClear.h"
+#include "detail/RadiusGroups.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -34,11 +35,8 @@ int octaveOf(float radius)
 /// One build of one grid: sizes its layers, sorts the particles into slabs of rows (in parallel
 /// over chunks of the input), then each slab into its cells (in parallel over slabs). No locks, and
 /// both sorts are stable, so the order within a cell is that of the input on any number of threads.
-struct CoherentGridBuilder
+struct CoherentGrid::Builder
 {
-  using Layer = CoherentGrid::Layer;
-  using Record = CoherentGrid::Record;
-
   CoherentGrid& grid;
   const ParticleSet& particles;
   const CoherentGridOptions& options;
@@ -114,15 +112,6 @@ struct CoherentGridBuilder
     chunks = (n + chunkSize - 1) / chunkSize;
   }
 
-  void chooseUnit()
-  {
-    const ParticleStatistics& s = grid.statistics_;
-    grid.origin_ = s.centers.center();
-    const double edge = particleGridEdge(
-      s.centers.size(), cellsPerParticle * static_cast<double>(s.valid), s.largestRadius);
-    grid.unit_ = std::exp2(std::round(std::log2(edge)));
-  }
-
   /// What the radii ask for: one layer mostly, and no look at them then.
   std::vector<RadiusGroup> groups()
   {
@@ -178,7 +167,7 @@ struct CoherentGridBuilder
     layer.largestRadius = group.largestRadius;
     for (int k = 0; k < 3; ++k)
     {
-      constexpr int m = CoherentGrid::macrocellSize;
+      constexpr int m = macrocellSize;
       layer.resolution[k] = 1 + static_cast<int>(size[k] / layer.cellSize);
       layer.macroResolution[k] = (layer.resolution[k] + m - 1) / m;
     }
@@ -355,7 +344,7 @@ struct CoherentGridBuilder
     if (grid.statistics_.valid == 0)
       return true;
     planChunks();
-    chooseUnit();
+    grid.placeByCells(cellsPerParticle * static_cast<double>(grid.statistics_.valid));
     addLayers();
     if (!sortIntoSlabs())
       return false;
@@ -371,20 +360,10 @@ struct CoherentGridBuilder
 void CoherentGrid::build(
   const ParticleSet& particles, const CoherentGridOptions& options, const Progress& progress)
 {
-  clear();
-  CoherentGridBuilder builder{*this, particles, options, progress};
-  bool complete = false;
-  try
-  {
-    complete = builder.run();
-  }
-  catch (...)
-  {
-    clear();
-    throw;
-  }
-  if (!complete)
-    clear();
+  buildOrClear([this] { clear(); },
+    [&] {
+      return Builder{*this, particles, options, progress}.run();
+    });
 }
 
 } // namespace mote

@@ -1,14 +1,14 @@
 // Casting bundles through a CoherentGrid, compiled once for every SIMD instruction set.
 
-#include "BundleCast.h"
-#include "CoherentGridView.h"
+#include "detail/BundleCast.h"
+#include "detail/CoherentGridView.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "particles/CoherentGridCast.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "CoherentGridCastBundle-inl.h"
+#include "detail/CoherentGridCastBundle-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mote
@@ -40,62 +40,49 @@ HWY_EXPORT(castAny);
 
 void CoherentGrid::cast(RayBundle& bundle, std::int32_t object) const
 {
-  if (count_ == 0 || bundle.count == 0)
-    return;
-  const CoherentGridView view(*this);
-  bySplittingToRays(bundle, unit_,
-    [&](RayBundle& part) { return HWY_DYNAMIC_DISPATCH(castNearest)(view, part, object); });
+  castInParts<CoherentGridView>(*this, bundle, object, HWY_DYNAMIC_DISPATCH(castNearest));
 }
 
 void CoherentGrid::occlude(RayBundle& bundle, std::int32_t object) const
 {
-  if (count_ == 0 || bundle.count == 0)
-    return;
-  const CoherentGridView view(*this);
-  bySplittingToRays(bundle, unit_,
-    [&](RayBundle& part) { return HWY_DYNAMIC_DISPATCH(castAny)(view, part, object); });
+  castInParts<CoherentGridView>(*this, bundle, object, HWY_DYNAMIC_DISPATCH(castAny));
 }
 
 namespace
 {
 
-/// Ray i of a packet as a bundle of one ray.
-void oneRay(const RayPacket& packet, int i, RayBundle& ray)
-{
-  ray.count = 1;
-  ray.origin = {packet.origin[0][i], packet.origin[1][i], packet.origin[2][i]};
-  ray.direction = {packet.direction[0][i], packet.direction[1][i], packet.direction[2][i]};
-  ray.tMin = packet.tMin[i];
-  ray.x[0] = ray.y[0] = 0.0f;
-  ray.t[0] = packet.t[i];
-  ray.slot[0] = packet.slot[i];
-  ray.object[0] = packet.object[i];
-}
-
-} // namespace
-
-void CoherentGrid::cast(RayPacket& packet, std::int32_t object) const
+/// Calls ask(bundle) for each ray of a packet, as a bundle of one ray, and keeps the answers.
+template <typename Ask>
+void askOneByOne(RayPacket& packet, const Ask& ask)
 {
   RayBundle ray;
   for (int i = 0; i < packet.count; ++i)
   {
-    oneRay(packet, i, ray);
-    cast(ray, object);
+    ray.count = 1;
+    ray.origin = {packet.origin[0][i], packet.origin[1][i], packet.origin[2][i]};
+    ray.direction = {packet.direction[0][i], packet.direction[1][i], packet.direction[2][i]};
+    ray.tMin = packet.tMin[i];
+    ray.x[0] = ray.y[0] = 0.0f;
+    ray.t[0] = packet.t[i];
+    ray.slot[0] = packet.slot[i];
+    ray.object[0] = packet.object[i];
+    ask(ray);
     packet.t[i] = ray.t[0];
     packet.slot[i] = ray.slot[0];
     packet.object[i] = ray.object[0];
   }
 }
 
+} // namespace
+
+void CoherentGrid::cast(RayPacket& packet, std::int32_t object) const
+{
+  askOneByOne(packet, [&](RayBundle& ray) { cast(ray, object); });
+}
+
 void CoherentGrid::occlude(RayPacket& packet, std::int32_t object) const
 {
-  RayBundle ray;
-  for (int i = 0; i < packet.count; ++i)
-  {
-    oneRay(packet, i, ray);
-    occlude(ray, object);
-    packet.t[i] = ray.t[0];
-  }
+  askOneByOne(packet, [&](RayBundle& ray) { occlude(ray, object); });
 }
 
 } // namespace mote

@@ -2,8 +2,8 @@
 
 #include "CoherentGrid.h"
 
-#include "CoherentGridView.h"
-#include "ParticleAttributes.h"
+#include "detail/CoherentGridView.h"
+#include "detail/ParticleAttributes.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -16,16 +16,14 @@ namespace mote
 
 void CoherentGrid::setVisibility(const std::function<bool(std::size_t)>& shown)
 {
-  shown_.clear();
-  if (shown && count_ > 0)
-    findBits(count_, shown_, shown);
+  keepVisibility(shown, count_, shown_);
   findOccupied();
   findShown();
 }
 
 void CoherentGrid::setAttributes(const std::vector<ParticleAttribute>& attributes)
 {
-  checkAttributes(attributes, statistics_, !index32_.empty() || !index64_.empty(), inputs_);
+  checkAttributes(attributes, !index32_.empty() || !index64_.empty(), inputs_);
   macroBounds_.clear();
   keepAttributes(
     attributes, count_, values_, [this](std::size_t slot) { return inputIndex(slot); });
@@ -34,8 +32,7 @@ void CoherentGrid::setAttributes(const std::vector<ParticleAttribute>& attribute
 
 void CoherentGrid::setRanges(const ParticleRanges& ranges)
 {
-  checkRanges(ranges, !values_.empty() || count_ == 0);
-  ranges_ = ranges;
+  keepRanges(ranges);
   findShown();
 }
 

@@ -1,9 +1,9 @@
 // Which particles lie near a point, and which are shown, of every structure.
 
-#include "CoherentGridView.h"
 #include "NearParticle.h"
 #include "PkdPaperTree.h"
-#include "PkdTreeView.h"
+#include "detail/CoherentGridView.h"
+#include "detail/PkdTreeView.h"
 
 #include <algorithm>
 #include <cmath>

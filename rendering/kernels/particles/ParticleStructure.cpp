@@ -1,20 +1,9 @@
 #include "ParticleStructure.h"
 
+#include "../core/Alternatives.h"
+
 namespace mote
 {
-
-namespace
-{
-
-/// What `structure` holds, anew where it is of another type.
-template <typename Structure>
-Structure& ensure(ParticleStructure& structure)
-{
-  return std::holds_alternative<Structure>(structure) ? std::get<Structure>(structure)
-                                                      : structure.emplace<Structure>();
-}
-
-} // namespace
 
 std::shared_ptr<ParticleStructure> makeParticleStructure(const ParticleSet& particles,
   const ParticleStructureOptions& options, const Progress& progress,
@@ -32,18 +21,24 @@ std::shared_ptr<ParticleStructure> makeParticleStructure(const ParticleSet& part
   if (kind == ParticleStructureKind::Automatic)
     kind = particles.count() <= automaticGridParticles ? ParticleStructureKind::CoherentGrid
                                                        : ParticleStructureKind::PkdTree;
-  if (kind == ParticleStructureKind::CoherentGrid)
-    ensure<CoherentGrid>(*used).build(particles, options.coherentGrid, watched);
-  else if (kind == ParticleStructureKind::PkdTree)
-    ensure<PkdTree>(*used).build(particles, options.pkdTree, watched);
-  else
-    ensure<PkdPaperTree>(*used).build(particles, options.pkdPaper, watched);
+  withAlternative<ParticleStructure>(static_cast<std::size_t>(kind) - 1,
+    [&]<typename Structure>(std::type_identity<Structure>)
+    {
+      if (!std::holds_alternative<Structure>(*used))
+        used->emplace<Structure>();
+      std::get<Structure>(*used).build(particles, options.of<Structure>(), watched);
+    });
   return complete ? used : nullptr;
 }
 
 const std::vector<std::string>& particleStructureNames()
 {
-  static const std::vector<std::string> names = {"auto", "coherent-grid", "pkd-tree", "pkd-paper"};
+  static const std::vector<std::string> names = []
+  {
+    std::vector<std::string> all = alternativeNames<ParticleStructure>();
+    all.insert(all.begin(), "auto");
+    return all;
+  }();
   return names;
 }
 

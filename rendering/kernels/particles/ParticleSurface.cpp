@@ -7,7 +7,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "../core/HitPoints-inl.h"
+#include "../core/detail/HitPoints-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mote

@@ -1,7 +1,7 @@
 #include "PkdPaperTree.h"
 
-#include "ParticleAttributes.h"
-#include "StoredRanges.h"
+#include "detail/ParticleAttributes.h"
+#include "detail/StoredRanges.h"
 
 namespace mote
 {
@@ -23,30 +23,23 @@ std::size_t PkdPaperTree::bytes() const
 
 void PkdPaperTree::clear()
 {
-  statistics_ = {};
-  origin_ = Vec3d(0.0);
-  unit_ = 1.0;
-  count_ = 0;
+  StoredParticles::clear();
   words_.clear();
   axes_.clear();
   subtreeRadius_.clear();
-  ranges_ = {};
-  values_.clear();
   visible_.clear();
   shown_.clear();
 }
 
 void PkdPaperTree::setVisibility(const std::function<bool(std::size_t)>& shown)
 {
-  visible_.clear();
-  if (shown && count_ > 0)
-    findBits(count_, visible_, shown);
+  keepVisibility(shown, count_, visible_);
   findShown();
 }
 
 void PkdPaperTree::setAttributes(const std::vector<ParticleAttribute>& attributes)
 {
-  checkAttributes(attributes, statistics_, indexWords_ > 0);
+  checkAttributes(attributes, indexWords_ > 0);
   keepAttributes(
     attributes, count_, values_, [this](std::size_t slot) { return inputIndex(slot); });
   findShown();
@@ -54,8 +47,7 @@ void PkdPaperTree::setAttributes(const std::vector<ParticleAttribute>& attribute
 
 void PkdPaperTree::setRanges(const ParticleRanges& ranges)
 {
-  checkRanges(ranges, !values_.empty() || count_ == 0);
-  ranges_ = ranges;
+  keepRanges(ranges);
   findShown();
 }
 

@@ -1,6 +1,6 @@
 #include "PkdTree.h"
 
-#include "RadiusGroups.h"
+#include "detail/RadiusGroups.h"
 
 #include <algorithm>
 #include <bit>
@@ -58,11 +58,11 @@ double PkdTree::radius(std::size_t slot) const
 
 std::uint64_t PkdTree::inputIndex(std::size_t slot) const
 {
-  if (indexRows_ == 0)
+  if (indexWords_ == 0)
     return slot;
-  const Row* row = bucketOf(slot) + rowsABucket_ - static_cast<std::size_t>(indexRows_);
+  const Row* row = bucketOf(slot) + rowsABucket_ - static_cast<std::size_t>(indexWords_);
   std::uint64_t index = row[0].words[slot % bucketSize];
-  if (indexRows_ == 2)
+  if (indexWords_ == 2)
     index = index << 32 | row[1].words[slot % bucketSize];
   return index;
 }
@@ -79,17 +79,13 @@ std::size_t PkdTree::bytes() const
 
 void PkdTree::clear()
 {
-  statistics_ = {};
-  origin_ = Vec3d(0.0);
-  unit_ = step_ = 1.0;
-  count_ = 0;
+  StoredParticles::clear();
+  step_ = 1.0;
   inOrder_ = false;
   levels_.clear();
   nodes_.clear();
   rows_.clear();
   placeRows_ = 3;
-  ranges_ = {};
-  values_.clear();
   visible_.clear();
   shown_.clear();
   nodeShown_.clear();

@@ -1,13 +1,8 @@
 #pragma once
 
-#include "../core/Camera.h"
-#include "../core/Progress.h"
-#include "../core/RawVector.h"
-#include "../core/RayPacket.h"
 #include "../core/StoredArray.h"
-#include "NearParticle.h"
-#include "ParticleRanges.h"
-#include "ParticleSet.h"
+#include "IsParticleStructure.h"
+#include "StoredParticles.h"
 
 #include <algorithm>
 #include <array>
@@ -67,11 +62,12 @@ const std::vector<std::string>& pkdTreeFormNames();
 ///
 /// Coordinates are multiples of one power of two, step(), counted from a corner of the treelet: at
 /// least as fine as float numbers relative to the middle of the set, and much finer in large sets.
-/// Coincident particles stay coincident.
+/// Coincident particles stay coincident. Functions without a comment do what IsParticleStructure
+/// says.
 ///
 /// Source: Wald, Knoll, Johnson, Usher, Pascucci, Papka, "CPU Ray Tracing Large Particle Data with
 /// Balanced P-k-d Trees", IEEE Vis 2015; docs/pkd-tree.md says what is done otherwise.
-class PkdTree
+class PkdTree : public StoredParticles
 {
 public:
   static constexpr int fanout = 16; ///< children of a node, buckets of a treelet
@@ -81,81 +77,50 @@ public:
   /// Most particles of a tree: casting counts its buckets in 32 bits.
   static constexpr std::size_t mostParticles = std::size_t{bucketSize} << 32;
 
-  /// Builds over `particles`, in parallel, and forgets what was there, ranges and visibility
-  /// included; memory is reused. Takes little memory besides what it leaves. Throws Error for a
-  /// malformed set (see examine()), for more than mostParticles, and where the form asked for would
-  /// move particles by more than the options allow; stops early, leaving the tree empty, when
-  /// `progress` answers false. The result does not depend on the number of threads.
+  static std::string name() { return "pkd-tree"; }
+  using Options = PkdTreeOptions;
+
+  /// Takes little memory besides what it leaves. Throws Error also for more than mostParticles, and
+  /// where the form asked for would move particles by more than the options allow.
   void build(const ParticleSet& particles, const PkdTreeOptions& options = {},
     const Progress& progress = {});
-
-  /// Finds for each ray of the packet the nearest hit with tMin < t < packet.t, and where there is
-  /// one writes t, slot and `object`. Rays may point anywhere. Of coincident spheres the one with
-  /// the smallest input index is hit. A ray that starts inside a sphere hits its far side.
-  /// Thread-safe.
   void cast(RayPacket& packet, std::int32_t object) const;
-
-  /// The same for the rays of a bundle, many times faster.
   void cast(RayBundle& bundle, std::int32_t object) const;
-
-  /// Looks for anything between the ends of the rays: t of each ray that meets a sphere with tMin <
-  /// t < packet.t becomes -infinity. What the ray starts or ends on does not count: the particle
-  /// `slot`, where the ray's `object` is this one. slot and object stay as they are. Thread-safe.
   void occlude(RayPacket& packet, std::int32_t object) const;
   void occlude(RayBundle& bundle, std::int32_t object) const;
-
-  /// Side in pixels (2, 4, 8 or 16) of the camera's bundles that are cast fastest in the square of
-  /// `size` pixels at (x0, y0): the larger a bucket looks, the larger.
+  /// The larger a bucket looks, the larger.
   int bundleSide(const CameraRays& rays, int x0, int y0, int size) const;
 
-  /// Keeps up to four attributes for setRanges(), in float, 16 bytes a particle, and the least and
-  /// greatest of each below every node, 0.2 bytes a particle; none forgets them. `attributes` are
-  /// in input order and need kept indices; nothing is viewed after the call. Throws Error where an
-  /// attribute has not one tuple a particle of the input.
+  /// Takes 16 bytes a particle, and 0.2 for the least and greatest values below every node.
   void setAttributes(const std::vector<ParticleAttribute>& attributes);
-
-  /// Shows only the particles with all values in range, besides what setVisibility() hides. A
-  /// change looks, in parallel, at the particles of those treelets that lie neither inside nor
-  /// outside as a whole, and keeps a bit for each particle; nodes without any are passed over (see
-  /// also PkdTreeOptions::sparseShare). Attributes compare as float: limits are rounded inwards, so
-  /// that for values that are float the answer is exact.
+  /// Looks, in parallel, at the particles of those treelets that lie neither inside nor outside as
+  /// a whole, and keeps a bit for each particle; rays pass over nodes without any (see also
+  /// PkdTreeOptions::sparseShare).
   void setRanges(const ParticleRanges& ranges);
-
-  /// Shows only the particles whose slots `shown` accepts, without a rebuild; called from several
-  /// threads. An empty function shows all again.
   void setVisibility(const std::function<bool(std::size_t slot)>& shown);
-
-  /// Whether visibility and ranges leave the particle at `slot` shown.
   bool isShown(std::size_t slot) const;
-  /// Adds to `found` the shown particles whose spheres come closer to `point`, in the input's
-  /// coordinates, than `distance`, in no special order. Thread-safe.
   void findNear(const Vec3d& point, double distance, std::vector<NearParticle>& found) const;
 
-  std::size_t size() const { return count_; }
-  const ParticleStatistics& statistics() const { return statistics_; }
-  const Vec3d& origin() const { return origin_; }
-  double unit() const { return unit_; }
   PkdTreeOptions::Form form() const { return static_cast<PkdTreeOptions::Form>(3 - placeRows_); }
   /// Coordinates are multiples of this, in the input's unit of length: a power of two.
   double step() const { return step_; }
   /// Most by which a coordinate of a centre may differ from the input's, in the input's unit of
   /// length and beside the rounding of double: half a step, and what sorting rounded.
   double positionError() const;
-  /// Centre (in the input's coordinates) and radius of the particle at `slot`, as stored.
   Vec3d center(std::size_t slot) const;
   double radius(std::size_t slot) const;
-  /// Index in the input of the particle at `slot`; the slot itself where indices were not kept.
   std::uint64_t inputIndex(std::size_t slot) const;
   /// Whether indices of the input are known: kept, or those of slots.
-  bool knowsInput() const { return indexRows_ > 0 || inOrder_; }
-  /// Memory of the structure and of the particles stored in it, or, where they lie in a file (see
-  /// PkdTreeFile), their size there.
+  bool knowsInput() const { return indexWords_ > 0 || inOrder_; }
+  /// Memory, or, where the particles lie in a file (see PkdTreeFile), their size there.
   std::size_t bytes() const;
   /// Levels of nodes; buckets do not count.
   int levels() const { return static_cast<int>(levels_.size()); }
 
 private:
-  friend struct PkdTreeBuilder;
+  struct Builder;
+  template <typename Tree>
+  friend struct KdBuilder;
   friend struct PkdTreeQuery;
   friend struct PkdTreeView;
   friend class PkdTreeFile;
@@ -287,20 +252,16 @@ private:
     return ownRadii_ ? number(slot, placeRows_) : radius_;
   }
 
-  ParticleStatistics statistics_;
-  Vec3d origin_{0.0};
-  double unit_ = 1.0; ///< a power of two: scaling by it rounds nothing
   double step_ = 1.0;
-  float coarse_ = 1.0f; ///< corners of treelets are multiples of this, in unit()
-  float radius_ = 0.0f; ///< of all particles, in unit(), where no row of radii is kept
-  std::size_t count_ = 0;
+  float coarse_ = 1.0f;         ///< corners of treelets are multiples of this, in unit()
+  float radius_ = 0.0f;         ///< of all particles, in unit(), where no row of radii is kept
   std::size_t rowsABucket_ = 3; ///< of places, then r, then the input index in one or two rows
   /// 3: x, y and z as float. 2, with 20 bits a coordinate, in steps: x and the 12 lower bits of z,
   /// y and the 8 upper ones. 1, with 10 bits and a sign in each, in steps from the middle of the
   /// bucket's bounds: x, y, z from the lowest bit on.
   int placeRows_ = 3;
   bool ownRadii_ = false;
-  int indexRows_ = 0;
+  int indexWords_ = 0;        ///< rows of the input index
   bool inOrder_ = false;      ///< the input has the tree's own order, and indices are slots
   std::vector<Level> levels_; ///< treelets first, the root last
   StoredArray<Node> nodes_;   ///< the root first
@@ -308,10 +269,8 @@ private:
 
   // What is shown.
   std::size_t sparseShare_ = PkdTreeOptions().sparseShare;
-  ParticleRanges ranges_;
-  RawVector<std::array<float, 4>> values_; ///< attributes by slot, or empty
-  RawVector<Bits> visible_;                ///< a bucket each, or empty: all are
-  RawVector<Bits> shown_;                  ///< a bucket each, of what ranges leave; or empty
+  RawVector<Bits> visible_;            ///< a bucket each, or empty: all are
+  RawVector<Bits> shown_;              ///< a bucket each, of what ranges leave; or empty
   RawVector<Bits> nodeShown_;          ///< children of each node that hold anything shown; or empty
   RawVector<ValueBounds> valueBounds_; ///< of each node, once a range asks for them
   std::shared_ptr<const Sparse> sparse_; ///< what rays meet instead, where little is shown

@@ -2,9 +2,9 @@
 
 #include "../core/Error.h"
 #include "../core/ScratchSpace.h"
-#include "BlockSplit.h"
-#include "KdBuild.h"
-#include "RadiusGroups.h"
+#include "detail/BlockSplit.h"
+#include "detail/BuildOrClear.h"
+#include "detail/KdBuild.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -21,55 +21,37 @@ namespace mote
 
 /// One build of one tree: turns coordinates into whole numbers, splits the particles in place, and
 /// makes of each bucket its rows and of each node its bounds.
-struct PkdTreeBuilder
+struct PkdTree::Builder : KdBuilder<PkdTree>
 {
-  using Node = PkdTree::Node;
-  using Row = PkdTree::Row;
-  using Bounds = PkdTree::Bounds;
   using Form = PkdTreeOptions::Form;
-
-  PkdTree& tree;
-  const ParticleSet& particles;
-  const PkdTreeOptions& options;
-  SharedProgress progress;
 
   /// Where particles lie, in whole numbers.
   using Region = KdRegion;
 
+  static constexpr double sortedShare = 0.9;                ///< of the work
   static constexpr double middleKey = 2147483648.0;         ///< of origin(): 2^31
   static constexpr int coarseBits = 10;                     ///< corners of treelets leave these 0
   static constexpr std::size_t serialCount = blockCapacity; ///< particles that are one task
   static constexpr std::size_t longCount = 1 << 24;         ///< particles that take long to split
 
   double keyStep = 1.0; ///< between neighbouring whole numbers, in the input's unit: a power of two
+  double keysPerLength = 1.0; ///< 1 / keyStep
   double unitsAKey = 1.0;
   Row* finished = nullptr;                     ///< what the traversal reads
   int roundedBits = 0;                         ///< low bits that coordinates lose in the end
   std::atomic<std::uint32_t> treeletExtent{0}; ///< the largest, in whole numbers
-  std::atomic<std::size_t> splitDone{0};       ///< particles in finished treelets
 
-  void chooseNumbers()
+  void allocate()
   {
     const ParticleStatistics& s = tree.statistics_;
-    tree.origin_ = s.centers.center();
     const Vec3d size = s.centers.size();
     const double extent = std::max({size.x, size.y, size.z, s.largestRadius});
     keyStep = std::exp2(std::ceil(std::log2(extent / (4294967296.0 - 8192.0))));
-    const double edge = particleGridEdge(size, static_cast<double>(s.valid), s.largestRadius);
-    tree.unit_ = std::exp2(std::round(std::log2(edge)));
+    keysPerLength = 1.0 / keyStep;
     unitsAKey = keyStep / tree.unit_;
     tree.coarse_ = static_cast<float>(unitsAKey * (1 << coarseBits));
-    tree.radius_ = static_cast<float>(s.largestRadius / tree.unit_);
-    tree.ownRadii_ = static_cast<float>(s.smallestRadius / tree.unit_) != tree.radius_;
-    const bool narrow = particles.count() <= std::numeric_limits<std::uint32_t>::max();
-    tree.indexRows_ = !options.keepIndices ? 0 : narrow ? 1 : 2;
-    tree.rowsABucket_ = static_cast<std::size_t>(3 + tree.ownRadii_ + tree.indexRows_);
-  }
-
-  void planLevels()
-  {
-    tree.count_ = tree.statistics_.valid;
-    this->reserve(tree.nodes_, PkdTree::planLevels(tree.count_, tree.levels_));
+    tree.rowsABucket_ = static_cast<std::size_t>(3 + tree.ownRadii_ + tree.indexWords_);
+    this->reserve(tree.nodes_, planLevels(tree.count_, tree.levels_));
     this->reserve(tree.rows_, tree.buckets() * tree.rowsABucket_);
   }
 
@@ -79,37 +61,35 @@ struct PkdTreeBuilder
     array.resize(size, options.space ? options.space->allocate(size * sizeof(T)) : nullptr);
   }
 
+  void* room() { return tree.rows_.own(); }
+
   template <int WORDS>
   KdRecord<WORDS>* records()
   {
-    return reinterpret_cast<KdRecord<WORDS>*>(static_cast<void*>(tree.rows_.own()));
+    return static_cast<KdRecord<WORDS>*>(room());
   }
 
-  // Valid particles, in the order of the input.
-
-  template <int WORDS>
-  KdRecord<WORDS> recordOf(std::size_t i, const Vec3d& p, double r) const
+  std::uint32_t keyOf(double v, int axis) const
   {
-    KdRecord<WORDS> record{};
-    const Vec3d key = (p - tree.origin_) * (1.0 / keyStep) + (middleKey + 0.5);
-    for (int k = 0; k < 3; ++k)
-      record.words[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(key[k]);
-    std::size_t next = 3;
-    if (tree.ownRadii_)
-      record.words[next++] = std::bit_cast<std::uint32_t>(static_cast<float>(r / tree.unit_));
-    if (tree.indexRows_ > 1) // the upper half first, as the order of records wants it
-      record.words[next++] = static_cast<std::uint32_t>(i >> 32);
-    if (tree.indexRows_ > 0)
-      record.words[next] = static_cast<std::uint32_t>(i);
-    return record;
+    return static_cast<std::uint32_t>((v - tree.origin_[axis]) * keysPerLength + (middleKey + 0.5));
   }
 
   // Splitting.
 
+  template <int WORDS>
+  void split(KdRecord<WORDS>*, const Region& region)
+  {
+    std::size_t size = bucketSize;
+    while (size < tree.count_)
+      size *= fanout;
+    splitNode<WORDS>(0, tree.count_, std::max(size, treeletSize), region, 0);
+  }
+
   /// Splits what belongs to `children` whole children of `size` particles each (the last may have
   /// less) until there is one, and that into its own children.
   template <int WORDS>
-  void split(std::size_t first, std::size_t last, std::size_t size, const Region& region, int axis)
+  void splitNode(
+    std::size_t first, std::size_t last, std::size_t size, const Region& region, int axis)
   {
     if (progress.stopped())
       return;
@@ -118,39 +98,39 @@ struct PkdTreeBuilder
       return finishSplit<WORDS>(first, count, size, axis);
     const std::size_t children = (count + size - 1) / size;
     if (children <= 1)
-      return split<WORDS>(first, last, size / PkdTree::fanout, region, axis);
+      return splitNode<WORDS>(first, last, size / fanout, region, axis);
     if (count >= longCount && !progress.report(0.0))
       return;
     KdRecord<WORDS>* from = records<WORDS>();
-    const Region tight = count <= tightKdCount ? Region(from + first, from + last) : region;
-    if (options.split == PkdTreeOptions::Split::MaximumExtent)
-      for (int k = axis = 0; k < 3; ++k)
-        if (tight.high[k] - tight.low[k] > tight.high[axis] - tight.low[axis])
-          axis = k;
     const std::size_t middle = first + children / 2 * size;
-    MedianSplit<WORDS>::run(
-      from + first, from + middle, from + last, axis, tight.low[axis], tight.high[axis]);
-    Region lower = tight, upper = tight;
-    lower.high[axis] = upper.low[axis] = from[middle][axis];
-    const int next = axis == 2 ? 0 : axis + 1;
-    tbb::parallel_invoke([&] { split<WORDS>(first, middle, size, lower, next); },
-      [&] { split<WORDS>(middle, last, size, upper, next); });
+    const KdSplit split = splitAtMedian(from + first, from + middle, from + last, region,
+      [&](const Region& tight)
+      {
+        if (options.split == PkdTreeOptions::Split::RoundRobin)
+          return axis;
+        return longestSide(
+          [&](int k) {
+            return tight.high[static_cast<std::size_t>(k)] - tight.low[static_cast<std::size_t>(k)];
+          });
+      });
+    const int next = split.axis == 2 ? 0 : split.axis + 1;
+    tbb::parallel_invoke([&] { splitNode<WORDS>(first, middle, size, split.lower, next); },
+      [&] { splitNode<WORDS>(middle, last, size, split.upper, next); });
   }
 
   /// Splits all that is left to split of a few thousand particles.
   template <int WORDS>
   void finishSplit(std::size_t first, std::size_t count, std::size_t size, int axis)
   {
-    KdBlock<WORDS> block{records<WORDS>() + first, count, size, PkdTree::bucketSize,
-      PkdTree::fanout, options.split == PkdTreeOptions::Split::MaximumExtent, axis};
+    KdBlock<WORDS> block{records<WORDS>() + first, count, size, bucketSize, fanout,
+      options.split == PkdTreeOptions::Split::MaximumExtent, axis};
     splitBlock(block);
     std::uint32_t largest = treeletExtent;
     while (block.treeletExtent > largest &&
            !treeletExtent.compare_exchange_weak(largest, block.treeletExtent))
     {
     }
-    const std::size_t done = splitDone += count;
-    progress.report(0.2 + 0.7 * static_cast<double>(done) / static_cast<double>(tree.count_));
+    tellSorted(count);
   }
 
   // What the traversal reads.
@@ -226,10 +206,10 @@ struct PkdTreeBuilder
   template <typename Visit>
   void forBuckets(std::size_t treelet, const Visit& visit) const
   {
-    std::size_t first = treelet * PkdTree::treeletSize;
-    const std::size_t last = std::min(tree.count_, first + PkdTree::treeletSize);
-    for (std::size_t b = 0; first < last; ++b, first += PkdTree::bucketSize)
-      visit(b, first, std::min<std::size_t>(PkdTree::bucketSize, last - first));
+    std::size_t first = treelet * treeletSize;
+    const std::size_t last = std::min(tree.count_, first + treeletSize);
+    for (std::size_t b = 0; first < last; ++b, first += bucketSize)
+      visit(b, first, std::min<std::size_t>(bucketSize, last - first));
   }
 
   double placeOfKey(std::uint64_t key) const
@@ -247,8 +227,8 @@ struct PkdTreeBuilder
   void finishTreelet(std::size_t treelet, Bounds& bounds)
   {
     Node& node = tree.nodes_.own()[tree.levels_[0].first + treelet];
-    const std::size_t first = treelet * PkdTree::treeletSize;
-    const std::size_t last = std::min(tree.count_, first + PkdTree::treeletSize);
+    const std::size_t first = treelet * treeletSize;
+    const std::size_t last = std::min(tree.count_, first + treeletSize);
     const Region region(records<WORDS>() + first, records<WORDS>() + last);
     std::array<std::uint64_t, 3> corner;
     for (std::size_t k = 0; k < 3; ++k)
@@ -256,14 +236,14 @@ struct PkdTreeBuilder
       corner[k] = rounded(region.low[k]) >> coarseBits << coarseBits;
       node.corner[k] = static_cast<float>(placeOfKey(corner[k]));
     }
-    std::array<Bounds, PkdTree::fanout> children;
+    std::array<Bounds, fanout> children;
     forBuckets(treelet,
       [&](std::size_t b, std::size_t from, std::size_t count)
       {
         children[b] = boundsOf<WORDS>(from, count);
         bounds.add(children[b]);
       });
-    PkdTree::setBounds(node, bounds, children, marginOfSet,
+    setBounds(node, bounds, children, marginOfSet,
       options.form == Form::Bytes4 ? tree.step_ / tree.unit_ : 0.0);
     forBuckets(treelet, [&](std::size_t b, std::size_t from, std::size_t count)
       { finishBucket<WORDS>(from, count, corner, node, b); });
@@ -324,11 +304,11 @@ struct PkdTreeBuilder
   void finishBucket(std::size_t first, std::size_t count,
     const std::array<std::uint64_t, 3>& corner, const Node& treelet, std::size_t bucket)
   {
-    std::array<KdRecord<WORDS>, PkdTree::bucketSize> copy;
+    std::array<KdRecord<WORDS>, bucketSize> copy;
     std::copy_n(records<WORDS>() + first, count, copy.begin());
-    Row* rows = finished + first / PkdTree::bucketSize * tree.rowsABucket_;
+    Row* rows = finished + first / bucketSize * tree.rowsABucket_;
     const auto places = static_cast<std::size_t>(tree.placeRows_);
-    for (std::size_t i = 0; i < PkdTree::bucketSize; ++i)
+    for (std::size_t i = 0; i < bucketSize; ++i)
     {
       // A place that nothing takes is not a number; rays know how many the last bucket has.
       std::array<std::uint32_t, 3> place;
@@ -345,7 +325,7 @@ struct PkdTreeBuilder
   double marginOfSet = 0.0; ///< by which rays may be rounded, in unit()
 
   template <int WORDS>
-  void finish()
+  void finish(KdRecord<WORDS>*)
   {
     chooseStep<WORDS>();
     const bool exact = options.form == Form::Exact;
@@ -370,73 +350,16 @@ struct PkdTreeBuilder
       tree.rows_ = std::move(shortRows);
     tree.boundNodes(tree.levels_, tree.nodes_.own(), std::move(below), marginOfSet);
   }
-
-  template <int WORDS>
-  bool sort()
-  {
-    fillKdRecords(particles, tree.count_, records<WORDS>(),
-      [this](std::size_t i, const Vec3d& p, double r) { return recordOf<WORDS>(i, p, r); });
-    if (!progress.report(0.2))
-      return false;
-    std::size_t size = PkdTree::bucketSize;
-    while (size < tree.count_)
-      size *= PkdTree::fanout;
-    Region all;
-    const Vec3d low = (tree.statistics_.centers.lower - tree.origin_) / keyStep + middleKey;
-    const Vec3d high = (tree.statistics_.centers.upper - tree.origin_) / keyStep + middleKey + 1.0;
-    for (int k = 0; k < 3; ++k)
-    {
-      all.low[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(low[k]);
-      all.high[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(high[k]);
-    }
-    split<WORDS>(0, tree.count_, std::max(size, PkdTree::treeletSize), all, 0);
-    if (!progress.report(0.9))
-      return false;
-    finish<WORDS>();
-    return progress.report(1.0);
-  }
-
-  bool run()
-  {
-    tree.statistics_ = examine(particles);
-    if (!progress.report(0.1))
-      return false;
-    if (tree.statistics_.valid == 0)
-      return true;
-    chooseNumbers();
-    planLevels();
-    switch (tree.rowsABucket_)
-    {
-    case 3:
-      return sort<3>();
-    case 4:
-      return sort<4>();
-    case 5:
-      return sort<5>();
-    default:
-      return sort<6>();
-    }
-  }
 };
 
 void PkdTree::build(
   const ParticleSet& particles, const PkdTreeOptions& options, const Progress& progress)
 {
-  clear();
   sparseShare_ = options.sparseShare;
-  PkdTreeBuilder builder{*this, particles, options, SharedProgress(progress)};
-  bool complete = false;
-  try
-  {
-    complete = builder.run();
-  }
-  catch (...)
-  {
-    clear();
-    throw;
-  }
-  if (!complete)
-    clear();
+  buildOrClear([this] { clear(); },
+    [&] {
+      return Builder{{*this, particles, options, SharedProgress(progress)}}.run();
+    });
 }
 
 } // namespace mote

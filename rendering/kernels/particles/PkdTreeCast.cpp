@@ -1,15 +1,15 @@
 // Casting rays through a PkdTree, compiled once for every SIMD instruction set.
 
-#include "BundleCast.h"
-#include "PkdTreeView.h"
+#include "detail/BundleCast.h"
+#include "detail/PkdTreeView.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "particles/PkdTreeCast.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "PkdTreeNearest-inl.h"
-#include "PkdTreeOcclusion-inl.h"
+#include "detail/PkdTreeNearest-inl.h"
+#include "detail/PkdTreeOcclusion-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mote
@@ -53,20 +53,12 @@ HWY_EXPORT(treePacketAny);
 
 void PkdTree::cast(RayBundle& bundle, std::int32_t object) const
 {
-  if (count_ == 0 || bundle.count == 0)
-    return;
-  const PkdTreeView view(*this);
-  bySplittingToRays(bundle, unit_,
-    [&](RayBundle& part) { return HWY_DYNAMIC_DISPATCH(treeBundleNearest)(view, part, object); });
+  castInParts<PkdTreeView>(*this, bundle, object, HWY_DYNAMIC_DISPATCH(treeBundleNearest));
 }
 
 void PkdTree::occlude(RayBundle& bundle, std::int32_t object) const
 {
-  if (count_ == 0 || bundle.count == 0)
-    return;
-  const PkdTreeView view(*this);
-  bySplittingToRays(bundle, unit_,
-    [&](RayBundle& part) { return HWY_DYNAMIC_DISPATCH(treeBundleAny)(view, part, object); });
+  castInParts<PkdTreeView>(*this, bundle, object, HWY_DYNAMIC_DISPATCH(treeBundleAny));
 }
 
 void PkdTree::cast(RayPacket& packet, std::int32_t object) const

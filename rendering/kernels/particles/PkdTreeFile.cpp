@@ -4,7 +4,7 @@
 
 #include "../core/Error.h"
 #include "../core/MappedFile.h"
-#include "PkdTreeFileFormat.h"
+#include "detail/PkdTreeFileFormat.h"
 
 #include <algorithm>
 #include <bit>

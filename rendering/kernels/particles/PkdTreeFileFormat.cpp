@@ -1,6 +1,6 @@
 // The header of a file of particles: from memory to bytes and, distrusting them, back.
 
-#include "PkdTreeFileFormat.h"
+#include "detail/PkdTreeFileFormat.h"
 
 #include "../core/Error.h"
 

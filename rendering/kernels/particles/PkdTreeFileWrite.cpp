@@ -3,7 +3,7 @@
 
 #include "../core/AtomicFile.h"
 #include "../core/Error.h"
-#include "PkdTreeFileFormat.h"
+#include "detail/PkdTreeFileFormat.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -184,7 +184,7 @@ private:
       add(array, PkdTreeFileEntry::ofParticles, tree_.count_);
     if (!contents_.indexArray.empty())
     {
-      const auto type = tree_.indexRows_ == 1 ? ArrayView::Type::UInt32 : ArrayView::Type::UInt64;
+      const auto type = tree_.indexWords_ == 1 ? ArrayView::Type::UInt32 : ArrayView::Type::UInt64;
       add({contents_.indexArray, ArrayView(nullptr, type, tree_.count_, 1), {}},
         PkdTreeFileEntry::ofParticles, tree_.count_);
     }

@@ -3,8 +3,8 @@
 
 #include "PkdTree.h"
 
-#include "PkdTreeView.h"
-#include "StoredRanges.h"
+#include "detail/PkdTreeView.h"
+#include "detail/StoredRanges.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

@@ -3,8 +3,8 @@
 
 #include "PkdTree.h"
 
-#include "ParticleAttributes.h"
-#include "StoredRanges.h"
+#include "detail/ParticleAttributes.h"
+#include "detail/StoredRanges.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -30,15 +30,13 @@ void release(Vector& vector)
 
 void PkdTree::setVisibility(const std::function<bool(std::size_t)>& shown)
 {
-  release(visible_);
-  if (shown && count_ > 0)
-    findBits(count_, visible_, shown);
+  keepVisibility(shown, count_, visible_);
   findShown();
 }
 
 void PkdTree::setAttributes(const std::vector<ParticleAttribute>& attributes)
 {
-  checkAttributes(attributes, statistics_, knowsInput());
+  checkAttributes(attributes, knowsInput());
   keepAttributes(
     attributes, count_, values_, [this](std::size_t slot) { return inputIndex(slot); });
   release(valueBounds_);
@@ -49,8 +47,7 @@ void PkdTree::setAttributes(const std::vector<ParticleAttribute>& attributes)
 
 void PkdTree::setRanges(const ParticleRanges& ranges)
 {
-  checkRanges(ranges, !values_.empty() || count_ == 0);
-  ranges_ = ranges;
+  keepRanges(ranges);
   findShown();
 }
 

@@ -1,4 +1,4 @@
-#include "RadiusGroups.h"
+#include "detail/RadiusGroups.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "AmbientOcclusion.h"
+#include "detail/AmbientOcclusion.h"
 
 #include "../shading/Reflectance.h"
 #include "../shading/SampleSequence.h"

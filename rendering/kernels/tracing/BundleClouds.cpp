@@ -1,4 +1,4 @@
-#include "BundleClouds.h"
+#include "detail/BundleClouds.h"
 
 #include <algorithm>
 

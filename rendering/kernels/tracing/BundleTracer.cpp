@@ -1,7 +1,7 @@
-#include "BundleTracer.h"
+#include "detail/BundleTracer.h"
 
 #include "../shading/SampleSequence.h"
-#include "CloudSquare.h"
+#include "detail/CloudSquare.h"
 #include "RayCaster.h"
 
 #include <algorithm>

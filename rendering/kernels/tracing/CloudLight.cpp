@@ -1,4 +1,4 @@
-#include "CloudLight.h"
+#include "detail/CloudLight.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "CloudSquare.h"
+#include "detail/CloudSquare.h"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
-#include "CloudTracer.h"
+#include "detail/CloudTracer.h"
 
 #include "../core/Error.h"
 #include "../hexahedra/CellIntegral.h"
 #include "../hexahedra/EvenSamples.h"
 #include "../hexahedra/HexBvhBundle.h"
-#include "CloudLight.h"
+#include "detail/CloudLight.h"
 #include "RayCaster.h"
 
 #include <algorithm>

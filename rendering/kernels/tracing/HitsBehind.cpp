@@ -1,4 +1,4 @@
-#include "HitsBehind.h"
+#include "detail/HitsBehind.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "PathTracer.h"
+#include "detail/PathTracer.h"
 
 #include "../shading/SampleSequence.h"
 

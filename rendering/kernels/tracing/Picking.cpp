@@ -1,6 +1,6 @@
 #include "Picking.h"
 
-#include "SceneRays.h"
+#include "detail/SceneRays.h"
 
 namespace mote
 {

@@ -1,8 +1,8 @@
 #include "RayCaster.h"
 
 #include "../core/Error.h"
-#include "BundleTracer.h"
-#include "Tiles.h"
+#include "detail/BundleTracer.h"
+#include "detail/Tiles.h"
 
 #include <cmath>
 

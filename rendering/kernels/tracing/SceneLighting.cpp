@@ -1,4 +1,4 @@
-#include "SceneLighting.h"
+#include "detail/SceneLighting.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "SceneRays.h"
+#include "detail/SceneRays.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "SeenParticles.h"
 
 #include "RayCaster.h"
-#include "Tiles.h"
+#include "detail/Tiles.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,4 +1,4 @@
-#include "ShadowCaster.h"
+#include "detail/ShadowCaster.h"
 
 #include <glm/geometric.hpp>
 

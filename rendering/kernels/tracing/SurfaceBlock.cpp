@@ -1,6 +1,6 @@
 // The light of many hits at a time, compiled once for every SIMD instruction set.
 
-#include "SurfaceBlock.h"
+#include "detail/SurfaceBlock.h"
 
 #include <cmath>
 
@@ -9,7 +9,7 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "../core/HitPoints-inl.h"
+#include "../core/detail/HitPoints-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mote

@@ -1,4 +1,4 @@
-#include "SurfaceShader.h"
+#include "detail/SurfaceShader.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "Tiles.h"
+#include "detail/Tiles.h"
 
 #include <tbb/blocked_range2d.h>
 #include <tbb/parallel_for.h>

@@ -3,6 +3,8 @@
 
 #include "MeshTools.h"
 
+#include <kernels/hexahedra/HexStructure.h>
+
 #include <vtkMoteCylindricalLocator.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
@@ -166,9 +168,9 @@ inline std::vector<Vec> placesFor(vtkUnstructuredGrid* grid, int count, unsigned
 
 using Locator = vtkSmartPointer<vtkMoteCylindricalLocator>;
 
-inline constexpr const char* names[] = {"cylgrid", "cartgrid", "cylbvh", "cartbvh"};
+inline const std::vector<std::string>& names = mote::hexStructureNames();
 
-inline Locator locatorOf(vtkDataSet* data, const char* name = "cylbvh")
+inline Locator locatorOf(vtkDataSet* data, const std::string& name = "cylbvh")
 {
   auto locator = Locator::New();
   locator->SetStructureName(name);

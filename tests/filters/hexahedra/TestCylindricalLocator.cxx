@@ -50,7 +50,7 @@ TEST(CylindricalLocator, FindsTheCellsThatVTKFinds)
     const double size = grid->GetLength();
     vtkDataArray* values = grid->GetPointData()->GetScalars();
     const double range = values->GetRange()[1] - values->GetRange()[0];
-    for (const char* name : names)
+    for (const std::string& name : names)
     {
       const Locator locator = locatorOf(grid, name);
       int inside = 0, others = 0;
@@ -88,7 +88,7 @@ TEST(CylindricalLocator, PointsOfFacesAndCornersAreInACell)
     addField(grid, "linear", 1, [](Vec p) { return Vec{p[0] - 2.0 * p[1] + 3.0 * p[2]}; });
     vtkDataArray* linear = grid->GetPointData()->GetArray("linear");
     const double tolerance = 1e-9 * grid->GetLength();
-    for (const char* name : names)
+    for (const std::string& name : names)
     {
       const Locator locator = locatorOf(grid, name);
       int lost = 0;
@@ -194,7 +194,7 @@ TEST(CylindricalLocator, LinesMeetTheFirstFace)
     const auto vtks = vtksLocatorOf(grid);
     const double size = grid->GetLength();
     const bool flat = mesh == "mixed"; // VTK cuts warped faces into triangles
-    for (const char* name : names)
+    for (const std::string& name : names)
     {
       const Locator locator = locatorOf(grid, name);
       vtkNew<vtkGenericCell> cell;
@@ -240,7 +240,7 @@ TEST(CylindricalLocator, CellsWithinBoundsAreAmongVTKs)
   for (const auto& [mesh, grid] : locatorMeshes())
   {
     const auto vtks = vtksLocatorOf(grid);
-    for (const char* name : names)
+    for (const std::string& name : names)
     {
       const Locator locator = locatorOf(grid, name);
       vtkNew<vtkIdList> found, expected;

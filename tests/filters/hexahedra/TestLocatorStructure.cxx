@@ -127,7 +127,7 @@ TEST(CylindricalLocator, NothingToFindIsNoCrash)
     {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
     {{0, 1, 2, 3, 4, 5, 6, 7}});
   for (const Grid& grid : {empty, lines, flat})
-    for (const char* name : names)
+    for (const std::string& name : names)
     {
       const Locator locator = locatorOf(grid, name);
       EXPECT_EQ(locator->GetNumberOfCells(), 0);
@@ -191,7 +191,7 @@ TEST(CylindricalLocator, ErrorsAreSentences)
 TEST(CylindricalLocator, DrawsWhatItCovers)
 {
   const Grid grid = swirl(1);
-  for (const char* name : names)
+  for (const std::string& name : names)
   {
     const Locator locator = locatorOf(grid, name);
     vtkNew<vtkPolyData> drawn;

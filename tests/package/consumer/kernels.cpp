@@ -15,7 +15,7 @@
 #include <kernels/shading/ColorMap.h>
 #include <kernels/shading/Light.h>
 #include <kernels/tracing/RayCaster.h>
-#include <kernels/tracing/SurfaceShader.h>
+#include <kernels/tracing/detail/SurfaceShader.h>
 
 #include <cmath>
 #include <cstdio>

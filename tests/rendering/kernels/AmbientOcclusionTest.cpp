@@ -2,7 +2,6 @@
 
 #include "ShadowParts.h"
 
-#include <kernels/tracing/AmbientOcclusion.h>
 
 #include <support/CastOracle.h>
 

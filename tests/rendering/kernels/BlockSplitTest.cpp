@@ -1,6 +1,6 @@
 // Splitting a block at once is splitting it one median after another.
 
-#include <kernels/particles/BlockSplit.h>
+#include <kernels/particles/detail/BlockSplit.h>
 
 #include <support/Particles.h>
 #include <support/Targets.h>

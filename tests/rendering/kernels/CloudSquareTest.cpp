@@ -2,7 +2,7 @@
 
 #include "SceneParts.h"
 
-#include <kernels/tracing/CloudSquare.h>
+#include <kernels/tracing/detail/CloudSquare.h>
 #include <kernels/tracing/RayCaster.h>
 
 #include <support/CastOracle.h>

@@ -5,6 +5,7 @@
 #include <kernels/hexahedra/TrilinearCell.h>
 
 #include <support/HexMeshes.h>
+#include <support/Structure.h>
 #include <support/Volumes.h>
 
 #include <gtest/gtest.h>
@@ -22,10 +23,6 @@ namespace
 {
 
 using Mesh = std::shared_ptr<const HexMesh>;
-
-constexpr HexStructureKind kinds[] = {HexStructureKind::CylindricalGrid,
-  HexStructureKind::CartesianGrid, HexStructureKind::CylindricalBvh,
-  HexStructureKind::CartesianBvh};
 
 std::shared_ptr<HexStructure> build(const Mesh& mesh, HexStructureKind kind,
   std::optional<CylinderAxis> axis = CylinderAxis{}, int leafSize = 1, bool trimmed = false)
@@ -149,7 +146,7 @@ std::vector<HexRay> raysFor(const Case& c)
 TEST(HexStructure, RaysPassTheSameCellsInOrder)
 {
   for (const Case& c : cases())
-    for (const HexStructureKind kind : kinds)
+    for (const HexStructureKind kind : hexKinds)
       for (const int leafSize : {1, 5})
       {
         const auto structure = build(c.mesh, kind, c.axis, leafSize, leafSize > 1);
@@ -168,7 +165,7 @@ TEST(HexStructure, RaysPassTheSameCellsInOrder)
 TEST(HexStructure, PointsAreInTheSameCells)
 {
   for (const Case& c : cases())
-    for (const HexStructureKind kind : kinds)
+    for (const HexStructureKind kind : hexKinds)
     {
       const auto structure = build(c.mesh, kind, c.axis);
       const Box box = c.mesh->bounds().empty() ? Box{Vec3d(0.0), Vec3d(1.0)} : c.mesh->bounds();
@@ -198,7 +195,7 @@ TEST(HexStructure, PointsAreInTheSameCells)
 TEST(HexStructure, BoxesMeetTheirCells)
 {
   for (const Case& c : cases())
-    for (const HexStructureKind kind : kinds)
+    for (const HexStructureKind kind : hexKinds)
       for (const bool trimmed : {false, true})
       {
         const auto structure = build(c.mesh, kind, c.axis, 1, trimmed);
@@ -229,7 +226,7 @@ TEST(HexStructure, BoxesMeetTheirCells)
 
 TEST(HexStructure, NoPointNoCell)
 {
-  for (const HexStructureKind kind : kinds)
+  for (const HexStructureKind kind : hexKinds)
   {
     const auto structure = build(hexRing({}).mesh(), kind);
     EXPECT_EQ(cellAt(*structure, Vec3d(NAN, 0, 0)), HexMesh::noCell);
@@ -241,7 +238,7 @@ TEST(HexStructure, NoPointNoCell)
 
 TEST(HexStructure, StopsWhereItIsToldTo)
 {
-  for (const HexStructureKind kind : kinds)
+  for (const HexStructureKind kind : hexKinds)
   {
     const auto structure = build(hexRing({}).mesh(), kind);
     int told = 0;
@@ -269,7 +266,7 @@ TEST(HexStructure, PassesOverWhatIsNotKept)
   const RawVector<ScalarRange> ranges = cellRanges(*mesh, field);
   const auto keep = [&](const ScalarRange& r) { return r.upper > 1.5 - field.offset(); };
   const HexRay ray{Vec3d(-5, -0.2, 0.4), Vec3d(1, 0.08, 0.01)};
-  for (const HexStructureKind kind : kinds)
+  for (const HexStructureKind kind : hexKinds)
   {
     const auto structure = build(mesh, kind);
     setRanges(*structure, field);
@@ -305,7 +302,7 @@ TEST(HexStructure, DoesNotDependOnThreads)
   const RingShape shape{16, 60, 24, 1.0, 2.0, 1.5, 0.4, 0.3, 5};
   const Mesh mesh = hexRing(shape).mesh();
   const auto rays = raysFor({"", mesh, {}});
-  for (const HexStructureKind kind : kinds)
+  for (const HexStructureKind kind : hexKinds)
   {
     const auto answers = [&](std::size_t threads)
     {

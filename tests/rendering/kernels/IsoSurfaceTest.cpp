@@ -2,6 +2,7 @@
 
 #include <kernels/hexahedra/IsoSurface.h>
 
+#include <support/Structure.h>
 #include <support/Volumes.h>
 
 #include <gtest/gtest.h>
@@ -13,10 +14,6 @@ using namespace mote::testing;
 
 namespace
 {
-
-constexpr HexStructureKind kinds[] = {HexStructureKind::CylindricalGrid,
-  HexStructureKind::CartesianGrid, HexStructureKind::CylindricalBvh,
-  HexStructureKind::CartesianBvh};
 
 IsoSurface surfaceOf(std::shared_ptr<const HexMesh> mesh, const std::vector<double>& scalar,
   const std::vector<double>& isoValues, HexStructureKind kind = HexStructureKind::CylindricalBvh)
@@ -32,7 +29,7 @@ TEST(IsoSurface, OfALinearFieldIsAPlaneWithoutHoles)
   const auto mesh = hexBlock(6, 6, 6, 0.35).mesh();
   const Vec3d normal = glm::normalize(Vec3d(0.2, 0.1, 1.0));
   const auto linear = [&](const Vec3d& p) { return glm::dot(normal, p) + 300.0; };
-  for (const HexStructureKind kind : kinds)
+  for (const HexStructureKind kind : hexKinds)
   {
     const IsoSurface surface = surfaceOf(mesh, pointValues(*mesh, linear), {303.3}, kind);
     for (int y = 0; y < 40; ++y)

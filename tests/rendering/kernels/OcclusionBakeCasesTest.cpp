@@ -207,7 +207,7 @@ TEST(OcclusionBake, RadiiOfVeryDifferentSize)
     {
       const Particles particles = touching(1.0, other, random.direction());
       const double error =
-        touchingError(particles, baked(particles, fullMaps(16, 49), kinds[k % 3]));
+        touchingError(particles, baked(particles, fullMaps(16, 49), kinds[k % kinds.size()]));
       square += error * error / repeats;
       greatest = std::max(greatest, error);
     }

@@ -23,7 +23,7 @@ TEST(OcclusionBake, ALoneSphereIsOpenEverywhere)
     {
       OcclusionBakeOptions options;
       options.adaptive = adaptive;
-      const OcclusionMaps maps = baked(particles, options, kinds[k % 3]);
+      const OcclusionMaps maps = baked(particles, options, kinds[k % kinds.size()]);
       EXPECT_EQ(maps.level(0), adaptive ? OcclusionMaps::Open : OcclusionMaps::Side16);
       for (int i = 0; i < 200; ++i)
         ASSERT_EQ(maps.at(0, Vec3f(random.direction())), 1.0f);
@@ -42,7 +42,8 @@ TEST(OcclusionBake, TouchingSpheresAgreeWithTheClosedForm)
     {
       const Particles particles = touching(1.0, other, random.direction());
       OcclusionBakeStatistics statistics;
-      const OcclusionMaps maps = baked(particles, fullMaps(16, 49), kinds[k % 3], &statistics);
+      const OcclusionMaps maps =
+        baked(particles, fullMaps(16, 49), kinds[k % kinds.size()], &statistics);
       square += std::pow(touchingError(particles, maps), 2) / 6;
       EXPECT_LE(statistics.rays, 2u * 256u * 52u);
       EXPECT_EQ(statistics.particles, 2u);

@@ -4,6 +4,7 @@
 #include <kernels/occlusion/OcclusionMaps.h>
 
 #include <support/Particles.h>
+#include <support/Structure.h>
 
 #include <gtest/gtest.h>
 
@@ -240,8 +241,7 @@ TEST(OcclusionMaps, OrderOfSlotsAndOfTheInput)
   Particles particles = randomParticles(300, 13, 0.01, 0.05);
   for (const std::size_t unfit : {std::size_t(0), std::size_t(150), std::size_t(298)})
     particles.radii[unfit] = -1.0;
-  for (const auto kind : {ParticleStructureKind::CoherentGrid, ParticleStructureKind::PkdTree,
-         ParticleStructureKind::PkdPaper})
+  for (const auto kind : particleKinds)
   {
     ParticleStructureOptions options;
     options.kind = kind;

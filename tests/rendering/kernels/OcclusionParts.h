@@ -4,6 +4,8 @@
 
 #include <kernels/occlusion/OcclusionBake.h>
 
+#include <support/Structure.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -13,8 +15,7 @@ namespace mote::testing
 {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
-inline constexpr ParticleStructureKind kinds[] = {ParticleStructureKind::CoherentGrid,
-  ParticleStructureKind::PkdTree, ParticleStructureKind::PkdPaper};
+inline constexpr auto kinds = particleKinds;
 
 inline std::shared_ptr<ParticleStructure> structureOf(
   const Particles& particles, ParticleStructureKind kind = ParticleStructureKind::Automatic)

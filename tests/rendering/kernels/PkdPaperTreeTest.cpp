@@ -1,11 +1,12 @@
 // What is the published P-k-d tree's own: its shape, its planes, its memory, and rays that run
 // along them.
 
-#include <kernels/particles/HeapOrder.h>
 #include <kernels/particles/PkdPaperTree.h>
+#include <kernels/particles/detail/HeapOrder.h>
 
 #include <support/CastOracle.h>
 #include <support/Particles.h>
+#include <support/Structure.h>
 
 #include <gtest/gtest.h>
 
@@ -46,16 +47,7 @@ void expectOrdered(const PkdPaperTree& tree)
 
 void expectRight(const Particles& particles, const PkdPaperTreeOptions& options = {})
 {
-  PkdPaperTree tree;
-  tree.build(particles.set(), options);
-  ASSERT_EQ(tree.size(), particles.size());
-  const CastOracle oracle = CastOracle::forFloat(particles.set());
-  Random random(3);
-  CastReport report;
-  for (int k = 0; k < 6; ++k)
-    report.add(checkImage(
-      tree, oracle, lookAt(random(1.5, 4.0) * random.direction(), Vec3d(0.0), 50.0), 32, 32));
-  EXPECT_EQ(report.wrong, 0u) << "of " << report.rays << " rays; " << report.complaint;
+  expectRightViews<PkdPaperTree>(particles, options);
 }
 
 /// Particles on the points of a lattice with `n` points a side and a distance of 1: most share each

@@ -3,7 +3,7 @@
 #include "PkdTreeFileParts.h"
 
 #include <kernels/core/Error.h>
-#include <kernels/particles/PkdTreeFileFormat.h>
+#include <kernels/particles/detail/PkdTreeFileFormat.h>
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,12 @@
 // What is the P-k-d tree's own: its shape, its numbers, its memory.
 
 #include <kernels/core/Error.h>
-#include <kernels/particles/MedianSplit.h>
 #include <kernels/particles/PkdTree.h>
+#include <kernels/particles/detail/MedianSplit.h>
 
 #include <support/CastOracle.h>
 #include <support/Particles.h>
+#include <support/Structure.h>
 
 #include <gtest/gtest.h>
 
@@ -34,16 +35,7 @@ std::vector<KdRecord<WORDS>> randomRecords(
 
 void expectRight(const Particles& particles, const PkdTreeOptions& options = {})
 {
-  PkdTree tree;
-  tree.build(particles.set(), options);
-  ASSERT_EQ(tree.size(), particles.size());
-  const CastOracle oracle = CastOracle::forFloat(particles.set());
-  Random random(3);
-  CastReport report;
-  for (int k = 0; k < 6; ++k)
-    report.add(checkImage(
-      tree, oracle, lookAt(random(1.5, 4.0) * random.direction(), Vec3d(0.0), 50.0), 32, 32));
-  EXPECT_EQ(report.wrong, 0u) << "of " << report.rays << " rays; " << report.complaint;
+  expectRightViews<PkdTree>(particles, options);
 }
 
 /// Every particle is where the input says, within the error that the tree tells.

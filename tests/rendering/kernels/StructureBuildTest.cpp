@@ -27,6 +27,7 @@ struct Contents
   bool operator==(const Contents&) const = default;
 };
 
+template <typename Structure>
 Contents contentsOf(const Structure& grid)
 {
   Contents contents{{}, {}, {}, grid.bytes()};
@@ -41,10 +42,18 @@ Contents contentsOf(const Structure& grid)
 
 } // namespace
 
-TEST(StructureBuild, HoldsEveryParticleOnceWithItsNumbers)
+template <typename Structure>
+using StructureBuild = StructureTest<Structure>;
+TYPED_TEST_SUITE(StructureBuild, ParticleStructures, StructureName);
+
+template <typename Structure>
+using StructureVisibility = StructureTest<Structure>;
+TYPED_TEST_SUITE(StructureVisibility, ParticleStructures, StructureName);
+
+TYPED_TEST(StructureBuild, HoldsEveryParticleOnceWithItsNumbers)
 {
   const Particles particles = randomParticles(20000, 71, 0.001, 0.01);
-  Structure grid;
+  TypeParam grid;
   grid.build(particles.set());
   ASSERT_EQ(grid.size(), particles.size());
   std::vector<bool> seen(particles.size(), false);
@@ -60,10 +69,10 @@ TEST(StructureBuild, HoldsEveryParticleOnceWithItsNumbers)
   }
 }
 
-TEST(StructureBuild, StatisticsAreThoseOfTheInput)
+TYPED_TEST(StructureBuild, StatisticsAreThoseOfTheInput)
 {
   const Particles particles = randomParticles(30000, 72, 0.001, 0.01);
-  Structure grid;
+  TypeParam grid;
   grid.build(particles.set());
   Box centers, bounds;
   double least = 1.0, most = 0.0;
@@ -85,7 +94,7 @@ TEST(StructureBuild, StatisticsAreThoseOfTheInput)
   EXPECT_EQ(s.largestRadius, most);
 }
 
-TEST(StructureBuild, ThreadsDoNotChangeTheResult)
+TYPED_TEST(StructureBuild, ThreadsDoNotChangeTheResult)
 {
   Particles particles = randomParticles(50000, 73, 0.001, 0.01);
   for (std::size_t i = 0; i < 20000; ++i) // many in one cell
@@ -93,7 +102,7 @@ TEST(StructureBuild, ThreadsDoNotChangeTheResult)
   std::vector<Contents> results;
   for (const int threads : {1, 2, 4})
   {
-    Structure grid;
+    TypeParam grid;
     tbb::task_arena(threads).execute([&] { grid.build(particles.set()); });
     results.push_back(contentsOf(grid));
   }
@@ -101,11 +110,11 @@ TEST(StructureBuild, ThreadsDoNotChangeTheResult)
   EXPECT_TRUE(results[0] == results[2]);
 }
 
-TEST(StructureBuild, RebuildForgetsWhatWasThere)
+TYPED_TEST(StructureBuild, RebuildForgetsWhatWasThere)
 {
   const Particles many = randomParticles(5000, 74, 0.01, 0.02);
   const Particles few = randomParticles(50, 75, 0.1, 0.2);
-  Structure used, fresh;
+  TypeParam used, fresh;
   used.build(many.set());
   used.setVisibility([](std::size_t) { return false; });
   used.build(few.set());
@@ -117,14 +126,14 @@ TEST(StructureBuild, RebuildForgetsWhatWasThere)
   EXPECT_GT(report.hits, 100u);
 }
 
-TEST(StructureBuild, ConstantRadiusAndScale)
+TYPED_TEST(StructureBuild, ConstantRadiusAndScale)
 {
   const Particles particles = randomParticles(10, 77, 0.01, 0.01);
   ParticleSet set = particles.set();
   set.radii = {};
   set.radius = 0.25;
   set.radiusScale = 2.0;
-  Structure grid;
+  TypeParam grid;
   grid.build(set);
   EXPECT_EQ(grid.radius(3), 0.5);
   set = particles.set();
@@ -133,13 +142,13 @@ TEST(StructureBuild, ConstantRadiusAndScale)
   EXPECT_FLOAT_EQ(static_cast<float>(grid.radius(3)), 0.005f);
 }
 
-TEST(StructureBuild, TakesEveryTypeOfPosition)
+TYPED_TEST(StructureBuild, TakesEveryTypeOfPosition)
 {
   const std::vector<std::int16_t> positions = {0, 0, 0, 10, 0, 0, 0, -20, 5};
   ParticleSet set;
   set.positions = ArrayView(positions.data(), ArrayView::Type::Int16, 3, 3);
   const CastOracle oracle = CastOracle::forFloat(set);
-  Structure grid;
+  TypeParam grid;
   grid.build(set);
   const CastReport report =
     checkImage(grid, oracle, lookAt({30.0, 10.0, 50.0}, {5.0, -10.0, 0.0}, 40.0), 64, 64);
@@ -147,10 +156,10 @@ TEST(StructureBuild, TakesEveryTypeOfPosition)
   EXPECT_GT(report.hits, 5u);
 }
 
-TEST(StructureBuild, MalformedSetsAreRefused)
+TYPED_TEST(StructureBuild, MalformedSetsAreRefused)
 {
   const Particles particles = randomParticles(10, 78, 0.01, 0.01);
-  Structure grid;
+  TypeParam grid;
   grid.build(particles.set());
   ParticleSet set = particles.set();
   set.radii = ArrayView(particles.radii.data(), 9, 1);
@@ -161,10 +170,10 @@ TEST(StructureBuild, MalformedSetsAreRefused)
   EXPECT_THROW(grid.build(set), Error);
 }
 
-TEST(StructureBuild, ProgressRisesAndStops)
+TYPED_TEST(StructureBuild, ProgressRisesAndStops)
 {
   const Particles particles = randomParticles(10000, 79, 0.01, 0.01);
-  Structure grid;
+  TypeParam grid;
   std::vector<double> told;
   grid.build(particles.set(), {},
     [&](double done)
@@ -191,10 +200,10 @@ TEST(StructureBuild, ProgressRisesAndStops)
   }
 }
 
-TEST(StructureVisibility, EqualsAGridOfTheSubset)
+TYPED_TEST(StructureVisibility, EqualsAGridOfTheSubset)
 {
   const Particles particles = randomParticles(3000, 80, 0.01, 0.06);
-  Structure grid;
+  TypeParam grid;
   grid.build(particles.set());
   for (const int every : {2, 7, 500, 100000})
   {
@@ -218,10 +227,10 @@ TEST(StructureVisibility, EqualsAGridOfTheSubset)
   EXPECT_EQ(all.wrong, 0u) << all.complaint;
 }
 
-TEST(StructureVisibility, NoneShownHitsNothing)
+TYPED_TEST(StructureVisibility, NoneShownHitsNothing)
 {
   const Particles particles = randomParticles(1000, 82, 0.05, 0.1);
-  Structure grid;
+  TypeParam grid;
   grid.build(particles.set());
   grid.setVisibility([](std::size_t) { return false; });
   RayPacket packet = emptyPacket();

@@ -16,6 +16,7 @@ namespace
 {
 
 /// From all around, near and far, in both projections.
+template <typename Structure>
 void expectRightFromAllAround(const Particles& particles)
 {
   Structure grid;
@@ -45,9 +46,13 @@ void expectRightFromAllAround(const Particles& particles)
 
 } // namespace
 
-TEST(StructureDegenerate, NoParticleHitsNothing)
+template <typename Structure>
+using StructureDegenerate = StructureTest<Structure>;
+TYPED_TEST_SUITE(StructureDegenerate, ParticleStructures, StructureName);
+
+TYPED_TEST(StructureDegenerate, NoParticleHitsNothing)
 {
-  Structure grid;
+  TypeParam grid;
   RayPacket packet = emptyPacket();
   addRay(packet, {0.0, 0.0, -5.0}, {0.0, 0.0, 1.0});
   grid.cast(packet, 0); // never built
@@ -62,7 +67,7 @@ TEST(StructureDegenerate, NoParticleHitsNothing)
   grid.setVisibility({});
 }
 
-TEST(StructureDegenerate, OneTwoAndThreeParticles)
+TYPED_TEST(StructureDegenerate, OneTwoAndThreeParticles)
 {
   Random random(2);
   for (int round = 0; round < 10; ++round)
@@ -71,23 +76,23 @@ TEST(StructureDegenerate, OneTwoAndThreeParticles)
     for (int i = 0; i < 3; ++i)
     {
       particles.add(random.inBox(Vec3d(-1.0), Vec3d(1.0)), random(0.05, 0.8));
-      expectRightFromAllAround(particles);
+      expectRightFromAllAround<TypeParam>(particles);
     }
   }
 }
 
-TEST(StructureDegenerate, OneParticleOfAnySize)
+TYPED_TEST(StructureDegenerate, OneParticleOfAnySize)
 {
   for (const double radius : {1e-12, 1e-6, 1.0, 1e6, 1e12})
   {
     SCOPED_TRACE(radius);
     Particles particles;
     particles.add(radius * Vec3d(3.0, -2.0, 1.0), radius);
-    expectRightFromAllAround(particles);
+    expectRightFromAllAround<TypeParam>(particles);
   }
 }
 
-TEST(StructureDegenerate, SetsOfAnySize)
+TYPED_TEST(StructureDegenerate, SetsOfAnySize)
 {
   for (const double scale : {1e-12, 1e-9, 1e-3, 1e3, 1e9, 1e12})
   {
@@ -97,22 +102,22 @@ TEST(StructureDegenerate, SetsOfAnySize)
       x *= scale;
     for (double& r : particles.radii)
       r *= scale;
-    expectRightFromAllAround(particles);
+    expectRightFromAllAround<TypeParam>(particles);
   }
 }
 
-TEST(StructureDegenerate, FlatSets)
+TYPED_TEST(StructureDegenerate, FlatSets)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
     Particles particles = randomParticles(800, 4, 0.01, 0.05);
     for (std::size_t i = 0; i < particles.size(); ++i)
       particles.positions[3 * i + static_cast<std::size_t>(axis)] = 0.25;
-    expectRightFromAllAround(particles);
+    expectRightFromAllAround<TypeParam>(particles);
   }
 }
 
-TEST(StructureDegenerate, LinearSets)
+TYPED_TEST(StructureDegenerate, LinearSets)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -121,19 +126,19 @@ TEST(StructureDegenerate, LinearSets)
       for (std::size_t other = 0; other < 3; ++other)
         if (static_cast<int>(other) != axis)
           particles.positions[3 * i + other] = -0.5;
-    expectRightFromAllAround(particles);
+    expectRightFromAllAround<TypeParam>(particles);
   }
 }
 
-TEST(StructureDegenerate, AllAtOnePoint)
+TYPED_TEST(StructureDegenerate, AllAtOnePoint)
 {
   Particles particles;
   for (int i = 0; i < 300; ++i)
     particles.add({1.0, 2.0, 3.0}, 0.1 + 0.001 * i);
-  expectRightFromAllAround(particles);
+  expectRightFromAllAround<TypeParam>(particles);
 }
 
-TEST(StructureDegenerate, AMillionAtOnePoint)
+TYPED_TEST(StructureDegenerate, AMillionAtOnePoint)
 {
   // Cells cannot tell them apart, and every ray meets them all: slow, never wrong or unbounded. The
   // reference need not look at all of them.
@@ -141,7 +146,7 @@ TEST(StructureDegenerate, AMillionAtOnePoint)
   for (int i = 0; i < 1000000; ++i)
     particles.add({1.0, 2.0, 3.0}, 0.25);
   one.add({1.0, 2.0, 3.0}, 0.25);
-  Structure grid;
+  TypeParam grid;
   grid.build(particles.set());
   EXPECT_EQ(grid.size(), 1000000u);
   EXPECT_LT(grid.bytes(), 50u * 1000000u);
@@ -151,11 +156,11 @@ TEST(StructureDegenerate, AMillionAtOnePoint)
   EXPECT_GT(report.hits, report.rays / 4);
 }
 
-TEST(StructureDegenerate, OneParticleFarFromTheOthers)
+TYPED_TEST(StructureDegenerate, OneParticleFarFromTheOthers)
 {
   Particles particles = randomParticles(500, 6, 0.01, 0.05);
   particles.add({3000.0, -10.0, 20.0}, 0.5);
-  Structure grid;
+  TypeParam grid;
   grid.build(particles.set());
   const CastOracle oracle = CastOracle::forFloat(particles.set());
   const CastReport report =
@@ -164,13 +169,13 @@ TEST(StructureDegenerate, OneParticleFarFromTheOthers)
   EXPECT_GT(report.hits, 100u);
 }
 
-TEST(StructureDegenerate, RadiiManyTimesTheCells)
+TYPED_TEST(StructureDegenerate, RadiiManyTimesTheCells)
 {
   const Particles particles = randomParticles(1000, 7, 0.5, 1.5);
-  expectRightFromAllAround(particles);
+  expectRightFromAllAround<TypeParam>(particles);
 }
 
-TEST(StructureDegenerate, BadNumbersAreCountedAndLeftOut)
+TYPED_TEST(StructureDegenerate, BadNumbersAreCountedAndLeftOut)
 {
   const double nan = std::nan(""), infinity = INFINITY;
   Particles particles = randomParticles(500, 9, 0.01, 0.1);
@@ -182,20 +187,20 @@ TEST(StructureDegenerate, BadNumbersAreCountedAndLeftOut)
   particles.add({0.0, 0.0, 0.0}, nan);
   particles.add({0.0, 0.0, 0.0}, infinity);
   particles.add({0.0, 0.0, 0.0}, 0.1);
-  Structure grid;
+  TypeParam grid;
   grid.build(particles.set());
   EXPECT_EQ(grid.size(), 501u);
   EXPECT_EQ(grid.statistics().valid, 501u);
   EXPECT_EQ(grid.statistics().badPositions, 3u);
   EXPECT_EQ(grid.statistics().badRadii, 4u);
-  expectRightFromAllAround(particles);
+  expectRightFromAllAround<TypeParam>(particles);
 }
 
-TEST(StructureDegenerate, OnlyBadParticlesHitNothing)
+TYPED_TEST(StructureDegenerate, OnlyBadParticlesHitNothing)
 {
   Particles particles;
   particles.add({0.0, 0.0, 0.0}, -1.0);
-  Structure grid;
+  TypeParam grid;
   grid.build(particles.set());
   EXPECT_EQ(grid.size(), 0u);
   RayPacket packet = emptyPacket();

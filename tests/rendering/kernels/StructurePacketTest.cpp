@@ -13,6 +13,7 @@ using namespace mote::testing;
 namespace
 {
 
+template <typename Structure>
 class StructurePacket : public ::testing::Test
 {
 protected:
@@ -33,51 +34,53 @@ protected:
 
 } // namespace
 
-TEST_F(StructurePacket, AnyNumberOfRays)
+TYPED_TEST_SUITE(StructurePacket, ParticleStructures, StructureName);
+
+TYPED_TEST(StructurePacket, AnyNumberOfRays)
 {
   for (int count = 1; count <= RayPacket::capacity; ++count)
   {
     RayPacket packet = emptyPacket();
     for (int i = 0; i < count; ++i)
-      addRay(packet, {0.0, 0.0, 4.0}, {random(-0.2, 0.2), random(-0.2, 0.2), -1.0});
-    expectRight(packet);
+      addRay(packet, {0.0, 0.0, 4.0}, {this->random(-0.2, 0.2), this->random(-0.2, 0.2), -1.0});
+    this->expectRight(packet);
   }
-  EXPECT_GT(report.hits, report.rays / 2);
+  EXPECT_GT(this->report.hits, this->report.rays / 2);
 }
 
-TEST_F(StructurePacket, NoRayIsNoWork)
+TYPED_TEST(StructurePacket, NoRayIsNoWork)
 {
   RayPacket packet = emptyPacket();
-  grid.cast(packet, 1);
+  this->grid.cast(packet, 1);
   EXPECT_EQ(packet.count, 0);
 }
 
-TEST_F(StructurePacket, RaysBeyondTheCountAreNotTouched)
+TYPED_TEST(StructurePacket, RaysBeyondTheCountAreNotTouched)
 {
   RayPacket packet = emptyPacket();
   for (int i = 0; i < RayPacket::capacity; ++i)
     addRay(packet, {0.0, 0.0, 4.0}, {0.0, 0.0, -1.0});
   packet.count = 13;
-  grid.cast(packet, 1);
+  this->grid.cast(packet, 1);
   EXPECT_EQ(packet.object[12], 1);
   for (int i = 13; i < RayPacket::capacity; ++i)
     EXPECT_EQ(packet.object[i], -1);
 }
 
-TEST_F(StructurePacket, IncoherentRays)
+TYPED_TEST(StructurePacket, IncoherentRays)
 {
   for (int k = 0; k < 100; ++k)
   {
     RayPacket packet = emptyPacket();
     for (int i = 0; i < RayPacket::capacity; ++i)
-      addRay(
-        packet, random.inBox(Vec3d(-1.5), Vec3d(1.5)), random(0.01, 100.0) * random.direction());
-    expectRight(packet);
+      addRay(packet, this->random.inBox(Vec3d(-1.5), Vec3d(1.5)),
+        this->random(0.01, 100.0) * this->random.direction());
+    this->expectRight(packet);
   }
-  EXPECT_GT(report.hits, report.rays / 4);
+  EXPECT_GT(this->report.hits, this->report.rays / 4);
 }
 
-TEST_F(StructurePacket, ParallelAndOppositeRays)
+TYPED_TEST(StructurePacket, ParallelAndOppositeRays)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -86,83 +89,84 @@ TEST_F(StructurePacket, ParallelAndOppositeRays)
     {
       Vec3d direction(0.0);
       direction[axis] = i % 2 == 0 ? 1.0 : -1.0;
-      addRay(packet, random.inBox(Vec3d(-1.2), Vec3d(1.2)), direction);
+      addRay(packet, this->random.inBox(Vec3d(-1.2), Vec3d(1.2)), direction);
     }
-    expectRight(packet);
+    this->expectRight(packet);
   }
 }
 
-TEST_F(StructurePacket, IntervalsAreRespected)
+TYPED_TEST(StructurePacket, IntervalsAreRespected)
 {
   for (int k = 0; k < 100; ++k)
   {
     RayPacket packet = emptyPacket();
     for (int i = 0; i < RayPacket::capacity; ++i)
     {
-      const double tMin = random(-1.0, 5.0);
-      addRay(packet, {0.1, 0.2, 3.0}, {random(-0.3, 0.3), random(-0.3, 0.3), -1.0}, tMin,
-        tMin + random(0.0, 2.0));
+      const double tMin = this->random(-1.0, 5.0);
+      addRay(packet, {0.1, 0.2, 3.0}, {this->random(-0.3, 0.3), this->random(-0.3, 0.3), -1.0},
+        tMin, tMin + this->random(0.0, 2.0));
     }
-    expectRight(packet);
+    this->expectRight(packet);
   }
-  EXPECT_GT(report.hits, report.rays / 4);
-  EXPECT_LT(report.hits, 3 * report.rays / 4);
+  EXPECT_GT(this->report.hits, this->report.rays / 4);
+  EXPECT_LT(this->report.hits, 3 * this->report.rays / 4);
 }
 
-TEST_F(StructurePacket, EmptyIntervalsHitNothing)
+TYPED_TEST(StructurePacket, EmptyIntervalsHitNothing)
 {
   RayPacket packet = emptyPacket();
   for (int i = 0; i < 20; ++i)
     addRay(packet, {0.0, 0.0, 4.0}, {0.01 * i, 0.0, -1.0}, 3.0, i % 2 == 0 ? 3.0 : 2.0);
-  expectRight(packet);
-  EXPECT_EQ(report.hits, 0u);
+  this->expectRight(packet);
+  EXPECT_EQ(this->report.hits, 0u);
 }
 
-TEST_F(StructurePacket, RaysThatStartBeyondOrPointAway)
+TYPED_TEST(StructurePacket, RaysThatStartBeyondOrPointAway)
 {
   for (int k = 0; k < 50; ++k)
   {
     RayPacket packet = emptyPacket();
     for (int i = 0; i < 32; ++i)
     {
-      const Vec3d out = random.direction();
-      addRay(packet, 3.0 * out, out + 0.2 * random.direction());
+      const Vec3d out = this->random.direction();
+      addRay(packet, 3.0 * out, out + 0.2 * this->random.direction());
     }
-    expectRight(packet);
+    this->expectRight(packet);
   }
-  EXPECT_EQ(report.hits, 0u);
+  EXPECT_EQ(this->report.hits, 0u);
 }
 
-TEST_F(StructurePacket, OneRayOfManyMeetsTheSet)
+TYPED_TEST(StructurePacket, OneRayOfManyMeetsTheSet)
 {
   RayPacket packet = emptyPacket();
   for (int i = 0; i < RayPacket::capacity; ++i)
     addRay(packet, {i == 37 ? 0.0 : 5.0 + i, 0.0, 4.0}, {0.0, 0.0, -1.0});
-  expectRight(packet);
-  EXPECT_EQ(report.hits, 1u);
+  this->expectRight(packet);
+  EXPECT_EQ(this->report.hits, 1u);
 }
 
-TEST_F(StructurePacket, DirectionsWithoutLengthHitNothing)
+TYPED_TEST(StructurePacket, DirectionsWithoutLengthHitNothing)
 {
   RayPacket packet = emptyPacket();
   for (int i = 0; i < 16; ++i)
     addRay(packet, {0.0, 0.0, 4.0}, i % 2 == 0 ? Vec3d(0.0) : Vec3d(0.0, 0.0, -1.0));
-  grid.cast(packet, 1);
+  this->grid.cast(packet, 1);
   for (int i = 0; i < 16; ++i)
     EXPECT_EQ(packet.object[i], i % 2 == 0 ? -1 : 1);
 }
 
-TEST_F(StructurePacket, CastingAgainChangesNothing)
+TYPED_TEST(StructurePacket, CastingAgainChangesNothing)
 {
   // What was found becomes the farthest t that counts, and the same hit is not nearer than that.
   for (int k = 0; k < 50; ++k)
   {
     RayPacket packet = emptyPacket();
     for (int i = 0; i < RayPacket::capacity; ++i)
-      addRay(packet, {0.1, 0.2, 3.0}, {random(-0.3, 0.3), random(-0.3, 0.3), -random(0.5, 1.5)});
-    grid.cast(packet, 1);
+      addRay(packet, {0.1, 0.2, 3.0},
+        {this->random(-0.3, 0.3), this->random(-0.3, 0.3), -this->random(0.5, 1.5)});
+    this->grid.cast(packet, 1);
     const RayPacket once = packet;
-    grid.cast(packet, 2);
+    this->grid.cast(packet, 2);
     for (int i = 0; i < RayPacket::capacity; ++i)
     {
       EXPECT_EQ(packet.object[i], once.object[i]);
@@ -172,25 +176,25 @@ TEST_F(StructurePacket, CastingAgainChangesNothing)
   }
 }
 
-TEST_F(StructurePacket, TCountsInLengthsOfTheDirection)
+TYPED_TEST(StructurePacket, TCountsInLengthsOfTheDirection)
 {
   for (const double length : {1e-6, 0.5, 1.0, 3.0, 1e6})
   {
     RayPacket packet = emptyPacket();
     addRay(packet, {0.0, 0.0, 4.0}, {0.0, 0.0, -length});
     const RayPacket question = packet;
-    expectRight(question);
-    grid.cast(packet, 1);
-    EXPECT_NEAR(packet.t[0] * length, oracle.nearest(rayOf(question, 0)).t * length, 1e-5);
+    this->expectRight(question);
+    this->grid.cast(packet, 1);
+    EXPECT_NEAR(packet.t[0] * length, this->oracle.nearest(rayOf(question, 0)).t * length, 1e-5);
   }
 }
 
-TEST_F(StructurePacket, ASecondStructureOnlyTakesWhatIsNearer)
+TYPED_TEST(StructurePacket, ASecondStructureOnlyTakesWhatIsNearer)
 {
   Particles front, back;
   front.add({0.0, 0.0, 2.0}, 0.5);
   back.add({0.0, 0.0, -2.0}, 0.5);
-  Structure first, second;
+  TypeParam first, second;
   first.build(front.set());
   second.build(back.set());
   for (const bool frontFirst : {true, false})
@@ -204,19 +208,19 @@ TEST_F(StructurePacket, ASecondStructureOnlyTakesWhatIsNearer)
   }
 }
 
-TEST_F(StructurePacket, OccludedRaysAreThoseThatHitSomething)
+TYPED_TEST(StructurePacket, OccludedRaysAreThoseThatHitSomething)
 {
   int occluded = 0;
   for (int k = 0; k < 40; ++k)
   {
     RayPacket packet = emptyPacket();
     for (int i = 0; i < RayPacket::capacity; ++i)
-      addRay(packet, random.inBox(Vec3d(-1.5), Vec3d(1.5)), random.direction(), random(0.0, 0.3),
-        random(0.1, 2.0));
+      addRay(packet, this->random.inBox(Vec3d(-1.5), Vec3d(1.5)), this->random.direction(),
+        this->random(0.0, 0.3), this->random(0.1, 2.0));
     RayPacket nearest = packet;
-    grid.cast(nearest, 1);
+    this->grid.cast(nearest, 1);
     RayPacket any = packet;
-    grid.occlude(any, 1);
+    this->grid.occlude(any, 1);
     for (int i = 0; i < packet.count; ++i)
     {
       const bool hit = nearest.object[i] == 1;
@@ -235,7 +239,7 @@ TEST_F(StructurePacket, OccludedRaysAreThoseThatHitSomething)
         own.t[i] = nearest.t[i] * (1.0 + 1e-9) + 1e-9;
     }
     const RayPacket question = own;
-    grid.occlude(own, 1);
+    this->grid.occlude(own, 1);
     for (int i = 0; i < packet.count; ++i)
       EXPECT_EQ(own.t[i], question.t[i]);
   }

@@ -61,6 +61,7 @@ CameraRays raysFrom(double distance, const Vec3d& direction, int size)
 }
 
 /// What the grid answers, and which of the rays' numbers it rounds, is its own affair.
+template <typename Structure>
 Errors errorsOfGrid(const Particles& particles, const CameraRays& rays, int size)
 {
   Structure grid;
@@ -134,7 +135,11 @@ Errors errorsOfFormula(
 
 } // namespace
 
-TEST(StructurePrecision, DoesNotDependOnTheEyesDistance)
+template <typename Structure>
+using StructurePrecision = StructureTest<Structure>;
+TYPED_TEST_SUITE(StructurePrecision, ParticleStructures, StructureName);
+
+TYPED_TEST(StructurePrecision, DoesNotDependOnTheEyesDistance)
 {
   // Measured: no wrong pixel, and depths to 1.3e-4 of a radius (near silhouettes, where depth is
   // steep; 2e-5 in the median view), at every distance: rays are brought to the box in double.
@@ -143,14 +148,15 @@ TEST(StructurePrecision, DoesNotDependOnTheEyesDistance)
     for (const Vec3d& direction :
       {Vec3d(0.3, 0.2, 1.0), Vec3d(1.0, 1.0, 1.0), Vec3d(0.0, 0.0, 1.0)})
     {
-      const Errors errors = errorsOfGrid(particles, raysFrom(distance, direction, 128), 128);
+      const Errors errors =
+        errorsOfGrid<TypeParam>(particles, raysFrom(distance, direction, 128), 128);
       SCOPED_TRACE(distance);
       EXPECT_LE(errors.wrong, 1u) << "of " << errors.pixels;
       EXPECT_LT(errors.largestDepth, 1e-3);
     }
 }
 
-TEST(StructurePrecision, WithoutRebasingFloatErrsWithTheDistance)
+TYPED_TEST(StructurePrecision, WithoutRebasingFloatErrsWithTheDistance)
 {
   // What the grid saves by moving origins in double: the same picture by float formulas whose rays
   // start in the eye. Prints the table of docs/results.md.
@@ -162,7 +168,7 @@ TEST(StructurePrecision, WithoutRebasingFloatErrsWithTheDistance)
     const CameraRays rays = raysFrom(distance, {0.3, 0.2, 1.0}, size);
     const Errors book = errorsOfFormula(particles, rays, size, textbook);
     const Errors perp = errorsOfFormula(particles, rays, size, perpendicular);
-    const Errors grid = errorsOfGrid(particles, rays, size);
+    const Errors grid = errorsOfGrid<TypeParam>(particles, rays, size);
     std::printf("%-8.0e", distance);
     for (const Errors& e : {book, perp, grid})
       std::printf("  %6.2f %% %9.1e",
@@ -184,13 +190,13 @@ TEST(StructurePrecision, WithoutRebasingFloatErrsWithTheDistance)
   }
 }
 
-TEST(StructurePrecision, DoesNotDependOnTheOrigin)
+TYPED_TEST(StructurePrecision, DoesNotDependOnTheOrigin)
 {
   for (const double offset : {1e4, 1e6, 1e9})
   {
     Particles particles = randomParticles(2000, 92, 0.02, 0.06);
     particles.move(offset * Vec3d(1.0, -0.7, 0.4));
-    Structure grid;
+    TypeParam grid;
     grid.build(particles.set());
     // Double itself has steps of 1e-7 at 1e9.
     const CastOracle oracle(particles.set(), std::max(1e-6, 4.0 * offset * 0x1p-52));
@@ -207,7 +213,7 @@ TEST(StructurePrecision, DoesNotDependOnTheOrigin)
   }
 }
 
-TEST(StructurePrecision, SmallParticlesInALargeSet)
+TYPED_TEST(StructurePrecision, SmallParticlesInALargeSet)
 {
   // The rounding of coordinates to float relative to the middle is all that is lost: 6e-8 of the
   // half size, whatever the radius.
@@ -215,7 +221,7 @@ TEST(StructurePrecision, SmallParticlesInALargeSet)
   {
     Random random(94);
     Particles particles = randomParticles(5000, 95, radius, radius);
-    Structure grid;
+    TypeParam grid;
     grid.build(particles.set());
     const CastOracle oracle = CastOracle::forFloat(particles.set());
     CastReport report;
@@ -232,7 +238,7 @@ TEST(StructurePrecision, SmallParticlesInALargeSet)
   }
 }
 
-TEST(StructurePrecision, DoesNotDependOnTheUnitOfLength)
+TYPED_TEST(StructurePrecision, DoesNotDependOnTheUnitOfLength)
 {
   // From nuclei in metres to clusters of galaxies in centimetres: a power of two as factor changes
   // no hit, and scales every distance exactly.
@@ -243,7 +249,7 @@ TEST(StructurePrecision, DoesNotDependOnTheUnitOfLength)
       v *= unit;
     for (double& r : particles.radii)
       r *= unit;
-    Structure grid;
+    TypeParam grid;
     grid.build(particles.set());
     const CameraRays rays(lookAt(unit * Vec3d(2.0, 1.5, 3.0), Vec3d(0.5 * unit), 30.0), 64, 64);
     std::vector<std::pair<std::uint64_t, double>> hits;

@@ -15,6 +15,7 @@ namespace
 {
 
 /// A set with two attributes, one a clear function of the place and one of none.
+template <typename Structure>
 struct Attributed
 {
   Particles particles = randomParticles(3000, 131, 0.01, 0.06);
@@ -76,9 +77,13 @@ struct Attributed
 
 } // namespace
 
-TEST(StructureRanges, EachOfTheEightValuesSelects)
+template <typename Structure>
+using StructureRanges = StructureTest<Structure>;
+TYPED_TEST_SUITE(StructureRanges, ParticleStructures, StructureName);
+
+TYPED_TEST(StructureRanges, EachOfTheEightValuesSelects)
 {
-  Attributed a;
+  Attributed<TypeParam> a;
   const auto center = [&](std::size_t i) { return a.particles.center(i); };
   ParticleRanges ranges;
   a.expectOnly([](std::size_t) { return true; });
@@ -107,9 +112,9 @@ TEST(StructureRanges, EachOfTheEightValuesSelects)
   a.expectOnly([](std::size_t) { return true; });
 }
 
-TEST(StructureRanges, LimitsBelongToTheRangeAndFloatRoundsInwards)
+TYPED_TEST(StructureRanges, LimitsBelongToTheRangeAndFloatRoundsInwards)
 {
-  Attributed a;
+  Attributed<TypeParam> a;
   ParticleRanges ranges;
   ranges.lower[4] = ranges.upper[4] = a.smooth[7];
   a.grid.setRanges(ranges);
@@ -120,9 +125,9 @@ TEST(StructureRanges, LimitsBelongToTheRangeAndFloatRoundsInwards)
   a.expectOnly([&](std::size_t i) { return a.smooth[i] > a.smooth[7]; });
 }
 
-TEST(StructureRanges, NaNIsInTheUnlimitedRangeAlone)
+TYPED_TEST(StructureRanges, NaNIsInTheUnlimitedRangeAlone)
 {
-  Attributed a;
+  Attributed<TypeParam> a;
   for (std::size_t i = 0; i < a.noise.size(); i += 2)
     a.noise[i] = std::numeric_limits<float>::quiet_NaN();
   a.grid.setAttributes({{ArrayView(a.smooth.data(), a.smooth.size(), 1)},
@@ -134,9 +139,9 @@ TEST(StructureRanges, NaNIsInTheUnlimitedRangeAlone)
   a.expectOnly([](std::size_t i) { return i % 2 == 1; });
 }
 
-TEST(StructureRanges, CombineWithTheVisibilityInAnyOrder)
+TYPED_TEST(StructureRanges, CombineWithTheVisibilityInAnyOrder)
 {
-  Attributed a;
+  Attributed<TypeParam> a;
   ParticleRanges ranges;
   ranges.lower[4] = 0.0;
   const auto third = [&](std::size_t slot) { return a.grid.inputIndex(slot) % 3 == 0; };
@@ -154,9 +159,9 @@ TEST(StructureRanges, CombineWithTheVisibilityInAnyOrder)
   a.expectOnly([](std::size_t) { return false; });
 }
 
-TEST(StructureRanges, RefusesWhatIsNoAttribute)
+TYPED_TEST(StructureRanges, RefusesWhatIsNoAttribute)
 {
-  Attributed a;
+  Attributed<TypeParam> a;
   const ArrayView noise(a.noise.data(), a.noise.size(), 1);
   const ArrayView few(a.noise.data(), 5, 1);
   EXPECT_THROW(a.grid.setAttributes({{few}}), Error);
@@ -168,9 +173,9 @@ TEST(StructureRanges, RefusesWhatIsNoAttribute)
   EXPECT_THROW(a.grid.setRanges(ranges), Error);
 }
 
-TEST(StructureRanges, AttributesTakeMemoryOnlyWhereTheyAreKept)
+TYPED_TEST(StructureRanges, AttributesTakeMemoryOnlyWhereTheyAreKept)
 {
-  Attributed a;
+  Attributed<TypeParam> a;
   const std::size_t with = a.grid.bytes();
   a.grid.setAttributes({});
   EXPECT_GE(with - a.grid.bytes(), 16 * a.particles.size());

@@ -37,10 +37,14 @@ std::vector<RayBundle> questions()
 
 } // namespace
 
-TEST(StructureTargets, EveryInstructionSetAgreesWithTheReference)
+template <typename Structure>
+using StructureTargets = StructureTest<Structure>;
+TYPED_TEST_SUITE(StructureTargets, ParticleStructures, StructureName);
+
+TYPED_TEST(StructureTargets, EveryInstructionSetAgreesWithTheReference)
 {
   const Particles particles = randomParticles(2000, 102, 0.01, 0.08);
-  Structure grid;
+  TypeParam grid;
   grid.build(particles.set());
   const CastOracle oracle = CastOracle::forFloat(particles.set());
   const std::vector<RayBundle> bundles = questions();
@@ -71,5 +75,5 @@ TEST(StructureTargets, EveryInstructionSetAgreesWithTheReference)
     if (first.empty())
       first = answers;
   }
-  RecordProperty("targets", static_cast<int>(targets.size()));
+  this->RecordProperty("targets", static_cast<int>(targets.size()));
 }

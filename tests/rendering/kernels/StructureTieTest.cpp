@@ -44,10 +44,14 @@ std::size_t firstTwin(const Particles& particles, std::size_t i)
 
 } // namespace
 
-TEST(StructureTie, CoincidentParticlesGiveTheSmallestIndex)
+template <typename Structure>
+using StructureTie = StructureTest<Structure>;
+TYPED_TEST_SUITE(StructureTie, ParticleStructures, StructureName);
+
+TYPED_TEST(StructureTie, CoincidentParticlesGiveTheSmallestIndex)
 {
   const Particles particles = repeated(5, 61);
-  Structure grid;
+  TypeParam grid;
   grid.build(particles.set());
   Random random(62);
   int hits = 0;
@@ -69,12 +73,12 @@ TEST(StructureTie, CoincidentParticlesGiveTheSmallestIndex)
   EXPECT_GT(hits, 1000);
 }
 
-TEST(StructureTie, HiddenTwinsLeaveTheNextOne)
+TYPED_TEST(StructureTie, HiddenTwinsLeaveTheNextOne)
 {
   Particles particles;
   for (int i = 0; i < 6; ++i)
     particles.add({0.0, 0.0, 0.0}, 1.0);
-  Structure grid;
+  TypeParam grid;
   grid.build(particles.set());
   grid.setVisibility([&](std::size_t slot) { return grid.inputIndex(slot) >= 4; });
   RayPacket packet = emptyPacket();

@@ -14,6 +14,7 @@ namespace
 {
 
 /// A set, its grid and its oracle.
+template <typename Structure>
 struct Fixture
 {
   explicit Fixture(Particles p)
@@ -27,7 +28,9 @@ struct Fixture
   Structure grid;
 };
 
-void expectRight(const Fixture& f, const Camera& camera, bool expectHits = true, int size = 40)
+template <typename Structure>
+void expectRight(
+  const Fixture<Structure>& f, const Camera& camera, bool expectHits = true, int size = 40)
 {
   for (const int side : {2, 4, 8, 16})
   {
@@ -43,11 +46,15 @@ void expectRight(const Fixture& f, const Camera& camera, bool expectHits = true,
 
 } // namespace
 
-TEST(StructureViews, RandomSetsInPerspective)
+template <typename Structure>
+using StructureViews = StructureTest<Structure>;
+TYPED_TEST_SUITE(StructureViews, ParticleStructures, StructureName);
+
+TYPED_TEST(StructureViews, RandomSetsInPerspective)
 {
   for (std::uint64_t seed = 1; seed <= 8; ++seed)
   {
-    const Fixture f(randomParticles(200 * seed * seed, seed, 0.005, 0.4 / double(seed)));
+    const Fixture<TypeParam> f(randomParticles(200 * seed * seed, seed, 0.005, 0.4 / double(seed)));
     Random random(seed);
     for (int k = 0; k < 6; ++k)
     {
@@ -57,11 +64,11 @@ TEST(StructureViews, RandomSetsInPerspective)
   }
 }
 
-TEST(StructureViews, RandomSetsInOrthographicProjection)
+TYPED_TEST(StructureViews, RandomSetsInOrthographicProjection)
 {
   for (std::uint64_t seed = 1; seed <= 4; ++seed)
   {
-    const Fixture f(randomParticles(1000, 20 + seed, 0.01, 0.1));
+    const Fixture<TypeParam> f(randomParticles(1000, 20 + seed, 0.01, 0.1));
     Random random(seed);
     for (int k = 0; k < 6; ++k)
     {
@@ -73,9 +80,9 @@ TEST(StructureViews, RandomSetsInOrthographicProjection)
   }
 }
 
-TEST(StructureViews, SixDirectionsAlongTheAxes)
+TYPED_TEST(StructureViews, SixDirectionsAlongTheAxes)
 {
-  const Fixture f(randomParticles(2000, 31, 0.01, 0.08));
+  const Fixture<TypeParam> f(randomParticles(2000, 31, 0.01, 0.08));
   for (int axis = 0; axis < 3; ++axis)
     for (const double sign : {-1.0, 1.0})
     {
@@ -89,9 +96,9 @@ TEST(StructureViews, SixDirectionsAlongTheAxes)
     }
 }
 
-TEST(StructureViews, DiagonalsWhereTheMajorAxisChangesWithinAPacket)
+TYPED_TEST(StructureViews, DiagonalsWhereTheMajorAxisChangesWithinAPacket)
 {
-  const Fixture f(randomParticles(2000, 32, 0.01, 0.08));
+  const Fixture<TypeParam> f(randomParticles(2000, 32, 0.01, 0.08));
   for (int corner = 0; corner < 8; ++corner)
   {
     const Vec3d eye(corner & 1 ? 2.0 : -2.0, corner & 2 ? 2.0 : -2.0, corner & 4 ? 2.0 : -2.0);
@@ -99,9 +106,9 @@ TEST(StructureViews, DiagonalsWhereTheMajorAxisChangesWithinAPacket)
   }
 }
 
-TEST(StructureViews, CameraAmongTheParticles)
+TYPED_TEST(StructureViews, CameraAmongTheParticles)
 {
-  const Fixture f(randomParticles(3000, 33, 0.005, 0.05));
+  const Fixture<TypeParam> f(randomParticles(3000, 33, 0.005, 0.05));
   Random random(5);
   for (int k = 0; k < 20; ++k)
   {
@@ -110,11 +117,11 @@ TEST(StructureViews, CameraAmongTheParticles)
   }
 }
 
-TEST(StructureViews, CameraInsideASphere)
+TYPED_TEST(StructureViews, CameraInsideASphere)
 {
   Particles particles = randomParticles(500, 34, 0.01, 0.1);
   particles.add({0.2, 0.1, -0.1}, 0.7);
-  const Fixture f(particles);
+  const Fixture<TypeParam> f(particles);
   for (const Vec3d& eye : {Vec3d(0.2, 0.1, -0.1), Vec3d(0.5, 0.1, 0.0), Vec3d(0.2, 0.7, -0.1)})
   {
     Camera camera = lookAt(eye, {1.0, -0.3, 0.4}, 60.0);
@@ -124,11 +131,11 @@ TEST(StructureViews, CameraInsideASphere)
   }
 }
 
-TEST(StructureViews, SpheresBehindTheEyeThatReachBeforeIt)
+TYPED_TEST(StructureViews, SpheresBehindTheEyeThatReachBeforeIt)
 {
   // Spheres as large as the distance between them, and rays that spread as widely as they may in
   // one packet: what they meet beside the eye may be centred behind it.
-  const Fixture f(randomParticles(40, 37, 0.2, 0.6));
+  const Fixture<TypeParam> f(randomParticles(40, 37, 0.2, 0.6));
   Random random(10);
   for (int k = 0; k < 200; ++k)
   {
@@ -140,9 +147,9 @@ TEST(StructureViews, SpheresBehindTheEyeThatReachBeforeIt)
   }
 }
 
-TEST(StructureViews, WideAnglesSplitPackets)
+TYPED_TEST(StructureViews, WideAnglesSplitPackets)
 {
-  const Fixture f(randomParticles(1000, 35, 0.02, 0.1));
+  const Fixture<TypeParam> f(randomParticles(1000, 35, 0.02, 0.1));
   Random random(6);
   for (const double angle : {60.0, 100.0, 150.0, 179.0})
     for (int k = 0; k < 6; ++k)
@@ -154,9 +161,9 @@ TEST(StructureViews, WideAnglesSplitPackets)
     }
 }
 
-TEST(StructureViews, NarrowAngles)
+TYPED_TEST(StructureViews, NarrowAngles)
 {
-  const Fixture f(randomParticles(4000, 36, 0.02, 0.08));
+  const Fixture<TypeParam> f(randomParticles(4000, 36, 0.02, 0.08));
   Random random(7);
   for (const double angle : {1.0, 1e-2, 1e-4})
     for (int k = 0; k < 6; ++k)
@@ -168,18 +175,18 @@ TEST(StructureViews, NarrowAngles)
     }
 }
 
-TEST(StructureViews, RadiiOverManyOrders)
+TYPED_TEST(StructureViews, RadiiOverManyOrders)
 {
   Random random(8);
   Particles particles;
   for (int i = 0; i < 3000; ++i)
     particles.add(random.inBox(Vec3d(-1.0), Vec3d(1.0)), std::pow(10.0, random(-4.0, -0.7)));
-  const Fixture f(particles);
+  const Fixture<TypeParam> f(particles);
   for (int k = 0; k < 8; ++k)
     expectRight(f, lookAt(random(1.2, 5.0) * random.direction(), Vec3d(0.0), 40.0));
 }
 
-TEST(StructureViews, ClustersWithEmptySpaceBetween)
+TYPED_TEST(StructureViews, ClustersWithEmptySpaceBetween)
 {
   // Most macrocells are empty and are jumped over, from every side and for both signs.
   Random random(9);
@@ -190,7 +197,7 @@ TEST(StructureViews, ClustersWithEmptySpaceBetween)
     for (int i = 0; i < 400; ++i)
       particles.add(middle + 0.02 * random(0.0, 1.0) * random.direction(), 0.004);
   }
-  const Fixture f(particles);
+  const Fixture<TypeParam> f(particles);
   for (int k = 0; k < 30; ++k)
     expectRight(f, lookAt(2.5 * random.direction(), 0.5 * random.direction(), 50.0), false, 64);
 }

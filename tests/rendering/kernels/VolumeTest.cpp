@@ -1,8 +1,9 @@
 // What rays gather of a volume.
 
 #include <kernels/core/Error.h>
-#include <kernels/tracing/CloudTracer.h>
+#include <kernels/tracing/detail/CloudTracer.h>
 
+#include <support/Structure.h>
 #include <support/Volumes.h>
 
 #include <gtest/gtest.h>
@@ -17,10 +18,6 @@ namespace
 
 constexpr VolumeIntegrator integrators[] = {
   VolumeIntegrator::InverseDistance, VolumeIntegrator::Trilinear, VolumeIntegrator::CellByCell};
-constexpr HexStructureKind kinds[] = {HexStructureKind::CylindricalGrid,
-  HexStructureKind::CartesianGrid, HexStructureKind::CylindricalBvh,
-  HexStructureKind::CartesianBvh};
-
 RayColor gathered(const CloudObject& volume, const Vec3d& origin, const Vec3d& direction,
   double tMin = 0.0, double tMax = INFINITY)
 {
@@ -275,7 +272,7 @@ TEST(Volume, EveryStructureGathersTheSame)
       [&](const Vec3d& from, const Vec3d& way)
       {
         std::vector<RayColor> colors;
-        for (const HexStructureKind kind : kinds)
+        for (const HexStructureKind kind : hexKinds)
         {
           CloudObject volume = volumeOf(mesh, pointValues(*mesh, wave), evenTransfer(0.4F), kind);
           volume.sampling.integrator = integrator;
@@ -294,7 +291,7 @@ TEST(Volume, WhatCannotBeSeenIsSkippedAndNothingElse)
   const auto mesh = hexRing({8, 64, 8}).mesh();
   TransferFunction f;
   f.knots = {{1.2, Vec4f(1, 0, 0, 0)}, {1.4, Vec4f(1, 1, 0, 0.5F)}, {1.6, Vec4f(0, 1, 0, 0)}};
-  for (const HexStructureKind kind : kinds)
+  for (const HexStructureKind kind : hexKinds)
   {
     CloudObject volume =
       volumeOf(mesh, pointValues(*mesh, [](const Vec3d& p) { return p.x; }), f, kind);
@@ -377,7 +374,7 @@ TEST(Volume, PointsThatCoincideKeepTheirOwnValues)
   std::fill(values.begin() + 8, values.end(), 1.0);
   TransferFunction f;
   f.knots = {{0.0, Vec4f(1, 0, 0, 0.2F)}, {0.5, Vec4f(0, 1, 0, 0.9F)}, {1.0, Vec4f(0, 0, 1, 0.3F)}};
-  for (const HexStructureKind kind : kinds)
+  for (const HexStructureKind kind : hexKinds)
     for (const VolumeIntegrator integrator : integrators)
     {
       CloudObject volume = volumeOf(mesh, values, f, kind);
@@ -409,7 +406,7 @@ TEST(Volume, RaysAlongAxisSeamEdgesAndFromWithin)
 {
   // The disc has collapsed cells at its axis.
   const auto mesh = hexRing({4, 16, 3, 0.0, 1.0, 2.0}).mesh();
-  for (const HexStructureKind kind : kinds)
+  for (const HexStructureKind kind : hexKinds)
     for (const VolumeIntegrator integrator : integrators)
     {
       CloudObject volume =
@@ -430,7 +427,7 @@ TEST(Volume, RaysAlongAxisSeamEdgesAndFromWithin)
 TEST(Volume, NoCellAndOneCell)
 {
   const auto empty = HexCells().mesh();
-  for (const HexStructureKind kind : kinds)
+  for (const HexStructureKind kind : hexKinds)
   {
     const CloudObject nothing = volumeOf(empty, {}, evenTransfer(0.5F), kind);
     EXPECT_EQ(gathered(nothing, {0, 0, 0}, {1, 0, 0}).transmittance, 1.0);

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "../../core/RayPacket.h"
+#include "../../scene/Scene.h"
+
+#include <vector>
+
+namespace mote
+{
+
+/// Casts packets of rays that run in the world at all surfaces of a scene. Rays name surfaces by
+/// their index in Scene::surfaces.
+class SceneRays
+{
+public:
+  /// Origins of rays count from `reference`, a point in the world. The scene must outlive this.
+  SceneRays(const Scene& scene, const Vec3d& reference);
+
+  /// Finds for each ray the nearest hit with tMin < t < rays.t, and where there is one writes t,
+  /// slot and object.
+  void cast(RayPacket& rays) const;
+
+  /// Looks for anything between tMin and t of each ray; where there is, t becomes -infinity. See
+  /// SurfaceKind for what does not count.
+  void occlude(RayPacket& rays) const;
+  /// The same for those surfaces alone that cast shadows.
+  void shadow(RayPacket& rays) const;
+
+  const Scene& scene() const { return scene_; }
+  const Vec3d& reference() const { return reference_; }
+  const SurfaceObject& surface(std::int32_t index) const
+  {
+    return scene_.surfaces[static_cast<std::size_t>(index)];
+  }
+  /// From the world to the coordinates of a surface.
+  const Mat4d& toLocal(std::int32_t index) const
+  {
+    return toLocal_[static_cast<std::size_t>(index)];
+  }
+  /// How far positions on a surface may be wrong, in world units, because of float numbers relative
+  /// to its middle (docs/shadows.md tells the measurement).
+  double rounding(std::int32_t index) const { return rounding_[static_cast<std::size_t>(index)]; }
+
+private:
+  template <typename Takes, typename Visit>
+  void forSurfaces(RayPacket& rays, const Takes& takes, const Visit& visit) const;
+
+  const Scene& scene_;
+  Vec3d reference_;
+  std::vector<Mat4d> toLocal_;
+  std::vector<double> rounding_;
+};
+
+} // namespace mote
