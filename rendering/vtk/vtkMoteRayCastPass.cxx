@@ -29,11 +29,11 @@ public:
   vtkSmartPointer<vtkRenderPass> delegate;
   mote::RendererImages images;
   mote::MoteProps props; ///< of the frame being drawn
-  std::string reported;  ///< last problem, so that it is told once and not every frame
   bool converged = true;
   bool preview = false;
   double distance = 1.0;
   int samples = 0;
+  double finerShare = 0.0;
   double noise = std::numeric_limits<double>::infinity();
   long long rays = 0;
   double traceTime = 0.0;
@@ -147,30 +147,24 @@ void vtkMoteRayCastPass::DrawImage(vtkRenderer* renderer)
   settings.shading = this->Shading;
   settings.silhouettes = this->Silhouettes;
   mote::RendererImage& image = impl.images.of(renderer);
-  impl.displayTime = 0.0;
-  const bool shown = image.trace(renderer, impl.props, settings,
+  const bool shown = image.render(this, renderer, impl.props, settings,
     [this](double done)
     {
       this->InvokeEvent(vtkCommand::ProgressEvent, &done);
       return true;
     });
   if (shown)
-  {
-    image.draw(renderer);
-    impl.displayTime = image.displayTime();
     this->NumberOfRenderedProps += static_cast<int>(impl.props.size());
-  }
-  if (!image.problem().empty() && image.problem() != impl.reported)
-    vtkErrorMacro(<< image.problem());
-  impl.reported = image.problem();
   const mote::FrameTracer& tracer = image.tracer();
   impl.converged = shown ? tracer.converged() : !image.interrupted();
   impl.preview = shown && tracer.preview();
   impl.distance = tracer.distance();
-  impl.samples = shown ? tracer.film().samples() : 0;
+  impl.samples = shown ? tracer.samples() : 0;
+  impl.finerShare = shown ? tracer.finerShare() : 0.0;
   impl.noise = tracer.noise();
   impl.rays = tracer.rays();
   impl.traceTime = tracer.seconds();
+  impl.displayTime = image.displayTime();
   impl.silhouetteTime = tracer.edgeSeconds();
 }
 
@@ -200,6 +194,11 @@ double vtkMoteRayCastPass::GetImageSampleDistance()
 int vtkMoteRayCastPass::GetNumberOfSamples()
 {
   return this->Impl->samples;
+}
+
+double vtkMoteRayCastPass::GetFinerShare()
+{
+  return this->Impl->finerShare;
 }
 
 double vtkMoteRayCastPass::GetNoise()
