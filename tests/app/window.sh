@@ -284,6 +284,39 @@ case $3 in
     [ $? = 130 ] || fail "not interrupted"
     ;;
 
+  volume) # volumes alone are traced as particles are: samples, silhouettes, light
+    shown=("$data/swirl.1.vtu" --size 320x240 --iso 0.02 --no-cloud --color-by U)
+    open "${shown[@]}" --samples 1
+    picture one.png
+    quit
+    saved=0
+    open "${shown[@]}" --samples 6
+    picture six.png
+    differ one.png six.png
+    press e
+    picture lines.png
+    differ six.png lines.png
+    press e
+    picture no-lines.png
+    alike six.png no-lines.png
+    press t
+    picture occlusion.png
+    differ six.png occlusion.png
+    press m
+    picture map.png
+    differ occlusion.png map.png
+    press x y z r # each interrupts what sharpens
+    picture reset.png
+    alike map.png reset.png
+    quit
+    open "$data/swirl.1.vtu" --size 320x240 --samples 4 --cloud-tolerance 0
+    picture cloud.png
+    press c
+    picture next.png
+    differ cloud.png next.png
+    quit
+    ;;
+
   mesh) # cells are shown by their surface, without rays
     cat >cube.ply <<'PLY'
 ply
