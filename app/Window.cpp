@@ -98,6 +98,7 @@ Window::Window(const ViewOptions& options, Input& input)
 Window::~Window()
 {
   forget(window_);
+  forget(pass_);
   forget(interactor_);
 }
 
@@ -138,7 +139,9 @@ void Window::setUpEvents()
   style_->onZoom = [this](double factor) { this->zoom(factor); };
   observe(window_, vtkCommand::StartEvent, [this](void*) { this->onRenderStart(); });
   observe(window_, vtkCommand::EndEvent, [this](void*) { this->onRenderEnd(); });
-  observe(window_, vtkCommand::AbortCheckEvent,
+  // Input stops what sharpens a picture and nothing else: VTK shows no frame that was stopped, and
+  // whoever holds a key would see none.
+  observe(pass_, vtkCommand::ProgressEvent,
     [this](void*)
     {
       if (!busy_ && inputWaits(window_))

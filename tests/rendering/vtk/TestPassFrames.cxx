@@ -268,17 +268,17 @@ TEST_F(Frames, ProgressComesFromTheDrawingThread)
 namespace
 {
 
-/// Stops all that asks, as a user who holds a key.
+/// Stops all that asks, or all that tells of progress, as a user who holds a key.
 struct Aborter
 {
   vtkRenderWindow* window;
   bool on = true;
   int asked = 0;
 
-  explicit Aborter(vtkRenderWindow* w)
+  Aborter(vtkRenderWindow* w, vtkObject* asking, unsigned long event)
     : window(w)
   {
-    window->AddObserver(vtkCommand::AbortCheckEvent, this, &Aborter::check);
+    asking->AddObserver(event, this, &Aborter::check);
   }
   void check()
   {
@@ -292,7 +292,7 @@ struct Aborter
 
 TEST_F(Frames, AbortedOnesHaveNotConverged)
 {
-  Aborter aborter(drawing.window);
+  Aborter aborter(drawing.window, drawing.window, vtkCommand::AbortCheckEvent);
   drawing.window->Render();
   EXPECT_FALSE(pass->IsConverged());
   aborter.on = false;
@@ -305,13 +305,15 @@ TEST_F(Frames, AbortedOnesHaveNotConverged)
 TEST_F(Frames, ProgressiveOnesShowEveryChangeWhateverWaits)
 {
   pass->ProgressiveOn();
-  Aborter aborter(drawing.window);
+  auto box = drawing.addTriangles({{0, 0, 0, 0.5}}, {0, 0, 1}); // VTK asks before it draws one
+  Aborter aborter(drawing.window, pass, vtkCommand::ProgressEvent);
   Shot before;
   for (const double hue : {0.2, 0.6, 1.0})
   {
     actor->GetProperty()->SetColor(hue, 1 - hue, 0.3);
     drawing.window->Render();
     EXPECT_EQ(aborter.asked, 0) << "it is short";
+    EXPECT_EQ(drawing.window->GetAbortRender(), 0);
     EXPECT_GE(pass->GetNumberOfSamples(), 1);
     const Shot now = read(drawing.window);
     if (before.width > 0)
@@ -321,6 +323,7 @@ TEST_F(Frames, ProgressiveOnesShowEveryChangeWhateverWaits)
     before = now;
   }
   drawing.window->Render(); // sharpens, and is stopped
+  EXPECT_GT(aborter.asked, 0);
   EXPECT_FALSE(pass->IsConverged());
   aborter.on = false;
   for (int frames = 0; !pass->IsConverged(); ++frames)
