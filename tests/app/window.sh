@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # window.sh MOTE DATA CASE: one test of the window, on the X server that DISPLAY names. What the
 # window shows is judged by the pictures that it saves itself: the key s writes NAME-001.png, ...
-source "$(dirname "$0")/common.sh"
+tests=$(cd "$(dirname "$0")" && pwd)
+source "$tests/common.sh"
 [ -n "$DISPLAY" ] || fail "no display"
 copper=$data/copper-scratch.dump.gz
 
@@ -314,6 +315,28 @@ case $3 in
     press c
     picture next.png
     differ cloud.png next.png
+    quit
+    ;;
+
+  slow) # what takes minutes to trace is seen at once, coarsely, with its legend; and so is every change
+    legend() { python3 "$tests/screen.py" 850 120 140 460; }
+    view() { python3 "$tests/screen.py" 300 120 400 460; }
+    open "$data/swirl.1.vtu" --size 1000x700 --color-by U --sample-distance 3e-6 --samples 1
+    for _ in $(seq 50); do
+      [ "$(legend | cut -d ' ' -f 2)" -gt 300 ] && break
+      sleep 0.2
+    done
+    [ "$(legend | cut -d ' ' -f 2)" -gt 300 ] || fail "no legend"
+    [ "$(view | cut -d ' ' -f 2)" -gt 1000 ] || fail "the legend came before the picture"
+    for _ in 1 2 3; do
+      before=$(legend)
+      press m
+      for _ in $(seq 50); do
+        [ "$(legend)" != "$before" ] && break
+        sleep 0.2
+      done
+      [ "$(legend)" != "$before" ] || fail "a key shows nothing"
+    done
     quit
     ;;
 
