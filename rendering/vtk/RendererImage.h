@@ -25,8 +25,10 @@ public:
   bool render(vtkObject* owner, vtkRenderer* renderer, const MoteProps& props,
     const FrameSettings& settings, const Progress& progress = {}, bool translucent = false);
 
-  /// Whether the last render() was stopped or failed before the picture was complete.
-  bool interrupted() const { return interrupted_; }
+  /// Whether the last render() drew something.
+  bool shown() const { return shown_; }
+  /// Whether there is nothing left to trace: all is there, or nothing to draw is.
+  bool converged() const { return shown_ ? tracer_.converged() : !interrupted_; }
 
   const FrameTracer& tracer() const { return tracer_; }
   FilmDisplay& display() { return display_; }

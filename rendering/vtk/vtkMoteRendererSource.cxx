@@ -23,6 +23,9 @@
 #include <chrono>
 
 vtkStandardNewMacro(vtkMoteRendererSource);
+vtkCxxSetSmartPointerMacro(vtkMoteRendererSource, Renderer, vtkRenderer);
+vtkCxxSetSmartPointerMacro(vtkMoteRendererSource, Shading, vtkMoteShading);
+vtkCxxSetSmartPointerMacro(vtkMoteRendererSource, Silhouettes, vtkMoteSilhouettes);
 
 vtkMoteRendererSource::vtkMoteRendererSource()
   : Shading(vtkSmartPointer<vtkMoteShading>::New())
@@ -33,38 +36,14 @@ vtkMoteRendererSource::vtkMoteRendererSource()
 
 vtkMoteRendererSource::~vtkMoteRendererSource() = default;
 
-void vtkMoteRendererSource::SetRenderer(vtkRenderer* renderer)
-{
-  if (this->Renderer == renderer)
-    return;
-  this->Renderer = renderer;
-  this->Modified();
-}
-
 vtkRenderer* vtkMoteRendererSource::GetRenderer()
 {
   return this->Renderer;
 }
 
-void vtkMoteRendererSource::SetShading(vtkMoteShading* shading)
-{
-  if (this->Shading == shading)
-    return;
-  this->Shading = shading;
-  this->Modified();
-}
-
 vtkMoteShading* vtkMoteRendererSource::GetShading()
 {
   return this->Shading;
-}
-
-void vtkMoteRendererSource::SetSilhouettes(vtkMoteSilhouettes* silhouettes)
-{
-  if (this->Silhouettes == silhouettes)
-    return;
-  this->Silhouettes = silhouettes;
-  this->Modified();
 }
 
 vtkMoteSilhouettes* vtkMoteRendererSource::GetSilhouettes()
