@@ -16,6 +16,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace mote::app
@@ -97,6 +98,7 @@ Window::Window(const ViewOptions& options, Input& input)
 Window::~Window()
 {
   forget(window_);
+  forget(pass_);
   forget(interactor_);
 }
 
@@ -120,13 +122,26 @@ void Window::setUpWindow()
   interactor_->SetInteractorStyle(style_);
 }
 
+void Window::choosePass()
+{
+  // Where there is nothing to trace OpenGL smooths the edges.
+  const auto& parts = scene_.parts();
+  traced_ =
+    parts.empty() || std::any_of(parts.begin(), parts.end(),
+                       [](const auto& part) { return part->kind() != Part::Kind::Surface; });
+  scene_.renderer()->SetPass(traced_ ? pass_.Get() : nullptr);
+  scene_.renderer()->SetUseFXAA(!traced_);
+}
+
 void Window::setUpEvents()
 {
   style_->onKey = [this](const std::string& key) { this->act(actionOf(key)); };
   style_->onZoom = [this](double factor) { this->zoom(factor); };
   observe(window_, vtkCommand::StartEvent, [this](void*) { this->onRenderStart(); });
   observe(window_, vtkCommand::EndEvent, [this](void*) { this->onRenderEnd(); });
-  observe(window_, vtkCommand::AbortCheckEvent,
+  // Input stops what sharpens a picture and nothing else: VTK shows no frame that was stopped, and
+  // whoever holds a key would see none.
+  observe(pass_, vtkCommand::ProgressEvent,
     [this](void*)
     {
       if (!busy_ && inputWaits(window_))
@@ -163,17 +178,11 @@ void Window::run()
   busy_ = false;
   previewed_ = !scene_.preview().empty();
   this->nameWindow();
-  this->look(options_.view); // before the axes, which draw the window
-  props_.attach(interactor_);
+  this->look(options_.view);
   props_.update(options_);
-  const bool rays = scene_.numberOfCells() == 0 || scene_.numberOfParticles() > 0;
-  if (!rays)
-  {
-    // Nothing to trace: let OpenGL smooth the edges.
-    scene_.renderer()->SetPass(nullptr);
-    scene_.renderer()->UseFXAAOn();
-  }
+  this->choosePass();
   this->say("Press h for the keys");
+  props_.attach(interactor_); // which draws the window
   this->render();
   if (!quit_)
     interactor_->Start();
@@ -233,6 +242,7 @@ bool Window::load(int step)
       step_ = step;
       scene_.build(progress_);
       scene_.applyColors();
+      this->choosePass();
     });
   props_.unmark();
   props_.update(options_);
@@ -338,12 +348,9 @@ void Window::onRenderEnd()
 {
   if (busy_)
     return;
-  const bool rays = scene_.renderer()->GetPass() != nullptr;
-  if (!rays || pass_->GetTraceTime() > 0.0)
+  if (!traced_ || pass_->GetTraceTime() > 0.0)
     frameTime_ = vtkTimerLog::GetUniversalTime() - frameStart_;
-  if (wheeling_ || playing_ || style_->GetState() != VTKIS_NONE)
-    return;
-  if (!rays)
+  if (!traced_ || wheeling_ || playing_ || style_->GetState() != VTKIS_NONE)
     return;
   // Sharpen until all samples are there; then once more, for the texts to say so.
   const bool preview = pass_->IsPreview();
@@ -397,14 +404,20 @@ std::string Window::statusText() const
             std::to_string(input_.numberOfSteps()) + ", t = " + asNumber(input_.times()[step_], 10);
   if (frameTime_ > 0.0)
     text += dot + "frame " + asDuration(frameTime_);
-  if (scene_.numberOfParticles() == 0 || !scene_.parts().size())
+  if (!traced_ || pass_->GetNumberOfSamples() == 0)
     return text;
   if (!previewed_)
     text += dot + "structure " + asBytes(static_cast<double>(scene_.structureBytes()));
-  if (frameTime_ > 0.0 && pass_->GetImageSampleDistance() > 1.0)
-    text += dot + "1/" + asNumber(pass_->GetImageSampleDistance(), 2) + " resolution";
-  else if (frameTime_ > 0.0)
-    text += dot + counted(pass_->GetNumberOfSamples(), "ray") + " a pixel";
+  return text + dot + this->qualityText();
+}
+
+std::string Window::qualityText() const
+{
+  const double distance = pass_->GetImageSampleDistance();
+  std::string text = distance > 1.0 ? "1/" + asNumber(distance, 2) + " resolution"
+                                    : counted(pass_->GetNumberOfSamples(), "ray") + " a pixel";
+  if (pass_->GetFinerShare() > 0.0)
+    text += ", " + asNumber(std::floor(100.0 * pass_->GetFinerShare())) + " % sharpened";
   return text;
 }
 

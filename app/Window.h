@@ -51,6 +51,7 @@ private:
   // Set-up
   void setUpWindow();
   void setUpEvents();
+  void choosePass();
 
   // Time
   bool load(int step);
@@ -71,6 +72,7 @@ private:
   void onTimer(int timer);
   void startTimer(int& timer, unsigned long milliseconds);
   std::string statusText() const;
+  std::string qualityText() const;
 
   // Actions
   void act(Action action);
@@ -104,6 +106,7 @@ private:
   std::array<double, 10> view_{}; // as it was then
   std::array<int, 2> viewSize_{}; // of the window
   int step_ = 0;
+  bool traced_ = true; // something that is seen is Mote's
   bool playing_ = false;
   bool busy_ = false; // in long work: events wait
   bool wheeling_ = false;

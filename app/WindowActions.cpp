@@ -294,7 +294,7 @@ void Window::savePicture()
   overlay_.setVisible(false);
   do
     this->render();
-  while (scene_.renderer()->GetPass() && !pass_->IsConverged() && !inputWaits(window_));
+  while (traced_ && !pass_->IsConverged() && !inputWaits(window_));
   vtkNew<vtkWindowToImageFilter> image;
   image->SetInput(window_);
   image->SetInputBufferTypeToRGB();

@@ -20,10 +20,12 @@ double secondsSince(const Clock::time_point& start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The same scene without the work that finding colours takes.
+/// The same scene without what takes time and leaves depths as they are.
 Scene withoutLight(const Scene& scene)
 {
   Scene bare = scene;
+  for (VolumeObject& volume : bare.volumes)
+    volume.isCloud = false;
   bare.lights.clear();
   bare.occlusion.rays = bare.paths.bounces = 0;
   return bare;
@@ -92,7 +94,6 @@ bool FilmEdges::takeGroups(const std::string& name, const MoteProps& props)
 void FilmEdges::prepare(
   vtkMoteSilhouettes* silhouettes, const MoteProps& props, const Scene& scene, double distance)
 {
-  seconds_ = 0.0;
   wanted_ = silhouettes && silhouettes->GetEnabled();
   if (!wanted_)
     return;
@@ -116,19 +117,26 @@ void FilmEdges::prepare(
   key_ = key;
 }
 
-bool FilmEdges::isBehind(const Film& film) const
+void FilmEdges::clear()
 {
-  return wanted_ && edges_.samples() < std::min(film.samples(), EdgeFilm::mostSamples);
+  edges_.clear();
+  tiles_.clear();
+}
+
+bool FilmEdges::isBehind(int samples) const
+{
+  return wanted_ && edges_.samples() < std::min(samples, EdgeFilm::mostSamples);
 }
 
 void FilmEdges::add(const Film& film, const Camera& camera, const float* limits, int threads)
 {
   const bool kept = (channels() & ~Film::LatestDepth) == 0 || film.has(Film::LatestId);
   const bool latest = film.samples() == 1 || film.has(Film::LatestDepth);
-  if (!this->isBehind(film) || edges_.samples() != film.samples() - 1 || !kept || !latest)
+  if (!this->isBehind(film.samples()) || edges_.samples() != film.samples() - 1 || !kept || !latest)
     return;
   const auto start = Clock::now();
   edges_.add(film, camera, options_, groups_, limits, threads);
+  tiles_.clear();
   seconds_ += secondsSince(start);
 }
 
@@ -136,13 +144,16 @@ bool FilmEdges::catchUp(const Scene& scene, const Film& film, const Camera& came
   const float* limits, int threads, const Progress& progress)
 {
   const auto start = Clock::now();
-  again_.resize(film.width(), film.height(), this->channels());
-  again_.setSamples(edges_.samples());
+  if (tiles_.empty())
+  {
+    again_.resize(film.width(), film.height(), this->channels());
+    again_.setSamples(edges_.samples());
+  }
   const Scene bare = withoutLight(scene);
   RayCaster caster(bare);
   caster.setThreads(threads);
   caster.setLimits(limits);
-  const bool done = caster.addSample(camera, again_, progress);
+  const bool done = caster.addSample(camera, again_, progress, &tiles_);
   if (done)
     edges_.add(again_, camera, options_, groups_, limits, threads);
   seconds_ += secondsSince(start);

@@ -6,6 +6,7 @@
 #include "kernels/core/Progress.h"
 #include "kernels/scene/Scene.h"
 #include "kernels/tracing/EdgeFilm.h"
+#include "kernels/tracing/Tiles.h"
 
 #include <string>
 #include <vector>
@@ -54,15 +55,17 @@ public:
   /// What the film must have for add(), besides colour and depth.
   unsigned channels() const { return wanted_ ? groups_.channels() : 0u; }
   /// Forgets all edges: the film begins anew.
-  void clear() { edges_.clear(); }
+  void clear();
+  /// Counts seconds() anew.
+  void startFrame() { seconds_ = 0.0; }
 
   /// Adds the edges in the film's latest sample where those of the samples before are there.
   /// `limits` as RayCaster has them.
   void add(const Film& film, const Camera& camera, const float* limits, int threads);
-  /// Whether samples of the film have no edges yet.
-  bool isBehind(const Film& film) const;
-  /// Finds the edges of one such sample, casting its rays again where what they met is not kept.
-  /// False where `progress` stopped that.
+  /// Whether some of the film's first samples have no edges yet.
+  bool isBehind(int samples) const;
+  /// Finds the edges of the next sample, whether the film has it yet or not, by casting its rays
+  /// for their depths alone. False where `progress` stopped that; another call goes on from there.
   bool catchUp(const Scene& scene, const Film& film, const Camera& camera, const float* limits,
     int threads, const Progress& progress);
 
@@ -73,7 +76,7 @@ public:
       return {};
     return {&edges_, color_};
   }
-  /// Spent in add() and catchUp() since prepare().
+  /// Spent in add() and catchUp() since startFrame().
   double seconds() const { return seconds_; }
 
 private:
@@ -88,7 +91,8 @@ private:
   std::vector<double> key_;           ///< all that edges depend on besides the film
   std::string reported_;              ///< the array that was missed last
   EdgeFilm edges_;
-  Film again_; ///< for rays that are cast again
+  Film again_;      ///< for rays that are cast again
+  TilesDone tiles_; ///< of its sample, where that was stopped
   double seconds_ = 0.0;
 };
 

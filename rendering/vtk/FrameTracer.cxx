@@ -2,10 +2,9 @@
 
 #include "SceneBridge.h"
 
+#include "kernels/core/FilmFill.h"
 #include "kernels/tracing/RayCaster.h"
 
-#include "vtkLight.h"
-#include "vtkLightCollection.h"
 #include "vtkRenderer.h"
 
 #include <algorithm>
@@ -14,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <thread>
+#include <utility>
 
 namespace mote
 {
@@ -48,11 +48,11 @@ std::vector<double> signatureOf(const MoteProps& props, const Camera& camera, co
   add(s, Vec3d(scene.sky.top));
   add(s, Vec3d(scene.sky.bottom));
   add(s, scene.sky.up);
+  for (const vtkMTimeType time : timesOf(props))
+    s.push_back(static_cast<double>(time));
   for (const auto& prop : props)
   {
     s.push_back(static_cast<double>(reinterpret_cast<std::uintptr_t>(prop->prop())));
-    for (const vtkMTimeType time : prop->times())
-      s.push_back(static_cast<double>(time));
     const Mat4d toWorld = placementOf(prop->prop());
     for (int column = 0; column < 4; ++column)
       add(s, Vec3d(toWorld[column]));
@@ -63,7 +63,13 @@ std::vector<double> signatureOf(const MoteProps& props, const Camera& camera, co
   return s;
 }
 
-/// What a cloud's colour may be wrong by while the view moves.
+/// Whether a film of that signature shows that view.
+bool isOfView(const std::vector<double>& signature, const std::vector<double>& view)
+{
+  return signature.size() >= view.size() && std::equal(view.begin(), view.end(), signature.begin());
+}
+
+/// What a cloud's colour may be wrong by in a draft.
 constexpr double draftTolerance = 0.02;
 
 /// Samples of a film whose rays find what a view shows: few particles first show up later.
@@ -71,6 +77,31 @@ constexpr int seenSamples = 4;
 
 /// Seconds that a frame of a progressive picture bakes.
 constexpr double bakingTime = 0.25;
+
+/// A first film that takes so many times as long as it should is given up.
+constexpr double patience = 3.0;
+
+/// How much finer each film of a progressive picture is than the one before, each way, at least:
+/// nine times the rays, so that all before the last take an eighth of its time.
+constexpr double finerBy = 3.0;
+
+/// How much finer a film must be to be traced in place of one that is there.
+constexpr double leastFiner = 1.5;
+
+/// Distances of rays, in pixels.
+constexpr double distances[] = {1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0};
+constexpr double coarsest = 32.0;
+
+constexpr double forever = std::numeric_limits<double>::infinity();
+
+/// Share of the progress that baking takes where there is any.
+constexpr double bakingShare = 0.5;
+
+/// Seconds after which a progressive frame at rest shows what there is.
+double restingTime(const FrameSettings& settings)
+{
+  return std::max(settings.frameTime, settings.stillTime);
+}
 
 /// Whether there is much work for each of the camera's rays.
 bool takesLong(const Scene& scene)
@@ -91,15 +122,92 @@ void makeDraft(Scene& scene)
 
 } // namespace
 
-double FrameTracer::distanceFor(int width, int height, const FrameSettings& settings) const
+std::vector<vtkMTimeType> timesOf(const MoteProps& props)
 {
-  if (!settings.interactive || !settings.autoAdjust)
-    return 1.0;
-  const double full = secondsPerRay_ * width * height;
-  for (const double distance : {1.0, 1.5, 2.0, 3.0, 4.0, 6.0})
-    if (full / (distance * distance) <= settings.frameTime)
-      return distance;
-  return 8.0;
+  std::vector<vtkMTimeType> times;
+  for (const auto& prop : props)
+  {
+    const std::vector<vtkMTimeType> own = prop->times();
+    times.insert(times.end(), own.begin(), own.end());
+  }
+  return times;
+}
+
+/// One call of trace(): what it works on, and how long.
+struct FrameTracer::Frame
+{
+  using Clock = std::chrono::steady_clock;
+
+  vtkRenderer* renderer;
+  const MoteProps& props;
+  const int width, height;
+  const FrameSettings& settings;
+  const Progress& progress;
+  Scene scene{};
+  bool slow = false;
+  double baked = 0.0;   ///< share of the progress that baking took
+  double end = forever; ///< seconds() at which tracing stops between two tiles
+  bool canStop = true;  ///< where `progress` wants it
+  std::atomic<bool> stopped{false};
+
+  // Of the film that is traced, once aimed.
+  bool aimed = false;
+  Camera camera{};
+  Scene traced{}; ///< the scene, or a draft of it
+  std::vector<float> limits{};
+
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start).count(); }
+  void startClock() { start = Clock::now(); }
+
+  /// To be asked between tiles, on any thread.
+  bool goesOn(double done)
+  {
+    if (canStop && progress && std::this_thread::get_id() == caller && !progress(done))
+      stopped = true;
+    return !stopped && seconds() < end;
+  }
+
+  Camera cameraFor(int columns, int rows) const
+  {
+    return cameraOf(renderer, double(width) / height, columns, rows);
+  }
+
+  /// The distances at which rays of an image end, or null; valid until the next call.
+  const float* limitsFor(int columns, int rows)
+  {
+    if (!settings.others)
+      return nullptr;
+    limits = settings.others->resampled(columns, rows);
+    return limits.data();
+  }
+
+  void aim(const Film& film, bool draft)
+  {
+    if (aimed)
+      return;
+    aimed = true;
+    camera = cameraFor(film.width(), film.height());
+    limitsFor(film.width(), film.height());
+    traced = scene;
+    if (draft)
+      makeDraft(traced);
+  }
+  const float* ends() const { return settings.others ? limits.data() : nullptr; }
+
+  const std::thread::id caller = std::this_thread::get_id();
+  Clock::time_point start = Clock::now();
+};
+
+int FrameTracer::samples() const
+{
+  return film_.samples() > 0 ? film_.samples() : int(shows_);
+}
+
+double FrameTracer::finerShare() const
+{
+  if (film_.samples() > 0 || !shows_)
+    return 0.0;
+  return double(pixelsDone(tiles_, film_.width(), film_.height())) / double(film_.pixels());
 }
 
 double FrameTracer::noise() const
@@ -107,16 +215,38 @@ double FrameTracer::noise() const
   return film_.has(Film::Variance) ? standardError(film_) : std::numeric_limits<double>::infinity();
 }
 
-void FrameTracer::begin(const std::vector<double>& signature, double distance, bool draft,
-  const Refinement& refinement, int width, int height)
+/// The least distance of rays at which a film takes no longer than so many seconds, most likely.
+double FrameTracer::distanceFor(const Frame& frame, double seconds) const
 {
-  signature_ = signature;
-  distance_ = distance;
-  draft_ = draft;
-  film_.resize(std::max(1, int(std::ceil(width / distance))),
-    std::max(1, int(std::ceil(height / distance))),
-    (draft ? 0u : refinement.channels()) | edges_.channels());
+  if (!frame.settings.autoAdjust)
+    return 1.0;
+  const double full = secondsPerRay_ * frame.width * frame.height;
+  for (const double distance : distances)
+    if (full / (distance * distance) <= seconds)
+      return distance;
+  return coarsest;
+}
+
+bool FrameTracer::lacksChannels(const FrameSettings& settings) const
+{
+  return isLast() && ((settings.refinement.channels() | settings.channels) & ~channels_) != 0;
+}
+
+/// Whether the film has all that is wanted of it, edges apart.
+bool FrameTracer::isDone(const FrameSettings& settings) const
+{
+  return isLast() && !lacksChannels(settings) && settings.refinement.isDone(film_);
+}
+
+/// Makes the film show nothing.
+bool FrameTracer::forget(int width, int height, const FrameSettings& settings)
+{
+  film_.resize(std::max(1, width), std::max(1, height), settings.channels);
+  fillWithNothing(film_);
   edges_.clear();
+  distance_ = shownDistance_ = 1.0;
+  shows_ = false;
+  return false;
 }
 
 bool FrameTracer::trace(vtkRenderer* renderer, MoteProps& props, int width, int height,
@@ -124,144 +254,194 @@ bool FrameTracer::trace(vtkRenderer* renderer, MoteProps& props, int width, int 
 {
   seconds_ = 0.0;
   rays_ = 0;
-  Scene scene = sceneOf(renderer, props, settings.shading);
+  converged_ = false;
+  const auto before = std::exchange(signature_, {}); // where something throws nothing counts
+  Frame frame{renderer, props, width, height, settings, progress};
+  frame.scene = sceneOf(renderer, props, settings.shading);
   preview_ =
     std::any_of(props.begin(), props.end(), [](const auto& prop) { return prop->isPreview(); });
   if (props.empty() || width < 1 || height < 1)
-  {
-    signature_.clear();
-    return false;
-  }
-  const double aspect = double(width) / height;
-  const Camera viewed = cameraOf(renderer, aspect, width, height);
-  const auto view = signatureOf(props, viewed, scene, settings.others, width, height);
+    return forget(width, height, settings);
+  const Camera viewed = frame.cameraFor(width, height);
+  const auto view = signatureOf(props, viewed, frame.scene, settings.others, width, height);
   const bool moving = settings.interactive;
   const bool rested = !settings.progressive || view == view_;
   view_ = view;
-  baking_.take(scene, props, settings.shading, !moving);
+  baking_.take(frame.scene, props, settings.shading, !moving);
   const auto hadMaps = baking_.times();
   bool complete = moving || !OcclusionBaking::isAskedFor(settings.shading);
-  if (!complete && rested && !bake(scene, viewed, width, height, settings, progress, complete))
+  if (!complete && rested && !bake(frame, viewed, complete))
   {
-    signature_.clear();
-    return false;
+    signature_ = before;
+    return shows_ && isOfView(before, view);
   }
   auto signature = view;
   signature.insert(signature.end(), baking_.times().begin(), baking_.times().end());
-  const double wanted = distanceFor(width, height, settings);
-  const bool slow = takesLong(scene) || !complete;
-  const bool justBaked = complete && hadMaps != baking_.times();
-  const bool changed = signature != signature_ || distance_ > wanted;
-  const bool worse =
-    !moving && complete && film_.samples() > 0 &&
-    (draft_ || (settings.refinement.channels() != 0 && !film_.has(Film::Variance)));
-  edges_.prepare(settings.silhouettes, props, scene, changed || worse ? wanted : distance_);
-  if (changed || worse)
-    begin(signature, wanted, changed && slow && !justBaked && (moving || settings.progressive),
-      settings.refinement, width, height);
-  if (draft_)
-    makeDraft(scene);
-
-  const Camera camera = cameraOf(renderer, aspect, film_.width(), film_.height());
-  std::vector<float> limits;
-  if (settings.others)
-    limits = settings.others->resampled(film_.width(), film_.height());
-  const float* ends = settings.others ? limits.data() : nullptr;
-  if (!addSamples(scene, camera, settings, ends, progress))
-  {
-    signature_.clear();
-    return false;
-  }
-  // A still picture with all its rays says nothing about the next that moves.
-  if (rays_ > 0 && (draft_ || !slow))
-    secondsPerRay_ = seconds_ / static_cast<double>(rays_);
-  const bool finished = addEdges(scene, camera, settings, ends, progress);
-  converged_ = distance_ == 1.0 && !draft_ && !preview_ && complete &&
-               settings.refinement.isDone(film_) && !edges_.isBehind(film_);
-  return finished;
+  const bool changed = signature != before;
+  const bool justBaked = complete && hadMaps != baking_.times() && isOfView(before, view);
+  shows_ = shows_ && (!changed || justBaked);
+  frame.slow = takesLong(frame.scene) || !complete;
+  frame.startClock();
+  edges_.startFrame();
+  edges_.prepare(settings.silhouettes, props, frame.scene, distance_);
+  const bool coarse =
+    moving && distanceFor(frame, settings.frameTime) * leastFiner <= shownDistance_;
+  if ((moving || settings.progressive) && (!shows_ || coarse))
+    traceFirst(frame);
+  else if (!moving && complete)
+    sharpen(frame, changed);
+  addEdges(frame, film_.samples());
+  converged_ = complete && !preview_ && isDone(settings) && !edges_.isBehind(film_.samples());
+  signature_ = signature;
+  return shows_;
 }
 
 /// Bakes what the view lacks; for a moment where the picture is progressive. `complete` tells
 /// whether nothing is left; false where `progress` stopped it.
-bool FrameTracer::bake(Scene& scene, const Camera& camera, int width, int height,
-  const FrameSettings& settings, const Progress& progress, bool& complete)
+bool FrameTracer::bake(Frame& frame, const Camera& camera, bool& complete)
 {
-  std::vector<float> limits;
-  SeenView view{width, height, std::min(settings.refinement.samples, seenSamples)};
+  const FrameSettings& settings = frame.settings;
+  SeenView view{frame.width, frame.height, std::min(settings.refinement.samples, seenSamples)};
   view.threads = settings.threads;
-  if (settings.others)
-  {
-    limits = settings.others->resampled(width, height);
-    view.limits = limits.data();
-  }
-  const auto caller = std::this_thread::get_id();
-  using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + std::chrono::duration<double>(bakingTime);
-  std::atomic<bool> stopped{false};
-  complete = baking_.bake(scene, camera, view, view_,
-    [&](double done)
-    {
-      if (progress && std::this_thread::get_id() == caller && !progress(done))
-        stopped = true;
-      return !stopped && (!settings.progressive || Clock::now() < end);
-    });
-  return !stopped;
+  view.limits = frame.limitsFor(frame.width, frame.height);
+  frame.end = settings.progressive ? frame.seconds() + bakingTime : forever;
+  frame.baked = bakingShare;
+  complete = baking_.bake(frame.scene, camera, view, view_,
+    [&](double done) { return frame.goesOn(bakingShare * done); });
+  return !frame.stopped;
 }
 
-bool FrameTracer::addSamples(const Scene& scene, const Camera& camera,
-  const FrameSettings& settings, const float* limits, const Progress& progress)
+/// Begins a film of rays at this distance, as an enlarged copy of what is shown, if anything is.
+void FrameTracer::begin(Frame& frame, double distance, bool draft)
 {
-  Refinement refinement = settings.refinement;
-  if (settings.interactive || draft_)
-    refinement = {1};
-  const auto caller = std::this_thread::get_id();
-  RayCaster caster(scene);
+  const FrameSettings& settings = frame.settings;
+  Film before;
+  if (shows_)
+  {
+    const EdgeLayer lines = edges_.layer();
+    if (lines.edges)
+      lines.edges->forCovered(0, film_.height(),
+        [&](std::size_t i, float share) { lines.drawOver(share, film_.color() + 4 * i); });
+    std::swap(before, film_);
+    ++version_;
+  }
+  edges_.clear();
+  edges_.prepare(settings.silhouettes, frame.props, frame.scene, distance);
+  channels_ = draft ? 0u : settings.refinement.channels() | settings.channels;
+  film_.resize(std::max(1, int(std::ceil(frame.width / distance))),
+    std::max(1, int(std::ceil(frame.height / distance))), channels_ | edges_.channels());
+  if (shows_)
+    fillFrom(before, film_);
+  tiles_.clear();
+  distance_ = distance;
+  draft_ = draft;
+  frame.aimed = false;
+}
+
+/// Begins the film that comes after the present one.
+void FrameTracer::beginNext(Frame& frame, bool last)
+{
+  double finer = 1.0;
+  for (const double distance : distances)
+    if (!last && distance * finerBy <= distance_)
+      finer = distance;
+  begin(frame, finer, finer > 1.0 && frame.slow);
+}
+
+/// Traces the first film of what has changed, as fine as the time allows.
+void FrameTracer::traceFirst(Frame& frame)
+{
+  const FrameSettings& settings = frame.settings;
+  const double time = settings.interactive ? settings.frameTime : restingTime(settings);
+  frame.canStop = false;
+  double distance = distanceFor(frame, time);
+  for (;;)
+  {
+    shows_ = false;
+    rays_ = 0;
+    begin(frame, distance, frame.slow);
+    const double start = frame.seconds();
+    frame.end = settings.autoAdjust && distance < coarsest ? start + patience * time : forever;
+    const bool complete = addSample(frame);
+    secondsPerRay_ = (frame.seconds() - start) / double(std::max(1LL, rays_));
+    const double next = distanceFor(frame, time - frame.seconds());
+    if (complete && next * leastFiner > distance)
+      return;
+    distance = complete ? next : std::max(next, 2.0 * distance);
+  }
+}
+
+/// Traces what the film at rest lacks: finer ones, samples. `anew`: the film itself does not count.
+void FrameTracer::sharpen(Frame& frame, bool anew)
+{
+  const FrameSettings& settings = frame.settings;
+  const bool bits = settings.progressive;
+  frame.end = bits ? restingTime(settings) : forever;
+  while (!frame.stopped && (anew || !isDone(settings)))
+  {
+    if (anew || lacksChannels(settings) || (film_.samples() > 0 && !isLast()))
+      beginNext(frame, anew || !bits);
+    anew = false;
+    // Lines first: they must not vanish tile by tile until the sample is complete.
+    if (bits && film_.samples() == 0 && !addEdges(frame, 1))
+      return;
+    const double start = frame.seconds();
+    if (!addSample(frame) || (bits && 2.0 * frame.seconds() - start > settings.frameTime))
+      return;
+  }
+}
+
+/// Traces the film's next sample, or the rest of it. False where it is not complete.
+bool FrameTracer::addSample(Frame& frame)
+{
+  frame.aim(film_, draft_);
+  const FrameSettings& settings = frame.settings;
+  const Refinement refinement = isLast() ? settings.refinement : Refinement{1};
+  const double done = refinement.progress(film_);
+  const double step = (1.0 - done) / std::max(1, refinement.samples - film_.samples());
+  const auto pixels = [&] { return pixelsDone(tiles_, film_.width(), film_.height()); };
+  const double start = frame.seconds();
+  const std::size_t had = pixels();
+  RayCaster caster(frame.traced);
   caster.setThreads(settings.threads);
-  caster.setLimits(limits);
-  const auto start = std::chrono::steady_clock::now();
-  while (!refinement.isDone(film_))
+  caster.setLimits(frame.ends());
+  const bool complete = caster.addSample(
+    frame.camera, film_,
+    [&](double part)
+    { return frame.goesOn(frame.baked + (1.0 - frame.baked) * (done + part * step)); },
+    &tiles_);
+  rays_ += static_cast<long long>((complete ? film_.pixels() : pixels()) - had);
+  ++version_;
+  if (complete)
   {
-    const double done = refinement.progress(film_);
-    const double step = (1.0 - done) / std::max(1, refinement.samples - film_.samples());
-    const bool complete = caster.addSample(camera, film_,
-      [&](double part) {
-        return !progress || std::this_thread::get_id() != caller || progress(done + part * step);
-      });
-    if (!complete)
-      return false;
-    edges_.add(film_, camera, limits, settings.threads);
-    rays_ += static_cast<long long>(film_.pixels());
-    ++version_;
-    seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (settings.progressive &&
-        seconds_ + seconds_ / std::max(1, film_.samples()) > settings.frameTime)
-      break;
+    edges_.add(film_, frame.camera, frame.ends(), settings.threads);
+    shows_ = true;
+    shownDistance_ = distance_;
   }
-  return true;
+  seconds_ += frame.seconds() - start;
+  return complete;
 }
 
-/// Finds the edges of the film's samples where they are not found yet.
-bool FrameTracer::addEdges(const Scene& scene, const Camera& camera, const FrameSettings& settings,
-  const float* limits, const Progress& progress)
+/// Finds the edges of the film's first samples where they are not found yet. False where some are
+/// left.
+bool FrameTracer::addEdges(Frame& frame, int samples)
 {
-  const auto caller = std::this_thread::get_id();
-  const double before = seconds_;
-  const auto start = std::chrono::steady_clock::now();
-  while (edges_.isBehind(film_))
+  const FrameSettings& settings = frame.settings;
+  while (edges_.isBehind(samples))
   {
-    const bool complete = edges_.catchUp(scene, film_, camera, limits, settings.threads,
-      [&](double part)
-      { return !progress || std::this_thread::get_id() != caller || progress(part); });
+    frame.aim(film_, draft_);
+    const double start = frame.seconds();
+    const bool complete = edges_.catchUp(frame.traced, film_, frame.camera, frame.ends(),
+      settings.threads, [&](double part) { return frame.goesOn(part); });
+    seconds_ += frame.seconds() - start;
     if (!complete)
       return false;
     rays_ += static_cast<long long>(film_.pixels());
     ++version_;
-    seconds_ =
-      before + std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (settings.progressive && seconds_ > settings.frameTime)
+    if (settings.progressive && frame.seconds() > settings.frameTime)
       break;
   }
-  return true;
+  return !edges_.isBehind(samples);
 }
 
 } // namespace mote

@@ -9,6 +9,7 @@
 #include "kernels/core/Progress.h"
 #include "kernels/scene/Scene.h"
 #include "kernels/tracing/Refinement.h"
+#include "kernels/tracing/Tiles.h"
 
 #include <vector>
 
@@ -19,13 +20,15 @@ class vtkRenderer;
 namespace mote
 {
 
-/// How one frame is to be traced; see vtkMoteRayCastPass.
+/// How one frame is to be traced; see vtkMoteRayCastPass and vtkMoteRendererSource.
 struct FrameSettings
 {
   Refinement refinement{4};
+  unsigned channels = 0; ///< of the finished film, besides what refinement and silhouettes need
   bool progressive = false;
   bool autoAdjust = true;
   double frameTime = 0.08; ///< seconds that a frame may take while the view moves
+  double stillTime = 0.1;  ///< seconds after which a progressive frame at rest shows what there is
   int threads = 0;
   bool interactive = false; ///< the view moves
   vtkMoteShading* shading = nullptr;
@@ -33,16 +36,24 @@ struct FrameSettings
   const WindowDepth* others = nullptr;       ///< where other props stand, which end rays; or null
 };
 
+/// The times of change of all that the look of props depends on, besides place, camera and lights.
+std::vector<vtkMTimeType> timesOf(const MoteProps& props);
+
 /// Keeps the traced picture of one renderer up to date with as few rays as the settings allow.
 ///
-/// Soft shadows, ambient occlusion and paths take most of the rays of a scene that has them, and
-/// volumes most of the time. While the view moves, and for the first of the samples that a
-/// progressive picture shows, such a scene is drawn as a draft, with one shadow ray a light,
-/// nothing of the others and volumes interpolated between fewer rays; the picture at rest begins
-/// anew with all.
+/// A picture that moves or is progressive begins, whatever has changed, with a first film that is
+/// as fine as the frame's time allows, as far as the seconds per ray of the last one tell. It is
+/// never stopped, so that each change is seen. A progressive picture at rest then gets finer films,
+/// the last of which has full resolution and all samples. A finer film begins as an enlarged copy
+/// of the one before and is traced tile by tile: each frame traces some, and what was stopped goes
+/// on in the next. A picture that is neither is traced at once.
 ///
-/// Edges are found in the depths of each sample. Where they are wanted otherwise than before, the
-/// film stays, and rays are cast again for their depths alone.
+/// Soft shadows, ambient occlusion and paths take most of the rays of a scene that has them, and
+/// clouds most of the time. All films of such a scene but the last are drafts, with one shadow ray
+/// a light, nothing of the others and clouds interpolated between fewer rays.
+///
+/// Silhouettes are found in the depths of each sample. Where they are wanted otherwise than before,
+/// the film stays, and rays are cast again for their depths alone.
 ///
 /// What a picture at rest shows and has no occlusion map is baked before; a progressive picture
 /// stays a draft meanwhile, with the maps that there are, and is baked for a moment each time.
@@ -50,16 +61,21 @@ class FrameTracer
 {
 public:
   /// Traces what is missing of the picture of these props; `width` and `height` are the viewport's
-  /// in pixels. Props with nothing to draw are taken out of the list. False where none is left, or
-  /// where `progress` stopped the tracing. `progress` is called on the calling thread only.
+  /// in pixels. Props with nothing to draw are taken out of the list. False where film() shows
+  /// nothing of them yet, because `progress` stopped the tracing, and where there are none: then
+  /// the film is empty. `progress` is called on the calling thread only.
   bool trace(vtkRenderer* renderer, MoteProps& props, int width, int height,
     const FrameSettings& settings, const Progress& progress);
 
   const Film& film() const { return film_; }
   /// What is to be drawn over the film.
   EdgeLayer edges() const { return edges_.layer(); }
-  /// Distance of neighbouring rays in pixels of the viewport.
-  double distance() const { return distance_; }
+  /// Distance of neighbouring rays in pixels of the viewport, where the film is coarsest.
+  double distance() const { return shownDistance_; }
+  /// Samples that every pixel has.
+  int samples() const;
+  /// The share of the film that is finer than distance() tells, in [0, 1).
+  double finerShare() const;
   bool converged() const { return converged_; }
   /// Whether anything in the film is a preview of more; such a film never counts as converged.
   bool preview() const { return preview_; }
@@ -68,29 +84,41 @@ public:
   double seconds() const { return seconds_; }
   /// The part of them that edges took.
   double edgeSeconds() const { return edges_.seconds(); }
+  /// Cast by the last trace(), but for films that were given up as too coarse or too fine.
   long long rays() const { return rays_; }
   /// Changes whenever the film does, or where edges are.
   unsigned long version() const { return version_; }
 
 private:
-  double distanceFor(int width, int height, const FrameSettings& settings) const;
-  void begin(const std::vector<double>& signature, double distance, bool draft,
-    const Refinement& refinement, int width, int height);
-  bool bake(Scene& scene, const Camera& camera, int width, int height,
-    const FrameSettings& settings, const Progress& progress, bool& complete);
-  bool addSamples(const Scene& scene, const Camera& camera, const FrameSettings& settings,
-    const float* limits, const Progress& progress);
-  bool addEdges(const Scene& scene, const Camera& camera, const FrameSettings& settings,
-    const float* limits, const Progress& progress);
+  struct Frame;
+
+  double distanceFor(const Frame& frame, double seconds) const;
+  bool isLast() const { return distance_ == 1.0 && !draft_; }
+  bool lacksChannels(const FrameSettings& settings) const;
+  bool isDone(const FrameSettings& settings) const;
+  bool forget(int width, int height, const FrameSettings& settings);
+  bool bake(Frame& frame, const Camera& camera, bool& complete);
+  void begin(Frame& frame, double distance, bool draft);
+  void beginNext(Frame& frame, bool last);
+  void traceFirst(Frame& frame);
+  void sharpen(Frame& frame, bool anew);
+  bool addSample(Frame& frame);
+  bool addEdges(Frame& frame, int samples);
 
   Film film_;
+  TilesDone tiles_; ///< of the sample that is being traced
   FilmEdges edges_;
   std::vector<double> signature_; ///< all that the film depends on
   std::vector<double> view_;      ///< the same without maps, of the last call
   OcclusionBaking baking_;
-  double distance_ = 1.0;
-  bool draft_ = false;          ///< the film has fewer rays a hit than it should
-  double secondsPerRay_ = 1e-7; ///< of the last such tracing: what the next will take, most likely
+  double distance_ = 1.0;      ///< of the film's rays
+  double shownDistance_ = 1.0; ///< of those of the film before, while the first sample is traced
+  unsigned channels_ = 0;      ///< of the film, besides those of edges
+  bool draft_ = false;         ///< the film has fewer rays a hit than it should
+  bool shows_ = false;         ///< the film shows all of the view, however coarsely
+  /// Of the last first film: what the next will take, most likely. To begin with, about what clouds
+  /// take: where rays are faster a finer film follows in the same frame.
+  double secondsPerRay_ = 5e-6;
   double seconds_ = 0.0;
   long long rays_ = 0;
   unsigned long version_ = 0;

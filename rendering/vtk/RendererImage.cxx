@@ -11,6 +11,18 @@
 namespace mote
 {
 
+bool RendererImage::render(vtkObject* owner, vtkRenderer* renderer, const MoteProps& props,
+  const FrameSettings& settings, const Progress& progress, bool translucent)
+{
+  shown_ = this->trace(renderer, props, settings, progress);
+  if (shown_)
+    this->draw(renderer, translucent);
+  if (!problem_.empty() && problem_ != reported_)
+    vtkErrorWithObjectMacro(owner, << problem_);
+  reported_ = problem_;
+  return shown_;
+}
+
 bool RendererImage::trace(
   vtkRenderer* renderer, MoteProps props, FrameSettings settings, const Progress& progress)
 {

@@ -333,13 +333,9 @@ bool vtkMoteParticleMapper::DescribeTo(mote::SurfaceObject& object, vtkActor* ac
 void vtkMoteParticleMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
   mote::RendererImage& image = this->Impl->images.of(renderer);
-  mote::FrameSettings settings;
-  if (image.trace(renderer, {mote::motePropOf(actor)}, settings, {}))
-    image.draw(renderer, !actor->HasOpaqueGeometry());
-  if (!image.problem().empty() && image.problem() != this->Impl->reportedFrame)
-    vtkErrorMacro(<< image.problem());
-  this->Impl->reportedFrame = image.problem();
-  this->TimeToDraw = image.traceTime() + image.displayTime();
+  image.render(this, renderer, {mote::motePropOf(actor)}, mote::FrameSettings{}, {},
+    !actor->HasOpaqueGeometry());
+  this->TimeToDraw = image.time();
 }
 
 void vtkMoteParticleMapper::ReleaseGraphicsResources(vtkWindow* window)

@@ -16,9 +16,9 @@
 #include "vtkRenderer.h"
 #include "vtkSequencePass.h"
 
-#include <limits>
-
 vtkStandardNewMacro(vtkMoteRayCastPass);
+vtkCxxSetSmartPointerMacro(vtkMoteRayCastPass, Shading, vtkMoteShading);
+vtkCxxSetSmartPointerMacro(vtkMoteRayCastPass, Silhouettes, vtkMoteSilhouettes);
 
 class vtkMoteRayCastPass::Internals
 {
@@ -28,17 +28,14 @@ public:
   vtkNew<mote::DrawStep> step;
   vtkSmartPointer<vtkRenderPass> delegate;
   mote::RendererImages images;
-  mote::MoteProps props; ///< of the frame being drawn
-  std::string reported;  ///< last problem, so that it is told once and not every frame
-  bool converged = true;
-  bool preview = false;
-  double distance = 1.0;
-  int samples = 0;
-  double noise = std::numeric_limits<double>::infinity();
-  long long rays = 0;
-  double traceTime = 0.0;
-  double displayTime = 0.0;
-  double silhouetteTime = 0.0;
+  mote::MoteProps props;                     ///< of the frame being drawn
+  const mote::RendererImage* last = nullptr; ///< that was drawn; null: none yet
+
+  const mote::FrameTracer& tracer() const
+  {
+    static const mote::FrameTracer none{};
+    return last ? last->tracer() : none;
+  }
 };
 
 vtkMoteRayCastPass::vtkMoteRayCastPass()
@@ -60,25 +57,9 @@ vtkMoteRayCastPass::vtkMoteRayCastPass()
 
 vtkMoteRayCastPass::~vtkMoteRayCastPass() = default;
 
-void vtkMoteRayCastPass::SetShading(vtkMoteShading* shading)
-{
-  if (this->Shading == shading)
-    return;
-  this->Shading = shading;
-  this->Modified();
-}
-
 vtkMoteShading* vtkMoteRayCastPass::GetShading()
 {
   return this->Shading;
-}
-
-void vtkMoteRayCastPass::SetSilhouettes(vtkMoteSilhouettes* silhouettes)
-{
-  if (this->Silhouettes == silhouettes)
-    return;
-  this->Silhouettes = silhouettes;
-  this->Modified();
 }
 
 vtkMoteSilhouettes* vtkMoteRayCastPass::GetSilhouettes()
@@ -147,35 +128,20 @@ void vtkMoteRayCastPass::DrawImage(vtkRenderer* renderer)
   settings.shading = this->Shading;
   settings.silhouettes = this->Silhouettes;
   mote::RendererImage& image = impl.images.of(renderer);
-  impl.displayTime = 0.0;
-  const bool shown = image.trace(renderer, impl.props, settings,
+  impl.last = &image;
+  const bool shown = image.render(this, renderer, impl.props, settings,
     [this](double done)
     {
       this->InvokeEvent(vtkCommand::ProgressEvent, &done);
       return true;
     });
   if (shown)
-  {
-    image.draw(renderer);
-    impl.displayTime = image.displayTime();
     this->NumberOfRenderedProps += static_cast<int>(impl.props.size());
-  }
-  if (!image.problem().empty() && image.problem() != impl.reported)
-    vtkErrorMacro(<< image.problem());
-  impl.reported = image.problem();
-  const mote::FrameTracer& tracer = image.tracer();
-  impl.converged = shown ? tracer.converged() : !image.interrupted();
-  impl.preview = shown && tracer.preview();
-  impl.distance = tracer.distance();
-  impl.samples = shown ? tracer.film().samples() : 0;
-  impl.noise = tracer.noise();
-  impl.rays = tracer.rays();
-  impl.traceTime = tracer.seconds();
-  impl.silhouetteTime = tracer.edgeSeconds();
 }
 
 void vtkMoteRayCastPass::ReleaseGraphicsResources(vtkWindow* window)
 {
+  this->Impl->last = nullptr;
   this->Impl->images.release(window);
   if (this->Impl->delegate)
     this->Impl->delegate->ReleaseGraphicsResources(window);
@@ -184,47 +150,52 @@ void vtkMoteRayCastPass::ReleaseGraphicsResources(vtkWindow* window)
 
 bool vtkMoteRayCastPass::IsConverged()
 {
-  return this->Impl->converged;
+  return !this->Impl->last || this->Impl->last->converged();
 }
 
 bool vtkMoteRayCastPass::IsPreview()
 {
-  return this->Impl->preview;
+  return this->Impl->last && this->Impl->last->shown() && this->Impl->tracer().preview();
 }
 
 double vtkMoteRayCastPass::GetImageSampleDistance()
 {
-  return this->Impl->distance;
+  return this->Impl->tracer().distance();
 }
 
 int vtkMoteRayCastPass::GetNumberOfSamples()
 {
-  return this->Impl->samples;
+  return this->Impl->last && this->Impl->last->shown() ? this->Impl->tracer().samples() : 0;
+}
+
+double vtkMoteRayCastPass::GetFinerShare()
+{
+  return this->Impl->tracer().finerShare();
 }
 
 double vtkMoteRayCastPass::GetNoise()
 {
-  return this->Impl->noise;
+  return this->Impl->tracer().noise();
 }
 
 vtkTypeInt64 vtkMoteRayCastPass::GetNumberOfRays()
 {
-  return this->Impl->rays;
+  return this->Impl->tracer().rays();
 }
 
 double vtkMoteRayCastPass::GetTraceTime()
 {
-  return this->Impl->traceTime;
+  return this->Impl->tracer().seconds();
 }
 
 double vtkMoteRayCastPass::GetDisplayTime()
 {
-  return this->Impl->displayTime;
+  return this->Impl->last ? this->Impl->last->displayTime() : 0.0;
 }
 
 double vtkMoteRayCastPass::GetSilhouetteTime()
 {
-  return this->Impl->silhouetteTime;
+  return this->Impl->tracer().edgeSeconds();
 }
 
 void vtkMoteRayCastPass::PrintSelf(ostream& os, vtkIndent indent)

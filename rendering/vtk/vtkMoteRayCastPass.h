@@ -20,7 +20,8 @@
  * is shown again without tracing.
  *
  * Tracing fires ProgressEvents of this object with the share done, and stops where the render
- * window's CheckAbortStatus() says so.
+ * window's CheckAbortStatus() says so; frames while the view moves, and the first after a change of
+ * a Progressive picture, are short and do neither.
  */
 
 #ifndef vtkMoteRayCastPass_h
@@ -66,9 +67,13 @@ public:
 
   ///@{
   /**
-   * When on, each Render() at rest adds as many samples as fit into InteractiveFrameTime (at least
-   * one) and shows what there is; render until IsConverged(). Off, the default: one Render() adds
-   * all.
+   * When on, a picture at rest comes bit by bit, and each Render() shows what there is; render
+   * until IsConverged(). After a change the first is as fine as a tenth of a second allows (or
+   * InteractiveFrameTime, if that is more); nothing stops it. Then come finer ones, tile by tile in
+   * the place of the one before, and samples, as many in a Render() as fit into
+   * InteractiveFrameTime, and each again shown after a tenth of a second. What is stopped between
+   * two tiles goes on with the next Render(). The last picture is that which one Render() traces
+   * where this is off, the default.
    */
   vtkSetMacro(Progressive, vtkTypeBool);
   vtkGetMacro(Progressive, vtkTypeBool);
@@ -134,13 +139,15 @@ public:
   ///@{
   /**
    * Facts of the last Render(): distance of neighbouring rays in pixels (1: full resolution),
-   * samples a pixel shown so far, the standard error of the picture with these (infinite where
-   * NoiseLevel is 0, and before there are two), rays cast in it, and seconds spent tracing and
-   * drawing (0 traced: the picture was still good). SilhouetteTime is the part of TraceTime in
-   * which edges were looked for.
+   * samples a pixel shown so far, the share of the picture that the next finer one covers already
+   * (in [0, 1)), the standard error of the picture with these samples (infinite where NoiseLevel is
+   * 0, and before there are two), rays cast in it, and seconds spent tracing and drawing (0 traced:
+   * the picture was still good). SilhouetteTime is the part of TraceTime in which edges were looked
+   * for.
    */
   double GetImageSampleDistance();
   int GetNumberOfSamples();
+  double GetFinerShare();
   double GetNoise();
   vtkTypeInt64 GetNumberOfRays();
   double GetTraceTime();

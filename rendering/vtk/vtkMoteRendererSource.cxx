@@ -1,14 +1,8 @@
 #include "vtkMoteRendererSource.h"
 
-#include "FilmEdges.h"
-#include "OcclusionBaking.h"
-#include "SceneBridge.h"
+#include "FrameTracer.h"
 #include "vtkMoteShading.h"
 #include "vtkMoteSilhouettes.h"
-
-#include "kernels/core/Error.h"
-#include "kernels/tracing/RayCaster.h"
-#include "kernels/tracing/Refinement.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -27,10 +21,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
-#include <thread>
 
 vtkStandardNewMacro(vtkMoteRendererSource);
+vtkCxxSetSmartPointerMacro(vtkMoteRendererSource, Renderer, vtkRenderer);
+vtkCxxSetSmartPointerMacro(vtkMoteRendererSource, Shading, vtkMoteShading);
+vtkCxxSetSmartPointerMacro(vtkMoteRendererSource, Silhouettes, vtkMoteSilhouettes);
 
 vtkMoteRendererSource::vtkMoteRendererSource()
   : Shading(vtkSmartPointer<vtkMoteShading>::New())
@@ -41,38 +36,14 @@ vtkMoteRendererSource::vtkMoteRendererSource()
 
 vtkMoteRendererSource::~vtkMoteRendererSource() = default;
 
-void vtkMoteRendererSource::SetRenderer(vtkRenderer* renderer)
-{
-  if (this->Renderer == renderer)
-    return;
-  this->Renderer = renderer;
-  this->Modified();
-}
-
 vtkRenderer* vtkMoteRendererSource::GetRenderer()
 {
   return this->Renderer;
 }
 
-void vtkMoteRendererSource::SetShading(vtkMoteShading* shading)
-{
-  if (this->Shading == shading)
-    return;
-  this->Shading = shading;
-  this->Modified();
-}
-
 vtkMoteShading* vtkMoteRendererSource::GetShading()
 {
   return this->Shading;
-}
-
-void vtkMoteRendererSource::SetSilhouettes(vtkMoteSilhouettes* silhouettes)
-{
-  if (this->Silhouettes == silhouettes)
-    return;
-  this->Silhouettes = silhouettes;
-  this->Modified();
 }
 
 vtkMoteSilhouettes* vtkMoteRendererSource::GetSilhouettes()
@@ -168,7 +139,7 @@ std::vector<std::shared_ptr<mote::MoteProp>> vtkMoteRendererSource::CollectProps
   return ours;
 }
 
-bool vtkMoteRendererSource::Trace(mote::Film& film, mote::FilmEdges& edges)
+bool vtkMoteRendererSource::Trace(mote::FrameTracer& tracer)
 {
   mote::MoteProps props = this->CollectProps();
   std::erase_if(props, [](const auto& prop) { return !prop->finish(); });
@@ -177,49 +148,21 @@ bool vtkMoteRendererSource::Trace(mote::Film& film, mote::FilmEdges& edges)
   if (this->ResetClippingRange)
     this->Renderer->ResetCameraClippingRange();
   this->Renderer->UpdateLightsGeometryToFollowCamera();
-  mote::Scene scene = mote::sceneOf(this->Renderer, props, this->Shading);
-  edges.prepare(this->Silhouettes, props, scene, 1.0);
-  film.resize(this->Size[0], this->Size[1],
-    (this->Ids ? mote::Film::Id : 0u) | (this->Normals ? mote::Film::Normal : 0u) |
-      (this->Variance || this->NoiseLevel > 0.0 ? mote::Film::Variance : 0u) | edges.channels());
-  const mote::Camera camera = mote::cameraOf(
-    this->Renderer, double(film.width()) / film.height(), film.width(), film.height());
-  const mote::Refinement refinement{this->SamplesPerPixel, this->NoiseLevel};
-  const auto caller = std::this_thread::get_id();
-  const auto report = [&](double done)
-  {
-    if (std::this_thread::get_id() != caller)
-      return true;
-    this->UpdateProgress(done);
-    return this->GetAbortExecute() == 0;
-  };
-  double baked = 0.0; // share of the progress
-  if (mote::OcclusionBaking::isAskedFor(this->Shading))
-  {
-    baked = 0.5;
-    mote::OcclusionBaking baking;
-    baking.take(scene, props, this->Shading, true);
-    mote::SeenView view{film.width(), film.height(), std::min(this->SamplesPerPixel, 4)};
-    view.threads = this->NumberOfThreads;
-    if (!baking.bake(scene, camera, view, {}, [&](double done) { return report(baked * done); }))
-      return false;
-  }
-  mote::RayCaster caster(scene);
-  caster.setThreads(this->NumberOfThreads);
-  while (!refinement.isDone(film))
-  {
-    const double done = refinement.progress(film);
-    const double step = (1.0 - done) / (this->SamplesPerPixel - film.samples());
-    const auto progress = [&](double part)
-    { return report(baked + (1.0 - baked) * (done + part * step)); };
-    if (!caster.addSample(camera, film, progress))
-      return false;
-    edges.add(film, camera, nullptr, this->NumberOfThreads);
-  }
-  this->NumberOfSamples = film.samples();
-  this->Noise = film.has(mote::Film::Variance) ? mote::standardError(film)
-                                               : std::numeric_limits<double>::infinity();
-  return true;
+  mote::FrameSettings settings;
+  settings.refinement = {this->SamplesPerPixel, this->NoiseLevel};
+  settings.channels = (this->Ids ? mote::Film::Id : 0u) |
+                      (this->Normals ? mote::Film::Normal : 0u) |
+                      (this->Variance ? mote::Film::Variance : 0u);
+  settings.threads = this->NumberOfThreads;
+  settings.shading = this->Shading;
+  settings.silhouettes = this->Silhouettes;
+  tracer.trace(this->Renderer, props, this->Size[0], this->Size[1], settings,
+    [&](double done)
+    {
+      this->UpdateProgress(done);
+      return this->GetAbortExecute() == 0;
+    });
+  return tracer.converged() || props.empty();
 }
 
 int vtkMoteRendererSource::RequestData(vtkInformation* vtkNotUsed(request),
@@ -238,11 +181,10 @@ int vtkMoteRendererSource::RequestData(vtkInformation* vtkNotUsed(request),
     return 0;
   }
   const auto start = std::chrono::steady_clock::now();
-  mote::Film film;
-  mote::FilmEdges edges;
+  mote::FrameTracer tracer;
   try
   {
-    if (!this->Trace(film, edges))
+    if (!this->Trace(tracer))
       return 1; // aborted: no image
   }
   catch (const std::exception& error)
@@ -251,13 +193,15 @@ int vtkMoteRendererSource::RequestData(vtkInformation* vtkNotUsed(request),
     return 0;
   }
   this->TraceTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  this->SilhouetteTime = tracer.edgeSeconds();
+  this->NumberOfSamples = tracer.samples();
+  this->Noise = tracer.noise();
 
-  this->SilhouetteTime = edges.seconds();
-
+  const mote::Film& film = tracer.film();
   image->SetDimensions(film.width(), film.height(), 1);
   float* colors = addArray<vtkFloatArray>(image, "color", 4, true);
   std::copy_n(film.color(), 4 * film.pixels(), colors);
-  const mote::EdgeLayer lines = edges.layer();
+  const mote::EdgeLayer lines = tracer.edges();
   if (lines.edges)
     lines.edges->forCovered(
       0, film.height(), [&](std::size_t i, float share) { lines.drawOver(share, colors + 4 * i); });
@@ -304,13 +248,15 @@ vtkMTimeType vtkMoteRendererSource::GetMTime()
   while (vtkLight* light = lights->GetNextLight(next))
     time = std::max(time, light->GetMTime());
   props->InitTraversal(next);
+  mote::MoteProps ours;
   while (vtkProp* prop = props->GetNextProp(next))
   {
     time = std::max(time, prop->GetRedrawMTime());
-    if (const auto ours = mote::motePropOf(prop))
-      for (const vtkMTimeType part : ours->times())
-        time = std::max(time, part);
+    if (auto found = mote::motePropOf(prop))
+      ours.push_back(std::move(found));
   }
+  for (const vtkMTimeType part : mote::timesOf(ours))
+    time = std::max(time, part);
   return time;
 }
 

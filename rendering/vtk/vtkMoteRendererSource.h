@@ -40,8 +40,7 @@ class vtkRenderer;
 
 namespace mote
 {
-class Film;
-class FilmEdges;
+class FrameTracer;
 class MoteProp;
 } // namespace mote
 
@@ -213,7 +212,7 @@ private:
 
 #ifndef __VTK_WRAP__
   std::vector<std::shared_ptr<mote::MoteProp>> CollectProps();
-  bool Trace(mote::Film& film, mote::FilmEdges& edges);
+  bool Trace(mote::FrameTracer& tracer);
 #endif
 };
 

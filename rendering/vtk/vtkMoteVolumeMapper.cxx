@@ -50,7 +50,6 @@ public:
   // The last of each kind of message, so that it is told once and not every frame.
   std::string reported;
   std::string reportedLook;
-  std::string reportedFrame;
   std::string reportedUnused;
 
   mote::RendererImages images; ///< for renderers that have no vtkMoteRayCastPass
@@ -400,12 +399,8 @@ void vtkMoteVolumeMapper::WarnOfUnused(vtkVolumeProperty* property)
 void vtkMoteVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   mote::RendererImage& image = this->Impl->images.of(renderer);
-  if (image.trace(renderer, {mote::motePropOf(volume)}, mote::FrameSettings{}, {}))
-    image.draw(renderer);
-  if (!image.problem().empty() && image.problem() != this->Impl->reportedFrame)
-    vtkErrorMacro(<< image.problem());
-  this->Impl->reportedFrame = image.problem();
-  this->TimeToDraw = image.traceTime() + image.displayTime();
+  image.render(this, renderer, {mote::motePropOf(volume)}, mote::FrameSettings{});
+  this->TimeToDraw = image.time();
 }
 
 void vtkMoteVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # window.sh MOTE DATA CASE: one test of the window, on the X server that DISPLAY names. What the
 # window shows is judged by the pictures that it saves itself: the key s writes NAME-001.png, ...
-source "$(dirname "$0")/common.sh"
+tests=$(cd "$(dirname "$0")" && pwd)
+source "$tests/common.sh"
 [ -n "$DISPLAY" ] || fail "no display"
 copper=$data/copper-scratch.dump.gz
 
@@ -282,6 +283,61 @@ case $3 in
     kill -INT $process
     wait $process
     [ $? = 130 ] || fail "not interrupted"
+    ;;
+
+  volume) # volumes alone are traced as particles are: samples, silhouettes, light
+    shown=("$data/swirl.1.vtu" --size 320x240 --iso 0.02 --no-cloud --color-by U)
+    open "${shown[@]}" --samples 1
+    picture one.png
+    quit
+    saved=0
+    open "${shown[@]}" --samples 6
+    picture six.png
+    differ one.png six.png
+    press e
+    picture lines.png
+    differ six.png lines.png
+    press e
+    picture no-lines.png
+    alike six.png no-lines.png
+    press t
+    picture occlusion.png
+    differ six.png occlusion.png
+    press m
+    picture map.png
+    differ occlusion.png map.png
+    press x y z r # each interrupts what sharpens
+    picture reset.png
+    alike map.png reset.png
+    quit
+    open "$data/swirl.1.vtu" --size 320x240 --samples 4 --cloud-tolerance 0
+    picture cloud.png
+    press c
+    picture next.png
+    differ cloud.png next.png
+    quit
+    ;;
+
+  slow) # what takes minutes to trace is seen at once, coarsely, with its legend; and so is every change
+    legend() { python3 "$tests/screen.py" 850 120 140 460; }
+    view() { python3 "$tests/screen.py" 300 120 400 460; }
+    open "$data/swirl.1.vtu" --size 1000x700 --color-by U --sample-distance 3e-6 --samples 1
+    for _ in $(seq 50); do
+      [ "$(legend | cut -d ' ' -f 2)" -gt 300 ] && break
+      sleep 0.2
+    done
+    [ "$(legend | cut -d ' ' -f 2)" -gt 300 ] || fail "no legend"
+    [ "$(view | cut -d ' ' -f 2)" -gt 1000 ] || fail "the legend came before the picture"
+    for _ in 1 2 3; do
+      before=$(legend)
+      press m
+      for _ in $(seq 50); do
+        [ "$(legend)" != "$before" ] && break
+        sleep 0.2
+      done
+      [ "$(legend)" != "$before" ] || fail "a key shows nothing"
+    done
+    quit
     ;;
 
   mesh) # cells are shown by their surface, without rays

@@ -2,7 +2,6 @@
 
 #include "../core/Error.h"
 #include "detail/BundleTracer.h"
-#include "detail/Tiles.h"
 
 #include <cmath>
 
@@ -25,7 +24,8 @@ void RayCaster::setBundleSide(int side)
   bundleSide_ = side;
 }
 
-bool RayCaster::addSample(const Camera& camera, Film& film, const Progress& progress) const
+bool RayCaster::addSample(
+  const Camera& camera, Film& film, const Progress& progress, TilesDone* tiles) const
 {
   const BundleTracer tracer(scene_, camera, film, bundleSide_, limits_);
   if (film.samples() > 0)
@@ -33,9 +33,15 @@ bool RayCaster::addSample(const Camera& camera, Film& film, const Progress& prog
     film.splitNearestDepth();
     film.splitLatestDepth();
   }
-  const bool complete = forTiles(film.width(), film.height(), threads_, progress,
-    [&](int x0, int y0) { tracer.traceTile(x0, y0, tileSize); });
-  film.setSamples(complete ? film.samples() + 1 : 0);
+  const bool complete = forTiles(
+    film.width(), film.height(), threads_, progress,
+    [&](int x0, int y0) { tracer.traceTile(x0, y0, tileSize); }, tiles);
+  if (complete)
+    film.setSamples(film.samples() + 1);
+  else if (!tiles)
+    film.setSamples(0);
+  if (complete && tiles)
+    tiles->clear();
   return complete;
 }
 

@@ -4,6 +4,7 @@
 #include "../core/Film.h"
 #include "../core/Progress.h"
 #include "../scene/Scene.h"
+#include "Tiles.h"
 
 namespace mote
 {
@@ -35,10 +36,15 @@ public:
   /// in volumes. The values must outlive the caster; null (default): no limit.
   void setLimits(const float* limits) { limits_ = limits; }
 
-  /// Adds one sample to every pixel of the film. Returns false, with the film's samples reset to 0,
-  /// where `progress` asked to stop; it is called between tiles with the share done, on any of the
-  /// tracing threads but on one at a time.
-  bool addSample(const Camera& camera, Film& film, const Progress& progress = {}) const;
+  /// Adds one sample to every pixel of the film. Returns false where `progress` asked to stop; it
+  /// is called between tiles with the share done, on any of the tracing threads but on one at a
+  /// time.
+  ///
+  /// A sample that was stopped is in some tiles of the film. `tiles` tells which, and with the same
+  /// film, scene and camera another call goes on with the others; `tiles` is empty before a sample
+  /// and after it. Without `tiles` the film's samples are reset to 0.
+  bool addSample(const Camera& camera, Film& film, const Progress& progress = {},
+    TilesDone* tiles = nullptr) const;
 
   /// Position of a sample in its pixel, in pixels from the centre, in [-1/2, 1/2); sample 0 is the
   /// centre. The R2 sequence: any prefix of it is spread evenly.

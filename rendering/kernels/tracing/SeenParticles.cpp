@@ -1,7 +1,7 @@
 #include "SeenParticles.h"
 
 #include "RayCaster.h"
-#include "detail/Tiles.h"
+#include "Tiles.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,21 +1,50 @@
-#include "detail/Tiles.h"
+#include "Tiles.h"
 
 #include <tbb/blocked_range2d.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 
 namespace mote
 {
 
-bool forTiles(int width, int height, int threads, const Progress& progress,
-  const std::function<void(int x0, int y0)>& visit)
+namespace
 {
-  const int columns = (width + tileSize - 1) / tileSize;
-  const int rows = (height + tileSize - 1) / tileSize;
-  std::atomic<int> done{0};
+
+/// Tiles along a side of so many pixels.
+int tilesAlong(int pixels)
+{
+  return (pixels + tileSize - 1) / tileSize;
+}
+
+} // namespace
+
+std::size_t pixelsDone(const TilesDone& tiles, int width, int height)
+{
+  const int columns = tilesAlong(width);
+  std::size_t pixels = 0;
+  for (std::size_t i = 0; i < tiles.size(); ++i)
+    if (tiles[i])
+    {
+      const int x0 = static_cast<int>(i) % columns * tileSize;
+      const int y0 = static_cast<int>(i) / columns * tileSize;
+      pixels +=
+        static_cast<std::size_t>(std::min(tileSize, width - x0)) * std::min(tileSize, height - y0);
+    }
+  return pixels;
+}
+
+bool forTiles(int width, int height, int threads, const Progress& progress,
+  const std::function<void(int x0, int y0)>& visit, TilesDone* tiles)
+{
+  const int columns = tilesAlong(width), rows = tilesAlong(height);
+  TilesDone own;
+  TilesDone& marks = tiles ? *tiles : own;
+  marks.resize(static_cast<std::size_t>(columns) * rows);
+  std::atomic<int> done{static_cast<int>(std::count(marks.begin(), marks.end(), 1))};
   std::atomic<bool> stop{false};
   std::mutex reporting;
   const auto report = [&]
@@ -32,14 +61,18 @@ bool forTiles(int width, int height, int threads, const Progress& progress,
   const auto trace = [&]
   {
     tbb::parallel_for(tbb::blocked_range2d<int>(0, rows, 1, 0, columns, 1),
-      [&](const tbb::blocked_range2d<int>& tiles)
+      [&](const tbb::blocked_range2d<int>& range)
       {
-        for (int row = tiles.rows().begin(); row != tiles.rows().end(); ++row)
-          for (int column = tiles.cols().begin(); column != tiles.cols().end(); ++column)
+        for (int row = range.rows().begin(); row != range.rows().end(); ++row)
+          for (int column = range.cols().begin(); column != range.cols().end(); ++column)
           {
+            std::uint8_t& mark = marks[static_cast<std::size_t>(row) * columns + column];
             if (stop)
               return;
+            if (mark)
+              continue;
             visit(column * tileSize, row * tileSize);
+            mark = 1;
             report();
           }
       });
@@ -49,8 +82,8 @@ bool forTiles(int width, int height, int threads, const Progress& progress,
   else
     trace();
   if (progress && !stop)
-    stop = !progress(1.0);
-  return !stop;
+    progress(1.0);
+  return done == columns * rows;
 }
 
 } // namespace mote

@@ -200,6 +200,42 @@ TEST(RayCaster, ProgressCanStopTheTracing)
   EXPECT_LE(calls, 3 + 1); // threads that are in a tile may finish and tell
 }
 
+TEST(RayCaster, AStoppedSampleGoesOnWithTheTilesThatAreLeft)
+{
+  const Scene scene = oneSphere();
+  const Camera camera = lookAt({0.0, 0.0, 5.0}, Vec3d(0.0), 30.0);
+  const int width = 100, height = 70; // 4 x 3 tiles
+  const Film atOnce = traced(scene, camera, width, height, 3);
+  Film film;
+  film.resize(width, height, Film::Id | Film::Normal);
+  RayCaster caster(scene);
+  caster.setThreads(1);
+  TilesDone tiles;
+  int calls = 0;
+  for (int samples = 0; samples < 3; ++samples)
+  {
+    std::size_t done = 0;
+    while (!caster.addSample(
+      camera, film, [](double) { return false; }, &tiles))
+    {
+      ASSERT_LT(++calls, 100);
+      EXPECT_EQ(film.samples(), samples);
+      const std::size_t now = pixelsDone(tiles, width, height);
+      EXPECT_GT(now, done) << "each call does some";
+      EXPECT_LE(now, done + tileSize * tileSize) << "and does not finish against the wish";
+      done = now;
+    }
+    EXPECT_EQ(film.samples(), samples + 1) << "the last tile completes it";
+    EXPECT_TRUE(tiles.empty());
+  }
+  EXPECT_EQ(calls, 3 * 11);
+  const auto n = static_cast<std::size_t>(width) * height;
+  EXPECT_TRUE(std::equal(film.color(), film.color() + 4 * n, atOnce.color()));
+  EXPECT_TRUE(std::equal(film.depth(), film.depth() + n, atOnce.depth()));
+  EXPECT_TRUE(std::equal(film.nearestDepth(), film.nearestDepth() + n, atOnce.nearestDepth()));
+  EXPECT_TRUE(std::equal(film.id(), film.id() + n, atOnce.id()));
+}
+
 TEST(RayCaster, SampleOffsetsFillThePixelEvenly)
 {
   double x = 1.0, y = 1.0;

@@ -265,19 +265,34 @@ TEST_F(Frames, ProgressComesFromTheDrawingThread)
   EXPECT_FALSE(listener.otherThread);
 }
 
+namespace
+{
+
+/// Stops all that asks, or all that tells of progress, as a user who holds a key.
+struct Aborter
+{
+  vtkRenderWindow* window;
+  bool on = true;
+  int asked = 0;
+
+  Aborter(vtkRenderWindow* w, vtkObject* asking, unsigned long event)
+    : window(w)
+  {
+    asking->AddObserver(event, this, &Aborter::check);
+  }
+  void check()
+  {
+    ++asked;
+    if (on)
+      window->SetAbortRender(1);
+  }
+};
+
+} // namespace
+
 TEST_F(Frames, AbortedOnesHaveNotConverged)
 {
-  struct Aborter
-  {
-    vtkRenderWindow* window;
-    bool on = true;
-    void check()
-    {
-      if (on)
-        window->SetAbortRender(1);
-    }
-  } aborter{drawing.window};
-  drawing.window->AddObserver(vtkCommand::AbortCheckEvent, &aborter, &Aborter::check);
+  Aborter aborter(drawing.window, drawing.window, vtkCommand::AbortCheckEvent);
   drawing.window->Render();
   EXPECT_FALSE(pass->IsConverged());
   aborter.on = false;
@@ -285,6 +300,41 @@ TEST_F(Frames, AbortedOnesHaveNotConverged)
   drawing.shoot();
   EXPECT_TRUE(pass->IsConverged());
   EXPECT_EQ(pass->GetNumberOfSamples(), 4);
+}
+
+TEST_F(Frames, ProgressiveOnesShowEveryChangeWhateverWaits)
+{
+  pass->ProgressiveOn();
+  auto box = drawing.addTriangles({{0, 0, 0, 0.5}}, {0, 0, 1}); // VTK asks before it draws one
+  Aborter aborter(drawing.window, pass, vtkCommand::ProgressEvent);
+  Shot before;
+  for (const double hue : {0.2, 0.6, 1.0})
+  {
+    actor->GetProperty()->SetColor(hue, 1 - hue, 0.3);
+    drawing.window->Render();
+    EXPECT_EQ(aborter.asked, 0) << "it is short";
+    EXPECT_EQ(drawing.window->GetAbortRender(), 0);
+    EXPECT_GE(pass->GetNumberOfSamples(), 1);
+    const Shot now = read(drawing.window);
+    if (before.width > 0)
+    {
+      EXPECT_GT(differentPixels(before, now), 1000);
+    }
+    before = now;
+  }
+  drawing.window->Render(); // sharpens, and is stopped
+  EXPECT_GT(aborter.asked, 0);
+  EXPECT_FALSE(pass->IsConverged());
+  aborter.on = false;
+  for (int frames = 0; !pass->IsConverged(); ++frames)
+  {
+    ASSERT_LT(frames, 20);
+    drawing.window->Render();
+  }
+  pass->ProgressiveOff();
+  const Shot sharp = read(drawing.window);
+  actor->GetProperty()->Modified();
+  EXPECT_EQ(differentPixels(sharp, drawing.shoot(), 0), 0);
 }
 
 TEST_F(Frames, WithNothingToDrawConverge)
