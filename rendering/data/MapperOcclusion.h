@@ -1,5 +1,6 @@
 #pragma once
 
+#include "MoteRenderingDataModule.h" // For export macro
 #include "ParticleInput.h"
 
 #include "kernels/shading/ParticleOcclusion.h"
@@ -33,7 +34,7 @@ struct MappedParticles
 
 /// The occlusion maps that a vtkMoteParticleMapper keeps between frames: those of its input, where
 /// they belong to its particles, and those that were baked for a picture.
-class MapperOcclusion
+class MOTERENDERINGDATA_EXPORT MapperOcclusion
 {
 public:
   /// Brings what is known up to date with particles and request. Returns a sentence where maps of

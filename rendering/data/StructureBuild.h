@@ -1,5 +1,6 @@
 #pragma once
 
+#include "MoteRenderingDataModule.h" // For export macro
 #include "ParticleInput.h"
 
 #include "kernels/particles/ParticleStructure.h"
@@ -15,7 +16,7 @@ namespace mote
 /// Builds a structure on a thread of its own, which reads the arrays of the input and touches no
 /// VTK object. The input is held, and let go of on the thread that calls, for as long as this
 /// object lives. Its methods are to be called from one thread.
-class StructureBuild
+class MOTERENDERINGDATA_EXPORT StructureBuild
 {
 public:
   /// Begins. The structure is built into `used` as buildStructure() does it. Throws

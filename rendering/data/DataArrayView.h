@@ -1,6 +1,6 @@
 #pragma once
 
-#include "MoteFiltersParticlesModule.h" // For export macro
+#include "MoteRenderingDataModule.h" // For export macro
 
 #include "kernels/core/ArrayView.h"
 
@@ -18,7 +18,7 @@ struct DataArrayView
   ArrayView view;
 
   DataArrayView() = default;
-  MOTEFILTERSPARTICLES_EXPORT explicit DataArrayView(vtkDataArray* array);
+  MOTERENDERINGDATA_EXPORT explicit DataArrayView(vtkDataArray* array);
 };
 
 } // namespace mote

@@ -38,7 +38,7 @@ struct PlaceRanges
 /// whatever type the values have. Finding them costs nothing for values that are float themselves,
 /// and a look at the values for others. Where values on both sides of a limit are stored alike, and
 /// for arrays beyond the fourth, every particle is asked and the structure given a bit for each.
-class MOTEFILTERSPARTICLES_EXPORT ParticleSelection
+class MOTERENDERINGDATA_EXPORT ParticleSelection
 {
 public:
   /// Makes a structure show what the ranges leave, with as little work as the changes since the
