@@ -249,10 +249,8 @@ private:
   void operator=(const vtkMoteAmbientOcclusionBaker&) = delete;
 
   void Run(vtkPolyData* data);
-  void BuildStructure(vtkPolyData* data);
   void BeginMaps(vtkPolyData* data);
   bool Bake(vtkPolyData* data);
-  bool Report(double done);
 
   class Internals;
   std::unique_ptr<Internals> Impl;

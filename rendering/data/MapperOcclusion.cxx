@@ -1,86 +1,42 @@
 #include "MapperOcclusion.h"
 
-#include "OcclusionArrays.h"
-
 #include "kernels/core/Error.h"
-#include "kernels/particles/ParticleHash.h"
-
-#include <cmath>
-#include <sstream>
 
 namespace mote
 {
 
-namespace
-{
-
-InputKey keyOf(const MappedParticles& particles, const OcclusionRequest& request)
-{
-  const OcclusionBakeOptions& o = request.options;
-  const auto mapsTime = particles.field ? occlusionArraysTime(particles.field) : 0;
-  return {double(o.side), double(o.samples), o.reach, double(o.adaptive), o.tolerance,
-    double(request.reachChosen), double(mapsTime)};
-}
-
-/// Why the maps of the input cannot be used; empty where they can.
-std::string problemOf(
-  const StoredOcclusion& stored, const MappedParticles& particles, const OcclusionRequest& request)
-{
-  const ParticleInput input = particles.input();
-  if (stored.maps.size() != input.set.count() || stored.content != hashOf(input.set))
-    return "The occlusion maps of the input belong to other particles or other radii, and are not "
-           "used.";
-  const double wanted = request.options.reach;
-  if (request.reachChosen && stored.reach != wanted &&
-      !(std::abs(stored.reach - wanted) <= 1e-6 * wanted))
-  {
-    std::ostringstream text;
-    text << "The occlusion maps of the input have a reach of " << stored.reach << " and not of "
-         << wanted << ", and are not used.";
-    return text.str();
-  }
-  return {};
-}
-
-} // namespace
-
-std::string MapperOcclusion::begin(
-  const MappedParticles& particles, const OcclusionRequest& request)
-{
-  std::string problem;
-  try
-  {
-    const auto stored = particles.field ? findOcclusionArrays(particles.field) : std::nullopt;
-    problem = stored ? problemOf(*stored, particles, request) : "";
-    if (stored && problem.empty())
-    {
-      known_.begin(particles.structure, request.options, *stored);
-      return {};
-    }
-  }
-  catch (const Error& error)
-  {
-    problem = error.what();
-  }
-  known_.begin(particles.structure, request.options);
-  return problem;
-}
-
-std::string MapperOcclusion::update(
-  const MappedParticles& particles, const OcclusionRequest& request)
+std::string MapperOcclusion::update(const ParticleStructure& structure,
+  const InputKey& structureKey, vtkMTimeType changed, const OcclusionBakeOptions& o,
+  const InputKey& key, const FindMaps& find)
 {
   const auto before = known_.maps();
-  const InputKey requestKey = keyOf(particles, request);
+  InputKey requestKey = {double(o.side), double(o.samples), o.reach, double(o.adaptive),
+    o.tolerance, double(o.dilate), o.sky.top, o.sky.bottom, o.sky.up.x, o.sky.up.y, o.sky.up.z};
+  requestKey.insert(requestKey.end(), key.begin(), key.end());
   std::string problem;
-  if (!before || particles.key != structureKey_ || requestKey != requestKey_)
+  if (!before || structureKey != structureKey_ || requestKey != requestKey_)
   {
-    problem = this->begin(particles, request);
-    structureKey_ = particles.key;
+    bool found = false;
+    try
+    {
+      if (const auto stored = find())
+      {
+        known_.begin(structure, o, *stored);
+        found = true;
+      }
+    }
+    catch (const Error& error)
+    {
+      problem = error.what();
+    }
+    if (!found)
+      known_.begin(structure, o);
+    structureKey_ = structureKey;
     requestKey_ = requestKey;
   }
-  else if (seenChange_ != particles.changed)
-    known_.update(particles.structure);
-  seenChange_ = particles.changed;
+  else if (seenChange_ != changed)
+    known_.update(structure);
+  seenChange_ = changed;
   this->noteChange(before);
   return problem;
 }
