@@ -32,6 +32,24 @@ bool isGiven(const char* name)
   return name && *name;
 }
 
+bool isFile(const char* name)
+{
+  return isGiven(name) && vtksys::SystemTools::FileExists(name, true);
+}
+
+/// The maps in a file; none where there is no such file, or it holds those of other particles or
+/// settings. Throws Error where it cannot be read.
+std::optional<mote::StoredOcclusion> readMaps(const char* name, const mote::ContentHash& content,
+  std::size_t particles, const mote::OcclusionBakeOptions& options)
+{
+  if (!isFile(name))
+    return std::nullopt;
+  mote::StoredOcclusion stored = mote::readOcclusionFile(name);
+  const bool fits = stored.content == content && stored.maps.size() == particles &&
+                    mote::wereBakedWith(stored, options);
+  return fits ? std::optional(std::move(stored)) : std::nullopt;
+}
+
 } // namespace
 
 /// What is kept between runs.
@@ -206,15 +224,12 @@ void vtkMoteAmbientOcclusionBaker::BeginMaps(vtkPolyData* data)
   if (glm::length(up) > 0.0)
     options.sky.up = mote::Vec3f(glm::normalize(up));
   model.updateOcclusion(options, {},
-    [&]() -> std::optional<mote::StoredOcclusion>
+    [&]
     {
-      if (!isGiven(this->FileName) || !vtksys::SystemTools::FileExists(this->FileName, true))
-        return std::nullopt;
-      mote::StoredOcclusion stored = mote::readOcclusionFile(this->FileName);
-      this->ReadFromFile =
-        stored.content == model.content() && mote::wereBakedWith(stored, options) &&
-        stored.maps.size() == static_cast<std::size_t>(data->GetNumberOfPoints());
-      return this->ReadFromFile ? std::optional(std::move(stored)) : std::nullopt;
+      auto stored = readMaps(this->FileName, model.content(),
+        static_cast<std::size_t>(data->GetNumberOfPoints()), options);
+      this->ReadFromFile = stored.has_value();
+      return stored;
     });
 }
 

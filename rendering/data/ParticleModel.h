@@ -40,8 +40,6 @@ public:
   /// `tellsOfBuilds` it fires Start- and EndEvents, too, and warns of particles that are left out.
   ParticleModel(vtkAlgorithm* owner, bool tellsOfBuilds);
   ~ParticleModel();
-  ParticleModel(const ParticleModel&) = delete;
-  ParticleModel& operator=(const ParticleModel&) = delete;
 
   ///@{
   /// How update() makes the particles. Names of structure and form are those of structureOf().

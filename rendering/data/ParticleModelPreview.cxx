@@ -10,8 +10,6 @@
 #include "vtkCommand.h"
 #include "vtkPointSet.h"
 
-#include <new>
-
 namespace mote
 {
 

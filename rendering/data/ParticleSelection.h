@@ -44,7 +44,7 @@ public:
   /// Makes a structure show what the ranges leave, with as little work as the changes since the
   /// last call ask for. `particles` gives the input and is asked only where it is needed. Returns
   /// whether anything changed.
-  bool apply(ParticleStructure& structure, const std::vector<ValueRange>& values,
+  bool apply(ParticleStructure& structure, std::vector<ValueRange> values,
     const PlaceRanges& places, const std::function<ParticleInput()>& particles);
 
   /// The structure is another one, or built anew, which made it forget all ranges.

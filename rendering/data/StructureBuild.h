@@ -38,8 +38,6 @@ public:
   }
   /// Stops the build, and waits until it has stopped.
   ~StructureBuild() { stop_ = true; } // a future waits
-  StructureBuild(const StructureBuild&) = delete;
-  StructureBuild& operator=(const StructureBuild&) = delete;
 
   /// Share done, in [0, 1].
   double progress() const { return progress_; }

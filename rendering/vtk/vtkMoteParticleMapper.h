@@ -202,9 +202,16 @@ public:
    * float; "8-byte"; "4-byte"; or "auto" (default), as the file has it that the points stay in,
    * else exact. A form that would move particles by more than a twentieth of the smallest radius
    * is refused. A form but "auto" is one of the "pkd-tree", which "auto" structures then are.
+   *
+   * KeepPointIds (on unless set): whether such a tree keeps the way back from its particles to the
+   * points, 4 or 8 bytes a particle. Without it only those can use the tree who ask for neither ids
+   * nor values of particles, such as writers of files without arrays.
    */
   vtkSetStringMacro(StructureForm);
   vtkGetStringMacro(StructureForm);
+  vtkSetMacro(KeepPointIds, bool);
+  vtkGetMacro(KeepPointIds, bool);
+  vtkBooleanMacro(KeepPointIds, bool);
   ///@}
 
   /**
@@ -238,8 +245,8 @@ public:
    * Off, the default, nothing is ever drawn but the exact picture: Update() waits for a build that
    * goes on. A vtkMoteRendererSource and a vtkMoteParticleFileWriter wait in any case.
    *
-   * While a build goes on the arrays of the input must not be written to in place, nor resized;
-   * StopBuild() before that. Other input or other radii stop it by themselves.
+   * StopBuild() before arrays of the input are written to in place, or resized, while a build goes
+   * on. Other input or other radii stop it by themselves.
    */
   vtkSetMacro(Preview, vtkTypeBool);
   vtkGetMacro(Preview, vtkTypeBool);
@@ -285,7 +292,8 @@ public:
    * Facts of the present structure, as of the last Update(): particles drawn or hidden by range,
    * particles left out as unfit, bytes of structure and particles, seconds of the last build,
    * number of builds so far, and the radius in use where it is one for all (else 0). While there is
-   * a preview, bytes and GetNumberOfVisibleParticles() are its own, and all else the input's.
+   * a preview, bytes and GetNumberOfVisibleParticles() are its own, and all else the input's. Of the
+   * last picture with vtkMoteShading::OCCLUSION_BAKED: particles with a map, and bytes of all maps.
    */
   vtkIdType GetNumberOfParticles();
   vtkIdType GetNumberOfUnfitParticles();
@@ -293,6 +301,8 @@ public:
   double GetBuildTime();
   int GetNumberOfBuilds();
   double GetRadiusInUse();
+  vtkIdType GetNumberOfBakedParticles();
+  vtkTypeInt64 GetOcclusionBytes();
   ///@}
 
   ///@{
@@ -321,26 +331,6 @@ public:
   bool HasOpaqueGeometry() override { return true; }
   bool HasTranslucentPolygonalGeometry() override { return false; }
   bool GetSupportsSelection() override { return true; }
-  ///@}
-
-  ///@{
-  /**
-   * Occlusion maps as of the last picture with vtkMoteShading::OCCLUSION_BAKED: how many particles
-   * have one, and what all take, in bytes.
-   */
-  vtkIdType GetNumberOfBakedParticles();
-  vtkTypeInt64 GetOcclusionBytes();
-  ///@}
-
-  ///@{
-  /**
-   * Whether a P-k-d tree keeps the way back from its particles to the points: 4 or 8 bytes a
-   * particle. Without it only those can use the tree who do not ask what a particle is called or
-   * what values it has, such as writers of files without arrays. On unless set.
-   */
-  vtkSetMacro(KeepPointIds, bool);
-  vtkGetMacro(KeepPointIds, bool);
-  vtkBooleanMacro(KeepPointIds, bool);
   ///@}
 
 #ifndef __VTK_WRAP__
