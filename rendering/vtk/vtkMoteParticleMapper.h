@@ -292,8 +292,8 @@ public:
    * Facts of the present structure, as of the last Update(): particles drawn or hidden by range,
    * particles left out as unfit, bytes of structure and particles, seconds of the last build,
    * number of builds so far, and the radius in use where it is one for all (else 0). While there is
-   * a preview, bytes and GetNumberOfVisibleParticles() are its own, and all else the input's. Of the
-   * last picture with vtkMoteShading::OCCLUSION_BAKED: particles with a map, and bytes of all maps.
+   * a preview, bytes and GetNumberOfVisibleParticles() are its own, and all else the input's. Of
+   * the last picture with vtkMoteShading::OCCLUSION_BAKED: particles with a map, bytes of maps.
    */
   vtkIdType GetNumberOfParticles();
   vtkIdType GetNumberOfUnfitParticles();
