@@ -90,18 +90,25 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Radius: that of all particles in RADIUS_CONSTANT mode, in the units of the points; default 0.5.
-   * RadiusScale: Multiplies the radius of every mode; default 1; 0.5 makes radii of diameters.
-   * RadiusArrayName, TypeArrayName: point arrays of one component, the radii of RADIUS_BY_ARRAY
-   * and the types of RADIUS_BY_TYPE; no name, and "type".
-   */
+  /** The radius in RADIUS_CONSTANT mode, in the units of the points. Default 0.5. */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /** Multiplies the radius of every mode. Default 1; 0.5 turns an array of diameters into radii. */
   vtkSetMacro(RadiusScale, double);
   vtkGetMacro(RadiusScale, double);
+  ///@}
+
+  ///@{
+  /** Point array of one component that holds the radii in RADIUS_BY_ARRAY mode. */
   vtkSetStringMacro(RadiusArrayName);
   vtkGetStringMacro(RadiusArrayName);
+  ///@}
+
+  ///@{
+  /** Point array of one component that holds the types in RADIUS_BY_TYPE mode. Default "type". */
   vtkSetStringMacro(TypeArrayName);
   vtkGetStringMacro(TypeArrayName);
   ///@}
@@ -120,17 +127,26 @@ public:
   /**
    * Hides, rather than recolours, the particles whose value of VisibilityArrayName lies outside
    * VisibilityRange (both ends belong to it; NaN is outside). Off by default. A change rebuilds no
-   * structure. The array is the one that colours unless it is named; of one that is named it is
-   * VisibilityComponent that counts, default 0, or the magnitude for -1, and else the lookup
-   * table's choice.
+   * structure.
    */
   vtkSetMacro(UseVisibilityRange, vtkTypeBool);
   vtkGetMacro(UseVisibilityRange, vtkTypeBool);
   vtkBooleanMacro(UseVisibilityRange, vtkTypeBool);
   vtkSetVector2Macro(VisibilityRange, double);
   vtkGetVector2Macro(VisibilityRange, double);
+  ///@}
+
+  ///@{
+  /** The array that VisibilityRange speaks of. Empty, the default: the array that colours. */
   vtkSetStringMacro(VisibilityArrayName);
   vtkGetStringMacro(VisibilityArrayName);
+  ///@}
+
+  ///@{
+  /**
+   * Component of that array, or -1 for the magnitude. Default 0. Of the array that colours it is
+   * the one that the lookup table chooses.
+   */
   vtkSetMacro(VisibilityComponent, int);
   vtkGetMacro(VisibilityComponent, int);
   ///@}
@@ -160,11 +176,15 @@ public:
 
   ///@{
   /**
-   * As AddRange(), of centres along an axis (0, 1, 2 for x, y, z) in the input's coordinates, and
-   * of radii as drawn, in the units of the points, RadiusScale and all. Infinite: no limit.
+   * As AddRange(), of centres along an axis (0, 1, 2 for x, y, z) in the input's coordinates.
+   * Infinite at first: no limit.
    */
   bool SetCenterRange(int axis, double low, double high);
   void GetCenterRange(int axis, double range[2]);
+  ///@}
+
+  ///@{
+  /** The same for the radius, as drawn: in the units of the points, RadiusScale and all. */
   bool SetRadiusRange(double low, double high);
   void GetRadiusRange(double range[2]);
   ///@}
@@ -202,13 +222,17 @@ public:
    * float; "8-byte"; "4-byte"; or "auto" (default), as the file has it that the points stay in,
    * else exact. A form that would move particles by more than a twentieth of the smallest radius
    * is refused. A form but "auto" is one of the "pkd-tree", which "auto" structures then are.
-   *
-   * KeepPointIds (on unless set): whether such a tree keeps the way back from its particles to the
-   * points, 4 or 8 bytes a particle. Without it only those can use the tree who ask for neither ids
-   * nor values of particles, such as writers of files without arrays.
    */
   vtkSetStringMacro(StructureForm);
   vtkGetStringMacro(StructureForm);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a P-k-d tree keeps the way back from its particles to the points, 4 or 8 bytes a
+   * particle. Without it only those can use the tree who ask for neither ids nor values of
+   * particles, such as writers of files without arrays. On unless set.
+   */
   vtkSetMacro(KeepPointIds, bool);
   vtkGetMacro(KeepPointIds, bool);
   vtkBooleanMacro(KeepPointIds, bool);
@@ -268,15 +292,13 @@ public:
   double GetBuildProgress();
   ///@}
 
-  ///@{
-  /**
-   * FinishBuild() is an Update() that waits for the exact structure, firing ProgressEvents
-   * meanwhile; true when it is there. StopBuild() stops what is built on another thread, which
-   * takes a moment, and forgets the preview; the next Update() begins anew.
-   */
+  /** Update() that waits for the exact structure, with ProgressEvents; true when it is there. */
   bool FinishBuild();
+  /**
+   * Stops what is built on another thread, which takes a moment, and forgets the preview. The next
+   * Update() begins anew.
+   */
   void StopBuild();
-  ///@}
 
   /**
    * Update() for another time step of the input's pipeline, which stays the one that is shown.
@@ -292,8 +314,7 @@ public:
    * Facts of the present structure, as of the last Update(): particles drawn or hidden by range,
    * particles left out as unfit, bytes of structure and particles, seconds of the last build,
    * number of builds so far, and the radius in use where it is one for all (else 0). While there is
-   * a preview, bytes and GetNumberOfVisibleParticles() are its own, and all else the input's. Of
-   * the last picture with vtkMoteShading::OCCLUSION_BAKED: particles with a map, bytes of maps.
+   * a preview, bytes and GetNumberOfVisibleParticles() are its own, and all else the input's.
    */
   vtkIdType GetNumberOfParticles();
   vtkIdType GetNumberOfUnfitParticles();
@@ -301,21 +322,22 @@ public:
   double GetBuildTime();
   int GetNumberOfBuilds();
   double GetRadiusInUse();
-  vtkIdType GetNumberOfBakedParticles();
-  vtkTypeInt64 GetOcclusionBytes();
   ///@}
 
-  ///@{
-  /**
-   * The array that colours the particles now, or null where they have the property's colour; the
-   * value that colours particle `id` (its index in the input), as the lookup table's VectorMode
-   * picks it, or NaN; and the range of those values over the whole input, without NaN and
-   * infinities, or 1, 0.
-   */
+  /** Particles that have an occlusion map as of the last picture; see vtkMoteShading. */
+  vtkIdType GetNumberOfBakedParticles();
+  /** What all those maps take, in bytes. */
+  vtkTypeInt64 GetOcclusionBytes();
+
+  /** The array that colours the particles now; null where they have the property's colour. */
   vtkDataArray* GetColorArray();
+  /**
+   * The value that colours particle `id` (its index in the input), as the lookup table's
+   * VectorMode picks it; NaN where there is none.
+   */
   double GetParticleValue(vtkIdType id);
+  /** The range of those values over the input, without NaN and infinities; 1, 0 without any. */
   void GetColorArrayRange(double range[2]);
-  ///@}
 
   /**
    * Draws the particles of this one actor. Called by vtkActor.
