@@ -55,9 +55,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /**
-   * The particles: a data object, or (with SetInputConnection) a pipeline's output.
-   */
+  /** The particles: a data object, or (with SetInputConnection) a pipeline's output. */
   void SetInputData(vtkPointSet* input);
   vtkPointSet* GetInput();
   ///@}
@@ -77,9 +75,7 @@ public:
   };
 
   ///@{
-  /**
-   * One of RadiusModes.
-   */
+  /** One of RadiusModes. */
   vtkSetClampMacro(RadiusMode, int, RADIUS_AUTOMATIC, RADIUS_FROM_SPACING);
   vtkGetMacro(RadiusMode, int);
   void SetRadiusModeToAutomatic() { this->SetRadiusMode(RADIUS_AUTOMATIC); }
@@ -189,9 +185,7 @@ public:
   void GetRadiusRange(double range[2]);
   ///@}
 
-  /**
-   * Takes away all these ranges but VisibilityRange.
-   */
+  /** Takes away all these ranges but VisibilityRange. */
   void RemoveAllRanges();
 
   ///@{
@@ -238,9 +232,7 @@ public:
   vtkBooleanMacro(KeepPointIds, bool);
   ///@}
 
-  /**
-   * Bounds of the spheres, not of their centres alone.
-   */
+  /** Bounds of the spheres, not of their centres alone. */
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
 
@@ -339,9 +331,7 @@ public:
   /** The range of those values over the input, without NaN and infinities; 1, 0 without any. */
   void GetColorArrayRange(double range[2]);
 
-  /**
-   * Draws the particles of this one actor. Called by vtkActor.
-   */
+  /** Draws the particles of this one actor. Called by vtkActor. */
   void Render(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -357,17 +347,13 @@ public:
 
 #ifndef __VTK_WRAP__
   ///@{
-  /**
-   * The names that StructureName and StructureForm may be, the default first.
-   */
+  /** The names that StructureName and StructureForm may be, the default first. */
   static std::vector<std::string> GetStructureNames();
   static std::vector<std::string> GetStructureForms();
   ///@}
 
   ///@{
-  /**
-   * Where a P-k-d tree that is built from now on lies, in place of the heap; null for the heap.
-   */
+  /** Where a P-k-d tree that is built from now on lies, in place of the heap; null for the heap. */
   void SetScratchSpace(std::shared_ptr<mote::ScratchSpace> space);
   std::shared_ptr<mote::ScratchSpace> GetScratchSpace() const;
   ///@}
@@ -379,9 +365,7 @@ public:
   bool DescribeTo(mote::ParticleObject& object, vtkActor* actor);
 
   ///@{
-  /**
-   * The particles as of the last Update(), and what the model's occlusion() gives.
-   */
+  /** The particles as of the last Update(), and what the model's occlusion() gives. */
   mote::ParticleModel& GetModel();
   mote::MapperOcclusion* UpdateOcclusion(const mote::OcclusionRequest* request);
   ///@}
@@ -393,9 +377,7 @@ public:
    */
   static double EstimateSpacing(vtkPointSet* points);
 
-  /**
-   * Changes with everything that the picture of this mapper depends on, its input included.
-   */
+  /** Changes with everything that the picture of this mapper depends on, its input included. */
   vtkMTimeType GetPictureMTime();
 
 protected:
