@@ -1,12 +1,12 @@
 # The VTK-facing classes are VTK modules: declared dependencies, object factories, Python wrapping.
 
 vtk_module_find_modules(_mote_module_files "${CMAKE_SOURCE_DIR}/filters")
-vtk_module_find_modules(_mote_rendering_files "${CMAKE_SOURCE_DIR}/rendering/vtk")
+vtk_module_find_modules(_mote_rendering_files "${CMAKE_SOURCE_DIR}/rendering")
 list(APPEND _mote_module_files ${_mote_rendering_files})
 vtk_module_scan(
   MODULE_FILES ${_mote_module_files}
   REQUEST_MODULES Mote::FiltersHexahedra Mote::FiltersIO Mote::FiltersImaging
-    Mote::FiltersParticles Mote::RenderingVTK
+    Mote::FiltersParticles Mote::RenderingData Mote::RenderingVTK
   PROVIDES_MODULES MOTE_MODULES
   ENABLE_TESTS OFF)
 vtk_module_build(

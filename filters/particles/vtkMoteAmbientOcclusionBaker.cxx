@@ -1,25 +1,18 @@
 #include "vtkMoteAmbientOcclusionBaker.h"
 
 #include "OcclusionArrays.h"
-#include "ParticleInput.h"
-#include "ParticleSelection.h"
+#include "ParticleModel.h"
 
 #include "kernels/core/Error.h"
-#include "kernels/occlusion/ParticleOcclusion.h"
-#include "kernels/particles/ParticleHash.h"
-#include "kernels/particles/PkdTreeFile.h"
 
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtksys/SystemTools.hxx"
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <limits>
@@ -34,18 +27,27 @@ namespace
 /// Shares of the progress.
 constexpr double building = 0.05, baking = 0.9;
 
-vtkDataArray* requirePointArray(vtkPolyData* data, const char* name, const char* what)
-{
-  vtkDataArray* array = data->GetPointData()->GetArray(name);
-  if (!array)
-    throw mote::Error(
-      std::string("There is no point array \"") + name + "\" for the " + what + ".");
-  return array;
-}
-
 bool isGiven(const char* name)
 {
   return name && *name;
+}
+
+bool isFile(const char* name)
+{
+  return isGiven(name) && vtksys::SystemTools::FileExists(name, true);
+}
+
+/// The maps in a file; none where there is no such file, or it holds those of other particles or
+/// settings. Throws Error where it cannot be read.
+std::optional<mote::StoredOcclusion> readMaps(const char* name, const mote::ContentHash& content,
+  std::size_t particles, const mote::OcclusionBakeOptions& options)
+{
+  if (!isFile(name))
+    return std::nullopt;
+  mote::StoredOcclusion stored = mote::readOcclusionFile(name);
+  const bool fits = stored.content == content && stored.maps.size() == particles &&
+                    mote::wereBakedWith(stored, options);
+  return fits ? std::optional(std::move(stored)) : std::nullopt;
 }
 
 } // namespace
@@ -54,25 +56,22 @@ bool isGiven(const char* name)
 class vtkMoteAmbientOcclusionBaker::Internals
 {
 public:
-  mote::RadiusChoice choice;
-  mote::ParticleInput particles;
-  mote::InputKey structureKey; ///< of the structure
-  std::shared_ptr<mote::ParticleStructure> structure;
-  mote::ParticleSelection selection;
-  std::optional<mote::ContentHash> content; ///< of the particles of the structure
-
-  mote::InputKey mapsKey; ///< of what the maps belong to, and their settings
-  mote::ParticleOcclusion maps;
+  mote::ParticleModel model;
 
   std::chrono::steady_clock::time_point start; ///< of the baking
   std::atomic<double> share{0.0};              ///< of it that is done
   std::thread::id thread;                      ///< of the run
   bool isBaking = false;
+
+  explicit Internals(vtkMoteAmbientOcclusionBaker* self)
+    : model(self, false) // whose pipeline has events of its own
+  {
+  }
 };
 
 vtkMoteAmbientOcclusionBaker::vtkMoteAmbientOcclusionBaker()
   : Tolerance(mote::OcclusionBakeOptions().tolerance)
-  , Impl(std::make_unique<Internals>())
+  , Impl(std::make_unique<Internals>(this))
 {
   this->SetTypeArrayName("type");
   this->SetStructureName(mote::particleStructureNames().front().c_str());
@@ -97,23 +96,17 @@ int vtkMoteAmbientOcclusionBaker::FillInputPortInformation(
 
 void vtkMoteAmbientOcclusionBaker::SetTypeRadius(int type, double radius)
 {
-  this->Impl->choice.typeRadii[type] = radius;
+  this->Impl->model.radii.typeRadii[type] = radius;
   this->Modified();
 }
 
 void vtkMoteAmbientOcclusionBaker::RemoveAllTypeRadii()
 {
-  this->Impl->choice.typeRadii.clear();
+  this->Impl->model.radii.typeRadii.clear();
   this->Modified();
 }
 
-void vtkMoteAmbientOcclusionBaker::SetVisibleIds(vtkIdTypeArray* ids)
-{
-  if (this->VisibleIds == ids)
-    return;
-  this->VisibleIds = ids;
-  this->Modified();
-}
+vtkCxxSetSmartPointerMacro(vtkMoteAmbientOcclusionBaker, VisibleIds, vtkIdTypeArray);
 
 vtkIdTypeArray* vtkMoteAmbientOcclusionBaker::GetVisibleIds()
 {
@@ -168,6 +161,7 @@ int vtkMoteAmbientOcclusionBaker::RequestData(
     problem = error.what();
   }
   this->Impl->isBaking = false;
+  this->SetProgressShiftScale(0.0, 1.0); // also after an error
   if (problem.empty())
     return 1;
   vtkErrorMacro(<< problem);
@@ -178,13 +172,26 @@ void vtkMoteAmbientOcclusionBaker::Run(vtkPolyData* data)
 {
   Internals& impl = *this->Impl;
   impl.thread = std::this_thread::get_id();
-  this->BuildStructure(data);
-  if (!impl.structure)
+  mote::ParticleModel& model = impl.model;
+  mote::takeRadiusProperties(this, model.radii);
+  model.structureName = isGiven(this->StructureName) ? this->StructureName : "";
+  this->SetProgressShiftScale(0.0, building);
+  model.update(data);
+  this->SetProgressShiftScale(building, baking);
+  if (!model.structure())
     return; // aborted
+  std::vector<mote::ArrayRange> ranges;
+  if (isGiven(this->SelectionArrayName))
+    ranges.push_back({this->SelectionArrayName, this->SelectionComponent, this->SelectionRange[0],
+      this->SelectionRange[1], "the selection"});
+  model.updateRanges(ranges);
+  if (!model.rangeProblems().empty())
+    throw mote::Error(*model.rangeProblems().begin());
   this->BeginMaps(data);
   const bool finished = this->Bake(data);
   const auto inputs = static_cast<std::size_t>(data->GetNumberOfPoints());
-  const mote::StoredOcclusion stored = impl.maps.stored(*impl.structure, inputs, *impl.content);
+  const mote::StoredOcclusion stored =
+    model.maps().known().stored(*model.structure(), inputs, model.content());
   mote::addOcclusionArrays(data->GetFieldData(), stored);
   for (std::size_t i = 0; i < inputs; ++i)
     this->NumberOfBaked += stored.maps.isBaked(i);
@@ -192,65 +199,21 @@ void vtkMoteAmbientOcclusionBaker::Run(vtkPolyData* data)
     this->BytesPerParticle = double(stored.maps.bytes()) / double(inputs);
   if (isGiven(this->FileName) && this->NumberOfNewlyBaked > 0)
     mote::writeOcclusionFile(this->FileName, stored);
+  this->SetProgressShiftScale(0.0, 1.0);
   if (finished)
     this->UpdateProgress(1.0);
-}
-
-/// Builds where points or radii have changed, and shows what the selection says.
-void vtkMoteAmbientOcclusionBaker::BuildStructure(vtkPolyData* data)
-{
-  Internals& impl = *this->Impl;
-  mote::RadiusChoice& choice = impl.choice;
-  choice.mode = static_cast<mote::RadiusMode>(this->RadiusMode);
-  choice.radius = this->Radius;
-  choice.scale = this->RadiusScale;
-  choice.radiusArray = this->RadiusArrayName ? this->RadiusArrayName : "";
-  choice.typeArray = this->TypeArrayName ? this->TypeArrayName : "";
-  bool half = false;
-  vtkDataArray* radii = mote::findRadiusArray(data, choice, half);
-  const mote::StructureChoice asked = mote::structureOf(this->StructureName, nullptr);
-  mote::InputKey key = {double(asked.kind)};
-  mote::addArray(key, data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
-  mote::addChoice(key, choice, radii, half);
-  if (!impl.structure || key != impl.structureKey)
-  {
-    impl.structureKey.clear();
-    impl.selection.forget();
-    impl.particles = mote::makeParticleInput(data, choice);
-    impl.content = mote::hashOf(impl.particles.set);
-    if (mote::drawsFile(data, choice, asked))
-      impl.structure = std::make_shared<mote::ParticleStructure>(mote::fileOf(data)->tree());
-    else
-      mote::buildStructure(impl.structure, impl.particles.set, asked.options(),
-        [this](double done) { return this->Report(building * done); });
-    if (!impl.structure)
-      return;
-    impl.structureKey = key;
-  }
-  std::vector<mote::ValueRange> ranges;
-  if (isGiven(this->SelectionArrayName))
-  {
-    vtkDataArray* array = requirePointArray(data, this->SelectionArrayName, "selection");
-    if (this->SelectionComponent < -1 || this->SelectionComponent >= array->GetNumberOfComponents())
-      throw mote::Error(std::string("The array \"") + this->SelectionArrayName +
-                        "\" of the selection has no component " +
-                        std::to_string(this->SelectionComponent) + ".");
-    ranges.push_back(
-      {array, this->SelectionComponent, this->SelectionRange[0], this->SelectionRange[1]});
-  }
-  impl.selection.apply(*impl.structure, ranges, {}, [&] { return impl.particles; });
 }
 
 /// Takes what is known already: from the last run, or from the file.
 void vtkMoteAmbientOcclusionBaker::BeginMaps(vtkPolyData* data)
 {
-  Internals& impl = *this->Impl;
+  mote::ParticleModel& model = this->Impl->model;
   mote::OcclusionBakeOptions options;
   options.side = this->Side;
   options.samples = this->Samples;
   options.reach =
     this->Reach >= VTK_DOUBLE_MAX ? std::numeric_limits<double>::infinity() : this->Reach;
-  options.reach = mote::occlusionReach(*impl.structure, options);
+  options.reach = mote::occlusionReach(*model.structure(), options);
   options.adaptive = this->Adaptive != 0;
   options.tolerance = this->Tolerance;
   options.dilate = this->Dilate != 0;
@@ -260,39 +223,14 @@ void vtkMoteAmbientOcclusionBaker::BeginMaps(vtkPolyData* data)
   options.sky.bottom = static_cast<float>(this->SkyBottom);
   if (glm::length(up) > 0.0)
     options.sky.up = mote::Vec3f(glm::normalize(up));
-  mote::InputKey key = impl.structureKey;
-  key.insert(key.end(),
-    {double(options.side), double(options.samples), options.reach, double(options.adaptive),
-      options.tolerance, double(options.dilate), options.sky.top, options.sky.bottom,
-      options.sky.up.x, options.sky.up.y, options.sky.up.z});
-  if (impl.maps.maps() && key == impl.mapsKey)
-    return impl.maps.update(*impl.structure);
-  impl.mapsKey = key;
-  if (isGiven(this->FileName) && vtksys::SystemTools::FileExists(this->FileName, true))
-    try
+  model.updateOcclusion(options, {},
+    [&]
     {
-      const mote::StoredOcclusion stored = mote::readOcclusionFile(this->FileName);
-      if (stored.content == *impl.content && mote::wereBakedWith(stored, options) &&
-          stored.maps.size() == static_cast<std::size_t>(data->GetNumberOfPoints()))
-      {
-        impl.maps.begin(*impl.structure, options, stored);
-        this->ReadFromFile = true;
-        return;
-      }
-    }
-    catch (const mote::Error& error)
-    {
-      vtkWarningMacro(<< error.what());
-    }
-  impl.maps.begin(*impl.structure, options);
-}
-
-/// Tells how far the run is, from the thread that it began on; false where it was aborted.
-bool vtkMoteAmbientOcclusionBaker::Report(double done)
-{
-  if (std::this_thread::get_id() == this->Impl->thread)
-    this->UpdateProgress(done);
-  return this->GetAbortExecute() == 0;
+      auto stored = readMaps(this->FileName, model.content(),
+        static_cast<std::size_t>(data->GetNumberOfPoints()), options);
+      this->ReadFromFile = stored.has_value();
+      return stored;
+    });
 }
 
 /// False where it was aborted.
@@ -308,30 +246,34 @@ bool vtkMoteAmbientOcclusionBaker::Bake(vtkPolyData* data)
       wanted[static_cast<std::size_t>(id)] = 1;
   if (masked)
   {
-    const mote::DataArrayView mask(requirePointArray(data, this->MaskArrayName, "mask"));
+    const mote::DataArrayView mask(mote::requirePointArray(data, this->MaskArrayName, "the mask"));
     for (std::size_t i = 0; i < inputs; ++i)
       wanted[i] = wanted[i] && mask.view.value(i) != 0.0;
   }
+  const mote::ParticleStructure& structure = *impl.model.structure();
+  mote::MapperOcclusion& maps = impl.model.maps();
   mote::ParticleBits bits;
   if (!wanted.empty())
-    mote::withStructure(*impl.structure,
+    mote::withStructure(structure,
       [&](const auto& s)
       {
         bits.resize((s.size() + 63) / 64);
         for (std::size_t slot = 0; slot < s.size(); ++slot)
           bits[slot / 64] |= std::uint64_t{wanted[s.inputIndex(slot)]} << (slot % 64);
       });
-  const mote::OcclusionBakeStatistics before = impl.maps.statistics();
+  const mote::OcclusionBakeStatistics before = maps.known().statistics();
   impl.start = std::chrono::steady_clock::now();
   impl.share = 0.0;
   impl.isBaking = true;
-  const bool finished = impl.maps.bake(*impl.structure, bits,
+  const bool finished = maps.bake(structure, bits,
     [this](double done)
     {
       this->Impl->share = done;
-      return this->Report(building + baking * done);
+      if (std::this_thread::get_id() == this->Impl->thread)
+        this->UpdateProgress(done);
+      return this->GetAbortExecute() == 0;
     });
-  const mote::OcclusionBakeStatistics& after = impl.maps.statistics();
+  const mote::OcclusionBakeStatistics& after = maps.known().statistics();
   this->NumberOfNewlyBaked = static_cast<vtkIdType>(after.particles - before.particles);
   this->NumberOfRays = static_cast<vtkTypeInt64>(after.rays - before.rays);
   this->BakeTime = after.seconds - before.seconds;
@@ -340,30 +282,31 @@ bool vtkMoteAmbientOcclusionBaker::Bake(vtkPolyData* data)
 
 void vtkMoteAmbientOcclusionBaker::PrintSelf(ostream& os, vtkIndent indent)
 {
+  const auto print = [&](const char* name, const auto& value)
+  { os << indent << name << ": " << value << "\n"; };
   const auto text = [](const char* s) { return s ? s : "(none)"; };
+  const auto onOff = [](bool is) { return is ? "On" : "Off"; };
+  mote::RadiusChoice radii = this->Impl->model.radii;
+  mote::takeRadiusProperties(this, radii);
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "RadiusMode: " << this->RadiusMode << "\n";
-  os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "RadiusScale: " << this->RadiusScale << "\n";
-  os << indent << "RadiusArrayName: " << text(this->RadiusArrayName) << "\n";
-  os << indent << "TypeArrayName: " << text(this->TypeArrayName) << "\n";
-  os << indent << "StructureName: " << text(this->StructureName) << "\n";
-  os << indent << "Side: " << this->Side << "\n";
-  os << indent << "Samples: " << this->Samples << "\n";
-  os << indent << "Reach: " << this->Reach << "\n";
-  os << indent << "Adaptive: " << (this->Adaptive ? "On" : "Off") << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "Dilate: " << (this->Dilate ? "On" : "Off") << "\n";
-  os << indent << "SkyTop: " << this->SkyTop << "\n";
-  os << indent << "SkyBottom: " << this->SkyBottom << "\n";
+  mote::printRadii(radii, os, indent);
+  print("StructureName", text(this->StructureName));
+  print("Side", this->Side);
+  print("Samples", this->Samples);
+  print("Reach", this->Reach);
+  print("Adaptive", onOff(this->Adaptive));
+  print("Tolerance", this->Tolerance);
+  print("Dilate", onOff(this->Dilate));
+  print("SkyTop", this->SkyTop);
+  print("SkyBottom", this->SkyBottom);
   os << indent << "SkyUp: " << this->SkyUp[0] << " " << this->SkyUp[1] << " " << this->SkyUp[2]
      << "\n";
-  os << indent << "SelectionArrayName: " << text(this->SelectionArrayName) << "\n";
-  os << indent << "SelectionComponent: " << this->SelectionComponent << "\n";
+  print("SelectionArrayName", text(this->SelectionArrayName));
+  print("SelectionComponent", this->SelectionComponent);
   os << indent << "SelectionRange: " << this->SelectionRange[0] << " " << this->SelectionRange[1]
      << "\n";
-  os << indent << "MaskArrayName: " << text(this->MaskArrayName) << "\n";
-  os << indent << "VisibleIds: " << this->VisibleIds.Get() << "\n";
-  os << indent << "FileName: " << text(this->FileName) << "\n";
-  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  print("MaskArrayName", text(this->MaskArrayName));
+  print("VisibleIds", this->VisibleIds.Get());
+  print("FileName", text(this->FileName));
+  print("NumberOfThreads", this->NumberOfThreads);
 }

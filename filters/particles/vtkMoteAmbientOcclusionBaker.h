@@ -65,9 +65,7 @@ public:
   ///@}
 
   ///@{
-  /**
-   * The structure that rays are cast through, as vtkMoteParticleMapper has them by name.
-   */
+  /** The structure that rays are cast through, as vtkMoteParticleMapper has them by name. */
   vtkSetStringMacro(StructureName);
   vtkGetStringMacro(StructureName);
   ///@}
@@ -82,9 +80,7 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Rays a texel, in [1, 65536]. Default 49.
-   */
+  /** Rays a texel, in [1, 65536]. Default 49. */
   vtkSetClampMacro(Samples, int, 1, 65536);
   vtkGetMacro(Samples, int);
   ///@}
@@ -175,9 +171,7 @@ public:
   ///@}
 
   ///@{
-  /**
-   * Threads to bake with; 0, the default, for all.
-   */
+  /** Threads to bake with; 0, the default, for all. */
   vtkSetClampMacro(NumberOfThreads, int, 0, 4096);
   vtkGetMacro(NumberOfThreads, int);
   ///@}
@@ -249,10 +243,8 @@ private:
   void operator=(const vtkMoteAmbientOcclusionBaker&) = delete;
 
   void Run(vtkPolyData* data);
-  void BuildStructure(vtkPolyData* data);
   void BeginMaps(vtkPolyData* data);
   bool Bake(vtkPolyData* data);
-  bool Report(double done);
 
   class Internals;
   std::unique_ptr<Internals> Impl;

@@ -1,7 +1,7 @@
 #include "vtkMoteParticleFileWriter.h"
 
 #include "DataArrayView.h"
-#include "ParticleInput.h"
+#include "ParticleModel.h"
 #include "vtkMoteParticleMapper.h"
 
 #include "kernels/core/AtomicFile.h"
@@ -147,7 +147,7 @@ bool vtkMoteParticleFileWriter::WriteParticles()
   if (this->Mapper->GetAbortExecute())
     return false;
   vtkPointSet* input = this->Mapper->GetInput();
-  const std::shared_ptr<const mote::PkdTree> tree = this->Mapper->GetTree();
+  const std::shared_ptr<const mote::PkdTree> tree = this->Mapper->GetModel().tree();
   if (!input || !tree)
     throw mote::Error("there are no particles to write.");
 

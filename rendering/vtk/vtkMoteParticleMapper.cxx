@@ -1,39 +1,90 @@
 #include "vtkMoteParticleMapper.h"
 
-#include "BuildEvents.h"
+#include "ArrayColors.h"
+#include "Bounds.h"
 #include "InputTimeStep.h"
-#include "ParticleMapperInternals.h"
+#include "ParticleModel.h"
+#include "RendererImage.h"
 #include "SceneBridge.h"
 
 #include "kernels/core/Error.h"
-#include "kernels/particles/PkdTreeFile.h"
 #include "kernels/scene/Scene.h"
 
 #include "vtkActor.h"
-#include "vtkCommand.h"
-#include "vtkDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
-#include "vtkMath.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPlaneCollection.h"
-#include "vtkPointData.h"
 #include "vtkPointSet.h"
-#include "vtkPoints.h"
 #include "vtkRenderer.h"
-#include "vtkScalarsToColors.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <limits>
 
 vtkStandardNewMacro(vtkMoteParticleMapper);
 
+static_assert(
+  static_cast<int>(mote::RadiusMode::FromSpacing) == vtkMoteParticleMapper::RADIUS_FROM_SPACING,
+  "the modes stand in the same order");
+
+/// What the mapper keeps between frames.
+class vtkMoteParticleMapper::Internals
+{
+public:
+  mote::ParticleModel model;
+  mote::ArrayColors colors;
+  mote::RendererImages images; ///< for renderers that have no vtkMoteRayCastPass
+  bool exactOnly = false;      ///< somebody waits for the exact structure
+
+  // The last of each kind of message, so that it is told once and not every frame.
+  std::string reported, reportedColors;
+  bool reportedClipping = false;
+
+  explicit Internals(vtkMoteParticleMapper* self)
+    : model(self, true)
+  {
+    model.previewSize = [self, this]
+    { return self->GetPreview() && !exactOnly ? self->GetPreviewSize() : 0; };
+  }
+};
+
+namespace
+{
+
+/// Whether a message has just begun to hold.
+bool isNews(const std::string& message, std::string& last)
+{
+  const bool news = !message.empty() && message != last;
+  last = message;
+  return news;
+}
+
+/// Makes a change that says whether it was any; false after an error.
+template <typename Change>
+bool tryChange(vtkMoteParticleMapper* self, const Change& change)
+{
+  try
+  {
+    if (change())
+      self->Modified();
+    return true;
+  }
+  catch (const mote::Error& error)
+  {
+    vtkErrorWithObjectMacro(self, << error.what());
+    return false;
+  }
+}
+
+std::string textOf(const char* text)
+{
+  return text ? text : "";
+}
+
+} // namespace
+
 vtkMoteParticleMapper::vtkMoteParticleMapper()
-  : Impl(std::make_unique<Internals>())
+  : Impl(std::make_unique<Internals>(this))
 {
   this->SetTypeArrayName("type");
   this->SetStructureName(mote::particleStructureNames().front().c_str());
@@ -47,6 +98,11 @@ vtkMoteParticleMapper::~vtkMoteParticleMapper()
   this->SetVisibilityArrayName(nullptr);
   this->SetStructureName(nullptr);
   this->SetStructureForm(nullptr);
+}
+
+mote::ParticleModel& vtkMoteParticleMapper::GetModel()
+{
+  return this->Impl->model;
 }
 
 int vtkMoteParticleMapper::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
@@ -67,9 +123,84 @@ vtkPointSet* vtkMoteParticleMapper::GetInput()
   return vtkPointSet::SafeDownCast(this->GetExecutive()->GetInputData(0, 0));
 }
 
+void vtkMoteParticleMapper::Update(int port)
+{
+  Internals& impl = *this->Impl;
+  mote::ParticleModel& model = impl.model;
+  if (!this->Static)
+  {
+    if (this->GetNumberOfInputConnections(0) < 1)
+    {
+      model.clear();
+      return;
+    }
+    this->UpdateInformation();
+    this->Superclass::Update(port);
+  }
+  mote::takeRadiusProperties(this, model.radii);
+  model.structureName = textOf(this->StructureName);
+  model.structureForm = textOf(this->StructureForm);
+  model.keepPointIds = this->KeepPointIds;
+  std::string problem;
+  try
+  {
+    model.update(this->GetInput());
+  }
+  catch (const std::exception& error)
+  {
+    problem = error.what();
+  }
+  if (isNews(problem, impl.reported))
+    vtkErrorMacro(<< problem);
+
+  std::vector<mote::ArrayRange> visibility;
+  if (this->UseVisibilityRange)
+  {
+    mote::ArrayRange range = {textOf(this->VisibilityArrayName), this->VisibilityComponent,
+      this->VisibilityRange[0], this->VisibilityRange[1], "the visibility range"};
+    range.array = range.name.empty() ? this->GetColorArray() : nullptr;
+    if (range.array)
+      range.component = mote::ArrayColors::componentOf(this, range.array);
+    visibility.push_back(range);
+  }
+  for (const std::string& message : model.updateRanges(visibility))
+    vtkErrorMacro(<< message);
+}
+
+int vtkMoteParticleMapper::UpdateTimeStep(
+  double time, int piece, int pieces, int ghostLevels, const int extents[6])
+{
+  const bool done = mote::updateInputTimeStep(this, time, piece, pieces, ghostLevels, extents);
+  this->Update();
+  return done && this->Impl->model.structure() ? 1 : 0;
+}
+
+bool vtkMoteParticleMapper::FinishBuild()
+{
+  this->Impl->exactOnly = true;
+  this->Update();
+  this->Impl->exactOnly = false;
+  return this->Impl->model.structure() && !this->IsPreview();
+}
+
+void vtkMoteParticleMapper::StopBuild()
+{
+  this->Impl->model.stopBuild();
+}
+
+void vtkMoteParticleMapper::SetScratchSpace(std::shared_ptr<mote::ScratchSpace> space)
+{
+  this->Impl->model.space = std::move(space);
+}
+
+std::shared_ptr<mote::ScratchSpace> vtkMoteParticleMapper::GetScratchSpace() const
+{
+  return this->Impl->model.space;
+}
+
 void vtkMoteParticleMapper::SetTypeRadius(int type, double radius)
 {
-  auto& table = this->Impl->choice.typeRadii;
+  auto& table = this->Impl->model.radii.typeRadii;
   const auto found = table.find(type);
   if (found != table.end() && found->second == radius)
     return;
@@ -79,66 +210,138 @@ void vtkMoteParticleMapper::SetTypeRadius(int type, double radius)
 
 double vtkMoteParticleMapper::GetTypeRadius(int type)
 {
-  const auto& table = this->Impl->choice.typeRadii;
+  const auto& table = this->Impl->model.radii.typeRadii;
   const auto found = table.find(type);
   return found == table.end() ? this->Radius : found->second;
 }
 
 void vtkMoteParticleMapper::RemoveAllTypeRadii()
 {
-  this->Impl->choice.typeRadii.clear();
+  this->Impl->model.radii.typeRadii.clear();
   this->Modified();
+}
+
+bool vtkMoteParticleMapper::AddRange(const char* array, int component, double low, double high)
+{
+  return tryChange(this,
+    [&] {
+      return this->Impl->model.addRange({textOf(array), component, low, high});
+    });
+}
+
+void vtkMoteParticleMapper::RemoveRange(const char* array, int component)
+{
+  if (this->Impl->model.removeRange(textOf(array), component))
+    this->Modified();
+}
+
+int vtkMoteParticleMapper::GetNumberOfRanges()
+{
+  return static_cast<int>(this->Impl->model.ranges().size());
+}
+
+bool vtkMoteParticleMapper::SetCenterRange(int axis, double low, double high)
+{
+  if (axis < 0 || axis > 2)
+  {
+    vtkErrorMacro("Axes are 0, 1 and 2 for x, y and z; there is no axis " << axis << ".");
+    return false;
+  }
+  return tryChange(this, [&] { return this->Impl->model.setPlaceRange(axis, low, high); });
+}
+
+void vtkMoteParticleMapper::GetCenterRange(int axis, double range[2])
+{
+  const mote::PlaceRanges& places = this->Impl->model.places();
+  range[0] = places.low[std::clamp(axis, 0, 2)];
+  range[1] = places.high[std::clamp(axis, 0, 2)];
+}
+
+bool vtkMoteParticleMapper::SetRadiusRange(double low, double high)
+{
+  return tryChange(this, [&] { return this->Impl->model.setPlaceRange(3, low, high); });
+}
+
+void vtkMoteParticleMapper::GetRadiusRange(double range[2])
+{
+  range[0] = this->Impl->model.places().low[3];
+  range[1] = this->Impl->model.places().high[3];
+}
+
+void vtkMoteParticleMapper::RemoveAllRanges()
+{
+  if (this->Impl->model.removeAllRanges())
+    this->Modified();
+}
+
+vtkIdType vtkMoteParticleMapper::GetNumberOfVisibleParticles()
+{
+  return static_cast<vtkIdType>(this->Impl->model.visible());
+}
+
+void vtkMoteParticleMapper::GetVisibleBounds(double bounds[6])
+{
+  mote::copyBounds(this->Impl->model.visibleBounds(), bounds);
 }
 
 double* vtkMoteParticleMapper::GetBounds()
 {
-  if (!this->GetInput() && this->GetNumberOfInputConnections(0) < 1)
-  {
-    vtkMath::UninitializeBounds(this->Bounds);
-    return this->Bounds;
-  }
-  if (!this->Static)
+  const bool any = this->GetNumberOfInputConnections(0) > 0;
+  if (any && !this->Static)
     this->Update();
-  const mote::Box box = this->Impl->statistics().bounds;
-  vtkMath::UninitializeBounds(this->Bounds);
-  for (int axis = 0; axis < 3 && !box.empty(); ++axis)
-  {
-    this->Bounds[2 * axis] = box.lower[axis];
-    this->Bounds[2 * axis + 1] = box.upper[axis];
-  }
+  mote::copyBounds(any ? this->Impl->model.statistics().bounds : mote::Box(), this->Bounds);
   return this->Bounds;
 }
 
 vtkIdType vtkMoteParticleMapper::GetNumberOfParticles()
 {
-  return static_cast<vtkIdType>(this->Impl->statistics().valid);
+  return static_cast<vtkIdType>(this->Impl->model.statistics().valid);
 }
 
 vtkIdType vtkMoteParticleMapper::GetNumberOfUnfitParticles()
 {
-  const mote::ParticleStatistics s = this->Impl->statistics();
+  const mote::ParticleStatistics s = this->Impl->model.statistics();
   return static_cast<vtkIdType>(s.badPositions + s.badRadii);
 }
 
 vtkTypeInt64 vtkMoteParticleMapper::GetStructureBytes()
 {
-  return this->Impl->fromStructure(
-    [](const auto& s) { return static_cast<vtkTypeInt64>(s.bytes()); }, vtkTypeInt64{0});
+  return static_cast<vtkTypeInt64>(this->Impl->model.bytes());
 }
 
 double vtkMoteParticleMapper::GetBuildTime()
 {
-  return this->Impl->buildTime;
+  return this->Impl->model.buildTime();
 }
 
 int vtkMoteParticleMapper::GetNumberOfBuilds()
 {
-  return this->Impl->builds;
+  return this->Impl->model.builds();
 }
 
 double vtkMoteParticleMapper::GetRadiusInUse()
 {
-  return this->Impl->commonRadius;
+  return this->Impl->model.commonRadius();
+}
+
+bool vtkMoteParticleMapper::IsPreview()
+{
+  return this->Impl->model.isPreview();
+}
+
+bool vtkMoteParticleMapper::IsBuilding()
+{
+  return this->Impl->model.isBuilding();
+}
+
+vtkIdType vtkMoteParticleMapper::GetNumberOfPreviewParticles()
+{
+  return static_cast<vtkIdType>(this->Impl->model.previewed());
+}
+
+double vtkMoteParticleMapper::GetBuildProgress()
+{
+  return this->Impl->model.buildProgress();
 }
 
 std::vector<std::string> vtkMoteParticleMapper::GetStructureNames()
@@ -151,184 +354,77 @@ std::vector<std::string> vtkMoteParticleMapper::GetStructureForms()
   return mote::structureFormNames();
 }
 
-std::shared_ptr<const mote::PkdTree> vtkMoteParticleMapper::GetTree()
-{
-  const auto& structure = this->Impl->structure;
-  auto* tree = structure ? std::get_if<mote::PkdTree>(structure.get()) : nullptr;
-  return tree ? std::shared_ptr<const mote::PkdTree>(structure, tree) : nullptr;
-}
-
-void vtkMoteParticleMapper::SetScratchSpace(std::shared_ptr<mote::ScratchSpace> space)
-{
-  this->Impl->space = std::move(space);
-}
-
-std::shared_ptr<mote::ScratchSpace> vtkMoteParticleMapper::GetScratchSpace() const
-{
-  return this->Impl->space;
-}
-
 double vtkMoteParticleMapper::EstimateSpacing(vtkPointSet* points)
 {
   return mote::spacingOf(points);
 }
 
+mote::MapperOcclusion* vtkMoteParticleMapper::UpdateOcclusion(const mote::OcclusionRequest* request)
+{
+  return this->Impl->model.occlusion(request);
+}
+
+vtkIdType vtkMoteParticleMapper::GetNumberOfBakedParticles()
+{
+  const auto* occlusion = this->UpdateOcclusion(nullptr);
+  const std::shared_ptr<const mote::OcclusionMaps> maps = occlusion ? occlusion->maps() : nullptr;
+  vtkIdType count = 0;
+  for (std::size_t slot = 0; maps && slot < maps->size(); ++slot)
+    count += maps->isBaked(slot);
+  return count;
+}
+
+vtkTypeInt64 vtkMoteParticleMapper::GetOcclusionBytes()
+{
+  const auto* occlusion = this->UpdateOcclusion(nullptr);
+  return occlusion ? static_cast<vtkTypeInt64>(occlusion->maps()->bytes()) : 0;
+}
+
+vtkDataArray* vtkMoteParticleMapper::GetColorArray()
+{
+  return mote::ArrayColors::arrayOf(this, this->GetInput());
+}
+
+double vtkMoteParticleMapper::GetParticleValue(vtkIdType id)
+{
+  return mote::ArrayColors::valueOf(this, this->GetColorArray(), id);
+}
+
+void vtkMoteParticleMapper::GetColorArrayRange(double range[2])
+{
+  range[0] = 1.0;
+  range[1] = 0.0;
+  if (vtkDataArray* array = this->GetColorArray())
+    array->GetFiniteRange(range, mote::ArrayColors::componentOf(this, array));
+}
+
 vtkMTimeType vtkMoteParticleMapper::GetPictureMTime()
 {
-  vtkMTimeType time = std::max(this->GetMTime(), this->Impl->builtAt.GetMTime());
+  vtkMTimeType time = std::max(this->GetMTime(), this->Impl->model.time());
   if (vtkPointSet* input = this->GetInput())
     time = std::max(time, input->GetMTime());
   return time;
 }
 
-int vtkMoteParticleMapper::UpdateTimeStep(
-  double time, int piece, int pieces, int ghostLevels, const int extents[6])
-{
-  const bool done = mote::updateInputTimeStep(this, time, piece, pieces, ghostLevels, extents);
-  this->Update();
-  return done && this->Impl->structure ? 1 : 0;
-}
-
-//------------------------------------------------------------------------------------------------
-// Building
-
-void vtkMoteParticleMapper::Update(int port)
-{
-  if (!this->Static)
-  {
-    if (this->GetNumberOfInputConnections(0) < 1)
-    {
-      this->StopBuild();
-      this->Impl->structure = nullptr;
-      this->Impl->structureKey.clear();
-      return;
-    }
-    this->UpdateInformation();
-    this->Superclass::Update(port);
-  }
-  this->UpdateStructure();
-  this->UpdateRanges();
-}
-
-static_assert(
-  static_cast<int>(mote::RadiusMode::FromSpacing) == vtkMoteParticleMapper::RADIUS_FROM_SPACING,
-  "the modes stand in the same order");
-
-void vtkMoteParticleMapper::UpdateStructure()
-{
-  Internals& impl = *this->Impl;
-  vtkPointSet* input = this->GetInput();
-  mote::RadiusChoice& choice = impl.choice;
-  choice.mode = static_cast<mote::RadiusMode>(this->RadiusMode);
-  choice.radius = this->Radius;
-  choice.scale = this->RadiusScale;
-  choice.radiusArray = this->RadiusArrayName ? this->RadiusArrayName : "";
-  choice.typeArray = this->TypeArrayName ? this->TypeArrayName : "";
-  try
-  {
-    if (!input)
-      throw mote::Error("The input is not a data set of points.");
-    bool half = false;
-    vtkDataArray* radii = mote::findRadiusArray(input, choice, half);
-    const mote::StructureChoice structure =
-      mote::structureOf(this->StructureName, this->StructureForm);
-    mote::InputKey key = {double(structure.kind), structure.form ? double(*structure.form) : -1.0,
-      double(this->KeepPointIds)};
-    mote::addArray(key, input->GetPoints() ? input->GetPoints()->GetData() : nullptr);
-    mote::addChoice(key, choice, radii, half);
-    const bool failed = impl.preview && !impl.build;
-    if (impl.structure && key == impl.structureKey && (!failed || this->UsesPreview()))
-    {
-      this->ContinueBuild();
-      return;
-    }
-    this->StopBuild();
-    impl.structureKey.clear();
-    if (mote::drawsFile(input, choice, structure))
-      this->TakeStructure(input);
-    else if (this->UsesPreview())
-      this->BeginPreview(input);
-    else
-      this->BuildStructure(input);
-    if (impl.structure)
-      impl.structureKey = key;
-    impl.reported.clear();
-  }
-  catch (const std::exception& error)
-  {
-    this->StopBuild();
-    impl.structure = nullptr;
-    impl.structureKey.clear();
-    if (impl.reported != error.what())
-      vtkErrorMacro(<< error.what());
-    impl.reported = error.what();
-  }
-}
-
-void vtkMoteParticleMapper::BuildStructure(vtkPointSet* input)
-{
-  Internals& impl = *this->Impl;
-  const auto start = std::chrono::steady_clock::now();
-  mote::ParticleStructureOptions options =
-    mote::structureOf(this->StructureName, this->StructureForm).options();
-  options.pkdTree.keepIndices = this->KeepPointIds;
-  options.pkdTree.space = impl.space;
-  const mote::BuildEvents events(this);
-  const mote::ParticleInput particles =
-    mote::makeParticleInput(input, impl.choice, impl.space.get());
-  impl.selection.forget();
-  mote::buildStructure(impl.structure, particles.set, options,
-    [this](double done)
-    {
-      this->UpdateProgress(done);
-      return this->GetAbortExecute() == 0;
-    });
-  impl.buildTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  impl.commonRadius = particles.commonRadius;
-  impl.builtAt.Modified();
-  ++impl.builds;
-  if (impl.structure)
-    this->WarnOfLeftOut(impl.statistics());
-}
-
-void vtkMoteParticleMapper::WarnOfLeftOut(const mote::ParticleStatistics& statistics)
-{
-  const std::string leftOut = mote::leftOutSentence(statistics);
-  if (!leftOut.empty())
-    vtkWarningMacro(<< "Particles left out: " << leftOut << ".");
-}
-
-void vtkMoteParticleMapper::TakeStructure(vtkPointSet* input)
-{
-  Internals& impl = *this->Impl;
-  const auto file = mote::fileOf(input);
-  impl.selection.forget();
-  // A tree of its own, for ranges of its own.
-  impl.structure = std::make_shared<mote::ParticleStructure>(file->tree());
-  impl.buildTime = 0.0;
-  const mote::ParticleStatistics& s = file->statistics();
-  impl.commonRadius = s.smallestRadius == s.largestRadius ? s.largestRadius : 0.0;
-  impl.builtAt.Modified();
-}
-
 bool vtkMoteParticleMapper::DescribeTo(mote::SurfaceObject& object, vtkActor* actor)
 {
+  Internals& impl = *this->Impl;
   this->Update();
-  if (!this->Impl->structure || this->GetNumberOfParticles() == 0)
+  if (!impl.model.structure() || this->GetNumberOfParticles() == 0)
     return false;
-  object.surface = mote::ParticleSurface(this->Impl->structure);
+  object.surface = mote::ParticleSurface(impl.model.structure());
   mote::describeActor(actor, object);
-  this->DescribeColors(object.coloring);
+  const std::string problem = impl.colors.describe(this, this->GetInput(), object.coloring);
+  if (isNews(problem, impl.reportedColors))
+    vtkErrorMacro(<< problem);
   const bool clipped = this->ClippingPlanes && this->ClippingPlanes->GetNumberOfItems() > 0;
-  if (clipped && !this->Impl->reportedClipping)
+  if (clipped && !impl.reportedClipping)
     vtkWarningMacro(
       "Clipping planes do not cut particles; use the visibility range or the camera's "
       "clipping range.");
-  this->Impl->reportedClipping = clipped;
+  impl.reportedClipping = clipped;
   return true;
 }
-
-//------------------------------------------------------------------------------------------------
 
 void vtkMoteParticleMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
@@ -346,30 +442,35 @@ void vtkMoteParticleMapper::ReleaseGraphicsResources(vtkWindow* window)
 
 void vtkMoteParticleMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
-  static const char* const modes[] = {
-    "Automatic", "Constant", "By array", "By type", "From spacing"};
+  static const char* const places[] = {"Center x", "Center y", "Center z", "Radius"};
+  const mote::ParticleModel& model = this->Impl->model;
+  const auto print = [&](const char* name, const auto& value)
+  { os << indent << name << ": " << value << "\n"; };
+  const auto onOff = [](bool is) { return is ? "On" : "Off"; };
   const auto text = [](const char* s) { return s ? s : "(none)"; };
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "RadiusMode: " << modes[this->RadiusMode] << "\n";
-  os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "RadiusScale: " << this->RadiusScale << "\n";
-  os << indent << "RadiusArrayName: " << text(this->RadiusArrayName) << "\n";
-  os << indent << "TypeArrayName: " << text(this->TypeArrayName) << "\n";
-  for (const auto& [type, radius] : this->Impl->choice.typeRadii)
-    os << indent << "TypeRadius of " << type << ": " << radius << "\n";
-  os << indent << "UseVisibilityRange: " << (this->UseVisibilityRange ? "On" : "Off") << "\n";
+  mote::RadiusChoice radii = model.radii;
+  mote::takeRadiusProperties(this, radii);
+  mote::printRadii(radii, os, indent);
+  print("UseVisibilityRange", onOff(this->UseVisibilityRange));
   os << indent << "VisibilityRange: " << this->VisibilityRange[0] << " " << this->VisibilityRange[1]
      << "\n";
-  os << indent << "VisibilityArrayName: " << text(this->VisibilityArrayName) << "\n";
-  os << indent << "VisibilityComponent: " << this->VisibilityComponent << "\n";
-  this->PrintRanges(os, indent);
-  os << indent << "StructureName: " << text(this->StructureName) << "\n";
-  os << indent << "StructureForm: " << text(this->StructureForm) << "\n";
-  os << indent << "Preview: " << (this->Preview ? "On" : "Off") << "\n";
-  os << indent << "PreviewSize: " << this->PreviewSize << "\n";
-  os << indent << "IsPreview: " << (this->IsPreview() ? "Yes" : "No") << "\n";
-  os << indent << "KeepPointIds: " << (this->KeepPointIds ? "On" : "Off") << "\n";
-  os << indent << "NumberOfParticles: " << this->GetNumberOfParticles() << "\n";
-  os << indent << "NumberOfUnfitParticles: " << this->GetNumberOfUnfitParticles() << "\n";
-  os << indent << "StructureBytes: " << this->GetStructureBytes() << "\n";
+  print("VisibilityArrayName", text(this->VisibilityArrayName));
+  print("VisibilityComponent", this->VisibilityComponent);
+  for (const mote::ArrayRange& range : model.ranges())
+    os << indent << "Range of " << range.name << ", component " << range.component << ": "
+       << range.low << " " << range.high << "\n";
+  for (int k = 0; k < 4; ++k)
+    if (model.places().isLimited(k))
+      os << indent << "Range of " << places[k] << ": " << model.places().low[k] << " "
+         << model.places().high[k] << "\n";
+  print("StructureName", text(this->StructureName));
+  print("StructureForm", text(this->StructureForm));
+  print("Preview", onOff(this->Preview));
+  print("PreviewSize", this->PreviewSize);
+  print("IsPreview", this->IsPreview() ? "Yes" : "No");
+  print("KeepPointIds", onOff(this->KeepPointIds));
+  print("NumberOfParticles", this->GetNumberOfParticles());
+  print("NumberOfUnfitParticles", this->GetNumberOfUnfitParticles());
+  print("StructureBytes", this->GetStructureBytes());
 }

@@ -21,9 +21,6 @@
  * nothing being built or copied, in RADIUS_AUTOMATIC mode with a RadiusScale of 1 and with the
  * structures "auto" and "pkd-tree"; otherwise a structure is built over them as over any.
  *
- * With PreviewOn() a large set is built on another thread, and an evenly taken part of its
- * particles, enlarged, is drawn meanwhile. It is off by default: what is drawn is then exact.
- *
  * What cannot be drawn, particles at positions that are not finite or with a radius that is not a
  * finite number above zero, is left out, counted and reported once for each input.
  */
@@ -44,13 +41,10 @@ class vtkPointSet;
 namespace mote
 {
 class MapperOcclusion;
-class PkdTree;
+class ParticleModel;
 class ScratchSpace;
 struct OcclusionRequest;
-struct ParticleInput;
-struct SurfaceColoring;
 struct SurfaceObject;
-struct ParticleStatistics;
 } // namespace mote
 
 class MOTERENDERINGVTK_EXPORT vtkMoteParticleMapper : public vtkMapper
@@ -61,9 +55,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /**
-   * The particles: a data object, or (with SetInputConnection) a pipeline's output.
-   */
+  /** The particles: a data object, or (with SetInputConnection) a pipeline's output. */
   void SetInputData(vtkPointSet* input);
   vtkPointSet* GetInput();
   ///@}
@@ -83,9 +75,7 @@ public:
   };
 
   ///@{
-  /**
-   * One of RadiusModes.
-   */
+  /** One of RadiusModes. */
   vtkSetClampMacro(RadiusMode, int, RADIUS_AUTOMATIC, RADIUS_FROM_SPACING);
   vtkGetMacro(RadiusMode, int);
   void SetRadiusModeToAutomatic() { this->SetRadiusMode(RADIUS_AUTOMATIC); }
@@ -96,33 +86,25 @@ public:
   ///@}
 
   ///@{
-  /**
-   * The radius in RADIUS_CONSTANT mode, in the units of the points. Default 0.5.
-   */
+  /** The radius in RADIUS_CONSTANT mode, in the units of the points. Default 0.5. */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
   ///@}
 
   ///@{
-  /**
-   * Multiplies the radius of every mode. Default 1; 0.5 turns an array of diameters into radii.
-   */
+  /** Multiplies the radius of every mode. Default 1; 0.5 turns an array of diameters into radii. */
   vtkSetMacro(RadiusScale, double);
   vtkGetMacro(RadiusScale, double);
   ///@}
 
   ///@{
-  /**
-   * Point array of one component that holds the radii in RADIUS_BY_ARRAY mode.
-   */
+  /** Point array of one component that holds the radii in RADIUS_BY_ARRAY mode. */
   vtkSetStringMacro(RadiusArrayName);
   vtkGetStringMacro(RadiusArrayName);
   ///@}
 
   ///@{
-  /**
-   * Point array of one component that holds the types in RADIUS_BY_TYPE mode. Default "type".
-   */
+  /** Point array of one component that holds the types in RADIUS_BY_TYPE mode. Default "type". */
   vtkSetStringMacro(TypeArrayName);
   vtkGetStringMacro(TypeArrayName);
   ///@}
@@ -151,17 +133,15 @@ public:
   ///@}
 
   ///@{
-  /**
-   * The array that VisibilityRange speaks of. Empty, the default: the array that colours.
-   */
+  /** The array that VisibilityRange speaks of. Empty, the default: the array that colours. */
   vtkSetStringMacro(VisibilityArrayName);
   vtkGetStringMacro(VisibilityArrayName);
   ///@}
 
   ///@{
   /**
-   * Component of the visibility array, or -1 for the magnitude. Default 0; not used where the array
-   * is the one that colours: then the lookup table's choice holds.
+   * Component of that array, or -1 for the magnitude. Default 0. Of the array that colours it is
+   * the one that the lookup table chooses.
    */
   vtkSetMacro(VisibilityComponent, int);
   vtkGetMacro(VisibilityComponent, int);
@@ -176,11 +156,10 @@ public:
    * component takes the first one's place. False, with an error, for a fifth one and for ranges
    * that end before they begin.
    *
-   * Answers are exact whatever type the array has. A change rebuilds no structure; for arrays of
-   * float or of integers up to 16 bit, of which the structure keeps a copy in its own order while a
-   * range is on (16 bytes a particle for up to four), it does not look at the particles either.
-   * An array that the input lacks is an error, told once; then the others hold, and this one
-   * again from the time step on that has the array.
+   * Answers are exact whatever type the array has. A change rebuilds no structure, nor does it look
+   * at the particles where arrays are of float or of integers up to 16 bit, of which the structure
+   * keeps a copy while a range is on (16 bytes a particle for up to four). An array that the input
+   * lacks is an error, told once; the other ranges hold.
    */
   bool AddRange(const char* array, int component, double low, double high);
   bool AddRange(const char* array, double low, double high)
@@ -193,24 +172,20 @@ public:
 
   ///@{
   /**
-   * Hides the particles whose centre lies outside along an axis (0, 1, 2 for x, y, z), in the
-   * input's coordinates, as AddRange() does for arrays. Infinite at first: no limit.
+   * As AddRange(), of centres along an axis (0, 1, 2 for x, y, z) in the input's coordinates.
+   * Infinite at first: no limit.
    */
   bool SetCenterRange(int axis, double low, double high);
   void GetCenterRange(int axis, double range[2]);
   ///@}
 
   ///@{
-  /**
-   * The same for the radius, as drawn: in the units of the points, RadiusScale and all.
-   */
+  /** The same for the radius, as drawn: in the units of the points, RadiusScale and all. */
   bool SetRadiusRange(double low, double high);
   void GetRadiusRange(double range[2]);
   ///@}
 
-  /**
-   * Takes away the ranges of AddRange(), SetCenterRange() and SetRadiusRange().
-   */
+  /** Takes away all these ranges but VisibilityRange. */
   void RemoveAllRanges();
 
   ///@{
@@ -246,17 +221,26 @@ public:
   vtkGetStringMacro(StructureForm);
   ///@}
 
+  ///@{
   /**
-   * Bounds of the spheres, not of their centres alone.
+   * Whether a P-k-d tree keeps the way back from its particles to the points, 4 or 8 bytes a
+   * particle. Without it only those can use the tree who ask for neither ids nor values of
+   * particles, such as writers of files without arrays. On unless set.
    */
+  vtkSetMacro(KeepPointIds, bool);
+  vtkGetMacro(KeepPointIds, bool);
+  vtkBooleanMacro(KeepPointIds, bool);
+  ///@}
+
+  /** Bounds of the spheres, not of their centres alone. */
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
 
   ///@{
   /**
-   * Brings the input up to date and builds the structure where the input or the radii changed;
-   * a change of colours, ranges, camera or light builds nothing. Fires Start-, Progress- and
-   * EndEvents; SetAbortExecute(1) from within one stops the build and leaves nothing to draw.
+   * Brings the input up to date and builds the structure where input or radii changed; a change of
+   * colours, ranges, camera or light builds nothing. Fires Start-, Progress- and EndEvents;
+   * SetAbortExecute(1) from within one stops the build and leaves nothing to draw.
    */
   using Superclass::Update;
   void Update() override { this->Update(0); }
@@ -274,11 +258,11 @@ public:
    * ProgressEvents by each Update(), EndEvent when the exact structure is there, or will not be.
    * SetAbortExecute(1) from within one stops the build and leaves nothing to draw.
    *
-   * Off by default. Off, nothing is ever drawn but the exact picture: Update() waits for a build
-   * that goes on. A vtkMoteRendererSource and a vtkMoteParticleFileWriter wait in any case.
+   * Off, the default, nothing is ever drawn but the exact picture: Update() waits for a build that
+   * goes on. A vtkMoteRendererSource and a vtkMoteParticleFileWriter wait in any case.
    *
-   * While a build goes on the arrays of the input must not be written to in place, nor resized;
-   * StopBuild() before that. Other input or other radii stop it by themselves.
+   * StopBuild() before arrays of the input are written to in place, or resized, while a build goes
+   * on. Other input or other radii stop it by themselves.
    */
   vtkSetMacro(Preview, vtkTypeBool);
   vtkGetMacro(Preview, vtkTypeBool);
@@ -300,12 +284,8 @@ public:
   double GetBuildProgress();
   ///@}
 
-  /**
-   * Update() that waits for the exact structure, firing ProgressEvents meanwhile. True when it is
-   * there.
-   */
+  /** Update() that waits for the exact structure, with ProgressEvents; true when it is there. */
   bool FinishBuild();
-
   /**
    * Stops what is built on another thread, which takes a moment, and forgets the preview. The next
    * Update() begins anew.
@@ -314,10 +294,9 @@ public:
 
   /**
    * Update() for another time step of the input's pipeline, which stays the one that is shown.
-   * The structure is built again into the memory of the last one. Ranges, colours and all else stay
-   * what they were; so do lookup tables, which the mapper never fits to a step's values. Radii of
-   * RADIUS_FROM_SPACING follow each step's spacing: for radii that stay, use RADIUS_CONSTANT with
-   * GetRadiusInUse() of one step.
+   * The structure is built again into the memory of the last one; ranges, colours and lookup tables
+   * stay what they were. Radii of RADIUS_FROM_SPACING follow each step's spacing: for radii that
+   * stay, use RADIUS_CONSTANT with GetRadiusInUse() of one step.
    */
   int UpdateTimeStep(double time, int piece = -1, int pieces = 1, int ghostLevels = 0,
     const int extents[6] = nullptr) override;
@@ -337,97 +316,58 @@ public:
   double GetRadiusInUse();
   ///@}
 
-  /**
-   * The array that colours the particles now, or null where they have the property's colour.
-   */
-  vtkDataArray* GetColorArray();
+  /** Particles that have an occlusion map as of the last picture; see vtkMoteShading. */
+  vtkIdType GetNumberOfBakedParticles();
+  /** What all those maps take, in bytes. */
+  vtkTypeInt64 GetOcclusionBytes();
 
+  /** The array that colours the particles now; null where they have the property's colour. */
+  vtkDataArray* GetColorArray();
   /**
    * The value that colours particle `id` (its index in the input), as the lookup table's
    * VectorMode picks it; NaN where there is none.
    */
   double GetParticleValue(vtkIdType id);
-
-  /**
-   * The range of those values over the whole input, without NaN and infinities; 1, 0 where there
-   * is none.
-   */
+  /** The range of those values over the input, without NaN and infinities; 1, 0 without any. */
   void GetColorArrayRange(double range[2]);
 
-  /**
-   * Draws the particles of this one actor. Called by vtkActor.
-   */
+  /** Draws the particles of this one actor. Called by vtkActor. */
   void Render(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   ///@{
   /**
-   * Particles are drawn with the opaque geometry.
+   * Particles are drawn with the opaque geometry. vtkHardwareSelector, and with it vtkPropPicker,
+   * finds the actor; for the particle use vtkMoteParticlePicker, which knows ids of any size.
    */
   bool HasOpaqueGeometry() override { return true; }
   bool HasTranslucentPolygonalGeometry() override { return false; }
+  bool GetSupportsSelection() override { return true; }
   ///@}
 
-  /**
-   * vtkHardwareSelector, and with it vtkPropPicker, finds the actor. For the particle use
-   * vtkMoteParticlePicker, which knows ids of any size.
-   */
-  bool GetSupportsSelection() override { return true; }
-
 #ifndef __VTK_WRAP__
+  ///@{
+  /** The names that StructureName and StructureForm may be, the default first. */
+  static std::vector<std::string> GetStructureNames();
+  static std::vector<std::string> GetStructureForms();
+  ///@}
+
+  ///@{
+  /** Where a P-k-d tree that is built from now on lies, in place of the heap; null for the heap. */
+  void SetScratchSpace(std::shared_ptr<mote::ScratchSpace> space);
+  std::shared_ptr<mote::ScratchSpace> GetScratchSpace() const;
+  ///@}
+
   /**
    * Updates, and describes the particles to the kernels as this actor shows them; false where there
    * is nothing to draw. The views in the description hold until the next Update().
    */
   bool DescribeTo(mote::SurfaceObject& object, vtkActor* actor);
 
-  /**
-   * Brings occlusion maps up to date with the last Update(), without baking; with no request as
-   * they are. Null where there are no particles, a preview, or no maps yet of these particles.
-   */
+  ///@{
+  /** The particles as of the last Update(), and what the model's occlusion() gives. */
+  mote::ParticleModel& GetModel();
   mote::MapperOcclusion* UpdateOcclusion(const mote::OcclusionRequest* request);
-#endif
-
-  ///@{
-  /**
-   * Occlusion maps as of the last picture with vtkMoteShading::OCCLUSION_BAKED: how many particles
-   * have one, and what all take, in bytes.
-   */
-  vtkIdType GetNumberOfBakedParticles();
-  vtkTypeInt64 GetOcclusionBytes();
-  ///@}
-
-  ///@{
-  /**
-   * Whether a P-k-d tree keeps the way back from its particles to the points: 4 or 8 bytes a
-   * particle. Without it only those can use the tree who do not ask what a particle is called or
-   * what values it has, such as writers of files without arrays. On unless set.
-   */
-  vtkSetMacro(KeepPointIds, bool);
-  vtkGetMacro(KeepPointIds, bool);
-  vtkBooleanMacro(KeepPointIds, bool);
-  ///@}
-
-#ifndef __VTK_WRAP__
-  ///@{
-  /**
-   * The names that StructureName and StructureForm may be, the default first.
-   */
-  static std::vector<std::string> GetStructureNames();
-  static std::vector<std::string> GetStructureForms();
-  ///@}
-
-  /**
-   * The P-k-d tree as of the last Update(); null where that is not the structure.
-   */
-  std::shared_ptr<const mote::PkdTree> GetTree();
-
-  ///@{
-  /**
-   * Where a P-k-d tree that is built from now on lies, in place of the heap; null for the heap.
-   */
-  void SetScratchSpace(std::shared_ptr<mote::ScratchSpace> space);
-  std::shared_ptr<mote::ScratchSpace> GetScratchSpace() const;
   ///@}
 #endif
 
@@ -437,9 +377,7 @@ public:
    */
   static double EstimateSpacing(vtkPointSet* points);
 
-  /**
-   * Changes with everything that the picture of this mapper depends on, its input included.
-   */
+  /** Changes with everything that the picture of this mapper depends on, its input included. */
   vtkMTimeType GetPictureMTime();
 
 protected:
@@ -465,26 +403,6 @@ protected:
 private:
   vtkMoteParticleMapper(const vtkMoteParticleMapper&) = delete;
   void operator=(const vtkMoteParticleMapper&) = delete;
-
-  void UpdateStructure();
-  void BuildStructure(vtkPointSet* input);
-  void TakeStructure(vtkPointSet* input);
-  bool UsesPreview();
-  void BeginPreview(vtkPointSet* input);
-  void ContinueBuild();
-  void TakeBuild();
-  void UpdateRanges();
-  vtkDataArray* FindVisibilityArray(int& component);
-  vtkDataArray* FindRangeArray(const std::string& name, int component, const char* purpose);
-  bool CheckRange(double low, double high);
-  void PrintRanges(ostream& os, vtkIndent indent);
-  int GetColorComponent(vtkDataArray* array);
-  std::string WhyNoColorArray();
-#ifndef __VTK_WRAP__
-  mote::ParticleInput DescribeParticles();
-  void DescribeColors(mote::SurfaceColoring& coloring);
-  void WarnOfLeftOut(const mote::ParticleStatistics& statistics);
-#endif
 
   class Internals;
   std::unique_ptr<Internals> Impl;

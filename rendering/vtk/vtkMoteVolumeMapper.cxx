@@ -1,11 +1,12 @@
 #include "vtkMoteVolumeMapper.h"
 
+#include "ArrayColors.h"
+#include "Bounds.h"
 #include "BuildEvents.h"
 #include "InputTimeStep.h"
 #include "Names.h"
 #include "RendererImage.h"
 #include "SceneBridge.h"
-#include "TransferBridge.h"
 #include "VolumeInput.h"
 
 #include "kernels/core/Error.h"
@@ -42,8 +43,7 @@ public:
   int builds = 0;
   int fieldUpdates = 0;
 
-  mote::TransferFunction transfer;
-  std::vector<double> transferKey; ///< the property that it was made from, and when
+  mote::ArrayColors colors;
 
   vtkMTimeType failedAt = 0; ///< of the picture that could not be made: not tried again
 
@@ -92,14 +92,9 @@ std::vector<std::string> vtkMoteVolumeMapper::GetIntegratorNames()
 
 double* vtkMoteVolumeMapper::GetBounds()
 {
-  vtkMath::UninitializeBounds(this->Bounds);
   this->Update();
   const auto& mesh = this->Impl->geometry.mesh();
-  for (int axis = 0; axis < 3 && mesh; ++axis)
-  {
-    this->Bounds[2 * axis] = mesh->bounds().lower[axis];
-    this->Bounds[2 * axis + 1] = mesh->bounds().upper[axis];
-  }
+  mote::copyBounds(mesh ? mesh->bounds() : mote::Box(), this->Bounds);
   return this->Bounds;
 }
 
@@ -356,14 +351,7 @@ void vtkMoteVolumeMapper::DescribeLook(mote::CloudObject& cloud, vtkVolumeProper
   if (property->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D)
     throw mote::Error("Volumes are drawn with one-dimensional transfer functions only.");
   this->WarnOfUnused(property);
-  const std::vector<double> key = {
-    double(reinterpret_cast<std::uintptr_t>(property)), double(property->GetMTime())};
-  if (key != impl.transferKey)
-  {
-    impl.transfer = mote::transferOf(property);
-    impl.transferKey = key;
-  }
-  cloud.transfer = impl.transfer;
+  cloud.transfer = impl.colors.describe(property);
   const auto real = [](double v) { return static_cast<float>(v); };
   cloud.transfer.nan = {real(this->NanColor[0]), real(this->NanColor[1]), real(this->NanColor[2]),
     real(this->NanOpacity)};

@@ -264,6 +264,21 @@ TEST_F(Preview, RadiusInUseIsTheExactOne)
   EXPECT_EQ(mapper->GetRadiusInUse(), radius);
 }
 
+TEST_F(Preview, TreesBehindItAreBuiltAsAnyOther)
+{
+  mapper->SetStructureName("pkd-tree");
+  mapper->KeepPointIdsOff();
+  mapper->PreviewOff();
+  mapper->Update();
+  const vtkTypeInt64 bytes = mapper->GetStructureBytes();
+  mapper->PreviewOn();
+  mapper->SetRadiusScale(2.0);
+  mapper->Update();
+  ASSERT_TRUE(mapper->IsPreview());
+  ASSERT_TRUE(mapper->FinishBuild());
+  EXPECT_EQ(mapper->GetStructureBytes(), bytes) << "without ids";
+}
+
 //------------------------------------------------------------------------------------------------
 // How a build ends
 
@@ -283,6 +298,22 @@ TEST_F(Preview, EventsComeInPairsFromTheCallersThread)
   EXPECT_EQ(listener.ends, 2);
   mapper->StopBuild();
   EXPECT_EQ(listener.ends, 2);
+  EXPECT_EQ(listener.elsewhere, 0);
+}
+
+TEST_F(Preview, SoDoThoseOfATreeThatIsWaitedFor)
+{
+  mapper->PreviewOff();
+  mapper->SetStructureName("pkd-tree");
+  Listener listener(mapper);
+  for (int i = 1; i <= 20; ++i)
+  {
+    mapper->SetRadiusScale(i);
+    mapper->Update();
+  }
+  EXPECT_EQ(listener.starts, 20);
+  EXPECT_EQ(listener.ends, 20);
+  EXPECT_GE(listener.steps, 20);
   EXPECT_EQ(listener.elsewhere, 0);
 }
 

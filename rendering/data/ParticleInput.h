@@ -1,20 +1,22 @@
 #pragma once
 
 #include "DataArrayView.h"
-#include "MoteFiltersParticlesModule.h" // For export macro
+#include "MoteRenderingDataModule.h" // For export macro
 
 #include "kernels/core/ScratchSpace.h"
 #include "kernels/core/StoredArray.h"
 #include "kernels/particles/ParticleSet.h"
 #include "kernels/particles/ParticleStructure.h"
 
+#include "vtkIndent.h"
+
+#include <iosfwd>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-class vtkPointData;
 class vtkPointSet;
 
 namespace mote
@@ -54,41 +56,54 @@ struct ParticleInput
   double enlargement = 1.0;     ///< what the structure's radii are times those of `set`
 };
 
-/// Array of the points that holds the radii under `choice`, or null for none; with half = true
-/// where it holds diameters. Throws Error where the choice names an array that is missing or unfit.
-MOTEFILTERSPARTICLES_EXPORT vtkDataArray* findRadiusArray(
-  vtkPointSet* points, const RadiusChoice& choice, bool& half);
+/// Takes the properties of an algorithm that has those of vtkMoteParticleMapper by these names; the
+/// table of types stays as it is.
+template <typename Algorithm>
+void takeRadiusProperties(Algorithm* from, RadiusChoice& choice)
+{
+  const auto text = [](const char* name) { return name ? name : ""; };
+  choice.mode = static_cast<RadiusMode>(from->GetRadiusMode());
+  choice.radius = from->GetRadius();
+  choice.scale = from->GetRadiusScale();
+  choice.radiusArray = text(from->GetRadiusArrayName());
+  choice.typeArray = text(from->GetTypeArrayName());
+}
+
+/// Prints them as PrintSelf() does.
+MOTERENDERINGDATA_EXPORT void printRadii(
+  const RadiusChoice& choice, std::ostream& os, vtkIndent indent);
+
+/// The point array of that name. Throws Error, which says what it was wanted for, where there is
+/// none, or not one tuple a point.
+MOTERENDERINGDATA_EXPORT vtkDataArray* requirePointArray(
+  vtkPointSet* points, const std::string& name, const char* purpose);
 
 /// The file that the points stay in (vtkMoteParticleFilePoints), or null.
-MOTEFILTERSPARTICLES_EXPORT std::shared_ptr<const PkdTreeFile> fileOf(vtkPointSet* points);
+std::shared_ptr<const PkdTreeFile> fileOf(vtkPointSet* points);
 
 /// The structure that a mapper or filter was asked for.
 struct StructureChoice
 {
   ParticleStructureKind kind = ParticleStructureKind::Automatic;
   std::optional<PkdTreeOptions::Form> form; ///< none: as a file has it, else exact
-
-  /// How it is built where it is not in a file.
-  MOTEFILTERSPARTICLES_EXPORT ParticleStructureOptions options() const;
 };
 
-/// What these names mean; empty or null ones mean the first of their kind. Throws Error where there
+/// What these names mean; empty ones mean the first of their kind. Throws Error where there
 /// is no such structure or form, or where the structure does not come in forms.
-MOTEFILTERSPARTICLES_EXPORT StructureChoice structureOf(const char* name, const char* form);
+StructureChoice structureOf(const std::string& name, const std::string& form);
 
 /// Names of forms for messages and options: "auto", then all.
-MOTEFILTERSPARTICLES_EXPORT std::vector<std::string> structureFormNames();
+MOTERENDERINGDATA_EXPORT std::vector<std::string> structureFormNames();
 
 /// Whether what is to be drawn is the very tree of that file.
-MOTEFILTERSPARTICLES_EXPORT bool drawsFile(
-  vtkPointSet* points, const RadiusChoice& choice, const StructureChoice& structure);
+bool drawsFile(vtkPointSet* points, const RadiusChoice& choice, const StructureChoice& structure);
 
 /// The typical distance between neighbours; of points in a file what that says.
-MOTEFILTERSPARTICLES_EXPORT double spacingOf(vtkPointSet* points);
+MOTERENDERINGDATA_EXPORT double spacingOf(vtkPointSet* points);
 
 /// Looks up radii as `choice` says, and puts those that are in no array into `space`, or on the
-/// heap where that is null. Throws Error as findRadiusArray() does.
-MOTEFILTERSPARTICLES_EXPORT ParticleInput makeParticleInput(
+/// heap where that is null. Throws Error where the choice names an array that is missing or unfit.
+ParticleInput makeParticleInput(
   vtkPointSet* points, const RadiusChoice& choice, ScratchSpace* space = nullptr);
 
 /// What a structure was built from: equal keys, equal structures.
@@ -96,19 +111,15 @@ using InputKey = std::vector<double>;
 
 /// MTimes are one counter over all VTK objects: an array is known by its own. They stay far below
 /// 2^53, where doubles would stop telling integers apart.
-MOTEFILTERSPARTICLES_EXPORT void addArray(InputKey& key, vtkDataArray* array);
+MOTERENDERINGDATA_EXPORT void addArray(InputKey& key, vtkDataArray* array);
 
-/// All that radii depend on; `radii` and `half` as findRadiusArray() gives them.
-MOTEFILTERSPARTICLES_EXPORT void addChoice(
-  InputKey& key, const RadiusChoice& choice, vtkDataArray* radii, bool half);
+/// All that the particles of makeParticleInput() depend on. Throws Error as that does.
+InputKey keyOf(vtkPointSet* points, const RadiusChoice& choice);
 
 /// Builds the structure that `options` name over the particles; into `structure`, whose memory is
 /// then used again, where it is of that kind and nobody else holds it. What is left is null where
 /// `progress` stopped the build. Throws Error for malformed sets.
-MOTEFILTERSPARTICLES_EXPORT void buildStructure(std::shared_ptr<ParticleStructure>& structure,
-  const ParticleSet& particles, const ParticleStructureOptions& options, const Progress& progress);
-
-/// Counts the particles that were left out, and why; empty where none was.
-MOTEFILTERSPARTICLES_EXPORT std::string leftOutSentence(const ParticleStatistics& statistics);
+void buildStructure(std::shared_ptr<ParticleStructure>& structure, const ParticleSet& particles,
+  const ParticleStructureOptions& options, const Progress& progress);
 
 } // namespace mote

@@ -12,7 +12,7 @@
 #ifndef vtkMoteParticleFilePoints_h
 #define vtkMoteParticleFilePoints_h
 
-#include "MoteFiltersParticlesModule.h" // For export macro
+#include "MoteRenderingDataModule.h" // For export macro
 #include "vtkMoteSourcePoints.h"
 
 #include <memory> // For the file
@@ -25,7 +25,7 @@ namespace mote
 class PkdTreeFile;
 } // namespace mote
 
-class MOTEFILTERSPARTICLES_EXPORT vtkMoteParticleFilePoints : public vtkMoteSourcePoints
+class MOTERENDERINGDATA_EXPORT vtkMoteParticleFilePoints : public vtkMoteSourcePoints
 {
 public:
   static vtkMoteParticleFilePoints* New();

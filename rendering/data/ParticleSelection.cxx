@@ -239,17 +239,16 @@ bool ParticleSelection::findLimits(const ParticleStructure& structure, ParticleR
   return complete;
 }
 
-bool ParticleSelection::apply(ParticleStructure& structure, const std::vector<ValueRange>& values,
+bool ParticleSelection::apply(ParticleStructure& structure, std::vector<ValueRange> values,
   const PlaceRanges& places, const std::function<ParticleInput()>& particles)
 {
   InputKey attributesKey, key;
-  for (const ValueRange& range : values)
+  for (ValueRange& range : values)
   {
     addArray(attributesKey, range.array);
     attributesKey.push_back(range.component);
-    double low = range.low, high = range.high;
-    makeComparable(low, high);
-    key.insert(key.end(), {low, high});
+    makeComparable(range.low, range.high);
+    key.insert(key.end(), {range.low, range.high});
   }
   key.insert(key.end(), attributesKey.begin(), attributesKey.end());
   if (!values.empty())
@@ -275,7 +274,6 @@ bool ParticleSelection::apply(ParticleStructure& structure, const std::vector<Va
   {
     values_[i].low = values[i].low;
     values_[i].high = values[i].high;
-    makeComparable(values_[i].low, values_[i].high);
   }
 
   ParticleRanges limits;

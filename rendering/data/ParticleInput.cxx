@@ -14,7 +14,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -26,13 +25,10 @@ namespace
 
 vtkDataArray* requireScalar(vtkPointSet* points, const std::string& name, const char* what)
 {
-  vtkDataArray* array = points->GetPointData()->GetArray(name.c_str());
-  if (!array)
-    throw Error("There is no point array \"" + name + "\" to take " + what +
-                " from; there are: " + arrayNames(points->GetPointData()) + ".");
+  vtkDataArray* array = requirePointArray(points, name, what);
   if (array->GetNumberOfComponents() != 1)
     throw Error("The array \"" + name + "\" has " + std::to_string(array->GetNumberOfComponents()) +
-                " components; " + what + " needs one.");
+                " components; " + what + " need one.");
   return array;
 }
 
@@ -59,6 +55,29 @@ std::shared_ptr<const ParticleSource> sourceOf(vtkPointSet* points)
 {
   auto* ofSource = vtkMoteSourcePoints::SafeDownCast(points->GetPoints());
   return ofSource ? ofSource->GetSource() : nullptr;
+}
+
+/// Array of the points that holds the radii, or null for none; with half = true where it holds
+/// diameters.
+vtkDataArray* findRadiusArray(vtkPointSet* points, const RadiusChoice& choice, bool& half)
+{
+  half = false;
+  switch (choice.mode)
+  {
+  case RadiusMode::ByArray:
+    return requireScalar(points, choice.radiusArray, "radii");
+  case RadiusMode::ByType:
+    return requireScalar(points, choice.typeArray, "types");
+  case RadiusMode::Automatic:
+    if (sourceOf(points))
+      return nullptr; // the source's own radii
+    if (vtkDataArray* radius = findByLowerName(points->GetPointData(), "radius"))
+      return radius;
+    half = true;
+    return findByLowerName(points->GetPointData(), "diameter");
+  default:
+    return nullptr;
+  }
 }
 
 /// The points, without radii.
@@ -101,25 +120,30 @@ double spacingOf(vtkPointSet* points)
   return estimateSpacing(input.set);
 }
 
-vtkDataArray* findRadiusArray(vtkPointSet* points, const RadiusChoice& choice, bool& half)
+void printRadii(const RadiusChoice& choice, std::ostream& os, vtkIndent indent)
 {
-  half = false;
-  switch (choice.mode)
-  {
-  case RadiusMode::ByArray:
-    return requireScalar(points, choice.radiusArray, "radii");
-  case RadiusMode::ByType:
-    return requireScalar(points, choice.typeArray, "types");
-  case RadiusMode::Automatic:
-    if (sourceOf(points))
-      return nullptr; // the source's own radii
-    if (vtkDataArray* radius = findByLowerName(points->GetPointData(), "radius"))
-      return radius;
-    half = true;
-    return findByLowerName(points->GetPointData(), "diameter");
-  default:
-    return nullptr;
-  }
+  static const char* const modes[] = {
+    "Automatic", "Constant", "By array", "By type", "From spacing"};
+  const auto text = [](const std::string& s) { return s.empty() ? "(none)" : s; };
+  os << indent << "RadiusMode: " << modes[static_cast<int>(choice.mode)] << "\n"
+     << indent << "Radius: " << choice.radius << "\n"
+     << indent << "RadiusScale: " << choice.scale << "\n"
+     << indent << "RadiusArrayName: " << text(choice.radiusArray) << "\n"
+     << indent << "TypeArrayName: " << text(choice.typeArray) << "\n";
+  for (const auto& [type, radius] : choice.typeRadii)
+    os << indent << "TypeRadius of " << type << ": " << radius << "\n";
+}
+
+vtkDataArray* requirePointArray(vtkPointSet* points, const std::string& name, const char* purpose)
+{
+  const std::string what = "\"" + name + "\" for " + purpose;
+  vtkDataArray* array = points->GetPointData()->GetArray(name.c_str());
+  if (!array)
+    throw Error("There is no point array " + what +
+                "; there are: " + arrayNames(points->GetPointData()) + ".");
+  if (array->GetNumberOfTuples() != points->GetNumberOfPoints())
+    throw Error("The array " + what + " has not one tuple a point.");
+  return array;
 }
 
 ParticleInput makeParticleInput(
@@ -177,20 +201,24 @@ void addArray(InputKey& key, vtkDataArray* array)
   key.push_back(array ? static_cast<double>(array->GetMTime()) : -1.0);
 }
 
-void addChoice(InputKey& key, const RadiusChoice& choice, vtkDataArray* radii, bool half)
+InputKey keyOf(vtkPointSet* points, const RadiusChoice& choice)
 {
+  bool half = false;
+  vtkDataArray* radii = findRadiusArray(points, choice, half);
   const bool byType = choice.mode == RadiusMode::ByType;
-  key.insert(key.end(), {double(choice.mode), double(half)});
+  InputKey key = {double(choice.mode), double(half)};
+  addArray(key, points->GetPoints() ? points->GetPoints()->GetData() : nullptr);
+  addArray(key, radii);
   addRadius(key, choice.scale);
   if (byType || choice.mode == RadiusMode::Constant)
     addRadius(key, choice.radius);
-  addArray(key, radii);
   if (byType)
     for (const auto& [type, radius] : choice.typeRadii)
     {
       key.push_back(type);
       addRadius(key, radius);
     }
+  return key;
 }
 
 std::vector<std::string> structureFormNames()
@@ -200,29 +228,21 @@ std::vector<std::string> structureFormNames()
   return names;
 }
 
-StructureChoice structureOf(const char* name, const char* form)
+StructureChoice structureOf(const std::string& name, const std::string& form)
 {
   const std::vector<std::string>& names = particleStructureNames();
   StructureChoice choice;
-  choice.kind = static_cast<ParticleStructureKind>(findName(names, name, "structure"));
-  const std::size_t asked = findName(structureFormNames(), form, "form");
+  choice.kind = static_cast<ParticleStructureKind>(findName(names, name.c_str(), "structure"));
+  const std::size_t asked = findName(structureFormNames(), form.c_str(), "form");
   if (asked == 0)
     return choice;
   choice.form = static_cast<PkdTreeOptions::Form>(asked - 1);
   if (choice.kind == ParticleStructureKind::Automatic)
     choice.kind = ParticleStructureKind::PkdTree;
   if (choice.kind != ParticleStructureKind::PkdTree)
-    throw Error(std::string("The structure \"") + name + "\" has no forms; \"" + form +
-                "\" is one of \"pkd-tree\".");
+    throw Error(
+      "The structure \"" + name + "\" has no forms; \"" + form + "\" is one of \"pkd-tree\".");
   return choice;
-}
-
-ParticleStructureOptions StructureChoice::options() const
-{
-  ParticleStructureOptions options;
-  options.kind = kind;
-  options.pkdTree.form = form.value_or(PkdTreeOptions::Form::Exact);
-  return options;
 }
 
 void buildStructure(std::shared_ptr<ParticleStructure>& structure, const ParticleSet& particles,
@@ -232,17 +252,6 @@ void buildStructure(std::shared_ptr<ParticleStructure>& structure, const Particl
   std::shared_ptr<ParticleStructure> used = structure.use_count() == 1 ? structure : nullptr;
   structure = nullptr;
   structure = makeParticleStructure(particles, options, progress, std::move(used));
-}
-
-std::string leftOutSentence(const ParticleStatistics& s)
-{
-  std::string text;
-  if (s.badPositions > 0)
-    text += std::to_string(s.badPositions) + " with a position that is not finite";
-  if (s.badRadii > 0)
-    text += (text.empty() ? "" : " and ") + std::to_string(s.badRadii) +
-            " with a radius that is not a finite number above zero";
-  return text;
 }
 
 } // namespace mote

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "MoteRenderingDataModule.h" // For export macro
 #include "ParticleInput.h"
 
 #include "kernels/occlusion/ParticleOcclusion.h"
@@ -7,9 +8,8 @@
 #include "vtkTimeStamp.h"
 
 #include <functional>
+#include <optional>
 #include <string>
-
-class vtkFieldData;
 
 namespace mote
 {
@@ -21,24 +21,22 @@ struct OcclusionRequest
   bool reachChosen = false;     ///< whether the user has said how far rays go
 };
 
-/// The particles of a mapper as of its last Update().
-struct MappedParticles
-{
-  const ParticleStructure& structure;
-  const InputKey& key;                  ///< what the structure was built from
-  vtkMTimeType changed;                 ///< when it, or what it shows, last did
-  vtkFieldData* field;                  ///< of the input, where maps may lie; or null
-  std::function<ParticleInput()> input; ///< asked only where maps lie there
-};
+/// Gives maps that are there already, or none. Throws Error where there are some that cannot be
+/// used.
+using FindMaps = std::function<std::optional<StoredOcclusion>()>;
 
-/// The occlusion maps that a vtkMoteParticleMapper keeps between frames: those of its input, where
-/// they belong to its particles, and those that were baked for a picture.
-class MapperOcclusion
+/// The occlusion maps that a ParticleModel keeps between frames and runs: those that somebody else
+/// has made, where they belong to its particles, and those that were baked here.
+class MOTERENDERINGDATA_EXPORT MapperOcclusion
 {
 public:
-  /// Brings what is known up to date with particles and request. Returns a sentence where maps of
-  /// the input cannot be used, once for each; or nothing.
-  std::string update(const MappedParticles& particles, const OcclusionRequest& request);
+  /// Brings what is known up to date with a structure, known by what it was built from and by when
+  /// it, or what it shows, last changed, and with options. `find` is asked where another structure,
+  /// other options, or another `key`, which stands for all else that it depends on, ask for other
+  /// maps. Returns a sentence where what it found cannot be used, once for each; or nothing.
+  std::string update(const ParticleStructure& structure, const InputKey& structureKey,
+    vtkMTimeType changed, const OcclusionBakeOptions& options, const InputKey& key,
+    const FindMaps& find);
 
   /// Bakes those of the particles that have no map; see ParticleOcclusion::bake(). After update().
   bool bake(
@@ -48,18 +46,18 @@ public:
   bool isOf(const InputKey& key) const { return known_.maps() && key == structureKey_; }
   /// By slot of that structure.
   const std::shared_ptr<const OcclusionMaps>& maps() const { return known_.maps(); }
+  const ParticleOcclusion& known() const { return known_; }
   /// Whether they know every particle that is shown.
   bool complete() const { return complete_; }
   /// Changes with the maps.
   vtkMTimeType time() const { return at_.GetMTime(); }
 
 private:
-  std::string begin(const MappedParticles& particles, const OcclusionRequest& request);
   void noteChange(const std::shared_ptr<const OcclusionMaps>& before);
 
   ParticleOcclusion known_;
   InputKey structureKey_;       ///< of the structure that the maps belong to
-  InputKey requestKey_;         ///< of what was asked, and of the input's maps
+  InputKey requestKey_;         ///< of what was asked
   vtkMTimeType seenChange_ = 0; ///< of the particles
   bool complete_ = false;
   vtkTimeStamp at_;

@@ -1,7 +1,7 @@
 #ifndef MoteForeignMemory_h
 #define MoteForeignMemory_h
 
-#include "MoteFiltersParticlesModule.h" // For export macro
+#include "MoteRenderingDataModule.h" // For export macro
 #include "vtkType.h"
 
 #include <memory>
@@ -13,7 +13,7 @@ namespace mote
 
 /// Has an array, whose number of components is set, view `values` numbers of its type at `memory`,
 /// which are there as long as `keeper`, not null, lives; the array keeps it.
-MOTEFILTERSPARTICLES_EXPORT void viewMemory(
+MOTERENDERINGDATA_EXPORT void viewMemory(
   vtkDataArray* array, void* memory, vtkIdType values, std::shared_ptr<const void> keeper);
 
 } // namespace mote

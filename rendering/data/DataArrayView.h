@@ -1,6 +1,6 @@
 #pragma once
 
-#include "MoteFiltersParticlesModule.h" // For export macro
+#include "MoteRenderingDataModule.h" // For export macro
 
 #include "kernels/core/ArrayView.h"
 
@@ -10,6 +10,9 @@
 namespace mote
 {
 
+/// The kernels' name for a type of VTK's numbers; None where they have none, as for bits.
+MOTERENDERINGDATA_EXPORT ArrayView::Type viewTypeOf(int vtkType);
+
 /// A VTK array as the kernels see it, and what keeps its memory alive. Arrays of tuples in one
 /// piece of memory are viewed as they are; others (structure of arrays, bits, implicit) are copied.
 struct DataArrayView
@@ -18,7 +21,7 @@ struct DataArrayView
   ArrayView view;
 
   DataArrayView() = default;
-  MOTEFILTERSPARTICLES_EXPORT explicit DataArrayView(vtkDataArray* array);
+  MOTERENDERINGDATA_EXPORT explicit DataArrayView(vtkDataArray* array);
 };
 
 } // namespace mote

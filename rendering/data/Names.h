@@ -1,6 +1,6 @@
 #pragma once
 
-#include "MoteFiltersParticlesModule.h" // For export macro
+#include "MoteRenderingDataModule.h" // For export macro
 
 #include <cstddef>
 #include <string>
@@ -12,11 +12,11 @@ namespace mote
 {
 
 /// The names of the arrays, separated by commas, for messages; "none" where there is none.
-MOTEFILTERSPARTICLES_EXPORT std::string arrayNames(vtkFieldData* data);
+MOTERENDERINGDATA_EXPORT std::string arrayNames(vtkFieldData* data);
 
 /// Place of a name among others; the first for none. Throws Error, calling it a `what`, where it is
 /// not among them.
-MOTEFILTERSPARTICLES_EXPORT std::size_t findName(
+MOTERENDERINGDATA_EXPORT std::size_t findName(
   const std::vector<std::string>& names, const char* name, const char* what);
 
 } // namespace mote

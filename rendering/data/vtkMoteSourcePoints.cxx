@@ -1,5 +1,6 @@
 #include "vtkMoteSourcePoints.h"
 
+#include "Bounds.h"
 #include "SourcePositions.h"
 
 #include "kernels/particles/ParticleSet.h"
@@ -36,12 +37,7 @@ void vtkMoteSourcePoints::ComputeBounds()
   }
   if (this->ComputeTime > this->GetMTime())
     return;
-  const mote::Box box = mote::examine(mote::ParticleSet::of(source)).centers;
-  for (int k = 0; k < 3; ++k)
-  {
-    this->Bounds[2 * k] = box.lower[k];
-    this->Bounds[2 * k + 1] = box.upper[k];
-  }
+  mote::copyBounds(mote::examine(mote::ParticleSet::of(source)).centers, this->Bounds);
   this->ComputeTime.Modified();
 }
 

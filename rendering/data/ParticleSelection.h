@@ -38,13 +38,13 @@ struct PlaceRanges
 /// whatever type the values have. Finding them costs nothing for values that are float themselves,
 /// and a look at the values for others. Where values on both sides of a limit are stored alike, and
 /// for arrays beyond the fourth, every particle is asked and the structure given a bit for each.
-class MOTEFILTERSPARTICLES_EXPORT ParticleSelection
+class MOTERENDERINGDATA_EXPORT ParticleSelection
 {
 public:
   /// Makes a structure show what the ranges leave, with as little work as the changes since the
   /// last call ask for. `particles` gives the input and is asked only where it is needed. Returns
   /// whether anything changed.
-  bool apply(ParticleStructure& structure, const std::vector<ValueRange>& values,
+  bool apply(ParticleStructure& structure, std::vector<ValueRange> values,
     const PlaceRanges& places, const std::function<ParticleInput()>& particles);
 
   /// The structure is another one, or built anew, which made it forget all ranges.

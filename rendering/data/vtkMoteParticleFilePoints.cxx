@@ -1,5 +1,7 @@
 #include "vtkMoteParticleFilePoints.h"
 
+#include "Bounds.h"
+#include "DataArrayView.h"
 #include "ForeignMemory.h"
 
 #include "kernels/particles/PkdTreeFile.h"
@@ -9,7 +11,6 @@
 #include "vtkInformationDoubleVectorKey.h"
 #include "vtkInformationInformationVectorKey.h"
 #include "vtkInformationVector.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
@@ -20,32 +21,10 @@ using FilePointer = std::shared_ptr<const mote::PkdTreeFile>;
 
 int dataTypeOf(mote::ArrayView::Type type)
 {
-  using Type = mote::ArrayView::Type;
-  switch (type)
-  {
-  case Type::Float32:
-    return VTK_FLOAT;
-  case Type::Float64:
-    return VTK_DOUBLE;
-  case Type::Int8:
-    return VTK_SIGNED_CHAR;
-  case Type::UInt8:
-    return VTK_UNSIGNED_CHAR;
-  case Type::Int16:
-    return VTK_SHORT;
-  case Type::UInt16:
-    return VTK_UNSIGNED_SHORT;
-  case Type::Int32:
-    return VTK_INT;
-  case Type::UInt32:
-    return VTK_UNSIGNED_INT;
-  case Type::Int64:
-    return VTK_LONG_LONG;
-  case Type::UInt64:
-    return VTK_UNSIGNED_LONG_LONG;
-  case Type::None:
-    break;
-  }
+  for (const int vtkType : {VTK_FLOAT, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
+         VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG_LONG, VTK_UNSIGNED_LONG_LONG})
+    if (mote::viewTypeOf(vtkType) == type)
+      return vtkType;
   return VTK_DOUBLE;
 }
 
@@ -112,12 +91,7 @@ void vtkMoteParticleFilePoints::ComputeBounds()
     this->Superclass::ComputeBounds();
     return;
   }
-  const mote::Box& box = file->statistics().centers;
-  for (int k = 0; k < 3; ++k)
-  {
-    this->Bounds[2 * k] = box.lower[k];
-    this->Bounds[2 * k + 1] = box.upper[k];
-  }
+  mote::copyBounds(file->statistics().centers, this->Bounds);
 }
 
 vtkDataArray* vtkMoteParticleFilePoints::NewArray(

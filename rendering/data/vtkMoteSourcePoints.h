@@ -14,7 +14,7 @@
 #ifndef vtkMoteSourcePoints_h
 #define vtkMoteSourcePoints_h
 
-#include "MoteFiltersParticlesModule.h" // For export macro
+#include "MoteRenderingDataModule.h" // For export macro
 #include "vtkPoints.h"
 
 #include <memory> // For the source
@@ -24,7 +24,7 @@ namespace mote
 class ParticleSource;
 } // namespace mote
 
-class MOTEFILTERSPARTICLES_EXPORT vtkMoteSourcePoints : public vtkPoints
+class MOTERENDERINGDATA_EXPORT vtkMoteSourcePoints : public vtkPoints
 {
 public:
   static vtkMoteSourcePoints* New();

@@ -5,9 +5,9 @@
 #include "kernels/particles/ParticleStructure.h"
 
 #include <atomic>
-#include <exception>
+#include <chrono>
+#include <future>
 #include <memory>
-#include <thread>
 
 namespace mote
 {
@@ -21,33 +21,39 @@ public:
   /// Begins. The structure is built into `used` as buildStructure() does it. Throws
   /// std::system_error where there can be no more threads.
   StructureBuild(ParticleInput input, const ParticleStructureOptions& options,
-    std::shared_ptr<ParticleStructure> used);
+    std::shared_ptr<ParticleStructure> used)
+    : input_(std::move(input))
+    , result_(std::async(std::launch::async,
+        [this, options, used = std::move(used)]() mutable
+        {
+          buildStructure(used, input_.set, options,
+            [this](double done)
+            {
+              progress_ = done;
+              return !stop_;
+            });
+          return std::move(used);
+        }))
+  {
+  }
   /// Stops the build, and waits until it has stopped.
-  ~StructureBuild();
-  StructureBuild(const StructureBuild&) = delete;
-  StructureBuild& operator=(const StructureBuild&) = delete;
+  ~StructureBuild() { stop_ = true; } // a future waits
 
   /// Share done, in [0, 1].
   double progress() const { return progress_; }
-  /// Whether there is nothing to wait for.
-  bool finished() const { return finished_; }
-  /// Waits until the build has finished, but no longer than `seconds`.
-  void wait(double seconds) const;
-
+  /// Waits until the build has finished, but no longer than `seconds`; whether it has.
+  bool wait(double seconds) const
+  {
+    return result_.wait_for(std::chrono::duration<double>(seconds)) == std::future_status::ready;
+  }
   /// What was built, once; call when it has finished. Throws what the build threw.
-  std::shared_ptr<ParticleStructure> take();
+  std::shared_ptr<ParticleStructure> take() { return result_.get(); }
 
 private:
-  void run() noexcept;
-
   const ParticleInput input_;
-  const ParticleStructureOptions options_;
-  std::shared_ptr<ParticleStructure> structure_; ///< the thread's until finished_
-  std::exception_ptr error_;                     ///< the same
   std::atomic<double> progress_{0.0};
   std::atomic<bool> stop_{false};
-  std::atomic<bool> finished_{false};
-  std::thread thread_;
+  std::future<std::shared_ptr<ParticleStructure>> result_; ///< the last: the thread uses the others
 };
 
 } // namespace mote

@@ -1,0 +1,131 @@
+// The part of ParticleModel that says which particles are hidden.
+
+#include "ParticleModel.h"
+
+#include "kernels/core/Error.h"
+
+#include "vtkDataArray.h"
+#include "vtkPointSet.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace mote
+{
+
+namespace
+{
+
+void checkRange(double low, double high)
+{
+  if (low <= high)
+    return;
+  std::ostringstream text;
+  text << "A range from " << low << " to " << high
+       << " is none: its first end must not lie above its second.";
+  throw Error(text.str());
+}
+
+/// The array that a range speaks of.
+vtkDataArray* arrayOf(const ArrayRange& range, vtkPointSet* points)
+{
+  if (range.array)
+    return range.array;
+  if (range.name.empty())
+    throw Error(std::string("There is no array for ") + range.purpose + ".");
+  vtkDataArray* array = requirePointArray(points, range.name, range.purpose);
+  if (range.component < -1 || range.component >= array->GetNumberOfComponents())
+    throw Error("The array \"" + range.name + "\" for " + range.purpose + " has no component " +
+                std::to_string(range.component) + ".");
+  return array;
+}
+
+} // namespace
+
+bool ParticleModel::addRange(const ArrayRange& range)
+{
+  if (range.name.empty())
+    throw Error("A range needs the name of a point array.");
+  checkRange(range.low, range.high);
+  const auto found = std::find_if(ranges_.begin(), ranges_.end(),
+    [&](const auto& r) { return r.name == range.name && r.component == range.component; });
+  if (found == ranges_.end())
+  {
+    if (ranges_.size() == mostRanges)
+      throw Error("There is no room for a range of \"" + range.name +
+                  "\": " + std::to_string(mostRanges) + " arrays have one already.");
+    ranges_.push_back(range);
+    return true;
+  }
+  const bool changed = found->low != range.low || found->high != range.high;
+  *found = range;
+  return changed;
+}
+
+bool ParticleModel::removeRange(const std::string& name, int component)
+{
+  return std::erase_if(
+           ranges_, [&](const auto& r) { return r.name == name && r.component == component; }) > 0;
+}
+
+bool ParticleModel::setPlaceRange(int k, double low, double high)
+{
+  checkRange(low, high);
+  const bool changed = places_.low[k] != low || places_.high[k] != high;
+  places_.low[k] = low;
+  places_.high[k] = high;
+  return changed;
+}
+
+bool ParticleModel::removeAllRanges()
+{
+  const bool any = !ranges_.empty() || places_.anyLimited();
+  ranges_.clear();
+  places_ = {};
+  return any;
+}
+
+std::vector<std::string> ParticleModel::updateRanges(const std::vector<ArrayRange>& more)
+{
+  std::vector<std::string> news;
+  if (!structure_)
+    return news;
+  std::vector<ValueRange> values;
+  std::set<std::string> problems;
+  const auto add = [&](const ArrayRange& range)
+  {
+    try
+    {
+      values.push_back({arrayOf(range, input_), range.component, range.low, range.high});
+    }
+    catch (const Error& error)
+    {
+      if (problems.insert(error.what()).second && !rangeProblems_.contains(error.what()))
+        news.emplace_back(error.what());
+    }
+  };
+  if (input_->GetNumberOfPoints() > 0)
+  {
+    std::for_each(ranges_.begin(), ranges_.end(), add);
+    std::for_each(more.begin(), more.end(), add);
+  }
+  rangeProblems_ = problems;
+  if (selection_.apply(*structure_, values, places_, [this] { return this->particles(); }))
+    changed_.Modified();
+  return news;
+}
+
+std::size_t ParticleModel::visible() const
+{
+  return structure_ ? selection_.shown(*structure_).count : 0;
+}
+
+Box ParticleModel::visibleBounds() const
+{
+  if (!structure_)
+    return {};
+  const ParticleSelection::Shown& shown = selection_.shown(*structure_);
+  return preview_ && shown.count == preview_->particles ? preview_->whole.bounds : shown.bounds;
+}
+
+} // namespace mote
