@@ -3,6 +3,7 @@
 #include "Bake.h"
 #include "Failure.h"
 #include "Messages.h"
+#include "OutputFile.h"
 #include "Scene.h"
 #include "Text.h"
 
@@ -48,6 +49,7 @@ public:
     writer_->SetFileName(file.c_str());
     if (!writer_->CheckFileName())
       throw Failure(writer_->GetErrorMessage());
+    checkOutput(file, options_.files);
     const bool exr = lowerCase(std::filesystem::path(file).extension().string()) == ".exr";
     // An EXR is for further work: everything there is, and nothing drawn over it.
     source_->SetDepth(exr);
