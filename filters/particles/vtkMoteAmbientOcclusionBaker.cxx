@@ -48,6 +48,24 @@ bool isGiven(const char* name)
   return name && *name;
 }
 
+bool isFile(const char* name)
+{
+  return isGiven(name) && vtksys::SystemTools::FileExists(name, true);
+}
+
+/// The maps in a file; none where there is no such file, or it holds those of other particles or
+/// settings. Throws Error where it cannot be read.
+std::optional<mote::StoredOcclusion> readMaps(const char* name, const mote::ContentHash& content,
+  std::size_t particles, const mote::OcclusionBakeOptions& options)
+{
+  if (!isFile(name))
+    return std::nullopt;
+  mote::StoredOcclusion stored = mote::readOcclusionFile(name);
+  const bool fits = stored.content == content && stored.maps.size() == particles &&
+                    mote::wereBakedWith(stored, options);
+  return fits ? std::optional(std::move(stored)) : std::nullopt;
+}
+
 } // namespace
 
 /// What is kept between runs.
@@ -133,6 +151,8 @@ double vtkMoteAmbientOcclusionBaker::GetRemainingTime()
 
 std::string vtkMoteAmbientOcclusionBaker::ReadMaps(const std::string& fileName, vtkDataSet* data)
 {
+  if (!data)
+    return "There are no data to read the maps of " + fileName + " for.";
   try
   {
     mote::addOcclusionArrays(data->GetFieldData(), mote::readOcclusionFile(fileName));
@@ -191,7 +211,16 @@ void vtkMoteAmbientOcclusionBaker::Run(vtkPolyData* data)
   if (inputs > 0)
     this->BytesPerParticle = double(stored.maps.bytes()) / double(inputs);
   if (isGiven(this->FileName) && this->NumberOfNewlyBaked > 0)
-    mote::writeOcclusionFile(this->FileName, stored);
+  {
+    // A part of these maps does not replace all of others.
+    if (finished || !isFile(this->FileName) ||
+        readMaps(this->FileName, *impl.content, inputs, impl.maps.options()))
+      mote::writeOcclusionFile(this->FileName, stored);
+    else
+      vtkWarningMacro(<< this->FileName
+                      << " holds other maps, and stays as it is: baking was "
+                         "stopped before new ones were complete.");
+  }
   if (finished)
     this->UpdateProgress(1.0);
 }
@@ -268,22 +297,20 @@ void vtkMoteAmbientOcclusionBaker::BeginMaps(vtkPolyData* data)
   if (impl.maps.maps() && key == impl.mapsKey)
     return impl.maps.update(*impl.structure);
   impl.mapsKey = key;
-  if (isGiven(this->FileName) && vtksys::SystemTools::FileExists(this->FileName, true))
-    try
+  try
+  {
+    if (const auto stored = readMaps(this->FileName, *impl.content,
+          static_cast<std::size_t>(data->GetNumberOfPoints()), options))
     {
-      const mote::StoredOcclusion stored = mote::readOcclusionFile(this->FileName);
-      if (stored.content == *impl.content && mote::wereBakedWith(stored, options) &&
-          stored.maps.size() == static_cast<std::size_t>(data->GetNumberOfPoints()))
-      {
-        impl.maps.begin(*impl.structure, options, stored);
-        this->ReadFromFile = true;
-        return;
-      }
+      impl.maps.begin(*impl.structure, options, *stored);
+      this->ReadFromFile = true;
+      return;
     }
-    catch (const mote::Error& error)
-    {
-      vtkWarningMacro(<< error.what());
-    }
+  }
+  catch (const mote::Error& error)
+  {
+    vtkWarningMacro(<< error.what());
+  }
   impl.maps.begin(*impl.structure, options);
 }
 
