@@ -1,5 +1,8 @@
 #include "Framing.h"
 
+#include "Failure.h"
+#include "Text.h"
+
 #include <vtkCamera.h>
 #include <vtkMath.h>
 
@@ -12,6 +15,8 @@ namespace mote::app
 
 namespace
 {
+
+constexpr double farthest = 1e18; ///< of what is drawn
 
 struct Side
 {
@@ -79,6 +84,26 @@ struct Fit
   }
 };
 
+/// Throws Failure for bounds that no camera can look at: spheres are cast in float, and the eye
+/// needs a place of its own beside the data.
+void requireVisible(const double bounds[6])
+{
+  const auto* const lowest = std::min_element(bounds, bounds + 6);
+  const auto* const highest = std::max_element(bounds, bounds + 6);
+  const double away = std::max(std::abs(*lowest), std::abs(*highest));
+  double size = 0.0;
+  for (int i = 0; i < 6; i += 2)
+    size = std::max(size, bounds[i + 1] - bounds[i]);
+  if (!std::all_of(bounds, bounds + 6, [](double b) { return std::abs(b) <= farthest; }))
+    throw Failure("positions with their radii reach from " + asNumber(*lowest, 3) + " to " +
+                  asNumber(*highest, 3) + ", and what is drawn may reach to " + asNumber(farthest) +
+                  "; choose other units or --radius");
+  if (size < 1e-14 * away)
+    throw Failure("the data lie at " + asNumber(away, 3) + " and are " + asNumber(size, 3) +
+                  " long, too little for numbers that large to tell places apart; subtract an "
+                  "offset from the coordinates");
+}
+
 } // namespace
 
 const std::vector<std::string>& viewNames()
@@ -107,6 +132,7 @@ void lookFrom(vtkCamera* camera, const std::string& view)
 
 void frame(vtkCamera* camera, const double bounds[6], double aspect, const Margins& margins)
 {
+  requireVisible(bounds);
   double center[3], direction[3], upward[3], sideways[3];
   double size = 0.0;
   for (int i = 0; i < 3; ++i)
