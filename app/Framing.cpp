@@ -84,19 +84,16 @@ struct Fit
   }
 };
 
-/// Throws Failure for bounds that no camera can look at: spheres are cast in float, and the eye
-/// needs a place of its own beside the data.
-void requireVisible(const double bounds[6])
+/// Throws Failure for bounds, `size` long, that no camera can look at: spheres are cast in float,
+/// and the eye needs a place of its own beside the data.
+void requireVisible(const double bounds[6], double size)
 {
-  const auto* const lowest = std::min_element(bounds, bounds + 6);
-  const auto* const highest = std::max_element(bounds, bounds + 6);
-  const double away = std::max(std::abs(*lowest), std::abs(*highest));
-  double size = 0.0;
-  for (int i = 0; i < 6; i += 2)
-    size = std::max(size, bounds[i + 1] - bounds[i]);
+  const double lowest = *std::min_element(bounds, bounds + 6);
+  const double highest = *std::max_element(bounds, bounds + 6);
+  const double away = std::max(std::abs(lowest), std::abs(highest));
   if (!std::all_of(bounds, bounds + 6, [](double b) { return std::abs(b) <= farthest; }))
-    throw Failure("positions with their radii reach from " + asNumber(*lowest, 3) + " to " +
-                  asNumber(*highest, 3) + ", and what is drawn may reach to " + asNumber(farthest) +
+    throw Failure("positions with their radii reach from " + asNumber(lowest, 3) + " to " +
+                  asNumber(highest, 3) + ", and what is drawn may reach to " + asNumber(farthest) +
                   "; choose other units or --radius");
   if (size < 1e-14 * away)
     throw Failure("the data lie at " + asNumber(away, 3) + " and are " + asNumber(size, 3) +
@@ -132,7 +129,6 @@ void lookFrom(vtkCamera* camera, const std::string& view)
 
 void frame(vtkCamera* camera, const double bounds[6], double aspect, const Margins& margins)
 {
-  requireVisible(bounds);
   double center[3], direction[3], upward[3], sideways[3];
   double size = 0.0;
   for (int i = 0; i < 3; ++i)
@@ -142,6 +138,7 @@ void frame(vtkCamera* camera, const double bounds[6], double aspect, const Margi
   }
   if (!(size > 0.0))
     size = 1.0;
+  requireVisible(bounds, size);
   const CornersInView corners(camera, bounds, center);
   camera->GetDirectionOfProjection(direction);
   camera->GetViewUp(upward);

@@ -329,8 +329,7 @@ void addReadOptions(CLI::App& app, ViewOptions& o)
   app
     .add_option("FILE", o.files,
       "Files to read. LAMMPS dumps, VTK and .mote files that differ only in the digits of a number "
-      "are "
-      "steps of one series")
+      "are steps of one series")
     ->type_name("");
   const std::string group = "Data";
   auto* step =

@@ -128,7 +128,7 @@ FILE
         "$place 0 $place" "$place $place $place" "0 $place $place"
       for file in far.vtk large.vtk; do
         run 0 "$mote" info $file
-        "$mote" average $file -a p >out 2>err
+        "$mote" average $file -a p --resolution 8 >out 2>err
         grep -e inf -e nan out && fail "no numbers in the average of $file"
         for structure in cylgrid cartgrid cylbvh cartbvh; do
           # shellcheck disable=SC2086
@@ -136,11 +136,8 @@ FILE
           [ $? -le 1 ] || fail "$structure crashes over $file"
         done
       done
-      failing average large.vtk -a p
+      failing average large.vtk -a p --resolution 8
     done
-    grid values.vtk
-    sed 's/^8$/1e308/' values.vtk >large.vtk
-    failing average large.vtk -a p
     for x in 1e300 1e30; do
       printf 'x,y,z\n0,0,0\n%s,1,1\n' $x >far.csv
       failing render far.csv -o a.png
@@ -199,10 +196,9 @@ FILE
     ;;
 
   ignored) # a shell's background commands are not interrupted
-    # shellcheck disable=SC2086
-    "$mote" render "$hopper" -o a.png $small --samples 20000 >out 2>err & # SIGINT is ignored
-    sleep 1
-    kill -INT $!
+    "$mote" render "$hopper" -o a.png --size 160x120 --samples 4000 >out 2>err & # SIGINT is ignored
+    sleep 0.5
+    while kill -INT $! 2>/dev/null; do sleep 0.2; done
     wait $! || { cat out err; fail "interrupted"; }
     is_picture a.png 160x120
     ;;

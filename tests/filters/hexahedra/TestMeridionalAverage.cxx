@@ -241,7 +241,7 @@ TEST(MeridionalAverage, NumbersThatAreTooLargeGetASentence)
   };
   EXPECT_EQ(sentence(1e30, 1e30, 1), "");
   for (const int components : {1, 3})
-    EXPECT_NE(sentence(1.0, 1e308, components).find("so large"), std::string::npos);
+    EXPECT_NE(sentence(1.0, 1e200, components).find("so large"), std::string::npos);
   EXPECT_NE(sentence(1e150, 1.0, 1).find("so large"), std::string::npos);
   EXPECT_NE(sentence(0.0, 1.0, 1).find("no cell with volume"), std::string::npos); // one place
 }

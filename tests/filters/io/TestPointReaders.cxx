@@ -60,8 +60,11 @@ TEST_F(TestPointReaders, ColumnsWithoutANameGetOne)
     return all;
   };
   using Names = std::vector<std::string>;
-  vtkNew<vtkMoteDelimitedPointsReader> tables;
-  const auto table = [&](const char* text) { return names(read(*tables, write("a.csv", text))); };
+  const auto table = [&](const char* text)
+  {
+    vtkNew<vtkMoteDelimitedPointsReader> reader;
+    return names(read(*reader, write("a.csv", text)));
+  };
   EXPECT_EQ(table(",x,y,z\n0,0,0,1\n1,1,1,2\n"), (Names{"column1"}));
   EXPECT_EQ(table("x,y,z,\n0,0,1,5\n1,1,2,6\n"), (Names{"column4"}));
   EXPECT_EQ(table("column2, ,x,y,z\n7,0,0,0,1\n8,1,1,1,2\n"), (Names{"column2", "column2_"}));
