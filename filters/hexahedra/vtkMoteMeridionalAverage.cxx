@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 vtkStandardNewMacro(vtkMoteMeridionalAverage);
 
@@ -206,11 +207,16 @@ std::string vtkMoteMeridionalAverage::Average(
   if (std::none_of(bins.begin(), bins.end(), [](const mote::Bin& b) { return b.volume > 0.0; }))
     return "there is no cell with volume and a finite value to average";
   const std::vector<Column> columns = columnsFor(this->ArrayName, components == 3, middle);
-  for (const Column& column : columns)
-    if (std::any_of(bins.begin(), bins.end(),
-          [&](const mote::Bin& b) { return b.volume > 0.0 && !std::isfinite(column.value(b)); }))
-      return "the cells or the values of '" + this->ArrayName +
-             "' are so large that numbers cannot hold their " + column.name;
+  const auto overflows = [&columns](const mote::Bin& bin)
+  {
+    const auto isFinite = [](double x) { return std::isfinite(x); };
+    return bin.volume > 0.0 && !(std::all_of(std::begin(bin.sums), std::end(bin.sums), isFinite) &&
+                                 std::all_of(columns.begin(), columns.end(),
+                                   [&](const Column& c) { return isFinite(c.value(bin)); }));
+  };
+  if (std::any_of(bins.begin(), bins.end(), overflows))
+    return "the cells or the values of '" + this->ArrayName +
+           "' are so large that numbers cannot hold sums over them";
   fillTable(table, bins, grid, columns);
   fillImage(image, bins, grid, columns);
   return {};
