@@ -141,7 +141,7 @@ FILE
     for x in 1e300 1e30; do
       printf 'x,y,z\n0,0,0\n%s,1,1\n' $x >far.csv
       failing render far.csv -o a.png
-      said err "${x/e/e+}"
+      said err "may reach to 1e+18"
     done
     printf 'x,y,z\n100000000000000001,0,0\n100000000000000005,1,1\n' >offset.csv
     failing render offset.csv -o a.png
