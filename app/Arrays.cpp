@@ -80,8 +80,8 @@ int componentOf(vtkDataArray* array, const std::string& text)
   std::vector<std::string> known = {"magnitude"};
   for (int i = 0; i < array->GetNumberOfComponents(); ++i)
     known.push_back(array->GetComponentName(i) ? array->GetComponentName(i) : std::to_string(i));
-  throw Failure(std::string("array ") + array->GetName() + " has no component " + text +
-                "; there are " + joined(known, ", "));
+  throw Failure(
+    "array " + nameOf(array) + " has no component " + text + "; there are " + joined(known, ", "));
 }
 
 template <class Visit>
@@ -125,10 +125,10 @@ ArrayChoice findArray(vtkDataSet* data, const std::string& text)
   // What a file calls "vx" may be a component of "v" here.
   for (const bool ofCells : {false, true})
     for (int i = 0; i < attributesOf(data, ofCells)->GetNumberOfArrays(); ++i)
-      if (vtkDataArray* array = attributesOf(data, ofCells)->GetArray(i); array && array->GetName())
+      if (vtkDataArray* array = attributesOf(data, ofCells)->GetArray(i); !nameOf(array).empty())
         for (int c = 0; c < array->GetNumberOfComponents(); ++c)
           if (array->GetComponentName(c) && text == array->GetComponentName(c))
-            return {array->GetName(), c, ofCells};
+            return {nameOf(array), c, ofCells};
   const std::size_t colon = text.rfind(':');
   return colon == std::string::npos ? ArrayChoice{}
                                     : choiceFor(text.substr(0, colon), text.substr(colon + 1));
@@ -143,12 +143,13 @@ std::vector<ArrayChoice> rankedArrays(vtkDataSet* data)
     for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
     {
       vtkDataArray* array = attributes->GetArray(i);
-      if (!array || !array->GetName() || isBookkeeping(array->GetName()))
+      const std::string name = nameOf(array);
+      if (name.empty() || isBookkeeping(name))
         continue;
       const bool vector = array->GetNumberOfComponents() > 1;
-      const ArrayChoice choice{array->GetName(), vector ? ArrayChoice::magnitude : 0, ofCells};
+      const ArrayChoice choice{name, vector ? ArrayChoice::magnitude : 0, ofCells};
       // Points and cells may both hold an array of one name: the points' one is smooth.
-      if (!ofCells || !data->GetPointData()->GetArray(array->GetName()))
+      if (!ofCells || !data->GetPointData()->GetArray(name.c_str()))
         ranked.emplace_back(rank(data, choice), choice);
     }
   }
@@ -158,6 +159,12 @@ std::vector<ArrayChoice> rankedArrays(vtkDataSet* data)
   for (const auto& entry : ranked)
     choices.push_back(entry.second);
   return choices;
+}
+
+std::string nameOf(vtkAbstractArray* array)
+{
+  const char* name = array ? array->GetName() : nullptr;
+  return name ? name : "";
 }
 
 vtkDataArray* arrayOf(vtkDataSet* data, const ArrayChoice& choice)
@@ -181,8 +188,8 @@ std::string listArrays(vtkDataSet* data)
   std::vector<std::string> names;
   for (const bool ofCells : {false, true})
     for (int i = 0; i < attributesOf(data, ofCells)->GetNumberOfArrays(); ++i)
-      if (vtkDataArray* array = attributesOf(data, ofCells)->GetArray(i); array && array->GetName())
-        names.emplace_back(array->GetName());
+      if (const std::string name = nameOf(attributesOf(data, ofCells)->GetArray(i)); !name.empty())
+        names.push_back(name);
   return joined(names, ", ");
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+class vtkAbstractArray;
 class vtkDataArray;
 class vtkDataSet;
 
@@ -31,6 +32,9 @@ ArrayChoice findArray(vtkDataSet* data, const std::string& text);
 /// What may colour this data set, the most telling first: numbers that vary, magnitudes of vectors,
 /// integers, types. No ids, radii, positions; those with one value everywhere come last.
 std::vector<ArrayChoice> rankedArrays(vtkDataSet* data);
+
+/// An array's name; empty where it has none, as in files of VTK it may.
+std::string nameOf(vtkAbstractArray* array);
 
 /// The array itself, or null.
 vtkDataArray* arrayOf(vtkDataSet* data, const ArrayChoice& choice);

@@ -5,6 +5,7 @@
 #include "Failure.h"
 #include "Input.h"
 #include "Messages.h"
+#include "OutputFile.h"
 #include "TableFile.h"
 #include "Text.h"
 
@@ -143,8 +144,7 @@ void addAverageOptions(CLI::App& app, AverageOptions& options)
 
 void average(const AverageOptions& options)
 {
-  if (!options.output.empty())
-    checkTableFile(options.output);
+  checkOutput(options.output, options.view.files);
   TerminalProgress terminal;
   Progress progress;
   progress.add(terminal);

@@ -4,10 +4,9 @@
 #include "Convert.h"
 #include "Failure.h"
 #include "Messages.h"
+#include "OutputFile.h"
 #include "Part.h"
 #include "Text.h"
-
-#include <kernels/core/AtomicFile.h>
 
 #include <vtkActor.h>
 #include <vtkMoteAmbientOcclusionBaker.h>
@@ -112,7 +111,7 @@ void bake(const BakeOptions& options)
   const std::string output = options.output.empty() ? mapsFileOf(data) : options.output;
   if (lowerCase(std::filesystem::path(output).extension().string()) != ".moteao")
     throw Failure("the file to write must end in .moteao, not " + output);
-  checkWritable(output); // before minutes of baking
+  checkOutput(output, options.view.files); // before minutes of baking
   auto* points = vtkPolyData::SafeDownCast(data.data);
   if (!points)
     throw Failure(data.name + " holds no points that mote bake could take");

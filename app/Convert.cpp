@@ -4,10 +4,10 @@
 #include "Failure.h"
 #include "Input.h"
 #include "Messages.h"
+#include "OutputFile.h"
 #include "Part.h"
 #include "Text.h"
 
-#include <kernels/core/AtomicFile.h>
 #include <kernels/core/ScratchSpace.h>
 
 #include <vtkActor.h>
@@ -79,7 +79,7 @@ void convert(const ConvertOptions& given)
   Progress progress;
   progress.add(terminal);
   const double start = vtkTimerLog::GetUniversalTime();
-  checkWritable(output); // before hours of reading
+  checkOutput(output, options.files); // before hours of reading
   const std::uint64_t memory = given.memory > 0 ? given.memory : physicalMemory() / 2;
   // The rest is for putting arrays in order.
   const auto space = std::make_shared<ScratchSpace>(output, memory / 4 * 3);

@@ -4,6 +4,7 @@
 #include "Colors.h"
 #include "Failure.h"
 #include "Messages.h"
+#include "OutputFile.h"
 #include "Text.h"
 
 #include <vtkFloatArray.h>
@@ -245,6 +246,7 @@ void drawEdges(const EdgesOptions& options)
   writer->SetFileName(options.output.c_str());
   if (!writer->CheckFileName())
     throw Failure(writer->GetErrorMessage());
+  checkOutput(options.output, {options.image});
   vtkNew<vtkMoteImageReader> reader;
   reader->SetFileName(options.image.c_str());
   auto start = std::chrono::steady_clock::now();

@@ -1,5 +1,8 @@
 #include "Framing.h"
 
+#include "Failure.h"
+#include "Text.h"
+
 #include <vtkCamera.h>
 #include <vtkMath.h>
 
@@ -12,6 +15,8 @@ namespace mote::app
 
 namespace
 {
+
+constexpr double farthest = 1e18; ///< of what is drawn
 
 struct Side
 {
@@ -79,6 +84,23 @@ struct Fit
   }
 };
 
+/// Throws Failure for bounds, `size` long, that no camera can look at: spheres are cast in float,
+/// and the eye needs a place of its own beside the data.
+void requireVisible(const double bounds[6], double size)
+{
+  const double lowest = *std::min_element(bounds, bounds + 6);
+  const double highest = *std::max_element(bounds, bounds + 6);
+  const double away = std::max(std::abs(lowest), std::abs(highest));
+  if (!std::all_of(bounds, bounds + 6, [](double b) { return std::abs(b) <= farthest; }))
+    throw Failure("positions with their radii reach from " + asNumber(lowest, 3) + " to " +
+                  asNumber(highest, 3) + ", and what is drawn may reach to " + asNumber(farthest) +
+                  "; choose other units or --radius");
+  if (size < 1e-14 * away)
+    throw Failure("the data lie at " + asNumber(away, 3) + " and are " + asNumber(size, 3) +
+                  " long, too little for numbers that large to tell places apart; subtract an "
+                  "offset from the coordinates");
+}
+
 } // namespace
 
 const std::vector<std::string>& viewNames()
@@ -116,6 +138,7 @@ void frame(vtkCamera* camera, const double bounds[6], double aspect, const Margi
   }
   if (!(size > 0.0))
     size = 1.0;
+  requireVisible(bounds, size);
   const CornersInView corners(camera, bounds, center);
   camera->GetDirectionOfProjection(direction);
   camera->GetViewUp(upward);

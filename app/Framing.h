@@ -28,7 +28,9 @@ std::string automaticView(const double bounds[6]);
 void lookFrom(vtkCamera* camera, const std::string& view);
 
 /// Moves the camera, without turning it, so that the box of the bounds just fits into a picture of
-/// this aspect (width to height) within the margins. Bounds without volume are fine.
+/// this aspect (width to height) within the margins. Bounds without volume are fine. Throws Failure
+/// for those that reach too far, or lie so far away that double precision does not tell their ends
+/// apart.
 void frame(vtkCamera* camera, const double bounds[6], double aspect, const Margins& margins);
 
 } // namespace mote::app

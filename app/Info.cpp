@@ -44,7 +44,7 @@ struct ArrayFacts
 ArrayFacts factsOf(vtkAbstractArray* array, const char* place)
 {
   ArrayFacts facts;
-  facts.name = array->GetName() ? array->GetName() : "";
+  facts.name = nameOf(array);
   facts.place = place;
   facts.type = array->GetDataTypeAsString();
   const int components = array->GetNumberOfComponents();
@@ -130,9 +130,11 @@ void printTimes(const Input& input, int step)
 
 void printArrays(const std::vector<ArrayFacts>& arrays)
 {
+  const auto shownName = [](const ArrayFacts& facts)
+  { return facts.name.empty() ? std::string("(unnamed)") : facts.name; };
   std::size_t width = 8;
   for (const ArrayFacts& facts : arrays)
-    width = std::max(width, facts.name.size());
+    width = std::max(width, shownName(facts).size());
   for (const ArrayFacts& facts : arrays)
   {
     std::string text = facts.ranged ? interval(facts.range, facts.whole ? 16 : 6) : "";
@@ -142,7 +144,7 @@ void printArrays(const std::vector<ArrayFacts>& arrays)
     if (facts.mean)
       text += ", mean by volume " + asNumber(*facts.mean);
     std::printf("  %-5s  %-*s  %-9s  %s\n", facts.place.c_str(), static_cast<int>(width),
-      facts.name.c_str(), facts.type.c_str(), text.c_str());
+      shownName(facts).c_str(), facts.type.c_str(), text.c_str());
   }
 }
 

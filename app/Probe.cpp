@@ -1,8 +1,10 @@
 #include "Probe.h"
 
+#include "Arrays.h"
 #include "Failure.h"
 #include "Input.h"
 #include "Messages.h"
+#include "OutputFile.h"
 #include "TableFile.h"
 
 #include <kernels/hexahedra/HexMesh.h>
@@ -67,15 +69,15 @@ public:
     for (int a = 0; a < values->GetNumberOfArrays(); ++a)
     {
       vtkDataArray* array = values->GetArray(a);
-      if (!array || array == valid || !array->GetName())
+      const std::string heading = nameOf(array);
+      if (heading.empty() || array == valid)
         continue;
       const int components = array->GetNumberOfComponents();
       for (int k = 0; k < components; ++k)
       {
         const char* component = array->GetComponentName(k);
-        vtkDoubleArray* column =
-          this->column(array->GetName() +
-                       (components == 1 ? "" : ":" + (component ? component : std::to_string(k))));
+        vtkDoubleArray* column = this->column(
+          heading + (components == 1 ? "" : ":" + (component ? component : std::to_string(k))));
         for (const vtkIdType i : mine)
           column->SetValue(i, array->GetComponent(i, k));
       }
@@ -142,8 +144,7 @@ void addProbeOptions(CLI::App& app, ProbeOptions& options)
 
 void probe(const ProbeOptions& options)
 {
-  if (!options.output.empty())
-    checkTableFile(options.output);
+  checkOutput(options.output, options.read.files);
   TerminalProgress terminal;
   Progress progress;
   progress.add(terminal);

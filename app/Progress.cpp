@@ -66,7 +66,10 @@ Progress::Work::Work(Progress& progress, const std::string& what, vtkObject* obj
   , next_(start_ + patience)
 {
   interrupts = 0;
-  std::signal(SIGINT, onInterrupt);
+  // Whoever had it ignored, as nohup and a shell's background commands have, wants no interruption.
+  before_ = std::signal(SIGINT, SIG_IGN);
+  if (before_ != SIG_IGN)
+    std::signal(SIGINT, onInterrupt);
   if (algorithm_)
     algorithm_->SetAbortExecute(0);
   auto* command = ProgressCommand::New();
@@ -78,7 +81,7 @@ Progress::Work::Work(Progress& progress, const std::string& what, vtkObject* obj
 Progress::Work::~Work()
 {
   object_->RemoveObserver(observer_);
-  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGINT, before_);
   if (algorithm_)
     algorithm_->SetAbortExecute(0);
   if (shown_)

@@ -39,7 +39,7 @@ public:
   /// once it takes longer than a moment, with an estimate of what is left where that is long, and
   /// lets Ctrl-C and the displays stop it. An algorithm is stopped by its AbortExecute flag; other
   /// objects find out themselves. A second Ctrl-C ends the program at once, as does the first
-  /// outside of any work.
+  /// outside of any work; unless SIGINT is ignored from the start.
   class Work
   {
   public:
@@ -62,6 +62,7 @@ public:
     std::thread::id thread_;
     std::chrono::steady_clock::time_point start_;
     std::chrono::steady_clock::time_point next_;
+    void (*before_)(int); ///< what SIGINT did
     bool shown_ = false;
     bool stopped_ = false;
   };

@@ -3,8 +3,11 @@
 #include "Bake.h"
 #include "Failure.h"
 #include "Messages.h"
+#include "OutputFile.h"
 #include "Scene.h"
 #include "Text.h"
+
+#include <kernels/core/ScratchSpace.h>
 
 #include <vtkLookupTable.h>
 #include <vtkMoteColorLegend.h>
@@ -18,6 +21,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <new>
 
 namespace mote::app
 {
@@ -48,6 +52,7 @@ public:
     writer_->SetFileName(file.c_str());
     if (!writer_->CheckFileName())
       throw Failure(writer_->GetErrorMessage());
+    checkOutput(file, options_.files);
     const bool exr = lowerCase(std::filesystem::path(file).extension().string()) == ".exr";
     // An EXR is for further work: everything there is, and nothing drawn over it.
     source_->SetDepth(exr);
@@ -57,6 +62,7 @@ public:
     source_->SetEdges(exr && scene_.silhouettes().isOn());
     source_->SetTransparentBackground(exr);
     labelled_ = !exr;
+    this->requireMemory();
     writer_->SetInputConnection(labelled_ ? legend_->GetOutputPort() : source_->GetOutputPort());
   }
 
@@ -70,15 +76,24 @@ public:
     legend_->SetCaption(options_.caption.value_or(caption));
     Messages::takeError();
     source_->Modified(); // parts and camera may have changed
+    try
     {
-      Progress::Work work(progress, "Tracing", source_);
-      source_->Update();
-      work.finish();
+      {
+        Progress::Work work(progress, "Tracing", source_);
+        source_->Update();
+        work.finish();
+      }
+      if (const std::string error = Messages::takeError(); error == std::bad_alloc().what())
+        throw std::bad_alloc(); // VTK's pipeline lets no exception through
+      else if (!error.empty())
+        throw Failure(error);
+      if (!writer_->Write())
+        throw Failure(writer_->GetErrorMessage());
     }
-    if (const std::string error = Messages::takeError(); !error.empty())
-      throw Failure(error);
-    if (!writer_->Write())
-      throw Failure(writer_->GetErrorMessage());
+    catch (const std::bad_alloc&)
+    {
+      throw Failure("there is not enough memory: " + this->needs());
+    }
   }
 
   double traceTime() const { return source_->GetTraceTime(); }
@@ -93,6 +108,24 @@ public:
   }
 
 private:
+  /// Throws Failure for a picture that the machine has no memory for.
+  void requireMemory() const
+  {
+    const auto there = static_cast<double>(physicalMemory());
+    if (this->bytes() > there)
+      throw Failure(this->needs() + ", and this machine has " + asBytes(there));
+  }
+
+  /// About what a picture takes: colour and depth, twice over with the legend, and in an EXR's
+  /// layers normals, ids, variance and edges.
+  double bytes() const { return (labelled_ ? 60.0 : 130.0) * options_.size[0] * options_.size[1]; }
+
+  std::string needs() const
+  {
+    return "a picture of " + std::to_string(options_.size[0]) + "x" +
+           std::to_string(options_.size[1]) + " pixels needs about " + asBytes(this->bytes());
+  }
+
   Scene& scene_;
   const ViewOptions& options_;
   vtkNew<vtkMoteRendererSource> source_;

@@ -1,6 +1,7 @@
 #include "Scene.h"
 
 #include "Colors.h"
+#include "Failure.h"
 #include "SimulationBox.h"
 #include "Text.h"
 
@@ -48,6 +49,11 @@ void Scene::setData(const std::vector<NamedData>& data)
     renderer_->AddViewProp(parts_.back()->prop());
   }
   this->setSizes();
+  const bool anyRadii = std::any_of(
+    parts_.begin(), parts_.end(), [](const auto& part) { return part->particles() != nullptr; });
+  if (!parts_.empty() && !anyRadii && (options_.radius != "auto" || !options_.typeRadius.empty()))
+    throw Failure("--radius and --type-radius are for particles, and " + parts_.front()->name() +
+                  " holds cells alone");
 }
 
 void Scene::setSizes()

@@ -55,18 +55,6 @@ std::string asLines(vtkTable* table)
 
 } // namespace
 
-void checkTableFile(const std::string& file)
-{
-  try
-  {
-    checkWritable(file);
-  }
-  catch (const WriteError& error)
-  {
-    throw Failure(error.what());
-  }
-}
-
 void writeTable(vtkTable* table, const std::string& file)
 {
   const std::string text = asLines(table);

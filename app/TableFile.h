@@ -7,9 +7,6 @@ class vtkTable;
 namespace mote::app
 {
 
-/// Throws Failure where a file of that name cannot be written, as far as can be seen beforehand.
-void checkTableFile(const std::string& file);
-
 /// Writes a table as comma-separated values with nine digits, a line of names first; to standard
 /// output for an empty name. Throws Failure; then no file is left that is not complete.
 void writeTable(vtkTable* table, const std::string& file);

@@ -64,6 +64,8 @@ std::map<int, double> parseTypeRadii(const std::vector<std::string>& entries)
 std::vector<Color> parseBackground(const std::vector<std::string>& names)
 {
   std::vector<Color> colors;
+  if (names.size() > 2)
+    throw CLI::ValidationError("--background", "one or two colours are possible");
   for (const std::string& name : names)
   {
     Color color;
@@ -275,7 +277,6 @@ void addPictureOptions(CLI::App& app, ViewOptions& o)
       [&o](const std::vector<std::string>& names) { o.background = parseBackground(names); },
       "Colour behind: a name or #rrggbb, or two with a comma for bottom and top")
     ->delimiter(',')
-    ->expected(1, 2)
     ->type_name("COLOUR[,TOP]")
     ->group(group);
   app
@@ -327,8 +328,8 @@ void addReadOptions(CLI::App& app, ViewOptions& o)
 {
   app
     .add_option("FILE", o.files,
-      "Files to read. LAMMPS dumps and VTK files that differ only in the digits of a number are "
-      "steps of one series")
+      "Files to read. LAMMPS dumps, VTK and .mote files that differ only in the digits of a number "
+      "are steps of one series")
     ->type_name("");
   const std::string group = "Data";
   auto* step =

@@ -99,6 +99,7 @@ void addVolumeOptions(CLI::App& app, VolumeOptions& o)
     .add_option("--iso", o.isoValues,
       "Opaque surface where the array that colours has this value; several with commas")
     ->delimiter(',')
+    ->check(isNumber())
     ->type_name("VALUE,...")
     ->group(group);
   app

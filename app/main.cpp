@@ -51,6 +51,16 @@ struct AllOptions
   ProbeOptions probing;
 };
 
+/// Values with commas, and ranges, end with themselves: what follows is a file.
+void takeNoMore(CLI::App& app)
+{
+  for (CLI::Option* option :
+    app.get_options([](const CLI::Option* o) { return !o->get_positional(); }))
+    option->allow_extra_args(false);
+  for (CLI::App* command : app.get_subcommands({}))
+    takeNoMore(*command);
+}
+
 int run(CLI::App& app, const AllOptions& all)
 {
   const bool toRender = app.got_subcommand("render"), toInform = app.got_subcommand("info"),
@@ -124,6 +134,7 @@ int main(int argc, char** argv)
                                  "--ambient-occlusion baked looks up"),
     all.baking);
   addProbeOptions(command("probe", "List the values along a line"), all.probing);
+  takeNoMore(app);
   try
   {
     app.parse(argc, argv);

@@ -1,5 +1,8 @@
 #include "LocatorStructure.h"
 
+#include "DataSetMismatch.h"
+
+#include "kernels/core/Error.h"
 #include "kernels/hexahedra/TrilinearCell.h"
 
 #include <glm/vector_relational.hpp>
@@ -157,6 +160,8 @@ LocatorStructure::LocatorStructure(vtkDataSet* data, const HexStructureOptions& 
 {
   if (auto* set = vtkPointSet::SafeDownCast(data); set && set->GetPoints())
     geometry = set->GetPoints();
+  if (const std::string mismatch = mismatchOf(data); !mismatch.empty())
+    throw Error("The cells cannot be located: " + mismatch + ".");
   mesh = std::make_shared<HexMesh>(CellArrays(data).input);
   HexStructureOptions complete = options;
   if (isCylindrical(options.kind) && !options.axis)

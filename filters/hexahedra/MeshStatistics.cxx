@@ -96,7 +96,8 @@ void addArrays(std::vector<MeasuredArray>& to, vtkDataSetAttributes* from, bool 
   for (int i = 0; i < from->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = from->GetArray(i); // null for words
-    if (array && array->GetName() && array->GetName() != std::string("vtkGhostType"))
+    const std::string name = array && array->GetName() ? array->GetName() : "";
+    if (!name.empty() && name != "vtkGhostType")
       to.push_back({array, ofCells, {}});
   }
 }

@@ -1,5 +1,6 @@
 #include "vtkMoteMeridionalAverage.h"
 
+#include "DataSetMismatch.h"
 #include "DataSetParts.h"
 #include "MeridionalBins.h"
 
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 vtkStandardNewMacro(vtkMoteMeridionalAverage);
 
@@ -163,6 +165,8 @@ int vtkMoteMeridionalAverage::RequestInformation(
 std::string vtkMoteMeridionalAverage::Average(
   vtkDataObject* input, vtkTable* table, vtkImageData* image)
 {
+  if (const std::string mismatch = mote::mismatchOf(input); !mismatch.empty())
+    return mismatch;
   std::vector<vtkDataSet*> data;
   std::vector<Chosen> arrays;
   for (const mote::DataSetPart& part : mote::partsOf(input))
@@ -198,10 +202,21 @@ std::string vtkMoteMeridionalAverage::Average(
   arrays.front().array->GetFiniteRange(range, 0);
   const double middle = range[0] <= range[1] ? 0.5 * range[0] + 0.5 * range[1] : 0.0;
   for (const Chosen& chosen : arrays)
-    mote::addToBins(bins, grid, axis, chosen.data, chosen.array, chosen.ofCells, middle);
+    if (!bins.empty()) // there are none over a single place
+      mote::addToBins(bins, grid, axis, chosen.data, chosen.array, chosen.ofCells, middle);
   if (std::none_of(bins.begin(), bins.end(), [](const mote::Bin& b) { return b.volume > 0.0; }))
     return "there is no cell with volume and a finite value to average";
   const std::vector<Column> columns = columnsFor(this->ArrayName, components == 3, middle);
+  const auto overflows = [&columns](const mote::Bin& bin)
+  {
+    const auto isFinite = [](double x) { return std::isfinite(x); };
+    return bin.volume > 0.0 && !(std::all_of(std::begin(bin.sums), std::end(bin.sums), isFinite) &&
+                                 std::all_of(columns.begin(), columns.end(),
+                                   [&](const Column& c) { return isFinite(c.value(bin)); }));
+  };
+  if (std::any_of(bins.begin(), bins.end(), overflows))
+    return "the cells or the values of '" + this->ArrayName +
+           "' are so large that numbers cannot hold sums over them";
   fillTable(table, bins, grid, columns);
   fillImage(image, bins, grid, columns);
   return {};

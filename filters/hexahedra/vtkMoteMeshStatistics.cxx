@@ -1,5 +1,6 @@
 #include "vtkMoteMeshStatistics.h"
 
+#include "DataSetMismatch.h"
 #include "DataSetParts.h"
 #include "MeshStatistics.h"
 
@@ -120,6 +121,11 @@ int vtkMoteMeshStatistics::RequestData(
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   Columns cells, arrays;
+  if (const std::string mismatch = mote::mismatchOf(input); !mismatch.empty())
+  {
+    vtkErrorMacro(<< mismatch << ".");
+    return 0;
+  }
   for (const mote::DataSetPart& part : mote::partsOf(input))
   {
     const mote::MeshStatistics statistics = mote::statisticsOf(part.data);

@@ -83,7 +83,7 @@ const std::vector<ReaderFormat>& readerFormats()
   static const std::vector<ReaderFormat> formats = {
     {{".dump", ".lammpstrj", ".lammps", ".dump.gz", ".lammpstrj.gz", ".lammps.gz"},
       "LAMMPS text dump", makeSeries<vtkMoteLAMMPSDumpReader>, true, looksLikeLAMMPSDump},
-    {{".mote"}, "Mote's own file of particles", make<vtkMoteParticleFileReader>, false,
+    {{".mote"}, "Mote's own file of particles", makeOneOrSeries<vtkMoteParticleFileReader>, true,
       PkdTreeFile::recognises},
     {{".xyz", ".xyz.gz"}, "XYZ and extended XYZ atoms", make<vtkMoteXYZReader>},
     {{".pts", ".pts.gz"}, "points, x y z a line", make<vtkMotePointsReader>},

@@ -267,6 +267,14 @@ RowsResult readRows(TextCursor& cursor, std::uint64_t rows, const std::vector<Te
   return {};
 }
 
+std::string unnamedColumn(std::size_t number, const std::vector<std::string>& taken)
+{
+  std::string name = "column" + std::to_string(number);
+  while (std::find(taken.begin(), taken.end(), name) != taken.end())
+    name += '_';
+  return name;
+}
+
 std::vector<std::string> splitValues(std::string_view line)
 {
   std::vector<std::string> values;

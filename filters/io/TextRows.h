@@ -96,6 +96,10 @@ RowsResult readRows(TextCursor& cursor, std::uint64_t rows, const std::vector<Te
 /// The values of the next line, which stays the next one; empty at the end of the text.
 std::vector<std::string> peekValues(TextCursor& cursor);
 
+/// The name of a column that its file does not name, by its number from 1: "column5". Underscores
+/// tell it from those that are taken.
+std::string unnamedColumn(std::size_t number, const std::vector<std::string>& taken = {});
+
 /// The blank-separated values of a line.
 std::vector<std::string> splitValues(std::string_view line);
 

@@ -123,14 +123,15 @@ XYZLayout extendedLayout(
       placed = true;
       continue;
     }
-    addGroup(layout, fields[i],
+    addGroup(layout,
+      fields[i].empty() ? unnamedColumn(layout.columns.size() + 1, fields) : fields[i],
       type == 'R'   ? ColumnType::Float64
       : type == 'I' ? ColumnType::Int32
                     : ColumnType::String,
       count);
     if (type == 'S' && count == 1 && layout.species.empty())
     {
-      layout.species = fields[i];
+      layout.species = layout.arrays.back().name;
     }
   }
   if (!placed)
@@ -207,8 +208,7 @@ XYZLayout xyzLayout(
   {
     double value = 0;
     const bool isNumber = parseDouble(firstRow[i].c_str(), value) != nullptr;
-    addGroup(layout, "column" + std::to_string(i + 1),
-      isNumber ? ColumnType::Float64 : ColumnType::String, 1);
+    addGroup(layout, unnamedColumn(i + 1), isNumber ? ColumnType::Float64 : ColumnType::String, 1);
   }
   return layout;
 }

@@ -3,6 +3,7 @@
 #include "FileError.h"
 #include "PolyDataParts.h"
 #include "TextFile.h"
+#include "TextRows.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <vector>
 
 #include <vtksys/SystemTools.hxx>
 
@@ -48,9 +50,11 @@ char delimiterOf(std::string_view text)
   return best;
 }
 
-/// Takes blanks, and the byte order mark that some programs begin a file with, off the names.
-void trimNames(vtkTable* table)
+/// Takes blanks, and the byte order mark that some programs begin a file with, off the names, and
+/// names columns that have none.
+void mendNames(vtkTable* table)
 {
+  std::vector<std::string> names;
   for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
   {
     const char* given = table->GetColumnName(i);
@@ -58,8 +62,11 @@ void trimNames(vtkTable* table)
     name.erase(0, name.starts_with("\xEF\xBB\xBF") ? 3 : 0);
     name.erase(0, std::min(name.find_first_not_of(" \t"), name.size()));
     name.erase(name.find_last_not_of(" \t") + 1);
-    table->GetColumn(i)->SetName(name.c_str());
+    names.push_back(name);
   }
+  for (std::size_t i = 0; i < names.size(); ++i)
+    table->GetColumn(static_cast<vtkIdType>(i))
+      ->SetName((names[i].empty() ? mote::unnamedColumn(i + 1, names) : names[i]).c_str());
 }
 
 /// Throws FileError for what is no plain text.
@@ -188,7 +195,7 @@ int vtkMoteDelimitedPointsReader::RequestData(
           file.bytes() == 0 ? "the file is empty"
                             : "the table has no row below the names of its columns");
       }
-      trimNames(reader->GetOutput());
+      mendNames(reader->GetOutput());
       convert(reader->GetOutput(), path, result);
     });
   if (good)

@@ -1,5 +1,6 @@
 #include "vtkMoteReaderTable.h"
 
+#include "DataSetMismatch.h"
 #include "FileError.h"
 #include "MessageCatcher.h"
 #include "PumpInput.h"
@@ -153,12 +154,22 @@ template <class Update>
 vtkSmartPointer<vtkDataObject> readWith(
   vtkAlgorithm* reader, const Update& update, std::string& error, std::string* warnings)
 {
+  if (!reader)
+  {
+    error = "there is no reader to read with";
+    return nullptr;
+  }
   error = runQuietly(reader, update, warnings);
   vtkDataObject* data = error.empty() ? reader->GetOutputDataObject(0) : nullptr;
-  const bool own = vtkMotePolyDataReader::SafeDownCast(reader) != nullptr;
-  if (error.empty() && !own && !hasContent(data))
+  // Readers of our own leave nothing to check, that of series has its files checked one by one.
+  if (!data || vtkMotePolyDataReader::SafeDownCast(reader) ||
+      vtkMoteFileSeriesReader::SafeDownCast(reader))
+    return data;
+  const std::string damage =
+    hasContent(data) ? mote::mismatchOf(data) : "the file has no points, or is damaged";
+  if (!damage.empty())
   {
-    error = withFile(reader, "the file has no points, or is damaged");
+    error = withFile(reader, damage);
     data = nullptr;
   }
   return data;
@@ -269,6 +280,11 @@ vtkDataObject* vtkMoteReaderTable::ReadFile(const std::string& fileName)
 
 std::vector<double> vtkMoteReaderTable::GetTimeSteps(vtkAlgorithm* reader, std::string& error)
 {
+  if (!reader)
+  {
+    error = "there is no reader to ask for time steps";
+    return {};
+  }
   error = runQuietly(
     reader, [&] { reader->UpdateInformation(); }, nullptr);
   vtkInformation* information = reader->GetOutputInformation(0);

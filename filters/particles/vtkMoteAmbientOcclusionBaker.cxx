@@ -126,6 +126,8 @@ double vtkMoteAmbientOcclusionBaker::GetRemainingTime()
 
 std::string vtkMoteAmbientOcclusionBaker::ReadMaps(const std::string& fileName, vtkDataSet* data)
 {
+  if (!data)
+    return "There are no data to read the maps of " + fileName + " for.";
   try
   {
     mote::addOcclusionArrays(data->GetFieldData(), mote::readOcclusionFile(fileName));
@@ -198,7 +200,16 @@ void vtkMoteAmbientOcclusionBaker::Run(vtkPolyData* data)
   if (inputs > 0)
     this->BytesPerParticle = double(stored.maps.bytes()) / double(inputs);
   if (isGiven(this->FileName) && this->NumberOfNewlyBaked > 0)
-    mote::writeOcclusionFile(this->FileName, stored);
+  {
+    // A part of these maps does not replace all of others.
+    if (finished || !isFile(this->FileName) ||
+        readMaps(this->FileName, model.content(), inputs, model.maps().known().options()))
+      mote::writeOcclusionFile(this->FileName, stored);
+    else
+      vtkWarningMacro(<< this->FileName
+                      << " holds other maps, and stays as it is: baking was "
+                         "stopped before new ones were complete.");
+  }
   this->SetProgressShiftScale(0.0, 1.0);
   if (finished)
     this->UpdateProgress(1.0);

@@ -20,7 +20,8 @@
  * those that belong to the particles and were made with these settings are taken from the file, and
  * only what they lack is baked. Likewise a change of selection bakes again what it affects and no
  * more. ProgressEvents tell the share done; SetAbortExecute(1) from within one stops: what is baked
- * by then is in the output and in the file, the rest is not baked.
+ * by then is in the output and in the file, the rest is not baked; but a file with all the maps of
+ * other settings or particles is only replaced by as many.
  *
  * Source: Bigler, "Use of Silhouette Edges and Ambient Occlusion in Particle Visualization",
  * University of Utah, 2004; docs/ambient-occlusion.md.

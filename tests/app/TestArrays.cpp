@@ -80,6 +80,23 @@ TEST_F(Arrays, NamesAreFound)
   EXPECT_EQ(describe(data, findArray(data, "type")), "type");
 }
 
+TEST_F(Arrays, ThoseWithoutANameAreNotMeant)
+{
+  for (const char* name : {static_cast<const char*>(nullptr), ""})
+  {
+    add<vtkDoubleArray>(data, name, 1, 1.0);
+    vtkDataArray* array =
+      data->GetPointData()->GetArray(data->GetPointData()->GetNumberOfArrays() - 1);
+    EXPECT_EQ(nameOf(array), "");
+    EXPECT_EQ(best(), "type");
+    for (const ArrayChoice& choice : rankedArrays(data))
+      EXPECT_TRUE(choice);
+    EXPECT_EQ(listArrays(data), "id, radius, type");
+    EXPECT_FALSE(findArray(data, ""));
+  }
+  EXPECT_EQ(nameOf(nullptr), "");
+}
+
 TEST_F(Arrays, RangesLeaveOutWhatIsNotFinite)
 {
   add<vtkDoubleArray>(data, "t", 1, 1.0, -1.0);

@@ -1,6 +1,7 @@
 // Whatever the box, the side, the projection and the shape of the picture: all of the box is inside
 // the margins, and it could not be larger.
 
+#include "Failure.h"
 #include "Framing.h"
 
 #include <gtest/gtest.h>
@@ -78,6 +79,19 @@ TEST(Framing, FlatDataShowTheirFace)
   EXPECT_EQ(automaticView(flatX), "+x");
   EXPECT_EQ(automaticView(cube), "iso");
   EXPECT_EQ(automaticView(point), "iso");
+}
+
+TEST(Framing, BoundsBeyondAllCamerasAreASentence)
+{
+  const double boxes[][6] = {{-1e308, 1e308, 0, 1, 0, 1}, {0, 1e300, 0, 1, 0, 1},
+    {1e17, 1e17 + 16, 0, 1, 0, 1}, {1e17, 1e17, 1e17, 1e17, 1e17, 1e17},
+    {0, std::nan(""), 0, 1, 0, 1}};
+  for (const auto& box : boxes)
+  {
+    vtkNew<vtkCamera> camera;
+    lookFrom(camera, "iso");
+    EXPECT_THROW(frame(camera, box, 1.5, {}), Failure) << box[0] << " " << box[1];
+  }
 }
 
 TEST(Framing, OnePointHasAView)

@@ -212,6 +212,12 @@ class Pipeline(unittest.TestCase):
         ids = vtk_to_numpy(source.GetOutput().GetPointData().GetArray("particle"))
         self.assertEqual((ids >= 0).sum(), 0)
 
+    def test_none_is_a_sentence(self):
+        self.assertEqual(len(mote.vtkMoteReaderTable.GetTimeSteps(None, "")), 0)
+        self.assertIsNone(mote.vtkMoteReaderTable.Read(None, ""))
+        read = mote.vtkMoteAmbientOcclusionBaker.ReadMaps
+        self.assertIn("no data", read("maps.moteao", None))
+
 
 if __name__ == "__main__":
     unittest.main()

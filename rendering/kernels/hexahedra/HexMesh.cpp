@@ -25,6 +25,7 @@ enum class Fate : std::uint8_t
   SelfCrossingInverted,
   OtherType,
   NonFinite,
+  TooFar,
   ZeroVolume
 };
 
@@ -93,7 +94,7 @@ Looked lookAt(const HexMeshInput& input, const RawVector<Vec3d>& points, std::si
     return looked;
   const std::size_t first = checkedOffset(input, i, corners.points);
   HexCorners p;
-  bool finite = true;
+  bool finite = true, near = true;
   for (std::size_t k = 0; k < 8; ++k)
   {
     const double id = input.connectivity.value(first + corners.of[k]);
@@ -103,10 +104,14 @@ Looked lookAt(const HexMeshInput& input, const RawVector<Vec3d>& points, std::si
                   std::to_string(points.size()) + " points.");
     looked.cell[k] = static_cast<std::uint32_t>(id);
     p[k] = points[looked.cell[k]];
-    finite = finite && std::isfinite(p[k].x) && std::isfinite(p[k].y) && std::isfinite(p[k].z);
+    for (int a = 0; a < 3; ++a)
+    {
+      finite = finite && std::isfinite(p[k][a]);
+      near = near && std::abs(p[k][a]) <= farthestPoint;
+    }
   }
-  looked.fate = Fate::NonFinite;
-  if (!finite)
+  looked.fate = finite ? Fate::TooFar : Fate::NonFinite;
+  if (!near)
     return looked;
   const JacobianRange range = jacobianRange(p);
   looked.volume = std::abs(range.volume);
@@ -136,6 +141,7 @@ void count(HexMeshReport& report, Fate fate, double type)
   report.selfCrossing += fate == Fate::SelfCrossing || fate == Fate::SelfCrossingInverted;
   report.otherTypes += fate == Fate::OtherType;
   report.nonFinite += fate == Fate::NonFinite;
+  report.tooFar += fate == Fate::TooFar;
   report.zeroVolume += fate == Fate::ZeroVolume;
   if (!isKept(fate))
     return;
@@ -179,6 +185,7 @@ std::string HexMeshReport::sentence() const
   };
   add(otherTypes, "of other types left out");
   add(nonFinite, "with points that are not finite left out");
+  add(tooFar, "with points beyond 1e30 left out");
   add(zeroVolume, "of no volume left out");
   add(inverted, "listed inside out and mirrored");
   add(selfCrossing, "crossing themselves");
@@ -226,8 +233,8 @@ HexMesh::HexMesh(const HexMeshInput& input)
     const HexMeshReport& r = reports[b];
     for (const auto member : {&HexMeshReport::kept, &HexMeshReport::hexahedra,
            &HexMeshReport::wedges, &HexMeshReport::pyramids, &HexMeshReport::tetrahedra,
-           &HexMeshReport::otherTypes, &HexMeshReport::nonFinite, &HexMeshReport::zeroVolume,
-           &HexMeshReport::inverted, &HexMeshReport::selfCrossing})
+           &HexMeshReport::otherTypes, &HexMeshReport::nonFinite, &HexMeshReport::tooFar,
+           &HexMeshReport::zeroVolume, &HexMeshReport::inverted, &HexMeshReport::selfCrossing})
       report_.*member += r.*member;
     report_.volume += r.volume;
     bounds_.add(boxes[b]);

@@ -22,6 +22,10 @@ enum class HexCellType : std::uint8_t
   Pyramid = 14
 };
 
+/// Cells with points farther along a coordinate are no part of any scene: structures have bounds in
+/// float, and volumes are products.
+constexpr double farthestPoint = 1e30;
+
 /// How the points of a cell become the eight corners of a hexahedron, whose i-th corner is the
 /// cell's point of[i]. Corners of wedges, pyramids and tetrahedra coincide.
 struct CollapsedCorners
@@ -52,6 +56,7 @@ struct HexMeshReport
   std::size_t tetrahedra = 0;   ///< of the kept ones
   std::size_t otherTypes = 0;   ///< left out
   std::size_t nonFinite = 0;    ///< left out: a corner has a coordinate that is not finite
+  std::size_t tooFar = 0;       ///< left out: one is beyond farthestPoint
   std::size_t zeroVolume = 0;   ///< left out
   std::size_t inverted = 0;     ///< kept: the corners, listed inside out, are mirrored
   std::size_t selfCrossing = 0; ///< kept: the Jacobian's sign changes inside of the cell

@@ -4,10 +4,12 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 
 namespace mote
 {
@@ -15,20 +17,38 @@ namespace mote
 namespace
 {
 
-constexpr std::size_t most = 0xffffffffU;
+constexpr std::size_t mostStarts = 0xffffffffU;
 constexpr int mostAlong = 1024;     ///< macro cells along a coordinate
 constexpr int mostWithin = 255;     ///< leaves along a coordinate of a macro cell
 constexpr std::size_t block = 4096; ///< cells that a task takes
 
+// Cells that are flat, long or lie all over one another are referred to from many steps. A grid
+// becomes coarser where there would be more of these for a cell; others have a twentieth.
+constexpr std::size_t macrosPerCell = 64, leavesPerCell = 512;
+
+/// Steps along the three coordinates, about `wanted` in all; never many more, though a region is
+/// flat.
 std::array<int, 3> resolution(const Vec3d& sides, double wanted, int limit)
 {
   const double volume = sides.x * sides.y * sides.z;
-  const double k = volume > 0.0 ? std::cbrt(wanted / volume) : 0.0;
-  std::array<int, 3> n;
-  for (int i = 0; i < 3; ++i)
-    n[static_cast<std::size_t>(i)] =
-      static_cast<int>(std::clamp(std::round(sides[i] * k), 1.0, static_cast<double>(limit)));
-  return n;
+  double k = volume > 0.0 ? std::min(std::cbrt(wanted / volume), 1e30) : 0.0;
+  std::array<double, 3> n;
+  for (;; k *= 0.75)
+  {
+    for (int i = 0; i < 3; ++i)
+      n[static_cast<std::size_t>(i)] =
+        std::clamp(std::round(sides[i] * k), 1.0, static_cast<double>(limit));
+    if (n[0] * n[1] * n[2] <= 8.0 * wanted + 8.0)
+      return {static_cast<int>(n[0]), static_cast<int>(n[1]), static_cast<int>(n[2])};
+  }
+}
+
+std::size_t sizeOf(const LatticeRange& r)
+{
+  std::size_t size = 1;
+  for (std::size_t k = 0; k < 3; ++k)
+    size *= static_cast<std::size_t>(std::max(0, r.last[k] - r.first[k] + 1));
+  return size;
 }
 
 /// Calls visit(index) for the steps of a range that meets(i, j, k); the second coordinate may go
@@ -53,7 +73,7 @@ void toStarts(RawVector<std::uint32_t>& counts, const char* what)
     const std::size_t n = c;
     c = static_cast<std::uint32_t>(sum);
     sum += n;
-    if (sum > most)
+    if (sum > mostStarts)
       throw Error(std::string("The grid would have more than 4294967295 ") + what +
                   "; take a smaller lambda2, or a hierarchy.");
   }
@@ -104,13 +124,33 @@ void TwoLevelGrid<Space>::layOutMacros(const RawVector<SpaceBounds>& bounds, dou
     extent.lower[1] = 0.0F;
     extent.upper[1] = static_cast<float>(turn);
   }
-  std::array<int, 3> n = resolution(Space::sides(extent.from(), extent.to()),
-    lambda * static_cast<double>(bounds.size()), mostAlong);
-  if (n[1] > 1)
-    n[1] = std::max(n[1], Space::leastAround);
-  top_ = Space::lattice(extent, n);
   extent_ = typename Space::Region(extent);
+  const auto cells = static_cast<double>(bounds.size());
+  double wanted = std::min(lambda, static_cast<double>(macrosPerCell)) * cells;
+  do
+  {
+    std::array<int, 3> n = resolution(Space::sides(extent.from(), extent.to()), wanted, mostAlong);
+    if (n[1] > 1)
+      n[1] = std::max(n[1], Space::leastAround);
+    top_ = Space::lattice(extent, n);
+    wanted *= 0.5;
+  } while (top_.size() > 1 && countReferences(bounds) > macrosPerCell * bounds.size());
   macros_.resize(static_cast<std::size_t>(top_.size()));
+}
+
+/// From how many macro cells the cells' bounds are met.
+template <typename Space>
+std::size_t TwoLevelGrid<Space>::countReferences(const RawVector<SpaceBounds>& bounds) const
+{
+  return tbb::parallel_reduce(
+    tbb::blocked_range<std::size_t>(0, bounds.size(), block), std::size_t{0},
+    [&](const tbb::blocked_range<std::size_t>& range, std::size_t sum)
+    {
+      for (std::size_t c = range.begin(); c < range.end(); ++c)
+        sum += sizeOf(Space::overlap(top_, bounds[c]));
+      return sum;
+    },
+    std::plus<>());
 }
 
 /// Calls visit(index) for the steps, of those in a range, that a cell is referred to from.
@@ -190,38 +230,68 @@ void TwoLevelGrid<Space>::layOutLeaves(double lambda)
         for (std::size_t a = 0; a < 3; ++a)
           macros_[m].n[a] = static_cast<std::uint8_t>(n[a]);
         leaves += static_cast<std::size_t>(n[0]) * n[1] * n[2];
-        if (leaves >= most)
+        if (leaves >= mostStarts)
           throw Error("The grid would have more than 4294967294 leaves; take a smaller lambda2.");
       }
   starts_.resize(leaves + 1);
 }
 
+/// Calls visit(leaf, cell) for the references from a macro cell's leaves; false, and then some are
+/// missing, where there are more than `most`.
+template <typename Space>
+template <typename Visit>
+bool TwoLevelGrid<Space>::forLeaves(
+  std::size_t m, const RawVector<SpaceBounds>& bounds, std::size_t most, const Visit& visit) const
+{
+  const int i = static_cast<int>(m);
+  const Lattice l =
+    macroLattice({i % top_.n[0], i / top_.n[0] % top_.n[1], i / top_.n[0] / top_.n[1]}, macros_[m]);
+  const typename Space::Steps steps(l);
+  std::size_t references = 0;
+  for (std::uint32_t at = lists_.starts[m]; at < lists_.starts[m + 1]; ++at)
+  {
+    const std::uint32_t c = lists_.cells[at];
+    const LatticeRange range = Space::overlapWithin(l, bounds[c]);
+    references += sizeOf(range);
+    if (references > most)
+      return false;
+    forCellSteps(c, l, steps, range, [&](std::size_t leaf) { visit(macros_[m].leaf + leaf, c); });
+  }
+  return true;
+}
+
+/// Counts the references from a macro cell's leaves into starts_. Where there are too many it uses
+/// fewer of its leaves.
+template <typename Space>
+void TwoLevelGrid<Space>::countLeaves(std::size_t m, const RawVector<SpaceBounds>& bounds)
+{
+  Macro& macro = macros_[m];
+  const double share = (lists_.starts[m + 1] - lists_.starts[m]) / double(lists_.cells.size());
+  const std::size_t least = lists_.starts[m + 1] - lists_.starts[m]; // with a single leaf
+  const auto most = least + static_cast<std::size_t>(share * double(leavesPerCell * bounds.size()));
+  const auto count = [&](std::size_t leaf, std::uint32_t) { ++starts_[leaf]; };
+  while (!forLeaves(m, bounds, most, count))
+  {
+    std::fill_n(
+      starts_.begin() + macro.leaf, std::size_t{macro.n[0]} * macro.n[1] * macro.n[2], 0U);
+    auto& longest = *std::max_element(macro.n.begin(), macro.n.end());
+    longest = static_cast<std::uint8_t>((longest + 1) / 2);
+  }
+}
+
 template <typename Space>
 void TwoLevelGrid<Space>::fillLeaves(const RawVector<SpaceBounds>& bounds)
 {
-  const auto forLeaves = [&](std::size_t m, const auto& visit)
-  {
-    const int i = static_cast<int>(m);
-    const Lattice l = macroLattice(
-      {i % top_.n[0], i / top_.n[0] % top_.n[1], i / top_.n[0] / top_.n[1]}, macros_[m]);
-    const typename Space::Steps steps(l);
-    for (std::uint32_t at = lists_.starts[m]; at < lists_.starts[m + 1]; ++at)
-    {
-      const std::uint32_t c = lists_.cells[at];
-      forCellSteps(c, l, steps, Space::overlapWithin(l, bounds[c]),
-        [&](std::size_t leaf) { visit(macros_[m].leaf + leaf, c); });
-    }
-  };
   // A macro cell's leaves are counted, and filled, by one task.
   std::fill(starts_.begin(), starts_.end(), 0U);
-  forBlocks(macros_.size(), 16,
-    [&](std::size_t m)
-    { forLeaves(m, [&](std::size_t leaf, std::uint32_t) { ++starts_[leaf]; }); });
+  forBlocks(macros_.size(), 16, [&](std::size_t m) { countLeaves(m, bounds); });
   toStarts(starts_, "references");
   references_.resize(starts_.back());
   forBlocks(macros_.size(), 16,
-    [&](std::size_t m) {
-      forLeaves(m, [&](std::size_t leaf, std::uint32_t c) { references_[starts_[leaf]++] = c; });
+    [&](std::size_t m)
+    {
+      forLeaves(m, bounds, mostStarts,
+        [&](std::size_t leaf, std::uint32_t c) { references_[starts_[leaf]++] = c; });
     });
   // Each start is now the next one's.
   std::copy_backward(starts_.begin(), starts_.end() - 1, starts_.end());

@@ -22,7 +22,9 @@ struct TwoLevelGridOptions
 
 /// A grid of macro cells, each with a grid of its own: Kalojanov, Billeter, Slusallek, "Two-Level
 /// Grids for Ray Tracing on GPUs", 2011, over the coordinates of a space. Cells are referred to
-/// from all leaves that their bounds overlap.
+/// from all leaves that their bounds overlap. Where that would be very many for a cell, as for
+/// cells that are flat or lie all over one another, the grid is coarser, which keeps its memory
+/// within a few kilobytes a cell.
 ///
 /// The resolution along a coordinate is a region's side times cbrt(lambda n / volume), of n cells
 /// or references in it; in (r, theta, h) the sides are d_r, d_theta (2 r + d_r) / 2 and d_h (Wang,
@@ -74,11 +76,16 @@ private:
 
   std::size_t leaves() const { return starts_.empty() ? 0 : starts_.size() - 1; }
   void layOutMacros(const RawVector<SpaceBounds>& bounds, double lambda);
+  std::size_t countReferences(const RawVector<SpaceBounds>& bounds) const;
   template <typename Visit>
   void forCellSteps(std::size_t cell, const Lattice& lattice, const typename Space::Steps& steps,
     const LatticeRange& range, const Visit& visit) const;
   void listMacros(const RawVector<SpaceBounds>& bounds);
   void layOutLeaves(double lambda);
+  template <typename Visit>
+  bool forLeaves(std::size_t m, const RawVector<SpaceBounds>& bounds, std::size_t most,
+    const Visit& visit) const;
+  void countLeaves(std::size_t m, const RawVector<SpaceBounds>& bounds);
   void fillLeaves(const RawVector<SpaceBounds>& bounds);
   Lattice macroLattice(const std::array<int, 3>& at, const Macro& macro) const
   {

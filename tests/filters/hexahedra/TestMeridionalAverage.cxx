@@ -225,4 +225,25 @@ TEST(MeridionalAverage, WrongRequestsGetASentence)
   EXPECT_NE(sentence("f", 0).find("axis needs"), std::string::npos);
 }
 
+TEST(MeridionalAverage, NumbersThatAreTooLargeGetASentence)
+{
+  const auto sentence = [](double size, double value, int components)
+  {
+    const Grid grid = ring([=](Vec p) { return Vec{size * p[0], size * p[1], size * p[2]}; });
+    addField(grid, "f", components, [=](Vec p) { return Vec{value * p[0], value, value}; });
+    Average average(grid, "f");
+    vtkNew<vtkTest::ErrorObserver> errors, executive;
+    average.filter->AddObserver(vtkCommand::ErrorEvent, errors);
+    average.filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, executive);
+    vtkTable* table = average.table();
+    EXPECT_EQ(table->GetNumberOfRows() == 0, !average.filter->GetErrorMessage().empty());
+    return average.filter->GetErrorMessage();
+  };
+  EXPECT_EQ(sentence(1e30, 1e30, 1), "");
+  for (const int components : {1, 3})
+    EXPECT_NE(sentence(1.0, 1e200, components).find("so large"), std::string::npos);
+  EXPECT_NE(sentence(1e150, 1.0, 1).find("so large"), std::string::npos);
+  EXPECT_NE(sentence(0.0, 1.0, 1).find("no cell with volume"), std::string::npos); // one place
+}
+
 } // namespace

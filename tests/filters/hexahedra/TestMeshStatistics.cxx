@@ -3,9 +3,14 @@
 #include "MeshTools.h"
 
 #include <vtkCellData.h>
+#include <vtkCommand.h>
+#include <vtkExecutive.h>
 #include <vtkIdList.h>
 #include <vtkMeshQuality.h>
 #include <vtkMoteMeshStatistics.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkStructuredGrid.h>
+#include <vtkTestErrorObserver.h>
 
 #include <gtest/gtest.h>
 
@@ -165,6 +170,44 @@ TEST(MeshStatistics, NothingIsNotANumber)
   EXPECT_EQ(s.of("volume"), 0.0);
   EXPECT_TRUE(std::isnan(s.of("min_scaled_jacobian")));
   EXPECT_EQ(s.arrays->GetNumberOfRows(), 0);
+}
+
+TEST(MeshStatistics, WhatDoesNotFitTogetherIsASentence)
+{
+  const auto sentence = [](vtkDataSet* data)
+  {
+    vtkNew<vtkMoteMeshStatistics> filter;
+    vtkNew<vtkTest::ErrorObserver> errors, executive;
+    filter->AddObserver(vtkCommand::ErrorEvent, errors);
+    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, executive);
+    filter->SetInputData(data);
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput(0)->GetNumberOfRows(), 0);
+    return errors->GetErrorMessage();
+  };
+  for (const vtkIdType id : {8, 999999999, -1})
+  {
+    const Grid grid = block(1, [](Vec p) { return p; });
+    grid->GetCells()->GetConnectivityArray()->SetComponent(6, 0, static_cast<double>(id));
+    EXPECT_NE(sentence(grid).find(
+                "cell 0 names the point " + std::to_string(id) + ", and there are 8 points"),
+      std::string::npos)
+      << sentence(grid);
+  }
+  vtkNew<vtkRectilinearGrid> lacking; // z has one value
+  lacking->SetDimensions(2, 2, 2);
+  vtkNew<vtkDoubleArray> places;
+  places->InsertNextValue(0.0);
+  places->InsertNextValue(1.0);
+  lacking->SetXCoordinates(places);
+  lacking->SetYCoordinates(places);
+  EXPECT_NE(sentence(lacking).find("1 Z coordinates"), std::string::npos) << sentence(lacking);
+  vtkNew<vtkStructuredGrid> curved;
+  vtkNew<vtkPoints> few;
+  few->InsertNextPoint(0, 0, 0);
+  curved->SetDimensions(2, 2, 2);
+  curved->SetPoints(few);
+  EXPECT_NE(sentence(curved).find("places for 1 of them"), std::string::npos) << sentence(curved);
 }
 
 TEST(MeshStatistics, BlocksOfThePump)

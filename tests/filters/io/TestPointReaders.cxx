@@ -50,6 +50,30 @@ TEST_F(TestPointReaders, PlainXYZ)
   EXPECT_EQ(reader->GetOutput()->GetPointData()->GetArray("type")->GetTuple1(0), 0);
 }
 
+TEST_F(TestPointReaders, ColumnsWithoutANameGetOne)
+{
+  const auto names = [](vtkPolyData* data)
+  {
+    std::vector<std::string> all;
+    for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
+      all.emplace_back(data->GetPointData()->GetArrayName(i));
+    return all;
+  };
+  using Names = std::vector<std::string>;
+  const auto table = [&](const char* text)
+  {
+    vtkNew<vtkMoteDelimitedPointsReader> reader;
+    return names(read(*reader, write("a.csv", text)));
+  };
+  EXPECT_EQ(table(",x,y,z\n0,0,0,1\n1,1,1,2\n"), (Names{"column1"}));
+  EXPECT_EQ(table("x,y,z,\n0,0,1,5\n1,1,2,6\n"), (Names{"column4"}));
+  EXPECT_EQ(table("column2, ,x,y,z\n7,0,0,0,1\n8,1,1,1,2\n"), (Names{"column2", "column2_"}));
+  vtkNew<vtkMoteXYZReader> atoms;
+  EXPECT_EQ(names(read(*atoms, write("a.xyz", "1\nProperties=pos:R:3::R:1\n1 2 3 4\n"))),
+    (Names{"column4"}));
+  EXPECT_EQ(m_error, "");
+}
+
 TEST_F(TestPointReaders, ExtendedXYZ)
 {
   vtkNew<vtkMoteXYZReader> reader;

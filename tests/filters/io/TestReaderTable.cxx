@@ -288,6 +288,18 @@ TEST_F(TestReaderTable, Series)
   EXPECT_FALSE(vtkMoteReaderTable::MakeReader(std::vector<std::string>(), m_error));
 }
 
+TEST_F(TestReaderTable, NoReaderNoData)
+{
+  EXPECT_TRUE(vtkMoteReaderTable::GetTimeSteps(nullptr, m_error).empty());
+  EXPECT_NE(m_error.find("no reader"), std::string::npos) << m_error;
+  m_error.clear();
+  EXPECT_EQ(vtkMoteReaderTable::Read(nullptr, m_error), nullptr);
+  EXPECT_NE(m_error.find("no reader"), std::string::npos) << m_error;
+  m_error.clear();
+  EXPECT_EQ(vtkMoteReaderTable::Read(nullptr, 1.0, m_error), nullptr);
+  EXPECT_NE(m_error.find("no reader"), std::string::npos) << m_error;
+}
+
 TEST_F(TestReaderTable, FormsForPython)
 {
   const std::string file = write("a.xyz", "1\n\nSi 1 2 3\n");

@@ -308,6 +308,43 @@ TEST(AmbientOcclusionBaker, AnAbortLeavesWhatIsFinished)
   EXPECT_EQ(again.baker->GetNumberOfBaked(), 3000);
 }
 
+TEST(AmbientOcclusionBaker, AnAbortKeepsOtherMapsThatAreComplete)
+{
+  const TemporaryFile file;
+  const auto content = [&file]
+  {
+    std::ifstream in(file.name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  Job job;
+  job.data = makeParticles(someBalls(3000));
+  job.baker->SetInputData(job.data);
+  job.baker->SetFileName(file.name.c_str());
+  job.baker->Update();
+  const std::string complete = content();
+  Job other;
+  other.baker->SetInputData(job.data);
+  other.baker->SetFileName(file.name.c_str());
+  other.baker->SetNumberOfThreads(1);
+  other.baker->SetSamples(16);
+  Complaints complaints(other.baker);
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void* share)
+    { vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(*static_cast<double*>(share) > 0.3); });
+  const unsigned long tag = other.baker->AddObserver(vtkCommand::ProgressEvent, stop);
+  other.baker->Update();
+  EXPECT_GT(other.baker->GetNumberOfBaked(), 0);
+  EXPECT_LT(other.baker->GetNumberOfBaked(), 3000);
+  EXPECT_EQ(content(), complete);
+  EXPECT_EQ(complaints.warnings, 1);
+  other.baker->RemoveObserver(tag); // and all of the new ones take their place
+  other.baker->SetAbortExecute(0);
+  other.baker->Modified();
+  other.baker->Update();
+  EXPECT_EQ(other.baker->GetNumberOfBaked(), 3000);
+  EXPECT_NE(content(), complete);
+}
+
 TEST(AmbientOcclusionBaker, ErrorsAreSentences)
 {
   const auto complaint = [](const auto& change)
@@ -332,6 +369,12 @@ TEST(AmbientOcclusionBaker, ErrorsAreSentences)
     complaint([](Job& job) { job.baker->SetFileName("/no/such/folder.moteao"); }).find("/no"),
     std::string::npos);
   EXPECT_NE(complaint([](Job& job) { job.baker->SetSkyTop(-1.0); }).find("sky"), std::string::npos);
+}
+
+TEST(AmbientOcclusionBaker, NoDataToReadMapsFor)
+{
+  EXPECT_NE(vtkMoteAmbientOcclusionBaker::ReadMaps("a.moteao", nullptr).find("a.moteao"),
+    std::string::npos);
 }
 
 TEST(AmbientOcclusionBaker, NoPointsAtAll)

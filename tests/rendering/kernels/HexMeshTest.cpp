@@ -104,6 +104,22 @@ TEST(HexMesh, CountsWhatItLeavesOutAndMends)
   }
 }
 
+TEST(HexMesh, CellsBeyondAllReachAreLeftOut)
+{
+  for (const double place : {1e31, -1e200, 1e308})
+  {
+    auto far = cube;
+    far[6].x = place;
+    HexCells cells;
+    cells.addCell(HexCellType::Hexahedron, far);
+    cells.addCell(HexCellType::Hexahedron, cube);
+    const HexMesh mesh(cells.input());
+    EXPECT_EQ(mesh.report().tooFar, 1U);
+    EXPECT_EQ(mesh.report().sentence(), "Of 2 cells: 1 with points beyond 1e30 left out.");
+    EXPECT_EQ(mesh.bounds().upper, Vec3d(1.0));
+  }
+}
+
 TEST(HexMesh, FlatButSoundCellsAreKept)
 {
   HexCells cells = hexBlock(3, 3, 3, 0.3);

@@ -351,6 +351,52 @@ TEST(HexStructure, TrimmedGridsReferToLess)
   }
 }
 
+TEST(HexStructure, UnkindCellsTakeNoMoreThanKilobytes)
+{
+  std::vector<Case> unkind;
+  for (const double thickness : {1e-3, 1e-9}) // a sheet, and plates in a stack
+  {
+    HexCells sheet = hexBlock(60, 60, 1), stack = hexBlock(1, 1, 3600);
+    sheet.move([=](const Vec3d& p) { return p * Vec3d(1, 1, thickness); });
+    stack.move([](const Vec3d& p) { return p * Vec3d(1, 1, 1e-6); });
+    unkind.push_back(placed("sheet", sheet, Vec3d(3, 4, 0), false));
+    unkind.push_back(placed("stack", stack, Vec3d(3, 4, 0), false));
+  }
+  HexCells heap, sector = hexRing({20, 20, 9}), needle = hexBlock(1, 1, 1);
+  for (int i = 0; i < 3000; ++i) // all over one another
+    heap.addCell(
+      HexCellType::Hexahedron, std::vector<Vec3d>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                 {0, 0, 1}, {1, 0, 1}, {1, 1, 1 + 1e-6 * i}, {0, 1, 1}});
+  RingShape narrow{20, 20, 9};
+  narrow.turn = 1e-5;
+  sector = hexRing(narrow);
+  needle = hexBlock(12, 12, 12);
+  needle.points[0] = -1e12; // one cell much larger than all others
+  unkind.push_back(placed("heap", heap, Vec3d(3, 4, 0), false));
+  unkind.push_back(placed("sector", sector, Vec3d(0.0), false));
+  unkind.push_back(placed("needle", needle, Vec3d(3, 4, 0), true));
+  for (const Case& c : unkind)
+    for (const HexStructureKind kind :
+      {HexStructureKind::CylindricalGrid, HexStructureKind::CartesianGrid})
+      for (const bool trimmed : {false, true})
+      {
+        SCOPED_TRACE(std::string(c.name) + " " + hexStructureNames()[static_cast<int>(kind)]);
+        const auto structure = build(c.mesh, kind, c.axis, 1, trimmed);
+        const std::size_t bytes =
+          withStructure(*structure, [](const auto& s) { return s.bytes(); });
+        EXPECT_LT(bytes, 4096 * c.mesh->cellCount() + 100000);
+        if (c.name == std::string("heap")) // asking every cell takes long
+          continue;
+        std::size_t wrong = 0;
+        for (std::size_t i = 0; i < c.mesh->cellCount(); i += 97)
+        {
+          const Vec3d p = cellCenter(c.mesh->corners(i));
+          wrong += cellAt(*structure, p) != anyCellAt(*c.mesh, p);
+        }
+        EXPECT_EQ(wrong, 0U);
+      }
+}
+
 TEST(HexStructure, RefusesAnAxisWithoutDirection)
 {
   EXPECT_THROW(build(hexRing({}).mesh(), HexStructureKind::CylindricalGrid,

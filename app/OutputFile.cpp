@@ -1,0 +1,32 @@
+#include "OutputFile.h"
+
+#include "Failure.h"
+
+#include <kernels/core/AtomicFile.h>
+
+#include <filesystem>
+#include <system_error>
+
+namespace mote::app
+{
+
+void checkOutput(const std::string& output, const std::vector<std::string>& inputs)
+{
+  if (output.empty())
+    return;
+  for (const std::string& input : inputs)
+    // By device and number, behind symbolic links; not all that is read is a file.
+    if (std::error_code error; std::filesystem::equivalent(output, input, error))
+      throw Failure(output + " is read" + (output == input ? "" : " as " + input) +
+                    ", and would be replaced; give the output another name");
+  try
+  {
+    checkWritable(output);
+  }
+  catch (const WriteError& error)
+  {
+    throw Failure(error.what());
+  }
+}
+
+} // namespace mote::app

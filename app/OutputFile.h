@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace mote::app
+{
+
+/// Throws Failure where a file of that name cannot be written, as far as can be seen beforehand, or
+/// where it is one of the files that are read, under whatever name: nobody replaces data by chance.
+/// Does nothing for an empty name, which is the standard output.
+void checkOutput(const std::string& output, const std::vector<std::string>& inputs);
+
+} // namespace mote::app
