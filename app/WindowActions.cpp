@@ -194,6 +194,26 @@ void Window::scaleRadius(double factor)
   this->render();
 }
 
+namespace
+{
+
+/// A line of what is known of what was picked.
+std::string factLine(std::string what, const std::string& value)
+{
+  what.resize(std::max<std::size_t>(what.size(), 12), ' ');
+  return "\n " + what + " " + value + " ";
+}
+
+std::string asTuple(const double* values, int count)
+{
+  std::string text;
+  for (int i = 0; i < count; ++i)
+    text += (i > 0 ? ", " : "") + asNumber(values[i]);
+  return text;
+}
+
+} // namespace
+
 void Window::pick()
 {
   const int* cursor = interactor_->GetEventPosition();
@@ -201,17 +221,25 @@ void Window::pick()
   props_.unmark();
   overlay_.setMessage("");
   if (!picker->Pick(cursor[0], cursor[1], 0.0, scene_.renderer()))
-    return this->say("There is no particle under the cursor");
+    return this->say("There is neither a particle nor an iso-surface under the cursor");
   for (const auto& part : scene_.parts())
   {
-    if (part->prop() != picker->GetActor())
+    if (part->prop() != picker->GetViewProp())
       continue;
     double center[3], at[3];
-    part->data()->GetPoint(picker->GetParticleId(), center);
     picker->GetPickPosition(at);
-    props_.mark(center, std::sqrt(vtkMath::Distance2BetweenPoints(center, at)));
+    if (picker->GetCellId() >= 0)
+      overlay_.setMessage(
+        factLine("iso-surface", asNumber(picker->GetValue())).substr(1) +
+        factLine("cell", withThousands(picker->GetCellId()) + " of " + part->name()) +
+        factLine("position", asTuple(at, 3)));
+    else
+    {
+      part->data()->GetPoint(picker->GetParticleId(), center);
+      props_.mark(center, std::sqrt(vtkMath::Distance2BetweenPoints(center, at)));
+      overlay_.setMessage(this->particleFacts(*part, picker->GetParticleId()));
+    }
     overlay_.hideHelp();
-    overlay_.setMessage(this->particleFacts(*part, picker->GetParticleId()));
     if (messageTimer_ > 0)
       interactor_->DestroyTimer(messageTimer_);
     messageTimer_ = 0;
@@ -220,22 +248,10 @@ void Window::pick()
 
 std::string Window::particleFacts(const Part& part, vtkIdType id) const
 {
-  const auto line = [](std::string what, const std::string& value)
-  {
-    what.resize(std::max<std::size_t>(what.size(), 12), ' ');
-    return "\n " + what + " " + value + " ";
-  };
-  const auto tuple = [](const double* values, int count)
-  {
-    std::string text;
-    for (int i = 0; i < count; ++i)
-      text += (i > 0 ? ", " : "") + asNumber(values[i]);
-    return text;
-  };
   double position[3];
   part.data()->GetPoint(id, position);
-  std::string text = line("particle", withThousands(id) + " of " + part.name()).substr(1);
-  text += line("position", tuple(position, 3));
+  std::string text = factLine("particle", withThousands(id) + " of " + part.name()).substr(1);
+  text += factLine("position", asTuple(position, 3));
   vtkPointData* arrays = part.data()->GetPointData();
   for (int i = 0; i < std::min(20, arrays->GetNumberOfArrays()); ++i)
   {
@@ -243,10 +259,10 @@ std::string Window::particleFacts(const Part& part, vtkIdType id) const
     if (!array || !array->GetName() || id >= array->GetNumberOfTuples())
       continue;
     if (auto* numbers = vtkDataArray::SafeDownCast(array))
-      text += line(array->GetName(),
-        tuple(numbers->GetTuple(id), std::min(9, numbers->GetNumberOfComponents())));
+      text += factLine(array->GetName(),
+        asTuple(numbers->GetTuple(id), std::min(9, numbers->GetNumberOfComponents())));
     else if (auto* words = vtkStringArray::SafeDownCast(array))
-      text += line(array->GetName(), words->GetValue(id));
+      text += factLine(array->GetName(), words->GetValue(id));
   }
   return text;
 }

@@ -24,8 +24,7 @@ double secondsSince(const Clock::time_point& start)
 Scene withoutLight(const Scene& scene)
 {
   Scene bare = scene;
-  for (VolumeObject& volume : bare.volumes)
-    volume.isCloud = false;
+  bare.clouds.clear();
   bare.lights.clear();
   bare.occlusion.rays = bare.paths.bounces = 0;
   return bare;

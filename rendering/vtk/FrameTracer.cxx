@@ -21,54 +21,6 @@ namespace mote
 namespace
 {
 
-void add(std::vector<double>& s, const Vec3d& v)
-{
-  s.insert(s.end(), {v.x, v.y, v.z});
-}
-
-/// Everything that the picture depends on but its resolution. MTimes are exact in a double.
-std::vector<double> signatureOf(const MoteProps& props, const Camera& camera, const Scene& scene,
-  const WindowDepth* others, int width, int height)
-{
-  std::vector<double> s = {double(width), double(height), double(camera.projection),
-    camera.viewAngle, camera.parallelScale, camera.centerX, camera.centerY, camera.nearDistance,
-    camera.farDistance};
-  add(s, camera.position);
-  add(s, camera.forward);
-  add(s, camera.up);
-  for (const Light& light : scene.lights)
-  {
-    s.push_back(double(light.kind));
-    add(s, light.vector);
-    add(s, Vec3d(light.color));
-    s.insert(s.end(), {double(light.shadows), double(light.samples), light.size});
-  }
-  s.insert(s.end(), {double(scene.occlusion.rays), scene.occlusion.reach,
-                      double(scene.paths.bounces), scene.cloudTolerance});
-  add(s, Vec3d(scene.sky.top));
-  add(s, Vec3d(scene.sky.bottom));
-  add(s, scene.sky.up);
-  for (const vtkMTimeType time : timesOf(props))
-    s.push_back(static_cast<double>(time));
-  for (const auto& prop : props)
-  {
-    s.push_back(static_cast<double>(reinterpret_cast<std::uintptr_t>(prop->prop())));
-    const Mat4d toWorld = placementOf(prop->prop());
-    for (int column = 0; column < 4; ++column)
-      add(s, Vec3d(toWorld[column]));
-  }
-  if (others)
-    for (const std::uint64_t half : {others->hash.low, others->hash.high})
-      s.insert(s.end(), {double(half >> 32U), double(half & 0xffffffffU)});
-  return s;
-}
-
-/// Whether a film of that signature shows that view.
-bool isOfView(const std::vector<double>& signature, const std::vector<double>& view)
-{
-  return signature.size() >= view.size() && std::equal(view.begin(), view.end(), signature.begin());
-}
-
 /// What a cloud's colour may be wrong by in a draft.
 constexpr double draftTolerance = 0.02;
 
@@ -255,7 +207,7 @@ bool FrameTracer::trace(vtkRenderer* renderer, MoteProps& props, int width, int 
   seconds_ = 0.0;
   rays_ = 0;
   converged_ = false;
-  const auto before = std::exchange(signature_, {}); // where something throws nothing counts
+  const auto before = std::exchange(shown_, {}); // where something throws nothing counts
   Frame frame{renderer, props, width, height, settings, progress};
   frame.scene = sceneOf(renderer, props, settings.shading);
   preview_ =
@@ -263,22 +215,21 @@ bool FrameTracer::trace(vtkRenderer* renderer, MoteProps& props, int width, int 
   if (props.empty() || width < 1 || height < 1)
     return forget(width, height, settings);
   const Camera viewed = frame.cameraFor(width, height);
-  const auto view = signatureOf(props, viewed, frame.scene, settings.others, width, height);
   const bool moving = settings.interactive;
-  const bool rested = !settings.progressive || view == view_;
-  view_ = view;
+  const bool isSame = this->takeView({width, height, viewed, frame.scene.unowned(),
+    settings.others ? settings.others->hash : ContentHash()});
+  const bool rested = !settings.progressive || isSame;
   baking_.take(frame.scene, props, settings.shading, !moving);
   const auto hadMaps = baking_.times();
   bool complete = moving || !OcclusionBaking::isAskedFor(settings.shading);
   if (!complete && rested && !bake(frame, viewed, complete))
   {
-    signature_ = before;
-    return shows_ && isOfView(before, view);
+    shown_ = before;
+    return shows_ && before.view == view_;
   }
-  auto signature = view;
-  signature.insert(signature.end(), baking_.times().begin(), baking_.times().end());
-  const bool changed = signature != before;
-  const bool justBaked = complete && hadMaps != baking_.times() && isOfView(before, view);
+  const Shown shown{view_, baking_.times()};
+  const bool changed = shown != before;
+  const bool justBaked = complete && hadMaps != baking_.times() && before.view == view_;
   shows_ = shows_ && (!changed || justBaked);
   frame.slow = takesLong(frame.scene) || !complete;
   frame.startClock();
@@ -292,8 +243,18 @@ bool FrameTracer::trace(vtkRenderer* renderer, MoteProps& props, int width, int 
     sharpen(frame, changed);
   addEdges(frame, film_.samples());
   converged_ = complete && !preview_ && isDone(settings) && !edges_.isBehind(film_.samples());
-  signature_ = signature;
+  shown_ = shown;
   return shows_;
+}
+
+/// Counts the views that differ; answers whether this is the last one again.
+bool FrameTracer::takeView(View view)
+{
+  const bool isSame = viewed_ && *viewed_ == view;
+  if (!isSame)
+    ++view_;
+  viewed_ = std::move(view);
+  return isSame;
 }
 
 /// Bakes what the view lacks; for a moment where the picture is progressive. `complete` tells

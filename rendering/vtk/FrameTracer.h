@@ -11,6 +11,8 @@
 #include "kernels/tracing/Refinement.h"
 #include "kernels/tracing/Tiles.h"
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 class vtkMoteShading;
@@ -92,6 +94,27 @@ public:
 private:
   struct Frame;
 
+  /// All that a film depends on but its resolution and occlusion maps. It keeps no data alive.
+  struct View
+  {
+    int width = 0, height = 0; ///< of the viewport in pixels
+    Camera camera;
+    Scene scene;
+    ContentHash others; ///< of where other props stand
+
+    bool operator==(const View&) const = default;
+  };
+  /// A view by its number, and the times of the maps it was traced with.
+  struct Shown
+  {
+    std::uint64_t view = 0; ///< 0: none
+    std::vector<double> maps;
+
+    bool operator==(const Shown&) const = default;
+  };
+
+  bool takeView(View view);
+
   double distanceFor(const Frame& frame, double seconds) const;
   bool isLast() const { return distance_ == 1.0 && !draft_; }
   bool lacksChannels(const FrameSettings& settings) const;
@@ -108,8 +131,9 @@ private:
   Film film_;
   TilesDone tiles_; ///< of the sample that is being traced
   FilmEdges edges_;
-  std::vector<double> signature_; ///< all that the film depends on
-  std::vector<double> view_;      ///< the same without maps, of the last call
+  std::optional<View> viewed_; ///< by the last call
+  std::uint64_t view_ = 0;     ///< its number
+  Shown shown_;                ///< by the film
   OcclusionBaking baking_;
   double distance_ = 1.0;      ///< of the film's rays
   double shownDistance_ = 1.0; ///< of those of the film before, while the first sample is traced

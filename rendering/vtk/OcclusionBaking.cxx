@@ -60,28 +60,23 @@ void OcclusionBaking::give(Scene& scene)
 }
 
 bool OcclusionBaking::bake(Scene& scene, const Camera& camera, const SeenView& view,
-  const std::vector<double>& key, const Progress& progress)
+  std::uint64_t number, const Progress& progress)
 {
-  const auto completeKey = [&]
-  {
-    std::vector<double> all = key;
-    all.insert(all.end(), times_.begin(), times_.end());
-    return all;
-  };
   const auto has = [](MapperOcclusion* maps) { return !maps || maps->complete(); };
-  if (std::all_of(maps_.begin(), maps_.end(), has) || completeKey_ == completeKey())
+  if (std::all_of(maps_.begin(), maps_.end(), has) ||
+      (completeIn_ == number && completeTimes_ == times_))
     return true;
   const auto part = [&](double begin, double share)
   {
     return [&progress, begin, share](double done)
     { return !progress || progress(begin + share * done); };
   };
-  if (seenKey_ != key)
+  if (seenIn_ != number)
   {
-    seenKey_.reset();
+    seenIn_ = 0;
     if (!findSeenParticles(scene, camera, view, seen_, part(0.0, castingShare)))
       return false;
-    seenKey_ = key;
+    seenIn_ = number;
   }
   bool finished = true;
   const double share = (1.0 - castingShare) / static_cast<double>(maps_.size());
@@ -91,7 +86,10 @@ bool OcclusionBaking::bake(Scene& scene, const Camera& camera, const SeenView& v
         seen_[i], part(castingShare + share * static_cast<double>(i), share));
   this->give(scene);
   if (finished)
-    completeKey_ = completeKey();
+  {
+    completeIn_ = number;
+    completeTimes_ = times_;
+  }
   return finished;
 }
 

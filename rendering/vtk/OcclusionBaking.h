@@ -7,7 +7,7 @@
 #include "kernels/scene/Scene.h"
 #include "kernels/tracing/SeenParticles.h"
 
-#include <optional>
+#include <cstdint>
 #include <vector>
 
 class vtkMoteShading;
@@ -29,11 +29,11 @@ public:
   void take(Scene& scene, const MoteProps& props, vtkMoteShading* shading, bool update);
 
   /// Bakes what the view shows and no map knows, after take() with an update, and gives it to the
-  /// scene. False where `progress` stopped it; what was baked until then stays, and counts. `key`
-  /// is all that the view depends on but maps: what has been found to be complete is not looked at
-  /// again.
-  bool bake(Scene& scene, const Camera& camera, const SeenView& view,
-    const std::vector<double>& key, const Progress& progress);
+  /// scene. False where `progress` stopped it; what was baked until then stays, and counts.
+  /// `number`, above 0, tells views apart that differ in more than maps: what has been found to be
+  /// complete is not looked at again.
+  bool bake(Scene& scene, const Camera& camera, const SeenView& view, std::uint64_t number,
+    const Progress& progress);
 
   /// Changes with the maps of the scene.
   const std::vector<double>& times() const { return times_; }
@@ -43,10 +43,10 @@ private:
 
   std::vector<MapperOcclusion*> maps_; ///< a surface of the scene each, or null
   std::vector<double> times_;
-  std::optional<std::vector<double>> seenKey_; ///< of seen_
+  std::uint64_t seenIn_ = 0; ///< view that seen_ was found in
   SeenParticles seen_;
-  std::optional<std::vector<double>>
-    completeKey_; ///< of a view, and the times of maps that had all of it
+  std::uint64_t completeIn_ = 0; ///< view that maps of completeTimes_ had all of
+  std::vector<double> completeTimes_;
 };
 
 } // namespace mote

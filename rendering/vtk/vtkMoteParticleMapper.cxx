@@ -413,6 +413,7 @@ bool vtkMoteParticleMapper::DescribeTo(mote::SurfaceObject& object, vtkActor* ac
   if (!impl.model.structure() || this->GetNumberOfParticles() == 0)
     return false;
   object.surface = mote::ParticleSurface(impl.model.structure());
+  object.castsShadows = this->CastsShadows;
   mote::describeActor(actor, object);
   const std::string problem = impl.colors.describe(this, this->GetInput(), object.coloring);
   if (isNews(problem, impl.reportedColors))
@@ -470,6 +471,7 @@ void vtkMoteParticleMapper::PrintSelf(ostream& os, vtkIndent indent)
   print("PreviewSize", this->PreviewSize);
   print("IsPreview", this->IsPreview() ? "Yes" : "No");
   print("KeepPointIds", onOff(this->KeepPointIds));
+  print("CastsShadows", onOff(this->CastsShadows));
   print("NumberOfParticles", this->GetNumberOfParticles());
   print("NumberOfUnfitParticles", this->GetNumberOfUnfitParticles());
   print("StructureBytes", this->GetStructureBytes());

@@ -232,6 +232,16 @@ public:
   vtkBooleanMacro(KeepPointIds, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether the particles keep the light of lights that cast shadows from others, and from one
+   * another. On unless set.
+   */
+  vtkSetMacro(CastsShadows, bool);
+  vtkGetMacro(CastsShadows, bool);
+  vtkBooleanMacro(CastsShadows, bool);
+  ///@}
+
   /** Bounds of the spheres, not of their centres alone. */
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
@@ -399,6 +409,7 @@ protected:
   vtkTypeBool Preview = 0;
   vtkIdType PreviewSize = 1000000;
   bool KeepPointIds = true;
+  bool CastsShadows = true;
 
 private:
   vtkMoteParticleMapper(const vtkMoteParticleMapper&) = delete;

@@ -336,8 +336,11 @@ bool vtkMoteVolumeMapper::DescribeTo(mote::Scene& scene, vtkVolume* volume, int 
   cloud.field = impl.field;
   cloud.toWorld = mote::placementOf(volume);
   if (values > 0)
+  {
     scene.surfaces.push_back(
       mote::isoSurfacesOf(cloud, {surfaces->GetValues(), surfaces->GetValues() + values}));
+    scene.surfaces.back().castsShadows = this->CastsShadows;
+  }
   if (this->ShowCloud)
     scene.clouds.push_back(std::move(cloud));
   return true;
@@ -415,6 +418,7 @@ void vtkMoteVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Saturation: " << this->Saturation << "\n";
   os << indent << "ShowCloud: " << (this->ShowCloud ? "On" : "Off") << "\n";
   os << indent << "ShowIsoSurfaces: " << (this->ShowIsoSurfaces ? "On" : "Off") << "\n";
+  os << indent << "CastsShadows: " << (this->CastsShadows ? "On" : "Off") << "\n";
   os << indent << "NanColor: " << three(this->NanColor) << "\n";
   os << indent << "NanOpacity: " << this->NanOpacity << "\n";
   os << indent << "NumberOfCells: " << this->GetNumberOfCells() << "\n";

@@ -158,6 +158,16 @@ public:
 
   ///@{
   /**
+   * Whether these surfaces keep the light of lights that cast shadows from others, and from one
+   * another. On unless set. Clouds never do.
+   */
+  vtkSetMacro(CastsShadows, bool);
+  vtkGetMacro(CastsShadows, bool);
+  vtkBooleanMacro(CastsShadows, bool);
+  ///@}
+
+  ///@{
+  /**
    * Colour, and opacity per unit distance, of cells that have a value that is not a finite number.
    * With opacity 0, the default, they are left out. Default colour 0.5 0 0, as in VTK's tables.
    */
@@ -252,6 +262,7 @@ protected:
   double Saturation = 0.999;
   vtkTypeBool ShowCloud = 1;
   vtkTypeBool ShowIsoSurfaces = 0;
+  bool CastsShadows = true;
   double NanColor[3] = {0.5, 0.0, 0.0};
   double NanOpacity = 0.0;
   double ScalarRange[2] = {1.0, 0.0};

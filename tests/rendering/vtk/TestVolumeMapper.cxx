@@ -2,11 +2,15 @@
 #include "VolumeTestSupport.h"
 
 #include "vtkCamera.h"
+#include "vtkCell.h"
 #include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkContourValues.h"
 #include "vtkFloatArray.h"
+#include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkImageData.h"
+#include "vtkMoteAreaLight.h"
+#include "vtkMoteParticlePicker.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
@@ -133,7 +137,7 @@ TEST(VolumeMapper, ParticlesStandInsideIt)
       EXPECT_NEAR(picture.color(pixel)[2], 1.0 - red, byte);
       EXPECT_NEAR(picture.color(pixel)[3], 1.0, 1e-6);
       EXPECT_NEAR(picture.depth(pixel), hit->depth, 1e-5);
-      EXPECT_EQ(picture.object(pixel), 0) << "particles are numbered first";
+      EXPECT_EQ(picture.object(pixel), 1) << "props are numbered in the renderer's order";
       EXPECT_EQ(picture.particle(pixel), hit->ball);
       ++seen[hit->ball];
     }
@@ -196,6 +200,53 @@ TEST(VolumeMapper, IsoSurfacesAreOpaqueAndHaveDepth)
     stage.mapper->ShowCloudOff();
     EXPECT_EQ(stage.trace().color(middle)[3], 0) << "nothing is to be shown";
   }
+}
+
+TEST(VolumeMapper, IsoSurfacesArePickedAndCastShadows)
+{
+  VolumeStage stage(makeBox(5, depthOf), true);
+  stage.mapper->ShowCloudOff();
+  stage.mapper->ShowIsoSurfacesOn();
+  stage.paint({1, 1, 1}, 0.5);
+  stage.property()->GetIsoSurfaceValues()->SetValue(0, 0.3);
+  vtkNew<vtkGenericOpenGLRenderWindow> window; // never opened: it lends its size
+  window->SetSize(32, 32);
+  window->AddRenderer(stage.renderer);
+  stage.renderer->ResetCameraClippingRange();
+  vtkNew<vtkMoteParticlePicker> picker;
+  ASSERT_EQ(picker->Pick(20, 9, 0, stage.renderer), 1);
+  EXPECT_EQ(picker->GetViewProp(), stage.volume.Get());
+  EXPECT_EQ(picker->GetParticleId(), -1);
+  EXPECT_NEAR(picker->GetValue(), 0.3, 1e-12);
+  EXPECT_NEAR(picker->GetPickNormal()[2], 1.0, 1e-6);
+  double bounds[6];
+  stage.mapper->GetInput()->GetCell(picker->GetCellId())->GetBounds(bounds);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_LE(bounds[2 * axis], picker->GetPickPosition()[axis] + 1e-6);
+    EXPECT_GE(bounds[2 * axis + 1], picker->GetPickPosition()[axis] - 1e-6);
+  }
+  EXPECT_EQ(picker->Pick(1, 1, 0, stage.renderer), 0) << "beside it";
+  EXPECT_EQ(picker->GetCellId(), -1);
+
+  // A sphere before the surface, lit from behind it.
+  vtkNew<vtkMoteParticleMapper> mapper;
+  mapper->SetInputData(makeParticles({{0, 0, 0.65, 0.3}}));
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  stage.renderer->AddActor(actor);
+  vtkNew<vtkMoteAreaLight> light;
+  light->PositionalOff();
+  light->SetPosition(5.2, 0, -3.35);
+  light->SetFocalPoint(0, 0, 0.65);
+  light->ShadowsOn();
+  stage.renderer->AddLight(light);
+  const int pixel = 18 + 32 * 16; // of the sphere's right side
+  Picture picture = stage.trace();
+  EXPECT_EQ(picture.object(pixel), 1);
+  EXPECT_EQ(picture.color(pixel)[0], 0.0f) << "in the shadow of the surface";
+  stage.mapper->CastsShadowsOff();
+  EXPECT_GT(stage.trace().color(pixel)[0], 0.2f);
 }
 
 TEST(VolumeMapper, TakesTheArrayThatIsAskedFor)
