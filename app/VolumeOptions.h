@@ -31,7 +31,7 @@ struct VolumeOptions
   bool lit = false;
   std::string integrator; ///< a name of vtkMoteVolumeMapper::GetIntegratorNames(); empty: the first
   double sampleDistance = 0.0;
-  double tolerance = 0.0;       ///< 0: choose
+  double tolerance = 0.0;      ///< 0: choose
   double cloudTolerance = 0.0; ///< between pixels; 0: every pixel is traced
   std::string structure; ///< a name of vtkMoteVolumeMapper::GetStructureNames(); empty: choose
   std::string nanColor;  ///< empty: cells with NaN are left out

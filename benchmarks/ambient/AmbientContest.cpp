@@ -340,7 +340,7 @@ void AmbientContest::timeLookUps(
   Film film;
   Race race;
   Scene plain = all.front().scene;
-  plain.particles[0].occlusion = nullptr;
+  plain.surfaces[0].occlusion = nullptr;
   const auto add = [&](const Scene& scene)
   { race.add(threads_, [&] { draw(scene, reference.camera, frameSize_, film); }); };
   add(plain);

@@ -60,9 +60,7 @@ void Canvas::blend(int x, int y, const Color& color, double coverage)
 {
   const double share = coverage * color.alpha;
   if (x < 0 || y < 0 || x >= m_width || y >= m_height || share <= 0.0)
-  {
     return;
-  }
   const vtkIdType pixel = static_cast<vtkIdType>(y) * m_width + x;
   const bool isStraight = m_scale < 1.0;
   double v[4] = {0.0, 0.0, 0.0, 1.0 / m_scale};
@@ -90,12 +88,8 @@ void Canvas::fillShape(
 {
   const Rect inside = rect.clipped(m_width, m_height);
   for (int y = inside.y0; y < inside.y1; ++y)
-  {
     for (int x = inside.x0; x < inside.x1; ++x)
-    {
       blend(x, y, color, coverage(x + 0.5, y + 0.5));
-    }
-  }
 }
 
 void Canvas::fillRounded(const Rect& rect, double radius, const Color& color)

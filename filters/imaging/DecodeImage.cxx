@@ -32,13 +32,9 @@ std::unique_ptr<OIIO::ImageInput> openImage(const std::string& fileName)
 {
   std::error_code ignored;
   if (!std::filesystem::exists(fileName, ignored))
-  {
     throw ImageError(vtkErrorCode::FileNotFoundError, "there is no such file");
-  }
   if (std::filesystem::is_directory(fileName, ignored))
-  {
     throw ImageError(vtkErrorCode::CannotOpenFileError, "it is a folder");
-  }
   OIIO::ImageSpec wanted;
   wanted["oiio:UnassociatedAlpha"] = 1; // to multiply by it in floats, not in bytes
   auto input = OIIO::ImageInput::open(fileName, &wanted);
@@ -49,17 +45,11 @@ std::unique_ptr<OIIO::ImageInput> openImage(const std::string& fileName)
   }
   const OIIO::ImageSpec& spec = input->spec();
   if (spec.deep)
-  {
     fail("deep images cannot be read");
-  }
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
-  {
     fail("the image is empty");
-  }
   if (spec.depth > 1)
-  {
     fail("the image has " + std::to_string(spec.depth) + " slices, and must have one");
-  }
   return input;
 }
 
@@ -128,9 +118,7 @@ void finishColors(const OIIO::ImageSpec& spec, vtkFloatArray* colors)
   const bool hasAlpha = components % 2 == 0;
   const int count = hasAlpha ? components - 1 : components;
   if (!isLight && !(isStraight && hasAlpha))
-  {
     return;
-  }
   const vtkIdType values = colors->GetNumberOfValues();
   for (float *pixel = colors->GetPointer(0), *end = pixel + values; pixel < end;
        pixel += components)
@@ -153,13 +141,9 @@ void addFloats(const NativePixels& pixels, const ChannelGroup& group, vtkImageDa
   array->SetNumberOfComponents(static_cast<int>(components));
   array->SetNumberOfTuples(image->GetNumberOfPoints());
   for (std::size_t c = 0; c < components; ++c)
-  {
     pixels.take(group.channels[c], OIIO::TypeFloat, array->GetPointer(0) + c, components);
-  }
   if (group.kind == ChannelGroup::Kind::Colors)
-  {
     finishColors(pixels.spec(), array);
-  }
   image->GetPointData()->AddArray(array);
 }
 
@@ -172,9 +156,7 @@ void addIntegers(const NativePixels& pixels, const ChannelGroup& group, vtkImage
   const int words = static_cast<int>(group.channels.size()), components = halves ? 1 : words;
   std::vector<std::uint32_t> values(static_cast<std::size_t>(points) * words);
   for (int c = 0; c < words; ++c)
-  {
     pixels.take(group.channels[c], OIIO::TypeUInt32, values.data() + c, words);
-  }
   vtkNew<vtkTypeInt64Array> array;
   array->SetName(group.name.c_str());
   array->SetNumberOfComponents(components);
@@ -191,12 +173,8 @@ void addIntegers(const NativePixels& pixels, const ChannelGroup& group, vtkImage
 bool areIntegers(const OIIO::ImageSpec& spec, const ChannelGroup& group)
 {
   for (const int channel : group.channels)
-  {
     if (spec.channelformat(channel) != OIIO::TypeUInt32)
-    {
       return false;
-    }
-  }
   return group.kind != ChannelGroup::Kind::Colors;
 }
 
@@ -216,16 +194,10 @@ void decodeImage(const std::string& fileName, vtkImageData* image)
   image->Initialize();
   image->SetDimensions(spec.width, spec.height, 1);
   for (const ChannelGroup& group : groupChannels(factsOf(spec)))
-  {
     if (areIntegers(spec, group))
-    {
       addIntegers(pixels, group, image);
-    }
     else
-    {
       addFloats(pixels, group, image);
-    }
-  }
   vtkPointData* points = image->GetPointData();
   points->SetActiveScalars(points->HasArray("color") ? "color" : "depth");
 }

@@ -39,9 +39,7 @@ constexpr int LargestJPEG = 65500;
   std::string reason = output ? output->geterror() : OIIO::geterror();
   std::replace(reason.begin(), reason.end(), '\n', ' ');
   while (!reason.empty() && (reason.back() == ' ' || reason.back() == '.'))
-  {
     reason.pop_back();
-  }
   throw ImageError(vtkErrorCode::UnknownError,
     reason.empty() ? std::string("the image library gave no reason") : reason);
 }
@@ -72,9 +70,7 @@ void setAttributes(OIIO::ImageSpec& spec, FileFormat format, const EncodeOptions
     const auto isKnown = [&](const char* known) { return kept == known; };
     if (format != FileFormat::TIFF ||
         std::any_of(std::begin(TIFFNames), std::end(TIFFNames), isKnown))
-    {
       spec.attribute(kept, value);
-    }
   }
   if (format != FileFormat::TIFF)
   {
@@ -116,34 +112,24 @@ std::vector<unsigned char> writeRows(
   std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(pluginOf(format));
   if (!output || !output->supports("ioproxy") || !output->set_ioproxy(&memory) ||
       !output->open(pluginOf(format), spec))
-  {
     failWithLibraryError(output.get());
-  }
   const std::size_t rowBytes = spec.scanline_bytes(true);
   std::vector<std::uint8_t> batch(rowBytes * std::min(BatchRows, spec.height));
   for (int begin = 0; begin < spec.height; begin += BatchRows)
   {
     const int end = std::min(begin + BatchRows, spec.height);
     for (int row = begin; row < end; ++row)
-    {
       encodeRow(row, batch.data() + (row - begin) * rowBytes);
-    }
     if (!output->write_scanlines(begin, end, 0, OIIO::TypeUnknown, batch.data()))
-    {
       failWithLibraryError(output.get());
-    }
     if (options.progress && !options.progress(static_cast<double>(end) / spec.height))
-    {
       throw ImageError(vtkErrorCode::UserError, "it was stopped");
-    }
   }
   const bool isClosed = output->close();
   const bool isTIFF = format == FileFormat::TIFF;
   std::vector<unsigned char> bytes = memory.takeBytes();
   if (!isClosed || (isTIFF ? !canReadBack(bytes, spec) : output->has_error()))
-  {
     failWithLibraryError(output.get());
-  }
   output->geterror(); // or the library prints what nobody asked for
   return bytes;
 }
@@ -159,9 +145,7 @@ EncodedImage encodeBytes(
   OIIO::ImageSpec spec(size[0], size[1], channels, OIIO::TypeUInt8);
   spec.alpha_channel = channels % 2 == 0 ? channels - 1 : -1;
   if (channels == 2)
-  {
     spec.channelnames = {"Y", "A"};
-  }
   const auto encodeRow = [&](int row, std::uint8_t* out) { pixels.encode(row, alpha, out); };
   return {writeRows(spec, format, options, encodeRow), {}};
 }
@@ -195,17 +179,11 @@ FileFormat formatOf(const std::string& fileName)
   std::transform(ending.begin(), ending.end(), ending.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (ending == ".png")
-  {
     return FileFormat::PNG;
-  }
   if (ending == ".jpg" || ending == ".jpeg")
-  {
     return FileFormat::JPEG;
-  }
   if (ending == ".tif" || ending == ".tiff")
-  {
     return FileFormat::TIFF;
-  }
   return ending == ".exr" ? FileFormat::EXR : FileFormat::Unknown;
 }
 
@@ -214,9 +192,7 @@ EncodedImage encodeImage(vtkImageData* image, FileFormat format, const EncodeOpt
   int size[3];
   image->GetDimensions(size);
   if (size[0] < 1 || size[1] < 1 || size[2] < 1)
-  {
     throw ImageError(vtkErrorCode::FileFormatError, "the image is empty");
-  }
   if (size[2] > 1)
   {
     throw ImageError(vtkErrorCode::FileFormatError,

@@ -46,9 +46,7 @@ void readIntegers(
         stride, count, out));
   default: // bits
     for (int i = 0; i < count; ++i)
-    {
       out[i] = static_cast<std::uint64_t>(array->GetComponent(tuple + i, component));
-    }
   }
 }
 
@@ -61,9 +59,7 @@ bool isInteger(vtkDataArray* array)
 bool needsTwoWords(vtkDataArray* array)
 {
   if (array->GetDataTypeSize() < 4)
-  {
     return false;
-  }
   const vtkIdType count = array->GetNumberOfValues();
   std::vector<std::uint64_t> values(4096);
   // Read as if it had one component.
@@ -78,9 +74,7 @@ bool needsTwoWords(vtkDataArray* array)
     const auto isLarge = [](std::uint64_t v)
     { return v >= ImageLayers::None && v != ~std::uint64_t(0); };
     if (std::any_of(values.begin(), values.begin() + n, isLarge))
-    {
       return true;
-    }
   }
   return false;
 }
@@ -88,9 +82,7 @@ bool needsTwoWords(vtkDataArray* array)
 std::string componentName(const std::string& name, int component, int components)
 {
   if (components == 1)
-  {
     return name;
-  }
   return name + "." +
          (components <= 3 ? std::string(1, "XYZ"[component]) : std::to_string(component));
 }
@@ -105,9 +97,7 @@ void toLight(std::vector<float>& colors, int channels)
   {
     const float alpha = hasAlpha ? colors[pixel + count] : 1.0f;
     for (int c = 0; c < count && alpha > 0.0f; ++c)
-    {
       colors[pixel + c] = alpha * OIIO::sRGB_to_linear(colors[pixel + c] / alpha);
-    }
   }
 }
 
@@ -124,9 +114,7 @@ ImageLayers::ImageLayers(vtkImageData* image, vtkDataArray* colors, int width, i
   {
     vtkDataArray* array = points->GetArray(i); // null if it does not hold numbers
     if (array && array != colors)
-    {
       addArray(array);
-    }
   }
 }
 
@@ -137,9 +125,7 @@ void ImageLayers::addColors()
     count < 3 ? std::vector<std::string>{"Y", "A"} : std::vector<std::string>{"R", "G", "B", "A"};
   std::vector<Channel> channels;
   for (int c = 0; c < count; ++c)
-  {
     channels.push_back({names[c], ChannelType::Half, nullptr, c, false});
-  }
   add(std::move(channels));
 }
 
@@ -173,9 +159,7 @@ void ImageLayers::addArray(vtkDataArray* array)
     }
   }
   if (name.empty() || !add(std::move(channels)))
-  {
     m_leftOut.push_back(name);
-  }
 }
 
 /// All of them, or none if one of their names is taken.
@@ -185,9 +169,7 @@ bool ImageLayers::add(std::vector<Channel> channels)
   {
     const auto hasName = [&](const Channel& other) { return other.name == channel.name; };
     if (std::any_of(m_channels.begin(), m_channels.end(), hasName))
-    {
       return false;
-    }
   }
   for (Channel& channel : channels)
   {
@@ -211,9 +193,7 @@ void ImageLayers::encode(int row, std::uint8_t* out) const
   for (const Channel& channel : m_channels)
   {
     if (channel.type == ChannelType::UInt)
-    {
       readIntegers(channel.array, begin, channel.component, m_width, integers);
-    }
     for (int x = 0; x < m_width; ++x)
     {
       if (channel.type == ChannelType::UInt)
@@ -238,9 +218,7 @@ void ImageLayers::encode(int row, std::uint8_t* out) const
     }
     const std::size_t size = bytesOf(channel.type);
     for (int x = 0; x < m_width; ++x)
-    {
       std::memcpy(out + x * m_bytesPerPixel + offset, &encoded[x * size], size);
-    }
     offset += size;
   }
 }

@@ -36,13 +36,9 @@ public:
   {
     addTitle();
     if (m_content.categories.empty())
-    {
       addBar();
-    }
     else
-    {
       addCategories();
-    }
     if (m_content.nan)
     {
       m_top -= rounded(0.8 * m_unit);
@@ -66,22 +62,16 @@ private:
   {
     double width = 0.0;
     for (const Tick& tick : m_content.ticks.ticks)
-    {
       width = std::max(width, m_font.width(tick.label, m_unit));
-    }
     for (const Category& category : m_content.categories)
-    {
       width = std::max(width, m_font.width(category.label, m_unit));
-    }
     return width;
   }
 
   void addTitle()
   {
     if (m_content.title.empty())
-    {
       return;
-    }
     const double most = 0.3 * m_placement.imageWidth;
     const double width = std::min(most, std::max(labelX() + labelWidth(), 7.0 * m_unit));
     const TextLines lines = wrapText(m_font, m_content.title, rounded(1.08 * m_unit), width, 4);
@@ -133,9 +123,7 @@ private:
   void addTicks()
   {
     for (const double share : m_content.ticks.minor)
-    {
       addMark(share, 0.2);
-    }
     for (const Tick& tick : m_content.ticks.ticks)
     {
       addMark(tick.share, 0.38);
@@ -200,13 +188,9 @@ private:
     const int dy = y + padding - m_top;
     m_layout.bar = m_layout.bar.moved(dx, dy);
     for (Rect& mark : m_layout.marks)
-    {
       mark = mark.moved(dx, dy);
-    }
     for (Swatch& swatch : m_layout.swatches)
-    {
       swatch.rect = swatch.rect.moved(dx, dy);
-    }
     for (PlacedText& text : m_layout.texts)
     {
       text.x += dx;

@@ -34,9 +34,7 @@ Background look(const Canvas& canvas, const Rect& rect)
   const Rect inside = rect.clipped(canvas.width(), canvas.height());
   Background result;
   if (inside.isEmpty())
-  {
     return result;
-  }
   const double dark = luminance(Dark);
   const double light = luminance(Light);
   double sum = 0.0;
@@ -71,9 +69,7 @@ Ink chooseInk(const Background& background, const LegendStyle& style)
   const bool isPlain = background.spread < PlainSpread && unreadable < 0.01;
   ink.panel = isDarkText ? Color{1.0, 1.0, 1.0, 0.78} : Color{0.05, 0.05, 0.06, 0.72};
   if (style.panel == PanelUse::Never || (style.panel == PanelUse::WhereNeeded && isPlain))
-  {
     ink.panel.alpha = 0.0;
-  }
   return ink;
 }
 
@@ -144,21 +140,13 @@ void paintLegend(Canvas& canvas, const LegendLayout& layout, const LegendStyle& 
     canvas.fillRounded(layout.panel.grown(-layout.line), radius - layout.line, ink.panel);
   }
   if (barColor && !layout.bar.isEmpty())
-  {
     paintBar(canvas, layout, ink.text, barColor);
-  }
   for (const Swatch& swatch : layout.swatches)
-  {
     paintSwatch(canvas, swatch, layout.line, ink.text);
-  }
   for (const Rect& mark : layout.marks)
-  {
     canvas.fill(mark, ink.text);
-  }
   for (const PlacedText& text : layout.texts)
-  {
     canvas.draw(text.mask, text.x, text.y, ink.text);
-  }
 }
 
 } // namespace mote::imaging

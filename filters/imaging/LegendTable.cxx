@@ -29,13 +29,9 @@ TickScale scaleOf(vtkScalarsToColors* table, std::string& problem)
   scale.isLogarithmic =
     table->UsingLogScale() || (transfer && transfer->GetScale() == VTK_CTF_LOG10);
   if (!std::isfinite(scale.low) || !std::isfinite(scale.high) || scale.low > scale.high)
-  {
     problem = "its range is not an interval of finite numbers";
-  }
   else if (scale.isLogarithmic && scale.low <= 0.0)
-  {
     problem = "its scale is logarithmic and its range not positive";
-  }
   return scale;
 }
 
@@ -64,13 +60,9 @@ void addRangeColors(vtkScalarsToColors* table, LegendContent& content)
   const auto add = [&](auto* known)
   {
     if (known && known->GetUseBelowRangeColor())
-    {
       content.below = opaque(known->GetBelowRangeColor());
-    }
     if (known && known->GetUseAboveRangeColor())
-    {
       content.above = opaque(known->GetAboveRangeColor());
-    }
   };
   add(vtkLookupTable::SafeDownCast(table));
   add(vtkColorTransferFunction::SafeDownCast(table));
@@ -79,13 +71,9 @@ void addRangeColors(vtkScalarsToColors* table, LegendContent& content)
 std::optional<Color> nanColorOf(vtkScalarsToColors* table)
 {
   if (auto* lookup = vtkLookupTable::SafeDownCast(table))
-  {
     return opaque(lookup->GetNanColor());
-  }
   if (auto* transfer = vtkColorTransferFunction::SafeDownCast(table))
-  {
     return opaque(transfer->GetNanColor());
-  }
   return std::nullopt;
 }
 

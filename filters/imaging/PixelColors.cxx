@@ -39,9 +39,7 @@ vtkDataArray* findColors(vtkImageData* image)
   vtkDataArray* colors = image->GetPointData()->GetArray("color");
   colors = colors ? colors : image->GetPointData()->GetScalars();
   if (!colors)
-  {
     throw ImageError(vtkErrorCode::FileFormatError, "the image has no colours");
-  }
   const int type = colors->GetDataType();
   if (type != VTK_FLOAT && type != VTK_DOUBLE && type != VTK_UNSIGNED_CHAR)
   {
@@ -70,9 +68,7 @@ PixelColors::PixelColors(vtkDataArray* colors, int width, int height)
     const double opaque = m_eightBit ? 255.0 : 1.0;
     const vtkIdType pixels = static_cast<vtkIdType>(width) * height;
     for (vtkIdType i = 0; i < pixels && !m_transparent; ++i)
-    {
       m_transparent = !(colors->GetComponent(i, m_components - 1) >= opaque);
-    }
   }
 }
 
@@ -94,13 +90,9 @@ void PixelColors::forEachPixel(int row, T* out, int channels, Convert&& convert)
     m_colors->GetTuple(begin + x, tuple);
     Pixel pixel;
     for (int c = 0; c < colorCount; ++c)
-    {
       pixel.color[c] = static_cast<float>(scale * tuple[c]);
-    }
     if (hasAlpha)
-    {
       pixel.alpha = clampToUnit(static_cast<float>(scale * tuple[m_components - 1]));
-    }
     convert(pixel, out, colorCount);
   }
 }
@@ -126,9 +118,7 @@ void PixelColors::encode(int row, AlphaKind alpha, std::uint8_t* out) const
         to[c] = toByte(value);
       }
       if (channelCount > colorCount)
-      {
         to[colorCount] = toByte(pixel.alpha);
-      }
     });
 }
 
@@ -139,13 +129,9 @@ void PixelColors::encode(int row, float* out) const
     [&](const Pixel& pixel, float* to, int colorCount)
     {
       for (int c = 0; c < colorCount; ++c)
-      {
         to[c] = m_eightBit ? pixel.color[c] * pixel.alpha : pixel.color[c];
-      }
       if (channelCount > colorCount)
-      {
         to[colorCount] = pixel.alpha;
-      }
     });
 }
 

@@ -80,9 +80,7 @@ void convertArray(vtkDataArray* array, std::vector<Out>& out)
     vtkTemplateMacro(convert(static_cast<const VTK_TT*>(array->GetVoidPointer(0)), out));
   default: // bits
     for (std::size_t i = 0; i < out.size(); ++i)
-    {
       out[i] = static_cast<Out>(array->GetComponent(static_cast<vtkIdType>(i), 0));
-    }
   }
 }
 
@@ -91,9 +89,7 @@ void convertArray(vtkDataArray* array, std::vector<Out>& out)
 vtkDataArray* findNumbers(vtkImageData* image, const std::string& name)
 {
   if (vtkDataArray* array = image->GetPointData()->GetArray(name.c_str()))
-  {
     return checked(array);
-  }
   throw ImageError(vtkErrorCode::FileFormatError,
     "The image has no array \"" + name + "\" of numbers; it has " + arraysOf(image) + ".");
 }
@@ -103,9 +99,7 @@ vtkDataArray* findDepths(vtkImageData* image, const std::string& name)
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   const bool haveScalars = scalars && scalars->GetNumberOfComponents() == 1;
   if (!name.empty() || !haveScalars || image->GetPointData()->GetArray("depth"))
-  {
     return findNumbers(image, name.empty() ? "depth" : name);
-  }
   return scalars;
 }
 
@@ -115,12 +109,8 @@ void SilhouetteInput::setExtents(const int* whole, const int* present, int reduc
   std::copy(present, present + 6, m_present);
   m_reduction = reduction;
   for (int axis = 0; axis < 3; ++axis)
-  {
     if (present[2 * axis] > present[2 * axis + 1])
-    {
       throw ImageError(vtkErrorCode::FileFormatError, "The image is empty.");
-    }
-  }
 }
 
 void SilhouetteInput::takeDepths(vtkDataArray* depths)
@@ -185,9 +175,7 @@ double SilhouetteInput::sceneSize() const
       {
         const double depth = image.depth[y * image.depthStride + x];
         if (!std::isfinite(depth) || !(depth < background))
-        {
           continue;
-        }
         const double across = image.x0 + (x + 0.5) * image.dx;
         const double above = image.y0 + (y + 0.5) * image.dy;
         const double axial =
@@ -265,9 +253,7 @@ void LineColors::mix(const PixelSquare& square, float share, float* out) const
   }
   const float left = (1.0f - share) / static_cast<float>(square.width * square.height);
   for (int c = 0; c < 4; ++c)
-  {
     out[c] = sum[c] * left + share * (c < 3 ? m_lines[c] : 1.0f);
-  }
 }
 
 } // namespace mote::imaging

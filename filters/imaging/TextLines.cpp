@@ -31,9 +31,7 @@ std::vector<std::string> splitWords(TextFont& font, const std::string& text, int
     }
   }
   if (!open.empty())
-  {
     words.push_back(open);
-  }
   for (std::size_t i = 0; i < words.size(); ++i)
   {
     const std::size_t space = words[i].find(' ');
@@ -81,16 +79,12 @@ std::vector<std::string> breakLines(TextFont& font, const std::string& text, int
 std::string cutText(TextFont& font, const std::string& text, int size, double width)
 {
   if (font.width(text, size) <= width)
-  {
     return text;
-  }
   // How many bytes of the beginning fit, found by halving; a cut never splits a character.
   const auto beginning = [&](std::size_t bytes)
   {
     while (bytes > 0 && (static_cast<unsigned char>(text[bytes]) & 0xc0) == 0x80)
-    {
       --bytes;
-    }
     return text.substr(0, bytes) + "\u2026";
   };
   std::size_t fitting = 0;
@@ -115,9 +109,7 @@ TextLines wrapText(TextFont& font, const std::string& text, int size, double wid
       std::all_of(result.lines.begin(), result.lines.end(),
         [&](const std::string& line) { return font.width(line, result.size) <= width; });
     if (fits || result.size <= smallest)
-    {
       break;
-    }
   }
   if (static_cast<int>(result.lines.size()) > most)
   {
@@ -125,9 +117,7 @@ TextLines wrapText(TextFont& font, const std::string& text, int size, double wid
     result.lines.back() += "\u2026";
   }
   for (std::string& line : result.lines)
-  {
     line = cutText(font, line, result.size, width);
-  }
   return result;
 }
 

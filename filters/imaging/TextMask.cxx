@@ -53,13 +53,9 @@ Character ordinary(std::uint32_t code)
   constexpr double lowered = -0.14;
   const bool isDigit = code == 0x2070 || (code >= 0x2074 && code <= 0x2079);
   if (isDigit)
-  {
     return {'0' + code - 0x2070, scale, raised};
-  }
   if (code >= 0x2080 && code <= 0x2089)
-  {
     return {'0' + code - 0x2080, scale, lowered};
-  }
   switch (code)
   {
   case 0xb9:
@@ -114,9 +110,7 @@ void addBitmap(TextMask& mask, const FT_Bitmap& bitmap, int left, int top)
   const int width = static_cast<int>(bitmap.width);
   const int height = static_cast<int>(bitmap.rows);
   if (width == 0 || height == 0)
-  {
     return;
-  }
   TextMask grown;
   const bool isFirst = mask.width == 0;
   grown.left = isFirst ? left : std::min(mask.left, left);
@@ -155,9 +149,7 @@ public:
   {
     addFile(file);
     for (const char* installed : InstalledFiles)
-    {
       addFile(installed);
-    }
     m_properties.emplace_back(vtkSmartPointer<vtkTextProperty>::New());
     m_properties.back()->SetFontFamilyToArial();
   }
@@ -197,14 +189,10 @@ private:
     {
       const FT_Face face = m_tools->face(property, size);
       if (face && FT_Get_Char_Index(face, code) != 0)
-      {
         return face;
-      }
     }
     if (code == '?')
-    {
       return nullptr;
-    }
     appendUtf8(Missing, code);
     code = '?';
     return findFace(code, size);
@@ -217,9 +205,7 @@ private:
     const FT_Face face = findFace(code, size);
     if (!face || FT_Load_Char(face, code, FT_LOAD_NO_BITMAP | FT_LOAD_TARGET_LIGHT) != 0 ||
         face->glyph->format != FT_GLYPH_FORMAT_OUTLINE)
-    {
       return;
-    }
     FT_Vector kerning{0, 0};
     if (previous != 0 && FT_HAS_KERNING(face))
     {

@@ -27,9 +27,7 @@ struct RoundValue
 std::string withMinusSign(std::string text)
 {
   for (std::size_t at = text.find('-'); at != std::string::npos; at = text.find('-', at + 1))
-  {
     text.replace(at, 1, Minus);
-  }
   return text;
 }
 
@@ -56,9 +54,7 @@ std::vector<RoundValue> multiples(const TickScale& scale, double mantissa, int e
   const double last = std::floor(scale.high / step + 1e-6);
   std::vector<RoundValue> values;
   for (double i = first; i <= last && values.size() < 1000; i += 1.0)
-  {
     values.push_back({i * mantissa + 0.0, exponent}); // no negative zero
-  }
   return values;
 }
 
@@ -74,9 +70,7 @@ std::vector<RoundValue> linearValues(const TickScale& scale, int count)
       std::vector<RoundValue> values = multiples(scale, mantissa, exponent);
       const auto miss = [&](const auto& v) { return std::abs(static_cast<int>(v.size()) - count); };
       if (best.empty() || miss(values) < miss(best))
-      {
         best = std::move(values);
-      }
     }
   }
   return best;
@@ -98,9 +92,7 @@ std::vector<RoundValue> decadeValues(
       const bool isInside =
         value.value() >= scale.low * (1.0 - slack) && value.value() <= scale.high * (1.0 + slack);
       if (exponent % stride == 0 && isInside)
-      {
         values.push_back(value);
-      }
     }
   }
   return values;
@@ -111,16 +103,12 @@ std::vector<RoundValue> logarithmicValues(const TickScale& scale, int count)
   const double decades = std::log10(scale.high) - std::log10(scale.low);
   const std::vector<RoundValue> dense = decadeValues(scale, {1.0, 2.0, 5.0}, 1);
   if (decades < 3.0 && static_cast<int>(dense.size()) <= count + 2)
-  {
     return dense.size() > 2 ? dense : linearValues(scale, count);
-  }
   for (int stride = 1;; ++stride)
   {
     std::vector<RoundValue> values = decadeValues(scale, {1.0}, stride);
     if (static_cast<int>(values.size()) <= count + 1)
-    {
       return values.size() > 1 ? values : dense;
-    }
   }
 }
 
@@ -128,9 +116,7 @@ double smallestGap(const TickScale& scale, const std::vector<RoundValue>& values
 {
   double gap = 1.0;
   for (std::size_t i = 1; i < values.size(); ++i)
-  {
     gap = std::min(gap, scale.shareOf(values[i].value()) - scale.shareOf(values[i - 1].value()));
-  }
   return gap;
 }
 
@@ -169,9 +155,7 @@ void labelTicks(TickSet& set, const std::vector<RoundValue>& values, bool isLoga
   if (isLogarithmic && greatest > least && (least < -3 || greatest > 4))
   {
     for (std::size_t i = 0; i < values.size(); ++i)
-    {
       set.ticks[i].label = powerLabel(values[i]);
-    }
     return;
   }
   set.exponent = greatest >= 5 || (greatest <= -4 && greatest > -400) ? greatest : 0;
@@ -190,9 +174,7 @@ void labelTicks(TickSet& set, const std::vector<RoundValue>& values, bool isLoga
 double TickScale::shareOf(double value) const
 {
   if (low == high)
-  {
     return 0.5;
-  }
   return isLogarithmic ? (std::log(value) - std::log(low)) / (std::log(high) - std::log(low))
                        : (value / 2 - low / 2) / (high / 2 - low / 2);
 }
@@ -226,9 +208,7 @@ TickSet makeTicks(const TickScale& scale, int count, double minimumShare, const 
       decades* minimumDecade <= 1.0
         ? decadeValues(scale, {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0}, 1)
         : decadeValues(scale, {1.0}, 1))
-    {
       set.minor.push_back(std::clamp(scale.shareOf(value.value()), 0.0, 1.0));
-    }
   }
   for (const RoundValue& value : values)
   {
@@ -236,16 +216,10 @@ TickSet makeTicks(const TickScale& scale, int count, double minimumShare, const 
     set.ticks.push_back({inside, "", std::clamp(scale.shareOf(inside), 0.0, 1.0)});
   }
   if (format.empty())
-  {
     labelTicks(set, values, scale.isLogarithmic);
-  }
   else
-  {
     for (Tick& tick : set.ticks)
-    {
       tick.label = withMinusSign(formatted(format.c_str(), tick.value));
-    }
-  }
   return set;
 }
 
@@ -255,13 +229,9 @@ bool isDoubleFormat(const std::string& format)
   for (std::size_t i = 0; i < format.size(); ++i)
   {
     if (format[i] != '%')
-    {
       continue;
-    }
     if (++i < format.size() && format[i] == '%')
-    {
       continue;
-    }
     const auto skip = [&](const char* set, std::size_t most)
     {
       const std::size_t begin = i;
@@ -276,9 +246,7 @@ bool isDoubleFormat(const std::string& format)
     }
     if (!isShort || i >= format.size() ||
         std::string("eEfFgG").find(format[i]) == std::string::npos)
-    {
       return false;
-    }
     ++conversions;
   }
   return conversions == 1 && format.size() < 100;
@@ -290,9 +258,7 @@ std::string powerOfTen(int exponent)
     "\u2076", "\u2077", "\u2078", "\u2079"};
   std::string text = exponent < 0 ? "10\u207b" : "10";
   for (const char digit : std::to_string(std::abs(exponent)))
-  {
     text += Raised[digit - '0'];
-  }
   return text;
 }
 

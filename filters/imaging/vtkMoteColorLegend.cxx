@@ -99,9 +99,7 @@ int vtkMoteColorLegend::RequestData(
   this->TickValues.clear();
   this->TickLabels.clear();
   if ((!this->LookupTable && this->Caption.empty()) || input->GetNumberOfPoints() == 0)
-  {
     return 1;
-  }
   vtkDataArray* colors = input->GetPointData()->GetArray("color");
   colors = colors ? colors : input->GetPointData()->GetScalars();
   int size[3];
@@ -136,9 +134,7 @@ void vtkMoteColorLegend::Draw(vtkImageData* image, vtkDataArray* colors)
   LegendStyle style;
   style.panel = static_cast<PanelUse>(this->Panel);
   if (!this->AutomaticTextColor)
-  {
     style.text = Color{this->TextColor[0], this->TextColor[1], this->TextColor[2], 1.0};
-  }
   if (!this->Caption.empty())
   {
     const LegendLayout layout = layOutCaption(font, this->Caption, placement);
@@ -156,9 +152,7 @@ void vtkMoteColorLegend::Draw(vtkImageData* image, vtkDataArray* colors)
     storeRectangle(layout.bar, canvas, this->BarRectangle);
     std::function<Color(double)> barColor;
     if (content.categories.empty())
-    {
       barColor = [&](double share) { return colorOf(this->LookupTable, scale.valueAt(share)); };
-    }
     paintLegend(canvas, layout, style, barColor);
   }
   if (!font.missing().empty())
@@ -168,13 +162,9 @@ void vtkMoteColorLegend::Draw(vtkImageData* image, vtkDataArray* colors)
   }
   const bool isActive = image->GetPointData()->GetScalars() == colors;
   if (colors->GetName())
-  {
     image->GetPointData()->AddArray(drawn); // replaces that of the same name
-  }
   if (isActive || !colors->GetName())
-  {
     image->GetPointData()->SetScalars(drawn);
-  }
 }
 
 bool vtkMoteColorLegend::MakeContent(
@@ -185,9 +175,7 @@ bool vtkMoteColorLegend::MakeContent(
   table->Build();
   content.title = this->Title;
   if (this->NanSwatch)
-  {
     content.nan = nanColorOf(table);
-  }
   if (table->GetIndexedLookup())
   {
     content.categories = categoriesOf(table);

@@ -46,9 +46,7 @@ int vtkMoteImageReader::Try(const Work& work)
   try
   {
     if (name.empty())
-    {
       throw mote::imaging::ImageError(vtkErrorCode::NoFileNameError, "it has no name");
-    }
     work(name);
     return 1;
   }
@@ -90,9 +88,7 @@ int vtkMoteImageReader::RequestData(
   const int success =
     this->Try([&](const std::string& name) { mote::imaging::decodeImage(name, output); });
   if (!success)
-  {
     output->Initialize();
-  }
   return success;
 }
 

@@ -81,13 +81,9 @@ void vtkMoteImageWriter::AddAttribute(const char* name, const char* value)
   const auto isSame = [&](const auto& entry) { return lowerCase(entry.first) == lowerCase(name); };
   const auto place = std::find_if(this->Attributes.begin(), this->Attributes.end(), isSame);
   if (place != this->Attributes.end())
-  {
     *place = {name, value};
-  }
   else
-  {
     this->Attributes.emplace_back(name, value);
-  }
   this->Modified();
 }
 
@@ -148,9 +144,7 @@ int vtkMoteImageWriter::Write()
 {
   this->Written = false;
   if (!this->CheckFileName())
-  {
     return 0;
-  }
   const std::string cannotWrite = "Cannot write \"" + std::string(this->FileName) + "\": ";
   if (this->GetNumberOfInputConnections(0) < 1)
   {
@@ -159,9 +153,7 @@ int vtkMoteImageWriter::Write()
   }
   this->Superclass::Write();
   if (!this->Written && this->ErrorMessage.empty())
-  {
     this->Fail(vtkErrorCode::UnknownError, cannotWrite + "the image could not be made.");
-  }
   return this->Written ? 1 : 0;
 }
 
@@ -235,7 +227,5 @@ void vtkMoteImageWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
   os << indent << "Attributes:\n";
   for (const auto& [name, value] : this->Attributes)
-  {
     os << indent.GetNextIndent() << name << ": " << value << "\n";
-  }
 }

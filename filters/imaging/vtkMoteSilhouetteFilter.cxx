@@ -51,13 +51,9 @@ int vtkMoteSilhouetteFilter::RequestInformation(
   double spacing[3] = {1.0, 1.0, 1.0}, origin[3] = {0.0, 0.0, 0.0};
   in->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
   if (in->Has(vtkDataObject::SPACING()))
-  {
     in->Get(vtkDataObject::SPACING(), spacing);
-  }
   if (in->Has(vtkDataObject::ORIGIN()))
-  {
     in->Get(vtkDataObject::ORIGIN(), origin);
-  }
   const int factor = this->ReductionFactor;
   for (int axis = 0; axis < 2; ++axis)
   {
@@ -128,9 +124,7 @@ int vtkMoteSilhouetteFilter::RequestData(
   const int success = this->Superclass::RequestData(request, inputVector, outputVector);
   this->Present.reset();
   if (vtkDataArray* scalars = output->GetPointData()->GetScalars())
-  {
     scalars->SetName(this->OutputMode == OVERLAY ? "color" : "edges");
-  }
   return success;
 }
 
@@ -142,9 +136,7 @@ void vtkMoteSilhouetteFilter::Describe(Run& run, vtkImageData* image, vtkInforma
   input.setExtents(whole, image->GetExtent(), this->ReductionFactor);
   input.takeDepths(mote::imaging::findDepths(image, this->DepthArrayName));
   if (!this->GroupArrayName.empty())
-  {
     input.takeGroups(mote::imaging::findNumbers(image, this->GroupArrayName));
-  }
   input.background = this->BackgroundDepth < VTK_FLOAT_MAX
                        ? static_cast<float>(this->BackgroundDepth)
                        : std::numeric_limits<float>::infinity();
@@ -156,9 +148,7 @@ void vtkMoteSilhouetteFilter::Describe(Run& run, vtkImageData* image, vtkInforma
                                                      : input.sceneSize();
   run.options.step = this->Threshold * unit;
   if (this->OutputMode == OVERLAY)
-  {
     run.overlay = mote::imaging::LineColors(image, this->ColorArrayName, this->EdgeColor);
-  }
 }
 
 void vtkMoteSilhouetteFilter::ThreadedRequestData(vtkInformation*, vtkInformationVector**,
@@ -183,9 +173,7 @@ void vtkMoteSilhouetteFilter::ThreadedRequestData(vtkInformation*, vtkInformatio
         continue;
       }
       for (int x = 0; x < width; ++x)
-      {
         run.overlay.mix(run.input.square(extent[0] + x, extent[2] + y, z), row[x], out + 4 * x);
-      }
     }
   }
 }

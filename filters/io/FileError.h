@@ -39,13 +39,9 @@ private:
   {
     std::string text = file;
     if (line > 0)
-    {
       text += ", line " + std::to_string(line);
-    }
     if (column > 0)
-    {
       text += ", column " + std::to_string(column);
-    }
     return text + ": " + sentence;
   }
 

@@ -26,9 +26,7 @@ struct GzipStream::State
   {
     // inflateCopy reads its source only, but zlib's prototype does not say so.
     if (inflateCopy(&z, const_cast<z_stream*>(&other.z)) != Z_OK)
-    {
       throw std::bad_alloc();
-    }
   }
   State& operator=(const State&) = delete;
   ~State() { inflateEnd(&z); }
@@ -42,9 +40,7 @@ GzipStream::GzipStream(const TextFile& file)
   , m_input(InputBytes)
 {
   if (inflateInit2(&m_state->z, GzipOnly) != Z_OK)
-  {
     throw std::bad_alloc();
-  }
 }
 
 GzipStream::~GzipStream() = default;
@@ -59,9 +55,7 @@ bool GzipStream::fillInput()
   const ssize_t count =
     ::pread(m_file.descriptor(), m_input.data(), m_input.size(), static_cast<off_t>(m_inputOffset));
   if (count <= 0)
-  {
     return false;
-  }
   m_inputOffset += static_cast<std::uint64_t>(count);
   m_state->z.next_in = m_input.data();
   m_state->z.avail_in = static_cast<uInt>(count);
@@ -99,9 +93,7 @@ std::size_t GzipStream::read(char* out, std::size_t count)
     {
       // The next call meets the same damage again, and reports it then.
       if (done + (offered - z.avail_out) == 0)
-      {
         throw;
-      }
       m_textOffset += offered - z.avail_out;
       return done + (offered - z.avail_out);
     }

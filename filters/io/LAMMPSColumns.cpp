@@ -29,15 +29,11 @@ Indexed splitIndex(const std::string& name)
   const std::size_t open = name.find('[');
   std::int64_t index = 0;
   if (open == 0 || open == name.npos || name.back() != ']')
-  {
     return {name, 0};
-  }
   const std::string inside = name.substr(open + 1, name.size() - open - 2);
   const char* const end = parseInteger(inside.c_str(), index);
   if (!end || *end != '\0' || index < 1)
-  {
     return {name, 0};
-  }
   return {name.substr(0, open), static_cast<std::size_t>(index)};
 }
 
@@ -52,9 +48,7 @@ std::size_t groupLength(const Names& names, std::size_t first, std::string& grou
     {
       const Indexed next = splitIndex(names[first + length]);
       if (next.base != indexed.base || next.index != length + 1)
-      {
         break;
-      }
       ++length;
     }
     group = indexed.base;
@@ -77,12 +71,8 @@ std::size_t groupLength(const Names& names, std::size_t first, std::string& grou
 bool isNumberOfLAMMPS(const std::string& name)
 {
   for (const char* prefix : {"c_", "f_", "v_", "i_", "d_", "i2_", "d2_"})
-  {
     if (name.starts_with(prefix))
-    {
       return true;
-    }
-  }
   return isOneOf(
     name, {"id", "mol", "proc", "procp1", "mass", "x", "y", "z", "xs", "ys", "zs", "xu", "yu", "zu",
             "xsu", "ysu", "zsu", "ix", "iy", "iz", "vx", "vy", "vz", "fx", "fy", "fz", "q", "mux",
@@ -112,9 +102,7 @@ LAMMPSLayout layoutOf(const Names& columns, bool combine)
       }
     }
     if (found == columns.end() && layout.missing.empty())
-    {
       layout.missing = letter;
-    }
   }
   for (std::size_t first = 0; first < columns.size();)
   {
@@ -124,9 +112,7 @@ LAMMPSLayout layoutOf(const Names& columns, bool combine)
     {
       ColumnGroup array = {length > 1 ? name : columns[first], {}};
       for (std::size_t i = 0; i < length; ++i)
-      {
         array.columns.push_back(first + i);
-      }
       layout.arrays.push_back(std::move(array));
     }
     first += length;
@@ -137,22 +123,14 @@ LAMMPSLayout layoutOf(const Names& columns, bool combine)
 ColumnType typeOf(const std::string& column, const std::string& firstValue)
 {
   if (isOneOf(column, {"element", "typelabel"}))
-  {
     return ColumnType::String;
-  }
   double number = 0;
   if (!isNumberOfLAMMPS(column) && !firstValue.empty() && !parseDouble(firstValue.c_str(), number))
-  {
     return ColumnType::String;
-  }
   if (isOneOf(column, {"id", "mol"}))
-  {
     return ColumnType::Int64;
-  }
   if (isOneOf(column, {"type", "proc", "procp1", "ix", "iy", "iz"}))
-  {
     return ColumnType::Int32;
-  }
   return ColumnType::Float64;
 }
 
@@ -161,9 +139,7 @@ LAMMPSPlacement::LAMMPSPlacement(
   : m_box(frame.box)
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
-  {
     m_scaled[axis] = layout.coordinates[axis].scaled;
-  }
   const std::size_t count = m_scaled[0] + m_scaled[1] + m_scaled[2];
   if (count > 0 && !m_box.known)
   {

@@ -59,9 +59,7 @@ private:
 void Indexer::report()
 {
   if (m_progress && !m_progress(m_cursor.fraction()))
-  {
     throw FileError(FileError::Kind::Aborted, m_cursor.path(), "reading was aborted");
-  }
 }
 
 void Indexer::checkBeginning()
@@ -70,9 +68,7 @@ void Indexer::checkBeginning()
   const auto refuse = [&](FileError::Kind kind, const std::string& sentence) -> void
   { throw FileError(kind, m_cursor.path(), sentence); };
   if (looksLikeLAMMPSDump(beginning))
-  {
     return;
-  }
   if (beginning.empty())
   {
     std::string_view line;
@@ -87,9 +83,7 @@ void Indexer::checkBeginning()
       "turns one into the other)");
   }
   if (beginning.find('\0') != std::string::npos)
-  {
     refuse(FileError::Kind::OtherFormat, "this is a binary file, not a LAMMPS text dump");
-  }
   const std::string line = beginning.substr(0, std::min<std::size_t>(beginning.find('\n'), 40));
   throw FileError(FileError::Kind::OtherFormat, m_cursor.path(),
     "this is no LAMMPS text dump: expected 'ITEM: TIMESTEP', found '" + line + "'", 1);
@@ -109,17 +103,13 @@ bool Indexer::indexFrame()
   {
     report();
     if (!header.read())
-    {
       return false;
-    }
     skipRows(frame);
   }
   catch (const FileError& damage)
   {
     if (damage.kind() == FileError::Kind::Aborted)
-    {
       throw;
-    }
     m_lastDamage = damage;
     if (!header.hasTimestep())
     {
@@ -155,9 +145,7 @@ void Indexer::skipRows(const LAMMPSFrame& frame)
       : damaged(FileError::Kind::Truncated, "the file ends after " + after + ": it is truncated");
   }
   while (m_cursor.peekLine(line) && line.find_first_not_of(" \t\r") == line.npos)
-  {
     m_cursor.nextLine(line);
-  }
   if (m_cursor.peekLine(line) && !line.starts_with("ITEM:"))
   {
     throw damaged(
@@ -173,9 +161,7 @@ std::uint64_t Indexer::skipLines(std::uint64_t lines)
   {
     const std::string_view block = m_cursor.block(SkipBytes);
     if (block.empty())
-    {
       break;
-    }
     const ByteCounts counts = countBytes(block, '\n', ':');
     if (counts.second == 0 && counts.first <= lines - done)
     {
@@ -195,9 +181,7 @@ std::uint64_t Indexer::skipLines(std::uint64_t lines)
     done += passed;
     report();
     if (at < block.size())
-    {
       break;
-    }
   }
   return done;
 }
@@ -211,9 +195,7 @@ bool Indexer::resynchronise()
     while (m_cursor.peekLine(line))
     {
       if (startsFrame(line))
-      {
         return true;
-      }
       m_cursor.nextLine(line);
       skipLines(~std::uint64_t{0});
     }
@@ -221,9 +203,7 @@ bool Indexer::resynchronise()
   catch (const FileError& damage)
   {
     if (damage.kind() == FileError::Kind::Aborted)
-    {
       throw;
-    }
   }
   return false;
 }

@@ -67,9 +67,7 @@ void LAMMPSHeader::numbers(double* values, std::size_t count, const char* what)
   const std::vector<std::string> tokens = splitValues(line);
   bool good = tokens.size() == count;
   for (std::size_t i = 0; good && i < count; ++i)
-  {
     good = parseDouble(tokens[i].c_str(), values[i]) != nullptr && std::isfinite(values[i]);
-  }
   if (!good)
   {
     refuse(std::string("expected ") + what + " (" + std::to_string(count) +
@@ -86,22 +84,16 @@ bool LAMMPSHeader::read()
     if (!m_cursor.nextLine(line))
     {
       if (!any)
-      {
         return false;
-      }
       throw FileError(FileError::Kind::Truncated, m_cursor.path(),
         "the file ends within the header of a time step: it is truncated", m_cursor.line());
     }
     const std::string_view text = trimmed(line);
     if (text.empty())
-    {
       continue;
-    }
     any = true;
     if (!text.starts_with("ITEM: "))
-    {
       refuse("expected a line that begins with 'ITEM: ', found " + quoted(text));
-    }
     readItem(text.substr(6));
   }
   return true;
@@ -145,15 +137,11 @@ void LAMMPSHeader::readItem(std::string_view item)
 void LAMMPSHeader::readTimestep()
 {
   if (m_hasTimestep)
-  {
     refuse("a second 'ITEM: TIMESTEP' before 'ITEM: ATOMS'");
-  }
   const std::string step(value("the number of the time step"));
   const char* const end = parseInteger(step.c_str(), m_frame.timestep);
   if (!end || *end != '\0')
-  {
     refuse("expected the number of the time step, found " + quoted(step));
-  }
   m_hasTimestep = true;
 }
 
@@ -163,9 +151,7 @@ void LAMMPSHeader::readAtomCount()
   std::int64_t atoms = 0;
   const char* const end = parseInteger(count.c_str(), atoms);
   if (!end || *end != '\0' || atoms < 0)
-  {
     refuse("expected the number of atoms, an integer from 0 on, found " + quoted(count));
-  }
   m_frame.atoms = static_cast<std::uint64_t>(atoms);
   m_hasCount = true;
 }
@@ -212,9 +198,7 @@ void LAMMPSHeader::readColumns(std::string_view names)
   }
   std::vector<std::string> columns = splitValues(names);
   if (columns.empty())
-  {
     columns = {"id", "type", "xs", "ys", "zs"}; // dump style atom, before columns had names
-  }
   for (std::size_t i = 0; i < columns.size(); ++i)
   {
     const auto first = std::find(columns.begin(), columns.end(), columns[i]) - columns.begin();
@@ -226,9 +210,7 @@ void LAMMPSHeader::readColumns(std::string_view names)
   }
   // Frames of a file share their list.
   if (!m_frame.columns || *m_frame.columns != columns)
-  {
     m_frame.columns = std::make_shared<const std::vector<std::string>>(std::move(columns));
-  }
   m_frame.rows = m_cursor.place();
 }
 

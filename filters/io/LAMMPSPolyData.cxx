@@ -29,14 +29,10 @@ void requireCoordinates(
 {
   const std::string& axis = layout.missing;
   if (axis.empty())
-  {
     return;
-  }
   std::string names;
   for (const std::string& column : *frame.columns)
-  {
     names += ' ' + column;
-  }
   throw FileError(FileError::Kind::Malformed, path,
     "no column gives the " + axis + " coordinate (" + axis + ", " + axis + "u, " + axis + "s or " +
       axis + "su); the columns are" + names,
@@ -58,9 +54,7 @@ std::vector<ColumnType> chooseTypes(TextCursor& cursor, const LAMMPSFrame& frame
   for (const ColumnGroup& array : layout.arrays)
   {
     if (options.wanted && !options.wanted(array.name))
-    {
       continue;
-    }
     for (const std::size_t column : array.columns)
     {
       const ColumnType type = typeOf(columns[column], first[column]);
@@ -92,19 +86,13 @@ std::optional<std::size_t> wordColumn(const PointRows& rows)
       const std::size_t column = array.columns[0];
       if (array.columns.size() == 1 && rows.types[column] == ColumnType::String &&
           (!name || array.name == name))
-      {
         return column;
-      }
     }
     return {};
   };
   for (const char* name : wordColumns)
-  {
     if (const auto column = find(name))
-    {
       return column;
-    }
-  }
   return find(nullptr);
 }
 
@@ -112,19 +100,13 @@ std::optional<std::size_t> wordColumn(const PointRows& rows)
 vtkStringArray* typeWords(vtkPointData* arrays)
 {
   for (const char* name : wordColumns)
-  {
     if (auto* words = vtkStringArray::SafeDownCast(arrays->GetAbstractArray(name)))
-    {
       return words;
-    }
-  }
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
   {
     auto* words = vtkStringArray::SafeDownCast(arrays->GetAbstractArray(i));
     if (words && words->GetNumberOfComponents() == 1)
-    {
       return words;
-    }
   }
   return nullptr;
 }
@@ -134,9 +116,7 @@ void addTypes(const LAMMPSFrame& frame, vtkPointData* arrays)
 {
   vtkStringArray* words = typeWords(arrays);
   if (!words || hasTypes(frame))
-  {
     return;
-  }
   using Range = tbb::blocked_range<vtkIdType>;
   using Words = std::set<std::string>;
   const Range all(0, words->GetNumberOfValues(), 10000);
@@ -174,14 +154,10 @@ void addTypes(NumberedWords& words, vtkPolyData* output)
 {
   std::map<std::string, int> types;
   for (const auto& [word, number] : words.table.numbers())
-  {
     types[word] = 0;
-  }
   int last = 0;
   for (auto& [word, type] : types)
-  {
     type = ++last;
-  }
   addTypes(words, types, output);
 }
 
@@ -206,9 +182,7 @@ void readLAMMPSFrame(const std::string& path, const LAMMPSFrame& frame,
   const LAMMPSReadOptions& options, const Progress& progress, vtkPolyData* output)
 {
   if (frame.damage)
-  {
     throw *frame.damage;
-  }
   const LAMMPSLayout layout = layoutOf(*frame.columns, options.combine);
   requireCoordinates(path, frame, layout);
   const LAMMPSPlacement placement(frame, layout, path);
@@ -220,9 +194,7 @@ void readLAMMPSFrame(const std::string& path, const LAMMPSFrame& frame,
   rows.types = chooseTypes(cursor, frame, layout, options);
   rows.arrays = layout.arrays;
   for (std::size_t axis = 0; axis < 3; ++axis)
-  {
     rows.coordinates[axis] = layout.coordinates[axis].column;
-  }
   if (placement.needed())
   {
     rows.transform = [&](double* positions, std::uint64_t first, std::uint64_t count)
@@ -238,13 +210,9 @@ void readLAMMPSFrame(const std::string& path, const LAMMPSFrame& frame,
   }
   readPointRows(cursor, std::move(rows), progress, output);
   if (words.numbers)
-  {
     addTypes(words, output);
-  }
   else if (!options.space)
-  {
     addTypes(frame, output->GetPointData());
-  }
   addHeader(frame, output->GetFieldData());
 }
 

@@ -16,14 +16,10 @@ template <class Number, class Bits>
 std::optional<double> binaryNumber(std::string_view text)
 {
   if (text.size() < sizeof(Bits))
-  {
     return std::nullopt;
-  }
   Bits bits = 0;
   for (const char byte : text.substr(0, sizeof(Bits)))
-  {
     bits = bits << 8 | static_cast<unsigned char>(byte);
-  }
   return std::bit_cast<Number>(bits);
 }
 
@@ -42,25 +38,19 @@ std::optional<double> textNumber(std::string_view text)
 std::optional<double> legacyTime(std::string_view beginning)
 {
   if (!beginning.starts_with("# vtk DataFile"))
-  {
     return std::nullopt;
-  }
   constexpr std::string_view name = "\nTimeValue 1 1 ";
   const std::size_t at = beginning.find(name);
   const std::size_t line = at == beginning.npos ? at : beginning.find('\n', at + 1);
   if (line == beginning.npos)
-  {
     return std::nullopt;
-  }
   const std::size_t typeAt = at + name.size();
   const std::string_view type = beginning.substr(typeAt, line - typeAt);
   const std::string_view value = beginning.substr(line + 1);
   const bool isDouble = type == "double";
   std::optional<double> time;
   if (!isDouble && type != "float")
-  {
     return std::nullopt;
-  }
   if (beginning.substr(0, at).find("\nBINARY") != beginning.npos)
   {
     time = isDouble ? binaryNumber<double, std::uint64_t>(value)

@@ -41,16 +41,10 @@ std::string recordName(std::string_view line)
 {
   std::string name;
   for (const char c : line.substr(0, 6))
-  {
     if (!endsToken(c))
-    {
       name.push_back(static_cast<char>(std::toupper(static_cast<unsigned char>(c))));
-    }
     else if (!name.empty())
-    {
       break;
-    }
-  }
   return name;
 }
 
@@ -134,9 +128,7 @@ void checkPDBIsWhole(const std::string& path)
     line = line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
     record = recordName(line);
     if (end == std::string_view::npos)
-    {
       checkOpenEnd(walk, record, line);
-    }
     if (record == "ATOM" || record == "HETATM")
     {
       checkAtom(walk, line);

@@ -32,9 +32,7 @@ void makeRadiusScalar(vtkPointData* arrays)
 {
   vtkDataArray* triple = arrays->GetArray("radius");
   if (!triple || triple->GetNumberOfComponents() == 1)
-  {
     return;
-  }
   vtkNew<vtkFloatArray> radius;
   radius->SetName("radius");
   radius->SetNumberOfTuples(triple->GetNumberOfTuples());

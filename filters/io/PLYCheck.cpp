@@ -42,19 +42,11 @@ struct Header
 std::size_t bytesOf(const std::string& type)
 {
   for (const char* name : {"char", "uchar", "int8", "uint8"})
-  {
     if (type == name)
-    {
       return 1;
-    }
-  }
   for (const char* name : {"short", "ushort", "int16", "uint16"})
-  {
     if (type == name)
-    {
       return 2;
-    }
-  }
   return type == "double" || type == "float64" ? 8 : 4;
 }
 
@@ -64,9 +56,7 @@ Header readHeader(TextCursor& cursor)
   Header header;
   std::string_view line;
   if (!cursor.nextLine(line) || line != "ply")
-  {
     return header;
-  }
   Header::Format format = Header::Format::None;
   while (cursor.nextLine(line) && !line.starts_with("end_header"))
   {
@@ -114,16 +104,12 @@ bool isWhole(std::string_view bytes, const Header& header)
       for (const Property& property : element.properties)
       {
         if (bytes.size() < property.countBytes)
-        {
           return false;
-        }
         const std::uint64_t count =
           property.countBytes > 0 ? readCount(bytes.data(), property.countBytes, bigEndian) : 1;
         bytes.remove_prefix(property.countBytes);
         if (bytes.size() / property.valueBytes < count)
-        {
           return false;
-        }
         bytes.remove_prefix(count * property.valueBytes);
       }
     }
@@ -149,9 +135,7 @@ void checkPLYIsWhole(const std::string& path)
   {
     std::uint64_t expected = 0;
     for (const Element& element : header.elements)
-    {
       expected += element.count;
-    }
     const std::string_view text = file.text().substr(cursor.offset());
     const bool open = !text.empty() && text.back() != '\n';
     whole = countBytes(text, '\n', '\n').first + open >= expected;

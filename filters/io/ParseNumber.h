@@ -21,9 +21,7 @@ inline bool endsToken(char c)
 inline const char* tokenEnd(const char* p)
 {
   while (!endsToken(*p))
-  {
     ++p;
-  }
   return p;
 }
 
@@ -39,9 +37,7 @@ inline bool passSign(const char*& p)
 inline void passDigits(const char*& p, std::uint64_t& digits)
 {
   for (unsigned digit = 0; (digit = static_cast<unsigned char>(*p) - '0') <= 9; ++p)
-  {
     digits = 10 * digits + digit;
-  }
 }
 
 /// The general case: any length, any exponent, nan and inf. See parseDouble.
@@ -53,15 +49,11 @@ inline const char* parseDoubleSlowly(const char* begin, double& value)
   {
     ++p; // from_chars does not know it
     if (*p == '-')
-    {
       return nullptr;
-    }
   }
   const auto [stop, error] = std::from_chars(p, end, value);
   if (stop != end || error == std::errc::invalid_argument)
-  {
     return nullptr;
-  }
   if (error == std::errc::result_out_of_range)
   {
     // What is too small for a double is zero or nearly so; what is too large is no value.
@@ -102,13 +94,9 @@ inline const char* parseDouble(const char* begin, double& value)
     std::ptrdiff_t written = 0;
     unsigned digit = 0;
     for (; (digit = static_cast<unsigned char>(*p) - '0') <= 9 && p - power < 4; ++p)
-    {
       written = 10 * written + digit;
-    }
     if (p == power)
-    {
       return nullptr;
-    }
     exponent += down ? -written : written;
   }
   // Nineteen digits always fit into 64 bits.
@@ -133,9 +121,7 @@ const char* parseInteger(const char* begin, Integer& value)
   std::uint64_t digits = 0;
   passDigits(p, digits);
   if (p == first || !endsToken(*p))
-  {
     return nullptr;
-  }
   if (p - first <= 18)
   {
     const auto size = static_cast<std::int64_t>(digits);

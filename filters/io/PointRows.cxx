@@ -22,14 +22,10 @@ namespace
 ColumnSpace chooseSpace(const PointRows& rows)
 {
   if (!rows.space)
-  {
     return {};
-  }
   std::uint64_t bytes = 3 * sizeof(double);
   for (const ColumnType type : rows.types)
-  {
     bytes += type == ColumnType::Skip ? 0 : bytesOf(type);
-  }
   // A structure over the points is read here and there, columns from their begin to their end.
   const std::uint64_t structure = 20;
   return {rows.space.get(), !rows.space->hasRoomFor((bytes + structure) * rows.rows)};
@@ -44,9 +40,7 @@ void addWords(const PointRows& rows, const ColumnGroup& group, const ColumnSpace
   name->SetName(group.name.c_str());
   output->GetPointData()->AddArray(name);
   if (!rows.words || group.columns[0] != rows.words->column)
-  {
     return;
-  }
   TextColumn& target = targets[group.columns[0]];
   target.type = ColumnType::Word;
   target.words = &rows.words->table;
@@ -62,9 +56,7 @@ void addArrays(const PointRows& rows, const ColumnSpace& space, vtkPolyData* out
   {
     const ColumnType type = rows.types[group.columns[0]];
     if (type == ColumnType::Skip)
-    {
       continue;
-    }
     if (type == ColumnType::String && rows.space)
     {
       addWords(rows, group, space, output, targets);
@@ -81,9 +73,7 @@ void addArrays(const PointRows& rows, const ColumnSpace& space, vtkPolyData* out
       target.data = data ? static_cast<char*>(data) + i * bytesOf(type) : nullptr;
       target.stride = components;
       if (components > 1)
-      {
         array->SetComponentName(i, target.name.c_str());
-      }
     }
     output->GetPointData()->AddArray(array);
   }
@@ -95,12 +85,8 @@ void widen(PointRows& rows, const WidenColumn& request)
   for (const ColumnGroup& group : rows.arrays)
   {
     if (std::count(group.columns.begin(), group.columns.end(), request.column) > 0)
-    {
       for (const std::size_t member : group.columns)
-      {
         rows.types[member] = request.type;
-      }
-    }
   }
 }
 
@@ -115,9 +101,7 @@ void readPointRows(
     output->Initialize();
     std::vector<TextColumn> targets(rows.columns.size());
     for (std::size_t i = 0; i < targets.size(); ++i)
-    {
       targets[i].name = rows.columns[i];
-    }
     vtkNew<vtkPoints> points;
     const ColumnSpace space = chooseSpace(rows);
     double* const positions = makePositions(points, static_cast<vtkIdType>(rows.rows), space);
@@ -139,32 +123,24 @@ void readPointRows(
     cursor.seek(rows.place);
     result = readRows(cursor, rows.rows, targets, stored, progress);
     if (!result.complete)
-    {
       widen(rows, result.widen);
-    }
   } while (!result.complete);
   if (!rows.space)
-  {
     setVertices(output, static_cast<vtkIdType>(rows.rows));
-  }
 }
 
 void addTypes(NumberedWords& words, const std::map<std::string, int>& types, vtkPolyData* output)
 {
   std::vector<int> typeOf(static_cast<std::size_t>(words.table.end()), 0);
   for (const auto& [word, number] : words.table.numbers())
-  {
     typeOf[static_cast<std::size_t>(number)] = types.at(word);
-  }
   const vtkIdType count = words.numbers->GetNumberOfTuples();
   auto* const values = static_cast<int*>(words.numbers->GetVoidPointer(0));
   tbb::parallel_for(tbb::blocked_range<vtkIdType>(0, count, 10000),
     [&](const tbb::blocked_range<vtkIdType>& range)
     {
       for (vtkIdType i = range.begin(); i < range.end(); ++i)
-      {
         values[i] = typeOf[static_cast<std::size_t>(values[i])];
-      }
     });
   words.numbers->SetName("type");
   output->GetPointData()->AddArray(words.numbers);

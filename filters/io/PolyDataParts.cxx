@@ -112,13 +112,9 @@ double* makePositions(vtkPoints* points, vtkIdType count, const ColumnSpace& spa
 void setVertices(vtkPolyData* output, vtkIdType points)
 {
   if (points < VTK_INT_MAX)
-  {
     setVerticesOf<vtkTypeInt32Array>(output, points);
-  }
   else
-  {
     setVerticesOf<vtkTypeInt64Array>(output, points);
-  }
 }
 
 void addNumbers(vtkFieldData* fields, const char* name, const double* values, int count)

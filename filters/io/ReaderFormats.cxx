@@ -51,9 +51,7 @@ vtkSmartPointer<vtkAlgorithm> makeSeries(const FileNames& fileNames)
 {
   auto reader = vtkSmartPointer<Reader>::New();
   for (const std::string& name : fileNames)
-  {
     reader->AddFileName(name.c_str());
-  }
   return reader;
 }
 
@@ -113,9 +111,7 @@ const ReaderFormat* generatedFormat(const std::string& path)
 const ReaderFormat* formatOf(const std::string& path, std::string_view beginning)
 {
   if (const ReaderFormat* format = generatedFormat(path))
-  {
     return format;
-  }
   const std::string name = vtksys::SystemTools::LowerCase(path);
   const ReaderFormat* found = nullptr;
   std::size_t longest = 0;
@@ -132,12 +128,8 @@ const ReaderFormat* formatOf(const std::string& path, std::string_view beginning
     }
   }
   for (const ReaderFormat& format : readerFormats())
-  {
     if (!found && format.recognise && format.recognise(beginning))
-    {
       found = &format;
-    }
-  }
   return found;
 }
 

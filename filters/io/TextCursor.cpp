@@ -41,9 +41,7 @@ std::uint64_t TextCursor::offset() const
 double TextCursor::fraction() const
 {
   if (m_file.bytes() == 0)
-  {
     return 1.0;
-  }
   const std::uint64_t done = m_stream ? m_stream->fileOffset() : offset();
   return std::min(1.0, static_cast<double>(done) / static_cast<double>(m_file.bytes()));
 }
@@ -64,9 +62,7 @@ void TextCursor::seek(const Place& place)
   }
   m_stream = std::make_unique<GzipStream>(m_file);
   if (place.snapshot)
-  {
     m_stream->restore(*place.snapshot);
-  }
   m_snapshot = place.snapshot;
   m_nextSnapshot = nullptr;
   m_buffer.resize(BufferBytes);
@@ -74,9 +70,7 @@ void TextCursor::seek(const Place& place)
   {
     const std::uint64_t missing = place.offset - m_stream->textOffset();
     if (m_stream->read(m_buffer.data(), std::min<std::uint64_t>(missing, BufferBytes)) == 0)
-    {
       break;
-    }
   }
   m_filled = 0;
   m_origin = m_position = m_end = m_buffer.data();
@@ -93,25 +87,19 @@ TextCursor::Place TextCursor::place() const
 void TextCursor::takeSnapshot()
 {
   if (m_nextSnapshot && m_nextSnapshot->textOffset <= offset())
-  {
     m_snapshot = std::move(m_nextSnapshot);
-  }
   const std::uint64_t last = m_nextSnapshot ? m_nextSnapshot->textOffset
                              : m_snapshot   ? m_snapshot->textOffset
                                             : 0;
   if (!m_nextSnapshot && m_stream->textOffset() >= last + SnapshotDistance)
-  {
     m_nextSnapshot = std::make_shared<const GzipStream::Snapshot>(m_stream->snapshot());
-  }
 }
 
 void TextCursor::acceptOpenEnd(std::string_view rest)
 {
   m_atEnd = true;
   if (rest.empty())
-  {
     return;
-  }
   if (m_openEnd == OpenEnd::Reject)
   {
     throw FileError(FileError::Kind::Truncated, path(),
@@ -139,9 +127,7 @@ void TextCursor::fillFromStream()
     m_origin = m_position = m_buffer.data();
     m_end = m_position + wholeLines({m_position, m_filled}).size();
     if (m_position != m_end)
-    {
       return;
-    }
     if (count == 0)
     {
       acceptOpenEnd({m_position, m_filled});
@@ -154,9 +140,7 @@ void TextCursor::fillFromStream()
     }
     rest = m_filled;
     if (rest == m_buffer.size())
-    {
       m_buffer.resize(2 * rest);
-    }
   }
 }
 
@@ -164,42 +148,30 @@ void TextCursor::fillFromStream()
 bool TextCursor::fill()
 {
   if (m_atEnd)
-  {
     return false;
-  }
   if (m_stream)
-  {
     fillFromStream();
-  }
   else
-  {
     acceptOpenEnd(m_file.text().substr(static_cast<std::size_t>(m_end - m_origin)));
-  }
   return m_position != m_end;
 }
 
 bool TextCursor::peekLine(std::string_view& line)
 {
   if (m_position == m_end && !fill())
-  {
     return false;
-  }
   const auto* lineEnd = static_cast<const char*>(
     std::memchr(m_position, '\n', static_cast<std::size_t>(m_end - m_position)));
   line = {m_position, static_cast<std::size_t>(lineEnd - m_position)};
   if (!line.empty() && line.back() == '\r')
-  {
     line.remove_suffix(1);
-  }
   return true;
 }
 
 bool TextCursor::nextLine(std::string_view& line)
 {
   if (!peekLine(line))
-  {
     return false;
-  }
   m_position += line.size();
   m_position += *m_position == '\r' ? 2 : 1;
   ++m_line;
@@ -209,9 +181,7 @@ bool TextCursor::nextLine(std::string_view& line)
 std::string_view TextCursor::block(std::size_t bytes)
 {
   if (m_position == m_end && !fill())
-  {
     return {};
-  }
   const std::string_view window(m_position, static_cast<std::size_t>(m_end - m_position));
   const std::string_view whole = wholeLines(window.substr(0, bytes));
   return whole.empty() ? window.substr(0, window.find('\n') + 1) : whole;

@@ -37,17 +37,11 @@ struct stat statOf(const std::string& path)
 {
   struct stat status = {};
   if (::stat(path.c_str(), &status) != 0)
-  {
     throw cannotOpen(path, errno);
-  }
   if (S_ISDIR(status.st_mode))
-  {
     throw FileError(FileError::Kind::CannotOpen, path, "this is a directory, not a file");
-  }
   if (!S_ISREG(status.st_mode))
-  {
     throw FileError(FileError::Kind::CannotOpen, path, "this is not a regular file");
-  }
   return status;
 }
 
@@ -66,9 +60,7 @@ TextFile::TextFile(const std::string& path)
   statOf(path); // before open: opening a pipe would wait for its writer
   m_descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (m_descriptor < 0)
-  {
     throw cannotOpen(path, errno);
-  }
   struct stat status = {};
   ::fstat(m_descriptor, &status);
   m_bytes = static_cast<std::uint64_t>(status.st_size);
@@ -91,9 +83,7 @@ TextFile::TextFile(const std::string& path)
 TextFile::~TextFile()
 {
   if (m_map)
-  {
     ::munmap(const_cast<char*>(m_map), m_bytes);
-  }
   ::close(m_descriptor);
 }
 
@@ -101,9 +91,7 @@ std::string readBeginning(const std::string& path, std::size_t count)
 {
   const TextFile file(path);
   if (!file.isGzip())
-  {
     return std::string(file.text().substr(0, count));
-  }
   std::string text(count, '\0');
   std::size_t filled = 0;
   try

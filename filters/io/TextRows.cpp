@@ -48,9 +48,7 @@ struct Piece
 const char* skipBlanks(const char* p)
 {
   while (*p != '\n' && endsToken(*p))
-  {
     ++p;
-  }
   return p;
 }
 
@@ -140,9 +138,7 @@ void parsePiece(Piece& piece, const std::vector<TextColumn>& columns, const Rows
   }
   piece.bytes = static_cast<std::size_t>(p - piece.text.data());
   if (stored && piece.rows > 0)
-  {
     stored(piece.firstRow, piece.rows);
-  }
 }
 
 std::vector<Piece> cutIntoPieces(std::string_view text)
@@ -169,9 +165,7 @@ FileError describe(const Fault& fault, const std::vector<TextColumn>& columns,
   const auto column = static_cast<std::uint64_t>(fault.token - fault.lineBegin) + 1;
   const char* lineEnd = fault.token;
   while (*lineEnd != '\n')
-  {
     ++lineEnd;
-  }
   const std::string_view whole(
     fault.lineBegin, static_cast<std::size_t>(lineEnd - fault.lineBegin));
   const std::size_t found = splitValues(whole).size();
@@ -222,9 +216,7 @@ void parseBatch(std::vector<Piece>& pieces, std::uint64_t firstRow, std::uint64_
 void report(const Progress& progress, double fraction, const TextCursor& cursor)
 {
   if (progress && !progress(fraction))
-  {
     throw FileError(FileError::Kind::Aborted, cursor.path(), "reading was aborted");
-  }
 }
 
 } // namespace
@@ -250,13 +242,9 @@ RowsResult readRows(TextCursor& cursor, std::uint64_t rows, const std::vector<Te
     for (const Piece& piece : pieces)
     {
       if (piece.fault && piece.fault->trouble == Trouble::Widen)
-      {
         return {false, widened(*piece.fault, columns)};
-      }
       if (piece.fault)
-      {
         throw describe(*piece.fault, columns, cursor, cursor.line() + piece.fault->row - done);
-      }
       bytes += piece.bytes;
       lines += piece.rows;
     }
@@ -283,13 +271,9 @@ std::vector<std::string> splitValues(std::string_view line)
   {
     const std::size_t begin = at;
     while (at < line.size() && !endsToken(line[at]))
-    {
       ++at;
-    }
     if (at > begin)
-    {
       values.emplace_back(line.substr(begin, at - begin));
-    }
     ++at;
   }
   return values;

@@ -34,9 +34,7 @@ const Step& requestedStep(
 {
   auto* key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
   if (!information->Has(key))
-  {
     return steps.front();
-  }
   const auto after =
     std::ranges::upper_bound(steps, information->Get(key), std::ranges::less(), time);
   return after == steps.begin() ? *after : *(after - 1);

@@ -27,9 +27,7 @@ void setTimes(std::vector<XYZFrame>& frames)
     last = frame.time;
   }
   for (std::size_t i = 0; !written && i < frames.size(); ++i)
-  {
     frames[i].time = static_cast<double>(i);
-  }
 }
 
 void skipRows(TextCursor& cursor, XYZFrame& frame, const Progress& progress)
@@ -45,9 +43,7 @@ void skipRows(TextCursor& cursor, XYZFrame& frame, const Progress& progress)
         cursor.line());
     }
     if (row % 65536 == 0 && progress && !progress(cursor.fraction()))
-    {
       throw FileError(FileError::Kind::Aborted, cursor.path(), "reading was aborted");
-    }
   }
 }
 
@@ -56,9 +52,7 @@ std::string propertiesOf(const std::string& comment)
 {
   const std::size_t at = comment.find("Properties=");
   if (at == comment.npos)
-  {
     return {};
-  }
   std::string value = comment.substr(at + 11);
   const bool isQuoted = !value.empty() && value[0] == '"';
   value = value.substr(isQuoted, value.find_first_of(isQuoted ? "\"" : " \t", isQuoted) - isQuoted);
@@ -69,16 +63,10 @@ std::vector<std::string> splitAtColons(const std::string& text)
 {
   std::vector<std::string> fields(1);
   for (const char c : text)
-  {
     if (c == ':')
-    {
       fields.emplace_back();
-    }
     else
-    {
       fields.back().push_back(c);
-    }
-  }
   return fields;
 }
 
@@ -130,14 +118,10 @@ XYZLayout extendedLayout(
                     : ColumnType::String,
       count);
     if (type == 'S' && count == 1 && layout.species.empty())
-    {
       layout.species = layout.arrays.back().name;
-    }
   }
   if (!placed)
-  {
     throw refuse("the properties have no positions (pos:R:3): '" + properties + "'");
-  }
   return layout;
 }
 
@@ -152,9 +136,7 @@ std::vector<XYZFrame> indexXYZ(const std::string& path, const Progress& progress
   {
     const std::vector<std::string> values = splitValues(line);
     if (values.empty() && !frames.empty())
-    {
       continue; // blank lines at the end
-    }
     std::int64_t atoms = -1;
     if (values.size() != 1 || !parseInteger(values[0].c_str(), atoms) || atoms < 0)
     {
@@ -178,9 +160,7 @@ std::vector<XYZFrame> indexXYZ(const std::string& path, const Progress& progress
     frames.push_back(std::move(frame));
   }
   if (frames.empty())
-  {
     throw FileError(FileError::Kind::Truncated, path, "the file is empty");
-  }
   setTimes(frames);
   return frames;
 }
@@ -190,9 +170,7 @@ XYZLayout xyzLayout(
 {
   const std::string properties = propertiesOf(frame.comment);
   if (!properties.empty())
-  {
     return extendedLayout(path, frame, properties);
-  }
   std::int64_t number = 0;
   const bool numbered = !firstRow.empty() && parseInteger(firstRow[0].c_str(), number);
   XYZLayout layout;

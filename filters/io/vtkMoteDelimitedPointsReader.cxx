@@ -40,13 +40,9 @@ char delimiterOf(std::string_view text)
   const std::string_view names = text.substr(0, text.find_first_of("\r\n"));
   char best = ',';
   for (const char candidate : {';', '\t'})
-  {
     if (std::count(names.begin(), names.end(), candidate) >
         std::count(names.begin(), names.end(), best))
-    {
       best = candidate;
-    }
-  }
   return best;
 }
 
@@ -88,9 +84,7 @@ std::string namesOf(vtkTable* table)
 {
   std::string names;
   for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
-  {
     names.append(i > 0 ? ", '" : "'").append(table->GetColumnName(i)).append("'");
-  }
   return names;
 }
 
@@ -100,13 +94,9 @@ vtkDataArray* coordinate(vtkTable* table, const std::string& axis, const std::st
   for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
   {
     if (vtksys::SystemTools::LowerCase(table->GetColumnName(i)) != axis)
-    {
       continue;
-    }
     if (auto* numbers = vtkDataArray::SafeDownCast(table->GetColumn(i)))
-    {
       return numbers;
-    }
     auto* words = vtkStringArray::SafeDownCast(table->GetColumn(i));
     for (vtkIdType row = 0; words && row < words->GetNumberOfValues(); ++row)
     {
@@ -121,9 +111,7 @@ vtkDataArray* coordinate(vtkTable* table, const std::string& axis, const std::st
     }
   }
   if (axis == "z")
-  {
     return nullptr;
-  }
   throw FileError(FileError::Kind::Malformed, path,
     "no column is named '" + axis + "'; points need columns x, y and mostly z, and here are " +
       namesOf(table),
@@ -140,18 +128,14 @@ void convert(vtkTable* table, const std::string& path, vtkPolyData* output)
   {
     axes[axis] = coordinate(table, std::string(1, static_cast<char>('x' + axis)), path);
     for (vtkIdType row = 0; row < count; ++row)
-    {
       positions[3 * row + axis] = axes[axis] ? axes[axis]->GetComponent(row, 0) : 0.0;
-    }
   }
   output->SetPoints(points);
   for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
   {
     vtkAbstractArray* column = table->GetColumn(i);
     if (column != axes[0] && column != axes[1] && column != axes[2])
-    {
       output->GetPointData()->AddArray(column);
-    }
   }
   mote::setVertices(output, count);
 }
@@ -190,18 +174,14 @@ int vtkMoteDelimitedPointsReader::RequestData(
       reader->SetFieldDelimiterCharacters(delimiter);
       reader->Update();
       if (!message.empty() || reader->GetOutput()->GetNumberOfRows() == 0)
-      {
         throw FileError(FileError::Kind::Truncated, path,
           file.bytes() == 0 ? "the file is empty"
                             : "the table has no row below the names of its columns");
-      }
       mendNames(reader->GetOutput());
       convert(reader->GetOutput(), path, result);
     });
   if (good)
-  {
     output->ShallowCopy(result);
-  }
   return 1;
 }
 

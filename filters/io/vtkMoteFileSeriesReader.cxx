@@ -44,13 +44,9 @@ vtkSmartPointer<vtkAlgorithm> open(const std::string& file, std::vector<double>&
   std::string error;
   auto reader = vtkMoteReaderTable::MakeReader(file, error);
   if (reader)
-  {
     times = vtkMoteReaderTable::GetTimeSteps(reader, error);
-  }
   if (!error.empty())
-  {
     fail(error);
-  }
   return reader;
 }
 
@@ -59,9 +55,7 @@ std::optional<double> timeOf(
   const std::string& file, vtkAlgorithm* reader, const std::vector<double>& times)
 {
   if (vtkGenericDataObjectReader::SafeDownCast(reader))
-  {
     return mote::legacyTime(mote::readBeginning(file, 4096));
-  }
   if (times.size() > 1)
   {
     fail(file + ": this file has " + std::to_string(times.size()) +
@@ -86,9 +80,7 @@ std::string asText(const int extent[6])
 {
   std::string text;
   for (int i = 0; i < 6; ++i)
-  {
     text += (i > 0 ? " " : "") + std::to_string(extent[i]);
-  }
   return text;
 }
 
@@ -105,9 +97,7 @@ void requireLikeFirst(
   auto* ownKey = vtkDataObject::DATA_EXTENT();
   vtkInformation* facts = data->GetInformation();
   if (!information->Has(wholeKey) || !facts->Has(ownKey)) // VTK's Get does not survive without
-  {
     return;
-  }
   const int* whole = information->Get(wholeKey);
   const int* own = facts->Get(ownKey);
   if (!std::equal(whole, whole + 6, own))
@@ -157,9 +147,7 @@ bool vtkMoteFileSeriesReader::Internals::Attempt(const Work& work)
     this->Data = nullptr;
     this->Self->LastErrorMessage = error.what();
     if (!this->Self->GetAbortExecute())
-    {
       vtkErrorWithObjectMacro(this->Self, << error.what());
-    }
   }
   return false;
 }
@@ -169,9 +157,7 @@ void vtkMoteFileSeriesReader::Internals::FindSteps(vtkInformation* information)
 {
   this->Steps.clear();
   if (this->Names.empty())
-  {
     fail(std::string(this->Self->GetClassName()) + ": no file name has been set");
-  }
   bool haveTimes = true;
   for (const std::string& name : this->Names)
   {
@@ -182,22 +168,16 @@ void vtkMoteFileSeriesReader::Internals::FindSteps(vtkInformation* information)
       const auto reader = open(name, times);
       time = timeOf(name, reader, times);
       if (this->Steps.empty())
-      {
         copyExtent(reader, information);
-      }
     }
     haveTimes = haveTimes && time && (this->Steps.empty() || this->Steps.back().Time < *time);
     this->Steps.push_back({time.value_or(0.0), name});
     this->Self->UpdateProgress(static_cast<double>(this->Steps.size()) / this->Names.size());
     if (this->Self->GetAbortExecute())
-    {
       fail(name + ": reading was aborted");
-    }
   }
   for (std::size_t i = 0; !haveTimes && i < this->Steps.size(); ++i)
-  {
     this->Steps[i].Time = static_cast<double>(i);
-  }
 }
 
 /// The step's data.
@@ -205,9 +185,7 @@ vtkDataObject* vtkMoteFileSeriesReader::Internals::ReadStep(const Step& step)
 {
   const mote::FileStamp stamp = mote::stampOf(step.File);
   if (this->Data && this->File == step.File && this->Stamp == stamp)
-  {
     return this->Data;
-  }
   this->Data = nullptr; // before the memory is needed for the next
   std::vector<double> times;
   const auto reader = open(step.File, times);
@@ -226,17 +204,11 @@ vtkDataObject* vtkMoteFileSeriesReader::Internals::ReadStep(const Step& step)
   this->Data = vtkMoteReaderTable::Read(reader, error, &warnings);
   reader->RemoveObserver(tag);
   if (this->Self->GetAbortExecute())
-  {
     fail(step.File + ": reading was aborted");
-  }
   if (!error.empty())
-  {
     fail(error);
-  }
   if (!warnings.empty())
-  {
     vtkWarningWithObjectMacro(this->Self, << warnings);
-  }
   this->File = step.File;
   this->Stamp = stamp;
   return this->Data;
@@ -296,18 +268,14 @@ int vtkMoteFileSeriesReader::RequestDataObject(
   {
     std::vector<double> times;
     if (!this->Internal->Names.empty())
-    {
       sample = open(this->Internal->Names.front(), times)->GetOutputDataObject(0);
-    }
   }
   catch (const std::runtime_error&)
   {
     // RequestInformation comes next and reports it.
   }
   if (!sample)
-  {
     sample = vtkSmartPointer<vtkPolyData>::New();
-  }
   if (!before || before->GetDataObjectType() != sample->GetDataObjectType())
   {
     auto output = vtkSmartPointer<vtkDataObject>::Take(sample->NewInstance());
@@ -327,9 +295,7 @@ int vtkMoteFileSeriesReader::RequestInformation(
   {
     std::vector<double> times;
     for (const Step& step : this->Internal->Steps)
-    {
       times.push_back(step.Time);
-    }
     mote::offerTimeSteps(information, times);
   }
   // Success in any case: a failed request would leave old data downstream, where this leads to
@@ -344,9 +310,7 @@ int vtkMoteFileSeriesReader::RequestData(
   vtkDataObject* output = information->Get(vtkDataObject::DATA_OBJECT());
   output->Initialize();
   if (!this->Ready)
-  {
     return 1; // the error has been reported
-  }
   this->Internal->Attempt(
     [&]
     {
@@ -364,9 +328,7 @@ void vtkMoteFileSeriesReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileNames: " << this->GetNumberOfFileNames() << "\n";
   for (const std::string& name : this->Internal->Names)
-  {
     os << indent.GetNextIndent() << name << "\n";
-  }
   os << indent << "TimeSteps: " << this->Internal->Steps.size() << "\n";
   os << indent << "LastErrorMessage: " << this->LastErrorMessage << "\n";
 }

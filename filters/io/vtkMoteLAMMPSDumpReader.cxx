@@ -97,9 +97,7 @@ void vtkMoteLAMMPSDumpReader::Internals::MakeSteps()
     }
   }
   for (const auto& [time, step] : steps)
-  {
     this->Steps.push_back(step);
-  }
 }
 
 bool vtkMoteLAMMPSDumpReader::Internals::FilesHaveChanged() const
@@ -121,9 +119,7 @@ void vtkMoteLAMMPSDumpReader::SetFileName(const char* fileName)
 {
   std::vector<std::string> names;
   if (fileName && *fileName)
-  {
     names.emplace_back(fileName);
-  }
   if (names != this->Internal->Names)
   {
     this->Internal->Names = std::move(names);
@@ -197,26 +193,16 @@ void vtkMoteLAMMPSDumpReader::OfferArrays()
   {
     const auto* columns = step.Frame->columns.get();
     if (!columns || columns == last)
-    {
       continue; // the steps of a file share their list
-    }
     last = columns;
     for (const mote::ColumnGroup& array : mote::layoutOf(*columns, this->CombineVectors).arrays)
-    {
       if (offered.insert(array.name).second)
-      {
         ordered.push_back(array.name);
-      }
-    }
   }
   vtkDataArraySelection* selection = this->Internal->Selection;
   for (const std::string& name : this->Internal->Offered)
-  {
     if (offered.find(name) == offered.end())
-    {
       selection->RemoveArrayByName(name.c_str());
-    }
-  }
   this->Internal->Offered = offered;
   std::string known;
   for (const std::string& name : ordered)
@@ -252,17 +238,11 @@ int vtkMoteLAMMPSDumpReader::RequestInformation(
   if (this->Ready)
   {
     for (const auto& [name, file] : this->Internal->Files)
-    {
       if (!file.Index.warning.empty())
-      {
         vtkWarningMacro(<< file.Index.warning << " (the steps before it can be read)");
-      }
-    }
     std::vector<double> times;
     for (const Step& step : this->Internal->Steps)
-    {
       times.push_back(step.Time);
-    }
     mote::offerTimeSteps(information, times);
   }
   // Success in any case: a failed request would leave old data downstream, where this leads to
@@ -277,18 +257,14 @@ int vtkMoteLAMMPSDumpReader::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(information);
   output->Initialize();
   if (!this->Ready)
-  {
-    return 1; // the error has been reported
-  }
+    return 1;                 // the error has been reported
   vtkNew<vtkPolyData> result; // the output sees nothing that is half read
   double time = 0;
   const bool good = this->Attempt(
     [&](const mote::Progress& progress)
     {
       if (this->Internal->FilesHaveChanged())
-      {
         this->Internal->Update(progress);
-      }
       const Step& step = mote::requestedStep(information, this->Internal->Steps, &Step::Time);
       time = step.Time;
       mote::LAMMPSReadOptions options;
@@ -300,9 +276,7 @@ int vtkMoteLAMMPSDumpReader::RequestData(
       mote::readLAMMPSFrame(*step.File, *step.Frame, options, progress, result);
     });
   if (good)
-  {
     DeliverStep(result, time, output);
-  }
   return 1;
 }
 
@@ -311,9 +285,7 @@ void vtkMoteLAMMPSDumpReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileNames: " << this->GetNumberOfFileNames() << "\n";
   for (const std::string& name : this->Internal->Names)
-  {
     os << indent.GetNextIndent() << name << "\n";
-  }
   os << indent << "TimeSteps: " << this->Internal->Steps.size() << "\n";
   os << indent << "CombineVectors: " << this->CombineVectors << "\n";
   os << indent << "SinglePrecision: " << this->SinglePrecision << "\n";

@@ -47,9 +47,7 @@ int vtkMoteParticleFileReader::RequestInformation(
   vtkInformation* information = outputVector->GetInformationObject(0);
   mote::offerTimeSteps(information, {});
   if (this->Open() && this->File->time())
-  {
     mote::offerTimeSteps(information, {*this->File->time()});
-  }
   return 1;
 }
 
@@ -59,9 +57,7 @@ int vtkMoteParticleFileReader::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   output->Initialize();
   if (!this->File)
-  {
     return 1; // the error has been reported
-  }
   vtkNew<vtkPolyData> result;
   vtkNew<vtkMoteParticleFilePoints> points;
   points->SetFile(this->File);
@@ -69,21 +65,15 @@ int vtkMoteParticleFileReader::RequestData(
   const auto add = [this](vtkFieldData* to, std::size_t count, bool ofWhole)
   {
     for (std::size_t i = 0; i < count; ++i)
-    {
       to->AddArray(vtkSmartPointer<vtkDataArray>::Take(
         vtkMoteParticleFilePoints::NewArray(this->File, i, ofWhole)));
-    }
   };
   add(result->GetPointData(), this->File->arrays().size(), false);
   add(result->GetFieldData(), this->File->facts().size(), true);
   if (this->File->time())
-  {
     DeliverStep(result, *this->File->time(), output);
-  }
   else
-  {
     output->ShallowCopy(result);
-  }
   return 1;
 }
 

@@ -19,9 +19,7 @@ std::uint64_t countLines(mote::TextCursor& cursor)
   {
     const std::string_view block = cursor.block(std::size_t{1} << 20);
     if (block.empty())
-    {
       return lines;
-    }
     const std::uint64_t count = mote::countBytes(block, '\n', '\n').first;
     cursor.advance(block.size(), count);
     lines += count;
@@ -54,16 +52,12 @@ int vtkMotePointsReader::RequestData(
       rows.types.assign(3, mote::ColumnType::Float64);
       rows.rows = countLines(cursor);
       if (rows.rows == 0)
-      {
         throw mote::FileError(
           mote::FileError::Kind::Truncated, this->GetFileName(), "the file is empty");
-      }
       mote::readPointRows(cursor, std::move(rows), progress, result);
     });
   if (good)
-  {
     output->ShallowCopy(result);
-  }
   return 1;
 }
 

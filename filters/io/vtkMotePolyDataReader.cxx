@@ -118,9 +118,7 @@ bool vtkMotePolyDataReader::Attempt(const std::function<void(const ProgressFunct
     this->LastErrorMessage = error.what();
     this->SetErrorCode(errorCodeOf(error.kind()));
     if (error.kind() != mote::FileError::Kind::Aborted)
-    {
       vtkErrorMacro(<< this->LastErrorMessage);
-    }
   }
   catch (const mote::Error& error)
   {

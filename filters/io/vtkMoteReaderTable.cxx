@@ -33,22 +33,14 @@ namespace
 const mote::ReaderFormat& requireFormat(const std::string& path)
 {
   if (path.empty())
-  {
     throw mote::FileError(mote::FileError::Kind::NotFound, "reader", "no file name was given");
-  }
   if (const mote::ReaderFormat* format = mote::pumpFormat(path))
-  {
     return *format;
-  }
   if (const mote::ReaderFormat* format = mote::generatedFormat(path))
-  {
     return *format;
-  }
   const std::string beginning = mote::readBeginning(path, 4096);
   if (const mote::ReaderFormat* format = mote::formatOf(path, beginning))
-  {
     return *format;
-  }
   using Kind = mote::FileError::Kind;
   if (beginning.find("DUMPATOM") != std::string::npos ||
       beginning.find("DUMPCUSTOM") != std::string::npos)
@@ -69,14 +61,10 @@ std::pair<std::size_t, std::size_t> lastNumber(const std::string& path)
   const std::size_t begin = slash == path.npos ? 0 : slash + 1;
   std::size_t last = path.size();
   while (last > begin && !isDigit(path[last - 1]))
-  {
     --last;
-  }
   std::size_t first = last;
   while (first > begin && isDigit(path[first - 1]))
-  {
     --first;
-  }
   return {first, last};
 }
 
@@ -92,13 +80,9 @@ std::pair<std::size_t, std::string> orderOf(const std::string& path)
 bool hasContent(vtkDataObject* data)
 {
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
-  {
     return composite->GetNumberOfPoints() > 0;
-  }
   if (auto* set = vtkDataSet::SafeDownCast(data))
-  {
     return set->GetNumberOfPoints() > 0;
-  }
   auto* table = vtkTable::SafeDownCast(data);
   return data && (!table || table->GetNumberOfRows() > 0);
 }
@@ -131,21 +115,13 @@ std::string runQuietly(vtkAlgorithm* reader, const Update& update, std::string* 
   }
   std::set<std::string> told; // readers repeat themselves
   for (const std::string& warning : catcher.warnings())
-  {
     if (warnings && told.insert(warning).second)
-    {
       *warnings += (warnings->empty() ? "" : "\n") + warning;
-    }
-  }
   if (auto* own = vtkMotePolyDataReader::SafeDownCast(reader))
-  {
     return own->GetLastErrorMessage();
-  }
   auto* series = vtkMoteFileSeriesReader::SafeDownCast(reader);
   if (series && !series->GetLastErrorMessage().empty())
-  {
     return series->GetLastErrorMessage();
-  }
   const std::string error = catcher.firstError();
   return error.empty() ? error : withFile(reader, error);
 }
@@ -184,9 +160,7 @@ vtkSmartPointer<vtkAlgorithm> vtkMoteReaderTable::MakeReader(
   try
   {
     if (fileNames.empty())
-    {
       requireFormat("");
-    }
     const mote::ReaderFormat& format = requireFormat(fileNames.front());
     for (const std::string& name : fileNames)
     {
@@ -290,9 +264,7 @@ std::vector<double> vtkMoteReaderTable::GetTimeSteps(vtkAlgorithm* reader, std::
   vtkInformation* information = reader->GetOutputInformation(0);
   auto* key = vtkStreamingDemandDrivenPipeline::TIME_STEPS();
   if (!error.empty() || !information || !information->Has(key))
-  {
     return {};
-  }
   const double* times = information->Get(key);
   return std::vector<double>(times, times + information->Length(key));
 }
@@ -307,9 +279,7 @@ std::vector<std::vector<std::string>> vtkMoteReaderTable::GroupSeries(
     const auto [first, last] = lastNumber(name);
     std::string pattern;
     if (first < last && mote::isSeriesFile(name))
-    {
       pattern = name.substr(0, first) + '*' + name.substr(last);
-    }
     const auto known = std::find(patterns.begin(), patterns.end(), pattern);
     if (pattern.empty() || known == patterns.end())
     {
@@ -333,12 +303,8 @@ std::string vtkMoteReaderTable::GetExtensions()
 {
   std::string list;
   for (const mote::ReaderFormat& format : mote::readerFormats())
-  {
     for (const char* extension : format.extensions)
-    {
       list.append(list.empty() ? "" : " ").append(extension);
-    }
-  }
   return list;
 }
 
@@ -349,9 +315,7 @@ std::string vtkMoteReaderTable::GetFormatsHelp()
   {
     std::string line = " ";
     for (const char* extension : format.extensions)
-    {
       line += ' ' + std::string(extension);
-    }
     const std::size_t width = 32;
     if (line.size() + 2 > width)
     {

@@ -28,9 +28,7 @@ void addTypes(vtkPolyData* data, const std::string& species)
   auto* names =
     vtkStringArray::SafeDownCast(data->GetPointData()->GetAbstractArray(species.c_str()));
   if (!names || data->GetPointData()->HasArray("type"))
-  {
     return;
-  }
   vtkNew<vtkPeriodicTable> table;
   std::unordered_map<std::string, int> numbers; // the table's own search is slow
   vtkNew<vtkIntArray> types;
@@ -40,9 +38,7 @@ void addTypes(vtkPolyData* data, const std::string& species)
   {
     const auto [entry, isNew] = numbers.try_emplace(names->GetValue(i), 0);
     if (isNew)
-    {
       entry->second = table->GetAtomicNumber(entry->first);
-    }
     types->SetValue(i, entry->second);
   }
   data->GetPointData()->AddArray(types);
@@ -54,9 +50,7 @@ void addTypes(vtkPolyData* data, mote::NumberedWords& words)
   vtkNew<vtkPeriodicTable> table;
   std::map<std::string, int> types;
   for (const auto& [word, number] : words.table.numbers())
-  {
     types[word] = table->GetAtomicNumber(word);
-  }
   mote::addTypes(words, types, data);
 }
 
@@ -89,13 +83,9 @@ void readFrame(const std::string& path, const mote::XYZFrame& frame,
   }
   mote::readPointRows(cursor, std::move(rows), progress, output);
   if (words.numbers)
-  {
     addTypes(output, words);
-  }
   else if (!space)
-  {
     addTypes(output, layout.species);
-  }
 }
 
 } // namespace
@@ -148,9 +138,7 @@ int vtkMoteXYZReader::RequestInformation(
   }
   std::vector<double> times;
   for (const mote::XYZFrame& frame : this->Internal->Frames)
-  {
     times.push_back(frame.time);
-  }
   mote::offerTimeSteps(information, times);
   return 1;
 }
@@ -162,9 +150,7 @@ int vtkMoteXYZReader::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(information);
   output->Initialize();
   if (this->Internal->Frames.empty())
-  {
     return 1; // the error has been reported
-  }
   vtkNew<vtkPolyData> result;
   double time = 0;
   const bool good = this->Attempt(
@@ -177,9 +163,7 @@ int vtkMoteXYZReader::RequestData(
       readFrame(this->GetFileName(), frame, this->GetScratchSpace(), progress, result);
     });
   if (good)
-  {
     DeliverStep(result, time, output);
-  }
   return 1;
 }
 

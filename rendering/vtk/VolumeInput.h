@@ -1,8 +1,8 @@
 #pragma once
 
-#include "kernels/core/ContentHash.h"
 #include "DataArrayView.h"
 #include "ParticleInput.h"
+#include "kernels/core/ContentHash.h"
 
 #include "kernels/hexahedra/HexStructure.h"
 

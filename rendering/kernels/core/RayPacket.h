@@ -6,8 +6,8 @@
 namespace mote
 {
 
-/// Surfaces lie where they should to within this share of their object's longest side: float numbers
-/// relative to its middle, and a ray's formulas (docs/shadows.md tells the measurement).
+/// Surfaces lie where they should to within this share of their object's longest side: float
+/// numbers relative to its middle, and a ray's formulas (docs/shadows.md tells the measurement).
 constexpr double surfaceError = 5e-7;
 
 /// Up to 64 rays that need have nothing in common, and what they have hit so far. Rays of one

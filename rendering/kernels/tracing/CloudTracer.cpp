@@ -4,8 +4,8 @@
 #include "../hexahedra/CellIntegral.h"
 #include "../hexahedra/EvenSamples.h"
 #include "../hexahedra/HexBvhBundle.h"
-#include "detail/CloudLight.h"
 #include "RayCaster.h"
+#include "detail/CloudLight.h"
 
 #include <algorithm>
 #include <cmath>

@@ -66,9 +66,7 @@ protected:
   {
     int count = 0;
     for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(this->Folder))
-    {
       ++count;
-    }
     return count;
   }
 

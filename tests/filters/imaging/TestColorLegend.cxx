@@ -46,9 +46,7 @@ protected:
   {
     std::string text;
     for (int i = 0; i < this->Legend->GetNumberOfTicks(); ++i)
-    {
       text += (i > 0 ? " " : "") + this->Legend->GetTickLabel(i);
-    }
     return text;
   }
 
@@ -114,12 +112,8 @@ TEST_F(ColorLegend, BarHasTheTablesColors)
         isLogarithmic ? 0.5 * std::pow(1000.0, share) : 0.5 + share * (500.0 - 0.5);
       const unsigned char* rgb = this->Table->MapValue(value);
       for (const int x : {bar[0], bar[1]})
-      {
         for (int c = 0; c < 3; ++c)
-        {
           ASSERT_NEAR(output->GetScalarComponentAsDouble(x, y, 0, c), rgb[c] / 255.0, 1e-6) << y;
-        }
-      }
     }
   }
 }
@@ -253,9 +247,7 @@ TEST_F(ColorLegend, TextStandsOut)
   {
     auto image = makeImage(512, 512, 4);
     for (int c = 0; c < 3; ++c)
-    {
       image->GetPointData()->GetScalars()->FillComponent(c, behind);
-    }
     this->Legend->SetTitle("title");
     auto* output = this->draw(image);
     const int* r = this->Legend->GetLegendRectangle();

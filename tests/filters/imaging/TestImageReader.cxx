@@ -69,9 +69,7 @@ vtkSmartPointer<vtkImageData> tracedImage(int width, int height, std::int64_t la
     object->SetValue(i, i % 3 == 0 ? -1 : static_cast<int>(i % 5));
     particle->SetValue(i, i % 3 == 0 ? -1 : largestId - i);
     for (int c = 0; c < 5; ++c)
-    {
       flow->SetTypedComponent(i, c, static_cast<float>(i) + 0.125f * static_cast<float>(c));
-    }
   }
   return image;
 }
@@ -103,9 +101,7 @@ void writeChannels(const std::string& path, const std::vector<std::string>& name
   spec.alpha_channel = spec.z_channel = -1;
   std::vector<float> pixels(spec.image_pixels() * names.size());
   for (std::size_t i = 0; i < pixels.size(); ++i)
-  {
     pixels[i] = static_cast<float>(i % names.size()) + 0.001f * static_cast<float>(i);
-  }
   auto output = OIIO::ImageOutput::create(path);
   ASSERT_TRUE(output && output->open(path, spec));
   ASSERT_TRUE(output->write_image(OIIO::TypeFloat, pixels.data()));
@@ -124,9 +120,7 @@ std::string arraysOf(vtkImageData* image)
   }
   std::string all;
   for (const std::string& name : names)
-  {
     all += (all.empty() ? "" : " ") + name;
-  }
   return all;
 }
 
@@ -151,9 +145,7 @@ TEST_F(ImageReader, WhatIsWrittenComesBack)
     EXPECT_EQ(arraysOf(back), "color:4 depth:1 flow:5 normal:3 object:1 particle:1");
     EXPECT_STREQ(back->GetPointData()->GetScalars()->GetName(), "color");
     for (const char* exact : {"depth", "object", "particle", "flow"})
-    {
       expectEqual(back, image, exact, 0.0);
-    }
     // Halves have eleven bits.
     expectEqual(back, image, "normal", 1e-3);
     expectEqual(back, image, "color", 1e-3);
@@ -178,12 +170,8 @@ TEST_F(ImageReader, BytesComeBackExactly)
     EXPECT_EQ(arraysOf(reader->GetOutput()), "color:3");
     vtkDataArray* back = reader->GetOutput()->GetPointData()->GetScalars();
     for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
-    {
       for (int c = 0; c < 3; ++c)
-      {
         ASSERT_NEAR(back->GetComponent(i, c), colors->GetComponent(i, c), 1e-6) << name << " " << i;
-      }
-    }
   }
 }
 

@@ -43,9 +43,7 @@ std::vector<std::uint8_t> readBytes(const std::string& file, OIIO::ImageSpec& sp
   auto input = OIIO::ImageInput::open(file, &config);
   EXPECT_TRUE(input) << OIIO::geterror();
   if (!input)
-  {
     return {};
-  }
   spec = input->spec();
   std::vector<std::uint8_t> bytes(spec.image_pixels() * spec.nchannels);
   EXPECT_TRUE(input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeUInt8, bytes.data()));
@@ -60,9 +58,7 @@ std::vector<T> readChannel(const std::string& file, const std::string& name, OII
   const int channel = input->spec().channelindex(name);
   EXPECT_GE(channel, 0) << name;
   if (channel < 0)
-  {
     return {};
-  }
   EXPECT_EQ(input->spec().channelformat(channel), stored) << name;
   std::vector<T> values(input->spec().image_pixels());
   EXPECT_TRUE(
@@ -105,12 +101,8 @@ TEST_F(ImageWriter, PngHasStraightAlpha)
   auto image = makeImage(3, 1, 4);
   const float pixels[3][4] = {{0.25f, 0.5f, 0.0f, 0.5f}, {0, 0, 0, 0}, {1, 1, 1, 1}};
   for (int x = 0; x < 3; ++x)
-  {
     for (int c = 0; c < 4; ++c)
-    {
       at(image, "color", x, 0, c) = pixels[x][c];
-    }
-  }
   OIIO::ImageSpec spec;
   const std::vector<std::uint8_t> bytes = readBytes(this->write(image, "a.png"), spec);
   const std::vector<std::uint8_t> expected{128, 255, 0, 128, 0, 0, 0, 0, 255, 255, 255, 255};
@@ -146,16 +138,12 @@ TEST_F(ImageWriter, TiffKeepsEightBitColorsAndGrey)
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
   auto* grey = static_cast<unsigned char*>(image->GetScalarPointer());
   for (int i = 0; i < 256; ++i)
-  {
     grey[i] = static_cast<unsigned char>(i);
-  }
   OIIO::ImageSpec spec;
   const std::vector<std::uint8_t> bytes = readBytes(this->write(image, "a.tif"), spec);
   ASSERT_EQ(spec.nchannels, 1);
   for (int i = 0; i < 256; ++i)
-  {
     EXPECT_EQ(bytes[(15 - i / 16) * 16 + i % 16], i);
-  }
 }
 
 TEST_F(ImageWriter, TiffHasPremultipliedAlpha)
@@ -192,9 +180,7 @@ void addDepth(vtkImageData* image, int count)
   depth->SetName("depth");
   depth->SetNumberOfTuples(count);
   for (int i = 0; i < count; ++i)
-  {
     depth->SetValue(i, i == 0 ? std::numeric_limits<float>::infinity() : 100.0f + i / 1024.0f);
-  }
   image->GetPointData()->AddArray(depth);
   vtkNew<vtkFloatArray> normal;
   normal->SetName("normal");
@@ -271,9 +257,7 @@ TEST_F(ImageWriter, ExrSplitsLargeIds)
   const auto low = readChannel<std::uint32_t>(file, "particle.low", OIIO::TypeUInt32);
   ASSERT_EQ(high.size(), 4u);
   for (int i = 0; i < 4; ++i)
-  {
     EXPECT_EQ(static_cast<std::int64_t>((std::uint64_t(high[i]) << 32) | low[i]), ids[i]);
-  }
   EXPECT_EQ(readChannel<float>(file, "A", OIIO::TypeHalf)[0], 0.5f);
 }
 
@@ -281,9 +265,7 @@ TEST_F(ImageWriter, ExrOfManyRowsIsWhole)
 {
   auto image = makeImage(3, 1000, 3);
   for (int y = 0; y < 1000; ++y)
-  {
     at(image, "color", 1, y, 1) = y / 1024.0f;
-  }
   const auto green = readChannel<float>(this->write(image, "a.exr"), "G", OIIO::TypeHalf);
   for (int y = 0; y < 1000; ++y)
   {
@@ -334,9 +316,7 @@ TEST_F(ImageWriter, RefusesAttributesThatFormatsNeed)
 {
   vtkNew<vtkMoteImageWriter> writer;
   for (const char* name : {"", "Compression", "oiio:ColorSpace", "dataWindow", " x", "caf\u00e9"})
-  {
     writer->AddAttribute(name, "v");
-  }
   EXPECT_EQ(writer->GetNumberOfAttributes(), 0);
   writer->AddAttribute("Camera", "1");
   writer->AddAttribute("camera", "2");

@@ -33,9 +33,7 @@ protected:
     EXPECT_EQ(writer->GetErrorMessage().back(), '.');
     EXPECT_NE(writer->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
     if (code != 0)
-    {
       EXPECT_EQ(writer->GetErrorCode(), code);
-    }
     EXPECT_NE(this->Messages->Text.find(writer->GetErrorMessage()), std::string::npos);
     EXPECT_EQ(this->countFiles(), before);
   }
@@ -93,9 +91,7 @@ TEST_F(ImageWriterErrors, Device)
 TEST_F(ImageWriterErrors, NoPermission)
 {
   if (geteuid() == 0)
-  {
     GTEST_SKIP() << "Root may write everywhere.";
-  }
   std::ofstream(this->path("old.png")) << "x";
   std::filesystem::permissions(this->path("old.png"), std::filesystem::perms::owner_read);
   this->expectFailure(this->path("old.png"), this->Image, "the file is write-protected");
@@ -146,15 +142,11 @@ TEST_F(ImageWriterErrors, FullDisk)
   // A full file system to write to, where there is one: mount -t tmpfs -o size=8k.
   const char* folder = std::getenv("MOTE_TEST_FULL_FOLDER");
   if (!folder)
-  {
     GTEST_SKIP() << "MOTE_TEST_FULL_FOLDER does not name a folder on a small file system.";
-  }
   auto large = makeImage(256, 256, 4);
   std::minstd_rand random; // noise, which does not compress
   for (vtkIdType i = 0; i < 256 * 256; ++i)
-  {
     large->GetPointData()->GetScalars()->SetComponent(i, 0, (random() % 1000) / 999.0);
-  }
   for (const char* name : {"/a.png", "/a.jpg", "/a.tif", "/a.exr"})
   {
     this->expectFailure(

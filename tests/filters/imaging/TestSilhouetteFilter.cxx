@@ -64,9 +64,7 @@ std::vector<float> valuesOf(vtkImageData* image, const char* name)
 {
   auto* array = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray(name));
   if (!array)
-  {
     return {};
-  }
   return {array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues()};
 }
 
@@ -146,12 +144,8 @@ TEST_F(SilhouetteFilter, ThreadsAndPiecesMakeNoDifference)
     vtkImageData* output = filter->GetOutput();
     ASSERT_EQ(output->GetExtent()[0], piece[0]);
     for (int y = piece[2]; y <= piece[3]; ++y)
-    {
       for (int x = piece[0]; x <= piece[1]; ++x)
-      {
         ASSERT_EQ(output->GetScalarComponentAsFloat(x, y, 0, 0), expected[y * width + x]);
-      }
-    }
   }
 }
 

@@ -80,9 +80,7 @@ inline std::string sharedParticles(const std::string& name)
 #define MOTE_REQUIRE_SHARED(variable, name)                                                        \
   const std::string variable = sharedParticles(name);                                              \
   if (variable.empty())                                                                            \
-  {                                                                                                \
     GTEST_SKIP() << "needs particles/" << (name) << " of the shared data in "                      \
-                 << MOTE_SHARED_DATA_DIR;                                                          \
-  }
+                 << MOTE_SHARED_DATA_DIR;
 
 #endif

@@ -296,9 +296,7 @@ TEST_F(FileSeries, AFileThatIsCutIsNamed)
 {
   testing::internal::CaptureStderr();
   for (const int i : {0, 1, 2})
-  {
     std::filesystem::copy_file(swirl(0), path(numbered("s", i, ".vtu")));
-  }
   truncate("s1.vtu", 60000); // the header is whole
   auto reader = open({path("s0.vtu"), path("s1.vtu"), path("s2.vtu")});
   for (int round = 0; round < 2; ++round)

@@ -110,9 +110,7 @@ TEST_F(TestLAMMPSIndex, Layouts)
   EXPECT_TRUE(layout.coordinates[2].scaled);
   std::string names;
   for (const auto& array : layout.arrays)
-  {
     names += array.name + ":" + std::to_string(array.columns.size()) + " ";
-  }
   EXPECT_EQ(names, "id:1 xs:1 v:3 c_s:2 fx:1 ");
   EXPECT_EQ(layoutOf({"x", "y", "z", "vx", "vy", "vz"}, false).arrays.size(), 3u);
   EXPECT_EQ(layoutOf({"id", "x", "z"}, true).missing, "y");

@@ -89,24 +89,18 @@ TEST_F(TestLAMMPSReader, WordsBecomeTypesWhereThereIsNoTypeColumn)
   EXPECT_EQ(types->GetDataType(), VTK_INT);
   const double expected[] = {3, 1, 2, 3};
   for (vtkIdType i = 0; i < 4; ++i)
-  {
     EXPECT_EQ(types->GetTuple1(i), expected[i]) << i;
-  }
   EXPECT_TRUE(data->GetPointData()->GetAbstractArray("element"));
   // Many rows, shared out among threads.
   std::string rows;
   for (int i = 0; i < 50000; ++i)
-  {
     rows += std::string(1, static_cast<char>('z' - i % 26)) + " 0 0 0\n";
-  }
   types = read(write("b.dump", dumpFrame(0, 50000, "word x y z", rows)))
             ->GetPointData()
             ->GetArray("type");
   ASSERT_TRUE(types);
   for (int i = 0; i < 50000; ++i)
-  {
     ASSERT_EQ(types->GetTuple1(i), 26 - i % 26);
-  }
   data = read(write("c.dump", dumpFrame(0, 0, "element x y z", "")));
   EXPECT_EQ(data->GetNumberOfPoints(), 0);
 }
@@ -303,9 +297,7 @@ void onProgress(vtkObject* caller, unsigned long, void* data, void* fraction)
   watch->ascending = watch->ascending && (now >= watch->last || watch->last == 1.0);
   watch->last = now;
   if (watch->events++ == watch->abortAt)
-  {
     static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-  }
 }
 
 TEST_F(TestLAMMPSReader, ProgressRisesAndAbortLeavesNothing)
@@ -377,9 +369,7 @@ TEST_F(TestLAMMPSReader, PrintSelfTellsTheState)
   std::ostringstream text;
   m_reader->Print(text);
   for (const char* part : {"a.dump", "TimeSteps: 1", "CombineVectors: 1", "SinglePrecision: 0"})
-  {
     EXPECT_NE(text.str().find(part), std::string::npos) << part;
-  }
 }
 
 } // namespace

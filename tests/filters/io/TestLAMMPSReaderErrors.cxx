@@ -56,9 +56,7 @@ TEST_F(TestLAMMPSReaderErrors, FilesThatCannotBeRead)
 TEST_F(TestLAMMPSReaderErrors, NoPermission)
 {
   if (::geteuid() == 0)
-  {
     GTEST_SKIP() << "root may read every file";
-  }
   const std::string file = write("secret.dump", dumpFrame(0, 0, "x y z", ""));
   std::filesystem::permissions(file, std::filesystem::perms::none);
   expectError(file, vtkErrorCode::CannotOpenFileError, "you have no permission to read this file");
@@ -94,9 +92,7 @@ TEST_F(TestLAMMPSReaderErrors, DamagedGzip)
 {
   std::string rows;
   for (int i = 0; i < 5000; ++i)
-  {
     rows += std::to_string(i) + " 1 " + std::to_string(i * 0.37) + " 1 1\n";
-  }
   const std::string file = writeGzip("a.dump.gz", dumpFrame(0, 5000, "id type x y z", rows));
   const auto bytes = std::filesystem::file_size(file);
   truncate("a.dump.gz", bytes * 2 / 3);

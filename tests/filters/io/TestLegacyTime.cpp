@@ -37,9 +37,7 @@ TEST(LegacyTime, NothingElse)
   const std::size_t end = whole.find("12.5") + 4;
   EXPECT_EQ(mote::legacyTime(whole.substr(0, end + 1)), 12.5);
   for (std::size_t length = 0; length <= end; ++length)
-  {
     EXPECT_FALSE(mote::legacyTime(whole.substr(0, length))) << length;
-  }
   const std::string binary = file("BINARY", "double\n");
   EXPECT_FALSE(mote::legacyTime(binary.substr(0, binary.find("double\n") + 14)));
 }

@@ -33,9 +33,7 @@ protected:
     auto reader = vtkMoteReaderTable::MakeReader(file, m_error);
     EXPECT_TRUE(reader) << m_error;
     if (!reader)
-    {
       return nullptr;
-    }
     EXPECT_STREQ(reader->GetClassName(), readerClass);
     EXPECT_EQ(vtkMoteReaderTable::CheckFile(file), "");
     auto data = vtkMoteReaderTable::Read(reader, m_error);
@@ -54,9 +52,7 @@ protected:
   {
     auto reader = vtkMoteReaderTable::MakeReader(file, m_error);
     if (reader)
-    {
       EXPECT_FALSE(vtkMoteReaderTable::Read(reader, m_error));
-    }
     EXPECT_EQ(m_error.find('\n'), std::string::npos);
     EXPECT_NE(m_error.find(file), std::string::npos) << m_error;
     EXPECT_NE(m_error.find(sentence), std::string::npos) << m_error;

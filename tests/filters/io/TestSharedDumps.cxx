@@ -24,9 +24,7 @@ struct Dump
     : reader(vtkMoteReaderTable::MakeReader(files, error))
   {
     if (reader)
-    {
       times = vtkMoteReaderTable::GetTimeSteps(reader, error);
-    }
     EXPECT_EQ(error, "");
   }
 
@@ -50,9 +48,7 @@ Positions byId(vtkPolyData* data)
   Positions positions;
   vtkDataArray* ids = data->GetPointData()->GetArray("id");
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-  {
     data->GetPoint(i, positions[static_cast<vtkIdType>(ids->GetTuple1(i))].data());
-  }
   return positions;
 }
 
@@ -220,9 +216,7 @@ TEST(SharedDumps, TriclinicAtomsLieInTheirCell)
   Dump parts({scaled});
   EXPECT_EQ(lengths.times.size(), 5u);
   for (const double time : lengths.times)
-  {
     EXPECT_LT(largestDifference(byId(lengths.at(time)), byId(parts.at(time)), 0), 2e-4);
-  }
 }
 
 TEST(SharedDumps, MeltCellIsTheCubeSheared)
@@ -232,15 +226,11 @@ TEST(SharedDumps, MeltCellIsTheCubeSheared)
   vtkFieldData* fields = dump.at(0)->GetFieldData();
   vtkDataArray* box = fields->GetArray("box");
   for (const int diagonal : {0, 4, 8})
-  {
     EXPECT_NEAR(box->GetComponent(0, diagonal), MeltBox, 1e-12);
-  }
   EXPECT_NEAR(box->GetComponent(0, 3), 5.0387885741475218, 1e-14);
   EXPECT_EQ(box->GetComponent(0, 1), 0);
   for (int axis = 0; axis < 3; ++axis)
-  {
     EXPECT_NEAR(fields->GetArray("box_origin")->GetComponent(0, axis), 0, 1e-12);
-  }
 }
 
 TEST(SharedDumps, Simulations)

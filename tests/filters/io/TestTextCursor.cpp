@@ -58,12 +58,8 @@ TEST_F(TestTextCursor, SeekReturnsToAnyPlace)
     std::vector<TextCursor::Place> places;
     std::string_view line;
     for (int i = 0; cursor.nextLine(line); ++i)
-    {
       if (i % 30011 == 0)
-      {
         places.push_back(cursor.place());
-      }
-    }
     std::reverse(places.begin(), places.end());
     TextCursor other(file);
     for (const TextCursor::Place& place : places)
@@ -162,9 +158,7 @@ TEST_F(TestTextCursor, TruncatedGzipGivesWhatItHasAndThenThrows)
   try
   {
     while (cursor.nextLine(line))
-    {
       ++lines;
-    }
     FAIL();
   }
   catch (const FileError& error)

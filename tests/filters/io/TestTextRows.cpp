@@ -64,9 +64,7 @@ TEST_F(TestTextRows, ManyPiecesManyThreads)
   constexpr int Rows = 600000;
   std::string text;
   for (int i = 0; i < Rows; ++i)
-  {
     text += std::to_string(i) + ' ' + std::to_string(0.5 * i) + " filling filling filling\n";
-  }
   text += "after\n";
   for (const std::string& file : {write("rows", text), writeGzip("rows.gz", text)})
   {
@@ -115,9 +113,7 @@ TEST_F(TestTextRows, TheFirstErrorOfManyIsReported)
 {
   std::string text;
   for (int i = 0; i < 200000; ++i)
-  {
     text += i >= 100000 && i % 1000 == 7 ? "1 bad\n" : "1 2\n";
-  }
   EXPECT_NE(failure(text, 200000).find("line 100008, column 3:"), std::string::npos);
 }
 

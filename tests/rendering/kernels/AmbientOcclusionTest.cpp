@@ -2,7 +2,6 @@
 
 #include "ShadowParts.h"
 
-
 #include <support/CastOracle.h>
 
 #include <gtest/gtest.h>

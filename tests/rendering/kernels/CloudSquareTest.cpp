@@ -2,8 +2,8 @@
 
 #include "SceneParts.h"
 
-#include <kernels/tracing/detail/CloudSquare.h>
 #include <kernels/tracing/RayCaster.h>
+#include <kernels/tracing/detail/CloudSquare.h>
 
 #include <support/CastOracle.h>
 #include <support/Volumes.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "EdgeRows.h"
 #include "../Silhouettes.h"
+#include "EdgeRows.h"
 
 namespace mote
 {
