@@ -81,9 +81,10 @@ bool OcclusionBaking::bake(Scene& scene, const Camera& camera, const SeenView& v
   bool finished = true;
   const double share = (1.0 - castingShare) / static_cast<double>(maps_.size());
   for (std::size_t i = 0; i < maps_.size() && finished; ++i)
-    if (maps_[i] && !maps_[i]->complete())
-      finished = maps_[i]->bake(*std::get<ParticleSurface>(scene.surfaces[i].surface).structure(),
-        seen_[i], part(castingShare + share * static_cast<double>(i), share));
+    if (const auto* particles = std::get_if<ParticleSurface>(&scene.surfaces[i].surface);
+        particles && maps_[i] && !maps_[i]->complete())
+      finished = maps_[i]->bake(*particles->structure(), seen_[i],
+        part(castingShare + share * static_cast<double>(i), share));
   this->give(scene);
   if (finished)
   {

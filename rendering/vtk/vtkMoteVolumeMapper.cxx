@@ -313,11 +313,26 @@ bool vtkMoteVolumeMapper::DescribeTo(mote::Scene& scene, vtkVolume* volume, int 
   if (!impl.field)
     return false;
   vtkVolumeProperty* property = volume->GetProperty();
-  mote::CloudObject cloud;
+  vtkContourValues* surfaces = property->GetIsoSurfaceValues();
+  const int values = this->ShowIsoSurfaces ? surfaces->GetNumberOfContours() : 0;
   std::string problem;
   try
   {
+    mote::CloudObject cloud;
     this->DescribeLook(cloud, property);
+    cloud.id = id;
+    cloud.revision = this->GetPictureMTime();
+    cloud.structure = impl.geometry.structure();
+    cloud.field = impl.field;
+    cloud.toWorld = mote::placementOf(volume);
+    if (values > 0)
+    {
+      scene.surfaces.push_back(
+        mote::isoSurfacesOf(cloud, {surfaces->GetValues(), surfaces->GetValues() + values}));
+      scene.surfaces.back().castsShadows = this->CastsShadows;
+    }
+    if (this->ShowCloud)
+      scene.clouds.push_back(std::move(cloud));
   }
   catch (const std::exception& error)
   {
@@ -326,24 +341,7 @@ bool vtkMoteVolumeMapper::DescribeTo(mote::Scene& scene, vtkVolume* volume, int 
   if (!problem.empty() && problem != impl.reportedLook)
     vtkErrorMacro(<< problem);
   impl.reportedLook = problem;
-  vtkContourValues* surfaces = property->GetIsoSurfaceValues();
-  const int values = this->ShowIsoSurfaces ? surfaces->GetNumberOfContours() : 0;
-  if (!problem.empty() || (values == 0 && !this->ShowCloud))
-    return false;
-  cloud.id = id;
-  cloud.revision = this->GetPictureMTime();
-  cloud.structure = impl.geometry.structure();
-  cloud.field = impl.field;
-  cloud.toWorld = mote::placementOf(volume);
-  if (values > 0)
-  {
-    scene.surfaces.push_back(
-      mote::isoSurfacesOf(cloud, {surfaces->GetValues(), surfaces->GetValues() + values}));
-    scene.surfaces.back().castsShadows = this->CastsShadows;
-  }
-  if (this->ShowCloud)
-    scene.clouds.push_back(std::move(cloud));
-  return true;
+  return problem.empty() && (values > 0 || this->ShowCloud);
 }
 
 void vtkMoteVolumeMapper::DescribeLook(mote::CloudObject& cloud, vtkVolumeProperty* property)

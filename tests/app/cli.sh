@@ -458,7 +458,7 @@ case $3 in
     run 2 "$mote" convert "$copper" a.mote --memory much
     # stopped on the way, and killed
     for signal in INT KILL; do
-      for seconds in 0.3 1; do
+      for seconds in 0.3 2; do
         timeout --preserve-status -s $signal $seconds "$mote" convert random:100000000:0.0005 \
           stopped.mote --memory 1M >out 2>err
       done

@@ -8,7 +8,8 @@ copper=$data/copper-scratch.dump.gz
 
 # open ARGUMENTS...: starts the program and waits for its window.
 open() {
-  "$mote" "$@" >out 2>err &
+  # Shells start background commands with SIGINT ignored, and mote leaves that as it is.
+  env --default-signal=INT "$mote" "$@" >out 2>err &
   process=$!
   window=
   for _ in $(seq 150); do

@@ -63,7 +63,7 @@ case $3 in
       run 0 "$bench" particles --input random:4000:0.02 "${small[@]}" --threads $threads \
         --json a.json
       records a.json "$right"
-      records a.json "len(r) == 16 and len({x['method'] for x in r}) == 8"
+      records a.json "len(r) == 2 * len({x['method'] for x in r}) >= 16"
       records a.json "all(x['threads'] == $threads and x['mrays_per_s'] > 0 for x in r)"
       records a.json "all(x['bytes_per_particle'] > 4 and x['build_s'] > 0 for x in r)"
     done
@@ -240,7 +240,7 @@ END
     ours="[x for x in r if not x['method'].startswith('vtk')]"
     agreeing="(lambda e: max(e) - min(e) < 1e-6)([x['rms_error'] for x in $ours])"
     hexahedra --input pump:0.002:rotor --threads 2
-    records a.json "{x['method'] for x in $ours} == {'cylgrid', 'cartgrid', 'cylbvh', 'cartbvh'}"
+    records a.json "{x['method'] for x in $ours} >= {'cylgrid', 'cartgrid', 'cylbvh', 'cartbvh'}"
     records a.json "all(x['cells'] == 4284 and x['checked_pixels'] >= 20 and x['fps'] > 0 and
       x['build_s'] > 0 and x['memory_mb'] > 0 for x in r)"
     records a.json "all(x['cells_visited'] > 5 and x['nodes_visited'] > 5 and
@@ -248,13 +248,13 @@ END
     records a.json "$agreeing and all(0 < x['rms_error'] < 0.02 and
       x['rms_error'] <= x['max_error'] for x in $ours)"
     if [ -n "$DISPLAY" ]; then
-      records a.json "len(r) == 6 and all(x['rms_error'] < 0.05 and x['references'] is None
+      records a.json "len(r) == len($ours) + 2 and all(x['rms_error'] < 0.05 and x['references'] is None
         for x in r if x['method'].startswith('vtk'))"
     fi
     mv a.json even.json
     DISPLAY= hexahedra --input pump:0.002:rotor --integrator cell-by-cell --lambda2 1
     said out 'left out'
-    records a.json "len(r) == 4 and $agreeing and all(x['rms_error'] < 1e-3 and x['step'] is None for x in r)"
+    records a.json "len(r) == len($ours) >= 4 and $agreeing and all(x['rms_error'] < 1e-3 and x['step'] is None for x in r)"
     records a.json "r[0]['lambda2'] == 1 and
       r[0]['references'] < json.load(open('even.json'))[0]['references']"
     hexahedra --input pump:0.001:inlet --methods cylbvh --integrator inverse-distance --step 0.003

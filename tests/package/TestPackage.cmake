@@ -26,10 +26,11 @@ step("install" "${CMAKE_COMMAND}" --install "${BINARY_DIR}" --prefix "${prefix}"
   --config "${CONFIGURATION}")
 
 # Headers are there, and only those that are meant for others.
-expect_file("${prefix}/include/mote/kernels/scene/RayCaster.h")
+expect_file("${prefix}/include/mote/kernels/tracing/RayCaster.h")
 expect_file("${prefix}/include/mote/vtkMoteParticleMapper.h")
 file(GLOB_RECURSE inner "${prefix}/include/*-inl.h" "${prefix}/include/*Bridge.h"
-  "${prefix}/include/*FrameTracer.h" "${prefix}/include/*.cxx" "${prefix}/include/*.cpp")
+  "${prefix}/include/*FrameTracer.h" "${prefix}/include/*.cxx" "${prefix}/include/*.cpp"
+  "${prefix}/include/*/detail/*")
 if (inner)
   message(FATAL_ERROR "Installed, but nobody else's business: ${inner}")
 endif ()

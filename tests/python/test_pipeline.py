@@ -6,7 +6,7 @@ import os
 import unittest
 
 import mote
-from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkFloatArray, vtkPoints
+from vtkmodules.vtkCommonCore import VTK_FLOAT, reference, vtkFloatArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
@@ -213,8 +213,10 @@ class Pipeline(unittest.TestCase):
         self.assertEqual((ids >= 0).sum(), 0)
 
     def test_none_is_a_sentence(self):
-        self.assertEqual(len(mote.vtkMoteReaderTable.GetTimeSteps(None, "")), 0)
-        self.assertIsNone(mote.vtkMoteReaderTable.Read(None, ""))
+        problem = reference("")
+        self.assertEqual(len(mote.vtkMoteReaderTable.GetTimeSteps(None, problem)), 0)
+        self.assertIn("no reader", str(problem))
+        self.assertIsNone(mote.vtkMoteReaderTable.Read(None, problem))
         read = mote.vtkMoteAmbientOcclusionBaker.ReadMaps
         self.assertIn("no data", read("maps.moteao", None))
 

@@ -41,7 +41,6 @@ bool IsoCrossing::operator()(const CellSpan& span)
   if (!found_)
     return true;
   hit_.cell = span.cell;
-  hit_.gradient = cell_.gradient(ray_.origin + hit_.t * ray_.direction);
   return false;
 }
 

@@ -14,7 +14,6 @@ struct IsoHit
   double t = 0.0;
   std::size_t surface = 0; ///< index among the iso-values
   std::uint32_t cell = 0;
-  Vec3d gradient{0.0}; ///< of the field, in the mesh's coordinates
 };
 
 /// Looks along a ray for the first place where a trilinear field takes one of some values. No

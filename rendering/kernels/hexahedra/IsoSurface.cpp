@@ -174,12 +174,13 @@ Vec3d IsoSurface::normalAt(std::uint64_t slot, const Vec3d& point) const
 
 void IsoSurface::place(HitBlock& block, const HitPlacing& placing) const
 {
+  CellSampler cell(meshOf(*structure_), *field_);
   const RayBundle& rays = placing.local;
   for (int k = 0; k < block.count; ++k)
   {
     const int ray = block.ray[k];
-    const Vec3d normal =
-      this->normalAt(block.slot[k], rays.originOf(ray) + block.t[k] * rays.directionOf(ray));
+    cell.enter(cellOf(block.slot[k]));
+    const Vec3d normal = cell.gradient(rays.originOf(ray) + block.t[k] * rays.directionOf(ray));
     // Gradients may be any numbers: only where they point to counts.
     const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
     for (int axis = 0; axis < 3; ++axis)

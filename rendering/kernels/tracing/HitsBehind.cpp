@@ -18,8 +18,9 @@ void put(const SceneRays& scene, const PassingRay& ray, RayPacket& packet)
     packet.origin[axis][k] = ray.origin[axis];
     packet.direction[axis][k] = ray.direction[axis];
   }
-  // Rounding must not let the ray meet again where it stands. Convex things are known again by
-  // their slot, once at their far side; what touches them there must not be passed over.
+  // Rounding must not let the ray meet again where it stands, for ever: steps that double leave it.
+  // Convex things are known again by their slot, once at their far side; what touches them there
+  // must not be passed over.
   const bool isConvex = withSurface(scene.surface(ray.object).surface,
     [](const auto& s) { return std::decay_t<decltype(s)>::isConvex; });
   packet.tMin[k] = ray.t;
@@ -32,20 +33,18 @@ void put(const SceneRays& scene, const PassingRay& ray, RayPacket& packet)
 }
 
 /// Takes a hit to the ray. False where it has been there before, and goes on.
-bool take(const RayPacket& packet, int k, PassingRay& ray)
+bool take(const SceneRays& scene, const RayPacket& packet, int k, PassingRay& ray)
 {
   ray.object = packet.object[k];
   if (ray.object < 0)
     return true;
+  const double gained = (packet.t[k] - ray.t) * glm::length(ray.direction);
+  ray.again = gained > scene.rounding(ray.object) ? 0 : ray.again + 1;
   ray.t = packet.t[k];
   ray.slot = packet.slot[k];
   const std::pair hit(ray.object, ray.slot);
-  if (std::find(ray.passed.begin(), ray.passed.end(), hit) != ray.passed.end())
-  {
-    ++ray.again;
+  if (std::find(ray.passed.rbegin(), ray.passed.rend(), hit) != ray.passed.rend())
     return false;
-  }
-  ray.again = 0;
   ray.passed.push_back(hit);
   return true;
 }
@@ -67,7 +66,7 @@ void findNextHits(const SceneRays& scene, std::vector<PassingRay>& rays)
     scene.cast(packet);
     std::size_t kept = 0;
     for (std::size_t k = 0; k < count; ++k)
-      if (!take(packet, static_cast<int>(k), *waiting[k]))
+      if (!take(scene, packet, static_cast<int>(k), *waiting[k]))
         waiting[kept++] = waiting[k];
     waiting.erase(waiting.begin() + static_cast<std::ptrdiff_t>(kept),
       waiting.begin() + static_cast<std::ptrdiff_t>(count));

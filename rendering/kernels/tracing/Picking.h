@@ -19,7 +19,8 @@ struct ScenePick
   Vec3d normal{0.0}; ///< unit length, outwards; 0 where there is none
 };
 
-/// Casts one ray at the scene's surfaces. `direction` may have any length but 0.
+/// Casts one ray at the scene's surfaces. What is wholly transparent is not met. `direction` may
+/// have any length but 0.
 std::optional<ScenePick> pick(const Scene& scene, const Vec3d& origin, const Vec3d& direction,
   double tMin = 0.0, double tMax = std::numeric_limits<double>::infinity());
 

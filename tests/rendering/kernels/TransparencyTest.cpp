@@ -80,6 +80,10 @@ TEST(Transparency, WhatIsWhollyTransparentIsNotThere)
   EXPECT_NEAR(a.depth()[middle], 19.5, 1e-5);
   EXPECT_EQ(a.id()[middle], 1U);
   EXPECT_NEAR(a.normal()[3 * middle + 2], 1.0, 1e-6);
+  const auto picked = pick(with.scene, {0.0, 0.0, 20.0}, {0.0, 0.0, -1.0});
+  ASSERT_TRUE(picked);
+  EXPECT_EQ(picked->id, 1U);
+  EXPECT_NEAR(picked->t, 19.5, 1e-5);
   const Film nothing = Row({{3.0, clear}, {0.0, clear}}).traced();
   expectColor(nothing, 0, 0, 0, 0);
   EXPECT_EQ(nothing.depth()[middle], INFINITY);
@@ -177,6 +181,22 @@ TEST(Transparency, IsTheSameForAllBundlesAndEndsAtLimits)
   caster.setLimits(limits.data());
   EXPECT_TRUE(caster.addSample(row.camera, film));
   expectColor(film, 0.6, 0, 0, 0.6);
+}
+
+TEST(Transparency, WhatBeginsAmongManyFarSidesIsMet)
+{
+  // Far sides of many overlapping spheres, none of which counts again, one close to another; and
+  // right behind them small spheres that must not be lost.
+  for (const int shells : {4, 16, 30})
+  {
+    std::vector<std::pair<double, Vec4f>> spheres;
+    for (int k = 0; k < shells; ++k)
+      spheres.emplace_back(-0.001 * k, Vec4f(1, 1, 1, 0.2f));
+    spheres.emplace_back(-1.1, green);
+    const Film film = Row(spheres).traced();
+    const double through = std::pow(0.8, shells);
+    expectColor(film, 1.0 - through, 1.0, 1.0 - through, 1.0);
+  }
 }
 
 TEST(Transparency, AThinFogOfParticlesIsItsProduct)

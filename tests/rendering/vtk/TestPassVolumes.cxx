@@ -327,6 +327,8 @@ TEST_F(VolumeFrames, TracedAgainWhereThePropertyChanges)
   expect("unit distance");
   box.property()->SetDiffuse(0.4);
   expect("material");
+  box.mapper->ShowIsoSurfacesOn();
+  expect("iso-surfaces");
   box.property()->GetIsoSurfaceValues()->SetValue(0, 0.5);
   expect("iso-value");
   box.volume->SetPosition(0, 0.1, 0);

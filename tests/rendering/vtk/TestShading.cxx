@@ -68,8 +68,8 @@ TEST(Shading, ReachesTheKernels)
   EXPECT_EQ(paths.sky.top, mote::Vec3f(0.5f, 0.25f, 1.0f));
   EXPECT_EQ(paths.sky.bottom, mote::Vec3f(0.0f, 0.75f, 2.0f));
   EXPECT_EQ(paths.sky.up, mote::Vec3d(0.0, 1.0, 0.0));
-  EXPECT_EQ(paths.particles[0].material.metallic, 0.25f);
-  EXPECT_EQ(paths.particles[0].material.roughness, 0.125f);
+  EXPECT_EQ(paths.surfaces[0].material.metallic, 0.25f);
+  EXPECT_EQ(paths.surfaces[0].material.roughness, 0.125f);
   shading->SetSkyUp(0.0, 0.0, 0.0);
   EXPECT_EQ(mote::sceneOf(stage.renderer, props, shading).sky.up, mote::Vec3d(0.0, 0.0, 1.0));
 }

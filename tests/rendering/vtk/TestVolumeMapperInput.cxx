@@ -370,8 +370,10 @@ TEST(VolumeErrors, NoSuchStructureOrIntegrator)
 {
   VolumeStage stage(makeBox(2, one));
   stage.mapper->SetStructureName("octree");
-  expectRefused(
-    stage, "There is no structure \"octree\"; there are: cylgrid, cartgrid, cylbvh, cartbvh.");
+  std::string names;
+  for (const std::string& name : vtkMoteVolumeMapper::GetStructureNames())
+    names += (names.empty() ? "" : ", ") + name;
+  expectRefused(stage, "There is no structure \"octree\"; there are: " + names + ".");
   stage.mapper->SetStructureName("cartbvh");
   stage.mapper->SetIntegratorName("splats");
   expectRefused(stage, "There is no integrator \"splats\"; there are: inverse-distance, trilinear");

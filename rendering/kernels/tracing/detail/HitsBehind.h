@@ -19,7 +19,7 @@ struct PassingRay
   std::int32_t object = -1;          ///< last surface that was hit; -1 afterwards: nothing is left
   std::uint64_t slot = 0;
   std::vector<std::pair<std::int32_t, std::uint64_t>> passed; ///< what has been hit: object, slot
-  int again = 0; ///< times in a row that such a thing was met again
+  int again = 0; ///< hits in a row that lie where the one before did, to rounding
 };
 
 /// Sends each ray on to what it meets next. Everything counts once, where it is met first: not the
