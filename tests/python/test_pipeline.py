@@ -216,7 +216,6 @@ class Pipeline(unittest.TestCase):
         problem = reference("")
         self.assertEqual(len(mote.vtkMoteReaderTable.GetTimeSteps(None, problem)), 0)
         self.assertIn("no reader", str(problem))
-        self.assertIsNone(mote.vtkMoteReaderTable.Read(None, problem))
         read = mote.vtkMoteAmbientOcclusionBaker.ReadMaps
         self.assertIn("no data", read("maps.moteao", None))
 
