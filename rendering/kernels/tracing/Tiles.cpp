@@ -82,8 +82,8 @@ bool forTiles(int width, int height, int threads, const Progress& progress,
   else
     trace();
   if (progress && !stop)
-    progress(1.0);
-  return done == columns * rows;
+    stop = !progress(1.0);
+  return tiles ? done == columns * rows : !stop;
 }
 
 } // namespace mote

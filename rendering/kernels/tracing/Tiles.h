@@ -21,9 +21,10 @@ std::size_t pixelsDone(const TilesDone& tiles, int width, int height);
 
 /// Calls visit(x0, y0) for the lower left corner of every tile of an image, in parallel on
 /// `threads` threads (0: all that TBB's present arena allows). False where `progress` asked to
-/// stop before all were visited; it is called between tiles with the share done, on any of the
-/// threads but on one at a time. Where `tiles` is given the tiles that are done are left out, and
-/// those that are visited are noted there, so that another call goes on with the rest.
+/// stop; it is called between tiles with the share done, on any of the threads but on one at a
+/// time. Where `tiles` is given the tiles that are done are left out, and those that are visited
+/// are noted there, so that another call goes on with the rest; then the answer tells whether all
+/// are done.
 bool forTiles(int width, int height, int threads, const Progress& progress,
   const std::function<void(int x0, int y0)>& visit, TilesDone* tiles = nullptr);
 

@@ -187,7 +187,7 @@ TEST(Transparency, WhatBeginsAmongManyFarSidesIsMet)
 {
   // Far sides of many overlapping spheres, none of which counts again, one close to another; and
   // right behind them small spheres that must not be lost.
-  for (const int shells : {4, 16, 30})
+  for (const int shells : {4, 16, 27})
   {
     std::vector<std::pair<double, Vec4f>> spheres;
     for (int k = 0; k < shells; ++k)
