@@ -101,7 +101,7 @@ private:
   std::vector<std::uint64_t> group_;
 };
 
-/// How far in pixels, each way, from where lines are drawn what they belong to is to be found.
+/// Search radius in pixels from a line to the surface it outlines.
 int silhouetteReach(const SilhouetteOptions& options);
 
 /// The least of a film's depths within `reach` pixels each way of a pixel: how far away an edge
