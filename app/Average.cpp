@@ -146,7 +146,7 @@ void average(const AverageOptions& options)
 {
   checkOutput(options.output, options.view.files);
   TerminalProgress terminal;
-  Progress progress;
+  ProgressRelay progress;
   progress.add(terminal);
   Input input(options.view.files);
   input.open(progress);
@@ -168,7 +168,7 @@ void average(const AverageOptions& options)
   if (options.origin)
     filter->SetOrigin(options.origin->data());
   {
-    Progress::Work work(progress, "Averaging", filter);
+    ProgressRelay::Work work(progress, "Averaging", filter);
     filter->Update();
     work.finish();
   }

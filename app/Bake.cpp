@@ -102,7 +102,7 @@ void addBakeOptions(CLI::App& app, BakeOptions& options)
 void bake(const BakeOptions& options)
 {
   TerminalProgress terminal;
-  Progress progress;
+  ProgressRelay progress;
   progress.add(terminal);
   Input input(options.view.files);
   input.open(progress);
@@ -124,7 +124,7 @@ void bake(const BakeOptions& options)
   baker->SetInputData(points);
   Messages::takeError();
   {
-    Progress::Work work(progress, "Baking", baker);
+    ProgressRelay::Work work(progress, "Baking", baker);
     baker->Update();
     work.finish();
   }

@@ -25,7 +25,7 @@
 namespace mote::app
 {
 
-NamedData particlesOf(Input& input, int step, Progress& progress, const std::string& why)
+NamedData particlesOf(Input& input, int step, ProgressRelay& progress, const std::string& why)
 {
   std::vector<NamedData> particles;
   for (const NamedData& one : input.read(step, progress))
@@ -76,7 +76,7 @@ void convert(const ConvertOptions& given)
     throw Failure("no file to read is given, only " + output + " to write");
 
   TerminalProgress terminal;
-  Progress progress;
+  ProgressRelay progress;
   progress.add(terminal);
   const double start = vtkTimerLog::GetUniversalTime();
   checkOutput(output, options.files); // before hours of reading
@@ -104,7 +104,7 @@ void convert(const ConvertOptions& given)
   const double written = vtkTimerLog::GetUniversalTime();
   Messages::takeError();
   {
-    Progress::Work work(progress, "Writing " + baseName(output), writer);
+    ProgressRelay::Work work(progress, "Writing " + baseName(output), writer);
     writer->Write();
     work.finish();
   }

@@ -18,7 +18,7 @@ struct ConvertOptions
 
 /// The one set of particles of the input at a step. Throws Failure, with `why` one is needed, where
 /// there are more or none.
-NamedData particlesOf(Input& input, int step, Progress& progress, const std::string& why);
+NamedData particlesOf(Input& input, int step, ProgressRelay& progress, const std::string& why);
 
 /// Declares the options of `mote convert`.
 void addConvertOptions(CLI::App& app, ConvertOptions& options);

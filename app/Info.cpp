@@ -255,7 +255,7 @@ void addInfoOptions(CLI::App& app, InfoOptions& options)
 void printInfo(const InfoOptions& options)
 {
   TerminalProgress terminal;
-  Progress progress;
+  ProgressRelay progress;
   progress.add(terminal);
   std::vector<std::string> objects;
   for (const auto& files : vtkMoteReaderTable::GroupSeries(options.read.files))

@@ -89,14 +89,14 @@ void Input::setSpace(const std::shared_ptr<ScratchSpace>& space)
       reader->SetScratchSpace(space);
 }
 
-void Input::open(Progress& progress)
+void Input::open(ProgressRelay& progress)
 {
   times_.clear();
   for (Source& source : sources_)
   {
     std::string error;
     {
-      Progress::Work work(progress, "Scanning " + source.name, source.reader);
+      ProgressRelay::Work work(progress, "Scanning " + source.name, source.reader);
       source.times = vtkMoteReaderTable::GetTimeSteps(source.reader, error);
       work.finish();
     }
@@ -133,7 +133,7 @@ int Input::chosenStep(const ViewOptions& options) const
   return static_cast<int>(number) - 1;
 }
 
-std::vector<NamedData> Input::read(int step, Progress& progress)
+std::vector<NamedData> Input::read(int step, ProgressRelay& progress)
 {
   std::vector<NamedData> all;
   for (Source& source : sources_)
@@ -141,7 +141,7 @@ std::vector<NamedData> Input::read(int step, Progress& progress)
     std::string error;
     vtkSmartPointer<vtkDataObject> data;
     {
-      Progress::Work work(progress, "Reading " + source.name, source.reader);
+      ProgressRelay::Work work(progress, "Reading " + source.name, source.reader);
       data = times_.empty() ? vtkMoteReaderTable::Read(source.reader, error)
                             : vtkMoteReaderTable::Read(source.reader, times_[step], error);
       work.finish();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Progress.h"
+#include "ProgressRelay.h"
 #include "ViewOptions.h"
 
 #include <vtkSmartPointer.h>
@@ -43,7 +43,7 @@ public:
   void setSpace(const std::shared_ptr<ScratchSpace>& space);
 
   /// Finds the time steps, which may mean to read through the files.
-  void open(Progress& progress);
+  void open(ProgressRelay& progress);
 
   /// Ascending; empty where no file has time.
   const std::vector<double>& times() const { return times_; }
@@ -53,7 +53,7 @@ public:
   int chosenStep(const ViewOptions& options) const;
 
   /// All data sets at a step; of composite data every leaf.
-  std::vector<NamedData> read(int step, Progress& progress);
+  std::vector<NamedData> read(int step, ProgressRelay& progress);
 
   /// The first file's name without folders, a series' with a "*"; "and 2 more" where there are.
   std::string name() const;

@@ -219,11 +219,11 @@ std::string Part::update()
   return Messages::takeError();
 }
 
-void Part::work(Progress& progress, const std::function<void()>& build)
+void Part::work(ProgressRelay& progress, const std::function<void()>& build)
 {
   Messages::takeError();
   {
-    Progress::Work work(progress,
+    ProgressRelay::Work work(progress,
       kind_ == Kind::Surface ? "Extracting surface" : "Building structure", this->worker());
     build();
     work.finish();
@@ -232,13 +232,13 @@ void Part::work(Progress& progress, const std::function<void()>& build)
     throw Failure(error);
 }
 
-void Part::finishBuild(Progress& progress)
+void Part::finishBuild(ProgressRelay& progress)
 {
   if (particles_)
     this->work(progress, [this] { particles_->FinishBuild(); });
 }
 
-void Part::build(Progress& progress)
+void Part::build(ProgressRelay& progress)
 {
   this->prop()->VisibilityOff(); // whatever happens, nothing half built is drawn
   this->work(progress, [this] { this->worker()->Update(); });

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Arrays.h"
-#include "Progress.h"
+#include "ProgressRelay.h"
 #include "ViewOptions.h"
 #include "Volume.h"
 
@@ -52,14 +52,14 @@ public:
   void setData(const std::string& name, vtkDataSet* data);
 
   /// Brings structures up to date. Throws Failure and Interrupted, after which nothing is drawn.
-  void build(Progress& progress);
+  void build(ProgressRelay& progress);
 
   /// Whether build() of many particles leaves them to another thread, with a preview meanwhile.
   void setPreview(bool on);
   /// Takes what another thread has built by now. Returns what went wrong, or nothing.
   std::string update();
   /// Waits for what another thread builds. Throws Failure and Interrupted.
-  void finishBuild(Progress& progress);
+  void finishBuild(ProgressRelay& progress);
 
   /// Tells how large all that is shown is.
   void setSceneSize(double diagonal) { sceneSize_ = diagonal; }
@@ -97,7 +97,7 @@ public:
 private:
   void setRadius();
   void limitRadius();
-  void work(Progress& progress, const std::function<void()>& build);
+  void work(ProgressRelay& progress, const std::function<void()>& build);
   vtkSmartPointer<vtkMapper> makeSurface();
 
   vtkAlgorithm* worker() const;

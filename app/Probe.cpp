@@ -146,7 +146,7 @@ void probe(const ProbeOptions& options)
 {
   checkOutput(options.output, options.read.files);
   TerminalProgress terminal;
-  Progress progress;
+  ProgressRelay progress;
   progress.add(terminal);
   Input input(options.read.files);
   input.open(progress);
@@ -165,7 +165,7 @@ void probe(const ProbeOptions& options)
     filter->SetSourceData(one.data);
     if (isWorthALocator(one.data, options.points))
       filter->SetCellLocatorPrototype(locator);
-    Progress::Work work(progress, "Probing " + one.name, filter);
+    ProgressRelay::Work work(progress, "Probing " + one.name, filter);
     filter->Update();
     work.finish();
     table.add(one.name, filter->GetOutput()->GetPointData());

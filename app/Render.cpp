@@ -4,7 +4,7 @@
 #include "Failure.h"
 #include "Messages.h"
 #include "OutputFile.h"
-#include "Scene.h"
+#include "Stage.h"
 #include "Text.h"
 
 #include <kernels/core/ScratchSpace.h>
@@ -33,16 +33,16 @@ namespace
 class Picture
 {
 public:
-  Picture(Scene& scene, const ViewOptions& options)
-    : scene_(scene)
+  Picture(Stage& stage, const ViewOptions& options)
+    : stage_(stage)
     , options_(options)
   {
-    source_->SetRenderer(scene.renderer());
+    source_->SetRenderer(stage.renderer());
     source_->SetSize(options.size[0], options.size[1]);
     source_->SetSamplesPerPixel(options.mostSamples(options.pathTrace));
     source_->SetNoiseLevel(options.noise);
-    source_->SetShading(scene.lighting().shading());
-    source_->SetSilhouettes(scene.silhouettes().settings());
+    source_->SetShading(stage.lighting().shading());
+    source_->SetSilhouettes(stage.silhouettes().settings());
     legend_->SetInputConnection(source_->GetOutputPort());
   }
 
@@ -59,7 +59,7 @@ public:
     source_->SetNormals(exr);
     source_->SetIds(exr);
     source_->SetVariance(exr && options_.noise > 0.0);
-    source_->SetEdges(exr && scene_.silhouettes().isOn());
+    source_->SetEdges(exr && stage_.silhouettes().isOn());
     source_->SetTransparentBackground(exr);
     labelled_ = !exr;
     this->requireMemory();
@@ -68,18 +68,18 @@ public:
 
   bool labelled() const { return labelled_; }
 
-  void write(const std::string& caption, Progress& progress)
+  void write(const std::string& caption, ProgressRelay& progress)
   {
-    vtkScalarsToColors* table = scene_.coloring().legendTable();
+    vtkScalarsToColors* table = stage_.coloring().legendTable();
     legend_->SetLookupTable(options_.legend ? table : nullptr);
-    legend_->SetTitle(options_.title.value_or(scene_.coloring().title()));
+    legend_->SetTitle(options_.title.value_or(stage_.coloring().title()));
     legend_->SetCaption(options_.caption.value_or(caption));
     Messages::takeError();
     source_->Modified(); // parts and camera may have changed
     try
     {
       {
-        Progress::Work work(progress, "Tracing", source_);
+        ProgressRelay::Work work(progress, "Tracing", source_);
         source_->Update();
         work.finish();
       }
@@ -126,7 +126,7 @@ private:
            std::to_string(options_.size[1]) + " pixels needs about " + asBytes(this->bytes());
   }
 
-  Scene& scene_;
+  Stage& stage_;
   const ViewOptions& options_;
   vtkNew<vtkMoteRendererSource> source_;
   vtkNew<vtkMoteColorLegend> legend_;
@@ -146,41 +146,41 @@ std::string numbered(const std::string& file, int step, int steps)
 }
 
 /// The line on standard output that tells of a finished picture.
-void report(const std::string& file, const Scene& scene, const Picture& picture,
+void report(const std::string& file, const Stage& stage, const Picture& picture,
   const ViewOptions& options, double readTime)
 {
   std::printf("%s: %dx%d, %s; read in %s, built in %s, traced in %s, %s\n", file.c_str(),
-    options.size[0], options.size[1], scene.contents().c_str(), asDuration(readTime).c_str(),
-    asDuration(scene.buildTime()).c_str(), asDuration(picture.traceTime()).c_str(),
+    options.size[0], options.size[1], stage.contents().c_str(), asDuration(readTime).c_str(),
+    asDuration(stage.buildTime()).c_str(), asDuration(picture.traceTime()).c_str(),
     picture.quality().c_str());
   std::fflush(stdout);
 }
 
 /// Lets the colours' range and types take in the first `steps` time steps.
-void includeColors(Scene& scene, Input& input, int steps, Progress& progress)
+void includeColors(Stage& stage, Input& input, int steps, ProgressRelay& progress)
 {
   for (int step = 0; step < steps; ++step)
   {
-    scene.setData(input.read(step, progress));
-    scene.coloring().include(scene.parts());
+    stage.setData(input.read(step, progress));
+    stage.coloring().include(stage.parts());
   }
 }
 
-void requireTraced(const Scene& scene)
+void requireTraced(const Stage& stage)
 {
-  for (const auto& part : scene.parts())
+  for (const auto& part : stage.parts())
     if (part->kind() != Part::Kind::Surface)
       return;
-  const std::string name = scene.parts().empty() ? "the input" : scene.parts().front()->name();
+  const std::string name = stage.parts().empty() ? "the input" : stage.parts().front()->name();
   throw Failure(name + " holds faces, or cells without numbers on them, and mote render draws "
                        "particles and volumes only; see its surface in a window with: mote FILE");
 }
 
 /// Room for the legend at the right and for the caption below.
-Margins marginsFor(const Picture& picture, Scene& scene, const ViewOptions& options)
+Margins marginsFor(const Picture& picture, Stage& stage, const ViewOptions& options)
 {
   Margins margins;
-  if (picture.labelled() && options.legend && scene.coloring().legendTable())
+  if (picture.labelled() && options.legend && stage.coloring().legendTable())
     margins.right += 0.13 * options.size[1] / options.size[0];
   if (picture.labelled())
     margins.bottom += 0.03;
@@ -219,10 +219,10 @@ void render(const RenderOptions& given)
   if (options.size[0] == 0)
     options.size = {1280, 960};
   TerminalProgress terminal;
-  Progress progress;
+  ProgressRelay progress;
   progress.add(terminal);
-  Scene scene(options);
-  Picture picture(scene, options);
+  Stage stage(options);
+  Picture picture(stage, options);
   Input input(options.files);
   picture.aim(given.allSteps ? numbered(given.output, 1, 1) : given.output);
   const double start = vtkTimerLog::GetUniversalTime();
@@ -235,38 +235,38 @@ void render(const RenderOptions& given)
     const auto data = input.read(step, progress);
     if (options.ambientOcclusion == "baked")
       addOcclusionMaps(data);
-    scene.setData(data);
+    stage.setData(data);
     const double seconds = vtkTimerLog::GetUniversalTime() - start;
-    requireTraced(scene);
-    scene.build(progress);
-    scene.applyColors();
+    requireTraced(stage);
+    stage.build(progress);
+    stage.applyColors();
     return seconds;
   };
   const auto trace = [&](int step, const std::string& file, double readTime)
   {
     picture.aim(file);
-    if (scene.numberShown() == 0 && scene.numberOfParticles() > 0)
+    if (stage.numberShown() == 0 && stage.numberOfParticles() > 0)
       std::fprintf(
         stderr, "mote: warning: the ranges to show leave no particle in %s\n", file.c_str());
-    std::string caption = input.name() + "   " + scene.contents();
+    std::string caption = input.name() + "   " + stage.contents();
     if (!input.times().empty())
       caption += "   t = " + asNumber(input.times()[step], 10);
     picture.write(caption, progress);
-    report(file, scene, picture, options, readTime);
+    report(file, stage, picture, options, readTime);
   };
 
   // A sequence has one frame and radius, those of its last step, and one range of colours.
   const int last = input.numberOfSteps() - 1;
   const int chosen = given.allSteps ? last : input.chosenStep(options);
   const double readTime = show(chosen);
-  scene.look(
-    options.view, double(options.size[0]) / options.size[1], marginsFor(picture, scene, options));
+  stage.look(
+    options.view, double(options.size[0]) / options.size[1], marginsFor(picture, stage, options));
   if (!given.allSteps)
     trace(chosen, given.output, openTime + readTime);
   else
   {
     if (options.range.empty() && options.colorBy != "none")
-      includeColors(scene, input, last, progress);
+      includeColors(stage, input, last, progress);
     for (int step = 0; step <= last; ++step)
       trace(step, numbered(given.output, step + 1, last + 1), show(step));
   }

@@ -68,11 +68,10 @@ CLI::Validator oneOf(const std::vector<std::string>& names)
   return CLI::IsMember(names).description("");
 }
 
-} // namespace
+constexpr const char* group = "Volume";
 
-void addVolumeOptions(CLI::App& app, VolumeOptions& o)
+void addAppearanceOptions(CLI::App& app, VolumeOptions& o)
 {
-  const std::string group = "Volume";
   app
     .add_option("--cells", o.cells,
       "How cells with a volume are shown: as a 'volume' or by their 'surface'. By default as a "
@@ -122,6 +121,10 @@ void addVolumeOptions(CLI::App& app, VolumeOptions& o)
       "Colour of cells with a value that is not a number. By default they are left out")
     ->type_name("COLOUR")
     ->group(group);
+}
+
+void addTracingOptions(CLI::App& app, VolumeOptions& o)
+{
   app
     .add_option("--integrator", o.integrator,
       "How rays add up a volume: " + joined(vtkMoteVolumeMapper::GetIntegratorNames(), ", ") +
@@ -155,6 +158,14 @@ void addVolumeOptions(CLI::App& app, VolumeOptions& o)
     ->check(oneOf(vtkMoteVolumeMapper::GetStructureNames()))
     ->type_name("NAME")
     ->group(group);
+}
+
+} // namespace
+
+void addVolumeOptions(CLI::App& app, VolumeOptions& o)
+{
+  addAppearanceOptions(app, o);
+  addTracingOptions(app, o);
 }
 
 } // namespace mote::app

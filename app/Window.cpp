@@ -83,10 +83,10 @@ void showWindow(const WindowOptions& options)
 Window::Window(const ViewOptions& options, Input& input)
   : options_(options)
   , input_(input)
-  , scene_(options)
-  , overlay_(scene_.renderer())
-  , props_(scene_)
-  , bar_(window_, scene_.renderer())
+  , stage_(options)
+  , overlay_(stage_.renderer())
+  , props_(stage_)
+  , bar_(window_, stage_.renderer())
   , radiusScale_(options.radiusScale)
 {
   progress_.add(terminal_);
@@ -106,7 +106,7 @@ void Window::setUpWindow()
 {
   window_->SetMultiSamples(0); // the rays are the antialiasing
   window_->SetWindowName(("Mote: opening " + input_.name()).c_str());
-  window_->AddRenderer(scene_.renderer());
+  window_->AddRenderer(stage_.renderer());
   const bool sized = options_.size[0] > 0;
   const int* screen = window_->GetScreenSize();
   window_->SetSize(sized ? options_.size[0] : std::min(1280, screen[0] * 9 / 10),
@@ -114,10 +114,10 @@ void Window::setUpWindow()
   pass_->ProgressiveOn();
   pass_->SetNoiseLevel(options_.noise);
   pass_->SetNumberOfThreads(options_.threads);
-  pass_->SetShading(scene_.lighting().shading());
-  pass_->SetSilhouettes(scene_.silhouettes().settings());
-  scene_.renderer()->SetPass(pass_);
-  overlay_.setInk(inkOn(scene_.renderer()));
+  pass_->SetShading(stage_.lighting().shading());
+  pass_->SetSilhouettes(stage_.silhouettes().settings());
+  stage_.renderer()->SetPass(pass_);
+  overlay_.setInk(inkOn(stage_.renderer()));
   interactor_->SetRenderWindow(window_);
   interactor_->SetInteractorStyle(style_);
 }
@@ -125,17 +125,28 @@ void Window::setUpWindow()
 void Window::choosePass()
 {
   // Where there is nothing to trace OpenGL smooths the edges.
-  const auto& parts = scene_.parts();
+  const auto& parts = stage_.parts();
   traced_ =
     parts.empty() || std::any_of(parts.begin(), parts.end(),
                        [](const auto& part) { return part->kind() != Part::Kind::Surface; });
-  scene_.renderer()->SetPass(traced_ ? pass_.Get() : nullptr);
-  scene_.renderer()->SetUseFXAA(!traced_);
+  stage_.renderer()->SetPass(traced_ ? pass_.Get() : nullptr);
+  stage_.renderer()->SetUseFXAA(!traced_);
 }
 
 void Window::setUpEvents()
 {
-  style_->onKey = [this](const std::string& key) { this->act(actionOf(key)); };
+  style_->onKey = [this](const std::string& key)
+  {
+    try
+    {
+      this->act(actionOf(key));
+    }
+    catch (const Failure& failure)
+    {
+      this->say(failure.what());
+      this->render();
+    }
+  };
   style_->onZoom = [this](double factor) { this->zoom(factor); };
   observe(window_, vtkCommand::StartEvent, [this](void*) { this->onRenderStart(); });
   observe(window_, vtkCommand::EndEvent, [this](void*) { this->onRenderEnd(); });
@@ -163,10 +174,10 @@ void Window::run()
     step_ = input_.chosenStep(options_);
     const auto data = input_.read(step_, progress_);
     addOcclusionMaps(data);
-    scene_.setData(data);
-    scene_.setPreview(options_.preview);
-    scene_.build(progress_);
-    scene_.applyColors();
+    stage_.setData(data);
+    stage_.setPreview(options_.preview);
+    stage_.build(progress_);
+    stage_.applyColors();
     bar_.hide();
   }
   catch (const Interrupted&)
@@ -176,7 +187,7 @@ void Window::run()
     throw;
   }
   busy_ = false;
-  previewed_ = !scene_.preview().empty();
+  previewed_ = !stage_.preview().empty();
   this->nameWindow();
   this->look(options_.view);
   props_.update(options_);
@@ -233,15 +244,15 @@ bool Window::load(int step)
   const bool done = this->perform(
     [&]
     {
-      scene_.stopBuild();
+      stage_.stopBuild();
       const auto data = input_.read(step, progress_);
       addOcclusionMaps(data);
-      scene_.setData(data);
+      stage_.setData(data);
       // What plays would go on to the next step before it is built.
-      scene_.setPreview(options_.preview && !playing_);
+      stage_.setPreview(options_.preview && !playing_);
       step_ = step;
-      scene_.build(progress_);
-      scene_.applyColors();
+      stage_.build(progress_);
+      stage_.applyColors();
       this->choosePass();
     });
   props_.unmark();
@@ -251,7 +262,7 @@ bool Window::load(int step)
 
 bool Window::buildAgain()
 {
-  const bool done = this->perform([&] { scene_.build(progress_); });
+  const bool done = this->perform([&] { stage_.build(progress_); });
   props_.unmark();
   props_.update(options_);
   return done;
@@ -272,10 +283,10 @@ void Window::look(const std::string& side)
   const int* size = window_->GetSize();
   Margins margins;
   // Both sides alike, so that what turns about its middle stays in the window's middle.
-  const bool legend = options_.legend && scene_.coloring().legendTable();
+  const bool legend = options_.legend && stage_.coloring().legendTable();
   margins.left = margins.right = legend ? 0.03 + 0.13 * size[1] / std::max(1, size[0]) : 0.04;
   margins.bottom = margins.top = 0.06;
-  scene_.look(side, double(size[0]) / std::max(1, size[1]), margins);
+  stage_.look(side, double(size[0]) / std::max(1, size[1]), margins);
   side_ = side;
   view_ = this->viewNow();
   viewSize_ = {size[0], size[1]};
@@ -283,7 +294,7 @@ void Window::look(const std::string& side)
 
 std::array<double, 10> Window::viewNow()
 {
-  vtkCamera* camera = scene_.renderer()->GetActiveCamera();
+  vtkCamera* camera = stage_.renderer()->GetActiveCamera();
   std::array<double, 10> view{};
   camera->GetPosition(&view[0]);
   camera->GetFocalPoint(&view[3]);
@@ -316,9 +327,9 @@ void Window::nameWindow()
 void Window::updatePreview()
 {
   // Before the frame: what is built meanwhile may be in it, but no preview that nothing tells of.
-  if (const std::string error = scene_.update(); !error.empty())
+  if (const std::string error = stage_.update(); !error.empty())
     this->say(error);
-  const std::string preview = scene_.preview();
+  const std::string preview = stage_.preview();
   if (previewed_ != !preview.empty())
   {
     previewed_ = !preview.empty();
@@ -326,7 +337,7 @@ void Window::updatePreview()
     this->nameWindow();
   }
   overlay_.setPreview(preview);
-  const int samples = options_.mostSamples(scene_.lighting().tracesPaths());
+  const int samples = options_.mostSamples(stage_.lighting().tracesPaths());
   pass_->SetSamplesPerPixel(previewed_ ? std::min(previewSamples, samples) : samples);
 }
 
@@ -357,7 +368,7 @@ void Window::onRenderEnd()
   const bool sharp = preview ? pass_->GetTraceTime() == 0.0 : pass_->IsConverged();
   if (!sharp || previewed_ != preview || overlay_.status() != this->statusText())
     this->startTimer(sharpenTimer_, 1);
-  else if (scene_.isBuilding())
+  else if (stage_.isBuilding())
     this->startTimer(sharpenTimer_, buildPause);
 }
 
@@ -398,7 +409,7 @@ void Window::onTimer(int timer)
 std::string Window::statusText() const
 {
   const std::string dot = "   \u00b7   ";
-  std::string text = scene_.contents();
+  std::string text = stage_.contents();
   if (!input_.times().empty())
     text += dot + "step " + std::to_string(step_ + 1) + "/" +
             std::to_string(input_.numberOfSteps()) + ", t = " + asNumber(input_.times()[step_], 10);
@@ -407,7 +418,7 @@ std::string Window::statusText() const
   if (!traced_ || pass_->GetNumberOfSamples() == 0)
     return text;
   if (!previewed_)
-    text += dot + "structure " + asBytes(static_cast<double>(scene_.structureBytes()));
+    text += dot + "structure " + asBytes(static_cast<double>(stage_.structureBytes()));
   return text + dot + this->qualityText();
 }
 

@@ -3,7 +3,7 @@
 #include "Display.h"
 #include "Keys.h"
 #include "Overlay.h"
-#include "Scene.h"
+#include "Stage.h"
 #include "WindowProgress.h"
 #include "WindowProps.h"
 
@@ -76,13 +76,18 @@ private:
 
   // Actions
   void act(Action action);
+  bool actOnView(Action action);
+  bool actOnLook(Action action); ///< how things look
+  bool actOnTime(Action action);
   void goTo(int step);
+  void toggleProjection();
   void zoom(double factor);
   void scaleRadius(double factor);
   void pick();
   void center();
   void toggleBackground();
   void savePicture();
+  void sayColoring();
   void say(const std::string& message);
   std::string particleFacts(const Part& part, vtkIdType id) const;
 
@@ -91,7 +96,7 @@ private:
 
   const ViewOptions& options_;
   Input& input_;
-  Scene scene_;
+  Stage stage_;
   vtkNew<vtkRenderWindow> window_;
   vtkNew<vtkRenderWindowInteractor> interactor_;
   vtkNew<InteractorStyle> style_;
@@ -100,7 +105,7 @@ private:
   WindowProps props_;
   TerminalProgress terminal_;
   WindowProgress bar_;
-  Progress progress_;
+  ProgressRelay progress_;
 
   std::string side_;              // that was looked from last
   std::array<double, 10> view_{}; // as it was then

@@ -28,132 +28,172 @@ namespace mote::app
 
 void Window::act(Action action)
 {
-  if (busy_)
+  if (busy_ || action == Action::None)
     return;
+  if (!this->actOnView(action) && !this->actOnLook(action) && !this->actOnTime(action))
+    switch (action)
+    {
+    case Action::ZoomIn:
+      return this->zoom(1.25);
+    case Action::ZoomOut:
+      return this->zoom(0.8);
+    case Action::Play:
+      playing_ = !playing_ && input_.numberOfSteps() > 1;
+      if (playing_)
+        return this->advance();
+      break;
+    case Action::Help:
+      overlay_.setMessage("");
+      overlay_.toggleHelp();
+      break;
+    case Action::Pick:
+      this->pick();
+      break;
+    case Action::Save:
+      playing_ = false; // a picture takes rest
+      this->savePicture();
+      break;
+    case Action::Escape:
+      playing_ = false;
+      overlay_.hideHelp();
+      overlay_.setMessage("");
+      props_.unmark();
+      break;
+    case Action::Quit:
+      return this->quit();
+    default:
+      break;
+    }
+  this->render();
+}
+
+bool Window::actOnView(Action action)
+{
   switch (action)
   {
-  case Action::None:
-    return;
-  case Action::Help:
-    overlay_.setMessage("");
-    overlay_.toggleHelp();
-    break;
   case Action::ResetView:
     this->look(options_.view);
-    break;
+    return true;
   case Action::ViewPlusX:
     this->look("+x");
-    break;
+    return true;
   case Action::ViewMinusX:
     this->look("-x");
-    break;
+    return true;
   case Action::ViewPlusY:
     this->look("+y");
-    break;
+    return true;
   case Action::ViewMinusY:
     this->look("-y");
-    break;
+    return true;
   case Action::ViewPlusZ:
     this->look("+z");
-    break;
+    return true;
   case Action::ViewMinusZ:
     this->look("-z");
-    break;
+    return true;
   case Action::Projection:
-  {
-    vtkCamera* camera = scene_.renderer()->GetActiveCamera();
-    // What is at the focal point keeps its size.
-    const double half = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
-    if (!camera->GetParallelProjection())
-      camera->SetParallelScale(camera->GetDistance() * half);
-    else
-      camera->Dolly(camera->GetDistance() * half / camera->GetParallelScale());
-    camera->SetParallelProjection(!camera->GetParallelProjection());
-    scene_.renderer()->ResetCameraClippingRange();
-    break;
-  }
-  case Action::ZoomIn:
-    return this->zoom(1.25);
-  case Action::ZoomOut:
-    return this->zoom(0.8);
-  case Action::NextArray:
-    scene_.coloring().nextArray(scene_.parts());
-    props_.update(options_);
-    this->say(scene_.coloring().choice() ? "Coloured by " + scene_.coloring().title()
-                                         : "One colour for all");
-    break;
-  case Action::NextComponent:
-    scene_.coloring().nextComponent(scene_.parts());
-    props_.update(options_);
-    this->say(scene_.coloring().choice() ? "Coloured by " + scene_.coloring().title()
-                                         : "One colour for all");
-    break;
-  case Action::NextMap:
-    scene_.coloring().nextMap(scene_.parts());
-    props_.update(options_);
-    this->say("Colour map " + scene_.coloring().mapName());
-    break;
-  case Action::Smaller:
-    return this->scaleRadius(1.0 / 1.15);
-  case Action::Larger:
-    return this->scaleRadius(1.15);
-  case Action::PreviousStep:
-    return this->goTo(step_ - 1);
-  case Action::NextStep:
-    return this->goTo(step_ + 1);
-  case Action::FirstStep:
-    return this->goTo(0);
-  case Action::LastStep:
-    return this->goTo(input_.numberOfSteps() - 1);
-  case Action::Play:
-    playing_ = !playing_ && input_.numberOfSteps() > 1;
-    if (playing_)
-      return this->advance();
-    break;
-  case Action::Pick:
-    this->pick();
-    break;
+    this->toggleProjection();
+    return true;
   case Action::Center:
     this->center();
-    break;
+    return true;
+  default:
+    return false;
+  }
+}
+
+bool Window::actOnLook(Action action)
+{
+  switch (action)
+  {
+  case Action::NextArray:
+    stage_.coloring().nextArray(stage_.parts());
+    this->sayColoring();
+    return true;
+  case Action::NextComponent:
+    stage_.coloring().nextComponent(stage_.parts());
+    this->sayColoring();
+    return true;
+  case Action::NextMap:
+    stage_.coloring().nextMap(stage_.parts());
+    props_.update(options_);
+    this->say("Colour map " + stage_.coloring().mapName());
+    return true;
+  case Action::Smaller:
+    this->scaleRadius(1.0 / 1.15);
+    return true;
+  case Action::Larger:
+    this->scaleRadius(1.15);
+    return true;
   case Action::Box:
     props_.toggleBox();
-    break;
+    return true;
   case Action::Legend:
     props_.legend().toggle();
-    break;
+    return true;
   case Action::Axes:
     props_.toggleAxes();
-    break;
+    return true;
   case Action::Background:
     this->toggleBackground();
-    break;
+    return true;
   case Action::Shadows:
-    scene_.lighting().nextShadows();
-    this->say(scene_.lighting().shadowsName());
-    break;
+    stage_.lighting().nextShadows();
+    this->say(stage_.lighting().shadowsName());
+    return true;
   case Action::Shading:
-    scene_.nextShading();
-    this->say(scene_.lighting().shadingName());
-    break;
+    stage_.nextShading();
+    this->say(stage_.lighting().shadingName());
+    return true;
   case Action::Silhouettes:
-    scene_.silhouettes().toggle();
-    this->say(scene_.silhouettes().isOn() ? "Silhouettes" : "No silhouettes");
-    break;
-  case Action::Save:
-    playing_ = false; // a picture takes rest
-    this->savePicture();
-    break;
-  case Action::Escape:
-    playing_ = false;
-    overlay_.hideHelp();
-    overlay_.setMessage("");
-    props_.unmark();
-    break;
-  case Action::Quit:
-    return this->quit();
+    stage_.silhouettes().toggle();
+    this->say(stage_.silhouettes().isOn() ? "Silhouettes" : "No silhouettes");
+    return true;
+  default:
+    return false;
   }
-  this->render();
+}
+
+bool Window::actOnTime(Action action)
+{
+  switch (action)
+  {
+  case Action::PreviousStep:
+    this->goTo(step_ - 1);
+    return true;
+  case Action::NextStep:
+    this->goTo(step_ + 1);
+    return true;
+  case Action::FirstStep:
+    this->goTo(0);
+    return true;
+  case Action::LastStep:
+    this->goTo(input_.numberOfSteps() - 1);
+    return true;
+  default:
+    return false;
+  }
+}
+
+void Window::toggleProjection()
+{
+  vtkCamera* camera = stage_.renderer()->GetActiveCamera();
+  // What is at the focal point keeps its size.
+  const double half = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
+  if (!camera->GetParallelProjection())
+    camera->SetParallelScale(camera->GetDistance() * half);
+  else
+    camera->Dolly(camera->GetDistance() * half / camera->GetParallelScale());
+  camera->SetParallelProjection(!camera->GetParallelProjection());
+  stage_.renderer()->ResetCameraClippingRange();
+}
+
+void Window::sayColoring()
+{
+  props_.update(options_);
+  this->say(
+    stage_.coloring().choice() ? "Coloured by " + stage_.coloring().title() : "One colour for all");
 }
 
 void Window::say(const std::string& message)
@@ -171,27 +211,25 @@ void Window::goTo(int step)
                                           : "This is the last time step");
   else
     this->load(step);
-  this->render();
 }
 
 void Window::zoom(double factor)
 {
-  vtkCamera* camera = scene_.renderer()->GetActiveCamera();
+  vtkCamera* camera = stage_.renderer()->GetActiveCamera();
   if (camera->GetParallelProjection())
     camera->SetParallelScale(camera->GetParallelScale() / factor);
   else
     camera->Dolly(factor);
-  scene_.renderer()->ResetCameraClippingRange();
+  stage_.renderer()->ResetCameraClippingRange();
   this->renderMoving();
 }
 
 void Window::scaleRadius(double factor)
 {
   radiusScale_ *= factor;
-  scene_.setRadiusScale(radiusScale_);
+  stage_.setRadiusScale(radiusScale_);
   if (this->buildAgain())
     this->say("Radius x " + asNumber(radiusScale_, 3));
-  this->render();
 }
 
 namespace
@@ -220,9 +258,9 @@ void Window::pick()
   vtkNew<vtkMoteParticlePicker> picker;
   props_.unmark();
   overlay_.setMessage("");
-  if (!picker->Pick(cursor[0], cursor[1], 0.0, scene_.renderer()))
+  if (!picker->Pick(cursor[0], cursor[1], 0.0, stage_.renderer()))
     return this->say("There is neither a particle nor an iso-surface under the cursor");
-  for (const auto& part : scene_.parts())
+  for (const auto& part : stage_.parts())
   {
     if (part->prop() != picker->GetViewProp())
       continue;
@@ -271,27 +309,27 @@ void Window::center()
 {
   const int* cursor = interactor_->GetEventPosition();
   vtkNew<vtkMoteParticlePicker> picker;
-  if (!picker->Pick(cursor[0], cursor[1], 0.0, scene_.renderer()))
+  if (!picker->Pick(cursor[0], cursor[1], 0.0, stage_.renderer()))
     return this->say("There is no particle under the cursor");
   double at[3], focus[3], position[3];
   picker->GetPickPosition(at);
-  vtkCamera* camera = scene_.renderer()->GetActiveCamera();
+  vtkCamera* camera = stage_.renderer()->GetActiveCamera();
   camera->GetFocalPoint(focus);
   camera->GetPosition(position);
   for (int i = 0; i < 3; ++i)
     position[i] += at[i] - focus[i];
   camera->SetFocalPoint(at);
   camera->SetPosition(position);
-  scene_.renderer()->ResetCameraClippingRange();
+  stage_.renderer()->ResetCameraClippingRange();
 }
 
 void Window::toggleBackground()
 {
-  const bool light = inkOn(scene_.renderer())[0] < 0.5;
+  const bool light = inkOn(stage_.renderer())[0] < 0.5;
   setBackground(
-    scene_.renderer(), light ? std::vector<Color>{} : std::vector<Color>{{1.0, 1.0, 1.0}});
-  props_.setInk(inkOn(scene_.renderer()));
-  overlay_.setInk(inkOn(scene_.renderer()));
+    stage_.renderer(), light ? std::vector<Color>{} : std::vector<Color>{{1.0, 1.0, 1.0}});
+  props_.setInk(inkOn(stage_.renderer()));
+  overlay_.setInk(inkOn(stage_.renderer()));
 }
 
 void Window::savePicture()
@@ -305,7 +343,7 @@ void Window::savePicture()
     file = stem + number;
   }
   // A preview is for looking; what is kept is exact.
-  if (previewed_ && !this->perform([&] { scene_.finishBuild(progress_); }))
+  if (previewed_ && !this->perform([&] { stage_.finishBuild(progress_); }))
     return;
   overlay_.setVisible(false);
   do

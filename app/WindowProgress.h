@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Progress.h"
+#include "ProgressRelay.h"
 #include "ViewOptions.h"
 
 #include <vtkNew.h>

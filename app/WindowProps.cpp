@@ -54,9 +54,9 @@ vtkSmartPointer<vtkPolyData> edgesOf(const SimulationBox& box)
 
 } // namespace
 
-WindowProps::WindowProps(Scene& scene)
-  : scene_(scene)
-  , legend_(scene.renderer())
+WindowProps::WindowProps(Stage& stage)
+  : stage_(stage)
+  , legend_(stage.renderer())
 {
   for (vtkActor* lines : {box_.Get(), mark_.Get()})
   {
@@ -66,7 +66,7 @@ WindowProps::WindowProps(Scene& scene)
     lines->GetProperty()->LightingOff();
     lines->GetProperty()->SetLineWidth(1.0);
     lines->UseBoundsOff();
-    scene.renderer()->AddActor(lines);
+    stage.renderer()->AddActor(lines);
   }
   mark_->VisibilityOff();
   mark_->GetProperty()->SetRepresentationToWireframe();
@@ -77,7 +77,7 @@ WindowProps::WindowProps(Scene& scene)
   axes_->SetCylinderRadius(0.04);
   axes_->SetConeRadius(0.35);
   corner_->SetOrientationMarker(axes_);
-  this->setInk(inkOn(scene.renderer()));
+  this->setInk(inkOn(stage.renderer()));
 }
 
 WindowProps::~WindowProps()
@@ -88,7 +88,7 @@ WindowProps::~WindowProps()
 void WindowProps::attach(vtkRenderWindowInteractor* interactor)
 {
   corner_->SetInteractor(interactor);
-  corner_->SetDefaultRenderer(scene_.renderer());
+  corner_->SetDefaultRenderer(stage_.renderer());
   corner_->SetViewport(0.0, 0.045, 0.13, 0.225);
   corner_->SetEnabled(1);
   corner_->InteractiveOff();
@@ -98,7 +98,7 @@ void WindowProps::update(const ViewOptions& options)
 {
   SimulationBox box{};
   bool given = false;
-  for (const auto& part : scene_.parts())
+  for (const auto& part : stage_.parts())
     if (const auto own = simulationBoxOf(part->data()); own && !given)
     {
       box = *own;
@@ -107,13 +107,13 @@ void WindowProps::update(const ViewOptions& options)
   if (!given)
   {
     double bounds[6];
-    scene_.bounds(bounds);
+    stage_.bounds(bounds);
     box = boxOfBounds(bounds);
   }
   static_cast<vtkPolyDataMapper*>(box_->GetMapper())->SetInputData(edgesOf(box));
   box_->SetVisibility(boxOn_);
-  legend_.set(options.legend ? scene_.coloring().legendTable() : nullptr,
-    options.title.value_or(scene_.coloring().title()));
+  legend_.set(options.legend ? stage_.coloring().legendTable() : nullptr,
+    options.title.value_or(stage_.coloring().title()));
 }
 
 void WindowProps::toggleBox()
@@ -129,7 +129,7 @@ void WindowProps::toggleAxes()
 
 void WindowProps::setInk(const Color& ink)
 {
-  const double* ground = scene_.renderer()->GetBackground();
+  const double* ground = stage_.renderer()->GetBackground();
   double quiet[3];
   for (int i = 0; i < 3; ++i)
     quiet[i] = 0.6 * ink[i] + 0.4 * ground[i];
@@ -150,8 +150,8 @@ void WindowProps::setInk(const Color& ink)
 
 double WindowProps::pixelSizeAt(const double position[3])
 {
-  vtkCamera* camera = scene_.renderer()->GetActiveCamera();
-  const double rows = std::max(1, scene_.renderer()->GetSize()[1]);
+  vtkCamera* camera = stage_.renderer()->GetActiveCamera();
+  const double rows = std::max(1, stage_.renderer()->GetSize()[1]);
   if (camera->GetParallelProjection())
     return 2.0 * camera->GetParallelScale() / rows;
   const double half = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Scene.h"
+#include "Stage.h"
 #include "WindowLegend.h"
 
 #include <vtkNew.h>
@@ -19,7 +19,7 @@ namespace mote::app
 class WindowProps
 {
 public:
-  explicit WindowProps(Scene& scene);
+  explicit WindowProps(Stage& stage);
   ~WindowProps();
 
   /// Shows the little axes in the corner; call once, when the interactor is initialized.
@@ -40,7 +40,7 @@ public:
 private:
   double pixelSizeAt(const double position[3]);
 
-  Scene& scene_;
+  Stage& stage_;
   bool boxOn_ = true;
   WindowLegend legend_;
   vtkNew<vtkActor> box_;

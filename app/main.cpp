@@ -9,6 +9,7 @@
 #include "Info.h"
 #include "Messages.h"
 #include "Probe.h"
+#include "ProgressRelay.h"
 #include "Render.h"
 #include "ViewOptions.h"
 #include "Window.h"
@@ -59,6 +60,28 @@ void takeNoMore(CLI::App& app)
     option->allow_extra_args(false);
   for (CLI::App* command : app.get_subcommands({}))
     takeNoMore(*command);
+}
+
+void addCommands(CLI::App& app, AllOptions& all)
+{
+  addWindowOptions(app, all.window);
+  const auto command = [&app](const char* name, const char* help) -> CLI::App&
+  { return *app.add_subcommand(name, help); };
+  addRenderOptions(command("render", "Write a picture; needs no display"), all.rendering);
+  addConvertOptions(
+    command("convert", "Write particles as a .mote file, which opens at once"), all.converting);
+  addInfoOptions(
+    command("info", "List arrays, ranges, types and time steps; cells, volumes and quality"),
+    all.info);
+  addAverageOptions(
+    command("average", "Average an array over circles about an axis: a table or a picture"),
+    all.averaging);
+  addEdgesOptions(
+    command("edges", "Draw the silhouettes of a depth image, of any program's"), all.edges);
+  addBakeOptions(command("bake", "Write the ambient occlusion of particles as maps, which "
+                                 "--ambient-occlusion baked looks up"),
+    all.baking);
+  addProbeOptions(command("probe", "List the values along a line"), all.probing);
 }
 
 int run(CLI::App& app, const AllOptions& all)
@@ -116,24 +139,7 @@ int main(int argc, char** argv)
     "\nWithout a command a window opens; press h in it for its keys. Exit codes: 0 done, 1 failed\n"
     "with a sentence on standard error, 2 a wrong command line, 130 interrupted.");
   AllOptions all;
-  addWindowOptions(app, all.window);
-  const auto command = [&app](const char* name, const char* help) -> CLI::App&
-  { return *app.add_subcommand(name, help); };
-  addRenderOptions(command("render", "Write a picture; needs no display"), all.rendering);
-  addConvertOptions(
-    command("convert", "Write particles as a .mote file, which opens at once"), all.converting);
-  addInfoOptions(
-    command("info", "List arrays, ranges, types and time steps; cells, volumes and quality"),
-    all.info);
-  addAverageOptions(
-    command("average", "Average an array over circles about an axis: a table or a picture"),
-    all.averaging);
-  addEdgesOptions(
-    command("edges", "Draw the silhouettes of a depth image, of any program's"), all.edges);
-  addBakeOptions(command("bake", "Write the ambient occlusion of particles as maps, which "
-                                 "--ambient-occlusion baked looks up"),
-    all.baking);
-  addProbeOptions(command("probe", "List the values along a line"), all.probing);
+  addCommands(app, all);
   takeNoMore(app);
   try
   {
@@ -150,6 +156,7 @@ int main(int argc, char** argv)
   }
 
   Messages::install();
+  endOnInterrupt();
   try
   {
     return run(app, all);

@@ -62,6 +62,31 @@ private:
   vtkProp3D* prop_;
 };
 
+/// A MoteProp of this VTK class whose mapper is one of ours; `Kind` is the class derived from it.
+template <typename Kind, typename Prop, typename Mapper>
+class PropWithMapper : public MoteProp
+{
+public:
+  PropWithMapper(Prop* prop, Mapper* mapper)
+    : MoteProp(prop)
+    , prop_(prop)
+    , mapper_(mapper)
+  {
+  }
+
+  /// The prop as such a one, or null where it is none.
+  static std::shared_ptr<MoteProp> of(vtkProp* prop)
+  {
+    Prop* own = Prop::SafeDownCast(prop);
+    Mapper* mapper = own ? Mapper::SafeDownCast(own->GetMapper()) : nullptr;
+    return mapper ? std::make_shared<Kind>(own, mapper) : nullptr;
+  }
+
+protected:
+  Prop* const prop_;
+  Mapper* const mapper_;
+};
+
 using MoteProps = std::vector<std::shared_ptr<MoteProp>>;
 
 /// The prop as one that Mote traces, for as long as the prop lives and keeps its mapper; null for

@@ -17,20 +17,15 @@ namespace
 {
 
 /// An actor with a vtkMoteParticleMapper.
-class ParticleProp : public MoteProp
+class ParticleProp : public PropWithMapper<ParticleProp, vtkActor, vtkMoteParticleMapper>
 {
 public:
-  ParticleProp(vtkActor* actor, vtkMoteParticleMapper* mapper)
-    : MoteProp(actor)
-    , actor_(actor)
-    , mapper_(mapper)
-  {
-  }
+  using PropWithMapper::PropWithMapper;
 
   bool describe(Scene& scene, std::int32_t id) const override
   {
     SurfaceObject object;
-    if (!mapper_->DescribeTo(object, actor_))
+    if (!mapper_->DescribeTo(object, prop_))
       return false;
     object.id = id;
     object.revision = mapper_->GetPictureMTime();
@@ -39,7 +34,7 @@ public:
   }
   std::vector<vtkMTimeType> times() const override
   {
-    return {mapper_->GetPictureMTime(), actor_->GetProperty()->GetMTime()};
+    return {mapper_->GetPictureMTime(), prop_->GetProperty()->GetMTime()};
   }
   vtkDataArray* particleArray(const char* name) const override
   {
@@ -57,19 +52,13 @@ public:
   }
   bool isPreview() const override { return mapper_->IsPreview(); }
   bool finish() const override { return mapper_->FinishBuild(); }
-
-private:
-  vtkActor* actor_;
-  vtkMoteParticleMapper* mapper_;
 };
 
 } // namespace
 
 std::shared_ptr<MoteProp> particlePropOf(vtkProp* prop)
 {
-  vtkActor* actor = vtkActor::SafeDownCast(prop);
-  auto* mapper = actor ? vtkMoteParticleMapper::SafeDownCast(actor->GetMapper()) : nullptr;
-  return mapper ? std::make_shared<ParticleProp>(actor, mapper) : nullptr;
+  return ParticleProp::of(prop);
 }
 
 } // namespace mote

@@ -15,24 +15,19 @@ namespace
 {
 
 /// A vtkVolume with a vtkMoteVolumeMapper.
-class VolumeProp : public MoteProp
+class VolumeProp : public PropWithMapper<VolumeProp, vtkVolume, vtkMoteVolumeMapper>
 {
 public:
-  VolumeProp(vtkVolume* volume, vtkMoteVolumeMapper* mapper)
-    : MoteProp(volume)
-    , volume_(volume)
-    , mapper_(mapper)
-  {
-  }
+  using PropWithMapper::PropWithMapper;
 
   bool describe(Scene& scene, std::int32_t id) const override
   {
-    return mapper_->DescribeTo(scene, volume_, id);
+    return mapper_->DescribeTo(scene, prop_, id);
   }
   std::vector<vtkMTimeType> times() const override
   {
     // The property's own time knows its functions, but not its iso-values.
-    vtkVolumeProperty* property = volume_->GetProperty();
+    vtkVolumeProperty* property = prop_->GetProperty();
     return {mapper_->GetPictureMTime(), property->GetMTime(),
       property->GetIsoSurfaceValues()->GetMTime()};
   }
@@ -40,22 +35,15 @@ public:
   bool picksCells() const override { return true; }
   double pickedValue(const ScenePick& pick) const override
   {
-    return volume_->GetProperty()->GetIsoSurfaceValues()->GetValue(
-      static_cast<int>(pick.colorIndex));
+    return prop_->GetProperty()->GetIsoSurfaceValues()->GetValue(static_cast<int>(pick.colorIndex));
   }
-
-private:
-  vtkVolume* volume_;
-  vtkMoteVolumeMapper* mapper_;
 };
 
 } // namespace
 
 std::shared_ptr<MoteProp> volumePropOf(vtkProp* prop)
 {
-  vtkVolume* volume = vtkVolume::SafeDownCast(prop);
-  auto* mapper = volume ? vtkMoteVolumeMapper::SafeDownCast(volume->GetMapper()) : nullptr;
-  return mapper ? std::make_shared<VolumeProp>(volume, mapper) : nullptr;
+  return VolumeProp::of(prop);
 }
 
 } // namespace mote

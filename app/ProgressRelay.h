@@ -27,8 +27,12 @@ public:
   virtual bool wantsStop() { return false; }
 };
 
+/// Has Ctrl-C end the program with a sentence wherever no ProgressRelay::Work is under way, unless
+/// SIGINT is ignored from the start.
+void endOnInterrupt();
+
 /// Carries progress from pipeline objects to the displays, and interruption the other way.
-class Progress
+class ProgressRelay
 {
 public:
   /// Displays are not owned.
@@ -43,7 +47,7 @@ public:
   class Work
   {
   public:
-    Work(Progress& progress, const std::string& what, vtkObject* object);
+    Work(ProgressRelay& progress, const std::string& what, vtkObject* object);
     ~Work();
     Work(const Work&) = delete;
     Work& operator=(const Work&) = delete;
@@ -54,7 +58,7 @@ public:
   private:
     void advance(double share);
 
-    Progress& progress_;
+    ProgressRelay& progress_;
     std::string what_;
     vtkObject* object_;
     vtkAlgorithm* algorithm_;

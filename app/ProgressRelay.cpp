@@ -1,4 +1,4 @@
-#include "Progress.h"
+#include "ProgressRelay.h"
 
 #include "Failure.h"
 #include "Text.h"
@@ -26,11 +26,19 @@ constexpr double longWork = 5.0; // seconds from which on there is an estimate o
 
 volatile std::sig_atomic_t interrupts = 0;
 
-void onInterrupt(int)
+/// Ends the program from within a signal handler, which must not call exit().
+[[noreturn]] void endInterrupted(int)
+{
+  constexpr char sentence[] = "mote: interrupted\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, sentence, sizeof sentence - 1);
+  _exit(130);
+}
+
+void onInterrupt(int signal)
 {
   interrupts = interrupts + 1;
   if (interrupts > 1)
-    _exit(130);
+    endInterrupted(signal);
 }
 
 class ProgressCommand : public vtkCommand
@@ -46,17 +54,24 @@ public:
 
 } // namespace
 
-void Progress::add(ProgressDisplay& display)
+void endOnInterrupt()
+{
+  // Whoever had it ignored, as nohup and a shell's background commands have, wants no interruption.
+  if (std::signal(SIGINT, endInterrupted) == SIG_IGN)
+    std::signal(SIGINT, SIG_IGN);
+}
+
+void ProgressRelay::add(ProgressDisplay& display)
 {
   displays_.push_back(&display);
 }
 
-void Progress::remove(ProgressDisplay& display)
+void ProgressRelay::remove(ProgressDisplay& display)
 {
   std::erase(displays_, &display);
 }
 
-Progress::Work::Work(Progress& progress, const std::string& what, vtkObject* object)
+ProgressRelay::Work::Work(ProgressRelay& progress, const std::string& what, vtkObject* object)
   : progress_(progress)
   , what_(what)
   , object_(object)
@@ -66,7 +81,6 @@ Progress::Work::Work(Progress& progress, const std::string& what, vtkObject* obj
   , next_(start_ + patience)
 {
   interrupts = 0;
-  // Whoever had it ignored, as nohup and a shell's background commands have, wants no interruption.
   before_ = std::signal(SIGINT, SIG_IGN);
   if (before_ != SIG_IGN)
     std::signal(SIGINT, onInterrupt);
@@ -78,7 +92,7 @@ Progress::Work::Work(Progress& progress, const std::string& what, vtkObject* obj
   command->Delete();
 }
 
-Progress::Work::~Work()
+ProgressRelay::Work::~Work()
 {
   object_->RemoveObserver(observer_);
   std::signal(SIGINT, before_);
@@ -89,13 +103,13 @@ Progress::Work::~Work()
       display->hide();
 }
 
-void Progress::Work::finish() const
+void ProgressRelay::Work::finish() const
 {
   if (stopped_ || interrupts > 0)
     throw Interrupted();
 }
 
-void Progress::Work::advance(double share)
+void ProgressRelay::Work::advance(double share)
 {
   // Displays draw with OpenGL, which belongs to the thread that began the work.
   if (std::this_thread::get_id() != thread_)

@@ -1,4 +1,4 @@
-#include "Scene.h"
+#include "Stage.h"
 
 #include "Colors.h"
 #include "Failure.h"
@@ -18,7 +18,7 @@
 namespace mote::app
 {
 
-Scene::Scene(const ViewOptions& options)
+Stage::Stage(const ViewOptions& options)
   : options_(options)
   , lighting_(renderer_, options)
   , silhouettes_(options.silhouettes)
@@ -29,7 +29,7 @@ Scene::Scene(const ViewOptions& options)
   renderer_->GetActiveCamera()->SetParallelProjection(options.orthographic);
 }
 
-void Scene::setData(const std::vector<NamedData>& data)
+void Stage::setData(const std::vector<NamedData>& data)
 {
   bool sameKinds = parts_.size() == data.size();
   for (std::size_t i = 0; sameKinds && i < data.size(); ++i)
@@ -56,7 +56,7 @@ void Scene::setData(const std::vector<NamedData>& data)
                   " holds cells alone");
 }
 
-void Scene::setSizes()
+void Stage::setSizes()
 {
   vtkBoundingBox all;
   for (const auto& part : parts_)
@@ -67,19 +67,19 @@ void Scene::setSizes()
       all.IsValid() && all.GetDiagonalLength() > 0.0 ? all.GetDiagonalLength() : 1.0);
 }
 
-void Scene::build(Progress& progress)
+void Stage::build(ProgressRelay& progress)
 {
   for (const auto& part : parts_)
     part->build(progress);
 }
 
-void Scene::setPreview(bool on)
+void Stage::setPreview(bool on)
 {
   for (const auto& part : parts_)
     part->setPreview(on);
 }
 
-std::string Scene::update()
+std::string Stage::update()
 {
   std::string error;
   for (const auto& part : parts_)
@@ -88,26 +88,26 @@ std::string Scene::update()
   return error;
 }
 
-void Scene::finishBuild(Progress& progress)
+void Stage::finishBuild(ProgressRelay& progress)
 {
   for (const auto& part : parts_)
     part->finishBuild(progress);
 }
 
-void Scene::stopBuild()
+void Stage::stopBuild()
 {
   for (const auto& part : parts_)
     if (part->particles())
       part->particles()->StopBuild();
 }
 
-bool Scene::isBuilding() const
+bool Stage::isBuilding() const
 {
   return std::any_of(parts_.begin(), parts_.end(),
     [](const auto& part) { return part->particles() && part->particles()->IsBuilding(); });
 }
 
-std::string Scene::preview() const
+std::string Stage::preview() const
 {
   vtkIdType shown = 0;
   bool any = false;
@@ -130,13 +130,13 @@ std::string Scene::preview() const
   return text;
 }
 
-void Scene::applyColors()
+void Stage::applyColors()
 {
   coloring_.apply(parts_);
   selection_.apply(parts_, coloring_.choice());
 }
 
-void Scene::look(const std::string& side, double aspect, const Margins& margins)
+void Stage::look(const std::string& side, double aspect, const Margins& margins)
 {
   double box[6], shown[6];
   this->bounds(box);
@@ -153,7 +153,7 @@ void Scene::look(const std::string& side, double aspect, const Margins& margins)
   renderer_->ResetCameraClippingRange(box);
 }
 
-std::string Scene::automaticSide() const
+std::string Stage::automaticSide() const
 {
   vtkBoundingBox positions;
   bool surfaces = !parts_.empty();
@@ -171,20 +171,20 @@ std::string Scene::automaticSide() const
   return side == "iso" && surfaces ? "iso-y" : side;
 }
 
-void Scene::setRadiusScale(double scale)
+void Stage::setRadiusScale(double scale)
 {
   for (const auto& part : parts_)
     part->setRadiusScale(scale);
 }
 
-void Scene::nextShading()
+void Stage::nextShading()
 {
   lighting_.nextShading();
   for (const auto& part : parts_)
     part->setAmbient(lighting_.ambient());
 }
 
-void Scene::bounds(double bounds[6]) const
+void Stage::bounds(double bounds[6]) const
 {
   vtkBoundingBox box;
   for (const auto& part : parts_)
@@ -201,7 +201,7 @@ void Scene::bounds(double bounds[6]) const
   box.GetBounds(bounds);
 }
 
-void Scene::shownBounds(double bounds[6]) const
+void Stage::shownBounds(double bounds[6]) const
 {
   vtkBoundingBox box;
   for (const auto& part : parts_)
@@ -217,7 +217,7 @@ void Scene::shownBounds(double bounds[6]) const
     this->bounds(bounds);
 }
 
-vtkIdType Scene::numberOfParticles() const
+vtkIdType Stage::numberOfParticles() const
 {
   vtkIdType count = 0;
   for (const auto& part : parts_)
@@ -226,7 +226,7 @@ vtkIdType Scene::numberOfParticles() const
   return count;
 }
 
-vtkIdType Scene::numberShown() const
+vtkIdType Stage::numberShown() const
 {
   vtkIdType count = 0;
   for (const auto& part : parts_)
@@ -234,7 +234,7 @@ vtkIdType Scene::numberShown() const
   return count;
 }
 
-vtkIdType Scene::numberOfCells() const
+vtkIdType Stage::numberOfCells() const
 {
   vtkIdType count = 0;
   for (const auto& part : parts_)
@@ -243,7 +243,7 @@ vtkIdType Scene::numberOfCells() const
   return count;
 }
 
-vtkTypeInt64 Scene::structureBytes() const
+vtkTypeInt64 Stage::structureBytes() const
 {
   vtkTypeInt64 bytes = 0;
   for (const auto& part : parts_)
@@ -251,7 +251,7 @@ vtkTypeInt64 Scene::structureBytes() const
   return bytes;
 }
 
-double Scene::buildTime() const
+double Stage::buildTime() const
 {
   double seconds = 0.0;
   for (const auto& part : parts_)
@@ -259,7 +259,7 @@ double Scene::buildTime() const
   return seconds;
 }
 
-std::string Scene::contents() const
+std::string Stage::contents() const
 {
   std::string text;
   const vtkIdType cells = this->numberOfCells();

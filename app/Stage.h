@@ -19,21 +19,21 @@ namespace mote::app
 
 /// What is seen, in the window as in a file: the parts of the present time step in a renderer, with
 /// background, lights, camera and colours as the options say.
-class Scene
+class Stage
 {
 public:
-  explicit Scene(const ViewOptions& options);
+  explicit Stage(const ViewOptions& options);
 
   /// Shows other data; build() must follow.
   void setData(const std::vector<NamedData>& data);
 
   /// Brings all structures up to date. Throws Failure and Interrupted.
-  void build(Progress& progress);
+  void build(ProgressRelay& progress);
 
   /// As Part::setPreview(), update() and finishBuild().
   void setPreview(bool on);
   std::string update();
-  void finishBuild(Progress& progress);
+  void finishBuild(ProgressRelay& progress);
   /// Stops what other threads build, before data change.
   void stopBuild();
 
