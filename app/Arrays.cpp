@@ -103,13 +103,12 @@ void forEachValue(vtkDataArray* array, int component, const Visit& visit)
   }
 }
 
-} // namespace
-
-ArrayChoice findArray(vtkDataSet* data, const std::string& text)
+ArrayChoice findAmong(
+  vtkDataSet* data, const std::string& text, std::initializer_list<bool> cellsOrPoints)
 {
   const auto choiceFor = [&](const std::string& name, const std::string& component)
   {
-    for (const bool ofCells : {false, true})
+    for (const bool ofCells : cellsOrPoints)
       if (vtkDataArray* array = attributesOf(data, ofCells)->GetArray(name.c_str()))
       {
         const bool vector = array->GetNumberOfComponents() > 1;
@@ -123,7 +122,7 @@ ArrayChoice findArray(vtkDataSet* data, const std::string& text)
   if (const ArrayChoice whole = choiceFor(text, ""))
     return whole;
   // What a file calls "vx" may be a component of "v" here.
-  for (const bool ofCells : {false, true})
+  for (const bool ofCells : cellsOrPoints)
     for (int i = 0; i < attributesOf(data, ofCells)->GetNumberOfArrays(); ++i)
       if (vtkDataArray* array = attributesOf(data, ofCells)->GetArray(i); !nameOf(array).empty())
         for (int c = 0; c < array->GetNumberOfComponents(); ++c)
@@ -132,6 +131,31 @@ ArrayChoice findArray(vtkDataSet* data, const std::string& text)
   const std::size_t colon = text.rfind(':');
   return colon == std::string::npos ? ArrayChoice{}
                                     : choiceFor(text.substr(0, colon), text.substr(colon + 1));
+}
+
+} // namespace
+
+ArrayChoice findArray(vtkDataSet* data, const std::string& text)
+{
+  const auto starts = [&](const char* word) { return text.starts_with(word); };
+  const std::size_t prefix = starts("point:") ? 6 : starts("cell:") ? 5 : 0;
+  if (prefix > 0)
+    if (const ArrayChoice found = findAmong(data, text.substr(prefix), {prefix == 5}))
+      return found;
+  return findAmong(data, text, {false, true});
+}
+
+std::string asText(vtkDataSet* data, const ArrayChoice& choice)
+{
+  if (!choice)
+    return "none";
+  vtkDataArray* array = arrayOf(data, choice);
+  const bool both = arrayOf(data, {choice.name, 0, true}) && arrayOf(data, {choice.name, 0, false});
+  std::string text = (both ? choice.ofCells ? "cell:" : "point:" : "") + choice.name;
+  if (array && array->GetNumberOfComponents() > 1)
+    text += choice.component == ArrayChoice::magnitude ? ":magnitude"
+                                                       : ":" + std::to_string(choice.component);
+  return text;
 }
 
 std::vector<ArrayChoice> rankedArrays(vtkDataSet* data)

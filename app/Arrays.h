@@ -25,9 +25,12 @@ struct ArrayChoice
 };
 
 /// The array that is meant by NAME, NAME:COMPONENT or NAME:magnitude, or by a component's name
-/// alone; no array where the data set has none of that name. Throws Failure for a component that
-/// the array lacks.
+/// alone, of points before cells; with "point:" or "cell:" before it of these alone. No array where
+/// the data set has none of that name. Throws Failure for a component that the array lacks.
 ArrayChoice findArray(vtkDataSet* data, const std::string& text);
+
+/// A text that findArray() takes for this choice; "none" for no array.
+std::string asText(vtkDataSet* data, const ArrayChoice& choice);
 
 /// What may colour this data set, the most telling first: numbers that vary, magnitudes of vectors,
 /// integers, types. No ids, radii, positions; those with one value everywhere come last.

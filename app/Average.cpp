@@ -76,7 +76,7 @@ vtkSmartPointer<vtkImageData> drawn(
 /// The column that colours: what the user says, else the average, of a vector its magnitude.
 vtkDataArray* columnOf(vtkImageData* bins, const AverageOptions& options)
 {
-  const std::string& asked = options.view.colorBy;
+  const std::string& asked = options.given.settings.color.array;
   vtkPointData* columns = bins->GetPointData();
   const std::string magnitude = options.array + "_magnitude";
   const std::string name = !asked.empty()                         ? asked
@@ -91,14 +91,14 @@ void writePicture(vtkImageData* bins, const AverageOptions& options, const std::
 {
   vtkDataArray* column = columnOf(bins, options);
   double range[2];
-  if (options.view.range.size() == 2)
-    std::copy(options.view.range.begin(), options.view.range.end(), range);
+  if (options.given.settings.color.range.size() == 2)
+    std::copy(options.given.settings.color.range.begin(), options.given.settings.color.range.end(), range);
   else
     column->GetFiniteRange(range, 0);
   if (!(range[0] < range[1]))
     range[1] = range[0] + 1.0;
-  const std::string map = options.view.colorMap.empty() ? "viridis" : options.view.colorMap;
-  const auto colors = makeColorMap(map, range, options.view.logarithmic);
+  const std::string map = options.given.settings.color.map.empty() ? "viridis" : options.given.settings.color.map;
+  const auto colors = makeColorMap(map, range, options.given.settings.color.logarithmic);
   vtkNew<vtkMoteColorLegend> legend;
   legend->SetInputData(drawn(bins, column, colors));
   legend->SetLookupTable(colors);
@@ -116,7 +116,8 @@ void writePicture(vtkImageData* bins, const AverageOptions& options, const std::
 
 void addAverageOptions(CLI::App& app, AverageOptions& options)
 {
-  addReadOptions(app, options.view);
+  addFiles(app, options.given.settings);
+  addSettings(app, options.given, {"Data"});
   app
     .add_option("--array,-a", options.array,
       "Array to average, on points or cells: of numbers, or of vectors, of which the parts along "
@@ -137,20 +138,20 @@ void addAverageOptions(CLI::App& app, AverageOptions& options)
     app, "--axis", options.axis, "Direction of the axis. By default what the data say, else z");
   addVectorOption(app, "--origin", options.origin,
     "A point of the axis. By default what the data say, else 0,0,0");
-  addColorOptions(app, options.view);
+  addSettings(app, options.given, {"Colour"});
   app.get_option("--color-by")->description("Column of the table that colours the picture");
   app.get_option("--color-map")->description("Colours: " + joined(colorMapNames(), ", "));
 }
 
 void average(const AverageOptions& options)
 {
-  checkOutput(options.output, options.view.files);
+  checkOutput(options.output, options.given.settings.data.files);
   TerminalProgress terminal;
   ProgressRelay progress;
   progress.add(terminal);
-  Input input(options.view.files);
+  Input input(options.given.settings.data.files);
   input.open(progress);
-  const int step = input.chosenStep(options.view);
+  const int step = input.chosenStep(options.given.settings);
   vtkNew<vtkMultiBlockDataSet> blocks;
   std::vector<std::string> known;
   for (const NamedData& one : input.read(step, progress))

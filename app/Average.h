@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ViewOptions.h"
+#include "settings/CommandLine.h"
 
 #include <array>
 #include <optional>
@@ -11,7 +11,7 @@ namespace mote::app
 /// What `mote average` may be told.
 struct AverageOptions
 {
-  ViewOptions view; ///< files, time, threads and colours
+  GivenSettings given; ///< files, time, threads and colours
   std::string array;
   std::string output; ///< .csv, a picture, or empty for standard output
   int resolution = 200;

@@ -36,14 +36,14 @@ std::string mapsFileOf(const NamedData& particles)
 
 /// Radii as they are drawn.
 void setRadii(
-  vtkMoteAmbientOcclusionBaker* baker, vtkMoteParticleMapper* from, const ViewOptions& options)
+  vtkMoteAmbientOcclusionBaker* baker, vtkMoteParticleMapper* from, const Settings& settings)
 {
   baker->SetRadiusMode(from->GetRadiusMode());
   baker->SetRadius(from->GetRadius());
   baker->SetRadiusScale(from->GetRadiusScale());
   baker->SetRadiusArrayName(from->GetRadiusArrayName());
   baker->SetTypeArrayName(from->GetTypeArrayName());
-  for (const auto& [type, radius] : options.typeRadius)
+  for (const auto& [type, radius] : settings.particles.typeRadius)
     baker->SetTypeRadius(type, radius);
 }
 
@@ -58,20 +58,21 @@ void setQuality(vtkMoteAmbientOcclusionBaker* baker, const BakeOptions& options)
     baker->AdaptiveOff();
   else if (options.tolerance > 0.0)
     baker->SetTolerance(options.tolerance);
-  baker->SetNumberOfThreads(options.view.threads);
+  baker->SetNumberOfThreads(options.given.settings.data.threads);
 }
 
 } // namespace
 
 void addBakeOptions(CLI::App& app, BakeOptions& options)
 {
-  addReadOptions(app, options.view);
+  addFiles(app, options.given.settings);
+  addSettings(app, options.given, {"Data"});
   app
     .add_option("--output,-o", options.output,
       "File to write, .moteao. By default the data file's name with .moteao behind it, and the "
       "step's number before where there are several: there mote looks for it")
     ->type_name("FILE");
-  addRadiusOptions(app, options.view);
+  addSettings(app, options.given, {"Radius"});
   const std::string group = "Baking";
   app.add_option("--side", options.side, "Texels along a side of the largest maps. By default 16")
     ->check(CLI::IsMember({1, 2, 4, 8, 16, 32}).description(""))
@@ -104,21 +105,21 @@ void bake(const BakeOptions& options)
   TerminalProgress terminal;
   ProgressRelay progress;
   progress.add(terminal);
-  Input input(options.view.files);
+  Input input(options.given.settings.data.files);
   input.open(progress);
-  const int step = input.chosenStep(options.view);
+  const int step = input.chosenStep(options.given.settings);
   const NamedData data = particlesOf(input, step, progress, "mote bake takes one");
   const std::string output = options.output.empty() ? mapsFileOf(data) : options.output;
   if (lowerCase(std::filesystem::path(output).extension().string()) != ".moteao")
     throw Failure("the file to write must end in .moteao, not " + output);
-  checkOutput(output, options.view.files); // before minutes of baking
+  checkOutput(output, options.given.settings.data.files); // before minutes of baking
   auto* points = vtkPolyData::SafeDownCast(data.data);
   if (!points)
     throw Failure(data.name + " holds no points that mote bake could take");
-  Part part(data.name, data.data, options.view, 0.0);
+  Part part(data.name, data.data, options.given.settings, 0.0);
 
   vtkNew<vtkMoteAmbientOcclusionBaker> baker;
-  setRadii(baker, part.particles(), options.view);
+  setRadii(baker, part.particles(), options.given.settings);
   setQuality(baker, options);
   baker->SetFileName(output.c_str());
   baker->SetInputData(points);

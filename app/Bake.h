@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Input.h"
-#include "ViewOptions.h"
+#include "settings/CommandLine.h"
 
 #include <string>
 #include <vector>
@@ -17,7 +17,7 @@ namespace mote::app
 /// What mote bake is asked for.
 struct BakeOptions
 {
-  ViewOptions view; ///< files, step and radii of it
+  GivenSettings given; ///< files, step and radii of it
   std::string output;
   int side = 0;            ///< texels along a side; 0: as vtkMoteAmbientOcclusionBaker has it
   int samples = 0;         ///< rays a texel; 0: likewise

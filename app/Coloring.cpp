@@ -40,15 +40,15 @@ std::vector<ArrayChoice> candidatesOf(const Parts& parts)
 
 } // namespace
 
-Coloring::Coloring(const ViewOptions& options)
-  : options_(options)
-  , map_(options.colorMap)
+Coloring::Coloring(const Settings& settings)
+  : settings_(settings)
+  , wanted_(settings.color.array)
 {
 }
 
 void Coloring::choose(const Parts& parts)
 {
-  const std::string& wanted = options_.colorBy;
+  const std::string& wanted = settings_.color.array;
   if (wanted == "none")
   {
     chosen_ = true;
@@ -99,7 +99,7 @@ bool Coloring::updateRange(const Parts& parts)
     const bool first = range_[0] > range_[1];
     range_[0] = first ? range[0] : std::min(range_[0], range[0]);
     range_[1] = first ? range[1] : std::max(range_[1], range[1]);
-    if (options_.logarithmic && range[0] <= 0.0)
+    if (settings_.color.logarithmic && range[0] <= 0.0)
       if (const double least = leastPositive(array, choice_.component); least > 0.0)
         leastPositive_ = leastPositive_ > 0.0 ? std::min(least, leastPositive_) : least;
   }
@@ -109,13 +109,13 @@ bool Coloring::updateRange(const Parts& parts)
 bool Coloring::updateTypes(const Parts& parts)
 {
   const Part* holder = holderOf(parts, choice_);
-  if (map_ != "types" && !(map_.empty() && isTypes(holder->data(), choice_)))
+  if (settings_.color.map != "types" && !(settings_.color.map.empty() && isTypes(holder->data(), choice_)))
     return false;
   constexpr int greatestSpan = 4096;
   const std::size_t limit = numberOfTypeColors();
-  if (!options_.range.empty())
+  if (!settings_.color.range.empty())
   {
-    const double first = std::ceil(options_.range[0]), last = std::floor(options_.range[1]);
+    const double first = std::ceil(settings_.color.range[0]), last = std::floor(settings_.color.range[1]);
     types_.clear();
     if (!(last - first < static_cast<double>(limit)) || std::abs(first) > 1e6)
       return false;
@@ -138,8 +138,19 @@ void Coloring::forget()
   countable_ = true;
 }
 
+void Coloring::followSettings()
+{
+  if (settings_.color.array == wanted_)
+    return;
+  wanted_ = settings_.color.array;
+  choice_ = {};
+  chosen_ = false;
+  this->forget();
+}
+
 void Coloring::include(const Parts& parts)
 {
+  this->followSettings();
   if (!chosen_)
     this->choose(parts);
   const Part* holder = holderOf(parts, choice_);
@@ -160,16 +171,16 @@ void Coloring::apply(const Parts& parts)
 void Coloring::makeTable(bool types)
 {
   double range[2] = {range_[0], range_[1]};
-  if (!options_.range.empty())
-    std::copy_n(options_.range.begin(), 2, range);
+  if (!settings_.color.range.empty())
+    std::copy_n(settings_.color.range.begin(), 2, range);
   if (!(range[0] <= range[1]))
     range[0] = 0.0, range[1] = 1.0;
-  if (options_.logarithmic && explained_)
+  if (settings_.color.logarithmic && explained_)
   {
     if (!(range[1] > 0.0))
       throw Failure("--log needs values above zero; those of " + title_ + " go from " +
                     asNumber(range[0]) + " to " + asNumber(range[1]));
-    if (range[0] <= 0.0 && options_.range.empty())
+    if (range[0] <= 0.0 && settings_.color.range.empty())
       range[0] = leastPositive_;
     if (!(range[0] > 0.0))
       throw Failure("--log needs a --range above zero, not " + asNumber(range[0]) + " to " +
@@ -179,12 +190,12 @@ void Coloring::makeTable(bool types)
   {
     // One value everywhere: put it in the middle.
     const double margin = range[0] == 0.0 ? 0.5 : 0.5 * std::abs(range[0]);
-    range[0] -= options_.logarithmic ? 0.5 * margin : margin;
+    range[0] -= settings_.color.logarithmic ? 0.5 * margin : margin;
     range[1] += margin;
   }
-  const bool named = !map_.empty() && map_ != "types";
+  const bool named = !settings_.color.map.empty() && settings_.color.map != "types";
   table_ = types ? makeTypeMap(types_)
-                 : makeColorMap(named ? map_ : "viridis", range, options_.logarithmic);
+                 : makeColorMap(named ? settings_.color.map : "viridis", range, settings_.color.logarithmic);
   if (choice_.component == ArrayChoice::magnitude)
     table_->SetVectorModeToMagnitude();
   else
@@ -194,40 +205,53 @@ void Coloring::makeTable(bool types)
   legendTable_ = types ? makeTypeLegend(types_) : table_;
 }
 
-void Coloring::nextArray(const Parts& parts)
+std::string Coloring::nextArray(const Parts& parts) const
 {
   const std::vector<ArrayChoice> candidates = candidatesOf(parts);
   const auto same = [&](const ArrayChoice& c)
   { return c.name == choice_.name && c.ofCells == choice_.ofCells; };
   const auto present = std::find_if(candidates.begin(), candidates.end(), same);
+  ArrayChoice next;
   if (!choice_ || present == candidates.end())
-    choice_ = candidates.empty() ? ArrayChoice{} : candidates.front();
-  else
-    choice_ = present + 1 == candidates.end() ? ArrayChoice{} : present[1];
-  this->forget();
-  chosen_ = true;
-  this->apply(parts);
+    next = candidates.empty() ? ArrayChoice{} : candidates.front();
+  else if (present + 1 != candidates.end())
+    next = present[1];
+  const Part* holder = holderOf(parts, next);
+  return holder ? asText(holder->data(), next) : "none";
 }
 
-void Coloring::nextComponent(const Parts& parts)
+std::string Coloring::nextComponent(const Parts& parts) const
 {
   const Part* holder = holderOf(parts, choice_);
-  const int components = holder ? arrayOf(holder->data(), choice_)->GetNumberOfComponents() : 1;
-  if (components < 2)
-    return;
-  choice_.component =
-    choice_.component + 1 < components ? choice_.component + 1 : ArrayChoice::magnitude;
-  this->forget();
-  this->apply(parts);
+  if (!holder)
+    return settings_.color.array;
+  const int components = arrayOf(holder->data(), choice_)->GetNumberOfComponents();
+  ArrayChoice next = choice_;
+  if (components > 1)
+    next.component =
+      choice_.component + 1 < components ? choice_.component + 1 : ArrayChoice::magnitude;
+  return asText(holder->data(), next);
 }
 
-void Coloring::nextMap(const Parts& parts)
+std::string Coloring::nextMap() const
 {
   const auto& names = colorMapNames();
-  const std::string shown = map_.empty() ? names.front() : map_;
+  const std::string shown = this->mapName().empty() ? names.front() : this->mapName();
   const auto present = std::find(names.begin(), names.end(), shown);
-  map_ = present == names.end() || present + 1 == names.end() ? names.front() : present[1];
-  this->apply(parts);
+  return present == names.end() || present + 1 == names.end() ? names.front() : present[1];
+}
+
+ColorSettings Coloring::inForce(const Parts& parts) const
+{
+  ColorSettings all = settings_.color;
+  const Part* holder = holderOf(parts, choice_);
+  if (!chosen_ || (!holder && choice_))
+    return all;
+  all.array = holder ? asText(holder->data(), choice_) : "none";
+  // Types are named one by one, and not by a range.
+  if (explained_ && !typed_ && all.range.empty() && range_[0] < range_[1])
+    all.range = {table_->GetRange()[0], table_->GetRange()[1]};
+  return all;
 }
 
 vtkLookupTable* Coloring::table() const

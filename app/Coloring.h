@@ -15,9 +15,10 @@ namespace mote::app
 class Coloring
 {
 public:
-  explicit Coloring(const ViewOptions& options);
+  /// The settings are those of the scene: apply() follows them when they have changed.
+  explicit Coloring(const Settings& settings);
 
-  /// Gives the parts their colours. The first call with arrays chooses one, unless the options name
+  /// Gives the parts their colours. The first call with arrays chooses one, unless the settings name
   /// it; throws Failure if no part has the array that they name. The range grows from step to step,
   /// so that colours keep their meaning.
   void apply(const std::vector<std::unique_ptr<Part>>& parts);
@@ -25,13 +26,19 @@ public:
   /// Only takes the parts' values into the range and the types.
   void include(const std::vector<std::unique_ptr<Part>>& parts);
 
-  /// The next of the arrays that the parts have, then no array, then the first again.
-  void nextArray(const std::vector<std::unique_ptr<Part>>& parts);
+  /// As --color-by takes it: the next of the arrays that the parts have, then no array, then the
+  /// first again.
+  std::string nextArray(const std::vector<std::unique_ptr<Part>>& parts) const;
 
-  /// The next component of the array, if it has several.
-  void nextComponent(const std::vector<std::unique_ptr<Part>>& parts);
+  /// The same of the next component of the array, if it has several.
+  std::string nextComponent(const std::vector<std::unique_ptr<Part>>& parts) const;
 
-  void nextMap(const std::vector<std::unique_ptr<Part>>& parts);
+  /// The colour map after this one.
+  std::string nextMap() const;
+
+  /// The settings that say outright what is chosen of itself: the array, and the range that it has
+  /// had so far.
+  ColorSettings inForce(const std::vector<std::unique_ptr<Part>>& parts) const;
 
   /// The colours to explain in a legend; null where there is no array, or it holds colours.
   vtkLookupTable* table() const;
@@ -43,23 +50,24 @@ public:
 
   /// What the colours mean: "v magnitude".
   const std::string& title() const { return title_; }
-  const std::string& mapName() const { return map_; }
+  const std::string& mapName() const { return settings_.color.map; }
 
 private:
+  void followSettings();
   void choose(const std::vector<std::unique_ptr<Part>>& parts);
   bool updateRange(const std::vector<std::unique_ptr<Part>>& parts);
   bool updateTypes(const std::vector<std::unique_ptr<Part>>& parts);
   void makeTable(bool types);
   void forget();
 
-  const ViewOptions& options_;
+  const Settings& settings_;
   ArrayChoice choice_;
   bool chosen_ = false;
+  std::string wanted_; // what the settings named when it was chosen
   double range_[2] = {1.0, 0.0};
   double leastPositive_ = 0.0;
   std::vector<int> types_; // in the order of their colours; new ones come last
   bool countable_ = true;  // whether types_ could be found
-  std::string map_;
   std::string title_;
   bool typed_ = false;     // colours stand for types_
   bool explained_ = false; // there is something for a legend to explain

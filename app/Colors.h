@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ViewOptions.h"
+#include "settings/Settings.h"
 
 #include <string>
 

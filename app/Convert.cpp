@@ -49,11 +49,11 @@ double secondsSince(double start)
 
 void addConvertOptions(CLI::App& app, ConvertOptions& options)
 {
-  addReadOptions(app, options.view);
+  addFiles(app, options.given.settings);
+  addSettings(app, options.given, {"Data"});
   app.get_option("FILE")->description(
     "Files to read, as elsewhere, and last the .mote file to write");
-  addRadiusOptions(app, options.view);
-  addFormOption(app, options.view);
+  addSettings(app, options.given, {"Radius", "form"});
   app
     .add_option("--memory", options.memory,
       "Memory for particles, such as 4G; what needs more lies in files beside the one that is "
@@ -67,30 +67,30 @@ void addConvertOptions(CLI::App& app, ConvertOptions& options)
 
 void convert(const ConvertOptions& given)
 {
-  ViewOptions options = given.view;
-  const std::string output = options.files.back();
-  options.files.pop_back();
+  Settings settings = given.given.settings;
+  const std::string output = settings.data.files.back();
+  settings.data.files.pop_back();
   if (lowerCase(std::filesystem::path(output).extension().string()) != ".mote")
     throw Failure("the last file is the one to write, and must end in .mote, not " + output);
-  if (options.files.empty())
+  if (settings.data.files.empty())
     throw Failure("no file to read is given, only " + output + " to write");
 
   TerminalProgress terminal;
   ProgressRelay progress;
   progress.add(terminal);
   const double start = vtkTimerLog::GetUniversalTime();
-  checkOutput(output, options.files); // before hours of reading
+  checkOutput(output, settings.data.files); // before hours of reading
   const std::uint64_t memory = given.memory > 0 ? given.memory : physicalMemory() / 2;
   // The rest is for putting arrays in order.
   const auto space = std::make_shared<ScratchSpace>(output, memory / 4 * 3);
-  Input input(options.files);
+  Input input(settings.data.files);
   input.setSpace(space);
   input.open(progress);
   const NamedData data =
-    particlesOf(input, input.chosenStep(options), progress, "a .mote file holds one");
+    particlesOf(input, input.chosenStep(settings), progress, "a .mote file holds one");
   const double readTime = secondsSince(start);
 
-  Part part(data.name, data.data, options, 0.0);
+  Part part(data.name, data.data, settings, 0.0);
   part.particles()->SetStructureName("pkd-tree");
   part.particles()->SetScratchSpace(space);
   const bool ofSource = Part::isOfSource(data.data); // whose order says nothing

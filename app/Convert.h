@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Input.h"
-#include "ViewOptions.h"
+#include "settings/CommandLine.h"
 
 #include <cstdint>
 #include <string>
@@ -12,7 +12,7 @@ namespace mote::app
 /// What `mote convert` may be told: the files, the last of which is written, the time step, radii.
 struct ConvertOptions
 {
-  ViewOptions view;
+  GivenSettings given;
   std::uint64_t memory = 0; ///< bytes to keep to; 0: half of the machine's
 };
 

@@ -127,6 +127,28 @@ void lookFrom(vtkCamera* camera, const std::string& view)
   camera->SetViewUp((side == std::end(sides) ? sides : side)->up);
 }
 
+std::vector<double> cameraOf(vtkCamera* camera)
+{
+  std::vector<double> numbers(9);
+  camera->GetPosition(numbers.data());
+  camera->GetFocalPoint(numbers.data() + 3);
+  camera->GetViewUp(numbers.data() + 6);
+  numbers.push_back(
+    camera->GetParallelProjection() ? camera->GetParallelScale() : camera->GetViewAngle());
+  return numbers;
+}
+
+void setCamera(vtkCamera* camera, const std::vector<double>& numbers)
+{
+  camera->SetPosition(numbers.data());
+  camera->SetFocalPoint(numbers.data() + 3);
+  camera->SetViewUp(numbers.data() + 6);
+  if (camera->GetParallelProjection())
+    camera->SetParallelScale(numbers[9]);
+  else
+    camera->SetViewAngle(numbers[9]);
+}
+
 void frame(vtkCamera* camera, const double bounds[6], double aspect, const Margins& margins)
 {
   double center[3], direction[3], upward[3], sideways[3];

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ViewOptions.h"
+#include "settings/Settings.h"
 
 #include <string>
 #include <vector>
@@ -26,6 +26,13 @@ std::string automaticView(const double bounds[6]);
 
 /// Turns the camera to look from a side of viewNames(), other than auto.
 void lookFrom(vtkCamera* camera, const std::string& view);
+
+/// Degrees, of cameras that no one has set.
+constexpr double usualViewAngle = 30.0;
+
+/// The camera as CameraSettings::camera has it, and the other way.
+std::vector<double> cameraOf(vtkCamera* camera);
+void setCamera(vtkCamera* camera, const std::vector<double>& numbers);
 
 /// Moves the camera, without turning it, so that the box of the bounds just fits into a picture of
 /// this aspect (width to height) within the margins. Bounds without volume are fine. Throws Failure

@@ -248,7 +248,8 @@ std::string asJson(const NamedData& one, const Input& input, int step, double se
 
 void addInfoOptions(CLI::App& app, InfoOptions& options)
 {
-  addReadOptions(app, options.read);
+  addFiles(app, options.given.settings);
+  addSettings(app, options.given, {"Data"});
   app.add_flag("--json", options.json, "Print a JSON array, one object a data set, instead");
 }
 
@@ -258,12 +259,12 @@ void printInfo(const InfoOptions& options)
   ProgressRelay progress;
   progress.add(terminal);
   std::vector<std::string> objects;
-  for (const auto& files : vtkMoteReaderTable::GroupSeries(options.read.files))
+  for (const auto& files : vtkMoteReaderTable::GroupSeries(options.given.settings.data.files))
   {
     Input input(files);
     const double start = vtkTimerLog::GetUniversalTime();
     input.open(progress);
-    const int step = input.chosenStep(options.read);
+    const int step = input.chosenStep(options.given.settings);
     const std::vector<NamedData> all = input.read(step, progress);
     const double seconds = vtkTimerLog::GetUniversalTime() - start;
     for (const NamedData& one : all)

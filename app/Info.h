@@ -1,13 +1,13 @@
 #pragma once
 
-#include "ViewOptions.h"
+#include "settings/CommandLine.h"
 
 namespace mote::app
 {
 
 struct InfoOptions
 {
-  ViewOptions read; ///< files, time and threads
+  GivenSettings given; ///< files, time and threads
   bool json = false;
 };
 

@@ -108,28 +108,28 @@ void Input::open(ProgressRelay& progress)
   times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
 }
 
-int Input::chosenStep(const ViewOptions& options) const
+int Input::chosenStep(const Settings& settings) const
 {
   const int last = this->numberOfSteps() - 1;
-  if (options.time)
+  if (settings.data.time)
   {
     if (times_.empty())
       throw Failure(this->name() + " has no time, so --time means nothing for it");
-    if (*options.time < times_.front())
+    if (*settings.data.time < times_.front())
       throw Failure(this->name() + " begins at time " + asNumber(times_.front(), 10) +
-                    ", after --time " + asNumber(*options.time, 10));
-    const auto after = std::upper_bound(times_.begin(), times_.end(), *options.time);
+                    ", after --time " + asNumber(*settings.data.time, 10));
+    const auto after = std::upper_bound(times_.begin(), times_.end(), *settings.data.time);
     return std::max(0, static_cast<int>(after - times_.begin()) - 1);
   }
-  if (options.step == "first")
+  if (settings.data.step == "first")
     return 0;
-  if (options.step == "last")
+  if (settings.data.step == "last")
     return last;
   double number = 1.0;
-  parseNumber(options.step, number);
+  parseNumber(settings.data.step, number);
   if (number > last + 1)
     throw Failure(this->name() + " has " + counted(last + 1, "time step") +
-                  ", so there is no --step " + options.step);
+                  ", so there is no --step " + settings.data.step);
   return static_cast<int>(number) - 1;
 }
 
@@ -166,11 +166,37 @@ std::vector<NamedData> Input::read(int step, ProgressRelay& progress)
   return all;
 }
 
+std::vector<std::pair<std::string, std::optional<double>>> Input::filesAt(int step) const
+{
+  std::vector<std::pair<std::string, std::optional<double>>> all;
+  for (const Source& source : sources_)
+  {
+    if (source.times.empty())
+    {
+      all.emplace_back(source.files.front(), std::nullopt);
+      continue;
+    }
+    const auto after = std::upper_bound(source.times.begin(), source.times.end(), times_[step]);
+    const auto own = std::max<std::ptrdiff_t>(0, after - source.times.begin() - 1);
+    const bool fileAStep = source.files.size() == source.times.size();
+    all.emplace_back(source.files[fileAStep ? own : 0], source.times[own]);
+  }
+  return all;
+}
+
 std::string Input::name() const
 {
   const std::string first = sources_.empty() ? "" : sources_.front().name;
   return sources_.size() > 1 ? first + " and " + std::to_string(sources_.size() - 1) + " more"
                              : first;
+}
+
+std::string captionOf(const Input& input, int step, const std::string& contents)
+{
+  std::string caption = input.name() + "   " + contents;
+  if (!input.times().empty())
+    caption += "   t = " + asNumber(input.times()[step], 10);
+  return caption;
 }
 
 } // namespace mote::app

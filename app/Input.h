@@ -1,11 +1,12 @@
 #pragma once
 
 #include "ProgressRelay.h"
-#include "ViewOptions.h"
+#include "settings/Settings.h"
 
 #include <vtkSmartPointer.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,10 +51,13 @@ public:
   int numberOfSteps() const { return times_.empty() ? 1 : static_cast<int>(times_.size()); }
 
   /// The index of the step that --step and --time ask for.
-  int chosenStep(const ViewOptions& options) const;
+  int chosenStep(const Settings& settings) const;
 
   /// All data sets at a step; of composite data every leaf.
   std::vector<NamedData> read(int step, ProgressRelay& progress);
+
+  /// For each reader the file with a step, and the time to ask for where files have times.
+  std::vector<std::pair<std::string, std::optional<double>>> filesAt(int step) const;
 
   /// The first file's name without folders, a series' with a "*"; "and 2 more" where there are.
   std::string name() const;
@@ -69,5 +73,8 @@ private:
   std::vector<Source> sources_;
   std::vector<double> times_;
 };
+
+/// The line below a picture of a step, where none is given: the input, what is shown, the time.
+std::string captionOf(const Input& input, int step, const std::string& contents);
 
 } // namespace mote::app

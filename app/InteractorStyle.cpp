@@ -12,7 +12,7 @@ void InteractorStyle::OnKeyPress()
 {
   const char* key = this->Interactor->GetKeySym();
   if (key && this->onKey)
-    this->onKey(key);
+    this->onKey((this->Interactor->GetControlKey() ? "Control+" : "") + std::string(key));
 }
 
 void InteractorStyle::OnMouseWheelForward()

@@ -15,7 +15,8 @@ public:
   static InteractorStyle* New();
   vtkTypeMacro(InteractorStyle, vtkInteractorStyleTrackballCamera);
 
-  std::function<void(const std::string& key)> onKey; ///< an X11 key symbol, such as "bracketleft"
+  /// An X11 key symbol, such as "bracketleft", with "Control+" before it where that is held down.
+  std::function<void(const std::string& key)> onKey;
   std::function<void(double factor)> onZoom;         ///< a turn of the wheel
 
   void OnKeyPress() override;

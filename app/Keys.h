@@ -1,23 +1,18 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace mote::app
 {
 
-/// What a key of the window asks for. The table in Keys.cpp binds keys and words of help to these.
+/// What a key of the window asks for, besides turning a setting on or off.
 enum class Action
 {
   None,
   Help,
   ResetView,
-  ViewPlusX,
-  ViewMinusX,
-  ViewPlusY,
-  ViewMinusY,
-  ViewPlusZ,
-  ViewMinusZ,
-  Projection,
+  View, ///< from the side that the binding names
   ZoomIn,
   ZoomOut,
   NextArray,
@@ -32,20 +27,32 @@ enum class Action
   Play,
   Pick,
   Center,
-  Box,
-  Legend,
-  Axes,
   Background,
   Shadows,
   Shading,
   Silhouettes,
-  Save,
+  Projection,
+  Toggle, ///< the setting that the binding names
+  SavePicture,
+  SaveSession,
+  PrintCommand,
+  PrintScript,
+  Undo,
+  Redo,
   Escape,
   Quit
 };
 
-/// What an X11 key symbol, such as "bracketleft", is bound to.
-Action actionOf(const std::string& keySymbol);
+/// A key and what it does.
+struct Binding
+{
+  Action action = Action::None;
+  std::vector<std::string> symbols; ///< as InteractorStyle::onKey has them
+  std::string name;                 ///< a side to look from, or a row of settingsTable()
+};
+
+/// What a key symbol is bound to; None where to nothing.
+const Binding& bindingOf(const std::string& keySymbol);
 
 /// All keys with what they do, a line each; for the window and for --help.
 std::string keysHelp();

@@ -63,6 +63,13 @@ std::vector<double> numbersOf(const std::string& text)
   return numbers;
 }
 
+bool isOccluded(const LightSettings& light)
+{
+  double rays = 1.0;
+  return light.ambientOcclusion != "none" &&
+         (!parseNumber(light.ambientOcclusion, rays) || rays > 0.0);
+}
+
 } // namespace
 
 const std::vector<std::string>& lightNames()
@@ -106,35 +113,76 @@ std::string checkAmbientOcclusion(const std::string& text)
   return "'" + text + "' is neither none, live, baked nor a number from 0 to 4096";
 }
 
-Lighting::Lighting(vtkRenderer* renderer, const ViewOptions& options)
-  : options_(options)
+LightSettings withNextShadows(const LightSettings& light, const LightSettings& asked)
+{
+  LightSettings next = light;
+  // A number that was asked for is the softness that the user wants.
+  const bool own = asked.shadows != "none" && asked.shadows != "hard";
+  next.shadows = light.shadows == "none"                            ? "hard"
+                 : light.shadows == "hard" || light.shadows == "1" ? own ? asked.shadows : "soft"
+                                                                    : "none";
+  return next;
+}
+
+LightSettings withNextShading(const LightSettings& light)
+{
+  LightSettings next = light;
+  next.pathTrace = false;
+  if (light.pathTrace)
+    next.ambientOcclusion = "none";
+  else if (!isOccluded(light))
+    next.ambientOcclusion = "live";
+  else if (light.ambientOcclusion != "baked")
+    next.ambientOcclusion = "baked";
+  else
+  {
+    next.ambientOcclusion = "none";
+    next.pathTrace = true;
+  }
+  return next;
+}
+
+std::string shadowsName(const LightSettings& light)
+{
+  return light.shadows == "none"                           ? "No shadows"
+         : light.shadows == "hard" || light.shadows == "1" ? "Hard shadows"
+                                                           : "Soft shadows";
+}
+
+std::string shadingName(const LightSettings& light)
+{
+  return light.pathTrace                       ? "Path tracing"
+         : light.ambientOcclusion == "baked" ? "Ambient occlusion, baked"
+         : isOccluded(light)                   ? "Ambient occlusion"
+                                               : "Plain light";
+}
+
+Lighting::Lighting(vtkRenderer* renderer, const Settings& settings)
+  : settings_(settings)
 {
   fill_->SetLightTypeToHeadlight();
   main_->SetFocalPoint(0.0, 0.0, 0.0);
-  main_->SetSize(options.lightSize);
   renderer->AddLight(main_);
   renderer->AddLight(fill_);
   renderer->AutomaticLightCreationOff();
-  double rays = 0.0;
-  if (parseNumber(options.ambientOcclusion, rays))
-    shading_->SetAmbientOcclusionSamples(static_cast<int>(rays));
-  else if (options.ambientOcclusion == "live")
-    shading_->SetAmbientOcclusionToLive();
-  else if (options.ambientOcclusion == "baked")
-    shading_->SetAmbientOcclusionToBaked();
-  shading_->SetCloudTolerance(options.volume.cloudTolerance);
-  shading_->SetAmbientOcclusionReach(options.occlusionReach);
-  shading_->SetMode(options.pathTrace ? vtkMoteShading::PATH_TRACED : vtkMoteShading::LOCAL);
   shading_->SetSkyTop(0.95, 0.97, 1.0);
   shading_->SetSkyBottom(0.45, 0.43, 0.4);
-  this->setShadows(options.shadows);
+  this->update();
 }
 
 Lighting::~Lighting() = default;
 
+void Lighting::update()
+{
+  this->setSky();
+  this->setShadows();
+  this->place();
+  this->balance();
+}
+
 bool Lighting::isOccluded() const
 {
-  return shading_->GetAmbientOcclusion() != vtkMoteShading::OCCLUSION_NONE;
+  return app::isOccluded(settings_.light);
 }
 
 double Lighting::ambient() const
@@ -142,9 +190,29 @@ double Lighting::ambient() const
   return this->isOccluded() ? 0.72 : 0.28;
 }
 
-void Lighting::place(const std::string& where)
+void Lighting::setSky()
 {
-  const std::vector<double> numbers = numbersOf(where);
+  const LightSettings& light = settings_.light;
+  double rays = 0.0;
+  if (parseNumber(light.ambientOcclusion, rays))
+    shading_->SetAmbientOcclusionSamples(static_cast<int>(rays));
+  else if (light.ambientOcclusion == "live")
+    shading_->SetAmbientOcclusionToLive();
+  else if (light.ambientOcclusion == "baked")
+    shading_->SetAmbientOcclusionToBaked();
+  else
+    shading_->SetAmbientOcclusionToNone();
+  shading_->SetCloudTolerance(settings_.volume.cloudTolerance);
+  shading_->SetAmbientOcclusionReach(light.occlusionReach);
+  shading_->SetMode(light.pathTrace ? vtkMoteShading::PATH_TRACED : vtkMoteShading::LOCAL);
+}
+
+void Lighting::place()
+{
+  const LightSettings& light = settings_.light;
+  const std::vector<double> numbers = numbersOf(light.place);
+  main_->SetSize(light.size);
+  fromEye_ = false;
   if (numbers.size() == 3)
   {
     // With the data, however the viewer turns.
@@ -152,12 +220,12 @@ void Lighting::place(const std::string& where)
     main_->SetPosition(numbers.data());
     return;
   }
-  const Place* named = placeNamed(where);
+  const Place* named = placeNamed(light.place);
   const Place from =
     named ? *named
     : numbers.size() == 2
       ? Place{"", numbers[0], numbers[1]}
-      : (shadows_ == "none" && !this->tracesPaths() ? plainPlace : *placeNamed("left-top"));
+      : (light.shadows == "none" && !light.pathTrace ? plainPlace : *placeNamed("left-top"));
   const double azimuth = vtkMath::RadiansFromDegrees(from.azimuth);
   const double elevation = vtkMath::RadiansFromDegrees(from.elevation);
   main_->SetLightTypeToCameraLight();
@@ -166,85 +234,34 @@ void Lighting::place(const std::string& where)
   fromEye_ = from.azimuth == 0.0 && from.elevation == 0.0;
 }
 
-void Lighting::setShadows(const std::string& shadows)
+void Lighting::setShadows()
 {
-  shadows_ = shadows;
-  const bool on = shadows != "none";
-  main_->SetShadows(on);
+  const std::string& shadows = settings_.light.shadows;
+  main_->SetShadows(shadows != "none");
   double samples = 1.0;
   // A light's samples differ from one ray of a pixel to the next: 64 in all look smooth.
   if (shadows == "soft")
-    samples = std::clamp(std::ceil(8.0 / std::sqrt(options_.mostSamples(false))), 2.0, 8.0);
+    samples =
+      std::clamp(std::ceil(8.0 / std::sqrt(settings_.picture.mostSamples(false))), 2.0, 8.0);
   else if (shadows != "hard")
     parseNumber(shadows, samples);
   main_->SetSamples(static_cast<int>(samples));
-  this->balance();
 }
 
-/// Places the main light, and shares the light out between the lights and the sky.
+/// Shares the light out between the lights and the sky.
 void Lighting::balance()
 {
-  this->place(options_.light);
-  const bool on = shadows_ != "none";
-  if (this->tracesPaths() || this->isOccluded())
+  const bool on = settings_.light.shadows != "none";
+  const bool paths = settings_.light.pathTrace;
+  if (paths || this->isOccluded())
   {
     // The sky, of which crevices see less, takes over from the light of the eye.
-    main_->SetIntensity(this->tracesPaths() ? 0.8 : 0.55);
-    fill_->SetIntensity(fromEye_ || this->tracesPaths() ? 0.0 : 0.1);
+    main_->SetIntensity(paths ? 0.8 : 0.55);
+    fill_->SetIntensity(fromEye_ || paths ? 0.0 : 0.1);
     return;
   }
   main_->SetIntensity(fromEye_ ? 1.05 : on ? 0.8 : 0.64);
   fill_->SetIntensity(fromEye_ ? 0.0 : on ? 0.28 : 0.41);
-}
-
-void Lighting::nextShading()
-{
-  if (this->tracesPaths())
-    shading_->SetModeToLocal();
-  else if (!this->isOccluded())
-    shading_->SetAmbientOcclusionToLive();
-  else if (shading_->GetAmbientOcclusion() == vtkMoteShading::OCCLUSION_LIVE)
-    shading_->SetAmbientOcclusionToBaked();
-  else
-  {
-    shading_->SetAmbientOcclusionToNone();
-    shading_->SetModeToPathTraced();
-  }
-  this->balance();
-}
-
-std::string Lighting::shadingName() const
-{
-  if (this->tracesPaths())
-    return "Path tracing";
-  return shading_->GetAmbientOcclusion() == vtkMoteShading::OCCLUSION_BAKED
-           ? "Ambient occlusion, baked"
-         : this->isOccluded() ? "Ambient occlusion"
-                              : "Plain light";
-}
-
-bool Lighting::tracesPaths() const
-{
-  return shading_->GetMode() == vtkMoteShading::PATH_TRACED;
-}
-
-void Lighting::nextShadows()
-{
-  if (shadows_ == "none")
-    this->setShadows("hard");
-  else if (shadows_ == "hard" || shadows_ == "1")
-    // A number that was asked for is the softness that the user wants.
-    this->setShadows(
-      options_.shadows == "none" || options_.shadows == "hard" ? "soft" : options_.shadows);
-  else
-    this->setShadows("none");
-}
-
-std::string Lighting::shadowsName() const
-{
-  return shadows_ == "none"                      ? "No shadows"
-         : shadows_ == "hard" || shadows_ == "1" ? "Hard shadows"
-                                                 : "Soft shadows";
 }
 
 } // namespace mote::app

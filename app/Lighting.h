@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ViewOptions.h"
+#include "settings/Settings.h"
 
 #include <vtkNew.h>
 
@@ -18,6 +18,17 @@ namespace mote::app
 /// The places that --light knows by name, as the viewer sees them.
 const std::vector<std::string>& lightNames();
 
+/// The light settings after the next press of a key: from no shadows to hard ones to soft ones, or
+/// those that were asked for by a number, to none.
+LightSettings withNextShadows(const LightSettings& light, const LightSettings& asked);
+/// From plain light to live ambient occlusion, to baked, to paths, to plain light.
+LightSettings withNextShading(const LightSettings& light);
+
+/// "No shadows", "Hard shadows", "Soft shadows".
+std::string shadowsName(const LightSettings& light);
+/// "Plain light", "Ambient occlusion", "Ambient occlusion, baked", "Path tracing".
+std::string shadingName(const LightSettings& light);
+
 /// Why the text is no --light (a name, AZIMUTH,ELEVATION or X,Y,Z); empty where it is one.
 std::string checkLight(const std::string& text);
 
@@ -27,44 +38,32 @@ std::string checkShadows(const std::string& text);
 /// Why the text is no --ambient-occlusion (none, live, baked or a number); empty where it is.
 std::string checkAmbientOcclusion(const std::string& text);
 
-/// The lights of a scene: a main one, which may cast shadows and stands where --light says, and a
+/// The lights of the picture, as the settings say: a main one, which may cast shadows and stands where --light says, and a
 /// weaker one from the eye that keeps the other side of things, and shadows, from going dark.
 class Lighting
 {
 public:
-  /// `options` must have been checked.
-  Lighting(vtkRenderer* renderer, const ViewOptions& options);
+  /// The settings are those of the scene.
+  Lighting(vtkRenderer* renderer, const Settings& settings);
   ~Lighting();
 
-  /// From no shadows to hard ones to soft ones to none.
-  void nextShadows();
+  /// Follows the settings.
+  void update();
 
-  /// "No shadows", "Hard shadows", "Soft shadows".
-  std::string shadowsName() const;
-
-  /// From plain light to live ambient occlusion, to baked, to paths, to plain light.
-  void nextShading();
-
-  /// "Plain light", "Ambient occlusion", "Ambient occlusion, baked", "Path tracing".
-  std::string shadingName() const;
-
-  /// Whether light is found by paths.
-  bool tracesPaths() const;
-
-  /// For whatever traces the scene.
-  vtkMoteShading* shading() { return shading_; }
+  /// For whatever traces the picture.
+  vtkMoteShading* shading() const { return shading_; }
 
   /// The share of the light that comes from all sides, for the particles' properties.
   double ambient() const;
 
 private:
-  void place(const std::string& where);
-  void setShadows(const std::string& shadows);
+  void place();
+  void setShadows();
+  void setSky();
   void balance();
   bool isOccluded() const;
 
-  const ViewOptions& options_;
-  std::string shadows_;
+  const Settings& settings_;
   bool fromEye_ = false;
   vtkNew<vtkMoteShading> shading_;
   vtkNew<vtkMoteAreaLight> main_;

@@ -52,18 +52,15 @@ void shade(vtkProperty* property, bool mesh, double ambient)
 
 } // namespace
 
-Part::Part(const std::string& name, vtkDataSet* data, const ViewOptions& options, double ambient)
-  : options_(options)
-  , kind_(kindOf(data, options))
-  , radiusScale_(options.radiusScale)
+Part::Part(const std::string& name, vtkDataSet* data, const Settings& settings, double ambient)
+  : settings_(settings)
+  , kind_(kindOf(data, settings))
 {
   if (kind_ == Kind::Volume)
-    volume_ = std::make_unique<Volume>(options.volume);
+    volume_ = std::make_unique<Volume>(settings_.volume);
   if (kind_ == Kind::Particles)
   {
     auto mapper = vtkSmartPointer<vtkMoteParticleMapper>::New();
-    mapper->SetStructureName(options.structure.c_str());
-    mapper->SetStructureForm(options.form.c_str());
     particles_ = mapper;
     mapper_ = mapper;
   }
@@ -78,13 +75,21 @@ void Part::setAmbient(double ambient)
     volume_->setAmbient(ambient);
 }
 
-Part::Kind Part::kindOf(vtkDataSet* data, const ViewOptions& options)
+void Part::followSettings()
+{
+  if (particles_)
+    this->setRadius();
+  if (volume_)
+    volume_->update();
+}
+
+Part::Kind Part::kindOf(vtkDataSet* data, const Settings& settings)
 {
   if (!isMesh(data))
     return Kind::Particles;
-  if (options.volume.cells != "surface" && options.colorBy != "none" && Volume::canShow(data))
+  if (settings.volume.cells != "surface" && settings.color.array != "none" && Volume::canShow(data))
     return Kind::Volume;
-  if (options.volume.cells == "volume")
+  if (settings.volume.cells == "volume")
     throw Failure("--cells volume needs tetrahedra, voxels, hexahedra, wedges or pyramids in an "
                   "unstructured grid, and an array of numbers that colours them");
   return Kind::Surface;
@@ -157,50 +162,45 @@ void Part::setData(const std::string& name, vtkDataSet* data)
 
 void Part::setRadius()
 {
-  particles_->SetRadiusScale(radiusScale_);
+  particles_->SetStructureName(settings_.particles.structure.c_str());
+  particles_->SetStructureForm(settings_.particles.form.c_str());
+  particles_->SetRadiusScale(settings_.particles.radiusScale);
   double radius = 0.0;
-  const bool number = parseNumber(options_.radius, radius);
+  const bool number = parseNumber(settings_.particles.radius, radius);
   if (number)
   {
     if (!(radius > 0.0))
-      throw Failure("--radius must be above zero, not " + options_.radius);
+      throw Failure("--radius must be above zero, not " + settings_.particles.radius);
     particles_->SetRadius(radius);
   }
-  if (!options_.typeRadius.empty())
+  if (!settings_.particles.typeRadius.empty())
   {
     if (!data_->GetPointData()->GetArray("type"))
       throw Failure(name_ + " has no array 'type' for --type-radius; it has " + listArrays(data_));
     particles_->SetRadiusModeToType();
-    for (const auto& [type, value] : options_.typeRadius)
+    particles_->RemoveAllTypeRadii();
+    for (const auto& [type, value] : settings_.particles.typeRadius)
       particles_->SetTypeRadius(type, value);
   }
   else if (number)
     particles_->SetRadiusModeToConstant();
-  else if (options_.radius == "spacing" || (options_.radius == "auto" && !hasRadii(data_)))
+  else if (settings_.particles.radius == "spacing" || (settings_.particles.radius == "auto" && !hasRadii(data_)))
   {
     // Particles keep their size when a simulation spreads or packs them.
     particles_->SetRadius(keptRadius_);
     particles_->SetRadiusMode(keptRadius_ > 0.0 ? vtkMoteParticleMapper::RADIUS_CONSTANT
                                                 : vtkMoteParticleMapper::RADIUS_FROM_SPACING);
   }
-  else if (options_.radius == "auto")
+  else if (settings_.particles.radius == "auto")
     particles_->SetRadiusModeToAutomatic();
   else
   {
-    if (!data_->GetPointData()->GetArray(options_.radius.c_str()))
-      throw Failure("--radius: " + name_ + " has no array '" + options_.radius + "'; it has " +
+    if (!data_->GetPointData()->GetArray(settings_.particles.radius.c_str()))
+      throw Failure("--radius: " + name_ + " has no array '" + settings_.particles.radius + "'; it has " +
                     listArrays(data_));
-    particles_->SetRadiusArrayName(options_.radius.c_str());
+    particles_->SetRadiusArrayName(settings_.particles.radius.c_str());
     particles_->SetRadiusModeToArray();
   }
-}
-
-void Part::setRadiusScale(double scale)
-{
-  radiusScale_ = scale;
-  if (particles_)
-    particles_->SetRadiusScale(scale);
-  this->limitRadius();
 }
 
 void Part::setPreview(bool on)
@@ -245,7 +245,7 @@ void Part::build(ProgressRelay& progress)
   this->prop()->VisibilityOn();
   if (particles_ && particles_->GetRadiusMode() == vtkMoteParticleMapper::RADIUS_FROM_SPACING &&
       particles_->GetNumberOfParticles() > 1)
-    keptRadius_ = particles_->GetRadiusInUse() / radiusScale_;
+    keptRadius_ = particles_->GetRadiusInUse() / settings_.particles.radiusScale;
 }
 
 vtkSmartPointer<vtkMapper> Part::makeSurface()
@@ -294,7 +294,6 @@ void Part::showAll()
     return;
   particles_->RemoveAllRanges();
   particles_->UseVisibilityRangeOff();
-  radiusRange_[0] = -HUGE_VAL, radiusRange_[1] = HUGE_VAL;
 }
 
 void Part::limit(const ArrayChoice& choice, double low, double high)
@@ -310,20 +309,12 @@ void Part::limit(const ArrayChoice& choice, double low, double high)
 
 void Part::limitPlace(int place, double low, double high)
 {
-  if (particles_ && place < 3)
-    particles_->SetCenterRange(place, low, high);
-  if (place < 3)
+  if (!particles_)
     return;
-  radiusRange_[0] = low, radiusRange_[1] = high;
-  this->limitRadius();
-}
-
-void Part::limitRadius()
-{
-  // Who scales all radii does not mean to see others.
-  const double scale = radiusScale_ / options_.radiusScale;
-  if (particles_)
-    particles_->SetRadiusRange(scale * radiusRange_[0], scale * radiusRange_[1]);
+  if (place < 3)
+    particles_->SetCenterRange(place, low, high);
+  else
+    particles_->SetRadiusRange(low, high);
 }
 
 void Part::setVisible(const ArrayChoice& choice, const double range[2])

@@ -2,7 +2,7 @@
 
 #include "Arrays.h"
 #include "ProgressRelay.h"
-#include "ViewOptions.h"
+#include "settings/Settings.h"
 #include "Volume.h"
 
 #include <vtkDataSet.h>
@@ -28,10 +28,14 @@ class Part
 {
 public:
   /// `ambient` is the share of light from all sides.
-  Part(const std::string& name, vtkDataSet* data, const ViewOptions& options, double ambient);
+  Part(const std::string& name, vtkDataSet* data, const Settings& settings, double ambient);
 
   /// Sets the share of light from all sides.
   void setAmbient(double ambient);
+
+  /// Follows the settings: radii, structures, what volumes are made of. Colours and what is shown
+  /// are set by others. Throws Failure.
+  void followSettings();
 
   enum class Kind
   {
@@ -40,7 +44,7 @@ public:
     Volume
   };
   /// How a data set is shown.
-  static Kind kindOf(vtkDataSet* data, const ViewOptions& options);
+  static Kind kindOf(vtkDataSet* data, const Settings& settings);
 
   /// Whether a data set has cells to show rather than particles.
   static bool isMesh(vtkDataSet* data);
@@ -71,7 +75,7 @@ public:
   void showAll();
   /// Hides particles with values outside, besides those that are hidden already.
   void limit(const ArrayChoice& choice, double low, double high);
-  /// The same by place: 0, 1, 2 for x, y, z, 3 for the radius (at the radius scale of the options).
+  /// The same by place: 0, 1, 2 for x, y, z, 3 for the radius.
   void limitPlace(int place, double low, double high);
   /// The same by one more array, if the part has it.
   void setVisible(const ArrayChoice& choice, const double range[2]);
@@ -84,7 +88,9 @@ public:
   /// Bounds of what is not hidden; not initialized where there is nothing.
   void shownBounds(double bounds[6]) const;
 
-  void setRadiusScale(double scale);
+  /// The radius that stays from the first step with particles on, where it is half their spacing;
+  /// else 0.
+  double keptRadius() const { return keptRadius_; }
 
   const std::string& name() const { return name_; }
   vtkDataSet* data() const { return data_; }
@@ -96,7 +102,6 @@ public:
 
 private:
   void setRadius();
-  void limitRadius();
   void work(ProgressRelay& progress, const std::function<void()>& build);
   vtkSmartPointer<vtkMapper> makeSurface();
 
@@ -104,7 +109,7 @@ private:
 
   std::string name_;
   vtkSmartPointer<vtkDataSet> data_;
-  const ViewOptions& options_;
+  const Settings& settings_;
   Kind kind_;
   vtkNew<vtkActor> actor_;
   std::unique_ptr<Volume> volume_;
@@ -112,8 +117,6 @@ private:
   double sceneSize_ = 1.0;
   vtkSmartPointer<vtkMapper> mapper_;
   vtkMoteParticleMapper* particles_ = nullptr;
-  double radiusRange_[2] = {-HUGE_VAL, HUGE_VAL};
-  double radiusScale_ = 1.0;
   double keptRadius_ = 0.0; // from the spacing of the first step with particles
 };
 

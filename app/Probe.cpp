@@ -129,7 +129,8 @@ bool isWorthALocator(vtkDataSet* data, vtkIdType points)
 
 void addProbeOptions(CLI::App& app, ProbeOptions& options)
 {
-  addReadOptions(app, options.read);
+  addFiles(app, options.given.settings);
+  addSettings(app, options.given, {"Data"});
   addVectorOption(app, "--from", options.from, "Where the line begins")->required();
   addVectorOption(app, "--to", options.to, "Where it ends")->required();
   app.add_option("--points", options.points, "Points along the line, its ends included")
@@ -144,11 +145,11 @@ void addProbeOptions(CLI::App& app, ProbeOptions& options)
 
 void probe(const ProbeOptions& options)
 {
-  checkOutput(options.output, options.read.files);
+  checkOutput(options.output, options.given.settings.data.files);
   TerminalProgress terminal;
   ProgressRelay progress;
   progress.add(terminal);
-  Input input(options.read.files);
+  Input input(options.given.settings.data.files);
   input.open(progress);
   vtkNew<vtkLineSource> line;
   line->SetPoint1(options.from->data());
@@ -158,7 +159,7 @@ void probe(const ProbeOptions& options)
   line->Update();
   LineTable table(line->GetOutput());
   vtkNew<vtkMoteCylindricalLocator> locator;
-  for (const NamedData& one : input.read(input.chosenStep(options.read), progress))
+  for (const NamedData& one : input.read(input.chosenStep(options.given.settings), progress))
   {
     vtkNew<vtkProbeFilter> filter;
     filter->SetInputConnection(line->GetOutputPort());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ViewOptions.h"
+#include "settings/CommandLine.h"
 
 #include <array>
 #include <optional>
@@ -11,7 +11,7 @@ namespace mote::app
 /// What `mote probe` may be told.
 struct ProbeOptions
 {
-  ViewOptions read; ///< files, time and threads
+  GivenSettings given; ///< files, time and threads
   std::optional<std::array<double, 3>> from, to;
   int points = 101;
   std::string output; ///< .csv, or empty for standard output

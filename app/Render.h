@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ViewOptions.h"
+#include "settings/CommandLine.h"
 
 namespace mote::app
 {
@@ -8,8 +8,9 @@ namespace mote::app
 /// What `mote render` may be told besides the view.
 struct RenderOptions
 {
-  ViewOptions view;
+  GivenSettings given;
   std::string output;
+  std::string session; ///< file to save the session in; empty: none
   bool allSteps = false;
 };
 

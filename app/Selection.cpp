@@ -33,37 +33,19 @@ ArrayChoice pointArray(vtkDataSet* data, const std::string& text)
 
 } // namespace
 
-ShowRange parseShowRange(const std::string& text)
+Selection::Selection(const Settings& settings)
+  : settings_(settings)
 {
-  const std::string wrong = "'" + text + "' is not of the form NAME=LO:HI, such as x=0:10 or x=5:";
-  const std::size_t sign = text.rfind('=');
-  if (sign == std::string::npos || sign == 0)
-    throw wrong;
-  ShowRange range = {text.substr(0, sign), -HUGE_VAL, HUGE_VAL};
-  const std::string values = text.substr(sign + 1);
-  const std::size_t colon = values.find(':');
-  const auto read = [&](const std::string& number, double& value)
-  {
-    if (!number.empty() && !parseNumber(number, value))
-      throw wrong;
-  };
-  if (values.empty() || values == ":")
-    throw wrong;
-  read(values.substr(0, colon), range.low);
-  if (colon == std::string::npos)
-    range.high = range.low;
-  else
-    read(values.substr(colon + 1), range.high);
-  if (range.low > range.high)
-    throw "'" + text + "' is empty: LO must not be greater than HI";
-  return range;
+  this->followSettings();
 }
 
-Selection::Selection(const ViewOptions& options)
-  : options_(options)
-  , known_(options.show.size() + 1, false)
-  , warned_(options.show.size() + 1, false)
+void Selection::followSettings()
 {
+  if (!known_.empty() && followed_ == settings_.selection)
+    return;
+  followed_ = settings_.selection;
+  known_.assign(followed_.ranges.size() + 1, false);
+  warned_.assign(followed_.ranges.size() + 1, false);
 }
 
 void Selection::require(bool found, std::size_t range, const std::string& name, const Part& part,
@@ -85,6 +67,8 @@ void Selection::require(bool found, std::size_t range, const std::string& name, 
 
 void Selection::apply(const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& colored)
 {
+  this->followSettings();
+  const SelectionSettings& wanted = settings_.selection;
   const Part* first = nullptr; // with particles: an empty step says nothing about arrays
   for (const auto& part : parts)
   {
@@ -95,9 +79,9 @@ void Selection::apply(const std::vector<std::unique_ptr<Part>>& parts, const Arr
   if (!first)
     return;
   std::vector<ArrayChoice> arrays;
-  for (std::size_t i = 0; i < options_.show.size(); ++i)
+  for (std::size_t i = 0; i < wanted.ranges.size(); ++i)
   {
-    const ShowRange& range = options_.show[i];
+    const ShowRange& range = wanted.ranges[i];
     const int place = placeNamed(range.name);
     bool found = place >= 0;
     for (const auto& part : parts)
@@ -121,20 +105,20 @@ void Selection::apply(const std::vector<std::unique_ptr<Part>>& parts, const Arr
     }
     this->require(found, i + 1, range.name, *first, "--show");
   }
-  if (!options_.showRange.empty())
+  if (!wanted.range.empty())
   {
     bool found = false;
     for (const auto& part : parts)
     {
       const ArrayChoice choice =
-        options_.showBy.empty() ? colored : pointArray(part->data(), options_.showBy);
+        wanted.array.empty() ? colored : pointArray(part->data(), wanted.array);
       found = found || arrayOf(part->data(), choice);
-      part->setVisible(choice, options_.showRange.data());
+      part->setVisible(choice, wanted.range.data());
     }
-    if (!found && options_.showBy.empty() && !known_[0])
+    if (!found && wanted.array.empty() && !known_[0])
       throw Failure("--show-range needs an array: name one with --show-by");
-    this->require(found, 0, options_.showBy.empty() ? colored.name : options_.showBy, *first,
-      options_.showBy.empty() ? "--show-range" : "--show-by");
+    this->require(found, 0, wanted.array.empty() ? colored.name : wanted.array, *first,
+      wanted.array.empty() ? "--show-range" : "--show-by");
   }
   for (const auto& part : parts)
     part->applyRanges();

@@ -10,14 +10,11 @@
 namespace mote::app
 {
 
-/// "c_pe=-3:-1" as a range; throws a sentence, without the option's name, as std::string.
-ShowRange parseShowRange(const std::string& text);
-
 /// Which particles are shown: what --show, --show-range and --show-by ask for.
 class Selection
 {
 public:
-  explicit Selection(const ViewOptions& options);
+  explicit Selection(const Settings& settings);
 
   /// Has the parts show what lies in all ranges. `colored` is the array that colours. Throws
   /// Failure for an array that no part has; where one was there at an earlier time step, a warning
@@ -25,10 +22,12 @@ public:
   void apply(const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& colored);
 
 private:
+  void followSettings();
   void require(bool found, std::size_t range, const std::string& name, const Part& part,
     const std::string& option);
 
-  const ViewOptions& options_;
+  const Settings& settings_;
+  SelectionSettings followed_;
   std::vector<bool> known_;  ///< whether a range's array was there: --show-range, then each --show
   std::vector<bool> warned_; ///< whether a range was told to be missing
 };

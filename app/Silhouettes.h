@@ -1,52 +1,38 @@
 #pragma once
 
+#include "settings/Settings.h"
+
 #include <vtkNew.h>
 
-#include <array>
-#include <optional>
-#include <string>
-
 class vtkMoteSilhouettes;
-
-namespace CLI
-{
-class App;
-} // namespace CLI
 
 namespace mote::app
 {
 
-/// What the user may say about edges.
-struct SilhouetteOptions
-{
-  /// "off", "true" for the usual one, or a number of radii; empty: "true" where anything else is
-  /// set
-  std::string threshold;
-  double thickness = 0.0; ///< pixels; 0: choose
-  std::optional<std::array<double, 3>> color;
-  std::string groups; ///< array between whose values edges stand, too; empty: none
-};
-
-/// Declares them to the command line.
-void addSilhouetteOptions(CLI::App& app, SilhouetteOptions& options);
-
-/// The edges of a scene.
+/// The silhouettes of the picture, as the settings say.
 class Silhouettes
 {
 public:
-  /// `options` must have been checked.
-  explicit Silhouettes(const SilhouetteOptions& options);
+  /// The settings are those of the scene.
+  explicit Silhouettes(const SilhouetteSettings& settings);
   ~Silhouettes();
 
-  /// On or off.
-  void toggle();
+  /// Follows the settings.
+  void update();
   bool isOn() const;
 
-  /// For whatever traces the scene.
-  vtkMoteSilhouettes* settings() { return settings_; }
+  /// For whatever traces the picture.
+  vtkMoteSilhouettes* options() const { return options_; }
 
 private:
-  vtkNew<vtkMoteSilhouettes> settings_;
+  const SilhouetteSettings& settings_;
+  vtkNew<vtkMoteSilhouettes> options_;
 };
+
+/// The settings after the next press of a key: on, as they were asked for, or off.
+SilhouetteSettings toggled(const SilhouetteSettings& now, const SilhouetteSettings& asked);
+
+/// Whether these settings draw lines.
+bool areOn(const SilhouetteSettings& settings);
 
 } // namespace mote::app

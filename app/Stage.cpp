@@ -4,6 +4,7 @@
 #include "Failure.h"
 #include "SimulationBox.h"
 #include "Text.h"
+#include "settings/Values.h"
 
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
@@ -18,22 +19,58 @@
 namespace mote::app
 {
 
-Stage::Stage(const ViewOptions& options)
-  : options_(options)
-  , lighting_(renderer_, options)
-  , silhouettes_(options.silhouettes)
-  , coloring_(options)
-  , selection_(options)
+Stage::Stage(const Settings& settings)
+  : settings_(settings)
+  , lighting_(renderer_, settings_)
+  , silhouettes_(settings_.silhouettes)
+  , coloring_(settings_)
+  , selection_(settings_)
 {
-  setBackground(renderer_, options.background);
-  renderer_->GetActiveCamera()->SetParallelProjection(options.orthographic);
+  setBackground(renderer_, settings.picture.background);
+  renderer_->GetActiveCamera()->SetParallelProjection(settings.camera.orthographic);
+}
+
+bool Stage::apply(const Settings& settings)
+{
+  const Settings before = settings_;
+  settings_ = settings;
+  setBackground(renderer_, settings.picture.background);
+  lighting_.update();
+  silhouettes_.update();
+  const bool otherKinds = std::any_of(parts_.begin(), parts_.end(),
+    [&](const auto& part) { return part->kind() != Part::kindOf(part->data(), settings_); });
+  if (otherKinds)
+    this->setData(std::vector<NamedData>(data_));
+  for (const auto& part : parts_)
+  {
+    part->setAmbient(lighting_.ambient());
+    part->followSettings();
+  }
+  if (otherKinds || before.color != settings.color || before.selection != settings.selection ||
+      before.volume != settings.volume)
+    this->applyColors();
+  return otherKinds || before.particles != settings.particles ||
+         before.volume.structure != settings.volume.structure;
+}
+
+Settings Stage::settingsInForce() const
+{
+  Settings all = settings_;
+  all.color = coloring_.inForce(parts_);
+  vtkCamera* camera = renderer_->GetActiveCamera();
+  all.camera.orthographic = camera->GetParallelProjection() != 0;
+  all.camera.camera = cameraOf(camera);
+  if (parts_.size() == 1 && parts_.front()->keptRadius() > 0.0)
+    all.particles.radius = exactText(parts_.front()->keptRadius());
+  return all;
 }
 
 void Stage::setData(const std::vector<NamedData>& data)
 {
+  data_ = data;
   bool sameKinds = parts_.size() == data.size();
   for (std::size_t i = 0; sameKinds && i < data.size(); ++i)
-    sameKinds = parts_[i]->kind() == Part::kindOf(data[i].data, options_);
+    sameKinds = parts_[i]->kind() == Part::kindOf(data[i].data, settings_);
   if (sameKinds)
   {
     for (std::size_t i = 0; i < data.size(); ++i)
@@ -45,13 +82,13 @@ void Stage::setData(const std::vector<NamedData>& data)
   parts_.clear();
   for (const NamedData& one : data)
   {
-    parts_.push_back(std::make_unique<Part>(one.name, one.data, options_, lighting_.ambient()));
+    parts_.push_back(std::make_unique<Part>(one.name, one.data, settings_, lighting_.ambient()));
     renderer_->AddViewProp(parts_.back()->prop());
   }
   this->setSizes();
   const bool anyRadii = std::any_of(
     parts_.begin(), parts_.end(), [](const auto& part) { return part->particles() != nullptr; });
-  if (!parts_.empty() && !anyRadii && (options_.radius != "auto" || !options_.typeRadius.empty()))
+  if (!parts_.empty() && !anyRadii && (settings_.particles.radius != "auto" || !settings_.particles.typeRadius.empty()))
     throw Failure("--radius and --type-radius are for particles, and " + parts_.front()->name() +
                   " holds cells alone");
 }
@@ -136,20 +173,25 @@ void Stage::applyColors()
   selection_.apply(parts_, coloring_.choice());
 }
 
-void Stage::look(const std::string& side, double aspect, const Margins& margins)
+void Stage::look(double aspect, const Margins& margins)
 {
+  const CameraSettings& wanted = settings_.camera;
   double box[6], shown[6];
   this->bounds(box);
   this->shownBounds(shown);
   vtkCamera* camera = renderer_->GetActiveCamera();
-  lookFrom(camera, side == "auto" ? this->automaticSide() : side);
-  if (side == options_.view)
+  camera->SetParallelProjection(wanted.orthographic);
+  if (!wanted.camera.empty())
+    setCamera(camera, wanted.camera);
+  else
   {
-    camera->Azimuth(options_.azimuth);
-    camera->Elevation(options_.elevation);
+    camera->SetViewAngle(usualViewAngle);
+    lookFrom(camera, wanted.view == "auto" ? this->automaticSide() : wanted.view);
+    camera->Azimuth(wanted.azimuth);
+    camera->Elevation(wanted.elevation);
+    frame(camera, shown, aspect, margins);
+    camera->Zoom(wanted.zoom);
   }
-  frame(camera, shown, aspect, margins);
-  camera->Zoom(options_.zoom);
   renderer_->ResetCameraClippingRange(box);
 }
 
@@ -169,19 +211,6 @@ std::string Stage::automaticSide() const
   const std::string side = automaticView(bounds);
   // Modellers of surfaces have y up, simulations z.
   return side == "iso" && surfaces ? "iso-y" : side;
-}
-
-void Stage::setRadiusScale(double scale)
-{
-  for (const auto& part : parts_)
-    part->setRadiusScale(scale);
-}
-
-void Stage::nextShading()
-{
-  lighting_.nextShading();
-  for (const auto& part : parts_)
-    part->setAmbient(lighting_.ambient());
 }
 
 void Stage::bounds(double bounds[6]) const

@@ -18,11 +18,22 @@ namespace mote::app
 {
 
 /// What is seen, in the window as in a file: the parts of the present time step in a renderer, with
-/// background, lights, camera and colours as the options say.
+/// background, lights, camera and colours as the settings say.
 class Stage
 {
 public:
-  explicit Stage(const ViewOptions& options);
+  explicit Stage(const Settings& settings);
+
+  const Settings& settings() const { return settings_; }
+
+  /// Takes other settings and follows them, but for the data, size and camera. Returns whether
+  /// build() must follow. Throws Failure where they do not fit the data; then apply() with the
+  /// former ones brings those back.
+  bool apply(const Settings& settings);
+
+  /// The settings with what was chosen of itself said outright: array and range of the colours, the
+  /// radius that is kept over time steps, the camera.
+  Settings settingsInForce() const;
 
   /// Shows other data; build() must follow.
   void setData(const std::vector<NamedData>& data);
@@ -43,21 +54,18 @@ public:
   /// exact.
   std::string preview() const;
 
-  /// Colours by the options' array, or the most telling one, and hides what they hide.
+  /// Colours by the settings' array, or the most telling one, and hides what they hide.
   void applyColors();
 
-  /// Looks from a side and frames all that is shown, spheres and all.
-  void look(const std::string& side, double aspect, const Margins& margins);
+  /// Looks as the settings' camera says; without one from the settings' side, with all that is
+  /// shown in the frame, spheres and all.
+  void look(double aspect, const Margins& margins);
 
-  void setRadiusScale(double scale);
-
-  /// Goes on to the next way of lighting; see Lighting::nextShading().
-  void nextShading();
-
-  vtkRenderer* renderer() { return renderer_; }
+  vtkRenderer* renderer() const { return renderer_; }
   Coloring& coloring() { return coloring_; }
-  Lighting& lighting() { return lighting_; }
-  Silhouettes& silhouettes() { return silhouettes_; }
+  const Coloring& coloring() const { return coloring_; }
+  const Lighting& lighting() const { return lighting_; }
+  const Silhouettes& silhouettes() const { return silhouettes_; }
   const std::vector<std::unique_ptr<Part>>& parts() const { return parts_; }
 
   /// Bounds of all that is built; else of the simulation box; of a unit cube where there is
@@ -80,8 +88,9 @@ private:
   std::string automaticSide() const;
   void setSizes();
 
-  const ViewOptions& options_;
+  Settings settings_; ///< that all below refer to
   vtkNew<vtkRenderer> renderer_;
+  std::vector<NamedData> data_;
   std::vector<std::unique_ptr<Part>> parts_;
   Lighting lighting_;
   Silhouettes silhouettes_;

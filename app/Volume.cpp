@@ -22,7 +22,7 @@ namespace
 
 /// Shows all of the range, and its ends the most.
 const std::vector<OpacityPoint> usual = {
-  {0.0, true, 0.5}, {0.25, true, 0.08}, {0.5, true, 0.02}, {0.75, true, 0.08}, {1.0, true, 0.5}};
+  {0, true, 0.5}, {25, true, 0.08}, {50, true, 0.02}, {75, true, 0.08}, {100, true, 0.5}};
 
 bool isVolume(int type)
 {
@@ -54,31 +54,34 @@ vtkSmartPointer<vtkColorTransferFunction> colorsOf(vtkLookupTable* table)
 
 } // namespace
 
-Volume::Volume(const VolumeOptions& options)
-  : options_(options)
+Volume::Volume(const VolumeSettings& settings)
+  : settings_(settings)
 {
-  if (!options.structure.empty())
-    mapper_->SetStructureName(options.structure.c_str());
-  if (!options.integrator.empty())
-    mapper_->SetIntegratorName(options.integrator.c_str());
-  mapper_->SetSampleDistance(options.sampleDistance);
-  if (options.tolerance > 0.0)
-    mapper_->SetTolerance(options.tolerance);
-  mapper_->SetShowCloud(options.cloud);
-  mapper_->SetShowIsoSurfaces(!options.isoValues.empty());
-  Color nan;
-  if (parseColor(options.nanColor, nan))
-  {
-    mapper_->SetNanColor(nan.data());
-    mapper_->SetNanOpacity(0.5);
-  }
-  vtkVolumeProperty* look = volume_->GetProperty();
-  look->SetShade(options.lit);
-  look->SetSpecular(0.0);
-  for (std::size_t i = 0; i < options.isoValues.size(); ++i)
-    look->GetIsoSurfaceValues()->SetValue(static_cast<int>(i), options.isoValues[i]);
+  volume_->GetProperty()->SetSpecular(0.0);
   volume_->SetMapper(mapper_);
+  this->update();
   this->showAll();
+}
+
+void Volume::update()
+{
+  mapper_->SetStructureName(settings_.structure.empty() ? nullptr : settings_.structure.c_str());
+  mapper_->SetIntegratorName(settings_.integrator.c_str());
+  mapper_->SetSampleDistance(settings_.sampleDistance);
+  mapper_->SetTolerance(settings_.tolerance);
+  mapper_->SetShowCloud(settings_.cloud);
+  mapper_->SetShowIsoSurfaces(!settings_.isoValues.empty());
+  Color nan = {0.0, 0.0, 0.0};
+  const bool colored = parseColor(settings_.nanColor, nan);
+  mapper_->SetNanColor(nan.data());
+  mapper_->SetNanOpacity(colored ? 0.5 : 0.0);
+  vtkVolumeProperty* look = volume_->GetProperty();
+  look->SetShade(settings_.lit);
+  vtkContourValues* values = look->GetIsoSurfaceValues();
+  if (values->GetNumberOfContours() != static_cast<int>(settings_.isoValues.size()))
+    values->SetNumberOfContours(static_cast<int>(settings_.isoValues.size()));
+  for (std::size_t i = 0; i < settings_.isoValues.size(); ++i)
+    values->SetValue(static_cast<int>(i), settings_.isoValues[i]);
 }
 
 bool Volume::canShow(vtkDataSet* data)
@@ -134,7 +137,7 @@ void Volume::setColors(
   vtkVolumeProperty* look = volume_->GetProperty();
   look->SetColor(colorsOf(table));
   look->SetScalarOpacityUnitDistance(
-    options_.opacityUnit > 0.0 ? options_.opacityUnit : 0.1 * diagonal);
+    settings_.opacityUnit > 0.0 ? settings_.opacityUnit : 0.1 * diagonal);
   this->setOpacity();
 }
 
@@ -157,8 +160,8 @@ void Volume::setOpacity()
     return;
   vtkNew<vtkPiecewiseFunction> whole, part;
   whole->AllowDuplicateScalarsOn(); // two points of one value are a step
-  for (const OpacityPoint& point : options_.opacity.empty() ? usual : options_.opacity)
-    whole->AddPoint(point.isShare ? valueAt(table_, point.value) : point.value, point.opacity);
+  for (const OpacityPoint& point : settings_.opacity.empty() ? usual : settings_.opacity)
+    whole->AddPoint(point.isShare ? valueAt(table_, 0.01 * point.value) : point.value, point.opacity);
   vtkVolumeProperty* look = volume_->GetProperty();
   if (limits_[0] > limits_[1])
     part->AddPoint(0.0, 0.0);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Arrays.h"
-#include "VolumeOptions.h"
+#include "settings/Settings.h"
 
 #include <vtkMoteVolumeMapper.h>
 #include <vtkNew.h>
@@ -19,13 +19,17 @@ namespace mote::app
 class Volume
 {
 public:
-  explicit Volume(const VolumeOptions& options);
+  /// The settings are those of the scene.
+  explicit Volume(const VolumeSettings& settings);
+
+  /// Follows the settings; colours and opacities are for setColors().
+  void update();
 
   /// Whether a data set has cells with a volume and an array to look by.
   static bool canShow(vtkDataSet* data);
 
   void setData(vtkUnstructuredGrid* data);
-  /// How volumes look: colours by an array through the table, opacities as the options say.
+  /// How volumes look: colours by an array through the table, opacities as the settings say.
   /// `diagonal` is the size of all that is shown.
   void setColors(
     vtkDataSet* data, const ArrayChoice& choice, vtkLookupTable* table, double diagonal);
@@ -41,7 +45,7 @@ private:
   void select(const ArrayChoice& choice);
   void setOpacity();
 
-  const VolumeOptions& options_;
+  const VolumeSettings& settings_;
   vtkNew<vtkVolume> volume_;
   vtkNew<vtkMoteVolumeMapper> mapper_;
   vtkSmartPointer<vtkLookupTable> table_;

@@ -5,6 +5,7 @@
 #include "Failure.h"
 #include "InteractorStyle.h"
 #include "Text.h"
+#include "settings/Session.h"
 
 #include <vtkCamera.h>
 #include <vtkCommand.h>
@@ -60,11 +61,11 @@ void forget(vtkObject* object)
 
 void addWindowOptions(CLI::App& app, WindowOptions& options)
 {
-  addViewOptions(app, options.view);
-  options.view.preview = true;
+  addAllSettings(app, options.given);
+  addSessionOption(app, options.session);
   app
     .add_flag_function(
-      "--no-preview", [&options](std::int64_t) { options.view.preview = false; },
+      "--no-preview", [&options](std::int64_t) { options.preview = false; },
       "Show nothing before the structure is built. Else large sets begin with a preview: a part of "
       "the particles, enlarged, and a line that says so")
     ->group("Picture");
@@ -72,22 +73,23 @@ void addWindowOptions(CLI::App& app, WindowOptions& options)
 
 void showWindow(const WindowOptions& options)
 {
-  Input input(options.view.files);
+  const Settings settings = options.given.resolved();
+  Input input(settings.data.files);
   if (!displayAvailable())
     throw Failure("there is no display to open a window on; make a picture instead: "
                   "mote render FILE -o picture.png");
-  Window window(options.view, input);
+  Window window(options, settings, input);
   window.run();
 }
 
-Window::Window(const ViewOptions& options, Input& input)
+Window::Window(const WindowOptions& options, const Settings& settings, Input& input)
   : options_(options)
+  , asked_(settings)
   , input_(input)
-  , stage_(options)
+  , stage_(settings)
   , overlay_(stage_.renderer())
   , props_(stage_)
   , bar_(window_, stage_.renderer())
-  , radiusScale_(options.radiusScale)
 {
   progress_.add(terminal_);
   progress_.add(bar_);
@@ -99,6 +101,7 @@ Window::~Window()
 {
   forget(window_);
   forget(pass_);
+  forget(style_);
   forget(interactor_);
 }
 
@@ -107,15 +110,14 @@ void Window::setUpWindow()
   window_->SetMultiSamples(0); // the rays are the antialiasing
   window_->SetWindowName(("Mote: opening " + input_.name()).c_str());
   window_->AddRenderer(stage_.renderer());
-  const bool sized = options_.size[0] > 0;
+  const std::array<int, 2> size = asked_.picture.size;
   const int* screen = window_->GetScreenSize();
-  window_->SetSize(sized ? options_.size[0] : std::min(1280, screen[0] * 9 / 10),
-    sized ? options_.size[1] : std::min(860, screen[1] * 8 / 10));
+  window_->SetSize(size[0] > 0 ? size[0] : std::min(1280, screen[0] * 9 / 10),
+    size[0] > 0 ? size[1] : std::min(860, screen[1] * 8 / 10));
   pass_->ProgressiveOn();
-  pass_->SetNoiseLevel(options_.noise);
-  pass_->SetNumberOfThreads(options_.threads);
+  pass_->SetNumberOfThreads(asked_.data.threads);
   pass_->SetShading(stage_.lighting().shading());
-  pass_->SetSilhouettes(stage_.silhouettes().settings());
+  pass_->SetSilhouettes(stage_.silhouettes().options());
   stage_.renderer()->SetPass(pass_);
   overlay_.setInk(inkOn(stage_.renderer()));
   interactor_->SetRenderWindow(window_);
@@ -139,7 +141,7 @@ void Window::setUpEvents()
   {
     try
     {
-      this->act(actionOf(key));
+      this->act(bindingOf(key));
     }
     catch (const Failure& failure)
     {
@@ -158,6 +160,7 @@ void Window::setUpEvents()
       if (!busy_ && inputWaits(window_))
         window_->SetAbortRender(1);
     });
+  observe(style_, vtkCommand::EndInteractionEvent, [this](void*) { this->recordCamera(); });
   observe(interactor_, vtkCommand::ExitEvent, [this](void*) { this->quit(); });
   observe(interactor_, vtkCommand::TimerEvent,
     [this](void* timer) { this->onTimer(*static_cast<int*>(timer)); });
@@ -171,7 +174,7 @@ void Window::run()
   {
     bar_.show("Opening " + input_.name(), 0.0);
     input_.open(progress_);
-    step_ = input_.chosenStep(options_);
+    step_ = input_.chosenStep(asked_);
     const auto data = input_.read(step_, progress_);
     addOcclusionMaps(data);
     stage_.setData(data);
@@ -189,14 +192,16 @@ void Window::run()
   busy_ = false;
   previewed_ = !stage_.preview().empty();
   this->nameWindow();
-  this->look(options_.view);
-  props_.update(options_);
+  this->look();
+  props_.update();
   this->choosePass();
   this->say("Press h for the keys");
   props_.attach(interactor_); // which draws the window
   this->render();
   if (!quit_)
     interactor_->Start();
+  if (!options_.session.empty())
+    writeSession(this->settingsInForce(), options_.session);
 }
 
 //------------------------------------------------------------------------------------------------
@@ -239,38 +244,24 @@ bool Window::perform(const std::function<void()>& work)
   return done;
 }
 
-bool Window::load(int step)
+void Window::load(int step)
 {
-  const bool done = this->perform(
-    [&]
-    {
-      stage_.stopBuild();
-      const auto data = input_.read(step, progress_);
-      addOcclusionMaps(data);
-      stage_.setData(data);
-      // What plays would go on to the next step before it is built.
-      stage_.setPreview(options_.preview && !playing_);
-      step_ = step;
-      stage_.build(progress_);
-      stage_.applyColors();
-      this->choosePass();
-    });
   props_.unmark();
-  props_.update(options_);
-  return done;
-}
-
-bool Window::buildAgain()
-{
-  const bool done = this->perform([&] { stage_.build(progress_); });
-  props_.unmark();
-  props_.update(options_);
-  return done;
+  stage_.stopBuild();
+  const auto data = input_.read(step, progress_);
+  addOcclusionMaps(data);
+  stage_.setData(data);
+  // What plays would go on to the next step before it is built.
+  stage_.setPreview(options_.preview && !playing_);
+  step_ = step;
+  stage_.build(progress_);
+  stage_.applyColors();
+  this->choosePass();
 }
 
 void Window::advance()
 {
-  if (playing_ && this->load((step_ + 1) % input_.numberOfSteps()))
+  if (playing_ && this->follow(this->withStep((step_ + 1) % input_.numberOfSteps())))
     this->startTimer(playTimer_, playPause);
   this->render();
 }
@@ -278,16 +269,15 @@ void Window::advance()
 //------------------------------------------------------------------------------------------------
 // Drawing
 
-void Window::look(const std::string& side)
+void Window::look()
 {
   const int* size = window_->GetSize();
   Margins margins;
   // Both sides alike, so that what turns about its middle stays in the window's middle.
-  const bool legend = options_.legend && stage_.coloring().legendTable();
+  const bool legend = this->settings().picture.legend && stage_.coloring().legendTable();
   margins.left = margins.right = legend ? 0.03 + 0.13 * size[1] / std::max(1, size[0]) : 0.04;
   margins.bottom = margins.top = 0.06;
-  stage_.look(side, double(size[0]) / std::max(1, size[1]), margins);
-  side_ = side;
+  stage_.look(double(size[0]) / std::max(1, size[1]), margins);
   view_ = this->viewNow();
   viewSize_ = {size[0], size[1]};
 }
@@ -337,7 +327,9 @@ void Window::updatePreview()
     this->nameWindow();
   }
   overlay_.setPreview(preview);
-  const int samples = options_.mostSamples(stage_.lighting().tracesPaths());
+  const Settings& wanted = this->settings();
+  const int samples = wanted.picture.mostSamples(wanted.light.pathTrace);
+  pass_->SetNoiseLevel(wanted.picture.noise);
   pass_->SetSamplesPerPixel(previewed_ ? std::min(previewSamples, samples) : samples);
 }
 
@@ -349,7 +341,7 @@ void Window::onRenderStart()
   // A view that the user has not touched goes on to fit when the window's shape changes.
   const int* size = window_->GetSize();
   if (viewSize_ != std::array<int, 2>{size[0], size[1]} && view_ == this->viewNow())
-    this->look(side_);
+    this->look();
   this->updatePreview();
   overlay_.setStatus(this->statusText());
   props_.legend().update();
@@ -400,6 +392,7 @@ void Window::onTimer(int timer)
   else if (due(restTimer_))
   {
     wheeling_ = false;
+    this->recordCamera();
     this->render();
   }
   else if (due(sharpenTimer_) && !wheeling_ && !playing_ && style_->GetState() == VTKIS_NONE)
@@ -426,7 +419,7 @@ std::string Window::qualityText() const
 {
   const double distance = pass_->GetImageSampleDistance();
   std::string text = distance > 1.0 ? "1/" + asNumber(distance, 2) + " resolution"
-                                    : counted(pass_->GetNumberOfSamples(), "ray") + " a pixel";
+                                    : counted(pass_->GetNumberOfSamples(), "sample") + " per pixel";
   if (pass_->GetFinerShare() > 0.0)
     text += ", " + asNumber(std::floor(100.0 * pass_->GetFinerShare())) + " % sharpened";
   return text;

@@ -6,6 +6,8 @@
 #include "Stage.h"
 #include "WindowProgress.h"
 #include "WindowProps.h"
+#include "settings/CommandLine.h"
+#include "settings/History.h"
 
 #include <vtkMoteRayCastPass.h>
 #include <vtkNew.h>
@@ -24,7 +26,9 @@ class InteractorStyle;
 /// What the window may be told.
 struct WindowOptions
 {
-  ViewOptions view;
+  GivenSettings given;
+  std::string session; ///< file to save the session in; empty: choose when asked to
+  bool preview = true; ///< of large sets, until they are built
 };
 
 /// Declares the options of the window.
@@ -34,12 +38,13 @@ void addWindowOptions(CLI::App& app, WindowOptions& options);
 /// no display or nothing can be shown, and Interrupted.
 void showWindow(const WindowOptions& options);
 
-/// The window: what it shows and how it answers. Window.cpp has set-up, drawing and time;
-/// WindowActions.cpp what keys do.
+/// The window: what it shows and how it answers. Window.cpp has set-up, drawing and time,
+/// WindowActions.cpp what keys do, WindowSettings.cpp how settings change. All that can be chosen
+/// is in the stage's settings.
 class Window
 {
 public:
-  Window(const ViewOptions& options, Input& input);
+  Window(const WindowOptions& options, const Settings& settings, Input& input);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
@@ -54,8 +59,7 @@ private:
   void choosePass();
 
   // Time
-  bool load(int step);
-  bool buildAgain();
+  void load(int step);
   bool perform(const std::function<void()>& work);
   void advance();
   void quit();
@@ -63,8 +67,7 @@ private:
   // Drawing
   void render();
   void renderMoving();
-  void look(const std::string& side);
-  void updateProps();
+  void look();
   void updatePreview();
   void nameWindow();
   void onRenderStart();
@@ -74,27 +77,43 @@ private:
   std::string statusText() const;
   std::string qualityText() const;
 
+  // Settings
+  const Settings& settings() const { return stage_.settings(); }
+  Settings withStep(int step) const;
+  Settings settingsOf(const std::function<void(Settings&)>& change) const;
+  void change(const Settings& next, const std::function<std::string()>& message = {});
+  bool follow(const Settings& next);
+  void recordCamera();
+  void goBack(bool undo);
+  Settings settingsInForce();
+  void saveSession(const std::string& file);
+
   // Actions
-  void act(Action action);
-  bool actOnView(Action action);
-  bool actOnLook(Action action); ///< how things look
+  void act(const Binding& binding);
+  bool actOnView(const Binding& binding);
+  bool actOnLook(const Binding& binding); ///< how things look
   bool actOnTime(Action action);
+  bool actOnFiles(Action action);
   void goTo(int step);
-  void toggleProjection();
+  Settings otherProjection() const;
+  Settings scaledRadius(double factor) const;
+  Settings otherBackground() const;
+  void toggle(const std::string& name);
   void zoom(double factor);
-  void scaleRadius(double factor);
   void pick();
   void center();
-  void toggleBackground();
   void savePicture();
-  void sayColoring();
+  void grabPicture(const std::string& file);
+  std::string unusedName(const std::string& ending) const;
+  std::string coloringText() const;
   void say(const std::string& message);
   std::string particleFacts(const Part& part, vtkIdType id) const;
 
   /// What tells one view from another.
   std::array<double, 10> viewNow();
 
-  const ViewOptions& options_;
+  WindowOptions options_;
+  Settings asked_; ///< what the command line, or the session, said
   Input& input_;
   Stage stage_;
   vtkNew<vtkRenderWindow> window_;
@@ -107,8 +126,8 @@ private:
   WindowProgress bar_;
   ProgressRelay progress_;
 
-  std::string side_;              // that was looked from last
-  std::array<double, 10> view_{}; // as it was then
+  History history_;
+  std::array<double, 10> view_{}; // as the settings had it last
   std::array<int, 2> viewSize_{}; // of the window
   int step_ = 0;
   bool traced_ = true; // something that is seen is Mote's
@@ -116,7 +135,6 @@ private:
   bool busy_ = false; // in long work: events wait
   bool wheeling_ = false;
   bool quit_ = false;
-  double radiusScale_ = 1.0;
   double frameStart_ = 0.0, frameTime_ = 0.0;
   bool previewed_ = false; // the picture shown last was a preview
   int sharpenTimer_ = 0, restTimer_ = 0, playTimer_ = 0, messageTimer_ = 0;

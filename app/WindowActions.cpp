@@ -3,7 +3,10 @@
 #include "Arrays.h"
 #include "Colors.h"
 #include "InteractorStyle.h"
+#include "Picture.h"
+#include "Script.h"
 #include "Text.h"
+#include "settings/Row.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -26,12 +29,14 @@
 namespace mote::app
 {
 
-void Window::act(Action action)
+void Window::act(const Binding& binding)
 {
-  if (busy_ || action == Action::None)
+  if (busy_ || binding.action == Action::None)
     return;
-  if (!this->actOnView(action) && !this->actOnLook(action) && !this->actOnTime(action))
-    switch (action)
+  this->recordCamera();
+  if (!this->actOnView(binding) && !this->actOnLook(binding) && !this->actOnTime(binding.action) &&
+      !this->actOnFiles(binding.action))
+    switch (binding.action)
     {
     case Action::ZoomIn:
       return this->zoom(1.25);
@@ -40,7 +45,10 @@ void Window::act(Action action)
     case Action::Play:
       playing_ = !playing_ && input_.numberOfSteps() > 1;
       if (playing_)
+      {
+        history_.add(this->settings());
         return this->advance();
+      }
       break;
     case Action::Help:
       overlay_.setMessage("");
@@ -49,9 +57,11 @@ void Window::act(Action action)
     case Action::Pick:
       this->pick();
       break;
-    case Action::Save:
-      playing_ = false; // a picture takes rest
-      this->savePicture();
+    case Action::Undo:
+      this->goBack(true);
+      break;
+    case Action::Redo:
+      this->goBack(false);
       break;
     case Action::Escape:
       playing_ = false;
@@ -67,88 +77,84 @@ void Window::act(Action action)
   this->render();
 }
 
-bool Window::actOnView(Action action)
+bool Window::actOnView(const Binding& binding)
 {
-  switch (action)
+  switch (binding.action)
   {
   case Action::ResetView:
-    this->look(options_.view);
+    this->change(this->settingsOf(
+      [&](Settings& s)
+      {
+        const bool orthographic = s.camera.orthographic;
+        s.camera = asked_.camera;
+        s.camera.orthographic = orthographic;
+        // A camera that was asked for is of the projection that was asked for.
+        if (orthographic != asked_.camera.orthographic)
+          s.camera.camera.clear();
+      }));
     return true;
-  case Action::ViewPlusX:
-    this->look("+x");
-    return true;
-  case Action::ViewMinusX:
-    this->look("-x");
-    return true;
-  case Action::ViewPlusY:
-    this->look("+y");
-    return true;
-  case Action::ViewMinusY:
-    this->look("-y");
-    return true;
-  case Action::ViewPlusZ:
-    this->look("+z");
-    return true;
-  case Action::ViewMinusZ:
-    this->look("-z");
+  case Action::View:
+    this->change(this->settingsOf(
+      [&](Settings& s)
+      {
+        s.camera = {.view = binding.name,
+          .zoom = asked_.camera.zoom,
+          .orthographic = s.camera.orthographic};
+      }));
     return true;
   case Action::Projection:
-    this->toggleProjection();
+    this->change(this->otherProjection());
     return true;
   case Action::Center:
     this->center();
+    this->recordCamera();
     return true;
   default:
     return false;
   }
 }
 
-bool Window::actOnLook(Action action)
+bool Window::actOnLook(const Binding& binding)
 {
-  switch (action)
+  const auto to = [this](const auto& change, const std::function<std::string()>& message)
+  { this->change(this->settingsOf(change), message); };
+  const auto coloring = [this] { return this->coloringText(); };
+  const Coloring& colors = stage_.coloring();
+  switch (binding.action)
   {
   case Action::NextArray:
-    stage_.coloring().nextArray(stage_.parts());
-    this->sayColoring();
+    to([&](Settings& s) { s.color.array = colors.nextArray(stage_.parts()); }, coloring);
     return true;
   case Action::NextComponent:
-    stage_.coloring().nextComponent(stage_.parts());
-    this->sayColoring();
+    to([&](Settings& s) { s.color.array = colors.nextComponent(stage_.parts()); }, coloring);
     return true;
   case Action::NextMap:
-    stage_.coloring().nextMap(stage_.parts());
-    props_.update(options_);
-    this->say("Colour map " + stage_.coloring().mapName());
+    to([&](Settings& s) { s.color.map = colors.nextMap(); },
+      [&] { return "Colour map " + colors.mapName(); });
     return true;
   case Action::Smaller:
-    this->scaleRadius(1.0 / 1.15);
-    return true;
   case Action::Larger:
-    this->scaleRadius(1.15);
+    this->change(this->scaledRadius(binding.action == Action::Larger ? 1.15 : 1.0 / 1.15),
+      [this] { return "Radius x " + asNumber(this->settings().particles.radiusScale, 3); });
     return true;
-  case Action::Box:
-    props_.toggleBox();
-    return true;
-  case Action::Legend:
-    props_.legend().toggle();
-    return true;
-  case Action::Axes:
-    props_.toggleAxes();
+  case Action::Toggle:
+    this->toggle(binding.name);
     return true;
   case Action::Background:
-    this->toggleBackground();
+    this->change(this->otherBackground());
     return true;
   case Action::Shadows:
-    stage_.lighting().nextShadows();
-    this->say(stage_.lighting().shadowsName());
+    to([&](Settings& s) { s.light = withNextShadows(s.light, asked_.light); },
+      [this] { return shadowsName(this->settings().light); });
     return true;
   case Action::Shading:
-    stage_.nextShading();
-    this->say(stage_.lighting().shadingName());
+    to([&](Settings& s) { s.light = withNextShading(s.light); },
+      [this] { return shadingName(this->settings().light); });
     return true;
   case Action::Silhouettes:
-    stage_.silhouettes().toggle();
-    this->say(stage_.silhouettes().isOn() ? "Silhouettes" : "No silhouettes");
+    to([&](Settings& s) { s.silhouettes = toggled(s.silhouettes, asked_.silhouettes); },
+      [this]
+      { return areOn(this->settings().silhouettes) ? "Silhouettes" : "No silhouettes"; });
     return true;
   default:
     return false;
@@ -176,24 +182,91 @@ bool Window::actOnTime(Action action)
   }
 }
 
-void Window::toggleProjection()
+bool Window::actOnFiles(Action action)
 {
-  vtkCamera* camera = stage_.renderer()->GetActiveCamera();
-  // What is at the focal point keeps its size.
-  const double half = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
-  if (!camera->GetParallelProjection())
-    camera->SetParallelScale(camera->GetDistance() * half);
-  else
-    camera->Dolly(camera->GetDistance() * half / camera->GetParallelScale());
-  camera->SetParallelProjection(!camera->GetParallelProjection());
-  stage_.renderer()->ResetCameraClippingRange();
+  switch (action)
+  {
+  case Action::SavePicture:
+    playing_ = false; // a picture takes rest
+    this->savePicture();
+    return true;
+  case Action::SaveSession:
+    this->saveSession(options_.session.empty() ? this->unusedName(".json") : options_.session);
+    return true;
+  case Action::PrintCommand:
+    std::printf("%s\n", commandOf(this->settingsInForce(), this->unusedName(".png")).c_str());
+    std::fflush(stdout);
+    this->say("The command is printed in the terminal");
+    return true;
+  case Action::PrintScript:
+    std::printf("%s", scriptOf(stage_, input_, this->settingsInForce(), this->unusedName(".png")).c_str());
+    std::fflush(stdout);
+    this->say("The script is printed in the terminal");
+    return true;
+  default:
+    return false;
+  }
 }
 
-void Window::sayColoring()
+Settings Window::otherProjection() const
 {
-  props_.update(options_);
-  this->say(
-    stage_.coloring().choice() ? "Coloured by " + stage_.coloring().title() : "One colour for all");
+  // What is at the focal point keeps its size.
+  vtkCamera* camera = stage_.renderer()->GetActiveCamera();
+  const double half = std::tan(0.5 * vtkMath::RadiansFromDegrees(usualViewAngle));
+  std::vector<double> numbers = cameraOf(camera);
+  const bool parallel = camera->GetParallelProjection() != 0;
+  double* const eye = numbers.data();
+  const double* const focus = eye + 3;
+  if (parallel)
+  {
+    const double factor = numbers[9] / half / camera->GetDistance();
+    for (int i = 0; i < 3; ++i)
+      eye[i] = focus[i] + factor * (eye[i] - focus[i]);
+    numbers[9] = usualViewAngle;
+  }
+  else
+    numbers[9] =
+      camera->GetDistance() * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
+  return this->settingsOf(
+    [&](Settings& s)
+    {
+      s.camera.orthographic = !parallel;
+      s.camera.camera = numbers;
+    });
+}
+
+Settings Window::scaledRadius(double factor) const
+{
+  return this->settingsOf(
+    [&](Settings& s)
+    {
+      s.particles.radiusScale *= factor;
+      // Who scales all radii does not mean to see others.
+      for (ShowRange& range : s.selection.ranges)
+        if (range.name == "radius")
+          range.low *= factor, range.high *= factor;
+    });
+}
+
+Settings Window::otherBackground() const
+{
+  const bool light = inkOn(stage_.renderer())[0] < 0.5;
+  return this->settingsOf(
+    [&](Settings& s)
+    { s.picture.background = light ? std::vector<Color>{} : std::vector<Color>{{1.0, 1.0, 1.0}}; });
+}
+
+void Window::toggle(const std::string& name)
+{
+  const Row* row = rowNamed(name);
+  this->change(this->settingsOf(
+    [&](Settings& s) { row->set(s, {row->get(s).front() == "true" ? "false" : "true"}); }));
+}
+
+std::string Window::coloringText() const
+{
+  return stage_.coloring().choice() ? "Coloured by " + stage_.coloring().title()
+                                    : "One colour for all";
 }
 
 void Window::say(const std::string& message)
@@ -210,7 +283,7 @@ void Window::goTo(int step)
               : step < 0                  ? "This is the first time step"
                                           : "This is the last time step");
   else
-    this->load(step);
+    this->change(this->withStep(step));
 }
 
 void Window::zoom(double factor)
@@ -222,14 +295,6 @@ void Window::zoom(double factor)
     camera->Dolly(factor);
   stage_.renderer()->ResetCameraClippingRange();
   this->renderMoving();
-}
-
-void Window::scaleRadius(double factor)
-{
-  radiusScale_ *= factor;
-  stage_.setRadiusScale(radiusScale_);
-  if (this->buildAgain())
-    this->say("Radius x " + asNumber(radiusScale_, 3));
 }
 
 namespace
@@ -323,32 +388,45 @@ void Window::center()
   stage_.renderer()->ResetCameraClippingRange();
 }
 
-void Window::toggleBackground()
+std::string Window::unusedName(const std::string& ending) const
 {
-  const bool light = inkOn(stage_.renderer())[0] < 0.5;
-  setBackground(
-    stage_.renderer(), light ? std::vector<Color>{} : std::vector<Color>{{1.0, 1.0, 1.0}});
-  props_.setInk(inkOn(stage_.renderer()));
-  overlay_.setInk(inkOn(stage_.renderer()));
+  const std::string stem =
+    std::filesystem::path(this->settings().data.files.front()).stem().stem().string();
+  for (int i = 1;; ++i)
+  {
+    char number[16];
+    std::snprintf(number, sizeof number, "-%03d", i);
+    if (const std::string file = stem + number + ending; !std::filesystem::exists(file))
+      return file;
+  }
 }
 
 void Window::savePicture()
 {
-  const std::string stem = std::filesystem::path(options_.files.front()).stem().stem().string();
-  std::string file;
-  for (int i = 1; file.empty() || std::filesystem::exists(file); ++i)
-  {
-    char number[16];
-    std::snprintf(number, sizeof number, "-%03d.png", i);
-    file = stem + number;
-  }
+  const std::string file = this->unusedName(".png");
   // A preview is for looking; what is kept is exact.
   if (previewed_ && !this->perform([&] { stage_.finishBuild(progress_); }))
     return;
+  if (!traced_)
+    return this->grabPicture(file);
+  // As mote render makes it, so that the printed command gives the same.
+  const int* size = window_->GetSize();
+  const bool done = this->perform(
+    [&]
+    {
+      Picture picture(stage_, {size[0], size[1]});
+      picture.aim(file);
+      picture.write(captionOf(input_, step_, stage_.contents()), progress_);
+    });
+  if (done)
+    this->say("Saved " + file);
+}
+
+/// What OpenGL draws, which mote render does not.
+void Window::grabPicture(const std::string& file)
+{
   overlay_.setVisible(false);
-  do
-    this->render();
-  while (traced_ && !pass_->IsConverged() && !inputWaits(window_));
+  this->render();
   vtkNew<vtkWindowToImageFilter> image;
   image->SetInput(window_);
   image->SetInputBufferTypeToRGB();

@@ -1,5 +1,7 @@
 #include "WindowLegend.h"
 
+#include "Picture.h"
+
 #include <vtkActor2D.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -56,10 +58,12 @@ WindowLegend::WindowLegend(vtkRenderer* renderer)
 
 WindowLegend::~WindowLegend() = default;
 
-void WindowLegend::set(vtkScalarsToColors* table, const std::string& title)
+void WindowLegend::set(
+  vtkScalarsToColors* table, const std::string& title, const PictureSettings& look)
 {
-  legend_->SetLookupTable(table);
-  legend_->SetTitle(title);
+  legend_->SetLookupTable(look.legend ? table : nullptr);
+  legend_->SetTitle(look.title.value_or(title));
+  applyLook(legend_, look);
 }
 
 void WindowLegend::setInk(const Color& ink)
@@ -67,15 +71,10 @@ void WindowLegend::setInk(const Color& ink)
   legend_->SetTextColor(ink[0], ink[1], ink[2]);
 }
 
-void WindowLegend::toggle()
-{
-  on_ = !on_;
-}
-
 void WindowLegend::update()
 {
   const int* size = renderer_->GetRenderWindow()->GetSize();
-  const bool wanted = on_ && legend_->GetLookupTable() && size[0] >= 64 && size[1] >= 64;
+  const bool wanted = legend_->GetLookupTable() && size[0] >= 64 && size[1] >= 64;
   actor_->SetVisibility(wanted);
   if (!wanted)
     return;

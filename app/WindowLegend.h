@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ViewOptions.h"
+#include "settings/Settings.h"
 
 #include <vtkMoteColorLegend.h>
 #include <vtkNew.h>
@@ -23,10 +23,9 @@ public:
   explicit WindowLegend(vtkRenderer* renderer);
   ~WindowLegend();
 
-  /// What to explain; no table to show nothing.
-  void set(vtkScalarsToColors* table, const std::string& title);
+  /// What to explain, in which look; no table to show nothing.
+  void set(vtkScalarsToColors* table, const std::string& title, const PictureSettings& look);
   void setInk(const Color& ink);
-  void toggle();
 
   /// Draws anew where something has changed, the size of the window too. Call before each frame.
   void update();
@@ -37,7 +36,6 @@ private:
   vtkNew<vtkMoteColorLegend> legend_;
   vtkNew<vtkImageMapper> mapper_;
   vtkNew<vtkActor2D> actor_;
-  bool on_ = true;
   vtkMTimeType drawn_ = 0;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ProgressRelay.h"
-#include "ViewOptions.h"
+#include "settings/Settings.h"
 
 #include <vtkNew.h>
 #include <vtkPlaneSource.h>

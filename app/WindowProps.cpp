@@ -92,9 +92,10 @@ void WindowProps::attach(vtkRenderWindowInteractor* interactor)
   corner_->SetViewport(0.0, 0.045, 0.13, 0.225);
   corner_->SetEnabled(1);
   corner_->InteractiveOff();
+  this->update();
 }
 
-void WindowProps::update(const ViewOptions& options)
+void WindowProps::update()
 {
   SimulationBox box{};
   bool given = false;
@@ -111,20 +112,12 @@ void WindowProps::update(const ViewOptions& options)
     box = boxOfBounds(bounds);
   }
   static_cast<vtkPolyDataMapper*>(box_->GetMapper())->SetInputData(edgesOf(box));
-  box_->SetVisibility(boxOn_);
-  legend_.set(options.legend ? stage_.coloring().legendTable() : nullptr,
-    options.title.value_or(stage_.coloring().title()));
-}
-
-void WindowProps::toggleBox()
-{
-  boxOn_ = !boxOn_;
-  box_->SetVisibility(boxOn_);
-}
-
-void WindowProps::toggleAxes()
-{
-  corner_->SetEnabled(!corner_->GetEnabled());
+  const PictureSettings& picture = stage_.settings().picture;
+  box_->SetVisibility(picture.box);
+  if (corner_->GetInteractor() && corner_->GetEnabled() != static_cast<int>(picture.axes))
+    corner_->SetEnabled(picture.axes);
+  legend_.set(stage_.coloring().legendTable(), stage_.coloring().title(), picture);
+  this->setInk(inkOn(stage_.renderer()));
 }
 
 void WindowProps::setInk(const Color& ink)

@@ -25,23 +25,20 @@ public:
   /// Shows the little axes in the corner; call once, when the interactor is initialized.
   void attach(vtkRenderWindowInteractor* interactor);
 
-  /// Follows the scene's data and colours.
-  void update(const ViewOptions& options);
+  /// Follows the stage's data and settings.
+  void update();
 
-  void toggleBox();
   WindowLegend& legend() { return legend_; }
-  void toggleAxes();
-  void setInk(const Color& ink);
 
   /// A cage around a picked particle, never smaller than a few pixels.
   void mark(const double center[3], double radius);
   void unmark();
 
 private:
+  void setInk(const Color& ink);
   double pixelSizeAt(const double position[3]);
 
   Stage& stage_;
-  bool boxOn_ = true;
   WindowLegend legend_;
   vtkNew<vtkActor> box_;
   vtkNew<vtkActor> mark_;

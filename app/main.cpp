@@ -11,7 +11,6 @@
 #include "Probe.h"
 #include "ProgressRelay.h"
 #include "Render.h"
-#include "ViewOptions.h"
 #include "Window.h"
 
 #include <vtkMoteReaderTable.h>
@@ -90,19 +89,20 @@ int run(CLI::App& app, const AllOptions& all)
              toConvert = app.got_subcommand("convert"), toAverage = app.got_subcommand("average"),
              toBake = app.got_subcommand("bake"), toProbe = app.got_subcommand("probe"),
              toDraw = app.got_subcommand("edges");
-  const ViewOptions& view = toRender    ? all.rendering.view
-                            : toInform  ? all.info.read
-                            : toConvert ? all.converting.view
-                            : toAverage ? all.averaging.view
-                            : toBake    ? all.baking.view
-                            : toProbe   ? all.probing.read
-                                        : all.window.view;
-  if (view.files.empty() && !toDraw)
+  const DataSettings& data = (toRender    ? all.rendering.given
+                              : toInform  ? all.info.given
+                              : toConvert ? all.converting.given
+                              : toAverage ? all.averaging.given
+                              : toBake    ? all.baking.given
+                              : toProbe   ? all.probing.given
+                                          : all.window.given)
+                               .settings.data;
+  if (data.files.empty() && !toDraw)
   {
     std::fprintf(stderr, "mote: no file given. Try: mote --help\n");
     return misused;
   }
-  const auto limit = limitThreads(toDraw ? all.edges.threads : view.threads);
+  const auto limit = limitThreads(toDraw ? all.edges.threads : data.threads);
   if (toRender)
     render(all.rendering);
   else if (toInform)

@@ -43,6 +43,7 @@ set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
 
 if (MOTE_BUILD_APP OR MOTE_BUILD_BENCHMARKS)
   find_package(CLI11 REQUIRED)
+  find_package(nlohmann_json REQUIRED)
 endif ()
 if (MOTE_BUILD_BENCHMARKS)
   find_package(embree 3 REQUIRED)

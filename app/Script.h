@@ -1,0 +1,18 @@
+#pragma once
+
+#include "Stage.h"
+
+#include <string>
+
+namespace mote::app
+{
+
+/// A line for the shell that makes the picture `output` of these settings.
+std::string commandOf(const Settings& settings, const std::string& output);
+
+/// A program in Python that makes the picture `output` of the stage by VTK's and Mote's classes
+/// alone: what mote render does, spelled out. `settings` are those in force.
+std::string scriptOf(
+  const Stage& stage, const Input& input, const Settings& settings, const std::string& output);
+
+} // namespace mote::app

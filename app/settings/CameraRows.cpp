@@ -1,0 +1,71 @@
+#include "Table.h"
+
+#include "Framing.h"
+
+namespace mote::app
+{
+
+void addCameraRows(std::vector<Row>& table)
+{
+  const std::string group = "Camera";
+  const auto camera = &Settings::camera;
+  table.push_back(row(camera, &CameraSettings::view,
+    {.group = group,
+      .name = "view",
+      .value = "SIDE",
+      .help = "Side to look from. iso has z up, iso-y has y up; auto looks along the thin axis of "
+              "flat data, as iso-y at surface meshes, and as iso at all else",
+      .invalidates = Invalidates::Picture,
+      .words = viewNames()}));
+  table.push_back(row(camera, &CameraSettings::azimuth,
+    {.group = group,
+      .name = "azimuth",
+      .value = "DEG",
+      .help = "Then turn the camera to the right around the data by so many degrees",
+      .invalidates = Invalidates::Picture}));
+  table.push_back(row(camera, &CameraSettings::elevation,
+    {.group = group,
+      .name = "elevation",
+      .value = "DEG",
+      .help = "Then raise it by so many degrees",
+      .invalidates = Invalidates::Picture}));
+  table.push_back(row(camera, &CameraSettings::zoom,
+    {.group = group,
+      .name = "zoom",
+      .value = "F",
+      .help = "Factor on the size of what is seen",
+      .invalidates = Invalidates::Picture,
+      .limits = {.aboveZero = true}}));
+  table.push_back(row(camera, &CameraSettings::orthographic,
+    {.group = group,
+      .name = "orthographic",
+      .help = "Parallel projection instead of perspective",
+      .invalidates = Invalidates::Picture}));
+  table.push_back(row<CameraSettings, std::vector<double>>(camera, &CameraSettings::camera,
+    {.group = group,
+      .name = "camera",
+      .value = "X,Y,Z,FX,FY,FZ,UX,UY,UZ,A",
+      .help = "Camera at X,Y,Z that looks at FX,FY,FZ with UX,UY,UZ up and a view angle of A "
+              "degrees; with --orthographic, A is half the height of the view in the data's units. "
+              "Stands in place of the options above",
+      .invalidates = Invalidates::Picture,
+      .count = 10,
+      .usual = "frames what is shown"},
+    [](const std::vector<double>& c)
+    {
+      if (c.empty())
+        return;
+      const double look[3] = {c[3] - c[0], c[4] - c[1], c[5] - c[2]};
+      if (look[0] == 0.0 && look[1] == 0.0 && look[2] == 0.0)
+        throw WrongValue{"the camera must not stand where it looks at"};
+      const double cross[3] = {look[1] * c[8] - look[2] * c[7], look[2] * c[6] - look[0] * c[8],
+        look[0] * c[7] - look[1] * c[6]};
+      if (cross[0] == 0.0 && cross[1] == 0.0 && cross[2] == 0.0)
+        throw WrongValue{"up must point another way than the camera looks"};
+      if (!(c[9] > 0.0))
+        throw WrongValue{"the angle, or half the height, must be above zero, not " +
+                         exactText(c[9])};
+    }));
+}
+
+} // namespace mote::app

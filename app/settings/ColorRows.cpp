@@ -1,0 +1,45 @@
+#include "Table.h"
+
+#include "ColorMaps.h"
+
+namespace mote::app
+{
+
+void addColorRows(std::vector<Row>& table)
+{
+  const std::string group = "Colour";
+  const auto color = &Settings::color;
+  table.push_back(row(color, &ColorSettings::array,
+    {.group = group,
+      .name = "color-by",
+      .value = "NAME",
+      .help = "Array that colours: NAME, or NAME:COMPONENT (a number from 0, or its name) or "
+              "NAME:magnitude of an array with several components; point:NAME or cell:NAME where "
+              "points and cells both have it; none for one colour",
+      .alias = "-c",
+      .usual = "the most informative array that varies"}));
+  table.push_back(row(color, &ColorSettings::map,
+    {.group = group,
+      .name = "color-map",
+      .value = "NAME",
+      .help = "Colour map",
+      .alias = "-m",
+      .words = colorMapNames(),
+      .usual = "viridis, or types for an array of types"}));
+  table.push_back(row<ColorSettings, std::vector<double>>(color, &ColorSettings::range,
+    {.group = group,
+      .name = "range",
+      .value = "LO HI",
+      .help = "Values at the two ends of the colour map",
+      .count = 2,
+      .usual = "the least and greatest value of the array"},
+    [](const std::vector<double>& range)
+    {
+      if (range.size() == 2 && !(range[0] < range[1]))
+        throw WrongValue{"LO must be less than HI"};
+    }));
+  table.push_back(row(color, &ColorSettings::logarithmic,
+    {.group = group, .name = "log", .help = "Logarithmic colours"}));
+}
+
+} // namespace mote::app

@@ -1,0 +1,56 @@
+#include "Table.h"
+
+#include <vtkMoteParticleMapper.h>
+
+namespace mote::app
+{
+
+void addParticleRows(std::vector<Row>& table)
+{
+  const std::string group = "Radius";
+  const auto particles = &Settings::particles;
+  const auto structure = Invalidates::Structure;
+  table.push_back(row(particles, &ParticleSettings::radius,
+    {.group = group,
+      .name = "radius",
+      .value = "R|NAME",
+      .help = "Radius of the particles: a number, the name of an array of radii, spacing (half the "
+              "typical distance between neighbours) or auto (an array named radius, half of one "
+              "named diameter, else as spacing)",
+      .invalidates = structure,
+      .alias = "-r"}));
+  table.push_back(row(particles, &ParticleSettings::typeRadius,
+    {.group = group,
+      .name = "type-radius",
+      .value = "TYPE=R,...",
+      .help = "Radii by the array 'type': 1=0.5,2=0.7. Other types get the number of --radius",
+      .invalidates = structure,
+      .limits = {.aboveZero = true},
+      .usual = "none"}));
+  table.push_back(row(particles, &ParticleSettings::radiusScale,
+    {.group = group,
+      .name = "radius-scale",
+      .value = "F",
+      .help = "Factor on every radius; 0.5 where the array holds diameters",
+      .invalidates = structure,
+      .limits = {.aboveZero = true}}));
+  table.push_back(row(particles, &ParticleSettings::structure,
+    {.group = "Structure",
+      .name = "structure",
+      .value = "NAME",
+      .help = "Acceleration structure of particles. auto takes the coherent grid up to 100 million "
+              "particles, and the P-k-d tree above and for .mote files",
+      .invalidates = structure,
+      .words = vtkMoteParticleMapper::GetStructureNames()}));
+  table.push_back(row(particles, &ParticleSettings::form,
+    {.group = "Structure",
+      .name = "form",
+      .value = "NAME",
+      .help = "How the pkd-tree stores the particles' centres. Refused where it would move them by "
+              "more than a twentieth of the smallest radius. auto takes the form of a .mote file, "
+              "and else exact",
+      .invalidates = structure,
+      .words = vtkMoteParticleMapper::GetStructureForms()}));
+}
+
+} // namespace mote::app

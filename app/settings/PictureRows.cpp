@@ -1,0 +1,97 @@
+#include "Table.h"
+
+namespace mote::app
+{
+
+void addPictureRows(std::vector<Row>& table)
+{
+  const std::string group = "Picture";
+  const auto picture = &Settings::picture;
+  const auto invalidates = Invalidates::Picture;
+  table.push_back(row(picture, &PictureSettings::size,
+    {.group = group,
+      .name = "size",
+      .value = "WxH",
+      .help = "Width and height in pixels",
+      .invalidates = invalidates,
+      .alias = "-s",
+      .usual = "1280x960"}));
+  table.push_back(row(picture, &PictureSettings::samples,
+    {.group = group,
+      .name = "samples",
+      .value = "N",
+      .help = "Samples per pixel; more make smoother edges. With --noise, at most so many",
+      .invalidates = invalidates,
+      .limits = {.least = 0, .most = 65536},
+      .usual = "16; with --path-trace 64, with --noise at most 4096"}));
+  table.push_back(row(picture, &PictureSettings::noise,
+    {.group = group,
+      .name = "noise",
+      .value = "LEVEL",
+      .help = "Take samples until the picture's standard error is down to this, where colours go "
+              "from 0 to 1: 0.01 looks smooth. 0 takes all samples",
+      .invalidates = invalidates,
+      .limits = {.least = 0.0, .most = 1.0}}));
+  table.push_back(row<PictureSettings, std::vector<Color>>(picture, &PictureSettings::background,
+    {.group = group,
+      .name = "background",
+      .value = "COLOUR[,TOP]",
+      .help = "Colour behind: a name or #rrggbb, or two with a comma for bottom and top",
+      .invalidates = invalidates,
+      .alias = "-b",
+      .usual = "greys"},
+    [](const std::vector<Color>& colors)
+    {
+      if (colors.size() > 2)
+        throw WrongValue{"one or two colours are possible"};
+    }));
+  table.push_back(row(picture, &PictureSettings::legend,
+    {.group = group, .name = "legend", .help = "No colour legend", .invalidates = invalidates}));
+  table.push_back(row(picture, &PictureSettings::title,
+    {.group = group,
+      .name = "title",
+      .value = "TEXT",
+      .help = "Title of the colour legend",
+      .invalidates = invalidates,
+      .usual = "the array's name"}));
+  table.push_back(row(picture, &PictureSettings::legendSide,
+    {.group = group,
+      .name = "legend-side",
+      .value = "SIDE",
+      .help = "Side of the picture where the legend stands",
+      .invalidates = invalidates,
+      .words = {"right", "left"}}));
+  table.push_back(row(picture, &PictureSettings::legendFormat,
+    {.group = group,
+      .name = "legend-format",
+      .value = "FORMAT",
+      .help = "printf format of the legend's numbers, such as %.2f",
+      .invalidates = invalidates,
+      .usual = "as short as the values allow"}));
+  table.push_back(row(picture, &PictureSettings::fontScale,
+    {.group = group,
+      .name = "font-scale",
+      .value = "F",
+      .help = "Factor on the size of the legend's and the caption's letters",
+      .invalidates = invalidates,
+      .limits = {.least = 0.25, .most = 4.0}}));
+  table.push_back(row(picture, &PictureSettings::caption,
+    {.group = group,
+      .name = "caption",
+      .value = "TEXT",
+      .help = "Line at the lower left. By default file, particles and time; none with ''",
+      .invalidates = invalidates,
+      .usual = "file, particles and time"}));
+  table.push_back(row(picture, &PictureSettings::box,
+    {.group = group,
+      .name = "box",
+      .help = "No box around the data in the window",
+      .invalidates = invalidates}));
+  table.push_back(row(picture, &PictureSettings::axes,
+    {.group = group,
+      .name = "axes",
+      .help = "No axes in the corner of the window",
+      .invalidates = invalidates}));
+}
+
+} // namespace mote::app

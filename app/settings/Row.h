@@ -1,0 +1,84 @@
+#pragma once
+
+#include "Settings.h"
+#include "Values.h"
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mote::app
+{
+
+/// What must be made anew when a choice changes, from little to much.
+enum class Invalidates
+{
+  Nothing,   ///< what is drawn stays
+  Picture,   ///< what lies over the picture, or its size
+  Shading,   ///< light, colours, what is shown
+  Structure, ///< what rays are cast through
+  Data       ///< what is read
+};
+
+/// One choice of the user's: the command line, its help, sessions, keys and reference pages know
+/// it from here.
+struct Row
+{
+  std::string group; ///< "Light"
+  std::string name;  ///< "shadows": --shadows on the command line, "shadows" in a session
+  std::string value; ///< what help writes for the value: "KIND", "LO HI"
+  std::string help;  ///< a sentence
+  Invalidates invalidates = Invalidates::Shading;
+  std::string alias; ///< one more name on the command line: "-c", "--ao"
+  Shape shape = Shape::One;
+  int count = 0;       ///< of values, where the shape is Many
+  bool commas = true;  ///< whether values may be joined by commas, where there are several
+  bool numeric = true; ///< whether sessions write the values as numbers
+  Limits limits;       ///< of numbers
+  std::vector<std::string> words; ///< all values there are; none: any
+  std::string usual;              ///< what help says of the default; empty: the value
+  std::string needs, excludes;    ///< the name of another row
+
+  /// The values in these settings as words of the command line; none where nothing is chosen.
+  std::function<std::vector<std::string>(const Settings&)> get;
+  /// Sets them. Throws WrongValue, and leaves the settings as they are.
+  std::function<void(Settings&, const std::vector<std::string>&)> set;
+
+  /// As an option of the command line: a flag that is on by default says "no-".
+  std::string option() const;
+  bool isDefault(const Settings& settings) const;
+};
+
+/// A row for a member of a group of the settings.
+template <typename Group, typename T>
+Row row(Group Settings::*group, T Group::*member, Row about,
+  const std::function<void(const T&)>& check = {})
+{
+  using Values = ValuesOf<T>;
+  about.numeric = Values::numeric;
+  if (about.shape == Shape::One)
+    about.shape = Values::shape;
+  about.get = [group, member](const Settings& s) { return Values::words((s.*group).*member); };
+  about.set = [group, member, check, limits = about.limits, allowed = about.words,
+                count = about.count](Settings& s, const std::vector<std::string>& words)
+  {
+    requireWords(words, allowed);
+    if (count > 0 && !words.empty() && static_cast<int>(words.size()) != count)
+      throw WrongValue{"takes " + std::to_string(count) + " values, not " +
+                       std::to_string(words.size())};
+    T value = Values::parse(words, limits);
+    if (check)
+      check(value);
+    (s.*group).*member = std::move(value);
+  };
+  return about;
+}
+
+/// All choices, group after group.
+const std::vector<Row>& settingsTable();
+
+/// The row of that name; null where there is none.
+const Row* rowNamed(const std::string& name);
+
+} // namespace mote::app

@@ -1,0 +1,60 @@
+#include "Table.h"
+
+#include <algorithm>
+
+namespace mote::app
+{
+
+namespace
+{
+
+void checkRanges(const std::vector<ShowRange>& ranges)
+{
+  for (const ShowRange& range : ranges)
+    if (std::count_if(ranges.begin(), ranges.end(),
+          [&](const ShowRange& other) { return other.name == range.name; }) > 1)
+      throw WrongValue{"'" + range.name + "' has two ranges; only one range per array is possible"};
+  if (ranges.size() > 8)
+    throw WrongValue{"at most eight ranges are possible, not " + std::to_string(ranges.size())};
+}
+
+} // namespace
+
+void addSelectionRows(std::vector<Row>& table)
+{
+  const std::string group = "Selection";
+  const auto selection = &Settings::selection;
+  table.push_back(row<SelectionSettings, std::vector<ShowRange>>(selection,
+    &SelectionSettings::ranges,
+    {.group = group,
+      .name = "show",
+      .value = "NAME=LO:HI",
+      .help = "Show only particles with a value from LO to HI of x, y, z, radius (as drawn) or an "
+              "array, named as in --color-by. LO or HI may be left out; type=2 is one value. May "
+              "be given up to eight times, four of them for arrays: what lies in all ranges is "
+              "shown",
+      .commas = false,
+      .usual = "all"},
+    checkRanges));
+  table.push_back(row<SelectionSettings, std::vector<double>>(selection, &SelectionSettings::range,
+    {.group = group,
+      .name = "show-range",
+      .value = "LO HI",
+      .help = "Hide particles with values outside LO to HI of the array of --show-by",
+      .count = 2,
+      .usual = "all"},
+    [](const std::vector<double>& range)
+    {
+      if (range.size() == 2 && range[0] > range[1])
+        throw WrongValue{"LO must not be greater than HI"};
+    }));
+  table.push_back(row(selection, &SelectionSettings::array,
+    {.group = group,
+      .name = "show-by",
+      .value = "NAME",
+      .help = "Array of --show-range, named as in --color-by",
+      .usual = "the one that colours",
+      .needs = "show-range"}));
+}
+
+} // namespace mote::app

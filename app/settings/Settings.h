@@ -1,0 +1,162 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mote::app
+{
+
+using Color = std::array<double, 3>;
+
+/// What is read, and when.
+struct DataSettings
+{
+  std::vector<std::string> files;
+  std::optional<double> time;
+  std::string step = "last"; ///< a number from 1, "first" or "last"
+  int threads = 0;           ///< 0: all
+  bool operator==(const DataSettings&) const = default;
+};
+
+/// What colours mean.
+struct ColorSettings
+{
+  std::string array;         ///< NAME, NAME:component, NAME:magnitude or "none"; empty: choose
+  std::string map;           ///< a name of colorMapNames(); empty: choose
+  std::vector<double> range; ///< none or two
+  bool logarithmic = false;
+  bool operator==(const ColorSettings&) const = default;
+};
+
+/// Values of x, y, z, radius or an array: a union of ranges, each with its ends.
+struct ShowRange
+{
+  std::string name;
+  double low, high;
+  bool operator==(const ShowRange&) const = default;
+};
+
+/// What is shown.
+struct SelectionSettings
+{
+  std::vector<ShowRange> ranges;
+  std::vector<double> range; ///< none or two
+  std::string array;         ///< that `range` speaks of, as ColorSettings::array; empty: its own
+  bool operator==(const SelectionSettings&) const = default;
+};
+
+/// How large particles are, and what rays are cast through.
+struct ParticleSettings
+{
+  std::string radius = "auto"; ///< a number, "auto", "spacing" or an array's name
+  std::map<int, double> typeRadius;
+  double radiusScale = 1.0;
+  std::string structure = "auto"; ///< a name of vtkMoteParticleMapper::GetStructureNames()
+  std::string form = "auto";      ///< a name of vtkMoteParticleMapper::GetStructureForms()
+  bool operator==(const ParticleSettings&) const = default;
+};
+
+/// A point of an opacity function: at a value of the scalar, or at so many per cent of the colours'
+/// range.
+struct OpacityPoint
+{
+  double value = 0.0;
+  bool isShare = false; ///< `value` is in per cent
+  double opacity = 0.0;
+  bool operator==(const OpacityPoint&) const = default;
+};
+
+/// How cells look.
+struct VolumeSettings
+{
+  std::string cells = "auto";        ///< "auto", "volume" or "surface"
+  std::vector<OpacityPoint> opacity; ///< none: choose
+  double opacityUnit = 0.0;          ///< the length that opacities are of; 0: choose
+  std::vector<double> isoValues;
+  bool cloud = true; ///< whether the volume itself is seen, beside iso-surfaces
+  bool lit = false;
+  std::string nanColor;   ///< empty: cells with NaN are left out
+  std::string integrator = "trilinear"; ///< a name of vtkMoteVolumeMapper::GetIntegratorNames()
+  double sampleDistance = 0.0; ///< 0: choose
+  double tolerance = 0.001;
+  double cloudTolerance = 0.0; ///< between pixels; 0: every pixel is traced
+  std::string structure; ///< a name of vtkMoteVolumeMapper::GetStructureNames(); empty: choose
+  bool operator==(const VolumeSettings&) const = default;
+};
+
+struct CameraSettings
+{
+  std::string view = "auto"; ///< a name of viewNames()
+  double azimuth = 0.0;      ///< degrees, from the view
+  double elevation = 0.0;
+  double zoom = 1.0;
+  bool orthographic = false;
+  /// Position, focal point, view up, and the view angle in degrees or, of a parallel projection,
+  /// half the height of the view: ten numbers; or none: `view` frames what is shown.
+  std::vector<double> camera;
+  bool operator==(const CameraSettings&) const = default;
+};
+
+struct LightSettings
+{
+  std::string place = "auto";   ///< a name of lightNames(), "azimuth,elevation" or "x,y,z"
+  std::string shadows = "none"; ///< "none", "hard", "soft", or a side of the square of samples
+  double size = 15.0;           ///< degrees
+  std::string ambientOcclusion = "none"; ///< or "live", "baked", or rays a hit
+  double occlusionReach = 0.0;           ///< world units; 0: choose
+  bool pathTrace = false;
+  bool operator==(const LightSettings&) const = default;
+};
+
+/// The lines that outline things.
+struct SilhouetteSettings
+{
+  std::string lines = "auto"; ///< "on", "off", a number of radii, or "auto": where others are set
+  double thickness = 1.5;  ///< pixels
+  Color color = {13.0 / 255, 13.0 / 255, 13.0 / 255};
+  std::string groups; ///< array between whose values lines stand, too; empty: none
+  bool operator==(const SilhouetteSettings&) const = default;
+};
+
+struct PictureSettings
+{
+  std::array<int, 2> size = {0, 0}; ///< pixels; 0: the command's own default
+  int samples = 0;                  ///< a pixel, at most; 0: choose
+  double noise = 0.0;               ///< standard error that is good enough; 0: take all samples
+  std::vector<Color> background;    ///< none: the default; one; or bottom and top
+  bool legend = true;
+  std::optional<std::string> title;
+  std::string legendSide = "right"; ///< or "left"
+  std::string legendFormat;         ///< of printf; empty: choose
+  double fontScale = 1.0;           ///< factor on the size of texts
+  std::optional<std::string> caption;
+  bool box = true; ///< around the data, in the window
+  bool axes = true;
+  bool operator==(const PictureSettings&) const = default;
+
+  /// Samples per pixel, at most; `paths` are noisier than other light.
+  int mostSamples(bool paths) const
+  {
+    return samples > 0 ? samples : noise > 0.0 ? 4096 : paths ? 64 : 16;
+  }
+};
+
+/// Every choice that a user can make of a picture, as a value. settingsTable() describes each.
+struct Settings
+{
+  DataSettings data;
+  ColorSettings color;
+  SelectionSettings selection;
+  ParticleSettings particles;
+  VolumeSettings volume;
+  CameraSettings camera;
+  LightSettings light;
+  SilhouetteSettings silhouettes;
+  PictureSettings picture;
+  bool operator==(const Settings&) const = default;
+};
+
+} // namespace mote::app

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "Row.h"
+
+namespace mote::app
+{
+
+// The rows of each group, a file each; settingsTable() puts them together.
+void addDataRows(std::vector<Row>& table);
+void addColorRows(std::vector<Row>& table);
+void addSelectionRows(std::vector<Row>& table);
+void addParticleRows(std::vector<Row>& table);
+void addVolumeRows(std::vector<Row>& table);
+void addCameraRows(std::vector<Row>& table);
+void addLightRows(std::vector<Row>& table);
+void addSilhouetteRows(std::vector<Row>& table);
+void addPictureRows(std::vector<Row>& table);
+
+} // namespace mote::app

@@ -1,0 +1,229 @@
+#include "Values.h"
+
+#include "Colors.h"
+#include "Text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+namespace mote::app
+{
+
+namespace
+{
+
+/// The one word that a value with one takes.
+const std::string& only(const std::vector<std::string>& words)
+{
+  if (words.size() != 1)
+    throw WrongValue{"takes one value, not " + std::to_string(words.size())};
+  return words.front();
+}
+
+bool isWhole(double value)
+{
+  return value == std::floor(value) && std::abs(value) <= 2147483647.0;
+}
+
+} // namespace
+
+std::string Limits::text() const
+{
+  if (aboveZero)
+    return std::isfinite(most) ? "above 0, up to " + asNumber(most) : "above 0";
+  if (std::isfinite(least) && std::isfinite(most))
+    return "from " + asNumber(least) + " to " + asNumber(most);
+  return std::isfinite(least) ? "at least " + asNumber(least) : "";
+}
+
+double numberWithin(const std::string& text, const Limits& limits)
+{
+  double value = 0.0;
+  if (!parseNumber(text, value))
+    throw WrongValue{"'" + text + "' is no finite number"};
+  if (limits.aboveZero && !(value > 0.0))
+    throw WrongValue{"must be above zero, not " + text};
+  if (value < limits.least || value > limits.most)
+    throw WrongValue{"must be " + limits.text() + ", not " + text};
+  return value;
+}
+
+int integerWithin(const std::string& text, const Limits& limits)
+{
+  const double value = numberWithin(text, limits);
+  if (!isWhole(value))
+    throw WrongValue{"must be a whole number, not " + text};
+  return static_cast<int>(value);
+}
+
+Color colorOf(const std::string& text)
+{
+  Color color;
+  if (!parseColor(text, color))
+    throw WrongValue{"'" + text + "' is no colour: give a name (white, navy) or #rrggbb"};
+  return color;
+}
+
+void requireWords(const std::vector<std::string>& words, const std::vector<std::string>& allowed)
+{
+  if (allowed.empty())
+    return;
+  for (const std::string& word : words)
+    if (!word.empty() && std::find(allowed.begin(), allowed.end(), word) == allowed.end())
+      throw WrongValue{"'" + word + "' is none of " + joined(allowed, ", ")};
+}
+
+std::string exactText(double value)
+{
+  char text[64];
+  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+  return {text, end};
+}
+
+std::string colorText(const Color& color)
+{
+  char text[16];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", static_cast<int>(color[0] * 255.0 + 0.5),
+    static_cast<int>(color[1] * 255.0 + 0.5), static_cast<int>(color[2] * 255.0 + 0.5));
+  return text;
+}
+
+bool ValuesOf<bool>::parse(const std::vector<std::string>& words, const Limits&)
+{
+  const std::string& word = only(words);
+  if (word != "true" && word != "false")
+    throw WrongValue{"'" + word + "' is neither true nor false"};
+  return word == "true";
+}
+
+std::string ValuesOf<std::string>::parse(const std::vector<std::string>& words, const Limits&)
+{
+  return only(words);
+}
+
+double ValuesOf<double>::parse(const std::vector<std::string>& words, const Limits& limits)
+{
+  return numberWithin(only(words), limits);
+}
+
+int ValuesOf<int>::parse(const std::vector<std::string>& words, const Limits& limits)
+{
+  return integerWithin(only(words), limits);
+}
+
+Color ValuesOf<Color>::parse(const std::vector<std::string>& words, const Limits&)
+{
+  return colorOf(only(words));
+}
+
+std::vector<std::string> ValuesOf<std::array<int, 2>>::words(const std::array<int, 2>& size)
+{
+  if (size[0] == 0)
+    return {};
+  return {std::to_string(size[0]) + "x" + std::to_string(size[1])};
+}
+
+std::array<int, 2> ValuesOf<std::array<int, 2>>::parse(
+  const std::vector<std::string>& words, const Limits&)
+{
+  if (words.empty())
+    return {0, 0};
+  const std::string& text = only(words);
+  const std::size_t sign = text.find_first_of("xX");
+  double width = 0.0, height = 0.0;
+  if (sign == std::string::npos || !parseNumber(text.substr(0, sign), width) ||
+      !parseNumber(text.substr(sign + 1), height) || !isWhole(width) || !isWhole(height))
+    throw WrongValue{"'" + text + "' is no size like 1920x1080"};
+  if (std::min(width, height) < 1.0 || std::max(width, height) > 65536.0)
+    throw WrongValue{"width and height may go from 1 to 65536 pixels, unlike " + text};
+  return {static_cast<int>(width), static_cast<int>(height)};
+}
+
+std::vector<std::string> ValuesOf<ShowRange>::words(const ShowRange& range)
+{
+  const auto end = [](double value) { return std::isinf(value) ? "" : exactText(value); };
+  return {range.name + "=" +
+          (range.low == range.high ? exactText(range.low) : end(range.low) + ":" + end(range.high))};
+}
+
+ShowRange ValuesOf<ShowRange>::parse(const std::vector<std::string>& words, const Limits&)
+{
+  const std::string& text = only(words);
+  const WrongValue wrong{
+    "'" + text + "' is not of the form NAME=LO:HI, such as x=0:10 or x=5:"};
+  const std::size_t sign = text.rfind('=');
+  if (sign == std::string::npos || sign == 0)
+    throw wrong;
+  ShowRange range = {text.substr(0, sign), -HUGE_VAL, HUGE_VAL};
+  const std::string values = text.substr(sign + 1);
+  const std::size_t colon = values.find(':');
+  const auto read = [&](const std::string& number, double& value)
+  {
+    if (!number.empty() && !parseNumber(number, value))
+      throw wrong;
+  };
+  if (values.empty() || values == ":")
+    throw wrong;
+  read(values.substr(0, colon), range.low);
+  if (colon == std::string::npos)
+    range.high = range.low;
+  else
+    read(values.substr(colon + 1), range.high);
+  if (range.low > range.high)
+    throw WrongValue{"'" + text + "' is empty: LO must not be greater than HI"};
+  return range;
+}
+
+std::vector<std::string> ValuesOf<OpacityPoint>::words(const OpacityPoint& point)
+{
+  return {exactText(point.value) + (point.isShare ? "%=" : "=") + exactText(point.opacity)};
+}
+
+OpacityPoint ValuesOf<OpacityPoint>::parse(const std::vector<std::string>& words, const Limits&)
+{
+  const std::string& text = only(words);
+  const std::size_t sign = text.find('=');
+  OpacityPoint point;
+  std::string value = text.substr(0, sign);
+  if (value.ends_with('%'))
+  {
+    point.isShare = true;
+    value.pop_back();
+  }
+  if (sign == std::string::npos || !parseNumber(value, point.value) ||
+      !parseNumber(text.substr(sign + 1), point.opacity) || point.opacity < 0.0 ||
+      point.opacity > 1.0)
+    throw WrongValue{"'" + text + "' is not of the form VALUE=OPACITY, such as 20=0.3 or 50%=0.1, "
+                                  "with an opacity from 0 to 1"};
+  return point;
+}
+
+std::vector<std::string> ValuesOf<std::map<int, double>>::words(
+  const std::map<int, double>& values)
+{
+  std::vector<std::string> all;
+  for (const auto& [key, value] : values)
+    all.push_back(std::to_string(key) + "=" + exactText(value));
+  return all;
+}
+
+std::map<int, double> ValuesOf<std::map<int, double>>::parse(
+  const std::vector<std::string>& words, const Limits& limits)
+{
+  std::map<int, double> values;
+  for (const std::string& word : words)
+  {
+    const std::size_t sign = word.find('=');
+    double key = 0.0, value = 0.0;
+    if (sign == std::string::npos || !parseNumber(word.substr(0, sign), key) ||
+        !parseNumber(word.substr(sign + 1), value) || !isWhole(key) ||
+        (limits.aboveZero && !(value > 0.0)))
+      throw WrongValue{"'" + word + "' is not of the form TYPE=RADIUS, such as 1=0.5"};
+    values[static_cast<int>(key)] = value;
+  }
+  return values;
+}
+
+} // namespace mote::app
