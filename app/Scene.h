@@ -6,7 +6,7 @@
 #include "Lighting.h"
 #include "Part.h"
 #include "Selection.h"
-#include "Silhouettes.h"
+#include "SilhouetteChoices.h"
 
 #include <vtkNew.h>
 #include <vtkRenderer.h>

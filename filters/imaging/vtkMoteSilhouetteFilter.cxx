@@ -96,7 +96,7 @@ int vtkMoteSilhouetteFilter::RequestUpdateExtent(
 void vtkMoteSilhouetteFilter::CopyAttributeData(
   vtkImageData* vtkNotUsed(input), vtkImageData* vtkNotUsed(output), vtkInformationVector**)
 {
-  // The output has edges alone.
+  // The output has silhouettes alone.
 }
 
 int vtkMoteSilhouetteFilter::RequestData(
@@ -124,7 +124,7 @@ int vtkMoteSilhouetteFilter::RequestData(
   const int success = this->Superclass::RequestData(request, inputVector, outputVector);
   this->Present.reset();
   if (vtkDataArray* scalars = output->GetPointData()->GetScalars())
-    scalars->SetName(this->OutputMode == OVERLAY ? "color" : "edges");
+    scalars->SetName(this->OutputMode == OVERLAY ? "color" : "silhouettes");
   return success;
 }
 
@@ -156,18 +156,18 @@ void vtkMoteSilhouetteFilter::ThreadedRequestData(vtkInformation*, vtkInformatio
 {
   const Run& run = *this->Present;
   const int width = extent[1] - extent[0] + 1, height = extent[3] - extent[2] + 1;
-  std::vector<float> edges(static_cast<std::size_t>(width) * height);
+  std::vector<float> coverage(static_cast<std::size_t>(width) * height);
   for (int z = extent[4]; z <= extent[5]; ++z)
   {
-    std::fill(edges.begin(), edges.end(), 0.0f);
+    std::fill(coverage.begin(), coverage.end(), 0.0f);
     mote::PixelBox box;
     const mote::DepthImage image = run.input.slice(z, extent, box);
-    mote::findSilhouettes(image, run.options, box, edges.data(), width);
+    mote::findSilhouettes(image, run.options, box, coverage.data(), width);
     for (int y = 0; y < height; ++y)
     {
       auto* out = static_cast<float*>(outData[0]->GetScalarPointer(extent[0], extent[2] + y, z));
-      const float* row = edges.data() + static_cast<std::size_t>(y) * width;
-      if (this->OutputMode == EDGES)
+      const float* row = coverage.data() + static_cast<std::size_t>(y) * width;
+      if (this->OutputMode == SILHOUETTES)
       {
         std::copy(row, row + width, out);
         continue;

@@ -1,15 +1,15 @@
 /**
  * @class   vtkMoteSilhouetteFilter
- * @brief   Finds silhouette edges in a depth image, by steps of the depth.
+ * @brief   Finds silhouettes in a depth image, by steps of the depth.
  *
  * The input is a vtkImageData with an array of depths, such as vtkMoteRendererSource makes and
  * vtkMoteImageReader reads; each slice is an image by itself. The output has the float array
- * `edges`, the share of each pixel that the lines cover, in [0, 1], as its scalars; or, with
+ * `silhouettes`, the share of each pixel that the lines cover, in [0, 1], as its scalars; or, with
  * OutputMode OVERLAY, the float RGBA array `color` (premultiplied): the lines drawn over the
  * input's colours, or over nothing where it has none.
  *
- * An edge stands where the 3x3 Laplacian (8 at the centre, -1 around) of ray distances says that a
- * pixel is farther than its neighbours by more than the threshold (mote::findSilhouettes, in
+ * A silhouette stands where the 3x3 Laplacian (8 at the centre, -1 around) of ray distances says
+ * that a pixel is farther than its neighbours by more than the threshold (mote::findSilhouettes, in
  * kernels/imaging/Silhouettes.h, has the rule). Only the farther pixel has it, so no line is
  * double. Depths that are not finite, or not below BackgroundDepth, are background; surfaces have
  * one line against it.
@@ -56,8 +56,8 @@ public:
 
   ///@{
   /**
-   * Point array with one number a pixel, such as `object`, `particle` or a material: an edge stands
-   * also where it changes between two surfaces. Default: none.
+   * Point array with one number a pixel, such as `object`, `particle` or a material: a silhouette
+   * stands also where it changes between two surfaces. Default: none.
    */
   vtkSetMacro(GroupArrayName, std::string);
   vtkGetMacro(GroupArrayName, std::string);
@@ -116,7 +116,7 @@ public:
   };
   ///@{
   /**
-   * The least step of depth that is an edge, in the unit that ThresholdMode says: world units,
+   * The least step of depth that is a silhouette, in the unit that ThresholdMode says: world units,
    * particle radii (ParticleRadius), or shares of the scene's size (SceneSize). Not less than 0.
    * Default 0.01 of the scene's size. In world units it is the same at every zoom.
    */
@@ -149,8 +149,8 @@ public:
 
   ///@{
   /**
-   * No step is an edge that is less than the width of so many pixels at its distance, whatever the
-   * threshold: relief finer than pixels has no outlines. 0: off. Default 2.
+   * No step is a silhouette that is less than the width of so many pixels at its distance, whatever
+   * the threshold: relief finer than pixels has no outlines. 0: off. Default 2.
    */
   vtkSetClampMacro(StepInPixels, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(StepInPixels, double);
@@ -158,7 +158,7 @@ public:
 
   ///@{
   /**
-   * Whether surfaces have edges against the background. Default on.
+   * Whether surfaces have silhouettes against the background. Default on.
    */
   vtkSetMacro(Hulls, vtkTypeBool);
   vtkGetMacro(Hulls, vtkTypeBool);
@@ -167,8 +167,8 @@ public:
 
   ///@{
   /**
-   * Width of the lines in pixels of the output, in [0, 100]: Thickness that of the strongest edges,
-   * default 1, and LeastThickness that of the weakest; 0, the default: all alike.
+   * Width of the lines in pixels of the output, in [0, 100]: Thickness that of the strongest
+   * silhouettes, default 1, and LeastThickness that of the weakest; 0, the default: all alike.
    */
   vtkSetClampMacro(Thickness, double, 0.0, 100.0);
   vtkGetMacro(Thickness, double);
@@ -178,7 +178,7 @@ public:
 
   ///@{
   /**
-   * Grey levels: opacity of the weakest edges, in [0, 1]. Default 1: all alike.
+   * Grey levels: opacity of the weakest silhouettes, in [0, 1]. Default 1: all alike.
    */
   vtkSetClampMacro(LeastOpacity, double, 0.0, 1.0);
   vtkGetMacro(LeastOpacity, double);
@@ -186,8 +186,9 @@ public:
 
   ///@{
   /**
-   * Multiples of the threshold, from which on an edge is as strong as edges get; weaker ones follow
-   * the step's logarithm. Above 1, default 8. Edges of hulls and groups are always strong.
+   * Multiples of the threshold, from which on a silhouette is as strong as silhouettes get; weaker
+   * ones follow the step's logarithm. Above 1, default 8. Silhouettes of hulls and groups are
+   * always strong.
    */
   vtkSetClampMacro(FullStep, double, 1.0001, VTK_DOUBLE_MAX);
   vtkGetMacro(FullStep, double);
@@ -206,8 +207,8 @@ public:
 
   ///@{
   /**
-   * Smooth edges from a depth image of higher resolution: the output has one pixel for a square of
-   * so many along each side, and is their mean. In [1, 64], default 1.
+   * Smooth silhouettes from a depth image of higher resolution: the output has one pixel for a
+   * square of so many along each side, and is their mean. In [1, 64], default 1.
    */
   vtkSetClampMacro(ReductionFactor, int, 1, 64);
   vtkGetMacro(ReductionFactor, int);
@@ -215,16 +216,16 @@ public:
 
   enum OutputModes
   {
-    EDGES,
+    SILHOUETTES,
     OVERLAY
   };
   ///@{
   /**
-   * The edges alone (default), or drawn over the colours.
+   * The silhouettes alone (default), or drawn over the colours.
    */
-  vtkSetClampMacro(OutputMode, int, EDGES, OVERLAY);
+  vtkSetClampMacro(OutputMode, int, SILHOUETTES, OVERLAY);
   vtkGetMacro(OutputMode, int);
-  void SetOutputModeToEdges() { this->SetOutputMode(EDGES); }
+  void SetOutputModeToSilhouettes() { this->SetOutputMode(SILHOUETTES); }
   void SetOutputModeToOverlay() { this->SetOutputMode(OVERLAY); }
   ///@}
 
@@ -246,7 +247,7 @@ public:
   ///@}
 
   /**
-   * The step in world units that the last update took for an edge; 0 before.
+   * The step in world units that the last update took for a silhouette; 0 before.
    */
   double GetStep() const { return this->Step; }
 
@@ -291,7 +292,7 @@ protected:
   double FullStep = 8.0;
   vtkTypeBool Centered = 1;
   int ReductionFactor = 1;
-  int OutputMode = EDGES;
+  int OutputMode = SILHOUETTES;
   double EdgeColor[3] = {0.0, 0.0, 0.0};
 
 private:

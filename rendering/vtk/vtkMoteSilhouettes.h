@@ -1,13 +1,14 @@
 /**
  * @class   vtkMoteSilhouettes
- * @brief   How edges are drawn where depth jumps: outlines of what stands before other things.
+ * @brief   How silhouettes are drawn where depth jumps: outlines of what stands before other
+ * things.
  *
  * One object may serve any number of vtkMoteRayCastPass, vtkMoteRendererSource and
  * vtkMoteSilhouettePass. Nothing is drawn unless it is Enabled.
  *
- * An edge stands where what lies behind is farther away than what lies in front by more than a
+ * A silhouette stands where what lies behind is farther away than what lies in front by more than a
  * threshold, as rays measure it. The line is drawn on the border between the two. Where there is
- * nothing behind, an edge stands, too, unless Hulls is off. See docs/silhouettes.md.
+ * nothing behind, a silhouette stands, too, unless Hulls is off. See docs/silhouettes.md.
  *
  * Source: Bigler, "Use of Silhouette Edges and Ambient Occlusion in Particle Visualization"
  * (University of Utah, 2004).
@@ -30,7 +31,7 @@ public:
 
   ///@{
   /**
-   * Whether edges are drawn at all. Off by default.
+   * Whether silhouettes are drawn at all. Off by default.
    */
   vtkSetMacro(Enabled, bool);
   vtkGetMacro(Enabled, bool);
@@ -47,8 +48,8 @@ public:
 
   ///@{
   /**
-   * The least step of depth that makes an edge, at least 0, in units of ThresholdMode. Default 10
-   * radii: particles that touch have no lines between them, parts and heaps of them have.
+   * The least step of depth that makes a silhouette, at least 0, in units of ThresholdMode. Default
+   * 10 radii: particles that touch have no lines between them, parts and heaps of them have.
    */
   vtkSetClampMacro(Threshold, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Threshold, double);
@@ -100,7 +101,7 @@ public:
 
   ///@{
   /**
-   * Whether edges stand out against the background. On by default.
+   * Whether silhouettes stand out against the background. On by default.
    */
   vtkSetMacro(Hulls, bool);
   vtkGetMacro(Hulls, bool);
@@ -127,8 +128,8 @@ public:
 
   ///@{
   /**
-   * Edges stand, besides, between neighbours in the picture with different values of this point
-   * array of the particles (of its first component), such as materials, however little their
+   * Silhouettes stand, besides, between neighbours in the picture with different values of this
+   * point array of the particles (of its first component), such as materials, however little their
    * depths differ. Where no prop has such an array, "object" stands for the props themselves and
    * "particle" for the particles. Empty, the default: depth alone counts. Not of depth buffers.
    */

@@ -107,9 +107,9 @@ case $3 in
     sum=$(md5sum <off.png)
     case $before in " $sum"*) ;; *) fail "lines that are off" ;; esac
     run 0 "$mote" render "$hopper" -o a.exr --size 320x200 --samples 1 --silhouettes
-    grep -qa edges a.exr || fail "no edges in a.exr"
+    grep -qa silhouettes a.exr || fail "no silhouettes in a.exr"
     run 0 "$mote" render "$hopper" -o b.exr --size 320x200 --samples 1
-    grep -qa edges b.exr && fail "edges in b.exr, which nobody asked for"
+    grep -qa silhouettes b.exr && fail "silhouettes in b.exr, which nobody asked for"
     run 1 "$mote" render "$hopper" -o a.png --size 320x200 --silhouettes --silhouette-groups nothing
     one_sentence
     said err nothing
@@ -170,9 +170,9 @@ case $3 in
       # shellcheck disable=SC2086
       run 0 "$mote" ${command#mote }
       count=$((count + 1))
-    done < <(sed -nE 's/^    (mote (render|average|probe|edges) .*)/\1/p' "$root/README.md" "$root/docs/user-guide.md")
+    done < <(sed -nE 's/^    (mote (render|average|probe|silhouettes) .*)/\1/p' "$root/README.md" "$root/docs/user-guide.md")
     [ $count -ge 8 ] || fail "only $count commands"
-    for part in '' render info convert average probe edges; do # and what they name are options
+    for part in '' render info convert average probe silhouettes; do # and what they name are options
       # shellcheck disable=SC2086
       run 0 "$mote" $part --help
       cat out >>help

@@ -77,11 +77,11 @@ vtkSmartPointer<vtkMoteSilhouetteFilter> filterOf(vtkImageData* image)
   return filter;
 }
 
-std::vector<float> edgesOf(vtkMoteSilhouetteFilter* filter)
+std::vector<float> silhouettesOf(vtkMoteSilhouetteFilter* filter)
 {
   filter->Update();
   EXPECT_EQ(filter->GetErrorMessage(), "");
-  return valuesOf(filter->GetOutput(), "edges");
+  return valuesOf(filter->GetOutput(), "silhouettes");
 }
 
 } // namespace
@@ -107,8 +107,8 @@ TEST_F(SilhouetteFilter, AgreesWithTheKernel)
   mote::findSilhouettes(kernel, options, expected.data());
   const auto filter = filterOf(image);
   filter->SetViewAngle(40.0);
-  EXPECT_EQ(edgesOf(filter), expected);
-  EXPECT_STREQ(filter->GetOutput()->GetPointData()->GetScalars()->GetName(), "edges");
+  EXPECT_EQ(silhouettesOf(filter), expected);
+  EXPECT_STREQ(filter->GetOutput()->GetPointData()->GetScalars()->GetName(), "silhouettes");
   EXPECT_EQ(filter->GetStep(), 1.5);
 }
 
@@ -123,17 +123,17 @@ TEST_F(SilhouetteFilter, ThreadsAndPiecesMakeNoDifference)
   {
     filter->SetReductionFactor(factor);
     filter->SetNumberOfThreads(1);
-    const auto expected = edgesOf(filter);
+    const auto expected = silhouettesOf(filter);
     ASSERT_FALSE(expected.empty());
     for (const int threads : {2, 7})
     {
       filter->SetNumberOfThreads(threads);
       filter->SetSplitModeToBlock();
-      EXPECT_EQ(edgesOf(filter), expected) << threads;
+      EXPECT_EQ(silhouettesOf(filter), expected) << threads;
     }
     filter->SetEnableSMP(true);
     filter->Modified();
-    EXPECT_EQ(edgesOf(filter), expected);
+    EXPECT_EQ(silhouettesOf(filter), expected);
     filter->SetEnableSMP(false);
     // A piece of the image, out of no more of the input than it asks for.
     vtkNew<vtkMoteSilhouetteFilter> part;
@@ -154,12 +154,12 @@ TEST_F(SilhouetteFilter, ExtentsMayBeginAnywhere)
   const auto image = discs();
   const auto filter = filterOf(image);
   filter->SetReductionFactor(2);
-  const auto expected = edgesOf(filter);
+  const auto expected = silhouettesOf(filter);
   vtkNew<vtkImageTranslateExtent> moved;
   moved->SetInputData(image);
   moved->SetTranslation(-7, 11, 3);
   filter->SetInputConnection(moved->GetOutputPort());
-  EXPECT_EQ(edgesOf(filter), expected);
+  EXPECT_EQ(silhouettesOf(filter), expected);
   EXPECT_EQ(filter->GetOutput()->GetExtent()[0], -7);
   EXPECT_EQ(filter->GetOutput()->GetExtent()[5], 3);
 }
@@ -185,7 +185,7 @@ TEST_F(SilhouetteFilter, ReducedPixelsLieInTheMiddleOfThoseTheyStandFor)
 TEST_F(SilhouetteFilter, DepthsMayBeOfAnyTypeAndName)
 {
   const auto image = discs();
-  const auto expected = edgesOf(filterOf(image));
+  const auto expected = silhouettesOf(filterOf(image));
   vtkDataArray* depth = image->GetPointData()->GetArray("depth");
   vtkNew<vtkDoubleArray> wide;
   wide->DeepCopy(depth);
@@ -193,7 +193,7 @@ TEST_F(SilhouetteFilter, DepthsMayBeOfAnyTypeAndName)
   image->GetPointData()->AddArray(wide);
   const auto named = filterOf(image);
   named->SetDepthArrayName("range");
-  EXPECT_EQ(edgesOf(named), expected);
+  EXPECT_EQ(silhouettesOf(named), expected);
   // Without the array "depth": the scalars. Whole numbers have no infinity.
   vtkNew<vtkIntArray> whole;
   whole->SetNumberOfValues(wide->GetNumberOfValues());
@@ -211,8 +211,8 @@ TEST_F(SilhouetteFilter, DepthsMayBeOfAnyTypeAndName)
   named->SetThreshold(15.0);
   named->SetBackgroundDepth(1e6);
   named->Modified();
-  const auto found = edgesOf(scalars);
-  EXPECT_EQ(found, edgesOf(named));
+  const auto found = silhouettesOf(scalars);
+  EXPECT_EQ(found, silhouettesOf(named));
   EXPECT_NE(found, std::vector<float>(found.size(), 0.0f));
 }
 
@@ -244,14 +244,14 @@ TEST_F(SilhouetteFilter, ThresholdsInEveryUnit)
   filter->SetParticleRadius(3.0);
   filter->Update();
   EXPECT_DOUBLE_EQ(filter->GetStep(), 0.1 * 3.0);
-  // The step between the depths is an edge up to its height; hulls always are.
+  // The step between the depths is drawn up to its height; hulls always are.
   filter->SetThresholdModeToWorld();
   filter->SetCentered(false);
   const auto count = [&](double threshold)
   {
     filter->SetThreshold(threshold);
-    const auto edges = edgesOf(filter);
-    return std::count(edges.begin(), edges.end(), 1.0f);
+    const auto coverage = silhouettesOf(filter);
+    return std::count(coverage.begin(), coverage.end(), 1.0f);
   };
   EXPECT_EQ(count(29.9), 200);
   EXPECT_EQ(count(30.1), 100);
@@ -265,18 +265,18 @@ TEST_F(SilhouetteFilter, ThresholdsInEveryUnit)
 TEST_F(SilhouetteFilter, OverlayDrawsOverColors)
 {
   const auto image = discs();
-  const auto edges = edgesOf(filterOf(image));
+  const auto coverage = silhouettesOf(filterOf(image));
   const auto filter = filterOf(image);
   filter->SetOutputModeToOverlay();
   filter->SetEdgeColor(1.0, 0.5, 0.0);
   filter->Update();
   auto over = valuesOf(filter->GetOutput(), "color");
-  ASSERT_EQ(over.size(), 4 * edges.size());
-  for (std::size_t i = 0; i < edges.size(); ++i)
+  ASSERT_EQ(over.size(), 4 * coverage.size());
+  for (std::size_t i = 0; i < coverage.size(); ++i)
   {
-    ASSERT_FLOAT_EQ(over[4 * i], edges[i]);
-    ASSERT_FLOAT_EQ(over[4 * i + 1], 0.5f * edges[i]);
-    ASSERT_FLOAT_EQ(over[4 * i + 3], edges[i]);
+    ASSERT_FLOAT_EQ(over[4 * i], coverage[i]);
+    ASSERT_FLOAT_EQ(over[4 * i + 1], 0.5f * coverage[i]);
+    ASSERT_FLOAT_EQ(over[4 * i + 3], coverage[i]);
   }
   vtkNew<vtkUnsignedCharArray> bytes;
   bytes->SetName("color");
@@ -291,10 +291,10 @@ TEST_F(SilhouetteFilter, OverlayDrawsOverColors)
   filter->Modified();
   filter->Update();
   over = valuesOf(filter->GetOutput(), "color");
-  for (std::size_t i = 0; i < edges.size(); ++i)
+  for (std::size_t i = 0; i < coverage.size(); ++i)
   {
-    ASSERT_NEAR(over[4 * i], (1.0f - edges[i]) * 0.8f * 0.2f + edges[i], 1e-6f);
-    ASSERT_NEAR(over[4 * i + 3], (1.0f - edges[i]) * 0.2f + edges[i], 1e-6f);
+    ASSERT_NEAR(over[4 * i], (1.0f - coverage[i]) * 0.8f * 0.2f + coverage[i], 1e-6f);
+    ASSERT_NEAR(over[4 * i + 3], (1.0f - coverage[i]) * 0.2f + coverage[i], 1e-6f);
   }
 }
 
@@ -323,7 +323,7 @@ TEST_F(SilhouetteFilter, WhatItCannotTakeIsASentence)
   filter->SetGroupArrayName("colour");
   fails(filter, "The image has no array \"colour\" of numbers; it has depth, object, triples.");
   filter->SetGroupArrayName("");
-  EXPECT_FALSE(edgesOf(filter).empty());
+  EXPECT_FALSE(silhouettesOf(filter).empty());
   vtkNew<vtkImageData> bare;
   bare->SetDimensions(4, 4, 1);
   fails(filterOf(bare), "The image has no array \"depth\" of numbers; it has no arrays.");

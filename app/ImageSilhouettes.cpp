@@ -1,4 +1,4 @@
-#include "Edges.h"
+#include "ImageSilhouettes.h"
 
 #include "Checks.h"
 #include "Colors.h"
@@ -62,7 +62,7 @@ std::string checkThickness(std::string& text)
                "' is neither a width in pixels above 0 such as 2 nor a range such as 1:3";
 }
 
-void addLineOptions(CLI::App& app, EdgesOptions& o)
+void addLineOptions(CLI::App& app, ImageSilhouetteOptions& o)
 {
   const std::string group = "Lines";
   app
@@ -107,7 +107,7 @@ void addLineOptions(CLI::App& app, EdgesOptions& o)
     ->group(group);
 }
 
-void addDepthOptions(CLI::App& app, EdgesOptions& o)
+void addDepthOptions(CLI::App& app, ImageSilhouetteOptions& o)
 {
   const std::string group = "Depth";
   app
@@ -166,7 +166,7 @@ void whiten(vtkImageData* image)
   image->GetPointData()->SetScalars(white);
 }
 
-void setOptions(vtkMoteSilhouetteFilter* filter, const EdgesOptions& options)
+void setOptions(vtkMoteSilhouetteFilter* filter, const ImageSilhouetteOptions& options)
 {
   double threshold, least, most;
   bool isShare;
@@ -204,7 +204,7 @@ double secondsSince(std::chrono::steady_clock::time_point start)
 
 } // namespace
 
-void addEdgesOptions(CLI::App& app, EdgesOptions& options)
+void addImageSilhouetteOptions(CLI::App& app, ImageSilhouetteOptions& options)
 {
   app.add_option("IMAGE", options.image, "Image with depths, such as an .exr from any program")
     ->required()
@@ -216,23 +216,23 @@ void addEdgesOptions(CLI::App& app, EdgesOptions& options)
     ->type_name("FILE");
   app
     .add_option("--threshold", options.threshold,
-      "Least step of depth that is an edge: a length in world units, or with % a share of the "
+      "Least step of depth that is drawn: a length in world units, or with % a share of the "
       "diagonal of what the image shows")
     ->check(CLI::Validator([](std::string& t) { return checkThreshold(t); }, "", "threshold"))
     ->capture_default_str()
     ->type_name("STEP");
   app
     .add_option("--step-pixels", options.stepInPixels,
-      "No step is an edge that is less than the width of so many pixels at its distance")
+      "No step is drawn that is less than the width of so many pixels at its distance")
     ->check(isNumber())
     ->check(CLI::NonNegativeNumber.description(""))
     ->capture_default_str()
     ->type_name("N");
   app
     .add_option("--groups", options.groups,
-      "Channel, such as particle or object, where edges stand also between its values")
+      "Channel, such as particle or object, with lines also between its values")
     ->type_name("NAME");
-  app.add_flag("!--no-hulls", options.hulls, "No edges against the background");
+  app.add_flag("!--no-hulls", options.hulls, "No lines against the background");
   app.add_option("--threads", options.threads, "Threads to work with. By default all")
     ->check(CLI::Range(0, 4096).description(""))
     ->type_name("N");
@@ -240,7 +240,7 @@ void addEdgesOptions(CLI::App& app, EdgesOptions& options)
   addDepthOptions(app, options);
 }
 
-void drawEdges(const EdgesOptions& options)
+void drawImageSilhouettes(const ImageSilhouetteOptions& options)
 {
   vtkNew<vtkMoteImageWriter> writer;
   writer->SetFileName(options.output.c_str());
@@ -274,7 +274,7 @@ void drawEdges(const EdgesOptions& options)
   if (!isWritten)
     throw Failure(writer->GetErrorMessage());
   const int* size = filter->GetOutput()->GetDimensions();
-  std::printf("%s: %dx%d, edges at steps from %s; read in %s, drawn in %s\n",
+  std::printf("%s: %dx%d, silhouettes at steps from %s; read in %s, drawn in %s\n",
     options.output.c_str(), size[0], size[1], asNumber(filter->GetStep(), 4).c_str(),
     asDuration(reading).c_str(), asDuration(finding).c_str());
 }

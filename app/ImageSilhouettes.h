@@ -9,8 +9,8 @@
 namespace mote::app
 {
 
-/// What `mote edges` may be told.
-struct EdgesOptions
+/// What `mote silhouettes` may be told.
+struct ImageSilhouetteOptions
 {
   std::string image;
   std::string output;
@@ -32,10 +32,10 @@ struct EdgesOptions
   int threads = 0;
 };
 
-/// Declares the options of `mote edges`.
-void addEdgesOptions(CLI::App& app, EdgesOptions& options);
+/// Declares the options of `mote silhouettes`.
+void addImageSilhouetteOptions(CLI::App& app, ImageSilhouetteOptions& options);
 
-/// Draws the silhouette edges of a depth image over its colours, or on white. Throws Failure.
-void drawEdges(const EdgesOptions& options);
+/// Draws the silhouettes of a depth image over its colours, or on white. Throws Failure.
+void drawImageSilhouettes(const ImageSilhouetteOptions& options);
 
 } // namespace mote::app

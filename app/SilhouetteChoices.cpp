@@ -1,4 +1,4 @@
-#include "Silhouettes.h"
+#include "SilhouetteChoices.h"
 
 #include "Checks.h"
 #include "Colors.h"
@@ -31,7 +31,7 @@ CLI::Validator checked()
 
 } // namespace
 
-void addSilhouetteOptions(CLI::App& app, SilhouetteOptions& o)
+void addSilhouetteOptions(CLI::App& app, SilhouetteChoices& o)
 {
   const std::string group = "Silhouettes";
   app
@@ -69,7 +69,7 @@ void addSilhouetteOptions(CLI::App& app, SilhouetteOptions& o)
     ->group(group);
 }
 
-Silhouettes::Silhouettes(const SilhouetteOptions& options)
+Silhouettes::Silhouettes(const SilhouetteChoices& options)
 {
   double radii = 0.0;
   // Whoever says how lines look wants some.

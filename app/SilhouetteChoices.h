@@ -16,26 +16,26 @@ class App;
 namespace mote::app
 {
 
-/// What the user may say about edges.
-struct SilhouetteOptions
+/// What the user may say about silhouettes.
+struct SilhouetteChoices
 {
   /// "off", "true" for the usual one, or a number of radii; empty: "true" where anything else is
   /// set
   std::string threshold;
   double thickness = 0.0; ///< pixels; 0: choose
   std::optional<std::array<double, 3>> color;
-  std::string groups; ///< array between whose values edges stand, too; empty: none
+  std::string groups; ///< array with lines between its values, too; empty: none
 };
 
 /// Declares them to the command line.
-void addSilhouetteOptions(CLI::App& app, SilhouetteOptions& options);
+void addSilhouetteOptions(CLI::App& app, SilhouetteChoices& options);
 
-/// The edges of a scene.
+/// The silhouettes of a scene.
 class Silhouettes
 {
 public:
   /// `options` must have been checked.
-  explicit Silhouettes(const SilhouetteOptions& options);
+  explicit Silhouettes(const SilhouetteChoices& options);
   ~Silhouettes();
 
   /// On or off.
