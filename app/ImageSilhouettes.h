@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ViewOptions.h"
+#include "SilhouetteChoices.h"
 
 #include <limits>
 #include <optional>
@@ -12,18 +12,14 @@ namespace mote::app
 /// What `mote silhouettes` may be told.
 struct ImageSilhouetteOptions
 {
+  /// Narrow lines, grey where steps are small, from 1 % of what the image shows on.
+  ImageSilhouetteOptions();
+
   std::string image;
   std::string output;
-  std::string depth;            ///< channel or array; empty: choose
-  std::string groups;           ///< likewise; empty: none
-  std::string threshold = "1%"; ///< world units, or with % a share of the scene's size
-  double stepInPixels = 2.0;
-  std::string thickness = "1"; ///< pixels, or LEAST:MOST
-  double leastOpacity = 0.3;
-  bool hulls = true;
-  bool onPixels = false;
+  std::string depth; ///< channel or array; empty: choose
+  SilhouetteChoices lines;
   int reduction = 1;
-  Color color = {0.05, 0.05, 0.05};
   bool linesAlone = false;
   double viewAngle = 30.0;
   std::optional<double> orthographic; ///< height of the view in world units

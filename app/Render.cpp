@@ -42,7 +42,7 @@ public:
     source_->SetSamplesPerPixel(options.mostSamples(options.pathTrace));
     source_->SetNoiseLevel(options.noise);
     source_->SetShading(scene.lighting().shading());
-    source_->SetSilhouettes(scene.silhouettes().settings());
+    source_->SetSilhouettes(scene.silhouettes());
     legend_->SetInputConnection(source_->GetOutputPort());
   }
 
@@ -59,7 +59,7 @@ public:
     source_->SetNormals(exr);
     source_->SetIds(exr);
     source_->SetVariance(exr && options_.noise > 0.0);
-    source_->SetSilhouetteCoverage(exr && scene_.silhouettes().isOn());
+    source_->SetSilhouetteCoverage(exr && scene_.silhouettes()->GetEnabled());
     source_->SetTransparentBackground(exr);
     labelled_ = !exr;
     this->requireMemory();

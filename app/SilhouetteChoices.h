@@ -1,9 +1,6 @@
 #pragma once
 
-#include <vtkNew.h>
-
 #include <array>
-#include <optional>
 #include <string>
 
 class vtkMoteSilhouettes;
@@ -16,37 +13,36 @@ class App;
 namespace mote::app
 {
 
-/// What the user may say about silhouettes.
+/// What the user may say about silhouettes, of a scene as of a depth image.
 struct SilhouetteChoices
 {
-  /// "off", "true" for the usual one, or a number of radii; empty: "true" where anything else is
-  /// set
+  /// What a new vtkMoteSilhouettes has, but for the threshold.
+  SilhouetteChoices();
+
+  /// A number, or with % a share of the scene's size; "off", or "true" for the usual one; empty:
+  /// "true" where anything else is said
   std::string threshold;
-  double thickness = 0.0; ///< pixels; 0: choose
-  std::optional<std::array<double, 3>> color;
+  bool styled = false;   ///< whether anything else is said
+  std::string thickness; ///< pixels, or LEAST:MOST
+  double leastOpacity;
+  std::array<double, 3> color;
+  double stepInPixels;
   std::string groups; ///< array with lines between its values, too; empty: none
+  bool hulls;
+  bool onPixels;
 };
 
-/// Declares them to the command line.
-void addSilhouetteOptions(CLI::App& app, SilhouetteChoices& options);
+/// Declares all but the threshold, under names that begin with `prefix`, such as "--".
+void addLineOptions(CLI::App& app, SilhouetteChoices& choices, const std::string& prefix);
 
-/// The silhouettes of a scene.
-class Silhouettes
-{
-public:
-  /// `options` must have been checked.
-  explicit Silhouettes(const SilhouetteChoices& options);
-  ~Silhouettes();
+/// The same with --silhouettes, whose numbers are radii of a typical particle.
+void addSilhouetteOptions(CLI::App& app, SilhouetteChoices& choices);
 
-  /// On or off.
-  void toggle();
-  bool isOn() const;
+/// Why the text is no threshold in this unit; empty where it is one.
+std::string checkThreshold(const std::string& text, const std::string& unit);
 
-  /// For whatever traces the scene.
-  vtkMoteSilhouettes* settings() { return settings_; }
-
-private:
-  vtkNew<vtkMoteSilhouettes> settings_;
-};
+/// Hands the choices on, which must have been checked. `mode` is a
+/// vtkMoteSilhouettes::ThresholdModes: what the threshold's number counts where it has no %.
+void choose(const SilhouetteChoices& choices, int mode, vtkMoteSilhouettes* silhouettes);
 
 } // namespace mote::app

@@ -115,7 +115,7 @@ void Window::setUpWindow()
   pass_->SetNoiseLevel(options_.noise);
   pass_->SetNumberOfThreads(options_.threads);
   pass_->SetShading(scene_.lighting().shading());
-  pass_->SetSilhouettes(scene_.silhouettes().settings());
+  pass_->SetSilhouettes(scene_.silhouettes());
   scene_.renderer()->SetPass(pass_);
   overlay_.setInk(inkOn(scene_.renderer()));
   interactor_->SetRenderWindow(window_);

@@ -137,8 +137,8 @@ void Window::act(Action action)
     this->say(scene_.lighting().shadingName());
     break;
   case Action::Silhouettes:
-    scene_.silhouettes().toggle();
-    this->say(scene_.silhouettes().isOn() ? "Silhouettes" : "No silhouettes");
+    scene_.silhouettes()->SetEnabled(!scene_.silhouettes()->GetEnabled());
+    this->say(scene_.silhouettes()->GetEnabled() ? "Silhouettes" : "No silhouettes");
     break;
   case Action::Save:
     playing_ = false; // a picture takes rest

@@ -31,7 +31,7 @@ SilhouetteOptions standard(double step)
 {
   SilhouetteOptions options;
   options.step = step;
-  options.thickness = options.leastThickness = 1.5;
+  options.thickness = 1.5;
   return options;
 }
 
@@ -39,7 +39,7 @@ SilhouetteOptions published(double step)
 {
   SilhouetteOptions options = standard(step);
   options.stepInPixels = 0.0;
-  options.thickness = options.leastThickness = 1.0;
+  options.thickness = 1.0;
   options.leastOpacity = 1.0;
   options.centered = false;
   return options;
@@ -49,7 +49,7 @@ SilhouetteOptions graded(double step)
 {
   SilhouetteOptions options = standard(step);
   options.thickness = 3.0;
-  options.leastThickness = 1.0;
+  options.leastThickness = 1.0 / 3.0;
   options.leastOpacity = 0.2;
   return options;
 }

@@ -44,20 +44,6 @@ double stepOf(vtkMoteSilhouettes* silhouettes, const Scene& particles, double di
   return threshold * (radius > 0.0 ? radius : radiusOfNone * diagonal);
 }
 
-SilhouetteOptions silhouetteOptionsOf(vtkMoteSilhouettes* silhouettes, double step, double distance)
-{
-  SilhouetteOptions options;
-  options.step = step;
-  options.stepInPixels = silhouettes->GetStepInPixels();
-  options.hulls = silhouettes->GetHulls();
-  options.thickness = silhouettes->GetThickness() / distance;
-  options.leastThickness = options.thickness * silhouettes->GetLeastThickness();
-  options.leastOpacity = silhouettes->GetLeastOpacity();
-  options.fullStep = std::max(silhouettes->GetFullStep(), 1.0 + 1e-6);
-  options.centered = silhouettes->GetCentered();
-  return options;
-}
-
 /// False where the name stands for nothing.
 bool SilhouetteTracer::takeGroups(const std::string& name, const MoteProps& props)
 {
@@ -100,20 +86,19 @@ void SilhouetteTracer::prepare(
   color_ = {float(color[0]), float(color[1]), float(color[2])};
   const Box bounds = scene.bounds();
   const double diagonal = bounds.empty() ? 0.0 : glm::length(bounds.size());
-  options_ = silhouetteOptionsOf(silhouettes, stepOf(silhouettes, scene, diagonal), distance);
+  SilhouetteOptions options = silhouettes->MakeOptions(stepOf(silhouettes, scene, diagonal));
+  options.thickness /= distance;
+  const auto groupedBy = groups_.by;
+  const auto viewed = viewed_;
   const std::string name = silhouettes->GetGroupArrayName();
   const std::string missed = this->takeGroups(name, props) ? std::string() : name;
   if (!missed.empty() && missed != reported_)
     vtkErrorWithObjectMacro(silhouettes,
       "There is no point array \"" << missed << "\" to draw silhouettes between its values.");
   reported_ = missed;
-  const SilhouetteOptions& o = options_;
-  std::vector<double> key = {o.step, o.stepInPixels, double(o.hulls), o.thickness, o.leastThickness,
-    o.leastOpacity, o.fullStep, double(o.centered), double(groups_.by)};
-  key.insert(key.end(), viewed_.begin(), viewed_.end());
-  if (key != key_)
+  if (options != options_ || groups_.by != groupedBy || viewed_ != viewed)
     this->clear();
-  key_ = key;
+  options_ = options;
 }
 
 void SilhouetteTracer::clear()

@@ -20,11 +20,6 @@ namespace mote
 /// vtkMoteSilhouettes::ThresholdModes.
 double stepOf(vtkMoteSilhouettes* silhouettes, const Scene& particles, double diagonal);
 
-/// All of the options that says which pixels silhouettes cover; `distance` is that of neighbouring
-/// pixels of the image, in those that line widths count in.
-SilhouetteOptions silhouetteOptionsOf(
-  vtkMoteSilhouettes* silhouettes, double step, double distance = 1.0);
-
 /// Lines to be drawn over a film, in the size of the film.
 struct SilhouetteLayer
 {
@@ -102,7 +97,6 @@ private:
   SilhouetteGroups groups_;
   std::vector<DataArrayView> values_; ///< behind those of groups_
   std::vector<vtkMTimeType> viewed_;  ///< their arrays' times; 0: no array
-  std::vector<double> key_;           ///< all that silhouettes depend on besides the film
   std::string reported_;              ///< the array that was missed last
   SilhouetteFilm silhouettes_;
   Film again_;      ///< for rays that are cast again

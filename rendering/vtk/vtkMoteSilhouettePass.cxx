@@ -25,6 +25,7 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkMoteSilhouettePass);
+vtkCxxSetSmartPointerMacro(vtkMoteSilhouettePass, Silhouettes, vtkMoteSilhouettes);
 
 class vtkMoteSilhouettePass::Internals
 {
@@ -80,7 +81,7 @@ void vtkMoteSilhouettePass::Internals::findSilhouettes(
   const double step = mote::stepOf(silhouettes, particlesOf(renderer), diagonalOf(renderer));
   this->film.clear();
   this->film.add(mote::depthImageOf(depth.distances.data(), depth.width, depth.height, camera),
-    mote::silhouetteOptionsOf(silhouettes, step));
+    silhouettes->MakeOptions(step));
   if (this->nothing.width() != depth.width || this->nothing.height() != depth.height)
   {
     this->nothing.resize(depth.width, depth.height);
@@ -130,14 +131,6 @@ vtkMoteSilhouettePass::vtkMoteSilhouettePass()
 }
 
 vtkMoteSilhouettePass::~vtkMoteSilhouettePass() = default;
-
-void vtkMoteSilhouettePass::SetSilhouettes(vtkMoteSilhouettes* silhouettes)
-{
-  if (this->Silhouettes == silhouettes)
-    return;
-  this->Silhouettes = silhouettes;
-  this->Modified();
-}
 
 vtkMoteSilhouettes* vtkMoteSilhouettePass::GetSilhouettes()
 {

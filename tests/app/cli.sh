@@ -94,7 +94,9 @@ case $3 in
     before=
     for lines in '' '--silhouettes' '--silhouettes=2' '--silhouettes --silhouette-thickness 3' \
       '--silhouettes --silhouette-color white' '--silhouettes --silhouette-groups particle' \
-      '--silhouettes=1e9 --silhouette-groups type'; do
+      '--silhouettes=1e9 --silhouette-groups type' '--silhouettes=3%' --silhouette-on-pixels \
+      '--silhouettes=2 --silhouette-thickness 1:4' '--silhouettes=2 --silhouette-opacity 0.2' \
+      '--silhouettes=2 --silhouette-no-hulls' '--silhouettes=0 --silhouette-step-pixels 9'; do
       # shellcheck disable=SC2086
       run 0 "$mote" render $lines "$hopper" -o lines.png --size 320x200 --samples 4
       is_picture lines.png 320x200
@@ -114,7 +116,7 @@ case $3 in
     one_sentence
     said err nothing
     for wrong in --silhouettes=thick --silhouettes=-1 '--silhouette-thickness 0' \
-      '--silhouette-color noone'; do
+      '--silhouette-thickness 4:1' '--silhouette-color noone'; do
       # shellcheck disable=SC2086
       run 2 "$mote" render "$hopper" -o a.png $wrong
       one_sentence

@@ -62,7 +62,7 @@ case $3 in
     said out --threshold
     # a wrong command line
     for wrong in '' 'depth.exr' '-o a.png' 'depth.exr -o a.png --threshold x' \
-      'depth.exr -o a.png --threshold -1' 'depth.exr -o a.png --thickness 3:1' \
+      'depth.exr -o a.png --threshold -1' 'depth.exr -o a.png --threshold off' 'depth.exr -o a.png --thickness 3:1' \
       'depth.exr -o a.png --thickness 0' 'depth.exr -o a.png --opacity 2' \
       'depth.exr -o a.png --color nocolour' 'depth.exr -o a.png --reduce 0' \
       'depth.exr -o a.png --view-angle 180' 'depth.exr -o a.png --orthographic 0' \

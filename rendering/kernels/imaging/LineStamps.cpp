@@ -246,14 +246,13 @@ std::vector<StampPixel> makeStamp(double thickness, bool centered)
 
 LineStamps::LineStamps(const SilhouetteOptions& options)
 {
-  const bool graded = options.leastThickness != options.thickness;
+  const bool graded = options.leastThickness != 1.0;
   const int count = graded ? SilhouetteRow::levels : 1;
   for (int level = 0; level < count; ++level)
   {
     const double strength = graded ? level / (count - 1.0) : 1.0;
-    const double thickness =
-      options.leastThickness + strength * (options.thickness - options.leastThickness);
-    levels_.push_back(makeStamp(thickness * options.reduction, options.centered));
+    const double share = options.leastThickness + strength * (1.0 - options.leastThickness);
+    levels_.push_back(makeStamp(share * options.thickness * options.reduction, options.centered));
     for (const StampPixel& pixel : levels_.back())
       reach_ = std::max({reach_, std::abs(pixel.x), std::abs(pixel.y)});
   }

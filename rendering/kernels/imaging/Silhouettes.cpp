@@ -38,7 +38,7 @@ SilhouetteGrades gradesOf(const SilhouetteOptions& options)
 {
   SilhouetteGrades grades;
   grades.leastOpacity = static_cast<float>(std::clamp(options.leastOpacity, 0.0, 1.0));
-  grades.graded = options.leastOpacity < 1.0 || options.leastThickness != options.thickness;
+  grades.graded = options.leastOpacity < 1.0 || options.leastThickness != 1.0;
   grades.perStep = static_cast<float>(1.0 / std::max(options.step, 1e-30));
   grades.perLog = static_cast<float>(1.0 / std::log2(std::max(options.fullStep, 1.0 + 1e-6)));
   return grades;

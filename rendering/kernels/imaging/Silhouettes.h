@@ -42,8 +42,8 @@ struct SilhouetteOptions
   bool hulls = true; ///< whether surfaces have silhouettes against the background
 
   double thickness = 1.0; ///< of the strongest lines, in pixels of the output
-  /// Of the weakest; it grows with the step's logarithm, in eight levels. Another one than the
-  /// strongest takes several times as long to draw.
+  /// Of the weakest, as a share of `thickness`, in [0, 1]; it grows with the step's logarithm, in
+  /// eight levels. Less than 1 takes several times as long to draw.
   double leastThickness = 1.0;
   double leastOpacity = 1.0; ///< of the weakest lines, in [0, 1]; likewise. 1: no grey levels
   /// Multiples of `step`, above 1, from which on lines are at their strongest. Those against the
@@ -56,6 +56,8 @@ struct SilhouetteOptions
   /// Pixels of the depth image along each side of a pixel of the output, which is their mean:
   /// lines are smooth. At least 1.
   int reduction = 1;
+
+  bool operator==(const SilhouetteOptions&) const = default;
 };
 
 /// Pixels [x0, x1) x [y0, y1).

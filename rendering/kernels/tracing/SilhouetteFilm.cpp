@@ -66,7 +66,7 @@ int silhouetteReach(const SilhouetteOptions& options)
 {
   // Lines end half their width and half a pixel from their middle. That is the pixel beside the
   // nearer one, or lies half a pixel towards it: 0.35 along an axis where that is a diagonal.
-  const double half = 0.5 * std::max(options.thickness, options.leastThickness) + 0.5;
+  const double half = 0.5 * options.thickness + 0.5;
   return static_cast<int>(std::ceil(half - (options.centered ? 0.35 : 0.0)));
 }
 

@@ -4,6 +4,7 @@
 #include "ImagingTestTools.h"
 
 #include <vtkMoteSilhouetteFilter.h>
+#include <vtkMoteSilhouettes.h>
 
 #include <kernels/imaging/Silhouettes.h>
 
@@ -15,6 +16,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -72,8 +74,9 @@ vtkSmartPointer<vtkMoteSilhouetteFilter> filterOf(vtkImageData* image)
 {
   auto filter = vtkSmartPointer<vtkMoteSilhouetteFilter>::New();
   filter->SetInputData(image);
-  filter->SetThresholdModeToWorld();
-  filter->SetThreshold(1.5);
+  filter->GetSilhouettes()->SetThresholdModeToWorld();
+  filter->GetSilhouettes()->SetThreshold(1.5);
+  filter->GetSilhouettes()->SetThickness(1.0);
   return filter;
 }
 
@@ -112,13 +115,42 @@ TEST_F(SilhouetteFilter, AgreesWithTheKernel)
   EXPECT_EQ(filter->GetStep(), 1.5);
 }
 
+TEST_F(SilhouetteFilter, TakesWhatPassesTake)
+{
+  const auto image = discs();
+  vtkNew<vtkMoteSilhouettes> shared;
+  EXPECT_FALSE(shared->GetEnabled());
+  shared->SetThresholdModeToWorld();
+  shared->SetThreshold(1.5);
+  shared->SetThickness(4.0);
+  shared->SetLeastThickness(0.5); // a share, as in a pass
+  const auto filter = filterOf(image);
+  const auto own = silhouettesOf(filter);
+  const std::vector<float> none(own.size(), 0.0f);
+  filter->SetSilhouettes(shared);
+  EXPECT_EQ(silhouettesOf(filter), none);
+  shared->EnabledOn();
+  const auto graded = silhouettesOf(filter);
+  const auto sum = [](const std::vector<float>& all)
+  { return std::accumulate(all.begin(), all.end(), 0.0); };
+  EXPECT_GT(sum(graded), 2.0 * sum(own));
+  shared->SetLeastThickness(1.0);
+  EXPECT_LT(sum(graded), sum(silhouettesOf(filter)));
+  filter->SetSilhouettes(nullptr);
+  EXPECT_EQ(silhouettesOf(filter), none);
+  EXPECT_EQ(filter->GetStep(), 0.0);
+  filter->SetOutputModeToOverlay();
+  filter->Update();
+  EXPECT_EQ(filter->GetErrorMessage(), "");
+}
+
 TEST_F(SilhouetteFilter, ThreadsAndPiecesMakeNoDifference)
 {
   const auto filter = filterOf(discs());
-  filter->SetThickness(4.0);
-  filter->SetLeastThickness(1.0);
-  filter->SetLeastOpacity(0.1);
-  filter->SetGroupArrayName("object");
+  filter->GetSilhouettes()->SetThickness(4.0);
+  filter->GetSilhouettes()->SetLeastThickness(0.25);
+  filter->GetSilhouettes()->SetLeastOpacity(0.1);
+  filter->GetSilhouettes()->SetGroupArrayName("object");
   for (const int factor : {1, 3})
   {
     filter->SetReductionFactor(factor);
@@ -206,9 +238,9 @@ TEST_F(SilhouetteFilter, DepthsMayBeOfAnyTypeAndName)
   image->GetPointData()->RemoveArray("depth");
   image->GetPointData()->SetScalars(whole);
   const auto scalars = filterOf(image);
-  scalars->SetThreshold(15.0);
+  scalars->GetSilhouettes()->SetThreshold(15.0);
   scalars->SetBackgroundDepth(1e6);
-  named->SetThreshold(15.0);
+  named->GetSilhouettes()->SetThreshold(15.0);
   named->SetBackgroundDepth(1e6);
   named->Modified();
   const auto found = silhouettesOf(scalars);
@@ -233,32 +265,32 @@ TEST_F(SilhouetteFilter, ThresholdsInEveryUnit)
   const auto filter = filterOf(image);
   filter->SetDepthModeToOrthographic();
   filter->SetParallelScale(25.0);
-  filter->SetThresholdModeToSceneSize();
-  filter->SetThreshold(0.1);
+  filter->GetSilhouettes()->SetThresholdModeToSceneSize();
+  filter->GetSilhouettes()->SetThreshold(0.1);
   filter->Update();
   EXPECT_NEAR(filter->GetStep(), 0.1 * std::sqrt(2 * 49.5 * 49.5 + 900.0), 1e-6);
   filter->SetSceneSize(70.0);
   filter->Update();
   EXPECT_DOUBLE_EQ(filter->GetStep(), 7.0);
-  filter->SetThresholdModeToRadii();
+  filter->GetSilhouettes()->SetThresholdModeToRadii();
   filter->SetParticleRadius(3.0);
   filter->Update();
   EXPECT_DOUBLE_EQ(filter->GetStep(), 0.1 * 3.0);
   // The step between the depths is drawn up to its height; hulls always are.
-  filter->SetThresholdModeToWorld();
-  filter->SetCentered(false);
+  filter->GetSilhouettes()->SetThresholdModeToWorld();
+  filter->GetSilhouettes()->SetCentered(false);
   const auto count = [&](double threshold)
   {
-    filter->SetThreshold(threshold);
+    filter->GetSilhouettes()->SetThreshold(threshold);
     const auto coverage = silhouettesOf(filter);
     return std::count(coverage.begin(), coverage.end(), 1.0f);
   };
   EXPECT_EQ(count(29.9), 200);
   EXPECT_EQ(count(30.1), 100);
-  filter->SetHulls(false);
+  filter->GetSilhouettes()->SetHulls(false);
   EXPECT_EQ(count(29.9), 100);
   // 30 units are 60 pixels.
-  filter->SetStepInPixels(61.0);
+  filter->GetSilhouettes()->SetStepInPixels(61.0);
   EXPECT_EQ(count(1.0), 0);
 }
 
@@ -268,7 +300,7 @@ TEST_F(SilhouetteFilter, OverlayDrawsOverColors)
   const auto coverage = silhouettesOf(filterOf(image));
   const auto filter = filterOf(image);
   filter->SetOutputModeToOverlay();
-  filter->SetEdgeColor(1.0, 0.5, 0.0);
+  filter->GetSilhouettes()->SetColor(1.0, 0.5, 0.0);
   filter->Update();
   auto over = valuesOf(filter->GetOutput(), "color");
   ASSERT_EQ(over.size(), 4 * coverage.size());
@@ -320,9 +352,9 @@ TEST_F(SilhouetteFilter, WhatItCannotTakeIsASentence)
   filter->SetDepthArrayName("triples");
   fails(filter, "The array \"triples\" has 3 numbers a pixel, and must have one.");
   filter->SetDepthArrayName("");
-  filter->SetGroupArrayName("colour");
+  filter->GetSilhouettes()->SetGroupArrayName("colour");
   fails(filter, "The image has no array \"colour\" of numbers; it has depth, object, triples.");
-  filter->SetGroupArrayName("");
+  filter->GetSilhouettes()->SetGroupArrayName("");
   EXPECT_FALSE(silhouettesOf(filter).empty());
   vtkNew<vtkImageData> bare;
   bare->SetDimensions(4, 4, 1);

@@ -181,7 +181,7 @@ TEST(SilhouetteFilm, LinesLieOnTheOutlineAndAreAsWideAsAsked)
   for (const double thickness : {0.5, 1.0, 2.0, 3.0})
   {
     SilhouetteOptions options = anyStep();
-    options.thickness = options.leastThickness = thickness;
+    options.thickness = thickness;
     const Outline outline(16, options);
     EXPECT_LT(outline.error, 0.2) << thickness;
     EXPECT_NEAR(outline.width, thickness, 0.15 * thickness);
@@ -292,7 +292,7 @@ TEST(SilhouetteFilm, LinesReachNoFartherFromWhatTheyBelongToThanTheySay)
     for (const bool centered : {true, false})
     {
       SilhouetteOptions options = anyStep();
-      options.thickness = options.leastThickness = thickness;
+      options.thickness = thickness;
       options.centered = centered;
       Traced traced;
       traced.trace(scene, camera, 1, options);

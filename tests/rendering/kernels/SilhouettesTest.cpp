@@ -172,6 +172,7 @@ TEST(Silhouettes, ThreadsAndPartsMakeNoDifference)
   SilhouetteOptions options;
   options.step = 4.0;
   options.thickness = 3.3;
+  options.leastThickness = 0.3;
   options.leastOpacity = 0.2;
   for (const int reduction : {1, 2, 3})
   {
@@ -257,7 +258,7 @@ TEST(Silhouettes, LinesAreAsThickAndDarkAsTheirStep)
   for (const bool upright : {true, false})
     for (const double thickness : {0.5, 1.0, 2.0, 3.5, 7.0})
     {
-      options.thickness = options.leastThickness = thickness;
+      options.thickness = thickness;
       options.leastOpacity = 1.0;
       EXPECT_NEAR(across(2.0, upright), thickness, rounding);
       EXPECT_NEAR(across(1e9, upright), thickness, rounding);
@@ -266,7 +267,7 @@ TEST(Silhouettes, LinesAreAsThickAndDarkAsTheirStep)
       EXPECT_NEAR(across(4.0, upright), 0.6 * thickness, rounding); // half of the way to 16
       EXPECT_NEAR(across(16.0, upright), thickness, rounding);
     }
-  options.leastThickness = 1.0;
+  options.leastThickness = 0.25; // a share of
   options.thickness = 4.0;
   options.leastOpacity = 1.0;
   EXPECT_NEAR(across(1.0001, true), 1.0, rounding);
