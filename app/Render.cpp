@@ -42,7 +42,7 @@ public:
     source_->SetSamplesPerPixel(options.mostSamples(options.pathTrace));
     source_->SetNoiseLevel(options.noise);
     source_->SetShading(stage.lighting().shading());
-    source_->SetSilhouettes(stage.silhouettes().settings());
+    source_->SetSilhouettes(stage.silhouettes());
     legend_->SetInputConnection(source_->GetOutputPort());
   }
 
@@ -59,7 +59,7 @@ public:
     source_->SetNormals(exr);
     source_->SetIds(exr);
     source_->SetVariance(exr && options_.noise > 0.0);
-    source_->SetEdges(exr && stage_.silhouettes().isOn());
+    source_->SetSilhouetteCoverage(exr && stage_.silhouettes()->GetEnabled());
     source_->SetTransparentBackground(exr);
     labelled_ = !exr;
     this->requireMemory();
@@ -117,7 +117,7 @@ private:
   }
 
   /// About what a picture takes: colour and depth, twice over with the legend, and in an EXR's
-  /// layers normals, ids, variance and edges.
+  /// layers normals, ids, variance and silhouettes.
   double bytes() const { return (labelled_ ? 60.0 : 130.0) * options_.size[0] * options_.size[1]; }
 
   std::string needs() const

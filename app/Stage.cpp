@@ -21,10 +21,10 @@ namespace mote::app
 Stage::Stage(const ViewOptions& options)
   : options_(options)
   , lighting_(renderer_, options)
-  , silhouettes_(options.silhouettes)
   , coloring_(options)
   , selection_(options)
 {
+  choose(options.silhouettes, vtkMoteSilhouettes::RADII, silhouettes_);
   setBackground(renderer_, options.background);
   renderer_->GetActiveCamera()->SetParallelProjection(options.orthographic);
 }

@@ -6,8 +6,8 @@
 #include "Lighting.h"
 #include "Part.h"
 #include "Selection.h"
-#include "Silhouettes.h"
 
+#include <vtkMoteSilhouettes.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
@@ -57,7 +57,7 @@ public:
   vtkRenderer* renderer() { return renderer_; }
   Coloring& coloring() { return coloring_; }
   Lighting& lighting() { return lighting_; }
-  Silhouettes& silhouettes() { return silhouettes_; }
+  vtkMoteSilhouettes* silhouettes() { return silhouettes_; }
   const std::vector<std::unique_ptr<Part>>& parts() const { return parts_; }
 
   /// Bounds of all that is built; else of the simulation box; of a unit cube where there is
@@ -84,7 +84,7 @@ private:
   vtkNew<vtkRenderer> renderer_;
   std::vector<std::unique_ptr<Part>> parts_;
   Lighting lighting_;
-  Silhouettes silhouettes_;
+  vtkNew<vtkMoteSilhouettes> silhouettes_;
   Coloring coloring_;
   Selection selection_;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Silhouettes.h"
+#include "SilhouetteChoices.h"
 #include "VolumeOptions.h"
 
 #include <array>
@@ -66,7 +66,7 @@ struct ViewOptions
   std::string ambientOcclusion = "none"; ///< or "live", "baked", or rays a hit
   double occlusionReach = 0.0;           ///< world units; 0: choose
   bool pathTrace = false;
-  SilhouetteOptions silhouettes;
+  SilhouetteChoices silhouettes;
 
   // Camera
   std::string view = "auto";

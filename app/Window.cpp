@@ -115,7 +115,7 @@ void Window::setUpWindow()
   pass_->SetNoiseLevel(options_.noise);
   pass_->SetNumberOfThreads(options_.threads);
   pass_->SetShading(stage_.lighting().shading());
-  pass_->SetSilhouettes(stage_.silhouettes().settings());
+  pass_->SetSilhouettes(stage_.silhouettes());
   stage_.renderer()->SetPass(pass_);
   overlay_.setInk(inkOn(stage_.renderer()));
   interactor_->SetRenderWindow(window_);

@@ -147,8 +147,8 @@ bool Window::actOnLook(Action action)
     this->say(stage_.lighting().shadingName());
     return true;
   case Action::Silhouettes:
-    stage_.silhouettes().toggle();
-    this->say(stage_.silhouettes().isOn() ? "Silhouettes" : "No silhouettes");
+    stage_.silhouettes()->SetEnabled(!stage_.silhouettes()->GetEnabled());
+    this->say(stage_.silhouettes()->GetEnabled() ? "Silhouettes" : "No silhouettes");
     return true;
   default:
     return false;
