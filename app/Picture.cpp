@@ -32,7 +32,7 @@ Picture::Picture(Stage& stage, const std::array<int, 2>& size)
   source_->SetRenderer(stage.renderer());
   source_->SetSize(size[0], size[1]);
   source_->SetShading(stage.lighting().shading());
-  source_->SetSilhouettes(stage.silhouettes().options());
+  source_->SetSilhouettes(stage.silhouettes());
   legend_->SetInputConnection(source_->GetOutputPort());
 }
 
@@ -59,7 +59,7 @@ void Picture::takeSettings()
   source_->SetNormals(exr_);
   source_->SetIds(exr_);
   source_->SetVariance(exr_ && picture.noise > 0.0);
-  source_->SetEdges(exr_ && stage_.silhouettes().isOn());
+  source_->SetSilhouetteCoverage(exr_ && stage_.silhouettes()->GetEnabled());
   source_->SetTransparentBackground(exr_);
   legend_->SetLookupTable(picture.legend ? stage_.coloring().legendTable() : nullptr);
   legend_->SetTitle(picture.title.value_or(stage_.coloring().title()));

@@ -340,7 +340,13 @@ void writeSilhouettes(Script& script, vtkMoteSilhouettes* silhouettes)
   script.line("silhouettes = mote.vtkMoteSilhouettes()");
   script.call("silhouettes", "SetEnabled", true);
   script.call("silhouettes", "SetThreshold", silhouettes->GetThreshold());
+  script.call("silhouettes", "SetThresholdMode", silhouettes->GetThresholdMode());
   script.call("silhouettes", "SetThickness", silhouettes->GetThickness());
+  script.call("silhouettes", "SetLeastThickness", silhouettes->GetLeastThickness());
+  script.call("silhouettes", "SetLeastOpacity", silhouettes->GetLeastOpacity());
+  script.call("silhouettes", "SetStepInPixels", silhouettes->GetStepInPixels());
+  script.call("silhouettes", "SetHulls", silhouettes->GetHulls());
+  script.call("silhouettes", "SetCentered", silhouettes->GetCentered());
   script.vector("silhouettes", "SetColor", silhouettes->GetColor());
   script.call("silhouettes", "SetGroupArrayName", silhouettes->GetGroupArrayName());
   script.line("source.SetSilhouettes(silhouettes)");
@@ -406,7 +412,7 @@ std::string scriptOf(
   script.call("source", "SetSamplesPerPixel", settings.picture.mostSamples(settings.light.pathTrace));
   script.call("source", "SetNoiseLevel", settings.picture.noise);
   writeShading(script, stage.lighting().shading());
-  writeSilhouettes(script, stage.silhouettes().options());
+  writeSilhouettes(script, stage.silhouettes());
   writeLegend(script, stage, settings, captionOf(input, step, stage.contents()));
   script.line();
   script.line("writer = mote.vtkMoteImageWriter()");

@@ -2,37 +2,23 @@
 
 #include "settings/Settings.h"
 
-#include <vtkNew.h>
-
 class vtkMoteSilhouettes;
 
 namespace mote::app
 {
 
-/// The silhouettes of the picture, as the settings say.
-class Silhouettes
-{
-public:
-  /// The settings are those of the scene.
-  explicit Silhouettes(const SilhouetteSettings& settings);
-  ~Silhouettes();
-
-  /// Follows the settings.
-  void update();
-  bool isOn() const;
-
-  /// For whatever traces the picture.
-  vtkMoteSilhouettes* options() const { return options_; }
-
-private:
-  const SilhouetteSettings& settings_;
-  vtkNew<vtkMoteSilhouettes> options_;
-};
+/// Whether these settings draw lines: where they say so, or, with "auto", how lines look.
+bool areOn(const SilhouetteSettings& settings);
 
 /// The settings after the next press of a key: on, as they were asked for, or off.
 SilhouetteSettings toggled(const SilhouetteSettings& now, const SilhouetteSettings& asked);
 
-/// Whether these settings draw lines.
-bool areOn(const SilhouetteSettings& settings);
+/// Why the text is no SilhouetteSettings::lines, or thickness; empty where it is.
+std::string checkLines(const std::string& text);
+std::string checkThickness(const std::string& text);
+
+/// Hands the settings on. `mode` is a vtkMoteSilhouettes::ThresholdModes: what the threshold's
+/// number counts where it has no %.
+void choose(const SilhouetteSettings& settings, int mode, vtkMoteSilhouettes* silhouettes);
 
 } // namespace mote::app

@@ -2,6 +2,7 @@
 
 #include "Colors.h"
 #include "Failure.h"
+#include "Silhouettes.h"
 #include "SimulationBox.h"
 #include "Text.h"
 #include "settings/Values.h"
@@ -22,11 +23,11 @@ namespace mote::app
 Stage::Stage(const Settings& settings)
   : settings_(settings)
   , lighting_(renderer_, settings_)
-  , silhouettes_(settings_.silhouettes)
   , coloring_(settings_)
   , selection_(settings_)
 {
   setBackground(renderer_, settings.picture.background);
+  choose(settings.silhouettes, vtkMoteSilhouettes::RADII, silhouettes_);
   renderer_->GetActiveCamera()->SetParallelProjection(settings.camera.orthographic);
 }
 
@@ -36,7 +37,7 @@ bool Stage::apply(const Settings& settings)
   settings_ = settings;
   setBackground(renderer_, settings.picture.background);
   lighting_.update();
-  silhouettes_.update();
+  choose(settings.silhouettes, vtkMoteSilhouettes::RADII, silhouettes_);
   const bool otherKinds = std::any_of(parts_.begin(), parts_.end(),
     [&](const auto& part) { return part->kind() != Part::kindOf(part->data(), settings_); });
   if (otherKinds)

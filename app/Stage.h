@@ -6,8 +6,8 @@
 #include "Lighting.h"
 #include "Part.h"
 #include "Selection.h"
-#include "Silhouettes.h"
 
+#include <vtkMoteSilhouettes.h>
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
@@ -65,7 +65,7 @@ public:
   Coloring& coloring() { return coloring_; }
   const Coloring& coloring() const { return coloring_; }
   const Lighting& lighting() const { return lighting_; }
-  const Silhouettes& silhouettes() const { return silhouettes_; }
+  vtkMoteSilhouettes* silhouettes() const { return silhouettes_; }
   const std::vector<std::unique_ptr<Part>>& parts() const { return parts_; }
 
   /// Bounds of all that is built; else of the simulation box; of a unit cube where there is
@@ -93,7 +93,7 @@ private:
   std::vector<NamedData> data_;
   std::vector<std::unique_ptr<Part>> parts_;
   Lighting lighting_;
-  Silhouettes silhouettes_;
+  vtkNew<vtkMoteSilhouettes> silhouettes_;
   Coloring coloring_;
   Selection selection_;
 };

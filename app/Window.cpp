@@ -117,7 +117,7 @@ void Window::setUpWindow()
   pass_->ProgressiveOn();
   pass_->SetNumberOfThreads(asked_.data.threads);
   pass_->SetShading(stage_.lighting().shading());
-  pass_->SetSilhouettes(stage_.silhouettes().options());
+  pass_->SetSilhouettes(stage_.silhouettes());
   stage_.renderer()->SetPass(pass_);
   overlay_.setInk(inkOn(stage_.renderer()));
   interactor_->SetRenderWindow(window_);

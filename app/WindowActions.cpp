@@ -5,6 +5,7 @@
 #include "InteractorStyle.h"
 #include "Picture.h"
 #include "Script.h"
+#include "Silhouettes.h"
 #include "Text.h"
 #include "settings/Row.h"
 

@@ -4,8 +4,8 @@
 #include "Average.h"
 #include "Bake.h"
 #include "Convert.h"
-#include "Edges.h"
 #include "Failure.h"
+#include "ImageSilhouettes.h"
 #include "Info.h"
 #include "Messages.h"
 #include "Probe.h"
@@ -47,7 +47,7 @@ struct AllOptions
   ConvertOptions converting;
   AverageOptions averaging;
   BakeOptions baking;
-  EdgesOptions edges;
+  ImageSilhouetteOptions drawing;
   ProbeOptions probing;
 };
 
@@ -75,8 +75,8 @@ void addCommands(CLI::App& app, AllOptions& all)
   addAverageOptions(
     command("average", "Average an array over circles about an axis: a table or a picture"),
     all.averaging);
-  addEdgesOptions(
-    command("edges", "Draw the silhouettes of a depth image, of any program's"), all.edges);
+  addImageSilhouetteOptions(
+    command("silhouettes", "Draw the silhouettes of a depth image, of any program's"), all.drawing);
   addBakeOptions(command("bake", "Write the ambient occlusion of particles as maps, which "
                                  "--ambient-occlusion baked looks up"),
     all.baking);
@@ -88,7 +88,7 @@ int run(CLI::App& app, const AllOptions& all)
   const bool toRender = app.got_subcommand("render"), toInform = app.got_subcommand("info"),
              toConvert = app.got_subcommand("convert"), toAverage = app.got_subcommand("average"),
              toBake = app.got_subcommand("bake"), toProbe = app.got_subcommand("probe"),
-             toDraw = app.got_subcommand("edges");
+             toDraw = app.got_subcommand("silhouettes");
   const DataSettings& data = (toRender    ? all.rendering.given
                               : toInform  ? all.info.given
                               : toConvert ? all.converting.given
@@ -102,7 +102,7 @@ int run(CLI::App& app, const AllOptions& all)
     std::fprintf(stderr, "mote: no file given. Try: mote --help\n");
     return misused;
   }
-  const auto limit = limitThreads(toDraw ? all.edges.threads : data.threads);
+  const auto limit = limitThreads(toDraw ? all.drawing.given.settings.data.threads : data.threads);
   if (toRender)
     render(all.rendering);
   else if (toInform)
@@ -116,7 +116,7 @@ int run(CLI::App& app, const AllOptions& all)
   else if (toProbe)
     probe(all.probing);
   else if (toDraw)
-    drawEdges(all.edges);
+    drawImageSilhouettes(all.drawing);
   else
     showWindow(all.window);
   // What stdout could not take, such as on a full disk, is only seen here.

@@ -1,5 +1,6 @@
 #include "CommandLine.h"
 
+#include "Checks.h"
 #include "Failure.h"
 #include "Row.h"
 #include "Session.h"
@@ -16,7 +17,7 @@ namespace
 {
 
 /// The sentence of help, with the words and numbers that are possible and the default.
-std::string helpOf(const Row& row)
+std::string helpOf(const Row& row, const Settings& usual)
 {
   std::string text = row.help;
   const auto add = [&text](const std::string& more) { text += ". " + more; };
@@ -32,7 +33,7 @@ std::string helpOf(const Row& row)
   if (row.shape == Shape::Flag)
     return text;
   const std::string usual =
-    !row.usual.empty() ? row.usual : joined(row.get(Settings{}), row.commas ? "," : " ");
+    !row.usual.empty() ? row.usual : joined(row.get(usual), row.commas ? "," : " ");
   if (!usual.empty())
     add("Default: " + usual);
   return text;
@@ -52,19 +53,22 @@ void setFromWords(const Row& row, GivenSettings& given, const std::vector<std::s
   }
 }
 
-CLI::Option* addRow(CLI::App& app, GivenSettings& given, const Row& row)
+CLI::Option* addRow(
+  CLI::App& app, GivenSettings& given, const Row& row, const std::string& prefix)
 {
-  const std::string names = row.option() + (row.alias.empty() ? "" : "," + row.alias);
+  std::string names = row.option() + (row.alias.empty() ? "" : "," + row.alias);
+  if (const std::size_t at = names.find(prefix); at != std::string::npos)
+    names.erase(at, prefix.size());
   if (row.shape == Shape::Flag)
   {
     const std::string value = row.get(Settings{}).front() == "true" ? "false" : "true";
     return app.add_flag_function(
       names, [&row, &given, value](std::int64_t) { setFromWords(row, given, {value}); },
-      helpOf(row));
+      helpOf(row, given.settings));
   }
   if (row.shape == Shape::OptionalOne)
     return app
-      .add_flag_function(names, [](std::int64_t) {}, helpOf(row))
+      .add_flag_function(names, [](std::int64_t) {}, helpOf(row, given.settings))
       ->type_name(row.value)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
       ->check(CLI::Validator(
@@ -87,7 +91,7 @@ CLI::Option* addRow(CLI::App& app, GivenSettings& given, const Row& row)
   auto* option = app.add_option_function<std::vector<std::string>>(
     names,
     [&row, &given](const std::vector<std::string>& words) { setFromWords(row, given, words); },
-    helpOf(row));
+    helpOf(row, given.settings));
   option->type_name(row.value)->type_size(1)->allow_extra_args(false);
   if (row.shape == Shape::Many && row.commas)
     option->delimiter(',');
@@ -105,13 +109,14 @@ bool isIn(const Row& row, const std::vector<std::string>& names)
                             [&](const auto& name) { return name == row.group || name == row.name; });
 }
 
-void addRows(CLI::App& app, GivenSettings& given, const std::vector<std::string>& groups)
+void addRows(CLI::App& app, GivenSettings& given, const std::vector<std::string>& groups,
+  const std::string& prefix)
 {
   for (const Row& row : settingsTable())
     if (isIn(row, groups))
-      addRow(app, given, row)->group(row.group);
+      addRow(app, given, row, prefix)->group(row.group);
   for (const Row& row : settingsTable())
-    if (isIn(row, groups))
+    if (isIn(row, groups) && !(row.needs.empty() && row.excludes.empty()))
     {
       CLI::Option* option = app.get_option(row.option());
       if (!row.needs.empty())
@@ -132,15 +137,32 @@ void addFiles(CLI::App& app, Settings& settings)
     ->type_name("");
 }
 
-void addSettings(CLI::App& app, GivenSettings& given, std::initializer_list<std::string> groups)
+void addSettings(CLI::App& app, GivenSettings& given, const std::vector<std::string>& groups,
+  const std::string& prefix)
 {
-  addRows(app, given, groups);
+  addRows(app, given, groups, prefix);
+}
+
+CLI::Option* addVectorOption(CLI::App& app, const std::string& name,
+  std::optional<std::array<double, 3>>& value, const std::string& help)
+{
+  return app
+    .add_option_function<std::vector<double>>(
+      name,
+      [&value](const std::vector<double>& v) {
+        value = {v[0], v[1], v[2]};
+      },
+      help)
+    ->delimiter(',')
+    ->check(isNumber())
+    ->expected(3)
+    ->type_name("X,Y,Z");
 }
 
 void addAllSettings(CLI::App& app, GivenSettings& given)
 {
   addFiles(app, given.settings);
-  addRows(app, given, {});
+  addRows(app, given, {}, "");
 }
 
 void addSessionOption(CLI::App& app, std::string& file)

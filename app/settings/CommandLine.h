@@ -2,7 +2,6 @@
 
 #include "Settings.h"
 
-#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +9,7 @@
 namespace CLI
 {
 class App;
+class Option;
 } // namespace CLI
 
 namespace mote::app
@@ -27,9 +27,14 @@ struct GivenSettings
 };
 
 /// Declares the options of these rows and groups of settingsTable() to the command line, which sets them in
-/// `given`.
-void addSettings(
-  CLI::App& app, GivenSettings& given, std::initializer_list<std::string> groups);
+/// `given`. Without
+/// the prefix that their names have in the table.
+void addSettings(CLI::App& app, GivenSettings& given, const std::vector<std::string>& groups,
+  const std::string& prefix = "");
+
+/// Declares an option of three numbers with commas.
+CLI::Option* addVectorOption(CLI::App& app, const std::string& name,
+  std::optional<std::array<double, 3>>& value, const std::string& help);
 
 /// Declares all of them, and the files.
 void addAllSettings(CLI::App& app, GivenSettings& given);

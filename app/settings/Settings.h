@@ -114,10 +114,16 @@ struct LightSettings
 /// The lines that outline things.
 struct SilhouetteSettings
 {
-  std::string lines = "auto"; ///< "on", "off", a number of radii, or "auto": where others are set
-  double thickness = 1.5;  ///< pixels
+  /// "on", "off", "auto" for on where anything else is set; or the least step of depth: a number
+  /// (of radii, in a depth image of world units), or with % a share of the scene's size
+  std::string lines = "auto";
+  std::string thickness = "1.5"; ///< pixels, or LEAST:MOST
+  double opacity = 1.0;          ///< of the least steps
   Color color = {13.0 / 255, 13.0 / 255, 13.0 / 255};
-  std::string groups; ///< array between whose values lines stand, too; empty: none
+  double stepInPixels = 2.0;
+  std::string groups;    ///< array between whose values lines stand, too; empty: none
+  bool hulls = true;     ///< whether lines stand against the background
+  bool onPixels = false; ///< whether they lie on the farther pixels alone
   bool operator==(const SilhouetteSettings&) const = default;
 };
 

@@ -1,9 +1,23 @@
 #include "Table.h"
 
-#include "Text.h"
+#include "Silhouettes.h"
 
 namespace mote::app
 {
+
+namespace
+{
+
+std::function<void(const std::string&)> sentence(std::string (*check)(const std::string&))
+{
+  return [check](const std::string& text)
+  {
+    if (const std::string wrong = check(text); !wrong.empty())
+      throw WrongValue{wrong};
+  };
+}
+
+} // namespace
 
 void addSilhouetteRows(std::vector<Row>& table)
 {
@@ -12,29 +26,40 @@ void addSilhouetteRows(std::vector<Row>& table)
   table.push_back(row<SilhouetteSettings, std::string>(silhouettes, &SilhouetteSettings::lines,
     {.group = group,
       .name = "silhouettes",
-      .value = "on|off|RADII",
-      .help = "Lines where depth jumps, by more than so many radii of a typical particle; on means "
-              "10 radii. auto draws them where another of these options is given",
+      .value = "on|off|RADII|%",
+      .help = "Lines where depth jumps, by more than so many radii of a typical particle, or with "
+              "% by more than a share of the scene's size; on means 10 radii. auto draws them "
+              "where another of these options is given",
       .shape = Shape::OptionalOne},
-    [](const std::string& text)
-    {
-      double radii = 0.0;
-      if (text != "on" && text != "off" && text != "auto" &&
-          !(parseNumber(text, radii) && radii >= 0.0))
-        throw WrongValue{"'" + text + "' is neither on nor off nor a number of radii of at least "
-                                      "0, such as in --silhouettes=4"};
-    }));
-  table.push_back(row(silhouettes, &SilhouetteSettings::thickness,
+    sentence(checkLines)));
+  table.push_back(row<SilhouetteSettings, std::string>(silhouettes, &SilhouetteSettings::thickness,
     {.group = group,
       .name = "silhouette-thickness",
-      .value = "PIXELS",
-      .help = "Width of the lines in pixels",
-      .limits = {.least = 0.1, .most = 64.0}}));
+      .value = "W",
+      .help = "Width of the lines in pixels, from 0.1 to 64; or LEAST:MOST, to have it grow with "
+              "the step"},
+    sentence(checkThickness)));
+  table.push_back(row(silhouettes, &SilhouetteSettings::opacity,
+    {.group = group,
+      .name = "silhouette-opacity",
+      .value = "A",
+      .help = "Opacity of the least steps; it grows with the step",
+      .limits = {.least = 0.0, .most = 1.0}}));
   table.push_back(row(silhouettes, &SilhouetteSettings::color,
     {.group = group,
       .name = "silhouette-color",
       .value = "COLOUR",
       .help = "Colour of the lines: a name or #rrggbb"}));
+  table.push_back(row(silhouettes, &SilhouetteSettings::onPixels,
+    {.group = group,
+      .name = "silhouette-on-pixels",
+      .help = "Draw on the farther pixels alone, crisply, and not about the border itself"}));
+  table.push_back(row(silhouettes, &SilhouetteSettings::stepInPixels,
+    {.group = group,
+      .name = "silhouette-step-pixels",
+      .value = "N",
+      .help = "Draw no step that is less than the width of so many pixels at its distance",
+      .limits = {.least = 0.0}}));
   table.push_back(row(silhouettes, &SilhouetteSettings::groups,
     {.group = group,
       .name = "silhouette-groups",
@@ -42,6 +67,10 @@ void addSilhouetteRows(std::vector<Row>& table)
       .help = "Lines also between neighbours with different values of this array, such as type; or "
               "between each particle and the next, or each object (file)",
       .usual = "none"}));
+  table.push_back(row(silhouettes, &SilhouetteSettings::hulls,
+    {.group = group,
+      .name = "silhouette-hulls",
+      .help = "No lines against the background"}));
 }
 
 } // namespace mote::app

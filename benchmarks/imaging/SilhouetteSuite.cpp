@@ -4,8 +4,8 @@
 #include "../particles/Comparison.h"
 #include "../particles/Views.h"
 
-#include <kernels/tracing/EdgeFilm.h>
 #include <kernels/tracing/RayCaster.h>
+#include <kernels/tracing/SilhouetteFilm.h>
 
 #include <tbb/parallel_for.h>
 
@@ -31,7 +31,7 @@ SilhouetteOptions standard(double step)
 {
   SilhouetteOptions options;
   options.step = step;
-  options.thickness = options.leastThickness = 1.5;
+  options.thickness = 1.5;
   return options;
 }
 
@@ -39,7 +39,7 @@ SilhouetteOptions published(double step)
 {
   SilhouetteOptions options = standard(step);
   options.stepInPixels = 0.0;
-  options.thickness = options.leastThickness = 1.0;
+  options.thickness = 1.0;
   options.leastOpacity = 1.0;
   options.centered = false;
   return options;
@@ -49,7 +49,7 @@ SilhouetteOptions graded(double step)
 {
   SilhouetteOptions options = standard(step);
   options.thickness = 3.0;
-  options.leastThickness = 1.0;
+  options.leastThickness = 1.0 / 3.0;
   options.leastOpacity = 0.2;
   return options;
 }
@@ -63,7 +63,7 @@ const std::vector<Method>& methods()
   return all;
 }
 
-/// One view at one size: frames without edges, and with those of every method.
+/// One view at one size: frames without silhouettes, and with those of every method.
 class Frames
 {
 public:
@@ -74,7 +74,7 @@ public:
     , step_(step)
   {
     draw(nullptr);
-    edges_.resize(film_.pixels());
+    silhouettes_.resize(film_.pixels());
   }
 
   void enter(Race& race, const std::vector<Method>& chosen, int threads)
@@ -91,46 +91,46 @@ public:
   double plain(const Race& race) const { return race.seconds(plain_); }
   double frame(const Race& race, std::size_t k) const { return race.seconds(frames_[k]); }
   double filterSeconds(const Race& race, std::size_t k) const { return race.seconds(filters_[k]); }
-  /// Edges' part of the whole frame: from each round, so that a slow round tells nothing.
+  /// Silhouettes' part of the whole frame: from each round, so that a slow round tells nothing.
   double share(const Race& race, std::size_t k) const
   {
     return 1.0 - race.ratio(plain_, frames_[k]);
   }
 
-  /// Share of the pixels that the edges of a method cover.
+  /// Share of the pixels that the lines of a method cover.
   double covered(const Method& method)
   {
     draw(&method);
     double sum = 0.0;
-    edgeFilm_.forCovered(0, side_, [&](std::size_t, float share) { sum += share; });
+    silhouetteFilm_.forCovered(0, side_, [&](std::size_t, float share) { sum += share; });
     return sum / static_cast<double>(film_.pixels());
   }
 
 private:
   void draw(const Method* method)
   {
-    film_.resize(side_, side_, method != nullptr ? EdgeGroups().channels() : 0u);
+    film_.resize(side_, side_, method != nullptr ? SilhouetteGroups().channels() : 0u);
     RayCaster(scene_).addSample(camera_, film_);
     if (method != nullptr)
     {
-      edgeFilm_.clear();
-      edgeFilm_.add(film_, camera_, method->options(step_), {});
+      silhouetteFilm_.clear();
+      silhouetteFilm_.add(film_, camera_, method->options(step_), {});
     }
     bytes_.resize(4 * film_.pixels());
     tbb::parallel_for(0, side_, [&](int row) { this->showRow(row, method != nullptr); });
   }
 
-  /// A row of the picture, in 8 bits as a window takes it, with the edges over it.
-  void showRow(int row, bool edges)
+  /// A row of the picture, in 8 bits as a window takes it, with the silhouettes over it.
+  void showRow(int row, bool silhouettes)
   {
     const auto byteOf = [](float value)
     { return static_cast<unsigned char>(std::min(value, 1.0f) * 255.0f + 0.5f); };
     const std::size_t first = 4 * static_cast<std::size_t>(row) * side_;
     for (std::size_t i = first; i < first + 4 * static_cast<std::size_t>(side_); ++i)
       bytes_[i] = byteOf(film_.color()[i]);
-    if (!edges)
+    if (!silhouettes)
       return;
-    edgeFilm_.forCovered(row, row + 1,
+    silhouetteFilm_.forCovered(row, row + 1,
       [&](std::size_t pixel, float share)
       {
         for (std::size_t c = 0; c < 4; ++c)
@@ -144,9 +144,9 @@ private:
   /// The film holds a frame: whoever draws leaves the same depths.
   void filter(const Method& method)
   {
-    std::fill(edges_.begin(), edges_.end(), 0.0f);
-    findSilhouettes(
-      depthImageOf(film_.depth(), side_, side_, camera_), method.options(step_), edges_.data());
+    std::fill(silhouettes_.begin(), silhouettes_.end(), 0.0f);
+    findSilhouettes(depthImageOf(film_.depth(), side_, side_, camera_), method.options(step_),
+      silhouettes_.data());
   }
 
   const Scene& scene_;
@@ -154,8 +154,8 @@ private:
   int side_;
   double step_;
   Film film_;
-  EdgeFilm edgeFilm_;
-  std::vector<float> edges_;
+  SilhouetteFilm silhouetteFilm_;
+  std::vector<float> silhouettes_;
   std::vector<unsigned char> bytes_;
   std::size_t plain_ = 0;
   std::vector<std::size_t> frames_, filters_; ///< places in the race, by method
@@ -201,7 +201,7 @@ void measureSize(const Scene& scene, const ParticleInput& input, const Options& 
         {"input", input.name}, {"particles", static_cast<std::int64_t>(input.statistics.valid)},
         {"view", view.name}, {"size", std::int64_t{side}}, {"threads", std::int64_t{threads}},
         {"repeat", std::int64_t{options.repeat}}, {"step", step}, {"filter_ms", 1e3 * filter},
-        {"frame_ms", 1e3 * plain}, {"frame_with_edges_ms", 1e3 * frames.frame(race, k)},
+        {"frame_ms", 1e3 * plain}, {"frame_with_silhouettes_ms", 1e3 * frames.frame(race, k)},
         {"frame_share", share}, {"covered_share", covered}});
     }
   }
@@ -213,16 +213,16 @@ Report run(const Options& options)
   const Scene scene = sceneOf(input, options);
   Report report;
   Section section{"", Table(2)};
-  section.table.add({"method", "view", "size", "filter ms", "frame ms", "with edges ms",
+  section.table.add({"method", "view", "size", "filter ms", "frame ms", "with lines ms",
     "share of it", "filter/frame", "covered"});
   for (const int side : options.sizes)
     measureSize(scene, input, options, side, section.table, report.records);
   section.notes = {
-    "share of it: the edges' part of the frame with edges, the median over rounds in which frames "
-    "with and without take turns; with them they are found and drawn. A frame is traced, shaded "
-    "and "
-    "converted to the 8 bits a channel of a window.",
-    "filter: finding the edges in the depths of a frame, alone. covered: by edges, of the picture.",
+    "share of it: the silhouettes' part of the frame with them, the median over rounds in which "
+    "frames with and without take turns; with them they are found and drawn. A frame is traced, "
+    "shaded and converted to the 8 bits a channel of a window.",
+    "filter: finding the silhouettes in the depths of a frame, alone. covered: by lines, of the "
+    "picture.",
     format("%zu particles (%s), frames of one ray a pixel with shading, least step of %g radii, "
            "%d threads, medians of %d rounds.",
       input.statistics.valid, options.input.c_str(), radii, threadCount(options.threads),
@@ -237,7 +237,7 @@ Suite silhouetteSuite()
 {
   Suite suite;
   suite.name = "silhouettes";
-  suite.summary = "edges in depth images: the filter alone, and its part of whole frames";
+  suite.summary = "silhouettes in depth images: the filter alone, and its part of whole frames";
   suite.inputs = particleInputs();
   for (const Method& method : methods())
     suite.methods.emplace_back(method.name, method.summary);

@@ -5,7 +5,7 @@
 namespace mote::bench
 {
 
-/// Edges in depth images: time of the filter alone, and of whole frames with and without edges.
+/// Silhouettes in depth images: time of the filter alone, and of whole frames with and without.
 Suite silhouetteSuite();
 
 } // namespace mote::bench

@@ -1,6 +1,7 @@
 #include "vtkMoteSilhouetteFilter.h"
 
 #include "SilhouetteInput.h"
+#include "vtkMoteSilhouettes.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -19,27 +20,33 @@ struct vtkMoteSilhouetteFilter::Run
 {
   mote::imaging::SilhouetteInput input;
   mote::SilhouetteOptions options;
+  bool enabled = false;
   mote::imaging::LineColors overlay;
 };
 
 vtkStandardNewMacro(vtkMoteSilhouetteFilter);
 
-vtkMoteSilhouetteFilter::vtkMoteSilhouetteFilter() = default;
+vtkCxxSetSmartPointerMacro(vtkMoteSilhouetteFilter, Silhouettes, vtkMoteSilhouettes);
+
+vtkMoteSilhouetteFilter::vtkMoteSilhouetteFilter()
+  : Silhouettes(vtkSmartPointer<vtkMoteSilhouettes>::New())
+{
+  this->Silhouettes->EnabledOn();
+  this->Silhouettes->SetThresholdModeToSceneSize();
+  this->Silhouettes->SetThreshold(0.01);
+}
 
 vtkMoteSilhouetteFilter::~vtkMoteSilhouetteFilter() = default;
 
-mote::SilhouetteOptions vtkMoteSilhouetteFilter::MakeOptions() const
+vtkMoteSilhouettes* vtkMoteSilhouetteFilter::GetSilhouettes()
 {
-  mote::SilhouetteOptions options;
-  options.stepInPixels = this->StepInPixels;
-  options.hulls = this->Hulls != 0;
-  options.thickness = this->Thickness;
-  options.leastThickness = this->LeastThickness > 0.0 ? this->LeastThickness : this->Thickness;
-  options.leastOpacity = this->LeastOpacity;
-  options.fullStep = this->FullStep;
-  options.centered = this->Centered != 0;
-  options.reduction = this->ReductionFactor;
-  return options;
+  return this->Silhouettes;
+}
+
+vtkMTimeType vtkMoteSilhouetteFilter::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->Silhouettes ? std::max(time, this->Silhouettes->GetMTime()) : time;
 }
 
 int vtkMoteSilhouetteFilter::RequestInformation(
@@ -79,8 +86,14 @@ int vtkMoteSilhouetteFilter::RequestUpdateExtent(
   outputVector->GetInformationObject(0)->Get(
     vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), extent);
   // The scene's size is found in the whole image.
-  const bool needsAll = this->ThresholdMode == SCENE_SIZE && this->SceneSize <= 0.0;
-  const int factor = this->ReductionFactor, margin = mote::silhouetteMargin(this->MakeOptions());
+  const bool enabled = this->Silhouettes && this->Silhouettes->GetEnabled();
+  const bool needsAll = enabled && this->SceneSize <= 0.0 &&
+                        this->Silhouettes->GetThresholdMode() == vtkMoteSilhouettes::SCENE_SIZE;
+  mote::SilhouetteOptions options;
+  if (enabled)
+    options = this->Silhouettes->MakeOptions(0.0);
+  options.reduction = this->ReductionFactor;
+  const int factor = this->ReductionFactor, margin = mote::silhouetteMargin(options);
   for (int axis = 0; axis < 2; ++axis)
   {
     int* range = extent + 2 * axis;
@@ -96,7 +109,7 @@ int vtkMoteSilhouetteFilter::RequestUpdateExtent(
 void vtkMoteSilhouetteFilter::CopyAttributeData(
   vtkImageData* vtkNotUsed(input), vtkImageData* vtkNotUsed(output), vtkInformationVector**)
 {
-  // The output has edges alone.
+  // The output has silhouettes alone.
 }
 
 int vtkMoteSilhouetteFilter::RequestData(
@@ -109,7 +122,6 @@ int vtkMoteSilhouetteFilter::RequestData(
   auto run = std::make_unique<Run>();
   try
   {
-    run->options = this->MakeOptions();
     this->Describe(*run, image, inputVector[0]->GetInformationObject(0));
   }
   catch (const std::exception& error)
@@ -119,12 +131,11 @@ int vtkMoteSilhouetteFilter::RequestData(
     output->Initialize();
     return 0;
   }
-  this->Step = run->options.step;
   this->Present = std::move(run);
   const int success = this->Superclass::RequestData(request, inputVector, outputVector);
   this->Present.reset();
   if (vtkDataArray* scalars = output->GetPointData()->GetScalars())
-    scalars->SetName(this->OutputMode == OVERLAY ? "color" : "edges");
+    scalars->SetName(this->OutputMode == OVERLAY ? "color" : "silhouettes");
   return success;
 }
 
@@ -135,20 +146,31 @@ void vtkMoteSilhouetteFilter::Describe(Run& run, vtkImageData* image, vtkInforma
   information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), whole);
   input.setExtents(whole, image->GetExtent(), this->ReductionFactor);
   input.takeDepths(mote::imaging::findDepths(image, this->DepthArrayName));
-  if (!this->GroupArrayName.empty())
-    input.takeGroups(mote::imaging::findNumbers(image, this->GroupArrayName));
   input.background = this->BackgroundDepth < VTK_FLOAT_MAX
                        ? static_cast<float>(this->BackgroundDepth)
                        : std::numeric_limits<float>::infinity();
   input.setView(this->DepthMode != ORTHOGRAPHIC, this->ViewAngle, 2.0 * this->ParallelScale,
     this->DepthMode == ALONG_RAYS);
-  const double unit = this->ThresholdMode == WORLD   ? 1.0
-                      : this->ThresholdMode == RADII ? this->ParticleRadius
-                      : this->SceneSize > 0.0        ? this->SceneSize
-                                                     : input.sceneSize();
-  run.options.step = this->Threshold * unit;
+  vtkMoteSilhouettes* silhouettes = this->Silhouettes;
+  run.enabled = silhouettes && silhouettes->GetEnabled();
+  if (run.enabled)
+  {
+    const std::string groups = silhouettes->GetGroupArrayName();
+    if (!groups.empty())
+      input.takeGroups(mote::imaging::findNumbers(image, groups));
+    const int mode = silhouettes->GetThresholdMode();
+    const double unit = mode == vtkMoteSilhouettes::WORLD   ? 1.0
+                        : mode == vtkMoteSilhouettes::RADII ? this->ParticleRadius
+                        : this->SceneSize > 0.0             ? this->SceneSize
+                                                            : input.sceneSize();
+    this->Step = silhouettes->GetThreshold() * unit;
+    run.options = silhouettes->MakeOptions(this->Step);
+  }
+  run.options.reduction = this->ReductionFactor;
+  static const double black[3] = {};
   if (this->OutputMode == OVERLAY)
-    run.overlay = mote::imaging::LineColors(image, this->ColorArrayName, this->EdgeColor);
+    run.overlay = mote::imaging::LineColors(
+      image, this->ColorArrayName, silhouettes ? silhouettes->GetColor() : black);
 }
 
 void vtkMoteSilhouetteFilter::ThreadedRequestData(vtkInformation*, vtkInformationVector**,
@@ -156,18 +178,19 @@ void vtkMoteSilhouetteFilter::ThreadedRequestData(vtkInformation*, vtkInformatio
 {
   const Run& run = *this->Present;
   const int width = extent[1] - extent[0] + 1, height = extent[3] - extent[2] + 1;
-  std::vector<float> edges(static_cast<std::size_t>(width) * height);
+  std::vector<float> coverage(static_cast<std::size_t>(width) * height);
   for (int z = extent[4]; z <= extent[5]; ++z)
   {
-    std::fill(edges.begin(), edges.end(), 0.0f);
+    std::fill(coverage.begin(), coverage.end(), 0.0f);
     mote::PixelBox box;
     const mote::DepthImage image = run.input.slice(z, extent, box);
-    mote::findSilhouettes(image, run.options, box, edges.data(), width);
+    if (run.enabled)
+      mote::findSilhouettes(image, run.options, box, coverage.data(), width);
     for (int y = 0; y < height; ++y)
     {
       auto* out = static_cast<float*>(outData[0]->GetScalarPointer(extent[0], extent[2] + y, z));
-      const float* row = edges.data() + static_cast<std::size_t>(y) * width;
-      if (this->OutputMode == EDGES)
+      const float* row = coverage.data() + static_cast<std::size_t>(y) * width;
+      if (this->OutputMode == SILHOUETTES)
       {
         std::copy(row, row + width, out);
         continue;
@@ -181,28 +204,17 @@ void vtkMoteSilhouetteFilter::ThreadedRequestData(vtkInformation*, vtkInformatio
 void vtkMoteSilhouetteFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Silhouettes: " << this->Silhouettes.Get() << "\n";
   os << indent << "DepthArrayName: " << this->DepthArrayName << "\n";
-  os << indent << "GroupArrayName: " << this->GroupArrayName << "\n";
   os << indent << "ColorArrayName: " << this->ColorArrayName << "\n";
   os << indent << "DepthMode: " << this->DepthMode << "\n";
   os << indent << "ViewAngle: " << this->ViewAngle << "\n";
   os << indent << "ParallelScale: " << this->ParallelScale << "\n";
   os << indent << "BackgroundDepth: " << this->BackgroundDepth << "\n";
-  os << indent << "Threshold: " << this->Threshold << "\n";
-  os << indent << "ThresholdMode: " << this->ThresholdMode << "\n";
   os << indent << "ParticleRadius: " << this->ParticleRadius << "\n";
   os << indent << "SceneSize: " << this->SceneSize << "\n";
-  os << indent << "StepInPixels: " << this->StepInPixels << "\n";
-  os << indent << "Hulls: " << this->Hulls << "\n";
-  os << indent << "Thickness: " << this->Thickness << "\n";
-  os << indent << "LeastThickness: " << this->LeastThickness << "\n";
-  os << indent << "LeastOpacity: " << this->LeastOpacity << "\n";
-  os << indent << "FullStep: " << this->FullStep << "\n";
-  os << indent << "Centered: " << this->Centered << "\n";
   os << indent << "ReductionFactor: " << this->ReductionFactor << "\n";
   os << indent << "OutputMode: " << this->OutputMode << "\n";
-  os << indent << "EdgeColor: " << this->EdgeColor[0] << " " << this->EdgeColor[1] << " "
-     << this->EdgeColor[2] << "\n";
   os << indent << "Step: " << this->Step << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
 }

@@ -1,18 +1,16 @@
 /**
  * @class   vtkMoteSilhouetteFilter
- * @brief   Finds silhouette edges in a depth image, by steps of the depth.
+ * @brief   Finds silhouettes in a depth image, by steps of the depth.
  *
  * The input is a vtkImageData with an array of depths, such as vtkMoteRendererSource makes and
  * vtkMoteImageReader reads; each slice is an image by itself. The output has the float array
- * `edges`, the share of each pixel that the lines cover, in [0, 1], as its scalars; or, with
+ * `silhouettes`, the share of each pixel that the lines cover, in [0, 1], as its scalars; or, with
  * OutputMode OVERLAY, the float RGBA array `color` (premultiplied): the lines drawn over the
  * input's colours, or over nothing where it has none.
  *
- * An edge stands where the 3x3 Laplacian (8 at the centre, -1 around) of ray distances says that a
- * pixel is farther than its neighbours by more than the threshold (mote::findSilhouettes, in
- * kernels/imaging/Silhouettes.h, has the rule). Only the farther pixel has it, so no line is
- * double. Depths that are not finite, or not below BackgroundDepth, are background; surfaces have
- * one line against it.
+ * What is drawn where, and how, a vtkMoteSilhouettes says. Its thicknesses are in pixels of the
+ * output. mote::findSilhouettes() (kernels/imaging/Silhouettes.h) has the rule. Depths that are not
+ * finite, or not below BackgroundDepth, are background.
  *
  * The result does not depend on how the image is divided, into threads or pieces.
  *
@@ -28,15 +26,13 @@
 #define vtkMoteSilhouetteFilter_h
 
 #include "MoteFiltersImagingModule.h" // for export macro
+#include "vtkSmartPointer.h"          // for Silhouettes
 #include "vtkThreadedImageAlgorithm.h"
 
 #include <memory> // for what one run needs
 #include <string> // for attributes
 
-namespace mote
-{
-struct SilhouetteOptions;
-}
+class vtkMoteSilhouettes;
 
 class MOTEFILTERSIMAGING_EXPORT vtkMoteSilhouetteFilter : public vtkThreadedImageAlgorithm
 {
@@ -56,11 +52,12 @@ public:
 
   ///@{
   /**
-   * Point array with one number a pixel, such as `object`, `particle` or a material: an edge stands
-   * also where it changes between two surfaces. Default: none.
+   * What is drawn: see there. To begin with there is one object of its own, which is Enabled and
+   * has a threshold of 0.01 of the scene's size; null is none. GroupArrayName is an array of the
+   * image, such as `object`, `particle` or a material.
    */
-  vtkSetMacro(GroupArrayName, std::string);
-  vtkGetMacro(GroupArrayName, std::string);
+  void SetSilhouettes(vtkMoteSilhouettes* silhouettes);
+  vtkMoteSilhouettes* GetSilhouettes();
   ///@}
 
   enum DepthModes
@@ -93,7 +90,7 @@ public:
   ///@{
   /**
    * Of orthographic views: half the height of the whole image in world units, as vtkCamera's.
-   * Default 0: not known, and StepInPixels means nothing.
+   * Default 0: not known, and StepInPixels of Silhouettes means nothing.
    */
   vtkSetClampMacro(ParallelScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParallelScale, double);
@@ -106,27 +103,6 @@ public:
    */
   vtkSetMacro(BackgroundDepth, double);
   vtkGetMacro(BackgroundDepth, double);
-  ///@}
-
-  enum ThresholdModes
-  {
-    WORLD,
-    RADII,
-    SCENE_SIZE
-  };
-  ///@{
-  /**
-   * The least step of depth that is an edge, in the unit that ThresholdMode says: world units,
-   * particle radii (ParticleRadius), or shares of the scene's size (SceneSize). Not less than 0.
-   * Default 0.01 of the scene's size. In world units it is the same at every zoom.
-   */
-  vtkSetClampMacro(Threshold, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(Threshold, double);
-  vtkSetClampMacro(ThresholdMode, int, WORLD, SCENE_SIZE);
-  vtkGetMacro(ThresholdMode, int);
-  void SetThresholdModeToWorld() { this->SetThresholdMode(WORLD); }
-  void SetThresholdModeToRadii() { this->SetThresholdMode(RADII); }
-  void SetThresholdModeToSceneSize() { this->SetThresholdMode(SCENE_SIZE); }
   ///@}
 
   ///@{
@@ -149,65 +125,8 @@ public:
 
   ///@{
   /**
-   * No step is an edge that is less than the width of so many pixels at its distance, whatever the
-   * threshold: relief finer than pixels has no outlines. 0: off. Default 2.
-   */
-  vtkSetClampMacro(StepInPixels, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(StepInPixels, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether surfaces have edges against the background. Default on.
-   */
-  vtkSetMacro(Hulls, vtkTypeBool);
-  vtkGetMacro(Hulls, vtkTypeBool);
-  vtkBooleanMacro(Hulls, vtkTypeBool);
-  ///@}
-
-  ///@{
-  /**
-   * Width of the lines in pixels of the output, in [0, 100]: Thickness that of the strongest edges,
-   * default 1, and LeastThickness that of the weakest; 0, the default: all alike.
-   */
-  vtkSetClampMacro(Thickness, double, 0.0, 100.0);
-  vtkGetMacro(Thickness, double);
-  vtkSetClampMacro(LeastThickness, double, 0.0, 100.0);
-  vtkGetMacro(LeastThickness, double);
-  ///@}
-
-  ///@{
-  /**
-   * Grey levels: opacity of the weakest edges, in [0, 1]. Default 1: all alike.
-   */
-  vtkSetClampMacro(LeastOpacity, double, 0.0, 1.0);
-  vtkGetMacro(LeastOpacity, double);
-  ///@}
-
-  ///@{
-  /**
-   * Multiples of the threshold, from which on an edge is as strong as edges get; weaker ones follow
-   * the step's logarithm. Above 1, default 8. Edges of hulls and groups are always strong.
-   */
-  vtkSetClampMacro(FullStep, double, 1.0001, VTK_DOUBLE_MAX);
-  vtkGetMacro(FullStep, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether a line's middle is on the border between two pixels, and covers both by halves, which
-   * is where the outline is on average; or on the farther pixel, as published, which is crisper and
-   * half a pixel outside. Default on.
-   */
-  vtkSetMacro(Centered, vtkTypeBool);
-  vtkGetMacro(Centered, vtkTypeBool);
-  vtkBooleanMacro(Centered, vtkTypeBool);
-  ///@}
-
-  ///@{
-  /**
-   * Smooth edges from a depth image of higher resolution: the output has one pixel for a square of
-   * so many along each side, and is their mean. In [1, 64], default 1.
+   * Smooth lines from a depth image of higher resolution: the output has one pixel for a
+   * square of so many along each side, and is their mean. In [1, 64], default 1.
    */
   vtkSetClampMacro(ReductionFactor, int, 1, 64);
   vtkGetMacro(ReductionFactor, int);
@@ -215,16 +134,16 @@ public:
 
   enum OutputModes
   {
-    EDGES,
+    SILHOUETTES,
     OVERLAY
   };
   ///@{
   /**
-   * The edges alone (default), or drawn over the colours.
+   * The silhouettes alone (default), or drawn over the colours.
    */
-  vtkSetClampMacro(OutputMode, int, EDGES, OVERLAY);
+  vtkSetClampMacro(OutputMode, int, SILHOUETTES, OVERLAY);
   vtkGetMacro(OutputMode, int);
-  void SetOutputModeToEdges() { this->SetOutputMode(EDGES); }
+  void SetOutputModeToSilhouettes() { this->SetOutputMode(SILHOUETTES); }
   void SetOutputModeToOverlay() { this->SetOutputMode(OVERLAY); }
   ///@}
 
@@ -237,16 +156,8 @@ public:
   vtkGetMacro(ColorArrayName, std::string);
   ///@}
 
-  ///@{
   /**
-   * Of OVERLAY: the lines' colour, as shown on a screen. Default black.
-   */
-  vtkSetVector3Macro(EdgeColor, double);
-  vtkGetVector3Macro(EdgeColor, double);
-  ///@}
-
-  /**
-   * The step in world units that the last update took for an edge; 0 before.
+   * The threshold of the last update in world units; 0 before.
    */
   double GetStep() const { return this->Step; }
 
@@ -254,6 +165,8 @@ public:
    * Why the last update failed, as one sentence; empty if it did not.
    */
   std::string GetErrorMessage() const { return this->ErrorMessage; }
+
+  vtkMTimeType GetMTime() override;
 
   void ThreadedRequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector, vtkImageData*** inData, vtkImageData** outData,
@@ -272,27 +185,17 @@ protected:
   void CopyAttributeData(
     vtkImageData* input, vtkImageData* output, vtkInformationVector** inputVector) override;
 
+  vtkSmartPointer<vtkMoteSilhouettes> Silhouettes;
   std::string DepthArrayName;
-  std::string GroupArrayName;
   std::string ColorArrayName = "color";
   int DepthMode = ALONG_AXIS;
   double ViewAngle = 30.0;
   double ParallelScale = 0.0;
   double BackgroundDepth = VTK_DOUBLE_MAX;
-  double Threshold = 0.01;
-  int ThresholdMode = SCENE_SIZE;
   double ParticleRadius = 1.0;
   double SceneSize = 0.0;
-  double StepInPixels = 2.0;
-  vtkTypeBool Hulls = 1;
-  double Thickness = 1.0;
-  double LeastThickness = 0.0;
-  double LeastOpacity = 1.0;
-  double FullStep = 8.0;
-  vtkTypeBool Centered = 1;
   int ReductionFactor = 1;
-  int OutputMode = EDGES;
-  double EdgeColor[3] = {0.0, 0.0, 0.0};
+  int OutputMode = SILHOUETTES;
 
 private:
   vtkMoteSilhouetteFilter(const vtkMoteSilhouetteFilter&) = delete;
@@ -300,7 +203,6 @@ private:
 
   struct Run;
 
-  mote::SilhouetteOptions MakeOptions() const;
   void Describe(Run& run, vtkImageData* image, vtkInformation* information);
 
   std::unique_ptr<Run> Present; // what the threads share, while data are requested

@@ -104,7 +104,7 @@ void forRows(const Film& film, const Work& work)
 
 } // namespace
 
-void FilmDisplay::convertColors(const Film& film, const EdgeLayer& edges)
+void FilmDisplay::convertColors(const Film& film, const SilhouetteLayer& lines)
 {
   const auto byteOf = [](float value)
   { return static_cast<unsigned char>(std::min(value, 1.0f) * 255.0f + 0.5f); };
@@ -113,7 +113,7 @@ void FilmDisplay::convertColors(const Film& film, const EdgeLayer& edges)
   {
     float color[4];
     std::copy_n(film.color() + 4 * i, 4, color);
-    edges.drawOver(share, color);
+    lines.drawOver(share, color);
     std::transform(color, color + 4, &colorBytes_[4 * i], byteOf);
   };
   forRows(film,
@@ -121,12 +121,12 @@ void FilmDisplay::convertColors(const Film& film, const EdgeLayer& edges)
     {
       for (std::size_t i = 4 * begin; i != 4 * end; ++i)
         colorBytes_[i] = byteOf(film.color()[i]);
-      if (edges.edges)
-        edges.edges->forCovered(first, last, drawLine);
+      lines.forCovered(first, last, drawLine);
     });
 }
 
-void FilmDisplay::convertDepth(vtkRenderer* renderer, const Film& film, const EdgeLayer& edges)
+void FilmDisplay::convertDepth(
+  vtkRenderer* renderer, const Film& film, const SilhouetteLayer& lines)
 {
   const DepthScale scale(renderer->GetActiveCamera());
   windowDepth_.resize(film.pixels());
@@ -134,15 +134,14 @@ void FilmDisplay::convertDepth(vtkRenderer* renderer, const Film& film, const Ed
   {
     const int x = static_cast<int>(i % film.width()), y = static_cast<int>(i / film.width());
     windowDepth_[i] = scale.valueOf(
-      nearSide(film.nearestDepth(), film.width(), film.height(), x, y, edges.edges->reach()));
+      nearSide(film.nearestDepth(), film.width(), film.height(), x, y, lines.film->reach()));
   };
   forRows(film,
     [&](int first, int last, std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i != end; ++i)
         windowDepth_[i] = scale.valueOf(film.nearestDepth()[i]);
-      if (edges.edges)
-        edges.edges->forCovered(first, last, bringForward);
+      lines.forCovered(first, last, bringForward);
     });
 }
 
@@ -230,20 +229,20 @@ void FilmDisplay::drawIntoWindow(vtkRenderer* renderer)
   state->PopDrawFramebufferBinding();
 }
 
-void FilmDisplay::draw(
-  vtkRenderer* renderer, const Film& film, const EdgeLayer& edges, unsigned long version, Way way)
+void FilmDisplay::draw(vtkRenderer* renderer, const Film& film, const SilhouetteLayer& lines,
+  unsigned long version, Way way)
 {
   if (!prepare(renderer))
     return;
   const double* range = renderer->GetActiveCamera()->GetClippingRange();
   std::vector<double> wanted = {double(version), range[0], range[1]};
-  if (edges.edges)
+  if (lines.film)
     for (int c = 0; c < 3; ++c)
-      wanted.push_back(edges.color[c]);
+      wanted.push_back(lines.color[c]);
   if (wanted != shown_)
   {
-    convertColors(film, edges);
-    convertDepth(renderer, film, edges);
+    convertColors(film, lines);
+    convertDepth(renderer, film, lines);
     int width = 0, height = 0, x = 0, y = 0;
     renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
     upload(film, colorBytes_.data(), width != film.width() || height != film.height());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "FilmEdges.h"
+#include "SilhouetteTracer.h"
 
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -37,8 +37,8 @@ public:
   /// Blends the film, and the lines over it, over what is there, and writes the depth of what is
   /// opaque in it; lines are as near as what they belong to. `version` tells films and places of
   /// lines apart: the same one is not converted and sent again.
-  void draw(vtkRenderer* renderer, const Film& film, const EdgeLayer& edges, unsigned long version,
-    Way way);
+  void draw(vtkRenderer* renderer, const Film& film, const SilhouetteLayer& lines,
+    unsigned long version, Way way);
 
   /// Writes one colour, without blending, wherever the film shows something: for selection passes.
   /// `colors` holds four bytes a pixel of the film.
@@ -50,8 +50,8 @@ public:
 private:
   bool prepare(vtkRenderer* renderer);
   void upload(const Film& film, const unsigned char* colors, bool smooth);
-  void convertColors(const Film& film, const EdgeLayer& edges);
-  void convertDepth(vtkRenderer* renderer, const Film& film, const EdgeLayer& edges);
+  void convertColors(const Film& film, const SilhouetteLayer& lines);
+  void convertDepth(vtkRenderer* renderer, const Film& film, const SilhouetteLayer& lines);
   void drawQuad(bool blend);
   void drawOver();
   void renderQuad();

@@ -184,7 +184,7 @@ bool FrameTracer::lacksChannels(const FrameSettings& settings) const
   return isLast() && ((settings.refinement.channels() | settings.channels) & ~channels_) != 0;
 }
 
-/// Whether the film has all that is wanted of it, edges apart.
+/// Whether the film has all that is wanted of it, silhouettes apart.
 bool FrameTracer::isDone(const FrameSettings& settings) const
 {
   return isLast() && !lacksChannels(settings) && settings.refinement.isDone(film_);
@@ -195,7 +195,7 @@ bool FrameTracer::forget(int width, int height, const FrameSettings& settings)
 {
   film_.resize(std::max(1, width), std::max(1, height), settings.channels);
   fillWithNothing(film_);
-  edges_.clear();
+  silhouettes_.clear();
   distance_ = shownDistance_ = 1.0;
   shows_ = false;
   return false;
@@ -233,16 +233,16 @@ bool FrameTracer::trace(vtkRenderer* renderer, MoteProps& props, int width, int 
   shows_ = shows_ && (!changed || justBaked);
   frame.slow = takesLong(frame.scene) || !complete;
   frame.startClock();
-  edges_.startFrame();
-  edges_.prepare(settings.silhouettes, props, frame.scene, distance_);
+  silhouettes_.startFrame();
+  silhouettes_.prepare(settings.silhouettes, props, frame.scene, distance_);
   const bool coarse =
     moving && distanceFor(frame, settings.frameTime) * leastFiner <= shownDistance_;
   if ((moving || settings.progressive) && (!shows_ || coarse))
     traceFirst(frame);
   else if (!moving && complete)
     sharpen(frame, changed);
-  addEdges(frame, film_.samples());
-  converged_ = complete && !preview_ && isDone(settings) && !edges_.isBehind(film_.samples());
+  addSilhouettes(frame, film_.samples());
+  converged_ = complete && !preview_ && isDone(settings) && !silhouettes_.isBehind(film_.samples());
   shown_ = shown;
   return shows_;
 }
@@ -279,18 +279,15 @@ void FrameTracer::begin(Frame& frame, double distance, bool draft)
   Film before;
   if (shows_)
   {
-    const EdgeLayer lines = edges_.layer();
-    if (lines.edges)
-      lines.edges->forCovered(0, film_.height(),
-        [&](std::size_t i, float share) { lines.drawOver(share, film_.color() + 4 * i); });
+    silhouettes_.layer().drawOver(film_.height(), film_.color());
     std::swap(before, film_);
     ++version_;
   }
-  edges_.clear();
-  edges_.prepare(settings.silhouettes, frame.props, frame.scene, distance);
+  silhouettes_.clear();
+  silhouettes_.prepare(settings.silhouettes, frame.props, frame.scene, distance);
   channels_ = draft ? 0u : settings.refinement.channels() | settings.channels;
   film_.resize(std::max(1, int(std::ceil(frame.width / distance))),
-    std::max(1, int(std::ceil(frame.height / distance))), channels_ | edges_.channels());
+    std::max(1, int(std::ceil(frame.height / distance))), channels_ | silhouettes_.channels());
   if (shows_)
     fillFrom(before, film_);
   tiles_.clear();
@@ -344,7 +341,7 @@ void FrameTracer::sharpen(Frame& frame, bool anew)
       beginNext(frame, anew || !bits);
     anew = false;
     // Lines first: they must not vanish tile by tile until the sample is complete.
-    if (bits && film_.samples() == 0 && !addEdges(frame, 1))
+    if (bits && film_.samples() == 0 && !addSilhouettes(frame, 1))
       return;
     const double start = frame.seconds();
     if (!addSample(frame) || (bits && 2.0 * frame.seconds() - start > settings.frameTime))
@@ -375,7 +372,7 @@ bool FrameTracer::addSample(Frame& frame)
   ++version_;
   if (complete)
   {
-    edges_.add(film_, frame.camera, frame.ends(), settings.threads);
+    silhouettes_.add(film_, frame.camera, frame.ends(), settings.threads);
     shows_ = true;
     shownDistance_ = distance_;
   }
@@ -383,16 +380,16 @@ bool FrameTracer::addSample(Frame& frame)
   return complete;
 }
 
-/// Finds the edges of the film's first samples where they are not found yet. False where some are
-/// left.
-bool FrameTracer::addEdges(Frame& frame, int samples)
+/// Finds the silhouettes of the film's first samples where they are not found yet. False where some
+/// are left.
+bool FrameTracer::addSilhouettes(Frame& frame, int samples)
 {
   const FrameSettings& settings = frame.settings;
-  while (edges_.isBehind(samples))
+  while (silhouettes_.isBehind(samples))
   {
     frame.aim(film_, draft_);
     const double start = frame.seconds();
-    const bool complete = edges_.catchUp(frame.traced, film_, frame.camera, frame.ends(),
+    const bool complete = silhouettes_.catchUp(frame.traced, film_, frame.camera, frame.ends(),
       settings.threads, [&](double part) { return frame.goesOn(part); });
     seconds_ += frame.seconds() - start;
     if (!complete)
@@ -402,7 +399,7 @@ bool FrameTracer::addEdges(Frame& frame, int samples)
     if (settings.progressive && frame.seconds() > settings.frameTime)
       break;
   }
-  return !edges_.isBehind(samples);
+  return !silhouettes_.isBehind(samples);
 }
 
 } // namespace mote

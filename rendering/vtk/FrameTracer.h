@@ -1,8 +1,8 @@
 #pragma once
 
-#include "FilmEdges.h"
 #include "MoteProp.h"
 #include "OcclusionBaking.h"
+#include "SilhouetteTracer.h"
 #include "WindowDepth.h"
 
 #include "kernels/core/Film.h"
@@ -71,7 +71,7 @@ public:
 
   const Film& film() const { return film_; }
   /// What is to be drawn over the film.
-  EdgeLayer edges() const { return edges_.layer(); }
+  SilhouetteLayer silhouettes() const { return silhouettes_.layer(); }
   /// Distance of neighbouring rays in pixels of the viewport, where the film is coarsest.
   double distance() const { return shownDistance_; }
   /// Samples that every pixel has.
@@ -84,11 +84,11 @@ public:
   /// Standard error of the film, infinite where nobody asked for it.
   double noise() const;
   double seconds() const { return seconds_; }
-  /// The part of them that edges took.
-  double edgeSeconds() const { return edges_.seconds(); }
+  /// The part of them that silhouettes took.
+  double silhouetteSeconds() const { return silhouettes_.seconds(); }
   /// Cast by the last trace(), but for films that were given up as too coarse or too fine.
   long long rays() const { return rays_; }
-  /// Changes whenever the film does, or where edges are.
+  /// Changes whenever the film does, or where silhouettes are.
   unsigned long version() const { return version_; }
 
 private:
@@ -126,18 +126,18 @@ private:
   void traceFirst(Frame& frame);
   void sharpen(Frame& frame, bool anew);
   bool addSample(Frame& frame);
-  bool addEdges(Frame& frame, int samples);
+  bool addSilhouettes(Frame& frame, int samples);
 
   Film film_;
   TilesDone tiles_; ///< of the sample that is being traced
-  FilmEdges edges_;
+  SilhouetteTracer silhouettes_;
   std::optional<View> viewed_; ///< by the last call
   std::uint64_t view_ = 0;     ///< its number
   Shown shown_;                ///< by the film
   OcclusionBaking baking_;
   double distance_ = 1.0;      ///< of the film's rays
   double shownDistance_ = 1.0; ///< of those of the film before, while the first sample is traced
-  unsigned channels_ = 0;      ///< of the film, besides those of edges
+  unsigned channels_ = 0;      ///< of the film, besides those of silhouettes
   bool draft_ = false;         ///< the film has fewer rays a hit than it should
   bool shows_ = false;         ///< the film shows all of the view, however coarsely
   /// Of the last first film: what the next will take, most likely. To begin with, about what clouds

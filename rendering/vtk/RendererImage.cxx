@@ -64,7 +64,7 @@ void RendererImage::draw(vtkRenderer* renderer, bool translucent)
   if (renderer->GetSelector())
     drawSelection(renderer);
   else
-    display_.draw(renderer, tracer_.film(), tracer_.edges(), tracer_.version(),
+    display_.draw(renderer, tracer_.film(), tracer_.silhouettes(), tracer_.version(),
       ended_        ? FilmDisplay::Way::Over
       : translucent ? FilmDisplay::Way::Translucent
                     : FilmDisplay::Way::Opaque);

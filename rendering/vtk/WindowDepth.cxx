@@ -98,7 +98,7 @@ WindowDepth WindowDepthReader::read(vtkRenderer* renderer)
   state->PopReadFramebufferBinding();
   if (glGetError() != GL_NO_ERROR)
     throw Error("OpenGL does not tell the depth buffer's values, by which volumes end at other "
-                "props and edges are found.");
+                "props and silhouettes are found.");
 
   const DepthScale scale(renderer->GetActiveCamera());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, depth.distances.size(), 1 << 14),

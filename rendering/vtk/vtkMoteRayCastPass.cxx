@@ -195,7 +195,7 @@ double vtkMoteRayCastPass::GetDisplayTime()
 
 double vtkMoteRayCastPass::GetSilhouetteTime()
 {
-  return this->Impl->tracer().edgeSeconds();
+  return this->Impl->tracer().silhouetteSeconds();
 }
 
 void vtkMoteRayCastPass::PrintSelf(ostream& os, vtkIndent indent)

@@ -128,9 +128,9 @@ public:
 
   ///@{
   /**
-   * Edges on what is drawn: see there. There is one of its own to begin with, which is not Enabled;
-   * null is none. They are found in the depths of each of a pixel's rays, and smoothed with them.
-   * Other options change the edges of a picture at rest without tracing its colours again.
+   * Silhouettes on what is drawn: see there. To begin with there is one object of its own, which is
+   * not Enabled; null is none. They are found in the depths of each of a pixel's rays, and smoothed
+   * with them. Other options change those of a picture at rest without tracing its colours again.
    */
   void SetSilhouettes(vtkMoteSilhouettes* silhouettes);
   vtkMoteSilhouettes* GetSilhouettes();
@@ -142,8 +142,8 @@ public:
    * samples a pixel shown so far, the share of the picture that the next finer one covers already
    * (in [0, 1)), the standard error of the picture with these samples (infinite where NoiseLevel is
    * 0, and before there are two), rays cast in it, and seconds spent tracing and drawing (0 traced:
-   * the picture was still good). SilhouetteTime is the part of TraceTime in which edges were looked
-   * for.
+   * the picture was still good). SilhouetteTime is the part of TraceTime in which silhouettes were
+   * looked for.
    */
   double GetImageSampleDistance();
   int GetNumberOfSamples();

@@ -193,18 +193,22 @@ int vtkMoteRendererSource::RequestData(vtkInformation* vtkNotUsed(request),
     return 0;
   }
   this->TraceTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  this->SilhouetteTime = tracer.edgeSeconds();
+  this->SilhouetteTime = tracer.silhouetteSeconds();
   this->NumberOfSamples = tracer.samples();
   this->Noise = tracer.noise();
 
+  this->FillImage(tracer, image);
+  return 1;
+}
+
+void vtkMoteRendererSource::FillImage(const mote::FrameTracer& tracer, vtkImageData* image)
+{
   const mote::Film& film = tracer.film();
   image->SetDimensions(film.width(), film.height(), 1);
   float* colors = addArray<vtkFloatArray>(image, "color", 4, true);
   std::copy_n(film.color(), 4 * film.pixels(), colors);
-  const mote::EdgeLayer lines = tracer.edges();
-  if (lines.edges)
-    lines.edges->forCovered(
-      0, film.height(), [&](std::size_t i, float share) { lines.drawOver(share, colors + 4 * i); });
+  const mote::SilhouetteLayer lines = tracer.silhouettes();
+  lines.drawOver(film.height(), colors);
   if (!this->TransparentBackground)
     putBackground(this->Renderer, film.width(), film.height(), colors);
   if (this->Depth)
@@ -219,15 +223,12 @@ int vtkMoteRendererSource::RequestData(vtkInformation* vtkNotUsed(request),
   }
   if (this->Ids)
     copyIds(film, image);
-  if (this->Edges)
+  if (this->SilhouetteCoverage)
   {
-    float* coverage = addArray<vtkFloatArray>(image, "edges", 1);
+    float* coverage = addArray<vtkFloatArray>(image, "silhouettes", 1);
     std::fill_n(coverage, film.pixels(), 0.0f);
-    if (lines.edges)
-      lines.edges->forCovered(
-        0, film.height(), [&](std::size_t i, float share) { coverage[i] = share; });
+    lines.forCovered(0, film.height(), [&](std::size_t i, float share) { coverage[i] = share; });
   }
-  return 1;
 }
 
 vtkMTimeType vtkMoteRendererSource::GetMTime()
@@ -272,7 +273,7 @@ void vtkMoteRendererSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Normals: " << onOff(this->Normals) << "\n";
   os << indent << "Variance: " << onOff(this->Variance) << "\n";
   os << indent << "Ids: " << onOff(this->Ids) << "\n";
-  os << indent << "Edges: " << onOff(this->Edges) << "\n";
+  os << indent << "SilhouetteCoverage: " << onOff(this->SilhouetteCoverage) << "\n";
   os << indent << "TransparentBackground: " << onOff(this->TransparentBackground) << "\n";
   os << indent << "ResetClippingRange: " << onOff(this->ResetClippingRange) << "\n";
   os << indent << "NumberOfIgnoredProps: " << this->NumberOfIgnoredProps << "\n";

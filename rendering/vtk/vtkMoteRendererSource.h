@@ -18,8 +18,8 @@
  * mapper's input, -1 if nothing;
  *  - `object` (Ids on): 32-bit place of its prop among the Mote props traced, those with particles
  *    first, then volumes; -1 if nothing.
- *  - `edges` (Edges on): float, the share of the pixel that the lines of Silhouettes cover, in [0,
- *    1]; 0 where these are not Enabled. They are drawn over `color` already.
+ *  - `silhouettes` (SilhouetteCoverage on): float, the share of the pixel that the lines of
+ *    Silhouettes cover, in [0, 1]; 0 where these are not Enabled. They are in `color` already.
  *
  * Clouds have colour and nothing else.
  */
@@ -105,8 +105,9 @@ public:
 
   ///@{
   /**
-   * Edges on what is drawn: see there. There is one of its own to begin with, which is not Enabled;
-   * null is none. They are found in the depths of each of a pixel's rays, and smoothed with them.
+   * Silhouettes on what is drawn: see there. To begin with there is one object of its own, which is
+   * not Enabled; null is none. They are found in the depths of each of a pixel's rays, and smoothed
+   * with them.
    */
   void SetSilhouettes(vtkMoteSilhouettes* silhouettes);
   vtkMoteSilhouettes* GetSilhouettes();
@@ -128,9 +129,9 @@ public:
   vtkSetMacro(Ids, vtkTypeBool);
   vtkGetMacro(Ids, vtkTypeBool);
   vtkBooleanMacro(Ids, vtkTypeBool);
-  vtkSetMacro(Edges, vtkTypeBool);
-  vtkGetMacro(Edges, vtkTypeBool);
-  vtkBooleanMacro(Edges, vtkTypeBool);
+  vtkSetMacro(SilhouetteCoverage, vtkTypeBool);
+  vtkGetMacro(SilhouetteCoverage, vtkTypeBool);
+  vtkBooleanMacro(SilhouetteCoverage, vtkTypeBool);
   ///@}
 
   ///@{
@@ -171,7 +172,7 @@ public:
   vtkGetMacro(TraceTime, double);
 
   /**
-   * The part of them in which edges were looked for.
+   * The part of them in which silhouettes were looked for.
    */
   vtkGetMacro(SilhouetteTime, double);
 
@@ -193,7 +194,7 @@ protected:
   vtkTypeBool Normals = 0;
   vtkTypeBool Ids = 0;
   vtkTypeBool Variance = 0;
-  vtkTypeBool Edges = 0;
+  vtkTypeBool SilhouetteCoverage = 0;
   int NumberOfSamples = 0;
   double Noise = 0.0;
   vtkTypeBool TransparentBackground = 0;
@@ -213,6 +214,7 @@ private:
 #ifndef __VTK_WRAP__
   std::vector<std::shared_ptr<mote::MoteProp>> CollectProps();
   bool Trace(mote::FrameTracer& tracer);
+  void FillImage(const mote::FrameTracer& tracer, vtkImageData* image);
 #endif
 };
 

@@ -2,8 +2,8 @@
 
 #include "DrawStep.h"
 #include "FilmDisplay.h"
-#include "FilmEdges.h"
 #include "SceneBridge.h"
+#include "SilhouetteTracer.h"
 #include "WindowDepth.h"
 #include "vtkMoteRayCastPass.h"
 #include "vtkMoteSilhouettes.h"
@@ -25,6 +25,7 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkMoteSilhouettePass);
+vtkCxxSetSmartPointerMacro(vtkMoteSilhouettePass, Silhouettes, vtkMoteSilhouettes);
 
 class vtkMoteSilhouettePass::Internals
 {
@@ -35,12 +36,12 @@ public:
   mote::WindowDepthReader reader;
   mote::FilmDisplay display;
   mote::Film nothing; ///< that the lines are drawn over
-  mote::EdgeFilm edges;
+  mote::SilhouetteFilm film;
   unsigned long version = 0;
   std::string reported; ///< last problem, so that it is told once and not every frame
   double seconds = 0.0;
 
-  void findEdges(vtkRenderer* renderer, vtkMoteSilhouettes* silhouettes);
+  void findSilhouettes(vtkRenderer* renderer, vtkMoteSilhouettes* silhouettes);
   void draw(vtkRenderer* renderer, vtkMoteSilhouettes* silhouettes);
 };
 
@@ -70,7 +71,7 @@ double diagonalOf(vtkRenderer* renderer)
 
 } // namespace
 
-void vtkMoteSilhouettePass::Internals::findEdges(
+void vtkMoteSilhouettePass::Internals::findSilhouettes(
   vtkRenderer* renderer, vtkMoteSilhouettes* silhouettes)
 {
   const auto start = std::chrono::steady_clock::now();
@@ -78,9 +79,9 @@ void vtkMoteSilhouettePass::Internals::findEdges(
   const mote::Camera camera = mote::cameraOf(
     renderer, double(depth.width) / std::max(1, depth.height), depth.width, depth.height);
   const double step = mote::stepOf(silhouettes, particlesOf(renderer), diagonalOf(renderer));
-  this->edges.clear();
-  this->edges.add(mote::depthImageOf(depth.distances.data(), depth.width, depth.height, camera),
-    mote::silhouetteOptionsOf(silhouettes, step));
+  this->film.clear();
+  this->film.add(mote::depthImageOf(depth.distances.data(), depth.width, depth.height, camera),
+    silhouettes->MakeOptions(step));
   if (this->nothing.width() != depth.width || this->nothing.height() != depth.height)
   {
     this->nothing.resize(depth.width, depth.height);
@@ -104,9 +105,10 @@ void vtkMoteSilhouettePass::Internals::draw(vtkRenderer* renderer, vtkMoteSilhou
   const vtkOpenGLState::ScopedglScissor keepScissor(state);
   state->vtkglViewport(x, y, width, height);
   state->vtkglScissor(x, y, width, height);
-  this->findEdges(renderer, silhouettes);
+  this->findSilhouettes(renderer, silhouettes);
   const double* color = silhouettes->GetColor();
-  const mote::EdgeLayer lines{&this->edges, {float(color[0]), float(color[1]), float(color[2])}};
+  const mote::SilhouetteLayer lines{
+    &this->film, {float(color[0]), float(color[1]), float(color[2])}};
   this->display.draw(renderer, this->nothing, lines, ++this->version, mote::FilmDisplay::Way::Over);
 }
 
@@ -115,7 +117,7 @@ vtkMoteSilhouettePass::vtkMoteSilhouettePass()
   , Impl(std::make_unique<Internals>())
 {
   this->Silhouettes->EnabledOn();
-  this->Impl->step->Draw = [this](vtkRenderer* renderer) { this->DrawEdges(renderer); };
+  this->Impl->step->Draw = [this](vtkRenderer* renderer) { this->DrawSilhouettes(renderer); };
   // The last step before the overlay's.
   vtkNew<vtkRenderStepsPass> steps;
   vtkNew<vtkSequencePass> sequence;
@@ -129,14 +131,6 @@ vtkMoteSilhouettePass::vtkMoteSilhouettePass()
 }
 
 vtkMoteSilhouettePass::~vtkMoteSilhouettePass() = default;
-
-void vtkMoteSilhouettePass::SetSilhouettes(vtkMoteSilhouettes* silhouettes)
-{
-  if (this->Silhouettes == silhouettes)
-    return;
-  this->Silhouettes = silhouettes;
-  this->Modified();
-}
 
 vtkMoteSilhouettes* vtkMoteSilhouettePass::GetSilhouettes()
 {
@@ -156,7 +150,7 @@ vtkRenderPass* vtkMoteSilhouettePass::GetDelegatePass()
   return this->Impl->delegate;
 }
 
-vtkRenderPass* vtkMoteSilhouettePass::GetEdgePass()
+vtkRenderPass* vtkMoteSilhouettePass::GetLinePass()
 {
   return this->Impl->step;
 }
@@ -191,12 +185,12 @@ void vtkMoteSilhouettePass::Render(const vtkRenderState* state)
     impl.drawn = false;
     impl.delegate->Render(state);
     if (!impl.drawn)
-      this->DrawEdges(renderer);
+      this->DrawSilhouettes(renderer);
   }
   this->NumberOfRenderedProps = impl.delegate->GetNumberOfRenderedProps();
 }
 
-void vtkMoteSilhouettePass::DrawEdges(vtkRenderer* renderer)
+void vtkMoteSilhouettePass::DrawSilhouettes(vtkRenderer* renderer)
 {
   Internals& impl = *this->Impl;
   impl.drawn = true;

@@ -1,19 +1,19 @@
 /**
  * @class   vtkMoteSilhouettePass
- * @brief   A render pass that draws edges over what another one drew.
+ * @brief   A render pass that draws silhouettes over what another one drew.
  *
  * Set it on a renderer with SetPass(). The delegate pass, by default one that draws as a renderer
- * without passes does, may draw anything: surfaces, glyphs, volumes of VTK or of Mote. Edges are
- * found in the depth buffer when it is done, and blended over the picture. The default delegate
+ * without passes does, may draw anything: surfaces, glyphs, volumes of VTK or of Mote. Silhouettes
+ * are found in the depth buffer when it is done, and blended over the picture. The default delegate
  * has them below the overlay (texts, 2D actors) and over everything else; so has a pass of your
- * own that renders GetEdgePass() where they belong.
+ * own that renders GetLinePass() where they belong.
  *
  * Where the delegate is a vtkMoteRayCastPass, it is handed the Silhouettes for the time of its
- * rendering instead: edges then come from the traced rays, are smooth, and stand on what Mote draws
- * and nothing else. DepthSource decides.
+ * rendering instead: silhouettes then come from the traced rays, are smooth, and stand on what Mote
+ * draws and nothing else. DepthSource decides.
  *
  * The depth buffer of a window with multi-sampling is read with one of its samples a pixel. What
- * writes no depth, such as translucent props, has no edges. Groups are not in depth buffers.
+ * writes no depth, such as translucent props, has no silhouettes. Groups are not in depth buffers.
  */
 
 #ifndef vtkMoteSilhouettePass_h
@@ -55,9 +55,9 @@ public:
   ///@}
 
   /**
-   * For delegates of your own: draws the edges in what has been drawn so far.
+   * For delegates of your own: draws the silhouettes in what has been drawn so far.
    */
-  vtkRenderPass* GetEdgePass();
+  vtkRenderPass* GetLinePass();
 
   enum DepthSources
   {
@@ -76,8 +76,8 @@ public:
   ///@}
 
   /**
-   * Seconds of the last Render() in which edges were looked for: 0 where the rays' pass did that,
-   * which tells its own.
+   * Seconds of the last Render() in which silhouettes were looked for: 0 where the rays' pass did
+   * that, which tells its own.
    */
   double GetSilhouetteTime();
 
@@ -92,7 +92,7 @@ private:
   vtkMoteSilhouettePass(const vtkMoteSilhouettePass&) = delete;
   void operator=(const vtkMoteSilhouettePass&) = delete;
 
-  void DrawEdges(vtkRenderer* renderer);
+  void DrawSilhouettes(vtkRenderer* renderer);
 
   class Internals;
   std::unique_ptr<Internals> Impl;

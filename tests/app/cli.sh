@@ -94,7 +94,9 @@ case $3 in
     before=
     for lines in '' '--silhouettes' '--silhouettes=2' '--silhouettes --silhouette-thickness 3' \
       '--silhouettes --silhouette-color white' '--silhouettes --silhouette-groups particle' \
-      '--silhouettes=1e9 --silhouette-groups type'; do
+      '--silhouettes=1e9 --silhouette-groups type' '--silhouettes=3%' --silhouette-on-pixels \
+      '--silhouettes=2 --silhouette-thickness 1:4' '--silhouettes=2 --silhouette-opacity 0.2' \
+      '--silhouettes=2 --silhouette-no-hulls' '--silhouettes=0 --silhouette-step-pixels 9'; do
       # shellcheck disable=SC2086
       run 0 "$mote" render $lines "$hopper" -o lines.png --size 320x200 --samples 4
       is_picture lines.png 320x200
@@ -107,14 +109,14 @@ case $3 in
     sum=$(md5sum <off.png)
     case $before in " $sum"*) ;; *) fail "lines that are off" ;; esac
     run 0 "$mote" render "$hopper" -o a.exr --size 320x200 --samples 1 --silhouettes
-    grep -qa edges a.exr || fail "no edges in a.exr"
+    grep -qa silhouettes a.exr || fail "no silhouettes in a.exr"
     run 0 "$mote" render "$hopper" -o b.exr --size 320x200 --samples 1
-    grep -qa edges b.exr && fail "edges in b.exr, which nobody asked for"
+    grep -qa silhouettes b.exr && fail "silhouettes in b.exr, which nobody asked for"
     run 1 "$mote" render "$hopper" -o a.png --size 320x200 --silhouettes --silhouette-groups nothing
     one_sentence
     said err nothing
     for wrong in --silhouettes=thick --silhouettes=-1 '--silhouette-thickness 0' \
-      '--silhouette-color noone'; do
+      '--silhouette-thickness 4:1' '--silhouette-color noone'; do
       # shellcheck disable=SC2086
       run 2 "$mote" render "$hopper" -o a.png $wrong
       one_sentence
@@ -170,9 +172,9 @@ case $3 in
       # shellcheck disable=SC2086
       run 0 "$mote" ${command#mote }
       count=$((count + 1))
-    done < <(sed -nE 's/^    (mote (render|average|probe|edges) .*)/\1/p' "$root/README.md" "$root/docs/user-guide.md")
+    done < <(sed -nE 's/^    (mote (render|average|probe|silhouettes) .*)/\1/p' "$root/README.md" "$root/docs/user-guide.md")
     [ $count -ge 8 ] || fail "only $count commands"
-    for part in '' render info convert average probe edges; do # and what they name are options
+    for part in '' render info convert average probe silhouettes; do # and what they name are options
       # shellcheck disable=SC2086
       run 0 "$mote" $part --help
       cat out >>help

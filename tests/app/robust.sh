@@ -66,9 +66,9 @@ FILE
     run 0 "$mote" render "$hopper" -o e.exr $small
     ln -s e.exr link.exr
     ln e.exr hard.exr
-    kept e.exr edges e.exr -o e.exr
-    kept e.exr edges e.exr -o ./link.exr
-    kept e.exr edges link.exr -o hard.exr
+    kept e.exr silhouettes e.exr -o e.exr
+    kept e.exr silhouettes e.exr -o ./link.exr
+    kept e.exr silhouettes link.exr -o hard.exr
     zcat "$hopper" >dump.png # a LAMMPS dump is known by what it holds
     kept dump.png render dump.png -o "$PWD/dump.png"
     cp dump.png steps.0001.png

@@ -161,7 +161,7 @@ END
 
   silhouettes) # the outline of a lone sphere is as long as it should be
     keys="suite method input particles view size threads repeat step filter_ms frame_ms
-      frame_with_edges_ms frame_share covered_share"
+      frame_with_silhouettes_ms frame_share covered_share"
     silhouettes() { run 0 "$bench" silhouettes --repeat 1 --json a.json "$@"; }
     silhouettes --input lattice:20000 --sizes 40,96 --threads 2
     said out 'share of it'

@@ -36,6 +36,17 @@ class Package(unittest.TestCase):
         self.assertIsInstance(mote.vtkMoteParticlePicker(), vtkAbstractPicker)
         self.assertIsInstance(mote.vtkMoteRendererSource(), vtkAlgorithm)
 
+    def test_passes_and_filters_share_silhouettes(self):
+        silhouettes = mote.vtkMoteSilhouettes()
+        for sharer in [
+            mote.vtkMoteRayCastPass(),
+            mote.vtkMoteRendererSource(),
+            mote.vtkMoteSilhouettePass(),
+            mote.vtkMoteSilhouetteFilter(),
+        ]:
+            sharer.SetSilhouettes(silhouettes)
+            self.assertIs(sharer.GetSilhouettes(), silhouettes)
+
     def test_every_class_has_a_docstring(self):
         for name in CLASSES:
             with self.subTest(name):

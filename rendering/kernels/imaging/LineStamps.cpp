@@ -23,15 +23,15 @@ using DB = hn::CappedTag<std::uint8_t, 64>;
 constexpr int coveredColumns = SilhouetteFinder::coveredColumns;
 using VB = hn::Vec<DB>;
 
-/// Whether some of the columns [x - reach, x + lanes + reach) of a row has an edge.
-HWY_INLINE bool hasEdges(const std::uint8_t* code, int x, int reach)
+/// Whether a row has silhouette pixels in the columns [x - reach, x + lanes + reach).
+HWY_INLINE bool hasSilhouettes(const std::uint8_t* code, int x, int reach)
 {
   const DB d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   VB all = hn::And(hn::LoadU(d, code + x - reach), hn::LoadU(d, code + x + reach));
   for (int i = x - reach + lanes; i < x + reach; i += lanes)
     all = hn::And(all, hn::LoadU(d, code + i));
-  return !hn::AllTrue(d, hn::Eq(all, hn::Set(d, EdgeRow::none)));
+  return !hn::AllTrue(d, hn::Eq(all, hn::Set(d, SilhouetteRow::none)));
 }
 
 /// p / 254 for products of bytes, the factor 254 exactly: p / 254 = (p + p / 127) / 256, of which
@@ -49,7 +49,7 @@ HWY_INLINE VB product(VB a, VB b)
 HWY_INLINE VB lookUp(const std::uint8_t* table, VB code)
 {
   const std::uint8_t place = hn::GetLane(code);
-  return hn::Set(DB(), place < EdgeRow::directions ? table[place] : std::uint8_t(0));
+  return hn::Set(DB(), place < SilhouetteRow::directions ? table[place] : std::uint8_t(0));
 }
 
 #else
@@ -84,7 +84,7 @@ HWY_INLINE void convert(const std::uint8_t* bytes, float* out)
   const hn::CappedTag<float, 16> df;
   const hn::Rebind<std::int32_t, decltype(df)> di;
   const hn::Rebind<std::uint8_t, decltype(df)> db;
-  const auto unit = hn::Set(df, 1.0f / EdgeRow::opaque);
+  const auto unit = hn::Set(df, 1.0f / SilhouetteRow::opaque);
   for (int i = 0; i < coveredColumns; i += static_cast<int>(hn::Lanes(df)))
     hn::Store(
       hn::Mul(hn::ConvertTo(df, hn::PromoteTo(di, hn::LoadU(db, bytes + i))), unit), df, out + i);
@@ -119,8 +119,9 @@ HWY_INLINE void addCoverage(VB cover, int x, int count, const CoverRow& out)
 /// The rows that reach into one, from `first` on.
 struct RowsAround
 {
-  std::vector<EdgeRow> rows;
-  std::vector<std::uint8_t> counts; ///< whether each has edges near the pixels that are looked at
+  std::vector<SilhouetteRow> rows;
+  std::vector<std::uint8_t>
+    counts; ///< whether each has silhouettes near the pixels that are looked at
   int first;
 };
 
@@ -130,7 +131,7 @@ HWY_INLINE VB coverageAt(
 {
   const DB d;
   const bool graded = stamps.levels().size() > 1;
-  const VB round = hn::Set(d, EdgeRow::round);
+  const VB round = hn::Set(d, SilhouetteRow::round);
   VB sum = hn::Zero(d);
   for (std::size_t level = 0; level < stamps.levels().size(); ++level)
     for (const StampPixel& pixel : stamps.levels()[level])
@@ -138,7 +139,7 @@ HWY_INLINE VB coverageAt(
       const int row = y - pixel.y - around.first;
       if (row < 0 || row >= static_cast<int>(around.rows.size()) || around.counts[row] == 0)
         continue;
-      const EdgeRow& from = around.rows[row];
+      const SilhouetteRow& from = around.rows[row];
       const std::ptrdiff_t at = x - pixel.x;
       const VB code = hn::LoadU(d, from.code + at);
       VB value = hn::Or(lookUp(pixel.coverage, code),
@@ -154,7 +155,7 @@ HWY_INLINE VB coverageAt(
   return sum;
 }
 
-void cover(EdgeRows& edges, const LineStamps& stamps, bool opacities, int y, int firstRow,
+void cover(SilhouetteRows& found, const LineStamps& stamps, bool opacities, int y, int firstRow,
   int lastRow, int begin, int end, const CoverRow& out)
 {
   const int lanes = static_cast<int>(hn::Lanes(DB())), reach = stamps.reach();
@@ -162,7 +163,7 @@ void cover(EdgeRows& edges, const LineStamps& stamps, bool opacities, int y, int
   bool some = false;
   for (int row = around.first; row <= std::min(lastRow, y + reach); ++row)
   {
-    around.rows.push_back(edges[row]);
+    around.rows.push_back(found[row]);
     some = some || *around.rows.back().any;
   }
   around.counts.resize(around.rows.size());
@@ -173,7 +174,7 @@ void cover(EdgeRows& edges, const LineStamps& stamps, bool opacities, int y, int
     bool any = false;
     for (std::size_t k = 0; k < around.rows.size(); ++k)
     {
-      around.counts[k] = *around.rows[k].any && hasEdges(around.rows[k].code, x, reach);
+      around.counts[k] = *around.rows[k].any && hasSilhouettes(around.rows[k].code, x, reach);
       any = any || around.counts[k] != 0;
     }
     if (!any)
@@ -197,7 +198,7 @@ HWY_EXPORT(cover);
 namespace
 {
 
-/// The share of a pixel at (x, y) that the piece of an edge at (0, 0) covers, which is turned
+/// The share of a pixel at (x, y) that the piece of line at (0, 0) covers, which is turned
 /// towards the unit vector (nx, ny); (0, 0) for one without direction.
 double coverageOf(int x, int y, double nx, double ny, double thickness, bool centered)
 {
@@ -220,7 +221,7 @@ double coverageOf(int x, int y, double nx, double ny, double thickness, bool cen
 std::vector<StampPixel> makeStamp(double thickness, bool centered)
 {
   const auto rounded = [](double coverage)
-  { return static_cast<std::uint8_t>(std::lround(coverage * EdgeRow::opaque)); };
+  { return static_cast<std::uint8_t>(std::lround(coverage * SilhouetteRow::opaque)); };
   std::vector<StampPixel> stamp;
   const int reach = static_cast<int>(std::ceil(0.5 * thickness + 2.0));
   for (int y = -reach; y <= reach; ++y)
@@ -228,9 +229,9 @@ std::vector<StampPixel> makeStamp(double thickness, bool centered)
     {
       StampPixel pixel = {x, y, {}, rounded(coverageOf(x, y, 0.0, 0.0, thickness, centered))};
       int most = pixel.round;
-      for (int k = 0; k < EdgeRow::directions; ++k)
+      for (int k = 0; k < SilhouetteRow::directions; ++k)
       {
-        const double angle = 2.0 * M_PI * k / EdgeRow::directions;
+        const double angle = 2.0 * M_PI * k / SilhouetteRow::directions;
         pixel.coverage[k] =
           rounded(coverageOf(x, y, std::cos(angle), std::sin(angle), thickness, centered));
         most = std::max<int>(most, pixel.coverage[k]);
@@ -245,24 +246,23 @@ std::vector<StampPixel> makeStamp(double thickness, bool centered)
 
 LineStamps::LineStamps(const SilhouetteOptions& options)
 {
-  const bool graded = options.leastThickness != options.thickness;
-  const int count = graded ? EdgeRow::levels : 1;
+  const bool graded = options.leastThickness != 1.0;
+  const int count = graded ? SilhouetteRow::levels : 1;
   for (int level = 0; level < count; ++level)
   {
     const double strength = graded ? level / (count - 1.0) : 1.0;
-    const double thickness =
-      options.leastThickness + strength * (options.thickness - options.leastThickness);
-    levels_.push_back(makeStamp(thickness * options.reduction, options.centered));
+    const double share = options.leastThickness + strength * (1.0 - options.leastThickness);
+    levels_.push_back(makeStamp(share * options.thickness * options.reduction, options.centered));
     for (const StampPixel& pixel : levels_.back())
       reach_ = std::max({reach_, std::abs(pixel.x), std::abs(pixel.y)});
   }
 }
 
-void coverRow(EdgeRows& edges, const LineStamps& stamps, bool opacities, int y, int firstRow,
+void coverRow(SilhouetteRows& found, const LineStamps& stamps, bool opacities, int y, int firstRow,
   int lastRow, int begin, int end, const CoverRow& out)
 {
   HWY_DYNAMIC_DISPATCH(cover)
-  (edges, stamps, opacities, y, firstRow, lastRow, begin, end, out);
+  (found, stamps, opacities, y, firstRow, lastRow, begin, end, out);
 }
 
 } // namespace mote

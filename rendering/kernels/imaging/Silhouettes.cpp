@@ -1,7 +1,7 @@
 #include "Silhouettes.h"
 
 #include "detail/LineStamps.h"
-#include "detail/SilhouetteRows.h"
+#include "detail/SilhouetteSteps.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -19,7 +19,8 @@ namespace
 /// Rows of the output that one thread takes at a time.
 constexpr int bandRows = 64;
 
-/// Rounding of distances must not make edges; in shares of the distance, for the sum over eight.
+/// The rounding of distances, as a share of the distance and for the sum over eight: it must not
+/// make silhouettes.
 constexpr float roundingShare = 16.0f * std::numeric_limits<float>::epsilon();
 
 StepLimit limitOf(const DepthImage& image, const SilhouetteOptions& options)
@@ -33,11 +34,11 @@ StepLimit limitOf(const DepthImage& image, const SilhouetteOptions& options)
   return limit;
 }
 
-EdgeGrades gradesOf(const SilhouetteOptions& options)
+SilhouetteGrades gradesOf(const SilhouetteOptions& options)
 {
-  EdgeGrades grades;
+  SilhouetteGrades grades;
   grades.leastOpacity = static_cast<float>(std::clamp(options.leastOpacity, 0.0, 1.0));
-  grades.graded = options.leastOpacity < 1.0 || options.leastThickness != options.thickness;
+  grades.graded = options.leastOpacity < 1.0 || options.leastThickness != 1.0;
   grades.perStep = static_cast<float>(1.0 / std::max(options.step, 1e-30));
   grades.perLog = static_cast<float>(1.0 / std::log2(std::max(options.fullStep, 1.0 + 1e-6)));
   return grades;
@@ -57,12 +58,12 @@ struct Work
 
   const DepthImage& image;
   StepLimit limit;
-  EdgeGrades grades;
+  SilhouetteGrades grades;
   LineStamps stamps;
   int reduction;
 };
 
-/// Finds the edges of a part of the depth image row after row, from below.
+/// Finds the silhouette pixels of a part of the depth image row after row, from below.
 class RowFinder
 {
 public:
@@ -75,8 +76,8 @@ public:
   {
   }
 
-  /// Sets `found` to the edges of row `y`. Rows must be asked for in rising order.
-  void find(int y, EdgeRows& found)
+  /// Sets `found` to the silhouette pixels of row `y`. Rows must be asked for in rising order.
+  void find(int y, SilhouetteRows& found)
   {
     const DepthImage& image = work_.image;
     const int down = std::max(0, y - 1), up = std::min(image.height - 1, y + 1);
@@ -86,14 +87,14 @@ public:
     // The image's border: what is beyond counts not, and neither does what is opposite to it.
     const bool inner = down < y && up > y;
     const DistanceRows rows = {at(inner ? down : y), at(y), at(inner ? up : y)};
-    const EdgeRow edges = found.cleared(y);
-    findSteps(rows, work_.limit, work_.grades, image.width, box_.x0, box_.x1, edges);
+    const SilhouetteRow row = found.cleared(y);
+    findSteps(rows, work_.limit, work_.grades, image.width, box_.x0, box_.x1, row);
     if (image.group == nullptr)
       return;
     const std::ptrdiff_t stride = image.groupStride != 0 ? image.groupStride : image.width;
     const auto groups = [&](int row) { return image.group + row * stride; };
     findGroupChanges(rows, {groups(inner ? down : y), groups(y), groups(inner ? up : y)},
-      image.width, box_.x0, box_.x1, edges);
+      image.width, box_.x0, box_.x1, row);
   }
 
 private:
@@ -111,8 +112,8 @@ private:
   int next_ = 0; ///< first row whose distances are not there yet
 };
 
-/// Edges of the pixels `box` of the depth image itself. `covered` as in SilhouetteFinder, or null
-/// where `out` has been cleared.
+/// Silhouettes of the pixels `box` of the depth image itself. `covered` as in SilhouetteFinder, or
+/// null where `out` has been cleared.
 void drawBox(const Work& work, const PixelBox& box, float* out, std::ptrdiff_t stride,
   std::uint8_t* covered = nullptr)
 {
@@ -122,13 +123,13 @@ void drawBox(const Work& work, const PixelBox& box, float* out, std::ptrdiff_t s
   const PixelBox wider = {std::max(0, box.x0 - reach), std::max(0, box.y0 - reach),
     std::min(work.image.width, box.x1 + reach), std::min(work.image.height, box.y1 + reach)};
   RowFinder finder(work, wider);
-  EdgeRows edges(wider.x0, wider.x1, reach);
+  SilhouetteRows rows(wider.x0, wider.x1, reach);
   int found = wider.y0;
   for (int y = box.y0; y < box.y1; ++y)
   {
     for (; found < std::min(wider.y1, y + reach + 1); ++found)
-      finder.find(found, edges);
-    coverRow(edges, work.stamps, work.grades.leastOpacity < 1.0f, y, wider.y0, wider.y1 - 1, box.x0,
+      finder.find(found, rows);
+    coverRow(rows, work.stamps, work.grades.leastOpacity < 1.0f, y, wider.y0, wider.y1 - 1, box.x0,
       box.x1, {out + (y - box.y0) * stride, covered ? covered + (y - box.y0) * blocks : nullptr});
   }
 }
@@ -152,12 +153,12 @@ void addMeans(const std::vector<float>& fine, const PixelBox& fineBox, int facto
     }
 }
 
-/// Edges of the pixels `box` of the output, in this thread.
-void findInBox(const Work& work, const PixelBox& box, float* edges, std::ptrdiff_t stride)
+/// Silhouettes of the pixels `box` of the output, in this thread.
+void findInBox(const Work& work, const PixelBox& box, float* coverage, std::ptrdiff_t stride)
 {
   const int factor = work.reduction;
   if (factor == 1)
-    return drawBox(work, box, edges, stride);
+    return drawBox(work, box, coverage, stride);
   for (int y0 = box.y0; y0 < box.y1; y0 += bandRows)
   {
     const PixelBox band = {box.x0, y0, box.x1, std::min(box.y1, y0 + bandRows)};
@@ -166,7 +167,7 @@ void findInBox(const Work& work, const PixelBox& box, float* edges, std::ptrdiff
     const std::size_t width = fineBox.x1 - fineBox.x0;
     std::vector<float> fine(width * (fineBox.y1 - fineBox.y0), 0.0f);
     drawBox(work, fineBox, fine.data(), static_cast<std::ptrdiff_t>(width));
-    addMeans(fine, fineBox, factor, band, edges + (y0 - box.y0) * stride, stride);
+    addMeans(fine, fineBox, factor, band, coverage + (y0 - box.y0) * stride, stride);
   }
 }
 
@@ -184,7 +185,7 @@ int silhouetteMargin(const SilhouetteOptions& options)
 }
 
 void findSilhouettes(
-  const DepthImage& image, const SilhouetteOptions& options, float* edges, int threads)
+  const DepthImage& image, const SilhouetteOptions& options, float* coverage, int threads)
 {
   const PixelBox all = {0, 0, reducedSize(image.width, options.reduction),
     reducedSize(image.height, options.reduction)};
@@ -194,7 +195,7 @@ void findSilhouettes(
   const auto band = [&](int first, int last)
   {
     const PixelBox box = {0, first * bandRows, all.x1, std::min(all.y1, last * bandRows)};
-    findInBox(work, box, edges + std::ptrdiff_t(box.y0) * all.x1, all.x1);
+    findInBox(work, box, coverage + std::ptrdiff_t(box.y0) * all.x1, all.x1);
   };
   const int bands = reducedSize(all.y1, bandRows);
   if (threads == 1 || bands == 1)
@@ -211,10 +212,10 @@ void findSilhouettes(
 }
 
 void findSilhouettes(const DepthImage& image, const SilhouetteOptions& options, const PixelBox& box,
-  float* edges, std::ptrdiff_t stride)
+  float* coverage, std::ptrdiff_t stride)
 {
   if (!isEmpty(box))
-    findInBox(Work(image, options), box, edges, stride);
+    findInBox(Work(image, options), box, coverage, stride);
 }
 
 struct SilhouetteFinder::Work : mote::Work
@@ -230,10 +231,10 @@ SilhouetteFinder::SilhouetteFinder(const DepthImage& image, const SilhouetteOpti
 SilhouetteFinder::~SilhouetteFinder() = default;
 
 void SilhouetteFinder::find(
-  const PixelBox& box, float* edges, std::ptrdiff_t stride, std::uint8_t* covered) const
+  const PixelBox& box, float* coverage, std::ptrdiff_t stride, std::uint8_t* covered) const
 {
   if (!isEmpty(box))
-    drawBox(*work_, box, edges, stride, covered);
+    drawBox(*work_, box, coverage, stride, covered);
 }
 
 } // namespace mote

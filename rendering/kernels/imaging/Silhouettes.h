@@ -8,7 +8,7 @@
 namespace mote
 {
 
-/// A depth image, as edges are found in it. Row 0 is the bottom row.
+/// A depth image to find silhouettes in. Row 0 is the bottom row.
 struct DepthImage
 {
   int width = 0, height = 0;      ///< pixels; 0 is an empty image
@@ -17,7 +17,7 @@ struct DepthImage
   /// Depths from here on are background, too.
   float background = std::numeric_limits<float>::infinity();
 
-  /// Optional, one a pixel: an edge stands also where this changes between two surfaces.
+  /// Optional, one a pixel: there is a silhouette also where this changes between two surfaces.
   const std::uint64_t* group = nullptr;
   std::ptrdiff_t groupStride = 0; ///< as depthStride
 
@@ -31,31 +31,33 @@ struct DepthImage
   double pixelSize = 0.0;
 };
 
-/// What is an edge, and how it is drawn.
+/// Where silhouettes are, and how they are drawn.
 struct SilhouetteOptions
 {
-  /// World units, at least 0: the least step across a straight border that is an edge.
+  /// World units, at least 0: the least step of depth across a straight border that is drawn.
   double step = 1.0;
   /// ... and never less than the width of so many pixels at that distance: relief finer than pixels
   /// has no outlines. 0 or less: any step will do.
   double stepInPixels = 2.0;
-  bool hulls = true; ///< whether surfaces have edges against the background
+  bool hulls = true; ///< whether surfaces have silhouettes against the background
 
-  double thickness = 1.0; ///< of the strongest edges, in pixels of the output
-  /// Of the weakest; it grows with the step's logarithm, in eight levels. Another one than the
-  /// strongest takes several times as long to draw.
+  double thickness = 1.0; ///< of the strongest lines, in pixels of the output
+  /// Of the weakest, as a share of `thickness`, in [0, 1]; it grows with the step's logarithm, in
+  /// eight levels. Less than 1 takes several times as long to draw.
   double leastThickness = 1.0;
-  double leastOpacity = 1.0; ///< of the weakest edges, in [0, 1]; likewise. 1: no grey levels
-  /// Multiples of `step`, above 1, from which on an edge is as strong as edges get. Those against
-  /// the background and between groups always are.
+  double leastOpacity = 1.0; ///< of the weakest lines, in [0, 1]; likewise. 1: no grey levels
+  /// Multiples of `step`, above 1, from which on lines are at their strongest. Those against the
+  /// background and between groups always are.
   double fullStep = 8.0;
   /// Whether a line's middle lies on the border itself, so that it covers the two pixels beside it
   /// by halves; otherwise it covers the farther pixel, as published.
   bool centered = true;
 
-  /// Pixels of the depth image along each side of a pixel of the output, which is their mean: edges
-  /// are smooth. At least 1.
+  /// Pixels of the depth image along each side of a pixel of the output, which is their mean:
+  /// lines are smooth. At least 1.
   int reduction = 1;
+
+  bool operator==(const SilhouetteOptions&) const = default;
 };
 
 /// Pixels [x0, x1) x [y0, y1).
@@ -70,35 +72,35 @@ constexpr int reducedSize(int pixels, int reduction)
   return (pixels + reduction - 1) / reduction;
 }
 
-/// How many pixels of the output around a pixel take part in its edges, those at its side included:
-/// what a part of a depth image needs to be found in it as in the whole.
+/// Pixels of the output around a part of it that must be there, too, for the part to have the same
+/// silhouettes as in the whole.
 int silhouetteMargin(const SilhouetteOptions& options);
 
-/// Finds the edges of a depth image: pixels that are farther than the eight around them by more
-/// than the mean over a straight border of the step,
+/// Finds the silhouettes of a depth image. They run through its silhouette pixels: those that are
+/// farther than the eight around them by more than pixels at a straight border of the least step,
 ///   sum_i (d_0 - d_i) > 3 step    (3x3 Laplacian of ray distances d, 8 at the centre, -1 around),
 /// and farther than the four beside them by more than one step, which keeps slanted lines as thin
-/// as others. Only the farther side has an edge, so no line is double. Neighbours that are
-/// background count not, nor do those opposite to them; a background pixel beside a surface is an
-/// edge of full strength. Where groups differ, the farther pixel is, and of two equally far ones
-/// that with the larger group. Pits of one pixel, which all eight pixels around are nearer than by
-/// more than a step, have no outline. At the image's border only steps along it count.
+/// as others. Only the farther side counts, so no line is double. Neighbours that are background
+/// count not, nor do those opposite to them; a background pixel beside a surface is a silhouette
+/// pixel of full strength. Where groups differ, the farther pixel is one, and of two equally far
+/// ones that with the larger group. Pits of one pixel, which all eight pixels around are nearer
+/// than by more than a step, have no outline. At the image's border only steps along it count.
 ///
-/// `edges` has a float for each pixel of the output, reducedSize() of the image, row after row:
+/// `coverage` has a float for each pixel of the output, reducedSize() of the image, row after row:
 /// each becomes the larger of what it is and the share of the pixel that the lines cover, in [0,
 /// 1]. The result does not depend on `threads`; 0: all that TBB's present arena allows. Source:
 /// Bigler, "Use of Silhouette Edges and Ambient Occlusion in Particle Visualization", University of
 /// Utah 2004; docs/silhouettes.md.
 void findSilhouettes(
-  const DepthImage& image, const SilhouetteOptions& options, float* edges, int threads = 0);
+  const DepthImage& image, const SilhouetteOptions& options, float* coverage, int threads = 0);
 
-/// The same for the pixels `box` of the output alone, in the calling thread. `edges` is pixel
+/// The same for the pixels `box` of the output alone, in the calling thread. `coverage` is pixel
 /// (box.x0, box.y0), and `stride` counts from one row to the next.
 void findSilhouettes(const DepthImage& image, const SilhouetteOptions& options, const PixelBox& box,
-  float* edges, std::ptrdiff_t stride);
+  float* coverage, std::ptrdiff_t stride);
 
-/// Finds the edges of an image whose output has its size, part by part, in arrays that need not
-/// have been cleared.
+/// Finds the silhouettes of an image whose output has its size, part by part, in arrays that need
+/// not have been cleared.
 class SilhouetteFinder
 {
 public:
@@ -111,11 +113,12 @@ public:
   SilhouetteFinder(const SilhouetteFinder&) = delete;
   SilhouetteFinder& operator=(const SilhouetteFinder&) = delete;
 
-  /// Sets `edges`, as in findSilhouettes(), to the coverage of the pixels `box`, in the calling
+  /// Sets `coverage`, as in findSilhouettes(), to the coverage of the pixels `box`, in the calling
   /// thread. `covered` has a byte for each coveredColumns pixels of a row of the box, row after
   /// row, which becomes 1 where lines may cover some of them and 0 elsewhere. Where it is 0,
-  /// `edges` stays as it is and stands for 0. Thread-safe.
-  void find(const PixelBox& box, float* edges, std::ptrdiff_t stride, std::uint8_t* covered) const;
+  /// `coverage` stays as it is and stands for 0. Thread-safe.
+  void find(
+    const PixelBox& box, float* coverage, std::ptrdiff_t stride, std::uint8_t* covered) const;
 
 private:
   struct Work;

@@ -4,6 +4,7 @@
 #include "ImagingTestTools.h"
 
 #include <vtkMoteSilhouetteFilter.h>
+#include <vtkMoteSilhouettes.h>
 
 #include <kernels/imaging/Silhouettes.h>
 
@@ -15,6 +16,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -72,16 +74,17 @@ vtkSmartPointer<vtkMoteSilhouetteFilter> filterOf(vtkImageData* image)
 {
   auto filter = vtkSmartPointer<vtkMoteSilhouetteFilter>::New();
   filter->SetInputData(image);
-  filter->SetThresholdModeToWorld();
-  filter->SetThreshold(1.5);
+  filter->GetSilhouettes()->SetThresholdModeToWorld();
+  filter->GetSilhouettes()->SetThreshold(1.5);
+  filter->GetSilhouettes()->SetThickness(1.0);
   return filter;
 }
 
-std::vector<float> edgesOf(vtkMoteSilhouetteFilter* filter)
+std::vector<float> silhouettesOf(vtkMoteSilhouetteFilter* filter)
 {
   filter->Update();
   EXPECT_EQ(filter->GetErrorMessage(), "");
-  return valuesOf(filter->GetOutput(), "edges");
+  return valuesOf(filter->GetOutput(), "silhouettes");
 }
 
 } // namespace
@@ -107,33 +110,62 @@ TEST_F(SilhouetteFilter, AgreesWithTheKernel)
   mote::findSilhouettes(kernel, options, expected.data());
   const auto filter = filterOf(image);
   filter->SetViewAngle(40.0);
-  EXPECT_EQ(edgesOf(filter), expected);
-  EXPECT_STREQ(filter->GetOutput()->GetPointData()->GetScalars()->GetName(), "edges");
+  EXPECT_EQ(silhouettesOf(filter), expected);
+  EXPECT_STREQ(filter->GetOutput()->GetPointData()->GetScalars()->GetName(), "silhouettes");
   EXPECT_EQ(filter->GetStep(), 1.5);
+}
+
+TEST_F(SilhouetteFilter, TakesWhatPassesTake)
+{
+  const auto image = discs();
+  vtkNew<vtkMoteSilhouettes> shared;
+  EXPECT_FALSE(shared->GetEnabled());
+  shared->SetThresholdModeToWorld();
+  shared->SetThreshold(1.5);
+  shared->SetThickness(4.0);
+  shared->SetLeastThickness(0.5); // a share, as in a pass
+  const auto filter = filterOf(image);
+  const auto own = silhouettesOf(filter);
+  const std::vector<float> none(own.size(), 0.0f);
+  filter->SetSilhouettes(shared);
+  EXPECT_EQ(silhouettesOf(filter), none);
+  shared->EnabledOn();
+  const auto graded = silhouettesOf(filter);
+  const auto sum = [](const std::vector<float>& all)
+  { return std::accumulate(all.begin(), all.end(), 0.0); };
+  EXPECT_GT(sum(graded), 2.0 * sum(own));
+  shared->SetLeastThickness(1.0);
+  EXPECT_LT(sum(graded), sum(silhouettesOf(filter)));
+  filter->SetSilhouettes(nullptr);
+  EXPECT_EQ(silhouettesOf(filter), none);
+  EXPECT_EQ(filter->GetStep(), 0.0);
+  filter->SetOutputModeToOverlay();
+  filter->Update();
+  EXPECT_EQ(filter->GetErrorMessage(), "");
 }
 
 TEST_F(SilhouetteFilter, ThreadsAndPiecesMakeNoDifference)
 {
   const auto filter = filterOf(discs());
-  filter->SetThickness(4.0);
-  filter->SetLeastThickness(1.0);
-  filter->SetLeastOpacity(0.1);
-  filter->SetGroupArrayName("object");
+  filter->GetSilhouettes()->SetThickness(4.0);
+  filter->GetSilhouettes()->SetLeastThickness(0.25);
+  filter->GetSilhouettes()->SetLeastOpacity(0.1);
+  filter->GetSilhouettes()->SetGroupArrayName("object");
   for (const int factor : {1, 3})
   {
     filter->SetReductionFactor(factor);
     filter->SetNumberOfThreads(1);
-    const auto expected = edgesOf(filter);
+    const auto expected = silhouettesOf(filter);
     ASSERT_FALSE(expected.empty());
     for (const int threads : {2, 7})
     {
       filter->SetNumberOfThreads(threads);
       filter->SetSplitModeToBlock();
-      EXPECT_EQ(edgesOf(filter), expected) << threads;
+      EXPECT_EQ(silhouettesOf(filter), expected) << threads;
     }
     filter->SetEnableSMP(true);
     filter->Modified();
-    EXPECT_EQ(edgesOf(filter), expected);
+    EXPECT_EQ(silhouettesOf(filter), expected);
     filter->SetEnableSMP(false);
     // A piece of the image, out of no more of the input than it asks for.
     vtkNew<vtkMoteSilhouetteFilter> part;
@@ -154,12 +186,12 @@ TEST_F(SilhouetteFilter, ExtentsMayBeginAnywhere)
   const auto image = discs();
   const auto filter = filterOf(image);
   filter->SetReductionFactor(2);
-  const auto expected = edgesOf(filter);
+  const auto expected = silhouettesOf(filter);
   vtkNew<vtkImageTranslateExtent> moved;
   moved->SetInputData(image);
   moved->SetTranslation(-7, 11, 3);
   filter->SetInputConnection(moved->GetOutputPort());
-  EXPECT_EQ(edgesOf(filter), expected);
+  EXPECT_EQ(silhouettesOf(filter), expected);
   EXPECT_EQ(filter->GetOutput()->GetExtent()[0], -7);
   EXPECT_EQ(filter->GetOutput()->GetExtent()[5], 3);
 }
@@ -185,7 +217,7 @@ TEST_F(SilhouetteFilter, ReducedPixelsLieInTheMiddleOfThoseTheyStandFor)
 TEST_F(SilhouetteFilter, DepthsMayBeOfAnyTypeAndName)
 {
   const auto image = discs();
-  const auto expected = edgesOf(filterOf(image));
+  const auto expected = silhouettesOf(filterOf(image));
   vtkDataArray* depth = image->GetPointData()->GetArray("depth");
   vtkNew<vtkDoubleArray> wide;
   wide->DeepCopy(depth);
@@ -193,7 +225,7 @@ TEST_F(SilhouetteFilter, DepthsMayBeOfAnyTypeAndName)
   image->GetPointData()->AddArray(wide);
   const auto named = filterOf(image);
   named->SetDepthArrayName("range");
-  EXPECT_EQ(edgesOf(named), expected);
+  EXPECT_EQ(silhouettesOf(named), expected);
   // Without the array "depth": the scalars. Whole numbers have no infinity.
   vtkNew<vtkIntArray> whole;
   whole->SetNumberOfValues(wide->GetNumberOfValues());
@@ -206,13 +238,13 @@ TEST_F(SilhouetteFilter, DepthsMayBeOfAnyTypeAndName)
   image->GetPointData()->RemoveArray("depth");
   image->GetPointData()->SetScalars(whole);
   const auto scalars = filterOf(image);
-  scalars->SetThreshold(15.0);
+  scalars->GetSilhouettes()->SetThreshold(15.0);
   scalars->SetBackgroundDepth(1e6);
-  named->SetThreshold(15.0);
+  named->GetSilhouettes()->SetThreshold(15.0);
   named->SetBackgroundDepth(1e6);
   named->Modified();
-  const auto found = edgesOf(scalars);
-  EXPECT_EQ(found, edgesOf(named));
+  const auto found = silhouettesOf(scalars);
+  EXPECT_EQ(found, silhouettesOf(named));
   EXPECT_NE(found, std::vector<float>(found.size(), 0.0f));
 }
 
@@ -233,50 +265,50 @@ TEST_F(SilhouetteFilter, ThresholdsInEveryUnit)
   const auto filter = filterOf(image);
   filter->SetDepthModeToOrthographic();
   filter->SetParallelScale(25.0);
-  filter->SetThresholdModeToSceneSize();
-  filter->SetThreshold(0.1);
+  filter->GetSilhouettes()->SetThresholdModeToSceneSize();
+  filter->GetSilhouettes()->SetThreshold(0.1);
   filter->Update();
   EXPECT_NEAR(filter->GetStep(), 0.1 * std::sqrt(2 * 49.5 * 49.5 + 900.0), 1e-6);
   filter->SetSceneSize(70.0);
   filter->Update();
   EXPECT_DOUBLE_EQ(filter->GetStep(), 7.0);
-  filter->SetThresholdModeToRadii();
+  filter->GetSilhouettes()->SetThresholdModeToRadii();
   filter->SetParticleRadius(3.0);
   filter->Update();
   EXPECT_DOUBLE_EQ(filter->GetStep(), 0.1 * 3.0);
-  // The step between the depths is an edge up to its height; hulls always are.
-  filter->SetThresholdModeToWorld();
-  filter->SetCentered(false);
+  // The step between the depths is drawn up to its height; hulls always are.
+  filter->GetSilhouettes()->SetThresholdModeToWorld();
+  filter->GetSilhouettes()->SetCentered(false);
   const auto count = [&](double threshold)
   {
-    filter->SetThreshold(threshold);
-    const auto edges = edgesOf(filter);
-    return std::count(edges.begin(), edges.end(), 1.0f);
+    filter->GetSilhouettes()->SetThreshold(threshold);
+    const auto coverage = silhouettesOf(filter);
+    return std::count(coverage.begin(), coverage.end(), 1.0f);
   };
   EXPECT_EQ(count(29.9), 200);
   EXPECT_EQ(count(30.1), 100);
-  filter->SetHulls(false);
+  filter->GetSilhouettes()->SetHulls(false);
   EXPECT_EQ(count(29.9), 100);
   // 30 units are 60 pixels.
-  filter->SetStepInPixels(61.0);
+  filter->GetSilhouettes()->SetStepInPixels(61.0);
   EXPECT_EQ(count(1.0), 0);
 }
 
 TEST_F(SilhouetteFilter, OverlayDrawsOverColors)
 {
   const auto image = discs();
-  const auto edges = edgesOf(filterOf(image));
+  const auto coverage = silhouettesOf(filterOf(image));
   const auto filter = filterOf(image);
   filter->SetOutputModeToOverlay();
-  filter->SetEdgeColor(1.0, 0.5, 0.0);
+  filter->GetSilhouettes()->SetColor(1.0, 0.5, 0.0);
   filter->Update();
   auto over = valuesOf(filter->GetOutput(), "color");
-  ASSERT_EQ(over.size(), 4 * edges.size());
-  for (std::size_t i = 0; i < edges.size(); ++i)
+  ASSERT_EQ(over.size(), 4 * coverage.size());
+  for (std::size_t i = 0; i < coverage.size(); ++i)
   {
-    ASSERT_FLOAT_EQ(over[4 * i], edges[i]);
-    ASSERT_FLOAT_EQ(over[4 * i + 1], 0.5f * edges[i]);
-    ASSERT_FLOAT_EQ(over[4 * i + 3], edges[i]);
+    ASSERT_FLOAT_EQ(over[4 * i], coverage[i]);
+    ASSERT_FLOAT_EQ(over[4 * i + 1], 0.5f * coverage[i]);
+    ASSERT_FLOAT_EQ(over[4 * i + 3], coverage[i]);
   }
   vtkNew<vtkUnsignedCharArray> bytes;
   bytes->SetName("color");
@@ -291,10 +323,10 @@ TEST_F(SilhouetteFilter, OverlayDrawsOverColors)
   filter->Modified();
   filter->Update();
   over = valuesOf(filter->GetOutput(), "color");
-  for (std::size_t i = 0; i < edges.size(); ++i)
+  for (std::size_t i = 0; i < coverage.size(); ++i)
   {
-    ASSERT_NEAR(over[4 * i], (1.0f - edges[i]) * 0.8f * 0.2f + edges[i], 1e-6f);
-    ASSERT_NEAR(over[4 * i + 3], (1.0f - edges[i]) * 0.2f + edges[i], 1e-6f);
+    ASSERT_NEAR(over[4 * i], (1.0f - coverage[i]) * 0.8f * 0.2f + coverage[i], 1e-6f);
+    ASSERT_NEAR(over[4 * i + 3], (1.0f - coverage[i]) * 0.2f + coverage[i], 1e-6f);
   }
 }
 
@@ -320,10 +352,10 @@ TEST_F(SilhouetteFilter, WhatItCannotTakeIsASentence)
   filter->SetDepthArrayName("triples");
   fails(filter, "The array \"triples\" has 3 numbers a pixel, and must have one.");
   filter->SetDepthArrayName("");
-  filter->SetGroupArrayName("colour");
+  filter->GetSilhouettes()->SetGroupArrayName("colour");
   fails(filter, "The image has no array \"colour\" of numbers; it has depth, object, triples.");
-  filter->SetGroupArrayName("");
-  EXPECT_FALSE(edgesOf(filter).empty());
+  filter->GetSilhouettes()->SetGroupArrayName("");
+  EXPECT_FALSE(silhouettesOf(filter).empty());
   vtkNew<vtkImageData> bare;
   bare->SetDimensions(4, 4, 1);
   fails(filterOf(bare), "The image has no array \"depth\" of numbers; it has no arrays.");

@@ -14,9 +14,9 @@
 #include <kernels/scene/Scene.h>
 #include <kernels/shading/ColorMap.h>
 #include <kernels/shading/Light.h>
-#include <kernels/tracing/EdgeFilm.h>
 #include <kernels/tracing/Picking.h>
 #include <kernels/tracing/RayCaster.h>
+#include <kernels/tracing/SilhouetteFilm.h>
 
 #include <cmath>
 #include <cstdio>

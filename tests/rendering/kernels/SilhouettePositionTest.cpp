@@ -60,7 +60,7 @@ std::vector<float> depthsOf(
   return depths;
 }
 
-std::vector<float> edgesOf(const std::vector<float>& depths, const View& view,
+std::vector<float> silhouettesOf(const std::vector<float>& depths, const View& view,
   const SilhouetteOptions& options, double sx = 0.0, double sy = 0.0)
 {
   DepthImage image;
@@ -69,12 +69,12 @@ std::vector<float> edgesOf(const std::vector<float>& depths, const View& view,
   image.dx = image.dy = view.tangent;
   image.x0 = view.at(sx);
   image.y0 = view.at(sy);
-  std::vector<float> edges(depths.size(), 0.0f);
-  findSilhouettes(image, options, edges.data());
-  return edges;
+  std::vector<float> coverage(depths.size(), 0.0f);
+  findSilhouettes(image, options, coverage.data());
+  return coverage;
 }
 
-std::vector<float> meanEdges(const std::vector<Sphere>& spheres, const View& view,
+std::vector<float> meanSilhouettes(const std::vector<Sphere>& spheres, const View& view,
   const SilhouetteOptions& options, int samples)
 {
   std::vector<float> mean(static_cast<std::size_t>(view.size) * view.size, 0.0f);
@@ -82,9 +82,9 @@ std::vector<float> meanEdges(const std::vector<Sphere>& spheres, const View& vie
   {
     double sx, sy; // 0 for the first
     RayCaster::sampleOffset(k, sx, sy);
-    const auto edges = edgesOf(depthsOf(spheres, view, sx, sy), view, options, sx, sy);
+    const auto coverage = silhouettesOf(depthsOf(spheres, view, sx, sy), view, options, sx, sy);
     for (std::size_t i = 0; i < mean.size(); ++i)
-      mean[i] += edges[i] / static_cast<float>(samples);
+      mean[i] += coverage[i] / static_cast<float>(samples);
   }
   return mean;
 }
@@ -126,7 +126,7 @@ struct Distances
 
 /// How far the middle of the line is from the outlines, across them, in pixels.
 Distances measure(
-  const std::vector<Sphere>& spheres, const View& view, const std::vector<float>& edges)
+  const std::vector<Sphere>& spheres, const View& view, const std::vector<float>& coverage)
 {
   Distances result;
   constexpr int points = 2000;
@@ -140,7 +140,7 @@ Distances measure(
       double sum = 0.0, moment = 0.0;
       for (double t = -2.5; t <= 2.5; t += 0.1)
       {
-        const double value = bilinear(edges, view.size, p + normal * t);
+        const double value = bilinear(coverage, view.size, p + normal * t);
         sum += value;
         moment += value * t;
       }
@@ -176,18 +176,18 @@ TEST(SilhouettePosition, LinesLieOnTheOutlinesOfSeparateSpheres)
     SilhouetteOptions options;
     options.step = 1.0;
     // Measured: 0.163 and 0.460 pixels.
-    const Distances one = measure(separate, view, meanEdges(separate, view, options, 1));
+    const Distances one = measure(separate, view, meanSilhouettes(separate, view, options, 1));
     EXPECT_LT(one.mean, 0.2);
     EXPECT_LT(one.most, 0.5);
     EXPECT_EQ(one.gaps, 0);
     // Measured: 0.029 and 0.157 pixels.
-    const Distances many = measure(separate, view, meanEdges(separate, view, options, 64));
+    const Distances many = measure(separate, view, meanSilhouettes(separate, view, options, 64));
     EXPECT_LT(many.mean, 0.04);
     EXPECT_LT(many.most, 0.2);
     EXPECT_EQ(many.gaps, 0);
     // As published, half a pixel outside. Measured: 0.450 and 0.983 pixels.
     options.centered = false;
-    const Distances outside = measure(separate, view, meanEdges(separate, view, options, 1));
+    const Distances outside = measure(separate, view, meanSilhouettes(separate, view, options, 1));
     EXPECT_LT(outside.mean, 0.5);
     EXPECT_LT(outside.most, 1.0);
     EXPECT_EQ(outside.gaps, 0);
@@ -205,9 +205,9 @@ TEST(SilhouettePosition, ReducedLinesLieThereToo)
   image.depth = depths.data();
   image.dx = image.dy = fine.tangent;
   image.x0 = image.y0 = fine.at(0.0);
-  std::vector<float> edges(static_cast<std::size_t>(plain.size) * plain.size, 0.0f);
-  findSilhouettes(image, options, edges.data());
-  const Distances d = measure(separate, plain, edges);
+  std::vector<float> coverage(static_cast<std::size_t>(plain.size) * plain.size, 0.0f);
+  findSilhouettes(image, options, coverage.data());
+  const Distances d = measure(separate, plain, coverage);
   EXPECT_LT(d.mean, 0.06);
   EXPECT_LT(d.most, 0.25);
   EXPECT_EQ(d.gaps, 0);
@@ -222,14 +222,14 @@ TEST(SilhouettePosition, HullsAreOneLineOfOnePixelAtAnyThreshold)
     options.step = step;
     options.stepInPixels = 0.0;
     options.centered = false;
-    const auto edges = edgesOf(depths, plain, options);
+    const auto coverage = silhouettesOf(depths, plain, options);
     const int n = plain.size;
     int blocks = 0;
     for (int y = 0; y + 1 < n; ++y)
       for (int x = 0; x + 1 < n; ++x)
       {
-        const float* e = &edges[static_cast<std::size_t>(y) * n + x];
-        ASSERT_FALSE(e[0] > 0.0f && std::isfinite(depths[e - edges.data()])) << x << " " << y;
+        const float* e = &coverage[static_cast<std::size_t>(y) * n + x];
+        ASSERT_FALSE(e[0] > 0.0f && std::isfinite(depths[e - coverage.data()])) << x << " " << y;
         blocks += e[0] > 0.0f && e[1] > 0.0f && e[n] > 0.0f && e[n + 1] > 0.0f;
       }
     EXPECT_EQ(blocks, 0);
@@ -247,14 +247,16 @@ TEST(SilhouettePosition, OneThresholdServesAtEveryZoom)
   for (const double pixels : {5.0, 12.0, 40.0, 150.0}) // of the radius
   {
     const View view = {static_cast<int>(8 * pixels) + 16, 1.0 / 37.5 / pixels, 40.0};
-    const auto found = [&](const std::vector<Sphere>& spheres)
-    { return measure(spheres, view, edgesOf(depthsOf(spheres, view, 0.0, 0.0), view, options)); };
+    const auto found = [&](const std::vector<Sphere>& spheres) {
+      return measure(
+        spheres, view, silhouettesOf(depthsOf(spheres, view, 0.0, 0.0), view, options));
+    };
     EXPECT_EQ(found(far).gaps, 0) << pixels;
     const Distances none = found(near);
     EXPECT_EQ(none.gaps, none.count) << pixels;
   }
   // Below that it is relief finer than pixels, which has no outlines.
   const View tiny = {32, 1.0 / 37.5 / 0.5, 40.0};
-  const auto edges = edgesOf(depthsOf(far, tiny, 0.0, 0.0), tiny, options);
-  EXPECT_EQ(std::count(edges.begin(), edges.end(), 0.0f), static_cast<long>(edges.size()));
+  const auto coverage = silhouettesOf(depthsOf(far, tiny, 0.0, 0.0), tiny, options);
+  EXPECT_EQ(std::count(coverage.begin(), coverage.end(), 0.0f), static_cast<long>(coverage.size()));
 }

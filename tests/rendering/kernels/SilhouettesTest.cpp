@@ -1,5 +1,5 @@
-// Edges of depth images: where they stand, where none must be, and what background, groups and
-// options do.
+// Silhouettes of depth images: where they are, where none must be, and what background, groups
+// and options do.
 
 #include <kernels/imaging/Silhouettes.h>
 
@@ -34,7 +34,7 @@ struct Picture
     image.pixelSize = 1.0;
   }
 
-  std::vector<float> edges(const SilhouetteOptions& options, int threads = 1) const
+  std::vector<float> coverage(const SilhouetteOptions& options, int threads = 1) const
   {
     std::vector<float> out(static_cast<std::size_t>(reducedSize(image.width, options.reduction)) *
                              reducedSize(image.height, options.reduction),
@@ -47,7 +47,7 @@ struct Picture
   DepthImage image;
 };
 
-/// Lines on the farther pixels alone, which are either edges or not.
+/// Lines on the farther pixels alone, which are covered or not.
 SilhouetteOptions onPixels(double step)
 {
   SilhouetteOptions options;
@@ -57,9 +57,10 @@ SilhouetteOptions onPixels(double step)
   return options;
 }
 
-int count(const std::vector<float>& edges)
+int count(const std::vector<float>& coverage)
 {
-  return static_cast<int>(std::count_if(edges.begin(), edges.end(), [](float e) { return e > 0; }));
+  return static_cast<int>(
+    std::count_if(coverage.begin(), coverage.end(), [](float e) { return e > 0; }));
 }
 
 } // namespace
@@ -72,10 +73,10 @@ TEST(Silhouettes, StraightBordersOfMoreThanTheStepHaveOneLine)
     {
       const Picture picture(70, 67,
         [&](int x, int y) { return (upright ? x : y) < 30 ? 10.0f : float(10.0 + height); });
-      const auto edges = picture.edges(onPixels(1.0));
+      const auto coverage = picture.coverage(onPixels(1.0));
       for (int y = 0; y < 67; ++y)
         for (int x = 0; x < 70; ++x)
-          ASSERT_EQ(edges[y * 70 + x], height > 1.0 && (upright ? x : y) == 30 ? 1.0f : 0.0f)
+          ASSERT_EQ(coverage[y * 70 + x], height > 1.0 && (upright ? x : y) == 30 ? 1.0f : 0.0f)
             << x << " " << y << " " << height;
     }
   }
@@ -84,10 +85,10 @@ TEST(Silhouettes, StraightBordersOfMoreThanTheStepHaveOneLine)
 TEST(Silhouettes, DiagonalBordersHaveALineOfOnePixel)
 {
   const Picture picture(64, 64, [](int x, int y) { return x + y < 60 ? 10.0f : 100.0f; });
-  const auto edges = picture.edges(onPixels(1.0));
+  const auto coverage = picture.coverage(onPixels(1.0));
   for (int y = 1; y < 63; ++y)
     for (int x = 1; x < 63; ++x)
-      ASSERT_EQ(edges[y * 64 + x], x + y == 60 ? 1.0f : 0.0f) << x << " " << y;
+      ASSERT_EQ(coverage[y * 64 + x], x + y == 60 ? 1.0f : 0.0f) << x << " " << y;
 }
 
 TEST(Silhouettes, PlanesHaveNone)
@@ -112,7 +113,7 @@ TEST(Silhouettes, PlanesHaveNone)
       picture.image.x0 = picture.image.y0 = -128 * dx;
       SilhouetteOptions options = onPixels(0.0);
       options.hulls = false;
-      EXPECT_EQ(count(picture.edges(options)), 0) << tilt << " " << turn;
+      EXPECT_EQ(count(picture.coverage(options)), 0) << tilt << " " << turn;
     }
 }
 
@@ -123,35 +124,35 @@ TEST(Silhouettes, BackgroundHasOneLineAroundSurfaces)
     Picture picture(40, 40,
       [&](int x, int y) { return x >= 10 && x < 20 && y >= 12 && y < 30 ? 5.0f : background; });
     picture.image.background = 1e9f;
-    const auto edges = picture.edges(onPixels(1.0));
+    const auto coverage = picture.coverage(onPixels(1.0));
     for (int y = 0; y < 40; ++y)
       for (int x = 0; x < 40; ++x)
       {
         const bool beside =
           (y >= 12 && y < 30 && (x == 9 || x == 20)) || (x >= 10 && x < 20 && (y == 11 || y == 30));
-        ASSERT_EQ(edges[y * 40 + x], beside ? 1.0f : 0.0f) << x << " " << y;
+        ASSERT_EQ(coverage[y * 40 + x], beside ? 1.0f : 0.0f) << x << " " << y;
       }
     SilhouetteOptions without = onPixels(1.0);
     without.hulls = false;
-    EXPECT_EQ(count(picture.edges(without)), 0);
+    EXPECT_EQ(count(picture.coverage(without)), 0);
   }
 }
 
 TEST(Silhouettes, ImagesOfOnePixelAndOfOneRow)
 {
   for (const float value : {1.0f, nothing, std::nanf("")})
-    EXPECT_EQ(count(Picture(1, 1, [&](int, int) { return value; }).edges(onPixels(1.0))), 0);
+    EXPECT_EQ(count(Picture(1, 1, [&](int, int) { return value; }).coverage(onPixels(1.0))), 0);
   const auto step = [](int i, int) { return i < 20 ? 1.0f : 9.0f; };
   for (const int length : {2, 3, 21, 22, 100})
   {
     const int expected = length > 21 ? 1 : 0; // none across the image's border
-    EXPECT_EQ(count(Picture(length, 1, step).edges(onPixels(1.0))), expected);
+    EXPECT_EQ(count(Picture(length, 1, step).coverage(onPixels(1.0))), expected);
     const auto upright = [&](int x, int y) { return step(y, x); };
-    EXPECT_EQ(count(Picture(1, length, upright).edges(onPixels(1.0))), expected);
-    EXPECT_EQ(count(Picture(2, length, upright).edges(onPixels(1.0))), 2 * expected);
+    EXPECT_EQ(count(Picture(1, length, upright).coverage(onPixels(1.0))), expected);
+    EXPECT_EQ(count(Picture(2, length, upright).coverage(onPixels(1.0))), 2 * expected);
   }
   const Picture none(0, 0, [](int, int) { return 0.0f; });
-  none.edges(onPixels(1.0));
+  none.coverage(onPixels(1.0));
 }
 
 TEST(Silhouettes, ThreadsAndPartsMakeNoDifference)
@@ -171,14 +172,15 @@ TEST(Silhouettes, ThreadsAndPartsMakeNoDifference)
   SilhouetteOptions options;
   options.step = 4.0;
   options.thickness = 3.3;
+  options.leastThickness = 0.3;
   options.leastOpacity = 0.2;
   for (const int reduction : {1, 2, 3})
   {
     options.reduction = reduction;
-    const auto whole = picture.edges(options, 1);
+    const auto whole = picture.coverage(options, 1);
     EXPECT_GT(count(whole), 1000);
-    EXPECT_EQ(picture.edges(options, 0), whole);
-    EXPECT_EQ(picture.edges(options, 2), whole);
+    EXPECT_EQ(picture.coverage(options, 0), whole);
+    EXPECT_EQ(picture.coverage(options, 2), whole);
     // Each part from no more of the image than the margin says.
     const int rw = reducedSize(w, reduction), rh = reducedSize(h, reduction);
     const int margin = silhouetteMargin(options);
@@ -217,20 +219,20 @@ TEST(Silhouettes, GroupsHaveALineOnTheFartherSide)
     picture.image.group = groups.data();
     SilhouetteOptions options = onPixels(5.0);
     options.hulls = false;
-    const auto edges = picture.edges(options);
+    const auto coverage = picture.coverage(options);
     int line = -1;
     for (int i = 0; i < w * h; ++i)
-      if (edges[i] != 0.0f)
+      if (coverage[i] != 0.0f)
       {
-        EXPECT_EQ(edges[i], 1.0f);
+        EXPECT_EQ(coverage[i], 1.0f);
         EXPECT_TRUE(line < 0 || line == i % w);
         line = i % w;
       }
-    EXPECT_EQ(count(edges), h);
+    EXPECT_EQ(count(coverage), h);
     return line;
   };
   EXPECT_EQ(lineAt(10.0f, 10.0f), 19); // the larger group
-  EXPECT_EQ(lineAt(10.0f, 10.5f), 20); // the farther, with a step that is no edge
+  EXPECT_EQ(lineAt(10.0f, 10.5f), 20); // the farther, with a step that makes none
   EXPECT_EQ(lineAt(10.5f, 10.0f), 19);
   EXPECT_EQ(lineAt(10.0f, 30.0f), 20); // and with one that is
 }
@@ -247,16 +249,16 @@ TEST(Silhouettes, LinesAreAsThickAndDarkAsTheirStep)
   {
     const Picture picture(
       41, 41, [&](int x, int y) { return (upright ? x : y) < 20 ? 5.0f : float(5.0 + step); });
-    const auto edges = picture.edges(options);
+    const auto coverage = picture.coverage(options);
     double sum = 0.0;
     for (int k = 0; k < 41; ++k)
-      sum += edges[upright ? 20 * 41 + k : k * 41 + 20];
+      sum += coverage[upright ? 20 * 41 + k : k * 41 + 20];
     return sum;
   };
   for (const bool upright : {true, false})
     for (const double thickness : {0.5, 1.0, 2.0, 3.5, 7.0})
     {
-      options.thickness = options.leastThickness = thickness;
+      options.thickness = thickness;
       options.leastOpacity = 1.0;
       EXPECT_NEAR(across(2.0, upright), thickness, rounding);
       EXPECT_NEAR(across(1e9, upright), thickness, rounding);
@@ -265,7 +267,7 @@ TEST(Silhouettes, LinesAreAsThickAndDarkAsTheirStep)
       EXPECT_NEAR(across(4.0, upright), 0.6 * thickness, rounding); // half of the way to 16
       EXPECT_NEAR(across(16.0, upright), thickness, rounding);
     }
-  options.leastThickness = 1.0;
+  options.leastThickness = 0.25; // a share of
   options.thickness = 4.0;
   options.leastOpacity = 1.0;
   EXPECT_NEAR(across(1.0001, true), 1.0, rounding);
@@ -281,18 +283,18 @@ TEST(Silhouettes, PitsOfOnePixelHaveNoOutline)
       // What is seen of the bottom of a pit is beside its border.
       const Picture picture(
         30, 30, [&](int x, int y) { return x >= 9 && x < 9 + width && y == 20 ? bottom : 5.0f; });
-      EXPECT_EQ(count(picture.edges(onPixels(1.0))), width == 1 ? 0 : width);
+      EXPECT_EQ(count(picture.coverage(onPixels(1.0))), width == 1 ? 0 : width);
     }
 }
 
-TEST(Silhouettes, WeakerEdgesDoNotEraseStrongerOnes)
+TEST(Silhouettes, WeakerSilhouettesDoNotEraseStrongerOnes)
 {
   const Picture picture(30, 5, [](int x, int) { return x < 15 ? 1.0f : 9.0f; });
-  std::vector<float> edges(150, 0.75f);
+  std::vector<float> coverage(150, 0.75f);
   SilhouetteOptions options;
-  findSilhouettes(picture.image, options, edges.data());
-  EXPECT_EQ(edges[2 * 30 + 15], 0.75f); // 0.5 of the line
-  EXPECT_EQ(edges[2 * 30 + 3], 0.75f);
+  findSilhouettes(picture.image, options, coverage.data());
+  EXPECT_EQ(coverage[2 * 30 + 15], 0.75f); // 0.5 of the line
+  EXPECT_EQ(coverage[2 * 30 + 3], 0.75f);
 }
 
 TEST(Silhouettes, FootprintsLimitTheStepByDistance)
@@ -308,6 +310,6 @@ TEST(Silhouettes, FootprintsLimitTheStepByDistance)
     picture.image.alongRays = true;
     SilhouetteOptions options = onPixels(0.5);
     options.stepInPixels = 2.0;
-    EXPECT_EQ(count(picture.edges(options)), distance < 100.0 ? 32 : 0) << distance;
+    EXPECT_EQ(count(picture.coverage(options)), distance < 100.0 ? 32 : 0) << distance;
   }
 }

@@ -77,13 +77,12 @@ struct Tracing
     const Film& film = tracer.film();
     std::vector<float> all(film.color(), film.color() + 4 * film.pixels());
     all.insert(all.end(), film.nearestDepth(), film.nearestDepth() + film.pixels());
-    if (const mote::EdgeLayer lines = tracer.edges(); lines.edges)
-      lines.edges->forCovered(0, film.height(),
-        [&](std::size_t pixel, float share)
-        {
-          all.push_back(float(pixel));
-          all.push_back(share);
-        });
+    tracer.silhouettes().forCovered(0, film.height(),
+      [&](std::size_t pixel, float share)
+      {
+        all.push_back(float(pixel));
+        all.push_back(share);
+      });
     return all;
   }
 };
@@ -124,7 +123,7 @@ TEST(FrameTracer, FirstFramesAreCoarseAndLaterOnesShort)
   ASSERT_TRUE(t.frame());
   EXPECT_EQ(t.tracer.distance(), 32.0);
   EXPECT_LE(t.tracer.rays(), 5 * 4);
-  EXPECT_GT(t.tracer.edges().edges->samples(), 0) << "with lines";
+  EXPECT_GT(t.tracer.silhouettes().film->samples(), 0) << "with lines";
   double distance = t.tracer.distance();
   for (int frames = 0; !t.tracer.converged(); ++frames)
   {

@@ -1,4 +1,5 @@
-// Edges in a window: those of vtkMoteRayCastPass, and of vtkMoteSilhouettePass over any scene.
+// Silhouettes in a window: those of vtkMoteRayCastPass, and of vtkMoteSilhouettePass over any
+// scene.
 #include "WindowTestSupport.h"
 
 #include "vtkCamera.h"
@@ -174,7 +175,7 @@ TEST_F(PassSilhouettes, ComeWithDraftsAndProgress)
     drawing.shoot();
   while (!pass->IsConverged() && ++frames < 100);
   EXPECT_TRUE(pass->IsConverged());
-  EXPECT_GE(frames, 1) << "edges are found little by little, too";
+  EXPECT_GE(frames, 1) << "silhouettes are found little by little, too";
 }
 
 TEST_F(PassSilhouettes, AreAsNearAsWhatTheyBelongTo)
@@ -258,7 +259,7 @@ TEST_F(PassSilhouettes, OfDepthBuffersStayInTheirViewportBelowTexts)
     EXPECT_EQ(whiteness(covered, x, 60), 0) << "over the text at " << x;
   }
   EXPECT_GT(blue, 40);
-  // A pass of one's own without the edges' step has them over everything.
+  // A pass of one's own that does not render GetLinePass() has them over everything.
   vtkNew<vtkRenderStepsPass> own;
   lines->SetDelegatePass(own);
   EXPECT_GT(whiteness(scene.shoot()), 10000);

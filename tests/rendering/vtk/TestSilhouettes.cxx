@@ -34,9 +34,9 @@ struct Traced
           values.push_back(static_cast<float>(array->GetComponent(i, c)));
     return values;
   }
-  double edges() const
+  double sum() const
   {
-    const std::vector<float> all = this->of("edges");
+    const std::vector<float> all = this->of("silhouettes");
     return std::accumulate(all.begin(), all.end(), 0.0);
   }
 };
@@ -56,7 +56,7 @@ struct Silhouettes : ::testing::Test
     source->SetSize(width, height);
     source->SetSamplesPerPixel(4);
     source->TransparentBackgroundOn();
-    source->EdgesOn();
+    source->SilhouetteCoverageOn();
     silhouettes->EnabledOn();
     silhouettes->SetStepInPixels(0.0);
   }
@@ -114,19 +114,20 @@ TEST_F(Silhouettes, LinesAreBlendedOverColourAndAlphaAndNothingElseChanges)
   EXPECT_EQ(source->GetNoise(), noise);
   for (const char* name : {"depth", "normal", "variance", "particle", "object"})
     EXPECT_EQ(with.of(name), without.of(name)) << name;
-  EXPECT_EQ(without.edges(), 0.0);
-  const std::vector<float> edges = with.of("edges"), a = with.of("color"), b = without.of("color");
-  ASSERT_EQ(edges.size(), std::size_t(width * height));
+  EXPECT_EQ(without.sum(), 0.0);
+  const std::vector<float> coverage = with.of("silhouettes"), a = with.of("color"),
+                           b = without.of("color");
+  ASSERT_EQ(coverage.size(), std::size_t(width * height));
   const float line[4] = {0.9f, 0.1f, 0.2f, 1.0f};
   int outside = 0, partly = 0;
-  for (std::size_t i = 0; i < edges.size(); ++i)
+  for (std::size_t i = 0; i < coverage.size(); ++i)
   {
-    ASSERT_GE(edges[i], 0.0f);
-    ASSERT_LE(edges[i], 1.0f);
+    ASSERT_GE(coverage[i], 0.0f);
+    ASSERT_LE(coverage[i], 1.0f);
     for (std::size_t c = 0; c < 4; ++c)
-      ASSERT_NEAR(a[4 * i + c], b[4 * i + c] * (1 - edges[i]) + line[c] * edges[i], 1e-5);
-    outside += b[4 * i + 3] == 0.0f && edges[i] > 0.0f ? 1 : 0;
-    partly += edges[i] > 0.0f && edges[i] < 1.0f ? 1 : 0;
+      ASSERT_NEAR(a[4 * i + c], b[4 * i + c] * (1 - coverage[i]) + line[c] * coverage[i], 1e-5);
+    outside += b[4 * i + 3] == 0.0f && coverage[i] > 0.0f ? 1 : 0;
+    partly += coverage[i] > 0.0f && coverage[i] < 1.0f ? 1 : 0;
   }
   EXPECT_GT(outside, 50) << "hulls cover background";
   EXPECT_GT(partly, 300) << "lines are smooth";
@@ -144,11 +145,11 @@ TEST_F(Silhouettes, ThresholdsInAllUnitsAreOne)
   stage.mapper->SetInputData(makeParticles(same));
   stage.actor->SetScale(1.5);
   silhouettes->SetThreshold(4.0);
-  const std::vector<float> radii = this->trace().of("edges");
+  const std::vector<float> radii = this->trace().of("silhouettes");
   silhouettes->SetThresholdModeToWorld();
-  EXPECT_NE(this->trace().of("edges"), radii);
+  EXPECT_NE(this->trace().of("silhouettes"), radii);
   silhouettes->SetThreshold(4.0 * 0.15);
-  const std::vector<float> world = this->trace().of("edges");
+  const std::vector<float> world = this->trace().of("silhouettes");
   double difference = 0.0;
   for (std::size_t i = 0; i < world.size(); ++i)
     difference += std::abs(world[i] - radii[i]);
@@ -161,7 +162,7 @@ TEST_F(Silhouettes, ThresholdsInAllUnitsAreOne)
               std::pow(bounds[5] - bounds[4], 2));
   silhouettes->SetThresholdModeToSceneSize();
   silhouettes->SetThreshold(4.0 * 0.15 / diagonal);
-  const std::vector<float> scene = this->trace().of("edges");
+  const std::vector<float> scene = this->trace().of("silhouettes");
   difference = 0.0;
   for (std::size_t i = 0; i < scene.size(); ++i)
     difference += std::abs(world[i] - scene[i]);
@@ -205,8 +206,8 @@ TEST_F(Silhouettes, GroupsAreValuesObjectsOrParticles)
   const auto between = [&](const char* name)
   {
     silhouettes->SetGroupArrayName(name);
-    const std::vector<float> edges = this->trace().of("edges");
-    const auto row = edges.begin() + (height / 2) * width + width / 2;
+    const std::vector<float> coverage = this->trace().of("silhouettes");
+    const auto row = coverage.begin() + (height / 2) * width + width / 2;
     return *std::max_element(row - 2, row + 3);
   };
   EXPECT_EQ(between(""), 0.0f);
@@ -239,12 +240,12 @@ TEST_F(Silhouettes, GroupsAreValuesObjectsOrParticles)
 
 TEST_F(Silhouettes, PathsAndNoiseLevelsLeaveThemAsTheyAre)
 {
-  const std::vector<float> edges = this->trace().of("edges");
+  const std::vector<float> coverage = this->trace().of("silhouettes");
   source->GetShading()->SetModeToPathTraced();
-  EXPECT_EQ(this->trace().of("edges"), edges);
+  EXPECT_EQ(this->trace().of("silhouettes"), coverage);
   source->SetSamplesPerPixel(64);
   source->SetNoiseLevel(0.3);
-  EXPECT_EQ(this->trace().of("edges"), edges);
+  EXPECT_EQ(this->trace().of("silhouettes"), coverage);
   EXPECT_EQ(source->GetNumberOfSamples(), 4);
 }
 
@@ -255,13 +256,13 @@ TEST(SilhouettesOfVolumes, CloudsHaveNoneSurfacesHave)
   source->SetRenderer(stage.renderer);
   source->SetSize(48, 48);
   source->SetSamplesPerPixel(2);
-  source->EdgesOn();
+  source->SilhouetteCoverageOn();
   source->GetSilhouettes()->EnabledOn();
   const auto sum = [&]
   {
     source->Update();
     Traced traced{source->GetOutput()};
-    return traced.edges();
+    return traced.sum();
   };
   EXPECT_EQ(sum(), 0.0);
   stage.mapper->ShowIsoSurfacesOn();

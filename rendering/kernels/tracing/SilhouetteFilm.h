@@ -12,8 +12,8 @@
 namespace mote
 {
 
-/// What belongs together, so that edges stand between it and the rest also where there is no step.
-struct EdgeGroups
+/// What belongs together: there are silhouettes between groups also where there is no step.
+struct SilhouetteGroups
 {
   enum class By
   {
@@ -26,7 +26,7 @@ struct EdgeGroups
   By by = By::Nothing;
   std::vector<ArrayView> values; ///< an object of the scene each, in input order; By::Value alone
 
-  /// What a film must have besides colour and depth for its edges to be found.
+  /// What a film must have besides colour and depth for its silhouettes to be found.
   unsigned channels() const
   {
     return Film::LatestDepth | (by == By::Nothing ? 0u : unsigned(Film::LatestId));
@@ -38,31 +38,31 @@ struct EdgeGroups
 DepthImage depthImageOf(
   const float* depth, int width, int height, const Camera& camera, int sample = 0);
 
-/// The edges of a film: the mean over its samples of the edges in each sample's depths. As the
-/// samples' rays are displaced in their pixels, the mean is antialiased.
-class EdgeFilm
+/// The silhouettes of a film: the mean over its samples of the lines found in each sample's depths.
+/// As the samples' rays are displaced in their pixels, the mean is antialiased.
+class SilhouetteFilm
 {
 public:
-  /// More samples than these make no smoother edges.
+  /// More samples than these make no smoother lines.
   static constexpr int mostSamples = 64;
 
   /// Forgets all samples.
   void clear() { samples_ = 0; }
 
-  /// Adds the edges in the depths of the latest sample of `film`, which the camera saw and which
-  /// has groups.channels(). That sample must be number samples(). `limits` are those of
-  /// RayCaster::setLimits(), or null: edges stand out against what ends rays where that is farther
-  /// than what they belong to by the step at least, and are hidden elsewhere.
+  /// Adds the silhouettes in the depths of the latest sample of `film`, which the camera saw and
+  /// which has groups.channels(). That sample must be number samples(). `limits` are those of
+  /// RayCaster::setLimits(), or null: lines stand out against what ends rays where that is
+  /// farther than what they belong to by the step at least, and are hidden elsewhere.
   void add(const Film& film, const Camera& camera, const SilhouetteOptions& options,
-    const EdgeGroups& groups, const float* limits = nullptr, int threads = 0);
+    const SilhouetteGroups& groups, const float* limits = nullptr, int threads = 0);
 
   /// The same for a depth image, as large as those added before.
   void add(const DepthImage& image, const SilhouetteOptions& options, const float* limits = nullptr,
     int threads = 0);
 
   int samples() const { return samples_; }
-  /// Calls visit(pixel, share) for the pixels of the rows [first, last) that edges cover, rows from
-  /// the bottom; the share is in (0, 1].
+  /// Calls visit(pixel, share) for the pixels of the rows [first, last) that silhouettes cover,
+  /// rows from the bottom; the share is in (0, 1].
   template <typename Visit>
   void forCovered(int first, int last, const Visit& visit) const
   {
@@ -84,11 +84,11 @@ public:
   int reach() const { return reach_; }
 
 private:
-  void findGroups(const Film& film, const EdgeGroups& groups);
+  void findGroups(const Film& film, const SilhouetteGroups& groups);
   void addRows(const DepthImage& image, const SilhouetteFinder& finder, double step,
     const float* limits, const PixelBox& box);
   void hideBehind(const DepthImage& image, const float* limits, double step, const PixelBox& box,
-    float* edges, const std::uint8_t* covered) const;
+    float* coverage, const std::uint8_t* covered) const;
 
   static constexpr int coveredColumns = SilhouetteFinder::coveredColumns;
 
@@ -104,8 +104,8 @@ private:
 /// Search radius in pixels from a line to the surface it outlines.
 int silhouetteReach(const SilhouetteOptions& options);
 
-/// The least of a film's depths within `reach` pixels each way of a pixel: how far away an edge
-/// that covers it is.
+/// The least of a film's depths within `reach` pixels each way of a pixel: how far away a line that
+/// covers it is.
 float nearSide(const float* depth, int width, int height, int x, int y, int reach);
 
 } // namespace mote

@@ -1,12 +1,12 @@
-// Edges of one row of a depth image, compiled once for every SIMD instruction set.
+// Silhouette pixels of one row of a depth image, compiled once for every SIMD instruction set.
 
-#include "detail/SilhouetteRows.h"
+#include "detail/SilhouetteSteps.h"
 
 #include <algorithm>
 #include <cmath>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "imaging/SilhouetteRows.cpp"
+#define HWY_TARGET_INCLUDE "imaging/SilhouetteSteps.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -72,7 +72,7 @@ HWY_INLINE V directionCode(D d, const Neighbours<D>& n, V least)
     code = hn::Add(code, hn::IfThenElseZero(hn::Gt(ay, hn::Mul(ax, hn::Set(d, tangent))), one));
   code = hn::IfThenElse(hn::Lt(x, zero), hn::Sub(hn::Set(d, 8.0f), code), code);
   code = hn::IfThenElse(hn::Lt(y, zero), hn::Sub(hn::Set(d, 16.0f), code), code);
-  const V none = hn::Set(d, static_cast<float>(EdgeRow::round));
+  const V none = hn::Set(d, static_cast<float>(SilhouetteRow::round));
   return hn::IfThenElse(hn::Eq(hn::Add(ax, ay), zero), none, code);
 }
 
@@ -84,10 +84,10 @@ HWY_INLINE void storeBytes(D d, V values, std::uint8_t* out)
   hn::StoreU(hn::DemoteTo(db, hn::ConvertTo(di, values)), db, out);
 }
 
-/// Levels and opacities of edges of these steps.
+/// Levels and opacities of silhouette pixels with these steps.
 template <typename D, typename V = hn::Vec<D>>
 HWY_INLINE void storeGrades(
-  D d, V step, const EdgeGrades& grades, std::uint8_t* level, std::uint8_t* opacity)
+  D d, V step, const SilhouetteGrades& grades, std::uint8_t* level, std::uint8_t* opacity)
 {
   const auto number = [&](float v) { return hn::Set(d, v); };
   const V one = number(1.0f), half = number(0.5f);
@@ -96,12 +96,13 @@ HWY_INLINE void storeGrades(
   const V strength = hn::Min(hn::Mul(hn::Log2(d, share), number(grades.perLog)), one);
   const V least = number(grades.leastOpacity);
   const V opaque = hn::MulAdd(strength, hn::Sub(one, least), least);
-  storeBytes(d, hn::MulAdd(strength, number(EdgeRow::levels - 1.0f), half), level);
-  storeBytes(d, hn::MulAdd(opaque, number(EdgeRow::opaque), half), opacity);
+  storeBytes(d, hn::MulAdd(strength, number(SilhouetteRow::levels - 1.0f), half), level);
+  storeBytes(d, hn::MulAdd(opaque, number(SilhouetteRow::opaque), half), opacity);
 }
 
 /// Whether the pixels beside that are nearer are so by about a third of the limit together, or by
-/// anything if this one is background; others are no edges, which most pixels are.
+/// anything if this one is background; others, which are most, are no silhouette
+/// pixels.
 template <typename D, typename V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> isBehindOthers(D d, const DistanceRows& rows, V least, int x, int side)
 {
@@ -118,10 +119,10 @@ HWY_INLINE hn::Mask<D> isBehindOthers(D d, const DistanceRows& rows, V least, in
     hn::And(hn::Eq(center, hn::Inf(d)), hn::Lt(nearest, center)));
 }
 
-/// Adds the edges among the pixels of a vector at x.
+/// Adds the silhouette pixels of a vector at x.
 template <typename D>
 HWY_INLINE void findStepsAt(D d, const DistanceRows& rows, const StepLimit& limit,
-  const EdgeGrades& grades, int x, int side, const EdgeRow& found)
+  const SilhouetteGrades& grades, int x, int side, const SilhouetteRow& found)
 {
   using V = hn::Vec<D>;
   const V least =
@@ -147,21 +148,21 @@ HWY_INLINE void findStepsAt(D d, const DistanceRows& rows, const StepLimit& limi
   const V farthest = hn::Max(hn::Max(hn::Max(n.left, n.right), hn::Max(n.down, n.up)),
     hn::Max(hn::Max(n.downLeft, n.upRight), hn::Max(n.upLeft, n.downRight)));
   const V nearer = hn::IfThenElse(isHull, infinity, hn::Sub(n.center, hn::Mul(least, third)));
-  const auto isEdge = hn::And(isBorder, hn::Ge(farthest, nearer));
-  if (hn::AllFalse(d, isEdge))
+  const auto isSilhouette = hn::And(isBorder, hn::Ge(farthest, nearer));
+  if (hn::AllFalse(d, isSilhouette))
     return;
   *found.any = true;
   const V mean = hn::Mul(eight, hn::Set(d, 0.125f));
   const V code = directionCode(d, n, hn::IfThenZeroElse(isHull, mean));
-  const V none = hn::Set(d, static_cast<float>(EdgeRow::none));
-  storeBytes(d, hn::IfThenElse(isEdge, code, none), found.code + x);
+  const V none = hn::Set(d, static_cast<float>(SilhouetteRow::none));
+  storeBytes(d, hn::IfThenElse(isSilhouette, code, none), found.code + x);
   if (grades.graded)
     storeGrades(d, hn::IfThenElse(isHull, infinity, hn::Mul(eight, third)), grades, found.level + x,
       found.opacity + x);
 }
 
-void steps(const DistanceRows& rows, const StepLimit& limit, const EdgeGrades& grades, int width,
-  int begin, int end, const EdgeRow& found)
+void steps(const DistanceRows& rows, const StepLimit& limit, const SilhouetteGrades& grades,
+  int width, int begin, int end, const SilhouetteRow& found)
 {
   const DF d;
   const int lanes = static_cast<int>(hn::Lanes(d));
@@ -210,9 +211,9 @@ void distances(const DepthImage& image, int row, int begin, int end, float* out)
     distancesAt(D1(), image, depth, y, x, out);
 }
 
-/// The pixel at x, if it is an edge by group.
+/// Adds the pixel at x where a nearer neighbour is of another group.
 void findGroupAt(
-  const DistanceRows& rows, const GroupRows& groups, int x, int side, const EdgeRow& found)
+  const DistanceRows& rows, const GroupRows& groups, int x, int side, const SilhouetteRow& found)
 {
   const float distance = rows.row[x];
   const std::uint64_t group = groups.row[x];
@@ -233,17 +234,17 @@ void findGroupAt(
   const int falling =
     isNear(rows.up, groups.up, x - side) - isNear(rows.down, groups.down, x + side);
   const int dx = right - left + rising - falling, dy = up - down + rising + falling;
-  const long sector = std::lround(std::atan2(dy, dx) * (EdgeRow::directions / (2.0 * M_PI)));
+  const long sector = std::lround(std::atan2(dy, dx) * (SilhouetteRow::directions / (2.0 * M_PI)));
   found.code[x] = dx == 0 && dy == 0
-                    ? EdgeRow::round
-                    : static_cast<std::uint8_t>(sector & (EdgeRow::directions - 1));
-  found.level[x] = EdgeRow::levels - 1;
-  found.opacity[x] = EdgeRow::opaque;
+                    ? SilhouetteRow::round
+                    : static_cast<std::uint8_t>(sector & (SilhouetteRow::directions - 1));
+  found.level[x] = SilhouetteRow::levels - 1;
+  found.opacity[x] = SilhouetteRow::opaque;
   *found.any = true;
 }
 
 void groupChanges(const DistanceRows& rows, const GroupRows& groups, int width, int begin, int end,
-  const EdgeRow& found)
+  const SilhouetteRow& found)
 {
   const DG d;
   const int lanes = static_cast<int>(hn::Lanes(d));
@@ -287,14 +288,14 @@ void rayDistances(const DepthImage& image, int y, int begin, int end, float* out
   HWY_DYNAMIC_DISPATCH(distances)(image, y, begin, end, out);
 }
 
-void findSteps(const DistanceRows& rows, const StepLimit& limit, const EdgeGrades& grades,
-  int width, int begin, int end, const EdgeRow& found)
+void findSteps(const DistanceRows& rows, const StepLimit& limit, const SilhouetteGrades& grades,
+  int width, int begin, int end, const SilhouetteRow& found)
 {
   HWY_DYNAMIC_DISPATCH(steps)(rows, limit, grades, width, begin, end, found);
 }
 
 void findGroupChanges(const DistanceRows& rows, const GroupRows& groups, int width, int begin,
-  int end, const EdgeRow& found)
+  int end, const SilhouetteRow& found)
 {
   HWY_DYNAMIC_DISPATCH(groupChanges)(rows, groups, width, begin, end, found);
 }

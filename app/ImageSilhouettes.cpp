@@ -1,10 +1,10 @@
-#include "Edges.h"
+#include "ImageSilhouettes.h"
 
 #include "Checks.h"
-#include "Colors.h"
 #include "Failure.h"
 #include "Messages.h"
 #include "OutputFile.h"
+#include "Silhouettes.h"
 #include "Text.h"
 
 #include <vtkFloatArray.h>
@@ -12,6 +12,7 @@
 #include <vtkMoteImageReader.h>
 #include <vtkMoteImageWriter.h>
 #include <vtkMoteSilhouetteFilter.h>
+#include <vtkMoteSilhouettes.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
@@ -27,87 +28,7 @@ namespace mote::app
 namespace
 {
 
-/// "2" or "1.5%": the number, and whether it is a percentage.
-bool parseThreshold(const std::string& text, double& value, bool& isShare)
-{
-  isShare = !text.empty() && text.back() == '%';
-  return parseNumber(isShare ? text.substr(0, text.size() - 1) : text, value) && value >= 0.0;
-}
-
-std::string checkThreshold(std::string& text)
-{
-  double value;
-  bool isShare;
-  return parseThreshold(text, value, isShare)
-           ? ""
-           : "'" + text + "' is neither a length such as 2.5 nor a percentage such as 1%";
-}
-
-/// "2" or "1:3": widths of the weakest and of the strongest lines.
-bool parseThickness(const std::string& text, double& least, double& most)
-{
-  const std::size_t colon = text.find(':');
-  const bool isRange = colon != std::string::npos;
-  return parseNumber(text.substr(0, colon), least) &&
-         parseNumber(isRange ? text.substr(colon + 1) : text, most) && least > 0.0 &&
-         most >= least && most <= 100.0;
-}
-
-std::string checkThickness(std::string& text)
-{
-  double least, most;
-  return parseThickness(text, least, most)
-           ? ""
-           : "'" + text +
-               "' is neither a width in pixels above 0 such as 2 nor a range such as 1:3";
-}
-
-void addLineOptions(CLI::App& app, EdgesOptions& o)
-{
-  const std::string group = "Lines";
-  app
-    .add_option("--thickness", o.thickness,
-      "Width of the lines in pixels, or LEAST:MOST to have it grow with the step")
-    ->check(CLI::Validator([](std::string& t) { return checkThickness(t); }, "", "thickness"))
-    ->capture_default_str()
-    ->type_name("W")
-    ->group(group);
-  app
-    .add_option("--opacity", o.leastOpacity,
-      "Opacity of the least steps, 0 to 1, that grows with the step: grey levels")
-    ->check(isNumber())
-    ->check(CLI::Range(0.0, 1.0).description(""))
-    ->capture_default_str()
-    ->type_name("A")
-    ->group(group);
-  app
-    .add_option_function<std::string>(
-      "--color",
-      [&o](const std::string& text)
-      {
-        if (!parseColor(text, o.color))
-          throw CLI::ValidationError(
-            "--color", "'" + text + "' is no colour: give a name (white, navy) or #rrggbb");
-      },
-      "Colour of the lines, by name or as #rrggbb. By default nearly black")
-    ->type_name("COLOR")
-    ->group(group);
-  app
-    .add_flag("--on-pixels", o.onPixels,
-      "Draw on the farther pixels alone, crisply, and not about the border itself")
-    ->group(group);
-  app
-    .add_option("--reduce", o.reduction,
-      "Make one pixel of a square of N times N, for smooth lines from a larger image")
-    ->check(CLI::Range(1, 64).description(""))
-    ->capture_default_str()
-    ->type_name("N")
-    ->group(group);
-  app.add_flag("--lines-only", o.linesAlone, "Draw on white, and not over the image's colours")
-    ->group(group);
-}
-
-void addDepthOptions(CLI::App& app, EdgesOptions& o)
+void addDepthOptions(CLI::App& app, ImageSilhouetteOptions& o)
 {
   const std::string group = "Depth";
   app
@@ -166,24 +87,11 @@ void whiten(vtkImageData* image)
   image->GetPointData()->SetScalars(white);
 }
 
-void setOptions(vtkMoteSilhouetteFilter* filter, const EdgesOptions& options)
+void setOptions(vtkMoteSilhouetteFilter* filter, const ImageSilhouetteOptions& options)
 {
-  double threshold, least, most;
-  bool isShare;
-  parseThreshold(options.threshold, threshold, isShare);
-  parseThickness(options.thickness, least, most);
-  filter->SetThreshold(isShare ? threshold / 100.0 : threshold);
-  filter->SetThresholdMode(
-    isShare ? vtkMoteSilhouetteFilter::SCENE_SIZE : vtkMoteSilhouetteFilter::WORLD);
-  filter->SetStepInPixels(options.stepInPixels);
-  filter->SetThickness(most);
-  filter->SetLeastThickness(least);
-  filter->SetLeastOpacity(options.leastOpacity);
-  filter->SetHulls(options.hulls);
-  filter->SetCentered(!options.onPixels);
+  choose(options.given.settings.silhouettes, vtkMoteSilhouettes::WORLD, filter->GetSilhouettes());
   filter->SetReductionFactor(options.reduction);
   filter->SetDepthArrayName(options.depth);
-  filter->SetGroupArrayName(options.groups);
   filter->SetDepthMode(options.orthographic ? vtkMoteSilhouetteFilter::ORTHOGRAPHIC
                        : options.alongRays  ? vtkMoteSilhouetteFilter::ALONG_RAYS
                                             : vtkMoteSilhouetteFilter::ALONG_AXIS);
@@ -191,10 +99,9 @@ void setOptions(vtkMoteSilhouetteFilter* filter, const EdgesOptions& options)
   if (options.orthographic)
     filter->SetParallelScale(0.5 * *options.orthographic);
   filter->SetBackgroundDepth(options.farDepth);
-  filter->SetEdgeColor(options.color[0], options.color[1], options.color[2]);
   filter->SetOutputModeToOverlay();
-  if (options.threads > 0)
-    filter->SetNumberOfThreads(options.threads);
+  if (options.given.settings.data.threads > 0)
+    filter->SetNumberOfThreads(options.given.settings.data.threads);
 }
 
 double secondsSince(std::chrono::steady_clock::time_point start)
@@ -204,7 +111,14 @@ double secondsSince(std::chrono::steady_clock::time_point start)
 
 } // namespace
 
-void addEdgesOptions(CLI::App& app, EdgesOptions& options)
+ImageSilhouetteOptions::ImageSilhouetteOptions()
+{
+  given.settings.silhouettes.lines = "1%";
+  given.settings.silhouettes.thickness = "1";
+  given.settings.silhouettes.opacity = 0.3;
+}
+
+void addImageSilhouetteOptions(CLI::App& app, ImageSilhouetteOptions& options)
 {
   app.add_option("IMAGE", options.image, "Image with depths, such as an .exr from any program")
     ->required()
@@ -215,32 +129,31 @@ void addEdgesOptions(CLI::App& app, EdgesOptions& options)
     ->required()
     ->type_name("FILE");
   app
-    .add_option("--threshold", options.threshold,
-      "Least step of depth that is an edge: a length in world units, or with % a share of the "
+    .add_option("--threshold", options.given.settings.silhouettes.lines,
+      "Least step of depth that is drawn: a length in world units, or with % a share of the "
       "diagonal of what the image shows")
-    ->check(CLI::Validator([](std::string& t) { return checkThreshold(t); }, "", "threshold"))
+    ->check(CLI::Validator(
+      [](std::string& text) { return text == "auto" ? "'auto' is no length" : checkLines(text); }, "",
+      "threshold"))
     ->capture_default_str()
+    ->group("Silhouettes")
     ->type_name("STEP");
+  addSettings(app, options.given,
+    {"silhouette-thickness", "silhouette-opacity", "silhouette-color", "silhouette-on-pixels",
+      "silhouette-step-pixels", "silhouette-groups", "silhouette-hulls", "threads"},
+    "silhouette-");
   app
-    .add_option("--step-pixels", options.stepInPixels,
-      "No step is an edge that is less than the width of so many pixels at its distance")
-    ->check(isNumber())
-    ->check(CLI::NonNegativeNumber.description(""))
+    .add_option("--reduce", options.reduction,
+      "Make one pixel of a square of N times N, for smooth lines from a larger image")
+    ->check(CLI::Range(1, 64).description(""))
     ->capture_default_str()
     ->type_name("N");
-  app
-    .add_option("--groups", options.groups,
-      "Channel, such as particle or object, where edges stand also between its values")
-    ->type_name("NAME");
-  app.add_flag("!--no-hulls", options.hulls, "No edges against the background");
-  app.add_option("--threads", options.threads, "Threads to work with. By default all")
-    ->check(CLI::Range(0, 4096).description(""))
-    ->type_name("N");
-  addLineOptions(app, options);
+  app.add_flag(
+    "--lines-only", options.linesAlone, "Draw on white, and not over the image's colours");
   addDepthOptions(app, options);
 }
 
-void drawEdges(const EdgesOptions& options)
+void drawImageSilhouettes(const ImageSilhouetteOptions& options)
 {
   vtkNew<vtkMoteImageWriter> writer;
   writer->SetFileName(options.output.c_str());
@@ -274,7 +187,7 @@ void drawEdges(const EdgesOptions& options)
   if (!isWritten)
     throw Failure(writer->GetErrorMessage());
   const int* size = filter->GetOutput()->GetDimensions();
-  std::printf("%s: %dx%d, edges at steps from %s; read in %s, drawn in %s\n",
+  std::printf("%s: %dx%d, silhouettes at steps from %s; read in %s, drawn in %s\n",
     options.output.c_str(), size[0], size[1], asNumber(filter->GetStep(), 4).c_str(),
     asDuration(reading).c_str(), asDuration(finding).c_str());
 }

@@ -1,4 +1,4 @@
-#include "EdgeFilm.h"
+#include "SilhouetteFilm.h"
 
 #include "RayCaster.h"
 
@@ -19,7 +19,7 @@ namespace
 constexpr std::uint64_t odd = 0x9e3779b97f4a7c15U; // spreads small numbers over all bits
 
 /// Group of what a ray met; 0 where that is nothing.
-std::uint64_t groupOf(const EdgeGroups& groups, std::int32_t object, std::uint64_t id)
+std::uint64_t groupOf(const SilhouetteGroups& groups, std::int32_t object, std::uint64_t id)
 {
   if (object < 0)
     return 0;
@@ -27,9 +27,9 @@ std::uint64_t groupOf(const EdgeGroups& groups, std::int32_t object, std::uint64
   const std::uint64_t own = odd * (k + 1);
   switch (groups.by)
   {
-  case EdgeGroups::By::Particle:
+  case SilhouetteGroups::By::Particle:
     return own ^ (id + 1);
-  case EdgeGroups::By::Value:
+  case SilhouetteGroups::By::Value:
     // Adding 0 makes one zero of the two that there are.
     return k < groups.values.size() && id < groups.values[k].count()
              ? std::bit_cast<std::uint64_t>(groups.values[k].value(id) + 0.0) | 1U
@@ -66,7 +66,7 @@ int silhouetteReach(const SilhouetteOptions& options)
 {
   // Lines end half their width and half a pixel from their middle. That is the pixel beside the
   // nearer one, or lies half a pixel towards it: 0.35 along an axis where that is a diagonal.
-  const double half = 0.5 * std::max(options.thickness, options.leastThickness) + 0.5;
+  const double half = 0.5 * options.thickness + 0.5;
   return static_cast<int>(std::ceil(half - (options.centered ? 0.35 : 0.0)));
 }
 
@@ -82,7 +82,7 @@ float nearSide(const float* depth, int width, int height, int x, int y, int reac
   return nearest;
 }
 
-void EdgeFilm::findGroups(const Film& film, const EdgeGroups& groups)
+void SilhouetteFilm::findGroups(const Film& film, const SilhouetteGroups& groups)
 {
   group_.resize(film.pixels());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, film.pixels(), 1 << 14),
@@ -93,42 +93,42 @@ void EdgeFilm::findGroups(const Film& film, const EdgeGroups& groups)
     });
 }
 
-/// Takes away what lies behind, or hardly in front of, what ends rays, from the edges of some rows.
-void EdgeFilm::hideBehind(const DepthImage& image, const float* limits, double step,
-  const PixelBox& box, float* edges, const std::uint8_t* covered) const
+/// Takes from the silhouettes of some rows what lies behind, or hardly in front of, what ends rays.
+void SilhouetteFilm::hideBehind(const DepthImage& image, const float* limits, double step,
+  const PixelBox& box, float* coverage, const std::uint8_t* covered) const
 {
   for (int y = box.y0; y < box.y1; ++y, covered += blocks_)
-    for (int x = box.x0; x < box.x1; ++x, ++edges)
+    for (int x = box.x0; x < box.x1; ++x, ++coverage)
     {
       const float limit = limits[static_cast<std::size_t>(y) * width_ + x];
-      if (covered[x / coveredColumns] == 0 || *edges <= 0.0f || !std::isfinite(limit))
+      if (covered[x / coveredColumns] == 0 || *coverage <= 0.0f || !std::isfinite(limit))
         continue;
       const float depth = nearSide(image.depth, image.width, image.height, x, y, reach_);
       if (!(depth + step < limit))
-        *edges = 0.0f;
+        *coverage = 0.0f;
     }
 }
 
-void EdgeFilm::addRows(const DepthImage& image, const SilhouetteFinder& finder, double step,
+void SilhouetteFilm::addRows(const DepthImage& image, const SilhouetteFinder& finder, double step,
   const float* limits, const PixelBox& box)
 {
   const std::size_t first = static_cast<std::size_t>(box.y0) * width_;
   const std::size_t firstBlock = static_cast<std::size_t>(box.y0) * blocks_;
   const int rows = box.y1 - box.y0;
-  std::vector<float> ownEdges;
+  std::vector<float> ownCoverage;
   std::vector<std::uint8_t> ownCovered;
-  float* edges = mean_.data() + first;
+  float* coverage = mean_.data() + first;
   std::uint8_t* covered = covered_.data() + firstBlock;
   if (samples_ > 0)
   {
-    ownEdges.resize(static_cast<std::size_t>(rows) * width_);
+    ownCoverage.resize(static_cast<std::size_t>(rows) * width_);
     ownCovered.resize(static_cast<std::size_t>(rows) * blocks_);
-    edges = ownEdges.data();
+    coverage = ownCoverage.data();
     covered = ownCovered.data();
   }
-  finder.find(box, edges, width_, covered);
+  finder.find(box, coverage, width_, covered);
   if (limits != nullptr)
-    hideBehind(image, limits, step, box, edges, covered);
+    hideBehind(image, limits, step, box, coverage, covered);
   const float share = 1.0f / static_cast<float>(samples_ + 1);
   for (int block = 0; samples_ > 0 && block < rows * blocks_; ++block)
   {
@@ -140,14 +140,14 @@ void EdgeFilm::addRows(const DepthImage& image, const SilhouetteFinder& finder, 
     for (std::size_t i = at; i < at + std::min(coveredColumns, width_ - x); ++i)
     {
       const float before = any != 0 ? mean_[first + i] : 0.0f;
-      const float own = covered[block] != 0 ? edges[i] : 0.0f;
+      const float own = covered[block] != 0 ? coverage[i] : 0.0f;
       mean_[first + i] = before + (own - before) * share;
     }
     any = 1;
   }
 }
 
-void EdgeFilm::add(
+void SilhouetteFilm::add(
   const DepthImage& image, const SilhouetteOptions& options, const float* limits, int threads)
 {
   constexpr int bandRows = 128; // which stay in the cache of who works on them
@@ -174,12 +174,12 @@ void EdgeFilm::add(
   ++samples_;
 }
 
-void EdgeFilm::add(const Film& film, const Camera& camera, const SilhouetteOptions& options,
-  const EdgeGroups& groups, const float* limits, int threads)
+void SilhouetteFilm::add(const Film& film, const Camera& camera, const SilhouetteOptions& options,
+  const SilhouetteGroups& groups, const float* limits, int threads)
 {
   DepthImage image =
     depthImageOf(film.latestDepth(), film.width(), film.height(), camera, samples_);
-  if (groups.by != EdgeGroups::By::Nothing)
+  if (groups.by != SilhouetteGroups::By::Nothing)
   {
     findGroups(film, groups);
     image.group = group_.data();

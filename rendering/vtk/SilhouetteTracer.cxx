@@ -1,4 +1,4 @@
-#include "FilmEdges.h"
+#include "SilhouetteTracer.h"
 
 #include "vtkMoteSilhouettes.h"
 
@@ -44,22 +44,8 @@ double stepOf(vtkMoteSilhouettes* silhouettes, const Scene& particles, double di
   return threshold * (radius > 0.0 ? radius : radiusOfNone * diagonal);
 }
 
-SilhouetteOptions silhouetteOptionsOf(vtkMoteSilhouettes* silhouettes, double step, double distance)
-{
-  SilhouetteOptions options;
-  options.step = step;
-  options.stepInPixels = silhouettes->GetStepInPixels();
-  options.hulls = silhouettes->GetHulls();
-  options.thickness = silhouettes->GetThickness() / distance;
-  options.leastThickness = options.thickness * silhouettes->GetLeastThickness();
-  options.leastOpacity = silhouettes->GetLeastOpacity();
-  options.fullStep = std::max(silhouettes->GetFullStep(), 1.0 + 1e-6);
-  options.centered = silhouettes->GetCentered();
-  return options;
-}
-
 /// False where the name stands for nothing.
-bool FilmEdges::takeGroups(const std::string& name, const MoteProps& props)
+bool SilhouetteTracer::takeGroups(const std::string& name, const MoteProps& props)
 {
   groups_ = {};
   std::vector<vtkDataArray*> arrays;
@@ -68,11 +54,11 @@ bool FilmEdges::takeGroups(const std::string& name, const MoteProps& props)
   const bool found =
     std::any_of(arrays.begin(), arrays.end(), [](vtkDataArray* array) { return array; });
   if (found)
-    groups_.by = EdgeGroups::By::Value;
+    groups_.by = SilhouetteGroups::By::Value;
   else if (name == "object")
-    groups_.by = EdgeGroups::By::Object;
+    groups_.by = SilhouetteGroups::By::Object;
   else if (name == "particle")
-    groups_.by = EdgeGroups::By::Particle;
+    groups_.by = SilhouetteGroups::By::Particle;
   if (!found)
     arrays.clear();
   values_.resize(arrays.size());
@@ -87,10 +73,10 @@ bool FilmEdges::takeGroups(const std::string& name, const MoteProps& props)
     viewed_[i] = time;
     groups_.values.push_back(values_[i].view);
   }
-  return found || name.empty() || groups_.by != EdgeGroups::By::Nothing;
+  return found || name.empty() || groups_.by != SilhouetteGroups::By::Nothing;
 }
 
-void FilmEdges::prepare(
+void SilhouetteTracer::prepare(
   vtkMoteSilhouettes* silhouettes, const MoteProps& props, const Scene& scene, double distance)
 {
   wanted_ = silhouettes && silhouettes->GetEnabled();
@@ -100,53 +86,53 @@ void FilmEdges::prepare(
   color_ = {float(color[0]), float(color[1]), float(color[2])};
   const Box bounds = scene.bounds();
   const double diagonal = bounds.empty() ? 0.0 : glm::length(bounds.size());
-  options_ = silhouetteOptionsOf(silhouettes, stepOf(silhouettes, scene, diagonal), distance);
+  SilhouetteOptions options = silhouettes->MakeOptions(stepOf(silhouettes, scene, diagonal));
+  options.thickness /= distance;
+  const auto groupedBy = groups_.by;
+  const auto viewed = viewed_;
   const std::string name = silhouettes->GetGroupArrayName();
   const std::string missed = this->takeGroups(name, props) ? std::string() : name;
   if (!missed.empty() && missed != reported_)
     vtkErrorWithObjectMacro(silhouettes,
-      "There is no point array \"" << missed << "\" to draw edges between its values.");
+      "There is no point array \"" << missed << "\" to draw silhouettes between its values.");
   reported_ = missed;
-  const SilhouetteOptions& o = options_;
-  std::vector<double> key = {o.step, o.stepInPixels, double(o.hulls), o.thickness, o.leastThickness,
-    o.leastOpacity, o.fullStep, double(o.centered), double(groups_.by)};
-  key.insert(key.end(), viewed_.begin(), viewed_.end());
-  if (key != key_)
+  if (options != options_ || groups_.by != groupedBy || viewed_ != viewed)
     this->clear();
-  key_ = key;
+  options_ = options;
 }
 
-void FilmEdges::clear()
+void SilhouetteTracer::clear()
 {
-  edges_.clear();
+  silhouettes_.clear();
   tiles_.clear();
 }
 
-bool FilmEdges::isBehind(int samples) const
+bool SilhouetteTracer::isBehind(int samples) const
 {
-  return wanted_ && edges_.samples() < std::min(samples, EdgeFilm::mostSamples);
+  return wanted_ && silhouettes_.samples() < std::min(samples, SilhouetteFilm::mostSamples);
 }
 
-void FilmEdges::add(const Film& film, const Camera& camera, const float* limits, int threads)
+void SilhouetteTracer::add(const Film& film, const Camera& camera, const float* limits, int threads)
 {
   const bool kept = (channels() & ~Film::LatestDepth) == 0 || film.has(Film::LatestId);
   const bool latest = film.samples() == 1 || film.has(Film::LatestDepth);
-  if (!this->isBehind(film.samples()) || edges_.samples() != film.samples() - 1 || !kept || !latest)
+  if (!this->isBehind(film.samples()) || silhouettes_.samples() != film.samples() - 1 || !kept ||
+      !latest)
     return;
   const auto start = Clock::now();
-  edges_.add(film, camera, options_, groups_, limits, threads);
+  silhouettes_.add(film, camera, options_, groups_, limits, threads);
   tiles_.clear();
   seconds_ += secondsSince(start);
 }
 
-bool FilmEdges::catchUp(const Scene& scene, const Film& film, const Camera& camera,
+bool SilhouetteTracer::catchUp(const Scene& scene, const Film& film, const Camera& camera,
   const float* limits, int threads, const Progress& progress)
 {
   const auto start = Clock::now();
   if (tiles_.empty())
   {
     again_.resize(film.width(), film.height(), this->channels());
-    again_.setSamples(edges_.samples());
+    again_.setSamples(silhouettes_.samples());
   }
   const Scene bare = withoutLight(scene);
   RayCaster caster(bare);
@@ -154,7 +140,7 @@ bool FilmEdges::catchUp(const Scene& scene, const Film& film, const Camera& came
   caster.setLimits(limits);
   const bool done = caster.addSample(camera, again_, progress, &tiles_);
   if (done)
-    edges_.add(again_, camera, options_, groups_, limits, threads);
+    silhouettes_.add(again_, camera, options_, groups_, limits, threads);
   seconds_ += secondsSince(start);
   return done;
 }

@@ -1,8 +1,24 @@
 #include "vtkMoteSilhouettes.h"
 
+#include "kernels/imaging/Silhouettes.h"
+
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkMoteSilhouettes);
+
+mote::SilhouetteOptions vtkMoteSilhouettes::MakeOptions(double step) const
+{
+  mote::SilhouetteOptions options;
+  options.step = step;
+  options.stepInPixels = this->StepInPixels;
+  options.hulls = this->Hulls;
+  options.thickness = this->Thickness;
+  options.leastThickness = this->LeastThickness;
+  options.leastOpacity = this->LeastOpacity;
+  options.fullStep = this->FullStep;
+  options.centered = this->Centered;
+  return options;
+}
 
 void vtkMoteSilhouettes::PrintSelf(ostream& os, vtkIndent indent)
 {

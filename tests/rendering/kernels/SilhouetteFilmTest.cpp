@@ -1,9 +1,9 @@
-// Edges of films: what films keep of their latest sample, and what the edges' mean over samples is.
+// Silhouettes of films: what films keep of their latest sample, and the mean over samples.
 
 #include "SceneParts.h"
 
-#include <kernels/tracing/EdgeFilm.h>
 #include <kernels/tracing/RayCaster.h>
+#include <kernels/tracing/SilhouetteFilm.h>
 
 #include <support/CastOracle.h>
 
@@ -32,31 +32,31 @@ Camera cameraOf(Camera::Projection projection)
   return camera;
 }
 
-/// A film of some samples and its edges.
-struct Edges
+/// A film of some samples and its silhouettes.
+struct Traced
 {
   Film film;
-  EdgeFilm edges;
+  SilhouetteFilm silhouettes;
 
   void trace(const Scene& scene, const Camera& camera, int samples,
-    const SilhouetteOptions& options = {}, const EdgeGroups& groups = {},
+    const SilhouetteOptions& options = {}, const SilhouetteGroups& groups = {},
     const float* limits = nullptr, int threads = 0)
   {
     film.resize(width, height, groups.channels());
-    edges.clear();
+    silhouettes.clear();
     RayCaster caster(scene);
     caster.setLimits(limits);
     for (int k = 0; k < samples; ++k)
     {
       ASSERT_TRUE(caster.addSample(camera, film));
-      edges.add(film, camera, options, groups, limits, threads);
+      silhouettes.add(film, camera, options, groups, limits, threads);
     }
-    EXPECT_EQ(edges.samples(), samples);
+    EXPECT_EQ(silhouettes.samples(), samples);
   }
   std::vector<float> coverage() const
   {
     std::vector<float> shares(film.pixels(), 0.0f);
-    edges.forCovered(
+    silhouettes.forCovered(
       0, film.height(), [&](std::size_t pixel, float share) { shares[pixel] = share; });
     return shares;
   }
@@ -78,7 +78,7 @@ SilhouetteOptions anyStep(double step = 0.1)
 
 } // namespace
 
-TEST(EdgeFilm, FilmsKeepWhatTheLatestRaysMet)
+TEST(SilhouetteFilm, FilmsKeepWhatTheLatestRaysMet)
 {
   Scene scene;
   for (int k = 0; k < 2; ++k)
@@ -118,7 +118,7 @@ TEST(EdgeFilm, FilmsKeepWhatTheLatestRaysMet)
   }
 }
 
-TEST(EdgeFilm, DepthImagesLookAlongTheRays)
+TEST(SilhouetteFilm, DepthImagesLookAlongTheRays)
 {
   const Camera camera = cameraOf(Camera::Projection::Perspective);
   const CameraRays rays(camera, width, height);
@@ -155,7 +155,7 @@ struct Outline
     Camera camera = lookAt({0.0, 0.0, 5.0}, Vec3d(0.0), 30.0);
     camera.projection = Camera::Projection::Orthographic;
     camera.parallelScale = 1.5;
-    Edges traced;
+    Traced traced;
     traced.trace(oneSphere(), camera, samples, options);
     const std::vector<float> coverage = traced.coverage();
     double weight[sectors] = {}, distance[sectors] = {};
@@ -176,26 +176,26 @@ struct Outline
 
 } // namespace
 
-TEST(EdgeFilm, LinesLieOnTheOutlineAndAreAsWideAsAsked)
+TEST(SilhouetteFilm, LinesLieOnTheOutlineAndAreAsWideAsAsked)
 {
   for (const double thickness : {0.5, 1.0, 2.0, 3.0})
   {
     SilhouetteOptions options = anyStep();
-    options.thickness = options.leastThickness = thickness;
+    options.thickness = thickness;
     const Outline outline(16, options);
     EXPECT_LT(outline.error, 0.2) << thickness;
     EXPECT_NEAR(outline.width, thickness, 0.15 * thickness);
   }
 }
 
-TEST(EdgeFilm, SamplesSmoothLines)
+TEST(SilhouetteFilm, SamplesSmoothLines)
 {
   const Outline one(1, anyStep()), many(16, anyStep());
   EXPECT_LT(one.error, 0.35);
   EXPECT_LT(many.error, 0.7 * one.error);
 }
 
-TEST(EdgeFilm, GroupsHaveLinesBetweenThem)
+TEST(SilhouetteFilm, GroupsHaveLinesBetweenThem)
 {
   // Two spheres that overlap hardly differ in depth where they meet.
   Particles particles;
@@ -204,9 +204,9 @@ TEST(EdgeFilm, GroupsHaveLinesBetweenThem)
   Scene scene;
   addTo(scene, objectOf(particles));
   const Camera camera = lookAt({0.0, 0.0, 5.0}, Vec3d(0.0), 30.0);
-  const auto crossing = [&](const EdgeGroups& groups)
+  const auto crossing = [&](const SilhouetteGroups& groups)
   {
-    Edges traced;
+    Traced traced;
     traced.trace(scene, camera, 4, anyStep(), groups);
     double most = 0.0;
     for (int x = width / 2 - 2; x <= width / 2 + 2; ++x)
@@ -214,14 +214,14 @@ TEST(EdgeFilm, GroupsHaveLinesBetweenThem)
     return most;
   };
   const float same[] = {2.5f, 2.5f}, zeros[] = {0.0f, -0.0f}, other[] = {2.5f, 3.5f};
-  EdgeGroups groups;
+  SilhouetteGroups groups;
   EXPECT_EQ(groups.channels(), unsigned(Film::LatestDepth));
   EXPECT_EQ(crossing(groups), 0.0);
-  groups.by = EdgeGroups::By::Object;
+  groups.by = SilhouetteGroups::By::Object;
   EXPECT_EQ(crossing(groups), 0.0) << "of one object";
-  groups.by = EdgeGroups::By::Particle;
+  groups.by = SilhouetteGroups::By::Particle;
   EXPECT_GT(crossing(groups), 0.3);
-  groups.by = EdgeGroups::By::Value;
+  groups.by = SilhouetteGroups::By::Value;
   groups.values = {ArrayView(same, 2, 1)};
   EXPECT_EQ(crossing(groups), 0.0);
   groups.values = {ArrayView(zeros, 2, 1)};
@@ -234,14 +234,14 @@ TEST(EdgeFilm, GroupsHaveLinesBetweenThem)
   EXPECT_EQ(crossing(groups), 0.0);
 }
 
-TEST(EdgeFilm, WhatEndsRaysHidesLinesAndIsNotOutlined)
+TEST(SilhouetteFilm, WhatEndsRaysHidesLinesAndIsNotOutlined)
 {
   // The sphere's front is 4 from the eye, its outline nearly 5.
   const Camera camera = lookAt({0.0, 0.0, 5.0}, Vec3d(0.0), 30.0);
   const auto sumBefore = [&](float limit)
   {
     const std::vector<float> limits(width * height, limit);
-    Edges traced;
+    Traced traced;
     traced.trace(oneSphere(), camera, 2, anyStep(0.3), {}, limits.data());
     return traced.sum();
   };
@@ -252,19 +252,19 @@ TEST(EdgeFilm, WhatEndsRaysHidesLinesAndIsNotOutlined)
   EXPECT_EQ(sumBefore(3.0f), 0.0) << "hides it";
 }
 
-TEST(EdgeFilm, ThreadsDoNotMatterNorWhatWasThereBefore)
+TEST(SilhouetteFilm, ThreadsDoNotMatterNorWhatWasThereBefore)
 {
   Scene scene;
   addTo(scene, objectOf(randomParticles(200, 7, 0.05, 0.2)));
   const Camera camera = cameraOf(Camera::Projection::Perspective);
-  Edges a, b;
+  Traced a, b;
   a.trace(scene, camera, 3, anyStep(), {}, nullptr, 1);
   b.trace(oneSphere(), camera, 2, anyStep());
   b.trace(scene, camera, 3, anyStep(), {}, nullptr, 3);
   EXPECT_EQ(a.coverage(), b.coverage());
 }
 
-TEST(EdgeFilm, WhatIsPassedOverHasNoEdges)
+TEST(SilhouetteFilm, WhatIsPassedOverHasNoSilhouettes)
 {
   // A film of two large steps, small ones all over and much background.
   Scene scene;
@@ -273,7 +273,7 @@ TEST(EdgeFilm, WhatIsPassedOverHasNoEdges)
     for (const double step : {0.02, 0.3, 1.5})
     {
       const Camera camera = cameraOf(projection);
-      Edges traced;
+      Traced traced;
       traced.trace(scene, camera, 1, anyStep(step));
       std::vector<float> whole(traced.film.pixels(), 0.0f);
       findSilhouettes(
@@ -283,7 +283,7 @@ TEST(EdgeFilm, WhatIsPassedOverHasNoEdges)
     }
 }
 
-TEST(EdgeFilm, LinesReachNoFartherFromWhatTheyBelongToThanTheySay)
+TEST(SilhouetteFilm, LinesReachNoFartherFromWhatTheyBelongToThanTheySay)
 {
   Scene scene;
   addTo(scene, objectOf(randomParticles(40, 9, 0.05, 0.3)));
@@ -292,12 +292,12 @@ TEST(EdgeFilm, LinesReachNoFartherFromWhatTheyBelongToThanTheySay)
     for (const bool centered : {true, false})
     {
       SilhouetteOptions options = anyStep();
-      options.thickness = options.leastThickness = thickness;
+      options.thickness = thickness;
       options.centered = centered;
-      Edges traced;
+      Traced traced;
       traced.trace(scene, camera, 1, options);
       const float* depth = traced.film.depth();
-      const int reach = traced.edges.reach();
+      const int reach = traced.silhouettes.reach();
       for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
           ASSERT_TRUE(
@@ -306,7 +306,7 @@ TEST(EdgeFilm, LinesReachNoFartherFromWhatTheyBelongToThanTheySay)
     }
 }
 
-TEST(EdgeFilm, TypicalRadiusHalvesTheCrossSection)
+TEST(SilhouetteFilm, TypicalRadiusHalvesTheCrossSection)
 {
   EXPECT_EQ(typicalRadius({}), 0.0);
   EXPECT_DOUBLE_EQ(typicalRadius(oneSphere(0.25)), 0.25);

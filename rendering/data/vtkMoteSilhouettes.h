@@ -1,13 +1,13 @@
 /**
  * @class   vtkMoteSilhouettes
- * @brief   How edges are drawn where depth jumps: outlines of what stands before other things.
+ * @brief   How silhouettes are drawn: lines where depth jumps.
  *
- * One object may serve any number of vtkMoteRayCastPass, vtkMoteRendererSource and
- * vtkMoteSilhouettePass. Nothing is drawn unless it is Enabled.
+ * One object may serve any number of vtkMoteRayCastPass, vtkMoteRendererSource,
+ * vtkMoteSilhouettePass and vtkMoteSilhouetteFilter. Nothing is drawn unless it is Enabled.
  *
- * An edge stands where what lies behind is farther away than what lies in front by more than a
+ * A silhouette stands where what lies behind is farther away than what lies in front by more than a
  * threshold, as rays measure it. The line is drawn on the border between the two. Where there is
- * nothing behind, an edge stands, too, unless Hulls is off. See docs/silhouettes.md.
+ * nothing behind, a silhouette stands, too, unless Hulls is off. See docs/silhouettes.md.
  *
  * Source: Bigler, "Use of Silhouette Edges and Ambient Occlusion in Particle Visualization"
  * (University of Utah, 2004).
@@ -16,12 +16,17 @@
 #ifndef vtkMoteSilhouettes_h
 #define vtkMoteSilhouettes_h
 
-#include "MoteRenderingVTKModule.h" // for export macro
+#include "MoteRenderingDataModule.h" // for export macro
 #include "vtkObject.h"
 
 #include <string> // for GroupArrayName
 
-class MOTERENDERINGVTK_EXPORT vtkMoteSilhouettes : public vtkObject
+namespace mote
+{
+struct SilhouetteOptions;
+}
+
+class MOTERENDERINGDATA_EXPORT vtkMoteSilhouettes : public vtkObject
 {
 public:
   static vtkMoteSilhouettes* New();
@@ -30,7 +35,7 @@ public:
 
   ///@{
   /**
-   * Whether edges are drawn at all. Off by default.
+   * Whether silhouettes are drawn at all. Off by default.
    */
   vtkSetMacro(Enabled, bool);
   vtkGetMacro(Enabled, bool);
@@ -47,8 +52,8 @@ public:
 
   ///@{
   /**
-   * The least step of depth that makes an edge, at least 0, in units of ThresholdMode. Default 10
-   * radii: particles that touch have no lines between them, parts and heaps of them have.
+   * The least step of depth that makes a silhouette, at least 0, in units of ThresholdMode. Default
+   * 10 radii: particles that touch have no lines between them, parts and heaps of them have.
    */
   vtkSetClampMacro(Threshold, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Threshold, double);
@@ -58,7 +63,8 @@ public:
   /**
    * Default RADII. Half of the particles' cross-section belongs to particles that are smaller than
    * the typical one, half to larger ones. Where there are no particles, a thousandth of the
-   * diagonal stands for a radius.
+   * diagonal stands for a radius. Images have no particles: vtkMoteSilhouetteFilter is told what a
+   * radius is, and may be told the scene's size.
    */
   vtkSetClampMacro(ThresholdMode, int, WORLD, SCENE_SIZE);
   vtkGetMacro(ThresholdMode, int);
@@ -88,7 +94,8 @@ public:
   /**
    * Width, as a share of Thickness, and opacity of the weakest lines, those that hardly reach the
    * threshold; both in [0, 1]. Lines grow with the logarithm of the step up to the full ones, where
-   * it is FullStep times the threshold, at least 1, default 8. Default 1: all are alike.
+   * it is FullStep times the threshold, at least 1, default 8. Default 1: all are alike. Those
+   * against the background and between groups are always full.
    */
   vtkSetClampMacro(LeastThickness, double, 0.0, 1.0);
   vtkGetMacro(LeastThickness, double);
@@ -100,7 +107,7 @@ public:
 
   ///@{
   /**
-   * Whether edges stand out against the background. On by default.
+   * Whether silhouettes stand out against the background. On by default.
    */
   vtkSetMacro(Hulls, bool);
   vtkGetMacro(Hulls, bool);
@@ -127,14 +134,22 @@ public:
 
   ///@{
   /**
-   * Edges stand, besides, between neighbours in the picture with different values of this point
-   * array of the particles (of its first component), such as materials, however little their
+   * Silhouettes stand, besides, between neighbours in the picture with different values of this
+   * point array of the particles (of its first component), such as materials, however little their
    * depths differ. Where no prop has such an array, "object" stands for the props themselves and
-   * "particle" for the particles. Empty, the default: depth alone counts. Not of depth buffers.
+   * "particle" for the particles. Empty, the default: depth alone counts. Not of depth buffers; of
+   * images it is an array with one number a pixel.
    */
   vtkSetStdStringFromCharMacro(GroupArrayName);
   vtkGetCharFromStdStringMacro(GroupArrayName);
   ///@}
+
+#ifndef __VTK_WRAP__
+  /**
+   * The kernel's options, for a threshold of `step` world units.
+   */
+  mote::SilhouetteOptions MakeOptions(double step) const;
+#endif
 
 protected:
   vtkMoteSilhouettes() = default;
