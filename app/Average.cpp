@@ -92,12 +92,14 @@ void writePicture(vtkImageData* bins, const AverageOptions& options, const std::
   vtkDataArray* column = columnOf(bins, options);
   double range[2];
   if (options.given.settings.color.range.size() == 2)
-    std::copy(options.given.settings.color.range.begin(), options.given.settings.color.range.end(), range);
+    std::copy(
+      options.given.settings.color.range.begin(), options.given.settings.color.range.end(), range);
   else
     column->GetFiniteRange(range, 0);
   if (!(range[0] < range[1]))
     range[1] = range[0] + 1.0;
-  const std::string map = options.given.settings.color.map.empty() ? "viridis" : options.given.settings.color.map;
+  const std::string map =
+    options.given.settings.color.map.empty() ? "viridis" : options.given.settings.color.map;
   const auto colors = makeColorMap(map, range, options.given.settings.color.logarithmic);
   vtkNew<vtkMoteColorLegend> legend;
   legend->SetInputData(drawn(bins, column, colors));

@@ -109,13 +109,15 @@ bool Coloring::updateRange(const Parts& parts)
 bool Coloring::updateTypes(const Parts& parts)
 {
   const Part* holder = holderOf(parts, choice_);
-  if (settings_.color.map != "types" && !(settings_.color.map.empty() && isTypes(holder->data(), choice_)))
+  if (settings_.color.map != "types" &&
+      !(settings_.color.map.empty() && isTypes(holder->data(), choice_)))
     return false;
   constexpr int greatestSpan = 4096;
   const std::size_t limit = numberOfTypeColors();
   if (!settings_.color.range.empty())
   {
-    const double first = std::ceil(settings_.color.range[0]), last = std::floor(settings_.color.range[1]);
+    const double first = std::ceil(settings_.color.range[0]),
+                 last = std::floor(settings_.color.range[1]);
     types_.clear();
     if (!(last - first < static_cast<double>(limit)) || std::abs(first) > 1e6)
       return false;
@@ -195,7 +197,8 @@ void Coloring::makeTable(bool types)
   }
   const bool named = !settings_.color.map.empty() && settings_.color.map != "types";
   table_ = types ? makeTypeMap(types_)
-                 : makeColorMap(named ? settings_.color.map : "viridis", range, settings_.color.logarithmic);
+                 : makeColorMap(
+                     named ? settings_.color.map : "viridis", range, settings_.color.logarithmic);
   if (choice_.component == ArrayChoice::magnitude)
     table_->SetVectorModeToMagnitude();
   else

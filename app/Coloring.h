@@ -18,9 +18,9 @@ public:
   /// The settings are those of the scene: apply() follows them when they have changed.
   explicit Coloring(const Settings& settings);
 
-  /// Gives the parts their colours. The first call with arrays chooses one, unless the settings name
-  /// it; throws Failure if no part has the array that they name. The range grows from step to step,
-  /// so that colours keep their meaning.
+  /// Gives the parts their colours. The first call with arrays chooses one, unless the settings
+  /// name it; throws Failure if no part has the array that they name. The range grows from step to
+  /// step, so that colours keep their meaning.
   void apply(const std::vector<std::unique_ptr<Part>>& parts);
 
   /// Only takes the parts' values into the range and the types.

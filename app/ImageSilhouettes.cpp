@@ -132,9 +132,9 @@ void addImageSilhouetteOptions(CLI::App& app, ImageSilhouetteOptions& options)
     .add_option("--threshold", options.given.settings.silhouettes.lines,
       "Least step of depth that is drawn: a length in world units, or with % a share of the "
       "diagonal of what the image shows")
-    ->check(CLI::Validator(
-      [](std::string& text) { return text == "auto" ? "'auto' is no length" : checkLines(text); }, "",
-      "threshold"))
+    ->check(CLI::Validator([](std::string& text)
+      { return text == "auto" ? "'auto' is no length" : checkLines(text); },
+      "", "threshold"))
     ->capture_default_str()
     ->group("Silhouettes")
     ->type_name("STEP");

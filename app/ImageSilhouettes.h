@@ -17,7 +17,7 @@ struct ImageSilhouetteOptions
 
   std::string image;
   std::string output;
-  std::string depth; ///< channel or array; empty: choose
+  std::string depth;   ///< channel or array; empty: choose
   GivenSettings given; ///< silhouettes and threads of it
   int reduction = 1;
   bool linesAlone = false;

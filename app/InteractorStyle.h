@@ -17,7 +17,7 @@ public:
 
   /// An X11 key symbol, such as "bracketleft", with "Control+" before it where that is held down.
   std::function<void(const std::string& key)> onKey;
-  std::function<void(double factor)> onZoom;         ///< a turn of the wheel
+  std::function<void(double factor)> onZoom; ///< a turn of the wheel
 
   void OnKeyPress() override;
   void OnMouseWheelForward() override;

@@ -118,9 +118,9 @@ LightSettings withNextShadows(const LightSettings& light, const LightSettings& a
   LightSettings next = light;
   // A number that was asked for is the softness that the user wants.
   const bool own = asked.shadows != "none" && asked.shadows != "hard";
-  next.shadows = light.shadows == "none"                            ? "hard"
+  next.shadows = light.shadows == "none"                           ? "hard"
                  : light.shadows == "hard" || light.shadows == "1" ? own ? asked.shadows : "soft"
-                                                                    : "none";
+                                                                   : "none";
   return next;
 }
 
@@ -151,10 +151,10 @@ std::string shadowsName(const LightSettings& light)
 
 std::string shadingName(const LightSettings& light)
 {
-  return light.pathTrace                       ? "Path tracing"
+  return light.pathTrace                     ? "Path tracing"
          : light.ambientOcclusion == "baked" ? "Ambient occlusion, baked"
-         : isOccluded(light)                   ? "Ambient occlusion"
-                                               : "Plain light";
+         : isOccluded(light)                 ? "Ambient occlusion"
+                                             : "Plain light";
 }
 
 Lighting::Lighting(vtkRenderer* renderer, const Settings& settings)

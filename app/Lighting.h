@@ -38,8 +38,9 @@ std::string checkShadows(const std::string& text);
 /// Why the text is no --ambient-occlusion (none, live, baked or a number); empty where it is.
 std::string checkAmbientOcclusion(const std::string& text);
 
-/// The lights of the picture, as the settings say: a main one, which may cast shadows and stands where --light says, and a
-/// weaker one from the eye that keeps the other side of things, and shadows, from going dark.
+/// The lights of the picture, as the settings say: a main one, which may cast shadows and stands
+/// where --light says, and a weaker one from the eye that keeps the other side of things, and
+/// shadows, from going dark.
 class Lighting
 {
 public:

@@ -184,7 +184,8 @@ void Part::setRadius()
   }
   else if (number)
     particles_->SetRadiusModeToConstant();
-  else if (settings_.particles.radius == "spacing" || (settings_.particles.radius == "auto" && !hasRadii(data_)))
+  else if (settings_.particles.radius == "spacing" ||
+           (settings_.particles.radius == "auto" && !hasRadii(data_)))
   {
     // Particles keep their size when a simulation spreads or packs them.
     particles_->SetRadius(keptRadius_);
@@ -196,8 +197,8 @@ void Part::setRadius()
   else
   {
     if (!data_->GetPointData()->GetArray(settings_.particles.radius.c_str()))
-      throw Failure("--radius: " + name_ + " has no array '" + settings_.particles.radius + "'; it has " +
-                    listArrays(data_));
+      throw Failure("--radius: " + name_ + " has no array '" + settings_.particles.radius +
+                    "'; it has " + listArrays(data_));
     particles_->SetRadiusArrayName(settings_.particles.radius.c_str());
     particles_->SetRadiusModeToArray();
   }

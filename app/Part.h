@@ -2,8 +2,8 @@
 
 #include "Arrays.h"
 #include "ProgressRelay.h"
-#include "settings/Settings.h"
 #include "Volume.h"
+#include "settings/Settings.h"
 
 #include <vtkDataSet.h>
 #include <vtkNew.h>

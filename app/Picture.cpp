@@ -19,8 +19,7 @@ namespace mote::app
 
 void applyLook(vtkMoteColorLegend* legend, const PictureSettings& look)
 {
-  legend->SetSide(
-    look.legendSide == "left" ? vtkMoteColorLegend::LEFT : vtkMoteColorLegend::RIGHT);
+  legend->SetSide(look.legendSide == "left" ? vtkMoteColorLegend::LEFT : vtkMoteColorLegend::RIGHT);
   legend->SetLabelFormat(look.legendFormat);
   legend->SetFontScale(look.fontScale);
 }

@@ -34,8 +34,8 @@ std::string numbered(const std::string& file, int step, int steps)
 void report(const std::string& file, const Stage& stage, const Picture& picture,
   const std::array<int, 2>& size, double readTime)
 {
-  std::printf("%s: %dx%d, %s; read in %s, built in %s, traced in %s, %s\n", file.c_str(),
-    size[0], size[1], stage.contents().c_str(), asDuration(readTime).c_str(),
+  std::printf("%s: %dx%d, %s; read in %s, built in %s, traced in %s, %s\n", file.c_str(), size[0],
+    size[1], stage.contents().c_str(), asDuration(readTime).c_str(),
     asDuration(stage.buildTime()).c_str(), asDuration(picture.traceTime()).c_str(),
     picture.quality().c_str());
   std::fflush(stdout);

@@ -82,8 +82,7 @@ public:
     ((all += (all.empty() ? "" : ", ") + python(arguments)), ...);
     this->line(object + "." + function + "(" + all + ")");
   }
-  void vector(
-    const std::string& object, const char* function, const double* values, int count = 3)
+  void vector(const std::string& object, const char* function, const double* values, int count = 3)
   {
     this->line(object + "." + function + "(" + python(values, count) + ")");
   }
@@ -101,7 +100,8 @@ void writeImports(Script& script)
   script.line();
   script.line("import mote");
   script.line("from vtkmodules.vtkCommonCore import vtkLookupTable");
-  script.line("from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPiecewiseFunction");
+  script.line(
+    "from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPiecewiseFunction");
   script.line("from vtkmodules.vtkRenderingCore import (");
   script.line("    vtkActor, vtkColorTransferFunction, vtkLight, vtkRenderer, vtkVolume)");
   script.line();
@@ -130,7 +130,8 @@ void writeImports(Script& script)
 void writeTable(Script& script, vtkLookupTable* table)
 {
   script.line("colors = vtkLookupTable()");
-  script.call("colors", "SetNumberOfTableValues", static_cast<int>(table->GetNumberOfTableValues()));
+  script.call(
+    "colors", "SetNumberOfTableValues", static_cast<int>(table->GetNumberOfTableValues()));
   script.call("colors", "SetScale", table->GetScale());
   script.vector("colors", "SetTableRange", table->GetTableRange(), 2);
   script.vector("colors", "SetNanColor", table->GetNanColor(), 4);
@@ -316,8 +317,8 @@ void writeCamera(Script& script, const Settings& settings, vtkRenderer* renderer
   script.vector("camera", "SetPosition", camera.data());
   script.vector("camera", "SetFocalPoint", camera.data() + 3);
   script.vector("camera", "SetViewUp", camera.data() + 6);
-  script.call("camera", settings.camera.orthographic ? "SetParallelScale" : "SetViewAngle",
-    camera[9]);
+  script.call(
+    "camera", settings.camera.orthographic ? "SetParallelScale" : "SetViewAngle", camera[9]);
 }
 
 void writeShading(Script& script, vtkMoteShading* shading)
@@ -352,8 +353,8 @@ void writeSilhouettes(Script& script, vtkMoteSilhouettes* silhouettes)
   script.line("source.SetSilhouettes(silhouettes)");
 }
 
-void writeLegend(Script& script, const Stage& stage, const Settings& settings,
-  const std::string& caption)
+void writeLegend(
+  Script& script, const Stage& stage, const Settings& settings, const std::string& caption)
 {
   const PictureSettings& picture = settings.picture;
   script.line("legend = mote.vtkMoteColorLegend()");
@@ -409,7 +410,8 @@ std::string scriptOf(
   script.line("source = mote.vtkMoteRendererSource()");
   script.line("source.SetRenderer(renderer)");
   script.call("source", "SetSize", settings.picture.size[0], settings.picture.size[1]);
-  script.call("source", "SetSamplesPerPixel", settings.picture.mostSamples(settings.light.pathTrace));
+  script.call(
+    "source", "SetSamplesPerPixel", settings.picture.mostSamples(settings.light.pathTrace));
   script.call("source", "SetNoiseLevel", settings.picture.noise);
   writeShading(script, stage.lighting().shading());
   writeSilhouettes(script, stage.silhouettes());

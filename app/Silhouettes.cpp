@@ -52,8 +52,9 @@ std::string checkLines(const std::string& text)
   bool isShare = false;
   if (text == "on" || text == "off" || text == "auto" || parseThreshold(text, value, isShare))
     return {};
-  return "'" + text + "' is none of on, off, a number of at least 0 such as 4 and a percentage "
-                      "such as 1%";
+  return "'" + text +
+         "' is none of on, off, a number of at least 0 such as 4 and a percentage "
+         "such as 1%";
 }
 
 std::string checkThickness(const std::string& text)

@@ -89,7 +89,8 @@ void Stage::setData(const std::vector<NamedData>& data)
   this->setSizes();
   const bool anyRadii = std::any_of(
     parts_.begin(), parts_.end(), [](const auto& part) { return part->particles() != nullptr; });
-  if (!parts_.empty() && !anyRadii && (settings_.particles.radius != "auto" || !settings_.particles.typeRadius.empty()))
+  if (!parts_.empty() && !anyRadii &&
+      (settings_.particles.radius != "auto" || !settings_.particles.typeRadius.empty()))
     throw Failure("--radius and --type-radius are for particles, and " + parts_.front()->name() +
                   " holds cells alone");
 }

@@ -161,7 +161,8 @@ void Volume::setOpacity()
   vtkNew<vtkPiecewiseFunction> whole, part;
   whole->AllowDuplicateScalarsOn(); // two points of one value are a step
   for (const OpacityPoint& point : settings_.opacity.empty() ? usual : settings_.opacity)
-    whole->AddPoint(point.isShare ? valueAt(table_, 0.01 * point.value) : point.value, point.opacity);
+    whole->AddPoint(
+      point.isShare ? valueAt(table_, 0.01 * point.value) : point.value, point.opacity);
   vtkVolumeProperty* look = volume_->GetProperty();
   if (limits_[0] > limits_[1])
     part->AddPoint(0.0, 0.0);

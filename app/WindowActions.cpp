@@ -98,9 +98,8 @@ bool Window::actOnView(const Binding& binding)
     this->change(this->settingsOf(
       [&](Settings& s)
       {
-        s.camera = {.view = binding.name,
-          .zoom = asked_.camera.zoom,
-          .orthographic = s.camera.orthographic};
+        s.camera = {
+          .view = binding.name, .zoom = asked_.camera.zoom, .orthographic = s.camera.orthographic};
       }));
     return true;
   case Action::Projection:
@@ -154,8 +153,7 @@ bool Window::actOnLook(const Binding& binding)
     return true;
   case Action::Silhouettes:
     to([&](Settings& s) { s.silhouettes = toggled(s.silhouettes, asked_.silhouettes); },
-      [this]
-      { return areOn(this->settings().silhouettes) ? "Silhouettes" : "No silhouettes"; });
+      [this] { return areOn(this->settings().silhouettes) ? "Silhouettes" : "No silhouettes"; });
     return true;
   default:
     return false;
@@ -200,7 +198,8 @@ bool Window::actOnFiles(Action action)
     this->say("The command is printed in the terminal");
     return true;
   case Action::PrintScript:
-    std::printf("%s", scriptOf(stage_, input_, this->settingsInForce(), this->unusedName(".png")).c_str());
+    std::printf(
+      "%s", scriptOf(stage_, input_, this->settingsInForce(), this->unusedName(".png")).c_str());
     std::fflush(stdout);
     this->say("The script is printed in the terminal");
     return true;
@@ -253,8 +252,9 @@ Settings Window::otherBackground() const
 {
   const bool light = inkOn(stage_.renderer())[0] < 0.5;
   return this->settingsOf(
-    [&](Settings& s)
-    { s.picture.background = light ? std::vector<Color>{} : std::vector<Color>{{1.0, 1.0, 1.0}}; });
+    [&](Settings& s) {
+      s.picture.background = light ? std::vector<Color>{} : std::vector<Color>{{1.0, 1.0, 1.0}};
+    });
 }
 
 void Window::toggle(const std::string& name)

@@ -63,8 +63,8 @@ void addCameraRows(std::vector<Row>& table)
       if (cross[0] == 0.0 && cross[1] == 0.0 && cross[2] == 0.0)
         throw WrongValue{"up must point another way than the camera looks"};
       if (!(c[9] > 0.0))
-        throw WrongValue{"the angle, or half the height, must be above zero, not " +
-                         exactText(c[9])};
+        throw WrongValue{
+          "the angle, or half the height, must be above zero, not " + exactText(c[9])};
     }));
 }
 

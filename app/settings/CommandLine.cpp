@@ -17,7 +17,7 @@ namespace
 {
 
 /// The sentence of help, with the words and numbers that are possible and the default.
-std::string helpOf(const Row& row, const Settings& usual)
+std::string helpOf(const Row& row, const Settings& settings)
 {
   std::string text = row.help;
   const auto add = [&text](const std::string& more) { text += ". " + more; };
@@ -33,7 +33,7 @@ std::string helpOf(const Row& row, const Settings& usual)
   if (row.shape == Shape::Flag)
     return text;
   const std::string usual =
-    !row.usual.empty() ? row.usual : joined(row.get(usual), row.commas ? "," : " ");
+    !row.usual.empty() ? row.usual : joined(row.get(settings), row.commas ? "," : " ");
   if (!usual.empty())
     add("Default: " + usual);
   return text;
@@ -53,8 +53,7 @@ void setFromWords(const Row& row, GivenSettings& given, const std::vector<std::s
   }
 }
 
-CLI::Option* addRow(
-  CLI::App& app, GivenSettings& given, const Row& row, const std::string& prefix)
+CLI::Option* addRow(CLI::App& app, GivenSettings& given, const Row& row, const std::string& prefix)
 {
   std::string names = row.option() + (row.alias.empty() ? "" : "," + row.alias);
   if (const std::size_t at = names.find(prefix); at != std::string::npos)
@@ -68,7 +67,8 @@ CLI::Option* addRow(
   }
   if (row.shape == Shape::OptionalOne)
     return app
-      .add_flag_function(names, [](std::int64_t) {}, helpOf(row, given.settings))
+      .add_flag_function(
+        names, [](std::int64_t) {}, helpOf(row, given.settings))
       ->type_name(row.value)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
       ->check(CLI::Validator(
@@ -105,8 +105,9 @@ CLI::Option* addRow(
 /// Whether a row or its group is among the names; none stand for all.
 bool isIn(const Row& row, const std::vector<std::string>& names)
 {
-  return names.empty() || std::any_of(names.begin(), names.end(),
-                            [&](const auto& name) { return name == row.group || name == row.name; });
+  return names.empty() ||
+         std::any_of(names.begin(), names.end(),
+           [&](const auto& name) { return name == row.group || name == row.name; });
 }
 
 void addRows(CLI::App& app, GivenSettings& given, const std::vector<std::string>& groups,

@@ -26,9 +26,8 @@ struct GivenSettings
   Settings resolved() const;
 };
 
-/// Declares the options of these rows and groups of settingsTable() to the command line, which sets them in
-/// `given`. Without
-/// the prefix that their names have in the table.
+/// Declares the options of these rows and groups of settingsTable() to the command line, which sets
+/// them in `given`. Without the prefix that their names have in the table.
 void addSettings(CLI::App& app, GivenSettings& given, const std::vector<std::string>& groups,
   const std::string& prefix = "");
 

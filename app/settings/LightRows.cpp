@@ -46,8 +46,9 @@ void addLightRows(std::vector<Row>& table)
     {.group = group,
       .name = "light-size",
       .value = "DEG",
-      .help = "Size of the main light as seen from the data, in degrees: the larger, the softer its "
-              "shadows. The sun has 0.5",
+      .help =
+        "Size of the main light as seen from the data, in degrees: the larger, the softer its "
+        "shadows. The sun has 0.5",
       .limits = {.least = 0.0, .most = 90.0}}));
   table.push_back(row<LightSettings, std::string>(light, &LightSettings::ambientOcclusion,
     {.group = group,

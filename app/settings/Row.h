@@ -25,25 +25,25 @@ enum class Invalidates
 /// it from here.
 struct Row
 {
-  std::string group; ///< "Light"
-  std::string name;  ///< "shadows": --shadows on the command line, "shadows" in a session
-  std::string value; ///< what help writes for the value: "KIND", "LO HI"
-  std::string help;  ///< a sentence
+  std::string group = {}; ///< "Light"
+  std::string name = {};  ///< "shadows": --shadows on the command line, "shadows" in a session
+  std::string value = {}; ///< what help writes for the value: "KIND", "LO HI"
+  std::string help = {};  ///< a sentence
   Invalidates invalidates = Invalidates::Shading;
-  std::string alias; ///< one more name on the command line: "-c", "--ao"
+  std::string alias = {}; ///< one more name on the command line: "-c", "--ao"
   Shape shape = Shape::One;
   int count = 0;       ///< of values, where the shape is Many
   bool commas = true;  ///< whether values may be joined by commas, where there are several
   bool numeric = true; ///< whether sessions write the values as numbers
-  Limits limits;       ///< of numbers
-  std::vector<std::string> words; ///< all values there are; none: any
-  std::string usual;              ///< what help says of the default; empty: the value
-  std::string needs, excludes;    ///< the name of another row
+  Limits limits = {};  ///< of numbers
+  std::vector<std::string> words = {};   ///< all values there are; none: any
+  std::string usual = {};                ///< what help says of the default; empty: the value
+  std::string needs = {}, excludes = {}; ///< the name of another row
 
   /// The values in these settings as words of the command line; none where nothing is chosen.
-  std::function<std::vector<std::string>(const Settings&)> get;
+  std::function<std::vector<std::string>(const Settings&)> get = {};
   /// Sets them. Throws WrongValue, and leaves the settings as they are.
-  std::function<void(Settings&, const std::vector<std::string>&)> set;
+  std::function<void(Settings&, const std::vector<std::string>&)> set = {};
 
   /// As an option of the command line: a flag that is on by default says "no-".
   std::string option() const;
@@ -65,8 +65,8 @@ Row row(Group Settings::*group, T Group::*member, Row about,
   {
     requireWords(words, allowed);
     if (count > 0 && !words.empty() && static_cast<int>(words.size()) != count)
-      throw WrongValue{"takes " + std::to_string(count) + " values, not " +
-                       std::to_string(words.size())};
+      throw WrongValue{
+        "takes " + std::to_string(count) + " values, not " + std::to_string(words.size())};
     T value = Values::parse(words, limits);
     if (check)
       check(value);

@@ -55,8 +55,8 @@ std::string wordOf(const Json& value)
     return value.get<bool>() ? "true" : "false";
   if (value.is_number())
     return value.is_number_float() ? exactText(value.get<double>()) : value.dump();
-  throw WrongValue{std::string("must be a text, a number or true or false, not ") +
-                   value.type_name()};
+  throw WrongValue{
+    std::string("must be a text, a number or true or false, not ") + value.type_name()};
 }
 
 std::vector<std::string> wordsOf(const Row& row, const Json& value)
@@ -121,17 +121,19 @@ std::string groupName(const Row& row)
   return lowerCase(row.group);
 }
 
-void setGroup(Settings& settings, const std::string& group, const Json& values,
-  const std::string& path)
+void setGroup(
+  Settings& settings, const std::string& group, const Json& values, const std::string& path)
 {
   if (!values.is_object())
-    throw Failure(path + ": " + group + ": must be an object with a name and value for each choice");
+    throw Failure(
+      path + ": " + group + ": must be an object with a name and value for each choice");
   for (const auto& [name, value] : values.items())
   {
     const Row* row = rowNamed(name);
     if (!row || groupName(*row) != group)
-      throw Failure(path + ": " + group + "/" + name + " is no setting that this version of mote "
-                                                       "knows");
+      throw Failure(path + ": " + group + "/" + name +
+                    " is no setting that this version of mote "
+                    "knows");
     try
     {
       row->set(settings, wordsOf(*row, value));

@@ -68,9 +68,7 @@ void addSilhouetteRows(std::vector<Row>& table)
               "between each particle and the next, or each object (file)",
       .usual = "none"}));
   table.push_back(row(silhouettes, &SilhouetteSettings::hulls,
-    {.group = group,
-      .name = "silhouette-hulls",
-      .help = "No lines against the background"}));
+    {.group = group, .name = "silhouette-hulls", .help = "No lines against the background"}));
 }
 
 } // namespace mote::app

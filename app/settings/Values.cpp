@@ -144,15 +144,15 @@ std::array<int, 2> ValuesOf<std::array<int, 2>>::parse(
 std::vector<std::string> ValuesOf<ShowRange>::words(const ShowRange& range)
 {
   const auto end = [](double value) { return std::isinf(value) ? "" : exactText(value); };
-  return {range.name + "=" +
-          (range.low == range.high ? exactText(range.low) : end(range.low) + ":" + end(range.high))};
+  return {
+    range.name + "=" +
+    (range.low == range.high ? exactText(range.low) : end(range.low) + ":" + end(range.high))};
 }
 
 ShowRange ValuesOf<ShowRange>::parse(const std::vector<std::string>& words, const Limits&)
 {
   const std::string& text = only(words);
-  const WrongValue wrong{
-    "'" + text + "' is not of the form NAME=LO:HI, such as x=0:10 or x=5:"};
+  const WrongValue wrong{"'" + text + "' is not of the form NAME=LO:HI, such as x=0:10 or x=5:"};
   const std::size_t sign = text.rfind('=');
   if (sign == std::string::npos || sign == 0)
     throw wrong;
@@ -195,13 +195,13 @@ OpacityPoint ValuesOf<OpacityPoint>::parse(const std::vector<std::string>& words
   if (sign == std::string::npos || !parseNumber(value, point.value) ||
       !parseNumber(text.substr(sign + 1), point.opacity) || point.opacity < 0.0 ||
       point.opacity > 1.0)
-    throw WrongValue{"'" + text + "' is not of the form VALUE=OPACITY, such as 20=0.3 or 50%=0.1, "
-                                  "with an opacity from 0 to 1"};
+    throw WrongValue{"'" + text +
+                     "' is not of the form VALUE=OPACITY, such as 20=0.3 or 50%=0.1, "
+                     "with an opacity from 0 to 1"};
   return point;
 }
 
-std::vector<std::string> ValuesOf<std::map<int, double>>::words(
-  const std::map<int, double>& values)
+std::vector<std::string> ValuesOf<std::map<int, double>>::words(const std::map<int, double>& values)
 {
   std::vector<std::string> all;
   for (const auto& [key, value] : values)
