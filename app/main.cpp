@@ -1,17 +1,18 @@
 // The program: chooses between the window and the commands, and turns what goes wrong into a
 // sentence and an exit code.
 
-#include "Average.h"
-#include "Bake.h"
-#include "Convert.h"
-#include "Failure.h"
-#include "ImageSilhouettes.h"
-#include "Info.h"
-#include "Messages.h"
-#include "Probe.h"
-#include "ProgressRelay.h"
-#include "Render.h"
-#include "Window.h"
+#include "base/Failure.h"
+#include "base/Messages.h"
+#include "base/ProgressRelay.h"
+#include "commands/Average.h"
+#include "commands/Bake.h"
+#include "commands/Convert.h"
+#include "commands/ImageSilhouettes.h"
+#include "commands/Info.h"
+#include "commands/Probe.h"
+#include "commands/Render.h"
+#include "settings/Help.h"
+#include "window/Window.h"
 
 #include <vtkMoteReaderTable.h>
 
@@ -19,6 +20,7 @@
 #include <tbb/global_control.h>
 
 #include <cstdio>
+#include <cstring>
 #include <memory>
 #include <new>
 
@@ -49,6 +51,7 @@ struct AllOptions
   BakeOptions baking;
   ImageSilhouetteOptions drawing;
   ProbeOptions probing;
+  HelpOptions help;
 };
 
 /// Values with commas, and ranges, end with themselves: what follows is a file.
@@ -81,7 +84,22 @@ void addCommands(CLI::App& app, AllOptions& all)
                                  "--ambient-occlusion baked looks up"),
     all.baking);
   addProbeOptions(command("probe", "List the values along a line"), all.probing);
+  addHelpOptions(command("help", "Tell more about a topic, an option or the keys"), all.help);
 }
+
+/// Help without the marks of lists, whose commas the values' names show.
+class HelpFormatter : public CLI::Formatter
+{
+public:
+  std::string make_option_opts(const CLI::Option* option) const override
+  {
+    std::string text = CLI::Formatter::make_option_opts(option);
+    for (const char* mark : {" ...", " x 2"})
+      if (const std::size_t at = text.find(mark); at != std::string::npos)
+        text.erase(at, std::strlen(mark));
+    return text;
+  }
+};
 
 int run(CLI::App& app, const AllOptions& all)
 {
@@ -97,6 +115,11 @@ int run(CLI::App& app, const AllOptions& all)
                               : toProbe   ? all.probing.given
                                           : all.window.given)
                                .settings.data;
+  if (app.got_subcommand("help"))
+  {
+    printHelp(app, all.help);
+    return 0;
+  }
   if (data.files.empty() && !toDraw)
   {
     std::fprintf(stderr, "mote: no file given. Try: mote --help\n");
@@ -138,6 +161,7 @@ int main(int argc, char** argv)
     "Files:\n" + vtkMoteReaderTable::GetFormatsHelp() +
     "\nWithout a command a window opens; press h in it for its keys. Exit codes: 0 done, 1 failed\n"
     "with a sentence on standard error, 2 a wrong command line, 130 interrupted.");
+  app.formatter(std::make_shared<HelpFormatter>());
   AllOptions all;
   addCommands(app, all);
   takeNoMore(app);

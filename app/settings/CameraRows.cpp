@@ -1,6 +1,6 @@
 #include "Table.h"
 
-#include "Framing.h"
+#include "stage/Framing.h"
 
 namespace mote::app
 {

@@ -1,6 +1,6 @@
 #include "Table.h"
 
-#include "ColorMaps.h"
+#include "stage/ColorMaps.h"
 
 namespace mote::app
 {
@@ -22,7 +22,7 @@ void addColorRows(std::vector<Row>& table)
     {.group = group,
       .name = "color-map",
       .value = "NAME",
-      .help = "Colour map",
+      .help = "Colour map of the values",
       .alias = "-m",
       .words = colorMapNames(),
       .usual = "viridis, or types for an array of types"}));

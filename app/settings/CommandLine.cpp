@@ -1,10 +1,10 @@
 #include "CommandLine.h"
 
-#include "Checks.h"
-#include "Failure.h"
 #include "Row.h"
 #include "Session.h"
-#include "Text.h"
+#include "base/Checks.h"
+#include "base/Failure.h"
+#include "base/Text.h"
 
 #include <CLI/CLI.hpp>
 
@@ -26,10 +26,10 @@ std::string helpOf(const Row& row, const Settings& settings)
     std::vector<std::string> shown;
     std::copy_if(row.words.begin(), row.words.end(), std::back_inserter(shown),
       [](const std::string& word) { return !word.empty(); });
-    text += ": " + joined(shown, ", ");
+    add("One of " + joined(shown, ", "));
   }
   if (const std::string limits = row.limits.text(); !limits.empty())
-    add("A number " + limits);
+    add(std::string(1, static_cast<char>(std::toupper(limits.front()))) + limits.substr(1));
   if (row.shape == Shape::Flag)
     return text;
   const std::string usual =
@@ -93,11 +93,12 @@ CLI::Option* addRow(CLI::App& app, GivenSettings& given, const Row& row, const s
     [&row, &given](const std::vector<std::string>& words) { setFromWords(row, given, words); },
     helpOf(row, given.settings));
   option->type_name(row.value)->type_size(1)->allow_extra_args(false);
-  if (row.shape == Shape::Many && row.commas)
-    option->delimiter(',');
-  if (row.shape == Shape::Many && !row.commas)
-    option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  else if (row.shape == Shape::Many && row.value.find(' ') != std::string::npos)
+  if (row.shape != Shape::Many)
+    return option->expected(1);
+  if (!row.commas)
+    return option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  option->delimiter(',');
+  if (row.value.find(' ') != std::string::npos)
     option->expected(row.count);
   return option;
 }
@@ -209,7 +210,10 @@ std::vector<std::string> asOptions(const Settings& settings)
       all.push_back(row.option() + "=" + joined(words, ","));
     else
       for (const std::string& word : words)
-        all.push_back(row.option() + "=" + word);
+        if (word.empty()) // the parser takes no value behind "="
+          all.insert(all.end(), {row.option(), word});
+        else
+          all.push_back(row.option() + "=" + word);
   }
   return all;
 }

@@ -1,6 +1,6 @@
 #include "Table.h"
 
-#include "Text.h"
+#include "base/Text.h"
 
 namespace mote::app
 {

@@ -1,7 +1,7 @@
 #include "Table.h"
 
-#include "Lighting.h"
-#include "Text.h"
+#include "base/Text.h"
+#include "stage/Lighting.h"
 
 namespace mote::app
 {
@@ -64,8 +64,8 @@ void addLightRows(std::vector<Row>& table)
       .name = "occlusion-reach",
       .value = "R",
       .help = "Length of the ambient-occlusion rays in the data's units: what is farther away "
-              "darkens nothing. 0 takes a tenth of the data's longest side",
-      .limits = {.least = 0.0},
+              "darkens nothing",
+      .limits = {.aboveZero = true},
       .usual = "a tenth of the data's longest side",
       .needs = "ambient-occlusion"}));
   table.push_back(row(light, &LightSettings::pathTrace,

@@ -22,16 +22,17 @@ void addPictureRows(std::vector<Row>& table)
       .value = "N",
       .help = "Samples per pixel; more make smoother edges. With --noise, at most so many",
       .invalidates = invalidates,
-      .limits = {.least = 0, .most = 65536},
+      .limits = {.least = 1, .most = 65536},
       .usual = "16; with --path-trace 64, with --noise at most 4096"}));
   table.push_back(row(picture, &PictureSettings::noise,
     {.group = group,
       .name = "noise",
       .value = "LEVEL",
       .help = "Take samples until the picture's standard error is down to this, where colours go "
-              "from 0 to 1: 0.01 looks smooth. 0 takes all samples",
+              "from 0 to 1: 0.01 looks smooth",
       .invalidates = invalidates,
-      .limits = {.least = 0.0, .most = 1.0}}));
+      .limits = {.most = 1.0, .aboveZero = true},
+      .usual = "all samples"}));
   table.push_back(row<PictureSettings, std::vector<Color>>(picture, &PictureSettings::background,
     {.group = group,
       .name = "background",
@@ -79,7 +80,7 @@ void addPictureRows(std::vector<Row>& table)
     {.group = group,
       .name = "caption",
       .value = "TEXT",
-      .help = "Line at the lower left. By default file, particles and time; none with ''",
+      .help = "Line at the lower left; '' for none",
       .invalidates = invalidates,
       .usual = "file, particles and time"}));
   table.push_back(row(picture, &PictureSettings::box,

@@ -1,8 +1,8 @@
 #include "Session.h"
 
-#include "Failure.h"
 #include "Row.h"
-#include "Text.h"
+#include "base/Failure.h"
+#include "base/Text.h"
 
 #include <kernels/core/AtomicFile.h>
 

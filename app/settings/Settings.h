@@ -74,13 +74,13 @@ struct VolumeSettings
 {
   std::string cells = "auto";        ///< "auto", "volume" or "surface"
   std::vector<OpacityPoint> opacity; ///< none: choose
-  double opacityUnit = 0.0;          ///< the length that opacities are of; 0: choose
+  std::optional<double> opacityUnit; ///< the length that opacities are of; none: choose
   std::vector<double> isoValues;
   bool cloud = true; ///< whether the volume itself is seen, beside iso-surfaces
   bool lit = false;
   std::string nanColor;                 ///< empty: cells with NaN are left out
   std::string integrator = "trilinear"; ///< a name of vtkMoteVolumeMapper::GetIntegratorNames()
-  double sampleDistance = 0.0;          ///< 0: choose
+  std::optional<double> sampleDistance; ///< none: choose
   double tolerance = 0.001;
   double cloudTolerance = 0.0; ///< between pixels; 0: every pixel is traced
   std::string structure; ///< a name of vtkMoteVolumeMapper::GetStructureNames(); empty: choose
@@ -106,7 +106,7 @@ struct LightSettings
   std::string shadows = "none"; ///< "none", "hard", "soft", or a side of the square of samples
   double size = 15.0;           ///< degrees
   std::string ambientOcclusion = "none"; ///< or "live", "baked", or rays a hit
-  double occlusionReach = 0.0;           ///< world units; 0: choose
+  std::optional<double> occlusionReach;  ///< world units; none: choose
   bool pathTrace = false;
   bool operator==(const LightSettings&) const = default;
 };
@@ -122,7 +122,7 @@ struct SilhouetteSettings
   Color color = {13.0 / 255, 13.0 / 255, 13.0 / 255};
   double stepInPixels = 2.0;
   std::string groups;    ///< array between whose values lines stand, too; empty: none
-  bool hulls = true;     ///< whether lines stand against the background
+  bool noHulls = false;  ///< whether no lines stand against the background
   bool onPixels = false; ///< whether they lie on the farther pixels alone
   bool operator==(const SilhouetteSettings&) const = default;
 };
@@ -130,8 +130,8 @@ struct SilhouetteSettings
 struct PictureSettings
 {
   std::array<int, 2> size = {0, 0}; ///< pixels; 0: the command's own default
-  int samples = 0;                  ///< a pixel, at most; 0: choose
-  double noise = 0.0;               ///< standard error that is good enough; 0: take all samples
+  std::optional<int> samples;       ///< a pixel, at most; none: choose
+  std::optional<double> noise;      ///< standard error that is good enough; none: all samples
   std::vector<Color> background;    ///< none: the default; one; or bottom and top
   bool legend = true;
   std::optional<std::string> title;
@@ -144,10 +144,7 @@ struct PictureSettings
   bool operator==(const PictureSettings&) const = default;
 
   /// Samples per pixel, at most; `paths` are noisier than other light.
-  int mostSamples(bool paths) const
-  {
-    return samples > 0 ? samples : noise > 0.0 ? 4096 : paths ? 64 : 16;
-  }
+  int mostSamples(bool paths) const { return samples.value_or(noise ? 4096 : paths ? 64 : 16); }
 };
 
 /// Every choice that a user can make of a picture, as a value. settingsTable() describes each.

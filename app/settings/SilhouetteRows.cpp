@@ -1,6 +1,6 @@
 #include "Table.h"
 
-#include "Silhouettes.h"
+#include "stage/Silhouettes.h"
 
 namespace mote::app
 {
@@ -67,8 +67,8 @@ void addSilhouetteRows(std::vector<Row>& table)
       .help = "Lines also between neighbours with different values of this array, such as type; or "
               "between each particle and the next, or each object (file)",
       .usual = "none"}));
-  table.push_back(row(silhouettes, &SilhouetteSettings::hulls,
-    {.group = group, .name = "silhouette-hulls", .help = "No lines against the background"}));
+  table.push_back(row(silhouettes, &SilhouetteSettings::noHulls,
+    {.group = group, .name = "silhouette-no-hulls", .help = "No lines against the background"}));
 }
 
 } // namespace mote::app

@@ -32,8 +32,8 @@ void addAppearanceRows(std::vector<Row>& table)
       .name = "opacity-unit",
       .value = "LENGTH",
       .help = "Length over which the opacities hold, in the data's units: twice as far hides twice "
-              "over. 0 takes a tenth of the scene's diagonal",
-      .limits = {.least = 0.0},
+              "over",
+      .limits = {.aboveZero = true},
       .usual = "a tenth of the scene's diagonal"}));
   table.push_back(row(volume, &VolumeSettings::isoValues,
     {.group = group,
@@ -74,8 +74,8 @@ void addIntegrationRows(std::vector<Row>& table)
     {.group = group,
       .name = "sample-distance",
       .value = "LENGTH",
-      .help = "Distance of samples along a ray. 0 takes half a mean cell",
-      .limits = {.least = 0.0},
+      .help = "Distance of samples along a ray",
+      .limits = {.aboveZero = true},
       .usual = "half a mean cell"}));
   table.push_back(row(volume, &VolumeSettings::tolerance,
     {.group = group,

@@ -1,7 +1,7 @@
 // Which array a user sees without asking, and which one is meant by a name.
 
-#include "Arrays.h"
-#include "Failure.h"
+#include "base/Failure.h"
+#include "stage/Arrays.h"
 
 #include <gtest/gtest.h>
 #include <vtkDoubleArray.h>

@@ -1,8 +1,8 @@
 // Whatever the box, the side, the projection and the shape of the picture: all of the box is inside
 // the margins, and it could not be larger.
 
-#include "Failure.h"
-#include "Framing.h"
+#include "base/Failure.h"
+#include "stage/Framing.h"
 
 #include <gtest/gtest.h>
 #include <vtkCamera.h>

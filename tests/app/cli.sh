@@ -125,16 +125,16 @@ case $3 in
 
   noise) # rays are cast until the noise is low; an EXR then tells the variance
     run 0 "$mote" render "$hopper" -o a.png --size 320x200 --noise 0.02
-    said out ' rays a pixel, noise 0.01'
-    coarse=$(sed 's/.*, \([0-9]*\) rays a pixel.*/\1/' out)
+    said out ' samples per pixel, noise 0.01'
+    coarse=$(sed 's/.*, \([0-9]*\) samples per pixel.*/\1/' out)
     run 0 "$mote" render "$hopper" -o b.exr --size 320x200 --noise 0.01
-    fine=$(sed 's/.*, \([0-9]*\) rays a pixel.*/\1/' out)
+    fine=$(sed 's/.*, \([0-9]*\) samples per pixel.*/\1/' out)
     [ "$fine" -gt "$coarse" ] || fail "$fine rays for less noise than with $coarse"
     grep -qa variance b.exr || fail "no variance in b.exr"
     run 0 "$mote" render "$hopper" -o c.exr --size 320x200 --noise 0.001 --samples 5
-    said out ', 5 rays a pixel, noise 0.0'
+    said out ', 5 samples per pixel, noise 0.0'
     run 0 "$mote" render "$hopper" -o c.exr --size 320x200
-    said out ', 16 rays a pixel'
+    said out ', 16 samples per pixel'
     grep -qa variance c.exr && fail "variance in c.exr, which nobody asked for"
     true
     ;;

@@ -115,11 +115,89 @@ case $3 in
     for key in c m bracketright x o l b a e g; do
       press "$key"
       picture "$key.png"
-      differ "$before.png" "$key.png"
+      case $key in
+        b | a) alike "$before.png" "$key.png" ;; # box and axes are the window's alone
+        *) differ "$before.png" "$key.png" ;;
+      esac
       before=$key
     done
     press p Escape h h plus minus Y Z
     quit
+    ;;
+
+  undo) # settings and views, back and forth
+    open "$copper" --size 320x240
+    picture start.png
+    press c
+    picture c.png
+    press Y
+    picture Y.png
+    press bracketright
+    picture larger.png
+    differ Y.png larger.png
+    for earlier in Y c start; do
+      press ctrl+z
+      picture undone.png
+      alike "$earlier.png" undone.png
+    done
+    press ctrl+z # there is nothing more
+    for later in c Y larger; do
+      press ctrl+y
+      picture redone.png
+      alike "$later.png" redone.png
+    done
+    quit
+    ;;
+
+  sessions) # a view is a session, a command and a script, which all make the same picture
+    views=0
+    # viewed KEYS -- ARGUMENTS...: opens, presses the keys, and compares.
+    viewed() {
+      local keys=()
+      while [ "$1" != -- ]; do
+        keys+=("$1")
+        shift
+      done
+      shift
+      open "$@" --size 320x240 --samples 4
+      [ ${#keys[@]} = 0 ] || press "${keys[@]}"
+      picture window.png
+      press k
+      press K
+      press ctrl+s
+      for _ in $(seq 100); do
+        session=$(ls -- *-001.json 2>/dev/null | head -1)
+        [ -n "$session" ] && break
+        sleep 0.1
+      done
+      quit
+      local line
+      line=$(grep '^mote render' out) || { cat out; fail "no command"; }
+      eval "\"$mote\" ${line#mote }" >said 2>&1 || { cat said; fail "$line"; }
+      mv -- *-001.png command.png
+      alike window.png command.png
+      "$mote" render "$session" -o session.png >said 2>&1 || { cat said; fail "$session"; }
+      alike window.png session.png
+      if [ -n "$MOTE_PYTHON" ]; then
+        sed -n '/^# Draws the view/,$p' out >script.py
+        "$MOTE_PYTHON" script.py >said 2>&1 || { cat said script.py; fail "the script"; }
+        mv -- *-001.png script.png
+        alike window.png script.png
+      fi
+      rm -- *-001.json
+      views=$((views + 1))
+    }
+    viewed -- "$copper"
+    viewed c d plus Y -- "$copper" --show c_centro=3:20
+    viewed o bracketright m e -- "$data/hopper.dump.gz" --color-by type
+    viewed d d t -- "$data/hopper.dump.gz" --light -30,40 --title 'it'"'"'s speed'
+    viewed t t -- "$data/lj-fracture.dump.gz" --background white,navy
+    viewed t t t -- "$data/hopper.dump.gz" --show type=2 --show radius=0.8:
+    viewed z -- "$data/swirl.1.vtu" --color-by U
+    viewed m -- "$data/swirl.1.vtu" --iso 0.02 --no-cloud --color-by U
+    viewed Left -- "$data/lj-fracture.dump.gz" --legend-side left --font-scale 1.5
+    viewed g -- pump:0.001 --opacity 0%=0,100%=0.4 --lit
+    [ $views = 10 ] || fail "$views views"
     ;;
 
   mouse)

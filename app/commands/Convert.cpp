@@ -1,0 +1,121 @@
+#include "Convert.h"
+
+#include "base/Checks.h"
+#include "base/Failure.h"
+#include "base/Messages.h"
+#include "base/OutputFile.h"
+#include "base/Text.h"
+#include "stage/Input.h"
+#include "stage/Part.h"
+
+#include <kernels/core/ScratchSpace.h>
+
+#include <vtkActor.h>
+#include <vtkMoteParticleFileWriter.h>
+#include <vtkMoteParticleMapper.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkTimerLog.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <filesystem>
+
+namespace mote::app
+{
+
+NamedData particlesOf(Input& input, int step, ProgressRelay& progress, const std::string& why)
+{
+  std::vector<NamedData> particles;
+  for (const NamedData& one : input.read(step, progress))
+    if (!Part::isMesh(one.data))
+      particles.push_back(one);
+  if (particles.size() != 1)
+    throw Failure(input.name() + " holds " + std::to_string(particles.size()) +
+                  " sets of particles, and " + why);
+  return particles.front();
+}
+
+namespace
+{
+
+double secondsSince(double start)
+{
+  return vtkTimerLog::GetUniversalTime() - start;
+}
+
+} // namespace
+
+void addConvertOptions(CLI::App& app, ConvertOptions& options)
+{
+  addFiles(app, options.given.settings);
+  addSettings(app, options.given, {"Data"});
+  app.get_option("FILE")->description(
+    "Files to read, as elsewhere, and last the .mote file to write");
+  addSettings(app, options.given, {"Radius", "form"});
+  app
+    .add_option("--memory", options.memory,
+      "Memory for particles, such as 4G; what needs more lies in files beside the one that is "
+      "written, without a name, until it is. By default half of the machine's")
+    ->transform(CLI::AsSizeValue(false))
+    ->check(isNumber())
+    ->check(CLI::PositiveNumber.description(""))
+    ->type_name("SIZE")
+    ->group("Conversion");
+}
+
+void convert(const ConvertOptions& given)
+{
+  Settings settings = given.given.settings;
+  const std::string output = settings.data.files.back();
+  settings.data.files.pop_back();
+  if (lowerCase(std::filesystem::path(output).extension().string()) != ".mote")
+    throw Failure("the last file is the one to write, and must end in .mote, not " + output);
+  if (settings.data.files.empty())
+    throw Failure("no file to read is given, only " + output + " to write");
+
+  TerminalProgress terminal;
+  ProgressRelay progress;
+  progress.add(terminal);
+  const double start = vtkTimerLog::GetUniversalTime();
+  checkOutput(output, settings.data.files); // before hours of reading
+  const std::uint64_t memory = given.memory > 0 ? given.memory : physicalMemory() / 2;
+  // The rest is for putting arrays in order.
+  const auto space = std::make_shared<ScratchSpace>(output, memory / 4 * 3);
+  Input input(settings.data.files);
+  input.setSpace(space);
+  input.open(progress);
+  const NamedData data =
+    particlesOf(input, input.chosenStep(settings), progress, "a .mote file holds one");
+  const double readTime = secondsSince(start);
+
+  Part part(data.name, data.data, settings, 0.0);
+  part.particles()->SetStructureName("pkd-tree");
+  part.particles()->SetScratchSpace(space);
+  const bool ofSource = Part::isOfSource(data.data); // whose order says nothing
+  part.particles()->SetKeepPointIds(
+    !ofSource || data.data->GetPointData()->GetNumberOfArrays() > 0);
+  part.build(progress);
+  vtkNew<vtkMoteParticleFileWriter> writer;
+  writer->SetFileName(output.c_str());
+  writer->SetMapper(part.particles());
+  writer->SetWriteOriginalIds(part.particles()->GetKeepPointIds());
+  const double written = vtkTimerLog::GetUniversalTime();
+  Messages::takeError();
+  {
+    ProgressRelay::Work work(progress, "Writing " + baseName(output), writer);
+    writer->Write();
+    work.finish();
+  }
+  Messages::takeError(); // the writer says it too
+  if (const std::string error = writer->GetErrorMessage(); !error.empty())
+    throw Failure(error);
+  std::printf("%s: %s, %s; read in %s, built in %s, written in %s\n", output.c_str(),
+    counted(part.particles()->GetNumberOfParticles(), "particle").c_str(),
+    asBytes(static_cast<double>(std::filesystem::file_size(output))).c_str(),
+    asDuration(readTime).c_str(), asDuration(part.particles()->GetBuildTime()).c_str(),
+    asDuration(secondsSince(written)).c_str());
+}
+
+} // namespace mote::app

@@ -1,0 +1,280 @@
+#include "Info.h"
+
+#include "MeshFacts.h"
+#include "base/Text.h"
+#include "stage/Arrays.h"
+#include "stage/Input.h"
+#include "stage/Part.h"
+#include "stage/SimulationBox.h"
+
+#include <vtkAbstractArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkMoteParticleFilePoints.h>
+#include <vtkMoteParticleMapper.h>
+#include <vtkMoteReaderTable.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkTimerLog.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+
+namespace mote::app
+{
+
+namespace
+{
+
+/// One array as both forms of output show it.
+struct ArrayFacts
+{
+  std::string name, place, type;
+  std::vector<std::string> components;
+  double range[2] = {1.0, 0.0};
+  bool ranged = false;
+  bool whole = false;
+  std::optional<double> mean; ///< by volume
+};
+
+ArrayFacts factsOf(vtkAbstractArray* array, const char* place)
+{
+  ArrayFacts facts;
+  facts.name = nameOf(array);
+  facts.place = place;
+  facts.type = array->GetDataTypeAsString();
+  const int components = array->GetNumberOfComponents();
+  for (int i = 0; components > 1 && i < components; ++i)
+    facts.components.push_back(
+      array->GetComponentName(i) ? array->GetComponentName(i) : std::to_string(i));
+  facts.whole =
+    array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE && components == 1;
+  if (auto* numbers = vtkDataArray::SafeDownCast(array))
+    facts.ranged = finiteRange(numbers, components > 1 ? ArrayChoice::magnitude : 0, facts.range);
+  return facts;
+}
+
+std::vector<ArrayFacts> allFacts(vtkDataSet* data, const std::optional<MeshFacts>& mesh)
+{
+  std::vector<ArrayFacts> all;
+  for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
+    all.push_back(factsOf(data->GetPointData()->GetAbstractArray(i), "point"));
+  for (int i = 0; i < data->GetCellData()->GetNumberOfArrays(); ++i)
+    all.push_back(factsOf(data->GetCellData()->GetAbstractArray(i), "cell"));
+  for (ArrayFacts& facts : all)
+    if (mesh)
+      facts.mean = mesh->meanOf(facts.name, facts.place);
+  return all;
+}
+
+/// What there is to say about cells that fill space; nothing where there are none.
+std::optional<MeshFacts> meshOf(vtkDataSet* data)
+{
+  if (!Part::isMesh(data))
+    return {};
+  MeshFacts facts(data);
+  return facts.any() ? std::optional(facts) : std::nullopt;
+}
+
+/// The points, where they stay in a .mote file; else null.
+vtkMoteParticleFilePoints* pointsInFile(vtkDataSet* data)
+{
+  auto* points = vtkPointSet::SafeDownCast(data);
+  return points ? vtkMoteParticleFilePoints::SafeDownCast(points->GetPoints()) : nullptr;
+}
+
+/// The typical distance between neighbours; 0 where there is none.
+double spacingOf(vtkDataSet* data)
+{
+  auto* points = vtkPointSet::SafeDownCast(data);
+  if (!points || Part::isMesh(data) || points->GetNumberOfPoints() < 2)
+    return 0.0;
+  return vtkMoteParticleMapper::EstimateSpacing(points);
+}
+
+std::string interval(const double range[2], int digits = 6)
+{
+  return "[" + asNumber(range[0], digits) + ", " + asNumber(range[1], digits) + "]";
+}
+
+std::string vector(const double v[3])
+{
+  return "(" + asNumber(v[0]) + ", " + asNumber(v[1]) + ", " + asNumber(v[2]) + ")";
+}
+
+void printLine(const char* what, const std::string& text)
+{
+  std::printf("  %-12s%s\n", what, text.c_str());
+}
+
+void printTimes(const Input& input, int step)
+{
+  const std::vector<double>& times = input.times();
+  if (times.empty())
+    return;
+  std::vector<std::string> shown;
+  const std::size_t count = times.size();
+  for (std::size_t i = 0; i < count; ++i)
+    if (count <= 8 || i < 4 || i + 2 > count)
+      shown.push_back(asNumber(times[i], 10));
+    else if (i == 4)
+      shown.emplace_back("...");
+  printLine("time steps", std::to_string(count) + ": " + joined(shown, ", "));
+  printLine(
+    "shown here", "step " + std::to_string(step + 1) + ", t = " + asNumber(times[step], 10));
+}
+
+void printArrays(const std::vector<ArrayFacts>& arrays)
+{
+  const auto shownName = [](const ArrayFacts& facts)
+  { return facts.name.empty() ? std::string("(unnamed)") : facts.name; };
+  std::size_t width = 8;
+  for (const ArrayFacts& facts : arrays)
+    width = std::max(width, shownName(facts).size());
+  for (const ArrayFacts& facts : arrays)
+  {
+    std::string text = facts.ranged ? interval(facts.range, facts.whole ? 16 : 6) : "";
+    if (!facts.components.empty())
+      text =
+        "(" + joined(facts.components, " ") + ")" + (text.empty() ? "" : ", magnitude ") + text;
+    if (facts.mean)
+      text += ", mean by volume " + asNumber(*facts.mean);
+    std::printf("  %-5s  %-*s  %-9s  %s\n", facts.place.c_str(), static_cast<int>(width),
+      shownName(facts).c_str(), facts.type.c_str(), text.c_str());
+  }
+}
+
+void printMesh(const MeshFacts& mesh)
+{
+  printLine("cells", mesh.cells());
+  const double range[2] = {mesh.of("min_volume"), mesh.of("max_volume")};
+  printLine("volume", asNumber(mesh.of("volume")) + ", of a cell " + interval(range));
+  printLine("quality", "scaled Jacobian " + asNumber(mesh.of("min_scaled_jacobian"), 3) +
+                         " at worst, " + asNumber(mesh.of("mean_scaled_jacobian"), 3) +
+                         " on average; aspect ratio up to " +
+                         asNumber(mesh.of("max_aspect_ratio"), 3));
+  const std::string complaints = mesh.complaints();
+  printLine("bad cells", complaints.empty() ? "none" : complaints);
+}
+
+void printText(const NamedData& one, const Input& input, int step, double seconds)
+{
+  vtkDataSet* data = one.data;
+  std::printf("%s\n", one.name.c_str());
+  std::string contents = counted(data->GetNumberOfPoints(), "point");
+  if (Part::isMesh(data))
+    contents += ", " + counted(data->GetNumberOfCells(), "cell");
+  printLine("holds", contents + " (" + data->GetClassName() + ")");
+  printTimes(input, step);
+  if (data->GetNumberOfPoints() > 0)
+  {
+    const double* b = data->GetBounds();
+    printLine("bounds", interval(b) + " x " + interval(b + 2) + " x " + interval(b + 4));
+  }
+  if (const auto box = simulationBoxOf(data))
+    printLine("box", "origin " + vector(box->origin) + ", vectors " + vector(box->vectors[0]) +
+                       " " + vector(box->vectors[1]) + " " + vector(box->vectors[2]));
+  if (const double spacing = spacingOf(data); spacing > 0.0)
+    printLine("spacing", asNumber(spacing, 4) + " between neighbours");
+  if (auto* inFile = pointsInFile(data))
+    printLine("form",
+      inFile->GetForm() + ", coordinates off by up to " + asNumber(inFile->GetPositionError(), 3));
+  printLine("read in", asDuration(seconds));
+  const std::optional<MeshFacts> mesh = meshOf(data);
+  if (mesh)
+    printMesh(*mesh);
+  const std::vector<ArrayFacts> arrays = allFacts(data, mesh);
+  printLine("arrays", arrays.empty() ? "none" : std::to_string(arrays.size()));
+  printArrays(arrays);
+}
+
+std::string jsonList(const std::vector<std::string>& items)
+{
+  return "[" + joined(items, ", ") + "]";
+}
+
+std::string jsonNumbers(const double* values, int count)
+{
+  std::vector<std::string> items;
+  for (int i = 0; i < count; ++i)
+    items.push_back(jsonNumber(values[i]));
+  return jsonList(items);
+}
+
+std::string jsonArray(const ArrayFacts& facts)
+{
+  std::vector<std::string> components;
+  for (const std::string& name : facts.components)
+    components.push_back(jsonString(name));
+  return "{\"name\": " + jsonString(facts.name) + ", \"of\": " + jsonString(facts.place) +
+         ", \"type\": " + jsonString(facts.type) + ", \"components\": " + jsonList(components) +
+         ", \"range\": " + (facts.ranged ? jsonNumbers(facts.range, 2) : "null") +
+         ", \"mean\": " + (facts.mean ? jsonNumber(*facts.mean) : "null") + "}";
+}
+
+std::string asJson(const NamedData& one, const Input& input, int step, double seconds)
+{
+  vtkDataSet* data = one.data;
+  const std::optional<MeshFacts> mesh = meshOf(data);
+  std::vector<std::string> arrays;
+  for (const ArrayFacts& facts : allFacts(data, mesh))
+    arrays.push_back("\n      " + jsonArray(facts));
+  const auto box = simulationBoxOf(data);
+  const bool any = data->GetNumberOfPoints() > 0;
+  const double spacing = spacingOf(data);
+  auto* inFile = pointsInFile(data);
+  return "  {\"name\": " + jsonString(one.name) +
+         ", \"class\": " + jsonString(data->GetClassName()) +
+         ",\n    \"points\": " + std::to_string(data->GetNumberOfPoints()) +
+         ", \"cells\": " + std::to_string(data->GetNumberOfCells()) + ",\n    \"times\": " +
+         jsonNumbers(input.times().data(), static_cast<int>(input.times().size())) +
+         ", \"step\": " + std::to_string(step + 1) +
+         ",\n    \"bounds\": " + (any ? jsonNumbers(data->GetBounds(), 6) : "null") +
+         ",\n    \"box\": " + (box ? jsonNumbers(&box->vectors[0][0], 9) : "null") +
+         ", \"box_origin\": " + (box ? jsonNumbers(box->origin, 3) : "null") +
+         ",\n    \"spacing\": " + (spacing > 0.0 ? jsonNumber(spacing) : "null") +
+         ", \"form\": " + (inFile ? jsonString(inFile->GetForm()) : "null") +
+         ", \"position_error\": " + (inFile ? jsonNumber(inFile->GetPositionError()) : "null") +
+         ", \"read_seconds\": " + jsonNumber(seconds) +
+         ",\n    \"mesh\": " + (mesh ? mesh->json() : "null") +
+         ",\n    \"arrays\": " + jsonList(arrays) + "}";
+}
+
+} // namespace
+
+void addInfoOptions(CLI::App& app, InfoOptions& options)
+{
+  addFiles(app, options.given.settings);
+  addSettings(app, options.given, {"Data"});
+  app.add_flag("--json", options.json, "Print a JSON array, one object a data set, instead");
+}
+
+void printInfo(const InfoOptions& options)
+{
+  TerminalProgress terminal;
+  ProgressRelay progress;
+  progress.add(terminal);
+  std::vector<std::string> objects;
+  for (const auto& files : vtkMoteReaderTable::GroupSeries(options.given.settings.data.files))
+  {
+    Input input(files);
+    const double start = vtkTimerLog::GetUniversalTime();
+    input.open(progress);
+    const int step = input.chosenStep(options.given.settings);
+    const std::vector<NamedData> all = input.read(step, progress);
+    const double seconds = vtkTimerLog::GetUniversalTime() - start;
+    for (const NamedData& one : all)
+      if (options.json)
+        objects.push_back(asJson(one, input, step, seconds));
+      else
+        printText(one, input, step, seconds);
+  }
+  if (options.json)
+    std::printf("[\n%s\n]\n", joined(objects, ",\n").c_str());
+}
+
+} // namespace mote::app

@@ -1,0 +1,144 @@
+#include "Render.h"
+
+#include "Bake.h"
+#include "base/Failure.h"
+#include "base/Text.h"
+#include "settings/Session.h"
+#include "stage/Picture.h"
+
+#include <vtkTimerLog.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <filesystem>
+
+namespace mote::app
+{
+
+namespace
+{
+
+/// "picture.png" to "picture.0012.png"; steps count from 1.
+std::string numbered(const std::string& file, int step, int steps)
+{
+  const int digits = std::max(4, static_cast<int>(std::to_string(steps).size()));
+  std::string number = std::to_string(step);
+  number.insert(0, std::max(0, digits - static_cast<int>(number.size())), '0');
+  std::filesystem::path path(file);
+  return (path.parent_path() / (path.stem().string() + "." + number)).string() +
+         path.extension().string();
+}
+
+/// The line on standard output that tells of a finished picture.
+void report(const std::string& file, const Stage& stage, const Picture& picture,
+  const std::array<int, 2>& size, double readTime)
+{
+  std::printf("%s: %dx%d, %s; read in %s, built in %s, traced in %s, %s\n", file.c_str(), size[0],
+    size[1], stage.contents().c_str(), asDuration(readTime).c_str(),
+    asDuration(stage.buildTime()).c_str(), asDuration(picture.traceTime()).c_str(),
+    picture.quality().c_str());
+  std::fflush(stdout);
+}
+
+/// Lets the colours' range and types take in the first `steps` time steps.
+void includeColors(Stage& stage, Input& input, int steps, ProgressRelay& progress)
+{
+  for (int step = 0; step < steps; ++step)
+  {
+    stage.setData(input.read(step, progress));
+    stage.coloring().include(stage.parts());
+  }
+}
+
+void requireTraced(const Stage& stage)
+{
+  for (const auto& part : stage.parts())
+    if (part->kind() != Part::Kind::Surface)
+      return;
+  const std::string name = stage.parts().empty() ? "the input" : stage.parts().front()->name();
+  throw Failure(name + " holds faces, or cells without numbers on them, and mote render draws "
+                       "particles and volumes only; see its surface in a window with: mote FILE");
+}
+
+} // namespace
+
+void addRenderOptions(CLI::App& app, RenderOptions& options)
+{
+  app
+    .add_option("--output,-o", options.output,
+      "Picture to write: .png, .jpg or .tif; or .exr with colour, depth, normal and particle id, "
+      "the background transparent")
+    ->required()
+    ->type_name("FILE");
+  addAllSettings(app, options.given);
+  app
+    .add_flag("--all-steps", options.allSteps,
+      "A picture of every time step: out.png gives out.0001.png, out.0002.png ... All have the "
+      "last step's frame and one range of colours, for which the steps are read twice unless "
+      "--range gives it")
+    ->excludes(app.get_option("--step"))
+    ->excludes(app.get_option("--time"))
+    ->group("Data");
+  addSessionOption(app, options.session);
+}
+
+void render(const RenderOptions& given)
+{
+  Settings settings = given.given.resolved();
+  if (settings.picture.size[0] == 0)
+    settings.picture.size = {1280, 960};
+  const std::array<int, 2> size = settings.picture.size;
+  TerminalProgress terminal;
+  ProgressRelay progress;
+  progress.add(terminal);
+  Stage stage(settings);
+  Picture picture(stage, size);
+  Input input(settings.data.files);
+  picture.aim(given.allSteps ? numbered(given.output, 1, 1) : given.output);
+  const double start = vtkTimerLog::GetUniversalTime();
+  input.open(progress);
+  const double openTime = vtkTimerLog::GetUniversalTime() - start;
+
+  const auto show = [&](int step)
+  {
+    const double start = vtkTimerLog::GetUniversalTime();
+    const auto data = input.read(step, progress);
+    if (settings.light.ambientOcclusion == "baked")
+      addOcclusionMaps(data);
+    stage.setData(data);
+    const double seconds = vtkTimerLog::GetUniversalTime() - start;
+    requireTraced(stage);
+    stage.build(progress);
+    stage.applyColors();
+    return seconds;
+  };
+  const auto trace = [&](int step, const std::string& file, double readTime)
+  {
+    picture.aim(file);
+    if (stage.numberShown() == 0 && stage.numberOfParticles() > 0)
+      std::fprintf(
+        stderr, "mote: warning: the ranges to show leave no particle in %s\n", file.c_str());
+    picture.write(captionOf(input, step, stage.contents()), progress);
+    report(file, stage, picture, size, readTime);
+  };
+
+  // A sequence has one frame and radius, those of its last step, and one range of colours.
+  const int last = input.numberOfSteps() - 1;
+  const int chosen = given.allSteps ? last : input.chosenStep(settings);
+  const double readTime = show(chosen);
+  stage.look(picture.aspect(), picture.margins());
+  if (!given.allSteps)
+    trace(chosen, given.output, openTime + readTime);
+  else
+  {
+    if (settings.color.range.empty() && settings.color.array != "none")
+      includeColors(stage, input, last, progress);
+    for (int step = 0; step <= last; ++step)
+      trace(step, numbered(given.output, step + 1, last + 1), show(step));
+  }
+  if (!given.session.empty())
+    writeSession(stage.settingsInForce(), given.session);
+}
+
+} // namespace mote::app

@@ -1,0 +1,78 @@
+#include "TableFile.h"
+
+#include "base/Failure.h"
+
+#include <kernels/core/AtomicFile.h>
+
+#include <vtkDataArray.h>
+#include <vtkTable.h>
+#include <vtkVariant.h>
+
+#include <cstdio>
+
+namespace mote::app
+{
+
+namespace
+{
+
+/// A name or word; with quotation marks where it holds what separates cells.
+std::string quoted(const std::string& word)
+{
+  if (word.find_first_of(",\"\n") == std::string::npos)
+    return word;
+  std::string text = "\"";
+  for (const char c : word)
+    text.append(c == '"' ? 2 : 1, c);
+  return text.append("\"");
+}
+
+std::string cellText(vtkTable* table, vtkIdType row, vtkIdType column)
+{
+  const vtkVariant value = table->GetValue(row, column);
+  if (!value.IsNumeric())
+    return quoted(value.ToString());
+  char text[32];
+  std::snprintf(text, sizeof text, "%.9g", value.ToDouble());
+  return text;
+}
+
+std::string asLines(vtkTable* table)
+{
+  std::string text;
+  for (vtkIdType row = -1; row < table->GetNumberOfRows(); ++row)
+  {
+    for (vtkIdType c = 0; c < table->GetNumberOfColumns(); ++c)
+    {
+      if (c > 0)
+        text += ',';
+      text += row < 0 ? quoted(table->GetColumnName(c)) : cellText(table, row, c);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+} // namespace
+
+void writeTable(vtkTable* table, const std::string& file)
+{
+  const std::string text = asLines(table);
+  if (file.empty())
+  {
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    return;
+  }
+  try
+  {
+    AtomicFile out(file);
+    out.write(text.data(), text.size());
+    out.commit();
+  }
+  catch (const WriteError& error)
+  {
+    throw Failure(error.what());
+  }
+}
+
+} // namespace mote::app

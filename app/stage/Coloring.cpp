@@ -1,0 +1,270 @@
+#include "Coloring.h"
+
+#include "ColorMaps.h"
+#include "base/Failure.h"
+#include "base/Text.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkLookupTable.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mote::app
+{
+
+namespace
+{
+
+using Parts = std::vector<std::unique_ptr<Part>>;
+
+/// The first part that has the array, or null.
+const Part* holderOf(const Parts& parts, const ArrayChoice& choice)
+{
+  for (const auto& part : parts)
+    if (arrayOf(part->data(), choice))
+      return part.get();
+  return nullptr;
+}
+
+std::vector<ArrayChoice> candidatesOf(const Parts& parts)
+{
+  std::vector<ArrayChoice> all;
+  for (const auto& part : parts)
+    for (const ArrayChoice& choice : rankedArrays(part->data()))
+      if (std::find(all.begin(), all.end(), choice) == all.end())
+        all.push_back(choice);
+  return all;
+}
+
+} // namespace
+
+Coloring::Coloring(const Settings& settings)
+  : settings_(settings)
+  , wanted_(settings.color.array)
+{
+}
+
+void Coloring::choose(const Parts& parts)
+{
+  const std::string& wanted = settings_.color.array;
+  if (wanted == "none")
+  {
+    chosen_ = true;
+    return;
+  }
+  if (!wanted.empty())
+  {
+    for (const auto& part : parts)
+      if (!choice_)
+        choice_ = findArray(part->data(), wanted);
+    if (!choice_ && !parts.empty())
+    {
+      if (isText(parts.front()->data(), wanted))
+        throw Failure(
+          "--color-by: '" + wanted + "' is text and cannot colour; an array of numbers can");
+      const std::string known = listArrays(parts.front()->data());
+      throw Failure("--color-by: " + parts.front()->name() + " has no array '" + wanted +
+                    "'; it has " + (known.empty() ? "none at all" : known));
+    }
+    chosen_ = static_cast<bool>(choice_);
+    return;
+  }
+  const std::vector<ArrayChoice> candidates = candidatesOf(parts);
+  double range[2];
+  for (const ArrayChoice& candidate : candidates)
+    if (const Part* part = holderOf(parts, candidate);
+        !choice_ && finiteRange(arrayOf(part->data(), candidate), candidate.component, range) &&
+        range[0] < range[1])
+      choice_ = candidate;
+  // A volume is seen by an array alone, though it be the same everywhere.
+  const bool isVolume = std::any_of(parts.begin(), parts.end(),
+    [](const auto& part) { return part->kind() == Part::Kind::Volume; });
+  if (!choice_ && isVolume && !candidates.empty())
+    choice_ = candidates.front();
+  // A step without particles says nothing about the arrays to come.
+  chosen_ = std::any_of(parts.begin(), parts.end(),
+    [](const auto& part) { return part->data()->GetNumberOfPoints() > 0; });
+}
+
+bool Coloring::updateRange(const Parts& parts)
+{
+  for (const auto& part : parts)
+  {
+    double range[2];
+    vtkDataArray* array = arrayOf(part->data(), choice_);
+    if (!finiteRange(array, choice_.component, range))
+      continue;
+    const bool first = range_[0] > range_[1];
+    range_[0] = first ? range[0] : std::min(range_[0], range[0]);
+    range_[1] = first ? range[1] : std::max(range_[1], range[1]);
+    if (settings_.color.logarithmic && range[0] <= 0.0)
+      if (const double least = leastPositive(array, choice_.component); least > 0.0)
+        leastPositive_ = leastPositive_ > 0.0 ? std::min(least, leastPositive_) : least;
+  }
+  return range_[0] <= range_[1];
+}
+
+bool Coloring::updateTypes(const Parts& parts)
+{
+  const Part* holder = holderOf(parts, choice_);
+  if (settings_.color.map != "types" &&
+      !(settings_.color.map.empty() && isTypes(holder->data(), choice_)))
+    return false;
+  constexpr int greatestSpan = 4096;
+  const std::size_t limit = numberOfTypeColors();
+  if (!settings_.color.range.empty())
+  {
+    const double first = std::ceil(settings_.color.range[0]),
+                 last = std::floor(settings_.color.range[1]);
+    types_.clear();
+    if (!(last - first < static_cast<double>(limit)) || std::abs(first) > 1e6)
+      return false;
+    for (int type = static_cast<int>(first); type <= last; ++type)
+      types_.push_back(type);
+    return !types_.empty();
+  }
+  for (const auto& part : parts)
+    if (vtkDataArray* array = arrayOf(part->data(), choice_); array && array->GetNumberOfTuples())
+      countable_ =
+        countable_ && collectTypes(array, choice_.component, limit, greatestSpan, types_);
+  return countable_ && !types_.empty();
+}
+
+void Coloring::forget()
+{
+  range_[0] = 1.0, range_[1] = 0.0;
+  leastPositive_ = 0.0;
+  types_.clear();
+  countable_ = true;
+}
+
+void Coloring::followSettings()
+{
+  if (settings_.color.array == wanted_)
+    return;
+  wanted_ = settings_.color.array;
+  choice_ = {};
+  chosen_ = false;
+  this->forget();
+}
+
+void Coloring::include(const Parts& parts)
+{
+  this->followSettings();
+  if (!chosen_)
+    this->choose(parts);
+  const Part* holder = holderOf(parts, choice_);
+  explained_ = holder && !isColors(arrayOf(holder->data(), choice_)) && this->updateRange(parts);
+  typed_ = explained_ && this->updateTypes(parts);
+}
+
+void Coloring::apply(const Parts& parts)
+{
+  this->include(parts);
+  if (const Part* holder = holderOf(parts, choice_))
+    title_ = describe(holder->data(), choice_);
+  this->makeTable(typed_);
+  for (const auto& part : parts)
+    part->setColors(choice_, table_);
+}
+
+void Coloring::makeTable(bool types)
+{
+  double range[2] = {range_[0], range_[1]};
+  if (!settings_.color.range.empty())
+    std::copy_n(settings_.color.range.begin(), 2, range);
+  if (!(range[0] <= range[1]))
+    range[0] = 0.0, range[1] = 1.0;
+  if (settings_.color.logarithmic && explained_)
+  {
+    if (!(range[1] > 0.0))
+      throw Failure("--log needs values above zero; those of " + title_ + " go from " +
+                    asNumber(range[0]) + " to " + asNumber(range[1]));
+    if (range[0] <= 0.0 && settings_.color.range.empty())
+      range[0] = leastPositive_;
+    if (!(range[0] > 0.0))
+      throw Failure("--log needs a --range above zero, not " + asNumber(range[0]) + " to " +
+                    asNumber(range[1]));
+  }
+  if (!types && range[0] == range[1])
+  {
+    // One value everywhere: put it in the middle.
+    const double margin = range[0] == 0.0 ? 0.5 : 0.5 * std::abs(range[0]);
+    range[0] -= settings_.color.logarithmic ? 0.5 * margin : margin;
+    range[1] += margin;
+  }
+  const bool named = !settings_.color.map.empty() && settings_.color.map != "types";
+  table_ = types ? makeTypeMap(types_)
+                 : makeColorMap(
+                     named ? settings_.color.map : "viridis", range, settings_.color.logarithmic);
+  if (choice_.component == ArrayChoice::magnitude)
+    table_->SetVectorModeToMagnitude();
+  else
+    table_->SetVectorModeToComponent();
+  table_->SetVectorComponent(std::max(0, choice_.component));
+
+  legendTable_ = types ? makeTypeLegend(types_) : table_;
+}
+
+std::string Coloring::nextArray(const Parts& parts) const
+{
+  const std::vector<ArrayChoice> candidates = candidatesOf(parts);
+  const auto same = [&](const ArrayChoice& c)
+  { return c.name == choice_.name && c.ofCells == choice_.ofCells; };
+  const auto present = std::find_if(candidates.begin(), candidates.end(), same);
+  ArrayChoice next;
+  if (!choice_ || present == candidates.end())
+    next = candidates.empty() ? ArrayChoice{} : candidates.front();
+  else if (present + 1 != candidates.end())
+    next = present[1];
+  const Part* holder = holderOf(parts, next);
+  return holder ? asText(holder->data(), next) : "none";
+}
+
+std::string Coloring::nextComponent(const Parts& parts) const
+{
+  const Part* holder = holderOf(parts, choice_);
+  if (!holder)
+    return settings_.color.array;
+  const int components = arrayOf(holder->data(), choice_)->GetNumberOfComponents();
+  ArrayChoice next = choice_;
+  if (components > 1)
+    next.component =
+      choice_.component + 1 < components ? choice_.component + 1 : ArrayChoice::magnitude;
+  return asText(holder->data(), next);
+}
+
+std::string Coloring::nextMap() const
+{
+  const auto& names = colorMapNames();
+  const std::string shown = this->mapName().empty() ? names.front() : this->mapName();
+  const auto present = std::find(names.begin(), names.end(), shown);
+  return present == names.end() || present + 1 == names.end() ? names.front() : present[1];
+}
+
+ColorSettings Coloring::inForce(const Parts& parts) const
+{
+  ColorSettings all = settings_.color;
+  const Part* holder = holderOf(parts, choice_);
+  if (!chosen_ || (!holder && choice_))
+    return all;
+  all.array = holder ? asText(holder->data(), choice_) : "none";
+  // Types are named one by one, and not by a range.
+  if (explained_ && !typed_ && all.range.empty() && range_[0] < range_[1])
+    all.range = {table_->GetRange()[0], table_->GetRange()[1]};
+  return all;
+}
+
+vtkLookupTable* Coloring::table() const
+{
+  return explained_ ? table_ : nullptr;
+}
+
+vtkLookupTable* Coloring::legendTable() const
+{
+  return explained_ ? legendTable_ : nullptr;
+}
+
+} // namespace mote::app

@@ -1,0 +1,202 @@
+#include "Input.h"
+
+#include "base/Failure.h"
+#include "base/Text.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkCompositeDataIterator.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataSet.h>
+#include <vtkInformation.h>
+#include <vtkMotePolyDataReader.h>
+#include <vtkMoteReaderTable.h>
+
+#include <algorithm>
+
+namespace mote::app
+{
+
+namespace
+{
+
+void collectDataSets(
+  vtkDataObject* object, const std::string& name, std::vector<NamedData>& collected)
+{
+  if (auto* data = vtkDataSet::SafeDownCast(object))
+  {
+    collected.push_back({name, data, {}});
+    return;
+  }
+  auto* composite = vtkCompositeDataSet::SafeDownCast(object);
+  if (!composite)
+    throw Failure(
+      name + " holds a " + object->GetClassName() + ", which has no points in space to show");
+  auto blocks = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
+  {
+    vtkInformation* facts = blocks->HasCurrentMetaData() ? blocks->GetCurrentMetaData() : nullptr;
+    const char* block = facts && facts->Has(vtkCompositeDataSet::NAME())
+                          ? facts->Get(vtkCompositeDataSet::NAME())
+                          : nullptr;
+    if (auto* data = vtkDataSet::SafeDownCast(blocks->GetCurrentDataObject()))
+      collected.push_back({block ? name + ": " + block : name, data, {}});
+  }
+}
+
+/// "peri.00300.dump" and "peri.01500.dump" as "peri.*.dump".
+std::string nameOf(const std::vector<std::string>& files)
+{
+  std::string first = baseName(files.front());
+  for (const std::string& file : files)
+  {
+    const std::string other = baseName(file);
+    if (other == first)
+      continue;
+    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+    std::size_t begin =
+      std::mismatch(first.begin(), first.end(), other.begin(), other.end()).first - first.begin();
+    while (begin > 0 && isDigit(first[begin - 1]))
+      --begin;
+    std::size_t end = begin;
+    while (end < first.size() && isDigit(first[end]))
+      ++end;
+    return first.replace(begin, end - begin, 1, '*');
+  }
+  return first;
+}
+
+} // namespace
+
+Input::Input(const std::vector<std::string>& files)
+{
+  for (const auto& group : vtkMoteReaderTable::GroupSeries(files))
+  {
+    Source source;
+    source.files = group;
+    source.name = nameOf(group);
+    std::string error;
+    source.reader = vtkMoteReaderTable::MakeReader(group, error);
+    if (!source.reader)
+      throw Failure(error);
+    sources_.push_back(source);
+  }
+}
+
+void Input::setSpace(const std::shared_ptr<ScratchSpace>& space)
+{
+  for (const Source& source : sources_)
+    if (auto* reader = vtkMotePolyDataReader::SafeDownCast(source.reader))
+      reader->SetScratchSpace(space);
+}
+
+void Input::open(ProgressRelay& progress)
+{
+  times_.clear();
+  for (Source& source : sources_)
+  {
+    std::string error;
+    {
+      ProgressRelay::Work work(progress, "Scanning " + source.name, source.reader);
+      source.times = vtkMoteReaderTable::GetTimeSteps(source.reader, error);
+      work.finish();
+    }
+    if (!error.empty())
+      throw Failure(error);
+    times_.insert(times_.end(), source.times.begin(), source.times.end());
+  }
+  std::sort(times_.begin(), times_.end());
+  times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
+}
+
+int Input::chosenStep(const Settings& settings) const
+{
+  const int last = this->numberOfSteps() - 1;
+  if (settings.data.time)
+  {
+    if (times_.empty())
+      throw Failure(this->name() + " has no time, so --time means nothing for it");
+    if (*settings.data.time < times_.front())
+      throw Failure(this->name() + " begins at time " + asNumber(times_.front(), 10) +
+                    ", after --time " + asNumber(*settings.data.time, 10));
+    const auto after = std::upper_bound(times_.begin(), times_.end(), *settings.data.time);
+    return std::max(0, static_cast<int>(after - times_.begin()) - 1);
+  }
+  if (settings.data.step == "first")
+    return 0;
+  if (settings.data.step == "last")
+    return last;
+  double number = 1.0;
+  parseNumber(settings.data.step, number);
+  if (number > last + 1)
+    throw Failure(this->name() + " has " + counted(last + 1, "time step") +
+                  ", so there is no --step " + settings.data.step);
+  return static_cast<int>(number) - 1;
+}
+
+std::vector<NamedData> Input::read(int step, ProgressRelay& progress)
+{
+  std::vector<NamedData> all;
+  for (Source& source : sources_)
+  {
+    std::string error;
+    vtkSmartPointer<vtkDataObject> data;
+    {
+      ProgressRelay::Work work(progress, "Reading " + source.name, source.reader);
+      data = times_.empty() ? vtkMoteReaderTable::Read(source.reader, error)
+                            : vtkMoteReaderTable::Read(source.reader, times_[step], error);
+      work.finish();
+    }
+    if (!data)
+      throw Failure(error.empty() ? source.name + " could not be read" : error);
+    // The reader writes its next step into the same object.
+    auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
+    copy->ShallowCopy(data);
+    const std::size_t first = all.size();
+    collectDataSets(copy, source.name, all);
+    for (std::size_t i = first; i < all.size(); ++i)
+    {
+      all[i].file = source.files.front();
+      if (source.times.empty())
+        continue;
+      const auto after = std::upper_bound(source.times.begin(), source.times.end(), times_[step]);
+      all[i].step = std::max(0, static_cast<int>(after - source.times.begin()) - 1);
+      all[i].steps = static_cast<int>(source.times.size());
+    }
+  }
+  return all;
+}
+
+std::vector<std::pair<std::string, std::optional<double>>> Input::filesAt(int step) const
+{
+  std::vector<std::pair<std::string, std::optional<double>>> all;
+  for (const Source& source : sources_)
+  {
+    if (source.times.empty())
+    {
+      all.emplace_back(source.files.front(), std::nullopt);
+      continue;
+    }
+    const auto after = std::upper_bound(source.times.begin(), source.times.end(), times_[step]);
+    const auto own = std::max<std::ptrdiff_t>(0, after - source.times.begin() - 1);
+    const bool fileAStep = source.files.size() == source.times.size();
+    all.emplace_back(source.files[fileAStep ? own : 0], source.times[own]);
+  }
+  return all;
+}
+
+std::string Input::name() const
+{
+  const std::string first = sources_.empty() ? "" : sources_.front().name;
+  return sources_.size() > 1 ? first + " and " + std::to_string(sources_.size() - 1) + " more"
+                             : first;
+}
+
+std::string captionOf(const Input& input, int step, const std::string& contents)
+{
+  std::string caption = input.name() + "   " + contents;
+  if (!input.times().empty())
+    caption += "   t = " + asNumber(input.times()[step], 10);
+  return caption;
+}
+
+} // namespace mote::app

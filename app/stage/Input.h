@@ -1,0 +1,80 @@
+#pragma once
+
+#include "base/ProgressRelay.h"
+#include "settings/Settings.h"
+
+#include <vtkSmartPointer.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkDataSet;
+
+namespace mote
+{
+class ScratchSpace;
+} // namespace mote
+
+namespace mote::app
+{
+
+/// One data set of a file, with the name to show for it.
+struct NamedData
+{
+  std::string name;
+  vtkSmartPointer<vtkDataSet> data;
+  std::string file; ///< that it is from, the first one of a series
+  int step = 0;     ///< among those of the file
+  int steps = 1;
+};
+
+/// The files of one command line: their readers, and the time steps of all of them together. Every
+/// member function throws Failure with a sentence if something cannot be read, and Interrupted.
+class Input
+{
+public:
+  /// Recognises the files; reads nothing.
+  explicit Input(const std::vector<std::string>& files);
+
+  /// Has the readers of text put what they read there rather than on the heap (see
+  /// vtkMotePolyDataReader), before any reading.
+  void setSpace(const std::shared_ptr<ScratchSpace>& space);
+
+  /// Finds the time steps, which may mean to read through the files.
+  void open(ProgressRelay& progress);
+
+  /// Ascending; empty where no file has time.
+  const std::vector<double>& times() const { return times_; }
+  int numberOfSteps() const { return times_.empty() ? 1 : static_cast<int>(times_.size()); }
+
+  /// The index of the step that --step and --time ask for.
+  int chosenStep(const Settings& settings) const;
+
+  /// All data sets at a step; of composite data every leaf.
+  std::vector<NamedData> read(int step, ProgressRelay& progress);
+
+  /// For each reader the file with a step, and the time to ask for where files have times.
+  std::vector<std::pair<std::string, std::optional<double>>> filesAt(int step) const;
+
+  /// The first file's name without folders, a series' with a "*"; "and 2 more" where there are.
+  std::string name() const;
+
+private:
+  struct Source
+  {
+    std::vector<std::string> files;
+    std::string name;
+    vtkSmartPointer<vtkAlgorithm> reader;
+    std::vector<double> times;
+  };
+  std::vector<Source> sources_;
+  std::vector<double> times_;
+};
+
+/// The line below a picture of a step, where none is given: the input, what is shown, the time.
+std::string captionOf(const Input& input, int step, const std::string& contents);
+
+} // namespace mote::app

@@ -1,0 +1,360 @@
+#include "Part.h"
+
+#include "base/Failure.h"
+#include "base/Messages.h"
+#include "base/Text.h"
+
+#include <vtkActor.h>
+#include <vtkCellTypes.h>
+#include <vtkDataSetSurfaceFilter.h>
+#include <vtkLookupTable.h>
+#include <vtkMath.h>
+#include <vtkMoteParticleMapper.h>
+#include <vtkMoteSourcePoints.h>
+#include <vtkMoteVolumeMapper.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkProperty.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkVolume.h>
+
+#include <algorithm>
+
+namespace mote::app
+{
+
+namespace
+{
+
+/// Whether the data say how large particles are.
+bool hasRadii(vtkDataSet* data)
+{
+  if (Part::isOfSource(data))
+    return true;
+  for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
+    if (const char* name = data->GetPointData()->GetArrayName(i))
+      if (lowerCase(name) == "radius" || lowerCase(name) == "diameter")
+        return true;
+  return false;
+}
+
+void shade(vtkProperty* property, bool mesh, double ambient)
+{
+  property->SetColor(0.91, 0.87, 0.79); // warm against the cool background
+  property->SetAmbient(mesh ? 0.1 : ambient);
+  property->SetDiffuse(mesh ? 0.9 : 0.75);
+  property->SetSpecular(mesh ? 0.1 : 0.0);
+  property->SetSpecularPower(30.0);
+}
+
+} // namespace
+
+Part::Part(const std::string& name, vtkDataSet* data, const Settings& settings, double ambient)
+  : settings_(settings)
+  , kind_(kindOf(data, settings))
+{
+  if (kind_ == Kind::Volume)
+    volume_ = std::make_unique<Volume>(settings_.volume);
+  if (kind_ == Kind::Particles)
+  {
+    auto mapper = vtkSmartPointer<vtkMoteParticleMapper>::New();
+    particles_ = mapper;
+    mapper_ = mapper;
+  }
+  this->setAmbient(ambient);
+  this->setData(name, data);
+}
+
+void Part::setAmbient(double ambient)
+{
+  shade(actor_->GetProperty(), !particles_, ambient);
+  if (volume_)
+    volume_->setAmbient(ambient);
+}
+
+void Part::followSettings()
+{
+  if (particles_)
+    this->setRadius();
+  if (volume_)
+    volume_->update();
+}
+
+Part::Kind Part::kindOf(vtkDataSet* data, const Settings& settings)
+{
+  if (!isMesh(data))
+    return Kind::Particles;
+  if (settings.volume.cells != "surface" && settings.color.array != "none" && Volume::canShow(data))
+    return Kind::Volume;
+  if (settings.volume.cells == "volume")
+    throw Failure("--cells volume needs tetrahedra, voxels, hexahedra, wedges or pyramids in an "
+                  "unstructured grid, and an array of numbers that colours them");
+  return Kind::Surface;
+}
+
+vtkProp3D* Part::prop() const
+{
+  return volume_ ? static_cast<vtkProp3D*>(volume_->volume()) : actor_;
+}
+
+vtkAlgorithm* Part::worker() const
+{
+  return volume_ ? static_cast<vtkAlgorithm*>(volume_->mapper()) : mapper_;
+}
+
+vtkTypeInt64 Part::structureBytes() const
+{
+  return particles_ ? particles_->GetStructureBytes()
+         : volume_  ? volume_->mapper()->GetStructureBytes()
+                    : 0;
+}
+
+double Part::buildTime() const
+{
+  return particles_ ? particles_->GetBuildTime()
+         : volume_  ? volume_->mapper()->GetBuildTime()
+                    : 0.0;
+}
+
+bool Part::isOfSource(vtkDataSet* data)
+{
+  auto* points = vtkPointSet::SafeDownCast(data);
+  auto* ofSource = points ? vtkMoteSourcePoints::SafeDownCast(points->GetPoints()) : nullptr;
+  return ofSource && ofSource->GetSource();
+}
+
+bool Part::isMesh(vtkDataSet* data)
+{
+  if (auto* surface = vtkPolyData::SafeDownCast(data))
+    return surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    vtkNew<vtkCellTypes> types;
+    grid->GetCellTypes(types);
+    for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+      if (types->GetCellType(i) > VTK_POLY_LINE)
+        return true;
+    return false;
+  }
+  return data->GetNumberOfCells() > 0;
+}
+
+void Part::setData(const std::string& name, vtkDataSet* data)
+{
+  name_ = name;
+  data_ = data;
+  if (particles_)
+  {
+    this->showAll(); // other data may lack the arrays
+    this->setRadius();
+    particles_->SetInputData(vtkPointSet::SafeDownCast(data));
+  }
+  else if (volume_)
+    volume_->setData(vtkUnstructuredGrid::SafeDownCast(data));
+  else
+    mapper_ = this->makeSurface();
+  actor_->SetMapper(mapper_);
+  this->prop()->VisibilityOn();
+}
+
+void Part::setRadius()
+{
+  particles_->SetStructureName(settings_.particles.structure.c_str());
+  particles_->SetStructureForm(settings_.particles.form.c_str());
+  particles_->SetRadiusScale(settings_.particles.radiusScale);
+  double radius = 0.0;
+  const bool number = parseNumber(settings_.particles.radius, radius);
+  if (number)
+  {
+    if (!(radius > 0.0))
+      throw Failure("--radius must be above zero, not " + settings_.particles.radius);
+    particles_->SetRadius(radius);
+  }
+  if (!settings_.particles.typeRadius.empty())
+  {
+    if (!data_->GetPointData()->GetArray("type"))
+      throw Failure(name_ + " has no array 'type' for --type-radius; it has " + listArrays(data_));
+    particles_->SetRadiusModeToType();
+    particles_->RemoveAllTypeRadii();
+    for (const auto& [type, value] : settings_.particles.typeRadius)
+      particles_->SetTypeRadius(type, value);
+  }
+  else if (number)
+    particles_->SetRadiusModeToConstant();
+  else if (settings_.particles.radius == "spacing" ||
+           (settings_.particles.radius == "auto" && !hasRadii(data_)))
+  {
+    // Particles keep their size when a simulation spreads or packs them.
+    particles_->SetRadius(keptRadius_);
+    particles_->SetRadiusMode(keptRadius_ > 0.0 ? vtkMoteParticleMapper::RADIUS_CONSTANT
+                                                : vtkMoteParticleMapper::RADIUS_FROM_SPACING);
+  }
+  else if (settings_.particles.radius == "auto")
+    particles_->SetRadiusModeToAutomatic();
+  else
+  {
+    if (!data_->GetPointData()->GetArray(settings_.particles.radius.c_str()))
+      throw Failure("--radius: " + name_ + " has no array '" + settings_.particles.radius +
+                    "'; it has " + listArrays(data_));
+    particles_->SetRadiusArrayName(settings_.particles.radius.c_str());
+    particles_->SetRadiusModeToArray();
+  }
+}
+
+void Part::setPreview(bool on)
+{
+  if (particles_)
+    particles_->SetPreview(on);
+}
+
+std::string Part::update()
+{
+  // One that could not be built stays away, and is told of already.
+  if (!particles_ || !this->prop()->GetVisibility())
+    return {};
+  Messages::takeError();
+  particles_->Update();
+  return Messages::takeError();
+}
+
+void Part::work(ProgressRelay& progress, const std::function<void()>& build)
+{
+  Messages::takeError();
+  {
+    ProgressRelay::Work work(progress,
+      kind_ == Kind::Surface ? "Extracting surface" : "Building structure", this->worker());
+    build();
+    work.finish();
+  }
+  if (const std::string error = Messages::takeError(); !error.empty())
+    throw Failure(error);
+}
+
+void Part::finishBuild(ProgressRelay& progress)
+{
+  if (particles_)
+    this->work(progress, [this] { particles_->FinishBuild(); });
+}
+
+void Part::build(ProgressRelay& progress)
+{
+  this->prop()->VisibilityOff(); // whatever happens, nothing half built is drawn
+  this->work(progress, [this] { this->worker()->Update(); });
+  this->prop()->VisibilityOn();
+  if (particles_ && particles_->GetRadiusMode() == vtkMoteParticleMapper::RADIUS_FROM_SPACING &&
+      particles_->GetNumberOfParticles() > 1)
+    keptRadius_ = particles_->GetRadiusInUse() / settings_.particles.radiusScale;
+}
+
+vtkSmartPointer<vtkMapper> Part::makeSurface()
+{
+  auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+  auto* surface = vtkPolyData::SafeDownCast(data_);
+  if (surface && surface->GetPointData()->GetNormals())
+    mapper->SetInputData(surface);
+  else if (surface)
+  {
+    vtkNew<vtkPolyDataNormals> normals;
+    normals->SetInputData(surface);
+    mapper->SetInputConnection(normals->GetOutputPort());
+  }
+  else
+  {
+    vtkNew<vtkDataSetSurfaceFilter> faces;
+    faces->SetInputData(data_);
+    mapper->SetInputConnection(faces->GetOutputPort());
+  }
+  return mapper;
+}
+
+void Part::setColors(const ArrayChoice& choice, vtkLookupTable* table)
+{
+  colored_ = choice;
+  if (volume_)
+    return volume_->setColors(data_, choice, table, sceneSize_);
+  mapper_->SetScalarVisibility(arrayOf(data_, choice) != nullptr);
+  if (!mapper_->GetScalarVisibility())
+    return;
+  if (choice.ofCells)
+    mapper_->SetScalarModeToUseCellFieldData();
+  else
+    mapper_->SetScalarModeToUsePointFieldData();
+  mapper_->SelectColorArray(choice.name.c_str());
+  mapper_->SetLookupTable(table);
+  mapper_->UseLookupTableScalarRangeOn();
+}
+
+void Part::showAll()
+{
+  if (volume_)
+    volume_->showAll();
+  if (!particles_)
+    return;
+  particles_->RemoveAllRanges();
+  particles_->UseVisibilityRangeOff();
+}
+
+void Part::limit(const ArrayChoice& choice, double low, double high)
+{
+  if (particles_)
+    particles_->AddRange(choice.name.c_str(), choice.component, low, high);
+  if (volume_ && choice == colored_)
+    volume_->limit(low, high);
+  else if (volume_)
+    throw Failure("--show: a volume hides values of the array that colours it, '" + colored_.name +
+                  "', and of no other, such as '" + choice.name + "'");
+}
+
+void Part::limitPlace(int place, double low, double high)
+{
+  if (!particles_)
+    return;
+  if (place < 3)
+    particles_->SetCenterRange(place, low, high);
+  else
+    particles_->SetRadiusRange(low, high);
+}
+
+void Part::setVisible(const ArrayChoice& choice, const double range[2])
+{
+  if (volume_ && choice == colored_)
+    volume_->limit(range[0], range[1]);
+  else if (volume_)
+    throw Failure("--show-by: a volume hides values of the array that colours it, '" +
+                  colored_.name + "', and of no other");
+  if (!particles_)
+    return;
+  particles_->SetUseVisibilityRange(arrayOf(data_, choice) != nullptr);
+  if (!particles_->GetUseVisibilityRange())
+    return;
+  particles_->SetVisibilityArrayName(choice.name.c_str());
+  particles_->SetVisibilityComponent(choice.component);
+  particles_->SetVisibilityRange(range[0], range[1]);
+}
+
+void Part::applyRanges()
+{
+  if (particles_)
+    particles_->Update();
+}
+
+void Part::shownBounds(double bounds[6]) const
+{
+  vtkMath::UninitializeBounds(bounds);
+  if (!this->prop()->GetVisibility())
+    return;
+  if (particles_)
+    particles_->GetVisibleBounds(bounds);
+  else if (const double* own = this->prop()->GetBounds())
+    std::copy_n(own, 6, bounds);
+}
+
+vtkIdType Part::numberShown() const
+{
+  return particles_ ? particles_->GetNumberOfVisibleParticles() : 0;
+}
+
+} // namespace mote::app

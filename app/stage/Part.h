@@ -1,0 +1,123 @@
+#pragma once
+
+#include "Arrays.h"
+#include "Volume.h"
+#include "base/ProgressRelay.h"
+#include "settings/Settings.h"
+
+#include <vtkDataSet.h>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+
+class vtkActor;
+class vtkAlgorithm;
+class vtkLookupTable;
+class vtkMapper;
+class vtkMoteParticleMapper;
+class vtkProp3D;
+
+namespace mote::app
+{
+
+/// One data set in the picture: its points as particles, its cells as a volume, or their surface.
+class Part
+{
+public:
+  /// `ambient` is the share of light from all sides.
+  Part(const std::string& name, vtkDataSet* data, const Settings& settings, double ambient);
+
+  /// Sets the share of light from all sides.
+  void setAmbient(double ambient);
+
+  /// Follows the settings: radii, structures, what volumes are made of. Colours and what is shown
+  /// are set by others. Throws Failure.
+  void followSettings();
+
+  enum class Kind
+  {
+    Particles,
+    Surface,
+    Volume
+  };
+  /// How a data set is shown.
+  static Kind kindOf(vtkDataSet* data, const Settings& settings);
+
+  /// Whether a data set has cells to show rather than particles.
+  static bool isMesh(vtkDataSet* data);
+
+  /// Whether points come from a generator or a .mote file, which tells their radii too.
+  static bool isOfSource(vtkDataSet* data);
+
+  /// Other data of the same kind, such as the next time step.
+  void setData(const std::string& name, vtkDataSet* data);
+
+  /// Brings structures up to date. Throws Failure and Interrupted, after which nothing is drawn.
+  void build(ProgressRelay& progress);
+
+  /// Whether build() of many particles leaves them to another thread, with a preview meanwhile.
+  void setPreview(bool on);
+  /// Takes what another thread has built by now. Returns what went wrong, or nothing.
+  std::string update();
+  /// Waits for what another thread builds. Throws Failure and Interrupted.
+  void finishBuild(ProgressRelay& progress);
+
+  /// Tells how large all that is shown is.
+  void setSceneSize(double diagonal) { sceneSize_ = diagonal; }
+
+  /// Colours by an array through the table; by none with one colour.
+  void setColors(const ArrayChoice& choice, vtkLookupTable* table);
+
+  /// Hides no particle.
+  void showAll();
+  /// Hides particles with values outside, besides those that are hidden already.
+  void limit(const ArrayChoice& choice, double low, double high);
+  /// The same by place: 0, 1, 2 for x, y, z, 3 for the radius.
+  void limitPlace(int place, double low, double high);
+  /// The same by one more array, if the part has it.
+  void setVisible(const ArrayChoice& choice, const double range[2]);
+  /// Brings what is shown up to date with the limits.
+  void applyRanges();
+
+  /// How many particles are not hidden.
+  vtkIdType numberShown() const;
+
+  /// Bounds of what is not hidden; not initialized where there is nothing.
+  void shownBounds(double bounds[6]) const;
+
+  /// The radius that stays from the first step with particles on, where it is half their spacing;
+  /// else 0.
+  double keptRadius() const { return keptRadius_; }
+
+  const std::string& name() const { return name_; }
+  vtkDataSet* data() const { return data_; }
+  Kind kind() const { return kind_; }
+  vtkProp3D* prop() const;
+  vtkMoteParticleMapper* particles() const { return particles_; } ///< null for cells
+  vtkTypeInt64 structureBytes() const;
+  double buildTime() const;
+
+private:
+  void setRadius();
+  void work(ProgressRelay& progress, const std::function<void()>& build);
+  vtkSmartPointer<vtkMapper> makeSurface();
+
+  vtkAlgorithm* worker() const;
+
+  std::string name_;
+  vtkSmartPointer<vtkDataSet> data_;
+  const Settings& settings_;
+  Kind kind_;
+  vtkNew<vtkActor> actor_;
+  std::unique_ptr<Volume> volume_;
+  ArrayChoice colored_;
+  double sceneSize_ = 1.0;
+  vtkSmartPointer<vtkMapper> mapper_;
+  vtkMoteParticleMapper* particles_ = nullptr;
+  double keptRadius_ = 0.0; // from the spacing of the first step with particles
+};
+
+} // namespace mote::app

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "Stage.h"
+#include "base/ProgressRelay.h"
+
+#include <vtkMoteColorLegend.h>
+#include <vtkMoteImageWriter.h>
+#include <vtkMoteRendererSource.h>
+#include <vtkNew.h>
+
+#include <string>
+
+namespace mote::app
+{
+
+/// Side, numbers and letters of a legend as the settings say.
+void applyLook(vtkMoteColorLegend* legend, const PictureSettings& look);
+
+/// The pipeline from a stage to a picture file, without a window: that of `mote render`, and of the
+/// window's saved pictures.
+class Picture
+{
+public:
+  /// Of the size in pixels that the stage's settings have, or of this one.
+  Picture(Stage& stage, const std::array<int, 2>& size);
+
+  /// Throws Failure if the file could not be written, as far as can be told beforehand.
+  void aim(const std::string& file);
+
+  /// Whether legend and caption are drawn: not in an EXR, which is for further work.
+  bool labelled() const { return labelled_; }
+
+  /// Room for the legend at its side and for the caption below.
+  Margins margins();
+
+  double aspect() const { return double(size_[0]) / size_[1]; }
+
+  /// Traces and writes. `caption` stands where the settings have none. Throws Failure and
+  /// Interrupted.
+  void write(const std::string& caption, ProgressRelay& progress);
+
+  double traceTime() const { return source_->GetTraceTime(); }
+
+  /// "16 samples per pixel", and with --noise what came of it.
+  std::string quality() const;
+
+private:
+  void takeStage();
+  void takeSettings();
+  void requireMemory() const;
+  double bytes() const;
+  std::string needs() const;
+
+  Stage& stage_;
+  std::array<int, 2> size_;
+  vtkNew<vtkRenderer> renderer_; ///< of the stage's data alone, without what a window adds
+  vtkNew<vtkMoteRendererSource> source_;
+  vtkNew<vtkMoteColorLegend> legend_;
+  vtkNew<vtkMoteImageWriter> writer_;
+  bool labelled_ = true;
+  bool exr_ = false;
+};
+
+} // namespace mote::app

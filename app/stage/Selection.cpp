@@ -1,0 +1,127 @@
+#include "Selection.h"
+
+#include "base/Failure.h"
+#include "base/Text.h"
+
+#include <vtkDataSet.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace mote::app
+{
+
+namespace
+{
+
+constexpr std::size_t mostArrays = 4;
+
+/// Which of x, y, z, radius; -1 for arrays.
+int placeNamed(const std::string& name)
+{
+  const std::vector<std::string> names = {"x", "y", "z", "radius"};
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+}
+
+ArrayChoice pointArray(vtkDataSet* data, const std::string& text)
+{
+  const ArrayChoice choice = findArray(data, text);
+  return choice.ofCells ? ArrayChoice{} : choice;
+}
+
+} // namespace
+
+Selection::Selection(const Settings& settings)
+  : settings_(settings)
+{
+  this->followSettings();
+}
+
+void Selection::followSettings()
+{
+  if (!known_.empty() && followed_ == settings_.selection)
+    return;
+  followed_ = settings_.selection;
+  known_.assign(followed_.ranges.size() + 1, false);
+  warned_.assign(followed_.ranges.size() + 1, false);
+}
+
+void Selection::require(bool found, std::size_t range, const std::string& name, const Part& part,
+  const std::string& option)
+{
+  if (found)
+    known_[range] = true;
+  else if (!known_[range])
+    throw Failure(option + ": " + part.name() + " has no array '" + name + "'; it has " +
+                  (option == "--show" ? "x, y, z, radius, " : "") + listArrays(part.data()));
+  else if (!warned_[range])
+  {
+    warned_[range] = true;
+    std::fprintf(stderr,
+      "mote: warning: %s: a time step has no array '%s', so it is shown without that range\n",
+      option.c_str(), name.c_str());
+  }
+}
+
+void Selection::apply(const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& colored)
+{
+  this->followSettings();
+  const SelectionSettings& wanted = settings_.selection;
+  const Part* first = nullptr; // with particles: an empty step says nothing about arrays
+  for (const auto& part : parts)
+  {
+    part->showAll();
+    if (!first && part->kind() != Part::Kind::Surface && part->data()->GetNumberOfPoints() > 0)
+      first = part.get();
+  }
+  if (!first)
+    return;
+  std::vector<ArrayChoice> arrays;
+  for (std::size_t i = 0; i < wanted.ranges.size(); ++i)
+  {
+    const ShowRange& range = wanted.ranges[i];
+    const int place = placeNamed(range.name);
+    bool found = place >= 0;
+    for (const auto& part : parts)
+    {
+      const bool isVolume = part->kind() == Part::Kind::Volume;
+      const ArrayChoice choice = place >= 0 ? ArrayChoice{}
+                                 : isVolume ? findArray(part->data(), range.name)
+                                            : pointArray(part->data(), range.name);
+      if (choice && std::find(arrays.begin(), arrays.end(), choice) == arrays.end())
+        arrays.push_back(choice);
+      if (arrays.size() > mostArrays)
+        throw Failure("--show takes at most four arrays, besides x, y, z and radius");
+      if (place >= 0 && isVolume)
+        throw Failure(
+          "--show: volumes are hidden by the array that colours them, not by " + range.name);
+      if (place >= 0)
+        part->limitPlace(place, range.low, range.high);
+      else if (choice)
+        part->limit(choice, range.low, range.high);
+      found = found || choice;
+    }
+    this->require(found, i + 1, range.name, *first, "--show");
+  }
+  if (!wanted.range.empty())
+  {
+    bool found = false;
+    for (const auto& part : parts)
+    {
+      const ArrayChoice choice =
+        wanted.array.empty() ? colored : pointArray(part->data(), wanted.array);
+      found = found || arrayOf(part->data(), choice);
+      part->setVisible(choice, wanted.range.data());
+    }
+    if (!found && wanted.array.empty() && !known_[0])
+      throw Failure("--show-range needs an array: name one with --show-by");
+    this->require(found, 0, wanted.array.empty() ? colored.name : wanted.array, *first,
+      wanted.array.empty() ? "--show-range" : "--show-by");
+  }
+  for (const auto& part : parts)
+    part->applyRanges();
+}
+
+} // namespace mote::app

@@ -1,0 +1,311 @@
+#include "Stage.h"
+
+#include "Colors.h"
+#include "Silhouettes.h"
+#include "SimulationBox.h"
+#include "base/Failure.h"
+#include "base/Text.h"
+#include "settings/Values.h"
+
+#include <vtkBoundingBox.h>
+#include <vtkCamera.h>
+#include <vtkDataSet.h>
+#include <vtkMath.h>
+#include <vtkMoteParticleMapper.h>
+#include <vtkProp3D.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mote::app
+{
+
+Stage::Stage(const Settings& settings)
+  : settings_(settings)
+  , lighting_(renderer_, settings_)
+  , coloring_(settings_)
+  , selection_(settings_)
+{
+  setBackground(renderer_, settings.picture.background);
+  choose(settings.silhouettes, vtkMoteSilhouettes::RADII, silhouettes_);
+  renderer_->GetActiveCamera()->SetParallelProjection(settings.camera.orthographic);
+}
+
+bool Stage::apply(const Settings& settings)
+{
+  const Settings before = settings_;
+  settings_ = settings;
+  setBackground(renderer_, settings.picture.background);
+  lighting_.update();
+  choose(settings.silhouettes, vtkMoteSilhouettes::RADII, silhouettes_);
+  const bool otherKinds = std::any_of(parts_.begin(), parts_.end(),
+    [&](const auto& part) { return part->kind() != Part::kindOf(part->data(), settings_); });
+  if (otherKinds)
+    this->setData(std::vector<NamedData>(data_));
+  for (const auto& part : parts_)
+  {
+    part->setAmbient(lighting_.ambient());
+    part->followSettings();
+  }
+  if (otherKinds || before.color != settings.color || before.selection != settings.selection ||
+      before.volume != settings.volume)
+    this->applyColors();
+  return otherKinds || before.particles != settings.particles ||
+         before.volume.structure != settings.volume.structure;
+}
+
+Settings Stage::settingsInForce() const
+{
+  Settings all = settings_;
+  all.color = coloring_.inForce(parts_);
+  vtkCamera* camera = renderer_->GetActiveCamera();
+  all.camera.orthographic = camera->GetParallelProjection() != 0;
+  all.camera.camera = cameraOf(camera);
+  if (parts_.size() == 1 && parts_.front()->keptRadius() > 0.0)
+    all.particles.radius = exactText(parts_.front()->keptRadius());
+  return all;
+}
+
+void Stage::setData(const std::vector<NamedData>& data)
+{
+  data_ = data;
+  bool sameKinds = parts_.size() == data.size();
+  for (std::size_t i = 0; sameKinds && i < data.size(); ++i)
+    sameKinds = parts_[i]->kind() == Part::kindOf(data[i].data, settings_);
+  if (sameKinds)
+  {
+    for (std::size_t i = 0; i < data.size(); ++i)
+      parts_[i]->setData(data[i].name, data[i].data);
+    return this->setSizes();
+  }
+  for (const auto& part : parts_)
+    renderer_->RemoveViewProp(part->prop());
+  parts_.clear();
+  for (const NamedData& one : data)
+  {
+    parts_.push_back(std::make_unique<Part>(one.name, one.data, settings_, lighting_.ambient()));
+    renderer_->AddViewProp(parts_.back()->prop());
+  }
+  this->setSizes();
+  const bool anyRadii = std::any_of(
+    parts_.begin(), parts_.end(), [](const auto& part) { return part->particles() != nullptr; });
+  if (!parts_.empty() && !anyRadii &&
+      (settings_.particles.radius != "auto" || !settings_.particles.typeRadius.empty()))
+    throw Failure("--radius and --type-radius are for particles, and " + parts_.front()->name() +
+                  " holds cells alone");
+}
+
+void Stage::setSizes()
+{
+  vtkBoundingBox all;
+  for (const auto& part : parts_)
+    if (part->data()->GetNumberOfPoints() > 0)
+      all.AddBounds(part->data()->GetBounds());
+  for (const auto& part : parts_)
+    part->setSceneSize(
+      all.IsValid() && all.GetDiagonalLength() > 0.0 ? all.GetDiagonalLength() : 1.0);
+}
+
+void Stage::build(ProgressRelay& progress)
+{
+  for (const auto& part : parts_)
+    part->build(progress);
+}
+
+void Stage::setPreview(bool on)
+{
+  for (const auto& part : parts_)
+    part->setPreview(on);
+}
+
+std::string Stage::update()
+{
+  std::string error;
+  for (const auto& part : parts_)
+    if (const std::string own = part->update(); error.empty())
+      error = own;
+  return error;
+}
+
+void Stage::finishBuild(ProgressRelay& progress)
+{
+  for (const auto& part : parts_)
+    part->finishBuild(progress);
+}
+
+void Stage::stopBuild()
+{
+  for (const auto& part : parts_)
+    if (part->particles())
+      part->particles()->StopBuild();
+}
+
+bool Stage::isBuilding() const
+{
+  return std::any_of(parts_.begin(), parts_.end(),
+    [](const auto& part) { return part->particles() && part->particles()->IsBuilding(); });
+}
+
+std::string Stage::preview() const
+{
+  vtkIdType shown = 0;
+  bool any = false;
+  double built = 0.0;
+  for (const auto& part : parts_)
+    if (vtkMoteParticleMapper* mapper = part->particles())
+    {
+      any = any || mapper->IsPreview();
+      shown += mapper->IsPreview() ? mapper->GetNumberOfPreviewParticles()
+                                   : mapper->GetNumberOfParticles();
+      built += mapper->GetBuildProgress() * static_cast<double>(mapper->GetNumberOfParticles());
+    }
+  if (!any)
+    return {};
+  const vtkIdType all = this->numberOfParticles();
+  std::string text =
+    "Preview: " + withThousands(shown) + " of " + counted(all, "particle") + ", enlarged";
+  if (this->isBuilding())
+    text += "; " + asNumber(std::floor(100.0 * built / static_cast<double>(all))) + " % built";
+  return text;
+}
+
+void Stage::applyColors()
+{
+  coloring_.apply(parts_);
+  selection_.apply(parts_, coloring_.choice());
+}
+
+void Stage::look(double aspect, const Margins& margins)
+{
+  const CameraSettings& wanted = settings_.camera;
+  double box[6], shown[6];
+  this->bounds(box);
+  this->shownBounds(shown);
+  vtkCamera* camera = renderer_->GetActiveCamera();
+  camera->SetParallelProjection(wanted.orthographic);
+  if (!wanted.camera.empty())
+    setCamera(camera, wanted.camera);
+  else
+  {
+    camera->SetViewAngle(usualViewAngle);
+    lookFrom(camera, wanted.view == "auto" ? this->automaticSide() : wanted.view);
+    camera->Azimuth(wanted.azimuth);
+    camera->Elevation(wanted.elevation);
+    frame(camera, shown, aspect, margins);
+    camera->Zoom(wanted.zoom);
+  }
+  renderer_->ResetCameraClippingRange(box);
+}
+
+std::string Stage::automaticSide() const
+{
+  vtkBoundingBox positions;
+  bool surfaces = !parts_.empty();
+  for (const auto& part : parts_)
+  {
+    if (part->data()->GetNumberOfPoints() > 0)
+      positions.AddBounds(part->data()->GetBounds());
+    surfaces = surfaces && !part->particles() && part->data()->IsA("vtkPolyData");
+  }
+  double bounds[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+  if (positions.IsValid())
+    positions.GetBounds(bounds);
+  const std::string side = automaticView(bounds);
+  // Modellers of surfaces have y up, simulations z.
+  return side == "iso" && surfaces ? "iso-y" : side;
+}
+
+void Stage::bounds(double bounds[6]) const
+{
+  vtkBoundingBox box;
+  for (const auto& part : parts_)
+    if (const double* own = part->prop()->GetVisibility() ? part->prop()->GetBounds() : nullptr)
+      if (vtkMath::AreBoundsInitialized(own))
+        box.AddBounds(own);
+  // Without particles the box that they will come into.
+  for (const auto& part : parts_)
+    if (const auto own = simulationBoxOf(part->data()); own && !box.IsValid())
+      for (int corner = 0; corner < 8; ++corner)
+        box.AddPoint(cornerOf(*own, corner).data());
+  if (!box.IsValid())
+    box.SetBounds(-0.5, 0.5, -0.5, 0.5, -0.5, 0.5);
+  box.GetBounds(bounds);
+}
+
+void Stage::shownBounds(double bounds[6]) const
+{
+  vtkBoundingBox box;
+  for (const auto& part : parts_)
+  {
+    double own[6];
+    part->shownBounds(own);
+    if (vtkMath::AreBoundsInitialized(own))
+      box.AddBounds(own);
+  }
+  if (box.IsValid())
+    box.GetBounds(bounds);
+  else
+    this->bounds(bounds);
+}
+
+vtkIdType Stage::numberOfParticles() const
+{
+  vtkIdType count = 0;
+  for (const auto& part : parts_)
+    if (part->particles())
+      count += part->particles()->GetNumberOfParticles();
+  return count;
+}
+
+vtkIdType Stage::numberShown() const
+{
+  vtkIdType count = 0;
+  for (const auto& part : parts_)
+    count += part->numberShown();
+  return count;
+}
+
+vtkIdType Stage::numberOfCells() const
+{
+  vtkIdType count = 0;
+  for (const auto& part : parts_)
+    if (!part->particles())
+      count += part->data()->GetNumberOfCells();
+  return count;
+}
+
+vtkTypeInt64 Stage::structureBytes() const
+{
+  vtkTypeInt64 bytes = 0;
+  for (const auto& part : parts_)
+    bytes += part->structureBytes();
+  return bytes;
+}
+
+double Stage::buildTime() const
+{
+  double seconds = 0.0;
+  for (const auto& part : parts_)
+    seconds += part->buildTime();
+  return seconds;
+}
+
+std::string Stage::contents() const
+{
+  std::string text;
+  const vtkIdType cells = this->numberOfCells();
+  const bool particles = std::any_of(
+    parts_.begin(), parts_.end(), [](const auto& part) { return part->particles() != nullptr; });
+  if (particles || parts_.empty())
+  {
+    text = counted(this->numberOfParticles(), "particle");
+    // How many of all are shown a preview does not know.
+    if (this->preview().empty() && this->numberShown() != this->numberOfParticles())
+      text = withThousands(this->numberShown()) + " of " + text + " shown";
+  }
+  if (cells > 0)
+    text += (text.empty() ? "" : ", ") + counted(cells, "cell");
+  return text;
+}
+
+} // namespace mote::app

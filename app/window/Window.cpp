@@ -1,0 +1,428 @@
+#include "Window.h"
+
+#include "InteractorStyle.h"
+#include "base/Failure.h"
+#include "base/Text.h"
+#include "commands/Bake.h"
+#include "settings/Session.h"
+#include "stage/Colors.h"
+
+#include <vtkCamera.h>
+#include <vtkCommand.h>
+#include <vtkMoteShading.h>
+#include <vtkMoteSilhouettes.h>
+#include <vtkRenderer.h>
+#include <vtkTimerLog.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace mote::app
+{
+
+namespace
+{
+
+constexpr unsigned long restAfter = 250;  // ms from a turn of the wheel to sharpening
+constexpr unsigned long playPause = 60;   // ms between time steps
+constexpr unsigned long buildPause = 200; // ms between looks at what other threads build
+constexpr int previewSamples = 4;         // rays a pixel: more would slow down the build behind it
+
+template <class Function>
+void observe(vtkObject* object, unsigned long event, const Function& function)
+{
+  class Command : public vtkCommand
+  {
+  public:
+    explicit Command(const Function& f)
+      : function_(f)
+    {
+    }
+    void Execute(vtkObject*, unsigned long, void* data) override { function_(data); }
+
+  private:
+    Function function_;
+  };
+  auto* command = new Command(function);
+  object->AddObserver(event, command);
+  command->Delete();
+}
+
+/// Leaves the object alone when the window goes: what is still fired finds no one.
+void forget(vtkObject* object)
+{
+  object->RemoveAllObservers();
+}
+
+} // namespace
+
+void addWindowOptions(CLI::App& app, WindowOptions& options)
+{
+  addAllSettings(app, options.given);
+  addSessionOption(app, options.session);
+  app
+    .add_flag_function(
+      "--no-preview", [&options](std::int64_t) { options.preview = false; },
+      "Show nothing before the structure is built. Else large sets begin with a preview: a part of "
+      "the particles, enlarged, and a line that says so")
+    ->group("Picture");
+}
+
+void showWindow(const WindowOptions& options)
+{
+  const Settings settings = options.given.resolved();
+  Input input(settings.data.files);
+  if (!displayAvailable())
+    throw Failure("there is no display to open a window on; make a picture instead: "
+                  "mote render FILE -o picture.png");
+  Window window(options, settings, input);
+  window.run();
+}
+
+Window::Window(const WindowOptions& options, const Settings& settings, Input& input)
+  : options_(options)
+  , asked_(settings)
+  , input_(input)
+  , stage_(settings)
+  , overlay_(stage_.renderer())
+  , props_(stage_)
+  , bar_(window_, stage_.renderer())
+{
+  progress_.add(terminal_);
+  progress_.add(bar_);
+  this->setUpWindow();
+  this->setUpEvents();
+}
+
+Window::~Window()
+{
+  forget(window_);
+  forget(pass_);
+  forget(style_);
+  forget(interactor_);
+}
+
+void Window::setUpWindow()
+{
+  window_->SetMultiSamples(0); // the rays are the antialiasing
+  window_->SetWindowName(("Mote: opening " + input_.name()).c_str());
+  window_->AddRenderer(stage_.renderer());
+  const std::array<int, 2> size = asked_.picture.size;
+  const int* screen = window_->GetScreenSize();
+  window_->SetSize(size[0] > 0 ? size[0] : std::min(1280, screen[0] * 9 / 10),
+    size[0] > 0 ? size[1] : std::min(860, screen[1] * 8 / 10));
+  pass_->ProgressiveOn();
+  pass_->SetNumberOfThreads(asked_.data.threads);
+  pass_->SetShading(stage_.lighting().shading());
+  pass_->SetSilhouettes(stage_.silhouettes());
+  stage_.renderer()->SetPass(pass_);
+  overlay_.setInk(inkOn(stage_.renderer()));
+  interactor_->SetRenderWindow(window_);
+  interactor_->SetInteractorStyle(style_);
+}
+
+void Window::choosePass()
+{
+  // Where there is nothing to trace OpenGL smooths the edges.
+  const auto& parts = stage_.parts();
+  traced_ =
+    parts.empty() || std::any_of(parts.begin(), parts.end(),
+                       [](const auto& part) { return part->kind() != Part::Kind::Surface; });
+  stage_.renderer()->SetPass(traced_ ? pass_.Get() : nullptr);
+  stage_.renderer()->SetUseFXAA(!traced_);
+}
+
+void Window::setUpEvents()
+{
+  style_->onKey = [this](const std::string& key)
+  {
+    try
+    {
+      this->act(bindingOf(key));
+    }
+    catch (const Failure& failure)
+    {
+      this->say(failure.what());
+      this->render();
+    }
+  };
+  style_->onZoom = [this](double factor) { this->zoom(factor); };
+  observe(window_, vtkCommand::StartEvent, [this](void*) { this->onRenderStart(); });
+  observe(window_, vtkCommand::EndEvent, [this](void*) { this->onRenderEnd(); });
+  // Input stops what sharpens a picture and nothing else: VTK shows no frame that was stopped, and
+  // whoever holds a key would see none.
+  observe(pass_, vtkCommand::ProgressEvent,
+    [this](void*)
+    {
+      if (!busy_ && inputWaits(window_))
+        window_->SetAbortRender(1);
+    });
+  observe(style_, vtkCommand::EndInteractionEvent, [this](void*) { this->recordCamera(); });
+  observe(interactor_, vtkCommand::ExitEvent, [this](void*) { this->quit(); });
+  observe(interactor_, vtkCommand::TimerEvent,
+    [this](void* timer) { this->onTimer(*static_cast<int*>(timer)); });
+}
+
+void Window::run()
+{
+  interactor_->Initialize();
+  busy_ = true;
+  try
+  {
+    bar_.show("Opening " + input_.name(), 0.0);
+    input_.open(progress_);
+    step_ = input_.chosenStep(asked_);
+    const auto data = input_.read(step_, progress_);
+    addOcclusionMaps(data);
+    stage_.setData(data);
+    stage_.setPreview(options_.preview);
+    stage_.build(progress_);
+    stage_.applyColors();
+    bar_.hide();
+  }
+  catch (const Interrupted&)
+  {
+    if (bar_.wantsQuit())
+      return;
+    throw;
+  }
+  busy_ = false;
+  previewed_ = !stage_.preview().empty();
+  this->nameWindow();
+  this->look();
+  props_.update();
+  this->choosePass();
+  this->say("Press h for the keys");
+  props_.attach(interactor_); // which draws the window
+  this->render();
+  if (!quit_)
+    interactor_->Start();
+  if (!options_.session.empty())
+    writeSession(this->settingsInForce(), options_.session);
+}
+
+//------------------------------------------------------------------------------------------------
+// Time
+
+void Window::quit()
+{
+  quit_ = true;
+  // Not TerminateApp(): that of VTK 9.1 closes the display under the event loop's feet.
+  interactor_->SetDone(true);
+}
+
+bool Window::perform(const std::function<void()>& work)
+{
+  busy_ = true;
+  bar_.reset();
+  bool done = false;
+  std::string message;
+  try
+  {
+    work();
+    done = true;
+  }
+  catch (const Interrupted&)
+  {
+    message = "Stopped";
+  }
+  catch (const Failure& failure)
+  {
+    message = failure.what();
+  }
+  busy_ = false;
+  if (bar_.wantsQuit())
+    this->quit();
+  else if (!done)
+  {
+    playing_ = false;
+    this->say(message);
+  }
+  return done;
+}
+
+void Window::load(int step)
+{
+  props_.unmark();
+  stage_.stopBuild();
+  const auto data = input_.read(step, progress_);
+  addOcclusionMaps(data);
+  stage_.setData(data);
+  // What plays would go on to the next step before it is built.
+  stage_.setPreview(options_.preview && !playing_);
+  step_ = step;
+  stage_.build(progress_);
+  stage_.applyColors();
+  this->choosePass();
+}
+
+void Window::advance()
+{
+  if (playing_ && this->follow(this->withStep((step_ + 1) % input_.numberOfSteps())))
+    this->startTimer(playTimer_, playPause);
+  this->render();
+}
+
+//------------------------------------------------------------------------------------------------
+// Drawing
+
+void Window::look()
+{
+  const int* size = window_->GetSize();
+  Margins margins;
+  // Both sides alike, so that what turns about its middle stays in the window's middle.
+  const bool legend = this->settings().picture.legend && stage_.coloring().legendTable();
+  margins.left = margins.right = legend ? 0.03 + 0.13 * size[1] / std::max(1, size[0]) : 0.04;
+  margins.bottom = margins.top = 0.06;
+  stage_.look(double(size[0]) / std::max(1, size[1]), margins);
+  view_ = this->viewNow();
+  viewSize_ = {size[0], size[1]};
+}
+
+std::array<double, 10> Window::viewNow()
+{
+  vtkCamera* camera = stage_.renderer()->GetActiveCamera();
+  std::array<double, 10> view{};
+  camera->GetPosition(&view[0]);
+  camera->GetFocalPoint(&view[3]);
+  camera->GetViewUp(&view[6]);
+  view[9] = camera->GetParallelScale() + camera->GetParallelProjection();
+  return view;
+}
+
+void Window::render()
+{
+  // While time goes on the next step matters more than a sharp picture of this one.
+  window_->SetDesiredUpdateRate(
+    playing_ ? interactor_->GetDesiredUpdateRate() : interactor_->GetStillUpdateRate());
+  window_->Render();
+}
+
+void Window::renderMoving()
+{
+  wheeling_ = true;
+  window_->SetDesiredUpdateRate(interactor_->GetDesiredUpdateRate());
+  window_->Render();
+  this->startTimer(restTimer_, restAfter);
+}
+
+void Window::nameWindow()
+{
+  window_->SetWindowName(("Mote - " + input_.name() + (previewed_ ? " (preview)" : "")).c_str());
+}
+
+void Window::updatePreview()
+{
+  // Before the frame: what is built meanwhile may be in it, but no preview that nothing tells of.
+  if (const std::string error = stage_.update(); !error.empty())
+    this->say(error);
+  const std::string preview = stage_.preview();
+  if (previewed_ != !preview.empty())
+  {
+    previewed_ = !preview.empty();
+    props_.unmark(); // its size was that of the particle as it was drawn
+    this->nameWindow();
+  }
+  overlay_.setPreview(preview);
+  const Settings& wanted = this->settings();
+  const int samples = wanted.picture.mostSamples(wanted.light.pathTrace);
+  pass_->SetNoiseLevel(wanted.picture.noise.value_or(0.0));
+  pass_->SetSamplesPerPixel(previewed_ ? std::min(previewSamples, samples) : samples);
+}
+
+void Window::onRenderStart()
+{
+  frameStart_ = vtkTimerLog::GetUniversalTime();
+  if (busy_)
+    return;
+  // A view that the user has not touched goes on to fit when the window's shape changes.
+  const int* size = window_->GetSize();
+  if (viewSize_ != std::array<int, 2>{size[0], size[1]} && view_ == this->viewNow())
+    this->look();
+  this->updatePreview();
+  overlay_.setStatus(this->statusText());
+  props_.legend().update();
+}
+
+void Window::onRenderEnd()
+{
+  if (busy_)
+    return;
+  if (!traced_ || pass_->GetTraceTime() > 0.0)
+    frameTime_ = vtkTimerLog::GetUniversalTime() - frameStart_;
+  if (!traced_ || wheeling_ || playing_ || style_->GetState() != VTKIS_NONE)
+    return;
+  // Sharpen until all samples are there; then once more, for the texts to say so.
+  const bool preview = pass_->IsPreview();
+  const bool sharp = preview ? pass_->GetTraceTime() == 0.0 : pass_->IsConverged();
+  if (!sharp || previewed_ != preview || overlay_.status() != this->statusText())
+    this->startTimer(sharpenTimer_, 1);
+  else if (stage_.isBuilding())
+    this->startTimer(sharpenTimer_, buildPause);
+}
+
+void Window::startTimer(int& timer, unsigned long milliseconds)
+{
+  if (timer > 0)
+    interactor_->DestroyTimer(timer);
+  timer = interactor_->CreateOneShotTimer(milliseconds);
+}
+
+void Window::onTimer(int timer)
+{
+  const auto due = [timer](int& own)
+  {
+    if (own != timer)
+      return false;
+    own = 0;
+    return true;
+  };
+  if (busy_ || quit_)
+    return;
+  if (due(playTimer_))
+    this->advance();
+  else if (due(messageTimer_))
+  {
+    overlay_.setMessage("");
+    this->render();
+  }
+  else if (due(restTimer_))
+  {
+    wheeling_ = false;
+    this->recordCamera();
+    this->render();
+  }
+  else if (due(sharpenTimer_) && !wheeling_ && !playing_ && style_->GetState() == VTKIS_NONE)
+    this->render();
+}
+
+std::string Window::statusText() const
+{
+  const std::string dot = "   \u00b7   ";
+  std::string text = stage_.contents();
+  if (!input_.times().empty())
+    text += dot + "step " + std::to_string(step_ + 1) + "/" +
+            std::to_string(input_.numberOfSteps()) + ", t = " + asNumber(input_.times()[step_], 10);
+  if (frameTime_ > 0.0)
+    text += dot + "frame " + asDuration(frameTime_);
+  if (!traced_ || pass_->GetNumberOfSamples() == 0)
+    return text;
+  if (!previewed_)
+    text += dot + "structure " + asBytes(static_cast<double>(stage_.structureBytes()));
+  return text + dot + this->qualityText();
+}
+
+std::string Window::qualityText() const
+{
+  const double distance = pass_->GetImageSampleDistance();
+  std::string text = distance > 1.0 ? "1/" + asNumber(distance, 2) + " resolution"
+                                    : counted(pass_->GetNumberOfSamples(), "sample") + " per pixel";
+  if (pass_->GetFinerShare() > 0.0)
+    text += ", " + asNumber(std::floor(100.0 * pass_->GetFinerShare())) + " % sharpened";
+  return text;
+}
+
+} // namespace mote::app

@@ -1,0 +1,144 @@
+#pragma once
+
+#include "Display.h"
+#include "Keys.h"
+#include "Overlay.h"
+#include "WindowProgress.h"
+#include "WindowProps.h"
+#include "settings/CommandLine.h"
+#include "settings/History.h"
+#include "stage/Stage.h"
+
+#include <vtkMoteRayCastPass.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
+
+#include <array>
+#include <functional>
+#include <string>
+
+namespace mote::app
+{
+
+class InteractorStyle;
+
+/// What the window may be told.
+struct WindowOptions
+{
+  GivenSettings given;
+  std::string session; ///< file to save the session in; empty: choose when asked to
+  bool preview = true; ///< of large sets, until they are built
+};
+
+/// Declares the options of the window.
+void addWindowOptions(CLI::App& app, WindowOptions& options);
+
+/// Opens a window on the files and returns when the user closes it. Throws Failure where there is
+/// no display or nothing can be shown, and Interrupted.
+void showWindow(const WindowOptions& options);
+
+/// The window: what it shows and how it answers. Window.cpp has set-up, drawing and time,
+/// WindowActions.cpp what keys do, WindowSettings.cpp how settings change. All that can be chosen
+/// is in the stage's settings.
+class Window
+{
+public:
+  Window(const WindowOptions& options, const Settings& settings, Input& input);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  /// Reads, shows and handles events until the user quits.
+  void run();
+
+private:
+  // Set-up
+  void setUpWindow();
+  void setUpEvents();
+  void choosePass();
+
+  // Time
+  void load(int step);
+  bool perform(const std::function<void()>& work);
+  void advance();
+  void quit();
+
+  // Drawing
+  void render();
+  void renderMoving();
+  void look();
+  void updatePreview();
+  void nameWindow();
+  void onRenderStart();
+  void onRenderEnd();
+  void onTimer(int timer);
+  void startTimer(int& timer, unsigned long milliseconds);
+  std::string statusText() const;
+  std::string qualityText() const;
+
+  // Settings
+  const Settings& settings() const { return stage_.settings(); }
+  Settings withStep(int step) const;
+  Settings settingsOf(const std::function<void(Settings&)>& change) const;
+  void change(const Settings& next, const std::function<std::string()>& message = {});
+  bool follow(const Settings& next);
+  void recordCamera();
+  void goBack(bool undo);
+  Settings settingsInForce();
+  void saveSession(const std::string& file);
+
+  // Actions
+  void act(const Binding& binding);
+  bool actOnView(const Binding& binding);
+  bool actOnLook(const Binding& binding); ///< how things look
+  bool actOnTime(Action action);
+  bool actOnFiles(Action action);
+  bool hasSurfaces() const;
+  void goTo(int step);
+  Settings otherProjection() const;
+  Settings scaledRadius(double factor) const;
+  Settings otherBackground() const;
+  void toggle(const std::string& name);
+  void zoom(double factor);
+  void pick();
+  void center();
+  void savePicture();
+  void grabPicture(const std::string& file);
+  std::string unusedName(const std::string& ending) const;
+  std::string coloringText() const;
+  void say(const std::string& message);
+  std::string particleFacts(const Part& part, vtkIdType id) const;
+
+  /// What tells one view from another.
+  std::array<double, 10> viewNow();
+
+  WindowOptions options_;
+  Settings asked_; ///< what the command line, or the session, said
+  Input& input_;
+  Stage stage_;
+  vtkNew<vtkRenderWindow> window_;
+  vtkNew<vtkRenderWindowInteractor> interactor_;
+  vtkNew<InteractorStyle> style_;
+  vtkNew<vtkMoteRayCastPass> pass_;
+  Overlay overlay_;
+  WindowProps props_;
+  TerminalProgress terminal_;
+  WindowProgress bar_;
+  ProgressRelay progress_;
+
+  History history_;
+  std::array<double, 10> view_{}; // as the settings had it last
+  std::array<int, 2> viewSize_{}; // of the window
+  int step_ = 0;
+  bool traced_ = true; // something that is seen is Mote's
+  bool playing_ = false;
+  bool busy_ = false; // in long work: events wait
+  bool wheeling_ = false;
+  bool quit_ = false;
+  double frameStart_ = 0.0, frameTime_ = 0.0;
+  bool previewed_ = false; // the picture shown last was a preview
+  int sharpenTimer_ = 0, restTimer_ = 0, playTimer_ = 0, messageTimer_ = 0;
+};
+
+} // namespace mote::app

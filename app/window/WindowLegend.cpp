@@ -1,0 +1,103 @@
+#include "WindowLegend.h"
+
+#include "stage/Picture.h"
+
+#include <vtkActor2D.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkImageMapper.h>
+#include <vtkPointData.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkScalarsToColors.h>
+
+#include <algorithm>
+
+namespace mote::app
+{
+
+namespace
+{
+
+/// The rectangle {x min, x max, y min, y max} of an image of premultiplied floats, in bytes that
+/// are not premultiplied, as OpenGL blends them.
+vtkSmartPointer<vtkImageData> cutOut(vtkImageData* image, const int rectangle[4])
+{
+  auto part = vtkSmartPointer<vtkImageData>::New();
+  part->SetDimensions(rectangle[1] - rectangle[0] + 1, rectangle[3] - rectangle[2] + 1, 1);
+  part->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  for (int y = rectangle[2]; y <= rectangle[3]; ++y)
+    for (int x = rectangle[0]; x <= rectangle[1]; ++x)
+    {
+      const auto* from = static_cast<const float*>(image->GetScalarPointer(x, y, 0));
+      auto* to =
+        static_cast<unsigned char*>(part->GetScalarPointer(x - rectangle[0], y - rectangle[2], 0));
+      for (int c = 0; c < 4; ++c)
+      {
+        const float value = c < 3 && from[3] > 0.0f ? from[c] / from[3] : from[c];
+        to[c] = static_cast<unsigned char>(255.0f * std::clamp(value, 0.0f, 1.0f) + 0.5f);
+      }
+    }
+  return part;
+}
+
+} // namespace
+
+WindowLegend::WindowLegend(vtkRenderer* renderer)
+  : renderer_(renderer)
+{
+  legend_->SetInputData(canvas_);
+  legend_->AutomaticTextColorOff();
+  legend_->SetPanel(vtkMoteColorLegend::PANEL_OFF);
+  mapper_->SetColorWindow(255.0);
+  mapper_->SetColorLevel(127.5);
+  actor_->SetMapper(mapper_);
+  actor_->VisibilityOff();
+  renderer->AddActor2D(actor_);
+}
+
+WindowLegend::~WindowLegend() = default;
+
+void WindowLegend::set(
+  vtkScalarsToColors* table, const std::string& title, const PictureSettings& look)
+{
+  legend_->SetLookupTable(look.legend ? table : nullptr);
+  legend_->SetTitle(look.title.value_or(title));
+  applyLook(legend_, look);
+}
+
+void WindowLegend::setInk(const Color& ink)
+{
+  legend_->SetTextColor(ink[0], ink[1], ink[2]);
+}
+
+void WindowLegend::update()
+{
+  const int* size = renderer_->GetRenderWindow()->GetSize();
+  const bool wanted = legend_->GetLookupTable() && size[0] >= 64 && size[1] >= 64;
+  actor_->SetVisibility(wanted);
+  if (!wanted)
+    return;
+  const int* present = canvas_->GetDimensions();
+  if (size[0] != present[0] || size[1] != present[1])
+  {
+    canvas_->SetDimensions(size[0], size[1], 1);
+    canvas_->AllocateScalars(VTK_FLOAT, 4);
+    canvas_->GetPointData()->GetScalars()->SetName("color");
+    canvas_->GetPointData()->GetScalars()->Fill(0.0);
+  }
+  const vtkMTimeType changed = std::max(legend_->GetMTime(), canvas_->GetMTime());
+  if (changed <= drawn_)
+    return;
+  drawn_ = changed;
+  legend_->Update();
+  int rectangle[4];
+  legend_->GetLegendRectangle(rectangle);
+  actor_->SetVisibility(rectangle[0] <= rectangle[1] && rectangle[2] <= rectangle[3]);
+  if (!actor_->GetVisibility())
+    return;
+  mapper_->SetInputData(cutOut(legend_->GetOutput(), rectangle));
+  actor_->SetPosition(rectangle[0], rectangle[2]);
+}
+
+} // namespace mote::app

@@ -1,0 +1,173 @@
+#include "WindowProps.h"
+
+#include "stage/Colors.h"
+#include "stage/SimulationBox.h"
+
+#include <vtkActor.h>
+#include <vtkAxesActor.h>
+#include <vtkCamera.h>
+#include <vtkCaptionActor2D.h>
+#include <vtkCellArray.h>
+#include <vtkDataSet.h>
+#include <vtkLookupTable.h>
+#include <vtkMath.h>
+#include <vtkOrientationMarkerWidget.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkSphereSource.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mote::app
+{
+
+namespace
+{
+
+/// The twelve edges.
+vtkSmartPointer<vtkPolyData> edgesOf(const SimulationBox& box)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    points->InsertNextPoint(cornerOf(box, corner).data());
+    for (int v = 0; v < 3; ++v)
+      if (!((corner >> v) & 1))
+      {
+        const vtkIdType edge[2] = {corner, corner | (1 << v)};
+        lines->InsertNextCell(2, edge);
+      }
+  }
+  auto edges = vtkSmartPointer<vtkPolyData>::New();
+  edges->SetPoints(points);
+  edges->SetLines(lines);
+  return edges;
+}
+
+} // namespace
+
+WindowProps::WindowProps(Stage& stage)
+  : stage_(stage)
+  , legend_(stage.renderer())
+{
+  for (vtkActor* lines : {box_.Get(), mark_.Get()})
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    lines->SetMapper(mapper);
+    lines->PickableOff();
+    lines->GetProperty()->LightingOff();
+    lines->GetProperty()->SetLineWidth(1.0);
+    lines->UseBoundsOff();
+    stage.renderer()->AddActor(lines);
+  }
+  mark_->VisibilityOff();
+  mark_->GetProperty()->SetRepresentationToWireframe();
+  mark_->GetProperty()->SetColor(1.0, 1.0, 1.0);
+
+  axes_->SetShaftTypeToCylinder();
+  axes_->SetTotalLength(1.0, 1.0, 1.0);
+  axes_->SetCylinderRadius(0.04);
+  axes_->SetConeRadius(0.35);
+  corner_->SetOrientationMarker(axes_);
+  this->setInk(inkOn(stage.renderer()));
+}
+
+WindowProps::~WindowProps()
+{
+  corner_->SetInteractor(nullptr);
+}
+
+void WindowProps::attach(vtkRenderWindowInteractor* interactor)
+{
+  corner_->SetInteractor(interactor);
+  corner_->SetDefaultRenderer(stage_.renderer());
+  corner_->SetViewport(0.0, 0.045, 0.13, 0.225);
+  corner_->SetEnabled(1);
+  corner_->InteractiveOff();
+  this->update();
+}
+
+void WindowProps::update()
+{
+  SimulationBox box{};
+  bool given = false;
+  for (const auto& part : stage_.parts())
+    if (const auto own = simulationBoxOf(part->data()); own && !given)
+    {
+      box = *own;
+      given = true;
+    }
+  if (!given)
+  {
+    double bounds[6];
+    stage_.bounds(bounds);
+    box = boxOfBounds(bounds);
+  }
+  static_cast<vtkPolyDataMapper*>(box_->GetMapper())->SetInputData(edgesOf(box));
+  const PictureSettings& picture = stage_.settings().picture;
+  box_->SetVisibility(picture.box);
+  if (corner_->GetInteractor() && corner_->GetEnabled() != static_cast<int>(picture.axes))
+    corner_->SetEnabled(picture.axes);
+  legend_.set(stage_.coloring().legendTable(), stage_.coloring().title(), picture);
+  this->setInk(inkOn(stage_.renderer()));
+}
+
+void WindowProps::setInk(const Color& ink)
+{
+  const double* ground = stage_.renderer()->GetBackground();
+  double quiet[3];
+  for (int i = 0; i < 3; ++i)
+    quiet[i] = 0.6 * ink[i] + 0.4 * ground[i];
+  box_->GetProperty()->SetColor(quiet);
+  legend_.setInk(ink);
+  for (vtkCaptionActor2D* caption : {axes_->GetXAxisCaptionActor2D(),
+         axes_->GetYAxisCaptionActor2D(), axes_->GetZAxisCaptionActor2D()})
+  {
+    caption->GetTextActor()->SetTextScaleModeToNone();
+    vtkTextProperty* text = caption->GetCaptionTextProperty();
+    text->SetFontSize(14);
+    text->ItalicOff();
+    text->BoldOff();
+    text->ShadowOff();
+    caption->GetCaptionTextProperty()->SetColor(ink[0], ink[1], ink[2]);
+  }
+}
+
+double WindowProps::pixelSizeAt(const double position[3])
+{
+  vtkCamera* camera = stage_.renderer()->GetActiveCamera();
+  const double rows = std::max(1, stage_.renderer()->GetSize()[1]);
+  if (camera->GetParallelProjection())
+    return 2.0 * camera->GetParallelScale() / rows;
+  const double half = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
+  return 2.0 * half / rows *
+         std::sqrt(vtkMath::Distance2BetweenPoints(camera->GetPosition(), position));
+}
+
+void WindowProps::mark(const double center[3], double radius)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(center[0], center[1], center[2]);
+  sphere->SetRadius(std::max(1.04 * radius, 8.0 * this->pixelSizeAt(center)));
+  sphere->SetThetaResolution(12);
+  sphere->SetPhiResolution(7);
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  sphere->Update();
+  static_cast<vtkPolyDataMapper*>(mark_->GetMapper())->SetInputData(sphere->GetOutput());
+  mark_->VisibilityOn();
+}
+
+void WindowProps::unmark()
+{
+  mark_->VisibilityOff();
+}
+
+} // namespace mote::app

@@ -1,0 +1,121 @@
+// How the window's settings change: by keys, by undoing, by moving the camera.
+
+#include "Window.h"
+
+#include "base/Failure.h"
+#include "base/Text.h"
+#include "settings/Session.h"
+#include "stage/Colors.h"
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+namespace mote::app
+{
+
+Settings Window::settingsOf(const std::function<void(Settings&)>& change) const
+{
+  Settings next = this->settings();
+  change(next);
+  return next;
+}
+
+Settings Window::withStep(int step) const
+{
+  return this->settingsOf(
+    [&](Settings& s)
+    {
+      s.data.time.reset();
+      s.data.step = std::to_string(step + 1);
+    });
+}
+
+void Window::change(const Settings& next, const std::function<std::string()>& message)
+{
+  const Settings before = this->settings();
+  if (next != before)
+  {
+    if (!this->follow(next))
+      return;
+    history_.add(before);
+  }
+  if (message)
+    this->say(message());
+}
+
+/// Shows what other settings ask for; where that fails, what was there before. False then.
+bool Window::follow(const Settings& next)
+{
+  const Settings before = this->settings();
+  const auto show = [&](const Settings& wanted)
+  {
+    const DataSettings present = this->settings().data;
+    const bool rebuild = stage_.apply(wanted);
+    if (present != wanted.data)
+      this->load(input_.chosenStep(wanted));
+    else if (rebuild)
+    {
+      props_.unmark();
+      stage_.build(progress_);
+      stage_.applyColors();
+      this->choosePass();
+    }
+  };
+  const bool done = this->perform(
+    [&]
+    {
+      try
+      {
+        show(next);
+      }
+      catch (...)
+      {
+        show(before);
+        throw;
+      }
+    });
+  if (done && before.camera != next.camera)
+    this->look();
+  overlay_.setInk(inkOn(stage_.renderer()));
+  props_.update();
+  return done;
+}
+
+void Window::recordCamera()
+{
+  if (this->viewNow() == view_)
+    return;
+  const Settings before = this->settings();
+  Settings now = before;
+  now.camera.camera = cameraOf(stage_.renderer()->GetActiveCamera());
+  stage_.apply(now);
+  history_.add(before);
+  view_ = this->viewNow();
+}
+
+void Window::goBack(bool undo)
+{
+  const auto next = undo ? history_.undo(this->settings()) : history_.redo(this->settings());
+  if (!next)
+    this->say(undo ? "There is nothing to undo" : "There is nothing to redo");
+  else if (this->follow(*next))
+    this->say(undo ? "Undone" : "Redone");
+}
+
+Settings Window::settingsInForce()
+{
+  Settings all = stage_.settingsInForce();
+  const int* size = window_->GetSize();
+  all.picture.size = {size[0], size[1]};
+  all.data.time.reset();
+  all.data.step = input_.numberOfSteps() > 1 ? std::to_string(step_ + 1) : "last";
+  return all;
+}
+
+void Window::saveSession(const std::string& file)
+{
+  writeSession(this->settingsInForce(), file);
+  this->say("Saved " + file);
+}
+
+} // namespace mote::app
