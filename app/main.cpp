@@ -11,7 +11,7 @@
 #include "commands/Info.h"
 #include "commands/Probe.h"
 #include "commands/Render.h"
-#include "settings/Help.h"
+#include "table/Help.h"
 #include "window/Window.h"
 
 #include <vtkMoteReaderTable.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "settings/CommandLine.h"
 #include "stage/Input.h"
+#include "table/CommandLine.h"
 
 #include <cstdint>
 #include <string>

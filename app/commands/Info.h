@@ -1,6 +1,6 @@
 #pragma once
 
-#include "settings/CommandLine.h"
+#include "table/CommandLine.h"
 
 namespace mote::app
 {

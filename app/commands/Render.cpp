@@ -3,8 +3,8 @@
 #include "Bake.h"
 #include "base/Failure.h"
 #include "base/Text.h"
-#include "settings/Session.h"
 #include "stage/Picture.h"
+#include "table/Session.h"
 
 #include <vtkTimerLog.h>
 

@@ -1,7 +1,7 @@
 #include "Values.h"
 
+#include "Colors.h"
 #include "base/Text.h"
-#include "stage/Colors.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,10 +1,10 @@
 #include "Stage.h"
 
-#include "Colors.h"
 #include "Silhouettes.h"
 #include "SimulationBox.h"
 #include "base/Failure.h"
 #include "base/Text.h"
+#include "settings/Colors.h"
 #include "settings/Values.h"
 
 #include <vtkBoundingBox.h>

@@ -1,6 +1,6 @@
 #include "Volume.h"
 
-#include "Colors.h"
+#include "settings/Colors.h"
 
 #include <vtkCellTypes.h>
 #include <vtkColorTransferFunction.h>

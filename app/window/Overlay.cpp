@@ -1,6 +1,6 @@
 #include "Overlay.h"
 
-#include "Keys.h"
+#include "table/Keys.h"
 
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>

@@ -4,8 +4,8 @@
 #include "base/Failure.h"
 #include "base/Text.h"
 #include "commands/Bake.h"
-#include "settings/Session.h"
-#include "stage/Colors.h"
+#include "settings/Colors.h"
+#include "table/Session.h"
 
 #include <vtkCamera.h>
 #include <vtkCommand.h>

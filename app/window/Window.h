@@ -1,13 +1,13 @@
 #pragma once
 
 #include "Display.h"
-#include "Keys.h"
 #include "Overlay.h"
 #include "WindowProgress.h"
 #include "WindowProps.h"
-#include "settings/CommandLine.h"
 #include "settings/History.h"
 #include "stage/Stage.h"
+#include "table/CommandLine.h"
+#include "table/Keys.h"
 
 #include <vtkMoteRayCastPass.h>
 #include <vtkNew.h>

@@ -2,12 +2,12 @@
 
 #include "InteractorStyle.h"
 #include "base/Text.h"
-#include "settings/Row.h"
+#include "settings/Colors.h"
 #include "stage/Arrays.h"
-#include "stage/Colors.h"
 #include "stage/Picture.h"
-#include "stage/Script.h"
 #include "stage/Silhouettes.h"
+#include "table/Row.h"
+#include "table/Script.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>

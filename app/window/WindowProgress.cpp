@@ -2,7 +2,7 @@
 
 #include "Display.h"
 #include "base/Text.h"
-#include "stage/Colors.h"
+#include "settings/Colors.h"
 
 #include <vtkActor2D.h>
 #include <vtkCoordinate.h>

@@ -1,6 +1,6 @@
 #include "WindowProps.h"
 
-#include "stage/Colors.h"
+#include "settings/Colors.h"
 #include "stage/SimulationBox.h"
 
 #include <vtkActor.h>

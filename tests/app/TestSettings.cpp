@@ -1,9 +1,9 @@
 // The table of settings: every row goes through every door, and comes back the same.
 
-#include <settings/CommandLine.h>
+#include <table/CommandLine.h>
 #include <settings/History.h>
-#include <settings/Row.h>
-#include <settings/Session.h>
+#include <table/Row.h>
+#include <table/Session.h>
 
 #include <base/Failure.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Settings.h"
-#include "Values.h"
+#include "settings/Settings.h"
+#include "settings/Values.h"
 
 #include <functional>
 #include <string>

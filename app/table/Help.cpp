@@ -1,10 +1,10 @@
 #include "Help.h"
 
 #include "CommandLine.h"
+#include "Keys.h"
 #include "Row.h"
 #include "base/Failure.h"
 #include "base/Text.h"
-#include "window/Keys.h"
 
 #include <vtkMoteReaderTable.h>
 

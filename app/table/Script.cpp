@@ -1,6 +1,6 @@
 #include "Script.h"
 
-#include "settings/CommandLine.h"
+#include "CommandLine.h"
 #include "settings/Values.h"
 
 #include <vtkActor.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "settings/Settings.h"
+#include "Settings.h"
 
 #include <string>
 

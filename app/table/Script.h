@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Stage.h"
+#include "stage/Stage.h"
 
 #include <string>
 
