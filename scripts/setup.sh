@@ -1,6 +1,7 @@
 # Brings this machine to the point where Mote is built: packages, configuration, build.
-# Sourced by scripts/demo and scripts/test, which then call `setup PRESET`. What is there already
-# is not made again, so that a second call takes a moment.
+# Sourced by scripts/demo and scripts/test, which then call `setup PRESET [TARGET...]`: all is built
+# where no target is named. What is there already is not made again, so that a second call takes a
+# moment.
 
 root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
 self=${0##*/}
@@ -90,17 +91,18 @@ job_count() {
 
 build() {
   local preset=$1 dir=$root/build/$1 n
+  shift
   n=$(job_count)
   stage "Building build/$preset, $n at a time"
   if [[ -t 1 ]]; then
-    ninja -C "$dir" -j "$n" || fail "the build failed"
+    ninja -C "$dir" -j "$n" "$@" || fail "the build failed"
   else
-    quietly "$dir/build.log" ninja -C "$dir" -j "$n" || fail "the build failed (see $dir/build.log)"
+    quietly "$dir/build.log" ninja -C "$dir" -j "$n" "$@" || fail "the build failed (see $dir/build.log)"
   fi
 }
 
 setup() {
   install_packages
   configure "$1"
-  build "$1"
+  build "$@"
 }

@@ -3,6 +3,7 @@
 #include "Bake.h"
 #include "base/Failure.h"
 #include "base/Text.h"
+#include "stage/Advice.h"
 #include "stage/Picture.h"
 #include "table/Session.h"
 
@@ -128,6 +129,8 @@ void render(const RenderOptions& given)
   const int chosen = given.allSteps ? last : input.chosenStep(settings);
   const double readTime = show(chosen);
   stage.look(picture.aspect(), picture.margins());
+  for (const std::string& sentence : adviceOn(stage))
+    std::fprintf(stderr, "mote: warning: %s\n", sentence.c_str());
   if (!given.allSteps)
     trace(chosen, given.output, openTime + readTime);
   else

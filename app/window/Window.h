@@ -128,6 +128,7 @@ private:
   ProgressRelay progress_;
 
   History history_;
+  std::vector<std::string> adviceBefore_; ///< that was given already
   std::array<double, 10> view_{}; // as the settings had it last
   std::array<int, 2> viewSize_{}; // of the window
   int step_ = 0;

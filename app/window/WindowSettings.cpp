@@ -5,10 +5,13 @@
 #include "base/Failure.h"
 #include "base/Text.h"
 #include "settings/Colors.h"
+#include "stage/Advice.h"
 #include "table/Session.h"
 
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
+
+#include <algorithm>
 
 namespace mote::app
 {
@@ -39,8 +42,15 @@ void Window::change(const Settings& next, const std::function<std::string()>& me
       return;
     history_.add(before);
   }
-  if (message)
-    this->say(message());
+  std::string text = message ? message() : "";
+  // What does nothing is told when it is chosen.
+  const auto known = adviceBefore_;
+  adviceBefore_ = adviceOn(stage_);
+  for (const std::string& sentence : adviceBefore_)
+    if (std::find(known.begin(), known.end(), sentence) == known.end())
+      text += (text.empty() ? "" : ". ") + sentence;
+  if (!text.empty())
+    this->say(text);
 }
 
 /// Shows what other settings ask for; where that fails, what was there before. False then.

@@ -123,6 +123,70 @@ case $3 in
     done
     ;;
 
+  idle) # options that do nothing get a sentence, and a picture all the same
+    idle() {
+      local sentence=$1
+      shift
+      run 0 "$mote" render "$@" -o a.png --size 160x120 --samples 1
+      said err "mote: warning: $sentence"
+      one_sentence
+    }
+    idle '--iso: there is no surface at 77' "$data/swirl.1.vtu" --color-by p --iso 77
+    idle '--shadows, --silhouettes do nothing' "$data/swirl.1.vtu" --shadows soft --silhouettes
+    idle '--ambient-occlusion does nothing' "$data/swirl.1.vtu" --ao live
+    idle 'the options of volumes' "$hopper" --opacity 0%=0.5
+    printf 'x,y,z,v\n0,0,0,-1\n1,1,1,2\n' >signed.csv
+    idle '--log: values at or below 0' signed.csv --color-by v --log
+    ;;
+
+  sessions) # what render saves it renders again, wherever the files go
+    run 0 "$mote" render "$copper" -o a.png --size 320x200 --show c_centro=3: --shadows hard \
+      --silhouettes=3 --save-session s.json
+    run 0 "$mote" render s.json -o b.png
+    cmp a.png b.png || fail "another picture"
+    mkdir moved
+    cp "$copper" moved
+    mv s.json moved
+    sed -i 's|"[^"]*copper|"/gone/copper|' moved/s.json
+    run 0 "$mote" render moved/s.json -o b.png --save-session moved/again.json
+    cmp a.png b.png || fail "another picture after the move"
+    run 0 "$mote" render moved/again.json -o c.png --color-map plasma --size 320x200
+    cmp -s a.png c.png && fail "the command line has no say"
+    rm "moved/$(basename "$copper")"
+    run 1 "$mote" render moved/s.json -o d.png
+    said err 'is not there any more'
+    echo '{"mote-session": 1, "files": ["x"], "light": {"shadow": 1}}' >bad.json
+    run 1 "$mote" render bad.json -o d.png
+    said err bad.json
+    one_sentence
+    run 1 "$mote" render moved/again.json "$copper" -o d.png
+    said err 'give it alone'
+    ;;
+
+  topics) # help about a group, an option, the keys; the reference is what the table says
+    for topic in data colour selection radius structure volume camera light silhouettes picture \
+      keys formats shadows --legend no-cloud; do
+      run 0 "$mote" help $topic
+      [ "$(wc -l <out)" -ge 2 ] || fail "little help about $topic"
+    done
+    run 0 "$mote" help
+    said out silhouettes
+    run 1 "$mote" help nonsense
+    said err selection
+    run 0 "$mote" help --format markdown
+    cmp out "$(dirname "$data")/docs/settings.md" ||
+      fail "docs/settings.md is not what mote help --format markdown prints"
+    run 0 "$mote" help --format bash
+    bash -n out || fail "the completion is no bash"
+    source out
+    COMP_WORDS=(mote render --shad) COMP_CWORD=2
+    _mote
+    [ "${COMPREPLY[*]}" = --shadows ] || fail "completed to ${COMPREPLY[*]}"
+    COMP_WORDS=(mote render --cells s) COMP_CWORD=3
+    _mote
+    [ "${COMPREPLY[*]}" = surface ] || fail "completed to ${COMPREPLY[*]}"
+    ;;
+
   noise) # rays are cast until the noise is low; an EXR then tells the variance
     run 0 "$mote" render "$hopper" -o a.png --size 320x200 --noise 0.02
     said out ' samples per pixel, noise 0.01'

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "Stage.h"
+
+#include <string>
+#include <vector>
+
+namespace mote::app
+{
+
+/// A sentence for each of the settings that does nothing to what the stage shows, such as shadows
+/// where there are only clouds, and for isosurfaces and colours outside of the data's range.
+std::vector<std::string> adviceOn(const Stage& stage);
+
+} // namespace mote::app
