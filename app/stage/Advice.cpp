@@ -70,8 +70,8 @@ void adviseOnValues(const Stage& stage, std::vector<std::string>& advice)
   // The range takes a look at every value.
   if ((settings.volume.isoValues.empty() && !settings.color.logarithmic) || !rangeOf(stage, range))
     return;
-  const std::string whole = stage.coloring().title() + " goes from " + asNumber(range[0]) + " to " +
-                            asNumber(range[1]);
+  const std::string whole =
+    stage.coloring().title() + " goes from " + asNumber(range[0]) + " to " + asNumber(range[1]);
   if (has(stage, Part::Kind::Volume))
     for (const double value : settings.volume.isoValues)
       if (value < range[0] || value > range[1])

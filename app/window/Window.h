@@ -129,8 +129,8 @@ private:
 
   History history_;
   std::vector<std::string> adviceBefore_; ///< that was given already
-  std::array<double, 10> view_{}; // as the settings had it last
-  std::array<int, 2> viewSize_{}; // of the window
+  std::array<double, 10> view_{};         // as the settings had it last
+  std::array<int, 2> viewSize_{};         // of the window
   int step_ = 0;
   bool traced_ = true; // something that is seen is Mote's
   bool playing_ = false;

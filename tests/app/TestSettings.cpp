@@ -1,7 +1,7 @@
 // The table of settings: every row goes through every door, and comes back the same.
 
-#include <table/CommandLine.h>
 #include <settings/History.h>
+#include <table/CommandLine.h>
 #include <table/Row.h>
 #include <table/Session.h>
 
