@@ -59,7 +59,8 @@ int sideOfOrigin(double x1, double y1, double x2, double y2)
   return c > d ? 1 : c < d ? -1 : 0;
 }
 
-/// How the edges pass the half-line y = 0, x > 0.
+} // namespace
+
 Windings windingsOf(const CellFrame& f)
 {
   const unsigned passing = cornerBits.mixed[f.above], down = cornerBits.first[f.above];
@@ -74,6 +75,9 @@ Windings windingsOf(const CellFrame& f)
   }
   return {through & ~down, through & down};
 }
+
+namespace
+{
 
 bool isLess(const CellFrame& f, std::size_t i, std::size_t j)
 {

@@ -1,7 +1,7 @@
 #pragma once
 
 // What a line's crossings with the faces of one cell are found from; see CrossingLine. Only for
-// CellCrossings*.cpp and CellFaces.cpp.
+// sources of this folder.
 
 #include "../CellCrossings.h"
 
@@ -158,6 +158,9 @@ constexpr FaceOrders makeFaceOrders()
   return orders;
 }
 constexpr FaceOrders faceOrders = makeFaceOrders();
+
+/// How the edges pass the half-line y = 0, x > 0.
+Windings windingsOf(const CellFrame& frame);
 
 /// Whether the line passes a face twice whose winding number is 0.
 bool isFoldPassed(const CellFrame& frame, unsigned face);

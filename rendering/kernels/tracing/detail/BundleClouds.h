@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../../core/Camera.h"
+#include "../../core/Film.h"
 #include "CloudTracer.h"
 
 #include <deque>
@@ -13,10 +14,8 @@ class BundleClouds
 {
 public:
   /// Where a ray of a bundle runs in the world, as its place in the image.
-  struct Place
-  {
-    double x = 0.0, y = 0.0;
-  };
+  using Place = CloudTracer::Place;
+  static constexpr int mostParts = CellWalk::mostRays; ///< that gather() takes
 
   /// The part of a ray from `from` to `to`.
   struct Part
@@ -27,12 +26,15 @@ public:
 
   /// All must outlive this; `lights` count from where `rays` has its o0.
   BundleClouds(const Scene& scene, const CameraRays& rays, const std::vector<ShadedLight>& lights,
-    int filmSample);
+    const Film& film);
 
-  /// What lies on the parts of up to 64 rays: premultiplied colour and what comes through.
+  /// What lies on the parts of up to mostParts rays: premultiplied colour and what comes through.
   void gather(const Part* parts, int count, RayColor* colors) const;
 
 private:
+  using Runs = std::vector<RayRun>;
+  void gather(std::size_t cloud, const Part* parts, int count, RayColor* colors, Runs* runs) const;
+
   const CameraRays& rays_;
   std::deque<CloudTracer> tracers_;
   std::vector<BundleFrustum::Sides> sides_; ///< a cloud each

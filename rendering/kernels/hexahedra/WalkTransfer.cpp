@@ -1,0 +1,101 @@
+#include "detail/WalkTransfer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mote
+{
+
+namespace
+{
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// How far a row may be from its line, as a share of the extinction.
+constexpr double straight = 1e-4;
+constexpr int mostCuts = 10;
+
+Vec4d productOf(const TransferTable::Sample& s)
+{
+  return {s.extinction, s.extinction * s.color};
+}
+
+} // namespace
+
+WalkTransfer::WalkTransfer(const TransferTable& table, double lower, double upper)
+  : solidBefore_(1, 0)
+{
+  // The first and the last piece are even and go on for ever.
+  const std::size_t last = table.pieces() - 1;
+  const double first = table.upperEnd(0), end = table.lowerEnd(last);
+  add(table, 0, first, first);
+  for (std::size_t piece = 1; piece < last; ++piece)
+    if (table.lowerEnd(piece) < table.upperEnd(piece))
+      cut(table, piece, table.lowerEnd(piece), table.upperEnd(piece), 0);
+  add(table, last, end, end);
+  ends_.back() = std::numeric_limits<float>::infinity();
+  binsFrom_ = static_cast<float>(lower);
+  binsPer_ = upper > lower ? static_cast<float>(bins / (upper - lower)) : 0.0f;
+  bins_.resize(bins);
+  // A bin's row must not come behind that of any value that is rounded into the bin.
+  std::uint32_t row = 0;
+  for (std::size_t i = 0; i < bins; ++i)
+  {
+    const double from = binsPer_ > 0.0f ? lower + (double(i) - 0.01) / binsPer_ : -infinity;
+    while (row + 1 < rows_.size() && i > 0 && ends_[row] <= from)
+      ++row;
+    bins_[i] = row;
+  }
+}
+
+void WalkTransfer::cut(
+  const TransferTable& table, std::size_t piece, double from, double to, int depth)
+{
+  const double middle = 0.5 * (from + to);
+  const Vec4d a = productOf(table.inPiece(piece, from)), b = productOf(table.inPiece(piece, to));
+  const Vec4d m = productOf(table.inPiece(piece, middle));
+  const Vec4d off = glm::abs(m - 0.5 * (a + b));
+  const double most = std::max({off.x, off.y, off.z, off.w});
+  const bool isEven = std::isinf(a.x) && std::isinf(b.x);
+  if (isEven || most <= straight * m.x || depth == mostCuts || !(from < middle && middle < to))
+    return add(table, piece, from, to);
+  cut(table, piece, from, middle, depth + 1);
+  cut(table, piece, middle, to, depth + 1);
+}
+
+void WalkTransfer::add(const TransferTable& table, std::size_t piece, double from, double to)
+{
+  const TransferTable::Sample a = table.inPiece(piece, from), b = table.inPiece(piece, to);
+  const bool isSolid = std::isinf(a.extinction) || std::isinf(b.extinction);
+  const double width = to - from;
+  Row row{};
+  const auto put = [&](float* value, float* slope, const Vec4d& p, const Vec4d& q)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      value[k] = static_cast<float>(p[k]);
+      slope[k] = width > 0.0 ? static_cast<float>((q[k] - p[k]) / width) : 0.0f;
+    }
+  };
+  if (!isSolid)
+  {
+    put(row.value, row.slope, productOf(a), productOf(b));
+    put(row.look, row.lookSlope, {a.extinction, a.color}, {b.extinction, b.color});
+  }
+  if (!rows_.empty())
+  {
+    const Row& before = rows_.back();
+    const float whole = ends_.back() - from_.back();
+    for (int k = 0; k < 4; ++k)
+      row.integral[k] =
+        before.integral[k] + whole * (before.value[k] + 0.5f * whole * before.slope[k]);
+  }
+  rows_.push_back(row);
+  from_.push_back(static_cast<float>(from));
+  ends_.push_back(static_cast<float>(to));
+  pieces_.push_back(static_cast<std::uint32_t>(piece));
+  solidBefore_.push_back(solidBefore_.back() + (isSolid ? 1 : 0));
+}
+
+} // namespace mote
