@@ -59,8 +59,7 @@ int sideOfOrigin(double x1, double y1, double x2, double y2)
   return c > d ? 1 : c < d ? -1 : 0;
 }
 
-} // namespace
-
+/// How the edges pass the half-line y = 0, x > 0.
 Windings windingsOf(const CellFrame& f)
 {
   const unsigned passing = cornerBits.mixed[f.above], down = cornerBits.first[f.above];
@@ -75,9 +74,6 @@ Windings windingsOf(const CellFrame& f)
   }
   return {through & ~down, through & down};
 }
-
-namespace
-{
 
 bool isLess(const CellFrame& f, std::size_t i, std::size_t j)
 {

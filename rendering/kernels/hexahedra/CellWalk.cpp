@@ -13,9 +13,11 @@ namespace mote
 namespace
 {
 
-/// Bounds are for the worst way through a cell, and errors of cells have different signs: with this
-/// factor the largest error of a picture was a quarter of the tolerance, see docs/hexahedra.md.
-constexpr double overcaution = 60.0;
+/// An error e of the scalar changes the picture by e rate length at most; each length of a ray may
+/// have its share of the tolerance. Bounds are for the worst way through a cell, and errors of
+/// cells have different signs: with these factors, of bounds and of estimates, the largest error of
+/// a picture was below the tolerance wherever it was tried, see docs/hexahedra.md.
+constexpr double bounds = 60.0, estimates = 10.0;
 /// The same for colours that change on the way through a cell.
 constexpr double colorShare = 50.0;
 
@@ -48,17 +50,6 @@ public:
     , rays_(rays)
     , task_(task)
   {
-  }
-
-  bool isLine(const WalkPart& part, float transmittance) const override
-  {
-    const TransferTable& transfer = walk_.settings_.transfer;
-    if (!std::isfinite(part.bend))
-      return false;
-    const double lower = std::min(part.value[0], part.value[1]) - part.bend;
-    const double upper = std::max(part.value[0], part.value[1]) + part.bend;
-    return !transfer.isVisible(lower, upper) ||
-           transfer.steepest(lower, upper) * part.bend * transmittance < task_.allowed;
   }
 
   void add(const WalkPart& part, float* color) override
@@ -124,7 +115,8 @@ void CellWalk::gather(const Ray* rays, int count, RayColor* colors, std::vector<
   task.isAllSeldom = lighting_ != nullptr;
   task.leastTransmittance = static_cast<float>(settings_.leastTransmittance);
   task.rate = rate_;
-  task.allowed = static_cast<float>(overcaution * settings_.tolerance / settings_.size);
+  task.allowed = static_cast<float>(bounds * settings_.tolerance / settings_.size);
+  task.allowedOff = static_cast<float>(estimates * settings_.tolerance / settings_.size);
   task.share = static_cast<float>(colorShare * settings_.tolerance);
   task.steps = task.fallbacks = task.seldomParts = 0;
   Seldom seldom(*this, rays, task);

@@ -42,6 +42,56 @@ CellIntervals intervalsOf(const WalkTask& task, std::uint32_t cell, const CellFr
   return intervals;
 }
 
+/// A cell's corners about a ray, in float as SIMD has them.
+struct FloatCorners
+{
+  float x[8], y[8], z[8];
+
+  FloatCorners(const WalkTask& task, std::size_t ray, std::uint32_t cell)
+  {
+    const WalkRays& rays = task.rays;
+    const HexMesh::Cell& ids = task.cells->mesh().cell(cell);
+    for (std::size_t i = 0; i < 8; ++i)
+    {
+      const WalkCells::Point& p = task.cells->points()[ids[i]];
+      const float at[3] = {p.x, p.y, p.z};
+      z[i] = at[task.axis];
+      x[i] = at[(task.axis + 1) % 3] - rays.x[ray];
+      y[i] = at[(task.axis + 2) % 3] - rays.y[ray];
+      x[i] -= rays.dx[ray] * z[i];
+      y[i] -= rays.dy[ray] * z[i];
+    }
+  }
+};
+
+/// As the walk finds them: edges of which the two products are equal are not passed.
+Windings windingsOf(const WalkTask& task, const FloatCorners& c)
+{
+  unsigned up = 0, down = 0;
+  for (unsigned e = 0; e < 12; ++e)
+  {
+    const std::size_t i = edgeCorners[e][0], j = edgeCorners[e][1];
+    const float p = c.x[i] * c.y[j], q = c.x[j] * c.y[i];
+    up |= (c.y[i] <= 0.0f && c.y[j] > 0.0f && p > q ? 1U : 0U) << e;
+    down |= (c.y[i] > 0.0f && c.y[j] <= 0.0f && p < q ? 1U : 0U) << e;
+  }
+  return task.isBackwards ? Windings(down, up) : Windings(up, down);
+}
+
+/// As CrossingLine has them, turned so that leaving is counter-clockwise.
+CellFrame frameOf(const WalkTask& task, const FloatCorners& c, std::uint32_t cell)
+{
+  const HexMesh::Cell& ids = task.cells->mesh().cell(cell);
+  CellFrame frame;
+  for (unsigned i = 0; i < 8; ++i)
+  {
+    const WalkCells::Point& p = task.cells->points()[ids[i]];
+    frame.add(i, {p.x, p.y, p.z},
+      task.isBackwards ? Vec3d(c.y[i], c.x[i], -c.z[i]) : Vec3d(c.x[i], c.y[i], c.z[i]));
+  }
+  return frame;
+}
+
 /// The faces with this winding, a bit each.
 unsigned facesOf(const Windings& windings, int winding)
 {
@@ -53,46 +103,25 @@ unsigned facesOf(const Windings& windings, int winding)
 
 } // namespace
 
-CellFrame walkFrame(const WalkTask& task, std::size_t ray, std::uint32_t cell)
-{
-  const WalkRays& rays = task.rays;
-  const HexMesh::Cell& ids = task.cells->mesh().cell(cell);
-  CellFrame frame;
-  for (unsigned i = 0; i < 8; ++i)
-  {
-    const WalkCells::Point& p = task.cells->points()[ids[i]];
-    const float at[3] = {p.x, p.y, p.z};
-    const float z = at[task.axis];
-    const float x = at[(task.axis + 1) % 3] - rays.x[ray], dx = rays.dx[ray] * z;
-    const float y = at[(task.axis + 2) % 3] - rays.y[ray], dy = rays.dy[ray] * z;
-    const double u = x - dx, v = y - dy;
-    // Turned, so that leaving is counter-clockwise.
-    frame.add(i, {p.x, p.y, p.z},
-      task.isBackwards ? Vec3d(v, u, task.depth(z)) : Vec3d(u, v, task.depth(z)));
-  }
-  return frame;
-}
-
 std::uint8_t seldomExit(const WalkTask& task, std::size_t ray, std::uint32_t cell, float z)
 {
-  const CellFrame frame = walkFrame(task, ray, cell);
-  const unsigned exits = facesOf(windingsOf(frame), 1);
-  if (std::has_single_bit(exits) && !task.view->isFoldable(cell))
-    return static_cast<std::uint8_t>(std::countr_zero(exits));
-  const CellIntervals intervals = intervalsOf(task, cell, frame);
+  const FloatCorners corners(task, ray, cell);
+  const CellIntervals intervals = intervalsOf(task, cell, frameOf(task, corners, cell));
   const CellInterval* nearest = nullptr;
   for (const CellInterval& part : intervals)
     if (!nearest || std::abs(part.in - z) < std::abs(nearest->in - z))
       nearest = &part;
   if (nearest)
     return nearest->outFace;
+  const unsigned exits = facesOf(windingsOf(task, corners), 1);
   return exits != 0 ? static_cast<std::uint8_t>(std::countr_zero(exits)) : noFace;
 }
 
 void addSeldomEntries(WalkTask& task, std::size_t ray, const WalkView::Face& face)
 {
   const auto [cell, f] = face.face;
-  const CellFrame frame = walkFrame(task, ray, cell);
+  const FloatCorners corners(task, ray, cell);
+  const CellFrame frame = frameOf(task, corners, cell);
   const auto add = [&]
   {
     const FacePoint point = facePointOf(frame, f, -1);
@@ -104,7 +133,7 @@ void addSeldomEntries(WalkTask& task, std::size_t ray, const WalkView::Face& fac
       z += point.weights[i] * frame.z[point.corners[i]];
     task.entries.add(ray, static_cast<float>(z), static_cast<float>(value), cell);
   };
-  int found = windingsOf(frame).of(f) == -1 ? 1 : 0;
+  int found = windingsOf(task, corners).of(f) == -1 ? 1 : 0;
   if (found == 0 && face.isFoldable)
     for (const CellInterval& part : intervalsOf(task, cell, frame))
       found += part.inFace == f;

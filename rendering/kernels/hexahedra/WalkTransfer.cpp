@@ -47,6 +47,35 @@ WalkTransfer::WalkTransfer(const TransferTable& table, double lower, double uppe
       ++row;
     bins_[i] = row;
   }
+  this->findRates(table, lower, upper);
+}
+
+void WalkTransfer::findRates(const TransferTable& table, double lower, double upper)
+{
+  std::array<float, coarseBins> steps{};
+  for (std::size_t piece = 1; piece + 1 < table.pieces(); ++piece)
+  {
+    const double from = table.lowerEnd(piece), to = table.upperEnd(piece);
+    const std::size_t first = coarseBinOf(static_cast<float>(from));
+    const std::size_t last = coarseBinOf(static_cast<float>(to));
+    if (from == to)
+    {
+      const double near = std::max(1e-9 * (upper - lower), 1e-12 * std::abs(from));
+      if (near > 0.0)
+        steps[first] += static_cast<float>(table.steepest(from - near, from + near) * 2.0 * near);
+      continue;
+    }
+    const double middle = 0.5 * (from + to);
+    const auto rate = static_cast<float>(table.steepest(middle, middle));
+    for (std::size_t bin = first; bin <= last; ++bin)
+      rates_[0][bin] = std::max(rates_[0][bin], rate);
+  }
+  for (std::size_t bin = 0; bin < coarseBins; ++bin)
+    stepsBefore_[bin + 1] = stepsBefore_[bin] + steps[bin];
+  for (std::size_t level = 1; level < levels; ++level)
+    for (std::size_t bin = 0; bin + (std::size_t(1) << level) <= coarseBins; ++bin)
+      rates_[level][bin] =
+        std::max(rates_[level - 1][bin], rates_[level - 1][bin + (std::size_t(1) << (level - 1))]);
 }
 
 void WalkTransfer::cut(
@@ -70,19 +99,13 @@ void WalkTransfer::add(const TransferTable& table, std::size_t piece, double fro
   const bool isSolid = std::isinf(a.extinction) || std::isinf(b.extinction);
   const double width = to - from;
   Row row{};
-  const auto put = [&](float* value, float* slope, const Vec4d& p, const Vec4d& q)
-  {
+  if (!isSolid)
     for (int k = 0; k < 4; ++k)
     {
-      value[k] = static_cast<float>(p[k]);
-      slope[k] = width > 0.0 ? static_cast<float>((q[k] - p[k]) / width) : 0.0f;
+      const double p = productOf(a)[k], q = productOf(b)[k];
+      row.value[k] = static_cast<float>(p);
+      row.slope[k] = width > 0.0 ? static_cast<float>((q - p) / width) : 0.0f;
     }
-  };
-  if (!isSolid)
-  {
-    put(row.value, row.slope, productOf(a), productOf(b));
-    put(row.look, row.lookSlope, {a.extinction, a.color}, {b.extinction, b.color});
-  }
   if (!rows_.empty())
   {
     const Row& before = rows_.back();
@@ -94,7 +117,6 @@ void WalkTransfer::add(const TransferTable& table, std::size_t piece, double fro
   rows_.push_back(row);
   from_.push_back(static_cast<float>(from));
   ends_.push_back(static_cast<float>(to));
-  pieces_.push_back(static_cast<std::uint32_t>(piece));
   solidBefore_.push_back(solidBefore_.back() + (isSolid ? 1 : 0));
 }
 

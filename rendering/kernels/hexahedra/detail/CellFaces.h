@@ -159,9 +159,6 @@ constexpr FaceOrders makeFaceOrders()
 }
 constexpr FaceOrders faceOrders = makeFaceOrders();
 
-/// How the edges pass the half-line y = 0, x > 0.
-Windings windingsOf(const CellFrame& frame);
-
 /// Whether the line passes a face twice whose winding number is 0.
 bool isFoldPassed(const CellFrame& frame, unsigned face);
 

@@ -75,8 +75,6 @@ class SeldomParts
 {
 public:
   virtual ~SeldomParts() = default;
-  /// Whether a part is as good as a line, of a ray of which so much still comes through.
-  virtual bool isLine(const WalkPart& part, float transmittance) const = 0;
   /// Adds a part to what the ray has gathered: red, green, blue and transmittance.
   virtual void add(const WalkPart& part, float* color) = 0;
 };
@@ -97,7 +95,8 @@ struct WalkTask
   float leastTransmittance = 0.0f;
   /// A part is a line where bend times rate times transmittance is below `allowed`.
   float rate = 0.0f, allowed = 0.0f;
-  float share = 0.0f; ///< of errors that changing colours make, each of a part's opacity
+  float allowedOff = 0.0f; ///< the same for what is estimated and no bound
+  float share = 0.0f;      ///< of errors that changing colours make, each of a part's opacity
   // Counts.
   std::uint64_t steps = 0, fallbacks = 0, seldomParts = 0;
 
@@ -105,12 +104,8 @@ struct WalkTask
   float depth(float z) const { return isBackwards ? -z : z; }
 };
 
-/// A cell's corners about a ray, as CrossingLine has them but for places in float: so that it
-/// decides as SIMD does.
-CellFrame walkFrame(const WalkTask& task, std::size_t ray, std::uint32_t cell);
-
-/// The face by which a ray leaves a cell that it came into at depth z, or noFace: decided by exact
-/// windings and, where these are not enough, by all its crossings with the cell.
+/// The face by which a ray leaves a cell that it came into at depth z, or noFace: decided by
+/// all its crossings with the cell.
 std::uint8_t seldomExit(const WalkTask& task, std::size_t ray, std::uint32_t cell, float z);
 
 /// Adds the entries that a ray has by a face of the boundary.

@@ -3,6 +3,9 @@
 #include "../../core/RawVector.h"
 #include "../../shading/TransferFunction.h"
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -39,23 +42,41 @@ public:
   const Row& row(std::uint32_t i) const { return rows_[i]; }
   /// Where the numbers of a row count from.
   float from(std::uint32_t i) const { return from_[i]; }
-  /// Different for rows of different pieces of the function; rows that are solid have odd ones.
-  std::uint32_t pieceOf(std::uint32_t row) const { return pieces_[row]; }
   /// Whether an extinction without end lies between two rows or in one of them.
   bool isSolid(std::uint32_t a, std::uint32_t b) const
   {
     return solidBefore_[(a > b ? a : b) + 1] != solidBefore_[a < b ? a : b];
   }
+  /// How fast what is seen changes between two values, at most; see TransferTable::steepest().
+  float rateIn(float lower, float upper) const
+  {
+    const std::size_t first = coarseBinOf(lower), last = coarseBinOf(upper);
+    const auto level = static_cast<std::size_t>(std::bit_width(last - first + 1) - 1);
+    const float rate =
+      std::max(rates_[level][first], rates_[level][last + 1 - (std::size_t(1) << level)]);
+    const float steps = stepsBefore_[last + 1] - stepsBefore_[first];
+    return steps > 0.0f ? rate + steps / (upper - lower) : rate;
+  }
   bool hasSolid() const { return solidBefore_.back() > 0; }
 
 private:
-  static constexpr std::size_t bins = 1024;
+  static constexpr std::size_t bins = 1024, coarseBins = 64, levels = 7;
+  std::size_t coarseBinOf(float value) const
+  {
+    const float at = (value - binsFrom_) * binsPer_ * (float(coarseBins) / float(bins));
+    constexpr float last = static_cast<float>(coarseBins - 1);
+    return at > 0.0f ? static_cast<std::size_t>(at < last ? at : last) : 0;
+  }
+  void findRates(const TransferTable& table, double lower, double upper);
   void cut(const TransferTable& table, std::size_t piece, double from, double to, int depth);
   void add(const TransferTable& table, std::size_t piece, double from, double to);
 
   std::vector<Row> rows_;
   std::vector<float> from_, ends_;
-  std::vector<std::uint32_t> pieces_, solidBefore_;
+  std::vector<std::uint32_t> solidBefore_;
+  /// The greatest rate in 1, 2, 4 and more coarse bins from each on; and steps of the extinction.
+  std::array<std::array<float, coarseBins>, levels> rates_{};
+  std::array<float, coarseBins + 1> stepsBefore_{};
   std::vector<std::uint32_t> bins_;
   float binsFrom_ = 0.0f, binsPer_ = 0.0f;
 };

@@ -1,0 +1,234 @@
+// By which faces rays leave their cells. To be included by CellWalkSimd.cpp, once for every
+// instruction set.
+
+#if defined(MOTE_WALK_EXITS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef MOTE_WALK_EXITS_INL
+#undef MOTE_WALK_EXITS_INL
+#else
+#define MOTE_WALK_EXITS_INL
+#endif
+
+#include "WalkLanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mote
+{
+namespace HWY_NAMESPACE
+{
+namespace
+{
+
+/// The winding numbers of a cell's faces are kept in four bits each, counted from 4. What an edge
+/// adds that passes the half-line y = 0, x > 0 upwards:
+constexpr std::uint32_t windingOf(std::size_t edge)
+{
+  return (1U << 4 * edgeFaces[edge][0]) - (1U << 4 * edgeFaces[edge][1]);
+}
+constexpr std::uint32_t noWindings = 0x444444U;
+
+/// What sets of six edges add, the first six and the last.
+struct EdgeSums
+{
+  std::uint32_t of[2][64];
+};
+constexpr EdgeSums makeEdgeSums()
+{
+  EdgeSums sums{};
+  for (unsigned e = 0; e < 12; ++e)
+    for (unsigned bits = 0; bits < 64; ++bits)
+      if ((bits >> e % 6 & 1U) != 0)
+        sums.of[e / 6][bits] += windingOf(e);
+  return sums;
+}
+constexpr EdgeSums edgeSums = makeEdgeSums();
+
+/// Coordinates of four corners.
+struct Four
+{
+  V4 x, y, z;
+};
+
+HWY_INLINE Four fourOf(const WalkCells::Point* points, const std::uint32_t* ids)
+{
+  const D4 d;
+  const hn::Repartition<double, D4> pairs;
+  const V4 a = hn::Load(d, &points[ids[0]].x), b = hn::Load(d, &points[ids[1]].x);
+  const V4 c = hn::Load(d, &points[ids[2]].x), e = hn::Load(d, &points[ids[3]].x);
+  const auto abLow = hn::BitCast(pairs, hn::InterleaveLower(d, a, b));
+  const auto ceLow = hn::BitCast(pairs, hn::InterleaveLower(d, c, e));
+  const auto abHigh = hn::BitCast(pairs, hn::InterleaveUpper(d, a, b));
+  const auto ceHigh = hn::BitCast(pairs, hn::InterleaveUpper(d, c, e));
+  return {hn::BitCast(d, hn::InterleaveLower(pairs, abLow, ceLow)),
+    hn::BitCast(d, hn::InterleaveUpper(pairs, abLow, ceLow)),
+    hn::BitCast(d, hn::InterleaveLower(pairs, abHigh, ceHigh))};
+}
+
+/// Which of four edges turn counter-clockwise about the ray, and clockwise.
+HWY_INLINE void turn(V4 ax, V4 ay, V4 bx, V4 by, unsigned first, unsigned& left, unsigned& right)
+{
+  const V4 p = hn::Mul(ax, by), q = hn::Mul(bx, ay);
+  left |= bitsOf(hn::Gt(p, q)) << first;
+  right |= bitsOf(hn::Lt(p, q)) << first;
+}
+
+/// Finds the faces by which rays leave their cells, from winding numbers as CrossingLine has them.
+/// An edge of which the two products are equal counts as not passed, for all of the cells that have
+/// it: so nothing is lost between them. What more than one face says is left to seldomExit().
+template <int axis>
+class WalkExits
+{
+public:
+  WalkExits(WalkTask& task, Lanes& lanesOfTask)
+    : task_(task)
+    , l_(lanesOfTask)
+    , cells_(*task.cells)
+    , points_(task.cells->points())
+    , next_(task.cells->adjacency().data())
+  {
+  }
+
+  /// Of all active lanes. Where there is none the face is noFace.
+  HWY_INLINE void find()
+  {
+    const DI d;
+    for (std::uint32_t left = l_.active; left != 0;)
+    {
+      const auto k = static_cast<std::size_t>(std::countr_zero(left));
+      const std::uint32_t cell = l_.cell[k];
+      std::uint32_t same = 0;
+      for (std::size_t first = 0; first < lanes; first += hn::Lanes(d))
+      {
+        const VI cells = hn::Load(d, reinterpret_cast<const std::int32_t*>(l_.cell + first));
+        const auto is = hn::Eq(cells, hn::Set(d, static_cast<std::int32_t>(cell)));
+        same |= maskOf(hn::RebindMask(D(), is)) << first;
+      }
+      same &= left;
+      left &= ~same;
+      if (std::popcount(same) >= 3)
+        together(cell, same);
+      else
+        forLanes(same, [&](std::size_t lane) { alone(cell, lane); });
+    }
+  }
+
+private:
+  /// Of one ray, with corners and edges in the lanes.
+  HWY_INLINE void alone(std::uint32_t cell, std::size_t k)
+  {
+    const D4 d;
+    const std::uint32_t* ids = cells_.mesh().cell(cell).data();
+    V4 x[2], y[2];
+    unsigned above = 0;
+    for (std::size_t half = 0; half < 2; ++half)
+    {
+      const Four p = fourOf(points_, ids + 4 * half);
+      const V4 z = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+      const V4 u = axis == 0 ? p.y : axis == 1 ? p.z : p.x;
+      const V4 v = axis == 0 ? p.z : axis == 1 ? p.x : p.y;
+      x[half] = hn::Sub(hn::Sub(u, hn::Set(d, l_.x[k])), hn::Mul(hn::Set(d, l_.dx[k]), z));
+      y[half] = hn::Sub(hn::Sub(v, hn::Set(d, l_.y[k])), hn::Mul(hn::Set(d, l_.dy[k]), z));
+      above |= bitsOf(hn::Gt(y[half], hn::Zero(d))) << 4 * half;
+    }
+    unsigned left = 0, right = 0;
+    turn(x[0], y[0], hn::Shuffle0321(x[0]), hn::Shuffle0321(y[0]), 0, left, right);
+    turn(x[1], y[1], hn::Shuffle0321(x[1]), hn::Shuffle0321(y[1]), 4, left, right);
+    turn(x[0], y[0], x[1], y[1], 8, left, right);
+    const unsigned mixed = cornerBits.mixed[above], first = cornerBits.first[above];
+    const unsigned up = mixed & ~first & left, down = mixed & first & right;
+    const std::uint32_t windings = edgeSums.of[0][up & 63U] + edgeSums.of[1][up >> 6] -
+                                   edgeSums.of[0][down & 63U] - edgeSums.of[1][down >> 6];
+    take(cell, k, noWindings + (task_.isBackwards ? 0U - windings : windings));
+  }
+
+  /// Of several rays in a cell, with the rays in the lanes.
+  HWY_INLINE void together(std::uint32_t cell, std::uint32_t which)
+  {
+    const D d;
+    const DI di;
+    const std::uint32_t* ids = cells_.mesh().cell(cell).data();
+    for (std::size_t first = 0; first < lanes; first += hn::Lanes(d))
+    {
+      const std::uint32_t here = which >> first & ((1U << hn::Lanes(d)) - 1);
+      if (here == 0)
+        continue;
+      const V rayX = hn::Load(d, l_.x + first), rayY = hn::Load(d, l_.y + first);
+      const V dx = hn::Load(d, l_.dx + first), dy = hn::Load(d, l_.dy + first);
+      V x[8], y[8];
+      M above[8];
+      for (std::size_t i = 0; i < 8; ++i)
+      {
+        const float* p = &points_[ids[i]].x;
+        const V z = set(p[axis]);
+        x[i] = hn::Sub(hn::Sub(set(p[(axis + 1) % 3]), rayX), hn::Mul(dx, z));
+        y[i] = hn::Sub(hn::Sub(set(p[(axis + 2) % 3]), rayY), hn::Mul(dy, z));
+        above[i] = hn::Gt(y[i], hn::Zero(d));
+      }
+      VI windings = hn::Zero(di);
+#pragma GCC unroll 12
+      for (std::size_t e = 0; e < 12; ++e)
+      {
+        const std::size_t i = edgeCorners[e][0], j = edgeCorners[e][1];
+        const V p = hn::Mul(x[i], y[j]), q = hn::Mul(x[j], y[i]);
+        const M up = hn::And(hn::AndNot(above[i], above[j]), hn::Gt(p, q));
+        const M down = hn::And(hn::AndNot(above[j], above[i]), hn::Lt(p, q));
+        const VI add = hn::Set(di, static_cast<std::int32_t>(windingOf(e)));
+        windings = hn::Add(windings, hn::IfThenElseZero(hn::RebindMask(di, up), add));
+        windings = hn::Sub(windings, hn::IfThenElseZero(hn::RebindMask(di, down), add));
+      }
+      if (task_.isBackwards)
+        windings = hn::Neg(windings);
+      alignas(64) std::int32_t found[lanes];
+      hn::Store(hn::Add(windings, hn::Set(di, noWindings)), di, found);
+      forLanes(
+        here, [&](std::size_t k) { take(cell, first + k, static_cast<std::uint32_t>(found[k])); });
+    }
+  }
+
+  HWY_INLINE void take(std::uint32_t cell, std::size_t k, std::uint32_t windings)
+  {
+    const D4 d;
+    const std::uint32_t exits = windings & windings >> 2 & 0x111111U;                      // 5
+    const std::uint32_t entries = windings & windings >> 1 & ~(windings >> 2) & 0x111111U; // 3
+    const float bend = cells_.bends()[cell];
+    unsigned exit = static_cast<unsigned>(std::countr_zero(exits)) / 4;
+    l_.inFace[k] = static_cast<unsigned>(std::countr_zero(entries)) / 4;
+    const bool isUnsure = exits == 0 || (exits & (exits - 1)) != 0;
+    if (HWY_UNLIKELY(isUnsure || (std::signbit(bend) && task_.view->isFoldable(cell))))
+    {
+      ++task_.fallbacks;
+      exit = seldomExit(task_, l_.ray(k), cell, l_.z[k]);
+      l_.inFace[k] = noFace;
+    }
+    ++task_.steps;
+    l_.outFace[k] = exit;
+    l_.bend[k] = std::abs(bend);
+    l_.behind[k] = HexMesh::noCell;
+    if (exit == noFace)
+      return;
+    const std::uint32_t behind = next_[cell][exit];
+    if (behind != HexMesh::noCell)
+    {
+      __builtin_prefetch(&cells_.mesh().cell(behind));
+      __builtin_prefetch(&next_[behind]);
+    }
+    l_.behind[k] = behind;
+    const std::uint32_t* ids = cells_.mesh().cell(cell).data();
+    for (std::size_t i = 0; i < 4; ++i)
+      hn::Store(hn::Load(d, &points_[ids[faceCorners[exit][i]]].x), d, l_.corner[i][k]);
+    if (cells_.isOfCells())
+      l_.cellValue[k] = cells_.ofCells()[cell];
+  }
+
+  WalkTask& task_;
+  Lanes& l_;
+  const WalkCells& cells_;
+  const WalkCells::Point* points_;
+  const std::array<std::uint32_t, 6>* next_;
+};
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace mote
+HWY_AFTER_NAMESPACE();
+
+#endif

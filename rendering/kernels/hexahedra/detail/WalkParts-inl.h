@@ -1,0 +1,297 @@
+// What rays gather of their cells. To be included by CellWalkSimd.cpp, once for every instruction
+// set.
+
+#if defined(MOTE_WALK_PARTS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef MOTE_WALK_PARTS_INL
+#undef MOTE_WALK_PARTS_INL
+#else
+#define MOTE_WALK_PARTS_INL
+#endif
+
+#include "WalkBends-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mote
+{
+namespace HWY_NAMESPACE
+{
+namespace
+{
+
+/// e^-x for x >= 0.
+HWY_INLINE V expOfMinus(V x)
+{
+  const D d;
+  const hn::RebindToSigned<D> di;
+  const V t = hn::Max(hn::Mul(x, set(-1.44269504f)), set(-126.0f));
+  const V whole = hn::Round(t), f = hn::Sub(t, whole);
+  V p = set(1.5252734e-5f);
+  for (const float c :
+    {1.5403530e-4f, 1.3333558e-3f, 9.6181291e-3f, 5.5504109e-2f, 0.24022651f, 0.69314718f, 1.0f})
+    p = hn::MulAdd(p, f, set(c));
+  const VI power = hn::Add(hn::ConvertTo(di, whole), hn::Set(di, 127));
+  return hn::Mul(p, hn::BitCast(d, hn::ShiftLeft<23>(power)));
+}
+
+/// Integrates what lies on the rays within their cells, from the value on one face to that on the
+/// next one.
+template <int axis>
+class WalkParts
+{
+public:
+  WalkParts(WalkTask& task, Lanes& lanesOfTask)
+    : task_(task)
+    , l_(lanesOfTask)
+    , transfer_(*task.transfer)
+    , bends_(task, lanesOfTask)
+  {
+  }
+
+  /// Says that the value where a lane's next part begins is not where its last one ended.
+  void begin(std::uint32_t which) { isFresh_ |= which; }
+
+  /// Finds where the rays leave their cells, and adds what lies before.
+  HWY_INLINE void add()
+  {
+    isClipped_ = isBent_ = isDone_ = 0;
+    for (std::size_t first = 0; first < lanes; first += hn::Lanes(D()))
+      leave(first);
+    isClipped_ &= l_.active;
+    isBent_ &= l_.active;
+    if (HWY_UNLIKELY(isClipped_ != 0))
+      clip();
+    if (task_.cells->isOfCells())
+      isFresh_ = l_.active;
+    if (HWY_UNLIKELY(task_.isAllSeldom))
+      isDone_ = l_.active;
+    else if (isBent_ != 0)
+      bend();
+    forLanes(isDone_,
+      [&](std::size_t k) { addSeldom(k, l_.z[k], l_.outZ[k], l_.partIn[k], l_.partOut[k]); });
+    if (isFresh_ != 0)
+      forLanes(isFresh_, [&](std::size_t k) { start(k); });
+    isFresh_ = 0;
+    if (isBent_ == 0)
+      return integrate(l_.partOut, 1.0f, 0);
+    integrate(l_.middle, 0.5f, 1);
+    integrate(l_.partOut, 0.5f, 2);
+  }
+
+private:
+  HWY_INLINE void leave(std::size_t first)
+  {
+    const D d;
+    FaceCorners c;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      V p[3];
+      hn::LoadInterleaved4(d, l_.corner[i][first], p[0], p[1], p[2], c.value[i]);
+      placeAbout<axis>(l_, first, p, c.x[i], c.y[i]);
+      c.z[i] = p[axis];
+    }
+    const PatchPlace place = passPatch(c.x, c.y, task_.isBackwards);
+    hn::Store(place.u, d, l_.outU + first);
+    hn::Store(place.v, d, l_.outV + first);
+    V z = place.of(c.z), value = place.of(c.value);
+    if (task_.isBackwards)
+      z = hn::Neg(z);
+    const V in = hn::Load(d, l_.z + first);
+    V before = hn::Load(d, l_.value + first);
+    if (task_.cells->isOfCells())
+      before = value = hn::Load(d, l_.cellValue + first);
+    z = hn::Max(z, in);
+    hn::Store(z, d, l_.outZ + first);
+    hn::Store(value, d, l_.outValue + first);
+    const V from = hn::Load(d, l_.from + first), to = hn::Load(d, l_.to + first);
+    const V depth = hn::Max(hn::Sub(hn::Min(z, to), hn::Max(in, from)), hn::Zero(d));
+    hn::Store(hn::Mul(depth, hn::Load(d, l_.length + first)), d, l_.depth + first);
+    hn::Store(before, d, l_.partIn + first);
+    hn::Store(value, d, l_.partOut + first);
+    const V through = hn::Load(d, l_.transmittance + first);
+    const V error = hn::Mul(hn::Mul(hn::Load(d, l_.bend + first), set(task_.rate)), through);
+    isBent_ |= maskOf(hn::And(hn::Ge(error, set(task_.allowed)), hn::Gt(depth, hn::Zero(d))))
+               << first;
+    isClipped_ |= maskOf(hn::Or(hn::Lt(in, from), hn::Gt(z, to))) << first;
+  }
+  /// Cuts parts off that lie before or behind what is wanted of the rays.
+  void clip()
+  {
+    forLanes(isClipped_,
+      [&](std::size_t k)
+      {
+        const float in = l_.z[k], change = l_.partOut[k] - l_.partIn[k], before = l_.partIn[k];
+        const auto at = [&](float z)
+        {
+          const float share = (z - in) / (l_.outZ[k] - in);
+          return share > 0.0f ? before + std::min(share, 1.0f) * change : before;
+        };
+        l_.partIn[k] = at(l_.from[k]);
+        if (l_.outZ[k] > l_.to[k])
+          l_.partOut[k] = at(l_.to[k]);
+      });
+    isFresh_ |= isClipped_;
+  }
+
+  /// Of lanes whose values may be too far from a line, finds those that are as good as two lines.
+  /// The others are integrated one at a time.
+  void bend()
+  {
+    forLanes(isBent_,
+      [&](std::size_t k)
+      {
+        const auto [least, most] = std::minmax(l_.partIn[k], l_.partOut[k]);
+        const float bend = l_.bend[k];
+        if (!std::isfinite(bend))
+          return;
+        l_.rate[k] = transfer_.rateIn(least - bend, most + bend);
+        if (l_.rate[k] * bend * l_.transmittance[k] < task_.allowed)
+          isBent_ &= ~(1U << k);
+      });
+    if (isBent_ == 0)
+      return;
+    const D d;
+    for (std::size_t first = 0; first < lanes; first += hn::Lanes(d))
+      hn::Store(hn::Mul(set(0.5f),
+                  hn::Add(hn::Load(d, l_.partIn + first), hn::Load(d, l_.partOut + first))),
+        d, l_.middle + first);
+    const std::uint32_t whole = isBent_ & ~isClipped_;
+    isDone_ |= (isBent_ & isClipped_) | (whole != 0 ? bends_.find(whole) : 0);
+    isBent_ &= ~isDone_;
+  }
+
+  /// Adds a part of a ray by CellIntegral.
+  void addSeldom(std::size_t k, float z0, float z1, float value0, float value1)
+  {
+    ++task_.seldomParts;
+    float color[4] = {l_.color[0][k], l_.color[1][k], l_.color[2][k], l_.transmittance[k]};
+    const float from = l_.from[k], to = l_.to[k];
+    const WalkPart part{static_cast<int>(l_.ray(k)), l_.cell[k],
+      {std::max(z0, from), std::min(z1, to)}, {value0, value1},
+      {z0 < from || z0 != l_.z[k], z1 > to || z1 != l_.outZ[k]}, l_.bend[k]};
+    if (part.z[0] < part.z[1])
+      task_.seldom->add(part, color);
+    for (std::size_t c = 0; c < 3; ++c)
+      l_.color[c][k] = color[c];
+    l_.transmittance[k] = color[3];
+  }
+
+  /// Looks the transfer function up.
+  HWY_INLINE std::uint32_t look(float value, float* at, float* integral) const
+  {
+    const D4 d;
+    const std::uint32_t r = transfer_.rowOf(value);
+    const WalkTransfer::Row& row = transfer_.row(r);
+    const V4 step = hn::Set(d, value - transfer_.from(r)), half = hn::Set(d, 0.5f);
+    const V4 slope = hn::Load(d, row.slope), from = hn::Load(d, row.value);
+    hn::Store(hn::MulAdd(step, slope, from), d, at);
+    hn::Store(
+      hn::MulAdd(step, hn::MulAdd(hn::Mul(half, step), slope, from), hn::Load(d, row.integral)), d,
+      integral);
+    return r;
+  }
+  void start(std::size_t k)
+  {
+    alignas(16) float at[4], integral[4];
+    l_.row[k] = look(l_.partIn[k], at, integral);
+    l_.at[k] = l_.partIn[k];
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      l_.atValue[c][k] = at[c];
+      l_.atIntegral[c][k] = integral[c];
+    }
+  }
+
+  /// Goes on to the values `goal`, of so much of the depths; `half` is 0 for all of it.
+  HWY_INLINE void integrate(const Floats& goal, float share, int half)
+  {
+    isSeldom_ = 0;
+    forLanes(l_.active,
+      [&](std::size_t k) { l_.goalRow[k] = look(goal[k], l_.goalValue[k], l_.goalIntegral[k]); });
+    if (transfer_.hasSolid())
+      forLanes(l_.active & ~isDone_, [&](std::size_t k)
+        { isSeldom_ |= (transfer_.isSolid(l_.row[k], l_.goalRow[k]) ? 1U : 0U) << k; });
+    for (std::size_t first = 0; first < lanes; first += hn::Lanes(D()))
+      gather(goal, share, first);
+    forLanes(isSeldom_ & l_.active,
+      [&](std::size_t k)
+      {
+        const float z0 = l_.z[k], z1 = l_.outZ[k], middle = z0 + 0.5f * (z1 - z0);
+        addSeldom(k, half == 2 ? middle : z0, half == 1 ? middle : z1,
+          half == 2 ? l_.middle[k] : l_.partIn[k], goal[k]);
+      });
+  }
+
+  HWY_INLINE void gather(const Floats& goal, float share, std::size_t first)
+  {
+    const D d;
+    const DI di;
+    const V one = set(1.0f), zero = hn::Zero(d), tiny = set(1e-37f);
+    const VI row = hn::Load(di, reinterpret_cast<const std::int32_t*>(l_.row + first));
+    const VI goalRow = hn::Load(di, reinterpret_cast<const std::int32_t*>(l_.goalRow + first));
+    const M isSame = hn::RebindMask(d, hn::Eq(row, goalRow));
+    const V end = hn::Load(d, goal + first);
+    const V perChange = hn::Div(one, hn::Sub(end, hn::Load(d, l_.at + first)));
+    V to[4], integral[4], from[4], mean[4];
+    hn::LoadInterleaved4(d, l_.goalValue[first], to[0], to[1], to[2], to[3]);
+    hn::LoadInterleaved4(
+      d, l_.goalIntegral[first], integral[0], integral[1], integral[2], integral[3]);
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      from[c] = hn::Load(d, l_.atValue[c] + first);
+      const V across =
+        hn::Mul(hn::Sub(integral[c], hn::Load(d, l_.atIntegral[c] + first)), perChange);
+      mean[c] = hn::IfThenElse(isSame, hn::Mul(set(0.5f), hn::Add(from[c], to[c])), across);
+      hn::Store(to[c], d, l_.atValue[c] + first);
+      hn::Store(integral[c], d, l_.atIntegral[c] + first);
+    }
+    hn::Store(end, d, l_.at + first);
+    hn::Store(goalRow, di, reinterpret_cast<std::int32_t*>(l_.row + first));
+    const V depth = hn::Mul(hn::Load(d, l_.depth + first), set(share));
+    const V thick = hn::Mul(mean[0], depth), square = hn::Mul(thick, thick);
+    const V perFrom = hn::Div(one, hn::Max(from[0], tiny)),
+            perTo = hn::Div(one, hn::Max(to[0], tiny));
+    V change[3], most = zero;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      change[c] = hn::Sub(hn::Mul(to[c + 1], perTo), hn::Mul(from[c + 1], perFrom));
+      most = hn::Max(most, hn::Abs(change[c]));
+    }
+    const V uneven = hn::MulAdd(hn::Abs(hn::Sub(to[0], from[0])), depth, square);
+    const M rough = hn::Or(hn::Gt(hn::Mul(most, uneven), set(task_.share)),
+      hn::AndNot(isSame, hn::Gt(square, set(task_.share))));
+    const std::uint32_t seldom =
+      (maskOf(rough) | isSeldom_ >> first) & l_.active >> first & ~(isDone_ >> first);
+    isSeldom_ |= seldom << first;
+    const V through = hn::Load(d, l_.transmittance + first);
+    const V passing = expOfMinus(thick), opacity = hn::Sub(one, passing);
+    const V weight = hn::Mul(hn::Mul(through, opacity), hn::Div(one, hn::Max(mean[0], tiny)));
+    // Of what is coloured evenly along the way, the front hides a part of the back: for an optical
+    // depth x, x^2 / (12 + 6 x + 1.2 x^2) of the change of colour, as good as exact up to 2.
+    const V hidden = hn::Div(hn::Mul(through, square),
+      hn::MulAdd(set(1.2f), square, hn::MulAdd(set(6.0f), thick, set(12.0f))));
+    const M plain = lanesOf(~(seldom | isDone_ >> first));
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const V color = hn::Load(d, l_.color[c] + first);
+      const V added = hn::NegMulAdd(hidden, change[c], hn::MulAdd(weight, mean[c + 1], color));
+      hn::Store(hn::IfThenElse(plain, added, color), d, l_.color[c] + first);
+    }
+    hn::Store(
+      hn::IfThenElse(plain, hn::Mul(through, passing), through), d, l_.transmittance + first);
+  }
+
+  WalkTask& task_;
+  Lanes& l_;
+  const WalkTransfer& transfer_;
+  WalkBends<axis> bends_;
+  /// A bit each lane: what is known of a part is not what the last one ended with; it is cut; it is
+  /// no line; it has been added; it is to be added one at a time.
+  std::uint32_t isFresh_ = 0, isClipped_ = 0, isBent_ = 0, isDone_ = 0, isSeldom_ = 0;
+};
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace mote
+HWY_AFTER_NAMESPACE();
+
+#endif
