@@ -40,8 +40,8 @@ public:
   /// Of each cell, bendOf() the scalar; infinite where the scalar has a NaN. Has the sign of minus
   /// where the cell has a face of the boundary that is not plane.
   const float* bends() const { return bends_.data(); }
-  /// The scalar in each cell, where it has values of cells.
-  const float* ofCells() const { return ofCells_.data(); }
+  /// The scalar in each cell, where it has values of cells; else null.
+  const float* ofCells() const { return ofCells_.empty() ? nullptr : ofCells_.data(); }
 
   /// Without the mesh.
   std::size_t bytes() const;

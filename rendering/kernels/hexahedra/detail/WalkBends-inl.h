@@ -136,8 +136,7 @@ private:
                             l_.outU[k] * out.u[i] + l_.outV[k] * out.v[i]);
   }
 
-  /// Of the lanes `known`, gives those for which a step is enough, and two lines then are. Others
-  /// keep the middle of their lines.
+  /// Of the lanes `known`, gives those for which a step is enough, and two lines then are.
   HWY_INLINE std::uint32_t step(std::size_t first, std::uint32_t known)
   {
     const D d;
@@ -179,7 +178,7 @@ private:
       hn::Mul(off, hn::Mul(hn::Load(d, l_.rate + first), hn::Load(d, l_.transmittance + first)));
     const M good = hn::And(
       lanesOf(known), hn::And(hn::Lt(error, set(task_.allowedOff)), hn::Lt(far, set(0.3f))));
-    hn::Store(hn::IfThenElse(good, middle, line), d, l_.middle + first);
+    hn::Store(hn::IfThenElse(good, middle, hn::Load(d, l_.middle + first)), d, l_.middle + first);
     return maskOf(good);
   }
 

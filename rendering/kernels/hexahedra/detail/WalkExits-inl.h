@@ -81,9 +81,8 @@ public:
   WalkExits(WalkTask& task, Lanes& lanesOfTask)
     : task_(task)
     , l_(lanesOfTask)
-    , cells_(*task.cells)
-    , points_(task.cells->points())
-    , next_(task.cells->adjacency().data())
+    , mesh_{task.cells->points(), task.cells->mesh().cells(), task.cells->adjacency().data(),
+        task.cells->bends(), task.cells->ofCells(), task.isBackwards}
   {
   }
 
@@ -91,6 +90,7 @@ public:
   HWY_INLINE void find()
   {
     const DI d;
+    const Mesh mesh = mesh_; // stores of SIMD vectors could change a member, for all compilers know
     for (std::uint32_t left = l_.active; left != 0;)
     {
       const auto k = static_cast<std::size_t>(std::countr_zero(left));
@@ -105,23 +105,35 @@ public:
       same &= left;
       left &= ~same;
       if (std::popcount(same) >= 3)
-        together(cell, same);
+        together(mesh, cell, same);
       else
-        forLanes(same, [&](std::size_t lane) { alone(cell, lane); });
+        for (; same != 0; same &= same - 1)
+          alone(mesh, cell, static_cast<std::size_t>(std::countr_zero(same)));
     }
+    task_.steps += static_cast<unsigned>(std::popcount(l_.active));
   }
 
 private:
+  struct Mesh
+  {
+    const WalkCells::Point* points;
+    const HexMesh::Cell* cells;
+    const std::array<std::uint32_t, 6>* next;
+    const float* bends;
+    const float* ofCells;
+    bool isBackwards;
+  };
+
   /// Of one ray, with corners and edges in the lanes.
-  HWY_INLINE void alone(std::uint32_t cell, std::size_t k)
+  HWY_INLINE void alone(const Mesh& mesh, std::uint32_t cell, std::size_t k)
   {
     const D4 d;
-    const std::uint32_t* ids = cells_.mesh().cell(cell).data();
+    const std::uint32_t* ids = mesh.cells[cell].data();
     V4 x[2], y[2];
     unsigned above = 0;
     for (std::size_t half = 0; half < 2; ++half)
     {
-      const Four p = fourOf(points_, ids + 4 * half);
+      const Four p = fourOf(mesh.points, ids + 4 * half);
       const V4 z = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
       const V4 u = axis == 0 ? p.y : axis == 1 ? p.z : p.x;
       const V4 v = axis == 0 ? p.z : axis == 1 ? p.x : p.y;
@@ -137,15 +149,15 @@ private:
     const unsigned up = mixed & ~first & left, down = mixed & first & right;
     const std::uint32_t windings = edgeSums.of[0][up & 63U] + edgeSums.of[1][up >> 6] -
                                    edgeSums.of[0][down & 63U] - edgeSums.of[1][down >> 6];
-    take(cell, k, noWindings + (task_.isBackwards ? 0U - windings : windings));
+    take(mesh, cell, k, noWindings + (mesh.isBackwards ? 0U - windings : windings));
   }
 
   /// Of several rays in a cell, with the rays in the lanes.
-  HWY_INLINE void together(std::uint32_t cell, std::uint32_t which)
+  HWY_INLINE void together(const Mesh& mesh, std::uint32_t cell, std::uint32_t which)
   {
     const D d;
     const DI di;
-    const std::uint32_t* ids = cells_.mesh().cell(cell).data();
+    const std::uint32_t* ids = mesh.cells[cell].data();
     for (std::size_t first = 0; first < lanes; first += hn::Lanes(d))
     {
       const std::uint32_t here = which >> first & ((1U << hn::Lanes(d)) - 1);
@@ -157,7 +169,7 @@ private:
       M above[8];
       for (std::size_t i = 0; i < 8; ++i)
       {
-        const float* p = &points_[ids[i]].x;
+        const float* p = &mesh.points[ids[i]].x;
         const V z = set(p[axis]);
         x[i] = hn::Sub(hn::Sub(set(p[(axis + 1) % 3]), rayX), hn::Mul(dx, z));
         y[i] = hn::Sub(hn::Sub(set(p[(axis + 2) % 3]), rayY), hn::Mul(dy, z));
@@ -175,21 +187,24 @@ private:
         windings = hn::Add(windings, hn::IfThenElseZero(hn::RebindMask(di, up), add));
         windings = hn::Sub(windings, hn::IfThenElseZero(hn::RebindMask(di, down), add));
       }
-      if (task_.isBackwards)
+      if (mesh.isBackwards)
         windings = hn::Neg(windings);
       alignas(64) std::int32_t found[lanes];
       hn::Store(hn::Add(windings, hn::Set(di, noWindings)), di, found);
-      forLanes(
-        here, [&](std::size_t k) { take(cell, first + k, static_cast<std::uint32_t>(found[k])); });
+      for (std::uint32_t left = here; left != 0; left &= left - 1)
+      {
+        const auto k = static_cast<std::size_t>(std::countr_zero(left));
+        take(mesh, cell, first + k, static_cast<std::uint32_t>(found[k]));
+      }
     }
   }
 
-  HWY_INLINE void take(std::uint32_t cell, std::size_t k, std::uint32_t windings)
+  HWY_INLINE void take(const Mesh& mesh, std::uint32_t cell, std::size_t k, std::uint32_t windings)
   {
     const D4 d;
     const std::uint32_t exits = windings & windings >> 2 & 0x111111U;                      // 5
     const std::uint32_t entries = windings & windings >> 1 & ~(windings >> 2) & 0x111111U; // 3
-    const float bend = cells_.bends()[cell];
+    const float bend = mesh.bends[cell];
     unsigned exit = static_cast<unsigned>(std::countr_zero(exits)) / 4;
     l_.inFace[k] = static_cast<unsigned>(std::countr_zero(entries)) / 4;
     const bool isUnsure = exits == 0 || (exits & (exits - 1)) != 0;
@@ -199,31 +214,28 @@ private:
       exit = seldomExit(task_, l_.ray(k), cell, l_.z[k]);
       l_.inFace[k] = noFace;
     }
-    ++task_.steps;
     l_.outFace[k] = exit;
     l_.bend[k] = std::abs(bend);
     l_.behind[k] = HexMesh::noCell;
     if (exit == noFace)
       return;
-    const std::uint32_t behind = next_[cell][exit];
+    const std::uint32_t behind = mesh.next[cell][exit];
     if (behind != HexMesh::noCell)
     {
-      __builtin_prefetch(&cells_.mesh().cell(behind));
-      __builtin_prefetch(&next_[behind]);
+      __builtin_prefetch(&mesh.cells[behind]);
+      __builtin_prefetch(&mesh.next[behind]);
     }
     l_.behind[k] = behind;
-    const std::uint32_t* ids = cells_.mesh().cell(cell).data();
+    const std::uint32_t* ids = mesh.cells[cell].data();
     for (std::size_t i = 0; i < 4; ++i)
-      hn::Store(hn::Load(d, &points_[ids[faceCorners[exit][i]]].x), d, l_.corner[i][k]);
-    if (cells_.isOfCells())
-      l_.cellValue[k] = cells_.ofCells()[cell];
+      hn::Store(hn::Load(d, &mesh.points[ids[faceCorners[exit][i]]].x), d, l_.corner[i][k]);
+    if (mesh.ofCells != nullptr)
+      l_.cellValue[k] = mesh.ofCells[cell];
   }
 
   WalkTask& task_;
   Lanes& l_;
-  const WalkCells& cells_;
-  const WalkCells::Point* points_;
-  const std::array<std::uint32_t, 6>* next_;
+  const Mesh mesh_;
 };
 
 } // namespace

@@ -72,9 +72,11 @@ public:
       forLanes(isFresh_, [&](std::size_t k) { start(k); });
     isFresh_ = 0;
     if (isBent_ == 0)
-      return integrate(l_.partOut, 1.0f, 0);
-    integrate(l_.middle, 0.5f, 1);
-    integrate(l_.partOut, 0.5f, 2);
+      return integrate(l_.partOut, l_.active);
+    integrate(l_.middle, l_.active);
+    isHalved_ = isBent_;
+    integrate(l_.partOut, isBent_);
+    isHalved_ = 0;
   }
 
 private:
@@ -149,11 +151,7 @@ private:
       });
     if (isBent_ == 0)
       return;
-    const D d;
-    for (std::size_t first = 0; first < lanes; first += hn::Lanes(d))
-      hn::Store(hn::Mul(set(0.5f),
-                  hn::Add(hn::Load(d, l_.partIn + first), hn::Load(d, l_.partOut + first))),
-        d, l_.middle + first);
+    std::copy_n(l_.partOut, lanes, l_.middle);
     const std::uint32_t whole = isBent_ & ~isClipped_;
     isDone_ |= (isBent_ & isClipped_) | (whole != 0 ? bends_.find(whole) : 0);
     isBent_ &= ~isDone_;
@@ -176,12 +174,13 @@ private:
   }
 
   /// Looks the transfer function up.
-  HWY_INLINE std::uint32_t look(float value, float* at, float* integral) const
+  static HWY_INLINE std::uint32_t look(
+    const WalkTransfer::Table& table, float value, float* at, float* integral)
   {
     const D4 d;
-    const std::uint32_t r = transfer_.rowOf(value);
-    const WalkTransfer::Row& row = transfer_.row(r);
-    const V4 step = hn::Set(d, value - transfer_.from(r)), half = hn::Set(d, 0.5f);
+    const std::uint32_t r = table.rowOf(value);
+    const WalkTransfer::Row& row = table.rows[r];
+    const V4 step = hn::Set(d, value - table.from[r]), half = hn::Set(d, 0.5f);
     const V4 slope = hn::Load(d, row.slope), from = hn::Load(d, row.value);
     hn::Store(hn::MulAdd(step, slope, from), d, at);
     hn::Store(
@@ -192,7 +191,7 @@ private:
   void start(std::size_t k)
   {
     alignas(16) float at[4], integral[4];
-    l_.row[k] = look(l_.partIn[k], at, integral);
+    l_.row[k] = look(transfer_.table(), l_.partIn[k], at, integral);
     l_.at[k] = l_.partIn[k];
     for (std::size_t c = 0; c < 4; ++c)
     {
@@ -201,27 +200,33 @@ private:
     }
   }
 
-  /// Goes on to the values `goal`, of so much of the depths; `half` is 0 for all of it.
-  HWY_INLINE void integrate(const Floats& goal, float share, int half)
+  /// Lets lanes go on to the values `goal`: all of the way, or where it is bent half of it.
+  HWY_INLINE void integrate(const Floats& goal, std::uint32_t which)
   {
     isSeldom_ = 0;
-    forLanes(l_.active,
-      [&](std::size_t k) { l_.goalRow[k] = look(goal[k], l_.goalValue[k], l_.goalIntegral[k]); });
+    const WalkTransfer::Table table = transfer_.table();
+    for (std::uint32_t left = which; left != 0; left &= left - 1)
+    {
+      const auto k = static_cast<std::size_t>(std::countr_zero(left));
+      l_.goalRow[k] = look(table, goal[k], l_.goalValue[k], l_.goalIntegral[k]);
+    }
+    which &= ~isDone_;
     if (transfer_.hasSolid())
-      forLanes(l_.active & ~isDone_, [&](std::size_t k)
+      forLanes(which, [&](std::size_t k)
         { isSeldom_ |= (transfer_.isSolid(l_.row[k], l_.goalRow[k]) ? 1U : 0U) << k; });
     for (std::size_t first = 0; first < lanes; first += hn::Lanes(D()))
-      gather(goal, share, first);
-    forLanes(isSeldom_ & l_.active,
+      gather(goal, which >> first, first);
+    forLanes(isSeldom_,
       [&](std::size_t k)
       {
         const float z0 = l_.z[k], z1 = l_.outZ[k], middle = z0 + 0.5f * (z1 - z0);
-        addSeldom(k, half == 2 ? middle : z0, half == 1 ? middle : z1,
-          half == 2 ? l_.middle[k] : l_.partIn[k], goal[k]);
+        const bool isFirst = (isBent_ & ~isHalved_) >> k & 1U, isSecond = isHalved_ >> k & 1U;
+        addSeldom(k, isSecond ? middle : z0, isFirst ? middle : z1,
+          isSecond ? l_.middle[k] : l_.partIn[k], goal[k]);
       });
   }
 
-  HWY_INLINE void gather(const Floats& goal, float share, std::size_t first)
+  HWY_INLINE void gather(const Floats& goal, std::uint32_t which, std::size_t first)
   {
     const D d;
     const DI di;
@@ -246,7 +251,8 @@ private:
     }
     hn::Store(end, d, l_.at + first);
     hn::Store(goalRow, di, reinterpret_cast<std::int32_t*>(l_.row + first));
-    const V depth = hn::Mul(hn::Load(d, l_.depth + first), set(share));
+    const V share = hn::IfThenElse(lanesOf(isBent_ >> first), set(0.5f), one);
+    const V depth = hn::Mul(hn::Load(d, l_.depth + first), share);
     const V thick = hn::Mul(mean[0], depth), square = hn::Mul(thick, thick);
     const V perFrom = hn::Div(one, hn::Max(from[0], tiny)),
             perTo = hn::Div(one, hn::Max(to[0], tiny));
@@ -259,8 +265,7 @@ private:
     const V uneven = hn::MulAdd(hn::Abs(hn::Sub(to[0], from[0])), depth, square);
     const M rough = hn::Or(hn::Gt(hn::Mul(most, uneven), set(task_.share)),
       hn::AndNot(isSame, hn::Gt(square, set(task_.share))));
-    const std::uint32_t seldom =
-      (maskOf(rough) | isSeldom_ >> first) & l_.active >> first & ~(isDone_ >> first);
+    const std::uint32_t seldom = (maskOf(rough) | isSeldom_ >> first) & which;
     isSeldom_ |= seldom << first;
     const V through = hn::Load(d, l_.transmittance + first);
     const V passing = expOfMinus(thick), opacity = hn::Sub(one, passing);
@@ -269,7 +274,7 @@ private:
     // depth x, x^2 / (12 + 6 x + 1.2 x^2) of the change of colour, as good as exact up to 2.
     const V hidden = hn::Div(hn::Mul(through, square),
       hn::MulAdd(set(1.2f), square, hn::MulAdd(set(6.0f), thick, set(12.0f))));
-    const M plain = lanesOf(~(seldom | isDone_ >> first));
+    const M plain = lanesOf(which & ~seldom);
     for (std::size_t c = 0; c < 3; ++c)
     {
       const V color = hn::Load(d, l_.color[c] + first);
@@ -285,8 +290,9 @@ private:
   const WalkTransfer& transfer_;
   WalkBends<axis> bends_;
   /// A bit each lane: what is known of a part is not what the last one ended with; it is cut; it is
-  /// no line; it has been added; it is to be added one at a time.
-  std::uint32_t isFresh_ = 0, isClipped_ = 0, isBent_ = 0, isDone_ = 0, isSeldom_ = 0;
+  /// two lines; the first of them is done; it has been added; it is to be added one at a time.
+  std::uint32_t isFresh_ = 0, isClipped_ = 0, isBent_ = 0, isHalved_ = 0, isDone_ = 0,
+                isSeldom_ = 0;
 };
 
 } // namespace

@@ -29,19 +29,30 @@ public:
   /// `lower` and `upper` are the range of the scalar, by which rows are found.
   WalkTransfer(const TransferTable& table, double lower, double upper);
 
-  /// The row of a value; the first one for NaN.
-  std::uint32_t rowOf(float value) const
+  /// What is needed to look values up.
+  struct Table
   {
-    const float at = (value - binsFrom_) * binsPer_;
-    const float last = static_cast<float>(bins - 1);
-    std::uint32_t row = bins_[at > 0.0f ? static_cast<std::size_t>(at < last ? at : last) : 0];
-    while (ends_[row] <= value)
-      ++row;
-    return row;
+    const Row* rows;
+    const float* from; ///< where the numbers of a row count from
+    const float* ends;
+    const std::uint32_t* bins;
+    float binsFrom, binsPer;
+
+    /// The row of a value; the first one for NaN.
+    std::uint32_t rowOf(float value) const
+    {
+      const float at = (value - binsFrom) * binsPer;
+      constexpr float last = static_cast<float>(WalkTransfer::bins - 1);
+      std::uint32_t row = bins[at > 0.0f ? static_cast<std::uint32_t>(at < last ? at : last) : 0];
+      while (ends[row] <= value)
+        ++row;
+      return row;
+    }
+  };
+  Table table() const
+  {
+    return {rows_.data(), from_.data(), ends_.data(), bins_.data(), binsFrom_, binsPer_};
   }
-  const Row& row(std::uint32_t i) const { return rows_[i]; }
-  /// Where the numbers of a row count from.
-  float from(std::uint32_t i) const { return from_[i]; }
   /// Whether an extinction without end lies between two rows or in one of them.
   bool isSolid(std::uint32_t a, std::uint32_t b) const
   {
