@@ -80,16 +80,11 @@ void countSteps(const VolumeTask& task, const CloudTracer& tracer, VolumeMeasure
     for (int x0 = 0; x0 < task.width; x0 += CellWalk::mostRays)
     {
       const int count = std::min(task.width - x0, CellWalk::mostRays);
-      std::vector<CloudRay> row;
-      std::vector<CloudTracer::Place> places;
-      for (int x = x0; x < x0 + count; ++x)
-      {
-        places.push_back({x + 0.5, y + 0.5});
-        row.push_back(tracer.ray(rays.originAt(x + 0.5, y + 0.5),
-          rays.directionAt(x + 0.5, y + 0.5), rays.tMin, rays.tMax));
-      }
+      CellWalk::Part parts[CellWalk::mostRays];
+      for (int i = 0; i < count; ++i)
+        parts[i] = {{x0 + i + 0.5, y + 0.5}, rays.tMin, rays.tMax};
       RayColor colors[CellWalk::mostRays];
-      tracer.walk(row.data(), places.data(), count, colors, nullptr);
+      tracer.walk()->gather(parts, count, colors, nullptr);
       met += static_cast<std::uint64_t>(std::count_if(
         colors, colors + count, [](const RayColor& c) { return c.transmittance < 1.0; }));
     }

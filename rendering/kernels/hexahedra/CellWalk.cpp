@@ -21,14 +21,6 @@ constexpr double bounds = 60.0, estimates = 10.0;
 /// The same for colours that change on the way through a cell.
 constexpr double colorShare = 50.0;
 
-/// The axis that a ray runs along most of all, and twice that; one more where it runs backwards.
-int orderOf(const Vec3d& direction)
-{
-  const Vec3d size = glm::abs(direction);
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  return 2 * axis + (direction[axis] < 0.0 ? 1 : 0);
-}
-
 /// How fast the look changes with the scalar, at most.
 double steepestOf(const TransferTable& transfer)
 {
@@ -41,31 +33,52 @@ double steepestOf(const TransferTable& transfer)
 
 } // namespace
 
+/// A ray as WalkCells has places.
+struct CellWalk::Line
+{
+  Vec3d origin, direction;
+
+  /// The axis that it runs along most of all, twice; one more where it runs backwards.
+  int order() const
+  {
+    const Vec3d size = glm::abs(direction);
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    return 2 * axis + (direction[axis] < 0.0 ? 1 : 0);
+  }
+  /// t of a depth, see WalkRays.
+  double timeOf(double depth, const WalkTask& task) const
+  {
+    const double from = origin[task.axis];
+    return (depth - (task.isBackwards ? -from : from)) / std::abs(direction[task.axis]);
+  }
+};
+
 /// Integrates parts as CellIntegral does.
 class CellWalk::Seldom final : public SeldomParts
 {
 public:
-  Seldom(const CellWalk& walk, const Ray* rays, const WalkTask& task)
+  Seldom(const CellWalk& walk, const Part* parts, const WalkTask& task)
     : walk_(walk)
-    , rays_(rays)
+    , parts_(parts)
     , task_(task)
   {
   }
 
   void add(const WalkPart& part, float* color) override
   {
-    const Ray& ray = rays_[task_.rays.index[static_cast<std::size_t>(part.ray)]];
+    const Place& place = parts_[task_.rays.index[static_cast<std::size_t>(part.ray)]].place;
+    const Line line = walk_.lineAt(place);
+    const HexRay ray{
+      walk_.local_.originAt(place.x, place.y), walk_.local_.directionAt(place.x, place.y)};
+    const double speed = glm::length(walk_.world_.directionAt(place.x, place.y));
     RayGatherer gatherer(nullptr);
     gatherer.color() = {{color[0], color[1], color[2]}, color[3]};
-    CellIntegral integral(walk_.cells_.mesh(), walk_.field_, walk_.settings_, walk_.lighting_,
-      ray.ray, ray.speed, gatherer);
-    const int axis = task_.axis;
-    const double perDepth = walk_.perDepth(ray.ray, axis);
-    const double origin = walk_.cells_.toLocal(ray.ray.origin)[axis];
+    CellIntegral integral(
+      walk_.cells_.mesh(), walk_.field_, walk_.settings_, walk_.lighting_, ray, speed, gatherer);
     ValuedSpan span;
     span.span.cell = part.cell;
-    span.span.tIn = perDepth * (part.z[0] - (task_.isBackwards ? -origin : origin));
-    span.span.tOut = perDepth * (part.z[1] - (task_.isBackwards ? -origin : origin));
+    span.span.tIn = line.timeOf(part.z[0], task_);
+    span.span.tOut = line.timeOf(part.z[1], task_);
     span.span.inFace = part.isCut[0] ? noFace : 0; // whichever: values are told
     span.span.outFace = part.isCut[1] ? noFace : 0;
     span.valueIn = part.value[0];
@@ -81,22 +94,29 @@ public:
 
 private:
   const CellWalk& walk_;
-  const Ray* rays_;
+  const Part* parts_;
   const WalkTask& task_;
 };
 
 CellWalk::CellWalk(const WalkCells& cells, const HexField& field, const CloudSettings& settings,
-  const CloudLighting* lighting, const CameraRays& rays, int width, int height)
+  const CloudLighting* lighting, const CameraRays& rays, const Mat4d& toLocal, int width,
+  int height)
   : cells_(cells)
   , field_(field)
   , settings_(settings)
   , lighting_(lighting)
   , transfer_(std::make_unique<WalkTransfer>(
       settings.transfer, field.lower() - field.offset(), field.upper() - field.offset()))
-  , view_(std::make_unique<WalkView>(cells, rays, width, height))
+  , world_(rays)
+  , local_(rays.transformed(toLocal))
+  , own_(local_)
 {
   constexpr double most = std::numeric_limits<float>::max(), least = 1e-30;
   rate_ = static_cast<float>(std::clamp(steepestOf(settings.transfer), least, most));
+  own_.o0 = cells.toLocal(own_.o0);
+  for (Vec3d* step : {&own_.ox, &own_.oy, &own_.d0, &own_.dx, &own_.dy})
+    *step /= cells.size();
+  view_ = std::make_unique<WalkView>(cells, local_, width, height);
 }
 
 CellWalk::~CellWalk() = default;
@@ -106,8 +126,28 @@ bool CellWalk::isSupported()
   return canWalk();
 }
 
-void CellWalk::gather(const Ray* rays, int count, RayColor* colors, std::vector<RayRun>* runs) const
+CellWalk::Line CellWalk::lineAt(const Place& place) const
 {
+  return {own_.originAt(place.x, place.y), own_.directionAt(place.x, place.y)};
+}
+
+void CellWalk::gather(
+  const Part* parts, int count, RayColor* colors, std::vector<RayRun>* runs) const
+{
+  std::fill_n(colors, count, RayColor());
+  thread_local std::vector<std::uint32_t> faces; // keeps its memory
+  double left = parts->place.x, right = left, lower = parts->place.y, upper = lower;
+  for (int i = 1; i < count; ++i)
+  {
+    left = std::min(left, parts[i].place.x);
+    right = std::max(right, parts[i].place.x);
+    lower = std::min(lower, parts[i].place.y);
+    upper = std::max(upper, parts[i].place.y);
+  }
+  faces.clear();
+  view_->gather(left, right, lower, upper, faces);
+  if (faces.empty())
+    return;
   thread_local WalkTask task; // keeps its memory
   task.cells = &cells_;
   task.view = view_.get();
@@ -119,64 +159,62 @@ void CellWalk::gather(const Ray* rays, int count, RayColor* colors, std::vector<
   task.allowedOff = static_cast<float>(estimates * settings_.tolerance / settings_.size);
   task.share = static_cast<float>(colorShare * settings_.tolerance);
   task.steps = task.fallbacks = task.seldomParts = 0;
-  Seldom seldom(*this, rays, task);
+  Seldom seldom(*this, parts, task);
   task.seldom = &seldom;
   std::vector<std::vector<RayRun>> found(runs ? static_cast<std::size_t>(count) : 0);
-  std::array<int, 6> wanted{};
+  task.runs = runs ? found.data() : nullptr;
+  // Rays along the same axis together: nearly always all of them.
+  std::array<int, mostRays> orders;
   for (int i = 0; i < count; ++i)
-    ++wanted[static_cast<std::size_t>(orderOf(rays[i].ray.direction / cells_.size()))];
+    orders[static_cast<std::size_t>(i)] = lineAt(parts[i].place).order();
   for (int order = 0; order < 6; ++order)
   {
-    if (wanted[static_cast<std::size_t>(order)] == 0)
+    if (std::find(orders.data(), orders.data() + count, order) == orders.data() + count)
       continue;
     task.axis = order / 2;
     task.isBackwards = order % 2 != 0;
     task.rays.count = 0;
     for (int i = 0; i < count; ++i)
-      if (orderOf(rays[i].ray.direction / cells_.size()) == order)
-        addRay(task, rays[i], i);
+      if (orders[static_cast<std::size_t>(i)] == order)
+        this->addRay(task, parts[i], i);
     for (auto& run : found)
       run.clear();
-    task.runs = runs ? found.data() : nullptr;
-    findEntries(task);
+    task.entries.clear();
+    testEntries(task, faces);
     walkRays(task);
-    this->takeAnswers(task, rays, colors, runs);
+    this->takeAnswers(task, parts, colors, runs);
   }
   steps_ += task.steps;
   fallbacks_ += task.fallbacks;
   seldom_ += task.seldomParts;
 }
 
-/// How much t grows with depth.
-double CellWalk::perDepth(const HexRay& ray, int axis) const
-{
-  return cells_.size()[axis] / std::abs(ray.direction[axis]);
-}
-
 /// Puts a ray beside the others of its order.
-void CellWalk::addRay(WalkTask& task, const Ray& ray, int index) const
+void CellWalk::addRay(WalkTask& task, const Part& part, int index) const
 {
-  const Vec3d o = cells_.toLocal(ray.ray.origin), d = ray.ray.direction / cells_.size();
+  const Line line = lineAt(part.place);
+  const Vec3d &o = line.origin, &d = line.direction;
   const int z = task.axis, x = (z + 1) % 3, y = (z + 2) % 3;
-  const double perTime = std::abs(d[z]);
+  const double per = 1.0 / d[z], dx = d[x] * per, dy = d[y] * per, perTime = std::abs(d[z]);
   const double from = task.isBackwards ? -o[z] : o[z];
+  const double speed = glm::length(world_.directionAt(part.place.x, part.place.y));
   WalkRays& rays = task.rays;
   const auto i = static_cast<std::size_t>(rays.count++);
-  rays.placeX[i] = static_cast<float>(ray.x);
-  rays.placeY[i] = static_cast<float>(ray.y);
-  rays.dx[i] = static_cast<float>(d[x] / d[z]);
-  rays.dy[i] = static_cast<float>(d[y] / d[z]);
-  rays.x[i] = static_cast<float>(o[x] - d[x] / d[z] * o[z]);
-  rays.y[i] = static_cast<float>(o[y] - d[y] / d[z] * o[z]);
-  rays.from[i] = static_cast<float>(from + perTime * ray.ray.tMin);
-  rays.to[i] = static_cast<float>(from + perTime * ray.ray.tMax);
-  rays.length[i] = static_cast<float>(ray.speed / perTime);
+  rays.placeX[i] = static_cast<float>(part.place.x);
+  rays.placeY[i] = static_cast<float>(part.place.y);
+  rays.dx[i] = static_cast<float>(dx);
+  rays.dy[i] = static_cast<float>(dy);
+  rays.x[i] = static_cast<float>(o[x] - dx * o[z]);
+  rays.y[i] = static_cast<float>(o[y] - dy * o[z]);
+  rays.from[i] = static_cast<float>(from + perTime * part.from);
+  rays.to[i] = static_cast<float>(from + perTime * part.to);
+  rays.length[i] = static_cast<float>(speed * std::abs(per));
   rays.color[i] = {0.0f, 0.0f, 0.0f, 1.0f};
   rays.index[i] = index;
 }
 
 void CellWalk::takeAnswers(
-  const WalkTask& task, const Ray* rays, RayColor* colors, std::vector<RayRun>* runs) const
+  const WalkTask& task, const Part* parts, RayColor* colors, std::vector<RayRun>* runs) const
 {
   for (int k = 0; k < task.rays.count; ++k)
   {
@@ -186,26 +224,13 @@ void CellWalk::takeAnswers(
     colors[index] = {{c[0], c[1], c[2]}, c[3]};
     if (!runs)
       continue;
-    const HexRay& ray = rays[index].ray;
-    const double origin = cells_.toLocal(ray.origin)[task.axis];
+    const Line line = lineAt(parts[index].place);
     for (RayRun run : task.runs[i])
     {
-      run.tIn = perDepth(ray, task.axis) * (run.tIn - (task.isBackwards ? -origin : origin));
+      run.tIn = line.timeOf(run.tIn, task);
       runs[index].push_back(run);
     }
   }
-}
-
-void findEntries(WalkTask& task)
-{
-  thread_local std::vector<std::uint32_t> faces; // keeps its memory
-  faces.clear();
-  const WalkRays& rays = task.rays;
-  const auto x = std::minmax_element(rays.placeX.data(), rays.placeX.data() + rays.count);
-  const auto y = std::minmax_element(rays.placeY.data(), rays.placeY.data() + rays.count);
-  task.view->gather(*x.first, *x.second, *y.first, *y.second, faces);
-  task.entries.clear();
-  testEntries(task, faces);
 }
 
 WalkSteps CellWalk::counts() const

@@ -43,35 +43,40 @@ public:
   /// Whether this machine has the SIMD that it takes.
   static bool isSupported();
 
-  /// For the rays of a camera, in the coordinates of the mesh, and an image of so many pixels.
+  /// For the rays of a camera in an image of so many pixels; `toLocal` takes the world to the mesh.
   /// `cells`, `field`, which the cells were made of, `settings` and `lighting`, which may be null,
   /// must outlive this.
   CellWalk(const WalkCells& cells, const HexField& field, const CloudSettings& settings,
-    const CloudLighting* lighting, const CameraRays& rays, int width, int height);
+    const CloudLighting* lighting, const CameraRays& rays, const Mat4d& toLocal, int width,
+    int height);
   ~CellWalk();
 
-  /// A ray of the camera: through a place in the image, in pixels; what of it is wanted; and the
-  /// length in the world of its direction.
-  struct Ray
+  /// Where a ray of the camera runs: as its place in the image, in pixels.
+  struct Place
   {
     double x = 0.0, y = 0.0;
-    HexRay ray;
-    double speed = 1.0;
+  };
+  /// The part of a ray from t = `from` to t = `to`.
+  struct Part
+  {
+    Place place;
+    double from = 0.0, to = 0.0;
   };
 
-  /// Gathers colours of 1 to mostRays rays, and, where `runs` is not null, the parts without a gap
-  /// of each. Places may lie up to 64 pixels beside the image. Any number of threads may ask.
-  void gather(const Ray* rays, int count, RayColor* colors, std::vector<RayRun>* runs) const;
+  /// Gathers colours of 1 to mostRays parts, and, where `runs` is not null, the runs of each.
+  /// Places may lie up to 64 pixels beside the image. Any number of threads may ask.
+  void gather(const Part* parts, int count, RayColor* colors, std::vector<RayRun>* runs) const;
 
   /// Of all that gather() did.
   WalkSteps counts() const;
 
 private:
   class Seldom;
-  double perDepth(const HexRay& ray, int axis) const;
-  void addRay(WalkTask& task, const Ray& ray, int index) const;
+  struct Line;
+  Line lineAt(const Place& place) const;
+  void addRay(WalkTask& task, const Part& part, int index) const;
   void takeAnswers(
-    const WalkTask& task, const Ray* rays, RayColor* colors, std::vector<RayRun>* runs) const;
+    const WalkTask& task, const Part* parts, RayColor* colors, std::vector<RayRun>* runs) const;
 
   const WalkCells& cells_;
   const HexField& field_;
@@ -79,6 +84,8 @@ private:
   const CloudLighting* lighting_;
   std::unique_ptr<const WalkTransfer> transfer_;
   std::unique_ptr<const WalkView> view_;
+  /// The camera's rays in the world, in the mesh, and as WalkCells has places.
+  CameraRays world_, local_, own_;
   float rate_ = 0.0f;
   mutable std::atomic<std::uint64_t> steps_{0}, fallbacks_{0}, seldom_{0};
 };

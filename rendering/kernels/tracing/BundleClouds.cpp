@@ -44,23 +44,20 @@ void BundleClouds::gather(
   std::size_t cloud, const Part* parts, int count, RayColor* colors, Runs* runs) const
 {
   const CloudTracer& tracer = tracers_[cloud];
-  std::array<CloudRay, mostParts> rays;
-  std::array<Place, mostParts> places;
-  for (int i = 0; i < count; ++i)
-  {
-    const auto r = static_cast<std::size_t>(i);
-    const auto& [place, from, to] = parts[i];
-    places[r] = place;
-    rays[r] =
-      tracer.ray(rays_.originAt(place.x, place.y), rays_.directionAt(place.x, place.y), from, to);
-  }
   if (tracer.walk())
-    return tracer.walk(rays.data(), places.data(), count, colors, runs);
+    return tracer.walk()->gather(parts, count, colors, runs);
+  std::array<CloudRay, BundleSpans::rays> rays;
   std::vector<RayGatherer> gatherers;
   std::array<RayGatherer*, BundleSpans::rays> pointers;
   gatherers.reserve(pointers.size());
   for (int i = 0; i < count; ++i)
-    pointers[static_cast<std::size_t>(i)] = &gatherers.emplace_back(runs ? runs + i : nullptr);
+  {
+    const auto r = static_cast<std::size_t>(i);
+    const auto& [place, from, to] = parts[i];
+    rays[r] =
+      tracer.ray(rays_.originAt(place.x, place.y), rays_.directionAt(place.x, place.y), from, to);
+    pointers[r] = &gatherers.emplace_back(runs ? runs + i : nullptr);
+  }
   tracer.gather(rays.data(), count, sides_[cloud], pointers.data());
   for (int i = 0; i < count; ++i)
     colors[i] = gatherers[static_cast<std::size_t>(i)].total();

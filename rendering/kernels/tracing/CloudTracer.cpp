@@ -152,18 +152,9 @@ bool CloudTracer::lookFrom(const CameraRays& rays, int width, int height)
   const bool isWanted = cloud_.walk && cloud_.sampling.integrator == VolumeIntegrator::CellByCell &&
                         settings_.tolerance >= CellWalk::leastTolerance && CellWalk::isSupported();
   if (isWanted)
-    walk_.emplace(*cloud_.walk, *cloud_.field, settings_, lighting(), rays.transformed(toLocal_),
-      width, height);
+    walk_.emplace(
+      *cloud_.walk, *cloud_.field, settings_, lighting(), rays, toLocal_, width, height);
   return isWanted;
-}
-
-void CloudTracer::walk(const CloudRay* rays, const Place* places, int count, RayColor* colors,
-  std::vector<RayRun>* runs) const
-{
-  std::array<CellWalk::Ray, CellWalk::mostRays> all;
-  for (int i = 0; i < count; ++i)
-    all[static_cast<std::size_t>(i)] = {places[i].x, places[i].y, rays[i].local, rays[i].speed};
-  walk_->gather(all.data(), count, colors, runs);
 }
 
 template void CloudTracer::gather(const CloudRay&, RayGatherer&, NoCounts&&) const;

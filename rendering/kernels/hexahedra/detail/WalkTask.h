@@ -97,7 +97,7 @@ struct WalkTask
   float rate = 0.0f, allowed = 0.0f;
   float allowedOff = 0.0f; ///< the same for what is estimated and no bound
   float share = 0.0f;      ///< of errors that changing colours make, each of a part's opacity
-  // Counts.
+  // Counts; the caller sets them to 0.
   std::uint64_t steps = 0, fallbacks = 0, seldomParts = 0;
 
   /// Depth of a coordinate along the axis.
@@ -111,8 +111,7 @@ std::uint8_t seldomExit(const WalkTask& task, std::size_t ray, std::uint32_t cel
 /// Adds the entries that a ray has by a face of the boundary.
 void addSeldomEntries(WalkTask& task, std::size_t ray, const WalkView::Face& face);
 
-/// Finds the entries of all rays.
-void findEntries(WalkTask& task);
+/// Finds the entries of all rays by some faces of the view.
 void testEntries(WalkTask& task, const std::vector<std::uint32_t>& faces);
 
 /// Walks, from the entries on. Only where canWalk() says so: it needs four lanes.

@@ -13,16 +13,9 @@ namespace mote
 class BundleClouds
 {
 public:
-  /// Where a ray of a bundle runs in the world, as its place in the image.
-  using Place = CloudTracer::Place;
+  using Place = CellWalk::Place;
+  using Part = CellWalk::Part;
   static constexpr int mostParts = CellWalk::mostRays; ///< that gather() takes
-
-  /// The part of a ray from `from` to `to`.
-  struct Part
-  {
-    Place place;
-    double from = 0.0, to = 0.0;
-  };
 
   /// All must outlive this; `lights` count from where `rays` has its o0.
   BundleClouds(const Scene& scene, const CameraRays& rays, const std::vector<ShadedLight>& lights,

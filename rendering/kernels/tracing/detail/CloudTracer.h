@@ -44,17 +44,10 @@ public:
   void gather(const CloudRay* rays, int count, const BundleFrustum::Sides& sides,
     RayGatherer* const* gatherers) const;
 
-  /// Makes ready for walk(), once for a view: of rays of this camera, in an image of so many
-  /// pixels. False where rays must go through the structure.
+  /// Makes a walk(), once for a view: for rays of this camera in an image of so many pixels. False
+  /// where rays must go through the structure.
   bool lookFrom(const CameraRays& rays, int width, int height);
-  /// As gather(), from cell to cell, of rays of that camera through places in the image; up to
-  /// CellWalk::mostRays of them.
-  struct Place
-  {
-    double x = 0.0, y = 0.0; ///< in pixels
-  };
-  void walk(const CloudRay* rays, const Place* places, int count, RayColor* colors,
-    std::vector<RayRun>* runs) const;
+  /// Gathers rays of that camera from cell to cell; null where there is none.
   const CellWalk* walk() const { return walk_ ? &*walk_ : nullptr; }
 
   /// How the rays of a camera differ from pixel to pixel, in the coordinates of the mesh.
