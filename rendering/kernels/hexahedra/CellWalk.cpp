@@ -19,7 +19,7 @@ namespace
 /// a picture was below the tolerance wherever it was tried, see docs/hexahedra.md.
 constexpr double bounds = 60.0, estimates = 10.0;
 /// The same for colours that change on the way through a cell.
-constexpr double colorShare = 50.0;
+constexpr double colorShare = 150.0;
 
 /// How fast the look changes with the scalar, at most.
 double steepestOf(const TransferTable& transfer)

@@ -103,18 +103,30 @@ unsigned facesOf(const Windings& windings, int winding)
 
 } // namespace
 
-std::uint8_t seldomExit(const WalkTask& task, std::size_t ray, std::uint32_t cell, float z)
+WalkFaces seldomFaces(WalkTask& task, std::size_t ray, std::uint32_t cell, float z)
 {
   const FloatCorners corners(task, ray, cell);
-  const CellIntervals intervals = intervalsOf(task, cell, frameOf(task, corners, cell));
+  const Windings windings = windingsOf(task, corners);
+  const unsigned exits = facesOf(windings, 1), entries = facesOf(windings, -1);
+  const CellFrame frame = frameOf(task, corners, cell);
+  // Faces of the boundary that the ray may pass twice: with corners on all sides of it.
+  unsigned folded = cornerBits.mixedFaces[frame.right] & cornerBits.mixedFaces[frame.above];
+  folded &= facesOf(windings, 0);
+  for (unsigned f = 0; f < 6; ++f)
+    if (task.cells->adjacency().next(cell, f) != HexMesh::noCell)
+      folded &= ~(1U << f);
+  if (std::has_single_bit(exits) && std::has_single_bit(entries) && folded == 0)
+    return {static_cast<std::uint8_t>(std::countr_zero(entries)),
+      static_cast<std::uint8_t>(std::countr_zero(exits))};
+  ++task.fallbacks;
+  const CellIntervals intervals = intervalsOf(task, cell, frame);
   const CellInterval* nearest = nullptr;
   for (const CellInterval& part : intervals)
     if (!nearest || std::abs(part.in - z) < std::abs(nearest->in - z))
       nearest = &part;
   if (nearest)
-    return nearest->outFace;
-  const unsigned exits = facesOf(windingsOf(task, corners), 1);
-  return exits != 0 ? static_cast<std::uint8_t>(std::countr_zero(exits)) : noFace;
+    return {nearest->inFace, nearest->outFace};
+  return {noFace, exits != 0 ? static_cast<std::uint8_t>(std::countr_zero(exits)) : noFace};
 }
 
 void addSeldomEntries(WalkTask& task, std::size_t ray, const WalkView::Face& face)

@@ -81,8 +81,13 @@ public:
   {
   }
 
-  /// Of the lanes `which`, puts it into l.middle; gives those for which that is not good enough.
-  HWY_INLINE std::uint32_t find(std::uint32_t which)
+  /// Of the lanes `which`, finds l.quarter. Gives those for which two lines are good enough, and
+  /// those for which four are.
+  struct Good
+  {
+    std::uint32_t two = 0, four = 0;
+  };
+  HWY_INLINE Good find(std::uint32_t which)
   {
     const D4 d;
     const WalkCells::Point* const points = task_.cells->points();
@@ -99,7 +104,7 @@ public:
         for (std::size_t i = 0; i < 4; ++i)
           hn::Store(hn::Load(d, &points[ids[faceCorners[l_.inFace[k]][i]]].x), d, inCorner_[i][k]);
       });
-    std::uint32_t good = 0;
+    Good good;
     for (std::size_t first = 0; first < lanes; first += hn::Lanes(D()))
     {
       const std::uint32_t here = known >> first & ((1U << hn::Lanes(D())) - 1);
@@ -107,9 +112,9 @@ public:
         continue;
       enter(first);
       forLanes(here, [&](std::size_t k) { halve(first + k); });
-      good |= step(first, here) << first;
+      step(first, here, good);
     }
-    return which & ~good;
+    return good;
   }
 
 private:
@@ -136,8 +141,7 @@ private:
                             l_.outU[k] * out.u[i] + l_.outV[k] * out.v[i]);
   }
 
-  /// Of the lanes `known`, gives those for which a step is enough, and two lines then are.
-  HWY_INLINE std::uint32_t step(std::size_t first, std::uint32_t known)
+  HWY_INLINE void step(std::size_t first, std::uint32_t known, Good& good)
   {
     const D d;
     V x[8], y[8], z[8], v[8];
@@ -170,16 +174,24 @@ private:
       hn::MulAdd(sr, value.r, hn::MulAdd(ss, value.s, hn::Mul(st, value.t))));
     const V far = hn::Max(hn::Max(hn::Abs(dr), hn::Abs(ds)), hn::Abs(dt));
     const V from = hn::Load(d, l_.partIn + first), to = hn::Load(d, l_.partOut + first);
-    const V line = hn::Mul(half, hn::Add(from, to));
-    // What two lines leave of a parabola, and of a cubic what is no parabola.
-    const V off = hn::MulAdd(set(0.25f), hn::Abs(hn::Sub(middle, line)),
-      hn::Mul(set(0.19f), hn::Abs(hn::Sub(slope, hn::Sub(to, from)))));
+    // The cubic with these values and this slope, against the line.
+    const V change = hn::Sub(to, from), bent = hn::NegMulAdd(half, hn::Add(from, to), middle);
+    const V twist = hn::Sub(slope, change);
+    const V left = hn::MulAdd(set(0.25f), change, hn::MulAdd(set(0.75f), bent, from));
+    const V right = hn::MulAdd(set(0.75f), change, hn::MulAdd(set(0.75f), bent, from));
+    const M isKnown = lanesOf(known);
+    const auto keep = [&](V value, float* to)
+    { hn::Store(hn::IfThenElse(isKnown, value, hn::Load(d, to)), d, to); };
+    keep(hn::NegMulAdd(set(0.1875f), twist, left), l_.quarter[0] + first);
+    keep(middle, l_.quarter[1] + first);
+    keep(hn::MulAdd(set(0.1875f), twist, right), l_.quarter[2] + first);
+    // What two lines leave of it; four leave at most a quarter of that.
+    const V off = hn::MulAdd(set(0.25f), hn::Abs(bent), hn::Mul(set(0.19f), hn::Abs(twist)));
     const V error =
       hn::Mul(off, hn::Mul(hn::Load(d, l_.rate + first), hn::Load(d, l_.transmittance + first)));
-    const M good = hn::And(
-      lanesOf(known), hn::And(hn::Lt(error, set(task_.allowedOff)), hn::Lt(far, set(0.3f))));
-    hn::Store(hn::IfThenElse(good, middle, hn::Load(d, l_.middle + first)), d, l_.middle + first);
-    return maskOf(good);
+    const M isNear = hn::And(isKnown, hn::Lt(far, set(0.3f)));
+    good.two |= maskOf(hn::And(isNear, hn::Lt(error, set(task_.allowedOff)))) << first;
+    good.four |= maskOf(hn::And(isNear, hn::Lt(error, set(4.0f * task_.allowedOff)))) << first;
   }
 
   const WalkTask& task_;

@@ -73,7 +73,7 @@ HWY_INLINE void turn(V4 ax, V4 ay, V4 bx, V4 by, unsigned first, unsigned& left,
 
 /// Finds the faces by which rays leave their cells, from winding numbers as CrossingLine has them.
 /// An edge of which the two products are equal counts as not passed, for all of the cells that have
-/// it: so nothing is lost between them. What more than one face says is left to seldomExit().
+/// it: so nothing is lost between them. What more than one face says is left to seldomFaces().
 template <int axis>
 class WalkExits
 {
@@ -210,9 +210,9 @@ private:
     const bool isUnsure = exits == 0 || (exits & (exits - 1)) != 0;
     if (HWY_UNLIKELY(isUnsure || (std::signbit(bend) && task_.view->isFoldable(cell))))
     {
-      ++task_.fallbacks;
-      exit = seldomExit(task_, l_.ray(k), cell, l_.z[k]);
-      l_.inFace[k] = noFace;
+      const WalkFaces faces = seldomFaces(task_, l_.ray(k), cell, l_.z[k]);
+      exit = faces.out;
+      l_.inFace[k] = faces.in;
     }
     l_.outFace[k] = exit;
     l_.bend[k] = std::abs(bend);

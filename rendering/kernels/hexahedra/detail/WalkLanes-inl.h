@@ -33,7 +33,7 @@ struct alignas(64) Lanes
   Floats z, value, transmittance, color[3];
   Floats outZ, outValue;         ///< where they leave their cells
   Floats depth, partIn, partOut; ///< what of the way through the cell counts; depth in the world
-  Floats middle, goal;           ///< the values half-way, and where an integral goes to
+  Floats quarter[3];             ///< the values at a quarter of it, half and three quarters
   Floats bend, cellValue;
   Floats rate;       ///< of what is seen with the scalar, in the cell; of lanes that bend
   Floats outU, outV; ///< where on the exit face

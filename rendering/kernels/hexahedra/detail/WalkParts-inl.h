@@ -53,7 +53,7 @@ public:
   /// Finds where the rays leave their cells, and adds what lies before.
   HWY_INLINE void add()
   {
-    isClipped_ = isBent_ = isDone_ = 0;
+    isClipped_ = isBent_ = isHalved_ = isQuartered_ = isDone_ = 0;
     for (std::size_t first = 0; first < lanes; first += hn::Lanes(D()))
       leave(first);
     isClipped_ &= l_.active;
@@ -71,12 +71,15 @@ public:
     if (isFresh_ != 0)
       forLanes(isFresh_, [&](std::size_t k) { start(k); });
     isFresh_ = 0;
-    if (isBent_ == 0)
-      return integrate(l_.partOut, l_.active);
-    integrate(l_.middle, l_.active);
-    isHalved_ = isBent_;
-    integrate(l_.partOut, isBent_);
-    isHalved_ = 0;
+    if ((isHalved_ | isQuartered_) != 0)
+    {
+      if (isQuartered_ != 0)
+        integrate<1>(l_.quarter[0], isQuartered_);
+      integrate<2>(l_.quarter[1], isHalved_ | isQuartered_);
+      if (isQuartered_ != 0)
+        integrate<3>(l_.quarter[2], isQuartered_);
+    }
+    integrate<4>(l_.partOut, l_.active);
   }
 
 private:
@@ -134,8 +137,8 @@ private:
     isFresh_ |= isClipped_;
   }
 
-  /// Of lanes whose values may be too far from a line, finds those that are as good as two lines.
-  /// The others are integrated one at a time.
+  /// Of lanes whose values may be too far from a line, finds those that are as good as two or four
+  /// lines. The others are integrated one at a time.
   void bend()
   {
     forLanes(isBent_,
@@ -151,10 +154,10 @@ private:
       });
     if (isBent_ == 0)
       return;
-    std::copy_n(l_.partOut, lanes, l_.middle);
-    const std::uint32_t whole = isBent_ & ~isClipped_;
-    isDone_ |= (isBent_ & isClipped_) | (whole != 0 ? bends_.find(whole) : 0);
-    isBent_ &= ~isDone_;
+    const auto good = bends_.find(isBent_ & ~isClipped_);
+    isHalved_ = good.two;
+    isQuartered_ = good.four & ~good.two;
+    isDone_ |= isBent_ & ~good.four;
   }
 
   /// Adds a part of a ray by CellIntegral.
@@ -200,7 +203,14 @@ private:
     }
   }
 
-  /// Lets lanes go on to the values `goal`: all of the way, or where it is bent half of it.
+  /// How much of its way a lane goes at a time, in quarters.
+  HWY_INLINE int strideOf(std::size_t k) const
+  {
+    return (isQuartered_ >> k & 1U) != 0 ? 1 : (isHalved_ >> k & 1U) != 0 ? 2 : 4;
+  }
+
+  /// Lets lanes go on to the values `goal`, which they have at so many quarters of their ways.
+  template <int quarters>
   HWY_INLINE void integrate(const Floats& goal, std::uint32_t which)
   {
     isSeldom_ = 0;
@@ -215,17 +225,19 @@ private:
       forLanes(which, [&](std::size_t k)
         { isSeldom_ |= (transfer_.isSolid(l_.row[k], l_.goalRow[k]) ? 1U : 0U) << k; });
     for (std::size_t first = 0; first < lanes; first += hn::Lanes(D()))
-      gather(goal, which >> first, first);
+      gather<quarters == 4>(goal, which >> first, first);
     forLanes(isSeldom_,
       [&](std::size_t k)
       {
-        const float z0 = l_.z[k], z1 = l_.outZ[k], middle = z0 + 0.5f * (z1 - z0);
-        const bool isFirst = (isBent_ & ~isHalved_) >> k & 1U, isSecond = isHalved_ >> k & 1U;
-        addSeldom(k, isSecond ? middle : z0, isFirst ? middle : z1,
-          isSecond ? l_.middle[k] : l_.partIn[k], goal[k]);
+        const int before = quarters - strideOf(k);
+        const float z = l_.z[k], step = 0.25f * (l_.outZ[k] - z);
+        addSeldom(k, before == 0 ? z : z + static_cast<float>(before) * step,
+          quarters == 4 ? l_.outZ[k] : z + static_cast<float>(quarters) * step,
+          before == 0 ? l_.partIn[k] : l_.quarter[std::max(before, 1) - 1][k], goal[k]);
       });
   }
 
+  template <bool isAll>
   HWY_INLINE void gather(const Floats& goal, std::uint32_t which, std::size_t first)
   {
     const D d;
@@ -246,12 +258,20 @@ private:
       const V across =
         hn::Mul(hn::Sub(integral[c], hn::Load(d, l_.atIntegral[c] + first)), perChange);
       mean[c] = hn::IfThenElse(isSame, hn::Mul(set(0.5f), hn::Add(from[c], to[c])), across);
-      hn::Store(to[c], d, l_.atValue[c] + first);
-      hn::Store(integral[c], d, l_.atIntegral[c] + first);
     }
-    hn::Store(end, d, l_.at + first);
-    hn::Store(goalRow, di, reinterpret_cast<std::int32_t*>(l_.row + first));
-    const V share = hn::IfThenElse(lanesOf(isBent_ >> first), set(0.5f), one);
+    const M goes = lanesOf(which);
+    const auto keep = [&](V value, float* to)
+    { hn::Store(isAll ? value : hn::IfThenElse(goes, value, hn::Load(d, to)), d, to); };
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      keep(to[c], l_.atValue[c] + first);
+      keep(integral[c], l_.atIntegral[c] + first);
+    }
+    keep(end, l_.at + first);
+    const VI rows = isAll ? goalRow : hn::IfThenElse(hn::RebindMask(di, goes), goalRow, row);
+    hn::Store(rows, di, reinterpret_cast<std::int32_t*>(l_.row + first));
+    const V share = hn::IfThenElse(lanesOf(isQuartered_ >> first), set(0.25f),
+      hn::IfThenElse(lanesOf(isHalved_ >> first), set(0.5f), one));
     const V depth = hn::Mul(hn::Load(d, l_.depth + first), share);
     const V thick = hn::Mul(mean[0], depth), square = hn::Mul(thick, thick);
     const V perFrom = hn::Div(one, hn::Max(from[0], tiny)),
@@ -290,9 +310,9 @@ private:
   const WalkTransfer& transfer_;
   WalkBends<axis> bends_;
   /// A bit each lane: what is known of a part is not what the last one ended with; it is cut; it is
-  /// two lines; the first of them is done; it has been added; it is to be added one at a time.
-  std::uint32_t isFresh_ = 0, isClipped_ = 0, isBent_ = 0, isHalved_ = 0, isDone_ = 0,
-                isSeldom_ = 0;
+  /// no line; it is two, or four; it has been added; it is to be added one at a time.
+  std::uint32_t isFresh_ = 0, isClipped_ = 0, isBent_ = 0, isHalved_ = 0, isQuartered_ = 0,
+                isDone_ = 0, isSeldom_ = 0;
 };
 
 } // namespace

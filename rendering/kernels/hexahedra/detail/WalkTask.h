@@ -104,9 +104,13 @@ struct WalkTask
   float depth(float z) const { return isBackwards ? -z : z; }
 };
 
-/// The face by which a ray leaves a cell that it came into at depth z, or noFace: decided by
-/// all its crossings with the cell.
-std::uint8_t seldomExit(const WalkTask& task, std::size_t ray, std::uint32_t cell, float z);
+/// The faces by which a ray enters a cell, at about depth z, and leaves it; or noFace. Decided by
+/// all its crossings with the cell where winding numbers do not tell.
+struct WalkFaces
+{
+  std::uint8_t in, out;
+};
+WalkFaces seldomFaces(WalkTask& task, std::size_t ray, std::uint32_t cell, float z);
 
 /// Adds the entries that a ray has by a face of the boundary.
 void addSeldomEntries(WalkTask& task, std::size_t ray, const WalkView::Face& face);
