@@ -34,7 +34,7 @@ WalkTransfer::WalkTransfer(const TransferTable& table, double lower, double uppe
     if (table.lowerEnd(piece) < table.upperEnd(piece))
       cut(table, piece, table.lowerEnd(piece), table.upperEnd(piece), 0);
   add(table, last, end, end);
-  ends_.back() = std::numeric_limits<float>::infinity();
+  rows_.back().end = std::numeric_limits<float>::infinity();
   binsFrom_ = static_cast<float>(lower);
   binsPer_ = upper > lower ? static_cast<float>(bins / (upper - lower)) : 0.0f;
   bins_.resize(bins);
@@ -43,7 +43,7 @@ WalkTransfer::WalkTransfer(const TransferTable& table, double lower, double uppe
   for (std::size_t i = 0; i < bins; ++i)
   {
     const double from = binsPer_ > 0.0f ? lower + (double(i) - 0.01) / binsPer_ : -infinity;
-    while (row + 1 < rows_.size() && i > 0 && ends_[row] <= from)
+    while (row + 1 < rows_.size() && i > 0 && rows_[row].end <= from)
       ++row;
     bins_[i] = row;
   }
@@ -109,14 +109,14 @@ void WalkTransfer::add(const TransferTable& table, std::size_t piece, double fro
   if (!rows_.empty())
   {
     const Row& before = rows_.back();
-    const float whole = ends_.back() - from_.back();
+    const float whole = before.end - before.from;
     for (int k = 0; k < 4; ++k)
       row.integral[k] =
         before.integral[k] + whole * (before.value[k] + 0.5f * whole * before.slope[k]);
   }
+  row.from = static_cast<float>(from);
+  row.end = static_cast<float>(to);
   rows_.push_back(row);
-  from_.push_back(static_cast<float>(from));
-  ends_.push_back(static_cast<float>(to));
   solidBefore_.push_back(solidBefore_.back() + (isSolid ? 1 : 0));
 }
 

@@ -189,24 +189,82 @@ private:
       }
       if (mesh.isBackwards)
         windings = hn::Neg(windings);
-      alignas(64) std::int32_t found[lanes];
-      hn::Store(hn::Add(windings, hn::Set(di, noWindings)), di, found);
-      for (std::uint32_t left = here; left != 0; left &= left - 1)
+      windings = hn::Add(windings, hn::Set(di, noWindings));
+      takeTogether(mesh, cell, first, here, windings);
+    }
+  }
+
+  /// Of rays in a cell, face by face.
+  HWY_INLINE void takeTogether(
+    const Mesh& mesh, std::uint32_t cell, std::size_t first, std::uint32_t here, VI windings)
+  {
+    const D4 d;
+    const DI di;
+    const VI exits = hn::And(
+      hn::And(windings, hn::ShiftRight<2>(windings)), hn::Set(di, 0x111111)); // where it is 5
+    const std::uint32_t* ids = mesh.cells[cell].data();
+    const float bend = mesh.bends[cell];
+    std::uint32_t left = here;
+    const bool isFoldable = std::signbit(bend) && task_.view->isFoldable(cell);
+    for (std::uint32_t f = 0; f < 6 && left != 0 && !isFoldable; ++f)
+    {
+      const auto is = hn::Eq(exits, hn::Set(di, static_cast<std::int32_t>(1U << 4 * f)));
+      std::uint32_t which = maskOf(hn::RebindMask(D(), is)) & left;
+      if (which == 0)
+        continue;
+      left &= ~which;
+      const std::uint32_t behind = mesh.next[cell][f];
+      fetch(mesh, behind);
+      V4 corners[4];
+      for (std::size_t i = 0; i < 4; ++i)
+        corners[i] = hn::Load(d, &mesh.points[ids[faceCorners[f][i]]].x);
+      for (; which != 0; which &= which - 1)
       {
-        const auto k = static_cast<std::size_t>(std::countr_zero(left));
-        take(mesh, cell, first + k, static_cast<std::uint32_t>(found[k]));
+        const std::size_t k = first + static_cast<std::size_t>(std::countr_zero(which));
+        l_.bend[k] = std::abs(bend);
+        l_.behind[k] = behind;
+        l_.outFace[k] = f;
+        for (std::size_t i = 0; i < 4; ++i)
+          hn::Store(corners[i], d, l_.corner[i][k]);
       }
     }
+    if (mesh.ofCells != nullptr)
+      forLanes(here, [&](std::size_t k) { l_.cellValue[first + k] = mesh.ofCells[cell]; });
+    alignas(64) std::int32_t all[lanes];
+    hn::Store(windings, di, all);
+    for (std::uint32_t some = here & ~left; some != 0; some &= some - 1)
+    {
+      const auto k = static_cast<std::size_t>(std::countr_zero(some));
+      l_.inFace[first + k] = entryOf(static_cast<std::uint32_t>(all[k]));
+    }
+    for (; left != 0; left &= left - 1)
+    {
+      const auto k = static_cast<std::size_t>(std::countr_zero(left));
+      take(mesh, cell, first + k, static_cast<std::uint32_t>(all[k]));
+    }
+  }
+
+  /// The face of which the winding number is -1, 3 as it is kept.
+  static HWY_INLINE std::uint32_t entryOf(std::uint32_t windings)
+  {
+    const std::uint32_t entries = windings & windings >> 1 & ~(windings >> 2) & 0x111111U;
+    return static_cast<std::uint32_t>(std::countr_zero(entries)) / 4;
+  }
+  static HWY_INLINE void fetch(const Mesh& mesh, std::uint32_t cell)
+  {
+    if (cell == HexMesh::noCell)
+      return;
+    __builtin_prefetch(&mesh.cells[cell]);
+    __builtin_prefetch(&mesh.next[cell]);
   }
 
   HWY_INLINE void take(const Mesh& mesh, std::uint32_t cell, std::size_t k, std::uint32_t windings)
   {
     const D4 d;
-    const std::uint32_t exits = windings & windings >> 2 & 0x111111U;                      // 5
-    const std::uint32_t entries = windings & windings >> 1 & ~(windings >> 2) & 0x111111U; // 3
+    const std::uint32_t exits = windings & windings >> 2 & 0x111111U; // 5
     const float bend = mesh.bends[cell];
     unsigned exit = static_cast<unsigned>(std::countr_zero(exits)) / 4;
-    l_.inFace[k] = static_cast<unsigned>(std::countr_zero(entries)) / 4;
+    l_.inFace[k] = entryOf(windings);
     const bool isUnsure = exits == 0 || (exits & (exits - 1)) != 0;
     if (HWY_UNLIKELY(isUnsure || (std::signbit(bend) && task_.view->isFoldable(cell))))
     {
@@ -220,11 +278,7 @@ private:
     if (exit == noFace)
       return;
     const std::uint32_t behind = mesh.next[cell][exit];
-    if (behind != HexMesh::noCell)
-    {
-      __builtin_prefetch(&mesh.cells[behind]);
-      __builtin_prefetch(&mesh.next[behind]);
-    }
+    fetch(mesh, behind);
     l_.behind[k] = behind;
     const std::uint32_t* ids = mesh.cells[cell].data();
     for (std::size_t i = 0; i < 4; ++i)

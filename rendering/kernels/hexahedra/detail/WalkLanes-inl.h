@@ -42,7 +42,7 @@ struct alignas(64) Lanes
   float corner[4][lanes][4];                         ///< of the exit face
   Floats runZ, runColor[4];                          ///< where the rays came into the mesh
   Floats lastTransmittance;                          ///< of the last step; for who asks for runs
-  std::uint32_t row[lanes], goalRow[lanes], cell[lanes], behind[lanes], entry[lanes];
+  std::uint32_t row[lanes], goalRow[lanes], bin[lanes], cell[lanes], behind[lanes], entry[lanes];
   std::int32_t left[lanes];
   std::uint32_t inFace[lanes], outFace[lanes];
   std::uint32_t active; ///< a bit each

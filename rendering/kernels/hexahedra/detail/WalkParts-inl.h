@@ -178,12 +178,12 @@ private:
 
   /// Looks the transfer function up.
   static HWY_INLINE std::uint32_t look(
-    const WalkTransfer::Table& table, float value, float* at, float* integral)
+    const WalkTransfer::Table& table, float value, std::uint32_t bin, float* at, float* integral)
   {
     const D4 d;
-    const std::uint32_t r = table.rowOf(value);
+    const std::uint32_t r = table.rowOf(value, bin);
     const WalkTransfer::Row& row = table.rows[r];
-    const V4 step = hn::Set(d, value - table.from[r]), half = hn::Set(d, 0.5f);
+    const V4 step = hn::Set(d, value - row.from), half = hn::Set(d, 0.5f);
     const V4 slope = hn::Load(d, row.slope), from = hn::Load(d, row.value);
     hn::Store(hn::MulAdd(step, slope, from), d, at);
     hn::Store(
@@ -194,7 +194,7 @@ private:
   void start(std::size_t k)
   {
     alignas(16) float at[4], integral[4];
-    l_.row[k] = look(transfer_.table(), l_.partIn[k], at, integral);
+    l_.row[k] = look(transfer_.table(), l_.partIn[k], transfer_.binOf(l_.partIn[k]), at, integral);
     l_.at[k] = l_.partIn[k];
     for (std::size_t c = 0; c < 4; ++c)
     {
@@ -215,10 +215,12 @@ private:
   {
     isSeldom_ = 0;
     const WalkTransfer::Table table = transfer_.table();
+    for (std::size_t first = 0; first < lanes; first += hn::Lanes(D()))
+      findBins(goal, first);
     for (std::uint32_t left = which; left != 0; left &= left - 1)
     {
       const auto k = static_cast<std::size_t>(std::countr_zero(left));
-      l_.goalRow[k] = look(table, goal[k], l_.goalValue[k], l_.goalIntegral[k]);
+      l_.goalRow[k] = look(table, goal[k], l_.bin[k], l_.goalValue[k], l_.goalIntegral[k]);
     }
     which &= ~isDone_;
     if (transfer_.hasSolid())
@@ -235,6 +237,18 @@ private:
           quarters == 4 ? l_.outZ[k] : z + static_cast<float>(quarters) * step,
           before == 0 ? l_.partIn[k] : l_.quarter[std::max(before, 1) - 1][k], goal[k]);
       });
+  }
+
+  /// As WalkTransfer::binOf().
+  HWY_INLINE void findBins(const Floats& goal, std::size_t first)
+  {
+    const D d;
+    const DI di;
+    const V at = hn::Mul(
+      hn::Sub(hn::Load(d, goal + first), set(transfer_.binsFrom())), set(transfer_.binsPer()));
+    const V last = set(static_cast<float>(WalkTransfer::bins - 1));
+    const V inside = hn::IfThenElseZero(hn::Gt(at, hn::Zero(d)), hn::Min(at, last));
+    hn::Store(hn::ConvertTo(di, inside), di, reinterpret_cast<std::int32_t*>(l_.bin + first));
   }
 
   template <bool isAll>

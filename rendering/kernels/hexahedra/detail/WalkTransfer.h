@@ -17,42 +17,43 @@ namespace mote
 class WalkTransfer
 {
 public:
-  /// What the function is from where a row begins. Numbers are those of extinction and of
-  /// extinction times red, green and blue; or, in `look`, extinction and red, green and blue.
-  struct alignas(16) Row
+  /// What the function is from one value to another: extinction, and extinction times red, green
+  /// and blue; and their integrals up to where the row begins.
+  struct alignas(64) Row
   {
     float integral[4], value[4], slope[4];
-    float look[4], lookSlope[4];
+    float from, end;
   };
 
   WalkTransfer() = default;
   /// `lower` and `upper` are the range of the scalar, by which rows are found.
   WalkTransfer(const TransferTable& table, double lower, double upper);
 
-  /// What is needed to look values up.
+  /// The even part of the scalar's range that a value lies in, from 0 to bins - 1; NaN in any.
+  static constexpr std::size_t bins = 1024;
+  float binsFrom() const { return binsFrom_; }
+  float binsPer() const { return binsPer_; }
+  std::uint32_t binOf(float value) const
+  {
+    const float at = (value - binsFrom_) * binsPer_;
+    constexpr float last = static_cast<float>(bins - 1);
+    return at > 0.0f ? static_cast<std::uint32_t>(at < last ? at : last) : 0;
+  }
+  /// What is needed to look values up of which the bins are known.
   struct Table
   {
     const Row* rows;
-    const float* from; ///< where the numbers of a row count from
-    const float* ends;
     const std::uint32_t* bins;
-    float binsFrom, binsPer;
 
-    /// The row of a value; the first one for NaN.
-    std::uint32_t rowOf(float value) const
+    std::uint32_t rowOf(float value, std::uint32_t bin) const
     {
-      const float at = (value - binsFrom) * binsPer;
-      constexpr float last = static_cast<float>(WalkTransfer::bins - 1);
-      std::uint32_t row = bins[at > 0.0f ? static_cast<std::uint32_t>(at < last ? at : last) : 0];
-      while (ends[row] <= value)
+      std::uint32_t row = bins[bin];
+      while (rows[row].end <= value)
         ++row;
       return row;
     }
   };
-  Table table() const
-  {
-    return {rows_.data(), from_.data(), ends_.data(), bins_.data(), binsFrom_, binsPer_};
-  }
+  Table table() const { return {rows_.data(), bins_.data()}; }
   /// Whether an extinction without end lies between two rows or in one of them.
   bool isSolid(std::uint32_t a, std::uint32_t b) const
   {
@@ -71,7 +72,7 @@ public:
   bool hasSolid() const { return solidBefore_.back() > 0; }
 
 private:
-  static constexpr std::size_t bins = 1024, coarseBins = 64, levels = 7;
+  static constexpr std::size_t coarseBins = 64, levels = 7;
   std::size_t coarseBinOf(float value) const
   {
     const float at = (value - binsFrom_) * binsPer_ * (float(coarseBins) / float(bins));
@@ -83,7 +84,6 @@ private:
   void add(const TransferTable& table, std::size_t piece, double from, double to);
 
   std::vector<Row> rows_;
-  std::vector<float> from_, ends_;
   std::vector<std::uint32_t> solidBefore_;
   /// The greatest rate in 1, 2, 4 and more coarse bins from each on; and steps of the extinction.
   std::array<std::array<float, coarseBins>, levels> rates_{};
