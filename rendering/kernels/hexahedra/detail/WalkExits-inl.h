@@ -71,6 +71,13 @@ HWY_INLINE void turn(V4 ax, V4 ay, V4 bx, V4 by, unsigned first, unsigned& left,
   right |= bitsOf(hn::Lt(p, q)) << first;
 }
 
+/// A cell's corners about `count` rays.
+template <std::size_t count>
+struct alignas(64) CornersOf
+{
+  float x[8 * count], y[8 * count];
+};
+
 /// Finds the faces by which rays leave their cells, from winding numbers as CrossingLine has them.
 /// An edge of which the two products are equal counts as not passed, for all of the cells that have
 /// it: so nothing is lost between them. What more than one face says is left to seldomFaces().
@@ -130,6 +137,7 @@ private:
     const D4 d;
     const std::uint32_t* ids = mesh.cells[cell].data();
     V4 x[2], y[2];
+    CornersOf<1> corners;
     unsigned above = 0;
     for (std::size_t half = 0; half < 2; ++half)
     {
@@ -140,6 +148,8 @@ private:
       x[half] = hn::Sub(hn::Sub(u, hn::Set(d, l_.x[k])), hn::Mul(hn::Set(d, l_.dx[k]), z));
       y[half] = hn::Sub(hn::Sub(v, hn::Set(d, l_.y[k])), hn::Mul(hn::Set(d, l_.dy[k]), z));
       above |= bitsOf(hn::Gt(y[half], hn::Zero(d))) << 4 * half;
+      hn::Store(x[half], d, corners.x + 4 * half);
+      hn::Store(y[half], d, corners.y + 4 * half);
     }
     unsigned left = 0, right = 0;
     turn(x[0], y[0], hn::Shuffle0321(x[0]), hn::Shuffle0321(y[0]), 0, left, right);
@@ -149,7 +159,7 @@ private:
     const unsigned up = mixed & ~first & left, down = mixed & first & right;
     const std::uint32_t windings = edgeSums.of[0][up & 63U] + edgeSums.of[1][up >> 6] -
                                    edgeSums.of[0][down & 63U] - edgeSums.of[1][down >> 6];
-    take(mesh, cell, k, noWindings + (mesh.isBackwards ? 0U - windings : windings));
+    take(mesh, cell, k, noWindings + (mesh.isBackwards ? 0U - windings : windings), corners, 0);
   }
 
   /// Of several rays in a cell, with the rays in the lanes.
@@ -166,6 +176,7 @@ private:
       const V rayX = hn::Load(d, l_.x + first), rayY = hn::Load(d, l_.y + first);
       const V dx = hn::Load(d, l_.dx + first), dy = hn::Load(d, l_.dy + first);
       V x[8], y[8];
+      CornersOf<lanes> corners;
       M above[8];
       for (std::size_t i = 0; i < 8; ++i)
       {
@@ -174,6 +185,8 @@ private:
         x[i] = hn::Sub(hn::Sub(set(p[(axis + 1) % 3]), rayX), hn::Mul(dx, z));
         y[i] = hn::Sub(hn::Sub(set(p[(axis + 2) % 3]), rayY), hn::Mul(dy, z));
         above[i] = hn::Gt(y[i], hn::Zero(d));
+        hn::Store(x[i], d, corners.x + i * lanes);
+        hn::Store(y[i], d, corners.y + i * lanes);
       }
       VI windings = hn::Zero(di);
 #pragma GCC unroll 12
@@ -190,15 +203,15 @@ private:
       if (mesh.isBackwards)
         windings = hn::Neg(windings);
       windings = hn::Add(windings, hn::Set(di, noWindings));
-      takeTogether(mesh, cell, first, here, windings);
+      takeTogether(mesh, cell, first, here, windings, corners);
     }
   }
 
   /// Of rays in a cell, face by face.
-  HWY_INLINE void takeTogether(
-    const Mesh& mesh, std::uint32_t cell, std::size_t first, std::uint32_t here, VI windings)
+  HWY_INLINE void takeTogether(const Mesh& mesh, std::uint32_t cell, std::size_t first,
+    std::uint32_t here, VI windings, const CornersOf<lanes>& corners)
   {
-    const D4 d;
+    const D d;
     const DI di;
     const VI exits = hn::And(
       hn::And(windings, hn::ShiftRight<2>(windings)), hn::Set(di, 0x111111)); // where it is 5
@@ -209,23 +222,31 @@ private:
     for (std::uint32_t f = 0; f < 6 && left != 0 && !isFoldable; ++f)
     {
       const auto is = hn::Eq(exits, hn::Set(di, static_cast<std::int32_t>(1U << 4 * f)));
-      std::uint32_t which = maskOf(hn::RebindMask(D(), is)) & left;
+      const std::uint32_t which = maskOf(hn::RebindMask(D(), is)) & left;
       if (which == 0)
         continue;
       left &= ~which;
       const std::uint32_t behind = mesh.next[cell][f];
       fetch(mesh, behind);
-      V4 corners[4];
-      for (std::size_t i = 0; i < 4; ++i)
-        corners[i] = hn::Load(d, &mesh.points[ids[faceCorners[f][i]]].x);
-      for (; which != 0; which &= which - 1)
+      const M mask = lanesOf(which);
+      const auto keep = [&](V value, float* to)
+      { hn::Store(hn::IfThenElse(mask, value, hn::Load(d, to + first)), d, to + first); };
+      const auto keepNumber = [&](std::uint32_t number, std::uint32_t* to)
       {
-        const std::size_t k = first + static_cast<std::size_t>(std::countr_zero(which));
-        l_.bend[k] = std::abs(bend);
-        l_.behind[k] = behind;
-        l_.outFace[k] = f;
-        for (std::size_t i = 0; i < 4; ++i)
-          hn::Store(corners[i], d, l_.corner[i][k]);
+        const V value = hn::BitCast(d, hn::Set(di, static_cast<std::int32_t>(number)));
+        keep(value, reinterpret_cast<float*>(to));
+      };
+      keep(set(std::abs(bend)), l_.bend);
+      keepNumber(behind, l_.behind);
+      keepNumber(f, l_.outFace);
+      for (std::size_t i = 0; i < 4; ++i)
+      {
+        const std::size_t c = faceCorners[f][i];
+        const float* p = &mesh.points[ids[c]].x;
+        keep(hn::Load(d, corners.x + c * lanes), l_.cornerX[i]);
+        keep(hn::Load(d, corners.y + c * lanes), l_.cornerY[i]);
+        keep(set(p[axis]), l_.cornerZ[i]);
+        keep(set(p[3]), l_.cornerValue[i]);
       }
     }
     if (mesh.ofCells != nullptr)
@@ -240,7 +261,7 @@ private:
     for (; left != 0; left &= left - 1)
     {
       const auto k = static_cast<std::size_t>(std::countr_zero(left));
-      take(mesh, cell, first + k, static_cast<std::uint32_t>(all[k]));
+      take(mesh, cell, first + k, static_cast<std::uint32_t>(all[k]), corners, k);
     }
   }
 
@@ -258,9 +279,10 @@ private:
     __builtin_prefetch(&mesh.next[cell]);
   }
 
-  HWY_INLINE void take(const Mesh& mesh, std::uint32_t cell, std::size_t k, std::uint32_t windings)
+  template <std::size_t count>
+  HWY_INLINE void take(const Mesh& mesh, std::uint32_t cell, std::size_t k, std::uint32_t windings,
+    const CornersOf<count>& corners, std::size_t at)
   {
-    const D4 d;
     const std::uint32_t exits = windings & windings >> 2 & 0x111111U; // 5
     const float bend = mesh.bends[cell];
     unsigned exit = static_cast<unsigned>(std::countr_zero(exits)) / 4;
@@ -282,7 +304,14 @@ private:
     l_.behind[k] = behind;
     const std::uint32_t* ids = mesh.cells[cell].data();
     for (std::size_t i = 0; i < 4; ++i)
-      hn::Store(hn::Load(d, &mesh.points[ids[faceCorners[exit][i]]].x), d, l_.corner[i][k]);
+    {
+      const std::size_t c = faceCorners[exit][i];
+      const float* p = &mesh.points[ids[c]].x;
+      l_.cornerX[i][k] = corners.x[c * count + at];
+      l_.cornerY[i][k] = corners.y[c * count + at];
+      l_.cornerZ[i][k] = p[axis];
+      l_.cornerValue[i][k] = p[3];
+    }
     if (mesh.ofCells != nullptr)
       l_.cellValue[k] = mesh.ofCells[cell];
   }

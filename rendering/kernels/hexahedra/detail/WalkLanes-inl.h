@@ -39,9 +39,9 @@ struct alignas(64) Lanes
   Floats outU, outV; ///< where on the exit face
   Floats at, atValue[4], atIntegral[4];              ///< where an integral begins, see WalkTransfer
   float goalValue[lanes][4], goalIntegral[lanes][4]; ///< and where it ends
-  float corner[4][lanes][4];                         ///< of the exit face
-  Floats runZ, runColor[4];                          ///< where the rays came into the mesh
-  Floats lastTransmittance;                          ///< of the last step; for who asks for runs
+  Floats cornerX[4], cornerY[4], cornerZ[4], cornerValue[4]; ///< of the exit face, about the rays
+  Floats runZ, runColor[4];                                  ///< where the rays came into the mesh
+  Floats lastTransmittance; ///< of the last step; for who asks for runs
   std::uint32_t row[lanes], goalRow[lanes], bin[lanes], cell[lanes], behind[lanes], entry[lanes];
   std::int32_t left[lanes];
   std::uint32_t inFace[lanes], outFace[lanes];

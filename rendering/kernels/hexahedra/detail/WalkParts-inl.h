@@ -89,10 +89,10 @@ private:
     FaceCorners c;
     for (std::size_t i = 0; i < 4; ++i)
     {
-      V p[3];
-      hn::LoadInterleaved4(d, l_.corner[i][first], p[0], p[1], p[2], c.value[i]);
-      placeAbout<axis>(l_, first, p, c.x[i], c.y[i]);
-      c.z[i] = p[axis];
+      c.x[i] = hn::Load(d, l_.cornerX[i] + first);
+      c.y[i] = hn::Load(d, l_.cornerY[i] + first);
+      c.z[i] = hn::Load(d, l_.cornerZ[i] + first);
+      c.value[i] = hn::Load(d, l_.cornerValue[i] + first);
     }
     const PatchPlace place = passPatch(c.x, c.y, task_.isBackwards);
     hn::Store(place.u, d, l_.outU + first);
