@@ -111,7 +111,7 @@ public:
       }
       same &= left;
       left &= ~same;
-      if (std::popcount(same) >= 3)
+      if (std::popcount(same) >= 2)
         together(mesh, cell, same);
       else
         for (; same != 0; same &= same - 1)
