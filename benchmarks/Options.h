@@ -26,6 +26,7 @@ struct Options
   int rays = 1;                    ///< from every hit of a primary ray
   double cloudTolerance = 0.0;     ///< between pixels of a volume; 0: all are traced
   double step = 0.0;               ///< between samples of a volume; 0: the volume's own choice
+  double tolerance = 1e-3;         ///< of integration cell by cell
   std::string integrator = "trilinear";
   double lambda2 = 4.0; ///< leaves per reference of a macro cell of a two-level grid
 

@@ -72,6 +72,10 @@ void addVolumeOptions(CLI::App& command, Options& options)
       "Error of a colour, from 0 to 1, up to which pixels are interpolated; 0: all are traced")
     ->check(CLI::Range(0.0, 1.0))
     ->capture_default_str();
+  command
+    .add_option("--tolerance", options.tolerance,
+      "Error of a colour, from 0 to 1, that walks and the integrator cell-by-cell may make")
+    ->check(CLI::Range(1e-9, 1.0));
   command.add_option("--integrator", options.integrator, "How Mote's structures sample rays")
     ->check(CLI::IsMember({"inverse-distance", "trilinear", "cell-by-cell"}))
     ->capture_default_str();

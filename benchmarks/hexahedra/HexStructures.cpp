@@ -33,13 +33,36 @@ const HexMethodEntry& hexMethodNamed(const std::string& name)
   throw Error("There is no structure " + name + ".");
 }
 
+const Named walkMethod = {"walk", "from cell to cell by shared faces, cell by cell"};
+
+BuiltHexStructure buildWalk(const VolumeTask& task, std::shared_ptr<HexStructure> structure)
+{
+  BuiltHexStructure built;
+  built.method = walkMethod.first;
+  built.structure = std::move(structure);
+  std::shared_ptr<const FaceAdjacency> adjacency;
+  Race race;
+  race.add(task.threads, [&] { adjacency = std::make_shared<FaceAdjacency>(*task.input.mesh); });
+  race.add(task.threads,
+    [&]
+    {
+      const HexField field(*task.input.mesh, task.input.hexScalar());
+      built.walk = std::make_shared<WalkCells>(task.input.mesh, adjacency, field);
+    });
+  race.run(task.repeat);
+  built.buildSeconds = race.seconds(0);
+  built.frameChangeSeconds = race.seconds(1);
+  built.megabytes = 1e-6 * static_cast<double>(built.walk->bytes());
+  return built;
+}
+
 std::vector<BuiltHexStructure> buildStructures(
   const VolumeTask& task, const std::vector<HexStructureRequest>& requests)
 {
   const HexInput& input = task.input;
   std::vector<BuiltHexStructure> all;
   for (const HexStructureRequest& request : requests)
-    all.push_back({request.method->name, request.lambda2, {}});
+    all.push_back({request.method->name, request.lambda2, {}, {}});
   Race race;
   for (std::size_t i = 0; i < requests.size(); ++i)
   {

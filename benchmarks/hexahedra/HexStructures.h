@@ -3,6 +3,7 @@
 #include "VolumeTask.h"
 
 #include <kernels/hexahedra/HexStructure.h>
+#include <kernels/hexahedra/WalkCells.h>
 
 #include <memory>
 #include <string>
@@ -31,9 +32,10 @@ struct BuiltHexStructure
   std::string method;
   double lambda2 = 0.0; ///< of grids
   std::shared_ptr<HexStructure> structure;
-  double buildSeconds = 0.0;       ///< median
-  double frameChangeSeconds = 0.0; ///< to take other values: field and ranges; median
-  double megabytes = 0.0;          ///< of 1e6 bytes, without the mesh
+  std::shared_ptr<const WalkCells> walk; ///< camera rays go from cell to cell; or null
+  double buildSeconds = 0.0;             ///< median
+  double frameChangeSeconds = 0.0;       ///< to take other values: field and ranges; median
+  double megabytes = 0.0;                ///< of 1e6 bytes, without the mesh
   std::size_t references = 0, largestLeaf = 0;
 };
 
@@ -42,6 +44,13 @@ struct HexStructureRequest
   const HexMethodEntry* method;
   double lambda2 = 4.0;
 };
+
+/// The method by which camera rays go from cell to cell.
+extern const Named walkMethod;
+
+/// What that takes: to find out which cells share faces, and for a scalar. `structure` is for what
+/// else a volume needs.
+BuiltHexStructure buildWalk(const VolumeTask& task, std::shared_ptr<HexStructure> structure);
 
 /// Builds the structures in one race. The axis is the input's, or found.
 std::vector<BuiltHexStructure> buildStructures(

@@ -15,15 +15,15 @@ Section comparison(const std::vector<VolumeMeasurement>& measurements)
 {
   Section section{"", Table(2)};
   section.table.add({"method", "integrator", "fps", "(min - max)", "build s", "MB", "references",
-    "in a leaf", "cells a ray", "nodes a ray", "step", "rms error", "max error"});
+    "in a leaf", "cells a ray", "nodes a ray", "fallbacks", "step", "rms error", "max error"});
   const auto number = [](const char* pattern, double value)
   { return std::isnan(value) ? std::string("-") : format(pattern, value); };
   for (const VolumeMeasurement& m : measurements)
     section.table.add({m.method, m.integrator, format("%.3g", 1.0 / m.seconds),
       format("%.3g - %.3g", 1.0 / m.most, 1.0 / m.least), format("%.3f", m.buildSeconds),
       format("%.1f", m.megabytes), number("%.0f", m.references), number("%.0f", m.largestLeaf),
-      number("%.1f", m.cellsVisited), number("%.1f", m.nodesVisited), number("%.3g", m.step),
-      format("%.1e", m.errors.rms), format("%.1e", m.errors.max)});
+      number("%.1f", m.cellsVisited), number("%.1f", m.nodesVisited), number("%.0f", m.fallbacks),
+      number("%.3g", m.step), format("%.1e", m.errors.rms), format("%.1e", m.errors.max)});
   return section;
 }
 
@@ -40,9 +40,17 @@ Report compareMethods(const Options& options)
   for (const HexMethodEntry& entry : hexMethods())
     if (isWanted(options, entry.name))
       requests.push_back({&entry, options.lambda2});
+  const bool walks = isWanted(options, walkMethod.first);
+  const std::size_t asked = requests.size();
+  if (walks && requests.empty())
+    requests.push_back({&hexMethodNamed(CartesianBvh::name()), options.lambda2});
   VolumeContest contest(task);
-  for (const BuiltHexStructure& built : buildStructures(task, requests))
-    contest.add(built, samplingOf(options), options.cloudTolerance);
+  const std::vector<BuiltHexStructure> built = buildStructures(task, requests);
+  for (std::size_t i = 0; i < asked; ++i)
+    contest.add(built[i], samplingOf(options), options.cloudTolerance);
+  if (walks)
+    contest.add(
+      buildWalk(task, built.back().structure), samplingOf(options), options.cloudTolerance);
   std::vector<std::string> peers;
   for (const auto& [name, summary] : volumePeers())
     if (isWanted(options, name))
@@ -80,6 +88,7 @@ Suite hexahedraSuite()
   suite.inputs = hexInputs();
   for (const HexMethodEntry& entry : hexMethods())
     suite.methods.emplace_back(entry.name, entry.summary);
+  suite.methods.push_back(walkMethod);
   suite.methods.insert(suite.methods.end(), volumePeers().begin(), volumePeers().end());
   suite.views = {wholeView};
   suite.tables = hexTables();

@@ -5,6 +5,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace mote::bench
@@ -70,12 +71,40 @@ Visits rowVisits(const CloudTracer& tracer, const CameraRays& rays, int width, i
   return visits;
 }
 
+/// Walks the task's rays once more, counting.
+void countSteps(const VolumeTask& task, const CloudTracer& tracer, VolumeMeasurement& m)
+{
+  const CameraRays rays = task.rays();
+  std::uint64_t met = 0;
+  for (int y = 0; y < task.height; ++y)
+    for (int x0 = 0; x0 < task.width; x0 += CellWalk::mostRays)
+    {
+      const int count = std::min(task.width - x0, CellWalk::mostRays);
+      CellWalk::Part parts[CellWalk::mostRays];
+      for (int i = 0; i < count; ++i)
+        parts[i] = {{x0 + i + 0.5, y + 0.5}, rays.tMin, rays.tMax};
+      RayColor colors[CellWalk::mostRays];
+      tracer.walk()->gather(parts, count, colors, nullptr);
+      met += static_cast<std::uint64_t>(std::count_if(
+        colors, colors + count, [](const RayColor& c) { return c.transmittance < 1.0; }));
+    }
+  const WalkSteps counts = tracer.walk()->counts();
+  m.cellsVisited = static_cast<double>(counts.steps) / static_cast<double>(met);
+  m.fallbacks = static_cast<double>(counts.fallbacks);
+  progress("walk: %llu steps, %llu fallbacks, %llu integrated one at a time",
+    static_cast<unsigned long long>(counts.steps),
+    static_cast<unsigned long long>(counts.fallbacks),
+    static_cast<unsigned long long>(counts.seldom));
+}
+
 /// Casts the task's rays once more, counting.
 void countVisits(const VolumeTask& task, const CloudObject& volume, VolumeMeasurement& m)
 {
   const CameraRays rays = task.rays();
   const std::vector<ShadedLight> noLights;
-  const CloudTracer tracer(volume, noLights, rays.o0, 0);
+  CloudTracer tracer(volume, noLights, rays.o0, 0);
+  if (tracer.lookFrom(rays, task.width, task.height))
+    return countSteps(task, tracer, m);
   const Visits visits = tbb::parallel_reduce(
     tbb::blocked_range<int>(0, task.height), Visits(),
     [&](const tbb::blocked_range<int>& rows, Visits part)
@@ -104,8 +133,9 @@ Record toRecord(const VolumeMeasurement& m)
     {"build_s", m.buildSeconds}, {"frame_change_s", m.frameChangeSeconds},
     {"memory_mb", m.megabytes}, {"references", counted(m.references)},
     {"max_cells_per_leaf", counted(m.largestLeaf)}, {"lambda2", m.lambda2},
-    {"cells_visited", m.cellsVisited}, {"nodes_visited", m.nodesVisited}, {"step", m.step},
-    {"tolerance", m.tolerance}, {"cloud_tolerance", m.cloudTolerance},
+    {"cells_visited", m.cellsVisited}, {"nodes_visited", m.nodesVisited},
+    {"fallbacks", counted(m.fallbacks)}, {"step", m.step}, {"tolerance", m.tolerance},
+    {"cloud_tolerance", m.cloudTolerance},
     {"checked_pixels", static_cast<std::int64_t>(m.errors.checked)}, {"rms_error", m.errors.rms},
     {"max_error", m.errors.max}};
   record.insert(record.end(), more.begin(), more.end());
@@ -124,6 +154,7 @@ VolumeSampling samplingOf(const Options& options)
 {
   VolumeSampling sampling;
   sampling.step = options.step;
+  sampling.tolerance = options.tolerance;
   sampling.saturation = 0.9999;
   for (const auto& [name, value] : volumeIntegrators())
     if (name == options.integrator)
@@ -145,20 +176,27 @@ VolumeMeasurement VolumeContest::measurement(const std::string& method) const
 }
 
 void VolumeContest::add(
-  const BuiltHexStructure& built, const VolumeSampling& sampling, double cloudTolerance)
+  const BuiltHexStructure& built, const VolumeSampling& wanted, double cloudTolerance)
 {
   VolumeMeasurement m = measurement(built.method);
+  VolumeSampling sampling = wanted;
+  if (built.walk)
+    sampling.integrator = VolumeIntegrator::CellByCell;
   m.integrator = nameOf(sampling.integrator);
   m.buildSeconds = built.buildSeconds;
   m.frameChangeSeconds = built.frameChangeSeconds;
   m.megabytes = built.megabytes;
-  m.references = static_cast<double>(built.references);
-  m.largestLeaf = static_cast<double>(built.largestLeaf);
+  if (!built.walk)
+  {
+    m.references = static_cast<double>(built.references);
+    m.largestLeaf = static_cast<double>(built.largestLeaf);
+  }
   if (built.method.ends_with("grid"))
     m.lambda2 = built.lambda2;
 
   const auto caster = std::make_shared<Caster>();
   caster->scene.clouds = {task_.volume(built.structure, sampling)};
+  caster->scene.clouds[0].walk = built.walk;
   caster->scene.cloudTolerance = m.cloudTolerance = cloudTolerance;
   caster->camera = task_.camera;
   caster->film.resize(task_.width, task_.height);

@@ -33,6 +33,7 @@ struct VolumeMeasurement
   double references = unknown, largestLeaf = unknown, lambda2 = unknown;
   /// For a ray that meets the volume, the mean.
   double cellsVisited = unknown, nodesVisited = unknown;
+  double fallbacks = unknown; ///< of a walk: cells whose exit signs of edges did not tell
   double step = unknown, tolerance = unknown;
   double cloudTolerance = 0.0; ///< between pixels, see Scene::cloudTolerance
   ColorErrors errors{};

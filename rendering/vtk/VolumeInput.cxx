@@ -91,6 +91,7 @@ bool VolumeGeometry::takeCells(vtkUnstructuredGrid* grid)
     return false;
   mesh_ = nullptr;
   structure_ = nullptr;
+  adjacency_ = nullptr;
   if (!grid->GetCells() || grid->GetNumberOfCells() == 0)
     throw Error("The input has no cells.");
   auto mesh = std::make_shared<const HexMesh>(GridCells(grid).input());
@@ -113,6 +114,13 @@ void VolumeGeometry::setRanges(const HexField& field)
   if (structure_.use_count() > 1)
     structure_ = std::make_shared<HexStructure>(*structure_);
   mote::setRanges(*structure_, field);
+}
+
+std::shared_ptr<const WalkCells> VolumeGeometry::makeWalk(const HexField& field)
+{
+  if (!adjacency_)
+    adjacency_ = std::make_shared<FaceAdjacency>(*mesh_);
+  return std::make_shared<WalkCells>(mesh_, adjacency_, field);
 }
 
 } // namespace mote

@@ -5,6 +5,7 @@
 #include "kernels/core/ContentHash.h"
 
 #include "kernels/hexahedra/HexStructure.h"
+#include "kernels/hexahedra/WalkCells.h"
 
 #include <memory>
 
@@ -44,6 +45,10 @@ public:
   /// and a copy takes its place.
   void setRanges(const HexField& field);
 
+  /// What camera rays need to go from cell to cell, of a field on the mesh. Which cells share faces
+  /// is found when it is first asked for, and kept while the mesh is the same.
+  std::shared_ptr<const WalkCells> makeWalk(const HexField& field);
+
   void forget() { *this = VolumeGeometry(); }
 
   const std::shared_ptr<const HexMesh>& mesh() const { return mesh_; }
@@ -58,6 +63,7 @@ private:
   std::shared_ptr<const HexMesh> mesh_; ///< made of `content_`
   InputKey structureKey_;
   std::shared_ptr<HexStructure> structure_;
+  std::shared_ptr<const FaceAdjacency> adjacency_; ///< of the mesh, once it was asked for
 };
 
 } // namespace mote

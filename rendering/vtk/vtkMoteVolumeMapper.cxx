@@ -37,7 +37,8 @@ class vtkMoteVolumeMapper::Internals
 public:
   mote::VolumeGeometry geometry;
   std::shared_ptr<const mote::HexField> field;
-  mote::InputKey fieldKey; ///< what it was taken from
+  std::shared_ptr<const mote::WalkCells> walk; ///< of the field, once it was needed
+  mote::InputKey fieldKey;                     ///< what the field was taken from
   vtkTimeStamp changedAt;  ///< when geometry or field last did
   double buildTime = 0.0;
   int builds = 0;
@@ -57,6 +58,7 @@ public:
   void forgetField()
   {
     field = nullptr;
+    walk = nullptr;
     fieldKey.clear();
   }
 };
@@ -120,6 +122,8 @@ vtkTypeInt64 vtkMoteVolumeMapper::GetStructureBytes()
     bytes += mote::withStructure(*structure, [](const auto& s) { return s.bytes(); });
   if (impl.field)
     bytes += impl.field->bytes();
+  if (impl.walk)
+    bytes += impl.walk->bytes();
   return static_cast<vtkTypeInt64>(bytes);
 }
 
@@ -297,6 +301,7 @@ void vtkMoteVolumeMapper::UpdateField(vtkUnstructuredGrid* grid)
   const mote::DataArrayView values(array);
   scalar.values = values.view;
   impl.field = std::make_shared<mote::HexField>(*impl.geometry.mesh(), scalar);
+  impl.walk = nullptr;
   impl.geometry.setRanges(*impl.field);
   impl.fieldKey = std::move(key);
   impl.changedAt.Modified();
@@ -332,7 +337,15 @@ bool vtkMoteVolumeMapper::DescribeTo(mote::Scene& scene, vtkVolume* volume, int 
       scene.surfaces.back().castsShadows = this->CastsShadows;
     }
     if (this->ShowCloud)
+    {
+      if (cloud.sampling.integrator == mote::VolumeIntegrator::CellByCell)
+      {
+        if (!impl.walk)
+          impl.walk = impl.geometry.makeWalk(*impl.field);
+        cloud.walk = impl.walk;
+      }
       scene.clouds.push_back(std::move(cloud));
+    }
   }
   catch (const std::exception& error)
   {

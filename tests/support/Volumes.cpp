@@ -53,11 +53,34 @@ CloudObject volumeOf(std::shared_ptr<const HexMesh> mesh, const std::vector<doub
   return volume;
 }
 
+void addWalk(CloudObject& volume)
+{
+  const std::shared_ptr<const HexMesh> mesh(volume.structure, &meshOf(*volume.structure));
+  volume.walk =
+    std::make_shared<WalkCells>(mesh, std::make_shared<FaceAdjacency>(*mesh), *volume.field);
+  volume.sampling.integrator = VolumeIntegrator::CellByCell;
+}
+
 TransferFunction evenTransfer(float opacity, float grey)
 {
   TransferFunction transfer;
   transfer.knots = {{0.0, Vec4f(grey, grey, grey, opacity)}};
   return transfer;
+}
+
+double wave(const Vec3d& p)
+{
+  return std::sin(2.0 * p.x) * std::cos(1.5 * p.y) + 0.5 * p.z;
+}
+
+TransferFunction colorful()
+{
+  TransferFunction f;
+  f.knots = {{-1.0, Vec4f(0, 0, 1, 0)}, {-0.2, Vec4f(0, 1, 1, 0.2F)}, {0.1, Vec4f(1, 1, 0, 0)},
+    {0.3, Vec4f(1, 0, 0, 0.7F)}, {0.5, Vec4f(1, 0, 0, 0.1F)}, {0.5, Vec4f(1, 1, 1, 0.4F)},
+    {1.2, Vec4f(0.2F, 0, 0.4F, 0.05F)}};
+  f.unitDistance = 0.6;
+  return f;
 }
 
 RayColor gatheredByDefinition(const CloudObject& volume, const Vec3d& origin,

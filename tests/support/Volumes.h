@@ -23,8 +23,15 @@ CloudObject volumeOf(std::shared_ptr<const HexMesh> mesh, const std::vector<doub
   const TransferFunction& transfer, HexStructureKind kind = HexStructureKind::CylindricalBvh,
   bool ofCells = false);
 
+/// Lets the camera's rays go from cell to cell: adds what that takes, and integrates cell by cell.
+void addWalk(CloudObject& volume);
+
 /// A transfer function of even opacity per unit, grey.
 TransferFunction evenTransfer(float opacity, float grey = 1.0f);
+
+/// A smooth field, and a transfer function for it with a ramp, a peak and steps.
+double wave(const Vec3d& p);
+TransferFunction colorful();
 
 /// What a ray in the world gathers of a volume, by the definition: every cell's span cut into
 /// `parts` steps, each taken as its middle. Slow.

@@ -89,6 +89,7 @@ public:
   std::size_t pointCount() const { return points_.size(); }
   const Vec3d& point(std::size_t i) const { return points_[i]; }
   const Cell& cell(std::size_t c) const { return cells_[c]; }
+  const Cell* cells() const { return cells_.data(); }
   /// The input's number of cell `c`.
   std::size_t inputCell(std::size_t c) const { return inputCells_.empty() ? c : inputCells_[c]; }
   HexCorners corners(std::size_t c) const

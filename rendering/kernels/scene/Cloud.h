@@ -2,6 +2,7 @@
 
 #include "../hexahedra/HexField.h"
 #include "../hexahedra/HexStructure.h"
+#include "../hexahedra/WalkCells.h"
 #include "../shading/TransferFunction.h"
 #include "Surface.h"
 
@@ -43,7 +44,10 @@ struct CloudObject
   std::uint64_t revision = 0; ///< as SurfaceObject::revision
   std::shared_ptr<const HexStructure> structure;
   std::shared_ptr<const HexField> field; ///< on the structure's mesh
-  Mat4d toWorld{1.0};                    ///< affine
+  /// Of the structure's mesh and the field: the camera's rays then go from cell to cell where the
+  /// integrator is CellByCell. Null: all rays go through the structure.
+  std::shared_ptr<const WalkCells> walk;
+  Mat4d toWorld{1.0}; ///< affine
   TransferFunction transfer;
   VolumeSampling sampling;
   bool shade = false; ///< light it by its gradient and the material

@@ -6,46 +6,61 @@ namespace mote
 {
 
 BundleClouds::BundleClouds(const Scene& scene, const CameraRays& rays,
-  const std::vector<ShadedLight>& lights, int filmSample)
+  const std::vector<ShadedLight>& lights, const Film& film)
   : rays_(rays)
 {
   for (const CloudObject& cloud : scene.clouds)
-    sides_.push_back(tracers_.emplace_back(cloud, lights, rays.o0, filmSample).sidesOf(rays));
+  {
+    CloudTracer& tracer = tracers_.emplace_back(cloud, lights, rays.o0, film.samples());
+    tracer.lookFrom(rays, film.width(), film.height());
+    sides_.push_back(tracer.sidesOf(rays));
+  }
 }
 
 void BundleClouds::gather(const Part* parts, int count, RayColor* colors) const
 {
-  constexpr std::size_t most = BundleSpans::rays;
   const bool isMixed = tracers_.size() > 1;
-  std::array<CloudRay, most> rays;
-  std::array<std::vector<RayRun>, most> runs;
+  std::vector<Runs> runs(isMixed ? static_cast<std::size_t>(count) : 0);
   for (std::size_t k = 0; k < tracers_.size(); ++k)
   {
-    const CloudTracer& tracer = tracers_[k];
-    std::vector<RayGatherer> gatherers;
-    std::array<RayGatherer*, most> pointers;
-    gatherers.reserve(most);
-    for (int i = 0; i < count; ++i)
-    {
-      const auto r = static_cast<std::size_t>(i);
-      const auto& [place, from, to] = parts[i];
-      rays[r] =
-        tracer.ray(rays_.originAt(place.x, place.y), rays_.directionAt(place.x, place.y), from, to);
-      pointers[r] = &gatherers.emplace_back(isMixed ? &runs[r] : nullptr);
-    }
-    tracer.gather(rays.data(), count, sides_[k], pointers.data());
-    for (int i = 0; i < count; ++i)
-      colors[i] = gatherers[static_cast<std::size_t>(i)].total();
+    const int most = tracers_[k].walk() ? mostParts : static_cast<int>(BundleSpans::rays);
+    for (int first = 0; first < count; first += most)
+      this->gather(k, parts + first, std::min(most, count - first), colors + first,
+        isMixed ? runs.data() + first : nullptr);
   }
   for (int i = 0; isMixed && i < count; ++i)
   {
-    std::vector<RayRun>& met = runs[static_cast<std::size_t>(i)];
+    Runs& met = runs[static_cast<std::size_t>(i)];
     std::stable_sort(
       met.begin(), met.end(), [](const RayRun& a, const RayRun& b) { return a.tIn < b.tIn; });
     colors[i] = {};
     for (const RayRun& run : met)
       colors[i].add(run.color);
   }
+}
+
+/// Gathers one cloud.
+void BundleClouds::gather(
+  std::size_t cloud, const Part* parts, int count, RayColor* colors, Runs* runs) const
+{
+  const CloudTracer& tracer = tracers_[cloud];
+  if (tracer.walk())
+    return tracer.walk()->gather(parts, count, colors, runs);
+  std::array<CloudRay, BundleSpans::rays> rays;
+  std::vector<RayGatherer> gatherers;
+  std::array<RayGatherer*, BundleSpans::rays> pointers;
+  gatherers.reserve(pointers.size());
+  for (int i = 0; i < count; ++i)
+  {
+    const auto r = static_cast<std::size_t>(i);
+    const auto& [place, from, to] = parts[i];
+    rays[r] =
+      tracer.ray(rays_.originAt(place.x, place.y), rays_.directionAt(place.x, place.y), from, to);
+    pointers[r] = &gatherers.emplace_back(runs ? runs + i : nullptr);
+  }
+  tracer.gather(rays.data(), count, sides_[cloud], pointers.data());
+  for (int i = 0; i < count; ++i)
+    colors[i] = gatherers[static_cast<std::size_t>(i)].total();
 }
 
 } // namespace mote

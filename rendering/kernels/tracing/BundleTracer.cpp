@@ -60,7 +60,7 @@ BundleTracer::BundleTracer(
   if (!hasPaths || !scene.clouds.empty())
     lighting_.emplace(scene, rays_.o0, film.samples());
   if (!scene.clouds.empty())
-    clouds_.emplace(scene, rays_, lighting_->lights, film.samples());
+    clouds_.emplace(scene, rays_, lighting_->lights, film);
 }
 
 void BundleTracer::traceTile(int x0, int y0, int size) const
@@ -271,8 +271,6 @@ void BundleTracer::addBehind(Bundle& bundle, int side, int x0, int y0) const
 namespace
 {
 
-constexpr int cloudRays = static_cast<int>(BundleSpans::rays); ///< that are traced together
-
 void takeNormal(const SurfaceBlock& block, int k, float* normal)
 {
   normal[0] = block.side[k] * block.normal.x[k];
@@ -305,17 +303,17 @@ void BundleTracer::addClouds(Bundle& bundle, int side, int x0, int y0) const
                                      [&](double t) { return t == rays_.tMax; });
   if (scene_.cloudTolerance > 0.0 && isEven && bundle.isInside)
     return this->addCloudsBetween(bundle, side, x0, y0);
-  for (int first = 0; first < rays.count; first += cloudRays)
+  for (int first = 0; first < rays.count; first += BundleClouds::mostParts)
   {
-    BundleClouds::Part parts[cloudRays];
-    int ray[cloudRays], count = 0;
-    for (int i = first; i < std::min(first + cloudRays, rays.count); ++i)
+    BundleClouds::Part parts[BundleClouds::mostParts];
+    int ray[BundleClouds::mostParts], count = 0;
+    for (int i = first; i < std::min(first + BundleClouds::mostParts, rays.count); ++i)
       if (!bundle.outside[i])
       {
         parts[count] = {this->placeOf(bundle, i, x0, y0), rays_.tMin, rays.t[i]};
         ray[count++] = i;
       }
-    RayColor colors[cloudRays];
+    RayColor colors[BundleClouds::mostParts];
     if (count > 0)
       clouds_->gather(parts, count, colors);
     for (int k = 0; k < count; ++k)

@@ -147,6 +147,16 @@ void CloudTracer::gather(const CloudRay* rays, int count, const BundleFrustum::S
     gather(rays[i], *gatherers[i]);
 }
 
+bool CloudTracer::lookFrom(const CameraRays& rays, int width, int height)
+{
+  const bool isWanted = cloud_.walk && cloud_.sampling.integrator == VolumeIntegrator::CellByCell &&
+                        settings_.tolerance >= CellWalk::leastTolerance && CellWalk::isSupported();
+  if (isWanted)
+    walk_.emplace(
+      *cloud_.walk, *cloud_.field, settings_, lighting(), rays, toLocal_, width, height);
+  return isWanted;
+}
+
 template void CloudTracer::gather(const CloudRay&, RayGatherer&, NoCounts&&) const;
 template void CloudTracer::gather(const CloudRay&, RayGatherer&, WalkCounts&) const;
 

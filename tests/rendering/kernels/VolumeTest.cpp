@@ -53,21 +53,6 @@ double largestDifference(const RayColor& a, const RayColor& b)
   return std::max({d.x, d.y, d.z, std::abs(a.transmittance - b.transmittance)});
 }
 
-/// A smooth field, and a transfer function with a ramp, a peak and steps.
-double wave(const Vec3d& p)
-{
-  return std::sin(2.0 * p.x) * std::cos(1.5 * p.y) + 0.5 * p.z;
-}
-TransferFunction colorful()
-{
-  TransferFunction f;
-  f.knots = {{-1.0, Vec4f(0, 0, 1, 0)}, {-0.2, Vec4f(0, 1, 1, 0.2F)}, {0.1, Vec4f(1, 1, 0, 0)},
-    {0.3, Vec4f(1, 0, 0, 0.7F)}, {0.5, Vec4f(1, 0, 0, 0.1F)}, {0.5, Vec4f(1, 1, 1, 0.4F)},
-    {1.2, Vec4f(0.2F, 0, 0.4F, 0.05F)}};
-  f.unitDistance = 0.6;
-  return f;
-}
-
 } // namespace
 
 TEST(Volume, AnEvenFieldIsItsChordWhateverTheMesh)

@@ -1,7 +1,7 @@
 #pragma once
 
 // What a line's crossings with the faces of one cell are found from; see CrossingLine. Only for
-// CellCrossings*.cpp and CellFaces.cpp.
+// sources of this folder.
 
 #include "../CellCrossings.h"
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../../core/Camera.h"
+#include "../../core/Film.h"
 #include "CloudTracer.h"
 
 #include <deque>
@@ -12,27 +13,21 @@ namespace mote
 class BundleClouds
 {
 public:
-  /// Where a ray of a bundle runs in the world, as its place in the image.
-  struct Place
-  {
-    double x = 0.0, y = 0.0;
-  };
-
-  /// The part of a ray from `from` to `to`.
-  struct Part
-  {
-    Place place;
-    double from = 0.0, to = 0.0;
-  };
+  using Place = CellWalk::Place;
+  using Part = CellWalk::Part;
+  static constexpr int mostParts = CellWalk::mostRays; ///< that gather() takes
 
   /// All must outlive this; `lights` count from where `rays` has its o0.
   BundleClouds(const Scene& scene, const CameraRays& rays, const std::vector<ShadedLight>& lights,
-    int filmSample);
+    const Film& film);
 
-  /// What lies on the parts of up to 64 rays: premultiplied colour and what comes through.
+  /// What lies on the parts of up to mostParts rays: premultiplied colour and what comes through.
   void gather(const Part* parts, int count, RayColor* colors) const;
 
 private:
+  using Runs = std::vector<RayRun>;
+  void gather(std::size_t cloud, const Part* parts, int count, RayColor* colors, Runs* runs) const;
+
   const CameraRays& rays_;
   std::deque<CloudTracer> tracers_;
   std::vector<BundleFrustum::Sides> sides_; ///< a cloud each

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../../core/Camera.h"
+#include "../../hexahedra/CellWalk.h"
 #include "../../hexahedra/LineBundle.h"
 #include "../../hexahedra/RayColor.h"
 #include "../../scene/Cloud.h"
@@ -43,6 +44,12 @@ public:
   void gather(const CloudRay* rays, int count, const BundleFrustum::Sides& sides,
     RayGatherer* const* gatherers) const;
 
+  /// Makes a walk(), once for a view: for rays of this camera in an image of so many pixels. False
+  /// where rays must go through the structure.
+  bool lookFrom(const CameraRays& rays, int width, int height);
+  /// Gathers rays of that camera from cell to cell; null where there is none.
+  const CellWalk* walk() const { return walk_ ? &*walk_ : nullptr; }
+
   /// How the rays of a camera differ from pixel to pixel, in the coordinates of the mesh.
   BundleFrustum::Sides sidesOf(const CameraRays& rays) const;
 
@@ -65,6 +72,7 @@ private:
   Mat3d normalToWorld_;
   CloudSettings settings_;
   CloudLighting lighting_;
+  std::optional<CellWalk> walk_;
 };
 
 } // namespace mote

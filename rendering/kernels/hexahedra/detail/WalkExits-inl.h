@@ -1,0 +1,329 @@
+// By which faces rays leave their cells. To be included by CellWalkSimd.cpp, once for every
+// instruction set.
+
+#if defined(MOTE_WALK_EXITS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef MOTE_WALK_EXITS_INL
+#undef MOTE_WALK_EXITS_INL
+#else
+#define MOTE_WALK_EXITS_INL
+#endif
+
+#include "WalkLanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mote
+{
+namespace HWY_NAMESPACE
+{
+namespace
+{
+
+/// The winding numbers of a cell's faces are kept in four bits each, counted from 4. What an edge
+/// adds that passes the half-line y = 0, x > 0 upwards:
+constexpr std::uint32_t windingOf(std::size_t edge)
+{
+  return (1U << 4 * edgeFaces[edge][0]) - (1U << 4 * edgeFaces[edge][1]);
+}
+constexpr std::uint32_t noWindings = 0x444444U;
+
+/// What sets of six edges add, the first six and the last.
+struct EdgeSums
+{
+  std::uint32_t of[2][64];
+};
+constexpr EdgeSums makeEdgeSums()
+{
+  EdgeSums sums{};
+  for (unsigned e = 0; e < 12; ++e)
+    for (unsigned bits = 0; bits < 64; ++bits)
+      if ((bits >> e % 6 & 1U) != 0)
+        sums.of[e / 6][bits] += windingOf(e);
+  return sums;
+}
+constexpr EdgeSums edgeSums = makeEdgeSums();
+
+/// Coordinates of four corners.
+struct Four
+{
+  V4 x, y, z;
+};
+
+HWY_INLINE Four fourOf(const WalkCells::Point* points, const std::uint32_t* ids)
+{
+  const D4 d;
+  const hn::Repartition<double, D4> pairs;
+  const V4 a = hn::Load(d, &points[ids[0]].x), b = hn::Load(d, &points[ids[1]].x);
+  const V4 c = hn::Load(d, &points[ids[2]].x), e = hn::Load(d, &points[ids[3]].x);
+  const auto abLow = hn::BitCast(pairs, hn::InterleaveLower(d, a, b));
+  const auto ceLow = hn::BitCast(pairs, hn::InterleaveLower(d, c, e));
+  const auto abHigh = hn::BitCast(pairs, hn::InterleaveUpper(d, a, b));
+  const auto ceHigh = hn::BitCast(pairs, hn::InterleaveUpper(d, c, e));
+  return {hn::BitCast(d, hn::InterleaveLower(pairs, abLow, ceLow)),
+    hn::BitCast(d, hn::InterleaveUpper(pairs, abLow, ceLow)),
+    hn::BitCast(d, hn::InterleaveLower(pairs, abHigh, ceHigh))};
+}
+
+/// Which of four edges turn counter-clockwise about the ray, and clockwise.
+HWY_INLINE void turn(V4 ax, V4 ay, V4 bx, V4 by, unsigned first, unsigned& left, unsigned& right)
+{
+  const V4 p = hn::Mul(ax, by), q = hn::Mul(bx, ay);
+  left |= bitsOf(hn::Gt(p, q)) << first;
+  right |= bitsOf(hn::Lt(p, q)) << first;
+}
+
+/// A cell's corners about `count` rays.
+template <std::size_t count>
+struct alignas(64) CornersOf
+{
+  float x[8 * count], y[8 * count];
+};
+
+/// Finds the faces by which rays leave their cells, from winding numbers as CrossingLine has them.
+/// An edge of which the two products are equal counts as not passed, for all of the cells that have
+/// it: so nothing is lost between them. What more than one face says is left to seldomFaces().
+template <int axis>
+class WalkExits
+{
+public:
+  WalkExits(WalkTask& task, Lanes& lanesOfTask)
+    : task_(task)
+    , l_(lanesOfTask)
+    , mesh_{task.cells->points(), task.cells->mesh().cells(), task.cells->adjacency().data(),
+        task.cells->bends(), task.cells->ofCells(), task.isBackwards}
+  {
+  }
+
+  /// Of all active lanes. Where there is none the face is noFace.
+  HWY_INLINE void find()
+  {
+    const DI d;
+    const Mesh mesh = mesh_; // stores of SIMD vectors could change a member, for all compilers know
+    for (std::uint32_t left = l_.active; left != 0;)
+    {
+      const auto k = static_cast<std::size_t>(std::countr_zero(left));
+      const std::uint32_t cell = l_.cell[k];
+      std::uint32_t same = 0;
+      for (std::size_t first = 0; first < lanes; first += hn::Lanes(d))
+      {
+        const VI cells = hn::Load(d, reinterpret_cast<const std::int32_t*>(l_.cell + first));
+        const auto is = hn::Eq(cells, hn::Set(d, static_cast<std::int32_t>(cell)));
+        same |= maskOf(hn::RebindMask(D(), is)) << first;
+      }
+      same &= left;
+      left &= ~same;
+      if (std::popcount(same) >= 2)
+        together(mesh, cell, same);
+      else
+        for (; same != 0; same &= same - 1)
+          alone(mesh, cell, static_cast<std::size_t>(std::countr_zero(same)));
+    }
+    task_.steps += static_cast<unsigned>(std::popcount(l_.active));
+  }
+
+private:
+  struct Mesh
+  {
+    const WalkCells::Point* points;
+    const HexMesh::Cell* cells;
+    const std::array<std::uint32_t, 6>* next;
+    const float* bends;
+    const float* ofCells;
+    bool isBackwards;
+  };
+
+  /// Of one ray, with corners and edges in the lanes.
+  HWY_INLINE void alone(const Mesh& mesh, std::uint32_t cell, std::size_t k)
+  {
+    const D4 d;
+    const std::uint32_t* ids = mesh.cells[cell].data();
+    V4 x[2], y[2];
+    CornersOf<1> corners;
+    unsigned above = 0;
+    for (std::size_t half = 0; half < 2; ++half)
+    {
+      const Four p = fourOf(mesh.points, ids + 4 * half);
+      const V4 z = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+      const V4 u = axis == 0 ? p.y : axis == 1 ? p.z : p.x;
+      const V4 v = axis == 0 ? p.z : axis == 1 ? p.x : p.y;
+      x[half] = hn::Sub(hn::Sub(u, hn::Set(d, l_.x[k])), hn::Mul(hn::Set(d, l_.dx[k]), z));
+      y[half] = hn::Sub(hn::Sub(v, hn::Set(d, l_.y[k])), hn::Mul(hn::Set(d, l_.dy[k]), z));
+      above |= bitsOf(hn::Gt(y[half], hn::Zero(d))) << 4 * half;
+      hn::Store(x[half], d, corners.x + 4 * half);
+      hn::Store(y[half], d, corners.y + 4 * half);
+    }
+    unsigned left = 0, right = 0;
+    turn(x[0], y[0], hn::Shuffle0321(x[0]), hn::Shuffle0321(y[0]), 0, left, right);
+    turn(x[1], y[1], hn::Shuffle0321(x[1]), hn::Shuffle0321(y[1]), 4, left, right);
+    turn(x[0], y[0], x[1], y[1], 8, left, right);
+    const unsigned mixed = cornerBits.mixed[above], first = cornerBits.first[above];
+    const unsigned up = mixed & ~first & left, down = mixed & first & right;
+    const std::uint32_t windings = edgeSums.of[0][up & 63U] + edgeSums.of[1][up >> 6] -
+                                   edgeSums.of[0][down & 63U] - edgeSums.of[1][down >> 6];
+    take(mesh, cell, k, noWindings + (mesh.isBackwards ? 0U - windings : windings), corners, 0);
+  }
+
+  /// Of several rays in a cell, with the rays in the lanes.
+  HWY_INLINE void together(const Mesh& mesh, std::uint32_t cell, std::uint32_t which)
+  {
+    const D d;
+    const DI di;
+    const std::uint32_t* ids = mesh.cells[cell].data();
+    for (std::size_t first = 0; first < lanes; first += hn::Lanes(d))
+    {
+      const std::uint32_t here = which >> first & ((1U << hn::Lanes(d)) - 1);
+      if (here == 0)
+        continue;
+      const V rayX = hn::Load(d, l_.x + first), rayY = hn::Load(d, l_.y + first);
+      const V dx = hn::Load(d, l_.dx + first), dy = hn::Load(d, l_.dy + first);
+      V x[8], y[8];
+      CornersOf<lanes> corners;
+      M above[8];
+      for (std::size_t i = 0; i < 8; ++i)
+      {
+        const float* p = &mesh.points[ids[i]].x;
+        const V z = set(p[axis]);
+        x[i] = hn::Sub(hn::Sub(set(p[(axis + 1) % 3]), rayX), hn::Mul(dx, z));
+        y[i] = hn::Sub(hn::Sub(set(p[(axis + 2) % 3]), rayY), hn::Mul(dy, z));
+        above[i] = hn::Gt(y[i], hn::Zero(d));
+        hn::Store(x[i], d, corners.x + i * lanes);
+        hn::Store(y[i], d, corners.y + i * lanes);
+      }
+      VI windings = hn::Zero(di);
+#pragma GCC unroll 12
+      for (std::size_t e = 0; e < 12; ++e)
+      {
+        const std::size_t i = edgeCorners[e][0], j = edgeCorners[e][1];
+        const V p = hn::Mul(x[i], y[j]), q = hn::Mul(x[j], y[i]);
+        const M up = hn::And(hn::AndNot(above[i], above[j]), hn::Gt(p, q));
+        const M down = hn::And(hn::AndNot(above[j], above[i]), hn::Lt(p, q));
+        const VI add = hn::Set(di, static_cast<std::int32_t>(windingOf(e)));
+        windings = hn::Add(windings, hn::IfThenElseZero(hn::RebindMask(di, up), add));
+        windings = hn::Sub(windings, hn::IfThenElseZero(hn::RebindMask(di, down), add));
+      }
+      if (mesh.isBackwards)
+        windings = hn::Neg(windings);
+      windings = hn::Add(windings, hn::Set(di, noWindings));
+      takeTogether(mesh, cell, first, here, windings, corners);
+    }
+  }
+
+  /// Of rays in a cell, face by face.
+  HWY_INLINE void takeTogether(const Mesh& mesh, std::uint32_t cell, std::size_t first,
+    std::uint32_t here, VI windings, const CornersOf<lanes>& corners)
+  {
+    const D d;
+    const DI di;
+    const VI exits = hn::And(
+      hn::And(windings, hn::ShiftRight<2>(windings)), hn::Set(di, 0x111111)); // where it is 5
+    const std::uint32_t* ids = mesh.cells[cell].data();
+    const float bend = mesh.bends[cell];
+    std::uint32_t left = here;
+    const bool isFoldable = std::signbit(bend) && task_.view->isFoldable(cell);
+    for (std::uint32_t f = 0; f < 6 && left != 0 && !isFoldable; ++f)
+    {
+      const auto is = hn::Eq(exits, hn::Set(di, static_cast<std::int32_t>(1U << 4 * f)));
+      const std::uint32_t which = maskOf(hn::RebindMask(D(), is)) & left;
+      if (which == 0)
+        continue;
+      left &= ~which;
+      const std::uint32_t behind = mesh.next[cell][f];
+      fetch(mesh, behind);
+      const M mask = lanesOf(which);
+      const auto keep = [&](V value, float* to)
+      { hn::Store(hn::IfThenElse(mask, value, hn::Load(d, to + first)), d, to + first); };
+      const auto keepNumber = [&](std::uint32_t number, std::uint32_t* to)
+      {
+        const V value = hn::BitCast(d, hn::Set(di, static_cast<std::int32_t>(number)));
+        keep(value, reinterpret_cast<float*>(to));
+      };
+      keep(set(std::abs(bend)), l_.bend);
+      keepNumber(behind, l_.behind);
+      keepNumber(f, l_.outFace);
+      for (std::size_t i = 0; i < 4; ++i)
+      {
+        const std::size_t c = faceCorners[f][i];
+        const float* p = &mesh.points[ids[c]].x;
+        keep(hn::Load(d, corners.x + c * lanes), l_.cornerX[i]);
+        keep(hn::Load(d, corners.y + c * lanes), l_.cornerY[i]);
+        keep(set(p[axis]), l_.cornerZ[i]);
+        keep(set(p[3]), l_.cornerValue[i]);
+      }
+    }
+    if (mesh.ofCells != nullptr)
+      forLanes(here, [&](std::size_t k) { l_.cellValue[first + k] = mesh.ofCells[cell]; });
+    alignas(64) std::int32_t all[lanes];
+    hn::Store(windings, di, all);
+    for (std::uint32_t some = here & ~left; some != 0; some &= some - 1)
+    {
+      const auto k = static_cast<std::size_t>(std::countr_zero(some));
+      l_.inFace[first + k] = entryOf(static_cast<std::uint32_t>(all[k]));
+    }
+    for (; left != 0; left &= left - 1)
+    {
+      const auto k = static_cast<std::size_t>(std::countr_zero(left));
+      take(mesh, cell, first + k, static_cast<std::uint32_t>(all[k]), corners, k);
+    }
+  }
+
+  /// The face of which the winding number is -1, 3 as it is kept.
+  static HWY_INLINE std::uint32_t entryOf(std::uint32_t windings)
+  {
+    const std::uint32_t entries = windings & windings >> 1 & ~(windings >> 2) & 0x111111U;
+    return static_cast<std::uint32_t>(std::countr_zero(entries)) / 4;
+  }
+  static HWY_INLINE void fetch(const Mesh& mesh, std::uint32_t cell)
+  {
+    if (cell == HexMesh::noCell)
+      return;
+    __builtin_prefetch(&mesh.cells[cell]);
+    __builtin_prefetch(&mesh.next[cell]);
+  }
+
+  template <std::size_t count>
+  HWY_INLINE void take(const Mesh& mesh, std::uint32_t cell, std::size_t k, std::uint32_t windings,
+    const CornersOf<count>& corners, std::size_t at)
+  {
+    const std::uint32_t exits = windings & windings >> 2 & 0x111111U; // 5
+    const float bend = mesh.bends[cell];
+    unsigned exit = static_cast<unsigned>(std::countr_zero(exits)) / 4;
+    l_.inFace[k] = entryOf(windings);
+    const bool isUnsure = exits == 0 || (exits & (exits - 1)) != 0;
+    if (HWY_UNLIKELY(isUnsure || (std::signbit(bend) && task_.view->isFoldable(cell))))
+    {
+      const WalkFaces faces = seldomFaces(task_, l_.ray(k), cell, l_.z[k]);
+      exit = faces.out;
+      l_.inFace[k] = faces.in;
+    }
+    l_.outFace[k] = exit;
+    l_.bend[k] = std::abs(bend);
+    l_.behind[k] = HexMesh::noCell;
+    if (exit == noFace)
+      return;
+    const std::uint32_t behind = mesh.next[cell][exit];
+    fetch(mesh, behind);
+    l_.behind[k] = behind;
+    const std::uint32_t* ids = mesh.cells[cell].data();
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      const std::size_t c = faceCorners[exit][i];
+      const float* p = &mesh.points[ids[c]].x;
+      l_.cornerX[i][k] = corners.x[c * count + at];
+      l_.cornerY[i][k] = corners.y[c * count + at];
+      l_.cornerZ[i][k] = p[axis];
+      l_.cornerValue[i][k] = p[3];
+    }
+    if (mesh.ofCells != nullptr)
+      l_.cellValue[k] = mesh.ofCells[cell];
+  }
+
+  WalkTask& task_;
+  Lanes& l_;
+  const Mesh mesh_;
+};
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace mote
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,337 @@
+// What rays gather of their cells. To be included by CellWalkSimd.cpp, once for every instruction
+// set.
+
+#if defined(MOTE_WALK_PARTS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef MOTE_WALK_PARTS_INL
+#undef MOTE_WALK_PARTS_INL
+#else
+#define MOTE_WALK_PARTS_INL
+#endif
+
+#include "WalkBends-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mote
+{
+namespace HWY_NAMESPACE
+{
+namespace
+{
+
+/// e^-x for x >= 0.
+HWY_INLINE V expOfMinus(V x)
+{
+  const D d;
+  const hn::RebindToSigned<D> di;
+  const V t = hn::Max(hn::Mul(x, set(-1.44269504f)), set(-126.0f));
+  const V whole = hn::Round(t), f = hn::Sub(t, whole);
+  V p = set(1.5252734e-5f);
+  for (const float c :
+    {1.5403530e-4f, 1.3333558e-3f, 9.6181291e-3f, 5.5504109e-2f, 0.24022651f, 0.69314718f, 1.0f})
+    p = hn::MulAdd(p, f, set(c));
+  const VI power = hn::Add(hn::ConvertTo(di, whole), hn::Set(di, 127));
+  return hn::Mul(p, hn::BitCast(d, hn::ShiftLeft<23>(power)));
+}
+
+/// Integrates what lies on the rays within their cells, from the value on one face to that on the
+/// next one.
+template <int axis>
+class WalkParts
+{
+public:
+  WalkParts(WalkTask& task, Lanes& lanesOfTask)
+    : task_(task)
+    , l_(lanesOfTask)
+    , transfer_(*task.transfer)
+    , bends_(task, lanesOfTask)
+  {
+  }
+
+  /// Says that the value where a lane's next part begins is not where its last one ended.
+  void begin(std::uint32_t which) { isFresh_ |= which; }
+
+  /// Finds where the rays leave their cells, and adds what lies before.
+  HWY_INLINE void add()
+  {
+    isClipped_ = isBent_ = isHalved_ = isQuartered_ = isDone_ = 0;
+    for (std::size_t first = 0; first < lanes; first += hn::Lanes(D()))
+      leave(first);
+    isClipped_ &= l_.active;
+    isBent_ &= l_.active;
+    if (HWY_UNLIKELY(isClipped_ != 0))
+      clip();
+    if (task_.cells->isOfCells())
+      isFresh_ = l_.active;
+    if (HWY_UNLIKELY(task_.isAllSeldom))
+      isDone_ = l_.active;
+    else if (isBent_ != 0)
+      bend();
+    forLanes(isDone_,
+      [&](std::size_t k) { addSeldom(k, l_.z[k], l_.outZ[k], l_.partIn[k], l_.partOut[k]); });
+    if (isFresh_ != 0)
+      forLanes(isFresh_, [&](std::size_t k) { start(k); });
+    isFresh_ = 0;
+    if ((isHalved_ | isQuartered_) != 0)
+    {
+      if (isQuartered_ != 0)
+        integrate<1>(l_.quarter[0], isQuartered_);
+      integrate<2>(l_.quarter[1], isHalved_ | isQuartered_);
+      if (isQuartered_ != 0)
+        integrate<3>(l_.quarter[2], isQuartered_);
+    }
+    integrate<4>(l_.partOut, l_.active);
+  }
+
+private:
+  HWY_INLINE void leave(std::size_t first)
+  {
+    const D d;
+    FaceCorners c;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      c.x[i] = hn::Load(d, l_.cornerX[i] + first);
+      c.y[i] = hn::Load(d, l_.cornerY[i] + first);
+      c.z[i] = hn::Load(d, l_.cornerZ[i] + first);
+      c.value[i] = hn::Load(d, l_.cornerValue[i] + first);
+    }
+    const PatchPlace place = passPatch(c.x, c.y, task_.isBackwards);
+    hn::Store(place.u, d, l_.outU + first);
+    hn::Store(place.v, d, l_.outV + first);
+    V z = place.of(c.z), value = place.of(c.value);
+    if (task_.isBackwards)
+      z = hn::Neg(z);
+    const V in = hn::Load(d, l_.z + first);
+    V before = hn::Load(d, l_.value + first);
+    if (task_.cells->isOfCells())
+      before = value = hn::Load(d, l_.cellValue + first);
+    z = hn::Max(z, in);
+    hn::Store(z, d, l_.outZ + first);
+    hn::Store(value, d, l_.outValue + first);
+    const V from = hn::Load(d, l_.from + first), to = hn::Load(d, l_.to + first);
+    const V depth = hn::Max(hn::Sub(hn::Min(z, to), hn::Max(in, from)), hn::Zero(d));
+    hn::Store(hn::Mul(depth, hn::Load(d, l_.length + first)), d, l_.depth + first);
+    hn::Store(before, d, l_.partIn + first);
+    hn::Store(value, d, l_.partOut + first);
+    const V through = hn::Load(d, l_.transmittance + first);
+    const V error = hn::Mul(hn::Mul(hn::Load(d, l_.bend + first), set(task_.rate)), through);
+    isBent_ |= maskOf(hn::And(hn::Ge(error, set(task_.allowed)), hn::Gt(depth, hn::Zero(d))))
+               << first;
+    isClipped_ |= maskOf(hn::Or(hn::Lt(in, from), hn::Gt(z, to))) << first;
+  }
+  /// Cuts parts off that lie before or behind what is wanted of the rays.
+  void clip()
+  {
+    forLanes(isClipped_,
+      [&](std::size_t k)
+      {
+        const float in = l_.z[k], change = l_.partOut[k] - l_.partIn[k], before = l_.partIn[k];
+        const auto at = [&](float z)
+        {
+          const float share = (z - in) / (l_.outZ[k] - in);
+          return share > 0.0f ? before + std::min(share, 1.0f) * change : before;
+        };
+        l_.partIn[k] = at(l_.from[k]);
+        if (l_.outZ[k] > l_.to[k])
+          l_.partOut[k] = at(l_.to[k]);
+      });
+    isFresh_ |= isClipped_;
+  }
+
+  /// Of lanes whose values may be too far from a line, finds those that are as good as two or four
+  /// lines. The others are integrated one at a time.
+  void bend()
+  {
+    forLanes(isBent_,
+      [&](std::size_t k)
+      {
+        const auto [least, most] = std::minmax(l_.partIn[k], l_.partOut[k]);
+        const float bend = l_.bend[k];
+        if (!std::isfinite(bend))
+          return;
+        l_.rate[k] = transfer_.rateIn(least - bend, most + bend);
+        if (l_.rate[k] * bend * l_.transmittance[k] < task_.allowed)
+          isBent_ &= ~(1U << k);
+      });
+    if (isBent_ == 0)
+      return;
+    const auto good = bends_.find(isBent_ & ~isClipped_);
+    isHalved_ = good.two;
+    isQuartered_ = good.four & ~good.two;
+    isDone_ |= isBent_ & ~good.four;
+  }
+
+  /// Adds a part of a ray by CellIntegral.
+  void addSeldom(std::size_t k, float z0, float z1, float value0, float value1)
+  {
+    ++task_.seldomParts;
+    float color[4] = {l_.color[0][k], l_.color[1][k], l_.color[2][k], l_.transmittance[k]};
+    const float from = l_.from[k], to = l_.to[k];
+    const WalkPart part{static_cast<int>(l_.ray(k)), l_.cell[k],
+      {std::max(z0, from), std::min(z1, to)}, {value0, value1},
+      {z0 < from || z0 != l_.z[k], z1 > to || z1 != l_.outZ[k]}, l_.bend[k]};
+    if (part.z[0] < part.z[1])
+      task_.seldom->add(part, color);
+    for (std::size_t c = 0; c < 3; ++c)
+      l_.color[c][k] = color[c];
+    l_.transmittance[k] = color[3];
+  }
+
+  /// Looks the transfer function up.
+  static HWY_INLINE std::uint32_t look(
+    const WalkTransfer::Table& table, float value, std::uint32_t bin, float* at, float* integral)
+  {
+    const D4 d;
+    const std::uint32_t r = table.rowOf(value, bin);
+    const WalkTransfer::Row& row = table.rows[r];
+    const V4 step = hn::Set(d, value - row.from), half = hn::Set(d, 0.5f);
+    const V4 slope = hn::Load(d, row.slope), from = hn::Load(d, row.value);
+    hn::Store(hn::MulAdd(step, slope, from), d, at);
+    hn::Store(
+      hn::MulAdd(step, hn::MulAdd(hn::Mul(half, step), slope, from), hn::Load(d, row.integral)), d,
+      integral);
+    return r;
+  }
+  void start(std::size_t k)
+  {
+    alignas(16) float at[4], integral[4];
+    l_.row[k] = look(transfer_.table(), l_.partIn[k], transfer_.binOf(l_.partIn[k]), at, integral);
+    l_.at[k] = l_.partIn[k];
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      l_.atValue[c][k] = at[c];
+      l_.atIntegral[c][k] = integral[c];
+    }
+  }
+
+  /// How much of its way a lane goes at a time, in quarters.
+  HWY_INLINE int strideOf(std::size_t k) const
+  {
+    return (isQuartered_ >> k & 1U) != 0 ? 1 : (isHalved_ >> k & 1U) != 0 ? 2 : 4;
+  }
+
+  /// Lets lanes go on to the values `goal`, which they have at so many quarters of their ways.
+  template <int quarters>
+  HWY_INLINE void integrate(const Floats& goal, std::uint32_t which)
+  {
+    isSeldom_ = 0;
+    const WalkTransfer::Table table = transfer_.table();
+    for (std::size_t first = 0; first < lanes; first += hn::Lanes(D()))
+      findBins(goal, first);
+    for (std::uint32_t left = which; left != 0; left &= left - 1)
+    {
+      const auto k = static_cast<std::size_t>(std::countr_zero(left));
+      l_.goalRow[k] = look(table, goal[k], l_.bin[k], l_.goalValue[k], l_.goalIntegral[k]);
+    }
+    which &= ~isDone_;
+    if (transfer_.hasSolid())
+      forLanes(which, [&](std::size_t k)
+        { isSeldom_ |= (transfer_.isSolid(l_.row[k], l_.goalRow[k]) ? 1U : 0U) << k; });
+    for (std::size_t first = 0; first < lanes; first += hn::Lanes(D()))
+      gather<quarters == 4>(goal, which >> first, first);
+    forLanes(isSeldom_,
+      [&](std::size_t k)
+      {
+        const int before = quarters - strideOf(k);
+        const float z = l_.z[k], step = 0.25f * (l_.outZ[k] - z);
+        addSeldom(k, before == 0 ? z : z + static_cast<float>(before) * step,
+          quarters == 4 ? l_.outZ[k] : z + static_cast<float>(quarters) * step,
+          before == 0 ? l_.partIn[k] : l_.quarter[std::max(before, 1) - 1][k], goal[k]);
+      });
+  }
+
+  /// As WalkTransfer::binOf().
+  HWY_INLINE void findBins(const Floats& goal, std::size_t first)
+  {
+    const D d;
+    const DI di;
+    const V at = hn::Mul(
+      hn::Sub(hn::Load(d, goal + first), set(transfer_.binsFrom())), set(transfer_.binsPer()));
+    const V last = set(static_cast<float>(WalkTransfer::bins - 1));
+    const V inside = hn::IfThenElseZero(hn::Gt(at, hn::Zero(d)), hn::Min(at, last));
+    hn::Store(hn::ConvertTo(di, inside), di, reinterpret_cast<std::int32_t*>(l_.bin + first));
+  }
+
+  template <bool isAll>
+  HWY_INLINE void gather(const Floats& goal, std::uint32_t which, std::size_t first)
+  {
+    const D d;
+    const DI di;
+    const V one = set(1.0f), zero = hn::Zero(d), tiny = set(1e-37f);
+    const VI row = hn::Load(di, reinterpret_cast<const std::int32_t*>(l_.row + first));
+    const VI goalRow = hn::Load(di, reinterpret_cast<const std::int32_t*>(l_.goalRow + first));
+    const M isSame = hn::RebindMask(d, hn::Eq(row, goalRow));
+    const V end = hn::Load(d, goal + first);
+    const V perChange = hn::Div(one, hn::Sub(end, hn::Load(d, l_.at + first)));
+    V to[4], integral[4], from[4], mean[4];
+    hn::LoadInterleaved4(d, l_.goalValue[first], to[0], to[1], to[2], to[3]);
+    hn::LoadInterleaved4(
+      d, l_.goalIntegral[first], integral[0], integral[1], integral[2], integral[3]);
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      from[c] = hn::Load(d, l_.atValue[c] + first);
+      const V across =
+        hn::Mul(hn::Sub(integral[c], hn::Load(d, l_.atIntegral[c] + first)), perChange);
+      mean[c] = hn::IfThenElse(isSame, hn::Mul(set(0.5f), hn::Add(from[c], to[c])), across);
+    }
+    const M goes = lanesOf(which);
+    const auto keep = [&](V value, float* to)
+    { hn::Store(isAll ? value : hn::IfThenElse(goes, value, hn::Load(d, to)), d, to); };
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      keep(to[c], l_.atValue[c] + first);
+      keep(integral[c], l_.atIntegral[c] + first);
+    }
+    keep(end, l_.at + first);
+    const VI rows = isAll ? goalRow : hn::IfThenElse(hn::RebindMask(di, goes), goalRow, row);
+    hn::Store(rows, di, reinterpret_cast<std::int32_t*>(l_.row + first));
+    const V share = hn::IfThenElse(lanesOf(isQuartered_ >> first), set(0.25f),
+      hn::IfThenElse(lanesOf(isHalved_ >> first), set(0.5f), one));
+    const V depth = hn::Mul(hn::Load(d, l_.depth + first), share);
+    const V thick = hn::Mul(mean[0], depth), square = hn::Mul(thick, thick);
+    const V perFrom = hn::Div(one, hn::Max(from[0], tiny)),
+            perTo = hn::Div(one, hn::Max(to[0], tiny));
+    V change[3], most = zero;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      change[c] = hn::Sub(hn::Mul(to[c + 1], perTo), hn::Mul(from[c + 1], perFrom));
+      most = hn::Max(most, hn::Abs(change[c]));
+    }
+    const V uneven = hn::MulAdd(hn::Abs(hn::Sub(to[0], from[0])), depth, square);
+    const M rough = hn::Or(hn::Gt(hn::Mul(most, uneven), set(task_.share)),
+      hn::AndNot(isSame, hn::Gt(square, set(task_.share))));
+    const std::uint32_t seldom = (maskOf(rough) | isSeldom_ >> first) & which;
+    isSeldom_ |= seldom << first;
+    const V through = hn::Load(d, l_.transmittance + first);
+    const V passing = expOfMinus(thick), opacity = hn::Sub(one, passing);
+    const V weight = hn::Mul(hn::Mul(through, opacity), hn::Div(one, hn::Max(mean[0], tiny)));
+    // Of what is coloured evenly along the way, the front hides a part of the back: for an optical
+    // depth x, x^2 / (12 + 6 x + 1.2 x^2) of the change of colour, as good as exact up to 2.
+    const V hidden = hn::Div(hn::Mul(through, square),
+      hn::MulAdd(set(1.2f), square, hn::MulAdd(set(6.0f), thick, set(12.0f))));
+    const M plain = lanesOf(which & ~seldom);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const V color = hn::Load(d, l_.color[c] + first);
+      const V added = hn::NegMulAdd(hidden, change[c], hn::MulAdd(weight, mean[c + 1], color));
+      hn::Store(hn::IfThenElse(plain, added, color), d, l_.color[c] + first);
+    }
+    hn::Store(
+      hn::IfThenElse(plain, hn::Mul(through, passing), through), d, l_.transmittance + first);
+  }
+
+  WalkTask& task_;
+  Lanes& l_;
+  const WalkTransfer& transfer_;
+  WalkBends<axis> bends_;
+  /// A bit each lane: what is known of a part is not what the last one ended with; it is cut; it is
+  /// no line; it is two, or four; it has been added; it is to be added one at a time.
+  std::uint32_t isFresh_ = 0, isClipped_ = 0, isBent_ = 0, isHalved_ = 0, isQuartered_ = 0,
+                isDone_ = 0, isSeldom_ = 0;
+};
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace mote
+HWY_AFTER_NAMESPACE();
+
+#endif
