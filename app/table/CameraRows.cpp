@@ -5,6 +5,26 @@
 namespace mote::app
 {
 
+namespace
+{
+
+void checkCamera(const std::vector<double>& c)
+{
+  if (c.empty())
+    return;
+  const double look[3] = {c[3] - c[0], c[4] - c[1], c[5] - c[2]};
+  if (look[0] == 0.0 && look[1] == 0.0 && look[2] == 0.0)
+    throw WrongValue{"the camera must not stand where it looks at"};
+  const double cross[3] = {look[1] * c[8] - look[2] * c[7], look[2] * c[6] - look[0] * c[8],
+    look[0] * c[7] - look[1] * c[6]};
+  if (cross[0] == 0.0 && cross[1] == 0.0 && cross[2] == 0.0)
+    throw WrongValue{"up must point another way than the camera looks"};
+  if (!(c[9] > 0.0))
+    throw WrongValue{"the angle, or half the height, must be above zero, not " + exactText(c[9])};
+}
+
+} // namespace
+
 void addCameraRows(std::vector<Row>& table)
 {
   const std::string group = "Camera";
@@ -51,21 +71,7 @@ void addCameraRows(std::vector<Row>& table)
       .invalidates = Invalidates::Picture,
       .count = 10,
       .usual = "frames what is shown"},
-    [](const std::vector<double>& c)
-    {
-      if (c.empty())
-        return;
-      const double look[3] = {c[3] - c[0], c[4] - c[1], c[5] - c[2]};
-      if (look[0] == 0.0 && look[1] == 0.0 && look[2] == 0.0)
-        throw WrongValue{"the camera must not stand where it looks at"};
-      const double cross[3] = {look[1] * c[8] - look[2] * c[7], look[2] * c[6] - look[0] * c[8],
-        look[0] * c[7] - look[1] * c[6]};
-      if (cross[0] == 0.0 && cross[1] == 0.0 && cross[2] == 0.0)
-        throw WrongValue{"up must point another way than the camera looks"};
-      if (!(c[9] > 0.0))
-        throw WrongValue{
-          "the angle, or half the height, must be above zero, not " + exactText(c[9])};
-    }));
+    checkCamera));
 }
 
 } // namespace mote::app

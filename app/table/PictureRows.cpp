@@ -3,11 +3,15 @@
 namespace mote::app
 {
 
-void addPictureRows(std::vector<Row>& table)
+namespace
 {
-  const std::string group = "Picture";
-  const auto picture = &Settings::picture;
-  const auto invalidates = Invalidates::Picture;
+
+const std::string group = "Picture";
+constexpr auto picture = &Settings::picture;
+constexpr auto invalidates = Invalidates::Picture;
+
+void addQualityRows(std::vector<Row>& table)
+{
   table.push_back(row(picture, &PictureSettings::size,
     {.group = group,
       .name = "size",
@@ -46,6 +50,11 @@ void addPictureRows(std::vector<Row>& table)
       if (colors.size() > 2)
         throw WrongValue{"one or two colours are possible"};
     }));
+}
+
+/// What lies over the picture.
+void addLabelRows(std::vector<Row>& table)
+{
   table.push_back(row(picture, &PictureSettings::legend,
     {.group = group, .name = "legend", .help = "No colour legend", .invalidates = invalidates}));
   table.push_back(row(picture, &PictureSettings::title,
@@ -93,6 +102,14 @@ void addPictureRows(std::vector<Row>& table)
       .name = "axes",
       .help = "No axes in the corner of the window",
       .invalidates = invalidates}));
+}
+
+} // namespace
+
+void addPictureRows(std::vector<Row>& table)
+{
+  addQualityRows(table);
+  addLabelRows(table);
 }
 
 } // namespace mote::app

@@ -301,6 +301,16 @@ private:
       hn::AndNot(isSame, hn::Gt(square, set(task_.share))));
     const std::uint32_t seldom = (maskOf(rough) | isSeldom_ >> first) & which;
     isSeldom_ |= seldom << first;
+    this->addLight(lanesOf(which & ~seldom), thick, mean, change, first);
+  }
+
+  /// Adds the light of parts of this optical depth, mean extinction and colour, and change of
+  /// colour from front to back, to the rays that are `plain`.
+  HWY_INLINE void addLight(
+    const M& plain, const V& thick, const V* mean, const V* change, std::size_t first)
+  {
+    const D d;
+    const V one = set(1.0f), tiny = set(1e-37f), square = hn::Mul(thick, thick);
     const V through = hn::Load(d, l_.transmittance + first);
     const V passing = expOfMinus(thick), opacity = hn::Sub(one, passing);
     const V weight = hn::Mul(hn::Mul(through, opacity), hn::Div(one, hn::Max(mean[0], tiny)));
@@ -308,7 +318,6 @@ private:
     // depth x, x^2 / (12 + 6 x + 1.2 x^2) of the change of colour, as good as exact up to 2.
     const V hidden = hn::Div(hn::Mul(through, square),
       hn::MulAdd(set(1.2f), square, hn::MulAdd(set(6.0f), thick, set(12.0f))));
-    const M plain = lanesOf(which & ~seldom);
     for (std::size_t c = 0; c < 3; ++c)
     {
       const V color = hn::Load(d, l_.color[c] + first);
