@@ -39,7 +39,7 @@ public:
   std::shared_ptr<const mote::HexField> field;
   std::shared_ptr<const mote::WalkCells> walk; ///< of the field, once it was needed
   mote::InputKey fieldKey;                     ///< what the field was taken from
-  vtkTimeStamp changedAt;  ///< when geometry or field last did
+  vtkTimeStamp changedAt;                      ///< when geometry or field last did
   double buildTime = 0.0;
   int builds = 0;
   int fieldUpdates = 0;
