@@ -104,6 +104,15 @@ void setOptions(vtkMoteSilhouetteFilter* filter, const ImageSilhouetteOptions& o
     filter->SetNumberOfThreads(options.given.settings.data.threads);
 }
 
+/// Why the text is no length nor percentage; empty where it is.
+std::string checkLength(const std::string& text)
+{
+  const bool isWord = text == "on" || text == "off" || text == "auto";
+  if (!isWord && checkLines(text).empty())
+    return {};
+  return "'" + text + "' is neither a length such as 2.5 nor a percentage such as 1%";
+}
+
 double secondsSince(std::chrono::steady_clock::time_point start)
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -132,9 +141,7 @@ void addImageSilhouetteOptions(CLI::App& app, ImageSilhouetteOptions& options)
     .add_option("--threshold", options.given.settings.silhouettes.lines,
       "Least step of depth that is drawn: a length in world units, or with % a share of the "
       "diagonal of what the image shows")
-    ->check(CLI::Validator([](std::string& text)
-      { return text == "auto" ? "'auto' is no length" : checkLines(text); },
-      "", "threshold"))
+    ->check(CLI::Validator([](std::string& text) { return checkLength(text); }, "", "threshold"))
     ->capture_default_str()
     ->group("Silhouettes")
     ->type_name("STEP");

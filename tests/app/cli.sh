@@ -165,7 +165,7 @@ case $3 in
 
   topics) # help about a group, an option, the keys; the reference is what the table says
     for topic in data colour selection radius structure volume camera light silhouettes picture \
-      keys formats shadows --legend no-cloud; do
+      keys formats shadows legend no-cloud; do
       run 0 "$mote" help $topic
       [ "$(wc -l <out)" -ge 2 ] || fail "little help about $topic"
     done
