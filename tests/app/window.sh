@@ -217,12 +217,26 @@ case $3 in
     picture reset.png
     alike start.png reset.png
     xdotool mousemove 320 240
-    press p
-    picture picked.png # with the mark on the particle
-    differ start.png picked.png
+    # The mark on the particle, and its values, are on the screen alone.
+    eval "$(xdotool getwindowgeometry --shell "$window" | sed -n 's/^\([XY]\)=/window_&/p')"
+    shown() { python3 "$tests/screen.py" "$window_X" "$window_Y" 640 400; }
+    changed() {
+      for _ in $(seq 100); do
+        [ "$(shown)" != "$1" ] && return
+        sleep 0.1
+      done
+      fail "nothing changes on the screen $2"
+    }
     press Escape
-    picture unpicked.png
-    alike start.png unpicked.png
+    sleep 1
+    plain=$(shown)
+    press p
+    changed "$plain" "where a particle is picked"
+    picked=$(shown)
+    picture unmarked.png
+    alike start.png unmarked.png
+    press Escape
+    changed "$picked" "after Escape"
     quit
     ;;
 
