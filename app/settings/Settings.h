@@ -78,9 +78,9 @@ struct VolumeSettings
   std::vector<double> isoValues;
   bool cloud = true; ///< whether the volume itself is seen, beside iso-surfaces
   bool lit = false;
-  std::string nanColor;                 ///< empty: cells with NaN are left out
-  std::string integrator = "trilinear"; ///< a name of vtkMoteVolumeMapper::GetIntegratorNames()
-  std::optional<double> sampleDistance; ///< none: choose
+  std::string nanColor;                    ///< empty: cells with NaN are left out
+  std::string integrator = "cell-by-cell"; ///< a name of vtkMoteVolumeMapper::GetIntegratorNames()
+  std::optional<double> sampleDistance;    ///< none: choose
   double tolerance = 0.001;
   double cloudTolerance = 0.0; ///< between pixels; 0: every pixel is traced
   std::string structure; ///< a name of vtkMoteVolumeMapper::GetStructureNames(); empty: choose
