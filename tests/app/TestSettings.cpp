@@ -56,7 +56,7 @@ std::vector<std::string> sampleOf(const Row& row)
   if (row.shape == Shape::Flag)
     return {row.get(Settings{}).front() == "true" ? "false" : "true"};
   if (!row.words.empty())
-    return {row.words.back()};
+    return {row.words.back() == row.get(Settings{}).front() ? row.words.front() : row.words.back()};
   if (!row.numeric)
     return {};
   const double least = std::isfinite(row.limits.least) ? row.limits.least : 0.0;
