@@ -27,6 +27,7 @@ struct ArrayRange
   double low = 0.0, high = 0.0;
   const char* purpose = "a range"; ///< for messages
   vtkDataArray* array = nullptr;   ///< where it is known already, in place of the name
+  RangeParts parts = {};           ///< none: all of it
 };
 
 /// The points of a data set as particles that rays can be cast at: radii, the structure over them,
@@ -95,6 +96,8 @@ public:
   const std::vector<ArrayRange>& ranges() const { return ranges_; }
   const PlaceRanges& places() const { return places_; }
   bool addRange(const ArrayRange& range);
+  /// Adds to the parts of the range that the array's component has, if any.
+  bool addToRange(const ArrayRange& range);
   bool removeRange(const std::string& name, int component);
   bool setPlaceRange(int k, double low, double high);
   bool removeAllRanges();

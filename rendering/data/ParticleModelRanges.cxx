@@ -57,9 +57,36 @@ bool ParticleModel::addRange(const ArrayRange& range)
     ranges_.push_back(range);
     return true;
   }
-  const bool changed = found->low != range.low || found->high != range.high;
+  const bool changed =
+    found->low != range.low || found->high != range.high || found->parts != range.parts;
   *found = range;
   return changed;
+}
+
+bool ParticleModel::addToRange(const ArrayRange& range)
+{
+  checkRange(range.low, range.high);
+  const auto found = std::find_if(ranges_.begin(), ranges_.end(),
+    [&](const auto& r) { return r.name == range.name && r.component == range.component; });
+  if (found == ranges_.end())
+    return addRange(range);
+  RangeParts all = found->parts;
+  if (all.empty())
+    all.push_back({found->low, found->high});
+  all.push_back({range.low, range.high});
+  std::sort(all.begin(), all.end());
+  ArrayRange sum = *found;
+  sum.parts.clear();
+  for (const auto& part : all)
+    if (!sum.parts.empty() && part[0] <= sum.parts.back()[1])
+      sum.parts.back()[1] = std::max(sum.parts.back()[1], part[1]);
+    else
+      sum.parts.push_back(part);
+  sum.low = sum.parts.front()[0];
+  sum.high = sum.parts.back()[1];
+  if (sum.parts.size() == 1)
+    sum.parts.clear();
+  return addRange(sum);
 }
 
 bool ParticleModel::removeRange(const std::string& name, int component)
@@ -96,7 +123,8 @@ std::vector<std::string> ParticleModel::updateRanges(const std::vector<ArrayRang
   {
     try
     {
-      values.push_back({arrayOf(range, input_), range.component, range.low, range.high});
+      values.push_back(
+        {arrayOf(range, input_), range.component, range.low, range.high, range.parts});
     }
     catch (const Error& error)
     {

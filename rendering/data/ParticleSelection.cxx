@@ -187,14 +187,18 @@ void makeComparable(double& low, double& high)
 
 } // namespace
 
+bool ParticleSelection::KeptRange::contains(double value) const
+{
+  return value >= low && value <= high &&
+         (parts.empty() || std::any_of(parts.begin(), parts.end(),
+                             [value](const auto& p) { return value >= p[0] && value <= p[1]; }));
+}
+
 bool ParticleSelection::shows(std::uint64_t input) const
 {
   for (const KeptRange& range : values_)
-  {
-    const double v = range.values.view.value(input, range.component);
-    if (!(v >= range.low && v <= range.high))
+    if (!range.contains(range.values.view.value(input, range.component)))
       return false;
-  }
   for (int k = 0; k < 4; ++k)
     if (places_.isLimited(k))
       if (const double v = placeOf(particles_, input, k);
@@ -218,6 +222,7 @@ bool ParticleSelection::findLimits(const ParticleStructure& structure, ParticleR
   for (std::size_t i = 0; i < std::min(values_.size(), mostAttributes); ++i)
   {
     double low = values_[i].low, high = values_[i].high;
+    complete = complete && values_[i].parts.empty();
     if (!findFloatLimits(values_[i].values.view, values_[i].component, low, high))
     {
       complete = false;
@@ -248,7 +253,9 @@ bool ParticleSelection::apply(ParticleStructure& structure, std::vector<ValueRan
     addArray(attributesKey, range.array);
     attributesKey.push_back(range.component);
     makeComparable(range.low, range.high);
-    key.insert(key.end(), {range.low, range.high});
+    key.insert(key.end(), {range.low, range.high, double(range.parts.size())});
+    for (const auto& part : range.parts)
+      key.insert(key.end(), part.begin(), part.end());
   }
   key.insert(key.end(), attributesKey.begin(), attributesKey.end());
   if (!values.empty())
@@ -266,7 +273,7 @@ bool ParticleSelection::apply(ParticleStructure& structure, std::vector<ValueRan
   {
     values_.clear();
     for (const ValueRange& range : values)
-      values_.push_back({DataArrayView(range.array), range.component, 0.0, 0.0});
+      values_.push_back({DataArrayView(range.array), range.component});
     setAttributes(structure);
     attributesKey_ = attributesKey;
   }
@@ -274,6 +281,7 @@ bool ParticleSelection::apply(ParticleStructure& structure, std::vector<ValueRan
   {
     values_[i].low = values[i].low;
     values_[i].high = values[i].high;
+    values_[i].parts = std::move(values[i].parts);
   }
 
   ParticleRanges limits;

@@ -12,12 +12,17 @@
 namespace mote
 {
 
+/// The parts of a range that has gaps: from and to, both included, in ascending order. None: the
+/// range has no gap.
+using RangeParts = std::vector<std::array<double, 2>>;
+
 /// A range of the values of one array; both ends belong to it, NaN does not.
 struct ValueRange
 {
   vtkDataArray* array = nullptr;
   int component = 0; ///< or ArrayView::magnitude
   double low = 0.0, high = 0.0;
+  RangeParts parts = {};
 };
 
 /// Ranges of what every particle has: x, y, z of its centre and its radius, as drawn.
@@ -36,8 +41,9 @@ struct PlaceRanges
 /// The structure compares stored floats. Rounding keeps order, so that float limits can mostly be
 /// found which part the stored values as the ranges part the exact ones; the answer is then exact
 /// whatever type the values have. Finding them costs nothing for values that are float themselves,
-/// and a look at the values for others. Where values on both sides of a limit are stored alike, and
-/// for arrays beyond the fourth, every particle is asked and the structure given a bit for each.
+/// and a look at the values for others. Where values on both sides of a limit are stored alike, for
+/// ranges with gaps and for arrays beyond the fourth, every particle is asked and the structure
+/// given a bit for each.
 class MOTERENDERINGDATA_EXPORT ParticleSelection
 {
 public:
@@ -64,7 +70,9 @@ private:
   {
     DataArrayView values;
     int component;
-    double low, high;
+    double low = 0.0, high = 0.0;
+    RangeParts parts = {};
+    bool contains(double value) const;
   };
   void setAttributes(ParticleStructure& structure);
   bool findLimits(const ParticleStructure& structure, ParticleRanges& limits) const;

@@ -229,6 +229,14 @@ bool vtkMoteParticleMapper::AddRange(const char* array, int component, double lo
     });
 }
 
+bool vtkMoteParticleMapper::AddToRange(const char* array, int component, double low, double high)
+{
+  return tryChange(this,
+    [&] {
+      return this->Impl->model.addToRange({textOf(array), component, low, high});
+    });
+}
+
 void vtkMoteParticleMapper::RemoveRange(const char* array, int component)
 {
   if (this->Impl->model.removeRange(textOf(array), component))
@@ -459,8 +467,12 @@ void vtkMoteParticleMapper::PrintSelf(ostream& os, vtkIndent indent)
   print("VisibilityArrayName", text(this->VisibilityArrayName));
   print("VisibilityComponent", this->VisibilityComponent);
   for (const mote::ArrayRange& range : model.ranges())
+  {
     os << indent << "Range of " << range.name << ", component " << range.component << ": "
        << range.low << " " << range.high << "\n";
+    for (const auto& part : range.parts)
+      os << indent << "  of that: " << part[0] << " " << part[1] << "\n";
+  }
   for (int k = 0; k < 4; ++k)
     if (model.places().isLimited(k))
       os << indent << "Range of " << places[k] << ": " << model.places().low[k] << " "

@@ -170,6 +170,13 @@ public:
   int GetNumberOfRanges();
   ///@}
 
+  /**
+   * Adds values to those that the range of an array's component shows, as in "types 1, 3 and 5 to
+   * 8": what lies in one of its parts is shown. The same as AddRange() where there is no range yet.
+   * A range with gaps looks at all particles when it changes.
+   */
+  bool AddToRange(const char* array, int component, double low, double high);
+
   ///@{
   /**
    * As AddRange(), of centres along an axis (0, 1, 2 for x, y, z) in the input's coordinates.

@@ -187,6 +187,38 @@ TEST_F(Ranges, SecondRangeOfAnArrayTakesThePlaceOfTheFirst)
   expectOnly([](int) { return true; });
 }
 
+TEST_F(Ranges, WithGapsShowWhatLiesInAnyOfTheirParts)
+{
+  const auto types = add<vtkUnsignedShortArray>("type", [](int i) { return i % 10; });
+  const auto doubles = add<vtkDoubleArray>("d", [&](int) { return random(-1, 1); });
+  EXPECT_TRUE(stage.mapper->AddToRange("type", 0, 7, 7));
+  expectOnly([&](int i) { return types[i] == 7; });
+  EXPECT_TRUE(stage.mapper->AddToRange("type", 0, 1, 3));
+  const auto typed = [&](int i) { return types[i] == 7 || (types[i] >= 1 && types[i] <= 3); };
+  expectOnly(typed);
+  EXPECT_TRUE(stage.mapper->AddToRange("d", 0, -0.7, -0.2));
+  EXPECT_TRUE(stage.mapper->AddToRange("d", 0, 0.1, infinity));
+  const auto both = [&](int i)
+  { return typed(i) && ((doubles[i] >= -0.7 && doubles[i] <= -0.2) || doubles[i] >= 0.1); };
+  expectOnly(both);
+  EXPECT_TRUE(stage.mapper->SetCenterRange(0, -0.6, 0.9));
+  expectOnly([&](int i) { return both(i) && balls[i].x >= -0.6 && balls[i].x <= 0.9; });
+  EXPECT_EQ(stage.mapper->GetNumberOfRanges(), 2);
+  EXPECT_EQ(stage.mapper->GetNumberOfBuilds(), 1) << "no range builds a structure";
+  // What closes the gaps, and what overlaps, leaves one range; another takes its place.
+  stage.mapper->SetCenterRange(0, -infinity, infinity);
+  stage.mapper->RemoveRange("d");
+  EXPECT_TRUE(stage.mapper->AddToRange("type", 0, 2, 8));
+  expectOnly([&](int i) { return types[i] >= 1 && types[i] <= 8; });
+  EXPECT_TRUE(stage.mapper->AddToRange("type", 0, 9.5, 10));
+  EXPECT_TRUE(stage.mapper->AddRange("type", 0, 4, 5));
+  expectOnly([&](int i) { return types[i] == 4 || types[i] == 5; });
+  Complaints complaints(stage.mapper);
+  EXPECT_FALSE(stage.mapper->AddToRange("type", 0, 2, 1));
+  EXPECT_FALSE(stage.mapper->AddToRange("", 0, 1, 2));
+  EXPECT_EQ(complaints.errors, 2);
+}
+
 TEST_F(Ranges, ComponentsAndMagnitude)
 {
   vtkNew<vtkFloatArray> vectors;
