@@ -12,6 +12,7 @@
 #include "commands/Probe.h"
 #include "commands/Render.h"
 #include "table/Help.h"
+#include "table/Session.h"
 #include "window/Window.h"
 
 #include <vtkMoteReaderTable.h>
@@ -21,6 +22,9 @@
 
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <iterator>
 #include <memory>
 #include <new>
 
@@ -40,17 +44,35 @@ std::unique_ptr<tbb::global_control> limitThreads(int threads)
     tbb::global_control::max_allowed_parallelism, threads);
 }
 
-/// The options of the window and of every command.
-struct AllOptions
+/// What the program does: the window, which needs no word, and the commands.
+struct Command
 {
-  WindowOptions window;
-  RenderOptions rendering;
-  InfoOptions info;
-  ConvertOptions converting;
-  AverageOptions averaging;
-  BakeOptions baking;
-  ImageSilhouetteOptions drawing;
-  ProbeOptions probing;
+  const char* name;
+  const char* help;
+  void (*declare)(CLI::App& app, GivenSettings& given);
+  void (*run)(const Settings& settings);
+};
+
+constexpr Command commands[] = {
+  {"", "", addWindowOptions, showWindow},
+  {"render", "Write a picture; needs no display", addRenderOptions, render},
+  {"convert", "Write particles as a .mote file, which opens at once", addConvertOptions, convert},
+  {"info", "List arrays, ranges, types and time steps; cells, volumes and quality", addInfoOptions,
+    printInfo},
+  {"average", "Average an array over circles about an axis: a table or a picture",
+    addAverageOptions, average},
+  {"silhouettes", "Draw the silhouettes of a depth image, of any program's",
+    addImageSilhouetteOptions, drawImageSilhouettes},
+  {"bake",
+    "Write the ambient occlusion of particles as maps, which --ambient-occlusion baked looks up",
+    addBakeOptions, bake},
+  {"probe", "List the values along a line", addProbeOptions, probe},
+};
+
+/// What the command line says to each of them.
+struct CommandLine
+{
+  GivenSettings given[std::size(commands)];
   HelpOptions help;
 };
 
@@ -64,27 +86,24 @@ void takeNoMore(CLI::App& app)
     takeNoMore(*command);
 }
 
-void addCommands(CLI::App& app, AllOptions& all)
+void addCommands(CLI::App& app, CommandLine& line)
 {
-  addWindowOptions(app, all.window);
-  const auto command = [&app](const char* name, const char* help) -> CLI::App&
-  { return *app.add_subcommand(name, help); };
-  addRenderOptions(command("render", "Write a picture; needs no display"), all.rendering);
-  addConvertOptions(
-    command("convert", "Write particles as a .mote file, which opens at once"), all.converting);
-  addInfoOptions(
-    command("info", "List arrays, ranges, types and time steps; cells, volumes and quality"),
-    all.info);
-  addAverageOptions(
-    command("average", "Average an array over circles about an axis: a table or a picture"),
-    all.averaging);
-  addImageSilhouetteOptions(
-    command("silhouettes", "Draw the silhouettes of a depth image, of any program's"), all.drawing);
-  addBakeOptions(command("bake", "Write the ambient occlusion of particles as maps, which "
-                                 "--ambient-occlusion baked looks up"),
-    all.baking);
-  addProbeOptions(command("probe", "List the values along a line"), all.probing);
-  addHelpOptions(command("help", "Tell more about a topic, an option or the keys"), all.help);
+  for (std::size_t i = 0; i < std::size(commands); ++i)
+  {
+    const Command& command = commands[i];
+    command.declare(
+      *command.name ? *app.add_subcommand(command.name, command.help) : app, line.given[i]);
+  }
+  const std::string codes = "Exit codes: 0 success, 1 failure with a sentence on standard error, 2 "
+                            "a wrong command line,\n130 interrupted.";
+  const std::string formats = "Files:\n" + vtkMoteReaderTable::GetFormatsHelp() + "\n";
+  for (CLI::App* command : app.get_subcommands({}))
+    command->footer(formats + codes);
+  app.get_subcommand("silhouettes")
+    ->footer("Images: .exr with depths, or any image of one channel of numbers.\n\n" + codes);
+  app.footer(formats + "Without a command a window opens; press h in it for its keys.\n" + codes);
+  addHelpOptions(
+    *app.add_subcommand("help", "Tell more about a topic, an option or the keys"), line.help);
 }
 
 /// Help without the marks of lists, whose commas the values' names show.
@@ -101,50 +120,50 @@ public:
   }
 };
 
-int run(CLI::App& app, const AllOptions& all)
+/// What stdout could not take, such as on a full disk, is only seen at the end.
+void requireWritten()
 {
-  const bool toRender = app.got_subcommand("render"), toInform = app.got_subcommand("info"),
-             toConvert = app.got_subcommand("convert"), toAverage = app.got_subcommand("average"),
-             toBake = app.got_subcommand("bake"), toProbe = app.got_subcommand("probe"),
-             toDraw = app.got_subcommand("silhouettes");
-  const DataSettings& data = (toRender    ? all.rendering.given
-                              : toInform  ? all.info.given
-                              : toConvert ? all.converting.given
-                              : toAverage ? all.averaging.given
-                              : toBake    ? all.baking.given
-                              : toProbe   ? all.probing.given
-                                          : all.window.given)
-                               .settings.data;
+  std::cout.flush();
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) || !std::cout)
+    throw Failure("the standard output could not be written");
+}
+
+/// "rendr" in place of "render" is taken for a file.
+std::string wrongCommand(int argc, char** argv)
+{
+  const std::string word = argc > 1 ? argv[1] : "";
+  std::error_code error;
+  if (word.empty() || word.find_first_not_of("abcdefghijklmnopqrstuvwxyz") != std::string::npos ||
+      std::filesystem::exists(word, error))
+    return {};
+  std::string known;
+  for (const Command& command : commands)
+    known += *command.name ? std::string(command.name) + ", " : "";
+  return "there is neither a file nor a command '" + word + "'; commands are " + known + "help. ";
+}
+
+int run(CLI::App& app, const CommandLine& line)
+{
   if (app.got_subcommand("help"))
   {
-    printHelp(app, all.help);
+    printHelp(app, line.help);
+    requireWritten();
     return 0;
   }
-  if (data.files.empty() && !toDraw)
+  std::size_t chosen = 0;
+  for (std::size_t i = 1; i < std::size(commands); ++i)
+    if (app.got_subcommand(commands[i].name))
+      chosen = i;
+  if (line.given[chosen].settings.data.files.empty())
   {
     std::fprintf(stderr, "mote: no file given. Try: mote --help\n");
     return misused;
   }
-  const auto limit = limitThreads(toDraw ? all.drawing.given.settings.data.threads : data.threads);
-  if (toRender)
-    render(all.rendering);
-  else if (toInform)
-    printInfo(all.info);
-  else if (toConvert)
-    convert(all.converting);
-  else if (toAverage)
-    average(all.averaging);
-  else if (toBake)
-    bake(all.baking);
-  else if (toProbe)
-    probe(all.probing);
-  else if (toDraw)
-    drawImageSilhouettes(all.drawing);
-  else
-    showWindow(all.window);
-  // What stdout could not take, such as on a full disk, is only seen here.
-  if (std::fflush(stdout) != 0 || std::ferror(stdout))
-    throw Failure("the standard output could not be written");
+  const Settings settings = line.given[chosen].resolved();
+  checkSessionOutput(settings);
+  const auto limit = limitThreads(settings.data.threads);
+  commands[chosen].run(settings);
+  requireWritten();
   return 0;
 }
 
@@ -153,17 +172,14 @@ int run(CLI::App& app, const AllOptions& all)
 int main(int argc, char** argv)
 {
   CLI::App app(
-    "Mote shows what simulations write: particles as spheres, hexahedra as volumes, ray cast.",
+    "Mote ray casts what simulations write: particles as spheres; hexahedra and other 3D cells as "
+    "volumes.",
     "mote");
   app.set_version_flag("--version", "mote " MOTE_VERSION);
   app.require_subcommand(0, 1);
-  app.footer(
-    "Files:\n" + vtkMoteReaderTable::GetFormatsHelp() +
-    "\nWithout a command a window opens; press h in it for its keys. Exit codes: 0 done, 1 failed\n"
-    "with a sentence on standard error, 2 a wrong command line, 130 interrupted.");
   app.formatter(std::make_shared<HelpFormatter>());
-  AllOptions all;
-  addCommands(app, all);
+  CommandLine line;
+  addCommands(app, line);
   takeNoMore(app);
   try
   {
@@ -171,11 +187,23 @@ int main(int argc, char** argv)
   }
   catch (const CLI::Success& asked)
   {
-    return app.exit(asked);
+    const int code = app.exit(asked);
+    try
+    {
+      requireWritten();
+    }
+    catch (const Failure& failure)
+    {
+      std::fprintf(stderr, "mote: %s\n", failure.what());
+      return failed;
+    }
+    return code;
   }
   catch (const CLI::ParseError& error)
   {
-    std::fprintf(stderr, "mote: %s. Try: mote --help\n", error.what());
+    const std::string wrong =
+      app.get_subcommands().empty() ? wrongCommand(argc, argv) : std::string();
+    std::fprintf(stderr, "mote: %s. Try: mote --help\n", (wrong + error.what()).c_str());
     return misused;
   }
 
@@ -183,7 +211,7 @@ int main(int argc, char** argv)
   endOnInterrupt();
   try
   {
-    return run(app, all);
+    return run(app, line);
   }
   catch (const Interrupted&)
   {

@@ -1,5 +1,7 @@
 #include "Report.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdarg>
@@ -35,26 +37,14 @@ std::string Table::text() const
 namespace
 {
 
-std::string quoted(const std::string& text)
-{
-  std::string out = "\"";
-  for (const char c : text)
-  {
-    if (c == '"' || c == '\\')
-      out += '\\';
-    if (static_cast<unsigned char>(c) < 0x20)
-      out += format("\\u%04x", static_cast<unsigned>(c));
-    else
-      out += c;
-  }
-  return out + '"';
-}
+using Json = nlohmann::ordered_json;
 
 struct ToJson
 {
-  std::string operator()(const std::string& v) const { return quoted(v); }
-  std::string operator()(std::int64_t v) const { return std::to_string(v); }
-  std::string operator()(double v) const { return std::isfinite(v) ? format("%.6g", v) : "null"; }
+  Json operator()(const std::string& v) const { return v; }
+  Json operator()(std::int64_t v) const { return v; }
+  /// Six digits: more would be noise. What is not finite becomes null.
+  Json operator()(double v) const { return std::isfinite(v) ? std::stod(format("%.6g", v)) : v; }
 };
 
 std::string formatList(const char* pattern, va_list list)
@@ -84,11 +74,10 @@ std::string toJson(const std::vector<Record>& records)
   std::string out = "[";
   for (std::size_t i = 0; i < records.size(); ++i)
   {
-    out += i > 0 ? ",\n  {" : "\n  {";
-    for (std::size_t k = 0; k < records[i].size(); ++k)
-      out += (k > 0 ? ", " : "") + quoted(records[i][k].first) + ": " +
-             std::visit(ToJson(), records[i][k].second);
-    out += '}';
+    Json line;
+    for (const auto& [key, value] : records[i])
+      line[key] = std::visit(ToJson(), value);
+    out += (i > 0 ? ",\n  " : "\n  ") + line.dump(-1, ' ', false, Json::error_handler_t::replace);
   }
   return out + "\n]\n";
 }

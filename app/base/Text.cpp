@@ -88,28 +88,4 @@ bool parseNumber(const std::string& text, double& value)
   return *end == '\0' && std::isfinite(value);
 }
 
-std::string jsonString(const std::string& text)
-{
-  std::string quoted = "\"";
-  for (const char c : text)
-  {
-    if (c == '"' || c == '\\')
-      quoted += '\\';
-    if (static_cast<unsigned char>(c) >= 0x20)
-      quoted += c;
-    else
-    {
-      char buffer[8];
-      std::snprintf(buffer, sizeof buffer, "\\u%04x", static_cast<unsigned>(c));
-      quoted += buffer;
-    }
-  }
-  return quoted + "\"";
-}
-
-std::string jsonNumber(double value)
-{
-  return std::isfinite(value) ? asNumber(value, 17) : "null";
-}
-
 } // namespace mote::app

@@ -34,8 +34,4 @@ std::string lowerCase(std::string text);
 /// Whether all of the text is one finite number, and which.
 bool parseNumber(const std::string& text, double& value);
 
-/// The text as a JSON string with its quotation marks; a number as JSON (null if not finite).
-std::string jsonString(const std::string& text);
-std::string jsonNumber(double value);
-
 } // namespace mote::app

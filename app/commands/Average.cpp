@@ -1,5 +1,6 @@
 #include "Average.h"
 
+#include "OpenedInput.h"
 #include "TableFile.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
@@ -7,7 +8,7 @@
 #include "base/Text.h"
 #include "stage/Arrays.h"
 #include "stage/ColorMaps.h"
-#include "stage/Input.h"
+#include "stage/Picture.h"
 
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
@@ -74,40 +75,39 @@ vtkSmartPointer<vtkImageData> drawn(
 }
 
 /// The column that colours: what the user says, else the average, of a vector its magnitude.
-vtkDataArray* columnOf(vtkImageData* bins, const AverageOptions& options)
+vtkDataArray* columnOf(vtkImageData* bins, const Settings& settings)
 {
-  const std::string& asked = options.given.settings.color.array;
+  const std::string& asked = settings.color.array;
   vtkPointData* columns = bins->GetPointData();
-  const std::string magnitude = options.array + "_magnitude";
+  const std::string magnitude = settings.average.array + "_magnitude";
   const std::string name = !asked.empty()                         ? asked
                            : columns->HasArray(magnitude.c_str()) ? magnitude
-                                                                  : options.array;
+                                                                  : settings.average.array;
   if (vtkDataArray* column = columns->GetArray(name.c_str()))
     return column;
   throw Failure("the average has no column " + name + " to colour by; it has " + listArrays(bins));
 }
 
-void writePicture(vtkImageData* bins, const AverageOptions& options, const std::string& caption)
+void writePicture(vtkImageData* bins, const Settings& settings, const std::string& caption)
 {
-  vtkDataArray* column = columnOf(bins, options);
+  vtkDataArray* column = columnOf(bins, settings);
   double range[2];
-  if (options.given.settings.color.range.size() == 2)
-    std::copy(
-      options.given.settings.color.range.begin(), options.given.settings.color.range.end(), range);
+  if (settings.color.range.size() == 2)
+    std::copy(settings.color.range.begin(), settings.color.range.end(), range);
   else
     column->GetFiniteRange(range, 0);
   if (!(range[0] < range[1]))
     range[1] = range[0] + 1.0;
-  const std::string map =
-    options.given.settings.color.map.empty() ? "viridis" : options.given.settings.color.map;
-  const auto colors = makeColorMap(map, range, options.given.settings.color.logarithmic);
+  const std::string map = settings.color.map.empty() ? "viridis" : settings.color.map;
+  const auto colors = makeColorMap(map, range, settings.color.logarithmic);
   vtkNew<vtkMoteColorLegend> legend;
   legend->SetInputData(drawn(bins, column, colors));
   legend->SetLookupTable(colors);
-  legend->SetTitle(column->GetName());
+  legend->SetTitle(settings.picture.title.value_or(column->GetName()));
+  applyLook(legend, settings.picture);
   legend->SetCaption(caption);
   vtkNew<vtkMoteImageWriter> writer;
-  writer->SetFileName(options.output.c_str());
+  writer->SetFileName(settings.output.file.c_str());
   writer->SetInputConnection(legend->GetOutputPort());
   Messages::takeError();
   if (!writer->Write())
@@ -116,76 +116,62 @@ void writePicture(vtkImageData* bins, const AverageOptions& options, const std::
 
 } // namespace
 
-void addAverageOptions(CLI::App& app, AverageOptions& options)
+void addAverageOptions(CLI::App& app, GivenSettings& given)
 {
-  addFiles(app, options.given.settings);
-  addSettings(app, options.given, {"Data"});
-  app
-    .add_option("--array,-a", options.array,
-      "Array to average, on points or cells: of numbers, or of vectors, of which the parts along "
-      "axis, radius and circumference are averaged")
-    ->required()
-    ->type_name("NAME");
-  app
-    .add_option("--output,-o", options.output,
-      "Table to write, .csv, or picture, .png, .jpg or .tif: along the axis to the right, away "
-      "from "
-      "it upwards. By default the table goes to standard output")
-    ->type_name("FILE");
-  app.add_option("--resolution", options.resolution, "Bins along the longer edge")
-    ->check(CLI::Range(1, 4096).description(""))
-    ->capture_default_str()
-    ->type_name("N");
-  addVectorOption(
-    app, "--axis", options.axis, "Direction of the axis. By default what the data say, else z");
-  addVectorOption(app, "--origin", options.origin,
-    "A point of the axis. By default what the data say, else 0,0,0");
-  addSettings(app, options.given, {"Colour"});
-  app.get_option("--color-by")->description("Column of the table that colours the picture");
-  app.get_option("--color-map")->description("Colours: " + joined(colorMapNames(), ", "));
+  addFiles(app, given.settings);
+  addSettings(app, given, {"Data"});
+  addCommandSettings(app, given, "average");
+  addSettings(
+    app, given, {"color-by", "color-map", "range", "log", "title", "legend-format", "font-scale"});
+  app.get_option("--color-by")
+    ->description("Column of the table that colours the picture. Default: the average, of a vector "
+                  "its magnitude");
 }
 
-void average(const AverageOptions& options)
+void average(const Settings& settings)
 {
-  checkOutput(options.output, options.given.settings.data.files);
-  TerminalProgress terminal;
-  ProgressRelay progress;
-  progress.add(terminal);
-  Input input(options.given.settings.data.files);
-  input.open(progress);
-  const int step = input.chosenStep(options.given.settings);
+  const AverageSettings& wanted = settings.average;
+  if (!isTable(settings.output.file) &&
+      !vtkMoteImageWriter::CanWriteFile(settings.output.file.c_str()))
+    throw Failure("cannot write " + settings.output.file +
+                  ": the name must end in .csv for a table, or .png, .jpg, .tif or .exr for a "
+                  "picture");
+  checkOutput(settings.output.file, settings.data.files);
+  OpenedInput opened(settings);
   vtkNew<vtkMultiBlockDataSet> blocks;
   std::vector<std::string> known;
-  for (const NamedData& one : input.read(step, progress))
+  for (const NamedData& one : opened.read())
   {
     blocks->SetBlock(blocks->GetNumberOfBlocks(), one.data);
     known.push_back(listArrays(one.data));
   }
   vtkNew<vtkMoteMeridionalAverage> filter;
   filter->SetInputData(blocks);
-  filter->SetArrayName(options.array);
-  filter->SetResolution(options.resolution);
-  filter->SetAxisFromInput(!options.axis && !options.origin);
-  if (options.axis)
-    filter->SetAxis(options.axis->data());
-  if (options.origin)
-    filter->SetOrigin(options.origin->data());
+  filter->SetArrayName(wanted.array);
+  filter->SetResolution(wanted.resolution);
+  filter->SetAxisFromInput(wanted.axis.empty() && wanted.origin.empty());
+  if (!wanted.axis.empty())
+    filter->SetAxis(wanted.axis.data());
+  if (!wanted.origin.empty())
+    filter->SetOrigin(wanted.origin.data());
   {
-    ProgressRelay::Work work(progress, "Averaging", filter);
+    ProgressRelay::Work work(opened.progress, "Averaging", filter);
     filter->Update();
     work.finish();
   }
   Messages::takeError(); // the filter keeps it
+  const std::string name = opened.input.name();
   if (const std::string& error = filter->GetErrorMessage(); !error.empty())
     throw Failure(
-      input.name() + ": " + error +
+      name + ": " + error +
       (error.starts_with("there is no array") && !known.empty() ? "; it has " + known.front()
                                                                 : ""));
-  if (isTable(options.output))
-    writeTable(filter->GetOutput(), options.output);
+  const std::vector<double>& times = opened.input.times();
+  if (isTable(settings.output.file))
+    writeTable(filter->GetOutput(), settings.output.file);
   else
-    writePicture(filter->GetImage(), options,
-      input.name() + (input.times().empty() ? "" : ", t = " + asNumber(input.times()[step], 10)));
+    writePicture(filter->GetImage(), settings,
+      name + (times.empty() ? "" : ", t = " + asNumber(times[opened.step], 10)));
 }
 
 } // namespace mote::app

@@ -1,7 +1,7 @@
 #include "Bake.h"
 
 #include "Convert.h"
-#include "base/Checks.h"
+#include "OpenedInput.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/OutputFile.h"
@@ -47,85 +47,48 @@ void setRadii(
     baker->SetTypeRadius(type, radius);
 }
 
-void setQuality(vtkMoteAmbientOcclusionBaker* baker, const BakeOptions& options)
+void setQuality(vtkMoteAmbientOcclusionBaker* baker, const Settings& settings)
 {
-  if (options.side > 0)
-    baker->SetSide(options.side);
-  if (options.samples > 0)
-    baker->SetSamples(options.samples);
-  baker->SetReach(options.reach);
-  if (options.tolerance == 0.0)
-    baker->AdaptiveOff();
-  else if (options.tolerance > 0.0)
-    baker->SetTolerance(options.tolerance);
-  baker->SetNumberOfThreads(options.given.settings.data.threads);
+  baker->SetSide(settings.bake.side);
+  baker->SetSamples(settings.bake.samples);
+  baker->SetReach(settings.bake.reach.value_or(0.0));
+  baker->SetAdaptive(settings.bake.tolerance > 0.0);
+  if (settings.bake.tolerance > 0.0)
+    baker->SetTolerance(settings.bake.tolerance);
+  baker->SetNumberOfThreads(settings.data.threads);
 }
 
 } // namespace
 
-void addBakeOptions(CLI::App& app, BakeOptions& options)
+void addBakeOptions(CLI::App& app, GivenSettings& given)
 {
-  addFiles(app, options.given.settings);
-  addSettings(app, options.given, {"Data"});
-  app
-    .add_option("--output,-o", options.output,
-      "File to write, .moteao. By default the data file's name with .moteao behind it, and the "
-      "step's number before where there are several: there mote looks for it")
-    ->type_name("FILE");
-  addSettings(app, options.given, {"Radius"});
-  const std::string group = "Baking";
-  app.add_option("--side", options.side, "Texels along a side of the largest maps. By default 16")
-    ->check(CLI::IsMember({1, 2, 4, 8, 16, 32}).description(""))
-    ->type_name("1|2|4|8|16|32")
-    ->group(group);
-  app.add_option("--samples", options.samples, "Rays a texel. By default 49")
-    ->check(CLI::Range(1, 65536).description(""))
-    ->type_name("N")
-    ->group(group);
-  app
-    .add_option("--occlusion-reach", options.reach,
-      "How far rays go, in the data's units: what is farther away darkens nothing. By default a "
-      "tenth of the data's longest side")
-    ->check(isNumber())
-    ->check(CLI::PositiveNumber.description(""))
-    ->type_name("R")
-    ->group(group);
-  app
-    .add_option("--tolerance", options.tolerance,
-      "Error that a particle's smaller map may have, as a share of the light; 0 gives all maps the "
-      "same size. By default 0.01")
-    ->check(isNumber())
-    ->check(CLI::Range(0.0, 1.0).description(""))
-    ->type_name("E")
-    ->group(group);
+  addFiles(app, given.settings);
+  addSettings(app, given, {"Data", "Radius"});
+  addCommandSettings(app, given, "bake");
 }
 
-void bake(const BakeOptions& options)
+void bake(const Settings& settings)
 {
-  TerminalProgress terminal;
-  ProgressRelay progress;
-  progress.add(terminal);
-  Input input(options.given.settings.data.files);
-  input.open(progress);
-  const int step = input.chosenStep(options.given.settings);
-  const NamedData data = particlesOf(input, step, progress, "mote bake takes one");
-  const std::string output = options.output.empty() ? mapsFileOf(data) : options.output;
+  OpenedInput opened(settings);
+  const NamedData data =
+    particlesOf(opened.input, opened.step, opened.progress, "mote bake takes one");
+  const std::string output = settings.output.file.empty() ? mapsFileOf(data) : settings.output.file;
   if (lowerCase(std::filesystem::path(output).extension().string()) != ".moteao")
     throw Failure("the file to write must end in .moteao, not " + output);
-  checkOutput(output, options.given.settings.data.files); // before minutes of baking
+  checkOutput(output, settings.data.files); // before minutes of baking
   auto* points = vtkPolyData::SafeDownCast(data.data);
   if (!points)
     throw Failure(data.name + " holds no points that mote bake could take");
-  Part part(data.name, data.data, options.given.settings, 0.0);
+  Part part(data.name, data.data, settings, 0.0);
 
   vtkNew<vtkMoteAmbientOcclusionBaker> baker;
-  setRadii(baker, part.particles(), options.given.settings);
-  setQuality(baker, options);
+  setRadii(baker, part.particles(), settings);
+  setQuality(baker, settings);
   baker->SetFileName(output.c_str());
   baker->SetInputData(points);
   Messages::takeError();
   {
-    ProgressRelay::Work work(progress, "Baking", baker);
+    ProgressRelay::Work work(opened.progress, "Baking", baker);
     baker->Update();
     work.finish();
   }

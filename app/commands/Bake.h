@@ -6,29 +6,14 @@
 #include <string>
 #include <vector>
 
-namespace CLI
-{
-class App;
-} // namespace CLI
-
 namespace mote::app
 {
 
-/// What mote bake is asked for.
-struct BakeOptions
-{
-  GivenSettings given; ///< files, step and radii of it
-  std::string output;
-  int side = 0;            ///< texels along a side; 0: as vtkMoteAmbientOcclusionBaker has it
-  int samples = 0;         ///< rays a texel; 0: likewise
-  double reach = 0.0;      ///< 0: choose
-  double tolerance = -1.0; ///< below 0: as the filter has it; 0: all maps of the same size
-};
+/// Declares the options of `mote bake`.
+void addBakeOptions(CLI::App& app, GivenSettings& given);
 
-void addBakeOptions(CLI::App& app, BakeOptions& options);
-
-/// Writes the occlusion maps of the particles of a file.
-void bake(const BakeOptions& options);
+/// Writes the occlusion maps of the particles of a file. Throws Failure and Interrupted.
+void bake(const Settings& settings);
 
 /// Adds the maps that mote bake has written beside their files, if there are any, to the particles
 /// among the data. A file that cannot be read is a warning.

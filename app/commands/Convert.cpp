@@ -1,12 +1,12 @@
 #include "Convert.h"
 
-#include "base/Checks.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/OutputFile.h"
 #include "base/Text.h"
 #include "stage/Input.h"
 #include "stage/Part.h"
+#include "table/Row.h"
 
 #include <kernels/core/ScratchSpace.h>
 
@@ -47,27 +47,19 @@ double secondsSince(double start)
 
 } // namespace
 
-void addConvertOptions(CLI::App& app, ConvertOptions& options)
+void addConvertOptions(CLI::App& app, GivenSettings& given)
 {
-  addFiles(app, options.given.settings);
-  addSettings(app, options.given, {"Data"});
+  addFiles(app, given.settings);
+  addSettings(app, given, {"Data"});
   app.get_option("FILE")->description(
     "Files to read, as elsewhere, and last the .mote file to write");
-  addSettings(app, options.given, {"Radius", "form"});
-  app
-    .add_option("--memory", options.memory,
-      "Memory for particles, such as 4G; what needs more lies in files beside the one that is "
-      "written, without a name, until it is. By default half of the machine's")
-    ->transform(CLI::AsSizeValue(false))
-    ->check(isNumber())
-    ->check(CLI::PositiveNumber.description(""))
-    ->type_name("SIZE")
-    ->group("Conversion");
+  addSettings(app, given, {"Radius", "form"});
+  addCommandSettings(app, given, "convert");
 }
 
-void convert(const ConvertOptions& given)
+void convert(const Settings& given)
 {
-  Settings settings = given.given.settings;
+  Settings settings = given;
   const std::string output = settings.data.files.back();
   settings.data.files.pop_back();
   if (lowerCase(std::filesystem::path(output).extension().string()) != ".mote")
@@ -80,7 +72,8 @@ void convert(const ConvertOptions& given)
   progress.add(terminal);
   const double start = vtkTimerLog::GetUniversalTime();
   checkOutput(output, settings.data.files); // before hours of reading
-  const std::uint64_t memory = given.memory > 0 ? given.memory : physicalMemory() / 2;
+  const std::uint64_t memory =
+    settings.output.memory.empty() ? physicalMemory() / 2 : bytesOf(settings.output.memory);
   // The rest is for putting arrays in order.
   const auto space = std::make_shared<ScratchSpace>(output, memory / 4 * 3);
   Input input(settings.data.files);

@@ -1,6 +1,5 @@
 #include "ImageSilhouettes.h"
 
-#include "base/Checks.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/OutputFile.h"
@@ -28,44 +27,6 @@ namespace mote::app
 namespace
 {
 
-void addDepthOptions(CLI::App& app, ImageSilhouetteOptions& o)
-{
-  const std::string group = "Depth";
-  app
-    .add_option("--depth", o.depth,
-      "Channel of the depths, as vtkMoteImageReader names it. By default depth, which is Z in the "
-      "file, or the only channel")
-    ->type_name("NAME")
-    ->group(group);
-  const auto positive = CLI::PositiveNumber.description("");
-  auto* angle =
-    app.add_option("--view-angle", o.viewAngle, "Angle between bottom and top, in degrees")
-      ->check(isNumber())
-      ->check(CLI::Range(1e-6, 179.0).description(""))
-      ->capture_default_str()
-      ->type_name("A")
-      ->group(group);
-  auto* rays = app.add_flag(
-    "--along-rays", o.alongRays, "Depths are distances from the eye, and not along the view axis");
-  rays->group(group);
-  app
-    .add_option(
-      "--orthographic", o.orthographic, "The view is orthographic and so high, in world units")
-    ->check(isNumber())
-    ->check(positive)
-    ->excludes(angle)
-    ->excludes(rays)
-    ->type_name("HEIGHT")
-    ->group(group);
-  app
-    .add_option("--far", o.farDepth,
-      "Depths from here on are background, as those that are not finite are anyway")
-    ->check(isNumber())
-    ->check(positive)
-    ->type_name("D")
-    ->group(group);
-}
-
 /// Where depths are an image of grey levels, they get the name of depths.
 void nameDepths(vtkImageData* image)
 {
@@ -87,30 +48,22 @@ void whiten(vtkImageData* image)
   image->GetPointData()->SetScalars(white);
 }
 
-void setOptions(vtkMoteSilhouetteFilter* filter, const ImageSilhouetteOptions& options)
+void setOptions(vtkMoteSilhouetteFilter* filter, const Settings& settings)
 {
-  choose(options.given.settings.silhouettes, vtkMoteSilhouettes::WORLD, filter->GetSilhouettes());
-  filter->SetReductionFactor(options.reduction);
-  filter->SetDepthArrayName(options.depth);
-  filter->SetDepthMode(options.orthographic ? vtkMoteSilhouetteFilter::ORTHOGRAPHIC
-                       : options.alongRays  ? vtkMoteSilhouetteFilter::ALONG_RAYS
-                                            : vtkMoteSilhouetteFilter::ALONG_AXIS);
-  filter->SetViewAngle(options.viewAngle);
-  if (options.orthographic)
-    filter->SetParallelScale(0.5 * *options.orthographic);
-  filter->SetBackgroundDepth(options.farDepth);
+  const DepthImageSettings& image = settings.depthImage;
+  choose(settings.silhouettes, vtkMoteSilhouettes::WORLD, filter->GetSilhouettes());
+  filter->SetReductionFactor(image.reduction);
+  filter->SetDepthArrayName(image.depth);
+  filter->SetDepthMode(image.height      ? vtkMoteSilhouetteFilter::ORTHOGRAPHIC
+                       : image.alongRays ? vtkMoteSilhouetteFilter::ALONG_RAYS
+                                         : vtkMoteSilhouetteFilter::ALONG_AXIS);
+  filter->SetViewAngle(image.viewAngle);
+  if (image.height)
+    filter->SetParallelScale(0.5 * *image.height);
+  filter->SetBackgroundDepth(image.farDepth.value_or(HUGE_VAL));
   filter->SetOutputModeToOverlay();
-  if (options.given.settings.data.threads > 0)
-    filter->SetNumberOfThreads(options.given.settings.data.threads);
-}
-
-/// Why the text is no length nor percentage; empty where it is.
-std::string checkLength(const std::string& text)
-{
-  const bool isWord = text == "on" || text == "off" || text == "auto";
-  if (!isWord && checkLines(text).empty())
-    return {};
-  return "'" + text + "' is neither a length such as 2.5 nor a percentage such as 1%";
+  if (settings.data.threads > 0)
+    filter->SetNumberOfThreads(settings.data.threads);
 }
 
 double secondsSince(std::chrono::steady_clock::time_point start)
@@ -120,55 +73,36 @@ double secondsSince(std::chrono::steady_clock::time_point start)
 
 } // namespace
 
-ImageSilhouetteOptions::ImageSilhouetteOptions()
+void addImageSilhouetteOptions(CLI::App& app, GivenSettings& given)
 {
-  given.settings.silhouettes.lines = "1%";
-  given.settings.silhouettes.thickness = "1";
-  given.settings.silhouettes.opacity = 0.3;
-}
-
-void addImageSilhouetteOptions(CLI::App& app, ImageSilhouetteOptions& options)
-{
-  app.add_option("IMAGE", options.image, "Image with depths, such as an .exr from any program")
+  Settings& settings = given.settings;
+  // Narrow lines, grey where steps are small, from 1 % of what the image shows on.
+  settings.silhouettes.lines = "1%";
+  settings.silhouettes.thickness = "1";
+  settings.silhouettes.opacity = 0.3;
+  app
+    .add_option("IMAGE", settings.data.files, "Image with depths, such as an .exr from any program")
     ->required()
+    ->expected(1)
     ->type_name("");
-  app
-    .add_option(
-      "--output,-o", options.output, "Picture to write: .png, .jpg, .tif or .exr; with lines drawn")
-    ->required()
-    ->type_name("FILE");
-  app
-    .add_option("--threshold", options.given.settings.silhouettes.lines,
-      "Least step of depth that is drawn: a length in world units, or with % a share of the "
-      "diagonal of what the image shows")
-    ->check(CLI::Validator([](std::string& text) { return checkLength(text); }, "", "threshold"))
-    ->capture_default_str()
-    ->group("Silhouettes")
-    ->type_name("STEP");
-  addSettings(app, options.given,
+  addCommandSettings(app, given, "silhouettes");
+  addSettings(app, given,
     {"silhouette-thickness", "silhouette-opacity", "silhouette-color", "silhouette-on-pixels",
       "silhouette-step-pixels", "silhouette-groups", "silhouette-no-hulls", "threads"},
     "silhouette-");
-  app
-    .add_option("--reduce", options.reduction,
-      "Make one pixel of a square of N times N, for smooth lines from a larger image")
-    ->check(CLI::Range(1, 64).description(""))
-    ->capture_default_str()
-    ->type_name("N");
-  app.add_flag(
-    "--lines-only", options.linesAlone, "Draw on white, and not over the image's colours");
-  addDepthOptions(app, options);
 }
 
-void drawImageSilhouettes(const ImageSilhouetteOptions& options)
+void drawImageSilhouettes(const Settings& settings)
 {
+  const std::string& file = settings.data.files.front();
+  const std::string& output = settings.output.file;
   vtkNew<vtkMoteImageWriter> writer;
-  writer->SetFileName(options.output.c_str());
+  writer->SetFileName(output.c_str());
   if (!writer->CheckFileName())
     throw Failure(writer->GetErrorMessage());
-  checkOutput(options.output, {options.image});
+  checkOutput(output, {file});
   vtkNew<vtkMoteImageReader> reader;
-  reader->SetFileName(options.image.c_str());
+  reader->SetFileName(file.c_str());
   auto start = std::chrono::steady_clock::now();
   reader->Update();
   const double reading = secondsSince(start);
@@ -177,26 +111,26 @@ void drawImageSilhouettes(const ImageSilhouetteOptions& options)
     throw Failure(reader->GetErrorMessage());
   vtkImageData* image = reader->GetOutput();
   nameDepths(image);
-  if (options.linesAlone || !image->GetPointData()->HasArray("color"))
+  if (settings.depthImage.linesAlone || !image->GetPointData()->HasArray("color"))
     whiten(image);
   vtkNew<vtkMoteSilhouetteFilter> filter;
   filter->SetInputData(image);
-  setOptions(filter, options);
+  setOptions(filter, settings);
   start = std::chrono::steady_clock::now();
   filter->Update();
   const double finding = secondsSince(start);
   Messages::takeError();
   if (!filter->GetErrorMessage().empty())
-    throw Failure(options.image + ": " + filter->GetErrorMessage());
+    throw Failure(file + ": " + filter->GetErrorMessage());
   writer->SetInputConnection(filter->GetOutputPort());
   const bool isWritten = writer->Write();
   Messages::takeError();
   if (!isWritten)
     throw Failure(writer->GetErrorMessage());
   const int* size = filter->GetOutput()->GetDimensions();
-  std::printf("%s: %dx%d, silhouettes at steps from %s; read in %s, drawn in %s\n",
-    options.output.c_str(), size[0], size[1], asNumber(filter->GetStep(), 4).c_str(),
-    asDuration(reading).c_str(), asDuration(finding).c_str());
+  std::printf("%s: %dx%d, silhouettes at steps from %s; read in %s, drawn in %s\n", output.c_str(),
+    size[0], size[1], asNumber(filter->GetStep(), 4).c_str(), asDuration(reading).c_str(),
+    asDuration(finding).c_str());
 }
 
 } // namespace mote::app

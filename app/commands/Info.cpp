@@ -19,6 +19,7 @@
 #include <vtkTimerLog.h>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -192,89 +193,79 @@ void printText(const NamedData& one, const Input& input, int step, double second
   printArrays(arrays);
 }
 
-std::string jsonList(const std::vector<std::string>& items)
+using Json = nlohmann::ordered_json;
+
+Json asJson(const ArrayFacts& facts)
 {
-  return "[" + joined(items, ", ") + "]";
+  return {{"name", facts.name}, {"of", facts.place}, {"type", facts.type},
+    {"components", facts.components},
+    {"range", facts.ranged ? Json{facts.range[0], facts.range[1]} : Json()},
+    {"mean", facts.mean ? Json(*facts.mean) : Json()}};
 }
 
-std::string jsonNumbers(const double* values, int count)
+/// Some numbers, or null for none.
+Json numbers(const double* values, int count)
 {
-  std::vector<std::string> items;
-  for (int i = 0; i < count; ++i)
-    items.push_back(jsonNumber(values[i]));
-  return jsonList(items);
+  return values ? Json(std::vector<double>(values, values + count)) : Json();
 }
 
-std::string jsonArray(const ArrayFacts& facts)
-{
-  std::vector<std::string> components;
-  for (const std::string& name : facts.components)
-    components.push_back(jsonString(name));
-  return "{\"name\": " + jsonString(facts.name) + ", \"of\": " + jsonString(facts.place) +
-         ", \"type\": " + jsonString(facts.type) + ", \"components\": " + jsonList(components) +
-         ", \"range\": " + (facts.ranged ? jsonNumbers(facts.range, 2) : "null") +
-         ", \"mean\": " + (facts.mean ? jsonNumber(*facts.mean) : "null") + "}";
-}
-
-std::string asJson(const NamedData& one, const Input& input, int step, double seconds)
+Json asJson(const NamedData& one, const Input& input, int step, double seconds)
 {
   vtkDataSet* data = one.data;
   const std::optional<MeshFacts> mesh = meshOf(data);
-  std::vector<std::string> arrays;
-  for (const ArrayFacts& facts : allFacts(data, mesh))
-    arrays.push_back("\n      " + jsonArray(facts));
   const auto box = simulationBoxOf(data);
-  const bool any = data->GetNumberOfPoints() > 0;
   const double spacing = spacingOf(data);
   auto* inFile = pointsInFile(data);
-  return "  {\"name\": " + jsonString(one.name) +
-         ", \"class\": " + jsonString(data->GetClassName()) +
-         ",\n    \"points\": " + std::to_string(data->GetNumberOfPoints()) +
-         ", \"cells\": " + std::to_string(data->GetNumberOfCells()) + ",\n    \"times\": " +
-         jsonNumbers(input.times().data(), static_cast<int>(input.times().size())) +
-         ", \"step\": " + std::to_string(step + 1) +
-         ",\n    \"bounds\": " + (any ? jsonNumbers(data->GetBounds(), 6) : "null") +
-         ",\n    \"box\": " + (box ? jsonNumbers(&box->vectors[0][0], 9) : "null") +
-         ", \"box_origin\": " + (box ? jsonNumbers(box->origin, 3) : "null") +
-         ",\n    \"spacing\": " + (spacing > 0.0 ? jsonNumber(spacing) : "null") +
-         ", \"form\": " + (inFile ? jsonString(inFile->GetForm()) : "null") +
-         ", \"position_error\": " + (inFile ? jsonNumber(inFile->GetPositionError()) : "null") +
-         ", \"read_seconds\": " + jsonNumber(seconds) +
-         ",\n    \"mesh\": " + (mesh ? mesh->json() : "null") +
-         ",\n    \"arrays\": " + jsonList(arrays) + "}";
+  Json json = {{"name", one.name}, {"class", data->GetClassName()},
+    {"points", data->GetNumberOfPoints()}, {"cells", data->GetNumberOfCells()},
+    {"times", input.times()}, {"step", step + 1},
+    {"bounds", numbers(data->GetNumberOfPoints() > 0 ? data->GetBounds() : nullptr, 6)},
+    {"box", numbers(box ? &box->vectors[0][0] : nullptr, 9)},
+    {"box_origin", numbers(box ? box->origin : nullptr, 3)},
+    {"spacing", spacing > 0.0 ? Json(spacing) : Json()},
+    {"form", inFile ? Json(inFile->GetForm()) : Json()},
+    {"position_error", inFile ? Json(inFile->GetPositionError()) : Json()},
+    {"read_seconds", seconds}, {"mesh", Json()}, {"arrays", Json::array()}};
+  if (mesh)
+    for (const auto& [name, value] : mesh->all())
+      json["mesh"][name] = value;
+  for (const ArrayFacts& facts : allFacts(data, mesh))
+    json["arrays"].push_back(asJson(facts));
+  return json;
 }
 
 } // namespace
 
-void addInfoOptions(CLI::App& app, InfoOptions& options)
+void addInfoOptions(CLI::App& app, GivenSettings& given)
 {
-  addFiles(app, options.given.settings);
-  addSettings(app, options.given, {"Data"});
-  app.add_flag("--json", options.json, "Print a JSON array, one object a data set, instead");
+  addFiles(app, given.settings);
+  addSettings(app, given, {"Data"});
+  addCommandSettings(app, given, "info");
 }
 
-void printInfo(const InfoOptions& options)
+void printInfo(const Settings& settings)
 {
   TerminalProgress terminal;
   ProgressRelay progress;
   progress.add(terminal);
-  std::vector<std::string> objects;
-  for (const auto& files : vtkMoteReaderTable::GroupSeries(options.given.settings.data.files))
+  Json objects = Json::array();
+  for (const auto& files : vtkMoteReaderTable::GroupSeries(settings.data.files))
   {
     Input input(files);
     const double start = vtkTimerLog::GetUniversalTime();
     input.open(progress);
-    const int step = input.chosenStep(options.given.settings);
+    const int step = input.chosenStep(settings);
     const std::vector<NamedData> all = input.read(step, progress);
     const double seconds = vtkTimerLog::GetUniversalTime() - start;
     for (const NamedData& one : all)
-      if (options.json)
+      if (settings.output.json)
         objects.push_back(asJson(one, input, step, seconds));
       else
         printText(one, input, step, seconds);
   }
-  if (options.json)
-    std::printf("[\n%s\n]\n", joined(objects, ",\n").c_str());
+  // Names need not be UTF-8.
+  if (settings.output.json)
+    std::printf("%s\n", objects.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
 }
 
 } // namespace mote::app

@@ -5,16 +5,10 @@
 namespace mote::app
 {
 
-struct InfoOptions
-{
-  GivenSettings given; ///< files, time and threads
-  bool json = false;
-};
-
 /// Declares the options of `mote info`.
-void addInfoOptions(CLI::App& app, InfoOptions& options);
+void addInfoOptions(CLI::App& app, GivenSettings& given);
 
 /// Prints what the files hold. Throws Failure and Interrupted.
-void printInfo(const InfoOptions& options);
+void printInfo(const Settings& settings);
 
 } // namespace mote::app

@@ -65,13 +65,13 @@ std::string MeshFacts::complaints() const
     {"non_finite", "with corners at no place"}});
 }
 
-std::string MeshFacts::json() const
+std::vector<std::pair<std::string, double>> MeshFacts::all() const
 {
-  std::vector<std::string> members;
+  std::vector<std::pair<std::string, double>> facts;
   for (vtkIdType column = 0; column < cells_->GetNumberOfColumns(); ++column)
     if (const std::string name = cells_->GetColumnName(column); name != "block")
-      members.push_back(jsonString(name).append(": ").append(jsonNumber(this->of(name.c_str()))));
-  return std::string("{").append(joined(members, ", ")).append("}");
+      facts.emplace_back(name, this->of(name.c_str()));
+  return facts;
 }
 
 } // namespace mote::app

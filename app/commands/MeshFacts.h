@@ -5,6 +5,8 @@
 
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 class vtkDataSet;
 
@@ -31,8 +33,8 @@ public:
   /// "2 inverted"; empty where there is nothing to complain of.
   std::string complaints() const;
 
-  /// All of the cells' table as a JSON object.
-  std::string json() const;
+  /// All of the cells' table, by the names of its columns.
+  std::vector<std::pair<std::string, double>> all() const;
 
 private:
   std::string counts(

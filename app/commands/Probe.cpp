@@ -1,11 +1,12 @@
 #include "Probe.h"
 
+#include "OpenedInput.h"
 #include "TableFile.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/OutputFile.h"
 #include "stage/Arrays.h"
-#include "stage/Input.h"
+#include "stage/Part.h"
 
 #include <kernels/hexahedra/HexMesh.h>
 
@@ -14,6 +15,7 @@
 #include <vtkLineSource.h>
 #include <vtkMath.h>
 #include <vtkMoteCylindricalLocator.h>
+#include <vtkMoteImageWriter.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkProbeFilter.h>
@@ -127,55 +129,51 @@ bool isWorthALocator(vtkDataSet* data, vtkIdType points)
 
 } // namespace
 
-void addProbeOptions(CLI::App& app, ProbeOptions& options)
+void addProbeOptions(CLI::App& app, GivenSettings& given)
 {
-  addFiles(app, options.given.settings);
-  addSettings(app, options.given, {"Data"});
-  addVectorOption(app, "--from", options.from, "Where the line begins")->required();
-  addVectorOption(app, "--to", options.to, "Where it ends")->required();
-  app.add_option("--points", options.points, "Points along the line, its ends included")
-    ->check(CLI::Range(2, 1000000).description(""))
-    ->capture_default_str()
-    ->type_name("N");
-  app
-    .add_option("--output,-o", options.output,
-      "Table to write, as comma-separated values; standard output by default")
-    ->type_name("FILE");
+  addFiles(app, given.settings);
+  addSettings(app, given, {"Data"});
+  addCommandSettings(app, given, "probe");
 }
 
-void probe(const ProbeOptions& options)
+void probe(const Settings& settings)
 {
-  checkOutput(options.output, options.given.settings.data.files);
-  TerminalProgress terminal;
-  ProgressRelay progress;
-  progress.add(terminal);
-  Input input(options.given.settings.data.files);
-  input.open(progress);
+  const std::string& output = settings.output.file;
+  if (vtkMoteImageWriter::CanWriteFile(output.c_str()))
+    throw Failure(
+      "mote probe writes a table, such as values.csv, and no picture such as " + output);
+  checkOutput(output, settings.data.files);
+  OpenedInput opened(settings);
+  const int points = settings.probe.points;
   vtkNew<vtkLineSource> line;
-  line->SetPoint1(options.from->data());
-  line->SetPoint2(options.to->data());
-  line->SetResolution(options.points - 1);
+  line->SetPoint1(settings.probe.from.data());
+  line->SetPoint2(settings.probe.to.data());
+  line->SetResolution(points - 1);
   line->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   line->Update();
   LineTable table(line->GetOutput());
   vtkNew<vtkMoteCylindricalLocator> locator;
-  for (const NamedData& one : input.read(input.chosenStep(options.given.settings), progress))
+  vtkIdType cells = 0;
+  for (const NamedData& one : opened.read())
   {
+    cells += Part::isMesh(one.data) ? one.data->GetNumberOfCells() : 0;
     vtkNew<vtkProbeFilter> filter;
     filter->SetInputConnection(line->GetOutputPort());
     filter->SetSourceData(one.data);
-    if (isWorthALocator(one.data, options.points))
+    if (isWorthALocator(one.data, points))
       filter->SetCellLocatorPrototype(locator);
-    ProgressRelay::Work work(progress, "Probing " + one.name, filter);
+    ProgressRelay::Work work(opened.progress, "Probing " + one.name, filter);
     filter->Update();
     work.finish();
     table.add(one.name, filter->GetOutput()->GetPointData());
   }
   if (const std::string error = Messages::takeError(); !error.empty())
     throw Failure(error);
+  if (cells == 0)
+    throw Failure(opened.input.name() + " holds no cells, in which values could be looked up");
   if (!table.anyInside())
-    throw Failure("no point of the line lies in a cell of " + input.name());
-  writeTable(table.table(), options.output);
+    throw Failure("no point of the line lies in a cell of " + opened.input.name());
+  writeTable(table.table(), output);
 }
 
 } // namespace mote::app

@@ -58,35 +58,23 @@ void requireTraced(const Stage& stage)
     if (part->kind() != Part::Kind::Surface)
       return;
   const std::string name = stage.parts().empty() ? "the input" : stage.parts().front()->name();
-  throw Failure(name + " holds faces, or cells without numbers on them, and mote render draws "
-                       "particles and volumes only; see its surface in a window with: mote FILE");
+  throw Failure(name + " has nothing that mote render draws: that are particles, and 3D cells of "
+                       "unstructured grids with an array of numbers; see its surface in a window "
+                       "with: mote FILE --cells surface");
 }
 
 } // namespace
 
-void addRenderOptions(CLI::App& app, RenderOptions& options)
+void addRenderOptions(CLI::App& app, GivenSettings& given)
 {
-  app
-    .add_option("--output,-o", options.output,
-      "Picture to write: .png, .jpg or .tif; or .exr with colour, depth, normal and particle id, "
-      "the background transparent")
-    ->required()
-    ->type_name("FILE");
-  addAllSettings(app, options.given);
-  app
-    .add_flag("--all-steps", options.allSteps,
-      "A picture of every time step: out.png gives out.0001.png, out.0002.png ... All have the "
-      "last step's frame and one range of colours, for which the steps are read twice unless "
-      "--range gives it")
-    ->excludes(app.get_option("--step"))
-    ->excludes(app.get_option("--time"))
-    ->group("Data");
-  addSessionOption(app, options.session);
+  addAllSettings(app, given);
+  addCommandSettings(app, given, "render");
 }
 
-void render(const RenderOptions& given)
+void render(const Settings& given)
 {
-  Settings settings = given.given.resolved();
+  Settings settings = given;
+  const OutputSettings& output = given.output;
   if (settings.picture.size[0] == 0)
     settings.picture.size = {1280, 960};
   const std::array<int, 2> size = settings.picture.size;
@@ -96,7 +84,7 @@ void render(const RenderOptions& given)
   Stage stage(settings);
   Picture picture(stage, size);
   Input input(settings.data.files);
-  picture.aim(given.allSteps ? numbered(given.output, 1, 1) : given.output);
+  picture.aim(output.allSteps ? numbered(output.file, 1, 1) : output.file);
   const double start = vtkTimerLog::GetUniversalTime();
   input.open(progress);
   const double openTime = vtkTimerLog::GetUniversalTime() - start;
@@ -126,22 +114,22 @@ void render(const RenderOptions& given)
 
   // A sequence has one frame and radius, those of its last step, and one range of colours.
   const int last = input.numberOfSteps() - 1;
-  const int chosen = given.allSteps ? last : input.chosenStep(settings);
+  const int chosen = output.allSteps ? last : input.chosenStep(settings);
   const double readTime = show(chosen);
   stage.look(picture.aspect(), picture.margins());
   for (const std::string& sentence : adviceOn(stage))
     std::fprintf(stderr, "mote: warning: %s\n", sentence.c_str());
-  if (!given.allSteps)
-    trace(chosen, given.output, openTime + readTime);
+  if (!output.allSteps)
+    trace(chosen, output.file, openTime + readTime);
   else
   {
     if (settings.color.range.empty() && settings.color.array != "none")
       includeColors(stage, input, last, progress);
     for (int step = 0; step <= last; ++step)
-      trace(step, numbered(given.output, step + 1, last + 1), show(step));
+      trace(step, numbered(output.file, step + 1, last + 1), show(step));
   }
-  if (!given.session.empty())
-    writeSession(stage.settingsInForce(), given.session);
+  if (!output.session.empty())
+    writeSession(stage.settingsInForce(), output.session);
 }
 
 } // namespace mote::app

@@ -5,20 +5,11 @@
 namespace mote::app
 {
 
-/// What `mote render` may be told besides the view.
-struct RenderOptions
-{
-  GivenSettings given;
-  std::string output;
-  std::string session; ///< file to save the session in; empty: none
-  bool allSteps = false;
-};
-
 /// Declares the options of `mote render`.
-void addRenderOptions(CLI::App& app, RenderOptions& options);
+void addRenderOptions(CLI::App& app, GivenSettings& given);
 
 /// Writes one picture, or one for every time step. Throws Failure and Interrupted; then no file is
 /// left that is not complete.
-void render(const RenderOptions& options);
+void render(const Settings& settings);
 
 } // namespace mote::app

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "CommandSettings.h"
+
 #include <array>
 #include <map>
 #include <optional>
@@ -28,14 +30,22 @@ struct ColorSettings
   std::string map;           ///< a name of colorMapNames(); empty: choose
   std::vector<double> range; ///< none or two
   bool logarithmic = false;
+  std::vector<int> types; ///< that have the first colours of the map of types, in this order
   bool operator==(const ColorSettings&) const = default;
 };
 
-/// Values of x, y, z, radius or an array: a union of ranges, each with its ends.
+/// From `low` to `high`, both included.
+struct Interval
+{
+  double low, high;
+  bool operator==(const Interval&) const = default;
+};
+
+/// Values of x, y, z, radius or an array: those in any of the intervals, in ascending order.
 struct ShowRange
 {
   std::string name;
-  double low, high;
+  std::vector<Interval> intervals;
   bool operator==(const ShowRange&) const = default;
 };
 
@@ -147,7 +157,8 @@ struct PictureSettings
   int mostSamples(bool paths) const { return samples.value_or(noise ? 4096 : paths ? 64 : 16); }
 };
 
-/// Every choice that a user can make of a picture, as a value. settingsTable() describes each.
+/// Every choice that a user can make, as a value: of the picture, which settingsTable() describes,
+/// and of what a command does with it, which commandTable() describes.
 struct Settings
 {
   DataSettings data;
@@ -159,6 +170,12 @@ struct Settings
   LightSettings light;
   SilhouetteSettings silhouettes;
   PictureSettings picture;
+
+  OutputSettings output;
+  AverageSettings average;
+  BakeSettings bake;
+  ProbeSettings probe;
+  DepthImageSettings depthImage;
   bool operator==(const Settings&) const = default;
 };
 

@@ -66,12 +66,11 @@ Color colorOf(const std::string& text)
   return color;
 }
 
-void requireWords(const std::vector<std::string>& words, const std::vector<std::string>& allowed)
+void requireWords(const std::vector<std::string>& words, const std::vector<std::string>& allowed,
+  const std::string& usual)
 {
-  if (allowed.empty())
-    return;
   for (const std::string& word : words)
-    if (!word.empty() && std::find(allowed.begin(), allowed.end(), word) == allowed.end())
+    if (word != usual && std::find(allowed.begin(), allowed.end(), word) == allowed.end())
       throw WrongValue{"'" + word + "' is none of " + joined(allowed, ", ")};
 }
 
@@ -144,35 +143,64 @@ std::array<int, 2> ValuesOf<std::array<int, 2>>::parse(
 std::vector<std::string> ValuesOf<ShowRange>::words(const ShowRange& range)
 {
   const auto end = [](double value) { return std::isinf(value) ? "" : exactText(value); };
-  return {
-    range.name + "=" +
-    (range.low == range.high ? exactText(range.low) : end(range.low) + ":" + end(range.high))};
+  std::string text = range.name + "=";
+  for (std::size_t i = 0; i < range.intervals.size(); ++i)
+  {
+    const auto [low, high] = range.intervals[i];
+    text += (i > 0 ? "," : "") + (low == high ? exactText(low) : end(low) + ":" + end(high));
+  }
+  return {text};
 }
+
+namespace
+{
+
+/// "1:3", "5:", "7".
+bool parseInterval(const std::string& text, Interval& interval)
+{
+  const std::size_t colon = text.find(':');
+  const auto read = [](const std::string& number, double& value)
+  { return number.empty() || parseNumber(number, value); };
+  if (text.empty() || text == ":" || !read(text.substr(0, colon), interval.low))
+    return false;
+  if (colon != std::string::npos)
+    return read(text.substr(colon + 1), interval.high);
+  interval.high = interval.low;
+  return true;
+}
+
+} // namespace
 
 ShowRange ValuesOf<ShowRange>::parse(const std::vector<std::string>& words, const Limits&)
 {
   const std::string& text = only(words);
-  const WrongValue wrong{"'" + text + "' is not of the form NAME=LO:HI, such as x=0:10 or x=5:"};
+  const WrongValue wrong{
+    "'" + text + "' is not of the form NAME=LO:HI, such as x=0:10, x=5: or type=1,3:5"};
   const std::size_t sign = text.rfind('=');
   if (sign == std::string::npos || sign == 0)
     throw wrong;
-  ShowRange range = {text.substr(0, sign), -HUGE_VAL, HUGE_VAL};
-  const std::string values = text.substr(sign + 1);
-  const std::size_t colon = values.find(':');
-  const auto read = [&](const std::string& number, double& value)
+  ShowRange range = {text.substr(0, sign), {}};
+  for (std::size_t begin = sign + 1; begin <= text.size();)
   {
-    if (!number.empty() && !parseNumber(number, value))
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    Interval interval = {-HUGE_VAL, HUGE_VAL};
+    if (!parseInterval(text.substr(begin, end - begin), interval))
       throw wrong;
-  };
-  if (values.empty() || values == ":")
-    throw wrong;
-  read(values.substr(0, colon), range.low);
-  if (colon == std::string::npos)
-    range.high = range.low;
-  else
-    read(values.substr(colon + 1), range.high);
-  if (range.low > range.high)
-    throw WrongValue{"'" + text + "' is empty: LO must not be greater than HI"};
+    if (interval.low > interval.high)
+      throw WrongValue{"'" + text + "' is empty: LO must not be greater than HI"};
+    range.intervals.push_back(interval);
+    begin = end + 1;
+  }
+  std::sort(range.intervals.begin(), range.intervals.end(),
+    [](const Interval& a, const Interval& b) { return a.low < b.low; });
+  // Those that overlap become one.
+  std::vector<Interval> apart;
+  for (const Interval& interval : range.intervals)
+    if (!apart.empty() && interval.low <= apart.back().high)
+      apart.back().high = std::max(apart.back().high, interval.high);
+    else
+      apart.push_back(interval);
+  range.intervals = apart;
   return range;
 }
 

@@ -32,8 +32,9 @@ int integerWithin(const std::string& text, const Limits& limits);
 /// "#rrggbb" or a name as a colour. Throws WrongValue.
 Color colorOf(const std::string& text);
 
-/// Throws WrongValue where one of the words is none of those that are allowed; none allows all.
-void requireWords(const std::vector<std::string>& words, const std::vector<std::string>& allowed);
+/// Throws WrongValue where one of the words is neither one of those that are allowed nor `usual`.
+void requireWords(const std::vector<std::string>& words, const std::vector<std::string>& allowed,
+  const std::string& usual);
 
 /// The shortest text that reads as the same number.
 std::string exactText(double value);
@@ -125,7 +126,7 @@ struct ValuesOf<std::optional<T>>
   }
 };
 
-/// "c_pe=-3:-1", "type=2"
+/// "c_pe=-3:-1", "type=2", "type=1,3:5"
 template <>
 struct ValuesOf<ShowRange>
 {

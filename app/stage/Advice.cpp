@@ -34,39 +34,113 @@ bool rangeOf(const Stage& stage, double range[2])
   return any;
 }
 
+/// Options that do nothing, by name.
+class Idle
+{
+public:
+  void add(bool given, const char* option)
+  {
+    if (given)
+      options_.emplace_back(option);
+  }
+  /// Says so, if there are any.
+  void tell(std::vector<std::string>& advice, const std::string& why) const
+  {
+    if (!options_.empty())
+      advice.push_back(
+        joined(options_, ", ") + (options_.size() > 1 ? " do" : " does") + " nothing here: " + why);
+  }
+
+private:
+  std::vector<std::string> options_;
+};
+
 void adviseOnVolumes(const Stage& stage, std::vector<std::string>& advice)
 {
   const VolumeSettings& volume = stage.settings().volume;
-  VolumeSettings plain;
-  plain.cells = volume.cells;
-  plain.cloudTolerance = volume.cloudTolerance;
-  if (volume != plain && !has(stage, Part::Kind::Volume))
-    advice.push_back("the options of volumes (mote help volume) do nothing here: there are no "
-                     "cells that are shown as a volume");
+  if (!has(stage, Part::Kind::Volume))
+  {
+    VolumeSettings plain;
+    plain.cells = volume.cells;
+    plain.cloudTolerance = volume.cloudTolerance;
+    if (volume != plain)
+      advice.push_back("the options of volumes (mote help volume) do nothing here: there are no "
+                       "cells that are shown as a volume");
+    return;
+  }
+  if (!volume.cloud && volume.isoValues.empty())
+    advice.push_back("--no-cloud leaves nothing of a volume without isosurfaces (--iso)");
+  const bool exact = volume.integrator == "cell-by-cell";
+  Idle idle;
+  idle.add(exact && volume.sampleDistance, "--sample-distance");
+  idle.add(!exact && volume.tolerance != VolumeSettings{}.tolerance, "--tolerance");
+  idle.tell(advice, "the integrator is " + volume.integrator);
 }
 
-void adviseOnSurfaces(const Stage& stage, std::vector<std::string>& advice)
+void adviseOnParticles(const Stage& stage, std::vector<std::string>& advice)
+{
+  const ParticleSettings& given = stage.settings().particles;
+  const ParticleSettings plain;
+  if (stage.parts().empty() || has(stage, Part::Kind::Particles))
+    return;
+  Idle idle;
+  idle.add(given.radiusScale != plain.radiusScale, "--radius-scale");
+  idle.add(given.structure != plain.structure, "--structure");
+  idle.add(given.form != plain.form, "--form");
+  idle.tell(advice, "there are no particles");
+}
+
+void adviseOnLight(const Stage& stage, std::vector<std::string>& advice)
 {
   const Settings& settings = stage.settings();
+  const LightSettings& light = settings.light;
   if (!has(stage, Part::Kind::Volume) || has(stage, Part::Kind::Particles) ||
       !settings.volume.isoValues.empty())
-    return;
-  std::vector<std::string> idle;
-  if (settings.light.shadows != "none")
-    idle.emplace_back("--shadows");
-  if (settings.light.ambientOcclusion != "none")
-    idle.emplace_back("--ambient-occlusion");
-  if (areOn(settings.silhouettes))
-    idle.emplace_back("--silhouettes");
-  if (!idle.empty())
-    advice.push_back(joined(idle, ", ") + (idle.size() > 1 ? " do" : " does") +
-                     " nothing here: a volume without isosurfaces (--iso) has no surface");
+  {
+    Idle idle;
+    idle.add(light.size != LightSettings{}.size && light.shadows == "none" && !light.pathTrace,
+      "--light-size");
+    return idle.tell(advice, "there are no shadows");
+  }
+  Idle idle;
+  idle.add(light.shadows != "none", "--shadows");
+  idle.add(light.ambientOcclusion != "none", "--ambient-occlusion");
+  idle.add(light.pathTrace, "--path-trace");
+  idle.add(light.place != "auto" && !settings.volume.lit, "--light");
+  idle.add(areOn(settings.silhouettes), "--silhouettes");
+  idle.tell(advice, "a volume without isosurfaces (--iso) has no surface");
+}
+
+void adviseOnColors(const Stage& stage, std::vector<std::string>& advice)
+{
+  const Settings& settings = stage.settings();
+  const ColorSettings& color = settings.color;
+  const PictureSettings& picture = settings.picture;
+  Idle idle;
+  if (color.array == "none")
+  {
+    idle.add(!color.map.empty(), "--color-map");
+    idle.add(!color.range.empty(), "--range");
+    idle.add(color.logarithmic, "--log");
+    idle.add(picture.title.has_value(), "--title");
+    return idle.tell(advice, "no array colours");
+  }
+  if (color.map == "types" && stage.coloring().legendTable() && !stage.coloring().isTyped())
+    advice.push_back("--color-map types does nothing here: " + stage.coloring().title() +
+                     " does not have so few whole numbers that each could have its colour");
+  if (!picture.legend)
+  {
+    idle.add(picture.title.has_value(), "--title");
+    idle.add(picture.legendSide != PictureSettings{}.legendSide, "--legend-side");
+    idle.add(!picture.legendFormat.empty(), "--legend-format");
+    idle.tell(advice, "there is no legend");
+  }
 }
 
 void adviseOnValues(const Stage& stage, std::vector<std::string>& advice)
 {
   const Settings& settings = stage.settings();
-  double range[2];
+  double range[2] = {0.0, 0.0};
   // The range takes a look at every value.
   if ((settings.volume.isoValues.empty() && !settings.color.logarithmic) || !rangeOf(stage, range))
     return;
@@ -86,7 +160,9 @@ std::vector<std::string> adviceOn(const Stage& stage)
 {
   std::vector<std::string> advice;
   adviseOnVolumes(stage, advice);
-  adviseOnSurfaces(stage, advice);
+  adviseOnParticles(stage, advice);
+  adviseOnLight(stage, advice);
+  adviseOnColors(stage, advice);
   adviseOnValues(stage, advice);
   return advice;
 }

@@ -3,10 +3,13 @@
 #include "base/Failure.h"
 #include "base/Text.h"
 
+#include <vtkArrayCalculator.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPointSet.h>
 
 #include <algorithm>
 #include <cmath>
@@ -156,6 +159,24 @@ std::string asText(vtkDataSet* data, const ArrayChoice& choice)
     text += choice.component == ArrayChoice::magnitude ? ":magnitude"
                                                        : ":" + std::to_string(choice.component);
   return text;
+}
+
+void addCoordinate(vtkDataSet* data, const std::string& text)
+{
+  const int axis = text == "x" ? 0 : text == "y" ? 1 : text == "z" ? 2 : -1;
+  if (axis < 0 || data->GetNumberOfPoints() == 0 || findArray(data, text))
+    return;
+  auto* points = vtkPointSet::SafeDownCast(data);
+  vtkNew<vtkArrayCalculator> calculator;
+  calculator->SetInputData(data);
+  calculator->AddCoordinateScalarVariable(text.c_str(), axis);
+  calculator->SetFunction(text.c_str());
+  calculator->SetResultArrayName(text.c_str());
+  calculator->SetResultArrayType(
+    points && points->GetPoints()->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE);
+  calculator->Update();
+  data->GetPointData()->AddArray(
+    vtkDataSet::SafeDownCast(calculator->GetOutput())->GetPointData()->GetArray(text.c_str()));
 }
 
 std::vector<ArrayChoice> rankedArrays(vtkDataSet* data)

@@ -32,6 +32,10 @@ ArrayChoice findArray(vtkDataSet* data, const std::string& text);
 /// A text that findArray() takes for this choice; "none" for no array.
 std::string asText(vtkDataSet* data, const ArrayChoice& choice);
 
+/// Gives the data set an array of its points' x, y or z where `text` names one of these and no
+/// array.
+void addCoordinate(vtkDataSet* data, const std::string& text);
+
 /// What may colour this data set, the most telling first: numbers that vary, magnitudes of vectors,
 /// integers, types. No ids, radii, positions; those with one value everywhere come last.
 std::vector<ArrayChoice> rankedArrays(vtkDataSet* data);

@@ -112,7 +112,6 @@ bool Coloring::updateTypes(const Parts& parts)
   if (settings_.color.map != "types" &&
       !(settings_.color.map.empty() && isTypes(holder->data(), choice_)))
     return false;
-  constexpr int greatestSpan = 4096;
   const std::size_t limit = numberOfTypeColors();
   if (!settings_.color.range.empty())
   {
@@ -125,6 +124,13 @@ bool Coloring::updateTypes(const Parts& parts)
       types_.push_back(type);
     return !types_.empty();
   }
+  // Those that are named come first, then those that earlier time steps have.
+  std::vector<int> all = settings_.color.types;
+  for (const int type : types_)
+    if (std::find(all.begin(), all.end(), type) == all.end())
+      all.push_back(type);
+  types_ = all;
+  constexpr int greatestSpan = 4096;
   for (const auto& part : parts)
     if (vtkDataArray* array = arrayOf(part->data(), choice_); array && array->GetNumberOfTuples())
       countable_ =
@@ -153,10 +159,14 @@ void Coloring::followSettings()
 void Coloring::include(const Parts& parts)
 {
   this->followSettings();
+  for (const auto& part : parts)
+    addCoordinate(part->data(), settings_.color.array);
   if (!chosen_)
     this->choose(parts);
   const Part* holder = holderOf(parts, choice_);
-  explained_ = holder && !isColors(arrayOf(holder->data(), choice_)) && this->updateRange(parts);
+  // A step without particles is explained by the range that others have.
+  explained_ = holder && !isColors(arrayOf(holder->data(), choice_)) &&
+               (this->updateRange(parts) || !settings_.color.range.empty());
   typed_ = explained_ && this->updateTypes(parts);
 }
 
@@ -236,6 +246,18 @@ std::string Coloring::nextComponent(const Parts& parts) const
   return asText(holder->data(), next);
 }
 
+bool Coloring::isAboveZero(const Parts& parts, const std::string& array) const
+{
+  for (const auto& part : parts)
+  {
+    const ArrayChoice choice = findArray(part->data(), array);
+    double range[2];
+    if (finiteRange(arrayOf(part->data(), choice), choice.component, range) && range[1] > 0.0)
+      return true;
+  }
+  return false;
+}
+
 std::string Coloring::nextMap() const
 {
   const auto& names = colorMapNames();
@@ -251,8 +273,14 @@ ColorSettings Coloring::inForce(const Parts& parts) const
   if (!chosen_ || (!holder && choice_))
     return all;
   all.array = holder ? asText(holder->data(), choice_) : "none";
-  // Types are named one by one, and not by a range.
-  if (explained_ && !typed_ && all.range.empty() && range_[0] < range_[1])
+  // What another look at these parts would not find is said outright.
+  if (!explained_ || !all.range.empty())
+    return all;
+  Coloring fresh(settings_);
+  fresh.include(parts);
+  if (typed_ && fresh.types_ != types_)
+    all.types = types_;
+  if (!typed_ && range_[0] < range_[1] && !std::equal(range_, range_ + 2, fresh.range_))
     all.range = {table_->GetRange()[0], table_->GetRange()[1]};
   return all;
 }

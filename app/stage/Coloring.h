@@ -33,6 +33,9 @@ public:
   /// The same of the next component of the array, if it has several.
   std::string nextComponent(const std::vector<std::unique_ptr<Part>>& parts) const;
 
+  /// Whether an array, as --color-by takes it, has values above zero, for logarithmic colours.
+  bool isAboveZero(const std::vector<std::unique_ptr<Part>>& parts, const std::string& array) const;
+
   /// The colour map after this one.
   std::string nextMap() const;
 
@@ -50,6 +53,8 @@ public:
 
   /// What the colours mean: "v magnitude".
   const std::string& title() const { return title_; }
+  /// Whether colours stand for types, one by one.
+  bool isTyped() const { return typed_; }
   const std::string& mapName() const { return settings_.color.map; }
 
 private:

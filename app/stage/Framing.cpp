@@ -149,6 +149,23 @@ void setCamera(vtkCamera* camera, const std::vector<double>& numbers)
     camera->SetViewAngle(numbers[9]);
 }
 
+std::vector<double> withParallelProjection(std::vector<double> camera)
+{
+  const double distance = std::sqrt(vtkMath::Distance2BetweenPoints(&camera[0], &camera[3]));
+  camera[9] = distance * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera[9]));
+  return camera;
+}
+
+std::vector<double> withPerspective(std::vector<double> camera)
+{
+  const double half = std::tan(0.5 * vtkMath::RadiansFromDegrees(usualViewAngle));
+  const double distance = std::sqrt(vtkMath::Distance2BetweenPoints(&camera[0], &camera[3]));
+  for (int i = 0; i < 3; ++i)
+    camera[i] = camera[3 + i] + camera[9] / half / distance * (camera[i] - camera[3 + i]);
+  camera[9] = usualViewAngle;
+  return camera;
+}
+
 void frame(vtkCamera* camera, const double bounds[6], double aspect, const Margins& margins)
 {
   double center[3], direction[3], upward[3], sideways[3];

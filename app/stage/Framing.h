@@ -34,6 +34,10 @@ constexpr double usualViewAngle = 30.0;
 std::vector<double> cameraOf(vtkCamera* camera);
 void setCamera(vtkCamera* camera, const std::vector<double>& numbers);
 
+/// The camera of the other projection, in which things at the focal point are as large.
+std::vector<double> withParallelProjection(std::vector<double> camera);
+std::vector<double> withPerspective(std::vector<double> camera);
+
 /// Moves the camera, without turning it, so that the box of the bounds just fits into a picture of
 /// this aspect (width to height) within the margins. Bounds without volume are fine. Throws Failure
 /// for those that reach too far, or lie so far away that double precision does not tell their ends

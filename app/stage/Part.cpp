@@ -175,6 +175,10 @@ void Part::setRadius()
   }
   if (!settings_.particles.typeRadius.empty())
   {
+    const std::string& others = settings_.particles.radius;
+    if (!number && others != "auto")
+      throw Failure("--radius must be a number beside --type-radius, for the other types, not '" +
+                    others + "'");
     if (!data_->GetPointData()->GetArray("type"))
       throw Failure(name_ + " has no array 'type' for --type-radius; it has " + listArrays(data_));
     particles_->SetRadiusModeToType();
@@ -297,12 +301,13 @@ void Part::showAll()
   particles_->UseVisibilityRangeOff();
 }
 
-void Part::limit(const ArrayChoice& choice, double low, double high)
+void Part::limit(const ArrayChoice& choice, const std::vector<Interval>& intervals)
 {
   if (particles_)
-    particles_->AddRange(choice.name.c_str(), choice.component, low, high);
+    for (const auto& [low, high] : intervals)
+      particles_->AddToRange(choice.name.c_str(), choice.component, low, high);
   if (volume_ && choice == colored_)
-    volume_->limit(low, high);
+    volume_->limit(intervals);
   else if (volume_)
     throw Failure("--show: a volume hides values of the array that colours it, '" + colored_.name +
                   "', and of no other, such as '" + choice.name + "'");
@@ -321,7 +326,7 @@ void Part::limitPlace(int place, double low, double high)
 void Part::setVisible(const ArrayChoice& choice, const double range[2])
 {
   if (volume_ && choice == colored_)
-    volume_->limit(range[0], range[1]);
+    volume_->limit({{range[0], range[1]}});
   else if (volume_)
     throw Failure("--show-by: a volume hides values of the array that colours it, '" +
                   colored_.name + "', and of no other");

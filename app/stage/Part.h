@@ -74,7 +74,7 @@ public:
   /// Hides no particle.
   void showAll();
   /// Hides particles with values outside, besides those that are hidden already.
-  void limit(const ArrayChoice& choice, double low, double high);
+  void limit(const ArrayChoice& choice, const std::vector<Interval>& intervals);
   /// The same by place: 0, 1, 2 for x, y, z, 3 for the radius.
   void limitPlace(int place, double low, double high);
   /// The same by one more array, if the part has it.

@@ -37,8 +37,32 @@ Picture::Picture(Stage& stage, const std::array<int, 2>& size)
   legend_->SetInputConnection(source_->GetOutputPort());
 }
 
+namespace
+{
+
+/// Throws Failure, with the way to one, for the name of a film.
+void refuseFilm(const std::string& file)
+{
+  const std::string ending = lowerCase(std::filesystem::path(file).extension().string());
+  for (const char* film : {".mp4", ".avi", ".mov", ".mkv", ".webm", ".gif", ".ogv", ".mpg", ".m4v"})
+    if (ending == film)
+    {
+      const std::string stem = std::filesystem::path(file).replace_extension("").string();
+      throw Failure("mote writes no films such as " + file +
+                    ", but pictures of all time steps: "
+                    "--all-steps -o " +
+                    stem +
+                    ".png, of which another program makes one: "
+                    "ffmpeg -i " +
+                    stem + ".%04d.png " + file);
+    }
+}
+
+} // namespace
+
 void Picture::aim(const std::string& file)
 {
+  refuseFilm(file);
   writer_->SetFileName(file.c_str());
   if (!writer_->CheckFileName())
     throw Failure(writer_->GetErrorMessage());

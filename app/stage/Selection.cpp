@@ -55,7 +55,8 @@ void Selection::require(bool found, std::size_t range, const std::string& name, 
     known_[range] = true;
   else if (!known_[range])
     throw Failure(option + ": " + part.name() + " has no array '" + name + "'; it has " +
-                  (option == "--show" ? "x, y, z, radius, " : "") + listArrays(part.data()));
+                  (option == "--show" ? "x, y, z, radius as drawn, and " : "") +
+                  listArrays(part.data()));
   else if (!warned_[range])
   {
     warned_[range] = true;
@@ -97,10 +98,14 @@ void Selection::apply(const std::vector<std::unique_ptr<Part>>& parts, const Arr
       if (place >= 0 && isVolume)
         throw Failure(
           "--show: volumes are hidden by the array that colours them, not by " + range.name);
+      if (place >= 0 && range.intervals.size() > 1)
+        throw Failure("--show: " + range.name +
+                      " takes one range, from LO to HI; arrays take "
+                      "several");
       if (place >= 0)
-        part->limitPlace(place, range.low, range.high);
+        part->limitPlace(place, range.intervals.front().low, range.intervals.front().high);
       else if (choice)
-        part->limit(choice, range.low, range.high);
+        part->limit(choice, range.intervals);
       found = found || choice;
     }
     this->require(found, i + 1, range.name, *first, "--show");

@@ -35,9 +35,12 @@ bool Stage::apply(const Settings& settings)
 {
   const Settings before = settings_;
   settings_ = settings;
-  setBackground(renderer_, settings.picture.background);
-  lighting_.update();
-  choose(settings.silhouettes, vtkMoteSilhouettes::RADII, silhouettes_);
+  if (before.picture.background != settings.picture.background)
+    setBackground(renderer_, settings.picture.background);
+  if (before.light != settings.light)
+    lighting_.update();
+  if (before.silhouettes != settings.silhouettes)
+    choose(settings.silhouettes, vtkMoteSilhouettes::RADII, silhouettes_);
   const bool otherKinds = std::any_of(parts_.begin(), parts_.end(),
     [&](const auto& part) { return part->kind() != Part::kindOf(part->data(), settings_); });
   if (otherKinds)
@@ -45,7 +48,9 @@ bool Stage::apply(const Settings& settings)
   for (const auto& part : parts_)
   {
     part->setAmbient(lighting_.ambient());
-    part->followSettings();
+    // Where nothing changes nothing is touched: a mapper that is told of types builds anew.
+    if (before.particles != settings.particles || before.volume != settings.volume)
+      part->followSettings();
   }
   if (otherKinds || before.color != settings.color || before.selection != settings.selection ||
       before.volume != settings.volume)
@@ -84,6 +89,7 @@ void Stage::setData(const std::vector<NamedData>& data)
   for (const NamedData& one : data)
   {
     parts_.push_back(std::make_unique<Part>(one.name, one.data, settings_, lighting_.ambient()));
+    parts_.back()->setPreview(preview_);
     renderer_->AddViewProp(parts_.back()->prop());
   }
   this->setSizes();
@@ -114,6 +120,7 @@ void Stage::build(ProgressRelay& progress)
 
 void Stage::setPreview(bool on)
 {
+  preview_ = on;
   for (const auto& part : parts_)
     part->setPreview(on);
 }

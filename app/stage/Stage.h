@@ -96,6 +96,7 @@ private:
   vtkNew<vtkMoteSilhouettes> silhouettes_;
   Coloring coloring_;
   Selection selection_;
+  bool preview_ = false;
 };
 
 } // namespace mote::app

@@ -140,18 +140,52 @@ void Volume::setColors(
   this->setOpacity();
 }
 
-void Volume::limit(double low, double high)
+void Volume::limit(const std::vector<Interval>& intervals)
 {
-  limits_[0] = std::max(limits_[0], low);
-  limits_[1] = std::min(limits_[1], high);
+  std::vector<Interval> left;
+  for (const Interval& a : shown_)
+    for (const Interval& b : intervals)
+      if (const Interval both = {std::max(a.low, b.low), std::min(a.high, b.high)};
+          both.low <= both.high)
+        left.push_back(both);
+  shown_ = left;
   this->setOpacity();
 }
 
 void Volume::showAll()
 {
-  limits_[0] = -HUGE_VAL, limits_[1] = HUGE_VAL;
+  shown_ = {{-HUGE_VAL, HUGE_VAL}};
   this->setOpacity();
 }
+
+namespace
+{
+
+/// Adds what lies in an interval of an opacity function to another one, and clear ends. Intervals
+/// must not touch.
+void addPart(vtkPiecewiseFunction* part, vtkPiecewiseFunction* whole, const Interval& interval)
+{
+  // The next number outside is clear: what is hidden ends at once.
+  if (std::isfinite(interval.low))
+  {
+    part->AddPoint(std::nextafter(interval.low, -HUGE_VAL), 0.0);
+    part->AddPoint(interval.low, whole->GetValue(interval.low));
+  }
+  for (int i = 0; i < whole->GetSize(); ++i)
+  {
+    double node[4];
+    whole->GetNodeValue(i, node);
+    if (node[0] > interval.low && node[0] < interval.high)
+      part->AddPoint(node[0], node[1]);
+  }
+  if (std::isfinite(interval.high))
+  {
+    part->AddPoint(interval.high, whole->GetValue(interval.high));
+    part->AddPoint(std::nextafter(interval.high, HUGE_VAL), 0.0);
+  }
+}
+
+} // namespace
 
 void Volume::setOpacity()
 {
@@ -163,36 +197,15 @@ void Volume::setOpacity()
     whole->AddPoint(
       point.isShare ? valueAt(table_, 0.01 * point.value) : point.value, point.opacity);
   vtkVolumeProperty* look = volume_->GetProperty();
-  if (limits_[0] > limits_[1])
-    part->AddPoint(0.0, 0.0);
-  else if (std::isinf(limits_[0]) && std::isinf(limits_[1]))
+  if (shown_ == std::vector<Interval>{{-HUGE_VAL, HUGE_VAL}})
   {
     look->SetScalarOpacity(whole);
     return;
   }
-  else
-  {
-    // The next number outside is clear: what is hidden ends at once.
-    const double below = std::nextafter(limits_[0], -HUGE_VAL);
-    const double above = std::nextafter(limits_[1], HUGE_VAL);
-    if (std::isfinite(limits_[0]))
-    {
-      part->AddPoint(below, 0.0);
-      part->AddPoint(limits_[0], whole->GetValue(limits_[0]));
-    }
-    for (int i = 0; i < whole->GetSize(); ++i)
-    {
-      double node[4];
-      whole->GetNodeValue(i, node);
-      if (node[0] > limits_[0] && node[0] < limits_[1])
-        part->AddPoint(node[0], node[1]);
-    }
-    if (std::isfinite(limits_[1]))
-    {
-      part->AddPoint(limits_[1], whole->GetValue(limits_[1]));
-      part->AddPoint(above, 0.0);
-    }
-  }
+  if (shown_.empty())
+    part->AddPoint(0.0, 0.0);
+  for (const Interval& interval : shown_)
+    addPart(part, whole, interval);
   look->SetScalarOpacity(part);
 }
 

@@ -33,8 +33,9 @@ public:
   /// `diagonal` is the size of all that is shown.
   void setColors(
     vtkDataSet* data, const ArrayChoice& choice, vtkLookupTable* table, double diagonal);
-  /// Hides values of the array that colours outside of the range; from then on, until showAll().
-  void limit(double low, double high);
+  /// Hides values of the array that colours outside of all these, which ascend, until showAll().
+  /// Where called again what lies in one interval of each call is left.
+  void limit(const std::vector<Interval>& intervals);
   void showAll();
   void setAmbient(double ambient);
 
@@ -50,8 +51,8 @@ private:
   vtkNew<vtkMoteVolumeMapper> mapper_;
   vtkSmartPointer<vtkLookupTable> table_;
   ArrayChoice choice_;
-  bool warned_ = false; ///< of a time step without the array
-  double limits_[2];
+  bool warned_ = false;         ///< of a time step without the array
+  std::vector<Interval> shown_; ///< none: nothing
 };
 
 } // namespace mote::app

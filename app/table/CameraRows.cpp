@@ -65,9 +65,9 @@ void addCameraRows(std::vector<Row>& table)
     {.group = group,
       .name = "camera",
       .value = "X,Y,Z,FX,FY,FZ,UX,UY,UZ,A",
-      .help = "Camera at X,Y,Z that looks at FX,FY,FZ with UX,UY,UZ up and a view angle of A "
-              "degrees; with --orthographic, A is half the height of the view in the data's units. "
-              "Stands in place of the options above",
+      .help = "Camera at X,Y,Z that looks at FX,FY,FZ, with up vector UX,UY,UZ and a vertical view "
+              "angle of A degrees; with --orthographic, A is half the height of the view in the "
+              "data's units. Overrides --view, --azimuth, --elevation and --zoom",
       .invalidates = Invalidates::Picture,
       .count = 10,
       .usual = "frames what is shown"},

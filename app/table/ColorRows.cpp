@@ -2,6 +2,8 @@
 
 #include "stage/ColorMaps.h"
 
+#include <algorithm>
+
 namespace mote::app
 {
 
@@ -15,7 +17,7 @@ void addColorRows(std::vector<Row>& table)
       .value = "NAME",
       .help = "Array that colours: NAME, or NAME:COMPONENT (a number from 0, or its name) or "
               "NAME:magnitude of an array with several components; point:NAME or cell:NAME where "
-              "points and cells both have it; none for one colour",
+              "points and cells both have it; x, y or z for a coordinate; none for one colour",
       .alias = "-c",
       .usual = "the most informative array that varies"}));
   table.push_back(row(color, &ColorSettings::map,
@@ -40,6 +42,19 @@ void addColorRows(std::vector<Row>& table)
     }));
   table.push_back(row(color, &ColorSettings::logarithmic,
     {.group = group, .name = "log", .help = "Logarithmic colours"}));
+  table.push_back(row<ColorSettings, std::vector<int>>(color, &ColorSettings::types,
+    {.group = group,
+      .name = "types",
+      .value = "TYPE,...",
+      .help = "Types that get the first colours of the colour map types, in this order; so that "
+              "they have the same colours in pictures of other data",
+      .usual = "in ascending order"},
+    [](const std::vector<int>& types)
+    {
+      for (const int type : types)
+        if (std::count(types.begin(), types.end(), type) > 1)
+          throw WrongValue{"type " + std::to_string(type) + " is given twice"};
+    }));
 }
 
 } // namespace mote::app

@@ -2,9 +2,9 @@
 
 #include "Row.h"
 #include "Session.h"
-#include "base/Checks.h"
 #include "base/Failure.h"
 #include "base/Text.h"
+#include "stage/Framing.h"
 
 #include <CLI/CLI.hpp>
 
@@ -20,56 +20,48 @@ namespace
 std::string helpOf(const Row& row, const Settings& settings)
 {
   std::string text = row.help;
-  const auto add = [&text](const std::string& more) { text += ". " + more; };
-  if (!row.words.empty())
-  {
-    std::vector<std::string> shown;
-    std::copy_if(row.words.begin(), row.words.end(), std::back_inserter(shown),
-      [](const std::string& word) { return !word.empty(); });
-    add("One of " + joined(shown, ", "));
-  }
-  if (const std::string limits = row.limits.text(); !limits.empty())
-    add(std::string(1, static_cast<char>(std::toupper(limits.front()))) + limits.substr(1));
-  if (row.shape == Shape::Flag)
-    return text;
-  const std::string usual =
-    !row.usual.empty() ? row.usual : joined(row.get(settings), row.commas ? "," : " ");
-  if (!usual.empty())
-    add("Default: " + usual);
+  if (std::string values = row.values(); !row.words.empty())
+    text += ". One of " + values;
+  else if (!values.empty())
+    text += std::string(". ") + static_cast<char>(std::toupper(values.front())) + values.substr(1);
+  if (const std::string usual = row.usualText(settings); !usual.empty())
+    text += ". Default: " + usual;
   return text;
 }
 
-/// Sets a row from the words of the command line.
-void setFromWords(const Row& row, GivenSettings& given, const std::vector<std::string>& words)
+/// Sets a row from the words of the command line, where it has a name of that command's.
+void setFromWords(const Row& row, GivenSettings& given, const std::string& name,
+  const std::vector<std::string>& words)
 {
   try
   {
     row.set(given.settings, words);
-    given.named.emplace_back(row.name, words);
+    given.named.emplace_back(&row, words);
   }
   catch (const WrongValue& wrong)
   {
-    throw CLI::ValidationError("--" + row.name, wrong.sentence);
+    throw CLI::ValidationError(name, wrong.sentence);
   }
 }
 
 CLI::Option* addRow(CLI::App& app, GivenSettings& given, const Row& row, const std::string& prefix)
 {
-  std::string names = row.option() + (row.alias.empty() ? "" : "," + row.alias);
-  if (const std::size_t at = names.find(prefix); at != std::string::npos)
-    names.erase(at, prefix.size());
+  std::string name = row.option();
+  if (const std::size_t at = name.find(prefix); at != std::string::npos)
+    name.erase(at, prefix.size());
+  const std::string names = name + (row.alias.empty() ? "" : "," + row.alias);
   if (row.shape == Shape::Flag)
   {
     const std::string value = row.get(Settings{}).front() == "true" ? "false" : "true";
     return app.add_flag_function(
-      names, [&row, &given, value](std::int64_t) { setFromWords(row, given, {value}); },
+      names, [&row, &given, name, value](std::int64_t) { setFromWords(row, given, name, {value}); },
       helpOf(row, given.settings));
   }
   if (row.shape == Shape::OptionalOne)
     return app
       .add_flag_function(
         names, [](std::int64_t) {}, helpOf(row, given.settings))
-      ->type_name(row.value)
+      ->type_name("[=" + row.value + "]")
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
       ->check(CLI::Validator(
         [&row, &given](std::string& word) -> std::string
@@ -78,7 +70,7 @@ CLI::Option* addRow(CLI::App& app, GivenSettings& given, const Row& row, const s
           {
             const std::vector<std::string> words = {word == "true" ? "on" : word};
             row.set(given.settings, words);
-            given.named.emplace_back(row.name, words);
+            given.named.emplace_back(&row, words);
           }
           catch (const WrongValue& wrong)
           {
@@ -90,42 +82,45 @@ CLI::Option* addRow(CLI::App& app, GivenSettings& given, const Row& row, const s
         "", "words"));
   auto* option = app.add_option_function<std::vector<std::string>>(
     names,
-    [&row, &given](const std::vector<std::string>& words) { setFromWords(row, given, words); },
+    [&row, &given, name](const std::vector<std::string>& words)
+    { setFromWords(row, given, name, words); },
     helpOf(row, given.settings));
   option->type_name(row.value)->type_size(1)->allow_extra_args(false);
   if (row.shape != Shape::Many)
-    return option->expected(1);
+    return option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   if (!row.commas)
     return option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   option->delimiter(',');
-  if (row.value.find(' ') != std::string::npos)
+  if (row.count > 0)
     option->expected(row.count);
   return option;
 }
 
-/// Whether a row or its group is among the names; none stand for all.
-bool isIn(const Row& row, const std::vector<std::string>& names)
+/// Declares rows, and then what some ask of others.
+void addRows(CLI::App& app, GivenSettings& given, const std::vector<const Row*>& rows,
+  const std::string& prefix = "")
 {
-  return names.empty() ||
-         std::any_of(names.begin(), names.end(),
-           [&](const auto& name) { return name == row.group || name == row.name; });
+  for (const Row* row : rows)
+    addRow(app, given, *row, prefix)->group(row->group)->required(row->required);
+  for (const Row* row : rows)
+  {
+    CLI::Option* option = app.get_option_no_throw(row->option());
+    if (option && !row->needs.empty())
+      option->needs(app.get_option("--" + row->needs));
+    for (const std::string& other : row->excludes)
+      option->excludes(app.get_option("--" + other));
+  }
 }
 
-void addRows(CLI::App& app, GivenSettings& given, const std::vector<std::string>& groups,
-  const std::string& prefix)
+/// The rows that `isIn` takes.
+template <typename IsIn>
+std::vector<const Row*> rowsOf(const std::vector<Row>& table, const IsIn& isIn)
 {
-  for (const Row& row : settingsTable())
-    if (isIn(row, groups))
-      addRow(app, given, row, prefix)->group(row.group);
-  for (const Row& row : settingsTable())
-    if (isIn(row, groups) && !(row.needs.empty() && row.excludes.empty()))
-    {
-      CLI::Option* option = app.get_option(row.option());
-      if (!row.needs.empty())
-        option->needs(app.get_option(rowNamed(row.needs)->option()));
-      if (!row.excludes.empty())
-        option->excludes(app.get_option(rowNamed(row.excludes)->option()));
-    }
+  std::vector<const Row*> rows;
+  for (const Row& row : table)
+    if (isIn(row))
+      rows.push_back(&row);
+  return rows;
 }
 
 } // namespace
@@ -139,41 +134,27 @@ void addFiles(CLI::App& app, Settings& settings)
     ->type_name("");
 }
 
-void addSettings(CLI::App& app, GivenSettings& given, const std::vector<std::string>& groups,
+void addSettings(CLI::App& app, GivenSettings& given, const std::vector<std::string>& names,
   const std::string& prefix)
 {
-  addRows(app, given, groups, prefix);
+  const auto isNamed = [&](const Row& row)
+  {
+    return std::any_of(names.begin(), names.end(),
+      [&](const auto& name) { return name == row.group || name == row.name; });
+  };
+  addRows(app, given, rowsOf(settingsTable(), isNamed), prefix);
 }
 
-CLI::Option* addVectorOption(CLI::App& app, const std::string& name,
-  std::optional<std::array<double, 3>>& value, const std::string& help)
+void addCommandSettings(CLI::App& app, GivenSettings& given, const std::string& command)
 {
-  return app
-    .add_option_function<std::vector<double>>(
-      name,
-      [&value](const std::vector<double>& v) {
-        value = {v[0], v[1], v[2]};
-      },
-      help)
-    ->delimiter(',')
-    ->check(isNumber())
-    ->expected(3)
-    ->type_name("X,Y,Z");
+  addRows(
+    app, given, rowsOf(commandTable(), [&](const Row& row) { return row.command == command; }));
 }
 
 void addAllSettings(CLI::App& app, GivenSettings& given)
 {
   addFiles(app, given.settings);
-  addRows(app, given, {}, "");
-}
-
-void addSessionOption(CLI::App& app, std::string& file)
-{
-  app
-    .add_option("--save-session", file,
-      "Write all of this as a session, .json, which mote and mote render open as they do data")
-    ->type_name("FILE")
-    ->group("Session");
+  addRows(app, given, rowsOf(settingsTable(), [](const Row&) { return true; }));
 }
 
 Settings GivenSettings::resolved() const
@@ -185,14 +166,19 @@ Settings GivenSettings::resolved() const
   if (files.size() > 1)
     throw Failure(*session + " is a session, which names its data files itself; give it alone");
   Settings all = readSession(*session);
-  for (const auto& [name, words] : named)
+  const bool wasParallel = all.camera.orthographic;
+  const std::vector<double> camera = all.camera.camera;
+  for (const auto& [row, words] : named)
   {
+    const std::string& name = row->command.empty() ? row->name : "";
     if (name == "time" || name == "step")
       all.data.time = {}; // one stands for the other
     if (name == "view" || name == "azimuth" || name == "elevation" || name == "zoom")
       all.camera.camera.clear();
-    rowNamed(name)->set(all, words);
+    row->set(all, words);
   }
+  if (all.camera.orthographic && !wasParallel && !camera.empty() && all.camera.camera == camera)
+    all.camera.camera = withParallelProjection(camera);
   return all;
 }
 

@@ -33,18 +33,18 @@ void addDataRows(std::vector<Row>& table)
     {.group = group,
       .name = "time",
       .value = "T",
-      .help = "Time step by its time: the latest one at or before T",
+      .help = "Time step by its time, in the data's units: the latest one at or before T",
       .invalidates = Invalidates::Data,
-      .usual = "the step",
-      .excludes = "step"}));
+      .usual = "--step decides",
+      .excludes = {"step"}}));
   table.push_back(row(data, &DataSettings::threads,
     {.group = group,
       .name = "threads",
       .value = "N",
-      .help = "Number of threads",
+      .help = "Number of threads; 0 stands for all cores",
       .invalidates = Invalidates::Nothing,
       .limits = {.least = 0, .most = 4096},
-      .usual = "all cores"}));
+      .usual = "0"}));
 }
 
 } // namespace mote::app

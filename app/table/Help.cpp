@@ -19,12 +19,21 @@ namespace mote::app
 namespace
 {
 
-/// A group of settingsTable().
+/// A group of settingsTable(), or a command with what it alone takes.
 struct Topic
 {
-  const char* group;
+  const char* name;
   const char* about;
   const char* example;
+  const char* command = ""; ///< as Row::command; empty: a group
+
+  bool has(const Row& row) const { return *command ? row.command == command : row.group == name; }
+  bool isCalled(const std::string& word) const
+  {
+    return lowerCase(name) == word || (*command && word == command) ||
+           (word == "color" && lowerCase(name) == "colour");
+  }
+  const std::vector<Row>& table() const { return *command ? commandTable() : settingsTable(); }
 };
 
 const std::vector<Topic>& topics()
@@ -37,7 +46,7 @@ const std::vector<Topic>& topics()
       "mote render run.dump -o part.png --show c_pe=-3.2: --show z=0:10"},
     {"Radius", "How large particles are.",
       "mote render run.dump -o r.png --type-radius 1=0.5,2=0.7"},
-    {"Structure", "What rays are cast through; pictures stay the same.",
+    {"Structure", "What rays are cast through; pictures stay the same, to rounding.",
       "mote render run.dump -o a.png --structure pkd-tree --form 8-byte"},
     {"Volume", "How cells with a volume look.",
       "mote render pump:0.02 -o pump.png --color-by pressure --opacity 0%=0.4,50%=0,100%=0.4"},
@@ -49,20 +58,24 @@ const std::vector<Topic>& topics()
       "mote render run.dump -o lines.png --silhouettes=4 --silhouette-color navy"},
     {"Picture", "Size, smoothness, and what lies over the picture.",
       "mote render run.dump -o big.png --size 3840x2160 --samples 64 --background white"},
+    {"mote", "The window; it takes all of the above, too.",
+      "mote run.dump --save-session view.json", "mote"},
+    {"mote render", "A picture; it takes all of the above, too.",
+      "mote render run.dump -o run.png --all-steps", "render"},
+    {"mote convert", "A .mote file; it takes the groups Data and Radius, and --form, too.",
+      "mote convert run.dump run.mote --memory 8G", "convert"},
+    {"mote info", "What files hold; it takes the group Data, too.", "mote info --json run.dump",
+      "info"},
+    {"mote average", "Averages over circles about an axis; it takes Data and Colour, too.",
+      "mote average pump:0.02:rotor --array velocity -o rotor.png", "average"},
+    {"mote silhouettes", "Silhouettes of a depth image; it takes those of Silhouettes, too.",
+      "mote silhouettes run.exr -o lines.png --threshold 2%", "silhouettes"},
+    {"mote bake", "Maps of ambient occlusion; it takes Data and Radius, too.",
+      "mote bake run.dump --samples 196", "bake"},
+    {"mote probe", "Values along a line; it takes Data, too.",
+      "mote probe pump:0.02 --from 0,0.1,0.1 --to 0.3,0.1,0.1 -o line.csv", "probe"},
   };
   return all;
-}
-
-std::string limitsText(const Row& row)
-{
-  const std::string limits = row.limits.text();
-  return !row.words.empty() ? joined(row.words, ", ") : limits;
-}
-
-std::string usualText(const Row& row)
-{
-  const Settings settings;
-  return !row.usual.empty() ? row.usual : joined(row.get(settings), row.commas ? "," : " ");
 }
 
 const char* invalidatesText(Invalidates invalidates)
@@ -82,63 +95,76 @@ const char* invalidatesText(Invalidates invalidates)
   }
 }
 
+/// "-c, --color-by NAME"
 std::string optionText(const Row& row)
 {
-  return row.option() + (row.value.empty() ? "" : " " + row.value);
+  std::string text = (row.alias.empty() ? "" : row.alias + ", ") + row.option();
+  if (row.shape == Shape::OptionalOne)
+    return text + "[=" + row.value + "]";
+  return text + (row.value.empty() ? "" : " " + row.value);
 }
 
 std::string rowText(const Row& row)
 {
   std::string text = "  " + optionText(row) + "\n      " + row.help + ".\n";
-  if (const std::string limits = limitsText(row); !limits.empty())
-    text += "      Values: " + limits + ".\n";
-  if (row.shape != Shape::Flag)
-    text += "      Default: " + usualText(row) + ".\n";
+  if (const std::string values = row.values(); !values.empty())
+    text += "      Values: " + values + ".\n";
+  if (const std::string usual = row.usualText(); !usual.empty())
+    text += "      Default: " + usual + ".\n";
   return text;
 }
 
 std::string groupText(const Topic& topic)
 {
   std::string text =
-    std::string(topic.group) + ": " + topic.about + "\n\n  " + topic.example + "\n\n";
-  for (const Row& row : settingsTable())
-    if (row.group == topic.group)
+    std::string(topic.name) + ": " + topic.about + "\n\n  " + topic.example + "\n\n";
+  for (const Row& row : topic.table())
+    if (topic.has(row))
       text += rowText(row);
   return text;
 }
 
-std::string topicText(const std::string& name)
+std::string topicText(const std::string& asked)
 {
+  const std::size_t dashes = asked.find_first_not_of('-');
+  const std::string name = lowerCase(dashes == std::string::npos ? asked : asked.substr(dashes));
   if (name == "keys")
     return keysHelp() + "\n";
   if (name == "formats")
     return vtkMoteReaderTable::GetFormatsHelp();
+  std::string text;
   for (const Topic& topic : topics())
-    if (lowerCase(topic.group) == lowerCase(name))
-      return groupText(topic);
-  const std::size_t dashes = name.find_first_not_of('-');
-  const std::string bare = dashes == std::string::npos ? name : name.substr(dashes);
-  for (const Row& row : settingsTable())
-    if (row.name == bare || row.option() == "--" + bare)
-      return rowText(row);
+    if (topic.isCalled(name) && name == asked)
+      text += (text.empty() ? "" : "\n") + groupText(topic);
+  if (!text.empty())
+    return text;
+  for (const auto* table : {&settingsTable(), &commandTable()})
+    for (const Row& row : *table)
+      if (row.name == name || row.option() == "--" + name || row.alias == "--" + name ||
+          row.alias == asked)
+        text += (row.command.empty() ? "" : "Of mote " + row.command + ":\n") + rowText(row);
+  if (!text.empty())
+    return text;
   std::vector<std::string> known = {"keys", "formats"};
   for (const Topic& topic : topics())
-    known.push_back(lowerCase(topic.group));
-  throw Failure("there is no help about '" + name + "'; there is about " + joined(known, ", ") +
+    known.push_back(*topic.command ? topic.command : lowerCase(topic.name));
+  throw Failure("there is no help about '" + asked + "'; there is about " + joined(known, ", ") +
                 " and every option");
 }
 
 std::string overview()
 {
-  std::string text = "mote help TOPIC tells more about a topic or an option:\n\n";
+  std::string text =
+    "mote help TOPIC tells more about a topic, or about an option, as in mote help "
+    "shadows:\n\n";
   for (const Topic& topic : topics())
   {
-    std::string name = lowerCase(topic.group);
-    name.resize(13, ' ');
+    std::string name = lowerCase(topic.name);
+    name.resize(18, ' ');
     text += "  " + name + topic.about + "\n";
   }
-  return text + "  keys         What keys do in the window.\n"
-                "  formats      What files are read.\n";
+  return text + "  keys              What keys do in the window.\n"
+                "  formats           What files are read.\n";
 }
 
 /// A cell of a table: a bar would end it.
@@ -151,20 +177,22 @@ std::string cell(std::string text)
 
 std::string markdown()
 {
-  std::string text = "# Settings\n\nEvery choice that a user can make of a picture. "
-                     "A row is an option of `mote` and `mote render`, and an\nentry of sessions. "
-                     "`mote help --format markdown` writes this page.\n";
+  std::string text =
+    "# Settings\n\nEvery choice that a user can make. The groups up to Picture are "
+    "options of `mote` and `mote render`, and\nentries of sessions; what follows "
+    "belongs to one command. `mote help --format markdown` writes this page.\n";
   for (const Topic& topic : topics())
   {
-    text += "\n## " + std::string(topic.group) + "\n\n" + topic.about + "\n\n    " + topic.example +
-            "\n\n| option | what | values | default | a change makes anew |\n" +
-            "|---|---|---|---|---|\n";
-    for (const Row& row : settingsTable())
-      if (row.group == topic.group)
+    text += "\n## " + std::string(topic.name) + "\n\n" + topic.about + "\n\n    " + topic.example +
+            "\n\n| option | what | values | default |" +
+            (*topic.command ? "\n|---|---|---|---|\n"
+                            : " a change recomputes |\n|---|---|---|---|---|\n");
+    for (const Row& row : topic.table())
+      if (topic.has(row))
         text += "| `" + cell(optionText(row)) + "` | " + cell(row.help) + " | " +
-                cell(limitsText(row)) + " | " +
-                (row.shape == Shape::Flag ? "" : cell(usualText(row))) + " | " +
-                invalidatesText(row.invalidates) + " |\n";
+                cell(row.values()) + " | " + cell(row.usualText()) + " |" +
+                (*topic.command ? "" : std::string(" ") + invalidatesText(row.invalidates) + " |") +
+                "\n";
   }
   return text;
 }
@@ -187,13 +215,21 @@ std::string manPage(const CLI::App& app)
     text += ".TP\n.B " + command->get_name() + "\n" + troff(command->get_description()) + "\n";
   for (const Topic& topic : topics())
   {
-    text += ".SH " + std::string(topic.group) + "\n" + troff(topic.about) + "\n";
-    for (const Row& row : settingsTable())
-      if (row.group == topic.group)
+    text += ".SH " + std::string(topic.name) + "\n" + troff(topic.about) + "\n";
+    for (const Row& row : topic.table())
+      if (topic.has(row))
+      {
+        const std::string usual = row.usualText();
+        const std::string values = row.values();
         text += ".TP\n.B " + troff(optionText(row)) + "\n" + troff(row.help) + ".\n" +
-                (row.shape == Shape::Flag ? "" : "Default: " + troff(usualText(row)) + ".\n");
+                (values.empty() ? "" : "Values: " + troff(values) + ".\n") +
+                (usual.empty() ? "" : "Default: " + troff(usual) + ".\n");
+      }
   }
-  return text + ".SH KEYS\n.nf\n" + troff(keysHelp()) + "\n.fi\n";
+  return text + ".SH KEYS\n.nf\n" + troff(keysHelp()) + "\n.fi\n.SH FILES\n.nf\n" +
+         troff(vtkMoteReaderTable::GetFormatsHelp()) +
+         ".fi\n.SH EXIT STATUS\n0 success, 1 failure with a sentence on standard error, "
+         "2 a wrong command line, 130 interrupted.\n";
 }
 
 /// The names of a command's options.
@@ -217,7 +253,8 @@ std::string bashCompletion(const CLI::App& app)
   std::string words;
   for (const Row& row : settingsTable())
     if (!row.words.empty())
-      words += "    --" + row.name + ") COMPREPLY=($(compgen -W \"" + joined(row.words, " ") +
+      words += "    --" + row.name + (row.alias.empty() ? "" : "|" + row.alias) +
+               ") COMPREPLY=($(compgen -W \"" + joined(row.words, " ") +
                "\" -- \"$word\")); return ;;\n";
   return "# Completion of mote for bash.\n_mote() {\n"
          "  local word=${COMP_WORDS[COMP_CWORD]} options\n"
@@ -225,8 +262,10 @@ std::string bashCompletion(const CLI::App& app)
          words + "  esac\n  case ${COMP_WORDS[1]} in\n" + cases + "    *) options=\"" +
          optionNames(app) + "\" ;;\n  esac\n  if [[ $word == -* ]]; then\n" +
          "    COMPREPLY=($(compgen -W \"$options\" -- \"$word\"))\n" +
-         "  elif [ \"$COMP_CWORD\" = 1 ]; then\n    COMPREPLY=($(compgen -f -W \"" + commands +
-         "\" -- \"$word\"))\n  else\n    COMPREPLY=($(compgen -f -- \"$word\"))\n  fi\n}\n"
+         "  elif [ \"$COMP_CWORD\" = 1 ]; then\n    mapfile -t COMPREPLY < <(compgen -f -W \"" +
+         commands +
+         "\" -- \"$word\")\n  else\n"
+         "    mapfile -t COMPREPLY < <(compgen -f -- \"$word\")\n  fi\n}\n"
          "complete -o filenames -F _mote mote\n";
 }
 
@@ -234,8 +273,10 @@ std::string bashCompletion(const CLI::App& app)
 
 void addHelpOptions(CLI::App& app, HelpOptions& options)
 {
-  app.add_option("TOPIC", options.topic, "A group of options, an option, keys or formats")
+  app
+    .add_option("TOPIC", options.topic, "A group of options, a command, an option, keys or formats")
     ->type_name("");
+  app.allow_extras(); // options, as they are written elsewhere
   app
     .add_option("--format", options.format,
       "Print all of it: markdown for the reference, man for a manual page, bash for a completion")
@@ -245,11 +286,14 @@ void addHelpOptions(CLI::App& app, HelpOptions& options)
 
 void printHelp(const CLI::App& app, const HelpOptions& options)
 {
+  const std::vector<std::string> others = app.get_subcommand("help")->remaining();
+  const std::string& topic =
+    options.topic.empty() && !others.empty() ? others.front() : options.topic;
   const std::string text = options.format == "markdown" ? markdown()
                            : options.format == "man"    ? manPage(app)
                            : options.format == "bash"   ? bashCompletion(app)
-                           : options.topic.empty()      ? overview()
-                                                        : topicText(options.topic);
+                           : topic.empty()              ? overview()
+                                                        : topicText(topic);
   std::fputs(text.c_str(), stdout);
 }
 

@@ -6,33 +6,26 @@
 namespace mote::app
 {
 
-/// What a key of the window asks for, besides turning a setting on or off.
+/// What a key of the window asks for.
 enum class Action
 {
   None,
+  // Of the row of settingsTable() that the binding names:
+  Next,     ///< the next value, or the other state
+  NextPart, ///< the next component of an array
+  More,
+  Less,
+  First,
+  Last,
+  Set, ///< the value that the binding names
+  // Of the window:
   Help,
   ResetView,
-  View, ///< from the side that the binding names
   ZoomIn,
   ZoomOut,
-  NextArray,
-  NextComponent,
-  NextMap,
-  Smaller,
-  Larger,
-  PreviousStep,
-  NextStep,
-  FirstStep,
-  LastStep,
   Play,
   Pick,
   Center,
-  Background,
-  Shadows,
-  Shading,
-  Silhouettes,
-  Projection,
-  Toggle, ///< the setting that the binding names
   SavePicture,
   SaveSession,
   PrintCommand,
@@ -48,7 +41,8 @@ struct Binding
 {
   Action action = Action::None;
   std::vector<std::string> symbols; ///< as InteractorStyle::onKey has them
-  std::string name;                 ///< a side to look from, or a row of settingsTable()
+  std::string row = {};             ///< of settingsTable(), that the action changes
+  std::string value = {};
 };
 
 /// What a key symbol is bound to; None where to nothing.

@@ -6,21 +6,6 @@
 namespace mote::app
 {
 
-namespace
-{
-
-/// A check of words that says what is wrong with them as one of WrongValue.
-std::function<void(const std::string&)> sentence(std::string (*check)(const std::string&))
-{
-  return [check](const std::string& text)
-  {
-    if (const std::string wrong = check(text); !wrong.empty())
-      throw WrongValue{wrong};
-  };
-}
-
-} // namespace
-
 void addLightRows(std::vector<Row>& table)
 {
   const std::string group = "Light";
@@ -29,19 +14,23 @@ void addLightRows(std::vector<Row>& table)
     {.group = group,
       .name = "shadows",
       .value = "KIND",
-      .help = "Shadows of the main light: none, hard or soft; or the number of light samples a "
-              "side, such as 4 for 4 x 4 light samples per camera ray"},
-    sentence(checkShadows)));
+      .help =
+        "Shadows of the main light: none; hard, one light sample per camera ray; soft, about 64 "
+        "light samples per pixel; or N from 1 to 64 for N x N light samples per camera ray",
+      .next = [](Settings& s, const Settings& asked)
+      { s.light = withNextShadows(s.light, asked.light); },
+      .told = [](const Settings& s) { return shadowsName(s.light); }},
+    refusing(checkShadows)));
   table.push_back(row<LightSettings, std::string>(light, &LightSettings::place,
     {.group = group,
       .name = "light",
       .value = "PLACE",
-      .help = "Where the main light is. As the viewer sees it: " + joined(lightNames(), ", ") +
-              ", or AZIMUTH,ELEVATION in degrees to the right and up. Or X,Y,Z: in that direction "
-              "from the data, however they are looked at. auto is left-top, nearer to the eye "
-              "without shadows",
+      .help = "Direction of the main light. Seen from the viewer: " + joined(lightNames(), ", ") +
+              ", or AZIMUTH,ELEVATION in degrees to the right and up. Or X,Y,Z, from the data "
+              "towards the light, whichever way they are looked at. auto is left-top, nearer to "
+              "the eye without shadows",
       .commas = false},
-    sentence(checkLight)));
+    refusing(checkLight)));
   table.push_back(row(light, &LightSettings::size,
     {.group = group,
       .name = "light-size",
@@ -54,11 +43,14 @@ void addLightRows(std::vector<Row>& table)
     {.group = group,
       .name = "ambient-occlusion",
       .value = "none|live|baked|N",
-      .help = "Light of an even sky, of which crevices see less: none; live, found by 4 rays per "
-              "camera ray, or by N; or baked, looked up in precomputed maps of the particles, from "
-              "FILE.moteao where mote bake wrote one, and else made of what is seen",
-      .alias = "--ao"},
-    sentence(checkAmbientOcclusion)));
+      .help =
+        "Darkens crevices, as under an even sky: none; live, by 4 rays per camera ray; N rays, "
+        "from 0 to 4096; or baked, looked up in precomputed maps of particles, which are read from "
+        "FILE.moteao where mote bake wrote one, and else computed for what is seen",
+      .alias = "--ao",
+      .next = [](Settings& s, const Settings&) { s.light = withNextShading(s.light); },
+      .told = [](const Settings& s) { return shadingName(s.light); }},
+    refusing(checkAmbientOcclusion)));
   table.push_back(row(light, &LightSettings::occlusionReach,
     {.group = group,
       .name = "occlusion-reach",
@@ -73,7 +65,7 @@ void addLightRows(std::vector<Row>& table)
       .name = "path-trace",
       .help = "Light that other particles reflect, too, under a sky that is bright above (+z) and "
               "dim below; the main light's shadows are as soft as --light-size says",
-      .excludes = "ambient-occlusion"}));
+      .excludes = {"ambient-occlusion"}}));
 }
 
 } // namespace mote::app

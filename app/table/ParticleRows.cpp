@@ -23,7 +23,8 @@ void addParticleRows(std::vector<Row>& table)
     {.group = group,
       .name = "type-radius",
       .value = "TYPE=R,...",
-      .help = "Radii by the array 'type': 1=0.5,2=0.7. Other types get the number of --radius",
+      .help = "Radii by the array 'type', such as 1=0.5,2=0.7. Other types get the number of "
+              "--radius, or 0.5 without it",
       .invalidates = structure,
       .limits = {.aboveZero = true},
       .usual = "none"}));
@@ -39,7 +40,8 @@ void addParticleRows(std::vector<Row>& table)
       .name = "structure",
       .value = "NAME",
       .help = "Acceleration structure of particles. auto takes the coherent grid up to 100 million "
-              "particles, and the P-k-d tree above and for .mote files",
+              "particles, and the P-k-d tree above and for .mote files. pkd-paper is that tree as "
+              "it was published, to compare with",
       .invalidates = structure,
       .words = vtkMoteParticleMapper::GetStructureNames()}));
   table.push_back(row(particles, &ParticleSettings::form,

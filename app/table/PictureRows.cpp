@@ -1,5 +1,7 @@
 #include "Table.h"
 
+#include <vtkMoteColorLegend.h>
+
 namespace mote::app
 {
 
@@ -24,27 +26,29 @@ void addQualityRows(std::vector<Row>& table)
     {.group = group,
       .name = "samples",
       .value = "N",
-      .help = "Samples per pixel; more make smoother edges. With --noise, at most so many",
+      .help =
+        "Samples per pixel: more give smoother edges and less noise. With --noise, at most so many",
       .invalidates = invalidates,
       .limits = {.least = 1, .most = 65536},
-      .usual = "16; with --path-trace 64, with --noise at most 4096"}));
+      .usual = "16; 64 with --path-trace; at most 4096 with --noise"}));
   table.push_back(row(picture, &PictureSettings::noise,
     {.group = group,
       .name = "noise",
       .value = "LEVEL",
-      .help = "Take samples until the picture's standard error is down to this, where colours go "
-              "from 0 to 1: 0.01 looks smooth",
+      .help = "Take samples until the standard error of the picture, whose colours go from 0 to 1, "
+              "falls to LEVEL; 0.01 looks smooth",
       .invalidates = invalidates,
       .limits = {.most = 1.0, .aboveZero = true},
-      .usual = "all samples"}));
+      .usual = "off: all samples are taken"}));
   table.push_back(row<PictureSettings, std::vector<Color>>(picture, &PictureSettings::background,
     {.group = group,
       .name = "background",
       .value = "COLOUR[,TOP]",
-      .help = "Colour behind: a name or #rrggbb, or two with a comma for bottom and top",
+      .help = "Background: a colour by name or #rrggbb, or two with a comma for a gradient from "
+              "bottom to top",
       .invalidates = invalidates,
       .alias = "-b",
-      .usual = "greys"},
+      .usual = "a dark grey gradient"},
     [](const std::vector<Color>& colors)
     {
       if (colors.size() > 2)
@@ -71,13 +75,18 @@ void addLabelRows(std::vector<Row>& table)
       .help = "Side of the picture where the legend stands",
       .invalidates = invalidates,
       .words = {"right", "left"}}));
-  table.push_back(row(picture, &PictureSettings::legendFormat,
+  table.push_back(row<PictureSettings, std::string>(picture, &PictureSettings::legendFormat,
     {.group = group,
       .name = "legend-format",
       .value = "FORMAT",
       .help = "printf format of the legend's numbers, such as %.2f",
       .invalidates = invalidates,
-      .usual = "as short as the values allow"}));
+      .usual = "as short as the values allow"},
+    [](const std::string& format)
+    {
+      if (!vtkMoteColorLegend::IsLabelFormat(format))
+        throw WrongValue{"'" + format + "' is no printf format of one number, such as %.2f"};
+    }));
   table.push_back(row(picture, &PictureSettings::fontScale,
     {.group = group,
       .name = "font-scale",
@@ -95,12 +104,12 @@ void addLabelRows(std::vector<Row>& table)
   table.push_back(row(picture, &PictureSettings::box,
     {.group = group,
       .name = "box",
-      .help = "No box around the data in the window",
+      .help = "No box around the data in the window; pictures have none",
       .invalidates = invalidates}));
   table.push_back(row(picture, &PictureSettings::axes,
     {.group = group,
       .name = "axes",
-      .help = "No axes in the corner of the window",
+      .help = "No axes in the corner of the window; pictures have none",
       .invalidates = invalidates}));
 }
 

@@ -1,5 +1,7 @@
 #include "Table.h"
 
+#include "base/Text.h"
+
 #include <algorithm>
 
 namespace mote::app
@@ -14,6 +16,41 @@ std::string Row::option() const
 bool Row::isDefault(const Settings& settings) const
 {
   return get(settings) == get(Settings{});
+}
+
+void Row::goOn(Settings& settings, const Settings& asked) const
+{
+  if (next)
+    return next(settings, asked);
+  const std::string now = get(settings).front();
+  if (shape == Shape::Flag)
+    return set(settings, {now == "true" ? "false" : "true"});
+  const auto found = std::find(words.begin(), words.end(), now);
+  set(settings, {found == words.end() || found + 1 == words.end() ? words.front() : found[1]});
+}
+
+std::string Row::values() const
+{
+  std::vector<std::string> shown;
+  std::copy_if(words.begin(), words.end(), std::back_inserter(shown),
+    [](const std::string& word) { return !word.empty(); });
+  return words.empty() ? limits.text() : joined(shown, ", ");
+}
+
+std::string Row::usualText(const Settings& settings) const
+{
+  if (shape == Shape::Flag)
+    return {};
+  return !usual.empty() ? usual : joined(get(settings), commas ? "," : " ");
+}
+
+std::function<void(const std::string&)> refusing(std::string (*check)(const std::string&))
+{
+  return [check](const std::string& text)
+  {
+    if (const std::string wrong = check(text); !wrong.empty())
+      throw WrongValue{wrong};
+  };
 }
 
 const std::vector<Row>& settingsTable()

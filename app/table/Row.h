@@ -3,6 +3,7 @@
 #include "settings/Settings.h"
 #include "settings/Values.h"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
@@ -36,9 +37,18 @@ struct Row
   bool commas = true;  ///< whether values may be joined by commas, where there are several
   bool numeric = true; ///< whether sessions write the values as numbers
   Limits limits = {};  ///< of numbers
-  std::vector<std::string> words = {};   ///< all values there are; none: any
-  std::string usual = {};                ///< what help says of the default; empty: the value
-  std::string needs = {}, excludes = {}; ///< the name of another row
+  std::vector<std::string> words = {};    ///< all values there are; none: any
+  std::string usual = {};                 ///< what help says of the default; empty: the value
+  std::string needs = {};                 ///< the name of another row
+  std::vector<std::string> excludes = {}; ///< names of others
+  std::string command = {}; ///< that alone has it, "mote" for the window; empty: of pictures
+  bool required = false;    ///< whether the command asks for it
+
+  /// For keys, where `asked` are the settings that the user began with: goes on to the next value.
+  /// None: to the other state of a flag, or to the next of the words.
+  std::function<void(Settings&, const Settings& asked)> next = {};
+  /// What is chosen, in a few words that the window shows when a key has changed it; or none.
+  std::function<std::string(const Settings&)> told = {};
 
   /// The values in these settings as words of the command line; none where nothing is chosen.
   std::function<std::vector<std::string>(const Settings&)> get = {};
@@ -48,6 +58,12 @@ struct Row
   /// As an option of the command line: a flag that is on by default says "no-".
   std::string option() const;
   bool isDefault(const Settings& settings) const;
+  /// Goes on to the next value; see `next`.
+  void goOn(Settings& settings, const Settings& asked) const;
+  /// What values there are: the words, or "from 0 to 90"; empty: any.
+  std::string values() const;
+  /// What help says of the default, of a command whose settings begin with these; empty: nothing.
+  std::string usualText(const Settings& settings = {}) const;
 };
 
 /// A row for a member of a group of the settings.
@@ -63,7 +79,11 @@ Row row(Group Settings::*group, T Group::*member, Row about,
   about.set = [group, member, check, limits = about.limits, allowed = about.words,
                 count = about.count](Settings& s, const std::vector<std::string>& words)
   {
-    requireWords(words, allowed);
+    if (!allowed.empty())
+    {
+      const std::vector<std::string> usual = Values::words((Settings{}.*group).*member);
+      requireWords(words, allowed, usual.empty() ? "" : usual.front());
+    }
     if (count > 0 && !words.empty() && static_cast<int>(words.size()) != count)
       throw WrongValue{
         "takes " + std::to_string(count) + " values, not " + std::to_string(words.size())};
@@ -75,8 +95,14 @@ Row row(Group Settings::*group, T Group::*member, Row about,
   return about;
 }
 
-/// All choices, group after group.
+/// All choices of pictures, group after group: what sessions keep.
 const std::vector<Row>& settingsTable();
+
+/// What one command alone may be told.
+const std::vector<Row>& commandTable();
+
+/// A size such as "4G" in bytes; 0 for a text that is none.
+std::uint64_t bytesOf(const std::string& text);
 
 /// The row of that name; null where there is none.
 const Row* rowNamed(const std::string& name);

@@ -102,6 +102,7 @@ void writeImports(Script& script)
   script.line("from vtkmodules.vtkCommonCore import vtkLookupTable");
   script.line(
     "from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPiecewiseFunction");
+  script.line("from vtkmodules.vtkFiltersCore import vtkArrayCalculator");
   script.line("from vtkmodules.vtkRenderingCore import (");
   script.line("    vtkActor, vtkColorTransferFunction, vtkLight, vtkRenderer, vtkVolume)");
   script.line();
@@ -152,13 +153,15 @@ void writeRanges(Script& script, const Part& part, const Settings& settings)
   for (const ShowRange& range : settings.selection.ranges)
   {
     const auto place = std::find(places.begin(), places.end(), range.name);
+    const auto [low, high] = range.intervals.front();
     if (place != places.end())
-      script.call("mapper", "SetCenterRange", static_cast<int>(place - places.begin()), range.low,
-        range.high);
+      script.call("mapper", "SetCenterRange", static_cast<int>(place - places.begin()), low, high);
     else if (range.name == "radius")
-      script.call("mapper", "SetRadiusRange", range.low, range.high);
+      script.call("mapper", "SetRadiusRange", low, high);
     else if (const ArrayChoice choice = findArray(part.data(), range.name); choice)
-      script.call("mapper", "AddRange", choice.name, choice.component, range.low, range.high);
+      for (const Interval& interval : range.intervals)
+        script.call(
+          "mapper", "AddToRange", choice.name, choice.component, interval.low, interval.high);
   }
   vtkMoteParticleMapper* mapper = part.particles();
   if (!mapper->GetUseVisibilityRange())
@@ -264,6 +267,23 @@ void writeVolume(Script& script, vtkVolume* volume)
     script.call("look.GetIsoSurfaceValues()", "SetValue", i, values->GetValue(i));
 }
 
+/// The array of a coordinate, where one colours; see addCoordinate().
+void writeCoordinate(Script& script, const std::string& name)
+{
+  const std::size_t axis = std::string("xyz").find(name);
+  if (name.size() != 1 || axis == std::string::npos)
+    return;
+  script.line("if not part.GetPointData().HasArray(" + python(name) + "):");
+  script.line("    calculator = vtkArrayCalculator()");
+  script.line("    calculator.SetInputData(part)");
+  script.call("    calculator", "AddCoordinateScalarVariable", name, static_cast<int>(axis));
+  script.call("    calculator", "SetFunction", name);
+  script.call("    calculator", "SetResultArrayName", name);
+  script.line("    calculator.Update()");
+  script.line("    part.GetPointData().AddArray(");
+  script.line("        calculator.GetOutput().GetPointData().GetArray(" + python(name) + "))");
+}
+
 void writeParts(Script& script, const Stage& stage, const Settings& settings)
 {
   for (std::size_t i = 0; i < stage.parts().size(); ++i)
@@ -273,6 +293,7 @@ void writeParts(Script& script, const Stage& stage, const Settings& settings)
       continue;
     script.line();
     script.line("part = parts[" + std::to_string(i) + "]  # " + part.name());
+    writeCoordinate(script, settings.color.array);
     if (part.particles())
       writeParticles(script, part, settings);
     else
@@ -384,10 +405,13 @@ void writeLegend(
 
 std::string commandOf(const Settings& settings, const std::string& output)
 {
-  std::vector<std::string> words = {"mote", "render"};
+  std::vector<std::string> words = {"mote"};
+  if (!output.empty())
+    words.emplace_back("render");
   for (const std::string& option : asOptions(settings))
     words.push_back(option);
-  words.insert(words.end(), {"-o", output});
+  if (!output.empty())
+    words.insert(words.end(), {"-o", output});
   return asShellLine(words);
 }
 

@@ -13,7 +13,7 @@ void checkRanges(const std::vector<ShowRange>& ranges)
   for (const ShowRange& range : ranges)
     if (std::count_if(ranges.begin(), ranges.end(),
           [&](const ShowRange& other) { return other.name == range.name; }) > 1)
-      throw WrongValue{"'" + range.name + "' has two ranges; only one range per array is possible"};
+      throw WrongValue{"'" + range.name + "' is given twice; join its ranges, as in type=1,3:5"};
   if (ranges.size() > 8)
     throw WrongValue{"at most eight ranges are possible, not " + std::to_string(ranges.size())};
 }
@@ -24,18 +24,18 @@ void addSelectionRows(std::vector<Row>& table)
 {
   const std::string group = "Selection";
   const auto selection = &Settings::selection;
-  table.push_back(row<SelectionSettings, std::vector<ShowRange>>(selection,
-    &SelectionSettings::ranges,
-    {.group = group,
-      .name = "show",
-      .value = "NAME=LO:HI",
-      .help = "Show only particles with a value from LO to HI of x, y, z, radius (as drawn) or an "
-              "array, named as in --color-by. LO or HI may be left out; type=2 is one value. May "
-              "be given up to eight times, four of them for arrays: what lies in all ranges is "
-              "shown",
-      .commas = false,
-      .usual = "all"},
-    checkRanges));
+  table.push_back(
+    row<SelectionSettings, std::vector<ShowRange>>(selection, &SelectionSettings::ranges,
+      {.group = group,
+        .name = "show",
+        .value = "NAME=LO:HI,...",
+        .help = "Show only what has a value from LO to HI: particles by x, y, z, radius (as drawn) "
+                "or an array, named as in --color-by; volumes by the array that colours them. LO "
+                "or HI may be left out; type=2 is one value, and type=1,3:5 several. May be given "
+                "up to eight times, four of them for arrays: what lies in all ranges is shown",
+        .commas = false,
+        .usual = "all"},
+      checkRanges));
   table.push_back(row<SelectionSettings, std::vector<double>>(selection, &SelectionSettings::range,
     {.group = group,
       .name = "show-range",

@@ -2,12 +2,15 @@
 
 #include "Row.h"
 #include "base/Failure.h"
+#include "base/OutputFile.h"
 #include "base/Text.h"
 
 #include <kernels/core/AtomicFile.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -29,8 +32,10 @@ Json toJson(const Row& row, const std::string& word)
 {
   double number = 0.0;
   if (row.numeric && parseNumber(word, number))
-    return number == static_cast<std::int64_t>(number) ? Json(static_cast<std::int64_t>(number))
-                                                       : Json(number);
+    // Whole numbers without a point, as far as doubles hold them exactly.
+    return number == std::floor(number) && std::abs(number) < 9007199254740992.0
+             ? Json(static_cast<std::int64_t>(number))
+             : Json(number);
   return word;
 }
 
@@ -61,6 +66,8 @@ std::string wordOf(const Json& value)
 
 std::vector<std::string> wordsOf(const Row& row, const Json& value)
 {
+  if (value.is_null() && !row.get(Settings{}).empty() && row.shape != Shape::Many)
+    throw WrongValue{"must not be null"};
   if (value.is_null())
     return {};
   if (!value.is_array())
@@ -124,6 +131,10 @@ std::string groupName(const Row& row)
 void setGroup(
   Settings& settings, const std::string& group, const Json& values, const std::string& path)
 {
+  const auto& table = settingsTable();
+  if (std::none_of(
+        table.begin(), table.end(), [&](const Row& row) { return groupName(row) == group; }))
+    throw Failure(path + ": " + group + " is no group of settings that this version of mote knows");
   if (!values.is_object())
     throw Failure(
       path + ": " + group + ": must be an object with a name and value for each choice");
@@ -208,11 +219,26 @@ Settings parseSession(const std::string& text, const std::string& path)
 
 Settings readSession(const std::string& path)
 {
+  std::error_code error;
+  if (!fs::exists(path, error))
+    throw Failure(path + ": there is no such file");
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
+  if (file && file.peek() == std::ifstream::traits_type::eof())
+    throw Failure(path + ": the file is empty");
   if (!file || !(text << file.rdbuf()))
     throw Failure(path + " cannot be read");
   return parseSession(text.str(), path);
+}
+
+void checkSessionOutput(const Settings& settings)
+{
+  const std::string& file = settings.output.session;
+  if (file.empty())
+    return;
+  if (!isSessionFile(file))
+    throw Failure("--save-session: a session's name must end in .json, unlike " + file);
+  checkOutput(file, settings.data.files);
 }
 
 void writeSession(const Settings& settings, const std::string& path)

@@ -24,4 +24,8 @@ Settings parseSession(const std::string& text, const std::string& path);
 Settings readSession(const std::string& path);
 void writeSession(const Settings& settings, const std::string& path);
 
+/// Throws Failure where the session that the settings ask for would not be one, would take the
+/// place of what is read, or cannot be written; before any work is done.
+void checkSessionOutput(const Settings& settings);
+
 } // namespace mote::app

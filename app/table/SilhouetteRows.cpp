@@ -5,20 +5,6 @@
 namespace mote::app
 {
 
-namespace
-{
-
-std::function<void(const std::string&)> sentence(std::string (*check)(const std::string&))
-{
-  return [check](const std::string& text)
-  {
-    if (const std::string wrong = check(text); !wrong.empty())
-      throw WrongValue{wrong};
-  };
-}
-
-} // namespace
-
 void addSilhouetteRows(std::vector<Row>& table)
 {
   const std::string group = "Silhouettes";
@@ -26,24 +12,29 @@ void addSilhouetteRows(std::vector<Row>& table)
   table.push_back(row<SilhouetteSettings, std::string>(silhouettes, &SilhouetteSettings::lines,
     {.group = group,
       .name = "silhouettes",
-      .value = "on|off|RADII|%",
-      .help = "Lines where depth jumps, by more than so many radii of a typical particle, or with "
-              "% by more than a share of the scene's size; on means 10 radii. auto draws them "
-              "where another of these options is given",
-      .shape = Shape::OptionalOne},
-    sentence(checkLines)));
+      .value = "on|off|RADII|P%",
+      .help =
+        "Lines where depth jumps by more than RADII radii of a typical particle, or by more than P "
+        "percent of the diagonal of the scene. on means 10 radii; auto draws lines where another "
+        "option of silhouettes is given. The value follows an equals sign: --silhouettes=4",
+      .shape = Shape::OptionalOne,
+      .next = [](Settings& s, const Settings& asked)
+      { s.silhouettes = toggled(s.silhouettes, asked.silhouettes); },
+      .told = [](const Settings& s)
+      { return std::string(areOn(s.silhouettes) ? "Silhouettes" : "No silhouettes"); }},
+    refusing(checkLines)));
   table.push_back(row<SilhouetteSettings, std::string>(silhouettes, &SilhouetteSettings::thickness,
     {.group = group,
       .name = "silhouette-thickness",
       .value = "W",
-      .help = "Width of the lines in pixels, from 0.1 to 64; or LEAST:MOST, to have it grow with "
-              "the step"},
-    sentence(checkThickness)));
+      .help =
+        "Width of the lines in pixels, from 0.1 to 64; LEAST:MOST has it grow with the depth jump"},
+    refusing(checkThickness)));
   table.push_back(row(silhouettes, &SilhouetteSettings::opacity,
     {.group = group,
       .name = "silhouette-opacity",
       .value = "A",
-      .help = "Opacity of the least steps; it grows with the step",
+      .help = "Opacity of lines at the smallest depth jumps; it grows to 1 with the jump",
       .limits = {.least = 0.0, .most = 1.0}}));
   table.push_back(row(silhouettes, &SilhouetteSettings::color,
     {.group = group,
@@ -53,19 +44,20 @@ void addSilhouetteRows(std::vector<Row>& table)
   table.push_back(row(silhouettes, &SilhouetteSettings::onPixels,
     {.group = group,
       .name = "silhouette-on-pixels",
-      .help = "Draw on the farther pixels alone, crisply, and not about the border itself"}));
+      .help = "One-sided, pixel-sharp lines on the farther pixels, instead of smooth lines centred "
+              "on the border"}));
   table.push_back(row(silhouettes, &SilhouetteSettings::stepInPixels,
     {.group = group,
       .name = "silhouette-step-pixels",
       .value = "N",
-      .help = "Draw no step that is less than the width of so many pixels at its distance",
+      .help = "Ignore depth jumps smaller than the width of N pixels at that distance",
       .limits = {.least = 0.0}}));
   table.push_back(row(silhouettes, &SilhouetteSettings::groups,
     {.group = group,
       .name = "silhouette-groups",
       .value = "NAME",
-      .help = "Lines also between neighbours with different values of this array, such as type; or "
-              "between each particle and the next, or each object (file)",
+      .help = "Lines also between neighbours that differ in this array of integers, such as type; "
+              "particle outlines every particle, object every data set",
       .usual = "none"}));
   table.push_back(row(silhouettes, &SilhouetteSettings::noHulls,
     {.group = group, .name = "silhouette-no-hulls", .help = "No lines against the background"}));

@@ -16,23 +16,25 @@ void addAppearanceRows(std::vector<Row>& table)
     {.group = group,
       .name = "cells",
       .value = "KIND",
-      .help = "How cells are shown: as a volume or by their surface. auto shows a volume where "
-              "there is an array to colour it by",
+      .help = "How the 3D cells of unstructured grids are shown: volume needs an array of numbers "
+              "to colour by, surface works in the window only, and auto is volume where there is "
+              "such an array, else surface",
       .invalidates = Invalidates::Data,
       .words = {"auto", "volume", "surface"}}));
   table.push_back(row(volume, &VolumeSettings::opacity,
     {.group = group,
       .name = "opacity",
       .value = "VALUE=OPACITY,...",
-      .help = "Opacity at values of the array that colours, linear between them: 20=0,50=0.4; a "
-              "value with % is a share of the colours' range",
+      .help =
+        "Opacity transfer function: opacities from 0 to 1 at values of the array that colours, "
+        "linear in between, such as 20=0,50=0.4. A value with % is a share of the colours' range",
       .usual = "0%=0.5,25%=0.08,50%=0.02,75%=0.08,100%=0.5"}));
   table.push_back(row(volume, &VolumeSettings::opacityUnit,
     {.group = group,
       .name = "opacity-unit",
       .value = "LENGTH",
-      .help = "Length over which the opacities hold, in the data's units: twice as far hides twice "
-              "over",
+      .help = "Path length, in the data's units, over which a volume reaches the opacities of "
+              "--opacity. The larger, the more transparent",
       .limits = {.aboveZero = true},
       .usual = "a tenth of the scene's diagonal"}));
   table.push_back(row(volume, &VolumeSettings::isoValues,
@@ -42,7 +44,9 @@ void addAppearanceRows(std::vector<Row>& table)
       .help = "Opaque isosurfaces where the array that colours has these values",
       .usual = "none"}));
   table.push_back(row(volume, &VolumeSettings::cloud,
-    {.group = group, .name = "cloud", .help = "Only the isosurfaces, without the volume"}));
+    {.group = group,
+      .name = "cloud",
+      .help = "Draw only the isosurfaces of --iso, not the volume itself"}));
   table.push_back(row(volume, &VolumeSettings::lit,
     {.group = group,
       .name = "lit",
@@ -68,33 +72,38 @@ void addIntegrationRows(std::vector<Row>& table)
     {.group = group,
       .name = "integrator",
       .value = "NAME",
-      .help = "How a volume is integrated along a ray",
+      .help = "How a volume is integrated along a ray. cell-by-cell goes exactly through the "
+              "cells, to --tolerance; trilinear and inverse-distance take samples, "
+              "--sample-distance apart, with that interpolation",
       .words = vtkMoteVolumeMapper::GetIntegratorNames()}));
   table.push_back(row(volume, &VolumeSettings::sampleDistance,
     {.group = group,
       .name = "sample-distance",
       .value = "LENGTH",
-      .help = "Distance of samples along a ray",
+      .help = "Distance between samples along a ray, in the data's units, of the integrators "
+              "trilinear and inverse-distance",
       .limits = {.aboveZero = true},
-      .usual = "half a mean cell"}));
+      .usual = "half the mean cell size"}));
   table.push_back(row(volume, &VolumeSettings::tolerance,
     {.group = group,
       .name = "tolerance",
       .value = "ERROR",
-      .help = "Error of a colour, from 0 to 1, that the integrator cell-by-cell may make",
+      .help = "Largest error of a colour, which goes from 0 to 1, that the integrator cell-by-cell "
+              "may make",
       .limits = {.most = 1.0, .aboveZero = true}}));
   table.push_back(row(volume, &VolumeSettings::cloudTolerance,
     {.group = group,
       .name = "cloud-tolerance",
       .value = "ERROR",
-      .help = "Error of a colour, from 0 to 1, where pixels of a volume are interpolated rather "
-              "than traced. 0 traces every pixel",
+      .help = "Interpolate pixels of a volume between traced ones where the estimated error of a "
+              "colour, which goes from 0 to 1, is at most this. 0 traces every pixel",
       .limits = {.least = 0.0, .most = 1.0}}));
   table.push_back(row(volume, &VolumeSettings::structure,
     {.group = group,
       .name = "cell-structure",
       .value = "NAME",
-      .help = "Acceleration structure of cells",
+      .help = "Acceleration structure of cells: a grid or a bounding volume hierarchy (bvh), in "
+              "cylindrical (cyl) or Cartesian (cart) coordinates",
       .invalidates = Invalidates::Structure,
       .words = vtkMoteVolumeMapper::GetStructureNames(),
       .usual = "chosen by the mesh"}));

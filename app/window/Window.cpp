@@ -29,7 +29,7 @@ namespace
 constexpr unsigned long restAfter = 250;  // ms from a turn of the wheel to sharpening
 constexpr unsigned long playPause = 60;   // ms between time steps
 constexpr unsigned long buildPause = 200; // ms between looks at what other threads build
-constexpr int previewSamples = 4;         // rays a pixel: more would slow down the build behind it
+constexpr int previewSamples = 4; // samples per pixel: more would slow down the build behind it
 
 template <class Function>
 void observe(vtkObject* object, unsigned long event, const Function& function)
@@ -59,32 +59,24 @@ void forget(vtkObject* object)
 
 } // namespace
 
-void addWindowOptions(CLI::App& app, WindowOptions& options)
+void addWindowOptions(CLI::App& app, GivenSettings& given)
 {
-  addAllSettings(app, options.given);
-  addSessionOption(app, options.session);
-  app
-    .add_flag_function(
-      "--no-preview", [&options](std::int64_t) { options.preview = false; },
-      "Show nothing before the structure is built. Else large sets begin with a preview: a part of "
-      "the particles, enlarged, and a line that says so")
-    ->group("Picture");
+  addAllSettings(app, given);
+  addCommandSettings(app, given, "mote");
 }
 
-void showWindow(const WindowOptions& options)
+void showWindow(const Settings& settings)
 {
-  const Settings settings = options.given.resolved();
   Input input(settings.data.files);
   if (!displayAvailable())
     throw Failure("there is no display to open a window on; make a picture instead: "
                   "mote render FILE -o picture.png");
-  Window window(options, settings, input);
+  Window window(settings, input);
   window.run();
 }
 
-Window::Window(const WindowOptions& options, const Settings& settings, Input& input)
-  : options_(options)
-  , asked_(settings)
+Window::Window(const Settings& settings, Input& input)
+  : asked_(settings)
   , input_(input)
   , stage_(settings)
   , overlay_(stage_.renderer())
@@ -178,7 +170,7 @@ void Window::run()
     const auto data = input_.read(step_, progress_);
     addOcclusionMaps(data);
     stage_.setData(data);
-    stage_.setPreview(options_.preview);
+    stage_.setPreview(asked_.output.preview);
     stage_.build(progress_);
     stage_.applyColors();
     bar_.hide();
@@ -190,6 +182,7 @@ void Window::run()
     throw;
   }
   busy_ = false;
+  arrayAsked_ = stage_.settingsInForce().color.array;
   previewed_ = !stage_.preview().empty();
   this->nameWindow();
   this->look();
@@ -200,8 +193,8 @@ void Window::run()
   this->render();
   if (!quit_)
     interactor_->Start();
-  if (!options_.session.empty())
-    writeSession(this->settingsInForce(), options_.session);
+  if (!asked_.output.session.empty())
+    writeSession(this->settingsInForce(), asked_.output.session);
 }
 
 //------------------------------------------------------------------------------------------------
@@ -252,7 +245,7 @@ void Window::load(int step)
   addOcclusionMaps(data);
   stage_.setData(data);
   // What plays would go on to the next step before it is built.
-  stage_.setPreview(options_.preview && !playing_);
+  stage_.setPreview(asked_.output.preview && !playing_);
   step_ = step;
   stage_.build(progress_);
   stage_.applyColors();
@@ -278,8 +271,15 @@ void Window::look()
   margins.left = margins.right = legend ? 0.03 + 0.13 * size[1] / std::max(1, size[0]) : 0.04;
   margins.bottom = margins.top = 0.06;
   stage_.look(double(size[0]) / std::max(1, size[1]), margins);
-  view_ = this->viewNow();
+  this->rememberView();
   viewSize_ = {size[0], size[1]};
+}
+
+void Window::rememberView()
+{
+  view_ = this->viewNow();
+  lookedAt_ = this->settings();
+  camera_ = cameraOf(stage_.renderer()->GetActiveCamera());
 }
 
 std::array<double, 10> Window::viewNow()

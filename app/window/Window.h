@@ -23,20 +23,12 @@ namespace mote::app
 
 class InteractorStyle;
 
-/// What the window may be told.
-struct WindowOptions
-{
-  GivenSettings given;
-  std::string session; ///< file to save the session in; empty: choose when asked to
-  bool preview = true; ///< of large sets, until they are built
-};
-
 /// Declares the options of the window.
-void addWindowOptions(CLI::App& app, WindowOptions& options);
+void addWindowOptions(CLI::App& app, GivenSettings& given);
 
 /// Opens a window on the files and returns when the user closes it. Throws Failure where there is
 /// no display or nothing can be shown, and Interrupted.
-void showWindow(const WindowOptions& options);
+void showWindow(const Settings& settings);
 
 /// The window: what it shows and how it answers. Window.cpp has set-up, drawing and time,
 /// WindowActions.cpp what keys do, WindowSettings.cpp how settings change. All that can be chosen
@@ -44,7 +36,7 @@ void showWindow(const WindowOptions& options);
 class Window
 {
 public:
-  Window(const WindowOptions& options, const Settings& settings, Input& input);
+  Window(const Settings& settings, Input& input);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
@@ -68,6 +60,7 @@ private:
   void render();
   void renderMoving();
   void look();
+  void rememberView();
   void updatePreview();
   void nameWindow();
   void onRenderStart();
@@ -83,6 +76,7 @@ private:
   Settings settingsOf(const std::function<void(Settings&)>& change) const;
   void change(const Settings& next, const std::function<std::string()>& message = {});
   bool follow(const Settings& next);
+  Settings settingsAsSeen() const;
   void recordCamera();
   void goBack(bool undo);
   Settings settingsInForce();
@@ -90,16 +84,14 @@ private:
 
   // Actions
   void act(const Binding& binding);
-  bool actOnView(const Binding& binding);
-  bool actOnLook(const Binding& binding); ///< how things look
-  bool actOnTime(Action action);
+  void actOnRow(const Binding& binding);
+  bool actOnView(Action action);
   bool actOnFiles(Action action);
   bool hasSurfaces() const;
   void goTo(int step);
   Settings otherProjection() const;
   Settings scaledRadius(double factor) const;
   Settings otherBackground() const;
-  void toggle(const std::string& name);
   void zoom(double factor);
   void pick();
   void center();
@@ -113,8 +105,8 @@ private:
   /// What tells one view from another.
   std::array<double, 10> viewNow();
 
-  WindowOptions options_;
-  Settings asked_; ///< what the command line, or the session, said
+  Settings asked_;         ///< what the command line, or the session, said
+  std::string arrayAsked_; ///< the array that this, or the data, chose
   Input& input_;
   Stage stage_;
   vtkNew<vtkRenderWindow> window_;
@@ -130,6 +122,8 @@ private:
   History history_;
   std::vector<std::string> adviceBefore_; ///< that was given already
   std::array<double, 10> view_{};         // as the settings had it last
+  Settings lookedAt_;                     // when the camera was set last, by itself or by hand
+  std::vector<double> camera_;            // as it was then
   std::array<int, 2> viewSize_{};         // of the window
   int step_ = 0;
   bool traced_ = true; // something that is seen is Mote's

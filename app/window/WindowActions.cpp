@@ -5,7 +5,6 @@
 #include "settings/Colors.h"
 #include "stage/Arrays.h"
 #include "stage/Picture.h"
-#include "stage/Silhouettes.h"
 #include "table/Row.h"
 #include "table/Script.h"
 
@@ -35,8 +34,9 @@ void Window::act(const Binding& binding)
   if (busy_ || binding.action == Action::None)
     return;
   this->recordCamera();
-  if (!this->actOnView(binding) && !this->actOnLook(binding) && !this->actOnTime(binding.action) &&
-      !this->actOnFiles(binding.action))
+  if (!binding.row.empty())
+    this->actOnRow(binding);
+  else if (!this->actOnView(binding.action) && !this->actOnFiles(binding.action))
     switch (binding.action)
     {
     case Action::ZoomIn:
@@ -47,7 +47,7 @@ void Window::act(const Binding& binding)
       playing_ = !playing_ && input_.numberOfSteps() > 1;
       if (playing_)
       {
-        history_.add(this->settings());
+        history_.add(this->settingsAsSeen());
         return this->advance();
       }
       break;
@@ -78,9 +78,9 @@ void Window::act(const Binding& binding)
   this->render();
 }
 
-bool Window::actOnView(const Binding& binding)
+bool Window::actOnView(Action action)
 {
-  switch (binding.action)
+  switch (action)
   {
   case Action::ResetView:
     this->change(this->settingsOf(
@@ -94,17 +94,6 @@ bool Window::actOnView(const Binding& binding)
           s.camera.camera.clear();
       }));
     return true;
-  case Action::View:
-    this->change(this->settingsOf(
-      [&](Settings& s)
-      {
-        s.camera = {
-          .view = binding.name, .zoom = asked_.camera.zoom, .orthographic = s.camera.orthographic};
-      }));
-    return true;
-  case Action::Projection:
-    this->change(this->otherProjection());
-    return true;
   case Action::Center:
     this->center();
     this->recordCamera();
@@ -114,71 +103,53 @@ bool Window::actOnView(const Binding& binding)
   }
 }
 
-bool Window::actOnLook(const Binding& binding)
+/// Changes a row of the table. Most know their next value themselves; these know the data, too.
+void Window::actOnRow(const Binding& binding)
 {
-  const auto to = [this](const auto& change, const std::function<std::string()>& message)
-  { this->change(this->settingsOf(change), message); };
+  const bool more = binding.action == Action::More;
   const auto coloring = [this] { return this->coloringText(); };
   const Coloring& colors = stage_.coloring();
-  switch (binding.action)
+  Settings next = this->settings();
+  if (binding.row == "step")
+    return this->goTo(binding.action == Action::First  ? 0
+                      : binding.action == Action::Last ? input_.numberOfSteps() - 1
+                                                       : step_ + (more ? 1 : -1));
+  if (binding.row == "color-by")
   {
-  case Action::NextArray:
-    to([&](Settings& s) { s.color.array = colors.nextArray(stage_.parts()); }, coloring);
-    return true;
-  case Action::NextComponent:
-    to([&](Settings& s) { s.color.array = colors.nextComponent(stage_.parts()); }, coloring);
-    return true;
-  case Action::NextMap:
-    to([&](Settings& s) { s.color.map = colors.nextMap(); },
-      [&] { return "Colour map " + colors.mapName(); });
-    return true;
-  case Action::Smaller:
-  case Action::Larger:
-    this->change(this->scaledRadius(binding.action == Action::Larger ? 1.15 : 1.0 / 1.15),
+    next.color.array = binding.action == Action::NextPart ? colors.nextComponent(stage_.parts())
+                                                          : colors.nextArray(stage_.parts());
+    // A range and a title are those of one array.
+    const bool asked = next.color.array == arrayAsked_;
+    next.color.range = asked ? asked_.color.range : std::vector<double>();
+    next.picture.title = asked ? asked_.picture.title : std::nullopt;
+    next.color.logarithmic =
+      asked_.color.logarithmic && colors.isAboveZero(stage_.parts(), next.color.array);
+    return this->change(next, coloring);
+  }
+  if (binding.row == "color-map")
+  {
+    next.color.map = colors.nextMap();
+    return this->change(next, [&] { return "Colour map " + colors.mapName(); });
+  }
+  if (binding.row == "radius-scale")
+    return this->change(this->scaledRadius(more ? 1.15 : 1.0 / 1.15),
       [this] { return "Radius x " + asNumber(this->settings().particles.radiusScale, 3); });
-    return true;
-  case Action::Toggle:
-    this->toggle(binding.name);
-    return true;
-  case Action::Background:
-    this->change(this->otherBackground());
-    return true;
-  case Action::Shadows:
-    to([&](Settings& s) { s.light = withNextShadows(s.light, asked_.light); },
-      [this] { return shadowsName(this->settings().light); });
-    return true;
-  case Action::Shading:
-    to([&](Settings& s) { s.light = withNextShading(s.light); },
-      [this] { return shadingName(this->settings().light); });
-    return true;
-  case Action::Silhouettes:
-    to([&](Settings& s) { s.silhouettes = toggled(s.silhouettes, asked_.silhouettes); },
-      [this] { return areOn(this->settings().silhouettes) ? "Silhouettes" : "No silhouettes"; });
-    return true;
-  default:
-    return false;
-  }
-}
-
-bool Window::actOnTime(Action action)
-{
-  switch (action)
+  if (binding.row == "orthographic")
+    return this->change(this->otherProjection());
+  if (binding.row == "background")
+    return this->change(this->otherBackground());
+  if (binding.row == "view")
   {
-  case Action::PreviousStep:
-    this->goTo(step_ - 1);
-    return true;
-  case Action::NextStep:
-    this->goTo(step_ + 1);
-    return true;
-  case Action::FirstStep:
-    this->goTo(0);
-    return true;
-  case Action::LastStep:
-    this->goTo(input_.numberOfSteps() - 1);
-    return true;
-  default:
-    return false;
+    const bool parallel = next.camera.orthographic;
+    next.camera = CameraSettings();
+    next.camera.view = binding.value;
+    next.camera.zoom = asked_.camera.zoom;
+    next.camera.orthographic = parallel;
+    return this->change(next);
   }
+  const Row* row = rowNamed(binding.row);
+  row->goOn(next, asked_);
+  this->change(next, [&] { return row->told ? row->told(this->settings()) : std::string(); });
 }
 
 bool Window::hasSurfaces() const
@@ -204,14 +175,19 @@ bool Window::actOnFiles(Action action)
     this->savePicture();
     return true;
   case Action::SaveSession:
-    this->saveSession(options_.session.empty() ? this->unusedName(".json") : options_.session);
+    this->saveSession(
+      asked_.output.session.empty() ? this->unusedName(".json") : asked_.output.session);
     return true;
   case Action::PrintCommand:
-    print(commandOf(this->settingsInForce(), this->unusedName(".png")) + "\n", "The command");
+    print(commandOf(this->settingsInForce(), traced_ ? this->unusedName(".png") : "") + "\n",
+      "The command");
     return true;
   case Action::PrintScript:
-    print(
-      scriptOf(stage_, input_, this->settingsInForce(), this->unusedName(".png")), "The script");
+    if (traced_)
+      print(
+        scriptOf(stage_, input_, this->settingsInForce(), this->unusedName(".png")), "The script");
+    else
+      this->say("There is no script of surfaces: Mote draws particles and volumes");
     return true;
   default:
     return false;
@@ -220,28 +196,13 @@ bool Window::actOnFiles(Action action)
 
 Settings Window::otherProjection() const
 {
-  // What is at the focal point keeps its size.
-  vtkCamera* camera = stage_.renderer()->GetActiveCamera();
-  const double half = std::tan(0.5 * vtkMath::RadiansFromDegrees(usualViewAngle));
-  std::vector<double> numbers = cameraOf(camera);
-  const bool parallel = camera->GetParallelProjection() != 0;
-  double* const eye = numbers.data();
-  const double* const focus = eye + 3;
-  if (parallel)
-  {
-    const double factor = numbers[9] / half / camera->GetDistance();
-    for (int i = 0; i < 3; ++i)
-      eye[i] = focus[i] + factor * (eye[i] - focus[i]);
-    numbers[9] = usualViewAngle;
-  }
-  else
-    numbers[9] =
-      camera->GetDistance() * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
+  const std::vector<double> camera = cameraOf(stage_.renderer()->GetActiveCamera());
   return this->settingsOf(
     [&](Settings& s)
     {
-      s.camera.orthographic = !parallel;
-      s.camera.camera = numbers;
+      s.camera.camera =
+        s.camera.orthographic ? withPerspective(camera) : withParallelProjection(camera);
+      s.camera.orthographic = !s.camera.orthographic;
     });
 }
 
@@ -254,7 +215,8 @@ Settings Window::scaledRadius(double factor) const
       // Who scales all radii does not mean to see others.
       for (ShowRange& range : s.selection.ranges)
         if (range.name == "radius")
-          range.low *= factor, range.high *= factor;
+          for (Interval& interval : range.intervals)
+            interval.low *= factor, interval.high *= factor;
     });
 }
 
@@ -265,13 +227,6 @@ Settings Window::otherBackground() const
     [&](Settings& s) {
       s.picture.background = light ? std::vector<Color>{} : std::vector<Color>{{1.0, 1.0, 1.0}};
     });
-}
-
-void Window::toggle(const std::string& name)
-{
-  const Row* row = rowNamed(name);
-  this->change(this->settingsOf(
-    [&](Settings& s) { row->set(s, {row->get(s).front() == "true" ? "false" : "true"}); }));
 }
 
 std::string Window::coloringText() const

@@ -38,9 +38,10 @@ void Window::change(const Settings& next, const std::function<std::string()>& me
   const Settings before = this->settings();
   if (next != before)
   {
+    const Settings seen = this->settingsAsSeen();
     if (!this->follow(next))
       return;
-    history_.add(before);
+    history_.add(seen);
   }
   std::string text = message ? message() : "";
   // What does nothing is told when it is chosen.
@@ -80,7 +81,12 @@ bool Window::follow(const Settings& next)
       }
       catch (...)
       {
-        show(before);
+        // Whoever interrupted the new wants the old back, unless it was to leave.
+        if (!bar_.wantsQuit())
+        {
+          bar_.reset();
+          show(before);
+        }
         throw;
       }
     });
@@ -91,21 +97,31 @@ bool Window::follow(const Settings& next)
   return done;
 }
 
+/// The settings for the history. A camera that chose itself is said outright where it would choose
+/// another place by now, such as at another time step.
+Settings Window::settingsAsSeen() const
+{
+  Settings seen = this->settings();
+  if (seen.camera.camera.empty() && seen != lookedAt_)
+    seen.camera.camera = camera_;
+  return seen;
+}
+
 void Window::recordCamera()
 {
   if (this->viewNow() == view_)
     return;
-  const Settings before = this->settings();
-  Settings now = before;
+  history_.add(this->settingsAsSeen());
+  Settings now = this->settings();
   now.camera.camera = cameraOf(stage_.renderer()->GetActiveCamera());
   stage_.apply(now);
-  history_.add(before);
-  view_ = this->viewNow();
+  this->rememberView();
 }
 
 void Window::goBack(bool undo)
 {
-  const auto next = undo ? history_.undo(this->settings()) : history_.redo(this->settings());
+  const Settings seen = this->settingsAsSeen();
+  const auto next = undo ? history_.undo(seen) : history_.redo(seen);
   if (!next)
     this->say(undo ? "There is nothing to undo" : "There is nothing to redo");
   else if (this->follow(*next))

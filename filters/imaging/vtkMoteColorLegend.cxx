@@ -65,6 +65,11 @@ vtkScalarsToColors* vtkMoteColorLegend::GetLookupTable()
   return this->LookupTable;
 }
 
+bool vtkMoteColorLegend::IsLabelFormat(const std::string& text)
+{
+  return text.empty() || mote::imaging::isDoubleFormat(text);
+}
+
 vtkMTimeType vtkMoteColorLegend::GetMTime()
 {
   const vtkMTimeType own = this->Superclass::GetMTime();
@@ -196,7 +201,7 @@ bool vtkMoteColorLegend::MakeContent(
     return false;
   }
   std::string format = this->LabelFormat;
-  if (!format.empty() && !isDoubleFormat(format))
+  if (!IsLabelFormat(format))
   {
     vtkWarningMacro(<< "\"" << format << "\" is not a format for one number, such as \"%.3g\".");
     format.clear();

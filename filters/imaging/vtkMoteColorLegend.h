@@ -86,6 +86,9 @@ public:
   vtkGetMacro(LabelFormat, std::string);
   ///@}
 
+  /** Whether a text is such a format, or empty. */
+  static bool IsLabelFormat(const std::string& text);
+
   ///@{
   /**
    * About how many ticks to aim at, in [2, 20]. Default 5. Fewer if they would collide.

@@ -326,9 +326,11 @@ std::string vtkMoteReaderTable::GetFormatsHelp()
     text += line + format.description + (format.series ? ", a file or a series\n" : "\n");
   }
   return text +
-         "  pump:SCALE  pump:SCALE:PART     a pump of hexahedra that is made; 6.45 million at 1\n"
+         "  pump:SCALE  pump:SCALE:PART     a synthetic pump of hexahedra, no file: 6.45 million "
+         "at "
+         "scale 1\n"
          "  lattice:N  random:N:R  varied:N\n" +
-         std::string(32, ' ') + "particles that are made: a lattice, or at random\n";
+         std::string(32, ' ') + "synthetic particles, no file: N of them, of radius R\n";
 }
 
 void vtkMoteReaderTable::PrintSelf(ostream& os, vtkIndent indent)

@@ -98,7 +98,7 @@ public:
   ///@{
   /**
    * Whether particles whose maps vary little have smaller ones, and fewer rays, and the error that
-   * the smaller may have, as a share of the brightest sky. On; 0.01.
+   * the smaller may have, as a share of the brightest sky. On; 0.005.
    */
   vtkSetMacro(Adaptive, vtkTypeBool);
   vtkGetMacro(Adaptive, vtkTypeBool);

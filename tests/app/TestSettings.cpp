@@ -2,6 +2,7 @@
 
 #include <settings/History.h>
 #include <table/CommandLine.h>
+#include <table/Keys.h>
 #include <table/Row.h>
 #include <table/Session.h>
 
@@ -14,6 +15,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <numbers>
 #include <random>
 #include <set>
 
@@ -29,7 +31,7 @@ std::vector<std::string> sampleOf(const Row& row)
     {"step", {"3"}},
     {"color-by", {"v:magnitude"}},
     {"range", {"-1.5", "2e-05"}},
-    {"show", {"x=0:10", "type=2", "c_pe=:-3.25"}},
+    {"show", {"x=0:10", "type=2,4:5,8:", "c_pe=:-3.25"}},
     {"show-range", {"1", "10"}},
     {"show-by", {"it's an array"}},
     {"radius", {"0.1"}},
@@ -114,8 +116,9 @@ TEST_F(SettingsTable, HasANameAndHelpForEveryRow)
     EXPECT_FALSE(row.help.ends_with('.')) << row.name;
     EXPECT_EQ(row.value.empty(), row.shape == Shape::Flag) << row.name;
     EXPECT_EQ(rowNamed(row.name), &row);
-    for (const std::string& other : {row.needs, row.excludes})
-      EXPECT_TRUE(other.empty() || rowNamed(other)) << row.name;
+    EXPECT_TRUE(row.needs.empty() || rowNamed(row.needs)) << row.name;
+    for (const std::string& other : row.excludes)
+      EXPECT_TRUE(rowNamed(other)) << row.name;
   }
   EXPECT_EQ(rowNamed("no-such-row"), nullptr);
 }
@@ -171,6 +174,17 @@ TEST_F(SettingsTable, EveryRowGoesThroughASession)
   }
 }
 
+TEST_F(SettingsTable, NumbersOfAnySizeGoThroughASession)
+{
+  for (const double value : {1e300, -1e300, 9007199254740993.0, -3.0, 0.1, 5e-324})
+  {
+    Settings settings;
+    settings.data.files = {data()};
+    settings.volume.isoValues = {value};
+    EXPECT_EQ(parseSession(sessionText(settings, session), session), settings) << value;
+  }
+}
+
 TEST_F(SettingsTable, HelpSpeaksOfEveryRow)
 {
   CLI::App app;
@@ -205,21 +219,38 @@ TEST_F(SettingsTable, WrongValuesAreRefused)
         return !wrong.sentence.empty() && settings == Settings{};
       }
     };
-    if (row.numeric)
-      for (const char* word : {"nan", "inf", "x", "", "1 2"})
-        EXPECT_TRUE(refuses({word})) << row.name << " takes " << word;
+    for (const char* word : {"nan", "inf", "x", "", "1 2"})
+    {
+      EXPECT_TRUE(!row.numeric || refuses({word})) << row.name << " takes " << word;
+    }
     if (row.limits.aboveZero && row.numeric)
+    {
       EXPECT_TRUE(refuses({"0"})) << row.name;
+    }
     if (std::isfinite(row.limits.least))
+    {
       EXPECT_TRUE(refuses({exactText(row.limits.least - 1.0)})) << row.name;
+    }
     if (std::isfinite(row.limits.most))
+    {
       EXPECT_TRUE(refuses({exactText(row.limits.most + 1.0)})) << row.name;
+    }
     if (!row.words.empty())
+    {
       EXPECT_TRUE(refuses({"no-such-word"})) << row.name;
+    }
+    if (!row.words.empty() && row.get(Settings{}).front() != "")
+    {
+      EXPECT_TRUE(refuses({""})) << row.name;
+    }
     if (row.shape == Shape::Flag)
+    {
       EXPECT_TRUE(refuses({"maybe"})) << row.name;
+    }
     if (row.shape == Shape::One)
+    {
       EXPECT_TRUE(refuses({"1", "2"})) << row.name;
+    }
   }
 }
 
@@ -347,6 +378,56 @@ TEST_F(SettingsTable, TheCommandLineOverrulesASession)
   EXPECT_EQ(all.camera.view, "+x");
   EXPECT_TRUE(all.camera.camera.empty()) << "a side stands in place of the session's camera";
   EXPECT_EQ(all.data.files, std::vector<std::string>{data()});
+}
+
+TEST_F(SettingsTable, AnotherProjectionKeepsTheSizeOfASessionsView)
+{
+  Settings settings;
+  settings.data.files = {data()};
+  settings.camera.camera = {0, 0, 10, 0, 0, 0, 0, 1, 0, 30};
+  writeSession(settings, session);
+  CLI::App app;
+  GivenSettings given;
+  addAllSettings(app, given);
+  std::vector<std::string> words = {"--orthographic", session};
+  app.parse(words);
+  const Settings all = given.resolved();
+  EXPECT_TRUE(all.camera.orthographic);
+  EXPECT_DOUBLE_EQ(all.camera.camera.at(9), 10.0 * std::tan(std::numbers::pi / 12.0));
+}
+
+TEST_F(SettingsTable, KeysNameRowsThatChange)
+{
+  int bound = 0;
+  for (int c = 32; c < 127; ++c)
+  {
+    const Binding& binding = bindingOf(std::string(1, static_cast<char>(c)));
+    if (binding.row.empty())
+      continue;
+    const Row* row = rowNamed(binding.row);
+    ASSERT_NE(row, nullptr) << binding.row;
+    ++bound;
+    Settings settings;
+    if (binding.action == Action::Set)
+    {
+      EXPECT_NO_THROW(row->set(settings, {binding.value})) << binding.row;
+    }
+    else if (binding.action == Action::Next && binding.row != "color-by" &&
+             binding.row != "background")
+    {
+      row->goOn(settings, Settings{});
+      EXPECT_NE(settings, Settings{}) << binding.row;
+      // The values come round.
+      std::vector<Settings> seen;
+      while (std::find(seen.begin(), seen.end(), settings) == seen.end())
+      {
+        seen.push_back(settings);
+        ASSERT_LE(seen.size(), std::max<std::size_t>(4, row->words.size())) << binding.row;
+        row->goOn(settings, Settings{});
+      }
+    }
+  }
+  EXPECT_GT(bound, 20);
 }
 
 TEST(SettingsHistory, GoesBackAndForth)

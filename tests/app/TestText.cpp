@@ -32,10 +32,3 @@ TEST(Text, NumbersAreReadWhole)
   for (const char* text : {"", " 1", "1x", "nan", "inf", "radius", "--"})
     EXPECT_FALSE(parseNumber(text, value)) << text;
 }
-
-TEST(Text, Json)
-{
-  EXPECT_EQ(jsonString("a\"b\\\n"), "\"a\\\"b\\\\\\u000a\"");
-  EXPECT_EQ(jsonNumber(0.5), "0.5");
-  EXPECT_EQ(jsonNumber(1.0 / 0.0), "null");
-}

@@ -68,7 +68,7 @@ case $3 in
     misused render "$hopper" -o a.png --show id=2:1
     said err 'LO must not be greater than HI'
     misused render "$hopper" -o a.png --show id=1:2 --show id=3:4
-    said err 'two ranges'
+    said err 'given twice'
     misused render "$hopper" -o a.png --show a=1 --show b=1 --show c=1 --show d=1 --show e=1 \
       --show f=1 --show g=1 --show h=1 --show i=1
     said err 'at most eight'

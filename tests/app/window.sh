@@ -48,30 +48,7 @@ untitled() {
 
 # many_particles FILE: eight million in a cube, in the order of a simulation.
 many_particles() {
-  python3 - "$1" <<'END'
-import array, struct, sys
-side = 200
-n = side ** 3
-row = array.array("f", [0.0] * (3 * side))
-row[0::3] = array.array("f", range(side))
-with open(sys.argv[1], "wb") as f:
-    f.write(f'''<?xml version="1.0"?>
-<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64"><PolyData>
-<Piece NumberOfPoints="{n}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="0">
-<PointData><DataArray type="Float32" Name="height" format="appended" offset="{8 + 12 * n}"/></PointData>
-<Points><DataArray type="Float32" NumberOfComponents="3" Name="Points" format="appended" offset="0"/></Points>
-</Piece></PolyData><AppendedData encoding="raw">_'''.encode())
-    f.write(struct.pack("<Q", 12 * n))
-    for z in range(side):
-        row[2::3] = array.array("f", [z] * side)
-        for y in range(side):
-            row[1::3] = array.array("f", [y] * side)
-            row.tofile(f)
-    f.write(struct.pack("<Q", 4 * n))
-    for z in range(side):
-        array.array("f", [z] * (side * side)).tofile(f)
-    f.write(b"</AppendedData></VTKFile>")
-END
+  python3 "$tests/many_particles.py" "$1"
 }
 
 saved=0
@@ -146,6 +123,31 @@ case $3 in
       picture redone.png
       alike "$later.png" redone.png
     done
+    quit
+    # A view that chose itself is gone back to as it was, at another time step too.
+    open "$data/hopper.dump.gz" --size 320x240 --samples 2
+    press Home
+    picture first.png
+    press x
+    picture side.png
+    differ first.png side.png
+    press ctrl+z
+    picture undone.png
+    alike first.png undone.png
+    press ctrl+y ctrl+z
+    picture undone.png
+    alike first.png undone.png
+    quit
+    # Arrays come round under --log, and a range is that of its array.
+    open "$copper" --size 320x240 --samples 2 --color-by c_centro --range 1 20 --log
+    picture asked.png
+    for _ in 1 2 3 4; do
+      press c
+      picture other.png
+      cmp -s asked.png other.png && break
+      differ asked.png other.png
+    done
+    alike asked.png other.png
     quit
     ;;
 

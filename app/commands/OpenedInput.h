@@ -1,0 +1,30 @@
+#pragma once
+
+#include "base/ProgressRelay.h"
+#include "stage/Input.h"
+
+namespace mote::app
+{
+
+/// The files of a command, opened, with its progress on the terminal. Throws Failure and
+/// Interrupted.
+struct OpenedInput
+{
+  explicit OpenedInput(const Settings& settings)
+    : input(settings.data.files)
+  {
+    progress.add(terminal);
+    input.open(progress);
+    step = input.chosenStep(settings);
+  }
+
+  /// The data sets of the step that was asked for.
+  std::vector<NamedData> read() { return input.read(step, progress); }
+
+  TerminalProgress terminal;
+  ProgressRelay progress;
+  Input input;
+  int step = 0;
+};
+
+} // namespace mote::app

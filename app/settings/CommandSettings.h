@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+// What commands may be told besides the settings of the picture. No session keeps it.
+
+namespace mote::app
+{
+
+/// What is written, and where.
+struct OutputSettings
+{
+  std::string file;      ///< empty: as the command has it
+  std::string session;   ///< file for a session; empty: none, or the window's choice
+  bool allSteps = false; ///< a picture of every time step
+  bool json = false;
+  std::string memory;  ///< "4G"; empty: half of the machine's
+  bool preview = true; ///< in the window, of large sets until they are built
+  bool operator==(const OutputSettings&) const = default;
+};
+
+/// Of `mote average`.
+struct AverageSettings
+{
+  std::string array;
+  int resolution = 200;             ///< bins along the longer edge
+  std::vector<double> axis, origin; ///< three each, or none: as the data say
+  bool operator==(const AverageSettings&) const = default;
+};
+
+/// Of `mote bake`; see vtkMoteAmbientOcclusionBaker.
+struct BakeSettings
+{
+  int side = 16;               ///< texels of the largest maps
+  int samples = 49;            ///< rays a texel
+  double tolerance = 0.005;    ///< of smaller maps; 0: all maps have the same size
+  std::optional<double> reach; ///< none: choose
+  bool operator==(const BakeSettings&) const = default;
+};
+
+/// Of `mote probe`.
+struct ProbeSettings
+{
+  std::vector<double> from, to; ///< three each
+  int points = 101;
+  bool operator==(const ProbeSettings&) const = default;
+};
+
+/// Of `mote silhouettes`; see vtkMoteSilhouetteFilter.
+struct DepthImageSettings
+{
+  std::string depth; ///< channel or array; empty: choose
+  int reduction = 1;
+  bool linesAlone = false;
+  double viewAngle = 30.0;
+  std::optional<double> height; ///< of an orthographic view, in world units
+  bool alongRays = false;
+  std::optional<double> farDepth;
+  bool operator==(const DepthImageSettings&) const = default;
+};
+
+} // namespace mote::app

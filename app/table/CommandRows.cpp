@@ -1,0 +1,320 @@
+// What commands may be told besides the settings of the picture.
+
+#include "Table.h"
+
+#include "base/Text.h"
+#include "stage/Silhouettes.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+
+namespace mote::app
+{
+
+namespace
+{
+
+using Rows = std::vector<Row>;
+constexpr auto output = &Settings::output;
+
+Row outputRow(const std::string& command, const std::string& help, bool required)
+{
+  return row(output, &OutputSettings::file,
+    {.group = "Output",
+      .name = "output",
+      .value = "FILE",
+      .help = help,
+      .alias = "-o",
+      .command = command,
+      .required = required});
+}
+
+Row sessionRow(const std::string& command)
+{
+  return row(output, &OutputSettings::session,
+    {.group = "Output",
+      .name = "save-session",
+      .value = "FILE",
+      .help = "Write all of this as a session, .json, which mote and mote render open as they do "
+              "data",
+      .command = command});
+}
+
+void addPictureCommands(Rows& table)
+{
+  table.push_back(sessionRow("mote"));
+  table.push_back(row(output, &OutputSettings::preview,
+    {.group = "Output",
+      .name = "preview",
+      .help = "Show nothing before the structure is built. Else large sets begin with a preview: "
+              "a part of the particles, enlarged, and a line that says so",
+      .command = "mote"}));
+  table.push_back(outputRow("render",
+    "Picture to write: .png, .jpg or .tif; or .exr with colour, depth, normal and particle id, the "
+    "background transparent",
+    true));
+  table.push_back(row(output, &OutputSettings::allSteps,
+    {.group = "Output",
+      .name = "all-steps",
+      .help = "Write one picture per time step: out.png gives out.0001.png, out.0002.png ... All "
+              "have the frame of the last step and one range of colours; unless --range gives it, "
+              "the steps are read twice to find it",
+      .excludes = {"step", "time"},
+      .command = "render"}));
+  table.push_back(sessionRow("render"));
+}
+
+void addInfo(Rows& table)
+{
+  table.push_back(row(output, &OutputSettings::json,
+    {.group = "Output",
+      .name = "json",
+      .help = "Print a JSON array, one object a data set, instead",
+      .command = "info"}));
+}
+
+void addConvert(Rows& table)
+{
+  table.push_back(row<OutputSettings, std::string>(output, &OutputSettings::memory,
+    {.group = "Conversion",
+      .name = "memory",
+      .value = "SIZE",
+      .help = "Memory for particles, such as 500M or 4G; a bare number is bytes. What does not fit "
+              "goes to scratch files beside the output, which are gone at the end",
+      .usual = "half of the machine's",
+      .command = "convert"},
+    [](const std::string& text)
+    {
+      if (!text.empty() && bytesOf(text) == 0)
+        throw WrongValue{"'" + text + "' is no size above zero such as 500M or 4G"};
+    }));
+}
+
+void addAverage(Rows& table)
+{
+  const std::string group = "Averaging", command = "average";
+  const auto average = &Settings::average;
+  table.push_back(row(average, &AverageSettings::array,
+    {.group = group,
+      .name = "array",
+      .value = "NAME",
+      .help = "Array to average, on points or cells: of numbers, or of vectors, of which the parts "
+              "along axis, radius and circumference are averaged",
+      .alias = "-a",
+      .command = command,
+      .required = true}));
+  table.push_back(outputRow(command,
+    "Table to write, .csv, or picture, .png, .jpg, .tif or .exr, in which the axis goes to the "
+    "right and "
+    "the radius upwards. By default the table goes to standard output",
+    false));
+  table.push_back(row(average, &AverageSettings::resolution,
+    {.group = group,
+      .name = "resolution",
+      .value = "N",
+      .help = "Bins along the longer edge",
+      .limits = {.least = 1, .most = 4096},
+      .command = command}));
+  table.push_back(row(average, &AverageSettings::axis,
+    {.group = group,
+      .name = "axis",
+      .value = "X,Y,Z",
+      .help = "Direction of the axis",
+      .count = 3,
+      .usual = "what the data say, else z",
+      .command = command}));
+  table.push_back(row(average, &AverageSettings::origin,
+    {.group = group,
+      .name = "origin",
+      .value = "X,Y,Z",
+      .help = "A point of the axis",
+      .count = 3,
+      .usual = "what the data say, else 0,0,0",
+      .command = command}));
+}
+
+void addBake(Rows& table)
+{
+  const std::string group = "Baking", command = "bake";
+  const auto bake = &Settings::bake;
+  table.push_back(outputRow(command,
+    "File to write, .moteao. By default FILE.moteao, or FILE.STEP.moteao where FILE has several "
+    "time steps, which is where mote looks for it",
+    false));
+  table.push_back(row<BakeSettings, int>(bake, &BakeSettings::side,
+    {.group = group,
+      .name = "side",
+      .value = "N",
+      .help = "Texels along a side of the largest maps: 1, 2, 4, 8, 16 or 32",
+      .limits = {.least = 1, .most = 32},
+      .command = command},
+    [](int side)
+    {
+      if ((side & (side - 1)) != 0)
+        throw WrongValue{"must be 1, 2, 4, 8, 16 or 32, not " + std::to_string(side)};
+    }));
+  table.push_back(row(bake, &BakeSettings::samples,
+    {.group = group,
+      .name = "samples",
+      .value = "N",
+      .help = "Occlusion rays per texel",
+      .limits = {.least = 1, .most = 65536},
+      .command = command}));
+  table.push_back(row(bake, &BakeSettings::reach,
+    {.group = group,
+      .name = "occlusion-reach",
+      .value = "R",
+      .help = "How far rays go, in the data's units: what is farther away darkens nothing",
+      .limits = {.aboveZero = true},
+      .usual = "a tenth of the data's longest side",
+      .command = command}));
+  table.push_back(row(bake, &BakeSettings::tolerance,
+    {.group = group,
+      .name = "tolerance",
+      .value = "E",
+      .help = "Error that a particle's smaller map may have, as a share of the light of the sky; 0 "
+              "gives all maps the same size",
+      .limits = {.least = 0.0, .most = 1.0},
+      .command = command}));
+}
+
+void addProbe(Rows& table)
+{
+  const std::string group = "Line", command = "probe";
+  const auto probe = &Settings::probe;
+  table.push_back(row(probe, &ProbeSettings::from,
+    {.group = group,
+      .name = "from",
+      .value = "X,Y,Z",
+      .help = "Where the line begins",
+      .count = 3,
+      .command = command,
+      .required = true}));
+  table.push_back(row(probe, &ProbeSettings::to,
+    {.group = group,
+      .name = "to",
+      .value = "X,Y,Z",
+      .help = "Where it ends",
+      .count = 3,
+      .command = command,
+      .required = true}));
+  table.push_back(row(probe, &ProbeSettings::points,
+    {.group = group,
+      .name = "points",
+      .value = "N",
+      .help = "Points along the line, its ends included",
+      .limits = {.least = 2, .most = 1000000},
+      .command = command}));
+  table.push_back(outputRow(
+    command, "Table to write, as comma-separated values; standard output by default", false));
+}
+
+/// Why the text is no length nor percentage.
+std::string checkLength(const std::string& text)
+{
+  const bool isWord = text == "on" || text == "off" || text == "auto";
+  if (!isWord && checkLines(text).empty())
+    return {};
+  return "'" + text + "' is neither a length such as 2.5 nor a percentage such as 1%";
+}
+
+void addDepth(Rows& table)
+{
+  const std::string group = "Depth", command = "silhouettes";
+  const auto image = &Settings::depthImage;
+  table.push_back(row(image, &DepthImageSettings::depth,
+    {.group = group,
+      .name = "depth",
+      .value = "NAME",
+      .help = "Channel of the depths, as vtkMoteImageReader names it",
+      .usual = "depth, which is Z in the file, or the only channel",
+      .command = command}));
+  table.push_back(row(image, &DepthImageSettings::viewAngle,
+    {.group = group,
+      .name = "view-angle",
+      .value = "A",
+      .help = "Angle between bottom and top, in degrees",
+      .limits = {.least = 1e-6, .most = 179.0},
+      .command = command}));
+  table.push_back(row(image, &DepthImageSettings::alongRays,
+    {.group = group,
+      .name = "along-rays",
+      .help = "Depths are distances from the eye, and not along the view axis",
+      .command = command}));
+  table.push_back(row(image, &DepthImageSettings::height,
+    {.group = group,
+      .name = "orthographic",
+      .value = "HEIGHT",
+      .help = "The view is orthographic and so high, in world units",
+      .limits = {.aboveZero = true},
+      .usual = "perspective",
+      .excludes = {"view-angle", "along-rays"},
+      .command = command}));
+  table.push_back(row(image, &DepthImageSettings::farDepth,
+    {.group = group,
+      .name = "far",
+      .value = "D",
+      .help = "Depths from here on are background, as those that are not finite are anyway",
+      .limits = {.aboveZero = true},
+      .usual = "none",
+      .command = command}));
+}
+
+void addSilhouettesCommand(Rows& table)
+{
+  const std::string command = "silhouettes";
+  const auto image = &Settings::depthImage;
+  table.push_back(
+    outputRow(command, "Picture to write: .png, .jpg, .tif or .exr; with lines drawn", true));
+  table.push_back(
+    row<SilhouetteSettings, std::string>(&Settings::silhouettes, &SilhouetteSettings::lines,
+      {.group = "Silhouettes",
+        .name = "threshold",
+        .value = "STEP",
+        .help = "Least step of depth that is drawn: a length in world units, or with % a share of "
+                "the diagonal of what the image shows",
+        .usual = "1%",
+        .command = command},
+      refusing(checkLength)));
+  table.push_back(row(image, &DepthImageSettings::reduction,
+    {.group = "Output",
+      .name = "reduce",
+      .value = "N",
+      .help = "Make one pixel of a square of N times N, for smooth lines from a larger image",
+      .limits = {.least = 1, .most = 64},
+      .command = command}));
+  table.push_back(row(image, &DepthImageSettings::linesAlone,
+    {.group = "Output",
+      .name = "lines-only",
+      .help = "Draw on white, and not over the image's colours",
+      .command = command}));
+  addDepth(table);
+}
+
+} // namespace
+
+std::uint64_t bytesOf(const std::string& text)
+{
+  std::uint64_t bytes = 0;
+  std::string size = text;
+  // It turns the text into one without a unit, or says why not.
+  if (!CLI::AsSizeValue(false)(size).empty() || !CLI::detail::lexical_cast(size, bytes))
+    return 0;
+  return bytes;
+}
+
+const std::vector<Row>& commandTable()
+{
+  static const Rows table = []
+  {
+    Rows rows;
+    for (const auto add : {addPictureCommands, addConvert, addInfo, addAverage,
+           addSilhouettesCommand, addBake, addProbe})
+      add(rows);
+    return rows;
+  }();
+  return table;
+}
+
+} // namespace mote::app

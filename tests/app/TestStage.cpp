@@ -1,0 +1,156 @@
+// The stage follows settings by value: what does not change is not touched.
+
+#include <stage/Stage.h>
+
+#include <gtest/gtest.h>
+#include <vtkFloatArray.h>
+#include <vtkIntArray.h>
+#include <vtkLookupTable.h>
+#include <vtkMath.h>
+#include <vtkMoteParticleMapper.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+using namespace mote::app;
+
+namespace
+{
+
+vtkSmartPointer<vtkPolyData> typedParticles(int count)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkIntArray> types;
+  types->SetName("type");
+  for (int i = 0; i < count; ++i)
+  {
+    points->InsertNextPoint(vtkMath::Random(), vtkMath::Random(), 10.0 + i);
+    types->InsertNextValue(1 + i % 3);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->GetPointData()->AddArray(types);
+  return data;
+}
+
+class StageTest : public testing::Test
+{
+protected:
+  StageTest()
+  {
+    settings.data.files = {"particles"};
+    settings.particles.typeRadius = {{1, 0.1}, {2, 0.2}};
+  }
+
+  /// A stage of `data` with these settings, built.
+  Stage& show(vtkPolyData* data)
+  {
+    stage = std::make_unique<Stage>(settings);
+    stage->setData({{"particles", data, "particles"}});
+    stage->build(progress);
+    stage->applyColors();
+    return *stage;
+  }
+  std::vector<double> range() const
+  {
+    const double* ends = stage->coloring().table()->GetTableRange();
+    return {ends[0], ends[1]};
+  }
+  vtkMoteParticleMapper* mapper() const { return stage->parts().front()->particles(); }
+
+  Settings settings;
+  ProgressRelay progress;
+  std::unique_ptr<Stage> stage;
+};
+
+} // namespace
+
+TEST_F(StageTest, CameraAndPictureLeaveTheMapperAlone)
+{
+  this->show(typedParticles(100));
+  const vtkMTimeType before = mapper()->GetMTime();
+  settings.camera.camera = {0, 0, 10, 0, 0, 0, 0, 1, 0, 30};
+  EXPECT_FALSE(stage->apply(settings));
+  settings.picture.legend = false;
+  settings.picture.background = {{1.0, 1.0, 1.0}};
+  EXPECT_FALSE(stage->apply(settings));
+  settings.light.shadows = "soft";
+  settings.silhouettes.lines = "on";
+  EXPECT_FALSE(stage->apply(settings));
+  EXPECT_EQ(mapper()->GetMTime(), before);
+  settings.particles.radiusScale = 2.0;
+  EXPECT_TRUE(stage->apply(settings));
+  EXPECT_GT(mapper()->GetMTime(), before);
+}
+
+TEST_F(StageTest, CoordinatesColourWithoutAnotherStructure)
+{
+  const auto data = typedParticles(100);
+  settings.color.array = "none";
+  this->show(data);
+  EXPECT_EQ(mapper()->GetNumberOfBuilds(), 1);
+  settings.color.array = "z";
+  stage->apply(settings);
+  mapper()->Update();
+  EXPECT_EQ(mapper()->GetNumberOfBuilds(), 1);
+  EXPECT_EQ(stage->settingsInForce().color.array, "z");
+  EXPECT_EQ(range(), (std::vector<double>{10.0, 109.0}));
+  vtkDataArray* array = data->GetPointData()->GetArray("z");
+  ASSERT_NE(array, nullptr);
+  EXPECT_EQ(array->GetTuple1(7), 17.0);
+}
+
+TEST_F(StageTest, AnArrayOfThatNameComesFirst)
+{
+  const auto data = typedParticles(10);
+  vtkNew<vtkFloatArray> own;
+  own->SetName("x");
+  for (int i = 0; i < 10; ++i)
+    own->InsertNextValue(static_cast<float>(100 * i));
+  data->GetPointData()->AddArray(own);
+  settings.color.array = "x";
+  this->show(data);
+  EXPECT_EQ(range(), (std::vector<double>{0.0, 900.0}));
+}
+
+TEST_F(StageTest, TypesKeepTheirColoursOverTimeSteps)
+{
+  const auto first = typedParticles(9), second = typedParticles(9);
+  for (int i = 0; i < 9; ++i)
+    second->GetPointData()->GetArray("type")->SetTuple1(i, i % 2 == 0 ? 3 : 7);
+  this->show(first);
+  EXPECT_TRUE(stage->settingsInForce().color.types.empty()) << "what a fresh look finds, too";
+  stage->setData({{"particles", second, "particles"}});
+  stage->build(progress);
+  stage->applyColors();
+  EXPECT_EQ(stage->settingsInForce().color.types, (std::vector<int>{1, 2, 3, 7}));
+  // Who opens the session at that step sees the same colours.
+  const Settings kept = stage->settingsInForce();
+  settings = kept;
+  this->show(second);
+  EXPECT_EQ(stage->settingsInForce().color.types, kept.color.types);
+  settings.color.types = {7, 3};
+  this->show(first);
+  EXPECT_EQ(stage->settingsInForce().color.types, (std::vector<int>{7, 3}));
+}
+
+TEST_F(StageTest, RangesAreSaidWhereOtherTimeStepsHaveWidenedThem)
+{
+  settings.color.array = "z";
+  this->show(typedParticles(100));
+  EXPECT_TRUE(stage->settingsInForce().color.range.empty()) << "what a fresh look finds, too";
+  stage->setData({{"particles", typedParticles(10), "particles"}});
+  stage->build(progress);
+  stage->applyColors();
+  EXPECT_EQ(stage->settingsInForce().color.range, (std::vector<double>{10.0, 109.0}));
+}
+
+TEST_F(StageTest, UnionsOfValuesAreShown)
+{
+  settings.selection.ranges = {{"type", {{1, 1}, {3, 3}}}};
+  this->show(typedParticles(99));
+  EXPECT_EQ(stage->numberShown(), 66);
+  settings.selection.ranges = {{"type", {{2, 2}}}};
+  stage->apply(settings);
+  EXPECT_EQ(stage->numberShown(), 33);
+}

@@ -1,0 +1,174 @@
+#!/usr/bin/env bash
+# settings.sh MOTE DATA CASE: one test of options, sessions and help. None may need a display.
+tests=$(realpath "$(dirname "$0")")
+source "$tests/common.sh"
+unset DISPLAY
+hopper=$data/hopper.dump.gz
+copper=$data/copper-scratch.dump.gz
+
+case $3 in
+  values) # what options mean
+    run 0 "$mote" render "$hopper" -o a.png --size 160x120 --samples 1 --show type=1,3:4
+    grep -q 'of 5,518 particles shown' out || fail "nothing is hidden"
+    run 0 "$mote" render "$hopper" -o b.png --size 160x120 --samples 1 --show type=2
+    several=$(sed -n 's/.* \([0-9,]*\) of 5,518.*/\1/p' out | tr -d ,)
+    run 0 "$mote" render "$hopper" -o b.png --size 160x120 --samples 1 --show type=1,3,4
+    [ $((5518 - several)) = "$(sed -n 's/.* \([0-9,]*\) of 5,518.*/\1/p' out | tr -d ,)" ] ||
+      fail "the others are not all the rest"
+    cmp a.png b.png || fail "3:4 is not 3,4"
+    run 1 "$mote" render "$hopper" -o b.png --show z=1:2,3:4
+    said err 'takes one range'
+    run 0 "$mote" render "$data/swirl.1.vtu" -o a.png --size 160x120 --samples 1 --color-by p \
+      --show p=:-5e-5,5e-5:
+    run 0 "$mote" render "$data/swirl.1.vtu" -o b.png --size 160x120 --samples 1 --color-by p
+    cmp -s a.png b.png && fail "a volume hides nothing"
+    run 0 "$mote" render "$copper" -o a.png --size 160x120 --samples 1 --color-by z
+    run 0 "$mote" render "$copper" -o b.png --size 160x120 --samples 1 --color-by x
+    cmp -s a.png b.png && fail "x and z look alike"
+    run 0 "$mote" render "$hopper" -o a.png --size 160x120 --samples 1 --color-by type
+    run 0 "$mote" render "$hopper" -o b.png --size 160x120 --samples 1 --color-by type --types 4,3,2,1
+    cmp -s a.png b.png && fail "types keep their colours"
+    run 2 "$mote" render "$hopper" -o b.png --types 1,1
+    run 2 "$mote" render "$hopper" -o b.png --legend-format %s
+    said err '--legend-format'
+    run 1 "$mote" render "$hopper" -o film.mp4
+    one_sentence
+    said err '--all-steps'
+    said err 'ffmpeg'
+    run 1 "$mote" probe "$data/swirl.1.vtu" --from 0,0,0 --to 0,0,1 -o line.png
+    one_sentence
+    said err '.csv'
+    run 1 "$mote" probe "$hopper" --from 0,0,0 --to 0,0,1
+    said err 'holds no cells'
+    run 1 "$mote" average "$data/swirl.1.vtu" -a U -o a.txt
+    said err '.csv'
+    run 1 "$mote" render "$hopper" -o a.png --type-radius 1=2 --radius nix
+    said err "'nix'"
+    run 2 "$mote" silhouettes a.png -o b.png --thickness 0
+    said err '--thickness'
+    grep -q silhouette-thickness err && fail "an option of another command is named"
+    run 0 "$mote" render "$hopper" -o a.png --size 160x120 --size 80x60 --samples 1
+    [ "$(png_size a.png)" = 80x60 ] || fail "the last of two sizes does not count"
+    ;;
+
+  idle) # options that do nothing get a sentence, and a picture all the same
+    idle() {
+      local sentence=$1
+      shift
+      run 0 "$mote" render "$@" -o a.png --size 160x120 --samples 1
+      said err "mote: warning: $sentence"
+      one_sentence
+    }
+    idle '--iso: there is no surface at 77' "$data/swirl.1.vtu" --color-by p --iso 77
+    idle '--shadows, --silhouettes do nothing' "$data/swirl.1.vtu" --shadows soft --silhouettes
+    idle '--ambient-occlusion does nothing' "$data/swirl.1.vtu" --ao live
+    idle 'the options of volumes' "$hopper" --opacity 0%=0.5
+    printf 'x,y,z,v\n0,0,0,-1\n1,1,1,2\n' >signed.csv
+    idle 'the options of volumes' "$hopper" --opacity 0%=0.5
+    idle '--path-trace, --light do nothing' "$data/swirl.1.vtu" --path-trace --light left
+    idle '--structure, --form do nothing' "$data/swirl.1.vtu" --structure pkd-tree --form 4-byte
+    idle '--sample-distance does nothing' "$data/swirl.1.vtu" --sample-distance 0.001
+    idle '--tolerance does nothing' "$data/swirl.1.vtu" --integrator trilinear --tolerance 0.5
+    idle '--no-cloud leaves nothing' "$data/swirl.1.vtu" --no-cloud
+    idle '--range, --title do nothing' "$hopper" --color-by none --range 0 1 --title speed
+    idle '--legend-side does nothing' "$hopper" --no-legend --legend-side left
+    idle '--light-size does nothing' "$hopper" --light-size 60
+    idle '--color-map types does nothing' "$copper" --color-by c_centro --color-map types
+    idle '--log: values at or below 0' signed.csv --color-by v --log
+    ;;
+
+  sessions) # what render saves it renders again, wherever the files go
+    run 0 "$mote" render "$copper" -o a.png --size 320x200 --show c_centro=3: --shadows hard \
+      --silhouettes=3 --save-session s.json
+    run 0 "$mote" render s.json -o b.png
+    cmp a.png b.png || fail "another picture"
+    mkdir moved
+    cp "$copper" moved
+    mv s.json moved
+    sed -i 's|"[^"]*copper|"/gone/copper|' moved/s.json
+    run 0 "$mote" render moved/s.json -o b.png --save-session moved/again.json
+    cmp a.png b.png || fail "another picture after the move"
+    run 0 "$mote" render moved/again.json -o c.png --color-map plasma --size 320x200
+    cmp -s a.png c.png && fail "the command line has no say"
+    rm "moved/$(basename "$copper")"
+    run 1 "$mote" render moved/s.json -o d.png
+    said err 'is not there any more'
+    echo '{"mote-session": 1, "files": ["x"], "light": {"shadow": 1}}' >bad.json
+    run 1 "$mote" render bad.json -o d.png
+    said err bad.json
+    one_sentence
+    run 1 "$mote" render moved/again.json "$copper" -o d.png
+    said err 'give it alone'
+    # A range that mote chose is chosen anew for another array; a switch is turned off.
+    run 0 "$mote" render "$hopper" -o a.png --size 320x200 --log --save-session s.json
+    run 0 "$mote" render s.json -o a.png --color-by type --log=false
+    run 0 "$mote" render "$hopper" -o b.png --size 320x200 --color-by type
+    cmp a.png b.png || fail "the range of one array colours another"
+    # Other commands read a session's data, too.
+    run 0 "$mote" info s.json
+    said out '5,518 points'
+    # Nothing is overwritten, and what cannot be written is told before any work.
+    cp "$hopper" mine.dump.gz
+    run 1 "$mote" render mine.dump.gz -o a.png --save-session mine.dump.gz
+    said err '.json'
+    cmp mine.dump.gz "$hopper" || fail "the data are gone"
+    rm a.png
+    run 1 "$mote" render "$hopper" -o a.png --save-session no/folder/s.json
+    one_sentence
+    [ ! -e a.png ] || fail "a picture before the sentence"
+    : >empty.json
+    run 1 "$mote" render empty.json -o a.png
+    said err 'empty'
+    run 1 "$mote" render missing.json -o a.png
+    said err 'there is no such file'
+    ;;
+
+  topics) # help about a group, an option, the keys; the reference is what the table says
+    for topic in data colour selection radius structure volume camera light silhouettes picture \
+      keys formats shadows legend no-cloud color bake render probe \
+      --range -c ao save-session all-steps; do
+      run 0 "$mote" help "$topic"
+      [ "$(wc -l <out)" -ge 2 ] || fail "little help about $topic"
+    done
+    run 0 "$mote" help
+    said out silhouettes
+    run 1 "$mote" help nonsense
+    said err selection
+    run 0 "$mote" help --format markdown
+    cmp out "$(dirname "$data")/docs/settings.md" ||
+      fail "docs/settings.md is not what mote help --format markdown prints"
+    run 0 "$mote" help --format man
+    sed 's/\\-/-/g' out >page
+    for text in --all-steps --memory --tolerance 'Values: auto, volume, surface' lattice 'EXIT STATUS'; do
+      said page "$text"
+    done
+    if command -v man >/dev/null; then
+      man -l --warnings out >/dev/null 2>err
+      [ ! -s err ] || { cat err; fail "the manual page is ill"; }
+    fi
+    run 0 "$mote" help --format bash
+    bash -n out || fail "the completion is no bash"
+    source out
+    COMP_WORDS=(mote render --shad) COMP_CWORD=2
+    _mote
+    [ "${COMPREPLY[*]}" = --shadows ] || fail "completed to ${COMPREPLY[*]}"
+    COMP_WORDS=(mote render --cells s) COMP_CWORD=3
+    _mote
+    [ "${COMPREPLY[*]}" = surface ] || fail "completed to ${COMPREPLY[*]}"
+    : >'my run.dump'
+    COMP_WORDS=(mote render my) COMP_CWORD=2
+    _mote
+    [ "${COMPREPLY[0]}" = 'my run.dump' ] || fail "completed to ${COMPREPLY[*]}"
+    # A disk that is full is told of, and so is a command that is none.
+    for words in help "help data" --help --version; do
+      "$mote" $words >/dev/full 2>err && fail "$words to a full disk went unnoticed"
+      one_sentence
+    done
+    run 2 "$mote" rendr "$hopper" -o a.png
+    said err "'rendr'"
+    said err 'render, '
+    ;;
+
+  *) fail "no such case: $3" ;;
+esac
+echo "$3: passed"
