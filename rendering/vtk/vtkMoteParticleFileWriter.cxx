@@ -12,6 +12,7 @@
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
+#include "vtkGarbageCollector.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -85,6 +86,13 @@ int vtkMoteParticleFileWriter::FillInputPortInformation(int, vtkInformation* inf
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
+}
+
+void vtkMoteParticleFileWriter::ReportReferences(vtkGarbageCollector* collector)
+{
+  this->Superclass::ReportReferences(collector);
+  // It has the same input: without this the two would keep that alive for ever.
+  vtkGarbageCollectorReport(collector, this->Mapper, "Mapper");
 }
 
 void vtkMoteParticleFileWriter::SetMapper(vtkMoteParticleMapper* mapper)

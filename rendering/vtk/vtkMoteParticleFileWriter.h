@@ -78,6 +78,7 @@ protected:
   vtkMoteParticleFileWriter();
   ~vtkMoteParticleFileWriter() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  void ReportReferences(vtkGarbageCollector* collector) override;
   void WriteData() override {}
 
   char* FileName = nullptr;
