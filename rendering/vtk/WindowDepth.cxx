@@ -13,6 +13,9 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace mote
 {
 
@@ -20,13 +23,33 @@ std::vector<float> WindowDepth::resampled(int newWidth, int newHeight) const
 {
   if (newWidth == width && newHeight == height)
     return distances;
-  const auto place = [](int pixel, int count, int newCount)
-  { return static_cast<std::size_t>((pixel + 0.5) * count / newCount); };
-  std::vector<float> samples;
-  samples.reserve(static_cast<std::size_t>(newWidth) * newHeight);
-  for (int y = 0; y < newHeight; ++y)
-    for (int x = 0; x < newWidth; ++x)
-      samples.push_back(distances[place(y, height, newHeight) * width + place(x, width, newWidth)]);
+  // The pixels that another one covers; of an image that is not coarser, the one at its middle.
+  const auto spanOf = [](int pixel, int count, int newCount)
+  {
+    const auto at = [&](double p) { return static_cast<int>(p * count / newCount); };
+    return newCount < count ? std::pair(at(pixel), at(pixel + 1))
+                            : std::pair(at(pixel + 0.5), at(pixel + 0.5) + 1);
+  };
+  std::vector<float> samples(static_cast<std::size_t>(newWidth) * newHeight);
+  tbb::parallel_for(0, newHeight,
+    [&](int y)
+    {
+      std::vector<float> block;
+      const auto [y0, y1] = spanOf(y, height, newHeight);
+      for (int x = 0; x < newWidth; ++x)
+      {
+        const auto [x0, x1] = spanOf(x, width, newWidth);
+        block.clear();
+        for (int row = y0; row < y1; ++row)
+        {
+          const float* from = distances.data() + static_cast<std::size_t>(row) * width;
+          block.insert(block.end(), from + x0, from + x1);
+        }
+        const auto middle = block.begin() + static_cast<std::ptrdiff_t>(block.size() / 2);
+        std::nth_element(block.begin(), middle, block.end());
+        samples[static_cast<std::size_t>(y) * newWidth + x] = *middle;
+      }
+    });
   return samples;
 }
 

@@ -24,7 +24,8 @@ struct WindowDepth
   std::vector<float> distances;
   ContentHash hash; ///< of the distances
 
-  /// The distances at the middles of the pixels of an image of another size over the same viewport.
+  /// The distances for the pixels of an image of another size over the same viewport: of the pixels
+  /// that one covers the median, the farther of two. A thin line in front ends no coarse pixel.
   std::vector<float> resampled(int newWidth, int newHeight) const;
 };
 
