@@ -141,12 +141,16 @@ void adviseOnValues(const Stage& stage, std::vector<std::string>& advice)
 {
   const Settings& settings = stage.settings();
   double range[2] = {0.0, 0.0};
+  const bool isVolume = has(stage, Part::Kind::Volume);
   // The range takes a look at every value.
-  if ((settings.volume.isoValues.empty() && !settings.color.logarithmic) || !rangeOf(stage, range))
+  if ((!isVolume && !settings.color.logarithmic) || !rangeOf(stage, range))
     return;
+  if (isVolume && range[0] == range[1])
+    advice.push_back(stage.coloring().title() + " is " + asNumber(range[0]) +
+                     " everywhere, so the volume has one colour");
   const std::string whole =
     stage.coloring().title() + " goes from " + asNumber(range[0]) + " to " + asNumber(range[1]);
-  if (has(stage, Part::Kind::Volume))
+  if (isVolume)
     for (const double value : settings.volume.isoValues)
       if (value < range[0] || value > range[1])
         advice.push_back("--iso: there is no surface at " + asNumber(value) + "; " + whole);

@@ -90,20 +90,9 @@ int componentOf(vtkDataArray* array, const std::string& text)
 template <class Visit>
 void forEachValue(vtkDataArray* array, int component, const Visit& visit)
 {
-  const int components = array->GetNumberOfComponents();
   const vtkIdType tuples = array->GetNumberOfTuples();
   for (vtkIdType i = 0; i < tuples; ++i)
-  {
-    if (component != ArrayChoice::magnitude || components == 1)
-    {
-      visit(array->GetComponent(i, std::max(component, 0)));
-      continue;
-    }
-    double square = 0.0;
-    for (int c = 0; c < components; ++c)
-      square += array->GetComponent(i, c) * array->GetComponent(i, c);
-    visit(std::sqrt(square));
-  }
+    visit(valueOf(array, component, i));
 }
 
 ArrayChoice findAmong(
@@ -247,6 +236,17 @@ bool isText(vtkDataSet* data, const std::string& name)
       return true;
   }
   return false;
+}
+
+double valueOf(vtkDataArray* array, int component, vtkIdType tuple)
+{
+  const int components = array->GetNumberOfComponents();
+  if (component != ArrayChoice::magnitude || components == 1)
+    return array->GetComponent(tuple, std::max(component, 0));
+  double square = 0.0;
+  for (int c = 0; c < components; ++c)
+    square += array->GetComponent(tuple, c) * array->GetComponent(tuple, c);
+  return std::sqrt(square);
 }
 
 bool finiteRange(vtkDataArray* array, int component, double range[2])

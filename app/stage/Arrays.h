@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vtkType.h>
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -54,6 +56,9 @@ std::string listArrays(vtkDataSet* data);
 
 /// Whether the data have an array of that name which holds words instead of numbers.
 bool isText(vtkDataSet* data, const std::string& name);
+
+/// The value of a tuple: of a component, or the magnitude.
+double valueOf(vtkDataArray* array, int component, vtkIdType tuple);
 
 /// Least and greatest finite value; false where there is none.
 bool finiteRange(vtkDataArray* array, int component, double range[2]);

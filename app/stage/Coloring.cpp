@@ -176,8 +176,17 @@ void Coloring::apply(const Parts& parts)
   if (const Part* holder = holderOf(parts, choice_))
     title_ = describe(holder->data(), choice_);
   this->makeTable(typed_);
+  std::vector<vtkDataSet*> volumes;
   for (const auto& part : parts)
-    part->setColors(choice_, table_);
+    if (part->kind() == Part::Kind::Volume)
+      volumes.push_back(part->data());
+  const std::vector<OpacityPoint>& given = settings_.volume.opacity;
+  const std::vector<OpacityPoint> none;
+  const std::vector<OpacityPoint>& opacity = !given.empty()    ? given
+                                             : volumes.empty() ? none
+                                                               : usual_.of(volumes, choice_);
+  for (const auto& part : parts)
+    part->setColors(choice_, table_, opacity);
 }
 
 void Coloring::makeTable(bool types)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Arrays.h"
+#include "Opacity.h"
 #include "Part.h"
 
 #include <memory>
@@ -78,6 +79,7 @@ private:
   bool explained_ = false; // there is something for a legend to explain
   vtkSmartPointer<vtkLookupTable> table_;
   vtkSmartPointer<vtkLookupTable> legendTable_;
+  UsualOpacity usual_; ///< of volumes
 };
 
 } // namespace mote::app

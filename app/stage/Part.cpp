@@ -274,11 +274,12 @@ vtkSmartPointer<vtkMapper> Part::makeSurface()
   return mapper;
 }
 
-void Part::setColors(const ArrayChoice& choice, vtkLookupTable* table)
+void Part::setColors(
+  const ArrayChoice& choice, vtkLookupTable* table, const std::vector<OpacityPoint>& opacity)
 {
   colored_ = choice;
   if (volume_)
-    return volume_->setColors(data_, choice, table, sceneSize_);
+    return volume_->setColors(data_, choice, table, opacity, sceneSize_);
   mapper_->SetScalarVisibility(arrayOf(data_, choice) != nullptr);
   if (!mapper_->GetScalarVisibility())
     return;
@@ -353,6 +354,8 @@ void Part::shownBounds(double bounds[6]) const
     return;
   if (particles_)
     particles_->GetVisibleBounds(bounds);
+  else if (volume_)
+    volume_->shownBounds(vtkUnstructuredGrid::SafeDownCast(data_), bounds);
   else if (const double* own = this->prop()->GetBounds())
     std::copy_n(own, 6, bounds);
 }

@@ -68,8 +68,9 @@ public:
   /// Tells how large all that is shown is.
   void setSceneSize(double diagonal) { sceneSize_ = diagonal; }
 
-  /// Colours by an array through the table; by none with one colour.
-  void setColors(const ArrayChoice& choice, vtkLookupTable* table);
+  /// Colours by an array through the table; by none with one colour. A volume takes the opacities.
+  void setColors(
+    const ArrayChoice& choice, vtkLookupTable* table, const std::vector<OpacityPoint>& opacity);
 
   /// Hides no particle.
   void showAll();

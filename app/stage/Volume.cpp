@@ -2,10 +2,14 @@
 
 #include "settings/Colors.h"
 
+#include <vtkBoundingBox.h>
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
 #include <vtkCellTypes.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>
 #include <vtkLookupTable.h>
+#include <vtkMath.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkVolumeProperty.h>
@@ -19,10 +23,6 @@ namespace mote::app
 
 namespace
 {
-
-/// Shows all of the range, and its ends the most.
-const std::vector<OpacityPoint> usual = {
-  {0, true, 0.5}, {25, true, 0.08}, {50, true, 0.02}, {75, true, 0.08}, {100, true, 0.5}};
 
 bool isVolume(int type)
 {
@@ -124,8 +124,8 @@ void Volume::select(const ArrayChoice& choice)
   mapper_->SetVectorComponent(std::max(0, choice.component));
 }
 
-void Volume::setColors(
-  vtkDataSet* data, const ArrayChoice& choice, vtkLookupTable* table, double diagonal)
+void Volume::setColors(vtkDataSet* data, const ArrayChoice& choice, vtkLookupTable* table,
+  const std::vector<OpacityPoint>& opacity, double diagonal)
 {
   const bool isColored = arrayOf(data, choice) != nullptr;
   volume_->SetVisibility(isColored);
@@ -134,6 +134,7 @@ void Volume::setColors(
   choice_ = choice;
   this->select(choice);
   table_ = table;
+  opacity_ = opacity;
   vtkVolumeProperty* look = volume_->GetProperty();
   look->SetColor(colorsOf(table));
   look->SetScalarOpacityUnitDistance(settings_.opacityUnit.value_or(0.1 * diagonal));
@@ -193,7 +194,7 @@ void Volume::setOpacity()
     return;
   vtkNew<vtkPiecewiseFunction> whole, part;
   whole->AllowDuplicateScalarsOn(); // two points of one value are a step
-  for (const OpacityPoint& point : settings_.opacity.empty() ? usual : settings_.opacity)
+  for (const OpacityPoint& point : opacity_)
     whole->AddPoint(
       point.isShare ? valueAt(table_, 0.01 * point.value) : point.value, point.opacity);
   vtkVolumeProperty* look = volume_->GetProperty();
@@ -207,6 +208,56 @@ void Volume::setOpacity()
   for (const Interval& interval : shown_)
     addPart(part, whole, interval);
   look->SetScalarOpacity(part);
+}
+
+namespace
+{
+
+/// The least and greatest value in a cell; false where one is no number.
+bool rangeIn(const ArrayChoice& choice, vtkDataArray* array, vtkIdType cell, vtkIdType points,
+  const vtkIdType* ids, double range[2])
+{
+  range[0] = HUGE_VAL, range[1] = -HUGE_VAL;
+  for (vtkIdType i = 0; i < (choice.ofCells ? 1 : points); ++i)
+  {
+    const double value = valueOf(array, choice.component, choice.ofCells ? cell : ids[i]);
+    if (!std::isfinite(value))
+      return false;
+    range[0] = std::min(range[0], value);
+    range[1] = std::max(range[1], value);
+  }
+  return true;
+}
+
+} // namespace
+
+void Volume::shownBounds(vtkUnstructuredGrid* data, double bounds[6]) const
+{
+  std::vector<Interval> shown = settings_.cloud ? shown_ : std::vector<Interval>();
+  for (const double value : settings_.isoValues)
+    shown.push_back({value, value});
+  vtkDataArray* array = arrayOf(data, choice_);
+  const std::vector<Interval> everything = {{-HUGE_VAL, HUGE_VAL}};
+  if (!array || (settings_.cloud && shown_ == everything))
+    return data->GetBounds(bounds);
+  vtkBoundingBox box;
+  const auto cells = vtk::TakeSmartPointer(data->GetCells()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType points = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCurrentCell(points, ids);
+    double range[2];
+    if (!rangeIn(choice_, array, cells->GetCurrentCellId(), points, ids, range) ||
+        std::none_of(shown.begin(), shown.end(),
+          [&](const Interval& i) { return i.low <= range[1] && i.high >= range[0]; }))
+      continue;
+    for (vtkIdType i = 0; i < points; ++i)
+      box.AddPoint(data->GetPoint(ids[i]));
+  }
+  vtkMath::UninitializeBounds(bounds);
+  if (box.IsValid())
+    box.GetBounds(bounds);
 }
 
 void Volume::setAmbient(double ambient)

@@ -29,15 +29,17 @@ public:
   static bool canShow(vtkDataSet* data);
 
   void setData(vtkUnstructuredGrid* data);
-  /// How volumes look: colours by an array through the table, opacities as the settings say.
-  /// `diagonal` is the size of all that is shown.
-  void setColors(
-    vtkDataSet* data, const ArrayChoice& choice, vtkLookupTable* table, double diagonal);
+  /// How volumes look: colours by an array through the table, and opacities. `diagonal` is the size
+  /// of all that is shown.
+  void setColors(vtkDataSet* data, const ArrayChoice& choice, vtkLookupTable* table,
+    const std::vector<OpacityPoint>& opacity, double diagonal);
   /// Hides values of the array that colours outside of all these, which ascend, until showAll().
   /// Where called again what lies in one interval of each call is left.
   void limit(const std::vector<Interval>& intervals);
   void showAll();
   void setAmbient(double ambient);
+  /// Bounds of the cells that have a value that is shown; not initialized where there are none.
+  void shownBounds(vtkUnstructuredGrid* data, double bounds[6]) const;
 
   vtkVolume* volume() const { return volume_; }
   vtkMoteVolumeMapper* mapper() const { return mapper_; }
@@ -51,6 +53,7 @@ private:
   vtkNew<vtkMoteVolumeMapper> mapper_;
   vtkSmartPointer<vtkLookupTable> table_;
   ArrayChoice choice_;
+  std::vector<OpacityPoint> opacity_;
   bool warned_ = false;         ///< of a time step without the array
   std::vector<Interval> shown_; ///< none: nothing
 };

@@ -28,7 +28,7 @@ void addAppearanceRows(std::vector<Row>& table)
       .help =
         "Opacity transfer function: opacities from 0 to 1 at values of the array that colours, "
         "linear in between, such as 20=0,50=0.4. A value with % is a share of the colours' range",
-      .usual = "0%=0.5,25%=0.08,50%=0.02,75%=0.08,100%=0.5"}));
+      .usual = "the least and greatest values are the most opaque, common ones faint"}));
   table.push_back(row(volume, &VolumeSettings::opacityUnit,
     {.group = group,
       .name = "opacity-unit",

@@ -85,6 +85,7 @@ private:
   // Actions
   void act(const Binding& binding);
   void actOnRow(const Binding& binding);
+  void fitToArray(Settings& next) const;
   bool actOnView(Action action);
   bool actOnFiles(Action action);
   bool hasSurfaces() const;

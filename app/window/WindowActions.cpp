@@ -118,12 +118,7 @@ void Window::actOnRow(const Binding& binding)
   {
     next.color.array = binding.action == Action::NextPart ? colors.nextComponent(stage_.parts())
                                                           : colors.nextArray(stage_.parts());
-    // A range and a title are those of one array.
-    const bool asked = next.color.array == arrayAsked_;
-    next.color.range = asked ? asked_.color.range : std::vector<double>();
-    next.picture.title = asked ? asked_.picture.title : std::nullopt;
-    next.color.logarithmic =
-      asked_.color.logarithmic && colors.isAboveZero(stage_.parts(), next.color.array);
+    this->fitToArray(next);
     return this->change(next, coloring);
   }
   if (binding.row == "color-map")
@@ -150,6 +145,42 @@ void Window::actOnRow(const Binding& binding)
   const Row* row = rowNamed(binding.row);
   row->goOn(next, asked_);
   this->change(next, [&] { return row->told ? row->told(this->settings()) : std::string(); });
+}
+
+/// Puts away what speaks of the values of another array; what was asked for comes back with its
+/// own.
+void Window::fitToArray(Settings& next) const
+{
+  const bool asked = next.color.array == arrayAsked_;
+  next.color.range = asked ? asked_.color.range : std::vector<double>();
+  next.picture.title = asked ? asked_.picture.title : std::nullopt;
+  next.color.logarithmic =
+    asked_.color.logarithmic && stage_.coloring().isAboveZero(stage_.parts(), next.color.array);
+  const auto& parts = stage_.parts();
+  if (std::none_of(parts.begin(), parts.end(),
+        [](const auto& part) { return part->kind() == Part::Kind::Volume; }))
+    return;
+  if (asked)
+  {
+    next.selection = asked_.selection;
+    next.volume.isoValues = asked_.volume.isoValues;
+    next.volume.cloud = asked_.volume.cloud;
+    next.volume.opacity = asked_.volume.opacity;
+    return;
+  }
+  // Volumes hide values of the array that colours them, and of no other.
+  std::erase_if(next.selection.ranges,
+    [&](const ShowRange& range)
+    {
+      return std::any_of(parts.begin(), parts.end(),
+        [&](const auto& part)
+        { return part->kind() == Part::Kind::Volume && findArray(part->data(), range.name); });
+    });
+  next.volume.isoValues.clear();
+  next.volume.cloud = true;
+  if (std::any_of(next.volume.opacity.begin(), next.volume.opacity.end(),
+        [](const OpacityPoint& point) { return !point.isShare; }))
+    next.volume.opacity.clear();
 }
 
 bool Window::hasSurfaces() const
@@ -231,8 +262,15 @@ Settings Window::otherBackground() const
 
 std::string Window::coloringText() const
 {
-  return stage_.coloring().choice() ? "Coloured by " + stage_.coloring().title()
-                                    : "One colour for all";
+  if (!stage_.coloring().choice())
+    return "One colour for all";
+  const Settings& now = this->settings();
+  const bool away =
+    now.color.array != arrayAsked_ &&
+    (now.selection != asked_.selection || now.volume.isoValues != asked_.volume.isoValues ||
+      now.volume.opacity != asked_.volume.opacity || now.color.range != asked_.color.range);
+  return "Coloured by " + stage_.coloring().title() +
+         (away ? "; what was set for the values of " + arrayAsked_ + " is put away" : "");
 }
 
 void Window::say(const std::string& message)

@@ -19,17 +19,6 @@ namespace mote
 namespace
 {
 
-double valueOf(vtkDataArray* array, vtkIdType tuple)
-{
-  const int components = array->GetNumberOfComponents();
-  if (components == 1)
-    return array->GetComponent(tuple, 0);
-  double square = 0.0;
-  for (int k = 0; k < components; ++k)
-    square += array->GetComponent(tuple, k) * array->GetComponent(tuple, k);
-  return std::sqrt(square);
-}
-
 void addCell(CellStatistics& to, const CollapsedCell& cell, double volume)
 {
   const CellQuality quality = qualityOf(cell, volume);
@@ -103,6 +92,17 @@ void addArrays(std::vector<MeasuredArray>& to, vtkDataSetAttributes* from, bool 
 }
 
 } // namespace
+
+double valueOf(vtkDataArray* array, vtkIdType tuple, int component)
+{
+  const int components = array->GetNumberOfComponents();
+  if (component >= 0 || components == 1)
+    return array->GetComponent(tuple, std::clamp(component, 0, components - 1));
+  double square = 0.0;
+  for (int k = 0; k < components; ++k)
+    square += array->GetComponent(tuple, k) * array->GetComponent(tuple, k);
+  return std::sqrt(square);
+}
 
 void CellStatistics::add(const CellStatistics& more)
 {

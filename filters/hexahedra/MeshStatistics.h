@@ -49,6 +49,9 @@ struct MeshStatistics
     arrays; ///< all that hold numbers and have a name, without ghosts' marks
 };
 
+/// A component of an array, or with -1 the magnitude.
+double valueOf(vtkDataArray* array, vtkIdType tuple, int component = -1);
+
 /// Looks at all cells, in parallel.
 MeshStatistics statisticsOf(vtkDataSet* data);
 

@@ -67,7 +67,7 @@ vtkMoteVolumeMapper::vtkMoteVolumeMapper()
   : Impl(std::make_unique<Internals>())
 {
   this->SetStructureName("cartbvh");
-  this->SetIntegratorName("trilinear");
+  this->SetIntegratorName("cell-by-cell");
 }
 
 vtkMoteVolumeMapper::~vtkMoteVolumeMapper()

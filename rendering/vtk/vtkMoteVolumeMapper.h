@@ -102,10 +102,10 @@ public:
 
   ///@{
   /**
-   * How colour is integrated along rays, by name: "trilinear" (default), even samples of the
-   * trilinear cell; "inverse-distance", even samples of the mean of a cell's corners by inverse
-   * distance, as published and not continuous between cells; "cell-by-cell", between the exact
-   * places of entry and exit, to Tolerance.
+   * How colour is integrated along rays, by name: "cell-by-cell" (default), between the exact
+   * places of entry and exit, to Tolerance; "trilinear", even samples of the trilinear cell;
+   * "inverse-distance", even samples of the mean of a cell's corners by inverse distance, as
+   * published and not continuous between cells.
    */
   vtkSetStringMacro(IntegratorName);
   vtkGetStringMacro(IntegratorName);

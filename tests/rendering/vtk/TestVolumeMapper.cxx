@@ -355,7 +355,7 @@ TEST(VolumeMapper, BoundsAndPrint)
   EXPECT_GT(stage.mapper->GetStructureBytes(), 8 * 32);
   std::ostringstream text;
   stage.mapper->Print(text);
-  for (const char* part : {"StructureName: cartbvh", "IntegratorName: trilinear",
+  for (const char* part : {"StructureName: cartbvh", "IntegratorName: cell-by-cell",
          "VectorMode: Component", "NumberOfCells: 8", "ShowCloud: On", "NanOpacity: 0"})
     EXPECT_NE(text.str().find(part), std::string::npos) << part;
   vtkNew<vtkMoteVolumeMapper> empty;
