@@ -37,8 +37,7 @@ bool Stage::apply(const Settings& settings)
   settings_ = settings;
   if (before.picture.background != settings.picture.background)
     setBackground(renderer_, settings.picture.background);
-  if (before.light != settings.light)
-    lighting_.update();
+  lighting_.update(); // which knows samples and tolerances, too
   if (before.silhouettes != settings.silhouettes)
     choose(settings.silhouettes, vtkMoteSilhouettes::RADII, silhouettes_);
   const bool otherKinds = std::any_of(parts_.begin(), parts_.end(),
