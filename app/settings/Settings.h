@@ -115,6 +115,7 @@ struct LightSettings
   std::string place = "auto";   ///< a name of lightNames(), "azimuth,elevation" or "x,y,z"
   std::string shadows = "none"; ///< "none", "hard", "soft", or a side of the square of samples
   double size = 15.0;           ///< degrees
+  double intensity = 1.0;       ///< factor on the main light
   std::string ambientOcclusion = "none"; ///< or "live", "baked", or rays a hit
   std::optional<double> occlusionReach;  ///< world units; none: choose
   bool pathTrace = false;

@@ -253,14 +253,15 @@ void Lighting::balance()
 {
   const bool on = settings_.light.shadows != "none";
   const bool paths = settings_.light.pathTrace;
+  const double factor = settings_.light.intensity;
   if (paths || this->isOccluded())
   {
     // The sky, of which crevices see less, takes over from the light of the eye.
-    main_->SetIntensity(paths ? 0.8 : 0.55);
+    main_->SetIntensity(factor * (paths ? 0.8 : 0.55));
     fill_->SetIntensity(fromEye_ || paths ? 0.0 : 0.1);
     return;
   }
-  main_->SetIntensity(fromEye_ ? 1.05 : on ? 0.8 : 0.64);
+  main_->SetIntensity(factor * (fromEye_ ? 1.05 : on ? 0.8 : 0.64));
   fill_->SetIntensity(fromEye_ ? 0.0 : on ? 0.28 : 0.41);
 }
 

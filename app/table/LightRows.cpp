@@ -39,6 +39,12 @@ void addLightRows(std::vector<Row>& table)
         "Size of the main light as seen from the data, in degrees: the larger, the softer its "
         "shadows. The sun has 0.5",
       .limits = {.least = 0.0, .most = 90.0}}));
+  table.push_back(row(light, &LightSettings::intensity,
+    {.group = group,
+      .name = "light-intensity",
+      .value = "F",
+      .help = "Factor on the brightness of the main light",
+      .limits = {.least = 0.0, .most = 10.0}}));
   table.push_back(row<LightSettings, std::string>(light, &LightSettings::ambientOcclusion,
     {.group = group,
       .name = "ambient-occlusion",
