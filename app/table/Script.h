@@ -7,8 +7,8 @@
 namespace mote::app
 {
 
-/// A line for the shell that makes the picture `output` of these settings, or opens the window where
-/// that is empty.
+/// A line for the shell that makes the picture `output` of these settings, or opens the window
+/// where that is empty.
 std::string commandOf(const Settings& settings, const std::string& output);
 
 /// A program in Python that makes the picture `output` of the stage by VTK's and Mote's classes

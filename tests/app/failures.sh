@@ -21,7 +21,7 @@ case $3 in
     failing render "$hopper" -o a.png --color-by v:7
     failing render "$hopper" -o a.png --show-by nothing --show-range 0 1
     failing render "$hopper" -o a.png --show nothing=0:1
-    said err 'it has x, y, z, radius, id'
+    said err 'radius as drawn, and id'
     failing render "$hopper" -o a.png --show v:7=0:1
     failing render "$hopper" -o a.png --show id=0: --show type=0: --show v:0=0: --show v:1=0: \
       --show v:2=0:
