@@ -1,8 +1,10 @@
 #include "HexMeshes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <set>
 
 namespace mote::testing
 {
@@ -18,6 +20,22 @@ void HexCells::addCell(HexCellType type, const std::vector<std::int64_t>& ids)
   types.push_back(static_cast<std::uint8_t>(type));
   connectivity.insert(connectivity.end(), ids.begin(), ids.end());
   offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
+  faceLocations.push_back(-1);
+}
+
+void HexCells::addPolyhedron(const std::vector<std::vector<std::int64_t>>& polygons)
+{
+  std::set<std::int64_t> ids;
+  for (const auto& polygon : polygons)
+    ids.insert(polygon.begin(), polygon.end());
+  addCell(HexCellType::Polyhedron, std::vector<std::int64_t>(ids.begin(), ids.end()));
+  faceLocations.back() = static_cast<std::int64_t>(faces.size());
+  faces.push_back(static_cast<std::int64_t>(polygons.size()));
+  for (const auto& polygon : polygons)
+  {
+    faces.push_back(static_cast<std::int64_t>(polygon.size()));
+    faces.insert(faces.end(), polygon.begin(), polygon.end());
+  }
 }
 
 void HexCells::addCell(HexCellType type, const std::vector<Vec3d>& corners)
@@ -42,7 +60,9 @@ HexMeshInput HexCells::input() const
   return {{points.data(), points.size() / 3, 3},
     {types.data(), ArrayView::Type::UInt8, types.size(), 1},
     {offsets.data(), ArrayView::Type::Int64, offsets.size(), 1},
-    {connectivity.data(), ArrayView::Type::Int64, connectivity.size(), 1}};
+    {connectivity.data(), ArrayView::Type::Int64, connectivity.size(), 1},
+    {faces.data(), ArrayView::Type::Int64, faces.size(), 1},
+    {faceLocations.data(), ArrayView::Type::Int64, faces.empty() ? 0 : faceLocations.size(), 1}};
 }
 
 namespace
@@ -63,6 +83,95 @@ void addLattice(HexCells& cells, int nx, int ny, int nz, bool around = false)
 }
 
 } // namespace
+
+HexCells merged(const HexCells& cells, const std::vector<std::vector<std::size_t>>& groups)
+{
+  constexpr int corners[6][4] = {
+    {0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 4, 7, 3}, {1, 2, 6, 5}};
+  HexCells all;
+  all.points = cells.points;
+  const auto pointsOf = [&](std::size_t c)
+  {
+    return std::vector(cells.connectivity.begin() + cells.offsets[c],
+      cells.connectivity.begin() + cells.offsets[c + 1]);
+  };
+  for (std::size_t c = 0; c < cells.types.size(); ++c)
+  {
+    const auto group = std::find_if(groups.begin(), groups.end(),
+      [c](const auto& g) { return std::find(g.begin(), g.end(), c) != g.end(); });
+    if (group == groups.end())
+      all.addCell(static_cast<HexCellType>(cells.types[c]), pointsOf(c));
+    else if (group->front() == c)
+    {
+      std::map<std::set<std::int64_t>, std::vector<std::int64_t>> faces;
+      for (const std::size_t one : *group)
+        for (const auto& face : corners)
+        {
+          const auto ids = pointsOf(one);
+          const std::vector<std::int64_t> polygon = {
+            ids[face[0]], ids[face[1]], ids[face[2]], ids[face[3]]};
+          const std::set<std::int64_t> key(polygon.begin(), polygon.end());
+          if (!faces.insert({key, polygon}).second)
+            faces.erase(key);
+        }
+      std::vector<std::vector<std::int64_t>> polygons;
+      for (const auto& [key, polygon] : faces)
+        polygons.push_back(polygon);
+      all.addPolyhedron(polygons);
+    }
+  }
+  return all;
+}
+
+std::vector<Vec3d> foamMiddles(int n)
+{
+  std::vector<Vec3d> middles;
+  for (int i = 0; i < 2 * n * n * n; ++i)
+    middles.push_back(2.0 * Vec3d(i / 2 % n, i / 2 / n % n, i / 2 / n / n) + Vec3d(i % 2));
+  return middles;
+}
+
+std::vector<Vec3d> foamNormals()
+{
+  std::vector<Vec3d> normals = {
+    {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  for (int k = 0; k < 8; ++k)
+    normals.emplace_back(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+  return normals;
+}
+
+HexCells foam(int n)
+{
+  std::vector<Vec3d> corners; // all places of 0, +-1/2 and +-1
+  for (int k = 0; k < 6; ++k)
+    for (int s = 0; s < 4; ++s)
+    {
+      Vec3d p(0.0);
+      p[k % 3] = s & 1 ? 0.5 : -0.5;
+      p[(k % 3 + 1 + k / 3) % 3] = s & 2 ? 1.0 : -1.0;
+      corners.push_back(p);
+    }
+  HexCells cells;
+  SharedPoints points{cells, {}};
+  for (const Vec3d& at : foamMiddles(n))
+  {
+    std::vector<std::vector<std::int64_t>> faces;
+    for (const Vec3d& normal : foamNormals())
+    {
+      const Vec3d x = glm::normalize(glm::cross(normal, Vec3d(0.3, 0.5, -0.7)));
+      const Vec3d y = glm::normalize(glm::cross(normal, x));
+      std::map<double, Vec3d> around;
+      for (const Vec3d& p : corners)
+        if (std::abs(glm::dot(normal, p) - foamReach(normal)) < 1e-9)
+          around[std::atan2(glm::dot(p, y), glm::dot(p, x))] = p;
+      faces.emplace_back();
+      for (const auto& [angle, p] : around)
+        faces.back().push_back(points.at(at + p));
+    }
+    cells.addPolyhedron(faces);
+  }
+  return cells;
+}
 
 HexCells hexBlock(int nx, int ny, int nz, double jitter, unsigned seed)
 {

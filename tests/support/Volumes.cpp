@@ -2,6 +2,7 @@
 
 #include <kernels/hexahedra/CellCrossings.h>
 #include <kernels/hexahedra/TrilinearCell.h>
+#include <kernels/tracing/detail/CloudTracer.h>
 
 #include <glm/matrix.hpp>
 
@@ -114,6 +115,21 @@ RayColor gatheredByDefinition(const CloudObject& volume, const Vec3d& origin,
     }
   }
   return out;
+}
+
+RayColor gathered(
+  const CloudObject& volume, const Vec3d& origin, const Vec3d& direction, double tMin, double tMax)
+{
+  const std::vector<ShadedLight> lights;
+  const CloudTracer tracer(volume, lights, Vec3d(0.0), 0);
+  RayGatherer gatherer(nullptr);
+  tracer.gather(tracer.ray(origin, direction, tMin, tMax), gatherer);
+  return gatherer.total();
+}
+
+double opticalDepth(const RayColor& color)
+{
+  return -std::log(color.transmittance);
 }
 
 } // namespace mote::testing

@@ -5,6 +5,7 @@
 #include <kernels/hexahedra/RayColor.h>
 #include <kernels/scene/Scene.h>
 
+#include <cmath>
 #include <functional>
 #include <optional>
 
@@ -37,5 +38,10 @@ TransferFunction colorful();
 /// `parts` steps, each taken as its middle. Slow.
 RayColor gatheredByDefinition(const CloudObject& volume, const Vec3d& origin,
   const Vec3d& direction, double tMin, double tMax, int parts = 500);
+
+/// What a ray in the world gathers of a volume, ray by ray.
+RayColor gathered(const CloudObject& volume, const Vec3d& origin, const Vec3d& direction,
+  double tMin = 0.0, double tMax = INFINITY);
+double opticalDepth(const RayColor& color);
 
 } // namespace mote::testing

@@ -98,8 +98,20 @@ private:
     shape();
     if (!shape_.coordinates(p, rst_, rst_))
       return;
+    // The map of a warped cell takes some points from outside, too.
+    for (int corner = 0; corner < 8 && isFarOutside(rst_); ++corner)
+      if (Vec3d other;
+          shape_.coordinates(p, other,
+            Vec3d(corner & 1 ? 0.8 : 0.2, corner & 2 ? 0.8 : 0.2, corner & 4 ? 0.8 : 0.2)) &&
+          !isFarOutside(other))
+        rst_ = other;
     // Points on faces are within to rounding.
     rst_ = glm::clamp(rst_, Vec3d(0.0), Vec3d(1.0));
+  }
+  static bool isFarOutside(const Vec3d& rst)
+  {
+    return std::abs(rst.x - 0.5) > 0.51 || std::abs(rst.y - 0.5) > 0.51 ||
+           std::abs(rst.z - 0.5) > 0.51;
   }
 
   const HexMesh& mesh_;

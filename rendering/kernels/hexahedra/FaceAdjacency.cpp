@@ -88,7 +88,7 @@ FaceAdjacency::FaceAdjacency(const HexMesh& mesh)
   if (cells >= collapsed / 6)
     throw Error("Rays can go from cell to cell through up to 715,827,881 cells.");
   // The faces of each least point, one range of an array after another.
-  RawVector<std::uint32_t> begins(mesh.pointCount() + 1);
+  RawVector<std::uint32_t> begins(mesh.allPointCount() + 1);
   forBlocks(begins.size(), [&](std::size_t p) { begins[p] = 0; });
   forBlocks(cells,
     [&](std::size_t c)
@@ -113,7 +113,7 @@ FaceAdjacency::FaceAdjacency(const HexMesh& mesh)
           faces[std::atomic_ref(begins[face.least]).fetch_sub(1, std::memory_order_relaxed) - 1] =
             static_cast<std::uint32_t>(6 * c + f);
     });
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.pointCount(), 1 << 13),
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.allPointCount(), 1 << 13),
     [&](const tbb::blocked_range<std::size_t>& block)
     {
       std::vector<Candidate> group;

@@ -69,6 +69,7 @@ HexField::HexField(const HexMesh& mesh, const HexScalar& scalar)
                 std::to_string(wanted) + (ofCells_ ? " cells." : " points."));
   if (wanted > 0 && (scalar.component < ArrayView::magnitude || scalar.component >= v.components()))
     throw Error("The scalars have no component " + std::to_string(scalar.component) + ".");
+  values_.reserve(ofCells_ ? 0 : mesh.allPointCount());
   values_.resize(ofCells_ ? mesh.cellCount() : mesh.pointCount());
   const auto take = [&](const auto& value)
   {
@@ -80,6 +81,13 @@ HexField::HexField(const HexMesh& mesh, const HexScalar& scalar)
                   std::to_string(upper_) + ", and a range above 6.8e38 cannot be shown.");
     offset_ = lower_ <= upper_ ? lower_ + 0.5 * (upper_ - lower_) : 0.0;
     copy(values_, value, offset_);
+    for (std::size_t m = 0; m < (ofCells_ ? 0 : mesh.middleCount()); ++m)
+    {
+      double sum = 0.0;
+      for (const std::uint32_t p : mesh.aroundMiddle(m))
+        sum += values_[p];
+      values_.push_back(static_cast<float>(sum / double(mesh.aroundMiddle(m).size())));
+    }
   };
   // The usual array is read without asking for each value what type it has.
   if (v.type() == ArrayView::Type::Float32 && v.components() == 1 && !ofCells_)

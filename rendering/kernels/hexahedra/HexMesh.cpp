@@ -2,6 +2,7 @@
 
 #include "../core/Error.h"
 #include "TrilinearCell.h"
+#include "detail/CellIntake.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -17,18 +18,6 @@ namespace mote
 namespace
 {
 
-enum class Fate : std::uint8_t
-{
-  Kept,
-  Inverted,
-  SelfCrossing,
-  SelfCrossingInverted,
-  OtherType,
-  NonFinite,
-  TooFar,
-  ZeroVolume
-};
-
 void checkArrays(const HexMeshInput& input)
 {
   const std::size_t n = input.types.count();
@@ -37,123 +26,88 @@ void checkArrays(const HexMeshInput& input)
   if (n > 0 && input.offsets.count() != n + 1)
     throw Error("There are " + std::to_string(input.offsets.count()) + " offsets for " +
                 std::to_string(n) + " cells; one more than cells is needed.");
+  if (!input.faceLocations.empty() && input.faceLocations.count() != n)
+    throw Error("There are " + std::to_string(input.faceLocations.count()) +
+                " places of faces for " + std::to_string(n) + " cells.");
   if (n >= HexMesh::noCell || input.points.count() >= HexMesh::noCell)
     throw Error("A mesh of hexahedra takes up to 4294967294 points and cells.");
 }
 
-/// Where cell `i` begins in the connectivity. Throws where the cell does not fit its type.
-std::size_t checkedOffset(const HexMeshInput& input, std::size_t i, int points)
-{
-  const double first = input.offsets.value(i), last = input.offsets.value(i + 1);
-  if (!(first >= 0.0 && last <= static_cast<double>(input.connectivity.count())))
-    throw Error("The offsets of cell " + std::to_string(i) + " point outside of the connectivity.");
-  if (last - first != points)
-    throw Error("Cell " + std::to_string(i) + " has " +
-                std::to_string(static_cast<long long>(last - first)) +
-                " points where its type has " + std::to_string(points) + ".");
-  return static_cast<std::size_t>(first);
-}
-
-/// The size below which a cell's volume is nothing but rounding: of the product of its mean edges
-/// along r, s and t, and of its points' own places.
-double negligibleVolume(const HexCorners& p)
-{
-  double edges[3] = {}, place = 0.0;
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    const std::size_t r[4] = {0, 3, 4, 7}, s[4] = {0, 1, 4, 5};
-    edges[0] += 0.25 * glm::length(p[r[i] ^ 1] - p[r[i]]);
-    edges[1] += 0.25 * glm::length(p[s[i] ^ 3] - p[s[i]]);
-    edges[2] += 0.25 * glm::length(p[i + 4] - p[i]);
-  }
-  for (const Vec3d& q : p)
-    place = std::max({place, std::abs(q.x), std::abs(q.y), std::abs(q.z)});
-  const double area = std::max({edges[0] * edges[1], edges[1] * edges[2], edges[2] * edges[0]});
-  return 1e-12 * edges[0] * edges[1] * edges[2] + 1e-15 * place * area;
-}
-
-struct Looked
-{
-  Fate fate = Fate::OtherType;
-  HexMesh::Cell cell{};
-  double volume = 0.0;
-};
-
-void mirror(HexMesh::Cell& cell)
-{
-  for (std::size_t i = 0; i < 8; i += 2)
-    std::swap(cell[i], cell[i + 1]);
-}
-
-Looked lookAt(const HexMeshInput& input, const RawVector<Vec3d>& points, std::size_t i)
-{
-  Looked looked;
-  const double type = input.types.value(i);
-  const CollapsedCorners corners = collapsedCorners(static_cast<int>(type));
-  if (corners.points == 0)
-    return looked;
-  const std::size_t first = checkedOffset(input, i, corners.points);
-  HexCorners p;
-  bool finite = true, near = true;
-  for (std::size_t k = 0; k < 8; ++k)
-  {
-    const double id = input.connectivity.value(first + corners.of[k]);
-    if (!(id >= 0.0 && id < static_cast<double>(points.size())))
-      throw Error("Cell " + std::to_string(i) + " names the point " +
-                  std::to_string(static_cast<long long>(id)) + ", and there are " +
-                  std::to_string(points.size()) + " points.");
-    looked.cell[k] = static_cast<std::uint32_t>(id);
-    p[k] = points[looked.cell[k]];
-    for (int a = 0; a < 3; ++a)
-    {
-      finite = finite && std::isfinite(p[k][a]);
-      near = near && std::abs(p[k][a]) <= farthestPoint;
-    }
-  }
-  looked.fate = finite ? Fate::TooFar : Fate::NonFinite;
-  if (!near)
-    return looked;
-  const JacobianRange range = jacobianRange(p);
-  looked.volume = std::abs(range.volume);
-  looked.fate = Fate::ZeroVolume;
-  if (looked.volume <= negligibleVolume(p))
-    return looked;
-  const bool insideOut = range.volume < 0.0;
-  const double against = insideOut ? range.largest : -range.smallest;
-  const bool crossing = against > 1e-9 * looked.volume;
-  if (insideOut)
-    mirror(looked.cell);
-  if (type == static_cast<double>(HexCellType::Wedge) || !insideOut)
-    looked.fate = crossing ? Fate::SelfCrossing : Fate::Kept;
-  else
-    looked.fate = crossing ? Fate::SelfCrossingInverted : Fate::Inverted;
-  return looked;
-}
-
-bool isKept(Fate fate)
-{
-  return fate < Fate::OtherType;
-}
-
 void count(HexMeshReport& report, Fate fate, double type)
 {
-  report.inverted += fate == Fate::Inverted || fate == Fate::SelfCrossingInverted;
+  report.inverted +=
+    fate == Fate::Inverted || fate == Fate::SelfCrossingInverted || fate == Fate::InPartsInverted;
   report.selfCrossing += fate == Fate::SelfCrossing || fate == Fate::SelfCrossingInverted;
   report.otherTypes += fate == Fate::OtherType;
   report.nonFinite += fate == Fate::NonFinite;
   report.tooFar += fate == Fate::TooFar;
   report.zeroVolume += fate == Fate::ZeroVolume;
+  report.unfit += fate == Fate::Unfit;
   if (!isKept(fate))
     return;
   ++report.kept;
+  report.inParts += isInParts(fate);
   const auto is = [type](HexCellType t) { return type == static_cast<double>(t); };
   report.hexahedra += is(HexCellType::Hexahedron) || is(HexCellType::Voxel);
   report.wedges += is(HexCellType::Wedge);
   report.pyramids += is(HexCellType::Pyramid);
   report.tetrahedra += is(HexCellType::Tetrahedron);
+  report.polyhedra += is(HexCellType::Polyhedron);
+}
+
+void copyPoints(RawVector<Vec3d>& to, const ArrayView& from)
+{
+  to.resize(from.count());
+  const auto everyPoint = [&](const tbb::blocked_range<std::size_t>& range)
+  {
+    for (std::size_t i = range.begin(); i < range.end(); ++i)
+      to[i] = {from.value(i, 0), from.value(i, 1), from.value(i, 2)};
+  };
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, to.size(), 1 << 14), everyPoint);
+}
+
+void addCounts(HexMeshReport& to, const HexMeshReport& more)
+{
+  using R = HexMeshReport;
+  for (const auto member : {&R::kept, &R::hexahedra, &R::wedges, &R::pyramids, &R::tetrahedra,
+         &R::polyhedra, &R::inParts, &R::otherTypes, &R::unfit, &R::nonFinite, &R::tooFar,
+         &R::zeroVolume, &R::inverted, &R::selfCrossing})
+    to.*member += more.*member;
+  to.volume += more.volume;
 }
 
 } // namespace
+
+/// The cells of a block that are in parts.
+struct HexMesh::Parts
+{
+  struct Cut
+  {
+    std::uint32_t cell = 0; ///< the input's
+    Vec3d middle{0.0};
+    std::size_t partsEnd = 0, aroundEnd = 0;
+  };
+
+  void add(std::size_t cell, const FacedCell& from, Box& box)
+  {
+    const auto idOf = [&from](std::uint32_t place) {
+      return place == from.middlePlace() ? noCell : static_cast<std::uint32_t>(from.ids()[place]);
+    };
+    for (const FacedCell::Part& part : from.parts())
+    {
+      cells.emplace_back();
+      std::transform(part.begin(), part.end(), cells.back().begin(), idOf);
+    }
+    around.insert(around.end(), from.ids().begin(), from.ids().end());
+    cuts.push_back({static_cast<std::uint32_t>(cell), from.middle(), cells.size(), around.size()});
+    for (const Vec3d& p : from.places)
+      box.add(p);
+  }
+
+  std::vector<Cut> cuts;
+  std::vector<Cell> cells; ///< the middle's number is noCell
+  std::vector<std::uint32_t> around;
+};
 
 CollapsedCorners collapsedCorners(int type)
 {
@@ -184,6 +138,7 @@ std::string HexMeshReport::sentence() const
       text += (text.empty() ? "" : ", ") + std::to_string(number) + " " + what;
   };
   add(otherTypes, "of other types left out");
+  add(unfit, "polyhedra left out, not closed or too concave to be cut about their middle");
   add(nonFinite, "with points that are not finite left out");
   add(tooFar, "with points beyond 1e30 left out");
   add(zeroVolume, "of no volume left out");
@@ -196,14 +151,7 @@ HexMesh::HexMesh(const HexMeshInput& input)
 {
   checkArrays(input);
   const std::size_t n = input.types.count();
-  points_.resize(input.points.count());
-  const auto everyPoint = [&](const tbb::blocked_range<std::size_t>& range)
-  {
-    for (std::size_t i = range.begin(); i < range.end(); ++i)
-      points_[i] = {input.points.value(i, 0), input.points.value(i, 1), input.points.value(i, 2)};
-  };
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points_.size(), 1 << 14), everyPoint);
-
+  copyPoints(points_, input.points);
   RawVector<Fate> fates(n);
   cells_.resize(n);
   // Sums over fixed blocks, so that no rounding depends on the number of threads.
@@ -211,52 +159,120 @@ HexMesh::HexMesh(const HexMeshInput& input)
   const std::size_t blocks = (n + block - 1) / block;
   std::vector<HexMeshReport> reports(blocks);
   std::vector<Box> boxes(blocks);
+  std::vector<Parts> parts(blocks);
   tbb::parallel_for(std::size_t(0), blocks,
     [&](std::size_t b)
     {
+      CellIntake intake(input, points_);
       for (std::size_t i = b * block; i < std::min(n, (b + 1) * block); ++i)
       {
-        const Looked looked = lookAt(input, points_, i);
+        const CellIntake::Looked looked = intake.look(i);
         fates[i] = looked.fate;
         cells_[i] = looked.cell;
         count(reports[b], looked.fate, input.types.value(i));
         if (!isKept(looked.fate))
           continue;
         reports[b].volume += looked.volume;
-        for (const std::uint32_t k : looked.cell)
-          boxes[b].add(points_[k]);
+        if (isInParts(looked.fate))
+          parts[b].add(i, intake.inParts(), boxes[b]);
+        else
+          for (const std::uint32_t k : looked.cell)
+            boxes[b].add(points_[k]);
       }
     });
   report_.cells = n;
   for (std::size_t b = 0; b < blocks; ++b)
   {
-    const HexMeshReport& r = reports[b];
-    for (const auto member : {&HexMeshReport::kept, &HexMeshReport::hexahedra,
-           &HexMeshReport::wedges, &HexMeshReport::pyramids, &HexMeshReport::tetrahedra,
-           &HexMeshReport::otherTypes, &HexMeshReport::nonFinite, &HexMeshReport::tooFar,
-           &HexMeshReport::zeroVolume, &HexMeshReport::inverted, &HexMeshReport::selfCrossing})
-      report_.*member += r.*member;
-    report_.volume += r.volume;
+    addCounts(report_, reports[b]);
     bounds_.add(boxes[b]);
   }
-  if (report_.kept == n)
+  if (report_.kept == n && report_.inParts == 0)
     return;
-  inputCells_.resize(report_.kept);
+  const std::size_t whole = report_.kept - report_.inParts;
+  inputCells_.resize(whole);
   std::size_t to = 0;
   for (std::size_t i = 0; i < n; ++i)
-    if (isKept(fates[i]))
+    if (isKept(fates[i]) && !isInParts(fates[i]))
     {
       cells_[to] = cells_[i];
       inputCells_[to++] = static_cast<std::uint32_t>(i);
     }
   cells_.resize(to);
   cells_.shrink_to_fit();
+  if (report_.inParts > 0)
+    addParts(parts);
+}
+
+void HexMesh::addParts(const std::vector<Parts>& parts)
+{
+  std::size_t cells = cells_.size(), around = 0;
+  for (const Parts& p : parts)
+  {
+    cells += p.cells.size();
+    around += p.around.size();
+  }
+  if (cells >= noCell || points_.size() + report_.inParts >= noCell || around >= noCell)
+    throw Error("A mesh takes up to 4294967294 points and cells, and the parts of its polyhedra "
+                "and of cells that cross themselves are more.");
+  RawVector<Cell> all(cells);
+  RawVector<std::uint32_t> of(cells);
+  points_.reserve(points_.size() + report_.inParts);
+  middleEnds_.reserve(report_.inParts);
+  aroundMiddles_.reserve(around);
+  std::size_t from = 0, to = 0;
+  const auto takeWhole = [&](std::size_t before)
+  {
+    for (; from < cells_.size() && inputCells_[from] < before; ++from, ++to)
+    {
+      all[to] = cells_[from];
+      of[to] = inputCells_[from];
+    }
+  };
+  for (const Parts& p : parts)
+  {
+    std::size_t part = 0, point = 0;
+    for (const Parts::Cut& cut : p.cuts)
+    {
+      takeWhole(cut.cell);
+      const auto middle = static_cast<std::uint32_t>(points_.size());
+      points_.push_back(cut.middle);
+      for (; part < cut.partsEnd; ++part, ++to)
+      {
+        all[to] = p.cells[part];
+        std::replace(all[to].begin(), all[to].end(), noCell, middle);
+        of[to] = cut.cell;
+      }
+      for (; point < cut.aroundEnd; ++point)
+        aroundMiddles_.push_back(p.around[point]);
+      middleEnds_.push_back(static_cast<std::uint32_t>(aroundMiddles_.size()));
+    }
+  }
+  takeWhole(report_.cells);
+  cells_ = std::move(all);
+  inputCells_ = std::move(of);
 }
 
 std::size_t HexMesh::bytes() const
 {
   return points_.capacity() * sizeof(Vec3d) + cells_.capacity() * sizeof(Cell) +
-         inputCells_.capacity() * sizeof(std::uint32_t);
+         (inputCells_.capacity() + middleEnds_.capacity() + aroundMiddles_.capacity()) *
+           sizeof(std::uint32_t);
+}
+
+double negligibleVolume(const HexCorners& p)
+{
+  double edges[3] = {}, place = 0.0;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    const std::size_t r[4] = {0, 3, 4, 7}, s[4] = {0, 1, 4, 5};
+    edges[0] += 0.25 * glm::length(p[r[i] ^ 1] - p[r[i]]);
+    edges[1] += 0.25 * glm::length(p[s[i] ^ 3] - p[s[i]]);
+    edges[2] += 0.25 * glm::length(p[i + 4] - p[i]);
+  }
+  for (const Vec3d& q : p)
+    place = std::max({place, std::abs(q.x), std::abs(q.y), std::abs(q.z)});
+  const double area = std::max({edges[0] * edges[1], edges[1] * edges[2], edges[2] * edges[0]});
+  return 1e-12 * edges[0] * edges[1] * edges[2] + 1e-15 * place * area;
 }
 
 double cellVolume(const HexCorners& corners)

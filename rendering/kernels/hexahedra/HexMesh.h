@@ -7,7 +7,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace mote
 {
@@ -19,7 +21,8 @@ enum class HexCellType : std::uint8_t
   Voxel = 11,
   Hexahedron = 12,
   Wedge = 13,
-  Pyramid = 14
+  Pyramid = 14,
+  Polyhedron = 42 ///< given by its faces
 };
 
 /// Cells with points farther along a coordinate are no part of any scene: structures have bounds in
@@ -30,22 +33,26 @@ constexpr double farthestPoint = 1e30;
 /// cell's point of[i]. Corners of wedges, pyramids and tetrahedra coincide.
 struct CollapsedCorners
 {
-  int points = 0; ///< that the cell has; 0 for a type that is no HexCellType
+  int points = 0; ///< that the cell has; 0 for types with any number, or that are no HexCellType
   std::array<std::uint8_t, 8> of{};
 };
 CollapsedCorners collapsedCorners(int type);
 
 /// Cells as the user gave them: views, nothing is copied. Cell i is of type types[i] and has the
-/// points connectivity[offsets[i]] to connectivity[offsets[i + 1] - 1], in VTK's order.
+/// points connectivity[offsets[i]] to connectivity[offsets[i + 1] - 1], in VTK's order. Faces of
+/// the polyhedron i begin at faces[faceLocations[i]]: their number, then for each the number of its
+/// points and these, in either direction.
 struct HexMeshInput
 {
-  ArrayView points;       ///< three components, any type
-  ArrayView types;        ///< n values; VTK's numbers
-  ArrayView offsets;      ///< n + 1 values
-  ArrayView connectivity; ///< point numbers
+  ArrayView points;        ///< three components, any type
+  ArrayView types;         ///< n values; VTK's numbers
+  ArrayView offsets;       ///< n + 1 values
+  ArrayView connectivity;  ///< point numbers
+  ArrayView faces;         ///< empty where there are no polyhedra
+  ArrayView faceLocations; ///< n values, or none
 };
 
-/// What became of the cells of an input.
+/// What became of the cells of an input; cells count once, in parts or not.
 struct HexMeshReport
 {
   std::size_t cells = 0;        ///< in the input
@@ -54,7 +61,10 @@ struct HexMeshReport
   std::size_t wedges = 0;       ///< of the kept ones
   std::size_t pyramids = 0;     ///< of the kept ones
   std::size_t tetrahedra = 0;   ///< of the kept ones
+  std::size_t polyhedra = 0;    ///< of the kept ones
+  std::size_t inParts = 0;      ///< of the kept ones: cut about their middle
   std::size_t otherTypes = 0;   ///< left out
+  std::size_t unfit = 0;        ///< left out: polyhedra that are not closed, or too concave
   std::size_t nonFinite = 0;    ///< left out: a corner has a coordinate that is not finite
   std::size_t tooFar = 0;       ///< left out: one is beyond farthestPoint
   std::size_t zeroVolume = 0;   ///< left out
@@ -72,7 +82,9 @@ using HexCorners = std::array<Vec3d, 8>;
 /// Cells with eight corners and trilinear insides; faces are bilinear patches. An owned copy.
 ///
 /// Wedges, pyramids and tetrahedra are hexahedra with corners that coincide, voxels are put in
-/// order. Points are kept in double, as they come: cells 1e6 away from the origin keep their shape.
+/// order. Polyhedra with other faces, and cells that cross themselves where their middle sees all
+/// of their faces, are several cells: pyramids and tetrahedra to the middle (see FacedCell). Points
+/// are kept in double, as they come: cells 1e6 away from the origin keep their shape.
 class HexMesh
 {
 public:
@@ -81,16 +93,26 @@ public:
 
   HexMesh() = default;
   /// Copies what is usable, in parallel. Throws Error where the arrays do not fit together, where a
-  /// cell has not as many points as its type, or names a point that is not there, and where there
-  /// are more than 2^32 - 2 points or cells.
+  /// cell has not as many points as its type, or names a point or a face that is not there, and
+  /// where there are more than 2^32 - 2 points or cells, parts and middles included.
   explicit HexMesh(const HexMeshInput& input);
 
   std::size_t cellCount() const { return cells_.size(); }
-  std::size_t pointCount() const { return points_.size(); }
+  /// Of the input.
+  std::size_t pointCount() const { return points_.size() - middleCount(); }
+  /// With the middles of cells in parts, which come after the input's points.
+  std::size_t allPointCount() const { return points_.size(); }
+  std::size_t middleCount() const { return middleEnds_.size(); }
+  /// The points whose mean, of places and values, is point pointCount() + `i`.
+  std::span<const std::uint32_t> aroundMiddle(std::size_t i) const
+  {
+    const std::uint32_t begin = i == 0 ? 0 : middleEnds_[i - 1];
+    return {aroundMiddles_.data() + begin, middleEnds_[i] - begin};
+  }
   const Vec3d& point(std::size_t i) const { return points_[i]; }
   const Cell& cell(std::size_t c) const { return cells_[c]; }
   const Cell* cells() const { return cells_.data(); }
-  /// The input's number of cell `c`.
+  /// The input's number of cell `c`; parts of one cell follow one another.
   std::size_t inputCell(std::size_t c) const { return inputCells_.empty() ? c : inputCells_[c]; }
   HexCorners corners(std::size_t c) const
   {
@@ -106,15 +128,23 @@ public:
   std::size_t bytes() const;
 
 private:
+  struct Parts;
+  void addParts(const std::vector<Parts>& parts);
+
   RawVector<Vec3d> points_;
   RawVector<Cell> cells_;
-  RawVector<std::uint32_t> inputCells_; ///< empty where all cells were kept
+  RawVector<std::uint32_t> inputCells_; ///< empty where all cells were kept as they are
+  RawVector<std::uint32_t> middleEnds_, aroundMiddles_;
   Box bounds_;
   HexMeshReport report_;
 };
 
 /// The volume of a trilinear cell, negative where it is inside out.
 double cellVolume(const HexCorners& corners);
+
+/// The size below which a cell's volume is nothing but rounding: of the product of its mean edges
+/// along r, s and t, and of its points' own places.
+double negligibleVolume(const HexCorners& corners);
 
 /// The middle of a cell's corners.
 Vec3d cellCenter(const HexCorners& corners);

@@ -44,7 +44,7 @@ WalkCells::WalkCells(std::shared_ptr<const HexMesh> mesh,
         size_[k] = size;
   }
   const bool ofCells = field.isOfCells();
-  points_.resize(mesh_->pointCount());
+  points_.resize(mesh_->allPointCount());
   forBlocks(points_.size(),
     [&](std::size_t i)
     {

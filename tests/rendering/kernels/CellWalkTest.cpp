@@ -140,6 +140,41 @@ TEST(CellWalk, PathsInTheMeshAreAsLongAsThroughStructures)
   }
 }
 
+TEST(CellWalk, CellsInPartsAreAsLongAsTheyAreWhole)
+{
+  const HexCells block = hexBlock(4, 4, 4, 0.25, 6);
+  const std::vector<std::vector<std::size_t>> groups = {
+    {0}, {5, 21}, {22, 23}, {26, 42}, {40, 41}, {12, 13, 14}, {51, 55}};
+  HexCells barely = hexBlock(3, 3, 3);
+  barely.move([](const Vec3d& p) { return p == Vec3d(1.0) ? p + Vec3d(0.37) : p; });
+  const std::pair<HexCells, HexCells> pairs[] = {
+    {merged(block, groups), block}, {barely, hexBlock(3, 3, 3)}};
+  // Faces of six points, sheared so that no ray is parallel to many of them.
+  HexCells cells = foam(2);
+  cells.move([](const Vec3d& p)
+    { return p + Vec3d(0.13 * p.y, 0.07 * p.z, 0.11 * p.x) + 0.02 * Vec3d(wave(p)); });
+  const auto sheared = cells.mesh();
+  EXPECT_EQ(sheared->report().inParts, 16U);
+  for (const Camera& camera : camerasFor(sheared->bounds()))
+    EXPECT_EQ(compared(evenCloud(sheared), camera, 1e-5).many, 0U);
+  for (const auto& [parts, whole] : pairs)
+  {
+    const auto mesh = parts.mesh();
+    EXPECT_GT(mesh->report().inParts, 0U);
+    CloudObject walked = evenCloud(mesh), expected = evenCloud(whole.mesh());
+    addWalk(walked);
+    expected.sampling.integrator = VolumeIntegrator::CellByCell;
+    for (const Camera& camera : camerasFor(mesh->bounds()))
+    {
+      Scene found, reference;
+      found.clouds = {walked};
+      reference.clouds = {expected};
+      const Difference d = difference(filmOf(found, camera), filmOf(reference, camera), 1e-5);
+      EXPECT_EQ(d.many, 0U) << d.most;
+    }
+  }
+}
+
 TEST(CellWalk, CellsThatCrossThemselvesLoseNothingMuch)
 {
   // Where a cell is there twice or not at all, spans and walks may tell of different ones.

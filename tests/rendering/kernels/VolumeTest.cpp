@@ -18,20 +18,6 @@ namespace
 
 constexpr VolumeIntegrator integrators[] = {
   VolumeIntegrator::InverseDistance, VolumeIntegrator::Trilinear, VolumeIntegrator::CellByCell};
-RayColor gathered(const CloudObject& volume, const Vec3d& origin, const Vec3d& direction,
-  double tMin = 0.0, double tMax = INFINITY)
-{
-  const std::vector<ShadedLight> lights;
-  const CloudTracer tracer(volume, lights, Vec3d(0.0), 0);
-  RayGatherer gatherer(nullptr);
-  tracer.gather(tracer.ray(origin, direction, tMin, tMax), gatherer);
-  return gatherer.total();
-}
-
-double opticalDepth(const RayColor& color)
-{
-  return -std::log(color.transmittance);
-}
 
 const RingShape twisted{6, 24, 6, 1.0, 2.0, 1.5, 0.4, 0.3, 3};
 
