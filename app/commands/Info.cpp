@@ -22,6 +22,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 
@@ -154,10 +155,11 @@ void printMesh(const MeshFacts& mesh)
   printLine("cells", mesh.cells());
   const double range[2] = {mesh.of("min_volume"), mesh.of("max_volume")};
   printLine("volume", asNumber(mesh.of("volume")) + ", of a cell " + interval(range));
-  printLine("quality", "scaled Jacobian " + asNumber(mesh.of("min_scaled_jacobian"), 3) +
-                         " at worst, " + asNumber(mesh.of("mean_scaled_jacobian"), 3) +
-                         " on average; aspect ratio up to " +
-                         asNumber(mesh.of("max_aspect_ratio"), 3));
+  if (std::isfinite(mesh.of("min_scaled_jacobian"))) // polyhedra have none
+    printLine("quality", "scaled Jacobian " + asNumber(mesh.of("min_scaled_jacobian"), 3) +
+                           " at worst, " + asNumber(mesh.of("mean_scaled_jacobian"), 3) +
+                           " on average; aspect ratio up to " +
+                           asNumber(mesh.of("max_aspect_ratio"), 3));
   const std::string complaints = mesh.complaints();
   printLine("bad cells", complaints.empty() ? "none" : complaints);
 }

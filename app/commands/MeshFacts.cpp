@@ -56,7 +56,7 @@ std::string MeshFacts::counts(
 std::string MeshFacts::cells() const
 {
   return this->counts({{"hexahedra", "hexahedra"}, {"wedges", "wedges"}, {"pyramids", "pyramids"},
-    {"tetrahedra", "tetrahedra"}, {"other", "of other types"}});
+    {"tetrahedra", "tetrahedra"}, {"polyhedra", "polyhedra"}, {"other", "of other types"}});
 }
 
 std::string MeshFacts::complaints() const

@@ -84,6 +84,11 @@ std::shared_ptr<const HexMesh> meshOf(vtkUnstructuredGrid* grid)
   input.types = views.of(grid->GetCellTypesArray());
   input.offsets = views.of(grid->GetCells()->GetOffsetsArray());
   input.connectivity = views.of(grid->GetCells()->GetConnectivityArray());
+  if (grid->GetFaces() != nullptr && grid->GetFaceLocations() != nullptr)
+  {
+    input.faces = views.of(grid->GetFaces());
+    input.faceLocations = views.of(grid->GetFaceLocations());
+  }
   return std::make_shared<HexMesh>(input);
 }
 

@@ -6,11 +6,14 @@
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 
 namespace mote
@@ -99,6 +102,11 @@ std::array<double, 8> CollapsedCell::cornerVolumes() const
   return volumes;
 }
 
+double volumeOf(const std::array<double, 8>& cornerVolumes)
+{
+  return std::accumulate(cornerVolumes.begin(), cornerVolumes.end(), 0.0);
+}
+
 CellQuality qualityOf(const CollapsedCell& cell, double volume)
 {
   const CellShape& shape = *shapeOf(cell.type);
@@ -146,11 +154,15 @@ CellReader::CellReader(vtkDataSet* data)
     if (data->GetNumberOfPoints() > 0)
       data->GetPoint(0, point);
   }
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  if (grid && grid->GetFaces() && grid->GetFaceLocations())
+    grid_.emplace(GridArrays(grid));
 }
 
 CellReader::CellReader(const CellReader& other)
   : data_(other.data_)
   , ghosts_(other.ghosts_)
+  , grid_(other.grid_)
 {
 }
 
@@ -162,6 +174,8 @@ CellReader::Answer CellReader::read(vtkIdType cell, CollapsedCell& into)
   if (ghosts_ && (ghosts_->GetValue(cell) & hidden) != 0)
     return Answer::Hidden;
   into.type = data_->GetCellType(cell);
+  if (into.type == VTK_POLYHEDRON && grid_)
+    return readFaces(cell);
   const CellShape* shape = shapeOf(into.type);
   if (!shape)
     return Answer::OtherType;
@@ -177,6 +191,37 @@ CellReader::Answer CellReader::read(vtkIdType cell, CollapsedCell& into)
       finite = finite && std::isfinite(into.corners[i][k]);
   }
   return finite ? Answer::Taken : Answer::NonFinite;
+}
+
+CellReader::Answer CellReader::readFaces(vtkIdType cell)
+{
+  const HexMeshInput cells = grid_->input();
+  const double location = cells.faceLocations.value(static_cast<std::size_t>(cell));
+  if (location < 0.0)
+    return Answer::OtherType;
+  faced_.read(cells.faces, static_cast<std::size_t>(location), static_cast<std::size_t>(cell),
+    static_cast<std::size_t>(data_->GetNumberOfPoints()));
+  faced_.complete();
+  faced_.places.clear();
+  for (const std::int64_t id : faced_.ids())
+  {
+    Vec3d& p = faced_.places.emplace_back();
+    data_->GetPoint(id, &p.x);
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+      return Answer::NonFinite;
+  }
+  parts_.clear();
+  const auto take = [&](const FacedCell::Part& part)
+  {
+    parts_.push_back({VTK_POLYHEDRON, {}, faced_.cornersOf(part)});
+    for (std::size_t i = 0; i < 8; ++i)
+      parts_.back().ids[i] = part[i] == faced_.middlePlace() ? -1 : faced_.ids()[part[i]];
+  };
+  if (const auto whole = faced_.whole())
+    take(*whole);
+  else if (faced_.cut())
+    std::for_each(faced_.parts().begin(), faced_.parts().end(), take);
+  return parts_.empty() ? Answer::OtherType : Answer::InParts;
 }
 
 } // namespace mote

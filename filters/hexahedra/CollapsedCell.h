@@ -1,13 +1,16 @@
 #ifndef MoteCollapsedCell_h
 #define MoteCollapsedCell_h
 
-#include "kernels/core/Vec.h"
+#include "GridCells.h"
+#include "kernels/hexahedra/FacedCell.h"
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <array>
+#include <optional>
+#include <vector>
 
 class vtkDataSet;
 class vtkIdList;
@@ -29,6 +32,9 @@ struct CollapsedCell
   /// their sum is the volume. All are negative where the cell is inside out.
   std::array<double, 8> cornerVolumes() const;
 };
+
+/// The sum of such integrals.
+double volumeOf(const std::array<double, 8>& cornerVolumes);
 
 /// The trilinear weights of the corners at a place of the unit cube.
 std::array<double, 8> trilinearWeights(const Vec3d& rst);
@@ -56,7 +62,8 @@ public:
   enum class Answer
   {
     Taken,
-    OtherType, ///< no hexahedron, voxel, wedge, pyramid or tetrahedron
+    InParts,   ///< a polyhedron; see parts()
+    OtherType, ///< none of these, or a polyhedron that cannot be cut; see FacedCell
     NonFinite, ///< a corner is not
     Hidden     ///< a ghost or blanked cell
   };
@@ -65,12 +72,23 @@ public:
   CellReader(const CellReader& other);
   ~CellReader();
 
+  /// Throws Error for a polyhedron with faces or points that are not there; see mismatchOf().
   Answer read(vtkIdType cell, CollapsedCell& into);
 
+  /// What the polyhedron that was read last is cut into. Corners of the number -1 are its middle,
+  /// where values are the mean of those of points().
+  const std::vector<CollapsedCell>& parts() const { return parts_; }
+  const std::vector<std::int64_t>& points() const { return faced_.ids(); }
+
 private:
+  Answer readFaces(vtkIdType cell);
+
   vtkDataSet* data_;
   vtkUnsignedCharArray* ghosts_;
   vtkNew<vtkIdList> ids_;
+  std::optional<GridCells> grid_; ///< of a grid with polyhedra
+  FacedCell faced_;
+  std::vector<CollapsedCell> parts_;
 };
 
 } // namespace mote

@@ -4,6 +4,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStructuredGrid.h"
@@ -68,6 +69,43 @@ std::string mismatchOf(vtkCellArray* cells, vtkIdType points)
            : mismatchOf(cells->GetOffsetsArray32(), cells->GetConnectivityArray32(), points);
 }
 
+/// What is wrong with the faces of polyhedra over so many points.
+std::string mismatchOf(
+  vtkIdTypeArray* faces, vtkIdTypeArray* locations, vtkIdType cells, vtkIdType points)
+{
+  if (!faces || !locations)
+    return {};
+  if (const vtkIdType count = locations->GetNumberOfValues(); count != cells)
+    return "there are " + std::to_string(count) + " places of faces for " + std::to_string(cells) +
+           " cells";
+  const vtkIdType* const of = faces->GetPointer(0);
+  const vtkIdType size = faces->GetNumberOfValues();
+  const auto isBad = [&](vtkIdType cell)
+  {
+    vtkIdType at = locations->GetValue(cell);
+    if (at < 0)
+      return false;
+    if (at >= size)
+      return true;
+    const vtkIdType count = of[at++];
+    for (vtkIdType face = 0; face < count; ++face)
+    {
+      if (at >= size || of[at] > size - at - 1)
+        return true;
+      const vtkIdType* const begin = of + at + 1;
+      at += 1 + std::max<vtkIdType>(0, of[at]);
+      if (std::any_of(begin, of + at, [=](vtkIdType id) { return id < 0 || id >= points; }))
+        return true;
+    }
+    return false;
+  };
+  const vtkIdType cell = firstWrong(cells, isBad);
+  return cell == cells
+           ? ""
+           : "cell " + std::to_string(cell) + " has faces that are not in the list of faces, or " +
+               "that name points that are not there";
+}
+
 std::string mismatchOf(vtkPolyData* data)
 {
   // In the order of the cells' numbers.
@@ -111,7 +149,12 @@ std::string mismatchOf(vtkStructuredGrid* grid)
 std::string mismatchOf(vtkDataSet* data)
 {
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
-    return mismatchOf(grid->GetCells(), grid->GetNumberOfPoints());
+  {
+    const std::string found = mismatchOf(grid->GetCells(), grid->GetNumberOfPoints());
+    return found.empty() ? mismatchOf(grid->GetFaces(), grid->GetFaceLocations(),
+                             grid->GetNumberOfCells(), grid->GetNumberOfPoints())
+                         : found;
+  }
   if (auto* surface = vtkPolyData::SafeDownCast(data))
     return mismatchOf(surface);
   if (auto* grid = vtkRectilinearGrid::SafeDownCast(data))

@@ -4,6 +4,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataSet.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -39,10 +40,11 @@ void tryCell(
   ClosestCell& best, vtkDataSet* data, vtkIdType id, const Vec3d& p, vtkGenericCell* cell)
 {
   data->GetCell(id, cell);
-  double pcoords[3], weights[8], distance2 = 0.0;
+  double pcoords[3], distance2 = 0.0;
+  std::vector<double> weights(static_cast<std::size_t>(cell->GetNumberOfPoints()));
   Vec3d point;
   int subId = 0;
-  int answer = cell->EvaluatePosition(&p.x, &point.x, subId, pcoords, distance2, weights);
+  int answer = cell->EvaluatePosition(&p.x, &point.x, subId, pcoords, distance2, weights.data());
   if (answer < 0) // VTK's cell did not find out: its corners are no further than it is
   {
     distance2 = std::numeric_limits<double>::infinity();
@@ -89,6 +91,31 @@ private:
   vtkNew<vtkCellArray> lines_;
 };
 
+/// Of a polyhedron: weights by the part that holds the point, whose middle is the mean of all of
+/// the cell's points; coordinates as VTK has them, by the bounds.
+void evaluatePart(const HexMesh& mesh, std::uint32_t part, vtkGenericCell* cell, const Vec3d& p,
+  double pcoords[3], double* weights)
+{
+  const double* const b = cell->GetBounds();
+  for (int k = 0; k < 3; ++k)
+    pcoords[k] = (p[k] - b[2 * k]) / (b[2 * k + 1] - b[2 * k]);
+  if (!weights)
+    return;
+  Vec3d rst(0.5);
+  TrilinearCell(mesh, part).coordinates(p, rst);
+  const CornerValues own = TrilinearCell::weights(rst);
+  std::fill_n(weights, cell->GetNumberOfPoints(), 0.0);
+  const auto add = [&](std::uint32_t point, double weight)
+  { weights[std::max<vtkIdType>(0, cell->GetPointIds()->IsId(point))] += weight; };
+  for (std::size_t i = 0; i < 8; ++i)
+    if (const std::uint32_t point = mesh.cell(part)[i]; point < mesh.pointCount())
+      add(point, own[i]);
+    else
+      for (const auto around = mesh.aroundMiddle(point - mesh.pointCount());
+           const std::uint32_t one : around)
+        add(one, own[i] / static_cast<double>(around.size()));
+}
+
 void addCylinder(Lines& lines, const HexMesh& mesh, const CylinderAxis& axis)
 {
   const Vec3d h = glm::normalize(axis.direction);
@@ -125,9 +152,15 @@ void addCylinder(Lines& lines, const HexMesh& mesh, const CylinderAxis& axis)
 
 } // namespace
 
-void evaluate(vtkGenericCell* cell, const Vec3d& p, double pcoords[3], double* weights)
+void evaluate(const HexMesh& mesh, std::uint32_t part, vtkGenericCell* cell, const Vec3d& p,
+  double pcoords[3], double* weights)
 {
   const int type = cell->GetCellType();
+  if (type == static_cast<int>(HexCellType::Polyhedron))
+  {
+    evaluatePart(mesh, part, cell, p, pcoords, weights);
+    return;
+  }
   const CollapsedCorners collapsed = collapsedCorners(type);
   HexCorners corners;
   for (std::size_t i = 0; i < 8; ++i)
@@ -156,22 +189,24 @@ void evaluate(vtkGenericCell* cell, const Vec3d& p, double pcoords[3], double* w
   }
 }
 
-std::vector<std::uint32_t> cellsAlong(
+std::vector<vtkIdType> cellsAlong(
   const LocatorStructure& structure, const Vec3d& from, const Vec3d& to)
 {
-  std::vector<std::uint32_t> cells;
+  const HexMesh& mesh = *structure.mesh;
+  std::vector<vtkIdType> cells;
   if (!isLine(from, to))
   {
     if (const std::uint32_t c = structure.cellAt(from); c != HexMesh::noCell)
-      cells.push_back(c);
+      cells.push_back(static_cast<vtkIdType>(mesh.inputCell(c)));
     return cells;
   }
-  std::unordered_set<std::uint32_t> told; // a cell may be entered more than once
+  std::unordered_set<vtkIdType> told; // a cell may be entered more than once
   forSpans(structure, from, to,
     [&](const CellSpan& span)
     {
-      if (told.insert(span.cell).second)
-        cells.push_back(span.cell);
+      const auto id = static_cast<vtkIdType>(mesh.inputCell(span.cell));
+      if (told.insert(id).second)
+        cells.push_back(id);
       return true;
     });
   return cells;
@@ -180,6 +215,7 @@ std::vector<std::uint32_t> cellsAlong(
 FaceHit firstFace(const LocatorStructure& structure, const Vec3d& from, const Vec3d& to)
 {
   FaceHit hit;
+  const HexMesh& mesh = *structure.mesh;
   if (!isLine(from, to))
     return hit;
   // Where the line begins in a cell, that cell's exit is a face, and the next cell's entry the
@@ -190,14 +226,16 @@ FaceHit firstFace(const LocatorStructure& structure, const Vec3d& from, const Ve
     {
       if (isExit && span.tIn > hit.t)
         return false;
-      if (span.inFace != noFace)
+      const bool isInside =
+        isExit && mesh.inputCell(span.cell) == mesh.inputCell(hit.cell); // from part to part
+      if (span.inFace != noFace && !isInside)
       {
         hit = {span.cell, span.tIn};
         isExit = false;
         return false;
       }
-      if (!isExit || span.tOut < hit.t)
-        hit = {span.cell, span.tOut};
+      if (!isExit || isInside || span.tOut < hit.t)
+        hit = {span.cell, isInside ? std::max(hit.t, span.tOut) : span.tOut};
       isExit = true;
       return true;
     });

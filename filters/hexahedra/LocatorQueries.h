@@ -29,11 +29,13 @@ struct UsedCell
 };
 
 /// VTK's parametric coordinates of `p` in a cell of one of the HexCellTypes, and the interpolation
-/// weights of its points (null if not wanted), by the cell's trilinear map.
-void evaluate(vtkGenericCell* cell, const Vec3d& p, double pcoords[3], double* weights);
+/// weights of its points (null if not wanted), by the cell's trilinear map; of a polyhedron, that
+/// of the mesh's cell `part`.
+void evaluate(const HexMesh& mesh, std::uint32_t part, vtkGenericCell* cell, const Vec3d& p,
+  double pcoords[3], double* weights);
 
-/// The mesh's cells that the line from `from` to `to` passes, each once, in the order of entry.
-std::vector<std::uint32_t> cellsAlong(
+/// The input's cells that the line from `from` to `to` passes, each once, in the order of entry.
+std::vector<vtkIdType> cellsAlong(
   const LocatorStructure& structure, const Vec3d& from, const Vec3d& to);
 
 /// The first face of a cell on a line, at from + t (to - from): the cell is the one entered there,

@@ -1,6 +1,7 @@
 #include "LocatorStructure.h"
 
 #include "DataSetMismatch.h"
+#include "GridCells.h"
 
 #include "kernels/core/Error.h"
 #include "kernels/hexahedra/TrilinearCell.h"
@@ -13,7 +14,6 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkStructuredGrid.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -43,38 +43,19 @@ public:
   {
     auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
     if (grid && grid->GetCells() && grid->GetNumberOfCells() > 0)
-      view(grid);
+      input = grid_.emplace(GridArrays(grid)).input();
     else
       copyCells(data);
     auto* set = vtkPointSet::SafeDownCast(data);
-    vtkPoints* points = set ? set->GetPoints() : nullptr;
-    const auto count = static_cast<std::size_t>(data->GetNumberOfPoints());
-    if (points && points->GetData()->HasStandardMemoryLayout() &&
-        (points->GetDataType() == VTK_FLOAT || points->GetDataType() == VTK_DOUBLE))
-      input.points = ArrayView(points->GetVoidPointer(0),
-        points->GetDataType() == VTK_FLOAT ? ArrayView::Type::Float32 : ArrayView::Type::Float64,
-        count, 3);
-    else
-      copyPoints(data, count);
+    points_ = DataArrayView(set && set->GetPoints() ? set->GetPoints()->GetData() : nullptr);
+    input.points = points_.view;
+    if (input.points.empty())
+      copyPoints(data, static_cast<std::size_t>(data->GetNumberOfPoints()));
   }
 
   HexMeshInput input;
 
 private:
-  void view(vtkUnstructuredGrid* grid)
-  {
-    vtkCellArray* cells = grid->GetCells();
-    const auto viewOf = [](vtkDataArray* array, ArrayView::Type type)
-    {
-      return ArrayView(
-        array->GetVoidPointer(0), type, static_cast<std::size_t>(array->GetNumberOfValues()), 1);
-    };
-    const auto type = cells->IsStorage64Bit() ? ArrayView::Type::Int64 : ArrayView::Type::Int32;
-    input.offsets = viewOf(cells->GetOffsetsArray(), type);
-    input.connectivity = viewOf(cells->GetConnectivityArray(), type);
-    input.types = viewOf(grid->GetCellTypesArray(), ArrayView::Type::UInt8);
-  }
-
   void copyCells(vtkDataSet* data)
   {
     vtkNew<vtkIdList> ids;
@@ -94,15 +75,17 @@ private:
 
   void copyPoints(vtkDataSet* data, std::size_t count)
   {
-    points_.resize(count);
+    copied_.resize(count);
     for (std::size_t i = 0; i < count; ++i)
-      data->GetPoint(static_cast<vtkIdType>(i), &points_[i].x);
-    input.points = ArrayView(points_.empty() ? nullptr : &points_[0].x, count, 3);
+      data->GetPoint(static_cast<vtkIdType>(i), &copied_[i].x);
+    input.points = ArrayView(copied_.empty() ? nullptr : &copied_[0].x, count, 3);
   }
 
   std::vector<std::uint8_t> types_;
   std::vector<std::int64_t> offsets_, connectivity_;
-  std::vector<Vec3d> points_;
+  std::vector<Vec3d> copied_;
+  std::optional<GridCells> grid_;
+  DataArrayView points_;
 };
 
 /// How far outside of a cell `p` lies, in the cell's own coordinates; infinite for more than such a
@@ -135,11 +118,9 @@ LocatorStructure::Key LocatorStructure::keyOf(vtkDataSet* data, const HexStructu
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
     key.push_back(timeOf(grid->GetPoints()));
-    vtkCellArray* cells = grid->GetCells();
-    key.push_back(timeOf(cells));
-    key.push_back(cells ? timeOf(cells->GetOffsetsArray()) : 0);
-    key.push_back(cells ? timeOf(cells->GetConnectivityArray()) : 0);
-    key.push_back(timeOf(grid->GetCellTypesArray()));
+    key.push_back(timeOf(grid->GetCells()));
+    for (vtkDataArray* array : GridArrays(grid).all())
+      key.push_back(timeOf(array));
   }
   else if (auto* curved = vtkStructuredGrid::SafeDownCast(data))
   {

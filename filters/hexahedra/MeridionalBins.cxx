@@ -92,15 +92,27 @@ void addCell(
       }
 }
 
-/// Reads a cell's values; false where one is not finite.
-bool readValues(Sampled& into, vtkDataArray* array, bool ofCells, vtkIdType cell)
+/// The mean of a polyhedron's point values.
+Vec3d middleOf(vtkDataArray* array, const std::vector<std::int64_t>& points)
+{
+  Vec3d sum(0.0);
+  for (const std::int64_t point : points)
+    for (int k = 0; k < array->GetNumberOfComponents(); ++k)
+      sum[k] += array->GetComponent(point, k);
+  return sum / static_cast<double>(points.size());
+}
+
+/// Reads a cell's values; false where one is not finite. Corners of the number -1 have `middle`.
+bool readValues(
+  Sampled& into, vtkDataArray* array, bool ofCells, vtkIdType cell, const Vec3d& middle)
 {
   const int components = array->GetNumberOfComponents();
   bool finite = true;
   for (int c = 0; c < 8; ++c)
     for (int k = 0; k < components; ++k)
     {
-      into.values[c][k] = array->GetComponent(ofCells ? cell : into.cell.ids[c], k);
+      const vtkIdType point = ofCells ? cell : into.cell.ids[c];
+      into.values[c][k] = point < 0 ? middle[k] : array->GetComponent(point, k);
       finite = finite && std::isfinite(into.values[c][k]);
     }
   return finite;
@@ -160,20 +172,28 @@ vtkIdType addToBins(std::vector<Bin>& bins, const BinGrid& grid, const Axis& axi
       CellReader reader(first);
       Sampled sampled{};
       sampled.middle = middle;
+      std::vector<CollapsedCell> parts;
       for (vtkIdType id = count * run / runs; id < count * (run + 1) / runs; ++id)
       {
-        if (reader.read(id, sampled.cell) != CellReader::Answer::Taken)
+        const CellReader::Answer answer = reader.read(id, sampled.cell);
+        const bool isInParts = answer == CellReader::Answer::InParts;
+        if (answer != CellReader::Answer::Taken && !isInParts)
           continue;
-        if (!readValues(sampled, array, ofCells, id))
+        parts.assign(1, sampled.cell);
+        if (isInParts)
+          parts = reader.parts();
+        const Vec3d mean = isInParts && !ofCells ? middleOf(array, reader.points()) : Vec3d(0.0);
+        for (const CollapsedCell& part : parts)
         {
-          ++leftOut[run];
-          continue;
+          sampled.cell = part;
+          if (!readValues(sampled, array, ofCells, id, mean))
+          {
+            ++leftOut[run];
+            break;
+          }
+          sampled.side = volumeOf(part.cornerVolumes()) < 0.0 ? -1.0 : 1.0;
+          addCell(partial[run], grid, axis, sampled, isVector);
         }
-        double volume = 0.0;
-        for (const double part : sampled.cell.cornerVolumes())
-          volume += part;
-        sampled.side = volume < 0.0 ? -1.0 : 1.0;
-        addCell(partial[run], grid, axis, sampled, isVector);
       }
     });
   vtkIdType sum = 0;

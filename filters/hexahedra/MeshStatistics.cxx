@@ -19,64 +19,97 @@ namespace mote
 namespace
 {
 
-void addCell(CellStatistics& to, const CollapsedCell& cell, double volume)
+/// A cell, or one of its parts, and the integrals of its corners' weights, all above 0.
+struct Measured
 {
-  const CellQuality quality = qualityOf(cell, volume);
+  explicit Measured(const CollapsedCell& of)
+    : cell(of)
+    , volumes(of.cornerVolumes())
+    , signedVolume(volumeOf(volumes))
+  {
+    if (signedVolume < 0.0)
+      for (double& volume : volumes)
+        volume = -volume;
+  }
+
+  const CollapsedCell& cell;
+  std::array<double, 8> volumes;
+  double signedVolume;
+};
+
+void addQuality(CellStatistics& to, const Measured& measured)
+{
+  const CollapsedCell& cell = measured.cell;
+  const CellQuality quality = qualityOf(cell, measured.signedVolume);
   to.hexahedra += cell.type == VTK_HEXAHEDRON || cell.type == VTK_VOXEL;
   to.wedges += cell.type == VTK_WEDGE;
   to.pyramids += cell.type == VTK_PYRAMID;
   to.tetrahedra += cell.type == VTK_TETRA;
   to.inverted += quality.inverted;
   to.zeroVolume += quality.zeroVolume;
-  to.volume += std::abs(volume);
-  to.minVolume = std::min(to.minVolume, std::abs(volume));
-  to.maxVolume = std::max(to.maxVolume, std::abs(volume));
   to.minScaledJacobian = std::min(to.minScaledJacobian, quality.scaledJacobian);
   to.sumScaledJacobian += quality.scaledJacobian;
   to.maxAspectRatio = std::max(to.maxAspectRatio, quality.aspectRatio);
 }
 
-void addValues(MeasuredArray& to, const CollapsedCell& cell, vtkIdType id,
-  const std::array<double, 8>& volumes, double volume)
+/// Adds the values of a cell; `middle` is that of corners of the number -1.
+void addValues(
+  MeasuredArray& to, const std::vector<Measured>& parts, vtkIdType id, double middle, double volume)
 {
-  const double side = volume < 0.0 ? -1.0 : 1.0;
-  double values[8], integral = 0.0, least = HUGE_VAL, most = -HUGE_VAL;
-  for (int i = 0; i < 8; ++i)
-  {
-    values[i] = to.ofCells && i > 0 ? values[0] : valueOf(to.array, to.ofCells ? id : cell.ids[i]);
-    if (!std::isfinite(values[i]))
+  const double even = to.ofCells ? valueOf(to.array, id) : 0.0;
+  ArrayStatistics cell;
+  for (const Measured& part : parts)
+    for (int i = 0; i < 8; ++i)
     {
-      ++to.statistics.nonFinite;
-      return;
+      const vtkIdType point = part.cell.ids[i];
+      const double value = to.ofCells ? even : point < 0 ? middle : valueOf(to.array, point);
+      if (!std::isfinite(value))
+      {
+        ++to.statistics.nonFinite;
+        return;
+      }
+      cell.integral += part.volumes[i] * value;
+      cell.min = std::min(cell.min, value);
+      cell.max = std::max(cell.max, value);
     }
-    integral += side * volumes[i] * values[i];
-    least = std::min(least, values[i]);
-    most = std::max(most, values[i]);
-  }
-  to.statistics.integral += integral;
-  to.statistics.volume += std::abs(volume);
-  to.statistics.min = std::min(to.statistics.min, least);
-  to.statistics.max = std::max(to.statistics.max, most);
+  cell.volume = volume;
+  to.statistics.add(cell);
 }
 
 void addRange(MeshStatistics& to, CellReader reader, vtkIdType begin, vtkIdType end)
 {
   CollapsedCell cell;
+  std::vector<Measured> parts;
   for (vtkIdType id = begin; id < end; ++id)
   {
     const CellReader::Answer answer = reader.read(id, cell);
+    const bool isInParts = answer == CellReader::Answer::InParts;
     to.cells.cells += answer != CellReader::Answer::Hidden;
     to.cells.other += answer == CellReader::Answer::OtherType;
     to.cells.nonFinite += answer == CellReader::Answer::NonFinite;
-    if (answer != CellReader::Answer::Taken)
+    to.cells.polyhedra += isInParts;
+    if (answer != CellReader::Answer::Taken && !isInParts)
       continue;
-    const auto volumes = cell.cornerVolumes();
+    parts.clear();
+    if (isInParts)
+      for (const CollapsedCell& part : reader.parts())
+        parts.emplace_back(part);
+    else
+      addQuality(to.cells, parts.emplace_back(cell));
     double volume = 0.0;
-    for (const double part : volumes)
-      volume += part;
-    addCell(to.cells, cell, volume);
+    for (const Measured& part : parts)
+      volume += std::abs(part.signedVolume);
+    to.cells.volume += volume;
+    to.cells.minVolume = std::min(to.cells.minVolume, volume);
+    to.cells.maxVolume = std::max(to.cells.maxVolume, volume);
     for (MeasuredArray& array : to.arrays)
-      addValues(array, cell, id, volumes, volume);
+    {
+      double middle = 0.0;
+      if (isInParts && !array.ofCells)
+        for (const std::int64_t point : reader.points())
+          middle += valueOf(array.array, point) / static_cast<double>(reader.points().size());
+      addValues(array, parts, id, middle, volume);
+    }
   }
 }
 
@@ -106,10 +139,10 @@ double valueOf(vtkDataArray* array, vtkIdType tuple, int component)
 
 void CellStatistics::add(const CellStatistics& more)
 {
-  for (const auto member :
-    {&CellStatistics::cells, &CellStatistics::hexahedra, &CellStatistics::wedges,
-      &CellStatistics::pyramids, &CellStatistics::tetrahedra, &CellStatistics::other,
-      &CellStatistics::inverted, &CellStatistics::zeroVolume, &CellStatistics::nonFinite})
+  for (const auto member : {&CellStatistics::cells, &CellStatistics::hexahedra,
+         &CellStatistics::wedges, &CellStatistics::pyramids, &CellStatistics::tetrahedra,
+         &CellStatistics::polyhedra, &CellStatistics::other, &CellStatistics::inverted,
+         &CellStatistics::zeroVolume, &CellStatistics::nonFinite})
     this->*member += more.*member;
   volume += more.volume;
   sumScaledJacobian += more.sumScaledJacobian;

@@ -16,12 +16,14 @@ namespace mote
 /// What the cells of a data set amount to; see vtkMoteMeshStatistics for the words.
 struct CellStatistics
 {
-  vtkIdType cells = 0, hexahedra = 0, wedges = 0, pyramids = 0, tetrahedra = 0, other = 0;
+  vtkIdType cells = 0, hexahedra = 0, wedges = 0, pyramids = 0, tetrahedra = 0, polyhedra = 0;
+  vtkIdType other = 0;
   vtkIdType inverted = 0, zeroVolume = 0, nonFinite = 0;
   double volume = 0.0, minVolume = std::numeric_limits<double>::infinity(), maxVolume = 0.0;
   double minScaledJacobian = std::numeric_limits<double>::infinity();
   double sumScaledJacobian = 0.0, maxAspectRatio = 0.0;
 
+  /// Those that have a quality.
   vtkIdType taken() const { return hexahedra + wedges + pyramids + tetrahedra; }
   void add(const CellStatistics& other);
 };

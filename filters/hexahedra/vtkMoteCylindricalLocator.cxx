@@ -98,7 +98,7 @@ vtkMTimeType vtkMoteCylindricalLocator::GetStructureTime()
 
 vtkIdType vtkMoteCylindricalLocator::GetNumberOfCells()
 {
-  return this->Structure ? static_cast<vtkIdType>(this->Structure->mesh->cellCount()) : 0;
+  return this->Structure ? static_cast<vtkIdType>(this->Structure->mesh->report().kept) : 0;
 }
 
 unsigned long vtkMoteCylindricalLocator::GetActualMemorySize()
@@ -122,8 +122,8 @@ vtkIdType vtkMoteCylindricalLocator::FindCell(
   const auto id = static_cast<vtkIdType>(this->Structure->mesh->inputCell(found));
   mote::UsedCell used(cell);
   this->DataSet->GetCell(id, used.cell);
-  double unused[8];
-  mote::evaluate(used.cell, p, pcoords ? pcoords : unused, weights);
+  double unused[3];
+  mote::evaluate(*this->Structure->mesh, found, used.cell, p, pcoords ? pcoords : unused, weights);
   return id;
 }
 
@@ -148,8 +148,10 @@ void vtkMoteCylindricalLocator::FindCellsWithinBounds(double* bbox, vtkIdList* c
   if (!this->IsBuilt())
     return;
   const mote::Box box{{bbox[0], bbox[2], bbox[4]}, {bbox[1], bbox[3], bbox[5]}};
+  vtkIdType last = -1; // parts of one cell follow one another
   for (const std::uint32_t c : mote::cellsWithin(*this->Structure->structure, box))
-    cells->InsertNextId(static_cast<vtkIdType>(this->Structure->mesh->inputCell(c)));
+    if (const auto id = static_cast<vtkIdType>(this->Structure->mesh->inputCell(c)); id != last)
+      cells->InsertNextId(last = id);
 }
 
 void vtkMoteCylindricalLocator::FindCellsAlongLine(
@@ -158,9 +160,9 @@ void vtkMoteCylindricalLocator::FindCellsAlongLine(
   cells->Reset();
   if (!this->IsBuilt())
     return;
-  for (const std::uint32_t c :
+  for (const vtkIdType id :
     mote::cellsAlong(*this->Structure, {p1[0], p1[1], p1[2]}, {p2[0], p2[1], p2[2]}))
-    cells->InsertNextId(static_cast<vtkIdType>(this->Structure->mesh->inputCell(c)));
+    cells->InsertNextId(id);
 }
 
 int vtkMoteCylindricalLocator::IntersectWithLine(const double p1[3], const double p2[3], double,
@@ -180,7 +182,7 @@ int vtkMoteCylindricalLocator::IntersectWithLine(const double p1[3], const doubl
   cellId = static_cast<vtkIdType>(this->Structure->mesh->inputCell(hit.cell));
   mote::UsedCell used(cell);
   this->DataSet->GetCell(cellId, used.cell);
-  mote::evaluate(used.cell, p, pcoords, nullptr);
+  mote::evaluate(*this->Structure->mesh, hit.cell, used.cell, p, pcoords, nullptr);
   return 1;
 }
 

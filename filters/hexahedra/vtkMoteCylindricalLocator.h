@@ -107,8 +107,8 @@ public:
 
   ///@{
   /**
-   * The cell that holds `x`, or -1. `cell`, `pcoords` (3) and `weights` (8) may be null; the last
-   * two are those of the cell's VTK type.
+   * The cell that holds `x`, or -1. `cell`, `pcoords` (3) and `weights` (8, and of a polyhedron as
+   * many as it has points) may be null; the last two are those of the cell's VTK type.
    */
   vtkIdType FindCell(
     double x[3], double tol2, vtkGenericCell* cell, double pcoords[3], double* weights) override;

@@ -2,9 +2,9 @@
  * @class   vtkMoteMeridionalAverage
  * @brief   the average of an array over circles about an axis, by radius and place along the axis
  *
- * The input is a data set with hexahedra, voxels, wedges, pyramids or tetrahedra, or a composite
- * one of several, such as the parts of a pump, which are then averaged together. The array, on
- * points or cells, has one component or three.
+ * The input is a data set with hexahedra, voxels, wedges, pyramids, tetrahedra or polyhedra, or a
+ * composite one of several, such as the parts of a pump, which are then averaged together. The
+ * array, on points or cells, has one component or three.
  *
  * The plane of place along the axis and distance from it is cut into square bins. A bin's average
  * is the integral over the part of the cells' volume that falls into it when it turns about the

@@ -66,24 +66,26 @@ private:
 
 void addCells(Columns& row, const mote::CellStatistics& cells)
 {
-  const bool any = cells.taken() > 0;
-  const auto known = [any](double value) { return any ? value : std::nan(""); };
+  const auto known = [](double value, bool any) { return any ? value : std::nan(""); };
+  const bool any = cells.taken() > 0, anyVolume = any || cells.polyhedra > 0;
   row.Add("cells", cells.cells);
   row.Add("hexahedra", cells.hexahedra);
   row.Add("wedges", cells.wedges);
   row.Add("pyramids", cells.pyramids);
   row.Add("tetrahedra", cells.tetrahedra);
+  row.Add("polyhedra", cells.polyhedra);
   row.Add("other", cells.other);
   row.Add("inverted", cells.inverted);
   row.Add("zero_volume", cells.zeroVolume);
   row.Add("non_finite", cells.nonFinite);
   row.Add("volume", cells.volume);
-  row.Add("min_volume", known(cells.minVolume));
-  row.Add("max_volume", known(cells.maxVolume));
-  row.Add("min_scaled_jacobian", known(cells.minScaledJacobian));
+  row.Add("min_volume", known(cells.minVolume, anyVolume));
+  row.Add("max_volume", known(cells.maxVolume, anyVolume));
+  row.Add("min_scaled_jacobian", known(cells.minScaledJacobian, any));
   row.Add("mean_scaled_jacobian",
-    known(cells.sumScaledJacobian / static_cast<double>(std::max<vtkIdType>(1, cells.taken()))));
-  row.Add("max_aspect_ratio", known(cells.maxAspectRatio));
+    known(
+      cells.sumScaledJacobian / static_cast<double>(std::max<vtkIdType>(1, cells.taken())), any));
+  row.Add("max_aspect_ratio", known(cells.maxAspectRatio, any));
 }
 
 void addArray(Columns& row, const mote::MeasuredArray& measured)

@@ -7,13 +7,15 @@
  *
  *  - `block`: its name; empty for an input that is one data set;
  *  - `cells`: all but ghosts; `hexahedra` (voxels among them), `wedges`, `pyramids`, `tetrahedra`,
- *    and `other` types, of which the rest says nothing;
+ *    `polyhedra`, and `other` types, of which the rest says nothing: polyhedra that are not closed
+ *    or too concave for volumes (see vtkMoteVolumeMapper) are among these;
  *  - `inverted`: cells with a corner that is inside out (wedges may be listed in both orders);
  *    `zero_volume`: with less than 1e-14 of the cube of their longest edge; `non_finite`: with a
  *    corner at no place, left out of the rest;
  *  - `volume`, `min_volume`, `max_volume`: of a cell's trilinear map, exact, counted above 0;
- *  - `min_scaled_jacobian`, `mean_scaled_jacobian`: at the worst corner of a cell, 1 for a cube and
- *    for every regular cell; `max_aspect_ratio`: the longest by the shortest edge.
+ *  - of all but polyhedra `min_scaled_jacobian`, `mean_scaled_jacobian`: at the worst corner of a
+ *    cell, 1 for a cube and for every regular cell; `max_aspect_ratio`: the longest by the shortest
+ * edge.
  *
  * The second output has one row for each block and array of numbers that lies on points or cells:
  * `block`, `array`, `of` ("point" or "cell"), `components`, and `min`, `mean`, `max` of the value,

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 vtkStandardNewMacro(vtkMoteVolumeQuantiles);
@@ -32,6 +33,32 @@ struct Sample
 {
   double value, volume;
 };
+
+/// The eight samples of the cell that was read: of a polyhedron some of its points have as much
+/// each.
+void sample(mote::CellReader& reader, mote::CellReader::Answer answer,
+  const mote::CollapsedCell& cell, const std::function<double(vtkIdType)>& valueAt, Sample* to)
+{
+  const auto put = [&](int k, vtkIdType point, double volume)
+  {
+    if (const double value = valueAt(point); std::isfinite(value))
+      to[k] = {value, volume};
+  };
+  if (answer == mote::CellReader::Answer::Taken)
+  {
+    const auto volumes = cell.cornerVolumes();
+    for (int k = 0; k < 8; ++k)
+      put(k, cell.ids[k], std::abs(volumes[k]));
+  }
+  if (answer != mote::CellReader::Answer::InParts)
+    return;
+  double volume = 0.0;
+  for (const mote::CollapsedCell& part : reader.parts())
+    for (const double corner : part.cornerVolumes())
+      volume += std::abs(corner);
+  for (std::size_t k = 0; k < 8; ++k)
+    put(static_cast<int>(k), reader.points()[k * reader.points().size() / 8], 0.125 * volume);
+}
 
 /// The samples of every `step`th cell, eight each; those without a value have no volume.
 std::vector<Sample> samplesOf(
@@ -47,15 +74,12 @@ std::vector<Sample> samplesOf(
       mote::CollapsedCell cell;
       for (vtkIdType i = begin; i < end; ++i)
       {
-        if (reader.read(i * step, cell) != mote::CellReader::Answer::Taken)
-          continue;
-        const auto volumes = cell.cornerVolumes();
-        for (int k = 0; k < 8; ++k)
-        {
-          const double value = mote::valueOf(array, ofCells ? i * step : cell.ids[k], component);
-          if (std::isfinite(value))
-            samples[static_cast<std::size_t>(8 * i + k)] = {value, std::abs(volumes[k])};
-        }
+        const vtkIdType id = i * step;
+        const auto answer = reader.read(id, cell);
+        sample(
+          reader, answer, cell,
+          [&](vtkIdType point) { return mote::valueOf(array, ofCells ? id : point, component); },
+          &samples[static_cast<std::size_t>(8 * i)]);
       }
     });
   return samples;

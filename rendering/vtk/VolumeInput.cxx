@@ -3,8 +3,6 @@
 #include "kernels/core/Error.h"
 
 #include "vtkCellArray.h"
-#include "vtkPoints.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace mote
@@ -12,28 +10,6 @@ namespace mote
 
 namespace
 {
-
-ContentHash hashOf(const DataArrayView& array)
-{
-  if (array.view.empty())
-    return {};
-  const auto numbers = array.view.count() * static_cast<std::size_t>(array.view.components());
-  const std::uint64_t shape[3] = {static_cast<std::uint64_t>(array.view.type()), array.view.count(),
-    static_cast<std::uint64_t>(array.view.components())};
-  return combine(mote::hashOf(shape, sizeof shape),
-    mote::hashOf(
-      array.view.data(), numbers * static_cast<std::size_t>(array.owner->GetDataTypeSize())));
-}
-
-InputKey keyOf(vtkUnstructuredGrid* grid)
-{
-  InputKey key;
-  addArray(key, grid->GetPoints() ? grid->GetPoints()->GetData() : nullptr);
-  addArray(key, grid->GetCellTypesArray());
-  addArray(key, grid->GetCells()->GetOffsetsArray());
-  addArray(key, grid->GetCells()->GetConnectivityArray());
-  return key;
-}
 
 InputKey keyOf(const HexStructureOptions& options)
 {
@@ -46,35 +22,17 @@ InputKey keyOf(const HexStructureOptions& options)
 
 } // namespace
 
-GridCells::GridCells(vtkUnstructuredGrid* grid)
-  : points(grid->GetPoints() ? grid->GetPoints()->GetData() : nullptr)
-  , types(grid->GetCellTypesArray())
-  , offsets(grid->GetCells()->GetOffsetsArray())
-  , connectivity(grid->GetCells()->GetConnectivityArray())
-{
-}
-
-HexMeshInput GridCells::input() const
-{
-  return {points.view, types.view, offsets.view, connectivity.view};
-}
-
-ContentHash GridCells::hash() const
-{
-  ContentHash hash;
-  for (const DataArrayView* array : {&points, &types, &offsets, &connectivity})
-    hash = combine(hash, hashOf(*array));
-  return hash;
-}
-
 bool VolumeGeometry::hasCellsOf(vtkUnstructuredGrid* grid)
 {
   if (!grid->GetCells() || grid->GetNumberOfCells() == 0)
     return false;
-  InputKey key = keyOf(grid);
+  const GridArrays arrays(grid);
+  InputKey key;
+  for (vtkDataArray* array : arrays.all())
+    addArray(key, array);
   if (key != seenKey_)
   {
-    seen_ = GridCells(grid).hash();
+    seen_ = GridCells(arrays).hash();
     seenKey_ = std::move(key);
   }
   return mesh_ && seen_ == content_;
@@ -94,7 +52,7 @@ bool VolumeGeometry::takeCells(vtkUnstructuredGrid* grid)
   adjacency_ = nullptr;
   if (!grid->GetCells() || grid->GetNumberOfCells() == 0)
     throw Error("The input has no cells.");
-  auto mesh = std::make_shared<const HexMesh>(GridCells(grid).input());
+  auto mesh = std::make_shared<const HexMesh>(GridCells(GridArrays(grid)).input());
   if (mesh->cellCount() == 0)
     throw Error("No cell of the input can be drawn. " + mesh->report().sentence());
   mesh_ = std::move(mesh);

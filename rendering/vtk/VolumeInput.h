@@ -1,9 +1,7 @@
 #pragma once
 
-#include "DataArrayView.h"
+#include "GridCells.h"
 #include "ParticleInput.h"
-#include "kernels/core/ContentHash.h"
-
 #include "kernels/hexahedra/HexStructure.h"
 #include "kernels/hexahedra/WalkCells.h"
 
@@ -13,17 +11,6 @@ class vtkUnstructuredGrid;
 
 namespace mote
 {
-
-/// The cells of an unstructured grid as the kernels see them, and what keeps their memory alive.
-struct GridCells
-{
-  DataArrayView points, types, offsets, connectivity;
-
-  explicit GridCells(vtkUnstructuredGrid* grid);
-  HexMeshInput input() const;
-  /// Of all numbers, which tells whether the cells of two grids are the same.
-  ContentHash hash() const;
-};
 
 /// The mesh of a volume, and the structure over it, which follow a pipeline's output.
 class VolumeGeometry

@@ -103,7 +103,32 @@ double* vtkMoteVolumeMapper::GetBounds()
 vtkIdType vtkMoteVolumeMapper::GetNumberOfCells()
 {
   const auto& mesh = this->Impl->geometry.mesh();
-  return mesh ? static_cast<vtkIdType>(mesh->cellCount()) : 0;
+  return mesh ? static_cast<vtkIdType>(mesh->report().kept) : 0;
+}
+
+vtkIdType vtkMoteVolumeMapper::GetNumberOfCellsLeftOut(int reason)
+{
+  const auto& mesh = this->Impl->geometry.mesh();
+  if (!mesh)
+    return 0;
+  const mote::HexMeshReport& r = mesh->report();
+  switch (reason)
+  {
+  case ANY_REASON:
+    return static_cast<vtkIdType>(r.cells - r.kept);
+  case OTHER_TYPE:
+    return static_cast<vtkIdType>(r.otherTypes);
+  case UNFIT_POLYHEDRON:
+    return static_cast<vtkIdType>(r.unfit);
+  case NOT_FINITE:
+    return static_cast<vtkIdType>(r.nonFinite);
+  case TOO_FAR:
+    return static_cast<vtkIdType>(r.tooFar);
+  case NO_VOLUME:
+    return static_cast<vtkIdType>(r.zeroVolume);
+  default:
+    return 0;
+  }
 }
 
 std::string vtkMoteVolumeMapper::GetReport()

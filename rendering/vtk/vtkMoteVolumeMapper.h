@@ -3,13 +3,15 @@
  * @brief   Draws a scalar on hexahedral cells as a cloud, as iso-surfaces or both, ray cast on the
  * CPU.
  *
- * Input is a vtkUnstructuredGrid. Hexahedra, voxels, wedges, pyramids and tetrahedra are drawn,
- * with warped faces as they are; what cannot be is left out, counted and told of once for each
- * mesh. Use it with a vtkVolume, as any volume mapper: its position, scale and orientation, its
- * visibility, and of its vtkVolumeProperty the colour (RGB or gray), scalar opacity and its unit
- * distance (in world units), Shade, Ambient, Diffuse, Specular and SpecularPower hold, those of
- * component 0. With ShowIsoSurfaces each of the property's IsoSurfaceValues adds an opaque surface,
- * coloured by the colour function and lit by the property's material, Shade or not.
+ * Input is a vtkUnstructuredGrid. Hexahedra, voxels, wedges, pyramids, tetrahedra and polyhedra
+ * are drawn, with warped faces as they are; what cannot be is left out, counted and told of once
+ * for each mesh. Polyhedra are cut about the mean of their points, where values are the mean of
+ * theirs; one whose middle does not see all of its faces from inside is left out. Use it with a
+ * vtkVolume, as any volume mapper: its position, scale and orientation, its visibility, and of its
+ * vtkVolumeProperty the colour (RGB or gray), scalar opacity and its unit distance (in world
+ * units), Shade, Ambient, Diffuse, Specular and SpecularPower hold, those of component 0. With
+ * ShowIsoSurfaces each of the property's IsoSurfaceValues adds an opaque surface, coloured by the
+ * colour function and lit by the property's material, Shade or not.
  *
  * Which array is drawn is chosen as in other mappers: ScalarMode, SelectScalarArray(); of arrays
  * with several components VectorMode and VectorComponent say what counts. Point values vary
@@ -218,6 +220,23 @@ public:
   double* GetScalarRange() VTK_SIZEHINT(2);
   void GetScalarRange(double range[2]);
   ///@}
+
+  /// Why a cell of the input is not drawn.
+  enum ReasonsToLeaveOut
+  {
+    ANY_REASON = 0,
+    OTHER_TYPE,       ///< no type that fills space with straight edges
+    UNFIT_POLYHEDRON, ///< its faces do not close, or its middle does not see all of them
+    NOT_FINITE,       ///< a coordinate is not a number or infinite
+    TOO_FAR,          ///< a coordinate is beyond 1e30
+    NO_VOLUME
+  };
+
+  /**
+   * The number of the input's cells that are not drawn for one of ReasonsToLeaveOut, or for any, as
+   * of the last Update(); 0 for other numbers, and where nothing can be drawn.
+   */
+  vtkIdType GetNumberOfCellsLeftOut(int reason = ANY_REASON);
 
   /**
    * Draws this one volume. Called by vtkVolume.

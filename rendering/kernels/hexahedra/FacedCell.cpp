@@ -25,13 +25,11 @@ constexpr double leastCorner = 1e-3;
 
 } // namespace
 
-std::int64_t checkedPoint(double id, std::size_t points, std::size_t cell)
+void refusePoint(double id, std::size_t points, std::size_t cell)
 {
-  if (!(id >= 0.0 && id < static_cast<double>(points)))
-    throw Error("Cell " + std::to_string(cell) + " names the point " +
-                std::to_string(static_cast<long long>(id)) + ", and there are " +
-                std::to_string(points) + " points.");
-  return static_cast<std::int64_t>(id);
+  throw Error("Cell " + std::to_string(cell) + " names the point " +
+              std::to_string(static_cast<long long>(id)) + ", and there are " +
+              std::to_string(points) + " points.");
 }
 
 void FacedCell::clear()

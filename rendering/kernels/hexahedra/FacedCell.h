@@ -83,7 +83,15 @@ private:
   double volume_ = 0.0;
 };
 
-/// A point's number, if there is one. Throws Error, which names the cell, where there is not.
-std::int64_t checkedPoint(double id, std::size_t points, std::size_t cell);
+/// Throws Error: a cell names a point that is not there.
+[[noreturn]] void refusePoint(double id, std::size_t points, std::size_t cell);
+
+/// A point's number, if there is one of so many.
+inline std::int64_t checkedPoint(double id, std::size_t points, std::size_t cell)
+{
+  if (!(id >= 0.0 && id < static_cast<double>(points)))
+    refusePoint(id, points, cell);
+  return static_cast<std::int64_t>(id);
+}
 
 } // namespace mote
