@@ -27,7 +27,7 @@ namespace
 bool isVolume(int type)
 {
   return type == VTK_TETRA || type == VTK_VOXEL || type == VTK_HEXAHEDRON || type == VTK_WEDGE ||
-         type == VTK_PYRAMID;
+         type == VTK_PYRAMID || type == VTK_POLYHEDRON;
 }
 
 /// The value at a share of a table's range; between the ends by logarithm where the table is.

@@ -1,11 +1,14 @@
 """The package `mote` beside vtkmodules: what it holds and what it says of itself."""
 
 import inspect
+import itertools
 import subprocess
 import sys
 import unittest
 
 import mote
+from vtkmodules.vtkCommonCore import vtkFloatArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_QUAD, VTK_VOXEL, vtkUnstructuredGrid
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkRenderingCore import vtkAbstractPicker, vtkMapper
 
@@ -46,6 +49,26 @@ class Package(unittest.TestCase):
         ]:
             sharer.SetSilhouettes(silhouettes)
             self.assertIs(sharer.GetSilhouettes(), silhouettes)
+
+    def test_volumes_say_how_many_cells_they_leave_out_and_why(self):
+        points = vtkPoints()
+        for place in itertools.product((0, 1), (0, 1), (0, 1)):
+            points.InsertNextPoint(place)
+        grid = vtkUnstructuredGrid()
+        grid.SetPoints(points)
+        grid.InsertNextCell(VTK_VOXEL, 8, range(8))
+        grid.InsertNextCell(VTK_QUAD, 4, (0, 1, 3, 2))
+        heights = vtkFloatArray()
+        for i in range(8):
+            heights.InsertNextValue(i)
+        grid.GetPointData().SetScalars(heights)
+        mapper = mote.vtkMoteVolumeMapper()
+        mapper.SetInputData(grid)
+        mapper.Update()
+        self.assertEqual(mapper.GetNumberOfCells(), 1)
+        self.assertEqual(mapper.GetNumberOfCellsLeftOut(), 1)
+        self.assertEqual(mapper.GetNumberOfCellsLeftOut(mapper.OTHER_TYPE), 1)
+        self.assertEqual(mapper.GetNumberOfCellsLeftOut(mapper.UNFIT_POLYHEDRON), 0)
 
     def test_every_class_has_a_docstring(self):
         for name in CLASSES:
