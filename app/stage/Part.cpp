@@ -360,6 +360,11 @@ void Part::shownBounds(double bounds[6]) const
     std::copy_n(own, 6, bounds);
 }
 
+vtkIdType Part::numberLeftOut() const
+{
+  return volume_ ? volume_->mapper()->GetNumberOfCellsLeftOut() : 0;
+}
+
 vtkIdType Part::numberShown() const
 {
   return particles_ ? particles_->GetNumberOfVisibleParticles() : 0;

@@ -83,6 +83,9 @@ public:
   /// Brings what is shown up to date with the limits.
   void applyRanges();
 
+  /// How many cells of a volume are of a kind that cannot be drawn, or are spoilt.
+  vtkIdType numberLeftOut() const;
+
   /// How many particles are not hidden.
   vtkIdType numberShown() const;
 

@@ -311,7 +311,10 @@ std::string Stage::contents() const
   }
   if (cells > 0)
     text += (text.empty() ? "" : ", ") + counted(cells, "cell");
-  return text;
+  vtkIdType leftOut = 0;
+  for (const auto& part : parts_)
+    leftOut += part->numberLeftOut();
+  return leftOut > 0 ? text + " (" + withThousands(leftOut) + " cannot be drawn)" : text;
 }
 
 } // namespace mote::app
