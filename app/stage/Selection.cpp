@@ -66,10 +66,9 @@ void Selection::require(bool found, std::size_t range, const std::string& name, 
   }
 }
 
-void Selection::apply(const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& colored)
+void Selection::apply(const Parts& parts, const ArrayChoice& colored)
 {
   this->followSettings();
-  const SelectionSettings& wanted = settings_.selection;
   const Part* first = nullptr; // with particles: an empty step says nothing about arrays
   for (const auto& part : parts)
   {
@@ -79,12 +78,26 @@ void Selection::apply(const std::vector<std::unique_ptr<Part>>& parts, const Arr
   }
   if (!first)
     return;
+  this->applyRanges(parts, *first);
+  if (!settings_.selection.range.empty())
+    this->applyRange(parts, colored, *first);
+  for (const auto& part : parts)
+    part->applyRanges();
+}
+
+/// What --show asks for.
+void Selection::applyRanges(const Parts& parts, const Part& first)
+{
+  const std::vector<ShowRange>& ranges = settings_.selection.ranges;
   std::vector<ArrayChoice> arrays;
-  for (std::size_t i = 0; i < wanted.ranges.size(); ++i)
+  for (std::size_t i = 0; i < ranges.size(); ++i)
   {
-    const ShowRange& range = wanted.ranges[i];
+    const ShowRange& range = ranges[i];
     const int place = placeNamed(range.name);
     bool found = place >= 0;
+    if (place >= 0 && range.intervals.size() > 1)
+      throw Failure(
+        "--show: " + range.name + " takes one range, from LO to HI; arrays take several");
     for (const auto& part : parts)
     {
       const bool isVolume = part->kind() == Part::Kind::Volume;
@@ -98,35 +111,32 @@ void Selection::apply(const std::vector<std::unique_ptr<Part>>& parts, const Arr
       if (place >= 0 && isVolume)
         throw Failure(
           "--show: volumes are hidden by the array that colours them, not by " + range.name);
-      if (place >= 0 && range.intervals.size() > 1)
-        throw Failure("--show: " + range.name +
-                      " takes one range, from LO to HI; arrays take "
-                      "several");
       if (place >= 0)
         part->limitPlace(place, range.intervals.front().low, range.intervals.front().high);
       else if (choice)
         part->limit(choice, range.intervals);
       found = found || choice;
     }
-    this->require(found, i + 1, range.name, *first, "--show");
+    this->require(found, i + 1, range.name, first, "--show");
   }
-  if (!wanted.range.empty())
-  {
-    bool found = false;
-    for (const auto& part : parts)
-    {
-      const ArrayChoice choice =
-        wanted.array.empty() ? colored : pointArray(part->data(), wanted.array);
-      found = found || arrayOf(part->data(), choice);
-      part->setVisible(choice, wanted.range.data());
-    }
-    if (!found && wanted.array.empty() && !known_[0])
-      throw Failure("--show-range needs an array: name one with --show-by");
-    this->require(found, 0, wanted.array.empty() ? colored.name : wanted.array, *first,
-      wanted.array.empty() ? "--show-range" : "--show-by");
-  }
+}
+
+/// What --show-range and --show-by ask for.
+void Selection::applyRange(const Parts& parts, const ArrayChoice& colored, const Part& first)
+{
+  const SelectionSettings& wanted = settings_.selection;
+  const bool isColored = wanted.array.empty();
+  bool found = false;
   for (const auto& part : parts)
-    part->applyRanges();
+  {
+    const ArrayChoice choice = isColored ? colored : pointArray(part->data(), wanted.array);
+    found = found || arrayOf(part->data(), choice);
+    part->setVisible(choice, wanted.range.data());
+  }
+  if (!found && isColored && !known_[0])
+    throw Failure("--show-range needs an array: name one with --show-by");
+  this->require(found, 0, isColored ? colored.name : wanted.array, first,
+    isColored ? "--show-range" : "--show-by");
 }
 
 } // namespace mote::app

@@ -19,10 +19,13 @@ public:
   /// Has the parts show what lies in all ranges. `colored` is the array that colours. Throws
   /// Failure for an array that no part has; where one was there at an earlier time step, a warning
   /// tells once that it is missing, and its range is not in force.
-  void apply(const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& colored);
+  using Parts = std::vector<std::unique_ptr<Part>>;
+  void apply(const Parts& parts, const ArrayChoice& colored);
 
 private:
   void followSettings();
+  void applyRanges(const Parts& parts, const Part& first);
+  void applyRange(const Parts& parts, const ArrayChoice& colored, const Part& first);
   void require(bool found, std::size_t range, const std::string& name, const Part& part,
     const std::string& option);
 

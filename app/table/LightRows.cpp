@@ -6,10 +6,14 @@
 namespace mote::app
 {
 
-void addLightRows(std::vector<Row>& table)
+namespace
 {
-  const std::string group = "Light";
-  const auto light = &Settings::light;
+
+const std::string group = "Light";
+constexpr auto light = &Settings::light;
+
+void addMainLightRows(std::vector<Row>& table)
+{
   table.push_back(row<LightSettings, std::string>(light, &LightSettings::shadows,
     {.group = group,
       .name = "shadows",
@@ -45,6 +49,10 @@ void addLightRows(std::vector<Row>& table)
       .value = "F",
       .help = "Factor on the brightness of the main light",
       .limits = {.least = 0.0, .most = 10.0}}));
+}
+
+void addSkyRows(std::vector<Row>& table)
+{
   table.push_back(row<LightSettings, std::string>(light, &LightSettings::ambientOcclusion,
     {.group = group,
       .name = "ambient-occlusion",
@@ -72,6 +80,14 @@ void addLightRows(std::vector<Row>& table)
       .help = "Light that other particles reflect, too, under a sky that is bright above (+z) and "
               "dim below; the main light's shadows are as soft as --light-size says",
       .excludes = {"ambient-occlusion"}}));
+}
+
+} // namespace
+
+void addLightRows(std::vector<Row>& table)
+{
+  addMainLightRows(table);
+  addSkyRows(table);
 }
 
 } // namespace mote::app
