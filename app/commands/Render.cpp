@@ -58,9 +58,11 @@ void requireTraced(const Stage& stage)
     if (part->kind() != Part::Kind::Surface)
       return;
   const std::string name = stage.parts().empty() ? "the input" : stage.parts().front()->name();
-  throw Failure(name + " has nothing that mote render draws: that are particles, and 3D cells of "
-                       "unstructured grids with an array of numbers; see its surface in a window "
-                       "with: mote FILE --cells surface");
+  throw Failure("mote render draws particles, and 3D cells of unstructured grids with an array of "
+                "numbers, and there are none in " +
+                name +
+                "; see its surface in a window with: "
+                "mote FILE --cells surface");
 }
 
 } // namespace

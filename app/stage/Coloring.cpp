@@ -285,7 +285,9 @@ ColorSettings Coloring::inForce(const Parts& parts) const
   // What another look at these parts would not find is said outright.
   if (!explained_ || !all.range.empty())
     return all;
-  Coloring fresh(settings_);
+  Settings present = settings_;
+  present.color.array = all.array; // as it will be asked for
+  Coloring fresh(present);
   fresh.include(parts);
   if (typed_ && fresh.types_ != types_)
     all.types = types_;
