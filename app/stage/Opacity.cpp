@@ -24,6 +24,10 @@ constexpr ShareOpacity usual[] = {{0.0, 0.9}, {0.01, 0.9}, {0.03, 0.4}, {0.1, 0.
   {0.7, 0.015}, {0.9, 0.08}, {0.97, 0.4}, {0.99, 0.9}, {1.0, 0.9}};
 constexpr double everywhere = 0.3; ///< of one value
 
+/// Cells that the distribution is taken from: enough for a look, and found within a twentieth of a
+/// second, so that a key that shows another array is answered soon.
+constexpr vtkIdType cellsLookedAt = 10000;
+
 } // namespace
 
 std::vector<OpacityPoint> opacitiesFor(
@@ -35,6 +39,7 @@ std::vector<OpacityPoint> opacitiesFor(
   vtkNew<vtkMoteVolumeQuantiles> quantiles;
   quantiles->SetInputData(all);
   quantiles->SetArrayName(choice.name);
+  quantiles->SetMaximumNumberOfCells(cellsLookedAt);
   quantiles->SetOfCells(choice.ofCells);
   quantiles->SetComponent(choice.component == ArrayChoice::magnitude ? -1 : choice.component);
   quantiles->Update();
