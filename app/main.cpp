@@ -11,6 +11,7 @@
 #include "commands/Info.h"
 #include "commands/Probe.h"
 #include "commands/Render.h"
+#include "table/CommandOptions.h"
 #include "table/Help.h"
 #include "table/Session.h"
 #include "window/Window.h"

@@ -1,7 +1,8 @@
 # Brings this machine to the point where Mote is built: packages, configuration, build.
 # Sourced by scripts/demo and scripts/test, which then call `setup PRESET [TARGET...]`: all is built
 # where no target is named. What is there already is not made again, so that a second call takes a
-# moment.
+# moment. With native=ON, a first build is for this machine's instruction set alone, which takes half
+# the time; what stands already is taken as it is.
 
 root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
 self=${0##*/}
@@ -64,9 +65,13 @@ install_packages() {
 }
 
 configure() {
-  local preset=$1 dir=$root/build/$1 options=()
-  # Ninja itself sees to changed CMake files; only the presets are beyond its knowledge.
-  if [[ -e $dir/build.ninja && ! $root/CMakePresets.json -nt $dir/build.ninja ]]; then
+  local preset=$1 dir=$root/build/$1 native=${native:-OFF} options=()
+  if [[ $native == OFF || ! -e $dir/CMakeCache.txt ]]; then
+    options+=("-DMOTE_NATIVE=$native")
+  fi
+  # Ninja itself sees to changed CMake files; the presets and options are beyond its knowledge.
+  if [[ -e $dir/build.ninja && ! $root/CMakePresets.json -nt $dir/build.ninja ]] &&
+    { [[ $native == ON ]] || ! grep -q '^MOTE_NATIVE:BOOL=ON' "$dir/CMakeCache.txt"; }; then
     return
   fi
   stage "Configuring build/$preset"

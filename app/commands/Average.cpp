@@ -21,7 +21,6 @@
 #include <vtkPointData.h>
 #include <vtkTable.h>
 
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -115,18 +114,6 @@ void writePicture(vtkImageData* bins, const Settings& settings, const std::strin
 }
 
 } // namespace
-
-void addAverageOptions(CLI::App& app, GivenSettings& given)
-{
-  addFiles(app, given.settings);
-  addSettings(app, given, {"Data"});
-  addCommandSettings(app, given, "average");
-  addSettings(
-    app, given, {"color-by", "color-map", "range", "log", "title", "legend-format", "font-scale"});
-  app.get_option("--color-by")
-    ->description("Column of the table that colours the picture. Default: the average, of a vector "
-                  "its magnitude");
-}
 
 void average(const Settings& settings)
 {

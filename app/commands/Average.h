@@ -1,12 +1,9 @@
 #pragma once
 
-#include "table/CommandLine.h"
+#include "settings/Settings.h"
 
 namespace mote::app
 {
-
-/// Declares the options of `mote average`.
-void addAverageOptions(CLI::App& app, GivenSettings& given);
 
 /// Writes the meridional average of an array as a table or a picture. Throws Failure and
 /// Interrupted.

@@ -15,7 +15,6 @@
 #include <vtkPolyData.h>
 #include <vtkTimerLog.h>
 
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <filesystem>
@@ -59,13 +58,6 @@ void setQuality(vtkMoteAmbientOcclusionBaker* baker, const Settings& settings)
 }
 
 } // namespace
-
-void addBakeOptions(CLI::App& app, GivenSettings& given)
-{
-  addFiles(app, given.settings);
-  addSettings(app, given, {"Data", "Radius"});
-  addCommandSettings(app, given, "bake");
-}
 
 void bake(const Settings& settings)
 {

@@ -1,16 +1,13 @@
 #pragma once
 
 #include "stage/Input.h"
-#include "table/CommandLine.h"
+#include "settings/Settings.h"
 
 #include <string>
 #include <vector>
 
 namespace mote::app
 {
-
-/// Declares the options of `mote bake`.
-void addBakeOptions(CLI::App& app, GivenSettings& given);
 
 /// Writes the occlusion maps of the particles of a file. Throws Failure and Interrupted.
 void bake(const Settings& settings);

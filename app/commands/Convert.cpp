@@ -17,7 +17,6 @@
 #include <vtkPointData.h>
 #include <vtkTimerLog.h>
 
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <filesystem>
@@ -46,16 +45,6 @@ double secondsSince(double start)
 }
 
 } // namespace
-
-void addConvertOptions(CLI::App& app, GivenSettings& given)
-{
-  addFiles(app, given.settings);
-  addSettings(app, given, {"Data"});
-  app.get_option("FILE")->description(
-    "Files to read, as elsewhere, and last the .mote file to write");
-  addSettings(app, given, {"Radius", "form"});
-  addCommandSettings(app, given, "convert");
-}
 
 void convert(const Settings& given)
 {

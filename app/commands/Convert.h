@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stage/Input.h"
-#include "table/CommandLine.h"
+#include "settings/Settings.h"
 
 #include <string>
 
@@ -11,9 +11,6 @@ namespace mote::app
 /// The one set of particles of the input at a step. Throws Failure, with `why` one is needed, where
 /// there are more or none.
 NamedData particlesOf(Input& input, int step, ProgressRelay& progress, const std::string& why);
-
-/// Declares the options of `mote convert`.
-void addConvertOptions(CLI::App& app, GivenSettings& given);
 
 /// Writes a .mote file, which the last of the files names. Throws Failure and Interrupted; then no
 /// file is left that is not complete.

@@ -15,7 +15,6 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
-#include <CLI/CLI.hpp>
 
 #include <chrono>
 #include <cmath>
@@ -72,25 +71,6 @@ double secondsSince(std::chrono::steady_clock::time_point start)
 }
 
 } // namespace
-
-void addImageSilhouetteOptions(CLI::App& app, GivenSettings& given)
-{
-  Settings& settings = given.settings;
-  // Narrow lines, grey where steps are small, from 1 % of what the image shows on.
-  settings.silhouettes.lines = "1%";
-  settings.silhouettes.thickness = "1";
-  settings.silhouettes.opacity = 0.3;
-  app
-    .add_option("IMAGE", settings.data.files, "Image with depths, such as an .exr from any program")
-    ->required()
-    ->expected(1)
-    ->type_name("");
-  addCommandSettings(app, given, "silhouettes");
-  addSettings(app, given,
-    {"silhouette-thickness", "silhouette-opacity", "silhouette-color", "silhouette-on-pixels",
-      "silhouette-step-pixels", "silhouette-groups", "silhouette-no-hulls", "threads"},
-    "silhouette-");
-}
 
 void drawImageSilhouettes(const Settings& settings)
 {

@@ -1,12 +1,9 @@
 #pragma once
 
-#include "table/CommandLine.h"
+#include "settings/Settings.h"
 
 namespace mote::app
 {
-
-/// Declares the options of `mote silhouettes`.
-void addImageSilhouetteOptions(CLI::App& app, GivenSettings& given);
 
 /// Draws the silhouettes of a depth image over its colours, or on white. Throws Failure.
 void drawImageSilhouettes(const Settings& settings);

@@ -18,7 +18,6 @@
 #include <vtkPointSet.h>
 #include <vtkTimerLog.h>
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -237,13 +236,6 @@ Json asJson(const NamedData& one, const Input& input, int step, double seconds)
 }
 
 } // namespace
-
-void addInfoOptions(CLI::App& app, GivenSettings& given)
-{
-  addFiles(app, given.settings);
-  addSettings(app, given, {"Data"});
-  addCommandSettings(app, given, "info");
-}
 
 void printInfo(const Settings& settings)
 {

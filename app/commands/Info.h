@@ -1,12 +1,9 @@
 #pragma once
 
-#include "table/CommandLine.h"
+#include "settings/Settings.h"
 
 namespace mote::app
 {
-
-/// Declares the options of `mote info`.
-void addInfoOptions(CLI::App& app, GivenSettings& given);
 
 /// Prints what the files hold. Throws Failure and Interrupted.
 void printInfo(const Settings& settings);

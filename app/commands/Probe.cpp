@@ -22,7 +22,6 @@
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 
-#include <CLI/CLI.hpp>
 
 #include <cmath>
 
@@ -128,13 +127,6 @@ bool isWorthALocator(vtkDataSet* data, vtkIdType points)
 }
 
 } // namespace
-
-void addProbeOptions(CLI::App& app, GivenSettings& given)
-{
-  addFiles(app, given.settings);
-  addSettings(app, given, {"Data"});
-  addCommandSettings(app, given, "probe");
-}
 
 void probe(const Settings& settings)
 {

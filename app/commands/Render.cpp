@@ -9,7 +9,6 @@
 
 #include <vtkTimerLog.h>
 
-#include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <filesystem>
@@ -66,12 +65,6 @@ void requireTraced(const Stage& stage)
 }
 
 } // namespace
-
-void addRenderOptions(CLI::App& app, GivenSettings& given)
-{
-  addAllSettings(app, given);
-  addCommandSettings(app, given, "render");
-}
 
 void render(const Settings& given)
 {

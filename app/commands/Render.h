@@ -1,12 +1,9 @@
 #pragma once
 
-#include "table/CommandLine.h"
+#include "settings/Settings.h"
 
 namespace mote::app
 {
-
-/// Declares the options of `mote render`.
-void addRenderOptions(CLI::App& app, GivenSettings& given);
 
 /// Writes one picture, or one for every time step. Throws Failure and Interrupted; then no file is
 /// left that is not complete.

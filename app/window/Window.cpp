@@ -14,7 +14,6 @@
 #include <vtkRenderer.h>
 #include <vtkTimerLog.h>
 
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -58,12 +57,6 @@ void forget(vtkObject* object)
 }
 
 } // namespace
-
-void addWindowOptions(CLI::App& app, GivenSettings& given)
-{
-  addAllSettings(app, given);
-  addCommandSettings(app, given, "mote");
-}
 
 void showWindow(const Settings& settings)
 {

@@ -6,7 +6,6 @@
 #include "WindowProps.h"
 #include "settings/History.h"
 #include "stage/Stage.h"
-#include "table/CommandLine.h"
 #include "table/Keys.h"
 
 #include <vtkMoteRayCastPass.h>
@@ -22,9 +21,6 @@ namespace mote::app
 {
 
 class InteractorStyle;
-
-/// Declares the options of the window.
-void addWindowOptions(CLI::App& app, GivenSettings& given);
 
 /// Opens a window on the files and returns when the user closes it. Throws Failure where there is
 /// no display or nothing can be shown, and Interrupted.

@@ -1,0 +1,82 @@
+#include "CommandOptions.h"
+
+#include <CLI/CLI.hpp>
+
+namespace mote::app
+{
+
+void addWindowOptions(CLI::App& app, GivenSettings& given)
+{
+  addAllSettings(app, given);
+  addCommandSettings(app, given, "mote");
+}
+
+void addRenderOptions(CLI::App& app, GivenSettings& given)
+{
+  addAllSettings(app, given);
+  addCommandSettings(app, given, "render");
+}
+
+void addConvertOptions(CLI::App& app, GivenSettings& given)
+{
+  addFiles(app, given.settings);
+  addSettings(app, given, {"Data"});
+  app.get_option("FILE")->description(
+    "Files to read, as elsewhere, and last the .mote file to write");
+  addSettings(app, given, {"Radius", "form"});
+  addCommandSettings(app, given, "convert");
+}
+
+void addInfoOptions(CLI::App& app, GivenSettings& given)
+{
+  addFiles(app, given.settings);
+  addSettings(app, given, {"Data"});
+  addCommandSettings(app, given, "info");
+}
+
+void addAverageOptions(CLI::App& app, GivenSettings& given)
+{
+  addFiles(app, given.settings);
+  addSettings(app, given, {"Data"});
+  addCommandSettings(app, given, "average");
+  addSettings(
+    app, given, {"color-by", "color-map", "range", "log", "title", "legend-format", "font-scale"});
+  app.get_option("--color-by")
+    ->description("Column of the table that colours the picture. Default: the average, of a vector "
+                  "its magnitude");
+}
+
+void addImageSilhouetteOptions(CLI::App& app, GivenSettings& given)
+{
+  Settings& settings = given.settings;
+  // Narrow lines, grey where steps are small, from 1 % of what the image shows on.
+  settings.silhouettes.lines = "1%";
+  settings.silhouettes.thickness = "1";
+  settings.silhouettes.opacity = 0.3;
+  app
+    .add_option("IMAGE", settings.data.files, "Image with depths, such as an .exr from any program")
+    ->required()
+    ->expected(1)
+    ->type_name("");
+  addCommandSettings(app, given, "silhouettes");
+  addSettings(app, given,
+    {"silhouette-thickness", "silhouette-opacity", "silhouette-color", "silhouette-on-pixels",
+      "silhouette-step-pixels", "silhouette-groups", "silhouette-no-hulls", "threads"},
+    "silhouette-");
+}
+
+void addBakeOptions(CLI::App& app, GivenSettings& given)
+{
+  addFiles(app, given.settings);
+  addSettings(app, given, {"Data", "Radius"});
+  addCommandSettings(app, given, "bake");
+}
+
+void addProbeOptions(CLI::App& app, GivenSettings& given)
+{
+  addFiles(app, given.settings);
+  addSettings(app, given, {"Data"});
+  addCommandSettings(app, given, "probe");
+}
+
+} // namespace mote::app
