@@ -180,13 +180,11 @@ void Coloring::apply(const Parts& parts)
   for (const auto& part : parts)
     if (part->kind() == Part::Kind::Volume)
       volumes.push_back(part->data());
-  const std::vector<OpacityPoint>& given = settings_.volume.opacity;
-  const std::vector<OpacityPoint> none;
-  const std::vector<OpacityPoint>& opacity = !given.empty()    ? given
-                                             : volumes.empty() ? none
-                                                               : usual_.of(volumes, choice_);
+  opacity_ = settings_.volume.opacity;
+  if (opacity_.empty() && !volumes.empty())
+    opacity_ = usual_.of(volumes, choice_);
   for (const auto& part : parts)
-    part->setColors(choice_, table_, opacity);
+    part->setColors(choice_, table_, opacity_);
 }
 
 void Coloring::makeTable(bool types)
@@ -240,6 +238,12 @@ std::string Coloring::nextArray(const Parts& parts) const
     next = present[1];
   const Part* holder = holderOf(parts, next);
   return holder ? asText(holder->data(), next) : "none";
+}
+
+int Coloring::componentCount(const Parts& parts) const
+{
+  const Part* holder = holderOf(parts, choice_);
+  return holder ? arrayOf(holder->data(), choice_)->GetNumberOfComponents() : 0;
 }
 
 std::string Coloring::nextComponent(const Parts& parts) const

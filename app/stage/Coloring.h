@@ -44,6 +44,12 @@ public:
   /// had so far.
   ColorSettings inForce(const std::vector<std::unique_ptr<Part>>& parts) const;
 
+  /// How many components the array has that colours; 0 where there is none.
+  int componentCount(const std::vector<std::unique_ptr<Part>>& parts) const;
+
+  /// The opacities of volumes, those that were chosen by themselves too; none without volumes.
+  const std::vector<OpacityPoint>& opacity() const { return opacity_; }
+
   /// The colours to explain in a legend; null where there is no array, or it holds colours.
   vtkLookupTable* table() const;
 
@@ -80,6 +86,7 @@ private:
   vtkSmartPointer<vtkLookupTable> table_;
   vtkSmartPointer<vtkLookupTable> legendTable_;
   UsualOpacity usual_; ///< of volumes
+  std::vector<OpacityPoint> opacity_;
 };
 
 } // namespace mote::app

@@ -50,6 +50,19 @@ void addPictureCommands(Rows& table)
       .help = "Show nothing before the structure is built. Else large sets begin with a preview: "
               "a part of the particles, enlarged, and a line that says so",
       .command = "mote"}));
+  table.push_back(row(output, &OutputSettings::panel,
+    {.group = "Output",
+      .name = "panel",
+      .help = "Begin without the panel at the window's side; the Tab key shows and hides it",
+      .command = "mote"}));
+  table.push_back(row(output, &OutputSettings::uiScale,
+    {.group = "Output",
+      .name = "ui-scale",
+      .value = "F",
+      .help = "Factor on the size of the panel's texts and controls",
+      .limits = {.least = 0.5, .most = 4.0},
+      .usual = "as the display says: its dots per inch over 96",
+      .command = "mote"}));
   table.push_back(outputRow("render",
     "Picture to write: .png, .jpg or .tif; or .exr with colour, depth, normal and particle id, the "
     "background transparent",

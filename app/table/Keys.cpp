@@ -52,6 +52,8 @@ const std::vector<Line>& lines()
     {"Ctrl+Z Ctrl+Y", "undo, redo",
       {{Undo, {"Control+z"}}, {Redo, {"Control+y", "Control+Z", "Control+Y"}}}},
     {"Escape", "stop long work; dismiss messages", {{Escape, {"Escape"}}}},
+    {"Tab", "show the panel and give it the keys (arrows, space; Escape); again: hide it",
+      {{Panel, {"Tab"}}}},
     {"h ?", "these keys", {{Help, {"h", "H", "question", "F1"}}}},
     {"q", "quit", {{Quit, {"q", "Q"}}}},
   };

@@ -20,6 +20,7 @@ enum class Action
   Set, ///< the value that the binding names
   // Of the window:
   Help,
+  Panel,
   ResetView,
   ZoomIn,
   ZoomOut,

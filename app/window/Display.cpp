@@ -5,6 +5,9 @@
 #include <X11/Xlib.h>
 #include <X11/keysym.h>
 
+#include <algorithm>
+#include <cstdlib>
+
 namespace mote::app
 {
 
@@ -48,6 +51,20 @@ bool displayAvailable()
   if (display)
     XCloseDisplay(display);
   return display != nullptr;
+}
+
+double displayScale()
+{
+  ::Display* display = XOpenDisplay(nullptr);
+  if (!display)
+    return 1.0;
+  const char* text = XGetDefault(display, "Xft", "dpi");
+  const double dots = text ? std::atof(text) : 0.0;
+  const int height = DisplayHeight(display, DefaultScreen(display));
+  XCloseDisplay(display);
+  // Displays that do not tell are taken for as large as others: more lines are finer ones.
+  const double scale = dots > 0.0 ? dots / 96.0 : height / 1080.0;
+  return std::clamp(scale, 1.0, 4.0);
 }
 
 Request takeRequest(vtkRenderWindow* window)

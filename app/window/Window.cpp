@@ -1,6 +1,7 @@
 #include "Window.h"
 
 #include "InteractorStyle.h"
+#include "Observe.h"
 #include "base/Failure.h"
 #include "base/Text.h"
 #include "commands/Bake.h"
@@ -13,7 +14,6 @@
 #include <vtkMoteSilhouettes.h>
 #include <vtkRenderer.h>
 #include <vtkTimerLog.h>
-
 
 #include <algorithm>
 #include <cmath>
@@ -29,26 +29,6 @@ constexpr unsigned long restAfter = 250;  // ms from a turn of the wheel to shar
 constexpr unsigned long playPause = 60;   // ms between time steps
 constexpr unsigned long buildPause = 200; // ms between looks at what other threads build
 constexpr int previewSamples = 4; // samples per pixel: more would slow down the build behind it
-
-template <class Function>
-void observe(vtkObject* object, unsigned long event, const Function& function)
-{
-  class Command : public vtkCommand
-  {
-  public:
-    explicit Command(const Function& f)
-      : function_(f)
-    {
-    }
-    void Execute(vtkObject*, unsigned long, void* data) override { function_(data); }
-
-  private:
-    Function function_;
-  };
-  auto* command = new Command(function);
-  object->AddObserver(event, command);
-  command->Delete();
-}
 
 /// Leaves the object alone when the window goes: what is still fired finds no one.
 void forget(vtkObject* object)
@@ -75,6 +55,8 @@ Window::Window(const Settings& settings, Input& input)
   , overlay_(stage_.renderer())
   , props_(stage_)
   , bar_(window_, stage_.renderer())
+  , panel_(stage_)
+  , panelOn_(settings.output.panel)
 {
   progress_.add(terminal_);
   progress_.add(bar_);
@@ -88,6 +70,7 @@ Window::~Window()
   forget(pass_);
   forget(style_);
   forget(interactor_);
+  forget(stage_.renderer());
 }
 
 void Window::setUpWindow()
@@ -183,6 +166,7 @@ void Window::run()
   this->choosePass();
   this->say("Press h for the keys");
   props_.attach(interactor_); // which draws the window
+  this->setUpPanel();
   this->render();
   if (!quit_)
     interactor_->Start();
@@ -257,7 +241,7 @@ void Window::advance()
 
 void Window::look()
 {
-  const int* size = window_->GetSize();
+  const std::array<int, 2> size = this->viewSize();
   Margins margins;
   // Both sides alike, so that what turns about its middle stays in the window's middle.
   const bool legend = this->settings().picture.legend && stage_.coloring().legendTable();
@@ -265,7 +249,7 @@ void Window::look()
   margins.bottom = margins.top = 0.06;
   stage_.look(double(size[0]) / std::max(1, size[1]), margins);
   this->rememberView();
-  viewSize_ = {size[0], size[1]};
+  viewedSize_ = size;
 }
 
 void Window::rememberView()
@@ -332,8 +316,8 @@ void Window::onRenderStart()
   if (busy_)
     return;
   // A view that the user has not touched goes on to fit when the window's shape changes.
-  const int* size = window_->GetSize();
-  if (viewSize_ != std::array<int, 2>{size[0], size[1]} && view_ == this->viewNow())
+  this->updatePanel();
+  if (viewedSize_ != this->viewSize() && view_ == this->viewNow())
     this->look();
   this->updatePreview();
   overlay_.setStatus(this->statusText());
@@ -375,7 +359,9 @@ void Window::onTimer(int timer)
   };
   if (busy_ || quit_)
     return;
-  if (due(playTimer_))
+  if (due(panelTimer_))
+    this->takeWish();
+  else if (due(playTimer_))
     this->advance();
   else if (due(messageTimer_))
   {

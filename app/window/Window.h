@@ -4,6 +4,8 @@
 #include "Overlay.h"
 #include "WindowProgress.h"
 #include "WindowProps.h"
+#include "panels/Panel.h"
+#include "panels/PanelHost.h"
 #include "settings/History.h"
 #include "stage/Stage.h"
 #include "table/Keys.h"
@@ -15,6 +17,8 @@
 
 #include <array>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 
 namespace mote::app
@@ -27,7 +31,8 @@ class InteractorStyle;
 void showWindow(const Settings& settings);
 
 /// The window: what it shows and how it answers. Window.cpp has set-up, drawing and time,
-/// WindowActions.cpp what keys do, WindowSettings.cpp how settings change. All that can be chosen
+/// WindowActions.cpp what keys do, WindowSettings.cpp how settings change, WindowPanel.cpp the
+/// panel. All that can be chosen
 /// is in the stage's settings.
 class Window
 {
@@ -65,6 +70,15 @@ private:
   void startTimer(int& timer, unsigned long milliseconds);
   std::string statusText() const;
   std::string qualityText() const;
+
+  // Panel
+  void setUpPanel();
+  void updatePanel();
+  void drawPanel();
+  void takeWish();
+  void endHold();
+  void togglePanel();
+  std::array<int, 2> viewSize() const;
 
   // Settings
   const Settings& settings() const { return stage_.settings(); }
@@ -121,7 +135,12 @@ private:
   std::array<double, 10> view_{};         // as the settings had it last
   Settings lookedAt_;                     // when the camera was set last, by itself or by hand
   std::vector<double> camera_;            // as it was then
-  std::array<int, 2> viewSize_{};         // of the window
+  std::array<int, 2> viewedSize_{};       // of the view, when it was looked at
+  Panel panel_;
+  std::unique_ptr<PanelHost> panelHost_; ///< null: the window's OpenGL cannot draw it
+  bool panelOn_ = true;
+  PanelWish wish_;                     ///< what the user did in the last frame
+  std::optional<Settings> beforeHold_; ///< as the settings were when a control was taken hold of
   int step_ = 0;
   bool traced_ = true; // something that is seen is Mote's
   bool playing_ = false;
@@ -130,7 +149,7 @@ private:
   bool quit_ = false;
   double frameStart_ = 0.0, frameTime_ = 0.0;
   bool previewed_ = false; // the picture shown last was a preview
-  int sharpenTimer_ = 0, restTimer_ = 0, playTimer_ = 0, messageTimer_ = 0;
+  int sharpenTimer_ = 0, restTimer_ = 0, playTimer_ = 0, messageTimer_ = 0, panelTimer_ = 0;
 };
 
 } // namespace mote::app

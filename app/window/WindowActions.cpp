@@ -55,6 +55,9 @@ void Window::act(const Binding& binding)
       overlay_.setMessage("");
       overlay_.toggleHelp();
       break;
+    case Action::Panel:
+      this->togglePanel();
+      break;
     case Action::Pick:
       this->pick();
       break;
@@ -414,11 +417,10 @@ void Window::savePicture()
   if (this->hasSurfaces())
     return this->grabPicture(file);
   // As mote render makes it, so that the printed command gives the same.
-  const int* size = window_->GetSize();
   const bool done = this->perform(
     [&]
     {
-      Picture picture(stage_, {size[0], size[1]});
+      Picture picture(stage_, this->viewSize());
       picture.aim(file);
       picture.write(captionOf(input_, step_, stage_.contents()), progress_);
     });

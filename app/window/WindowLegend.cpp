@@ -73,7 +73,7 @@ void WindowLegend::setInk(const Color& ink)
 
 void WindowLegend::update()
 {
-  const int* size = renderer_->GetRenderWindow()->GetSize();
+  const int* size = renderer_->GetSize();
   const bool wanted = legend_->GetLookupTable() && size[0] >= 64 && size[1] >= 64;
   actor_->SetVisibility(wanted);
   if (!wanted)

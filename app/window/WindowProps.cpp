@@ -89,10 +89,15 @@ void WindowProps::attach(vtkRenderWindowInteractor* interactor)
 {
   corner_->SetInteractor(interactor);
   corner_->SetDefaultRenderer(stage_.renderer());
-  corner_->SetViewport(0.0, 0.045, 0.13, 0.225);
+  this->setLeft(0.0);
   corner_->SetEnabled(1);
   corner_->InteractiveOff();
   this->update();
+}
+
+void WindowProps::setLeft(double share)
+{
+  corner_->SetViewport(share, 0.045, share + 0.13 * (1.0 - share), 0.225);
 }
 
 void WindowProps::update()

@@ -28,6 +28,9 @@ public:
   /// Follows the stage's data and settings.
   void update();
 
+  /// Where the view begins, as a share of the window's width.
+  void setLeft(double share);
+
   WindowLegend& legend() { return legend_; }
 
   /// A cage around a picked particle, never smaller than a few pixels.

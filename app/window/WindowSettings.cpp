@@ -131,8 +131,7 @@ void Window::goBack(bool undo)
 Settings Window::settingsInForce()
 {
   Settings all = stage_.settingsInForce();
-  const int* size = window_->GetSize();
-  all.picture.size = {size[0], size[1]};
+  all.picture.size = this->viewSize();
   all.data.time.reset();
   all.data.step = input_.numberOfSteps() > 1 ? std::to_string(step_ + 1) : "last";
   return all;

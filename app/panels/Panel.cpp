@@ -1,0 +1,458 @@
+#include "Panel.h"
+
+#include "ControlPlaces.h"
+#include "base/Text.h"
+#include "stage/Coloring.h"
+
+#include <vtkLookupTable.h>
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace mote::app
+{
+
+namespace
+{
+
+/// Settings that have no control: others do the same, or they are for the terminal.
+const std::set<std::string>& withoutControl()
+{
+  static const std::set<std::string> names = {"step", "time", "threads", "camera", "azimuth",
+    "elevation", "view", "size", "show-by", "show-range"};
+  return names;
+}
+
+} // namespace
+
+Panel::Panel(const Stage& stage)
+  : stage_(stage)
+{
+}
+
+void Panel::setFocus(bool on)
+{
+  focus_ = on;
+}
+
+/// Looks the data over where they are others than the last time.
+void Panel::find()
+{
+  std::vector<std::pair<vtkDataSet*, unsigned long>> key;
+  for (const auto& part : stage_.parts())
+    key.emplace_back(part->data(), part->data()->GetMTime());
+  if (key == found_.key)
+    return;
+  found_ = {};
+  found_.key = key;
+  for (const auto& part : stage_.parts())
+  {
+    found_.hasParticles = found_.hasParticles || part->kind() == Part::Kind::Particles;
+    found_.hasVolumes = found_.hasVolumes || part->kind() == Part::Kind::Volume;
+    for (const ArrayChoice& choice : rankedArrays(part->data()))
+    {
+      const std::string text = asText(part->data(), choice);
+      if (std::none_of(found_.arrays.begin(), found_.arrays.end(),
+            [&](const NamedArray& array) { return array.text == text; }))
+        found_.arrays.push_back({choice, text, describe(part->data(), choice)});
+    }
+  }
+}
+
+const Histogram& Panel::histogramOf(const std::string& name)
+{
+  constexpr int bins = 100;
+  const auto known = found_.histograms.find(name);
+  if (known != found_.histograms.end())
+    return known->second;
+  Histogram& histogram = found_.histograms[name];
+  for (int axis = 0; axis < 3; ++axis)
+    if (name == std::string(1, "xyz"[axis]))
+      return histogram = histogramOfPlaces(stage_.parts(), axis, bins);
+  ArrayChoice choice;
+  for (const auto& part : stage_.parts())
+    if (!choice)
+      choice = findArray(part->data(), name);
+  if (choice)
+    histogram = mote::app::histogramOf(stage_.parts(), choice, bins);
+  return histogram;
+}
+
+std::string Panel::coloredBy() const
+{
+  const ArrayChoice& choice = stage_.coloring().choice();
+  for (const auto& part : stage_.parts())
+    if (arrayOf(part->data(), choice))
+      return asText(part->data(), choice);
+  return "none";
+}
+
+PanelWish Panel::draw(const PanelFacts& facts, float width, float height)
+{
+  this->find();
+  next_ = stage_.settings();
+  wish_ = {};
+  drawn_ = withoutControl();
+  ImGui::SetNextWindowPos(ImVec2(0.0f, 0.0f));
+  ImGui::SetNextWindowSize(ImVec2(width, height));
+  if (focus_ && !*focus_)
+    ImGui::SetWindowFocus(nullptr);
+  ImGui::Begin("Mote", nullptr,
+    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysVerticalScrollbar |
+      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus);
+  if (focus_ && *focus_)
+    ImGui::SetWindowFocus();
+  focus_.reset();
+  this->drawTop(facts);
+  if (facts.steps > 1)
+    this->drawTime(facts);
+  this->drawGroup("Colour", &Panel::drawColour);
+  this->drawGroup("Selection", &Panel::drawSelection);
+  if (found_.hasVolumes)
+    this->drawGroup("Volume", &Panel::drawVolume);
+  if (found_.hasParticles)
+    this->drawGroup("Radius", nullptr);
+  this->drawGroup("Light", nullptr);
+  this->drawGroup("Silhouettes", nullptr);
+  this->drawGroup("Camera", &Panel::drawCamera);
+  this->drawGroup("Picture", nullptr);
+  // Groups that come to the table later are seen without a word here.
+  std::vector<std::string> known = {"Data", "Volume", "Radius", "Structure"};
+  for (const Row& row : settingsTable())
+    if (drawn_.count(row.name) == 0 &&
+        std::find(known.begin(), known.end(), row.group) == known.end())
+    {
+      known.push_back(row.group);
+      this->drawGroup(row.group, nullptr);
+    }
+  if (found_.hasParticles)
+    this->drawGroup("Structure", nullptr);
+  this->drawCosts(facts);
+  writeControls();
+  hasFocus_ = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
+  ImGui::End();
+  wish_.isHeld = ImGui::IsAnyItemActive();
+  if (next_ != stage_.settings())
+    wish_.settings = next_;
+  return wish_;
+}
+
+bool Panel::drawRow(const std::string& name, const std::string& label)
+{
+  drawn_.insert(name);
+  const Row* row = rowNamed(name);
+  return row && rows_.draw(*row, next_, label);
+}
+
+void Panel::drawGroup(const std::string& group, void (Panel::*first)())
+{
+  const bool isFirst = group == "Colour" || group == "Selection" || group == "Volume";
+  const bool isOpen = ImGui::CollapsingHeader(
+    group.c_str(), isFirst ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+  noteControl(group);
+  ImGui::PushID(group.c_str());
+  if (first && isOpen)
+    (this->*first)();
+  for (const Row& row : settingsTable())
+    if (row.group == group && drawn_.insert(row.name).second && isOpen)
+      rows_.draw(row, next_);
+  if (isOpen)
+    ImGui::Spacing();
+  ImGui::PopID();
+}
+
+//------------------------------------------------------------------------------------------------
+// What is more than a row each
+
+namespace
+{
+
+bool buttonOf(const char* label)
+{
+  const bool isPressed = ImGui::Button(label);
+  noteControl(label);
+  return isPressed;
+}
+
+/// Of a list.
+bool lineOf(const char* label, bool isChosen = false)
+{
+  const bool isPressed = ImGui::Selectable(label, isChosen);
+  noteControl(label);
+  return isPressed;
+}
+
+void explainKey(const char* text)
+{
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("%s", text);
+}
+
+} // namespace
+
+void Panel::drawTop(const PanelFacts& facts)
+{
+  ImGui::TextWrapped("%s", stage_.contents().c_str());
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.35f * ImGui::GetFontSize(), 4.0f));
+  const auto button = [this](const char* label, Action action, const char* help)
+  {
+    if (buttonOf(label))
+      this->wish(action);
+    explainKey(help);
+  };
+  button("Undo", Action::Undo, "Ctrl+Z");
+  ImGui::SameLine();
+  button("Redo", Action::Redo, "Ctrl+Y");
+  ImGui::SameLine();
+  button("Picture", Action::SavePicture, "Save a picture of the view, as mote render makes it\ns");
+  ImGui::SameLine();
+  button("Session", Action::SaveSession,
+    "Save data, view and all settings as a session, which mote opens again\nCtrl+S");
+  ImGui::SameLine();
+  button("Command", Action::PrintCommand,
+    "Print a mote render command that makes this picture\nk; K for a Python script");
+  ImGui::PopStyleVar();
+  ImGui::Spacing();
+}
+
+void Panel::drawTime(const PanelFacts& facts)
+{
+  if (!ImGui::CollapsingHeader("Time", ImGuiTreeNodeFlags_DefaultOpen))
+    return;
+  if (buttonOf(facts.isPlaying ? "Pause" : "Play"))
+    this->wish(Action::Play);
+  explainKey("space");
+  ImGui::SameLine();
+  int step = facts.step + 1;
+  ImGui::SetNextItemWidth(-1.0f);
+  const std::string shown = "step %d of " + std::to_string(facts.steps);
+  if (ImGui::SliderInt(
+        "##step", &step, 1, facts.steps, shown.c_str(), ImGuiSliderFlags_AlwaysClamp) &&
+      step != facts.step + 1)
+  {
+    next_.data.time.reset();
+    next_.data.step = std::to_string(step);
+  }
+  RowControls::explain(*rowNamed("step"));
+  if (facts.hasTimes)
+    ImGui::Text("t = %s", asNumber(facts.time, 10).c_str());
+}
+
+void Panel::drawColour()
+{
+  const Coloring& coloring = stage_.coloring();
+  const Row& row = *rowNamed("color-by");
+  drawn_.insert(row.name);
+  ImGui::SetNextItemWidth(-1.0f);
+  const bool isOpen = ImGui::BeginCombo("##color-by",
+    coloring.choice() ? coloring.title().c_str() : "one colour", ImGuiComboFlags_HeightLarge);
+  RowControls::explain(row);
+  if (isOpen)
+  {
+    for (const NamedArray& array : found_.arrays)
+      if (lineOf(array.title.c_str(), array.choice == coloring.choice()))
+        next_.color.array = array.text;
+    if (!found_.hasVolumes && lineOf("one colour", !coloring.choice()))
+      next_.color.array = "none";
+    ImGui::EndCombo();
+  }
+  const auto present = std::find_if(found_.arrays.begin(), found_.arrays.end(),
+    [&](const NamedArray& array) { return array.choice.name == coloring.choice().name; });
+  if (present != found_.arrays.end() && coloring.componentCount(stage_.parts()) > 1)
+  {
+    if (buttonOf("Next component"))
+      next_.color.array = coloring.nextComponent(stage_.parts());
+    explainKey("C");
+  }
+  if (vtkLookupTable* table = coloring.table(); table && !coloring.isTyped())
+  {
+    colorStrip(table, ImGui::GetContentRegionAvail().x, 0.9f * ImGui::GetFontSize());
+    this->drawColourRange();
+  }
+  this->drawRow("color-map", "map");
+  if (!coloring.isTyped())
+    drawn_.insert("types");
+}
+
+void Panel::drawColourRange()
+{
+  drawn_.insert("range");
+  const Coloring& coloring = stage_.coloring();
+  const double* present = coloring.table()->GetRange();
+  Interval range = {present[0], present[1]};
+  if (rangeFields("range", range) && range.low < range.high)
+    next_.color.range = {range.low, range.high};
+  RowControls::explain(*rowNamed("range"));
+  if (!next_.color.range.empty())
+  {
+    if (buttonOf("Range of the data"))
+      next_.color.range.clear();
+  }
+  else
+    ImGui::TextDisabled("range of the data");
+  if (!next_.selection.ranges.empty())
+  {
+    // What is shown of the array that colours.
+    const std::string name = this->coloredBy();
+    for (const ShowRange& shown : next_.selection.ranges)
+      if (shown.name == name && !shown.intervals.empty())
+      {
+        ImGui::SameLine();
+        const Interval all = {shown.intervals.front().low, shown.intervals.back().high};
+        const Histogram& histogram = this->histogramOf(name);
+        if (buttonOf("Range of what is shown"))
+          next_.color.range = {
+            std::max(all.low, histogram.least), std::min(all.high, histogram.most)};
+      }
+  }
+}
+
+void Panel::drawSelection()
+{
+  drawn_.insert("show");
+  if (found_.hasParticles)
+    ImGui::Text("%s of %s shown", withThousands(stage_.numberShown()).c_str(),
+      counted(stage_.numberOfParticles(), "particle").c_str());
+  std::size_t i = 0;
+  for (; i < next_.selection.ranges.size(); ++i)
+  {
+    ImGui::PushID(static_cast<int>(i));
+    const bool isKept = this->drawShown(next_.selection.ranges[i]);
+    ImGui::PopID();
+    if (!isKept)
+    {
+      next_.selection.ranges.erase(next_.selection.ranges.begin() + static_cast<long>(i));
+      break;
+    }
+  }
+  if (next_.selection.ranges.size() < 8)
+    this->drawNewRange();
+}
+
+/// Returns false where the range is to go.
+bool Panel::drawShown(ShowRange& range)
+{
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(range.name.c_str());
+  RowControls::explain(*rowNamed("show"));
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - 4.5f * ImGui::GetFontSize());
+  if (buttonOf("show all"))
+    return false;
+  const Histogram& histogram = this->histogramOf(range.name);
+  if (range.intervals.size() != 1)
+  {
+    ImGui::TextWrapped("%s", ValuesOf<ShowRange>::words(range).front().c_str());
+    return true;
+  }
+  Interval shown = {std::max(range.intervals[0].low, histogram.least),
+    std::min(range.intervals[0].high, histogram.most)};
+  const bool isDragged = rangeControl("histogram", histogram, shown);
+  const bool isEntered = rangeFields("fields", shown);
+  if (isDragged || isEntered)
+    range.intervals[0] = shown;
+  return true;
+}
+
+void Panel::drawNewRange()
+{
+  ImGui::SetNextItemWidth(-1.0f);
+  const bool isOpen =
+    ImGui::BeginCombo("##show", "Show a range of ...", ImGuiComboFlags_HeightLarge);
+  RowControls::explain(*rowNamed("show"));
+  if (!isOpen)
+    return;
+  const auto offer = [&](const std::string& name, const std::string& title)
+  {
+    const auto& ranges = next_.selection.ranges;
+    if (std::any_of(
+          ranges.begin(), ranges.end(), [&](const ShowRange& range) { return range.name == name; }))
+      return;
+    if (!lineOf(title.c_str()))
+      return;
+    const Histogram& histogram = this->histogramOf(name);
+    if (!histogram.isEmpty())
+      next_.selection.ranges.push_back({name, {{histogram.least, histogram.most}}});
+  };
+  // Volumes hide values of the array that colours them, and of no other.
+  for (const NamedArray& array : found_.arrays)
+    if (!found_.hasVolumes || array.choice == stage_.coloring().choice())
+      offer(array.text, array.title);
+  if (found_.hasParticles)
+    for (const char* place : {"x", "y", "z"})
+      offer(place, place);
+  ImGui::EndCombo();
+}
+
+void Panel::drawVolume()
+{
+  drawn_.insert("opacity");
+  const Coloring& coloring = stage_.coloring();
+  const std::vector<OpacityPoint>& inForce = coloring.opacity();
+  if (!coloring.table() || inForce.empty())
+    return;
+  const double* range = coloring.table()->GetRange();
+  std::vector<OpacityPoint> points = inForce;
+  for (OpacityPoint& point : points)
+    if (point.isShare)
+      point = {range[0] + 0.01 * point.value * (range[1] - range[0]), false, point.opacity};
+  std::stable_sort(points.begin(), points.end(),
+    [](const OpacityPoint& a, const OpacityPoint& b) { return a.value < b.value; });
+  const Histogram& histogram = this->histogramOf(this->coloredBy());
+  if (opacityControl("opacity", histogram, coloring.table(), points))
+    next_.volume.opacity = points;
+  const auto preset = [&](const char* label, std::vector<OpacityPoint> wanted)
+  {
+    if (buttonOf(label))
+      next_.volume.opacity = std::move(wanted);
+    ImGui::SameLine();
+  };
+  preset("Usual", {});
+  preset("Rising", {{0.0, true, 0.0}, {100.0, true, 0.8}});
+  preset("Falling", {{0.0, true, 0.8}, {100.0, true, 0.0}});
+  preset("Even", {{0.0, true, 0.2}, {100.0, true, 0.2}});
+  ImGui::NewLine();
+}
+
+void Panel::drawCamera()
+{
+  for (const char* side : {"+x", "-x", "+y", "-y", "+z", "-z"})
+  {
+    if (buttonOf(side))
+    {
+      const bool isParallel = next_.camera.orthographic;
+      next_.camera = CameraSettings();
+      next_.camera.view = side;
+      next_.camera.orthographic = isParallel;
+    }
+    RowControls::explain(*rowNamed("view"));
+    ImGui::SameLine();
+  }
+  if (buttonOf("Reset"))
+    this->wish(Action::ResetView);
+  explainKey("r");
+}
+
+void Panel::drawCosts(const PanelFacts& facts)
+{
+  if (!ImGui::CollapsingHeader("Costs"))
+    return;
+  const auto line = [](const char* what, const std::string& value)
+  {
+    ImGui::TextUnformatted(what);
+    ImGui::SameLine(0.42f * ImGui::GetWindowContentRegionMax().x);
+    ImGui::TextUnformatted(value.c_str());
+  };
+  if (facts.frameTime > 0.0)
+    line("frame", asDuration(facts.frameTime));
+  line("quality", facts.quality);
+  line("structure", asBytes(static_cast<double>(stage_.structureBytes())));
+  line("built in", asDuration(stage_.buildTime()));
+  if (found_.hasParticles)
+    line("particles", withThousands(stage_.numberOfParticles()));
+  if (stage_.numberOfCells() > 0)
+    line("cells", withThousands(stage_.numberOfCells()));
+}
+
+} // namespace mote::app

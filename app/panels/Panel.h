@@ -1,0 +1,94 @@
+#pragma once
+
+#include "RowControls.h"
+#include "ValueControls.h"
+#include "stage/Histogram.h"
+#include "stage/Stage.h"
+#include "table/Keys.h"
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace mote::app
+{
+
+/// What the panel tells of besides the stage.
+struct PanelFacts
+{
+  int step = 0, steps = 1; ///< step counts from 0
+  double time = 0.0;
+  bool hasTimes = false, isPlaying = false;
+  double frameTime = 0.0; ///< seconds
+  std::string quality;
+};
+
+/// What the user asks for by the panel's controls.
+struct PanelWish
+{
+  std::optional<Settings> settings; ///< others than those that are in force
+  Action action = Action::None;     ///< what a key would do
+  bool isHeld = false;              ///< a control is dragged or written in: more may come
+};
+
+/// The panel at the window's side: every choice of the table of settings, group after group. It
+/// keeps nothing of what is chosen; what it draws follows from the stage.
+class Panel
+{
+public:
+  explicit Panel(const Stage& stage);
+
+  /// Draws the controls and takes what the user does with them. `width` and `height` in pixels.
+  PanelWish draw(const PanelFacts& facts, float width, float height);
+
+  /// The next draw() puts the keys to the panel, or leaves them to the view.
+  void setFocus(bool on);
+  /// Whether keys are the panel's, as of the last draw().
+  bool hasFocus() const { return hasFocus_; }
+
+private:
+  struct NamedArray
+  {
+    ArrayChoice choice;
+    std::string text, title; ///< for the settings, and for people
+  };
+  /// What the data are, found once for them.
+  struct Found
+  {
+    std::vector<std::pair<vtkDataSet*, unsigned long>> key; ///< with their times of change
+    std::vector<NamedArray> arrays;
+    std::map<std::string, Histogram> histograms; ///< by the array's text, or a place
+    bool hasParticles = false, hasVolumes = false;
+  };
+
+  void find();
+  const Histogram& histogramOf(const std::string& name);
+  /// The array that colours, as the settings would name it.
+  std::string coloredBy() const;
+  void drawTop(const PanelFacts& facts);
+  void drawTime(const PanelFacts& facts);
+  void drawColour();
+  void drawColourRange();
+  void drawSelection();
+  bool drawShown(ShowRange& range);
+  void drawNewRange();
+  void drawVolume();
+  void drawCamera();
+  void drawCosts(const PanelFacts& facts);
+  void drawGroup(const std::string& group, void (Panel::*first)());
+  bool drawRow(const std::string& name, const std::string& label = {});
+  void wish(Action action) { wish_.action = action; }
+
+  const Stage& stage_;
+  RowControls rows_;
+  Found found_;
+  Settings next_; ///< while drawing
+  PanelWish wish_;
+  std::set<std::string> drawn_; ///< rows that have a control of their own
+  bool hasFocus_ = false;
+  std::optional<bool> focus_; ///< to be set
+};
+
+} // namespace mote::app

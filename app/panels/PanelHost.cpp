@@ -1,0 +1,308 @@
+#include "PanelHost.h"
+
+#include <vtkCommand.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkTimerLog.h>
+
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <iterator>
+
+namespace mote::app
+{
+
+namespace
+{
+
+/// Keys that ImGui asks for by meaning, and X11's names for them.
+struct KeyName
+{
+  const char* symbol;
+  int key;
+};
+constexpr KeyName keyNames[] = {{"Tab", ImGuiKey_Tab}, {"Left", ImGuiKey_LeftArrow},
+  {"Right", ImGuiKey_RightArrow}, {"Up", ImGuiKey_UpArrow}, {"Down", ImGuiKey_DownArrow},
+  {"Prior", ImGuiKey_PageUp}, {"Next", ImGuiKey_PageDown}, {"Home", ImGuiKey_Home},
+  {"End", ImGuiKey_End}, {"Insert", ImGuiKey_Insert}, {"Delete", ImGuiKey_Delete},
+  {"BackSpace", ImGuiKey_Backspace}, {"space", ImGuiKey_Space}, {"Return", ImGuiKey_Enter},
+  {"Escape", ImGuiKey_Escape}, {"KP_Enter", ImGuiKey_KeyPadEnter}, {"a", ImGuiKey_A},
+  {"c", ImGuiKey_C}, {"v", ImGuiKey_V}, {"x", ImGuiKey_X}, {"y", ImGuiKey_Y}, {"z", ImGuiKey_Z}};
+
+/// The place of a key among ImGui's keys that are down; -1 for others.
+int placeOf(const char* symbol)
+{
+  for (std::size_t i = 0; i < std::size(keyNames); ++i)
+    if (std::strcmp(keyNames[i].symbol, symbol) == 0)
+      return static_cast<int>(i);
+  return -1;
+}
+
+/// Whether a key moves between controls or works one that has no text.
+bool isForMoving(const char* symbol)
+{
+  for (const char* moving :
+    {"Left", "Right", "Up", "Down", "Prior", "Next", "Home", "End", "space", "Return", "Escape"})
+    if (std::strcmp(moving, symbol) == 0)
+      return true;
+  return false;
+}
+
+void setLook(double scale)
+{
+  ImGui::StyleColorsDark();
+  ImGuiStyle& style = ImGui::GetStyle();
+  style.WindowRounding = style.FrameRounding = style.GrabRounding = 3.0f;
+  style.WindowBorderSize = 0.0f;
+  style.Colors[ImGuiCol_WindowBg] = ImVec4(0.13f, 0.14f, 0.16f, 1.0f);
+  style.Colors[ImGuiCol_PopupBg] = ImVec4(0.11f, 0.12f, 0.14f, 1.0f);
+  style.ScaleAllSizes(static_cast<float>(scale));
+}
+
+void addFont(double scale)
+{
+  ImGuiIO& io = ImGui::GetIO();
+  const float size = std::floor(static_cast<float>(14.5 * scale));
+  static const ImWchar glyphs[] = {
+    0x20, 0x24f, 0x370, 0x3ff, 0x2010, 0x2027, 0x2190, 0x2193, 0x2212, 0x2212, 0x25a0, 0x25cf, 0};
+  for (const char* file : {MOTE_PANEL_FONT, "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"})
+    if (*file && std::filesystem::exists(file) &&
+        io.Fonts->AddFontFromFileTTF(file, size, nullptr, glyphs))
+      return;
+  io.Fonts->AddFontDefault();
+  io.FontGlobalScale = static_cast<float>(scale);
+}
+
+} // namespace
+
+PanelHost::PanelHost(vtkRenderWindow* window, vtkRenderWindowInteractor* interactor, double scale)
+  : window_(window)
+  , interactor_(interactor)
+  , scale_(scale)
+{
+  constexpr float first = 10.0f; // before the interactor's style
+  this->observe(vtkCommand::MouseMoveEvent, first, [this] { return this->move(); });
+  this->observe(vtkCommand::LeaveEvent, first, [this] { return this->move(); });
+  const unsigned long buttons[][2] = {
+    {vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonReleaseEvent},
+    {vtkCommand::RightButtonPressEvent, vtkCommand::RightButtonReleaseEvent},
+    {vtkCommand::MiddleButtonPressEvent, vtkCommand::MiddleButtonReleaseEvent}};
+  for (int i = 0; i < 3; ++i)
+  {
+    this->observe(buttons[i][0], first, [this, i] { return this->press(i, true); });
+    this->observe(buttons[i][1], first, [this, i] { return this->press(i, false); });
+  }
+  this->observe(vtkCommand::MouseWheelForwardEvent, first, [this] { return this->turn(1.0f); });
+  this->observe(vtkCommand::MouseWheelBackwardEvent, first, [this] { return this->turn(-1.0f); });
+  this->observe(vtkCommand::KeyPressEvent, first, [this] { return this->type(true); });
+  this->observe(vtkCommand::KeyReleaseEvent, first, [this] { return this->type(false); });
+}
+
+PanelHost::~PanelHost()
+{
+  for (const unsigned long observer : observers_)
+    interactor_->RemoveObserver(observer);
+  if (!context_)
+    return;
+  ImGui::SetCurrentContext(context_);
+  window_->MakeCurrent();
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui::DestroyContext(context_);
+}
+
+void PanelHost::observe(unsigned long event, float priority, const std::function<bool()>& handle)
+{
+  /// Keeps an event from others where `handle` says that it was for the controls.
+  class Command : public vtkCommand
+  {
+  public:
+    explicit Command(const std::function<bool()>& handle)
+      : handle_(handle)
+    {
+    }
+    void Execute(vtkObject*, unsigned long, void*) override
+    {
+      this->SetAbortFlag(handle_() ? 1 : 0);
+    }
+
+  private:
+    std::function<bool()> handle_;
+  };
+  auto* command = new Command(handle);
+  observers_.push_back(interactor_->AddObserver(event, command, priority));
+  command->Delete();
+}
+
+bool PanelHost::isSupported()
+{
+  if (state_ == State::New)
+    this->start();
+  return state_ == State::Ready;
+}
+
+void PanelHost::start()
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(window_);
+  int major = 0, minor = 0;
+  if (window)
+    window->GetOpenGLVersion(major, minor);
+  state_ = State::Unsupported;
+  if (major < 3 || (major == 3 && minor < 2))
+    return;
+  IMGUI_CHECKVERSION();
+  context_ = ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr; // sessions keep what is to be kept
+  io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  for (std::size_t i = 0; i < std::size(keyNames); ++i)
+    io.KeyMap[keyNames[i].key] = static_cast<int>(i);
+  setLook(scale_);
+  addFont(scale_);
+  window_->MakeCurrent();
+  if (ImGui_ImplOpenGL3_Init("#version 150"))
+    state_ = State::Ready;
+}
+
+void PanelHost::draw(const std::function<void()>& controls)
+{
+  ImGui::SetCurrentContext(context_);
+  this->feed();
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui::NewFrame();
+  controls();
+  ImGui::Render();
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(window_);
+  vtkOpenGLState* state = window->GetState();
+  state->Push();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  state->Reset();
+  state->Pop();
+  // A press and its release take a frame each, and windows that open need one to find their size.
+  framesToCome_ = std::max(0, framesToCome_ - 1);
+  if ((!waiting_.empty() || framesToCome_ > 0) && onInput)
+    onInput();
+}
+
+/// Gives ImGui what came since the last frame, up to the first change of a button or a key.
+void PanelHost::feed()
+{
+  ImGuiIO& io = ImGui::GetIO();
+  const int* size = window_->GetSize();
+  io.DisplaySize = ImVec2(static_cast<float>(size[0]), static_cast<float>(size[1]));
+  const double now = vtkTimerLog::GetUniversalTime();
+  io.DeltaTime = static_cast<float>(std::clamp(now - lastTime_, 1e-4, 1.0));
+  lastTime_ = now;
+  const int* at = interactor_->GetEventPosition();
+  const bool isElsewhere = viewButtons_ != 0;
+  io.MousePos = isElsewhere
+                  ? ImVec2(-1e9f, -1e9f)
+                  : ImVec2(static_cast<float>(at[0]), static_cast<float>(size[1] - 1 - at[1]));
+  io.KeyCtrl = interactor_->GetControlKey() != 0;
+  io.KeyShift = interactor_->GetShiftKey() != 0;
+  io.KeyAlt = interactor_->GetAltKey() != 0;
+  while (!waiting_.empty())
+  {
+    const Input input = waiting_.front();
+    waiting_.pop_front();
+    const auto number = static_cast<std::size_t>(input.number);
+    if (input.kind == Input::Character)
+      io.AddInputCharacter(static_cast<unsigned>(input.number));
+    else if (input.kind == Input::Wheel)
+      io.MouseWheel += input.wheel;
+    else
+    {
+      bool& isDown = input.kind == Input::Button ? io.MouseDown[number] : io.KeysDown[number];
+      const bool isChange = isDown != input.isDown;
+      isDown = input.isDown;
+      if (isChange)
+        return;
+    }
+  }
+}
+
+bool PanelHost::add(const Input& input)
+{
+  waiting_.push_back(input);
+  framesToCome_ = 3;
+  if (onInput)
+    onInput();
+  return true;
+}
+
+/// Whether the mouse is over controls, or holds one.
+bool PanelHost::ownsMouse() const
+{
+  if (state_ != State::Ready || viewButtons_ != 0)
+    return false;
+  if (ownButtons_ != 0 || interactor_->GetEventPosition()[0] < width_)
+    return true;
+  ImGui::SetCurrentContext(context_);
+  return ImGui::GetIO().WantCaptureMouse ||
+         ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
+
+bool PanelHost::move()
+{
+  const bool wasOver = interactor_->GetLastEventPosition()[0] < width_;
+  const bool isOwn = this->ownsMouse();
+  if (state_ == State::Ready && viewButtons_ == 0 && (isOwn || wasOver) && onInput)
+  {
+    framesToCome_ = std::max(framesToCome_, 1);
+    onInput();
+  }
+  return isOwn;
+}
+
+bool PanelHost::press(int button, bool isDown)
+{
+  if (state_ != State::Ready)
+    return false;
+  const unsigned bit = 1U << button;
+  if (isDown)
+    (this->ownsMouse() ? ownButtons_ : viewButtons_) |= bit;
+  const bool isOwn = (ownButtons_ & bit) != 0;
+  if (!isDown)
+  {
+    ownButtons_ &= ~bit;
+    viewButtons_ &= ~bit;
+  }
+  if (isOwn)
+    return this->add({Input::Button, button, isDown});
+  if (isDown && isFocused_)
+    this->add({Input::Button, button, true}), this->add({Input::Button, button, false});
+  return false;
+}
+
+bool PanelHost::turn(float wheel)
+{
+  return this->ownsMouse() && this->add({Input::Wheel, 0, false, wheel});
+}
+
+bool PanelHost::type(bool isDown)
+{
+  const char* symbol = interactor_->GetKeySym();
+  if (state_ != State::Ready || !symbol)
+    return false;
+  ImGui::SetCurrentContext(context_);
+  const bool isText = ImGui::GetIO().WantTextInput;
+  const int place = placeOf(symbol);
+  if (!isDown)
+    return place >= 0 && this->add({Input::Key, place, false}) && isText;
+  const bool isPopup =
+    ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  if (!isText && !((isFocused_ || isPopup) && isForMoving(symbol)))
+    return false;
+  if (place >= 0)
+    this->add({Input::Key, place, true});
+  const char character = interactor_->GetKeyCode();
+  if (isText && character >= 32 && character != 127 && !interactor_->GetControlKey())
+    this->add({Input::Character, static_cast<unsigned char>(character)});
+  return true;
+}
+
+} // namespace mote::app

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkCommand;
+class vtkRenderWindow;
+class vtkRenderWindowInteractor;
+struct ImGuiContext;
+
+namespace mote::app
+{
+
+/// Draws controls of Dear ImGui over a window of VTK, and gives them the window's input. Input that
+/// is the controls' does not reach the interactor's style.
+class PanelHost
+{
+public:
+  /// `scale` is the size of texts and controls: 1 for a display of 96 dots an inch.
+  PanelHost(vtkRenderWindow* window, vtkRenderWindowInteractor* interactor, double scale);
+  ~PanelHost();
+  PanelHost(const PanelHost&) = delete;
+  PanelHost& operator=(const PanelHost&) = delete;
+
+  /// Whether this window's OpenGL can draw controls; asked once the window has drawn.
+  bool isSupported();
+
+  /// Draws what `controls` asks ImGui for. Within the EndEvent of a renderer.
+  void draw(const std::function<void()>& controls);
+
+  /// Input for the controls has come, or they are not done: they should be drawn again soon.
+  std::function<void()> onInput;
+
+  /// The part of the window, from its left edge, that is the controls' own.
+  void setWidth(int pixels) { width_ = pixels; }
+  /// Takes the keys that move between controls from the view, or leaves them to it.
+  void setFocused(bool focused) { isFocused_ = focused; }
+
+private:
+  struct Input
+  {
+    enum Kind
+    {
+      Button,
+      Key,
+      Character,
+      Wheel
+    };
+    Kind kind;
+    int number; ///< of the button, the key or the character
+    bool isDown = false;
+    float wheel = 0.0f;
+  };
+  void start();
+  void observe(unsigned long event, float priority, const std::function<bool()>& handle);
+  bool move();
+  bool press(int button, bool isDown);
+  bool turn(float wheel);
+  bool type(bool isDown);
+  bool ownsMouse() const;
+  bool add(const Input& input);
+  void feed();
+
+  vtkRenderWindow* window_;
+  vtkRenderWindowInteractor* interactor_;
+  double scale_;
+  int width_ = 0;
+  bool isFocused_ = false;
+  enum class State
+  {
+    New,
+    Ready,
+    Unsupported
+  };
+  State state_ = State::New;
+  ImGuiContext* context_ = nullptr;
+  std::vector<unsigned long> observers_;
+  std::deque<Input> waiting_; ///< one press or release a frame: ImGui looks once a frame
+  unsigned ownButtons_ = 0, viewButtons_ = 0; ///< held, a bit each: whose presses they were
+  double lastTime_ = 0.0;
+  int framesToCome_ = 0;
+};
+
+} // namespace mote::app

@@ -1,0 +1,231 @@
+#include "RowControls.h"
+
+#include "ControlPlaces.h"
+#include "base/Text.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace mote::app
+{
+
+namespace
+{
+
+/// The label stands left of its control.
+void putLabel(const std::string& label)
+{
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(label.c_str());
+  ImGui::SameLine(0.42f * ImGui::GetWindowContentRegionMax().x);
+  ImGui::SetNextItemWidth(-1.0f);
+}
+
+std::string joined(const Row& row, const std::vector<std::string>& words)
+{
+  std::string text;
+  for (const std::string& word : words)
+    text += (text.empty() ? "" : row.commas && row.count == 0 ? "," : " ") + word;
+  return text;
+}
+
+std::vector<std::string> split(const Row& row, const std::string& text)
+{
+  std::vector<std::string> words;
+  if (row.shape != Shape::Many)
+    return text.empty() ? words : std::vector<std::string>{text};
+  const std::string between = row.commas ? ", " : " ";
+  for (std::size_t from = text.find_first_not_of(between); from != std::string::npos;)
+  {
+    const std::size_t to = text.find_first_of(between, from);
+    words.push_back(text.substr(from, to - from));
+    from = text.find_first_not_of(between, to);
+  }
+  return words;
+}
+
+/// Whether a slider goes from one limit to the other.
+bool hasSlider(const Row& row)
+{
+  return row.numeric && row.shape == Shape::One && std::isfinite(row.limits.least) &&
+         std::isfinite(row.limits.most) && row.limits.most - row.limits.least <= 1000.0;
+}
+
+} // namespace
+
+std::string labelOf(const Row& row)
+{
+  std::string label = row.name;
+  std::string group = lowerCase(row.group);
+  if (!group.empty() && group.back() == 's')
+    group.pop_back();
+  if (label.size() > group.size() + 1 && label.compare(0, group.size(), group) == 0 &&
+      label[group.size()] == '-')
+    label = label.substr(group.size() + 1);
+  std::replace(label.begin(), label.end(), '-', ' ');
+  return label;
+}
+
+void RowControls::explain(const Row& row)
+{
+  noteControl(row.name);
+  if (!ImGui::IsItemHovered())
+    return;
+  std::string text = row.help + ".\n\n" + row.option() + (row.value.empty() ? "" : " " + row.value);
+  if (const std::string usual = row.usualText(); !usual.empty())
+    text += "\nDefault: " + usual;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(25.0f * ImGui::GetFontSize());
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+bool RowControls::draw(const Row& row, Settings& settings, const std::string& label)
+{
+  const std::string shown = label.empty() ? labelOf(row) : label;
+  ImGui::PushID(row.name.c_str());
+  bool isChanged;
+  if (row.shape == Shape::Flag)
+    isChanged = this->drawFlag(row, settings, shown);
+  else
+  {
+    putLabel(shown);
+    isChanged = !row.words.empty() && row.shape == Shape::One ? this->drawWords(row, settings)
+                : row.value == "COLOUR" && row.shape == Shape::One && !row.get(settings).empty() &&
+                    !row.get(settings).front().empty()
+                  ? this->drawColor(row, settings)
+                : hasSlider(row) && !row.get(settings).empty() ? this->drawSlider(row, settings)
+                                                               : this->drawText(row, settings);
+  }
+  if (const std::string& wrong = texts_[row.name].wrong; !wrong.empty())
+  {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1.0f, 0.5f, 0.4f, 1.0f));
+    ImGui::TextWrapped("%s", wrong.c_str());
+    ImGui::PopStyleColor();
+  }
+  ImGui::PopID();
+  return isChanged;
+}
+
+bool RowControls::set(const Row& row, Settings& settings, const std::vector<std::string>& words)
+{
+  std::string& wrong = texts_[row.name].wrong;
+  wrong.clear();
+  const Settings before = settings;
+  try
+  {
+    row.set(settings, words);
+  }
+  catch (const WrongValue& value)
+  {
+    wrong = value.sentence;
+    return false;
+  }
+  return settings != before;
+}
+
+bool RowControls::drawFlag(const Row& row, Settings& settings, const std::string& label)
+{
+  const std::vector<std::string> words = row.get(settings);
+  bool isOn = !words.empty() && words.front() == "true";
+  const bool isClicked = ImGui::Checkbox(label.c_str(), &isOn);
+  explain(row);
+  return isClicked && this->set(row, settings, {isOn ? "true" : "false"});
+}
+
+bool RowControls::drawWords(const Row& row, Settings& settings)
+{
+  const std::vector<std::string> words = row.get(settings);
+  const std::string now = words.empty() ? "" : words.front();
+  bool isChanged = false;
+  const bool isOpen = ImGui::BeginCombo("##", now.empty() ? "default" : now.c_str());
+  explain(row);
+  if (!isOpen)
+    return false;
+  // The default of rows that choose by themselves is a value of its own.
+  const std::vector<std::string> usual = row.get(Settings());
+  if (usual.empty() || usual.front().empty())
+    if (ImGui::Selectable("default", now.empty()))
+      isChanged = this->set(row, settings, usual);
+  for (const std::string& word : row.words)
+    if (ImGui::Selectable(word.c_str(), word == now))
+      isChanged = this->set(row, settings, {word});
+  ImGui::EndCombo();
+  return isChanged;
+}
+
+bool RowControls::drawColor(const Row& row, Settings& settings)
+{
+  Color color{};
+  try
+  {
+    color = colorOf(row.get(settings).front());
+  }
+  catch (const WrongValue&)
+  {
+    return this->drawText(row, settings);
+  }
+  float rgb[3];
+  std::copy(color.begin(), color.end(), rgb);
+  const bool isChanged =
+    ImGui::ColorEdit3("##", rgb, ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_InputRGB);
+  explain(row);
+  if (!isChanged)
+    return false;
+  for (std::size_t k = 0; k < 3; ++k)
+    color[k] = std::round(255.0 * rgb[k]) / 255.0;
+  return this->set(row, settings, {colorText(color)});
+}
+
+bool RowControls::drawSlider(const Row& row, Settings& settings)
+{
+  const std::string text = row.get(settings).front();
+  auto value = static_cast<float>(std::strtod(text.c_str(), nullptr));
+  const auto least = static_cast<float>(row.limits.least),
+             most = static_cast<float>(row.limits.most);
+  const bool isChanged =
+    ImGui::SliderFloat("##", &value, least, most, text.c_str(), ImGuiSliderFlags_AlwaysClamp);
+  explain(row);
+  if (!isChanged)
+    return false;
+  // As many digits as the slider has steps to tell apart; whole numbers where others are wrong.
+  char rounded[32];
+  std::snprintf(rounded, sizeof rounded, "%.*g", 3, static_cast<double>(value));
+  Settings trial = settings;
+  try
+  {
+    row.set(trial, {rounded});
+  }
+  catch (const WrongValue&)
+  {
+    std::snprintf(rounded, sizeof rounded, "%.0f", static_cast<double>(value));
+  }
+  return this->set(row, settings, {rounded});
+}
+
+bool RowControls::drawText(const Row& row, Settings& settings)
+{
+  Text& text = texts_[row.name];
+  const std::vector<std::string> words = row.get(settings);
+  if (!text.isOpen && text.wrong.empty())
+    text.text = joined(row, words);
+  const std::string hint = row.usual.empty() ? row.usualText() : row.usual;
+  const bool isEntered =
+    ImGui::InputTextWithHint("##", hint.c_str(), &text.text, ImGuiInputTextFlags_EnterReturnsTrue);
+  text.isOpen = ImGui::IsItemActive();
+  const bool isDone = isEntered || ImGui::IsItemDeactivatedAfterEdit();
+  explain(row);
+  if (!isDone)
+    return false;
+  std::vector<std::string> next = split(row, text.text);
+  if (next.empty())
+    next = row.get(Settings()); // none: the default
+  return next != words ? this->set(row, settings, next) : (text.wrong.clear(), false);
+}
+
+} // namespace mote::app

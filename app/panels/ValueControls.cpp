@@ -1,0 +1,272 @@
+#include "ValueControls.h"
+
+#include "ControlPlaces.h"
+#include "base/Text.h"
+
+#include <vtkLookupTable.h>
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace mote::app
+{
+
+namespace
+{
+
+constexpr ImU32 ground = IM_COL32(30, 33, 38, 255), inside = IM_COL32(120, 160, 210, 255),
+                outside = IM_COL32(70, 76, 86, 255), handle = IM_COL32(235, 235, 235, 255),
+                held = IM_COL32(255, 200, 90, 255);
+
+/// A rectangle of the panel, and values from its left to its right.
+struct Frame
+{
+  ImVec2 from, size;
+  double least, most;
+
+  float xOf(double value) const
+  {
+    const double width = most - least;
+    const double share = width > 0.0 ? (value - least) / width : 0.5;
+    return from.x + static_cast<float>(std::clamp(share, 0.0, 1.0)) * size.x;
+  }
+  double valueAt(float x) const
+  {
+    return least + std::clamp((x - from.x) / size.x, 0.0f, 1.0f) * (most - least);
+  }
+  float yOf(double share) const
+  {
+    return from.y + static_cast<float>(1.0 - std::clamp(share, 0.0, 1.0)) * size.y;
+  }
+  double shareAt(float y) const { return std::clamp(1.0f - (y - from.y) / size.y, 0.0f, 1.0f); }
+};
+
+Frame frameOf(const Histogram& histogram, float lines)
+{
+  const ImVec2 size(ImGui::GetContentRegionAvail().x, lines * ImGui::GetFontSize());
+  return {ImGui::GetCursorScreenPos(), size, histogram.least, histogram.most};
+}
+
+ImU32 colorAt(vtkLookupTable* table, double value)
+{
+  const unsigned char* c = table->MapValue(value);
+  return IM_COL32(c[0], c[1], c[2], 255);
+}
+
+/// Bars as high as the square root of the counts: few are seen beside many.
+template <typename ColorOf>
+void drawBars(const Frame& frame, const Histogram& histogram, const ColorOf& colorOf)
+{
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 end(frame.from.x + frame.size.x, frame.from.y + frame.size.y);
+  list->AddRectFilled(frame.from, end, ground);
+  const double bins = static_cast<double>(histogram.counts.size());
+  for (std::size_t i = 0; i < histogram.counts.size(); ++i)
+  {
+    if (!(histogram.counts[i] > 0.0))
+      continue;
+    const double low = histogram.least + (histogram.most - histogram.least) * double(i) / bins;
+    const double high =
+      histogram.least + (histogram.most - histogram.least) * (double(i) + 1.0) / bins;
+    list->AddRectFilled(
+      ImVec2(frame.xOf(low), frame.yOf(std::sqrt(histogram.counts[i] / histogram.highest))),
+      ImVec2(std::max(frame.xOf(low) + 1.0f, frame.xOf(high)), end.y), colorOf(0.5 * (low + high)));
+  }
+}
+
+/// What of a control the mouse holds, between frames.
+int& heldPart(ImGuiID id)
+{
+  return *ImGui::GetStateStorage()->GetIntRef(id, -1);
+}
+
+} // namespace
+
+bool rangeControl(const char* id, const Histogram& histogram, Interval& range)
+{
+  if (histogram.isEmpty())
+    return false;
+  const Frame frame = frameOf(histogram, 2.6f);
+  ImGui::InvisibleButton(id, frame.size);
+  noteControl(id);
+  const double low = std::clamp(range.low, frame.least, frame.most);
+  const double high = std::clamp(range.high, frame.least, frame.most);
+  drawBars(frame, histogram,
+    [&](double value) { return value >= low && value <= high ? inside : outside; });
+  int& part = heldPart(ImGui::GetID(id));
+  const float x = ImGui::GetIO().MousePos.x;
+  const float left = frame.xOf(low), right = frame.xOf(high);
+  bool isChanged = false;
+  if (ImGui::IsItemActivated())
+  {
+    const float near = 0.6f * ImGui::GetFontSize();
+    const bool isLeft = std::abs(x - left) <= std::abs(x - right);
+    part =
+      std::abs(x - (isLeft ? left : right)) < near || x < left || x > right ? (isLeft ? 0 : 1) : 2;
+  }
+  else if (!ImGui::IsItemActive())
+    part = -1;
+  if (ImGui::IsItemActive())
+  {
+    Interval next = {low, high};
+    const double at = frame.valueAt(x);
+    if (part == 0)
+      next.low = std::min(at, high);
+    else if (part == 1)
+      next.high = std::max(at, low);
+    else if (const float moved = ImGui::GetIO().MouseDelta.x; moved != 0.0f)
+    {
+      const double width = frame.most - frame.least;
+      double by = moved / frame.size.x * width;
+      by = std::clamp(by, frame.least - low, frame.most - high);
+      next = {low + by, high + by};
+    }
+    isChanged = next.low != range.low || next.high != range.high;
+    if (isChanged)
+      range = next;
+  }
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float end = frame.from.y + frame.size.y;
+  list->AddRectFilled(
+    ImVec2(left - 2.0f, frame.from.y), ImVec2(left + 2.0f, end), part == 0 ? held : handle);
+  list->AddRectFilled(
+    ImVec2(right - 2.0f, frame.from.y), ImVec2(right + 2.0f, end), part == 1 ? held : handle);
+  return isChanged;
+}
+
+bool rangeFields(const char* id, Interval& range)
+{
+  ImGui::PushID(id);
+  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  Interval next = range;
+  ImGui::SetNextItemWidth(width);
+  bool isEntered =
+    ImGui::InputDouble("##low", &next.low, 0.0, 0.0, "%.6g", ImGuiInputTextFlags_EnterReturnsTrue);
+  isEntered = isEntered || (ImGui::IsItemDeactivatedAfterEdit() && next.low != range.low);
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(width);
+  isEntered = ImGui::InputDouble(
+                "##high", &next.high, 0.0, 0.0, "%.6g", ImGuiInputTextFlags_EnterReturnsTrue) ||
+              isEntered;
+  isEntered = isEntered || (ImGui::IsItemDeactivatedAfterEdit() && next.high != range.high);
+  ImGui::PopID();
+  if (!isEntered || !(next.low <= next.high) || next == range)
+    return false;
+  range = next;
+  return true;
+}
+
+bool opacityControl(const char* id, const Histogram& histogram, vtkLookupTable* table,
+  std::vector<OpacityPoint>& points)
+{
+  if (histogram.isEmpty() || !table || points.empty())
+    return false;
+  const Frame frame = frameOf(histogram, 7.0f);
+  ImGui::InvisibleButton(
+    id, frame.size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  noteControl(id);
+  drawBars(frame, histogram, [&](double value) { return colorAt(table, value); });
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const float reach = 0.6f * ImGui::GetFontSize();
+  int nearest = -1;
+  float least = reach;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const float away =
+      std::hypot(frame.xOf(points[i].value) - mouse.x, frame.yOf(points[i].opacity) - mouse.y);
+    if (away < least)
+      least = away, nearest = static_cast<int>(i);
+  }
+  int& part = heldPart(ImGui::GetID(id));
+  bool isChanged = false;
+  const auto here = [&]
+  {
+    return OpacityPoint{
+      frame.valueAt(mouse.x), false, std::round(1000.0 * frame.shareAt(mouse.y)) / 1000.0};
+  };
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0) && nearest < 0)
+  {
+    const OpacityPoint added = here();
+    const auto at = std::find_if(points.begin(), points.end(),
+      [&](const OpacityPoint& point) { return point.value > added.value; });
+    part = static_cast<int>(points.insert(at, added) - points.begin());
+    isChanged = true;
+  }
+  else if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(1) && nearest >= 0 && points.size() > 1)
+  {
+    points.erase(points.begin() + nearest);
+    part = nearest = -1;
+    isChanged = true;
+  }
+  else if (ImGui::IsItemActivated())
+    part = ImGui::IsMouseDown(0) ? nearest : -1;
+  else if (!ImGui::IsItemActive())
+    part = -1;
+  if (!isChanged && ImGui::IsItemActive() && part >= 0 && part < static_cast<int>(points.size()))
+  {
+    // A point stays between its neighbours.
+    const auto i = static_cast<std::size_t>(part);
+    OpacityPoint next = here();
+    next.value = std::clamp(next.value, i > 0 ? points[i - 1].value : frame.least,
+      i + 1 < points.size() ? points[i + 1].value : frame.most);
+    const ImVec2 moved = ImGui::GetIO().MouseDelta;
+    if ((moved.x != 0.0f || moved.y != 0.0f) && next != points[i])
+    {
+      points[i] = next;
+      isChanged = true;
+    }
+  }
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  ImVec2 before(frame.from.x, frame.yOf(points.front().opacity));
+  for (std::size_t i = 0; i <= points.size(); ++i)
+  {
+    const ImVec2 next = i < points.size()
+                          ? ImVec2(frame.xOf(points[i].value), frame.yOf(points[i].opacity))
+                          : ImVec2(frame.from.x + frame.size.x, before.y);
+    list->AddLine(before, next, handle, 1.5f);
+    before = next;
+  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    list->AddCircleFilled(ImVec2(frame.xOf(points[i].value), frame.yOf(points[i].opacity)),
+      0.28f * ImGui::GetFontSize(),
+      part == static_cast<int>(i) ||
+          (part < 0 && nearest == static_cast<int>(i) && ImGui::IsItemHovered())
+        ? held
+        : handle);
+  if (ImGui::IsItemHovered() && nearest >= 0)
+  {
+    const OpacityPoint& point = points[static_cast<std::size_t>(nearest)];
+    ImGui::SetTooltip(
+      "%s: opacity %s", asNumber(point.value).c_str(), asNumber(point.opacity, 3).c_str());
+  }
+  else if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
+    ImGui::SetTooltip("Drag points; double click adds one, right click takes one away\n--opacity");
+  return isChanged;
+}
+
+void colorStrip(vtkLookupTable* table, float width, float height)
+{
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  constexpr int pieces = 32;
+  const double* range = table->GetRange();
+  const auto at = [&](int i)
+  {
+    const double share = double(i) / pieces;
+    return colorAt(table, table->UsingLogScale() ? range[0] * std::pow(range[1] / range[0], share)
+                                                 : range[0] + share * (range[1] - range[0]));
+  };
+  for (int i = 0; i < pieces; ++i)
+  {
+    const float left = from.x + width * float(i) / pieces;
+    const float right = from.x + width * (float(i) + 1.0f) / pieces;
+    list->AddRectFilledMultiColor(
+      ImVec2(left, from.y), ImVec2(right, from.y + height), at(i), at(i + 1), at(i + 1), at(i));
+  }
+  ImGui::Dummy(ImVec2(width, height));
+}
+
+} // namespace mote::app

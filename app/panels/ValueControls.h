@@ -1,0 +1,31 @@
+#pragma once
+
+#include "settings/Settings.h"
+#include "stage/Histogram.h"
+
+#include <string>
+#include <vector>
+
+class vtkLookupTable;
+
+namespace mote::app
+{
+
+/// Draws a histogram with two handles at the ends of a range, which can be dragged, as can what
+/// lies between them. Returns whether the range is another one now. Keeps `low` <= `high`, within
+/// the histogram's range.
+bool rangeControl(const char* id, const Histogram& histogram, Interval& range);
+
+/// Two fields for the numbers of a range. Returns whether one was entered.
+bool rangeFields(const char* id, Interval& range);
+
+/// Draws a histogram in the colours of its values, and over it the curve of the opacities, whose
+/// points can be dragged, added by a double click and taken away by a right one. Points are in
+/// values. Returns whether the points are others now.
+bool opacityControl(const char* id, const Histogram& histogram, vtkLookupTable* table,
+  std::vector<OpacityPoint>& points);
+
+/// Draws a colour map as a strip of this width and height, at the cursor.
+void colorStrip(vtkLookupTable* table, float width, float height);
+
+} // namespace mote::app

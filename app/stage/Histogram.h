@@ -1,0 +1,30 @@
+#pragma once
+
+#include "Arrays.h"
+#include "Part.h"
+
+#include <memory>
+#include <vector>
+
+namespace mote::app
+{
+
+/// How many values lie where, between the least and the greatest.
+struct Histogram
+{
+  double least = 1.0, most = 0.0; ///< least > most: there are no values
+  std::vector<double> counts;     ///< of equal parts of the range
+  double highest = 0.0;           ///< of the counts
+
+  bool isEmpty() const { return least > most; }
+};
+
+/// Of what all parts that have it hold of an array. Of more than a million values of a part, evenly
+/// spread ones are counted, and count for those between them; least and greatest are of all.
+Histogram histogramOf(
+  const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& choice, int bins);
+
+/// Of the positions of all particles along x, y or z: 0, 1 or 2.
+Histogram histogramOfPlaces(const std::vector<std::unique_ptr<Part>>& parts, int axis, int bins);
+
+} // namespace mote::app

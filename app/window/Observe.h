@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vtkCommand.h>
+#include <vtkObject.h>
+
+namespace mote::app
+{
+
+/// Calls a function, with the event's data, whenever the object fires the event.
+template <class Function>
+void observe(vtkObject* object, unsigned long event, const Function& function)
+{
+  class Command : public vtkCommand
+  {
+  public:
+    explicit Command(const Function& f)
+      : function_(f)
+    {
+    }
+    void Execute(vtkObject*, unsigned long, void* data) override { function_(data); }
+
+  private:
+    Function function_;
+  };
+  auto* command = new Command(function);
+  object->AddObserver(event, command);
+  command->Delete();
+}
+
+} // namespace mote::app

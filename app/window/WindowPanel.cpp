@@ -1,0 +1,144 @@
+// The panel at the window's side.
+
+#include "Window.h"
+
+#include "Observe.h"
+
+#include <vtkCommand.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace mote::app
+{
+
+namespace
+{
+
+constexpr double panelWidth = 320.0; // pixels of a display of 96 dots an inch
+constexpr unsigned long soon = 1;    // ms
+
+} // namespace
+
+void Window::setUpPanel()
+{
+  const double scale = asked_.output.uiScale.value_or(displayScale());
+  panelHost_ = std::make_unique<PanelHost>(window_, interactor_, scale);
+  if (!panelHost_->isSupported())
+  {
+    panelHost_.reset();
+    return;
+  }
+  panelHost_->onInput = [this]
+  {
+    if (panelTimer_ == 0)
+      this->startTimer(panelTimer_, soon);
+  };
+  // After the view and its props, before the window shows the frame.
+  observe(stage_.renderer(), vtkCommand::EndEvent, [this](void*) { this->drawPanel(); });
+}
+
+/// The view has what the panel leaves of the window.
+void Window::updatePanel()
+{
+  const int* size = window_->GetSize();
+  const double scale = asked_.output.uiScale.value_or(displayScale());
+  const int width =
+    panelHost_ && panelOn_ ? std::min(static_cast<int>(panelWidth * scale), size[0] / 2) : 0;
+  const double left = static_cast<double>(width) / std::max(1, size[0]);
+  stage_.renderer()->SetViewport(left, 0.0, 1.0, 1.0);
+  props_.setLeft(left);
+  if (panelHost_)
+    panelHost_->setWidth(width);
+}
+
+std::array<int, 2> Window::viewSize() const
+{
+  const int* size = window_->GetSize();
+  const double left = stage_.renderer()->GetViewport()[0];
+  return {size[0] - static_cast<int>(std::lround(left * size[0])), size[1]};
+}
+
+void Window::drawPanel()
+{
+  if (busy_ || !panelHost_ || !panelOn_)
+    return;
+  PanelFacts facts;
+  facts.step = step_;
+  facts.steps = input_.numberOfSteps();
+  facts.hasTimes = !input_.times().empty();
+  facts.time = facts.hasTimes ? input_.times()[static_cast<std::size_t>(step_)] : 0.0;
+  facts.isPlaying = playing_;
+  facts.frameTime = frameTime_;
+  facts.quality = traced_ && pass_->GetNumberOfSamples() > 0 ? this->qualityText() : "";
+  panelHost_->draw(
+    [&]
+    {
+      const int* size = window_->GetSize();
+      const double left = stage_.renderer()->GetViewport()[0];
+      wish_ = panel_.draw(
+        facts, static_cast<float>(std::lround(left * size[0])), static_cast<float>(size[1]));
+    });
+  panelHost_->setFocused(panel_.hasFocus());
+  const bool isOver = beforeHold_ && !wish_.isHeld;
+  if ((wish_.settings || wish_.action != Action::None || isOver) && panelTimer_ == 0)
+    this->startTimer(panelTimer_, soon);
+}
+
+/// Does what the user asked for by the panel, and draws the panel anew.
+void Window::takeWish()
+{
+  const PanelWish wish = std::exchange(wish_, {});
+  if (wish.action != Action::None)
+  {
+    this->endHold();
+    Binding binding;
+    binding.action = wish.action;
+    return this->act(binding);
+  }
+  if (wish.settings)
+  {
+    Settings next = *wish.settings;
+    if (next.color.array != this->settings().color.array)
+      this->fitToArray(next);
+    if (!wish.isHeld)
+    {
+      this->endHold();
+      this->change(next);
+      return this->render();
+    }
+    // What is dragged is seen at once, coarsely, and undone as one.
+    if (!beforeHold_)
+      beforeHold_ = this->settingsAsSeen();
+    this->follow(next);
+    return this->renderMoving();
+  }
+  if (!wish.isHeld)
+    this->endHold();
+  this->render();
+}
+
+void Window::endHold()
+{
+  if (!beforeHold_)
+    return;
+  if (*beforeHold_ != this->settings())
+    history_.add(*beforeHold_);
+  beforeHold_.reset();
+}
+
+void Window::togglePanel()
+{
+  if (!panelHost_)
+    return this->say("This window's OpenGL is older than 3.2 and cannot draw the panel");
+  // Folded away only by whom it has the keys of: so that one key does both.
+  const bool isShown = panelOn_;
+  panelOn_ = !isShown || !panel_.hasFocus();
+  panel_.setFocus(panelOn_);
+  if (!panelOn_)
+    panelHost_->setFocused(false);
+}
+
+} // namespace mote::app
