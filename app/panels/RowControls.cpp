@@ -48,6 +48,13 @@ std::vector<std::string> split(const Row& row, const std::string& text)
   return words;
 }
 
+bool excludes(const Row& row, const Row& other)
+{
+  const auto names = [](const Row& a, const Row& b)
+  { return std::find(a.excludes.begin(), a.excludes.end(), b.name) != a.excludes.end(); };
+  return names(row, other) || names(other, row);
+}
+
 /// Whether a slider goes from one limit to the other.
 bool hasSlider(const Row& row)
 {
@@ -126,6 +133,10 @@ bool RowControls::set(const Row& row, Settings& settings, const std::vector<std:
     wrong = value.sentence;
     return false;
   }
+  // Of two that exclude each other the one that was chosen last is meant.
+  for (const Row& other : settingsTable())
+    if (excludes(row, other) && !other.isDefault(settings))
+      other.set(settings, other.get(Settings()));
   return settings != before;
 }
 
@@ -153,8 +164,11 @@ bool RowControls::drawWords(const Row& row, Settings& settings)
     if (ImGui::Selectable("default", now.empty()))
       isChanged = this->set(row, settings, usual);
   for (const std::string& word : row.words)
+  {
     if (ImGui::Selectable(word.c_str(), word == now))
       isChanged = this->set(row, settings, {word});
+    noteControl(word);
+  }
   ImGui::EndCombo();
   return isChanged;
 }
@@ -208,6 +222,26 @@ bool RowControls::drawSlider(const Row& row, Settings& settings)
   return this->set(row, settings, {rounded});
 }
 
+/// A list beside a text; returns what was chosen.
+std::string RowControls::drawOffers(const Row& row)
+{
+  ImGui::SameLine(0.0f, 0.0f);
+  const bool isOpen =
+    ImGui::BeginCombo("##offers", "", ImGuiComboFlags_NoPreview | ImGuiComboFlags_PopupAlignLeft);
+  noteControl(row.name + "-offers");
+  std::string chosen;
+  if (!isOpen)
+    return chosen;
+  for (const std::string& offer : row.offers)
+  {
+    if (ImGui::Selectable(offer.c_str()))
+      chosen = offer;
+    noteControl(offer);
+  }
+  ImGui::EndCombo();
+  return chosen;
+}
+
 bool RowControls::drawText(const Row& row, Settings& settings)
 {
   Text& text = texts_[row.name];
@@ -215,11 +249,16 @@ bool RowControls::drawText(const Row& row, Settings& settings)
   if (!text.isOpen && text.wrong.empty())
     text.text = joined(row, words);
   const std::string hint = row.usual.empty() ? row.usualText() : row.usual;
+  if (!row.offers.empty())
+    ImGui::SetNextItemWidth(-ImGui::GetFrameHeight());
   const bool isEntered =
     ImGui::InputTextWithHint("##", hint.c_str(), &text.text, ImGuiInputTextFlags_EnterReturnsTrue);
   text.isOpen = ImGui::IsItemActive();
   const bool isDone = isEntered || ImGui::IsItemDeactivatedAfterEdit();
   explain(row);
+  if (!row.offers.empty())
+    if (const std::string chosen = this->drawOffers(row); !chosen.empty())
+      return this->set(row, settings, {chosen});
   if (!isDone)
     return false;
   std::vector<std::string> next = split(row, text.text);

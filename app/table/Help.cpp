@@ -252,9 +252,9 @@ std::string bashCompletion(const CLI::App& app)
   }
   std::string words;
   for (const Row& row : settingsTable())
-    if (!row.words.empty())
+    if (const auto& values = row.words.empty() ? row.offers : row.words; !values.empty())
       words += "    --" + row.name + (row.alias.empty() ? "" : "|" + row.alias) +
-               ") COMPREPLY=($(compgen -W \"" + joined(row.words, " ") +
+               ") COMPREPLY=($(compgen -W \"" + joined(values, " ") +
                "\" -- \"$word\")); return ;;\n";
   return "# Completion of mote for bash.\n_mote() {\n"
          "  local word=${COMP_WORDS[COMP_CWORD]} options\n"

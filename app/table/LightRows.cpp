@@ -21,6 +21,7 @@ void addMainLightRows(std::vector<Row>& table)
       .help =
         "Shadows of the main light: none; hard, one light sample per camera ray; soft, about 64 "
         "light samples per pixel; or N from 1 to 64 for N x N light samples per camera ray",
+      .offers = {"none", "hard", "soft"},
       .next = [](Settings& s, const Settings& asked)
       { s.light = withNextShadows(s.light, asked.light); },
       .told = [](const Settings& s) { return shadowsName(s.light); }},
@@ -33,7 +34,8 @@ void addMainLightRows(std::vector<Row>& table)
               ", or AZIMUTH,ELEVATION in degrees to the right and up. Or X,Y,Z, from the data "
               "towards the light, whichever way they are looked at. auto is left-top, nearer to "
               "the eye without shadows",
-      .commas = false},
+      .commas = false,
+      .offers = lightNames()},
     refusing(checkLight)));
   table.push_back(row(light, &LightSettings::size,
     {.group = group,
@@ -62,6 +64,7 @@ void addSkyRows(std::vector<Row>& table)
         "from 0 to 4096; or baked, looked up in precomputed maps of particles, which are read from "
         "FILE.moteao where mote bake wrote one, and else computed for what is seen",
       .alias = "--ao",
+      .offers = {"none", "live", "baked"},
       .next = [](Settings& s, const Settings&) { s.light = withNextShading(s.light); },
       .told = [](const Settings& s) { return shadingName(s.light); }},
     refusing(checkAmbientOcclusion)));

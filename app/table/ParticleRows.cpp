@@ -18,7 +18,8 @@ void addParticleRows(std::vector<Row>& table)
               "typical distance between neighbours) or auto (an array named radius, half of one "
               "named diameter, else as spacing)",
       .invalidates = structure,
-      .alias = "-r"}));
+      .alias = "-r",
+      .offers = {"auto", "spacing"}}));
   table.push_back(row(particles, &ParticleSettings::typeRadius,
     {.group = group,
       .name = "type-radius",

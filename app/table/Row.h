@@ -38,6 +38,7 @@ struct Row
   bool numeric = true; ///< whether sessions write the values as numbers
   Limits limits = {};  ///< of numbers
   std::vector<std::string> words = {};    ///< all values there are; none: any
+  std::vector<std::string> offers = {};   ///< where any may be: those that have a name
   std::string usual = {};                 ///< what help says of the default; empty: the value
   std::string needs = {};                 ///< the name of another row
   std::vector<std::string> excludes = {}; ///< names of others

@@ -18,6 +18,7 @@ void addSilhouetteRows(std::vector<Row>& table)
         "percent of the diagonal of the scene. on means 10 radii; auto draws lines where another "
         "option of silhouettes is given. The value follows an equals sign: --silhouettes=4",
       .shape = Shape::OptionalOne,
+      .offers = {"auto", "on", "off"},
       .next = [](Settings& s, const Settings& asked)
       { s.silhouettes = toggled(s.silhouettes, asked.silhouettes); },
       .told = [](const Settings& s)

@@ -6,10 +6,12 @@ source "$tests/common.sh"
 [ -n "$DISPLAY" ] || fail "no display"
 copper=$data/copper-scratch.dump.gz
 
+# Tests of the view go without the panel.
+folded=--no-panel
 # open ARGUMENTS...: starts the program and waits for its window.
 open() {
   # Shells start background commands with SIGINT ignored, and mote leaves that as it is.
-  env --default-signal=INT "$mote" "$@" >out 2>err &
+  env --default-signal=INT "$mote" $folded "$@" >out 2>err &
   process=$!
   window=
   for _ in $(seq 150); do
