@@ -270,7 +270,7 @@ END
       [(x['rms_error'], x['max_error'], x['checked_pixels'])
         for x in json.load(open('even.json')) if x['method'] in ('cylgrid', 'cartgrid', 'cylbvh', 'cartbvh')]"
     hexahedra --input pump:0.002 --tables sizes,directions
-    said out '0.002:rotor: the axis, the input.s'
+    said out "0.002:rotor: the axis, the input's"
     ! grep -q 'Errors are' out || fail "errors of what is not drawn"
     # Every ray passes the same cells, whatever it goes through.
     records a.json "(lambda of: all(len({x['cells_passed'] for x in r if of(x) == key}) == 1
