@@ -18,10 +18,12 @@ const char* const noDisplaySentence =
 const VolumeTask& HexTableRun::task(const std::string& input, bool withReference)
 {
   const auto found = tasks.find(input);
-  if (found != tasks.end() && (!withReference || found->second.reference.width > 0))
-    return found->second;
-  VolumeTask made = makeVolumeTask(options, input, withReference);
-  return tasks.insert_or_assign(input, std::move(made)).first->second;
+  VolumeTask& task = found != tasks.end()
+                       ? found->second
+                       : tasks.emplace(input, makeVolumeTask(options, input)).first->second;
+  if (withReference)
+    integrateReference(task);
+  return task;
 }
 
 void HexTableRun::record(std::vector<VolumeMeasurement>& measurements)

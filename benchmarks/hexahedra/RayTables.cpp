@@ -20,12 +20,6 @@ std::string number(const char* pattern, double value)
   return std::isnan(value) ? std::string("-") : format(pattern, value);
 }
 
-double boxArea(const Box& box)
-{
-  const Vec3d d = box.size();
-  return 2.0 * (d.x * d.y + d.y * d.z + d.z * d.x);
-}
-
 /// Pumps are not made smaller.
 constexpr double leastScale = 0.0005;
 
@@ -63,15 +57,9 @@ void addTwins(HexTableRun& run, const std::string& input,
   const std::vector<HexStructureRequest>& requests, Section& section)
 {
   const VolumeTask& task = run.task(input, false);
-  const double unit = boxArea(task.input.mesh->bounds());
   RayQueries queries(task, task.camera);
   for (const BuiltHexStructure& built : buildStructures(task, requests))
-  {
-    VolumeMeasurement m = measurementOf(task, built);
-    m.area /= unit;
-    m.leafArea /= unit;
-    queries.add(built.structure, m);
-  }
+    queries.add(built.structure, measurementOf(task, built));
   std::vector<VolumeMeasurement> measured = queries.race();
   run.record(measured);
   for (std::size_t i = 0; i < measured.size(); ++i)

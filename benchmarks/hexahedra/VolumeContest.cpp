@@ -225,8 +225,10 @@ VolumeMeasurement measurementOf(const VolumeTask& task, const BuiltHexStructure&
     m.levels = static_cast<double>(built.shape.levels);
     if (built.shape.area > 0.0)
     {
-      m.area = built.shape.area;
-      m.leafArea = built.shape.leafArea;
+      const Vec3d d = task.input.mesh->bounds().size();
+      const double box = 2.0 * (d.x * d.y + d.y * d.z + d.z * d.x);
+      m.area = built.shape.area / box;
+      m.leafArea = built.shape.leafArea / box;
     }
   }
   if (built.method.find("grid") != std::string::npos)

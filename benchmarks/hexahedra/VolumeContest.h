@@ -31,7 +31,8 @@ struct VolumeMeasurement
   double least = unknown, most = unknown;
   double buildSeconds = unknown, frameChangeSeconds = unknown, megabytes = unknown;
   double references = unknown, largestLeaf = unknown, lambda2 = unknown;
-  double nodes = unknown, levels = unknown, area = unknown, leafArea = unknown;
+  double nodes = unknown, levels = unknown;
+  double area = unknown, leafArea = unknown; ///< of a hierarchy, in that of the mesh's box
   /// For a ray that meets the volume, the mean.
   double cellsVisited = unknown, nodesVisited = unknown;
   double cellsPassed = unknown, rayMicroseconds = unknown; ///< where nothing is integrated

@@ -70,7 +70,7 @@ CloudObject VolumeTask::volume(
   return object;
 }
 
-VolumeTask makeVolumeTask(const Options& options, const std::string& input, bool withReference)
+VolumeTask makeVolumeTask(const Options& options, const std::string& input)
 {
   VolumeTask task;
   task.input = makeHexInput(input);
@@ -82,12 +82,16 @@ VolumeTask makeVolumeTask(const Options& options, const std::string& input, bool
   task.threads = threadCount(options.threads);
   task.repeat = options.repeat;
   task.singleRays = options.singleRays;
-  if (!withReference)
-    return task;
-  progress("integrating the reference of %s", input.c_str());
+  return task;
+}
+
+void integrateReference(VolumeTask& task)
+{
+  if (task.reference.width > 0)
+    return;
+  progress("integrating the reference of %s", task.input.name.c_str());
   task.reference = referencePixels(
     *task.input.mesh, *task.input.field, task.transfer, task.rays(), task.width, task.height);
-  return task;
 }
 
 } // namespace mote::bench

@@ -27,9 +27,11 @@ struct VolumeTask
   CameraRays rays() const { return {camera, width, height}; }
 };
 
-/// Makes or reads the input; integrates the reference where it is wanted.
-VolumeTask makeVolumeTask(
-  const Options& options, const std::string& input, bool withReference = true);
+/// Makes or reads the input. There is no reference yet.
+VolumeTask makeVolumeTask(const Options& options, const std::string& input);
+
+/// Gives the task its reference, if it has none.
+void integrateReference(VolumeTask& task);
 
 /// A camera that looks along `-towards` at the middle of the bounds, from where the ball around
 /// them fills its view of 35 degrees.
