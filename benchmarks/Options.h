@@ -25,8 +25,9 @@ struct Options
   int packet = 0;                  ///< side of the bundles of rays, 0: the structure's own choice
   int rays = 1;                    ///< from every hit of a primary ray
   double cloudTolerance = 0.0;     ///< between pixels of a volume; 0: all are traced
-  double step = 0.0;               ///< between samples of a volume; 0: the volume's own choice
-  double tolerance = 1e-3;         ///< of integration cell by cell
+  bool singleRays = false; ///< structures of volumes take rays one at a time, never in bundles
+  double step = 0.0;       ///< between samples of a volume; 0: the volume's own choice
+  double tolerance = 1e-3; ///< of integration cell by cell
   std::string integrator = "trilinear";
   double lambda2 = 4.0; ///< leaves per reference of a macro cell of a two-level grid
 

@@ -73,6 +73,10 @@ void addVolumeOptions(CLI::App& command, Options& options)
     ->check(CLI::Range(0.0, 1.0))
     ->capture_default_str();
   command
+    .add_flag("--single-rays", options.singleRays,
+      "Cast rays through structures one at a time, so that no structure has bundles")
+    ->excludes("--cloud-tolerance");
+  command
     .add_option("--tolerance", options.tolerance,
       "Error of a colour, from 0 to 1, that walks and the integrator cell-by-cell may make")
     ->check(CLI::Range(1e-9, 1.0));

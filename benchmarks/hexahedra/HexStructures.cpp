@@ -56,26 +56,45 @@ BuiltHexStructure buildWalk(const VolumeTask& task, std::shared_ptr<HexStructure
   return built;
 }
 
+std::shared_ptr<HexStructure> makeStructure(
+  const HexInput& input, const HexStructureRequest& request)
+{
+  HexStructureOptions options;
+  options.kind = request.method->kind;
+  options.grid.lambda2 = request.lambda2;
+  options.grid.trimmed = request.trimmed;
+  options.axis = input.axis;
+  return makeHexStructure(input.mesh, options);
+}
+
+void describe(BuiltHexStructure& built)
+{
+  withStructure(*built.structure,
+    [&](const auto& structure)
+    {
+      built.megabytes = 1e-6 * static_cast<double>(structure.bytes());
+      built.references = structure.references();
+      built.largestLeaf = structure.largestLeaf();
+      built.shape = structure.shape();
+    });
+}
+
 std::vector<BuiltHexStructure> buildStructures(
   const VolumeTask& task, const std::vector<HexStructureRequest>& requests)
 {
   const HexInput& input = task.input;
   std::vector<BuiltHexStructure> all;
   for (const HexStructureRequest& request : requests)
-    all.push_back({request.method->name, request.lambda2, {}, {}});
+    all.push_back(
+      {request.method->name + (request.trimmed ? " trimmed" : ""), request.lambda2, {}, {}});
   Race race;
   for (std::size_t i = 0; i < requests.size(); ++i)
   {
-    HexStructureOptions options;
-    options.kind = requests[i].method->kind;
-    options.grid.lambda2 = requests[i].lambda2;
-    options.axis = input.axis;
     race.addTimed(
-      [&, i, options]
+      [&, i]
       {
         all[i].structure.reset();
-        return timed(
-          task.threads, [&] { all[i].structure = makeHexStructure(input.mesh, options); });
+        return timed(task.threads, [&] { all[i].structure = makeStructure(input, requests[i]); });
       });
     race.add(task.threads,
       [&, i] { setRanges(*all[i].structure, HexField(*input.mesh, input.hexScalar())); });
@@ -87,13 +106,7 @@ std::vector<BuiltHexStructure> buildStructures(
     BuiltHexStructure& built = all[i];
     built.buildSeconds = race.seconds(2 * i);
     built.frameChangeSeconds = race.seconds(2 * i + 1);
-    withStructure(*built.structure,
-      [&](const auto& structure)
-      {
-        built.megabytes = 1e-6 * static_cast<double>(structure.bytes());
-        built.references = structure.references();
-        built.largestLeaf = structure.largestLeaf();
-      });
+    describe(built);
   }
   return all;
 }

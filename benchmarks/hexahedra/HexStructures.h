@@ -37,13 +37,22 @@ struct BuiltHexStructure
   double frameChangeSeconds = 0.0;       ///< to take other values: field and ranges; median
   double megabytes = 0.0;                ///< of 1e6 bytes, without the mesh
   std::size_t references = 0, largestLeaf = 0;
+  HexStructureShape shape{};
 };
+
+/// Asks the structure for its memory, references and shape.
+void describe(BuiltHexStructure& built);
 
 struct HexStructureRequest
 {
   const HexMethodEntry* method;
   double lambda2 = 4.0;
+  bool trimmed = false; ///< of a grid
 };
+
+/// The structure, with the input's axis or one that is found.
+std::shared_ptr<HexStructure> makeStructure(
+  const HexInput& input, const HexStructureRequest& request);
 
 /// The method by which camera rays go from cell to cell.
 extern const Named walkMethod;
@@ -52,7 +61,7 @@ extern const Named walkMethod;
 /// else a volume needs.
 BuiltHexStructure buildWalk(const VolumeTask& task, std::shared_ptr<HexStructure> structure);
 
-/// Builds the structures in one race. The axis is the input's, or found.
+/// Builds the structures in one race.
 std::vector<BuiltHexStructure> buildStructures(
   const VolumeTask& task, const std::vector<HexStructureRequest>& requests);
 

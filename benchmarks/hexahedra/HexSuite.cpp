@@ -35,7 +35,8 @@ bool isWanted(const Options& options, const std::string& method)
 
 Report compareMethods(const Options& options)
 {
-  const VolumeTask task = makeVolumeTask(options, options.input);
+  VolumeTask task = makeVolumeTask(options, options.input);
+  integrateReference(task);
   std::vector<HexStructureRequest> requests;
   for (const HexMethodEntry& entry : hexMethods())
     if (isWanted(options, entry.name))

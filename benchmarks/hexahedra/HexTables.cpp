@@ -1,9 +1,8 @@
 #include "HexTables.h"
 
-#include "VolumeContest.h"
+#include "RayTables.h"
 
 #include <algorithm>
-#include <map>
 
 namespace mote::bench
 {
@@ -16,39 +15,35 @@ const char* const peerSentence =
 const char* const noDisplaySentence =
   "VTK's mappers are left out: there is no X server for their windows (xvfb-run brings one).";
 
+const VolumeTask& HexTableRun::task(const std::string& input, bool withReference)
+{
+  const auto found = tasks.find(input);
+  VolumeTask& task = found != tasks.end()
+                       ? found->second
+                       : tasks.emplace(input, makeVolumeTask(options, input)).first->second;
+  if (withReference)
+    integrateReference(task);
+  return task;
+}
+
+void HexTableRun::record(std::vector<VolumeMeasurement>& measurements)
+{
+  for (VolumeMeasurement& m : measurements)
+  {
+    m.table = name;
+    report.records.push_back(toRecord(m));
+  }
+}
+
+std::vector<VolumeMeasurement> HexTableRun::race(VolumeContest& contest)
+{
+  std::vector<VolumeMeasurement> all = contest.race();
+  record(all);
+  return all;
+}
+
 namespace
 {
-
-/// One run of the tables.
-struct HexTableRun
-{
-  const Options& options;
-  std::vector<std::string> inputs; ///< the parts of a pump, or one
-  std::string name;                ///< of the table in the making
-  Report report{};
-  std::map<std::string, VolumeTask> tasks{};
-
-  const VolumeTask& task(const std::string& input)
-  {
-    const auto found = tasks.find(input);
-    return found != tasks.end()
-             ? found->second
-             : tasks.emplace(input, makeVolumeTask(options, input)).first->second;
-  }
-  /// What tables are of that look at one input only.
-  const VolumeTask& firstTask() { return this->task(inputs.front()); }
-
-  std::vector<VolumeMeasurement> race(VolumeContest& contest)
-  {
-    std::vector<VolumeMeasurement> all = contest.race();
-    for (VolumeMeasurement& m : all)
-    {
-      m.table = name;
-      report.records.push_back(toRecord(m));
-    }
-    return all;
-  }
-};
 
 std::string speed(const VolumeMeasurement& m)
 {
@@ -61,48 +56,6 @@ std::vector<HexStructureRequest> allStructures(double lambda2)
   for (const HexMethodEntry& entry : hexMethods())
     requests.push_back({&entry, lambda2});
   return requests;
-}
-
-/// A cylindrical structure against its Cartesian twin, on every part.
-Section twinTable(HexTableRun& run, const std::string& cylindrical, const std::string& cartesian)
-{
-  Section section{"", Table(2)};
-  section.table.add({"input", "structure", "build s", "MB", "references", "in a leaf",
-    "cells a ray", "nodes a ray", "fps"});
-  for (const std::string& input : run.inputs)
-  {
-    const VolumeTask& task = run.task(input);
-    VolumeContest contest(task);
-    for (const BuiltHexStructure& built :
-      buildStructures(task, {{&hexMethodNamed(cylindrical), run.options.lambda2},
-                              {&hexMethodNamed(cartesian), run.options.lambda2}}))
-      contest.add(built, samplingOf(run.options));
-    const std::vector<VolumeMeasurement> two = run.race(contest);
-    for (const VolumeMeasurement& m : two)
-      section.table.add({input, m.method, format("%.3f", m.buildSeconds),
-        format("%.1f", m.megabytes), format("%.0f", m.references), format("%.0f", m.largestLeaf),
-        format("%.1f", m.cellsVisited), format("%.1f", m.nodesVisited), speed(m)});
-    const VolumeMeasurement &a = two[0], &b = two[1];
-    const auto ratio = [](double x, double y) { return format("%.2f", x / y); };
-    section.table.add({"", "ratio", ratio(a.buildSeconds, b.buildSeconds),
-      ratio(a.megabytes, b.megabytes), ratio(a.references, b.references),
-      ratio(a.largestLeaf, b.largestLeaf), ratio(a.cellsVisited, b.cellsVisited),
-      ratio(a.nodesVisited, b.nodesVisited), ratio(b.seconds, a.seconds)});
-  }
-  section.notes.emplace_back(
-    "cells and nodes a ray: looked at while drawing, of rays that meet the volume. Ratios: "
-    "cylindrical to Cartesian, of the frame rate as well.");
-  return section;
-}
-
-Section gridTable(HexTableRun& run)
-{
-  return twinTable(run, "cylgrid", "cartgrid");
-}
-
-Section hierarchyTable(HexTableRun& run)
-{
-  return twinTable(run, "cylbvh", "cartbvh");
 }
 
 Section lambda2Table(HexTableRun& run)
@@ -282,8 +235,10 @@ struct HexTableEntry
 const std::vector<HexTableEntry>& entries()
 {
   static const std::vector<HexTableEntry> all = {
-    {"grids", "Two-level grids, cylindrical against Cartesian", true, gridTable},
-    {"hierarchies", "Hierarchies, cylindrical against Cartesian", true, hierarchyTable},
+    {"grids", "Two-level grids, cylindrical against Cartesian, ray by ray", true, gridTable},
+    {"hierarchies", "Hierarchies, cylindrical against Cartesian, ray by ray", true, hierarchyTable},
+    {"sizes", "Ray by ray against the size of the mesh", true, sizeTable},
+    {"directions", "Ray by ray against the direction of the view", true, directionTable},
     {"lambda2", "Leaves per reference of a grid's macro cell", false, lambda2Table},
     {"step", "Speed against the distance of samples", false, stepTable},
     {"integrators", "Error against time of the integrators", false, integratorTable},
@@ -323,9 +278,13 @@ Report makeHexTables(const Options& options)
     section.title = entry.title + ": " + (entry.ofAllParts ? options.input : run.inputs.front());
     run.report.sections.push_back(std::move(section));
   }
-  if (!run.tasks.empty())
-    for (const std::string& note : volumeNotes(run.tasks.begin()->second))
-      run.report.sections.back().notes.push_back(note);
+  for (const auto& [input, task] : run.tasks)
+    if (task.reference.width > 0)
+    {
+      for (const std::string& note : volumeNotes(task))
+        run.report.sections.back().notes.push_back(note);
+      break;
+    }
   return std::move(run.report);
 }
 

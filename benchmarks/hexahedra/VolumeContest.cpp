@@ -3,6 +3,7 @@
 #include <kernels/tracing/detail/CloudTracer.h>
 
 #include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
@@ -28,11 +29,39 @@ struct Caster
   Scene scene;
   Camera camera;
   Film film;
+  bool singleRays = false;
 
   void draw()
   {
+    if (singleRays)
+      return drawRayByRay();
     film.setSamples(0);
     RayCaster(scene).addSample(camera, film);
+  }
+
+private:
+  void drawRayByRay()
+  {
+    const int width = film.width();
+    const CameraRays rays(camera, width, film.height());
+    const std::vector<ShadedLight> noLights;
+    const CloudTracer tracer(scene.clouds.front(), noLights, rays.o0, 0);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, film.pixels(), 64),
+      [&](const tbb::blocked_range<std::size_t>& pixels)
+      {
+        for (std::size_t i = pixels.begin(); i != pixels.end(); ++i)
+        {
+          const double x = static_cast<double>(i % static_cast<std::size_t>(width)) + 0.5,
+                       y = static_cast<double>(i / static_cast<std::size_t>(width)) + 0.5;
+          RayGatherer gatherer(nullptr);
+          tracer.gather(
+            tracer.ray(rays.originAt(x, y), rays.directionAt(x, y), rays.tMin, rays.tMax),
+            gatherer);
+          const RayColor& seen = gatherer.total();
+          const Vec4f color(Vec3f(seen.color), static_cast<float>(1.0 - seen.transmittance));
+          std::copy_n(&color.x, 4, film.color() + 4 * i);
+        }
+      });
   }
 };
 
@@ -134,8 +163,10 @@ Record toRecord(const VolumeMeasurement& m)
     {"memory_mb", m.megabytes}, {"references", counted(m.references)},
     {"max_cells_per_leaf", counted(m.largestLeaf)}, {"lambda2", m.lambda2},
     {"cells_visited", m.cellsVisited}, {"nodes_visited", m.nodesVisited},
-    {"fallbacks", counted(m.fallbacks)}, {"step", m.step}, {"tolerance", m.tolerance},
-    {"cloud_tolerance", m.cloudTolerance},
+    {"cells_passed", m.cellsPassed}, {"us_per_ray", m.rayMicroseconds}, {"degrees", m.degrees},
+    {"nodes", counted(m.nodes)}, {"levels", counted(m.levels)}, {"area", m.area},
+    {"leaf_area", m.leafArea}, {"fallbacks", counted(m.fallbacks)}, {"step", m.step},
+    {"tolerance", m.tolerance}, {"cloud_tolerance", m.cloudTolerance},
     {"checked_pixels", static_cast<std::int64_t>(m.errors.checked)}, {"rms_error", m.errors.rms},
     {"max_error", m.errors.max}};
   record.insert(record.end(), more.begin(), more.end());
@@ -162,27 +193,27 @@ VolumeSampling samplingOf(const Options& options)
   return sampling;
 }
 
-VolumeMeasurement VolumeContest::measurement(const std::string& method) const
+namespace
+{
+
+VolumeMeasurement measurement(const VolumeTask& task, const std::string& method)
 {
   VolumeMeasurement m;
   m.method = method;
-  m.input = task_.input.name;
-  m.cells = task_.input.mesh->cellCount();
-  m.width = task_.width;
-  m.height = task_.height;
-  m.threads = task_.threads;
-  m.repeat = task_.repeat;
+  m.input = task.input.name;
+  m.cells = task.input.mesh->cellCount();
+  m.width = task.width;
+  m.height = task.height;
+  m.threads = task.threads;
+  m.repeat = task.repeat;
   return m;
 }
 
-void VolumeContest::add(
-  const BuiltHexStructure& built, const VolumeSampling& wanted, double cloudTolerance)
+} // namespace
+
+VolumeMeasurement measurementOf(const VolumeTask& task, const BuiltHexStructure& built)
 {
-  VolumeMeasurement m = measurement(built.method);
-  VolumeSampling sampling = wanted;
-  if (built.walk)
-    sampling.integrator = VolumeIntegrator::CellByCell;
-  m.integrator = nameOf(sampling.integrator);
+  VolumeMeasurement m = measurement(task, built.method);
   m.buildSeconds = built.buildSeconds;
   m.frameChangeSeconds = built.frameChangeSeconds;
   m.megabytes = built.megabytes;
@@ -190,16 +221,36 @@ void VolumeContest::add(
   {
     m.references = static_cast<double>(built.references);
     m.largestLeaf = static_cast<double>(built.largestLeaf);
+    m.nodes = static_cast<double>(built.shape.nodes);
+    m.levels = static_cast<double>(built.shape.levels);
+    if (built.shape.area > 0.0)
+    {
+      const Vec3d d = task.input.mesh->bounds().size();
+      const double box = 2.0 * (d.x * d.y + d.y * d.z + d.z * d.x);
+      m.area = built.shape.area / box;
+      m.leafArea = built.shape.leafArea / box;
+    }
   }
-  if (built.method.ends_with("grid"))
+  if (built.method.find("grid") != std::string::npos)
     m.lambda2 = built.lambda2;
+  return m;
+}
 
+void VolumeContest::add(
+  const BuiltHexStructure& built, const VolumeSampling& wanted, double cloudTolerance)
+{
+  VolumeMeasurement m = measurementOf(task_, built);
+  VolumeSampling sampling = wanted;
+  if (built.walk)
+    sampling.integrator = VolumeIntegrator::CellByCell;
+  m.integrator = nameOf(sampling.integrator);
   const auto caster = std::make_shared<Caster>();
   caster->scene.clouds = {task_.volume(built.structure, sampling)};
   caster->scene.clouds[0].walk = built.walk;
   caster->scene.cloudTolerance = m.cloudTolerance = cloudTolerance;
   caster->camera = task_.camera;
   caster->film.resize(task_.width, task_.height);
+  caster->singleRays = task_.singleRays && !built.walk;
   if (sampling.integrator == VolumeIntegrator::CellByCell)
     m.tolerance = sampling.tolerance;
   else
@@ -212,7 +263,7 @@ void VolumeContest::add(
 
 void VolumeContest::addPeer(const std::string& name, const Tetrahedra& tetrahedra)
 {
-  VolumeMeasurement m = measurement(name);
+  VolumeMeasurement m = measurement(task_, name);
   m.integrator = name == "vtk-raycast" ? "partial-pre-integration" : "projection";
   m.buildSeconds = tetrahedra.seconds;
   m.megabytes = tetrahedra.megabytes;

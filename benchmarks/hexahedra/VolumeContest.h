@@ -31,8 +31,12 @@ struct VolumeMeasurement
   double least = unknown, most = unknown;
   double buildSeconds = unknown, frameChangeSeconds = unknown, megabytes = unknown;
   double references = unknown, largestLeaf = unknown, lambda2 = unknown;
+  double nodes = unknown, levels = unknown;
+  double area = unknown, leafArea = unknown; ///< of a hierarchy, in that of the mesh's box
   /// For a ray that meets the volume, the mean.
   double cellsVisited = unknown, nodesVisited = unknown;
+  double cellsPassed = unknown, rayMicroseconds = unknown; ///< where nothing is integrated
+  double degrees = unknown;                                ///< of the view from the axis
   double fallbacks = unknown; ///< of a walk: cells whose exit signs of edges did not tell
   double step = unknown, tolerance = unknown;
   double cloudTolerance = 0.0; ///< between pixels, see Scene::cloudTolerance
@@ -40,6 +44,9 @@ struct VolumeMeasurement
 };
 
 Record toRecord(const VolumeMeasurement& measurement);
+
+/// The measurement with what is to be told of the input, and of the structure on its own.
+VolumeMeasurement measurementOf(const VolumeTask& task, const BuiltHexStructure& built);
 
 /// The integrators by their names.
 const std::vector<std::pair<std::string, VolumeIntegrator>>& volumeIntegrators();
@@ -74,7 +81,6 @@ private:
     std::function<double()> draw; ///< seconds
     std::function<ColorErrors()> check;
   };
-  VolumeMeasurement measurement(const std::string& method) const;
 
   const VolumeTask& task_;
   std::vector<Contestant> contestants_;

@@ -17,20 +17,20 @@ const char* const transferSentence =
   "Colour and extinction are linear in the pressure, or what stands for it, from knot to knot: 2, "
   "4, 8, 16 and 24 per diagonal of the bounds at 0, 1/4, 1/2, 3/4 and 1 of its range; no shading.";
 
-namespace
-{
-
-Camera wholeCamera(const Box& bounds)
+Camera wholeCamera(const Box& bounds, const Vec3d& towards, const Vec3d& up)
 {
   Camera camera;
   camera.viewAngle = 35.0;
   const double radius = 0.5 * glm::length(bounds.size());
   const double distance = radius / std::sin(glm::radians(0.5 * camera.viewAngle));
-  camera.position = bounds.center() + distance * glm::normalize(Vec3d(1.1, 0.7, 1.5));
+  camera.position = bounds.center() + distance * glm::normalize(towards);
   camera.forward = bounds.center() - camera.position;
-  camera.up = Vec3d(0.0, 1.0, 0.0);
+  camera.up = up;
   return camera;
 }
+
+namespace
+{
 
 /// Opacities are told for so short a way that they are extinctions to within 1e-3: then functions
 /// that are linear in opacity and in extinction, which is VTK's, are the same.
@@ -75,16 +75,23 @@ VolumeTask makeVolumeTask(const Options& options, const std::string& input)
   VolumeTask task;
   task.input = makeHexInput(input);
   const Box& bounds = task.input.mesh->bounds();
-  task.camera = wholeCamera(bounds);
+  task.camera = wholeCamera(bounds, Vec3d(1.1, 0.7, 1.5), Vec3d(0.0, 1.0, 0.0));
   task.transfer = moderateTransfer(*task.input.field, bounds);
   task.width = options.width;
   task.height = options.height;
   task.threads = threadCount(options.threads);
   task.repeat = options.repeat;
-  progress("integrating the reference of %s", input.c_str());
+  task.singleRays = options.singleRays;
+  return task;
+}
+
+void integrateReference(VolumeTask& task)
+{
+  if (task.reference.width > 0)
+    return;
+  progress("integrating the reference of %s", task.input.name.c_str());
   task.reference = referencePixels(
     *task.input.mesh, *task.input.field, task.transfer, task.rays(), task.width, task.height);
-  return task;
 }
 
 } // namespace mote::bench

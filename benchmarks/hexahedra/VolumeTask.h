@@ -18,6 +18,7 @@ struct VolumeTask
   Camera camera;
   TransferFunction transfer;
   int width = 0, height = 0, threads = 1, repeat = 1;
+  bool singleRays = false; ///< structures take them one at a time
   ReferencePixels reference;
 
   /// Of this structure, as the kernels draw it.
@@ -26,8 +27,15 @@ struct VolumeTask
   CameraRays rays() const { return {camera, width, height}; }
 };
 
-/// Makes or reads the input, and integrates the reference.
+/// Makes or reads the input. There is no reference yet.
 VolumeTask makeVolumeTask(const Options& options, const std::string& input);
+
+/// Gives the task its reference, if it has none.
+void integrateReference(VolumeTask& task);
+
+/// A camera that looks along `-towards` at the middle of the bounds, from where the ball around
+/// them fills its view of 35 degrees.
+Camera wholeCamera(const Box& bounds, const Vec3d& towards, const Vec3d& up);
 
 /// The one view: from (1.1, 0.7, 1.5) towards the middle, so far away that the ball around the
 /// bounds fills a view of 35 degrees.

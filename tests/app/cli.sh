@@ -167,8 +167,18 @@ case $3 in
   readme) # the pictures of README.md and the user guide are made as printed
     root=$(dirname "$data")
     ln -s "$data" data
+    meshes=$MOTE_SHARED_DATA/hexahedra
+    if [ -d "$meshes" ]; then
+      ln -s "$meshes"/*.vtu .
+    else
+      echo "There is no $meshes: pictures of its meshes are left out."
+    fi
     count=0
     while read -r command; do
+      for word in $command; do
+        [[ $word != *.vtu || -e $word ]] || continue 2
+      done
+      command=${command/720x540/96x72} # of real meshes: smaller, and soon done
       # shellcheck disable=SC2086
       run 0 "$mote" ${command#mote }
       count=$((count + 1))

@@ -235,7 +235,8 @@ END
   hexahedra) # the same picture through every structure, and VTK's mappers where there is a display
     keys="suite method integrator input view cells threads width height repeat fps build_s memory_mb
       references max_cells_per_leaf cells_visited nodes_visited step tolerance lambda2 rms_error
-      max_error checked_pixels frame_change_s"
+      max_error checked_pixels frame_change_s cells_passed us_per_ray nodes levels area leaf_area
+      degrees"
     hexahedra() { run 0 "$bench" hexahedra "${small[@]}" --json a.json "$@"; }
     # Of what goes through a structure; the walk goes through none, and has a picture of its own.
     ours="[x for x in r if not x['method'].startswith('vtk') and x['method'] != 'walk']"
@@ -263,13 +264,32 @@ END
       r[0]['references'] < json.load(open('even.json'))[0]['references']"
     hexahedra --input pump:0.001:inlet --methods cylbvh --integrator inverse-distance --step 0.003
     records a.json "len(r) == 1 and r[0]['step'] == 0.003 and 0 < r[0]['rms_error'] < 0.1"
+    # Rays alone see what they see in bundles, to the last bit.
+    hexahedra --input pump:0.002:rotor --methods cylgrid,cartgrid,cylbvh,cartbvh --single-rays
+    records a.json "len(r) == 4 and [(x['rms_error'], x['max_error'], x['checked_pixels']) for x in r] ==
+      [(x['rms_error'], x['max_error'], x['checked_pixels'])
+        for x in json.load(open('even.json')) if x['method'] in ('cylgrid', 'cartgrid', 'cylbvh', 'cartbvh')]"
+    hexahedra --input pump:0.002 --tables sizes,directions
+    said out "0.002:rotor: the axis, the input's"
+    ! grep -q 'Errors are' out || fail "errors of what is not drawn"
+    # Every ray passes the same cells, whatever it goes through.
+    records a.json "(lambda of: all(len({x['cells_passed'] for x in r if of(x) == key}) == 1
+      for key in {of(x) for x in r}))(lambda x: (x['table'], x['input'], x['degrees']))"
+    records a.json "all(x['cells_visited'] >= x['cells_passed'] > 1 and x['nodes_visited'] > 1 and
+      x['us_per_ray'] > 0 for x in r)"
+    records a.json "len([x for x in r if x['table'] == 'directions']) == 3 * 7 * 4"
+    records a.json "len([x for x in r if x['table'] == 'sizes']) == 3 * 2 * 4"
     hexahedra --input pump:0.001 --tables
     for words in 'Two-level grids' Hierarchies 'Leaves per reference' 'distance of samples' \
       'Error against time'; do
       said out "$words"
     done
-    records a.json "{x['table'] for x in r} >= {'grids', 'hierarchies', 'lambda2', 'step', 'integrators'}"
+    records a.json "{x['table'] for x in r} >= {'grids', 'hierarchies', 'sizes', 'directions', 'lambda2', 'step',
+      'integrators'}"
     records a.json "len({x['input'] for x in r if x['table'] == 'grids'}) == 3"
+    records a.json "all((x['levels'] == 2) == ('grid' in x['method']) and
+      x['nodes'] > x['levels'] and (x['area'] is None) == ('grid' in x['method']) and
+      x['cells_visited'] >= x['cells_passed'] > 1 for x in r if x['table'] in ('grids', 'hierarchies'))"
     # Finer is better, to where what is drawn is as good as it can be.
     for name in trilinear cell-by-cell; do
       records a.json "(lambda e: e[-1] < 0.1 * e[0])([x['rms_error'] for x in r

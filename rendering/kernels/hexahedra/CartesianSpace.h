@@ -100,6 +100,7 @@ public:
     {
     }
     const SpaceBounds& bounds() const { return bounds_; }
+    double area() const { return CartesianSpace::area(bounds_); }
     bool clip(const Ray& ray, double& tIn, double& tOut) const
     {
       for (int k = 0; k < 3; ++k)

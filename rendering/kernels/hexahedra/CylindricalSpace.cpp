@@ -270,6 +270,15 @@ CylindricalSpace::Region::Region(const SpaceBounds& b)
   to_ = {static_cast<float>(std::cos(to)), static_cast<float>(std::sin(to))};
 }
 
+double CylindricalSpace::Region::area() const
+{
+  const double width = outer_ - inner_, height = top_ - bottom_;
+  const Planar a{from_[0], from_[1]}, b{to_[0], to_[1]};
+  const double angle = isSector() ? std::atan2(cross(a, b), dot(a, b)) : fullTurn;
+  const double ends = isSector() ? 2.0 * width * height : 0.0;
+  return (outer_ + inner_) * (width + height) * angle + ends;
+}
+
 namespace
 {
 

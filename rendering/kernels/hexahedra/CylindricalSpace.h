@@ -82,6 +82,7 @@ public:
     bool clip(const Ray& ray, double& tIn, double& tOut) const;
     bool contains(const Vec3d& xyh) const;
     bool overlaps(const Region& other) const;
+    double area() const;
 
   private:
     bool clipHole(const Ray& ray, double inner2, double& tIn, double& tOut) const;

@@ -332,6 +332,26 @@ std::size_t HexBvh<Space>::largestLeaf() const
   return largest;
 }
 
+template <typename Space>
+HexStructureShape HexBvh<Space>::shape() const
+{
+  HexStructureShape shape;
+  shape.nodes = nodes_.size();
+  std::vector<std::size_t> levels(nodes_.size(), 1); // parents come before their children
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+  {
+    const Node& node = nodes_[i];
+    const double area = node.region.area();
+    shape.area += area;
+    shape.levels = std::max(shape.levels, levels[i]);
+    if (node.count > 0)
+      shape.leafArea += area;
+    else
+      levels[node.first] = levels[node.first + 1] = levels[i] + 1;
+  }
+  return shape;
+}
+
 template class HexBvh<CartesianSpace>;
 template class HexBvh<CylindricalSpace>;
 

@@ -61,6 +61,7 @@ public:
   std::size_t bytes() const;
   std::size_t references() const { return cells_.size(); }
   std::size_t largestLeaf() const;
+  HexStructureShape shape() const;
 
 private:
   /// A leaf has `count` cells from `first` on; an inner node, of count 0, the nodes first and

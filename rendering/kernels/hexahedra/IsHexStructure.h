@@ -13,6 +13,16 @@
 namespace mote
 {
 
+/// How much there is of a structure.
+struct HexStructureShape
+{
+  std::size_t nodes = 0;  ///< of a hierarchy; of a grid, macro cells and leaves
+  std::size_t levels = 0; ///< of nodes
+  /// Of a hierarchy, the sums of its nodes' and its leaves' areas, in squared units of the mesh; 0
+  /// for a grid.
+  double area = 0.0, leafArea = 0.0;
+};
+
 /// What every structure over a HexMesh offers. It works in the coordinates of a space, see
 /// CartesianSpace.
 ///
@@ -52,11 +62,13 @@ concept IsHexStructure = std::default_initializable<S> && std::copyable<S> &&
   // Takes the ranges of a scalar in every cell, for `keep` above. In parallel; nothing is rebuilt.
   made.setRanges(RawVector<ScalarRange>());
 
-  // The mesh; memory without it; references to cells, in all and from the largest leaf.
+  // The mesh; memory without it; references to cells, in all and from the largest leaf; how much
+  // there is of it, counted when asked.
   requires std::same_as<decltype(held.mesh()), const HexMesh&>;
   requires std::same_as<decltype(held.bytes()), std::size_t>;
   requires std::same_as<decltype(held.references()), std::size_t>;
   requires std::same_as<decltype(held.largestLeaf()), std::size_t>;
+  requires std::same_as<decltype(held.shape()), HexStructureShape>;
 };
 
 } // namespace mote

@@ -360,6 +360,14 @@ std::size_t TwoLevelGrid<Space>::largestLeaf() const
   return largest;
 }
 
+template <typename Space>
+HexStructureShape TwoLevelGrid<Space>::shape() const
+{
+  if (macros_.empty())
+    return {};
+  return {macros_.size() + leaves(), 2};
+}
+
 template class TwoLevelGrid<CartesianSpace>;
 template class TwoLevelGrid<CylindricalSpace>;
 

@@ -58,6 +58,7 @@ public:
   std::size_t bytes() const;
   std::size_t references() const { return references_.size(); }
   std::size_t largestLeaf() const;
+  HexStructureShape shape() const;
 
 private:
   /// A macro cell: its leaves begin at `leaf`; n along each coordinate.

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 using namespace mote;
 using namespace mote::testing;
@@ -335,6 +336,50 @@ TEST(HexStructure, LeafSizeIsKept)
         EXPECT_LE(s.largestLeaf(), static_cast<std::size_t>(leafSize));
         EXPECT_EQ(s.references(), mesh->cellCount());
       });
+}
+
+HexStructureShape shapeOf(const Mesh& mesh, HexStructureKind kind, int leafSize = 1)
+{
+  return withStructure(*build(mesh, kind, CylinderAxis{}, leafSize),
+    [](const auto& s) -> HexStructureShape { return s.shape(); });
+}
+
+TEST(HexStructure, ShapesHaveEveryNode)
+{
+  const Mesh mesh = hexRing({}).mesh();
+  const std::size_t n = mesh->cellCount();
+  for (const HexStructureKind kind :
+    {HexStructureKind::CylindricalBvh, HexStructureKind::CartesianBvh})
+  {
+    const HexStructureShape fine = shapeOf(mesh, kind), coarse = shapeOf(mesh, kind, 8);
+    EXPECT_EQ(fine.nodes, 2 * n - 1);
+    EXPECT_GE(std::size_t{1} << (fine.levels - 1), n);
+    EXPECT_LT(fine.levels, 4 * coarse.levels);
+    EXPECT_LT(coarse.levels, fine.levels);
+    EXPECT_LT(coarse.nodes, fine.nodes);
+    EXPECT_LT(coarse.area, fine.area);
+  }
+  for (const HexStructureKind kind :
+    {HexStructureKind::CylindricalGrid, HexStructureKind::CartesianGrid})
+  {
+    EXPECT_EQ(shapeOf(mesh, kind).levels, 2U);
+    EXPECT_GT(shapeOf(mesh, kind).nodes, n);
+  }
+  for (const HexStructureKind kind : hexKinds)
+    EXPECT_EQ(shapeOf(HexCells{}.mesh(), kind).nodes, 0U);
+}
+
+TEST(HexStructure, ShapesHaveTheAreasOfBoxesAndSectors)
+{
+  const HexStructureShape box = shapeOf(hexBlock(1, 1, 1).mesh(), HexStructureKind::CartesianBvh);
+  EXPECT_NEAR(box.area, 6.0, 1e-5);
+  EXPECT_EQ(box.area, box.leafArea);
+  // Three thirds of a ring from r = 0.1, in the middle of chords, to 2; two of them count as all.
+  const HexStructureShape ring =
+    shapeOf(hexRing({1, 3, 1, 0.2, 2.0, 1.0}).mesh(), HexStructureKind::CylindricalBvh);
+  const double round = 2.1 * (1.9 + 1.0) * 2.0 * std::numbers::pi, ends = 2.0 * 1.9 * 1.0;
+  EXPECT_NEAR(ring.leafArea, round + 3.0 * ends, 1e-4);
+  EXPECT_NEAR(ring.area, 3.0 * round + 3.0 * ends, 1e-4);
 }
 
 TEST(HexStructure, TrimmedGridsReferToLess)
