@@ -18,7 +18,7 @@ std::string lines; ///< of this frame
 
 void noteControl(const std::string& name)
 {
-  if (!file || !ImGui::IsItemVisible())
+  if (!file)
     return;
   const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
   char places[96];

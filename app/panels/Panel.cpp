@@ -149,9 +149,9 @@ bool Panel::drawRow(const std::string& name, const std::string& label)
 void Panel::drawGroup(const std::string& group, void (Panel::*first)())
 {
   const bool isFirst = group == "Colour" || group == "Selection" || group == "Volume";
-  const bool isOpen = ImGui::CollapsingHeader(
-    group.c_str(), isFirst ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
-  noteControl(group);
+  const bool isOpen = ImGui::CollapsingHeader((group + "##group").c_str(),
+    isFirst ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
+  noteControl("group " + group);
   ImGui::PushID(group.c_str());
   if (first && isOpen)
     (this->*first)();

@@ -33,9 +33,22 @@ struct Frame
     const double share = width > 0.0 ? (value - least) / width : 0.5;
     return from.x + static_cast<float>(std::clamp(share, 0.0, 1.0)) * size.x;
   }
+  /// In round numbers, a thousand or more in all; the ends as they are.
   double valueAt(float x) const
   {
-    return least + std::clamp((x - from.x) / size.x, 0.0f, 1.0f) * (most - least);
+    const double share = (x - from.x) / size.x;
+    return share <= 0.0 ? least : share >= 1.0 ? most : rounded(least + share * (most - least));
+  }
+  double rounded(double value) const
+  {
+    const double width = most - least;
+    if (!(width > 0.0))
+      return value;
+    const double digits = std::floor(std::log10(width / 1000.0));
+    const double step = std::pow(10.0, std::abs(digits));
+    const double round =
+      digits < 0.0 ? std::round(value * step) / step : std::round(value / step) * step;
+    return std::clamp(round, least, most);
   }
   float yOf(double share) const
   {
@@ -122,6 +135,7 @@ bool rangeControl(const char* id, const Histogram& histogram, Interval& range)
       const double width = frame.most - frame.least;
       double by = moved / frame.size.x * width;
       by = std::clamp(by, frame.least - low, frame.most - high);
+      // The width stays: what is dragged back comes to where it was.
       next = {low + by, high + by};
     }
     isChanged = next.low != range.low || next.high != range.high;

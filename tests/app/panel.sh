@@ -1,0 +1,213 @@
+#!/usr/bin/env bash
+# panel.sh MOTE DATA CASE: one test of the window's panel, on the X server that DISPLAY names. Where
+# controls lie the panel itself writes (see app/panels/ControlPlaces.h); what they did is told by the
+# command that the window prints, by its sessions and by the pictures that it saves.
+tests=$(cd "$(dirname "$0")" && pwd)
+source "$tests/window_common.sh"
+folded=
+export MOTE_CONTROLS=$folder/controls
+touch "$MOTE_CONTROLS"
+
+# place NAME [X [Y]]: a place on a control, from 0 to 1 across and down, in pixels.
+place() {
+  awk -v name="$1" -v fx="${2:-0.5}" -v fy="${3:-0.5}" '{
+    k = NF; own = $1; for (i = 2; i <= NF - 4; i++) own = own " " $i
+    if (own == name && !found) {
+      print int($(k - 3) + fx * ($(k - 1) - $(k - 3))), int($(k - 2) + fy * ($k - $(k - 2)))
+      found = 1
+    } }' "$MOTE_CONTROLS"
+}
+
+# shown NAME: the control is there, within a while.
+shown() {
+  for _ in $(seq 100); do
+    [ -n "$(place "$1")" ] && return
+    sleep 0.05
+  done
+  cat "$MOTE_CONTROLS"
+  fail "no control $1"
+}
+
+# over NAME [X [Y]]: the mouse goes to a control.
+over() {
+  shown "$1"
+  xdotool mousemove $(place "$@")
+  sleep 0.1
+}
+
+click() {
+  over "$@"
+  xdotool click 1
+  sleep 0.3
+}
+
+# drag NAME X... : from the first share of the control's width to the others.
+drag() {
+  local name=$1 y=${height:-0.5}
+  over "$name" "$2" "$y"
+  xdotool mousedown 1
+  shift 2
+  for x in "$@"; do
+    sleep 0.1
+    xdotool mousemove $(place "$name" "$x" "$y")
+  done
+  sleep 0.2
+  xdotool mouseup 1
+  sleep 0.3
+}
+
+# write NAME TEXT: TEXT and Return into a field, in place of what it says.
+write() {
+  click "$1"
+  xdotool key --window 0 ctrl+a
+  sleep 0.1
+  xdotool type --window 0 --delay 30 -- "$2"
+  xdotool key --window 0 Return
+  sleep 0.3
+}
+
+# command: the command that makes this picture, as the window prints it.
+command_now() {
+  local before
+  before=$(grep -c '^mote render' out)
+  press k
+  for _ in $(seq 100); do
+    [ "$(grep -c '^mote render' out)" -gt "$before" ] && break
+    sleep 0.05
+  done
+  grep '^mote render' out | tail -1
+}
+has() { command_now | grep -qE -- "$1" || fail "the command has no $1: $(command_now)"; }
+has_no() { command_now | grep -qE -- "$1" && fail "the command has $1: $(command_now)"; :; }
+
+case $3 in
+  range) # is dragged, seen at once, undone as one; fields, and all again
+    open "$copper" --size 1000x760
+    picture all.png
+    click show
+    click c_centro
+    drag histogram 0.0 0.05 0.1 0.2 0.3
+    has '--show=c_centro=2[0-9.]*:8'
+    picture some.png
+    differ all.png some.png
+    click Undo
+    has '--show=c_centro=0:8'
+    picture undone.png
+    alike all.png undone.png
+    click Redo
+    picture redone.png
+    alike some.png redone.png
+    click 'show all'
+    has_no '--show'
+    picture again.png
+    alike all.png again.png
+    quit
+    ;;
+
+  rows) # every row of the table has a control, or is among the few that need none
+    open "$copper" --size 1000x860
+    shown 'group Picture'
+    "$mote" help --format markdown >settings.md
+    for group in Radius Light Silhouettes Camera Picture Structure; do
+      click "group $group" 0.8
+      cat "$MOTE_CONTROLS" >>all
+      click "group $group" 0.8
+    done
+    cat "$MOTE_CONTROLS" >>all
+    for row in color-by color-map range log show radius type-radius radius-scale structure form \
+      zoom orthographic shadows light light-size light-intensity ambient-occlusion \
+      occlusion-reach path-trace silhouettes silhouette-thickness silhouette-opacity \
+      silhouette-color silhouette-on-pixels silhouette-step-pixels silhouette-groups \
+      silhouette-no-hulls samples noise background legend title legend-side legend-format \
+      font-scale caption box axes; do
+      grep -q "^$row " all || fail "no control of --$row"
+    done
+    quit
+    ;;
+
+  controls) # of each kind change what they should, and excluded ones give way
+    open "$copper" --size 1000x860
+    click 'group Light' 0.8
+    click shadows-offers
+    click soft
+    has '--shadows=soft'
+    write ambient-occlusion 8
+    has '--ambient-occlusion=8'
+    click path-trace 0.05
+    has '--path-trace'
+    has_no '--ambient-occlusion'
+    drag light-size 0.1667 0.3 0.5
+    has '--light-size=(4|5)[0-9.]*'
+    write occlusion-reach -4 # cannot be, and is told
+    has_no '--occlusion-reach'
+    click 'group Light' 0.8
+    click color-map
+    click plasma
+    has '--color-map=plasma'
+    click color-by
+    click c_pe
+    has '--color-by=c_pe'
+    click log 0.05 # of values below 0: refused, and all stays
+    has_no '--log'
+    click step 0.3
+    titled copper
+    has '--step=3'
+    quit
+    ;;
+
+  keys) # go to texts while they are written, else to the view; Tab folds the panel
+    open "$copper" --size 1000x760
+    picture start.png
+    [ "$(png_size start.png)" = 680x760 ] || fail "the view is $(png_size start.png)"
+    click 'group Picture' 0.8
+    write title momcp
+    has '--title=momcp'
+    has_no '--color-map'
+    press m
+    has '--color-map='
+    has_no '--camera .*--camera'
+    press Control+z Control+z
+    # What is dragged in the panel does not turn the view, nor the other way round.
+    over Undo 0.5 -2
+    xdotool mousedown 1 mousemove 150 600 mousemove 700 600 mouseup 1
+    sleep 0.3
+    picture still.png
+    alike start.png still.png
+    xdotool mousemove 700 400 mousedown 1 mousemove 600 400 mousemove 100 420 mouseup 1
+    sleep 0.3
+    picture turned.png
+    differ start.png turned.png
+    press Control+z Tab Tab # the first gives it the keys
+    picture folded.png
+    [ "$(png_size folded.png)" = 1000x760 ] || fail "the folded view is $(png_size folded.png)"
+    press Tab
+    picture open.png
+    [ "$(png_size open.png)" = 680x760 ] || fail "the view is $(png_size open.png) again"
+    quit
+    ;;
+
+  volume) # opacities are drawn, dragged, and chosen
+    open "$data/swirl.1.vtu" --size 1000x860
+    picture usual.png
+    click Rising
+    has '--opacity=0%=0,100%=0.8'
+    picture rising.png
+    differ usual.png rising.png
+    height=0.98 drag opacity 0.0 0.1 0.2
+    has_no '--opacity=0%'
+    over opacity 0.6 0.2
+    xdotool click --repeat 2 --delay 60 1
+    sleep 0.5
+    [ "$(command_now | grep -o -- '--opacity=[^ ]*' | tr ',' '\n' | wc -l)" = 3 ] ||
+      fail "no third point: $(command_now)"
+    click Usual
+    has_no '--opacity'
+    picture again.png
+    alike usual.png again.png
+    quit
+    ;;
+
+  *)
+    fail "no case $3"
+    ;;
+esac

@@ -1,0 +1,78 @@
+# What the tests of the window share, beside common.sh.
+
+source "$tests/common.sh"
+[ -n "$DISPLAY" ] || fail "no display"
+copper=$data/copper-scratch.dump.gz
+
+# Tests of the view go without the panel.
+folded=--no-panel
+# open ARGUMENTS...: starts the program and waits for its window.
+open() {
+  # Shells start background commands with SIGINT ignored, and mote leaves that as it is.
+  env --default-signal=INT "$mote" $folded "$@" >out 2>err &
+  process=$!
+  window=
+  for _ in $(seq 150); do
+    window=$(xdotool search --onlyvisible --name '^Mote - ' 2>/dev/null | head -1)
+    [ -n "$window" ] && break
+    kill -0 $process 2>/dev/null || { cat err; fail "the program ended"; }
+    sleep 0.2
+  done
+  [ -n "$window" ] || fail "no window"
+  xdotool windowfocus "$window" mousemove 640 400
+}
+
+press() {
+  kill -0 $process 2>/dev/null || { cat err; fail "the program had ended before $*"; }
+  xdotool key --window 0 "$@"
+}
+
+# titled TEXT: the window's title contains it, within a while.
+titled() {
+  for _ in $(seq 600); do
+    xdotool getwindowname "$window" | grep -qF -- "$1" && return
+    kill -0 $process 2>/dev/null || { cat err; fail "the program had ended before its title had $1"; }
+    sleep 0.02
+  done
+  fail "no $1 in the title: $(xdotool getwindowname "$window")"
+}
+
+# untitled TEXT: the title does not contain it any more, within a while.
+untitled() {
+  for _ in $(seq 600); do
+    xdotool getwindowname "$window" | grep -qF -- "$1" || return
+    sleep 0.1
+  done
+  fail "$1 stays in the title"
+}
+
+# many_particles FILE: eight million in a cube, in the order of a simulation.
+many_particles() {
+  python3 "$tests/many_particles.py" "$1"
+}
+
+saved=0
+# picture NAME: has the window save what it shows and calls the file NAME.
+picture() {
+  saved=$((saved + 1))
+  local file
+  press s
+  for _ in $(seq 300); do
+    file=$(ls -- *-001.png 2>/dev/null | head -1)
+    [ -n "$file" ] && break
+    sleep 0.1
+  done
+  [ -n "$file" ] || fail "the window saved no picture $1"
+  mv "$file" "$1"
+}
+
+differ() { cmp -s "$1" "$2" && fail "$1 and $2 look alike"; }
+alike() { cmp -s "$1" "$2" || fail "$1 and $2 differ"; }
+
+quit() {
+  press q
+  wait $process
+  local code=$?
+  [ $code = 0 ] || { cat err; fail "exit code $code after q"; }
+  [ ! -s err ] || { cat err; fail "something on standard error"; }
+}
