@@ -10,6 +10,8 @@
 
 #include "WalkBends-inl.h"
 
+#include <limits>
+
 HWY_BEFORE_NAMESPACE();
 namespace mote
 {
@@ -137,8 +139,8 @@ private:
     isFresh_ |= isClipped_;
   }
 
-  /// Of lanes whose values may be too far from a line, finds those that are as good as two or four
-  /// lines. The others are integrated one at a time.
+  /// Of lanes whose values may be too far from a line, finds those that are not, and those that are
+  /// as good as two or four lines. The others are integrated one at a time.
   void bend()
   {
     forLanes(isBent_,
@@ -146,6 +148,7 @@ private:
       {
         const auto [least, most] = std::minmax(l_.partIn[k], l_.partOut[k]);
         const float bend = l_.bend[k];
+        l_.rate[k] = std::numeric_limits<float>::max();
         if (!std::isfinite(bend))
           return;
         l_.rate[k] = transfer_.rateIn(least - bend, most + bend);
@@ -155,9 +158,9 @@ private:
     if (isBent_ == 0)
       return;
     const auto good = bends_.find(isBent_ & ~isClipped_);
-    isHalved_ = good.two;
-    isQuartered_ = good.four & ~good.two;
-    isDone_ |= isBent_ & ~good.four;
+    isHalved_ = good.two & ~good.line;
+    isQuartered_ = good.four & ~(good.two | good.line);
+    isDone_ |= isBent_ & ~(good.four | good.line);
   }
 
   /// Adds a part of a ray by CellIntegral.
