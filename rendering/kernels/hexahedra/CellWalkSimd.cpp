@@ -75,6 +75,13 @@ private:
     std::copy_n(&rays.from[first], count, l_.from);
     std::copy_n(&rays.to[first], count, l_.to);
     std::copy_n(&rays.length[first], count, l_.length);
+    if constexpr (isWide)
+      for (std::size_t k = 0; k < count; ++k)
+        for (std::size_t i = 0; i < 16; ++i)
+        {
+          l_.rayXY[k][i] = i < 8 ? l_.x[k] : l_.y[k];
+          l_.raySlope[k][i] = i < 8 ? l_.dx[k] : l_.dy[k];
+        }
     std::fill_n(l_.transmittance, lanes, 1.0f);
     std::fill_n(l_.color[0], 3 * lanes, 0.0f);
     l_.active = 0;
@@ -93,6 +100,7 @@ private:
   {
     const WalkEntries::Entry& entry = task_.entries.all[l_.entry[k]];
     l_.cell[k] = entry.cell;
+    l_.before[k] = HexMesh::noCell;
     l_.z[k] = entry.z;
     l_.value[k] = entry.value;
     l_.entry[k] = entry.next;
