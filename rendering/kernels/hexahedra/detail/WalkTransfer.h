@@ -46,8 +46,10 @@ public:
   {
     const Row* rows;
     const std::uint32_t* bins; ///< the row that each bin begins in, or one before
+    const float* ends;         ///< of these rows
+    bool isFine;               ///< no bin reaches beyond the row behind it
   };
-  Table table() const { return {rows_.data(), bins_.data()}; }
+  Table table() const { return {rows_.data(), bins_.data(), ends_.data(), isFine_}; }
   /// Whether an extinction without end lies between two rows or in one of them.
   bool isSolid(std::uint32_t a, std::uint32_t b) const
   {
@@ -89,6 +91,8 @@ private:
   std::array<std::array<float, coarseBins>, levels> rates_{};
   std::array<float, coarseBins + 1> stepsBefore_{};
   std::vector<std::uint32_t> bins_;
+  std::vector<float> ends_;
+  bool isFine_ = true;
   float binsFrom_ = 0.0f, binsPer_ = 0.0f;
 };
 
