@@ -160,18 +160,19 @@ private:
   /// as good as two or four lines. The others are integrated one at a time.
   void bend()
   {
-    forLanes(isBent_,
-      [&](std::size_t k)
-      {
-        const auto [least, most] = std::minmax(l_.partIn[k], l_.partOut[k]);
-        const float bend = l_.bend[k];
-        l_.rate[k] = std::numeric_limits<float>::max();
-        if (!std::isfinite(bend))
-          return;
-        l_.rate[k] = transfer_.rateIn(least - bend, most + bend);
-        if (l_.rate[k] * bend * l_.transmittance[k] < task_.allowed)
-          isBent_ &= ~(1U << k);
-      });
+    std::uint32_t bent = 0; // without branches that cannot be foretold
+    for (std::uint32_t left = isBent_; left != 0; left &= left - 1)
+    {
+      const auto k = static_cast<std::size_t>(std::countr_zero(left));
+      const float least = std::min(l_.partIn[k], l_.partOut[k]), bend = l_.bend[k];
+      const float most = std::max(l_.partIn[k], l_.partOut[k]);
+      const float rate = bend <= std::numeric_limits<float>::max()
+                           ? transfer_.rateIn(least - bend, most + bend)
+                           : std::numeric_limits<float>::max();
+      l_.rate[k] = rate;
+      bent |= (rate * bend * l_.transmittance[k] < task_.allowed ? 0U : 1U) << k;
+    }
+    isBent_ = bent;
     if (isBent_ == 0)
       return;
     const auto good = bends_.find(isBent_ & ~isClipped_);
