@@ -1,9 +1,9 @@
 // The walk of rays from cell to cell, compiled once for every SIMD instruction set.
 //
-// Sixteen neighbouring rays go in step. The face by which a ray leaves its cell is found for all
-// rays in the same cell at once, or, where a cell has one ray or two, a ray at a time with corners
-// and edges in SIMD lanes. Where on the face that is, and what lies before it, is found for all
-// sixteen.
+// Thirty-two neighbouring rays go in step. The faces by which rays leave their cells are found cell
+// by cell: with AVX-512 a ray at a time, with all edges in a vector; else for all rays in the cell
+// at once, or, where a cell has one ray, with corners and edges in SIMD lanes. Where on the face
+// that is, and what lies before it, is found for all rays.
 //
 // This file must be compiled without contraction to fused multiply-adds: a corner about a ray must
 // be the same numbers whatever cell and whichever source asks.

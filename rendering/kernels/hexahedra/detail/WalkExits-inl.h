@@ -74,16 +74,6 @@ public:
   {
     task_.steps += static_cast<unsigned>(std::popcount(l_.active));
     const Mesh mesh = mesh_; // stores of SIMD vectors could change a member, for all compilers know
-#if HWY_TARGET <= HWY_AVX3
-    Lanes& l = l_;
-    for (std::uint32_t left = l.active; left != 0; left &= left - 1)
-    {
-      const auto k = static_cast<std::size_t>(std::countr_zero(left));
-      wide(mesh, l, k);
-    }
-    if (mesh.ofCells != nullptr)
-      forLanes(l.active, [&](std::size_t k) { l.cellValue[k] = mesh.ofCells[l.cell[k]]; });
-#else
     const DI d;
     for (std::uint32_t left = l_.active; left != 0;)
     {
@@ -98,13 +88,18 @@ public:
       }
       same &= left;
       left &= ~same;
+#if HWY_TARGET <= HWY_AVX3
+      const WideCell<axis> corners(mesh.points, mesh.cells[cell].data());
+      for (; same != 0; same &= same - 1)
+        wide(mesh, l_, cell, corners, static_cast<std::size_t>(std::countr_zero(same)));
+#else
       if (std::popcount(same) >= 2)
         together(mesh, cell, same);
       else
         for (; same != 0; same &= same - 1)
           alone(mesh, cell, static_cast<std::size_t>(std::countr_zero(same)));
-    }
 #endif
+    }
   }
 
 private:
@@ -122,11 +117,10 @@ private:
   /// Of one ray, with all corners and edges in the lanes. Where all edges of a face turn about the
   /// ray its winding number is 1. If the ray has come by the one face of which none does, it goes
   /// by the one of which all do.
-  HWY_INLINE void wide(const Mesh& mesh, Lanes& l, std::size_t k)
+  HWY_INLINE void wide(
+    const Mesh& mesh, Lanes& l, std::uint32_t cell, const WideCell<axis>& corners, std::size_t k)
   {
-    const std::uint32_t cell = l.cell[k];
-    const WideCorners corners = wideCorners<axis>(l, k, mesh.points, mesh.cells[cell].data());
-    const WideTurns turns(corners.xy);
+    const WideTurns turns(corners.about(l, k));
     const std::uint8_t faces = turnFaces.of[mesh.isBackwards ? turns.right : turns.left];
     const auto& next = mesh.next[cell];
     unsigned exit = faces & 15U;
@@ -141,6 +135,8 @@ private:
       l.outFace[k] = exit;
       l.bend[k] = bend;
       l.behind[k] = behind;
+      if (mesh.ofCells != nullptr)
+        l.cellValue[k] = mesh.ofCells[cell];
     }
     else
     {
@@ -150,7 +146,7 @@ private:
         return;
     }
     l.before[k] = cell;
-    hn::Store(pick(corners.xy, corners.zValue, facePlaces.of[exit]), D(), l.face[k]);
+    hn::Store(pick(turns.xy, corners.zValue, facePlaces.of[exit]), D(), l.face[k]);
   }
 #endif
 

@@ -23,11 +23,11 @@ using D4 = hn::CappedTag<float, 4>;
 using V4 = hn::Vec<D4>;
 using DI = hn::RebindToSigned<D>;
 using VI = hn::Vec<DI>;
-constexpr std::size_t lanes = 32;
-constexpr bool isWide = HWY_TARGET <= HWY_AVX3; ///< a vector holds all lanes
+constexpr std::size_t lanes = 32;               ///< no more than bits of `active`
+constexpr bool isWide = HWY_TARGET <= HWY_AVX3; ///< a vector holds 16 numbers
 using Floats = float[lanes];
 
-/// Sixteen rays on their way. Lanes whose rays have come to their ends keep their last numbers.
+/// Rays on their way. Lanes whose rays have come to their ends keep their last numbers.
 struct alignas(64) Lanes
 {
   Floats x, y, dx, dy, from, to, length;

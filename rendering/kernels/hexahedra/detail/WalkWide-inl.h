@@ -70,26 +70,32 @@ HWY_INLINE V pick(V from, const Places& places)
   return V{_mm512_permutexvar_ps(_mm512_loadu_si512(places.data()), from.raw)};
 }
 
-/// The corners of a cell about a ray: the first and second coordinates, eight each, and depths and
+/// The corners of a cell: the first and second coordinates, eight each; depths, twice; depths and
 /// values.
-struct WideCorners
-{
-  V xy, zValue;
-};
-
 template <int axis>
-HWY_INLINE WideCorners wideCorners(
-  const Lanes& l, std::size_t k, const WalkCells::Point* points, const std::uint32_t* ids)
+struct WideCell
 {
-  alignas(64) static constexpr Places uv = placesOf((axis + 1) % 3, (axis + 2) % 3),
-                                      zz = placesOf(axis, axis), zValue = placesOf(axis, 3);
-  const D d;
-  const V near = loadRows(d, [&](std::size_t i) { return &points[ids[i]].x; });
-  const V far = loadRows(d, [&](std::size_t i) { return &points[ids[4 + i]].x; });
-  const V about = hn::Sub(pick(near, far, uv), hn::Load(d, l.rayXY[k]));
-  return {hn::Sub(about, hn::Mul(hn::Load(d, l.raySlope[k]), pick(near, far, zz))),
-    pick(near, far, zValue)};
-}
+  V uv, zz, zValue;
+
+  HWY_INLINE WideCell(const WalkCells::Point* points, const std::uint32_t* ids)
+  {
+    alignas(64) static constexpr Places uvPlaces = placesOf((axis + 1) % 3, (axis + 2) % 3),
+                                        zzPlaces = placesOf(axis, axis),
+                                        zValuePlaces = placesOf(axis, 3);
+    const D d;
+    const V near = loadRows(d, [&](std::size_t i) { return &points[ids[i]].x; });
+    const V far = loadRows(d, [&](std::size_t i) { return &points[ids[4 + i]].x; });
+    uv = pick(near, far, uvPlaces);
+    zz = pick(near, far, zzPlaces);
+    zValue = pick(near, far, zValuePlaces);
+  }
+  /// The first and second coordinates about a ray.
+  HWY_INLINE V about(const Lanes& l, std::size_t k) const
+  {
+    const D d;
+    return hn::Sub(hn::Sub(uv, hn::Load(d, l.rayXY[k])), hn::Mul(hn::Load(d, l.raySlope[k]), zz));
+  }
+};
 
 /// Which edges turn counter-clockwise about the ray, which clockwise, and which corners are above
 /// it.
