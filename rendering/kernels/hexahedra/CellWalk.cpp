@@ -15,9 +15,10 @@ namespace
 
 /// An error e of the scalar changes the picture by e rate length at most; each length of a ray may
 /// have its share of the tolerance. Bounds are for the worst way through a cell, and errors of
-/// cells have different signs: with these factors, of bounds and of estimates, the largest error of
-/// a picture was below the tolerance wherever it was tried, see docs/hexahedra.md.
-constexpr double bounds = 60.0, estimates = 10.0;
+/// cells have different signs: with these factors, of bounds, of a ray's share of them, and of
+/// estimates, the largest error of a picture was below the tolerance wherever it was tried, see
+/// docs/hexahedra.md.
+constexpr double bounds = 60.0, shares = 30.0, estimates = 10.0;
 /// The same for colours that change on the way through a cell.
 constexpr double colorShare = 150.0;
 
@@ -156,6 +157,7 @@ void CellWalk::gather(
   task.leastTransmittance = static_cast<float>(settings_.leastTransmittance);
   task.rate = rate_;
   task.allowed = static_cast<float>(bounds * settings_.tolerance / settings_.size);
+  task.allowedShare = static_cast<float>(shares * settings_.tolerance / settings_.size);
   task.allowedOff = static_cast<float>(estimates * settings_.tolerance / settings_.size);
   task.share = static_cast<float>(colorShare * settings_.tolerance);
   task.steps = task.fallbacks = task.seldomParts = 0;

@@ -1,9 +1,9 @@
 // The walk of rays from cell to cell, compiled once for every SIMD instruction set.
 //
-// Sixteen neighbouring rays go in step. The face by which a ray leaves its cell is found for all
-// rays in the same cell at once, or, where a cell has one ray or two, a ray at a time with corners
-// and edges in SIMD lanes. Where on the face that is, and what lies before it, is found for all
-// sixteen.
+// Thirty-two neighbouring rays go in step. The faces by which rays leave their cells are found cell
+// by cell: with AVX-512 a ray at a time, with all edges in a vector; else for all rays in the cell
+// at once, or, where a cell has one ray, with corners and edges in SIMD lanes. Where on the face
+// that is, and what lies before it, is found for all rays.
 //
 // This file must be compiled without contraction to fused multiply-adds: a corner about a ray must
 // be the same numbers whatever cell and whichever source asks.
@@ -75,6 +75,13 @@ private:
     std::copy_n(&rays.from[first], count, l_.from);
     std::copy_n(&rays.to[first], count, l_.to);
     std::copy_n(&rays.length[first], count, l_.length);
+    if constexpr (isWide)
+      for (std::size_t k = 0; k < count; ++k)
+        for (std::size_t i = 0; i < 16; ++i)
+        {
+          l_.rayXY[k][i] = i < 8 ? l_.x[k] : l_.y[k];
+          l_.raySlope[k][i] = i < 8 ? l_.dx[k] : l_.dy[k];
+        }
     std::fill_n(l_.transmittance, lanes, 1.0f);
     std::fill_n(l_.color[0], 3 * lanes, 0.0f);
     l_.active = 0;
@@ -93,6 +100,7 @@ private:
   {
     const WalkEntries::Entry& entry = task_.entries.all[l_.entry[k]];
     l_.cell[k] = entry.cell;
+    l_.before[k] = HexMesh::noCell;
     l_.z[k] = entry.z;
     l_.value[k] = entry.value;
     l_.entry[k] = entry.next;

@@ -223,18 +223,51 @@ Vec3d TrilinearCell::gradient(const CornerValues& v, const Vec3d& rst) const
          determinant;
 }
 
-double bendOf(const HexCorners& corners, const CornerValues& v)
+namespace
 {
-  const auto [least, most] = std::minmax_element(v.begin(), v.end());
-  const double range = *most - *least;
-  // Along the way x(t) the value's second derivative is grad . x'' + x' . H x', and x'' is
-  // -J^-1 (x' . H x') of the places; half of an eighth of it, twice for each mixed derivative.
+
+double rangeOf(const CornerValues& values)
+{
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return *most - *least;
+}
+
+/// Takes off what is linear in space and has the gradient that the values have in the cell's
+/// middle, where the Jacobian is `volume` and its cofactors are `rows`.
+CornerValues withoutLinear(
+  const CornerValues& v, const HexCorners& corners, const Vec3d (&rows)[3], double volume)
+{
+  const double slopes[3] = {(v[1] - v[0]) + (v[2] - v[3]) + (v[5] - v[4]) + (v[6] - v[7]),
+    (v[3] - v[0]) + (v[2] - v[1]) + (v[7] - v[4]) + (v[6] - v[5]),
+    (v[4] - v[0]) + (v[5] - v[1]) + (v[7] - v[3]) + (v[6] - v[2])};
+  const Vec3d gradient =
+    (slopes[0] * rows[0] + slopes[1] * rows[1] + slopes[2] * rows[2]) / (4.0 * volume);
+  CornerValues left;
+  for (std::size_t i = 0; i < 8; ++i)
+    left[i] = v[i] - glm::dot(gradient, corners[i] - corners[0]);
+  return left;
+}
+
+} // namespace
+
+double bendOf(const HexCorners& corners, const CornerValues& values)
+{
   const Coefficients c = coefficientsOf(corners, corners[0]);
   const Vec3d along[3] = {c[1] + 0.5 * (c[4] + c[6]) + 0.25 * c[7],
     c[2] + 0.5 * (c[4] + c[5]) + 0.25 * c[7], c[3] + 0.5 * (c[5] + c[6]) + 0.25 * c[7]};
   const Vec3d rows[3] = {
     glm::cross(along[1], along[2]), glm::cross(along[2], along[0]), glm::cross(along[0], along[1])};
-  const double determinant = std::abs(glm::dot(along[0], rows[0]));
+  const double signedVolume = glm::dot(along[0], rows[0]), determinant = std::abs(signedVolume);
+  // What is linear in space has no bend, whatever the cell's shape.
+  CornerValues v = withoutLinear(values, corners, rows, signedVolume);
+  double range = rangeOf(v);
+  if (const double whole = rangeOf(values); !(range < whole)) // flat cells
+  {
+    v = values;
+    range = whole;
+  }
+  // Along the way x(t) the value's second derivative is grad . x'' + x' . H x', and x'' is
+  // -J^-1 (x' . H x') of the places; half of an eighth of it, twice for each mixed derivative.
   const Vec3d half = 0.5 * c[7];
   const Vec3d mixed[4] = {c[4] + half, c[5] + half, c[6] + half, 3.0 * half};
   double q[3] = {0.0, 0.0, 0.0};

@@ -72,7 +72,8 @@ inline double weighted(const CornerValues& values, const CornerValues& weights)
 /// How far a trilinear value may be from a line between its values at the ends of a straight way
 /// within the cell, at most: by what is not linear in the cell's own coordinates, and by what makes
 /// a straight way bend in these, with the Jacobian's change over the cell bounded by the same
-/// numbers. Never more than the range of the values.
+/// numbers. What is linear in space has no bend and is taken off before. Never more than the range
+/// of the values.
 double bendOf(const HexCorners& corners, const CornerValues& values);
 
 /// A cell's signed volume, and the range of its Jacobian determinant over the corners and the

@@ -46,6 +46,10 @@ WalkTransfer::WalkTransfer(const TransferTable& table, double lower, double uppe
     while (row + 1 < rows_.size() && i > 0 && rows_[row].end <= from)
       ++row;
     bins_[i] = row;
+    ends_.push_back(rows_[row].end);
+    const double to =
+      binsPer_ > 0.0f && i + 1 < bins ? lower + (double(i) + 1.01) / binsPer_ : infinity;
+    isFine_ = isFine_ && (row + 2 >= rows_.size() || rows_[row + 1].end > to);
   }
   this->findRates(table, lower, upper);
 }

@@ -162,3 +162,32 @@ TEST(TrilinearCell, InverseDistanceWeights)
   EXPECT_NEAR(
     cell.inverseDistanceWeights(p)[6], 1.0 / glm::length(p - cell.corners()[6]) / sum, 1e-15);
 }
+
+TEST(TrilinearCell, BendsAreBoundedAndLinearFieldsHaveNone)
+{
+  const auto mesh = twisted().mesh();
+  const auto linear = [](const Vec3d& p) { return 3.0 + p.x - 2.0 * p.y + 0.5 * p.z; };
+  const auto curved = [](const Vec3d& p) { return p.x * p.y + std::sin(p.y + 2.0 * p.z); };
+  for (std::size_t c = 0; c < mesh->cellCount(); ++c)
+  {
+    const TrilinearCell cell(*mesh, c);
+    CornerValues even, uneven;
+    for (std::size_t i = 0; i < 8; ++i)
+    {
+      even[i] = linear(mesh->corners(c)[i]);
+      uneven[i] = curved(mesh->corners(c)[i]);
+    }
+    EXPECT_LT(bendOf(mesh->corners(c), even), 1e-13);
+    const double bound = bendOf(mesh->corners(c), uneven);
+    const auto ends = randomPoints(20, Vec3d(0.0), Vec3d(1.0), 7);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+    {
+      const Vec3d a = cell.point(ends[i]), b = cell.point(ends[i + 1]);
+      Vec3d middle;
+      ASSERT_TRUE(cell.coordinates(0.5 * (a + b), middle));
+      const auto at = [&](const Vec3d& rst)
+      { return weighted(uneven, TrilinearCell::weights(rst)); };
+      EXPECT_LE(std::abs(at(middle) - 0.5 * (at(ends[i]) + at(ends[i + 1]))), bound);
+    }
+  }
+}

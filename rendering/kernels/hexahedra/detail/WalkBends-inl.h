@@ -81,13 +81,35 @@ public:
   {
   }
 
-  /// Of the lanes `which`, finds l.quarter. Gives those for which two lines are good enough, and
-  /// those for which four are.
+  /// Of the lanes `which`, gives those that are as good as lines, those for which two lines are
+  /// good enough, and those for which four are; for the latter finds l.quarter.
   struct Good
   {
-    std::uint32_t two = 0, four = 0;
+    std::uint32_t line = 0, two = 0, four = 0;
   };
   HWY_INLINE Good find(std::uint32_t which)
+  {
+    Good good;
+    const std::uint32_t known = this->loadFaces(which);
+    std::uint32_t bent = 0;
+    for (std::size_t first = 0; first < lanes; first += hn::Lanes(D()))
+      if (const std::uint32_t here = lanesFrom(first, known); here != 0)
+        bent |= enter(first, here) << first;
+    good.line = known & ~bent;
+    this->loadCells(bent);
+    for (std::size_t first = 0; first < lanes; first += hn::Lanes(D()))
+      if (const std::uint32_t here = lanesFrom(first, bent); here != 0)
+        step(first, here, good);
+    return good;
+  }
+
+private:
+  static std::uint32_t lanesFrom(std::size_t first, std::uint32_t which)
+  {
+    return which >> first & ((1U << hn::Lanes(D())) - 1);
+  }
+  /// The corners of the faces by which rays have come. Gives the lanes of which these are known.
+  HWY_INLINE std::uint32_t loadFaces(std::uint32_t which)
   {
     const D4 d;
     const WalkCells::Point* const points = task_.cells->points();
@@ -95,31 +117,32 @@ public:
     forLanes(which,
       [&](std::size_t k)
       {
-        if (l_.inFace[k] >= noFace)
+        const std::uint32_t face = l_.inFace[k];
+        if (face >= noFace)
           return;
         known |= 1U << k;
         const std::uint32_t* ids = task_.cells->mesh().cell(l_.cell[k]).data();
+        for (std::size_t i = 0; i < 4; ++i)
+          hn::Store(hn::Load(d, &points[ids[faceCorners[face][i]]].x), d, inCorner_[i][k]);
+      });
+    return known;
+  }
+  HWY_INLINE void loadCells(std::uint32_t which)
+  {
+    const D4 d;
+    const WalkCells::Point* const points = task_.cells->points();
+    forLanes(which,
+      [&](std::size_t k)
+      {
+        const std::uint32_t* ids = task_.cells->mesh().cell(l_.cell[k]).data();
         for (std::size_t i = 0; i < 8; ++i)
           hn::Store(hn::Load(d, &points[ids[i]].x), d, corner_[i][k]);
-        for (std::size_t i = 0; i < 4; ++i)
-          hn::Store(hn::Load(d, &points[ids[faceCorners[l_.inFace[k]][i]]].x), d, inCorner_[i][k]);
       });
-    Good good;
-    for (std::size_t first = 0; first < lanes; first += hn::Lanes(D()))
-    {
-      const std::uint32_t here = known >> first & ((1U << hn::Lanes(D())) - 1);
-      if (here == 0)
-        continue;
-      enter(first);
-      forLanes(here, [&](std::size_t k) { halve(first + k); });
-      step(first, here, good);
-    }
-    return good;
   }
 
-private:
-  /// Where the rays come into their cells.
-  HWY_INLINE void enter(std::size_t first)
+  /// Finds where the rays come into their cells, and from where to where they run in the cells' own
+  /// coordinates. Gives those of the rays `here` that bend too much.
+  HWY_INLINE std::uint32_t enter(std::size_t first, std::uint32_t here)
   {
     const D d;
     FaceCorners c;
@@ -130,15 +153,30 @@ private:
       placeAbout<axis>(l_, first, p, c.x[i], c.y[i]);
     }
     const PatchPlace place = passPatch(c.x, c.y, !task_.isBackwards);
-    hn::Store(place.u, d, inU_ + first);
-    hn::Store(place.v, d, inV_ + first);
-  }
-  HWY_INLINE void halve(std::size_t k)
-  {
-    const FaceAxes &in = faceAxes[l_.inFace[k]], &out = faceAxes[l_.outFace[k]];
+    alignas(64) float u[lanes], v[lanes];
+    hn::Store(place.u, d, u);
+    hn::Store(place.v, d, v);
+    forLanes(here,
+      [&](std::size_t k)
+      {
+        const FaceAxes &in = faceAxes[l_.inFace[first + k]], &out = faceAxes[l_.outFace[first + k]];
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+          in_[i][first + k] = in.from[i] + u[k] * in.u[i] + v[k] * in.v[i];
+          out_[i][first + k] =
+            out.from[i] + l_.outU[first + k] * out.u[i] + l_.outV[first + k] * out.v[i];
+        }
+      });
+    // Bends go with the mixed derivatives: with products of two of the three ways.
+    V way[3];
     for (std::size_t i = 0; i < 3; ++i)
-      rst_[i][k] = 0.5f * (in.from[i] + inU_[k] * in.u[i] + inV_[k] * in.v[i] + out.from[i] +
-                            l_.outU[k] * out.u[i] + l_.outV[k] * out.v[i]);
+      way[i] = hn::Abs(hn::Sub(hn::Load(d, out_[i] + first), hn::Load(d, in_[i] + first)));
+    const V share =
+      hn::Max(hn::Max(hn::Mul(way[0], way[1]), hn::Mul(way[1], way[2])), hn::Mul(way[2], way[0]));
+    const V bend = hn::Mul(hn::Load(d, l_.bend + first), share);
+    const V error =
+      hn::Mul(bend, hn::Mul(hn::Load(d, l_.rate + first), hn::Load(d, l_.transmittance + first)));
+    return maskOf(hn::Not(hn::Lt(error, set(task_.allowedShare)))) & here; // NaN bends
   }
 
   HWY_INLINE void step(std::size_t first, std::uint32_t known, Good& good)
@@ -152,10 +190,13 @@ private:
       placeAbout<axis>(l_, first, p, x[i], y[i]);
       z[i] = p[axis];
     }
-    const V r = hn::Load(d, rst_[0] + first), s = hn::Load(d, rst_[1] + first);
-    const V t = hn::Load(d, rst_[2] + first);
+    const V half = set(0.5f);
+    V mid[3];
+    for (std::size_t i = 0; i < 3; ++i)
+      mid[i] = hn::Mul(half, hn::Add(hn::Load(d, in_[i] + first), hn::Load(d, out_[i] + first)));
+    const V r = mid[0], s = mid[1], t = mid[2];
     const Trilinear px(x, r, s, t), py(y, r, s, t), pz(z, r, s, t), value(v, r, s, t);
-    const V half = set(0.5f), in = hn::Load(d, l_.z + first), out = hn::Load(d, l_.outZ + first);
+    const V in = hn::Load(d, l_.z + first), out = hn::Load(d, l_.outZ + first);
     const V sign = set(task_.isBackwards ? -1.0f : 1.0f);
     const V wanted = hn::Mul(sign, hn::Mul(half, hn::Add(in, out)));
     const V ex = hn::Neg(px.at), ey = hn::Neg(py.at), ez = hn::Sub(wanted, pz.at);
@@ -187,9 +228,11 @@ private:
     keep(hn::MulAdd(set(0.1875f), twist, right), l_.quarter[2] + first);
     // What two lines leave of it; four leave at most a quarter of that.
     const V off = hn::MulAdd(set(0.25f), hn::Abs(bent), hn::Mul(set(0.19f), hn::Abs(twist)));
-    const V error =
-      hn::Mul(off, hn::Mul(hn::Load(d, l_.rate + first), hn::Load(d, l_.transmittance + first)));
+    const V perOff = hn::Mul(hn::Load(d, l_.rate + first), hn::Load(d, l_.transmittance + first));
+    const V error = hn::Mul(off, perOff);
+    const V ofLine = hn::Mul(hn::MulAdd(set(0.1f), hn::Abs(twist), hn::Abs(bent)), perOff);
     const M isNear = hn::And(isKnown, hn::Lt(far, set(0.3f)));
+    good.line |= maskOf(hn::And(isNear, hn::Lt(ofLine, set(task_.allowedOff)))) << first;
     good.two |= maskOf(hn::And(isNear, hn::Lt(error, set(task_.allowedOff)))) << first;
     good.four |= maskOf(hn::And(isNear, hn::Lt(error, set(4.0f * task_.allowedOff)))) << first;
   }
@@ -197,7 +240,7 @@ private:
   const WalkTask& task_;
   Lanes& l_;
   alignas(64) float corner_[8][lanes][4]{}, inCorner_[4][lanes][4]{};
-  alignas(64) Floats inU_{}, inV_{}, rst_[3]{};
+  alignas(64) Floats in_[3]{}, out_[3]{};
 };
 
 } // namespace

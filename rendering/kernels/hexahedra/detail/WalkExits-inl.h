@@ -8,7 +8,7 @@
 #define MOTE_WALK_EXITS_INL
 #endif
 
-#include "WalkLanes-inl.h"
+#include "WalkWide-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mote
@@ -17,30 +17,6 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-
-/// The winding numbers of a cell's faces are kept in four bits each, counted from 4. What an edge
-/// adds that passes the half-line y = 0, x > 0 upwards:
-constexpr std::uint32_t windingOf(std::size_t edge)
-{
-  return (1U << 4 * edgeFaces[edge][0]) - (1U << 4 * edgeFaces[edge][1]);
-}
-constexpr std::uint32_t noWindings = 0x444444U;
-
-/// What sets of six edges add, the first six and the last.
-struct EdgeSums
-{
-  std::uint32_t of[2][64];
-};
-constexpr EdgeSums makeEdgeSums()
-{
-  EdgeSums sums{};
-  for (unsigned e = 0; e < 12; ++e)
-    for (unsigned bits = 0; bits < 64; ++bits)
-      if ((bits >> e % 6 & 1U) != 0)
-        sums.of[e / 6][bits] += windingOf(e);
-  return sums;
-}
-constexpr EdgeSums edgeSums = makeEdgeSums();
 
 /// Coordinates of four corners.
 struct Four
@@ -96,8 +72,9 @@ public:
   /// Of all active lanes. Where there is none the face is noFace.
   HWY_INLINE void find()
   {
-    const DI d;
+    task_.steps += static_cast<unsigned>(std::popcount(l_.active));
     const Mesh mesh = mesh_; // stores of SIMD vectors could change a member, for all compilers know
+    const DI d;
     for (std::uint32_t left = l_.active; left != 0;)
     {
       const auto k = static_cast<std::size_t>(std::countr_zero(left));
@@ -111,13 +88,18 @@ public:
       }
       same &= left;
       left &= ~same;
+#if HWY_TARGET <= HWY_AVX3
+      const WideCell<axis> corners(mesh.points, mesh.cells[cell].data());
+      for (; same != 0; same &= same - 1)
+        wide(mesh, l_, cell, corners, static_cast<std::size_t>(std::countr_zero(same)));
+#else
       if (std::popcount(same) >= 2)
         together(mesh, cell, same);
       else
         for (; same != 0; same &= same - 1)
           alone(mesh, cell, static_cast<std::size_t>(std::countr_zero(same)));
+#endif
     }
-    task_.steps += static_cast<unsigned>(std::popcount(l_.active));
   }
 
 private:
@@ -130,6 +112,43 @@ private:
     const float* ofCells;
     bool isBackwards;
   };
+
+#if HWY_TARGET <= HWY_AVX3
+  /// Of one ray, with all corners and edges in the lanes. Where all edges of a face turn about the
+  /// ray its winding number is 1. If the ray has come by the one face of which none does, it goes
+  /// by the one of which all do.
+  HWY_INLINE void wide(
+    const Mesh& mesh, Lanes& l, std::uint32_t cell, const WideCell<axis>& corners, std::size_t k)
+  {
+    const WideTurns turns(corners.about(l, k));
+    const std::uint8_t faces = turnFaces.of[mesh.isBackwards ? turns.right : turns.left];
+    const auto& next = mesh.next[cell];
+    unsigned exit = faces & 15U;
+    const unsigned in = faces >> 4;
+    const float bend = mesh.bends[cell];
+    if (HWY_LIKELY((turns.left ^ turns.right) == WideTurns::everyEdge &&
+                   faces != TurnFaces::unsure && next[in] == l.before[k] && !std::signbit(bend)))
+    {
+      const std::uint32_t behind = next[exit];
+      fetch(mesh, behind);
+      l.inFace[k] = in;
+      l.outFace[k] = exit;
+      l.bend[k] = bend;
+      l.behind[k] = behind;
+      if (mesh.ofCells != nullptr)
+        l.cellValue[k] = mesh.ofCells[cell];
+    }
+    else
+    {
+      const std::uint32_t windings = windingsOf(turns.above(), turns.left, turns.right);
+      exit = note(mesh, cell, k, noWindings + (mesh.isBackwards ? 0U - windings : windings));
+      if (exit == noFace)
+        return;
+    }
+    l.before[k] = cell;
+    hn::Store(pick(turns.xy, corners.zValue, facePlaces.of[exit]), D(), l.face[k]);
+  }
+#endif
 
   /// Of one ray, with corners and edges in the lanes.
   HWY_INLINE void alone(const Mesh& mesh, std::uint32_t cell, std::size_t k)
@@ -155,10 +174,7 @@ private:
     turn(x[0], y[0], hn::Shuffle0321(x[0]), hn::Shuffle0321(y[0]), 0, left, right);
     turn(x[1], y[1], hn::Shuffle0321(x[1]), hn::Shuffle0321(y[1]), 4, left, right);
     turn(x[0], y[0], x[1], y[1], 8, left, right);
-    const unsigned mixed = cornerBits.mixed[above], first = cornerBits.first[above];
-    const unsigned up = mixed & ~first & left, down = mixed & first & right;
-    const std::uint32_t windings = edgeSums.of[0][up & 63U] + edgeSums.of[1][up >> 6] -
-                                   edgeSums.of[0][down & 63U] - edgeSums.of[1][down >> 6];
+    const std::uint32_t windings = windingsOf(above, left, right);
     take(mesh, cell, k, noWindings + (mesh.isBackwards ? 0U - windings : windings), corners, 0);
   }
 
@@ -277,11 +293,12 @@ private:
       return;
     __builtin_prefetch(&mesh.cells[cell]);
     __builtin_prefetch(&mesh.next[cell]);
+    __builtin_prefetch(&mesh.bends[cell]);
   }
 
-  template <std::size_t count>
-  HWY_INLINE void take(const Mesh& mesh, std::uint32_t cell, std::size_t k, std::uint32_t windings,
-    const CornersOf<count>& corners, std::size_t at)
+  /// Notes by which faces a ray comes and goes. Gives the latter; or noFace.
+  HWY_INLINE unsigned note(
+    const Mesh& mesh, std::uint32_t cell, std::size_t k, std::uint32_t windings)
   {
     const std::uint32_t exits = windings & windings >> 2 & 0x111111U; // 5
     const float bend = mesh.bends[cell];
@@ -296,12 +313,21 @@ private:
     }
     l_.outFace[k] = exit;
     l_.bend[k] = std::abs(bend);
-    l_.behind[k] = HexMesh::noCell;
-    if (exit == noFace)
-      return;
-    const std::uint32_t behind = mesh.next[cell][exit];
+    const std::uint32_t behind = exit == noFace ? HexMesh::noCell : mesh.next[cell][exit];
     fetch(mesh, behind);
     l_.behind[k] = behind;
+    if (mesh.ofCells != nullptr)
+      l_.cellValue[k] = mesh.ofCells[cell];
+    return exit;
+  }
+
+  template <std::size_t count>
+  HWY_INLINE void take(const Mesh& mesh, std::uint32_t cell, std::size_t k, std::uint32_t windings,
+    const CornersOf<count>& corners, std::size_t at)
+  {
+    const unsigned exit = note(mesh, cell, k, windings);
+    if (exit == noFace)
+      return;
     const std::uint32_t* ids = mesh.cells[cell].data();
     for (std::size_t i = 0; i < 4; ++i)
     {
@@ -312,8 +338,6 @@ private:
       l_.cornerZ[i][k] = p[axis];
       l_.cornerValue[i][k] = p[3];
     }
-    if (mesh.ofCells != nullptr)
-      l_.cellValue[k] = mesh.ofCells[cell];
   }
 
   WalkTask& task_;

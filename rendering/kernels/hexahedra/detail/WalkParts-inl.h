@@ -10,6 +10,8 @@
 
 #include "WalkBends-inl.h"
 
+#include <limits>
+
 HWY_BEFORE_NAMESPACE();
 namespace mote
 {
@@ -17,6 +19,15 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
+
+/// 1 / x, where x is not 0 nor beyond 1e37: with the wide vectors' estimate, which is faster.
+HWY_INLINE V reciprocal(V x)
+{
+  if constexpr (!isWide)
+    return hn::Div(set(1.0f), x);
+  const V r = hn::ApproximateReciprocal(x);
+  return hn::Mul(r, hn::NegMulAdd(x, r, set(2.0f)));
+}
 
 /// e^-x for x >= 0.
 HWY_INLINE V expOfMinus(V x)
@@ -87,13 +98,21 @@ private:
   {
     const D d;
     FaceCorners c;
-    for (std::size_t i = 0; i < 4; ++i)
+    if constexpr (isWide)
     {
-      c.x[i] = hn::Load(d, l_.cornerX[i] + first);
-      c.y[i] = hn::Load(d, l_.cornerY[i] + first);
-      c.z[i] = hn::Load(d, l_.cornerZ[i] + first);
-      c.value[i] = hn::Load(d, l_.cornerValue[i] + first);
+      loadFours([&](std::size_t k) { return l_.face[first + k]; }, c.x);
+      loadFours([&](std::size_t k) { return l_.face[first + k] + 4; }, c.y);
+      loadFours([&](std::size_t k) { return l_.face[first + k] + 8; }, c.z);
+      loadFours([&](std::size_t k) { return l_.face[first + k] + 12; }, c.value);
     }
+    else
+      for (std::size_t i = 0; i < 4; ++i)
+      {
+        c.x[i] = hn::Load(d, l_.cornerX[i] + first);
+        c.y[i] = hn::Load(d, l_.cornerY[i] + first);
+        c.z[i] = hn::Load(d, l_.cornerZ[i] + first);
+        c.value[i] = hn::Load(d, l_.cornerValue[i] + first);
+      }
     const PatchPlace place = passPatch(c.x, c.y, task_.isBackwards);
     hn::Store(place.u, d, l_.outU + first);
     hn::Store(place.v, d, l_.outV + first);
@@ -137,27 +156,29 @@ private:
     isFresh_ |= isClipped_;
   }
 
-  /// Of lanes whose values may be too far from a line, finds those that are as good as two or four
-  /// lines. The others are integrated one at a time.
+  /// Of lanes whose values may be too far from a line, finds those that are not, and those that are
+  /// as good as two or four lines. The others are integrated one at a time.
   void bend()
   {
-    forLanes(isBent_,
-      [&](std::size_t k)
-      {
-        const auto [least, most] = std::minmax(l_.partIn[k], l_.partOut[k]);
-        const float bend = l_.bend[k];
-        if (!std::isfinite(bend))
-          return;
-        l_.rate[k] = transfer_.rateIn(least - bend, most + bend);
-        if (l_.rate[k] * bend * l_.transmittance[k] < task_.allowed)
-          isBent_ &= ~(1U << k);
-      });
+    std::uint32_t bent = 0; // without branches that cannot be foretold
+    for (std::uint32_t left = isBent_; left != 0; left &= left - 1)
+    {
+      const auto k = static_cast<std::size_t>(std::countr_zero(left));
+      const float least = std::min(l_.partIn[k], l_.partOut[k]), bend = l_.bend[k];
+      const float most = std::max(l_.partIn[k], l_.partOut[k]);
+      const float rate = bend <= std::numeric_limits<float>::max()
+                           ? transfer_.rateIn(least - bend, most + bend)
+                           : std::numeric_limits<float>::max();
+      l_.rate[k] = rate;
+      bent |= (rate * bend * l_.transmittance[k] < task_.allowed ? 0U : 1U) << k;
+    }
+    isBent_ = bent;
     if (isBent_ == 0)
       return;
     const auto good = bends_.find(isBent_ & ~isClipped_);
-    isHalved_ = good.two;
-    isQuartered_ = good.four & ~good.two;
-    isDone_ |= isBent_ & ~good.four;
+    isHalved_ = good.two & ~good.line;
+    isQuartered_ = good.four & ~(good.two | good.line);
+    isDone_ |= isBent_ & ~(good.four | good.line);
   }
 
   /// Adds a part of a ray by CellIntegral.
@@ -176,30 +197,20 @@ private:
     l_.transmittance[k] = color[3];
   }
 
-  /// Looks the transfer function up.
-  static HWY_INLINE std::uint32_t look(
-    const WalkTransfer::Table& table, float value, std::uint32_t bin, float* at, float* integral)
-  {
-    const D4 d;
-    const std::uint32_t r = table.rowOf(value, bin);
-    const WalkTransfer::Row& row = table.rows[r];
-    const V4 step = hn::Set(d, value - row.from), half = hn::Set(d, 0.5f);
-    const V4 slope = hn::Load(d, row.slope), from = hn::Load(d, row.value);
-    hn::Store(hn::MulAdd(step, slope, from), d, at);
-    hn::Store(
-      hn::MulAdd(step, hn::MulAdd(hn::Mul(half, step), slope, from), hn::Load(d, row.integral)), d,
-      integral);
-    return r;
-  }
+  /// Begins at a value.
   void start(std::size_t k)
   {
-    alignas(16) float at[4], integral[4];
-    l_.row[k] = look(transfer_.table(), l_.partIn[k], transfer_.binOf(l_.partIn[k]), at, integral);
-    l_.at[k] = l_.partIn[k];
+    const float value = l_.partIn[k];
+    const std::uint32_t r = transfer_.rowOf(value);
+    const WalkTransfer::Row& row = transfer_.row(r);
+    l_.row[k] = r;
+    l_.at[k] = value;
+    const float step = value - row.from;
     for (std::size_t c = 0; c < 4; ++c)
     {
-      l_.atValue[c][k] = at[c];
-      l_.atIntegral[c][k] = integral[c];
+      const float rise = step * row.slope[c];
+      l_.atValue[c][k] = row.value[c] + rise;
+      l_.atIntegral[c][k] = row.integral[c] + step * (row.value[c] + 0.5f * rise);
     }
   }
 
@@ -214,14 +225,8 @@ private:
   HWY_INLINE void integrate(const Floats& goal, std::uint32_t which)
   {
     isSeldom_ = 0;
-    const WalkTransfer::Table table = transfer_.table();
     for (std::size_t first = 0; first < lanes; first += hn::Lanes(D()))
-      findBins(goal, first);
-    for (std::uint32_t left = which; left != 0; left &= left - 1)
-    {
-      const auto k = static_cast<std::size_t>(std::countr_zero(left));
-      l_.goalRow[k] = look(table, goal[k], l_.bin[k], l_.goalValue[k], l_.goalIntegral[k]);
-    }
+      findRows(goal, first);
     which &= ~isDone_;
     if (transfer_.hasSolid())
       forLanes(which, [&](std::size_t k)
@@ -239,16 +244,45 @@ private:
       });
   }
 
-  /// As WalkTransfer::binOf().
-  HWY_INLINE void findBins(const Floats& goal, std::size_t first)
+  /// As WalkTransfer::rowOf().
+  HWY_INLINE void findRows(const Floats& goal, std::size_t first)
   {
     const D d;
     const DI di;
-    const V at = hn::Mul(
-      hn::Sub(hn::Load(d, goal + first), set(transfer_.binsFrom())), set(transfer_.binsPer()));
+    const V value = hn::Min(hn::Load(d, goal + first), set(std::numeric_limits<float>::max()));
+    const V at = hn::Mul(hn::Sub(value, set(transfer_.binsFrom())), set(transfer_.binsPer()));
     const V last = set(static_cast<float>(WalkTransfer::bins - 1));
     const V inside = hn::IfThenElseZero(hn::Gt(at, hn::Zero(d)), hn::Min(at, last));
-    hn::Store(hn::ConvertTo(di, inside), di, reinterpret_cast<std::int32_t*>(l_.bin + first));
+    const WalkTransfer::Table table = transfer_.table();
+    const VI bin = hn::ConvertTo(di, inside);
+    VI row = hn::GatherIndex(di, reinterpret_cast<const std::int32_t*>(table.bins), bin);
+    M isBefore = hn::Le(hn::GatherIndex(d, table.ends, bin), value);
+    row = hn::Sub(row, hn::VecFromMask(di, hn::RebindMask(di, isBefore)));
+    while (HWY_UNLIKELY(!table.isFine && !hn::AllFalse(d, isBefore)))
+    {
+      isBefore = hn::Le(hn::GatherIndex(d, &table.rows->end, hn::ShiftLeft<4>(row)), value);
+      row = hn::Sub(row, hn::VecFromMask(di, hn::RebindMask(di, isBefore)));
+    }
+    hn::Store(row, di, reinterpret_cast<std::int32_t*>(l_.goalRow + first));
+  }
+  /// What is seen at values in the rows that findRows() has found, and integrals up to there.
+  HWY_INLINE void look(const V& value, std::size_t first, V (&at)[4], V (&integral)[4])
+  {
+    const D d;
+    const WalkTransfer::Table table = transfer_.table();
+    const auto rowOf = [&](std::size_t k) -> const WalkTransfer::Row&
+    { return table.rows[l_.goalRow[first + k]]; };
+    V from[4], slope[4], other[4];
+    loadFours([&](std::size_t k) { return rowOf(k).value; }, from);
+    loadFours([&](std::size_t k) { return rowOf(k).slope; }, slope);
+    loadFours([&](std::size_t k) { return rowOf(k).integral; }, integral);
+    loadFours([&](std::size_t k) { return &rowOf(k).from; }, other);
+    const V step = hn::Sub(value, other[0]), half = hn::Mul(set(0.5f), step);
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      at[c] = hn::MulAdd(step, slope[c], from[c]);
+      integral[c] = hn::MulAdd(step, hn::MulAdd(half, slope[c], from[c]), integral[c]);
+    }
   }
 
   template <bool isAll>
@@ -261,11 +295,9 @@ private:
     const VI goalRow = hn::Load(di, reinterpret_cast<const std::int32_t*>(l_.goalRow + first));
     const M isSame = hn::RebindMask(d, hn::Eq(row, goalRow));
     const V end = hn::Load(d, goal + first);
-    const V perChange = hn::Div(one, hn::Sub(end, hn::Load(d, l_.at + first)));
+    const V perChange = reciprocal(hn::Sub(end, hn::Load(d, l_.at + first)));
     V to[4], integral[4], from[4], mean[4];
-    hn::LoadInterleaved4(d, l_.goalValue[first], to[0], to[1], to[2], to[3]);
-    hn::LoadInterleaved4(
-      d, l_.goalIntegral[first], integral[0], integral[1], integral[2], integral[3]);
+    look(end, first, to, integral);
     for (std::size_t c = 0; c < 4; ++c)
     {
       from[c] = hn::Load(d, l_.atValue[c] + first);
@@ -288,8 +320,7 @@ private:
       hn::IfThenElse(lanesOf(isHalved_ >> first), set(0.5f), one));
     const V depth = hn::Mul(hn::Load(d, l_.depth + first), share);
     const V thick = hn::Mul(mean[0], depth), square = hn::Mul(thick, thick);
-    const V perFrom = hn::Div(one, hn::Max(from[0], tiny)),
-            perTo = hn::Div(one, hn::Max(to[0], tiny));
+    const V perFrom = reciprocal(hn::Max(from[0], tiny)), perTo = reciprocal(hn::Max(to[0], tiny));
     V change[3], most = zero;
     for (std::size_t c = 0; c < 3; ++c)
     {
@@ -313,11 +344,11 @@ private:
     const V one = set(1.0f), tiny = set(1e-37f), square = hn::Mul(thick, thick);
     const V through = hn::Load(d, l_.transmittance + first);
     const V passing = expOfMinus(thick), opacity = hn::Sub(one, passing);
-    const V weight = hn::Mul(hn::Mul(through, opacity), hn::Div(one, hn::Max(mean[0], tiny)));
+    const V weight = hn::Mul(hn::Mul(through, opacity), reciprocal(hn::Max(mean[0], tiny)));
     // Of what is coloured evenly along the way, the front hides a part of the back: for an optical
     // depth x, x^2 / (12 + 6 x + 1.2 x^2) of the change of colour, as good as exact up to 2.
-    const V hidden = hn::Div(hn::Mul(through, square),
-      hn::MulAdd(set(1.2f), square, hn::MulAdd(set(6.0f), thick, set(12.0f))));
+    const V hidden = hn::Mul(hn::Mul(through, square),
+      reciprocal(hn::MulAdd(set(1.2f), square, hn::MulAdd(set(6.0f), thick, set(12.0f)))));
     for (std::size_t c = 0; c < 3; ++c)
     {
       const V color = hn::Load(d, l_.color[c] + first);

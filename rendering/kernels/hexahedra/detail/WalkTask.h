@@ -95,8 +95,9 @@ struct WalkTask
   float leastTransmittance = 0.0f;
   /// A part is a line where bend times rate times transmittance is below `allowed`.
   float rate = 0.0f, allowed = 0.0f;
-  float allowedOff = 0.0f; ///< the same for what is estimated and no bound
-  float share = 0.0f;      ///< of errors that changing colours make, each of a part's opacity
+  float allowedShare = 0.0f; ///< the same where the bend is that of the ray's own way
+  float allowedOff = 0.0f;   ///< the same for what is estimated and no bound
+  float share = 0.0f;        ///< of errors that changing colours make, each of a part's opacity
   // Counts; the caller sets them to 0.
   std::uint64_t steps = 0, fallbacks = 0, seldomParts = 0;
 

@@ -22,8 +22,9 @@ public:
   struct alignas(64) Row
   {
     float integral[4], value[4], slope[4];
-    float from, end;
+    float from, end, unused[2];
   };
+  static_assert(sizeof(Row) == 64);
 
   WalkTransfer() = default;
   /// `lower` and `upper` are the range of the scalar, by which rows are found.
@@ -33,27 +34,22 @@ public:
   static constexpr std::size_t bins = 1024;
   float binsFrom() const { return binsFrom_; }
   float binsPer() const { return binsPer_; }
-  std::uint32_t binOf(float value) const
+  std::uint32_t rowOf(float value) const
   {
-    const float at = (value - binsFrom_) * binsPer_;
-    constexpr float last = static_cast<float>(bins - 1);
-    return at > 0.0f ? static_cast<std::uint32_t>(at < last ? at : last) : 0;
+    std::uint32_t row = bins_[binOf(value)];
+    while (row + 1 < rows_.size() && rows_[row].end <= value)
+      ++row;
+    return row;
   }
-  /// What is needed to look values up of which the bins are known.
+  const Row& row(std::uint32_t i) const { return rows_[i]; }
   struct Table
   {
     const Row* rows;
-    const std::uint32_t* bins;
-
-    std::uint32_t rowOf(float value, std::uint32_t bin) const
-    {
-      std::uint32_t row = bins[bin];
-      while (rows[row].end <= value)
-        ++row;
-      return row;
-    }
+    const std::uint32_t* bins; ///< the row that each bin begins in, or one before
+    const float* ends;         ///< of these rows
+    bool isFine;               ///< no bin reaches beyond the row behind it
   };
-  Table table() const { return {rows_.data(), bins_.data()}; }
+  Table table() const { return {rows_.data(), bins_.data(), ends_.data(), isFine_}; }
   /// Whether an extinction without end lies between two rows or in one of them.
   bool isSolid(std::uint32_t a, std::uint32_t b) const
   {
@@ -72,6 +68,12 @@ public:
   bool hasSolid() const { return solidBefore_.back() > 0; }
 
 private:
+  std::uint32_t binOf(float value) const
+  {
+    const float at = (value - binsFrom_) * binsPer_;
+    constexpr float last = static_cast<float>(bins - 1);
+    return at > 0.0f ? static_cast<std::uint32_t>(at < last ? at : last) : 0;
+  }
   static constexpr std::size_t coarseBins = 64, levels = 7;
   std::size_t coarseBinOf(float value) const
   {
@@ -89,6 +91,8 @@ private:
   std::array<std::array<float, coarseBins>, levels> rates_{};
   std::array<float, coarseBins + 1> stepsBefore_{};
   std::vector<std::uint32_t> bins_;
+  std::vector<float> ends_;
+  bool isFine_ = true;
   float binsFrom_ = 0.0f, binsPer_ = 0.0f;
 };
 
