@@ -21,7 +21,6 @@
 #include <vtkPointData.h>
 #include <vtkTable.h>
 
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -15,7 +15,6 @@
 #include <vtkPolyData.h>
 #include <vtkTimerLog.h>
 
-
 #include <cstdio>
 #include <filesystem>
 #include <map>

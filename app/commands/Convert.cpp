@@ -17,7 +17,6 @@
 #include <vtkPointData.h>
 #include <vtkTimerLog.h>
 
-
 #include <cstdio>
 #include <filesystem>
 

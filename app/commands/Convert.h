@@ -1,7 +1,7 @@
 #pragma once
 
-#include "stage/Input.h"
 #include "settings/Settings.h"
+#include "stage/Input.h"
 
 #include <string>
 

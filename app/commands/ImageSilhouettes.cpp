@@ -15,7 +15,6 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
-
 #include <chrono>
 #include <cmath>
 #include <cstdio>

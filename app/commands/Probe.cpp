@@ -22,7 +22,6 @@
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 
-
 #include <cmath>
 
 namespace mote::app

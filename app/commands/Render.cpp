@@ -9,7 +9,6 @@
 
 #include <vtkTimerLog.h>
 
-
 #include <cstdio>
 #include <filesystem>
 

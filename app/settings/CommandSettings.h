@@ -16,9 +16,9 @@ struct OutputSettings
   std::string session;   ///< file for a session; empty: none, or the window's choice
   bool allSteps = false; ///< a picture of every time step
   bool json = false;
-  std::string memory;  ///< "4G"; empty: half of the machine's
-  bool preview = true; ///< in the window, of large sets until they are built
-  bool panel = true;   ///< at the window's side
+  std::string memory;            ///< "4G"; empty: half of the machine's
+  bool preview = true;           ///< in the window, of large sets until they are built
+  bool panel = true;             ///< at the window's side
   std::optional<double> uiScale; ///< of the panel's texts; none: as the display says
   bool operator==(const OutputSettings&) const = default;
 };
