@@ -24,9 +24,11 @@ void noteControl(const std::string& name)
   char places[96];
   std::snprintf(places, sizeof places, " %.0f %.0f %.0f %.0f\n", from.x, from.y, to.x, to.y);
   lines += name + places;
+  if (ImGui::IsItemActive())
+    lines += "active " + name + places;
 }
 
-void writeControls()
+void writeControls(int inputs, bool isWaiting)
 {
   if (!file)
     return;
@@ -34,6 +36,7 @@ void writeControls()
   if (std::FILE* out = std::fopen(beside.c_str(), "w"))
   {
     std::fputs(lines.c_str(), out);
+    std::fprintf(out, "inputs %d %d\n", inputs, isWaiting ? 1 : 0);
     std::fclose(out);
     std::rename(beside.c_str(), file); // whoever reads sees all of a frame
   }

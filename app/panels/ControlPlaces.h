@@ -7,12 +7,14 @@ namespace mote::app
 
 /// For tests of the window: where controls lie. With the environment's MOTE_CONTROLS the panel
 /// writes that file in each frame, a line for each control: name, left, top, right and bottom in
-/// pixels of the window. Without it these do nothing.
+/// pixels of the window; and once more with "active" before the name where the mouse or the keys
+/// work it. Without it these do nothing.
 
 /// The control that was drawn last.
 void noteControl(const std::string& name);
 
-/// Writes the file of this frame.
-void writeControls();
+/// Writes the file of this frame, with a line "inputs", how many presses came so far, and 1 where
+/// more frames come for what came, else 0.
+void writeControls(int inputs, bool isWaiting);
 
 } // namespace mote::app

@@ -88,11 +88,12 @@ std::string Panel::coloredBy() const
   return "none";
 }
 
-PanelWish Panel::draw(const PanelFacts& facts, float width, float height)
+PanelWish Panel::draw(const PanelFacts& facts, const PanelWish& earlier, float width, float height)
 {
   this->find();
-  next_ = stage_.settings();
+  next_ = earlier.settings.value_or(stage_.settings());
   wish_ = {};
+  wish_.action = earlier.action;
   drawn_ = withoutControl();
   ImGui::SetNextWindowPos(ImVec2(0.0f, 0.0f));
   ImGui::SetNextWindowSize(ImVec2(width, height));
@@ -130,7 +131,6 @@ PanelWish Panel::draw(const PanelFacts& facts, float width, float height)
   if (found_.hasParticles)
     this->drawGroup("Structure", nullptr);
   this->drawCosts(facts);
-  writeControls();
   hasFocus_ = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
   ImGui::End();
   wish_.isHeld = ImGui::IsAnyItemActive();

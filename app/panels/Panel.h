@@ -40,8 +40,9 @@ class Panel
 public:
   explicit Panel(const Stage& stage);
 
-  /// Draws the controls and takes what the user does with them. `width` and `height` in pixels.
-  PanelWish draw(const PanelFacts& facts, float width, float height);
+  /// Draws the controls and takes what the user does with them, beside what is still wished from
+  /// earlier frames. `width` and `height` in pixels.
+  PanelWish draw(const PanelFacts& facts, const PanelWish& earlier, float width, float height);
 
   /// The next draw() puts the keys to the panel, or leaves them to the view.
   void setFocus(bool on);

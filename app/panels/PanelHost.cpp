@@ -172,6 +172,7 @@ void PanelHost::draw(const std::function<void()>& controls)
 {
   ImGui::SetCurrentContext(context_);
   this->feed();
+  lastTime_ = timeTold_;
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
   controls();
@@ -184,8 +185,14 @@ void PanelHost::draw(const std::function<void()>& controls)
   state->Pop();
   // A press and its release take a frame each, and windows that open need one to find their size.
   framesToCome_ = std::max(0, framesToCome_ - 1);
-  if ((!waiting_.empty() || framesToCome_ > 0) && onInput)
+  if (this->isWaiting() && onInput)
     onInput();
+}
+
+void PanelHost::tellTime(double now)
+{
+  ImGui::GetIO().DeltaTime = static_cast<float>(std::clamp(now - lastTime_, 1e-4, 1.0));
+  timeTold_ = now;
 }
 
 /// Gives ImGui what came since the last frame, up to the first change of a button or a key.
@@ -194,14 +201,9 @@ void PanelHost::feed()
   ImGuiIO& io = ImGui::GetIO();
   const int* size = window_->GetSize();
   io.DisplaySize = ImVec2(static_cast<float>(size[0]), static_cast<float>(size[1]));
-  const double now = vtkTimerLog::GetUniversalTime();
-  io.DeltaTime = static_cast<float>(std::clamp(now - lastTime_, 1e-4, 1.0));
-  lastTime_ = now;
+  this->tellTime(vtkTimerLog::GetUniversalTime());
   const int* at = interactor_->GetEventPosition();
-  const bool isElsewhere = viewButtons_ != 0;
-  io.MousePos = isElsewhere
-                  ? ImVec2(-1e9f, -1e9f)
-                  : ImVec2(static_cast<float>(at[0]), static_cast<float>(size[1] - 1 - at[1]));
+  this->placeMouse(at[0], at[1]);
   io.KeyCtrl = interactor_->GetControlKey() != 0;
   io.KeyShift = interactor_->GetShiftKey() != 0;
   io.KeyAlt = interactor_->GetAltKey() != 0;
@@ -219,14 +221,44 @@ void PanelHost::feed()
       bool& isDown = input.kind == Input::Button ? io.MouseDown[number] : io.KeysDown[number];
       const bool isChange = isDown != input.isDown;
       isDown = input.isDown;
+      if (isChange && input.kind == Input::Button)
+      {
+        // Both may be others by now, and tell a double click from two.
+        this->placeMouse(input.x, input.y);
+        this->tellTime(input.time);
+      }
       if (isChange)
         return;
     }
   }
 }
 
-bool PanelHost::add(const Input& input)
+void PanelHost::placeMouse(int x, int y)
 {
+  const int height = window_->GetSize()[1];
+  ImGui::GetIO().MousePos = viewButtons_ != 0
+                              ? ImVec2(-1e9f, -1e9f)
+                              : ImVec2(static_cast<float>(x), static_cast<float>(height - 1 - y));
+}
+
+/// Has the controls take all presses of the mouse that wait.
+void PanelHost::settle()
+{
+  const auto isPress = [](const Input& input) { return input.kind == Input::Button; };
+  const auto isWaiting = [&] { return std::any_of(waiting_.begin(), waiting_.end(), isPress); };
+  if (!onHurry || !isWaiting())
+    return;
+  for (int tries = 0; tries < 20 && isWaiting(); ++tries)
+    onHurry();
+  onHurry(); // does what the last one asked for
+}
+
+bool PanelHost::add(Input input)
+{
+  const int* at = interactor_->GetEventPosition();
+  input.x = at[0];
+  input.y = at[1];
+  input.time = vtkTimerLog::GetUniversalTime();
   waiting_.push_back(input);
   framesToCome_ = 3;
   if (onInput)
@@ -262,6 +294,7 @@ bool PanelHost::press(int button, bool isDown)
 {
   if (state_ != State::Ready)
     return false;
+  ++inputs_;
   const unsigned bit = 1U << button;
   if (isDown)
     (this->ownsMouse() ? ownButtons_ : viewButtons_) |= bit;
@@ -289,6 +322,8 @@ bool PanelHost::type(bool isDown)
   if (state_ != State::Ready || !symbol)
     return false;
   ImGui::SetCurrentContext(context_);
+  if (isDown)
+    this->settle();
   const bool isText = ImGui::GetIO().WantTextInput;
   const int place = placeOf(symbol);
   if (!isDown)

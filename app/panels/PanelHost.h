@@ -32,9 +32,16 @@ public:
 
   /// Input for the controls has come, or they are not done: they should be drawn again soon.
   std::function<void()> onInput;
+  /// A key came before a press of the mouse was seen: they should be drawn at once, as the press
+  /// decides whose the key is.
+  std::function<void()> onHurry;
 
   /// The part of the window, from its left edge, that is the controls' own.
   void setWidth(int pixels) { width_ = pixels; }
+  /// How many presses and releases of the mouse have come, and whether more frames are to come for
+  /// what came.
+  int inputs() const { return inputs_; }
+  bool isWaiting() const { return !waiting_.empty() || framesToCome_ > 0; }
   /// Takes the keys that move between controls from the view, or leaves them to it.
   void setFocused(bool focused) { isFocused_ = focused; }
 
@@ -52,6 +59,8 @@ private:
     int number; ///< of the button, the key or the character
     bool isDown = false;
     float wheel = 0.0f;
+    int x = 0, y = 0;  ///< where the mouse was
+    double time = 0.0; ///< s
   };
   void start();
   void observe(unsigned long event, float priority, const std::function<bool()>& handle);
@@ -60,7 +69,10 @@ private:
   bool turn(float wheel);
   bool type(bool isDown);
   bool ownsMouse() const;
-  bool add(const Input& input);
+  bool add(Input input);
+  void placeMouse(int x, int y);
+  void tellTime(double now);
+  void settle();
   void feed();
 
   vtkRenderWindow* window_;
@@ -79,8 +91,8 @@ private:
   std::vector<unsigned long> observers_;
   std::deque<Input> waiting_; ///< one press or release a frame: ImGui looks once a frame
   unsigned ownButtons_ = 0, viewButtons_ = 0; ///< held, a bit each: whose presses they were
-  double lastTime_ = 0.0;
-  int framesToCome_ = 0;
+  double lastTime_ = 0.0, timeTold_ = 0.0;    ///< of the last frame, and of this one
+  int framesToCome_ = 0, inputs_ = 0;
 };
 
 } // namespace mote::app

@@ -173,6 +173,90 @@ bool rangeFields(const char* id, Interval& range)
   return true;
 }
 
+//------------------------------------------------------------------------------------------------
+// The curve of opacities
+
+namespace
+{
+
+/// The point under the mouse; -1 for none.
+int nearestPoint(const Frame& frame, const std::vector<OpacityPoint>& points)
+{
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  int nearest = -1;
+  float least = 0.6f * ImGui::GetFontSize();
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    const float away =
+      std::hypot(frame.xOf(points[i].value) - mouse.x, frame.yOf(points[i].opacity) - mouse.y);
+    if (away < least)
+      least = away, nearest = static_cast<int>(i);
+  }
+  return nearest;
+}
+
+OpacityPoint pointAtMouse(const Frame& frame)
+{
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  return {frame.valueAt(mouse.x), false, std::round(1000.0 * frame.shareAt(mouse.y)) / 1000.0};
+}
+
+/// A double click adds a point, which is held from then on; the right button takes one away.
+bool addOrTakeAway(const Frame& frame, std::vector<OpacityPoint>& points, int nearest, int& part)
+{
+  if (!ImGui::IsItemHovered())
+    return false;
+  if (ImGui::IsMouseDoubleClicked(0) && nearest < 0)
+  {
+    const OpacityPoint added = pointAtMouse(frame);
+    const auto at = std::find_if(points.begin(), points.end(),
+      [&](const OpacityPoint& point) { return point.value > added.value; });
+    part = static_cast<int>(points.insert(at, added) - points.begin());
+    return true;
+  }
+  if (ImGui::IsMouseClicked(1) && nearest >= 0 && points.size() > 1)
+  {
+    points.erase(points.begin() + nearest);
+    part = -1;
+    return true;
+  }
+  return false;
+}
+
+/// A point that is dragged stays between its neighbours.
+bool dragPoint(const Frame& frame, std::vector<OpacityPoint>& points, std::size_t i)
+{
+  const ImVec2 moved = ImGui::GetIO().MouseDelta;
+  if (moved.x == 0.0f && moved.y == 0.0f)
+    return false;
+  OpacityPoint next = pointAtMouse(frame);
+  next.value = std::clamp(next.value, i > 0 ? points[i - 1].value : frame.least,
+    i + 1 < points.size() ? points[i + 1].value : frame.most);
+  if (next == points[i])
+    return false;
+  points[i] = next;
+  return true;
+}
+
+void drawCurve(const Frame& frame, const std::vector<OpacityPoint>& points, int bright)
+{
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const auto placeOf = [&](const OpacityPoint& point)
+  { return ImVec2(frame.xOf(point.value), frame.yOf(point.opacity)); };
+  ImVec2 before(frame.from.x, placeOf(points.front()).y);
+  for (const OpacityPoint& point : points)
+  {
+    list->AddLine(before, placeOf(point), handle, 1.5f);
+    before = placeOf(point);
+  }
+  list->AddLine(before, ImVec2(frame.from.x + frame.size.x, before.y), handle, 1.5f);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    list->AddCircleFilled(placeOf(points[i]), 0.28f * ImGui::GetFontSize(),
+      bright == static_cast<int>(i) ? held : handle);
+}
+
+} // namespace
+
 bool opacityControl(const char* id, const Histogram& histogram, vtkLookupTable* table,
   std::vector<OpacityPoint>& points)
 {
@@ -183,74 +267,17 @@ bool opacityControl(const char* id, const Histogram& histogram, vtkLookupTable* 
     id, frame.size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   noteControl(id);
   drawBars(frame, histogram, [&](double value) { return colorAt(table, value); });
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const float reach = 0.6f * ImGui::GetFontSize();
-  int nearest = -1;
-  float least = reach;
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    const float away =
-      std::hypot(frame.xOf(points[i].value) - mouse.x, frame.yOf(points[i].opacity) - mouse.y);
-    if (away < least)
-      least = away, nearest = static_cast<int>(i);
-  }
+  const int nearest = nearestPoint(frame, points);
   int& part = heldPart(ImGui::GetID(id));
-  bool isChanged = false;
-  const auto here = [&]
-  {
-    return OpacityPoint{
-      frame.valueAt(mouse.x), false, std::round(1000.0 * frame.shareAt(mouse.y)) / 1000.0};
-  };
-  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0) && nearest < 0)
-  {
-    const OpacityPoint added = here();
-    const auto at = std::find_if(points.begin(), points.end(),
-      [&](const OpacityPoint& point) { return point.value > added.value; });
-    part = static_cast<int>(points.insert(at, added) - points.begin());
-    isChanged = true;
-  }
-  else if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(1) && nearest >= 0 && points.size() > 1)
-  {
-    points.erase(points.begin() + nearest);
-    part = nearest = -1;
-    isChanged = true;
-  }
-  else if (ImGui::IsItemActivated())
+  bool isChanged = addOrTakeAway(frame, points, nearest, part);
+  if (!isChanged && ImGui::IsItemActivated())
     part = ImGui::IsMouseDown(0) ? nearest : -1;
-  else if (!ImGui::IsItemActive())
+  else if (!isChanged && !ImGui::IsItemActive())
     part = -1;
   if (!isChanged && ImGui::IsItemActive() && part >= 0 && part < static_cast<int>(points.size()))
-  {
-    // A point stays between its neighbours.
-    const auto i = static_cast<std::size_t>(part);
-    OpacityPoint next = here();
-    next.value = std::clamp(next.value, i > 0 ? points[i - 1].value : frame.least,
-      i + 1 < points.size() ? points[i + 1].value : frame.most);
-    const ImVec2 moved = ImGui::GetIO().MouseDelta;
-    if ((moved.x != 0.0f || moved.y != 0.0f) && next != points[i])
-    {
-      points[i] = next;
-      isChanged = true;
-    }
-  }
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  ImVec2 before(frame.from.x, frame.yOf(points.front().opacity));
-  for (std::size_t i = 0; i <= points.size(); ++i)
-  {
-    const ImVec2 next = i < points.size()
-                          ? ImVec2(frame.xOf(points[i].value), frame.yOf(points[i].opacity))
-                          : ImVec2(frame.from.x + frame.size.x, before.y);
-    list->AddLine(before, next, handle, 1.5f);
-    before = next;
-  }
-  for (std::size_t i = 0; i < points.size(); ++i)
-    list->AddCircleFilled(ImVec2(frame.xOf(points[i].value), frame.yOf(points[i].opacity)),
-      0.28f * ImGui::GetFontSize(),
-      part == static_cast<int>(i) ||
-          (part < 0 && nearest == static_cast<int>(i) && ImGui::IsItemHovered())
-        ? held
-        : handle);
-  if (ImGui::IsItemHovered() && nearest >= 0)
+    isChanged = dragPoint(frame, points, static_cast<std::size_t>(part));
+  drawCurve(frame, points, part >= 0 ? part : ImGui::IsItemHovered() ? nearest : -1);
+  if (ImGui::IsItemHovered() && nearest >= 0 && nearest < static_cast<int>(points.size()))
   {
     const OpacityPoint& point = points[static_cast<std::size_t>(nearest)];
     ImGui::SetTooltip(

@@ -76,6 +76,7 @@ private:
   void updatePanel();
   void drawPanel();
   void takeWish();
+  void takeSettings(Settings next, bool isHeld);
   void endHold();
   void togglePanel();
   std::array<int, 2> viewSize() const;

@@ -3,6 +3,7 @@
 #include "Window.h"
 
 #include "Observe.h"
+#include "panels/ControlPlaces.h"
 
 #include <vtkCommand.h>
 #include <vtkRenderer.h>
@@ -35,6 +36,11 @@ void Window::setUpPanel()
   {
     if (panelTimer_ == 0)
       this->startTimer(panelTimer_, soon);
+  };
+  panelHost_->onHurry = [this]
+  {
+    if (!busy_)
+      this->takeWish();
   };
   // After the view and its props, before the window shows the frame.
   observe(stage_.renderer(), vtkCommand::EndEvent, [this](void*) { this->drawPanel(); });
@@ -79,45 +85,49 @@ void Window::drawPanel()
       const int* size = window_->GetSize();
       const double left = stage_.renderer()->GetViewport()[0];
       wish_ = panel_.draw(
-        facts, static_cast<float>(std::lround(left * size[0])), static_cast<float>(size[1]));
+        facts, wish_, static_cast<float>(std::lround(left * size[0])), static_cast<float>(size[1]));
     });
   panelHost_->setFocused(panel_.hasFocus());
   const bool isOver = beforeHold_ && !wish_.isHeld;
   if ((wish_.settings || wish_.action != Action::None || isOver) && panelTimer_ == 0)
     this->startTimer(panelTimer_, soon);
+  writeControls(panelHost_->inputs(), panelTimer_ != 0);
 }
 
 /// Does what the user asked for by the panel, and draws the panel anew.
 void Window::takeWish()
 {
   const PanelWish wish = std::exchange(wish_, {});
+  if (wish.settings)
+    this->takeSettings(*wish.settings, wish.isHeld);
+  else if (!wish.isHeld)
+    this->endHold();
   if (wish.action != Action::None)
   {
     this->endHold();
     Binding binding;
     binding.action = wish.action;
-    return this->act(binding);
+    this->act(binding);
   }
-  if (wish.settings)
+  else if (!wish.settings)
+    this->render();
+}
+
+void Window::takeSettings(Settings next, bool isHeld)
+{
+  if (next.color.array != this->settings().color.array)
+    this->fitToArray(next);
+  if (!isHeld)
   {
-    Settings next = *wish.settings;
-    if (next.color.array != this->settings().color.array)
-      this->fitToArray(next);
-    if (!wish.isHeld)
-    {
-      this->endHold();
-      this->change(next);
-      return this->render();
-    }
-    // What is dragged is seen at once, coarsely, and undone as one.
-    if (!beforeHold_)
-      beforeHold_ = this->settingsAsSeen();
-    this->follow(next);
-    return this->renderMoving();
-  }
-  if (!wish.isHeld)
     this->endHold();
-  this->render();
+    this->change(next);
+    return this->render();
+  }
+  // What is dragged is seen at once, coarsely, and undone as one.
+  if (!beforeHold_)
+    beforeHold_ = this->settingsAsSeen();
+  this->follow(next);
+  this->renderMoving();
 }
 
 void Window::endHold()

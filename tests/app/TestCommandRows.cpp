@@ -34,6 +34,7 @@ TEST(CommandTable, RowsAreSetReadAndParsed)
     {"threshold", {"3%"}},
     {"tolerance", {"0.25"}},
     {"view-angle", {"45"}},
+    {"ui-scale", {"2"}},
   };
   std::set<std::string> names;
   for (const Row& row : commandTable())

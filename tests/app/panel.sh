@@ -18,6 +18,20 @@ place() {
     } }' "$MOTE_CONTROLS"
 }
 
+# inputs: how many presses and releases of the mouse the panel has seen.
+inputs() { awk '$1 == "inputs" { print $2 }' "$MOTE_CONTROLS"; }
+
+# settled [N]: the panel is done with what came, at least N presses and releases, within a while.
+settled() {
+  for _ in $(seq 200); do
+    awk -v least="${1:-0}" '$1 == "inputs" && $2 >= least && $3 == 0 { found = 1 }
+      END { exit !found }' "$MOTE_CONTROLS" && return
+    kill -0 $process 2>/dev/null || { cat err; fail "the program had ended"; }
+    sleep 0.05
+  done
+  fail "the panel does not settle"
+}
+
 # shown NAME: the control is there, within a while.
 shown() {
   for _ in $(seq 100); do
@@ -31,14 +45,26 @@ shown() {
 # over NAME [X [Y]]: the mouse goes to a control.
 over() {
   shown "$1"
+  settled
   xdotool mousemove $(place "$@")
   sleep 0.1
 }
 
 click() {
   over "$@"
+  local before
+  before=$(inputs)
   xdotool click 1
-  sleep 0.3
+  settled $((before + 2))
+}
+
+# gone NAME: the control is not there, within a while.
+gone() {
+  for _ in $(seq 100); do
+    [ -z "$(place "$1")" ] && return
+    sleep 0.05
+  done
+  fail "the control $1 stays"
 }
 
 # drag NAME X... : from the first share of the control's width to the others.
@@ -46,24 +72,24 @@ drag() {
   local name=$1 y=${height:-0.5}
   over "$name" "$2" "$y"
   xdotool mousedown 1
+  shown "active $name"
   shift 2
   for x in "$@"; do
-    sleep 0.1
     xdotool mousemove $(place "$name" "$x" "$y")
+    sleep 0.1
   done
-  sleep 0.2
   xdotool mouseup 1
-  sleep 0.3
+  gone "active $name"
 }
 
 # write NAME TEXT: TEXT and Return into a field, in place of what it says.
 write() {
   click "$1"
+  shown "active $1"
   xdotool key --window 0 ctrl+a
-  sleep 0.1
   xdotool type --window 0 --delay 30 -- "$2"
   xdotool key --window 0 Return
-  sleep 0.3
+  gone "active $1"
 }
 
 # command: the command that makes this picture, as the window prints it.
@@ -77,8 +103,23 @@ command_now() {
   done
   grep '^mote render' out | tail -1
 }
-has() { command_now | grep -qE -- "$1" || fail "the command has no $1: $(command_now)"; }
-has_no() { command_now | grep -qE -- "$1" && fail "the command has $1: $(command_now)"; :; }
+
+# has PATTERN, has_no PATTERN: what the command says, within a while.
+has() {
+  for _ in $(seq 20); do
+    command_now | grep -qE -- "$1" && return
+    sleep 0.1
+  done
+  fail "the command has no $1: $(command_now)"
+}
+has_no() {
+  for _ in $(seq 20); do
+    command_now | grep -qE -- "$1" || return 0
+    sleep 0.1
+  done
+  fail "the command has $1: $(command_now)"
+}
+
 
 case $3 in
   range) # is dragged, seen at once, undone as one; fields, and all again
@@ -95,6 +136,7 @@ case $3 in
     picture undone.png
     alike all.png undone.png
     click Redo
+    has '--show=c_centro=2[0-9.]*:8'
     picture redone.png
     alike some.png redone.png
     click 'show all'
@@ -165,8 +207,8 @@ case $3 in
     has_no '--color-map'
     press m
     has '--color-map='
-    has_no '--camera .*--camera'
     press Control+z Control+z
+    has_no '--title'
     # What is dragged in the panel does not turn the view, nor the other way round.
     over Undo 0.5 -2
     xdotool mousedown 1 mousemove 150 600 mousemove 700 600 mouseup 1
@@ -197,9 +239,7 @@ case $3 in
     has_no '--opacity=0%'
     over opacity 0.6 0.2
     xdotool click --repeat 2 --delay 60 1
-    sleep 0.5
-    [ "$(command_now | grep -o -- '--opacity=[^ ]*' | tr ',' '\n' | wc -l)" = 3 ] ||
-      fail "no third point: $(command_now)"
+    has '--opacity=[^, ]*,[^, ]*,[^, ]* '
     click Usual
     has_no '--opacity'
     picture again.png
