@@ -221,14 +221,18 @@ void PanelHost::feed()
       bool& isDown = input.kind == Input::Button ? io.MouseDown[number] : io.KeysDown[number];
       const bool isChange = isDown != input.isDown;
       isDown = input.isDown;
-      if (isChange && input.kind == Input::Button)
+      if (!isChange)
+        continue;
+      // All these may be others by now; the time tells a double click from two.
+      io.KeyCtrl = input.hasControl;
+      io.KeyShift = input.hasShift;
+      io.KeyAlt = input.hasAlt;
+      if (input.kind == Input::Button)
       {
-        // Both may be others by now, and tell a double click from two.
         this->placeMouse(input.x, input.y);
         this->tellTime(input.time);
       }
-      if (isChange)
-        return;
+      return;
     }
   }
 }
@@ -259,6 +263,9 @@ bool PanelHost::add(Input input)
   input.x = at[0];
   input.y = at[1];
   input.time = vtkTimerLog::GetUniversalTime();
+  input.hasControl = interactor_->GetControlKey() != 0;
+  input.hasShift = interactor_->GetShiftKey() != 0;
+  input.hasAlt = interactor_->GetAltKey() != 0;
   waiting_.push_back(input);
   framesToCome_ = 3;
   if (onInput)
@@ -273,9 +280,9 @@ bool PanelHost::ownsMouse() const
     return false;
   if (ownButtons_ != 0 || interactor_->GetEventPosition()[0] < width_)
     return true;
+  // ImGui's own word, WantCaptureMouse, is of the last frame, when the mouse was elsewhere.
   ImGui::SetCurrentContext(context_);
-  return ImGui::GetIO().WantCaptureMouse ||
-         ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
 bool PanelHost::move()
@@ -296,6 +303,8 @@ bool PanelHost::press(int button, bool isDown)
     return false;
   ++inputs_;
   const unsigned bit = 1U << button;
+  if (isDown && ownButtons_ == 0)
+    this->settle(); // a popup may have opened or closed
   if (isDown)
     (this->ownsMouse() ? ownButtons_ : viewButtons_) |= bit;
   const bool isOwn = (ownButtons_ & bit) != 0;

@@ -61,6 +61,7 @@ private:
     float wheel = 0.0f;
     int x = 0, y = 0;  ///< where the mouse was
     double time = 0.0; ///< s
+    bool hasControl = false, hasShift = false, hasAlt = false;
   };
   void start();
   void observe(unsigned long event, float priority, const std::function<bool()>& handle);
