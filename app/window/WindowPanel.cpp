@@ -110,7 +110,12 @@ void Window::takeWish()
     this->act(binding);
   }
   else if (!wish.settings)
+  {
+    // The view waits for its own turn, so that controls answer while it is traced.
+    pass_->RefiningOff();
     this->render();
+    pass_->RefiningOn();
+  }
 }
 
 void Window::takeSettings(Settings next, bool isHeld)

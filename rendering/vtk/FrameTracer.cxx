@@ -219,10 +219,11 @@ bool FrameTracer::trace(vtkRenderer* renderer, MoteProps& props, int width, int 
   const bool isSame = this->takeView({width, height, viewed, frame.scene.unowned(),
     settings.others ? settings.others->hash : ContentHash()});
   const bool rested = !settings.progressive || isSame;
+  const bool refines = settings.refines || !settings.progressive || !shows_ || !isSame;
   baking_.take(frame.scene, props, settings.shading, !moving);
   const auto hadMaps = baking_.times();
   bool complete = moving || !OcclusionBaking::isAskedFor(settings.shading);
-  if (!complete && rested && !bake(frame, viewed, complete))
+  if (!complete && rested && refines && !bake(frame, viewed, complete))
   {
     shown_ = before;
     return shows_ && before.view == view_;
@@ -239,9 +240,10 @@ bool FrameTracer::trace(vtkRenderer* renderer, MoteProps& props, int width, int 
     moving && distanceFor(frame, settings.frameTime) * leastFiner <= shownDistance_;
   if ((moving || settings.progressive) && (!shows_ || coarse))
     traceFirst(frame);
-  else if (!moving && complete)
+  else if (!moving && complete && (refines || changed))
     sharpen(frame, changed);
-  addSilhouettes(frame, film_.samples());
+  if (refines || changed)
+    addSilhouettes(frame, film_.samples());
   converged_ = complete && !preview_ && isDone(settings) && !silhouettes_.isBehind(film_.samples());
   shown_ = shown;
   return shows_;

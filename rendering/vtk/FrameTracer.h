@@ -28,6 +28,7 @@ struct FrameSettings
   Refinement refinement{4};
   unsigned channels = 0; ///< of the finished film, besides what refinement and silhouettes need
   bool progressive = false;
+  bool refines = true; ///< where progressive and at rest
   bool autoAdjust = true;
   double frameTime = 0.08; ///< seconds that a frame may take while the view moves
   double stillTime = 0.1;  ///< seconds after which a progressive frame at rest shows what there is

@@ -122,6 +122,7 @@ void vtkMoteRayCastPass::DrawImage(vtkRenderer* renderer)
   mote::FrameSettings settings;
   settings.refinement = {this->SamplesPerPixel, this->NoiseLevel};
   settings.progressive = this->Progressive != 0;
+  settings.refines = this->Refining != 0;
   settings.autoAdjust = this->AutoAdjustResolution != 0;
   settings.frameTime = this->InteractiveFrameTime;
   settings.threads = this->NumberOfThreads;
@@ -204,6 +205,7 @@ void vtkMoteRayCastPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SamplesPerPixel: " << this->SamplesPerPixel << "\n";
   os << indent << "NoiseLevel: " << this->NoiseLevel << "\n";
   os << indent << "Progressive: " << (this->Progressive ? "On" : "Off") << "\n";
+  os << indent << "Refining: " << (this->Refining ? "On" : "Off") << "\n";
   os << indent << "AutoAdjustResolution: " << (this->AutoAdjustResolution ? "On" : "Off") << "\n";
   os << indent << "InteractiveFrameTime: " << this->InteractiveFrameTime << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";

@@ -80,6 +80,17 @@ public:
   vtkBooleanMacro(Progressive, vtkTypeBool);
   ///@}
 
+  ///@{
+  /**
+   * When off, a Render() of a Progressive picture at rest shows what there is and traces nothing,
+   * as long as it shows this view at all: for frames in which only other things of the window
+   * change. On by default.
+   */
+  vtkSetMacro(Refining, vtkTypeBool);
+  vtkGetMacro(Refining, vtkTypeBool);
+  vtkBooleanMacro(Refining, vtkTypeBool);
+  ///@}
+
   /**
    * Whether the picture shown last has full resolution and all its samples, or little enough noise,
    * and is no preview.
@@ -172,6 +183,7 @@ protected:
   int SamplesPerPixel = 4;
   double NoiseLevel = 0.0;
   vtkTypeBool Progressive = 0;
+  vtkTypeBool Refining = 1;
   vtkTypeBool AutoAdjustResolution = 1;
   double InteractiveFrameTime = 0.08;
   int NumberOfThreads = 0;

@@ -194,6 +194,40 @@ TEST_F(Frames, ProgressiveOnesConvergeToTheSamePicture)
   EXPECT_EQ(step.pass->GetNumberOfRays(), 0);
 }
 
+TEST_F(Frames, ThatDoNotRefineShowWhatThereIs)
+{
+  pass->SetSamplesPerPixel(16);
+  pass->ProgressiveOn();
+  pass->SetInteractiveFrameTime(0.001);
+  const Shot first = drawing.shoot();
+  const int samples = pass->GetNumberOfSamples();
+  pass->RefiningOff();
+  EXPECT_EQ(differentPixels(first, drawing.shoot(), 0), 0);
+  EXPECT_EQ(pass->GetNumberOfRays(), 0);
+  EXPECT_EQ(pass->GetNumberOfSamples(), samples);
+  EXPECT_FALSE(pass->IsConverged());
+  // Another view is no longer what there is.
+  drawing.camera()->Azimuth(20);
+  EXPECT_GT(differentPixels(first, drawing.shoot(), 0), 0);
+  EXPECT_GT(pass->GetNumberOfRays(), 0);
+  drawing.camera()->Azimuth(-20);
+  pass->RefiningOn();
+  for (int frames = 0; frames == 0 || !pass->IsConverged(); ++frames)
+  {
+    ASSERT_LT(frames, 40);
+    drawing.window->Render();
+  }
+  // What is not progressive is traced as always.
+  const Shot best = drawing.shoot();
+  pass->ProgressiveOff();
+  pass->RefiningOff();
+  drawing.camera()->Azimuth(20);
+  drawing.shoot();
+  EXPECT_TRUE(pass->IsConverged());
+  drawing.camera()->Azimuth(-20);
+  EXPECT_EQ(differentPixels(best, drawing.shoot(), 0), 0);
+}
+
 TEST_F(Frames, RefinementEndsAtTheNoiseLevel)
 {
   pass->SetSamplesPerPixel(1000);
