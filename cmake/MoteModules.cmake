@@ -20,6 +20,9 @@ vtk_module_build(
   USE_EXTERNAL ON
   ENABLE_WRAPPING "${MOTE_BUILD_PYTHON}"
   TEST_DIRECTORY_NAME "NONE")
+foreach (_module FiltersHexahedra FiltersIO FiltersImaging FiltersParticles RenderingData RenderingVTK)
+  mote_precompile(${_module} VTK)
+endforeach ()
 
 if (MOTE_BUILD_PYTHON)
   vtk_module_python_default_destination(MOTE_PYTHON_DESTINATION)
