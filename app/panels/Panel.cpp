@@ -272,6 +272,7 @@ void Panel::drawColour()
     this->drawColourRange();
   }
   this->drawRow("color-map", "map");
+  this->drawRow("calculate");
   if (!coloring.isTyped())
     drawn_.insert("types");
 }

@@ -55,6 +55,12 @@ bool excludes(const Row& row, const Row& other)
   return names(row, other) || names(other, row);
 }
 
+/// Whether there are any number of texts, each with a field of its own.
+bool isList(const Row& row)
+{
+  return row.shape == Shape::Many && row.count == 0 && !row.commas;
+}
+
 /// Whether a slider goes from one limit to the other.
 bool hasSlider(const Row& row)
 {
@@ -102,7 +108,8 @@ bool RowControls::draw(const Row& row, Settings& settings, const std::string& la
   else
   {
     putLabel(shown);
-    isChanged = !row.words.empty() && row.shape == Shape::One ? this->drawWords(row, settings)
+    isChanged = isList(row)                                     ? this->drawList(row, settings)
+                : !row.words.empty() && row.shape == Shape::One ? this->drawWords(row, settings)
                 : row.value == "COLOUR" && row.shape == Shape::One && !row.get(settings).empty() &&
                     !row.get(settings).front().empty()
                   ? this->drawColor(row, settings)
@@ -240,6 +247,41 @@ std::string RowControls::drawOffers(const Row& row)
   }
   ImGui::EndCombo();
   return chosen;
+}
+
+/// A field for each text, and an empty one for one more.
+bool RowControls::drawList(const Row& row, Settings& settings)
+{
+  std::vector<std::string> words = row.get(settings);
+  bool isChanged = false;
+  for (std::size_t i = 0; i <= words.size() && !isChanged; ++i)
+  {
+    const bool isNew = i == words.size();
+    Text& text = texts_[row.name + "-" + (isNew ? "new" : std::to_string(i))];
+    if (!text.isOpen && (!isNew || texts_[row.name].wrong.empty()))
+      text.text = isNew ? "" : words[i];
+    ImGui::PushID(static_cast<int>(i));
+    if (i > 0)
+      putLabel("");
+    const bool isEntered = ImGui::InputTextWithHint(
+      "##", row.value.c_str(), &text.text, ImGuiInputTextFlags_EnterReturnsTrue);
+    text.isOpen = ImGui::IsItemActive();
+    const bool isDone = isEntered || ImGui::IsItemDeactivatedAfterEdit();
+    if (isNew)
+      explain(row);
+    ImGui::PopID();
+    if (!isDone || text.text == (isNew ? "" : words[i]))
+      continue;
+    if (isNew)
+      words.push_back(text.text);
+    else if (text.text.empty())
+      words.erase(words.begin() + static_cast<long>(i));
+    else
+      words[i] = text.text;
+    isChanged = this->set(row, settings, words);
+    break;
+  }
+  return isChanged;
 }
 
 bool RowControls::drawText(const Row& row, Settings& settings)

@@ -25,6 +25,7 @@ private:
   bool drawWords(const Row& row, Settings& settings);
   bool drawColor(const Row& row, Settings& settings);
   bool drawSlider(const Row& row, Settings& settings);
+  bool drawList(const Row& row, Settings& settings);
   bool drawText(const Row& row, Settings& settings);
   std::string drawOffers(const Row& row);
   bool set(const Row& row, Settings& settings, const std::vector<std::string>& words);

@@ -13,10 +13,18 @@ namespace mote::app
 
 using Color = std::array<double, 3>;
 
+/// An array that an expression of others makes; see vtkMoteExpression.
+struct Calculation
+{
+  std::string name, expression;
+  bool operator==(const Calculation&) const = default;
+};
+
 /// What is read, and when.
 struct DataSettings
 {
   std::vector<std::string> files;
+  std::vector<Calculation> calculations;
   std::optional<double> time;
   std::string step = "last"; ///< a number from 1, "first" or "last"
   int threads = 0;           ///< 0: all
@@ -52,6 +60,7 @@ struct ShowRange
 /// What is shown.
 struct SelectionSettings
 {
+  std::string where; ///< an expression that holds for what is shown; empty: all
   std::vector<ShowRange> ranges;
   std::vector<double> range; ///< none or two
   std::string array;         ///< that `range` speaks of, as ColorSettings::array; empty: its own

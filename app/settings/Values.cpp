@@ -204,6 +204,21 @@ ShowRange ValuesOf<ShowRange>::parse(const std::vector<std::string>& words, cons
   return range;
 }
 
+std::vector<std::string> ValuesOf<Calculation>::words(const Calculation& calculation)
+{
+  return {calculation.name + "=" + calculation.expression};
+}
+
+Calculation ValuesOf<Calculation>::parse(const std::vector<std::string>& words, const Limits&)
+{
+  const std::string& text = only(words);
+  const std::size_t sign = text.find('=');
+  if (sign == std::string::npos || sign == 0 || sign + 1 == text.size())
+    throw WrongValue{
+      "'" + text + "' is not of the form NAME=EXPRESSION, such as speed=sqrt(vx^2 + vy^2)"};
+  return {text.substr(0, sign), text.substr(sign + 1)};
+}
+
 std::vector<std::string> ValuesOf<OpacityPoint>::words(const OpacityPoint& point)
 {
   return {exactText(point.value) + (point.isShare ? "%=" : "=") + exactText(point.opacity)};

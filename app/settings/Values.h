@@ -135,6 +135,15 @@ struct ValuesOf<ShowRange>
   static ShowRange parse(const std::vector<std::string>& words, const Limits&);
 };
 
+/// "speed=sqrt(vx^2 + vy^2)"
+template <>
+struct ValuesOf<Calculation>
+{
+  static constexpr bool numeric = false;
+  static std::vector<std::string> words(const Calculation& calculation);
+  static Calculation parse(const std::vector<std::string>& words, const Limits&);
+};
+
 /// "12.5=0.3", "40%=0.3"
 template <>
 struct ValuesOf<OpacityPoint>

@@ -1,5 +1,6 @@
 #include "Arrays.h"
 
+#include "Calculated.h"
 #include "base/Failure.h"
 #include "base/Text.h"
 
@@ -37,13 +38,14 @@ bool namesTypes(const std::string& name)
 bool isBookkeeping(const std::string& name)
 {
   return isAnyOf(
-    name, {"id", "ids", "particleids", "globalids", "globalpointids", "vtkoriginalpointids",
-            "vtkoriginalcellids", "vtkghosttype", "mol", "molecule", "proc", "map_shift",
-            "n_neighb", "model", "ishetatm", "procp1", "ix", "iy", "iz", "image", "x", "y", "z",
-            "xu", "yu", "zu", "xs", "ys", "zs", "position", "positions", "coordinates", "points",
-            "pos", "radius", "radii", "diameter", "mass", "normals", "tcoords", "residue", "chain",
-            "is_hetatm", "atom_type_strings", "secondary_structures", "secondary_structures_begin",
-            "secondary_structures_end", "rgb_colors"});
+           name, {"id", "ids", "particleids", "globalids", "globalpointids", "vtkoriginalpointids",
+                   "vtkoriginalcellids", "vtkghosttype", "mol", "molecule", "proc", "map_shift",
+                   "n_neighb", "model", "ishetatm", "procp1", "ix", "iy", "iz", "image", "x", "y",
+                   "z", "xu", "yu", "zu", "xs", "ys", "zs", "position", "positions", "coordinates",
+                   "points", "pos", "radius", "radii", "diameter", "mass", "normals", "tcoords",
+                   "residue", "chain", "is_hetatm", "atom_type_strings", "secondary_structures",
+                   "secondary_structures_begin", "secondary_structures_end", "rgb_colors"}) ||
+         name == whereArray;
 }
 
 vtkDataSetAttributes* attributesOf(vtkDataSet* data, bool ofCells)
@@ -223,7 +225,8 @@ std::string listArrays(vtkDataSet* data)
   for (const bool ofCells : {false, true})
     for (int i = 0; i < attributesOf(data, ofCells)->GetNumberOfArrays(); ++i)
       if (const std::string name = nameOf(attributesOf(data, ofCells)->GetArray(i)); !name.empty())
-        names.push_back(name);
+        if (name != whereArray)
+          names.push_back(name);
   return joined(names, ", ");
 }
 

@@ -1,5 +1,6 @@
 #include "Selection.h"
 
+#include "Calculated.h"
 #include "base/Failure.h"
 #include "base/Text.h"
 
@@ -85,11 +86,30 @@ void Selection::apply(const Parts& parts, const ArrayChoice& colored)
     part->applyRanges();
 }
 
+/// What --where asks for; returns the array that it takes, if any.
+std::vector<ArrayChoice> Selection::applyExpression(const Parts& parts)
+{
+  if (settings_.selection.where.empty())
+    return {};
+  const ArrayChoice holds = {whereArray, 0, false};
+  bool isFound = false;
+  for (const auto& part : parts)
+    if (part->kind() == Part::Kind::Particles && arrayOf(part->data(), holds))
+    {
+      part->limit(holds, {{1.0, 1.0}});
+      isFound = true;
+    }
+  if (!isFound)
+    throw Failure("--where: '" + settings_.selection.where +
+                  "' is not of particles; cells are hidden by --show");
+  return {holds};
+}
+
 /// What --show asks for.
 void Selection::applyRanges(const Parts& parts, const Part& first)
 {
   const std::vector<ShowRange>& ranges = settings_.selection.ranges;
-  std::vector<ArrayChoice> arrays;
+  std::vector<ArrayChoice> arrays = this->applyExpression(parts);
   for (std::size_t i = 0; i < ranges.size(); ++i)
   {
     const ShowRange& range = ranges[i];
@@ -107,7 +127,8 @@ void Selection::applyRanges(const Parts& parts, const Part& first)
       if (choice && std::find(arrays.begin(), arrays.end(), choice) == arrays.end())
         arrays.push_back(choice);
       if (arrays.size() > mostArrays)
-        throw Failure("--show takes at most four arrays, besides x, y, z and radius");
+        throw Failure("--show takes at most four arrays, besides x, y, z and radius; --where is "
+                      "one of them");
       if (place >= 0 && isVolume)
         throw Failure(
           "--show: volumes are hidden by the array that colours them, not by " + range.name);

@@ -24,6 +24,7 @@ public:
 
 private:
   void followSettings();
+  std::vector<ArrayChoice> applyExpression(const Parts& parts);
   void applyRanges(const Parts& parts, const Part& first);
   void applyRange(const Parts& parts, const ArrayChoice& colored, const Part& first);
   void require(bool found, std::size_t range, const std::string& name, const Part& part,

@@ -1,5 +1,6 @@
 #include "Stage.h"
 
+#include "Calculated.h"
 #include "Silhouettes.h"
 #include "SimulationBox.h"
 #include "base/Failure.h"
@@ -42,7 +43,8 @@ bool Stage::apply(const Settings& settings)
     choose(settings.silhouettes, vtkMoteSilhouettes::RADII, silhouettes_);
   const bool otherKinds = std::any_of(parts_.begin(), parts_.end(),
     [&](const auto& part) { return part->kind() != Part::kindOf(part->data(), settings_); });
-  if (otherKinds)
+  const bool otherData = otherKinds || areOtherCalculations(before, settings);
+  if (otherData)
     this->setData(std::vector<NamedData>(data_));
   for (const auto& part : parts_)
   {
@@ -51,10 +53,10 @@ bool Stage::apply(const Settings& settings)
     if (before.particles != settings.particles || before.volume != settings.volume)
       part->followSettings();
   }
-  if (otherKinds || before.color != settings.color || before.selection != settings.selection ||
+  if (otherData || before.color != settings.color || before.selection != settings.selection ||
       before.volume != settings.volume)
     this->applyColors();
-  return otherKinds || before.particles != settings.particles ||
+  return otherData || before.particles != settings.particles ||
          before.volume.structure != settings.volume.structure;
 }
 
@@ -70,9 +72,10 @@ Settings Stage::settingsInForce() const
   return all;
 }
 
-void Stage::setData(const std::vector<NamedData>& data)
+void Stage::setData(const std::vector<NamedData>& original)
 {
-  data_ = data;
+  const std::vector<NamedData> data = withCalculated(original, settings_);
+  data_ = original;
   bool sameKinds = parts_.size() == data.size();
   for (std::size_t i = 0; sameKinds && i < data.size(); ++i)
     sameKinds = parts_[i]->kind() == Part::kindOf(data[i].data, settings_);

@@ -36,7 +36,7 @@ public:
   Settings settingsInForce() const;
 
   /// Shows other data; build() must follow.
-  void setData(const std::vector<NamedData>& data);
+  void setData(const std::vector<NamedData>& original);
 
   /// Brings all structures up to date. Throws Failure and Interrupted.
   void build(ProgressRelay& progress);
@@ -90,7 +90,7 @@ private:
 
   Settings settings_; ///< that all below refer to
   vtkNew<vtkRenderer> renderer_;
-  std::vector<NamedData> data_;
+  std::vector<NamedData> data_; ///< without what is calculated
   std::vector<std::unique_ptr<Part>> parts_;
   Lighting lighting_;
   vtkNew<vtkMoteSilhouettes> silhouettes_;

@@ -2,6 +2,10 @@
 
 #include "base/Text.h"
 
+#include <vtkMoteExpression.h>
+
+#include <algorithm>
+
 namespace mote::app
 {
 
@@ -14,6 +18,21 @@ void checkStep(const std::string& text)
   if (text != "first" && text != "last" &&
       !(parseNumber(text, number) && number >= 1.0 && number == static_cast<int>(number)))
     throw WrongValue{"'" + text + "' is neither a number from 1 nor first nor last"};
+}
+
+void checkCalculations(const std::vector<Calculation>& calculations)
+{
+  for (const Calculation& one : calculations)
+  {
+    for (const char* taken : {"x", "y", "z", "none", "radius"})
+      if (one.name == taken)
+        throw WrongValue{"'" + one.name + "' has a meaning of its own; choose another name"};
+    if (std::count_if(calculations.begin(), calculations.end(),
+          [&](const Calculation& other) { return other.name == one.name; }) > 1)
+      throw WrongValue{"'" + one.name + "' is given twice"};
+    if (const std::string problem = vtkMoteExpression::Check(one.expression); !problem.empty())
+      throw WrongValue{problem};
+  }
 }
 
 } // namespace
@@ -37,6 +56,19 @@ void addDataRows(std::vector<Row>& table)
       .invalidates = Invalidates::Data,
       .usual = "--step decides",
       .excludes = {"step"}}));
+  table.push_back(row<DataSettings, std::vector<Calculation>>(data, &DataSettings::calculations,
+    {.group = group,
+      .name = "calculate",
+      .value = "NAME=EXPRESSION",
+      .help = "Make an array NAME from others, as in speed=sqrt(vx^2 + vy^2), to colour or choose "
+              "by: arrays by their names, 'in quotes' where these have other characters than "
+              "letters, digits and _, components as v.x or v.0, x, y, z of points, + - * / ^, "
+              "< <= > >= == !=, && || !, A ? B : C, sqrt, abs, exp, ln, sin, min, max... May be "
+              "given several times, and take earlier ones",
+      .invalidates = Invalidates::Shading,
+      .commas = false,
+      .usual = "none"},
+    checkCalculations));
   table.push_back(row(data, &DataSettings::threads,
     {.group = group,
       .name = "threads",

@@ -2,6 +2,7 @@
 
 #include "CommandLine.h"
 #include "settings/Values.h"
+#include "stage/Calculated.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -163,6 +164,8 @@ void writeRanges(Script& script, const Part& part, const Settings& settings)
         script.call(
           "mapper", "AddToRange", choice.name, choice.component, interval.low, interval.high);
   }
+  if (arrayOf(part.data(), {whereArray, 0, false}))
+    script.call("mapper", "AddToRange", whereArray, 0, 1.0, 1.0);
   vtkMoteParticleMapper* mapper = part.particles();
   if (!mapper->GetUseVisibilityRange())
     return;
@@ -284,6 +287,22 @@ void writeCoordinate(Script& script, const std::string& name)
   script.line("        calculator.GetOutput().GetPointData().GetArray(" + python(name) + "))");
 }
 
+/// The arrays of --calculate and --where that the part has.
+void writeCalculated(Script& script, const Part& part, const Settings& settings)
+{
+  std::vector<Calculation> all = settings.data.calculations;
+  if (!settings.selection.where.empty())
+    all.push_back({whereArray, settings.selection.where});
+  for (const Calculation& one : all)
+    for (const bool ofCells : {false, true})
+      if (vtkDataArray* array = arrayOf(part.data(), {one.name, 0, ofCells}))
+      {
+        script.line("mote.vtkMoteExpression.AddTo(part, " + python(one.expression) + ", " +
+                    python(one.name) + ", " + python(array->GetDataType()) + ")");
+        break;
+      }
+}
+
 void writeParts(Script& script, const Stage& stage, const Settings& settings)
 {
   for (std::size_t i = 0; i < stage.parts().size(); ++i)
@@ -293,6 +312,7 @@ void writeParts(Script& script, const Stage& stage, const Settings& settings)
       continue;
     script.line();
     script.line("part = parts[" + std::to_string(i) + "]  # " + part.name());
+    writeCalculated(script, part, settings);
     writeCoordinate(script, settings.color.array);
     if (part.particles())
       writeParticles(script, part, settings);

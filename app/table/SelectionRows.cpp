@@ -1,5 +1,7 @@
 #include "Table.h"
 
+#include <vtkMoteExpression.h>
+
 #include <algorithm>
 
 namespace mote::app
@@ -36,6 +38,19 @@ void addSelectionRows(std::vector<Row>& table)
         .commas = false,
         .usual = "all"},
       checkRanges));
+  table.push_back(row<SelectionSettings, std::string>(selection, &SelectionSettings::where,
+    {.group = group,
+      .name = "where",
+      .value = "EXPRESSION",
+      .help = "Show only particles for which EXPRESSION holds, as in \"c_pe > -3 && type == 2\"; "
+              "names and operators are those of --calculate",
+      .usual = "all"},
+    [](const std::string& expression)
+    {
+      const std::string problem = expression.empty() ? "" : vtkMoteExpression::Check(expression);
+      if (!problem.empty())
+        throw WrongValue{problem};
+    }));
   table.push_back(row<SelectionSettings, std::vector<double>>(selection, &SelectionSettings::range,
     {.group = group,
       .name = "show-range",

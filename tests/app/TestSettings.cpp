@@ -31,6 +31,8 @@ std::vector<std::string> sampleOf(const Row& row)
     {"step", {"3"}},
     {"color-by", {"v:magnitude"}},
     {"range", {"-1.5", "2e-05"}},
+    {"where", {"c_pe > -3 && type == 2"}},
+    {"calculate", {"speed=sqrt(vx^2 + vy^2)", "fast=speed >= 2"}},
     {"show", {"x=0:10", "type=2,4:5,8:", "c_pe=:-3.25"}},
     {"show-range", {"1", "10"}},
     {"show-by", {"it's an array"}},

@@ -143,6 +143,16 @@ case $3 in
     has_no '--show'
     picture again.png
     alike all.png again.png
+    # An expression does what a range does; a wrong one is refused below its field.
+    write where 'c_centro >= 2 && type == 1'
+    has "'--where=c_centro >= 2 && type == 1'"
+    write calculate 'depth=z - 20'
+    has "'--calculate=depth=z - 20'"
+    write where 'c_centro >'
+    has "'--where=c_centro >= 2 && type == 1'"
+    click color-by
+    click depth
+    has '--color-by=depth'
     quit
     ;;
 

@@ -120,13 +120,15 @@ case $3 in
     viewed c d plus Y -- "$copper" --show c_centro=3:20
     viewed o bracketright m e -- "$data/hopper.dump.gz" --color-by type
     viewed d d t -- "$data/hopper.dump.gz" --light -30,40 --title 'it'"'"'s speed'
+    viewed c -- "$data/hopper.dump.gz" --calculate 'speed=v.magnitude' --calculate 'fast=speed > 1' \
+      --where 'type == 2 || fast' --color-by speed
     viewed t t -- "$data/lj-fracture.dump.gz" --background white,navy
     viewed t t t -- "$data/hopper.dump.gz" --show type=2 --show radius=0.8:
     viewed z -- "$data/swirl.1.vtu" --color-by U
     viewed m -- "$data/swirl.1.vtu" --iso 0.02 --no-cloud --color-by U
     viewed Left -- "$data/lj-fracture.dump.gz" --legend-side left --font-scale 1.5
     viewed g -- pump:0.001 --opacity 0%=0,100%=0.4 --lit
-    [ $views = 10 ] || fail "$views views"
+    [ $views = 11 ] || fail "$views views"
     ;;
 
   mouse)

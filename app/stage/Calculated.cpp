@@ -1,0 +1,61 @@
+#include "Calculated.h"
+
+#include "base/Failure.h"
+
+#include <vtkDataSet.h>
+#include <vtkMoteExpression.h>
+
+namespace mote::app
+{
+
+const std::string whereArray = "--where";
+
+namespace
+{
+
+/// Of all data sets that have anything.
+void add(const std::vector<NamedData>& data, const std::string& option, const Calculation& wanted,
+  int type)
+{
+  std::string problem;
+  bool isAdded = false;
+  for (const NamedData& one : data)
+  {
+    if (one.data->GetNumberOfPoints() == 0)
+      continue;
+    const std::string wrong =
+      vtkMoteExpression::AddTo(one.data, wanted.expression, wanted.name, type);
+    isAdded = isAdded || wrong.empty();
+    if (problem.empty() && !wrong.empty())
+      problem = option + ": " + one.name + ": " + wrong;
+  }
+  if (!isAdded && !problem.empty())
+    throw Failure(problem);
+}
+
+} // namespace
+
+std::vector<NamedData> withCalculated(const std::vector<NamedData>& data, const Settings& settings)
+{
+  if (settings.data.calculations.empty() && settings.selection.where.empty())
+    return data;
+  std::vector<NamedData> copies;
+  for (const NamedData& one : data)
+  {
+    copies.push_back(one);
+    copies.back().data.TakeReference(one.data->NewInstance());
+    copies.back().data->ShallowCopy(one.data);
+  }
+  for (const Calculation& calculation : settings.data.calculations)
+    add(copies, "--calculate", calculation, VTK_DOUBLE);
+  if (!settings.selection.where.empty())
+    add(copies, "--where", {whereArray, settings.selection.where}, VTK_UNSIGNED_CHAR);
+  return copies;
+}
+
+bool areOtherCalculations(const Settings& a, const Settings& b)
+{
+  return a.data.calculations != b.data.calculations || a.selection.where != b.selection.where;
+}
+
+} // namespace mote::app

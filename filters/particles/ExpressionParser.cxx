@@ -1,0 +1,132 @@
+#include "ExpressionParser.h"
+
+#include "kernels/core/Error.h"
+
+#include <muParser.h>
+
+#include <algorithm>
+
+namespace mote
+{
+
+struct ExpressionParser::Parser
+{
+  mu::Parser parser;
+};
+
+namespace
+{
+
+/// What a name in quotes is for the parser, which takes no other characters.
+const std::string quotedName = "quoted_name_";
+
+/// muParser takes = for an assignment, and & and | for nothing.
+void refuseSingle(const std::string& text, char sign, const std::string& partners)
+{
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    if (text[i] != sign)
+      continue;
+    if (i + 1 < text.size() && text[i + 1] == sign)
+    {
+      ++i;
+      continue;
+    }
+    if (i == 0 || partners.find(text[i - 1]) == std::string::npos)
+      throw Error(std::string("write ") + sign + sign + " for " +
+                  (sign == '='    ? "equal"
+                    : sign == '&' ? "and"
+                                  : "or") +
+                  ", not " + sign);
+  }
+}
+
+/// Puts names of the parser's own in the place of those in quotes.
+std::string withoutQuotes(const std::string& text, std::vector<std::string>& quoted)
+{
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    if (text[i] != '\'' && text[i] != '"')
+    {
+      plain += text[i];
+      continue;
+    }
+    const std::size_t end = text.find(text[i], i + 1);
+    if (end == std::string::npos)
+      throw Error(std::string("the quote ") + text[i] + " has no end");
+    plain += quotedName + std::to_string(quoted.size());
+    quoted.push_back(text.substr(i + 1, end - i - 1));
+    i = end;
+  }
+  return plain;
+}
+
+double isZero(double value)
+{
+  return value == 0.0 ? 1.0 : 0.0;
+}
+
+} // namespace
+
+ExpressionParser::ExpressionParser(const std::string& expression)
+  : parser_(std::make_unique<Parser>())
+{
+  mu::Parser& parser = parser_->parser;
+  try
+  {
+    const std::string plain = withoutQuotes(expression, quoted_);
+    if (plain.find_first_not_of(" \t\n") == std::string::npos)
+      throw Error("it is empty");
+    refuseSingle(plain, '=', "<>!");
+    refuseSingle(plain, '&', "");
+    refuseSingle(plain, '|', "");
+    std::string letters = "0123456789_.";
+    for (char c = 'a'; c <= 'z'; ++c)
+      letters += c, letters += static_cast<char>(c - 'a' + 'A');
+    parser.DefineNameChars(letters.c_str());
+    parser.DefineInfixOprt("!", isZero);
+    parser.DefineConst("pi", 3.14159265358979323846);
+    parser.SetVarFactory(&ExpressionParser::variableNamed, this);
+    parser.SetExpr(plain);
+    // The first evaluation of one value by itself makes the code that the others run.
+    parser.Eval();
+    if (parser.GetNumResults() != 1)
+      throw Error("it has several results, separated by commas");
+  }
+  catch (const mu::ParserError& error)
+  {
+    std::string sentence = error.GetMsg();
+    for (std::size_t i = 0; i < quoted_.size(); ++i)
+      if (const std::size_t at = sentence.find(quotedName + std::to_string(i));
+          at != std::string::npos)
+        sentence.replace(at, quotedName.size() + std::to_string(i).size(), quoted_[i]);
+    while (!sentence.empty() && (sentence.back() == '.' || sentence.back() == '\n'))
+      sentence.pop_back();
+    throw Error(sentence);
+  }
+}
+
+ExpressionParser::~ExpressionParser() = default;
+
+double* ExpressionParser::variableNamed(const char* text, void* self)
+{
+  auto* me = static_cast<ExpressionParser*>(self);
+  std::string name = text;
+  if (name.compare(0, quotedName.size(), quotedName) == 0)
+  {
+    const std::size_t dot = std::min(name.find('.'), name.size());
+    const std::size_t which = std::stoul(name.substr(quotedName.size(), dot));
+    name = me->quoted_.at(which) + name.substr(dot);
+  }
+  me->names_.push_back(name);
+  me->values_.emplace_back(blockSize, 0.0);
+  return me->values_.back().data();
+}
+
+void ExpressionParser::evaluate(double* results, int count)
+{
+  parser_->parser.Eval(results, count);
+}
+
+} // namespace mote
