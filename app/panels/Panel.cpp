@@ -1,6 +1,6 @@
 #include "Panel.h"
 
-#include "ControlPlaces.h"
+#include "PanelWidgets.h"
 #include "base/Text.h"
 #include "stage/Coloring.h"
 
@@ -166,32 +166,6 @@ void Panel::drawGroup(const std::string& group, void (Panel::*first)())
 //------------------------------------------------------------------------------------------------
 // What is more than a row each
 
-namespace
-{
-
-bool buttonOf(const char* label)
-{
-  const bool isPressed = ImGui::Button(label);
-  noteControl(label);
-  return isPressed;
-}
-
-/// Of a list.
-bool lineOf(const char* label, bool isChosen = false)
-{
-  const bool isPressed = ImGui::Selectable(label, isChosen);
-  noteControl(label);
-  return isPressed;
-}
-
-void explainKey(const char* text)
-{
-  if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("%s", text);
-}
-
-} // namespace
-
 void Panel::drawTop(const PanelFacts& facts)
 {
   ImGui::TextWrapped("%s", stage_.contents().c_str());
@@ -273,7 +247,9 @@ void Panel::drawColour()
   }
   this->drawRow("color-map", "map");
   this->drawRow("calculate");
-  if (!coloring.isTyped())
+  if (coloring.isTyped())
+    drawn_.insert({"range", "reverse", "log"});
+  else
     drawn_.insert("types");
 }
 
@@ -308,82 +284,6 @@ void Panel::drawColourRange()
             std::max(all.low, histogram.least), std::min(all.high, histogram.most)};
       }
   }
-}
-
-void Panel::drawSelection()
-{
-  drawn_.insert("show");
-  if (found_.hasParticles)
-    ImGui::Text("%s of %s shown", withThousands(stage_.numberShown()).c_str(),
-      counted(stage_.numberOfParticles(), "particle").c_str());
-  std::size_t i = 0;
-  for (; i < next_.selection.ranges.size(); ++i)
-  {
-    ImGui::PushID(static_cast<int>(i));
-    const bool isKept = this->drawShown(next_.selection.ranges[i]);
-    ImGui::PopID();
-    if (!isKept)
-    {
-      next_.selection.ranges.erase(next_.selection.ranges.begin() + static_cast<long>(i));
-      break;
-    }
-  }
-  if (next_.selection.ranges.size() < 8)
-    this->drawNewRange();
-}
-
-/// Returns false where the range is to go.
-bool Panel::drawShown(ShowRange& range)
-{
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(range.name.c_str());
-  RowControls::explain(*rowNamed("show"));
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - 4.5f * ImGui::GetFontSize());
-  if (buttonOf("show all"))
-    return false;
-  const Histogram& histogram = this->histogramOf(range.name);
-  if (range.intervals.size() != 1)
-  {
-    ImGui::TextWrapped("%s", ValuesOf<ShowRange>::words(range).front().c_str());
-    return true;
-  }
-  Interval shown = {std::max(range.intervals[0].low, histogram.least),
-    std::min(range.intervals[0].high, histogram.most)};
-  const bool isDragged = rangeControl("histogram", histogram, shown);
-  const bool isEntered = rangeFields("fields", shown);
-  if (isDragged || isEntered)
-    range.intervals[0] = shown;
-  return true;
-}
-
-void Panel::drawNewRange()
-{
-  ImGui::SetNextItemWidth(-1.0f);
-  const bool isOpen =
-    ImGui::BeginCombo("##show", "Show a range of ...", ImGuiComboFlags_HeightLarge);
-  RowControls::explain(*rowNamed("show"));
-  if (!isOpen)
-    return;
-  const auto offer = [&](const std::string& name, const std::string& title)
-  {
-    const auto& ranges = next_.selection.ranges;
-    if (std::any_of(
-          ranges.begin(), ranges.end(), [&](const ShowRange& range) { return range.name == name; }))
-      return;
-    if (!lineOf(title.c_str()))
-      return;
-    const Histogram& histogram = this->histogramOf(name);
-    if (!histogram.isEmpty())
-      next_.selection.ranges.push_back({name, {{histogram.least, histogram.most}}});
-  };
-  // Volumes hide values of the array that colours them, and of no other.
-  for (const NamedArray& array : found_.arrays)
-    if (!found_.hasVolumes || array.choice == stage_.coloring().choice())
-      offer(array.text, array.title);
-  if (found_.hasParticles)
-    for (const char* place : {"x", "y", "z"})
-      offer(place, place);
-  ImGui::EndCombo();
 }
 
 void Panel::drawVolume()

@@ -60,6 +60,7 @@ private:
   {
     std::vector<std::pair<vtkDataSet*, unsigned long>> key; ///< with their times of change
     std::vector<NamedArray> arrays;
+    std::map<std::string, Kinds> kinds; ///< by the array's text; none where it has no types
     std::map<std::string, Histogram> histograms; ///< by the array's text, or a place
     bool hasParticles = false, hasVolumes = false;
   };
@@ -74,6 +75,8 @@ private:
   void drawColourRange();
   void drawSelection();
   bool drawShown(ShowRange& range);
+  const Kinds& kindsOf(const NamedArray& array);
+  void drawKinds(const NamedArray& array, const Kinds& kinds);
   void drawNewRange();
   void drawVolume();
   void drawCamera();

@@ -38,6 +38,7 @@ struct ColorSettings
   std::string map;           ///< a name of colorMapNames(); empty: choose
   std::vector<double> range; ///< none or two
   bool logarithmic = false;
+  bool reversed = false;  ///< the map's colours
   std::vector<int> types; ///< that have the first colours of the map of types, in this order
   bool operator==(const ColorSettings&) const = default;
 };

@@ -102,6 +102,18 @@ vtkSmartPointer<vtkLookupTable> makeColorMap(
   return table;
 }
 
+void reverse(vtkLookupTable* table)
+{
+  for (vtkIdType low = 0, high = table->GetNumberOfTableValues() - 1; low < high; ++low, --high)
+  {
+    double first[4], last[4];
+    table->GetTableValue(low, first);
+    table->GetTableValue(high, last);
+    table->SetTableValue(low, last);
+    table->SetTableValue(high, first);
+  }
+}
+
 std::size_t numberOfTypeColors()
 {
   return typeColors().size();

@@ -17,6 +17,9 @@ const std::vector<std::string>& colorMapNames();
 vtkSmartPointer<vtkLookupTable> makeColorMap(
   const std::string& name, const double range[2], bool logarithmic);
 
+/// Turns the order of the colours round.
+void reverse(vtkLookupTable* table);
+
 /// How many types makeTypeMap() can tell apart.
 std::size_t numberOfTypeColors();
 

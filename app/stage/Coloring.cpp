@@ -216,6 +216,8 @@ void Coloring::makeTable(bool types)
   table_ = types ? makeTypeMap(types_)
                  : makeColorMap(
                      named ? settings_.color.map : "viridis", range, settings_.color.logarithmic);
+  if (!types && settings_.color.reversed)
+    reverse(table_);
   if (choice_.component == ArrayChoice::magnitude)
     table_->SetVectorModeToMagnitude();
   else

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 
 namespace mote::app
 {
@@ -57,6 +58,30 @@ Histogram histogramOf(
       count(histogram, array->GetNumberOfTuples(),
         [&](vtkIdType i) { return valueOf(array, choice.component, i); });
   return histogram;
+}
+
+Kinds kindsOf(const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& choice)
+{
+  constexpr std::size_t most = 100;
+  std::map<int, vtkIdType> counts;
+  for (const auto& part : parts)
+  {
+    if (part->kind() != Part::Kind::Particles || !isTypes(part->data(), choice))
+      continue;
+    vtkDataArray* array = arrayOf(part->data(), choice);
+    // Neighbours are often of one type.
+    auto present = counts.end();
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      const double value = array->GetComponent(i, 0);
+      if (present == counts.end() || present->first != value)
+        present = counts.try_emplace(static_cast<int>(value), 0).first;
+      ++present->second;
+      if (counts.size() > most)
+        return {};
+    }
+  }
+  return {counts.begin(), counts.end()};
 }
 
 Histogram histogramOfPlaces(const std::vector<std::unique_ptr<Part>>& parts, int axis, int bins)

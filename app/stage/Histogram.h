@@ -4,6 +4,7 @@
 #include "Part.h"
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace mote::app
@@ -23,6 +24,13 @@ struct Histogram
 /// spread ones are counted, and count for those between them; least and greatest are of all.
 Histogram histogramOf(
   const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& choice, int bins);
+
+/// Types and how many there are of each, in ascending order.
+using Kinds = std::vector<std::pair<int, vtkIdType>>;
+
+/// Of an array of types of particles, as isTypes() knows it; none of other arrays and of more than
+/// a hundred types.
+Kinds kindsOf(const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& choice);
 
 /// Of the positions of all particles along x, y or z: 0, 1 or 2.
 Histogram histogramOfPlaces(const std::vector<std::unique_ptr<Part>>& parts, int axis, int bins);

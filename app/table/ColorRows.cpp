@@ -40,6 +40,10 @@ void addColorRows(std::vector<Row>& table)
       if (range.size() == 2 && !(range[0] < range[1]))
         throw WrongValue{"LO must be less than HI"};
     }));
+  table.push_back(row(color, &ColorSettings::reversed,
+    {.group = group,
+      .name = "reverse",
+      .help = "The colour map from its last colour to its first; not that of types"}));
   table.push_back(row(color, &ColorSettings::logarithmic,
     {.group = group, .name = "log", .help = "Logarithmic colours"}));
   table.push_back(row<ColorSettings, std::vector<int>>(color, &ColorSettings::types,

@@ -207,6 +207,35 @@ case $3 in
     quit
     ;;
 
+  types) # are hidden and shown one by one, and counted
+    open "$data/hopper.dump.gz" --color-by type --size 1000x860
+    picture all.png
+    click 'type 2' 0.05
+    has '--show=type=1,3:?'
+    picture some.png
+    differ all.png some.png
+    click Invert
+    has '--show=type=2 '
+    click All
+    has_no '--show'
+    picture again.png
+    alike all.png again.png
+    over 'type 3' 0.05
+    xdotool keydown Control_L
+    click 'type 3' 0.05
+    xdotool keyup Control_L
+    has '--show=type=3 '
+    click 'type 3' 0.05 # none is left
+    picture none.png
+    differ all.png none.png
+    click All
+    click color-by
+    click 'v magnitude'
+    click reverse 0.05
+    has '--reverse'
+    quit
+    ;;
+
   keys) # go to texts while they are written, else to the view; Tab folds the panel
     open "$copper" --size 1000x760
     picture start.png
