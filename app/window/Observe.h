@@ -8,7 +8,8 @@ namespace mote::app
 
 /// Calls a function, with the event's data, whenever the object fires the event.
 template <class Function>
-void observe(vtkObject* object, unsigned long event, const Function& function)
+void observe(
+  vtkObject* object, unsigned long event, const Function& function, float priority = 0.0f)
 {
   class Command : public vtkCommand
   {
@@ -23,7 +24,7 @@ void observe(vtkObject* object, unsigned long event, const Function& function)
     Function function_;
   };
   auto* command = new Command(function);
-  object->AddObserver(event, command);
+  object->AddObserver(event, command, priority);
   command->Delete();
 }
 

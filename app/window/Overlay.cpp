@@ -45,8 +45,11 @@ Overlay::Overlay(vtkRenderer* renderer)
   onPanel(place(previewText_, 0.5, 0.98, 15, true));
   previewText_->GetTextProperty()->SetJustificationToCentered();
   previewText_->VisibilityOff();
+  onPanel(place(tipText_, 0.0, 0.0, 13, true));
+  tipText_->GetPositionCoordinate()->SetCoordinateSystemToViewport();
+  tipText_->VisibilityOff();
   for (vtkTextActor* text :
-    {statusText_.Get(), messageText_.Get(), helpText_.Get(), previewText_.Get()})
+    {statusText_.Get(), messageText_.Get(), helpText_.Get(), previewText_.Get(), tipText_.Get()})
     renderer->AddActor2D(text);
 }
 
@@ -72,6 +75,31 @@ void Overlay::setPreview(const std::string& text)
   previewText_->SetVisibility(previewOn_);
 }
 
+void Overlay::setTip(const std::string& text, int x, int y, const std::array<int, 2>& size)
+{
+  constexpr int away = 14; // pixels: the cursor hides nothing of it
+  const bool isLeft = 2 * x > size[0], isLow = 2 * y < size[1];
+  tipText_->SetInput(text.c_str());
+  tipText_->SetPosition(isLeft ? x - away : x + away, isLow ? y + away : y - away);
+  vtkTextProperty* property = tipText_->GetTextProperty();
+  if (isLeft)
+    property->SetJustificationToRight();
+  else
+    property->SetJustificationToLeft();
+  if (isLow)
+    property->SetVerticalJustificationToBottom();
+  else
+    property->SetVerticalJustificationToTop();
+  tipText_->VisibilityOn();
+  tipOn_ = true;
+}
+
+void Overlay::hideTip()
+{
+  tipText_->VisibilityOff();
+  tipOn_ = false;
+}
+
 bool Overlay::hasMessage() const
 {
   return messageOn_;
@@ -95,6 +123,7 @@ void Overlay::setVisible(bool visible)
   messageText_->SetVisibility(visible && messageOn_);
   helpText_->SetVisibility(visible && helpOn_);
   previewText_->SetVisibility(visible && previewOn_);
+  tipText_->SetVisibility(visible && tipOn_);
 }
 
 void Overlay::setInk(const Color& ink)

@@ -5,6 +5,7 @@
 #include <vtkNew.h>
 #include <vtkTextActor.h>
 
+#include <array>
 #include <string>
 
 class vtkRenderer;
@@ -30,6 +31,12 @@ public:
   /// The line at the top that says that this is a preview; none to take it away.
   void setPreview(const std::string& text);
 
+  /// A text beside a place in pixels from the lower left corner of a view of this size, on the side
+  /// where there is room.
+  void setTip(const std::string& text, int x, int y, const std::array<int, 2>& size);
+  void hideTip();
+  bool hasTip() const { return tipOn_; }
+
   void toggleHelp();
   void hideHelp();
 
@@ -44,10 +51,12 @@ private:
   bool helpOn_ = false;
   bool messageOn_ = false;
   bool previewOn_ = false;
+  bool tipOn_ = false;
   vtkNew<vtkTextActor> statusText_;
   vtkNew<vtkTextActor> messageText_;
   vtkNew<vtkTextActor> helpText_;
   vtkNew<vtkTextActor> previewText_;
+  vtkNew<vtkTextActor> tipText_;
 };
 
 } // namespace mote::app

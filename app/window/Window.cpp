@@ -167,6 +167,7 @@ void Window::run()
   this->say("Press h for the keys");
   props_.attach(interactor_); // which draws the window
   this->setUpPanel();
+  this->setUpHover();
   this->render();
   if (!quit_)
     interactor_->Start();
@@ -363,6 +364,8 @@ void Window::onTimer(int timer)
     this->takeWish();
   else if (due(playTimer_))
     this->advance();
+  else if (due(hoverTimer_))
+    this->hover();
   else if (due(messageTimer_))
   {
     overlay_.setMessage("");

@@ -105,14 +105,29 @@ private:
   Settings scaledRadius(double factor) const;
   Settings otherBackground() const;
   void zoom(double factor);
-  void pick();
-  void center();
   void savePicture();
   void grabPicture(const std::string& file);
   std::string unusedName(const std::string& ending) const;
   std::string coloringText() const;
   void say(const std::string& message);
-  std::string particleFacts(const Part& part, vtkIdType id) const;
+
+  // What is under the cursor
+  struct Hit
+  {
+    const Part* part;
+    vtkIdType particle; ///< where `cell` is negative
+    vtkIdType cell;     ///< of an iso-surface
+    double value;       ///< of the iso-surface
+    std::array<double, 3> at;
+  };
+  std::optional<Hit> hitAt(int x, int y) const;
+  static std::string factsOf(const Hit& hit, int mostArrays);
+  void pick();
+  void center();
+  void setUpHover();
+  void moveCursor();
+  void hover();
+  void renderOverlays();
 
   /// What tells one view from another.
   std::array<double, 10> viewNow();
@@ -150,7 +165,8 @@ private:
   bool quit_ = false;
   double frameStart_ = 0.0, frameTime_ = 0.0;
   bool previewed_ = false; // the picture shown last was a preview
-  int sharpenTimer_ = 0, restTimer_ = 0, playTimer_ = 0, messageTimer_ = 0, panelTimer_ = 0;
+  int sharpenTimer_ = 0, restTimer_ = 0, playTimer_ = 0, messageTimer_ = 0, panelTimer_ = 0,
+      hoverTimer_ = 0;
 };
 
 } // namespace mote::app

@@ -13,12 +13,8 @@
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
 #include <vtkImageData.h>
-#include <vtkMath.h>
 #include <vtkMoteImageWriter.h>
-#include <vtkMoteParticlePicker.h>
-#include <vtkPointData.h>
 #include <vtkRenderer.h>
-#include <vtkStringArray.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
@@ -302,97 +298,6 @@ void Window::zoom(double factor)
     camera->Dolly(factor);
   stage_.renderer()->ResetCameraClippingRange();
   this->renderMoving();
-}
-
-namespace
-{
-
-/// A line of what is known of what was picked.
-std::string factLine(std::string what, const std::string& value)
-{
-  what.resize(std::max<std::size_t>(what.size(), 12), ' ');
-  return "\n " + what + " " + value + " ";
-}
-
-std::string asTuple(const double* values, int count)
-{
-  std::string text;
-  for (int i = 0; i < count; ++i)
-    text += (i > 0 ? ", " : "") + asNumber(values[i]);
-  return text;
-}
-
-} // namespace
-
-void Window::pick()
-{
-  const int* cursor = interactor_->GetEventPosition();
-  vtkNew<vtkMoteParticlePicker> picker;
-  props_.unmark();
-  overlay_.setMessage("");
-  if (!picker->Pick(cursor[0], cursor[1], 0.0, stage_.renderer()))
-    return this->say("There is neither a particle nor an iso-surface under the cursor");
-  for (const auto& part : stage_.parts())
-  {
-    if (part->prop() != picker->GetViewProp())
-      continue;
-    double center[3], at[3];
-    picker->GetPickPosition(at);
-    if (picker->GetCellId() >= 0)
-      overlay_.setMessage(
-        factLine("iso-surface", asNumber(picker->GetValue())).substr(1) +
-        factLine("cell", withThousands(picker->GetCellId()) + " of " + part->name()) +
-        factLine("position", asTuple(at, 3)));
-    else
-    {
-      part->data()->GetPoint(picker->GetParticleId(), center);
-      props_.mark(center, std::sqrt(vtkMath::Distance2BetweenPoints(center, at)));
-      overlay_.setMessage(this->particleFacts(*part, picker->GetParticleId()));
-    }
-    overlay_.hideHelp();
-    if (messageTimer_ > 0)
-      interactor_->DestroyTimer(messageTimer_);
-    messageTimer_ = 0;
-  }
-}
-
-std::string Window::particleFacts(const Part& part, vtkIdType id) const
-{
-  double position[3];
-  part.data()->GetPoint(id, position);
-  std::string text = factLine("particle", withThousands(id) + " of " + part.name()).substr(1);
-  text += factLine("position", asTuple(position, 3));
-  vtkPointData* arrays = part.data()->GetPointData();
-  for (int i = 0; i < std::min(20, arrays->GetNumberOfArrays()); ++i)
-  {
-    vtkAbstractArray* array = arrays->GetAbstractArray(i);
-    if (!array || !array->GetName() || id >= array->GetNumberOfTuples())
-      continue;
-    if (auto* numbers = vtkDataArray::SafeDownCast(array))
-      text += factLine(array->GetName(),
-        asTuple(numbers->GetTuple(id), std::min(9, numbers->GetNumberOfComponents())));
-    else if (auto* words = vtkStringArray::SafeDownCast(array))
-      text += factLine(array->GetName(), words->GetValue(id));
-  }
-  return text;
-}
-
-void Window::center()
-{
-  const int* cursor = interactor_->GetEventPosition();
-  vtkNew<vtkMoteParticlePicker> picker;
-  if (!picker->Pick(cursor[0], cursor[1], 0.0, stage_.renderer()))
-    return this->say("There is no particle under the cursor");
-  double at[3], focus[3], position[3];
-  picker->GetPickPosition(at);
-  vtkCamera* camera = stage_.renderer()->GetActiveCamera();
-  camera->GetFocalPoint(focus);
-  camera->GetPosition(position);
-  for (int i = 0; i < 3; ++i)
-    position[i] += at[i] - focus[i];
-  camera->SetFocalPoint(at);
-  camera->SetPosition(position);
-  stage_.renderer()->ResetCameraClippingRange();
 }
 
 std::string Window::unusedName(const std::string& ending) const

@@ -110,12 +110,7 @@ void Window::takeWish()
     this->act(binding);
   }
   else if (!wish.settings)
-  {
-    // The view waits for its own turn, so that controls answer while it is traced.
-    pass_->RefiningOff();
-    this->render();
-    pass_->RefiningOn();
-  }
+    this->renderOverlays(); // controls answer while the view is traced
 }
 
 void Window::takeSettings(Settings next, bool isHeld)

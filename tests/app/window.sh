@@ -29,6 +29,39 @@ case $3 in
     quit
     ;;
 
+  hover) # the cursor at rest is told what is under it, and nothing beside the data
+    open "$data/hopper.dump.gz" --size 640x400 --samples 1
+    picture sharp.png
+    read -r x y < <(xdotool getwindowgeometry "$window" | sed -n 's/.*Position: \([0-9]*\),\([0-9]*\).*/\1 \2/p')
+    tip() { python3 "$tests/screen.py" "$x" "$y" 640 380; } # but the status line
+    xdotool mousemove $((x + 20)) $((y + 60))
+    sleep 6 # the greeting goes
+    none=$(tip)
+    xdotool mousemove $((x + 320)) $((y + 210))
+    until_is() {
+      for _ in $(seq 100); do
+        now=$(tip)
+        [ "$1" = other ] && [ "$now" != "$none" ] && return
+        [ "$1" = same ] && [ "$now" = "$none" ] && return
+        sleep 0.05
+      done
+      fail "$2"
+    }
+    until_is other "nothing is told of a particle"
+    first=$now
+    picture saved.png
+    alike sharp.png saved.png
+    xdotool mousemove $((x + 300)) $((y + 250))
+    sleep 1
+    until_is other "nothing is told of another particle"
+    [ "$now" != "$first" ] || fail "the same is told of another place"
+    xdotool mousemove $((x + 20)) $((y + 60))
+    until_is same "what was told stays"
+    sleep 1
+    until_is same "something is told of nothing"
+    quit
+    ;;
+
   undo) # settings and views, back and forth
     open "$copper" --size 320x240
     picture start.png
