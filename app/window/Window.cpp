@@ -282,9 +282,17 @@ void Window::render()
 void Window::renderMoving()
 {
   wheeling_ = true;
+  this->shareFrameTime();
   window_->SetDesiredUpdateRate(interactor_->GetDesiredUpdateRate());
   window_->Render();
   this->startTimer(restTimer_, restAfter);
+}
+
+/// Leaves the rays what the panel and OpenGL leave of a frame that moves.
+void Window::shareFrameTime()
+{
+  constexpr double wanted = 0.09, most = 0.08, least = 0.03; // s
+  pass_->SetInteractiveFrameTime(std::clamp(wanted - otherTime_, least, most));
 }
 
 void Window::nameWindow()
@@ -331,6 +339,8 @@ void Window::onRenderEnd()
     return;
   if (!traced_ || pass_->GetTraceTime() > 0.0)
     frameTime_ = vtkTimerLog::GetUniversalTime() - frameStart_;
+  if (traced_ && pass_->GetTraceTime() > 0.0)
+    otherTime_ = frameTime_ - pass_->GetTraceTime();
   if (!traced_ || wheeling_ || playing_ || style_->GetState() != VTKIS_NONE)
     return;
   // Sharpen until all samples are there; then once more, for the texts to say so.

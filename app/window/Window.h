@@ -60,6 +60,7 @@ private:
   // Drawing
   void render();
   void renderMoving();
+  void shareFrameTime();
   void look();
   void rememberView();
   void updatePreview();
@@ -164,6 +165,7 @@ private:
   bool wheeling_ = false;
   bool quit_ = false;
   double frameStart_ = 0.0, frameTime_ = 0.0;
+  double otherTime_ = 0.0; ///< of the last frame that was traced, beside tracing: s
   bool previewed_ = false; // the picture shown last was a preview
   int sharpenTimer_ = 0, restTimer_ = 0, playTimer_ = 0, messageTimer_ = 0, panelTimer_ = 0,
       hoverTimer_ = 0;

@@ -133,6 +133,16 @@ double placeOf(const ParticleInput& particles, std::uint64_t input, int k)
   return k < 3 ? particles.set.position(input)[k] : particles.set.radiusOf(input);
 }
 
+/// Whether a centre and a radius lie in the ranges, without a branch.
+bool contains(const PlaceRanges& ranges, const Vec3d& center, double radius)
+{
+  const auto& [low, high] = ranges;
+  return static_cast<bool>(unsigned(center.x >= low[0]) & unsigned(center.x <= high[0]) &
+                           unsigned(center.y >= low[1]) & unsigned(center.y <= high[1]) &
+                           unsigned(center.z >= low[2]) & unsigned(center.z <= high[2]) &
+                           unsigned(radius >= low[3]) & unsigned(radius <= high[3]));
+}
+
 /// As findFloatLimits(), of centres and radii, whose rounding is the structure's own affair.
 template <typename Structure>
 bool findPlaceLimits(
@@ -146,6 +156,14 @@ bool findPlaceLimits(
   };
   const double lowTolerance = toleranceOf(s.statistics(), k, low);
   const double highTolerance = toleranceOf(s.statistics(), k, high);
+  // What leaves nothing out needs no look.
+  const Box& centers = s.statistics().centers;
+  if (k < 3 && low <= centers.lower[k])
+    low = -ParticleRanges::infinity;
+  if (k < 3 && high >= centers.upper[k])
+    high = ParticleRanges::infinity;
+  if (std::isinf(low) && std::isinf(high))
+    return true;
   const Borders found = tbb::parallel_reduce(
     tbb::blocked_range<std::size_t>(0, s.size(), grain), Borders{},
     [&](const tbb::blocked_range<std::size_t>& range, Borders borders)
@@ -194,11 +212,18 @@ bool ParticleSelection::KeptRange::contains(double value) const
                              [value](const auto& p) { return value >= p[0] && value <= p[1]; }));
 }
 
-bool ParticleSelection::shows(std::uint64_t input) const
+bool ParticleSelection::showsValues(std::uint64_t input) const
 {
   for (const KeptRange& range : values_)
     if (!range.contains(range.values.view.value(input, range.component)))
       return false;
+  return true;
+}
+
+bool ParticleSelection::shows(std::uint64_t input) const
+{
+  if (!this->showsValues(input))
+    return false;
   for (int k = 0; k < 4; ++k)
     if (places_.isLimited(k))
       if (const double v = placeOf(particles_, input, k);
@@ -284,9 +309,14 @@ bool ParticleSelection::apply(ParticleStructure& structure, std::vector<ValueRan
     values_[i].parts = std::move(values[i].parts);
   }
 
-  ParticleRanges limits;
   const bool wasMasked = masked_;
+  ParticleRanges limits;
   masked_ = !findLimits(structure, limits);
+  for (int k = 0; k < 4; ++k)
+  {
+    storedPlaces_.low[k] = limits.lower[k];
+    storedPlaces_.high[k] = limits.upper[k];
+  }
   std::visit(
     [&](auto& s)
     {
@@ -312,13 +342,21 @@ const ParticleSelection::Shown& ParticleSelection::shown(const ParticleStructure
       tbb::blocked_range<std::size_t>(0, s.size(), grain), Shown{},
       [&](const tbb::blocked_range<std::size_t>& range, Shown sum)
       {
+        // Where the structure needs no bits, what it stores of places tells, in its own order.
+        const PlaceRanges stored = masked_ ? PlaceRanges{} : storedPlaces_;
+        const bool byValues = !masked_ && !values_.empty();
         for (std::size_t slot = range.begin(); slot != range.end(); ++slot)
-          if (this->shows(s.inputIndex(slot)))
-          {
-            ++sum.count;
-            sum.bounds.add(s.center(slot) - s.radius(slot));
-            sum.bounds.add(s.center(slot) + s.radius(slot));
-          }
+        {
+          const Vec3d center = s.center(slot);
+          const double radius = s.radius(slot);
+          if (!contains(stored, center, radius) ||
+              (byValues && !this->showsValues(s.inputIndex(slot))) ||
+              (masked_ && !this->shows(s.inputIndex(slot))))
+            continue;
+          ++sum.count;
+          sum.bounds.add(center - radius);
+          sum.bounds.add(center + radius);
+        }
         return sum;
       },
       [](Shown a, const Shown& b)

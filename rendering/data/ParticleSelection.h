@@ -77,13 +77,15 @@ private:
   void setAttributes(ParticleStructure& structure);
   bool findLimits(const ParticleStructure& structure, ParticleRanges& limits) const;
   bool shows(std::uint64_t input) const;
+  bool showsValues(std::uint64_t input) const;
 
   InputKey key_;           ///< of all that the structure was told
   InputKey attributesKey_; ///< of the arrays whose values it keeps
   std::vector<KeptRange> values_;
   PlaceRanges places_;
-  ParticleInput particles_; ///< where places are limited
-  bool masked_ = false;     ///< the structure has a bit for each particle
+  ParticleInput particles_;  ///< where places are limited
+  PlaceRanges storedPlaces_; ///< the places as the structure compares them
+  bool masked_ = false;      ///< the structure has a bit for each particle
   mutable Shown shown_;
   mutable bool looked_ = false;
 };
