@@ -145,15 +145,15 @@ std::vector<std::string> ParticleModel::updateRanges(const std::vector<ArrayRang
 
 std::size_t ParticleModel::visible() const
 {
-  return structure_ ? selection_.shown(*structure_).count : 0;
+  return structure_ ? selection_.shownCount(*structure_) : 0;
 }
 
 Box ParticleModel::visibleBounds() const
 {
   if (!structure_)
     return {};
-  const ParticleSelection::Shown& shown = selection_.shown(*structure_);
-  return preview_ && shown.count == preview_->particles ? preview_->whole.bounds : shown.bounds;
+  return preview_ && this->visible() == preview_->particles ? preview_->whole.bounds
+                                                            : selection_.shownBounds(*structure_);
 }
 
 } // namespace mote

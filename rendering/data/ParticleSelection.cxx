@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <type_traits>
 
 namespace mote
 {
@@ -122,10 +124,24 @@ double toleranceOf(const ParticleStatistics& s, int k, double limit)
   return 1e-6 * std::max({size.x, size.y, size.z, s.largestRadius}) + 1e-15 * std::abs(limit);
 }
 
-template <typename Structure>
-double storedPlaceOf(const Structure& structure, std::size_t slot, int k)
+/// Calls `use` with the axis, or 3 for radii, as a constant: loops over all particles want it.
+template <typename Use>
+auto withAxis(int k, const Use& use)
 {
-  return k < 3 ? structure.center(slot)[k] : structure.radius(slot);
+  using std::integral_constant;
+  return k == 0   ? use(integral_constant<int, 0>{})
+         : k == 1 ? use(integral_constant<int, 1>{})
+         : k == 2 ? use(integral_constant<int, 2>{})
+                  : use(integral_constant<int, 3>{});
+}
+
+template <int k, typename Structure>
+double storedPlaceOf(const Structure& structure, std::size_t slot)
+{
+  if constexpr (k < 3)
+    return structure.center(slot)[k];
+  else
+    return structure.radius(slot);
 }
 
 double placeOf(const ParticleInput& particles, std::uint64_t input, int k)
@@ -154,8 +170,6 @@ bool findPlaceLimits(
   {
     Border low, high;
   };
-  const double lowTolerance = toleranceOf(s.statistics(), k, low);
-  const double highTolerance = toleranceOf(s.statistics(), k, high);
   // What leaves nothing out needs no look.
   const Box& centers = s.statistics().centers;
   if (k < 3 && low <= centers.lower[k])
@@ -164,26 +178,33 @@ bool findPlaceLimits(
     high = ParticleRanges::infinity;
   if (std::isinf(low) && std::isinf(high))
     return true;
-  const Borders found = tbb::parallel_reduce(
-    tbb::blocked_range<std::size_t>(0, s.size(), grain), Borders{},
-    [&](const tbb::blocked_range<std::size_t>& range, Borders borders)
-    {
-      for (std::size_t slot = range.begin(); slot != range.end(); ++slot)
+  const auto toleranceNear = [&](double limit)
+  { return std::isinf(limit) ? -1.0 : toleranceOf(s.statistics(), k, limit); };
+  const double lowTolerance = toleranceNear(low), highTolerance = toleranceNear(high);
+  const auto look = [&](auto axis)
+  {
+    return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, s.size(), grain), Borders{},
+      [&](const tbb::blocked_range<std::size_t>& range, Borders borders)
       {
-        const double stored = storedPlaceOf(s, slot, k);
-        if (std::abs(stored - low) <= lowTolerance)
-          borders.low.add(stored, placeOf(particles, s.inputIndex(slot), k) >= low);
-        if (std::abs(stored - high) <= highTolerance)
-          borders.high.add(-stored, placeOf(particles, s.inputIndex(slot), k) <= high);
-      }
-      return borders;
-    },
-    [](Borders a, const Borders& b)
-    {
-      a.low.add(b.low);
-      a.high.add(b.high);
-      return a;
-    });
+        for (std::size_t slot = range.begin(); slot != range.end(); ++slot)
+        {
+          const double stored = storedPlaceOf<axis()>(s, slot);
+          if (std::abs(stored - low) <= lowTolerance)
+            borders.low.add(stored, placeOf(particles, s.inputIndex(slot), k) >= low);
+          if (std::abs(stored - high) <= highTolerance)
+            borders.high.add(-stored, placeOf(particles, s.inputIndex(slot), k) <= high);
+        }
+        return borders;
+      },
+      [](Borders a, const Borders& b)
+      {
+        a.low.add(b.low);
+        a.high.add(b.high);
+        return a;
+      });
+  };
+  const Borders found = withAxis(k, look);
   double lowFound = low, highFound = -high;
   if (std::isfinite(low) && !found.low.between(low, lowTolerance, lowFound))
     return false;
@@ -291,7 +312,8 @@ bool ParticleSelection::apply(ParticleStructure& structure, std::vector<ValueRan
   if (key == key_)
     return false;
   key_ = key;
-  looked_ = false;
+  count_.reset();
+  bounds_.reset();
   places_ = places;
   particles_ = places.anyLimited() ? particles() : ParticleInput{};
   if (attributesKey != attributesKey_ || values.size() != values_.size())
@@ -330,45 +352,109 @@ bool ParticleSelection::apply(ParticleStructure& structure, std::vector<ValueRan
   return true;
 }
 
-const ParticleSelection::Shown& ParticleSelection::shown(const ParticleStructure& structure) const
+namespace
 {
-  if (looked_)
-    return shown_;
-  const auto look = [&](const auto& s) -> Shown
+
+/// Whether only places along one axis, or radii, are limited: which; else -1.
+int onlyLimited(const PlaceRanges& places)
+{
+  int only = -1;
+  for (int k = 0; k < 4; ++k)
+    if (places.isLimited(k))
+    {
+      if (only >= 0)
+        return -1;
+      only = k;
+    }
+  return only;
+}
+
+template <int k, typename Structure>
+std::size_t countBetween(const Structure& s, double low, double high)
+{
+  return tbb::parallel_reduce(
+    tbb::blocked_range<std::size_t>(0, s.size(), grain), std::size_t{0},
+    [&](const tbb::blocked_range<std::size_t>& range, std::size_t count)
+    {
+      for (std::size_t slot = range.begin(); slot != range.end(); ++slot)
+      {
+        const double place = storedPlaceOf<k>(s, slot);
+        count += static_cast<std::size_t>(unsigned(place >= low) & unsigned(place <= high));
+      }
+      return count;
+    },
+    std::plus<>());
+}
+
+} // namespace
+
+template <typename Structure, typename Sum, typename Add>
+Sum ParticleSelection::sumOfShown(const Structure& s, const Add& add) const
+{
+  return tbb::parallel_reduce(
+    tbb::blocked_range<std::size_t>(0, s.size(), grain), Sum{},
+    [&](const tbb::blocked_range<std::size_t>& range, Sum sum)
+    {
+      // Where the structure needs no bits, what it stores of places tells, in its own order.
+      const PlaceRanges stored = masked_ ? PlaceRanges{} : storedPlaces_;
+      const bool byValues = !masked_ && !values_.empty();
+      for (std::size_t slot = range.begin(); slot != range.end(); ++slot)
+      {
+        const Vec3d center = s.center(slot);
+        const double radius = s.radius(slot);
+        if (contains(stored, center, radius) &&
+            (!byValues || this->showsValues(s.inputIndex(slot))) &&
+            (!masked_ || this->shows(s.inputIndex(slot))))
+          add(sum, center, radius);
+      }
+      return sum;
+    },
+    [](Sum a, const Sum& b)
+    {
+      a += b;
+      return a;
+    });
+}
+
+std::size_t ParticleSelection::shownCount(const ParticleStructure& structure) const
+{
+  if (count_)
+    return *count_;
+  const auto look = [&](const auto& s) -> std::size_t
   {
     if (key_.empty())
-      return {s.size(), s.statistics().bounds};
-    return tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, s.size(), grain), Shown{},
-      [&](const tbb::blocked_range<std::size_t>& range, Shown sum)
+      return s.size();
+    const int only = masked_ || !values_.empty() ? -1 : onlyLimited(storedPlaces_);
+    if (only < 0)
+      return this->sumOfShown<std::decay_t<decltype(s)>, std::size_t>(
+        s, [](std::size_t& count, const Vec3d&, double) { ++count; });
+    return withAxis(only, [&](auto axis)
+      { return countBetween<axis()>(s, storedPlaces_.low[only], storedPlaces_.high[only]); });
+  };
+  count_ = withStructure(structure, look);
+  return *count_;
+}
+
+const Box& ParticleSelection::shownBounds(const ParticleStructure& structure) const
+{
+  struct Bounds : Box
+  {
+    void operator+=(const Bounds& other) { this->add(static_cast<const Box&>(other)); }
+  };
+  const auto look = [&](const auto& s) -> Box
+  {
+    if (key_.empty())
+      return s.statistics().bounds;
+    return this->sumOfShown<std::decay_t<decltype(s)>, Bounds>(s,
+      [](Bounds& bounds, const Vec3d& center, double radius)
       {
-        // Where the structure needs no bits, what it stores of places tells, in its own order.
-        const PlaceRanges stored = masked_ ? PlaceRanges{} : storedPlaces_;
-        const bool byValues = !masked_ && !values_.empty();
-        for (std::size_t slot = range.begin(); slot != range.end(); ++slot)
-        {
-          const Vec3d center = s.center(slot);
-          const double radius = s.radius(slot);
-          if (!contains(stored, center, radius) ||
-              (byValues && !this->showsValues(s.inputIndex(slot))) ||
-              (masked_ && !this->shows(s.inputIndex(slot))))
-            continue;
-          ++sum.count;
-          sum.bounds.add(center - radius);
-          sum.bounds.add(center + radius);
-        }
-        return sum;
-      },
-      [](Shown a, const Shown& b)
-      {
-        a.count += b.count;
-        a.bounds.add(b.bounds);
-        return a;
+        bounds.add(center - radius);
+        bounds.add(center + radius);
       });
   };
-  shown_ = withStructure(structure, look);
-  looked_ = true;
-  return shown_;
+  if (!bounds_)
+    bounds_ = withStructure(structure, look);
+  return *bounds_;
 }
 
 } // namespace mote

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace mote
@@ -56,14 +57,11 @@ public:
   /// The structure is another one, or built anew, which made it forget all ranges.
   void forget() { *this = {}; }
 
-  /// The particles of the structure that are shown, and the bounds of their spheres.
-  struct Shown
-  {
-    std::size_t count = 0;
-    Box bounds;
-  };
-  /// Looks at all particles after a change.
-  const Shown& shown(const ParticleStructure& structure) const;
+  /// How many particles of the structure are shown. Looks at all of them after a change, as does
+  /// the next.
+  std::size_t shownCount(const ParticleStructure& structure) const;
+  /// The bounds of their spheres.
+  const Box& shownBounds(const ParticleStructure& structure) const;
 
 private:
   struct KeptRange
@@ -78,6 +76,8 @@ private:
   bool findLimits(const ParticleStructure& structure, ParticleRanges& limits) const;
   bool shows(std::uint64_t input) const;
   bool showsValues(std::uint64_t input) const;
+  template <typename Structure, typename Sum, typename Add>
+  Sum sumOfShown(const Structure& s, const Add& add) const;
 
   InputKey key_;           ///< of all that the structure was told
   InputKey attributesKey_; ///< of the arrays whose values it keeps
@@ -86,8 +86,8 @@ private:
   ParticleInput particles_;  ///< where places are limited
   PlaceRanges storedPlaces_; ///< the places as the structure compares them
   bool masked_ = false;      ///< the structure has a bit for each particle
-  mutable Shown shown_;
-  mutable bool looked_ = false;
+  mutable std::optional<std::size_t> count_;
+  mutable std::optional<Box> bounds_;
 };
 
 } // namespace mote
