@@ -76,6 +76,8 @@ private:
   void drawSelection();
   bool drawShown(ShowRange& range);
   const Kinds& kindsOf(const NamedArray& array);
+  void drawKind(const NamedArray& array, const Kinds::value_type& kind, std::vector<bool>& shown,
+    std::size_t i) const;
   void drawKinds(const NamedArray& array, const Kinds& kinds);
   void drawNewRange();
   void drawVolume();

@@ -118,7 +118,34 @@ const Kinds& Panel::kindsOf(const NamedArray& array)
   return found_.kinds[array.text] = mote::app::kindsOf(stage_.parts(), array.choice);
 }
 
-/// A line for each type: whether it is shown, its colour, how many there are.
+/// A type's line: its colour, whether it is shown, how many there are.
+void Panel::drawKind(const NamedArray& array, const Kinds::value_type& kind,
+  std::vector<bool>& shown, std::size_t i) const
+{
+  const Coloring& coloring = stage_.coloring();
+  const std::string name = array.text + " " + std::to_string(kind.first);
+  if (coloring.isTyped() && coloring.choice() == array.choice)
+  {
+    const unsigned char* c = coloring.table()->MapValue(kind.first);
+    ImGui::ColorButton(("##" + name).c_str(),
+      ImVec4(c[0] / 255.0f, c[1] / 255.0f, c[2] / 255.0f, 1.0f), ImGuiColorEditFlags_NoTooltip);
+    ImGui::SameLine();
+  }
+  bool isOn = shown[i];
+  if (ImGui::Checkbox((std::to_string(kind.first) + "##kind").c_str(), &isOn))
+  {
+    // With Ctrl this one alone.
+    if (ImGui::GetIO().KeyCtrl)
+      shown.assign(shown.size(), false), isOn = true;
+    shown[i] = isOn;
+  }
+  noteControl(name);
+  explainKey("Ctrl and click shows this type alone");
+  ImGui::SameLine(0.42f * ImGui::GetWindowContentRegionMax().x);
+  ImGui::TextDisabled("%s", withThousands(kind.second).c_str());
+}
+
+/// Types, each with a line.
 void Panel::drawKinds(const NamedArray& array, const Kinds& kinds)
 {
   std::vector<ShowRange>& ranges = next_.selection.ranges;
@@ -139,32 +166,8 @@ void Panel::drawKinds(const NamedArray& array, const Kinds& kinds)
   ImGui::SameLine();
   if (buttonOf("Invert"))
     shown.flip();
-  const Coloring& coloring = stage_.coloring();
-  const bool isColored = coloring.isTyped() && coloring.choice() == array.choice;
   for (std::size_t i = 0; i < kinds.size(); ++i)
-  {
-    const auto& [kind, count] = kinds[i];
-    const std::string name = array.text + " " + std::to_string(kind);
-    if (isColored)
-    {
-      const unsigned char* c = coloring.table()->MapValue(kind);
-      ImGui::ColorButton(("##" + name).c_str(),
-        ImVec4(c[0] / 255.0f, c[1] / 255.0f, c[2] / 255.0f, 1.0f), ImGuiColorEditFlags_NoTooltip);
-      ImGui::SameLine();
-    }
-    bool isOn = shown[i];
-    if (ImGui::Checkbox((std::to_string(kind) + "##kind").c_str(), &isOn))
-    {
-      // With Ctrl this one alone.
-      if (ImGui::GetIO().KeyCtrl)
-        shown.assign(kinds.size(), false), isOn = true;
-      shown[i] = isOn;
-    }
-    noteControl(name);
-    explainKey("Ctrl and click shows this type alone");
-    ImGui::SameLine(0.42f * ImGui::GetWindowContentRegionMax().x);
-    ImGui::TextDisabled("%s", withThousands(count).c_str());
-  }
+    this->drawKind(array, kinds[i], shown, i);
   ImGui::PopID();
   if (shown == before)
     return;

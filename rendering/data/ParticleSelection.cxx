@@ -331,6 +331,13 @@ bool ParticleSelection::apply(ParticleStructure& structure, std::vector<ValueRan
     values_[i].parts = std::move(values[i].parts);
   }
 
+  this->setLimits(structure);
+  return true;
+}
+
+/// Tells the structure what it can compare itself, and else which particles to show.
+void ParticleSelection::setLimits(ParticleStructure& structure)
+{
   const bool wasMasked = masked_;
   ParticleRanges limits;
   masked_ = !findLimits(structure, limits);
@@ -349,7 +356,6 @@ bool ParticleSelection::apply(ParticleStructure& structure, std::vector<ValueRan
         s.setVisibility([&](std::size_t slot) { return this->shows(s.inputIndex(slot)); });
     },
     structure);
-  return true;
 }
 
 namespace

@@ -73,6 +73,7 @@ private:
     bool contains(double value) const;
   };
   void setAttributes(ParticleStructure& structure);
+  void setLimits(ParticleStructure& structure);
   bool findLimits(const ParticleStructure& structure, ParticleRanges& limits) const;
   bool shows(std::uint64_t input) const;
   bool showsValues(std::uint64_t input) const;

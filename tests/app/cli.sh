@@ -75,40 +75,6 @@ case $3 in
     one_sentence
     ;;
 
-  where) # an expression chooses as ranges do, and makes arrays to colour and choose by
-    run 0 "$mote" render "$hopper" -o a.png --size 320x200 --show type=2,3 --show z=1: --color-by vz
-    some=$(sed 's/.*, \([0-9,]*\) of 5,518.*/\1/' out)
-    run 0 "$mote" render "$hopper" -o b.png --size 320x200 --where "(type == 2 || type == 3) && z >= 1" \
-      --color-by vz
-    said out ", $some of 5,518 particles shown"
-    cmp -s a.png b.png || fail "an expression and ranges differ"
-    run 0 "$mote" render "$hopper" -o c.png --size 320x200 --where "kinds && z >= 1" --color-by copy \
-      --title vz --calculate "kinds=abs(type - 2.5) < 1" --calculate "copy=kinds*vz + !kinds*vz"
-    run 0 "$mote" render "$hopper" -o d.png --size 320x200 --where "type == 2 || type == 3" \
-      --show z=1: --color-by vz --title vz
-    cmp -s c.png d.png || fail "arrays that are calculated differ"
-    run 0 "$mote" render "$hopper" -o e.png --size 320x200 --calculate "speed=v.magnitude" \
-      --show speed=1: --radius 0.4
-    run 0 "$mote" render "$hopper" -o f.png --size 320x200 --calculate "wide=0.4 + 0*type" \
-      --show v=1: --radius wide --color-by v --title v
-    [ ! -s err ] || { cat err; fail "something on standard error"; }
-    run 0 "$mote" render "$data/swirl.1.vtu" -o g.png --size 320x200 --calculate "half=U/2" --color-by half
-    # what is wrong is told, with what there is
-    run 1 "$mote" render "$hopper" -o a.png --where "energy > 2"
-    one_sentence
-    said err "no array 'energy'"
-    said err 'type, '
-    run 1 "$mote" render "$data/swirl.1.vtu" -o a.png --where "p > 0"
-    one_sentence
-    said err 'not of particles'
-    for wrong in 'type = 2' 'type ==' '(type' ''; do
-      run 2 "$mote" render "$hopper" -o a.png --calculate "a=$wrong"
-      one_sentence
-    done
-    run 2 "$mote" render "$hopper" -o a.png --calculate x=2
-    one_sentence
-    ;;
-
   light) # every light and shadow is another picture
     before=
     for light in '' '--shadows hard' '--shadows soft' '--shadows soft --light-size 40' \
