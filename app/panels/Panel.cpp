@@ -34,6 +34,7 @@ Panel::Panel(const Stage& stage)
 void Panel::setFocus(bool on)
 {
   focus_ = on;
+  takesKeys_ = on;
 }
 
 /// Looks the data over where they are others than the last time.
@@ -131,7 +132,8 @@ PanelWish Panel::draw(const PanelFacts& facts, const PanelWish& earlier, float w
   if (found_.hasParticles)
     this->drawGroup("Structure", nullptr);
   this->drawCosts(facts);
-  hasFocus_ = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
+  // Clicks focus the window, too: only who asked for it gives it the keys, until a click elsewhere.
+  takesKeys_ = takesKeys_ && ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
   ImGui::End();
   wish_.isHeld = ImGui::IsAnyItemActive();
   if (next_ != stage_.settings())

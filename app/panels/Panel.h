@@ -47,7 +47,7 @@ public:
   /// The next draw() puts the keys to the panel, or leaves them to the view.
   void setFocus(bool on);
   /// Whether keys are the panel's, as of the last draw().
-  bool hasFocus() const { return hasFocus_; }
+  bool hasFocus() const { return takesKeys_; }
 
 private:
   struct NamedArray
@@ -93,7 +93,7 @@ private:
   Settings next_; ///< while drawing
   PanelWish wish_;
   std::set<std::string> drawn_; ///< rows that have a control of their own
-  bool hasFocus_ = false;
+  bool takesKeys_ = false;
   std::optional<bool> focus_; ///< to be set
 };
 

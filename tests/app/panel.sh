@@ -240,6 +240,15 @@ case $3 in
     open "$copper" --size 1000x760
     picture start.png
     [ "$(png_size start.png)" = 680x760 ] || fail "the view is $(png_size start.png)"
+    press Left # is the view's, and so it is when the panel was worked by the mouse
+    has '--step=6'
+    click Undo
+    has '--step=7'
+    press Left
+    has '--step=6'
+    press Right
+    has '--step=7'
+    picture start.png # ranges of colours have widened
     click 'group Picture' 0.8
     write title momcp
     has '--title=momcp'
@@ -264,6 +273,14 @@ case $3 in
     press Tab
     picture open.png
     [ "$(png_size open.png)" = 680x760 ] || fail "the view is $(png_size open.png) again"
+    for _ in 1 2 3 4; do
+      press Down # over the buttons, time and play, to the head of Colour
+      sleep 0.3
+    done
+    press space
+    gone color-map
+    press space
+    shown color-map
     quit
     ;;
 
