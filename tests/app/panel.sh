@@ -273,6 +273,13 @@ case $3 in
     press Tab
     picture open.png
     [ "$(png_size open.png)" = 680x760 ] || fail "the view is $(png_size open.png) again"
+    quit
+    ;;
+
+  keyboard) # and no mouse
+    open "$copper" --size 1000x760
+    shown color-map
+    press Tab
     for _ in 1 2 3 4; do
       press Down # over the buttons, time and play, to the head of Colour
       sleep 0.3
@@ -281,6 +288,9 @@ case $3 in
     gone color-map
     press space
     shown color-map
+    press Down Tab # the section's first control; the panel goes
+    picture folded.png
+    [ "$(png_size folded.png)" = 1000x760 ] || fail "the folded view is $(png_size folded.png)"
     quit
     ;;
 
