@@ -128,7 +128,7 @@ private:
 WalkView::WalkView(const WalkCells& cells, const CameraRays& rays, int width, int height)
   : columns_((width + side - 1) / side + 2)
   , rows_((height + side - 1) / side + 2)
-  , foldable_(cells.mesh().cellCount() / 64 + 1, 0)
+  , foldable_(cells.mesh().cellCount() / 32 + 1, 0)
 {
   const Looker looker(cells, rays, width, height);
   const RawVector<CellFace>& boundary = cells.adjacency().boundary();
@@ -140,7 +140,7 @@ WalkView::WalkView(const WalkCells& cells, const CameraRays& rays, int width, in
     {
       faces_.push_back(all[i]);
       const std::uint32_t cell = all[i].face.cell;
-      foldable_[cell >> 6] |= std::uint64_t(all[i].isFoldable) << (cell & 63);
+      foldable_[cell >> 5] |= std::uint32_t(all[i].isFoldable) << (cell & 31);
     }
   this->fillSquares();
 }

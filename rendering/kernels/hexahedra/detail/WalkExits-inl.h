@@ -176,11 +176,18 @@ private:
       _mm512_mask_i32gather_epi32(none, sure, _mm512_add_epi32(slot, exit), mesh.next, 4);
     const __m512i bend = _mm512_mask_i32gather_epi32(none, sure, cell, mesh.bends, 4);
     sure = _mm512_mask_cmpeq_epi32_mask(sure, come, _mm512_load_si512(l_.before + first));
-    sure = _mm512_mask_cmpge_epi32_mask(sure, bend, none); // no sign
+    if (const __mmask16 warped = _mm512_mask_cmplt_epi32_mask(sure, bend, none); warped != 0)
+    {
+      const __m512i words = _mm512_mask_i32gather_epi32(
+        none, warped, _mm512_srli_epi32(cell, 5), task_.view->foldable(), 4);
+      const __m512i bit = _mm512_and_si512(cell, _mm512_set1_epi32(31));
+      const __m512i bits = _mm512_srlv_epi32(words, bit);
+      sure &= ~_mm512_mask_test_epi32_mask(warped, bits, _mm512_set1_epi32(1));
+    }
     _mm512_store_si512(l_.inFace + first, in);
     _mm512_store_si512(l_.outFace + first, exit);
     _mm512_store_si512(l_.behind + first, behind);
-    _mm512_store_si512(l_.bend + first, bend);
+    _mm512_store_ps(l_.bend + first, _mm512_abs_ps(_mm512_castsi512_ps(bend)));
     _mm512_store_si512(l_.before + first, cell);
     if (mesh.ofCells != nullptr)
       _mm512_mask_store_epi32(l_.cellValue + first, sure,

@@ -12,8 +12,6 @@
 
 #if HWY_TARGET <= HWY_AVX3
 
-#include <immintrin.h>
-
 HWY_BEFORE_NAMESPACE();
 namespace mote
 {
