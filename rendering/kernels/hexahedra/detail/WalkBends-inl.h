@@ -18,27 +18,43 @@ namespace HWY_NAMESPACE
 namespace
 {
 
-/// A cell's own coordinates of a place on a face: of its first corner, and what u and v add.
+/// A cell's own coordinates of a place on each face: of its first corner, and what u and v add.
 struct FaceAxes
 {
-  float from[3], u[3], v[3];
+  alignas(64) float from[3][16], u[3][16], v[3][16];
 };
-constexpr FaceAxes axesOf(const std::uint8_t (&corners)[4])
+constexpr FaceAxes makeFaceAxes()
 {
   constexpr std::uint8_t at[8][3] = {
     {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
   FaceAxes axes{};
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const float from = at[corners[0]][k];
-    axes.from[k] = from;
-    axes.u[k] = static_cast<float>(at[corners[1]][k]) - from;
-    axes.v[k] = static_cast<float>(at[corners[3]][k]) - from;
-  }
+  for (std::size_t f = 0; f < 6; ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const std::uint8_t(&corners)[4] = faceCorners[f];
+      const float from = at[corners[0]][k];
+      axes.from[k][f] = from;
+      axes.u[k][f] = static_cast<float>(at[corners[1]][k]) - from;
+      axes.v[k][f] = static_cast<float>(at[corners[3]][k]) - from;
+    }
   return axes;
 }
-constexpr FaceAxes faceAxes[6] = {axesOf(faceCorners[0]), axesOf(faceCorners[1]),
-  axesOf(faceCorners[2]), axesOf(faceCorners[3]), axesOf(faceCorners[4]), axesOf(faceCorners[5])};
+constexpr FaceAxes faceAxes = makeFaceAxes();
+
+HWY_INLINE V pickOf16(const float (&table)[16], VI index)
+{
+#if HWY_TARGET <= HWY_AVX3
+  return V{_mm512_permutexvar_ps(index.raw, _mm512_load_ps(table))};
+#else
+  return hn::GatherIndex(D(), table, index);
+#endif
+}
+/// A coordinate of a place on faces.
+HWY_INLINE V placeOn(VI face, std::size_t k, V u, V v)
+{
+  const V near = hn::MulAdd(u, pickOf16(faceAxes.u[k], face), pickOf16(faceAxes.from[k], face));
+  return hn::MulAdd(v, pickOf16(faceAxes.v[k], face), near);
+}
 
 /// A trilinear number at (r, s, t), and its derivatives.
 struct Trilinear
@@ -132,6 +148,10 @@ private:
       return hn::GatherIndex(d, numbers, at);
 #endif
     }
+    HWY_INLINE VI of(const std::uint32_t (&numbers)[lanes]) const
+    {
+      return hn::BitCast(DI(), of(reinterpret_cast<const Floats&>(numbers)));
+    }
   };
 
   /// As placeAbout().
@@ -160,24 +180,18 @@ private:
       place(l_, some, p, c.x[i], c.y[i]);
     }
     const PatchPlace place = passPatch(c.x, c.y, !task_.isBackwards);
-    alignas(64) float u[Some::most], v[Some::most], way[3][Some::most];
-    hn::Store(place.u, d, u);
-    hn::Store(place.v, d, v);
-    for (std::size_t j = 0; j < some.count; ++j)
+    const VI in = some.of(l_.inFace), out = some.of(l_.outFace);
+    V way[3];
+    for (std::size_t i = 0; i < 3; ++i)
     {
-      const std::size_t k = some[j];
-      const FaceAxes &in = faceAxes[l_.inFace[k]], &out = faceAxes[l_.outFace[k]];
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        const float from = in.from[i] + u[j] * in.u[i] + v[j] * in.v[i];
-        const float to = out.from[i] + l_.outU[k] * out.u[i] + l_.outV[k] * out.v[i];
-        way[i][j] = std::abs(to - from);
-        some.mid[i][j] = 0.5f * (from + to);
-      }
+      const V from = placeOn(in, i, place.u, place.v);
+      const V to = placeOn(out, i, some.of(l_.outU), some.of(l_.outV));
+      way[i] = hn::Abs(hn::Sub(to, from));
+      hn::Store(hn::Mul(set(0.5f), hn::Add(from, to)), d, some.mid[i]);
     }
     // Bends go with the mixed derivatives: with products of two of the three ways.
-    const V a = hn::Load(d, way[0]), b = hn::Load(d, way[1]), e = hn::Load(d, way[2]);
-    const V share = hn::Max(hn::Max(hn::Mul(a, b), hn::Mul(b, e)), hn::Mul(e, a));
+    const V share =
+      hn::Max(hn::Max(hn::Mul(way[0], way[1]), hn::Mul(way[1], way[2])), hn::Mul(way[2], way[0]));
     const V error = hn::Mul(hn::Mul(some.of(l_.bend), share),
       hn::Mul(some.of(l_.rate), some.of(l_.transmittance)));
     const std::uint32_t bends = maskOf(hn::Not(hn::Lt(error, set(task_.allowedShare)))); // NaN too
