@@ -46,6 +46,15 @@ struct CellWalk::Line
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     return 2 * axis + (direction[axis] < 0.0 ? 1 : 0);
   }
+  /// The order; or -1 where it runs nearly as much along another axis.
+  int clearOrder() const
+  {
+    const int clear = order();
+    const Vec3d size = glm::abs(direction);
+    const int axis = clear / 2;
+    const double other = std::max(size[(axis + 1) % 3], size[(axis + 2) % 3]);
+    return other < (1.0 - 1e-9) * size[axis] ? clear : -1;
+  }
   /// t of a depth, see WalkRays.
   double timeOf(double depth, const WalkTask& task) const
   {
@@ -53,6 +62,11 @@ struct CellWalk::Line
     return (depth - (task.isBackwards ? -from : from)) / std::abs(direction[task.axis]);
   }
 };
+
+inline CellWalk::Line CellWalk::lineAt(const Place& place) const
+{
+  return {own_.originAt(place.x, place.y), own_.directionAt(place.x, place.y)};
+}
 
 /// Integrates parts as CellIntegral does.
 class CellWalk::Seldom final : public SeldomParts
@@ -127,11 +141,6 @@ bool CellWalk::isSupported()
   return canWalk();
 }
 
-CellWalk::Line CellWalk::lineAt(const Place& place) const
-{
-  return {own_.originAt(place.x, place.y), own_.directionAt(place.x, place.y)};
-}
-
 void CellWalk::gather(
   const Part* parts, int count, RayColor* colors, std::vector<RayRun>* runs) const
 {
@@ -165,10 +174,15 @@ void CellWalk::gather(
   task.seldom = &seldom;
   std::vector<std::vector<RayRun>> found(runs ? static_cast<std::size_t>(count) : 0);
   task.runs = runs ? found.data() : nullptr;
-  // Rays along the same axis together: nearly always all of them.
+  // Rays along the same axis together: nearly always all of them. Directions of one order are
+  // convex: those between four of them are of it too.
   std::array<int, mostRays> orders;
+  const int common = lineAt({left, lower}).clearOrder();
+  bool isCommon = common >= 0;
+  for (const Place& corner : {Place{right, lower}, Place{left, upper}, Place{right, upper}})
+    isCommon = isCommon && lineAt(corner).clearOrder() == common;
   for (int i = 0; i < count; ++i)
-    orders[static_cast<std::size_t>(i)] = lineAt(parts[i].place).order();
+    orders[static_cast<std::size_t>(i)] = isCommon ? common : lineAt(parts[i].place).order();
   for (int order = 0; order < 6; ++order)
   {
     if (std::find(orders.data(), orders.data() + count, order) == orders.data() + count)

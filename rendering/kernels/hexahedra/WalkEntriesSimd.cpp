@@ -104,14 +104,14 @@ struct PlaceBounds
   }
 };
 
-/// Which rays enter by a face, a bit each; which may, though the signs of its edges do not tell;
-/// and of which an edge passes through the ray, as far as numbers can tell.
+/// Which rays enter by a face, a bit each; and which may, though the signs of its edges do not tell:
+/// where the face is clear, only if an edge passes through the ray, as far as numbers can tell.
 struct FaceTest
 {
-  std::uint64_t entered, unsure, even;
+  std::uint64_t entered, unsure;
 };
 
-HWY_INLINE FaceTest testFace(const V (&x)[4], const V (&y)[4], bool isBackwards)
+HWY_INLINE FaceTest testFace(const V (&x)[4], const V (&y)[4], bool isBackwards, bool isUnclear)
 {
   const V zero = hn::Zero(D());
   std::uint64_t left = 0xffff, right = 0xffff, even = 0;
@@ -123,13 +123,17 @@ HWY_INLINE FaceTest testFace(const V (&x)[4], const V (&y)[4], bool isBackwards)
     right &= less;
     even |= ~(more | less);
   }
+  const std::uint64_t entered = isBackwards ? left : right;
+  if (HWY_LIKELY(!isUnclear && even == 0))
+    return {entered, 0};
   const auto around = [&](const V(&c)[4])
   {
     const V most = hn::Max(hn::Max(c[0], c[1]), hn::Max(c[2], c[3]));
     const V least = hn::Min(hn::Min(c[0], c[1]), hn::Min(c[2], c[3]));
     return bitsOf(hn::And(hn::Gt(most, zero), hn::Le(least, zero)));
   };
-  return {isBackwards ? left : right, around(x) & around(y) & ~(left | right), even};
+  const std::uint64_t unsure = around(x) & around(y) & ~(left | right);
+  return {entered, isUnclear ? unsure : unsure & even};
 }
 
 } // namespace
@@ -175,11 +179,10 @@ HWY_ATTR void testFaces(WalkTask& task, const std::vector<std::uint32_t>& faces)
           hn::Mul(hn::Load(d, &rays.dy[first]), z));
       }
       const std::uint64_t all = (std::uint64_t(1) << std::min(lanes, count - first)) - 1;
-      const FaceTest test = testFace(x, y, task.isBackwards);
+      const FaceTest test = testFace(x, y, task.isBackwards, face.isUnclear);
       for (std::uint64_t hits = test.entered & all; hits != 0; hits &= hits - 1)
         list.add(first + static_cast<std::size_t>(std::countr_zero(hits)), face);
-      std::uint64_t unsure = (face.isUnclear ? test.unsure : test.unsure & test.even) & all;
-      for (; unsure != 0; unsure &= unsure - 1)
+      for (std::uint64_t unsure = test.unsure & all; unsure != 0; unsure &= unsure - 1)
         addSeldomEntries(task, first + static_cast<std::size_t>(std::countr_zero(unsure)), face);
     }
   }
