@@ -93,19 +93,36 @@ HWY_INLINE std::uint64_t bitsOf(M mask)
   return bits[0] | static_cast<std::uint64_t>(bits[1]) << 8;
 }
 
-/// The places of as many rays as there are lanes.
+/// The places of groups of rays, of which each has as many as there are lanes.
 struct PlaceBounds
 {
-  float left, right, lower, upper;
+  static constexpr std::size_t most = WalkRays::capacity / 4;
+  alignas(64) float left[most]{}, right[most]{}, lower[most]{}, upper[most]{};
 
-  bool meets(const WalkView::Face& face) const
+  void set(std::size_t group, const float* x, const float* y, std::size_t count)
   {
-    return face.right >= left && face.left <= right && face.upper >= lower && face.lower <= upper;
+    const auto [leftmost, rightmost] = std::minmax_element(x, x + count);
+    const auto [lowest, uppermost] = std::minmax_element(y, y + count);
+    left[group] = *leftmost;
+    right[group] = *rightmost;
+    lower[group] = *lowest;
+    upper[group] = *uppermost;
+  }
+  /// Which groups a face may meet, a bit each, of as many as there are lanes.
+  HWY_INLINE std::uint64_t meeting(const WalkView::Face& face, std::size_t first) const
+  {
+    const D d;
+    const M across = hn::And(hn::Ge(hn::Set(d, face.right), hn::Load(d, left + first)),
+      hn::Le(hn::Set(d, face.left), hn::Load(d, right + first)));
+    const M up = hn::And(hn::Ge(hn::Set(d, face.upper), hn::Load(d, lower + first)),
+      hn::Le(hn::Set(d, face.lower), hn::Load(d, upper + first)));
+    return bitsOf(hn::And(across, up));
   }
 };
 
-/// Which rays enter by a face, a bit each; and which may, though the signs of its edges do not tell:
-/// where the face is clear, only if an edge passes through the ray, as far as numbers can tell.
+/// Which rays enter by a face, a bit each; and which may, though the signs of its edges do not
+/// tell: where the face is clear, only if an edge passes through the ray, as far as numbers can
+/// tell.
 struct FaceTest
 {
   std::uint64_t entered, unsure;
@@ -144,14 +161,11 @@ HWY_ATTR void testFaces(WalkTask& task, const std::vector<std::uint32_t>& faces)
   const std::size_t lanes = hn::Lanes(d);
   const WalkRays& rays = task.rays;
   const auto count = static_cast<std::size_t>(rays.count);
-  PlaceBounds bounds[WalkRays::capacity / 4];
-  for (std::size_t first = 0; first < count; first += lanes)
-  {
-    const std::size_t end = std::min(first + lanes, count);
-    const auto x = std::minmax_element(&rays.placeX[first], rays.placeX.data() + end);
-    const auto y = std::minmax_element(&rays.placeY[first], rays.placeY.data() + end);
-    bounds[first / lanes] = {*x.first, *x.second, *y.first, *y.second};
-  }
+  PlaceBounds bounds;
+  const std::size_t groups = (count + lanes - 1) / lanes;
+  for (std::size_t g = 0; g < groups; ++g)
+    bounds.set(
+      g, &rays.placeX[g * lanes], &rays.placeY[g * lanes], std::min(lanes, count - g * lanes));
   EntryList list(task);
   for (const std::uint32_t which : faces)
   {
@@ -165,10 +179,12 @@ HWY_ATTR void testFaces(WalkTask& task, const std::vector<std::uint32_t>& faces)
       for (int k = 0; k < 3; ++k)
         corners[i][k] = at[(task.axis + 1 + k) % 3];
     }
-    for (std::size_t first = 0; first < count; first += lanes)
+    std::uint64_t met = 0;
+    for (std::size_t g = 0; g < groups; g += lanes)
+      met |= bounds.meeting(face, g) << g;
+    for (met &= ~std::uint64_t(0) >> (64 - groups); met != 0; met &= met - 1)
     {
-      if (!bounds[first / lanes].meets(face))
-        continue;
+      const std::size_t first = static_cast<std::size_t>(std::countr_zero(met)) * lanes;
       V x[4], y[4];
       for (std::size_t i = 0; i < 4; ++i)
       {

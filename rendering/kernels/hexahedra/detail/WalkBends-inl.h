@@ -175,8 +175,8 @@ private:
     for (std::size_t i = 0; i < 4; ++i)
     {
       V p[4];
-      loadFours([&](std::size_t j)
-        { return cornerOf(some[j], faceCorners[l_.inFace[some[j]]][i]); }, p);
+      loadFours(
+        [&](std::size_t j) { return cornerOf(some[j], faceCorners[l_.inFace[some[j]]][i]); }, p);
       place(l_, some, p, c.x[i], c.y[i]);
     }
     const PatchPlace place = passPatch(c.x, c.y, !task_.isBackwards);
@@ -192,8 +192,8 @@ private:
     // Bends go with the mixed derivatives: with products of two of the three ways.
     const V share =
       hn::Max(hn::Max(hn::Mul(way[0], way[1]), hn::Mul(way[1], way[2])), hn::Mul(way[2], way[0]));
-    const V error = hn::Mul(hn::Mul(some.of(l_.bend), share),
-      hn::Mul(some.of(l_.rate), some.of(l_.transmittance)));
+    const V error = hn::Mul(
+      hn::Mul(some.of(l_.bend), share), hn::Mul(some.of(l_.rate), some.of(l_.transmittance)));
     const std::uint32_t bends = maskOf(hn::Not(hn::Lt(error, set(task_.allowedShare)))); // NaN too
     forLanes(bends & ((1U << some.count) - 1),
       [&](std::size_t j)
@@ -259,7 +259,8 @@ private:
     const V error = hn::Mul(off, perOff);
     const V ofLine = hn::Mul(hn::MulAdd(set(0.1f), hn::Abs(twist), hn::Abs(bent)), perOff);
     const M isNear = hn::Lt(far, set(0.3f));
-    const auto below = [&](V e, float most) { return maskOf(hn::And(isNear, hn::Lt(e, set(most)))); };
+    const auto below = [&](V e, float most)
+    { return maskOf(hn::And(isNear, hn::Lt(e, set(most)))); };
     const std::uint32_t line = below(ofLine, task_.allowedOff);
     const std::uint32_t two = below(error, task_.allowedOff);
     const std::uint32_t four = below(error, 4.0f * task_.allowedOff);

@@ -190,8 +190,8 @@ private:
     _mm512_store_ps(l_.bend + first, _mm512_abs_ps(_mm512_castsi512_ps(bend)));
     _mm512_store_si512(l_.before + first, cell);
     if (mesh.ofCells != nullptr)
-      _mm512_mask_store_epi32(l_.cellValue + first, sure,
-        _mm512_mask_i32gather_epi32(none, sure, cell, mesh.ofCells, 4));
+      _mm512_mask_store_epi32(
+        l_.cellValue + first, sure, _mm512_mask_i32gather_epi32(none, sure, cell, mesh.ofCells, 4));
     return static_cast<std::uint32_t>(active & ~sure);
   }
   static HWY_INLINE __m512i loadTurns(const std::uint16_t* turns)
@@ -403,7 +403,7 @@ private:
   Lanes& l_;
   const Mesh mesh_;
 #if HWY_TARGET <= HWY_AVX3
-  alignas(64) float rows_[lanes][2][16];         ///< corners about the rays; depths and values
+  alignas(64) float rows_[lanes][2][16]; ///< corners about the rays; depths and values
   alignas(64) std::uint16_t left_[lanes]{}, right_[lanes]{}; ///< see turnWide()
 #endif
 };

@@ -61,7 +61,7 @@ public:
   static constexpr std::size_t coarseBins = 64, levels = 7;
   struct Rates
   {
-    const float* most; ///< in 1, 2, 4 and more coarse bins from each on: coarseBins a level
+    const float* most;        ///< in 1, 2, 4 and more coarse bins from each on: coarseBins a level
     const float* stepsBefore; ///< each coarse bin, and all of them
     float binsPer;
     bool hasSteps;

@@ -95,8 +95,8 @@ struct WideCell
   }
 };
 
-/// Which edges turn counter-clockwise about the ray, and which clockwise, a bit each; the upper four
-/// bits of 16 say nothing.
+/// Which edges turn counter-clockwise about the ray, and which clockwise, a bit each; the upper
+/// four bits of 16 say nothing.
 HWY_INLINE void turnWide(V xy, std::uint16_t& left, std::uint16_t& right)
 {
   alignas(64) static constexpr Places ax = edgePlaces(0, 0), ay = edgePlaces(0, 8),
