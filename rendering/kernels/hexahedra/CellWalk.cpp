@@ -174,15 +174,11 @@ void CellWalk::gather(
   task.seldom = &seldom;
   std::vector<std::vector<RayRun>> found(runs ? static_cast<std::size_t>(count) : 0);
   task.runs = runs ? found.data() : nullptr;
-  // Rays along the same axis together: nearly always all of them. Directions of one order are
-  // convex: those between four of them are of it too.
+  // Rays along the same axis together: nearly always all of them.
   std::array<int, mostRays> orders;
-  const int common = lineAt({left, lower}).clearOrder();
-  bool isCommon = common >= 0;
-  for (const Place& corner : {Place{right, lower}, Place{left, upper}, Place{right, upper}})
-    isCommon = isCommon && lineAt(corner).clearOrder() == common;
+  const int common = this->commonOrder(left, right, lower, upper);
   for (int i = 0; i < count; ++i)
-    orders[static_cast<std::size_t>(i)] = isCommon ? common : lineAt(parts[i].place).order();
+    orders[static_cast<std::size_t>(i)] = common >= 0 ? common : lineAt(parts[i].place).order();
   for (int order = 0; order < 6; ++order)
   {
     if (std::find(orders.data(), orders.data() + count, order) == orders.data() + count)
@@ -203,6 +199,17 @@ void CellWalk::gather(
   steps_ += task.steps;
   fallbacks_ += task.fallbacks;
   seldom_ += task.seldomParts;
+}
+
+/// The order of all rays in a rectangle, or -1. Directions of one order are convex: what four
+/// corners have is that of those between them.
+int CellWalk::commonOrder(double left, double right, double lower, double upper) const
+{
+  const int order = lineAt({left, lower}).clearOrder();
+  for (const Place& corner : {Place{right, lower}, Place{left, upper}, Place{right, upper}})
+    if (lineAt(corner).clearOrder() != order)
+      return -1;
+  return order;
 }
 
 /// Puts a ray beside the others of its order.

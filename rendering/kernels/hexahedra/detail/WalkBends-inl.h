@@ -154,7 +154,7 @@ private:
     }
   };
 
-  /// As placeAbout().
+  /// Points about the rays of lanes: the first two of three coordinates in the order of WalkRays.
   static HWY_INLINE void place(const Lanes& l, const Some& some, const V (&p)[4], V& x, V& y)
   {
     x = hn::Sub(hn::Sub(p[(axis + 1) % 3], some.of(l.x)), hn::Mul(some.of(l.dx), p[axis]));
@@ -249,10 +249,8 @@ private:
     const V twist = hn::Sub(slope, change);
     const V left = hn::MulAdd(set(0.25f), change, hn::MulAdd(set(0.75f), bent, from));
     const V right = hn::MulAdd(set(0.75f), change, hn::MulAdd(set(0.75f), bent, from));
-    alignas(64) float quarter[3][Some::most];
-    hn::Store(hn::NegMulAdd(set(0.1875f), twist, left), d, quarter[0]);
-    hn::Store(middle, d, quarter[1]);
-    hn::Store(hn::MulAdd(set(0.1875f), twist, right), d, quarter[2]);
+    const V quarter[3] = {
+      hn::NegMulAdd(set(0.1875f), twist, left), middle, hn::MulAdd(set(0.1875f), twist, right)};
     // What two lines leave of it; four leave at most a quarter of that.
     const V off = hn::MulAdd(set(0.25f), hn::Abs(bent), hn::Mul(set(0.19f), hn::Abs(twist)));
     const V perOff = hn::Mul(some.of(l_.rate), some.of(l_.transmittance));
@@ -261,17 +259,25 @@ private:
     const M isNear = hn::Lt(far, set(0.3f));
     const auto below = [&](V e, float most)
     { return maskOf(hn::And(isNear, hn::Lt(e, set(most)))); };
-    const std::uint32_t line = below(ofLine, task_.allowedOff);
-    const std::uint32_t two = below(error, task_.allowedOff);
-    const std::uint32_t four = below(error, 4.0f * task_.allowedOff);
+    take(some, quarter,
+      {below(ofLine, task_.allowedOff), below(error, task_.allowedOff),
+        below(error, 4.0f * task_.allowedOff)},
+      good);
+  }
+  /// Takes values at the quarters, and what is good enough, a bit each of `some`, to the lanes.
+  HWY_INLINE void take(Some& some, const V (&quarter)[3], const Good& ofSome, Good& good)
+  {
+    alignas(64) float values[3][Some::most];
+    for (std::size_t i = 0; i < 3; ++i)
+      hn::Store(quarter[i], D(), values[i]);
     for (std::size_t j = 0; j < some.count; ++j)
     {
       const std::size_t k = some[j];
       for (std::size_t i = 0; i < 3; ++i)
-        l_.quarter[i][k] = quarter[i][j];
-      good.line |= (line >> j & 1U) << k;
-      good.two |= (two >> j & 1U) << k;
-      good.four |= (four >> j & 1U) << k;
+        l_.quarter[i][k] = values[i][j];
+      good.line |= (ofSome.line >> j & 1U) << k;
+      good.two |= (ofSome.two >> j & 1U) << k;
+      good.four |= (ofSome.four >> j & 1U) << k;
     }
     some.count = 0;
   }

@@ -154,18 +154,6 @@ HWY_INLINE void loadFours(const At& at, V (&to)[4])
   to[3] = hn::BitCast(d, hn::InterleaveUpper(pairs, abHigh, ceHigh));
 }
 
-/// Points about the rays from `first` on: the first two of three coordinates in the order of
-/// WalkRays.
-template <int axis>
-HWY_INLINE void placeAbout(const Lanes& l, std::size_t first, const V (&p)[3], V& x, V& y)
-{
-  const D d;
-  x = hn::Sub(hn::Sub(p[(axis + 1) % 3], hn::Load(d, l.x + first)),
-    hn::Mul(hn::Load(d, l.dx + first), p[axis]));
-  y = hn::Sub(hn::Sub(p[(axis + 2) % 3], hn::Load(d, l.y + first)),
-    hn::Mul(hn::Load(d, l.dy + first), p[axis]));
-}
-
 /// Calls visit(k) for each lane of which the bit is set.
 template <typename Visit>
 HWY_INLINE void forLanes(std::uint32_t bits, const Visit& visit)
