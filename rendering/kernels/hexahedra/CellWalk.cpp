@@ -46,6 +46,15 @@ struct CellWalk::Line
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     return 2 * axis + (direction[axis] < 0.0 ? 1 : 0);
   }
+  /// The order; or -1 where it runs nearly as much along another axis.
+  int clearOrder() const
+  {
+    const int clear = order();
+    const Vec3d size = glm::abs(direction);
+    const int axis = clear / 2;
+    const double other = std::max(size[(axis + 1) % 3], size[(axis + 2) % 3]);
+    return other < (1.0 - 1e-9) * size[axis] ? clear : -1;
+  }
   /// t of a depth, see WalkRays.
   double timeOf(double depth, const WalkTask& task) const
   {
@@ -53,6 +62,11 @@ struct CellWalk::Line
     return (depth - (task.isBackwards ? -from : from)) / std::abs(direction[task.axis]);
   }
 };
+
+inline CellWalk::Line CellWalk::lineAt(const Place& place) const
+{
+  return {own_.originAt(place.x, place.y), own_.directionAt(place.x, place.y)};
+}
 
 /// Integrates parts as CellIntegral does.
 class CellWalk::Seldom final : public SeldomParts
@@ -127,11 +141,6 @@ bool CellWalk::isSupported()
   return canWalk();
 }
 
-CellWalk::Line CellWalk::lineAt(const Place& place) const
-{
-  return {own_.originAt(place.x, place.y), own_.directionAt(place.x, place.y)};
-}
-
 void CellWalk::gather(
   const Part* parts, int count, RayColor* colors, std::vector<RayRun>* runs) const
 {
@@ -167,8 +176,9 @@ void CellWalk::gather(
   task.runs = runs ? found.data() : nullptr;
   // Rays along the same axis together: nearly always all of them.
   std::array<int, mostRays> orders;
+  const int common = this->commonOrder(left, right, lower, upper);
   for (int i = 0; i < count; ++i)
-    orders[static_cast<std::size_t>(i)] = lineAt(parts[i].place).order();
+    orders[static_cast<std::size_t>(i)] = common >= 0 ? common : lineAt(parts[i].place).order();
   for (int order = 0; order < 6; ++order)
   {
     if (std::find(orders.data(), orders.data() + count, order) == orders.data() + count)
@@ -189,6 +199,17 @@ void CellWalk::gather(
   steps_ += task.steps;
   fallbacks_ += task.fallbacks;
   seldom_ += task.seldomParts;
+}
+
+/// The order of all rays in a rectangle, or -1. Directions of one order are convex: what four
+/// corners have is that of those between them.
+int CellWalk::commonOrder(double left, double right, double lower, double upper) const
+{
+  const int order = lineAt({left, lower}).clearOrder();
+  for (const Place& corner : {Place{right, lower}, Place{left, upper}, Place{right, upper}})
+    if (lineAt(corner).clearOrder() != order)
+      return -1;
+  return order;
 }
 
 /// Puts a ray beside the others of its order.

@@ -74,6 +74,7 @@ private:
   class Seldom;
   struct Line;
   Line lineAt(const Place& place) const;
+  int commonOrder(double left, double right, double lower, double upper) const;
   void addRay(WalkTask& task, const Part& part, int index) const;
   void takeAnswers(
     const WalkTask& task, const Part* parts, RayColor* colors, std::vector<RayRun>* runs) const;

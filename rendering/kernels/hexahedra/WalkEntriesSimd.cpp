@@ -93,25 +93,42 @@ HWY_INLINE std::uint64_t bitsOf(M mask)
   return bits[0] | static_cast<std::uint64_t>(bits[1]) << 8;
 }
 
-/// The places of as many rays as there are lanes.
+/// The places of groups of rays, of which each has as many as there are lanes.
 struct PlaceBounds
 {
-  float left, right, lower, upper;
+  static constexpr std::size_t most = WalkRays::capacity / 4;
+  alignas(64) float left[most]{}, right[most]{}, lower[most]{}, upper[most]{};
 
-  bool meets(const WalkView::Face& face) const
+  void set(std::size_t group, const float* x, const float* y, std::size_t count)
   {
-    return face.right >= left && face.left <= right && face.upper >= lower && face.lower <= upper;
+    const auto [leftmost, rightmost] = std::minmax_element(x, x + count);
+    const auto [lowest, uppermost] = std::minmax_element(y, y + count);
+    left[group] = *leftmost;
+    right[group] = *rightmost;
+    lower[group] = *lowest;
+    upper[group] = *uppermost;
+  }
+  /// Which groups a face may meet, a bit each, of as many as there are lanes.
+  HWY_INLINE std::uint64_t meeting(const WalkView::Face& face, std::size_t first) const
+  {
+    const D d;
+    const M across = hn::And(hn::Ge(hn::Set(d, face.right), hn::Load(d, left + first)),
+      hn::Le(hn::Set(d, face.left), hn::Load(d, right + first)));
+    const M up = hn::And(hn::Ge(hn::Set(d, face.upper), hn::Load(d, lower + first)),
+      hn::Le(hn::Set(d, face.lower), hn::Load(d, upper + first)));
+    return bitsOf(hn::And(across, up));
   }
 };
 
-/// Which rays enter by a face, a bit each; which may, though the signs of its edges do not tell;
-/// and of which an edge passes through the ray, as far as numbers can tell.
+/// Which rays enter by a face, a bit each; and which may, though the signs of its edges do not
+/// tell: where the face is clear, only if an edge passes through the ray, as far as numbers can
+/// tell.
 struct FaceTest
 {
-  std::uint64_t entered, unsure, even;
+  std::uint64_t entered, unsure;
 };
 
-HWY_INLINE FaceTest testFace(const V (&x)[4], const V (&y)[4], bool isBackwards)
+HWY_INLINE FaceTest testFace(const V (&x)[4], const V (&y)[4], bool isBackwards, bool isUnclear)
 {
   const V zero = hn::Zero(D());
   std::uint64_t left = 0xffff, right = 0xffff, even = 0;
@@ -123,13 +140,17 @@ HWY_INLINE FaceTest testFace(const V (&x)[4], const V (&y)[4], bool isBackwards)
     right &= less;
     even |= ~(more | less);
   }
+  const std::uint64_t entered = isBackwards ? left : right;
+  if (HWY_LIKELY(!isUnclear && even == 0))
+    return {entered, 0};
   const auto around = [&](const V(&c)[4])
   {
     const V most = hn::Max(hn::Max(c[0], c[1]), hn::Max(c[2], c[3]));
     const V least = hn::Min(hn::Min(c[0], c[1]), hn::Min(c[2], c[3]));
     return bitsOf(hn::And(hn::Gt(most, zero), hn::Le(least, zero)));
   };
-  return {isBackwards ? left : right, around(x) & around(y) & ~(left | right), even};
+  const std::uint64_t unsure = around(x) & around(y) & ~(left | right);
+  return {entered, isUnclear ? unsure : unsure & even};
 }
 
 } // namespace
@@ -140,14 +161,11 @@ HWY_ATTR void testFaces(WalkTask& task, const std::vector<std::uint32_t>& faces)
   const std::size_t lanes = hn::Lanes(d);
   const WalkRays& rays = task.rays;
   const auto count = static_cast<std::size_t>(rays.count);
-  PlaceBounds bounds[WalkRays::capacity / 4];
-  for (std::size_t first = 0; first < count; first += lanes)
-  {
-    const std::size_t end = std::min(first + lanes, count);
-    const auto x = std::minmax_element(&rays.placeX[first], rays.placeX.data() + end);
-    const auto y = std::minmax_element(&rays.placeY[first], rays.placeY.data() + end);
-    bounds[first / lanes] = {*x.first, *x.second, *y.first, *y.second};
-  }
+  PlaceBounds bounds;
+  const std::size_t groups = (count + lanes - 1) / lanes;
+  for (std::size_t g = 0; g < groups; ++g)
+    bounds.set(
+      g, &rays.placeX[g * lanes], &rays.placeY[g * lanes], std::min(lanes, count - g * lanes));
   EntryList list(task);
   for (const std::uint32_t which : faces)
   {
@@ -161,10 +179,12 @@ HWY_ATTR void testFaces(WalkTask& task, const std::vector<std::uint32_t>& faces)
       for (int k = 0; k < 3; ++k)
         corners[i][k] = at[(task.axis + 1 + k) % 3];
     }
-    for (std::size_t first = 0; first < count; first += lanes)
+    std::uint64_t met = 0;
+    for (std::size_t g = 0; g < groups; g += lanes)
+      met |= bounds.meeting(face, g) << g;
+    for (met &= ~std::uint64_t(0) >> (64 - groups); met != 0; met &= met - 1)
     {
-      if (!bounds[first / lanes].meets(face))
-        continue;
+      const std::size_t first = static_cast<std::size_t>(std::countr_zero(met)) * lanes;
       V x[4], y[4];
       for (std::size_t i = 0; i < 4; ++i)
       {
@@ -175,11 +195,10 @@ HWY_ATTR void testFaces(WalkTask& task, const std::vector<std::uint32_t>& faces)
           hn::Mul(hn::Load(d, &rays.dy[first]), z));
       }
       const std::uint64_t all = (std::uint64_t(1) << std::min(lanes, count - first)) - 1;
-      const FaceTest test = testFace(x, y, task.isBackwards);
+      const FaceTest test = testFace(x, y, task.isBackwards, face.isUnclear);
       for (std::uint64_t hits = test.entered & all; hits != 0; hits &= hits - 1)
         list.add(first + static_cast<std::size_t>(std::countr_zero(hits)), face);
-      std::uint64_t unsure = (face.isUnclear ? test.unsure : test.unsure & test.even) & all;
-      for (; unsure != 0; unsure &= unsure - 1)
+      for (std::uint64_t unsure = test.unsure & all; unsure != 0; unsure &= unsure - 1)
         addSeldomEntries(task, first + static_cast<std::size_t>(std::countr_zero(unsure)), face);
     }
   }

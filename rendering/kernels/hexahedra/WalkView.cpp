@@ -23,12 +23,15 @@ public:
   Looker(const WalkCells& cells, const CameraRays& rays, int width, int height)
     : cells_(cells)
     , rays_(rays)
+    , scaled_(rays)
     , isFan_(rays.ox == Vec3d(0.0) && rays.oy == Vec3d(0.0))
     , toImage_(
         glm::inverse(isFan_ ? Mat3d(rays.dx, rays.dy, rays.d0) : Mat3d(rays.ox, rays.oy, rays.d0)))
     , width_(width)
     , height_(height)
   {
+    for (Vec3d* step : {&scaled_.d0, &scaled_.dx, &scaled_.dy})
+      *step /= cells.size();
     for (int k = 0; k < 3; ++k)
       off_[k] = rounding *
                 glm::length(cells.size() * Vec3d(toImage_[0][k], toImage_[1][k], toImage_[2][k]));
@@ -64,9 +67,9 @@ private:
       const double t = isFan_ ? at.z : 1.0, least = isFan_ ? 2.0 * off_.z : 0.0;
       before += t > least;
       behind += t < -least;
-      const double x = at.x / t, y = at.y / t, part = isFan_ ? off_.z : 0.0;
-      const double dx = (off_.x + std::abs(x) * part) / std::abs(t) * 2.0 + 1e-3;
-      const double dy = (off_.y + std::abs(y) * part) / std::abs(t) * 2.0 + 1e-3;
+      const double per = 1.0 / t, x = at.x * per, y = at.y * per, part = isFan_ ? off_.z : 0.0;
+      const double dx = (off_.x + std::abs(x) * part) * std::abs(per) * 2.0 + 1e-3;
+      const double dy = (off_.y + std::abs(y) * part) * std::abs(per) * 2.0 + 1e-3;
       left = std::min(left, x - dx);
       right = std::max(right, x + dx);
       lower = std::min(lower, y - dy);
@@ -86,37 +89,39 @@ private:
     { return std::clamp(double(x), -64.0, size + 64.0); };
     const double x[2] = {inside(face.left, width_), inside(face.right, width_)};
     const double y[2] = {inside(face.lower, height_), inside(face.upper, height_)};
-    Vec3d ways[4];
-    double longest = 0.0, edge = 0.0;
+    Vec3d ways[4], normals[4];
+    double longest = 0.0, edge = 0.0; // squares
     for (int i = 0; i < 4; ++i)
     {
-      ways[i] = rays_.directionAt(x[i & 1], y[i >> 1]) / cells_.size();
-      longest = std::max(longest, glm::length(ways[i]));
-      edge = std::max(edge, glm::length(p[(i + 1) % 4] - p[i]));
+      ways[i] = scaled_.directionAt(x[i & 1], y[i >> 1]);
+      longest = std::max(longest, glm::dot(ways[i], ways[i]));
+      const Vec3d along = p[(i + 1) % 4] - p[i];
+      edge = std::max(edge, glm::dot(along, along));
     }
-    const double margin = rounding * longest * edge;
-    bool enters = true, leaves = true, isPlane = true;
+    const double margin = rounding * std::sqrt(longest * edge);
+    bool enters = true, leaves = true;
     for (int i = 0; i < 4; ++i)
     {
-      const Vec3d normal = glm::cross(p[i] - p[(i + 3) % 4], p[(i + 1) % 4] - p[i]);
-      const double off = std::abs(glm::dot(normal, p[(i + 2) % 4] - p[i]));
-      isPlane = isPlane && off <= rounding * glm::length(normal);
+      normals[i] = glm::cross(p[i] - p[(i + 3) % 4], p[(i + 1) % 4] - p[i]);
       if (p[i] == p[(i + 3) % 4] || p[i] == p[(i + 1) % 4])
         continue; // a triangle's, which has no fold
       for (const Vec3d& way : ways)
       {
-        const double along = glm::dot(normal, way);
+        const double along = glm::dot(normals[i], way);
         enters = enters && along < -margin;
         leaves = leaves && along > margin;
       }
     }
     face.isUnclear = !enters && !leaves;
-    face.isFoldable = face.isUnclear && !isPlane;
+    for (int i = 0; face.isUnclear && i < 4; ++i)
+      face.isFoldable = face.isFoldable || std::abs(glm::dot(normals[i], p[(i + 2) % 4] - p[i])) >
+                                             rounding * glm::length(normals[i]);
     return !leaves;
   }
 
   const WalkCells& cells_;
   const CameraRays& rays_;
+  CameraRays scaled_; ///< of which directions are as WalkCells has places
   bool isFan_;
   Mat3d toImage_; ///< from the eye, or along parallel rays: to x t, y t and t, or x, y and t
   Vec3d off_{0.0};
@@ -128,7 +133,7 @@ private:
 WalkView::WalkView(const WalkCells& cells, const CameraRays& rays, int width, int height)
   : columns_((width + side - 1) / side + 2)
   , rows_((height + side - 1) / side + 2)
-  , foldable_(cells.mesh().cellCount() / 64 + 1, 0)
+  , foldable_(cells.mesh().cellCount() / 32 + 1, 0)
 {
   const Looker looker(cells, rays, width, height);
   const RawVector<CellFace>& boundary = cells.adjacency().boundary();
@@ -140,7 +145,7 @@ WalkView::WalkView(const WalkCells& cells, const CameraRays& rays, int width, in
     {
       faces_.push_back(all[i]);
       const std::uint32_t cell = all[i].face.cell;
-      foldable_[cell >> 6] |= std::uint64_t(all[i].isFoldable) << (cell & 63);
+      foldable_[cell >> 5] |= std::uint32_t(all[i].isFoldable) << (cell & 31);
     }
   this->fillSquares();
 }

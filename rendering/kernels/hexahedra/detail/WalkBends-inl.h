@@ -18,27 +18,43 @@ namespace HWY_NAMESPACE
 namespace
 {
 
-/// A cell's own coordinates of a place on a face: of its first corner, and what u and v add.
+/// A cell's own coordinates of a place on each face: of its first corner, and what u and v add.
 struct FaceAxes
 {
-  float from[3], u[3], v[3];
+  alignas(64) float from[3][16], u[3][16], v[3][16];
 };
-constexpr FaceAxes axesOf(const std::uint8_t (&corners)[4])
+constexpr FaceAxes makeFaceAxes()
 {
   constexpr std::uint8_t at[8][3] = {
     {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
   FaceAxes axes{};
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const float from = at[corners[0]][k];
-    axes.from[k] = from;
-    axes.u[k] = static_cast<float>(at[corners[1]][k]) - from;
-    axes.v[k] = static_cast<float>(at[corners[3]][k]) - from;
-  }
+  for (std::size_t f = 0; f < 6; ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const std::uint8_t(&corners)[4] = faceCorners[f];
+      const float from = at[corners[0]][k];
+      axes.from[k][f] = from;
+      axes.u[k][f] = static_cast<float>(at[corners[1]][k]) - from;
+      axes.v[k][f] = static_cast<float>(at[corners[3]][k]) - from;
+    }
   return axes;
 }
-constexpr FaceAxes faceAxes[6] = {axesOf(faceCorners[0]), axesOf(faceCorners[1]),
-  axesOf(faceCorners[2]), axesOf(faceCorners[3]), axesOf(faceCorners[4]), axesOf(faceCorners[5])};
+constexpr FaceAxes faceAxes = makeFaceAxes();
+
+HWY_INLINE V pickOf16(const float (&table)[16], VI index)
+{
+#if HWY_TARGET <= HWY_AVX3
+  return V{_mm512_permutexvar_ps(index.raw, _mm512_load_ps(table))};
+#else
+  return hn::GatherIndex(D(), table, index);
+#endif
+}
+/// A coordinate of a place on faces.
+HWY_INLINE V placeOn(VI face, std::size_t k, V u, V v)
+{
+  const V near = hn::MulAdd(u, pickOf16(faceAxes.u[k], face), pickOf16(faceAxes.from[k], face));
+  return hn::MulAdd(v, pickOf16(faceAxes.v[k], face), near);
+}
 
 /// A trilinear number at (r, s, t), and its derivatives.
 struct Trilinear
@@ -90,113 +106,126 @@ public:
   HWY_INLINE Good find(std::uint32_t which)
   {
     Good good;
-    const std::uint32_t known = this->loadFaces(which);
-    std::uint32_t bent = 0;
-    for (std::size_t first = 0; first < lanes; first += hn::Lanes(D()))
-      if (const std::uint32_t here = lanesFrom(first, known); here != 0)
-        bent |= enter(first, here) << first;
-    good.line = known & ~bent;
-    this->loadCells(bent);
-    for (std::size_t first = 0; first < lanes; first += hn::Lanes(D()))
-      if (const std::uint32_t here = lanesFrom(first, bent); here != 0)
-        step(first, here, good);
+    Some some, bent; // lanes that bend are few: they are put side by side
+    forLanes(which,
+      [&](std::size_t k)
+      {
+        if (l_.inFace[k] >= noFace)
+          return;
+        some.add(k);
+        good.line |= 1U << k;
+        if (some.count == some.most)
+          enter(some, bent, good);
+      });
+    if (some.count > 0)
+      enter(some, bent, good);
+    if (bent.count > 0)
+      step(bent, good);
     return good;
   }
 
 private:
-  static std::uint32_t lanesFrom(std::size_t first, std::uint32_t which)
+  /// Lanes, no more than a vector has.
+  struct Some
   {
-    return which >> first & ((1U << hn::Lanes(D())) - 1);
+    static constexpr std::size_t most = hn::MaxLanes(D());
+    std::size_t count = 0;
+    alignas(64) std::int32_t lane[most]{};
+    alignas(64) float mid[3][most]{}; ///< half-way in the cell's own coordinates
+
+    void add(std::size_t k) { lane[count++] = static_cast<std::int32_t>(k); }
+    /// Lets numbers behind the last stand for some lane.
+    void fill() { std::fill(lane + count, lane + most, lane[0]); }
+    std::size_t operator[](std::size_t i) const { return static_cast<std::size_t>(lane[i]); }
+    HWY_INLINE V of(const Floats& numbers) const
+    {
+      const D d;
+      const VI at = hn::Load(DI(), lane);
+#if HWY_TARGET <= HWY_AVX3
+      return V{_mm512_permutex2var_ps(
+        hn::Load(d, numbers).raw, at.raw, hn::Load(d, numbers + lanes / 2).raw)};
+#else
+      return hn::GatherIndex(d, numbers, at);
+#endif
+    }
+    HWY_INLINE VI of(const std::uint32_t (&numbers)[lanes]) const
+    {
+      return hn::BitCast(DI(), of(reinterpret_cast<const Floats&>(numbers)));
+    }
+  };
+
+  /// Points about the rays of lanes: the first two of three coordinates in the order of WalkRays.
+  static HWY_INLINE void place(const Lanes& l, const Some& some, const V (&p)[4], V& x, V& y)
+  {
+    x = hn::Sub(hn::Sub(p[(axis + 1) % 3], some.of(l.x)), hn::Mul(some.of(l.dx), p[axis]));
+    y = hn::Sub(hn::Sub(p[(axis + 2) % 3], some.of(l.y)), hn::Mul(some.of(l.dy), p[axis]));
   }
-  /// The corners of the faces by which rays have come. Gives the lanes of which these are known.
-  HWY_INLINE std::uint32_t loadFaces(std::uint32_t which)
+  HWY_INLINE const float* cornerOf(std::size_t k, std::size_t i) const
   {
-    const D4 d;
-    const WalkCells::Point* const points = task_.cells->points();
-    std::uint32_t known = 0;
-    forLanes(which,
-      [&](std::size_t k)
-      {
-        const std::uint32_t face = l_.inFace[k];
-        if (face >= noFace)
-          return;
-        known |= 1U << k;
-        const std::uint32_t* ids = task_.cells->mesh().cell(l_.cell[k]).data();
-        for (std::size_t i = 0; i < 4; ++i)
-          hn::Store(hn::Load(d, &points[ids[faceCorners[face][i]]].x), d, inCorner_[i][k]);
-      });
-    return known;
-  }
-  HWY_INLINE void loadCells(std::uint32_t which)
-  {
-    const D4 d;
-    const WalkCells::Point* const points = task_.cells->points();
-    forLanes(which,
-      [&](std::size_t k)
-      {
-        const std::uint32_t* ids = task_.cells->mesh().cell(l_.cell[k]).data();
-        for (std::size_t i = 0; i < 8; ++i)
-          hn::Store(hn::Load(d, &points[ids[i]].x), d, corner_[i][k]);
-      });
+    return &task_.cells->points()[task_.cells->mesh().cell(l_.cell[k])[i]].x;
   }
 
   /// Finds where the rays come into their cells, and from where to where they run in the cells' own
-  /// coordinates. Gives those of the rays `here` that bend too much.
-  HWY_INLINE std::uint32_t enter(std::size_t first, std::uint32_t here)
+  /// coordinates. Puts those that bend too much into `bent`, and takes them from the lines.
+  HWY_INLINE void enter(Some& some, Some& bent, Good& good)
   {
     const D d;
+    some.fill();
     FaceCorners c;
     for (std::size_t i = 0; i < 4; ++i)
     {
-      V p[3];
-      hn::LoadInterleaved4(d, inCorner_[i][first], p[0], p[1], p[2], c.value[i]);
-      placeAbout<axis>(l_, first, p, c.x[i], c.y[i]);
+      V p[4];
+      loadFours(
+        [&](std::size_t j) { return cornerOf(some[j], faceCorners[l_.inFace[some[j]]][i]); }, p);
+      place(l_, some, p, c.x[i], c.y[i]);
     }
     const PatchPlace place = passPatch(c.x, c.y, !task_.isBackwards);
-    alignas(64) float u[lanes], v[lanes];
-    hn::Store(place.u, d, u);
-    hn::Store(place.v, d, v);
-    forLanes(here,
-      [&](std::size_t k)
-      {
-        const FaceAxes &in = faceAxes[l_.inFace[first + k]], &out = faceAxes[l_.outFace[first + k]];
-        for (std::size_t i = 0; i < 3; ++i)
-        {
-          in_[i][first + k] = in.from[i] + u[k] * in.u[i] + v[k] * in.v[i];
-          out_[i][first + k] =
-            out.from[i] + l_.outU[first + k] * out.u[i] + l_.outV[first + k] * out.v[i];
-        }
-      });
-    // Bends go with the mixed derivatives: with products of two of the three ways.
+    const VI in = some.of(l_.inFace), out = some.of(l_.outFace);
     V way[3];
     for (std::size_t i = 0; i < 3; ++i)
-      way[i] = hn::Abs(hn::Sub(hn::Load(d, out_[i] + first), hn::Load(d, in_[i] + first)));
+    {
+      const V from = placeOn(in, i, place.u, place.v);
+      const V to = placeOn(out, i, some.of(l_.outU), some.of(l_.outV));
+      way[i] = hn::Abs(hn::Sub(to, from));
+      hn::Store(hn::Mul(set(0.5f), hn::Add(from, to)), d, some.mid[i]);
+    }
+    // Bends go with the mixed derivatives: with products of two of the three ways.
     const V share =
       hn::Max(hn::Max(hn::Mul(way[0], way[1]), hn::Mul(way[1], way[2])), hn::Mul(way[2], way[0]));
-    const V bend = hn::Mul(hn::Load(d, l_.bend + first), share);
-    const V error =
-      hn::Mul(bend, hn::Mul(hn::Load(d, l_.rate + first), hn::Load(d, l_.transmittance + first)));
-    return maskOf(hn::Not(hn::Lt(error, set(task_.allowedShare)))) & here; // NaN bends
+    const V error = hn::Mul(
+      hn::Mul(some.of(l_.bend), share), hn::Mul(some.of(l_.rate), some.of(l_.transmittance)));
+    const std::uint32_t bends = maskOf(hn::Not(hn::Lt(error, set(task_.allowedShare)))); // NaN too
+    forLanes(bends & ((1U << some.count) - 1),
+      [&](std::size_t j)
+      {
+        for (std::size_t i = 0; i < 3; ++i)
+          bent.mid[i][bent.count] = some.mid[i][j];
+        bent.add(some[j]);
+        good.line &= ~(1U << some[j]);
+        if (bent.count == bent.most)
+          step(bent, good);
+      });
+    some.count = 0;
   }
 
-  HWY_INLINE void step(std::size_t first, std::uint32_t known, Good& good)
+  HWY_INLINE void step(Some& some, Good& good)
   {
     const D d;
+    some.fill();
     V x[8], y[8], z[8], v[8];
     for (std::size_t i = 0; i < 8; ++i)
     {
-      V p[3];
-      hn::LoadInterleaved4(d, corner_[i][first], p[0], p[1], p[2], v[i]);
-      placeAbout<axis>(l_, first, p, x[i], y[i]);
+      V p[4];
+      loadFours([&](std::size_t j) { return cornerOf(some[j], i); }, p);
+      place(l_, some, p, x[i], y[i]);
       z[i] = p[axis];
+      v[i] = p[3];
     }
     const V half = set(0.5f);
-    V mid[3];
-    for (std::size_t i = 0; i < 3; ++i)
-      mid[i] = hn::Mul(half, hn::Add(hn::Load(d, in_[i] + first), hn::Load(d, out_[i] + first)));
-    const V r = mid[0], s = mid[1], t = mid[2];
+    const V r = hn::Load(d, some.mid[0]), s = hn::Load(d, some.mid[1]);
+    const V t = hn::Load(d, some.mid[2]);
     const Trilinear px(x, r, s, t), py(y, r, s, t), pz(z, r, s, t), value(v, r, s, t);
-    const V in = hn::Load(d, l_.z + first), out = hn::Load(d, l_.outZ + first);
+    const V in = some.of(l_.z), out = some.of(l_.outZ);
     const V sign = set(task_.isBackwards ? -1.0f : 1.0f);
     const V wanted = hn::Mul(sign, hn::Mul(half, hn::Add(in, out)));
     const V ex = hn::Neg(px.at), ey = hn::Neg(py.at), ez = hn::Sub(wanted, pz.at);
@@ -214,33 +243,47 @@ private:
     const V slope = hn::Mul(hn::Mul(hn::Mul(sign, per), hn::Sub(out, in)),
       hn::MulAdd(sr, value.r, hn::MulAdd(ss, value.s, hn::Mul(st, value.t))));
     const V far = hn::Max(hn::Max(hn::Abs(dr), hn::Abs(ds)), hn::Abs(dt));
-    const V from = hn::Load(d, l_.partIn + first), to = hn::Load(d, l_.partOut + first);
+    const V from = some.of(l_.partIn), to = some.of(l_.partOut);
     // The cubic with these values and this slope, against the line.
     const V change = hn::Sub(to, from), bent = hn::NegMulAdd(half, hn::Add(from, to), middle);
     const V twist = hn::Sub(slope, change);
     const V left = hn::MulAdd(set(0.25f), change, hn::MulAdd(set(0.75f), bent, from));
     const V right = hn::MulAdd(set(0.75f), change, hn::MulAdd(set(0.75f), bent, from));
-    const M isKnown = lanesOf(known);
-    const auto keep = [&](V value, float* to)
-    { hn::Store(hn::IfThenElse(isKnown, value, hn::Load(d, to)), d, to); };
-    keep(hn::NegMulAdd(set(0.1875f), twist, left), l_.quarter[0] + first);
-    keep(middle, l_.quarter[1] + first);
-    keep(hn::MulAdd(set(0.1875f), twist, right), l_.quarter[2] + first);
+    const V quarter[3] = {
+      hn::NegMulAdd(set(0.1875f), twist, left), middle, hn::MulAdd(set(0.1875f), twist, right)};
     // What two lines leave of it; four leave at most a quarter of that.
     const V off = hn::MulAdd(set(0.25f), hn::Abs(bent), hn::Mul(set(0.19f), hn::Abs(twist)));
-    const V perOff = hn::Mul(hn::Load(d, l_.rate + first), hn::Load(d, l_.transmittance + first));
+    const V perOff = hn::Mul(some.of(l_.rate), some.of(l_.transmittance));
     const V error = hn::Mul(off, perOff);
     const V ofLine = hn::Mul(hn::MulAdd(set(0.1f), hn::Abs(twist), hn::Abs(bent)), perOff);
-    const M isNear = hn::And(isKnown, hn::Lt(far, set(0.3f)));
-    good.line |= maskOf(hn::And(isNear, hn::Lt(ofLine, set(task_.allowedOff)))) << first;
-    good.two |= maskOf(hn::And(isNear, hn::Lt(error, set(task_.allowedOff)))) << first;
-    good.four |= maskOf(hn::And(isNear, hn::Lt(error, set(4.0f * task_.allowedOff)))) << first;
+    const M isNear = hn::Lt(far, set(0.3f));
+    const auto below = [&](V e, float most)
+    { return maskOf(hn::And(isNear, hn::Lt(e, set(most)))); };
+    take(some, quarter,
+      {below(ofLine, task_.allowedOff), below(error, task_.allowedOff),
+        below(error, 4.0f * task_.allowedOff)},
+      good);
+  }
+  /// Takes values at the quarters, and what is good enough, a bit each of `some`, to the lanes.
+  HWY_INLINE void take(Some& some, const V (&quarter)[3], const Good& ofSome, Good& good)
+  {
+    alignas(64) float values[3][Some::most];
+    for (std::size_t i = 0; i < 3; ++i)
+      hn::Store(quarter[i], D(), values[i]);
+    for (std::size_t j = 0; j < some.count; ++j)
+    {
+      const std::size_t k = some[j];
+      for (std::size_t i = 0; i < 3; ++i)
+        l_.quarter[i][k] = values[i][j];
+      good.line |= (ofSome.line >> j & 1U) << k;
+      good.two |= (ofSome.two >> j & 1U) << k;
+      good.four |= (ofSome.four >> j & 1U) << k;
+    }
+    some.count = 0;
   }
 
   const WalkTask& task_;
   Lanes& l_;
-  alignas(64) float corner_[8][lanes][4]{}, inCorner_[4][lanes][4]{};
-  alignas(64) Floats in_[3]{}, out_[3]{};
 };
 
 } // namespace

@@ -65,7 +65,8 @@ public:
     : task_(task)
     , l_(lanesOfTask)
     , mesh_{task.cells->points(), task.cells->mesh().cells(), task.cells->adjacency().data(),
-        task.cells->bends(), task.cells->ofCells(), task.isBackwards}
+        task.cells->bends(), task.cells->ofCells(), task.isBackwards,
+        task.cells->mesh().cellCount() > std::size_t(INT32_MAX) / 6}
   {
   }
 
@@ -74,32 +75,31 @@ public:
   {
     task_.steps += static_cast<unsigned>(std::popcount(l_.active));
     const Mesh mesh = mesh_; // stores of SIMD vectors could change a member, for all compilers know
-    const DI d;
-    for (std::uint32_t left = l_.active; left != 0;)
-    {
-      const auto k = static_cast<std::size_t>(std::countr_zero(left));
-      const std::uint32_t cell = l_.cell[k];
-      std::uint32_t same = 0;
-      for (std::size_t first = 0; first < lanes; first += hn::Lanes(d))
-      {
-        const VI cells = hn::Load(d, reinterpret_cast<const std::int32_t*>(l_.cell + first));
-        const auto is = hn::Eq(cells, hn::Set(d, static_cast<std::int32_t>(cell)));
-        same |= maskOf(hn::RebindMask(D(), is)) << first;
-      }
-      same &= left;
-      left &= ~same;
 #if HWY_TARGET <= HWY_AVX3
-      const WideCell<axis> corners(mesh.points, mesh.cells[cell].data());
-      for (; same != 0; same &= same - 1)
-        wide(mesh, l_, cell, corners, static_cast<std::size_t>(std::countr_zero(same)));
+    forCells([&](std::uint32_t cell, std::uint32_t same) { turnAll(mesh, cell, same); });
+    std::uint32_t unsure = 0;
+    for (std::size_t first = 0; first < lanes; first += 16)
+      unsure |= decide(mesh, first) << first;
+    std::uint32_t found = l_.active;
+    forLanes(unsure, [&](std::size_t k) { found &= ~(isLost(mesh, k) ? 1U << k : 0U); });
+    forLanes(found,
+      [&](std::size_t k)
+      {
+        fetch(mesh, l_.behind[k]);
+        const D d;
+        const V xy = hn::Load(d, rows_[k][0]), zValue = hn::Load(d, rows_[k][1]);
+        hn::Store(pick(xy, zValue, facePlaces.of[l_.outFace[k]]), d, l_.face[k]);
+      });
 #else
-      if (std::popcount(same) >= 2)
-        together(mesh, cell, same);
-      else
-        for (; same != 0; same &= same - 1)
+    forCells(
+      [&](std::uint32_t cell, std::uint32_t same)
+      {
+        if (std::popcount(same) >= 2)
+          together(mesh, cell, same);
+        else
           alone(mesh, cell, static_cast<std::size_t>(std::countr_zero(same)));
+      });
 #endif
-    }
   }
 
 private:
@@ -110,43 +110,102 @@ private:
     const std::array<std::uint32_t, 6>* next;
     const float* bends;
     const float* ofCells;
-    bool isBackwards;
+    bool isBackwards, isLarge; ///< more than indices of gathers reach
   };
 
-#if HWY_TARGET <= HWY_AVX3
-  /// Of one ray, with all corners and edges in the lanes. Where all edges of a face turn about the
-  /// ray its winding number is 1. If the ray has come by the one face of which none does, it goes
-  /// by the one of which all do.
-  HWY_INLINE void wide(
-    const Mesh& mesh, Lanes& l, std::uint32_t cell, const WideCell<axis>& corners, std::size_t k)
+  /// Calls visit(cell, lanes) for each cell that there are active lanes in.
+  template <typename Visit>
+  HWY_INLINE void forCells(const Visit& visit)
   {
-    const WideTurns turns(corners.about(l, k));
-    const std::uint8_t faces = turnFaces.of[mesh.isBackwards ? turns.right : turns.left];
-    const auto& next = mesh.next[cell];
-    unsigned exit = faces & 15U;
-    const unsigned in = faces >> 4;
-    const float bend = mesh.bends[cell];
-    if (HWY_LIKELY((turns.left ^ turns.right) == WideTurns::everyEdge &&
-                   faces != TurnFaces::unsure && next[in] == l.before[k] && !std::signbit(bend)))
+    const DI di;
+    for (std::uint32_t left = l_.active; left != 0;)
     {
-      const std::uint32_t behind = next[exit];
-      fetch(mesh, behind);
-      l.inFace[k] = in;
-      l.outFace[k] = exit;
-      l.bend[k] = bend;
-      l.behind[k] = behind;
-      if (mesh.ofCells != nullptr)
-        l.cellValue[k] = mesh.ofCells[cell];
+      const std::uint32_t cell = l_.cell[std::countr_zero(left)];
+      std::uint32_t same = 0;
+      for (std::size_t first = 0; first < lanes; first += hn::Lanes(di))
+      {
+        const VI cells = hn::Load(di, reinterpret_cast<const std::int32_t*>(l_.cell + first));
+        const auto is = hn::Eq(cells, hn::Set(di, static_cast<std::int32_t>(cell)));
+        same |= maskOf(hn::RebindMask(D(), is)) << first;
+      }
+      same &= left;
+      left &= ~same;
+      visit(cell, same);
     }
-    else
+  }
+
+#if HWY_TARGET <= HWY_AVX3
+  /// Of the rays in a cell, which edges turn about them: with all corners and edges in the lanes.
+  HWY_INLINE void turnAll(const Mesh& mesh, std::uint32_t cell, std::uint32_t same)
+  {
+    const D d;
+    const WideCell<axis> corners(mesh.points, mesh.cells[cell].data());
+    forLanes(same,
+      [&](std::size_t k)
+      {
+        const V xy = corners.about(l_, k);
+        turnWide(xy, left_[k], right_[k]);
+        hn::Store(xy, d, rows_[k][0]);
+        hn::Store(corners.zValue, d, rows_[k][1]);
+      });
+  }
+
+  /// Of 16 rays at a time. Where all edges of a face turn about the ray its winding number is 1. If
+  /// the ray has come by the one face of which none does, it goes by the one of which all do. Gives
+  /// the rays for which this does not tell.
+  HWY_INLINE std::uint32_t decide(const Mesh& mesh, std::size_t first)
+  {
+    const auto active = static_cast<__mmask16>(l_.active >> first);
+    const __m512i every = _mm512_set1_epi32(0xfff), none = _mm512_setzero_si512();
+    const __m512i left = loadTurns(left_ + first), right = loadTurns(right_ + first);
+    const __m512i set = _mm512_and_si512(mesh.isBackwards ? right : left, every);
+    const __m512i faces = _mm512_and_si512(
+      _mm512_mask_i32gather_epi32(none, active, set, turnFaces.of, 1), _mm512_set1_epi32(0xff));
+    const __m512i exit = _mm512_and_si512(faces, _mm512_set1_epi32(15));
+    const __m512i in = _mm512_srli_epi32(faces, 4);
+    __mmask16 sure = _mm512_mask_cmpeq_epi32_mask(
+      active, _mm512_and_si512(_mm512_xor_si512(left, right), every), every);
+    sure = _mm512_mask_cmpneq_epi32_mask(sure, faces, _mm512_set1_epi32(TurnFaces::unsure));
+    if (mesh.isLarge)
+      sure = 0;
+    const __m512i cell = _mm512_load_si512(l_.cell + first);
+    const __m512i slot = _mm512_mullo_epi32(cell, _mm512_set1_epi32(6));
+    const __m512i come =
+      _mm512_mask_i32gather_epi32(none, sure, _mm512_add_epi32(slot, in), mesh.next, 4);
+    const __m512i behind =
+      _mm512_mask_i32gather_epi32(none, sure, _mm512_add_epi32(slot, exit), mesh.next, 4);
+    const __m512i bend = _mm512_mask_i32gather_epi32(none, sure, cell, mesh.bends, 4);
+    sure = _mm512_mask_cmpeq_epi32_mask(sure, come, _mm512_load_si512(l_.before + first));
+    if (const __mmask16 warped = _mm512_mask_cmplt_epi32_mask(sure, bend, none); warped != 0)
     {
-      const std::uint32_t windings = windingsOf(turns.above(), turns.left, turns.right);
-      exit = note(mesh, cell, k, noWindings + (mesh.isBackwards ? 0U - windings : windings));
-      if (exit == noFace)
-        return;
+      const __m512i words = _mm512_mask_i32gather_epi32(
+        none, warped, _mm512_srli_epi32(cell, 5), task_.view->foldable(), 4);
+      const __m512i bit = _mm512_and_si512(cell, _mm512_set1_epi32(31));
+      const __m512i bits = _mm512_srlv_epi32(words, bit);
+      sure &= ~_mm512_mask_test_epi32_mask(warped, bits, _mm512_set1_epi32(1));
     }
-    l.before[k] = cell;
-    hn::Store(pick(turns.xy, corners.zValue, facePlaces.of[exit]), D(), l.face[k]);
+    _mm512_store_si512(l_.inFace + first, in);
+    _mm512_store_si512(l_.outFace + first, exit);
+    _mm512_store_si512(l_.behind + first, behind);
+    _mm512_store_ps(l_.bend + first, _mm512_abs_ps(_mm512_castsi512_ps(bend)));
+    _mm512_store_si512(l_.before + first, cell);
+    if (mesh.ofCells != nullptr)
+      _mm512_mask_store_epi32(
+        l_.cellValue + first, sure, _mm512_mask_i32gather_epi32(none, sure, cell, mesh.ofCells, 4));
+    return static_cast<std::uint32_t>(active & ~sure);
+  }
+  static HWY_INLINE __m512i loadTurns(const std::uint16_t* turns)
+  {
+    return _mm512_cvtepu16_epi32(_mm256_load_si256(reinterpret_cast<const __m256i*>(turns)));
+  }
+
+  /// Of a ray of which windings must tell: whether it goes by no face at all.
+  HWY_INLINE bool isLost(const Mesh& mesh, std::size_t k)
+  {
+    const unsigned above = cornersAbove(hn::Load(D(), rows_[k][0]));
+    const std::uint32_t windings = windingsOf(above, left_[k] & 0xfffU, right_[k] & 0xfffU);
+    return note(mesh, l_.cell[k], k, noWindings + (mesh.isBackwards ? 0U - windings : windings)) ==
+           noFace;
   }
 #endif
 
@@ -343,6 +402,10 @@ private:
   WalkTask& task_;
   Lanes& l_;
   const Mesh mesh_;
+#if HWY_TARGET <= HWY_AVX3
+  alignas(64) float rows_[lanes][2][16]; ///< corners about the rays; depths and values
+  alignas(64) std::uint16_t left_[lanes]{}, right_[lanes]{}; ///< see turnWide()
+#endif
 };
 
 } // namespace

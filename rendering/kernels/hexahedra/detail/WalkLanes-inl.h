@@ -11,6 +11,10 @@
 #include "WalkPatch-inl.h"
 #include "WalkTask.h"
 
+#if HWY_TARGET <= HWY_AVX3
+#include <immintrin.h>
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace mote
 {
@@ -115,6 +119,16 @@ HWY_INLINE hn::Vec<DN> loadRows(DN d, const At& at, std::size_t first = 0, std::
 {
   if constexpr (hn::MaxLanes(d) <= 4)
     return hn::Load(d, at(first));
+#if HWY_TARGET <= HWY_AVX3
+  else if constexpr (hn::MaxLanes(d) == 16)
+  {
+    // Each of them is one instruction.
+    __m512 rows = _mm512_castps128_ps512(_mm_load_ps(at(first)));
+    rows = _mm512_mask_broadcast_f32x4(rows, 0x00f0, _mm_load_ps(at(first + step)));
+    rows = _mm512_mask_broadcast_f32x4(rows, 0x0f00, _mm_load_ps(at(first + 2 * step)));
+    return V{_mm512_mask_broadcast_f32x4(rows, 0xf000, _mm_load_ps(at(first + 3 * step)))};
+  }
+#endif
   else
   {
     const hn::Half<DN> half;
@@ -138,18 +152,6 @@ HWY_INLINE void loadFours(const At& at, V (&to)[4])
   to[1] = hn::BitCast(d, hn::InterleaveUpper(pairs, abLow, ceLow));
   to[2] = hn::BitCast(d, hn::InterleaveLower(pairs, abHigh, ceHigh));
   to[3] = hn::BitCast(d, hn::InterleaveUpper(pairs, abHigh, ceHigh));
-}
-
-/// Points about the rays from `first` on: the first two of three coordinates in the order of
-/// WalkRays.
-template <int axis>
-HWY_INLINE void placeAbout(const Lanes& l, std::size_t first, const V (&p)[3], V& x, V& y)
-{
-  const D d;
-  x = hn::Sub(hn::Sub(p[(axis + 1) % 3], hn::Load(d, l.x + first)),
-    hn::Mul(hn::Load(d, l.dx + first), p[axis]));
-  y = hn::Sub(hn::Sub(p[(axis + 2) % 3], hn::Load(d, l.y + first)),
-    hn::Mul(hn::Load(d, l.dy + first), p[axis]));
 }
 
 /// Calls visit(k) for each lane of which the bit is set.

@@ -160,25 +160,56 @@ private:
   /// as good as two or four lines. The others are integrated one at a time.
   void bend()
   {
-    std::uint32_t bent = 0; // without branches that cannot be foretold
-    for (std::uint32_t left = isBent_; left != 0; left &= left - 1)
-    {
-      const auto k = static_cast<std::size_t>(std::countr_zero(left));
-      const float least = std::min(l_.partIn[k], l_.partOut[k]), bend = l_.bend[k];
-      const float most = std::max(l_.partIn[k], l_.partOut[k]);
-      const float rate = bend <= std::numeric_limits<float>::max()
-                           ? transfer_.rateIn(least - bend, most + bend)
-                           : std::numeric_limits<float>::max();
-      l_.rate[k] = rate;
-      bent |= (rate * bend * l_.transmittance[k] < task_.allowed ? 0U : 1U) << k;
-    }
-    isBent_ = bent;
+    std::uint32_t bent = 0;
+    for (std::size_t first = 0; first < lanes; first += hn::Lanes(D()))
+      bent |= findRates(first) << first;
+    isBent_ &= bent;
     if (isBent_ == 0)
       return;
     const auto good = bends_.find(isBent_ & ~isClipped_);
     isHalved_ = good.two & ~good.line;
     isQuartered_ = good.four & ~(good.two | good.line);
     isDone_ |= isBent_ & ~(good.four | good.line);
+  }
+
+  /// How fast what is seen changes in the cells of these lanes; gives those that are no lines then.
+  HWY_INLINE std::uint32_t findRates(std::size_t first)
+  {
+    const D d;
+    const V in = hn::Load(d, l_.partIn + first), out = hn::Load(d, l_.partOut + first);
+    const V bend = hn::Load(d, l_.bend + first), far = set(std::numeric_limits<float>::max());
+    const V lower = hn::Sub(hn::Min(in, out), bend), upper = hn::Add(hn::Max(in, out), bend);
+    const V rate = hn::IfThenElse(hn::Le(bend, far), rateIn(lower, upper), far);
+    hn::Store(rate, d, l_.rate + first);
+    const V error = hn::Mul(hn::Mul(rate, bend), hn::Load(d, l_.transmittance + first));
+    return maskOf(hn::Not(hn::Lt(error, set(task_.allowed))));
+  }
+  /// How fast what is seen changes between two values, at most; see WalkTransfer::Rates.
+  HWY_INLINE V rateIn(const V& lower, const V& upper) const
+  {
+    const D d;
+    const DI di;
+    const WalkTransfer::Rates rates = transfer_.rates();
+    const auto binOf = [&](const V& value)
+    {
+      const V at = hn::Mul(hn::Sub(value, set(transfer_.binsFrom())), set(rates.binsPer));
+      const V last = set(static_cast<float>(WalkTransfer::coarseBins - 1));
+      return hn::ConvertTo(di, hn::IfThenElseZero(hn::Gt(at, hn::Zero(d)), hn::Min(at, last)));
+    };
+    const VI one = hn::Set(di, 1), first = binOf(lower), last = hn::Max(binOf(upper), first);
+    const V count = hn::ConvertTo(d, hn::Add(hn::Sub(last, first), one));
+    const VI level = hn::Sub(hn::ShiftRight<23>(hn::BitCast(di, count)), hn::Set(di, 127));
+    const VI row = hn::ShiftLeft<6>(level);
+    static_assert(WalkTransfer::coarseBins == 64);
+    const VI end = hn::Add(hn::Sub(last, hn::Shl(one, level)), one);
+    const V rate = hn::Max(hn::GatherIndex(d, rates.most, hn::Add(row, first)),
+      hn::GatherIndex(d, rates.most, hn::Add(row, end)));
+    if (!rates.hasSteps)
+      return rate;
+    const V steps = hn::Sub(hn::GatherIndex(d, rates.stepsBefore, hn::Add(last, one)),
+      hn::GatherIndex(d, rates.stepsBefore, first));
+    const V more = hn::Add(rate, hn::Div(steps, hn::Sub(upper, lower)));
+    return hn::IfThenElse(hn::Gt(steps, hn::Zero(d)), more, rate);
   }
 
   /// Adds a part of a ray by CellIntegral.

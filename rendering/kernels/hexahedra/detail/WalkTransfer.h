@@ -55,15 +55,21 @@ public:
   {
     return solidBefore_[(a > b ? a : b) + 1] != solidBefore_[a < b ? a : b];
   }
-  /// How fast what is seen changes between two values, at most; see TransferTable::steepest().
-  float rateIn(float lower, float upper) const
+  /// How fast what is seen changes, at most, see TransferTable::steepest(): between two values it
+  /// is the greatest rate of their bins and those between, and the sum of the steps over the
+  /// difference.
+  static constexpr std::size_t coarseBins = 64, levels = 7;
+  struct Rates
   {
-    const std::size_t first = coarseBinOf(lower), last = coarseBinOf(upper);
-    const auto level = static_cast<std::size_t>(std::bit_width(last - first + 1) - 1);
-    const float rate =
-      std::max(rates_[level][first], rates_[level][last + 1 - (std::size_t(1) << level)]);
-    const float steps = stepsBefore_[last + 1] - stepsBefore_[first];
-    return steps > 0.0f ? rate + steps / (upper - lower) : rate;
+    const float* most;        ///< in 1, 2, 4 and more coarse bins from each on: coarseBins a level
+    const float* stepsBefore; ///< each coarse bin, and all of them
+    float binsPer;
+    bool hasSteps;
+  };
+  Rates rates() const
+  {
+    return {rates_[0].data(), stepsBefore_.data(), binsPer_ * coarseShare,
+      stepsBefore_[coarseBins] > 0.0f};
   }
   bool hasSolid() const { return solidBefore_.back() > 0; }
 
@@ -74,10 +80,10 @@ private:
     constexpr float last = static_cast<float>(bins - 1);
     return at > 0.0f ? static_cast<std::uint32_t>(at < last ? at : last) : 0;
   }
-  static constexpr std::size_t coarseBins = 64, levels = 7;
+  static constexpr float coarseShare = float(coarseBins) / float(bins);
   std::size_t coarseBinOf(float value) const
   {
-    const float at = (value - binsFrom_) * binsPer_ * (float(coarseBins) / float(bins));
+    const float at = (value - binsFrom_) * (binsPer_ * coarseShare);
     constexpr float last = static_cast<float>(coarseBins - 1);
     return at > 0.0f ? static_cast<std::size_t>(at < last ? at : last) : 0;
   }

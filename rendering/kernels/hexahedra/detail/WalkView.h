@@ -31,8 +31,10 @@ public:
   /// Whether a cell has a face of the boundary that a ray may pass twice.
   bool isFoldable(std::uint32_t cell) const
   {
-    return (foldable_[cell >> 6] >> (cell & 63) & 1) != 0;
+    return (foldable_[cell >> 5] >> (cell & 31) & 1) != 0;
   }
+  /// The same, a bit a cell.
+  const std::uint32_t* foldable() const { return foldable_.data(); }
 
   /// Appends the faces that rays through the places of a rectangle may enter by, each once.
   void gather(
@@ -55,7 +57,7 @@ private:
   int columns_, rows_;
   RawVector<Face> faces_;
   std::vector<std::uint32_t> begins_, listed_; ///< faces of each square, one range after another
-  std::vector<std::uint64_t> foldable_;        ///< a bit a cell
+  std::vector<std::uint32_t> foldable_;        ///< a bit a cell
 };
 
 } // namespace mote

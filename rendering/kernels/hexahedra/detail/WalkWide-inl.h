@@ -12,8 +12,6 @@
 
 #if HWY_TARGET <= HWY_AVX3
 
-#include <immintrin.h>
-
 HWY_BEFORE_NAMESPACE();
 namespace mote
 {
@@ -97,35 +95,28 @@ struct WideCell
   }
 };
 
-/// Which edges turn counter-clockwise about the ray, which clockwise, and which corners are above
-/// it.
-struct WideTurns
+/// Which edges turn counter-clockwise about the ray, and which clockwise, a bit each; the upper
+/// four bits of 16 say nothing.
+HWY_INLINE void turnWide(V xy, std::uint16_t& left, std::uint16_t& right)
 {
-  unsigned left, right;
-  V xy;
-
-  HWY_INLINE explicit WideTurns(V corners)
-    : xy(corners)
-  {
-    alignas(64) static constexpr Places ax = edgePlaces(0, 0), ay = edgePlaces(0, 8),
-                                        bx = edgePlaces(1, 0), by = edgePlaces(1, 8);
-    const V p = hn::Mul(pick(xy, ax), pick(xy, by)), q = hn::Mul(pick(xy, bx), pick(xy, ay));
-    left = _mm512_cmp_ps_mask(p.raw, q.raw, _CMP_GT_OQ) & everyEdge;
-    right = _mm512_cmp_ps_mask(p.raw, q.raw, _CMP_LT_OQ) & everyEdge;
-  }
-  static constexpr unsigned everyEdge = 0xfff;
-  HWY_INLINE unsigned above() const
-  {
-    return unsigned(_mm512_cmp_ps_mask(xy.raw, _mm512_setzero_ps(), _CMP_GT_OQ)) >> 8;
-  }
-};
+  alignas(64) static constexpr Places ax = edgePlaces(0, 0), ay = edgePlaces(0, 8),
+                                      bx = edgePlaces(1, 0), by = edgePlaces(1, 8);
+  const V p = hn::Mul(pick(xy, ax), pick(xy, by)), q = hn::Mul(pick(xy, bx), pick(xy, ay));
+  _store_mask16(&left, _mm512_cmp_ps_mask(p.raw, q.raw, _CMP_GT_OQ));
+  _store_mask16(&right, _mm512_cmp_ps_mask(p.raw, q.raw, _CMP_LT_OQ));
+}
+/// Which corners are above the ray.
+HWY_INLINE unsigned cornersAbove(V xy)
+{
+  return unsigned(_mm512_cmp_ps_mask(xy.raw, _mm512_setzero_ps(), _CMP_GT_OQ)) >> 8;
+}
 
 /// Of each set of edges that turn counter-clockwise, where all others turn clockwise: the face of
 /// which all edges do, plus 16 times that of which none does; or `unsure` where that is not one.
 struct TurnFaces
 {
   static constexpr std::uint8_t unsure = 0xff;
-  std::uint8_t of[4096];
+  std::uint8_t of[4096 + 3]; ///< four are read at a time
 };
 constexpr TurnFaces makeTurnFaces()
 {
