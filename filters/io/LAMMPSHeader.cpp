@@ -18,7 +18,7 @@ std::string_view trimmed(std::string_view text)
                             : text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
 }
 
-std::string quoted(std::string_view text)
+std::string inQuotes(std::string_view text)
 {
   return std::string("'").append(text.substr(0, 40)).append("'");
 }
@@ -71,7 +71,7 @@ void LAMMPSHeader::numbers(double* values, std::size_t count, const char* what)
   if (!good)
   {
     refuse(std::string("expected ") + what + " (" + std::to_string(count) +
-           (count == 1 ? " number" : " numbers") + "), found " + quoted(line));
+           (count == 1 ? " number" : " numbers") + "), found " + inQuotes(line));
   }
 }
 
@@ -93,7 +93,7 @@ bool LAMMPSHeader::read()
       continue;
     any = true;
     if (!text.starts_with("ITEM: "))
-      refuse("expected a line that begins with 'ITEM: ', found " + quoted(text));
+      refuse("expected a line that begins with 'ITEM: ', found " + inQuotes(text));
     readItem(text.substr(6));
   }
   return true;
@@ -141,7 +141,7 @@ void LAMMPSHeader::readTimestep()
   const std::string step(value("the number of the time step"));
   const char* const end = parseInteger(step.c_str(), m_frame.timestep);
   if (!end || *end != '\0')
-    refuse("expected the number of the time step, found " + quoted(step));
+    refuse("expected the number of the time step, found " + inQuotes(step));
   m_hasTimestep = true;
 }
 
@@ -151,7 +151,7 @@ void LAMMPSHeader::readAtomCount()
   std::int64_t atoms = 0;
   const char* const end = parseInteger(count.c_str(), atoms);
   if (!end || *end != '\0' || atoms < 0)
-    refuse("expected the number of atoms, an integer from 0 on, found " + quoted(count));
+    refuse("expected the number of atoms, an integer from 0 on, found " + inQuotes(count));
   m_frame.atoms = static_cast<std::uint64_t>(atoms);
   m_hasCount = true;
 }
@@ -204,7 +204,7 @@ void LAMMPSHeader::readColumns(std::string_view names)
     const auto first = std::find(columns.begin(), columns.end(), columns[i]) - columns.begin();
     if (static_cast<std::size_t>(first) != i)
     {
-      refuse("'ITEM: ATOMS' names the column " + quoted(columns[i]) + " twice, as number " +
+      refuse("'ITEM: ATOMS' names the column " + inQuotes(columns[i]) + " twice, as number " +
              std::to_string(first + 1) + " and as number " + std::to_string(i + 1));
     }
   }
