@@ -17,7 +17,7 @@ namespace
 {
 
 /// A name or word; with quotation marks where it holds what separates cells.
-std::string quoted(const std::string& word)
+std::string inQuotes(const std::string& word)
 {
   if (word.find_first_of(",\"\n") == std::string::npos)
     return word;
@@ -31,7 +31,7 @@ std::string cellText(vtkTable* table, vtkIdType row, vtkIdType column)
 {
   const vtkVariant value = table->GetValue(row, column);
   if (!value.IsNumeric())
-    return quoted(value.ToString());
+    return inQuotes(value.ToString());
   char text[32];
   std::snprintf(text, sizeof text, "%.9g", value.ToDouble());
   return text;
@@ -46,7 +46,7 @@ std::string asLines(vtkTable* table)
     {
       if (c > 0)
         text += ',';
-      text += row < 0 ? quoted(table->GetColumnName(c)) : cellText(table, row, c);
+      text += row < 0 ? inQuotes(table->GetColumnName(c)) : cellText(table, row, c);
     }
     text += '\n';
   }
