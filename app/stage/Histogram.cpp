@@ -74,6 +74,8 @@ Kinds kindsOf(const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice
     for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
     {
       const double value = array->GetComponent(i, 0);
+      if (!std::isfinite(value))
+        continue;
       if (present == counts.end() || present->first != value)
         present = counts.try_emplace(static_cast<int>(value), 0).first;
       ++present->second;

@@ -57,24 +57,6 @@ case $3 in
     one_sentence
     ;;
 
-  show) # ranges of several values at a time
-    run 0 "$mote" render "$hopper" -o a.png --size 320x200 --show id=1:100 --show type=1
-    said out 'of 5,518 particles shown'
-    count=$(sed 's/.*, \([0-9]*\) of 5,518.*/\1/' out)
-    [ "$count" -gt 0 ] && [ "$count" -le 100 ] || fail "$count particles of the first 100 shown"
-    run 0 "$mote" render "$hopper" -o b.png --size 320x200 --show x=:0 --show y=-5:5 --show z=1: \
-      --show radius=0.3:0.8 --show type=1:3 --show v:0=-9:9 --show v:magnitude=0:9 --show vz=-9:9
-    said out 'of 5,518 particles shown'
-    [ ! -s err ] || { cat err; fail "something on standard error"; }
-    cmp -s a.png b.png && fail "ranges changed nothing"
-    # both ends belong to a range, and the two options hold together
-    run 0 "$mote" render "$hopper" -o a.png --size 320x200 --show id=5:10 --show-by id --show-range 1 5
-    said out ' 1 of 5,518 particles shown'
-    run 0 "$mote" render "$hopper" -o a.png --size 320x200 --show id=5: --show-by id --show-range 1 4
-    said out ' 0 of 5,518 particles shown'
-    one_sentence
-    ;;
-
   light) # every light and shadow is another picture
     before=
     for light in '' '--shadows hard' '--shadows soft' '--shadows soft --light-size 40' \
