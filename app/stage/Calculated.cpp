@@ -5,6 +5,8 @@
 #include <vtkDataSet.h>
 #include <vtkMoteExpression.h>
 
+#include <cstdio>
+
 namespace mote::app
 {
 
@@ -15,7 +17,7 @@ namespace
 
 /// Of all data sets that have anything.
 void add(const std::vector<NamedData>& data, const std::string& option, const Calculation& wanted,
-  int type)
+  int type, KnownExpressions& known)
 {
   std::string problem;
   bool isAdded = false;
@@ -29,13 +31,22 @@ void add(const std::vector<NamedData>& data, const std::string& option, const Ca
     if (problem.empty() && !wrong.empty())
       problem = option + ": " + one.name + ": " + wrong;
   }
-  if (!isAdded && !problem.empty())
+  const auto before = known.find(wanted.expression);
+  if (isAdded && before == known.end())
+    known[wanted.expression] = false;
+  if (isAdded || problem.empty())
+    return;
+  if (before == known.end())
     throw Failure(problem);
+  if (!before->second)
+    std::fprintf(stderr, "mote: warning: %s; this time step goes without\n", problem.c_str());
+  before->second = true;
 }
 
 } // namespace
 
-std::vector<NamedData> withCalculated(const std::vector<NamedData>& data, const Settings& settings)
+std::vector<NamedData> withCalculated(
+  const std::vector<NamedData>& data, const Settings& settings, KnownExpressions& known)
 {
   if (settings.data.calculations.empty() && settings.selection.where.empty())
     return data;
@@ -47,9 +58,9 @@ std::vector<NamedData> withCalculated(const std::vector<NamedData>& data, const 
     copies.back().data->ShallowCopy(one.data);
   }
   for (const Calculation& calculation : settings.data.calculations)
-    add(copies, "--calculate", calculation, VTK_DOUBLE);
+    add(copies, "--calculate", calculation, VTK_DOUBLE, known);
   if (!settings.selection.where.empty())
-    add(copies, "--where", {whereArray, settings.selection.where}, VTK_UNSIGNED_CHAR);
+    add(copies, "--where", {whereArray, settings.selection.where}, VTK_UNSIGNED_CHAR, known);
   return copies;
 }
 

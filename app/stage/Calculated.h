@@ -3,6 +3,7 @@
 #include "Input.h"
 #include "settings/Settings.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,11 @@ extern const std::string whereArray;
 
 /// The data with the arrays that --calculate and --where ask for; the data themselves stay as they
 /// are. A data set that lacks what an expression speaks of goes without. Throws Failure where all
-/// do.
-std::vector<NamedData> withCalculated(const std::vector<NamedData>& data, const Settings& settings);
+/// do, but of expressions that are in `known`, which an earlier time step had: then a warning tells
+/// it once. `known` gets those that are there, and whether a warning was given.
+using KnownExpressions = std::map<std::string, bool>;
+std::vector<NamedData> withCalculated(
+  const std::vector<NamedData>& data, const Settings& settings, KnownExpressions& known);
 
 /// Whether these settings ask for other arrays.
 bool areOtherCalculations(const Settings& a, const Settings& b);

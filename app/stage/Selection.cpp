@@ -45,6 +45,7 @@ void Selection::followSettings()
   if (!known_.empty() && followed_ == settings_.selection)
     return;
   followed_ = settings_.selection;
+  whereKnown_ = false;
   known_.assign(followed_.ranges.size() + 1, false);
   warned_.assign(followed_.ranges.size() + 1, false);
 }
@@ -99,10 +100,11 @@ std::vector<ArrayChoice> Selection::applyExpression(const Parts& parts)
       part->limit(holds, {{1.0, 1.0}});
       isFound = true;
     }
-  if (!isFound)
+  if (!isFound && !whereKnown_)
     throw Failure("--where: '" + settings_.selection.where +
                   "' is not of particles; cells are hidden by --show");
-  return {holds};
+  whereKnown_ = true;
+  return isFound ? std::vector<ArrayChoice>{holds} : std::vector<ArrayChoice>{};
 }
 
 /// What --show asks for.

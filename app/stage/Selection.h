@@ -32,6 +32,7 @@ private:
 
   const Settings& settings_;
   SelectionSettings followed_;
+  bool whereKnown_ = false;  ///< --where was of particles at some time step
   std::vector<bool> known_;  ///< whether a range's array was there: --show-range, then each --show
   std::vector<bool> warned_; ///< whether a range was told to be missing
 };

@@ -1,6 +1,5 @@
 #include "Stage.h"
 
-#include "Calculated.h"
 #include "Silhouettes.h"
 #include "SimulationBox.h"
 #include "base/Failure.h"
@@ -74,7 +73,7 @@ Settings Stage::settingsInForce() const
 
 void Stage::setData(const std::vector<NamedData>& original)
 {
-  const std::vector<NamedData> data = withCalculated(original, settings_);
+  const std::vector<NamedData> data = withCalculated(original, settings_, known_);
   data_ = original;
   bool sameKinds = parts_.size() == data.size();
   for (std::size_t i = 0; sameKinds && i < data.size(); ++i)

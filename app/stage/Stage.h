@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Calculated.h"
 #include "Coloring.h"
 #include "Framing.h"
 #include "Input.h"
@@ -90,6 +91,7 @@ private:
 
   Settings settings_; ///< that all below refer to
   vtkNew<vtkRenderer> renderer_;
+  KnownExpressions known_;
   std::vector<NamedData> data_; ///< without what is calculated
   std::vector<std::unique_ptr<Part>> parts_;
   Lighting lighting_;

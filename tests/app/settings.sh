@@ -43,6 +43,14 @@ case $3 in
       --show v=1: --radius wide --color-by v --title v
     [ ! -s err ] || { cat err; fail "something on standard error"; }
     run 0 "$mote" render "$data/swirl.1.vtu" -o g.png --size 320x200 --calculate "half=U/2" --color-by half
+    # a time step that lacks an array goes without, which is told once
+    for q in '' ':q:R:1'; do
+      printf '2\nProperties=species:S:1:pos:R:3%s\nA 0 0 0%s\nB 1 1 1%s\n' "$q" "${q:+ 1}" "${q:+ 2}"
+    done >some.xyz
+    run 0 "$mote" render some.xyz -o s.png --all-steps --size 64x64 --where "q > 1"
+    said out ' 1 of 2 particles shown'
+    [ "$(wc -l <err)" = 1 ] || { cat err; fail "a step without the array is not told once"; }
+    said err "no array 'q'"
     # what is wrong is told, with what there is
     run 1 "$mote" render "$hopper" -o a.png --where "energy > 2"
     one_sentence
