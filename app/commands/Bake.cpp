@@ -62,7 +62,7 @@ void bake(const Settings& settings)
 {
   OpenedInput opened(settings);
   const NamedData data =
-    particlesOf(opened.input, opened.step, opened.progress, "mote bake takes one");
+    particlesOf(opened.input, settings, opened.progress, "mote bake takes one");
   const std::string output = settings.output.file.empty() ? mapsFileOf(data) : settings.output.file;
   if (lowerCase(std::filesystem::path(output).extension().string()) != ".moteao")
     throw Failure("the file to write must end in .moteao, not " + output);

@@ -4,6 +4,7 @@
 #include "base/Messages.h"
 #include "base/OutputFile.h"
 #include "base/Text.h"
+#include "stage/Calculated.h"
 #include "stage/Input.h"
 #include "stage/Part.h"
 #include "table/Row.h"
@@ -23,10 +24,11 @@
 namespace mote::app
 {
 
-NamedData particlesOf(Input& input, int step, ProgressRelay& progress, const std::string& why)
+NamedData particlesOf(
+  Input& input, const Settings& settings, ProgressRelay& progress, const std::string& why)
 {
   std::vector<NamedData> particles;
-  for (const NamedData& one : input.read(step, progress))
+  for (const NamedData& one : readAsAsked(input, input.chosenStep(settings), settings, progress))
     if (!Part::isMesh(one.data))
       particles.push_back(one);
   if (particles.size() != 1)
@@ -67,8 +69,7 @@ void convert(const Settings& given)
   Input input(settings.data.files);
   input.setSpace(space);
   input.open(progress);
-  const NamedData data =
-    particlesOf(input, input.chosenStep(settings), progress, "a .mote file holds one");
+  const NamedData data = particlesOf(input, settings, progress, "a .mote file holds one");
   const double readTime = secondsSince(start);
 
   Part part(data.name, data.data, settings, 0.0);

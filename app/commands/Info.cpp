@@ -3,6 +3,7 @@
 #include "MeshFacts.h"
 #include "base/Text.h"
 #include "stage/Arrays.h"
+#include "stage/Calculated.h"
 #include "stage/Input.h"
 #include "stage/Part.h"
 #include "stage/SimulationBox.h"
@@ -249,7 +250,7 @@ void printInfo(const Settings& settings)
     const double start = vtkTimerLog::GetUniversalTime();
     input.open(progress);
     const int step = input.chosenStep(settings);
-    const std::vector<NamedData> all = input.read(step, progress);
+    const std::vector<NamedData> all = readAsAsked(input, step, settings, progress);
     const double seconds = vtkTimerLog::GetUniversalTime() - start;
     for (const NamedData& one : all)
       if (settings.output.json)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/ProgressRelay.h"
-#include "stage/Input.h"
+#include "stage/Calculated.h"
 
 namespace mote::app
 {
@@ -10,8 +10,9 @@ namespace mote::app
 /// Interrupted.
 struct OpenedInput
 {
-  explicit OpenedInput(const Settings& settings)
-    : input(settings.data.files)
+  explicit OpenedInput(const Settings& asked)
+    : settings(asked)
+    , input(asked.data.files)
   {
     progress.add(terminal);
     input.open(progress);
@@ -19,8 +20,9 @@ struct OpenedInput
   }
 
   /// The data sets of the step that was asked for.
-  std::vector<NamedData> read() { return input.read(step, progress); }
+  std::vector<NamedData> read() { return readAsAsked(input, step, settings, progress); }
 
+  const Settings& settings;
   TerminalProgress terminal;
   ProgressRelay progress;
   Input input;

@@ -24,6 +24,7 @@ struct Calculation
 struct DataSettings
 {
   std::vector<std::string> files;
+  std::string positions = "file"; ///< or "wrapped" into the box, or "unwrapped"
   std::vector<Calculation> calculations;
   std::optional<double> time;
   std::string step = "last"; ///< a number from 1, "first" or "last"
@@ -76,6 +77,7 @@ struct ParticleSettings
   double radiusScale = 1.0;
   std::string structure = "auto"; ///< a name of vtkMoteParticleMapper::GetStructureNames()
   std::string form = "auto";      ///< a name of vtkMoteParticleMapper::GetStructureForms()
+  std::vector<int> replicate;     ///< images along the box's three edges; none: one of each
   bool operator==(const ParticleSettings&) const = default;
 };
 

@@ -1,9 +1,12 @@
 #include "Calculated.h"
 
+#include "Part.h"
 #include "base/Failure.h"
 
 #include <vtkDataSet.h>
 #include <vtkMoteExpression.h>
+#include <vtkMotePeriodicPositions.h>
+#include <vtkPointSet.h>
 
 #include <cstdio>
 
@@ -43,12 +46,26 @@ void add(const std::vector<NamedData>& data, const std::string& option, const Ca
   before->second = true;
 }
 
+/// Wraps particles into their box, or unwraps them.
+void movePositions(const std::vector<NamedData>& data, const std::string& kind)
+{
+  const int mode =
+    kind == "wrapped" ? vtkMotePeriodicPositions::WRAPPED : vtkMotePeriodicPositions::UNWRAPPED;
+  for (const NamedData& one : data)
+    if (auto* points = vtkPointSet::SafeDownCast(one.data);
+        points && points->GetNumberOfPoints() > 0 && !Part::isMesh(points))
+      if (const std::string problem = vtkMotePeriodicPositions::Move(points, mode);
+          !problem.empty())
+        throw Failure("--positions " + kind + ": " + one.name + ": " + problem);
+}
+
 } // namespace
 
 std::vector<NamedData> withCalculated(
   const std::vector<NamedData>& data, const Settings& settings, KnownExpressions& known)
 {
-  if (settings.data.calculations.empty() && settings.selection.where.empty())
+  const bool isMoved = settings.data.positions != "file";
+  if (settings.data.calculations.empty() && settings.selection.where.empty() && !isMoved)
     return data;
   std::vector<NamedData> copies;
   for (const NamedData& one : data)
@@ -57,6 +74,8 @@ std::vector<NamedData> withCalculated(
     copies.back().data.TakeReference(one.data->NewInstance());
     copies.back().data->ShallowCopy(one.data);
   }
+  if (isMoved)
+    movePositions(copies, settings.data.positions);
   for (const Calculation& calculation : settings.data.calculations)
     add(copies, "--calculate", calculation, VTK_DOUBLE, known);
   if (!settings.selection.where.empty())
@@ -64,9 +83,17 @@ std::vector<NamedData> withCalculated(
   return copies;
 }
 
+std::vector<NamedData> readAsAsked(
+  Input& input, int step, const Settings& settings, ProgressRelay& progress)
+{
+  KnownExpressions known;
+  return withCalculated(input.read(step, progress), settings, known);
+}
+
 bool areOtherCalculations(const Settings& a, const Settings& b)
 {
-  return a.data.calculations != b.data.calculations || a.selection.where != b.selection.where;
+  return a.data.positions != b.data.positions || a.data.calculations != b.data.calculations ||
+         a.selection.where != b.selection.where;
 }
 
 } // namespace mote::app

@@ -1,5 +1,6 @@
 #include "Part.h"
 
+#include "SimulationBox.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/Text.h"
@@ -78,7 +79,10 @@ void Part::setAmbient(double ambient)
 void Part::followSettings()
 {
   if (particles_)
+  {
     this->setRadius();
+    this->setImages();
+  }
   if (volume_)
     volume_->update();
 }
@@ -150,6 +154,7 @@ void Part::setData(const std::string& name, vtkDataSet* data)
   {
     this->showAll(); // other data may lack the arrays
     this->setRadius();
+    this->setImages();
     particles_->SetInputData(vtkPointSet::SafeDownCast(data));
   }
   else if (volume_)
@@ -206,6 +211,26 @@ void Part::setRadius()
     particles_->SetRadiusArrayName(settings_.particles.radius.c_str());
     particles_->SetRadiusModeToArray();
   }
+}
+
+/// Without a box there is one image.
+void Part::setImages()
+{
+  const auto box = simulationBoxOf(data_);
+  std::vector<int> counts = settings_.particles.replicate;
+  if (!box || counts.empty())
+    counts = {1, 1, 1};
+  particles_->SetReplication(counts[0], counts[1], counts[2]);
+  if (box)
+    particles_->SetReplicationVectors(&box->vectors[0][0]);
+}
+
+int Part::images() const
+{
+  if (!particles_)
+    return 1;
+  const int* counts = particles_->GetReplication();
+  return counts[0] * counts[1] * counts[2];
 }
 
 void Part::setPreview(bool on)

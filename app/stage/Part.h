@@ -86,6 +86,9 @@ public:
   /// How many cells of a volume are of a kind that cannot be drawn, or are spoilt.
   vtkIdType numberLeftOut() const;
 
+  /// How often the particles are drawn, side by side.
+  int images() const;
+
   /// How many particles are not hidden.
   vtkIdType numberShown() const;
 
@@ -106,6 +109,7 @@ public:
 
 private:
   void setRadius();
+  void setImages();
   void work(ProgressRelay& progress, const std::function<void()>& build);
   vtkSmartPointer<vtkMapper> makeSurface();
 

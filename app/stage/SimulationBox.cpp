@@ -35,6 +35,15 @@ std::array<double, 3> cornerOf(const SimulationBox& box, int number)
   return corner;
 }
 
+SimulationBox replicated(const SimulationBox& box, const std::vector<int>& counts)
+{
+  SimulationBox all = box;
+  for (int v = 0; v < 3 && counts.size() == 3; ++v)
+    for (double& along : all.vectors[v])
+      along *= counts[static_cast<std::size_t>(v)];
+  return all;
+}
+
 SimulationBox boxOfBounds(const double bounds[6])
 {
   SimulationBox box{};

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 class vtkDataSet;
 
@@ -20,6 +21,9 @@ std::optional<SimulationBox> simulationBoxOf(vtkDataSet* data);
 
 /// One of its eight corners: bit i of the number says whether vector i is added to the origin.
 std::array<double, 3> cornerOf(const SimulationBox& box, int number);
+
+/// The box of so many images along each vector; of one where there are no three counts.
+SimulationBox replicated(const SimulationBox& box, const std::vector<int>& counts);
 
 /// A box along the axes.
 SimulationBox boxOfBounds(const double bounds[6]);

@@ -52,6 +52,8 @@ bool Stage::apply(const Settings& settings)
     if (before.particles != settings.particles || before.volume != settings.volume)
       part->followSettings();
   }
+  if (before.particles.replicate != settings.particles.replicate)
+    this->checkImages();
   if (otherData || before.color != settings.color || before.selection != settings.selection ||
       before.volume != settings.volume)
     this->applyColors();
@@ -82,6 +84,7 @@ void Stage::setData(const std::vector<NamedData>& original)
   {
     for (std::size_t i = 0; i < data.size(); ++i)
       parts_[i]->setData(data[i].name, data[i].data);
+    this->checkImages();
     return this->setSizes();
   }
   for (const auto& part : parts_)
@@ -100,6 +103,16 @@ void Stage::setData(const std::vector<NamedData>& original)
       (settings_.particles.radius != "auto" || !settings_.particles.typeRadius.empty()))
     throw Failure("--radius and --type-radius are for particles, and " + parts_.front()->name() +
                   " holds cells alone");
+  this->checkImages();
+}
+
+void Stage::checkImages() const
+{
+  const bool hasBox = std::any_of(parts_.begin(), parts_.end(),
+    [](const auto& part) { return part->particles() && simulationBoxOf(part->data()); });
+  if (!parts_.empty() && !settings_.particles.replicate.empty() && !hasBox)
+    throw Failure("--replicate needs particles with a simulation box, and " +
+                  parts_.front()->name() + " has none");
 }
 
 void Stage::setSizes()
@@ -311,6 +324,11 @@ std::string Stage::contents() const
     if (this->preview().empty() && this->numberShown() != this->numberOfParticles())
       text = withThousands(this->numberShown()) + " of " + text + " shown";
   }
+  int images = 1;
+  for (const auto& part : parts_)
+    images = std::max(images, part->images());
+  if (images > 1)
+    text += ", " + std::to_string(images) + " images";
   if (cells > 0)
     text += (text.empty() ? "" : ", ") + counted(cells, "cell");
   vtkIdType leftOut = 0;

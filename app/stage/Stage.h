@@ -88,6 +88,7 @@ public:
 private:
   std::string automaticSide() const;
   void setSizes();
+  void checkImages() const;
 
   Settings settings_; ///< that all below refer to
   vtkNew<vtkRenderer> renderer_;

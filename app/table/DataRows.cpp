@@ -56,6 +56,15 @@ void addDataRows(std::vector<Row>& table)
       .invalidates = Invalidates::Data,
       .usual = "--step decides",
       .excludes = {"step"}}));
+  table.push_back(row(data, &DataSettings::positions,
+    {.group = group,
+      .name = "positions",
+      .value = "KIND",
+      .help =
+        "Where particles of a periodic box are drawn: file, as read; wrapped into the box; or "
+        "unwrapped by their image numbers, the arrays ix, iy and iz",
+      .invalidates = Invalidates::Structure,
+      .words = {"file", "wrapped", "unwrapped"}}));
   table.push_back(row<DataSettings, std::vector<Calculation>>(data, &DataSettings::calculations,
     {.group = group,
       .name = "calculate",

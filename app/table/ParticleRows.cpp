@@ -2,8 +2,24 @@
 
 #include <vtkMoteParticleMapper.h>
 
+#include <functional>
+#include <numeric>
+
 namespace mote::app
 {
+
+namespace
+{
+
+constexpr double mostImages = 4096;
+
+void checkImages(const std::vector<int>& counts)
+{
+  if (std::accumulate(counts.begin(), counts.end(), 1.0, std::multiplies<>()) > mostImages)
+    throw WrongValue{"at most 4096 images are possible"};
+}
+
+} // namespace
 
 void addParticleRows(std::vector<Row>& table)
 {
@@ -54,6 +70,16 @@ void addParticleRows(std::vector<Row>& table)
               "and else exact",
       .invalidates = structure,
       .words = vtkMoteParticleMapper::GetStructureForms()}));
+  table.push_back(row<ParticleSettings, std::vector<int>>(particles, &ParticleSettings::replicate,
+    {.group = "Structure",
+      .name = "replicate",
+      .value = "A,B,C",
+      .help = "Draw so many images of the particles along each edge of their simulation box, as in "
+              "3,3,1; the first is that of the file. Images take no memory",
+      .count = 3,
+      .limits = {.least = 1, .most = mostImages},
+      .usual = "1,1,1"},
+    checkImages));
 }
 
 } // namespace mote::app

@@ -107,7 +107,7 @@ void WindowProps::update()
   for (const auto& part : stage_.parts())
     if (const auto own = simulationBoxOf(part->data()); own && !given)
     {
-      box = *own;
+      box = replicated(*own, stage_.settings().particles.replicate);
       given = true;
     }
   if (!given)

@@ -90,7 +90,9 @@ bool Window::follow(const Settings& next)
         throw;
       }
     });
-  if (done && before.camera != next.camera)
+  // Images would come up outside of a view that nobody chose.
+  const bool isWider = before.particles.replicate != next.particles.replicate;
+  if (done && (before.camera != next.camera || (isWider && next.camera.camera.empty())))
     this->look();
   overlay_.setInk(inkOn(stage_.renderer()));
   props_.update();

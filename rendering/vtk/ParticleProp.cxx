@@ -1,5 +1,6 @@
 #include "MoteProp.h"
 
+#include "PeriodicImages.h"
 #include "vtkMoteParticleMapper.h"
 
 #include "kernels/tracing/Picking.h"
@@ -9,6 +10,8 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkProperty.h"
+
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace mote
 {
@@ -29,7 +32,14 @@ public:
       return false;
     object.id = id;
     object.revision = mapper_->GetPictureMTime();
-    scene.surfaces.push_back(std::move(object));
+    // Images share the structure; all else that they take is a matrix.
+    const Mat4d place = object.toWorld;
+    for (const Vec3d& offset :
+      imageOffsets(mapper_->GetReplication(), mapper_->GetReplicationVectors()))
+    {
+      object.toWorld = glm::translate(place, offset);
+      scene.surfaces.push_back(object);
+    }
     return true;
   }
   std::vector<vtkMTimeType> times() const override

@@ -4,6 +4,7 @@
 #include "Bounds.h"
 #include "InputTimeStep.h"
 #include "ParticleModel.h"
+#include "PeriodicImages.h"
 #include "RendererImage.h"
 #include "SceneBridge.h"
 
@@ -289,7 +290,8 @@ vtkIdType vtkMoteParticleMapper::GetNumberOfVisibleParticles()
 
 void vtkMoteParticleMapper::GetVisibleBounds(double bounds[6])
 {
-  mote::copyBounds(this->Impl->model.visibleBounds(), bounds);
+  const mote::Box box = this->Impl->model.visibleBounds();
+  mote::copyBounds(mote::withImages(box, this->Replication, this->ReplicationVectors), bounds);
 }
 
 double* vtkMoteParticleMapper::GetBounds()
@@ -297,7 +299,9 @@ double* vtkMoteParticleMapper::GetBounds()
   const bool any = this->GetNumberOfInputConnections(0) > 0;
   if (any && !this->Static)
     this->Update();
-  mote::copyBounds(any ? this->Impl->model.statistics().bounds : mote::Box(), this->Bounds);
+  const mote::Box box = any ? this->Impl->model.statistics().bounds : mote::Box();
+  mote::copyBounds(
+    mote::withImages(box, this->Replication, this->ReplicationVectors), this->Bounds);
   return this->Bounds;
 }
 
@@ -484,6 +488,10 @@ void vtkMoteParticleMapper::PrintSelf(ostream& os, vtkIndent indent)
   print("IsPreview", this->IsPreview() ? "Yes" : "No");
   print("KeepPointIds", onOff(this->KeepPointIds));
   print("CastsShadows", onOff(this->CastsShadows));
+  for (int v = 0; v < 3; ++v)
+    os << indent << "Replication " << v << ": " << this->Replication[v] << " by "
+       << this->ReplicationVectors[3 * v] << " " << this->ReplicationVectors[3 * v + 1] << " "
+       << this->ReplicationVectors[3 * v + 2] << "\n";
   print("NumberOfParticles", this->GetNumberOfParticles());
   print("NumberOfUnfitParticles", this->GetNumberOfUnfitParticles());
   print("StructureBytes", this->GetStructureBytes());

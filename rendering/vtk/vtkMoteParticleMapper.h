@@ -198,8 +198,8 @@ public:
   ///@{
   /**
    * The particles that all ranges leave to be seen, as of the last Update(): their number, and the
-   * bounds of their spheres (GetBounds() are those of all, so that the camera stays when a range
-   * changes). The first call after a change looks at all particles.
+   * bounds of their spheres with those of their images (GetBounds() are those of all, so that the
+   * camera stays when a range changes). The first call after a change looks at all particles.
    */
   vtkIdType GetNumberOfVisibleParticles();
   void GetVisibleBounds(double bounds[6]);
@@ -249,7 +249,28 @@ public:
   vtkBooleanMacro(CastsShadows, bool);
   ///@}
 
-  /** Bounds of the spheres, not of their centres alone. */
+  ///@{
+  /**
+   * How often the particles are drawn along each of three vectors: as they are, one vector further,
+   * and so on, as with the images of a periodic simulation. Nothing is copied and no structure is
+   * built; colours, ids and occlusion maps are those of the particles. 1, 1, 1 at first; less
+   * counts as 1. See ReplicationVectors. Shadows fall from image to image; baked maps know one
+   * image alone.
+   */
+  vtkSetVector3Macro(Replication, int);
+  vtkGetVector3Macro(Replication, int);
+  ///@}
+
+  ///@{
+  /**
+   * The three vectors of Replication one after the other, in the input's coordinates. The axes'
+   * unit vectors at first.
+   */
+  vtkSetVectorMacro(ReplicationVectors, double, 9);
+  vtkGetVectorMacro(ReplicationVectors, double, 9);
+  ///@}
+
+  /** Bounds of the spheres, not of their centres alone, and of all images of Replication. */
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
 
@@ -417,6 +438,8 @@ protected:
   vtkIdType PreviewSize = 1000000;
   bool KeepPointIds = true;
   bool CastsShadows = true;
+  int Replication[3] = {1, 1, 1};
+  double ReplicationVectors[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
 
 private:
   vtkMoteParticleMapper(const vtkMoteParticleMapper&) = delete;

@@ -37,6 +37,7 @@ std::vector<std::string> sampleOf(const Row& row)
     {"show-range", {"1", "10"}},
     {"show-by", {"it's an array"}},
     {"radius", {"0.1"}},
+    {"replicate", {"3", "2", "1"}},
     {"type-radius", {"1=0.5", "7=0.30000000000000004"}},
     {"opacity", {"7%=0.1", "12.5=0.3"}},
     {"iso", {"0.1", "-2"}},

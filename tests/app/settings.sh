@@ -67,6 +67,45 @@ case $3 in
     one_sentence
     ;;
 
+  periodic) # images of a box, and particles that are wrapped into it or unwrapped
+    dump() { # LO HI: an atom and its image numbers in a box of 10
+      printf 'ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp ff\n0 10\n0 10\n0 10\n'
+      printf 'ITEM: ATOMS id type x y z ix iy iz\n1 1 %s 5 5 2 0 0\n2 1 4 %s 12 0 -1 0\n' "$1" "$2"
+    }
+    dump 13 5 >a.dump
+    run 0 "$mote" info a.dump --positions wrapped
+    said out '[3, 4] x [5, 5] x [5, 12]' # no image along z, where there are walls
+    dump 3 5 >a.dump
+    run 0 "$mote" info a.dump --positions unwrapped
+    said out '[4, 23] x [-5, 5] x [5, 12]'
+    run 0 "$mote" info a.dump --calculate 'far=x + 1'
+    said out 'far'
+    run 0 "$mote" render a.dump -o a.png --size 320x200 --radius 1
+    run 0 "$mote" render a.dump -o b.png --size 320x200 --radius 1 --replicate 3,2,1
+    said out '2 particles, 6 images'
+    cmp -s a.png b.png && fail "images change nothing"
+    # what a session keeps it draws again
+    run 0 "$mote" render a.dump -o c.png --size 320x200 --radius 1 --replicate 3,2,1 \
+      --positions wrapped --save-session s.json
+    run 0 "$mote" render s.json -o d.png
+    cmp c.png d.png || fail "a session forgets images or positions"
+    run 2 "$mote" render a.dump -o a.png --replicate 3,0,1
+    one_sentence
+    run 2 "$mote" render a.dump -o a.png --replicate 300,300,300
+    one_sentence
+    echo '1 2 3' >b.pts
+    for option in '--replicate 2,2,2' '--positions wrapped'; do
+      # shellcheck disable=SC2086
+      run 1 "$mote" render b.pts -o a.png $option
+      one_sentence
+      said err 'box'
+    done
+    sed 's/ix iy iz/jx jy jz/' a.dump >c.dump
+    run 1 "$mote" render c.dump -o a.png --positions unwrapped
+    one_sentence
+    said err "'ix'"
+    ;;
+
   values) # what options mean
     run 0 "$mote" render "$hopper" -o a.png --size 160x120 --samples 1 --show type=1,3:4
     grep -q 'of 5,518 particles shown' out || fail "nothing is hidden"

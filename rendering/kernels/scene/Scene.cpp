@@ -5,20 +5,34 @@
 namespace mote
 {
 
+namespace
+{
+
+Box transformed(const Box& local, const Mat4d& toWorld)
+{
+  Box box;
+  for (int corner = 0; !local.empty() && corner < 8; ++corner)
+    box.add(transformPoint(toWorld,
+      {corner & 1 ? local.upper.x : local.lower.x, corner & 2 ? local.upper.y : local.lower.y,
+        corner & 4 ? local.upper.z : local.lower.z}));
+  return box;
+}
+
+} // namespace
+
+Box worldBounds(const SurfaceObject& object)
+{
+  return transformed(
+    withSurface(object.surface, [](const auto& s) { return s.bounds(); }), object.toWorld);
+}
+
 Box Scene::bounds() const
 {
   Box all;
-  const auto add = [&](const Box& local, const Mat4d& toWorld)
-  {
-    for (int corner = 0; !local.empty() && corner < 8; ++corner)
-      all.add(transformPoint(toWorld,
-        {corner & 1 ? local.upper.x : local.lower.x, corner & 2 ? local.upper.y : local.lower.y,
-          corner & 4 ? local.upper.z : local.lower.z}));
-  };
   for (const SurfaceObject& object : surfaces)
-    add(withSurface(object.surface, [](const auto& s) { return s.bounds(); }), object.toWorld);
+    all.add(worldBounds(object));
   for (const CloudObject& cloud : clouds)
-    add(meshOf(*cloud.structure).bounds(), cloud.toWorld);
+    all.add(transformed(meshOf(*cloud.structure).bounds(), cloud.toWorld));
   return all;
 }
 

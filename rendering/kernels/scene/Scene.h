@@ -51,6 +51,9 @@ struct Scene
   Scene unowned() const;
 };
 
+/// Bounds in the world that enclose a surface's transformed box.
+Box worldBounds(const SurfaceObject& object);
+
 /// The reach in world units that the scene's options mean: a tenth of the longest side of its
 /// bounds where they give none.
 double occlusionReach(const Scene& scene);

@@ -16,8 +16,41 @@ SceneRays::SceneRays(const Scene& scene, const Vec3d& reference)
     rounding_.push_back(
       withSurface(object.surface, [](const auto& s) { return s.rounding(); }) *
       std::max({glm::length(stretch[0]), glm::length(stretch[1]), glm::length(stretch[2])}));
+    if (scene.surfaces.size() < 2)
+      continue;
+    Box box = worldBounds(object);
+    box = box.expanded(rounding_.back() + 1e-9 * glm::length(box.size()));
+    bounds_.push_back(box.empty() ? box : Box{box.lower - reference, box.upper - reference});
   }
 }
+
+namespace
+{
+
+/// Whether a ray of the packet may meet the box: false only where none does.
+bool mayMeet(const RayPacket& rays, const Box& box)
+{
+  bool any = false;
+  for (int i = 0; i < rays.count; ++i)
+  {
+    double from = rays.tMin[i], to = rays.t[i];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      // A direction of 0 makes infinities, or NaN in the box's face, which both comparisons pass
+      // over.
+      const double reciprocal = 1.0 / rays.direction[axis][i];
+      const double a = (box.lower[axis] - rays.origin[axis][i]) * reciprocal;
+      const double b = (box.upper[axis] - rays.origin[axis][i]) * reciprocal;
+      const double first = a < b ? a : b, last = a < b ? b : a;
+      from = first > from ? first : from;
+      to = last < to ? last : to;
+    }
+    any = any || from <= to;
+  }
+  return any;
+}
+
+} // namespace
 
 /// Calls visit(surface, packet, index) for each surface that `takes` accepts, the packet holding
 /// the rays in the surface's coordinates; their answers come back into `rays`.
@@ -34,6 +67,12 @@ void SceneRays::forSurfaces(RayPacket& rays, const Takes& takes, const Visit& vi
   {
     if (!takes(scene_.surfaces[k]))
       continue;
+    if (!bounds_.empty())
+    {
+      std::copy_n(local.t, rays.count, rays.t); // rays that found something end there
+      if (!mayMeet(rays, bounds_[k]))
+        continue;
+    }
     const Mat3d linear(toLocal_[k]);
     const Vec3d origin = transformPoint(toLocal_[k], reference_);
     for (int i = 0; i < rays.count; ++i)

@@ -49,6 +49,7 @@ private:
   Vec3d reference_;
   std::vector<Mat4d> toLocal_;
   std::vector<double> rounding_;
+  std::vector<Box> bounds_; ///< of each surface, from the reference; none where there is but one
 };
 
 } // namespace mote
