@@ -14,6 +14,7 @@
 #include "table/CommandOptions.h"
 #include "table/Help.h"
 #include "table/Session.h"
+#include "window/Display.h"
 #include "window/Window.h"
 
 #include <vtkMoteReaderTable.h>
@@ -155,7 +156,8 @@ int run(CLI::App& app, const CommandLine& line)
   for (std::size_t i = 1; i < std::size(commands); ++i)
     if (app.got_subcommand(commands[i].name))
       chosen = i;
-  if (line.given[chosen].settings.data.files.empty())
+  const bool canOffer = chosen == 0 && displayAvailable();
+  if (line.given[chosen].settings.data.files.empty() && !canOffer)
   {
     std::fprintf(stderr, "mote: no file given. Try: mote --help\n");
     return misused;

@@ -5,6 +5,7 @@
 #include <vtkSmartPointer.h>
 
 #include <cstdio>
+#include <utility>
 
 namespace mote::app
 {
@@ -13,6 +14,9 @@ namespace
 {
 
 vtkSmartPointer<Messages> installed;
+
+std::mutex guard; ///< of `kept`
+std::vector<std::string> kept;
 
 /// The sentence in "ERROR: In FILE, line N\nvtkClass (0x5581): SENTENCE\n\n".
 std::string sentenceOf(const std::string& text)
@@ -44,6 +48,22 @@ std::string Messages::takeError()
   return error;
 }
 
+void Messages::warn(const std::string& sentence)
+{
+  constexpr std::size_t most = 100;
+  std::fprintf(stderr, "mote: warning: %s\n", sentence.c_str());
+  const std::lock_guard lock(guard);
+  if (kept.size() == most)
+    kept.erase(kept.begin());
+  kept.push_back(sentence);
+}
+
+std::vector<std::string> Messages::takeWarnings()
+{
+  const std::lock_guard lock(guard);
+  return std::exchange(kept, {});
+}
+
 void Messages::DisplayText(const char*) {}
 
 void Messages::DisplayErrorText(const char* text)
@@ -61,7 +81,7 @@ void Messages::DisplayWarningText(const char* text)
   if (this->warnings_.find(sentence) != std::string::npos)
     return;
   this->warnings_ += sentence;
-  std::fprintf(stderr, "mote: warning: %s\n", sentence.c_str());
+  warn(sentence);
 }
 
 void Messages::DisplayGenericWarningText(const char* text)

@@ -2,7 +2,9 @@
 
 #include <vtkOutputWindow.h>
 
+#include <mutex>
 #include <string>
+#include <vector>
 
 namespace mote::app
 {
@@ -20,6 +22,12 @@ public:
 
   /// The first error since the last call, without file, line and class; empty if there was none.
   static std::string takeError();
+
+  /// Prints a warning on the terminal and keeps it for takeWarnings(). From any thread.
+  static void warn(const std::string& sentence);
+
+  /// The warnings since the last call, at most the last hundred.
+  static std::vector<std::string> takeWarnings();
 
   void DisplayText(const char* text) override;
   void DisplayErrorText(const char* text) override;

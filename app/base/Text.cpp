@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 
 namespace mote::app
 {
@@ -70,6 +71,28 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
   for (const std::string& word : words)
     text += (text.empty() ? "" : separator) + word;
   return text;
+}
+
+std::string wrapped(const std::string& text, std::size_t columns)
+{
+  std::string all, line;
+  std::istringstream lines(text);
+  for (bool first = true; std::getline(lines, line); first = false)
+  {
+    all += first ? "" : "\n";
+    while (line.size() > columns)
+    {
+      std::size_t end = line.rfind(' ', columns);
+      if (end == line.npos || end == 0)
+        end = line.find(' ', columns);
+      if (end == line.npos)
+        break;
+      all += line.substr(0, end) + "\n";
+      line.erase(0, end + 1);
+    }
+    all += line;
+  }
+  return all;
 }
 
 std::string lowerCase(std::string text)

@@ -28,6 +28,9 @@ std::string baseName(const std::string& path);
 /// `separator` between the words.
 std::string joined(const std::vector<std::string>& words, const std::string& separator);
 
+/// Lines of at most so many characters, broken between words; lines that fit stay as they are.
+std::string wrapped(const std::string& text, std::size_t columns);
+
 /// Lower-case copy (ASCII).
 std::string lowerCase(std::string text);
 

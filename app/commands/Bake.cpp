@@ -115,7 +115,7 @@ void addOcclusionMaps(const std::vector<NamedData>& data)
         ? file + " holds the maps of one set of particles, of which the data file has several"
         : vtkMoteAmbientOcclusionBaker::ReadMaps(file, particles.front().data);
     if (!problem.empty())
-      std::fprintf(stderr, "mote: warning: %s\n", problem.c_str());
+      Messages::warn(problem);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include "Bake.h"
 #include "base/Failure.h"
+#include "base/Messages.h"
 #include "base/Text.h"
 #include "stage/Advice.h"
 #include "stage/Picture.h"
@@ -100,8 +101,7 @@ void render(const Settings& given)
   {
     picture.aim(file);
     if (stage.numberShown() == 0 && stage.numberOfParticles() > 0)
-      std::fprintf(
-        stderr, "mote: warning: the ranges to show leave no particle in %s\n", file.c_str());
+      Messages::warn("the ranges to show leave no particle in " + file);
     picture.write(captionOf(input, step, stage.contents()), progress);
     report(file, stage, picture, size, readTime);
   };
@@ -112,7 +112,7 @@ void render(const Settings& given)
   const double readTime = show(chosen);
   stage.look(picture.aspect(), picture.margins());
   for (const std::string& sentence : adviceOn(stage))
-    std::fprintf(stderr, "mote: warning: %s\n", sentence.c_str());
+    Messages::warn(sentence);
   if (!output.allSteps)
     trace(chosen, output.file, openTime + readTime);
   else

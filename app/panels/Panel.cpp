@@ -9,6 +9,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace mote::app
 {
@@ -89,13 +90,8 @@ std::string Panel::coloredBy() const
   return "none";
 }
 
-PanelWish Panel::draw(const PanelFacts& facts, const PanelWish& earlier, float width, float height)
+void Panel::beginFrame(float width, float height)
 {
-  this->find();
-  next_ = earlier.settings.value_or(stage_.settings());
-  wish_ = {};
-  wish_.action = earlier.action;
-  drawn_ = withoutControl();
   ImGui::SetNextWindowPos(ImVec2(0.0f, 0.0f));
   ImGui::SetNextWindowSize(ImVec2(width, height));
   if (focus_ && !*focus_)
@@ -107,7 +103,36 @@ PanelWish Panel::draw(const PanelFacts& facts, const PanelWish& earlier, float w
   if (focus_ && *focus_)
     ImGui::SetWindowFocus();
   focus_.reset();
+}
+
+PanelWish Panel::draw(const PanelFacts& facts, const PanelWish& earlier, float width, float height)
+{
+  this->find();
+  next_ = earlier.settings.value_or(stage_.settings());
+  wish_ = {};
+  wish_.action = earlier.action;
+  wish_.open = earlier.open;
+  drawn_ = withoutControl();
+  this->beginFrame(width, height);
+  if (stage_.settings().data.files.empty())
+    this->drawStart();
+  else
+    this->drawGroups(facts);
+  this->drawDialog();
+  // Clicks focus the window, too: only who asked for it gives it the keys, until a click elsewhere.
+  takesKeys_ = takesKeys_ && ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
+  ImGui::End();
+  wish_.isHeld = ImGui::IsAnyItemActive() && !dialog_.isOpen();
+  if (next_ != stage_.settings())
+    wish_.settings = next_;
+  return wish_;
+}
+
+void Panel::drawGroups(const PanelFacts& facts)
+{
   this->drawTop(facts);
+  hints_.draw();
+  drawMessages(facts.messages);
   if (facts.steps > 1)
     this->drawTime(facts);
   this->drawGroup("Colour", &Panel::drawColour);
@@ -132,13 +157,53 @@ PanelWish Panel::draw(const PanelFacts& facts, const PanelWish& earlier, float w
   if (found_.hasParticles)
     this->drawGroup("Structure", nullptr);
   this->drawCosts(facts);
-  // Clicks focus the window, too: only who asked for it gives it the keys, until a click elsewhere.
-  takesKeys_ = takesKeys_ && ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
-  ImGui::End();
-  wish_.isHeld = ImGui::IsAnyItemActive();
-  if (next_ != stage_.settings())
-    wish_.settings = next_;
-  return wish_;
+}
+
+void Panel::showOpenDialog()
+{
+  const std::vector<std::string>& files = stage_.settings().data.files;
+  std::error_code error;
+  const bool isFile = !files.empty() && std::filesystem::exists(files.front(), error);
+  dialog_.show(isFile ? std::filesystem::absolute(files.front(), error).parent_path()
+                      : std::filesystem::path());
+}
+
+void Panel::drawDialog()
+{
+  if (auto choice = dialog_.draw(!stage_.settings().data.files.empty()))
+    wish_.open = std::move(choice);
+}
+
+/// In the middle of a window that has nothing else to show.
+void Panel::drawStart()
+{
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const float width = std::min(room.x, 48.0f * ImGui::GetFontSize());
+  ImGui::SetCursorPos(ImVec2(0.5f * (room.x - width) + ImGui::GetCursorPosX(), 0.08f * room.y));
+  ImGui::BeginChild("start", ImVec2(width, 0.0f), false, ImGuiWindowFlags_NavFlattened);
+  bool wantsDialog = false;
+  if (auto choice = startPage_.draw(wantsDialog))
+    wish_.open = std::move(choice);
+  ImGui::EndChild();
+  if (wantsDialog)
+    this->showOpenDialog();
+}
+
+void Panel::drawMessages(const std::vector<std::string>& messages)
+{
+  if (messages.empty())
+    return;
+  const bool isOpen = ImGui::CollapsingHeader(
+    (counted(static_cast<long>(messages.size()), "message") + "###messages").c_str());
+  noteControl("messages");
+  if (!isOpen)
+    return;
+  for (auto message = messages.rbegin(); message != messages.rend(); ++message)
+  {
+    ImGui::Bullet();
+    ImGui::TextWrapped("%s", message->c_str());
+    noteControl("message");
+  }
 }
 
 bool Panel::drawRow(const std::string& name, const std::string& label)
@@ -170,6 +235,11 @@ void Panel::drawGroup(const std::string& group, void (Panel::*first)())
 
 void Panel::drawTop(const PanelFacts& facts)
 {
+  if (buttonOf("Open..."))
+    this->showOpenDialog();
+  explainKey("Open other files, or add some\nCtrl+O");
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
   ImGui::TextWrapped("%s", stage_.contents().c_str());
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.35f * ImGui::GetFontSize(), 4.0f));
   const auto button = [this](const char* label, Action action, const char* help)

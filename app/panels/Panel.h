@@ -1,6 +1,9 @@
 #pragma once
 
+#include "Hints.h"
+#include "OpenDialog.h"
 #include "RowControls.h"
+#include "StartPage.h"
 #include "ValueControls.h"
 #include "stage/Histogram.h"
 #include "stage/Stage.h"
@@ -23,6 +26,7 @@ struct PanelFacts
   bool hasTimes = false, isPlaying = false;
   double frameTime = 0.0; ///< seconds
   std::string quality;
+  std::vector<std::string> messages; ///< warnings and failures so far
 };
 
 /// What the user asks for by the panel's controls.
@@ -31,6 +35,7 @@ struct PanelWish
   std::optional<Settings> settings; ///< others than those that are in force
   Action action = Action::None;     ///< what a key would do
   bool isHeld = false;              ///< a control is dragged or written in: more may come
+  std::optional<OpenChoice> open;   ///< files
 };
 
 /// The panel at the window's side: every choice of the table of settings, group after group. It
@@ -48,6 +53,10 @@ public:
   void setFocus(bool on);
   /// Whether keys are the panel's, as of the last draw().
   bool hasFocus() const { return takesKeys_; }
+
+  /// The next draw() opens the list of folders and files.
+  void showOpenDialog();
+  bool hasOpenDialog() const { return dialog_.isOpen(); }
 
 private:
   struct NamedArray
@@ -69,7 +78,11 @@ private:
   const Histogram& histogramOf(const std::string& name);
   /// The array that colours, as the settings would name it.
   std::string coloredBy() const;
+  void beginFrame(float width, float height);
+  void drawStart();
   void drawTop(const PanelFacts& facts);
+  static void drawMessages(const std::vector<std::string>& messages);
+  void drawDialog();
   void drawTime(const PanelFacts& facts);
   void drawColour();
   void drawColourRange();
@@ -83,12 +96,16 @@ private:
   void drawVolume();
   void drawCamera();
   void drawCosts(const PanelFacts& facts);
+  void drawGroups(const PanelFacts& facts);
   void drawGroup(const std::string& group, void (Panel::*first)());
   bool drawRow(const std::string& name, const std::string& label = {});
   void wish(Action action) { wish_.action = action; }
 
   const Stage& stage_;
   RowControls rows_;
+  OpenDialog dialog_;
+  StartPage startPage_;
+  Hints hints_;
   Found found_;
   Settings next_; ///< while drawing
   PanelWish wish_;

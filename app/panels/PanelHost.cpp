@@ -189,6 +189,25 @@ void PanelHost::draw(const std::function<void()>& controls)
     onInput();
 }
 
+/// Whether a field takes texts. ImGui's own word, WantTextInput, is a frame old, and the field may
+/// have been left since.
+bool PanelHost::isWritten()
+{
+  return ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
+}
+
+bool PanelHost::isForField(const Input& input)
+{
+  return input.kind == Input::Character || (input.kind == Input::Key && input.isDown);
+}
+
+void PanelHost::drawAgain()
+{
+  framesToCome_ = 3;
+  if (onInput)
+    onInput();
+}
+
 void PanelHost::tellTime(double now)
 {
   ImGui::GetIO().DeltaTime = static_cast<float>(std::clamp(now - lastTime_, 1e-4, 1.0));
@@ -210,6 +229,8 @@ void PanelHost::feed()
   while (!waiting_.empty())
   {
     const Input input = waiting_.front();
+    if (isTyping_ && !isWritten() && isForField(input))
+      return;
     waiting_.pop_front();
     const auto number = static_cast<std::size_t>(input.number);
     if (input.kind == Input::Character)
@@ -267,9 +288,7 @@ bool PanelHost::add(Input input)
   input.hasShift = interactor_->GetShiftKey() != 0;
   input.hasAlt = interactor_->GetAltKey() != 0;
   waiting_.push_back(input);
-  framesToCome_ = 3;
-  if (onInput)
-    onInput();
+  this->drawAgain();
   return true;
 }
 
@@ -333,7 +352,7 @@ bool PanelHost::type(bool isDown)
   ImGui::SetCurrentContext(context_);
   if (isDown)
     this->settle();
-  const bool isText = ImGui::GetIO().WantTextInput;
+  const bool isText = isTyping_ || isWritten();
   const int place = placeOf(symbol);
   if (!isDown)
     return place >= 0 && this->add({Input::Key, place, false}) && isText;

@@ -38,12 +38,17 @@ public:
 
   /// The part of the window, from its left edge, that is the controls' own.
   void setWidth(int pixels) { width_ = pixels; }
+  int width() const { return width_; }
+  /// Draws some frames more: what opens by itself needs them to find its size.
+  void drawAgain();
   /// How many presses and releases of the mouse have come, and whether more frames are to come for
   /// what came.
   int inputs() const { return inputs_; }
   bool isWaiting() const { return !waiting_.empty() || framesToCome_ > 0; }
   /// Takes the keys that move between controls from the view, or leaves them to it.
   void setFocused(bool focused) { isFocused_ = focused; }
+  /// All keys are texts, and wait for the field that will take them.
+  void setTyping(bool typing) { isTyping_ = typing; }
 
 private:
   struct Input
@@ -71,6 +76,8 @@ private:
   bool type(bool isDown);
   bool ownsMouse() const;
   bool add(Input input);
+  static bool isWritten();
+  static bool isForField(const Input& input);
   void placeMouse(int x, int y);
   void tellTime(double now);
   void settle();
@@ -80,7 +87,7 @@ private:
   vtkRenderWindowInteractor* interactor_;
   double scale_;
   int width_ = 0;
-  bool isFocused_ = false;
+  bool isFocused_ = false, isTyping_ = false;
   enum class State
   {
     New,

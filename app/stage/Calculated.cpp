@@ -2,13 +2,12 @@
 
 #include "Part.h"
 #include "base/Failure.h"
+#include "base/Messages.h"
 
 #include <vtkDataSet.h>
 #include <vtkMoteExpression.h>
 #include <vtkMotePeriodicPositions.h>
 #include <vtkPointSet.h>
-
-#include <cstdio>
 
 namespace mote::app
 {
@@ -42,7 +41,7 @@ void add(const std::vector<NamedData>& data, const std::string& option, const Ca
   if (before == known.end())
     throw Failure(problem);
   if (!before->second)
-    std::fprintf(stderr, "mote: warning: %s; this time step goes without\n", problem.c_str());
+    Messages::warn(problem + "; this time step goes without");
   before->second = true;
 }
 

@@ -148,11 +148,16 @@ void Coloring::forget()
 
 void Coloring::followSettings()
 {
-  if (settings_.color.array == wanted_)
-    return;
+  if (settings_.color.array != wanted_)
+    this->startAnew();
+}
+
+void Coloring::startAnew()
+{
   wanted_ = settings_.color.array;
   choice_ = {};
   chosen_ = false;
+  explained_ = false;
   this->forget();
 }
 

@@ -27,6 +27,9 @@ public:
   /// Only takes the parts' values into the range and the types.
   void include(const std::vector<std::unique_ptr<Part>>& parts);
 
+  /// Forgets array, range and types: other files may follow.
+  void startAnew();
+
   /// As --color-by takes it: the next of the arrays that the parts have, then no array, then the
   /// first again.
   std::string nextArray(const std::vector<std::unique_ptr<Part>>& parts) const;

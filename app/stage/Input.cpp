@@ -43,7 +43,8 @@ void collectDataSets(
   }
 }
 
-/// "peri.00300.dump" and "peri.01500.dump" as "peri.*.dump".
+} // namespace
+
 std::string nameOf(const std::vector<std::string>& files)
 {
   std::string first = baseName(files.front());
@@ -65,9 +66,8 @@ std::string nameOf(const std::vector<std::string>& files)
   return first;
 }
 
-} // namespace
-
 Input::Input(const std::vector<std::string>& files)
+  : files_(files)
 {
   for (const auto& group : vtkMoteReaderTable::GroupSeries(files))
   {

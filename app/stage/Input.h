@@ -62,6 +62,9 @@ public:
   /// The first file's name without folders, a series' with a "*"; "and 2 more" where there are.
   std::string name() const;
 
+  /// The files as they were given.
+  const std::vector<std::string>& files() const { return files_; }
+
 private:
   struct Source
   {
@@ -70,9 +73,13 @@ private:
     vtkSmartPointer<vtkAlgorithm> reader;
     std::vector<double> times;
   };
+  std::vector<std::string> files_;
   std::vector<Source> sources_;
   std::vector<double> times_;
 };
+
+/// What a file is called, without folders; a series as "peri.*.dump".
+std::string nameOf(const std::vector<std::string>& files);
 
 /// The line below a picture of a step, where none is given: the input, what is shown, the time.
 std::string captionOf(const Input& input, int step, const std::string& contents);

@@ -2,13 +2,13 @@
 
 #include "Calculated.h"
 #include "base/Failure.h"
+#include "base/Messages.h"
 #include "base/Text.h"
 
 #include <vtkDataSet.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace mote::app
 {
@@ -62,9 +62,8 @@ void Selection::require(bool found, std::size_t range, const std::string& name, 
   else if (!warned_[range])
   {
     warned_[range] = true;
-    std::fprintf(stderr,
-      "mote: warning: %s: a time step has no array '%s', so it is shown without that range\n",
-      option.c_str(), name.c_str());
+    Messages::warn(
+      option + ": a time step has no array '" + name + "', so it is shown without that range");
   }
 }
 

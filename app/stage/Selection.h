@@ -22,6 +22,9 @@ public:
   using Parts = std::vector<std::unique_ptr<Part>>;
   void apply(const Parts& parts, const ArrayChoice& colored);
 
+  /// Forgets which arrays there were: other files may follow.
+  void startAnew() { known_.clear(); }
+
 private:
   void followSettings();
   std::vector<ArrayChoice> applyExpression(const Parts& parts);

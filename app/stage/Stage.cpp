@@ -115,6 +115,17 @@ void Stage::checkImages() const
                   parts_.front()->name() + " has none");
 }
 
+void Stage::clear()
+{
+  for (const auto& part : parts_)
+    renderer_->RemoveViewProp(part->prop());
+  parts_.clear();
+  data_.clear();
+  known_.clear();
+  coloring_.startAnew();
+  selection_.startAnew();
+}
+
 void Stage::setSizes()
 {
   vtkBoundingBox all;

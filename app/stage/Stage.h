@@ -36,6 +36,9 @@ public:
   /// radius that is kept over time steps, the camera.
   Settings settingsInForce() const;
 
+  /// Takes the data away, and forgets what was learnt of them: files of other data may follow.
+  void clear();
+
   /// Shows other data; build() must follow.
   void setData(const std::vector<NamedData>& original);
 

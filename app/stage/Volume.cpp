@@ -1,5 +1,6 @@
 #include "Volume.h"
 
+#include "base/Messages.h"
 #include "settings/Colors.h"
 
 #include <vtkBoundingBox.h>
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace mote::app
 {
@@ -103,9 +103,7 @@ void Volume::setData(vtkUnstructuredGrid* data)
   if (arrayOf(data, choice_))
     return this->select(choice_);
   if (table_ && !warned_)
-    std::fprintf(stderr,
-      "mote: warning: a time step has no array '%s', so its cells are not shown\n",
-      choice_.name.c_str());
+    Messages::warn("a time step has no array '" + choice_.name + "', so its cells are not shown");
   warned_ = warned_ || table_;
   if (const auto arrays = rankedArrays(data); !arrays.empty())
     this->select(arrays.front()); // something to build with, until colours come

@@ -44,6 +44,7 @@ const std::vector<Line>& lines()
     {"t", "light: plain, ambient occlusion, baked ambient occlusion, path tracing",
       {{Next, {"t", "T"}, "ambient-occlusion"}}},
     {"e", "silhouettes: lines where depth jumps", {{Next, {"e", "E"}, "silhouettes"}}},
+    {"Ctrl+O", "open other files, or add some", {{Open, {"Control+o", "Control+O"}}}},
     {"s", "save a picture of the view, as mote render makes it", {{SavePicture, {"s", "S"}}}},
     {"Ctrl+S", "save the session: data, view and all settings",
       {{SaveSession, {"Control+s", "Control+S"}}}},

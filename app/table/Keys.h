@@ -20,6 +20,7 @@ enum class Action
   Set, ///< the value that the binding names
   // Of the window:
   Help,
+  Open,
   Panel,
   ResetView,
   ZoomIn,

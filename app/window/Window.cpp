@@ -6,6 +6,7 @@
 #include "base/Text.h"
 #include "commands/Bake.h"
 #include "settings/Colors.h"
+#include "settings/UserState.h"
 #include "table/Session.h"
 
 #include <vtkCamera.h>
@@ -28,6 +29,7 @@ namespace
 constexpr unsigned long restAfter = 250;  // ms from a turn of the wheel to sharpening
 constexpr unsigned long playPause = 60;   // ms between time steps
 constexpr unsigned long buildPause = 200; // ms between looks at what other threads build
+constexpr const char* stopped = "Stopped";
 constexpr int previewSamples = 4; // samples per pixel: more would slow down the build behind it
 
 /// Leaves the object alone when the window goes: what is still fired finds no one.
@@ -76,7 +78,7 @@ Window::~Window()
 void Window::setUpWindow()
 {
   window_->SetMultiSamples(0); // the rays are the antialiasing
-  window_->SetWindowName(("Mote: opening " + input_.name()).c_str());
+  window_->SetWindowName(this->isEmpty() ? "Mote" : ("Mote: opening " + input_.name()).c_str());
   window_->AddRenderer(stage_.renderer());
   const std::array<int, 2> size = asked_.picture.size;
   const int* screen = window_->GetScreenSize();
@@ -140,7 +142,8 @@ void Window::run()
   busy_ = true;
   try
   {
-    bar_.show("Opening " + input_.name(), 0.0);
+    if (!this->isEmpty())
+      bar_.show("Opening " + input_.name(), 0.0);
     input_.open(progress_);
     step_ = input_.chosenStep(asked_);
     const auto data = input_.read(step_, progress_);
@@ -164,14 +167,19 @@ void Window::run()
   this->look();
   props_.update();
   this->choosePass();
-  this->say("Press h for the keys");
+  if (this->isEmpty())
+    this->say("Mote shows what simulations write: start it as mote FILE, or press Ctrl+O");
+  else
+    this->say("Press h for the keys");
+  noteRecent(input_.files());
   props_.attach(interactor_); // which draws the window
   this->setUpPanel();
   this->setUpHover();
+  this->setUpOpening();
   this->render();
   if (!quit_)
     interactor_->Start();
-  if (!asked_.output.session.empty())
+  if (!asked_.output.session.empty() && !this->isEmpty())
     writeSession(this->settingsInForce(), asked_.output.session);
 }
 
@@ -198,7 +206,7 @@ bool Window::perform(const std::function<void()>& work)
   }
   catch (const Interrupted&)
   {
-    message = "Stopped";
+    message = stopped;
   }
   catch (const Failure& failure)
   {
@@ -210,7 +218,10 @@ bool Window::perform(const std::function<void()>& work)
   else if (!done)
   {
     playing_ = false;
-    this->say(message);
+    if (message == stopped)
+      this->say(message);
+    else
+      this->tell(message);
   }
   return done;
 }
@@ -297,7 +308,9 @@ void Window::shareFrameTime()
 
 void Window::nameWindow()
 {
-  window_->SetWindowName(("Mote - " + input_.name() + (previewed_ ? " (preview)" : "")).c_str());
+  window_->SetWindowName(("Mote - " + (this->isEmpty() ? "nothing open" : input_.name()) +
+                          (previewed_ ? " (preview)" : ""))
+                           .c_str());
 }
 
 void Window::updatePreview()
@@ -329,6 +342,7 @@ void Window::onRenderStart()
   if (viewedSize_ != this->viewSize() && view_ == this->viewNow())
     this->look();
   this->updatePreview();
+  this->takeMessages();
   overlay_.setStatus(this->statusText());
   props_.legend().update();
 }
@@ -394,7 +408,7 @@ void Window::onTimer(int timer)
 std::string Window::statusText() const
 {
   const std::string dot = "   \u00b7   ";
-  std::string text = stage_.contents();
+  std::string text = this->isEmpty() ? "" : stage_.contents();
   if (!input_.times().empty())
     text += dot + "step " + std::to_string(step_ + 1) + "/" +
             std::to_string(input_.numberOfSteps()) + ", t = " + asNumber(input_.times()[step_], 10);

@@ -26,14 +26,14 @@ namespace mote::app
 
 class InteractorStyle;
 
-/// Opens a window on the files and returns when the user closes it. Throws Failure where there is
-/// no display or nothing can be shown, and Interrupted.
+/// Opens a window on the files, or one that offers some where there are none, and returns when the
+/// user closes it. Throws Failure where there is no display or nothing can be shown, and
+/// Interrupted.
 void showWindow(const Settings& settings);
 
 /// The window: what it shows and how it answers. Window.cpp has set-up, drawing and time,
-/// WindowActions.cpp what keys do, WindowSettings.cpp how settings change, WindowPanel.cpp the
-/// panel. All that can be chosen
-/// is in the stage's settings.
+/// WindowActions.cpp what keys do, WindowOpening.cpp files and messages, WindowSettings.cpp how
+/// settings change, WindowPanel.cpp the panel. All that can be chosen is in the stage's settings.
 class Window
 {
 public:
@@ -81,6 +81,15 @@ private:
   void endHold();
   void togglePanel();
   std::array<int, 2> viewSize() const;
+
+  // Files
+  void setUpOpening();
+  void open(const OpenChoice& choice);
+  void readFiles(const Settings& wanted);
+  void showOpenDialog();
+  bool isEmpty() const { return this->settings().data.files.empty(); }
+  void takeMessages();
+  void tell(const std::string& message);
 
   // Settings
   const Settings& settings() const { return stage_.settings(); }
@@ -149,6 +158,7 @@ private:
 
   History history_;
   std::vector<std::string> adviceBefore_; ///< that was given already
+  std::vector<std::string> messages_;     ///< warnings and failures so far
   std::array<double, 10> view_{};         // as the settings had it last
   Settings lookedAt_;                     // when the camera was set last, by itself or by hand
   std::vector<double> camera_;            // as it was then

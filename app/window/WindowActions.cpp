@@ -25,12 +25,29 @@
 namespace mote::app
 {
 
+namespace
+{
+
+/// Whether it does something in a window that shows nothing.
+bool isWithoutData(Action action)
+{
+  using enum Action;
+  for (const Action one : {Help, Open, Panel, Undo, Redo, Escape, Quit})
+    if (action == one)
+      return true;
+  return false;
+}
+
+} // namespace
+
 void Window::act(const Binding& binding)
 {
   if (busy_ || binding.action == Action::None)
     return;
   this->recordCamera();
-  if (!binding.row.empty())
+  if (this->isEmpty() && !isWithoutData(binding.action))
+    this->say("Nothing is open yet: press Ctrl+O, or drop a file on this window");
+  else if (!binding.row.empty())
     this->actOnRow(binding);
   else if (!this->actOnView(binding.action) && !this->actOnFiles(binding.action))
     switch (binding.action)
@@ -50,6 +67,9 @@ void Window::act(const Binding& binding)
     case Action::Help:
       overlay_.setMessage("");
       overlay_.toggleHelp();
+      break;
+    case Action::Open:
+      this->showOpenDialog();
       break;
     case Action::Panel:
       this->togglePanel();
@@ -274,7 +294,9 @@ std::string Window::coloringText() const
 
 void Window::say(const std::string& message)
 {
-  overlay_.setMessage(" " + message + " ");
+  constexpr int letter = 10; // pixels, about
+  const int columns = std::max(24, this->viewSize()[0] / letter);
+  overlay_.setMessage(" " + wrapped(message, static_cast<std::size_t>(columns)) + " ");
   this->startTimer(messageTimer_, 4000);
 }
 

@@ -53,11 +53,12 @@ void Window::updatePanel()
   const double scale = asked_.output.uiScale.value_or(displayScale());
   const int width =
     panelHost_ && panelOn_ ? std::min(static_cast<int>(panelWidth * scale), size[0] / 2) : 0;
-  const double left = static_cast<double>(width) / std::max(1, size[0]);
+  const bool isStart = panelHost_ && panelOn_ && this->isEmpty();
+  const double left = isStart ? 0.0 : static_cast<double>(width) / std::max(1, size[0]);
   stage_.renderer()->SetViewport(left, 0.0, 1.0, 1.0);
   props_.setLeft(left);
   if (panelHost_)
-    panelHost_->setWidth(width);
+    panelHost_->setWidth(isStart ? size[0] : width);
 }
 
 std::array<int, 2> Window::viewSize() const
@@ -78,18 +79,19 @@ void Window::drawPanel()
   facts.time = facts.hasTimes ? input_.times()[static_cast<std::size_t>(step_)] : 0.0;
   facts.isPlaying = playing_;
   facts.frameTime = frameTime_;
+  facts.messages = messages_;
   facts.quality = traced_ && pass_->GetNumberOfSamples() > 0 ? this->qualityText() : "";
   panelHost_->draw(
     [&]
     {
       const int* size = window_->GetSize();
-      const double left = stage_.renderer()->GetViewport()[0];
       wish_ = panel_.draw(
-        facts, wish_, static_cast<float>(std::lround(left * size[0])), static_cast<float>(size[1]));
+        facts, wish_, static_cast<float>(panelHost_->width()), static_cast<float>(size[1]));
     });
   panelHost_->setFocused(panel_.hasFocus());
+  panelHost_->setTyping(panel_.hasOpenDialog());
   const bool isOver = beforeHold_ && !wish_.isHeld;
-  if ((wish_.settings || wish_.action != Action::None || isOver) && panelTimer_ == 0)
+  if ((wish_.settings || wish_.open || wish_.action != Action::None || isOver) && panelTimer_ == 0)
     this->startTimer(panelTimer_, soon);
   writeControls(panelHost_->inputs(), panelTimer_ != 0);
 }
@@ -102,7 +104,12 @@ void Window::takeWish()
     this->takeSettings(*wish.settings, wish.isHeld);
   else if (!wish.isHeld)
     this->endHold();
-  if (wish.action != Action::None)
+  if (wish.open)
+  {
+    this->endHold();
+    this->open(*wish.open);
+  }
+  else if (wish.action != Action::None)
   {
     this->endHold();
     Binding binding;

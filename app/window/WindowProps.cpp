@@ -118,9 +118,10 @@ void WindowProps::update()
   }
   static_cast<vtkPolyDataMapper*>(box_->GetMapper())->SetInputData(edgesOf(box));
   const PictureSettings& picture = stage_.settings().picture;
-  box_->SetVisibility(picture.box);
-  if (corner_->GetInteractor() && corner_->GetEnabled() != static_cast<int>(picture.axes))
-    corner_->SetEnabled(picture.axes);
+  box_->SetVisibility(picture.box && !stage_.parts().empty());
+  const bool axes = picture.axes && !stage_.parts().empty();
+  if (corner_->GetInteractor() && corner_->GetEnabled() != static_cast<int>(axes))
+    corner_->SetEnabled(axes);
   legend_.set(stage_.coloring().legendTable(), stage_.coloring().title(), picture);
   this->setInk(inkOn(stage_.renderer()));
 }

@@ -61,6 +61,8 @@ bool Window::follow(const Settings& next)
   const auto show = [&](const Settings& wanted)
   {
     const DataSettings present = this->settings().data;
+    if (input_.files() != wanted.data.files)
+      return this->readFiles(wanted);
     const bool rebuild = stage_.apply(wanted);
     if (present != wanted.data)
       this->load(input_.chosenStep(wanted));
@@ -90,9 +92,10 @@ bool Window::follow(const Settings& next)
         throw;
       }
     });
+  const bool isOther = before.data.files != next.data.files;
   // Images would come up outside of a view that nobody chose.
   const bool isWider = before.particles.replicate != next.particles.replicate;
-  if (done && (before.camera != next.camera || (isWider && next.camera.camera.empty())))
+  if (done && (isOther || before.camera != next.camera || (isWider && next.camera.camera.empty())))
     this->look();
   overlay_.setInk(inkOn(stage_.renderer()));
   props_.update();

@@ -4,6 +4,11 @@ source "$tests/common.sh"
 [ -n "$DISPLAY" ] || fail "no display"
 copper=$data/copper-scratch.dump.gz
 
+# What the program remembers of its user is the test's own: of one who knows the hints.
+export XDG_STATE_HOME=$folder/state
+mkdir -p "$XDG_STATE_HOME/mote"
+echo '{"hints": false}' >"$XDG_STATE_HOME/mote/state.json"
+
 # Tests of the view go without the panel.
 folded=--no-panel
 # open ARGUMENTS...: starts the program and waits for its window.

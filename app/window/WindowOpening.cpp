@@ -1,0 +1,100 @@
+// Files that are opened in the window, and what the window tells of them.
+
+#include "Window.h"
+
+#include "Observe.h"
+#include "base/Failure.h"
+#include "base/Messages.h"
+#include "settings/UserState.h"
+#include "table/Opening.h"
+
+#include <vtkCommand.h>
+#include <vtkStringArray.h>
+
+namespace mote::app
+{
+
+void Window::setUpOpening()
+{
+  observe(interactor_, vtkCommand::DropFilesEvent,
+    [this](void* data)
+    {
+      std::vector<std::string> files;
+      auto* names = static_cast<vtkStringArray*>(data);
+      for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
+        files.push_back(names->GetValue(i));
+      if (!busy_ && !files.empty())
+        this->open({files, false});
+    });
+}
+
+void Window::open(const OpenChoice& choice)
+{
+  playing_ = false;
+  try
+  {
+    const bool wasEmpty = this->isEmpty();
+    const Settings next = settingsToOpen(this->settings(), choice.files, choice.isAdded);
+    this->change(next,
+      [&]
+      {
+        return (choice.isAdded ? "Added " : "Opened ") + nameOf(choice.files) +
+               (wasEmpty ? "; press h for the keys" : "; Ctrl+Z brings back what was there");
+      });
+    if (input_.files() == next.data.files)
+      noteRecent(next.data.files);
+  }
+  catch (const Failure& failure)
+  {
+    this->say(failure.what());
+  }
+  this->render();
+}
+
+/// Reads other files, in the place of those that are there. Where they cannot be recognised those
+/// stay; where they cannot be read follow() brings those back.
+void Window::readFiles(const Settings& wanted)
+{
+  Input next(wanted.data.files);
+  next.open(progress_);
+  input_ = std::move(next);
+  stage_.clear();
+  stage_.apply(wanted);
+  this->load(input_.chosenStep(wanted));
+  asked_ = wanted;
+  arrayAsked_ = stage_.settingsInForce().color.array;
+  adviceBefore_.clear();
+  previewed_ = !stage_.preview().empty();
+  this->nameWindow();
+}
+
+void Window::showOpenDialog()
+{
+  if (!panelHost_)
+    return this->say("This window's OpenGL is older than 3.2 and has no list of files: mote FILE "
+                     "opens one");
+  panelOn_ = true;
+  panel_.showOpenDialog();
+  panelHost_->setTyping(true);
+  panelHost_->drawAgain();
+}
+
+/// The warnings that have come go into the window, too.
+void Window::takeMessages()
+{
+  for (const std::string& warning : Messages::takeWarnings())
+    this->tell(warning);
+}
+
+void Window::tell(const std::string& message)
+{
+  constexpr std::size_t most = 100;
+  constexpr unsigned long longEnough = 12000; // ms
+  if (messages_.size() == most)
+    messages_.erase(messages_.begin());
+  messages_.push_back(message);
+  this->say(message);
+  this->startTimer(messageTimer_, longEnough);
+}
+
+} // namespace mote::app
