@@ -14,6 +14,7 @@ namespace
 {
 
 vtkSmartPointer<Messages> installed;
+thread_local std::string firstError;
 
 std::mutex guard; ///< of `kept`
 std::vector<std::string> kept;
@@ -42,10 +43,7 @@ void Messages::install()
 
 std::string Messages::takeError()
 {
-  std::string error;
-  if (installed)
-    error.swap(installed->error_);
-  return error;
+  return std::exchange(firstError, {});
 }
 
 void Messages::warn(const std::string& sentence)
@@ -68,8 +66,8 @@ void Messages::DisplayText(const char*) {}
 
 void Messages::DisplayErrorText(const char* text)
 {
-  if (this->error_.empty())
-    this->error_ = sentenceOf(text);
+  if (firstError.empty())
+    firstError = sentenceOf(text);
 }
 
 void Messages::DisplayWarningText(const char* text)
@@ -78,6 +76,7 @@ void Messages::DisplayWarningText(const char* text)
   if (whole.find("vtkMote") == std::string::npos)
     return;
   const std::string sentence = sentenceOf(whole);
+  const std::lock_guard lock(this->mutex_);
   if (this->warnings_.find(sentence) != std::string::npos)
     return;
   this->warnings_ += sentence;

@@ -9,8 +9,9 @@
 namespace mote::app
 {
 
-/// Keeps what VTK and Mote would print: the first error since the last takeError() as a plain
-/// sentence. Warnings of Mote's own classes go to the terminal once each, those of VTK nowhere.
+/// Keeps what VTK and Mote would print: the first error of each thread since its last takeError()
+/// as a plain sentence. Warnings of Mote's own classes go to the terminal once each, those of VTK
+/// nowhere.
 class Messages : public vtkOutputWindow
 {
 public:
@@ -20,7 +21,8 @@ public:
   /// Makes this kind of window the process's one.
   static void install();
 
-  /// The first error since the last call, without file, line and class; empty if there was none.
+  /// This thread's first error since its last call, without file, line and class; empty if there
+  /// was none.
   static std::string takeError();
 
   /// Prints a warning on the terminal and keeps it for takeWarnings(). From any thread.
@@ -36,8 +38,8 @@ public:
   void DisplayDebugText(const char*) override {}
 
 private:
-  std::string error_;
-  std::string warnings_; // those printed so far, one after the other
+  std::mutex mutex_;     ///< of `warnings_`
+  std::string warnings_; ///< those printed so far, one after the other
 };
 
 } // namespace mote::app

@@ -5,6 +5,7 @@
 
 #include <vtkAlgorithm.h>
 #include <vtkCommand.h>
+#include <vtkNew.h>
 
 #include <algorithm>
 #include <csignal>
@@ -69,6 +70,37 @@ void ProgressRelay::add(ProgressDisplay& display)
 void ProgressRelay::remove(ProgressDisplay& display)
 {
   std::erase(displays_, &display);
+}
+
+Runner ProgressRelay::runner()
+{
+  return [this](const std::string& what, vtkObject* object, const std::function<void()>& work)
+  {
+    Work shown(*this, what, object);
+    work();
+    shown.finish();
+  };
+}
+
+Runner quietly(const std::function<bool(double)>& goesOn)
+{
+  return [goesOn](const std::string&, vtkObject* object, const std::function<void()>& work)
+  {
+    auto* algorithm = vtkAlgorithm::SafeDownCast(object);
+    vtkNew<ProgressCommand> command;
+    command->advance = [&](double share)
+    {
+      if (!goesOn(share) && algorithm)
+        algorithm->SetAbortExecute(1);
+    };
+    const unsigned long tag = object->AddObserver(vtkCommand::ProgressEvent, command);
+    if (algorithm)
+      algorithm->SetAbortExecute(0);
+    work();
+    object->RemoveObserver(tag);
+    if (!goesOn(1.0))
+      throw Interrupted();
+  };
 }
 
 ProgressRelay::Work::Work(ProgressRelay& progress, const std::string& what, vtkObject* object)

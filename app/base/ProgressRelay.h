@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -31,6 +32,15 @@ public:
 /// SIGINT is ignored from the start.
 void endOnInterrupt();
 
+/// Runs one long work, of which `what` says what it does, on a pipeline object that fires
+/// ProgressEvents. Throws Interrupted where it was stopped.
+using Runner = std::function<void(
+  const std::string& what, vtkObject* object, const std::function<void()>& work)>;
+
+/// One for threads other than the first: shows nothing, and stops the work when `goesOn`, which is
+/// told the share done, says no.
+Runner quietly(const std::function<bool(double share)>& goesOn);
+
 /// Carries progress from pipeline objects to the displays, and interruption the other way.
 class ProgressRelay
 {
@@ -38,6 +48,9 @@ public:
   /// Displays are not owned.
   void add(ProgressDisplay& display);
   void remove(ProgressDisplay& display);
+
+  /// Runs each work as a Work, below. The relay must live as long.
+  Runner runner();
 
   /// One long work of a pipeline object: shows its ProgressEvents from construction to destruction,
   /// once it takes longer than a moment, with an estimate of what is left where that is long, and

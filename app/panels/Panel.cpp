@@ -263,29 +263,6 @@ void Panel::drawTop(const PanelFacts& facts)
   ImGui::Spacing();
 }
 
-void Panel::drawTime(const PanelFacts& facts)
-{
-  if (!ImGui::CollapsingHeader("Time", ImGuiTreeNodeFlags_DefaultOpen))
-    return;
-  if (buttonOf(facts.isPlaying ? "Pause" : "Play"))
-    this->wish(Action::Play);
-  explainKey("space");
-  ImGui::SameLine();
-  int step = facts.step + 1;
-  ImGui::SetNextItemWidth(-1.0f);
-  const std::string shown = "step %d of " + std::to_string(facts.steps);
-  if (ImGui::SliderInt(
-        "##step", &step, 1, facts.steps, shown.c_str(), ImGuiSliderFlags_AlwaysClamp) &&
-      step != facts.step + 1)
-  {
-    next_.data.time.reset();
-    next_.data.step = std::to_string(step);
-  }
-  RowControls::explain(*rowNamed("step"));
-  if (facts.hasTimes)
-    ImGui::Text("t = %s", asNumber(facts.time, 10).c_str());
-}
-
 void Panel::drawColour()
 {
   const Coloring& coloring = stage_.coloring();

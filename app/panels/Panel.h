@@ -7,6 +7,7 @@
 #include "ValueControls.h"
 #include "stage/Histogram.h"
 #include "stage/Stage.h"
+#include "stage/StepCache.h"
 #include "table/Keys.h"
 
 #include <map>
@@ -21,7 +22,9 @@ namespace mote::app
 /// What the panel tells of besides the stage.
 struct PanelFacts
 {
-  int step = 0, steps = 1; ///< step counts from 0
+  int step = 0, steps = 1; ///< that is wanted; counts from 0
+  int shownStep = 0;       ///< until that is read
+  StepCache::Facts cache;  ///< of the steps that are read ahead
   double time = 0.0;
   bool hasTimes = false, isPlaying = false;
   double frameTime = 0.0; ///< seconds
@@ -84,6 +87,8 @@ private:
   static void drawMessages(const std::vector<std::string>& messages);
   void drawDialog();
   void drawTime(const PanelFacts& facts);
+  void drawCache(const PanelFacts& facts);
+  void drawStep(const PanelFacts& facts);
   void drawColour();
   void drawColourRange();
   void drawSelection();

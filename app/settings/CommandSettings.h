@@ -20,6 +20,9 @@ struct OutputSettings
   bool preview = true;           ///< in the window, of large sets until they are built
   bool panel = true;             ///< at the window's side
   std::optional<double> uiScale; ///< of the panel's texts; none: as the display says
+  std::string cache = "25%";     ///< memory for time steps ahead: a size, or a share
+  double speed = 10.0;           ///< time steps a second, of playing, at most
+  bool loop = true;              ///< whether playing goes on from the last step to the first
   bool operator==(const OutputSettings&) const = default;
 };
 

@@ -89,6 +89,14 @@ std::vector<NamedData> readAsAsked(
   return withCalculated(input.read(step, progress), settings, known);
 }
 
+void noteCalculated(const Settings& settings, KnownExpressions& known)
+{
+  for (const Calculation& calculation : settings.data.calculations)
+    known.emplace(calculation.expression, false);
+  if (!settings.selection.where.empty())
+    known.emplace(settings.selection.where, false);
+}
+
 bool areOtherCalculations(const Settings& a, const Settings& b)
 {
   return a.data.positions != b.data.positions || a.data.calculations != b.data.calculations ||

@@ -26,6 +26,9 @@ std::vector<NamedData> withCalculated(
 std::vector<NamedData> readAsAsked(
   Input& input, int step, const Settings& settings, ProgressRelay& progress);
 
+/// Notes expressions whose arrays were made elsewhere, with no problem.
+void noteCalculated(const Settings& settings, KnownExpressions& known);
+
 /// Whether these settings ask for other arrays or positions.
 bool areOtherCalculations(const Settings& a, const Settings& b);
 

@@ -8,6 +8,7 @@
 #include <vtkCompositeDataSet.h>
 #include <vtkDataSet.h>
 #include <vtkInformation.h>
+#include <vtkMoteLAMMPSDumpReader.h>
 #include <vtkMotePolyDataReader.h>
 #include <vtkMoteReaderTable.h>
 
@@ -133,19 +134,42 @@ int Input::chosenStep(const Settings& settings) const
   return static_cast<int>(number) - 1;
 }
 
+std::unique_ptr<Input> Input::again() const
+{
+  std::unique_ptr<Input> other(new Input);
+  other->times_ = times_;
+  for (const Source& source : sources_)
+  {
+    std::string error;
+    other->sources_.push_back(source);
+    Source& own = other->sources_.back();
+    own.reader = vtkMoteReaderTable::MakeReader(source.files, error);
+    if (!own.reader)
+      throw Failure(error);
+    if (auto* dump = vtkMoteLAMMPSDumpReader::SafeDownCast(own.reader))
+      dump->TakeIndexOf(vtkMoteLAMMPSDumpReader::SafeDownCast(source.reader));
+  }
+  return other;
+}
+
 std::vector<NamedData> Input::read(int step, ProgressRelay& progress)
+{
+  return this->read(step, progress.runner());
+}
+
+std::vector<NamedData> Input::read(int step, const Runner& runner)
 {
   std::vector<NamedData> all;
   for (Source& source : sources_)
   {
     std::string error;
     vtkSmartPointer<vtkDataObject> data;
-    {
-      ProgressRelay::Work work(progress, "Reading " + source.name, source.reader);
-      data = times_.empty() ? vtkMoteReaderTable::Read(source.reader, error)
-                            : vtkMoteReaderTable::Read(source.reader, times_[step], error);
-      work.finish();
-    }
+    runner("Reading " + source.name, source.reader,
+      [&]
+      {
+        data = times_.empty() ? vtkMoteReaderTable::Read(source.reader, error)
+                              : vtkMoteReaderTable::Read(source.reader, times_[step], error);
+      });
     if (!data)
       throw Failure(error.empty() ? source.name + " could not be read" : error);
     // The reader writes its next step into the same object.

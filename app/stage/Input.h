@@ -55,6 +55,11 @@ public:
 
   /// All data sets at a step; of composite data every leaf.
   std::vector<NamedData> read(int step, ProgressRelay& progress);
+  std::vector<NamedData> read(int step, const Runner& runner);
+
+  /// The same files with readers of their own, for another thread; to be called where this is open
+  /// and not at work.
+  std::unique_ptr<Input> again() const;
 
   /// For each reader the file with a step, and the time to ask for where files have times.
   std::vector<std::pair<std::string, std::optional<double>>> filesAt(int step) const;
@@ -66,6 +71,8 @@ public:
   const std::vector<std::string>& files() const { return files_; }
 
 private:
+  Input() = default;
+
   struct Source
   {
     std::vector<std::string> files;

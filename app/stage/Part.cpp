@@ -249,15 +249,11 @@ std::string Part::update()
   return Messages::takeError();
 }
 
-void Part::work(ProgressRelay& progress, const std::function<void()>& build)
+void Part::work(const Runner& runner, const std::function<void()>& build)
 {
   Messages::takeError();
-  {
-    ProgressRelay::Work work(progress,
-      kind_ == Kind::Surface ? "Extracting surface" : "Building structure", this->worker());
-    build();
-    work.finish();
-  }
+  runner(
+    kind_ == Kind::Surface ? "Extracting surface" : "Building structure", this->worker(), build);
   if (const std::string error = Messages::takeError(); !error.empty())
     throw Failure(error);
 }
@@ -265,17 +261,59 @@ void Part::work(ProgressRelay& progress, const std::function<void()>& build)
 void Part::finishBuild(ProgressRelay& progress)
 {
   if (particles_)
-    this->work(progress, [this] { particles_->FinishBuild(); });
+    this->work(progress.runner(), [this] { particles_->FinishBuild(); });
 }
 
 void Part::build(ProgressRelay& progress)
 {
+  this->build(progress.runner());
+}
+
+void Part::build(const Runner& runner)
+{
   this->prop()->VisibilityOff(); // whatever happens, nothing half built is drawn
-  this->work(progress, [this] { this->worker()->Update(); });
+  this->work(runner, [this] { this->worker()->Update(); });
   this->prop()->VisibilityOn();
   if (particles_ && particles_->GetRadiusMode() == vtkMoteParticleMapper::RADIUS_FROM_SPACING &&
       particles_->GetNumberOfParticles() > 1)
     keptRadius_ = particles_->GetRadiusInUse() / settings_.particles.radiusScale;
+}
+
+BuiltPart Part::built(bool forPicture) const
+{
+  BuiltPart built;
+  if (particles_)
+    built.particles = particles_->GetBuilt();
+  if (volume_)
+    built.volume = volume_->mapper()->GetBuilt(forPicture);
+  if (built.particles || built.volume)
+    built.bytes = static_cast<std::size_t>(this->structureBytes());
+  return built;
+}
+
+bool Part::isProvisional() const
+{
+  return particles_ && (particles_->IsPreview() ||
+                         (keptRadius_ > 0.0 && particles_->GetRadiusMode() ==
+                                                 vtkMoteParticleMapper::RADIUS_FROM_SPACING));
+}
+
+void Part::offer(const BuiltPart& built)
+{
+  if (particles_)
+    particles_->OfferBuilt(built.particles);
+  if (volume_)
+    volume_->mapper()->OfferBuilt(built.volume);
+}
+
+void Part::keep(double radius, const ArrayChoice& colored)
+{
+  keptRadius_ = radius;
+  colored_ = colored;
+  if (volume_ && arrayOf(data_, colored))
+    volume_->select(colored);
+  if (particles_)
+    this->setRadius();
 }
 
 vtkSmartPointer<vtkMapper> Part::makeSurface()

@@ -20,8 +20,22 @@ class vtkMapper;
 class vtkMoteParticleMapper;
 class vtkProp3D;
 
+namespace mote
+{
+struct BuiltParticles;
+struct BuiltVolume;
+} // namespace mote
+
 namespace mote::app
 {
+
+/// What a part builds of its data, and hands to another part. Null for what it does not build.
+struct BuiltPart
+{
+  std::shared_ptr<const BuiltParticles> particles;
+  std::shared_ptr<const BuiltVolume> volume;
+  std::size_t bytes = 0;
+};
 
 /// One data set in the picture: its points as particles, its cells as a volume, or their surface.
 class Part
@@ -57,6 +71,18 @@ public:
 
   /// Brings structures up to date. Throws Failure and Interrupted, after which nothing is drawn.
   void build(ProgressRelay& progress);
+  void build(const Runner& runner);
+
+  /// What was built, for another part with the same data; `forPicture` makes the last of it ready.
+  BuiltPart built(bool forPicture = false) const;
+  /// The next build() takes this where it fits data and settings.
+  void offer(const BuiltPart& built);
+  /// Begins with what another part keeps over time steps: its radius, and by what a volume is seen.
+  void keep(double radius, const ArrayChoice& colored);
+  const ArrayChoice& colored() const { return colored_; }
+  /// Whether what is built would be built otherwise for the same data later: a preview, or spheres
+  /// whose radius is kept from now on.
+  bool isProvisional() const;
 
   /// Whether build() of many particles leaves them to another thread, with a preview meanwhile.
   void setPreview(bool on);
@@ -110,7 +136,7 @@ public:
 private:
   void setRadius();
   void setImages();
-  void work(ProgressRelay& progress, const std::function<void()>& build);
+  void work(const Runner& runner, const std::function<void()>& build);
   vtkSmartPointer<vtkMapper> makeSurface();
 
   vtkAlgorithm* worker() const;

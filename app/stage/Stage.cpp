@@ -73,9 +73,15 @@ Settings Stage::settingsInForce() const
   return all;
 }
 
-void Stage::setData(const std::vector<NamedData>& original)
+void Stage::setData(const std::vector<NamedData>& original, const ReadyStep* ready)
 {
-  const std::vector<NamedData> data = withCalculated(original, settings_, known_);
+  const bool isReady = ready && ready->data.size() == original.size() &&
+                       ready->parts.size() == original.size() &&
+                       ready->plan.fitsCalculations(settings_);
+  const std::vector<NamedData> data =
+    isReady ? ready->data : withCalculated(original, settings_, known_);
+  if (isReady)
+    noteCalculated(settings_, known_);
   data_ = original;
   bool sameKinds = parts_.size() == data.size();
   for (std::size_t i = 0; sameKinds && i < data.size(); ++i)
@@ -83,7 +89,10 @@ void Stage::setData(const std::vector<NamedData>& original)
   if (sameKinds)
   {
     for (std::size_t i = 0; i < data.size(); ++i)
+    {
       parts_[i]->setData(data[i].name, data[i].data);
+      parts_[i]->offer(isReady ? ready->parts[i] : BuiltPart());
+    }
     this->checkImages();
     return this->setSizes();
   }
@@ -124,6 +133,37 @@ void Stage::clear()
   known_.clear();
   coloring_.startAnew();
   selection_.startAnew();
+}
+
+ReadyStep Stage::ready() const
+{
+  ReadyStep ready;
+  ready.plan = this->readyPlan();
+  ready.original = data_;
+  for (const auto& part : parts_)
+  {
+    ready.parts.push_back(part->built());
+    ready.data.push_back({part->name(), part->data(), {}});
+  }
+  // What is not all there, or was built before there was a radius to keep, is built anew.
+  if (std::any_of(
+        parts_.begin(), parts_.end(), [](const auto& part) { return part->isProvisional(); }))
+  {
+    ready.parts.clear();
+    ready.plan = {};
+  }
+  ready.count();
+  return ready;
+}
+
+ReadyPlan Stage::readyPlan() const
+{
+  ReadyPlan plan;
+  plan.settings = settings_;
+  for (const auto& part : parts_)
+    plan.kept.push_back({part->kind(), part->keptRadius(),
+      part->kind() == Part::Kind::Volume ? part->colored() : ArrayChoice()});
+  return plan;
 }
 
 void Stage::setSizes()

@@ -6,6 +6,7 @@
 #include "Input.h"
 #include "Lighting.h"
 #include "Part.h"
+#include "ReadyStep.h"
 #include "Selection.h"
 
 #include <vtkMoteSilhouettes.h>
@@ -39,8 +40,13 @@ public:
   /// Takes the data away, and forgets what was learnt of them: files of other data may follow.
   void clear();
 
-  /// Shows other data; build() must follow.
-  void setData(const std::vector<NamedData>& original);
+  /// Shows other data; build() must follow, and takes what is ready.
+  void setData(const std::vector<NamedData>& original, const ReadyStep* ready = nullptr);
+
+  /// What was built of the data, but for previews.
+  ReadyStep ready() const;
+  /// How steps are to be made ready, to fit this stage.
+  ReadyPlan readyPlan() const;
 
   /// Brings all structures up to date. Throws Failure and Interrupted.
   void build(ProgressRelay& progress);

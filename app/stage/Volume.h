@@ -29,6 +29,8 @@ public:
   static bool canShow(vtkDataSet* data);
 
   void setData(vtkUnstructuredGrid* data);
+  /// Chooses the array that colours.
+  void select(const ArrayChoice& choice);
   /// How volumes look: colours by an array through the table, and opacities. `diagonal` is the size
   /// of all that is shown.
   void setColors(vtkDataSet* data, const ArrayChoice& choice, vtkLookupTable* table,
@@ -45,7 +47,6 @@ public:
   vtkMoteVolumeMapper* mapper() const { return mapper_; }
 
 private:
-  void select(const ArrayChoice& choice);
   void setOpacity();
 
   const VolumeSettings& settings_;

@@ -322,7 +322,7 @@ const std::vector<Row>& commandTable()
   static const Rows table = []
   {
     Rows rows;
-    for (const auto add : {addPictureCommands, addConvert, addInfo, addAverage,
+    for (const auto add : {addPictureCommands, addTimeRows, addConvert, addInfo, addAverage,
            addSilhouettesCommand, addBake, addProbe})
       add(rows);
     return rows;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -104,6 +105,13 @@ const std::vector<Row>& commandTable();
 
 /// A size such as "4G" in bytes; 0 for a text that is none.
 std::uint64_t bytesOf(const std::string& text);
+
+/// A size such as "4G", or "25%" of the machine's memory, in bytes; "0" is 0. None for a text that
+/// is neither.
+std::optional<std::uint64_t> memoryOf(const std::string& text);
+
+/// The row of commandTable() that is a command's; null where there is none.
+const Row* commandRow(const std::string& command, const std::string& name);
 
 /// The row of that name; null where there is none.
 const Row* rowNamed(const std::string& name);

@@ -16,6 +16,9 @@ void addLightRows(std::vector<Row>& table);
 void addSilhouetteRows(std::vector<Row>& table);
 void addPictureRows(std::vector<Row>& table);
 
+// What commands alone take, in files of its own: what commandTable() puts beside the rest.
+void addTimeRows(std::vector<Row>& table);
+
 /// A check that says in a sentence what is wrong with a text, as one that throws WrongValue.
 std::function<void(const std::string&)> refusing(std::string (*check)(const std::string&));
 

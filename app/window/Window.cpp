@@ -4,7 +4,6 @@
 #include "Observe.h"
 #include "base/Failure.h"
 #include "base/Text.h"
-#include "commands/Bake.h"
 #include "settings/Colors.h"
 #include "settings/UserState.h"
 #include "table/Session.h"
@@ -27,7 +26,6 @@ namespace
 {
 
 constexpr unsigned long restAfter = 250;  // ms from a turn of the wheel to sharpening
-constexpr unsigned long playPause = 60;   // ms between time steps
 constexpr unsigned long buildPause = 200; // ms between looks at what other threads build
 constexpr const char* stopped = "Stopped";
 constexpr int previewSamples = 4; // samples per pixel: more would slow down the build behind it
@@ -146,12 +144,7 @@ void Window::run()
       bar_.show("Opening " + input_.name(), 0.0);
     input_.open(progress_);
     step_ = input_.chosenStep(asked_);
-    const auto data = input_.read(step_, progress_);
-    addOcclusionMaps(data);
-    stage_.setData(data);
-    stage_.setPreview(asked_.output.preview);
-    stage_.build(progress_);
-    stage_.applyColors();
+    this->load(step_);
     bar_.hide();
   }
   catch (const Interrupted&)
@@ -176,15 +169,14 @@ void Window::run()
   this->setUpPanel();
   this->setUpHover();
   this->setUpOpening();
+  this->startCache();
   this->render();
   if (!quit_)
     interactor_->Start();
+  cache_.reset();
   if (!asked_.output.session.empty() && !this->isEmpty())
     writeSession(this->settingsInForce(), asked_.output.session);
 }
-
-//------------------------------------------------------------------------------------------------
-// Time
 
 void Window::quit()
 {
@@ -224,28 +216,6 @@ bool Window::perform(const std::function<void()>& work)
       this->tell(message);
   }
   return done;
-}
-
-void Window::load(int step)
-{
-  props_.unmark();
-  stage_.stopBuild();
-  const auto data = input_.read(step, progress_);
-  addOcclusionMaps(data);
-  stage_.setData(data);
-  // What plays would go on to the next step before it is built.
-  stage_.setPreview(asked_.output.preview && !playing_);
-  step_ = step;
-  stage_.build(progress_);
-  stage_.applyColors();
-  this->choosePass();
-}
-
-void Window::advance()
-{
-  if (playing_ && this->follow(this->withStep((step_ + 1) % input_.numberOfSteps())))
-    this->startTimer(playTimer_, playPause);
-  this->render();
 }
 
 //------------------------------------------------------------------------------------------------
@@ -390,6 +360,8 @@ void Window::onTimer(int timer)
     this->advance();
   else if (due(hoverTimer_))
     this->hover();
+  else if (due(cacheTimer_))
+    this->watchCache();
   else if (due(messageTimer_))
   {
     overlay_.setMessage("");

@@ -8,6 +8,7 @@
 #include "panels/PanelHost.h"
 #include "settings/History.h"
 #include "stage/Stage.h"
+#include "stage/StepCache.h"
 #include "table/Keys.h"
 
 #include <vtkMoteRayCastPass.h>
@@ -31,9 +32,10 @@ class InteractorStyle;
 /// Interrupted.
 void showWindow(const Settings& settings);
 
-/// The window: what it shows and how it answers. Window.cpp has set-up, drawing and time,
-/// WindowActions.cpp what keys do, WindowOpening.cpp files and messages, WindowSettings.cpp how
-/// settings change, WindowPanel.cpp the panel. All that can be chosen is in the stage's settings.
+/// The window: what it shows and how it answers. Window.cpp has set-up and drawing, WindowTime.cpp
+/// time steps, WindowActions.cpp what keys do, WindowOpening.cpp files and messages,
+/// WindowSettings.cpp how settings change, WindowPanel.cpp the panel. All that can be chosen is in
+/// the stage's settings.
 class Window
 {
 public:
@@ -54,7 +56,16 @@ private:
   // Time
   void load(int step);
   bool perform(const std::function<void()>& work);
+  void play();
   void advance();
+  void startCache();
+  void endCache();
+  void keepStep();
+  void awaitStep(int step);
+  void planCache();
+  void scrub(Settings next, int step);
+  void endScrub();
+  void watchCache();
   void quit();
 
   // Drawing
@@ -168,8 +179,13 @@ private:
   bool panelOn_ = true;
   PanelWish wish_;                     ///< what the user did in the last frame
   std::optional<Settings> beforeHold_; ///< as the settings were when a control was taken hold of
+  std::unique_ptr<StepCache> cache_;   ///< null: nothing is read ahead
+  StepCache::Facts cacheShown_;        ///< as the panel has it
   int step_ = 0;
-  bool traced_ = true; // something that is seen is Mote's
+  int loadedStep_ = -1; ///< that the stage shows; -1 while it changes
+  int direction_ = 1;   ///< of the last change of the step
+  int wantedStep_ = -1; ///< that the slider asks for while a nearer one is shown
+  bool traced_ = true;  // something that is seen is Mote's
   bool playing_ = false;
   bool busy_ = false; // in long work: events wait
   bool wheeling_ = false;
@@ -178,7 +194,7 @@ private:
   double otherTime_ = 0.0; ///< of the last frame that was traced, beside tracing: s
   bool previewed_ = false; // the picture shown last was a preview
   int sharpenTimer_ = 0, restTimer_ = 0, playTimer_ = 0, messageTimer_ = 0, panelTimer_ = 0,
-      hoverTimer_ = 0;
+      hoverTimer_ = 0, cacheTimer_ = 0;
 };
 
 } // namespace mote::app

@@ -57,13 +57,7 @@ void Window::act(const Binding& binding)
     case Action::ZoomOut:
       return this->zoom(0.8);
     case Action::Play:
-      playing_ = !playing_ && input_.numberOfSteps() > 1;
-      if (playing_)
-      {
-        history_.add(this->settingsAsSeen());
-        return this->advance();
-      }
-      break;
+      return this->play();
     case Action::Help:
       overlay_.setMessage("");
       overlay_.toggleHelp();
@@ -298,17 +292,6 @@ void Window::say(const std::string& message)
   const int columns = std::max(24, this->viewSize()[0] / letter);
   overlay_.setMessage(" " + wrapped(message, static_cast<std::size_t>(columns)) + " ");
   this->startTimer(messageTimer_, 4000);
-}
-
-void Window::goTo(int step)
-{
-  playing_ = false;
-  if (step < 0 || step >= input_.numberOfSteps())
-    this->say(input_.numberOfSteps() == 1 ? "There is one time step only"
-              : step < 0                  ? "This is the first time step"
-                                          : "This is the last time step");
-  else
-    this->change(this->withStep(step));
 }
 
 void Window::zoom(double factor)

@@ -57,10 +57,12 @@ void Window::readFiles(const Settings& wanted)
 {
   Input next(wanted.data.files);
   next.open(progress_);
+  this->endCache();
   input_ = std::move(next);
   stage_.clear();
   stage_.apply(wanted);
   this->load(input_.chosenStep(wanted));
+  this->startCache();
   asked_ = wanted;
   arrayAsked_ = stage_.settingsInForce().color.array;
   adviceBefore_.clear();

@@ -73,7 +73,10 @@ void Window::drawPanel()
   if (busy_ || !panelHost_ || !panelOn_)
     return;
   PanelFacts facts;
-  facts.step = step_;
+  facts.step = wantedStep_ >= 0 ? wantedStep_ : step_;
+  facts.shownStep = step_;
+  if (cache_)
+    facts.cache = cache_->facts();
   facts.steps = input_.numberOfSteps();
   facts.hasTimes = !input_.times().empty();
   facts.time = facts.hasTimes ? input_.times()[static_cast<std::size_t>(step_)] : 0.0;
@@ -133,6 +136,14 @@ void Window::takeSettings(Settings next, bool isHeld)
   // What is dragged is seen at once, coarsely, and undone as one.
   if (!beforeHold_)
     beforeHold_ = this->settingsAsSeen();
+  if (cache_ && next.data != this->settings().data)
+  {
+    const int step = input_.chosenStep(next);
+    if (step != step_ && !cache_->has(step))
+      return this->scrub(next, step);
+    wantedStep_ = -1;
+    cache_->want(-1);
+  }
   this->follow(next);
   this->renderMoving();
 }
@@ -141,6 +152,7 @@ void Window::endHold()
 {
   if (!beforeHold_)
     return;
+  this->endScrub();
   if (*beforeHold_ != this->settings())
     history_.add(*beforeHold_);
   beforeHold_.reset();

@@ -99,6 +99,7 @@ bool Window::follow(const Settings& next)
     this->look();
   overlay_.setInk(inkOn(stage_.renderer()));
   props_.update();
+  this->planCache();
   return done;
 }
 

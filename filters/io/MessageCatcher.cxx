@@ -6,8 +6,11 @@
 #include "vtkExecutive.h"
 #include "vtkLogger.h"
 #include "vtkOutputWindow.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <array>
+#include <mutex>
 
 namespace mote
 {
@@ -35,40 +38,90 @@ std::string withoutDecoration(const std::string& text)
 
 } // namespace
 
+/// What the process's one output window says goes to the catcher of the thread that said it. There
+/// is one observer for all catchers, as VTK's lists of observers are not made for several threads.
+class WindowWatch
+{
+public:
+  static void begin(MessageCatcher* catcher, MessageCatcher*& before)
+  {
+    before = s_current;
+    s_current = catcher;
+    const std::lock_guard lock(s_mutex);
+    if (s_catchers++ > 0)
+      return;
+    s_window = vtkOutputWindow::GetInstance();
+    if (s_window)
+    {
+      auto command = vtkSmartPointer<vtkCallbackCommand>::New();
+      command->SetCallback(
+        [](vtkObject*, unsigned long event, void*, void* text)
+        {
+          if (s_current)
+            s_current->take(event, static_cast<const char*>(text));
+        });
+      s_tags = {s_window->AddObserver(vtkCommand::ErrorEvent, command),
+        s_window->AddObserver(vtkCommand::WarningEvent, command)};
+      s_displayMode = s_window->GetDisplayMode();
+      s_window->SetDisplayModeToNever();
+    }
+    // VTK's logger prints by itself what no observer takes.
+    s_verbosity = vtkLogger::GetCurrentVerbosityCutoff();
+    if (s_verbosity != vtkLogger::VERBOSITY_OFF)
+      vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  }
+
+  static void end(MessageCatcher* before)
+  {
+    s_current = before;
+    const std::lock_guard lock(s_mutex);
+    if (--s_catchers > 0)
+      return;
+    if (s_window)
+    {
+      for (const unsigned long tag : s_tags)
+        s_window->RemoveObserver(tag);
+      s_window->SetDisplayMode(s_displayMode);
+    }
+    s_window = nullptr;
+    if (s_verbosity != vtkLogger::VERBOSITY_OFF)
+      vtkLogger::SetStderrVerbosity(static_cast<vtkLogger::Verbosity>(s_verbosity));
+  }
+
+private:
+  static inline thread_local MessageCatcher* s_current = nullptr;
+  static inline std::mutex s_mutex; ///< of all that follows
+  static inline int s_catchers = 0;
+  static inline vtkSmartPointer<vtkOutputWindow> s_window;
+  static inline std::array<unsigned long, 2> s_tags{};
+  static inline int s_displayMode = 0;
+  static inline int s_verbosity = 0; ///< of the logger
+};
+
 MessageCatcher::MessageCatcher(vtkAlgorithm* algorithm)
-  : m_window(vtkOutputWindow::GetInstance())
 {
   m_command->SetClientData(this);
-  m_command->SetCallback(
-    [](vtkObject*, unsigned long event, void* self, void* text)
-    {
-      auto* catcher = static_cast<MessageCatcher*>(self);
-      auto& list = event == vtkCommand::ErrorEvent ? catcher->m_errors : catcher->m_warnings;
-      const std::string message = withoutDecoration(text ? static_cast<const char*>(text) : "");
-      if (!message.empty())
-        list.push_back(message);
-    });
+  m_command->SetCallback([](vtkObject*, unsigned long event, void* self, void* text)
+    { static_cast<MessageCatcher*>(self)->take(event, static_cast<const char*>(text)); });
   this->watch(algorithm);
   this->watch(algorithm->GetExecutive());
-  if (m_window)
-  {
-    this->watch(m_window);
-    m_displayMode = m_window->GetDisplayMode();
-    m_window->SetDisplayModeToNever();
-  }
-  // VTK's logger prints by itself what no observer takes.
-  m_verbosity = vtkLogger::GetCurrentVerbosityCutoff();
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  WindowWatch::begin(this, m_before);
 }
 
 MessageCatcher::~MessageCatcher()
 {
+  WindowWatch::end(m_before);
   for (const auto& [object, tag] : m_watches)
     if (object)
       object->RemoveObserver(tag);
-  if (m_window)
-    m_window->SetDisplayMode(m_displayMode);
-  vtkLogger::SetStderrVerbosity(static_cast<vtkLogger::Verbosity>(m_verbosity));
+}
+
+void MessageCatcher::take(unsigned long event, const char* text)
+{
+  auto& list = event == vtkCommand::ErrorEvent ? m_errors : m_warnings;
+  const std::string message = withoutDecoration(text ? text : "");
+  if (!message.empty())
+    list.push_back(message);
 }
 
 std::string MessageCatcher::firstError() const

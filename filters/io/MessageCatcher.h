@@ -2,7 +2,6 @@
 #define MoteMessageCatcher_h
 
 #include "vtkNew.h"
-#include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
 #include <string>
@@ -12,13 +11,14 @@
 class vtkAlgorithm;
 class vtkCallbackCommand;
 class vtkObject;
-class vtkOutputWindow;
 
 namespace mote
 {
 
 /// While it lives, collects what an algorithm, its executive and, through the output window,
-/// anything that they use say as VTK errors and warnings; none of it is printed.
+/// anything that they use on this thread say as VTK errors and warnings; none of it is printed.
+/// Several threads may have one each; those of one thread end in the reverse order of their
+/// beginning.
 class MessageCatcher
 {
 public:
@@ -38,14 +38,14 @@ public:
 
 private:
   void watch(vtkObject* object);
+  void take(unsigned long event, const char* text);
+  friend class WindowWatch;
 
   std::vector<std::string> m_errors;
   std::vector<std::string> m_warnings;
   vtkNew<vtkCallbackCommand> m_command;
   std::vector<std::pair<vtkWeakPointer<vtkObject>, unsigned long>> m_watches;
-  vtkSmartPointer<vtkOutputWindow> m_window;
-  int m_displayMode = 0;
-  int m_verbosity = 0; ///< of the logger
+  MessageCatcher* m_before = nullptr; ///< that this thread had
 };
 
 } // namespace mote

@@ -17,8 +17,7 @@
  * GetLastErrorMessage repeats. After an error, as after an abort, the output is empty. A file whose
  * data are damaged is an error only when its step is asked for.
  *
- * Messages of the files' readers are caught as vtkMoteReaderTable::Read does it, from one thread at
- * a time.
+ * Messages of the files' readers are caught as vtkMoteReaderTable::Read does it.
  */
 
 #ifndef vtkMoteFileSeriesReader_h

@@ -173,6 +173,15 @@ int vtkMoteLAMMPSDumpReader::CanReadFile(const char* fileName)
   }
 }
 
+void vtkMoteLAMMPSDumpReader::TakeIndexOf(vtkMoteLAMMPSDumpReader* other)
+{
+  if (!other || other == this)
+    return;
+  this->Internal->Files = other->Internal->Files; // what is shared by frames never changes
+  this->Internal->MakeSteps();
+  this->Modified();
+}
+
 vtkDataArraySelection* vtkMoteLAMMPSDumpReader::GetPointDataArraySelection()
 {
   return this->Internal->Selection;

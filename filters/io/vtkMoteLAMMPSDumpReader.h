@@ -105,6 +105,12 @@ public:
   ///@}
 
   /**
+   * Takes over what another reader has found when it passed over the same files, so that this one
+   * need not. Neither reader may be at work. What has changed since is looked at anew.
+   */
+  void TakeIndexOf(vtkMoteLAMMPSDumpReader* other);
+
+  /**
    * The later of the reader's own and its array selection's time of change.
    */
   vtkMTimeType GetMTime() override;

@@ -63,7 +63,7 @@ public:
    * asks for a time, which becomes the nearest step at or before it. Warnings are dropped unless
    * `warnings` is given. The data are the reader's own output, which a later update changes.
    *
-   * Messages are caught by the process-wide vtkOutputWindow: call this from one thread at a time.
+   * Several threads may read at a time, with readers of their own.
    */
   static vtkSmartPointer<vtkDataObject> Read(
     vtkAlgorithm* reader, std::string& error, std::string* warnings = nullptr);

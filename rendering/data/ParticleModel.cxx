@@ -51,10 +51,13 @@ void ParticleModel::update(vtkPointSet* input)
     key_.clear();
     if (drawsFile(input, radii, choice))
       this->takeFile();
-    else if (this->wantsPreview())
-      this->beginPreview();
-    else
-      this->buildAtOnce();
+    else if (!this->takeOffer(key))
+    {
+      if (this->wantsPreview())
+        this->beginPreview();
+      else
+        this->buildAtOnce();
+    }
     if (structure_)
       key_ = key;
   }
@@ -89,6 +92,37 @@ ParticleStructureOptions ParticleModel::buildOptions() const
   options.pkdTree.keepIndices = keepPointIds;
   options.pkdTree.space = space;
   return options;
+}
+
+std::shared_ptr<const BuiltParticles> ParticleModel::built() const
+{
+  if (!structure_ || preview_ || !input_ || fileOf(input_))
+    return nullptr;
+  return std::make_shared<BuiltParticles>(
+    BuiltParticles{structure_, key_, commonRadius_, buildTime_});
+}
+
+/// False where nothing was offered, or what was built from something else.
+bool ParticleModel::takeOffer(const InputKey& key)
+{
+  const std::shared_ptr<const BuiltParticles> offered = std::move(offered_);
+  offered_ = nullptr;
+  if (!offered || offered->key != key)
+    return false;
+  structure_ = offered->structure;
+  commonRadius_ = offered->commonRadius;
+  buildTime_ = offered->buildTime;
+  std::visit(
+    [](auto& structure)
+    {
+      structure.setVisibility({});
+      structure.setRanges({});
+      structure.setAttributes({});
+    },
+    *structure_);
+  this->noteChange();
+  this->warnOfLeftOut();
+  return true;
 }
 
 void ParticleModel::takeFile()

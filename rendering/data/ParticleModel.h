@@ -19,6 +19,16 @@ namespace mote
 
 class StructureBuild;
 
+/// A structure that one model has built and another may take over, instead of building it. One
+/// model at a time draws it, as the ranges of that one are a part of it.
+struct BuiltParticles
+{
+  std::shared_ptr<ParticleStructure> structure;
+  InputKey key; ///< what it was built from
+  double commonRadius = 0.0;
+  double buildTime = 0.0; ///< seconds
+};
+
 /// A range of the values of a point array that is wanted by name.
 struct ArrayRange
 {
@@ -56,6 +66,12 @@ public:
   /// Brings structure or preview up to date. Throws Error where that cannot be, and there is no
   /// structure then; nor is there one where the owner's AbortExecute stopped the build.
   void update(vtkPointSet* input);
+  /// What was built, for offer() of another model; null where there is only a preview, or a file's
+  /// own tree, which costs nothing to take.
+  std::shared_ptr<const BuiltParticles> built() const;
+  /// The next update() takes this where it was built from what it would build from itself.
+  void offer(std::shared_ptr<const BuiltParticles> built) { offered_ = std::move(built); }
+
   /// Stops what is built on another thread, and forgets the preview: update() begins anew.
   void stopBuild();
   /// The same, and forgets the structure.
@@ -141,6 +157,7 @@ private:
   bool wantsPreview() const;
   ParticleStructureOptions buildOptions() const;
   void takeFile();
+  bool takeOffer(const InputKey& key);
   void buildAtOnce();
   void beginPreview();
   void continueBuild();
@@ -155,6 +172,7 @@ private:
 
   std::shared_ptr<ParticleStructure> structure_;
   InputKey key_; ///< what the structure was built from
+  std::shared_ptr<const BuiltParticles> offered_;
   vtkTimeStamp changed_;
   std::optional<ContentHash> content_;
   double commonRadius_ = 0.0;

@@ -53,4 +53,21 @@ private:
   std::shared_ptr<const FaceAdjacency> adjacency_; ///< of the mesh, once it was asked for
 };
 
+/// What one mapper has made of a grid and another may take over, instead of making it.
+struct BuiltVolume
+{
+  VolumeGeometry geometry;
+  std::shared_ptr<const HexField> field;
+  std::shared_ptr<const WalkCells> walk; ///< of the field, once it was needed
+  InputKey fieldKey;                     ///< what the field was taken from
+  double buildTime = 0.0;                ///< seconds, of the structure
+
+  void forgetField()
+  {
+    field = nullptr;
+    walk = nullptr;
+    fieldKey.clear();
+  }
+};
+
 } // namespace mote

@@ -43,6 +43,7 @@ namespace mote
 class MapperOcclusion;
 class ParticleModel;
 class ScratchSpace;
+struct BuiltParticles;
 struct OcclusionRequest;
 struct SurfaceObject;
 } // namespace mote
@@ -388,6 +389,18 @@ public:
   /** The names that StructureName and StructureForm may be, the default first. */
   static std::vector<std::string> GetStructureNames();
   static std::vector<std::string> GetStructureForms();
+  ///@}
+
+  ///@{
+  /**
+   * Hands structures from one mapper to another: the next Update() of a mapper that is offered what
+   * another one has built from the very same arrays, with the same radii and structure, takes it
+   * and builds nothing. So a thread with a mapper of its own builds time steps ahead. One mapper at
+   * a time draws what was built. Null where there is nothing to hand on, such as a preview or what
+   * stays in a .mote file.
+   */
+  std::shared_ptr<const mote::BuiltParticles> GetBuilt();
+  void OfferBuilt(std::shared_ptr<const mote::BuiltParticles> built);
   ///@}
 
   ///@{

@@ -28,19 +28,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 vtkStandardNewMacro(vtkMoteVolumeMapper);
 
 /// What the mapper keeps between frames.
-class vtkMoteVolumeMapper::Internals
+class vtkMoteVolumeMapper::Internals : public mote::BuiltVolume
 {
 public:
-  mote::VolumeGeometry geometry;
-  std::shared_ptr<const mote::HexField> field;
-  std::shared_ptr<const mote::WalkCells> walk; ///< of the field, once it was needed
-  mote::InputKey fieldKey;                     ///< what the field was taken from
-  vtkTimeStamp changedAt;                      ///< when geometry or field last did
-  double buildTime = 0.0;
+  std::shared_ptr<const mote::BuiltVolume> offered; ///< by another mapper
+  vtkTimeStamp changedAt;                           ///< when geometry or field last did
   int builds = 0;
   int fieldUpdates = 0;
 
@@ -55,11 +52,15 @@ public:
 
   mote::RendererImages images; ///< for renderers that have no vtkMoteRayCastPass
 
-  void forgetField()
+  /// Takes what was offered, where it is of the grid's cells.
+  void takeOffer(vtkUnstructuredGrid* grid, const mote::HexStructureOptions& options)
   {
-    field = nullptr;
-    walk = nullptr;
-    fieldKey.clear();
+    const auto from = std::exchange(offered, nullptr);
+    mote::BuiltVolume taken = from ? *from : mote::BuiltVolume();
+    if (!from || !taken.geometry.fits(grid, options))
+      return;
+    static_cast<mote::BuiltVolume&>(*this) = std::move(taken);
+    changedAt.Modified();
   }
 };
 
@@ -259,6 +260,7 @@ bool vtkMoteVolumeMapper::UpdateGeometry(vtkUnstructuredGrid* grid)
   Internals& impl = *this->Impl;
   const mote::HexStructureOptions options = this->StructureOptions();
   const auto start = std::chrono::steady_clock::now();
+  impl.takeOffer(grid, options);
   if (impl.geometry.fits(grid, options))
     return true;
   const mote::BuildEvents events(this);
@@ -333,6 +335,29 @@ void vtkMoteVolumeMapper::UpdateField(vtkUnstructuredGrid* grid)
   ++impl.fieldUpdates;
 }
 
+void vtkMoteVolumeMapper::UpdateWalk()
+{
+  Internals& impl = *this->Impl;
+  if (!impl.walk)
+    impl.walk = impl.geometry.makeWalk(*impl.field);
+}
+
+std::shared_ptr<const mote::BuiltVolume> vtkMoteVolumeMapper::GetBuilt(bool forPicture)
+{
+  Internals& impl = *this->Impl;
+  if (!impl.field)
+    return nullptr;
+  const std::string integrator = this->IntegratorName ? this->IntegratorName : "";
+  if (forPicture && this->ShowCloud && integrator == GetIntegratorNames().back())
+    this->UpdateWalk();
+  return std::make_shared<mote::BuiltVolume>(impl);
+}
+
+void vtkMoteVolumeMapper::OfferBuilt(std::shared_ptr<const mote::BuiltVolume> built)
+{
+  this->Impl->offered = std::move(built);
+}
+
 //------------------------------------------------------------------------------------------------
 // Drawing
 
@@ -365,8 +390,7 @@ bool vtkMoteVolumeMapper::DescribeTo(mote::Scene& scene, vtkVolume* volume, int 
     {
       if (cloud.sampling.integrator == mote::VolumeIntegrator::CellByCell)
       {
-        if (!impl.walk)
-          impl.walk = impl.geometry.makeWalk(*impl.field);
+        this->UpdateWalk();
         cloud.walk = impl.walk;
       }
       scene.clouds.push_back(std::move(cloud));

@@ -48,6 +48,7 @@ class vtkVolumeProperty;
 
 namespace mote
 {
+struct BuiltVolume;
 struct CloudObject;
 struct HexStructureOptions;
 struct Scene;
@@ -258,6 +259,17 @@ public:
 
   ///@{
   /**
+   * Hands what is made of a grid from one mapper to another: the next Update() of a mapper that is
+   * offered it takes mesh and structure where its grid has the same cells, and the field where it
+   * is of the very same array. So a thread with a mapper of its own makes time steps ready. With
+   * `forPicture` what else a picture needs is made first. Null where there is nothing to hand on.
+   */
+  std::shared_ptr<const mote::BuiltVolume> GetBuilt(bool forPicture = false);
+  void OfferBuilt(std::shared_ptr<const mote::BuiltVolume> built);
+  ///@}
+
+  ///@{
+  /**
    * The names that StructureName and IntegratorName may be.
    */
   static std::vector<std::string> GetStructureNames();
@@ -292,6 +304,7 @@ private:
 
   void UpdateVolume();
   bool UpdateGeometry(vtkUnstructuredGrid* grid);
+  void UpdateWalk();
   void UpdateField(vtkUnstructuredGrid* grid);
   vtkDataArray* FindArray(vtkUnstructuredGrid* grid, bool& ofCells);
   void WarnOfUnused(vtkVolumeProperty* property);

@@ -35,6 +35,7 @@ TEST(CommandTable, RowsAreSetReadAndParsed)
     {"tolerance", {"0.25"}},
     {"view-angle", {"45"}},
     {"ui-scale", {"2"}},
+    {"cache", {"4G"}},
   };
   std::set<std::string> names;
   for (const Row& row : commandTable())

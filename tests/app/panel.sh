@@ -121,9 +121,9 @@ case $3 in
     ;;
 
   keys) # go to texts while they are written, else to the view; Tab folds the panel
-    open "$copper" --size 1000x760
+    open "$copper" --size 1000x860
     picture start.png
-    [ "$(png_size start.png)" = 680x760 ] || fail "the view is $(png_size start.png)"
+    [ "$(png_size start.png)" = 680x860 ] || fail "the view is $(png_size start.png)"
     press Left # is the view's, and so it is when the panel was worked by the mouse
     has '--step=6'
     click Undo
@@ -153,10 +153,10 @@ case $3 in
     differ start.png turned.png
     press Control+z Tab Tab # the first gives it the keys
     picture folded.png
-    [ "$(png_size folded.png)" = 1000x760 ] || fail "the folded view is $(png_size folded.png)"
+    [ "$(png_size folded.png)" = 1000x860 ] || fail "the folded view is $(png_size folded.png)"
     press Tab
     picture open.png
-    [ "$(png_size open.png)" = 680x760 ] || fail "the view is $(png_size open.png) again"
+    [ "$(png_size open.png)" = 680x860 ] || fail "the view is $(png_size open.png) again"
     quit
     ;;
 
@@ -164,8 +164,8 @@ case $3 in
     open "$copper" --size 1000x760
     shown color-map
     press Tab
-    for _ in 1 2 3 4 5; do
-      press Down # over the buttons, time and play, to the head of Colour
+    for _ in 1 2 3 4 5 6 7; do
+      press Down # over the buttons, time, play, step and speed, to the head of Colour
       sleep 0.3
     done
     press space

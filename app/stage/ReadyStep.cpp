@@ -1,0 +1,91 @@
+#include "ReadyStep.h"
+
+#include "Calculated.h"
+#include "base/Failure.h"
+
+#include <vtkActor.h>
+#include <vtkDataSet.h>
+
+namespace mote::app
+{
+
+bool ReadyPlan::fits(const ReadyPlan& other) const
+{
+  const VolumeSettings &a = settings.volume, &b = other.settings.volume;
+  ParticleSettings particles = settings.particles;
+  particles.replicate = other.settings.particles.replicate; // images of the same structure
+  return kept == other.kept && particles == other.settings.particles &&
+         a.cells == b.cells && a.structure == b.structure && a.integrator == b.integrator &&
+         a.cloud == b.cloud && settings.color.array == other.settings.color.array &&
+         this->fitsCalculations(other.settings);
+}
+
+bool ReadyPlan::fitsCalculations(const Settings& other) const
+{
+  return !areOtherCalculations(settings, other);
+}
+
+void ReadyStep::count()
+{
+  bytes = 0;
+  for (const NamedData& one : data.empty() ? original : data)
+    bytes += std::size_t{1024} * one.data->GetActualMemorySize();
+  for (const BuiltPart& part : parts)
+    bytes += part.bytes;
+}
+
+ReadyStep makeReady(const std::vector<NamedData>& original, const ReadyPlan& plan,
+  const Runner& runner, const std::vector<BuiltPart>& before)
+{
+  ReadyStep ready;
+  ready.original = original;
+  ready.plan = plan;
+  try
+  {
+    KnownExpressions none;
+    ready.data = withCalculated(original, plan.settings, none);
+    bool fits = plan.kept.size() == ready.data.size();
+    for (std::size_t i = 0; fits && i < ready.data.size(); ++i)
+      fits = Part::kindOf(ready.data[i].data, plan.settings) == plan.kept[i].kind;
+    for (std::size_t i = 0; fits && i < ready.data.size(); ++i)
+    {
+      ready.parts.emplace_back();
+      if (plan.kept[i].kind == Part::Kind::Surface)
+        continue; // OpenGL's
+      Part part(ready.data[i].name, ready.data[i].data, plan.settings, 0.0);
+      part.keep(plan.kept[i].radius, plan.kept[i].colored);
+      if (i < before.size())
+        part.offer(before[i]);
+      part.build(runner);
+      ready.parts.back() = part.built(true);
+    }
+  }
+  catch (const Failure&)
+  {
+    // Who shows the step finds the same, and tells it.
+    ready.parts.clear();
+  }
+  ready.count();
+  return ready;
+}
+
+ReadyStep withOwnData(const ReadyStep& step)
+{
+  ReadyStep own = step;
+  const auto copy = [](NamedData& one)
+  {
+    const vtkSmartPointer<vtkDataSet> from = one.data;
+    one.data.TakeReference(from->NewInstance());
+    one.data->ShallowCopy(from);
+  };
+  for (NamedData& one : own.original)
+    copy(one);
+  for (std::size_t i = 0; i < own.data.size(); ++i)
+    if (i < step.original.size() && step.data[i].data == step.original[i].data)
+      own.data[i].data = own.original[i].data;
+    else
+      copy(own.data[i]);
+  return own;
+}
+
+} // namespace mote::app

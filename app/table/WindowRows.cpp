@@ -1,0 +1,70 @@
+// What the window alone may be told, about time.
+
+#include "Table.h"
+
+#include "base/Text.h"
+
+#include <kernels/core/ScratchSpace.h>
+
+#include <algorithm>
+
+namespace mote::app
+{
+
+void addTimeRows(std::vector<Row>& table)
+{
+  const std::string group = "Time", command = "mote";
+  const auto output = &Settings::output;
+  table.push_back(row<OutputSettings, std::string>(output, &OutputSettings::cache,
+    {.group = group,
+      .name = "cache",
+      .value = "SIZE",
+      .help = "Memory for time steps that are read and built ahead, such as 4G, or a share of the "
+              "machine's such as 25%; 0: none are",
+      .usual = "25%",
+      .command = command},
+    [](const std::string& text)
+    {
+      if (!memoryOf(text))
+        throw WrongValue{"'" + text + "' is neither a size such as 4G nor a share such as 25%"};
+    }));
+  table.push_back(row(output, &OutputSettings::speed,
+    {.group = group,
+      .name = "speed",
+      .value = "N",
+      .help = "Time steps a second while they are played, at most",
+      .invalidates = Invalidates::Nothing,
+      .limits = {.least = 0.1, .most = 100.0},
+      .command = command}));
+  table.push_back(row(output, &OutputSettings::loop,
+    {.group = group,
+      .name = "loop",
+      .help = "Stop at the last time step; else playing begins again at the first",
+      .invalidates = Invalidates::Nothing,
+      .command = command}));
+}
+
+std::optional<std::uint64_t> memoryOf(const std::string& text)
+{
+  double share = 0.0;
+  if (text == "0")
+    return 0;
+  if (text.ends_with("%") && parseNumber(text.substr(0, text.size() - 1), share))
+  {
+    if (share < 0.0 || share > 100.0)
+      return std::nullopt;
+    return static_cast<std::uint64_t>(0.01 * share * static_cast<double>(physicalMemory()));
+  }
+  const std::uint64_t bytes = bytesOf(text);
+  return bytes > 0 ? std::optional(bytes) : std::nullopt;
+}
+
+const Row* commandRow(const std::string& command, const std::string& name)
+{
+  const auto& table = commandTable();
+  const auto found = std::find_if(table.begin(), table.end(),
+    [&](const Row& row) { return row.command == command && row.name == name; });
+  return found == table.end() ? nullptr : &*found;
+}
+
+} // namespace mote::app
