@@ -1,6 +1,9 @@
 #include "PanelHost.h"
 
+#include <vtk_glew.h> // before what includes OpenGL
+
 #include <vtkCommand.h>
+#include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLState.h>
 #include <vtkRenderWindowInteractor.h>
@@ -168,7 +171,7 @@ void PanelHost::start()
     state_ = State::Ready;
 }
 
-void PanelHost::draw(const std::function<void()>& controls)
+void PanelHost::lay(const std::function<void()>& controls)
 {
   ImGui::SetCurrentContext(context_);
   this->feed();
@@ -177,12 +180,7 @@ void PanelHost::draw(const std::function<void()>& controls)
   ImGui::NewFrame();
   controls();
   ImGui::Render();
-  auto* window = static_cast<vtkOpenGLRenderWindow*>(window_);
-  vtkOpenGLState* state = window->GetState();
-  state->Push();
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-  state->Reset();
-  state->Pop();
+  isLaid_ = true;
   // A press and its release take a frame each, and windows that open need one to find their size.
   framesToCome_ = std::max(0, framesToCome_ - 1);
   if (this->isWaiting() && onInput)
@@ -206,6 +204,64 @@ void PanelHost::drawAgain()
   framesToCome_ = 3;
   if (onInput)
     onInput();
+}
+
+void PanelHost::draw()
+{
+  ImGui::SetCurrentContext(context_);
+  const int* size = window_->GetSize();
+  drawnSize_ = {size[0], size[1]};
+  wasWithin_ = this->isWithin();
+  this->paint();
+}
+
+bool PanelHost::drawAlone()
+{
+  ImGui::SetCurrentContext(context_);
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(window_);
+  const int* size = window->GetSize();
+  vtkOpenGLFramebufferObject* shown = window->GetDisplayFramebuffer();
+  if (!shown || !wasWithin_ || !this->isWithin() || drawnSize_ != std::array{size[0], size[1]})
+    return false;
+  // The last frame waits there to be shown, all of it.
+  window->MakeCurrent();
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  shown->Bind(GL_DRAW_FRAMEBUFFER);
+  shown->ActivateDrawBuffer(0);
+  this->paint();
+  state->PopFramebufferBindings();
+  window->Frame();
+  return true;
+}
+
+void PanelHost::paint()
+{
+  vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(window_)->GetState();
+  state->Push();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  state->Reset();
+  state->Pop();
+  isLaid_ = false;
+}
+
+/// Whether the layout keeps to the controls' part: no popup or tooltip reaches over the view.
+bool PanelHost::isWithin() const
+{
+  const ImDrawData* data = ImGui::GetDrawData();
+  const auto edge = static_cast<float>(width_) + 1.0f; // which smooth lines reach
+  for (int list = 0; list < data->CmdListsCount; ++list)
+  {
+    const ImDrawList& drawn = *data->CmdLists[list];
+    for (const ImDrawCmd& command : drawn.CmdBuffer)
+      for (unsigned i = 0; command.ClipRect.z > edge && i < command.ElemCount; ++i)
+      {
+        const ImDrawIdx index = drawn.IdxBuffer[static_cast<int>(command.IdxOffset + i)];
+        if (drawn.VtxBuffer[static_cast<int>(command.VtxOffset + index)].pos.x > edge)
+          return false;
+      }
+  }
+  return true;
 }
 
 void PanelHost::tellTime(double now)
@@ -237,6 +293,13 @@ void PanelHost::feed()
       io.AddInputCharacter(static_cast<unsigned>(input.number));
     else if (input.kind == Input::Wheel)
       io.MouseWheel += input.wheel;
+    else if (input.kind == Input::Place)
+    {
+      this->placeMouse(input.x, input.y);
+      // The last frame's; a frame of its own lets what is dragged follow.
+      if (io.MousePosPrev.x != io.MousePos.x || io.MousePosPrev.y != io.MousePos.y)
+        return;
+    }
     else
     {
       bool& isDown = input.kind == Input::Button ? io.MouseDown[number] : io.KeysDown[number];
@@ -332,6 +395,9 @@ bool PanelHost::press(int button, bool isDown)
     ownButtons_ &= ~bit;
     viewButtons_ &= ~bit;
   }
+  // Where it was dragged to counts, however far that is from where the last frame saw it.
+  if (isOwn && !isDown)
+    this->add({Input::Place, 0});
   if (isOwn)
     return this->add({Input::Button, button, isDown});
   if (isDown && isFocused_)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <deque>
 #include <functional>
 #include <string>
@@ -27,8 +28,15 @@ public:
   /// Whether this window's OpenGL can draw controls; asked once the window has drawn.
   bool isSupported();
 
-  /// Draws what `controls` asks ImGui for. Within the EndEvent of a renderer.
-  void draw(const std::function<void()>& controls);
+  /// Lays out what `controls` asks ImGui for: the input that came works, and nothing is drawn yet.
+  void lay(const std::function<void()>& controls);
+  /// Whether there is a layout that has not been drawn.
+  bool isLaid() const { return isLaid_; }
+  /// Draws the layout into the frame that is being made. Within the EndEvent of a renderer.
+  void draw();
+  /// Shows the last frame once more with this layout: false, where it covers more than the
+  /// controls' own part of the window or the last one did, and a new frame is needed.
+  bool drawAlone();
 
   /// Input for the controls has come, or they are not done: they should be drawn again soon.
   std::function<void()> onInput;
@@ -56,6 +64,7 @@ private:
     enum Kind
     {
       Button,
+      Place, ///< of the mouse alone
       Key,
       Character,
       Wheel
@@ -82,6 +91,8 @@ private:
   void tellTime(double now);
   void settle();
   void feed();
+  void paint();
+  bool isWithin() const;
 
   vtkRenderWindow* window_;
   vtkRenderWindowInteractor* interactor_;
@@ -101,6 +112,9 @@ private:
   unsigned ownButtons_ = 0, viewButtons_ = 0; ///< held, a bit each: whose presses they were
   double lastTime_ = 0.0, timeTold_ = 0.0;    ///< of the last frame, and of this one
   int framesToCome_ = 0, inputs_ = 0;
+  bool isLaid_ = false;
+  bool wasWithin_ = false;            ///< the controls of the last frame kept to their part
+  std::array<int, 2> drawnSize_ = {}; ///< of the window, then
 };
 
 } // namespace mote::app

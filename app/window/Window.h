@@ -86,7 +86,9 @@ private:
   // Panel
   void setUpPanel();
   void updatePanel();
+  void layPanel();
   void drawPanel();
+  void renderPanel();
   void takeWish();
   void takeSettings(Settings next, bool isHeld);
   void endHold();

@@ -72,6 +72,23 @@ void Window::drawPanel()
 {
   if (busy_ || !panelHost_ || !panelOn_)
     return;
+  if (!panelHost_->isLaid())
+    this->layPanel();
+  panelHost_->draw();
+}
+
+/// Draws the panel alone, where nothing else has changed.
+void Window::renderPanel()
+{
+  if (!panelHost_ || !panelOn_)
+    return this->renderOverlays();
+  this->layPanel();
+  if (!panelHost_->drawAlone())
+    this->renderOverlays();
+}
+
+void Window::layPanel()
+{
   PanelFacts facts;
   facts.step = wantedStep_ >= 0 ? wantedStep_ : step_;
   facts.shownStep = step_;
@@ -84,7 +101,7 @@ void Window::drawPanel()
   facts.frameTime = frameTime_;
   facts.messages = messages_;
   facts.quality = traced_ && pass_->GetNumberOfSamples() > 0 ? this->qualityText() : "";
-  panelHost_->draw(
+  panelHost_->lay(
     [&]
     {
       const int* size = window_->GetSize();
@@ -120,7 +137,7 @@ void Window::takeWish()
     this->act(binding);
   }
   else if (!wish.settings)
-    this->renderOverlays(); // controls answer while the view is traced
+    this->renderPanel(); // controls answer while the view is traced
 }
 
 void Window::takeSettings(Settings next, bool isHeld)
