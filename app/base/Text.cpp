@@ -95,6 +95,16 @@ std::string wrapped(const std::string& text, std::size_t columns)
   return all;
 }
 
+std::string inQuotes(const std::string& word, char separator)
+{
+  if (word.find_first_of(std::string("\"\n") + separator) == std::string::npos)
+    return word;
+  std::string text = "\"";
+  for (const char c : word)
+    text.append(c == '"' ? 2 : 1, c);
+  return text.append("\"");
+}
+
 std::string lowerCase(std::string text)
 {
   std::transform(text.begin(), text.end(), text.begin(),

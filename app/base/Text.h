@@ -31,6 +31,10 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
 /// Lines of at most so many characters, broken between words; lines that fit stay as they are.
 std::string wrapped(const std::string& text, std::size_t columns);
 
+/// A word as a cell of a table whose cells this character separates: with quotation marks where
+/// the word holds it, a quotation mark or the end of a line.
+std::string inQuotes(const std::string& word, char separator);
+
 /// Lower-case copy (ASCII).
 std::string lowerCase(std::string text);
 

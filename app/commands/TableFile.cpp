@@ -1,6 +1,7 @@
 #include "TableFile.h"
 
 #include "base/Failure.h"
+#include "base/Text.h"
 
 #include <kernels/core/AtomicFile.h>
 
@@ -16,22 +17,11 @@ namespace mote::app
 namespace
 {
 
-/// A name or word; with quotation marks where it holds what separates cells.
-std::string inQuotes(const std::string& word)
-{
-  if (word.find_first_of(",\"\n") == std::string::npos)
-    return word;
-  std::string text = "\"";
-  for (const char c : word)
-    text.append(c == '"' ? 2 : 1, c);
-  return text.append("\"");
-}
-
 std::string cellText(vtkTable* table, vtkIdType row, vtkIdType column)
 {
   const vtkVariant value = table->GetValue(row, column);
   if (!value.IsNumeric())
-    return inQuotes(value.ToString());
+    return inQuotes(value.ToString(), ',');
   char text[32];
   std::snprintf(text, sizeof text, "%.9g", value.ToDouble());
   return text;
@@ -46,7 +36,7 @@ std::string asLines(vtkTable* table)
     {
       if (c > 0)
         text += ',';
-      text += row < 0 ? inQuotes(table->GetColumnName(c)) : cellText(table, row, c);
+      text += row < 0 ? inQuotes(table->GetColumnName(c), ',') : cellText(table, row, c);
     }
     text += '\n';
   }

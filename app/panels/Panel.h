@@ -2,6 +2,7 @@
 
 #include "Hints.h"
 #include "OpenDialog.h"
+#include "PickedPanel.h"
 #include "RowControls.h"
 #include "StartPage.h"
 #include "ValueControls.h"
@@ -30,6 +31,7 @@ struct PanelFacts
   double frameTime = 0.0; ///< seconds
   std::string quality;
   std::vector<std::string> messages; ///< warnings and failures so far
+  PickedFacts picked;
 };
 
 /// What the user asks for by the panel's controls.
@@ -98,6 +100,7 @@ private:
     std::size_t i) const;
   void drawKinds(const NamedArray& array, const Kinds& kinds);
   void drawNewRange();
+  void drawPicked(const PickedFacts& facts);
   void drawVolume();
   void drawCamera();
   void drawCosts(const PanelFacts& facts);
@@ -111,6 +114,7 @@ private:
   OpenDialog dialog_;
   StartPage startPage_;
   Hints hints_;
+  PickedPanel picked_;
   Found found_;
   Settings next_; ///< while drawing
   PanelWish wish_;

@@ -29,7 +29,7 @@ bool isShown(const ShowRange* range, int value)
 
 void Panel::drawSelection()
 {
-  drawn_.insert("show");
+  drawn_.insert({"show", "hide-ids", "only-ids"});
   if (found_.hasParticles)
     ImGui::Text("%s of %s shown", withThousands(stage_.numberShown()).c_str(),
       counted(stage_.numberOfParticles(), "particle").c_str());
@@ -108,6 +108,23 @@ void Panel::drawNewRange()
     for (const char* place : {"x", "y", "z"})
       offer(place, place);
   ImGui::EndCombo();
+}
+
+/// What is picked; it opens by itself when something is.
+void Panel::drawPicked(const PickedFacts& facts)
+{
+  if (!facts.set)
+    return;
+  if (picked_.isNew(facts))
+    ImGui::SetNextItemOpen(true);
+  const bool isOpen = ImGui::CollapsingHeader("Picked##group");
+  noteControl("group Picked");
+  if (!isOpen)
+    return;
+  ImGui::PushID("Picked");
+  if (const Action action = picked_.draw(stage_, facts, next_); action != Action::None)
+    this->wish(action);
+  ImGui::PopID();
 }
 
 const Kinds& Panel::kindsOf(const NamedArray& array)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "CommandSettings.h"
+#include "IdRanges.h"
 
 #include <array>
 #include <map>
@@ -63,6 +64,8 @@ struct ShowRange
 struct SelectionSettings
 {
   std::string where; ///< an expression that holds for what is shown; empty: all
+  IdRanges hidden;   ///< particles that are not shown
+  IdRanges only;     ///< those that are shown alone; none: all
   std::vector<ShowRange> ranges;
   std::vector<double> range; ///< none or two
   std::string array;         ///< that `range` speaks of, as ColorSettings::array; empty: its own

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <system_error>
 
 namespace mote::app
 {
@@ -202,6 +203,54 @@ ShowRange ValuesOf<ShowRange>::parse(const std::vector<std::string>& words, cons
       apart.push_back(interval);
   range.intervals = apart;
   return range;
+}
+
+std::vector<std::string> ValuesOf<IdRanges>::words(const IdRanges& ranges)
+{
+  std::vector<std::string> words;
+  for (const auto& [part, low, high] : ranges.list())
+    words.push_back((part > 0 ? std::to_string(part) + "/" : "") + std::to_string(low) +
+                    (high > low ? ":" + std::to_string(high) : ""));
+  return words;
+}
+
+namespace
+{
+
+template <typename Number>
+bool parseWhole(const std::string& text, Number& number)
+{
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, number);
+  return result.ec == std::errc() && result.ptr == end;
+}
+
+IdRange parseIds(const std::string& text)
+{
+  IdRange range;
+  const std::size_t slash = text.find('/');
+  const bool hasPart = slash != std::string::npos;
+  const std::string ids = hasPart ? text.substr(slash + 1) : text;
+  const std::size_t colon = ids.find(':');
+  if ((hasPart && !(parseWhole(text.substr(0, slash), range.part) && range.part > 0)) ||
+      !parseWhole(ids.substr(0, colon), range.low) ||
+      !parseWhole(colon == std::string::npos ? ids : ids.substr(colon + 1), range.high))
+    throw WrongValue{"'" + text +
+                     "' is neither an id nor a range of ids, such as 7 or 7:12, or "
+                     "2/7:12 of the second data set alone"};
+  if (range.low > range.high)
+    throw WrongValue{"'" + text + "' is empty: the first id must not be greater than the last"};
+  return range;
+}
+
+} // namespace
+
+IdRanges ValuesOf<IdRanges>::parse(const std::vector<std::string>& words, const Limits&)
+{
+  std::vector<IdRange> ranges;
+  for (const std::string& word : words)
+    ranges.push_back(parseIds(word));
+  return IdRanges(std::move(ranges));
 }
 
 std::vector<std::string> ValuesOf<Calculation>::words(const Calculation& calculation)

@@ -135,6 +135,16 @@ struct ValuesOf<ShowRange>
   static ShowRange parse(const std::vector<std::string>& words, const Limits&);
 };
 
+/// "7", "7:12"; "2/7:12" of the second data set alone
+template <>
+struct ValuesOf<IdRanges>
+{
+  static constexpr Shape shape = Shape::Many;
+  static constexpr bool numeric = false;
+  static std::vector<std::string> words(const IdRanges& ranges);
+  static IdRanges parse(const std::vector<std::string>& words, const Limits&);
+};
+
 /// "speed=sqrt(vx^2 + vy^2)"
 template <>
 struct ValuesOf<Calculation>

@@ -1,5 +1,6 @@
 #include "Calculated.h"
 
+#include "Ids.h"
 #include "Part.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
@@ -64,7 +65,7 @@ std::vector<NamedData> withCalculated(
   const std::vector<NamedData>& data, const Settings& settings, KnownExpressions& known)
 {
   const bool isMoved = settings.data.positions != "file";
-  if (settings.data.calculations.empty() && settings.selection.where.empty() && !isMoved)
+  if (settings.data.calculations.empty() && !isLimited(settings.selection) && !isMoved)
     return data;
   std::vector<NamedData> copies;
   for (const NamedData& one : data)
@@ -79,6 +80,8 @@ std::vector<NamedData> withCalculated(
     add(copies, "--calculate", calculation, VTK_DOUBLE, known);
   if (!settings.selection.where.empty())
     add(copies, "--where", {whereArray, settings.selection.where}, VTK_UNSIGNED_CHAR, known);
+  if (!settings.selection.hidden.empty() || !settings.selection.only.empty())
+    addIdMarks(copies, settings.selection, whereArray);
   return copies;
 }
 
@@ -97,10 +100,16 @@ void noteCalculated(const Settings& settings, KnownExpressions& known)
     known.emplace(settings.selection.where, false);
 }
 
+bool isLimited(const SelectionSettings& selection)
+{
+  return !selection.where.empty() || !selection.hidden.empty() || !selection.only.empty();
+}
+
 bool areOtherCalculations(const Settings& a, const Settings& b)
 {
   return a.data.positions != b.data.positions || a.data.calculations != b.data.calculations ||
-         a.selection.where != b.selection.where;
+         a.selection.where != b.selection.where || a.selection.hidden != b.selection.hidden ||
+         a.selection.only != b.selection.only;
 }
 
 } // namespace mote::app

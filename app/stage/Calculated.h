@@ -10,14 +10,18 @@
 namespace mote::app
 {
 
-/// The array that says where --where holds: 1 there, else 0. Nobody is asked to choose by it.
+/// The array that says where --where, --hide-ids and --only-ids hold: 1 there, else 0. Nobody is
+/// asked to choose by it.
 extern const std::string whereArray;
 
-/// The data with positions as --positions asks and the arrays of --calculate and --where; the data
-/// themselves stay as they are. A data set that lacks what an expression speaks of goes without.
-/// Throws Failure where all do, but of expressions that are in `known`, which an earlier time step
-/// had: then a warning tells it once. `known` gets those that are there, and whether a warning was
-/// given.
+/// Whether the settings ask for that array.
+bool isLimited(const SelectionSettings& selection);
+
+/// The data with positions as --positions asks and the arrays of --calculate, --where and ids; the
+/// data themselves stay as they are. A data set that lacks what an expression speaks of goes
+/// without. Throws Failure where all do, but of expressions that are in `known`, which an earlier
+/// time step had: then a warning tells it once. `known` gets those that are there, and whether a
+/// warning was given.
 using KnownExpressions = std::map<std::string, bool>;
 std::vector<NamedData> withCalculated(
   const std::vector<NamedData>& data, const Settings& settings, KnownExpressions& known);

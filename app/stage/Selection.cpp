@@ -86,10 +86,10 @@ void Selection::apply(const Parts& parts, const ArrayChoice& colored)
     part->applyRanges();
 }
 
-/// What --where asks for; returns the array that it takes, if any.
+/// What --where, --hide-ids and --only-ids ask for; returns the array that it takes, if any.
 std::vector<ArrayChoice> Selection::applyExpression(const Parts& parts)
 {
-  if (settings_.selection.where.empty())
+  if (!isLimited(settings_.selection))
     return {};
   const ArrayChoice holds = {whereArray, 0, false};
   bool isFound = false;
@@ -100,8 +100,10 @@ std::vector<ArrayChoice> Selection::applyExpression(const Parts& parts)
       isFound = true;
     }
   if (!isFound && !whereKnown_)
-    throw Failure("--where: '" + settings_.selection.where +
-                  "' is not of particles; cells are hidden by --show");
+    throw Failure(settings_.selection.where.empty()
+                    ? "--hide-ids and --only-ids are of particles; cells are hidden by --show"
+                    : "--where: '" + settings_.selection.where +
+                        "' is not of particles; cells are hidden by --show");
   whereKnown_ = true;
   return isFound ? std::vector<ArrayChoice>{holds} : std::vector<ArrayChoice>{};
 }
@@ -128,8 +130,8 @@ void Selection::applyRanges(const Parts& parts, const Part& first)
       if (choice && std::find(arrays.begin(), arrays.end(), choice) == arrays.end())
         arrays.push_back(choice);
       if (arrays.size() > mostArrays)
-        throw Failure("--show takes at most four arrays, besides x, y, z and radius; --where is "
-                      "one of them");
+        throw Failure("--show takes at most four arrays, besides x, y, z and radius; --where, "
+                      "--hide-ids and --only-ids together are one of them");
       if (place >= 0 && isVolume)
         throw Failure(
           "--show: volumes are hidden by the array that colours them, not by " + range.name);

@@ -3,6 +3,7 @@
 #include "CommandLine.h"
 #include "settings/Values.h"
 #include "stage/Calculated.h"
+#include "stage/Ids.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -100,7 +101,7 @@ void writeImports(Script& script)
   script.line("import math");
   script.line();
   script.line("import mote");
-  script.line("from vtkmodules.vtkCommonCore import vtkLookupTable");
+  script.line("from vtkmodules.vtkCommonCore import vtkLookupTable, vtkUnsignedCharArray");
   script.line(
     "from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPiecewiseFunction");
   script.line("from vtkmodules.vtkFiltersCore import vtkArrayCalculator");
@@ -303,6 +304,37 @@ void writeCalculated(Script& script, const Part& part, const Settings& settings)
       }
 }
 
+/// What --hide-ids and --only-ids leave, of the data set with this number, which counts from 1.
+void writeIds(Script& script, const Part& part, int number, const SelectionSettings& selection)
+{
+  if ((selection.hidden.empty() && selection.only.empty()) || !part.particles())
+    return;
+  vtkDataArray* ids = idArrayOf(part.data());
+  script.line("marks = part.GetPointData().GetArray(" + python(whereArray) + ")");
+  script.line("if not marks:");
+  script.line("    marks = vtkUnsignedCharArray()");
+  script.call("    marks", "SetName", whereArray);
+  script.line("    marks.SetNumberOfValues(part.GetNumberOfPoints())");
+  script.line("    marks.Fill(1)");
+  script.line("    part.GetPointData().AddArray(marks)");
+  const auto list = [&](const char* name, const IdRanges& ranges)
+  {
+    script.line(std::string(name) + " = (");
+    for (const auto& [low, high] : ranges.of(number))
+      script.line("    range(" + std::to_string(low) + ", " + std::to_string(high) + " + 1),");
+    script.line(")");
+  };
+  list("hidden", selection.hidden);
+  list("only", selection.only);
+  if (ids)
+    script.line("ids = part.GetPointData().GetArray(" + python(ids->GetName()) + ")");
+  script.line("for i in range(part.GetNumberOfPoints()):");
+  script.line(std::string("    name = ") + (ids ? "int(ids.GetComponent(i, 0))" : "i"));
+  script.line(std::string("    if any(name in r for r in hidden)") +
+              (selection.only.empty() ? ":" : " or not any(name in r for r in only):"));
+  script.line("        marks.SetValue(i, 0)");
+}
+
 void writeParts(Script& script, const Stage& stage, const Settings& settings)
 {
   for (std::size_t i = 0; i < stage.parts().size(); ++i)
@@ -313,6 +345,7 @@ void writeParts(Script& script, const Stage& stage, const Settings& settings)
     script.line();
     script.line("part = parts[" + std::to_string(i) + "]  # " + part.name());
     writeCalculated(script, part, settings);
+    writeIds(script, part, static_cast<int>(i) + 1, settings.selection);
     writeCoordinate(script, settings.color.array);
     if (part.particles())
       writeParticles(script, part, settings);

@@ -51,6 +51,21 @@ void addSelectionRows(std::vector<Row>& table)
       if (!problem.empty())
         throw WrongValue{problem};
     }));
+  const std::string ids = ": 7, or 7:12 for all from 7 to 12; 2/7:12 of the second data set alone. "
+                          "Ids are those of the array id (or ids, ParticleIds, GlobalIds, ...) "
+                          "where there is one, else particles count from 0";
+  table.push_back(row(selection, &SelectionSettings::hidden,
+    {.group = group,
+      .name = "hide-ids",
+      .value = "ID,LO:HI,...",
+      .help = "Hide particles by their ids" + ids,
+      .usual = "none"}));
+  table.push_back(row(selection, &SelectionSettings::only,
+    {.group = group,
+      .name = "only-ids",
+      .value = "ID,LO:HI,...",
+      .help = "Show only the particles with these ids" + ids,
+      .usual = "all"}));
   table.push_back(row<SelectionSettings, std::vector<double>>(selection, &SelectionSettings::range,
     {.group = group,
       .name = "show-range",

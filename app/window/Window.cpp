@@ -54,6 +54,7 @@ Window::Window(const Settings& settings, Input& input)
   , stage_(settings)
   , overlay_(stage_.renderer())
   , props_(stage_)
+  , marks_(stage_.renderer())
   , bar_(window_, stage_.renderer())
   , panel_(stage_)
   , panelOn_(settings.output.panel)
@@ -167,7 +168,7 @@ void Window::run()
   noteRecent(input_.files());
   props_.attach(interactor_); // which draws the window
   this->setUpPanel();
-  this->setUpHover();
+  this->setUpPicking();
   this->setUpOpening();
   this->startCache();
   this->render();
@@ -292,7 +293,7 @@ void Window::updatePreview()
   if (previewed_ != !preview.empty())
   {
     previewed_ = !preview.empty();
-    props_.unmark(); // its size was that of the particle as it was drawn
+    marks_.forget(); // their sizes were those of the particles as they were drawn
     this->nameWindow();
   }
   overlay_.setPreview(preview);
@@ -313,6 +314,7 @@ void Window::onRenderStart()
     this->look();
   this->updatePreview();
   this->takeMessages();
+  marks_.update(stage_.parts(), picked_);
   overlay_.setStatus(this->statusText());
   props_.legend().update();
 }

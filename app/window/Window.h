@@ -1,12 +1,16 @@
 #pragma once
 
+#include "Clipboard.h"
 #include "Display.h"
 #include "Overlay.h"
+#include "PickedMarks.h"
 #include "WindowProgress.h"
 #include "WindowProps.h"
 #include "panels/Panel.h"
 #include "panels/PanelHost.h"
 #include "settings/History.h"
+#include "stage/MeshPicker.h"
+#include "stage/PickedSet.h"
 #include "stage/Stage.h"
 #include "stage/StepCache.h"
 #include "table/Keys.h"
@@ -33,9 +37,9 @@ class InteractorStyle;
 void showWindow(const Settings& settings);
 
 /// The window: what it shows and how it answers. Window.cpp has set-up and drawing, WindowTime.cpp
-/// time steps, WindowActions.cpp what keys do, WindowOpening.cpp files and messages,
-/// WindowSettings.cpp how settings change, WindowPanel.cpp the panel. All that can be chosen is in
-/// the stage's settings.
+/// time steps, WindowActions.cpp what keys do, WindowPicking.cpp what is picked, WindowOpening.cpp
+/// files and messages, WindowSettings.cpp how settings change, WindowPanel.cpp the panel. All that
+/// can be chosen is in the stage's settings.
 class Window
 {
 public:
@@ -137,15 +141,25 @@ private:
   // What is under the cursor
   struct Hit
   {
-    const Part* part;
-    vtkIdType particle; ///< where `cell` is negative
-    vtkIdType cell;     ///< of an iso-surface
-    double value;       ///< of the iso-surface
+    Picked picked;
     std::array<double, 3> at;
+    double distance;     ///< along the view axis
+    double value;        ///< of the iso-surface, or of the volume there
+    double cloudOpacity; ///< of the ray where a volume's cell was picked for it, else 0
   };
-  std::optional<Hit> hitAt(int x, int y) const;
-  static std::string factsOf(const Hit& hit, int mostArrays);
-  void pick();
+  std::optional<Hit> hitAt(int x, int y);
+  std::optional<Hit> meshHitAt(int x, int y);
+  std::string factsOf(const Hit& hit, int mostArrays) const;
+  void setUpPicking();
+  void pick(bool adds);
+  void pickRectangle(
+    const std::array<int, 2>& from, const std::array<int, 2>& to, bool isThrough, bool adds);
+  void drawRectangle(const std::array<int, 2>& from, const std::array<int, 2>& to);
+  bool actOnPicked(Action action);
+  bool requirePicked(bool particles);
+  void showOnly(const std::function<void(SelectionSettings&)>& change, const std::string& told);
+  void copyPicked();
+  void savePicked();
   void center();
   void setUpHover();
   void moveCursor();
@@ -165,6 +179,11 @@ private:
   vtkNew<vtkMoteRayCastPass> pass_;
   Overlay overlay_;
   WindowProps props_;
+  PickedSet picked_;
+  PickedMarks marks_;
+  MeshPicker meshPicker_;
+  Clipboard clipboard_;
+  bool picksThrough_ = false; ///< rectangles take what others hide, too
   TerminalProgress terminal_;
   WindowProgress bar_;
   ProgressRelay progress_;

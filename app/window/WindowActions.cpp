@@ -49,7 +49,8 @@ void Window::act(const Binding& binding)
     this->say("Nothing is open yet: press Ctrl+O, or drop a file on this window");
   else if (!binding.row.empty())
     this->actOnRow(binding);
-  else if (!this->actOnView(binding.action) && !this->actOnFiles(binding.action))
+  else if (!this->actOnView(binding.action) && !this->actOnFiles(binding.action) &&
+           !this->actOnPicked(binding.action))
     switch (binding.action)
     {
     case Action::ZoomIn:
@@ -69,7 +70,10 @@ void Window::act(const Binding& binding)
       this->togglePanel();
       break;
     case Action::Pick:
-      this->pick();
+      this->pick(false);
+      break;
+    case Action::PickMore:
+      this->pick(true);
       break;
     case Action::Undo:
       this->goBack(true);
@@ -81,7 +85,7 @@ void Window::act(const Binding& binding)
       playing_ = false;
       overlay_.hideHelp();
       overlay_.setMessage("");
-      props_.unmark();
+      picked_.clear();
       break;
     case Action::Quit:
       return this->quit();
@@ -342,6 +346,7 @@ void Window::savePicture()
 void Window::grabPicture(const std::string& file)
 {
   overlay_.setVisible(false);
+  marks_.setVisible(false);
   do
     this->render();
   while (traced_ && !pass_->IsConverged() && !inputWaits(window_));
@@ -355,6 +360,7 @@ void Window::grabPicture(const std::string& file)
   writer->SetFileName(file.c_str());
   const bool written = writer->Write() != 0;
   overlay_.setVisible(true);
+  marks_.setVisible(true);
   this->say(written ? "Saved " + file : writer->GetErrorMessage());
 }
 

@@ -59,6 +59,7 @@ void Window::readFiles(const Settings& wanted)
   next.open(progress_);
   this->endCache();
   input_ = std::move(next);
+  picked_.clear();
   stage_.clear();
   stage_.apply(wanted);
   this->load(input_.chosenStep(wanted));

@@ -3,6 +3,7 @@
 #include "Window.h"
 
 #include "Observe.h"
+#include "base/Failure.h"
 #include "panels/ControlPlaces.h"
 
 #include <vtkCommand.h>
@@ -100,6 +101,7 @@ void Window::layPanel()
   facts.isPlaying = playing_;
   facts.frameTime = frameTime_;
   facts.messages = messages_;
+  facts.picked = {&picked_, &picksThrough_};
   facts.quality = traced_ && pass_->GetNumberOfSamples() > 0 ? this->qualityText() : "";
   panelHost_->lay(
     [&]
@@ -134,7 +136,15 @@ void Window::takeWish()
     this->endHold();
     Binding binding;
     binding.action = wish.action;
-    this->act(binding);
+    try
+    {
+      this->act(binding);
+    }
+    catch (const Failure& failure)
+    {
+      this->say(failure.what());
+      this->render();
+    }
   }
   else if (!wish.settings)
     this->renderPanel(); // controls answer while the view is traced

@@ -4,14 +4,20 @@
 
 #include "InteractorStyle.h"
 #include "Observe.h"
+#include "base/Failure.h"
 #include "base/Text.h"
+#include "stage/Calculated.h"
+#include "stage/PickedTable.h"
 
 #include <vtkAbstractArray.h>
 #include <vtkCamera.h>
+#include <vtkCellData.h>
 #include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
+#include <vtkIdTypeArray.h>
 #include <vtkMath.h>
+#include <vtkMoteAreaPicker.h>
 #include <vtkMoteParticlePicker.h>
 #include <vtkPointData.h>
 #include <vtkProp3D.h>
@@ -45,75 +51,268 @@ std::string asTuple(const double* values, int count)
   return text;
 }
 
-std::string particleFacts(const Part& part, vtkIdType id, int most)
+std::string arrayFacts(vtkDataSetAttributes* arrays, vtkIdType id, int most)
 {
-  double position[3];
-  part.data()->GetPoint(id, position);
-  std::string text = factLine("particle", withThousands(id) + " of " + part.name()).substr(1);
-  text += factLine("position", asTuple(position, 3));
-  vtkPointData* arrays = part.data()->GetPointData();
+  std::string text;
   int told = 0;
   for (int i = 0; i < arrays->GetNumberOfArrays() && told < most; ++i)
   {
     vtkAbstractArray* array = arrays->GetAbstractArray(i);
-    if (nameOf(array).empty() || id >= array->GetNumberOfTuples())
+    const std::string name = nameOf(array);
+    if (name.empty() || name == whereArray || id >= array->GetNumberOfTuples())
       continue;
     ++told;
     if (auto* numbers = vtkDataArray::SafeDownCast(array))
-      text += factLine(array->GetName(),
-        asTuple(numbers->GetTuple(id), std::min(9, numbers->GetNumberOfComponents())));
+      text += factLine(
+        name, asTuple(numbers->GetTuple(id), std::min(9, numbers->GetNumberOfComponents())));
     else if (auto* words = vtkStringArray::SafeDownCast(array))
-      text += factLine(array->GetName(), words->GetValue(id));
+      text += factLine(name, words->GetValue(id));
   }
   return text;
 }
 
 } // namespace
 
-std::optional<Window::Hit> Window::hitAt(int x, int y) const
+//------------------------------------------------------------------------------------------------
+// What is under the cursor
+
+/// Of meshes, which OpenGL draws.
+std::optional<Window::Hit> Window::meshHitAt(int x, int y)
 {
-  vtkNew<vtkMoteParticlePicker> picker;
-  if (!picker->Pick(x, y, 0.0, stage_.renderer()))
-    return {};
-  for (const auto& part : stage_.parts())
-    if (part->prop() == picker->GetViewProp())
+  vtkRenderer* renderer = stage_.renderer();
+  std::array<std::array<double, 3>, 2> ends{};
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    renderer->SetDisplayPoint(x + 0.5, y + 0.5, double(i));
+    renderer->DisplayToWorld();
+    const double* place = renderer->GetWorldPoint();
+    for (std::size_t axis = 0; axis < 3 && place[3] != 0.0; ++axis)
+      ends[i][axis] = place[axis] / place[3];
+  }
+  double axis[3], eye[3];
+  renderer->GetActiveCamera()->GetDirectionOfProjection(axis);
+  renderer->GetActiveCamera()->GetPosition(eye);
+  std::optional<Hit> first;
+  for (std::size_t k = 0; k < stage_.parts().size(); ++k)
+    if (const auto found = meshPicker_.hit(*stage_.parts()[k], ends[0], ends[1]))
     {
-      Hit hit{part.get(), picker->GetParticleId(), picker->GetCellId(), picker->GetValue(), {}};
+      Hit hit{{static_cast<int>(k), Picked::Kind::Point, found->point}, found->at, 0.0, 0.0, 0.0};
+      double way[3];
+      vtkMath::Subtract(found->at.data(), eye, way);
+      hit.distance = vtkMath::Dot(way, axis);
+      if (!first || hit.distance < first->distance)
+        first = hit;
+    }
+  return first;
+}
+
+std::optional<Window::Hit> Window::hitAt(int x, int y)
+{
+  std::optional<Hit> mesh;
+  if (this->hasSurfaces())
+    mesh = this->meshHitAt(x, y);
+  vtkNew<vtkMoteParticlePicker> picker;
+  picker->PickCloudsOn();
+  if (!picker->Pick(x, y, 0.0, stage_.renderer()) ||
+      (mesh && mesh->distance < picker->GetDistance()))
+    return mesh;
+  for (std::size_t k = 0; k < stage_.parts().size(); ++k)
+    if (stage_.parts()[k]->prop() == picker->GetViewProp())
+    {
+      const bool isCell = picker->GetCellId() >= 0;
+      Hit hit{{static_cast<int>(k), isCell ? Picked::Kind::Cell : Picked::Kind::Particle,
+                isCell ? picker->GetCellId() : picker->GetParticleId()},
+        {}, picker->GetDistance(), picker->GetValue(), picker->GetCloudOpacity()};
       picker->GetPickPosition(hit.at.data());
       return hit;
     }
-  return {};
+  return mesh;
 }
 
-std::string Window::factsOf(const Hit& hit, int mostArrays)
+std::string Window::factsOf(const Hit& hit, int mostArrays) const
 {
-  if (hit.cell < 0)
-    return particleFacts(*hit.part, hit.particle, mostArrays);
-  return factLine("iso-surface", asNumber(hit.value)).substr(1) +
-         factLine("cell", withThousands(hit.cell) + " of " + hit.part->name()) +
-         factLine("position", asTuple(hit.at.data(), 3));
+  const Picked& picked = hit.picked;
+  const Part& part = *stage_.parts()[static_cast<std::size_t>(picked.part)];
+  const std::string which = withThousands(picked.id) + " of " + part.name();
+  if (picked.kind == Picked::Kind::Cell)
+  {
+    const std::string what =
+      hit.cloudOpacity > 0.0
+        ? factLine("volume", asNumber(hit.value) + " at the most opaque place of a ray that is " +
+                               asNumber(std::ceil(100.0 * hit.cloudOpacity)) + " % opaque")
+        : factLine("iso-surface", asNumber(hit.value));
+    return what.substr(1) + factLine("cell", which) +
+           factLine("position", asTuple(hit.at.data(), 3)) +
+           arrayFacts(part.data()->GetCellData(), picked.id, mostArrays);
+  }
+  const bool isPoint = picked.kind == Picked::Kind::Point;
+  double position[3];
+  part.data()->GetPoint(picked.id, position);
+  return factLine(isPoint ? "point" : "particle", which).substr(1) +
+         factLine("position", asTuple(position, 3)) +
+         arrayFacts(part.data()->GetPointData(), picked.id, mostArrays);
 }
 
-void Window::pick()
+//------------------------------------------------------------------------------------------------
+// Picking
+
+void Window::setUpPicking()
+{
+  style_->onClick = [this](bool adds)
+  {
+    if (busy_ || quit_)
+      return;
+    this->pick(adds);
+    this->render();
+  };
+  style_->onRectangle = [this](const InteractorStyle::Rectangle& rectangle, bool isDone)
+  {
+    if (busy_ || quit_)
+      return;
+    if (!isDone)
+      return this->drawRectangle(rectangle.from, rectangle.to);
+    marks_.hideRectangle();
+    if (rectangle.from != rectangle.to)
+      this->pickRectangle(
+        rectangle.from, rectangle.to, rectangle.isThrough || picksThrough_, rectangle.adds);
+    this->render();
+  };
+  this->setUpHover();
+}
+
+void Window::pick(bool adds)
 {
   const int* cursor = interactor_->GetEventPosition();
-  props_.unmark();
   overlay_.setMessage("");
   overlay_.hideTip();
+  hoverTimer_ = 0; // what is told of the picked is enough
   const std::optional<Hit> hit = this->hitAt(cursor[0], cursor[1]);
+  if (!adds)
+    picked_.clear();
   if (!hit)
-    return this->say("There is neither a particle nor an iso-surface under the cursor");
-  if (hit->cell < 0)
-  {
-    double center[3];
-    hit->part->data()->GetPoint(hit->particle, center);
-    props_.mark(center, std::sqrt(vtkMath::Distance2BetweenPoints(center, hit->at.data())));
-  }
+    return this->say("There is nothing to pick under the cursor");
+  picked_.toggle(hit->picked);
+  if (!picked_.contains(hit->picked))
+    return this->say(withThousands(static_cast<std::int64_t>(picked_.items().size())) + " picked");
+  if (hit->picked.kind == Picked::Kind::Cell)
+    picked_.setPlace(hit->picked, hit->at);
   overlay_.setMessage(factsOf(*hit, mostFacts));
   overlay_.hideHelp();
   if (messageTimer_ > 0)
     interactor_->DestroyTimer(messageTimer_);
   messageTimer_ = 0;
+}
+
+void Window::drawRectangle(const std::array<int, 2>& from, const std::array<int, 2>& to)
+{
+  const int left = window_->GetSize()[0] - this->viewSize()[0];
+  overlay_.hideTip();
+  marks_.showRectangle(from[0] - left, from[1], to[0] - left, to[1]);
+  this->renderOverlays();
+}
+
+void Window::pickRectangle(
+  const std::array<int, 2>& from, const std::array<int, 2>& to, bool isThrough, bool adds)
+{
+  vtkNew<vtkMoteAreaPicker> picker;
+  picker->SetThrough(isThrough);
+  picker->SetNumberOfThreads(asked_.data.threads);
+  picker->Pick(from[0], from[1], to[0], to[1], stage_.renderer());
+  std::vector<Picked> found;
+  for (int i = 0; i < picker->GetNumberOfProps(); ++i)
+    for (std::size_t k = 0; k < stage_.parts().size(); ++k)
+      if (stage_.parts()[k]->prop() == picker->GetProp(i))
+      {
+        vtkIdTypeArray* particles = picker->GetParticles(i);
+        for (vtkIdType p = 0; p < particles->GetNumberOfValues(); ++p)
+          found.push_back({static_cast<int>(k), Picked::Kind::Particle, particles->GetValue(p)});
+      }
+  if (!adds)
+    picked_.clear();
+  picked_.add(found);
+  const auto count = static_cast<std::int64_t>(found.size());
+  this->say(found.empty()
+              ? "There are no particles in the rectangle"
+              : counted(count, "particle") + " in the rectangle" +
+                  (isThrough ? ", with those that others hide" : "") +
+                  (adds ? "; " + withThousands(static_cast<std::int64_t>(picked_.items().size())) +
+                            " picked"
+                        : ""));
+}
+
+//------------------------------------------------------------------------------------------------
+// What is done with the picked
+
+bool Window::actOnPicked(Action action)
+{
+  const std::string hidden = counted(static_cast<std::int64_t>(picked_.items().size()), "particle");
+  const auto ids = [this] { return picked_.ids(stage_.parts()); };
+  switch (action)
+  {
+  case Action::HidePicked:
+    if (this->requirePicked(true))
+    {
+      this->showOnly(
+        [&](SelectionSettings& s) { s.hidden = s.hidden.with(ids()); }, "Hid " + hidden);
+      picked_.clear();
+    }
+    return true;
+  case Action::OnlyPicked:
+    if (this->requirePicked(true))
+      this->showOnly([&](SelectionSettings& s) { s.only = ids(); }, "Only " + hidden);
+    return true;
+  case Action::ShowHidden:
+    this->showOnly(
+      [](SelectionSettings& s) { s.hidden = s.only = {}; }, "Nothing is hidden by its id");
+    return true;
+  case Action::CopyPicked:
+    if (this->requirePicked(false))
+      this->copyPicked();
+    return true;
+  case Action::SavePicked:
+    if (this->requirePicked(false))
+      this->savePicked();
+    return true;
+  default:
+    return false;
+  }
+}
+
+bool Window::requirePicked(bool particles)
+{
+  const auto& items = picked_.items();
+  if (items.empty())
+    this->say("Nothing is picked: click on it first, or drag a rectangle with Ctrl");
+  else if (particles && std::none_of(items.begin(), items.end(),
+                          [](const Picked& one) { return one.kind == Picked::Kind::Particle; }))
+    this->say("No particles are picked; cells are hidden by --show");
+  else
+    return true;
+  return false;
+}
+
+void Window::showOnly(
+  const std::function<void(SelectionSettings&)>& change, const std::string& told)
+{
+  this->change(this->settingsOf([&](Settings& s) { change(s.selection); }), [&] { return told; });
+}
+
+void Window::copyPicked()
+{
+  const PickedTable table(stage_.parts(), picked_);
+  std::string text;
+  table.appendNames(text, '\t');
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    table.appendLine(text, row, '\t');
+  clipboard_.set(text);
+  this->say("Copied " + counted(static_cast<std::int64_t>(table.rows()), "line"));
+}
+
+void Window::savePicked()
+{
+  const std::string file = this->unusedName("-picked.csv");
+  writePicked(PickedTable(stage_.parts(), picked_), file);
+  this->say("Saved " + file);
 }
 
 void Window::center()
@@ -151,7 +350,7 @@ void Window::moveCursor()
   overlay_.hideTip();
   const int left = window_->GetSize()[0] - this->viewSize()[0];
   const bool isInView = interactor_->GetEventPosition()[0] >= left;
-  if (isInView && style_->GetState() == VTKIS_NONE)
+  if (isInView && style_->GetState() == VTKIS_NONE && !style_->drawsRectangle())
     this->startTimer(hoverTimer_, hoverAfter);
   else
     hoverTimer_ = 0;

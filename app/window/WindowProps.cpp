@@ -5,24 +5,18 @@
 
 #include <vtkActor.h>
 #include <vtkAxesActor.h>
-#include <vtkCamera.h>
 #include <vtkCaptionActor2D.h>
 #include <vtkCellArray.h>
 #include <vtkDataSet.h>
 #include <vtkLookupTable.h>
-#include <vtkMath.h>
 #include <vtkOrientationMarkerWidget.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindowInteractor.h>
-#include <vtkSphereSource.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace mote::app
 {
@@ -58,19 +52,13 @@ WindowProps::WindowProps(Stage& stage)
   : stage_(stage)
   , legend_(stage.renderer())
 {
-  for (vtkActor* lines : {box_.Get(), mark_.Get()})
-  {
-    vtkNew<vtkPolyDataMapper> mapper;
-    lines->SetMapper(mapper);
-    lines->PickableOff();
-    lines->GetProperty()->LightingOff();
-    lines->GetProperty()->SetLineWidth(1.0);
-    lines->UseBoundsOff();
-    stage.renderer()->AddActor(lines);
-  }
-  mark_->VisibilityOff();
-  mark_->GetProperty()->SetRepresentationToWireframe();
-  mark_->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  vtkNew<vtkPolyDataMapper> mapper;
+  box_->SetMapper(mapper);
+  box_->PickableOff();
+  box_->GetProperty()->LightingOff();
+  box_->GetProperty()->SetLineWidth(1.0);
+  box_->UseBoundsOff();
+  stage.renderer()->AddActor(box_);
 
   axes_->SetShaftTypeToCylinder();
   axes_->SetTotalLength(1.0, 1.0, 1.0);
@@ -145,35 +133,6 @@ void WindowProps::setInk(const Color& ink)
     text->ShadowOff();
     caption->GetCaptionTextProperty()->SetColor(ink[0], ink[1], ink[2]);
   }
-}
-
-double WindowProps::pixelSizeAt(const double position[3])
-{
-  vtkCamera* camera = stage_.renderer()->GetActiveCamera();
-  const double rows = std::max(1, stage_.renderer()->GetSize()[1]);
-  if (camera->GetParallelProjection())
-    return 2.0 * camera->GetParallelScale() / rows;
-  const double half = std::tan(0.5 * vtkMath::RadiansFromDegrees(camera->GetViewAngle()));
-  return 2.0 * half / rows *
-         std::sqrt(vtkMath::Distance2BetweenPoints(camera->GetPosition(), position));
-}
-
-void WindowProps::mark(const double center[3], double radius)
-{
-  vtkNew<vtkSphereSource> sphere;
-  sphere->SetCenter(center[0], center[1], center[2]);
-  sphere->SetRadius(std::max(1.04 * radius, 8.0 * this->pixelSizeAt(center)));
-  sphere->SetThetaResolution(12);
-  sphere->SetPhiResolution(7);
-  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  sphere->Update();
-  static_cast<vtkPolyDataMapper*>(mark_->GetMapper())->SetInputData(sphere->GetOutput());
-  mark_->VisibilityOn();
-}
-
-void WindowProps::unmark()
-{
-  mark_->VisibilityOff();
 }
 
 } // namespace mote::app

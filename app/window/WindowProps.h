@@ -14,8 +14,7 @@ class vtkRenderWindowInteractor;
 namespace mote::app
 {
 
-/// The ordinary VTK props around the data: simulation box, colour legend, axes, the mark on a
-/// picked particle.
+/// The ordinary VTK props around the data: simulation box, colour legend, axes.
 class WindowProps
 {
 public:
@@ -33,18 +32,12 @@ public:
 
   WindowLegend& legend() { return legend_; }
 
-  /// A cage around a picked particle, never smaller than a few pixels.
-  void mark(const double center[3], double radius);
-  void unmark();
-
 private:
   void setInk(const Color& ink);
-  double pixelSizeAt(const double position[3]);
 
   Stage& stage_;
   WindowLegend legend_;
   vtkNew<vtkActor> box_;
-  vtkNew<vtkActor> mark_;
   vtkNew<vtkAxesActor> axes_;
   vtkNew<vtkOrientationMarkerWidget> corner_;
 };

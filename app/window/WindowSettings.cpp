@@ -68,7 +68,6 @@ bool Window::follow(const Settings& next)
       this->load(input_.chosenStep(wanted));
     else if (rebuild)
     {
-      props_.unmark();
       stage_.build(progress_);
       stage_.applyColors();
       this->choosePass();
@@ -100,6 +99,8 @@ bool Window::follow(const Settings& next)
   overlay_.setInk(inkOn(stage_.renderer()));
   props_.update();
   this->planCache();
+  picked_.keepWhatIs(stage_.parts());
+  marks_.forget();
   return done;
 }
 

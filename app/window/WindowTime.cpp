@@ -30,10 +30,10 @@ constexpr unsigned long cachePause = 250; // ms between looks at what is read ah
 
 void Window::load(int step)
 {
-  props_.unmark();
   this->keepStep();
   stage_.stopBuild();
   loadedStep_ = -1;
+  const std::vector<std::int64_t> names = picked_.names(stage_.parts());
   if (cache_ && cache_->isReading(step))
     this->awaitStep(step);
   if (const auto ready = cache_ ? cache_->take(step) : std::nullopt)
@@ -45,6 +45,8 @@ void Window::load(int step)
     addOcclusionMaps(data);
     stage_.setData(data);
   }
+  picked_.findAgain(stage_.parts(), names);
+  meshPicker_ = {}; // which keeps what it looked through
   // What plays would go on to the next step before it is built.
   stage_.setPreview(asked_.output.preview && !playing_);
   if (step != step_)

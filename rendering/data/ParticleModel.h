@@ -131,6 +131,9 @@ public:
   /// change looks at all.
   std::size_t visible() const;
   Box visibleBounds() const;
+  /// Sets to 1 those of the marks, one for each point of the input, whose particles the ranges
+  /// leave. Of a preview those that it has.
+  void markVisible(unsigned char* marks) const;
   ///@}
 
   /// Brings maps up to date with the particles, without baking: those that `find` gives, which is

@@ -148,6 +148,12 @@ std::size_t ParticleModel::visible() const
   return structure_ ? selection_.shownCount(*structure_) : 0;
 }
 
+void ParticleModel::markVisible(unsigned char* marks) const
+{
+  if (structure_)
+    selection_.markShown(*structure_, marks);
+}
+
 Box ParticleModel::visibleBounds() const
 {
   if (!structure_)

@@ -1,6 +1,7 @@
 #include "ParticleSelection.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
@@ -394,6 +395,24 @@ std::size_t countBetween(const Structure& s, double low, double high)
 
 } // namespace
 
+/// Visits the slots of a part of the structure that are shown, with their centres and radii.
+template <typename Structure, typename Visit>
+void ParticleSelection::forShown(
+  const Structure& s, std::size_t begin, std::size_t end, const Visit& visit) const
+{
+  // Where the structure needs no bits, what it stores of places tells, in its own order.
+  const PlaceRanges stored = masked_ ? PlaceRanges{} : storedPlaces_;
+  const bool byValues = !masked_ && !values_.empty();
+  for (std::size_t slot = begin; slot != end; ++slot)
+  {
+    const Vec3d center = s.center(slot);
+    const double radius = s.radius(slot);
+    if (contains(stored, center, radius) && (!byValues || this->showsValues(s.inputIndex(slot))) &&
+        (!masked_ || this->shows(s.inputIndex(slot))))
+      visit(slot, center, radius);
+  }
+}
+
 template <typename Structure, typename Sum, typename Add>
 Sum ParticleSelection::sumOfShown(const Structure& s, const Add& add) const
 {
@@ -401,24 +420,28 @@ Sum ParticleSelection::sumOfShown(const Structure& s, const Add& add) const
     tbb::blocked_range<std::size_t>(0, s.size(), grain), Sum{},
     [&](const tbb::blocked_range<std::size_t>& range, Sum sum)
     {
-      // Where the structure needs no bits, what it stores of places tells, in its own order.
-      const PlaceRanges stored = masked_ ? PlaceRanges{} : storedPlaces_;
-      const bool byValues = !masked_ && !values_.empty();
-      for (std::size_t slot = range.begin(); slot != range.end(); ++slot)
-      {
-        const Vec3d center = s.center(slot);
-        const double radius = s.radius(slot);
-        if (contains(stored, center, radius) &&
-            (!byValues || this->showsValues(s.inputIndex(slot))) &&
-            (!masked_ || this->shows(s.inputIndex(slot))))
-          add(sum, center, radius);
-      }
+      this->forShown(s, range.begin(), range.end(),
+        [&](std::size_t, const Vec3d& center, double radius) { add(sum, center, radius); });
       return sum;
     },
     [](Sum a, const Sum& b)
     {
       a += b;
       return a;
+    });
+}
+
+void ParticleSelection::markShown(const ParticleStructure& structure, unsigned char* marks) const
+{
+  withStructure(structure,
+    [&](const auto& s)
+    {
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, s.size(), grain),
+        [&](const tbb::blocked_range<std::size_t>& range)
+        {
+          this->forShown(s, range.begin(), range.end(),
+            [&](std::size_t slot, const Vec3d&, double) { marks[s.inputIndex(slot)] = 1; });
+        });
     });
 }
 

@@ -62,6 +62,8 @@ public:
   std::size_t shownCount(const ParticleStructure& structure) const;
   /// The bounds of their spheres.
   const Box& shownBounds(const ParticleStructure& structure) const;
+  /// Sets the marks of the particles that are shown to 1, by their places in the input.
+  void markShown(const ParticleStructure& structure, unsigned char* marks) const;
 
 private:
   struct KeptRange
@@ -77,6 +79,8 @@ private:
   bool findLimits(const ParticleStructure& structure, ParticleRanges& limits) const;
   bool shows(std::uint64_t input) const;
   bool showsValues(std::uint64_t input) const;
+  template <typename Structure, typename Visit>
+  void forShown(const Structure& s, std::size_t begin, std::size_t end, const Visit& visit) const;
   template <typename Structure, typename Sum, typename Add>
   Sum sumOfShown(const Structure& s, const Add& add) const;
 

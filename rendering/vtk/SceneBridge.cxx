@@ -101,6 +101,18 @@ std::vector<Light> lightsOf(vtkRenderer* renderer)
   return lights;
 }
 
+MoteProps pickableProps(vtkPropCollection* props)
+{
+  MoteProps pickable;
+  vtkCollectionSimpleIterator next;
+  props->InitTraversal(next);
+  while (vtkProp* prop = props->GetNextProp(next))
+    if (auto ours = motePropOf(prop))
+      if (prop->GetVisibility() && prop->GetPickable())
+        pickable.push_back(std::move(ours));
+  return pickable;
+}
+
 Mat4d placementOf(vtkProp3D* prop)
 {
   Mat4d toWorld;

@@ -9,6 +9,7 @@
 
 class vtkActor;
 class vtkMoteShading;
+class vtkPropCollection;
 class vtkRenderer;
 class vtkVolumeProperty;
 
@@ -21,6 +22,9 @@ Camera cameraOf(vtkRenderer* renderer, double viewportAspect, int width, int hei
 
 /// The renderer's lights that are on; a headlight where it has none at all.
 std::vector<Light> lightsOf(vtkRenderer* renderer);
+
+/// Those that Mote traces of what is visible and pickable.
+MoteProps pickableProps(vtkPropCollection* props);
 
 /// From the coordinates of a prop's data to the world.
 Mat4d placementOf(vtkProp3D* prop);

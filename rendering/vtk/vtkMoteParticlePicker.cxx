@@ -2,6 +2,7 @@
 
 #include "SceneBridge.h"
 
+#include "kernels/tracing/CloudPicking.h"
 #include "kernels/tracing/Picking.h"
 
 #include "vtkAssemblyPath.h"
@@ -11,10 +12,23 @@
 #include "vtkObjectFactory.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 
 vtkStandardNewMacro(vtkMoteParticlePicker);
+
+namespace
+{
+
+vtkSmartPointer<vtkAssemblyPath> pathTo(const mote::MoteProp& found)
+{
+  auto path = vtkSmartPointer<vtkAssemblyPath>::New();
+  path->AddNode(found.prop(), found.prop()->GetMatrix());
+  return path;
+}
+
+} // namespace
 
 vtkMoteParticlePicker::vtkMoteParticlePicker() = default;
 vtkMoteParticlePicker::~vtkMoteParticlePicker() = default;
@@ -28,7 +42,7 @@ int vtkMoteParticlePicker::Pick(double x, double y, double z, vtkRenderer* rende
   this->SelectionPoint[2] = z;
   this->ParticleId = this->CellId = -1;
   this->Value = vtkMath::Nan();
-  this->Distance = 0.0;
+  this->Distance = this->CloudOpacity = 0.0;
   std::fill_n(this->PickNormal, 3, 0.0);
   if (!renderer || !renderer->GetActiveCamera())
   {
@@ -53,13 +67,7 @@ int vtkMoteParticlePicker::Pick(double x, double y, double z, vtkRenderer* rende
 
 void vtkMoteParticlePicker::CastRay(double x, double y, vtkPropCollection* props)
 {
-  mote::MoteProps pickable;
-  vtkCollectionSimpleIterator next;
-  props->InitTraversal(next);
-  while (vtkProp* prop = props->GetNextProp(next))
-    if (auto ours = mote::motePropOf(prop))
-      if (prop->GetVisibility() && prop->GetPickable())
-        pickable.push_back(std::move(ours));
+  mote::MoteProps pickable = mote::pickableProps(props);
   const mote::Scene scene = mote::sceneOf(this->Renderer, pickable);
 
   const int* size = this->Renderer->GetSize();
@@ -70,14 +78,27 @@ void vtkMoteParticlePicker::CastRay(double x, double y, vtkPropCollection* props
     mote::cameraOf(this->Renderer, double(size[0]) / size[1], size[0], size[1]), size[0], size[1]);
   // Display coordinates name pixels; a pixel's ray goes through its centre.
   const double px = x - corner[0] + 0.5, py = y - corner[1] + 0.5;
-  const auto hit =
-    mote::pick(scene, rays.originAt(px, py), rays.directionAt(px, py), rays.tMin, rays.tMax);
+  const mote::Vec3d origin = rays.originAt(px, py), direction = rays.directionAt(px, py);
+  const auto hit = mote::pick(scene, origin, direction, rays.tMin, rays.tMax);
+  if (this->PickClouds && !scene.clouds.empty())
+  {
+    const auto cloud =
+      mote::pickCloud(scene, origin, direction, rays.tMin, hit ? hit->t : rays.tMax);
+    if (cloud && (!hit || cloud->opacity > 0.5))
+    {
+      this->SetPath(pathTo(*pickable[static_cast<std::size_t>(cloud->object)]));
+      this->CellId = static_cast<vtkIdType>(cloud->cell);
+      this->Value = cloud->value;
+      this->Distance = cloud->t;
+      this->CloudOpacity = cloud->opacity;
+      std::copy_n(&cloud->position[0], 3, this->PickPosition);
+      return;
+    }
+  }
   if (!hit)
     return;
   const mote::MoteProp& found = *pickable[static_cast<std::size_t>(hit->object)];
-  vtkNew<vtkAssemblyPath> path;
-  path->AddNode(found.prop(), found.prop()->GetMatrix());
-  this->SetPath(path);
+  this->SetPath(pathTo(found));
   (found.picksCells() ? this->CellId : this->ParticleId) = static_cast<vtkIdType>(hit->id);
   this->Value = found.pickedValue(*hit);
   this->Distance = hit->t;
@@ -93,6 +114,8 @@ void vtkMoteParticlePicker::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ParticleId: " << this->ParticleId << "\n";
   os << indent << "CellId: " << this->CellId << "\n";
+  os << indent << "PickClouds: " << (this->PickClouds ? "On\n" : "Off\n");
+  os << indent << "CloudOpacity: " << this->CloudOpacity << "\n";
   os << indent << "Value: " << this->Value << "\n";
   os << indent << "Distance: " << this->Distance << "\n";
 }

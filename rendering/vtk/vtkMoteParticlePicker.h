@@ -3,8 +3,9 @@
  * @brief   Finds the particle or iso-surface under a point of the window by casting one exact ray.
  *
  * Looks at the visible, pickable props of the renderer that Mote traces, and needs no OpenGL.
- * Clouds are looked through. GetViewProp(), GetActor() and GetPickPosition() answer as in other
- * pickers. Ordinary props in front are not seen; use vtkPropPicker for those.
+ * Clouds are looked through unless PickClouds is on. GetViewProp(), GetActor() and
+ * GetPickPosition() answer as in other pickers. Ordinary props in front are not seen; use
+ * vtkPropPicker for those.
  */
 
 #ifndef vtkMoteParticlePicker_h
@@ -37,9 +38,27 @@ public:
   vtkGetMacro(ParticleId, vtkIdType);
 
   /**
-   * The cell's index in its mapper's input where an iso-surface was met, or -1.
+   * The cell's index in its mapper's input where an iso-surface or a volume was picked, or -1.
    */
   vtkGetMacro(CellId, vtkIdType);
+
+  ///@{
+  /**
+   * Whether volumes are picked, too: the cell that keeps back more of the ray's light than any
+   * other, where there is no surface on the ray, or where the volumes in front of the surface keep
+   * back more than half of the light. PickPosition is then the most opaque place of the ray in that
+   * cell, Value the volume's scalar there, PickNormal 0. Off by default.
+   */
+  vtkSetMacro(PickClouds, vtkTypeBool);
+  vtkGetMacro(PickClouds, vtkTypeBool);
+  vtkBooleanMacro(PickClouds, vtkTypeBool);
+  ///@}
+
+  /**
+   * The opacity of the volumes along the ray, in (0, 1], where a cell of a volume was picked for
+   * it; 0 where a surface was picked.
+   */
+  vtkGetMacro(CloudOpacity, double);
 
   /**
    * The value that colours it, NaN where none does; of an iso-surface its iso-value.
@@ -62,6 +81,8 @@ protected:
 
   vtkIdType ParticleId = -1;
   vtkIdType CellId = -1;
+  vtkTypeBool PickClouds = 0;
+  double CloudOpacity = 0.0;
   double Value = 0.0;
   double Distance = 0.0;
   double PickNormal[3] = {0.0, 0.0, 0.0};

@@ -133,6 +133,7 @@ case $3 in
     press Right
     has '--step=7'
     picture start.png # ranges of colours have widened
+    click 'group Selection' 0.8 # which leaves room for the rest
     click 'group Picture' 0.8
     write title momcp
     has '--title=momcp'

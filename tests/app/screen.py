@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""screen.py X Y WIDTH HEIGHT: a fingerprint of a rectangle of the screen that DISPLAY names, and how many colours it has."""
+"""screen.py X Y WIDTH HEIGHT: a fingerprint of a rectangle of the screen that DISPLAY names, and how many colours it has; with "marked" behind, how many pixels have the colour of marks."""
 import ctypes
 import sys
 import zlib
@@ -19,8 +19,12 @@ x11.XGetImage.restype = ctypes.POINTER(Image)
 x11.XGetImage.argtypes = [ctypes.c_void_p, ctypes.c_ulong, ctypes.c_int, ctypes.c_int,
                           ctypes.c_uint, ctypes.c_uint, ctypes.c_ulong, ctypes.c_int]
 display = x11.XOpenDisplay(None)
-x, y, width, height = map(int, sys.argv[1:])
+x, y, width, height = map(int, sys.argv[1:5])
 image = x11.XGetImage(display, x11.XDefaultRootWindow(display), x, y, width, height, 0xffffffff,
                       2).contents
 pixels = ctypes.string_at(image.data, image.bytes_per_line * height)
-print(zlib.crc32(pixels), len(set(zip(pixels[0::4], pixels[1::4], pixels[2::4]))))
+colors = list(zip(pixels[2::4], pixels[1::4], pixels[0::4]))
+if sys.argv[5:] == ["marked"]:
+    print(sum(red > 120 and blue > 100 and green < 0.6 * min(red, blue) for red, green, blue in colors))
+else:
+    print(zlib.crc32(pixels), len(set(colors)))

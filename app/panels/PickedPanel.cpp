@@ -1,0 +1,113 @@
+#include "PickedPanel.h"
+
+#include "PanelWidgets.h"
+#include "base/Text.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace mote::app
+{
+
+bool PickedPanel::isNew(const PickedFacts& facts)
+{
+  const bool wasEmpty = wasEmpty_;
+  wasEmpty_ = !facts.set || facts.set->empty();
+  return wasEmpty && !wasEmpty_;
+}
+
+Action PickedPanel::draw(const Stage& stage, const PickedFacts& facts, Settings& next)
+{
+  Action action = Action::None;
+  const auto button = [&](const char* label, Action meant, const char* help)
+  {
+    if (buttonOf(label))
+      action = meant;
+    explainKey(help);
+  };
+  const PickedSet& set = *facts.set;
+  if (set.empty())
+    ImGui::TextWrapped("Click on a particle, a cell or a mesh to pick it; Shift and a click adds. "
+                       "Ctrl and drag picks the particles in a rectangle.");
+  else
+  {
+    ImGui::Text("%s picked", withThousands(static_cast<std::int64_t>(set.items().size())).c_str());
+    button("Copy", Action::CopyPicked, "Copy the list, to be pasted into a spreadsheet\nCtrl+C");
+    ImGui::SameLine();
+    button("Save CSV", Action::SavePicked,
+      "Save the list as comma-separated values beside where mote runs\nCtrl+E");
+    ImGui::SameLine();
+    button("Hide picked", Action::HidePicked, "Delete\n--hide-ids");
+    ImGui::SameLine();
+    button("Only picked", Action::OnlyPicked, "Show only these particles\ni\n--only-ids");
+  }
+  ImGui::Checkbox("rectangles take what is behind, too", facts.picksThrough);
+  noteControl("picks through");
+  explainKey("Ctrl and drag with the right button does so in any case");
+  drawHidden(next);
+  if (!set.empty())
+    this->drawTable(stage, set);
+  return action;
+}
+
+void PickedPanel::drawHidden(Settings& next)
+{
+  SelectionSettings& selection = next.selection;
+  if (selection.hidden.empty() && selection.only.empty())
+    return;
+  const auto tell = [](const IdRanges& ids, const char* what)
+  {
+    if (!ids.empty())
+      ImGui::TextWrapped("%s %s", withThousands(ids.count()).c_str(), what);
+  };
+  tell(selection.hidden, "ids are hidden");
+  tell(selection.only, "ids alone are shown");
+  if (buttonOf("Show hidden"))
+    selection.hidden = selection.only = {};
+  explainKey("Show what is hidden by its id\nu");
+}
+
+void PickedPanel::drawTable(const Stage& stage, const PickedSet& set)
+{
+  std::vector<std::pair<vtkDataSet*, unsigned long>> key;
+  for (const auto& part : stage.parts())
+    key.emplace_back(part->data(), part->data()->GetMTime());
+  if (key != key_ || version_ != set.version())
+  {
+    table_ = PickedTable(stage.parts(), set);
+    key_ = key;
+    version_ = set.version();
+  }
+  constexpr std::size_t most = 60; // ImGui draws up to 64
+  const std::size_t columns = std::min(most, table_.columns().size());
+  const auto rows = static_cast<int>(table_.rows());
+  const float height =
+    ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(std::clamp(rows + 2, 4, 12));
+  const ImGuiTableFlags flags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY |
+                                ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
+                                ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_Resizable;
+  if (!ImGui::BeginTable("picked", static_cast<int>(columns), flags, ImVec2(0.0f, height)))
+    return;
+  ImGui::TableSetupScrollFreeze(1, 1);
+  for (std::size_t column = 0; column < columns; ++column)
+    ImGui::TableSetupColumn(table_.columns()[column].c_str());
+  ImGui::TableHeadersRow();
+  ImGuiListClipper clipper;
+  clipper.Begin(rows);
+  while (clipper.Step())
+    for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row)
+    {
+      ImGui::TableNextRow();
+      for (std::size_t column = 0; column < columns; ++column)
+        if (ImGui::TableSetColumnIndex(static_cast<int>(column)))
+          ImGui::TextUnformatted(table_.cell(static_cast<std::size_t>(row), column, 6).c_str());
+    }
+  ImGui::EndTable();
+  noteControl("picked list");
+  if (columns < table_.columns().size())
+    ImGui::TextDisabled("%s more columns are in copies and files",
+      withThousands(static_cast<std::int64_t>(table_.columns().size() - columns)).c_str());
+}
+
+} // namespace mote::app

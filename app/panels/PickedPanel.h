@@ -1,0 +1,40 @@
+#pragma once
+
+#include "stage/PickedTable.h"
+#include "stage/Stage.h"
+#include "table/Keys.h"
+
+#include <utility>
+#include <vector>
+
+namespace mote::app
+{
+
+/// What the panel tells of the picked, and lets the user choose about them.
+struct PickedFacts
+{
+  const PickedSet* set = nullptr;
+  bool* picksThrough = nullptr; ///< rectangles take what others hide, too
+};
+
+/// The part of the panel that lists what is picked.
+class PickedPanel
+{
+public:
+  /// Returns what the user asked for; changes `next`, the settings to be.
+  Action draw(const Stage& stage, const PickedFacts& facts, Settings& next);
+
+  /// Whether there is more picked than in the last frame.
+  bool isNew(const PickedFacts& facts);
+
+private:
+  void drawTable(const Stage& stage, const PickedSet& set);
+  static void drawHidden(Settings& next);
+
+  std::vector<std::pair<vtkDataSet*, unsigned long>> key_; ///< of the table's data
+  unsigned long version_ = 0;                              ///< of its set
+  PickedTable table_;
+  bool wasEmpty_ = true;
+};
+
+} // namespace mote::app

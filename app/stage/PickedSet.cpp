@@ -1,0 +1,175 @@
+#include "PickedSet.h"
+
+#include "Ids.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+
+#include <algorithm>
+
+namespace mote::app
+{
+
+namespace
+{
+
+bool has(const PickedSet::Parts& parts, const Picked& picked)
+{
+  if (picked.part < 0 || picked.part >= static_cast<int>(parts.size()) || picked.id < 0)
+    return false;
+  const Part& part = *parts[static_cast<std::size_t>(picked.part)];
+  return kindOfPicks(part) == picked.kind &&
+         picked.id < (picked.kind == Picked::Kind::Cell ? part.data()->GetNumberOfCells()
+                                                        : part.data()->GetNumberOfPoints());
+}
+
+} // namespace
+
+Picked::Kind kindOfPicks(const Part& part)
+{
+  return part.kind() == Part::Kind::Particles ? Picked::Kind::Particle
+         : part.kind() == Part::Kind::Volume  ? Picked::Kind::Cell
+                                              : Picked::Kind::Point;
+}
+
+std::uint64_t PickedSet::keyOf(const Picked& picked)
+{
+  return static_cast<std::uint64_t>(picked.part) << 50 |
+         static_cast<std::uint64_t>(picked.kind) << 48 | static_cast<std::uint64_t>(picked.id);
+}
+
+void PickedSet::clear()
+{
+  this->replace({});
+}
+
+void PickedSet::replace(std::vector<Picked> items)
+{
+  if (items.empty() && items_.empty())
+    return;
+  items_ = std::move(items);
+  keys_.clear();
+  keys_.reserve(items_.size());
+  for (const Picked& picked : items_)
+    keys_.insert(keyOf(picked));
+  std::erase_if(places_, [this](const auto& place) { return !keys_.contains(place.first); });
+  ++version_;
+}
+
+void PickedSet::add(const std::vector<Picked>& picked)
+{
+  items_.reserve(items_.size() + picked.size());
+  keys_.reserve(keys_.size() + picked.size());
+  for (const Picked& one : picked)
+    if (keys_.insert(keyOf(one)).second)
+      items_.push_back(one);
+  ++version_;
+}
+
+void PickedSet::toggle(const Picked& picked)
+{
+  if (!this->contains(picked))
+    return this->add({picked});
+  keys_.erase(keyOf(picked));
+  places_.erase(keyOf(picked));
+  std::erase(items_, picked);
+  ++version_;
+}
+
+void PickedSet::setPlace(const Picked& picked, const std::array<double, 3>& place)
+{
+  places_[keyOf(picked)] = place;
+}
+
+std::array<double, 3> PickedSet::placeOf(const Parts& parts, const Picked& picked) const
+{
+  std::array<double, 3> place{};
+  if (const auto known = places_.find(keyOf(picked)); known != places_.end())
+    return known->second;
+  vtkDataSet* data = parts[static_cast<std::size_t>(picked.part)]->data();
+  if (picked.kind != Picked::Kind::Cell)
+  {
+    data->GetPoint(picked.id, place.data());
+    return place;
+  }
+  double bounds[6];
+  data->GetCellBounds(picked.id, bounds);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    place[axis] = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
+  return place;
+}
+
+IdRanges PickedSet::ids(const Parts& parts) const
+{
+  const auto isParticles = [](const auto& part) { return part->kind() == Part::Kind::Particles; };
+  const bool isAlone = std::count_if(parts.begin(), parts.end(), isParticles) == 1;
+  std::vector<vtkDataArray*> arrays;
+  for (const auto& part : parts)
+    arrays.push_back(idArrayOf(part->data()));
+  std::vector<IdRange> ranges;
+  for (const Picked& picked : items_)
+    if (picked.kind == Picked::Kind::Particle)
+    {
+      const std::int64_t id = idOf(arrays[static_cast<std::size_t>(picked.part)], picked.id);
+      ranges.push_back({isAlone ? 0 : picked.part + 1, id, id});
+    }
+  return IdRanges(std::move(ranges));
+}
+
+std::vector<std::int64_t> PickedSet::names(const Parts& parts) const
+{
+  std::vector<std::int64_t> names;
+  names.reserve(items_.size());
+  std::vector<vtkDataArray*> arrays;
+  for (const auto& part : parts)
+    arrays.push_back(items_.empty() ? nullptr : idArrayOf(part->data()));
+  for (const Picked& picked : items_)
+    names.push_back(picked.kind == Picked::Kind::Particle && has(parts, picked)
+                      ? idOf(arrays[static_cast<std::size_t>(picked.part)], picked.id)
+                      : picked.id);
+  return names;
+}
+
+void PickedSet::findAgain(const Parts& parts, const std::vector<std::int64_t>& names)
+{
+  if (items_.empty())
+    return;
+  std::vector<Picked> found = items_;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+  {
+    vtkDataArray* ids =
+      parts[k]->kind() == Part::Kind::Particles ? idArrayOf(parts[k]->data()) : nullptr;
+    if (!ids)
+      continue;
+    std::unordered_map<std::int64_t, std::vector<std::size_t>> wanted;
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (found[i].part == static_cast<int>(k) && found[i].kind == Picked::Kind::Particle)
+      {
+        wanted[names[i]].push_back(i);
+        found[i].id = -1; // until it is found
+      }
+    for (vtkIdType p = 0; !wanted.empty() && p < ids->GetNumberOfTuples(); ++p)
+      if (const auto those = wanted.find(idOf(ids, p)); those != wanted.end())
+      {
+        // Ids that stand twice name as many as were picked.
+        found[those->second.back()].id = p;
+        those->second.pop_back();
+        if (those->second.empty())
+          wanted.erase(those);
+      }
+  }
+  std::erase_if(found, [&](const Picked& picked) { return !has(parts, picked); });
+  places_.clear(); // meshes may have moved
+  this->replace(std::move(found));
+}
+
+void PickedSet::keepWhatIs(const Parts& parts)
+{
+  std::vector<Picked> kept;
+  std::copy_if(items_.begin(), items_.end(), std::back_inserter(kept),
+    [&](const Picked& picked) { return has(parts, picked); });
+  if (kept.size() != items_.size())
+    this->replace(std::move(kept));
+}
+
+} // namespace mote::app

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "Part.h"
+#include "settings/IdRanges.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+namespace mote::app
+{
+
+/// A particle, a cell of a volume or a point of a mesh, by its number in a part's data set.
+struct Picked
+{
+  enum class Kind : unsigned char
+  {
+    Particle,
+    Cell,
+    Point
+  };
+  int part = 0; ///< of the stage's parts
+  Kind kind = Kind::Particle;
+  vtkIdType id = 0;
+  bool operator==(const Picked&) const = default;
+};
+
+/// What can be picked of a part.
+Picked::Kind kindOfPicks(const Part& part);
+
+/// What the user picked, in the order of picking; each once. There may be millions.
+class PickedSet
+{
+public:
+  using Parts = std::vector<std::unique_ptr<Part>>;
+
+  const std::vector<Picked>& items() const { return items_; }
+  bool empty() const { return items_.empty(); }
+  bool contains(const Picked& picked) const { return keys_.contains(keyOf(picked)); }
+  /// Changes with the set.
+  unsigned long version() const { return version_; }
+
+  void clear();
+  /// Adds those that are not in it yet.
+  void add(const std::vector<Picked>& picked);
+  /// Adds it, or takes it away.
+  void toggle(const Picked& picked);
+
+  /// Where a cell was picked; placeOf() is the middle of the cell else.
+  void setPlace(const Picked& picked, const std::array<double, 3>& place);
+  std::array<double, 3> placeOf(const Parts& parts, const Picked& picked) const;
+
+  /// The ids of the particles among them, as --hide-ids takes them.
+  IdRanges ids(const Parts& parts) const;
+
+  ///@{
+  /// Before and after other data take the place of the present ones: the particles of the same ids
+  /// stay picked, and the cells and points of the same numbers.
+  std::vector<std::int64_t> names(const Parts& parts) const;
+  void findAgain(const Parts& parts, const std::vector<std::int64_t>& names);
+  ///@}
+  /// Forgets what the parts do not have.
+  void keepWhatIs(const Parts& parts);
+
+private:
+  static std::uint64_t keyOf(const Picked& picked);
+  void replace(std::vector<Picked> items);
+
+  std::vector<Picked> items_;
+  std::unordered_set<std::uint64_t> keys_;
+  std::unordered_map<std::uint64_t, std::array<double, 3>> places_;
+  unsigned long version_ = 0;
+};
+
+} // namespace mote::app

@@ -1,0 +1,192 @@
+#include "PickedTable.h"
+
+#include "Calculated.h"
+#include "base/Failure.h"
+#include "base/Text.h"
+#include "settings/Values.h"
+
+#include <kernels/core/AtomicFile.h>
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkFloatArray.h>
+#include <vtkIdList.h>
+#include <vtkPointData.h>
+#include <vtkVariant.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace mote::app
+{
+
+namespace
+{
+
+const char* nameOf(Picked::Kind kind)
+{
+  return kind == Picked::Kind::Particle ? "particle"
+         : kind == Picked::Kind::Cell   ? "cell"
+                                        : "point";
+}
+
+std::string numberText(double value, int digits)
+{
+  return digits > 0 ? asNumber(value, digits) : exactText(value);
+}
+
+std::string valueText(vtkAbstractArray* array, int component, vtkIdType tuple, int digits)
+{
+  const vtkIdType i = tuple * array->GetNumberOfComponents() + component;
+  auto* numbers = vtkDataArray::SafeDownCast(array);
+  if (numbers && array->GetDataType() == VTK_FLOAT && digits == 0)
+  {
+    // The shortest text of the float, not of the double that it becomes.
+    char text[32];
+    const auto value = static_cast<float>(numbers->GetComponent(tuple, component));
+    return {text, std::to_chars(text, text + sizeof text, value).ptr};
+  }
+  if (numbers && (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE))
+    return numberText(numbers->GetComponent(tuple, component), digits);
+  // Whole numbers have all of their digits, beyond those of doubles too.
+  return numbers && array->GetDataTypeSize() == 1
+           ? std::to_string(static_cast<int>(numbers->GetComponent(tuple, component)))
+           : std::string(array->GetVariantValue(i).ToString());
+}
+
+} // namespace
+
+PickedTable::PickedTable(const PickedSet::Parts& parts, const PickedSet& picked)
+  : parts_(&parts)
+  , picked_(&picked)
+{
+  std::vector<bool> isUsed(parts.size());
+  for (const Picked& one : picked.items())
+    isUsed[static_cast<std::size_t>(one.part)] = true;
+  const Picked::Kind first = picked.empty() ? Picked::Kind::Particle : picked.items().front().kind;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+  {
+    hasKinds_ = hasKinds_ || (isUsed[k] && kindOfPicks(*parts[k]) != first);
+    hasParts_ = hasParts_ || parts.size() > 1;
+    if (!isUsed[k])
+      continue;
+    this->addArrays(*parts[k], k, false);
+    if (kindOfPicks(*parts[k]) == Picked::Kind::Cell)
+      this->addArrays(*parts[k], k, true);
+  }
+  names_ = {hasKinds_ ? "number" : nameOf(first)};
+  if (hasKinds_)
+    names_.emplace_back("what");
+  if (hasParts_)
+    names_.emplace_back("of");
+  names_.insert(names_.end(), {"x", "y", "z"});
+  for (const Column& column : columns_)
+    names_.push_back(column.name);
+}
+
+void PickedTable::addArrays(const Part& part, std::size_t k, bool ofCells)
+{
+  vtkDataSetAttributes* arrays =
+    ofCells ? static_cast<vtkDataSetAttributes*>(part.data()->GetCellData())
+            : static_cast<vtkDataSetAttributes*>(part.data()->GetPointData());
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = arrays->GetAbstractArray(i);
+    const std::string name = mote::app::nameOf(array);
+    if (name.empty() || name == whereArray)
+      continue;
+    const int components = array->GetNumberOfComponents();
+    for (int c = 0; c < components; ++c)
+    {
+      const char* own = array->GetComponentName(c);
+      const std::string text = name + (components == 1 ? ""
+                                        : own          ? ":" + std::string(own)
+                                                       : ":" + std::to_string(c));
+      auto column = std::find_if(columns_.begin(), columns_.end(),
+        [&](const Column& one) { return one.name == text && one.ofCells == ofCells; });
+      if (column == columns_.end())
+        column = columns_.insert(
+          columns_.end(), {text, c, ofCells, std::vector<vtkAbstractArray*>(parts_->size())});
+      column->arrays[k] = array;
+    }
+  }
+}
+
+std::string PickedTable::cell(std::size_t row, std::size_t column, int digits) const
+{
+  const Picked& picked = picked_->items()[row];
+  if (column == 0)
+    return std::to_string(picked.id);
+  std::size_t at = 1;
+  if (hasKinds_ && column == at++)
+    return nameOf(picked.kind);
+  if (hasParts_ && column == at++)
+    return (*parts_)[static_cast<std::size_t>(picked.part)]->name();
+  if (column < at + 3)
+    return numberText(picked_->placeOf(*parts_, picked)[column - at], digits);
+  return this->valueOf(picked, columns_[column - at - 3], digits);
+}
+
+std::string PickedTable::valueOf(const Picked& picked, const Column& column, int digits) const
+{
+  const auto part = static_cast<std::size_t>(picked.part);
+  vtkAbstractArray* array = column.arrays[part];
+  const bool isCell = picked.kind == Picked::Kind::Cell;
+  if (!array)
+    return {};
+  if (isCell == column.ofCells)
+    return picked.id < array->GetNumberOfTuples()
+             ? valueText(array, column.component, picked.id, digits)
+             : std::string();
+  auto* numbers = vtkDataArray::SafeDownCast(array);
+  if (!numbers)
+    return {};
+  vtkNew<vtkIdList> corners;
+  (*parts_)[part]->data()->GetCellPoints(picked.id, corners);
+  double sum = 0.0;
+  for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
+    sum += numbers->GetComponent(corners->GetId(i), column.component);
+  return numberText(sum / static_cast<double>(corners->GetNumberOfIds()), digits);
+}
+
+void PickedTable::appendLine(std::string& text, std::size_t row, char separator) const
+{
+  for (std::size_t column = 0; column < names_.size(); ++column)
+    (text += inQuotes(this->cell(row, column, 0), separator)) += separator;
+  text.back() = '\n';
+}
+
+void PickedTable::appendNames(std::string& text, char separator) const
+{
+  for (const std::string& name : names_)
+    (text += inQuotes(name, separator)) += separator;
+  text.back() = '\n';
+}
+
+void writePicked(const PickedTable& table, const std::string& file)
+{
+  constexpr std::size_t atOnce = 1 << 20;
+  try
+  {
+    AtomicFile out(file);
+    std::string text;
+    table.appendNames(text, ',');
+    for (std::size_t row = 0; row < table.rows(); ++row)
+    {
+      table.appendLine(text, row, ',');
+      if (text.size() < atOnce)
+        continue;
+      out.write(text.data(), text.size());
+      text.clear();
+    }
+    out.write(text.data(), text.size());
+    out.commit();
+  }
+  catch (const WriteError& error)
+  {
+    throw Failure(error.what());
+  }
+}
+
+} // namespace mote::app

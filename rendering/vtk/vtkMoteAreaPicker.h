@@ -1,0 +1,95 @@
+/**
+ * @class   vtkMoteAreaPicker
+ * @brief   Finds the particles in a rectangle of the window: those that are seen, or all.
+ *
+ * Looks at the visible, pickable props of the renderer that have a vtkMoteParticleMapper, and needs
+ * no OpenGL. Without Through, rays are cast at the pixels of the rectangle, and what they meet
+ * first is found; Mote's other surfaces hide particles, while volumes and ordinary props do not.
+ * With Through, all particles whose centres lie in the rectangle are found, whatever stands before
+ * them. Particles that ranges hide are not found.
+ */
+
+#ifndef vtkMoteAreaPicker_h
+#define vtkMoteAreaPicker_h
+
+#include "MoteRenderingVTKModule.h" // for export macro
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // for what was found
+
+#include <vector> // for what was found
+
+class vtkIdTypeArray;
+class vtkProp3D;
+class vtkRenderer;
+
+class MOTERENDERINGVTK_EXPORT vtkMoteAreaPicker : public vtkObject
+{
+public:
+  static vtkMoteAreaPicker* New();
+  vtkTypeMacro(vtkMoteAreaPicker, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Whether particles are found that others hide from the camera. Off by default.
+   */
+  vtkSetMacro(Through, vtkTypeBool);
+  vtkGetMacro(Through, vtkTypeBool);
+  vtkBooleanMacro(Through, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Rays a pixel, in [1, 65536], without Through. Default 4. The first goes through the pixel's
+   * centre. With more rays smaller particles are found.
+   */
+  vtkSetClampMacro(SamplesPerPixel, int, 1, 65536);
+  vtkGetMacro(SamplesPerPixel, int);
+  ///@}
+
+  ///@{
+  /**
+   * Threads to look with; 0, the default, for all.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  /**
+   * Looks at the rectangle with these corners, both included, in display coordinates (pixels from
+   * the window's lower left corner). Returns how many particles were found.
+   */
+  vtkIdType Pick(double x0, double y0, double x1, double y1, vtkRenderer* renderer);
+
+  ///@{
+  /**
+   * What the last Pick() found: props, and for each the indices in its mapper's input, ascending.
+   * Null for numbers that are none.
+   */
+  int GetNumberOfProps();
+  vtkProp3D* GetProp(int i);
+  vtkIdTypeArray* GetParticles(int i);
+  ///@}
+
+protected:
+  vtkMoteAreaPicker();
+  ~vtkMoteAreaPicker() override;
+
+  vtkTypeBool Through = 0;
+  int SamplesPerPixel = 4;
+  int NumberOfThreads = 0;
+
+private:
+  struct Rectangle;
+  void FindSeen(const Rectangle& rectangle, vtkRenderer* renderer);
+  void FindAll(const Rectangle& rectangle, vtkRenderer* renderer);
+  void Add(vtkProp3D* prop, const std::vector<vtkIdType>& particles);
+
+  std::vector<vtkSmartPointer<vtkProp3D>> Props;
+  std::vector<vtkSmartPointer<vtkIdTypeArray>> Particles;
+
+  vtkMoteAreaPicker(const vtkMoteAreaPicker&) = delete;
+  void operator=(const vtkMoteAreaPicker&) = delete;
+};
+
+#endif

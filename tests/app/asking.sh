@@ -1,0 +1,208 @@
+#!/usr/bin/env bash
+# asking.sh MOTE DATA CASE: one test of what users ask about what they see: picking, lists of the
+# picked, on the X server that DISPLAY names. What is picked is told by the lists that are saved.
+tests=$(cd "$(dirname "$0")" && pwd)
+source "$tests/panel_common.sh"
+
+# list NAME: has the window save the list of the picked and calls the file NAME.
+list() {
+  local file
+  press ctrl+e
+  for _ in $(seq 300); do
+    file=$(ls -- *-001-picked.csv 2>/dev/null | head -1)
+    [ -n "$file" ] && break
+    sleep 0.05
+  done
+  [ -n "$file" ] || fail "no list $1 is saved"
+  mv -- "$file" "$1"
+}
+
+# picked N: so many are picked, within a while.
+picked() {
+  for _ in $(seq 100); do
+    rm -f now.csv
+    list now.csv
+    [ "$(wc -l <now.csv)" = $(($1 + 1)) ] && return
+    sleep 0.1
+  done
+  fail "$(($(wc -l <now.csv) - 1)) are picked, not $1"
+}
+
+# none: nothing is picked.
+none() {
+  press ctrl+e
+  sleep 1
+  ls -- *-picked.csv 2>/dev/null && fail "something is picked"
+}
+
+# marks: how many pixels of the screen have the colour of marks.
+marks() { python3 "$tests/screen.py" 0 0 1000 760 marked; }
+# marked COMPARISON: as many pixels are marked, within a while.
+marked() {
+  for _ in $(seq 100); do
+    [ "$(marks)" "$1" "$2" ] && return
+    sleep 0.1
+  done
+  fail "$(marks) pixels are marked, not $1 $2"
+}
+
+# at X Y: the mouse goes there and rests.
+at() { xdotool mousemove "$1" "$2" sleep 0.2; }
+
+# rectangle BUTTON X0 Y0 X1 Y1: is drawn with Ctrl.
+rectangle() {
+  at "$2" "$3"
+  xdotool keydown Control_L mousedown "$1" sleep 0.1
+  at $((($2 + $4) / 2)) "$5"
+  at "$4" "$5"
+  xdotool mouseup "$1" keyup Control_L sleep 0.1
+}
+
+case $3 in
+  click) # picks, with Shift adds and takes away; it is marked, listed, and no picture has the marks
+    open "$copper" --size 1000x760
+    picture start.png
+    none
+    at 640 400
+    xdotool click 1
+    marked -gt 20
+    picked 1
+    head -1 now.csv | grep -qx 'particle,x,y,z,id,type,c_centro,c_pe' || fail "$(head -1 now.csv)"
+    first=$(tail -1 now.csv)
+    shown 'picked list' # the panel's section has opened
+    picture marked.png
+    alike start.png marked.png
+    at 560 380
+    xdotool keydown Shift_L click 1 keyup Shift_L
+    picked 2
+    grep -qxF "$first" now.csv || fail "the first is gone"
+    at 640 400
+    xdotool keydown Shift_L click 1 keyup Shift_L
+    picked 1
+    grep -qxF "$first" now.csv && fail "the first stays"
+    press P # adds by the keyboard; p picks one
+    picked 2
+    press p
+    picked 1
+    [ "$(tail -1 now.csv)" = "$first" ] || fail "another is picked by the key"
+    # What is dragged picks nothing, and what is picked stays so at other times.
+    xdotool mousemove 640 400 mousedown 1 mousemove 680 400 sleep 0.1 mousemove 720 410 mouseup 1
+    picked 1
+    [ "$(tail -1 now.csv)" = "$first" ] || fail "dragging picks"
+    press Left
+    sleep 0.5
+    picked 1
+    [ "$(cut -d , -f 5 <(tail -1 now.csv))" = "$(echo "$first" | cut -d , -f 5)" ] ||
+      fail "another one is picked at another time: $(tail -1 now.csv)"
+    press Escape
+    marked -eq 0
+    none
+    quit
+    ;;
+
+  rectangle) # picks what is seen in it, or all; the picked are hidden, and shown alone
+    open "$copper" --size 1000x760
+    picture start.png
+    rectangle 1 600 300 700 400
+    marked -gt 3000
+    list seen.csv
+    seen=$(wc -l <seen.csv)
+    [ "$seen" -gt 50 ] || fail "$seen are seen in the rectangle"
+    rectangle 3 600 300 700 400
+    list all.csv
+    [ "$(wc -l <all.csv)" -gt $((3 * seen)) ] || fail "$(wc -l <all.csv) in all, $seen seen"
+    # All that are seen in the middle are among those that are there.
+    rectangle 1 620 320 680 380
+    list inner.csv
+    [ "$(sort inner.csv all.csv | uniq -d | wc -l)" = "$(wc -l <inner.csv)" ] ||
+      fail "some that are seen are not there"
+    click 'picks through' 0.05
+    rectangle 1 600 300 700 400
+    list through.csv
+    cmp all.csv through.csv || fail "the box and the button differ"
+    click 'picks through' 0.05
+    xdotool keydown Shift_L
+    rectangle 1 500 350 520 370
+    xdotool keyup Shift_L
+    list more.csv
+    [ "$(wc -l <more.csv)" -gt "$(wc -l <all.csv)" ] || fail "Shift does not add"
+    rectangle 1 600 300 700 400
+    click 'Hide picked'
+    has '--hide-ids=[0-9,:]*'
+    marked -eq 0
+    picture hidden.png
+    differ start.png hidden.png
+    rectangle 1 600 300 700 400
+    list behind.csv
+    [ "$(sort behind.csv seen.csv | uniq -d | wc -l)" = 1 ] || fail "what is hidden is picked"
+    press u
+    has_no '--hide-ids'
+    picture again.png
+    alike start.png again.png
+    press i
+    has '--only-ids=[0-9,:]*'
+    picture only.png
+    differ start.png only.png
+    press ctrl+s
+    for _ in $(seq 100); do
+      [ -s copper-scratch-001.json ] && break
+      sleep 0.1
+    done
+    "$mote" render copper-scratch-001.json -o session.png --size 680x760 >said 2>&1 ||
+      { cat said; fail "no picture of the session"; }
+    alike only.png session.png
+    click Undo
+    has_no '--only-ids'
+    picture undone.png
+    alike start.png undone.png
+    quit
+    ;;
+
+  cells) # of volumes and points of meshes are picked
+    open "$data/swirl.1.vtu" --size 1000x760
+    at 660 380
+    xdotool click 1
+    picked 1
+    head -1 now.csv | grep -q '^cell,x,y,z,.*U' || fail "$(head -1 now.csv)"
+    marked -gt 20
+    shown 'picked list'
+    press i # there are no particles to show alone
+    has_no '--only-ids'
+    press Escape
+    marked -eq 0
+    at 340 40
+    xdotool click 1
+    none
+    quit
+    printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n' >flat.ply
+    printf 'element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >>flat.ply
+    open flat.ply --size 1000x760 --view +z
+    at 620 420
+    xdotool click 1
+    picked 1
+    head -1 now.csv | grep -q '^point,x,y,z' || fail "$(head -1 now.csv)"
+    marked -gt 5
+    quit
+    ;;
+
+  copy) # puts the list into the clipboard
+    python3 -c 'import tkinter' 2>/dev/null || { echo "no tkinter: not tested"; exit 0; }
+    open "$copper" --size 1000x760
+    rectangle 1 600 300 700 400
+    list seen.csv
+    press ctrl+c
+    paste() {
+      python3 -c 'import tkinter; print(tkinter.Tk().clipboard_get(), end="")' 2>/dev/null
+    }
+    for _ in $(seq 50); do
+      paste >pasted
+      [ -s pasted ] && break
+      sleep 0.2
+    done
+    tr '\t' , <pasted | cmp - seen.csv || fail "another list is in the clipboard"
+    quit
+    ;;
+
+  *) fail "no such case: $3" ;;
+esac
+echo "$3: passed"
