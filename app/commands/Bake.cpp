@@ -1,5 +1,6 @@
 #include "Bake.h"
 
+#include "AllSteps.h"
 #include "Convert.h"
 #include "OpenedInput.h"
 #include "base/Failure.h"
@@ -56,20 +57,30 @@ void setQuality(vtkMoteAmbientOcclusionBaker* baker, const Settings& settings)
   baker->SetNumberOfThreads(settings.data.threads);
 }
 
-} // namespace
-
-void bake(const Settings& settings)
+std::string outputOf(const NamedData& data, const Settings& settings)
 {
-  OpenedInput opened(settings);
+  const std::string& given = settings.output.file;
+  if (given.empty())
+    return mapsFileOf(data);
+  return settings.output.allSteps ? numbered(given, data.step + 1, data.steps) : given;
+}
+
+void bakeStep(OpenedInput& opened, const Settings& settings, const std::string& which)
+{
   const NamedData data =
     particlesOf(opened.input, settings, opened.progress, "mote bake takes one");
-  const std::string output = settings.output.file.empty() ? mapsFileOf(data) : settings.output.file;
+  const std::string output = outputOf(data, settings);
   if (lowerCase(std::filesystem::path(output).extension().string()) != ".moteao")
     throw Failure("the file to write must end in .moteao, not " + output);
   checkOutput(output, settings.data.files); // before minutes of baking
   auto* points = vtkPolyData::SafeDownCast(data.data);
   if (!points)
     throw Failure(data.name + " holds no points that mote bake could take");
+  if (settings.output.allSteps && points->GetNumberOfPoints() == 0)
+  {
+    std::printf("%s: no particle, nothing to bake\n", output.c_str());
+    return;
+  }
   Part part(data.name, data.data, settings, 0.0);
 
   vtkNew<vtkMoteAmbientOcclusionBaker> baker;
@@ -79,7 +90,7 @@ void bake(const Settings& settings)
   baker->SetInputData(points);
   Messages::takeError();
   {
-    ProgressRelay::Work work(opened.progress, "Baking", baker);
+    ProgressRelay::Work work(opened.progress, "Baking" + which, baker);
     baker->Update();
     work.finish();
   }
@@ -97,6 +108,16 @@ void bake(const Settings& settings)
               3) +
             " million a second";
   std::printf("%s\n", text.c_str());
+  std::fflush(stdout); // who bakes all steps sees how far it is
+}
+
+} // namespace
+
+void bake(const Settings& settings)
+{
+  OpenedInput opened(settings);
+  forSteps(opened.input, settings, opened.progress,
+    [&](const Settings& ofStep, const std::string& which) { bakeStep(opened, ofStep, which); });
 }
 
 void addOcclusionMaps(const std::vector<NamedData>& data)

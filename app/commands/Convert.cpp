@@ -1,5 +1,6 @@
 #include "Convert.h"
 
+#include "AllSteps.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/OutputFile.h"
@@ -20,6 +21,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 
 namespace mote::app
 {
@@ -45,31 +47,17 @@ double secondsSince(double start)
   return vtkTimerLog::GetUniversalTime() - start;
 }
 
-} // namespace
-
-void convert(const Settings& given)
+/// The file of a step, in which what stood there is replaced.
+void convertStep(Input& input, const Settings& settings, const std::string& output,
+  const std::shared_ptr<ScratchSpace>& space, ProgressRelay& progress, const std::string& which)
 {
-  Settings settings = given;
-  const std::string output = settings.data.files.back();
-  settings.data.files.pop_back();
-  if (lowerCase(std::filesystem::path(output).extension().string()) != ".mote")
-    throw Failure("the last file is the one to write, and must end in .mote, not " + output);
-  if (settings.data.files.empty())
-    throw Failure("no file to read is given, only " + output + " to write");
-
-  TerminalProgress terminal;
-  ProgressRelay progress;
-  progress.add(terminal);
   const double start = vtkTimerLog::GetUniversalTime();
-  checkOutput(output, settings.data.files); // before hours of reading
-  const std::uint64_t memory =
-    settings.output.memory.empty() ? physicalMemory() / 2 : bytesOf(settings.output.memory);
-  // The rest is for putting arrays in order.
-  const auto space = std::make_shared<ScratchSpace>(output, memory / 4 * 3);
-  Input input(settings.data.files);
-  input.setSpace(space);
-  input.open(progress);
   const NamedData data = particlesOf(input, settings, progress, "a .mote file holds one");
+  if (settings.output.allSteps && data.data->GetNumberOfPoints() == 0)
+  {
+    std::printf("%s: no particle, not written\n", output.c_str());
+    return;
+  }
   const double readTime = secondsSince(start);
 
   Part part(data.name, data.data, settings, 0.0);
@@ -86,7 +74,8 @@ void convert(const Settings& given)
   const double written = vtkTimerLog::GetUniversalTime();
   Messages::takeError();
   {
-    ProgressRelay::Work work(progress, "Writing " + baseName(output), writer);
+    ProgressRelay::Work work(
+      progress, "Writing " + baseName(output) + (which.empty() ? "" : "," + which), writer);
     writer->Write();
     work.finish();
   }
@@ -98,6 +87,39 @@ void convert(const Settings& given)
     asBytes(static_cast<double>(std::filesystem::file_size(output))).c_str(),
     asDuration(readTime).c_str(), asDuration(part.particles()->GetBuildTime()).c_str(),
     asDuration(secondsSince(written)).c_str());
+}
+
+} // namespace
+
+void convert(const Settings& given)
+{
+  Settings settings = given;
+  const std::string output = settings.data.files.back();
+  settings.data.files.pop_back();
+  if (lowerCase(std::filesystem::path(output).extension().string()) != ".mote")
+    throw Failure("the last file is the one to write, and must end in .mote, not " + output);
+  if (settings.data.files.empty())
+    throw Failure("no file to read is given, only " + output + " to write");
+
+  TerminalProgress terminal;
+  ProgressRelay progress;
+  progress.add(terminal);
+  checkOutput(output, settings.data.files); // before hours of reading
+  const std::uint64_t memory =
+    settings.output.memory.empty() ? physicalMemory() / 2 : bytesOf(settings.output.memory);
+  // The rest is for putting arrays in order.
+  const auto space = std::make_shared<ScratchSpace>(output, memory / 4 * 3);
+  Input input(settings.data.files);
+  input.setSpace(space);
+  input.open(progress);
+  forSteps(input, settings, progress,
+    [&](const Settings& ofStep, const std::string& which)
+    {
+      const int step = input.chosenStep(ofStep) + 1, steps = input.numberOfSteps();
+      const std::string file = settings.output.allSteps ? numbered(output, step, steps) : output;
+      checkOutput(file, settings.data.files);
+      convertStep(input, ofStep, file, space, progress, which);
+    });
 }
 
 } // namespace mote::app

@@ -1,5 +1,6 @@
 #include "Render.h"
 
+#include "AllSteps.h"
 #include "Bake.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
@@ -18,17 +19,6 @@ namespace mote::app
 
 namespace
 {
-
-/// "picture.png" to "picture.0012.png"; steps count from 1.
-std::string numbered(const std::string& file, int step, int steps)
-{
-  const int digits = std::max(4, static_cast<int>(std::to_string(steps).size()));
-  std::string number = std::to_string(step);
-  number.insert(0, std::max(0, digits - static_cast<int>(number.size())), '0');
-  std::filesystem::path path(file);
-  return (path.parent_path() / (path.stem().string() + "." + number)).string() +
-         path.extension().string();
-}
 
 /// The line on standard output that tells of a finished picture.
 void report(const std::string& file, const Stage& stage, const Picture& picture,

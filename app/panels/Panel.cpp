@@ -133,7 +133,7 @@ void Panel::drawGroups(const PanelFacts& facts)
   this->drawTop(facts);
   hints_.draw();
   drawMessages(facts.messages);
-  if (facts.steps > 1)
+  if (facts.steps > 1 || next_.output.follow)
     this->drawTime(facts);
   this->drawGroup("Colour", &Panel::drawColour);
   this->drawGroup("Selection", &Panel::drawSelection);

@@ -35,6 +35,10 @@ void Panel::drawTime(const PanelFacts& facts)
   stepButton(">", facts.step + 1, "The next time step\nRight");
   stepButton(">|", facts.steps - 1, "The last time step\nEnd");
   rows_.draw(*commandRow("mote", "loop"), next_, "loop");
+  ImGui::SameLine();
+  rows_.draw(*commandRow("mote", "follow"), next_, "follow");
+  if (facts.steps < 2)
+    return;
   this->drawCache(facts);
   this->drawStep(facts);
 }

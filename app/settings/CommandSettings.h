@@ -22,6 +22,7 @@ struct OutputSettings
   std::optional<double> uiScale; ///< of the panel's texts; none: as the display says
   std::string cache = "25%";     ///< memory for time steps ahead: a size, or a share
   double speed = 10.0;           ///< time steps a second, of playing, at most
+  bool follow = false;           ///< whether steps that are written meanwhile are read
   bool loop = true;              ///< whether playing goes on from the last step to the first
   bool operator==(const OutputSettings&) const = default;
 };

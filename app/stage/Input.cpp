@@ -134,6 +134,24 @@ int Input::chosenStep(const Settings& settings) const
   return static_cast<int>(number) - 1;
 }
 
+void Input::leaveOutDamagedEnds()
+{
+  for (const Source& source : sources_)
+    if (auto* dump = vtkMoteLAMMPSDumpReader::SafeDownCast(source.reader))
+      dump->LeaveOutDamagedEndOn();
+}
+
+Input Input::goneOn(const std::vector<std::string>& files, ProgressRelay& progress) const
+{
+  Input next(files);
+  for (std::size_t i = 0; i < next.sources_.size() && i < sources_.size(); ++i)
+    if (auto* dump = vtkMoteLAMMPSDumpReader::SafeDownCast(next.sources_[i].reader))
+      dump->TakeIndexOf(vtkMoteLAMMPSDumpReader::SafeDownCast(sources_[i].reader));
+  next.leaveOutDamagedEnds();
+  next.open(progress);
+  return next;
+}
+
 std::unique_ptr<Input> Input::again() const
 {
   std::unique_ptr<Input> other(new Input);

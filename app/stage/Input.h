@@ -57,6 +57,12 @@ public:
   std::vector<NamedData> read(int step, ProgressRelay& progress);
   std::vector<NamedData> read(int step, const Runner& runner);
 
+  /// The same and new files, of a simulation that goes on: opened, with what is known of those that
+  /// have only grown. A last step that is half written is left out. Throws Failure and Interrupted.
+  Input goneOn(const std::vector<std::string>& files, ProgressRelay& progress) const;
+  /// Has open() leave out steps that are half written, at the ends of files.
+  void leaveOutDamagedEnds();
+
   /// The same files with readers of their own, for another thread; to be called where this is open
   /// and not at work.
   std::unique_ptr<Input> again() const;

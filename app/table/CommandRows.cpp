@@ -41,6 +41,16 @@ Row sessionRow(const std::string& command)
       .command = command});
 }
 
+Row allStepsRow(const std::string& command, const std::string& help)
+{
+  return row(output, &OutputSettings::allSteps,
+    {.group = "Output",
+      .name = "all-steps",
+      .help = help,
+      .excludes = {"step", "time"},
+      .command = command});
+}
+
 void addPictureCommands(Rows& table)
 {
   table.push_back(sessionRow("mote"));
@@ -67,14 +77,10 @@ void addPictureCommands(Rows& table)
     "Picture to write: .png, .jpg or .tif; or .exr with colour, depth, normal and particle id, the "
     "background transparent",
     true));
-  table.push_back(row(output, &OutputSettings::allSteps,
-    {.group = "Output",
-      .name = "all-steps",
-      .help = "Write one picture per time step: out.png gives out.0001.png, out.0002.png ... All "
-              "have the frame of the last step and one range of colours; unless --range gives it, "
-              "the steps are read twice to find it",
-      .excludes = {"step", "time"},
-      .command = "render"}));
+  table.push_back(allStepsRow("render",
+    "Write one picture per time step: out.png gives out.0001.png, out.0002.png ... All have the "
+    "frame of the last step and one range of colours; unless --range gives it, the steps are read "
+    "twice to find it"));
   table.push_back(sessionRow("render"));
 }
 
@@ -89,6 +95,9 @@ void addInfo(Rows& table)
 
 void addConvert(Rows& table)
 {
+  table.push_back(allStepsRow("convert",
+    "Write one file per time step: out.mote gives out.0001.mote, out.0002.mote ..., which mote "
+    "opens together as a series. Radii from the spacing are those of the last step"));
   table.push_back(row<OutputSettings, std::string>(output, &OutputSettings::memory,
     {.group = "Conversion",
       .name = "memory",
@@ -155,6 +164,9 @@ void addBake(Rows& table)
     "File to write, .moteao. By default FILE.moteao, or FILE.STEP.moteao where FILE has several "
     "time steps, which is where mote looks for it",
     false));
+  table.push_back(allStepsRow(command,
+    "Bake every time step, with the radii of the last one where they come from the spacing: "
+    "FILE.1.moteao, FILE.2.moteao ..., or -o out.moteao gives out.0001.moteao ..."));
   table.push_back(row<BakeSettings, int>(bake, &BakeSettings::side,
     {.group = group,
       .name = "side",

@@ -28,6 +28,13 @@ void addTimeRows(std::vector<Row>& table)
       if (!memoryOf(text))
         throw WrongValue{"'" + text + "' is neither a size such as 4G nor a share such as 25%"};
     }));
+  table.push_back(row(output, &OutputSettings::follow,
+    {.group = group,
+      .name = "follow",
+      .help = "Read new time steps as a simulation writes them: at the end of a dump, or as new "
+              "files of a series. Where the last step is shown the new one is",
+      .invalidates = Invalidates::Nothing,
+      .command = command}));
   table.push_back(row(output, &OutputSettings::speed,
     {.group = group,
       .name = "speed",

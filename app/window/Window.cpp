@@ -2,7 +2,9 @@
 
 #include "InteractorStyle.h"
 #include "Observe.h"
+#include "base/CutFiles.h"
 #include "base/Failure.h"
+#include "base/Messages.h"
 #include "base/Text.h"
 #include "settings/Colors.h"
 #include "settings/UserState.h"
@@ -44,6 +46,7 @@ void showWindow(const Settings& settings)
   if (!displayAvailable())
     throw Failure("there is no display to open a window on; make a picture instead: "
                   "mote render FILE -o picture.png");
+  surviveCutFiles();
   Window window(settings, input);
   window.run();
 }
@@ -143,6 +146,8 @@ void Window::run()
   {
     if (!this->isEmpty())
       bar_.show("Opening " + input_.name(), 0.0);
+    if (asked_.output.follow)
+      input_.leaveOutDamagedEnds();
     input_.open(progress_);
     step_ = input_.chosenStep(asked_);
     this->load(step_);
@@ -171,6 +176,7 @@ void Window::run()
   this->setUpPicking();
   this->setUpOpening();
   this->startCache();
+  this->startFollowing();
   this->render();
   if (!quit_)
     interactor_->Start();
@@ -323,6 +329,8 @@ void Window::onRenderEnd()
 {
   if (busy_)
     return;
+  if (takeFileCut())
+    Messages::warn("A file was cut short while it was in use: what is shown of it may be wrong");
   if (!traced_ || pass_->GetTraceTime() > 0.0)
     frameTime_ = vtkTimerLog::GetUniversalTime() - frameStart_;
   if (traced_ && pass_->GetTraceTime() > 0.0)
@@ -364,6 +372,8 @@ void Window::onTimer(int timer)
     this->hover();
   else if (due(cacheTimer_))
     this->watchCache();
+  else if (due(followTimer_))
+    this->watchFiles();
   else if (due(messageTimer_))
   {
     overlay_.setMessage("");

@@ -9,6 +9,7 @@
 #include "panels/Panel.h"
 #include "panels/PanelHost.h"
 #include "settings/History.h"
+#include "stage/FollowedFiles.h"
 #include "stage/MeshPicker.h"
 #include "stage/PickedSet.h"
 #include "stage/Stage.h"
@@ -70,6 +71,9 @@ private:
   void scrub(Settings next, int step);
   void endScrub();
   void watchCache();
+  void startFollowing();
+  void watchFiles();
+  void takeNewSteps();
   void quit();
 
   // Drawing
@@ -198,10 +202,12 @@ private:
   Panel panel_;
   std::unique_ptr<PanelHost> panelHost_; ///< null: the window's OpenGL cannot draw it
   bool panelOn_ = true;
-  PanelWish wish_;                     ///< what the user did in the last frame
-  std::optional<Settings> beforeHold_; ///< as the settings were when a control was taken hold of
-  std::unique_ptr<StepCache> cache_;   ///< null: nothing is read ahead
-  StepCache::Facts cacheShown_;        ///< as the panel has it
+  PanelWish wish_;                        ///< what the user did in the last frame
+  std::optional<Settings> beforeHold_;    ///< as the settings were when a control was taken hold of
+  std::unique_ptr<StepCache> cache_;      ///< null: nothing is read ahead
+  StepCache::Facts cacheShown_;           ///< as the panel has it
+  std::optional<FollowedFiles> followed_; ///< while steps are read that are written
+  std::string followProblem_;             ///< that was told last
   int step_ = 0;
   int loadedStep_ = -1; ///< that the stage shows; -1 while it changes
   int direction_ = 1;   ///< of the last change of the step
@@ -215,7 +221,7 @@ private:
   double otherTime_ = 0.0; ///< of the last frame that was traced, beside tracing: s
   bool previewed_ = false; // the picture shown last was a preview
   int sharpenTimer_ = 0, restTimer_ = 0, playTimer_ = 0, messageTimer_ = 0, panelTimer_ = 0,
-      hoverTimer_ = 0, cacheTimer_ = 0;
+      hoverTimer_ = 0, cacheTimer_ = 0, followTimer_ = 0;
 };
 
 } // namespace mote::app

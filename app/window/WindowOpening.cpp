@@ -58,6 +58,7 @@ void Window::readFiles(const Settings& wanted)
   Input next(wanted.data.files);
   next.open(progress_);
   this->endCache();
+  followed_.reset();
   input_ = std::move(next);
   picked_.clear();
   stage_.clear();

@@ -101,6 +101,7 @@ bool Window::follow(const Settings& next)
   this->planCache();
   picked_.keepWhatIs(stage_.parts());
   marks_.forget();
+  this->startFollowing();
   return done;
 }
 

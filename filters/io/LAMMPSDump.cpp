@@ -27,9 +27,11 @@ public:
   {
   }
 
-  LAMMPSIndex run()
+  LAMMPSIndex run(const LAMMPSIndex* before)
   {
     checkBeginning();
+    if (before && !goOnAfter(*before))
+      return Indexer(m_cursor.path(), m_progress).run(nullptr);
     while (indexFrame())
     {
     }
@@ -44,6 +46,7 @@ public:
 
 private:
   void checkBeginning();
+  bool goOnAfter(const LAMMPSIndex& before);
   bool indexFrame();
   void skipRows(const LAMMPSFrame& frame);
   std::uint64_t skipLines(std::uint64_t lines);
@@ -89,10 +92,34 @@ void Indexer::checkBeginning()
     "this is no LAMMPS text dump: expected 'ITEM: TIMESTEP', found '" + line + "'", 1);
 }
 
+/// Takes all frames but the last from an index, and reads that again, which may have been half
+/// written; false where it is another one by now. Compressed text cannot be entered where its end
+/// was, which has become another.
+bool Indexer::goOnAfter(const LAMMPSIndex& before)
+{
+  if (before.frames.empty() || before.frames.back().start.snapshot)
+    return false;
+  const LAMMPSFrame& last = before.frames.back();
+  try
+  {
+    m_cursor.seek(last.start);
+    m_index.frames.assign(before.frames.begin(), before.frames.end() - 1);
+    return indexFrame() && m_index.frames.size() == before.frames.size() &&
+           m_index.frames.back().timestep == last.timestep;
+  }
+  catch (const FileError& damage)
+  {
+    if (damage.kind() == FileError::Kind::Aborted)
+      throw;
+    return false;
+  }
+}
+
 /// Adds the next frame to the index; false at the end of the file.
 bool Indexer::indexFrame()
 {
   LAMMPSFrame frame;
+  frame.start = m_cursor.place();
   LAMMPSHeader header(m_cursor, frame);
   if (!m_index.frames.empty())
   {
@@ -215,9 +242,10 @@ bool looksLikeLAMMPSDump(std::string_view beginning)
   return startsFrame(beginning);
 }
 
-LAMMPSIndex indexLAMMPSDump(const std::string& path, const Progress& progress)
+LAMMPSIndex indexLAMMPSDump(
+  const std::string& path, const Progress& progress, const LAMMPSIndex* before)
 {
-  return Indexer(path, progress).run();
+  return Indexer(path, progress).run(before);
 }
 
 } // namespace mote

@@ -39,6 +39,7 @@ struct LAMMPSFrame
   std::shared_ptr<const std::vector<std::string>>
     columns;                     ///< never null; "id type xs ys zs" if old
   std::uint64_t columnsLine = 0; ///< the line ITEM: ATOMS
+  TextCursor::Place start;       ///< of the header
   TextCursor::Place rows;
   std::optional<FileError> damage; ///< why this step cannot be read
 };
@@ -59,7 +60,11 @@ bool looksLikeLAMMPSDump(std::string_view beginning);
 /// A damaged frame is listed with its damage and does not hide those around it. Throws FileError
 /// when the file cannot be opened, is no LAMMPS text dump, has no frame at all, or when `progress`
 /// asks to stop.
-LAMMPSIndex indexLAMMPSDump(const std::string& path, const Progress& progress);
+///
+/// With the index of the same file before it grew only its last frame and what follows are read; a
+/// file that is another there is read as a whole.
+LAMMPSIndex indexLAMMPSDump(
+  const std::string& path, const Progress& progress, const LAMMPSIndex* before = nullptr);
 
 } // namespace mote
 

@@ -40,8 +40,8 @@ struct Step
 class vtkMoteLAMMPSDumpReader::Internals
 {
 public:
-  void Update(const mote::Progress& progress);
-  void MakeSteps();
+  void Update(const mote::Progress& progress, bool leaveOut);
+  void MakeSteps(bool leaveOut);
   bool FilesHaveChanged() const;
 
   std::vector<std::string> Names;
@@ -52,7 +52,7 @@ public:
 };
 
 /// Indexes the files that are new or have changed.
-void vtkMoteLAMMPSDumpReader::Internals::Update(const mote::Progress& progress)
+void vtkMoteLAMMPSDumpReader::Internals::Update(const mote::Progress& progress, bool leaveOut)
 {
   this->Steps.clear();
   std::map<std::string, IndexedFile> files;
@@ -69,15 +69,17 @@ void vtkMoteLAMMPSDumpReader::Internals::Update(const mote::Progress& progress)
     {
       const mote::Progress part = [&](double fraction)
       { return progress((static_cast<double>(done) + fraction) / this->Names.size()); };
-      files[name] = {stamp, mote::indexLAMMPSDump(name, part)};
+      const bool grew = known != this->Files.end() && known->second.Stamp.bytes < stamp.bytes;
+      files[name] = {
+        stamp, mote::indexLAMMPSDump(name, part, grew ? &known->second.Index : nullptr)};
     }
     ++done;
   }
   this->Files = std::move(files);
-  this->MakeSteps();
+  this->MakeSteps(leaveOut);
 }
 
-void vtkMoteLAMMPSDumpReader::Internals::MakeSteps()
+void vtkMoteLAMMPSDumpReader::Internals::MakeSteps(bool leaveOut)
 {
   bool haveTimes = true;
   for (const auto& [name, file] : this->Files)
@@ -92,12 +94,17 @@ void vtkMoteLAMMPSDumpReader::Internals::MakeSteps()
     const auto& [key, file] = *this->Files.find(name);
     for (const mote::LAMMPSFrame& frame : file.Index.frames)
     {
+      if (leaveOut && frame.damage && &frame == &file.Index.frames.back())
+        continue;
       const double time = haveTimes ? *frame.time : static_cast<double>(frame.timestep);
       steps[time] = {time, &key, &frame};
     }
   }
   for (const auto& [time, step] : steps)
     this->Steps.push_back(step);
+  if (this->Steps.empty() && !this->Names.empty())
+    throw mote::FileError(mote::FileError::Kind::Truncated, this->Names.front(),
+      "no time step of this file is whole yet");
 }
 
 bool vtkMoteLAMMPSDumpReader::Internals::FilesHaveChanged() const
@@ -177,8 +184,8 @@ void vtkMoteLAMMPSDumpReader::TakeIndexOf(vtkMoteLAMMPSDumpReader* other)
 {
   if (!other || other == this)
     return;
+  this->LeaveOutDamagedEnd = other->LeaveOutDamagedEnd;
   this->Internal->Files = other->Internal->Files; // what is shared by frames never changes
-  this->Internal->MakeSteps();
   this->Modified();
 }
 
@@ -241,7 +248,7 @@ int vtkMoteLAMMPSDumpReader::RequestInformation(
     [this](const mote::Progress& progress)
     {
       this->RequireFileName();
-      this->Internal->Update(progress);
+      this->Internal->Update(progress, this->LeaveOutDamagedEnd);
       this->OfferArrays();
     });
   if (this->Ready)
@@ -273,7 +280,7 @@ int vtkMoteLAMMPSDumpReader::RequestData(
     [&](const mote::Progress& progress)
     {
       if (this->Internal->FilesHaveChanged())
-        this->Internal->Update(progress);
+        this->Internal->Update(progress, this->LeaveOutDamagedEnd);
       const Step& step = mote::requestedStep(information, this->Internal->Steps, &Step::Time);
       time = step.Time;
       mote::LAMMPSReadOptions options;
@@ -297,6 +304,7 @@ void vtkMoteLAMMPSDumpReader::PrintSelf(ostream& os, vtkIndent indent)
     os << indent.GetNextIndent() << name << "\n";
   os << indent << "TimeSteps: " << this->Internal->Steps.size() << "\n";
   os << indent << "CombineVectors: " << this->CombineVectors << "\n";
+  os << indent << "LeaveOutDamagedEnd: " << this->LeaveOutDamagedEnd << "\n";
   os << indent << "SinglePrecision: " << this->SinglePrecision << "\n";
   os << indent << "PointDataArraySelection:\n";
   this->Internal->Selection->PrintSelf(os, indent.GetNextIndent());

@@ -25,8 +25,9 @@
  * step has one, else the number of the step. Of two steps at one time the later one in the files
  * counts, as after a restart. A requested time becomes the nearest step at or before it.
  *
- * Every file is passed over once to find its steps, and again when it has changed (size or time of
- * change). Gzip is inflated for that as well; a step then inflates little more than its own text.
+ * Every file is passed over once to find its steps. Where it has grown since, what was added is
+ * passed over; where it has changed otherwise (size or time of change), or is gzip, all of it. Gzip
+ * is inflated for that; a step then inflates little more than its own text.
  *
  * Errors are reported through vtkErrorMacro as one sentence with the file, and line and column
  * where there are such, which GetLastErrorMessage repeats; GetErrorCode tells its kind. After an
@@ -104,9 +105,20 @@ public:
   vtkBooleanMacro(SinglePrecision, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether a damaged last step of a file is left out of the time steps (default off): of a file
+   * that is being written it is half there.
+   */
+  vtkSetMacro(LeaveOutDamagedEnd, bool);
+  vtkGetMacro(LeaveOutDamagedEnd, bool);
+  vtkBooleanMacro(LeaveOutDamagedEnd, bool);
+  ///@}
+
   /**
    * Takes over what another reader has found when it passed over the same files, so that this one
-   * need not. Neither reader may be at work. What has changed since is looked at anew.
+   * need not; and LeaveOutDamagedEnd. Neither reader may be at work. What has changed since is
+   * looked at anew.
    */
   void TakeIndexOf(vtkMoteLAMMPSDumpReader* other);
 
@@ -132,6 +144,7 @@ private:
   std::unique_ptr<Internals> Internal;
   bool CombineVectors = true;
   bool SinglePrecision = false;
+  bool LeaveOutDamagedEnd = false;
   bool Ready = false; // the last RequestInformation succeeded
 };
 

@@ -177,6 +177,37 @@ case $3 in
     done
     ;;
 
+  allsteps) # a file of each time step, and its maps
+    run 0 "$mote" convert "$hopper" heap.mote --all-steps
+    steps=$(ls heap.*.mote | wc -l)
+    [ "$steps" -gt 1 ] && [ -e heap.0001.mote ] && [ ! -e heap.mote ] || fail "$(ls)"
+    [ "$(wc -l <out)" = "$steps" ] || fail 'not a line for each file'
+    run 0 "$mote" info "$hopper"
+    grep 'time steps' out >dump.times
+    run 0 "$mote" info heap.*.mote
+    grep 'time steps' out >files.times
+    cmp -s dump.times files.times || { cat dump.times files.times; fail 'other times'; }
+    run 0 "$mote" bake heap.*.mote --all-steps --side 1 --samples 9
+    [ "$(ls heap.0001.mote.*.moteao | wc -l)" = "$steps" ] || fail "$(ls)"
+    run 0 "$mote" render heap.*.mote --step 2 --ambient-occlusion baked -o baked.png --size 320x200
+    [ ! -s err ] || { cat err; fail 'the maps are not used'; }
+    run 0 "$mote" bake heap.*.mote --all-steps --side 1 --samples 9 # as it was
+    [ "$(grep -c 'as it was' out)" = "$steps" ] || { cat out; fail 'baked again'; }
+    run 0 "$mote" bake heap.0001.mote heap.0002.mote -o maps.moteao --all-steps --side 1 --samples 9
+    [ -e maps.0001.moteao ] && [ -e maps.0002.moteao ] && [ ! -e maps.moteao ] || fail "$(ls)"
+    run 2 "$mote" bake "$hopper" --all-steps --step 2
+    # The first step of a pour has no particle.
+    { printf 'ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n0\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\n'
+      printf 'ITEM: ATOMS id type x y z\n'
+      printf 'ITEM: TIMESTEP\n1\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\n'
+      printf 'ITEM: ATOMS id type x y z\n1 1 1 1 1\n2 1 2 2 2\n'; } >pour.dump
+    run 0 "$mote" bake pour.dump --all-steps --side 1 --samples 9
+    said out 'no particle'
+    [ ! -e pour.dump.1.moteao ] && [ -e pour.dump.2.moteao ] || fail "$(ls)"
+    run 0 "$mote" convert pour.dump pour.mote --all-steps
+    said out 'no particle'
+    ;;
+
   series) # two files that differ in a number are two steps of one series
     zcat "$hopper" >part.1.dump
     zcat "$hopper" >part.2.dump

@@ -118,6 +118,182 @@ case $3 in
     done
     ;;
 
+  follow) # a dump that grows, with a last step that is half written, is cut, goes and comes back
+    zcat "$copper" >whole.dump
+    # Where its steps begin, and how long it is.
+    mapfile -t begins < <(grep -b 'ITEM: TIMESTEP' whole.dump | cut -d: -f1)
+    grow() { head -c "$1" whole.dump >run.dump; }
+    grow "${begins[3]}"
+    open run.dump --size 900x700 --range 0 20 --follow
+    at 3
+    shown 'cache 3/3'
+    tail -c +$((begins[3] + 1)) whole.dump | head -c $((begins[5] - begins[3] - 1000)) >>run.dump
+    shown 'cache 4/4' # the fifth is half there
+    at 4
+    picture four.png
+    tail -c +$((begins[5] - 1000 + 1)) whole.dump | head -c $((1000 + 40)) >>run.dump
+    shown 'cache 5/5'
+    at 5
+    tail -c +$((begins[5] + 40 + 1)) whole.dump >>run.dump
+    shown 'cache 7/7'
+    at 7
+    # Whoever looks at an earlier step goes on to.
+    press Left
+    at 6
+    rm run.dump
+    sleep 2
+    press Home
+    at 1
+    grow "${begins[4]}"
+    shown 'cache 4/4'
+    press End
+    at 4
+    picture again.png
+    alike four.png again.png
+    grow "${begins[2]}"
+    shown 'cache 2/2'
+    at 2
+    for _ in $(seq 30); do # whatever is there at a moment
+      grow $((RANDOM * 100))
+      sleep 0.05
+    done
+    cp whole.dump run.dump
+    shown 'cache 7/7'
+    press q
+    wait $process
+    [ $? = 0 ] || { cat err; fail 'it did not end well'; }
+    ;;
+
+  series) # files that come, when they are whole
+    cp "$data/swirl.0.vtu" run.0000.vtu
+    open run.0000.vtu --size 900x700 --color-by p --range -1 1 --follow
+    picture first.png
+    head -c 90000 "$data/swirl.1.vtu" >run.0001.vtu
+    sleep 2
+    [ -z "$(place step)" ] || fail 'half a file is a step'
+    cp "$data/swirl.1.vtu" run.0001.vtu
+    shown 'cache 2/2'
+    at 2
+    picture second.png
+    differ first.png second.png
+    cp "$data/swirl.0.vtu" other.0002.vtu # of another series
+    cp "$data/swirl.0.vtu" run.0002.vtu
+    shown 'cache 3/3'
+    click Session
+    click follow 0.1
+    press Home
+    at 1
+    quit
+    grep -q 'run.0002.vtu' run-*.json || fail 'the session lacks the file that came last'
+    # The same of Mote's own files, one a step, converted from all steps of a dump, with maps.
+    run 0 "$mote" convert "$copper" scratch.mote --all-steps
+    [ "$(ls scratch.*.mote)" = "$(printf 'scratch.%04d.mote\n' 1 2 3 4 5 6 7)" ] || fail 'no seven files'
+    open scratch.000[1-6].mote --size 900x700 --range 0 20 --follow
+    at 7
+    press Left Left
+    at 5
+    press x # the view was that of the sixth
+    picture five.png
+    quit
+    open "$copper" --size 900x700 --range 0 20 --structure pkd-tree
+    press Left Left
+    at 5
+    press x
+    picture dump-five.png
+    # Centres are rounded otherwise in the file.
+    read -r wrong _ <<<"$(python3 "$tests/compare_png.py" five.png dump-five.png)"
+    [ "${wrong%.*}" -lt 100 ] || fail "$wrong of 10,000 pixels of the file and of the dump differ"
+    quit
+    ;;
+
+  cut) # a mapped file that is made shorter while it is drawn
+    run 0 "$mote" convert "$copper" run.mote
+    run 0 "$mote" convert lattice:2000000 large.mote
+    open large.mote --size 900x700
+    truncate -s 5000 large.mote
+    press x y z bracketright
+    for _ in $(seq 100); do
+      grep -q 'cut short' err && break
+      sleep 0.1
+    done
+    said err 'cut short'
+    press q
+    wait $process
+    code=$?
+    [ $code = 0 ] || { cat err; fail "exit code $code"; }
+    ;;
+
+  odd) # steps without particles, and arrays that some steps have
+    step() { # TIME COUNT COLUMNS VALUES
+      printf 'ITEM: TIMESTEP\n%s\nITEM: NUMBER OF ATOMS\n%s\nITEM: BOX BOUNDS pp pp pp\n' "$1" "$2"
+      printf '0 9\n0 9\n0 9\nITEM: ATOMS id type x y z%s\n' "$3"
+      for i in $(seq "$2"); do
+        echo "$i 1 $i $((i % 3)) 1$4"
+      done
+    }
+    { step 0 0 '' ''; step 1 8 '' ''; step 2 9 ' heat' ' 5'; step 3 0 ' heat' ' 5'; step 4 9 '' ''; } >odd.dump
+    for size in 0 1G; do
+      open odd.dump --size 900x700 --cache $size --step 3 --color-by heat --show heat=0:9
+      picture three-$size.png
+      for key in Left Left Right Right Right Right Home End space; do
+        press $key
+        [ $key = space ] && sleep 2
+      done
+      press space Home Right Right
+      at 3
+      picture again-$size.png
+      alike three-$size.png again-$size.png
+      press q
+      wait $process
+      [ $? = 0 ] || { cat err; fail 'it did not end well'; }
+      grep -v 'has no array' err && fail 'another warning'
+    done
+    alike three-0.png three-1G.png
+    ;;
+
+  loading) # the window is closed while the file is read, and while it is built
+    many_particles many.vtp
+    for wait in 0 0.3 1 2; do
+      "$mote" many.vtp --size 900x700 --no-preview >out 2>err &
+      process=$!
+      for _ in $(seq 150); do
+        window=$(xdotool search --name '^Mote' 2>/dev/null | head -1)
+        [ -n "$window" ] && break
+        sleep 0.05
+      done
+      sleep $wait
+      xdotool windowfocus "$window"
+      xdotool key --window 0 q
+      for _ in $(seq 100); do
+        kill -0 $process 2>/dev/null || break
+        sleep 0.1
+        xdotool key --window 0 q 2>/dev/null # where the first came before the window could hear it
+      done
+      kill -0 $process 2>/dev/null && fail 'it goes on'
+      wait $process
+      [ $? = 0 ] || { cat err; fail 'it did not end well'; }
+    done
+    ;;
+
+  resizing) # while the picture is refined, which begins anew and ends as it does without
+    folded=--no-panel
+    open "$copper" --size 640x480 --shadows soft --samples 64
+    for size in '700 500' '400 300' '900 700' '640 480' '820 610'; do
+      # shellcheck disable=SC2086
+      xdotool windowsize "$window" $size
+      sleep 0.15
+    done
+    xdotool windowsize --sync "$window" 720 540
+    picture resized.png
+    quit
+    [ "$(png_size resized.png)" = 720x540 ] || fail "$(png_size resized.png)"
+    rm -f ./*-001.png
+    open "$copper" --size 720x540 --shadows soft --samples 64
+    picture fresh.png
+    alike resized.png fresh.png
+    quit
+    ;;
+
   *) fail "unknown case $3" ;;
 esac
 echo "$3: passed"
