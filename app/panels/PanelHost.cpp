@@ -220,15 +220,15 @@ bool PanelHost::drawAlone()
   ImGui::SetCurrentContext(context_);
   auto* window = static_cast<vtkOpenGLRenderWindow*>(window_);
   const int* size = window->GetSize();
-  vtkOpenGLFramebufferObject* shown = window->GetDisplayFramebuffer();
-  if (!shown || !wasWithin_ || !this->isWithin() || drawnSize_ != std::array{size[0], size[1]})
+  vtkOpenGLFramebufferObject* rendered = window->GetRenderFramebuffer();
+  if (!rendered || !wasWithin_ || !this->isWithin() || drawnSize_ != std::array{size[0], size[1]})
     return false;
-  // The last frame waits there to be shown, all of it.
+  // The last frame is there, all of it, and what is shown is copied from there.
   window->MakeCurrent();
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
-  shown->Bind(GL_DRAW_FRAMEBUFFER);
-  shown->ActivateDrawBuffer(0);
+  rendered->Bind(GL_DRAW_FRAMEBUFFER);
+  rendered->ActivateDrawBuffer(0);
   this->paint();
   state->PopFramebufferBindings();
   window->Frame();
