@@ -138,6 +138,7 @@ void Panel::drawGroups(const PanelFacts& facts)
   this->drawGroup("Colour", &Panel::drawColour);
   this->drawGroup("Selection", &Panel::drawSelection);
   this->drawPicked(facts.picked);
+  this->drawPlot(facts.picked);
   if (found_.hasVolumes)
     this->drawGroup("Volume", &Panel::drawVolume);
   if (found_.hasParticles)

@@ -3,6 +3,7 @@
 #include "Hints.h"
 #include "OpenDialog.h"
 #include "PickedPanel.h"
+#include "PlotPanel.h"
 #include "RowControls.h"
 #include "StartPage.h"
 #include "ValueControls.h"
@@ -101,6 +102,7 @@ private:
   void drawKinds(const NamedArray& array, const Kinds& kinds);
   void drawNewRange();
   void drawPicked(const PickedFacts& facts);
+  void drawPlot(const PickedFacts& facts);
   void drawVolume();
   void drawCamera();
   void drawCosts(const PanelFacts& facts);
@@ -115,6 +117,7 @@ private:
   StartPage startPage_;
   Hints hints_;
   PickedPanel picked_;
+  PlotPanel plot_;
   Found found_;
   Settings next_; ///< while drawing
   PanelWish wish_;

@@ -127,6 +127,20 @@ void Panel::drawPicked(const PickedFacts& facts)
   ImGui::PopID();
 }
 
+/// How values are distributed.
+void Panel::drawPlot(const PickedFacts& facts)
+{
+  if (!facts.set)
+    return;
+  const bool isOpen = ImGui::CollapsingHeader("Plot##group");
+  noteControl("group Plot");
+  if (!isOpen)
+    return;
+  ImGui::PushID("Plot");
+  plot_.draw(stage_, *facts.set, next_);
+  ImGui::PopID();
+}
+
 const Kinds& Panel::kindsOf(const NamedArray& array)
 {
   const auto known = found_.kinds.find(array.text);

@@ -46,6 +46,8 @@ Action PickedPanel::draw(const Stage& stage, const PickedFacts& facts, Settings&
   noteControl("picks through");
   explainKey("Ctrl and drag with the right button does so in any case");
   drawHidden(next);
+  if (const auto measured = measure(stage.parts(), set))
+    drawMeasured(*measured);
   if (!set.empty())
     this->drawTable(stage, set);
   return action;
@@ -66,6 +68,27 @@ void PickedPanel::drawHidden(Settings& next)
   if (buttonOf("Show hidden"))
     selection.hidden = selection.only = {};
   explainKey("Show what is hidden by its id\nu");
+}
+
+/// What is between two or three picked.
+void PickedPanel::drawMeasured(const Measured& measured)
+{
+  const auto line = [](const std::string& text)
+  {
+    ImGui::TextWrapped("%s", text.c_str());
+    noteControl(text);
+  };
+  for (const Distance& distance : measured.distances)
+  {
+    line("distance " + asText(distance));
+    ImGui::TextDisabled("  %s, %s, %s", asNumber(distance.step[0]).c_str(),
+      asNumber(distance.step[1]).c_str(), asNumber(distance.step[2]).c_str());
+    explainKey("Along x, y and z");
+    if (distance.isAcross)
+      ImGui::TextDisabled("  %s without the box's images", asNumber(distance.direct).c_str());
+  }
+  if (measured.angle)
+    line("angle " + asNumber(*measured.angle, 5) + "\u00b0");
 }
 
 void PickedPanel::drawTable(const Stage& stage, const PickedSet& set)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stage/Measure.h"
 #include "stage/PickedTable.h"
 #include "stage/Stage.h"
 #include "table/Keys.h"
@@ -30,6 +31,7 @@ public:
 private:
   void drawTable(const Stage& stage, const PickedSet& set);
   static void drawHidden(Settings& next);
+  static void drawMeasured(const Measured& measured);
 
   std::vector<std::pair<vtkDataSet*, unsigned long>> key_; ///< of the table's data
   unsigned long version_ = 0;                              ///< of its set

@@ -58,6 +58,7 @@ Window::Window(const Settings& settings, Input& input)
   , overlay_(stage_.renderer())
   , props_(stage_)
   , marks_(stage_.renderer())
+  , ruler_(stage_.renderer())
   , bar_(window_, stage_.renderer())
   , panel_(stage_)
   , panelOn_(settings.output.panel)
@@ -321,6 +322,7 @@ void Window::onRenderStart()
   this->updatePreview();
   this->takeMessages();
   marks_.update(stage_.parts(), picked_);
+  ruler_.update(stage_.parts(), picked_);
   overlay_.setStatus(this->statusText());
   props_.legend().update();
 }

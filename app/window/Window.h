@@ -4,6 +4,7 @@
 #include "Display.h"
 #include "Overlay.h"
 #include "PickedMarks.h"
+#include "Ruler.h"
 #include "WindowProgress.h"
 #include "WindowProps.h"
 #include "panels/Panel.h"
@@ -185,6 +186,7 @@ private:
   WindowProps props_;
   PickedSet picked_;
   PickedMarks marks_;
+  Ruler ruler_;
   MeshPicker meshPicker_;
   Clipboard clipboard_;
   bool picksThrough_ = false; ///< rectangles take what others hide, too

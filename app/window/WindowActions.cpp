@@ -347,6 +347,7 @@ void Window::grabPicture(const std::string& file)
 {
   overlay_.setVisible(false);
   marks_.setVisible(false);
+  ruler_.setVisible(false);
   do
     this->render();
   while (traced_ && !pass_->IsConverged() && !inputWaits(window_));
@@ -361,6 +362,7 @@ void Window::grabPicture(const std::string& file)
   const bool written = writer->Write() != 0;
   overlay_.setVisible(true);
   marks_.setVisible(true);
+  ruler_.setVisible(true);
   this->say(written ? "Saved " + file : writer->GetErrorMessage());
 }
 

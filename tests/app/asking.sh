@@ -203,6 +203,101 @@ case $3 in
     quit
     ;;
 
+  ruler) # tells distance and angle of two and three picked, by the nearest image where the box is periodic
+    ruled() { python3 "$tests/screen.py" 330 140 500 600 ruled; }
+    # told NAME VALUE: the panel tells this number, within a while.
+    told() {
+      for _ in $(seq 100); do
+        awk -v name="$1" -v value="$2" '$1 == name && $2 + 0 >= 0.9999 * value && $2 + 0 <= 1.0001 * value {
+          found = 1 } END { exit !found }' "$MOTE_CONTROLS" && return
+        sleep 0.05
+      done
+      grep "^$1" "$MOTE_CONTROLS"
+      fail "no $1 of $2 is told"
+    }
+    open "$copper" --size 1000x860 --color-by none
+    none
+    at 640 440
+    press p
+    [ "$(ruled)" = 0 ] || fail "a ruler between one and nothing"
+    at 560 420
+    press P
+    picked 2
+    mv now.csv two.csv
+    told distance "$(awk -F , 'NR > 1 { for (i = 2; i < 5; i++) d[NR] = (d[NR] == "" ? "" : d[NR] " ") $i }
+      END { split(d[2], a, " "); split(d[3], b, " ")
+        for (i = 1; i < 4; i++) s += (a[i] - b[i]) ^ 2
+        print sqrt(s) }' two.csv)"
+    for _ in $(seq 100); do
+      [ "$(ruled)" -gt 100 ] && break
+      sleep 0.1
+    done
+    [ "$(ruled)" -gt 100 ] || fail "no ruler is drawn"
+    at 600 380
+    press P
+    picked 3
+    told angle "$(awk -F , 'NR > 1 { for (i = 1; i < 4; i++) p[NR - 1, i] = $(i + 1) }
+      END { for (i = 1; i < 4; i++) {
+          a = p[1, i] - p[2, i]; b = p[3, i] - p[2, i]
+          ab += a * b; aa += a * a; bb += b * b }
+        c = ab / sqrt(aa * bb); print atan2(sqrt(1 - c * c), c) * 180 / 3.14159265358979 }' now.csv)"
+    press Escape
+    gone 'picked list'
+    [ "$(ruled)" = 0 ] || fail "the ruler stays"
+    quit
+    printf 'ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp ff\n0 10\n0 10\n0 10\n' >two.dump
+    printf 'ITEM: ATOMS id type x y z\n1 1 0.5 5 5\n2 1 9.25 5 5\n' >>two.dump
+    open two.dump --size 1000x860 --view +z
+    rectangle 3 330 150 990 800
+    picked 2
+    told distance 1.25
+    shown 'distance 1.25 to the nearest image'
+    quit
+    ;;
+
+  plot) # of values: a histogram or a scatter plot, in which ranges are dragged
+    open "$copper" --size 1000x1000 --color-by c_centro
+    # What the panel draws without a frame of the view is on the screen, too.
+    panel_now() { python3 "$tests/screen.py" 0 200 310 400; }
+    click 'group Colour' 0.8
+    sleep 1
+    before=$(panel_now)
+    click 'group Selection' 0.8
+    for _ in $(seq 50); do
+      [ "$(panel_now)" != "$before" ] && break
+      sleep 0.1
+    done
+    [ "$(panel_now)" != "$before" ] || fail "a section that is folded stays on the screen"
+    click 'group Plot' 0.8
+    picture all.png
+    drag plot 0.1 0.2 0.3 0.5
+    has '--show=c_centro=[0-9.]+:[0-9.]+ '
+    picture some.png
+    differ all.png some.png
+    click 'plot visible' 0.1
+    click 'plot log' 0.1
+    click 'Show all of these'
+    has_no '--show'
+    picture again.png
+    alike all.png again.png
+    click 'plot y'
+    click z
+    gone z
+    over plot 0.2 0.9
+    xdotool mousedown 1
+    shown 'active plot'
+    xdotool mousemove $(place plot 0.3 0.7) sleep 0.1 mousemove $(place plot 0.7 0.2) sleep 0.1 mouseup 1
+    gone 'active plot'
+    has '--show=c_centro=[0-9.]+:[0-9.]+ --show=z=[-0-9.]+:[0-9.]+ '
+    picture both.png
+    differ all.png both.png
+    press ctrl+z
+    has_no '--show'
+    picture undone.png
+    alike all.png undone.png
+    quit
+    ;;
+
   *) fail "no such case: $3" ;;
 esac
 echo "$3: passed"

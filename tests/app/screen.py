@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""screen.py X Y WIDTH HEIGHT: a fingerprint of a rectangle of the screen that DISPLAY names, and how many colours it has; with "marked" behind, how many pixels have the colour of marks."""
+"""screen.py X Y WIDTH HEIGHT: a fingerprint of a rectangle of the screen that DISPLAY names, and how many colours it has; with "marked" or "ruled" behind, how many pixels have the colour of marks, or of the ruler."""
 import ctypes
 import sys
 import zlib
@@ -26,5 +26,7 @@ pixels = ctypes.string_at(image.data, image.bytes_per_line * height)
 colors = list(zip(pixels[2::4], pixels[1::4], pixels[0::4]))
 if sys.argv[5:] == ["marked"]:
     print(sum(red > 120 and blue > 100 and green < 0.6 * min(red, blue) for red, green, blue in colors))
+elif sys.argv[5:] == ["ruled"]:
+    print(sum(min(red, green) > 170 and blue < 0.6 * green for red, green, blue in colors))
 else:
     print(zlib.crc32(pixels), len(set(colors)))

@@ -1,0 +1,279 @@
+#include "PlotPanel.h"
+
+#include "PanelWidgets.h"
+#include "ValueControls.h"
+#include "base/Text.h"
+#include "stage/ColorMaps.h"
+
+#include <ParticleModel.h>
+#include <vtkLookupTable.h>
+#include <vtkMoteParticleMapper.h>
+#include <vtkTimerLog.h>
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mote::app
+{
+
+namespace
+{
+
+constexpr int bins = 120, columns = 96, rows = 72;
+constexpr double shortTime = 0.02; // s
+constexpr ImU32 ground = IM_COL32(30, 33, 38, 255), bar = IM_COL32(120, 160, 210, 255),
+                frameInk = IM_COL32(255, 200, 90, 255);
+
+/// The range of a name that is shown; null for all.
+ShowRange* rangeOf(Settings& settings, const std::string& name)
+{
+  auto& ranges = settings.selection.ranges;
+  const auto found = std::find_if(
+    ranges.begin(), ranges.end(), [&](const ShowRange& range) { return range.name == name; });
+  return found == ranges.end() ? nullptr : &*found;
+}
+
+void show(Settings& settings, const std::string& name, const Interval& interval)
+{
+  if (ShowRange* range = rangeOf(settings, name))
+    range->intervals = {interval};
+  else if (settings.selection.ranges.size() < 8) // as many as there may be
+    settings.selection.ranges.push_back({name, {interval}});
+}
+
+/// A number between two, as short as a thousandth of the whole tells apart.
+double valueAt(const Plot& plot, std::size_t axis, double share)
+{
+  const double least = plot.least[axis], most = plot.most[axis];
+  if (share <= 0.0 || share >= 1.0 || !(most > least))
+    return share <= 0.0 ? least : most;
+  const double step = std::pow(10.0, std::floor(std::log10((most - least) / 1000.0)));
+  return std::clamp(std::round((least + share * (most - least)) / step) * step, least, most);
+}
+
+double shareOf(const Plot& plot, std::size_t axis, double value)
+{
+  const double width = plot.most[axis] - plot.least[axis];
+  return width > 0.0 ? std::clamp((value - plot.least[axis]) / width, 0.0, 1.0) : 0.5;
+}
+
+bool chooseName(
+  const char* label, const std::vector<std::string>& names, const char* none, std::string& chosen)
+{
+  const std::string before = chosen;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(label);
+  ImGui::SameLine(2.2f * ImGui::GetFontSize());
+  ImGui::SetNextItemWidth(-1.0f);
+  const bool isOpen = ImGui::BeginCombo((std::string("##") + label).c_str(),
+    chosen.empty() ? none : chosen.c_str(), ImGuiComboFlags_HeightLarge);
+  noteControl(std::string("plot ") + label);
+  if (!isOpen)
+    return false;
+  if (none && lineOf(none, chosen.empty()))
+    chosen.clear();
+  for (const std::string& name : names)
+    if (lineOf(name.c_str(), name == chosen))
+      chosen = name;
+  ImGui::EndCombo();
+  return chosen != before;
+}
+
+} // namespace
+
+PlotPanel::PlotPanel() = default;
+PlotPanel::~PlotPanel() = default;
+
+void PlotPanel::draw(const Stage& stage, const PickedSet& picked, Settings& next)
+{
+  std::vector<std::pair<vtkDataSet*, unsigned long>> data;
+  for (const auto& part : stage.parts())
+    data.emplace_back(part->data(), part->data()->GetMTime());
+  if (data != data_)
+  {
+    data_ = data;
+    plotted_ = {};
+    names_ = plottable(stage.parts());
+    for (std::string& name : choice_.names)
+      if (std::find(names_.begin(), names_.end(), name) == names_.end())
+        name.clear();
+  }
+  if (choice_.names[0].empty() && !names_.empty())
+    for (const auto& part : stage.parts())
+      if (choice_.names[0].empty() && arrayOf(part->data(), stage.coloring().choice()))
+        choice_.names[0] = asText(part->data(), stage.coloring().choice());
+  if (choice_.names[0].empty() && !names_.empty())
+    choice_.names[0] = names_.front();
+  this->drawChoices();
+  this->follow(stage, picked);
+  if (plot_.isEmpty())
+    return ImGui::TextWrapped("There are no values that both are of points or of cells.");
+  this->drawPlot(next);
+  this->drawFields(next);
+}
+
+void PlotPanel::drawChoices()
+{
+  constexpr std::pair<Plotted, const char*> whom[] = {
+    {Plotted::All, "all"}, {Plotted::Visible, "visible"}, {Plotted::Picked, "picked"}};
+  for (const auto& [of, label] : whom)
+  {
+    if (of != Plotted::All)
+      ImGui::SameLine();
+    if (ImGui::RadioButton(label, choice_.of == of))
+      choice_.of = of;
+    noteControl(std::string("plot ") + label);
+  }
+  ImGui::SameLine();
+  ImGui::Checkbox("log", &isLogarithmic_);
+  noteControl("plot log");
+  explainKey("Logarithm of the counts");
+  chooseName("x", names_, nullptr, choice_.names[0]);
+  chooseName("y", names_, "how many there are", choice_.names[1]);
+}
+
+/// Counts anew where something is another; while a control is held only where that is fast.
+void PlotPanel::follow(const Stage& stage, const PickedSet& picked)
+{
+  unsigned long time = choice_.of == Plotted::Picked ? picked.version() : 0;
+  if (choice_.of == Plotted::Visible)
+    for (const auto& part : stage.parts())
+      if (part->particles())
+        time = std::max<unsigned long>(time, part->particles()->GetModel().time());
+  if (choice_ == plotted_ && time == chosenTime_)
+    return;
+  if (choice_ == plotted_ && seconds_ > shortTime && ImGui::IsAnyItemActive())
+    return;
+  const double start = vtkTimerLog::GetUniversalTime();
+  plot_ = plotOf(stage.parts(), picked, choice_, choice_.names[1].empty() ? bins : columns, rows);
+  seconds_ = vtkTimerLog::GetUniversalTime() - start;
+  plotted_ = choice_;
+  chosenTime_ = time;
+}
+
+void PlotPanel::drawCounts(const float* from, const float* size) const
+{
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(
+    ImVec2(from[0], from[1]), ImVec2(from[0] + size[0], from[1] + size[1]), ground);
+  const double highest = isLogarithmic_ ? std::log1p(plot_.highest) : plot_.highest;
+  const auto share = [&](std::uint32_t count)
+  { return (isLogarithmic_ ? std::log1p(count) : count) / highest; };
+  const float width = size[0] / static_cast<float>(plot_.width);
+  const float height = size[1] / static_cast<float>(plot_.height);
+  for (int row = 0; row < plot_.height; ++row)
+    for (int column = 0; column < plot_.width; ++column)
+    {
+      const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(plot_.width);
+      const std::uint32_t count = plot_.counts[at + static_cast<std::size_t>(column)];
+      if (count == 0)
+        continue;
+      const float left = from[0] + width * static_cast<float>(column);
+      if (plot_.height == 1)
+      {
+        list->AddRectFilled(
+          ImVec2(left, from[1] + size[1] * (1.0f - static_cast<float>(share(count)))),
+          ImVec2(left + std::max(width, 1.0f), from[1] + size[1]), bar);
+        continue;
+      }
+      // Neighbours of one colour are one rectangle. Few are seen beside many.
+      const auto level = [&](std::uint32_t n) { return std::lround(31.0 * std::sqrt(share(n))); };
+      int end = column + 1;
+      while (end < plot_.width && plot_.counts[at + static_cast<std::size_t>(end)] > 0 &&
+             level(plot_.counts[at + static_cast<std::size_t>(end)]) == level(count))
+        ++end;
+      const unsigned char* color =
+        colors_->MapValue(0.15 + 0.85 * static_cast<double>(level(count)) / 31.0);
+      const float bottom = from[1] + size[1] - height * static_cast<float>(row);
+      list->AddRectFilled(ImVec2(left, bottom - height),
+        ImVec2(from[0] + width * static_cast<float>(end), bottom),
+        IM_COL32(color[0], color[1], color[2], 255));
+      column = end - 1;
+    }
+}
+
+void PlotPanel::drawPlot(Settings& next)
+{
+  if (!colors_)
+  {
+    const double range[2] = {0.0, 1.0};
+    colors_ = makeColorMap(colorMapNames().front(), range, false);
+  }
+  const bool isPair = plot_.height > 1;
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const ImVec2 size(
+    ImGui::GetContentRegionAvail().x, (isPair ? 14.0f : 7.0f) * ImGui::GetFontSize());
+  ImGui::InvisibleButton("plot", size);
+  noteControl("plot");
+  this->drawCounts(&from.x, &size.x);
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const std::array<double, 2> at = {std::clamp((mouse.x - from.x) / size.x, 0.0f, 1.0f),
+    std::clamp(1.0f - (mouse.y - from.y) / size.y, 0.0f, 1.0f)};
+  if (ImGui::IsItemActivated())
+    pressed_ = at;
+  const std::size_t axes = isPair ? 2 : 1;
+  const float away =
+    std::abs(ImGui::GetMouseDragDelta(0, 0.0f).x) + std::abs(ImGui::GetMouseDragDelta(0, 0.0f).y);
+  if (pressed_ && ImGui::IsItemActive() && away > 4.0f)
+    for (std::size_t axis = 0; axis < axes; ++axis)
+      show(next, choice_.names[axis],
+        {valueAt(plot_, axis, std::min((*pressed_)[axis], at[axis])),
+          valueAt(plot_, axis, std::max((*pressed_)[axis], at[axis]))});
+  if (!ImGui::IsItemActive())
+    pressed_.reset();
+  // What is shown.
+  ImVec2 low = from, high(from.x + size.x, from.y + size.y);
+  bool isLimited = false;
+  for (std::size_t axis = 0; axis < axes; ++axis)
+    if (const ShowRange* range = rangeOf(next, choice_.names[axis]);
+        range && !range->intervals.empty())
+    {
+      isLimited = true;
+      const auto begin = static_cast<float>(shareOf(plot_, axis, range->intervals.front().low));
+      const auto end = static_cast<float>(shareOf(plot_, axis, range->intervals.back().high));
+      if (axis == 0)
+        low.x = from.x + begin * size.x, high.x = from.x + end * size.x;
+      else
+        low.y = from.y + (1.0f - end) * size.y, high.y = from.y + (1.0f - begin) * size.y;
+    }
+  if (isLimited)
+    ImGui::GetWindowDrawList()->AddRect(low, high, frameInk);
+  if (!ImGui::IsItemHovered() || ImGui::IsItemActive())
+    return;
+  const auto bin = [&](std::size_t axis, int count)
+  { return std::min(static_cast<int>(at[axis] * count), count - 1); };
+  const auto number = static_cast<std::size_t>(bin(1, plot_.height) * plot_.width) +
+                      static_cast<std::size_t>(bin(0, plot_.width));
+  ImGui::SetTooltip("%s = %s%s%s%s\n%s of %s\nDrag to show a range", choice_.names[0].c_str(),
+    asNumber(valueAt(plot_, 0, at[0])).c_str(), isPair ? ", " : "",
+    isPair ? (choice_.names[1] + " = ").c_str() : "",
+    isPair ? asNumber(valueAt(plot_, 1, at[1])).c_str() : "",
+    withThousands(plot_.counts[number]).c_str(), withThousands(plot_.total).c_str());
+}
+
+/// The ranges that are shown, as numbers.
+void PlotPanel::drawFields(Settings& next) const
+{
+  bool isLimited = false;
+  for (std::size_t axis = 0; axis < (plot_.height > 1 ? 2u : 1u); ++axis)
+  {
+    const ShowRange* range = rangeOf(next, choice_.names[axis]);
+    isLimited = isLimited || range;
+    Interval interval = {plot_.least[axis], plot_.most[axis]};
+    if (range && !range->intervals.empty())
+      interval = {std::max(interval.low, range->intervals.front().low),
+        std::min(interval.high, range->intervals.back().high)};
+    if (rangeFields(axis == 0 ? "x range" : "y range", interval))
+      show(next, choice_.names[axis], interval);
+    noteControl(axis == 0 ? "plot x range" : "plot y range");
+  }
+  if (isLimited && buttonOf("Show all of these"))
+    std::erase_if(next.selection.ranges, [&](const ShowRange& range)
+      { return range.name == choice_.names[0] || range.name == choice_.names[1]; });
+  if (!isLimited)
+    ImGui::TextDisabled("%s plotted", withThousands(plot_.total).c_str());
+}
+
+} // namespace mote::app

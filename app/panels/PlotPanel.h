@@ -1,0 +1,48 @@
+#pragma once
+
+#include "PickedPanel.h"
+#include "stage/Plot.h"
+#include "stage/Stage.h"
+
+#include <vtkSmartPointer.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+class vtkLookupTable;
+
+namespace mote::app
+{
+
+/// The part of the panel that plots how values are distributed: a histogram of one, or of two as an
+/// image; a range that is dragged in it is shown.
+class PlotPanel
+{
+public:
+  PlotPanel();
+  ~PlotPanel();
+
+  /// Changes `next`, the settings to be, where the user chose ranges.
+  void draw(const Stage& stage, const PickedSet& picked, Settings& next);
+
+private:
+  void drawChoices();
+  void follow(const Stage& stage, const PickedSet& picked);
+  void drawPlot(Settings& next);
+  void drawCounts(const float* from, const float* size) const;
+  void drawFields(Settings& next) const;
+
+  PlotChoice choice_;
+  bool isLogarithmic_ = false;
+  std::vector<std::string> names_;
+  std::vector<std::pair<vtkDataSet*, unsigned long>> data_; ///< of names_ and plot_
+  Plot plot_;
+  PlotChoice plotted_;
+  unsigned long chosenTime_ = 0;                 ///< of what is visible, or picked, in plot_
+  double seconds_ = 0.0;                         ///< that plot_ took
+  std::optional<std::array<double, 2>> pressed_; ///< shares of the plot where a range begins
+  vtkSmartPointer<vtkLookupTable> colors_;
+};
+
+} // namespace mote::app

@@ -1,0 +1,260 @@
+#include "Plot.h"
+
+#include "Calculated.h"
+
+#include <DataArrayView.h>
+#include <ParticleModel.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkIdList.h>
+#include <vtkMoteParticleMapper.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+namespace mote::app
+{
+
+namespace
+{
+
+int placeNamed(const std::string& name)
+{
+  return name.size() == 1 && name[0] >= 'x' && name[0] <= 'z' ? name[0] - 'x' : -1;
+}
+
+/// A value of every point, or of every cell, of a part.
+class Values
+{
+public:
+  Values(vtkDataSet* data, const std::string& name)
+    : data_(data)
+    , choice_(findArray(data, name))
+  {
+    if (vtkDataArray* array = arrayOf(data, choice_))
+    {
+      view_.emplace(array);
+      isThere_ = array->GetNumberOfTuples() ==
+                 (choice_.ofCells ? data->GetNumberOfCells() : data->GetNumberOfPoints());
+      return;
+    }
+    place_ = placeNamed(name);
+    isThere_ = place_ >= 0 && data->GetNumberOfPoints() > 0;
+    auto* points = vtkPointSet::SafeDownCast(data);
+    // Points that are made when they are asked for have no array.
+    if (isThere_ && points && points->GetPoints() && points->GetPoints()->GetData() &&
+        points->GetPoints()->GetData()->GetNumberOfTuples() == data->GetNumberOfPoints())
+      view_.emplace(points->GetPoints()->GetData());
+  }
+
+  bool isThere() const { return isThere_; }
+  bool ofCells() const { return choice_.ofCells; }
+
+  double operator()(vtkIdType i) const
+  {
+    if (view_)
+      return view_->view.value(static_cast<std::size_t>(i), place_ >= 0 ? place_ : component());
+    double place[3];
+    data_->GetPoint(i, place);
+    return place[place_];
+  }
+
+  bool widen(double& least, double& most) const
+  {
+    double range[2];
+    if (place_ >= 0)
+    {
+      double bounds[6];
+      data_->GetBounds(bounds);
+      std::copy_n(bounds + 2 * place_, 2, range);
+    }
+    else if (!finiteRange(arrayOf(data_, choice_), choice_.component, range))
+      return false;
+    least = std::min(least, range[0]);
+    most = std::max(most, range[1]);
+    return true;
+  }
+
+private:
+  int component() const
+  {
+    return choice_.component == ArrayChoice::magnitude ? ArrayView::magnitude : choice_.component;
+  }
+
+  vtkDataSet* data_;
+  ArrayChoice choice_;
+  std::optional<DataArrayView> view_;
+  int place_ = -1;
+  bool isThere_ = false;
+};
+
+/// Which points, or cells, of a part are plotted; empty for all.
+std::vector<unsigned char> chosenOf(
+  const Part& part, int number, const PickedSet& picked, Plotted of, bool ofCells)
+{
+  std::vector<unsigned char> chosen;
+  vtkDataSet* data = part.data();
+  const auto count =
+    static_cast<std::size_t>(ofCells ? data->GetNumberOfCells() : data->GetNumberOfPoints());
+  if (of == Plotted::Visible && part.particles() && !ofCells)
+  {
+    chosen.resize(count);
+    part.particles()->GetModel().markVisible(chosen.data());
+  }
+  if (of != Plotted::Picked)
+    return chosen;
+  chosen.resize(count);
+  vtkNew<vtkIdList> corners;
+  for (const Picked& one : picked.items())
+  {
+    if (one.part != number)
+      continue;
+    const bool isCell = one.kind == Picked::Kind::Cell;
+    if (isCell == ofCells)
+      chosen[static_cast<std::size_t>(one.id)] = 1;
+    else if (isCell)
+    {
+      data->GetCellPoints(one.id, corners);
+      for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
+        chosen[static_cast<std::size_t>(corners->GetId(i))] = 1;
+    }
+  }
+  return chosen;
+}
+
+/// From values to numbers of bins.
+struct Bins
+{
+  double least, scale;
+  int count;
+
+  Bins(double from, double to, int bins)
+    : least(from)
+    , scale(to > from ? bins / (to - from) : 0.0)
+    , count(bins)
+  {
+  }
+  /// -1 for what is not finite.
+  int operator()(double value) const
+  {
+    if (!std::isfinite(value))
+      return -1;
+    return std::clamp(static_cast<int>((value - least) * scale), 0, count - 1);
+  }
+};
+
+using Counts = std::vector<std::uint32_t>;
+
+void countPart(const Values& x, const Values* y, vtkIdType count,
+  const std::vector<unsigned char>& chosen, const Plot& plot,
+  tbb::enumerable_thread_specific<Counts>& counts)
+{
+  const Bins columns(plot.least[0], plot.most[0], plot.width);
+  const Bins rows(plot.least[1], plot.most[1], plot.height);
+  tbb::parallel_for(tbb::blocked_range<vtkIdType>(0, count, 1 << 15),
+    [&](const tbb::blocked_range<vtkIdType>& range)
+    {
+      Counts& own = counts.local();
+      for (vtkIdType i = range.begin(); i != range.end(); ++i)
+      {
+        if (!chosen.empty() && !chosen[static_cast<std::size_t>(i)])
+          continue;
+        const int column = columns(x(i));
+        const int row = y ? rows((*y)(i)) : 0;
+        if (column >= 0 && row >= 0)
+          ++own[static_cast<std::size_t>(row) * static_cast<std::size_t>(plot.width) +
+                static_cast<std::size_t>(column)];
+      }
+    });
+}
+
+} // namespace
+
+Plot plotOf(const std::vector<std::unique_ptr<Part>>& parts, const PickedSet& picked,
+  const PlotChoice& choice, int width, int height)
+{
+  const bool isPair = !choice.names[1].empty();
+  Plot plot;
+  plot.least.fill(HUGE_VAL);
+  plot.most.fill(-HUGE_VAL);
+  std::vector<std::array<std::optional<Values>, 2>> values(parts.size());
+  bool isAny = false;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+  {
+    auto& [x, y] = values[k];
+    x.emplace(parts[k]->data(), choice.names[0]);
+    if (isPair)
+      y.emplace(parts[k]->data(), choice.names[1]);
+    const bool isThere = x->isThere() && (!y || (y->isThere() && y->ofCells() == x->ofCells())) &&
+                         x->widen(plot.least[0], plot.most[0]) &&
+                         (!y || y->widen(plot.least[1], plot.most[1]));
+    if (!isThere)
+      x.reset();
+    isAny = isAny || isThere;
+  }
+  if (!isAny)
+    return {};
+  plot.width = width;
+  plot.height = isPair ? height : 1;
+  const auto bins = static_cast<std::size_t>(plot.width) * static_cast<std::size_t>(plot.height);
+  tbb::enumerable_thread_specific<Counts> counts([bins] { return Counts(bins); });
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    if (const auto& [x, y] = values[k]; x)
+    {
+      vtkDataSet* data = parts[k]->data();
+      countPart(*x, y ? &*y : nullptr,
+        x->ofCells() ? data->GetNumberOfCells() : data->GetNumberOfPoints(),
+        chosenOf(*parts[k], static_cast<int>(k), picked, choice.of, x->ofCells()), plot, counts);
+    }
+  plot.counts.resize(bins);
+  for (const Counts& own : counts)
+    std::transform(own.begin(), own.end(), plot.counts.begin(), plot.counts.begin(), std::plus<>());
+  for (const std::uint32_t count : plot.counts)
+  {
+    plot.highest = std::max(plot.highest, count);
+    plot.total += count;
+  }
+  return plot;
+}
+
+std::vector<std::string> plottable(const std::vector<std::unique_ptr<Part>>& parts)
+{
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name)
+  {
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(name);
+  };
+  for (const auto& part : parts)
+    for (const bool ofCells : {false, true})
+    {
+      vtkDataSetAttributes* arrays =
+        ofCells ? static_cast<vtkDataSetAttributes*>(part->data()->GetCellData())
+                : static_cast<vtkDataSetAttributes*>(part->data()->GetPointData());
+      for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+      {
+        vtkDataArray* array = arrays->GetArray(i);
+        const std::string name = nameOf(array);
+        if (name.empty() || name == whereArray)
+          continue;
+        const int components = array->GetNumberOfComponents();
+        for (int c = components > 1 ? ArrayChoice::magnitude : 0; c < components; ++c)
+          add(asText(part->data(), {name, c, ofCells}));
+      }
+    }
+  for (const char* place : {"x", "y", "z"})
+    add(place);
+  return names;
+}
+
+} // namespace mote::app

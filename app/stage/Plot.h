@@ -1,0 +1,53 @@
+#pragma once
+
+#include "Arrays.h"
+#include "PickedSet.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mote::app
+{
+
+/// Whose values are plotted.
+enum class Plotted
+{
+  All,
+  Visible, ///< particles that are not hidden; all points and cells of others
+  Picked
+};
+
+/// What along each axis: an array as --color-by names it, or x, y, z of points. Without a second
+/// name it is a histogram.
+struct PlotChoice
+{
+  std::array<std::string, 2> names;
+  Plotted of = Plotted::All;
+  bool operator==(const PlotChoice&) const = default;
+};
+
+/// How many have which values: counts of width * height equal parts of the ranges, row after row
+/// from the least of the second value.
+struct Plot
+{
+  int width = 0, height = 0; ///< height is 1 for a histogram; both 0: there are no values
+  std::array<double, 2> least{}, most{};
+  std::vector<std::uint32_t> counts;
+  std::uint32_t highest = 0;
+  std::int64_t total = 0;
+
+  bool isEmpty() const { return counts.empty(); }
+};
+
+/// Counts, in parallel. Both values must be of points or both of cells, of the same part; values
+/// that are not finite count nowhere. Ranges are those of all values, whoever is plotted.
+Plot plotOf(const std::vector<std::unique_ptr<Part>>& parts, const PickedSet& picked,
+  const PlotChoice& choice, int width, int height);
+
+/// The names that a choice may have: x, y, z, and all numbers that the parts have.
+std::vector<std::string> plottable(const std::vector<std::unique_ptr<Part>>& parts);
+
+} // namespace mote::app

@@ -1,0 +1,106 @@
+#include "Ruler.h"
+
+#include "base/Text.h"
+
+#include <vtkActor2D.h>
+#include <vtkCellArray.h>
+#include <vtkCoordinate.h>
+#include <vtkMath.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+
+namespace mote::app
+{
+
+Ruler::Ruler(vtkRenderer* renderer)
+{
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  vtkNew<vtkCoordinate> world;
+  world->SetCoordinateSystemToWorld();
+  mapper->SetTransformCoordinate(world);
+  mapper->SetInputData(lines_);
+  actor_->SetMapper(mapper);
+  actor_->GetProperty()->SetColor(1.0, 0.95, 0.3);
+  actor_->GetProperty()->SetLineWidth(2.0);
+  actor_->VisibilityOff();
+  renderer->AddActor2D(actor_);
+  for (const auto& text : labels_)
+  {
+    text->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+    vtkTextProperty* look = text->GetTextProperty();
+    look->SetFontSize(15);
+    look->SetColor(1.0, 0.95, 0.3);
+    look->SetBackgroundColor(0.09, 0.10, 0.12);
+    look->SetBackgroundOpacity(0.82);
+    look->SetJustificationToCentered();
+    look->SetVerticalJustificationToBottom(); // above the line, which it does not hide
+    text->VisibilityOff();
+    renderer->AddActor2D(text);
+  }
+  labels_[2]->GetTextProperty()->SetVerticalJustificationToTop();
+}
+
+Ruler::~Ruler() = default;
+
+void Ruler::label(std::size_t number, const std::string& text, const Place& place)
+{
+  labels_[number]->SetInput((" " + text + " ").c_str());
+  labels_[number]->GetPositionCoordinate()->SetValue(place[0], place[1], place[2]);
+  labels_[number]->SetVisibility(isVisible_);
+}
+
+void Ruler::update(const PickedSet::Parts& parts, const PickedSet& picked)
+{
+  const auto measured = measure(parts, picked);
+  for (const auto& text : labels_)
+    text->VisibilityOff();
+  actor_->SetVisibility(measured && isVisible_);
+  if (!measured)
+    return;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  const auto line = [&](const Place& from, const Place& to)
+  {
+    const vtkIdType ends[2] = {
+      points->InsertNextPoint(from.data()), points->InsertNextPoint(to.data())};
+    lines->InsertNextCell(2, ends);
+  };
+  for (std::size_t i = 0; i < measured->distances.size(); ++i)
+  {
+    const Distance& distance = measured->distances[i];
+    Place end = distance.from, middle = distance.from, begin = distance.to;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      end[axis] += distance.step[axis];
+      middle[axis] += 0.5 * distance.step[axis];
+      begin[axis] -= distance.step[axis];
+    }
+    line(distance.from, end);
+    // What goes out on one side of the box comes in on the other.
+    if (distance.isAcross)
+      line(begin, distance.to);
+    this->label(i, asNumber(distance.length, 5), middle);
+  }
+  if (measured->angle)
+    this->label(2, asNumber(*measured->angle, 4) + "\u00b0", measured->distances[0].to);
+  lines_->SetPoints(points);
+  lines_->SetLines(lines);
+}
+
+void Ruler::setVisible(bool visible)
+{
+  isVisible_ = visible;
+  if (visible)
+    return;
+  actor_->VisibilityOff();
+  for (const auto& text : labels_)
+    text->VisibilityOff();
+}
+
+} // namespace mote::app

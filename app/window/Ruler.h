@@ -1,0 +1,38 @@
+#pragma once
+
+#include "stage/Measure.h"
+
+#include <vtkNew.h>
+
+#include <array>
+
+class vtkActor2D;
+class vtkPolyData;
+class vtkRenderer;
+class vtkTextActor;
+
+namespace mote::app
+{
+
+/// The lines between two or three picked, with their lengths and the angle, over the window's view.
+class Ruler
+{
+public:
+  explicit Ruler(vtkRenderer* renderer);
+  ~Ruler();
+
+  /// Follows what is picked.
+  void update(const PickedSet::Parts& parts, const PickedSet& picked);
+  /// Without it, for pictures of the window.
+  void setVisible(bool visible);
+
+private:
+  void label(std::size_t number, const std::string& text, const Place& place);
+
+  vtkNew<vtkPolyData> lines_;
+  vtkNew<vtkActor2D> actor_;
+  std::array<vtkNew<vtkTextActor>, 3> labels_; ///< of two distances and an angle
+  bool isVisible_ = true;
+};
+
+} // namespace mote::app

@@ -1,0 +1,123 @@
+// Histograms and scatter plots against counting one by one.
+
+#include <stage/Plot.h>
+#include <stage/Stage.h>
+
+#include <gtest/gtest.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkMath.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <cmath>
+#include <numeric>
+
+using namespace mote::app;
+
+namespace
+{
+
+struct PlotTest : testing::Test
+{
+  static constexpr int count = 5000;
+  Settings settings;
+  ProgressRelay progress;
+  std::unique_ptr<Stage> stage;
+  PickedSet picked;
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkFloatArray> a;
+  vtkNew<vtkDoubleArray> v;
+
+  PlotTest()
+  {
+    vtkMath::RandomSeed(5);
+    vtkNew<vtkPoints> points;
+    a->SetName("a");
+    v->SetName("v");
+    v->SetNumberOfComponents(3);
+    for (int i = 0; i < count; ++i)
+    {
+      points->InsertNextPoint(vtkMath::Random(), vtkMath::Random(0.0, 2.0), vtkMath::Random());
+      a->InsertNextValue(i == 17 ? std::nanf("") : static_cast<float>(vtkMath::Gaussian()));
+      v->InsertNextTuple3(vtkMath::Random(), vtkMath::Random(), vtkMath::Random());
+    }
+    data->SetPoints(points);
+    data->GetPointData()->AddArray(a);
+    data->GetPointData()->AddArray(v);
+  }
+  void show()
+  {
+    stage = std::make_unique<Stage>(settings);
+    stage->setData({{"a", data, "a"}});
+    stage->build(progress);
+    stage->applyColors();
+  }
+};
+
+} // namespace
+
+TEST_F(PlotTest, CountsEveryValueOnce)
+{
+  this->show();
+  const Plot plot = plotOf(stage->parts(), picked, {{"a", ""}, Plotted::All}, 50, 40);
+  EXPECT_EQ(plot.height, 1);
+  EXPECT_EQ(plot.total, count - 1); // one is no number
+  std::vector<std::uint32_t> truth(50);
+  for (int i = 0; i < count; ++i)
+    if (const double value = a->GetValue(i); std::isfinite(value))
+      ++truth[static_cast<std::size_t>(std::min(
+        49.0, std::floor(50.0 * (value - plot.least[0]) / (plot.most[0] - plot.least[0]))))];
+  EXPECT_EQ(plot.counts, truth);
+}
+
+TEST_F(PlotTest, PairsAreThoseOfThePlaces)
+{
+  this->show();
+  const Plot plot = plotOf(stage->parts(), picked, {{"v:1", "y"}, Plotted::All}, 20, 10);
+  ASSERT_EQ(plot.counts.size(), 200u);
+  EXPECT_EQ(plot.total, count);
+  double place[3];
+  std::vector<std::uint32_t> truth(200);
+  for (int i = 0; i < count; ++i)
+  {
+    data->GetPoint(i, place);
+    const double x = v->GetComponent(i, 1), y = place[1];
+    const auto bin = [&](double value, std::size_t axis, int bins)
+    {
+      return std::min(bins - 1, static_cast<int>((value - plot.least[axis]) *
+                                                 (bins / (plot.most[axis] - plot.least[axis]))));
+    };
+    ++truth[static_cast<std::size_t>(20 * bin(y, 1, 10) + bin(x, 0, 20))];
+  }
+  EXPECT_EQ(plot.counts, truth);
+}
+
+TEST_F(PlotTest, IsOfTheVisibleOrThePicked)
+{
+  settings.selection.ranges = {{"x", {{0.0, 0.25}}}};
+  settings.selection.hidden = IdRanges({{0, 0, 99}});
+  this->show();
+  const PlotChoice choice = {{"x", "v:magnitude"}, Plotted::Visible};
+  const Plot visible = plotOf(stage->parts(), picked, choice, 20, 10);
+  EXPECT_EQ(visible.total, stage->numberShown());
+  EXPECT_GT(visible.total, 500);
+  for (std::size_t i = 0; i < visible.counts.size(); ++i)
+    EXPECT_TRUE(i % 20 <= 5 || visible.counts[i] == 0) << i;
+  picked.add({{0, Picked::Kind::Particle, 3}, {0, Picked::Kind::Particle, 4999}});
+  EXPECT_EQ(plotOf(stage->parts(), picked, {choice.names, Plotted::Picked}, 20, 10).total, 2);
+  // Ranges of axes stay those of all.
+  EXPECT_EQ(
+    plotOf(stage->parts(), picked, {choice.names, Plotted::All}, 20, 10).least, visible.least);
+}
+
+TEST_F(PlotTest, IsEmptyWhereThereIsNoSuchArray)
+{
+  this->show();
+  EXPECT_TRUE(plotOf(stage->parts(), picked, {{"b", ""}, Plotted::All}, 20, 10).isEmpty());
+  EXPECT_TRUE(plotOf(stage->parts(), picked, {{"a", "b"}, Plotted::All}, 20, 10).isEmpty());
+  const auto names = plottable(stage->parts());
+  for (const char* name : {"a", "v:magnitude", "v:2", "x", "z"})
+    EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
+}
