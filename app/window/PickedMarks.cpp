@@ -35,6 +35,8 @@ namespace
 constexpr double ink[3] = {1.0, 0.16, 0.86}; // in no colour map of ours
 constexpr float larger = 1.04f;              // than what is marked
 constexpr double leastPixels = 3.0;          // radius
+/// Of more picked, evenly taken ones have marks: a hundred thousand would take a second a frame.
+constexpr std::size_t mostMarks = 10'000;
 /// How far marks stand before what they mark, in radii: a pixel's depth is the nearest of all of
 /// its rays, and would stand before a mark at the sphere's slopes.
 constexpr double before = 0.4;
@@ -126,8 +128,10 @@ void PickedMarks::gather(const PickedSet::Parts& parts, const PickedSet& picked)
   lines_->Initialize();
   lines_->SetPoints(corners);
   lines_->SetLines(vtkNew<vtkCellArray>());
-  for (const Picked& one : picked.items())
+  const std::size_t every = (picked.items().size() + mostMarks - 1) / mostMarks;
+  for (std::size_t i = 0; i < picked.items().size(); i += every)
   {
+    const Picked& one = picked.items()[i];
     const auto k = static_cast<std::size_t>(one.part);
     const auto id = static_cast<std::size_t>(one.id);
     if (one.kind == Picked::Kind::Cell)
