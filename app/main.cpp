@@ -4,6 +4,7 @@
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/ProgressRelay.h"
+#include "commands/Animate.h"
 #include "commands/Average.h"
 #include "commands/Bake.h"
 #include "commands/Convert.h"
@@ -58,6 +59,8 @@ struct Command
 constexpr Command commands[] = {
   {"", "", addWindowOptions, showWindow},
   {"render", "Write a picture; needs no display", addRenderOptions, render},
+  {"animate", "Write a film: an orbit, time steps, key frames; needs no display", addAnimateOptions,
+    animate},
   {"convert", "Write particles as a .mote file, which opens at once", addConvertOptions, convert},
   {"info", "List arrays, ranges, types and time steps; cells, volumes and quality", addInfoOptions,
     printInfo},

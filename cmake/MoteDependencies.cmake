@@ -5,7 +5,7 @@ set(MOTE_VTK_COMPONENTS
   CommonColor FiltersCore FiltersFlowPaths FiltersGeneral FiltersGeometry FiltersModeling FiltersSources FiltersVerdict
   ImagingCore ImagingHybrid
   InteractionStyle InteractionWidgets
-  IOChemistry IOCore IOGeometry IOImage IOInfovis IOLegacy IOParallel IOPLY IOXML
+  IOChemistry IOCore IOGeometry IOImage IOInfovis IOLegacy IOOggTheora IOParallel IOPLY IOXML
   RenderingAnnotation RenderingContextOpenGL2 RenderingCore RenderingFreeType
   RenderingOpenGL2 RenderingUI RenderingVolume opengl glew)
 if (MOTE_BUILD_BENCHMARKS)

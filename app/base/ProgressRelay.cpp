@@ -26,6 +26,7 @@ constexpr auto period = std::chrono::milliseconds(80);    // from one drawing to
 constexpr double longWork = 5.0; // seconds from which on there is an estimate of what is left
 
 volatile std::sig_atomic_t interrupts = 0;
+int works = 0; ///< under way, one within the other
 
 /// Ends the program from within a signal handler, which must not call exit().
 [[noreturn]] void endInterrupted(int)
@@ -112,7 +113,8 @@ ProgressRelay::Work::Work(ProgressRelay& progress, const std::string& what, vtkO
   , start_(Clock::now())
   , next_(start_ + patience)
 {
-  interrupts = 0;
+  if (works++ == 0)
+    interrupts = 0; // within another work it may be that one's
   before_ = std::signal(SIGINT, SIG_IGN);
   if (before_ != SIG_IGN)
     std::signal(SIGINT, onInterrupt);
@@ -126,6 +128,7 @@ ProgressRelay::Work::Work(ProgressRelay& progress, const std::string& what, vtkO
 
 ProgressRelay::Work::~Work()
 {
+  --works;
   object_->RemoveObserver(observer_);
   std::signal(SIGINT, before_);
   if (algorithm_)

@@ -2,6 +2,7 @@
 
 #include "AllSteps.h"
 #include "Bake.h"
+#include "Film.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/Text.h"
@@ -13,6 +14,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <numeric>
 
 namespace mote::app
 {
@@ -31,15 +33,7 @@ void report(const std::string& file, const Stage& stage, const Picture& picture,
   std::fflush(stdout);
 }
 
-/// Lets the colours' range and types take in the first `steps` time steps.
-void includeColors(Stage& stage, Input& input, int steps, ProgressRelay& progress)
-{
-  for (int step = 0; step < steps; ++step)
-  {
-    stage.setData(input.read(step, progress));
-    stage.coloring().include(stage.parts());
-  }
-}
+} // namespace
 
 void requireTraced(const Stage& stage)
 {
@@ -53,8 +47,6 @@ void requireTraced(const Stage& stage)
                 "; see its surface in a window with: "
                 "mote FILE --cells surface");
 }
-
-} // namespace
 
 void render(const Settings& given)
 {
@@ -108,7 +100,11 @@ void render(const Settings& given)
   else
   {
     if (settings.color.range.empty() && settings.color.array != "none")
-      includeColors(stage, input, last, progress);
+    {
+      std::vector<int> others(static_cast<std::size_t>(last));
+      std::iota(others.begin(), others.end(), 0);
+      includeColors(stage, input, others, progress);
+    }
     for (int step = 0; step <= last; ++step)
       trace(step, numbered(output.file, step + 1, last + 1), show(step));
   }

@@ -158,6 +158,7 @@ void Panel::drawGroups(const PanelFacts& facts)
     }
   if (found_.hasParticles)
     this->drawGroup("Structure", nullptr);
+  this->drawFilm();
   this->drawCosts(facts);
 }
 

@@ -60,6 +60,9 @@ public:
   /// Whether keys are the panel's, as of the last draw().
   bool hasFocus() const { return takesKeys_; }
 
+  /// The views that a film goes through.
+  const std::vector<Settings>& keyFrames() const { return keyFrames_; }
+
   /// The next draw() opens the list of folders and files.
   void showOpenDialog();
   bool hasOpenDialog() const { return dialog_.isOpen(); }
@@ -105,6 +108,8 @@ private:
   void drawPlot(const PickedFacts& facts);
   void drawVolume();
   void drawCamera();
+  void drawFilm();
+  void drawKeyFrames();
   void drawCosts(const PanelFacts& facts);
   void drawGroups(const PanelFacts& facts);
   void drawGroup(const std::string& group, void (Panel::*first)());
@@ -119,6 +124,7 @@ private:
   PickedPanel picked_;
   PlotPanel plot_;
   Found found_;
+  std::vector<Settings> keyFrames_;
   Settings next_; ///< while drawing
   PanelWish wish_;
   std::set<std::string> drawn_; ///< rows that have a control of their own

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,15 +17,29 @@ struct OutputSettings
   std::string session;   ///< file for a session; empty: none, or the window's choice
   bool allSteps = false; ///< a picture of every time step
   bool json = false;
-  std::string memory;            ///< "4G"; empty: half of the machine's
-  bool preview = true;           ///< in the window, of large sets until they are built
-  bool panel = true;             ///< at the window's side
-  std::optional<double> uiScale; ///< of the panel's texts; none: as the display says
-  std::string cache = "25%";     ///< memory for time steps ahead: a size, or a share
-  double speed = 10.0;           ///< time steps a second, of playing, at most
-  bool follow = false;           ///< whether steps that are written meanwhile are read
-  bool loop = true;              ///< whether playing goes on from the last step to the first
+  std::string memory;               ///< "4G"; empty: half of the machine's
+  bool preview = true;              ///< in the window, of large sets until they are built
+  bool panel = true;                ///< at the window's side
+  std::optional<double> uiScale;    ///< of the panel's texts; none: as the display says
+  std::string cache = "25%";        ///< memory for time steps ahead: a size, or a share
+  double speed = 10.0;              ///< time steps a second, of playing, at most
+  bool follow = false;              ///< whether steps that are written meanwhile are read
+  bool loop = true;                 ///< whether playing goes on from the last step to the first
+  std::array<int, 2> size = {0, 0}; ///< of pictures and films that the window saves; 0: the view's
   bool operator==(const OutputSettings&) const = default;
+};
+
+/// Of `mote animate`, and of films that the window makes.
+struct FilmSettings
+{
+  double orbit = 0.0;        ///< degrees, to the right
+  std::optional<int> frames; ///< none: choose
+  int rate = 25;             ///< frames a second
+  std::string steps;         ///< "all", "A:B" or "A:B:STRIDE" from 1; empty: choose
+  int framesPerStep = 1;
+  std::vector<std::string> keyFrames; ///< sessions
+  std::string quality = "high";       ///< "low", "medium" or "high"
+  bool operator==(const FilmSettings&) const = default;
 };
 
 /// Of `mote average`.

@@ -188,6 +188,7 @@ struct Settings
   PictureSettings picture;
 
   OutputSettings output;
+  FilmSettings film;
   AverageSettings average;
   BakeSettings bake;
   ProbeSettings probe;

@@ -46,16 +46,10 @@ void refuseFilm(const std::string& file)
   const std::string ending = lowerCase(std::filesystem::path(file).extension().string());
   for (const char* film : {".mp4", ".avi", ".mov", ".mkv", ".webm", ".gif", ".ogv", ".mpg", ".m4v"})
     if (ending == film)
-    {
-      const std::string stem = std::filesystem::path(file).replace_extension("").string();
-      throw Failure("mote writes no films such as " + file +
-                    ", but pictures of all time steps: "
-                    "--all-steps -o " +
-                    stem +
-                    ".png, of which another program makes one: "
-                    "ffmpeg -i " +
-                    stem + ".%04d.png " + file);
-    }
+      throw Failure(
+        "mote render writes pictures, and no films such as " + file +
+        "; those are written by: mote animate FILE -o " +
+        (ending == std::string(".mpg") || ending == std::string(".m4v") ? "film.ogv" : file));
 }
 
 } // namespace
@@ -121,6 +115,13 @@ Margins Picture::margins()
 
 void Picture::write(const std::string& caption, ProgressRelay& progress)
 {
+  this->draw(caption, progress);
+  if (!writer_->Write())
+    throw Failure(writer_->GetErrorMessage());
+}
+
+vtkImageData* Picture::draw(const std::string& caption, ProgressRelay& progress)
+{
   this->takeStage();
   this->takeSettings();
   legend_->SetCaption(stage_.settings().picture.caption.value_or(caption));
@@ -137,8 +138,10 @@ void Picture::write(const std::string& caption, ProgressRelay& progress)
       throw std::bad_alloc(); // VTK's pipeline lets no exception through
     else if (!error.empty())
       throw Failure(error);
-    if (!writer_->Write())
-      throw Failure(writer_->GetErrorMessage());
+    if (!labelled_)
+      return source_->GetOutput();
+    legend_->Update();
+    return legend_->GetOutput();
   }
   catch (const std::bad_alloc&)
   {

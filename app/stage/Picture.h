@@ -39,6 +39,10 @@ public:
   /// Interrupted.
   void write(const std::string& caption, ProgressRelay& progress);
 
+  /// Traces, and returns the image with what is drawn over it, which is the picture's own. As
+  /// write() else.
+  vtkImageData* draw(const std::string& caption, ProgressRelay& progress);
+
   double traceTime() const { return source_->GetTraceTime(); }
 
   /// "16 samples per pixel", and with --noise what came of it.

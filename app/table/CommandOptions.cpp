@@ -17,6 +17,13 @@ void addRenderOptions(CLI::App& app, GivenSettings& given)
   addCommandSettings(app, given, "render");
 }
 
+void addAnimateOptions(CLI::App& app, GivenSettings& given)
+{
+  addAllSettings(app, given);
+  addCommandSettings(app, given, "animate");
+  app.get_option("--size")->description("Width and height in pixels. Default: 1280x720");
+}
+
 void addConvertOptions(CLI::App& app, GivenSettings& given)
 {
   addFiles(app, given.settings);

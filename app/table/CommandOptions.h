@@ -10,6 +10,7 @@ namespace mote::app
 ///@{
 void addWindowOptions(CLI::App& app, GivenSettings& given);
 void addRenderOptions(CLI::App& app, GivenSettings& given);
+void addAnimateOptions(CLI::App& app, GivenSettings& given);
 void addConvertOptions(CLI::App& app, GivenSettings& given);
 void addInfoOptions(CLI::App& app, GivenSettings& given);
 void addAverageOptions(CLI::App& app, GivenSettings& given);

@@ -18,9 +18,11 @@ namespace
 using Rows = std::vector<Row>;
 constexpr auto output = &Settings::output;
 
+} // namespace
+
 Row outputRow(const std::string& command, const std::string& help, bool required)
 {
-  return row(output, &OutputSettings::file,
+  return row(&Settings::output, &OutputSettings::file,
     {.group = "Output",
       .name = "output",
       .value = "FILE",
@@ -29,6 +31,9 @@ Row outputRow(const std::string& command, const std::string& help, bool required
       .command = command,
       .required = required});
 }
+
+namespace
+{
 
 Row sessionRow(const std::string& command)
 {
@@ -72,6 +77,14 @@ void addPictureCommands(Rows& table)
       .help = "Factor on the size of the panel's texts and controls",
       .limits = {.least = 0.5, .most = 4.0},
       .usual = "as the display says: its dots per inch over 96",
+      .command = "mote"}));
+  table.push_back(row(output, &OutputSettings::size,
+    {.group = "Output",
+      .name = "picture-size",
+      .value = "WxH",
+      .help = "Width and height in pixels of the pictures and films that the window saves; letters "
+              "grow with them",
+      .usual = "those of the view",
       .command = "mote"}));
   table.push_back(outputRow("render",
     "Picture to write: .png, .jpg or .tif; or .exr with colour, depth, normal and particle id, the "
@@ -334,8 +347,8 @@ const std::vector<Row>& commandTable()
   static const Rows table = []
   {
     Rows rows;
-    for (const auto add : {addPictureCommands, addTimeRows, addConvert, addInfo, addAverage,
-           addSilhouettesCommand, addBake, addProbe})
+    for (const auto add : {addPictureCommands, addTimeRows, addFilmRows, addConvert, addInfo,
+           addAverage, addSilhouettesCommand, addBake, addProbe})
       add(rows);
     return rows;
   }();

@@ -35,6 +35,7 @@ enum class Action
   SavePicked,
   Center,
   SavePicture,
+  SaveFilm,
   SaveSession,
   PrintCommand,
   PrintScript,

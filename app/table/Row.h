@@ -103,6 +103,14 @@ const std::vector<Row>& settingsTable();
 /// What one command alone may be told.
 const std::vector<Row>& commandTable();
 
+/// Of `--steps`: from `first` on, counted from 1, to `last`, or to the end where that is 0.
+struct StepRange
+{
+  int first = 1, last = 0, stride = 1;
+};
+/// "3", "2:9", "2:", ":9", "1:100:10"; none for other texts.
+std::optional<StepRange> stepRange(const std::string& text);
+
 /// A size such as "4G" in bytes; 0 for a text that is none.
 std::uint64_t bytesOf(const std::string& text);
 

@@ -18,6 +18,10 @@ void addPictureRows(std::vector<Row>& table);
 
 // What commands alone take, in files of its own: what commandTable() puts beside the rest.
 void addTimeRows(std::vector<Row>& table);
+void addFilmRows(std::vector<Row>& table);
+
+/// The row of what a command writes.
+Row outputRow(const std::string& command, const std::string& help, bool required);
 
 /// A check that says in a sentence what is wrong with a text, as one that throws WrongValue.
 std::function<void(const std::string&)> refusing(std::string (*check)(const std::string&));

@@ -138,6 +138,9 @@ private:
   Settings otherBackground() const;
   void zoom(double factor);
   void savePicture();
+  void saveFilm();
+  std::string makeFilm(const std::string& file);
+  std::array<int, 2> savedSize() const;
   void grabPicture(const std::string& file);
   std::string unusedName(const std::string& ending) const;
   std::string coloringText() const;

@@ -222,6 +222,9 @@ bool Window::actOnFiles(Action action)
     playing_ = false; // a picture takes rest
     this->savePicture();
     return true;
+  case Action::SaveFilm:
+    this->saveFilm();
+    return true;
   case Action::SaveSession:
     this->saveSession(
       asked_.output.session.empty() ? this->unusedName(".json") : asked_.output.session);
@@ -334,7 +337,7 @@ void Window::savePicture()
   const bool done = this->perform(
     [&]
     {
-      Picture picture(stage_, this->viewSize());
+      Picture picture(stage_, this->savedSize());
       picture.aim(file);
       picture.write(captionOf(input_, step_, stage_.contents()), progress_);
     });

@@ -35,6 +35,9 @@ TEST(CommandTable, RowsAreSetReadAndParsed)
     {"tolerance", {"0.25"}},
     {"view-angle", {"45"}},
     {"ui-scale", {"2"}},
+    {"steps", {"2:9:3"}},
+    {"quality", {"low"}},
+    {"picture-size", {"320x200"}},
     {"cache", {"4G"}},
   };
   std::set<std::string> names;

@@ -132,8 +132,7 @@ case $3 in
     said err '--legend-format'
     run 1 "$mote" render "$hopper" -o film.mp4
     one_sentence
-    said err '--all-steps'
-    said err 'ffmpeg'
+    said err 'mote animate'
     run 1 "$mote" probe "$data/swirl.1.vtu" --from 0,0,0 --to 0,0,1 -o line.png
     one_sentence
     said err '.csv'

@@ -1,0 +1,72 @@
+// The panel's section of films.
+
+#include "Panel.h"
+
+#include "PanelWidgets.h"
+
+#include <imgui.h>
+
+namespace mote::app
+{
+
+void Panel::drawFilm()
+{
+  const bool isOpen = ImGui::CollapsingHeader("Film##group");
+  noteControl("group Film");
+  if (!isOpen)
+    return;
+  ImGui::PushID("Film");
+  const auto draw = [this](const char* command, const char* name, const char* label)
+  { rows_.draw(*commandRow(command, name), next_, label); };
+  draw("animate", "orbit", "orbit, degrees");
+  this->drawKeyFrames();
+  draw("animate", "steps", "time steps");
+  draw("animate", "frames-per-step", "frames a step");
+  draw("animate", "frames", "frames");
+  draw("animate", "fps", "frames a second");
+  draw("mote", "picture-size", "size");
+  draw("animate", "quality", "quality");
+  draw("animate", "output", "file");
+  if (buttonOf("Save film"))
+    this->wish(Action::SaveFilm);
+  explainKey(
+    "Make the film, with a bar that tells how far it is. Escape stops, and keeps what there "
+    "is.\nmote animate makes it without a window");
+  ImGui::Spacing();
+  ImGui::PopID();
+}
+
+void Panel::drawKeyFrames()
+{
+  std::erase_if(keyFrames_,
+    [&](const Settings& key) { return key.data.files != stage_.settings().data.files; });
+  ImGui::AlignTextToFramePadding();
+  ImGui::Text("key frames: %d", static_cast<int>(keyFrames_.size()));
+  ImGui::SameLine();
+  if (buttonOf("Add this view"))
+    keyFrames_.push_back(stage_.settingsInForce());
+  explainKey("The film goes smoothly from view to view: camera, and settings that are numbers");
+  for (std::size_t i = 0; i < keyFrames_.size(); ++i)
+  {
+    ImGui::PushID(static_cast<int>(i));
+    if (i % 4 != 0)
+      ImGui::SameLine();
+    const std::string label = "view " + std::to_string(i + 1);
+    if (buttonOf(label.c_str()))
+    {
+      next_ = keyFrames_[i];
+      next_.film = stage_.settings().film;
+      next_.output = stage_.settings().output;
+    }
+    ImGui::PopID();
+  }
+  if (keyFrames_.empty())
+    return;
+  if (buttonOf("Forget the last"))
+    keyFrames_.pop_back();
+  ImGui::SameLine();
+  if (buttonOf("Forget all"))
+    keyFrames_.clear();
+}
+
+} // namespace mote::app
