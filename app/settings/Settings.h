@@ -158,6 +158,8 @@ struct PictureSettings
   std::array<int, 2> size = {0, 0}; ///< pixels; 0: the command's own default
   std::optional<int> samples;       ///< a pixel, at most; none: choose
   std::optional<double> noise;      ///< standard error that is good enough; none: all samples
+  std::string error;                ///< "1%" of colours or "0.5px"; see ErrorBudget.h; empty: none
+  std::optional<double> fps;        ///< frames a second while the view moves; none: choose
   std::vector<Color> background;    ///< none: the default; one; or bottom and top
   bool legend = true;
   std::optional<std::string> title;
@@ -170,7 +172,11 @@ struct PictureSettings
   bool operator==(const PictureSettings&) const = default;
 
   /// Samples per pixel, at most; `paths` are noisier than other light.
-  int mostSamples(bool paths) const { return samples.value_or(noise ? 4096 : paths ? 64 : 16); }
+  int mostSamples(bool paths) const
+  {
+    const bool isJudged = noise || (!error.empty() && error.back() == '%');
+    return samples.value_or(isJudged ? 4096 : paths ? 64 : 16);
+  }
 };
 
 /// Every choice that a user can make, as a value: of the picture, which settingsTable() describes,

@@ -1,6 +1,7 @@
 #include "Lighting.h"
 
 #include "base/Text.h"
+#include "settings/ErrorBudget.h"
 
 #include <vtkLight.h>
 #include <vtkMath.h>
@@ -202,7 +203,7 @@ void Lighting::setSky()
     shading_->SetAmbientOcclusionToBaked();
   else
     shading_->SetAmbientOcclusionToNone();
-  shading_->SetCloudTolerance(settings_.volume.cloudTolerance);
+  shading_->SetCloudTolerance(errorShares(settings_).cloudTolerance);
   shading_->SetAmbientOcclusionReach(light.occlusionReach.value_or(0.0));
   shading_->SetMode(light.pathTrace ? vtkMoteShading::PATH_TRACED : vtkMoteShading::LOCAL);
 }

@@ -4,6 +4,7 @@
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/Text.h"
+#include "settings/ErrorBudget.h"
 
 #include <vtkActor.h>
 #include <vtkCellTypes.h>
@@ -58,7 +59,7 @@ Part::Part(const std::string& name, vtkDataSet* data, const Settings& settings, 
   , kind_(kindOf(data, settings))
 {
   if (kind_ == Kind::Volume)
-    volume_ = std::make_unique<Volume>(settings_.volume);
+    volume_ = std::make_unique<Volume>(settings_.volume, errorShares(settings_).tolerance);
   if (kind_ == Kind::Particles)
   {
     auto mapper = vtkSmartPointer<vtkMoteParticleMapper>::New();
@@ -84,7 +85,7 @@ void Part::followSettings()
     this->setImages();
   }
   if (volume_)
-    volume_->update();
+    volume_->update(errorShares(settings_).tolerance);
 }
 
 Part::Kind Part::kindOf(vtkDataSet* data, const Settings& settings)

@@ -4,6 +4,7 @@
 #include "base/Messages.h"
 #include "base/OutputFile.h"
 #include "base/Text.h"
+#include "settings/ErrorBudget.h"
 
 #include <kernels/core/ScratchSpace.h>
 
@@ -90,11 +91,12 @@ void Picture::takeSettings()
   const Settings& settings = stage_.settings();
   const PictureSettings& picture = settings.picture;
   source_->SetSamplesPerPixel(picture.mostSamples(settings.light.pathTrace));
-  source_->SetNoiseLevel(picture.noise.value_or(0.0));
+  const ErrorShares shares = errorShares(settings);
+  source_->SetNoiseLevel(shares.noise.value_or(0.0));
   source_->SetDepth(exr_);
   source_->SetNormals(exr_);
   source_->SetIds(exr_);
-  source_->SetVariance(exr_ && picture.noise);
+  source_->SetVariance(exr_ && shares.noise);
   source_->SetSilhouetteCoverage(exr_ && stage_.silhouettes()->GetEnabled());
   source_->SetTransparentBackground(exr_);
   legend_->SetLookupTable(picture.legend ? stage_.coloring().legendTable() : nullptr);
@@ -154,6 +156,8 @@ std::string Picture::quality() const
   std::string text = counted(source_->GetNumberOfSamples(), "sample") + " per pixel";
   if (stage_.settings().picture.noise)
     text += ", noise " + asNumber(source_->GetNoise(), 3);
+  if (isColorError(stage_.settings().picture))
+    text += ", expected error " + stage_.expectedErrorText(source_->GetNoise());
   return text;
 }
 

@@ -5,6 +5,7 @@
 #include "base/Failure.h"
 #include "base/Text.h"
 #include "settings/Colors.h"
+#include "settings/ErrorBudget.h"
 #include "settings/Values.h"
 
 #include <vtkBoundingBox.h>
@@ -49,7 +50,8 @@ bool Stage::apply(const Settings& settings)
   {
     part->setAmbient(lighting_.ambient());
     // Where nothing changes nothing is touched: a mapper that is told of types builds anew.
-    if (before.particles != settings.particles || before.volume != settings.volume)
+    if (before.particles != settings.particles || before.volume != settings.volume ||
+        before.picture.error != settings.picture.error)
       part->followSettings();
   }
   if (before.particles.replicate != settings.particles.replicate)
@@ -386,6 +388,13 @@ std::string Stage::contents() const
   for (const auto& part : parts_)
     leftOut += part->numberLeftOut();
   return leftOut > 0 ? text + " (" + withThousands(leftOut) + " cannot be drawn)" : text;
+}
+
+std::string Stage::expectedErrorText(double noise) const
+{
+  const bool hasVolumes = std::any_of(parts_.begin(), parts_.end(),
+    [](const auto& part) { return part->kind() == Part::Kind::Volume; });
+  return asNumber(100.0 * expectedError(errorShares(settings_), noise, hasVolumes), 2) + " %";
 }
 
 } // namespace mote::app

@@ -94,6 +94,9 @@ public:
   /// "84,270 particles", "12 of 84,270 particles shown", "33,600 cells"...
   std::string contents() const;
 
+  /// The error of colours that a picture with this noise most likely has: "0.8 %".
+  std::string expectedErrorText(double noise) const;
+
 private:
   std::string automaticSide() const;
   void setSizes();

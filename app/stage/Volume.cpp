@@ -54,21 +54,21 @@ vtkSmartPointer<vtkColorTransferFunction> colorsOf(vtkLookupTable* table)
 
 } // namespace
 
-Volume::Volume(const VolumeSettings& settings)
+Volume::Volume(const VolumeSettings& settings, double tolerance)
   : settings_(settings)
 {
   volume_->GetProperty()->SetSpecular(0.0);
   volume_->SetMapper(mapper_);
-  this->update();
+  this->update(tolerance);
   this->showAll();
 }
 
-void Volume::update()
+void Volume::update(double tolerance)
 {
   mapper_->SetStructureName(settings_.structure.empty() ? nullptr : settings_.structure.c_str());
   mapper_->SetIntegratorName(settings_.integrator.c_str());
   mapper_->SetSampleDistance(settings_.sampleDistance.value_or(0.0));
-  mapper_->SetTolerance(settings_.tolerance);
+  mapper_->SetTolerance(tolerance);
   mapper_->SetShowCloud(settings_.cloud);
   mapper_->SetShowIsoSurfaces(!settings_.isoValues.empty());
   Color nan = {0.0, 0.0, 0.0};

@@ -20,10 +20,11 @@ class Volume
 {
 public:
   /// The settings are those of the scene.
-  explicit Volume(const VolumeSettings& settings);
+  Volume(const VolumeSettings& settings, double tolerance);
 
-  /// Follows the settings; colours and opacities are for setColors().
-  void update();
+  /// Follows the settings, and another tolerance of integrals; colours and opacities are for
+  /// setColors().
+  void update(double tolerance);
 
   /// Whether a data set has cells with a volume and an array to look by.
   static bool canShow(vtkDataSet* data);

@@ -1,6 +1,7 @@
 #include "Script.h"
 
 #include "CommandLine.h"
+#include "settings/ErrorBudget.h"
 #include "settings/Values.h"
 #include "stage/Calculated.h"
 #include "stage/Ids.h"
@@ -489,7 +490,7 @@ std::string scriptOf(
   script.call("source", "SetSize", settings.picture.size[0], settings.picture.size[1]);
   script.call(
     "source", "SetSamplesPerPixel", settings.picture.mostSamples(settings.light.pathTrace));
-  script.call("source", "SetNoiseLevel", settings.picture.noise.value_or(0.0));
+  script.call("source", "SetNoiseLevel", errorShares(settings).noise.value_or(0.0));
   writeShading(script, stage.lighting().shading());
   writeSilhouettes(script, stage.silhouettes());
   writeLegend(script, stage, settings, captionOf(input, step, stage.contents()));

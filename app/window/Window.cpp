@@ -7,6 +7,7 @@
 #include "base/Messages.h"
 #include "base/Text.h"
 #include "settings/Colors.h"
+#include "settings/ErrorBudget.h"
 #include "settings/UserState.h"
 #include "table/Session.h"
 
@@ -280,8 +281,12 @@ void Window::renderMoving()
 /// Leaves the rays what the panel and OpenGL leave of a frame that moves.
 void Window::shareFrameTime()
 {
-  constexpr double wanted = 0.09, most = 0.08, least = 0.03; // s
-  pass_->SetInteractiveFrameTime(std::clamp(wanted - otherTime_, least, most));
+  constexpr double usual = 11.0; // frames a second
+  const std::optional<double> asked = this->settings().picture.fps;
+  const double wanted = 1.0 / asked.value_or(usual); // s
+  // Rays get something, however long the rest takes.
+  const double least = (asked ? 0.1 : 0.3) * wanted;
+  pass_->SetInteractiveFrameTime(std::max(wanted - otherTime_, least));
 }
 
 void Window::nameWindow()
@@ -306,7 +311,9 @@ void Window::updatePreview()
   overlay_.setPreview(preview);
   const Settings& wanted = this->settings();
   const int samples = wanted.picture.mostSamples(wanted.light.pathTrace);
-  pass_->SetNoiseLevel(wanted.picture.noise.value_or(0.0));
+  const ErrorShares shares = errorShares(wanted);
+  pass_->SetNoiseLevel(shares.noise.value_or(0.0));
+  pass_->SetMostDistance(shares.mostDistance);
   pass_->SetSamplesPerPixel(previewed_ ? std::min(previewSamples, samples) : samples);
 }
 
@@ -414,6 +421,11 @@ std::string Window::qualityText() const
                                     : counted(pass_->GetNumberOfSamples(), "sample") + " per pixel";
   if (pass_->GetFinerShare() > 0.0)
     text += ", " + asNumber(std::floor(100.0 * pass_->GetFinerShare())) + " % sharpened";
+  const PictureSettings& picture = this->settings().picture;
+  if (isPlaceError(picture) && distance > 1.0)
+    text += ", edges within " + asNumber(0.5 * distance, 2) + " px";
+  else if (isColorError(picture) && std::isfinite(pass_->GetNoise()))
+    text += ", expected error " + stage_.expectedErrorText(pass_->GetNoise());
   return text;
 }
 

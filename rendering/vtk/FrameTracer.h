@@ -30,8 +30,9 @@ struct FrameSettings
   bool progressive = false;
   bool refines = true; ///< where progressive and at rest
   bool autoAdjust = true;
-  double frameTime = 0.08; ///< seconds that a frame may take while the view moves
-  double stillTime = 0.1;  ///< seconds after which a progressive frame at rest shows what there is
+  double frameTime = 0.08;    ///< seconds that a frame may take while the view moves
+  double mostDistance = 32.0; ///< of rays in pixels while the view moves, whatever time it takes
+  double stillTime = 0.1; ///< seconds after which a progressive frame at rest shows what there is
   int threads = 0;
   bool interactive = false; ///< the view moves
   vtkMoteShading* shading = nullptr;

@@ -125,6 +125,7 @@ void vtkMoteRayCastPass::DrawImage(vtkRenderer* renderer)
   settings.refines = this->Refining != 0;
   settings.autoAdjust = this->AutoAdjustResolution != 0;
   settings.frameTime = this->InteractiveFrameTime;
+  settings.mostDistance = this->MostDistance;
   settings.threads = this->NumberOfThreads;
   settings.shading = this->Shading;
   settings.silhouettes = this->Silhouettes;
@@ -208,6 +209,7 @@ void vtkMoteRayCastPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Refining: " << (this->Refining ? "On" : "Off") << "\n";
   os << indent << "AutoAdjustResolution: " << (this->AutoAdjustResolution ? "On" : "Off") << "\n";
   os << indent << "InteractiveFrameTime: " << this->InteractiveFrameTime << "\n";
+  os << indent << "MostDistance: " << this->MostDistance << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "Shading: " << this->Shading << "\n";
   os << indent << "Silhouettes: " << this->Silhouettes << "\n";

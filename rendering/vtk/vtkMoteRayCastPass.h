@@ -122,6 +122,16 @@ public:
 
   ///@{
   /**
+   * The most that neighbouring rays may be apart while the view moves, in pixels from 1 to 32,
+   * whatever time the frame takes then: edges are half of that away from where they are, at most.
+   * Default 32.
+   */
+  vtkSetClampMacro(MostDistance, double, 1.0, 32.0);
+  vtkGetMacro(MostDistance, double);
+  ///@}
+
+  ///@{
+  /**
    * Threads to trace with; 0, the default, for all.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
@@ -186,6 +196,7 @@ protected:
   vtkTypeBool Refining = 1;
   vtkTypeBool AutoAdjustResolution = 1;
   double InteractiveFrameTime = 0.08;
+  double MostDistance = 32.0;
   int NumberOfThreads = 0;
   vtkSmartPointer<vtkMoteShading> Shading;
   vtkSmartPointer<vtkMoteSilhouettes> Silhouettes;

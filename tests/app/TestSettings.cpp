@@ -52,6 +52,7 @@ std::vector<std::string> sampleOf(const Row& row)
     {"silhouette-thickness", {"1:3"}},
     {"silhouette-color", {"#ff0000"}},
     {"silhouette-groups", {"type"}},
+    {"error", {"1%"}},
     {"size", {"320x200"}},
     {"background", {"#ffffff", "#000080"}},
     {"title", {"\"speed\" in km/s"}},

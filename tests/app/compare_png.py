@@ -1,5 +1,9 @@
 """compare_png.py A B: prints how many in 10,000 pixels of two PNGs differ by more than 8 of 255, and
-the mean of B - A in thousandths of 255."""
+the mean of B - A in thousandths of 255.
+
+compare_png.py A B EMPTY: prints the root mean square of B - A in per cent of 255, over the pixels
+where either shows another colour than EMPTY."""
+import math
 import struct
 import sys
 import zlib
@@ -46,8 +50,23 @@ def rows(name):
     return out, channels
 
 
+def root_mean_square(a, b, empty, channels):
+    total = count = 0
+    for r, s, e in zip(a, b, empty):
+        for x in range(0, len(r), channels):
+            if r[x : x + 3] != e[x : x + 3] or s[x : x + 3] != e[x : x + 3]:
+                total += sum((s[x + k] - r[x + k]) ** 2 for k in range(3))
+                count += 3
+    return 100.0 / 255.0 * math.sqrt(total / max(1, count))
+
+
 (a, n), (b, m) = rows(sys.argv[1]), rows(sys.argv[2])
 assert n == m and len(a) == len(b) and len(a[0]) == len(b[0])
+if len(sys.argv) > 3:
+    empty, k = rows(sys.argv[3])
+    assert k == n and len(empty) == len(a) and len(empty[0]) == len(a[0])
+    print(f"{root_mean_square(a, b, empty, n):.4f}")
+    sys.exit()
 pixels, wrong, total = 0, 0, 0
 for r, s in zip(a, b):
     for x in range(0, len(r), n):

@@ -106,6 +106,32 @@ case $3 in
     said err "'ix'"
     ;;
 
+  error) # a budget is kept, and not ten times better than asked
+    look=(--size 160x120 --no-legend --caption '')
+    # budgets NAME OPTIONS...: pictures of several budgets against one that has hardly any error
+    budgets() {
+      local file=$1
+      shift
+      run 0 "$mote" render "$file" "${look[@]}" "$@" -o true.png --samples 200 --tolerance 1e-5
+      run 0 "$mote" render "$file" "${look[@]}" "$@" -o empty.png --samples 1 --camera 0,0,1e6,0,0,2e6,0,1,0,1
+      for budget in 0.5 1 2; do
+        run 0 "$mote" render "$file" "${look[@]}" "$@" -o some.png --error "$budget%"
+        said out 'expected error '
+        error=$(python3 "$tests/compare_png.py" some.png true.png empty.png)
+        awk -v e="$error" -v b="$budget" 'BEGIN { exit !(e <= b && e >= b / 10) }' ||
+          fail "$file: an error of $error % with a budget of $budget %"
+      done
+    }
+    budgets "$hopper"
+    budgets "$hopper" --shadows soft --ao live
+    budgets "$data/swirl.1.vtu"
+    for wrong in 1 1mm % 0% -1% 101% 0.1px; do
+      run 2 "$mote" render "$hopper" -o a.png "--error=$wrong"
+      one_sentence
+    done
+    run 2 "$mote" render "$hopper" -o a.png --error 1% --noise 0.1
+    ;;
+
   values) # what options mean
     run 0 "$mote" render "$hopper" -o a.png --size 160x120 --samples 1 --show type=1,3:4
     grep -q 'of 5,518 particles shown' out || fail "nothing is hidden"

@@ -115,6 +115,25 @@ TEST(FrameTracer, BitByBitIsAsAtOnce)
   }
 }
 
+TEST(FrameTracer, MovesNoCoarserThanWanted)
+{
+  Tracing t;
+  t.addSlowThings();
+  t.settings.interactive = true;
+  t.settings.frameTime = 0.0; // never enough
+  for (const double most : {1.0, 2.0, 5.5})
+  {
+    t.stage.renderer->GetActiveCamera()->Azimuth(3.0);
+    t.settings.mostDistance = most;
+    ASSERT_TRUE(t.frame());
+    EXPECT_EQ(t.tracer.distance(), most);
+  }
+  t.stage.renderer->GetActiveCamera()->Azimuth(3.0);
+  t.settings.mostDistance = 100.0;
+  ASSERT_TRUE(t.frame());
+  EXPECT_EQ(t.tracer.distance(), 32.0);
+}
+
 TEST(FrameTracer, FirstFramesAreCoarseAndLaterOnesShort)
 {
   Tracing t;

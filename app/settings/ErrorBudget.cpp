@@ -1,0 +1,79 @@
+#include "ErrorBudget.h"
+
+#include "base/Text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mote::app
+{
+
+namespace
+{
+
+constexpr double coarsest = 32.0; // pixels between rays, without a budget
+/// Tolerances are of the largest error. Measured: the root mean square is less than this share.
+constexpr double meanShare = 0.4;
+
+/// The number before the unit; none where there is another unit or no number.
+std::optional<double> amountOf(const std::string& text, const std::string& unit)
+{
+  double number = 0.0;
+  if (text.size() <= unit.size() || text.substr(text.size() - unit.size()) != unit ||
+      !parseNumber(text.substr(0, text.size() - unit.size()), number) || !std::isfinite(number))
+    return std::nullopt;
+  return number;
+}
+
+} // namespace
+
+std::string checkError(const std::string& text)
+{
+  const auto share = amountOf(text, "%"), pixels = amountOf(text, "px");
+  if (!share && !pixels)
+    return "'" + text + "' is neither a share of colours, such as 1%, nor pixels, such as 0.5px";
+  if (share && !(*share > 0.0 && *share <= 100.0))
+    return "an error of colours must be above 0 and at most 100 %";
+  if (pixels && *pixels < 0.5)
+    return "an error of places must be at least 0.5px, which is full resolution";
+  return {};
+}
+
+bool isColorError(const PictureSettings& picture)
+{
+  return amountOf(picture.error, "%").has_value();
+}
+
+bool isPlaceError(const PictureSettings& picture)
+{
+  return amountOf(picture.error, "px").has_value();
+}
+
+ErrorShares errorShares(const Settings& settings)
+{
+  const VolumeSettings& volume = settings.volume;
+  ErrorShares shares = {settings.picture.noise, volume.tolerance, volume.cloudTolerance, coarsest};
+  if (const auto pixels = amountOf(settings.picture.error, "px"))
+    shares.mostDistance = std::clamp(2.0 * *pixels, 1.0, coarsest); // a ray is half of it away
+  if (const auto percent = amountOf(settings.picture.error, "%"))
+  {
+    // Root mean squares of the three are 0.85, 0.16 and 0.32 of the budget, together 0.92.
+    const double budget = 0.01 * *percent;
+    shares.noise = 0.85 * budget;
+    const VolumeSettings usual;
+    if (volume.tolerance == usual.tolerance)
+      shares.tolerance = std::min(0.1, 0.4 * budget);
+    if (volume.cloudTolerance == usual.cloudTolerance)
+      shares.cloudTolerance = std::min(0.1, 0.8 * budget);
+  }
+  return shares;
+}
+
+double expectedError(const ErrorShares& shares, double noise, bool hasVolumes)
+{
+  return hasVolumes
+           ? std::hypot(noise, meanShare * shares.tolerance, meanShare * shares.cloudTolerance)
+           : noise;
+}
+
+} // namespace mote::app

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "Settings.h"
+
+#include <optional>
+#include <string>
+
+namespace mote::app
+{
+
+/// What each part of the program may err by, so that all of them together keep to --error; without
+/// it what the other settings say.
+struct ErrorShares
+{
+  std::optional<double> noise; ///< standard error of colours, from 0 to 1; none: nobody judges it
+  double tolerance;            ///< of integrals through volumes
+  double cloudTolerance;       ///< between pixels of volumes
+  double mostDistance;         ///< of neighbouring rays, in pixels, while the view moves
+};
+
+ErrorShares errorShares(const Settings& settings);
+
+/// Why the text is no --error, such as "1%" or "0.5px"; empty where it is.
+std::string checkError(const std::string& text);
+
+/// The error of colours, from 0 to 1, that a picture with this noise most likely has: root mean
+/// square of noise and tolerances. `hasVolumes` tells whether the latter count.
+double expectedError(const ErrorShares& shares, double noise, bool hasVolumes);
+
+/// Whether --error is of colours, or of places in pixels.
+bool isColorError(const PictureSettings& picture);
+bool isPlaceError(const PictureSettings& picture);
+
+} // namespace mote::app
