@@ -23,7 +23,7 @@ void Panel::drawFilm()
   draw("animate", "steps", "time steps");
   draw("animate", "frames-per-step", "frames a step");
   draw("animate", "frames", "frames");
-  draw("animate", "fps", "frames a second");
+  draw("animate", "rate", "frames a second");
   draw("mote", "picture-size", "size");
   draw("animate", "quality", "quality");
   draw("animate", "output", "file");

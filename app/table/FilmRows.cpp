@@ -67,9 +67,9 @@ void addFilmRows(std::vector<Row>& table)
       .usual = "one a time step; 2 s a key frame; 10 s a full turn"}));
   table.push_back(row(film, &FilmSettings::rate,
     {.group = group,
-      .name = "fps",
+      .name = "rate",
       .value = "N",
-      .help = "Frames a second",
+      .help = "Frames a second of the film",
       .limits = {.least = 1, .most = 240}}));
   table.push_back(row(film, &FilmSettings::quality,
     {.group = group,

@@ -68,7 +68,7 @@ case $3 in
     ;;
 
   video) # Theora of any size; others by ffmpeg, where it is
-    run 0 "$mote" animate "$hopper" -o film.ogv --size 161x99 --samples 1 --fps 12
+    run 0 "$mote" animate "$hopper" -o film.ogv --size 161x99 --samples 1 --rate 12
     film_is film.ogv '161x99 7 frames 12 fps playable complete'
     run 0 "$mote" animate "$data/swirl.1.vtu" -o film.ogv --size 160x120 --samples 1 --orbit 36 \
       --quality low
