@@ -41,6 +41,12 @@ void Panel::drawTime(const PanelFacts& facts)
     return;
   this->drawCache(facts);
   this->drawStep(facts);
+  const bool anyPicked = facts.picked.set && !facts.picked.set->empty();
+  if (!anyPicked && next_.output.trajectories.empty())
+    return;
+  if (buttonOf(anyPicked ? "Paths of the picked" : "No paths"))
+    this->wish(Action::PathsOfPicked);
+  RowControls::explain(*commandRow("mote", "trajectories"));
 }
 
 void Panel::drawStep(const PanelFacts& facts)

@@ -1,14 +1,12 @@
 #include "StepCache.h"
 
+#include "base/Background.h"
 #include "base/Failure.h"
 #include "base/Text.h"
-
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <fcntl.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 namespace mote::app
@@ -37,7 +35,7 @@ StepCache::StepCache(
   std::uint64_t budget, std::function<void(const std::vector<NamedData>&)> complete)
   : budget_(budget)
   , complete_(std::move(complete))
-  , thread_([this] { this->run(); })
+  , thread_([this] { inBackground([this] { this->run(); }); })
 {
 }
 
@@ -298,9 +296,6 @@ bool StepCache::goesOn(double share)
 
 void StepCache::run()
 {
-  // The picture comes first.
-  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), 5);
-  tbb::task_arena arena(tbb::task_arena::automatic, 1, tbb::task_arena::priority::low);
   std::unique_lock lock(mutex_);
   while (!stop_)
   {
@@ -313,7 +308,7 @@ void StepCache::run()
     if (step < 0)
       changed_.wait(lock);
     else
-      arena.execute([&] { this->work(lock, step); });
+      this->work(lock, step);
   }
 }
 

@@ -39,6 +39,8 @@ const std::vector<Line>& lines()
       {{OnlyPicked, {"i", "I"}}, {HidePicked, {"Delete"}}, {ShowHidden, {"u", "U"}}}},
     {"Ctrl+C Ctrl+E", "copy the list of the picked; save it as a CSV file",
       {{CopyPicked, {"Control+c", "Control+C"}}, {SavePicked, {"Control+e", "Control+E"}}}},
+    {"j", "show the paths of the picked particles through time as lines, or show none",
+      {{PathsOfPicked, {"j", "J"}}}},
     {"c  C", "colour by the next array; by its next component",
       {{Next, {"c"}, "color-by"}, {NextPart, {"C"}, "color-by"}}},
     {"m", "next colour map", {{Next, {"m", "M"}, "color-map"}}},

@@ -33,6 +33,7 @@ enum class Action
   ShowHidden,
   CopyPicked,
   SavePicked,
+  PathsOfPicked,
   Center,
   SavePicture,
   SaveFilm,

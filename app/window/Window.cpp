@@ -62,6 +62,7 @@ Window::Window(const Settings& settings, Input& input)
   , ruler_(stage_.renderer())
   , bar_(window_, stage_.renderer())
   , panel_(stage_)
+  , paths_(stage_.renderer())
   , panelOn_(settings.output.panel)
 {
   progress_.add(terminal_);
@@ -179,10 +180,12 @@ void Window::run()
   this->setUpOpening();
   this->startCache();
   this->startFollowing();
+  this->followPaths();
   this->render();
   if (!quit_)
     interactor_->Start();
   cache_.reset();
+  paths_.clear();
   if (!asked_.output.session.empty() && !this->isEmpty())
     writeSession(this->settingsInForce(), asked_.output.session);
 }
@@ -383,6 +386,8 @@ void Window::onTimer(int timer)
     this->watchCache();
   else if (due(followTimer_))
     this->watchFiles();
+  else if (due(pathTimer_))
+    this->watchPaths();
   else if (due(messageTimer_))
   {
     overlay_.setMessage("");

@@ -5,6 +5,7 @@
 #include "Overlay.h"
 #include "PickedMarks.h"
 #include "Ruler.h"
+#include "WindowPaths.h"
 #include "WindowProgress.h"
 #include "WindowProps.h"
 #include "panels/Panel.h"
@@ -75,6 +76,9 @@ private:
   void startFollowing();
   void watchFiles();
   void takeNewSteps();
+  void changePaths();
+  void followPaths();
+  void watchPaths();
   void quit();
 
   // Drawing
@@ -207,10 +211,11 @@ private:
   Panel panel_;
   std::unique_ptr<PanelHost> panelHost_; ///< null: the window's OpenGL cannot draw it
   bool panelOn_ = true;
-  PanelWish wish_;                        ///< what the user did in the last frame
-  std::optional<Settings> beforeHold_;    ///< as the settings were when a control was taken hold of
-  std::unique_ptr<StepCache> cache_;      ///< null: nothing is read ahead
-  StepCache::Facts cacheShown_;           ///< as the panel has it
+  PanelWish wish_;                     ///< what the user did in the last frame
+  std::optional<Settings> beforeHold_; ///< as the settings were when a control was taken hold of
+  std::unique_ptr<StepCache> cache_;   ///< null: nothing is read ahead
+  StepCache::Facts cacheShown_;        ///< as the panel has it
+  WindowPaths paths_;
   std::optional<FollowedFiles> followed_; ///< while steps are read that are written
   std::string followProblem_;             ///< that was told last
   int step_ = 0;
@@ -226,7 +231,7 @@ private:
   double otherTime_ = 0.0; ///< of the last frame that was traced, beside tracing: s
   bool previewed_ = false; // the picture shown last was a preview
   int sharpenTimer_ = 0, restTimer_ = 0, playTimer_ = 0, messageTimer_ = 0, panelTimer_ = 0,
-      hoverTimer_ = 0, cacheTimer_ = 0, followTimer_ = 0;
+      hoverTimer_ = 0, cacheTimer_ = 0, followTimer_ = 0, pathTimer_ = 0;
 };
 
 } // namespace mote::app

@@ -331,7 +331,7 @@ void Window::savePicture()
   // A preview is for looking; what is kept is exact.
   if (previewed_ && !this->perform([&] { stage_.finishBuild(progress_); }))
     return;
-  if (this->hasSurfaces())
+  if (this->hasSurfaces() || paths_.isShown())
     return this->grabPicture(file);
   // As mote render makes it, so that the printed command gives the same.
   const bool done = this->perform(

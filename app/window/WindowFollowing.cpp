@@ -79,6 +79,7 @@ void Window::takeNewSteps()
     this->startCache();
   else
     cache_->setInput(input_.again(), same);
+  this->followPaths();
   if (!same)
   {
     loadedStep_ = -1; // there are others by these numbers

@@ -265,6 +265,9 @@ bool Window::actOnPicked(Action action)
     this->showOnly(
       [](SelectionSettings& s) { s.hidden = s.only = {}; }, "Nothing is hidden by its id");
     return true;
+  case Action::PathsOfPicked:
+    this->changePaths();
+    return true;
   case Action::CopyPicked:
     if (this->requirePicked(false))
       this->copyPicked();

@@ -102,6 +102,7 @@ bool Window::follow(const Settings& next)
   picked_.keepWhatIs(stage_.parts());
   marks_.forget();
   this->startFollowing();
+  this->followPaths();
   return done;
 }
 

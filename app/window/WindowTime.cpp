@@ -3,6 +3,7 @@
 #include "Window.h"
 
 #include "base/Failure.h"
+#include "base/Text.h"
 #include "commands/Bake.h"
 #include "table/Row.h"
 
@@ -24,6 +25,7 @@ namespace
 
 constexpr unsigned long leastPause = 15;  // ms between time steps, for what the user does
 constexpr unsigned long scrubPause = 40;  // ms between looks for the step that is wanted
+constexpr unsigned long pathPause = 150;  // ms between looks at the paths that are read
 constexpr unsigned long cachePause = 250; // ms between looks at what is read ahead
 
 } // namespace
@@ -174,6 +176,40 @@ void Window::endScrub()
     cache_->want(-1);
     this->render();
   }
+}
+
+/// Shows the paths of what is picked; none where those are shown, or nothing is picked.
+void Window::changePaths()
+{
+  const IdRanges present = this->settings().output.trajectories;
+  const IdRanges picked = picked_.ids(stage_.parts());
+  if (picked.empty() && present.empty())
+    return this->say("Pick particles first: their paths through time are shown then");
+  const IdRanges next = picked == present ? IdRanges() : picked;
+  this->change(this->settingsOf([&](Settings& s) { s.output.trajectories = next; }),
+    [&]
+    {
+      return next.empty() ? "No paths are shown"
+                          : "The paths of " + counted(next.count(), "particle");
+    });
+}
+
+/// Reads the paths that the settings ask for.
+void Window::followPaths()
+{
+  paths_.follow(this->settings(), input_);
+  if (paths_.isReading())
+    this->startTimer(pathTimer_, pathPause);
+  else
+    paths_.update();
+}
+
+void Window::watchPaths()
+{
+  if (paths_.update())
+    this->render();
+  if (paths_.isReading())
+    this->startTimer(pathTimer_, pathPause);
 }
 
 /// Looks at what was read ahead by now.

@@ -223,6 +223,49 @@ case $3 in
     [ $code = 0 ] || { cat err; fail "exit code $code"; }
     ;;
 
+  paths) # of particles through time; none over the side of a periodic box
+    walk() { # BOUNDARY: one particle goes to the right, through the side of the box
+      for step in 0 1 2 3 4 5; do
+        printf 'ITEM: TIMESTEP\n%s\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS %s\n0 10\n0 10\n0 10\n' $step "$1"
+        printf 'ITEM: ATOMS id type x y z\n7 1 %s %s 5\n8 1 5 1 1\n9 1 5 1 9\n' $(((5 + 2 * step) % 10)) $((5 + step * 4 / 5))
+      done
+    }
+    orange() { # FILE: pixels of the first path's colour
+      python3 - "$1" "$tests" <<'SCRIPT'
+import sys
+name, folder = sys.argv[1:]
+sys.path.insert(0, folder)
+sys.argv = ["", name, name]
+from compare_png import rows
+lines, step = rows(name)
+print(sum(l[i] > 200 and 90 < l[i + 1] < 160 and l[i + 2] < 60 for l in lines for i in range(0, len(l), step)))
+SCRIPT
+    }
+    walk 'pp pp pp' >periodic.dump
+    walk 'ff ff ff' >open.dump
+    count() { # FILE: how much there is of the path of 7
+      open "$1" --size 900x700 --view +z --radius 0.1 --color-by none --background white --no-panel --trajectories 7
+      sleep 2
+      picture "$2"
+      quit
+      orange "$2"
+    }
+    whole=$(count open.dump open.png | tail -1)
+    parted=$(count periodic.dump periodic.png | tail -1)
+    [ "$parted" -gt 100 ] || fail "no path: $parted"
+    [ "$whole" -gt "$parted" ] || fail "a line across the box: $whole, $parted"
+    open periodic.dump --size 900x700 --view +z --radius 1 --color-by none --background white --step 1
+    press j # nothing is picked yet
+    xdotool mousemove 610 200
+    press p
+    shown 'Paths of the picked'
+    click 'Paths of the picked'
+    sleep 1
+    picture picked.png
+    click Undo
+    quit
+    ;;
+
   odd) # steps without particles, and arrays that some steps have
     step() { # TIME COUNT COLUMNS VALUES
       printf 'ITEM: TIMESTEP\n%s\nITEM: NUMBER OF ATOMS\n%s\nITEM: BOX BOUNDS pp pp pp\n' "$1" "$2"

@@ -1,0 +1,181 @@
+#include "ParticlePaths.h"
+
+#include "Calculated.h"
+#include "Ids.h"
+#include "Part.h"
+#include "base/Background.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkFieldData.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cmath>
+#include <iterator>
+#include <sstream>
+
+namespace mote::app
+{
+
+namespace
+{
+
+/// Bright on a dark background, and still seen on a light one.
+constexpr unsigned char colors[][3] = {{255, 127, 14}, {31, 165, 230}, {44, 190, 44}, {230, 60, 60},
+  {190, 110, 230}, {240, 200, 0}, {230, 110, 190}, {0, 190, 180}};
+
+/// Which sides of the box are joined; all where the data do not say.
+std::array<bool, 3> periodicAxes(vtkDataSet* data)
+{
+  std::array<bool, 3> isPeriodic = {true, true, true};
+  auto* flags = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("boundary"));
+  if (!flags || flags->GetNumberOfValues() == 0)
+    return isPeriodic;
+  std::istringstream words(flags->GetValue(0));
+  std::string word;
+  for (int axis = 0; axis < 3 && words >> word; ++axis)
+    isPeriodic[static_cast<std::size_t>(axis)] = word.starts_with("p");
+  return isPeriodic;
+}
+
+/// What only moves particles, without what expressions would add.
+Settings movingAlone(Settings settings)
+{
+  settings.data.calculations.clear();
+  settings.selection = {};
+  return settings;
+}
+
+} // namespace
+
+ParticlePaths::ParticlePaths(
+  std::unique_ptr<Input> input, const IdRanges& ids, const Settings& settings)
+  : input_(std::move(input))
+  , ids_(ids)
+  , settings_(movingAlone(settings))
+  , steps_(input_->numberOfSteps())
+  , thread_([this] { inBackground([this] { this->run(); }); })
+{
+}
+
+ParticlePaths::~ParticlePaths()
+{
+  stop_ = true;
+  thread_.join();
+}
+
+void ParticlePaths::run()
+{
+  const Runner runner = quietly([this](double) { return !stop_; });
+  for (int step = 0; step < steps_ && !stop_; ++step)
+  {
+    Step found;
+    try
+    {
+      KnownExpressions known;
+      found = this->look(withCalculated(input_->read(step, runner), settings_, known));
+    }
+    catch (const std::exception&)
+    {
+      // A step that cannot be read is a gap; who shows it is told why.
+    }
+    const std::lock_guard lock(mutex_);
+    read_.push_back(std::move(found));
+  }
+}
+
+ParticlePaths::Step ParticlePaths::look(const std::vector<NamedData>& data) const
+{
+  Step step;
+  for (std::size_t k = 0; k < data.size(); ++k)
+  {
+    vtkDataSet* particles = data[k].data;
+    if (Part::isMesh(particles))
+      continue;
+    if (!step.box)
+    {
+      step.box = simulationBoxOf(particles);
+      step.isPeriodic = periodicAxes(particles);
+    }
+    const auto wanted = ids_.of(static_cast<int>(k) + 1);
+    vtkDataArray* ids = idArrayOf(particles);
+    for (vtkIdType i = 0; i < particles->GetNumberOfPoints(); ++i)
+      if (const std::int64_t id = idOf(ids, i); holds(wanted, id))
+        particles->GetPoint(i, step.places[{k, id}].data());
+  }
+  return step;
+}
+
+int ParticlePaths::stepsRead() const
+{
+  const std::lock_guard lock(mutex_);
+  return static_cast<int>(read_.size());
+}
+
+/// Whether the way is by more than half of a periodic box: the particle left it on one side and
+/// came in on the other.
+bool ParticlePaths::isJump(const Step& step, const Place& from, const Place& to)
+{
+  if (!step.box)
+    return false;
+  double cell[3][3], inverse[3][3], way[3], share[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    way[axis] = to[static_cast<std::size_t>(axis)] - from[static_cast<std::size_t>(axis)];
+    for (int v = 0; v < 3; ++v)
+      cell[axis][v] = step.box->vectors[v][axis];
+  }
+  if (vtkMath::Determinant3x3(cell) == 0.0)
+    return false;
+  vtkMath::Invert3x3(cell, inverse);
+  vtkMath::Multiply3x3(inverse, way, share);
+  for (std::size_t v = 0; v < 3; ++v)
+    if (step.isPeriodic[v] && std::abs(share[v]) > 0.5)
+      return true;
+  return false;
+}
+
+void ParticlePaths::fill(vtkPolyData* lines) const
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> shades;
+  shades->SetNumberOfComponents(3);
+  const bool mayJump = settings_.data.positions != "unwrapped";
+  const std::lock_guard lock(mutex_);
+  std::map<Id, std::size_t> shadeOf; // in the order of ids
+  for (const Step& step : read_)
+    for (const auto& [id, place] : step.places)
+      shadeOf.emplace(id, 0);
+  std::size_t next = 0;
+  for (auto& [id, shade] : shadeOf)
+    shade = next++ % std::size(colors);
+  for (std::size_t s = 1; s < read_.size(); ++s)
+    for (const auto& [id, here] : read_[s].places)
+    {
+      const auto before = read_[s - 1].places.find(id);
+      if (before == read_[s - 1].places.end() ||
+          (mayJump && isJump(read_[s], before->second, here)))
+        continue;
+      const vtkIdType ends[2] = {
+        points->InsertNextPoint(before->second.data()), points->InsertNextPoint(here.data())};
+      cells->InsertNextCell(2, ends);
+      shades->InsertNextTypedTuple(colors[shadeOf[id]]);
+    }
+  lines->Initialize();
+  lines->SetPoints(points);
+  lines->SetLines(cells);
+  lines->GetCellData()->SetScalars(shades);
+}
+
+} // namespace mote::app
