@@ -48,6 +48,22 @@ void requireTraced(const Stage& stage)
                 "mote FILE --cells surface");
 }
 
+namespace
+{
+
+/// Gives all time steps one range of colours, where it is not given.
+void includeAllColors(Stage& stage, Input& input, ProgressRelay& progress)
+{
+  const ColorSettings& colors = stage.settings().color;
+  if (!colors.range.empty() || colors.array == "none")
+    return;
+  std::vector<int> others(static_cast<std::size_t>(input.numberOfSteps() - 1));
+  std::iota(others.begin(), others.end(), 0);
+  includeColors(stage, input, others, progress);
+}
+
+} // namespace
+
 void render(const Settings& given)
 {
   Settings settings = given;
@@ -99,12 +115,7 @@ void render(const Settings& given)
     trace(chosen, output.file, openTime + readTime);
   else
   {
-    if (settings.color.range.empty() && settings.color.array != "none")
-    {
-      std::vector<int> others(static_cast<std::size_t>(last));
-      std::iota(others.begin(), others.end(), 0);
-      includeColors(stage, input, others, progress);
-    }
+    includeAllColors(stage, input, progress);
     for (int step = 0; step <= last; ++step)
       trace(step, numbered(output.file, step + 1, last + 1), show(step));
   }

@@ -312,6 +312,16 @@ void StepCache::run()
   }
 }
 
+void StepCache::readInto(ReadyStep& read, Input& input, int step, const Runner& runner) const
+{
+  for (const auto& [file, time] : input.filesAt(step))
+    readMapped(file);
+  read.original = input.read(step, runner);
+  if (complete_)
+    complete_(read.original);
+  read.count();
+}
+
 void StepCache::work(std::unique_lock<std::mutex>& lock, int step)
 {
   working_ = step;
@@ -334,14 +344,7 @@ void StepCache::work(std::unique_lock<std::mutex>& lock, int step)
     if (before)
       read.original = before->original;
     else
-    {
-      for (const auto& [file, time] : input->filesAt(step))
-        readMapped(file);
-      read.original = input->read(step, runner);
-      if (complete_)
-        complete_(read.original);
-      read.count();
-    }
+      this->readInto(read, *input, step, runner);
     made = std::make_shared<ReadyStep>(read); // which stays where the building is stopped
     *made = makeReady(read.original, plan, runner, last_);
   }

@@ -94,6 +94,7 @@ private:
   using Entry = std::shared_ptr<const ReadyStep>;
 
   void run();
+  void readInto(ReadyStep& read, Input& input, int step, const Runner& runner) const;
   void work(std::unique_lock<std::mutex>& lock, int step);
   bool goesOn(double share);
   std::vector<int> order() const;

@@ -62,6 +62,8 @@ const std::vector<Topic>& topics()
       "mote run.dump --save-session view.json", "mote"},
     {"mote render", "A picture; it takes all of the above, too.",
       "mote render run.dump -o run.png --all-steps", "render"},
+    {"mote animate", "A film; it takes all of the above, too.",
+      "mote animate run.dump -o turn.ogv --orbit 360", "animate"},
     {"mote convert", "A .mote file; it takes the groups Data and Radius, and --form, too.",
       "mote convert run.dump run.mote --memory 8G", "convert"},
     {"mote info", "What files hold; it takes the group Data, too.", "mote info --json run.dump",

@@ -14,6 +14,35 @@ const std::string group = "Picture";
 constexpr auto picture = &Settings::picture;
 constexpr auto invalidates = Invalidates::Picture;
 
+void addBudgetRows(std::vector<Row>& table)
+{
+  table.push_back(row<PictureSettings, std::string>(picture, &PictureSettings::error,
+    {.group = group,
+      .name = "error",
+      .value = "BUDGET",
+      .help = "Error that the picture may have, and that the program then shares out. 1% is of "
+              "colours, root mean square: samples are taken until the noise is small enough, and "
+              "volumes are integrated and interpolated as roughly as that allows. 0.5px is of "
+              "places while the view moves: resolution falls no further",
+      .invalidates = Invalidates::Shading,
+      .usual = "none",
+      .excludes = {"noise"}},
+    [](const std::string& text)
+    {
+      if (const std::string problem = text.empty() ? "" : checkError(text); !problem.empty())
+        throw WrongValue{problem};
+    }));
+  table.push_back(row(picture, &PictureSettings::fps,
+    {.group = group,
+      .name = "fps",
+      .value = "N",
+      .help = "Frames a second that the window shows while the view moves or a control is dragged: "
+              "resolution falls as far as that takes, and no further than --error says",
+      .invalidates = Invalidates::Nothing,
+      .limits = {.least = 1.0, .most = 120.0},
+      .usual = "about 11"}));
+}
+
 void addQualityRows(std::vector<Row>& table)
 {
   table.push_back(row(picture, &PictureSettings::size,
@@ -42,31 +71,6 @@ void addQualityRows(std::vector<Row>& table)
       .invalidates = invalidates,
       .limits = {.most = 1.0, .aboveZero = true},
       .usual = "off: all samples are taken"}));
-  table.push_back(row<PictureSettings, std::string>(picture, &PictureSettings::error,
-    {.group = group,
-      .name = "error",
-      .value = "BUDGET",
-      .help = "Error that the picture may have, and that the program then shares out. 1% is of "
-              "colours, root mean square: samples are taken until the noise is small enough, and "
-              "volumes are integrated and interpolated as roughly as that allows. 0.5px is of "
-              "places while the view moves: resolution falls no further",
-      .invalidates = Invalidates::Shading,
-      .usual = "none",
-      .excludes = {"noise"}},
-    [](const std::string& text)
-    {
-      if (const std::string problem = text.empty() ? "" : checkError(text); !problem.empty())
-        throw WrongValue{problem};
-    }));
-  table.push_back(row(picture, &PictureSettings::fps,
-    {.group = group,
-      .name = "fps",
-      .value = "N",
-      .help = "Frames a second that the window shows while the view moves or a control is dragged: "
-              "resolution falls as far as that takes, and no further than --error says",
-      .invalidates = Invalidates::Nothing,
-      .limits = {.least = 1.0, .most = 120.0},
-      .usual = "about 11"}));
   table.push_back(row<PictureSettings, std::vector<Color>>(picture, &PictureSettings::background,
     {.group = group,
       .name = "background",
@@ -145,6 +149,7 @@ void addLabelRows(std::vector<Row>& table)
 void addPictureRows(std::vector<Row>& table)
 {
   addQualityRows(table);
+  addBudgetRows(table);
   addLabelRows(table);
 }
 

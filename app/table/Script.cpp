@@ -1,8 +1,8 @@
 #include "Script.h"
 
 #include "CommandLine.h"
+#include "ScriptText.h"
 #include "settings/ErrorBudget.h"
-#include "settings/Values.h"
 #include "stage/Calculated.h"
 #include "stage/Ids.h"
 
@@ -23,7 +23,6 @@
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
-#include <cmath>
 #include <initializer_list>
 
 namespace mote::app
@@ -31,70 +30,6 @@ namespace mote::app
 
 namespace
 {
-
-std::string python(double value)
-{
-  return std::isinf(value) ? value > 0.0 ? "math.inf" : "-math.inf" : exactText(value);
-}
-
-std::string python(const std::string& text)
-{
-  std::string quoted = "\"";
-  for (const char c : text)
-    if (c == '\n')
-      quoted += "\\n";
-    else
-      quoted += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
-  return quoted + "\"";
-}
-
-std::string python(const char* text)
-{
-  return python(std::string(text ? text : ""));
-}
-
-std::string python(int value)
-{
-  return std::to_string(value);
-}
-
-std::string python(bool value)
-{
-  return value ? "True" : "False";
-}
-
-std::string python(const double* values, int count)
-{
-  std::string text;
-  for (int i = 0; i < count; ++i)
-    text += (i > 0 ? ", " : "") + python(values[i]);
-  return text;
-}
-
-/// The text of a program, line by line.
-class Script
-{
-public:
-  void line(const std::string& text = {}) { text_ += text + "\n"; }
-
-  /// "object.Function(arguments)"
-  template <typename... Arguments>
-  void call(const std::string& object, const char* function, const Arguments&... arguments)
-  {
-    std::string all;
-    ((all += (all.empty() ? "" : ", ") + python(arguments)), ...);
-    this->line(object + "." + function + "(" + all + ")");
-  }
-  void vector(const std::string& object, const char* function, const double* values, int count = 3)
-  {
-    this->line(object + "." + function + "(" + python(values, count) + ")");
-  }
-
-  const std::string& text() const { return text_; }
-
-private:
-  std::string text_;
-};
 
 void writeImports(Script& script)
 {
@@ -190,6 +125,13 @@ void writeParticles(Script& script, const Part& part, const Settings& settings)
   script.call("mapper", "SetRadiusArrayName", mapper->GetRadiusArrayName());
   for (const auto& [type, radius] : settings.particles.typeRadius)
     script.call("mapper", "SetTypeRadius", type, radius);
+  if (part.images() > 1)
+  {
+    const int* counts = mapper->GetReplication();
+    script.call("mapper", "SetReplication", counts[0], counts[1], counts[2]);
+    script.line(
+      "mapper.SetReplicationVectors((" + python(mapper->GetReplicationVectors(), 9) + "))");
+  }
   writeRanges(script, part, settings);
   script.call("mapper", "SetScalarVisibility", mapper->GetScalarVisibility() != 0);
   if (mapper->GetScalarVisibility())
@@ -289,9 +231,12 @@ void writeCoordinate(Script& script, const std::string& name)
   script.line("        calculator.GetOutput().GetPointData().GetArray(" + python(name) + "))");
 }
 
-/// The arrays of --calculate and --where that the part has.
+/// The positions of --positions, and the arrays of --calculate and --where that the part has.
 void writeCalculated(Script& script, const Part& part, const Settings& settings)
 {
+  if (part.particles() && settings.data.positions != "file")
+    script.line("mote.vtkMotePeriodicPositions.Move(part, mote.vtkMotePeriodicPositions." +
+                std::string(settings.data.positions == "wrapped" ? "WRAPPED" : "UNWRAPPED") + ")");
   std::vector<Calculation> all = settings.data.calculations;
   if (!settings.selection.where.empty())
     all.push_back({whereArray, settings.selection.where});

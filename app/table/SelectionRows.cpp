@@ -20,12 +20,32 @@ void checkRanges(const std::vector<ShowRange>& ranges)
     throw WrongValue{"at most eight ranges are possible, not " + std::to_string(ranges.size())};
 }
 
+const std::string group = "Selection";
+constexpr auto selection = &Settings::selection;
+
+void addIdRows(std::vector<Row>& table)
+{
+  const std::string ids = ": 7, or 7:12 for all from 7 to 12; 2/7:12 of the second data set alone. "
+                          "Ids are those of the array id (or ids, ParticleIds, GlobalIds, ...) "
+                          "where there is one, else particles count from 0";
+  table.push_back(row(selection, &SelectionSettings::hidden,
+    {.group = group,
+      .name = "hide-ids",
+      .value = "ID,LO:HI,...",
+      .help = "Hide particles by their ids" + ids,
+      .usual = "none"}));
+  table.push_back(row(selection, &SelectionSettings::only,
+    {.group = group,
+      .name = "only-ids",
+      .value = "ID,LO:HI,...",
+      .help = "Show only the particles with these ids" + ids,
+      .usual = "all"}));
+}
+
 } // namespace
 
 void addSelectionRows(std::vector<Row>& table)
 {
-  const std::string group = "Selection";
-  const auto selection = &Settings::selection;
   table.push_back(
     row<SelectionSettings, std::vector<ShowRange>>(selection, &SelectionSettings::ranges,
       {.group = group,
@@ -51,21 +71,7 @@ void addSelectionRows(std::vector<Row>& table)
       if (!problem.empty())
         throw WrongValue{problem};
     }));
-  const std::string ids = ": 7, or 7:12 for all from 7 to 12; 2/7:12 of the second data set alone. "
-                          "Ids are those of the array id (or ids, ParticleIds, GlobalIds, ...) "
-                          "where there is one, else particles count from 0";
-  table.push_back(row(selection, &SelectionSettings::hidden,
-    {.group = group,
-      .name = "hide-ids",
-      .value = "ID,LO:HI,...",
-      .help = "Hide particles by their ids" + ids,
-      .usual = "none"}));
-  table.push_back(row(selection, &SelectionSettings::only,
-    {.group = group,
-      .name = "only-ids",
-      .value = "ID,LO:HI,...",
-      .help = "Show only the particles with these ids" + ids,
-      .usual = "all"}));
+  addIdRows(table);
   table.push_back(row<SelectionSettings, std::vector<double>>(selection, &SelectionSettings::range,
     {.group = group,
       .name = "show-range",

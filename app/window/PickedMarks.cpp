@@ -151,6 +151,11 @@ void PickedMarks::gather(const PickedSet::Parts& parts, const PickedSet& picked)
         isParticle ? static_cast<float>(particles.set.radiusOf(id) * particles.enlargement) : 0.0f);
     }
   }
+  this->setCenters(places);
+}
+
+void PickedMarks::setCenters(vtkPoints* places)
+{
   // The mapper takes floats: places count from the first one.
   double origin[3] = {0.0, 0.0, 0.0};
   if (places->GetNumberOfPoints() > 0)

@@ -10,6 +10,7 @@
 class vtkActor;
 class vtkActor2D;
 class vtkOpenGLSphereMapper;
+class vtkPoints;
 class vtkPolyData;
 class vtkRenderer;
 
@@ -40,6 +41,7 @@ public:
 
 private:
   void gather(const PickedSet::Parts& parts, const PickedSet& picked);
+  void setCenters(vtkPoints* places);
   void addCell(vtkDataSet* data, vtkIdType cell);
   void setSizes();
 

@@ -166,7 +166,7 @@ case $3 in
       count=$((count + 1))
     done < <(sed -nE 's/^    (mote (render|average|probe|silhouettes) .*)/\1/p' "$root/README.md" "$root/docs/user-guide.md")
     [ $count -ge 8 ] || fail "only $count commands"
-    for part in '' render info convert average probe silhouettes; do # and what they name are options
+    for part in '' render animate info convert average probe silhouettes bake; do # and what they name are options
       # shellcheck disable=SC2086
       run 0 "$mote" $part --help
       cat out >>help

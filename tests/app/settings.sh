@@ -249,7 +249,7 @@ case $3 in
 
   topics) # help about a group, an option, the keys; the reference is what the table says
     for topic in data colour selection radius structure volume camera light silhouettes picture \
-      keys formats shadows legend no-cloud color bake render probe \
+      keys formats animate shadows legend no-cloud color bake render probe \
       --range -c ao save-session all-steps; do
       run 0 "$mote" help "$topic"
       [ "$(wc -l <out)" -ge 2 ] || fail "little help about $topic"
