@@ -57,7 +57,7 @@ void Window::updatePanel()
   const bool isStart = panelHost_ && panelOn_ && this->isEmpty();
   const double left = isStart ? 0.0 : static_cast<double>(width) / std::max(1, size[0]);
   stage_.renderer()->SetViewport(left, 0.0, 1.0, 1.0);
-  props_.setLeft(left);
+  props_.placeAxes();
   if (panelHost_)
     panelHost_->setWidth(isStart ? size[0] : width);
 }

@@ -77,15 +77,15 @@ void WindowProps::attach(vtkRenderWindowInteractor* interactor)
 {
   corner_->SetInteractor(interactor);
   corner_->SetDefaultRenderer(stage_.renderer());
-  this->setLeft(0.0);
+  this->placeAxes();
   corner_->SetEnabled(1);
   corner_->InteractiveOff();
   this->update();
 }
 
-void WindowProps::setLeft(double share)
+void WindowProps::placeAxes()
 {
-  corner_->SetViewport(share, 0.045, share + 0.13 * (1.0 - share), 0.225);
+  corner_->SetViewport(0.0, 0.045, 0.13, 0.225); // of the view, which need not be the window
 }
 
 void WindowProps::update()

@@ -27,8 +27,8 @@ public:
   /// Follows the stage's data and settings.
   void update();
 
-  /// Where the view begins, as a share of the window's width.
-  void setLeft(double share);
+  /// Puts the axes into the corner of the view, wherever that lies in the window by now.
+  void placeAxes();
 
   WindowLegend& legend() { return legend_; }
 

@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""screen.py X Y WIDTH HEIGHT: a fingerprint of a rectangle of the screen that DISPLAY names, and how many colours it has; with "marked" or "ruled" behind, how many pixels have the colour of marks, or of the ruler."""
+"""screen.py X Y WIDTH HEIGHT: a fingerprint of a rectangle of the screen that DISPLAY names, and
+how many colours it has; with "marked" or "ruled" behind, how many pixels have the colour of marks, or
+of the ruler."""
 import ctypes
 import sys
 import zlib
