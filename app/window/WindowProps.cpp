@@ -85,7 +85,10 @@ void WindowProps::attach(vtkRenderWindowInteractor* interactor)
 
 void WindowProps::placeAxes()
 {
-  corner_->SetViewport(0.0, 0.045, 0.13, 0.225); // of the view, which need not be the window
+  // Shares of the view. VTK looks where that lies when these numbers change, and not otherwise.
+  constexpr double unseen = 1e-6;
+  const double left = stage_.renderer()->GetViewport()[0];
+  corner_->SetViewport(0.0, 0.045, 0.13 + unseen * left, 0.225);
 }
 
 void WindowProps::update()
