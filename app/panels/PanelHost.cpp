@@ -13,6 +13,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cstring>
 #include <filesystem>
 #include <iterator>
@@ -175,7 +176,6 @@ void PanelHost::lay(const std::function<void()>& controls)
 {
   ImGui::SetCurrentContext(context_);
   this->feed();
-  lastTime_ = timeTold_;
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
   controls();
@@ -264,19 +264,15 @@ bool PanelHost::isWithin() const
   return true;
 }
 
-void PanelHost::tellTime(double now)
-{
-  ImGui::GetIO().DeltaTime = static_cast<float>(std::clamp(now - lastTime_, 1e-4, 1.0));
-  timeTold_ = now;
-}
-
 /// Gives ImGui what came since the last frame, up to the first change of a button or a key.
 void PanelHost::feed()
 {
   ImGuiIO& io = ImGui::GetIO();
   const int* size = window_->GetSize();
   io.DisplaySize = ImVec2(static_cast<float>(size[0]), static_cast<float>(size[1]));
-  this->tellTime(vtkTimerLog::GetUniversalTime());
+  const double now = vtkTimerLog::GetUniversalTime();
+  io.DeltaTime = static_cast<float>(std::clamp(now - lastTime_, 1e-4, 1.0));
+  lastTime_ = now;
   const int* at = interactor_->GetEventPosition();
   this->placeMouse(at[0], at[1]);
   io.KeyCtrl = interactor_->GetControlKey() != 0;
@@ -307,14 +303,15 @@ void PanelHost::feed()
       isDown = input.isDown;
       if (!isChange)
         continue;
-      // All these may be others by now; the time tells a double click from two.
+      // All these may be others by now.
       io.KeyCtrl = input.hasControl;
       io.KeyShift = input.hasShift;
       io.KeyAlt = input.hasAlt;
       if (input.kind == Input::Button)
       {
         this->placeMouse(input.x, input.y);
-        this->tellTime(input.time);
+        // The X server knows when both clicks were; they may have come here long after.
+        io.MouseDoubleClickTime = input.isRepeat ? FLT_MAX : 0.0f;
       }
       return;
     }
@@ -346,7 +343,7 @@ bool PanelHost::add(Input input)
   const int* at = interactor_->GetEventPosition();
   input.x = at[0];
   input.y = at[1];
-  input.time = vtkTimerLog::GetUniversalTime();
+  input.isRepeat = interactor_->GetRepeatCount() > 0;
   input.hasControl = interactor_->GetControlKey() != 0;
   input.hasShift = interactor_->GetShiftKey() != 0;
   input.hasAlt = interactor_->GetAltKey() != 0;

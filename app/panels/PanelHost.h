@@ -73,8 +73,8 @@ private:
     int number; ///< of the button, the key or the character
     bool isDown = false;
     float wheel = 0.0f;
-    int x = 0, y = 0;  ///< where the mouse was
-    double time = 0.0; ///< s
+    int x = 0, y = 0;      ///< where the mouse was
+    bool isRepeat = false; ///< the second click of two
     bool hasControl = false, hasShift = false, hasAlt = false;
   };
   void start();
@@ -88,7 +88,6 @@ private:
   static bool isWritten();
   static bool isForField(const Input& input);
   void placeMouse(int x, int y);
-  void tellTime(double now);
   void settle();
   void feed();
   void paint();
@@ -110,7 +109,7 @@ private:
   std::vector<unsigned long> observers_;
   std::deque<Input> waiting_; ///< one press or release a frame: ImGui looks once a frame
   unsigned ownButtons_ = 0, viewButtons_ = 0; ///< held, a bit each: whose presses they were
-  double lastTime_ = 0.0, timeTold_ = 0.0;    ///< of the last frame, and of this one
+  double lastTime_ = 0.0;                     ///< of the last frame
   int framesToCome_ = 0, inputs_ = 0;
   bool isLaid_ = false;
   bool wasWithin_ = false;            ///< the controls of the last frame kept to their part

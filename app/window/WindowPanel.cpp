@@ -156,8 +156,18 @@ void Window::takeSettings(Settings next, bool isHeld)
     this->fitToArray(next);
   if (!isHeld)
   {
+    // What comes with the release is the end of the drag, and is undone with it.
+    if (wantedStep_ >= 0)
+    {
+      if (next.data == this->settings().data)
+        next.data.step = std::to_string(wantedStep_ + 1);
+      wantedStep_ = -1;
+      cache_->want(-1);
+    }
+    const bool isShown = !beforeHold_ || this->follow(next);
     this->endHold();
-    this->change(next);
+    if (isShown)
+      this->change(next);
     return this->render();
   }
   // What is dragged is seen at once, coarsely, and undone as one.
