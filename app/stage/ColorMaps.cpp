@@ -114,6 +114,17 @@ void reverse(vtkLookupTable* table)
   }
 }
 
+bool areAlike(vtkLookupTable* a, vtkLookupTable* b)
+{
+  const vtkIdType count = a->GetNumberOfTableValues();
+  return count == b->GetNumberOfTableValues() &&
+         std::equal(a->GetPointer(0), a->GetPointer(0) + 4 * count, b->GetPointer(0)) &&
+         std::equal(a->GetTableRange(), a->GetTableRange() + 2, b->GetTableRange()) &&
+         std::equal(a->GetNanColor(), a->GetNanColor() + 4, b->GetNanColor()) &&
+         a->GetScale() == b->GetScale() && a->GetVectorMode() == b->GetVectorMode() &&
+         a->GetVectorComponent() == b->GetVectorComponent();
+}
+
 std::size_t numberOfTypeColors()
 {
   return typeColors().size();

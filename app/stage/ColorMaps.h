@@ -20,6 +20,9 @@ vtkSmartPointer<vtkLookupTable> makeColorMap(
 /// Turns the order of the colours round.
 void reverse(vtkLookupTable* table);
 
+/// Whether two tables give every value the same colour.
+bool areAlike(vtkLookupTable* a, vtkLookupTable* b);
+
 /// How many types makeTypeMap() can tell apart.
 std::size_t numberOfTypeColors();
 

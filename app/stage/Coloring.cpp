@@ -218,17 +218,21 @@ void Coloring::makeTable(bool types)
     range[1] += margin;
   }
   const bool named = !settings_.color.map.empty() && settings_.color.map != "types";
-  table_ = types ? makeTypeMap(types_)
-                 : makeColorMap(
-                     named ? settings_.color.map : "viridis", range, settings_.color.logarithmic);
+  auto table = types ? makeTypeMap(types_)
+                     : makeColorMap(named ? settings_.color.map : "viridis", range,
+                         settings_.color.logarithmic);
   if (!types && settings_.color.reversed)
-    reverse(table_);
+    reverse(table);
   if (choice_.component == ArrayChoice::magnitude)
-    table_->SetVectorModeToMagnitude();
+    table->SetVectorModeToMagnitude();
   else
-    table_->SetVectorModeToComponent();
-  table_->SetVectorComponent(std::max(0, choice_.component));
-
+    table->SetVectorModeToComponent();
+  table->SetVectorComponent(std::max(0, choice_.component));
+  // A new table has the legend drawn anew, which a drag of another range must not pay for.
+  if (table_ && isTypeTable_ == types && areAlike(table_, table))
+    return;
+  table_ = table;
+  isTypeTable_ = types;
   legendTable_ = types ? makeTypeLegend(types_) : table_;
 }
 

@@ -87,6 +87,7 @@ private:
   bool typed_ = false;     // colours stand for types_
   bool explained_ = false; // there is something for a legend to explain
   vtkSmartPointer<vtkLookupTable> table_;
+  bool isTypeTable_ = false;
   vtkSmartPointer<vtkLookupTable> legendTable_;
   UsualOpacity usual_; ///< of volumes
   std::vector<OpacityPoint> opacity_;

@@ -62,8 +62,8 @@ Window::Window(const Settings& settings, Input& input)
   , ruler_(stage_.renderer())
   , bar_(window_, stage_.renderer())
   , panel_(stage_)
-  , paths_(stage_.renderer())
   , panelOn_(settings.output.panel)
+  , paths_(stage_.renderer())
 {
   progress_.add(terminal_);
   progress_.add(bar_);

@@ -160,6 +160,42 @@ bool contains(const PlaceRanges& ranges, const Vec3d& center, double radius)
                            unsigned(radius >= low[3]) & unsigned(radius <= high[3]));
 }
 
+/// Turns one limit into one of the stored values. False where there is none that parts them alike.
+template <typename Structure>
+bool findPlaceLimit(
+  const Structure& s, const ParticleInput& particles, int k, bool isUpper, double& limit)
+{
+  const double tolerance = toleranceOf(s.statistics(), k, limit);
+  const auto runs = s.slotsBetween(k, limit - 2.0 * tolerance, limit + 2.0 * tolerance);
+  const auto look = [&](auto axis)
+  {
+    return tbb::parallel_reduce(
+      tbb::blocked_range<std::size_t>(0, runs.size()), Border{},
+      [&](const tbb::blocked_range<std::size_t>& range, Border border)
+      {
+        for (std::size_t r = range.begin(); r != range.end(); ++r)
+          for (std::size_t slot = runs[r].first; slot != runs[r].last; ++slot)
+            if (const double stored = storedPlaceOf<axis()>(s, slot);
+                std::abs(stored - limit) <= tolerance)
+            {
+              const double exact = placeOf(particles, s.inputIndex(slot), k);
+              border.add(isUpper ? -stored : stored, isUpper ? exact <= limit : exact >= limit);
+            }
+        return border;
+      },
+      [](Border a, const Border& b)
+      {
+        a.add(b);
+        return a;
+      });
+  };
+  double found = limit;
+  if (!withAxis(k, look).between(isUpper ? -limit : limit, tolerance, found))
+    return false;
+  limit = isUpper ? -found : found;
+  return true;
+}
+
 /// As findFloatLimits(), of centres and radii, whose rounding is the structure's own affair.
 template <typename Structure>
 bool findPlaceLimits(
@@ -167,10 +203,6 @@ bool findPlaceLimits(
 {
   if (k == 3 && particles.enlargement != 1.0)
     return false; // what is stored are not the radii that the range speaks of
-  struct Borders
-  {
-    Border low, high;
-  };
   // What leaves nothing out needs no look.
   const Box& centers = s.statistics().centers;
   if (k < 3 && low <= centers.lower[k])
@@ -179,41 +211,8 @@ bool findPlaceLimits(
     high = ParticleRanges::infinity;
   if (std::isinf(low) && std::isinf(high))
     return true;
-  const auto toleranceNear = [&](double limit)
-  { return std::isinf(limit) ? -1.0 : toleranceOf(s.statistics(), k, limit); };
-  const double lowTolerance = toleranceNear(low), highTolerance = toleranceNear(high);
-  const auto look = [&](auto axis)
-  {
-    return tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, s.size(), grain), Borders{},
-      [&](const tbb::blocked_range<std::size_t>& range, Borders borders)
-      {
-        for (std::size_t slot = range.begin(); slot != range.end(); ++slot)
-        {
-          const double stored = storedPlaceOf<axis()>(s, slot);
-          if (std::abs(stored - low) <= lowTolerance)
-            borders.low.add(stored, placeOf(particles, s.inputIndex(slot), k) >= low);
-          if (std::abs(stored - high) <= highTolerance)
-            borders.high.add(-stored, placeOf(particles, s.inputIndex(slot), k) <= high);
-        }
-        return borders;
-      },
-      [](Borders a, const Borders& b)
-      {
-        a.low.add(b.low);
-        a.high.add(b.high);
-        return a;
-      });
-  };
-  const Borders found = withAxis(k, look);
-  double lowFound = low, highFound = -high;
-  if (std::isfinite(low) && !found.low.between(low, lowTolerance, lowFound))
-    return false;
-  if (std::isfinite(high) && !found.high.between(-high, highTolerance, highFound))
-    return false;
-  low = lowFound;
-  high = -highFound;
-  return true;
+  const bool lowFound = std::isinf(low) || findPlaceLimit(s, particles, k, false, low);
+  return lowFound && (std::isinf(high) || findPlaceLimit(s, particles, k, true, high));
 }
 
 /// NaN as a limit leaves nothing, as no value compares with it.
@@ -359,42 +358,6 @@ void ParticleSelection::setLimits(ParticleStructure& structure)
     structure);
 }
 
-namespace
-{
-
-/// Whether only places along one axis, or radii, are limited: which; else -1.
-int onlyLimited(const PlaceRanges& places)
-{
-  int only = -1;
-  for (int k = 0; k < 4; ++k)
-    if (places.isLimited(k))
-    {
-      if (only >= 0)
-        return -1;
-      only = k;
-    }
-  return only;
-}
-
-template <int k, typename Structure>
-std::size_t countBetween(const Structure& s, double low, double high)
-{
-  return tbb::parallel_reduce(
-    tbb::blocked_range<std::size_t>(0, s.size(), grain), std::size_t{0},
-    [&](const tbb::blocked_range<std::size_t>& range, std::size_t count)
-    {
-      for (std::size_t slot = range.begin(); slot != range.end(); ++slot)
-      {
-        const double place = storedPlaceOf<k>(s, slot);
-        count += static_cast<std::size_t>(unsigned(place >= low) & unsigned(place <= high));
-      }
-      return count;
-    },
-    std::plus<>());
-}
-
-} // namespace
-
 /// Visits the slots of a part of the structure that are shown, with their centres and radii.
 template <typename Structure, typename Visit>
 void ParticleSelection::forShown(
@@ -447,20 +410,8 @@ void ParticleSelection::markShown(const ParticleStructure& structure, unsigned c
 
 std::size_t ParticleSelection::shownCount(const ParticleStructure& structure) const
 {
-  if (count_)
-    return *count_;
-  const auto look = [&](const auto& s) -> std::size_t
-  {
-    if (key_.empty())
-      return s.size();
-    const int only = masked_ || !values_.empty() ? -1 : onlyLimited(storedPlaces_);
-    if (only < 0)
-      return this->sumOfShown<std::decay_t<decltype(s)>, std::size_t>(
-        s, [](std::size_t& count, const Vec3d&, double) { ++count; });
-    return withAxis(only, [&](auto axis)
-      { return countBetween<axis()>(s, storedPlaces_.low[only], storedPlaces_.high[only]); });
-  };
-  count_ = withStructure(structure, look);
+  if (!count_)
+    count_ = withStructure(structure, [](const auto& s) { return s.shownCount(); });
   return *count_;
 }
 

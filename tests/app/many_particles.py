@@ -1,7 +1,8 @@
-"""Writes eight million particles in a cube as .vtp, in the order of a simulation."""
+"""many_particles.py FILE [SIDE]: SIDE^3 particles (200^3: eight million) in a cube as .vtp, in the
+order of a simulation."""
 
 import array, struct, sys
-side = 200
+side = int(sys.argv[2]) if len(sys.argv) > 2 else 200
 n = side ** 3
 row = array.array("f", [0.0] * (3 * side))
 row[0::3] = array.array("f", range(side))

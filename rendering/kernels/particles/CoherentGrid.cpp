@@ -11,7 +11,8 @@ std::size_t CoherentGrid::bytes() const
   const auto bytesOf = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return bytesOf(records_) + bytesOf(cellStart_) + bytesOf(rowStart_) + bytesOf(index32_) +
          bytesOf(index64_) + bytesOf(shown_) + bytesOf(values_) + bytesOf(macroBounds_) +
-         bytesOf(macrocellOccupied_) + bytesOf(macrocellShown_) + bytesOf(layers_);
+         bytesOf(macroHasNaN_) + bytesOf(macrocellOccupied_) + bytesOf(macrocellShown_) +
+         bytesOf(layers_);
 }
 
 void CoherentGrid::clear()

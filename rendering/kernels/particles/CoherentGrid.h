@@ -73,6 +73,10 @@ public:
   void setRanges(const ParticleRanges& ranges);
   void setVisibility(const std::function<bool(std::size_t slot)>& shown);
   bool isShown(std::size_t slot) const;
+  /// Once ranges were set, this and slotsBetween() look at macrocells, and at the particles of
+  /// those alone that a limit crosses.
+  std::size_t shownCount() const;
+  std::vector<SlotRun> slotsBetween(int k, double low, double high) const;
   void findNear(const Vec3d& point, double distance, std::vector<NearParticle>& found) const;
 
   Vec3d center(std::size_t slot) const
@@ -123,8 +127,12 @@ private:
   };
 
   void clear();
+  template <typename Use>
+  void forRowsOf(const Layer& layer, int macroRow, const Use& f) const;
   template <typename Visit>
   void forMacrocells(const Visit& visit) const;
+  template <typename Accepts>
+  std::vector<SlotRun> runsOf(const Accepts& accepts) const;
   void findOccupied();
   void findMacroBounds();
   void findShown();
@@ -144,6 +152,7 @@ private:
   RawVector<std::uint64_t> shown_; ///< one bit a particle, or empty: all are
   /// Least and greatest of each value in a macrocell; made for the first limited range.
   std::vector<MacroBounds> macroBounds_;
+  std::vector<std::uint8_t> macroHasNaN_;       ///< among attributes; as long as macroBounds_
   std::vector<std::uint8_t> macrocellOccupied_; ///< whether `shown_` leaves it a particle
   std::vector<std::uint8_t> macrocellShown_;    ///< whether ranges leave it one, most likely
 };

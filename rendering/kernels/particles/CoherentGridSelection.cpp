@@ -7,9 +7,12 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace mote
 {
@@ -36,41 +39,46 @@ void CoherentGrid::setRanges(const ParticleRanges& ranges)
   findShown();
 }
 
-/// Calls visit(layer, macrocell, forRows) for every macrocell, in parallel; forRows(f) calls
-/// f(first, last) for the particles of each row of cells in it.
+/// Calls f(start, base) for the rows of cells of a row of macrocells: the particles of the cells
+/// from x0 to before x1 are those from base + start[x0] to before base + start[x1].
+template <typename Use>
+void CoherentGrid::forRowsOf(const Layer& layer, int macroRow, const Use& f) const
+{
+  const auto cells = [&](int axis, int c) {
+    return std::pair(c * macrocellSize, std::min(layer.resolution[axis], (c + 1) * macrocellSize));
+  };
+  const auto [y0, y1] = cells(1, macroRow % layer.macroResolution.y);
+  const auto [z0, z1] = cells(2, macroRow / layer.macroResolution.y);
+  for (int z = z0; z < z1; ++z)
+    for (int y = y0; y < y1; ++y)
+    {
+      const std::size_t r = static_cast<std::size_t>(z) * layer.resolution.y + y;
+      f(&cellStart_[layer.firstCell + r * layer.rowWidth()], rowStart_[layer.firstRow + r]);
+    }
+}
+
+/// Calls visit(macrocell, forRows) for every macrocell, in parallel; forRows(f) calls f(first,
+/// last) for the particles of each row of cells in it.
 template <typename Visit>
 void CoherentGrid::forMacrocells(const Visit& visit) const
 {
-  constexpr int m = macrocellSize;
   for (const Layer& layer : layers_)
-  {
-    const Vec3i macro = layer.macroResolution;
-    const auto cells = [&](int axis, int c)
-    { return std::pair(c * m, std::min(layer.resolution[axis], (c + 1) * m)); };
-    tbb::parallel_for(0, macro.y * macro.z,
+    tbb::parallel_for(0, layer.macroResolution.y * layer.macroResolution.z,
       [&](int row)
       {
-        const auto [y0, y1] = cells(1, row % macro.y);
-        const auto [z0, z1] = cells(2, row / macro.y);
-        for (int x = 0; x < macro.x; ++x)
+        for (int x = 0; x < layer.macroResolution.x; ++x)
         {
-          const auto [x0, x1] = cells(0, x);
-          const auto forRows = [&, x0 = x0, x1 = x1, y0 = y0, y1 = y1, z0 = z0, z1 = z1](
-                                 const auto& f)
+          const int x0 = x * macrocellSize, x1 = std::min(layer.resolution.x, x0 + macrocellSize);
+          const auto forRows = [&](const auto& f)
           {
-            for (int z = z0; z < z1; ++z)
-              for (int y = y0; y < y1; ++y)
-              {
-                const std::size_t r = static_cast<std::size_t>(z) * layer.resolution.y + y;
-                const std::uint32_t* start = &cellStart_[layer.firstCell + r * layer.rowWidth()];
-                const std::uint64_t base = rowStart_[layer.firstRow + r];
-                f(base + start[x0], base + start[x1]);
-              }
+            forRowsOf(layer, row,
+              [&](const std::uint32_t* start, std::uint64_t base)
+              { f(base + start[x0], base + start[x1]); });
           };
-          visit(layer.firstMacrocell + static_cast<std::size_t>(row) * macro.x + x, forRows);
+          visit(layer.firstMacrocell + static_cast<std::size_t>(row) * layer.macroResolution.x + x,
+            forRows);
         }
       });
-  }
 }
 
 void CoherentGrid::findOccupied()
@@ -99,6 +107,7 @@ void CoherentGrid::findOccupied()
 void CoherentGrid::findMacroBounds()
 {
   macroBounds_.resize(macrocellOccupied_.size());
+  macroHasNaN_.assign(macroBounds_.size(), 0);
   forMacrocells(
     [&](std::size_t macrocell, const auto& forRows)
     {
@@ -108,6 +117,7 @@ void CoherentGrid::findMacroBounds()
       // Comparisons with NaN fail: it widens no bounds.
       const auto add = [&](int k, float v)
       {
+        macroHasNaN_[macrocell] |= std::uint8_t(v != v);
         bounds.least[k] = v < bounds.least[k] ? v : bounds.least[k];
         bounds.greatest[k] = v > bounds.greatest[k] ? v : bounds.greatest[k];
       };
@@ -126,6 +136,82 @@ void CoherentGrid::findMacroBounds()
           }
         });
     });
+}
+
+/// Runs of the slots in the macrocells that accepts(macrocell).
+template <typename Accepts>
+std::vector<SlotRun> CoherentGrid::runsOf(const Accepts& accepts) const
+{
+  std::vector<SlotRun> runs;
+  std::vector<std::pair<int, int>> stretches; // of cells along x, in a row of macrocells
+  for (const Layer& layer : layers_)
+    for (int macroRow = 0; macroRow < layer.macroResolution.y * layer.macroResolution.z; ++macroRow)
+    {
+      stretches.clear();
+      for (int x = 0; x < layer.macroResolution.x; ++x)
+        if (accepts(layer.firstMacrocell +
+                    static_cast<std::size_t>(macroRow) * layer.macroResolution.x + x))
+        {
+          const int begin = x * macrocellSize;
+          if (stretches.empty() || stretches.back().second != begin)
+            stretches.emplace_back(begin, begin);
+          stretches.back().second = std::min(layer.resolution.x, begin + macrocellSize);
+        }
+      if (!stretches.empty())
+        forRowsOf(layer, macroRow,
+          [&](const std::uint32_t* start, std::uint64_t base)
+          {
+            for (const auto& [begin, end] : stretches)
+              addRun(runs, base + start[begin], base + start[end]);
+          });
+    }
+  return runs;
+}
+
+std::vector<SlotRun> CoherentGrid::slotsBetween(int k, double low, double high) const
+{
+  if (macroBounds_.empty())
+    return StoredParticles::slotsBetween(k, low, high);
+  const double shift = k < 3 ? origin_[k] : 0.0;
+  return runsOf(
+    [&](std::size_t i)
+    {
+      return shift + unit_ * double(macroBounds_[i].greatest[k]) >= low &&
+             shift + unit_ * double(macroBounds_[i].least[k]) <= high;
+    });
+}
+
+std::size_t CoherentGrid::shownCount() const
+{
+  const CoherentGridView view(*this);
+  if (view.ranges.limits == 0)
+    return countBits(shown_, count_);
+  const auto isAllShown = [&](std::size_t i)
+  {
+    bool all = shown_.empty() && macroHasNaN_[i] == 0;
+    for (int k = 0; k < view.ranges.limits && all; ++k)
+    {
+      const int value = view.ranges.value[k];
+      all = macroBounds_[i].least[value] >= view.ranges.lower[k] &&
+            macroBounds_[i].greatest[value] <= view.ranges.upper[k];
+    }
+    return all;
+  };
+  std::size_t count = 0;
+  for (const SlotRun& run :
+    runsOf([&](std::size_t i) { return macrocellShown_[i] && isAllShown(i); }))
+    count += run.last - run.first;
+  const auto mixed = runsOf([&](std::size_t i) { return macrocellShown_[i] && !isAllShown(i); });
+  return count + tbb::parallel_reduce(
+                   tbb::blocked_range<std::size_t>(0, mixed.size(), 64), std::size_t{0},
+                   [&](const tbb::blocked_range<std::size_t>& range, std::size_t sum)
+                   {
+                     for (std::size_t r = range.begin(); r != range.end(); ++r)
+                       for (std::size_t slot = mixed[r].first; slot < mixed[r].last; ++slot)
+                         sum += static_cast<std::size_t>(view.isShown(slot));
+                     return sum;
+                   },
+                   std::plus<>());
 }
 
 void CoherentGrid::findShown()

@@ -7,6 +7,7 @@
 #include "NearParticle.h"
 #include "ParticleRanges.h"
 #include "ParticleSet.h"
+#include "StoredParticles.h"
 
 #include <concepts>
 #include <cstdint>
@@ -71,8 +72,14 @@ concept IsParticleStructure = std::default_initializable<S> && std::copyable<S> 
   // several threads. An empty function shows all again.
   made.setVisibility(std::function<bool(std::size_t)>());
 
-  // Whether visibility and ranges leave the particle shown.
+  // Whether visibility and ranges leave the particle shown, and how many they leave.
   requires std::same_as<decltype(held.isShown(slot)), bool>;
+  requires std::same_as<decltype(held.shownCount()), std::size_t>;
+
+  // Runs of slots that hold, beside others, all particles with center(slot)[k], or with k = 3
+  // radius(slot), in a range: slotsBetween(k, low, high). Each slot is in one run at most, and no
+  // run is longer than SlotRun::longest, so that they suit loops in parallel.
+  requires std::same_as<decltype(held.slotsBetween(0, 0.0, 1.0)), std::vector<SlotRun>>;
 
   // Adds to `found` the shown particles whose spheres come closer to a point, in the input's
   // coordinates, than a distance, in no special order: findNear(point, distance, found).

@@ -51,6 +51,11 @@ void PkdPaperTree::setRanges(const ParticleRanges& ranges)
   findShown();
 }
 
+std::size_t PkdPaperTree::shownCount() const
+{
+  return countBits(shown_, count_);
+}
+
 void PkdPaperTree::findShown()
 {
   const StoredRanges stored(ranges_, origin_, unit_, !values_.empty());

@@ -62,6 +62,7 @@ public:
   {
     return shown_.empty() || (shown_[slot / 64] >> (slot % 64) & 1) != 0;
   }
+  std::size_t shownCount() const;
   void findNear(const Vec3d& point, double distance, std::vector<NearParticle>& found) const;
 
   Vec3d center(std::size_t slot) const

@@ -99,6 +99,9 @@ public:
   void setRanges(const ParticleRanges& ranges);
   void setVisibility(const std::function<bool(std::size_t slot)>& shown);
   bool isShown(std::size_t slot) const;
+  std::size_t shownCount() const;
+  /// Looks at nodes, not at particles.
+  std::vector<SlotRun> slotsBetween(int k, double low, double high) const;
   void findNear(const Vec3d& point, double distance, std::vector<NearParticle>& found) const;
 
   PkdTreeOptions::Form form() const { return static_cast<PkdTreeOptions::Form>(3 - placeRows_); }

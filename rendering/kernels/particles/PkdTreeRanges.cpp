@@ -246,4 +246,32 @@ void PkdTree::findInRange(const StoredRanges& stored)
   PkdTreeQuery{*this, stored}.visit(levels_.size() - 1, 0, everywhere, (1u << stored.limits) - 1);
 }
 
+std::vector<SlotRun> PkdTree::slotsBetween(int k, double low, double high) const
+{
+  if (k > 2 || levels_.empty())
+    return StoredParticles::slotsBetween(k, low, high);
+  const auto axis = static_cast<std::size_t>(k);
+  const double lower = (low - origin_[k]) / unit_, upper = (high - origin_[k]) / unit_;
+  std::vector<SlotRun> runs;
+  const auto visit = [&](const auto& self, std::size_t level, std::size_t i) -> void
+  {
+    const Node& node = nodes_[levels_[level].first + i];
+    const std::size_t first = i * fanout;
+    const std::size_t children = level == 0 ? buckets() : levels_[level - 1].count;
+    const std::size_t last = std::min<std::size_t>(children, first + fanout);
+    for (std::size_t child = first; child < last; ++child)
+    {
+      const PkdTreeQuery::Box box = PkdTreeQuery::childBox(node, child - first);
+      if (box.upper[axis] < lower || box.lower[axis] > upper)
+        continue;
+      if (level > 0)
+        self(self, level - 1, child);
+      else
+        addRun(runs, child * bucketSize, std::min(count_, (child + 1) * bucketSize));
+    }
+  };
+  visit(visit, levels_.size() - 1, 0);
+  return runs;
+}
+
 } // namespace mote

@@ -51,6 +51,11 @@ void PkdTree::setRanges(const ParticleRanges& ranges)
   findShown();
 }
 
+std::size_t PkdTree::shownCount() const
+{
+  return countBits(shown_, count_);
+}
+
 void PkdTree::findShown()
 {
   const StoredRanges stored(ranges_, origin_, unit_, !values_.empty());

@@ -36,6 +36,26 @@ void StoredParticles::checkAttributes(
   }
 }
 
+std::vector<SlotRun> StoredParticles::slotsBetween(int, double, double) const
+{
+  std::vector<SlotRun> runs;
+  addRun(runs, 0, count_);
+  return runs;
+}
+
+void StoredParticles::addRun(std::vector<SlotRun>& runs, std::size_t first, std::size_t last)
+{
+  if (!runs.empty() && runs.back().last == first)
+  {
+    first = runs.back().first;
+    runs.pop_back();
+  }
+  for (; last - first > SlotRun::longest; first += SlotRun::longest)
+    runs.push_back({first, first + SlotRun::longest});
+  if (first < last)
+    runs.push_back({first, last});
+}
+
 void StoredParticles::keepRanges(const ParticleRanges& ranges)
 {
   for (int k = 4; k < ParticleRanges::count; ++k)

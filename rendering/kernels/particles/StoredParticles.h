@@ -11,12 +11,21 @@
 namespace mote
 {
 
+/// Slots from `first` to before `last`.
+struct SlotRun
+{
+  static constexpr std::size_t longest = 1 << 15;
+  std::size_t first, last;
+};
+
 /// What every structure keeps beside arrays of its own. See IsParticleStructure for the functions.
 class StoredParticles
 {
 public:
   std::size_t size() const { return count_; }
   const ParticleStatistics& statistics() const { return statistics_; }
+  /// All slots, which is what structures answer that know no better.
+  std::vector<SlotRun> slotsBetween(int k, double low, double high) const;
   const Vec3d& origin() const { return origin_; }
   double unit() const { return unit_; }
 
@@ -33,6 +42,8 @@ protected:
   /// Throws Error where a range is on an attribute and there are none.
   void keepRanges(const ParticleRanges& ranges);
   void clear() { *this = {}; }
+  /// Adds slots to the runs, as one more or at the end of the last.
+  static void addRun(std::vector<SlotRun>& runs, std::size_t first, std::size_t last);
 
   ParticleStatistics statistics_;
   Vec3d origin_{0.0};

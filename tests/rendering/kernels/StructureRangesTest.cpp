@@ -47,6 +47,7 @@ struct Attributed
         left.add(particles.center(i), particles.radii[i]);
         indices.push_back(i);
       }
+    EXPECT_EQ(grid.shownCount(), indices.size());
     Structure alone;
     alone.build(left.set());
     std::size_t hits = 0;
@@ -110,6 +111,39 @@ TYPED_TEST(StructureRanges, EachOfTheEightValuesSelects)
     { return a.smooth[i] >= 0.25f && a.smooth[i] <= 0.75f && a.noise[i] <= 0.1; });
   a.grid.setRanges({});
   a.expectOnly([](std::size_t) { return true; });
+}
+
+TYPED_TEST(StructureRanges, SlotsBetweenHoldAllThatLieThereOnce)
+{
+  Attributed<TypeParam> a;
+  const auto placeOf = [&](std::size_t slot, int k)
+  { return k < 3 ? a.grid.center(slot)[k] : a.grid.radius(slot); };
+  for (const bool isLimited : {false, true}) // which has structures look values over
+  {
+    ParticleRanges ranges;
+    if (isLimited)
+      ranges.lower[0] = 0.1;
+    a.grid.setRanges(ranges);
+    for (int k = 0; k < 4; ++k)
+      for (const auto& [low, high] : {std::pair(-0.3, 0.2), std::pair(0.05, 0.06),
+             std::pair(placeOf(70, k), placeOf(70, k)), std::pair(5.0, 6.0)})
+      {
+        std::vector<int> met(a.grid.size(), 0);
+        for (const SlotRun& run : a.grid.slotsBetween(k, low, high))
+        {
+          EXPECT_GT(run.last, run.first);
+          EXPECT_LE(run.last - run.first, SlotRun::longest);
+          for (std::size_t slot = run.first; slot < run.last; ++slot)
+            ++met.at(slot);
+        }
+        for (std::size_t slot = 0; slot < met.size(); ++slot)
+        {
+          const double place = placeOf(slot, k);
+          ASSERT_LE(met[slot], 1) << k;
+          ASSERT_GE(met[slot], place >= low && place <= high ? 1 : 0) << k;
+        }
+      }
+  }
 }
 
 TYPED_TEST(StructureRanges, LimitsBelongToTheRangeAndFloatRoundsInwards)

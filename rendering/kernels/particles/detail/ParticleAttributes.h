@@ -5,9 +5,11 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -72,6 +74,24 @@ void keepVisibility(
     findBits(count, words, shown);
   else
     RawVector<Word>().swap(words);
+}
+
+/// How many of `count` slots have their bits set; all where there are no bits. Those past the last
+/// slot are not set.
+template <typename Word>
+std::size_t countBits(const RawVector<Word>& words, std::size_t count)
+{
+  if (words.empty())
+    return count;
+  return tbb::parallel_reduce(
+    tbb::blocked_range<std::size_t>(0, words.size(), 16384), std::size_t{0},
+    [&](const tbb::blocked_range<std::size_t>& range, std::size_t sum)
+    {
+      for (std::size_t w = range.begin(); w != range.end(); ++w)
+        sum += static_cast<std::size_t>(std::popcount(words[w]));
+      return sum;
+    },
+    std::plus<>());
 }
 
 } // namespace mote
