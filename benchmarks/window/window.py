@@ -1,0 +1,299 @@
+#!/usr/bin/env python3
+"""Measures the window as a user sees it: what changes on the screen, and when.
+
+    xvfb-run -a -s '-screen 0 1600x1100x24 -noreset' python3 benchmarks/window/window.py \\
+        build/release/bin/mote [drag] [panel] [fps] [steps]
+
+drag   frames a range slider brings while it is dragged, 8 million particles
+panel  frames of the panel alone, while the mouse moves over it
+fps    frames while the view turns with --fps 5, 10, 20: how many are held within 20 %
+steps  from the key to the first changed pixel, 2 million particles: a time step that was read
+       ahead, and one that was not but that the system has in its memory
+
+Needs xdotool's libraries (libX11, libXtst) and a display of 1600x1100. Prints Markdown tables.
+"""
+
+import argparse
+import ctypes
+import os
+import pathlib
+import statistics
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import zlib
+
+here = pathlib.Path(__file__).resolve().parent
+
+
+class Image(ctypes.Structure):  # the beginning of an XImage
+    _fields_ = [("width", ctypes.c_int), ("height", ctypes.c_int), ("offset", ctypes.c_int),
+                ("format", ctypes.c_int), ("data", ctypes.c_void_p), ("order", ctypes.c_int * 4),
+                ("depth", ctypes.c_int), ("bytes_per_line", ctypes.c_int)]
+
+
+class Screen:
+    """The display that DISPLAY names: its pixels, its mouse, its keys."""
+
+    def __init__(self):
+        self.x11, self.xtest = ctypes.CDLL("libX11.so.6"), ctypes.CDLL("libXtst.so.6")
+        pointer, number, long = ctypes.c_void_p, ctypes.c_int, ctypes.c_ulong
+        for library, name, result, arguments in (
+                (self.x11, "XOpenDisplay", pointer, [ctypes.c_char_p]),
+                (self.x11, "XDefaultRootWindow", long, [pointer]),
+                (self.x11, "XGetImage", ctypes.POINTER(Image),
+                 [pointer, long, number, number, number, number, long, number]),
+                (self.x11, "XDestroyImage", number, [pointer]),
+                (self.x11, "XStringToKeysym", long, [ctypes.c_char_p]),
+                (self.x11, "XKeysymToKeycode", number, [pointer, long]),
+                (self.x11, "XFlush", number, [pointer]),
+                (self.xtest, "XTestFakeKeyEvent", number, [pointer, number, number, long]),
+                (self.xtest, "XTestFakeButtonEvent", number, [pointer, number, number, long]),
+                (self.xtest, "XTestFakeMotionEvent", number,
+                 [pointer, number, number, number, long])):
+            function = getattr(library, name)
+            function.restype, function.argtypes = result, arguments
+        self.display = self.x11.XOpenDisplay(None)
+        if not self.display:
+            sys.exit("No display: run this under xvfb-run.")
+        self.root = self.x11.XDefaultRootWindow(self.display)
+
+    def pixels(self, x, y, width, height):
+        """A fingerprint of a rectangle."""
+        image = self.x11.XGetImage(self.display, self.root, x, y, width, height, 0xffffffff, 2)
+        size = image.contents.bytes_per_line * height
+        found = zlib.crc32(ctypes.string_at(image.contents.data, size))
+        self.x11.XDestroyImage(ctypes.cast(image, ctypes.c_void_p))
+        return found
+
+    def move(self, x, y):
+        self.xtest.XTestFakeMotionEvent(self.display, -1, int(x), int(y), 0)
+        self.x11.XFlush(self.display)
+
+    def button(self, down):
+        self.xtest.XTestFakeButtonEvent(self.display, 1, int(down), 0)
+        self.x11.XFlush(self.display)
+
+    def press(self, key):
+        code = self.x11.XKeysymToKeycode(self.display, self.x11.XStringToKeysym(key.encode()))
+        self.xtest.XTestFakeKeyEvent(self.display, code, 1, 0)
+        self.xtest.XTestFakeKeyEvent(self.display, code, 0, 0)
+        self.x11.XFlush(self.display)
+
+    def still(self, rectangle, quiet=1.5, limit=60.0):
+        """Waits until nothing has changed there for a while; the fingerprint."""
+        last, since, start = self.pixels(*rectangle), time.time(), time.time()
+        while time.time() - since < quiet and time.time() - start < limit:
+            time.sleep(0.03)
+            now = self.pixels(*rectangle)
+            if now != last:
+                last, since = now, time.time()
+        return last
+
+
+class Window:
+    """The program, in a window of its own."""
+
+    width, height = 1344, 1024  # of which the panel takes 320
+    view = (400, 510, 860, 4)  # what is looked at of the view: x, y, width, height
+
+    def __init__(self, screen, mote, folder, *arguments):
+        self.screen = screen
+        self.controls = folder / "controls"
+        self.controls.write_text("")
+        state = folder / "state" / "mote"
+        state.mkdir(parents=True, exist_ok=True)
+        (state / "state.json").write_text('{"hints": false}')
+        self.process = subprocess.Popen(
+            [mote, *map(str, arguments), "--size", f"{self.width}x{self.height}"],
+            env={**os.environ, "MOTE_CONTROLS": str(self.controls),
+                 "XDG_STATE_HOME": str(folder / "state")}, cwd=folder)
+        for _ in range(600):
+            if self.place("Undo"):
+                break
+            time.sleep(0.1)
+        else:
+            self.close()
+            sys.exit("The window does not come up.")
+        screen.still(self.view, 3.0)
+
+    def place(self, name, fx=0.5, fy=0.5):
+        """A place on a control, as shares of its width and height; none where it is not there."""
+        for line in self.controls.read_text().splitlines():
+            parts = line.rsplit(None, 4)
+            if len(parts) == 5 and parts[0] == name:
+                x0, y0, x1, y1 = map(float, parts[1:])
+                return int(x0 + fx * (x1 - x0)), int(y0 + fy * (y1 - y0))
+        return None
+
+    def shown(self, name):
+        for _ in range(200):
+            if place := self.place(name):
+                return place
+            time.sleep(0.05)
+        self.close()
+        sys.exit(f"The panel has no control {name}.")
+
+    def inputs(self, least=0):
+        """Presses and releases that the panel has seen, once it is done with at least so many."""
+        for _ in range(400):
+            for parts in map(str.split, self.controls.read_text().splitlines()):
+                if parts[:1] == ["inputs"] and int(parts[1]) >= least and parts[2] == "0":
+                    return int(parts[1])
+            time.sleep(0.05)
+        self.close()
+        sys.exit("The panel does not settle.")
+
+    def click(self, name):
+        self.screen.move(*self.shown(name))
+        time.sleep(0.3)
+        before = self.inputs()
+        self.screen.button(True)
+        self.screen.button(False)
+        self.inputs(before + 2)
+
+    def close(self):
+        self.process.terminate()
+        self.process.wait()
+
+
+def frames(screen, rectangle, path, seconds=6.0):
+    """Times between changes of a rectangle, s, while the mouse goes to and fro along a path."""
+    times, over = [], threading.Event()
+
+    def watch():
+        eyes = Screen()
+        last = eyes.pixels(*rectangle)
+        while not over.is_set():
+            now = eyes.pixels(*rectangle)
+            if now != last:
+                times.append(time.time())
+                last = now
+            time.sleep(0.002)
+
+    thread = threading.Thread(target=watch)
+    thread.start()
+    start = time.time()
+    while (passed := time.time() - start) < seconds:
+        share = passed % 4.0 / 2.0
+        screen.move(*path(share if share < 1.0 else 2.0 - share))
+        time.sleep(1 / 60)
+    over.set()
+    thread.join()
+    # The first may have been asked for by what came before.
+    return [b - a for a, b in zip(times[1:], times[2:])]
+
+
+def line(first, second, y):
+    return lambda share: (first + share * (second - first), y)
+
+
+def row(name, gaps, more=""):
+    if len(gaps) < 5:
+        sys.exit(f"{name}: only {len(gaps)} frames")
+    ninth = sorted(gaps)[int(0.9 * len(gaps))]
+    print(f"| {name} | {len(gaps)} | {1000 * statistics.median(gaps):.0f} | {1000 * ninth:.0f} |"
+          f"{more}", flush=True)
+
+
+def many(folder, side):
+    file = folder / f"many{side}.vtp"
+    if not file.exists():
+        subprocess.run([sys.executable, here / "../../tests/app/many_particles.py", file,
+                        str(side)], check=True)
+    return file
+
+
+def measure_drag(screen, mote, folder):
+    print("| dragged range, 8 M particles | frames | median, ms | nine of ten within, ms |\n|---|---|---|---|")
+    for name in ("x", "height"):
+        window = Window(screen, mote, folder, many(folder, 200))
+        window.click("show")
+        window.click(name)
+        window.shown("histogram")
+        time.sleep(3.0)
+        x0, y = window.place("histogram", 0.02)
+        x1, _ = window.place("histogram", 0.98)
+        screen.move(*window.place("histogram", 0.0))
+        time.sleep(0.3)
+        screen.button(True)
+        gaps = frames(screen, Window.view, line(x0, x1, y))
+        screen.button(False)
+        window.close()
+        row(name, gaps)
+
+
+def measure_panel(screen, mote, folder):
+    print("| the panel alone | frames | median, ms | nine of ten within, ms |\n|---|---|---|---|")
+    window = Window(screen, mote, folder, many(folder, 200))
+    (x0, y), (x1, _) = window.shown("Undo"), window.shown("Command")
+    gaps = frames(screen, (0, y - 8, 320, 16), line(x0, x1, y))
+    window.close()
+    row("mouse over its buttons", gaps)
+
+
+def measure_fps(screen, mote, folder):
+    print("| turned with | frames | median, ms | nine of ten within, ms | as asked, 20 % |\n|---|---|---|---|---|")
+    for side in (126, 200):
+        for fps in (5, 10, 20):
+            window = Window(screen, mote, folder, many(folder, side), "--fps", fps)
+            screen.move(600, 700)
+            time.sleep(0.3)
+            screen.button(True)
+            gaps = frames(screen, Window.view, line(600, 1100, 700))
+            screen.button(False)
+            window.close()
+            held = sum(0.8 / fps <= gap <= 1.2 / fps for gap in gaps) / len(gaps)
+            late = sum(gap > 1.2 / fps for gap in gaps) / len(gaps)
+            row(f"--fps {fps}, {side ** 3 / 1e6:.0f} M particles", gaps,
+                f" {100 * held:.0f} % (longer: {100 * late:.0f} %) |")
+
+
+def measure_steps(screen, mote, folder):
+    print("| time step, 2 M particles | changes | median, ms | nine of ten within, ms |\n|---|---|---|---|")
+    files = []
+    for step in range(8):
+        file = folder / f"step{step}.vtp"
+        if not file.exists():
+            file.symlink_to(many(folder, 126 + step % 2))
+        files.append(file)
+    for name, cache in (("read ahead", "4G"), ("in the system's memory", "0")):
+        window = Window(screen, mote, folder, *files, "--cache", cache)
+        screen.move(800, 500)
+        time.sleep(5.0)
+        gaps = []
+        for key in ["Home"] + 7 * ["Right"] + 7 * ["Left"]:
+            before = screen.still(Window.view, 2.0)
+            start = time.time()
+            screen.press(key)
+            while screen.pixels(*Window.view) == before and time.time() - start < 10.0:
+                time.sleep(0.002)
+            gaps.append(time.time() - start)
+        window.close()
+        row(name, gaps[1:])
+
+
+def main():
+    parts = {"drag": measure_drag, "panel": measure_panel, "fps": measure_fps,
+             "steps": measure_steps}
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("mote", help="the program")
+    parser.add_argument("parts", nargs="*", metavar="part",
+                        help=f"{', '.join(parts)}; all where none is named")
+    arguments = parser.parse_args()
+    wrong = [part for part in arguments.parts if part not in parts]
+    if wrong:
+        parser.error(f"no part {wrong[0]}: {', '.join(parts)}")
+    mote = pathlib.Path(arguments.mote).resolve()
+    screen = Screen()
+    with tempfile.TemporaryDirectory() as folder:
+        for part in arguments.parts or parts:
+            parts[part](screen, mote, pathlib.Path(folder))
+            print(flush=True)
+
+
+if __name__ == "__main__":
+    main()

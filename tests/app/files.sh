@@ -1,0 +1,153 @@
+#!/usr/bin/env bash
+# files.sh MOTE DATA CASE: one test of files that Mote writes and makes. None of them may need a display.
+tests=$(realpath "$(dirname "$0")")
+source "$tests/common.sh"
+unset DISPLAY
+hopper=$data/hopper.dump.gz
+copper=$data/copper-scratch.dump.gz
+
+case $3 in
+  convert) # a file of its own gives the picture that the dump gives
+    run 0 "$mote" convert "$copper" a.mote
+    said out 'a.mote: '
+    said out 'built in'
+    [ ! -s err ] || { cat err; fail "something on standard error"; }
+    run 0 "$mote" info a.mote
+    for text in c_centro vtkOriginalPointIds 'time steps' spacing bounds; do said out "$text"; done
+    for extra in '' '--show c_centro=5:' '--radius 0.9 --color-by type' '--radius-scale 0.7'; do
+      # shellcheck disable=SC2086
+      run 0 "$mote" render "$copper" -o a.png --size 320x200 --caption '' $extra
+      # shellcheck disable=SC2086
+      run 0 "$mote" render a.mote -o b.png --size 320x200 --caption '' $extra
+      is_picture b.png 320x200
+      if command -v python3 >/dev/null; then
+        wrong= bias=
+        read -r wrong bias < <(python3 "$tests/compare_png.py" a.png b.png)
+        [ -n "$bias" ] && [ "$wrong" -le 20 ] && [ "${bias#-}" -le 50 ] ||
+          fail "the pictures differ: $wrong in 10,000 pixels, bias $bias, with '$extra'"
+      fi
+    done
+    run 0 "$mote" convert a.mote b.mote # and again
+    cmp a.mote b.mote || fail "a file written from a file is another"
+    run 0 "$mote" convert "$copper" c.mote --radius 0.5 --step first
+    cmp -s a.mote c.mote && fail "options changed nothing"
+    for form in exact 8-byte 4-byte; do
+      run 0 "$mote" convert "$copper" "$form.mote" --form "$form"
+      run 0 "$mote" info "$form.mote"
+      said out "$form, coordinates off by up to"
+      run 0 "$mote" info --json "$form.mote"
+      said out "\"form\": \"$form\""
+      run 0 "$mote" render "$form.mote" -o a.png --size 320x200
+      is_picture a.png 320x200
+    done
+    cmp a.mote exact.mote || fail "the exact form is not what is written without --form"
+    [ "$(wc -c <4-byte.mote)" -lt "$(wc -c <8-byte.mote)" ] &&
+      [ "$(wc -c <8-byte.mote)" -lt "$(wc -c <exact.mote)" ] || fail "short forms are not shorter"
+    run 0 "$mote" convert 4-byte.mote again.mote
+    cmp 4-byte.mote again.mote || fail "a file's form was not kept"
+    run 1 "$mote" convert "$copper" d.mote --form 4-byte --radius 0.001
+    one_sentence
+    said err 'of the smallest radius, 0.001'
+    [ ! -e d.mote ] || fail "a file in spite of an error"
+    run 1 "$mote" convert "$copper" "$hopper"
+    one_sentence
+    said err .mote
+    run 1 "$mote" convert a.mote
+    one_sentence
+    run 1 "$mote" convert "$copper" no/folder/a.mote
+    one_sentence
+    run 2 "$mote" convert
+    head -c 5000 a.mote >short.mote
+    run 1 "$mote" render short.mote -o a.png
+    one_sentence
+    said err 'cut short'
+    (
+      trap '' XFSZ
+      ulimit -f 100
+      "$mote" convert "$copper" full.mote >/dev/null 2>err
+    )
+    [ $? = 1 ] || fail "a full disk went unnoticed"
+    one_sentence
+    [ -z "$(ls -A | grep -e full -e tmp)" ] || { ls -A; fail "something was left"; }
+    ;;
+
+  generated) # particles that are made, wherever a file may be named
+    for input in lattice:5000 random:5000:0.01 varied:5000; do
+      run 0 "$mote" info "$input"
+      grep -q -e '4,913 points' -e '5,000 points' out || fail "not so many points"
+      run 0 "$mote" convert "$input" a.mote
+      run 0 "$mote" convert "$input" b.mote --memory 1K
+      cmp a.mote b.mote || fail "by way of scratch files it is another"
+      run 0 "$mote" render "$input" -o a.png --size 320x200 --caption ''
+      run 0 "$mote" render a.mote -o b.png --size 320x200 --caption ''
+      is_picture a.png 320x200
+      if command -v python3 >/dev/null; then
+        wrong= bias=
+        read -r wrong bias < <(python3 "$tests/compare_png.py" a.png b.png)
+        [ -n "$bias" ] && [ "$wrong" -le 20 ] || fail "the pictures of $input differ: $wrong"
+      fi
+    done
+    run 0 "$mote" render lattice:5000 -o b.png --size 320x200 --radius 0.01 --show x=0.2:0.5
+    said out 'of 4,913 particles shown'
+    run 0 "$mote" convert lattice:5000 c.mote --radius 0.01
+    cmp -s a.mote c.mote && fail "options changed nothing"
+    for wrong in lattice: lattice:x random:5 random:5:0 lattice:99999999999999; do
+      run 1 "$mote" render "$wrong" -o c.png
+      one_sentence
+      said err "$wrong: "
+      [ ! -e c.png ] || fail "a picture of $wrong"
+    done
+    run 1 "$mote" convert lattice:x d.mote
+    one_sentence
+    cp "$hopper" lattice:8 # a file of that name
+    run 0 "$mote" info lattice:8
+    said out '5,518 points'
+    ;;
+
+  streamed) # as much through files as there is: the same bytes, and nothing is left
+    zcat "$copper" >copper.dump
+    { echo 3; echo; echo 'O 0 0 0'; echo 'H 1 0 0'; echo 'H 0 1 0'; } >water.xyz
+    for input in "$copper" copper.dump "$hopper" water.xyz; do
+      run 0 "$mote" convert "$input" a.mote
+      cp err said
+      for memory in 1 300K; do
+        run 0 "$mote" convert "$input" b.mote --memory $memory
+        cmp a.mote b.mote || fail "with $memory another file"
+        sed 's/b\.mote/a.mote/' err | cmp said - || fail "something else is said"
+      done
+    done
+    (
+      trap '' XFSZ
+      ulimit -f 100
+      "$mote" convert "$copper" full.mote --memory 1K >/dev/null 2>err
+    )
+    [ $? = 1 ] || fail "a full disk went unnoticed"
+    one_sentence
+    said err full.mote
+    run 2 "$mote" convert "$copper" a.mote --memory 0
+    run 2 "$mote" convert "$copper" a.mote --memory much
+    # stopped on the way, and killed
+    for signal in INT KILL; do
+      timeout --preserve-status -s $signal 2 "$mote" convert random:100000000:0.0005 \
+        stopped.mote --memory 1M >out 2>err
+      [ $signal = KILL ] || said err interrupted
+    done
+    mkdir full
+    if mount -t tmpfs -o size=1m none full 2>/dev/null; then
+      run 1 "$mote" convert "$copper" full/a.mote --memory 1K
+      one_sentence
+      run 1 "$mote" convert random:200000:0.001 full/a.mote
+      one_sentence
+      said err 'disk is full'
+      left=$(ls -A full)
+      umount full
+      [ -z "$left" ] || fail "left: $left"
+    fi
+    rmdir full
+    left=$(ls -A | grep -v -x -e out -e err -e said -e 'copper.dump' -e 'water.xyz' -e '[ab].mote')
+    [ -z "$left" ] || fail "left: $left"
+    ;;
+
+  *) fail "no such case: $3" ;;
+esac
+echo "$3: passed"
