@@ -99,10 +99,7 @@ void animate(const Settings& given)
   const double start = vtkTimerLog::GetUniversalTime();
   input.open(progress);
   int step = input.chosenStep(settings);
-  const auto data = input.read(step, progress);
-  if (settings.light.ambientOcclusion == "baked")
-    addOcclusionMaps(data);
-  stage.setData(data);
+  readStep(stage, input, step, progress);
   requireTraced(stage);
   stage.build(progress);
   stage.applyColors();

@@ -140,4 +140,12 @@ void addOcclusionMaps(const std::vector<NamedData>& data)
   }
 }
 
+void readStep(Stage& stage, Input& input, int step, ProgressRelay& progress)
+{
+  const std::vector<NamedData> data = input.read(step, progress);
+  if (stage.settings().light.ambientOcclusion == "baked")
+    addOcclusionMaps(data);
+  stage.setData(data);
+}
+
 } // namespace mote::app

@@ -111,10 +111,7 @@ void showFrame(
   bool isOther = stage.apply(frame);
   if (const int next = input.chosenStep(frame); next != step)
   {
-    const auto data = input.read(next, progress);
-    if (frame.light.ambientOcclusion == "baked")
-      addOcclusionMaps(data);
-    stage.setData(data);
+    readStep(stage, input, next, progress);
     step = next;
     isOther = true;
   }

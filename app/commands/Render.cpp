@@ -85,10 +85,7 @@ void render(const Settings& given)
   const auto show = [&](int step)
   {
     const double start = vtkTimerLog::GetUniversalTime();
-    const auto data = input.read(step, progress);
-    if (settings.light.ambientOcclusion == "baked")
-      addOcclusionMaps(data);
-    stage.setData(data);
+    readStep(stage, input, step, progress);
     const double seconds = vtkTimerLog::GetUniversalTime() - start;
     requireTraced(stage);
     stage.build(progress);
