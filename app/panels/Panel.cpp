@@ -135,6 +135,7 @@ void Panel::drawGroups(const PanelFacts& facts)
   drawMessages(facts.messages);
   if (facts.steps > 1 || next_.output.follow)
     this->drawTime(facts);
+  this->drawGroup("Data", &Panel::drawData);
   this->drawGroup("Colour", &Panel::drawColour);
   this->drawGroup("Selection", &Panel::drawSelection);
   this->drawPicked(facts.picked);
@@ -143,12 +144,12 @@ void Panel::drawGroups(const PanelFacts& facts)
     this->drawGroup("Volume", &Panel::drawVolume);
   if (found_.hasParticles)
     this->drawGroup("Radius", nullptr);
-  this->drawGroup("Light", nullptr);
+  this->drawGroup("Light", &Panel::drawLight);
   this->drawGroup("Silhouettes", nullptr);
   this->drawGroup("Camera", &Panel::drawCamera);
   this->drawGroup("Picture", nullptr);
   // Groups that come to the table later are seen without a word here.
-  std::vector<std::string> known = {"Data", "Volume", "Radius", "Structure"};
+  std::vector<std::string> known = {"Volume", "Radius", "Structure"};
   for (const Row& row : settingsTable())
     if (drawn_.count(row.name) == 0 &&
         std::find(known.begin(), known.end(), row.group) == known.end())
@@ -218,7 +219,8 @@ bool Panel::drawRow(const std::string& name, const std::string& label)
 
 void Panel::drawGroup(const std::string& group, void (Panel::*first)())
 {
-  const bool isFirst = group == "Colour" || group == "Selection" || group == "Volume";
+  const bool isFirst = group == "Colour" || group == "Selection" || group == "Volume" ||
+                       (group == "Data" && stage_.parts().size() > 1);
   const bool isOpen = ImGui::CollapsingHeader((group + "##group").c_str(),
     isFirst ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
   noteControl("group " + group);
@@ -298,11 +300,12 @@ void Panel::drawColour()
     this->drawColourRange();
   }
   this->drawRow("color-map", "map");
+  this->drawRow("nan-color", "no number");
   this->drawRow("calculate");
   if (coloring.isTyped())
     drawn_.insert({"range", "reverse", "log"});
   else
-    drawn_.insert("types");
+    drawn_.insert({"types", "type-names"});
 }
 
 void Panel::drawColourRange()
@@ -366,6 +369,21 @@ void Panel::drawVolume()
   preset("Falling", {{0.0, true, 0.8}, {100.0, true, 0.0}});
   preset("Even", {{0.0, true, 0.2}, {100.0, true, 0.2}});
   ImGui::NewLine();
+  this->drawIsosurfaces(histogram);
+}
+
+/// Values of isosurfaces as lines over the histogram.
+void Panel::drawIsosurfaces(const Histogram& histogram)
+{
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("isosurfaces");
+  ImGui::SameLine(0.42f * ImGui::GetWindowContentRegionMax().x);
+  if (buttonOf("Add isosurface") && !histogram.isEmpty())
+    next_.volume.isoValues.push_back(newIsoValue(histogram, next_.volume.isoValues));
+  explainKey("One more, between the others; then drag its line\n--iso");
+  if (!next_.volume.isoValues.empty())
+    isoControl("iso lines", histogram, stage_.coloring().table(), next_.volume.isoValues);
+  this->drawRow("iso", "values");
 }
 
 void Panel::drawCamera()
@@ -385,6 +403,7 @@ void Panel::drawCamera()
   if (buttonOf("Reset"))
     this->wish(Action::ResetView);
   explainKey("r");
+  this->drawViews();
 }
 
 void Panel::drawCosts(const PanelFacts& facts)

@@ -78,8 +78,10 @@ private:
   {
     std::vector<std::pair<vtkDataSet*, unsigned long>> key; ///< with their times of change
     std::vector<NamedArray> arrays;
-    std::map<std::string, Kinds> kinds; ///< by the array's text; none where it has no types
+    std::map<std::string, Kinds> kinds;         ///< by the array's text; none where it has no types
+    std::map<std::string, TypeNames> typeNames; ///< by the array's text
     std::map<std::string, Histogram> histograms; ///< by the array's text, or a place
+    std::map<std::pair<vtkDataSet*, std::string>, std::string> ranges; ///< of arrays, in words
     bool hasParticles = false, hasVolumes = false;
   };
 
@@ -95,11 +97,14 @@ private:
   void drawTime(const PanelFacts& facts);
   void drawCache(const PanelFacts& facts);
   void drawStep(const PanelFacts& facts);
+  void drawData();
+  void drawArrays(const Part& part, const std::string& name);
   void drawColour();
   void drawColourRange();
   void drawSelection();
   bool drawShown(ShowRange& range);
   const Kinds& kindsOf(const NamedArray& array);
+  std::string nameOf(const NamedArray& array, int kind) const;
   void drawKind(const NamedArray& array, const Kinds::value_type& kind, std::vector<bool>& shown,
     std::size_t i) const;
   void drawKinds(const NamedArray& array, const Kinds& kinds);
@@ -107,7 +112,10 @@ private:
   void drawPicked(const PickedFacts& facts);
   void drawPlot(const PickedFacts& facts);
   void drawVolume();
+  void drawIsosurfaces(const Histogram& histogram);
+  void drawLight();
   void drawCamera();
+  void drawViews();
   void drawFilm();
   void drawKeyFrames();
   void drawCosts(const PanelFacts& facts);
@@ -125,7 +133,8 @@ private:
   PlotPanel plot_;
   Found found_;
   std::vector<Settings> keyFrames_;
-  Settings next_; ///< while drawing
+  std::string viewName_; ///< that is written for a view to be saved
+  Settings next_;        ///< while drawing
   PanelWish wish_;
   std::set<std::string> drawn_; ///< rows that have a control of their own
   bool takesKeys_ = false;

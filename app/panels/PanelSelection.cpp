@@ -31,8 +31,12 @@ void Panel::drawSelection()
 {
   drawn_.insert({"show", "hide-ids", "only-ids"});
   if (found_.hasParticles)
-    ImGui::Text("%s of %s shown", withThousands(stage_.numberShown()).c_str(),
-      counted(stage_.numberOfParticles(), "particle").c_str());
+  {
+    const std::string text = withThousands(stage_.numberShown()) + " of " +
+                             counted(stage_.numberOfParticles(), "particle") + " shown";
+    ImGui::TextUnformatted(text.c_str());
+    noteControl(text);
+  }
   for (const NamedArray& array : found_.arrays)
     if (const Kinds& kinds = this->kindsOf(array); !kinds.empty())
       this->drawKinds(array, kinds);
@@ -99,11 +103,13 @@ void Panel::drawNewRange()
     if (!histogram.isEmpty())
       next_.selection.ranges.push_back({name, {{histogram.least, histogram.most}}});
   };
-  // Volumes hide values of the array that colours them, and of no other.
-  for (const NamedArray& array : found_.arrays)
-    if ((!found_.hasVolumes || array.choice == stage_.coloring().choice()) &&
-        this->kindsOf(array).empty())
-      offer(array.text, array.title);
+  // Volumes hide values of the array that colours them, or its component, and of no other.
+  if (found_.hasVolumes && stage_.coloring().choice())
+    offer(this->coloredBy(), stage_.coloring().title());
+  else
+    for (const NamedArray& array : found_.arrays)
+      if (this->kindsOf(array).empty())
+        offer(array.text, array.title);
   if (found_.hasParticles)
     for (const char* place : {"x", "y", "z"})
       offer(place, place);
@@ -146,7 +152,23 @@ const Kinds& Panel::kindsOf(const NamedArray& array)
   const auto known = found_.kinds.find(array.text);
   if (known != found_.kinds.end())
     return known->second;
+  for (const auto& part : stage_.parts())
+    found_.typeNames[array.text].merge(typeNamesOf(part->data(), array.choice));
   return found_.kinds[array.text] = mote::app::kindsOf(stage_.parts(), array.choice);
+}
+
+/// A type's number, and what it is called.
+std::string Panel::nameOf(const NamedArray& array, int kind) const
+{
+  const TypeNames& chosen = stage_.settings().color.typeNames;
+  const auto named = found_.typeNames.find(array.text);
+  std::string name;
+  if (const auto found = chosen.find(kind); found != chosen.end())
+    name = found->second;
+  else if (named != found_.typeNames.end() && named->second.count(kind) > 0)
+    name = named->second.at(kind);
+  const std::string number = std::to_string(kind);
+  return name.empty() || name == number ? number : number + "  " + name;
 }
 
 /// A type's line: its colour, whether it is shown, how many there are.
@@ -163,7 +185,8 @@ void Panel::drawKind(const NamedArray& array, const Kinds::value_type& kind,
     ImGui::SameLine();
   }
   bool isOn = shown[i];
-  if (ImGui::Checkbox((std::to_string(kind.first) + "##kind").c_str(), &isOn))
+  if (ImGui::Checkbox(
+        (this->nameOf(array, kind.first) + "##" + std::to_string(kind.first)).c_str(), &isOn))
   {
     // With Ctrl this one alone.
     if (ImGui::GetIO().KeyCtrl)

@@ -61,6 +61,14 @@ bool isList(const Row& row)
   return row.shape == Shape::Many && row.count == 0 && !row.commas;
 }
 
+/// Whether there is one colour, or none.
+bool isOptionalColor(const Row& row)
+{
+  const std::vector<std::string> usual = row.get(Settings());
+  return row.value == "COLOUR" && row.shape == Shape::One &&
+         (usual.empty() || usual.front().empty());
+}
+
 /// Whether a slider goes from one limit to the other.
 bool hasSlider(const Row& row)
 {
@@ -110,11 +118,10 @@ bool RowControls::draw(const Row& row, Settings& settings, const std::string& la
     putLabel(shown);
     isChanged = isList(row)                                     ? this->drawList(row, settings)
                 : !row.words.empty() && row.shape == Shape::One ? this->drawWords(row, settings)
-                : row.value == "COLOUR" && row.shape == Shape::One && !row.get(settings).empty() &&
-                    !row.get(settings).front().empty()
-                  ? this->drawColor(row, settings)
-                : hasSlider(row) && !row.get(settings).empty() ? this->drawSlider(row, settings)
-                                                               : this->drawText(row, settings);
+                : isOptionalColor(row) ? this->drawOptionalColor(row, settings)
+                : row.value == "COLOUR" && row.shape == Shape::One ? this->drawColor(row, settings)
+                : hasSlider(row) && !row.get(settings).empty()     ? this->drawSlider(row, settings)
+                                                                   : this->drawText(row, settings);
   }
   if (const std::string& wrong = texts_[row.name].wrong; !wrong.empty())
   {
@@ -201,6 +208,26 @@ bool RowControls::drawColor(const Row& row, Settings& settings)
   for (std::size_t k = 0; k < 3; ++k)
     color[k] = std::round(255.0 * rgb[k]) / 255.0;
   return this->set(row, settings, {colorText(color)});
+}
+
+/// A box to tick, and the colour behind it.
+bool RowControls::drawOptionalColor(const Row& row, Settings& settings)
+{
+  const std::vector<std::string> words = row.get(settings);
+  const bool wasOn = !words.empty() && !words.front().empty();
+  bool isOn = wasOn;
+  ImGui::Checkbox("##on", &isOn);
+  noteControl(row.name + " on");
+  ImGui::SameLine();
+  if (isOn != wasOn)
+    return this->set(
+      row, settings, isOn ? std::vector<std::string>{"#8c8c8c"} : row.get(Settings()));
+  ImGui::SetNextItemWidth(-1.0f);
+  if (isOn)
+    return this->drawColor(row, settings);
+  ImGui::TextDisabled("%s", row.usual.c_str());
+  explain(row);
+  return false;
 }
 
 bool RowControls::drawSlider(const Row& row, Settings& settings)

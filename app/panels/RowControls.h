@@ -24,6 +24,7 @@ private:
   bool drawFlag(const Row& row, Settings& settings, const std::string& label);
   bool drawWords(const Row& row, Settings& settings);
   bool drawColor(const Row& row, Settings& settings);
+  bool drawOptionalColor(const Row& row, Settings& settings);
   bool drawSlider(const Row& row, Settings& settings);
   bool drawList(const Row& row, Settings& settings);
   bool drawText(const Row& row, Settings& settings);

@@ -160,11 +160,13 @@ bool rangeFields(const char* id, Interval& range)
   bool isEntered =
     ImGui::InputDouble("##low", &next.low, 0.0, 0.0, "%.6g", ImGuiInputTextFlags_EnterReturnsTrue);
   isEntered = isEntered || (ImGui::IsItemDeactivatedAfterEdit() && next.low != range.low);
+  noteControl(std::string(id) + " low");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(width);
   isEntered = ImGui::InputDouble(
                 "##high", &next.high, 0.0, 0.0, "%.6g", ImGuiInputTextFlags_EnterReturnsTrue) ||
               isEntered;
+  noteControl(std::string(id) + " high");
   isEntered = isEntered || (ImGui::IsItemDeactivatedAfterEdit() && next.high != range.high);
   ImGui::PopID();
   if (!isEntered || !(next.low <= next.high) || next == range)
@@ -286,6 +288,97 @@ bool opacityControl(const char* id, const Histogram& histogram, vtkLookupTable* 
   else if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
     ImGui::SetTooltip("Drag points; double click adds one, right click takes one away\n--opacity");
   return isChanged;
+}
+
+//------------------------------------------------------------------------------------------------
+// Values of isosurfaces
+
+namespace
+{
+
+/// The value whose line is under the mouse; -1 for none.
+int nearestLine(const Frame& frame, const std::vector<double>& values)
+{
+  int nearest = -1;
+  float least = 0.6f * ImGui::GetFontSize();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (const float away = std::abs(frame.xOf(values[i]) - ImGui::GetIO().MousePos.x); away < least)
+      least = away, nearest = static_cast<int>(i);
+  return nearest;
+}
+
+void drawLine(const Frame& frame, double value, bool isBright)
+{
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float x = frame.xOf(value), half = 0.3f * ImGui::GetFontSize();
+  const ImU32 color = isBright ? held : handle;
+  list->AddLine(
+    ImVec2(x, frame.from.y), ImVec2(x, frame.from.y + frame.size.y), color, isBright ? 3.0f : 2.0f);
+  list->AddTriangleFilled(ImVec2(x - half, frame.from.y), ImVec2(x + half, frame.from.y),
+    ImVec2(x, frame.from.y + 1.5f * half), color);
+}
+
+} // namespace
+
+bool isoControl(
+  const char* id, const Histogram& histogram, vtkLookupTable* table, std::vector<double>& values)
+{
+  if (histogram.isEmpty() || !table)
+    return false;
+  const Frame frame = frameOf(histogram, 2.6f);
+  ImGui::InvisibleButton(
+    id, frame.size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+  noteControl(id);
+  drawBars(frame, histogram, [&](double value) { return colorAt(table, value); });
+  const int nearest = nearestLine(frame, values);
+  const double at = frame.valueAt(ImGui::GetIO().MousePos.x);
+  int& part = heldPart(ImGui::GetID(id));
+  bool isChanged = false;
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0) && nearest < 0)
+  {
+    part = static_cast<int>(values.size());
+    values.push_back(at);
+    isChanged = true;
+  }
+  else if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(1) && nearest >= 0)
+  {
+    values.erase(values.begin() + nearest);
+    part = -1;
+    isChanged = true;
+  }
+  else if (ImGui::IsItemActivated())
+    part = ImGui::IsMouseDown(0) ? nearest : -1;
+  else if (!ImGui::IsItemActive())
+    part = -1;
+  const float moved = ImGui::GetIO().MouseDelta.x;
+  if (!isChanged && part >= 0 && part < static_cast<int>(values.size()) && moved != 0.0f)
+  {
+    double& value = values[static_cast<std::size_t>(part)];
+    isChanged = value != at;
+    value = at;
+  }
+  const int bright = part >= 0 ? part : ImGui::IsItemHovered() ? nearest : -1;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    drawLine(frame, values[i], bright == static_cast<int>(i));
+  if (bright >= 0 && bright < static_cast<int>(values.size()))
+    ImGui::SetTooltip("%s", asNumber(values[static_cast<std::size_t>(bright)]).c_str());
+  else if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("Drag lines; double click adds one, right click takes one away\n--iso");
+  return isChanged;
+}
+
+double newIsoValue(const Histogram& histogram, std::vector<double> values)
+{
+  std::erase_if(
+    values, [&](double value) { return value < histogram.least || value > histogram.most; });
+  values.insert(values.end(), {histogram.least, histogram.most});
+  std::sort(values.begin(), values.end());
+  std::size_t widest = 1;
+  for (std::size_t i = 2; i < values.size(); ++i)
+    if (values[i] - values[i - 1] > values[widest] - values[widest - 1])
+      widest = i;
+  const Frame frame = {{}, {}, histogram.least, histogram.most};
+  return frame.rounded(0.5 * (values[widest - 1] + values[widest]));
 }
 
 void colorStrip(vtkLookupTable* table, float width, float height)

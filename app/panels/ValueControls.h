@@ -25,6 +25,15 @@ bool rangeFields(const char* id, Interval& range);
 bool opacityControl(const char* id, const Histogram& histogram, vtkLookupTable* table,
   std::vector<OpacityPoint>& points);
 
+/// Draws a histogram in the colours of its values with a line for each of some values, in any
+/// order, which can be dragged, added by a double click and taken away by a right one. Returns
+/// whether the values are others now.
+bool isoControl(
+  const char* id, const Histogram& histogram, vtkLookupTable* table, std::vector<double>& values);
+
+/// One more value, in the middle of the widest gap between those that there are.
+double newIsoValue(const Histogram& histogram, std::vector<double> values);
+
 /// Draws a colour map as a strip of this width and height, at the cursor.
 void colorStrip(vtkLookupTable* table, float width, float height);
 

@@ -42,6 +42,7 @@ struct ColorSettings
   bool logarithmic = false;
   bool reversed = false;  ///< the map's colours
   std::vector<int> types; ///< that have the first colours of the map of types, in this order
+  std::map<int, std::string> typeNames; ///< of types; what is not named here the data may name
   bool operator==(const ColorSettings&) const = default;
 };
 
@@ -63,9 +64,10 @@ struct ShowRange
 /// What is shown.
 struct SelectionSettings
 {
-  std::string where; ///< an expression that holds for what is shown; empty: all
-  IdRanges hidden;   ///< particles that are not shown
-  IdRanges only;     ///< those that are shown alone; none: all
+  std::vector<int> hiddenData; ///< numbers of data sets, from 1, that are not shown
+  std::string where;           ///< an expression that holds for what is shown; empty: all
+  IdRanges hidden;             ///< particles that are not shown
+  IdRanges only;               ///< those that are shown alone; none: all
   std::vector<ShowRange> ranges;
   std::vector<double> range; ///< none or two
   std::string array;         ///< that `range` speaks of, as ColorSettings::array; empty: its own
@@ -123,6 +125,21 @@ struct CameraSettings
   /// half the height of the view: ten numbers; or none: `view` frames what is shown.
   std::vector<double> camera;
   bool operator==(const CameraSettings&) const = default;
+};
+
+/// A view to come back to.
+struct NamedView
+{
+  std::string name;
+  bool orthographic = false;
+  std::vector<double> camera; ///< as CameraSettings::camera
+  bool operator==(const NamedView&) const = default;
+};
+
+struct ViewSettings
+{
+  std::vector<NamedView> saved; ///< each with a name of its own
+  bool operator==(const ViewSettings&) const = default;
 };
 
 struct LightSettings
@@ -189,6 +206,7 @@ struct Settings
   ParticleSettings particles;
   VolumeSettings volume;
   CameraSettings camera;
+  ViewSettings views;
   LightSettings light;
   SilhouetteSettings silhouettes;
   PictureSettings picture;

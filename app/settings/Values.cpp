@@ -318,4 +318,65 @@ std::map<int, double> ValuesOf<std::map<int, double>>::parse(
   return values;
 }
 
+std::vector<std::string> ValuesOf<std::map<int, std::string>>::words(
+  const std::map<int, std::string>& values)
+{
+  std::vector<std::string> all;
+  for (const auto& [key, name] : values)
+    all.push_back(std::to_string(key) + "=" + name);
+  return all;
+}
+
+std::map<int, std::string> ValuesOf<std::map<int, std::string>>::parse(
+  const std::vector<std::string>& words, const Limits&)
+{
+  std::map<int, std::string> values;
+  for (const std::string& word : words)
+  {
+    const std::size_t sign = word.find('=');
+    int key = 0;
+    if (sign == std::string::npos || sign + 1 == word.size() ||
+        !parseWhole(word.substr(0, sign), key))
+      throw WrongValue{"'" + word + "' is not of the form TYPE=NAME, such as 1=Cu"};
+    values[key] = word.substr(sign + 1);
+  }
+  return values;
+}
+
+std::vector<std::string> ValuesOf<NamedView>::words(const NamedView& view)
+{
+  std::string text = view.name + "=" + (view.orthographic ? "parallel" : "");
+  for (const double number : view.camera)
+    text += (text.back() == '=' ? "" : ",") + exactText(number);
+  return {text};
+}
+
+NamedView ValuesOf<NamedView>::parse(const std::vector<std::string>& words, const Limits&)
+{
+  const std::string& text = only(words);
+  const WrongValue wrong = {"'" + text +
+                            "' is not of the form NAME=X,Y,Z,FX,FY,FZ,UX,UY,UZ,A, with ten numbers "
+                            "as --camera has them, behind 'parallel,' for a parallel projection"};
+  const std::size_t sign = text.rfind('=');
+  if (sign == std::string::npos || sign == 0)
+    throw wrong;
+  NamedView view = {text.substr(0, sign), false, {}};
+  for (std::size_t from = sign + 1; from <= text.size();)
+  {
+    const std::size_t end = std::min(text.find(',', from), text.size());
+    const std::string word = text.substr(from, end - from);
+    double number = 0.0;
+    if (from == sign + 1 && word == "parallel")
+      view.orthographic = true;
+    else if (parseNumber(word, number))
+      view.camera.push_back(number);
+    else
+      throw wrong;
+    from = end + 1;
+  }
+  if (view.camera.size() != 10)
+    throw wrong;
+  return view;
+}
+
 } // namespace mote::app

@@ -163,6 +163,15 @@ struct ValuesOf<OpacityPoint>
   static OpacityPoint parse(const std::vector<std::string>& words, const Limits&);
 };
 
+/// "front=X,Y,Z,FX,FY,FZ,UX,UY,UZ,A"; "front=parallel,X,..." of a parallel projection
+template <>
+struct ValuesOf<NamedView>
+{
+  static constexpr bool numeric = false;
+  static std::vector<std::string> words(const NamedView& view);
+  static NamedView parse(const std::vector<std::string>& words, const Limits&);
+};
+
 /// Any number, a word each.
 template <typename T>
 struct ValuesOf<std::vector<T>>
@@ -193,6 +202,16 @@ struct ValuesOf<std::map<int, double>>
   static constexpr bool numeric = false;
   static std::vector<std::string> words(const std::map<int, double>& values);
   static std::map<int, double> parse(const std::vector<std::string>& words, const Limits& limits);
+};
+
+/// Any number, such as "1=Cu".
+template <>
+struct ValuesOf<std::map<int, std::string>>
+{
+  static constexpr Shape shape = Shape::Many;
+  static constexpr bool numeric = false;
+  static std::vector<std::string> words(const std::map<int, std::string>& values);
+  static std::map<int, std::string> parse(const std::vector<std::string>& words, const Limits&);
 };
 
 } // namespace mote::app

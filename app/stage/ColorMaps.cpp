@@ -59,9 +59,9 @@ void setNoColor(vtkLookupTable* table)
   table->SetNanColor(0.55, 0.55, 0.55, 1.0);
 }
 
-const std::vector<std::uint32_t>& typeColors()
+void setColor(vtkLookupTable* table, vtkIdType index, const Color& color)
 {
-  return controlPoints().back().colors;
+  table->SetTableValue(index, color[0], color[1], color[2], 1.0);
 }
 
 } // namespace
@@ -127,10 +127,21 @@ bool areAlike(vtkLookupTable* a, vtkLookupTable* b)
 
 std::size_t numberOfTypeColors()
 {
-  return typeColors().size();
+  return controlPoints().back().colors.size();
 }
 
-vtkSmartPointer<vtkLookupTable> makeTypeMap(const std::vector<int>& types)
+std::vector<Color> typeColors(std::size_t count)
+{
+  std::vector<Color> colors;
+  for (const std::uint32_t color : controlPoints().back().colors)
+    if (colors.size() < count)
+      colors.push_back(
+        {((color >> 16) & 0xff) / 255.0, ((color >> 8) & 0xff) / 255.0, (color & 0xff) / 255.0});
+  return colors;
+}
+
+vtkSmartPointer<vtkLookupTable> makeTypeMap(
+  const std::vector<int>& types, const std::vector<Color>& colors)
 {
   const auto [least, greatest] = std::minmax_element(types.begin(), types.end());
   const int count = *greatest - *least + 1;
@@ -141,11 +152,12 @@ vtkSmartPointer<vtkLookupTable> makeTypeMap(const std::vector<int>& types)
   for (int i = 0; i < count; ++i)
     table->SetTableValue(i, table->GetNanColor());
   for (std::size_t i = 0; i < types.size(); ++i)
-    setColor(table, types[i] - *least, typeColors()[i], 0, 0.0);
+    setColor(table, types[i] - *least, colors[i]);
   return table;
 }
 
-vtkSmartPointer<vtkLookupTable> makeTypeLegend(const std::vector<int>& types)
+vtkSmartPointer<vtkLookupTable> makeTypeLegend(
+  const std::vector<int>& types, const std::vector<Color>& colors, const TypeNames& names)
 {
   std::vector<int> ascending = types;
   std::sort(ascending.begin(), ascending.end());
@@ -156,8 +168,10 @@ vtkSmartPointer<vtkLookupTable> makeTypeLegend(const std::vector<int>& types)
   for (std::size_t i = 0; i < types.size(); ++i)
   {
     const auto place = std::find(types.begin(), types.end(), ascending[i]) - types.begin();
-    setColor(table, static_cast<int>(i), typeColors()[place], 0, 0.0);
-    table->SetAnnotation(vtkVariant(ascending[i]), std::to_string(ascending[i]));
+    setColor(table, static_cast<vtkIdType>(i), colors[static_cast<std::size_t>(place)]);
+    const auto name = names.find(ascending[i]);
+    table->SetAnnotation(
+      vtkVariant(ascending[i]), name == names.end() ? std::to_string(ascending[i]) : name->second);
   }
   return table;
 }

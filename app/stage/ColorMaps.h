@@ -1,5 +1,7 @@
 #pragma once
 
+#include "TypeNames.h"
+
 #include <vtkSmartPointer.h>
 
 #include <string>
@@ -26,11 +28,17 @@ bool areAlike(vtkLookupTable* a, vtkLookupTable* b);
 /// How many types makeTypeMap() can tell apart.
 std::size_t numberOfTypeColors();
 
-/// A colour of its own for each of these types, which may not be more than numberOfTypeColors(), in
-/// their order; a table that has an entry for every integer from the least to the greatest.
-vtkSmartPointer<vtkLookupTable> makeTypeMap(const std::vector<int>& types);
+/// The first of these colours, as many as are asked for.
+std::vector<Color> typeColors(std::size_t count);
 
-/// The same colours as a table of names, for legends: ascending.
-vtkSmartPointer<vtkLookupTable> makeTypeLegend(const std::vector<int>& types);
+/// For types and a colour for each a table that has an entry for every integer from the least to
+/// the greatest.
+vtkSmartPointer<vtkLookupTable> makeTypeMap(
+  const std::vector<int>& types, const std::vector<Color>& colors);
+
+/// The same colours as a table of names, for legends: ascending. Types without a name have their
+/// number.
+vtkSmartPointer<vtkLookupTable> makeTypeLegend(
+  const std::vector<int>& types, const std::vector<Color>& colors, const TypeNames& names);
 
 } // namespace mote::app

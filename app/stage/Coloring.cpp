@@ -3,6 +3,7 @@
 #include "ColorMaps.h"
 #include "base/Failure.h"
 #include "base/Text.h"
+#include "settings/Colors.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
@@ -112,7 +113,28 @@ bool Coloring::updateTypes(const Parts& parts)
   if (settings_.color.map != "types" &&
       !(settings_.color.map.empty() && isTypes(holder->data(), choice_)))
     return false;
-  const std::size_t limit = numberOfTypeColors();
+  this->updateNames(parts);
+  // As many as there are elements, where the data may name them.
+  constexpr std::size_t mostElements = 118;
+  const bool isPalette = settings_.color.map == "types" || names_.empty();
+  const std::size_t limit = isPalette ? numberOfTypeColors() : mostElements;
+  if (limit != typeLimit_)
+  {
+    types_.clear();
+    countable_ = true;
+    typeLimit_ = limit;
+  }
+  if (!this->findTypes(parts, limit))
+    return false;
+  typeColors_ = isPalette ? std::vector<Color>() : elementColors(types_, names_);
+  if (typeColors_.empty())
+    typeColors_ = typeColors(types_.size());
+  return typeColors_.size() == types_.size();
+}
+
+/// Finds the types; false where there are more, or others than integers.
+bool Coloring::findTypes(const Parts& parts, std::size_t limit)
+{
   if (!settings_.color.range.empty())
   {
     const double first = std::ceil(settings_.color.range[0]),
@@ -138,12 +160,27 @@ bool Coloring::updateTypes(const Parts& parts)
   return countable_ && !types_.empty();
 }
 
+void Coloring::updateNames(const Parts& parts)
+{
+  std::vector<std::pair<vtkDataSet*, unsigned long>> present;
+  for (const auto& part : parts)
+    present.emplace_back(part->data(), part->data()->GetMTime());
+  if (present != named_)
+    for (const auto& part : parts)
+      dataNames_.merge(typeNamesOf(part->data(), choice_));
+  named_ = present;
+  names_ = settings_.color.typeNames;
+  names_.insert(dataNames_.begin(), dataNames_.end());
+}
+
 void Coloring::forget()
 {
   range_[0] = 1.0, range_[1] = 0.0;
   leastPositive_ = 0.0;
   types_.clear();
   countable_ = true;
+  dataNames_.clear();
+  named_.clear();
 }
 
 void Coloring::followSettings()
@@ -218,22 +255,26 @@ void Coloring::makeTable(bool types)
     range[1] += margin;
   }
   const bool named = !settings_.color.map.empty() && settings_.color.map != "types";
-  auto table = types ? makeTypeMap(types_)
+  auto table = types ? makeTypeMap(types_, typeColors_)
                      : makeColorMap(named ? settings_.color.map : "viridis", range,
                          settings_.color.logarithmic);
   if (!types && settings_.color.reversed)
     reverse(table);
+  if (Color none = {0.0, 0.0, 0.0}; parseColor(settings_.volume.nanColor, none))
+    table->SetNanColor(none[0], none[1], none[2], 1.0);
   if (choice_.component == ArrayChoice::magnitude)
     table->SetVectorModeToMagnitude();
   else
     table->SetVectorModeToComponent();
   table->SetVectorComponent(std::max(0, choice_.component));
   // A new table has the legend drawn anew, which a drag of another range must not pay for.
-  if (table_ && isTypeTable_ == types && areAlike(table_, table))
+  const TypeNames names = types ? names_ : TypeNames();
+  if (table_ && isTypeTable_ == types && legendNames_ == names && areAlike(table_, table))
     return;
   table_ = table;
   isTypeTable_ = types;
-  legendTable_ = types ? makeTypeLegend(types_) : table_;
+  legendNames_ = names;
+  legendTable_ = types ? makeTypeLegend(types_, typeColors_, names) : table_;
 }
 
 std::string Coloring::nextArray(const Parts& parts) const

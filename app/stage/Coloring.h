@@ -3,8 +3,10 @@
 #include "Arrays.h"
 #include "Opacity.h"
 #include "Part.h"
+#include "TypeNames.h"
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 class vtkLookupTable;
@@ -72,6 +74,8 @@ private:
   void choose(const std::vector<std::unique_ptr<Part>>& parts);
   bool updateRange(const std::vector<std::unique_ptr<Part>>& parts);
   bool updateTypes(const std::vector<std::unique_ptr<Part>>& parts);
+  bool findTypes(const std::vector<std::unique_ptr<Part>>& parts, std::size_t limit);
+  void updateNames(const std::vector<std::unique_ptr<Part>>& parts);
   void makeTable(bool types);
   void forget();
 
@@ -81,13 +85,19 @@ private:
   std::string wanted_; // what the settings named when it was chosen
   double range_[2] = {1.0, 0.0};
   double leastPositive_ = 0.0;
-  std::vector<int> types_; // in the order of their colours; new ones come last
-  bool countable_ = true;  // whether types_ could be found
+  std::vector<int> types_;        // in the order of their colours; new ones come last
+  bool countable_ = true;         // whether types_ could be found
+  std::size_t typeLimit_ = 0;     // how many may have been found
+  std::vector<Color> typeColors_; // of types_
+  TypeNames dataNames_, names_;   // of types: as data have named them so far; in force
+  std::vector<std::pair<vtkDataSet*, unsigned long>>
+    named_; // what dataNames_ has, with times of change
   std::string title_;
   bool typed_ = false;     // colours stand for types_
   bool explained_ = false; // there is something for a legend to explain
   vtkSmartPointer<vtkLookupTable> table_;
   bool isTypeTable_ = false;
+  TypeNames legendNames_;
   vtkSmartPointer<vtkLookupTable> legendTable_;
   UsualOpacity usual_; ///< of volumes
   std::vector<OpacityPoint> opacity_;

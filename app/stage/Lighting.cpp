@@ -214,6 +214,7 @@ void Lighting::place()
   const std::vector<double> numbers = numbersOf(light.place);
   main_->SetSize(light.size);
   fromEye_ = false;
+  angles_.reset();
   if (numbers.size() == 3)
   {
     // With the data, however the viewer turns.
@@ -227,6 +228,7 @@ void Lighting::place()
     : numbers.size() == 2
       ? Place{"", numbers[0], numbers[1]}
       : (light.shadows == "none" && !light.pathTrace ? plainPlace : *placeNamed("left-top"));
+  angles_ = {from.azimuth, from.elevation};
   const double azimuth = vtkMath::RadiansFromDegrees(from.azimuth);
   const double elevation = vtkMath::RadiansFromDegrees(from.elevation);
   main_->SetLightTypeToCameraLight();

@@ -4,6 +4,8 @@
 
 #include <vtkNew.h>
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,6 +56,10 @@ public:
   /// For whatever traces the picture.
   vtkMoteShading* shading() const { return shading_; }
 
+  /// Where the main light stands, as the viewer sees it: degrees to the right and up; none where it
+  /// stays with the data.
+  std::optional<std::array<double, 2>> angles() const { return angles_; }
+
   /// The share of the light that comes from all sides, for the particles' properties.
   double ambient() const;
 
@@ -66,6 +72,7 @@ private:
 
   const Settings& settings_;
   bool fromEye_ = false;
+  std::optional<std::array<double, 2>> angles_;
   vtkNew<vtkMoteShading> shading_;
   vtkNew<vtkMoteAreaLight> main_;
   vtkNew<vtkLight> fill_;

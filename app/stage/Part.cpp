@@ -163,7 +163,20 @@ void Part::setData(const std::string& name, vtkDataSet* data)
   else
     mapper_ = this->makeSurface();
   actor_->SetMapper(mapper_);
-  this->prop()->VisibilityOn();
+  isWhole_ = true;
+  this->placeProp();
+}
+
+/// Into the picture, or out of it.
+void Part::placeProp()
+{
+  this->prop()->SetVisibility(isWhole_ && !isHidden_ && (!volume_ || volume_->isColored()));
+}
+
+void Part::setHidden(bool on)
+{
+  isHidden_ = on;
+  this->placeProp();
 }
 
 void Part::setRadius()
@@ -243,7 +256,7 @@ void Part::setPreview(bool on)
 std::string Part::update()
 {
   // One that could not be built stays away, and is told of already.
-  if (!particles_ || !this->prop()->GetVisibility())
+  if (!particles_ || !isWhole_)
     return {};
   Messages::takeError();
   particles_->Update();
@@ -272,9 +285,11 @@ void Part::build(ProgressRelay& progress)
 
 void Part::build(const Runner& runner)
 {
-  this->prop()->VisibilityOff(); // whatever happens, nothing half built is drawn
+  isWhole_ = false; // whatever happens, nothing half built is drawn
+  this->placeProp();
   this->work(runner, [this] { this->worker()->Update(); });
-  this->prop()->VisibilityOn();
+  isWhole_ = true;
+  this->placeProp();
   if (particles_ && particles_->GetRadiusMode() == vtkMoteParticleMapper::RADIUS_FROM_SPACING &&
       particles_->GetNumberOfParticles() > 1)
     keptRadius_ = particles_->GetRadiusInUse() / settings_.particles.radiusScale;
@@ -343,7 +358,10 @@ void Part::setColors(
 {
   colored_ = choice;
   if (volume_)
-    return volume_->setColors(data_, choice, table, opacity, sceneSize_);
+  {
+    volume_->setColors(data_, choice, table, opacity, sceneSize_);
+    return this->placeProp();
+  }
   mapper_->SetScalarVisibility(arrayOf(data_, choice) != nullptr);
   if (!mapper_->GetScalarVisibility())
     return;
@@ -431,7 +449,7 @@ vtkIdType Part::numberLeftOut() const
 
 vtkIdType Part::numberShown() const
 {
-  return particles_ ? particles_->GetNumberOfVisibleParticles() : 0;
+  return particles_ && !isHidden_ ? particles_->GetNumberOfVisibleParticles() : 0;
 }
 
 } // namespace mote::app

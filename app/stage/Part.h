@@ -98,6 +98,10 @@ public:
   void setColors(
     const ArrayChoice& choice, vtkLookupTable* table, const std::vector<OpacityPoint>& opacity);
 
+  /// Hides all of it, or shows again what is not hidden otherwise.
+  void setHidden(bool on);
+  bool isHidden() const { return isHidden_; }
+
   /// Hides no particle.
   void showAll();
   /// Hides particles with values outside, besides those that are hidden already.
@@ -136,6 +140,7 @@ public:
 private:
   void setRadius();
   void setImages();
+  void placeProp();
   void work(const Runner& runner, const std::function<void()>& build);
   vtkSmartPointer<vtkMapper> makeSurface();
 
@@ -149,6 +154,8 @@ private:
   std::unique_ptr<Volume> volume_;
   ArrayChoice colored_;
   double sceneSize_ = 1.0;
+  bool isHidden_ = false;
+  bool isWhole_ = true; ///< false: nothing is drawn, as it could not be built
   vtkSmartPointer<vtkMapper> mapper_;
   vtkMoteParticleMapper* particles_ = nullptr;
   double keptRadius_ = 0.0; // from the spacing of the first step with particles

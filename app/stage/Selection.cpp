@@ -67,9 +67,24 @@ void Selection::require(bool found, std::size_t range, const std::string& name, 
   }
 }
 
+/// What --hide-data asks for.
+void Selection::hideData(const Parts& parts)
+{
+  const std::vector<int>& hidden = settings_.selection.hiddenData;
+  mostParts_ = std::max(mostParts_, parts.size());
+  for (const int number : hidden)
+    if (!parts.empty() && static_cast<std::size_t>(number) > mostParts_)
+      throw Failure("--hide-data: there is no data set " + std::to_string(number) + ", but " +
+                    std::to_string(mostParts_));
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    parts[i]->setHidden(
+      std::find(hidden.begin(), hidden.end(), static_cast<int>(i) + 1) != hidden.end());
+}
+
 void Selection::apply(const Parts& parts, const ArrayChoice& colored)
 {
   this->followSettings();
+  this->hideData(parts);
   const Part* first = nullptr; // with particles: an empty step says nothing about arrays
   for (const auto& part : parts)
   {

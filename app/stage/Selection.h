@@ -23,10 +23,15 @@ public:
   void apply(const Parts& parts, const ArrayChoice& colored);
 
   /// Forgets which arrays there were: other files may follow.
-  void startAnew() { known_.clear(); }
+  void startAnew()
+  {
+    known_.clear();
+    mostParts_ = 0;
+  }
 
 private:
   void followSettings();
+  void hideData(const Parts& parts);
   std::vector<ArrayChoice> applyExpression(const Parts& parts);
   void applyRanges(const Parts& parts, const Part& first);
   void applyRange(const Parts& parts, const ArrayChoice& colored, const Part& first);
@@ -35,9 +40,10 @@ private:
 
   const Settings& settings_;
   SelectionSettings followed_;
-  bool whereKnown_ = false;  ///< --where was of particles at some time step
-  std::vector<bool> known_;  ///< whether a range's array was there: --show-range, then each --show
-  std::vector<bool> warned_; ///< whether a range was told to be missing
+  std::size_t mostParts_ = 0; ///< at any time step
+  bool whereKnown_ = false;   ///< --where was of particles at some time step
+  std::vector<bool> known_;   ///< whether a range's array was there: --show-range, then each --show
+  std::vector<bool> warned_;  ///< whether a range was told to be missing
 };
 
 } // namespace mote::app

@@ -125,9 +125,8 @@ void Volume::select(const ArrayChoice& choice)
 void Volume::setColors(vtkDataSet* data, const ArrayChoice& choice, vtkLookupTable* table,
   const std::vector<OpacityPoint>& opacity, double diagonal)
 {
-  const bool isColored = arrayOf(data, choice) != nullptr;
-  volume_->SetVisibility(isColored);
-  if (!isColored)
+  isColored_ = arrayOf(data, choice) != nullptr;
+  if (!isColored_)
     return;
   choice_ = choice;
   this->select(choice);

@@ -40,6 +40,8 @@ public:
   /// Where called again what lies in one interval of each call is left.
   void limit(const std::vector<Interval>& intervals);
   void showAll();
+  /// Whether the data have the array that colours; without it they cannot be shown.
+  bool isColored() const { return isColored_; }
   void setAmbient(double ambient);
   /// Bounds of the cells that have a value that is shown; not initialized where there are none.
   void shownBounds(vtkUnstructuredGrid* data, double bounds[6]) const;
@@ -56,6 +58,7 @@ private:
   vtkSmartPointer<vtkLookupTable> table_;
   ArrayChoice choice_;
   std::vector<OpacityPoint> opacity_;
+  bool isColored_ = true;
   bool warned_ = false;         ///< of a time step without the array
   std::vector<Interval> shown_; ///< none: nothing
 };

@@ -2,6 +2,8 @@
 
 #include "stage/Framing.h"
 
+#include <algorithm>
+
 namespace mote::app
 {
 
@@ -21,6 +23,17 @@ void checkCamera(const std::vector<double>& c)
     throw WrongValue{"up must point another way than the camera looks"};
   if (!(c[9] > 0.0))
     throw WrongValue{"the angle, or half the height, must be above zero, not " + exactText(c[9])};
+}
+
+void checkViews(const std::vector<NamedView>& views)
+{
+  for (const NamedView& view : views)
+  {
+    checkCamera(view.camera);
+    if (std::count_if(views.begin(), views.end(),
+          [&](const NamedView& other) { return other.name == view.name; }) > 1)
+      throw WrongValue{"'" + view.name + "' is given twice"};
+  }
 }
 
 } // namespace
@@ -72,6 +85,17 @@ void addCameraRows(std::vector<Row>& table)
       .count = 10,
       .usual = "frames what is shown"},
     checkCamera));
+  table.push_back(row<ViewSettings, std::vector<NamedView>>(&Settings::views, &ViewSettings::saved,
+    {.group = group,
+      .name = "saved-view",
+      .value = "NAME=CAMERA",
+      .help =
+        "A view to come back to in the window, as --camera writes cameras; behind 'parallel,' "
+        "for a parallel projection. May be given several times. It changes no picture",
+      .invalidates = Invalidates::Nothing,
+      .commas = false,
+      .usual = "none"},
+    checkViews));
 }
 
 } // namespace mote::app

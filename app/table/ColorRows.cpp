@@ -27,7 +27,7 @@ void addColorRows(std::vector<Row>& table)
       .help = "Colour map of the values",
       .alias = "-m",
       .words = colorMapNames(),
-      .usual = "viridis, or types for an array of types"}));
+      .usual = "viridis; of an array of types the elements' colours, or else types"}));
   table.push_back(row<ColorSettings, std::vector<double>>(color, &ColorSettings::range,
     {.group = group,
       .name = "range",
@@ -59,6 +59,13 @@ void addColorRows(std::vector<Row>& table)
         if (std::count(types.begin(), types.end(), type) > 1)
           throw WrongValue{"type " + std::to_string(type) + " is given twice"};
     }));
+  table.push_back(row(color, &ColorSettings::typeNames,
+    {.group = group,
+      .name = "type-names",
+      .value = "TYPE=NAME,...",
+      .help = "Names of types, such as 1=Cu,2=Zr, for legends and lists. Types that all are named "
+              "after chemical elements have the elements' colours",
+      .usual = "as the data name them"}));
 }
 
 } // namespace mote::app

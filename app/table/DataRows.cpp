@@ -78,6 +78,14 @@ void addDataRows(std::vector<Row>& table)
       .commas = false,
       .usual = "none"},
     checkCalculations));
+  table.push_back(row(&Settings::selection, &SelectionSettings::hiddenData,
+    {.group = group,
+      .name = "hide-data",
+      .value = "N,...",
+      .help = "Hide whole data sets, by their numbers from 1, in the order of the files and of "
+              "the blocks in each: as mote info lists them",
+      .limits = {.least = 1},
+      .usual = "none"}));
   table.push_back(row(data, &DataSettings::threads,
     {.group = group,
       .name = "threads",

@@ -39,6 +39,7 @@ Settings settingsToOpen(const Settings& now, const std::vector<std::string>& fil
   next.particles = {};
   next.volume = {};
   next.camera = {};
+  next.views = {};
   next.camera.orthographic = now.camera.orthographic;
   next.light.occlusionReach.reset();
   next.silhouettes.groups.clear();

@@ -297,6 +297,8 @@ void writeParts(Script& script, const Stage& stage, const Settings& settings)
       writeParticles(script, part, settings);
     else
       writeVolume(script, vtkVolume::SafeDownCast(part.prop()));
+    if (part.isHidden())
+      script.line("prop.VisibilityOff()");
     script.line("renderer.AddViewProp(prop)");
   }
 }

@@ -55,8 +55,8 @@ void addAppearanceRows(std::vector<Row>& table)
     {.group = group,
       .name = "nan-color",
       .value = "COLOUR",
-      .help = "Colour of cells with a value that is not a number",
-      .usual = "not shown"},
+      .help = "Colour of cells and particles with a value that is not a number",
+      .usual = "grey; cells are left out"},
     [](const std::string& name)
     {
       if (!name.empty())

@@ -134,6 +134,8 @@ void PickedMarks::gather(const PickedSet::Parts& parts, const PickedSet& picked)
     const Picked& one = picked.items()[i];
     const auto k = static_cast<std::size_t>(one.part);
     const auto id = static_cast<std::size_t>(one.id);
+    if (parts[k]->isHidden())
+      continue;
     if (one.kind == Picked::Kind::Cell)
     {
       this->addCell(parts[k]->data(), one.id);

@@ -179,7 +179,9 @@ void Window::fitToArray(Settings& next) const
     return;
   if (asked)
   {
+    const std::vector<int> hidden = next.selection.hiddenData;
     next.selection = asked_.selection;
+    next.selection.hiddenData = hidden;
     next.volume.isoValues = asked_.volume.isoValues;
     next.volume.cloud = asked_.volume.cloud;
     next.volume.opacity = asked_.volume.opacity;

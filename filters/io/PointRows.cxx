@@ -142,6 +142,11 @@ void addTypes(NumberedWords& words, const std::map<std::string, int>& types, vtk
       for (vtkIdType i = range.begin(); i < range.end(); ++i)
         values[i] = typeOf[static_cast<std::size_t>(values[i])];
     });
+  vtkNew<vtkStringArray> names; // which the words themselves are not there for
+  names->SetName("type_names");
+  for (const auto& [word, type] : types)
+    names->InsertNextValue(std::to_string(type) + "=" + word);
+  output->GetFieldData()->AddArray(names);
   words.numbers->SetName("type");
   output->GetPointData()->AddArray(words.numbers);
 }

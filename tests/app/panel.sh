@@ -62,7 +62,7 @@ case $3 in
     ;;
 
   controls) # of each kind change what they should, and excluded ones give way
-    open "$copper" --size 1000x860
+    open "$copper" --size 1000x980
     click 'group Light' 0.8
     click shadows-offers
     click soft
@@ -165,8 +165,8 @@ case $3 in
     open "$copper" --size 1000x760
     shown color-map
     press Tab
-    for _ in 1 2 3 4 5 6 7; do
-      press Down # over the buttons, time, play, step and speed, to the head of Colour
+    for _ in 1 2 3 4 5 6 7 8; do
+      press Down # over the buttons, time, play, step, speed and data, to the head of Colour
       sleep 0.3
     done
     press space

@@ -67,6 +67,48 @@ case $3 in
     one_sentence
     ;;
 
+  elements) # types that the data, or the user, name after elements have their colours and names
+    symbols=(H He Li Be B C N O F Ne Na Mg Al Si)
+    {
+      printf '14\nProperties=species:S:1:pos:R:3\n'
+      for i in $(seq 14); do echo "${symbols[i - 1]} $i 0 0"; done
+    } >named.xyz
+    dump() { # COLUMNS: with a type and, where asked for, an element
+      printf 'ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n14\nITEM: BOX BOUNDS ff ff ff\n0 15\n-1 1\n-1 1\n'
+      echo "ITEM: ATOMS $1 x y z"
+      for i in $(seq 14); do echo "$i ${2:+${symbols[i - 1]} }$i 0 0"; done
+    }
+    dump type >numbered.dump
+    dump 'type element' named >named.dump
+    names=$(for i in $(seq 14); do echo -n "${i}=${symbols[i - 1]},"; done)
+    paint() { # OUT FILE ARGUMENTS...
+      run 0 "$mote" render "$2" -o "$1" --size 320x400 --samples 1 --color-by type --radius 0.4 \
+        --view +z --caption '' "${@:3}"
+    }
+    paint xyz.png named.xyz
+    paint dump.png named.dump
+    paint told.png numbered.dump --type-names "${names%,}"
+    paint plain.png numbered.dump
+    cmp xyz.png dump.png && cmp xyz.png told.png || fail "names that are told otherwise give other colours"
+    cmp -s plain.png told.png && fail "elements have no colours"
+    paint palette.png named.xyz --color-map types
+    cmp -s palette.png xyz.png && fail "the palette of types is not chosen"
+    # Names that are no elements are told in the legend alone; the session has them.
+    paint hopper.png "$hopper" --caption ''
+    paint layers.png "$hopper" --type-names '1=lowest' --save-session layers.json
+    cmp -s hopper.png layers.png && fail "the legend has no names"
+    run 0 "$mote" render layers.json -o again.png
+    cmp layers.png again.png || fail "the session has other names"
+    run 2 "$mote" render "$hopper" -o a.png --type-names 1
+    one_sentence
+    # A hidden data set is not there; the number of one that is none is refused.
+    run 0 "$mote" render "$copper" "$hopper" -o both.png --size 160x120 --samples 1 --color-by none --hide-data 2
+    run 0 "$mote" render "$copper" -o one.png --size 160x120 --samples 1 --color-by none
+    said out '24,480 particles'
+    run 1 "$mote" render "$copper" -o a.png --hide-data 2
+    one_sentence
+    ;;
+
   periodic) # images of a box, and particles that are wrapped into it or unwrapped
     dump() { # LO HI: an atom and its image numbers in a box of 10
       printf 'ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp ff\n0 10\n0 10\n0 10\n'

@@ -1,0 +1,101 @@
+// The data sets of the scene: which are shown, how much there is of them, their arrays.
+
+#include "Panel.h"
+
+#include "PanelWidgets.h"
+#include "base/Text.h"
+
+#include <vtkDataArray.h>
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace mote::app
+{
+
+namespace
+{
+
+std::string countOf(const Part& part)
+{
+  if (part.kind() != Part::Kind::Particles)
+    return counted(part.data()->GetNumberOfCells(), "cell");
+  const vtkIdType all = part.data()->GetNumberOfPoints(), shown = part.numberShown();
+  return part.isHidden() || shown == all ? counted(all, "particle")
+                                         : withThousands(shown) + " of " + withThousands(all);
+}
+
+} // namespace
+
+/// A line for each data set, with a box that shows or hides it.
+void Panel::drawData()
+{
+  drawn_.insert({"hide-data", "calculate"}); // which Colour has
+  if (!found_.hasParticles)
+    drawn_.insert("positions");
+  std::vector<int>& hidden = next_.selection.hiddenData;
+  for (std::size_t i = 0; i < stage_.parts().size(); ++i)
+  {
+    const Part& part = *stage_.parts()[i];
+    const int number = static_cast<int>(i) + 1;
+    const std::string name = "data " + std::to_string(number);
+    const auto place = std::find(hidden.begin(), hidden.end(), number);
+    bool isOn = place == hidden.end();
+    ImGui::PushID(number);
+    if (ImGui::Checkbox("##shown", &isOn))
+    {
+      if (isOn)
+        hidden.erase(place);
+      else
+        hidden.insert(std::upper_bound(hidden.begin(), hidden.end(), number), number);
+    }
+    noteControl(name);
+    explainKey(
+      ("Shows or hides " + part.name() + "\n--hide-data " + std::to_string(number)).c_str());
+    ImGui::SameLine();
+    const bool isOpen =
+      ImGui::TreeNodeEx("arrays", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", part.name().c_str());
+    noteControl(name + " arrays");
+    if (ImGui::IsItemHovered())
+      ImGui::SetTooltip("%s\nIts arrays; a click on one colours by it", part.name().c_str());
+    ImGui::Indent(ImGui::GetFrameHeight());
+    ImGui::TextDisabled("%s", countOf(part).c_str());
+    ImGui::Unindent(ImGui::GetFrameHeight());
+    if (isOpen)
+    {
+      this->drawArrays(part, name);
+      ImGui::TreePop();
+    }
+    ImGui::PopID();
+  }
+}
+
+/// The arrays of a data set with their ranges.
+void Panel::drawArrays(const Part& part, const std::string& name)
+{
+  for (const NamedArray& array : found_.arrays)
+  {
+    vtkDataArray* values = arrayOf(part.data(), array.choice);
+    if (!values)
+      continue;
+    const auto key = std::make_pair(part.data(), array.text);
+    auto known = found_.ranges.find(key);
+    if (known == found_.ranges.end())
+    {
+      double range[2];
+      const bool isThere = finiteRange(values, array.choice.component, range);
+      known = found_.ranges
+                .emplace(key, isThere ? asNumber(range[0]) + " to " + asNumber(range[1])
+                                      : std::string("no number"))
+                .first;
+    }
+    if (ImGui::Selectable(array.title.c_str(), array.choice == stage_.coloring().choice()))
+      next_.color.array = array.text;
+    noteControl(name + " " + array.text);
+    ImGui::SameLine(0.48f * ImGui::GetWindowContentRegionMax().x);
+    ImGui::TextDisabled("%s", known->second.c_str());
+  }
+}
+
+} // namespace mote::app
