@@ -1,10 +1,15 @@
 #include "Overlay.h"
 
+#include "base/Text.h"
 #include "table/Keys.h"
 
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
 
 namespace mote::app
 {
@@ -35,6 +40,7 @@ void onPanel(vtkTextProperty* property)
 } // namespace
 
 Overlay::Overlay(vtkRenderer* renderer)
+  : renderer_(renderer)
 {
   place(statusText_, 0.012, 0.012, 16, false);
   onPanel(place(messageText_, 0.012, 0.98, 15, true));
@@ -55,10 +61,32 @@ Overlay::Overlay(vtkRenderer* renderer)
 
 void Overlay::setStatus(const std::string& text)
 {
-  if (text == status_)
+  const int width = renderer_->GetSize()[0];
+  if (text == status_ && width == statusWidth_)
     return;
   status_ = text;
+  statusWidth_ = width;
+  std::vector<std::string> facts;
+  for (std::size_t from = 0; from <= text.size();)
+  {
+    const std::size_t end = std::min(text.find(dot, from), text.size());
+    facts.push_back(text.substr(from, end - from));
+    from = end + std::strlen(dot);
+  }
   statusText_->SetInput(text.c_str());
+  while (facts.size() > 1 && !this->fits(statusText_))
+  {
+    facts.erase(facts.end() - (facts.size() > 3 ? 2 : 1));
+    statusText_->SetInput(joined(facts, dot).c_str());
+  }
+}
+
+bool Overlay::fits(vtkTextActor* text) const
+{
+  constexpr double margins = 0.024; // shares of the view
+  double box[4];
+  text->GetBoundingBox(renderer_, box);
+  return box[1] - box[0] <= (1.0 - margins) * renderer_->GetSize()[0];
 }
 
 void Overlay::setMessage(const std::string& text)

@@ -19,7 +19,11 @@ class Overlay
 public:
   explicit Overlay(vtkRenderer* renderer);
 
-  /// What the line at the bottom says.
+  /// Stands between what the status line tells.
+  static constexpr const char* dot = "   \u00b7   ";
+
+  /// What the line at the bottom says. In a narrow view the first and the last of what dots part
+  /// are told before those between.
   void setStatus(const std::string& text);
   const std::string& status() const { return status_; }
 
@@ -47,7 +51,11 @@ public:
   void setInk(const Color& ink);
 
 private:
+  bool fits(vtkTextActor* text) const;
+
+  vtkRenderer* renderer_;
   std::string status_;
+  int statusWidth_ = 0; ///< of the view
   bool helpOn_ = false;
   bool messageOn_ = false;
   bool previewOn_ = false;

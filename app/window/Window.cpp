@@ -405,7 +405,7 @@ void Window::onTimer(int timer)
 
 std::string Window::statusText() const
 {
-  const std::string dot = "   \u00b7   ";
+  const std::string dot = Overlay::dot;
   std::string text = this->isEmpty() ? "" : stage_.contents();
   if (!input_.times().empty())
     text += dot + "step " + std::to_string(step_ + 1) + "/" +

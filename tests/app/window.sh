@@ -29,6 +29,20 @@ case $3 in
     quit
     ;;
 
+  status) # the line fits into the view, however narrow
+    for width in 400 408 415 421 428; do # one of them would cut a letter
+      open "$data/hopper.dump.gz" --size ${width}x300 --samples 1
+      picture drawn.png
+      read -r x y < <(xdotool getwindowgeometry "$window" | sed -n 's/.*Position: \([0-9]*\),\([0-9]*\).*/\1 \2/p')
+      # colours X WIDTH: how many there are in the line; without a text one for each of 24 rows.
+      colours() { python3 "$tests/screen.py" $((x + $1)) $((y + 274)) "$2" 24 | cut -d ' ' -f 2; }
+      [ "$(colours 4 200)" -gt 40 ] || fail "there is no line: $(colours 4 200) colours"
+      [ "$(colours $((width - 4)) 4)" -le 24 ] || fail "the line goes on: $(colours $((width - 4)) 4) colours at $width"
+      quit
+      rm drawn.png
+    done
+    ;;
+
   hover) # the cursor at rest is told what is under it, and nothing beside the data
     open "$data/hopper.dump.gz" --size 640x400 --samples 1
     picture sharp.png
