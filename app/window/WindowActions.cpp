@@ -286,7 +286,8 @@ std::string Window::coloringText() const
 {
   if (!stage_.coloring().choice())
     return "One colour for all";
-  const Settings& now = this->settings();
+  Settings now = this->settings();
+  now.selection.hiddenData = asked_.selection.hiddenData; // which stay, whatever colours
   const bool away =
     now.color.array != arrayAsked_ &&
     (now.selection != asked_.selection || now.volume.isoValues != asked_.volume.isoValues ||

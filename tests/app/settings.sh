@@ -93,6 +93,17 @@ case $3 in
     cmp -s plain.png told.png && fail "elements have no colours"
     paint palette.png named.xyz --color-map types
     cmp -s palette.png xyz.png && fail "the palette of types is not chosen"
+    # Files of the Protein Data Bank have the numbers of the periodic table.
+    {
+      for i in 6 7 8; do
+        printf 'ATOM  %5d %2s   ALA A   1    %8.3f%8.3f%8.3f  1.00  0.00          %2s  \n' $i "${symbols[i - 1]}" $i 0 0 "${symbols[i - 1]}"
+      done
+      echo END
+    } >some.pdb
+    printf '3\nProperties=species:S:1:pos:R:3\nC 6 0 0\nN 7 0 0\nO 8 0 0\n' >some.xyz
+    paint pdb.png some.pdb --color-by atom_type --title type
+    paint some.png some.xyz
+    cmp pdb.png some.png || fail "atoms of the Protein Data Bank have other colours"
     # Names that are no elements are told in the legend alone; the session has them.
     paint hopper.png "$hopper" --caption ''
     paint layers.png "$hopper" --type-names '1=lowest' --save-session layers.json
