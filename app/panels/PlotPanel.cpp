@@ -142,6 +142,9 @@ void PlotPanel::follow(const Stage& stage, const PickedSet& picked)
     for (const auto& part : stage.parts())
       if (part->particles())
         time = std::max<unsigned long>(time, part->particles()->GetModel().time());
+  if (choice_.of == Plotted::Visible)
+    for (const auto& part : stage.parts())
+      time = 31 * time + part->isHidden();
   if (choice_ == plotted_ && time == chosenTime_)
     return;
   if (choice_ == plotted_ && seconds_ > shortTime && ImGui::IsAnyItemActive())

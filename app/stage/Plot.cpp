@@ -106,7 +106,9 @@ std::vector<unsigned char> chosenOf(
   vtkDataSet* data = part.data();
   const auto count =
     static_cast<std::size_t>(ofCells ? data->GetNumberOfCells() : data->GetNumberOfPoints());
-  if (of == Plotted::Visible && part.particles() && !ofCells)
+  if (of == Plotted::Visible && part.isHidden())
+    chosen.resize(count);
+  else if (of == Plotted::Visible && part.particles() && !ofCells)
   {
     chosen.resize(count);
     part.particles()->GetModel().markVisible(chosen.data());

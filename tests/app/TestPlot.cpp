@@ -110,6 +110,9 @@ TEST_F(PlotTest, IsOfTheVisibleOrThePicked)
   // Ranges of axes stay those of all.
   EXPECT_EQ(
     plotOf(stage->parts(), picked, {choice.names, Plotted::All}, 20, 10).least, visible.least);
+  stage->parts().front()->setHidden(true); // as --hide-data does
+  EXPECT_EQ(plotOf(stage->parts(), picked, choice, 20, 10).total, 0);
+  EXPECT_EQ(stage->numberShown(), 0);
 }
 
 TEST_F(PlotTest, IsEmptyWhereThereIsNoSuchArray)
