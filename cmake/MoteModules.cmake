@@ -20,9 +20,16 @@ vtk_module_build(
   USE_EXTERNAL ON
   ENABLE_WRAPPING "${MOTE_BUILD_PYTHON}"
   TEST_DIRECTORY_NAME "NONE")
-foreach (_module FiltersHexahedra FiltersIO FiltersImaging FiltersParticles RenderingData RenderingVTK)
-  mote_precompile(${_module} VTK)
-endforeach ()
+if (MOTE_PRECOMPILE_HEADERS)
+  # The modules depend on each other: what they share is nobody's own.
+  file(WRITE "${CMAKE_BINARY_DIR}/ModuleHeaders.cpp" "")
+  add_library(MoteModuleHeaders OBJECT "${CMAKE_BINARY_DIR}/ModuleHeaders.cpp")
+  target_link_libraries(MoteModuleHeaders
+    PRIVATE VTK::CommonExecutionModel VTK::CommonDataModel TBB::tbb)
+  mote_precompile(MoteModuleHeaders VTK)
+  mote_share_precompiled(MoteModuleHeaders FiltersHexahedra FiltersIO FiltersImaging FiltersParticles
+    RenderingData RenderingVTK)
+endif ()
 
 if (MOTE_BUILD_PYTHON)
   vtk_module_python_default_destination(MOTE_PYTHON_DESTINATION)

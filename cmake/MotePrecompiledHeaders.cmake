@@ -30,3 +30,17 @@ function (mote_precompile target)
   endforeach ()
   target_precompile_headers(${target} PRIVATE ${_headers})
 endfunction ()
+
+# mote_share_precompiled(FROM TARGET...): the targets take the headers of another one, which are as
+# much work as the rest of a small target. Its options must be theirs, and definitions that differ must
+# mean nothing to the headers.
+function (mote_share_precompiled from)
+  if (NOT MOTE_PRECOMPILE_HEADERS)
+    return ()
+  endif ()
+  foreach (_target IN LISTS ARGN)
+    if (NOT _target STREQUAL from)
+      target_precompile_headers(${_target} REUSE_FROM ${from})
+    endif ()
+  endforeach ()
+endfunction ()
