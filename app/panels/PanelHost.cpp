@@ -100,6 +100,15 @@ PanelHost::PanelHost(vtkRenderWindow* window, vtkRenderWindowInteractor* interac
   {
     this->observe(buttons[i][0], first, [this, i] { return this->press(i, true); });
     this->observe(buttons[i][1], first, [this, i] { return this->press(i, false); });
+    // What is pressed in the view has the releases to itself: only passive observers see them, too.
+    this->observe(
+      buttons[i][1], first,
+      [this, i]
+      {
+        viewButtons_ &= ~(1U << i);
+        return false;
+      },
+      true);
   }
   this->observe(vtkCommand::MouseWheelForwardEvent, first, [this] { return this->turn(1.0f); });
   this->observe(vtkCommand::MouseWheelBackwardEvent, first, [this] { return this->turn(-1.0f); });
@@ -119,7 +128,8 @@ PanelHost::~PanelHost()
   ImGui::DestroyContext(context_);
 }
 
-void PanelHost::observe(unsigned long event, float priority, const std::function<bool()>& handle)
+void PanelHost::observe(
+  unsigned long event, float priority, const std::function<bool()>& handle, bool isPassive)
 {
   /// Keeps an event from others where `handle` says that it was for the controls.
   class Command : public vtkCommand
@@ -138,6 +148,7 @@ void PanelHost::observe(unsigned long event, float priority, const std::function
     std::function<bool()> handle_;
   };
   auto* command = new Command(handle);
+  command->SetPassiveObserver(isPassive);
   observers_.push_back(interactor_->AddObserver(event, command, priority));
   command->Delete();
 }

@@ -78,7 +78,8 @@ private:
     bool hasControl = false, hasShift = false, hasAlt = false;
   };
   void start();
-  void observe(unsigned long event, float priority, const std::function<bool()>& handle);
+  void observe(unsigned long event, float priority, const std::function<bool()>& handle,
+    bool isPassive = false);
   bool move();
   bool press(int button, bool isDown);
   bool turn(float wheel);
