@@ -14,6 +14,7 @@
 #include "commands/Render.h"
 #include "table/CommandOptions.h"
 #include "table/Help.h"
+#include "table/Recording.h"
 #include "table/Session.h"
 #include "window/Display.h"
 #include "window/Window.h"
@@ -160,13 +161,15 @@ int run(CLI::App& app, const CommandLine& line)
     if (app.got_subcommand(commands[i].name))
       chosen = i;
   const bool canOffer = chosen == 0 && displayAvailable();
-  if (line.given[chosen].settings.data.files.empty() && !canOffer)
+  const Settings& given = line.given[chosen].settings;
+  if (given.data.files.empty() && given.output.play.empty() && !canOffer)
   {
     std::fprintf(stderr, "mote: no file given. Try: mote --help\n");
     return misused;
   }
   const Settings settings = line.given[chosen].resolved();
   checkSessionOutput(settings);
+  checkRecordingOutput(settings);
   const auto limit = limitThreads(settings.data.threads);
   commands[chosen].run(settings);
   requireWritten();

@@ -29,6 +29,9 @@ struct OutputSettings
   bool follow = false;              ///< whether steps that are written meanwhile are read
   bool loop = true;                 ///< whether playing goes on from the last step to the first
   std::array<int, 2> size = {0, 0}; ///< of pictures and films that the window saves; 0: the view's
+  std::string record;               ///< file for what is done in the window; empty: none
+  std::string play;                 ///< such a file; empty: none
+  double playSpeed = 1.0;           ///< factor on that of the user's; 0: as fast as it goes
   bool operator==(const OutputSettings&) const = default;
 };
 

@@ -1,5 +1,6 @@
 #include "CommandLine.h"
 
+#include "Recording.h"
 #include "Row.h"
 #include "Session.h"
 #include "base/Failure.h"
@@ -161,11 +162,25 @@ Settings GivenSettings::resolved() const
 {
   const std::vector<std::string>& files = settings.data.files;
   const auto session = std::find_if(files.begin(), files.end(), isSessionFile);
-  if (session == files.end())
+  const std::string& recording = settings.output.play;
+  if (session == files.end() && recording.empty())
     return settings;
+  if (session == files.end())
+  {
+    const bool isAtEnd = std::any_of(named.begin(), named.end(),
+      [](const auto& one) { return one.first->name == "play" && one.first->command == "render"; });
+    return this->over(settingsToPlay(recording, files, isAtEnd));
+  }
+  if (!recording.empty())
+    throw Failure(*session + " is a session, and --play brings its own settings; give one of them");
   if (files.size() > 1)
     throw Failure(*session + " is a session, which names its data files itself; give it alone");
-  Settings all = readSession(*session);
+  return this->over(readSession(*session));
+}
+
+/// Other settings, but for what is named here.
+Settings GivenSettings::over(Settings all) const
+{
   const bool wasParallel = all.camera.orthographic;
   const std::vector<double> camera = all.camera.camera;
   for (const auto& [row, words] : named)

@@ -22,9 +22,13 @@ struct GivenSettings
   Settings settings;
   std::vector<std::pair<const Row*, std::vector<std::string>>> named; ///< with their words
 
-  /// The settings; where a session is among the files, those of the session, but for what the
-  /// command line names. Throws Failure for a session that is none, and for several.
+  /// The settings; where a session is among the files, those of the session, and with --play those
+  /// of the recording, at its end for `mote render`; but for what the command line names. Throws
+  /// Failure for a session or recording that is none, and for several.
   Settings resolved() const;
+
+private:
+  Settings over(Settings all) const;
 };
 
 /// Declares the options of these rows and groups of settingsTable() to the command line, which sets

@@ -68,6 +68,9 @@ struct Row
   std::string usualText(const Settings& settings = {}) const;
 };
 
+/// Rows and the words for them, as a command line names them.
+using NamedValues = std::vector<std::pair<const Row*, std::vector<std::string>>>;
+
 /// A row for a member of a group of the settings.
 template <typename Group, typename T>
 Row row(Group Settings::*group, T Group::*member, Row about,

@@ -116,7 +116,9 @@ void Window::setUpEvents()
   {
     try
     {
-      this->act(bindingOf(key));
+      const Binding& binding = bindingOf(key);
+      if (!this->takePlayersKey(binding.action))
+        this->act(binding);
     }
     catch (const Failure& failure)
     {
@@ -137,13 +139,16 @@ void Window::setUpEvents()
     });
   observe(style_, vtkCommand::EndInteractionEvent, [this](void*) { this->recordCamera(); });
   observe(interactor_, vtkCommand::ExitEvent, [this](void*) { this->quit(); });
-  observe(interactor_, vtkCommand::TimerEvent,
-    [this](void* timer) { this->onTimer(*static_cast<int*>(timer)); });
+  observe(
+    interactor_, vtkCommand::TimerEvent,
+    [this](void* timer) { this->onTimer(*static_cast<int*>(timer)); }, 0.0f, true);
 }
 
 void Window::run()
 {
   interactor_->Initialize();
+  this->takePlayer();
+  this->startRecording();
   busy_ = true;
   try
   {
@@ -181,9 +186,11 @@ void Window::run()
   this->startCache();
   this->startFollowing();
   this->followPaths();
+  this->startPlaying();
   this->render();
   if (!quit_)
     interactor_->Start();
+  this->note({.kind = RecordedEvent::Kind::End});
   cache_.reset();
   paths_.clear();
   if (!asked_.output.session.empty() && !this->isEmpty())
@@ -295,7 +302,7 @@ void Window::shareFrameTime()
 void Window::nameWindow()
 {
   window_->SetWindowName(("Mote - " + (this->isEmpty() ? "nothing open" : input_.name()) +
-                          (previewed_ ? " (preview)" : ""))
+                          (previewed_ ? " (preview)" : "") + (player_ ? " (playing)" : ""))
                            .c_str());
 }
 
@@ -329,6 +336,7 @@ void Window::onRenderStart()
   this->updatePanel();
   if (viewedSize_ != this->viewSize() && view_ == this->viewNow())
     this->look();
+  recorder_.note(this->state());
   this->updatePreview();
   this->takeMessages();
   marks_.update(stage_.parts(), picked_);
@@ -347,7 +355,9 @@ void Window::onRenderEnd()
     frameTime_ = vtkTimerLog::GetUniversalTime() - frameStart_;
   if (traced_ && pass_->GetTraceTime() > 0.0)
     otherTime_ = frameTime_ - pass_->GetTraceTime();
-  if (!traced_ || wheeling_ || playing_ || style_->GetState() != VTKIS_NONE)
+  if (this->isResting())
+    this->noteRest();
+  if (!traced_ || !this->isResting())
     return;
   // Sharpen until all samples are there; then once more, for the texts to say so.
   const bool preview = pass_->IsPreview();
@@ -388,6 +398,8 @@ void Window::onTimer(int timer)
     this->watchFiles();
   else if (due(pathTimer_))
     this->watchPaths();
+  else if (due(recordTimer_))
+    this->playNext();
   else if (due(messageTimer_))
   {
     overlay_.setMessage("");
@@ -396,11 +408,21 @@ void Window::onTimer(int timer)
   else if (due(restTimer_))
   {
     wheeling_ = false;
+    if (style_->GetState() != VTKIS_NONE)
+      return; // the end of the drag does so
     this->recordCamera();
     this->render();
   }
-  else if (due(sharpenTimer_) && !wheeling_ && !playing_ && style_->GetState() == VTKIS_NONE)
+  else if (due(sharpenTimer_) && this->isResting())
     this->render();
+}
+
+/// Whether nothing moves, and nothing is about to.
+bool Window::isResting() const
+{
+  constexpr unsigned long soon = 100; // ms
+  return !wheeling_ && !playing_ && style_->GetState() == VTKIS_NONE &&
+         !(player_ && player_->wait() < soon);
 }
 
 std::string Window::statusText() const

@@ -4,6 +4,7 @@
 #include "Display.h"
 #include "Overlay.h"
 #include "PickedMarks.h"
+#include "Recorder.h"
 #include "Ruler.h"
 #include "WindowPaths.h"
 #include "WindowProgress.h"
@@ -41,8 +42,9 @@ void showWindow(const Settings& settings);
 
 /// The window: what it shows and how it answers. Window.cpp has set-up and drawing, WindowTime.cpp
 /// time steps, WindowActions.cpp what keys do, WindowPicking.cpp what is picked, WindowOpening.cpp
-/// files and messages, WindowSettings.cpp how settings change, WindowPanel.cpp the panel. All that
-/// can be chosen is in the stage's settings.
+/// files and messages, WindowSettings.cpp how settings change, WindowPanel.cpp the panel,
+/// WindowRecording.cpp what is recorded and played. All that can be chosen is in the stage's
+/// settings.
 class Window
 {
 public:
@@ -92,6 +94,7 @@ private:
   void onRenderStart();
   void onRenderEnd();
   void onTimer(int timer);
+  bool isResting() const;
   void startTimer(int& timer, unsigned long milliseconds);
   std::string statusText() const;
   std::string qualityText() const;
@@ -122,12 +125,30 @@ private:
   Settings withStep(int step) const;
   Settings settingsOf(const std::function<void(Settings&)>& change) const;
   void change(const Settings& next, const std::function<std::string()>& message = {});
-  bool follow(const Settings& next);
+  bool follow(const Settings& next, RecordedEvent::Kind how = RecordedEvent::Kind::Pass);
   Settings settingsAsSeen() const;
   void recordCamera();
   void goBack(bool undo);
   Settings settingsInForce();
   void saveSession(const std::string& file);
+
+  // What is recorded, and played
+  void startRecording();
+  WindowState state() const;
+  void note(RecordedEvent::Kind how, const Settings& next);
+  void note(RecordedEvent event);
+  void noteRest();
+  void takePlayer();
+  void startPlaying();
+  void playNext();
+  void endPlaying();
+  void playEvent(const RecordedEvent& event);
+  void playAction(const RecordedEvent& event);
+  void playWindow(const WindowState& state);
+  bool takePlayersKey(Action action);
+  std::array<double, 2> shareOf(const std::array<int, 2>& place) const;
+  std::array<int, 2> placeOf(const std::array<double, 2>& share) const;
+  std::array<int, 2> cursor() const;
 
   // Actions
   void act(const Binding& binding);
@@ -201,6 +222,8 @@ private:
   WindowProgress bar_;
   ProgressRelay progress_;
 
+  Recorder recorder_;
+  std::unique_ptr<Player> player_; ///< while a recording is played
   History history_;
   std::vector<std::string> adviceBefore_; ///< that was given already
   std::vector<std::string> messages_;     ///< warnings and failures so far
@@ -231,7 +254,7 @@ private:
   double otherTime_ = 0.0; ///< of the last frame that was traced, beside tracing: s
   bool previewed_ = false; // the picture shown last was a preview
   int sharpenTimer_ = 0, restTimer_ = 0, playTimer_ = 0, messageTimer_ = 0, panelTimer_ = 0,
-      hoverTimer_ = 0, cacheTimer_ = 0, followTimer_ = 0, pathTimer_ = 0;
+      hoverTimer_ = 0, cacheTimer_ = 0, followTimer_ = 0, pathTimer_ = 0, recordTimer_ = 0;
 };
 
 } // namespace mote::app

@@ -45,6 +45,12 @@ void Window::act(const Binding& binding)
   if (busy_ || binding.action == Action::None)
     return;
   this->recordCamera();
+  std::optional<Recorder::Doing> doing;
+  if (binding.row.empty() && isRecorded(binding.action))
+  {
+    this->note({.kind = RecordedEvent::Kind::Action, .action = binding.action});
+    doing.emplace(recorder_);
+  }
   if (this->isEmpty() && !isWithoutData(binding.action))
     this->say("Nothing is open yet: press Ctrl+O, or drop a file on this window");
   else if (!binding.row.empty())

@@ -74,6 +74,7 @@ void Window::takeNewSteps()
   Settings present = this->settings();
   present.data.files = input_.files();
   stage_.apply(present);
+  this->note(RecordedEvent::Kind::Pass, present);
   const int last = input_.numberOfSteps() - 1;
   if (!cache_)
     this->startCache();

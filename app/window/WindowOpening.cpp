@@ -31,6 +31,8 @@ void Window::setUpOpening()
 void Window::open(const OpenChoice& choice)
 {
   playing_ = false;
+  this->note({.kind = RecordedEvent::Kind::Open, .adds = choice.isAdded, .files = choice.files});
+  const Recorder::Doing doing(recorder_);
   try
   {
     const bool wasEmpty = this->isEmpty();

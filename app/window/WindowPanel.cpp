@@ -112,7 +112,7 @@ void Window::layPanel()
     });
   panelHost_->setFocused(panel_.hasFocus());
   panelHost_->setTyping(panel_.hasOpenDialog());
-  const bool isOver = beforeHold_ && !wish_.isHeld;
+  const bool isOver = beforeHold_ && !wish_.isHeld && !player_;
   if ((wish_.settings || wish_.open || wish_.action != Action::None || isOver) && panelTimer_ == 0)
     this->startTimer(panelTimer_, soon);
   writeControls(panelHost_->inputs(), panelTimer_ != 0);
@@ -124,7 +124,7 @@ void Window::takeWish()
   const PanelWish wish = std::exchange(wish_, {});
   if (wish.settings)
     this->takeSettings(*wish.settings, wish.isHeld);
-  else if (!wish.isHeld)
+  else if (!wish.isHeld && !player_)
     this->endHold();
   if (wish.open)
   {
@@ -193,6 +193,7 @@ void Window::endHold()
   if (*beforeHold_ != this->settings())
     history_.add(*beforeHold_);
   beforeHold_.reset();
+  this->note({.kind = RecordedEvent::Kind::Release});
 }
 
 void Window::togglePanel()

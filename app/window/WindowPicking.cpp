@@ -182,7 +182,10 @@ void Window::setUpPicking()
 
 void Window::pick(bool adds)
 {
-  const int* cursor = interactor_->GetEventPosition();
+  const std::array<int, 2> cursor = this->cursor();
+  this->note({.kind = RecordedEvent::Kind::Action,
+    .action = adds ? Action::PickMore : Action::Pick,
+    .at = this->shareOf(cursor)});
   overlay_.setMessage("");
   overlay_.hideTip();
   hoverTimer_ = 0; // what is told of the picked is enough
@@ -214,6 +217,11 @@ void Window::drawRectangle(const std::array<int, 2>& from, const std::array<int,
 void Window::pickRectangle(
   const std::array<int, 2>& from, const std::array<int, 2>& to, bool isThrough, bool adds)
 {
+  this->note({.kind = RecordedEvent::Kind::Rectangle,
+    .at = this->shareOf(from),
+    .to = this->shareOf(to),
+    .isThrough = isThrough,
+    .adds = adds});
   vtkNew<vtkMoteAreaPicker> picker;
   picker->SetThrough(isThrough);
   picker->SetNumberOfThreads(asked_.data.threads);

@@ -39,7 +39,7 @@ void Window::change(const Settings& next, const std::function<std::string()>& me
   if (next != before)
   {
     const Settings seen = this->settingsAsSeen();
-    if (!this->follow(next))
+    if (!this->follow(next, RecordedEvent::Kind::Change))
       return;
     history_.add(seen);
   }
@@ -55,9 +55,10 @@ void Window::change(const Settings& next, const std::function<std::string()>& me
 }
 
 /// Shows what other settings ask for; where that fails, what was there before. False then.
-bool Window::follow(const Settings& next)
+bool Window::follow(const Settings& next, RecordedEvent::Kind how)
 {
   const Settings before = this->settings();
+  this->note(how, next);
   const auto show = [&](const Settings& wanted)
   {
     const DataSettings present = this->settings().data;
@@ -91,6 +92,8 @@ bool Window::follow(const Settings& next)
         throw;
       }
     });
+  if (!done)
+    this->note(RecordedEvent::Kind::Refused, this->settings());
   const bool isOther = before.data.files != next.data.files;
   // Images would come up outside of a view that nobody chose.
   const bool isWider = before.particles.replicate != next.particles.replicate;
@@ -125,6 +128,7 @@ void Window::recordCamera()
   now.camera.camera = cameraOf(stage_.renderer()->GetActiveCamera());
   stage_.apply(now);
   this->rememberView();
+  this->note(RecordedEvent::Kind::Camera, now);
 }
 
 void Window::goBack(bool undo)
@@ -133,7 +137,7 @@ void Window::goBack(bool undo)
   const auto next = undo ? history_.undo(seen) : history_.redo(seen);
   if (!next)
     this->say(undo ? "There is nothing to undo" : "There is nothing to redo");
-  else if (this->follow(*next))
+  else if (this->follow(*next, RecordedEvent::Kind::Did))
     this->say(undo ? "Undone" : "Redone");
 }
 

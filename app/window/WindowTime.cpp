@@ -134,7 +134,8 @@ void Window::play()
   // Who begins at the end means to see all.
   if (step_ + 1 == input_.numberOfSteps() && !this->settings().output.loop)
     this->follow(this->withStep(0));
-  this->advance();
+  if (!player_) // which has the steps
+    this->advance();
 }
 
 void Window::advance()
