@@ -12,6 +12,9 @@
 namespace mote
 {
 
+static_assert(BundleClouds::mostParts >= RayBundle::capacity);
+static_assert(BundleClouds::mostParts >= CloudSquare::mostPixels);
+
 /// A bundle on its way: rays, what they hit, and what that looks like.
 struct BundleTracer::Bundle
 {
@@ -25,6 +28,7 @@ struct BundleTracer::Bundle
   float normal[RayBundle::capacity][3];
   std::uint64_t id[RayBundle::capacity]; ///< of the input, filled where the film asks for it
   const BundlePixels* pixels = nullptr;
+  std::optional<CloudSquare> square; ///< that the bundle lies in, where not every ray is traced
 
   /// Whether ray i has met anything that is not wholly transparent.
   bool isSeen(int i) const { return color[i][3] > 0.0f; }
@@ -303,38 +307,46 @@ void BundleTracer::addClouds(Bundle& bundle, int side, int x0, int y0) const
                                      [&](double t) { return t == rays_.tMax; });
   if (scene_.cloudTolerance > 0.0 && isEven && bundle.isInside)
     return this->addCloudsBetween(bundle, side, x0, y0);
-  for (int first = 0; first < rays.count; first += BundleClouds::mostParts)
-  {
-    BundleClouds::Part parts[BundleClouds::mostParts];
-    int ray[BundleClouds::mostParts], count = 0;
-    for (int i = first; i < std::min(first + BundleClouds::mostParts, rays.count); ++i)
-      if (!bundle.outside[i])
-      {
-        parts[count] = {this->placeOf(bundle, i, x0, y0), rays_.tMin, rays.t[i]};
-        ray[count++] = i;
-      }
-    RayColor colors[BundleClouds::mostParts];
-    if (count > 0)
-      clouds_->gather(parts, count, colors);
-    for (int k = 0; k < count; ++k)
-      putBefore(colors[k], bundle.color[ray[k]]);
-  }
+  BundleClouds::Part parts[RayBundle::capacity];
+  RayColor colors[RayBundle::capacity];
+  int ray[RayBundle::capacity], count = 0;
+  for (int i = 0; i < rays.count; ++i)
+    if (!bundle.outside[i])
+    {
+      parts[count] = {this->placeOf(bundle, i, x0, y0), rays_.tMin, rays.t[i]};
+      ray[count++] = i;
+    }
+  if (count > 0)
+    clouds_->gather(parts, count, colors);
+  for (int k = 0; k < count; ++k)
+    putBefore(colors[k], bundle.color[ray[k]]);
 }
 
 /// The same where not every ray needs to be traced.
 void BundleTracer::addCloudsBetween(Bundle& bundle, int side, int x0, int y0) const
 {
-  const BundleClouds::Place corner = this->placeOf(bundle, 0, x0, y0);
-  const CloudSquare square(side, scene_.cloudTolerance,
-    [&](int x, int y)
-    {
-      const BundleClouds::Part part{{corner.x + x, corner.y + y}, rays_.tMin, rays_.tMax};
-      RayColor color;
-      clouds_->gather(&part, 1, &color);
-      return color;
-    });
+  // Bundles that nothing is before or behind share what is traced for them.
+  const auto fits = [](int at, int size)
+  { return at - at % CloudSquare::largest + CloudSquare::largest <= size; };
+  const bool isShared = scene_.surfaces.empty() && limits_ == nullptr && fits(x0, film_.width()) &&
+                        fits(y0, film_.height());
+  const int across = isShared ? CloudSquare::largest : side;
+  const int column = x0 % across, row = y0 % across;
+  if (column == 0 && row == 0)
+  {
+    const BundleClouds::Place first = this->placeOf(bundle, 0, x0, y0);
+    bundle.square.emplace(across, scene_.cloudTolerance,
+      [&](const CloudSquare::Pixel* pixels, int count, RayColor* colors)
+      {
+        BundleClouds::Part parts[CloudSquare::mostPixels];
+        for (int i = 0; i < count; ++i)
+          parts[i] = {{first.x + pixels[i].x, first.y + pixels[i].y}, rays_.tMin, rays_.tMax};
+        clouds_->gather(parts, count, colors);
+      });
+  }
   for (int i = 0; i < bundle.rays.count; ++i)
-    putBefore(square(bundle.pixels->column[i], bundle.pixels->row[i]), bundle.color[i]);
+    putBefore((*bundle.square)(column + bundle.pixels->column[i], row + bundle.pixels->row[i]),
+      bundle.color[i]);
 }
 
 /// Puts what clouds lie between the last hits, at `from`, and the present ones behind what is seen
@@ -342,17 +354,20 @@ void BundleTracer::addCloudsBetween(Bundle& bundle, int side, int x0, int y0) co
 void BundleTracer::addCloudsBehind(Bundle& bundle, const std::vector<PassingRay>& rays,
   const std::vector<double>& from, int x0, int y0) const
 {
+  BundleClouds::Part parts[RayBundle::capacity];
+  RayColor colors[RayBundle::capacity];
+  int ray[RayBundle::capacity], count = 0;
   for (std::size_t k = 0; k < rays.size(); ++k)
-  {
-    const int i = rays[k].ray;
-    if (!bundle.isSeen(i))
-      continue;
-    const double to = rays[k].object < 0 ? rays[k].limit : rays[k].t;
-    const BundleClouds::Part part{this->placeOf(bundle, i, x0, y0), from[k], to};
-    RayColor color;
-    clouds_->gather(&part, 1, &color);
-    putBehind(color, bundle.color[i]);
-  }
+    if (const int i = rays[k].ray; bundle.isSeen(i))
+    {
+      const double to = rays[k].object < 0 ? rays[k].limit : rays[k].t;
+      parts[count] = {this->placeOf(bundle, i, x0, y0), from[k], to};
+      ray[count++] = i;
+    }
+  if (count > 0)
+    clouds_->gather(parts, count, colors);
+  for (int k = 0; k < count; ++k)
+    putBehind(colors[k], bundle.color[ray[k]]);
 }
 
 /// Takes what a shaded block tells of what its rays have met first.

@@ -44,7 +44,7 @@ constexpr FaceAxes faceAxes = makeFaceAxes();
 HWY_INLINE V pickOf16(const float (&table)[16], VI index)
 {
 #if HWY_TARGET <= HWY_AVX3
-  return V{_mm512_permutexvar_ps(index.raw, _mm512_load_ps(table))};
+  return wide::pick(hn::Load(D(), table), index);
 #else
   return hn::GatherIndex(D(), table, index);
 #endif
@@ -142,8 +142,7 @@ private:
       const D d;
       const VI at = hn::Load(DI(), lane);
 #if HWY_TARGET <= HWY_AVX3
-      return V{_mm512_permutex2var_ps(
-        hn::Load(d, numbers).raw, at.raw, hn::Load(d, numbers + lanes / 2).raw)};
+      return wide::pick(hn::Load(d, numbers), hn::Load(d, numbers + lanes / 2), at);
 #else
       return hn::GatherIndex(d, numbers, at);
 #endif

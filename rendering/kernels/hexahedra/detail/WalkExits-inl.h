@@ -155,48 +155,52 @@ private:
   /// the rays for which this does not tell.
   HWY_INLINE std::uint32_t decide(const Mesh& mesh, std::size_t first)
   {
-    const auto active = static_cast<__mmask16>(l_.active >> first);
-    const __m512i every = _mm512_set1_epi32(0xfff), none = _mm512_setzero_si512();
-    const __m512i left = loadTurns(left_ + first), right = loadTurns(right_ + first);
-    const __m512i set = _mm512_and_si512(mesh.isBackwards ? right : left, every);
-    const __m512i faces = _mm512_and_si512(
-      _mm512_mask_i32gather_epi32(none, active, set, turnFaces.of, 1), _mm512_set1_epi32(0xff));
-    const __m512i exit = _mm512_and_si512(faces, _mm512_set1_epi32(15));
-    const __m512i in = _mm512_srli_epi32(faces, 4);
-    __mmask16 sure = _mm512_mask_cmpeq_epi32_mask(
-      active, _mm512_and_si512(_mm512_xor_si512(left, right), every), every);
-    sure = _mm512_mask_cmpneq_epi32_mask(sure, faces, _mm512_set1_epi32(TurnFaces::unsure));
+    const DI d;
+    const auto bits = static_cast<std::uint16_t>(l_.active >> first);
+    const auto active = wide::lanesOf(bits);
+    const VI every = hn::Set(d, 0xfff);
+    const VI left = loadTurns(left_ + first), right = loadTurns(right_ + first);
+    const VI set = hn::And(mesh.isBackwards ? right : left, every);
+    const VI faces = wide::gather(active, turnFaces.of, set);
+    const VI exit = hn::And(faces, hn::Set(d, 15)), in = hn::ShiftRight<4>(faces);
+    auto sure = hn::And(active, hn::Eq(hn::And(hn::Xor(left, right), every), every));
+    sure = hn::And(sure, hn::Ne(faces, hn::Set(d, TurnFaces::unsure)));
     if (mesh.isLarge)
-      sure = 0;
-    const __m512i cell = _mm512_load_si512(l_.cell + first);
-    const __m512i slot = _mm512_mullo_epi32(cell, _mm512_set1_epi32(6));
-    const __m512i come =
-      _mm512_mask_i32gather_epi32(none, sure, _mm512_add_epi32(slot, in), mesh.next, 4);
-    const __m512i behind =
-      _mm512_mask_i32gather_epi32(none, sure, _mm512_add_epi32(slot, exit), mesh.next, 4);
-    const __m512i bend = _mm512_mask_i32gather_epi32(none, sure, cell, mesh.bends, 4);
-    sure = _mm512_mask_cmpeq_epi32_mask(sure, come, _mm512_load_si512(l_.before + first));
-    if (const __mmask16 warped = _mm512_mask_cmplt_epi32_mask(sure, bend, none); warped != 0)
+      sure = wide::lanesOf(0);
+    const VI cell = loadNumbers(l_.cell + first), slot = hn::Mul(cell, hn::Set(d, 6));
+    const auto* next = mesh.next->data();
+    const VI come = wide::gather(sure, next, hn::Add(slot, in));
+    const VI behind = wide::gather(sure, next, hn::Add(slot, exit));
+    const VI bend = wide::gather(sure, mesh.bends, cell);
+    sure = hn::And(sure, hn::Eq(come, loadNumbers(l_.before + first)));
+    const auto warped = hn::And(sure, hn::Lt(bend, hn::Zero(d)));
+    if (!hn::AllFalse(d, warped))
     {
-      const __m512i words = _mm512_mask_i32gather_epi32(
-        none, warped, _mm512_srli_epi32(cell, 5), task_.view->foldable(), 4);
-      const __m512i bit = _mm512_and_si512(cell, _mm512_set1_epi32(31));
-      const __m512i bits = _mm512_srlv_epi32(words, bit);
-      sure &= ~_mm512_mask_test_epi32_mask(warped, bits, _mm512_set1_epi32(1));
+      const VI words = wide::gather(warped, task_.view->foldable(), hn::ShiftRight<5>(cell));
+      const VI bit = hn::Shl(hn::Set(d, 1), hn::And(cell, hn::Set(d, 31)));
+      sure = hn::AndNot(hn::And(warped, hn::TestBit(words, bit)), sure);
     }
-    _mm512_store_si512(l_.inFace + first, in);
-    _mm512_store_si512(l_.outFace + first, exit);
-    _mm512_store_si512(l_.behind + first, behind);
-    _mm512_store_ps(l_.bend + first, _mm512_abs_ps(_mm512_castsi512_ps(bend)));
-    _mm512_store_si512(l_.before + first, cell);
+    storeNumbers(in, l_.inFace + first);
+    storeNumbers(exit, l_.outFace + first);
+    storeNumbers(behind, l_.behind + first);
+    hn::Store(hn::Abs(hn::BitCast(D(), bend)), D(), l_.bend + first);
+    storeNumbers(cell, l_.before + first);
     if (mesh.ofCells != nullptr)
-      _mm512_mask_store_epi32(
-        l_.cellValue + first, sure, _mm512_mask_i32gather_epi32(none, sure, cell, mesh.ofCells, 4));
-    return static_cast<std::uint32_t>(active & ~sure);
+      wide::storeWhere(sure, wide::gather(sure, mesh.ofCells, cell), l_.cellValue + first);
+    return bits & ~std::uint32_t(wide::bitsOf(sure));
   }
-  static HWY_INLINE __m512i loadTurns(const std::uint16_t* turns)
+  static HWY_INLINE VI loadTurns(const std::uint16_t* turns)
   {
-    return _mm512_cvtepu16_epi32(_mm256_load_si256(reinterpret_cast<const __m256i*>(turns)));
+    return hn::PromoteTo(DI(), hn::Load(hn::Rebind<std::uint16_t, DI>(), turns));
+  }
+  static HWY_INLINE VI loadNumbers(const std::uint32_t* numbers)
+  {
+    return hn::BitCast(DI(), hn::Load(hn::RebindToUnsigned<DI>(), numbers));
+  }
+  static HWY_INLINE void storeNumbers(VI numbers, std::uint32_t* to)
+  {
+    const hn::RebindToUnsigned<DI> d;
+    hn::Store(hn::BitCast(d, numbers), d, to);
   }
 
   /// Of a ray of which windings must tell: whether it goes by no face at all.

@@ -8,12 +8,9 @@
 #define MOTE_WALK_LANES_INL
 #endif
 
+#include "../../core/detail/Wide-inl.h"
 #include "WalkPatch-inl.h"
 #include "WalkTask.h"
-
-#if HWY_TARGET <= HWY_AVX3
-#include <immintrin.h>
-#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace mote
@@ -121,13 +118,7 @@ HWY_INLINE hn::Vec<DN> loadRows(DN d, const At& at, std::size_t first = 0, std::
     return hn::Load(d, at(first));
 #if HWY_TARGET <= HWY_AVX3
   else if constexpr (hn::MaxLanes(d) == 16)
-  {
-    // Each of them is one instruction.
-    __m512 rows = _mm512_castps128_ps512(_mm_load_ps(at(first)));
-    rows = _mm512_mask_broadcast_f32x4(rows, 0x00f0, _mm_load_ps(at(first + step)));
-    rows = _mm512_mask_broadcast_f32x4(rows, 0x0f00, _mm_load_ps(at(first + 2 * step)));
-    return V{_mm512_mask_broadcast_f32x4(rows, 0xf000, _mm_load_ps(at(first + 3 * step)))};
-  }
+    return wide::rows(at(first), at(first + step), at(first + 2 * step), at(first + 3 * step));
 #endif
   else
   {

@@ -61,11 +61,11 @@ constexpr FacePlaces facePlaces = makeFacePlaces();
 
 HWY_INLINE V pick(V first, V second, const Places& places)
 {
-  return V{_mm512_permutex2var_ps(first.raw, _mm512_loadu_si512(places.data()), second.raw)};
+  return wide::pick(first, second, hn::LoadU(DI(), places.data()));
 }
 HWY_INLINE V pick(V from, const Places& places)
 {
-  return V{_mm512_permutexvar_ps(_mm512_loadu_si512(places.data()), from.raw)};
+  return wide::pick(from, hn::LoadU(DI(), places.data()));
 }
 
 /// The corners of a cell: the first and second coordinates, eight each; depths, twice; depths and
@@ -102,13 +102,13 @@ HWY_INLINE void turnWide(V xy, std::uint16_t& left, std::uint16_t& right)
   alignas(64) static constexpr Places ax = edgePlaces(0, 0), ay = edgePlaces(0, 8),
                                       bx = edgePlaces(1, 0), by = edgePlaces(1, 8);
   const V p = hn::Mul(pick(xy, ax), pick(xy, by)), q = hn::Mul(pick(xy, bx), pick(xy, ay));
-  _store_mask16(&left, _mm512_cmp_ps_mask(p.raw, q.raw, _CMP_GT_OQ));
-  _store_mask16(&right, _mm512_cmp_ps_mask(p.raw, q.raw, _CMP_LT_OQ));
+  left = wide::bitsOf(hn::Gt(p, q));
+  right = wide::bitsOf(hn::Lt(p, q));
 }
 /// Which corners are above the ray.
 HWY_INLINE unsigned cornersAbove(V xy)
 {
-  return unsigned(_mm512_cmp_ps_mask(xy.raw, _mm512_setzero_ps(), _CMP_GT_OQ)) >> 8;
+  return unsigned(wide::bitsOf(hn::Gt(xy, hn::Zero(D())))) >> 8;
 }
 
 /// Of each set of edges that turn counter-clockwise, where all others turn clockwise: the face of

@@ -3,7 +3,8 @@
 #include "../../hexahedra/RayColor.h"
 
 #include <array>
-#include <utility>
+#include <functional>
+#include <vector>
 
 namespace mote
 {
@@ -15,71 +16,49 @@ namespace mote
 class CloudSquare
 {
 public:
-  static constexpr int largest = 16;
+  static constexpr int largest = 32;
+  static constexpr int mostPixels = 256; ///< that Trace is asked for at a time
 
-  /// Of `side` pixels, 8 or 16; trace(x, y) answers for the pixel (x, y) of the square, also for x
-  /// and y of `side`. A square of 16 pixels is traced at its corners and half-way between them;
-  /// where interpolation between the corners gives the other five to within `tolerance`, in any
-  /// channel, that is enough. Else, and in squares of 8 pixels, each part of 8 is traced in its
-  /// middle, and halved where that is off.
-  template <typename Trace>
-  CloudSquare(int side, double tolerance, const Trace& trace)
+  struct Pixel
   {
-    const auto at = [&](int x, int y) -> const RayColor&
-    {
-      bool& known = known_[index(x, y)];
-      if (!known)
-        colors_[index(x, y)] = trace(x, y);
-      known = true;
-      return colors_[index(x, y)];
-    };
-    const bool isEven = side == largest && isEvenAt(tolerance, at);
-    for (int y = 0; y < side; y += first)
-      for (int x = 0; x < side; x += first)
-        if (isEven)
-          fill(
-            x, y, first, {at(x, y), at(x + first, y), at(x, y + first), at(x + first, y + first)});
-        else
-          refine(x, y, first, tolerance, at);
-  }
+    int x, y;
+  };
+  /// Answers for 1 to mostPixels pixels of the square, also for x and y of its side.
+  using Trace = std::function<void(const Pixel* pixels, int count, RayColor* colors)>;
+
+  /// Of `side` pixels, 8, 16 or 32. Blocks of 16 pixels are traced at their corners and half-way
+  /// between them; where interpolation between the corners gives the other five to within
+  /// `tolerance`, in any channel, that is enough. Else, and in squares of 8 pixels, each part of 8
+  /// is traced in its middle, and halved where that is off. All blocks are traced together, so that
+  /// what asks for rays asks for many.
+  CloudSquare(int side, double tolerance, const Trace& trace);
 
   const RayColor& operator()(int x, int y) const { return colors_[index(x, y)]; }
 
 private:
-  static constexpr int first = 8;
+  /// A part of the square: its lower left pixel and its side.
+  struct Part
+  {
+    int x, y, size;
+  };
+  using Corners = std::array<RayColor, 4>;
+
   static std::size_t index(int x, int y) { return static_cast<std::size_t>(y * (largest + 1) + x); }
-
-  /// Whether interpolation between the corners of the whole square is good enough half-way.
-  template <typename At>
-  bool isEvenAt(double tolerance, const At& at)
-  {
-    const RayColor corners[4] = {at(0, 0), at(largest, 0), at(0, largest), at(largest, largest)};
-    for (const auto& [x, y] : {std::pair(1, 1), {1, 0}, {0, 1}, {2, 1}, {1, 2}})
-      if (difference(at(x * first, y * first), between(corners, 0.5 * x, 0.5 * y)) > tolerance)
-        return false;
-    return true;
-  }
-
-  template <typename At>
-  void refine(int x, int y, int size, double tolerance, const At& at)
-  {
-    const RayColor corners[4] = {
-      at(x, y), at(x + size, y), at(x, y + size), at(x + size, y + size)};
-    if (size == 1)
-      return;
-    const int half = size / 2;
-    if (difference(at(x + half, y + half), between(corners, 0.5, 0.5)) <= tolerance)
-      return fill(x, y, size, corners);
-    for (int part = 0; part < 4; ++part)
-      refine(x + (part & 1) * half, y + (part >> 1) * half, half, tolerance, at);
-  }
-  void fill(int x, int y, int size, const RayColor (&corners)[4]);
-  static RayColor between(const RayColor (&corners)[4], double u, double v);
+  void want(int x, int y);
+  void wantCorners(const Part& part);
+  void traceWanted(const Trace& trace);
+  Corners cornersOf(const Part& part) const;
+  bool isEven(const Part& block, double tolerance) const;
+  void refine(std::vector<Part> parts, double tolerance, const Trace& trace);
+  void fill(const Part& part);
+  static RayColor between(const Corners& corners, double u, double v);
   static double difference(const RayColor& a, const RayColor& b);
 
   static constexpr std::size_t pixels = (largest + 1) * (largest + 1);
   std::array<RayColor, pixels> colors_;
-  std::array<bool, pixels> known_{};
+  std::array<bool, pixels> known_{}; ///< traced, or about to be
+  std::vector<Pixel> wanted_;
+  std::vector<Part> even_; ///< interpolation is good enough between the corners of these
 };
 
 } // namespace mote
