@@ -14,7 +14,7 @@ PROGRAMS = ["app", "benchmarks"]
 ROOMS = [*PROGRAMS, "filters", "rendering"]
 # Each counts as one folder; in the kernels each room does, with its private headers.
 WHOLE = ["benchmarks", *(f"rendering/kernels/{room}" for room in
-                      ("core", "hexahedra", "imaging", "occlusion", "particles", "scene",
+                      ("core", "hexahedra", "imaging", "meshes", "occlusion", "particles", "scene",
                        "shading", "tracing"))]
 INCLUDE = re.compile(r'^\s*#include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 

@@ -82,14 +82,22 @@ void CastOracle::judge(const Ray& ray, double t, std::size_t particle, CastRepor
     return;
   std::ostringstream text;
   text.precision(17);
-  text << "ray from " << ray.origin.x << ' ' << ray.origin.y << ' ' << ray.origin.z << " along "
-       << ray.direction.x << ' ' << ray.direction.y << ' ' << ray.direction.z << ", t in "
-       << ray.tMin << " to " << ray.tMax << ": answered t " << answer << " on particle "
+  text << describe(ray) << ": answered t " << answer << " on particle "
        << static_cast<std::ptrdiff_t>(particle) << " (off its surface by " << distance
        << "); the reference says t " << answers[1] << " on "
        << static_cast<std::ptrdiff_t>(exact_.cast(ray).particle) << ", " << *low << " to " << *high
        << " with a slack of " << slack_;
   report.complaint = text.str();
+}
+
+std::string describe(const Ray& ray)
+{
+  std::ostringstream text;
+  text.precision(17);
+  text << "ray from " << ray.origin.x << ' ' << ray.origin.y << ' ' << ray.origin.z << " along "
+       << ray.direction.x << ' ' << ray.direction.y << ' ' << ray.direction.z << ", t in "
+       << ray.tMin << " to " << ray.tMax;
+  return text.str();
 }
 
 Ray rayOf(const RayPacket& packet, int i)

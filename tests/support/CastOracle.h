@@ -48,13 +48,15 @@ private:
   reference::SphereTree exact_, grown_, shrunk_;
 };
 
+/// The ray and its ends in words.
+std::string describe(const reference::Ray& ray);
+
 /// Ray i of a packet.
 reference::Ray rayOf(const RayPacket& packet, int i);
 
-/// Casts the packet and judges every ray of it.
-template <typename Structure>
-CastReport checkPacket(
-  const Structure& structure, const CastOracle& oracle, const RayPacket& question)
+/// Casts the packet and judges every ray of it, by an oracle of particles or of triangles.
+template <typename Structure, typename Oracle>
+CastReport checkPacket(const Structure& structure, const Oracle& oracle, const RayPacket& question)
 {
   CastReport report;
   RayPacket packet = question;
@@ -74,9 +76,8 @@ CastReport checkPacket(
 reference::Ray rayOf(const RayBundle& bundle, int i);
 
 /// Casts the bundle and judges every ray of it.
-template <typename Structure>
-CastReport checkBundle(
-  const Structure& structure, const CastOracle& oracle, const RayBundle& question)
+template <typename Structure, typename Oracle>
+CastReport checkBundle(const Structure& structure, const Oracle& oracle, const RayBundle& question)
 {
   CastReport report;
   RayBundle bundle = question;
@@ -93,8 +94,8 @@ CastReport checkBundle(
 }
 
 /// Casts all rays of an image, in bundles of `side` x `side`.
-template <typename Structure>
-CastReport checkImage(const Structure& structure, const CastOracle& oracle, const Camera& camera,
+template <typename Structure, typename Oracle>
+CastReport checkImage(const Structure& structure, const Oracle& oracle, const Camera& camera,
   int width, int height, int side = 16)
 {
   CastReport report;

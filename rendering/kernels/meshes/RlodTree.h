@@ -1,0 +1,98 @@
+#pragma once
+
+#include "../core/Camera.h"
+#include "../core/Progress.h"
+#include "../core/RayBundle.h"
+#include "../core/RayPacket.h"
+#include "TriangleMesh.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+namespace mote
+{
+
+struct RlodNode;
+struct TriangleCluster;
+
+/// A hierarchy of boxes over triangles, 16 children a node with bounds of 8 bits, whose leaves are
+/// clusters of up to 16 triangles; after Yoon, Lauterbach, Manocha, "R-LODs: Fast LOD-based Ray
+/// Tracing of Massive Models" (2006). See docs/triangles.md.
+///
+/// Both sides of triangles are hit, and closed meshes have no gaps: the ray that meets an edge or a
+/// corner, or passes it by less than rounding, hits one of the triangles there. Where triangles
+/// coincide one of them is hit. Const functions may be called from any number of threads.
+class RlodTree
+{
+public:
+  static constexpr std::uint64_t noHit = RayBundle::noHit;
+
+  RlodTree(); ///< of no triangles
+  ~RlodTree();
+  RlodTree(RlodTree&&) noexcept;
+  RlodTree& operator=(RlodTree&&) noexcept;
+
+  /// Builds over the valid triangles of the mesh, in parallel, and forgets what was there. The mesh
+  /// is not needed afterwards. The result does not depend on the number of threads. Where
+  /// `progress` answers false, which stops it early, nothing is held. Throws Error for more
+  /// triangles than the tree's indices count, about 1500 million.
+  void build(const TriangleMesh& mesh, const Progress& progress = {});
+
+  /// Takes the points of the mesh that it was built over and that have moved since: much faster
+  /// than a build, and the boxes are those of the new points, but which triangles share a box
+  /// stays. False, with nothing done, where the valid triangles are others: then build.
+  bool refit(const TriangleMesh& mesh);
+
+  std::size_t size() const; ///< triangles held
+  Box bounds() const;
+  double unit() const { return unit_; }
+  const Vec3d& origin() const { return origin_; }
+  std::size_t bytes() const;
+  std::size_t nodeCount() const;
+  std::size_t clusterCount() const;
+
+  /// Finds for each ray the nearest hit with tMin < t < its t, and where there is one writes t,
+  /// slot and `object`.
+  void cast(RayBundle& bundle, std::int32_t object) const;
+  void cast(RayPacket& packet, std::int32_t object) const;
+  /// t of each ray that meets a triangle with tMin < t < its t becomes -infinity; slot and object
+  /// stay as they are.
+  void occlude(RayBundle& bundle, std::int32_t object) const;
+  void occlude(RayPacket& packet, std::int32_t object) const;
+
+  /// Nodes and clusters that cast() looks at for a bundle, added up.
+  struct Counts
+  {
+    std::uint64_t nodes = 0, clusters = 0;
+  };
+  void cast(RayBundle& bundle, std::int32_t object, Counts& counts) const;
+
+  /// Slots that cast() tells: 16 times the cluster, and the triangle's place in it.
+  static constexpr std::uint64_t trianglesPerCluster = 16;
+
+  /// The triangle's index in the input.
+  std::uint64_t inputIndex(std::uint64_t slot) const;
+  /// Its corners in the tree's coordinates, which count from origin() in units of unit().
+  std::array<Vec3f, 3> localCorners(std::uint64_t slot) const;
+  /// Normal by the right-hand rule, in the input's coordinates, of any length; 0 for degenerate
+  /// triangles.
+  Vec3f normal(std::uint64_t slot) const;
+  /// Starts to fetch what inputIndex() and normal() read.
+  void prefetch(std::uint64_t slot) const;
+
+private:
+  friend struct RlodTreeView;
+  struct Arrays;
+
+  void clear();
+  void fill(const TriangleMesh& mesh);
+
+  std::unique_ptr<Arrays> arrays_;
+  Vec3d origin_{0.0};
+  double unit_ = 1.0;
+  Vec3f lower_{0.0f}, upper_{0.0f}; ///< of all triangles, in the tree's coordinates
+  int depth_ = 0;                   ///< nodes from the root to a leaf, at most
+};
+
+} // namespace mote

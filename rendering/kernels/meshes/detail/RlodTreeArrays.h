@@ -1,0 +1,17 @@
+#pragma once
+
+#include "../../core/RawVector.h"
+#include "../RlodTree.h"
+#include "RlodTreeParts.h"
+
+namespace mote
+{
+
+struct RlodTree::Arrays
+{
+  RawVector<RlodNode> nodes; ///< the root first; children come after their parents
+  RawVector<TriangleCluster> clusters;
+  RawVector<std::uint32_t> ids; ///< input's indices of the triangles, cluster by cluster
+};
+
+} // namespace mote

@@ -1,0 +1,160 @@
+// Single rays through an RlodTree. Included once per SIMD instruction set.
+
+#if defined(MOTE_RLOD_TREE_RAYS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MOTE_RLOD_TREE_RAYS_INL_H
+#undef MOTE_RLOD_TREE_RAYS_INL_H
+#else
+#define MOTE_RLOD_TREE_RAYS_INL_H
+#endif
+
+#include "TreeRays-inl.h"
+
+#include <vector>
+
+HWY_BEFORE_NAMESPACE();
+namespace mote
+{
+namespace HWY_NAMESPACE
+{
+
+/// Nodes and clusters that wait for a ray, clusters with the highest bit.
+struct WaitingNode
+{
+  std::uint32_t index;
+  float z;
+
+  static constexpr std::uint32_t isCluster = 1U << 31;
+};
+
+template <typename T>
+T* waitingStack(const RlodTreeView& view)
+{
+  static thread_local std::vector<T> stack;
+  if (stack.size() < view.stackSize())
+    stack.resize(view.stackSize());
+  return stack.data();
+}
+
+HWY_INLINE std::uint32_t referenceOf(const RlodNode& node, unsigned child)
+{
+  return child < node.clusters ? (node.firstCluster + child) | WaitingNode::isCluster
+                               : node.nodeOf(child);
+}
+
+HWY_INLINE void prefetchReference(const RlodTreeView& view, std::uint32_t reference)
+{
+  const bool isCluster = (reference & WaitingNode::isCluster) != 0;
+  const std::uint32_t index = reference & ~WaitingNode::isCluster;
+  const char* at = isCluster ? reinterpret_cast<const char*>(view.clusters + index)
+                             : reinterpret_cast<const char*>(view.nodes + index);
+  __builtin_prefetch(at);
+  __builtin_prefetch(at + 64);
+  if (isCluster)
+  {
+    __builtin_prefetch(at + 128);
+    __builtin_prefetch(at + 192);
+  }
+}
+
+/// The slot of the nearest hit, or RayPacket::noHit; ray.best becomes its z.
+inline std::uint64_t nearestHit(const RlodTreeView& view, TreeRay& ray)
+{
+  std::uint64_t slot = RayPacket::noHit;
+  WaitingNode* const bottom = waitingStack<WaitingNode>(view);
+  WaitingNode* top = bottom;
+  *top++ = {0, ray.first};
+  while (top != bottom)
+  {
+    const WaitingNode next = *--top;
+    if (next.z > ray.best)
+      continue;
+    Row z;
+    if ((next.index & WaitingNode::isCluster) != 0)
+    {
+      const std::uint32_t cluster = next.index & ~WaitingNode::isCluster;
+      for (unsigned bits = ray.trianglesMet(view.clusters[cluster], z); bits != 0; bits &= bits - 1)
+      {
+        const auto k = static_cast<unsigned>(std::countr_zero(bits));
+        if (!(z.v[k] < ray.best))
+          continue;
+        ray.best = z.v[k];
+        slot = std::uint64_t{cluster} * TriangleCluster::capacity + k;
+      }
+      continue;
+    }
+    const RlodNode& node = view.nodes[next.index];
+    WaitingNode* const first = top;
+    for (unsigned bits = ray.childrenMet(node, z); bits != 0; bits &= bits - 1)
+    {
+      const auto k = static_cast<unsigned>(std::countr_zero(bits));
+      const WaitingNode child = {referenceOf(node, k), z.v[k]};
+      WaitingNode* at = top++;
+      for (; at != first && at[-1].z < child.z; --at)
+        *at = at[-1];
+      *at = child;
+    }
+    if (top != first)
+      prefetchReference(view, top[-1].index);
+  }
+  return slot;
+}
+
+/// Whether the ray meets anything between its ends.
+inline bool meetsAny(const RlodTreeView& view, const TreeRay& ray)
+{
+  std::uint32_t* const bottom = waitingStack<std::uint32_t>(view);
+  std::uint32_t* top = bottom;
+  *top++ = 0;
+  Row z;
+  while (top != bottom)
+  {
+    const std::uint32_t next = *--top;
+    if ((next & WaitingNode::isCluster) != 0)
+    {
+      if (ray.trianglesMet(view.clusters[next & ~WaitingNode::isCluster], z) != 0)
+        return true;
+      continue;
+    }
+    const RlodNode& node = view.nodes[next];
+    unsigned bits = ray.childrenMet(node, z);
+    if (bits == 0)
+      continue;
+    for (; bits != 0; bits &= bits - 1)
+      *top++ = referenceOf(node, static_cast<unsigned>(std::countr_zero(bits)));
+    prefetchReference(view, top[-1]);
+  }
+  return false;
+}
+
+inline void castPacketNearest(const RlodTreeView& view, RayPacket& packet, std::int32_t object)
+{
+  const TreeRays rays(view, packet);
+  for (int i = 0; i < packet.count; ++i)
+  {
+    if (!rays.isAnywhere(i))
+      continue;
+    TreeRay ray(rays, i);
+    const std::uint64_t slot = nearestHit(view, ray);
+    const double t = rays.t0[i] + rays.perZ[i] * static_cast<double>(ray.best);
+    // What is as near already may be a little farther in float.
+    if (slot == RayPacket::noHit || !(t < packet.t[i]))
+      continue;
+    packet.t[i] = t;
+    packet.slot[i] = slot;
+    packet.object[i] = object;
+  }
+}
+
+inline void castPacketAny(const RlodTreeView& view, RayPacket& packet)
+{
+  const TreeRays rays(view, packet);
+  for (int i = 0; i < packet.count; ++i)
+    if (rays.isAnywhere(i) && meetsAny(view, TreeRay(rays, i)))
+      packet.t[i] = -std::numeric_limits<double>::infinity();
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace mote
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,274 @@
+// Rays through an RlodTree, judged by brute force.
+
+#include "MeshParts.h"
+
+#include <support/Targets.h>
+
+#include <gtest/gtest.h>
+
+#include <tbb/task_arena.h>
+
+#include <cmath>
+
+using namespace mote;
+using namespace mote::testing;
+
+namespace
+{
+
+/// Checks a mesh in [-1, 1]^3 with rays of all kinds.
+void expectRight(const Triangles& triangles, int bundles, std::uint64_t seed, double hits = 0.05)
+{
+  const RlodTree tree = treeOver(triangles);
+  const TriangleOracle oracle(triangles);
+  const CastReport report = checkMesh(tree, oracle, meshQuestions(bundles, seed));
+  EXPECT_EQ(report.wrong, 0u) << "of " << report.rays << " rays; " << report.complaint;
+  EXPECT_GT(double(report.hits), hits * double(report.rays));
+}
+
+} // namespace
+
+TEST(RlodTree, AgreesWithTheReferenceOnTrianglesAnywhere)
+{
+  expectRight(randomTriangles(300, 1, 0.3), 60, 11);
+  expectRight(randomTriangles(3000, 2, 0.05), 24, 12);
+}
+
+TEST(RlodTree, AgreesWithTheReferenceOnSharedPoints)
+{
+  expectRight(bumpySphere(24), 40, 13);
+}
+
+TEST(RlodTree, EveryInstructionSetAgreesWithTheReference)
+{
+  const Triangles sphere = bumpySphere(16);
+  const Triangles loose = randomTriangles(200, 3, 0.4);
+  for (const std::int64_t target : everyTarget())
+  {
+    SCOPED_TRACE(hwy::TargetName(target));
+    const OnlyTargets only(target);
+    expectRight(sphere, 24, 14);
+    expectRight(loose, 24, 15);
+  }
+}
+
+TEST(RlodTree, TakesSliversAndHugeBesideTiny)
+{
+  Random random(4);
+  Triangles all = randomTriangles(100, 5, 0.2);
+  for (int i = 0; i < 100; ++i) // slivers
+  {
+    const Vec3d a = random.inBox(Vec3d(-1.0), Vec3d(1.0)), way = random.direction();
+    all.add(a, a + way, a + 0.5 * way + std::pow(10.0, random(-9.0, -2.0)) * random.direction());
+  }
+  for (int i = 0; i < 100; ++i) // dust
+  {
+    const Vec3d a = random.inBox(Vec3d(-1.0), Vec3d(1.0));
+    all.add(a, a + 1e-4 * random.direction(), a + 1e-4 * random.direction());
+  }
+  for (int i = 0; i < 4; ++i) // walls
+    all.add(40.0 * random.direction(), 40.0 * random.direction(), 40.0 * random.direction());
+  expectRight(all, 40, 16);
+}
+
+TEST(RlodTree, DegenerateTrianglesAreHeldAndNeverHit)
+{
+  Random random(6);
+  Triangles all = bumpySphere(10);
+  const std::size_t whole = all.size();
+  for (int i = 0; i < 300; ++i)
+  {
+    const Vec3d a = random.inBox(Vec3d(-1.0), Vec3d(1.0)),
+                b = random.inBox(Vec3d(-1.0), Vec3d(1.0));
+    all.add(a, b, i % 2 == 0 ? b : a);
+  }
+  for (int i = 0; i < 40; ++i)
+    all.add(0, 0, 0);
+  const RlodTree tree = treeOver(all);
+  EXPECT_EQ(tree.size(), all.size());
+  for (RayBundle bundle : meshQuestions(30, 17))
+  {
+    tree.cast(bundle, 0);
+    for (int i = 0; i < bundle.count; ++i)
+      if (bundle.object[i] == 0)
+      {
+        EXPECT_LT(tree.inputIndex(bundle.slot[i]), whole);
+      }
+  }
+  expectRight(all, 30, 18);
+}
+
+TEST(RlodTree, TakesDuplicatesStacksAndEdgesOfManyTriangles)
+{
+  Triangles all;
+  Random random(7);
+  for (int i = 0; i < 60; ++i) // one triangle again and again: more than a cluster holds
+    all.add({-0.9, -0.9, 0.1}, {0.1, -0.8, 0.2}, {-0.3, 0.1, -0.2});
+  for (int i = 0; i < 50; ++i) // in one plane, over one another
+  {
+    const auto at = [&] { return Vec3d(random(-1.0, 1.0), random(-1.0, 1.0), 0.5); };
+    const Vec3d a = at(), b = at();
+    all.add(a, b, at());
+  }
+  for (int i = 0; i < 50; ++i) // a fan about one edge
+    all.add(
+      {0.5, 0.5, -1.0}, {0.5, 0.5, 1.0}, {random(-1.0, 1.0), random(-1.0, 1.0), random(-1.0, 1.0)});
+  expectRight(all, 40, 19);
+  for (int i = 0; i < 3000; ++i) // more than a treelet
+    all.add({-0.9, -0.9, 0.1}, {0.1, -0.8, 0.2}, {-0.3, 0.1, -0.2});
+  const RlodTree tree = treeOver(all);
+  EXPECT_EQ(tree.size(), 3160u);
+  RayPacket packet = emptyPacket();
+  addRay(packet, {-0.35, -0.5, 3.0}, {0.0, 0.0, -1.0}, 2.6);
+  tree.cast(packet, 0);
+  ASSERT_EQ(packet.object[0], 0);
+  EXPECT_GT(packet.t[0], 2.6);
+}
+
+TEST(RlodTree, AnswersInWhateverUnitsAndWhereverTheModelLies)
+{
+  const Triangles base = bumpySphere(12);
+  const auto questions = meshQuestions(20, 20);
+  for (const double size : {1e-9, 1.0, 1e9})
+    for (const double away : {0.0, 1e6})
+    {
+      SCOPED_TRACE(std::to_string(size) + " " + std::to_string(away));
+      const Vec3d middle = away * size * Vec3d(1.0, -1.0, 1.0);
+      Triangles moved = base;
+      moved.move([&](const Vec3d& p) { return middle + size * p; });
+      const RlodTree tree = treeOver(moved);
+      const TriangleOracle oracle(moved);
+      CastReport report;
+      for (RayBundle bundle : questions)
+      {
+        bundle.origin = middle + size * bundle.origin;
+        if (bundle.kind == RayBundle::Kind::CommonDirection)
+        {
+          bundle.dx *= size;
+          bundle.dy *= size;
+        }
+        const double perT = bundle.kind == RayBundle::Kind::CommonDirection ? 1.0 : size;
+        bundle.direction *= size / perT;
+        bundle.tMin *= perT;
+        for (int i = 0; i < bundle.count; ++i)
+          bundle.t[i] *= perT;
+        report.add(checkMesh(tree, oracle, bundle));
+      }
+      EXPECT_EQ(report.wrong, 0u) << "of " << report.rays << " rays; " << report.complaint;
+      EXPECT_GT(report.hits, report.rays / 20);
+    }
+}
+
+TEST(RlodTree, SeesFromFarAwayWhatItSeesFromNear)
+{
+  const Triangles sphere = bumpySphere(12);
+  const RlodTree tree = treeOver(sphere);
+  const TriangleOracle oracle(sphere);
+  for (const double distance : {10.0, 1e3, 1e6, 1e9})
+  {
+    const Vec3d eye = distance * glm::normalize(Vec3d(1.0, 2.0, 3.0));
+    const CastReport report =
+      checkImage(tree, oracle, lookAt(eye, Vec3d(0.0), 130.0 / distance), 48, 48);
+    EXPECT_EQ(report.wrong, 0u) << distance << ": " << report.complaint;
+    EXPECT_GT(report.hits, 1000u);
+  }
+}
+
+TEST(RlodTree, HoldsNothingOrOneTriangle)
+{
+  RlodTree none = treeOver({});
+  EXPECT_EQ(none.size(), 0u);
+  EXPECT_TRUE(none.bounds().empty());
+  for (RayBundle bundle : meshQuestions(4, 21))
+  {
+    none.cast(bundle, 0);
+    none.occlude(bundle, 0);
+    for (int i = 0; i < bundle.count; ++i)
+      EXPECT_EQ(bundle.object[i], -1);
+  }
+  Triangles one;
+  one.add({-1, -1, 0.3}, {1, -1, 0.1}, {0, 1, -0.2});
+  expectRight(one, 40, 22, 0.02);
+}
+
+TEST(RlodTree, LeavesOutTrianglesThatAreNotFinite)
+{
+  Triangles all = bumpySphere(8);
+  const std::size_t whole = all.size();
+  const std::int32_t bad = all.addPoint(Vec3d(std::numeric_limits<double>::quiet_NaN()));
+  for (int i = 0; i < 20; ++i)
+    all.add(i, bad, i + 1);
+  const RlodTree tree = treeOver(all);
+  EXPECT_EQ(tree.size(), whole);
+  expectRight(all, 20, 23);
+}
+
+TEST(RlodTree, BoundsAreThoseOfTheTriangles)
+{
+  const Triangles sphere = bumpySphere(9, {5.0, 6.0, 7.0}, 2.0);
+  Box box;
+  for (std::size_t i = 0; i < sphere.pointCount(); ++i)
+    box.add(sphere.point(i));
+  const Box bounds = treeOver(sphere).bounds();
+  EXPECT_LT(glm::length(bounds.lower - box.lower) + glm::length(bounds.upper - box.upper), 1e-6);
+}
+
+TEST(RlodTree, DoesNotDependOnTheNumberOfThreads)
+{
+  const Triangles sphere = bumpySphere(90);
+  const TriangleMesh mesh = sphere.mesh();
+  RlodTree alone, together;
+  tbb::task_arena(1).execute([&] { alone.build(mesh); });
+  tbb::task_arena(4).execute([&] { together.build(mesh); });
+  ASSERT_EQ(alone.clusterCount(), together.clusterCount());
+  EXPECT_EQ(alone.nodeCount(), together.nodeCount());
+  for (std::uint64_t cluster = 0; cluster < alone.clusterCount(); ++cluster)
+    EXPECT_EQ(alone.inputIndex(16 * cluster), together.inputIndex(16 * cluster));
+}
+
+TEST(RlodTree, TakesNoMoreThan26BytesATriangle)
+{
+  const Triangles sphere = bumpySphere(150);
+  const RlodTree tree = treeOver(sphere);
+  EXPECT_LT(double(tree.bytes()) / double(sphere.size()), 26.0);
+}
+
+TEST(RlodTree, FollowsPointsThatMove)
+{
+  Triangles sphere = bumpySphere(20);
+  TriangleMesh mesh = sphere.mesh();
+  RlodTree tree;
+  tree.build(mesh);
+  sphere.move([](const Vec3d& p)
+    { return Vec3d(p.x + 0.3 * std::sin(3.0 * p.z), 0.8 * p.y, p.z + 0.2 * p.x * p.y); });
+  mesh.movePoints(sphere.pointView());
+  ASSERT_TRUE(tree.refit(mesh));
+  const CastReport report = checkMesh(tree, TriangleOracle(sphere), meshQuestions(30, 24));
+  EXPECT_EQ(report.wrong, 0u) << report.complaint;
+  EXPECT_GT(report.hits, report.rays / 20);
+  // Where other triangles are valid the tree says so and stays.
+  const Box before = tree.bounds();
+  sphere.points[30] = std::numeric_limits<double>::quiet_NaN();
+  mesh.movePoints(sphere.pointView());
+  EXPECT_FALSE(tree.refit(mesh));
+  EXPECT_EQ(tree.bounds().lower, before.lower);
+}
+
+TEST(RlodTree, StopsWhenItIsTold)
+{
+  const Triangles sphere = bumpySphere(40);
+  double last = -1.0;
+  int calls = 0;
+  RlodTree tree;
+  tree.build(sphere.mesh(),
+    [&](double share)
+    {
+      EXPECT_GE(share, last);
+      last = share;
+      return ++calls < 100;
+    });
+  EXPECT_EQ(last, 1.0);
+  EXPECT_EQ(tree.size(), sphere.size());
+  tree.build(sphere.mesh(), [](double share) { return share < 0.1; });
+  EXPECT_EQ(tree.size(), 0u);
+}
