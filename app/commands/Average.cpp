@@ -1,11 +1,11 @@
 #include "Average.h"
 
+#include "ChartFile.h"
 #include "OpenedInput.h"
 #include "TableFile.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/OutputFile.h"
-#include "base/Text.h"
 #include "stage/Arrays.h"
 #include "stage/ColorMaps.h"
 #include "stage/Picture.h"
@@ -14,6 +14,7 @@
 #include <vtkImageData.h>
 #include <vtkLookupTable.h>
 #include <vtkMoteColorLegend.h>
+#include <vtkMoteImageAxes.h>
 #include <vtkMoteImageWriter.h>
 #include <vtkMoteMeridionalAverage.h>
 #include <vtkMultiBlockDataSet.h>
@@ -22,9 +23,8 @@
 #include <vtkTable.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdio>
-#include <filesystem>
 
 namespace mote::app
 {
@@ -32,30 +32,31 @@ namespace mote::app
 namespace
 {
 
-bool isTable(const std::string& file)
+/// A picture and the pixels of it that hold the bins: {x min, x max, y min, y max}.
+struct Drawn
 {
-  return file.empty() || lowerCase(std::filesystem::path(file).extension().string()) == ".csv";
-}
+  vtkSmartPointer<vtkImageData> image;
+  std::array<int, 4> frame;
+  double fontScale; ///< factor that flat pictures, too, are read with
+};
 
 /// The bins as squares of one size in a picture 1280 pixels wide and at most 960 high, over white.
-vtkSmartPointer<vtkImageData> drawn(
-  vtkImageData* bins, vtkDataArray* values, vtkLookupTable* colors)
+Drawn drawn(vtkImageData* bins, vtkDataArray* values, vtkLookupTable* colors, double fontScale)
 {
-  constexpr int width = 1280, left = 40, right = 300, below = 60, above = 40;
+  constexpr int width = 1280, most = 960, above = 40, legend = 300;
+  const int letter = vtkMoteImageAxes::LabelSize(width, most, fontScale);
+  const int left = 7 * letter, below = 6 * letter + 10; // the caption, and the axis
   const int* bounds = bins->GetDimensions();
-  const double pixel = std::max(static_cast<double>(bounds[0]) / (width - left - right),
-    static_cast<double>(bounds[1]) / (960 - below - above));
+  const double pixel = std::max(static_cast<double>(bounds[0]) / (width - left - legend),
+    static_cast<double>(bounds[1]) / (most - below - above));
   // The legend needs some height, too.
   const int height = std::max(480, static_cast<int>(bounds[1] / pixel) + below + above);
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(width, height, 1);
-  vtkNew<vtkFloatArray> pixels;
-  pixels->SetName("color");
-  pixels->SetNumberOfComponents(4);
-  pixels->SetNumberOfTuples(image->GetNumberOfPoints());
-  pixels->Fill(1.0);
-  for (int y = 0; y < static_cast<int>(bounds[1] / pixel); ++y)
-    for (int x = 0; x < static_cast<int>(bounds[0] / pixel); ++x)
+  const auto image = whitePaper(width, height);
+  auto* pixels = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
+  const int columns = std::max(1, static_cast<int>(bounds[0] / pixel));
+  const int rows = std::max(1, static_cast<int>(bounds[1] / pixel));
+  for (int y = 0; y < rows; ++y)
+    for (int x = 0; x < columns; ++x)
     {
       const int i = std::min(bounds[0] - 1, static_cast<int>((x + 0.5) * pixel));
       const int j = std::min(bounds[1] - 1, static_cast<int>((y + 0.5) * pixel));
@@ -68,8 +69,8 @@ vtkSmartPointer<vtkImageData> drawn(
       for (int k = 0; k < 3; ++k)
         pixels->SetTypedComponent(at, k, static_cast<float>(rgb[k]));
     }
-  image->GetPointData()->SetScalars(pixels);
-  return image;
+  return {image, {left, left + columns - 1, below, below + rows - 1},
+    fontScale * std::clamp(720.0 / height, 1.0, 1.4)};
 }
 
 /// The column that colours: what the user says, else the average, of a vector its magnitude.
@@ -86,7 +87,32 @@ vtkDataArray* columnOf(vtkImageData* bins, const Settings& settings)
   throw Failure("the average has no column " + name + " to colour by; it has " + listArrays(bins));
 }
 
-void writePicture(vtkImageData* bins, const Settings& settings, const std::string& caption)
+/// What is averaged, in words for pictures.
+struct Meaning
+{
+  std::string caption;
+  std::string unit, lengthUnit; ///< empty where the data do not say
+};
+
+/// The picture's axes: along the axis of the machine, and away from it.
+void aimAxes(vtkMoteImageAxes* axes, vtkImageData* bins, const std::string& unit)
+{
+  const auto range = [&](int axis, double to[2])
+  {
+    const double side = bins->GetSpacing()[axis];
+    to[0] = bins->GetOrigin()[axis] - 0.5 * side;
+    to[1] = to[0] + bins->GetDimensions()[axis] * side;
+  };
+  double along[2], away[2];
+  range(0, along);
+  range(1, away);
+  axes->SetXRange(along);
+  axes->SetYRange(away);
+  axes->SetXTitle(withUnit("axial", unit));
+  axes->SetYTitle(withUnit("radial", unit));
+}
+
+void writePicture(vtkImageData* bins, const Settings& settings, const Meaning& meaning)
 {
   vtkDataArray* column = columnOf(bins, settings);
   double range[2];
@@ -98,18 +124,22 @@ void writePicture(vtkImageData* bins, const Settings& settings, const std::strin
     range[1] = range[0] + 1.0;
   const std::string map = settings.color.map.empty() ? "viridis" : settings.color.map;
   const auto colors = makeColorMap(map, range, settings.color.logarithmic);
+  const Drawn picture = drawn(bins, column, colors, settings.picture.fontScale);
+  vtkNew<vtkMoteImageAxes> axes;
+  axes->SetInputData(picture.image);
+  axes->SetFrame(picture.frame[0], picture.frame[1], picture.frame[2], picture.frame[3]);
+  axes->SetFontScale(picture.fontScale);
+  aimAxes(axes, bins, meaning.lengthUnit);
   vtkNew<vtkMoteColorLegend> legend;
-  legend->SetInputData(drawn(bins, column, colors));
+  legend->SetInputConnection(axes->GetOutputPort());
   legend->SetLookupTable(colors);
-  legend->SetTitle(settings.picture.title.value_or(column->GetName()));
+  const std::string name = column->GetName();
+  legend->SetTitle(settings.picture.title.value_or(
+    withUnit(name, name.starts_with(settings.average.array) ? meaning.unit : "")));
   applyLook(legend, settings.picture);
-  legend->SetCaption(caption);
-  vtkNew<vtkMoteImageWriter> writer;
-  writer->SetFileName(settings.output.file.c_str());
-  writer->SetInputConnection(legend->GetOutputPort());
-  Messages::takeError();
-  if (!writer->Write())
-    throw Failure(writer->GetErrorMessage());
+  legend->SetFontScale(picture.fontScale);
+  legend->SetCaption(meaning.caption);
+  writeChart(legend, settings.output.file);
 }
 
 } // namespace
@@ -117,7 +147,7 @@ void writePicture(vtkImageData* bins, const Settings& settings, const std::strin
 void average(const Settings& settings)
 {
   const AverageSettings& wanted = settings.average;
-  if (!isTable(settings.output.file) &&
+  if (!isTableFile(settings.output.file) &&
       !vtkMoteImageWriter::CanWriteFile(settings.output.file.c_str()))
     throw Failure("cannot write " + settings.output.file +
                   ": the name must end in .csv for a table, or .png, .jpg, .tif or .exr for a "
@@ -126,10 +156,15 @@ void average(const Settings& settings)
   OpenedInput opened(settings);
   vtkNew<vtkMultiBlockDataSet> blocks;
   std::vector<std::string> known;
+  Meaning meaning;
   for (const NamedData& one : opened.read())
   {
     blocks->SetBlock(blocks->GetNumberOfBlocks(), one.data);
     known.push_back(listArrays(one.data));
+    if (meaning.unit.empty())
+      meaning.unit = unitOf(one.data, wanted.array);
+    if (meaning.lengthUnit.empty())
+      meaning.lengthUnit = lengthUnitOf(one.data);
   }
   vtkNew<vtkMoteMeridionalAverage> filter;
   filter->SetInputData(blocks);
@@ -152,12 +187,13 @@ void average(const Settings& settings)
       name + ": " + error +
       (error.starts_with("there is no array") && !known.empty() ? "; it has " + known.front()
                                                                 : ""));
-  const std::vector<double>& times = opened.input.times();
-  if (isTable(settings.output.file))
+  if (isTableFile(settings.output.file))
     writeTable(filter->GetOutput(), settings.output.file);
   else
-    writePicture(filter->GetImage(), settings,
-      name + (times.empty() ? "" : ", t = " + asNumber(times[opened.step], 10)));
+  {
+    meaning.caption = opened.caption();
+    writePicture(filter->GetImage(), settings, meaning);
+  }
 }
 
 } // namespace mote::app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/ProgressRelay.h"
+#include "base/Text.h"
 #include "stage/Calculated.h"
 
 namespace mote::app
@@ -21,6 +22,13 @@ struct OpenedInput
 
   /// The data sets of the step that was asked for.
   std::vector<NamedData> read() { return readAsAsked(input, step, settings, progress); }
+
+  /// "swirl.vtu, t = 0.05".
+  std::string caption() const
+  {
+    const std::vector<double>& times = input.times();
+    return input.name() + (times.empty() ? "" : ", t = " + asNumber(times[step], 10));
+  }
 
   const Settings& settings;
   TerminalProgress terminal;

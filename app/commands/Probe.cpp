@@ -1,10 +1,12 @@
 #include "Probe.h"
 
+#include "ChartFile.h"
 #include "OpenedInput.h"
 #include "TableFile.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/OutputFile.h"
+#include "base/Text.h"
 #include "stage/Arrays.h"
 #include "stage/Part.h"
 
@@ -12,9 +14,12 @@
 
 #include <vtkCharArray.h>
 #include <vtkDoubleArray.h>
+#include <vtkImageData.h>
 #include <vtkLineSource.h>
 #include <vtkMath.h>
+#include <vtkMoteColorLegend.h>
 #include <vtkMoteCylindricalLocator.h>
+#include <vtkMoteImageAxes.h>
 #include <vtkMoteImageWriter.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -86,6 +91,34 @@ public:
 
   vtkTable* table() const { return table_; }
 
+  /// Where the points lie along the line.
+  vtkDataArray* distances() const
+  {
+    return vtkDataArray::SafeDownCast(table_->GetColumnByName("distance"));
+  }
+
+  /// The values of one choice along the line; NaN where there are none.
+  vtkSmartPointer<vtkDoubleArray> values(
+    const ArrayChoice& choice, const std::string& heading) const
+  {
+    auto values = vtkSmartPointer<vtkDoubleArray>::New();
+    values->SetNumberOfValues(rows_);
+    std::vector<vtkDataArray*> parts;
+    for (vtkIdType c = 0; c < table_->GetNumberOfColumns(); ++c)
+      if (const std::string name = table_->GetColumnName(c);
+          name == heading || (heading == choice.name && name.starts_with(heading + ":")))
+        parts.push_back(vtkDataArray::SafeDownCast(table_->GetColumn(c)));
+    for (vtkIdType i = 0; i < rows_; ++i)
+    {
+      double squares = 0.0;
+      for (vtkDataArray* part : parts)
+        squares += std::pow(part->GetComponent(i, 0), 2);
+      values->SetValue(
+        i, parts.size() == 1 ? parts.front()->GetComponent(i, 0) : std::sqrt(squares));
+    }
+    return values;
+  }
+
   bool anyInside() const
   {
     for (vtkIdType i = 0; i < rows_; ++i)
@@ -112,6 +145,88 @@ private:
   vtkNew<vtkStringArray> parts_;
 };
 
+/// The heading of a component's column, or the array's name for one without components and for a
+/// magnitude.
+std::string headingOf(vtkDataArray* array, const std::string& name, int component)
+{
+  if (array->GetNumberOfComponents() == 1 || component == ArrayChoice::magnitude)
+    return name;
+  const char* known = array->GetComponentName(component);
+  return name + ":" + (known ? known : std::to_string(component));
+}
+
+/// The array that a picture shows: what the user says, else the most telling.
+struct Shown
+{
+  ArrayChoice choice;
+  std::string heading, title, unit, lengthUnit;
+};
+
+Shown shownOf(const std::vector<NamedData>& data, const std::string& asked)
+{
+  for (const NamedData& one : data)
+  {
+    const auto ranked = rankedArrays(one.data);
+    const ArrayChoice choice = !asked.empty()   ? findArray(one.data, asked)
+                               : ranked.empty() ? ArrayChoice()
+                                                : ranked.front();
+    if (vtkDataArray* array = arrayOf(one.data, choice))
+      return {choice, headingOf(array, choice.name, choice.component), describe(one.data, choice),
+        unitOf(one.data, choice.name), lengthUnitOf(one.data)};
+  }
+  throw Failure(asked.empty()
+                  ? "there are no values to draw"
+                  : "there is no array " + asked + "; there are " + listArrays(data.front().data));
+}
+
+/// From the least to the greatest value with some air, or as the user says.
+void chooseRange(vtkDataArray* values, const std::vector<double>& asked, double range[2])
+{
+  if (asked.size() == 2)
+  {
+    std::copy(asked.begin(), asked.end(), range);
+    return;
+  }
+  values->GetFiniteRange(range, 0);
+  const double width = range[1] - range[0];
+  const double air = width > 0.0 ? 0.04 * width : std::max(0.1 * std::abs(range[0]), 1e-12);
+  range[0] -= air;
+  range[1] += air;
+}
+
+/// The values over the distance along the line.
+void drawLine(
+  const LineTable& table, const Shown& shown, const Settings& settings, const std::string& caption)
+{
+  constexpr int width = 1280, height = 800;
+  const auto values = table.values(shown.choice, shown.heading);
+  const double scale = settings.picture.fontScale;
+  const int letter = vtkMoteImageAxes::LabelSize(width, height, scale);
+  double range[2], along[2] = {0.0, 1.0};
+  table.distances()->GetFiniteRange(along, 0);
+  if (!(along[0] < along[1]))
+    throw Failure("--from and --to are one point: there is no line to draw values along");
+  chooseRange(values, settings.color.range, range);
+  if (!(range[0] < range[1]))
+    throw Failure("no point of the line has a finite value of " + shown.title);
+  vtkNew<vtkMoteImageAxes> axes;
+  axes->SetInputData(whitePaper(width, height));
+  axes->SetFrame(7 * letter, width - 2 * letter, 6 * letter + 10, height - 2 * letter);
+  axes->SetFontScale(scale);
+  axes->SetXRange(along);
+  axes->SetYRange(range);
+  const auto place = [](const std::vector<double>& at)
+  { return asNumber(at[0]) + ", " + asNumber(at[1]) + ", " + asNumber(at[2]); };
+  axes->SetXTitle(withUnit("distance", shown.lengthUnit) + " from " + place(settings.probe.from));
+  axes->SetYTitle(settings.picture.title.value_or(withUnit(shown.title, shown.unit)));
+  axes->AddCurve(table.distances(), values, 0.12, 0.35, 0.65);
+  vtkNew<vtkMoteColorLegend> labelled; // for the caption
+  labelled->SetInputConnection(axes->GetOutputPort());
+  labelled->SetFontScale(scale);
+  labelled->SetCaption(caption);
+  writeChart(labelled, settings.output.file);
+}
+
 /// Whether Mote's locator finds all cells, and sooner than VTK's own search: to build it takes as
 /// long as that does for about a point for 50 cells.
 bool isWorthALocator(vtkDataSet* data, vtkIdType points)
@@ -130,9 +245,7 @@ bool isWorthALocator(vtkDataSet* data, vtkIdType points)
 void probe(const Settings& settings)
 {
   const std::string& output = settings.output.file;
-  if (vtkMoteImageWriter::CanWriteFile(output.c_str()))
-    throw Failure(
-      "mote probe writes a table, such as values.csv, and no picture such as " + output);
+  const bool isPicture = vtkMoteImageWriter::CanWriteFile(output.c_str());
   checkOutput(output, settings.data.files);
   OpenedInput opened(settings);
   const int points = settings.probe.points;
@@ -145,7 +258,8 @@ void probe(const Settings& settings)
   LineTable table(line->GetOutput());
   vtkNew<vtkMoteCylindricalLocator> locator;
   vtkIdType cells = 0;
-  for (const NamedData& one : opened.read())
+  const std::vector<NamedData> data = opened.read();
+  for (const NamedData& one : data)
   {
     cells += Part::isMesh(one.data) ? one.data->GetNumberOfCells() : 0;
     vtkNew<vtkProbeFilter> filter;
@@ -164,7 +278,10 @@ void probe(const Settings& settings)
     throw Failure(opened.input.name() + " holds no cells, in which values could be looked up");
   if (!table.anyInside())
     throw Failure("no point of the line lies in a cell of " + opened.input.name());
-  writeTable(table.table(), output);
+  if (isPicture)
+    drawLine(table, shownOf(data, settings.color.array), settings, opened.caption());
+  else
+    writeTable(table.table(), output);
 }
 
 } // namespace mote::app

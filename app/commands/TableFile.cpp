@@ -10,6 +10,7 @@
 #include <vtkVariant.h>
 
 #include <cstdio>
+#include <filesystem>
 
 namespace mote::app
 {
@@ -44,6 +45,11 @@ std::string asLines(vtkTable* table)
 }
 
 } // namespace
+
+bool isTableFile(const std::string& file)
+{
+  return file.empty() || lowerCase(std::filesystem::path(file).extension().string()) == ".csv";
+}
 
 void writeTable(vtkTable* table, const std::string& file)
 {

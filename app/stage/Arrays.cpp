@@ -8,6 +8,8 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
@@ -217,6 +219,31 @@ std::string describe(vtkDataSet* data, const ArrayChoice& choice)
     return choice.name + " magnitude";
   const char* component = array->GetComponentName(choice.component);
   return choice.name + ": " + (component ? component : std::to_string(choice.component));
+}
+
+namespace
+{
+
+std::string unitOf(vtkAbstractArray* array)
+{
+  if (!array || !array->HasInformation())
+    return {};
+  const char* unit = array->GetInformation()->Get(vtkDataArray::UNITS_LABEL());
+  return unit ? unit : "";
+}
+
+} // namespace
+
+std::string unitOf(vtkDataSet* data, const std::string& array)
+{
+  vtkAbstractArray* ofPoints = data->GetPointData()->GetAbstractArray(array.c_str());
+  return unitOf(ofPoints ? ofPoints : data->GetCellData()->GetAbstractArray(array.c_str()));
+}
+
+std::string lengthUnitOf(vtkDataSet* data)
+{
+  auto* points = vtkPointSet::SafeDownCast(data);
+  return points && points->GetPoints() ? unitOf(points->GetPoints()->GetData()) : "";
 }
 
 std::string listArrays(vtkDataSet* data)

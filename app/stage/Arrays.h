@@ -51,6 +51,11 @@ vtkDataArray* arrayOf(vtkDataSet* data, const ArrayChoice& choice);
 /// "c_1", "v magnitude", "v: vx".
 std::string describe(vtkDataSet* data, const ArrayChoice& choice);
 
+/// What the values of an array are measured in, as the file says ("UNITS_LABEL" of VTK's XML
+/// files); empty where it does not. The other is that of the points' places.
+std::string unitOf(vtkDataSet* data, const std::string& array);
+std::string lengthUnitOf(vtkDataSet* data);
+
 /// The names of all arrays that could be meant, "a, b, c"; for messages.
 std::string listArrays(vtkDataSet* data);
 

@@ -84,6 +84,11 @@ void addProbeOptions(CLI::App& app, GivenSettings& given)
   addFiles(app, given.settings);
   addSettings(app, given, {"Data"});
   addCommandSettings(app, given, "probe");
+  addSettings(app, given, {"color-by", "range", "title", "font-scale"});
+  app.get_option("--color-by")
+    ->description("Array that a picture shows. Default: the most telling one");
+  app.get_option("--range")->description(
+    "Least and greatest value at the picture's axis. Default: those along the line");
 }
 
 } // namespace mote::app

@@ -244,8 +244,11 @@ void addProbe(Rows& table)
       .help = "Points along the line, its ends included",
       .limits = {.least = 2, .most = 1000000},
       .command = command}));
-  table.push_back(outputRow(
-    command, "Table to write, as comma-separated values; standard output by default", false));
+  table.push_back(outputRow(command,
+    "Table to write, as comma-separated values; or picture, .png, .jpg, .tif or .exr, of values "
+    "over "
+    "the distance along the line. By default the table goes to standard output",
+    false));
 }
 
 /// Why the text is no length nor percentage.

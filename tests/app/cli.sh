@@ -324,6 +324,12 @@ case $3 in
     awk -F, 'NR == 2 { exit !($1 > -1.031 && $1 < -1.029) }' v.csv || fail "the origin is not used"
     run 0 "$mote" average "$data/swirl.1.vtu" -a U -c U_circumferential -m plasma -o u.png
     is_picture u.png 1280x480
+    # Axes with numbers: left of the bins, below them; titles follow the letters' size.
+    [ "$(python3 "$tests/drawn.py" u.png 0 130 100 400)" -gt 100 ] || fail "no numbers left of the average"
+    [ "$(python3 "$tests/drawn.py" u.png 200 900 370 430)" -gt 100 ] || fail "no numbers below the average"
+    run 0 "$mote" average "$data/swirl.1.vtu" -a p --font-scale 2 -o large.png
+    is_picture large.png 1280x480
+    cmp -s large.png u.png && fail "letters have one size"
     run 1 "$mote" average "$data/swirl.1.vtu" -a nothing
     one_sentence
     said err 'it has p, U'
@@ -354,6 +360,16 @@ case $3 in
       'CELLS 1 4' '3 0 1 2' 'CELL_TYPES 1' 5 >triangle.vtk
     run 0 "$mote" probe triangle.vtk --from 0,0.1,0 --to 1,0.1,0 --points 11 -o triangle.csv
     [ "$(grep -c 'triangle.vtk' triangle.csv)" -ge 9 ] || fail "a triangle is not found"
+    run 0 "$mote" probe "$data/swirl.1.vtu" --from 0,0,-0.02 --to 0,0,0.08 -c U:2 -o jet.png
+    is_picture jet.png 1280x800
+    run 0 "$mote" probe "$data/swirl.1.vtu" --from 0,0,-0.02 --to 0,0,0.08 -c U -o speed.png
+    cmp -s jet.png speed.png && fail "a component and the magnitude look alike"
+    [ "$(python3 "$tests/drawn.py" jet.png 0 130 100 600)" -gt 100 ] || fail "no numbers beside the values"
+    run 1 "$mote" probe "$data/swirl.1.vtu" --from 0,0,0 --to 0,0,0.1 -c nothing -o a.png
+    one_sentence
+    said err 'p, U'
+    run 1 "$mote" probe "$data/swirl.1.vtu" --from 0,0,0 --to 0,0,0 -o a.png
+    one_sentence
     run 1 "$mote" probe pump:0.002 --from 0,0,5 --to 0,0,6
     one_sentence
     run 1 "$mote" probe pump:0.002 --from 0,0,-0.2 --to 0,0,-0.1 -o no/folder/a.csv

@@ -60,18 +60,23 @@ def root_mean_square(a, b, empty, channels):
     return 100.0 / 255.0 * math.sqrt(total / max(1, count))
 
 
-(a, n), (b, m) = rows(sys.argv[1]), rows(sys.argv[2])
-assert n == m and len(a) == len(b) and len(a[0]) == len(b[0])
-if len(sys.argv) > 3:
-    empty, k = rows(sys.argv[3])
-    assert k == n and len(empty) == len(a) and len(empty[0]) == len(a[0])
-    print(f"{root_mean_square(a, b, empty, n):.4f}")
-    sys.exit()
-pixels, wrong, total = 0, 0, 0
-for r, s in zip(a, b):
-    for x in range(0, len(r), n):
-        differences = [s[x + k] - r[x + k] for k in range(3)]
-        pixels += 1
-        wrong += max(map(abs, differences)) > 8
-        total += sum(differences)
-print(10000 * wrong // pixels, int(1000 * total / (3 * pixels)))
+def main():
+    (a, n), (b, m) = rows(sys.argv[1]), rows(sys.argv[2])
+    assert n == m and len(a) == len(b) and len(a[0]) == len(b[0])
+    if len(sys.argv) > 3:
+        empty, k = rows(sys.argv[3])
+        assert k == n and len(empty) == len(a) and len(empty[0]) == len(a[0])
+        print(f"{root_mean_square(a, b, empty, n):.4f}")
+        return
+    pixels, wrong, total = 0, 0, 0
+    for r, s in zip(a, b):
+        for x in range(0, len(r), n):
+            differences = [s[x + k] - r[x + k] for k in range(3)]
+            pixels += 1
+            wrong += max(map(abs, differences)) > 8
+            total += sum(differences)
+    print(10000 * wrong // pixels, int(1000 * total / (3 * pixels)))
+
+
+if __name__ == "__main__":
+    main()
