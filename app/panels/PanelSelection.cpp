@@ -30,7 +30,9 @@ bool isShown(const ShowRange* range, int value)
 void Panel::drawSelection()
 {
   drawn_.insert({"show", "hide-ids", "only-ids"});
-  if (found_.hasParticles)
+  if (!found_.hasParticles)
+    drawn_.insert("where"); // is of particles alone
+  else
   {
     const std::string text = withThousands(stage_.numberShown()) + " of " +
                              counted(stage_.numberOfParticles(), "particle") + " shown";

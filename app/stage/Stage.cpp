@@ -348,6 +348,15 @@ vtkIdType Stage::numberOfCells() const
   return count;
 }
 
+vtkIdType Stage::numberOfCellsShown() const
+{
+  vtkIdType count = 0;
+  for (const auto& part : parts_)
+    if (!part->particles() && !part->isHidden())
+      count += part->data()->GetNumberOfCells();
+  return count;
+}
+
 vtkTypeInt64 Stage::structureBytes() const
 {
   vtkTypeInt64 bytes = 0;
@@ -383,10 +392,15 @@ std::string Stage::contents() const
   if (images > 1)
     text += ", " + std::to_string(images) + " images";
   if (cells > 0)
-    text += (text.empty() ? "" : ", ") + counted(cells, "cell");
+  {
+    const vtkIdType shown = this->numberOfCellsShown();
+    text += (text.empty() ? "" : ", ") +
+            (shown == cells ? counted(cells, "cell")
+                            : withThousands(shown) + " of " + counted(cells, "cell") + " shown");
+  }
   vtkIdType leftOut = 0;
   for (const auto& part : parts_)
-    leftOut += part->numberLeftOut();
+    leftOut += part->isHidden() ? 0 : part->numberLeftOut();
   return leftOut > 0 ? text + " (" + withThousands(leftOut) + " cannot be drawn)" : text;
 }
 

@@ -86,12 +86,14 @@ public:
   void shownBounds(double bounds[6]) const;
 
   vtkIdType numberOfParticles() const;
-  vtkIdType numberShown() const;   ///< of the particles, those that are not hidden
-  vtkIdType numberOfCells() const; ///< of parts that are no particles
+  vtkIdType numberShown() const;        ///< of the particles, those that are not hidden
+  vtkIdType numberOfCells() const;      ///< of parts that are no particles
+  vtkIdType numberOfCellsShown() const; ///< of those of them that are not hidden
   vtkTypeInt64 structureBytes() const;
   double buildTime() const;
 
-  /// "84,270 particles", "12 of 84,270 particles shown", "33,600 cells"...
+  /// "84,270 particles", "12 of 84,270 particles shown", "33,600 cells", "600 of
+  /// 33,600 cells shown"...
   std::string contents() const;
 
   /// The error of colours that a picture with this noise most likely has: "0.8 %".

@@ -1,5 +1,6 @@
 #include "TypeNames.h"
 
+#include "ColorMaps.h"
 #include "base/Text.h"
 
 #include <vtkColor.h>
@@ -102,17 +103,22 @@ TypeNames typeNamesOf(vtkDataSet* data, const ArrayChoice& types)
 
 std::vector<Color> elementColors(const std::vector<int>& types, const TypeNames& names)
 {
+  const std::vector<Color> others = typeColors(numberOfTypeColors());
   std::vector<Color> colors;
+  std::size_t unknown = 0;
   for (const int type : types)
   {
     const auto name = names.find(type);
     const int element = name == names.end() ? 0 : elementNamed(name->second);
     if (element == 0)
-      return {};
+    {
+      colors.push_back(others[unknown++ % others.size()]);
+      continue;
+    }
     const auto rgb = periodicTable()->GetDefaultRGBTuple(static_cast<unsigned short>(element));
     colors.push_back({rgb[0], rgb[1], rgb[2]});
   }
-  return colors;
+  return unknown < types.size() ? colors : std::vector<Color>();
 }
 
 } // namespace mote::app

@@ -18,8 +18,9 @@ using TypeNames = std::map<int, std::string>;
 /// table. Empty where they have no names.
 TypeNames typeNamesOf(vtkDataSet* data, const ArrayChoice& types);
 
-/// A colour for each of these types, as chemists have them, where all are named after elements by
-/// their symbols; else none.
+/// A colour for each of these types, as chemists have them, where they are named after elements by
+/// their symbols. Those with other names, or none, among elements have colours of the map of types.
+/// None at all where no type is an element.
 std::vector<Color> elementColors(const std::vector<int>& types, const TypeNames& names);
 
 } // namespace mote::app

@@ -404,12 +404,28 @@ void writeLegend(
 
 } // namespace
 
+namespace
+{
+
+/// Without what makes no other picture: of the window alone.
+Settings forPicture(Settings settings)
+{
+  const PictureSettings usual;
+  settings.views = {};
+  settings.picture.fps = usual.fps;
+  settings.picture.box = usual.box;
+  settings.picture.axes = usual.axes;
+  return settings;
+}
+
+} // namespace
+
 std::string commandOf(const Settings& settings, const std::string& output)
 {
   std::vector<std::string> words = {"mote"};
   if (!output.empty())
     words.emplace_back("render");
-  for (const std::string& option : asOptions(settings))
+  for (const std::string& option : asOptions(output.empty() ? settings : forPicture(settings)))
     words.push_back(option);
   if (!output.empty())
     words.insert(words.end(), {"-o", output});

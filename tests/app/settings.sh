@@ -112,12 +112,22 @@ case $3 in
     cmp layers.png again.png || fail "the session has other names"
     run 2 "$mote" render "$hopper" -o a.png --type-names 1
     one_sentence
+    # One that is no element leaves the others their colours.
+    paint wall.png numbered.dump --type-names "${names/5=B,/5=wall,}" --no-legend
+    paint boron.png numbered.dump --type-names "${names%,}" --no-legend
+    paint palette.png numbered.dump --no-legend
+    other=$(python3 "$tests/compare_png.py" wall.png boron.png | cut -d' ' -f1)
+    all=$(python3 "$tests/compare_png.py" palette.png boron.png | cut -d' ' -f1)
+    [ "$other" -gt 0 ] && [ $((5 * other)) -lt "$all" ] || fail "an unknown name changes $other of $all pixels"
     # A hidden data set is not there; the number of one that is none is refused.
     run 0 "$mote" render "$copper" "$hopper" -o both.png --size 160x120 --samples 1 --color-by none --hide-data 2
     run 0 "$mote" render "$copper" -o one.png --size 160x120 --samples 1 --color-by none
     said out '24,480 particles'
     run 1 "$mote" render "$copper" -o a.png --hide-data 2
     one_sentence
+    # What is hidden of volumes is not counted as shown.
+    run 0 "$mote" render pump:0.001 -o cells.png --size 64x64 --samples 1 --hide-data 1
+    grep -Eq ' [0-9,]+ of [0-9,]+ cells shown' out || { cat out; fail "all cells are counted as shown"; }
     ;;
 
   periodic) # images of a box, and particles that are wrapped into it or unwrapped
@@ -212,9 +222,6 @@ case $3 in
     run 1 "$mote" render "$hopper" -o film.mp4
     one_sentence
     said err 'mote animate'
-    run 1 "$mote" probe "$data/swirl.1.vtu" --from 0,0,0 --to 0,0,1 -o line.png
-    one_sentence
-    said err '.csv'
     run 1 "$mote" probe "$hopper" --from 0,0,0 --to 0,0,1
     said err 'holds no cells'
     run 1 "$mote" average "$data/swirl.1.vtu" -a U -o a.txt

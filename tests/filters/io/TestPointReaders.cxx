@@ -1,15 +1,21 @@
 // XYZ, points and tables.
 #include "IOTestSupport.h"
 #include "vtkMoteDelimitedPointsReader.h"
+#include "vtkMoteLAMMPSDumpReader.h"
 #include "vtkMotePointsReader.h"
 #include "vtkMoteReaderTable.h"
 #include "vtkMoteXYZReader.h"
 
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
+
+#include <kernels/core/ScratchSpace.h>
+
+#include <set>
 
 namespace
 {
@@ -72,6 +78,39 @@ TEST_F(TestPointReaders, ColumnsWithoutANameGetOne)
   EXPECT_EQ(names(read(*atoms, write("a.xyz", "1\nProperties=pos:R:3::R:1\n1 2 3 4\n"))),
     (Names{"column4"}));
   EXPECT_EQ(m_error, "");
+}
+
+TEST_F(TestPointReaders, WordsThatAreNotKeptNameTheirTypes)
+{
+  // In scratch space there are no words: their numbers, and a note of what these mean.
+  const auto space = std::make_shared<mote::ScratchSpace>(path("beside"), 1 << 20);
+  const auto noted = [](vtkPolyData* data)
+  {
+    std::set<std::string> all;
+    auto* names =
+      vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("type_names"));
+    for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
+      all.insert(names->GetValue(i));
+    return all;
+  };
+  const std::string atoms = write("a.xyz", "3\ncomment\nSi 1 2 3\nO 4 5 6\nSi 7 8 9\n");
+  vtkNew<vtkMoteXYZReader> xyz;
+  EXPECT_TRUE(noted(read(*xyz, atoms)).empty()) << "the words themselves are there";
+  vtkNew<vtkMoteXYZReader> streamed;
+  streamed->SetScratchSpace(space);
+  vtkPolyData* data = read(*streamed, atoms);
+  ASSERT_EQ(m_error, "");
+  EXPECT_EQ(noted(data), (std::set<std::string>{"14=Si", "8=O"}));
+  EXPECT_EQ(data->GetPointData()->GetArray("type")->GetTuple1(2), 14);
+  vtkNew<vtkMoteLAMMPSDumpReader> dump;
+  dump->SetScratchSpace(space);
+  data = read(*dump,
+    write("a.dump",
+      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS ff ff ff\n0 9\n0 9\n0 9\n"
+      "ITEM: ATOMS element x y z\nSi 1 2 3\nO 4 5 6\nCu 7 8 9\n"));
+  ASSERT_EQ(m_error, "");
+  EXPECT_EQ(noted(data), (std::set<std::string>{"1=Cu", "2=O", "3=Si"}));
+  EXPECT_EQ(data->GetPointData()->GetArray("type")->GetTuple1(0), 3);
 }
 
 TEST_F(TestPointReaders, ExtendedXYZ)
