@@ -160,6 +160,7 @@ void Panel::drawGroups(const PanelFacts& facts)
   if (found_.hasParticles)
     this->drawGroup("Structure", nullptr);
   this->drawFilm();
+  this->drawRecording(facts);
   this->drawCosts(facts);
 }
 

@@ -31,6 +31,8 @@ struct PanelFacts
   bool hasTimes = false, isPlaying = false;
   double frameTime = 0.0; ///< seconds
   std::string quality;
+  bool isRecording = false;
+  std::string played;                ///< "3 of 80 steps" while a recording is played, else empty
   std::vector<std::string> messages; ///< warnings and failures so far
   PickedFacts picked;
 };
@@ -62,6 +64,8 @@ public:
 
   /// The views that a film goes through.
   const std::vector<Settings>& keyFrames() const { return keyFrames_; }
+  /// Adds the view that is shown, or forgets some; false for what other actions do.
+  bool changeKeyFrames(Action action);
 
   /// The next draw() opens the list of folders and files.
   void showOpenDialog();
@@ -118,6 +122,7 @@ private:
   void drawViews();
   void drawFilm();
   void drawKeyFrames();
+  void drawRecording(const PanelFacts& facts);
   void drawCosts(const PanelFacts& facts);
   void drawGroups(const PanelFacts& facts);
   void drawGroup(const std::string& group, void (Panel::*first)());

@@ -36,15 +36,36 @@ void Panel::drawFilm()
   ImGui::PopID();
 }
 
+bool Panel::changeKeyFrames(Action action)
+{
+  switch (action)
+  {
+  case Action::AddKeyFrame:
+    keyFrames_.push_back(stage_.settingsInForce());
+    return true;
+  case Action::ForgetKeyFrame:
+    if (!keyFrames_.empty())
+      keyFrames_.pop_back();
+    return true;
+  case Action::ForgetKeyFrames:
+    keyFrames_.clear();
+    return true;
+  default:
+    return false;
+  }
+}
+
 void Panel::drawKeyFrames()
 {
   std::erase_if(keyFrames_,
     [&](const Settings& key) { return key.data.files != stage_.settings().data.files; });
   ImGui::AlignTextToFramePadding();
-  ImGui::Text("key frames: %d", static_cast<int>(keyFrames_.size()));
+  const std::string count = "key frames: " + std::to_string(keyFrames_.size());
+  ImGui::TextUnformatted(count.c_str());
+  noteControl(count);
   ImGui::SameLine();
   if (buttonOf("Add this view"))
-    keyFrames_.push_back(stage_.settingsInForce());
+    this->wish(Action::AddKeyFrame);
   explainKey("The film goes smoothly from view to view: camera, and settings that are numbers");
   for (std::size_t i = 0; i < keyFrames_.size(); ++i)
   {
@@ -63,10 +84,10 @@ void Panel::drawKeyFrames()
   if (keyFrames_.empty())
     return;
   if (buttonOf("Forget the last"))
-    keyFrames_.pop_back();
+    this->wish(Action::ForgetKeyFrame);
   ImGui::SameLine();
   if (buttonOf("Forget all"))
-    keyFrames_.clear();
+    this->wish(Action::ForgetKeyFrames);
 }
 
 } // namespace mote::app

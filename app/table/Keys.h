@@ -37,9 +37,14 @@ enum class Action
   Center,
   SavePicture,
   SaveFilm,
+  AddKeyFrame,
+  ForgetKeyFrame,
+  ForgetKeyFrames,
   SaveSession,
   PrintCommand,
   PrintScript,
+  Record,        ///< what is done, or no more
+  PlayRecording, ///< or stop it
   Undo,
   Redo,
   Escape,

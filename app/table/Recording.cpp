@@ -45,9 +45,11 @@ constexpr NamedAction actions[] = {{Action::Help, "help"}, {Action::Play, "play"
   {Action::OnlyPicked, "only-picked"}, {Action::ShowHidden, "show-hidden"},
   {Action::CopyPicked, "copy-picked"}, {Action::SavePicked, "save-picked"},
   {Action::PathsOfPicked, "paths-of-picked"}, {Action::SavePicture, "save-picture"},
-  {Action::SaveFilm, "save-film"}, {Action::SaveSession, "save-session"},
-  {Action::PrintCommand, "print-command"}, {Action::PrintScript, "print-script"},
-  {Action::Undo, "undo"}, {Action::Redo, "redo"}, {Action::Escape, "escape"}};
+  {Action::SaveFilm, "save-film"}, {Action::AddKeyFrame, "add-key-frame"},
+  {Action::ForgetKeyFrame, "forget-key-frame"}, {Action::ForgetKeyFrames, "forget-key-frames"},
+  {Action::SaveSession, "save-session"}, {Action::PrintCommand, "print-command"},
+  {Action::PrintScript, "print-script"}, {Action::Undo, "undo"}, {Action::Redo, "redo"},
+  {Action::Escape, "escape"}};
 
 bool isPick(Action action)
 {

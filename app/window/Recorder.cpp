@@ -1,5 +1,7 @@
 #include "Recorder.h"
 
+#include "base/Text.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,6 +26,13 @@ void Recorder::start(const std::string& file, const Settings& settings, const Wi
   start_ = std::chrono::steady_clock::now();
   settings_ = settings;
   window_ = window;
+}
+
+void Recorder::stop()
+{
+  this->note({.kind = Kind::End});
+  file_ = nullptr;
+  seen_ = {};
 }
 
 void Recorder::note(Kind how, const Settings& next)
@@ -72,6 +81,12 @@ void Recorder::note(RecordedEvent event)
     return;
   event.time = secondsSince(start_);
   file_->add(event);
+}
+
+std::string Player::progress() const
+{
+  return withThousands(static_cast<std::int64_t>(next)) + " of " +
+         counted(static_cast<std::int64_t>(recording.events.size()), "step");
 }
 
 unsigned long Player::wait() const

@@ -16,6 +16,8 @@ public:
   /// Throws Failure where the file cannot be written.
   void start(const std::string& file, const Settings& settings, const WindowState& window);
   bool isOn() const { return file_ != nullptr; }
+  /// Writes the end. What follows is not recorded.
+  void stop();
 
   /// That these settings are to be followed, before they are: where that crashes the recording
   /// tells of it.
@@ -63,6 +65,8 @@ struct Player
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 
   bool isDone() const { return next >= recording.events.size(); }
+  /// "3 of 80 steps".
+  std::string progress() const;
   /// Until the next event is due: ms.
   unsigned long wait() const;
 };

@@ -147,8 +147,8 @@ void Window::setUpEvents()
 void Window::run()
 {
   interactor_->Initialize();
-  this->takePlayer();
-  this->startRecording();
+  this->takePlayer(asked_.output.play, asked_.data.files);
+  this->startRecording(asked_.output.record);
   busy_ = true;
   try
   {
@@ -190,7 +190,7 @@ void Window::run()
   this->render();
   if (!quit_)
     interactor_->Start();
-  this->note({.kind = RecordedEvent::Kind::End});
+  recorder_.stop();
   cache_.reset();
   paths_.clear();
   if (!asked_.output.session.empty() && !this->isEmpty())

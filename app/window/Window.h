@@ -133,12 +133,15 @@ private:
   void saveSession(const std::string& file);
 
   // What is recorded, and played
-  void startRecording();
+  void startRecording(const std::string& file);
+  void toggleRecording();
+  void togglePlaying();
+  bool actOnRecording(Action action);
   WindowState state() const;
   void note(RecordedEvent::Kind how, const Settings& next);
   void note(RecordedEvent event);
   void noteRest();
-  void takePlayer();
+  void takePlayer(const std::string& file, const std::vector<std::string>& data);
   void startPlaying();
   void playNext();
   void endPlaying();

@@ -56,7 +56,7 @@ void Window::act(const Binding& binding)
   else if (!binding.row.empty())
     this->actOnRow(binding);
   else if (!this->actOnView(binding.action) && !this->actOnFiles(binding.action) &&
-           !this->actOnPicked(binding.action))
+           !this->actOnPicked(binding.action) && !this->actOnRecording(binding.action))
     switch (binding.action)
     {
     case Action::ZoomIn:

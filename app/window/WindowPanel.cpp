@@ -103,6 +103,9 @@ void Window::layPanel()
   facts.messages = messages_;
   facts.picked = {&picked_, &picksThrough_};
   facts.quality = traced_ && pass_->GetNumberOfSamples() > 0 ? this->qualityText() : "";
+  facts.isRecording = recorder_.isOn();
+  if (player_)
+    facts.played = player_->progress();
   panelHost_->lay(
     [&]
     {

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace mote::app
 {
@@ -26,10 +27,79 @@ using Kind = RecordedEvent::Kind;
 //------------------------------------------------------------------------------------------------
 // Recording
 
-void Window::startRecording()
+void Window::startRecording(const std::string& file)
 {
-  if (const std::string& file = asked_.output.record; !file.empty())
+  if (!file.empty())
     recorder_.start(file, this->settings(), this->state());
+}
+
+/// What keys and the panel's section of recordings do.
+bool Window::actOnRecording(Action action)
+{
+  if (action == Action::Record)
+    this->toggleRecording();
+  else if (action == Action::PlayRecording)
+    this->togglePlaying();
+  else if (!panel_.changeKeyFrames(action))
+    return false;
+  return true;
+}
+
+void Window::toggleRecording()
+{
+  const std::string file = this->settings().output.record;
+  if (recorder_.isOn())
+  {
+    this->noteRest();
+    recorder_.stop();
+    // What was recorded is what is played, unless another one is chosen; another goes elsewhere.
+    Settings next = this->settings();
+    next.output.play = file;
+    next.output.record.clear();
+    stage_.apply(next);
+    return this->say("Recorded in " + file);
+  }
+  Settings next = this->settings();
+  if (file.empty())
+    next.output.record = this->unusedName(".rec");
+  else if (std::filesystem::exists(file))
+    throw Failure(file + " is there already: choose another name for the recording");
+  next.output.play.clear(); // which may be any file now
+  checkRecordingOutput(next);
+  next.output.play = this->settings().output.play;
+  picked_.clear(); // recordings have none at their beginning
+  this->startRecording(next.output.record);
+  stage_.apply(next);
+  this->noteRest();
+  this->say("Recording in " + next.output.record);
+}
+
+/// Begins with the settings that the recording begins with.
+void Window::togglePlaying()
+{
+  if (player_)
+    return this->endPlaying();
+  const OutputSettings& own = this->settings().output;
+  const std::string file = own.play;
+  if (file.empty())
+    throw Failure("name a recording to be played, or record one first");
+  if (recorder_.isOn() && file == own.record)
+    throw Failure(file + " is being recorded: stop that first");
+  Settings next = settingsToPlay(file, {}, false);
+  next.output.play = file;
+  next.output.record = own.record;
+  next.output.playSpeed = own.playSpeed;
+  next.output.file = own.file;
+  next.output.session = own.session;
+  next.picture.size = this->settings().picture.size;
+  this->change(next);
+  if (this->settings().data.files != next.data.files)
+    return; // which was told
+  picked_.clear();
+  this->takePlayer(file, {});
+  this->playWindow(player_->recording.window);
+  this->nameWindow();
+  this->startPlaying();
 }
 
 WindowState Window::state() const
@@ -89,15 +159,14 @@ std::array<int, 2> Window::cursor() const
 // Playing
 
 /// What is to be played, which the window's title tells from the first.
-void Window::takePlayer()
+void Window::takePlayer(const std::string& file, const std::vector<std::string>& data)
 {
-  const std::string& file = asked_.output.play;
   if (file.empty())
     return;
   player_ = std::make_unique<Player>();
-  player_->recording = readRecording(file, asked_.data.files);
+  player_->recording = readRecording(file, data);
   player_->file = file;
-  player_->speed = asked_.output.playSpeed;
+  player_->speed = this->settings().output.playSpeed;
 }
 
 void Window::startPlaying()

@@ -167,6 +167,75 @@ case $3 in
     is_picture moved.png 320x200
     ;;
 
+  panel) # begins, ends and plays by buttons; hidden data, saved views and key frames are in it
+    cp "$copper" "$data/hopper.dump.gz" .
+    open copper-scratch.dump.gz hopper.dump.gz --size 1000x1000 --samples 1 --color-by none
+    click 'group Data' 0.8 # that of two data sets is unfolded by itself: fold it
+    click 'group Colour' 0.8
+    click 'group Selection' 0.8
+    click 'group Recording' 0.8
+    press g # what was before
+    write record made.rec
+    click Record
+    shown 'Stop recording'
+    has_row made.rec '"mote-recording":1'
+    click 'group Recording' 0.8
+    click 'group Data' 0.8
+    click 'data 2' 0.5
+    has_row made.rec '"hide-data":[2]'
+    click 'group Data' 0.8
+    click 'group Camera' 0.8
+    press x
+    click saved-view
+    xdotool type --window 0 --delay 20 side
+    click 'Save view'
+    has_row made.rec '"saved-view":["side='
+    press z
+    has_row made.rec '"view":"+z"'
+    click 'go to side'
+    click 'group Camera' 0.8
+    click 'group Film' 0.8
+    click 'Add this view'
+    click 'Add this view'
+    shown 'key frames: 2'
+    click 'Forget the last'
+    shown 'key frames: 1'
+    has_row made.rec '"action":"forget-key-frame"'
+    click 'group Film' 0.8
+    click 'group Recording' 0.8
+    picture made.png
+    click 'Stop recording'
+    shown Record
+    tail -1 made.rec | grep -q '"what":"end"}$' || fail "no end: $(tail -1 made.rec)"
+    # Another one does not take its place.
+    write record made.rec
+    cp made.rec kept.rec
+    click Record
+    cmp made.rec kept.rec || fail "a recording is replaced"
+    shown Record
+    # What was recorded is what is played; what is there is no part of it.
+    press g m
+    click play-speed
+    click 'as fast as it goes'
+    click 'Play recording'
+    titled '(playing)'
+    ended
+    picture again.png
+    alike made.png again.png
+    has '--hide-data=2'
+    click 'group Recording' 0.8
+    click 'group Film' 0.8
+    shown 'key frames: 2' # one was there before
+    quit
+    open --play made.rec --play-speed 0
+    ended
+    picture again.png
+    alike made.png again.png
+    quit
+    run 0 "$mote" render --play made.rec -o head.png
+    alike made.png head.png
+    ;;
+
   errors) # each is a sentence
     cp "$copper" .
     open copper-scratch.dump.gz --size 1000x760 --record whole.rec
