@@ -23,6 +23,7 @@ struct Suite
   std::vector<Named> views; ///< none where no images are cast
   std::vector<Named> tables;
   std::string tablesInput; ///< that --tables takes where no other is named
+  bool cells = true;       ///< whether a method has a grid, so that it reads --lambda
   bool squares = false;    ///< whether it reads --sizes, not --size
   bool bundles = false;    ///< whether it reads --packet
   bool raysOfHits = false; ///< whether it reads --rays

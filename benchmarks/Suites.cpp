@@ -9,6 +9,7 @@
 #include "particles/OcclusionSuite.h"
 #include "particles/ParticlesSuite.h"
 #include "particles/PreviewSuite.h"
+#include "triangles/TrianglesSuite.h"
 
 namespace mote::bench
 {
@@ -16,8 +17,8 @@ namespace mote::bench
 const std::vector<Suite>& suites()
 {
   static const std::vector<Suite> all = {particlesSuite(), occlusionSuite(), buildSuite(),
-    previewSuite(), growthSuite(), fileSuite(), silhouetteSuite(), ambientSuite(),
-    hexahedraSuite()};
+    previewSuite(), growthSuite(), fileSuite(), silhouetteSuite(), ambientSuite(), hexahedraSuite(),
+    trianglesSuite()};
   return all;
 }
 

@@ -135,7 +135,7 @@ void addOptions(CLI::App& command, const Suite& suite, Options& options, Sizes& 
     addMapOptions(command, options, sizes);
   if (suite.volumes)
     addVolumeOptions(command, options);
-  else if (!suite.methods.empty())
+  else if (!suite.methods.empty() && suite.cells)
     command.add_option("--lambda", options.lambda, "Cells of a grid a particle, from 0.2 to 5")
       ->check(CLI::Range(0.2, 5.0))
       ->capture_default_str();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../particles/EmbreeOcclusion.h"
+#include "../particles/EmbreeSpheres.h"
 
 #include <kernels/core/RayPacket.h>
 

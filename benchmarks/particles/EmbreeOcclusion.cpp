@@ -115,4 +115,22 @@ std::uint64_t embreeOccluded(
   return all[mode](scene, context, rays);
 }
 
+void embreeOccluded(
+  std::size_t mode, RTCScene scene, const OcclusionRays& rays, OcclusionAnswers& answers)
+{
+  forPackets(rays, answers,
+    [&](const OcclusionRays::Packet& packet)
+    {
+      EmbreeRays asked;
+      asked.count = packet.count;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        asked.origin[k] = packet.origin32[k];
+        asked.direction[k] = packet.direction32[k];
+      }
+      asked.reach = static_cast<float>(rays.reach);
+      return embreeOccluded(mode, scene, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT, asked);
+    });
+}
+
 } // namespace mote::bench

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "EmbreeSpheres.h"
+#include "../EmbreeDevice.h"
+#include "OcclusionRays.h"
 
 #include <array>
 #include <cstdint>
@@ -33,5 +34,9 @@ const std::vector<std::string>& embreeOcclusionModes();
 /// alike.
 std::uint64_t embreeOccluded(
   std::size_t mode, RTCScene scene, RTCIntersectContextFlags flags, const EmbreeRays& rays);
+
+/// The same for rays that have little in common, in parallel.
+void embreeOccluded(
+  std::size_t mode, RTCScene scene, const OcclusionRays& rays, OcclusionAnswers& answers);
 
 } // namespace mote::bench

@@ -1,35 +1,15 @@
 #include "EmbreeSpheres.h"
 
-#include <kernels/core/Error.h>
-
 #include <tbb/parallel_for.h>
 
 #include <limits>
-#include <string>
 
 namespace mote::bench
 {
 
-namespace
-{
-
-bool countBytes(void* sum, ssize_t bytes, bool)
-{
-  *static_cast<std::atomic<ssize_t>*>(sum) += bytes;
-  return true;
-}
-
-} // namespace
-
 EmbreeSpheres::EmbreeSpheres(int threads)
+  : device_(threads)
 {
-  // Embree limits itself to 256 bits a vector unless told that wide ones are welcome.
-  const std::string config =
-    "threads=" + std::to_string(threads) + ",frequency_level=simd512,set_affinity=0";
-  device_ = rtcNewDevice(config.c_str());
-  if (device_ == nullptr)
-    throw Error("Embree cannot start on this machine.");
-  rtcSetDeviceMemoryMonitorFunction(device_, countBytes, &bytes_);
 }
 
 EmbreeSpheres::~EmbreeSpheres()
@@ -39,7 +19,6 @@ EmbreeSpheres::~EmbreeSpheres()
     rtcReleaseGeometry(geometry_);
     rtcReleaseScene(scene_);
   }
-  rtcReleaseDevice(device_);
 }
 
 void EmbreeSpheres::makeScene()
@@ -70,8 +49,7 @@ void EmbreeSpheres::build(const ParticleInput& input)
     spheres_.data(), 0, sizeof(Vec4f), spheres_.size());
   rtcCommitGeometry(geometry_);
   rtcCommitScene(scene_);
-  if (rtcGetDeviceError(device_) != RTC_ERROR_NONE)
-    throw Error("Embree could not build its structure over this input.");
+  device_.check();
 }
 
 } // namespace mote::bench

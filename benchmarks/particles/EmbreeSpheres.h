@@ -1,17 +1,14 @@
 #pragma once
 
+#include "../EmbreeDevice.h"
 #include "ParticleInput.h"
 
 #include <kernels/core/RawVector.h>
 
-#include <embree3/rtcore.h>
-
-#include <atomic>
-
 namespace mote::bench
 {
 
-/// Embree's sphere points over an input, in the settings that were measured to be its fastest.
+/// Embree's sphere points over an input.
 class EmbreeSpheres
 {
 public:
@@ -28,28 +25,16 @@ public:
   RTCScene scene() const { return scene_; }
   /// What the spheres' coordinates in float are relative to.
   const Vec3d& middle() const { return middle_; }
-  std::size_t bytes() const
-  {
-    return static_cast<std::size_t>(bytes_.load()) + spheres_.capacity() * sizeof(Vec4f);
-  }
+  std::size_t bytes() const { return device_.bytes() + spheres_.capacity() * sizeof(Vec4f); }
 
 private:
   void makeScene();
 
-  std::atomic<ssize_t> bytes_{0};
-  RTCDevice device_ = nullptr;
+  EmbreeDevice device_;
   RTCScene scene_ = nullptr;
   RTCGeometry geometry_ = nullptr; ///< all spheres
   Vec3d middle_{0.0};
   RawVector<Vec4f> spheres_;
 };
-
-inline RTCIntersectContext embreeContext(RTCIntersectContextFlags flags)
-{
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = flags;
-  return context;
-}
 
 } // namespace mote::bench

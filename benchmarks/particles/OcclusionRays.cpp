@@ -20,16 +20,6 @@ struct Ray
   Vec3d origin, direction, left;
 };
 
-/// Two random numbers make a direction about the normal, weighted by the cosine: the normal and a
-/// point of the unit sphere, added.
-Vec3d cosineWeighted(const Vec3d& normal, double a, double b)
-{
-  const double z = 2.0 * a - 1.0, r = std::sqrt(1.0 - z * z);
-  const double angle = 2.0 * 3.14159265358979323846 * b;
-  const Vec3d sum = normal + Vec3d(r * std::cos(angle), r * std::sin(angle), z);
-  return glm::length(sum) > 1e-6 ? glm::normalize(sum) : normal;
-}
-
 /// Makes the rays of pixels.
 struct RayMaker
 {
@@ -82,20 +72,32 @@ std::vector<Ray> raysOfTile(const RayMaker& maker, int x0, int y0, int width, in
   return rays;
 }
 
-void put(const Ray& ray, const Vec3d& middle, OcclusionRays::Packet& packet)
+} // namespace
+
+Vec3d cosineWeighted(const Vec3d& normal, double a, double b)
 {
+  const double z = 2.0 * a - 1.0, r = std::sqrt(1.0 - z * z);
+  const double angle = 2.0 * 3.14159265358979323846 * b;
+  const Vec3d sum = normal + Vec3d(r * std::cos(angle), r * std::sin(angle), z);
+  return glm::length(sum) > 1e-6 ? glm::normalize(sum) : normal;
+}
+
+void addRay(OcclusionRays& rays, const Vec3d& origin, const Vec3d& direction, const Vec3d& left,
+  const Vec3d& middle)
+{
+  if (rays.count++ % OcclusionRays::packetRays == 0)
+    rays.packets.emplace_back();
+  OcclusionRays::Packet& packet = rays.packets.back();
   const int i = packet.count++;
   for (int axis = 0; axis < 3; ++axis)
   {
-    packet.origin[axis][i] = ray.origin[axis];
-    packet.direction[axis][i] = ray.direction[axis];
-    packet.origin32[axis][i] = static_cast<float>(ray.origin[axis] - middle[axis]);
-    packet.direction32[axis][i] = static_cast<float>(ray.direction[axis]);
-    packet.left[axis][i] = ray.left[axis];
+    packet.origin[axis][i] = origin[axis];
+    packet.direction[axis][i] = direction[axis];
+    packet.origin32[axis][i] = static_cast<float>(origin[axis] - middle[axis]);
+    packet.direction32[axis][i] = static_cast<float>(direction[axis]);
+    packet.left[axis][i] = left[axis];
   }
 }
-
-} // namespace
 
 OcclusionRays makeOcclusionRays(const reference::SphereTree& tree, const ParticleInput& input,
   const CameraRays& camera, int width, int height, int raysPerHit)
@@ -115,11 +117,7 @@ OcclusionRays makeOcclusionRays(const reference::SphereTree& tree, const Particl
   const Vec3d middle = middleOf(input);
   for (const std::vector<Ray>& tile : tiles)
     for (const Ray& ray : tile)
-    {
-      if (made.count++ % OcclusionRays::packetRays == 0)
-        made.packets.emplace_back();
-      put(ray, middle, made.packets.back());
-    }
+      addRay(made, ray.origin, ray.direction, ray.left, middle);
   return made;
 }
 

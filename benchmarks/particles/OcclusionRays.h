@@ -38,6 +38,15 @@ struct OcclusionRays
   RawVector<Packet> packets; ///< all full but the last
 };
 
+/// Adds a ray of unit direction that leaves the particle about `left`; float numbers count from
+/// `middle`.
+void addRay(OcclusionRays& rays, const Vec3d& origin, const Vec3d& direction, const Vec3d& left,
+  const Vec3d& middle);
+
+/// Two random numbers make a direction about the normal, weighted by the cosine: the normal and a
+/// point of the unit sphere, added.
+Vec3d cosineWeighted(const Vec3d& normal, double a, double b);
+
 /// A bit a ray and a word a packet: whether the ray meets anything.
 using OcclusionAnswers = std::vector<std::uint64_t>;
 

@@ -305,6 +305,28 @@ END
     done
     ;;
 
+  triangles) # the same picture by every method
+    keys="suite task method mode input poe triangles view width height threads repeat rays fps mrays_per_s
+      times_embree nodes_per_ray clusters_per_ray bytes_per_triangle build_s differing"
+    triangles() { run 0 "$bench" triangles "${small[@]}" --json a.json "$@"; }
+    triangles --input sphere:20000 --threads 2
+    records a.json "len(r) == 12 and {x['method'] for x in r} == {'rlod', 'embree', 'embree-medium'} and
+      {(x['task'], x['view']) for x in r} == {(t, v) for t in ('primary', 'occlusion') for v in ('far', 'near')}"
+    records a.json "all(x['differing'] <= 0.001 * x['rays'] and x['fps'] > 0 and x['build_s'] > 0 and
+      x['rays'] > 500 and abs(x['triangles'] - 20000) < 500 for x in r)"
+    records a.json "all((x['nodes_per_ray'] is None) == (x['method'] != 'rlod' or x['task'] == 'occlusion') for x in r)"
+    records a.json "all((x['bytes_per_triangle'] <= 26) == (x['method'] == 'rlod') for x in r)"
+    printf 'v 1 1 1\nv -1 -1 1\nv -1 1 -1\nv 1 -1 -1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >four.obj
+    triangles --input subdivide:four.obj:1000 --methods rlod --view near
+    records a.json "len(r) == 2 and all(x['triangles'] == 1024 and x['times_embree'] is None for x in r)"
+    triangles --input four.obj --methods embree,rlod --view far
+    records a.json "all(x['triangles'] == 4 and x['differing'] <= 8 for x in r)"
+    for input in sphere:5 sphere:many subdivide:four.obj missing.ply "$data/hopper.dump.gz"; do
+      run 1 "$bench" triangles --input "$input"
+      last_is_sentence
+    done
+    ;;
+
   errors)
     failing() {
       run 1 "$bench" particles --repeat 1 "$@"
@@ -383,6 +405,10 @@ END
     misused hexahedra --input pump:0.001:inlet --lambda 1
     misused hexahedra --input pump:0.001:inlet --step -1
     misused particles --input lattice:10 --step 1
+    misused triangles
+    said err --input
+    misused triangles --input sphere:1000 --lambda 1
+    misused triangles --input sphere:1000 --methods cgt
     ;;
 
   *) fail "no such case: $3" ;;

@@ -75,11 +75,31 @@ Vec3f RlodTree::normal(std::uint64_t slot) const
   return glm::cross(b - a, c - a);
 }
 
-void RlodTree::prefetch(std::uint64_t slot) const
+void RlodTree::normals(const std::uint64_t* slots, int count, float* const normals[3]) const
 {
-  const TriangleCluster& cluster = arrays_->clusters[slot / trianglesPerCluster];
-  for (std::size_t byte = 0; byte < sizeof(TriangleCluster); byte += 64)
-    __builtin_prefetch(reinterpret_cast<const char*>(&cluster) + byte);
+  for (int k = 0; k < count; ++k)
+  {
+    const TriangleCluster& cluster = arrays_->clusters[slots[k] / trianglesPerCluster];
+    const auto triangle = static_cast<int>(slots[k] % trianglesPerCluster);
+    const unsigned a = cluster.corner(triangle, 0), b = cluster.corner(triangle, 1),
+                   c = cluster.corner(triangle, 2);
+    float u[3], v[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const float* points = cluster.point[axis];
+      u[axis] = points[b] - points[a];
+      v[axis] = points[c] - points[a];
+    }
+    normals[0][k] = u[1] * v[2] - u[2] * v[1];
+    normals[1][k] = u[2] * v[0] - u[0] * v[2];
+    normals[2][k] = u[0] * v[1] - u[1] * v[0];
+  }
+}
+
+void RlodTree::inputIndices(const std::uint64_t* slots, int count, std::uint64_t* indices) const
+{
+  for (int k = 0; k < count; ++k)
+    indices[k] = inputIndex(slots[k]);
 }
 
 } // namespace mote

@@ -78,8 +78,9 @@ public:
   /// Normal by the right-hand rule, in the input's coordinates, of any length; 0 for degenerate
   /// triangles.
   Vec3f normal(std::uint64_t slot) const;
-  /// Starts to fetch what inputIndex() and normal() read.
-  void prefetch(std::uint64_t slot) const;
+  /// Normals of many hits, likewise; `normals` are three rows.
+  void normals(const std::uint64_t* slots, int count, float* const normals[3]) const;
+  void inputIndices(const std::uint64_t* slots, int count, std::uint64_t* indices) const;
 
 private:
   friend struct RlodTreeView;

@@ -9,6 +9,7 @@
 
 #include "detail/RlodTreeBundle-inl.h"
 #include "detail/RlodTreeRays-inl.h"
+#include "detail/RlodTreeWave-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace mote

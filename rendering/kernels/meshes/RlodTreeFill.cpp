@@ -83,16 +83,16 @@ void quantise(const FloatBox& all, const FloatBox* boxes, RlodNode& node)
     {
       if (k >= static_cast<int>(node.children))
       {
-        node.low[axis][k] = 255;
-        node.high[axis][k] = 0;
+        node.low(axis)[k] = 255;
+        node.high(axis)[k] = 0;
         continue;
       }
       double low = clamped(std::floor((boxes[k].lower[axis] - origin) * steps));
       double high = clamped(std::ceil((boxes[k].upper[axis] - origin) * steps));
       low -= origin + low * scale > boxes[k].lower[axis] ? 1.0 : 0.0;
       high += origin + high * scale < boxes[k].upper[axis] ? 1.0 : 0.0;
-      node.low[axis][k] = static_cast<std::uint8_t>(clamped(low));
-      node.high[axis][k] = static_cast<std::uint8_t>(clamped(high));
+      node.low(axis)[k] = static_cast<std::uint8_t>(clamped(low));
+      node.high(axis)[k] = static_cast<std::uint8_t>(clamped(high));
     }
   }
 }

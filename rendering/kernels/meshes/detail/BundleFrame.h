@@ -21,8 +21,10 @@ struct BundleFrame
   static constexpr int blocks = RayBundle::capacity / 16;
 
   float q[3];
-  float perAxis[3][4]; ///< what a step along an axis adds to u, v, z; the fourth numbers are 0
-  float atQ[4];        ///< u and v at Q; 0; 0
+  alignas(
+    16) float perAxis[3]
+                     [4];   ///< what a step along an axis adds to u, v, z; the fourth numbers are 0
+  alignas(16) float atQ[4]; ///< u and v at Q; 0; 0
   float weightAtQ, weightPerZ; ///< s at Q, and what a step of z adds
   double zOfQ;                 ///< z counts from there: t = (zOfQ + z) / speed
   double speed;

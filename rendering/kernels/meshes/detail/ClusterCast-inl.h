@@ -185,8 +185,8 @@ private:
   {
     alignas(64) std::int32_t columns[lanes], rows[lanes];
     alignas(64) float depths[lanes];
-    hn::Store(hn::ConvertTo(DI(), x), DI(), columns);
-    hn::Store(hn::ConvertTo(DI(), y), DI(), rows);
+    hn::Store(hn::NearestInt(x), DI(), columns);
+    hn::Store(hn::NearestInt(y), DI(), rows);
     hn::Store(z, DF(), depths);
     do
     {
@@ -207,7 +207,7 @@ private:
   {
     alignas(64) std::int32_t rects[lanes];
     const DI d;
-    const auto byte = [&](VF cell) { return hn::ConvertTo(d, cell); };
+    const auto byte = [&](VF cell) { return hn::NearestInt(cell); };
     const VI rect = hn::Or(hn::Or(byte(cells.x0), hn::ShiftLeft<8>(byte(cells.x1))),
       hn::Or(hn::ShiftLeft<16>(byte(cells.y0)), hn::ShiftLeft<24>(byte(cells.y1))));
     hn::Store(rect, d, rects);

@@ -52,31 +52,28 @@ private:
   /// may move them, here and where the triangles within are projected.
   struct Functions
   {
-    float at[4], step[3][4], size[3][4], error[4];
+    alignas(16) float at[4], step[3][4], size[3][4], error[4];
 
     HWY_INLINE Functions(const BundleFrame& frame, const RlodNode& node)
     {
-      float reach[4];
-      for (int k = 0; k < 4; ++k)
+      const hn::CappedTag<float, 4> d;
+      for (int k = 0; k < 4; k += static_cast<int>(hn::Lanes(d)))
       {
-        at[k] = frame.atQ[k];
-        reach[k] = std::abs(frame.atQ[k]);
-      }
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        const float corner = node.origin[axis] - frame.q[axis], half = 0.5f * node.scale[axis];
-        const float far = std::abs(corner) + 510.0f * half;
-        for (int k = 0; k < 4; ++k)
+        auto corner = hn::Load(d, frame.atQ + k);
+        auto reach = hn::Abs(corner);
+        for (int axis = 0; axis < 3; ++axis)
         {
-          const float per = frame.perAxis[axis][k];
-          at[k] += per * corner;
-          step[axis][k] = per * half;
-          size[axis][k] = std::abs(per) * half;
-          reach[k] += std::abs(per) * far;
+          const float from = node.origin[axis] - frame.q[axis], half = 0.5f * node.scale[axis];
+          const auto per = hn::Load(d, frame.perAxis[axis] + k);
+          const auto perHalf = hn::Mul(per, hn::Set(d, half));
+          corner = hn::MulAdd(per, hn::Set(d, from), corner);
+          reach = hn::MulAdd(hn::Abs(per), hn::Set(d, std::abs(from) + 510.0f * half), reach);
+          hn::Store(perHalf, d, step[axis] + k);
+          hn::Store(hn::Abs(perHalf), d, size[axis] + k);
         }
+        hn::Store(corner, d, at + k);
+        hn::Store(hn::Mul(reach, hn::Set(d, 0x1p-20f)), d, error + k);
       }
-      for (int k = 0; k < 4; ++k)
-        error[k] = reach[k] * 0x1p-20f;
     }
   };
 
@@ -89,12 +86,11 @@ private:
     const RlodNode& node, const Functions& f, float farthest, int set, ChildPlaces& places) const
   {
     const DF d;
-    const DI di;
     VF middle[3], width[3]; // in half steps
     for (int axis = 0; axis < 3; ++axis)
     {
-      const VI low = widened(node.low[axis] + set * lanes);
-      const VI high = widened(node.high[axis] + set * lanes);
+      const VI low = widened(node.low(axis) + set * lanes);
+      const VI high = widened(node.high(axis) + set * lanes);
       middle[axis] = hn::ConvertTo(d, hn::Add(low, high));
       width[axis] = hn::ConvertTo(d, hn::Sub(high, low));
     }
@@ -125,7 +121,7 @@ private:
     cells(span(1), y0, y1);
     const MF inDepth = hn::And(hn::Gt(z.high, all(frame_.first)), hn::Lt(z.low, all(farthest)));
     unsigned bits = bitsOf(hn::And(hn::And(hn::Le(x0, x1), hn::Le(y0, y1)), inDepth));
-    const auto byte = [&](VF cell) { return hn::ConvertTo(di, cell); };
+    const auto byte = [&](VF cell) { return hn::NearestInt(cell); };
     const VI rect = hn::Or(hn::Or(byte(x0), hn::ShiftLeft<8>(byte(x1))),
       hn::Or(hn::ShiftLeft<16>(byte(y0)), hn::ShiftLeft<24>(byte(y1))));
     const DU du;
@@ -166,7 +162,7 @@ private:
     for (int axis = 0; axis < 3; ++axis)
     {
       const float step = f.step[axis][k] - perS * f.step[axis][2];
-      const int low = node.low[axis][child], high = node.high[axis][child];
+      const int low = node.low(axis)[child], high = node.high(axis)[child];
       middle += step * static_cast<float>(low + high);
       half += std::abs(step) * static_cast<float>(high - low);
     }

@@ -7,8 +7,8 @@ namespace mote
 {
 
 /// An inner node of an RlodTree: up to 16 children, first those that are clusters, then those that
-/// are nodes; each kind lies in one row. Child k is within origin + scale * (low[..][k] to
-/// high[..][k]): boxes are rounded outwards, as float computes that with a fused multiply-add and
+/// are nodes; each kind lies in one row. Child k is within origin + scale * (low(axis)[k] to
+/// high(axis)[k]): boxes are rounded outwards, as float computes that with a fused multiply-add and
 /// without. Children that do not exist have turned bounds on every axis.
 struct alignas(64) RlodNode
 {
@@ -21,8 +21,12 @@ struct alignas(64) RlodNode
   std::uint32_t children : 5;
   std::uint32_t firstCluster : 27;
   std::uint32_t clusters : 5;
-  std::uint8_t low[3][fanout], high[3][fanout];
+  std::uint8_t bounds[6][fanout]; ///< three rows of least ones, three of greatest
 
+  std::uint8_t* low(int axis) { return bounds[axis]; }
+  std::uint8_t* high(int axis) { return bounds[3 + axis]; }
+  const std::uint8_t* low(int axis) const { return bounds[axis]; }
+  const std::uint8_t* high(int axis) const { return bounds[3 + axis]; }
   /// The node that child k is, which is not a cluster.
   std::uint32_t nodeOf(unsigned k) const { return firstNode + k - clusters; }
 };

@@ -99,33 +99,6 @@ inline std::uint64_t nearestHit(const RlodTreeView& view, TreeRay& ray)
   return slot;
 }
 
-/// Whether the ray meets anything between its ends.
-inline bool meetsAny(const RlodTreeView& view, const TreeRay& ray)
-{
-  std::uint32_t* const bottom = waitingStack<std::uint32_t>(view);
-  std::uint32_t* top = bottom;
-  *top++ = 0;
-  Row z;
-  while (top != bottom)
-  {
-    const std::uint32_t next = *--top;
-    if ((next & WaitingNode::isCluster) != 0)
-    {
-      if (ray.trianglesMet(view.clusters[next & ~WaitingNode::isCluster], z) != 0)
-        return true;
-      continue;
-    }
-    const RlodNode& node = view.nodes[next];
-    unsigned bits = ray.childrenMet(node, z);
-    if (bits == 0)
-      continue;
-    for (; bits != 0; bits &= bits - 1)
-      *top++ = referenceOf(node, static_cast<unsigned>(std::countr_zero(bits)));
-    prefetchReference(view, top[-1]);
-  }
-  return false;
-}
-
 inline void castPacketNearest(const RlodTreeView& view, RayPacket& packet, std::int32_t object)
 {
   const TreeRays rays(view, packet);
@@ -143,14 +116,6 @@ inline void castPacketNearest(const RlodTreeView& view, RayPacket& packet, std::
     packet.slot[i] = slot;
     packet.object[i] = object;
   }
-}
-
-inline void castPacketAny(const RlodTreeView& view, RayPacket& packet)
-{
-  const TreeRays rays(view, packet);
-  for (int i = 0; i < packet.count; ++i)
-    if (rays.isAnywhere(i) && meetsAny(view, TreeRay(rays, i)))
-      packet.t[i] = -std::numeric_limits<double>::infinity();
 }
 
 } // namespace HWY_NAMESPACE

@@ -136,14 +136,14 @@ private:
 /// One ray of a packet, ready to be compared with many boxes and triangles.
 struct TreeRay
 {
-  float q[3], inverse[3];
+  alignas(16) float q[4], inverse[4]; ///< the fourth numbers are 0
+  std::uint8_t nearRow[3], farRow[3]; ///< rows of a node's bounds that the ray meets first and last
   int axisU, axisV, axisZ;
   float u0, v0, perZu, perZv, sign, first, best;
 
+  TreeRay() = default;
   HWY_INLINE TreeRay(const TreeRays& rays, int i)
-    : axisU((rays.depth[i] + 1) % 3)
-    , axisV((rays.depth[i] + 2) % 3)
-    , axisZ(rays.depth[i])
+    : axisZ(rays.depth[i])
     , u0(rays.u0[i])
     , v0(rays.v0[i])
     , perZu(rays.perZu[i])
@@ -152,49 +152,70 @@ struct TreeRay
     , first(rays.first[i])
     , best(rays.best[i])
   {
+    axisU = axisZ == 2 ? 0 : axisZ + 1;
+    axisV = axisU == 2 ? 0 : axisU + 1;
     for (int axis = 0; axis < 3; ++axis)
     {
       q[axis] = rays.q[axis][i];
       inverse[axis] = rays.inverse[axis][i];
+      const bool forward = inverse[axis] > 0.0f;
+      nearRow[axis] = static_cast<std::uint8_t>(forward ? axis : axis + 3);
+      farRow[axis] = static_cast<std::uint8_t>(forward ? axis + 3 : axis);
     }
+    q[3] = inverse[3] = 0.0f;
   }
 
   /// Children of a node that the ray meets before its end, as bits; `near` becomes where it enters.
   HWY_INLINE unsigned childrenMet(const RlodNode& node, Row& near) const
   {
+    return childrenMet(node, [&](VF enter, int set) { near.store(enter, set); });
+  }
+  HWY_INLINE unsigned childrenMet(const RlodNode& node) const
+  {
+    return childrenMet(node, [](VF, int) {});
+  }
+
+private:
+  template <typename Keep>
+  HWY_INLINE unsigned childrenMet(const RlodNode& node, const Keep& keep) const
+  {
     const DF d;
-    float per[3], enterAt[3], leaveAt[3];
-    for (int axis = 0; axis < 3; ++axis)
+    const hn::CappedTag<float, 4> d4;
+    alignas(16) float per[4], enterAt[4], leaveAt[4];
+    for (int k = 0; k < 4; k += static_cast<int>(hn::Lanes(d4)))
     {
-      const float from = node.origin[axis] - q[axis];
-      const float at = from * inverse[axis];
+      // The fourth numbers are others of the node, and mean nothing.
+      const auto from = hn::Sub(hn::LoadU(d4, node.origin + k), hn::Load(d4, q + k));
+      const auto scale = hn::LoadU(d4, node.scale + k), factor = hn::Load(d4, inverse + k);
+      const auto at = hn::Mul(from, factor);
       // Of Q, of the products below, and of the triangles' own formula.
-      const float error = (0x1p-20f * (std::abs(from) + 255.0f * node.scale[axis]) + 0x1p-22f) *
-                          std::abs(inverse[axis]);
-      per[axis] = node.scale[axis] * inverse[axis];
-      enterAt[axis] = at - error;
-      leaveAt[axis] = at + error;
+      const auto size = hn::MulAdd(scale, hn::Set(d4, 255.0f), hn::Abs(from));
+      const auto error =
+        hn::Mul(hn::MulAdd(size, hn::Set(d4, 0x1p-20f), hn::Set(d4, 0x1p-22f)), hn::Abs(factor));
+      hn::Store(hn::Mul(scale, factor), d4, per + k);
+      hn::Store(hn::Sub(at, error), d4, enterAt + k);
+      hn::Store(hn::Add(at, error), d4, leaveAt + k);
     }
     unsigned bits = 0;
+    const std::uint8_t* bounds = node.bounds[0];
     for (int set = 0; set < laneSets; ++set)
     {
       VF enter = all(first), leave = all(best);
       for (int axis = 0; axis < 3; ++axis)
       {
-        const bool forward = inverse[axis] > 0.0f;
-        const VF nearer =
-          hn::ConvertTo(d, widened((forward ? node.low : node.high)[axis] + set * lanes));
-        const VF farther =
-          hn::ConvertTo(d, widened((forward ? node.high : node.low)[axis] + set * lanes));
-        enter = hn::Max(enter, hn::MulAdd(nearer, all(per[axis]), all(enterAt[axis])));
-        leave = hn::Min(leave, hn::MulAdd(farther, all(per[axis]), all(leaveAt[axis])));
+        const auto row = [&](int number)
+        { return hn::ConvertTo(d, widened(bounds + 16 * number + set * lanes)); };
+        const VF perStep = all(per[axis]);
+        enter = hn::Max(enter, hn::MulAdd(row(nearRow[axis]), perStep, all(enterAt[axis])));
+        leave = hn::Min(leave, hn::MulAdd(row(farRow[axis]), perStep, all(leaveAt[axis])));
       }
-      near.store(enter, set);
+      keep(enter, set);
       bits |= bitsOf(hn::Le(enter, leave)) << (set * lanes);
     }
     return bits & lowest(node.children);
   }
 
+public:
   /// Triangles of a cluster that the ray meets between its ends, as bits; `z` becomes where.
   HWY_INLINE unsigned trianglesMet(const TriangleCluster& cluster, Row& z) const
   {
