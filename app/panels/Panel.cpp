@@ -135,6 +135,7 @@ void Panel::drawGroups(const PanelFacts& facts)
   drawMessages(facts.messages);
   if (facts.steps > 1 || next_.output.follow)
     this->drawTime(facts);
+  drawn_.insert({"hide-data", "side-by-side"}); // which Data has
   this->drawGroup("Data", &Panel::drawData);
   this->drawGroup("Colour", &Panel::drawColour);
   this->drawGroup("Selection", &Panel::drawSelection);

@@ -31,9 +31,11 @@ std::string countOf(const Part& part)
 /// A line for each data set, with a box that shows or hides it.
 void Panel::drawData()
 {
-  drawn_.insert({"hide-data", "calculate"}); // which Colour has
+  drawn_.insert("calculate"); // which Colour has
   if (!found_.hasParticles)
     drawn_.insert("positions");
+  if (stage_.parts().size() > 1)
+    this->drawRow("side-by-side", "side by side");
   std::vector<int>& hidden = next_.selection.hiddenData;
   for (std::size_t i = 0; i < stage_.parts().size(); ++i)
   {

@@ -139,6 +139,7 @@ struct NamedView
 struct ViewSettings
 {
   std::vector<NamedView> saved; ///< each with a name of its own
+  bool sideBySide = false;      ///< data sets have views of their own, with one camera
   bool operator==(const ViewSettings&) const = default;
 };
 

@@ -163,6 +163,8 @@ void adviseOnValues(const Stage& stage, std::vector<std::string>& advice)
 std::vector<std::string> adviceOn(const Stage& stage)
 {
   std::vector<std::string> advice;
+  if (stage.settings().views.sideBySide && !stage.parts().empty() && stage.views().size() < 2)
+    advice.emplace_back("--side-by-side does nothing here: it takes two data sets that are shown");
   adviseOnVolumes(stage, advice);
   adviseOnParticles(stage, advice);
   adviseOnLight(stage, advice);

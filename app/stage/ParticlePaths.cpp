@@ -19,6 +19,7 @@
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <sstream>
@@ -144,7 +145,7 @@ bool ParticlePaths::isJump(const Step& step, const Place& from, const Place& to)
   return false;
 }
 
-void ParticlePaths::fill(vtkPolyData* lines) const
+void ParticlePaths::fill(vtkPolyData* lines, const std::vector<std::size_t>& sets) const
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -164,7 +165,8 @@ void ParticlePaths::fill(vtkPolyData* lines) const
     for (const auto& [id, here] : read_[s].places)
     {
       const auto before = read_[s - 1].places.find(id);
-      if (before == read_[s - 1].places.end() ||
+      if (std::find(sets.begin(), sets.end(), id.first) == sets.end() ||
+          before == read_[s - 1].places.end() ||
           (mayJump && isJump(read_[s], before->second, here)))
         continue;
       const vtkIdType ends[2] = {

@@ -35,9 +35,10 @@ public:
   /// How many steps were read, of how many.
   int stepsRead() const;
   int steps() const { return steps_; }
-  /// The paths through the steps that were read, as lines with a colour for each id. There is none
+  /// The paths of these data sets through the steps that were read, as lines with a colour for each
+  /// id. There is none
   /// from one side of a periodic box to the other, nor over a step that lacks the particle.
-  void fill(vtkPolyData* lines) const;
+  void fill(vtkPolyData* lines, const std::vector<std::size_t>& sets) const;
 
 private:
   using Place = std::array<double, 3>;

@@ -1,5 +1,6 @@
 #include "Picture.h"
 
+#include "SideBySide.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/OutputFile.h"
@@ -8,11 +9,15 @@
 
 #include <kernels/core/ScratchSpace.h>
 
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
 #include <vtkLightCollection.h>
 #include <vtkLookupTable.h>
 #include <vtkMoteShading.h>
 #include <vtkMoteSilhouettes.h>
+#include <vtkPointData.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <new>
 
@@ -35,7 +40,15 @@ Picture::Picture(Stage& stage, const std::array<int, 2>& size)
   source_->SetSize(size[0], size[1]);
   source_->SetShading(stage.lighting().shading());
   source_->SetSilhouettes(stage.silhouettes());
-  legend_->SetInputConnection(source_->GetOutputPort());
+  legend_->SetInputConnection(traced_->GetOutputPort());
+  name_->CaptionOnTopOn();
+}
+
+double Picture::aspect() const
+{
+  const auto views = stage_.views();
+  const SideBySide sides(stage_, views.size(), size_, labelled_ && views.size() > 1);
+  return double(sides.width) / size_[1];
 }
 
 namespace
@@ -66,15 +79,15 @@ void Picture::aim(const std::string& file)
   // An EXR is for further work: everything there is, and nothing drawn over it.
   labelled_ = !exr_;
   this->requireMemory();
-  writer_->SetInputConnection(labelled_ ? legend_->GetOutputPort() : source_->GetOutputPort());
+  writer_->SetInputConnection(labelled_ ? legend_->GetOutputPort() : traced_->GetOutputPort());
 }
 
-void Picture::takeStage()
+void Picture::takeStage(const View& view)
 {
   vtkRenderer* stage = stage_.renderer();
   renderer_->RemoveAllViewProps();
-  for (const auto& part : stage_.parts())
-    renderer_->AddViewProp(part->prop());
+  for (const std::size_t part : view)
+    renderer_->AddViewProp(stage_.parts()[part]->prop());
   renderer_->RemoveAllLights();
   vtkCollectionSimpleIterator next;
   stage->GetLights()->InitTraversal(next);
@@ -108,10 +121,11 @@ Margins Picture::margins()
 {
   Margins margins;
   const PictureSettings& picture = stage_.settings().picture;
-  if (labelled_ && picture.legend && stage_.coloring().legendTable())
+  const bool isAlone = stage_.views().size() == 1; // else the legend has a strip of its own
+  if (labelled_ && isAlone && picture.legend && stage_.coloring().legendTable())
     (picture.legendSide == "left" ? margins.left : margins.right) += 0.13 * size_[1] / size_[0];
   if (labelled_)
-    margins.bottom += 0.03;
+    (isAlone ? margins.bottom : margins.top) += 0.03;
   return margins;
 }
 
@@ -124,24 +138,22 @@ void Picture::write(const std::string& caption, ProgressRelay& progress)
 
 vtkImageData* Picture::draw(const std::string& caption, ProgressRelay& progress)
 {
-  this->takeStage();
+  const auto views = stage_.views();
+  const bool isAlone = views.size() == 1;
   this->takeSettings();
-  legend_->SetCaption(stage_.settings().picture.caption.value_or(caption));
+  // Views beside one another have names in its place.
+  legend_->SetCaption(stage_.settings().picture.caption.value_or(isAlone ? caption : ""));
   Messages::takeError();
-  source_->Modified(); // parts and camera may have changed
+  traceTime_ = noise_ = 0.0;
+  samples_ = 0;
   try
   {
-    {
-      ProgressRelay::Work work(progress, "Tracing", source_);
-      source_->Update();
-      work.finish();
-    }
-    if (const std::string error = Messages::takeError(); error == std::bad_alloc().what())
-      throw std::bad_alloc(); // VTK's pipeline lets no exception through
-    else if (!error.empty())
-      throw Failure(error);
+    if (isAlone)
+      traced_->SetOutput(this->trace(views.front(), size_, progress));
+    else
+      traced_->SetOutput(this->traceAll(views, progress));
     if (!labelled_)
-      return source_->GetOutput();
+      return vtkImageData::SafeDownCast(traced_->GetOutputDataObject(0));
     legend_->Update();
     return legend_->GetOutput();
   }
@@ -151,13 +163,95 @@ vtkImageData* Picture::draw(const std::string& caption, ProgressRelay& progress)
   }
 }
 
+vtkImageData* Picture::trace(
+  const View& view, const std::array<int, 2>& size, ProgressRelay& progress)
+{
+  this->takeStage(view);
+  source_->SetSize(size[0], size[1]);
+  source_->Modified(); // parts and camera may have changed
+  {
+    ProgressRelay::Work work(progress, "Tracing", source_);
+    source_->Update();
+    work.finish();
+  }
+  if (const std::string error = Messages::takeError(); error == std::bad_alloc().what())
+    throw std::bad_alloc(); // VTK's pipeline lets no exception through
+  else if (!error.empty())
+    throw Failure(error);
+  traceTime_ += source_->GetTraceTime();
+  samples_ = std::max(samples_, source_->GetNumberOfSamples());
+  noise_ = std::max(noise_, source_->GetNoise());
+  return source_->GetOutput();
+}
+
+/// Views beside one another, with their names, and the background below the legend.
+vtkSmartPointer<vtkImageData> Picture::traceAll(
+  const std::vector<View>& views, ProgressRelay& progress)
+{
+  const SideBySide sides(stage_, views.size(), size_, labelled_);
+  auto whole = vtkSmartPointer<vtkImageData>::New();
+  whole->SetDimensions(size_[0], size_[1], 1);
+  for (std::size_t i = 0; i < views.size(); ++i)
+  {
+    name_->SetInputData(this->trace(views[i], {sides.width, size_[1]}, progress));
+    name_->SetCaption(labelled_ ? stage_.viewName(views[i]) : "");
+    name_->SetFontScale(stage_.settings().picture.fontScale);
+    name_->Update();
+    this->paste(name_->GetOutput(), sides.begin(i), whole);
+    if (i > 0 && labelled_)
+      this->drawDivider(sides.begin(i), whole);
+  }
+  if (sides.legend > 0)
+    this->paste(this->trace({}, {sides.legend, size_[1]}, progress),
+      sides.first > 0 ? 0 : size_[0] - sides.legend, whole);
+  name_->SetInputData(nullptr);
+  return whole;
+}
+
+/// Puts an image as high as the whole there, with all its arrays.
+void Picture::paste(vtkImageData* from, int x, vtkImageData* to) const
+{
+  const int width = from->GetDimensions()[0];
+  for (int a = 0; a < from->GetPointData()->GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* part = from->GetPointData()->GetArray(a);
+    vtkDataArray* all = to->GetPointData()->GetArray(part->GetName());
+    if (!all)
+    {
+      const auto made = vtk::TakeSmartPointer(part->NewInstance());
+      made->SetName(part->GetName());
+      made->SetNumberOfComponents(part->GetNumberOfComponents());
+      made->SetNumberOfTuples(to->GetNumberOfPoints());
+      to->GetPointData()->AddArray(made);
+      if (part == from->GetPointData()->GetScalars())
+        to->GetPointData()->SetScalars(made);
+      all = made;
+    }
+    for (int y = 0; y < size_[1]; ++y)
+      all->InsertTuples(
+        static_cast<vtkIdType>(y) * size_[0] + x, width, static_cast<vtkIdType>(y) * width, part);
+  }
+}
+
+void Picture::drawDivider(int x, vtkImageData* image) const
+{
+  const Color ink = dividerInk(renderer_);
+  vtkDataArray* colors = image->GetPointData()->GetScalars();
+  const int thick = std::max(1, size_[1] / 700);
+  for (int y = 0; y < size_[1]; ++y)
+    for (int i = 0; i < thick; ++i)
+      for (int c = 0; c < 3; ++c)
+        colors->SetComponent(static_cast<vtkIdType>(y) * size_[0] + x + i - thick / 2, c,
+          ink[static_cast<std::size_t>(c)]);
+}
+
 std::string Picture::quality() const
 {
-  std::string text = counted(source_->GetNumberOfSamples(), "sample") + " per pixel";
+  std::string text = counted(samples_, "sample") + " per pixel";
   if (stage_.settings().picture.noise)
-    text += ", noise " + asNumber(source_->GetNoise(), 3);
+    text += ", noise " + asNumber(noise_, 3);
   if (isColorError(stage_.settings().picture))
-    text += ", expected error " + stage_.expectedErrorText(source_->GetNoise());
+    text += ", expected error " + stage_.expectedErrorText(noise_);
   return text;
 }
 

@@ -7,8 +7,11 @@
 #include <vtkMoteImageWriter.h>
 #include <vtkMoteRendererSource.h>
 #include <vtkNew.h>
+#include <vtkSmartPointer.h>
+#include <vtkTrivialProducer.h>
 
 #include <string>
+#include <vector>
 
 namespace mote::app
 {
@@ -33,7 +36,8 @@ public:
   /// Room for the legend at its side and for the caption below.
   Margins margins();
 
-  double aspect() const { return double(size_[0]) / size_[1]; }
+  /// Of the picture, or of each view in it: width to height.
+  double aspect() const;
 
   /// Traces and writes. `caption` stands where the settings have none. Throws Failure and
   /// Interrupted.
@@ -43,14 +47,19 @@ public:
   /// write() else.
   vtkImageData* draw(const std::string& caption, ProgressRelay& progress);
 
-  double traceTime() const { return source_->GetTraceTime(); }
+  double traceTime() const { return traceTime_; }
 
   /// "16 samples per pixel", and with --noise what came of it.
   std::string quality() const;
 
 private:
-  void takeStage();
+  using View = std::vector<std::size_t>; ///< numbers of the stage's parts
+  void takeStage(const View& view);
   void takeSettings();
+  vtkImageData* trace(const View& view, const std::array<int, 2>& size, ProgressRelay& progress);
+  vtkSmartPointer<vtkImageData> traceAll(const std::vector<View>& views, ProgressRelay& progress);
+  void paste(vtkImageData* from, int x, vtkImageData* to) const;
+  void drawDivider(int x, vtkImageData* image) const;
   void requireMemory() const;
   double bytes() const;
   std::string needs() const;
@@ -59,10 +68,14 @@ private:
   std::array<int, 2> size_;
   vtkNew<vtkRenderer> renderer_; ///< of the stage's data alone, without what a window adds
   vtkNew<vtkMoteRendererSource> source_;
-  vtkNew<vtkMoteColorLegend> legend_;
+  vtkNew<vtkTrivialProducer> traced_; ///< the image, of one view or of several
+  vtkNew<vtkMoteColorLegend> legend_, name_;
   vtkNew<vtkMoteImageWriter> writer_;
   bool labelled_ = true;
   bool exr_ = false;
+  double traceTime_ = 0.0; ///< s
+  int samples_ = 0;
+  double noise_ = 0.0;
 };
 
 } // namespace mote::app

@@ -17,6 +17,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <numeric>
 
 namespace mote::app
 {
@@ -287,6 +289,47 @@ std::string Stage::automaticSide() const
   const std::string side = automaticView(bounds);
   // Modellers of surfaces have y up, simulations z.
   return side == "iso" && surfaces ? "iso-y" : side;
+}
+
+std::vector<std::vector<std::size_t>> Stage::views() const
+{
+  std::vector<std::size_t> all(parts_.size());
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<std::vector<std::size_t>> views;
+  if (!settings_.views.sideBySide || data_.size() != parts_.size())
+    return {all};
+  const bool isOneFile = std::all_of(
+    data_.begin(), data_.end(), [&](const NamedData& one) { return one.file == data_[0].file; });
+  for (const std::size_t i : all)
+  {
+    if (parts_[i]->isHidden())
+      continue;
+    const auto same = std::find_if(views.begin(), views.end(),
+      [&](const auto& view) { return !isOneFile && data_[view.front()].file == data_[i].file; });
+    if (same != views.end())
+      same->push_back(i);
+    else if (views.size() < mostViews)
+      views.push_back({i});
+    else
+      views.back().push_back(i);
+  }
+  if (views.size() < 2)
+    return {all};
+  return views;
+}
+
+std::string Stage::viewName(const std::vector<std::size_t>& view) const
+{
+  std::vector<std::string> names;
+  for (const std::size_t part : view)
+  {
+    const std::string file = std::filesystem::path(data_[part].file).filename().string();
+    const std::string& own = parts_[part]->name();
+    const std::string name = view.size() > 1 && !file.empty() ? file : own;
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(name);
+  }
+  return joined(names, ", ");
 }
 
 void Stage::bounds(double bounds[6]) const

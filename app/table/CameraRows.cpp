@@ -36,11 +36,36 @@ void checkViews(const std::vector<NamedView>& views)
   }
 }
 
+const std::string group = "Camera";
+
+/// Of views beside the present one.
+void addViewRows(std::vector<Row>& table)
+{
+  table.push_back(row<ViewSettings, std::vector<NamedView>>(&Settings::views, &ViewSettings::saved,
+    {.group = group,
+      .name = "saved-view",
+      .value = "NAME=CAMERA",
+      .help =
+        "A view to come back to in the window, as --camera writes cameras; behind 'parallel,' "
+        "for a parallel projection. May be given several times. It changes no picture",
+      .invalidates = Invalidates::Nothing,
+      .commas = false,
+      .usual = "none"},
+    checkViews));
+  table.push_back(row(&Settings::views, &ViewSettings::sideBySide,
+    {.group = group,
+      .name = "side-by-side",
+      .help =
+        "Show data sets beside one another, in up to four views that share one camera and one "
+        "range of colours: a view for each file, or for each data set of one file. Those that "
+        "are hidden have none",
+      .invalidates = Invalidates::Picture}));
+}
+
 } // namespace
 
 void addCameraRows(std::vector<Row>& table)
 {
-  const std::string group = "Camera";
   const auto camera = &Settings::camera;
   table.push_back(row(camera, &CameraSettings::view,
     {.group = group,
@@ -85,17 +110,7 @@ void addCameraRows(std::vector<Row>& table)
       .count = 10,
       .usual = "frames what is shown"},
     checkCamera));
-  table.push_back(row<ViewSettings, std::vector<NamedView>>(&Settings::views, &ViewSettings::saved,
-    {.group = group,
-      .name = "saved-view",
-      .value = "NAME=CAMERA",
-      .help =
-        "A view to come back to in the window, as --camera writes cameras; behind 'parallel,' "
-        "for a parallel projection. May be given several times. It changes no picture",
-      .invalidates = Invalidates::Nothing,
-      .commas = false,
-      .usual = "none"},
-    checkViews));
+  addViewRows(table);
 }
 
 } // namespace mote::app

@@ -26,6 +26,7 @@ const std::vector<Line>& lines()
       {{Set, {"x"}, "view", "+x"}, {Set, {"X"}, "view", "-x"}, {Set, {"y"}, "view", "+y"},
         {Set, {"Y"}, "view", "-y"}, {Set, {"z"}, "view", "+z"}, {Set, {"Z"}, "view", "-z"}}},
     {"o", "perspective or parallel projection", {{Next, {"o", "O"}, "orthographic"}}},
+    {"v", "data sets beside one another, or in one", {{Next, {"v", "V"}, "side-by-side"}}},
     {"f", "centre the view on the particle under the cursor", {{Center, {"f", "F"}}}},
     {"click  p",
       "pick what is under the cursor and list its values; Shift and a click, P: add it, "

@@ -411,7 +411,7 @@ namespace
 Settings forPicture(Settings settings)
 {
   const PictureSettings usual;
-  settings.views = {};
+  settings.views.saved.clear();
   settings.picture.fps = usual.fps;
   settings.picture.box = usual.box;
   settings.picture.axes = usual.axes;

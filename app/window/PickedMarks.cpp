@@ -115,6 +115,12 @@ void PickedMarks::update(const PickedSet::Parts& parts, const PickedSet& picked)
   cameraTime_ = now;
 }
 
+void PickedMarks::setParts(const std::vector<std::size_t>& parts)
+{
+  isOld_ = isOld_ || parts != marked_;
+  marked_ = parts;
+}
+
 void PickedMarks::gather(const PickedSet::Parts& parts, const PickedSet& picked)
 {
   std::vector<Drawn> drawn(parts.size());
@@ -134,7 +140,7 @@ void PickedMarks::gather(const PickedSet::Parts& parts, const PickedSet& picked)
     const Picked& one = picked.items()[i];
     const auto k = static_cast<std::size_t>(one.part);
     const auto id = static_cast<std::size_t>(one.id);
-    if (parts[k]->isHidden())
+    if (parts[k]->isHidden() || std::find(marked_.begin(), marked_.end(), k) == marked_.end())
       continue;
     if (one.kind == Picked::Kind::Cell)
     {

@@ -29,6 +29,8 @@ public:
   /// Follows the picked and the camera. Call before each frame; where nothing has changed it does
   /// nothing. What is picked and not shown now has no mark.
   void update(const PickedSet::Parts& parts, const PickedSet& picked);
+  /// Only these parts have marks.
+  void setParts(const std::vector<std::size_t>& parts);
   /// Makes all marks anew in the next update(): what is shown has changed.
   void forget() { isOld_ = true; }
 
@@ -56,6 +58,7 @@ private:
   unsigned long version_ = 0;
   vtkMTimeType cameraTime_ = 0;
   bool isOld_ = false;
+  std::vector<std::size_t> marked_; ///< parts
 };
 
 } // namespace mote::app

@@ -14,6 +14,8 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
+#include <algorithm>
+
 namespace mote::app
 {
 
@@ -54,9 +56,15 @@ void Ruler::label(std::size_t number, const std::string& text, const Place& plac
   labels_[number]->SetVisibility(isVisible_);
 }
 
-void Ruler::update(const PickedSet::Parts& parts, const PickedSet& picked)
+void Ruler::update(
+  const PickedSet::Parts& parts, const PickedSet& picked, const std::vector<std::size_t>& shown)
 {
-  const auto measured = measure(parts, picked);
+  auto measured = measure(parts, picked);
+  const auto& items = picked.items();
+  if (measured && std::none_of(items.begin(), items.end(),
+                    [&](const Picked& one)
+                    { return std::find(shown.begin(), shown.end(), one.part) != shown.end(); }))
+    measured.reset();
   for (const auto& text : labels_)
     text->VisibilityOff();
   actor_->SetVisibility(measured && isVisible_);

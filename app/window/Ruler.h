@@ -21,8 +21,9 @@ public:
   explicit Ruler(vtkRenderer* renderer);
   ~Ruler();
 
-  /// Follows what is picked.
-  void update(const PickedSet::Parts& parts, const PickedSet& picked);
+  /// Follows what is picked, where any of it is in these parts.
+  void update(
+    const PickedSet::Parts& parts, const PickedSet& picked, const std::vector<std::size_t>& shown);
   /// Without it, for pictures of the window.
   void setVisible(bool visible);
 

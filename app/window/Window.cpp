@@ -56,14 +56,12 @@ Window::Window(const Settings& settings, Input& input)
   : asked_(settings)
   , input_(input)
   , stage_(settings)
+  , views_(stage_, window_)
   , overlay_(stage_.renderer())
   , props_(stage_)
-  , marks_(stage_.renderer())
-  , ruler_(stage_.renderer())
   , bar_(window_, stage_.renderer())
   , panel_(stage_)
   , panelOn_(settings.output.panel)
-  , paths_(stage_.renderer())
 {
   progress_.add(terminal_);
   progress_.add(bar_);
@@ -74,7 +72,7 @@ Window::Window(const Settings& settings, Input& input)
 Window::~Window()
 {
   forget(window_);
-  forget(pass_);
+  views_.setUpPasses([](vtkMoteRayCastPass* pass) { forget(pass); });
   forget(style_);
   forget(interactor_);
   forget(stage_.renderer());
@@ -89,11 +87,15 @@ void Window::setUpWindow()
   const int* screen = window_->GetScreenSize();
   window_->SetSize(size[0] > 0 ? size[0] : std::min(1280, screen[0] * 9 / 10),
     size[0] > 0 ? size[1] : std::min(860, screen[1] * 8 / 10));
-  pass_->ProgressiveOn();
-  pass_->SetNumberOfThreads(asked_.data.threads);
-  pass_->SetShading(stage_.lighting().shading());
-  pass_->SetSilhouettes(stage_.silhouettes());
-  stage_.renderer()->SetPass(pass_);
+  views_.setUpPasses(
+    [this](vtkMoteRayCastPass* pass)
+    {
+      pass->ProgressiveOn();
+      pass->SetNumberOfThreads(asked_.data.threads);
+      pass->SetShading(stage_.lighting().shading());
+      pass->SetSilhouettes(stage_.silhouettes());
+    });
+  views_.setTraced(true);
   overlay_.setInk(inkOn(stage_.renderer()));
   interactor_->SetRenderWindow(window_);
   interactor_->SetInteractorStyle(style_);
@@ -106,8 +108,7 @@ void Window::choosePass()
   traced_ =
     parts.empty() || std::any_of(parts.begin(), parts.end(),
                        [](const auto& part) { return part->kind() != Part::Kind::Surface; });
-  stage_.renderer()->SetPass(traced_ ? pass_.Get() : nullptr);
-  stage_.renderer()->SetUseFXAA(!traced_);
+  views_.setTraced(traced_);
 }
 
 void Window::setUpEvents()
@@ -131,11 +132,15 @@ void Window::setUpEvents()
   observe(window_, vtkCommand::EndEvent, [this](void*) { this->onRenderEnd(); });
   // Input stops what sharpens a picture and nothing else: VTK shows no frame that was stopped, and
   // whoever holds a key would see none.
-  observe(pass_, vtkCommand::ProgressEvent,
-    [this](void*)
+  views_.setUpPasses(
+    [this](vtkMoteRayCastPass* pass)
     {
-      if (!busy_ && inputWaits(window_))
-        window_->SetAbortRender(1);
+      observe(pass, vtkCommand::ProgressEvent,
+        [this](void*)
+        {
+          if (!busy_ && inputWaits(window_))
+            window_->SetAbortRender(1);
+        });
     });
   observe(style_, vtkCommand::EndInteractionEvent, [this](void*) { this->recordCamera(); });
   observe(interactor_, vtkCommand::ExitEvent, [this](void*) { this->quit(); });
@@ -172,7 +177,7 @@ void Window::run()
   previewed_ = !stage_.preview().empty();
   this->nameWindow();
   this->look();
-  props_.update();
+  this->followProps();
   this->choosePass();
   if (this->isEmpty())
     this->say("Mote shows what simulations write: start it as mote FILE, or press Ctrl+O");
@@ -240,12 +245,21 @@ bool Window::perform(const std::function<void()>& work)
 //------------------------------------------------------------------------------------------------
 // Drawing
 
+/// What stands beside the data follows them.
+void Window::followProps()
+{
+  props_.update();
+  views_.follow(paths_.paths());
+}
+
 void Window::look()
 {
-  const std::array<int, 2> size = this->viewSize();
+  const std::array<int, 2> size = views_.size();
   Margins margins;
-  // Both sides alike, so that what turns about its middle stays in the window's middle.
-  const bool legend = this->settings().picture.legend && stage_.coloring().legendTable();
+  // Both sides alike, so that what turns about its middle stays in the window's middle. Views
+  // beside one another leave the legend a strip of its own.
+  const bool legend = this->settings().picture.legend && stage_.coloring().legendTable() &&
+                      views_.shown().size() == 1;
   margins.left = margins.right = legend ? 0.03 + 0.13 * size[1] / std::max(1, size[0]) : 0.04;
   margins.bottom = margins.top = 0.06;
   stage_.look(double(size[0]) / std::max(1, size[1]), margins);
@@ -296,7 +310,9 @@ void Window::shareFrameTime()
   const double wanted = 1.0 / asked.value_or(usual); // s
   // Rays get something, however long the rest takes.
   const double least = (asked ? 0.1 : 0.3) * wanted;
-  pass_->SetInteractiveFrameTime(std::max(wanted - otherTime_, least));
+  const auto count = static_cast<double>(views_.shown().size());
+  const double share = std::max(wanted - otherTime_, least) / count;
+  views_.setUpPasses([&](vtkMoteRayCastPass* pass) { pass->SetInteractiveFrameTime(share); });
 }
 
 void Window::nameWindow()
@@ -315,16 +331,20 @@ void Window::updatePreview()
   if (previewed_ != !preview.empty())
   {
     previewed_ = !preview.empty();
-    marks_.forget(); // their sizes were those of the particles as they were drawn
+    views_.forgetMarks(); // their sizes were those of the particles as they were drawn
     this->nameWindow();
   }
   overlay_.setPreview(preview);
   const Settings& wanted = this->settings();
   const int samples = wanted.picture.mostSamples(wanted.light.pathTrace);
   const ErrorShares shares = errorShares(wanted);
-  pass_->SetNoiseLevel(shares.noise.value_or(0.0));
-  pass_->SetMostDistance(shares.mostDistance);
-  pass_->SetSamplesPerPixel(previewed_ ? std::min(previewSamples, samples) : samples);
+  views_.setUpPasses(
+    [&](vtkMoteRayCastPass* pass)
+    {
+      pass->SetNoiseLevel(shares.noise.value_or(0.0));
+      pass->SetMostDistance(shares.mostDistance);
+      pass->SetSamplesPerPixel(previewed_ ? std::min(previewSamples, samples) : samples);
+    });
 }
 
 void Window::onRenderStart()
@@ -334,13 +354,12 @@ void Window::onRenderStart()
     return;
   // A view that the user has not touched goes on to fit when the window's shape changes.
   this->updatePanel();
-  if (viewedSize_ != this->viewSize() && view_ == this->viewNow())
+  if (viewedSize_ != views_.size() && view_ == this->viewNow())
     this->look();
   recorder_.note(this->state());
   this->updatePreview();
   this->takeMessages();
-  marks_.update(stage_.parts(), picked_);
-  ruler_.update(stage_.parts(), picked_);
+  views_.update(picked_);
   overlay_.setStatus(this->statusText());
   props_.legend().update();
 }
@@ -351,17 +370,18 @@ void Window::onRenderEnd()
     return;
   if (takeFileCut())
     Messages::warn("A file was cut short while it was in use: what is shown of it may be wrong");
-  if (!traced_ || pass_->GetTraceTime() > 0.0)
+  const double traceTime = views_.traceTime();
+  if (!traced_ || traceTime > 0.0)
     frameTime_ = vtkTimerLog::GetUniversalTime() - frameStart_;
-  if (traced_ && pass_->GetTraceTime() > 0.0)
-    otherTime_ = frameTime_ - pass_->GetTraceTime();
+  if (traced_ && traceTime > 0.0)
+    otherTime_ = frameTime_ - traceTime;
   if (this->isResting())
     this->noteRest();
   if (!traced_ || !this->isResting())
     return;
   // Sharpen until all samples are there; then once more, for the texts to say so.
-  const bool preview = pass_->IsPreview();
-  const bool sharp = preview ? pass_->GetTraceTime() == 0.0 : pass_->IsConverged();
+  const bool preview = views_.isPreview();
+  const bool sharp = preview ? traceTime == 0.0 : views_.isConverged();
   if (!sharp || previewed_ != preview || overlay_.status() != this->statusText())
     this->startTimer(sharpenTimer_, 1);
   else if (stage_.isBuilding())
@@ -434,7 +454,7 @@ std::string Window::statusText() const
             std::to_string(input_.numberOfSteps()) + ", t = " + asNumber(input_.times()[step_], 10);
   if (frameTime_ > 0.0)
     text += dot + "frame " + asDuration(frameTime_);
-  if (!traced_ || pass_->GetNumberOfSamples() == 0)
+  if (!traced_ || views_.numberOfSamples() == 0)
     return text;
   if (!previewed_)
     text += dot + "structure " + asBytes(static_cast<double>(stage_.structureBytes()));
@@ -443,16 +463,16 @@ std::string Window::statusText() const
 
 std::string Window::qualityText() const
 {
-  const double distance = pass_->GetImageSampleDistance();
+  const double distance = views_.imageSampleDistance(), noise = views_.noise();
   std::string text = distance > 1.0 ? "1/" + asNumber(distance, 2) + " resolution"
-                                    : counted(pass_->GetNumberOfSamples(), "sample") + " per pixel";
-  if (pass_->GetFinerShare() > 0.0)
-    text += ", " + asNumber(std::floor(100.0 * pass_->GetFinerShare())) + " % sharpened";
+                                    : counted(views_.numberOfSamples(), "sample") + " per pixel";
+  if (const double share = views_.finerShare(); share > 0.0)
+    text += ", " + asNumber(std::floor(100.0 * share)) + " % sharpened";
   const PictureSettings& picture = this->settings().picture;
   if (isPlaceError(picture) && distance > 1.0)
     text += ", edges within " + asNumber(0.5 * distance, 2) + " px";
-  else if (isColorError(picture) && std::isfinite(pass_->GetNoise()))
-    text += ", expected error " + stage_.expectedErrorText(pass_->GetNoise());
+  else if (isColorError(picture) && std::isfinite(noise))
+    text += ", expected error " + stage_.expectedErrorText(noise);
   return text;
 }
 

@@ -3,9 +3,8 @@
 #include "Clipboard.h"
 #include "Display.h"
 #include "Overlay.h"
-#include "PickedMarks.h"
 #include "Recorder.h"
-#include "Ruler.h"
+#include "Views.h"
 #include "WindowPaths.h"
 #include "WindowProgress.h"
 #include "WindowProps.h"
@@ -19,7 +18,6 @@
 #include "stage/StepCache.h"
 #include "table/Keys.h"
 
-#include <vtkMoteRayCastPass.h>
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
@@ -87,6 +85,7 @@ private:
   void render();
   void renderMoving();
   void shareFrameTime();
+  void followProps();
   void look();
   void rememberView();
   void updatePreview();
@@ -190,6 +189,8 @@ private:
   void pick(bool adds);
   void pickRectangle(
     const std::array<int, 2>& from, const std::array<int, 2>& to, bool isThrough, bool adds);
+  void addWithin(View& view, const std::array<int, 2>& from, const std::array<int, 2>& to,
+    bool isThrough, std::vector<Picked>& found) const;
   void drawRectangle(const std::array<int, 2>& from, const std::array<int, 2>& to);
   bool actOnPicked(Action action);
   bool requirePicked(bool particles);
@@ -212,12 +213,10 @@ private:
   vtkNew<vtkRenderWindow> window_;
   vtkNew<vtkRenderWindowInteractor> interactor_;
   vtkNew<InteractorStyle> style_;
-  vtkNew<vtkMoteRayCastPass> pass_;
+  Views views_;
   Overlay overlay_;
   WindowProps props_;
   PickedSet picked_;
-  PickedMarks marks_;
-  Ruler ruler_;
   MeshPicker meshPicker_;
   Clipboard clipboard_;
   bool picksThrough_ = false; ///< rectangles take what others hide, too

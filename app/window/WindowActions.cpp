@@ -217,12 +217,14 @@ bool Window::hasSurfaces() const
 
 bool Window::actOnFiles(Action action)
 {
-  const auto print = [this](const std::string& text, const std::string& what)
+  const auto print =
+    [this](const std::string& text, const std::string& what, const std::string& note = {})
   {
     std::fputs(text.c_str(), stdout);
     std::fflush(stdout);
     this->say(what + " is printed in the terminal" +
-              (this->hasSurfaces() ? "; surfaces are not in it: mote render draws none" : ""));
+              (this->hasSurfaces() ? "; surfaces are not in it: mote render draws none" : "") +
+              note);
   };
   switch (action)
   {
@@ -243,8 +245,8 @@ bool Window::actOnFiles(Action action)
     return true;
   case Action::PrintScript:
     if (traced_)
-      print(
-        scriptOf(stage_, input_, this->settingsInForce(), this->unusedName(".png")), "The script");
+      print(scriptOf(stage_, input_, this->settingsInForce(), this->unusedName(".png")),
+        "The script", views_.shown().size() > 1 ? "; it has all data in one view" : "");
     else
       this->say("There is no script of surfaces: Mote draws particles and volumes");
     return true;
@@ -358,11 +360,10 @@ void Window::savePicture()
 void Window::grabPicture(const std::string& file)
 {
   overlay_.setVisible(false);
-  marks_.setVisible(false);
-  ruler_.setVisible(false);
+  views_.setVisible(false);
   do
     this->render();
-  while (traced_ && !pass_->IsConverged() && !inputWaits(window_));
+  while (traced_ && !views_.isConverged() && !inputWaits(window_));
   vtkNew<vtkWindowToImageFilter> image;
   image->SetInput(window_);
   image->SetInputBufferTypeToRGB();
@@ -373,8 +374,7 @@ void Window::grabPicture(const std::string& file)
   writer->SetFileName(file.c_str());
   const bool written = writer->Write() != 0;
   overlay_.setVisible(true);
-  marks_.setVisible(true);
-  ruler_.setVisible(true);
+  views_.setVisible(true);
   this->say(written ? "Saved " + file : writer->GetErrorMessage());
 }
 

@@ -54,7 +54,7 @@ void Window::saveFilm()
       }
       restore();
     });
-  props_.update();
+  this->followProps();
   this->rememberView();
   if (done)
     this->say(told);

@@ -1,22 +1,7 @@
 #include "WindowPaths.h"
 
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
-
 namespace mote::app
 {
-
-WindowPaths::WindowPaths(vtkRenderer* renderer)
-{
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(lines_);
-  actor_->SetMapper(mapper);
-  actor_->GetProperty()->LightingOff();
-  actor_->GetProperty()->SetLineWidth(3.0f);
-  actor_->PickableOff();
-  actor_->VisibilityOff();
-  renderer->AddViewProp(actor_);
-}
 
 void WindowPaths::follow(const Settings& settings, const Input& input)
 {
@@ -38,7 +23,6 @@ void WindowPaths::follow(const Settings& settings, const Input& input)
 void WindowPaths::clear()
 {
   paths_ = nullptr;
-  actor_->VisibilityOff();
 }
 
 bool WindowPaths::update()
@@ -46,8 +30,6 @@ bool WindowPaths::update()
   if (!paths_ || paths_->stepsRead() == shown_)
     return false;
   shown_ = paths_->stepsRead();
-  paths_->fill(lines_);
-  actor_->SetVisibility(lines_->GetNumberOfLines() > 0);
   return true;
 }
 

@@ -79,7 +79,10 @@ std::string arrayFacts(vtkDataSetAttributes* arrays, vtkIdType id, int most)
 /// Of meshes, which OpenGL draws.
 std::optional<Window::Hit> Window::meshHitAt(int x, int y)
 {
-  vtkRenderer* renderer = stage_.renderer();
+  View* view = views_.at(x, y);
+  if (!view)
+    return {};
+  vtkRenderer* renderer = view->renderer();
   std::array<std::array<double, 3>, 2> ends{};
   for (std::size_t i = 0; i < 2; ++i)
   {
@@ -93,7 +96,7 @@ std::optional<Window::Hit> Window::meshHitAt(int x, int y)
   renderer->GetActiveCamera()->GetDirectionOfProjection(axis);
   renderer->GetActiveCamera()->GetPosition(eye);
   std::optional<Hit> first;
-  for (std::size_t k = 0; k < stage_.parts().size(); ++k)
+  for (const std::size_t k : view->parts())
     if (const auto found = meshPicker_.hit(*stage_.parts()[k], ends[0], ends[1]))
     {
       Hit hit{{static_cast<int>(k), Picked::Kind::Point, found->point}, found->at, 0.0, 0.0, 0.0};
@@ -109,11 +112,14 @@ std::optional<Window::Hit> Window::meshHitAt(int x, int y)
 std::optional<Window::Hit> Window::hitAt(int x, int y)
 {
   std::optional<Hit> mesh;
+  View* view = views_.at(x, y);
+  if (!view)
+    return mesh;
   if (this->hasSurfaces())
     mesh = this->meshHitAt(x, y);
   vtkNew<vtkMoteParticlePicker> picker;
   picker->PickCloudsOn();
-  if (!picker->Pick(x, y, 0.0, stage_.renderer()) ||
+  if (!picker->Pick(x, y, 0.0, view->renderer()) ||
       (mesh && mesh->distance < picker->GetDistance()))
     return mesh;
   for (std::size_t k = 0; k < stage_.parts().size(); ++k)
@@ -171,7 +177,7 @@ void Window::setUpPicking()
       return;
     if (!isDone)
       return this->drawRectangle(rectangle.from, rectangle.to);
-    marks_.hideRectangle();
+    views_.marks().hideRectangle();
     if (rectangle.from != rectangle.to)
       this->pickRectangle(
         rectangle.from, rectangle.to, rectangle.isThrough || picksThrough_, rectangle.adds);
@@ -210,8 +216,32 @@ void Window::drawRectangle(const std::array<int, 2>& from, const std::array<int,
 {
   const int left = window_->GetSize()[0] - this->viewSize()[0];
   overlay_.hideTip();
-  marks_.showRectangle(from[0] - left, from[1], to[0] - left, to[1]);
+  views_.marks().showRectangle(from[0] - left, from[1], to[0] - left, to[1]);
   this->renderOverlays();
+}
+
+/// Adds what a view shows in a rectangle.
+void Window::addWithin(View& view, const std::array<int, 2>& from, const std::array<int, 2>& to,
+  bool isThrough, std::vector<Picked>& found) const
+{
+  const int* origin = view.renderer()->GetOrigin();
+  const int* size = view.renderer()->GetSize();
+  const int left = std::max(std::min(from[0], to[0]), origin[0]);
+  const int right = std::min(std::max(from[0], to[0]), origin[0] + size[0] - 1);
+  if (left > right)
+    return;
+  vtkNew<vtkMoteAreaPicker> picker;
+  picker->SetThrough(isThrough);
+  picker->SetNumberOfThreads(asked_.data.threads);
+  picker->Pick(left, from[1], right, to[1], view.renderer());
+  for (int i = 0; i < picker->GetNumberOfProps(); ++i)
+    for (std::size_t k = 0; k < stage_.parts().size(); ++k)
+      if (stage_.parts()[k]->prop() == picker->GetProp(i))
+      {
+        vtkIdTypeArray* particles = picker->GetParticles(i);
+        for (vtkIdType p = 0; p < particles->GetNumberOfValues(); ++p)
+          found.push_back({static_cast<int>(k), Picked::Kind::Particle, particles->GetValue(p)});
+      }
 }
 
 void Window::pickRectangle(
@@ -222,19 +252,9 @@ void Window::pickRectangle(
     .to = this->shareOf(to),
     .isThrough = isThrough,
     .adds = adds});
-  vtkNew<vtkMoteAreaPicker> picker;
-  picker->SetThrough(isThrough);
-  picker->SetNumberOfThreads(asked_.data.threads);
-  picker->Pick(from[0], from[1], to[0], to[1], stage_.renderer());
   std::vector<Picked> found;
-  for (int i = 0; i < picker->GetNumberOfProps(); ++i)
-    for (std::size_t k = 0; k < stage_.parts().size(); ++k)
-      if (stage_.parts()[k]->prop() == picker->GetProp(i))
-      {
-        vtkIdTypeArray* particles = picker->GetParticles(i);
-        for (vtkIdType p = 0; p < particles->GetNumberOfValues(); ++p)
-          found.push_back({static_cast<int>(k), Picked::Kind::Particle, particles->GetValue(p)});
-      }
+  for (View* view : views_.shown())
+    this->addWithin(*view, from, to, isThrough, found);
   if (!adds)
     picked_.clear();
   picked_.add(found);
@@ -385,9 +405,9 @@ void Window::hover()
 /// A frame in which the view itself waits for its own turn.
 void Window::renderOverlays()
 {
-  pass_->RefiningOff();
+  views_.setUpPasses([](vtkMoteRayCastPass* pass) { pass->RefiningOff(); });
   this->render();
-  pass_->RefiningOn();
+  views_.setUpPasses([](vtkMoteRayCastPass* pass) { pass->RefiningOn(); });
 }
 
 } // namespace mote::app

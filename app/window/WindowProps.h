@@ -6,7 +6,6 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
-class vtkActor;
 class vtkAxesActor;
 class vtkOrientationMarkerWidget;
 class vtkRenderWindowInteractor;
@@ -14,7 +13,7 @@ class vtkRenderWindowInteractor;
 namespace mote::app
 {
 
-/// The ordinary VTK props around the data: simulation box, colour legend, axes.
+/// The ordinary VTK props over the views: colour legend, axes.
 class WindowProps
 {
 public:
@@ -37,7 +36,6 @@ private:
 
   Stage& stage_;
   WindowLegend legend_;
-  vtkNew<vtkActor> box_;
   vtkNew<vtkAxesActor> axes_;
   vtkNew<vtkOrientationMarkerWidget> corner_;
 };

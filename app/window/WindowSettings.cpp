@@ -100,10 +100,13 @@ bool Window::follow(const Settings& next, RecordedEvent::Kind how)
   if (done && (isOther || before.camera != next.camera || (isWider && next.camera.camera.empty())))
     this->look();
   overlay_.setInk(inkOn(stage_.renderer()));
-  props_.update();
+  const std::size_t viewsBefore = views_.shown().size();
+  this->followProps();
+  if (viewsBefore != views_.shown().size() && next.camera.camera.empty() && done)
+    this->look();
   this->planCache();
   picked_.keepWhatIs(stage_.parts());
-  marks_.forget();
+  views_.forgetMarks();
   this->startFollowing();
   this->followPaths();
   return done;

@@ -203,12 +203,16 @@ void Window::followPaths()
     this->startTimer(pathTimer_, pathPause);
   else
     paths_.update();
+  views_.follow(paths_.paths());
 }
 
 void Window::watchPaths()
 {
   if (paths_.update())
+  {
+    views_.follow(paths_.paths());
     this->render();
+  }
   if (paths_.isReading())
     this->startTimer(pathTimer_, pathPause);
 }

@@ -239,14 +239,16 @@ LegendLayout layOutCaption(TextFont& font, const std::string& text, const Placem
   const int pitch = rounded(1.3 * lines.size);
   const int count = static_cast<int>(lines.lines.size());
   int right = 0;
+  const int height = 2 * paddingY + count * pitch;
+  const int bottom = placement.isCaptionOnTop ? placement.imageHeight - margin - height : margin;
   for (int i = 0; i < count; ++i)
   {
-    const int y = margin + paddingY + (count - 1 - i) * pitch + rounded(0.26 * lines.size);
+    const int y = bottom + paddingY + (count - 1 - i) * pitch + rounded(0.26 * lines.size);
     PlacedText placed{font.draw(lines.lines[i], lines.size), margin + paddingX, y};
     right = std::max(right, placed.x + rounded(placed.mask.advance));
     layout.texts.push_back(std::move(placed));
   }
-  layout.panel = {margin, margin, right + paddingX, margin + 2 * paddingY + count * pitch};
+  layout.panel = {margin, bottom, right + paddingX, bottom + height};
   return layout;
 }
 

@@ -76,11 +76,12 @@ struct Placement
   int unit = 0;     // labelSize()
   int reserved = 0; // rows at the bottom that belong to the caption
   bool isLeft = false;
+  bool isCaptionOnTop = false;
 };
 
 LegendLayout layOutLegend(TextFont& font, const LegendContent& content, const Placement& placement);
 
-/// Lines at the lower left corner.
+/// Lines at the lower left corner, or the upper one.
 LegendLayout layOutCaption(TextFont& font, const std::string& text, const Placement& placement);
 
 } // namespace mote::imaging

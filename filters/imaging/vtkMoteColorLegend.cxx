@@ -136,6 +136,7 @@ void vtkMoteColorLegend::Draw(vtkImageData* image, vtkDataArray* colors)
   placement.imageHeight = size[1];
   placement.unit = labelSize(size[0], size[1], this->FontScale);
   placement.isLeft = this->Side == LEFT;
+  placement.isCaptionOnTop = this->CaptionOnTop != 0;
   LegendStyle style;
   style.panel = static_cast<PanelUse>(this->Panel);
   if (!this->AutomaticTextColor)
@@ -143,7 +144,7 @@ void vtkMoteColorLegend::Draw(vtkImageData* image, vtkDataArray* colors)
   if (!this->Caption.empty())
   {
     const LegendLayout layout = layOutCaption(font, this->Caption, placement);
-    placement.reserved = layout.panel.y1;
+    placement.reserved = this->CaptionOnTop ? 0 : layout.panel.y1;
     storeRectangle(layout.panel, canvas, this->CaptionRectangle);
     paintLegend(canvas, layout, style, {});
   }
@@ -222,6 +223,7 @@ void vtkMoteColorLegend::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LookupTable: " << this->LookupTable.Get() << "\n";
   os << indent << "Title: " << this->Title << "\n";
   os << indent << "Caption: " << this->Caption << "\n";
+  os << indent << "CaptionOnTop: " << this->CaptionOnTop << "\n";
   os << indent << "LabelFormat: " << this->LabelFormat << "\n";
   os << indent << "FontFile: " << this->FontFile << "\n";
   os << indent << "NumberOfLabels: " << this->NumberOfLabels << "\n";

@@ -78,6 +78,15 @@ public:
 
   ///@{
   /**
+   * Whether the caption stands at the upper left instead. Default off.
+   */
+  vtkSetMacro(CaptionOnTop, vtkTypeBool);
+  vtkGetMacro(CaptionOnTop, vtkTypeBool);
+  vtkBooleanMacro(CaptionOnTop, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * A printf format for one double, such as "%.3g". Empty, the default, for the fewest digits
    * that tell the ticks apart, with a common power of ten where the numbers are long.
    * A format that does not take exactly one double is reported and not used.
@@ -209,6 +218,7 @@ protected:
 
   std::string Title;
   std::string Caption;
+  vtkTypeBool CaptionOnTop = 0;
   std::string LabelFormat;
   std::string FontFile;
   int NumberOfLabels = 5;

@@ -32,7 +32,7 @@ settled() {
 
 # shown NAME: the control is there, within a while.
 shown() {
-  for _ in $(seq 100); do
+  for _ in $(seq 400); do
     [ -n "$(place "$1")" ] && return
     sleep 0.05
   done
@@ -58,7 +58,7 @@ click() {
 
 # gone NAME: the control is not there, within a while.
 gone() {
-  for _ in $(seq 100); do
+  for _ in $(seq 400); do
     [ -z "$(place "$1")" ] && return
     sleep 0.05
   done

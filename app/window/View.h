@@ -1,0 +1,50 @@
+#pragma once
+
+#include "BoxEdges.h"
+#include "PathLines.h"
+#include "PickedMarks.h"
+#include "Ruler.h"
+
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include <vector>
+
+namespace mote::app
+{
+
+/// What stands in a view beside the data: box, marks and ruler of what is picked, paths.
+class View
+{
+public:
+  explicit View(vtkRenderer* renderer)
+    : renderer_(renderer)
+    , marks_(renderer)
+    , ruler_(renderer)
+    , box_(renderer)
+    , paths_(renderer)
+  {
+  }
+
+  vtkRenderer* renderer() const { return renderer_; }
+  PickedMarks& marks() { return marks_; }
+  /// The parts that are shown here.
+  const std::vector<std::size_t>& parts() const { return parts_; }
+
+  /// What it shows from now on, of other data or with other settings.
+  void show(const Stage& stage, const std::vector<std::size_t>& parts, const ParticlePaths* paths);
+  /// Follows the picked and the camera; call before each frame.
+  void update(const Stage& stage, const PickedSet& picked);
+  /// Without marks and ruler, for pictures of the window.
+  void setVisible(bool visible);
+
+private:
+  vtkRenderer* renderer_;
+  PickedMarks marks_;
+  Ruler ruler_;
+  BoxEdges box_;
+  PathLines paths_;
+  std::vector<std::size_t> parts_;
+};
+
+} // namespace mote::app

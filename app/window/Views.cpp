@@ -1,0 +1,335 @@
+#include "Views.h"
+
+#include "settings/Colors.h"
+#include "stage/SideBySide.h"
+
+#include <vtkActor2D.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkCoordinate.h>
+#include <vtkLight.h>
+#include <vtkLightCollection.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProp3D.h>
+#include <vtkProperty2D.h>
+#include <vtkRenderWindow.h>
+#include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mote::app
+{
+
+namespace
+{
+
+/// An upright line over the whole height of a view, at x = 0.
+void makeDivider(vtkActor2D* divider)
+{
+  vtkNew<vtkPoints> ends;
+  ends->InsertNextPoint(0.0, 0.0, 0.0);
+  ends->InsertNextPoint(0.0, 1.0, 0.0);
+  vtkNew<vtkCellArray> lines;
+  const vtkIdType numbers[2] = {0, 1};
+  lines->InsertNextCell(2, numbers);
+  vtkNew<vtkPolyData> line;
+  line->SetPoints(ends);
+  line->SetLines(lines);
+  vtkNew<vtkCoordinate> shares;
+  shares->SetCoordinateSystemToNormalizedViewport();
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetTransformCoordinate(shares);
+  mapper->SetInputData(line);
+  divider->SetMapper(mapper);
+  divider->VisibilityOff();
+}
+
+/// The least and the greatest of what passes tell.
+std::array<double, 2> extremes(
+  const std::vector<vtkMoteRayCastPass*>& passes, double (vtkMoteRayCastPass::*of)())
+{
+  std::vector<double> values;
+  for (vtkMoteRayCastPass* pass : passes)
+    values.push_back((pass->*of)());
+  const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+  return {*least, *greatest};
+}
+
+} // namespace
+
+Views::Views(Stage& stage, vtkRenderWindow* window)
+  : stage_(stage)
+  , window_(window)
+  , whole_(stage.renderer())
+{
+  for (Column& column : column_)
+  {
+    column.renderer->SetActiveCamera(stage.renderer()->GetActiveCamera());
+    column.renderer->AutomaticLightCreationOff();
+    vtkTextProperty* look = column.title->GetTextProperty();
+    look->SetFontSize(16);
+    look->SetJustificationToCentered();
+    look->SetVerticalJustificationToTop();
+    column.title->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+    column.title->VisibilityOff();
+    stage.renderer()->AddActor2D(column.title);
+  }
+  for (const auto& divider : dividers_)
+  {
+    makeDivider(divider);
+    stage.renderer()->AddActor2D(divider);
+  }
+  ground_->SetInteractive(0);
+}
+
+Views::~Views() = default;
+
+//------------------------------------------------------------------------------------------------
+// What is where
+
+void Views::follow(const ParticlePaths* paths)
+{
+  const auto views = stage_.views();
+  this->setColumns(views.size() > 1 ? views.size() : 0);
+  this->move(views);
+  if (!this->isSideBySide())
+    return whole_.show(stage_, views.front(), paths);
+  whole_.show(stage_, {}, nullptr);
+  for (std::size_t i = 0; i < columns_; ++i)
+  {
+    column_[i].view.show(stage_, views[i], paths);
+    column_[i].title->SetInput(stage_.viewName(views[i]).c_str());
+  }
+}
+
+/// Has so many renderers below the stage's own.
+void Views::setColumns(std::size_t count)
+{
+  if (count == columns_)
+    return;
+  for (const auto& column : column_)
+    window_->RemoveRenderer(column.renderer);
+  window_->RemoveRenderer(ground_);
+  columns_ = count;
+  if (count > 0)
+  {
+    window_->SetNumberOfLayers(std::max(2, window_->GetNumberOfLayers()));
+    window_->AddRenderer(ground_);
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    window_->AddRenderer(column_[i].renderer);
+  stage_.renderer()->SetLayer(count > 0 ? 1 : 0);
+  for (std::size_t i = 0; i < column_.size(); ++i)
+    column_[i].title->SetVisibility(i < count);
+  for (std::size_t i = 0; i < dividers_.size(); ++i)
+    dividers_[i]->SetVisibility(i + 1 < count);
+  this->setTraced(isTraced_);
+}
+
+/// Puts the data where they are shown.
+void Views::move(const std::vector<std::vector<std::size_t>>& views)
+{
+  for (std::size_t i = 0; i < column_.size(); ++i)
+  {
+    std::vector<vtkProp*> wanted;
+    if (i < columns_)
+      for (const std::size_t part : views[i])
+        wanted.push_back(stage_.parts()[part]->prop());
+    if (wanted == column_[i].props)
+      continue;
+    for (vtkProp* prop : column_[i].props)
+      column_[i].renderer->RemoveViewProp(prop);
+    for (vtkProp* prop : wanted)
+      column_[i].renderer->AddViewProp(prop);
+    column_[i].props = wanted;
+  }
+  for (const auto& part : stage_.parts())
+    if (this->isSideBySide())
+      stage_.renderer()->RemoveViewProp(part->prop());
+    else if (!stage_.renderer()->HasViewProp(part->prop()))
+      stage_.renderer()->AddViewProp(part->prop());
+}
+
+View* Views::at(int x, int y)
+{
+  for (View* view : this->shown())
+    if (view->renderer()->IsInViewport(x, y))
+      return view;
+  return nullptr;
+}
+
+std::vector<View*> Views::shown()
+{
+  if (!this->isSideBySide())
+    return {&whole_};
+  std::vector<View*> views;
+  for (std::size_t i = 0; i < columns_; ++i)
+    views.push_back(&column_[i].view);
+  return views;
+}
+
+void Views::forgetMarks()
+{
+  for (View* view : this->shown())
+    view->marks().forget();
+}
+
+void Views::setVisible(bool visible)
+{
+  for (View* view : this->shown())
+    view->setVisible(visible);
+}
+
+//------------------------------------------------------------------------------------------------
+// Where the views lie
+
+/// Of all views in pixels of the window: left, right, bottom, top.
+std::array<int, 4> Views::area() const
+{
+  const int* size = window_->GetSize();
+  const double left = stage_.renderer()->GetViewport()[0];
+  return {static_cast<int>(std::lround(left * size[0])), size[0], 0, size[1]};
+}
+
+std::array<int, 2> Views::size() const
+{
+  const auto [left, right, bottom, top] = this->area();
+  if (!this->isSideBySide())
+    return {right - left, top - bottom};
+  const SideBySide sides(stage_, columns_, {right - left, top - bottom}, true);
+  return {sides.width, top - bottom};
+}
+
+void Views::lay()
+{
+  const auto [left, right, bottom, top] = this->area();
+  const std::array<int, 2> size = {right - left, top - bottom};
+  const SideBySide sides(stage_, columns_, size, true);
+  const double whole = std::max(1, right);
+  ground_->SetViewport(stage_.renderer()->GetViewport());
+  for (std::size_t i = 0; i < columns_; ++i)
+  {
+    const int from = sides.begin(i);
+    column_[i].renderer->SetViewport(
+      (left + from) / whole, 0.0, (left + from + sides.width) / whole, 1.0);
+    column_[i].title->SetPosition((from + 0.5 * sides.width) / std::max(1, size[0]), 0.985);
+    if (i > 0)
+      dividers_[i - 1]->SetPosition(from, 0.0);
+  }
+}
+
+/// Light and background are the stage's.
+void Views::copyLook(vtkRenderer* to) const
+{
+  vtkRenderer* stage = stage_.renderer();
+  to->SetBackground(stage->GetBackground());
+  to->SetBackground2(stage->GetBackground2());
+  to->SetGradientBackground(stage->GetGradientBackground());
+  to->RemoveAllLights();
+  vtkCollectionSimpleIterator next;
+  stage->GetLights()->InitTraversal(next);
+  while (vtkLight* light = stage->GetLights()->GetNextLight(next))
+    to->AddLight(light);
+}
+
+void Views::update(const PickedSet& picked)
+{
+  whole_.update(stage_, picked);
+  if (!this->isSideBySide())
+    return;
+  if (const auto views = stage_.views(); views.size() == columns_)
+    this->move(views); // data that came without a word
+  this->lay();
+  this->copyLook(ground_);
+  const Color ink = inkOn(stage_.renderer());
+  for (std::size_t i = 0; i < columns_; ++i)
+  {
+    this->copyLook(column_[i].renderer);
+    column_[i].view.update(stage_, picked);
+    column_[i].title->GetTextProperty()->SetColor(ink[0], ink[1], ink[2]);
+    if (i > 0)
+      dividers_[i - 1]->GetProperty()->SetColor(dividerInk(stage_.renderer()).data());
+  }
+  // One camera sees all, and cuts nothing off in any view.
+  double bounds[6];
+  stage_.bounds(bounds);
+  stage_.renderer()->ResetCameraClippingRange(bounds);
+}
+
+//------------------------------------------------------------------------------------------------
+// Passes
+
+std::vector<vtkMoteRayCastPass*> Views::passes() const
+{
+  std::vector<vtkMoteRayCastPass*> passes;
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, columns_); ++i)
+    passes.push_back(pass_[i]);
+  return passes;
+}
+
+void Views::setUpPasses(const std::function<void(vtkMoteRayCastPass*)>& set)
+{
+  for (const auto& pass : pass_)
+    set(pass);
+}
+
+void Views::setTraced(bool on)
+{
+  isTraced_ = on;
+  const bool isWhole = !this->isSideBySide();
+  stage_.renderer()->SetPass(on && isWhole ? pass_[0].Get() : nullptr);
+  stage_.renderer()->SetUseFXAA(!on && isWhole);
+  for (std::size_t i = 0; i < column_.size(); ++i)
+  {
+    column_[i].renderer->SetPass(on && i < columns_ ? pass_[i].Get() : nullptr);
+    column_[i].renderer->SetUseFXAA(!on);
+  }
+}
+
+bool Views::isConverged() const
+{
+  const auto all = this->passes();
+  return std::all_of(all.begin(), all.end(), [](auto* pass) { return pass->IsConverged(); });
+}
+
+bool Views::isPreview() const
+{
+  const auto all = this->passes();
+  return std::any_of(all.begin(), all.end(), [](auto* pass) { return pass->IsPreview(); });
+}
+
+double Views::traceTime() const
+{
+  double sum = 0.0;
+  for (vtkMoteRayCastPass* pass : this->passes())
+    sum += pass->GetTraceTime();
+  return sum;
+}
+
+int Views::numberOfSamples() const
+{
+  int least = pass_[0]->GetNumberOfSamples();
+  for (vtkMoteRayCastPass* pass : this->passes())
+    least = std::min(least, pass->GetNumberOfSamples());
+  return least;
+}
+
+double Views::finerShare() const
+{
+  return extremes(this->passes(), &vtkMoteRayCastPass::GetFinerShare)[0];
+}
+
+double Views::imageSampleDistance() const
+{
+  return extremes(this->passes(), &vtkMoteRayCastPass::GetImageSampleDistance)[1];
+}
+
+double Views::noise() const
+{
+  return extremes(this->passes(), &vtkMoteRayCastPass::GetNoise)[1];
+}
+
+} // namespace mote::app

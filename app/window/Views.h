@@ -1,0 +1,90 @@
+#pragma once
+
+#include "View.h"
+#include "stage/Stage.h"
+
+#include <vtkMoteRayCastPass.h>
+#include <vtkNew.h>
+#include <vtkTextActor.h>
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <vector>
+
+class vtkActor2D;
+class vtkRenderWindow;
+
+namespace mote::app
+{
+
+/// Where the window shows the data: all in the stage's renderer, or, with --side-by-side, each view
+/// in a renderer of its own below that one, which then has the texts and the legend alone. All have
+/// one camera.
+class Views
+{
+public:
+  Views(Stage& stage, vtkRenderWindow* window);
+  ~Views();
+
+  /// Follows the stage's data and settings.
+  void follow(const ParticlePaths* paths);
+  /// Lays the views out and brings them up to date: call before each frame.
+  void update(const PickedSet& picked);
+  /// Marks anew, for what is shown has changed.
+  void forgetMarks();
+  /// Without marks and ruler, for pictures of the window.
+  void setVisible(bool visible);
+
+  /// The view at a place of the window in pixels; null where there is none.
+  View* at(int x, int y);
+  /// Those that show data.
+  std::vector<View*> shown();
+  /// For what is drawn over all of them.
+  PickedMarks& marks() { return whole_.marks(); }
+
+  /// Of one view: pixels.
+  std::array<int, 2> size() const;
+
+  ///@{
+  /// The passes of all views as one.
+  void setUpPasses(const std::function<void(vtkMoteRayCastPass*)>& set);
+  /// Whether there is something to be traced.
+  void setTraced(bool on);
+  bool isConverged() const;
+  bool isPreview() const;
+  double traceTime() const;
+  int numberOfSamples() const;        ///< the least
+  double finerShare() const;          ///< the least
+  double imageSampleDistance() const; ///< the greatest
+  double noise() const;               ///< the greatest
+  ///@}
+
+private:
+  struct Column
+  {
+    vtkNew<vtkRenderer> renderer;
+    View view{renderer};
+    vtkNew<vtkTextActor> title;
+    std::vector<vtkProp*> props; ///< of the data that it shows
+  };
+  bool isSideBySide() const { return columns_ > 0; }
+  void setColumns(std::size_t count);
+  void move(const std::vector<std::vector<std::size_t>>& views);
+  void lay();
+  void copyLook(vtkRenderer* to) const;
+  std::array<int, 4> area() const;
+  std::vector<vtkMoteRayCastPass*> passes() const;
+
+  Stage& stage_;
+  vtkRenderWindow* window_;
+  View whole_;
+  std::array<Column, Stage::mostViews> column_;
+  std::array<vtkNew<vtkMoteRayCastPass>, Stage::mostViews> pass_;
+  std::array<vtkNew<vtkActor2D>, Stage::mostViews - 1> dividers_;
+  vtkNew<vtkRenderer> ground_; ///< below all columns, and beside them
+  std::size_t columns_ = 0;    ///< 0: one view, the stage's own
+  bool isTraced_ = true;
+};
+
+} // namespace mote::app
