@@ -1,45 +1,6 @@
-// Iso-surfaces as a surface; how placed hits look is compiled once for every SIMD instruction set.
-
 #include "IsoSurface.h"
 
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "hexahedra/IsoSurface.cpp"
-#include <hwy/foreach_target.h>
-#include <hwy/highway.h>
-
-#include "../core/detail/HitPoints-inl.h"
-
-HWY_BEFORE_NAMESPACE();
-namespace mote
-{
-namespace HWY_NAMESPACE
-{
-
-/// Places hits whose normals lie in `own`. Both sides look alike; where the field has no slope the
-/// surface looks straight at the eye.
-void placeByNormals(HitBlock& b, const HitPlacing& placing)
-{
-  const DD d;
-  const DH dh;
-  for (int i = 0; i < b.count; i += static_cast<int>(hn::Lanes(d)))
-  {
-    const Three<VD> normal = {
-      hn::Load(d, b.own[0] + i), hn::Load(d, b.own[1] + i), hn::Load(d, b.own[2] + i)};
-    storePlaced(b, placing, narrowed(normal), i);
-    const Three<VH> found = load(dh, b.normal, i), eye = load(dh, b.toEye, i);
-    const auto none = hn::Eq(dot(found, found), hn::Zero(dh));
-    const auto either = [&](VH a, VH e) { return hn::IfThenElse(none, e, a); };
-    store(dh, Three<VH>{either(found.x, eye.x), either(found.y, eye.y), either(found.z, eye.z)},
-      b.normal, i);
-    hn::Store(hn::Set(dh, 1.0f), dh, b.side + i);
-  }
-}
-
-} // namespace HWY_NAMESPACE
-} // namespace mote
-HWY_AFTER_NAMESPACE();
-
-#if HWY_ONCE
+#include "../core/PlaceByNormals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,8 +8,6 @@ HWY_AFTER_NAMESPACE();
 
 namespace mote
 {
-
-HWY_EXPORT(placeByNormals);
 
 namespace
 {
@@ -186,7 +145,7 @@ void IsoSurface::place(HitBlock& block, const HitPlacing& placing) const
     for (int axis = 0; axis < 3; ++axis)
       block.own[axis][k] = largest > 0.0 ? normal[axis] / largest : 0.0;
   }
-  HWY_DYNAMIC_DISPATCH(placeByNormals)(block, placing);
+  placeByNormals(block, placing);
 }
 
 void IsoSurface::colorIndices(const std::uint64_t* slots, int count, std::uint64_t* indices) const
@@ -215,5 +174,3 @@ template std::optional<IsoHit> IsoSurface::first(const HexRay&, NoCounts&&) cons
 template std::optional<IsoHit> IsoSurface::first(const HexRay&, WalkCounts&) const;
 
 } // namespace mote
-
-#endif

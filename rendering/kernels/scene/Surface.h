@@ -2,6 +2,7 @@
 
 #include "../core/ArrayView.h"
 #include "../hexahedra/IsoSurface.h"
+#include "../meshes/MeshSurface.h"
 #include "../occlusion/OcclusionMaps.h"
 #include "../particles/ParticleSurface.h"
 #include "../shading/ColorMap.h"
@@ -17,7 +18,7 @@ namespace mote
 
 /// Every kind of surface; see SurfaceKind for what each does. A new one is one more alternative
 /// here.
-using Surface = std::variant<ParticleSurface, IsoSurface>;
+using Surface = std::variant<ParticleSurface, IsoSurface, MeshSurface>;
 
 /// Calls `visit` with the surface that the variant holds: once a bundle, rather than once a ray.
 template <typename Visit>

@@ -2,11 +2,21 @@
 
 #include <support/Triangles.h>
 
-#include <kernels/meshes/RlodTree.h>
+#include <kernels/scene/Surface.h>
 #include <support/Particles.h>
 
 namespace mote::testing
 {
+
+/// An object over triangles, each flat; they must outlive nothing.
+inline SurfaceObject objectOf(const Triangles& triangles)
+{
+  const auto tree = std::make_shared<RlodTree>();
+  tree->build(triangles.mesh());
+  SurfaceObject object;
+  object.surface = MeshSurface(tree);
+  return object;
+}
 
 inline RlodTree treeOver(const Triangles& triangles)
 {

@@ -1,6 +1,7 @@
 // What every kind of surface promises (see kernels/core/SurfaceKind.h), and light between kinds,
 // judged by brute force.
 
+#include "MeshParts.h"
 #include "ShadowParts.h"
 
 #include <support/CastOracle.h>
@@ -49,7 +50,7 @@ struct Kind
 std::vector<Kind> kinds()
 {
   return {{"particles", objectOf(randomParticles(60, 11, 0.1, 0.4))},
-    {"iso-surface", isoSurfacesOf(ball(), {0.8, 1.1})}};
+    {"iso-surface", isoSurfacesOf(ball(), {0.8, 1.1})}, {"mesh", objectOf(bumpySphere(20))}};
 }
 
 RayBundle bundleTowards(const Vec3d& eye, int side)
@@ -196,20 +197,41 @@ TEST(SurfaceKind, IsoSurfacesTellCellAndValue)
 namespace
 {
 
-/// Spheres, and the square [-4, 4]^2 at z = 0 as an iso-surface: what the scene holds, and what of
-/// it light meets, by brute force in double.
+/// The square [-4, 4]^2 at z = 0 as triangles.
+SurfaceObject meshSquare()
+{
+  Triangles square;
+  for (int i = 0; i < 8; ++i)
+    for (int j = 0; j < 8; ++j)
+    {
+      const auto at = [&](int u, int v) { return Vec3d(u - 4.0, v - 4.0, 0.0); };
+      square.add(at(i, j), at(i + 1, j), at(i, j + 1));
+      square.add(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  return objectOf(square);
+}
+
+enum class Square
+{
+  IsoSurface,
+  Mesh
+};
+
+/// Spheres, and the square [-4, 4]^2 at z = 0 as another kind: what the scene holds, and what of it
+/// light meets, by brute force in double.
 struct Stage
 {
   Particles particles;
   Scene scene;
   SurfaceObject& square() { return scene.surfaces[1]; }
 
-  Stage()
+  explicit Stage(Square kind)
     : particles(randomParticles(40, 77, 0.2, 0.6, {-3.0, -3.0, -2.5}, {3.0, 3.0, 2.5}))
   {
     addTo(scene, objectOf(particles));
-    addTo(scene, isoSurfacesOf(slab(), {0.0}));
-    square().coloring.palette = {Vec4f(1.0f)};
+    addTo(scene, kind == Square::Mesh ? meshSquare() : isoSurfacesOf(slab(), {0.0}));
+    if (kind == Square::IsoSurface)
+      square().coloring.palette = {Vec4f(1.0f)};
   }
 
   /// Whether anything stands between the picked place and `reach` along a unit vector; things are
@@ -275,9 +297,13 @@ const Camera below = lookAt({-4.0, 3.0, -8.0}, Vec3d(0.0), 45.0);
 
 } // namespace
 
-TEST(SurfaceLight, ShadowsBetweenKindsAreThoseOfBruteForce)
+class SurfaceLight : public ::testing::TestWithParam<Square>
 {
-  Stage stage;
+};
+
+TEST_P(SurfaceLight, ShadowsBetweenKindsAreThoseOfBruteForce)
+{
+  Stage stage(GetParam());
   const Vec3d towards = glm::normalize(Vec3d(0.3, 0.2, 1.0));
   stage.scene.lights = {shadowLight(Light::Kind::Directional, -towards)};
   int pixels[2] = {}, shadowed[2] = {};
@@ -302,9 +328,9 @@ TEST(SurfaceLight, ShadowsBetweenKindsAreThoseOfBruteForce)
   }
 }
 
-TEST(SurfaceLight, WhatCastsNoShadowsTakesNoLightAway)
+TEST_P(SurfaceLight, WhatCastsNoShadowsTakesNoLightAway)
 {
-  Stage stage;
+  Stage stage(GetParam());
   stage.scene.lights = {shadowLight(Light::Kind::Point, {1.0, 1.0, 9.0})};
   Stage alone = stage;
   alone.scene.surfaces.pop_back();
@@ -333,11 +359,11 @@ TEST(SurfaceLight, WhatCastsNoShadowsTakesNoLightAway)
     }
 }
 
-TEST(SurfaceLight, OcclusionBetweenKindsIsThatOfBruteForce)
+TEST_P(SurfaceLight, OcclusionBetweenKindsIsThatOfBruteForce)
 {
   for (const double reach : {1.5, infinity})
   {
-    Stage stage;
+    Stage stage(GetParam());
     stage.scene.lights.clear();
     stage.scene.occlusion = {128, reach};
     for (SurfaceObject& object : stage.scene.surfaces)
@@ -363,10 +389,10 @@ TEST(SurfaceLight, OcclusionBetweenKindsIsThatOfBruteForce)
   }
 }
 
-TEST(SurfaceLight, PathsBetweenKindsSeeTheSkyThatIsOpen)
+TEST_P(SurfaceLight, PathsBetweenKindsSeeTheSkyThatIsOpen)
 {
   // One bounce under an even sky: albedo times the open share.
-  Stage stage;
+  Stage stage(GetParam());
   stage.scene.lights.clear();
   stage.scene.paths.bounces = 1;
   for (SurfaceObject& object : stage.scene.surfaces)
@@ -394,12 +420,15 @@ TEST(SurfaceLight, PathsBetweenKindsSeeTheSkyThatIsOpen)
   EXPECT_LT(std::abs(sum / all), 4e-3);
 }
 
-TEST(SurfaceLight, WhiteThingsUnderAWhiteSkyAreWhite)
+TEST_P(SurfaceLight, WhiteThingsUnderAWhiteSkyAreWhite)
 {
-  Stage stage;
+  Stage stage(GetParam());
   stage.scene.lights.clear();
   stage.scene.paths.bounces = 200;
   const Film film = tracedFilm(stage.scene, above, 32, 32, {16});
   for (std::size_t i = 0; i < film.pixels(); ++i)
     EXPECT_NEAR(film.color()[4 * i], film.color()[4 * i + 3], 0.02); // less where a path ends
 }
+
+INSTANTIATE_TEST_SUITE_P(Kinds, SurfaceLight, ::testing::Values(Square::IsoSurface, Square::Mesh),
+  [](const auto& info) { return info.param == Square::Mesh ? "Mesh" : "IsoSurface"; });

@@ -1,0 +1,115 @@
+#include "MeshSurface.h"
+
+#include "../core/PlaceByNormals.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mote
+{
+
+namespace
+{
+
+/// The same direction with a largest coordinate of 1, or 0: squares of any triangle's normal stay
+/// within float.
+Vec3d scaledNormal(const Vec3d& normal)
+{
+  const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+  return largest > 0.0 && std::isfinite(largest) ? normal / largest : Vec3d(0.0);
+}
+
+} // namespace
+
+double MeshSurface::rounding() const
+{
+  const Vec3d size = this->bounds().size();
+  return surfaceError * std::max({size.x, size.y, size.z});
+}
+
+void MeshSurface::fetch(HitBlock& block) const
+{
+  alignas(64) float normals[3][HitBlock::capacity];
+  float* const rows[3] = {normals[0], normals[1], normals[2]};
+  tree_->normals(block.slot, block.count, rows);
+  for (int k = 0; k < block.count; ++k)
+  {
+    const Vec3d normal = scaledNormal({normals[0][k], normals[1][k], normals[2][k]});
+    for (int axis = 0; axis < 3; ++axis)
+      block.own[axis][k] = normal[axis];
+  }
+}
+
+void MeshSurface::place(HitBlock& block, const HitPlacing& placing) const
+{
+  const RayBundle& rays = placing.local;
+  for (int k = 0; isSmooth() && k < block.count; ++k)
+  {
+    const int ray = block.ray[k];
+    const Vec3d way = rays.directionOf(ray), point = rays.originOf(ray) + block.t[k] * way;
+    Vec3d flat(block.own[0][k], block.own[1][k], block.own[2][k]);
+    if (glm::dot(flat, way) > 0.0)
+      flat = -flat;
+    Vec3d normal = smoothNormal(block.slot[k], point, flat);
+    // Never quite across: rounding must not make it look away.
+    const double least = 1e-4 * glm::length(normal) * glm::length(way);
+    if (const double away = glm::dot(normal, way) + least; away > 0.0)
+      normal -= away / glm::dot(way, way) * way;
+    for (int axis = 0; axis < 3; ++axis)
+      block.own[axis][k] = normal[axis];
+  }
+  placeByNormals(block, placing);
+}
+
+/// The normal between those of the corners, on the side of the triangle's own, `flat`; that where
+/// the corners have none.
+Vec3d MeshSurface::smoothNormal(std::uint64_t slot, const Vec3d& point, const Vec3d& flat) const
+{
+  const auto corners = tree_->localCorners(slot);
+  const Vec3d at = (point - tree_->origin()) / tree_->unit();
+  const Vec3d a(corners[0]), b(corners[1]), c(corners[2]);
+  const Vec3d across = glm::cross(b - a, c - a);
+  const double area = glm::dot(across, across);
+  if (!(area > 0.0))
+    return flat;
+  const double shareB = std::clamp(glm::dot(glm::cross(at - a, c - a), across) / area, 0.0, 1.0);
+  const double shareC =
+    std::clamp(glm::dot(glm::cross(b - a, at - a), across) / area, 0.0, 1.0 - shareB);
+  const double shares[3] = {1.0 - shareB - shareC, shareB, shareC};
+  const TriangleMesh::Corners& points = look_.mesh->triangles()[tree_->inputIndex(slot)];
+  Vec3d sum(0.0);
+  for (int k = 0; k < 3; ++k)
+  {
+    const Vec3d normal = {look_.normals.value(points[k], 0), look_.normals.value(points[k], 1),
+      look_.normals.value(points[k], 2)};
+    const double length = glm::length(scaledNormal(normal));
+    if (length > 0.0)
+      sum += shares[k] / length * scaledNormal(normal);
+  }
+  if (!(glm::dot(sum, sum) > 0.0))
+    return flat;
+  return glm::dot(sum, flat) < 0.0 ? -sum : sum;
+}
+
+Vec3d MeshSurface::normalAt(std::uint64_t slot, const Vec3d& point) const
+{
+  const Vec3d flat = scaledNormal(tree_->normal(slot));
+  return isSmooth() ? smoothNormal(slot, point, flat) : flat;
+}
+
+void MeshSurface::inputIds(const std::uint64_t* slots, int count, std::uint64_t* ids) const
+{
+  tree_->inputIndices(slots, count, ids);
+  if (!look_.cells.empty())
+    for (int k = 0; k < count; ++k)
+      ids[k] = static_cast<std::uint64_t>(look_.cells.value(ids[k]));
+}
+
+MeshSurface MeshSurface::unowned() const
+{
+  MeshSurface copy(mote::unowned(tree_), look_);
+  copy.look_.mesh = mote::unowned(look_.mesh);
+  return copy;
+}
+
+} // namespace mote

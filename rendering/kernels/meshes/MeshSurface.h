@@ -1,0 +1,75 @@
+#pragma once
+
+#include "../core/ArrayView.h"
+#include "../core/SurfaceKind.h"
+#include "RlodTree.h"
+
+#include <memory>
+
+namespace mote
+{
+
+/// What a mesh looks like, besides its shape.
+struct MeshLook
+{
+  /// Normals of the points, three components of any length, for smooth shading; empty: every
+  /// triangle is flat. Numbers behind a view must outlive the surface.
+  ArrayView normals;
+  /// The mesh, whose triangles tell which points' normals count; needed for `normals` alone.
+  std::shared_ptr<const TriangleMesh> mesh;
+  /// The cell of the input that each triangle is of, whole numbers; empty: triangles are cells.
+  ArrayView cells;
+
+  bool operator==(const MeshLook&) const = default;
+};
+
+/// Triangles as a surface: a SurfaceKind. Slots are those of the tree, ids the cells of the input,
+/// and colours go by these too. Both sides are alike: normals look at whoever sees them.
+///
+/// Smooth normals are interpolated between the corners. Where they look away from an eye that the
+/// triangle itself faces, near outlines, they look straight across.
+class MeshSurface
+{
+public:
+  static constexpr bool isConvex = false;
+
+  MeshSurface() = default; ///< of no triangles; to be given some before it is used
+  explicit MeshSurface(std::shared_ptr<const RlodTree> tree, MeshLook look = {})
+    : tree_(std::move(tree))
+    , look_(std::move(look))
+  {
+  }
+
+  Box bounds() const { return tree_->bounds(); }
+  double rounding() const;
+  void cast(RayBundle& rays, std::int32_t index) const { tree_->cast(rays, index); }
+  void cast(RayPacket& rays, std::int32_t index) const { tree_->cast(rays, index); }
+  void occlude(RayBundle& rays, std::int32_t index) const { tree_->occlude(rays, index); }
+  void occlude(RayPacket& rays, std::int32_t index) const { tree_->occlude(rays, index); }
+  int bundleSide(const CameraRays&, int, int, int) const { return 16; } ///< docs/triangles.md
+  void fetch(HitBlock& block) const;
+  void place(HitBlock& block, const HitPlacing& placing) const;
+  Vec3d normalAt(std::uint64_t slot, const Vec3d& point) const;
+  bool encloses(std::uint64_t, const Vec3d&) const { return false; }
+  void colorIndices(const std::uint64_t* slots, int count, std::uint64_t* indices) const
+  {
+    this->inputIds(slots, count, indices);
+  }
+  void inputIds(const std::uint64_t* slots, int count, std::uint64_t* ids) const;
+  std::size_t slots() const { return 0; }
+  std::vector<FeatureSize> featureSizes() const { return {}; }
+
+  MeshSurface unowned() const;
+  bool operator==(const MeshSurface&) const = default;
+
+private:
+  bool isSmooth() const { return !look_.normals.empty() && look_.mesh; }
+  Vec3d smoothNormal(std::uint64_t slot, const Vec3d& point, const Vec3d& flat) const;
+
+  std::shared_ptr<const RlodTree> tree_;
+  MeshLook look_;
+};
+
+static_assert(SurfaceKind<MeshSurface>);
+
+} // namespace mote
