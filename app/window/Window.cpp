@@ -296,7 +296,6 @@ void Window::render()
 void Window::renderMoving()
 {
   wheeling_ = true;
-  this->shareFrameTime();
   window_->SetDesiredUpdateRate(interactor_->GetDesiredUpdateRate());
   window_->Render();
   this->startTimer(restTimer_, restAfter);
@@ -352,6 +351,7 @@ void Window::onRenderStart()
   frameStart_ = vtkTimerLog::GetUniversalTime();
   if (busy_)
     return;
+  this->shareFrameTime();
   // A view that the user has not touched goes on to fit when the window's shape changes.
   this->updatePanel();
   if (viewedSize_ != views_.size() && view_ == this->viewNow())

@@ -2,13 +2,15 @@
 """Measures the window as a user sees it: what changes on the screen, and when.
 
     xvfb-run -a -s '-screen 0 1600x1100x24 -noreset' python3 benchmarks/window/window.py \\
-        build/release/bin/mote [drag] [panel] [fps] [steps]
+        build/release/bin/mote [drag] [panel] [fps] [steps] [turn] [--volume FILE]
 
 drag   frames a range slider brings while it is dragged, 8 million particles
 panel  frames of the panel alone, while the mouse moves over it
 fps    frames while the view turns with --fps 5, 10, 20: how many are held within 20 %
 steps  from the key to the first changed pixel, 2 million particles: a time step that was read
        ahead, and one that was not but that the system has in its memory
+turn   frames while a volume turns, in a view of 1024x1024 without the panel; --volume names it,
+       else the pump with 129,000 cells
 
 Needs xdotool's libraries (libX11, libXtst) and a display of 1600x1100. Prints Markdown tables.
 """
@@ -106,12 +108,14 @@ class Window:
         state = folder / "state" / "mote"
         state.mkdir(parents=True, exist_ok=True)
         (state / "state.json").write_text('{"hints": false}')
+        size = [] if "--size" in arguments else ["--size", f"{self.width}x{self.height}"]
         self.process = subprocess.Popen(
-            [mote, *map(str, arguments), "--size", f"{self.width}x{self.height}"],
+            [mote, *map(str, arguments), *size],
             env={**os.environ, "MOTE_CONTROLS": str(self.controls),
                  "XDG_STATE_HOME": str(folder / "state")}, cwd=folder)
+        before = screen.pixels(*self.view)
         for _ in range(600):
-            if self.place("Undo"):
+            if self.place("Undo") or screen.pixels(*self.view) != before:
                 break
             time.sleep(0.1)
         else:
@@ -275,14 +279,27 @@ def measure_steps(screen, mote, folder):
         row(name, gaps[1:])
 
 
+def measure_turn(screen, mote, folder, volume="pump:0.02"):
+    print("| turned | frames | median, ms | nine of ten within, ms |\n|---|---|---|---|")
+    window = Window(screen, mote, folder, volume, "--no-panel", "--size", "1024x1024", "--fps", 20)
+    screen.move(300, 700)
+    time.sleep(0.3)
+    screen.button(True)
+    gaps = frames(screen, Window.view, line(300, 700, 700))
+    screen.button(False)
+    window.close()
+    row(pathlib.Path(volume).stem, gaps)
+
+
 def main():
     parts = {"drag": measure_drag, "panel": measure_panel, "fps": measure_fps,
-             "steps": measure_steps}
+             "steps": measure_steps, "turn": measure_turn}
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("mote", help="the program")
     parser.add_argument("parts", nargs="*", metavar="part",
                         help=f"{', '.join(parts)}; all where none is named")
+    parser.add_argument("--volume", default="pump:0.02", help="what `turn` turns")
     arguments = parser.parse_args()
     wrong = [part for part in arguments.parts if part not in parts]
     if wrong:
@@ -291,7 +308,8 @@ def main():
     screen = Screen()
     with tempfile.TemporaryDirectory() as folder:
         for part in arguments.parts or parts:
-            parts[part](screen, mote, pathlib.Path(folder))
+            more = [arguments.volume] if part == "turn" else []
+            parts[part](screen, mote, pathlib.Path(folder), *more)
             print(flush=True)
 
 

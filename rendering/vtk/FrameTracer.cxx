@@ -21,8 +21,8 @@ namespace mote
 namespace
 {
 
-/// What a cloud's colour may be wrong by in a draft.
-constexpr double draftTolerance = 0.02;
+/// What a cloud's colour may be wrong by in a draft, between traced pixels and along a ray.
+constexpr double draftTolerance = 0.02, draftRayTolerance = 0.005;
 
 /// Samples of a film whose rays find what a view shows: few particles first show up later.
 constexpr int seenSamples = 4;
@@ -76,6 +76,8 @@ bool takesLong(const Scene& scene)
 void makeDraft(Scene& scene)
 {
   scene.cloudTolerance = std::max(scene.cloudTolerance, draftTolerance);
+  for (CloudObject& cloud : scene.clouds)
+    cloud.sampling.tolerance = std::max(cloud.sampling.tolerance, draftRayTolerance);
   scene.occlusion.rays = scene.paths.bounces = 0;
   for (Light& light : scene.lights)
     light.samples = 1;

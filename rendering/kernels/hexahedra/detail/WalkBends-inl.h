@@ -84,6 +84,33 @@ HWY_INLINE V determinant(V ax, V ay, V az, V bx, V by, V bz, V cx, V cy, V cz)
   return hn::MulAdd(ax, x, hn::MulAdd(ay, y, hn::Mul(az, z)));
 }
 
+/// One step of Newton's method in cells of which the corners are about the rays: from (r, s, t) to
+/// where a ray is at the depth `wanted`.
+struct CellStep
+{
+  V dr, ds, dt; ///< the step
+  V value;      ///< of the scalar behind it
+  V slope;      ///< of the scalar, for one of depth along the ray
+
+  HWY_INLINE CellStep(
+    const V (&x)[8], const V (&y)[8], const V (&z)[8], const V (&v)[8], V r, V s, V t, V wanted)
+  {
+    const Trilinear px(x, r, s, t), py(y, r, s, t), pz(z, r, s, t), pv(v, r, s, t);
+    const V ex = hn::Neg(px.at), ey = hn::Neg(py.at), ez = hn::Sub(wanted, pz.at);
+    const V per =
+      hn::Div(set(1.0f), determinant(px.r, px.s, px.t, py.r, py.s, py.t, pz.r, pz.s, pz.t));
+    dr = hn::Mul(per, determinant(ex, px.s, px.t, ey, py.s, py.t, ez, pz.s, pz.t));
+    ds = hn::Mul(per, determinant(px.r, ex, px.t, py.r, ey, py.t, pz.r, ez, pz.t));
+    dt = hn::Mul(per, determinant(px.r, px.s, ex, py.r, py.s, ey, pz.r, pz.s, ez));
+    value = hn::MulAdd(dr, pv.r, hn::MulAdd(ds, pv.s, hn::MulAdd(dt, pv.t, pv.at)));
+    const V sr = hn::MulSub(px.s, py.t, hn::Mul(px.t, py.s));
+    const V ss = hn::MulSub(px.t, py.r, hn::Mul(px.r, py.t));
+    const V st = hn::MulSub(px.r, py.s, hn::Mul(px.s, py.r));
+    slope = hn::Mul(per, hn::MulAdd(sr, pv.r, hn::MulAdd(ss, pv.s, hn::Mul(st, pv.t))));
+  }
+  HWY_INLINE V size() const { return hn::Max(hn::Max(hn::Abs(dr), hn::Abs(ds)), hn::Abs(dt)); }
+};
+
 /// Finds the scalar in the middle of rays' ways through their cells: by one step of Newton's method
 /// from half-way between the places on the two faces, in the cell's own coordinates, which would be
 /// it in a cell without warps.
@@ -97,11 +124,14 @@ public:
   {
   }
 
-  /// Of the lanes `which`, gives those that are as good as lines, those for which two lines are
-  /// good enough, and those for which four are; for the latter finds l.quarter.
+  static constexpr std::size_t fineLines = 16;
+
+  /// Of the lanes `which`, gives those that are as good as lines, and those for which two, four, or
+  /// fineLines lines are good enough; for the latter three finds l.quarter, for fineAt() the
+  /// way in the cell's own coordinates.
   struct Good
   {
-    std::uint32_t line = 0, two = 0, four = 0;
+    std::uint32_t line = 0, two = 0, four = 0, fine = 0;
   };
   HWY_INLINE Good find(std::uint32_t which)
   {
@@ -124,6 +154,39 @@ public:
     return good;
   }
 
+  /// Finds the scalar of lane k at fineLines even places behind the entry, the last one the exit.
+  /// False where that fails.
+  HWY_INLINE bool fineAt(std::size_t k, float (&values)[fineLines]) const
+  {
+    const D d;
+    V x[8], y[8], z[8], v[8];
+    for (std::size_t i = 0; i < 8; ++i)
+    {
+      const float* p = cornerOf(k, i);
+      x[i] = set(p[(axis + 1) % 3] - l_.x[k] - l_.dx[k] * p[axis]);
+      y[i] = set(p[(axis + 2) % 3] - l_.y[k] - l_.dy[k] * p[axis]);
+      z[i] = set(p[axis]);
+      v[i] = set(p[3]);
+    }
+    const float sign = task_.isBackwards ? -1.0f : 1.0f, in = sign * l_.z[k];
+    const V depth = set(sign * (l_.outZ[k] - l_.z[k])), one = set(1.0f);
+    std::uint32_t isNear = ~0U;
+    for (std::size_t first = 0; first < fineLines; first += hn::Lanes(d))
+    {
+      const V u = hn::Mul(hn::Iota(d, static_cast<float>(first + 1)), set(1.0f / fineLines));
+      const V hump = hn::Mul(hn::Mul(set(4.0f), u), hn::Sub(one, u));
+      V own[3]; // a parabola through the ends and the middle
+      for (std::size_t i = 0; i < 3; ++i)
+        own[i] = hn::MulAdd(hump, set(l_.step[i][k]),
+          hn::MulAdd(hn::Sub(hn::Add(u, u), one), set(l_.way[i][k]), set(l_.mid[i][k])));
+      const CellStep step(x, y, z, v, own[0], own[1], own[2], hn::MulAdd(u, depth, set(in)));
+      isNear &= maskOf(hn::Lt(step.size(), set(0.1f)));
+      hn::Store(step.value, d, values + first);
+    }
+    values[fineLines - 1] = l_.partOut[k];
+    return (~isNear & ((1U << hn::Lanes(d)) - 1)) == 0;
+  }
+
 private:
   /// Lanes, no more than a vector has.
   struct Some
@@ -131,7 +194,9 @@ private:
     static constexpr std::size_t most = hn::MaxLanes(D());
     std::size_t count = 0;
     alignas(64) std::int32_t lane[most]{};
-    alignas(64) float mid[3][most]{}; ///< half-way in the cell's own coordinates
+    /// Half-way in the cell's own coordinates, what goes from there to the exit; and the step that
+    /// Newton's method takes half-way.
+    alignas(64) float mid[3][most]{}, way[3][most]{}, step[3][most]{};
 
     void add(std::size_t k) { lane[count++] = static_cast<std::int32_t>(k); }
     /// Lets numbers behind the last stand for some lane.
@@ -185,8 +250,10 @@ private:
     {
       const V from = placeOn(in, i, place.u, place.v);
       const V to = placeOn(out, i, some.of(l_.outU), some.of(l_.outV));
+      const V half = hn::Mul(set(0.5f), hn::Sub(to, from));
       way[i] = hn::Abs(hn::Sub(to, from));
-      hn::Store(hn::Mul(set(0.5f), hn::Add(from, to)), d, some.mid[i]);
+      hn::Store(hn::Add(from, half), d, some.mid[i]);
+      hn::Store(half, d, some.way[i]);
     }
     // Bends go with the mixed derivatives: with products of two of the three ways.
     const V share =
@@ -198,7 +265,10 @@ private:
       [&](std::size_t j)
       {
         for (std::size_t i = 0; i < 3; ++i)
+        {
           bent.mid[i][bent.count] = some.mid[i][j];
+          bent.way[i][bent.count] = some.way[i][j];
+        }
         bent.add(some[j]);
         good.line &= ~(1U << some[j]);
         if (bent.count == bent.most)
@@ -223,25 +293,15 @@ private:
     const V half = set(0.5f);
     const V r = hn::Load(d, some.mid[0]), s = hn::Load(d, some.mid[1]);
     const V t = hn::Load(d, some.mid[2]);
-    const Trilinear px(x, r, s, t), py(y, r, s, t), pz(z, r, s, t), value(v, r, s, t);
     const V in = some.of(l_.z), out = some.of(l_.outZ);
     const V sign = set(task_.isBackwards ? -1.0f : 1.0f);
-    const V wanted = hn::Mul(sign, hn::Mul(half, hn::Add(in, out)));
-    const V ex = hn::Neg(px.at), ey = hn::Neg(py.at), ez = hn::Sub(wanted, pz.at);
-    const V per =
-      hn::Div(set(1.0f), determinant(px.r, px.s, px.t, py.r, py.s, py.t, pz.r, pz.s, pz.t));
-    const V dr = hn::Mul(per, determinant(ex, px.s, px.t, ey, py.s, py.t, ez, pz.s, pz.t));
-    const V ds = hn::Mul(per, determinant(px.r, ex, px.t, py.r, ey, py.t, pz.r, ez, pz.t));
-    const V dt = hn::Mul(per, determinant(px.r, px.s, ex, py.r, py.s, ey, pz.r, pz.s, ez));
-    const V middle =
-      hn::MulAdd(dr, value.r, hn::MulAdd(ds, value.s, hn::MulAdd(dt, value.t, value.at)));
-    // The slope along the ray, for all of the way.
-    const V sr = hn::MulSub(px.s, py.t, hn::Mul(px.t, py.s));
-    const V ss = hn::MulSub(px.t, py.r, hn::Mul(px.r, py.t));
-    const V st = hn::MulSub(px.r, py.s, hn::Mul(px.s, py.r));
-    const V slope = hn::Mul(hn::Mul(hn::Mul(sign, per), hn::Sub(out, in)),
-      hn::MulAdd(sr, value.r, hn::MulAdd(ss, value.s, hn::Mul(st, value.t))));
-    const V far = hn::Max(hn::Max(hn::Abs(dr), hn::Abs(ds)), hn::Abs(dt));
+    const CellStep step(x, y, z, v, r, s, t, hn::Mul(sign, hn::Mul(half, hn::Add(in, out))));
+    const V middle = step.value;
+    // For all of the way.
+    const V slope = hn::Mul(hn::Mul(sign, step.slope), hn::Sub(out, in));
+    hn::Store(step.dr, d, some.step[0]);
+    hn::Store(step.ds, d, some.step[1]);
+    hn::Store(step.dt, d, some.step[2]);
     const V from = some.of(l_.partIn), to = some.of(l_.partOut);
     // The cubic with these values and this slope, against the line.
     const V change = hn::Sub(to, from), bent = hn::NegMulAdd(half, hn::Add(from, to), middle);
@@ -250,17 +310,18 @@ private:
     const V right = hn::MulAdd(set(0.75f), change, hn::MulAdd(set(0.75f), bent, from));
     const V quarter[3] = {
       hn::NegMulAdd(set(0.1875f), twist, left), middle, hn::MulAdd(set(0.1875f), twist, right)};
-    // What two lines leave of it; four leave at most a quarter of that.
+    // What two lines leave of it; twice as many leave at most a quarter of that.
     const V off = hn::MulAdd(set(0.25f), hn::Abs(bent), hn::Mul(set(0.19f), hn::Abs(twist)));
     const V perOff = hn::Mul(some.of(l_.rate), some.of(l_.transmittance));
     const V error = hn::Mul(off, perOff);
     const V ofLine = hn::Mul(hn::MulAdd(set(0.1f), hn::Abs(twist), hn::Abs(bent)), perOff);
-    const M isNear = hn::Lt(far, set(0.3f));
+    const M isNear = hn::Lt(step.size(), set(0.3f));
     const auto below = [&](V e, float most)
     { return maskOf(hn::And(isNear, hn::Lt(e, set(most)))); };
     take(some, quarter,
       {below(ofLine, task_.allowedOff), below(error, task_.allowedOff),
-        below(error, 4.0f * task_.allowedOff)},
+        below(error, 4.0f * task_.allowedOff),
+        below(error, static_cast<float>(fineLines * fineLines / 4) * task_.allowedOff)},
       good);
   }
   /// Takes values at the quarters, and what is good enough, a bit each of `some`, to the lanes.
@@ -273,10 +334,16 @@ private:
     {
       const std::size_t k = some[j];
       for (std::size_t i = 0; i < 3; ++i)
+      {
         l_.quarter[i][k] = values[i][j];
+        l_.mid[i][k] = some.mid[i][j];
+        l_.way[i][k] = some.way[i][j];
+        l_.step[i][k] = some.step[i][j];
+      }
       good.line |= (ofSome.line >> j & 1U) << k;
       good.two |= (ofSome.two >> j & 1U) << k;
       good.four |= (ofSome.four >> j & 1U) << k;
+      good.fine |= (ofSome.fine >> j & 1U) << k;
     }
     some.count = 0;
   }

@@ -33,9 +33,10 @@ struct alignas(64) Lanes
 {
   Floats x, y, dx, dy, from, to, length;
   Floats z, value, transmittance, color[3];
-  Floats outZ, outValue;         ///< where they leave their cells
-  Floats depth, partIn, partOut; ///< what of the way through the cell counts; depth in the world
-  Floats quarter[3];             ///< the values at a quarter of it, half and three quarters
+  Floats outZ, outValue;          ///< where they leave their cells
+  Floats depth, partIn, partOut;  ///< what of the way through the cell counts; depth in the world
+  Floats quarter[3];              ///< the values at a quarter of it, half and three quarters
+  Floats mid[3], way[3], step[3]; ///< of lanes that bend, see WalkBends
   Floats bend, cellValue;
   Floats rate;       ///< of what is seen with the scalar, in the cell; of lanes that bend
   Floats outU, outV; ///< where on the exit face

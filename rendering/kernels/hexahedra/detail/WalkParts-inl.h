@@ -9,6 +9,7 @@
 #endif
 
 #include "WalkBends-inl.h"
+#include "WalkRows-inl.h"
 
 #include <limits>
 
@@ -19,30 +20,6 @@ namespace HWY_NAMESPACE
 {
 namespace
 {
-
-/// 1 / x, where x is not 0 nor beyond 1e37: with the wide vectors' estimate, which is faster.
-HWY_INLINE V reciprocal(V x)
-{
-  if constexpr (!isWide)
-    return hn::Div(set(1.0f), x);
-  const V r = hn::ApproximateReciprocal(x);
-  return hn::Mul(r, hn::NegMulAdd(x, r, set(2.0f)));
-}
-
-/// e^-x for x >= 0.
-HWY_INLINE V expOfMinus(V x)
-{
-  const D d;
-  const hn::RebindToSigned<D> di;
-  const V t = hn::Max(hn::Mul(x, set(-1.44269504f)), set(-126.0f));
-  const V whole = hn::Round(t), f = hn::Sub(t, whole);
-  V p = set(1.5252734e-5f);
-  for (const float c :
-    {1.5403530e-4f, 1.3333558e-3f, 9.6181291e-3f, 5.5504109e-2f, 0.24022651f, 0.69314718f, 1.0f})
-    p = hn::MulAdd(p, f, set(c));
-  const VI power = hn::Add(hn::ConvertTo(di, whole), hn::Set(di, 127));
-  return hn::Mul(p, hn::BitCast(d, hn::ShiftLeft<23>(power)));
-}
 
 /// Integrates what lies on the rays within their cells, from the value on one face to that on the
 /// next one.
@@ -64,7 +41,7 @@ public:
   /// Finds where the rays leave their cells, and adds what lies before.
   HWY_INLINE void add()
   {
-    isClipped_ = isBent_ = isHalved_ = isQuartered_ = isDone_ = 0;
+    isClipped_ = isBent_ = isHalved_ = isQuartered_ = isFine_ = isDone_ = 0;
     for (std::size_t first = 0; first < lanes; first += hn::Lanes(D()))
       leave(first);
     isClipped_ &= l_.active;
@@ -77,11 +54,13 @@ public:
       isDone_ = l_.active;
     else if (isBent_ != 0)
       bend();
+    forLanes(isFine_, [&](std::size_t k) { isDone_ &= ~(addFine(k) ? 1U << k : 0U); });
     forLanes(isDone_,
       [&](std::size_t k) { addSeldom(k, l_.z[k], l_.outZ[k], l_.partIn[k], l_.partOut[k]); });
     if (isFresh_ != 0)
       forLanes(isFresh_, [&](std::size_t k) { start(k); });
     isFresh_ = 0;
+    isDone_ |= isFine_;
     if ((isHalved_ | isQuartered_) != 0)
     {
       if (isQuartered_ != 0)
@@ -169,6 +148,7 @@ private:
     const auto good = bends_.find(isBent_ & ~isClipped_);
     isHalved_ = good.two & ~good.line;
     isQuartered_ = good.four & ~(good.two | good.line);
+    isFine_ = good.fine & ~(good.four | good.two | good.line);
     isDone_ |= isBent_ & ~(good.four | good.line);
   }
 
@@ -257,7 +237,8 @@ private:
   {
     isSeldom_ = 0;
     for (std::size_t first = 0; first < lanes; first += hn::Lanes(D()))
-      findRows(goal, first);
+      hn::Store(rowsOf(transfer_, hn::Load(D(), goal + first)), DI(),
+        reinterpret_cast<std::int32_t*>(l_.goalRow + first));
     which &= ~isDone_;
     if (transfer_.hasSolid())
       forLanes(which, [&](std::size_t k)
@@ -275,119 +256,111 @@ private:
       });
   }
 
-  /// As WalkTransfer::rowOf().
-  HWY_INLINE void findRows(const Floats& goal, std::size_t first)
-  {
-    const D d;
-    const DI di;
-    const V value = hn::Min(hn::Load(d, goal + first), set(std::numeric_limits<float>::max()));
-    const V at = hn::Mul(hn::Sub(value, set(transfer_.binsFrom())), set(transfer_.binsPer()));
-    const V last = set(static_cast<float>(WalkTransfer::bins - 1));
-    const V inside = hn::IfThenElseZero(hn::Gt(at, hn::Zero(d)), hn::Min(at, last));
-    const WalkTransfer::Table table = transfer_.table();
-    const VI bin = hn::ConvertTo(di, inside);
-    VI row = hn::GatherIndex(di, reinterpret_cast<const std::int32_t*>(table.bins), bin);
-    M isBefore = hn::Le(hn::GatherIndex(d, table.ends, bin), value);
-    row = hn::Sub(row, hn::VecFromMask(di, hn::RebindMask(di, isBefore)));
-    while (HWY_UNLIKELY(!table.isFine && !hn::AllFalse(d, isBefore)))
-    {
-      isBefore = hn::Le(hn::GatherIndex(d, &table.rows->end, hn::ShiftLeft<4>(row)), value);
-      row = hn::Sub(row, hn::VecFromMask(di, hn::RebindMask(di, isBefore)));
-    }
-    hn::Store(row, di, reinterpret_cast<std::int32_t*>(l_.goalRow + first));
-  }
-  /// What is seen at values in the rows that findRows() has found, and integrals up to there.
-  HWY_INLINE void look(const V& value, std::size_t first, V (&at)[4], V (&integral)[4])
-  {
-    const D d;
-    const WalkTransfer::Table table = transfer_.table();
-    const auto rowOf = [&](std::size_t k) -> const WalkTransfer::Row&
-    { return table.rows[l_.goalRow[first + k]]; };
-    V from[4], slope[4], other[4];
-    loadFours([&](std::size_t k) { return rowOf(k).value; }, from);
-    loadFours([&](std::size_t k) { return rowOf(k).slope; }, slope);
-    loadFours([&](std::size_t k) { return rowOf(k).integral; }, integral);
-    loadFours([&](std::size_t k) { return &rowOf(k).from; }, other);
-    const V step = hn::Sub(value, other[0]), half = hn::Mul(set(0.5f), step);
-    for (std::size_t c = 0; c < 4; ++c)
-    {
-      at[c] = hn::MulAdd(step, slope[c], from[c]);
-      integral[c] = hn::MulAdd(step, hn::MulAdd(half, slope[c], from[c]), integral[c]);
-    }
-  }
-
   template <bool isAll>
   HWY_INLINE void gather(const Floats& goal, std::uint32_t which, std::size_t first)
   {
     const D d;
     const DI di;
-    const V one = set(1.0f), zero = hn::Zero(d), tiny = set(1e-37f);
     const VI row = hn::Load(di, reinterpret_cast<const std::int32_t*>(l_.row + first));
     const VI goalRow = hn::Load(di, reinterpret_cast<const std::int32_t*>(l_.goalRow + first));
     const M isSame = hn::RebindMask(d, hn::Eq(row, goalRow));
     const V end = hn::Load(d, goal + first);
     const V perChange = reciprocal(hn::Sub(end, hn::Load(d, l_.at + first)));
-    V to[4], integral[4], from[4], mean[4];
-    look(end, first, to, integral);
+    const Seen to(transfer_.table().rows, end, l_.goalRow + first);
+    V from[4], mean[4];
     for (std::size_t c = 0; c < 4; ++c)
     {
       from[c] = hn::Load(d, l_.atValue[c] + first);
       const V across =
-        hn::Mul(hn::Sub(integral[c], hn::Load(d, l_.atIntegral[c] + first)), perChange);
-      mean[c] = hn::IfThenElse(isSame, hn::Mul(set(0.5f), hn::Add(from[c], to[c])), across);
+        hn::Mul(hn::Sub(to.integral[c], hn::Load(d, l_.atIntegral[c] + first)), perChange);
+      mean[c] = hn::IfThenElse(isSame, hn::Mul(set(0.5f), hn::Add(from[c], to.value[c])), across);
     }
     const M goes = lanesOf(which);
-    const auto keep = [&](V value, float* to)
-    { hn::Store(isAll ? value : hn::IfThenElse(goes, value, hn::Load(d, to)), d, to); };
+    const auto keep = [&](V value, float* at)
+    { hn::Store(isAll ? value : hn::IfThenElse(goes, value, hn::Load(d, at)), d, at); };
     for (std::size_t c = 0; c < 4; ++c)
     {
-      keep(to[c], l_.atValue[c] + first);
-      keep(integral[c], l_.atIntegral[c] + first);
+      keep(to.value[c], l_.atValue[c] + first);
+      keep(to.integral[c], l_.atIntegral[c] + first);
     }
     keep(end, l_.at + first);
     const VI rows = isAll ? goalRow : hn::IfThenElse(hn::RebindMask(di, goes), goalRow, row);
     hn::Store(rows, di, reinterpret_cast<std::int32_t*>(l_.row + first));
     const V share = hn::IfThenElse(lanesOf(isQuartered_ >> first), set(0.25f),
-      hn::IfThenElse(lanesOf(isHalved_ >> first), set(0.5f), one));
+      hn::IfThenElse(lanesOf(isHalved_ >> first), set(0.5f), set(1.0f)));
     const V depth = hn::Mul(hn::Load(d, l_.depth + first), share);
-    const V thick = hn::Mul(mean[0], depth), square = hn::Mul(thick, thick);
-    const V perFrom = reciprocal(hn::Max(from[0], tiny)), perTo = reciprocal(hn::Max(to[0], tiny));
-    V change[3], most = zero;
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      change[c] = hn::Sub(hn::Mul(to[c + 1], perTo), hn::Mul(from[c + 1], perFrom));
-      most = hn::Max(most, hn::Abs(change[c]));
-    }
-    const V uneven = hn::MulAdd(hn::Abs(hn::Sub(to[0], from[0])), depth, square);
-    const M rough = hn::Or(hn::Gt(hn::Mul(most, uneven), set(task_.share)),
-      hn::AndNot(isSame, hn::Gt(square, set(task_.share))));
-    const std::uint32_t seldom = (maskOf(rough) | isSeldom_ >> first) & which;
+    const LineLight line(from, to.value, mean, depth, isSame, task_.share);
+    const std::uint32_t seldom = (maskOf(line.isRough) | isSeldom_ >> first) & which;
     isSeldom_ |= seldom << first;
-    this->addLight(lanesOf(which & ~seldom), thick, mean, change, first);
+    this->addLight(lanesOf(which & ~seldom), line, first);
   }
 
-  /// Adds the light of parts of this optical depth, mean extinction and colour, and change of
-  /// colour from front to back, to the rays that are `plain`.
-  HWY_INLINE void addLight(
-    const M& plain, const V& thick, const V* mean, const V* change, std::size_t first)
+  /// Adds lines to the rays that are `plain`.
+  HWY_INLINE void addLight(const M& plain, const LineLight& line, std::size_t first)
   {
     const D d;
-    const V one = set(1.0f), tiny = set(1e-37f), square = hn::Mul(thick, thick);
     const V through = hn::Load(d, l_.transmittance + first);
-    const V passing = expOfMinus(thick), opacity = hn::Sub(one, passing);
-    const V weight = hn::Mul(hn::Mul(through, opacity), reciprocal(hn::Max(mean[0], tiny)));
-    // Of what is coloured evenly along the way, the front hides a part of the back: for an optical
-    // depth x, x^2 / (12 + 6 x + 1.2 x^2) of the change of colour, as good as exact up to 2.
-    const V hidden = hn::Mul(hn::Mul(through, square),
-      reciprocal(hn::MulAdd(set(1.2f), square, hn::MulAdd(set(6.0f), thick, set(12.0f)))));
     for (std::size_t c = 0; c < 3; ++c)
     {
       const V color = hn::Load(d, l_.color[c] + first);
-      const V added = hn::NegMulAdd(hidden, change[c], hn::MulAdd(weight, mean[c + 1], color));
+      const V added = hn::MulAdd(through, line.light[c], color);
       hn::Store(hn::IfThenElse(plain, added, color), d, l_.color[c] + first);
     }
     hn::Store(
-      hn::IfThenElse(plain, hn::Mul(through, passing), through), d, l_.transmittance + first);
+      hn::IfThenElse(plain, hn::Mul(through, line.passing), through), d, l_.transmittance + first);
+  }
+
+  /// Adds a lane's part as lines side by side, one in each lane of a vector: for lanes that bend
+  /// too much for four. False where a line is too rough, and nothing is added.
+  HWY_INLINE bool addFine(std::size_t k)
+  {
+    const D d;
+    const DI di;
+    constexpr std::size_t count = WalkBends<axis>::fineLines;
+    // Values at the ends of lines; one is before the first.
+    alignas(64) float ends[count], starts[count], light[3][count], passing[count];
+    if (!bends_.fineAt(k, ends))
+      return false;
+    starts[0] = l_.partIn[k];
+    std::copy_n(ends, count - 1, starts + 1);
+    const V depth = set(l_.depth[k] / static_cast<float>(count));
+    std::uint32_t rough = 0;
+    for (std::size_t first = 0; first < count; first += hn::Lanes(d))
+    {
+      const V at = hn::Load(d, starts + first), end = hn::Load(d, ends + first);
+      alignas(64) std::uint32_t row[hn::MaxLanes(D())], endRow[hn::MaxLanes(D())];
+      const VI in = rowsOf(transfer_, at), out = rowsOf(transfer_, end);
+      hn::Store(in, di, reinterpret_cast<std::int32_t*>(row));
+      hn::Store(out, di, reinterpret_cast<std::int32_t*>(endRow));
+      for (std::size_t i = 0; transfer_.hasSolid() && i < hn::Lanes(d); ++i)
+        if (transfer_.isSolid(row[i], endRow[i]))
+          return false;
+      const M isSame = hn::RebindMask(d, hn::Eq(in, out));
+      const Seen from(transfer_.table().rows, at, row), to(transfer_.table().rows, end, endRow);
+      const V perChange = reciprocal(hn::Sub(end, at));
+      V mean[4];
+      for (std::size_t c = 0; c < 4; ++c)
+        mean[c] = hn::IfThenElse(isSame, hn::Mul(set(0.5f), hn::Add(from.value[c], to.value[c])),
+          hn::Mul(hn::Sub(to.integral[c], from.integral[c]), perChange));
+      const LineLight line(from.value, to.value, mean, depth, isSame, task_.share);
+      rough |= maskOf(line.isRough);
+      hn::Store(line.passing, d, passing + first);
+      for (std::size_t c = 0; c < 3; ++c)
+        hn::Store(line.light[c], d, light[c] + first);
+    }
+    if (rough != 0)
+      return false;
+    float through = l_.transmittance[k], color[3] = {};
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+        color[c] += through * light[c][i];
+      through *= passing[i];
+    }
+    for (std::size_t c = 0; c < 3; ++c)
+      l_.color[c][k] += color[c];
+    l_.transmittance[k] = through;
+    return true;
   }
 
   WalkTask& task_;
@@ -395,9 +368,10 @@ private:
   const WalkTransfer& transfer_;
   WalkBends<axis> bends_;
   /// A bit each lane: what is known of a part is not what the last one ended with; it is cut; it is
-  /// no line; it is two, or four; it has been added; it is to be added one at a time.
+  /// no line; it is two, or four, or as many as fit side by side; it has been added, or is added
+  /// one at a time.
   std::uint32_t isFresh_ = 0, isClipped_ = 0, isBent_ = 0, isHalved_ = 0, isQuartered_ = 0,
-                isDone_ = 0, isSeldom_ = 0;
+                isFine_ = 0, isDone_ = 0, isSeldom_ = 0;
 };
 
 } // namespace
