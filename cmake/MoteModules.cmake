@@ -29,6 +29,9 @@ if (MOTE_PRECOMPILE_HEADERS)
   mote_precompile(MoteModuleHeaders VTK)
   mote_share_precompiled(MoteModuleHeaders FiltersHexahedra FiltersIO FiltersImaging FiltersParticles
     RenderingData RenderingVTK)
+  foreach (_module FiltersHexahedra FiltersIO FiltersImaging FiltersParticles RenderingData RenderingVTK)
+    mote_unite(${_module})
+  endforeach ()
 endif ()
 
 if (MOTE_BUILD_PYTHON)

@@ -1,5 +1,6 @@
-# Half the time of a first build goes into reading the same headers. Compiler caches do not take
-# files that come with precompiled ones, so where there is a cache there are none of these.
+# Half the time of a first build goes into reading the same headers. So first builds read them
+# precompiled, and compile sources a few at a time. Compiler caches do not take files that come with
+# precompiled headers, so where there is a cache there is neither.
 
 if (CMAKE_CXX_COMPILER_LAUNCHER)
   set(_precompile OFF)
@@ -43,4 +44,26 @@ function (mote_share_precompiled from)
       target_precompile_headers(${_target} REUSE_FROM ${from})
     endif ()
   endforeach ()
+endfunction ()
+
+# mote_unite(TARGET [SOURCE...]): compiles the target's sources in about four groups a folder, but for
+# the named ones, whose headers define macros. Names in unnamed namespaces must differ within a group; a
+# file's group depends on its own name alone, so that a new file does not change the others'.
+function (mote_unite target)
+  if (NOT MOTE_PRECOMPILE_HEADERS)
+    return ()
+  endif ()
+  get_target_property(_sources ${target} SOURCES)
+  list(REMOVE_ITEM _sources ${ARGN})
+  foreach (_source IN LISTS _sources)
+    get_filename_component(_folder "${_source}" DIRECTORY)
+    get_filename_component(_name "${_source}" NAME)
+    string(MD5 _hash "${_name}")
+    string(SUBSTRING "${_hash}" 0 1 _digit)
+    math(EXPR _group "0x${_digit} % 4")
+    string(MAKE_C_IDENTIFIER "${_folder}_${_group}" _group)
+    set_source_files_properties("${_source}" TARGET_DIRECTORY ${target}
+      PROPERTIES UNITY_GROUP "${_group}")
+  endforeach ()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction ()

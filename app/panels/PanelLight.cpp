@@ -2,6 +2,7 @@
 
 #include "Panel.h"
 
+#include "PanelColors.h"
 #include "PanelWidgets.h"
 #include "settings/Values.h"
 
@@ -18,8 +19,8 @@ namespace mote::app
 namespace
 {
 
-constexpr ImU32 ground = IM_COL32(30, 33, 38, 255), edge = IM_COL32(120, 126, 136, 255),
-                sun = IM_COL32(255, 220, 120, 255), farSun = IM_COL32(150, 130, 80, 255);
+constexpr ImU32 edge = IM_COL32(120, 126, 136, 255), sun = IM_COL32(255, 220, 120, 255),
+                farSun = IM_COL32(150, 130, 80, 255);
 
 /// Degrees to the right and up, as the viewer sees it.
 using Angles = std::array<double, 2>;
@@ -49,7 +50,7 @@ bool ballControl(std::optional<Angles>& light, float size)
     isDragged = true;
   }
   ImDrawList* list = ImGui::GetWindowDrawList();
-  list->AddCircleFilled(middle, radius, ground, 48);
+  list->AddCircleFilled(middle, radius, drawingGround, 48);
   if (light)
   {
     const double azimuth = vtkMath::RadiansFromDegrees((*light)[0]);

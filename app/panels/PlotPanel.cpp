@@ -1,5 +1,6 @@
 #include "PlotPanel.h"
 
+#include "PanelColors.h"
 #include "PanelWidgets.h"
 #include "ValueControls.h"
 #include "base/Text.h"
@@ -23,8 +24,6 @@ namespace
 
 constexpr int bins = 120, columns = 96, rows = 72;
 constexpr double shortTime = 0.02; // s
-constexpr ImU32 ground = IM_COL32(30, 33, 38, 255), bar = IM_COL32(120, 160, 210, 255),
-                frameInk = IM_COL32(255, 200, 90, 255);
 
 /// The range of a name that is shown; null for all.
 ShowRange* rangeOf(Settings& settings, const std::string& name)
@@ -160,7 +159,7 @@ void PlotPanel::drawCounts(const float* from, const float* size) const
 {
   ImDrawList* list = ImGui::GetWindowDrawList();
   list->AddRectFilled(
-    ImVec2(from[0], from[1]), ImVec2(from[0] + size[0], from[1] + size[1]), ground);
+    ImVec2(from[0], from[1]), ImVec2(from[0] + size[0], from[1] + size[1]), drawingGround);
   const double highest = isLogarithmic_ ? std::log1p(plot_.highest) : plot_.highest;
   const auto share = [&](std::uint32_t count)
   { return (isLogarithmic_ ? std::log1p(count) : count) / highest; };
@@ -178,7 +177,7 @@ void PlotPanel::drawCounts(const float* from, const float* size) const
       {
         list->AddRectFilled(
           ImVec2(left, from[1] + size[1] * (1.0f - static_cast<float>(share(count)))),
-          ImVec2(left + std::max(width, 1.0f), from[1] + size[1]), bar);
+          ImVec2(left + std::max(width, 1.0f), from[1] + size[1]), drawingBar);
         continue;
       }
       // Neighbours of one colour are one rectangle. Few are seen beside many.
@@ -242,7 +241,7 @@ void PlotPanel::drawPlot(Settings& next)
         low.y = from.y + (1.0f - end) * size.y, high.y = from.y + (1.0f - begin) * size.y;
     }
   if (isLimited)
-    ImGui::GetWindowDrawList()->AddRect(low, high, frameInk);
+    ImGui::GetWindowDrawList()->AddRect(low, high, heldInk);
   if (!ImGui::IsItemHovered() || ImGui::IsItemActive())
     return;
   const auto bin = [&](std::size_t axis, int count)

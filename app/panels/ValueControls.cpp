@@ -1,6 +1,7 @@
 #include "ValueControls.h"
 
 #include "ControlPlaces.h"
+#include "PanelColors.h"
 #include "base/Text.h"
 
 #include <vtkLookupTable.h>
@@ -17,9 +18,7 @@ namespace mote::app
 namespace
 {
 
-constexpr ImU32 ground = IM_COL32(30, 33, 38, 255), inside = IM_COL32(120, 160, 210, 255),
-                outside = IM_COL32(70, 76, 86, 255), handle = IM_COL32(235, 235, 235, 255),
-                held = IM_COL32(255, 200, 90, 255);
+constexpr ImU32 outside = IM_COL32(70, 76, 86, 255), handle = IM_COL32(235, 235, 235, 255);
 
 /// A rectangle of the panel, and values from its left to its right.
 struct Frame
@@ -75,7 +74,7 @@ void drawBars(const Frame& frame, const Histogram& histogram, const ColorOf& col
 {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 end(frame.from.x + frame.size.x, frame.from.y + frame.size.y);
-  list->AddRectFilled(frame.from, end, ground);
+  list->AddRectFilled(frame.from, end, drawingGround);
   const double bins = static_cast<double>(histogram.counts.size());
   for (std::size_t i = 0; i < histogram.counts.size(); ++i)
   {
@@ -108,7 +107,7 @@ bool rangeControl(const char* id, const Histogram& histogram, Interval& range)
   const double low = std::clamp(range.low, frame.least, frame.most);
   const double high = std::clamp(range.high, frame.least, frame.most);
   drawBars(frame, histogram,
-    [&](double value) { return value >= low && value <= high ? inside : outside; });
+    [&](double value) { return value >= low && value <= high ? drawingBar : outside; });
   int& part = heldPart(ImGui::GetID(id));
   const float x = ImGui::GetIO().MousePos.x;
   const float left = frame.xOf(low), right = frame.xOf(high);
@@ -145,9 +144,9 @@ bool rangeControl(const char* id, const Histogram& histogram, Interval& range)
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float end = frame.from.y + frame.size.y;
   list->AddRectFilled(
-    ImVec2(left - 2.0f, frame.from.y), ImVec2(left + 2.0f, end), part == 0 ? held : handle);
+    ImVec2(left - 2.0f, frame.from.y), ImVec2(left + 2.0f, end), part == 0 ? heldInk : handle);
   list->AddRectFilled(
-    ImVec2(right - 2.0f, frame.from.y), ImVec2(right + 2.0f, end), part == 1 ? held : handle);
+    ImVec2(right - 2.0f, frame.from.y), ImVec2(right + 2.0f, end), part == 1 ? heldInk : handle);
   return isChanged;
 }
 
@@ -254,7 +253,7 @@ void drawCurve(const Frame& frame, const std::vector<OpacityPoint>& points, int 
   list->AddLine(before, ImVec2(frame.from.x + frame.size.x, before.y), handle, 1.5f);
   for (std::size_t i = 0; i < points.size(); ++i)
     list->AddCircleFilled(placeOf(points[i]), 0.28f * ImGui::GetFontSize(),
-      bright == static_cast<int>(i) ? held : handle);
+      bright == static_cast<int>(i) ? heldInk : handle);
 }
 
 } // namespace
@@ -311,7 +310,7 @@ void drawLine(const Frame& frame, double value, bool isBright)
 {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float x = frame.xOf(value), half = 0.3f * ImGui::GetFontSize();
-  const ImU32 color = isBright ? held : handle;
+  const ImU32 color = isBright ? heldInk : handle;
   list->AddLine(
     ImVec2(x, frame.from.y), ImVec2(x, frame.from.y + frame.size.y), color, isBright ? 3.0f : 2.0f);
   list->AddTriangleFilled(ImVec2(x - half, frame.from.y), ImVec2(x + half, frame.from.y),

@@ -28,7 +28,7 @@ namespace mote::app
 namespace
 {
 
-int placeNamed(const std::string& name)
+int coordinateNamed(const std::string& name)
 {
   return name.size() == 1 && name[0] >= 'x' && name[0] <= 'z' ? name[0] - 'x' : -1;
 }
@@ -48,7 +48,7 @@ public:
                  (choice_.ofCells ? data->GetNumberOfCells() : data->GetNumberOfPoints());
       return;
     }
-    place_ = placeNamed(name);
+    place_ = coordinateNamed(name);
     isThere_ = place_ >= 0 && data->GetNumberOfPoints() > 0;
     auto* points = vtkPointSet::SafeDownCast(data);
     // Points that are made when they are asked for have no array.

@@ -19,7 +19,7 @@ namespace
 constexpr std::size_t mostArrays = 4;
 
 /// Which of x, y, z, radius; -1 for arrays.
-int placeNamed(const std::string& name)
+int builtInNamed(const std::string& name)
 {
   const std::vector<std::string> names = {"x", "y", "z", "radius"};
   const auto found = std::find(names.begin(), names.end(), name);
@@ -131,7 +131,7 @@ void Selection::applyRanges(const Parts& parts, const Part& first)
   for (std::size_t i = 0; i < ranges.size(); ++i)
   {
     const ShowRange& range = ranges[i];
-    const int place = placeNamed(range.name);
+    const int place = builtInNamed(range.name);
     bool found = place >= 0;
     if (place >= 0 && range.intervals.size() > 1)
       throw Failure(

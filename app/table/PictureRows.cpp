@@ -10,14 +10,14 @@ namespace mote::app
 namespace
 {
 
-const std::string group = "Picture";
+const std::string pictureGroup = "Picture";
 constexpr auto picture = &Settings::picture;
 constexpr auto invalidates = Invalidates::Picture;
 
 void addBudgetRows(std::vector<Row>& table)
 {
   table.push_back(row<PictureSettings, std::string>(picture, &PictureSettings::error,
-    {.group = group,
+    {.group = pictureGroup,
       .name = "error",
       .value = "BUDGET",
       .help = "Error that the picture may have, and that the program then shares out. 1% is of "
@@ -33,7 +33,7 @@ void addBudgetRows(std::vector<Row>& table)
         throw WrongValue{problem};
     }));
   table.push_back(row(picture, &PictureSettings::fps,
-    {.group = group,
+    {.group = pictureGroup,
       .name = "fps",
       .value = "N",
       .help = "Frames a second that the window shows while the view moves or a control is dragged: "
@@ -46,7 +46,7 @@ void addBudgetRows(std::vector<Row>& table)
 void addQualityRows(std::vector<Row>& table)
 {
   table.push_back(row(picture, &PictureSettings::size,
-    {.group = group,
+    {.group = pictureGroup,
       .name = "size",
       .value = "WxH",
       .help = "Width and height in pixels",
@@ -54,7 +54,7 @@ void addQualityRows(std::vector<Row>& table)
       .alias = "-s",
       .usual = "1280x960"}));
   table.push_back(row(picture, &PictureSettings::samples,
-    {.group = group,
+    {.group = pictureGroup,
       .name = "samples",
       .value = "N",
       .help =
@@ -63,7 +63,7 @@ void addQualityRows(std::vector<Row>& table)
       .limits = {.least = 1, .most = 65536},
       .usual = "16; 64 with --path-trace; at most 4096 with --noise"}));
   table.push_back(row(picture, &PictureSettings::noise,
-    {.group = group,
+    {.group = pictureGroup,
       .name = "noise",
       .value = "LEVEL",
       .help = "Take samples until the standard error of the picture, whose colours go from 0 to 1, "
@@ -72,7 +72,7 @@ void addQualityRows(std::vector<Row>& table)
       .limits = {.most = 1.0, .aboveZero = true},
       .usual = "off: all samples are taken"}));
   table.push_back(row<PictureSettings, std::vector<Color>>(picture, &PictureSettings::background,
-    {.group = group,
+    {.group = pictureGroup,
       .name = "background",
       .value = "COLOUR[,TOP]",
       .help = "Background: a colour by name or #rrggbb, or two with a comma for a gradient from "
@@ -91,23 +91,26 @@ void addQualityRows(std::vector<Row>& table)
 void addLabelRows(std::vector<Row>& table)
 {
   table.push_back(row(picture, &PictureSettings::legend,
-    {.group = group, .name = "legend", .help = "No colour legend", .invalidates = invalidates}));
+    {.group = pictureGroup,
+      .name = "legend",
+      .help = "No colour legend",
+      .invalidates = invalidates}));
   table.push_back(row(picture, &PictureSettings::title,
-    {.group = group,
+    {.group = pictureGroup,
       .name = "title",
       .value = "TEXT",
       .help = "Title of the colour legend",
       .invalidates = invalidates,
       .usual = "the array's name"}));
   table.push_back(row(picture, &PictureSettings::legendSide,
-    {.group = group,
+    {.group = pictureGroup,
       .name = "legend-side",
       .value = "SIDE",
       .help = "Side of the picture where the legend stands",
       .invalidates = invalidates,
       .words = {"right", "left"}}));
   table.push_back(row<PictureSettings, std::string>(picture, &PictureSettings::legendFormat,
-    {.group = group,
+    {.group = pictureGroup,
       .name = "legend-format",
       .value = "FORMAT",
       .help = "printf format of the legend's numbers, such as %.2f",
@@ -119,26 +122,26 @@ void addLabelRows(std::vector<Row>& table)
         throw WrongValue{"'" + format + "' is no printf format of one number, such as %.2f"};
     }));
   table.push_back(row(picture, &PictureSettings::fontScale,
-    {.group = group,
+    {.group = pictureGroup,
       .name = "font-scale",
       .value = "F",
       .help = "Factor on the size of the legend's and the caption's letters",
       .invalidates = invalidates,
       .limits = {.least = 0.25, .most = 4.0}}));
   table.push_back(row(picture, &PictureSettings::caption,
-    {.group = group,
+    {.group = pictureGroup,
       .name = "caption",
       .value = "TEXT",
       .help = "Line at the lower left; '' for none",
       .invalidates = invalidates,
       .usual = "file, particles and time"}));
   table.push_back(row(picture, &PictureSettings::box,
-    {.group = group,
+    {.group = pictureGroup,
       .name = "box",
       .help = "No box around the data in the window; pictures have none",
       .invalidates = invalidates}));
   table.push_back(row(picture, &PictureSettings::axes,
-    {.group = group,
+    {.group = pictureGroup,
       .name = "axes",
       .help = "No axes in the corner of the window; pictures have none",
       .invalidates = invalidates}));
