@@ -8,9 +8,10 @@
 #define MOTE_RLOD_TREE_WAVE_INL_H
 #endif
 
-#include "TreeRays-inl.h"
+#include "TreeEntries-inl.h"
 
 #include <algorithm>
+#include <cstring>
 #include <vector>
 
 HWY_BEFORE_NAMESPACE();
@@ -38,8 +39,9 @@ public:
     }
     const DU d;
 #if HWY_CAP_GE512
-    const std::uint8_t bytes[8] = {
-      static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8)};
+    std::uint8_t bytes[8] = {};
+    const auto word = static_cast<std::uint16_t>(bits);
+    std::memcpy(bytes, &word, sizeof word); // in one piece: two bytes would have to meet in memory
     const auto mask = hn::LoadMaskBits(d, bytes);
     // Faster than Iota(), which goes by the memory.
     const auto all = hn::Add(hn::Load(d, numbers), hn::Set(d, first));
@@ -74,12 +76,12 @@ public:
   Wave(const RlodTreeView& view, RayPacket& packet)
     : view_(view)
     , packet_(packet)
+    , all_(view, packet)
   {
-    const TreeRays all(view, packet);
     for (int i = 0; i < packet.count; ++i)
     {
-      rays_[i] = TreeRay(all, i);
-      if (all.isAnywhere(i))
+      rays_[i] = TreeRay(all_, i);
+      if (all_.isAnywhere(i))
         open_ |= std::uint64_t{1} << i;
     }
   }
@@ -89,8 +91,7 @@ public:
     static thread_local Visits nodes, clusters;
     nodes.shorten(0);
     clusters.shorten(0);
-    for (std::uint64_t left = open_; left != 0; left &= left - 1)
-      nodes.add(0, 1, static_cast<std::uint32_t>(std::countr_zero(left)));
+    enter(nodes, clusters);
     while (nodes.size() > 0)
     {
       visitNodes(nodes, clusters);
@@ -102,7 +103,7 @@ public:
 
 private:
   static constexpr std::size_t batch = 64;
-  static constexpr std::size_t ahead = 6; ///< visits between a fetch and its use
+  static constexpr std::size_t ahead = 10; ///< visits between a fetch and its use
 
   bool isOpen(std::uint32_t ray) const { return (open_ >> ray & 1) != 0; }
 
@@ -112,6 +113,20 @@ private:
     const char* at = reinterpret_cast<const char*>(what);
     for (std::size_t byte = 0; byte < sizeof(T); byte += 64)
       __builtin_prefetch(at + byte);
+  }
+
+  void enter(Visits& nodes, Visits& clusters) const
+  {
+    const TreeEntries entries(view_, all_, packet_.count);
+    for (std::uint64_t left = open_; left != 0; left &= left - 1)
+    {
+      const auto ray = static_cast<std::uint32_t>(std::countr_zero(left));
+      for (unsigned bits = entries.met(rays_[ray]); bits != 0; bits &= bits - 1)
+      {
+        const int k = std::countr_zero(bits);
+        (entries.isNode(k) ? nodes : clusters).add(entries.index(k), 1, ray);
+      }
+    }
   }
 
   void visitNodes(Visits& nodes, Visits& clusters)
@@ -160,6 +175,7 @@ private:
 
   const RlodTreeView& view_;
   RayPacket& packet_;
+  const TreeRays all_;
   TreeRay rays_[RayPacket::capacity];
   std::uint64_t open_ = 0; ///< rays that have met nothing yet
 };

@@ -12,6 +12,7 @@
 #include "MeshSimd-inl.h"
 #include "RlodTreeView.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -184,9 +185,12 @@ private:
     alignas(16) float per[4], enterAt[4], leaveAt[4];
     for (int k = 0; k < 4; k += static_cast<int>(hn::Lanes(d4)))
     {
-      // The fourth numbers are others of the node, and mean nothing.
-      const auto from = hn::Sub(hn::LoadU(d4, node.origin + k), hn::Load(d4, q + k));
-      const auto scale = hn::LoadU(d4, node.scale + k), factor = hn::Load(d4, inverse + k);
+      // What lies behind the third numbers is none: as a denormal it would take a long time.
+      const auto three = hn::FirstN(d4, static_cast<std::size_t>(3 - std::min(k, 3)));
+      const auto number = [&](const float* numbers)
+      { return hn::IfThenElseZero(three, hn::LoadU(d4, numbers + k)); };
+      const auto from = hn::Sub(number(node.origin), hn::Load(d4, q + k));
+      const auto scale = number(node.scale), factor = hn::Load(d4, inverse + k);
       const auto at = hn::Mul(from, factor);
       // Of Q, of the products below, and of the triangles' own formula.
       const auto size = hn::MulAdd(scale, hn::Set(d4, 255.0f), hn::Abs(from));
