@@ -36,13 +36,13 @@ void checkViews(const std::vector<NamedView>& views)
   }
 }
 
-const std::string group = "Camera";
+const std::string cameraGroup = "Camera";
 
 /// Of views beside the present one.
 void addViewRows(std::vector<Row>& table)
 {
   table.push_back(row<ViewSettings, std::vector<NamedView>>(&Settings::views, &ViewSettings::saved,
-    {.group = group,
+    {.group = cameraGroup,
       .name = "saved-view",
       .value = "NAME=CAMERA",
       .help =
@@ -53,7 +53,7 @@ void addViewRows(std::vector<Row>& table)
       .usual = "none"},
     checkViews));
   table.push_back(row(&Settings::views, &ViewSettings::sideBySide,
-    {.group = group,
+    {.group = cameraGroup,
       .name = "side-by-side",
       .help =
         "Show data sets beside one another, in up to four views that share one camera and one "
@@ -68,7 +68,7 @@ void addCameraRows(std::vector<Row>& table)
 {
   const auto camera = &Settings::camera;
   table.push_back(row(camera, &CameraSettings::view,
-    {.group = group,
+    {.group = cameraGroup,
       .name = "view",
       .value = "SIDE",
       .help = "Side to look from. iso has z up, iso-y has y up; auto looks along the thin axis of "
@@ -76,31 +76,31 @@ void addCameraRows(std::vector<Row>& table)
       .invalidates = Invalidates::Picture,
       .words = viewNames()}));
   table.push_back(row(camera, &CameraSettings::azimuth,
-    {.group = group,
+    {.group = cameraGroup,
       .name = "azimuth",
       .value = "DEG",
       .help = "Then turn the camera to the right around the data by so many degrees",
       .invalidates = Invalidates::Picture}));
   table.push_back(row(camera, &CameraSettings::elevation,
-    {.group = group,
+    {.group = cameraGroup,
       .name = "elevation",
       .value = "DEG",
       .help = "Then raise it by so many degrees",
       .invalidates = Invalidates::Picture}));
   table.push_back(row(camera, &CameraSettings::zoom,
-    {.group = group,
+    {.group = cameraGroup,
       .name = "zoom",
       .value = "F",
       .help = "Factor on the size of what is seen",
       .invalidates = Invalidates::Picture,
       .limits = {.aboveZero = true}}));
   table.push_back(row(camera, &CameraSettings::orthographic,
-    {.group = group,
+    {.group = cameraGroup,
       .name = "orthographic",
       .help = "Parallel projection instead of perspective",
       .invalidates = Invalidates::Picture}));
   table.push_back(row<CameraSettings, std::vector<double>>(camera, &CameraSettings::camera,
-    {.group = group,
+    {.group = cameraGroup,
       .name = "camera",
       .value = "X,Y,Z,FX,FY,FZ,UX,UY,UZ,A",
       .help = "Camera at X,Y,Z that looks at FX,FY,FZ, with up vector UX,UY,UZ and a vertical view "

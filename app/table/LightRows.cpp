@@ -9,13 +9,13 @@ namespace mote::app
 namespace
 {
 
-const std::string group = "Light";
+const std::string lightGroup = "Light";
 constexpr auto light = &Settings::light;
 
 void addMainLightRows(std::vector<Row>& table)
 {
   table.push_back(row<LightSettings, std::string>(light, &LightSettings::shadows,
-    {.group = group,
+    {.group = lightGroup,
       .name = "shadows",
       .value = "KIND",
       .help =
@@ -27,7 +27,7 @@ void addMainLightRows(std::vector<Row>& table)
       .told = [](const Settings& s) { return shadowsName(s.light); }},
     refusing(checkShadows)));
   table.push_back(row<LightSettings, std::string>(light, &LightSettings::place,
-    {.group = group,
+    {.group = lightGroup,
       .name = "light",
       .value = "PLACE",
       .help = "Direction of the main light. Seen from the viewer: " + joined(lightNames(), ", ") +
@@ -38,7 +38,7 @@ void addMainLightRows(std::vector<Row>& table)
       .offers = lightNames()},
     refusing(checkLight)));
   table.push_back(row(light, &LightSettings::size,
-    {.group = group,
+    {.group = lightGroup,
       .name = "light-size",
       .value = "DEG",
       .help =
@@ -46,7 +46,7 @@ void addMainLightRows(std::vector<Row>& table)
         "shadows. The sun has 0.5",
       .limits = {.least = 0.0, .most = 90.0}}));
   table.push_back(row(light, &LightSettings::intensity,
-    {.group = group,
+    {.group = lightGroup,
       .name = "light-intensity",
       .value = "F",
       .help = "Factor on the brightness of the main light",
@@ -56,7 +56,7 @@ void addMainLightRows(std::vector<Row>& table)
 void addSkyRows(std::vector<Row>& table)
 {
   table.push_back(row<LightSettings, std::string>(light, &LightSettings::ambientOcclusion,
-    {.group = group,
+    {.group = lightGroup,
       .name = "ambient-occlusion",
       .value = "none|live|baked|N",
       .help =
@@ -69,7 +69,7 @@ void addSkyRows(std::vector<Row>& table)
       .told = [](const Settings& s) { return shadingName(s.light); }},
     refusing(checkAmbientOcclusion)));
   table.push_back(row(light, &LightSettings::occlusionReach,
-    {.group = group,
+    {.group = lightGroup,
       .name = "occlusion-reach",
       .value = "R",
       .help = "Length of the ambient-occlusion rays in the data's units: what is farther away "
@@ -78,7 +78,7 @@ void addSkyRows(std::vector<Row>& table)
       .usual = "a tenth of the data's longest side",
       .needs = "ambient-occlusion"}));
   table.push_back(row(light, &LightSettings::pathTrace,
-    {.group = group,
+    {.group = lightGroup,
       .name = "path-trace",
       .help = "Light that other particles reflect, too, under a sky that is bright above (+z) and "
               "dim below; the main light's shadows are as soft as --light-size says",

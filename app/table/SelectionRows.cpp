@@ -20,7 +20,7 @@ void checkRanges(const std::vector<ShowRange>& ranges)
     throw WrongValue{"at most eight ranges are possible, not " + std::to_string(ranges.size())};
 }
 
-const std::string group = "Selection";
+const std::string selectionGroup = "Selection";
 constexpr auto selection = &Settings::selection;
 
 void addIdRows(std::vector<Row>& table)
@@ -29,13 +29,13 @@ void addIdRows(std::vector<Row>& table)
                           "Ids are those of the array id (or ids, ParticleIds, GlobalIds, ...) "
                           "where there is one, else particles count from 0";
   table.push_back(row(selection, &SelectionSettings::hidden,
-    {.group = group,
+    {.group = selectionGroup,
       .name = "hide-ids",
       .value = "ID,LO:HI,...",
       .help = "Hide particles by their ids" + ids,
       .usual = "none"}));
   table.push_back(row(selection, &SelectionSettings::only,
-    {.group = group,
+    {.group = selectionGroup,
       .name = "only-ids",
       .value = "ID,LO:HI,...",
       .help = "Show only the particles with these ids" + ids,
@@ -48,7 +48,7 @@ void addSelectionRows(std::vector<Row>& table)
 {
   table.push_back(
     row<SelectionSettings, std::vector<ShowRange>>(selection, &SelectionSettings::ranges,
-      {.group = group,
+      {.group = selectionGroup,
         .name = "show",
         .value = "NAME=LO:HI,...",
         .help = "Show only what has a value from LO to HI: particles by x, y, z, radius (as drawn) "
@@ -59,7 +59,7 @@ void addSelectionRows(std::vector<Row>& table)
         .usual = "all"},
       checkRanges));
   table.push_back(row<SelectionSettings, std::string>(selection, &SelectionSettings::where,
-    {.group = group,
+    {.group = selectionGroup,
       .name = "where",
       .value = "EXPRESSION",
       .help = "Show only particles for which EXPRESSION holds, as in \"c_pe > -3 && type == 2\"; "
@@ -73,7 +73,7 @@ void addSelectionRows(std::vector<Row>& table)
     }));
   addIdRows(table);
   table.push_back(row<SelectionSettings, std::vector<double>>(selection, &SelectionSettings::range,
-    {.group = group,
+    {.group = selectionGroup,
       .name = "show-range",
       .value = "LO HI",
       .help = "Hide particles with values outside LO to HI of the array of --show-by",
@@ -85,7 +85,7 @@ void addSelectionRows(std::vector<Row>& table)
         throw WrongValue{"LO must not be greater than HI"};
     }));
   table.push_back(row(selection, &SelectionSettings::array,
-    {.group = group,
+    {.group = selectionGroup,
       .name = "show-by",
       .value = "NAME",
       .help = "Array of --show-range, named as in --color-by",
