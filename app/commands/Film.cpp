@@ -152,6 +152,7 @@ FilmResult makeFilm(Stage& stage, Input& input, int& step, const std::vector<Set
   ProgressRelay progress;
   progress.add(shown);
   Picture picture(stage, size);
+  std::unique_ptr<ParticlePaths> paths;
   const bool isVideo = isVideoName(file);
   std::unique_ptr<VideoFile> video;
   if (isVideo)
@@ -160,6 +161,8 @@ FilmResult makeFilm(Stage& stage, Input& input, int& step, const std::vector<Set
   ProgressRelay::Work work(progress, "Film", whole); // so that Ctrl-C comes between frames, too
   try
   {
+    paths = ParticlePaths::whole(frames.front(), input, progress);
+    picture.setPaths(paths.get());
     for (std::size_t i = 0; i < frames.size(); ++i)
     {
       shown.begin(i);

@@ -108,6 +108,8 @@ void render(const Settings& given)
   stage.look(picture.aspect(), picture.margins());
   for (const std::string& sentence : adviceOn(stage))
     Messages::warn(sentence);
+  const auto paths = ParticlePaths::whole(settings, input, progress);
+  picture.setPaths(paths.get());
   if (!output.allSteps)
     trace(chosen, output.file, openTime + readTime);
   else

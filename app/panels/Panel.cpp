@@ -21,7 +21,7 @@ namespace
 const std::set<std::string>& withoutControl()
 {
   static const std::set<std::string> names = {"step", "time", "threads", "camera", "azimuth",
-    "elevation", "view", "size", "show-by", "show-range"};
+    "elevation", "view", "size", "show-by", "show-range", "picked", "trajectories"};
   return names;
 }
 

@@ -33,20 +33,23 @@ bool ballControl(std::optional<Angles>& light, float size)
   const ImVec2 middle(from.x + radius, from.y + radius);
   ImGui::InvisibleButton("ball", ImVec2(size, size));
   noteControl("light ball");
-  explainKey("Drag the light around what is seen\n--light AZIMUTH,ELEVATION");
+  explainKey(
+    "Drag the light around what is seen; over the rim it goes behind\n--light AZIMUTH,ELEVATION");
   bool isDragged = false;
   const ImVec2 moved = ImGui::GetIO().MouseDelta;
   if (ImGui::IsItemActive() && (ImGui::IsItemActivated() || moved.x != 0.0f || moved.y != 0.0f))
   {
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     double x = (mouse.x - middle.x) / radius, y = (middle.y - mouse.y) / radius;
+    // Over the rim the light goes on behind the ball, and at twice the radius is right behind it.
     const double away = std::hypot(x, y);
-    if (away > 1.0)
-      x /= away, y /= away;
-    const double elevation = std::asin(std::clamp(y, -1.0, 1.0));
-    const double across = std::clamp(x / std::max(1e-6, std::cos(elevation)), -1.0, 1.0);
-    light = Angles{std::round(vtkMath::DegreesFromRadians(std::asin(across))),
-      std::round(vtkMath::DegreesFromRadians(elevation))};
+    const bool isBehind = away > 1.0;
+    const double onBall = isBehind ? std::max(0.0, 2.0 - away) / away : 1.0;
+    const double elevation = std::asin(std::clamp(onBall * y, -1.0, 1.0));
+    const double across = std::clamp(onBall * x / std::max(1e-6, std::cos(elevation)), -1.0, 1.0);
+    const double angle = vtkMath::DegreesFromRadians(std::asin(across));
+    const double azimuth = !isBehind ? angle : x < 0.0 ? -180.0 - angle : 180.0 - angle;
+    light = Angles{std::round(azimuth), std::round(vtkMath::DegreesFromRadians(elevation))};
     isDragged = true;
   }
   ImDrawList* list = ImGui::GetWindowDrawList();

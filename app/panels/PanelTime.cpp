@@ -42,11 +42,11 @@ void Panel::drawTime(const PanelFacts& facts)
   this->drawCache(facts);
   this->drawStep(facts);
   const bool anyPicked = facts.picked.set && !facts.picked.set->empty();
-  if (!anyPicked && next_.output.trajectories.empty())
+  if (!anyPicked && next_.marks.trajectories.empty())
     return;
   if (buttonOf(anyPicked ? "Paths of the picked" : "No paths"))
     this->wish(Action::PathsOfPicked);
-  RowControls::explain(*commandRow("mote", "trajectories"));
+  RowControls::explain(*rowNamed("trajectories"));
 }
 
 void Panel::drawStep(const PanelFacts& facts)

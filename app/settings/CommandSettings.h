@@ -1,7 +1,5 @@
 #pragma once
 
-#include "IdRanges.h"
-
 #include <array>
 #include <optional>
 #include <string>
@@ -25,7 +23,6 @@ struct OutputSettings
   std::optional<double> uiScale;    ///< of the panel's texts; none: as the display says
   std::string cache = "25%";        ///< memory for time steps ahead: a size, or a share
   double speed = 10.0;              ///< time steps a second, of playing, at most
-  IdRanges trajectories;            ///< of particles whose paths are shown
   bool follow = false;              ///< whether steps that are written meanwhile are read
   bool loop = true;                 ///< whether playing goes on from the last step to the first
   std::array<int, 2> size = {0, 0}; ///< of pictures and films that the window saves; 0: the view's

@@ -171,6 +171,14 @@ struct SilhouetteSettings
   bool operator==(const SilhouetteSettings&) const = default;
 };
 
+/// What is marked over the data.
+struct MarkSettings
+{
+  std::vector<std::string> picked; ///< ids of particles in the order of picking, as IdRanges' words
+  IdRanges trajectories;           ///< of particles whose paths are shown
+  bool operator==(const MarkSettings&) const = default;
+};
+
 struct PictureSettings
 {
   std::array<int, 2> size = {0, 0}; ///< pixels; 0: the command's own default
@@ -210,6 +218,7 @@ struct Settings
   ViewSettings views;
   LightSettings light;
   SilhouetteSettings silhouettes;
+  MarkSettings marks;
   PictureSettings picture;
 
   OutputSettings output;

@@ -5,14 +5,15 @@
 #include "Part.h"
 #include "base/Background.h"
 
-#include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
 #include <vtkFieldData.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
+#include <vtkObject.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -20,6 +21,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <iterator>
 #include <sstream>
@@ -72,6 +74,25 @@ ParticlePaths::~ParticlePaths()
 {
   stop_ = true;
   thread_.join();
+}
+
+std::unique_ptr<ParticlePaths> ParticlePaths::whole(
+  const Settings& settings, const Input& input, ProgressRelay& progress)
+{
+  const IdRanges& wanted = settings.marks.trajectories;
+  if (wanted.empty())
+    return nullptr;
+  auto paths = std::make_unique<ParticlePaths>(input.again(), wanted, settings);
+  vtkNew<vtkObject> reading;
+  ProgressRelay::Work work(progress, "Reading paths", reading);
+  while (paths->stepsRead() < paths->steps())
+  {
+    double share = static_cast<double>(paths->stepsRead()) / paths->steps();
+    reading->InvokeEvent(vtkCommand::ProgressEvent, &share);
+    work.finish(); // where the user stops it
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return paths;
 }
 
 void ParticlePaths::run()

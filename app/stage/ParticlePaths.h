@@ -32,6 +32,10 @@ public:
   ParticlePaths(const ParticlePaths&) = delete;
   ParticlePaths& operator=(const ParticlePaths&) = delete;
 
+  /// The paths that the settings ask for, read to their end; null where they ask for none.
+  static std::unique_ptr<ParticlePaths> whole(
+    const Settings& settings, const Input& input, ProgressRelay& progress);
+
   /// How many steps were read, of how many.
   int stepsRead() const;
   int steps() const { return steps_; }

@@ -1,6 +1,7 @@
 #include "PickedSet.h"
 
 #include "Ids.h"
+#include "settings/Values.h"
 
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
@@ -114,6 +115,48 @@ IdRanges PickedSet::ids(const Parts& parts) const
       ranges.push_back({isAlone ? 0 : picked.part + 1, id, id});
     }
   return IdRanges(std::move(ranges));
+}
+
+std::vector<std::string> PickedSet::words(const Parts& parts) const
+{
+  constexpr std::size_t mostMeasured = 3;
+  if (items_.size() > mostMeasured)
+    return ValuesOf<IdRanges>::words(this->ids(parts));
+  std::vector<std::string> words;
+  for (const Picked& picked : items_)
+  {
+    PickedSet alone;
+    alone.toggle(picked);
+    for (const std::string& word : ValuesOf<IdRanges>::words(alone.ids(parts)))
+      words.push_back(word);
+  }
+  return words;
+}
+
+void PickedSet::addNamed(const Parts& parts, const std::vector<std::string>& words)
+{
+  constexpr std::size_t mostMeasured = 3;
+  // A look through the data for each of a few keeps their order.
+  std::vector<IdRanges> looks;
+  if (words.size() > mostMeasured)
+    looks.push_back(ValuesOf<IdRanges>::parse(words, {}));
+  else
+    for (const std::string& word : words)
+      looks.push_back(ValuesOf<IdRanges>::parse({word}, {}));
+  std::vector<Picked> found;
+  for (const IdRanges& look : looks)
+    for (std::size_t k = 0; k < parts.size(); ++k)
+    {
+      if (parts[k]->kind() != Part::Kind::Particles)
+        continue;
+      vtkDataSet* data = parts[k]->data();
+      vtkDataArray* ids = idArrayOf(data);
+      const auto wanted = look.of(static_cast<int>(k) + 1);
+      for (vtkIdType i = 0; !wanted.empty() && i < data->GetNumberOfPoints(); ++i)
+        if (holds(wanted, idOf(ids, i)))
+          found.push_back({static_cast<int>(k), Picked::Kind::Particle, i});
+    }
+  this->add(found);
 }
 
 std::vector<std::int64_t> PickedSet::names(const Parts& parts) const

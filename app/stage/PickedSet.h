@@ -57,6 +57,13 @@ public:
   IdRanges ids(const Parts& parts) const;
 
   ///@{
+  /// The particles among them as MarkSettings::picked: in the order of picking where they are so
+  /// few that something is measured, else in ranges. And what such words name, taken in.
+  std::vector<std::string> words(const Parts& parts) const;
+  void addNamed(const Parts& parts, const std::vector<std::string>& words);
+  ///@}
+
+  ///@{
   /// Before and after other data take the place of the present ones: the particles of the same ids
   /// stay picked, and the cells and points of the same numbers.
   std::vector<std::int64_t> names(const Parts& parts) const;

@@ -1,5 +1,6 @@
 #include "Picture.h"
 
+#include "PictureMarks.h"
 #include "SideBySide.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
@@ -16,6 +17,7 @@
 #include <vtkMoteShading.h>
 #include <vtkMoteSilhouettes.h>
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -106,7 +108,7 @@ void Picture::takeSettings()
   source_->SetSamplesPerPixel(picture.mostSamples(settings.light.pathTrace));
   const ErrorShares shares = errorShares(settings);
   source_->SetNoiseLevel(shares.noise.value_or(0.0));
-  source_->SetDepth(exr_);
+  source_->SetDepth(exr_ || this->hasMarks());
   source_->SetNormals(exr_);
   source_->SetIds(exr_);
   source_->SetVariance(exr_ && shares.noise);
@@ -181,7 +183,33 @@ vtkImageData* Picture::trace(
   traceTime_ += source_->GetTraceTime();
   samples_ = std::max(samples_, source_->GetNumberOfSamples());
   noise_ = std::max(noise_, source_->GetNoise());
-  return source_->GetOutput();
+  return this->marked(view, size);
+}
+
+bool Picture::hasMarks() const
+{
+  const bool isPicked = !picked_.value_or(stage_.settings().marks.picked).empty();
+  return labelled_ && (isPicked || paths_);
+}
+
+/// What was traced, with what is marked in it.
+vtkImageData* Picture::marked(const View& view, const std::array<int, 2>& size)
+{
+  if (!this->hasMarks() || view.empty())
+    return source_->GetOutput();
+  PictureMarks marks(renderer_->GetActiveCamera(), size, marks_);
+  if (paths_)
+  {
+    vtkNew<vtkPolyData> lines;
+    paths_->fill(lines, view);
+    marks.addPaths(lines);
+  }
+  PickedSet picked;
+  picked.addNamed(stage_.parts(), picked_.value_or(stage_.settings().marks.picked));
+  marks.addPicked(stage_.parts(), picked, view);
+  marks_->SetInputConnection(source_->GetOutputPort());
+  marks_->Update();
+  return marks_->GetOutput();
 }
 
 /// Views beside one another, with their names, and the background below the legend.

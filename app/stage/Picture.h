@@ -1,15 +1,18 @@
 #pragma once
 
+#include "ParticlePaths.h"
 #include "Stage.h"
 #include "base/ProgressRelay.h"
 
 #include <vtkMoteColorLegend.h>
+#include <vtkMoteImageMarks.h>
 #include <vtkMoteImageWriter.h>
 #include <vtkMoteRendererSource.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 #include <vtkTrivialProducer.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +50,10 @@ public:
   /// write() else.
   vtkImageData* draw(const std::string& caption, ProgressRelay& progress);
 
+  /// Draws these paths, and marks what is picked by the settings or else this; kept by the caller.
+  void setPaths(const ParticlePaths* paths) { paths_ = paths; }
+  void setPicked(const std::vector<std::string>& words) { picked_ = words; }
+
   double traceTime() const { return traceTime_; }
 
   /// "16 samples per pixel", and with --noise what came of it.
@@ -58,6 +65,8 @@ private:
   void takeSettings();
   vtkImageData* trace(const View& view, const std::array<int, 2>& size, ProgressRelay& progress);
   vtkSmartPointer<vtkImageData> traceAll(const std::vector<View>& views, ProgressRelay& progress);
+  vtkImageData* marked(const View& view, const std::array<int, 2>& size);
+  bool hasMarks() const;
   void paste(vtkImageData* from, int x, vtkImageData* to) const;
   void drawDivider(int x, vtkImageData* image) const;
   void requireMemory() const;
@@ -70,7 +79,10 @@ private:
   vtkNew<vtkMoteRendererSource> source_;
   vtkNew<vtkTrivialProducer> traced_; ///< the image, of one view or of several
   vtkNew<vtkMoteColorLegend> legend_, name_;
+  vtkNew<vtkMoteImageMarks> marks_;
   vtkNew<vtkMoteImageWriter> writer_;
+  const ParticlePaths* paths_ = nullptr;
+  std::optional<std::vector<std::string>> picked_; ///< else the settings'
   bool labelled_ = true;
   bool exr_ = false;
   double traceTime_ = 0.0; ///< s

@@ -58,8 +58,9 @@ const std::vector<Row>& settingsTable()
   static const std::vector<Row> table = []
   {
     std::vector<Row> rows;
-    for (const auto add : {addDataRows, addColorRows, addSelectionRows, addParticleRows,
-           addVolumeRows, addCameraRows, addLightRows, addSilhouetteRows, addPictureRows})
+    for (const auto add :
+      {addDataRows, addColorRows, addSelectionRows, addParticleRows, addVolumeRows, addCameraRows,
+        addLightRows, addSilhouetteRows, addMarkRows, addPictureRows})
       add(rows);
     return rows;
   }();

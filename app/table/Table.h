@@ -14,6 +14,7 @@ void addVolumeRows(std::vector<Row>& table);
 void addCameraRows(std::vector<Row>& table);
 void addLightRows(std::vector<Row>& table);
 void addSilhouetteRows(std::vector<Row>& table);
+void addMarkRows(std::vector<Row>& table);
 void addPictureRows(std::vector<Row>& table);
 
 // What commands alone take, in files of its own: what commandTable() puts beside the rest.

@@ -28,15 +28,6 @@ void addTimeRows(std::vector<Row>& table)
       if (!memoryOf(text))
         throw WrongValue{"'" + text + "' is neither a size such as 4G nor a share such as 25%"};
     }));
-  table.push_back(row(output, &OutputSettings::trajectories,
-    {.group = group,
-      .name = "trajectories",
-      .value = "ID,LO:HI,...",
-      .help =
-        "Show the paths of the particles with these ids through all time steps as lines, with "
-        "gaps where they leave a periodic box on one side and come in on the other",
-      .usual = "none",
-      .command = command}));
   table.push_back(row(output, &OutputSettings::follow,
     {.group = group,
       .name = "follow",

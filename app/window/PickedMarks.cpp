@@ -1,7 +1,7 @@
 #include "PickedMarks.h"
 
-#include <ParticleModel.h>
-#include <PeriodicImages.h>
+#include "stage/PickedPlaces.h"
+
 #include <vtkActor.h>
 #include <vtkActor2D.h>
 #include <vtkCamera.h>
@@ -12,7 +12,6 @@
 #include <vtkGenericCell.h>
 #include <vtkIdList.h>
 #include <vtkMath.h>
-#include <vtkMoteParticleMapper.h>
 #include <vtkOpenGLSphereMapper.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -35,32 +34,9 @@ namespace
 constexpr double ink[3] = {1.0, 0.16, 0.86}; // in no colour map of ours
 constexpr float larger = 1.04f;              // than what is marked
 constexpr double leastPixels = 3.0;          // radius
-/// Of more picked, evenly taken ones have marks: a hundred thousand would take a second a frame.
-constexpr std::size_t mostMarks = 10'000;
 /// How far marks stand before what they mark, in radii: a pixel's depth is the nearest of all of
 /// its rays, and would stand before a mark at the sphere's slopes.
 constexpr double before = 0.4;
-
-/// What is shown of a part's particles, and how large they are drawn.
-struct Drawn
-{
-  std::vector<unsigned char> isShown;
-  std::vector<Vec3d> images{Vec3d(0.0)};
-  ParticleInput particles;
-};
-
-Drawn drawnOf(const Part& part)
-{
-  Drawn drawn;
-  if (!part.particles())
-    return drawn;
-  drawn.isShown.resize(static_cast<std::size_t>(part.data()->GetNumberOfPoints()));
-  part.particles()->GetModel().markVisible(drawn.isShown.data());
-  drawn.particles = part.particles()->GetModel().particles();
-  drawn.images =
-    imageOffsets(part.particles()->GetReplication(), part.particles()->GetReplicationVectors());
-  return drawn;
-}
 
 } // namespace
 
@@ -123,10 +99,6 @@ void PickedMarks::setParts(const std::vector<std::size_t>& parts)
 
 void PickedMarks::gather(const PickedSet::Parts& parts, const PickedSet& picked)
 {
-  std::vector<Drawn> drawn(parts.size());
-  if (!picked.empty())
-    std::transform(
-      parts.begin(), parts.end(), drawn.begin(), [](const auto& part) { return drawnOf(*part); });
   radii_.clear();
   vtkNew<vtkPoints> places, corners;
   places->SetDataTypeToDouble();
@@ -134,31 +106,14 @@ void PickedMarks::gather(const PickedSet::Parts& parts, const PickedSet& picked)
   lines_->Initialize();
   lines_->SetPoints(corners);
   lines_->SetLines(vtkNew<vtkCellArray>());
-  const std::size_t every = (picked.items().size() + mostMarks - 1) / mostMarks;
-  for (std::size_t i = 0; i < picked.items().size(); i += every)
-  {
-    const Picked& one = picked.items()[i];
-    const auto k = static_cast<std::size_t>(one.part);
-    const auto id = static_cast<std::size_t>(one.id);
-    if (parts[k]->isHidden() || std::find(marked_.begin(), marked_.end(), k) == marked_.end())
-      continue;
-    if (one.kind == Picked::Kind::Cell)
+  for (const PickedPlace& one : placesOf(parts, picked, marked_))
+    if (one.isCell)
+      this->addCell(parts[one.part]->data(), one.id);
+    else
     {
-      this->addCell(parts[k]->data(), one.id);
-      continue;
+      places->InsertNextPoint(one.at.data());
+      radii_.push_back(static_cast<float>(one.radius));
     }
-    const bool isParticle = one.kind == Picked::Kind::Particle;
-    if (isParticle && !drawn[k].isShown[id])
-      continue;
-    const ParticleInput& particles = drawn[k].particles;
-    const auto place = picked.placeOf(parts, one);
-    for (const Vec3d& image : drawn[k].images)
-    {
-      places->InsertNextPoint(place[0] + image.x, place[1] + image.y, place[2] + image.z);
-      radii_.push_back(
-        isParticle ? static_cast<float>(particles.set.radiusOf(id) * particles.enlargement) : 0.0f);
-    }
-  }
   this->setCenters(places);
 }
 

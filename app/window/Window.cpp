@@ -164,6 +164,7 @@ void Window::run()
     input_.open(progress_);
     step_ = input_.chosenStep(asked_);
     this->load(step_);
+    picked_.addNamed(stage_.parts(), asked_.marks.picked);
     bar_.hide();
   }
   catch (const Interrupted&)

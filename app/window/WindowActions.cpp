@@ -342,7 +342,7 @@ void Window::savePicture()
   // A preview is for looking; what is kept is exact.
   if (previewed_ && !this->perform([&] { stage_.finishBuild(progress_); }))
     return;
-  if (this->hasSurfaces() || paths_.isShown())
+  if (this->hasSurfaces())
     return this->grabPicture(file);
   // As mote render makes it, so that the printed command gives the same.
   const bool done = this->perform(
@@ -350,6 +350,9 @@ void Window::savePicture()
     {
       Picture picture(stage_, this->savedSize());
       picture.aim(file);
+      const auto paths = ParticlePaths::whole(this->settings(), input_, progress_);
+      picture.setPaths(paths.get());
+      picture.setPicked(picked_.words(stage_.parts()));
       picture.write(captionOf(input_, step_, stage_.contents()), progress_);
     });
   if (done)

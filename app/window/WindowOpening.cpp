@@ -66,6 +66,7 @@ void Window::readFiles(const Settings& wanted)
   stage_.clear();
   stage_.apply(wanted);
   this->load(input_.chosenStep(wanted));
+  picked_.addNamed(stage_.parts(), wanted.marks.picked);
   this->startCache();
   asked_ = wanted;
   arrayAsked_ = stage_.settingsInForce().color.array;

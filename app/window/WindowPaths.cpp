@@ -5,7 +5,7 @@ namespace mote::app
 
 void WindowPaths::follow(const Settings& settings, const Input& input)
 {
-  const IdRanges& wanted = settings.output.trajectories;
+  const IdRanges& wanted = settings.marks.trajectories;
   if (wanted.empty() || input.files().empty())
     return this->clear();
   if (paths_ && wanted == ids_ && settings.data.positions == positions_ &&

@@ -68,8 +68,9 @@ void Window::toggleRecording()
   checkRecordingOutput(next);
   next.output.play = this->settings().output.play;
   picked_.clear(); // recordings have none at their beginning
-  this->startRecording(next.output.record);
+  next.marks.picked.clear();
   stage_.apply(next);
+  this->startRecording(next.output.record);
   this->noteRest();
   this->say("Recording in " + next.output.record);
 }

@@ -147,6 +147,7 @@ void Window::goBack(bool undo)
 Settings Window::settingsInForce()
 {
   Settings all = stage_.settingsInForce();
+  all.marks.picked = picked_.words(stage_.parts());
   all.picture.size = this->viewSize();
   all.data.time.reset();
   all.data.step = input_.numberOfSteps() > 1 ? std::to_string(step_ + 1) : "last";

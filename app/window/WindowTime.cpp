@@ -182,12 +182,12 @@ void Window::endScrub()
 /// Shows the paths of what is picked; none where those are shown, or nothing is picked.
 void Window::changePaths()
 {
-  const IdRanges present = this->settings().output.trajectories;
+  const IdRanges present = this->settings().marks.trajectories;
   const IdRanges picked = picked_.ids(stage_.parts());
   if (picked.empty() && present.empty())
     return this->say("Pick particles first: their paths through time are shown then");
   const IdRanges next = picked == present ? IdRanges() : picked;
-  this->change(this->settingsOf([&](Settings& s) { s.output.trajectories = next; }),
+  this->change(this->settingsOf([&](Settings& s) { s.marks.trajectories = next; }),
     [&]
     {
       return next.empty() ? "No paths are shown"

@@ -2,6 +2,7 @@
 
 #include "Canvas.h"
 #include "LegendLayout.h"
+#include "Segment.h"
 #include "TextLines.h"
 #include "TextMask.h"
 #include "TickValues.h"
@@ -50,53 +51,6 @@ TextMask turned(const TextMask& text)
       result.coverage[static_cast<std::size_t>(x) * text.height + (text.height - 1 - y)] =
         text.coverage[static_cast<std::size_t>(y) * text.width + x];
   return result;
-}
-
-/// The least rectangle of pixels around a segment `width` wide.
-Rect around(const double a[2], const double b[2], double width)
-{
-  return {static_cast<int>(std::floor(std::min(a[0], b[0]) - width)),
-    static_cast<int>(std::floor(std::min(a[1], b[1]) - width)),
-    static_cast<int>(std::ceil(std::max(a[0], b[0]) + width)),
-    static_cast<int>(std::ceil(std::max(a[1], b[1]) + width))};
-}
-
-double distanceTo(const double a[2], const double b[2], double x, double y)
-{
-  const double way[2] = {b[0] - a[0], b[1] - a[1]};
-  const double length = way[0] * way[0] + way[1] * way[1];
-  const double t =
-    length > 0.0 ? std::clamp(((x - a[0]) * way[0] + (y - a[1]) * way[1]) / length, 0.0, 1.0) : 0.0;
-  return std::hypot(x - a[0] - t * way[0], y - a[1] - t * way[1]);
-}
-
-/// The part of a segment that lies in the rectangle; false where there is none.
-bool clipped(const double from[2], const double to[2], const Rect& rect, double a[2], double b[2])
-{
-  const double low[2] = {double(rect.x0), double(rect.y0)};
-  const double high[2] = {double(rect.x1), double(rect.y1)};
-  double begin = 0.0, end = 1.0;
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    const double way = to[axis] - from[axis];
-    double first = (low[axis] - from[axis]) / way, last = (high[axis] - from[axis]) / way;
-    if (way == 0.0)
-    {
-      if (from[axis] < low[axis] || from[axis] > high[axis])
-        return false;
-      continue;
-    }
-    if (first > last)
-      std::swap(first, last);
-    begin = std::max(begin, first);
-    end = std::min(end, last);
-  }
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    a[axis] = std::clamp(from[axis] + begin * (to[axis] - from[axis]), low[axis], high[axis]);
-    b[axis] = std::clamp(from[axis] + end * (to[axis] - from[axis]), low[axis], high[axis]);
-  }
-  return begin <= end;
 }
 
 } // namespace
@@ -220,14 +174,14 @@ private:
   void paintSegment(const double from[2], const double to[2], double half, const Color& color)
   {
     double a[2], b[2];
-    if (!clipped(from, to, m_frame.grown(rounded(half) + 2), a, b))
+    if (!mote::imaging::clipped(from, to, m_frame.grown(rounded(half) + 2), a, b))
       return;
-    Rect rect = around(a, b, half + 1.0);
+    Rect rect = mote::imaging::rectAround(a, b, half + 1.0);
     rect = {std::max(rect.x0, m_frame.x0), std::max(rect.y0, m_frame.y0),
       std::min(rect.x1, m_frame.x1), std::min(rect.y1, m_frame.y1)};
     m_canvas.fillShape(rect, color,
       [&](double x, double y)
-      { return std::clamp(half + 0.5 - distanceTo(a, b, x, y), 0.0, 1.0); });
+      { return std::clamp(half + 0.5 - mote::imaging::distanceTo(a, b, x, y), 0.0, 1.0); });
   }
 
   /// In pixels.

@@ -39,7 +39,6 @@ TEST(CommandTable, RowsAreSetReadAndParsed)
     {"quality", {"low"}},
     {"picture-size", {"320x200"}},
     {"cache", {"4G"}},
-    {"trajectories", {"4", "7:9"}},
   };
   std::set<std::string> names;
   for (const Row& row : commandTable())

@@ -35,6 +35,8 @@ std::vector<std::string> sampleOf(const Row& row)
     {"calculate", {"speed=sqrt(vx^2 + vy^2)", "fast=speed >= 2"}},
     {"show", {"x=0:10", "type=2,4:5,8:", "c_pe=:-3.25"}},
     {"hide-ids", {"-2", "7:12", "2/7"}},
+    {"picked", {"9", "2/4", "5:7"}},
+    {"trajectories", {"4", "7:9"}},
     {"only-ids", {"9223372036854775807"}},
     {"show-range", {"1", "10"}},
     {"show-by", {"it's an array"}},

@@ -59,8 +59,8 @@ rectangle() {
 }
 
 case $3 in
-  click) # picks, with Shift adds and takes away; it is marked, listed, and no picture has the marks
-    open "$copper" --size 1000x760
+  click) # picks, with Shift adds and takes away; it is marked, listed, and pictures and sessions have the marks
+    open "$copper" --size 1000x760 --color-by none
     picture start.png
     none
     at 640 400
@@ -70,12 +70,28 @@ case $3 in
     head -1 now.csv | grep -qx 'particle,x,y,z,id,type,c_centro,c_pe' || fail "$(head -1 now.csv)"
     first=$(tail -1 now.csv)
     shown 'picked list' # the panel's section has opened
+    veiled() { python3 "$tests/halves.py" "$1" marks; }
     picture marked.png
-    alike start.png marked.png
+    [ "$(veiled start.png)" = '0 0' ] || fail "marks of nothing: $(veiled start.png)"
+    read -r marked ruled < <(veiled marked.png)
+    [ "$marked" -gt 20 ] && [ "$ruled" = 0 ] || fail "the picture has $marked pixels of a mark, $ruled of a ruler"
     at 560 380
     xdotool keydown Shift_L click 1 keyup Shift_L
     picked 2
     grep -qxF "$first" now.csv || fail "the first is gone"
+    picture two.png
+    read -r marked ruled < <(veiled two.png)
+    [ "$marked" -gt 40 ] && [ "$ruled" -gt 50 ] || fail "the picture has $marked pixels of marks, $ruled of a ruler"
+    has '--picked=[0-9]+,[0-9]+ '
+    eval "$(command_now | sed -e "s|^mote|$mote|" -e 's|-o [^ ]*|-o head.png|')" >said
+    alike two.png head.png
+    press ctrl+s
+    for _ in $(seq 100); do
+      [ -s copper-scratch-001.json ] && break
+      sleep 0.1
+    done
+    run 0 "$mote" render copper-scratch-001.json -o session.png
+    alike two.png session.png
     at 640 400
     xdotool keydown Shift_L click 1 keyup Shift_L
     picked 1
@@ -137,8 +153,11 @@ case $3 in
     [ "$(sort behind.csv seen.csv | uniq -d | wc -l)" = 1 ] || fail "what is hidden is picked"
     press u
     has_no '--hide-ids'
+    press Escape
     picture again.png
     alike start.png again.png
+    rectangle 1 600 300 700 400
+    list seen.csv
     press i
     has '--only-ids=[0-9,:]*'
     picture only.png
@@ -153,6 +172,7 @@ case $3 in
     alike only.png session.png
     click Undo
     has_no '--only-ids'
+    press Escape
     picture undone.png
     alike start.png undone.png
     quit

@@ -2,6 +2,8 @@
 from those of the right half, without TOP rows above and BOTTOM rows below, and how many pixels of the left
 half are no background, which is the colour of its lower left corner.
 
+halves.py FILE marks: how many pixels have the colour of marks, and of the ruler.
+
 halves.py FILE OTHER SIDE TOP: how many pixels of the "left" or "right" half of FILE differ from OTHER,
 which is half as wide, without TOP rows above."""
 import sys
@@ -20,6 +22,11 @@ def count(first, second, n):
 
 
 picture, n = rows(sys.argv[1])
+if sys.argv[2:] == ["marks"]:
+    colors = [row[x : x + 3] for row in picture for x in range(0, len(row), n)]
+    marked = sum(r > 120 and b > 100 and g < 0.6 * min(r, b) for r, g, b in colors)
+    print(marked, sum(min(r, g) > 170 and b < 0.6 * g for r, g, b in colors))
+    sys.exit()
 half = len(picture[0]) // n // 2 * n
 if len(sys.argv) > 3 and sys.argv[3] in ("left", "right"):
     other, k = rows(sys.argv[2])

@@ -18,7 +18,6 @@ fail() {
 begin() {
   unfolded=$1
   shift
-  echo >"$MOTE_CONTROLS" # what an earlier program wrote
   open "$@" --size 1000x1000 --samples 1
   shown 'group Colour'
 }

@@ -222,11 +222,14 @@ case $3 in
     drag 'light azimuth' 0.6 0.4 0.3
     has '--light=-[0-9]+,1[0-9]'
     changed
+    drag 'light ball' 0.8 0.9 1.3 # over the rim and behind
+    has '--light=1[4-7][0-9],'
+    changed
     click shadows-offers
     click soft
     has '--shadows=soft'
     changed
-    press ctrl+z ctrl+z ctrl+z
+    press ctrl+z ctrl+z ctrl+z ctrl+z
     same_as_first
     task 19 'the third step, and on'
     drag step 0.02 0.2 0.4

@@ -245,14 +245,18 @@ SCRIPT
     walk 'ff ff ff' >open.dump
     count() { # FILE: how much there is of the path of 7
       open "$1" --size 900x700 --view +z --radius 0.1 --color-by none --background white --no-panel --trajectories 7
-      sleep 2
       picture "$2"
       quit
+      run 0 "$mote" render "$1" --size 900x700 --view +z --radius 0.1 --color-by none --background white --trajectories 7 \
+        -o "head-$2"
       orange "$2"
+      orange "head-$2" >"$2.head"
     }
     whole=$(count open.dump open.png | tail -1)
     parted=$(count periodic.dump periodic.png | tail -1)
     [ "$parted" -gt 100 ] || fail "no path: $parted"
+    [ "$(cat periodic.png.head)" -gt 100 ] && [ "$(cat open.png.head)" -gt "$(cat periodic.png.head)" ] ||
+      fail "other paths without a window: $(cat ./*.head)"
     [ "$whole" -gt "$parted" ] || fail "a line across the box: $whole, $parted"
     open periodic.dump --size 900x700 --view +z --radius 1 --color-by none --background white --step 1
     press j # nothing is picked yet

@@ -13,6 +13,7 @@ echo '{"hints": false}' >"$XDG_STATE_HOME/mote/state.json"
 folded=--no-panel
 # open ARGUMENTS...: starts the program and waits for its window.
 open() {
+  [ -z "$MOTE_CONTROLS" ] || echo >"$MOTE_CONTROLS" # what an earlier program wrote
   # Shells start background commands with SIGINT ignored, and mote leaves that as it is.
   env --default-signal=INT "$mote" $folded "$@" >out 2>err &
   process=$!

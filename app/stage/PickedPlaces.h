@@ -1,0 +1,26 @@
+#pragma once
+
+#include "PickedSet.h"
+
+#include <array>
+#include <vector>
+
+namespace mote::app
+{
+
+/// Where a mark of what is picked stands.
+struct PickedPlace
+{
+  std::size_t part = 0;
+  vtkIdType id = 0;
+  bool isCell = false; ///< which has edges, and no place
+  std::array<double, 3> at{};
+  double radius = 0.0; ///< as drawn; 0 for points of meshes
+};
+
+/// Of what is picked in these parts and shown now, images too. Of more than ten thousand evenly
+/// taken ones: a hundred thousand marks would take a second a frame.
+std::vector<PickedPlace> placesOf(
+  const PickedSet::Parts& parts, const PickedSet& picked, const std::vector<std::size_t>& shown);
+
+} // namespace mote::app
