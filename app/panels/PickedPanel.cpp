@@ -29,7 +29,7 @@ Action PickedPanel::draw(const Stage& stage, const PickedFacts& facts, Settings&
   const PickedSet& set = *facts.set;
   if (set.empty())
     ImGui::TextWrapped("Click on a particle, a cell or a mesh to pick it; Shift and a click adds. "
-                       "Ctrl and drag picks the particles in a rectangle.");
+                       "Ctrl and drag picks what is in a rectangle.");
   else
   {
     ImGui::Text("%s picked", withThousands(static_cast<std::int64_t>(set.items().size())).c_str());

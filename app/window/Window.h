@@ -190,7 +190,9 @@ private:
   void pickRectangle(
     const std::array<int, 2>& from, const std::array<int, 2>& to, bool isThrough, bool adds);
   void addWithin(View& view, const std::array<int, 2>& from, const std::array<int, 2>& to,
-    bool isThrough, std::vector<Picked>& found) const;
+    bool isThrough, std::vector<Picked>& found);
+  void addSeen(const std::array<int, 4>& rectangle, std::vector<Picked>& found);
+  void addAll(View& view, const std::array<int, 4>& rectangle, std::vector<Picked>& found) const;
   void drawRectangle(const std::array<int, 2>& from, const std::array<int, 2>& to);
   bool actOnPicked(Action action);
   bool requirePicked(bool particles);

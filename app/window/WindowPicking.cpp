@@ -222,7 +222,7 @@ void Window::drawRectangle(const std::array<int, 2>& from, const std::array<int,
 
 /// Adds what a view shows in a rectangle.
 void Window::addWithin(View& view, const std::array<int, 2>& from, const std::array<int, 2>& to,
-  bool isThrough, std::vector<Picked>& found) const
+  bool isThrough, std::vector<Picked>& found)
 {
   const int* origin = view.renderer()->GetOrigin();
   const int* size = view.renderer()->GetSize();
@@ -242,6 +242,67 @@ void Window::addWithin(View& view, const std::array<int, 2>& from, const std::ar
         for (vtkIdType p = 0; p < particles->GetNumberOfValues(); ++p)
           found.push_back({static_cast<int>(k), Picked::Kind::Particle, particles->GetValue(p)});
       }
+  const std::array<int, 4> rectangle = {
+    left, right, std::min(from[1], to[1]), std::max(from[1], to[1])};
+  const bool hasOthers = std::any_of(view.parts().begin(), view.parts().end(),
+    [&](std::size_t k) { return !stage_.parts()[k]->particles(); });
+  if (hasOthers && isThrough)
+    this->addAll(view, rectangle, found);
+  else if (hasOthers)
+    this->addSeen(rectangle, found);
+}
+
+/// Adds the cells and the points of meshes that rays through the rectangle meet first.
+void Window::addSeen(const std::array<int, 4>& rectangle, std::vector<Picked>& found)
+{
+  constexpr int most = 32; // rays each way: a second, of large volumes
+  const auto [left, right, bottom, top] = rectangle;
+  const int across = std::max(1, (right - left + most - 1) / most);
+  const int up = std::max(1, (top - bottom + most - 1) / most);
+  PickedSet seen;
+  for (int y = bottom + up / 2; y <= top; y += up)
+    for (int x = left + across / 2; x <= right; x += across)
+      if (const auto hit = this->hitAt(x, y); hit && hit->picked.kind != Picked::Kind::Particle)
+        seen.add({hit->picked});
+  found.insert(found.end(), seen.items().begin(), seen.items().end());
+}
+
+/// Adds all cells of volumes whose middle lies in the rectangle, and all points of meshes.
+void Window::addAll(
+  View& view, const std::array<int, 4>& rectangle, std::vector<Picked>& found) const
+{
+  const auto [left, right, bottom, top] = rectangle;
+  vtkRenderer* renderer = view.renderer();
+  const auto isIn = [&](const double place[3])
+  {
+    renderer->SetWorldPoint(place[0], place[1], place[2], 1.0);
+    renderer->WorldToDisplay();
+    const double* at = renderer->GetDisplayPoint();
+    return at[0] >= left && at[0] < right + 1 && at[1] >= bottom && at[1] < top + 1 &&
+           at[2] > 0.0 && at[2] < 1.0;
+  };
+  for (const std::size_t k : view.parts())
+  {
+    const Part& part = *stage_.parts()[k];
+    vtkDataSet* data = part.data();
+    const Picked::Kind kind = kindOfPicks(part);
+    const bool isCells = kind == Picked::Kind::Cell;
+    const vtkIdType count = isCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
+    for (vtkIdType i = 0; i < count && kind != Picked::Kind::Particle; ++i)
+    {
+      double place[3], bounds[6];
+      if (isCells)
+      {
+        data->GetCellBounds(i, bounds);
+        for (int axis = 0; axis < 3; ++axis)
+          place[axis] = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
+      }
+      else
+        data->GetPoint(i, place);
+      if (isIn(place))
+        found.push_back({static_cast<int>(k), kind, i});
+    }
+  }
 }
 
 void Window::pickRectangle(
@@ -259,9 +320,14 @@ void Window::pickRectangle(
     picked_.clear();
   picked_.add(found);
   const auto count = static_cast<std::int64_t>(found.size());
+  const bool isParticles = std::all_of(found.begin(), found.end(),
+    [](const Picked& one) { return one.kind == Picked::Kind::Particle; });
+  const std::string many = isParticles                                ? "particle"
+                           : found.front().kind == Picked::Kind::Cell ? "cell"
+                                                                      : "point";
   this->say(found.empty()
-              ? "There are no particles in the rectangle"
-              : counted(count, "particle") + " in the rectangle" +
+              ? "There is nothing to pick in the rectangle"
+              : counted(count, many.c_str()) + " in the rectangle" +
                   (isThrough ? ", with those that others hide" : "") +
                   (adds ? "; " + withThousands(static_cast<std::int64_t>(picked_.items().size())) +
                             " picked"

@@ -193,6 +193,14 @@ case $3 in
     at 340 40
     xdotool click 1
     none
+    # A rectangle takes the cells that are seen in it, or with the right button all.
+    rectangle 1 620 350 700 410
+    list seen.csv
+    [ "$(wc -l <seen.csv)" -gt 5 ] || fail "$(wc -l <seen.csv) lines of cells in a rectangle"
+    head -1 seen.csv | grep -q '^cell,' || fail "$(head -1 seen.csv)"
+    rectangle 3 620 350 700 410
+    list all.csv
+    [ "$(wc -l <all.csv)" -gt $((2 * $(wc -l <seen.csv))) ] || fail "hardly more cells with those behind: $(wc -l <all.csv)"
     quit
     printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n' >flat.ply
     printf 'element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >>flat.ply
@@ -202,6 +210,9 @@ case $3 in
     picked 1
     head -1 now.csv | grep -q '^point,x,y,z' || fail "$(head -1 now.csv)"
     marked -gt 5
+    press Escape
+    rectangle 3 340 40 980 740
+    picked 3
     quit
     ;;
 
