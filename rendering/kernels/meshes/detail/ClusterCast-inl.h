@@ -26,7 +26,7 @@ struct AnyHit
   static constexpr bool any = true;
 };
 
-/// Tests clusters. Triangles of which the rays' picture shows less than a block are tested many at
+/// Tests clusters. Triangles that cover up to half a block of the picture are tested many at
 /// a time, each with a ray of its own; larger ones one at a time with the rays of a block.
 template <typename Policy>
 class ClusterCaster
@@ -36,7 +36,7 @@ public:
     : frame_(frame)
     , rays_(rays)
     , half_(0.5f * float(rays.lastCell))
-    , smallest_(frame.side > 0 ? 16.5f : 0.0f)
+    , smallest_(frame.side > 0 ? 8.5f : 0.0f)
   {
   }
 
