@@ -19,7 +19,7 @@ import time
 from hands import Trouble, Window
 
 # Every key of the window but q, and some that are not bound.
-KEYS = """plus minus r x y z X Y Z o f p P i Delete u ctrl+c ctrl+e j c C m bracketleft bracketright
+KEYS = """plus minus r v x y z X Y Z o f p P i Delete u ctrl+c ctrl+e j c C m bracketleft bracketright
 Left Right comma period Home End space b l a g d t e k K ctrl+z ctrl+y ctrl+s Escape Tab h
 Down Up Return w F5 ctrl+a""".split()
 TEXTS = ["3", "-1", "0.5", "1e300", "nan", "x > 0", "type == 1", "c_centro > 2 && z <", "speed=vx*2",
