@@ -84,7 +84,7 @@ class Window:
 
     def lines_of_commands(self):
         with open(os.path.join(self.folder, "out"), "rb") as file:
-            return file.read().count(b"\nmote render ")
+            return file.read().count(b"\nmote ")
 
     def ask(self, limit):
         """Waits until all that was done is answered: has the view's command printed."""
