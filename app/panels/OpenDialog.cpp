@@ -112,7 +112,8 @@ bool OpenDialog::drawFilter()
   ImGui::SetNextItemWidth(-1.0f);
   const bool isEntered = ImGui::InputTextWithHint("##filter",
     "part of a name, or a path that begins with / or ~", &filter_,
-    ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory, onArrow, this);
+    textFlags | ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory, onArrow,
+    this);
   noteControl("filter");
   if (before.empty() && filter_.empty() && isPressed(ImGuiKey_Backspace))
     this->goTo(folder_.parent_path());

@@ -40,7 +40,7 @@ void Panel::drawViews()
   drawn_.insert("saved-view");
   std::vector<NamedView>& views = next_.views.saved;
   ImGui::SetNextItemWidth(0.55f * ImGui::GetContentRegionAvail().x);
-  ImGui::InputTextWithHint("##name", "name of this view", &viewName_);
+  ImGui::InputTextWithHint("##name", "name of this view", &viewName_, textFlags);
   RowControls::explain(*rowNamed("saved-view"));
   ImGui::SameLine();
   if (buttonOf("Save view"))

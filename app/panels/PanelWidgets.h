@@ -9,6 +9,10 @@ namespace mote::app
 
 // Controls of the panel that stand for no row of the table; tests find them by their labels.
 
+/// Of every field for text. The program may change a field's text while it has the keys; what
+/// ImGui 1.86 then undoes lies beyond the new text, and it ends the program.
+constexpr ImGuiInputTextFlags textFlags = ImGuiInputTextFlags_NoUndoRedo;
+
 inline bool buttonOf(const char* label)
 {
   const bool isPressed = ImGui::Button(label);

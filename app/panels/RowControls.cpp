@@ -1,6 +1,7 @@
 #include "RowControls.h"
 
 #include "ControlPlaces.h"
+#include "PanelWidgets.h"
 #include "base/Text.h"
 
 #include <imgui.h>
@@ -291,7 +292,7 @@ bool RowControls::drawList(const Row& row, Settings& settings)
     if (i > 0)
       putLabel("");
     const bool isEntered = ImGui::InputTextWithHint(
-      "##", row.value.c_str(), &text.text, ImGuiInputTextFlags_EnterReturnsTrue);
+      "##", row.value.c_str(), &text.text, textFlags | ImGuiInputTextFlags_EnterReturnsTrue);
     text.isOpen = ImGui::IsItemActive();
     const bool isDone = isEntered || ImGui::IsItemDeactivatedAfterEdit();
     if (isNew)
@@ -320,8 +321,8 @@ bool RowControls::drawText(const Row& row, Settings& settings)
   const std::string hint = row.usual.empty() ? row.usualText() : row.usual;
   if (!row.offers.empty())
     ImGui::SetNextItemWidth(-ImGui::GetFrameHeight());
-  const bool isEntered =
-    ImGui::InputTextWithHint("##", hint.c_str(), &text.text, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool isEntered = ImGui::InputTextWithHint(
+    "##", hint.c_str(), &text.text, textFlags | ImGuiInputTextFlags_EnterReturnsTrue);
   text.isOpen = ImGui::IsItemActive();
   const bool isDone = isEntered || ImGui::IsItemDeactivatedAfterEdit();
   explain(row);

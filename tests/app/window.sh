@@ -195,7 +195,7 @@ case $3 in
     picture reset.png
     alike start.png reset.png
     xdotool mousemove 320 240
-    # The mark on the particle, and its values, are on the screen alone.
+    # The mark on the particle is in pictures too, its values are on the screen alone.
     eval "$(xdotool getwindowgeometry --shell "$window" | sed -n 's/^\([XY]\)=/window_&/p')"
     shown() { python3 "$tests/screen.py" "$window_X" "$window_Y" 640 400; }
     changed() {
@@ -211,10 +211,12 @@ case $3 in
     press p
     changed "$plain" "where a particle is picked"
     picked=$(shown)
-    picture unmarked.png
-    alike start.png unmarked.png
+    picture marked.png
+    differ start.png marked.png
     press Escape
     changed "$picked" "after Escape"
+    picture unmarked.png
+    alike start.png unmarked.png
     quit
     ;;
 
