@@ -2,6 +2,7 @@
 
 #include "Box.h"
 #include "Camera.h"
+#include "ColorMix.h"
 #include "HitBlock.h"
 #include "RayPacket.h"
 
@@ -47,6 +48,10 @@ std::shared_ptr<T> unowned(const std::shared_ptr<T>& owner)
 ///   none. `encloses(slot, point)`: whether what was hit is a solid with the point inside.
 /// - `colorIndices(slots, count, indices)`: which values or colours of the surface's colouring the
 ///   hits have. `inputIds(slots, count, ids)`: what the user knows them by (particle, cell, ...).
+/// - `mayMixColors`: whether hits may have colours between those of several indices. Such kinds
+/// have
+///   `mixesColors()`, whether this surface's do, and `mixColors(slots, points, count, mix)`, which
+///   tells it of hits at these points; colorIndices() is not asked then.
 /// - `isConvex`: whether what a slot names is convex, so that a line meets it twice at most.
 /// - `slots()`: how many slots occlusion maps count, or 0 where the kind can have none.
 /// - `featureSizes()`: of a sample of what the surface is made of; empty where nothing has a size.
@@ -61,6 +66,16 @@ concept SurfaceKind = std::equality_comparable<S> &&
   {
     S::isConvex
     } -> std::convertible_to<bool>;
+  {
+    S::mayMixColors
+    } -> std::convertible_to<bool>;
+  requires !S::mayMixColors || requires(ColorMix & mix)
+  {
+    {
+      s.mixesColors()
+      } -> std::same_as<bool>;
+    s.mixColors(slots, &point, n, mix);
+  };
   {
     s.bounds()
     } -> std::same_as<Box>;

@@ -61,9 +61,9 @@ void MeshSurface::place(HitBlock& block, const HitPlacing& placing) const
   placeByNormals(block, placing);
 }
 
-/// The normal between those of the corners, on the side of the triangle's own, `flat`; that where
-/// the corners have none.
-Vec3d MeshSurface::smoothNormal(std::uint64_t slot, const Vec3d& point, const Vec3d& flat) const
+/// Barycentric coordinates of a point in its triangle; those of the nearest inside where rounding
+/// puts it outside, and of the first corner where the triangle has no area.
+std::array<double, 3> MeshSurface::sharesAt(std::uint64_t slot, const Vec3d& point) const
 {
   const auto corners = tree_->localCorners(slot);
   const Vec3d at = (point - tree_->origin()) / tree_->unit();
@@ -71,14 +71,21 @@ Vec3d MeshSurface::smoothNormal(std::uint64_t slot, const Vec3d& point, const Ve
   const Vec3d across = glm::cross(b - a, c - a);
   const double area = glm::dot(across, across);
   if (!(area > 0.0))
-    return flat;
+    return {1.0, 0.0, 0.0};
   const double shareB = std::clamp(glm::dot(glm::cross(at - a, c - a), across) / area, 0.0, 1.0);
   const double shareC =
     std::clamp(glm::dot(glm::cross(b - a, at - a), across) / area, 0.0, 1.0 - shareB);
-  const double shares[3] = {1.0 - shareB - shareC, shareB, shareC};
-  const TriangleMesh::Corners& points = look_.mesh->triangles()[tree_->inputIndex(slot)];
+  return {1.0 - shareB - shareC, shareB, shareC};
+}
+
+/// The normal between those of the corners, on the side of the triangle's own, `flat`; that where
+/// the corners have none.
+Vec3d MeshSurface::smoothNormal(std::uint64_t slot, const Vec3d& point, const Vec3d& flat) const
+{
+  const std::array<double, 3> shares = this->sharesAt(slot, point);
+  const TriangleMesh::Corners& points = this->pointsOf(slot);
   Vec3d sum(0.0);
-  for (int k = 0; k < 3; ++k)
+  for (std::size_t k = 0; k < 3; ++k)
   {
     const Vec3d normal = {look_.normals.value(points[k], 0), look_.normals.value(points[k], 1),
       look_.normals.value(points[k], 2)};
@@ -95,6 +102,21 @@ Vec3d MeshSurface::normalAt(std::uint64_t slot, const Vec3d& point) const
 {
   const Vec3d flat = scaledNormal(tree_->normal(slot));
   return isSmooth() ? smoothNormal(slot, point, flat) : flat;
+}
+
+void MeshSurface::mixColors(
+  const std::uint64_t* slots, const Vec3d* points, int count, ColorMix& mix) const
+{
+  for (int k = 0; k < count; ++k)
+  {
+    const std::array<double, 3> shares = this->sharesAt(slots[k], points[k]);
+    const TriangleMesh::Corners& corners = this->pointsOf(slots[k]);
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+      mix.index[corner][k] = corners[corner];
+      mix.share[corner][k] = shares[corner];
+    }
+  }
 }
 
 void MeshSurface::inputIds(const std::uint64_t* slots, int count, std::uint64_t* ids) const

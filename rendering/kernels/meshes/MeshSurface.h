@@ -15,16 +15,18 @@ struct MeshLook
   /// Normals of the points, three components of any length, for smooth shading; empty: every
   /// triangle is flat. Numbers behind a view must outlive the surface.
   ArrayView normals;
-  /// The mesh, whose triangles tell which points' normals count; needed for `normals` alone.
+  /// The mesh, whose triangles tell which points count; needed for `normals` and `mixesColors`.
   std::shared_ptr<const TriangleMesh> mesh;
   /// The cell of the input that each triangle is of, whole numbers; empty: triangles are cells.
   ArrayView cells;
+  /// Colours are those of points, mixed where a triangle is hit; else those of cells.
+  bool mixesColors = false;
 
   bool operator==(const MeshLook&) const = default;
 };
 
 /// Triangles as a surface: a SurfaceKind. Slots are those of the tree, ids the cells of the input,
-/// and colours go by these too. Both sides are alike: normals look at whoever sees them.
+/// and colours go by these or by points. Both sides are alike: normals look at whoever sees them.
 ///
 /// Smooth normals are interpolated between the corners. Where they look away from an eye that the
 /// triangle itself faces, near outlines, they look straight across.
@@ -32,6 +34,7 @@ class MeshSurface
 {
 public:
   static constexpr bool isConvex = false;
+  static constexpr bool mayMixColors = true;
 
   MeshSurface() = default; ///< of no triangles; to be given some before it is used
   explicit MeshSurface(std::shared_ptr<const RlodTree> tree, MeshLook look = {})
@@ -55,6 +58,8 @@ public:
   {
     this->inputIds(slots, count, indices);
   }
+  bool mixesColors() const { return look_.mixesColors && look_.mesh; }
+  void mixColors(const std::uint64_t* slots, const Vec3d* points, int count, ColorMix& mix) const;
   void inputIds(const std::uint64_t* slots, int count, std::uint64_t* ids) const;
   std::size_t slots() const { return 0; }
   std::vector<FeatureSize> featureSizes() const { return {}; }
@@ -64,6 +69,11 @@ public:
 
 private:
   bool isSmooth() const { return !look_.normals.empty() && look_.mesh; }
+  std::array<double, 3> sharesAt(std::uint64_t slot, const Vec3d& point) const;
+  const TriangleMesh::Corners& pointsOf(std::uint64_t slot) const
+  {
+    return look_.mesh->triangles()[tree_->inputIndex(slot)];
+  }
   Vec3d smoothNormal(std::uint64_t slot, const Vec3d& point, const Vec3d& flat) const;
 
   std::shared_ptr<const RlodTree> tree_;

@@ -1,7 +1,5 @@
 #include "Surface.h"
 
-#include "../core/HitBlock.h"
-
 #include <algorithm>
 
 namespace mote
@@ -34,6 +32,28 @@ void SurfaceColoring::fill(const std::uint64_t* indices, int count, float (*colo
   else
     for (int k = 0; k < count; ++k)
       set(k, palette.empty() ? constant : palette[indices[k]]);
+}
+
+void SurfaceColoring::fill(const ColorMix& mix, int count, float (*colors)[4]) const
+{
+  if (direct.empty() && !values.empty())
+  {
+    double found[HitBlock::capacity] = {};
+    for (int corner = 0; corner < ColorMix::corners; ++corner)
+      for (int k = 0; k < count; ++k)
+        if (mix.share[corner][k] > 0.0) // else a value that is NaN does not count
+          found[k] += mix.share[corner][k] * values.value(mix.index[corner][k], component);
+    return map.map(found, count, colors);
+  }
+  float part[HitBlock::capacity][4];
+  for (int corner = 0; corner < ColorMix::corners; ++corner)
+  {
+    this->fill(mix.index[corner], count, part);
+    for (int k = 0; k < count; ++k)
+      for (int c = 0; c < 4; ++c)
+        colors[k][c] = (corner > 0 ? colors[k][c] : 0.0f) +
+                       static_cast<float>(mix.share[corner][k]) * part[k][c];
+  }
 }
 
 bool SurfaceColoring::mayBeTransparent() const

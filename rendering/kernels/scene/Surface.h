@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../core/ArrayView.h"
+#include "../core/ColorMix.h"
 #include "../hexahedra/IsoSurface.h"
 #include "../meshes/MeshSurface.h"
 #include "../occlusion/OcclusionMaps.h"
@@ -40,6 +41,9 @@ struct SurfaceColoring
 
   /// Colours of up to HitBlock::capacity indices: red, green, blue, alpha.
   void fill(const std::uint64_t* indices, int count, float (*colors)[4]) const;
+  /// Colours of hits that are mixed: values before they are looked up in the map, so that what lies
+  /// between two of them has the map's colour in between; direct colours and palettes themselves.
+  void fill(const ColorMix& mix, int count, float (*colors)[4]) const;
   /// Whether any index is asked for.
   bool usesIndices() const { return !values.empty() || !direct.empty() || !palette.empty(); }
   /// Whether any alpha may be below 1.

@@ -197,15 +197,16 @@ void PathTracer::follow(Work& work, int& arrived) const
     path.position += packet.t[k] * direction;
     path.slot = packet.slot[k];
     path.out = Vec3f(-direction);
-    path.normal = shader.normalAt(
-      path.slot, transformPoint(rays_.toLocal(path.surface), rays_.reference() + path.position));
+    const Vec3d local =
+      transformPoint(rays_.toLocal(path.surface), rays_.reference() + path.position);
+    path.normal = shader.normalAt(path.slot, local);
     if (path.normal == Vec3f(0.0f))
       path.normal = path.out;
     path.isOutside = glm::dot(path.normal, path.out) >= 0.0f;
     if (!path.isOutside)
       path.normal = -path.normal;
     // Arrivals are never more than rays: what they overwrite is done with.
-    if (meet(work, path, Vec3f(shader.colorOf(path.slot))))
+    if (meet(work, path, Vec3f(shader.colorOf(path.slot, local))))
       work.paths[arrived++] = path;
   }
   work.packet.count = 0;

@@ -3,16 +3,40 @@
 #include "detail/HitsBehind.h"
 #include "detail/SurfaceShader.h"
 
+#include <algorithm>
+
 namespace mote
 {
 
 namespace
 {
 
-bool isClear(const SurfaceObject& object, std::uint64_t slot)
+bool isClear(const SceneRays& rays, const PassingRay& ray)
 {
-  const bool mayBe = object.material.opacity == 0.0f || object.coloring.mayBeTransparent();
-  return mayBe && object.material.opacity * SurfaceShader(object).colorOf(slot).a == 0.0f;
+  const SurfaceObject& object = rays.surface(ray.object);
+  if (object.material.opacity != 0.0f && !object.coloring.mayBeTransparent())
+    return false;
+  const Vec3d local = transformPoint(rays.toLocal(ray.object), ray.origin + ray.t * ray.direction);
+  return object.material.opacity * SurfaceShader(object).colorOf(ray.slot, local).a == 0.0f;
+}
+
+template <typename Kind>
+void takeColor(const Kind& surface, std::uint64_t slot, const Vec3d& local, ScenePick& found)
+{
+  surface.colorIndices(&slot, 1, &found.colorIndex);
+  found.colorShares = {};
+  found.colorShares[0] = {found.colorIndex, 1.0};
+  if constexpr (Kind::mayMixColors)
+    if (surface.mixesColors())
+    {
+      ColorMix mix;
+      surface.mixColors(&slot, &local, 1, mix);
+      for (std::size_t k = 0; k < found.colorShares.size(); ++k)
+        found.colorShares[k] = {mix.index[k][0], mix.share[k][0]};
+      const auto less = [](const auto& a, const auto& b) { return a.second < b.second; };
+      found.colorIndex =
+        std::max_element(found.colorShares.begin(), found.colorShares.end(), less)->first;
+    }
 }
 
 } // namespace
@@ -42,7 +66,7 @@ std::optional<ScenePick> pick(
   ray.t = packet.t[0];
   ray.slot = packet.slot[0];
   ray.passed = {{ray.object, ray.slot}};
-  while (ray.object >= 0 && isClear(rays.surface(ray.object), ray.slot))
+  while (ray.object >= 0 && isClear(rays, ray))
     findNextHits(rays, passing);
   if (ray.object < 0)
     return std::nullopt;
@@ -52,13 +76,13 @@ std::optional<ScenePick> pick(
   found.t = ray.t;
   found.position = origin + found.t * direction;
   const Mat4d& toLocal = rays.toLocal(ray.object);
+  const Vec3d local = transformPoint(toLocal, found.position);
   withSurface(rays.surface(ray.object).surface,
     [&](const auto& s)
     {
       s.inputIds(&ray.slot, 1, &found.id);
-      s.colorIndices(&ray.slot, 1, &found.colorIndex);
-      const Vec3d normal = glm::transpose(Mat3d(toLocal)) *
-                           s.normalAt(ray.slot, transformPoint(toLocal, found.position));
+      takeColor(s, ray.slot, local, found);
+      const Vec3d normal = glm::transpose(Mat3d(toLocal)) * s.normalAt(ray.slot, local);
       const double length = glm::length(normal);
       found.normal = length > 0.0 ? normal / length : Vec3d(0.0);
     });

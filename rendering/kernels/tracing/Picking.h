@@ -2,8 +2,10 @@
 
 #include "../scene/Scene.h"
 
+#include <array>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace mote
 {
@@ -11,10 +13,14 @@ namespace mote
 /// What one ray meets first.
 struct ScenePick
 {
-  std::int32_t object = 0;      ///< SurfaceObject::id
-  std::uint64_t id = 0;         ///< of the input: of a particle, of a cell
-  std::uint64_t colorIndex = 0; ///< of the surface's colouring: of a particle, of an iso-value
-  double t = 0.0;               ///< in lengths of the direction given
+  std::int32_t object = 0; ///< SurfaceObject::id
+  std::uint64_t id = 0;    ///< of the input: of a particle, of a cell
+  /// Of the surface's colouring: of a particle, of an iso-value. Where several indices are mixed,
+  /// that with the largest share.
+  std::uint64_t colorIndex = 0;
+  /// The indices that are mixed, and their shares; where one tells the colour, it has all.
+  std::array<std::pair<std::uint64_t, double>, ColorMix::corners> colorShares{};
+  double t = 0.0; ///< in lengths of the direction given
   Vec3d position{0.0};
   Vec3d normal{0.0}; ///< unit length, outwards; 0 where there is none
 };

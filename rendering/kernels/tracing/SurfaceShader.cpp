@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace mote
 {
@@ -50,19 +51,51 @@ void SurfaceShader::gather(const RayBundle& local, std::int32_t index, const std
   withSurface(object_.surface, [&](const auto& s) { s.fetch(block); });
 }
 
-/// Colours of up to SurfaceBlock::capacity hits.
-void SurfaceShader::fillColors(const std::uint64_t* slots, int count, float (*colors)[4]) const
+namespace
 {
-  std::uint64_t indices[SurfaceBlock::capacity];
-  if (object_.coloring.usesIndices())
-    withSurface(object_.surface, [&](const auto& s) { s.colorIndices(slots, count, indices); });
-  object_.coloring.fill(indices, count, colors);
+
+/// Takes what colours are mixed from, where the surface's are; else false.
+template <typename Kind, typename PointOf>
+bool takeMix(
+  const Kind& surface, const std::uint64_t* slots, int count, const PointOf& pointOf, ColorMix& mix)
+{
+  if (!surface.mixesColors())
+    return false;
+  Vec3d points[SurfaceBlock::capacity];
+  for (int k = 0; k < count; ++k)
+    points[k] = pointOf(k);
+  surface.mixColors(slots, points, count, mix);
+  return true;
 }
 
-Vec4f SurfaceShader::colorOf(std::uint64_t slot) const
+} // namespace
+
+/// Colours of up to SurfaceBlock::capacity hits; pointOf(k) is where hit k lies, in the surface's
+/// coordinates.
+template <typename PointOf>
+void SurfaceShader::fillColors(
+  const std::uint64_t* slots, int count, const PointOf& pointOf, float (*colors)[4]) const
+{
+  const SurfaceColoring& coloring = object_.coloring;
+  if (!coloring.usesIndices())
+    return coloring.fill(slots, count, colors);
+  withSurface(object_.surface,
+    [&](const auto& s)
+    {
+      if constexpr (std::decay_t<decltype(s)>::mayMixColors)
+        if (ColorMix mix; takeMix(s, slots, count, pointOf, mix))
+          return coloring.fill(mix, count, colors);
+      std::uint64_t indices[SurfaceBlock::capacity];
+      s.colorIndices(slots, count, indices);
+      coloring.fill(indices, count, colors);
+    });
+}
+
+Vec4f SurfaceShader::colorOf(std::uint64_t slot, const Vec3d& local) const
 {
   float color[1][4];
-  this->fillColors(&slot, 1, color);
+  this->fillColors(
+    &slot, 1, [&](int) { return local; }, color);
   return {color[0][0], color[0][1], color[0][2], color[0][3]};
 }
 
@@ -79,7 +112,12 @@ void SurfaceShader::place(
 {
   const HitPlacing hits{placing.local, placing.world, placing.worldOrigin,
     isIdentity_ ? nullptr : &normalToWorld_, positions};
-  this->fillColors(block.slot, block.count, block.color);
+  const auto pointOf = [&](int k)
+  {
+    const int ray = block.ray[k];
+    return placing.local.originOf(ray) + block.t[k] * placing.local.directionOf(ray);
+  };
+  this->fillColors(block.slot, block.count, pointOf, block.color);
   withSurface(object_.surface,
     [&](const auto& s)
     {

@@ -35,15 +35,17 @@ public:
   /// positions and ids.
   void place(SurfaceBlock& block, const BundlePlacing& placing, bool positions, bool ids) const;
 
-  /// Colour of what is hit at a slot.
-  Vec4f colorOf(std::uint64_t slot) const;
+  /// Colour of what is hit at a slot, at a point in the surface's coordinates.
+  Vec4f colorOf(std::uint64_t slot, const Vec3d& local) const;
 
   /// Unit normal in the world, outwards, at a point in the surface's coordinates; 0 where there is
   /// none.
   Vec3f normalAt(std::uint64_t slot, const Vec3d& local) const;
 
 private:
-  void fillColors(const std::uint64_t* slots, int count, float (*colors)[4]) const;
+  template <typename PointOf>
+  void fillColors(
+    const std::uint64_t* slots, int count, const PointOf& pointOf, float (*colors)[4]) const;
   void lookUpShares(const SurfaceBlock& block, const OcclusionLookUp& found, float* shares) const;
   bool usesMaps() const { return object_.occlusion && object_.material.ambient > 0.0f; }
 
