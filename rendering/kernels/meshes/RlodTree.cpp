@@ -48,17 +48,31 @@ std::size_t RlodTree::bytes() const
 {
   return arrays_->nodes.capacity() * sizeof(RlodNode) +
          arrays_->clusters.capacity() * sizeof(TriangleCluster) +
+         arrays_->planes.capacity() * sizeof(RlodPlanes) +
+         arrays_->words.capacity() * sizeof(RlodWords) +
          arrays_->ids.capacity() * sizeof(std::uint32_t);
+}
+
+/// The slot of the triangle that speaks for an R-LOD; that of a triangle itself.
+std::uint64_t RlodTree::triangleOf(std::uint64_t slot) const
+{
+  if (!isLod(slot))
+    return slot;
+  const RlodWords& words = arrays_->words[(slot & ~lodBit) / trianglesPerCluster];
+  const std::uint64_t cluster = words.cluster(static_cast<unsigned>(slot % trianglesPerCluster));
+  return cluster * trianglesPerCluster + arrays_->clusters[cluster].count / 2U;
 }
 
 std::uint64_t RlodTree::inputIndex(std::uint64_t slot) const
 {
+  slot = triangleOf(slot);
   const TriangleCluster& cluster = arrays_->clusters[slot / trianglesPerCluster];
   return arrays_->ids[cluster.firstId + slot % trianglesPerCluster];
 }
 
 std::array<Vec3f, 3> RlodTree::localCorners(std::uint64_t slot) const
 {
+  slot = triangleOf(slot);
   const TriangleCluster& cluster = arrays_->clusters[slot / trianglesPerCluster];
   std::array<Vec3f, 3> corners;
   for (int k = 0; k < 3; ++k)
@@ -71,6 +85,8 @@ std::array<Vec3f, 3> RlodTree::localCorners(std::uint64_t slot) const
 
 Vec3f RlodTree::normal(std::uint64_t slot) const
 {
+  if (isLod(slot))
+    return lod(slot).normal;
   const auto [a, b, c] = localCorners(slot);
   return glm::cross(b - a, c - a);
 }
@@ -79,6 +95,13 @@ void RlodTree::normals(const std::uint64_t* slots, int count, float* const norma
 {
   for (int k = 0; k < count; ++k)
   {
+    if (isLod(slots[k]))
+    {
+      const RlodPlanes& planes = arrays_->planes[(slots[k] & ~lodBit) / trianglesPerCluster];
+      for (int axis = 0; axis < 3; ++axis)
+        normals[axis][k] = planes.normal[axis][slots[k] % trianglesPerCluster];
+      continue;
+    }
     const TriangleCluster& cluster = arrays_->clusters[slots[k] / trianglesPerCluster];
     const auto triangle = static_cast<int>(slots[k] % trianglesPerCluster);
     const unsigned a = cluster.corner(triangle, 0), b = cluster.corner(triangle, 1),

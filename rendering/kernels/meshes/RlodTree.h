@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace mote
 {
@@ -44,6 +45,14 @@ public:
   /// stays. False, with nothing done, where the valid triangles are others: then build.
   bool refit(const TriangleMesh& mesh);
 
+  /// Makes R-LODs: for every child of every node a plane that stands for all triangles below it,
+  /// with a bound of what that errs by. cast() takes them where it is allowed an error. In parallel
+  /// and in linear time, from the tree alone; refit() makes them anew. Without them nothing is
+  /// larger or slower.
+  void makeLods();
+  void dropLods();
+  bool hasLods() const;
+
   std::size_t size() const; ///< triangles held
   Box bounds() const;
   double unit() const { return unit_; }
@@ -68,8 +77,29 @@ public:
   };
   void cast(RayBundle& bundle, std::int32_t object, Counts& counts) const;
 
-  /// Slots that cast() tells: 16 times the cluster, and the triangle's place in it.
+  /// Slots that cast() tells: 16 times the cluster, and the triangle's place in it. For R-LODs
+  /// lodBit, and 16 times the node and the child's place in it. All that asks about slots takes
+  /// both kinds: what it tells of an R-LOD is about the plane, or a triangle that speaks for it.
   static constexpr std::uint64_t trianglesPerCluster = 16;
+  static constexpr std::uint64_t lodBit = std::uint64_t{1} << 31;
+  static bool isLod(std::uint64_t slot) { return (slot & lodBit) != 0; }
+  static std::uint64_t lodSlot(std::uint64_t node, unsigned child)
+  {
+    return lodBit | (node * trianglesPerCluster + child);
+  }
+
+  /// A plane that stands for triangles, in the tree's coordinates (see localCorners()).
+  struct Lod
+  {
+    Vec3f normal;    ///< of unit length, turned to the mean normal of the triangles
+    float offset;    ///< dot(normal, p) of the plane's points
+    float deviation; ///< no point of the triangles is farther from the plane
+    float error;     ///< radius of a sphere about the triangles, and the deviation; rounded up
+  };
+  Lod lod(std::uint64_t slot) const;           ///< of an R-LOD's slot, where hasLods()
+  std::vector<std::uint64_t> lodSlots() const; ///< of all R-LODs
+  /// Slots of all triangles that an R-LOD stands for; of a triangle itself. In no order.
+  std::vector<std::uint64_t> slotsBelow(std::uint64_t slot) const;
 
   /// The triangle's index in the input.
   std::uint64_t inputIndex(std::uint64_t slot) const;
@@ -87,6 +117,7 @@ private:
   struct Arrays;
 
   void clear();
+  std::uint64_t triangleOf(std::uint64_t slot) const;
   void fill(const TriangleMesh& mesh);
 
   std::unique_ptr<Arrays> arrays_;

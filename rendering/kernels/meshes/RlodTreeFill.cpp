@@ -148,6 +148,8 @@ bool RlodTree::refit(const TriangleMesh& mesh)
       return false;
   if (size() > 0)
     fill(mesh);
+  if (hasLods())
+    makeLods();
   return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include "../../core/RawVector.h"
 #include "../RlodTree.h"
+#include "RlodPlanes.h"
 #include "RlodTreeParts.h"
 
 namespace mote
@@ -12,6 +13,10 @@ struct RlodTree::Arrays
   RawVector<RlodNode> nodes; ///< the root first; children come after their parents
   RawVector<TriangleCluster> clusters;
   RawVector<std::uint32_t> ids; ///< input's indices of the triangles, cluster by cluster
+
+  RawVector<RlodPlanes> planes; ///< R-LODs of each node's children, or none
+  RawVector<RlodWords> words;   ///< likewise
+  ErrorLevels levels;           ///< of their error radii
 };
 
 } // namespace mote
