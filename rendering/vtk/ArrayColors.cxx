@@ -5,6 +5,7 @@
 
 #include "kernels/scene/Scene.h"
 
+#include "vtkCellData.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataSet.h"
 #include "vtkDiscretizableColorTransferFunction.h"
@@ -114,7 +115,7 @@ bool toColorMap(vtkScalarsToColors* colors, ColorMap& map)
 }
 
 /// Why there is no array to colour by, where one was asked for by name; else empty.
-std::string whyNoArray(vtkMapper* mapper, vtkDataSet* data)
+std::string whyNoArray(vtkMapper* mapper, vtkDataSet* data, bool cellsToo)
 {
   const char* name = mapper->GetArrayName();
   const bool named = mapper->GetScalarVisibility() &&
@@ -123,27 +124,38 @@ std::string whyNoArray(vtkMapper* mapper, vtkDataSet* data)
   if (!named || !data || data->GetNumberOfPoints() == 0)
     return {};
   const std::string quoted = '"' + std::string(name) + '"';
-  vtkPointData* points = data->GetPointData();
-  if (points->HasArray(name))
-    return "The point array " + quoted + " cannot colour particles: it is text, or was asked for " +
-           "as something else than point data.";
-  return "There is no point array " + quoted + " to colour by; there are: " + arrayNames(points) +
-         ".";
+  const bool cells = cellsToo && mapper->GetScalarMode() == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
+  const std::string kind = cells ? "cell" : "point";
+  vtkFieldData* arrays = cells ? static_cast<vtkFieldData*>(data->GetCellData())
+                               : static_cast<vtkFieldData*>(data->GetPointData());
+  if (arrays->HasArray(name))
+    return "The " + kind + " array " + quoted + " cannot colour " +
+           (cellsToo ? "triangles" : "particles") + ": it is text, or was asked for as something " +
+           "else than " + kind + " data.";
+  return "There is no " + kind + " array " + quoted +
+         " to colour by; there are: " + arrayNames(arrays) + ".";
 }
 
 } // namespace
 
-vtkDataArray* ArrayColors::arrayOf(vtkMapper* mapper, vtkDataSet* data)
+vtkDataArray* ArrayColors::arrayOf(vtkMapper* mapper, vtkDataSet* data, bool* ofCells)
 {
+  if (ofCells)
+    *ofCells = false;
   if (!data || !mapper->GetScalarVisibility())
     return nullptr;
   int cellFlag = 0;
   auto* array =
     vtkDataArray::SafeDownCast(vtkAbstractMapper::GetAbstractScalars(data, mapper->GetScalarMode(),
       mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag));
-  const bool ofPoints =
-    array && cellFlag != 1 && array->GetNumberOfTuples() == data->GetNumberOfPoints();
-  return ofPoints ? array : nullptr;
+  if (!array)
+    return nullptr;
+  if (cellFlag != 1 && array->GetNumberOfTuples() == data->GetNumberOfPoints())
+    return array;
+  if (!ofCells || cellFlag == 0 || array->GetNumberOfTuples() != data->GetNumberOfCells())
+    return nullptr;
+  *ofCells = true;
+  return array;
 }
 
 int ArrayColors::componentOf(vtkMapper* mapper, vtkDataArray* array)
@@ -168,11 +180,12 @@ double ArrayColors::valueOf(vtkMapper* mapper, vtkDataArray* array, vtkIdType id
   return vtkMath::Norm(array->GetTuple(id), array->GetNumberOfComponents());
 }
 
-std::string ArrayColors::describe(vtkMapper* mapper, vtkDataSet* data, SurfaceColoring& coloring)
+std::string ArrayColors::describe(
+  vtkMapper* mapper, vtkDataSet* data, SurfaceColoring& coloring, bool* ofCells)
 {
-  vtkDataArray* array = arrayOf(mapper, data);
+  vtkDataArray* array = arrayOf(mapper, data, ofCells);
   if (!array)
-    return whyNoArray(mapper, data);
+    return whyNoArray(mapper, data, ofCells != nullptr);
   vtkScalarsToColors* colors = mapper->GetLookupTable();
   if (!mapper->GetUseLookupTableScalarRange())
     colors->SetRange(mapper->GetScalarRange());

@@ -25,17 +25,19 @@ class ArrayColors
 {
 public:
   /// The array of `data`, with a tuple for each point, that colours what the mapper draws; null
-  /// where it is told to use no colours, or none that is there.
-  static vtkDataArray* arrayOf(vtkMapper* mapper, vtkDataSet* data);
+  /// where it is told to use no colours, or none that is there. With `ofCells` arrays with a tuple
+  /// for each cell are taken, too, and it becomes true where it is one.
+  static vtkDataArray* arrayOf(vtkMapper* mapper, vtkDataSet* data, bool* ofCells = nullptr);
   /// The component of the array that is looked up, or ArrayView::magnitude.
   static int componentOf(vtkMapper* mapper, vtkDataArray* array);
   /// The value of tuple `id` that is looked up; NaN where there is none.
   static double valueOf(vtkMapper* mapper, vtkDataArray* array, vtkIdType id);
 
-  /// Describes the colours of the points; leaves them alone where no array gives any. Returns a
-  /// sentence where an array that was asked for by name is missing, else nothing. Views hold until
-  /// the next call.
-  std::string describe(vtkMapper* mapper, vtkDataSet* data, SurfaceColoring& coloring);
+  /// Describes the colours of the points, or as arrayOf() of points or cells; leaves them alone
+  /// where no array gives any. Returns a sentence where an array that was asked for by name is
+  /// missing, else nothing. Views hold until the next call.
+  std::string describe(
+    vtkMapper* mapper, vtkDataSet* data, SurfaceColoring& coloring, bool* ofCells = nullptr);
 
   /// transferOf(property), made anew where that has changed.
   const TransferFunction& describe(vtkVolumeProperty* property);

@@ -3,6 +3,7 @@
 #include "ArrayColors.h"
 #include "Bounds.h"
 #include "InputTimeStep.h"
+#include "News.h"
 #include "ParticleModel.h"
 #include "PeriodicImages.h"
 #include "RendererImage.h"
@@ -51,14 +52,6 @@ public:
 
 namespace
 {
-
-/// Whether a message has just begun to hold.
-bool isNews(const std::string& message, std::string& last)
-{
-  const bool news = !message.empty() && message != last;
-  last = message;
-  return news;
-}
 
 /// Makes a change that says whether it was any; false after an error.
 template <typename Change>
@@ -151,7 +144,7 @@ void vtkMoteParticleMapper::Update(int port)
   {
     problem = error.what();
   }
-  if (isNews(problem, impl.reported))
+  if (mote::isNews(problem, impl.reported))
     vtkErrorMacro(<< problem);
 
   std::vector<mote::ArrayRange> visibility;
@@ -428,7 +421,7 @@ bool vtkMoteParticleMapper::DescribeTo(mote::SurfaceObject& object, vtkActor* ac
   object.castsShadows = this->CastsShadows;
   mote::describeActor(actor, object);
   const std::string problem = impl.colors.describe(this, this->GetInput(), object.coloring);
-  if (isNews(problem, impl.reportedColors))
+  if (mote::isNews(problem, impl.reportedColors))
     vtkErrorMacro(<< problem);
   const bool clipped = this->ClippingPlanes && this->ClippingPlanes->GetNumberOfItems() > 0;
   if (clipped && !impl.reportedClipping)

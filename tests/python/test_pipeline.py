@@ -7,7 +7,7 @@ import unittest
 
 import mote
 from vtkmodules.vtkCommonCore import VTK_FLOAT, reference, vtkFloatArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
 try:
@@ -77,6 +77,25 @@ class Pipeline(unittest.TestCase):
         self.assertAlmostEqual(depth.GetValue(24 * 64 + 32), 9.5, 2)
         self.assertEqual(depth.GetValue(0), math.inf)
         self.assertEqual(image.GetPointData().GetArray("particle").GetValue(0), -1)
+
+    def test_traces_triangles(self):
+        data = particles([(-0.5, -0.5, 0), (0.5, -0.5, 0), (0.5, 0.5, 0), (-0.5, 0.5, 0)])
+        polygon = vtkCellArray()
+        polygon.InsertNextCell(4, (0, 1, 2, 3))
+        data.SetPolys(polygon)
+        mapper = mote.vtkMoteMeshMapper()
+        mapper.SetInputData(data)
+        mapper.Update()
+        self.assertEqual(mapper.GetNumberOfTriangles(), 2)
+        self.assertEqual(mapper.GetReport(), "")
+        _, source = scene(data)
+        actor = source.GetRenderer().GetActors().GetLastActor()
+        actor.SetMapper(mapper)
+        source.Update()
+        depth = source.GetOutput().GetPointData().GetArray("depth")
+        self.assertAlmostEqual(depth.GetValue(24 * 64 + 32), 10.0, 5)
+        self.assertEqual(depth.GetValue(0), math.inf)
+        self.assertIn("NumberOfTriangles: 2", str(mapper))
 
     def test_keeps_its_input_alive(self):
         _, source = scene(particles([(0, 0, 0)], [0.5]))

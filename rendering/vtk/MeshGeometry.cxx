@@ -1,0 +1,178 @@
+#include "MeshGeometry.h"
+
+#include "SurfaceTriangles.h"
+
+#include "vtkCellArray.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
+#include <functional>
+
+namespace mote
+{
+
+namespace
+{
+
+void addTime(InputKey& key, vtkObject* object)
+{
+  key.push_back(object ? static_cast<double>(object->GetMTime()) : -1.0);
+}
+
+void addCells(InputKey& key, vtkCellArray* cells)
+{
+  addTime(key, cells);
+  addArray(key, cells ? cells->GetOffsetsArray() : nullptr);
+  addArray(key, cells ? cells->GetConnectivityArray() : nullptr);
+}
+
+/// The times of all that triangles are made of.
+InputKey keyOfMesh(vtkPointSet* data)
+{
+  InputKey key;
+  addTime(key, data->GetPoints());
+  addArray(key, data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
+  if (auto* surface = vtkPolyData::SafeDownCast(data))
+  {
+    for (vtkCellArray* cells : {surface->GetVerts(), surface->GetLines()})
+      key.push_back(cells ? static_cast<double>(cells->GetNumberOfCells()) : 0.0);
+    addCells(key, surface->GetPolys());
+    addCells(key, surface->GetStrips());
+  }
+  else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    addCells(key, grid->GetCells());
+    addArray(key, grid->GetCellTypesArray());
+  }
+  else
+    addTime(key, data);
+  return key;
+}
+
+/// Whether the triangles are those of the mesh, one by one.
+bool areTheSame(const TriangleMesh& mesh, const ArrayView& triangles)
+{
+  if (mesh.size() != triangles.count())
+    return false;
+  using Range = tbb::blocked_range<std::size_t>;
+  return tbb::parallel_reduce(
+    Range(0, mesh.size(), 1 << 14), true,
+    [&](const Range& range, bool same)
+    {
+      for (std::size_t t = range.begin(); same && t != range.end(); ++t)
+        for (int k = 0; k < 3; ++k)
+          same = same && triangles.value(t, k) == mesh.triangles()[t][static_cast<std::size_t>(k)];
+      return same;
+    },
+    std::logical_and<>());
+}
+
+ContentHash contentOf(const DataArrayView& points)
+{
+  if (points.view.empty())
+    return {};
+  const std::size_t numbers =
+    points.view.count() * static_cast<std::size_t>(points.view.components());
+  return hashOf(
+    points.view.data(), numbers * static_cast<std::size_t>(points.owner->GetDataTypeSize()));
+}
+
+std::string sentence(vtkIdType count, const char* one, const char* many)
+{
+  if (count == 0)
+    return {};
+  return std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
+} // namespace
+
+bool MeshGeometry::fits(vtkPointSet* data) const
+{
+  return !key_.empty() && key_ == keyOfMesh(data);
+}
+
+MeshGeometry::Change MeshGeometry::update(vtkPointSet* data, const Progress& progress)
+{
+  InputKey key = keyOfMesh(data);
+  if (!key_.empty() && key == key_)
+    return Change::None;
+  key_.clear(); // until all has gone well
+  const SurfaceTriangles triangles = surfaceTrianglesOf(data);
+  const DataArrayView points(data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
+  const ContentHash content = contentOf(points);
+  cells_ = std::make_shared<const std::vector<vtkIdType>>(triangles.cells);
+  thin_ = triangles.thin;
+  flat_ = triangles.flat;
+  const bool moved =
+    tree_ && mesh_->pointCount() == points.view.count() && areTheSame(*mesh_, triangles.view());
+  if (moved && content == points_)
+  {
+    key_ = std::move(key);
+    return Change::None;
+  }
+  points_ = content;
+  if (moved && mesh_.use_count() == 1 && tree_.use_count() == 1)
+  {
+    mesh_->movePoints(points.view);
+    if (tree_->refit(*mesh_))
+    {
+      key_ = std::move(key);
+      return Change::Refitted;
+    }
+  }
+  tree_ = nullptr; // before the next one takes memory
+  mesh_ = nullptr;
+  mesh_ = std::make_shared<TriangleMesh>(points.view, triangles.view());
+  if (mesh_->validCount() > 0)
+  {
+    auto tree = std::make_shared<RlodTree>();
+    tree->build(*mesh_, progress);
+    if (tree->size() == 0) // stopped
+    {
+      this->forget();
+      return Change::None;
+    }
+    tree_ = std::move(tree);
+  }
+  key_ = std::move(key);
+  return Change::Built;
+}
+
+ArrayView MeshGeometry::cells() const
+{
+  if (!cells_ || cells_->empty())
+    return {};
+  constexpr auto type = sizeof(vtkIdType) == 8 ? ArrayView::Type::Int64 : ArrayView::Type::Int32;
+  return {cells_->data(), type, cells_->size(), 1};
+}
+
+std::size_t MeshGeometry::bytes() const
+{
+  return (mesh_ ? mesh_->bytes() : 0) + (tree_ ? tree_->bytes() : 0) +
+         (cells_ ? cells_->size() * sizeof(vtkIdType) : 0);
+}
+
+vtkIdType MeshGeometry::invalidTriangles() const
+{
+  return mesh_ ? static_cast<vtkIdType>(mesh_->size() - mesh_->validCount()) : 0;
+}
+
+std::string MeshGeometry::report() const
+{
+  std::string text;
+  for (const std::string& part :
+    {sentence(thin_, "line or vertex, which has no area", "lines and vertices, which have no area"),
+      sentence(flat_, "polygon without a triangle", "polygons without a triangle"),
+      sentence(this->invalidTriangles(), "triangle with a corner that is not finite",
+        "triangles with a corner that is not finite")})
+    text += part.empty() ? "" : (text.empty() ? "Left out: " : "; ") + part;
+  return text.empty() ? text : text + '.';
+}
+
+} // namespace mote

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "ParticleInput.h"
+
+#include "kernels/core/ContentHash.h"
+#include "kernels/meshes/RlodTree.h"
+
+#include "vtkType.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+class vtkPointSet;
+
+namespace mote
+{
+
+/// The triangles of a data set's surface, and the tree over them, which follow a pipeline's output.
+///
+/// Of a vtkPolyData these are its polygons and strips; of all else with points the faces that no
+/// two cells share, and the cells that are flat. Corners are points of the data set.
+class MeshGeometry
+{
+public:
+  enum class Change
+  {
+    None,
+    Refitted, ///< the tree took points that have moved
+    Built
+  };
+
+  /// Whether all that triangles are made of is the very same as at the last update().
+  bool fits(vtkPointSet* data) const;
+
+  /// Takes the triangles and builds the tree, or does as little of it as it takes: nothing where
+  /// points and triangles have the same content, a refit where only points have moved and nobody
+  /// else holds the tree. Without triangles, or where `progress` stopped it, there is no tree.
+  /// Throws Error for indices that are not those of points, and as TriangleMesh and RlodTree do.
+  Change update(vtkPointSet* data, const Progress& progress);
+
+  void forget() { *this = MeshGeometry(); }
+
+  const std::shared_ptr<RlodTree>& tree() const { return tree_; } ///< null without triangles
+  std::shared_ptr<const TriangleMesh> mesh() const { return mesh_; }
+  /// The cell of the data set that each triangle is of; empty: triangles are cells.
+  ArrayView cells() const;
+  std::size_t bytes() const;
+  /// What was left out, as sentences; empty where nothing was.
+  std::string report() const;
+
+  vtkIdType linesAndVertices() const { return thin_; } ///< cells that have no area by their kind
+  vtkIdType cellsWithoutTriangles() const { return flat_; } ///< polygons with none, and strips
+  vtkIdType invalidTriangles() const; ///< triangles with a corner that is not finite
+
+private:
+  InputKey key_;
+  ContentHash points_; ///< what they held
+  std::shared_ptr<TriangleMesh> mesh_;
+  std::shared_ptr<RlodTree> tree_;
+  std::shared_ptr<const std::vector<vtkIdType>> cells_;
+  vtkIdType thin_ = 0, flat_ = 0;
+};
+
+/// What one mapper has made of a mesh and another may take over, instead of making it.
+struct BuiltMesh
+{
+  MeshGeometry geometry;
+  double buildTime = 0.0; ///< seconds
+};
+
+} // namespace mote

@@ -1,0 +1,170 @@
+#include "SurfaceTriangles.h"
+
+#include "kernels/core/Error.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkGeometryFilter.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTriangleFilter.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <numeric>
+#include <string>
+
+namespace mote
+{
+
+namespace
+{
+
+// VTK 9.1's own numbers of points and cells are wrong where cells are not linear.
+const char* const pointIds = "MotePointIds";
+const char* const cellIds = "MoteCellIds";
+
+vtkSmartPointer<vtkIdTypeArray> numbers(const char* name, vtkIdType first, vtkIdType count)
+{
+  auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
+  ids->SetName(name);
+  ids->SetNumberOfValues(count);
+  std::iota(ids->GetPointer(0), ids->GetPointer(0) + count, first);
+  return ids;
+}
+
+vtkIdTypeArray* idsOf(vtkDataSetAttributes* data, const char* name)
+{
+  return vtkIdTypeArray::SafeDownCast(data->GetArray(name));
+}
+
+/// VTK's filters do not look.
+void checkIndices(vtkCellArray* cells, vtkIdType points)
+{
+  if (!cells || cells->GetNumberOfConnectivityIds() == 0)
+    return;
+  double range[2];
+  cells->GetConnectivityArray()->GetRange(range);
+  if (range[0] < 0.0 || range[1] >= static_cast<double>(points))
+    throw Error("A cell has point " +
+                std::to_string(static_cast<long long>(range[0] < 0.0 ? range[0] : range[1])) +
+                ", but there are " + std::to_string(points) + " points.");
+}
+
+/// Cuts polygons and strips into triangles.
+void cut(vtkPolyData* surface, vtkIdType first, SurfaceTriangles& found)
+{
+  vtkNew<vtkPolyData> faces;
+  faces->SetPoints(surface->GetPoints());
+  faces->SetPolys(surface->GetPolys());
+  faces->SetStrips(surface->GetStrips());
+  const vtkIdType count = faces->GetNumberOfCells();
+  faces->GetCellData()->AddArray(numbers(cellIds, first, count));
+  vtkNew<vtkTriangleFilter> filter;
+  filter->SetInputData(faces);
+  filter->Update();
+  vtkPolyData* triangles = filter->GetOutput();
+  found.corners = DataArrayView(triangles->GetPolys()->GetConnectivityArray());
+  const vtkIdTypeArray* cells = idsOf(triangles->GetCellData(), cellIds);
+  const vtkIdType size = cells ? triangles->GetNumberOfPolys() : 0;
+  found.cells.resize(static_cast<std::size_t>(size));
+  vtkIdType last = -1, met = 0;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    const vtkIdType cell = found.cells[static_cast<std::size_t>(i)] = cells->GetValue(i);
+    met += cell != last; // triangles of a cell follow one another
+    last = cell;
+  }
+  found.flat = count - met;
+}
+
+SurfaceTriangles trianglesOf(vtkPolyData* surface)
+{
+  SurfaceTriangles found;
+  found.thin = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
+  vtkCellArray* polygons = surface->GetPolys();
+  if (surface->GetNumberOfPolys() + surface->GetNumberOfStrips() == 0)
+    return found;
+  const vtkIdType points = surface->GetNumberOfPoints();
+  checkIndices(polygons, points);
+  checkIndices(surface->GetStrips(), points);
+  if (surface->GetNumberOfStrips() > 0 || polygons->IsHomogeneous() != 3)
+  {
+    cut(surface, found.thin, found);
+    return found;
+  }
+  found.corners = DataArrayView(polygons->GetConnectivityArray());
+  if (found.thin > 0) // cells are counted over all kinds, triangles after lines
+  {
+    found.cells.resize(static_cast<std::size_t>(surface->GetNumberOfPolys()));
+    std::iota(found.cells.begin(), found.cells.end(), found.thin);
+  }
+  return found;
+}
+
+void copyGhosts(vtkDataSetAttributes* from, vtkDataSetAttributes* to)
+{
+  if (vtkDataArray* ghosts = from->GetArray(vtkDataSetAttributes::GhostArrayName()))
+    to->AddArray(ghosts);
+}
+
+/// Triangles of the faces, in points and cells of `data`.
+SurfaceTriangles trianglesOfFaces(vtkPointSet* data)
+{
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+    checkIndices(grid->GetCells(), grid->GetNumberOfPoints());
+  vtkSmartPointer<vtkPointSet> shape;
+  shape.TakeReference(data->NewInstance());
+  shape->CopyStructure(data);
+  copyGhosts(data->GetCellData(), shape->GetCellData());
+  copyGhosts(data->GetPointData(), shape->GetPointData());
+  shape->GetPointData()->AddArray(numbers(pointIds, 0, data->GetNumberOfPoints()));
+  shape->GetCellData()->AddArray(numbers(cellIds, 0, data->GetNumberOfCells()));
+  vtkNew<vtkGeometryFilter> filter;
+  filter->SetInputData(shape);
+  filter->Update();
+  vtkPolyData* surface = filter->GetOutput();
+  SurfaceTriangles found = trianglesOf(surface);
+  const vtkIdType count =
+    found.corners.view.empty() ? 0 : static_cast<vtkIdType>(found.view().count());
+  const vtkIdTypeArray* points = idsOf(surface->GetPointData(), pointIds);
+  const vtkIdTypeArray* cells = idsOf(surface->GetCellData(), cellIds);
+  if (count == 0 || !points || !cells)
+    return found;
+  const bool own = found.cells.empty();
+  found.cells.resize(static_cast<std::size_t>(count));
+  vtkNew<vtkIdTypeArray> corners;
+  corners->SetNumberOfValues(3 * count);
+  const ArrayView& old = found.corners.view;
+  for (vtkIdType i = 0; i < 3 * count; ++i)
+    corners->SetValue(
+      i, points->GetValue(static_cast<vtkIdType>(old.value(static_cast<std::size_t>(i)))));
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    vtkIdType& cell = found.cells[static_cast<std::size_t>(i)];
+    cell = cells->GetValue(own ? i : cell);
+  }
+  found.corners = DataArrayView(corners);
+  return found;
+}
+
+} // namespace
+
+ArrayView SurfaceTriangles::view() const
+{
+  if (corners.view.empty())
+    return {};
+  return {corners.view.data(), corners.view.type(), corners.view.count() / 3, 3};
+}
+
+SurfaceTriangles surfaceTrianglesOf(vtkPointSet* data)
+{
+  if (auto* surface = vtkPolyData::SafeDownCast(data))
+    return trianglesOf(surface);
+  return trianglesOfFaces(data);
+}
+
+} // namespace mote

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "DataArrayView.h"
+
+#include <vector>
+
+class vtkPointSet;
+
+namespace mote
+{
+
+/// The triangles of a data set's surface: polygons are cut into triangles, of cells with a volume
+/// the faces that no other cell shares are taken.
+struct SurfaceTriangles
+{
+  DataArrayView corners;        ///< three indices of the data set's points each, one after another
+  std::vector<vtkIdType> cells; ///< the data set's cell of each; empty: triangles are cells
+  vtkIdType thin = 0;           ///< lines and vertices
+  vtkIdType flat = 0;           ///< polygons and strips that have no triangle
+
+  /// Three indices a tuple.
+  ArrayView view() const;
+};
+
+/// Throws Error where a cell has a point that the data set has not.
+SurfaceTriangles surfaceTrianglesOf(vtkPointSet* data);
+
+} // namespace mote

@@ -1,0 +1,335 @@
+#include "vtkMoteMeshMapper.h"
+
+#include "ArrayColors.h"
+#include "Bounds.h"
+#include "BuildEvents.h"
+#include "InputTimeStep.h"
+#include "MeshGeometry.h"
+#include "News.h"
+#include "RendererImage.h"
+#include "SceneBridge.h"
+
+#include "kernels/core/Error.h"
+#include "kernels/scene/Scene.h"
+#include "kernels/tracing/Picking.h"
+
+#include "vtkActor.h"
+#include "vtkDataArray.h"
+#include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+vtkStandardNewMacro(vtkMoteMeshMapper);
+
+/// What the mapper keeps between frames.
+class vtkMoteMeshMapper::Internals : public mote::BuiltMesh
+{
+public:
+  std::shared_ptr<const mote::BuiltMesh> offered; ///< by another mapper
+  vtkTimeStamp changedAt;                         ///< when the geometry last did
+  int builds = 0, refits = 0;
+
+  mote::ArrayColors colors;
+  mote::DataArrayView normals; ///< copied once where they are not one piece of memory
+  mote::InputKey normalsKey;
+
+  vtkMTimeType failedAt = 0; ///< of the picture that could not be made: not tried again
+
+  // The last of each kind of message, so that it is told once and not every frame.
+  std::string reported, reportedColors, reportedClipping;
+
+  mote::RendererImages images; ///< for renderers that have no vtkMoteRayCastPass
+
+  void takeOffer(vtkPointSet* input)
+  {
+    const auto from = std::exchange(offered, nullptr);
+    if (!from || !from->geometry.fits(input))
+      return;
+    static_cast<mote::BuiltMesh&>(*this) = *from;
+    changedAt.Modified();
+  }
+
+  const mote::ArrayView& viewOf(vtkDataArray* array)
+  {
+    mote::InputKey key;
+    mote::addArray(key, array);
+    if (key != normalsKey)
+    {
+      normals = mote::DataArrayView(array);
+      normalsKey = std::move(key);
+    }
+    return normals.view;
+  }
+};
+
+vtkMoteMeshMapper::vtkMoteMeshMapper()
+  : Impl(std::make_unique<Internals>())
+{
+}
+
+vtkMoteMeshMapper::~vtkMoteMeshMapper() = default;
+
+int vtkMoteMeshMapper::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  return 1;
+}
+
+void vtkMoteMeshMapper::SetInputData(vtkPointSet* input)
+{
+  this->SetInputDataInternal(0, input);
+}
+
+vtkPointSet* vtkMoteMeshMapper::GetInput()
+{
+  if (this->GetNumberOfInputConnections(0) < 1)
+    return nullptr;
+  return vtkPointSet::SafeDownCast(this->GetExecutive()->GetInputData(0, 0));
+}
+
+double* vtkMoteMeshMapper::GetBounds()
+{
+  if (!this->Static)
+    this->Update();
+  const auto& tree = this->Impl->geometry.tree();
+  mote::copyBounds(tree ? tree->bounds() : mote::Box(), this->Bounds);
+  return this->Bounds;
+}
+
+vtkIdType vtkMoteMeshMapper::GetNumberOfTriangles()
+{
+  const auto& tree = this->Impl->geometry.tree();
+  return tree ? static_cast<vtkIdType>(tree->size()) : 0;
+}
+
+vtkIdType vtkMoteMeshMapper::GetNumberOfCellsLeftOut()
+{
+  const mote::MeshGeometry& geometry = this->Impl->geometry;
+  return geometry.linesAndVertices() + geometry.cellsWithoutTriangles();
+}
+
+vtkIdType vtkMoteMeshMapper::GetNumberOfUnfitTriangles()
+{
+  return this->Impl->geometry.invalidTriangles();
+}
+
+std::string vtkMoteMeshMapper::GetReport()
+{
+  return this->Impl->geometry.report();
+}
+
+vtkTypeInt64 vtkMoteMeshMapper::GetStructureBytes()
+{
+  return static_cast<vtkTypeInt64>(this->Impl->geometry.bytes());
+}
+
+double vtkMoteMeshMapper::GetBuildTime()
+{
+  return this->Impl->buildTime;
+}
+
+int vtkMoteMeshMapper::GetNumberOfBuilds()
+{
+  return this->Impl->builds;
+}
+
+int vtkMoteMeshMapper::GetNumberOfRefits()
+{
+  return this->Impl->refits;
+}
+
+vtkDataArray* vtkMoteMeshMapper::GetColorArray()
+{
+  bool ofCells = false;
+  return mote::ArrayColors::arrayOf(this, this->GetInput(), &ofCells);
+}
+
+bool vtkMoteMeshMapper::IsColoredByCells()
+{
+  bool ofCells = false;
+  return mote::ArrayColors::arrayOf(this, this->GetInput(), &ofCells) && ofCells;
+}
+
+void vtkMoteMeshMapper::GetColorArrayRange(double range[2])
+{
+  range[0] = 1.0;
+  range[1] = 0.0;
+  if (vtkDataArray* array = this->GetColorArray())
+    array->GetFiniteRange(range, mote::ArrayColors::componentOf(this, array));
+}
+
+double vtkMoteMeshMapper::ValueOf(const mote::ScenePick& pick)
+{
+  vtkDataArray* array = this->GetColorArray();
+  double value = array ? 0.0 : vtkMath::Nan();
+  for (const auto& [index, share] : pick.colorShares)
+    if (array && share > 0.0)
+      value += share * mote::ArrayColors::valueOf(this, array, static_cast<vtkIdType>(index));
+  return value;
+}
+
+vtkMTimeType vtkMoteMeshMapper::GetPictureMTime()
+{
+  vtkMTimeType time = std::max(this->GetMTime(), this->Impl->changedAt.GetMTime());
+  if (vtkPointSet* input = this->GetInput())
+    time = std::max(time, input->GetMTime());
+  return time;
+}
+
+int vtkMoteMeshMapper::UpdateTimeStep(
+  double time, int piece, int pieces, int ghostLevels, const int extents[6])
+{
+  const bool done = mote::updateInputTimeStep(this, time, piece, pieces, ghostLevels, extents);
+  this->Update();
+  return done && this->Impl->geometry.tree() ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------------------------
+// Building
+
+void vtkMoteMeshMapper::Update(int vtkNotUsed(port))
+{
+  if (this->GetNumberOfInputConnections(0) < 1)
+    return this->Impl->geometry.forget();
+  if (!this->Static)
+  {
+    // The executive's own way would tell of an execution, with its events, where nothing is built.
+    int output = 0;
+    this->GetInputAlgorithm(0, 0, output)->Update(output);
+  }
+  this->UpdateMesh();
+}
+
+void vtkMoteMeshMapper::UpdateMesh()
+{
+  Internals& impl = *this->Impl;
+  if (impl.failedAt != 0 && impl.failedAt == this->GetPictureMTime())
+    return;
+  std::string problem;
+  try
+  {
+    if (vtkPointSet* input = this->GetInput())
+      this->UpdateGeometry(input);
+    else
+      throw mote::Error("The input is not a vtkPointSet.");
+  }
+  catch (const std::exception& error)
+  {
+    impl.geometry.forget();
+    problem = error.what();
+  }
+  impl.failedAt = problem.empty() ? 0 : this->GetPictureMTime();
+  if (mote::isNews(problem, impl.reported))
+    vtkErrorMacro(<< problem);
+}
+
+void vtkMoteMeshMapper::UpdateGeometry(vtkPointSet* input)
+{
+  using Change = mote::MeshGeometry::Change;
+  Internals& impl = *this->Impl;
+  impl.takeOffer(input);
+  if (impl.geometry.fits(input))
+    return;
+  const auto start = std::chrono::steady_clock::now();
+  const mote::BuildEvents events(this);
+  const auto goesOn = [&](double done)
+  {
+    this->UpdateProgress(done);
+    return this->GetAbortExecute() == 0;
+  };
+  impl.changedAt.Modified();
+  if (!goesOn(0.0))
+    return impl.geometry.forget();
+  const Change change = impl.geometry.update(input, goesOn);
+  if (change == Change::None)
+    return;
+  impl.buildTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  (change == Change::Built ? impl.builds : impl.refits) += 1;
+  const std::string report = this->GetReport();
+  if (change == Change::Built && !report.empty())
+    vtkWarningMacro(<< report);
+}
+
+std::shared_ptr<const mote::BuiltMesh> vtkMoteMeshMapper::GetBuilt()
+{
+  if (!this->Impl->geometry.tree())
+    return nullptr;
+  return std::make_shared<mote::BuiltMesh>(*this->Impl);
+}
+
+void vtkMoteMeshMapper::OfferBuilt(std::shared_ptr<const mote::BuiltMesh> built)
+{
+  this->Impl->offered = std::move(built);
+}
+
+//------------------------------------------------------------------------------------------------
+// Drawing
+
+bool vtkMoteMeshMapper::DescribeTo(mote::SurfaceObject& object, vtkActor* actor)
+{
+  Internals& impl = *this->Impl;
+  this->Update();
+  if (!impl.geometry.tree())
+    return false;
+  vtkPointSet* input = this->GetInput();
+  mote::describeActor(actor, object);
+  bool ofCells = false;
+  const std::string problem = impl.colors.describe(this, input, object.coloring, &ofCells);
+  if (mote::isNews(problem, impl.reportedColors))
+    vtkErrorMacro(<< problem);
+
+  mote::MeshLook look;
+  look.mesh = impl.geometry.mesh();
+  look.cells = impl.geometry.cells();
+  look.mixesColors = !ofCells;
+  vtkDataArray* normals = input->GetPointData()->GetNormals();
+  if (normals && normals->GetNumberOfTuples() == input->GetNumberOfPoints() &&
+      actor->GetProperty()->GetInterpolation() != VTK_FLAT)
+    look.normals = impl.viewOf(normals);
+  object.surface = mote::MeshSurface(impl.geometry.tree(), look);
+  object.castsShadows = this->CastsShadows;
+
+  const bool clipped = this->ClippingPlanes && this->ClippingPlanes->GetNumberOfItems() > 0;
+  if (mote::isNews(clipped ? "Clipping planes do not cut meshes; use vtkClipPolyData, or the "
+                             "camera's clipping range."
+                           : "",
+        impl.reportedClipping))
+    vtkWarningMacro(<< impl.reportedClipping);
+  return true;
+}
+
+void vtkMoteMeshMapper::Render(vtkRenderer* renderer, vtkActor* actor)
+{
+  mote::RendererImage& image = this->Impl->images.of(renderer);
+  image.render(this, renderer, {mote::motePropOf(actor)}, mote::FrameSettings{}, {},
+    !actor->HasOpaqueGeometry());
+  this->TimeToDraw = image.time();
+}
+
+void vtkMoteMeshMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Impl->images.release(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+void vtkMoteMeshMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "CastsShadows: " << (this->CastsShadows ? "On" : "Off") << "\n";
+  os << indent << "NumberOfTriangles: " << this->GetNumberOfTriangles() << "\n";
+  os << indent << "NumberOfCellsLeftOut: " << this->GetNumberOfCellsLeftOut() << "\n";
+  os << indent << "NumberOfUnfitTriangles: " << this->GetNumberOfUnfitTriangles() << "\n";
+  os << indent << "NumberOfBuilds: " << this->GetNumberOfBuilds() << "\n";
+  os << indent << "NumberOfRefits: " << this->GetNumberOfRefits() << "\n";
+  os << indent << "StructureBytes: " << this->GetStructureBytes() << "\n";
+}

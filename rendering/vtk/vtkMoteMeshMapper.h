@@ -1,0 +1,171 @@
+/**
+ * @class   vtkMoteMeshMapper
+ * @brief   Draws triangles, ray cast on the CPU.
+ *
+ * Input is a vtkPolyData, whose polygons and strips are cut into triangles, or any other
+ * vtkPointSet, such as a vtkUnstructuredGrid, of which the faces are drawn that no two cells share
+ * and the cells that are flat. Lines and vertices are left out, as are triangles with a corner that
+ * is not finite, with a warning that counts them. Both sides of triangles are drawn alike.
+ *
+ * Use it with a vtkActor, as any mapper: position, scale and orientation of the actor, visibility,
+ * and the ambient, diffuse, specular and opacity terms and the colour of its vtkProperty hold. An
+ * opacity below 1 lets the background show through the first surface that is met; surfaces behind
+ * it stay hidden. Normals of the points make triangles look smooth, unless the property's
+ * interpolation is flat; without them triangles are flat. Texture coordinates are not used, nor
+ * are edges, points and wireframes drawn.
+ *
+ * Colours come from any array of points or cells, as in other mappers: ScalarVisibility,
+ * ScalarMode, SelectColorArray(), ColorMode, LookupTable, ScalarRange; component or magnitude of a
+ * vector are chosen by the lookup table's VectorMode. Values of points are interpolated before they
+ * are looked up, whatever InterpolateScalarsBeforeMapping says; colours that the array holds are
+ * interpolated themselves.
+ *
+ * In a renderer with a vtkMoteRayCastPass triangles are traced together with particles and volumes,
+ * so that they hide, shadow and outline one another; without one each actor is traced alone and
+ * composited by depth.
+ */
+
+#ifndef vtkMoteMeshMapper_h
+#define vtkMoteMeshMapper_h
+
+#include "MoteRenderingVTKModule.h" // for export macro
+#include "vtkMapper.h"
+
+#include <memory> // for the implementation
+#include <string> // for the report
+
+class vtkDataArray;
+class vtkPointSet;
+
+namespace mote
+{
+struct BuiltMesh;
+struct ScenePick;
+struct SurfaceObject;
+} // namespace mote
+
+class MOTERENDERINGVTK_EXPORT vtkMoteMeshMapper : public vtkMapper
+{
+public:
+  static vtkMoteMeshMapper* New();
+  vtkTypeMacro(vtkMoteMeshMapper, vtkMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The mesh: a data object, or (with SetInputConnection) a pipeline's output. */
+  void SetInputData(vtkPointSet* input);
+  vtkPointSet* GetInput();
+  ///@}
+
+  ///@{
+  /**
+   * Whether the triangles keep the light of lights that cast shadows from others, and from one
+   * another. On unless set.
+   */
+  vtkSetMacro(CastsShadows, bool);
+  vtkGetMacro(CastsShadows, bool);
+  vtkBooleanMacro(CastsShadows, bool);
+  ///@}
+
+  /** Bounds of the triangles that can be drawn. */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
+
+  ///@{
+  /**
+   * Brings the input up to date, and the structure where points or cells have changed: where only
+   * points have moved it takes their new places, which is much faster than to build it. A change of
+   * colours, arrays, camera or light builds nothing. Fires Start-, Progress- and EndEvents where it
+   * does either; SetAbortExecute(1) from within one stops it and leaves nothing to draw.
+   */
+  using Superclass::Update;
+  void Update() override { this->Update(0); }
+  void Update(int port) override;
+  ///@}
+
+  /** Update() for another time step of the input's pipeline, which stays the one that is shown. */
+  int UpdateTimeStep(double time, int piece = -1, int pieces = 1, int ghostLevels = 0,
+    const int extents[6] = nullptr) override;
+
+  ///@{
+  /**
+   * Facts of the present structure, as of the last Update(): triangles drawn; lines, vertices and
+   * polygons of the input that have none; triangles with a corner that is not finite; both as
+   * sentences, empty where there are none; bytes of structure and triangles; seconds that it took;
+   * how often it was built, and how often it took points that had moved.
+   */
+  vtkIdType GetNumberOfTriangles();
+  vtkIdType GetNumberOfCellsLeftOut();
+  vtkIdType GetNumberOfUnfitTriangles();
+  std::string GetReport();
+  vtkTypeInt64 GetStructureBytes();
+  double GetBuildTime();
+  int GetNumberOfBuilds();
+  int GetNumberOfRefits();
+  ///@}
+
+  /** The array that colours the triangles now; null where they have the property's colour. */
+  vtkDataArray* GetColorArray();
+  /** Whether that array has a value for each cell, and not for each point. */
+  bool IsColoredByCells();
+  /** The range of its values over the input, without NaN and infinities; 1, 0 without any. */
+  void GetColorArrayRange(double range[2]);
+
+  /** Draws the triangles of this one actor. Called by vtkActor. */
+  void Render(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+  ///@{
+  /**
+   * Triangles are drawn with the opaque geometry. vtkHardwareSelector, and with it vtkPropPicker,
+   * finds the actor; for the cell use vtkMoteParticlePicker.
+   */
+  bool HasOpaqueGeometry() override { return true; }
+  bool HasTranslucentPolygonalGeometry() override { return false; }
+  bool GetSupportsSelection() override { return true; }
+  ///@}
+
+#ifndef __VTK_WRAP__
+  ///@{
+  /**
+   * Hands structures from one mapper to another: the next Update() of a mapper that is offered what
+   * another one has built from the very same points and cells takes it and builds nothing. So a
+   * thread with a mapper of its own builds time steps ahead. Null where there is nothing to hand
+   * on.
+   */
+  std::shared_ptr<const mote::BuiltMesh> GetBuilt();
+  void OfferBuilt(std::shared_ptr<const mote::BuiltMesh> built);
+  ///@}
+
+  /**
+   * Updates, and describes the triangles to the kernels as this actor shows them; false where there
+   * is nothing to draw. The views in the description hold until the next Update().
+   */
+  bool DescribeTo(mote::SurfaceObject& object, vtkActor* actor);
+
+  /** The value that colours what was picked, NaN where none does. */
+  double ValueOf(const mote::ScenePick& pick);
+#endif
+
+  /** Changes with everything that the picture of this mapper depends on, its input included. */
+  vtkMTimeType GetPictureMTime();
+
+protected:
+  vtkMoteMeshMapper();
+  ~vtkMoteMeshMapper() override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  bool CastsShadows = true;
+
+private:
+  vtkMoteMeshMapper(const vtkMoteMeshMapper&) = delete;
+  void operator=(const vtkMoteMeshMapper&) = delete;
+
+  void UpdateMesh();
+  void UpdateGeometry(vtkPointSet* input);
+
+  class Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+#endif
