@@ -99,7 +99,8 @@ void Panel::beginFrame(float width, float height)
   ImGui::Begin("Mote", nullptr,
     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysVerticalScrollbar |
-      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus);
+      ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoBringToFrontOnFocus |
+      ImGuiWindowFlags_NoBackground); // which the host clears
   if (focus_ && *focus_)
     ImGui::SetWindowFocus();
   focus_.reset();

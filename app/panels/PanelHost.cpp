@@ -82,6 +82,26 @@ void addFont(double scale)
   io.FontGlobalScale = static_cast<float>(scale);
 }
 
+/// All that makes the pixels of a layout.
+std::vector<unsigned char> bytesOf(const ImDrawData& data)
+{
+  std::vector<unsigned char> bytes;
+  const auto add = [&](const void* from, std::size_t size)
+  {
+    const auto* first = static_cast<const unsigned char*>(from);
+    bytes.insert(bytes.end(), first, first + size);
+  };
+  for (int i = 0; i < data.CmdListsCount; ++i)
+  {
+    const ImDrawList& list = *data.CmdLists[i];
+    add(list.VtxBuffer.Data, static_cast<std::size_t>(list.VtxBuffer.size_in_bytes()));
+    add(list.IdxBuffer.Data, static_cast<std::size_t>(list.IdxBuffer.size_in_bytes()));
+    for (const ImDrawCmd& command : list.CmdBuffer)
+      add(&command.ClipRect, sizeof(command.ClipRect));
+  }
+  return bytes;
+}
+
 } // namespace
 
 PanelHost::PanelHost(vtkRenderWindow* window, vtkRenderWindowInteractor* interactor, double scale)
@@ -221,9 +241,13 @@ void PanelHost::draw()
 {
   ImGui::SetCurrentContext(context_);
   const int* size = window_->GetSize();
+  const bool wasThere = wasWithin_ && drawnSize_ == std::array{size[0], size[1]};
   drawnSize_ = {size[0], size[1]};
   wasWithin_ = this->isWithin();
-  this->paint();
+  if (wasThere && wasWithin_ && painted_ == bytesOf(*ImGui::GetDrawData()))
+    isLaid_ = false; // as it stands in the frame
+  else
+    this->paint();
 }
 
 bool PanelHost::drawAlone()
@@ -234,7 +258,7 @@ bool PanelHost::drawAlone()
   vtkOpenGLFramebufferObject* rendered = window->GetRenderFramebuffer();
   if (!rendered || !wasWithin_ || !this->isWithin() || drawnSize_ != std::array{size[0], size[1]})
     return false;
-  // The last frame is there, all of it, and what is shown is copied from there.
+  // The last frame is there, all of it.
   window->MakeCurrent();
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
@@ -242,7 +266,6 @@ bool PanelHost::drawAlone()
   rendered->ActivateDrawBuffer(0);
   this->paint();
   state->PopFramebufferBindings();
-  window->Frame();
   return true;
 }
 
@@ -250,10 +273,24 @@ void PanelHost::paint()
 {
   vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(window_)->GetState();
   state->Push();
+  this->clear();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  painted_ = bytesOf(*ImGui::GetDrawData());
   state->Reset();
   state->Pop();
   isLaid_ = false;
+}
+
+/// Gives the controls' part its background: where the processor does OpenGL's work a rectangle of
+/// ImGui's would take as long as all controls.
+void PanelHost::clear()
+{
+  vtkOpenGLState* state = static_cast<vtkOpenGLRenderWindow*>(window_)->GetState();
+  const ImVec4 color = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(0, 0, width_, window_->GetSize()[1]);
+  state->vtkglClearColor(color.x, color.y, color.z, 1.0f);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT);
 }
 
 /// Whether the layout keeps to the controls' part: no popup or tooltip reaches over the view.

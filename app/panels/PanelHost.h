@@ -32,10 +32,14 @@ public:
   void lay(const std::function<void()>& controls);
   /// Whether there is a layout that has not been drawn.
   bool isLaid() const { return isLaid_; }
-  /// Draws the layout into the frame that is being made. Within the EndEvent of a renderer.
+  /// Draws the layout into the frame that is being made, where it does not stand there from the
+  /// last one. Within the EndEvent of a renderer.
   void draw();
-  /// Shows the last frame once more with this layout: false, where it covers more than the
-  /// controls' own part of the window or the last one did, and a new frame is needed.
+  /// Something else has been drawn over the controls' part.
+  void lose() { wasWithin_ = false; }
+  /// Draws the layout over the last frame, in the controls' own part of the window, which is then
+  /// to be shown: false, where it covers more than that or the last one did, and a new frame is
+  /// needed.
   bool drawAlone();
 
   /// Input for the controls has come, or they are not done: they should be drawn again soon.
@@ -92,6 +96,7 @@ private:
   void settle();
   void feed();
   void paint();
+  void clear();
   bool isWithin() const;
 
   vtkRenderWindow* window_;
@@ -113,8 +118,9 @@ private:
   double lastTime_ = 0.0;                     ///< of the last frame
   int framesToCome_ = 0, inputs_ = 0;
   bool isLaid_ = false;
-  bool wasWithin_ = false;            ///< the controls of the last frame kept to their part
-  std::array<int, 2> drawnSize_ = {}; ///< of the window, then
+  bool wasWithin_ = false; ///< the controls of the last frame kept to their part, and are there
+  std::vector<unsigned char> painted_; ///< the layout that was drawn last
+  std::array<int, 2> drawnSize_ = {};  ///< of the window, then
 };
 
 } // namespace mote::app

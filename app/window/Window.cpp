@@ -367,6 +367,7 @@ void Window::onRenderStart()
 
 void Window::onRenderEnd()
 {
+  presenter_.present();
   if (busy_)
     return;
   if (takeFileCut())

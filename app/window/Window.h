@@ -3,6 +3,7 @@
 #include "Clipboard.h"
 #include "Display.h"
 #include "Overlay.h"
+#include "Presenter.h"
 #include "Recorder.h"
 #include "Views.h"
 #include "WindowPaths.h"
@@ -213,6 +214,7 @@ private:
   Input& input_;
   Stage stage_;
   vtkNew<vtkRenderWindow> window_;
+  Presenter presenter_{window_};
   vtkNew<vtkRenderWindowInteractor> interactor_;
   vtkNew<InteractorStyle> style_;
   Views views_;

@@ -71,10 +71,15 @@ std::array<int, 2> Window::viewSize() const
 
 void Window::drawPanel()
 {
-  if (busy_ || !panelHost_ || !panelOn_)
+  if (!panelHost_)
     return;
+  if (busy_ || !panelOn_)
+    return panelHost_->lose();
   if (!panelHost_->isLaid())
     this->layPanel();
+  // The view has what the panel leaves, but for several of them, which share a background.
+  if (this->isEmpty() || views_.shown().size() > 1)
+    panelHost_->lose();
   panelHost_->draw();
 }
 
@@ -84,7 +89,9 @@ void Window::renderPanel()
   if (!panelHost_ || !panelOn_)
     return this->renderOverlays();
   this->layPanel();
-  if (!panelHost_->drawAlone())
+  if (panelHost_->drawAlone())
+    presenter_.presentLeft(panelHost_->width());
+  else
     this->renderOverlays();
 }
 

@@ -248,7 +248,9 @@ def main():
     arguments = parser.parse_args()
     arguments.folder = os.path.abspath(arguments.folder)
     arguments.mote = os.path.abspath(arguments.mote)
-    arguments.data = [os.path.abspath(name) for name in arguments.data]
+    # What is no file is made by the program, such as pump:0.02.
+    arguments.data = [os.path.abspath(name) if os.path.exists(name) else name
+                      for name in arguments.data]
     soak = Soak(arguments)
     code = 0
     try:
