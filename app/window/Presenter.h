@@ -1,18 +1,27 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
+#include <vector>
+
 class vtkRenderWindow;
 
 namespace mote::app
 {
 
+class SharedImage;
+
 /// Brings the frames of a window of X11 onto the screen. VTK's own way goes over the whole window
-/// twice more, for depths that nobody sees: a third of a frame of the panel, where the processor
-/// does OpenGL's work.
+/// twice more, for depths that nobody sees. Where the processor does OpenGL's work, pixels are read
+/// and handed to the X server: OpenGL's way to the screen takes several times as long there.
 class Presenter
 {
 public:
   /// Other windows than those of X11 stay as they are.
   explicit Presenter(vtkRenderWindow* window);
+  ~Presenter();
+  Presenter(const Presenter&) = delete;
+  Presenter& operator=(const Presenter&) = delete;
 
   /// Shows what was drawn last; at the end of each frame that was not stopped.
   void present();
@@ -20,13 +29,15 @@ public:
   void presentLeft(int columns);
 
 private:
-  bool copyToBack(int columns);
+  void present(int columns);
+  bool showPixels(int columns);
+  void copyToBack();
 
   vtkRenderWindow* window_;
-  bool isOwn_ = false; ///< this shows the frames, not VTK
-  using CopySubBuffer = void (*)(void* display, unsigned long window, int, int, int, int);
-  CopySubBuffer copySubBuffer_ = nullptr; ///< where the driver has it
-  bool isAsked_ = false;                  ///< the driver was asked for it
+  bool isOwn_ = false;                 ///< this shows the frames, not VTK
+  bool isAsked_ = false;               ///< the driver was asked who does its work
+  std::unique_ptr<SharedImage> image_; ///< null where a graphics card does
+  std::vector<std::uint32_t> pixels_;  ///< 0xaabbggrr, from the bottom row up
 };
 
 } // namespace mote::app
