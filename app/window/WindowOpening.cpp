@@ -3,6 +3,7 @@
 #include "Window.h"
 
 #include "Observe.h"
+#include "base/Background.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "settings/UserState.h"
@@ -64,8 +65,10 @@ void Window::readFiles(const Settings& wanted)
   input_ = std::move(next);
   picked_.clear();
   stage_.clear();
+  giveBackMemory();
   stage_.apply(wanted);
   this->load(input_.chosenStep(wanted));
+  giveBackMemory(); // what readers took
   picked_.addNamed(stage_.parts(), wanted.marks.picked);
   this->startCache();
   asked_ = wanted;
