@@ -24,6 +24,7 @@ struct Options
   double lambda = 1.0;             ///< cells of a grid a particle, in [0.2, 5]
   int packet = 0;                  ///< side of the bundles of rays, 0: the structure's own choice
   int rays = 1;                    ///< from every hit of a primary ray
+  std::vector<double> poe = {0.0}; ///< pixels of error that levels of detail may make
   double cloudTolerance = 0.0;     ///< between pixels of a volume; 0: all are traced
   bool singleRays = false; ///< structures of volumes take rays one at a time, never in bundles
   double step = 0.0;       ///< between samples of a volume; 0: the volume's own choice

@@ -27,6 +27,7 @@ struct Suite
   bool squares = false;    ///< whether it reads --sizes, not --size
   bool bundles = false;    ///< whether it reads --packet
   bool raysOfHits = false; ///< whether it reads --rays
+  bool lods = false;       ///< whether it reads --poe
   bool maps = false;       ///< whether it reads what concerns occlusion maps
   bool volumes = false;    ///< whether it reads --step, --integrator and --lambda2, not --lambda
   std::string size = "1024x1024"; ///< that images have unless told otherwise

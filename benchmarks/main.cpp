@@ -53,6 +53,13 @@ void addRayOptions(CLI::App& command, const Suite& suite, Options& options, Size
         "Side of the bundles of rays that are cast through Mote's grid; 0: what suits each tile")
       ->check(CLI::IsMember({0, 2, 4, 8, 16}))
       ->capture_default_str();
+  if (suite.lods)
+    command
+      .add_option("--poe", options.poe,
+        "Pixels of error that methods with levels of detail may make, comma-separated; 0: none")
+      ->delimiter(',')
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
   if (suite.raysOfHits)
     command.add_option("--rays", options.rays, "Rays from what every pixel shows")
       ->check(CLI::Range(1, 64))

@@ -19,7 +19,16 @@ class RlodMethod : public TriangleMethod
 {
 public:
   void build(const TriangleInput& input) override { tree_.build(input.mesh()); }
+  bool makeLods() override
+  {
+    tree_.makeLods();
+    return true;
+  }
   std::size_t bytes() const override { return tree_.bytes(); }
+  LodErrors lodErrors(const CameraRays& rays, int width, int height) const override
+  {
+    return measureLods(tree_, rays, width, height, poe());
+  }
 
   std::vector<std::string> modes() const override
   {
@@ -34,26 +43,35 @@ public:
       {
         RayBundle bundle;
         rays.fillBundle(bundle, side, x0, y0, 0.0, 0.0);
-        tree_.cast(bundle, 0);
+        tree_.cast(bundle, 0, poe());
         keep(bundle, side, x0, y0, image);
       });
   }
 
-  std::pair<double, double> visits(
+  TriangleVisits visits(
     std::size_t mode, const CameraRays& rays, int width, int height) const override
   {
     const int side = 16 >> mode;
     RlodTree::Counts counts;
+    counts.seenNodes.resize(tree_.nodeCount());
+    counts.seenPlanes.resize(tree_.nodeCount());
+    counts.seenClusters.resize(tree_.clusterCount());
     for (int y = 0; y < height; y += side)
       for (int x = 0; x < width; x += side)
       {
         RayBundle bundle;
         rays.fillBundle(bundle, side, x, y, 0.0, 0.0);
-        tree_.cast(bundle, 0, counts);
+        tree_.cast(bundle, 0, poe(), counts);
       }
     const double pixels = static_cast<double>(width) * height;
-    return {
-      static_cast<double>(counts.nodes) / pixels, static_cast<double>(counts.clusters) / pixels};
+    const auto seen = [](const std::vector<bool>& things)
+    { return static_cast<double>(std::count(things.begin(), things.end(), true)); };
+    const double bytes = seen(counts.seenNodes) * RlodTree::bytesPerNode +
+                         seen(counts.seenClusters) * RlodTree::bytesPerCluster +
+                         (poe() > 0.0 ? seen(counts.seenNodes) * RlodTree::bytesPerWords : 0.0) +
+                         seen(counts.seenPlanes) * RlodTree::bytesPerPlanes;
+    return {static_cast<double>(counts.nodes) / pixels,
+      static_cast<double>(counts.clusters) / pixels, bytes};
   }
 
   std::vector<std::string> occlusionModes() const override { return {"packet 64"}; }

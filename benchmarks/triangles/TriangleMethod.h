@@ -1,11 +1,13 @@
 #pragma once
 
 #include "../particles/OcclusionRays.h"
+#include "LodErrors.h"
 #include "TriangleImage.h"
 #include "TriangleInput.h"
 
 #include <kernels/core/Camera.h>
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,11 +15,28 @@
 namespace mote::bench
 {
 
+/// What casting a picture looks at.
+struct TriangleVisits
+{
+  double nodes = unknown, clusters = unknown; ///< a ray, on average
+  double bytes = unknown;                     ///< of memory read at all
+
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+};
+
 /// One way to find what rays meet of triangles. See ParticleMethod.
 class TriangleMethod
 {
 public:
   virtual ~TriangleMethod() = default;
+
+  /// Whether it has levels of detail; then it makes them, after build(). Timed.
+  virtual bool makeLods() { return false; }
+  /// How many pixels the levels of detail may err by from now on; 0: not at all.
+  void setPoe(double poe) { poe_ = poe; }
+  double poe() const { return poe_; }
+  /// What they err by in a picture.
+  virtual LodErrors lodErrors(const CameraRays& rays, int width, int height) const;
 
   /// Builds all that casting needs, anew where that was done before. Timed.
   virtual void build(const TriangleInput& input) = 0;
@@ -28,14 +47,17 @@ public:
   virtual std::vector<std::string> modes() const = 0;
   /// Casts a ray through every pixel's centre. Timed.
   virtual void cast(std::size_t mode, const CameraRays& rays, TriangleImage& image) const = 0;
-  /// Nodes and leaves that a ray of the image takes on average, or NaN where nobody knows.
-  virtual std::pair<double, double> visits(
+  /// What that looks at, as far as anybody knows.
+  virtual TriangleVisits visits(
     std::size_t mode, const CameraRays& rays, int width, int height) const;
 
   virtual std::vector<std::string> occlusionModes() const = 0;
   /// Answers which rays meet a triangle. Timed.
   virtual void occlude(
     std::size_t mode, const OcclusionRays& rays, OcclusionAnswers& answers) const = 0;
+
+private:
+  double poe_ = 0.0;
 };
 
 struct TriangleMethodEntry

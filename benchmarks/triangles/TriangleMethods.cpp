@@ -1,21 +1,23 @@
 #include "TriangleMethod.h"
 
-#include <limits>
-
 namespace mote::bench
 {
 
-std::pair<double, double> TriangleMethod::visits(
+TriangleVisits TriangleMethod::visits(
   std::size_t /*mode*/, const CameraRays& /*rays*/, int /*width*/, int /*height*/) const
 {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  return {unknown, unknown};
+  return {};
+}
+
+LodErrors TriangleMethod::lodErrors(const CameraRays& /*rays*/, int /*width*/, int /*height*/) const
+{
+  return {};
 }
 
 const std::vector<TriangleMethodEntry>& triangleMethods()
 {
   static const std::vector<TriangleMethodEntry> all = {
-    {"rlod", "Mote's hierarchy of clusters, exact", makeRlodMethod},
+    {"rlod", "Mote's hierarchy of clusters, with R-LODs where --poe allows errors", makeRlodMethod},
     {"embree", "Embree, built in its high quality", makeEmbreeTriangles},
     {"embree-medium", "Embree, built in its medium quality", makeEmbreeMediumTriangles}};
   return all;

@@ -33,7 +33,10 @@ struct Built
   std::string name;
   std::unique_ptr<TriangleMethod> method;
   double seconds;
+  double lodSeconds; ///< for levels of detail; NaN where there are none
   double bytesPerTriangle;
+
+  bool hasLods() const { return !std::isnan(lodSeconds); }
 };
 
 /// What one method does in one view: the places of its modes in the race.
@@ -41,6 +44,7 @@ struct Entry
 {
   std::size_t method, view, first;
   bool occlusion;
+  double poe = 0.0;
 };
 
 /// Rays in all directions from what an image shows, a tenth of the longest side long.
@@ -125,16 +129,21 @@ public:
     for (std::size_t v = 0; v < views_.size(); ++v)
       for (const bool occlusion : {false, true})
         for (std::size_t m = 0; m < methods_.size(); ++m)
-          enter(m, v, occlusion);
+          for (const double poe : poesOf(methods_[m], occlusion))
+            enter(m, v, occlusion, poe);
     progress("casting %d rounds of %zu methods", options_.repeat, methods_.size());
     race_.run(options_.repeat);
     Report report;
-    Section section;
+    Section section, errors;
     section.table = Table(4);
-    section.table.add({"task", "method", "mode", "view", "Mrays/s", "fps", "x embree", "nodes/ray",
-      "clusters/ray", "build s", "bytes/triangle", "differing"});
+    section.table.add({"task", "method", "mode", "view", "PoE", "Mrays/s", "fps", "x embree",
+      "nodes/ray", "clusters/ray", "MB seen", "build s", "LODs s", "bytes/triangle", "differing"});
+    errors.title = "Error against time";
+    errors.table = Table(2);
+    errors.table.add({"method", "view", "PoE", "ms", "x PoE 0", "rms", "99.9 %", "most", "on LODs",
+      "holes", "extra"});
     for (const Entry& entry : entries_)
-      report.records.push_back(recordOf(entry, section.table));
+      report.records.push_back(recordOf(entry, section.table, errors.table));
     section.notes.push_back(
       format("%zu triangles (%s), %dx%d rays a view; occlusion rays from what "
              "is seen, %g of the longest side long; %d threads, medians of %d "
@@ -142,18 +151,27 @@ public:
         input_.triangles.size(), options_.input.c_str(), options_.width, options_.height,
         occlusionReach, threads_, options_.repeat));
     report.sections.push_back(std::move(section));
+    errors.notes.push_back("Displacements in pixels: of hits on R-LODs from the triangles that "
+                           "these stand for. Holes miss where the exact picture hits; extra the "
+                           "other way round.");
+    if (options_.poe != std::vector<double>{0.0})
+      report.sections.push_back(std::move(errors));
     return report;
   }
 
 private:
   void build(const TriangleMethodEntry& entry)
   {
-    Built built{entry.name, entry.make(threads_), 0.0, 0.0};
+    Built built{entry.name, entry.make(threads_), 0.0, std::nan(""), 0.0};
     built.seconds = timed(threads_, [&] { built.method->build(input_); });
+    bool made = false;
+    if (*std::max_element(options_.poe.begin(), options_.poe.end()) > 0.0)
+      if (const double seconds = timed(threads_, [&] { made = built.method->makeLods(); }); made)
+        built.lodSeconds = seconds;
     built.bytesPerTriangle =
       static_cast<double>(built.method->bytes()) / static_cast<double>(input_.triangles.size());
-    progress("built %s in %.3f s, %.1f bytes a triangle", built.name.c_str(), built.seconds,
-      built.bytesPerTriangle);
+    progress("built %s in %.3f s, R-LODs in %.3f s, %.1f bytes a triangle", built.name.c_str(),
+      built.seconds, built.lodSeconds, built.bytesPerTriangle);
     methods_.push_back(std::move(built));
   }
 
@@ -177,16 +195,22 @@ private:
 
   void work(const Entry& entry, std::size_t mode, TriangleImage& image, OcclusionAnswers& answers)
   {
-    const TriangleMethod& method = *methods_[entry.method].method;
+    TriangleMethod& method = *methods_[entry.method].method;
+    method.setPoe(entry.poe);
     if (entry.occlusion)
       method.occlude(mode, rays_[entry.view], answers);
     else
       method.cast(mode, cameras_[entry.view], image);
   }
 
-  void enter(std::size_t method, std::size_t view, bool occlusion)
+  std::vector<double> poesOf(const Built& built, bool occlusion) const
   {
-    Entry entry{method, view, 0, occlusion};
+    return built.hasLods() && !occlusion ? options_.poe : std::vector<double>{0.0};
+  }
+
+  void enter(std::size_t method, std::size_t view, bool occlusion, double poe)
+  {
+    Entry entry{method, view, 0, occlusion, poe};
     for (std::size_t mode = 0; mode < modesOf(entry).size(); ++mode)
     {
       const std::size_t place = race_.add(
@@ -213,6 +237,7 @@ private:
   {
     Entry first = entry;
     first.method = 0;
+    first.poe = 0.0;
     TriangleImage image(options_.width, options_.height);
     OcclusionAnswers answers(rays_[entry.view].packets.size());
     work(first, 0, image_, answers_[entry.view]);
@@ -221,7 +246,41 @@ private:
                            : differingPixels(image, image_);
   }
 
-  Record recordOf(const Entry& entry, Table& table)
+  /// Median over the rounds of the same method's exact picture over this one.
+  double timesExact(const Entry& entry, std::size_t place) const
+  {
+    for (const Entry& exact : entries_)
+      if (exact.method == entry.method && exact.view == entry.view && !exact.occlusion &&
+          exact.poe == 0.0)
+        return 1.0 /
+               race_.ratio(place, exact.first + race_.fastest(exact.first, modesOf(exact).size()));
+    return std::nan("");
+  }
+
+  static std::string number(double v, const char* pattern)
+  {
+    char text[32];
+    std::snprintf(text, sizeof text, pattern, v);
+    return std::isnan(v) ? "-" : text;
+  }
+
+  /// What a picture with levels of detail makes wrong, as a row.
+  LodErrors errorsOf(const Entry& entry, std::size_t place, Table& table) const
+  {
+    if (entry.occlusion || entry.poe == 0.0)
+      return {0.0, 0.0, 0.0, 0.0, 0, 0};
+    const Built& built = methods_[entry.method];
+    built.method->setPoe(entry.poe);
+    const LodErrors errors =
+      built.method->lodErrors(cameras_[entry.view], options_.width, options_.height);
+    table.add({built.name, views_[entry.view].name, number(entry.poe, "%g"),
+      number(1e3 * race_.seconds(place), "%.2f"), number(timesExact(entry, place), "%.2f"),
+      number(errors.rms, "%.3f"), number(errors.mostOfMany, "%.2f"), number(errors.most, "%.2f"),
+      number(errors.lods, "%.3f"), std::to_string(errors.holes), std::to_string(errors.extra)});
+    return errors;
+  }
+
+  Record recordOf(const Entry& entry, Table& table, Table& errorTable)
   {
     const Built& built = methods_[entry.method];
     const std::vector<std::string> modes = modesOf(entry);
@@ -230,7 +289,8 @@ private:
     const auto rays = static_cast<double>(
       entry.occlusion ? rays_[entry.view].count : std::size_t(options_.width) * options_.height);
     const double times = timesEmbree(entry, entry.first + best);
-    std::pair<double, double> visits = {std::nan(""), std::nan("")};
+    TriangleVisits visits;
+    built.method->setPoe(entry.poe);
     if (!entry.occlusion)
       visits = built.method->visits(best, cameras_[entry.view], options_.width, options_.height);
     const std::size_t different = differing(entry, best);
@@ -239,25 +299,25 @@ private:
     for (std::size_t mode = 0; mode < modes.size(); ++mode)
       progress("%s, view %s, %s %s: %.2f Mrays/s", task.c_str(), view.c_str(), built.name.c_str(),
         modes[mode].c_str(), 1e-6 * rays / race_.seconds(entry.first + mode));
-    const auto number = [](double v, const char* pattern) -> std::string
-    {
-      char text[32];
-      std::snprintf(text, sizeof text, pattern, v);
-      return std::isnan(v) ? "-" : text;
-    };
-    table.add({task, built.name, modes[best], view, number(1e-6 * rays / seconds, "%.2f"),
-      number(1.0 / seconds, "%.2f"), number(times, "%.2f"), number(visits.first, "%.3f"),
-      number(visits.second, "%.3f"), number(built.seconds, "%.3f"),
-      number(built.bytesPerTriangle, "%.1f"), std::to_string(different)});
+    const LodErrors errors = errorsOf(entry, entry.first + best, errorTable);
+    table.add({task, built.name, modes[best], view, number(entry.poe, "%g"),
+      number(1e-6 * rays / seconds, "%.2f"), number(1.0 / seconds, "%.2f"), number(times, "%.2f"),
+      number(visits.nodes, "%.3f"), number(visits.clusters, "%.3f"),
+      number(1e-6 * visits.bytes, "%.1f"), number(built.seconds, "%.3f"),
+      number(built.lodSeconds, "%.3f"), number(built.bytesPerTriangle, "%.1f"),
+      std::to_string(different)});
     return {{"suite", std::string("triangles")}, {"task", task}, {"method", built.name},
-      {"mode", modes[best]}, {"input", input_.name}, {"poe", 0.0},
+      {"mode", modes[best]}, {"input", input_.name}, {"poe", entry.poe},
       {"triangles", static_cast<std::int64_t>(input_.triangles.size())}, {"view", view},
       {"width", std::int64_t{options_.width}}, {"height", std::int64_t{options_.height}},
       {"threads", std::int64_t{threads_}}, {"repeat", std::int64_t{options_.repeat}},
       {"rays", static_cast<std::int64_t>(rays)}, {"fps", 1.0 / seconds},
       {"mrays_per_s", 1e-6 * rays / seconds}, {"times_embree", times},
-      {"nodes_per_ray", visits.first}, {"clusters_per_ray", visits.second},
-      {"bytes_per_triangle", built.bytesPerTriangle}, {"build_s", built.seconds},
+      {"nodes_per_ray", visits.nodes}, {"clusters_per_ray", visits.clusters},
+      {"working_set_mb", 1e-6 * visits.bytes}, {"bytes_per_triangle", built.bytesPerTriangle},
+      {"build_s", built.seconds}, {"lod_build_s", built.lodSeconds}, {"rms_error", errors.rms},
+      {"displacement_999_pixels", errors.mostOfMany}, {"max_displacement_pixels", errors.most},
+      {"holes", errors.holes}, {"extra", errors.extra},
       {"differing", static_cast<std::int64_t>(different)}};
   }
 
@@ -294,6 +354,7 @@ Suite trianglesSuite()
   for (const View& view : triangleViews())
     suite.views.emplace_back(view.name, view.summary);
   suite.cells = false;
+  suite.lods = true;
   suite.run = run;
   return suite;
 }

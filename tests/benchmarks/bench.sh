@@ -307,7 +307,8 @@ END
 
   triangles) # the same picture by every method
     keys="suite task method mode input poe triangles view width height threads repeat rays fps mrays_per_s
-      times_embree nodes_per_ray clusters_per_ray bytes_per_triangle build_s differing"
+      times_embree nodes_per_ray clusters_per_ray working_set_mb bytes_per_triangle build_s lod_build_s
+      rms_error displacement_999_pixels max_displacement_pixels holes extra differing"
     triangles() { run 0 "$bench" triangles "${small[@]}" --json a.json "$@"; }
     triangles --input sphere:20000 --threads 2
     records a.json "len(r) == 12 and {x['method'] for x in r} == {'rlod', 'embree', 'embree-medium'} and
@@ -316,6 +317,12 @@ END
       x['rays'] > 500 and abs(x['triangles'] - 20000) < 500 for x in r)"
     records a.json "all((x['nodes_per_ray'] is None) == (x['method'] != 'rlod' or x['task'] == 'occlusion') for x in r)"
     records a.json "all((x['bytes_per_triangle'] <= 26) == (x['method'] == 'rlod') for x in r)"
+    triangles --input sphere:200000 --methods rlod,embree --poe 0,4,16 --view far
+    records a.json "len(r) == 6 and {x['poe'] for x in r if x['method'] == 'rlod'} == {0, 4, 16} and
+      {x['poe'] for x in r if x['method'] == 'embree'} == {0}"
+    records a.json "all(x['holes'] == 0 and x['rms_error'] <= x['displacement_999_pixels'] + 1e-9 and
+      x['displacement_999_pixels'] <= x['poe'] and (x['rms_error'] > 0) == (x['poe'] > 0) for x in r)"
+    records a.json "all(x['bytes_per_triangle'] <= 30 and x['lod_build_s'] > 0 for x in r if x['method'] == 'rlod')"
     printf 'v 1 1 1\nv -1 -1 1\nv -1 1 -1\nv 1 -1 -1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >four.obj
     triangles --input subdivide:four.obj:1000 --methods rlod --view near
     records a.json "len(r) == 2 and all(x['triangles'] == 1024 and x['times_embree'] is None for x in r)"

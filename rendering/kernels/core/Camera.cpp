@@ -102,6 +102,8 @@ void CameraRays::placeBundle(
   bundle.direction = directionAt(x, y);
   bundle.dx = common ? dx : ox;
   bundle.dy = common ? dy : oy;
+  bundle.footprint = std::max(glm::length(ox), glm::length(oy));
+  bundle.footprintPerT = std::max(glm::length(dx), glm::length(dy));
 }
 
 void CameraRays::fillBundle(

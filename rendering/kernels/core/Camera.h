@@ -58,7 +58,8 @@ struct CameraRays
   void fillBundle(
     RayBundle& bundle, int side, int x0, int y0, double jitterX, double jitterY) const;
 
-  /// The part of fillBundle() that tells where the rays run: kind, origin, direction, dx, dy. With
+  /// The part of fillBundle() that tells where the rays run: kind, origin, direction, dx, dy, and
+  /// the footprint, which is a pixel's width or height, the larger one. With
   /// rays that are transformed() it takes a bundle to another coordinate system, hits and all.
   void placeBundle(
     RayBundle& bundle, int side, int x0, int y0, double jitterX, double jitterY) const;

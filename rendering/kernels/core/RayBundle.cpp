@@ -21,6 +21,8 @@ void copyRays(const RayBundle& from, int first, int count, RayBundle& to)
   to.dx = from.dx;
   to.dy = from.dy;
   to.tMin = from.tMin;
+  to.footprint = from.footprint;
+  to.footprintPerT = from.footprintPerT;
   for (int i = 0; i < count; ++i)
   {
     to.x[i] = from.x[first + i] - x;

@@ -36,6 +36,9 @@ struct RayBundle
   Vec3d direction{0.0};
   Vec3d dx{0.0}, dy{0.0};
   double tMin = 0.0; ///< hits at t <= tMin do not count
+  /// How far apart neighbouring rays are at t, or what else an error may be compared with:
+  /// footprint + t * footprintPerT. Read only where a caster is allowed an error.
+  double footprint = 0.0, footprintPerT = 0.0;
   alignas(64) float x[capacity];
   alignas(64) float y[capacity];
   alignas(64) double t[capacity]; ///< in: farthest t that counts; out: t of the nearest hit

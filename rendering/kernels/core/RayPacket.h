@@ -24,9 +24,10 @@ struct RayPacket
   alignas(64) double direction[3][capacity];
   alignas(64) double tMin[capacity]; ///< hits at t <= tMin do not count
   alignas(64) double t[capacity];    ///< in: farthest t that counts; out: t of the nearest hit
-  alignas(64) std::uint64_t slot[capacity];  ///< particle's place in its structure, or noHit
-  alignas(64) std::int32_t object[capacity]; ///< index of the object in the scene, or -1
-  int count = 0;                             ///< rays in use, from the front
+  alignas(64) std::uint64_t slot[capacity];    ///< particle's place in its structure, or noHit
+  alignas(64) std::int32_t object[capacity];   ///< index of the object in the scene, or -1
+  int count = 0;                               ///< rays in use, from the front
+  double footprint = 0.0, footprintPerT = 0.0; ///< of all rays, as RayBundle has them
 };
 
 } // namespace mote

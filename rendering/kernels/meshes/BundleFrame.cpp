@@ -45,7 +45,31 @@ void BundleFrame::measure(const RayBundle& bundle)
   fit(bundle.y, yShift, yScale);
 }
 
-bool BundleFrame::place(const RlodTreeView& view, const RayBundle& bundle)
+Tolerance BundleFrame::tolerance(
+  const RlodTreeView& view, const RayBundle& bundle, double poe) const
+{
+  const double perZ = bundle.footprintPerT / speed, factor = radiiPerPixel * poe / view.unit;
+  return {static_cast<float>(factor * (bundle.footprint + zOfQ * perZ)),
+    static_cast<float>(factor * perZ)};
+}
+
+void BundleFrame::placeLines(const Lines& rays, const Vec3f& entry, bool fan)
+{
+  const double t = zOfQ / speed;
+  const Vec3d rest = rays.origin + t * rays.direction - Vec3d(entry);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    at[0][axis] = static_cast<float>(rest[axis]);
+    way[0][axis] = static_cast<float>(rays.direction[axis] / speed);
+    for (int k = 0; k < 2; ++k)
+    {
+      at[k + 1][axis] = static_cast<float>((fan ? t : 1.0) * rays.spread[k][axis]);
+      way[k + 1][axis] = fan ? static_cast<float>(rays.spread[k][axis] / speed) : 0.0f;
+    }
+  }
+}
+
+bool BundleFrame::place(const RlodTreeView& view, const RayBundle& bundle, bool withLines)
 {
   measure(bundle);
   const bool fan = bundle.kind == RayBundle::Kind::CommonOrigin;
@@ -63,27 +87,29 @@ bool BundleFrame::place(const RlodTreeView& view, const RayBundle& bundle)
   // p = origin + t direction + (x dx + y dy) (t or 1): these are the rows of the inverse.
   const Vec3d toT = glm::cross(dx, dy) / volume;
   const Vec3d toX = glm::cross(dy, direction) / volume, toY = glm::cross(direction, dx) / volume;
-  const Vec3f at = entryOf(origin, direction, std::max(0.0, bundle.tMin), view);
-  const Vec3d way = Vec3d(at) - origin;
-  const double distance = glm::dot(toT, way) * speed;
+  const Vec3f entry = entryOf(origin, direction, std::max(0.0, bundle.tMin), view);
+  const Vec3d toQ = Vec3d(entry) - origin;
+  const double distance = glm::dot(toT, toQ) * speed;
   // The tree's size, or its distance, is about 1 in s: so nothing is too large for float.
   const double weight = fan ? 1.0 / std::max(1.0, std::abs(distance)) : 0.0;
   const double perX = fan ? weight * speed : 1.0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    q[axis] = at[axis];
+    q[axis] = entry[axis];
     perAxis[axis][0] = static_cast<float>(toX[axis] * perX);
     perAxis[axis][1] = static_cast<float>(toY[axis] * perX);
     perAxis[axis][2] = static_cast<float>(toT[axis] * speed);
     perAxis[axis][3] = 0.0f;
   }
-  atQ[0] = static_cast<float>(glm::dot(toX, way) * perX);
-  atQ[1] = static_cast<float>(glm::dot(toY, way) * perX);
+  atQ[0] = static_cast<float>(glm::dot(toX, toQ) * perX);
+  atQ[1] = static_cast<float>(glm::dot(toY, toQ) * perX);
   atQ[2] = atQ[3] = 0.0f;
   weightAtQ = fan ? static_cast<float>(weight * distance) : 1.0f;
   weightPerZ = static_cast<float>(weight);
   zOfQ = distance;
   first = static_cast<float>(bundle.tMin * speed - distance);
+  if (withLines)
+    placeLines({origin, direction, {dx, dy}}, entry, fan);
   return true;
 }
 

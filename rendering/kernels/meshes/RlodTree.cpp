@@ -65,7 +65,9 @@ std::uint64_t RlodTree::triangleOf(std::uint64_t slot) const
 
 std::uint64_t RlodTree::inputIndex(std::uint64_t slot) const
 {
-  slot = triangleOf(slot);
+  if (isLod(slot)) // not from the cluster, which nobody else may need
+    return arrays_->planes[(slot & ~lodBit) / trianglesPerCluster]
+      .triangle[slot % trianglesPerCluster];
   const TriangleCluster& cluster = arrays_->clusters[slot / trianglesPerCluster];
   return arrays_->ids[cluster.firstId + slot % trianglesPerCluster];
 }
@@ -86,22 +88,44 @@ std::array<Vec3f, 3> RlodTree::localCorners(std::uint64_t slot) const
 Vec3f RlodTree::normal(std::uint64_t slot) const
 {
   if (isLod(slot))
-    return lod(slot).normal;
+  {
+    const RlodPlanes& planes = arrays_->planes[(slot & ~lodBit) / trianglesPerCluster];
+    const auto child = slot % trianglesPerCluster;
+    return {planes.normal[0][child], planes.normal[1][child], planes.normal[2][child]};
+  }
   const auto [a, b, c] = localCorners(slot);
   return glm::cross(b - a, c - a);
 }
 
+namespace
+{
+
+/// Whether any of some slots is that of an R-LOD: asked once for all, since asking for each costs
+/// as much as the answers.
+bool anyLod(const std::uint64_t* slots, int count)
+{
+  std::uint64_t bits = 0;
+  for (int k = 0; k < count; ++k)
+    bits |= slots[k];
+  return RlodTree::isLod(bits);
+}
+
+} // namespace
+
 void RlodTree::normals(const std::uint64_t* slots, int count, float* const normals[3]) const
 {
+  if (anyLod(slots, count))
+  {
+    for (int k = 0; k < count; ++k)
+    {
+      const Vec3f own = normal(slots[k]);
+      for (int axis = 0; axis < 3; ++axis)
+        normals[axis][k] = own[axis];
+    }
+    return;
+  }
   for (int k = 0; k < count; ++k)
   {
-    if (isLod(slots[k]))
-    {
-      const RlodPlanes& planes = arrays_->planes[(slots[k] & ~lodBit) / trianglesPerCluster];
-      for (int axis = 0; axis < 3; ++axis)
-        normals[axis][k] = planes.normal[axis][slots[k] % trianglesPerCluster];
-      continue;
-    }
     const TriangleCluster& cluster = arrays_->clusters[slots[k] / trianglesPerCluster];
     const auto triangle = static_cast<int>(slots[k] % trianglesPerCluster);
     const unsigned a = cluster.corner(triangle, 0), b = cluster.corner(triangle, 1),
@@ -121,8 +145,15 @@ void RlodTree::normals(const std::uint64_t* slots, int count, float* const norma
 
 void RlodTree::inputIndices(const std::uint64_t* slots, int count, std::uint64_t* indices) const
 {
-  for (int k = 0; k < count; ++k)
-    indices[k] = inputIndex(slots[k]);
+  const TriangleCluster* clusters = arrays_->clusters.data();
+  const std::uint32_t* ids = arrays_->ids.data();
+  if (anyLod(slots, count))
+    for (int k = 0; k < count; ++k)
+      indices[k] = inputIndex(slots[k]);
+  else
+    for (int k = 0; k < count; ++k)
+      indices[k] =
+        ids[clusters[slots[k] / trianglesPerCluster].firstId + slots[k] % trianglesPerCluster];
 }
 
 } // namespace mote

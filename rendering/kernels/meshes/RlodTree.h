@@ -62,20 +62,30 @@ public:
   std::size_t clusterCount() const;
 
   /// Finds for each ray the nearest hit with tMin < t < its t, and where there is one writes t,
-  /// slot and `object`.
-  void cast(RayBundle& bundle, std::int32_t object) const;
-  void cast(RayPacket& packet, std::int32_t object) const;
+  /// slot and `object`. `poe` is how many pixels of error are allowed: where there are R-LODs,
+  /// those whose error radius is smaller than so many footprints of the rays where their triangles
+  /// begin stand for these. The hit is then the point of the ray's part in their box that is
+  /// nearest to the plane: a ray that meets the triangles is sure to hit, if only one that passes
+  /// them by less than the error may hit too. 0 is exact.
+  void cast(RayBundle& bundle, std::int32_t object, double poe = 0.0) const;
+  void cast(RayPacket& packet, std::int32_t object, double poe = 0.0) const;
   /// t of each ray that meets a triangle with tMin < t < its t becomes -infinity; slot and object
   /// stay as they are.
   void occlude(RayBundle& bundle, std::int32_t object) const;
   void occlude(RayPacket& packet, std::int32_t object) const;
 
-  /// Nodes and clusters that cast() looks at for a bundle, added up.
+  /// Nodes, clusters and R-LODs that cast() looks at for a bundle, added up.
   struct Counts
   {
-    std::uint64_t nodes = 0, clusters = 0;
+    std::uint64_t nodes = 0, clusters = 0, lods = 0;
+    /// Which nodes, planes of nodes and clusters these were; each empty, or as long as there are.
+    std::vector<bool> seenNodes, seenPlanes, seenClusters;
   };
-  void cast(RayBundle& bundle, std::int32_t object, Counts& counts) const;
+  void cast(RayBundle& bundle, std::int32_t object, double poe, Counts& counts) const;
+
+  /// Sizes in memory, for who adds up what was seen.
+  static constexpr int bytesPerNode = 128, bytesPerCluster = 224;
+  static constexpr int bytesPerWords = 64, bytesPerPlanes = 384; ///< of a node's R-LODs
 
   /// Slots that cast() tells: 16 times the cluster, and the triangle's place in it. For R-LODs
   /// lodBit, and 16 times the node and the child's place in it. All that asks about slots takes

@@ -17,21 +17,22 @@ namespace mote
 namespace HWY_NAMESPACE
 {
 
-bool castNearest(
-  const RlodTreeView& view, RayBundle& bundle, std::int32_t object, RlodTree::Counts* counts)
+bool castNearest(const RlodTreeView& view, RayBundle& bundle, std::int32_t object, double poe,
+  RlodTree::Counts* counts)
 {
-  return castBundle<NearestHit>(view, bundle, object, counts);
+  return castBundle<NearestHit>(view, bundle, object, poe, counts);
 }
 
 bool castAny(
   const RlodTreeView& view, RayBundle& bundle, std::int32_t object, RlodTree::Counts* counts)
 {
-  return castBundle<AnyHit>(view, bundle, object, counts);
+  return castBundle<AnyHit>(view, bundle, object, 0.0, counts);
 }
 
-void castNearestOfPacket(const RlodTreeView& view, RayPacket& packet, std::int32_t object)
+void castNearestOfPacket(
+  const RlodTreeView& view, RayPacket& packet, std::int32_t object, double poe)
 {
-  castPacketNearest(view, packet, object);
+  castPacketNearest(view, packet, object, poe);
 }
 
 void castAnyOfPacket(const RlodTreeView& view, RayPacket& packet)
@@ -63,6 +64,8 @@ template <typename Ask>
 void askInPackets(RayBundle& bundle, const Ask& ask)
 {
   RayPacket packet;
+  packet.footprint = bundle.footprint;
+  packet.footprintPerT = bundle.footprintPerT;
   for (int first = 0; first < bundle.count; first += packet.count)
   {
     packet.count = std::min(RayPacket::capacity, bundle.count - first);
@@ -88,10 +91,10 @@ void askInPackets(RayBundle& bundle, const Ask& ask)
 
 } // namespace
 
-void RlodTree::cast(RayPacket& packet, std::int32_t object) const
+void RlodTree::cast(RayPacket& packet, std::int32_t object, double poe) const
 {
   if (size() > 0)
-    HWY_DYNAMIC_DISPATCH(castNearestOfPacket)(RlodTreeView(*this), packet, object);
+    HWY_DYNAMIC_DISPATCH(castNearestOfPacket)(RlodTreeView(*this), packet, object, poe);
 }
 
 void RlodTree::occlude(RayPacket& packet, std::int32_t) const
@@ -100,18 +103,18 @@ void RlodTree::occlude(RayPacket& packet, std::int32_t) const
     HWY_DYNAMIC_DISPATCH(castAnyOfPacket)(RlodTreeView(*this), packet);
 }
 
-void RlodTree::cast(RayBundle& bundle, std::int32_t object) const
+void RlodTree::cast(RayBundle& bundle, std::int32_t object, double poe) const
 {
   if (size() == 0 ||
-      HWY_DYNAMIC_DISPATCH(castNearest)(RlodTreeView(*this), bundle, object, nullptr))
+      HWY_DYNAMIC_DISPATCH(castNearest)(RlodTreeView(*this), bundle, object, poe, nullptr))
     return;
-  askInPackets(bundle, [&](RayPacket& packet) { cast(packet, object); });
+  askInPackets(bundle, [&](RayPacket& packet) { cast(packet, object, poe); });
 }
 
-void RlodTree::cast(RayBundle& bundle, std::int32_t object, Counts& counts) const
+void RlodTree::cast(RayBundle& bundle, std::int32_t object, double poe, Counts& counts) const
 {
   if (size() > 0)
-    HWY_DYNAMIC_DISPATCH(castNearest)(RlodTreeView(*this), bundle, object, &counts);
+    HWY_DYNAMIC_DISPATCH(castNearest)(RlodTreeView(*this), bundle, object, poe, &counts);
 }
 
 void RlodTree::occlude(RayBundle& bundle, std::int32_t object) const

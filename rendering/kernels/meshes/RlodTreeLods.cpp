@@ -72,10 +72,11 @@ double fromPlane(const Patch& part, const Vec3d& normal, double offset)
 class LodMaker
 {
 public:
-  LodMaker(const RlodNode* nodes, const TriangleCluster* clusters, RlodPlanes* planes,
-    RlodWords* words, std::size_t count)
+  LodMaker(const RlodNode* nodes, const TriangleCluster* clusters, const std::uint32_t* ids,
+    RlodPlanes* planes, RlodWords* words, std::size_t count)
     : nodes_(nodes)
     , clusters_(clusters)
+    , ids_(ids)
     , planes_(planes)
     , words_(words)
     , patches_(count)
@@ -184,12 +185,15 @@ private:
       planes.normal[axis][child] = patch.normal[axis];
     planes.offset[child] = patch.offset;
     planes.deviation[child] = patch.deviation;
+    const TriangleCluster& speaker = clusters_[patch.cluster];
+    planes.triangle[child] = ids_[speaker.firstId + speaker.count / 2U];
     words_[index].word[child] = patch.cluster;
     errors_[index][static_cast<std::size_t>(child)] = above(double(patch.radius) + patch.deviation);
   }
 
   const RlodNode* nodes_;
   const TriangleCluster* clusters_;
+  const std::uint32_t* ids_;
   RlodPlanes* planes_;
   RlodWords* words_;
   std::vector<Patch> patches_;                    ///< of nodes
@@ -205,8 +209,8 @@ void RlodTree::makeLods()
   a.words.resize(a.nodes.size());
   if (a.nodes.empty())
     return;
-  LodMaker maker(
-    a.nodes.data(), a.clusters.data(), a.planes.data(), a.words.data(), a.nodes.size());
+  LodMaker maker(a.nodes.data(), a.clusters.data(), a.ids.data(), a.planes.data(), a.words.data(),
+    a.nodes.size());
   // Nodes of clusters alone, nearly all, depend on no other node.
   const auto isBottom = [&](std::size_t k) { return a.nodes[k].clusters == a.nodes[k].children; };
   tbb::parallel_for(Range(0, a.nodes.size(), 1 << 7),

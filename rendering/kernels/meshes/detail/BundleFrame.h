@@ -8,6 +8,17 @@
 namespace mote
 {
 
+/// An error that grows along rays, in the tree's unit: atQ + z * perZ.
+struct Tolerance
+{
+  float atQ = 0.0f, perZ = 0.0f;
+};
+
+/// R-LODs are taken whose error radius is less than so many pixels for each pixel of error: hits
+/// then lie within the pixels of error of their triangles for 99.9 % of the rays
+/// (docs/triangles.md).
+constexpr double radiiPerPixel = 2.0;
+
 /// A bundle's rays in the tree's coordinates, as a picture: the ray at (x, y) meets the point p
 /// where u(p) = x s(p) and v(p) = y s(p), at the depth z(p). u, v, z are linear in p, and s in z:
 /// it is 1 for rays of one direction, and for rays of one origin how far p lies along the view
@@ -26,7 +37,9 @@ struct BundleFrame
                      [4];   ///< what a step along an axis adds to u, v, z; the fourth numbers are 0
   alignas(16) float atQ[4]; ///< u and v at Q; 0; 0
   float weightAtQ, weightPerZ; ///< s at Q, and what a step of z adds
-  double zOfQ;                 ///< z counts from there: t = (zOfQ + z) / speed
+  /// The ray at (x, y) is Q + at[0] + x at[1] + y at[2] + z (way[0] + x way[1] + y way[2]).
+  float at[3][3], way[3][3];
+  double zOfQ; ///< z counts from there: t = (zOfQ + z) / speed
   double speed;
   float first; ///< hits with z <= first do not count
 
@@ -35,9 +48,20 @@ struct BundleFrame
   int side; ///< of a square of rays, 4, 8 or 16; or 0
 
   /// False where the bundle's vectors lie nearly in one plane, so that single rays are better.
-  bool place(const RlodTreeView& view, const RayBundle& bundle);
+  /// `at` and `way` are placed `withLines` alone.
+  bool place(const RlodTreeView& view, const RayBundle& bundle, bool withLines);
+
+  /// Greatest error radius of R-LODs for `poe` pixels of error.
+  Tolerance tolerance(const RlodTreeView& view, const RayBundle& bundle, double poe) const;
 
 private:
+  /// The middle ray, and what neighbours add to its direction or, without a fan, its origin.
+  struct Lines
+  {
+    Vec3d origin, direction, spread[2];
+  };
+
+  void placeLines(const Lines& rays, const Vec3f& entry, bool fan);
   void measure(const RayBundle& bundle);
 };
 

@@ -55,6 +55,16 @@ constexpr BlockTables squareTables()
 }
 constexpr BlockTables blocksOfSquare = squareTables();
 
+/// Policies say what a hit does to a ray: the nearest is looked for, or any.
+struct NearestHit
+{
+  static constexpr bool any = false;
+};
+struct AnyHit
+{
+  static constexpr bool any = true;
+};
+
 struct BundleRays
 {
   static constexpr int capacity = RayBundle::capacity;
@@ -122,6 +132,46 @@ struct BundleRays
     for (int k = 0; k < BundleFrame::blocks; k += lanes)
       most = hn::Max(most, hn::Load(DF(), far + k));
     return hn::GetLane(hn::MaxOfLanes(DF(), most));
+  }
+
+  /// Keeps hits of 16 things, `hits` tells which, on rays of their own: those at columns x and rows
+  /// y of a square, where z is above `least`. Slots count from `first`.
+  template <typename Policy>
+  HWY_INLINE void keepEach(unsigned hits, VF atX, VF atY, VF atZ, float least, std::uint32_t first)
+  {
+    alignas(64) std::int32_t columns[lanes], rows[lanes];
+    alignas(64) float depths[lanes];
+    hn::Store(hn::NearestInt(atX), DI(), columns);
+    hn::Store(hn::NearestInt(atY), DI(), rows);
+    hn::Store(atZ, DF(), depths);
+    do
+    {
+      const int k = std::countr_zero(hits);
+      hits &= hits - 1;
+      const int ray = rayOfColumn[columns[k]] + rayOfRow[rows[k]];
+      if (depths[k] < z[ray] && depths[k] > least)
+      {
+        z[ray] = Policy::any ? -infinity : depths[k];
+        slot[ray] = first + static_cast<std::uint32_t>(k);
+        changed |= 1U << (ray / 16);
+      }
+    } while (hits != 0);
+  }
+
+  /// Keeps hits of one thing on the rays from `i` on, where z is above `least`.
+  template <typename Policy>
+  HWY_INLINE void keepBlock(MF hits, VF atZ, int i, float least, std::uint32_t hit)
+  {
+    const DF d;
+    const DU u;
+    const VF before = hn::Load(d, z + i);
+    hits = hn::And(hits, hn::And(hn::Lt(atZ, before), hn::Gt(atZ, all(least))));
+    if (hn::AllFalse(d, hits))
+      return;
+    hn::Store(hn::IfThenElse(hits, Policy::any ? all(-infinity) : atZ, before), d, z + i);
+    const auto slots = hn::Load(u, slot + i);
+    hn::Store(hn::IfThenElse(hn::RebindMask(u, hits), hn::Set(u, hit), slots), u, slot + i);
+    changed |= 1U << (i / 16);
   }
 
 private:

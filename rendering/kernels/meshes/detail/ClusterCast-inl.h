@@ -16,16 +16,6 @@ namespace mote
 namespace HWY_NAMESPACE
 {
 
-/// Policies say what a hit does to a ray: the nearest is looked for, or any.
-struct NearestHit
-{
-  static constexpr bool any = false;
-};
-struct AnyHit
-{
-  static constexpr bool any = true;
-};
-
 /// Tests clusters. Triangles that cover up to half a block of the picture are tested many at
 /// a time, each with a ray of its own; larger ones one at a time with the rays of a block.
 template <typename Policy>
@@ -170,7 +160,7 @@ private:
       if (!hn::AllFalse(d, hits))
       {
         const VF z = edges.at(sum, points.z.at(at.a), points.z.at(at.b), points.z.at(at.c));
-        keepEach(bitsOf(hits), x, y, z, first);
+        rays_.template keepEach<Policy>(bitsOf(hits), x, y, z, frame_.first, first);
       }
       x = hn::Add(x, one);
       const MF ends = hn::Gt(x, cells.x1);
@@ -178,28 +168,6 @@ private:
       y = hn::IfThenElse(ends, hn::Add(y, one), y);
       some = hn::And(some, hn::Le(y, cells.y1));
     } while (!hn::AllFalse(d, some));
-  }
-
-  /// Keeps hits of triangles on rays of their own.
-  HWY_INLINE void keepEach(unsigned hits, VF x, VF y, VF z, std::uint32_t first)
-  {
-    alignas(64) std::int32_t columns[lanes], rows[lanes];
-    alignas(64) float depths[lanes];
-    hn::Store(hn::NearestInt(x), DI(), columns);
-    hn::Store(hn::NearestInt(y), DI(), rows);
-    hn::Store(z, DF(), depths);
-    do
-    {
-      const int k = std::countr_zero(hits);
-      hits &= hits - 1;
-      const int ray = rayOfColumn[columns[k]] + rayOfRow[rows[k]];
-      if (depths[k] < rays_.z[ray] && depths[k] > frame_.first)
-      {
-        rays_.z[ray] = Policy::any ? -infinity : depths[k];
-        rays_.slot[ray] = first + static_cast<std::uint32_t>(k);
-        rays_.changed |= 1U << (ray / 16);
-      }
-    } while (hits != 0);
   }
 
   void castLarge(const Points& points, const TriangleCluster& cluster, const Cells& cells,
@@ -250,20 +218,11 @@ private:
       { return cornerAt(x, y, all(t.u[k]), all(t.v[k]), all(t.s[k])); };
       const Edges edges(corner(0), corner(1), corner(2));
       const VF sum = edges.sum();
-      MF hits = edges.hits(sum);
+      const MF hits = edges.hits(sum);
       if (hn::AllFalse(d, hits))
         continue;
       const VF z = edges.at(sum, all(t.z[0]), all(t.z[1]), all(t.z[2]));
-      const VF before = hn::Load(d, rays_.z + i);
-      hits = hn::And(hits, hn::And(hn::Lt(z, before), hn::Gt(z, all(frame_.first))));
-      if (hn::AllFalse(d, hits))
-        continue;
-      hn::Store(hn::IfThenElse(hits, Policy::any ? all(-infinity) : z, before), d, rays_.z + i);
-      const DU u;
-      const auto slots = hn::Load(u, rays_.slot + i);
-      hn::Store(
-        hn::IfThenElse(hn::RebindMask(u, hits), hn::Set(u, slot), slots), u, rays_.slot + i);
-      rays_.changed |= 1U << block;
+      rays_.template keepBlock<Policy>(hits, z, i, frame_.first, slot);
     }
   }
 

@@ -13,13 +13,14 @@ namespace mote
 /// coordinates, that stand for all triangles below. Children that do not exist have zeros.
 struct alignas(64) RlodPlanes
 {
-  float normal[3][RlodNode::fanout]; ///< of unit length
-  float offset[RlodNode::fanout];    ///< dot(normal, p) of the plane's points
-  float deviation[RlodNode::fanout]; ///< no point of the triangles is farther from the plane
+  float normal[3][RlodNode::fanout];        ///< of unit length
+  float offset[RlodNode::fanout];           ///< dot(normal, p) of the plane's points
+  float deviation[RlodNode::fanout];        ///< no point of the triangles is farther from the plane
+  std::uint32_t triangle[RlodNode::fanout]; ///< index in the input of one that speaks for all
 };
 
-/// Beside them, in one line of a cache: what decides whether they are taken, and a triangle that
-/// speaks for each. Apart from the planes, since it is read far more often.
+/// Beside them, in one line of a cache: what decides whether they are taken, and the cluster of the
+/// triangle that speaks for each. Apart from the planes, since it is read far more often.
 struct alignas(64) RlodWords
 {
   /// The highest 5 bits: the error radius, as a level. The lowest 27: a cluster below the child.

@@ -19,4 +19,9 @@ struct RlodTree::Arrays
   ErrorLevels levels;           ///< of their error radii
 };
 
+static_assert(sizeof(RlodNode) == RlodTree::bytesPerNode);
+static_assert(sizeof(TriangleCluster) == RlodTree::bytesPerCluster);
+static_assert(sizeof(RlodWords) == RlodTree::bytesPerWords);
+static_assert(sizeof(RlodPlanes) == RlodTree::bytesPerPlanes);
+
 } // namespace mote

@@ -8,8 +8,10 @@
 #endif
 
 #include "ClusterCast-inl.h"
+#include "PlaneCast-inl.h"
 
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 HWY_BEFORE_NAMESPACE();
@@ -175,16 +177,25 @@ private:
   const BundleRays& rays_;
 };
 
-/// Takes a bundle through a tree, front to back.
-template <typename Policy>
+/// In place of what casts at planes, where there are none.
+struct NoPlanes
+{
+  NoPlanes(const RlodTreeView&, const BundleFrame&, const BundleRays&) {}
+};
+
+/// Takes a bundle through a tree, front to back; with R-LODs where `lods`.
+template <typename Policy, bool lods>
 class BundleCaster
 {
 public:
-  BundleCaster(const RlodTreeView& view, const BundleFrame& frame, BundleRays& rays)
+  BundleCaster(const RlodTreeView& view, const BundleFrame& frame, BundleRays& rays,
+    const Tolerance& tolerance)
     : view_(view)
     , rays_(rays)
+    , tolerance_(tolerance)
     , projector_(frame, rays)
     , clusters_(frame, rays)
+    , planes_(view, frame, rays)
   {
   }
 
@@ -205,7 +216,9 @@ public:
       ChildPlaces places;
       projector_.project(node, rays_.farthest(), places);
       if (counts != nullptr)
-        ++counts->nodes;
+        count(counts->nodes, 1, counts->seenNodes, next.index);
+      if constexpr (lods)
+        castPlanes(next.index, places, counts);
       if (const unsigned clusters = places.bits & lowest(node.clusters); clusters != 0)
         castClusters(node, places, clusters, counts);
       if (const unsigned nodes = places.bits & ~lowest(node.clusters); nodes != 0)
@@ -220,6 +233,43 @@ private:
     float z0;
     Rect rect;
   };
+
+  static void count(std::uint64_t& all, int more, std::vector<bool>& seen, std::uint32_t index)
+  {
+    all += static_cast<std::uint64_t>(more);
+    if (!seen.empty())
+      seen[index] = true;
+  }
+
+  /// Casts at the R-LODs of children that err by less than is allowed where these begin, in place
+  /// of the children.
+  void castPlanes(std::uint32_t index, ChildPlaces& places, RlodTree::Counts* counts)
+  {
+    unsigned fine = 0;
+    for (int set = 0; set < laneSets; ++set)
+    {
+      const VF z0 = hn::Load(DF(), places.z0 + set * lanes);
+      const VF allowed = hn::MulAdd(z0, all(tolerance_.perZ), all(tolerance_.atQ));
+      const VF error = errorRadii(view_.words[index], view_.levels, set);
+      fine |= bitsOf(hn::Gt(allowed, error)) << (set * lanes);
+    }
+    fine &= places.bits;
+    if (fine == 0)
+      return;
+    places.bits &= ~fine;
+    unsigned seen = 0;
+    for (unsigned left = fine; left != 0; left &= left - 1)
+    {
+      const int k = std::countr_zero(left);
+      if (!rays_.hides(places.z0[k], places.rect[k]))
+        seen |= 1U << k;
+    }
+    if (seen == 0)
+      return;
+    planes_.cast(index, places.rect, seen);
+    if (counts != nullptr)
+      count(counts->lods, std::popcount(seen), counts->seenPlanes, index);
+  }
 
   void castClusters(
     const RlodNode& node, const ChildPlaces& places, unsigned bits, RlodTree::Counts* counts)
@@ -242,7 +292,7 @@ private:
       const std::uint32_t cluster = node.firstCluster + static_cast<unsigned>(k);
       clusters_.cast(view_.clusters[cluster], cluster * TriangleCluster::capacity);
       if (counts != nullptr)
-        ++counts->clusters;
+        count(counts->clusters, 1, counts->seenClusters, cluster);
     }
   }
 
@@ -272,8 +322,10 @@ private:
 
   const RlodTreeView& view_;
   BundleRays& rays_;
+  Tolerance tolerance_;
   NodeProjector projector_;
   ClusterCaster<Policy> clusters_;
+  std::conditional_t<lods, PlaneCaster, NoPlanes> planes_;
 };
 
 /// Writes what the rays have hit into the bundle.
@@ -314,16 +366,21 @@ void keepAnswers(
   }
 }
 
-/// Casts a bundle; false, with nothing done, where its rays are better cast one by one.
+/// Casts a bundle, at R-LODs that err by less than `poe` footprints where that is above 0; false,
+/// with nothing done, where its rays are better cast one by one.
 template <typename Policy>
-bool castBundle(
-  const RlodTreeView& view, RayBundle& bundle, std::int32_t object, RlodTree::Counts* counts)
+bool castBundle(const RlodTreeView& view, RayBundle& bundle, std::int32_t object, double poe,
+  RlodTree::Counts* counts)
 {
+  const bool lods = poe > 0.0 && view.words != nullptr && !Policy::any;
   BundleFrame frame;
-  if (bundle.count < 4 || !frame.place(view, bundle))
+  if (bundle.count < 4 || !frame.place(view, bundle, lods))
     return false;
   BundleRays rays(frame, bundle);
-  BundleCaster<Policy>(view, frame, rays).run(counts);
+  if (lods)
+    BundleCaster<Policy, true>(view, frame, rays, frame.tolerance(view, bundle, poe)).run(counts);
+  else
+    BundleCaster<Policy, false>(view, frame, rays, {}).run(counts);
   keepAnswers<Policy>(frame, rays, object, bundle);
   return true;
 }

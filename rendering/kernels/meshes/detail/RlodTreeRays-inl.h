@@ -7,6 +7,7 @@
 #define MOTE_RLOD_TREE_RAYS_INL_H
 #endif
 
+#include "BundleFrame.h"
 #include "TreeRays-inl.h"
 
 #include <vector>
@@ -56,8 +57,24 @@ HWY_INLINE void prefetchReference(const RlodTreeView& view, std::uint32_t refere
   }
 }
 
-/// The slot of the nearest hit, or RayPacket::noHit; ray.best becomes its z.
-inline std::uint64_t nearestHit(const RlodTreeView& view, TreeRay& ray)
+/// Children of a node whose R-LODs err by less than is allowed where the ray meets them first.
+HWY_INLINE unsigned fineChildren(
+  const RlodTreeView& view, std::uint32_t index, const Tolerance& tolerance, const Row& near)
+{
+  unsigned bits = 0;
+  for (int set = 0; set < laneSets; ++set)
+  {
+    const VF allowed = hn::MulAdd(near.load(set), all(tolerance.perZ), all(tolerance.atQ));
+    bits |= bitsOf(hn::Gt(allowed, errorRadii(view.words[index], view.levels, set)))
+            << (set * lanes);
+  }
+  return bits;
+}
+
+/// The slot of the nearest hit, or RayPacket::noHit; ray.best becomes its z. R-LODs count that err
+/// by less than the tolerance, if `lods`.
+template <bool lods>
+std::uint64_t nearestHit(const RlodTreeView& view, TreeRay& ray, const Tolerance& tolerance)
 {
   std::uint64_t slot = RayPacket::noHit;
   WaitingNode* const bottom = waitingStack<WaitingNode>(view);
@@ -84,7 +101,28 @@ inline std::uint64_t nearestHit(const RlodTreeView& view, TreeRay& ray)
     }
     const RlodNode& node = view.nodes[next.index];
     WaitingNode* const first = top;
-    for (unsigned bits = ray.childrenMet(node, z); bits != 0; bits &= bits - 1)
+    unsigned bits = 0;
+    if constexpr (lods)
+    {
+      Row far, at;
+      bits = ray.childrenMet(node, z, far);
+      if (const unsigned fine = bits & fineChildren(view, next.index, tolerance, z); fine != 0)
+      {
+        bits &= ~fine;
+        unsigned met = fine & ray.planesMet(view.planes[next.index], z, far, at);
+        for (; met != 0; met &= met - 1)
+        {
+          const auto k = static_cast<unsigned>(std::countr_zero(met));
+          if (!(at.v[k] < ray.best))
+            continue;
+          ray.best = at.v[k];
+          slot = RlodTree::lodSlot(next.index, k);
+        }
+      }
+    }
+    else
+      bits = ray.childrenMet(node, z);
+    for (; bits != 0; bits &= bits - 1)
     {
       const auto k = static_cast<unsigned>(std::countr_zero(bits));
       const WaitingNode child = {referenceOf(node, k), z.v[k]};
@@ -99,15 +137,22 @@ inline std::uint64_t nearestHit(const RlodTreeView& view, TreeRay& ray)
   return slot;
 }
 
-inline void castPacketNearest(const RlodTreeView& view, RayPacket& packet, std::int32_t object)
+inline void castPacketNearest(
+  const RlodTreeView& view, RayPacket& packet, std::int32_t object, double poe)
 {
+  const bool lods = poe > 0.0 && view.words != nullptr;
+  const double factor = radiiPerPixel * poe / view.unit;
   const TreeRays rays(view, packet);
   for (int i = 0; i < packet.count; ++i)
   {
     if (!rays.isAnywhere(i))
       continue;
     TreeRay ray(rays, i);
-    const std::uint64_t slot = nearestHit(view, ray);
+    const Tolerance tolerance = {
+      static_cast<float>(factor * (packet.footprint + rays.t0[i] * packet.footprintPerT)),
+      static_cast<float>(factor * (rays.perZ[i] * packet.footprintPerT))};
+    const std::uint64_t slot =
+      lods ? nearestHit<true>(view, ray, tolerance) : nearestHit<false>(view, ray, tolerance);
     const double t = rays.t0[i] + rays.perZ[i] * static_cast<double>(ray.best);
     // What is as near already may be a little farther in float.
     if (slot == RayPacket::noHit || !(t < packet.t[i]))

@@ -10,6 +10,9 @@ struct RlodTreeView
 {
   const RlodNode* nodes;
   const TriangleCluster* clusters;
+  const RlodPlanes* planes; ///< with `words`, or both none
+  const RlodWords* words;
+  ErrorLevels levels;
   Vec3d origin;
   double unit;
   Vec3d lower, upper; ///< of all triangles, in the tree's coordinates
@@ -18,6 +21,9 @@ struct RlodTreeView
   explicit RlodTreeView(const RlodTree& tree)
     : nodes(tree.arrays_->nodes.data())
     , clusters(tree.arrays_->clusters.data())
+    , planes(tree.arrays_->planes.data())
+    , words(tree.hasLods() ? tree.arrays_->words.data() : nullptr)
+    , levels(tree.arrays_->levels)
     , origin(tree.origin_)
     , unit(tree.unit_)
     , lower(tree.lower_)

@@ -10,6 +10,7 @@
 
 #include "../../core/RayPacket.h"
 #include "MeshSimd-inl.h"
+#include "PlaneMeeting-inl.h"
 #include "RlodTreeView.h"
 
 #include <algorithm>
@@ -169,11 +170,21 @@ struct TreeRay
   /// Children of a node that the ray meets before its end, as bits; `near` becomes where it enters.
   HWY_INLINE unsigned childrenMet(const RlodNode& node, Row& near) const
   {
-    return childrenMet(node, [&](VF enter, int set) { near.store(enter, set); });
+    return childrenMet(node, [&](VF enter, VF, int set) { near.store(enter, set); });
+  }
+  /// Likewise, and `far` becomes where it leaves.
+  HWY_INLINE unsigned childrenMet(const RlodNode& node, Row& near, Row& far) const
+  {
+    return childrenMet(node,
+      [&](VF enter, VF leave, int set)
+      {
+        near.store(enter, set);
+        far.store(leave, set);
+      });
   }
   HWY_INLINE unsigned childrenMet(const RlodNode& node) const
   {
-    return childrenMet(node, [](VF, int) {});
+    return childrenMet(node, [](VF, VF, int) {});
   }
 
 private:
@@ -213,7 +224,7 @@ private:
         enter = hn::Max(enter, hn::MulAdd(row(nearRow[axis]), perStep, all(enterAt[axis])));
         leave = hn::Min(leave, hn::MulAdd(row(farRow[axis]), perStep, all(leaveAt[axis])));
       }
-      keep(enter, set);
+      keep(enter, leave, set);
       bits |= bitsOf(hn::Le(enter, leave)) << (set * lanes);
     }
     return bits & lowest(node.children);
@@ -250,6 +261,34 @@ public:
               << (set * lanes);
     }
     return bits & lowest(cluster.count);
+  }
+
+  /// R-LODs of a node that the ray meets between `near` and `far`, where it is in the children's
+  /// boxes, as bits; z becomes where.
+  HWY_INLINE unsigned planesMet(
+    const RlodPlanes& planes, const Row& near, const Row& far, Row& z) const
+  {
+    const DF d;
+    const float nearest = std::nextafter(first, infinity);
+    unsigned bits = 0;
+    for (int set = 0; set < laneSets; ++set)
+    {
+      const auto normal = [&](int axis) { return hn::Load(d, planes.normal[axis] + set * lanes); };
+      const VF deep = normal(axisZ), u = normal(axisU), v = normal(axisV);
+      PlaneMeeting meeting = {hn::Max(near.load(set), all(nearest)), far.load(set),
+        hn::Neg(hn::Load(d, planes.offset + set * lanes)), hn::Zero(d)};
+      for (int axis = 0; axis < 3; ++axis)
+        meeting.height = hn::MulAdd(normal(axis), all(q[axis]), meeting.height);
+      meeting.height = hn::MulAdd(u, all(u0), hn::MulAdd(v, all(v0), meeting.height));
+      meeting.slope =
+        hn::Mul(all(sign), hn::MulAdd(u, all(perZu), hn::MulAdd(v, all(perZv), deep)));
+      VF at;
+      const MF met = meeting.meets(hn::Load(d, planes.deviation + set * lanes), at);
+      z.store(at, set);
+      bits |= bitsOf(hn::And(met, hn::And(hn::Gt(at, all(first)), hn::Lt(at, all(best)))))
+              << (set * lanes);
+    }
+    return bits;
   }
 };
 

@@ -1,0 +1,216 @@
+// Rays at the R-LODs of an RlodTree: what they may miss, and by how much they err.
+
+#include "MeshParts.h"
+
+#include <support/Targets.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace mote;
+using namespace mote::testing;
+
+namespace
+{
+
+RlodTree treeWithLods(const Triangles& triangles)
+{
+  RlodTree tree = treeOver(triangles);
+  tree.makeLods();
+  return tree;
+}
+
+/// What casting at R-LODs did to some rays.
+struct Errors
+{
+  std::size_t rays = 0, lods = 0, holes = 0;
+  double worst = 0.0; ///< distance of a hit on an R-LOD from its triangles, over its error radius
+  double tooCoarse = 0.0; ///< greatest error radius over what was allowed where the hit is
+};
+
+/// Judges a hit: it may be anywhere near the triangles that the R-LOD stands for.
+void judge(
+  const RlodTree& tree, std::uint64_t slot, const Vec3d& at, double allowed, Errors& errors)
+{
+  if (!RlodTree::isLod(slot))
+    return;
+  ++errors.lods;
+  const RlodTree::Lod lod = tree.lod(slot);
+  const Vec3d local = (at - tree.origin()) / tree.unit();
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const std::uint64_t below : tree.slotsBelow(slot))
+  {
+    const auto corners = tree.localCorners(below);
+    nearest = std::min(
+      nearest, distanceFrom({Vec3d(corners[0]), Vec3d(corners[1]), Vec3d(corners[2])}, local));
+  }
+  errors.worst = std::max(errors.worst, nearest / double(lod.error));
+  errors.tooCoarse = std::max(errors.tooCoarse, lod.error * tree.unit() / allowed);
+}
+
+void judge(const RlodTree& tree, const RayBundle& question, double poe, Errors& errors)
+{
+  RayBundle exact = question, rough = question;
+  tree.cast(exact, 0);
+  tree.cast(rough, 0, poe);
+  for (int first = 0; first < question.count; first += RayPacket::capacity)
+  {
+    RayPacket packet = emptyPacket();
+    packet.footprint = question.footprint;
+    packet.footprintPerT = question.footprintPerT;
+    const int count = std::min(RayPacket::capacity, question.count - first);
+    for (int i = first; i < first + count; ++i)
+      addRay(packet, question.originOf(i), question.directionOf(i), question.tMin);
+    tree.cast(packet, 0, poe);
+    for (int i = first; i < first + count; ++i)
+    {
+      ++errors.rays;
+      const auto at = [&](double t) { return question.originOf(i) + t * question.directionOf(i); };
+      const auto allowed = [&](double t)
+      { return poe * (question.footprint + t * question.footprintPerT); };
+      const double t = packet.t[i - first];
+      if (exact.object[i] == 0)
+        errors.holes += (rough.object[i] != 0) + (packet.object[i - first] != 0);
+      if (rough.object[i] == 0)
+        judge(tree, rough.slot[i], at(rough.t[i]), allowed(rough.t[i]), errors);
+      if (packet.object[i - first] == 0)
+        judge(tree, packet.slot[i - first], at(t), allowed(t), errors);
+    }
+  }
+}
+
+std::vector<RayBundle> wholeQuestions(int count, std::uint64_t seed)
+{
+  std::vector<RayBundle> questions = meshQuestions(count, seed);
+  for (RayBundle& question : questions)
+    std::fill_n(question.t, question.count, std::numeric_limits<double>::infinity());
+  return questions;
+}
+
+void expectNoHoles(const Triangles& triangles, int bundles, std::uint64_t seed)
+{
+  const RlodTree tree = treeWithLods(triangles);
+  for (const double poe : {0.3, 1.0, 4.0, 16.0, 100.0})
+  {
+    SCOPED_TRACE(poe);
+    Errors errors;
+    for (const RayBundle& question : wholeQuestions(bundles, seed))
+      judge(tree, question, poe, errors);
+    EXPECT_EQ(errors.holes, 0u) << "of " << errors.rays << " rays";
+    EXPECT_LT(errors.worst, 2.0);
+    EXPECT_LT(errors.tooCoarse, 2.001);
+    if (poe >= 16.0)
+    {
+      EXPECT_GT(errors.lods, errors.rays / 50);
+    }
+  }
+}
+
+} // namespace
+
+TEST(RlodTreeLodCast, LeavesNoHolesAndErrsByLessThanItSays)
+{
+  expectNoHoles(bumpySphere(60), 30, 1);
+  expectNoHoles(bumpySphere(12), 20, 2);
+  expectNoHoles(randomTriangles(2000, 3, 0.1), 20, 4);
+}
+
+TEST(RlodTreeLodCast, EveryInstructionSetLeavesNoHoles)
+{
+  const Triangles sphere = bumpySphere(24);
+  for (const std::int64_t target : everyTarget())
+  {
+    SCOPED_TRACE(hwy::TargetName(target));
+    const OnlyTargets only(target);
+    expectNoHoles(sphere, 12, 5);
+  }
+}
+
+TEST(RlodTreeLodCast, IsExactWithoutPixelsOfErrorOrWithoutLods)
+{
+  const Triangles sphere = bumpySphere(30);
+  const RlodTree plain = treeOver(sphere), lods = treeWithLods(sphere);
+  for (const RayBundle& question : meshQuestions(20, 6))
+  {
+    RayBundle exact = question, zero = question, none = question;
+    plain.cast(exact, 0);
+    lods.cast(zero, 0, 0.0);
+    plain.cast(none, 0, 8.0);
+    for (int i = 0; i < question.count; ++i)
+    {
+      EXPECT_EQ(exact.slot[i], zero.slot[i]);
+      EXPECT_EQ(exact.t[i], zero.t[i]);
+      EXPECT_EQ(exact.slot[i], none.slot[i]);
+      EXPECT_EQ(exact.t[i], none.t[i]);
+    }
+  }
+}
+
+TEST(RlodTreeLodCast, LooksAtFewerNodesTheMoreErrorItMay)
+{
+  const RlodTree tree = treeWithLods(bumpySphere(120));
+  const CameraRays rays(lookAt({3.0, 1.0, 2.0}, Vec3d(0.0), 40.0), 64, 64);
+  std::uint64_t before = ~std::uint64_t{0};
+  for (const double poe : {0.0, 1.0, 2.0, 4.0, 8.0})
+  {
+    RlodTree::Counts counts;
+    for (int y = 0; y < 64; y += 16)
+      for (int x = 0; x < 64; x += 16)
+      {
+        RayBundle bundle;
+        rays.fillBundle(bundle, 16, x, y, 0.0, 0.0);
+        tree.cast(bundle, 0, poe, counts);
+      }
+    EXPECT_EQ(counts.lods > 0, poe > 0.0);
+    EXPECT_LT(counts.nodes + counts.clusters, before);
+    before = counts.nodes + counts.clusters;
+  }
+}
+
+TEST(RlodTreeLodCast, SeesFlatWallsWhereTheyAre)
+{
+  Triangles wall;
+  constexpr int side = 100;
+  for (int j = 0; j <= side; ++j)
+    for (int i = 0; i <= side; ++i)
+      wall.addPoint({0.02 * i - 1.0, 0.02 * j - 1.0, 0.1 + 0.004 * i});
+  for (int j = 0; j < side; ++j)
+    for (int i = 0; i < side; ++i)
+    {
+      const int a = j * (side + 1) + i;
+      wall.add(a, a + 1, a + side + 2);
+      wall.add(a, a + side + 2, a + side + 1);
+    }
+  const RlodTree tree = treeWithLods(wall);
+  const Vec3d normal = glm::normalize(Vec3d(-0.2, 0.0, 1.0));
+  for (const auto projection : {Camera::Projection::Perspective, Camera::Projection::Orthographic})
+  {
+    Camera camera = lookAt({0.5, -0.8, 4.0}, {0.0, 0.0, 0.3}, 40.0);
+    camera.projection = projection;
+    camera.parallelScale = 1.2;
+    const CameraRays rays(camera, 48, 48);
+    std::size_t lods = 0;
+    for (int y = 0; y < 48; y += 16)
+      for (int x = 0; x < 48; x += 16)
+      {
+        RayBundle exact;
+        rays.fillBundle(exact, 16, x, y, 0.0, 0.0);
+        RayBundle rough = exact;
+        tree.cast(exact, 0);
+        tree.cast(rough, 0, 8.0);
+        for (int i = 0; i < exact.count; ++i)
+        {
+          if (exact.object[i] != 0)
+            continue;
+          ASSERT_EQ(rough.object[i], 0);
+          lods += RlodTree::isLod(rough.slot[i]);
+          EXPECT_NEAR(rough.t[i], exact.t[i], 2e-5);
+          EXPECT_GT(
+            std::abs(glm::dot(glm::normalize(Vec3d(tree.normal(rough.slot[i]))), normal)), 0.9999);
+        }
+      }
+    EXPECT_GT(lods, 300u);
+  }
+}
