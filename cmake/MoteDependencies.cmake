@@ -42,9 +42,9 @@ endforeach ()
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
   INTERFACE_INCLUDE_DIRECTORIES "${_oiio_existing}")
 
+find_package(nlohmann_json REQUIRED)
 if (MOTE_BUILD_APP OR MOTE_BUILD_BENCHMARKS)
   find_package(CLI11 REQUIRED)
-  find_package(nlohmann_json REQUIRED)
 endif ()
 if (MOTE_BUILD_BENCHMARKS)
   find_package(embree 3 REQUIRED)

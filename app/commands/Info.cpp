@@ -9,6 +9,7 @@
 #include "stage/SimulationBox.h"
 
 #include <vtkAbstractArray.h>
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
@@ -17,6 +18,7 @@
 #include <vtkMoteReaderTable.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
+#include <vtkPolyData.h>
 #include <vtkTimerLog.h>
 
 #include <nlohmann/json.hpp>
@@ -164,13 +166,21 @@ void printMesh(const MeshFacts& mesh)
   printLine("bad cells", complaints.empty() ? "none" : complaints);
 }
 
+/// Whether all cells are triangles of a vtkPolyData.
+bool isOfTriangles(vtkDataSet* data)
+{
+  auto* surface = vtkPolyData::SafeDownCast(data);
+  return surface && surface->GetNumberOfPolys() == surface->GetNumberOfCells() &&
+         surface->GetPolys()->IsHomogeneous() == 3;
+}
+
 void printText(const NamedData& one, const Input& input, int step, double seconds)
 {
   vtkDataSet* data = one.data;
   std::printf("%s\n", one.name.c_str());
   std::string contents = counted(data->GetNumberOfPoints(), "point");
   if (Part::isMesh(data))
-    contents += ", " + counted(data->GetNumberOfCells(), "cell");
+    contents += ", " + counted(data->GetNumberOfCells(), isOfTriangles(data) ? "triangle" : "cell");
   printLine("holds", contents + " (" + data->GetClassName() + ")");
   printTimes(input, step);
   if (data->GetNumberOfPoints() > 0)

@@ -37,15 +37,8 @@ void report(const std::string& file, const Stage& stage, const Picture& picture,
 
 void requireTraced(const Stage& stage)
 {
-  for (const auto& part : stage.parts())
-    if (part->kind() != Part::Kind::Surface)
-      return;
-  const std::string name = stage.parts().empty() ? "the input" : stage.parts().front()->name();
-  throw Failure("mote render draws particles, and 3D cells of unstructured grids with an array of "
-                "numbers, and there are none in " +
-                name +
-                "; see its surface in a window with: "
-                "mote FILE --cells surface");
+  if (stage.parts().empty())
+    throw Failure("there is nothing to draw in the input");
 }
 
 namespace

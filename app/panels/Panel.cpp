@@ -428,6 +428,8 @@ void Panel::drawCosts(const PanelFacts& facts)
     line("particles", withThousands(stage_.numberOfParticles()));
   if (stage_.numberOfCells() > 0)
     line("cells", withThousands(stage_.numberOfCells()));
+  if (stage_.numberOfTriangles(false) > 0)
+    line("triangles", withThousands(stage_.numberOfTriangles(false)));
 }
 
 } // namespace mote::app

@@ -28,7 +28,7 @@ Action PickedPanel::draw(const Stage& stage, const PickedFacts& facts, Settings&
   };
   const PickedSet& set = *facts.set;
   if (set.empty())
-    ImGui::TextWrapped("Click on a particle, a cell or a mesh to pick it; Shift and a click adds. "
+    ImGui::TextWrapped("Click on a particle or a cell to pick it; Shift and a click adds. "
                        "Ctrl and drag picks what is in a rectangle.");
   else
   {

@@ -17,6 +17,17 @@ bool has(const Stage& stage, Part::Kind kind)
     [kind](const auto& part) { return part->kind() == kind; });
 }
 
+/// What hides particles and values of volumes leaves surfaces whole.
+void adviseOnSurfaces(const Stage& stage, std::vector<std::string>& advice)
+{
+  const SelectionSettings& selection = stage.settings().selection;
+  const bool isLimiting = !selection.ranges.empty() || !selection.range.empty() ||
+                          !selection.where.empty() || !selection.hidden.empty() ||
+                          !selection.only.empty();
+  if (isLimiting && has(stage, Part::Kind::Surface))
+    advice.emplace_back("--show, --where and their like hide no triangles: surfaces stay whole");
+}
+
 /// The least and greatest value that colours; false where none does.
 bool rangeOf(const Stage& stage, double range[2])
 {
@@ -166,6 +177,7 @@ std::vector<std::string> adviceOn(const Stage& stage)
   if (stage.settings().views.sideBySide && !stage.parts().empty() && stage.views().size() < 2)
     advice.emplace_back("--side-by-side does nothing here: it takes two data sets that are shown");
   adviseOnVolumes(stage, advice);
+  adviseOnSurfaces(stage, advice);
   adviseOnParticles(stage, advice);
   adviseOnLight(stage, advice);
   adviseOnColors(stage, advice);

@@ -8,7 +8,6 @@
 
 #include <vtkActor.h>
 #include <vtkCellTypes.h>
-#include <vtkDataSetSurfaceFilter.h>
 #include <vtkLookupTable.h>
 #include <vtkMath.h>
 #include <vtkMoteParticleMapper.h>
@@ -17,8 +16,6 @@
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkPolyDataNormals.h>
 #include <vtkProperty.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkVolume.h>
@@ -43,12 +40,12 @@ bool hasRadii(vtkDataSet* data)
   return false;
 }
 
-void shade(vtkProperty* property, bool mesh, double ambient)
+void shade(vtkProperty* property, double ambient)
 {
   property->SetColor(0.91, 0.87, 0.79); // warm against the cool background
-  property->SetAmbient(mesh ? 0.1 : ambient);
-  property->SetDiffuse(mesh ? 0.9 : 0.75);
-  property->SetSpecular(mesh ? 0.1 : 0.0);
+  property->SetAmbient(ambient);
+  property->SetDiffuse(0.75);
+  property->SetSpecular(0.0);
   property->SetSpecularPower(30.0);
 }
 
@@ -66,13 +63,18 @@ Part::Part(const std::string& name, vtkDataSet* data, const Settings& settings, 
     particles_ = mapper;
     mapper_ = mapper;
   }
+  if (kind_ == Kind::Surface)
+  {
+    surface_ = std::make_unique<Surface>();
+    mapper_ = surface_->mapper();
+  }
   this->setAmbient(ambient);
   this->setData(name, data);
 }
 
 void Part::setAmbient(double ambient)
 {
-  shade(actor_->GetProperty(), !particles_, ambient);
+  shade(actor_->GetProperty(), ambient);
   if (volume_)
     volume_->setAmbient(ambient);
 }
@@ -114,14 +116,14 @@ vtkTypeInt64 Part::structureBytes() const
 {
   return particles_ ? particles_->GetStructureBytes()
          : volume_  ? volume_->mapper()->GetStructureBytes()
-                    : 0;
+                    : surface_->mapper()->GetStructureBytes();
 }
 
 double Part::buildTime() const
 {
   return particles_ ? particles_->GetBuildTime()
          : volume_  ? volume_->mapper()->GetBuildTime()
-                    : 0.0;
+                    : surface_->mapper()->GetBuildTime();
 }
 
 bool Part::isOfSource(vtkDataSet* data)
@@ -161,7 +163,7 @@ void Part::setData(const std::string& name, vtkDataSet* data)
   else if (volume_)
     volume_->setData(vtkUnstructuredGrid::SafeDownCast(data));
   else
-    mapper_ = this->makeSurface();
+    surface_->setData(data);
   actor_->SetMapper(mapper_);
   isWhole_ = true;
   this->placeProp();
@@ -266,8 +268,7 @@ std::string Part::update()
 void Part::work(const Runner& runner, const std::function<void()>& build)
 {
   Messages::takeError();
-  runner(
-    kind_ == Kind::Surface ? "Extracting surface" : "Building structure", this->worker(), build);
+  runner("Building structure", this->worker(), build);
   if (const std::string error = Messages::takeError(); !error.empty())
     throw Failure(error);
 }
@@ -332,27 +333,6 @@ void Part::keep(double radius, const ArrayChoice& colored)
     this->setRadius();
 }
 
-vtkSmartPointer<vtkMapper> Part::makeSurface()
-{
-  auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-  auto* surface = vtkPolyData::SafeDownCast(data_);
-  if (surface && surface->GetPointData()->GetNormals())
-    mapper->SetInputData(surface);
-  else if (surface)
-  {
-    vtkNew<vtkPolyDataNormals> normals;
-    normals->SetInputData(surface);
-    mapper->SetInputConnection(normals->GetOutputPort());
-  }
-  else
-  {
-    vtkNew<vtkDataSetSurfaceFilter> faces;
-    faces->SetInputData(data_);
-    mapper->SetInputConnection(faces->GetOutputPort());
-  }
-  return mapper;
-}
-
 void Part::setColors(
   const ArrayChoice& choice, vtkLookupTable* table, const std::vector<OpacityPoint>& opacity)
 {
@@ -362,6 +342,8 @@ void Part::setColors(
     volume_->setColors(data_, choice, table, opacity, sceneSize_);
     return this->placeProp();
   }
+  if (surface_)
+    surface_->followArrays(data_);
   mapper_->SetScalarVisibility(arrayOf(data_, choice) != nullptr);
   if (!mapper_->GetScalarVisibility())
     return;
@@ -444,6 +426,9 @@ void Part::shownBounds(double bounds[6]) const
 
 vtkIdType Part::numberLeftOut() const
 {
+  if (surface_)
+    return surface_->mapper()->GetNumberOfCellsLeftOut() +
+           surface_->mapper()->GetNumberOfUnfitTriangles();
   return volume_ ? volume_->mapper()->GetNumberOfCellsLeftOut() : 0;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Arrays.h"
+#include "Surface.h"
 #include "Volume.h"
 #include "base/ProgressRelay.h"
 #include "settings/Settings.h"
@@ -16,7 +17,6 @@
 class vtkActor;
 class vtkAlgorithm;
 class vtkLookupTable;
-class vtkMapper;
 class vtkMoteParticleMapper;
 class vtkProp3D;
 
@@ -113,7 +113,8 @@ public:
   /// Brings what is shown up to date with the limits.
   void applyRanges();
 
-  /// How many cells of a volume are of a kind that cannot be drawn, or are spoilt.
+  /// How many cells of a volume, or of a surface, are of a kind that cannot be drawn, or are
+  /// spoilt.
   vtkIdType numberLeftOut() const;
 
   /// How often the particles are drawn, side by side.
@@ -134,6 +135,7 @@ public:
   Kind kind() const { return kind_; }
   vtkProp3D* prop() const;
   vtkMoteParticleMapper* particles() const { return particles_; } ///< null for cells
+  const Surface* surface() const { return surface_.get(); }       ///< null for all else
   vtkTypeInt64 structureBytes() const;
   double buildTime() const;
 
@@ -142,7 +144,6 @@ private:
   void setImages();
   void placeProp();
   void work(const Runner& runner, const std::function<void()>& build);
-  vtkSmartPointer<vtkMapper> makeSurface();
 
   vtkAlgorithm* worker() const;
 
@@ -152,6 +153,7 @@ private:
   Kind kind_;
   vtkNew<vtkActor> actor_;
   std::unique_ptr<Volume> volume_;
+  std::unique_ptr<Surface> surface_;
   ArrayChoice colored_;
   double sceneSize_ = 1.0;
   bool isHidden_ = false;

@@ -28,9 +28,7 @@ bool has(const PickedSet::Parts& parts, const Picked& picked)
 
 Picked::Kind kindOfPicks(const Part& part)
 {
-  return part.kind() == Part::Kind::Particles ? Picked::Kind::Particle
-         : part.kind() == Part::Kind::Volume  ? Picked::Kind::Cell
-                                              : Picked::Kind::Point;
+  return part.kind() == Part::Kind::Particles ? Picked::Kind::Particle : Picked::Kind::Cell;
 }
 
 std::uint64_t PickedSet::keyOf(const Picked& picked)

@@ -13,14 +13,13 @@
 namespace mote::app
 {
 
-/// A particle, a cell of a volume or a point of a mesh, by its number in a part's data set.
+/// A particle, or a cell of a volume or of a mesh, by its number in a part's data set.
 struct Picked
 {
   enum class Kind : unsigned char
   {
     Particle,
-    Cell,
-    Point
+    Cell
   };
   int part = 0; ///< of the stage's parts
   Kind kind = Kind::Particle;
@@ -65,7 +64,7 @@ public:
 
   ///@{
   /// Before and after other data take the place of the present ones: the particles of the same ids
-  /// stay picked, and the cells and points of the same numbers.
+  /// stay picked, and the cells of the same numbers.
   std::vector<std::int64_t> names(const Parts& parts) const;
   void findAgain(const Parts& parts, const std::vector<std::int64_t>& names);
   ///@}

@@ -26,9 +26,7 @@ namespace
 
 const char* nameOf(Picked::Kind kind)
 {
-  return kind == Picked::Kind::Particle ? "particle"
-         : kind == Picked::Kind::Cell   ? "cell"
-                                        : "point";
+  return kind == Picked::Kind::Particle ? "particle" : "cell";
 }
 
 std::string numberText(double value, int digits)

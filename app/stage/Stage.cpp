@@ -386,7 +386,7 @@ vtkIdType Stage::numberOfCells() const
 {
   vtkIdType count = 0;
   for (const auto& part : parts_)
-    if (!part->particles())
+    if (part->kind() == Part::Kind::Volume)
       count += part->data()->GetNumberOfCells();
   return count;
 }
@@ -395,8 +395,17 @@ vtkIdType Stage::numberOfCellsShown() const
 {
   vtkIdType count = 0;
   for (const auto& part : parts_)
-    if (!part->particles() && !part->isHidden())
+    if (part->kind() == Part::Kind::Volume && !part->isHidden())
       count += part->data()->GetNumberOfCells();
+  return count;
+}
+
+vtkIdType Stage::numberOfTriangles(bool shownOnly) const
+{
+  vtkIdType count = 0;
+  for (const auto& part : parts_)
+    if (part->surface() && !(shownOnly && part->isHidden()))
+      count += part->surface()->mapper()->GetNumberOfTriangles();
   return count;
 }
 
@@ -419,7 +428,6 @@ double Stage::buildTime() const
 std::string Stage::contents() const
 {
   std::string text;
-  const vtkIdType cells = this->numberOfCells();
   const bool particles = std::any_of(
     parts_.begin(), parts_.end(), [](const auto& part) { return part->particles() != nullptr; });
   if (particles || parts_.empty())
@@ -434,13 +442,15 @@ std::string Stage::contents() const
     images = std::max(images, part->images());
   if (images > 1)
     text += ", " + std::to_string(images) + " images";
-  if (cells > 0)
+  const auto tell = [&](vtkIdType all, vtkIdType shown, const char* what)
   {
-    const vtkIdType shown = this->numberOfCellsShown();
-    text += (text.empty() ? "" : ", ") +
-            (shown == cells ? counted(cells, "cell")
-                            : withThousands(shown) + " of " + counted(cells, "cell") + " shown");
-  }
+    if (all > 0)
+      text += (text.empty() ? "" : ", ") +
+              (shown == all ? counted(all, what)
+                            : withThousands(shown) + " of " + counted(all, what) + " shown");
+  };
+  tell(this->numberOfCells(), this->numberOfCellsShown(), "cell");
+  tell(this->numberOfTriangles(false), this->numberOfTriangles(true), "triangle");
   vtkIdType leftOut = 0;
   for (const auto& part : parts_)
     leftOut += part->isHidden() ? 0 : part->numberLeftOut();

@@ -95,8 +95,9 @@ public:
 
   vtkIdType numberOfParticles() const;
   vtkIdType numberShown() const;        ///< of the particles, those that are not hidden
-  vtkIdType numberOfCells() const;      ///< of parts that are no particles
+  vtkIdType numberOfCells() const;      ///< of volumes
   vtkIdType numberOfCellsShown() const; ///< of those of them that are not hidden
+  vtkIdType numberOfTriangles(bool shownOnly) const; ///< of surfaces, as drawn
   vtkTypeInt64 structureBytes() const;
   double buildTime() const;
 

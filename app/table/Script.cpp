@@ -40,7 +40,8 @@ void writeImports(Script& script)
   script.line("from vtkmodules.vtkCommonCore import vtkLookupTable, vtkUnsignedCharArray");
   script.line(
     "from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPiecewiseFunction");
-  script.line("from vtkmodules.vtkFiltersCore import vtkArrayCalculator");
+  script.line("from vtkmodules.vtkFiltersCore import vtkArrayCalculator, vtkPolyDataNormals");
+  script.line("from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter");
   script.line("from vtkmodules.vtkRenderingCore import (");
   script.line("    vtkActor, vtkColorTransferFunction, vtkLight, vtkRenderer, vtkVolume)");
   script.line();
@@ -112,6 +113,28 @@ void writeRanges(Script& script, const Part& part, const Settings& settings)
   script.vector("mapper", "SetVisibilityRange", mapper->GetVisibilityRange(), 2);
 }
 
+/// The colours of a mapper, and its actor with what it looks like.
+void writeActor(Script& script, vtkMapper* mapper, const Part& part)
+{
+  script.call("mapper", "SetScalarVisibility", mapper->GetScalarVisibility() != 0);
+  if (mapper->GetScalarVisibility())
+  {
+    script.call("mapper", "SetScalarMode", mapper->GetScalarMode());
+    script.call("mapper", "SelectColorArray", mapper->GetArrayName());
+    script.line("mapper.SetLookupTable(colors)");
+    script.call("mapper", "SetUseLookupTableScalarRange", true);
+  }
+  script.line("prop = vtkActor()");
+  script.line("prop.SetMapper(mapper)");
+  vtkProperty* look = vtkActor::SafeDownCast(part.prop())->GetProperty();
+  script.line("look = prop.GetProperty()");
+  script.vector("look", "SetColor", look->GetColor());
+  script.call("look", "SetAmbient", look->GetAmbient());
+  script.call("look", "SetDiffuse", look->GetDiffuse());
+  script.call("look", "SetSpecular", look->GetSpecular());
+  script.call("look", "SetSpecularPower", look->GetSpecularPower());
+}
+
 void writeParticles(Script& script, const Part& part, const Settings& settings)
 {
   vtkMoteParticleMapper* mapper = part.particles();
@@ -133,23 +156,23 @@ void writeParticles(Script& script, const Part& part, const Settings& settings)
       "mapper.SetReplicationVectors((" + python(mapper->GetReplicationVectors(), 9) + "))");
   }
   writeRanges(script, part, settings);
-  script.call("mapper", "SetScalarVisibility", mapper->GetScalarVisibility() != 0);
-  if (mapper->GetScalarVisibility())
+  writeActor(script, mapper, part);
+}
+
+void writeSurface(Script& script, const Part& part)
+{
+  const Surface& surface = *part.surface();
+  script.line("mapper = mote.vtkMoteMeshMapper()");
+  if (surface.makesNormals() || surface.takesFaces())
   {
-    script.call("mapper", "SetScalarMode", mapper->GetScalarMode());
-    script.call("mapper", "SelectColorArray", mapper->GetArrayName());
-    script.line("mapper.SetLookupTable(colors)");
-    script.call("mapper", "SetUseLookupTableScalarRange", true);
+    script.line(surface.makesNormals() ? "faces = vtkPolyDataNormals()"
+                                       : "faces = vtkDataSetSurfaceFilter()");
+    script.line("faces.SetInputData(part)");
+    script.line("mapper.SetInputConnection(faces.GetOutputPort())");
   }
-  script.line("prop = vtkActor()");
-  script.line("prop.SetMapper(mapper)");
-  vtkProperty* look = vtkActor::SafeDownCast(part.prop())->GetProperty();
-  script.line("look = prop.GetProperty()");
-  script.vector("look", "SetColor", look->GetColor());
-  script.call("look", "SetAmbient", look->GetAmbient());
-  script.call("look", "SetDiffuse", look->GetDiffuse());
-  script.call("look", "SetSpecular", look->GetSpecular());
-  script.call("look", "SetSpecularPower", look->GetSpecularPower());
+  else
+    script.line("mapper.SetInputData(part)");
+  writeActor(script, surface.mapper(), part);
 }
 
 void writeFunctions(Script& script, vtkVolumeProperty* look)
@@ -286,8 +309,6 @@ void writeParts(Script& script, const Stage& stage, const Settings& settings)
   for (std::size_t i = 0; i < stage.parts().size(); ++i)
   {
     const Part& part = *stage.parts()[i];
-    if (part.kind() == Part::Kind::Surface)
-      continue;
     script.line();
     script.line("part = parts[" + std::to_string(i) + "]  # " + part.name());
     writeCalculated(script, part, settings);
@@ -295,6 +316,8 @@ void writeParts(Script& script, const Stage& stage, const Settings& settings)
     writeCoordinate(script, settings.color.array);
     if (part.particles())
       writeParticles(script, part, settings);
+    else if (part.surface())
+      writeSurface(script, part);
     else
       writeVolume(script, vtkVolume::SafeDownCast(part.prop()));
     if (part.isHidden())

@@ -17,7 +17,7 @@ void addAppearanceRows(std::vector<Row>& table)
       .name = "cells",
       .value = "KIND",
       .help = "How the 3D cells of unstructured grids are shown: volume needs an array of numbers "
-              "to colour by, surface works in the window only, and auto is volume where there is "
+              "to colour by, surface shows their outer faces, and auto is volume where there is "
               "such an array, else surface",
       .invalidates = Invalidates::Data,
       .words = {"auto", "volume", "surface"}}));

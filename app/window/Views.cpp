@@ -126,7 +126,7 @@ void Views::setColumns(std::size_t count)
     column_[i].title->SetVisibility(i < count);
   for (std::size_t i = 0; i < dividers_.size(); ++i)
     dividers_[i]->SetVisibility(i + 1 < count);
-  this->setTraced(isTraced_);
+  this->takePasses();
 }
 
 /// Puts the data where they are shown.
@@ -276,17 +276,11 @@ void Views::setUpPasses(const std::function<void(vtkMoteRayCastPass*)>& set)
     set(pass);
 }
 
-void Views::setTraced(bool on)
+void Views::takePasses()
 {
-  isTraced_ = on;
-  const bool isWhole = !this->isSideBySide();
-  stage_.renderer()->SetPass(on && isWhole ? pass_[0].Get() : nullptr);
-  stage_.renderer()->SetUseFXAA(!on && isWhole);
+  stage_.renderer()->SetPass(this->isSideBySide() ? nullptr : pass_[0].Get());
   for (std::size_t i = 0; i < column_.size(); ++i)
-  {
-    column_[i].renderer->SetPass(on && i < columns_ ? pass_[i].Get() : nullptr);
-    column_[i].renderer->SetUseFXAA(!on);
-  }
+    column_[i].renderer->SetPass(i < columns_ ? pass_[i].Get() : nullptr);
 }
 
 bool Views::isConverged() const

@@ -49,8 +49,8 @@ public:
   ///@{
   /// The passes of all views as one.
   void setUpPasses(const std::function<void(vtkMoteRayCastPass*)>& set);
-  /// Whether there is something to be traced.
-  void setTraced(bool on);
+  /// Gives each renderer its own.
+  void takePasses();
   bool isConverged() const;
   bool isPreview() const;
   double traceTime() const;
@@ -84,7 +84,6 @@ private:
   std::array<vtkNew<vtkActor2D>, Stage::mostViews - 1> dividers_;
   vtkNew<vtkRenderer> ground_; ///< below all columns, and beside them
   std::size_t columns_ = 0;    ///< 0: one view, the stage's own
-  bool isTraced_ = true;
 };
 
 } // namespace mote::app

@@ -95,20 +95,10 @@ void Window::setUpWindow()
       pass->SetShading(stage_.lighting().shading());
       pass->SetSilhouettes(stage_.silhouettes());
     });
-  views_.setTraced(true);
+  views_.takePasses();
   overlay_.setInk(inkOn(stage_.renderer()));
   interactor_->SetRenderWindow(window_);
   interactor_->SetInteractorStyle(style_);
-}
-
-void Window::choosePass()
-{
-  // Where there is nothing to trace OpenGL smooths the edges.
-  const auto& parts = stage_.parts();
-  traced_ =
-    parts.empty() || std::any_of(parts.begin(), parts.end(),
-                       [](const auto& part) { return part->kind() != Part::Kind::Surface; });
-  views_.setTraced(traced_);
 }
 
 void Window::setUpEvents()
@@ -179,7 +169,6 @@ void Window::run()
   this->nameWindow();
   this->look();
   this->followProps();
-  this->choosePass();
   if (this->isEmpty())
     this->say("Mote shows what simulations write: start it as mote FILE, or press Ctrl+O");
   else
@@ -373,13 +362,14 @@ void Window::onRenderEnd()
   if (takeFileCut())
     Messages::warn("A file was cut short while it was in use: what is shown of it may be wrong");
   const double traceTime = views_.traceTime();
-  if (!traced_ || traceTime > 0.0)
+  if (traceTime > 0.0)
+  {
     frameTime_ = vtkTimerLog::GetUniversalTime() - frameStart_;
-  if (traced_ && traceTime > 0.0)
     otherTime_ = frameTime_ - traceTime;
+  }
   if (this->isResting())
     this->noteRest();
-  if (!traced_ || !this->isResting())
+  if (!this->isResting())
     return;
   // Sharpen until all samples are there; then once more, for the texts to say so.
   const bool preview = views_.isPreview();
@@ -456,7 +446,7 @@ std::string Window::statusText() const
             std::to_string(input_.numberOfSteps()) + ", t = " + asNumber(input_.times()[step_], 10);
   if (frameTime_ > 0.0)
     text += dot + "frame " + asDuration(frameTime_);
-  if (!traced_ || views_.numberOfSamples() == 0)
+  if (views_.numberOfSamples() == 0)
     return text;
   if (!previewed_)
     text += dot + "structure " + asBytes(static_cast<double>(stage_.structureBytes()));

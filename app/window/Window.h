@@ -13,7 +13,6 @@
 #include "panels/PanelHost.h"
 #include "settings/History.h"
 #include "stage/FollowedFiles.h"
-#include "stage/MeshPicker.h"
 #include "stage/PickedSet.h"
 #include "stage/Stage.h"
 #include "stage/StepCache.h"
@@ -59,7 +58,6 @@ private:
   // Set-up
   void setUpWindow();
   void setUpEvents();
-  void choosePass();
 
   // Time
   void load(int step);
@@ -159,7 +157,6 @@ private:
   void fitToArray(Settings& next) const;
   bool actOnView(Action action);
   bool actOnFiles(Action action);
-  bool hasSurfaces() const;
   void goTo(int step);
   Settings otherProjection() const;
   Settings scaledRadius(double factor) const;
@@ -169,7 +166,6 @@ private:
   void saveFilm();
   std::string makeFilm(const std::string& file);
   std::array<int, 2> savedSize() const;
-  void grabPicture(const std::string& file);
   std::string unusedName(const std::string& ending) const;
   std::string coloringText() const;
   void say(const std::string& message);
@@ -184,7 +180,6 @@ private:
     double cloudOpacity; ///< of the ray where a volume's cell was picked for it, else 0
   };
   std::optional<Hit> hitAt(int x, int y);
-  std::optional<Hit> meshHitAt(int x, int y);
   std::string factsOf(const Hit& hit, int mostArrays) const;
   void setUpPicking();
   void pick(bool adds);
@@ -221,7 +216,6 @@ private:
   Overlay overlay_;
   WindowProps props_;
   PickedSet picked_;
-  MeshPicker meshPicker_;
   Clipboard clipboard_;
   bool picksThrough_ = false; ///< rectangles take what others hide, too
   TerminalProgress terminal_;
@@ -251,7 +245,6 @@ private:
   int loadedStep_ = -1; ///< that the stage shows; -1 while it changes
   int direction_ = 1;   ///< of the last change of the step
   int wantedStep_ = -1; ///< that the slider asks for while a nearer one is shown
-  bool traced_ = true;  // something that is seen is Mote's
   bool playing_ = false;
   bool busy_ = false; // in long work: events wait
   bool wheeling_ = false;

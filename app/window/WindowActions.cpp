@@ -13,9 +13,7 @@
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
 #include <vtkImageData.h>
-#include <vtkMoteImageWriter.h>
 #include <vtkRenderer.h>
-#include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <cmath>
@@ -208,13 +206,6 @@ void Window::fitToArray(Settings& next) const
     next.volume.opacity.clear();
 }
 
-bool Window::hasSurfaces() const
-{
-  const auto& parts = stage_.parts();
-  return std::any_of(parts.begin(), parts.end(),
-    [](const auto& part) { return part->kind() == Part::Kind::Surface; });
-}
-
 bool Window::actOnFiles(Action action)
 {
   const auto print =
@@ -222,9 +213,7 @@ bool Window::actOnFiles(Action action)
   {
     std::fputs(text.c_str(), stdout);
     std::fflush(stdout);
-    this->say(what + " is printed in the terminal" +
-              (this->hasSurfaces() ? "; surfaces are not in it: mote render draws none" : "") +
-              note);
+    this->say(what + " is printed in the terminal" + note);
   };
   switch (action)
   {
@@ -240,15 +229,11 @@ bool Window::actOnFiles(Action action)
       asked_.output.session.empty() ? this->unusedName(".json") : asked_.output.session);
     return true;
   case Action::PrintCommand:
-    print(commandOf(this->settingsInForce(), traced_ ? this->unusedName(".png") : "") + "\n",
-      "The command");
+    print(commandOf(this->settingsInForce(), this->unusedName(".png")) + "\n", "The command");
     return true;
   case Action::PrintScript:
-    if (traced_)
-      print(scriptOf(stage_, input_, this->settingsInForce(), this->unusedName(".png")),
-        "The script", views_.shown().size() > 1 ? "; it has all data in one view" : "");
-    else
-      this->say("There is no script of surfaces: Mote draws particles and volumes");
+    print(scriptOf(stage_, input_, this->settingsInForce(), this->unusedName(".png")), "The script",
+      views_.shown().size() > 1 ? "; it has all data in one view" : "");
     return true;
   default:
     return false;
@@ -342,8 +327,6 @@ void Window::savePicture()
   // A preview is for looking; what is kept is exact.
   if (previewed_ && !this->perform([&] { stage_.finishBuild(progress_); }))
     return;
-  if (this->hasSurfaces())
-    return this->grabPicture(file);
   // As mote render makes it, so that the printed command gives the same.
   const bool done = this->perform(
     [&]
@@ -357,28 +340,6 @@ void Window::savePicture()
     });
   if (done)
     this->say("Saved " + file);
-}
-
-/// Surfaces are OpenGL's, which mote render does without.
-void Window::grabPicture(const std::string& file)
-{
-  overlay_.setVisible(false);
-  views_.setVisible(false);
-  do
-    this->render();
-  while (traced_ && !views_.isConverged() && !inputWaits(window_));
-  vtkNew<vtkWindowToImageFilter> image;
-  image->SetInput(window_);
-  image->SetInputBufferTypeToRGB();
-  image->ReadFrontBufferOff();
-  image->ShouldRerenderOff();
-  vtkNew<vtkMoteImageWriter> writer;
-  writer->SetInputConnection(image->GetOutputPort());
-  writer->SetFileName(file.c_str());
-  const bool written = writer->Write() != 0;
-  overlay_.setVisible(true);
-  views_.setVisible(true);
-  this->say(written ? "Saved " + file : writer->GetErrorMessage());
 }
 
 } // namespace mote::app

@@ -21,8 +21,6 @@ std::array<int, 2> Window::savedSize() const
 void Window::saveFilm()
 {
   playing_ = false;
-  if (this->hasSurfaces())
-    return this->say("Films show particles and volumes: surfaces are the window's alone");
   this->recordCamera();
   const Settings before = this->settings();
   const std::string& asked = before.output.file;

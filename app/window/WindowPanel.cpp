@@ -109,7 +109,7 @@ void Window::layPanel()
   facts.frameTime = frameTime_;
   facts.messages = messages_;
   facts.picked = {&picked_, &picksThrough_};
-  facts.quality = traced_ && views_.numberOfSamples() > 0 ? this->qualityText() : "";
+  facts.quality = views_.numberOfSamples() > 0 ? this->qualityText() : "";
   facts.isRecording = recorder_.isOn();
   if (player_)
     facts.played = player_->progress();

@@ -76,63 +76,27 @@ std::string arrayFacts(vtkDataSetAttributes* arrays, vtkIdType id, int most)
 //------------------------------------------------------------------------------------------------
 // What is under the cursor
 
-/// Of meshes, which OpenGL draws.
-std::optional<Window::Hit> Window::meshHitAt(int x, int y)
-{
-  View* view = views_.at(x, y);
-  if (!view)
-    return {};
-  vtkRenderer* renderer = view->renderer();
-  std::array<std::array<double, 3>, 2> ends{};
-  for (std::size_t i = 0; i < 2; ++i)
-  {
-    renderer->SetDisplayPoint(x + 0.5, y + 0.5, double(i));
-    renderer->DisplayToWorld();
-    const double* place = renderer->GetWorldPoint();
-    for (std::size_t axis = 0; axis < 3 && place[3] != 0.0; ++axis)
-      ends[i][axis] = place[axis] / place[3];
-  }
-  double axis[3], eye[3];
-  renderer->GetActiveCamera()->GetDirectionOfProjection(axis);
-  renderer->GetActiveCamera()->GetPosition(eye);
-  std::optional<Hit> first;
-  for (const std::size_t k : view->parts())
-    if (const auto found = meshPicker_.hit(*stage_.parts()[k], ends[0], ends[1]))
-    {
-      Hit hit{{static_cast<int>(k), Picked::Kind::Point, found->point}, found->at, 0.0, 0.0, 0.0};
-      double way[3];
-      vtkMath::Subtract(found->at.data(), eye, way);
-      hit.distance = vtkMath::Dot(way, axis);
-      if (!first || hit.distance < first->distance)
-        first = hit;
-    }
-  return first;
-}
-
 std::optional<Window::Hit> Window::hitAt(int x, int y)
 {
-  std::optional<Hit> mesh;
   View* view = views_.at(x, y);
-  if (!view)
-    return mesh;
-  if (this->hasSurfaces())
-    mesh = this->meshHitAt(x, y);
   vtkNew<vtkMoteParticlePicker> picker;
   picker->PickCloudsOn();
-  if (!picker->Pick(x, y, 0.0, view->renderer()) ||
-      (mesh && mesh->distance < picker->GetDistance()))
-    return mesh;
+  if (!view || !picker->Pick(x, y, 0.0, view->renderer()))
+    return {};
   for (std::size_t k = 0; k < stage_.parts().size(); ++k)
     if (stage_.parts()[k]->prop() == picker->GetViewProp())
     {
+      const Surface* surface = stage_.parts()[k]->surface();
       const bool isCell = picker->GetCellId() >= 0;
-      Hit hit{{static_cast<int>(k), isCell ? Picked::Kind::Cell : Picked::Kind::Particle,
-                isCell ? picker->GetCellId() : picker->GetParticleId()},
-        {}, picker->GetDistance(), picker->GetValue(), picker->GetCloudOpacity()};
+      const vtkIdType id = surface  ? surface->cellOf(picker->GetCellId())
+                           : isCell ? picker->GetCellId()
+                                    : picker->GetParticleId();
+      Hit hit{{static_cast<int>(k), isCell ? Picked::Kind::Cell : Picked::Kind::Particle, id}, {},
+        picker->GetDistance(), picker->GetValue(), picker->GetCloudOpacity()};
       picker->GetPickPosition(hit.at.data());
       return hit;
     }
-  return mesh;
+  return {};
 }
 
 std::string Window::factsOf(const Hit& hit, int mostArrays) const
@@ -142,20 +106,22 @@ std::string Window::factsOf(const Hit& hit, int mostArrays) const
   const std::string which = withThousands(picked.id) + " of " + part.name();
   if (picked.kind == Picked::Kind::Cell)
   {
-    const std::string what =
-      hit.cloudOpacity > 0.0
-        ? factLine("volume", asNumber(hit.value) + " at the most opaque place of a ray that is " +
-                               asNumber(std::ceil(100.0 * hit.cloudOpacity)) + " % opaque")
-        : factLine("iso-surface", asNumber(hit.value));
-    return what.substr(1) + factLine("cell", which) +
+    std::string what;
+    if (hit.cloudOpacity > 0.0)
+      what =
+        factLine("volume", asNumber(hit.value) + " at the most opaque place of a ray that is " +
+                             asNumber(std::ceil(100.0 * hit.cloudOpacity)) + " % opaque");
+    else if (!part.surface())
+      what = factLine("iso-surface", asNumber(hit.value));
+    else if (!part.surface()->mapper()->IsColoredByCells() && std::isfinite(hit.value))
+      what = factLine("here", stage_.coloring().title() + ' ' + asNumber(hit.value));
+    return (what + factLine("cell", which)).substr(1) +
            factLine("position", asTuple(hit.at.data(), 3)) +
            arrayFacts(part.data()->GetCellData(), picked.id, mostArrays);
   }
-  const bool isPoint = picked.kind == Picked::Kind::Point;
   double position[3];
   part.data()->GetPoint(picked.id, position);
-  return factLine(isPoint ? "point" : "particle", which).substr(1) +
-         factLine("position", asTuple(position, 3)) +
+  return factLine("particle", which).substr(1) + factLine("position", asTuple(position, 3)) +
          arrayFacts(part.data()->GetPointData(), picked.id, mostArrays);
 }
 
@@ -252,7 +218,7 @@ void Window::addWithin(View& view, const std::array<int, 2>& from, const std::ar
     this->addSeen(rectangle, found);
 }
 
-/// Adds the cells and the points of meshes that rays through the rectangle meet first.
+/// Adds the cells that rays through the rectangle meet first.
 void Window::addSeen(const std::array<int, 4>& rectangle, std::vector<Picked>& found)
 {
   constexpr int most = 32; // rays each way: a second, of large volumes
@@ -267,7 +233,7 @@ void Window::addSeen(const std::array<int, 4>& rectangle, std::vector<Picked>& f
   found.insert(found.end(), seen.items().begin(), seen.items().end());
 }
 
-/// Adds all cells of volumes whose middle lies in the rectangle, and all points of meshes.
+/// Adds all cells whose middle lies in the rectangle.
 void Window::addAll(
   View& view, const std::array<int, 4>& rectangle, std::vector<Picked>& found) const
 {
@@ -285,22 +251,15 @@ void Window::addAll(
   {
     const Part& part = *stage_.parts()[k];
     vtkDataSet* data = part.data();
-    const Picked::Kind kind = kindOfPicks(part);
-    const bool isCells = kind == Picked::Kind::Cell;
-    const vtkIdType count = isCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
-    for (vtkIdType i = 0; i < count && kind != Picked::Kind::Particle; ++i)
+    const vtkIdType count = kindOfPicks(part) == Picked::Kind::Cell ? data->GetNumberOfCells() : 0;
+    for (vtkIdType i = 0; i < count; ++i)
     {
       double place[3], bounds[6];
-      if (isCells)
-      {
-        data->GetCellBounds(i, bounds);
-        for (int axis = 0; axis < 3; ++axis)
-          place[axis] = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
-      }
-      else
-        data->GetPoint(i, place);
+      data->GetCellBounds(i, bounds);
+      for (int axis = 0; axis < 3; ++axis)
+        place[axis] = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
       if (isIn(place))
-        found.push_back({static_cast<int>(k), kind, i});
+        found.push_back({static_cast<int>(k), Picked::Kind::Cell, i});
     }
   }
 }
@@ -322,9 +281,7 @@ void Window::pickRectangle(
   const auto count = static_cast<std::int64_t>(found.size());
   const bool isParticles = std::all_of(found.begin(), found.end(),
     [](const Picked& one) { return one.kind == Picked::Kind::Particle; });
-  const std::string many = isParticles                                ? "particle"
-                           : found.front().kind == Picked::Kind::Cell ? "cell"
-                                                                      : "point";
+  const std::string many = isParticles ? "particle" : "cell";
   this->say(found.empty()
               ? "There is nothing to pick in the rectangle"
               : counted(count, many.c_str()) + " in the rectangle" +

@@ -71,7 +71,6 @@ bool Window::follow(const Settings& next, RecordedEvent::Kind how)
     {
       stage_.build(progress_);
       stage_.applyColors();
-      this->choosePass();
     }
   };
   const bool done = this->perform(

@@ -48,7 +48,6 @@ void Window::load(int step)
     stage_.setData(data);
   }
   picked_.findAgain(stage_.parts(), names);
-  meshPicker_ = {}; // which keeps what it looked through
   // What plays would go on to the next step before it is built.
   stage_.setPreview(asked_.output.preview && !playing_);
   if (step != step_)
@@ -59,7 +58,6 @@ void Window::load(int step)
     stage_.build(progress_);
   }
   stage_.applyColors();
-  this->choosePass();
   loadedStep_ = step;
   if (cache_)
     cache_->setPlace(step_, playing_ ? 1 : direction_, playing_ && this->settings().output.loop);

@@ -1,6 +1,7 @@
 #include "ReaderFormats.h"
 
 #include "FileError.h"
+#include "GLTFCheck.h"
 #include "LAMMPSDump.h"
 #include "PDBReader.h"
 #include "PLYCheck.h"
@@ -16,6 +17,7 @@
 #include "kernels/particles/GeneratedParticles.h"
 #include "kernels/particles/PkdTreeFile.h"
 
+#include "vtkGLTFReader.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkOBJReader.h"
 #include "vtkOpenFOAMReader.h"
@@ -74,6 +76,12 @@ vtkSmartPointer<vtkAlgorithm> makePLY(const FileNames& fileNames)
   return make<vtkPLYReader>(fileNames);
 }
 
+vtkSmartPointer<vtkAlgorithm> makeGLTF(const FileNames& fileNames)
+{
+  checkGLTFIsWhole(fileNames.front());
+  return make<vtkGLTFReader>(fileNames);
+}
+
 } // namespace
 
 const std::vector<ReaderFormat>& readerFormats()
@@ -95,6 +103,7 @@ const std::vector<ReaderFormat>& readerFormats()
     {{".ply"}, "Stanford triangle mesh", makePLY},
     {{".obj"}, "Wavefront mesh", make<vtkOBJReader>},
     {{".stl"}, "STL triangle mesh", make<vtkSTLReader>},
+    {{".gltf", ".glb"}, "glTF triangle meshes", makeGLTF},
     {{".foam"}, "OpenFOAM case", make<vtkOpenFOAMReader>},
   };
   return formats;

@@ -413,7 +413,7 @@ case $3 in
     quit
     ;;
 
-  mesh) # cells are shown by their surface, without rays
+  mesh) # cells are shown by their surface
     cat >cube.ply <<'PLY'
 ply
 format ascii 1.0

@@ -186,6 +186,53 @@ TEST_F(TestReaderTable, OpenFOAMCase)
   expectError(write("bare/case.foam", ""), "");
 }
 
+namespace
+{
+
+/// A triangle, whose three points and three indices are this in base64.
+std::string triangleInGLTF(
+  const std::string& buffer = "data:application/octet-stream;base64,"
+                              "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAABAAIA",
+  const std::string& points = "3")
+{
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"
+         R"("buffers":[{"uri":")" +
+         buffer +
+         R"(","byteLength":42}],"bufferViews":[{"buffer":0,"byteLength":36},)"
+         R"({"buffer":0,"byteOffset":36,"byteLength":6}],"accessors":[{"bufferView":0,)"
+         R"("componentType":5126,"type":"VEC3","min":[0,0,0],"max":[1,1,0],"count":)" +
+         points + R"(},{"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}]})";
+}
+
+} // namespace
+
+TEST_F(TestReaderTable, MeshesInGLTF)
+{
+  const auto trianglesOf = [&](const std::string& file)
+  {
+    auto data = read(file, "vtkGLTFReader");
+    auto* blocks = vtkCompositeDataSet::SafeDownCast(data);
+    return blocks ? blocks->GetNumberOfCells() : -1;
+  };
+  EXPECT_EQ(trianglesOf(write("a.gltf", triangleInGLTF())), 1);
+  const std::string bytes("\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\0\0\0\0"
+                          "\0\0\0\0\0\0\x80\x3f\0\0\0\0\0\0\1\0\2\0",
+    42);
+  write("points.bin", bytes);
+  EXPECT_EQ(trianglesOf(write("b.gltf", triangleInGLTF("points.bin"))), 1);
+  // What VTK's reader does not survive, or reads beyond.
+  expectError(write("alone.gltf", triangleInGLTF("missing.bin")), "'missing.bin'");
+  write("short.bin", bytes.substr(0, 30));
+  expectError(write("short.gltf", triangleInGLTF("short.bin")), "shorter");
+  expectError(write("long.gltf", triangleInGLTF("points.bin", "4")), "accessors");
+  expectError(write("longer.gltf", triangleInGLTF("points.bin", "1537228672809129302")), "");
+  expectError(write("cut.gltf", triangleInGLTF().substr(0, 100)), "no glTF");
+  expectError(write("empty.glb", ""), "no glTF");
+  expectError(write("cut.glb", std::string("glTF\2\0\0\0\x64\0\0\0\x50\0\0\0JSON{}", 22)), "early");
+  expectError(write("types.gltf", R"({"asset":1,"buffers":[1],"accessors":"x"})"), "");
+}
+
 TEST_F(TestReaderTable, FilesThatCannotBeRead)
 {
   expectError(path("missing.vtp"), "there is no such file");

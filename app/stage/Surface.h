@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vtkMoteMeshMapper.h>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+class vtkAlgorithm;
+class vtkDataSet;
+
+namespace mote::app
+{
+
+/// Cells of a part, shown by their surface.
+///
+/// Polygons without normals of points get some, so that they look smooth but for sharp edges; for
+/// that points are split at these. Faces of grids are flat.
+class Surface
+{
+public:
+  void setData(vtkDataSet* data);
+  /// Takes arrays that the data have got since.
+  void followArrays(vtkDataSet* data);
+
+  vtkMoteMeshMapper* mapper() const { return mapper_; }
+  /// Whether normals were made, by a vtkPolyDataNormals as it is made.
+  bool makesNormals() const { return makesNormals_; }
+  /// Whether the faces were taken out before, as of images, by a vtkDataSetSurfaceFilter.
+  bool takesFaces() const { return takesFaces_; }
+  /// The cell of the data that a cell of the mapper's input stands for.
+  vtkIdType cellOf(vtkIdType cell) const;
+
+private:
+  vtkNew<vtkMoteMeshMapper> mapper_;
+  bool makesNormals_ = false, takesFaces_ = false;
+  vtkMTimeType taken_ = 0; ///< of the data
+};
+
+} // namespace mote::app

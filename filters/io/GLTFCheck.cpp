@@ -1,0 +1,158 @@
+#include "GLTFCheck.h"
+
+#include "FileError.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <vector>
+
+namespace mote
+{
+
+namespace
+{
+
+using Json = nlohmann::json;
+using Size = std::uint64_t;
+
+constexpr Size most = Size{1} << 48;
+
+/// The description, and how many bytes a binary file holds beside it.
+struct Model
+{
+  Json json;
+  Size binary = 0;
+};
+
+std::uint32_t wordAt(const std::string& bytes, std::size_t at)
+{
+  std::uint32_t word = 0;
+  if (at + sizeof word <= bytes.size())
+    std::memcpy(&word, bytes.data() + at, sizeof word);
+  return word;
+}
+
+Model modelOf(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    throw FileError(FileError::Kind::CannotOpen, path, "cannot be read");
+  std::string bytes(std::istreambuf_iterator<char>(file), {});
+  Model model;
+  std::string text = bytes;
+  if (bytes.starts_with("glTF"))
+  {
+    // A header of 12 bytes, then chunks of a length, a type and as many bytes.
+    const Size length = wordAt(bytes, 12);
+    if (20 + length > bytes.size())
+      throw FileError(FileError::Kind::Truncated, path, "the file ends too early");
+    text = bytes.substr(20, length);
+    const Size next = 20 + length;
+    model.binary = wordAt(bytes, next);
+    if (next < bytes.size() && next + 8 + model.binary > bytes.size())
+      throw FileError(FileError::Kind::Truncated, path, "the file ends too early");
+  }
+  model.json = Json::parse(text, nullptr, false);
+  if (!model.json.is_object() || !model.json.contains("asset"))
+    throw FileError(FileError::Kind::OtherFormat, path, "is no glTF file");
+  return model;
+}
+
+Size numberOf(const Json& object, const char* name, Size usual = 0)
+{
+  const auto found = object.find(name);
+  const Size value =
+    found != object.end() && found->is_number_unsigned() ? found->get<Size>() : usual;
+  return std::min(value, most); // sums of such stay numbers
+}
+
+/// The bytes that a buffer has, whatever it says.
+Size bytesOf(const std::string& path, const Json& buffer, Size binary)
+{
+  const std::string uri = buffer.value("uri", "");
+  if (uri.empty())
+    return binary;
+  if (uri.starts_with("data:"))
+  {
+    const std::size_t comma = uri.find(',');
+    const Size digits = comma == std::string::npos ? 0 : uri.size() - comma - 1;
+    const Size filling = uri.ends_with("==") ? 2 : uri.ends_with("=") ? 1 : 0;
+    return digits / 4 * 3 - (digits >= 4 ? filling : 0);
+  }
+  std::error_code error;
+  const auto beside = std::filesystem::path(path).parent_path() / uri;
+  const Size size = std::filesystem::file_size(beside, error);
+  if (error)
+    throw FileError(
+      FileError::Kind::NotFound, path, "there is no file '" + uri + "', which holds its points");
+  return size;
+}
+
+void checkAccessor(const std::string& path, const Json& accessor, const Json& views)
+{
+  static const std::map<std::string, Size> numbers = {
+    {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}};
+  static const std::map<Size, Size> sizes = {
+    {5120, 1}, {5121, 1}, {5122, 2}, {5123, 2}, {5125, 4}, {5126, 4}};
+  if (!accessor.contains("bufferView"))
+    return; // zeros
+  const Size view = numberOf(accessor, "bufferView");
+  const auto type = numbers.find(accessor.value("type", ""));
+  const auto size = sizes.find(numberOf(accessor, "componentType"));
+  const bool known = type != numbers.end() && size != sizes.end() && view < views.size();
+  const Size one = known ? type->second * size->second : 0;
+  const Size count = numberOf(accessor, "count");
+  const Size stride = known ? numberOf(views[view], "byteStride", one) : 0;
+  if (!known || stride > 255 ||
+      (count > 0 && numberOf(accessor, "byteOffset") + stride * (count - 1) + one >
+                      numberOf(views[view], "byteLength")))
+    throw FileError(
+      FileError::Kind::Malformed, path, "its accessors ask for more than its buffers hold");
+}
+
+Json listOf(const Json& model, const char* name)
+{
+  const auto found = model.find(name);
+  return found != model.end() && found->is_array() ? *found : Json::array();
+}
+
+} // namespace
+
+void checkGLTFIsWhole(const std::string& path)
+{
+  try
+  {
+    const Model model = modelOf(path);
+    for (const Json& extension : listOf(model.json, "extensionsRequired"))
+      if (const auto name = extension.get<std::string>(); name.find("mesh") != std::string::npos)
+        throw FileError(
+          FileError::Kind::OtherFormat, path, "needs " + name + ", which cannot be read");
+    const Json buffers = listOf(model.json, "buffers"), views = listOf(model.json, "bufferViews");
+    for (const Json& buffer : buffers)
+      if (bytesOf(path, buffer, model.binary) < numberOf(buffer, "byteLength"))
+        throw FileError(FileError::Kind::Truncated, path, "its buffers are shorter than they say");
+    for (const Json& view : views)
+    {
+      const Size buffer = numberOf(view, "buffer");
+      if (buffer >= buffers.size() || numberOf(view, "byteOffset") + numberOf(view, "byteLength") >
+                                        numberOf(buffers[buffer], "byteLength"))
+        throw FileError(
+          FileError::Kind::Malformed, path, "its views ask for more than its buffers hold");
+    }
+    for (const Json& accessor : listOf(model.json, "accessors"))
+      checkAccessor(path, accessor, views);
+  }
+  catch (const Json::exception&)
+  {
+    throw FileError(FileError::Kind::Malformed, path, "breaks the rules of glTF");
+  }
+}
+
+} // namespace mote

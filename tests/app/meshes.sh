@@ -1,0 +1,163 @@
+#!/usr/bin/env bash
+# meshes.sh MOTE DATA CASE: one test of triangles in pictures. None of them may need a display.
+tests=$(realpath "$(dirname "$0")")
+source "$tests/common.sh"
+unset DISPLAY
+hopper=$data/hopper.dump.gz
+
+# draw OUT ARGUMENTS...: a picture, without complaints.
+draw() {
+  local picture=$1
+  shift
+  run 0 "$mote" render "$@" -o "$picture" --size 320x240 --samples 4
+  [ "$(png_size "$picture")" = 320x240 ] || fail "no picture $picture"
+  [ ! -s err ] || { cat err; fail "something on standard error"; }
+}
+
+differ() { ! cmp -s "$1" "$2" || fail "$1 and $2 are the same"; }
+
+# vtp FILE POINTS: a tetrahedron as triangles, with values of points and of cells.
+vtp() {
+  cat >"$1" <<VTP
+<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64"><PolyData>
+<Piece NumberOfPoints="4" NumberOfVerts="0" NumberOfLines="${3:-0}" NumberOfStrips="0" NumberOfPolys="4">
+<PointData><DataArray type="Float64" Name="height" format="ascii">0 0.5 1 2</DataArray></PointData>
+<CellData><DataArray type="Float64" Name="face" format="ascii">${3:+9 }1 2 3 4</DataArray></CellData>
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">$2</DataArray></Points>
+<Lines><DataArray type="Int64" Name="connectivity" format="ascii">${3:+0 1}</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">${3:+2}</DataArray></Lines>
+<Polys><DataArray type="Int64" Name="connectivity" format="ascii">0 2 1 0 1 3 0 3 2 1 2 3</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">3 6 9 12</DataArray></Polys>
+</Piece></PolyData></VTKFile>
+VTP
+}
+corners='0 0 0 1 0 0 0 1 0 0 0 1'
+
+case $3 in
+  colours) # by points, by cells, by a coordinate, by none; ranges and maps
+    vtp a.vtp "$corners"
+    run 0 "$mote" info a.vtp
+    said out '4 points, 4 triangles'
+    draw points.png a.vtp
+    said out '4 triangles'
+    draw cells.png a.vtp --color-by face
+    draw x.png a.vtp --color-by x
+    draw none.png a.vtp --color-by none
+    draw map.png a.vtp --color-map plasma
+    draw range.png a.vtp --range 0 1
+    for other in cells x none map range; do differ points.png $other.png; done
+    draw again.png a.vtp --color-by height
+    cmp -s points.png again.png || fail "other colours than those chosen of itself"
+    run 1 "$mote" render a.vtp -o b.png --color-by nothing
+    said err "no array 'nothing'"
+    run 0 "$mote" render a.vtp -o b.png --size 160x120 --show height=0:1
+    one_sentence
+    said err 'surfaces stay whole'
+    run 0 "$mote" render a.vtp -o b.exr --size 64x48 --samples 1
+    vtp line.vtp "$corners" 1
+    run 0 "$mote" render line.vtp -o b.png --size 160x120
+    said err '1 line or vertex, which has no area'
+    said out '4 triangles (1 cannot be drawn)'
+    ;;
+
+  formats) # polygons, grids, images: what they are made of is shown
+    cat >cube.ply <<'PLY'
+ply
+format ascii 1.0
+element vertex 8
+property float x
+property float y
+property float z
+element face 6
+property list uchar int vertex_indices
+end_header
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+0 0 1
+1 0 1
+1 1 1
+0 1 1
+4 0 3 2 1
+4 4 5 6 7
+4 0 1 5 4
+4 1 2 6 5
+4 2 3 7 6
+4 3 0 4 7
+PLY
+    printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >a.obj
+    {
+      echo solid a
+      for corner in '1 0 0' '0 1 0' '0 0 1'; do
+        echo "facet normal 0 0 0 outer loop vertex 0 0 0 vertex $corner vertex 1 1 1 endloop endfacet"
+      done
+      echo endsolid
+    } | sed 's/ outer loop/\nouter loop/; s/ vertex/\nvertex/g; s/ endloop/\nendloop/; s/ endfacet/\nendfacet/' >a.stl
+    printf '%s\n' '# vtk DataFile Version 3.0' strip ASCII 'DATASET POLYDATA' 'POINTS 4 float' \
+      '0 0 0 1 0 0 0 1 0 1 1 0' 'TRIANGLE_STRIPS 1 5' '4 0 1 2 3' >a.vtk
+    printf '%s\n' '# vtk DataFile Version 3.0' image ASCII 'DATASET STRUCTURED_POINTS' \
+      'DIMENSIONS 3 3 3' 'ORIGIN 0 0 0' 'SPACING 1 1 1' 'POINT_DATA 27' 'SCALARS v float' \
+      'LOOKUP_TABLE default' "$(seq -s ' ' 27)" >image.vtk
+    # Three corners and an index each, in base64.
+    corner='AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAABAAIA'
+    cat >a.gltf <<GLTF
+{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],
+"buffers":[{"uri":"data:application/octet-stream;base64,$corner","byteLength":42}],
+"bufferViews":[{"buffer":0,"byteLength":36,"target":34962},{"buffer":0,"byteOffset":36,"byteLength":6,"target":34963}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
+{"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}]}
+GLTF
+    for case in 'cube.ply 12' 'a.obj 4' 'a.stl 3' 'a.vtk 2' 'image.vtk 48' 'a.gltf 1'; do
+      # shellcheck disable=SC2086
+      set -- $case
+      draw a.png "$1" --view iso
+      said out " $2 triangle"
+    done
+    run 0 "$mote" info cube.ply
+    said out '8 points, 6 cells'
+    draw swirl.png "$data/swirl.0.vtu" --cells surface
+    said out triangles
+    ;;
+
+  scene) # with particles and volumes, in one light
+    vtp a.vtp '-0.05 -0.05 0.1 0.05 -0.05 0.1 0 0.05 0.1 0 0 0.16' # within the hopper's box
+    draw alone.png "$hopper"
+    draw both.png "$hopper" a.vtp
+    said out '5,518 particles, 4 triangles'
+    differ alone.png both.png
+    draw shadows.png "$hopper" a.vtp --shadows hard
+    draw occluded.png "$hopper" a.vtp --ambient-occlusion 8
+    draw outlined.png "$hopper" a.vtp --silhouettes
+    draw paths.png "$hopper" a.vtp --path-trace
+    for other in shadows occluded outlined paths; do differ both.png $other.png; done
+    draw volume.png "$data/swirl.0.vtu" a.vtp
+    said out 'cells, 4 triangles'
+    draw hidden.png "$hopper" a.vtp --hide-data 2
+    said out '0 of 4 triangles shown'
+    ;;
+
+  steps) # points that move
+    vtp move.0.vtp "$corners"
+    vtp move.1.vtp '0 0 0 2 0 0 0 1 0 0 0 1'
+    run 0 "$mote" render move.0.vtp move.1.vtp --all-steps -o step.png --size 320x240
+    differ step.0001.png step.0002.png
+    run 0 "$mote" animate move.0.vtp move.1.vtp -o frames-%02d.png --size 160x120
+    ;;
+
+  real) # models of people's own
+    [ -d "$MOTE_SHARED_DATA/triangles" ] || exit 77
+    for case in 'bunny.ply 69,451' 'horse.ply 96,966' 'spot.obj 5,856'; do
+      # shellcheck disable=SC2086
+      set -- $case
+      run 0 "$mote" info "$MOTE_SHARED_DATA/triangles/$1"
+      said out "$2 triangles"
+      draw real.png "$MOTE_SHARED_DATA/triangles/$1"
+      is_picture real.png 320x240
+      said out "$2 triangles"
+    done
+    ;;
+
+  *) fail "no case $3" ;;
+esac
