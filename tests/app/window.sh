@@ -4,6 +4,29 @@
 tests=$(cd "$(dirname "$0")" && pwd)
 source "$tests/window_common.sh"
 
+# tetrahedron: writes one of triangles.
+tetrahedron() {
+  cat >tetrahedron.ply <<'PLY'
+ply
+format ascii 1.0
+element vertex 4
+property float x
+property float y
+property float z
+element face 4
+property list uchar int vertex_indices
+end_header
+0 0 0
+1 0 0
+0 1 0
+0 0 1
+3 0 2 1
+3 0 1 3
+3 0 3 2
+3 1 2 3
+PLY
+}
+
 case $3 in
   keys)
     open "$copper" --size 640x480
@@ -175,7 +198,10 @@ case $3 in
     viewed m -- "$data/swirl.1.vtu" --iso 0.02 --no-cloud --color-by U
     viewed Left -- "$data/lj-fracture.dump.gz" --legend-side left --font-scale 1.5
     viewed g -- pump:0.001 --opacity 0%=0,100%=0.4 --lit
-    [ $views = 11 ] || fail "$views views"
+    tetrahedron
+    viewed l -- tetrahedron.ply --color-by z
+    viewed m -- "$data/swirl.1.vtu" --cells surface --color-by U
+    [ $views = 13 ] || fail "$views views"
     ;;
 
   mouse)
@@ -414,26 +440,8 @@ case $3 in
     ;;
 
   mesh) # cells are shown by their surface
-    cat >cube.ply <<'PLY'
-ply
-format ascii 1.0
-element vertex 4
-property float x
-property float y
-property float z
-element face 4
-property list uchar int vertex_indices
-end_header
-0 0 0
-1 0 0
-0 1 0
-0 0 1
-3 0 2 1
-3 0 1 3
-3 0 3 2
-3 1 2 3
-PLY
-    open cube.ply --size 640x480
+    tetrahedron
+    open tetrahedron.ply --size 640x480
     picture mesh.png
     [ "$(png_size mesh.png)" = 640x480 ] || fail "no picture of a mesh"
     press y
