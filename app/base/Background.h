@@ -9,8 +9,8 @@ namespace mote::app
 /// does goes first: on the cores, and among the tasks of all threads.
 void inBackground(const std::function<void()>& work);
 
-/// Gives memory that was freed back to the system, of all threads' pools. GNU's library keeps it else:
-/// half of what a window took that had opened one data set after another.
+/// Gives memory that was freed back to the system, of all threads' pools. GNU's library keeps it
+/// else: half of what a window took that had opened one data set after another.
 void giveBackMemory();
 
 } // namespace mote::app
