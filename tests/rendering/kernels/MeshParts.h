@@ -25,6 +25,26 @@ inline RlodTree treeOver(const Triangles& triangles)
   return tree;
 }
 
+inline RlodTree treeWithLods(const Triangles& triangles)
+{
+  RlodTree tree = treeOver(triangles);
+  tree.makeLods();
+  return tree;
+}
+
+/// Adds two triangles for each cell of a grid, `side` cells each way, whose points are there row by
+/// row.
+inline void addGrid(Triangles& triangles, int side)
+{
+  for (int j = 0; j < side; ++j)
+    for (int i = 0; i < side; ++i)
+    {
+      const int a = j * (side + 1) + i, above = a + side + 1;
+      triangles.add(a, a + 1, above + 1);
+      triangles.add(a, above + 1, above);
+    }
+}
+
 /// Rays that suit a mesh in [-1, 1]^3: bundles of both kinds from all sides and from within,
 /// squares and rays anywhere.
 inline std::vector<RayBundle> meshQuestions(int count, std::uint64_t seed)

@@ -15,13 +15,6 @@ using namespace mote::testing;
 namespace
 {
 
-RlodTree treeWithLods(const Triangles& triangles)
-{
-  RlodTree tree = treeOver(triangles);
-  tree.makeLods();
-  return tree;
-}
-
 /// What casting at R-LODs did to some rays.
 struct Errors
 {
@@ -176,13 +169,7 @@ TEST(RlodTreeLodCast, SeesFlatWallsWhereTheyAre)
   for (int j = 0; j <= side; ++j)
     for (int i = 0; i <= side; ++i)
       wall.addPoint({0.02 * i - 1.0, 0.02 * j - 1.0, 0.1 + 0.004 * i});
-  for (int j = 0; j < side; ++j)
-    for (int i = 0; i < side; ++i)
-    {
-      const int a = j * (side + 1) + i;
-      wall.add(a, a + 1, a + side + 2);
-      wall.add(a, a + side + 2, a + side + 1);
-    }
+  addGrid(wall, side);
   const RlodTree tree = treeWithLods(wall);
   const Vec3d normal = glm::normalize(Vec3d(-0.2, 0.0, 1.0));
   for (const auto projection : {Camera::Projection::Perspective, Camera::Projection::Orthographic})

@@ -64,13 +64,6 @@ void forLods(const RlodTree& tree, const Check& check)
     check(tree.lod(slot), trianglesBelow(tree, slot));
 }
 
-RlodTree treeWithLods(const Triangles& triangles)
-{
-  RlodTree tree = treeOver(triangles);
-  tree.makeLods();
-  return tree;
-}
-
 /// Checks that bounds hold for every R-LOD, and are not much larger than they must be.
 void expectBounds(const RlodTree& tree)
 {
@@ -262,13 +255,7 @@ TEST(RlodTreeLods, PlanesOfFlatPatchesAreExact)
     for (int i = 0; i <= side; ++i)
       flat.addPoint(
         Vec3d(7.0) + (i + 0.3 * random(0.0, 1.0)) * u + (j + 0.3 * random(0.0, 1.0)) * v);
-  for (int j = 0; j < side; ++j)
-    for (int i = 0; i < side; ++i)
-    {
-      const int a = j * (side + 1) + i;
-      flat.add(a, a + 1, a + side + 2);
-      flat.add(a, a + side + 2, a + side + 1);
-    }
+  addGrid(flat, side);
   const RlodTree tree = treeWithLods(flat);
   const double offset = glm::dot(normal, Vec3d(7.0) - tree.origin()) / tree.unit();
   const double side1 = glm::dot(glm::cross(u, v), normal) > 0.0 ? 1.0 : -1.0;
