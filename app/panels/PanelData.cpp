@@ -62,7 +62,11 @@ void Panel::drawData()
     if (ImGui::IsItemHovered())
       ImGui::SetTooltip("%s\nIts arrays; a click on one colours by it", part.name().c_str());
     ImGui::Indent(ImGui::GetFrameHeight());
-    ImGui::TextDisabled("%s", countOf(part).c_str());
+    std::string facts = countOf(part);
+    if (part.kind() == Part::Kind::Volume && !arrayOf(part.data(), stage_.coloring().choice()))
+      facts += ", not shown: " + std::string(stage_.coloring().choice() ? "no " + this->coloredBy()
+                                                                        : "no array chosen");
+    ImGui::TextDisabled("%s", facts.c_str());
     ImGui::Unindent(ImGui::GetFrameHeight());
     if (isOpen)
     {

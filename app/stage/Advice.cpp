@@ -79,6 +79,12 @@ void adviseOnVolumes(const Stage& stage, std::vector<std::string>& advice)
                        "cells that are shown as a volume");
     return;
   }
+  const ArrayChoice& choice = stage.coloring().choice();
+  for (const auto& part : stage.parts())
+    if (part->kind() == Part::Kind::Volume && !part->isHidden() && !arrayOf(part->data(), choice))
+      advice.push_back(part->name() + " is not shown: its volume has no " +
+                       stage.coloring().title() +
+                       ", which colours; --color-by names another array");
   if (!volume.cloud && volume.isoValues.empty())
     advice.push_back("--no-cloud leaves nothing of a volume without isosurfaces (--iso)");
   const bool exact = volume.integrator == "cell-by-cell";

@@ -265,6 +265,8 @@ case $3 in
     is_picture b.png 320x240
     run 0 "$mote" render "$data/swirl.0.vtu" "$hopper" -o b.png --size 320x240 --samples 1
     is_picture b.png 320x240
+    run 0 "$mote" render "$hopper" "$data/swirl.0.vtu" -o b.png --size 320x240 --samples 1
+    said err 'swirl.0.vtu is not shown: its volume has no v magnitude'
     run 1 "$mote" render pump:0.002 -o c.png --show x=0:1
     one_sentence
     run 1 "$mote" render pump:0.002 -o c.png --show velocity:0=0:1
