@@ -17,6 +17,7 @@
 #include <cstring>
 #include <filesystem>
 #include <iterator>
+#include <utility>
 
 namespace mote::app
 {
@@ -212,8 +213,11 @@ void PanelHost::lay(const std::function<void()>& controls)
   controls();
   ImGui::Render();
   isLaid_ = true;
-  // A press and its release take a frame each, and windows that open need one to find their size.
-  framesToCome_ = std::max(0, framesToCome_ - 1);
+  std::vector<unsigned char> laid = bytesOf(*ImGui::GetDrawData());
+  // A press and its release take a frame each, and what comes or changes needs one to find its
+  // size.
+  framesToCome_ = std::max(laid == laid_ ? 0 : 1, framesToCome_ - 1);
+  laid_ = std::move(laid);
   if (this->isWaiting() && onInput)
     onInput();
 }
@@ -244,20 +248,25 @@ void PanelHost::draw()
   const bool wasThere = wasWithin_ && drawnSize_ == std::array{size[0], size[1]};
   drawnSize_ = {size[0], size[1]};
   wasWithin_ = this->isWithin();
-  if (wasThere && wasWithin_ && painted_ == bytesOf(*ImGui::GetDrawData()))
+  if (wasThere && wasWithin_ && painted_ == laid_)
     isLaid_ = false; // as it stands in the frame
   else
     this->paint();
 }
 
-bool PanelHost::drawAlone()
+PanelHost::Drawn PanelHost::drawAlone()
 {
   ImGui::SetCurrentContext(context_);
   auto* window = static_cast<vtkOpenGLRenderWindow*>(window_);
   const int* size = window->GetSize();
   vtkOpenGLFramebufferObject* rendered = window->GetRenderFramebuffer();
   if (!rendered || !wasWithin_ || !this->isWithin() || drawnSize_ != std::array{size[0], size[1]})
-    return false;
+    return Drawn::Not;
+  if (painted_ == laid_)
+  {
+    isLaid_ = false;
+    return Drawn::Same;
+  }
   // The last frame is there, all of it.
   window->MakeCurrent();
   vtkOpenGLState* state = window->GetState();
@@ -266,7 +275,7 @@ bool PanelHost::drawAlone()
   rendered->ActivateDrawBuffer(0);
   this->paint();
   state->PopFramebufferBindings();
-  return true;
+  return Drawn::Anew;
 }
 
 void PanelHost::paint()
@@ -275,7 +284,7 @@ void PanelHost::paint()
   state->Push();
   this->clear();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-  painted_ = bytesOf(*ImGui::GetDrawData());
+  painted_ = laid_;
   state->Reset();
   state->Pop();
   isLaid_ = false;

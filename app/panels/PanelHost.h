@@ -35,12 +35,16 @@ public:
   /// Draws the layout into the frame that is being made, where it does not stand there from the
   /// last one. Within the EndEvent of a renderer.
   void draw();
-  /// Something else has been drawn over the controls' part.
+  /// What is on the screen in the controls' part is not what was drawn there last.
   void lose() { wasWithin_ = false; }
-  /// Draws the layout over the last frame, in the controls' own part of the window, which is then
-  /// to be shown: false, where it covers more than that or the last one did, and a new frame is
-  /// needed.
-  bool drawAlone();
+  enum class Drawn
+  {
+    Not,  ///< more than the controls' own part is covered, or was: a new frame is needed
+    Same, ///< what is there
+    Anew  ///< that part is to be shown
+  };
+  /// Draws the layout over the last frame, in the controls' own part of the window.
+  Drawn drawAlone();
 
   /// Input for the controls has come, or they are not done: they should be drawn again soon.
   std::function<void()> onInput;
@@ -119,8 +123,8 @@ private:
   int framesToCome_ = 0, inputs_ = 0;
   bool isLaid_ = false;
   bool wasWithin_ = false; ///< the controls of the last frame kept to their part, and are there
-  std::vector<unsigned char> painted_; ///< the layout that was drawn last
-  std::array<int, 2> drawnSize_ = {};  ///< of the window, then
+  std::vector<unsigned char> laid_, painted_; ///< the last layout, and the one that was drawn last
+  std::array<int, 2> drawnSize_ = {};         ///< of the window, then
 };
 
 } // namespace mote::app

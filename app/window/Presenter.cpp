@@ -60,10 +60,13 @@ Presenter::Presenter(vtkRenderWindow* window)
 
 Presenter::~Presenter() = default;
 
-void Presenter::present()
+bool Presenter::present()
 {
-  if (isOwn_ && !window_->GetAbortRender())
+  if (window_->GetAbortRender())
+    return false;
+  if (isOwn_)
     this->present(window_->GetSize()[0]);
+  return true;
 }
 
 void Presenter::presentLeft(int columns)

@@ -23,8 +23,8 @@ public:
   Presenter(const Presenter&) = delete;
   Presenter& operator=(const Presenter&) = delete;
 
-  /// Shows what was drawn last; at the end of each frame that was not stopped.
-  void present();
+  /// Shows what was drawn last, at the end of a frame: false for one that was stopped.
+  bool present();
   /// Shows these many columns from the left, where nothing else has changed since the last frame.
   void presentLeft(int columns);
 

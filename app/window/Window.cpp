@@ -356,7 +356,8 @@ void Window::onRenderStart()
 
 void Window::onRenderEnd()
 {
-  presenter_.present();
+  if (!presenter_.present() && panelHost_)
+    panelHost_->lose(); // nobody has seen what was drawn of it
   if (busy_)
     return;
   if (takeFileCut())

@@ -89,10 +89,11 @@ void Window::renderPanel()
   if (!panelHost_ || !panelOn_)
     return this->renderOverlays();
   this->layPanel();
-  if (panelHost_->drawAlone())
-    presenter_.presentLeft(panelHost_->width());
-  else
+  const PanelHost::Drawn drawn = panelHost_->drawAlone();
+  if (drawn == PanelHost::Drawn::Not)
     this->renderOverlays();
+  else if (drawn == PanelHost::Drawn::Anew)
+    presenter_.presentLeft(panelHost_->width());
 }
 
 void Window::layPanel()
