@@ -34,6 +34,8 @@ std::string numberText(double value, int digits)
   return digits > 0 ? asNumber(value, digits) : exactText(value);
 }
 
+} // namespace
+
 std::string valueText(vtkAbstractArray* array, int component, vtkIdType tuple, int digits)
 {
   const vtkIdType i = tuple * array->GetNumberOfComponents() + component;
@@ -52,8 +54,6 @@ std::string valueText(vtkAbstractArray* array, int component, vtkIdType tuple, i
            ? std::to_string(static_cast<int>(numbers->GetComponent(tuple, component)))
            : std::string(array->GetVariantValue(i).ToString());
 }
-
-} // namespace
 
 PickedTable::PickedTable(const PickedSet::Parts& parts, const PickedSet& picked)
   : parts_(&parts)

@@ -10,6 +10,10 @@ class vtkAbstractArray;
 namespace mote::app
 {
 
+/// The text of a value with so many digits, of whole numbers with all they have; 0: as many as tell
+/// the number from all others. Words are as they are.
+std::string valueText(vtkAbstractArray* array, int component, vtkIdType tuple, int digits);
+
 /// What is picked as a table: what it is, its position, and the values of all arrays; of a cell
 /// those of the cell, and of arrays of points the mean over the cell's points. It looks at the
 /// parts' data, and is good as long as these and the set stay what they are.

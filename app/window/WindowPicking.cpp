@@ -22,7 +22,6 @@
 #include <vtkPointData.h>
 #include <vtkProp3D.h>
 #include <vtkRenderer.h>
-#include <vtkStringArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,11 +61,11 @@ std::string arrayFacts(vtkDataSetAttributes* arrays, vtkIdType id, int most)
     if (name.empty() || name == whereArray || id >= array->GetNumberOfTuples())
       continue;
     ++told;
-    if (auto* numbers = vtkDataArray::SafeDownCast(array))
-      text += factLine(
-        name, asTuple(numbers->GetTuple(id), std::min(9, numbers->GetNumberOfComponents())));
-    else if (auto* words = vtkStringArray::SafeDownCast(array))
-      text += factLine(name, words->GetValue(id));
+    std::vector<std::string> values(
+      static_cast<std::size_t>(std::min(9, array->GetNumberOfComponents())));
+    for (std::size_t k = 0; k < values.size(); ++k)
+      values[k] = valueText(array, static_cast<int>(k), id, 6);
+    text += factLine(name, joined(values, ", "));
   }
   return text;
 }

@@ -184,3 +184,20 @@ TEST_F(PickedTest, IsListedExactly)
   EXPECT_THROW(writePicked(PickedTable(stage->parts(), set), folder.string()), Failure);
   std::filesystem::remove_all(folder);
 }
+
+// What is told under the cursor and in the list: ids beyond six digits are not rounded.
+TEST(Picked, WholeNumbersHaveAllTheirDigits)
+{
+  vtkNew<vtkIdTypeArray> ids;
+  ids->InsertNextValue(2112481);
+  ids->InsertNextValue(9007199254740993); // no double is this number
+  vtkNew<vtkDoubleArray> values;
+  values->InsertNextValue(2112481.5);
+  vtkNew<vtkStringArray> words;
+  words->InsertNextValue("copper");
+  EXPECT_EQ(valueText(ids, 0, 0, 6), "2112481");
+  EXPECT_EQ(valueText(ids, 0, 1, 6), "9007199254740993");
+  EXPECT_EQ(valueText(values, 0, 0, 6), "2.11248e+06");
+  EXPECT_EQ(valueText(values, 0, 0, 0), "2112481.5");
+  EXPECT_EQ(valueText(words, 0, 0, 6), "copper");
+}
