@@ -296,7 +296,11 @@ void Window::shareFrameTime()
 {
   constexpr double usual = 11.0; // frames a second
   const std::optional<double> asked = this->settings().picture.fps;
-  const double wanted = 1.0 / asked.value_or(usual); // s
+  double wanted = 1.0 / asked.value_or(usual); // s
+  // A time step that is seen for long may be traced for long, unless somebody turns it.
+  if (!asked && playing_ && !wheeling_ && style_->GetState() == VTKIS_NONE)
+    wanted =
+      std::clamp(0.25 * std::max(stepTime_, 1.0 / this->settings().output.speed), wanted, 1.0);
   // Rays get something, however long the rest takes.
   const double least = (asked ? 0.1 : 0.3) * wanted;
   const auto count = static_cast<double>(views_.shown().size());

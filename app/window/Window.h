@@ -251,6 +251,8 @@ private:
   bool quit_ = false;
   double frameStart_ = 0.0, frameTime_ = 0.0;
   double otherTime_ = 0.0; ///< of the last frame that was traced, beside tracing: s
+  double stepTime_ = 0.0;  ///< from one step that is played to the next: s, smoothed
+  double stepStart_ = 0.0; ///< when the last one began to be shown
   bool previewed_ = false; // the picture shown last was a preview
   int sharpenTimer_ = 0, restTimer_ = 0, playTimer_ = 0, messageTimer_ = 0, panelTimer_ = 0,
       hoverTimer_ = 0, cacheTimer_ = 0, followTimer_ = 0, pathTimer_ = 0, recordTimer_ = 0;

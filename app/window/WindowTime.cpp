@@ -132,6 +132,8 @@ void Window::play()
   // Who begins at the end means to see all.
   if (step_ + 1 == input_.numberOfSteps() && !this->settings().output.loop)
     this->follow(this->withStep(0));
+  stepTime_ = 0.0;
+  stepStart_ = vtkTimerLog::GetUniversalTime();
   if (!player_) // which has the steps
     this->advance();
 }
@@ -141,8 +143,18 @@ void Window::advance()
   const OutputSettings& wanted = this->settings().output;
   const int steps = input_.numberOfSteps();
   playing_ = playing_ && (wanted.loop || step_ + 1 < steps);
+  const int next = (step_ + 1) % steps;
+  if (playing_ && cache_ && cache_->isReading(next))
+  {
+    // The last step stays in sight, and the window answers.
+    cache_->want(next);
+    return this->startTimer(playTimer_, leastPause);
+  }
   const double start = vtkTimerLog::GetUniversalTime();
-  const bool goesOn = playing_ && this->follow(this->withStep((step_ + 1) % steps));
+  const bool goesOn = playing_ && this->follow(this->withStep(next));
+  if (cache_)
+    cache_->want(-1);
+  stepTime_ = 0.5 * (stepTime_ + start - std::exchange(stepStart_, start));
   this->render();
   const double taken = vtkTimerLog::GetUniversalTime() - start;
   const double rest = std::round(1000.0 * (1.0 / wanted.speed - taken));
