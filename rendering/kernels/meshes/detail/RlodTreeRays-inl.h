@@ -71,6 +71,21 @@ HWY_INLINE unsigned fineChildren(
   return bits;
 }
 
+/// Takes the nearest of the places with a bit, where it is nearer than what there is.
+template <typename SlotOf>
+HWY_INLINE void keepNearest(
+  unsigned bits, const Row& z, const SlotOf& slotOf, TreeRay& ray, std::uint64_t& slot)
+{
+  for (; bits != 0; bits &= bits - 1)
+  {
+    const auto k = static_cast<unsigned>(std::countr_zero(bits));
+    if (!(z.v[k] < ray.best))
+      continue;
+    ray.best = z.v[k];
+    slot = slotOf(k);
+  }
+}
+
 /// The slot of the nearest hit, or RayPacket::noHit; ray.best becomes its z. R-LODs count that err
 /// by less than the tolerance, if `lods`.
 template <bool lods>
@@ -89,14 +104,10 @@ std::uint64_t nearestHit(const RlodTreeView& view, TreeRay& ray, const Tolerance
     if ((next.index & WaitingNode::isCluster) != 0)
     {
       const std::uint32_t cluster = next.index & ~WaitingNode::isCluster;
-      for (unsigned bits = ray.trianglesMet(view.clusters[cluster], z); bits != 0; bits &= bits - 1)
-      {
-        const auto k = static_cast<unsigned>(std::countr_zero(bits));
-        if (!(z.v[k] < ray.best))
-          continue;
-        ray.best = z.v[k];
-        slot = std::uint64_t{cluster} * TriangleCluster::capacity + k;
-      }
+      const unsigned met = ray.trianglesMet(view.clusters[cluster], z);
+      const auto slotOf = [&](unsigned k)
+      { return std::uint64_t{cluster} * TriangleCluster::capacity + k; };
+      keepNearest(met, z, slotOf, ray, slot);
       continue;
     }
     const RlodNode& node = view.nodes[next.index];
@@ -109,15 +120,9 @@ std::uint64_t nearestHit(const RlodTreeView& view, TreeRay& ray, const Tolerance
       if (const unsigned fine = bits & fineChildren(view, next.index, tolerance, z); fine != 0)
       {
         bits &= ~fine;
-        unsigned met = fine & ray.planesMet(view.planes[next.index], z, far, at);
-        for (; met != 0; met &= met - 1)
-        {
-          const auto k = static_cast<unsigned>(std::countr_zero(met));
-          if (!(at.v[k] < ray.best))
-            continue;
-          ray.best = at.v[k];
-          slot = RlodTree::lodSlot(next.index, k);
-        }
+        const unsigned met = fine & ray.planesMet(view.planes[next.index], z, far, at);
+        const auto slotOf = [&](unsigned k) { return RlodTree::lodSlot(next.index, k); };
+        keepNearest(met, at, slotOf, ray, slot);
       }
     }
     else
