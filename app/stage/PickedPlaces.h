@@ -15,7 +15,7 @@ struct PickedPlace
   vtkIdType id = 0;
   bool isCell = false; ///< which has edges, and no place
   std::array<double, 3> at{};
-  double radius = 0.0; ///< as drawn; 0 for points of meshes
+  double radius = 0.0; ///< as drawn; 0 for cells
 };
 
 /// Of what is picked in these parts and shown now, images too. Of more than ten thousand evenly

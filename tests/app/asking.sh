@@ -178,7 +178,7 @@ case $3 in
     quit
     ;;
 
-  cells) # of volumes and points of meshes are picked
+  cells) # of volumes and of meshes are picked
     open "$data/swirl.1.vtu" --size 1000x760
     at 660 380
     xdotool click 1
