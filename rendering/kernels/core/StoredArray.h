@@ -9,8 +9,8 @@
 namespace mote
 {
 
-/// Values in one piece of memory, either the array's own or somebody else's, such as a mapped
-/// file's. Reading costs the same.
+/// Values in one piece of memory, either the array's own, or somebody else's, such as a mapped
+/// file's, or shared with its copies. Reading costs the same.
 template <typename T>
 class StoredArray
 {
@@ -76,8 +76,16 @@ public:
     size_ = size;
   }
 
+  /// Takes values that the array's copies share with it.
+  void share(RawVector<T>&& values)
+  {
+    const auto keeper = std::make_shared<const RawVector<T>>(std::move(values));
+    this->view(keeper->data(), keeper->size(), keeper);
+  }
+
   const T* data() const { return data_; }
   std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
   const T& operator[](std::size_t i) const { return data_[i]; }
   /// For writing, after resize(); null where the values are somebody else's.
   T* own() { return keeper_ ? given_ : own_.data(); }

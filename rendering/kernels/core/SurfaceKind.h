@@ -52,6 +52,13 @@ std::shared_ptr<T> unowned(const std::shared_ptr<T>& owner)
 /// have
 ///   `mixesColors()`, whether this surface's do, and `mixColors(slots, points, count, mix)`, which
 ///   tells it of hits at these points; colorIndices() is not asked then.
+/// - `mayErr`: whether hits may lie farther off the surface than rounding() tells, because an error
+///   is allowed. Such kinds have `pixelsOfError()`, how far hits of the camera's rays may lie off
+///   in pixels, 0 if not; and
+///   `clearance(slot, cosine)`: how far a ray goes from such a hit, at that cosine to its normal,
+///   before it has left behind all of the surface that the error might put in its way; and
+///   `meanPlace(slot)`: where the colour of a hit that stands for many stands among the means of
+///   SurfaceColoring, or `RayBundle::noHit` for a hit that stands for itself.
 /// - `isConvex`: whether what a slot names is convex, so that a line meets it twice at most.
 /// - `slots()`: how many slots occlusion maps count, or 0 where the kind can have none.
 /// - `featureSizes()`: of a sample of what the surface is made of; empty where nothing has a size.
@@ -75,6 +82,21 @@ concept SurfaceKind = std::equality_comparable<S> &&
       s.mixesColors()
       } -> std::same_as<bool>;
     s.mixColors(slots, &point, n, mix);
+  };
+  {
+    S::mayErr
+    } -> std::convertible_to<bool>;
+  requires !S::mayErr || requires(double cosine)
+  {
+    {
+      s.pixelsOfError()
+      } -> std::same_as<double>;
+    {
+      s.clearance(slot, cosine)
+      } -> std::same_as<double>;
+    {
+      s.meanPlace(slot)
+      } -> std::same_as<std::uint64_t>;
   };
   {
     s.bounds()

@@ -131,7 +131,7 @@ CellWalk::CellWalk(const WalkCells& cells, const HexField& field, const CloudSet
   own_.o0 = cells.toLocal(own_.o0);
   for (Vec3d* step : {&own_.ox, &own_.oy, &own_.d0, &own_.dx, &own_.dy})
     *step /= cells.size();
-  view_ = std::make_unique<WalkView>(cells, local_, width, height);
+  view_ = cells.views().view(cells, local_, width, height);
 }
 
 CellWalk::~CellWalk() = default;

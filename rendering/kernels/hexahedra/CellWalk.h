@@ -84,7 +84,7 @@ private:
   const CloudSettings& settings_;
   const CloudLighting* lighting_;
   std::unique_ptr<const WalkTransfer> transfer_;
-  std::unique_ptr<const WalkView> view_;
+  std::shared_ptr<const WalkView> view_;
   /// The camera's rays in the world, in the mesh, and as WalkCells has places.
   CameraRays world_, local_, own_;
   float rate_ = 0.0f;

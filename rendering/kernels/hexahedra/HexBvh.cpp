@@ -88,24 +88,31 @@ template <typename Space>
 class HexBvh<Space>::Builder
 {
 public:
-  Builder(HexBvh& tree, int leafSize)
-    : tree_(tree)
-    , leafSize_(static_cast<std::size_t>(std::max(1, leafSize)))
-    , bounds_(tree.cells_.size())
+  Builder(const HexMesh& mesh, const Space& space, int leafSize)
+    : leafSize_(static_cast<std::size_t>(std::max(1, leafSize)))
+    , bounds_(mesh.cellCount())
+    , cells_(mesh.cellCount())
+    , nodes_(2 * mesh.cellCount() - 1)
   {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, bounds_.size(), serial),
       [&](const tbb::blocked_range<std::size_t>& range)
       {
         for (std::size_t c = range.begin(); c < range.end(); ++c)
-          bounds_[c] = tree_.space_.boundsOf(tree_.mesh_->corners(c));
+          bounds_[c] = space.boundsOf(mesh.corners(c));
       });
+    std::iota(cells_.begin(), cells_.end(), 0U);
+    this->build(0, 1, 0, cells_.size());
   }
 
+  RawVector<Node>& nodes() { return nodes_; }
+  RawVector<std::uint32_t>& cells() { return cells_; }
+
+private:
   /// Makes the node `node` of the cells from first to last; the nodes below it lie from `below` on.
   void build(std::size_t node, std::size_t below, std::size_t first, std::size_t last)
   {
     const auto [all, middles] = boundsOf(first, last);
-    Node& n = tree_.nodes_[node];
+    Node& n = nodes_[node];
     n.region = typename Space::Region(all);
     if (last - first <= leafSize_)
     {
@@ -128,7 +135,6 @@ public:
     }
   }
 
-private:
   struct Bounds
   {
     SpaceBounds all, middles; ///< the second of twice the middles
@@ -149,7 +155,7 @@ private:
     const auto some = [&](std::size_t from, std::size_t to, Sum sum)
     {
       for (std::size_t i = from; i < to; ++i)
-        fold(sum, bounds_[tree_.cells_[i]]);
+        fold(sum, bounds_[cells_[i]]);
       return sum;
     };
     if (last - first <= 4 * serial)
@@ -205,16 +211,17 @@ private:
     const Split split = bestSplit<Space>(bins);
     if (split.cost == std::numeric_limits<double>::infinity())
       return first + (last - first) / 2; // all middles coincide
-    const auto begin = tree_.cells_.begin();
+    const auto begin = cells_.begin();
     const auto at = std::partition(begin + static_cast<std::ptrdiff_t>(first),
       begin + static_cast<std::ptrdiff_t>(last),
       [&](std::uint32_t c) { return binOf(bounds_[c], split.axis) < split.bin; });
     return static_cast<std::size_t>(at - begin);
   }
 
-  HexBvh& tree_;
   std::size_t leafSize_;
   RawVector<SpaceBounds> bounds_;
+  RawVector<std::uint32_t> cells_;
+  RawVector<Node> nodes_;
 };
 
 template <typename Space>
@@ -224,33 +231,31 @@ HexBvh<Space>::HexBvh(
   , space_(space)
   , size_(glm::length(mesh_->bounds().size()))
 {
-  const std::size_t n = mesh_->cellCount();
-  if (n == 0)
+  if (mesh_->cellCount() == 0)
     return;
-  cells_.resize(n);
-  std::iota(cells_.begin(), cells_.end(), 0U);
-  nodes_.resize(2 * n - 1);
-  Builder(*this, options.leafSize).build(0, 1, 0, n);
+  Builder builder(*mesh_, space_, options.leafSize);
   if (options.leafSize > 1)
-    compact();
+    compact(builder.nodes());
+  nodes_.share(std::move(builder.nodes()));
+  cells_.share(std::move(builder.cells()));
 }
 
 /// Larger leaves leave nodes unused.
 template <typename Space>
-void HexBvh<Space>::compact()
+void HexBvh<Space>::compact(RawVector<Node>& nodes)
 {
   RawVector<Node> packed;
-  packed.push_back(nodes_[0]);
+  packed.push_back(nodes[0]);
   for (std::size_t i = 0; i < packed.size(); ++i)
     if (packed[i].count == 0)
     {
       const std::uint32_t from = packed[i].first;
       packed[i].first = static_cast<std::uint32_t>(packed.size());
-      packed.push_back(nodes_[from]);
-      packed.push_back(nodes_[from + 1]);
+      packed.push_back(nodes[from]);
+      packed.push_back(nodes[from + 1]);
     }
   packed.shrink_to_fit();
-  nodes_ = std::move(packed);
+  nodes = std::move(packed);
 }
 
 template <typename Space>
@@ -319,16 +324,15 @@ void HexBvh<Space>::setRangesBelow(
 template <typename Space>
 std::size_t HexBvh<Space>::bytes() const
 {
-  return nodes_.capacity() * sizeof(Node) + cells_.capacity() * sizeof(std::uint32_t) +
-         ranges_.capacity() * sizeof(ScalarRange);
+  return nodes_.bytes() + cells_.bytes() + ownBytes();
 }
 
 template <typename Space>
 std::size_t HexBvh<Space>::largestLeaf() const
 {
   std::size_t largest = 0;
-  for (const Node& node : nodes_)
-    largest = std::max<std::size_t>(largest, node.count);
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    largest = std::max<std::size_t>(largest, nodes_[i].count);
   return largest;
 }
 

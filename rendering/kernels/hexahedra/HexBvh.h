@@ -1,5 +1,6 @@
 #pragma once
 
+#include "../core/StoredArray.h"
 #include "BundleFrustum.h"
 #include "CartesianSpace.h"
 #include "CylindricalSpace.h"
@@ -24,7 +25,7 @@ struct HexBvhOptions
 /// 16 bins along each coordinate (Wald, "On fast Construction of SAH-based Bounding Volume
 /// Hierarchies", 2007), with the areas of Wang, Elshehaly and Cao in (r, theta, h). A cell is in
 /// one leaf; bounds that reach over the seam go on above 2 pi. The result does not depend on the
-/// number of threads.
+/// number of threads. Copies share all but the ranges of a scalar.
 ///
 /// Functions without a comment do what IsHexStructure says; queries are in HexBvhWalk.h and
 /// HexBvhBundle.h.
@@ -59,6 +60,7 @@ public:
   void setRanges(const RawVector<ScalarRange>& ofCells);
 
   std::size_t bytes() const;
+  std::size_t ownBytes() const { return ranges_.capacity() * sizeof(ScalarRange); }
   std::size_t references() const { return cells_.size(); }
   std::size_t largestLeaf() const;
   HexStructureShape shape() const;
@@ -77,14 +79,14 @@ private:
   /// Levels of the tree whose halves are refreshed at a time: 256 pieces of work.
   static constexpr int parallelLevels = 8;
 
-  void compact();
+  static void compact(RawVector<Node>& nodes);
   void setRangesBelow(std::uint32_t root, const RawVector<ScalarRange>& ofCells, int levels);
 
   std::shared_ptr<const HexMesh> mesh_;
   Space space_;
   double size_ = 0.0; ///< of the mesh
-  RawVector<Node> nodes_;
-  RawVector<std::uint32_t> cells_;
+  StoredArray<Node> nodes_;
+  StoredArray<std::uint32_t> cells_;
   RawVector<ScalarRange> ranges_; ///< of the nodes, or empty
 };
 

@@ -62,10 +62,11 @@ concept IsHexStructure = std::default_initializable<S> && std::copyable<S> &&
   // Takes the ranges of a scalar in every cell, for `keep` above. In parallel; nothing is rebuilt.
   made.setRanges(RawVector<ScalarRange>());
 
-  // The mesh; memory without it; references to cells, in all and from the largest leaf; how much
-  // there is of it, counted when asked.
+  // The mesh; memory without it, and what of that a copy does not share; references to cells, in
+  // all and from the largest leaf; how much there is of it, counted when asked.
   requires std::same_as<decltype(held.mesh()), const HexMesh&>;
   requires std::same_as<decltype(held.bytes()), std::size_t>;
+  requires std::same_as<decltype(held.ownBytes()), std::size_t>;
   requires std::same_as<decltype(held.references()), std::size_t>;
   requires std::same_as<decltype(held.largestLeaf()), std::size_t>;
   requires std::same_as<decltype(held.shape()), HexStructureShape>;

@@ -20,6 +20,7 @@ class IsoSurface
 public:
   static constexpr bool isConvex = false;
   static constexpr bool mayMixColors = false;
+  static constexpr bool mayErr = false;
 
   IsoSurface() = default; ///< of no structure
   /// The field is on the structure's mesh; `values` are as the user's scalar has them, and those

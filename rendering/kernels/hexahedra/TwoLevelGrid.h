@@ -56,6 +56,7 @@ public:
   void setRanges(const RawVector<ScalarRange>& ofCells);
 
   std::size_t bytes() const;
+  std::size_t ownBytes() const { return bytes(); }
   std::size_t references() const { return references_.size(); }
   std::size_t largestLeaf() const;
   HexStructureShape shape() const;

@@ -31,9 +31,11 @@ bool isWarped(const WalkCells& cells, const CellFace& face)
 } // namespace
 
 WalkCells::WalkCells(std::shared_ptr<const HexMesh> mesh,
-  std::shared_ptr<const FaceAdjacency> adjacency, const HexField& field)
+  std::shared_ptr<const FaceAdjacency> adjacency, const HexField& field,
+  std::shared_ptr<WalkViews> views)
   : mesh_(std::move(mesh))
   , adjacency_(std::move(adjacency))
+  , views_(views ? std::move(views) : std::make_shared<WalkViews>())
 {
   const std::size_t cells = mesh_->cellCount();
   if (cells > 0)

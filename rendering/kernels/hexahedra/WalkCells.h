@@ -2,6 +2,7 @@
 
 #include "FaceAdjacency.h"
 #include "HexField.h"
+#include "WalkViews.h"
 
 #include <memory>
 
@@ -22,13 +23,15 @@ public:
     float x, y, z, value;
   };
 
-  /// In parallel. The mesh is kept alive; the field must be on it.
+  /// In parallel. The mesh is kept alive; the field must be on it. `views` are those of other
+  /// fields on the mesh; null where there are none.
   WalkCells(std::shared_ptr<const HexMesh> mesh, std::shared_ptr<const FaceAdjacency> adjacency,
-    const HexField& field);
+    const HexField& field, std::shared_ptr<WalkViews> views = nullptr);
 
   const HexMesh& mesh() const { return *mesh_; }
   const FaceAdjacency& adjacency() const { return *adjacency_; }
   const std::shared_ptr<const FaceAdjacency>& sharedAdjacency() const { return adjacency_; }
+  WalkViews& views() const { return *views_; }
   /// Places count from the middle of the mesh's bounds, along each axis in units of their size:
   /// flat meshes lose nothing in float.
   Vec3d toLocal(const Vec3d& p) const { return (p - center_) / size_; }
@@ -49,6 +52,7 @@ public:
 private:
   std::shared_ptr<const HexMesh> mesh_;
   std::shared_ptr<const FaceAdjacency> adjacency_;
+  std::shared_ptr<WalkViews> views_;
   Vec3d center_{0.0}, size_{1.0};
   RawVector<Point> points_;
   RawVector<float> bends_, ofCells_;

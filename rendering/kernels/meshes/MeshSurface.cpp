@@ -27,6 +27,60 @@ double MeshSurface::rounding() const
   return surfaceError * std::max({size.x, size.y, size.z});
 }
 
+namespace
+{
+
+/// The cosine to the eye that is seen of triangles whose mean normal has the cosine `c`, and whose
+/// normals have a mean of length `evenness`: E[x^2] / E[|x|] where x is the cosine of one of them,
+/// for normals that spread evenly about the mean. Exact where they do not spread, within a few
+/// percent for the normally distributed slopes of a rough surface.
+double seenCosine(double c, double evenness)
+{
+  const double even2 = evenness * evenness, spread2 = (1.0 - even2) / (3.0 - even2);
+  const double sine2 = 1.0 - c * c;
+  const double squares = c * c * (1.0 - 2.0 * spread2) + sine2 * spread2;
+  const double mean2 = even2 * c * c + 0.64 * sine2 * spread2; // 0.64: 2 / pi
+  return mean2 > 0.0 ? std::max(std::abs(c), squares / std::sqrt(mean2)) : 0.0;
+}
+
+/// The normal that a plane has for who sees it: where triangles look different ways, most of what
+/// is seen of them looks nearer to the eye than their mean does. With the mean a patch that is seen
+/// from its edge is black, and the folds of a surface are dark lines.
+///
+/// The side that looks to the eye is the one that counts. But near outlines planes look away that
+/// stand for the rim, or reach over it from behind: they are lit like the rim.
+Vec3d seenNormal(const Vec3d& mean, const Vec3d& way)
+{
+  const double evenness = std::min(1.0, glm::length(mean));
+  const Vec3d toEye = glm::normalize(-way);
+  Vec3d normal = glm::normalize(mean);
+  const double rim = 0.05 + std::sqrt(8.0 * (1.0 - evenness));
+  if (glm::dot(normal, toEye) < -rim)
+    normal = -normal;
+  const double cosine = glm::dot(normal, toEye);
+  const Vec3d across = normal - cosine * toEye;
+  const double sine2 = glm::dot(across, across);
+  if (!(sine2 > 0.0))
+    return toEye;
+  // Never quite across: rounding must not make it look away.
+  const double seen = std::clamp(seenCosine(cosine, evenness), 1e-4, 1.0);
+  return seen * toEye + std::sqrt((1.0 - seen * seen) / sine2) * across;
+}
+
+} // namespace
+
+/// Triangles and hits of an R-LOD lie within its deviation of the plane, and in a box that is no
+/// wider than twice its error radius.
+double MeshSurface::clearance(std::uint64_t slot, double cosine) const
+{
+  const double ofRounding = this->rounding() / cosine;
+  if (!RlodTree::isLod(slot))
+    return ofRounding;
+  const RlodTree::Lod lod = tree_->lod(slot);
+  return ofRounding +
+         2.0 * tree_->unit() * std::min(double(lod.deviation) / cosine, double(lod.error));
+}
+
 void MeshSurface::fetch(HitBlock& block) const
 {
   alignas(64) float normals[3][HitBlock::capacity];
@@ -43,8 +97,19 @@ void MeshSurface::fetch(HitBlock& block) const
 void MeshSurface::place(HitBlock& block, const HitPlacing& placing) const
 {
   const RayBundle& rays = placing.local;
-  for (int k = 0; isSmooth() && k < block.count; ++k)
+  const bool smooth = isSmooth(), errs = pixelsOfError() > 0.0;
+  for (int k = 0; (smooth || errs) && k < block.count; ++k)
   {
+    if (RlodTree::isLod(block.slot[k]))
+    {
+      const Vec3d seen =
+        seenNormal(Vec3d(tree_->normal(block.slot[k])), rays.directionOf(block.ray[k]));
+      for (int axis = 0; axis < 3; ++axis)
+        block.own[axis][k] = seen[axis];
+      continue;
+    }
+    if (!smooth)
+      continue;
     const int ray = block.ray[k];
     const Vec3d way = rays.directionOf(ray), point = rays.originOf(ray) + block.t[k] * way;
     Vec3d flat(block.own[0][k], block.own[1][k], block.own[2][k]);
@@ -101,7 +166,7 @@ Vec3d MeshSurface::smoothNormal(std::uint64_t slot, const Vec3d& point, const Ve
 Vec3d MeshSurface::normalAt(std::uint64_t slot, const Vec3d& point) const
 {
   const Vec3d flat = scaledNormal(tree_->normal(slot));
-  return isSmooth() ? smoothNormal(slot, point, flat) : flat;
+  return isSmooth() && !RlodTree::isLod(slot) ? smoothNormal(slot, point, flat) : flat;
 }
 
 void MeshSurface::mixColors(

@@ -21,6 +21,10 @@ struct MeshLook
   ArrayView cells;
   /// Colours are those of points, mixed where a triangle is hit; else those of cells.
   bool mixesColors = false;
+  /// Pixels of error that bundles of a camera are allowed, where the tree has R-LODs: see
+  /// RlodTree::cast(). To be 0 where the triangles are not opaque: behind an R-LOD they would be
+  /// met once more.
+  double poe = 0.0;
 
   bool operator==(const MeshLook&) const = default;
 };
@@ -35,6 +39,7 @@ class MeshSurface
 public:
   static constexpr bool isConvex = false;
   static constexpr bool mayMixColors = true;
+  static constexpr bool mayErr = true;
 
   MeshSurface() = default; ///< of no triangles; to be given some before it is used
   explicit MeshSurface(std::shared_ptr<const RlodTree> tree, MeshLook look = {})
@@ -45,8 +50,14 @@ public:
 
   Box bounds() const { return tree_->bounds(); }
   double rounding() const;
-  void cast(RayBundle& rays, std::int32_t index) const { tree_->cast(rays, index); }
-  void cast(RayPacket& rays, std::int32_t index) const { tree_->cast(rays, index); }
+  double pixelsOfError() const { return tree_->hasLods() ? look_.poe : 0.0; }
+  double clearance(std::uint64_t slot, double cosine) const;
+  std::uint64_t meanPlace(std::uint64_t slot) const
+  {
+    return RlodTree::isLod(slot) ? RlodTree::lodPlace(slot) : RlodTree::noHit;
+  }
+  void cast(RayBundle& rays, std::int32_t index) const { tree_->cast(rays, index, look_.poe); }
+  void cast(RayPacket& rays, std::int32_t index) const { tree_->cast(rays, index, look_.poe); }
   void occlude(RayBundle& rays, std::int32_t index) const { tree_->occlude(rays, index); }
   void occlude(RayPacket& rays, std::int32_t index) const { tree_->occlude(rays, index); }
   int bundleSide(const CameraRays&, int, int, int) const { return 16; } ///< docs/triangles.md

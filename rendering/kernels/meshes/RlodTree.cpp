@@ -21,6 +21,22 @@ void RlodTree::clear()
   *this = RlodTree();
 }
 
+RlodTree RlodTree::copyWithoutLods() const
+{
+  RlodTree copy;
+  copy.arrays_->nodes = arrays_->nodes;
+  copy.arrays_->clusters = arrays_->clusters;
+  copy.arrays_->ids = arrays_->ids;
+  copy.origin_ = origin_;
+  copy.unit_ = unit_;
+  copy.lower_ = lower_;
+  copy.upper_ = upper_;
+  copy.depth_ = depth_;
+  copy.cost_ = cost_;
+  copy.sparesMemory_ = sparesMemory_;
+  return copy;
+}
+
 std::size_t RlodTree::size() const
 {
   return arrays_->ids.size();

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -44,6 +45,14 @@ public:
   /// than a build, and the boxes are those of the new points, but which triangles share a box
   /// stays. False, with nothing done, where the valid triangles are others: then build.
   bool refit(const TriangleMesh& mesh);
+  /// The same tree once more, without R-LODs: to be refitted while others use this one. Another
+  /// thread may be making R-LODs of this one meanwhile.
+  RlodTree copyWithoutLods() const;
+
+  /// How many boxes of nodes and clusters a ray that meets the whole may expect to meet: their
+  /// surface areas over that of the whole. 0 where that has none. What refit() makes of it says how
+  /// much worse the tree is than when it was built.
+  double cost() const { return cost_; }
 
   /// Makes R-LODs: for every child of every node a plane that stands for all triangles below it,
   /// with a bound of what that errs by. cast() takes them where it is allowed an error. In parallel
@@ -52,6 +61,10 @@ public:
   void makeLods();
   void dropLods();
   bool hasLods() const;
+  /// Whether R-LODs of clusters are taken too, or those of nodes alone, as at first. A cluster
+  /// takes no longer to test than its plane, and is exact; but 16 planes are read in place of 16
+  /// clusters.
+  void setSparesMemory(bool spares) { sparesMemory_ = spares; }
 
   std::size_t size() const; ///< triangles held
   Box bounds() const;
@@ -102,6 +115,7 @@ public:
   struct Lod
   {
     Vec3f normal;    ///< of unit length, turned to the mean normal of the triangles
+    float evenness;  ///< length of the mean of the triangles' unit normals, by area; 0.25 at least
     float offset;    ///< dot(normal, p) of the plane's points
     float deviation; ///< no point of the triangles is farther from the plane
     float error;     ///< radius of a sphere about the triangles, and the deviation; rounded up
@@ -111,12 +125,22 @@ public:
   /// Slots of all triangles that an R-LOD stands for; of a triangle itself. In no order.
   std::vector<std::uint64_t> slotsBelow(std::uint64_t slot) const;
 
+  /// Where a number for each R-LOD stands in an array that has one for each.
+  static std::uint64_t lodPlace(std::uint64_t slot) { return slot & ~lodBit; }
+  /// Writes up to mostMeans numbers for a triangle of the input; called from several threads.
+  using TriangleValues = std::function<void(std::uint64_t triangle, double* values)>;
+  static constexpr int mostMeans = 4;
+  /// Means of them over the triangles of each R-LOD, weighted by area: `components` numbers at
+  /// lodPlace(). What is not finite does not count; NaN where nothing else is there. In parallel
+  /// and linear time.
+  std::vector<float> lodMeans(int components, const TriangleValues& valuesOf) const;
+
   /// The triangle's index in the input.
   std::uint64_t inputIndex(std::uint64_t slot) const;
   /// Its corners in the tree's coordinates, which count from origin() in units of unit().
   std::array<Vec3f, 3> localCorners(std::uint64_t slot) const;
   /// Normal by the right-hand rule, in the input's coordinates, of any length; 0 for degenerate
-  /// triangles.
+  /// triangles. For R-LODs its length is their evenness.
   Vec3f normal(std::uint64_t slot) const;
   /// Normals of many hits, likewise; `normals` are three rows.
   void normals(const std::uint64_t* slots, int count, float* const normals[3]) const;
@@ -135,6 +159,8 @@ private:
   double unit_ = 1.0;
   Vec3f lower_{0.0f}, upper_{0.0f}; ///< of all triangles, in the tree's coordinates
   int depth_ = 0;                   ///< nodes from the root to a leaf, at most
+  double cost_ = 0.0;
+  bool sparesMemory_ = false;
 };
 
 } // namespace mote

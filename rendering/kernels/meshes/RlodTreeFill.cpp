@@ -36,6 +36,11 @@ struct FloatBox
       upper[k] = std::max(upper[k], b.upper[k]);
     }
   }
+  double area() const
+  {
+    const double x = upper[0] - lower[0], y = upper[1] - lower[1], z = upper[2] - lower[2];
+    return 2.0 * (x * y + y * z + z * x);
+  }
 };
 
 /// Fills all of a cluster but firstId and count. Answers its box.
@@ -110,14 +115,21 @@ void RlodTree::fill(const TriangleMesh& mesh)
         clusters[k] = fillCluster(mesh, a.ids.data(), a.clusters[k]);
     });
   // Children come after their parents.
+  double area = 0.0;
   for (std::size_t k = a.nodes.size(); k-- > 0;)
   {
     const RlodNode& node = a.nodes[k];
     for (std::uint32_t c = 0; c < node.clusters; ++c)
+    {
       nodes[k].add(clusters[node.firstCluster + c]);
+      area += clusters[node.firstCluster + c].area();
+    }
     for (std::uint32_t c = node.clusters; c < node.children; ++c)
       nodes[k].add(nodes[node.nodeOf(c)]);
+    area += nodes[k].area();
   }
+  const double whole = nodes[0].area();
+  cost_ = whole > 0.0 ? area / whole : 0.0;
   tbb::parallel_for(Range(0, a.nodes.size(), 1 << 9),
     [&](const Range& range)
     {

@@ -34,6 +34,7 @@ struct Patch
   PatchSums sums;
   Vec3f normal;
   float offset, deviation;
+  double evenness;
   Vec3f middle;          ///< of a sphere about the triangles
   float radius;          ///< of that sphere
   std::uint32_t cluster; ///< that speaks for it
@@ -45,10 +46,27 @@ float above(double v)
   return static_cast<float>(v * (1.0 + 0x1p-20) + 0x1p-22);
 }
 
-/// Fits a patch's plane to its sums.
+/// Fits a patch's plane to its sums. Points of a strip that is narrower than it is bent are nearest
+/// to a plane that stands across the surface: the more its triangles look one way, the more planes
+/// count as worse that look another way.
 void fitPlane(Patch& patch)
 {
-  patch.normal = Vec3f(leastAxis(patch.sums.moments, patch.sums.normal));
+  const PatchSums& sums = patch.sums;
+  const Vec3d& n = sums.normal;
+  const double length = glm::length(n), evenness = sums.weight > 0.0 ? length / sums.weight : 0.0;
+  double moments[6];
+  std::copy_n(sums.moments, 6, moments);
+  if (evenness > 0.0)
+  {
+    const double size = moments[0] + moments[1] + moments[2];
+    const double penalty = 0.1 * size * std::pow(evenness, 4.0),
+                 share = penalty / (length * length);
+    const double along[6] = {n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.x * n.z, n.y * n.z};
+    for (int i = 0; i < 6; ++i)
+      moments[i] += (i < 3 ? penalty : 0.0) - share * along[i];
+  }
+  patch.evenness = std::clamp(evenness, 0.25, 1.0);
+  patch.normal = Vec3f(leastAxis(moments, n));
   patch.offset = static_cast<float>(glm::dot(Vec3d(patch.normal), patch.sums.middle));
 }
 
@@ -181,10 +199,11 @@ private:
   void keep(const Patch& patch, std::size_t index, int child)
   {
     RlodPlanes& planes = planes_[index];
+    const auto length = static_cast<float>(patch.evenness);
     for (int axis = 0; axis < 3; ++axis)
-      planes.normal[axis][child] = patch.normal[axis];
-    planes.offset[child] = patch.offset;
-    planes.deviation[child] = patch.deviation;
+      planes.normal[axis][child] = patch.normal[axis] * length;
+    planes.offset[child] = patch.offset * length;
+    planes.deviation[child] = above(double(patch.deviation) * length);
     const TriangleCluster& speaker = clusters_[patch.cluster];
     planes.triangle[child] = ids_[speaker.firstId + speaker.count / 2U];
     words_[index].word[child] = patch.cluster;
@@ -243,8 +262,10 @@ RlodTree::Lod RlodTree::lod(std::uint64_t slot) const
   const std::uint64_t index = (slot & ~lodBit) / trianglesPerCluster;
   const auto child = static_cast<unsigned>(slot % trianglesPerCluster);
   const RlodPlanes& planes = arrays_->planes[index];
-  return {{planes.normal[0][child], planes.normal[1][child], planes.normal[2][child]},
-    planes.offset[child], planes.deviation[child],
+  const Vec3f normal = this->normal(slot);
+  const float evenness = glm::length(normal), perHeight = 1.0f / evenness;
+  return {normal * perHeight, evenness, planes.offset[child] * perHeight,
+    planes.deviation[child] * perHeight,
     arrays_->levels.radius(arrays_->words[index].level(child))};
 }
 

@@ -16,6 +16,7 @@ class ParticleSurface
 public:
   static constexpr bool isConvex = true;
   static constexpr bool mayMixColors = false;
+  static constexpr bool mayErr = false;
 
   ParticleSurface() = default; ///< of no structure; to be given one before it is used
   explicit ParticleSurface(std::shared_ptr<const ParticleStructure> structure)

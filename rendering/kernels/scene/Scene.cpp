@@ -86,4 +86,24 @@ double typicalRadius(const Scene& scene)
   return 0.0;
 }
 
+double pixelsOfError(const SurfaceObject& object)
+{
+  return withSurface(object.surface,
+    [](const auto& s)
+    {
+      if constexpr (std::decay_t<decltype(s)>::mayErr)
+        return s.pixelsOfError();
+      else
+        return 0.0;
+    });
+}
+
+double pixelsOfError(const Scene& scene)
+{
+  double most = 0.0;
+  for (const SurfaceObject& object : scene.surfaces)
+    most = std::max(most, pixelsOfError(object));
+  return most;
+}
+
 } // namespace mote

@@ -62,4 +62,9 @@ double occlusionReach(const Scene& scene);
 /// smaller ones. Of a sample of them; 0 where there are none.
 double typicalRadius(const Scene& scene);
 
+/// How many pixels hits of the camera's rays on a surface may lie off, 0 where they are exact; of a
+/// scene the most of any.
+double pixelsOfError(const SurfaceObject& object);
+double pixelsOfError(const Scene& scene);
+
 } // namespace mote

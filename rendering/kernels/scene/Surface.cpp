@@ -5,33 +5,49 @@
 namespace mote
 {
 
+namespace
+{
+
+void setColor(const Vec4f& color, float* out)
+{
+  std::copy_n(&color.x, 4, out);
+}
+
+void fillDirect(const ArrayView& from, const std::uint64_t* indices, int count, float (*colors)[4])
+{
+  const int n = from.components();
+  const bool isGrey = n < 3, hasAlpha = n == 2 || n == 4;
+  for (int k = 0; k < count; ++k)
+  {
+    const auto channel = [&](int c)
+    { return static_cast<float>(from.value(indices[k], c) / 255.0); };
+    const float first = channel(0);
+    setColor({first, isGrey ? first : channel(1), isGrey ? first : channel(2),
+               hasAlpha ? channel(n - 1) : 1.0f},
+      colors[k]);
+  }
+}
+
+void fillMapped(const ArrayView& from, int component, const ColorMap& map,
+  const std::uint64_t* indices, int count, float (*colors)[4])
+{
+  // Values come from anywhere in memory: with nothing else in the loop many are on their way.
+  double found[HitBlock::capacity];
+  for (int k = 0; k < count; ++k)
+    found[k] = from.value(indices[k], component);
+  map.map(found, count, colors);
+}
+
+} // namespace
+
 void SurfaceColoring::fill(const std::uint64_t* indices, int count, float (*colors)[4]) const
 {
-  const auto set = [&](int k, const Vec4f& color) { std::copy_n(&color.x, 4, colors[k]); };
   if (!direct.empty())
-  {
-    const int n = direct.components();
-    const bool isGrey = n < 3, hasAlpha = n == 2 || n == 4;
-    for (int k = 0; k < count; ++k)
-    {
-      const auto channel = [&](int c)
-      { return static_cast<float>(direct.value(indices[k], c) / 255.0); };
-      const float first = channel(0);
-      set(k, {first, isGrey ? first : channel(1), isGrey ? first : channel(2),
-               hasAlpha ? channel(n - 1) : 1.0f});
-    }
-  }
-  else if (!values.empty())
-  {
-    // Values come from anywhere in memory: with nothing else in the loop many are on their way.
-    double found[HitBlock::capacity];
-    for (int k = 0; k < count; ++k)
-      found[k] = values.value(indices[k], component);
-    map.map(found, count, colors);
-  }
-  else
-    for (int k = 0; k < count; ++k)
-      set(k, palette.empty() ? constant : palette[indices[k]]);
+    return fillDirect(direct, indices, count, colors);
+  if (!values.empty())
+    return fillMapped(values, component, map, indices, count, colors);
+  for (int k = 0; k < count; ++k)
+    setColor(palette.empty() ? constant : palette[indices[k]], colors[k]);
 }
 
 void SurfaceColoring::fill(const ColorMix& mix, int count, float (*colors)[4]) const
@@ -54,6 +70,13 @@ void SurfaceColoring::fill(const ColorMix& mix, int count, float (*colors)[4]) c
         colors[k][c] = (corner > 0 ? colors[k][c] : 0.0f) +
                        static_cast<float>(mix.share[corner][k]) * part[k][c];
   }
+}
+
+void SurfaceColoring::fillMeans(const std::uint64_t* places, int count, float (*colors)[4]) const
+{
+  if (!direct.empty())
+    return fillDirect(means, places, count, colors);
+  fillMapped(means, 0, map, places, count, colors);
 }
 
 bool SurfaceColoring::mayBeTransparent() const

@@ -38,12 +38,17 @@ struct SurfaceColoring
   ColorMap map;
   ArrayView direct; ///< 8-bit grey, grey+alpha, RGB or RGBA where not empty: used as they are
   std::vector<Vec4f> palette; ///< a colour an index where not empty
+  /// Of `values`, one number each, or of `direct`, of hits that stand for many, by their place; see
+  /// SurfaceKind. Empty: such hits have the colour of one of the many.
+  ArrayView means;
 
   /// Colours of up to HitBlock::capacity indices: red, green, blue, alpha.
   void fill(const std::uint64_t* indices, int count, float (*colors)[4]) const;
   /// Colours of hits that are mixed: values before they are looked up in the map, so that what lies
   /// between two of them has the map's colour in between; direct colours and palettes themselves.
   void fill(const ColorMix& mix, int count, float (*colors)[4]) const;
+  /// Colours of hits that stand for many, by their places among the means.
+  void fillMeans(const std::uint64_t* places, int count, float (*colors)[4]) const;
   /// Whether any index is asked for.
   bool usesIndices() const { return !values.empty() || !direct.empty() || !palette.empty(); }
   /// Whether any alpha may be below 1.

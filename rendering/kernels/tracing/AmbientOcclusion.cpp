@@ -40,7 +40,6 @@ void AmbientOcclusion::findShares(const SurfaceBlock& block, float* shares, bool
   RayPacket& packet = work.packet;
   packet.count = 0;
   std::fill_n(work.open, block.count, 0);
-  const double rounding = rays_.rounding(block.surface);
   const auto isWanted = [&](int i) { return !known || std::isnan(shares[i]); };
   for (int i = 0; i < block.count; ++i)
   {
@@ -59,7 +58,7 @@ void AmbientOcclusion::findShares(const SurfaceBlock& block, float* shares, bool
         packet.origin[axis][k] = position[axis];
         packet.direction[axis][k] = direction[axis];
       }
-      packet.tMin[k] = rounding / std::sqrt(1.0 - at.x);
+      packet.tMin[k] = rays_.clearance(block.surface, block.slot[i], std::sqrt(1.0 - at.x));
       packet.t[k] = reach_;
       packet.slot[k] = isOutside ? block.slot[i] : RayPacket::noHit;
       packet.object[k] = isOutside ? block.surface : -1;

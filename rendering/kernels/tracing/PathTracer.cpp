@@ -54,8 +54,8 @@ struct PathTracer::Work
   int path[RayPacket::capacity];      ///< that each ray belongs to
   Vec3f carried[RayPacket::capacity]; ///< light that arrives if nothing stands in the way
 
-  /// Adds a ray from the end of a path. Rounding must not let it meet where it starts.
-  void addRay(int index, const Vec3f& direction, double tMax, double rounding)
+  /// Adds a ray from the end of a path, which does not meet where it starts.
+  void addRay(const SceneRays& rays, int index, const Vec3f& direction, double tMax)
   {
     const Path& from = paths[index];
     const int k = packet.count++;
@@ -64,7 +64,8 @@ struct PathTracer::Work
       packet.origin[axis][k] = from.position[axis];
       packet.direction[axis][k] = direction[axis];
     }
-    packet.tMin[k] = rounding / std::max(1e-9, double(glm::dot(direction, from.normal)));
+    packet.tMin[k] = rays.clearance(
+      from.surface, from.slot, std::max(1e-9, double(glm::dot(direction, from.normal))));
     packet.t[k] = tMax;
     packet.slot[k] = RayPacket::noHit;
     packet.object[k] = -1;
@@ -164,8 +165,7 @@ void PathTracer::addLight(Work& work, std::size_t light, int bounce) const
     if (shine == Vec3f(0.0f))
       continue;
     const int k = work.packet.count;
-    work.addRay(i, in, isPoint ? distance : std::numeric_limits<double>::infinity(),
-      rays_.rounding(path.surface));
+    work.addRay(rays_, i, in, isPoint ? distance : std::numeric_limits<double>::infinity());
     if (path.isOutside) // else the solid itself keeps out what shines from without
     {
       work.packet.slot[k] = path.slot;
@@ -237,8 +237,7 @@ void PathTracer::goOn(Work& work, int bounce) const
         continue;
       path.weight /= chance;
     }
-    work.addRay(
-      i, found.direction, std::numeric_limits<double>::infinity(), rays_.rounding(path.surface));
+    work.addRay(rays_, i, found.direction, std::numeric_limits<double>::infinity());
     if (work.packet.count == RayPacket::capacity)
       follow(work, arrived);
   }

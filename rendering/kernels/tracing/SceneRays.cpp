@@ -1,6 +1,7 @@
 #include "detail/SceneRays.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace mote
 {
@@ -11,17 +12,32 @@ SceneRays::SceneRays(const Scene& scene, const Vec3d& reference)
 {
   for (const SurfaceObject& object : scene.surfaces)
   {
-    const Mat3d stretch(object.toWorld);
+    const Mat3d linear(object.toWorld);
+    const double stretch =
+      std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
     toLocal_.push_back(glm::inverse(object.toWorld));
     rounding_.push_back(
-      withSurface(object.surface, [](const auto& s) { return s.rounding(); }) *
-      std::max({glm::length(stretch[0]), glm::length(stretch[1]), glm::length(stretch[2])}));
+      withSurface(object.surface, [](const auto& s) { return s.rounding(); }) * stretch);
+    stretch_.push_back(pixelsOfError(object) > 0.0 ? stretch : 0.0);
     if (scene.surfaces.size() < 2)
       continue;
     Box box = worldBounds(object);
     box = box.expanded(rounding_.back() + 1e-9 * glm::length(box.size()));
     bounds_.push_back(box.empty() ? box : Box{box.lower - reference, box.upper - reference});
   }
+}
+
+double SceneRays::clearanceOfErring(std::size_t index, std::uint64_t slot, double cosine) const
+{
+  const double local = withSurface(scene_.surfaces[index].surface,
+    [&](const auto& s)
+    {
+      if constexpr (std::decay_t<decltype(s)>::mayErr)
+        return s.clearance(slot, cosine);
+      else
+        return s.rounding() / cosine;
+    });
+  return stretch_[index] * local;
 }
 
 namespace

@@ -22,6 +22,7 @@ constexpr double widestAngle = 0.5;
 /// What one call of remove() works with.
 struct ShadowCaster::Work
 {
+  const SceneRays& rays;
   SurfaceBlock& block;
   const LightSample& sample;
   double widest;     ///< how far the points of a bundle may lie apart, seen from the light
@@ -30,12 +31,12 @@ struct ShadowCaster::Work
   double distance;   ///< of the middle from the sample; directional: from where rays start
   double x[SurfaceBlock::capacity], y[SurfaceBlock::capacity]; ///< of hits, from the middle
   double t[SurfaceBlock::capacity];
-  double rounding = 0.0; ///< of the positions, in the world
   std::uint16_t spare[SurfaceBlock::capacity];
   RayBundle bundle;
 
-  Work(SurfaceBlock& hits, const LightSample& light, double widestSpread)
-    : block(hits)
+  Work(const SceneRays& scene, SurfaceBlock& hits, const LightSample& light, double widestSpread)
+    : rays(scene)
+    , block(hits)
     , sample(light)
     , widest(widestSpread)
   {
@@ -67,11 +68,13 @@ struct ShadowCaster::Work
     return low == 0 || high == 0 ? count / 2 : low;
   }
 
-  /// Where the ray to hit i ends: at the hit, less what rounding may move surfaces by along the
-  /// ray. Spheres that coincide with the one that is lit would shadow it in speckles.
+  /// Where the ray to hit i ends: at the hit, less what rounding and an allowed error may move
+  /// surfaces by along the ray. Spheres that coincide with the one that is lit would shadow it in
+  /// speckles.
   double endOf(int i) const
   {
-    const double blur = rounding / (double(block.cosine[i]) * distance);
+    const double blur =
+      rays.clearance(block.surface, block.slot[i], double(block.cosine[i])) / distance;
     return std::max(t[i] - blur, 0.5 * t[i]);
   }
 
@@ -149,8 +152,7 @@ ShadowCaster::ShadowCaster(const SceneRays& rays)
 
 void ShadowCaster::remove(SurfaceBlock& block, const LightSample& sample, double footprint) const
 {
-  Work work(block, sample, widestBundle * footprint);
-  work.rounding = rays_.rounding(block.surface);
+  Work work(rays_, block, sample, widestBundle * footprint);
   std::uint16_t hits[SurfaceBlock::capacity];
   int count = 0;
   for (int i = 0; i < block.count; ++i)

@@ -70,6 +70,30 @@ bool takeMix(
 
 } // namespace
 
+namespace
+{
+
+/// Gives hits that stand for many the colours of the means.
+template <typename Kind>
+void takeMeans(const Kind& surface, const SurfaceColoring& coloring, const std::uint64_t* slots,
+  int count, float (*colors)[4])
+{
+  std::uint64_t places[SurfaceBlock::capacity];
+  int hit[SurfaceBlock::capacity], found = 0;
+  for (int k = 0; k < count; ++k)
+  {
+    places[found] = surface.meanPlace(slots[k]);
+    hit[found] = k;
+    found += places[found] != RayBundle::noHit;
+  }
+  float means[SurfaceBlock::capacity][4];
+  coloring.fillMeans(places, found, means);
+  for (int k = 0; k < found; ++k)
+    std::copy_n(means[k], 4, colors[hit[k]]);
+}
+
+} // namespace
+
 /// Colours of up to SurfaceBlock::capacity hits; pointOf(k) is where hit k lies, in the surface's
 /// coordinates.
 template <typename PointOf>
@@ -82,12 +106,22 @@ void SurfaceShader::fillColors(
   withSurface(object_.surface,
     [&](const auto& s)
     {
-      if constexpr (std::decay_t<decltype(s)>::mayMixColors)
-        if (ColorMix mix; takeMix(s, slots, count, pointOf, mix))
-          return coloring.fill(mix, count, colors);
-      std::uint64_t indices[SurfaceBlock::capacity];
-      s.colorIndices(slots, count, indices);
-      coloring.fill(indices, count, colors);
+      using Kind = std::decay_t<decltype(s)>;
+      ColorMix mix;
+      bool isMixed = false;
+      if constexpr (Kind::mayMixColors)
+        isMixed = takeMix(s, slots, count, pointOf, mix);
+      if (isMixed)
+        coloring.fill(mix, count, colors);
+      else
+      {
+        std::uint64_t indices[SurfaceBlock::capacity];
+        s.colorIndices(slots, count, indices);
+        coloring.fill(indices, count, colors);
+      }
+      if constexpr (Kind::mayErr)
+        if (s.pixelsOfError() > 0.0 && !coloring.means.empty())
+          takeMeans(s, coloring, slots, count, colors);
     });
 }
 

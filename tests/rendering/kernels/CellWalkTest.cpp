@@ -356,6 +356,26 @@ TEST(CellWalk, RaysEndAtLimitsAndGoOnBehindWhatLetsThemThrough)
   }
 }
 
+TEST(CellWalk, ViewsAreMadeOnceForTheSameCamera)
+{
+  const auto mesh = hexBlock(5, 5, 5, 0.3).mesh();
+  CloudObject volume = evenCloud(mesh);
+  addWalk(volume);
+  const auto cameras = camerasFor(mesh->bounds());
+  const auto viewOf = [&](std::size_t camera, int columns)
+  {
+    const CameraRays rays(cameras[camera], columns, height);
+    return volume.walk->views().view(*volume.walk, rays, columns, height);
+  };
+  const auto first = viewOf(0, width);
+  EXPECT_EQ(viewOf(0, width), first);
+  EXPECT_NE(viewOf(0, 2 * width), first);
+  EXPECT_EQ(viewOf(0, width), first) << "two are kept";
+  EXPECT_NE(viewOf(2, width), first);
+  EXPECT_NE(viewOf(4, width), first);
+  EXPECT_NE(viewOf(0, width), first) << "no more than two";
+}
+
 TEST(CellWalk, FilmsDoNotDependOnBundlesOrThreads)
 {
   const auto mesh = hexBlock(6, 5, 4, 0.3).mesh();

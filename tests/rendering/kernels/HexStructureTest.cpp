@@ -326,6 +326,41 @@ TEST(HexStructure, DoesNotDependOnThreads)
   }
 }
 
+TEST(HexStructure, CopiesHaveRangesOfTheirOwn)
+{
+  const Mesh mesh = hexRing({}).mesh();
+  const std::vector<double> low(mesh->pointCount(), 1.0), high(mesh->pointCount(), 2.0);
+  const auto keepsHigh = [](const HexStructure& structure, double offset)
+  {
+    bool any = false;
+    withStructure(structure,
+      [&](const auto& s)
+      {
+        s.forCellsAlong(
+          HexRay{Vec3d(-5, -0.2, 0.4), Vec3d(1, 0.08, 0.01)},
+          [&](const CellSpan&) { return any = true; },
+          [&](const ScalarRange& r) { return r.upper > 1.5 - offset; });
+      });
+    return any;
+  };
+  const HexField lowField(*mesh, HexScalar{{low.data(), low.size(), 1}});
+  const HexField highField(*mesh, HexScalar{{high.data(), high.size(), 1}});
+  for (const HexStructureKind kind : hexKinds)
+  {
+    const auto structure = build(mesh, kind);
+    setRanges(*structure, highField);
+    auto copy = std::make_unique<HexStructure>(*structure);
+    setRanges(*copy, lowField);
+    EXPECT_TRUE(keepsHigh(*structure, highField.offset()));
+    EXPECT_FALSE(keepsHigh(*copy, lowField.offset()));
+    *copy = *structure;
+    EXPECT_TRUE(keepsHigh(*copy, highField.offset()));
+    withStructure(*copy, [](const auto& s) { EXPECT_LE(s.ownBytes(), s.bytes()); });
+  }
+  withStructure(*build(mesh, HexStructureKind::CartesianBvh),
+    [](const auto& s) { EXPECT_EQ(s.ownBytes(), 0U) << "all else is shared"; });
+}
+
 TEST(HexStructure, LeafSizeIsKept)
 {
   const Mesh mesh = hexRing({}).mesh();

@@ -25,10 +25,12 @@ inline RlodTree treeOver(const Triangles& triangles)
   return tree;
 }
 
+/// With R-LODs, all of which are taken.
 inline RlodTree treeWithLods(const Triangles& triangles)
 {
   RlodTree tree = treeOver(triangles);
   tree.makeLods();
+  tree.setSparesMemory(true);
   return tree;
 }
 
@@ -76,8 +78,8 @@ inline std::vector<RayBundle> meshQuestions(int count, std::uint64_t seed)
 }
 
 /// Casts a bundle, the same rays in packets, and both for anything in their way; judges all.
-inline CastReport checkMesh(
-  const RlodTree& tree, const TriangleOracle& oracle, const RayBundle& question)
+template <typename Tree>
+CastReport checkMesh(const Tree& tree, const TriangleOracle& oracle, const RayBundle& question)
 {
   CastReport report = checkBundle(tree, oracle, question);
   RayBundle dark = question;
@@ -119,8 +121,9 @@ inline CastReport checkMesh(
   return report;
 }
 
-inline CastReport checkMesh(
-  const RlodTree& tree, const TriangleOracle& oracle, const std::vector<RayBundle>& questions)
+template <typename Tree>
+CastReport checkMesh(
+  const Tree& tree, const TriangleOracle& oracle, const std::vector<RayBundle>& questions)
 {
   CastReport report;
   for (const RayBundle& question : questions)

@@ -162,6 +162,42 @@ TEST(RlodTreeLodCast, LooksAtFewerNodesTheMoreErrorItMay)
   }
 }
 
+TEST(RlodTreeLodCast, TakesThoseOfClustersOnlyToSpareMemory)
+{
+  RlodTree tree = treeWithLods(bumpySphere(60));
+  for (const bool spares : {true, false})
+  {
+    tree.setSparesMemory(spares);
+    std::size_t ofClusters = 0, ofNodes = 0;
+    const auto judgeSlot = [&](std::uint64_t slot)
+    {
+      // A cluster holds 16 triangles at most.
+      if (RlodTree::isLod(slot))
+        ++(tree.slotsBelow(slot).size() <= 16 ? ofClusters : ofNodes);
+    };
+    for (const RayBundle& question : wholeQuestions(30, 9))
+    {
+      RayBundle bundle = question;
+      tree.cast(bundle, 0, 4.0);
+      RayPacket packet = emptyPacket();
+      packet.footprint = question.footprint;
+      packet.footprintPerT = question.footprintPerT;
+      for (int i = 0; i < std::min(RayPacket::capacity, question.count); ++i)
+        addRay(packet, question.originOf(i), question.directionOf(i), question.tMin);
+      tree.cast(packet, 0, 4.0);
+      for (int i = 0; i < bundle.count; ++i)
+        if (bundle.object[i] == 0)
+          judgeSlot(bundle.slot[i]);
+      for (int i = 0; i < packet.count; ++i)
+        if (packet.object[i] == 0)
+          judgeSlot(packet.slot[i]);
+    }
+    EXPECT_EQ(ofClusters > 100, spares);
+    EXPECT_EQ(ofClusters == 0, !spares);
+    EXPECT_GT(ofNodes, 100u);
+  }
+}
+
 TEST(RlodTreeLodCast, SeesFlatWallsWhereTheyAre)
 {
   Triangles wall;

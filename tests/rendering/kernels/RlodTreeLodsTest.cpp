@@ -233,14 +233,47 @@ TEST(RlodTreeLods, PlanesAreThoseThatTheirTrianglesAreNearestTo)
       const Vec3d normal(lod.normal);
       EXPECT_NEAR(glm::dot(normal, middleOf(triangles)), lod.offset, 1e-6);
       const std::array<double, 6> moments = momentsOf(triangles);
-      const double own = quadratic(moments, normal), size = moments[0] + moments[1] + moments[2];
-      for (int k = 0; k < 200; ++k)
-        EXPECT_LE(own, quadratic(moments, random.direction()) + 1e-7 * size);
       Vec3d sum(0.0);
+      double weight = 0.0;
       for (const auto& [a, b, c] : triangles)
+      {
         sum += glm::cross(b - a, c - a);
+        weight += glm::length(glm::cross(b - a, c - a));
+      }
       EXPECT_GE(glm::dot(sum, normal), 0.0);
+      // Directions away from the mean normal count as worse.
+      const double size = moments[0] + moments[1] + moments[2];
+      const double penalty = 0.1 * size * std::pow(glm::length(sum) / weight, 4.0);
+      const auto badness = [&](const Vec3d& d)
+      {
+        const double along = glm::dot(d, glm::normalize(sum));
+        return quadratic(moments, d) + penalty * (1.0 - along * along);
+      };
+      for (int k = 0; k < 200; ++k)
+        EXPECT_LE(badness(normal), badness(random.direction()) + 1e-7 * size);
     });
+}
+
+TEST(RlodTreeLods, PlanesOfBentStripsLieInTheSurface)
+{
+  // A strip of 8 x 1 cells, ten times as long as wide, bent by more than it is wide.
+  Triangles strip;
+  for (int i = 0; i <= 8; ++i)
+    for (const double y : {0.0, 0.1})
+      strip.addPoint({i / 8.0, y, 0.25 * std::sin(M_PI * i / 8.0)});
+  for (std::int32_t i = 0; i < 16; i += 2)
+  {
+    strip.add(i, i + 2, i + 3);
+    strip.add(i, i + 3, i + 1);
+  }
+  int planes = 0;
+  forLods(treeWithLods(strip),
+    [&](const RlodTree::Lod& lod, const std::vector<Corners>&)
+    {
+      EXPECT_GT(lod.normal.z, 0.7f);
+      ++planes;
+    });
+  EXPECT_GT(planes, 0);
 }
 
 TEST(RlodTreeLods, PlanesOfFlatPatchesAreExact)
@@ -339,9 +372,32 @@ TEST(RlodTreeLods, SpeakThroughTrianglesOfTheirOwn)
     tree.inputIndices(&slot, 1, &index);
     tree.normals(&slot, 1, rows);
     EXPECT_EQ(index, speaker);
-    EXPECT_EQ(Vec3f(normal[0][0], normal[1][0], normal[2][0]), tree.lod(slot).normal);
-    EXPECT_EQ(tree.normal(slot), tree.lod(slot).normal);
+    EXPECT_EQ(Vec3f(normal[0][0], normal[1][0], normal[2][0]), tree.normal(slot));
+    const RlodTree::Lod lod = tree.lod(slot);
+    EXPECT_LT(glm::length(tree.normal(slot) - lod.evenness * lod.normal), 1e-6f);
   }
+}
+
+TEST(RlodTreeLods, TellHowEvenlyTheirTrianglesLook)
+{
+  int uneven = 0;
+  for (const Triangles& triangles : {bumpySphere(30), randomTriangles(900, 3, 0.2)})
+    forLods(treeWithLods(triangles),
+      [&](const RlodTree::Lod& lod, const std::vector<Corners>& below)
+      {
+        Vec3d sum(0.0);
+        double area = 0.0;
+        for (const Corners& c : below)
+        {
+          const Vec3d normal = glm::cross(c[1] - c[0], c[2] - c[0]);
+          sum += normal;
+          area += glm::length(normal);
+        }
+        const double evenness = std::max(0.25, glm::length(sum) / area);
+        EXPECT_NEAR(lod.evenness, evenness, 1e-4);
+        uneven += evenness < 0.5;
+      });
+  EXPECT_GT(uneven, 20);
 }
 
 TEST(RlodTreeLods, TakeFewBytesAndOnlyWhereTheyAre)

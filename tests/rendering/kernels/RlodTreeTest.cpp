@@ -254,6 +254,30 @@ TEST(RlodTree, FollowsPointsThatMove)
   EXPECT_EQ(tree.bounds().lower, before.lower);
 }
 
+TEST(RlodTree, CostsMoreWhereItsTrianglesHaveWandered)
+{
+  Triangles soup = randomTriangles(5000, 9, 0.05);
+  TriangleMesh mesh = soup.mesh();
+  RlodTree tree;
+  EXPECT_EQ(tree.cost(), 0.0);
+  tree.build(mesh);
+  const double built = tree.cost();
+  EXPECT_GT(built, 1.0);
+  soup.move([](const Vec3d& p) { return 5.0 * p + Vec3d(3.0); }); // all alike
+  mesh.movePoints(soup.pointView());
+  ASSERT_TRUE(tree.refit(mesh));
+  EXPECT_NEAR(tree.cost() / built, 1.0, 1e-3);
+  // Every other triangle elsewhere: boxes of both places.
+  for (std::size_t i = 0; i < soup.points.size(); i += 18)
+    for (std::size_t k = 0; k < 9; k += 3)
+      soup.points[i + k] += 20.0;
+  mesh.movePoints(soup.pointView());
+  ASSERT_TRUE(tree.refit(mesh));
+  RlodTree anew;
+  anew.build(mesh);
+  EXPECT_GT(tree.cost(), 2.0 * anew.cost());
+}
+
 TEST(RlodTree, StopsWhenItIsTold)
 {
   const Triangles sphere = bumpySphere(40);

@@ -11,11 +11,15 @@ namespace mote
 
 /// The R-LODs of a node's children, whose places are those of the children: planes, in the tree's
 /// coordinates, that stand for all triangles below. Children that do not exist have zeros.
+///
+/// The normal is as long as the mean of the triangles' unit normals (evenness), which costs no
+/// room: heights over the plane, offset and deviation are all that much smaller, and compare the
+/// same.
 struct alignas(64) RlodPlanes
 {
-  float normal[3][RlodNode::fanout];        ///< of unit length
+  float normal[3][RlodNode::fanout];        ///< as long as the evenness, 0.25 to 1
   float offset[RlodNode::fanout];           ///< dot(normal, p) of the plane's points
-  float deviation[RlodNode::fanout];        ///< no point of the triangles is farther from the plane
+  float deviation[RlodNode::fanout];        ///< no point of the triangles is higher over the plane
   std::uint32_t triangle[RlodNode::fanout]; ///< index in the input of one that speaks for all
 };
 

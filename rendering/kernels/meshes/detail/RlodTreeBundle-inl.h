@@ -218,7 +218,8 @@ public:
       if (counts != nullptr)
         count(counts->nodes, 1, counts->seenNodes, next.index);
       if constexpr (lods)
-        castPlanes(next.index, places, counts);
+        if (const unsigned may = places.bits & view_.mayErr(node); may != 0)
+          castPlanes(next.index, may, places, counts);
       if (const unsigned clusters = places.bits & lowest(node.clusters); clusters != 0)
         castClusters(node, places, clusters, counts);
       if (const unsigned nodes = places.bits & ~lowest(node.clusters); nodes != 0)
@@ -241,9 +242,9 @@ private:
       seen[index] = true;
   }
 
-  /// Casts at the R-LODs of children that err by less than is allowed where these begin, in place
-  /// of the children.
-  void castPlanes(std::uint32_t index, ChildPlaces& places, RlodTree::Counts* counts)
+  /// Casts at the R-LODs of those of the children `may` that err by less than is allowed where they
+  /// begin, in place of the children.
+  void castPlanes(std::uint32_t index, unsigned may, ChildPlaces& places, RlodTree::Counts* counts)
   {
     unsigned fine = 0;
     for (int set = 0; set < laneSets; ++set)
@@ -253,7 +254,7 @@ private:
       const VF error = errorRadii(view_.words[index], view_.levels, set);
       fine |= bitsOf(hn::Gt(allowed, error)) << (set * lanes);
     }
-    fine &= places.bits;
+    fine &= may;
     if (fine == 0)
       return;
     places.bits &= ~fine;

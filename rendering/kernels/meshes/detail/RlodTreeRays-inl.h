@@ -57,10 +57,13 @@ HWY_INLINE void prefetchReference(const RlodTreeView& view, std::uint32_t refere
   }
 }
 
-/// Children of a node whose R-LODs err by less than is allowed where the ray meets them first.
-HWY_INLINE unsigned fineChildren(
-  const RlodTreeView& view, std::uint32_t index, const Tolerance& tolerance, const Row& near)
+/// Those of the children `may` of a node whose R-LODs err by less than is allowed where the ray
+/// meets them first.
+HWY_INLINE unsigned fineChildren(const RlodTreeView& view, std::uint32_t index, unsigned may,
+  const Tolerance& tolerance, const Row& near)
 {
+  if (may == 0)
+    return 0;
   unsigned bits = 0;
   for (int set = 0; set < laneSets; ++set)
   {
@@ -68,7 +71,7 @@ HWY_INLINE unsigned fineChildren(
     bits |= bitsOf(hn::Gt(allowed, errorRadii(view.words[index], view.levels, set)))
             << (set * lanes);
   }
-  return bits;
+  return bits & may;
 }
 
 /// Takes the nearest of the places with a bit, where it is nearer than what there is.
@@ -117,7 +120,8 @@ std::uint64_t nearestHit(const RlodTreeView& view, TreeRay& ray, const Tolerance
     {
       Row far, at;
       bits = ray.childrenMet(node, z, far);
-      if (const unsigned fine = bits & fineChildren(view, next.index, tolerance, z); fine != 0)
+      const unsigned may = bits & view.mayErr(node);
+      if (const unsigned fine = fineChildren(view, next.index, may, tolerance, z); fine != 0)
       {
         bits &= ~fine;
         const unsigned met = fine & ray.planesMet(view.planes[next.index], z, far, at);
@@ -145,7 +149,9 @@ std::uint64_t nearestHit(const RlodTreeView& view, TreeRay& ray, const Tolerance
 inline void castPacketNearest(
   const RlodTreeView& view, RayPacket& packet, std::int32_t object, double poe)
 {
-  const bool lods = poe > 0.0 && view.words != nullptr;
+  // Rays that are not told how far they lie apart are exact.
+  const bool lods =
+    poe > 0.0 && view.words != nullptr && (packet.footprint > 0.0 || packet.footprintPerT > 0.0);
   const double factor = radiiPerPixel * poe / view.unit;
   const TreeRays rays(view, packet);
   for (int i = 0; i < packet.count; ++i)

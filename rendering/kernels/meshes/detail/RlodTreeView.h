@@ -17,6 +17,7 @@ struct RlodTreeView
   double unit;
   Vec3d lower, upper; ///< of all triangles, in the tree's coordinates
   int depth;
+  bool sparesMemory;
 
   explicit RlodTreeView(const RlodTree& tree)
     : nodes(tree.arrays_->nodes.data())
@@ -29,7 +30,14 @@ struct RlodTreeView
     , lower(tree.lower_)
     , upper(tree.upper_)
     , depth(tree.depth_)
+    , sparesMemory(tree.sparesMemory_)
   {
+  }
+
+  /// Children of a node, as bits, whose R-LODs may be taken.
+  std::uint32_t mayErr(const RlodNode& node) const
+  {
+    return sparesMemory ? ~std::uint32_t{0} : ~std::uint32_t{0} << node.clusters;
   }
 
   /// Most references that wait while the tree is gone through depth first.

@@ -40,8 +40,16 @@ public:
   /// How far positions on a surface may be wrong, in world units, because of float numbers relative
   /// to its middle (docs/shadows.md tells the measurement).
   double rounding(std::int32_t index) const { return rounding_[static_cast<std::size_t>(index)]; }
+  /// How far a ray goes in the world from a hit on a surface, at that cosine to its normal, before
+  /// nothing that only rounding or an allowed error puts there can be in its way.
+  double clearance(std::int32_t index, std::uint64_t slot, double cosine) const
+  {
+    const auto k = static_cast<std::size_t>(index);
+    return stretch_[k] > 0.0 ? clearanceOfErring(k, slot, cosine) : rounding_[k] / cosine;
+  }
 
 private:
+  double clearanceOfErring(std::size_t index, std::uint64_t slot, double cosine) const;
   template <typename Takes, typename Visit>
   void forSurfaces(RayPacket& rays, const Takes& takes, const Visit& visit) const;
 
@@ -49,6 +57,7 @@ private:
   Vec3d reference_;
   std::vector<Mat4d> toLocal_;
   std::vector<double> rounding_;
+  std::vector<double> stretch_; ///< largest, to the world, of surfaces whose hits may err; else 0
   std::vector<Box> bounds_; ///< of each surface, from the reference; none where there is but one
 };
 

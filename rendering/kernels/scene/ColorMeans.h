@@ -1,0 +1,33 @@
+#pragma once
+
+#include "../core/ArrayView.h"
+
+#include <vector>
+
+namespace mote
+{
+
+struct MeshLook;
+struct SurfaceColoring;
+class RlodTree;
+
+/// Colours of R-LODs: means of what their triangles are coloured by.
+struct ColorMeans
+{
+  std::vector<float> numbers;
+  int components = 1;
+
+  /// As SurfaceColoring::means has them.
+  ArrayView view() const
+  {
+    const auto each = static_cast<std::size_t>(components);
+    return {numbers.data(), numbers.size() / each, components};
+  }
+};
+
+/// Means of the values, or the direct colours, that a mesh with R-LODs is coloured by: those of
+/// cells, or where the look mixes colours those of points, of which a triangle has the mean of its
+/// corners. Reads each triangle once.
+ColorMeans meansOf(const RlodTree& tree, const MeshLook& look, const SurfaceColoring& coloring);
+
+} // namespace mote

@@ -1,0 +1,275 @@
+// R-LODs in scenes: rays that leave them, and their colours.
+
+#include "MeshParts.h"
+#include "ShadowParts.h"
+
+#include <kernels/scene/ColorMeans.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+using namespace mote;
+using namespace mote::testing;
+
+namespace
+{
+
+const Camera fromAbove = lookAt({2.0, 3.0, 9.0}, Vec3d(0.0), 15.0);
+constexpr int size = 96;
+constexpr double pixels = 6.0; ///< of error
+
+/// A bumpy sphere of many triangles, with R-LODs.
+struct LodMesh
+{
+  Triangles triangles;
+  std::shared_ptr<TriangleMesh> mesh = std::make_shared<TriangleMesh>(triangles.mesh());
+  std::shared_ptr<RlodTree> tree = std::make_shared<RlodTree>();
+  Scene scene;
+  Camera camera = fromAbove;
+
+  explicit LodMesh(Triangles of = bumpySphere(250))
+    : triangles(std::move(of))
+  {
+    tree->build(*mesh);
+    tree->makeLods();
+    tree->setSparesMemory(true);
+    SurfaceObject object;
+    object.surface = MeshSurface(tree);
+    addTo(scene, object);
+  }
+  LodMesh(const LodMesh&) = delete;
+  LodMesh& operator=(const LodMesh&) = delete;
+  SurfaceObject& object() { return scene.surfaces[0]; }
+  Film traced(double poe)
+  {
+    MeshLook look;
+    look.poe = poe;
+    object().surface = MeshSurface(tree, look);
+    return tracedFilm(scene, camera, size);
+  }
+};
+
+/// How the pictures of a scene with R-LODs and without differ.
+struct Comparison
+{
+  int pixels = 0;                  ///< that both hit
+  double exact = 0.0, rough = 0.0; ///< mean red
+  int darkened = 0; ///< from more than half of the greatest red to less than an eighth of it
+};
+
+Comparison comparisonOf(LodMesh& lods)
+{
+  const Film exact = lods.traced(0.0), rough = lods.traced(pixels);
+  Comparison found;
+  float most = 0.0f;
+  for (int i = 0; i < size * size; ++i)
+    most = std::max(most, exact.color()[4 * i]);
+  for (int i = 0; i < size * size; ++i)
+  {
+    if (exact.object()[i] != 0 || rough.object()[i] != 0)
+      continue;
+    ++found.pixels;
+    const float before = exact.color()[4 * i], after = rough.color()[4 * i];
+    found.exact += before;
+    found.rough += after;
+    found.darkened += before > 0.5f * most && after < 0.125f * most;
+  }
+  found.exact /= found.pixels;
+  found.rough /= found.pixels;
+  return found;
+}
+
+} // namespace
+
+TEST(MeshLodScene, ManyPixelsShowOneOfFewPlanes)
+{
+  LodMesh lods;
+  const Film exact = lods.traced(0.0), rough = lods.traced(pixels);
+  std::vector<std::uint64_t> seen, seenRough;
+  for (int i = 0; i < size * size; ++i)
+  {
+    if (exact.object()[i] == 0)
+    {
+      seen.push_back(exact.id()[i]);
+      EXPECT_EQ(rough.object()[i], 0) << "a hole at " << i;
+    }
+    if (rough.object()[i] == 0)
+      seenRough.push_back(rough.id()[i]);
+  }
+  const auto countOf = [](std::vector<std::uint64_t>& ids)
+  {
+    std::sort(ids.begin(), ids.end());
+    return std::unique(ids.begin(), ids.end()) - ids.begin();
+  };
+  EXPECT_LT(countOf(seenRough), countOf(seen) / 2);
+}
+
+TEST(MeshLodScene, RoughGroundSeenAtGrazingAnglesIsAsBrightAsItsTriangles)
+{
+  // A light at the eye: planes alone are as dark as their cosine, a sixth and less.
+  Triangles ground;
+  std::mt19937 random(7);
+  std::normal_distribution<double> height(0.0, 0.0012);
+  constexpr int side = 400;
+  for (int j = 0; j <= side; ++j)
+    for (int i = 0; i <= side; ++i)
+      ground.addPoint({0.005 * i - 1.0, 0.005 * j - 1.0, height(random)});
+  addGrid(ground, side);
+  LodMesh lods(std::move(ground));
+  lods.object().material.ambient = 0.0f;
+  for (const double rise : {0.4, 1.0, 4.0})
+  {
+    SCOPED_TRACE(rise);
+    const Vec3d eye(2.0, -6.0, rise);
+    lods.camera = lookAt(eye, Vec3d(0.0), 15.0);
+    lods.scene.lights = {shadowLight(Light::Kind::Directional, -glm::normalize(eye))};
+    lods.scene.lights[0].shadows = false;
+    const Comparison found = comparisonOf(lods);
+    EXPECT_GT(found.pixels, 300);
+    EXPECT_NEAR(found.rough / found.exact, 0.9, 0.15); // planes know not what hides what
+  }
+}
+
+TEST(MeshLodScene, OutlinesHaveNoDarkRim)
+{
+  LodMesh lods;
+  lods.object().material.ambient = 0.0f;
+  lods.scene.lights = {shadowLight(Light::Kind::Directional, {0.8, -0.3, -0.6})};
+  lods.scene.lights[0].shadows = false;
+  const Film exact = lods.traced(0.0), rough = lods.traced(pixels);
+  int rim = 0, dark = 0;
+  for (int y = 1; y + 1 < size; ++y)
+    for (int x = 1; x + 1 < size; ++x)
+    {
+      const int i = y * size + x;
+      if (rough.object()[i] != 0 || exact.object()[i] == 0)
+        continue;
+      float most = 0.0f; // beside it
+      for (const int next : {i - 1, i + 1, i - size, i + size})
+        if (exact.object()[next] == 0)
+          most = std::max(most, exact.color()[4 * next]);
+      rim += most > 0.3f;
+      dark += most > 0.3f && rough.color()[4 * i] < 0.4f * most;
+    }
+  EXPECT_GT(rim, 10);
+  EXPECT_LT(dark, rim / 8);
+}
+
+TEST(MeshLodScene, NoPlaneIsInItsOwnShadow)
+{
+  LodMesh lods;
+  for (const auto kind : {Light::Kind::Directional, Light::Kind::Point})
+    for (const Vec3d towards : {Vec3d(1.0, 1.0, 4.0), Vec3d(4.0, 1.0, 1.0), Vec3d(-3.0, 4.0, 3.0)})
+    {
+      lods.scene.lights = {
+        shadowLight(kind, kind == Light::Kind::Point ? towards : -glm::normalize(towards))};
+      lods.object().material.ambient = 0.0f;
+      const Comparison found = comparisonOf(lods);
+      EXPECT_GT(found.pixels, 1500);
+      EXPECT_NEAR(found.rough, found.exact, 0.02);
+      EXPECT_LT(found.darkened, found.pixels / 100);
+    }
+}
+
+TEST(MeshLodScene, NoPlaneHidesTheSkyFromItself)
+{
+  LodMesh lods;
+  lods.scene.lights.clear();
+  lods.scene.occlusion = {64, 0.05};
+  lods.object().material.ambient = 1.0f;
+  const Comparison found = comparisonOf(lods);
+  EXPECT_GT(found.pixels, 1500);
+  EXPECT_NEAR(found.rough, found.exact, 0.015);
+  EXPECT_EQ(found.darkened, 0);
+}
+
+TEST(MeshLodScene, PathsLeaveThePlanesThatTheyBeginAt)
+{
+  LodMesh lods;
+  lods.scene.lights = {shadowLight(Light::Kind::Directional, {-0.3, -0.3, -0.9})};
+  lods.scene.paths.bounces = 2;
+  const Comparison found = comparisonOf(lods);
+  EXPECT_GT(found.pixels, 1500);
+  EXPECT_NEAR(found.rough / found.exact, 1.0, 0.03);
+}
+
+TEST(MeshLodScene, PlanesHaveTheMeanColour)
+{
+  LodMesh lods;
+  std::mt19937 random(4);
+  std::vector<float> values;
+  for (std::size_t i = 0; i < lods.mesh->size(); ++i)
+    values.push_back(static_cast<float>(random() % 2));
+  SurfaceObject& object = lods.object();
+  object.coloring.values = ArrayView(values.data(), values.size(), 1);
+  object.coloring.map.table = {Vec4f(0.0f, 0.0f, 0.0f, 1.0f), Vec4f(1.0f)};
+  object.material.ambient = 1.0f; // the colour itself
+  object.material.diffuse = 0.0f;
+  lods.scene.lights.clear();
+  const auto spreadOf = [&](const Film& film)
+  {
+    double sum = 0.0;
+    int count = 0;
+    for (int i = 0; i < size * size; ++i)
+      if (film.object()[i] == 0)
+      {
+        sum += std::pow(film.color()[4 * i] - 0.5, 2.0);
+        ++count;
+      }
+    return std::sqrt(sum / count);
+  };
+  EXPECT_NEAR(spreadOf(lods.traced(pixels)), 0.5, 1e-6) << "colours of the triangles that speak";
+  const ColorMeans means = meansOf(*lods.tree, {}, object.coloring);
+  object.coloring.means = means.view();
+  EXPECT_LT(spreadOf(lods.traced(pixels)), 0.25);
+  EXPECT_NEAR(spreadOf(lods.traced(0.0)), 0.5, 1e-6) << "without error nothing is a mean";
+}
+
+TEST(MeshLodScene, MeansAreWeightedByArea)
+{
+  Triangles triangles = randomTriangles(700, 3, 0.2);
+  const auto nan = std::numeric_limits<double>::quiet_NaN();
+  const TriangleMesh mesh = triangles.mesh();
+  RlodTree tree;
+  tree.build(mesh);
+  tree.makeLods();
+  const auto valuesOf = [&](std::uint64_t triangle, double* values)
+  {
+    values[0] = triangle % 5 == 0 ? nan : static_cast<double>(triangle);
+    values[1] = std::cos(static_cast<double>(triangle));
+    values[2] = nan;
+  };
+  const std::vector<float> means = tree.lodMeans(3, valuesOf);
+  int count = 0;
+  for (const std::uint64_t slot : tree.lodSlots())
+  {
+    double sum[2] = {}, weight[2] = {};
+    for (const std::uint64_t below : tree.slotsBelow(slot))
+    {
+      const auto corners = tree.localCorners(below);
+      const double area =
+        glm::length(glm::cross(Vec3d(corners[1] - corners[0]), Vec3d(corners[2] - corners[0])));
+      double values[3];
+      valuesOf(tree.inputIndex(below), values);
+      for (int c = 0; c < 2; ++c)
+        if (std::isfinite(values[c]))
+        {
+          sum[c] += area * values[c];
+          weight[c] += area;
+        }
+    }
+    const float* found = means.data() + 3 * RlodTree::lodPlace(slot);
+    EXPECT_EQ(std::isnan(found[0]), weight[0] == 0.0);
+    if (weight[0] > 0.0)
+    {
+      EXPECT_NEAR(found[0], sum[0] / weight[0], 1e-4 * 700);
+    }
+    EXPECT_NEAR(found[1], sum[1] / weight[1], 1e-5);
+    EXPECT_TRUE(std::isnan(found[2]));
+    ++count;
+  }
+  EXPECT_GT(count, 50);
+}
