@@ -19,6 +19,9 @@ struct OcclusionRequest
 {
   OcclusionBakeOptions options; ///< in the units of the mapper's particles
   bool reachChosen = false;     ///< whether the user has said how far rays go
+  /// For frames that move: takes what comes with a structure that is new, such as another time
+  /// step's, and leaves all else as it is.
+  bool isMoving = false;
 };
 
 /// Gives maps that are there already, or none. Throws Error where there are some that cannot be

@@ -227,9 +227,9 @@ MapperOcclusion* ParticleModel::occlusion(const OcclusionRequest* request)
 {
   if (!structure_ || preview_ || this->statistics().valid == 0)
     return nullptr;
-  if (request)
+  const auto mapsTime = request && input_ ? occlusionArraysTime(input_->GetFieldData()) : 0;
+  if (request && (!request->isMoving || (mapsTime > 0 && !occlusion_.isOf(key_))))
   {
-    const auto mapsTime = input_ ? occlusionArraysTime(input_->GetFieldData()) : 0;
     this->updateOcclusion(request->options, {double(request->reachChosen), double(mapsTime)},
       [&] { return this->findMaps(*request); });
   }

@@ -20,6 +20,10 @@ namespace mote
 namespace
 {
 
+/// A refitted tree is built anew where rays meet so many times as many boxes as when it was built:
+/// a build takes as long as some frames.
+constexpr double worstRefit = 2.0;
+
 void addTime(InputKey& key, vtkObject* object)
 {
   key.push_back(object ? static_cast<double>(object->GetMTime()) : -1.0);
@@ -38,6 +42,8 @@ InputKey keyOfMesh(vtkPointSet* data)
   InputKey key;
   addTime(key, data->GetPoints());
   addArray(key, data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
+  addArray(key, data->GetCellGhostArray());
+  addArray(key, data->GetPointGhostArray());
   if (auto* surface = vtkPolyData::SafeDownCast(data))
   {
     for (vtkCellArray* cells : {surface->GetVerts(), surface->GetLines()})
@@ -117,12 +123,18 @@ MeshGeometry::Change MeshGeometry::update(vtkPointSet* data, const Progress& pro
     return Change::None;
   }
   points_ = content;
-  if (moved && mesh_.use_count() == 1 && tree_.use_count() == 1)
+  if (moved)
   {
+    // What others hold stays as it is: a copy takes a tenth of the time of a build, a refit too.
+    if (mesh_.use_count() > 1)
+      mesh_ = std::make_shared<TriangleMesh>(*mesh_);
+    if (tree_.use_count() > 1)
+      tree_ = std::make_shared<RlodTree>(tree_->copyWithoutLods());
     mesh_->movePoints(points.view);
-    if (tree_->refit(*mesh_))
+    if (tree_->refit(*mesh_) && tree_->cost() <= worstRefit * builtCost_)
     {
       key_ = std::move(key);
+      this->count();
       return Change::Refitted;
     }
   }
@@ -139,8 +151,10 @@ MeshGeometry::Change MeshGeometry::update(vtkPointSet* data, const Progress& pro
       return Change::None;
     }
     tree_ = std::move(tree);
+    builtCost_ = tree_->cost();
   }
   key_ = std::move(key);
+  this->count();
   return Change::Built;
 }
 
@@ -152,10 +166,17 @@ ArrayView MeshGeometry::cells() const
   return {cells_->data(), type, cells_->size(), 1};
 }
 
-std::size_t MeshGeometry::bytes() const
+void MeshGeometry::makeLods()
 {
-  return (mesh_ ? mesh_->bytes() : 0) + (tree_ ? tree_->bytes() : 0) +
-         (cells_ ? cells_->size() * sizeof(vtkIdType) : 0);
+  if (!tree_->hasLods())
+    tree_->makeLods();
+  this->count();
+}
+
+void MeshGeometry::count()
+{
+  bytes_ = (mesh_ ? mesh_->bytes() : 0) + (tree_ ? tree_->bytes() : 0) +
+           (cells_ ? cells_->size() * sizeof(vtkIdType) : 0);
 }
 
 vtkIdType MeshGeometry::invalidTriangles() const

@@ -34,10 +34,14 @@ public:
   bool fits(vtkPointSet* data) const;
 
   /// Takes the triangles and builds the tree, or does as little of it as it takes: nothing where
-  /// points and triangles have the same content, a refit where only points have moved and nobody
-  /// else holds the tree. Without triangles, or where `progress` stopped it, there is no tree.
-  /// Throws Error for indices that are not those of points, and as TriangleMesh and RlodTree do.
+  /// points and triangles have the same content, a refit where only points have moved and it does
+  /// not make rays much slower; of a copy, where others hold the tree. Without triangles, or where
+  /// `progress` stopped it, there is no tree. Throws Error for indices that are not those of
+  /// points, and as TriangleMesh and RlodTree do.
   Change update(vtkPointSet* data, const Progress& progress);
+
+  /// Makes the tree's R-LODs where it has none. Not while another thread casts rays through it.
+  void makeLods();
 
   void forget() { *this = MeshGeometry(); }
 
@@ -45,7 +49,7 @@ public:
   std::shared_ptr<const TriangleMesh> mesh() const { return mesh_; }
   /// The cell of the data set that each triangle is of; empty: triangles are cells.
   ArrayView cells() const;
-  std::size_t bytes() const;
+  std::size_t bytes() const { return bytes_; }
   /// What was left out, as sentences; empty where nothing was.
   std::string report() const;
 
@@ -54,12 +58,16 @@ public:
   vtkIdType invalidTriangles() const; ///< triangles with a corner that is not finite
 
 private:
+  void count();
+
   InputKey key_;
-  ContentHash points_; ///< what they held
+  ContentHash points_;     ///< what they held
+  double builtCost_ = 0.0; ///< of the tree when it was built
   std::shared_ptr<TriangleMesh> mesh_;
   std::shared_ptr<RlodTree> tree_;
   std::shared_ptr<const std::vector<vtkIdType>> cells_;
   vtkIdType thin_ = 0, flat_ = 0;
+  std::size_t bytes_ = 0; ///< kept: others that hold the tree may be making its R-LODs
 };
 
 /// What one mapper has made of a mesh and another may take over, instead of making it.

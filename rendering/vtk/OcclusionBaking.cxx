@@ -34,13 +34,14 @@ void OcclusionBaking::take(
   request.options.adaptive = shading->GetBakeAdaptive() != 0;
   request.options.tolerance = shading->GetBakeTolerance();
   request.reachChosen = shading->GetAmbientOcclusionReach() > 0.0;
+  request.isMoving = !update;
   const double reach = scene.surfaces.empty() ? 0.0 : occlusionReach(scene);
   for (const SurfaceObject& object : scene.surfaces)
   {
     const double scale = scaleOf(object.toWorld);
     request.options.reach = reach / scale;
     const MoteProp& prop = *props[static_cast<std::size_t>(object.id)];
-    maps_.push_back(scale > 0.0 ? prop.occlusion(update ? &request : nullptr) : nullptr);
+    maps_.push_back(scale > 0.0 ? prop.occlusion(&request) : nullptr);
   }
   this->give(scene);
 }

@@ -24,7 +24,8 @@ public:
   static bool isAskedFor(vtkMoteShading* shading);
 
   /// Gives the objects of the scene, which are those of `props`, the maps that there are: brought
-  /// up to date with particles and shading where `update`, else of particles that are as they were.
+  /// up to date with particles and shading where `update`, else of particles that are as they were,
+  /// or that come with maps of their own.
   /// Where all particles have one the scene needs no more rays for its ambient light.
   void take(Scene& scene, const MoteProps& props, vtkMoteShading* shading, bool update);
 

@@ -15,6 +15,9 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
+/// Two planes side by side may be off either way, and are seen aslant.
+constexpr double stepsPerError = 4.0;
+
 double secondsSince(const Clock::time_point& start)
 {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -88,6 +91,8 @@ void SilhouetteTracer::prepare(
   const double diagonal = bounds.empty() ? 0.0 : glm::length(bounds.size());
   SilhouetteOptions options = silhouettes->MakeOptions(stepOf(silhouettes, scene, diagonal));
   options.thickness /= distance;
+  // Steps between the planes that stand for triangles are none of the surface.
+  options.stepInPixels = std::max(options.stepInPixels, stepsPerError * pixelsOfError(scene));
   const auto groupedBy = groups_.by;
   const auto viewed = viewed_;
   const std::string name = silhouettes->GetGroupArrayName();

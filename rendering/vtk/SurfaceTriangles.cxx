@@ -16,6 +16,8 @@
 
 #include <numeric>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace mote
 {
@@ -105,6 +107,35 @@ SurfaceTriangles trianglesOf(vtkPolyData* surface)
   return found;
 }
 
+/// Leaves out triangles of cells of which another piece has the same one, and of those that are
+/// hidden. vtkPolyData::RemoveGhostCells() keeps the hidden ones, in VTK 9.1.
+void dropGhosts(vtkUnsignedCharArray* ghosts, SurfaceTriangles& found)
+{
+  const std::size_t count = found.corners.view.empty() ? 0 : found.view().count();
+  const auto isGhost = [&](std::size_t triangle)
+  {
+    const vtkIdType cell =
+      found.cells.empty() ? static_cast<vtkIdType>(triangle) : found.cells[triangle];
+    return cell < ghosts->GetNumberOfValues() &&
+           (ghosts->GetValue(cell) &
+             (vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL)) != 0;
+  };
+  vtkNew<vtkIdTypeArray> corners;
+  std::vector<vtkIdType> cells;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (isGhost(i))
+      continue;
+    for (std::size_t k = 3 * i; k < 3 * i + 3; ++k)
+      corners->InsertNextValue(static_cast<vtkIdType>(found.corners.view.value(k)));
+    cells.push_back(found.cells.empty() ? static_cast<vtkIdType>(i) : found.cells[i]);
+  }
+  if (cells.size() == count)
+    return;
+  found.corners = DataArrayView(corners);
+  found.cells = std::move(cells);
+}
+
 void copyGhosts(vtkDataSetAttributes* from, vtkDataSetAttributes* to)
 {
   if (vtkDataArray* ghosts = from->GetArray(vtkDataSetAttributes::GhostArrayName()))
@@ -162,9 +193,13 @@ ArrayView SurfaceTriangles::view() const
 
 SurfaceTriangles surfaceTrianglesOf(vtkPointSet* data)
 {
-  if (auto* surface = vtkPolyData::SafeDownCast(data))
-    return trianglesOf(surface);
-  return trianglesOfFaces(data);
+  auto* surface = vtkPolyData::SafeDownCast(data);
+  if (!surface)
+    return trianglesOfFaces(data);
+  SurfaceTriangles found = trianglesOf(surface);
+  if (vtkUnsignedCharArray* ghosts = surface->GetCellGhostArray())
+    dropGhosts(ghosts, found);
+  return found;
 }
 
 } // namespace mote

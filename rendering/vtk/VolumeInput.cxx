@@ -64,6 +64,7 @@ void VolumeGeometry::build(const HexStructureOptions& options)
 {
   structure_ = nullptr; // before the next one takes memory
   structure_ = makeHexStructure(mesh_, options);
+  built_ = std::make_shared<const char>();
   structureKey_ = keyOf(options);
 }
 
@@ -77,8 +78,38 @@ void VolumeGeometry::setRanges(const HexField& field)
 std::shared_ptr<const WalkCells> VolumeGeometry::makeWalk(const HexField& field)
 {
   if (!adjacency_)
+  {
     adjacency_ = std::make_shared<FaceAdjacency>(*mesh_);
-  return std::make_shared<WalkCells>(mesh_, adjacency_, field);
+    views_ = std::make_shared<WalkViews>();
+  }
+  return std::make_shared<WalkCells>(mesh_, adjacency_, field, views_);
+}
+
+void VolumeGeometry::addMemory(std::vector<std::pair<const void*, std::size_t>>& pieces) const
+{
+  if (mesh_)
+    pieces.emplace_back(mesh_.get(), mesh_->bytes());
+  if (structure_)
+    withStructure(*structure_,
+      [&](const auto& s)
+      {
+        pieces.emplace_back(built_.get(), s.bytes() - s.ownBytes());
+        pieces.emplace_back(structure_.get(), s.ownBytes());
+      });
+}
+
+std::vector<std::pair<const void*, std::size_t>> BuiltVolume::memory() const
+{
+  std::vector<std::pair<const void*, std::size_t>> pieces;
+  geometry.addMemory(pieces);
+  if (field)
+    pieces.emplace_back(field.get(), field->bytes());
+  if (walk)
+  {
+    pieces.emplace_back(&walk->adjacency(), walk->adjacency().bytes());
+    pieces.emplace_back(walk.get(), walk->bytes() - walk->adjacency().bytes());
+  }
+  return pieces;
 }
 
 } // namespace mote

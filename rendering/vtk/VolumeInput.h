@@ -6,6 +6,8 @@
 #include "kernels/hexahedra/WalkCells.h"
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 class vtkUnstructuredGrid;
 
@@ -38,6 +40,10 @@ public:
 
   void forget() { *this = VolumeGeometry(); }
 
+  /// Adds what it takes in memory: what there is, and its bytes. Steps over the same mesh share all
+  /// but the ranges.
+  void addMemory(std::vector<std::pair<const void*, std::size_t>>& pieces) const;
+
   const std::shared_ptr<const HexMesh>& mesh() const { return mesh_; }
   std::shared_ptr<const HexStructure> structure() const { return structure_; }
 
@@ -50,7 +56,9 @@ private:
   std::shared_ptr<const HexMesh> mesh_; ///< made of `content_`
   InputKey structureKey_;
   std::shared_ptr<HexStructure> structure_;
+  std::shared_ptr<const char> built_;              ///< the same for all copies of the structure
   std::shared_ptr<const FaceAdjacency> adjacency_; ///< of the mesh, once it was asked for
+  std::shared_ptr<WalkViews> views_;               ///< the same
 };
 
 /// What one mapper has made of a grid and another may take over, instead of making it.
@@ -61,6 +69,9 @@ struct BuiltVolume
   std::shared_ptr<const WalkCells> walk; ///< of the field, once it was needed
   InputKey fieldKey;                     ///< what the field was taken from
   double buildTime = 0.0;                ///< seconds, of the structure
+
+  /// What it takes in memory, as VolumeGeometry::addMemory() tells it.
+  std::vector<std::pair<const void*, std::size_t>> memory() const;
 
   void forgetField()
   {

@@ -10,6 +10,7 @@
 #include "SceneBridge.h"
 
 #include "kernels/core/Error.h"
+#include "kernels/scene/ColorMeans.h"
 #include "kernels/scene/Scene.h"
 #include "kernels/tracing/Picking.h"
 
@@ -24,6 +25,7 @@
 #include "vtkPointSet.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
 
 #include <algorithm>
 #include <chrono>
@@ -43,6 +45,9 @@ public:
   mote::DataArrayView normals; ///< copied once where they are not one piece of memory
   mote::InputKey normalsKey;
 
+  mote::ColorMeans means; ///< of R-LODs
+  mote::InputKey meansKey;
+
   vtkMTimeType failedAt = 0; ///< of the picture that could not be made: not tried again
 
   // The last of each kind of message, so that it is told once and not every frame.
@@ -50,10 +55,12 @@ public:
 
   mote::RendererImages images; ///< for renderers that have no vtkMoteRayCastPass
 
+  /// Takes what is offered where it is of this input, or where there is nothing yet: of an input
+  /// with the same content it will do, too.
   void takeOffer(vtkPointSet* input)
   {
     const auto from = std::exchange(offered, nullptr);
-    if (!from || !from->geometry.fits(input))
+    if (!from || (geometry.tree() && !from->geometry.fits(input)))
       return;
     static_cast<mote::BuiltMesh&>(*this) = *from;
     changedAt.Modified();
@@ -131,6 +138,14 @@ std::string vtkMoteMeshMapper::GetReport()
 vtkTypeInt64 vtkMoteMeshMapper::GetStructureBytes()
 {
   return static_cast<vtkTypeInt64>(this->Impl->geometry.bytes());
+}
+
+std::vector<std::pair<const void*, std::size_t>> vtkMoteMeshMapper::GetMemory()
+{
+  const mote::MeshGeometry& geometry = this->Impl->geometry;
+  if (!geometry.tree())
+    return {};
+  return {{geometry.tree().get(), geometry.bytes()}};
 }
 
 double vtkMoteMeshMapper::GetBuildTime()
@@ -296,6 +311,7 @@ bool vtkMoteMeshMapper::DescribeTo(mote::SurfaceObject& object, vtkActor* actor)
   if (normals && normals->GetNumberOfTuples() == input->GetNumberOfPoints() &&
       actor->GetProperty()->GetInterpolation() != VTK_FLAT)
     look.normals = impl.viewOf(normals);
+  this->AllowError(object, look, ofCells);
   object.surface = mote::MeshSurface(impl.geometry.tree(), look);
   object.castsShadows = this->CastsShadows;
 
@@ -306,6 +322,32 @@ bool vtkMoteMeshMapper::DescribeTo(mote::SurfaceObject& object, vtkActor* actor)
         impl.reportedClipping))
     vtkWarningMacro(<< impl.reportedClipping);
   return true;
+}
+
+/// Makes R-LODs and their colours, where an error is allowed and they were not made before.
+void vtkMoteMeshMapper::AllowError(mote::SurfaceObject& object, mote::MeshLook& look, bool ofCells)
+{
+  const bool opaque = object.material.opacity >= 1.0f && !object.coloring.mayBeTransparent();
+  if (!(this->PixelsOfError > 0.0) || !opaque)
+    return;
+  Internals& impl = *this->Impl;
+  look.poe = this->PixelsOfError;
+  impl.geometry.makeLods();
+  mote::SurfaceColoring& coloring = object.coloring;
+  const mote::ArrayView& array = coloring.direct.empty() ? coloring.values : coloring.direct;
+  if (array.empty())
+    return;
+  mote::InputKey key = {double(impl.changedAt.GetMTime()), double(ofCells),
+    double(coloring.component), double(coloring.direct.empty())};
+  mote::addArray(key, this->GetColorArray());
+  if (!coloring.direct.empty())
+    key.push_back(double(this->GetLookupTable()->GetMTime()));
+  if (key != impl.meansKey)
+  {
+    impl.means = mote::meansOf(*impl.geometry.tree(), look, coloring);
+    impl.meansKey = std::move(key);
+  }
+  coloring.means = impl.means.view();
 }
 
 void vtkMoteMeshMapper::Render(vtkRenderer* renderer, vtkActor* actor)
@@ -326,6 +368,7 @@ void vtkMoteMeshMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CastsShadows: " << (this->CastsShadows ? "On" : "Off") << "\n";
+  os << indent << "PixelsOfError: " << this->PixelsOfError << "\n";
   os << indent << "NumberOfTriangles: " << this->GetNumberOfTriangles() << "\n";
   os << indent << "NumberOfCellsLeftOut: " << this->GetNumberOfCellsLeftOut() << "\n";
   os << indent << "NumberOfUnfitTriangles: " << this->GetNumberOfUnfitTriangles() << "\n";

@@ -31,8 +31,11 @@
 #include "MoteRenderingVTKModule.h" // for export macro
 #include "vtkMapper.h"
 
+#include <cstddef>
 #include <memory> // for the implementation
 #include <string> // for the report
+#include <utility>
+#include <vector>
 
 class vtkDataArray;
 class vtkPointSet;
@@ -40,6 +43,7 @@ class vtkPointSet;
 namespace mote
 {
 struct BuiltMesh;
+struct MeshLook;
 struct ScenePick;
 struct SurfaceObject;
 } // namespace mote
@@ -67,6 +71,19 @@ public:
   vtkBooleanMacro(CastsShadows, bool);
   ///@}
 
+  ///@{
+  /**
+   * How many pixels the picture may err by, at least 0: groups of triangles that would err by less
+   * are drawn as planes (R-LODs), which takes less time and memory where many triangles fall into a
+   * pixel, and keeps colours from flickering: planes have the mean colour. 99.9 % of the pixels are
+   * displaced by less than this, none by more than about twice as much. Shadows, ambient occlusion,
+   * reflections and picks ask the triangles themselves. 0, as unless set, is exact; so is all that
+   * is not opaque. See docs/triangles.md.
+   */
+  vtkSetClampMacro(PixelsOfError, double, 0.0, 1000.0);
+  vtkGetMacro(PixelsOfError, double);
+  ///@}
+
   /** Bounds of the triangles that can be drawn. */
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
@@ -74,7 +91,8 @@ public:
   ///@{
   /**
    * Brings the input up to date, and the structure where points or cells have changed: where only
-   * points have moved it takes their new places, which is much faster than to build it. A change of
+   * points have moved it takes their new places, which is much faster than to build it, unless they
+   * have wandered so far that rays would become twice as slow. A change of
    * colours, arrays, camera or light builds nothing. Fires Start-, Progress- and EndEvents where it
    * does either; SetAbortExecute(1) from within one stops it and leaves nothing to draw.
    */
@@ -129,13 +147,19 @@ public:
   ///@{
   /**
    * Hands structures from one mapper to another: the next Update() of a mapper that is offered what
-   * another one has built from the very same points and cells takes it and builds nothing. So a
-   * thread with a mapper of its own builds time steps ahead. Null where there is nothing to hand
-   * on.
+   * another one has built from the very same points and cells takes it and builds nothing; one that
+   * has built nothing yet takes it too where they have the same content. So a thread with a mapper
+   * of its own builds time steps ahead. Null where there is nothing to hand on.
    */
   std::shared_ptr<const mote::BuiltMesh> GetBuilt();
   void OfferBuilt(std::shared_ptr<const mote::BuiltMesh> built);
   ///@}
+
+  /**
+   * The pieces of GetStructureBytes(): what there is, and its bytes. Mappers that handed over to
+   * one another have some in common.
+   */
+  std::vector<std::pair<const void*, std::size_t>> GetMemory();
 
   /**
    * Updates, and describes the triangles to the kernels as this actor shows them; false where there
@@ -156,6 +180,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
   bool CastsShadows = true;
+  double PixelsOfError = 0.0;
 
 private:
   vtkMoteMeshMapper(const vtkMoteMeshMapper&) = delete;
@@ -163,6 +188,7 @@ private:
 
   void UpdateMesh();
   void UpdateGeometry(vtkPointSet* input);
+  void AllowError(mote::SurfaceObject& object, mote::MeshLook& look, bool ofCells);
 
   class Internals;
   std::unique_ptr<Internals> Impl;

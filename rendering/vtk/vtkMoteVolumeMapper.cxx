@@ -32,6 +32,11 @@
 
 vtkStandardNewMacro(vtkMoteVolumeMapper);
 
+namespace
+{
+constexpr const char* defaultStructure = "cartbvh";
+}
+
 /// What the mapper keeps between frames.
 class vtkMoteVolumeMapper::Internals : public mote::BuiltVolume
 {
@@ -67,7 +72,7 @@ public:
 vtkMoteVolumeMapper::vtkMoteVolumeMapper()
   : Impl(std::make_unique<Internals>())
 {
-  this->SetStructureName("cartbvh");
+  this->SetStructureName(defaultStructure);
   this->SetIntegratorName("cell-by-cell");
 }
 
@@ -140,17 +145,15 @@ std::string vtkMoteVolumeMapper::GetReport()
 
 vtkTypeInt64 vtkMoteVolumeMapper::GetStructureBytes()
 {
-  const Internals& impl = *this->Impl;
   std::size_t bytes = 0;
-  if (const auto& mesh = impl.geometry.mesh())
-    bytes += mesh->bytes();
-  if (const auto structure = impl.geometry.structure())
-    bytes += mote::withStructure(*structure, [](const auto& s) { return s.bytes(); });
-  if (impl.field)
-    bytes += impl.field->bytes();
-  if (impl.walk)
-    bytes += impl.walk->bytes();
+  for (const auto& piece : this->GetMemory())
+    bytes += piece.second;
   return static_cast<vtkTypeInt64>(bytes);
+}
+
+std::vector<std::pair<const void*, std::size_t>> vtkMoteVolumeMapper::GetMemory()
+{
+  return this->Impl->memory();
 }
 
 double vtkMoteVolumeMapper::GetBuildTime()
@@ -246,8 +249,10 @@ void vtkMoteVolumeMapper::UpdateVolume()
 mote::HexStructureOptions vtkMoteVolumeMapper::StructureOptions()
 {
   mote::HexStructureOptions options;
+  const char* name =
+    this->StructureName && *this->StructureName ? this->StructureName : defaultStructure;
   options.kind = static_cast<mote::HexStructureKind>(
-    mote::findName(mote::hexStructureNames(), this->StructureName, "structure"));
+    mote::findName(mote::hexStructureNames(), name, "structure"));
   const double* d = this->AxisDirection;
   const double* o = this->AxisOrigin;
   if (d[0] != 0.0 || d[1] != 0.0 || d[2] != 0.0)

@@ -38,9 +38,10 @@
 #include "MoteRenderingVTKModule.h" // for export macro
 #include "vtkUnstructuredGridVolumeMapper.h"
 
-#include <memory> // for the implementation
-#include <string> // for messages
-#include <vector> // for names
+#include <memory>  // for the implementation
+#include <string>  // for messages
+#include <utility> // for memory
+#include <vector>  // for names
 
 class vtkDataArray;
 class vtkUnstructuredGrid;
@@ -86,7 +87,7 @@ public:
    * hierarchy that neighbouring rays go through together, with the least memory; "cylbvh", a
    * hierarchy, "cylgrid" and "cartgrid", two-level grids, which rays go through one by one; grids
    * take 3 to 10 times the memory. Bounds are in Cartesian or cylindrical coordinates. The picture
-   * is the same; docs/hexahedra.md compares them.
+   * is the same; docs/hexahedra.md compares them. None stands for the default.
    */
   vtkSetStringMacro(StructureName);
   vtkGetStringMacro(StructureName);
@@ -267,6 +268,12 @@ public:
   std::shared_ptr<const mote::BuiltVolume> GetBuilt(bool forPicture = false);
   void OfferBuilt(std::shared_ptr<const mote::BuiltVolume> built);
   ///@}
+
+  /**
+   * The pieces of GetStructureBytes(): what there is, and its bytes. Mappers that handed over to
+   * one another have some in common.
+   */
+  std::vector<std::pair<const void*, std::size_t>> GetMemory();
 
   ///@{
   /**

@@ -2,9 +2,12 @@
 #include "VTKTestSupport.h"
 
 #include "FrameTracer.h"
+#include "OcclusionArrays.h"
+#include "ParticleModel.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkMoteShading.h"
 #include "vtkProperty.h"
@@ -211,6 +214,18 @@ TEST(BakedOcclusion, NothingIsBakedWhileTheViewMoves)
   settings.interactive = true;
   baked.renderer->GetActiveCamera()->Azimuth(120.0);
   baked.renderer->ResetCameraClippingRange();
+  frame();
+  EXPECT_EQ(baked.mapper->GetNumberOfBakedParticles(), count);
+  // What comes with maps of its own, such as the time steps that are played, is lit by them.
+  mote::ParticleModel& model = baked.mapper->GetModel();
+  const auto stored = model.occlusion(nullptr)->known().stored(
+    *model.structure(), static_cast<std::size_t>(model.statistics().valid), model.content());
+  auto other = makeParticles(someBalls(400));
+  mote::addOcclusionArrays(other->GetFieldData(), stored);
+  baked.mapper->SetInputData(makeParticles(someBalls(300, 7)));
+  frame();
+  EXPECT_EQ(baked.mapper->GetNumberOfBakedParticles(), 0);
+  baked.mapper->SetInputData(other);
   frame();
   EXPECT_EQ(baked.mapper->GetNumberOfBakedParticles(), count);
 }

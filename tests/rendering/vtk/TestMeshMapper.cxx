@@ -60,6 +60,37 @@ TEST_F(MeshStage, TakesPolygonsAndStripsAndNamesTheirCells)
     EXPECT_NEAR(bounds[i], wanted[i], 1e-6);
 }
 
+TEST_F(MeshStage, LeavesOutGhostCells)
+{
+  const auto data = polygonAndStrip();
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfValues(3);
+  mapper->SetInputData(data);
+  const auto mark = [&](unsigned char polygon, unsigned char strip)
+  {
+    const unsigned char marks[3] = {0, polygon, strip};
+    std::copy_n(marks, 3, ghosts->GetPointer(0));
+    ghosts->Modified();
+    data->GetCellData()->AddArray(ghosts);
+    data->Modified();
+    this->trace();
+  };
+  for (const int mark1 : {vtkDataSetAttributes::DUPLICATECELL, vtkDataSetAttributes::HIDDENCELL})
+  {
+    mark(static_cast<unsigned char>(mark1), 0);
+    EXPECT_EQ(mapper->GetNumberOfTriangles(), 2);
+    EXPECT_EQ(cellAt(0.25, -0.25), -1);
+    EXPECT_EQ(cellAt(0.55, -0.4), 2);
+    mark(0, static_cast<unsigned char>(mark1));
+    EXPECT_EQ(mapper->GetNumberOfTriangles(), 2);
+    EXPECT_EQ(cellAt(0.25, -0.25), 1);
+    EXPECT_EQ(cellAt(0.55, -0.4), -1);
+  }
+  mark(0, 0);
+  EXPECT_EQ(mapper->GetNumberOfTriangles(), 4);
+}
+
 TEST_F(MeshStage, TrianglesAreDrawnFromBothSides)
 {
   mapper->SetInputData(polygonAndStrip());
@@ -213,11 +244,23 @@ TEST_F(MeshStage, BuildsForPointsAndCellsAlone)
     differing += std::abs(built.color(p)[0] - refitted.color(p)[0]) > 1e-3;
   EXPECT_LE(differing, 2);
   actor->SetMapper(mapper);
+  // Points that have changed places, so that the structure is of no use.
+  const vtkIdType last = places->GetNumberOfTuples() - 1;
+  for (vtkIdType i = 0; i <= last; ++i)
+  {
+    double p[3];
+    places->GetTuple(7 * i % (last + 1), p);
+    places->SetTuple(i, p);
+  }
+  copy->GetPoints()->Modified();
+  this->trace();
+  EXPECT_EQ(mapper->GetNumberOfBuilds(), 2);
+  EXPECT_EQ(mapper->GetNumberOfRefits(), 1);
   // Other cells.
   copy->GetPolys()->ReplaceCellAtId(0, 3, std::vector<vtkIdType>{3, 4, 5}.data());
   copy->GetPolys()->Modified();
   this->trace();
-  EXPECT_EQ(mapper->GetNumberOfBuilds(), 2);
+  EXPECT_EQ(mapper->GetNumberOfBuilds(), 3);
 }
 
 TEST_F(MeshStage, TakesWhatAnotherMapperHasBuilt)
@@ -240,14 +283,29 @@ TEST_F(MeshStage, TakesWhatAnotherMapperHasBuilt)
   moved->GetPoints()->SetPoint(0, 0, 0, 1.0);
   mapper->SetInputData(moved);
   mapper->Update();
-  EXPECT_EQ(mapper->GetNumberOfBuilds(), 1);
-  EXPECT_EQ(mapper->GetNumberOfRefits(), 0);
-  // What does not fit is not taken.
+  EXPECT_EQ(mapper->GetNumberOfBuilds(), 0);
+  EXPECT_EQ(mapper->GetNumberOfRefits(), 1);
+  const auto top = [](vtkMoteMeshMapper* of) { return of->GetBounds()[5]; };
+  EXPECT_NEAR(top(mapper), 1.0, 1e-6);
+  EXPECT_NEAR(top(other), 0.5, 1e-6);
+  // Nor does who begins with what is offered, and has other points.
   vtkNew<vtkMoteMeshMapper> third;
   third->SetInputData(moved);
   third->OfferBuilt(other->GetBuilt());
   third->Update();
+  EXPECT_EQ(third->GetNumberOfBuilds(), 0);
+  EXPECT_EQ(third->GetNumberOfRefits(), 1);
+  EXPECT_NEAR(top(third), 1.0, 1e-6);
+  EXPECT_NEAR(top(other), 0.5, 1e-6);
+  // Other triangles are built.
+  vtkNew<vtkPolyData> fewer;
+  fewer->SetPoints(moved->GetPoints());
+  fewer->SetPolys(cellArray({{0, 2, 3}, {0, 3, 4}}));
+  third->SetInputData(fewer);
+  third->OfferBuilt(other->GetBuilt());
+  third->Update();
   EXPECT_EQ(third->GetNumberOfBuilds(), 1);
+  EXPECT_EQ(third->GetNumberOfTriangles(), 2);
 }
 
 TEST_F(MeshStage, CanBeStopped)

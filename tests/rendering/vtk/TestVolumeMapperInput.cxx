@@ -123,6 +123,8 @@ TEST_F(VolumeRebuild, ForOtherCells)
 
 TEST_F(VolumeRebuild, ForStructureAndAxis)
 {
+  stage.mapper->SetStructureName(nullptr);
+  EXPECT_EQ(work.done(), Pair(0, 0)) << "that is the default, which it has";
   stage.mapper->SetStructureName("cartgrid");
   EXPECT_EQ(work.done(), Pair(1, 1));
   stage.mapper->SetStructureName("cylgrid");
