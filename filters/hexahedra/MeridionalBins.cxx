@@ -67,6 +67,16 @@ void addSample(Bin& bin, const Sampled& from, const Axis& axis, const Vec3d& pla
   bin.sums[3] += volume * glm::length(value);
 }
 
+/// Whether corners tell that a cell has nothing within the limits.
+bool isOutside(const CollapsedCell& cell, const Axis& axis, const Limits& limits)
+{
+  const auto all = [&cell](const auto& holds)
+  { return std::all_of(cell.corners.begin(), cell.corners.end(), holds); };
+  return all([&](const Vec3d& p) { return axis.along(p) < limits.axial[0]; }) ||
+         all([&](const Vec3d& p) { return axis.along(p) > limits.axial[1]; }) ||
+         all([&](const Vec3d& p) { return axis.from(p) < limits.radial[0]; });
+}
+
 /// The Gauss rule with two samples a direction in every piece: exact for the volume as a whole.
 void addCell(
   std::vector<Bin>& bins, const BinGrid& grid, const Axis& axis, const Sampled& from, bool isVector)
@@ -87,8 +97,9 @@ void addCell(
           place += weights[c] * from.cell.corners[c];
           value += weights[c] * from.values[c];
         }
-        addSample(bins[grid.at(axis.along(place), axis.from(place))], from, axis, place, value,
-          share * jacobianAt(from.cell, rst), isVector);
+        if (const std::size_t bin = grid.at(axis.along(place), axis.from(place)); bin < bins.size())
+          addSample(
+            bins[bin], from, axis, place, value, share * jacobianAt(from.cell, rst), isVector);
       }
 }
 
@@ -122,12 +133,16 @@ bool readValues(
 
 std::size_t BinGrid::at(double along, double from) const
 {
+  if (along < limits.axial[0] || along > limits.axial[1] || from < limits.radial[0] ||
+      from > limits.radial[1])
+    return this->count();
   const int i = std::clamp(static_cast<int>((along - first) / size), 0, axial - 1);
-  const int j = std::clamp(static_cast<int>(from / size), 0, radial - 1);
+  const int j = std::clamp(static_cast<int>((from - inner) / size), 0, radial - 1);
   return static_cast<std::size_t>(j) * axial + i;
 }
 
-BinGrid binsFor(const std::vector<vtkDataSet*>& data, const Axis& axis, int resolution)
+BinGrid binsFor(
+  const std::vector<vtkDataSet*>& data, const Axis& axis, const Limits& limits, int resolution)
 {
   double low = std::numeric_limits<double>::infinity(), high = -low, radius = 0.0;
   for (vtkDataSet* one : data)
@@ -147,11 +162,16 @@ BinGrid binsFor(const std::vector<vtkDataSet*>& data, const Axis& axis, int reso
   if (!(longer > 0.0))
     return grid;
   grid.size = longer / resolution;
-  grid.first = low;
+  grid.limits = limits;
+  grid.first = std::max(low, limits.axial[0]);
+  grid.inner = std::max(0.0, limits.radial[0]);
+  const double last = std::min(high, limits.axial[1]), outer = std::min(radius, limits.radial[1]);
+  if (grid.first > last || grid.inner > outer)
+    return grid;
   const auto count = [&](double length)
   { return std::max(1, static_cast<int>(std::ceil(length / grid.size - 1e-9))); };
-  grid.axial = count(high - low);
-  grid.radial = count(radius);
+  grid.axial = count(last - grid.first);
+  grid.radial = count(outer - grid.inner);
   return grid;
 }
 
@@ -186,6 +206,8 @@ vtkIdType addToBins(std::vector<Bin>& bins, const BinGrid& grid, const Axis& axi
         for (const CollapsedCell& part : parts)
         {
           sampled.cell = part;
+          if (isOutside(part, axis, grid.limits))
+            continue;
           if (!readValues(sampled, array, ofCells, id, mean))
           {
             ++leftOut[run];

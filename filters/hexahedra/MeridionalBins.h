@@ -26,20 +26,29 @@ struct Axis
   }
 };
 
+/// What is averaged: places along an axis and distances from it, both ends included.
+struct Limits
+{
+  double axial[2], radial[2];
+};
+
 /// Square bins in the plane of the place along an axis and the distance from it.
 struct BinGrid
 {
-  int axial = 0, radial = 0; ///< how many
-  double size = 1.0,
-         first = 0.0; ///< a bin's edge; where along the axis they begin. Radii begin at 0
+  int axial = 0, radial = 0;       ///< how many
+  double size = 1.0;               ///< a bin's edge
+  Limits limits;                   ///< what lies outside belongs to no bin
+  double first = 0.0, inner = 0.0; ///< where bins begin along the axis, and away from it
 
   std::size_t count() const { return static_cast<std::size_t>(axial) * radial; }
-  /// The bin of a point; those at the rim count to the last one inside.
+  /// The bin of a point; those at the rim count to the last one inside. count(): none.
   std::size_t at(double along, double from) const;
 };
 
-/// Bins of which the longer edge of what the points of the data sets reach has `resolution`.
-BinGrid binsFor(const std::vector<vtkDataSet*>& data, const Axis& axis, int resolution);
+/// Bins of which the longer edge of what the points of the data sets reach has `resolution`, as far
+/// as they lie within limits.
+BinGrid binsFor(
+  const std::vector<vtkDataSet*>& data, const Axis& axis, const Limits& limits, int resolution);
 
 /// The integrals over the part of the volume that falls into a bin.
 struct Bin

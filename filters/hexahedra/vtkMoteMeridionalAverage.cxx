@@ -31,15 +31,63 @@ namespace
 struct Chosen
 {
   vtkDataSet* data;
-  vtkDataArray* array;
+  vtkSmartPointer<vtkDataArray> array;
   bool ofCells;
 };
 
-Chosen choose(vtkDataSet* data, const std::string& name)
+Chosen choose(vtkDataSet* data, const std::string& name, int association)
 {
-  if (vtkDataArray* array = data->GetPointData()->GetArray(name.c_str()))
-    return {data, array, false};
+  vtkDataArray* ofPoints = association == vtkDataObject::FIELD_ASSOCIATION_CELLS
+                             ? nullptr
+                             : data->GetPointData()->GetArray(name.c_str());
+  if (ofPoints || association == vtkDataObject::FIELD_ASSOCIATION_POINTS)
+    return {data, ofPoints, false};
   return {data, data->GetCellData()->GetArray(name.c_str()), true};
+}
+
+/// One component of an array, or the magnitude, with its name.
+vtkSmartPointer<vtkDataArray> partOf(vtkDataArray* array, int component)
+{
+  const bool isMagnitude = component == vtkMoteMeridionalAverage::MAGNITUDE;
+  const char* own = isMagnitude ? "magnitude" : array->GetComponentName(component);
+  auto part = vtkSmartPointer<vtkDoubleArray>::New();
+  part->SetName(
+    (std::string(array->GetName()) + ":" + (own ? std::string(own) : std::to_string(component)))
+      .c_str());
+  part->SetNumberOfValues(array->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    double squares = 0.0;
+    for (int c = 0; isMagnitude && c < array->GetNumberOfComponents(); ++c)
+      squares += std::pow(array->GetComponent(i, c), 2);
+    part->SetValue(i, isMagnitude ? std::sqrt(squares) : array->GetComponent(i, component));
+  }
+  return part;
+}
+
+/// The arrays of all data sets that have one. Returns what is wrong with them, or nothing.
+std::string choose(vtkDataObject* input, const std::string& name, int association, int component,
+  std::vector<Chosen>& arrays)
+{
+  for (const mote::DataSetPart& part : mote::partsOf(input))
+  {
+    Chosen chosen = choose(part.data, name, association);
+    if (!chosen.array)
+      continue;
+    if (component >= chosen.array->GetNumberOfComponents())
+      return "the array '" + name + "' has no component " + std::to_string(component);
+    if (component != vtkMoteMeridionalAverage::WHOLE)
+      chosen.array = partOf(chosen.array, component);
+    arrays.push_back(chosen);
+  }
+  if (arrays.empty())
+    return "there is no array of numbers named '" + name + "'";
+  const int components = arrays.front().array->GetNumberOfComponents();
+  for (const Chosen& chosen : arrays)
+    if (chosen.array->GetNumberOfComponents() != components || (components != 1 && components != 3))
+      return "the array '" + name + "' has " + std::to_string(components) +
+             " components, and one or three are averaged";
+  return {};
 }
 
 bool readVector(vtkDataSet* data, const char* name, mote::Vec3d& value)
@@ -50,6 +98,12 @@ bool readVector(vtkDataSet* data, const char* name, mote::Vec3d& value)
   for (int k = 0; k < 3; ++k)
     value[k] = array->GetVariantValue(k).ToDouble();
   return true;
+}
+
+/// Whether a range leaves nothing out.
+bool isAll(const double range[2])
+{
+  return range[0] == -VTK_DOUBLE_MAX && range[1] == VTK_DOUBLE_MAX;
 }
 
 /// A column's name, and its value in a bin.
@@ -96,7 +150,7 @@ void fillTable(vtkTable* table, const std::vector<mote::Bin>& bins, const mote::
   for (vtkIdType row = 0; row < rows; ++row)
   {
     axial->SetValue(row, grid.first + (filled[row] % grid.axial + 0.5) * grid.size);
-    radial->SetValue(row, (filled[row] / grid.axial + 0.5) * grid.size);
+    radial->SetValue(row, grid.inner + (filled[row] / grid.axial + 0.5) * grid.size);
   }
   table->AddColumn(axial);
   table->AddColumn(radial);
@@ -114,7 +168,7 @@ void fillImage(vtkImageData* image, const std::vector<mote::Bin>& bins, const mo
 {
   image->SetDimensions(grid.axial, grid.radial, 1);
   image->SetSpacing(grid.size, grid.size, grid.size);
-  image->SetOrigin(grid.first + 0.5 * grid.size, 0.5 * grid.size, 0.0);
+  image->SetOrigin(grid.first + 0.5 * grid.size, grid.inner + 0.5 * grid.size, 0.0);
   for (const Column& column : columns)
   {
     const auto values = newArray(column.name, static_cast<vtkIdType>(bins.size()));
@@ -131,6 +185,8 @@ void fillImage(vtkImageData* image, const std::vector<mote::Bin>& bins, const mo
 
 vtkMoteMeridionalAverage::vtkMoteMeridionalAverage()
 {
+  for (double* range : {this->AxialRange, this->RadialRange})
+    range[0] = -VTK_DOUBLE_MAX, range[1] = VTK_DOUBLE_MAX;
   this->SetNumberOfOutputPorts(2);
 }
 
@@ -167,23 +223,16 @@ std::string vtkMoteMeridionalAverage::Average(
 {
   if (const std::string mismatch = mote::mismatchOf(input); !mismatch.empty())
     return mismatch;
-  std::vector<vtkDataSet*> data;
   std::vector<Chosen> arrays;
-  for (const mote::DataSetPart& part : mote::partsOf(input))
-  {
-    const Chosen chosen = choose(part.data, this->ArrayName);
-    if (!chosen.array)
-      continue;
-    data.push_back(part.data);
-    arrays.push_back(chosen);
-  }
-  if (arrays.empty())
-    return "there is no array of numbers named '" + this->ArrayName + "'";
-  const int components = arrays.front().array->GetNumberOfComponents();
+  if (const std::string problem =
+        choose(input, this->ArrayName, this->Association, this->Component, arrays);
+      !problem.empty())
+    return problem;
+  std::vector<vtkDataSet*> data;
   for (const Chosen& chosen : arrays)
-    if (chosen.array->GetNumberOfComponents() != components || (components != 1 && components != 3))
-      return "the array '" + this->ArrayName + "' has " + std::to_string(components) +
-             " components, and one or three are averaged";
+    data.push_back(chosen.data);
+  const std::string name = arrays.front().array->GetName();
+  const bool isVector = arrays.front().array->GetNumberOfComponents() == 3;
 
   mote::Axis axis{{this->Origin[0], this->Origin[1], this->Origin[2]},
     {this->Axis[0], this->Axis[1], this->Axis[2]}};
@@ -195,7 +244,9 @@ std::string vtkMoteMeridionalAverage::Average(
     return "the axis needs a finite origin and a direction of finite length above 0";
   axis.direction /= length;
 
-  const mote::BinGrid grid = mote::binsFor(data, axis, this->Resolution);
+  const mote::Limits limits = {
+    {this->AxialRange[0], this->AxialRange[1]}, {this->RadialRange[0], this->RadialRange[1]}};
+  const mote::BinGrid grid = mote::binsFor(data, axis, limits, this->Resolution);
   std::vector<mote::Bin> bins(grid.count());
   // Squares are taken of differences from here: those of large values cancel badly.
   double range[2];
@@ -205,8 +256,10 @@ std::string vtkMoteMeridionalAverage::Average(
     if (!bins.empty()) // there are none over a single place
       mote::addToBins(bins, grid, axis, chosen.data, chosen.array, chosen.ofCells, middle);
   if (std::none_of(bins.begin(), bins.end(), [](const mote::Bin& b) { return b.volume > 0.0; }))
-    return "there is no cell with volume and a finite value to average";
-  const std::vector<Column> columns = columnsFor(this->ArrayName, components == 3, middle);
+    return std::string("there is no cell with volume and a finite value to average") +
+           (isAll(this->AxialRange) && isAll(this->RadialRange) ? ""
+                                                                : " within the ranges of place");
+  const std::vector<Column> columns = columnsFor(name, isVector, middle);
   const auto overflows = [&columns](const mote::Bin& bin)
   {
     const auto isFinite = [](double x) { return std::isfinite(x); };
@@ -239,9 +292,13 @@ void vtkMoteMeridionalAverage::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ArrayName: " << this->ArrayName << "\n";
+  os << indent << "Association: " << this->Association << "\n";
+  os << indent << "Component: " << this->Component << "\n";
   os << indent << "Resolution: " << this->Resolution << "\n";
   os << indent << "AxisFromInput: " << this->AxisFromInput << "\n";
   os << indent << "Origin: " << this->Origin[0] << " " << this->Origin[1] << " " << this->Origin[2]
      << "\n";
   os << indent << "Axis: " << this->Axis[0] << " " << this->Axis[1] << " " << this->Axis[2] << "\n";
+  os << indent << "AxialRange: " << this->AxialRange[0] << " " << this->AxialRange[1] << "\n";
+  os << indent << "RadialRange: " << this->RadialRange[0] << " " << this->RadialRange[1] << "\n";
 }

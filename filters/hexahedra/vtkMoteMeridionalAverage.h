@@ -3,8 +3,8 @@
  * @brief   the average of an array over circles about an axis, by radius and place along the axis
  *
  * The input is a data set with hexahedra, voxels, wedges, pyramids, tetrahedra or polyhedra, or a
- * composite one of several, such as the parts of a pump, which are then averaged together. The
- * array, on points or cells, has one component or three.
+ * composite one of several, such as the parts of a pump, which are then averaged together. What is
+ * averaged, on points or cells, has one component or three.
  *
  * The plane of place along the axis and distance from it is cut into square bins. A bin's average
  * is the integral over the part of the cells' volume that falls into it when it turns about the
@@ -13,16 +13,18 @@
  *
  * First output, a vtkTable with a row for each bin that holds something: `axial` and `radial`, the
  * middle of the bin; `volume`; for an array NAME of one component `NAME`, its average, and
- * `NAME_deviation`, the standard deviation over the bin, such as from blade to blade; for a vector
+ * `NAME_deviation`, the standard deviation over the bin, such as from blade to blade; the same for
+ * one component, which is named `NAME:2` or by its own name, `NAME:z`, and for `NAME:magnitude`;
+ * for a vector
  * `NAME_axial`, `NAME_radial`, `NAME_circumferential` (right-handed about the axis) and
  * `NAME_magnitude`.
  *
  * Second output, a vtkImageData of the same columns: x along the axis, y from it, one point for
  * each bin; NaN, and volume 0, where nothing lies.
  *
- * Errors: no such array, another number of components, no cell with volume, an axis without
- * direction. Each is reported by vtkErrorMacro as one sentence, kept in GetErrorMessage(), with
- * empty outputs.
+ * Errors: no such array or component, another number of components, no cell with volume within the
+ * ranges, an axis without direction. Each is reported by vtkErrorMacro as one sentence, kept in
+ * GetErrorMessage(), with empty outputs.
  */
 
 #ifndef vtkMoteMeridionalAverage_h
@@ -44,7 +46,7 @@ public:
 
   ///@{
   /**
-   * The array's name. One on points is taken before one on cells. Required.
+   * The array's name. Required.
    */
   vtkSetMacro(ArrayName, std::string);
   vtkGetMacro(ArrayName, std::string);
@@ -52,7 +54,32 @@ public:
 
   ///@{
   /**
-   * How many bins lie along the longer edge of the plane. From 1 to 4096, default 200.
+   * Where the array lies: vtkDataObject::FIELD_ASSOCIATION_POINTS, FIELD_ASSOCIATION_CELLS, or
+   * FIELD_ASSOCIATION_POINTS_THEN_CELLS, the default, for one on points before one on cells.
+   */
+  vtkSetClampMacro(Association, int, 0, 2);
+  vtkGetMacro(Association, int);
+  ///@}
+
+  enum ComponentType
+  {
+    WHOLE = -1,
+    MAGNITUDE = -2
+  };
+
+  ///@{
+  /**
+   * The component that is averaged, from 0; or MAGNITUDE of all; or WHOLE, the default: an array of
+   * one component, or the parts of a vector.
+   */
+  vtkSetMacro(Component, int);
+  vtkGetMacro(Component, int);
+  ///@}
+
+  ///@{
+  /**
+   * How many bins lie along the longer edge of the plane, as far as the data reach. From 1 to 4096,
+   * default 200.
    */
   vtkSetClampMacro(Resolution, int, 1, 4096);
   vtkGetMacro(Resolution, int);
@@ -76,6 +103,17 @@ public:
   vtkGetVector3Macro(Origin, double);
   vtkSetVector3Macro(Axis, double);
   vtkGetVector3Macro(Axis, double);
+  ///@}
+
+  ///@{
+  /**
+   * The places along the axis and the distances from it that are averaged. Bins have the size that
+   * they have without. Default all.
+   */
+  vtkSetVector2Macro(AxialRange, double);
+  vtkGetVector2Macro(AxialRange, double);
+  vtkSetVector2Macro(RadialRange, double);
+  vtkGetVector2Macro(RadialRange, double);
   ///@}
 
   /**
@@ -104,10 +142,13 @@ private:
   std::string Average(vtkDataObject* input, vtkTable* table, vtkImageData* image);
 
   std::string ArrayName;
+  int Association = 2;
+  int Component = WHOLE;
   int Resolution = 200;
   bool AxisFromInput = true;
   double Origin[3] = {0.0, 0.0, 0.0};
   double Axis[3] = {0.0, 0.0, 1.0};
+  double AxialRange[2], RadialRange[2];
   std::string ErrorMessage;
 };
 

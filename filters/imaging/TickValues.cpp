@@ -139,8 +139,46 @@ int decimalsOf(const std::vector<RoundValue>& values, int exponent)
 
 std::string powerLabel(const RoundValue& value)
 {
-  const std::string power = powerOfTen(value.exponent);
-  return value.mantissa == 1.0 ? power : fixed(value.mantissa, 0) + "\u00d7" + power;
+  const int digits = exponentOf(value.mantissa);
+  const std::string power = powerOfTen(value.exponent + digits);
+  return value.mantissa == 1.0
+           ? power
+           : fixed(value.mantissa / std::pow(10.0, digits), digits) + "\u00d7" + power;
+}
+
+/// A value with three digits at most, and no zeros behind them.
+RoundValue threeDigits(double value)
+{
+  RoundValue rounded{0.0, exponentOf(value) - 2};
+  rounded.mantissa = std::round(rounded.exponent < 0 ? value * std::pow(10.0, -rounded.exponent)
+                                                     : value / std::pow(10.0, rounded.exponent));
+  while (rounded.mantissa != 0.0 && std::fmod(rounded.mantissa, 10.0) == 0.0)
+  {
+    rounded.mantissa /= 10.0;
+    ++rounded.exponent;
+  }
+  return rounded;
+}
+
+/// The ends of a logarithmic scale, which no round step leads to, take the place of what is too
+/// near to them.
+void addEnds(const TickScale& scale, double minimumShare, std::vector<RoundValue>& values)
+{
+  constexpr double same = 1e-6;
+  const auto isAt = [&](const RoundValue& value, double end, double within)
+  { return std::abs(scale.shareOf(value.value()) - end) < within; };
+  if (!values.empty() && !isAt(values.front(), 0.0, same))
+  {
+    while (!values.empty() && isAt(values.front(), 0.0, minimumShare))
+      values.erase(values.begin());
+    values.insert(values.begin(), threeDigits(scale.low));
+  }
+  if (!isAt(values.back(), 1.0, same))
+  {
+    while (values.size() > 1 && isAt(values.back(), 1.0, minimumShare))
+      values.pop_back();
+    values.push_back(threeDigits(scale.high));
+  }
 }
 
 void labelTicks(TickSet& set, const std::vector<RoundValue>& values, bool isLogarithmic)
@@ -210,6 +248,8 @@ TickSet makeTicks(const TickScale& scale, int count, double minimumShare, const 
         : decadeValues(scale, {1.0}, 1))
       set.minor.push_back(std::clamp(scale.shareOf(value.value()), 0.0, 1.0));
   }
+  if (scale.isLogarithmic)
+    addEnds(scale, minimumShare, values);
   for (const RoundValue& value : values)
   {
     const double inside = std::clamp(value.value(), scale.low, scale.high);

@@ -40,7 +40,8 @@ struct TickSet
 /**
  * About `count` >= 2 ticks within [low, high]: multiples of 1, 2 or 5 times a power of ten;
  * on a logarithmic scale of a decade or more, powers of ten and, if they are few, 2 and 5 times
- * these. No two are closer than `minimumShare` of the scale. Where low == high, that value alone.
+ * these, and both ends. No two are closer than `minimumShare` of the scale. Where low == high, that
+ * value alone.
  *
  * `format` is a printf format for one double, or empty for the fewest digits that tell
  * the ticks apart. `low` <= `high`, both finite, and positive for a logarithmic scale.

@@ -11,7 +11,7 @@
  * The legend is a vertical bar of the table's colours with tick labels, below a title that
  * wraps, then shrinks, to fit. Ticks are round values inside the range: multiples of 1, 2 or
  * 5 times a power of ten; for a table with a log scale powers of ten, with 2 and 5 times these
- * where there are few. The bar has swatches for values below and above the range if
+ * where there are few, and both ends. The bar has swatches for values below and above the range if
  * the table has colours for them, and for NaN if NanSwatch is on. A table with IndexedLookup gets
  * one labelled swatch for each annotated value instead. A log scale whose range is not positive is
  * reported by vtkErrorMacro and draws no legend. Colours are shown opaque, whatever their opacity

@@ -8,6 +8,7 @@
 #include "TextFile.h"
 #include "vtkMoteDelimitedPointsReader.h"
 #include "vtkMoteFileSeriesReader.h"
+#include "vtkMoteGeneratedMeshReader.h"
 #include "vtkMoteGeneratedParticlesReader.h"
 #include "vtkMoteLAMMPSDumpReader.h"
 #include "vtkMoteParticleFileReader.h"
@@ -72,8 +73,9 @@ vtkSmartPointer<vtkAlgorithm> makePDB(const FileNames& fileNames)
 
 vtkSmartPointer<vtkAlgorithm> makePLY(const FileNames& fileNames)
 {
-  checkPLYIsWhole(fileNames.front());
-  return make<vtkPLYReader>(fileNames);
+  if (fileNames.size() == 1) // those of a series come here one by one
+    checkPLYIsWhole(fileNames.front());
+  return makeOneOrSeries<vtkPLYReader>(fileNames);
 }
 
 vtkSmartPointer<vtkAlgorithm> makeGLTF(const FileNames& fileNames)
@@ -91,16 +93,16 @@ const std::vector<ReaderFormat>& readerFormats()
       "LAMMPS text dump", makeSeries<vtkMoteLAMMPSDumpReader>, true, looksLikeLAMMPSDump},
     {{".mote"}, "Mote's own file of particles", makeOneOrSeries<vtkMoteParticleFileReader>, true,
       PkdTreeFile::recognises},
-    {{".xyz", ".xyz.gz"}, "XYZ and extended XYZ atoms", make<vtkMoteXYZReader>},
-    {{".pts", ".pts.gz"}, "points, x y z a line", make<vtkMotePointsReader>},
-    {{".csv"}, "table with columns x, y, z", make<vtkMoteDelimitedPointsReader>},
+    {{".xyz", ".xyz.gz"}, "XYZ and extended XYZ atoms", makeOneOrSeries<vtkMoteXYZReader>, true},
+    {{".pts", ".pts.gz"}, "points, x y z a line", makeOneOrSeries<vtkMotePointsReader>, true},
+    {{".csv"}, "table with columns x, y, z", makeOneOrSeries<vtkMoteDelimitedPointsReader>, true},
     {{".pdb"}, "Protein Data Bank atoms", makePDB},
     {{".vtp"}, "VTK XML polygonal data", makeOneOrSeries<vtkXMLPolyDataReader>, true},
     {{".vtu"}, "VTK XML unstructured grid", makeOneOrSeries<vtkXMLUnstructuredGridReader>, true},
     {{".vti"}, "VTK XML image", makeOneOrSeries<vtkXMLImageDataReader>, true},
     {{".vtk"}, "VTK legacy file of any data set", makeOneOrSeries<vtkGenericDataObjectReader>,
       true},
-    {{".ply"}, "Stanford triangle mesh", makePLY},
+    {{".ply"}, "Stanford triangle mesh", makePLY, true},
     {{".obj"}, "Wavefront mesh", make<vtkOBJReader>},
     {{".stl"}, "STL triangle mesh", make<vtkSTLReader>},
     {{".gltf", ".glb"}, "glTF triangle meshes", makeGLTF},
@@ -113,8 +115,12 @@ const ReaderFormat* generatedFormat(const std::string& path)
 {
   static const ReaderFormat format = {
     {}, "particles that are made", make<vtkMoteGeneratedParticlesReader>};
-  const bool named = namesGeneratedParticles(path) && !vtksys::SystemTools::PathExists(path);
-  return named ? &format : nullptr;
+  static const ReaderFormat meshes = {
+    {}, "triangles that are made", make<vtkMoteGeneratedMeshReader>};
+  const bool isMesh = namesGeneratedMesh(path);
+  if (!(isMesh || namesGeneratedParticles(path)) || vtksys::SystemTools::PathExists(path))
+    return nullptr;
+  return isMesh ? &meshes : &format;
 }
 
 const ReaderFormat* formatOf(const std::string& path, std::string_view beginning)

@@ -28,8 +28,11 @@ struct ReaderFormat
 /// The table.
 const std::vector<ReaderFormat>& readerFormats();
 
-/// The format of particles that are made, where the path is such a specification (see
-/// vtkMoteGeneratedParticlesReader) and not that of a file; else null.
+/// Whether a name is meant as triangles that are made; see vtkMoteGeneratedMeshReader.
+bool namesGeneratedMesh(const std::string& name);
+
+/// The format of particles or triangles that are made, where the path is such a specification (see
+/// vtkMoteGeneratedParticlesReader, vtkMoteGeneratedMeshReader) and not that of a file; else null.
 const ReaderFormat* generatedFormat(const std::string& path);
 
 /// The format of a file by its name, else by its first bytes; null if it has none.

@@ -4,6 +4,7 @@
 #include "TextFile.h"
 #include "TimeSteps.h"
 #include "vtkMoteReaderTable.h"
+#include "vtkMoteXYZReader.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
@@ -17,6 +18,7 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -28,8 +30,9 @@ using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 struct Step
 {
-  double Time = 0;
+  double Time = 0; ///< not a number: not known
   std::string File;
+  std::optional<double> Frame; ///< its time in a file of several
 };
 
 /// Ends the work under way (see Attempt) with a sentence, which names a file.
@@ -50,18 +53,27 @@ vtkSmartPointer<vtkAlgorithm> open(const std::string& file, std::vector<double>&
   return reader;
 }
 
-/// The time of a file; none if it does not tell one.
-std::optional<double> timeOf(
+void requireOneStep(const std::string& file, const std::vector<double>& times)
+{
+  if (times.size() > 1)
+    fail(file + ": this file has " + std::to_string(times.size()) +
+         " time steps, and the files of a series have one each; read it by itself");
+}
+
+/// The steps of a file: one, or the frames of XYZ.
+std::vector<Step> stepsOf(
   const std::string& file, vtkAlgorithm* reader, const std::vector<double>& times)
 {
   if (vtkGenericDataObjectReader::SafeDownCast(reader))
-    return mote::legacyTime(mote::readBeginning(file, 4096));
-  if (times.size() > 1)
-  {
-    fail(file + ": this file has " + std::to_string(times.size()) +
-         " time steps, and the files of a series have one each; read it by itself");
-  }
-  return times.empty() ? std::nullopt : std::optional(times.front());
+    return {{mote::legacyTime(mote::readBeginning(file, 4096)).value_or(std::nan("")), file, {}}};
+  if (!vtkMoteXYZReader::SafeDownCast(reader))
+    requireOneStep(file, times);
+  if (times.size() < 2)
+    return {{times.empty() ? std::nan("") : times.front(), file, {}}};
+  std::vector<Step> steps;
+  for (const double time : times)
+    steps.push_back({time, file, time});
+  return steps;
 }
 
 /// Hands on what a pipeline must know of an image before it is read.
@@ -128,6 +140,7 @@ public:
 
   // The step that was last read.
   std::string File;
+  std::optional<double> Frame;
   mote::FileStamp Stamp;
   vtkSmartPointer<vtkDataObject> Data;
 };
@@ -158,21 +171,27 @@ void vtkMoteFileSeriesReader::Internals::FindSteps(vtkInformation* information)
   this->Steps.clear();
   if (this->Names.empty())
     fail(std::string(this->Self->GetClassName()) + ": no file name has been set");
-  bool haveTimes = true;
+  bool haveTimes = true, haveFrames = false;
+  std::size_t done = 0;
   for (const std::string& name : this->Names)
   {
-    std::optional<double> time;
-    if (haveTimes)
+    std::vector<Step> own = {{std::nan(""), name, {}}};
+    if (haveTimes || haveFrames)
     {
       std::vector<double> times;
       const auto reader = open(name, times);
-      time = timeOf(name, reader, times);
+      own = stepsOf(name, reader, times);
       if (this->Steps.empty())
         copyExtent(reader, information);
     }
-    haveTimes = haveTimes && time && (this->Steps.empty() || this->Steps.back().Time < *time);
-    this->Steps.push_back({time.value_or(0.0), name});
-    this->Self->UpdateProgress(static_cast<double>(this->Steps.size()) / this->Names.size());
+    haveFrames = haveFrames || own.size() > 1;
+    for (const Step& step : own)
+    {
+      const bool isLater = this->Steps.empty() || this->Steps.back().Time < step.Time;
+      haveTimes = haveTimes && isLater && !std::isnan(step.Time);
+      this->Steps.push_back(step);
+    }
+    this->Self->UpdateProgress(static_cast<double>(++done) / this->Names.size());
     if (this->Self->GetAbortExecute())
       fail(name + ": reading was aborted");
   }
@@ -184,11 +203,13 @@ void vtkMoteFileSeriesReader::Internals::FindSteps(vtkInformation* information)
 vtkDataObject* vtkMoteFileSeriesReader::Internals::ReadStep(const Step& step)
 {
   const mote::FileStamp stamp = mote::stampOf(step.File);
-  if (this->Data && this->File == step.File && this->Stamp == stamp)
+  if (this->Data && this->File == step.File && this->Frame == step.Frame && this->Stamp == stamp)
     return this->Data;
   this->Data = nullptr; // before the memory is needed for the next
   std::vector<double> times;
   const auto reader = open(step.File, times);
+  if (!step.Frame)
+    requireOneStep(step.File, times);
   vtkNew<vtkCallbackCommand> progress;
   progress->SetClientData(this->Self);
   progress->SetCallback(
@@ -201,7 +222,8 @@ vtkDataObject* vtkMoteFileSeriesReader::Internals::ReadStep(const Step& step)
     });
   const unsigned long tag = reader->AddObserver(vtkCommand::ProgressEvent, progress);
   std::string error, warnings;
-  this->Data = vtkMoteReaderTable::Read(reader, error, &warnings);
+  this->Data = step.Frame ? vtkMoteReaderTable::Read(reader, *step.Frame, error, &warnings)
+                          : vtkMoteReaderTable::Read(reader, error, &warnings);
   reader->RemoveObserver(tag);
   if (this->Self->GetAbortExecute())
     fail(step.File + ": reading was aborted");
@@ -210,6 +232,7 @@ vtkDataObject* vtkMoteFileSeriesReader::Internals::ReadStep(const Step& step)
   if (!warnings.empty())
     vtkWarningWithObjectMacro(this->Self, << warnings);
   this->File = step.File;
+  this->Frame = step.Frame;
   this->Stamp = stamp;
   return this->Data;
 }

@@ -1,12 +1,13 @@
 /**
  * @class   vtkMoteFileSeriesReader
- * @brief   reads files that hold one time step each
+ * @brief   reads files that hold one time step each, or frames of XYZ
  *
  * The steps come in the order in which the files were added. Their times are those that the files
  * tell themselves (field data "TimeValue") if every file tells one and they ascend, else 0, 1, 2
  * and so on. A requested time becomes the nearest step at or before it. RequestInformation opens
  * the files, up to the first one without a time; how much of a file that means to read is up to its
- * format's reader.
+ * format's reader. Where the first XYZ files have several frames, all files are opened, and their
+ * frames are the steps.
  *
  * Every file is read by the reader that vtkMoteReaderTable has for it, with its settings as they
  * are, and its data are passed on, composite ones as well, with the time as DATA_TIME_STEP. All

@@ -1,12 +1,7 @@
 #include "vtkMoteGeneratedParticlesReader.h"
 
-#include "FileError.h"
-
-#include "kernels/core/Error.h"
 #include "kernels/particles/GeneratedParticles.h"
 
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkMoteSourcePoints.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -20,25 +15,13 @@ vtkMoteGeneratedParticlesReader::~vtkMoteGeneratedParticlesReader() = default;
 int vtkMoteGeneratedParticlesReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  output->Initialize();
-  this->Attempt(
-    [&](const ProgressFunction&)
+  return this->RequestMade(outputVector,
+    [](const std::string& name, vtkPolyData* output)
     {
-      this->RequireFileName();
-      try
-      {
-        vtkNew<vtkMoteSourcePoints> points;
-        points->SetSource(mote::makeParticles(this->GetFileName()));
-        output->SetPoints(points);
-      }
-      catch (const mote::Error& error)
-      {
-        throw mote::FileError(mote::FileError::Kind::Malformed, this->GetFileName(),
-          mote::withoutFile(error.what(), this->GetFileName()));
-      }
+      vtkNew<vtkMoteSourcePoints> points;
+      points->SetSource(mote::makeParticles(name));
+      output->SetPoints(points);
     });
-  return 1;
 }
 
 void vtkMoteGeneratedParticlesReader::PrintSelf(ostream& os, vtkIndent indent)

@@ -8,6 +8,7 @@
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
@@ -97,6 +98,29 @@ void vtkMotePolyDataReader::DeliverStep(vtkPolyData* result, double time, vtkPol
   result->GetFieldData()->AddArray(value);
   output->ShallowCopy(result);
   output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+}
+
+int vtkMotePolyDataReader::RequestMade(vtkInformationVector* outputVector,
+  const std::function<void(const std::string&, vtkPolyData*)>& make)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  output->Initialize();
+  this->Attempt(
+    [&](const ProgressFunction&)
+    {
+      this->RequireFileName();
+      const std::string name = this->GetFileName();
+      try
+      {
+        make(name, output);
+      }
+      catch (const mote::Error& error)
+      {
+        throw mote::FileError(
+          mote::FileError::Kind::Malformed, name, mote::withoutFile(error.what(), name));
+      }
+    });
+  return 1;
 }
 
 bool vtkMotePolyDataReader::Attempt(const std::function<void(const ProgressFunction&)>& work)

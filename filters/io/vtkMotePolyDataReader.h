@@ -75,6 +75,12 @@ protected:
   void RequireFileName();
 
   /**
+   * RequestData of what is made instead of read: `make` gets the name, as a file's, and the output.
+   */
+  int RequestMade(vtkInformationVector* outputVector,
+    const std::function<void(const std::string&, vtkPolyData*)>& make);
+
+  /**
    * How readers of time steps hand on the step that they have read, with its time.
    */
   static void DeliverStep(vtkPolyData* result, double time, vtkPolyData* output);

@@ -330,7 +330,8 @@ std::string vtkMoteReaderTable::GetFormatsHelp()
          "at "
          "scale 1\n"
          "  lattice:N  random:N:R  varied:N\n" +
-         std::string(32, ' ') + "synthetic particles, no file: N of them, of radius R\n";
+         std::string(32, ' ') + "synthetic particles, no file: N of them, of radius R\n" +
+         "  sphere:N  subdivide:FILE:N      about N synthetic triangles, no file; FILE cut finer\n";
 }
 
 void vtkMoteReaderTable::PrintSelf(ostream& os, vtkIndent indent)

@@ -35,10 +35,10 @@ public:
 
   /**
    * A reader that is ready to update, for one file or for several files that are the steps of one
-   * series (only formats that know series: LAMMPS dumps and the files of VTK, those by a
-   * vtkMoteFileSeriesReader). The file names must name readable files. Null, with the reason in
-   * `error`, when a file is missing, is a directory, may not be read, or has a format that is not
-   * in the table.
+   * series (only formats that know series: LAMMPS dumps, and by a vtkMoteFileSeriesReader .mote
+   * files, those of VTK, points, XYZ and PLY). The file names must name readable files. Null, with
+   * the reason in `error`, when a file is missing, is a directory, may not be read, or has a format
+   * that is not in the table.
    */
   static vtkSmartPointer<vtkAlgorithm> MakeReader(
     const std::vector<std::string>& fileNames, std::string& error);

@@ -2,6 +2,7 @@
 
 #include "MeshTools.h"
 
+#include <vtkCellData.h>
 #include <vtkCommand.h>
 #include <vtkExecutive.h>
 #include <vtkImageData.h>
@@ -134,6 +135,63 @@ TEST(MeridionalAverage, VectorsHaveTheirParts)
   }
 }
 
+TEST(MeridionalAverage, ComponentsAndPlacesOfArrays)
+{
+  const Grid grid = ring(same);
+  addField(grid, "v", 3, [](Vec p) { return Vec{p[0], p[1], 7.0}; });
+  const auto columnOf = [](Average& average)
+  { return std::string(average.table()->GetColumnName(3)); };
+  Average third(grid, "v");
+  third.filter->SetComponent(2);
+  EXPECT_EQ(columnOf(third), "v:2");
+  EXPECT_NEAR(valueAt(third.table(), 40, "v:2"), 7.0, 1e-9);
+  EXPECT_NEAR(valueAt(third.table(), 40, "v:2_deviation"), 0.0, 1e-6);
+  Average whole(grid, "v");
+  whole.filter->SetComponent(vtkMoteMeridionalAverage::MAGNITUDE);
+  EXPECT_EQ(columnOf(whole), "v:magnitude");
+  const double r = valueAt(whole.table(), 40, "radial");
+  EXPECT_NEAR(valueAt(whole.table(), 40, "v:magnitude"), std::hypot(r, 7.0), 0.02);
+  // Points and cells have an array of one name.
+  vtkNew<vtkDoubleArray> ofCells;
+  ofCells->SetName("v");
+  ofCells->SetNumberOfValues(grid->GetNumberOfCells());
+  ofCells->Fill(3.0);
+  grid->GetCellData()->AddArray(ofCells);
+  Average cells(grid, "v");
+  EXPECT_EQ(columnOf(cells), "v_axial");
+  cells.filter->SetAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  EXPECT_EQ(columnOf(cells), "v");
+  EXPECT_NEAR(valueAt(cells.table(), 40, "v"), 3.0, 1e-9);
+}
+
+TEST(MeridionalAverage, RangesTakeAPart)
+{
+  const Grid grid = ring(same);
+  addField(grid, "f", 1, [](Vec p) { return Vec{3.0 * std::hypot(p[0], p[1]) + 2.0 * p[2]}; });
+  const auto volumeOf = [](vtkTable* table)
+  {
+    double sum = 0.0;
+    for (vtkIdType i = 0; i < table->GetNumberOfRows(); ++i)
+      sum += valueAt(table, i, "volume");
+    return sum;
+  };
+  Average average(grid, "f");
+  const double all = volumeOf(average.table());
+  average.filter->SetRadialRange(1.2, 1.5);
+  average.filter->SetAxialRange(0.25, 9.0);
+  vtkTable* table = average.table();
+  EXPECT_NEAR(volumeOf(table) / all, 0.75 * (1.5 * 1.5 - 1.2 * 1.2) / 3.0, 0.005);
+  for (vtkIdType i = 0; i < table->GetNumberOfRows(); ++i)
+  {
+    const double r = valueAt(table, i, "radial"), z = valueAt(table, i, "axial");
+    EXPECT_TRUE(r > 1.2 && r < 1.5 && z > 0.25 && z < 1.0) << r << " " << z;
+    EXPECT_NEAR(valueAt(table, i, "f"), 3.0 * r + 2.0 * z, 0.07);
+  }
+  const double* origin = average.filter->GetImage()->GetOrigin();
+  EXPECT_NEAR(origin[0], 0.275, 1e-9); // bins are a fortieth of the diameter
+  EXPECT_NEAR(origin[1], 1.225, 1e-9);
+}
+
 TEST(MeridionalAverage, AnyAxis)
 {
   // The ring about another line: x, through (5, 1, -2).
@@ -223,6 +281,13 @@ TEST(MeridionalAverage, WrongRequestsGetASentence)
   EXPECT_NE(sentence("pair", 1).find("has 2 components"), std::string::npos);
   EXPECT_NE(sentence("nan", 1).find("finite value"), std::string::npos);
   EXPECT_NE(sentence("f", 0).find("axis needs"), std::string::npos);
+  Average average(grid, "f");
+  vtkNew<vtkTest::ErrorObserver> errors, executive;
+  average.filter->AddObserver(vtkCommand::ErrorEvent, errors);
+  average.filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, executive);
+  average.filter->SetRadialRange(5.0, 6.0);
+  average.filter->Update();
+  EXPECT_NE(average.filter->GetErrorMessage().find("ranges of place"), std::string::npos);
 }
 
 TEST(MeridionalAverage, NumbersThatAreTooLargeGetASentence)

@@ -153,11 +153,14 @@ TEST_F(ColorLegend, LinearTicksAreRound)
 TEST_F(ColorLegend, LogarithmicTicksArePowers)
 {
   this->useRange(0.3, 4000.0, true);
-  EXPECT_EQ(this->labels(), "1 10 100 1000");
+  EXPECT_EQ(this->labels(), "0.3 1 10 100 1000 4000"); // and both ends
   this->useRange(1.0, 60.0, true);
-  EXPECT_EQ(this->labels(), "1 2 5 10 20 50");
-  this->useRange(3e-5, 4e3, true);
-  EXPECT_EQ(this->labels(), "10\u207b\u2074 10\u207b\u00b2 10\u2070 10\u00b2");
+  EXPECT_EQ(this->labels(), "1 2 5 10 20 60"); // 50 is too near to the end
+  this->useRange(0.127, 83.83, true);
+  EXPECT_EQ(this->labels(), "0.127 1 10 83.8");
+  this->useRange(3.25e-5, 4e3, true);
+  EXPECT_EQ(this->labels(), "3.25\u00d710\u207b\u2075 10\u207b\u2074 10\u207b\u00b2 10\u2070 "
+                            "10\u00b2 4\u00d710\u00b3");
   this->useRange(4.1, 4.9, true); // no power in it
   EXPECT_GE(this->Legend->GetNumberOfTicks(), 3);
   this->useRange(1e-300, 1e300, true);

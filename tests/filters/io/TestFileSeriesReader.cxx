@@ -15,6 +15,7 @@
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPLYWriter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
@@ -387,12 +388,53 @@ TEST_F(FileSeries, ProgressAndAbort)
   EXPECT_EQ(radiusOf(read(reader, 1)), 1) << "nothing is kept of a step that was not finished";
 }
 
+TEST_F(FileSeries, PointsAndMeshes)
+{
+  const Names tables = {
+    write("t.1.csv", "x,y,z,v\n1,2,3,4\n"), write("t.2.csv", "x,y,z,v\n1,2,3,4\n5,6,7,8\n")};
+  EXPECT_EQ(timesOf(tables), (Times{0, 1}));
+  EXPECT_EQ(vtkPolyData::SafeDownCast(read(open(tables), 1))->GetNumberOfPoints(), 2);
+  Names meshes;
+  for (int i = 1; i < 4; ++i)
+    meshes.push_back(writeWith<vtkPLYWriter>(numbered("m_", i, ".ply"), sphere(i)));
+  EXPECT_EQ(timesOf(meshes), (Times{0, 1, 2}));
+  EXPECT_NEAR(radiusOf(read(open(meshes), 2)), 3, 1e-6);
+  truncate("m_2.ply", 300);
+  EXPECT_FALSE(vtkMoteReaderTable::Read(open(meshes), 1.0, m_error));
+  EXPECT_NE(m_error.find(meshes[1]), std::string::npos) << m_error;
+}
+
+TEST_F(FileSeries, FramesOfXYZ)
+{
+  const std::string one = "1\n\nA 1 0 0\n", two = "2\n\nA 2 0 0\nA 3 0 0\n";
+  const Names single = {write("s1.xyz", one), write("s2.xyz", two)};
+  EXPECT_EQ(timesOf(single), (Times{0, 1}));
+  EXPECT_EQ(vtkPolyData::SafeDownCast(read(open(single), 1))->GetNumberOfPoints(), 2);
+  const Names several = {
+    write("r1.xyz", one + two), write("r2.xyz", one), write("r3.xyz", two + one)};
+  const auto reader = open(several);
+  EXPECT_EQ(timesOf(several), (Times{0, 1, 2, 3, 4}));
+  const std::array<int, 5> wanted = {1, 2, 1, 2, 1};
+  for (int i = 0; i < 5; ++i)
+    EXPECT_EQ(vtkPolyData::SafeDownCast(read(reader, i))->GetNumberOfPoints(), wanted[i]) << i;
+  const auto timed = [](const char* time)
+  { return std::string("1\nTimestep: ") + time + "\nA 1 0 0\n"; };
+  const Names times = {write("t1.xyz", timed("0.5") + timed("1")), write("t2.xyz", timed("2.5"))};
+  EXPECT_EQ(timesOf(times), (Times{0.5, 1, 2.5}));
+  // Nobody has looked into the third file before its step is asked for.
+  const auto late = open({single[0], single[1], several[0]});
+  EXPECT_EQ(vtkMoteReaderTable::GetTimeSteps(late, m_error), (Times{0, 1, 2}));
+  EXPECT_FALSE(vtkMoteReaderTable::Read(late, 2.0, m_error));
+  EXPECT_NE(m_error.find("this file has 2 time steps"), std::string::npos) << m_error;
+}
+
 TEST_F(FileSeries, WhichNamesMakeSeries)
 {
   const Names names = {"s.10.vtu", "s.9.vtu", "a1.vtp", "a2.vtp", "s.9.vtp", "i1.vti", "i2.vti",
-    "l1.vtk", "l2.vtk", "part1.stl", "part2.stl", "part1.ply", "part2.ply"};
+    "l1.vtk", "l2.vtk", "part1.stl", "part2.stl", "f_01.ply", "f_02.ply", "p1.csv", "p2.csv",
+    "p1.xyz", "p2.xyz", "p1.pts", "p2.pts"};
   const auto groups = vtkMoteReaderTable::GroupSeries(names);
-  ASSERT_EQ(groups.size(), 9u);
+  ASSERT_EQ(groups.size(), 11u);
   EXPECT_EQ(groups[0], (Names{"s.9.vtu", "s.10.vtu"}));
   EXPECT_EQ(groups[1], (Names{"a1.vtp", "a2.vtp"}));
   EXPECT_EQ(groups[5], (Names{"part1.stl"})) << "meshes are parts more often than steps";

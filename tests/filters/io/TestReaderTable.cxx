@@ -308,6 +308,35 @@ TEST_F(TestReaderTable, ThePumpIsMade)
   }
 }
 
+TEST_F(TestReaderTable, MeshesAreMade)
+{
+  const auto read = [](const std::string& name, std::string& error) -> vtkSmartPointer<vtkPolyData>
+  {
+    const auto reader = vtkMoteReaderTable::MakeReader(name, error);
+    return reader ? vtkPolyData::SafeDownCast(vtkMoteReaderTable::Read(reader, error)) : nullptr;
+  };
+  std::string error;
+  const auto sphere = read("sphere:5000", error);
+  ASSERT_TRUE(sphere) << error;
+  EXPECT_NEAR(double(sphere->GetNumberOfPolys()), 5000.0, 250.0);
+  EXPECT_NEAR(sphere->GetLength(), 2.0 * std::sqrt(3.0), 0.2);
+  const std::string model =
+    write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const auto finer = read("subdivide:" + model + ":1000", error);
+  ASSERT_TRUE(finer) << error;
+  EXPECT_EQ(finer->GetNumberOfPolys(), 4 * 256);
+  EXPECT_EQ(finer->GetNumberOfPoints(), 2 + 4 * 256 / 2); // closed: corners are shared
+  for (const std::string& wrong : {std::string("sphere:"), std::string("sphere:99"),
+         std::string("sphere:1e6"), std::string("sphere:536870913"), std::string("subdivide:1000"),
+         std::string("subdivide::1000"), std::string("subdivide:none.ply:1000"),
+         "subdivide:" + write("p.xyz", "1\n\nA 0 0 0\n") + ":1000", "subdivide:" + model + ":x"})
+  {
+    error.clear();
+    EXPECT_FALSE(read(wrong, error)) << wrong;
+    EXPECT_NE(error.find(wrong), std::string::npos) << error;
+  }
+}
+
 TEST_F(TestReaderTable, Series)
 {
   const auto file = [this](const char* name, int step)
