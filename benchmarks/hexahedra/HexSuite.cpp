@@ -1,5 +1,6 @@
 #include "HexSuite.h"
 
+#include "../Display.h"
 #include "HexTables.h"
 #include "VolumeContest.h"
 

@@ -1,5 +1,6 @@
 #include "HexTables.h"
 
+#include "../Display.h"
 #include "RayTables.h"
 
 #include <algorithm>

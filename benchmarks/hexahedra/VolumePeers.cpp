@@ -15,8 +15,6 @@
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
-#include <X11/Xlib.h>
-
 #include <chrono>
 #include <cmath>
 
@@ -112,14 +110,6 @@ const std::vector<Named>& volumePeers()
     {"vtk-raycast", "vtkUnstructuredGridVolumeRayCastMapper on tetrahedra"},
     {"vtk-projected", "vtkProjectedTetrahedraMapper on tetrahedra"}};
   return all;
-}
-
-bool hasDisplay()
-{
-  Display* display = XOpenDisplay(nullptr);
-  if (display != nullptr)
-    XCloseDisplay(display);
-  return display != nullptr;
 }
 
 Tetrahedra makeTetrahedra(const HexInput& input)

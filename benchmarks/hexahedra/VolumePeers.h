@@ -15,9 +15,6 @@ namespace mote::bench
 /// Names and lines about VTK's mappers.
 const std::vector<Named>& volumePeers();
 
-/// Whether there is an X server, without which VTK aborts instead of drawing.
-bool hasDisplay();
-
 /// An input as tetrahedra, of vtkDataSetTriangleFilter: what VTK's mappers draw.
 struct Tetrahedra
 {

@@ -1,5 +1,7 @@
 #include "LodErrors.h"
 
+#include "paper/RlodPaperTree.h"
+
 #include <support/Triangles.h>
 
 #include <tbb/parallel_for.h>
@@ -21,7 +23,8 @@ struct Hit
   double pixel;
 };
 
-double displacement(const RlodTree& tree, const Hit& hit)
+template <typename Tree>
+double displacement(const Tree& tree, const Hit& hit)
 {
   if (!RlodTree::isLod(hit.slot))
     return 0.0;
@@ -37,8 +40,9 @@ double displacement(const RlodTree& tree, const Hit& hit)
 }
 
 /// Casts both pictures: counts pixels that differ and keeps hits.
-std::vector<Hit> hitsOf(const RlodTree& tree, const CameraRays& rays, int width, int height,
-  double poe, LodErrors& errors)
+template <typename Tree>
+std::vector<Hit> hitsOf(
+  const Tree& tree, const CameraRays& rays, int width, int height, double poe, LodErrors& errors)
 {
   std::vector<Hit> hits;
   for (int y0 = 0; y0 < height; y0 += 16)
@@ -65,10 +69,8 @@ std::vector<Hit> hitsOf(const RlodTree& tree, const CameraRays& rays, int width,
   return hits;
 }
 
-} // namespace
-
-LodErrors measureLods(
-  const RlodTree& tree, const CameraRays& rays, int width, int height, double poe)
+template <typename Tree>
+LodErrors measure(const Tree& tree, const CameraRays& rays, int width, int height, double poe)
 {
   LodErrors errors;
   const std::vector<Hit> hits = hitsOf(tree, rays, width, height, poe, errors);
@@ -90,6 +92,20 @@ LodErrors measureLods(
                   [](const Hit& hit) { return RlodTree::isLod(hit.slot); })) /
                 static_cast<double>(hits.size());
   return errors;
+}
+
+} // namespace
+
+LodErrors measureLods(
+  const RlodTree& tree, const CameraRays& rays, int width, int height, double poe)
+{
+  return measure(tree, rays, width, height, poe);
+}
+
+LodErrors measureLods(
+  const RlodPaperTree& tree, const CameraRays& rays, int width, int height, double poe)
+{
+  return measure(tree, rays, width, height, poe);
 }
 
 } // namespace mote::bench

@@ -9,6 +9,8 @@
 namespace mote::bench
 {
 
+class RlodPaperTree;
+
 /// What R-LODs make wrong in a picture. Displacements are in pixels where the hit is: how far a hit
 /// on an R-LOD lies from the nearest of the triangles that it stands for, so that to the surface
 /// it is no farther. Hits on triangles are displaced by 0.
@@ -28,5 +30,7 @@ struct LodErrors
 /// of every n-th where there are more than 60,000.
 LodErrors measureLods(
   const RlodTree& tree, const CameraRays& rays, int width, int height, double poe);
+LodErrors measureLods(
+  const RlodPaperTree& tree, const CameraRays& rays, int width, int height, double poe);
 
 } // namespace mote::bench

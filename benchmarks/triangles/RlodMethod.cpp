@@ -1,11 +1,10 @@
 #include "../particles/HitImage.h"
+#include "TreePicture.h"
 #include "TriangleMethod.h"
 
-#include <kernels/core/RayBundle.h>
-#include <kernels/core/RayPacket.h>
 #include <kernels/meshes/RlodTree.h>
 
-#include <limits>
+#include <algorithm>
 
 namespace mote::bench
 {
@@ -13,16 +12,32 @@ namespace mote::bench
 namespace
 {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
+/// Which R-LODs a tree has, and takes.
+enum class Lods
+{
+  None,
+  OfNodes,
+  OfAll ///< those of clusters too, which spares memory
+};
 
 class RlodMethod : public TriangleMethod
 {
 public:
-  void build(const TriangleInput& input) override { tree_.build(input.mesh()); }
+  explicit RlodMethod(Lods lods)
+    : lods_(lods)
+  {
+  }
+
+  void build(const TriangleInput& input) override
+  {
+    tree_.build(input.mesh());
+    tree_.setSparesMemory(lods_ == Lods::OfAll);
+  }
   bool makeLods() override
   {
-    tree_.makeLods();
-    return true;
+    if (lods_ != Lods::None)
+      tree_.makeLods();
+    return lods_ != Lods::None;
   }
   std::size_t bytes() const override { return tree_.bytes(); }
   LodErrors lodErrors(const CameraRays& rays, int width, int height) const override
@@ -44,7 +59,7 @@ public:
         RayBundle bundle;
         rays.fillBundle(bundle, side, x0, y0, 0.0, 0.0);
         tree_.cast(bundle, 0, poe());
-        keep(bundle, side, x0, y0, image);
+        keepHits(tree_, bundle, side, x0, y0, image);
       });
   }
 
@@ -79,85 +94,29 @@ public:
   void occlude(
     std::size_t /*mode*/, const OcclusionRays& rays, OcclusionAnswers& answers) const override
   {
-    forPackets(rays, answers,
-      [&](const OcclusionRays::Packet& asked)
-      {
-        RayPacket packet;
-        packet.count = asked.count;
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          std::copy_n(asked.origin[axis], asked.count, packet.origin[axis]);
-          std::copy_n(asked.direction[axis], asked.count, packet.direction[axis]);
-        }
-        std::fill_n(packet.tMin, asked.count, 0.0);
-        std::fill_n(packet.t, asked.count, rays.reach);
-        std::fill_n(packet.object, asked.count, -1);
-        tree_.occlude(packet, 0);
-        std::uint64_t bits = 0;
-        for (int i = 0; i < asked.count; ++i)
-          bits |= std::uint64_t{packet.t[i] < 0.0} << i;
-        return bits;
-      });
+    occludePackets(rays, answers, [&](RayPacket& packet) { tree_.occlude(packet, 0); });
   }
 
 private:
-  void keep(const RayBundle& bundle, int side, int x0, int y0, TriangleImage& image) const
-  {
-    for (int i = 0; i < bundle.count; i += 16)
-    {
-      int x = 0, y = 0;
-      bundleOffset(side, i, x, y);
-      TriangleImage::Block& block = image.blockAt(x0 + x, y0 + y);
-      int hits = 0;
-      for (int k = 0; k < 16; ++k)
-      {
-        hits += bundle.object[i + k] >= 0;
-        block.t[k] = bundle.object[i + k] < 0 ? infinity : static_cast<float>(bundle.t[i + k]);
-      }
-      if (hits == 16)
-        describe(bundle.slot + i, 16, block);
-      else if (hits > 0)
-        describeSome(bundle, i, block);
-    }
-  }
-
-  /// Triangles and normals of hits that stand side by side.
-  void describe(const std::uint64_t* slots, int count, TriangleImage::Block& block) const
-  {
-    float* const normals[3] = {block.normal[0], block.normal[1], block.normal[2]};
-    std::uint64_t ids[16];
-    tree_.normals(slots, count, normals);
-    tree_.inputIndices(slots, count, ids);
-    for (int k = 0; k < count; ++k)
-      block.triangle[k] = static_cast<std::uint32_t>(ids[k]);
-  }
-
-  void describeSome(const RayBundle& bundle, int first, TriangleImage::Block& block) const
-  {
-    std::uint64_t slots[16];
-    int count = 0;
-    for (int k = 0; k < 16; ++k)
-      if (bundle.object[first + k] >= 0)
-        slots[count++] = bundle.slot[first + k];
-    describe(slots, count, block);
-    for (int k = 15; k >= 0; --k) // from the last: none is written over before it is moved
-      if (bundle.object[first + k] >= 0)
-      {
-        --count;
-        block.triangle[k] = block.triangle[count];
-        for (auto& normal : block.normal)
-          normal[k] = normal[count];
-      }
-  }
-
   RlodTree tree_;
+  Lods lods_;
 };
 
 } // namespace
 
 std::unique_ptr<TriangleMethod> makeRlodMethod(int /*threads*/)
 {
-  return std::make_unique<RlodMethod>();
+  return std::make_unique<RlodMethod>(Lods::OfNodes);
+}
+
+std::unique_ptr<TriangleMethod> makePlainRlodMethod(int /*threads*/)
+{
+  return std::make_unique<RlodMethod>(Lods::None);
+}
+
+std::unique_ptr<TriangleMethod> makeSparingRlodMethod(int /*threads*/)
+{
+  return std::make_unique<RlodMethod>(Lods::OfAll);
 }
 
 } // namespace mote::bench

@@ -65,13 +65,19 @@ struct TriangleMethodEntry
   std::string name;
   std::string summary;
   std::unique_ptr<TriangleMethod> (*make)(int threads);
+  bool draws = false; ///< into a window: not without a display, unless it is asked for by name
 };
 
 /// All of them.
 const std::vector<TriangleMethodEntry>& triangleMethods();
 
 std::unique_ptr<TriangleMethod> makeRlodMethod(int threads);
+std::unique_ptr<TriangleMethod> makePlainRlodMethod(int threads);
+std::unique_ptr<TriangleMethod> makeSparingRlodMethod(int threads);
+std::unique_ptr<TriangleMethod> makeRlodPaperMethod(int threads);
+std::unique_ptr<TriangleMethod> makeRlodPaperClampedMethod(int threads);
 std::unique_ptr<TriangleMethod> makeEmbreeTriangles(int threads);
 std::unique_ptr<TriangleMethod> makeEmbreeMediumTriangles(int threads);
+std::unique_ptr<TriangleMethod> makeOpenGLTriangles(int threads);
 
 } // namespace mote::bench

@@ -1,5 +1,6 @@
 #include "TrianglesSuite.h"
 
+#include "../Display.h"
 #include "../Timing.h"
 #include "../particles/Comparison.h"
 #include "../particles/Views.h"
@@ -116,7 +117,8 @@ public:
     , image_(options.width, options.height)
   {
     for (const TriangleMethodEntry& entry : triangleMethods())
-      if (isWanted(options, entry.name))
+      if (isWanted(options, entry.name) &&
+          !(entry.draws && options.methods.empty() && !hasDisplay()))
         build(entry);
     for (const View& view : triangleViews())
       if (options.views.empty() ||
@@ -211,6 +213,8 @@ private:
   void enter(std::size_t method, std::size_t view, bool occlusion, double poe)
   {
     Entry entry{method, view, 0, occlusion, poe};
+    if (modesOf(entry).empty())
+      return;
     for (std::size_t mode = 0; mode < modesOf(entry).size(); ++mode)
     {
       const std::size_t place = race_.add(
