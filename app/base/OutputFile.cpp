@@ -29,4 +29,18 @@ void checkOutput(const std::string& output, const std::vector<std::string>& inpu
   }
 }
 
+void writeText(const std::string& file, const std::string& text)
+{
+  try
+  {
+    AtomicFile out(file);
+    out.write(text.data(), text.size());
+    out.commit();
+  }
+  catch (const WriteError& error)
+  {
+    throw Failure(error.what());
+  }
+}
+
 } // namespace mote::app

@@ -11,4 +11,7 @@ namespace mote::app
 /// Does nothing for an empty name, which is the standard output.
 void checkOutput(const std::string& output, const std::vector<std::string>& inputs);
 
+/// Writes a file of this text, which appears complete or not at all. Throws Failure.
+void writeText(const std::string& file, const std::string& text);
+
 } // namespace mote::app

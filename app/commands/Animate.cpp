@@ -8,6 +8,7 @@
 #include "base/Messages.h"
 #include "base/Text.h"
 #include "stage/Advice.h"
+#include "stage/Silhouettes.h"
 #include "table/Session.h"
 
 #include <vtkTimerLog.h>
@@ -38,6 +39,8 @@ Settings keyOf(const std::string& file, const Settings& first)
   if (!areSameFiles(key.data.files, first.data.files))
     throw Failure("--key-frames: " + file + " shows other data, " + joined(key.data.files, ", ") +
                   ", and a film is of the same data throughout");
+  if (const int seen = key.picture.size[1]; seen > 0)
+    key.silhouettes = scaled(key.silhouettes, double(first.picture.size[1]) / seen);
   key.data.files = first.data.files;
   key.data.threads = first.data.threads;
   return key;
@@ -81,10 +84,8 @@ std::string filmText(const std::string& file, const std::array<int, 2>& size, in
 
 void animate(const Settings& given)
 {
-  Settings settings = given;
+  const Settings settings = asSaved(given, {1280, 720});
   const std::string& file = given.output.file;
-  if (settings.picture.size[0] == 0)
-    settings.picture.size = {1280, 720};
   const std::array<int, 2> size = settings.picture.size;
   checkFilmName(file, settings.data.files);
   std::vector<Settings> keys;
@@ -113,6 +114,8 @@ void animate(const Settings& given)
   std::printf("%s; made in %s\n",
     filmText(file, size, result.frames, frames.size(), settings.film.rate).c_str(),
     asDuration(vtkTimerLog::GetUniversalTime() - start).c_str());
+  if (const std::string one = onlyStepOf(frames, input.numberOfSteps()); !one.empty())
+    std::printf("%s: %s\n", file.c_str(), one.c_str());
   std::fflush(stdout);
   if (result.isStopped)
     throw Interrupted();

@@ -40,21 +40,26 @@ struct Drawn
   double fontScale; ///< factor that flat pictures, too, are read with
 };
 
-/// The bins as squares of one size in a picture 1280 pixels wide and at most 960 high, over white.
+/// The bins as squares of one size in a picture at most 1280 pixels wide and 960 high, over white.
 Drawn drawn(vtkImageData* bins, vtkDataArray* values, vtkLookupTable* colors, double fontScale)
 {
-  constexpr int width = 1280, most = 960, above = 40, legend = 300;
-  const int letter = vtkMoteImageAxes::LabelSize(width, most, fontScale);
-  const int left = 7 * letter, below = 6 * letter + 10; // the caption, and the axis
+  constexpr int least = 640, widest = 1280, most = 960, above = 40;
+  const int letter = vtkMoteImageAxes::LabelSize(widest, most, fontScale);
+  const int legend = 11 * letter;
+  int left = 7 * letter;
+  const int below = 6 * letter + 10; // the caption, and the axis
   const int* bounds = bins->GetDimensions();
-  const double pixel = std::max(static_cast<double>(bounds[0]) / (width - left - legend),
+  const double pixel = std::max(static_cast<double>(bounds[0]) / (widest - left - legend),
     static_cast<double>(bounds[1]) / (most - below - above));
   // The legend needs some height, too.
   const int height = std::max(480, static_cast<int>(bounds[1] / pixel) + below + above);
-  const auto image = whitePaper(width, height);
-  auto* pixels = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
   const int columns = std::max(1, static_cast<int>(bounds[0] / pixel));
   const int rows = std::max(1, static_cast<int>(bounds[1] / pixel));
+  // The legend stands beside the bins; what is too narrow for a caption has its room at the left.
+  const int width = std::max(least, left + columns + legend);
+  left = width - legend - columns;
+  const auto image = whitePaper(width, height);
+  auto* pixels = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < columns; ++x)
     {
@@ -78,10 +83,11 @@ vtkDataArray* columnOf(vtkImageData* bins, const Settings& settings)
 {
   const std::string& asked = settings.color.array;
   vtkPointData* columns = bins->GetPointData();
-  const std::string magnitude = settings.average.array + "_magnitude";
+  const std::string average = columns->GetScalars()->GetName(); // of a vector its first part
+  const std::string magnitude = average.substr(0, average.rfind("_axial")) + "_magnitude";
   const std::string name = !asked.empty()                         ? asked
                            : columns->HasArray(magnitude.c_str()) ? magnitude
-                                                                  : settings.average.array;
+                                                                  : average;
   if (vtkDataArray* column = columns->GetArray(name.c_str()))
     return column;
   throw Failure("the average has no column " + name + " to colour by; it has " + listArrays(bins));
@@ -90,7 +96,7 @@ vtkDataArray* columnOf(vtkImageData* bins, const Settings& settings)
 /// What is averaged, in words for pictures.
 struct Meaning
 {
-  std::string caption;
+  std::string caption, array;
   std::string unit, lengthUnit; ///< empty where the data do not say
 };
 
@@ -135,11 +141,32 @@ void writePicture(vtkImageData* bins, const Settings& settings, const Meaning& m
   legend->SetLookupTable(colors);
   const std::string name = column->GetName();
   legend->SetTitle(settings.picture.title.value_or(
-    withUnit(name, name.starts_with(settings.average.array) ? meaning.unit : "")));
+    withUnit(name, name.starts_with(meaning.array) ? meaning.unit : "")));
   applyLook(legend, settings.picture);
   legend->SetFontScale(picture.fontScale);
   legend->SetCaption(meaning.caption);
   writeChart(legend, settings.output.file);
+}
+
+/// Tells the filter which array is meant, as --color-by would be. Returns its name.
+std::string chooseArray(
+  vtkMoteMeridionalAverage* filter, const std::vector<NamedData>& data, const std::string& text)
+{
+  ArrayChoice choice;
+  for (std::size_t k = 0; k < data.size() && !choice; ++k)
+    choice = findArray(data[k].data, text);
+  filter->SetArrayName(choice ? choice.name : text);
+  if (!choice || text == choice.name)
+    return filter->GetArrayName();
+  const bool isPrefixed = text.starts_with("cell:") || text.starts_with("point:");
+  if (isPrefixed)
+    filter->SetAssociation(choice.ofCells ? vtkDataObject::FIELD_ASSOCIATION_CELLS
+                                          : vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  if (!isPrefixed || text.substr(text.find(':') + 1) != choice.name)
+    filter->SetComponent(choice.component == ArrayChoice::magnitude
+                           ? vtkMoteMeridionalAverage::MAGNITUDE
+                           : choice.component);
+  return choice.name;
 }
 
 } // namespace
@@ -157,18 +184,23 @@ void average(const Settings& settings)
   vtkNew<vtkMultiBlockDataSet> blocks;
   std::vector<std::string> known;
   Meaning meaning;
-  for (const NamedData& one : opened.read())
+  const std::vector<NamedData> data = opened.read();
+  vtkNew<vtkMoteMeridionalAverage> filter;
+  meaning.array = chooseArray(filter, data, wanted.array);
+  for (const NamedData& one : data)
   {
     blocks->SetBlock(blocks->GetNumberOfBlocks(), one.data);
     known.push_back(listArrays(one.data));
     if (meaning.unit.empty())
-      meaning.unit = unitOf(one.data, wanted.array);
+      meaning.unit = unitOf(one.data, meaning.array);
     if (meaning.lengthUnit.empty())
       meaning.lengthUnit = lengthUnitOf(one.data);
   }
-  vtkNew<vtkMoteMeridionalAverage> filter;
   filter->SetInputData(blocks);
-  filter->SetArrayName(wanted.array);
+  if (!wanted.axial.empty())
+    filter->SetAxialRange(wanted.axial.data());
+  if (!wanted.radial.empty())
+    filter->SetRadialRange(wanted.radial.data());
   filter->SetResolution(wanted.resolution);
   filter->SetAxisFromInput(wanted.axis.empty() && wanted.origin.empty());
   if (!wanted.axis.empty())

@@ -35,6 +35,11 @@ std::vector<int> stepsOf(const FilmScene& scene, const FilmSettings& film)
   return steps;
 }
 
+bool isStill(const FilmScene& scene, const FilmSettings& film, const std::vector<int>& steps)
+{
+  return steps.size() < 2 && film.orbit == 0.0 && scene.keys.size() < 2;
+}
+
 int framesOf(const FilmScene& scene, const FilmSettings& film, int steps)
 {
   if (film.frames)
@@ -85,10 +90,44 @@ std::vector<double> turned(
   return result;
 }
 
+FilmForecast forecast(const std::vector<Settings>& keys, int steps, const FilmSettings& film)
+{
+  FilmScene scene;
+  scene.keys = keys;
+  scene.keys.resize(std::max<std::size_t>(1, keys.size()));
+  scene.steps = steps;
+  scene.name = "the series";
+  try
+  {
+    const std::vector<int> shown = stepsOf(scene, film);
+    if (isStill(scene, film, shown))
+      return {"nothing moves in this film", ""};
+    const int frames = framesOf(scene, film, static_cast<int>(shown.size()));
+    const std::string length = counted(frames, "frame") + ", " +
+                               asDuration(static_cast<double>(frames) / std::max(1, film.rate));
+    return {length, shown.empty() ? onlyStepOf(scene.keys, steps) : ""};
+  }
+  catch (const Failure& failure)
+  {
+    return {failure.what(), ""};
+  }
+}
+
+std::string onlyStepOf(const std::vector<Settings>& frames, int steps)
+{
+  const auto& first = frames.front().data;
+  const bool isOne = std::all_of(frames.begin(), frames.end(),
+    [&](const Settings& one)
+    { return one.data.step == first.step && one.data.time == first.time; });
+  return steps < 2 || !isOne ? ""
+                             : "all frames show one of " + std::to_string(steps) +
+                                 " time steps; --steps all plays them";
+}
+
 std::vector<Settings> planFilm(const FilmScene& scene, const FilmSettings& film)
 {
   const std::vector<int> steps = stepsOf(scene, film);
-  if (steps.size() < 2 && film.orbit == 0.0 && scene.keys.size() < 2)
+  if (isStill(scene, film, steps))
     throw Failure("nothing moves in this film: " + scene.name + " has " +
                   (scene.steps == 1 ? "one time step" : "one of its time steps shown") +
                   "; turn the camera by --orbit 360, or give --key-frames");

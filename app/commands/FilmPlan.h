@@ -23,6 +23,17 @@ struct FilmScene
 /// nothing would move, and for steps that there are not.
 std::vector<Settings> planFilm(const FilmScene& scene, const FilmSettings& film);
 
+/// What is told of a film through such views of data of so many time steps before it is made.
+struct FilmForecast
+{
+  std::string length; ///< "125 frames, 5 s"; or why there will be none
+  std::string steps;  ///< that it stays at one time step of several; else empty
+};
+FilmForecast forecast(const std::vector<Settings>& keys, int steps, const FilmSettings& film);
+
+/// A sentence where all frames show one of several time steps; else empty.
+std::string onlyStepOf(const std::vector<Settings>& frames, int steps);
+
 /// The camera turned to the right about the upright axis of what is seen, by degrees: about the
 /// middle of the bounds where it looks at about that, else about what it looks at.
 std::vector<double> turned(

@@ -8,6 +8,7 @@
 #include "base/Text.h"
 #include "stage/Advice.h"
 #include "stage/Picture.h"
+#include "stage/Silhouettes.h"
 #include "table/Session.h"
 
 #include <vtkTimerLog.h>
@@ -57,12 +58,23 @@ void includeAllColors(Stage& stage, Input& input, ProgressRelay& progress)
 
 } // namespace
 
+Settings asSaved(Settings settings, const std::array<int, 2>& usual)
+{
+  const OutputSettings& output = settings.output;
+  std::array<int, 2>& size = settings.picture.size;
+  if (output.fitsView && output.size[0] > 0)
+    size = output.size;
+  else if (size[0] == 0)
+    size = usual;
+  if (output.seenHeight > 0)
+    settings.silhouettes = scaled(settings.silhouettes, double(size[1]) / output.seenHeight);
+  return settings;
+}
+
 void render(const Settings& given)
 {
-  Settings settings = given;
+  const Settings settings = asSaved(given, {1280, 960});
   const OutputSettings& output = given.output;
-  if (settings.picture.size[0] == 0)
-    settings.picture.size = {1280, 960};
   const std::array<int, 2> size = settings.picture.size;
   TerminalProgress terminal;
   ProgressRelay progress;

@@ -9,6 +9,10 @@ namespace mote::app
 /// left that is not complete.
 void render(const Settings& settings);
 
+/// The settings with the size of their picture: of a session that of saved pictures, which have
+/// lines as thick as its view, as a share of the height.
+Settings asSaved(Settings settings, const std::array<int, 2>& usual);
+
 /// Throws Failure where nothing on the stage can be drawn without OpenGL.
 void requireTraced(const Stage& stage);
 

@@ -1,9 +1,7 @@
 #include "TableFile.h"
 
-#include "base/Failure.h"
+#include "base/OutputFile.h"
 #include "base/Text.h"
-
-#include <kernels/core/AtomicFile.h>
 
 #include <vtkDataArray.h>
 #include <vtkTable.h>
@@ -55,20 +53,9 @@ void writeTable(vtkTable* table, const std::string& file)
 {
   const std::string text = asLines(table);
   if (file.empty())
-  {
     std::fwrite(text.data(), 1, text.size(), stdout);
-    return;
-  }
-  try
-  {
-    AtomicFile out(file);
-    out.write(text.data(), text.size());
-    out.commit();
-  }
-  catch (const WriteError& error)
-  {
-    throw Failure(error.what());
-  }
+  else
+    writeText(file, text);
 }
 
 } // namespace mote::app

@@ -50,24 +50,46 @@ void OpenDialog::show(const fs::path& folder)
     this->goTo(folder_); // files may have come
 }
 
-void OpenDialog::goTo(const fs::path& folder)
+void OpenDialog::list(const fs::path& folder)
 {
-  const std::string from = folder_.filename().string();
-  const bool isAbove = folder == folder_.parent_path();
   folder_ = folder.lexically_normal();
   if (!folder_.has_filename() && folder_.has_relative_path())
     folder_ = folder_.parent_path(); // "a/" is "a"
   entries_ = listFolder(folder_, problem_);
-  filter_.clear();
   marked_.clear();
-  lines_.clear();
-  for (std::size_t i = 0; i < entries_.size(); ++i)
-    lines_.push_back(i);
-  cursor_ = 0;
+}
+
+void OpenDialog::goTo(const fs::path& folder)
+{
+  const std::string from = folder_.filename().string();
+  const bool isAbove = folder == folder_.parent_path();
+  this->list(folder);
+  filter_.clear();
+  this->find();
   for (std::size_t i = 0; i < entries_.size(); ++i)
     if (isAbove && entries_[i].name == from)
       cursor_ = i; // where the user came from
   toCursor_ = true;
+}
+
+/// The lines that have what is written. Of a path the last part is a part of a name, in the folder
+/// that the rest names.
+void OpenDialog::find()
+{
+  std::string name = filter_;
+  if (const fs::path typed = this->typedPath(); !typed.empty())
+  {
+    std::error_code error;
+    const fs::path folder = typed.parent_path();
+    if (fs::is_directory(folder, error) && folder.lexically_normal() != folder_)
+      this->list(folder);
+    name = typed.filename().string();
+  }
+  cursor_ = 0;
+  lines_.clear();
+  for (std::size_t i = 0; i < entries_.size(); ++i)
+    if (isFound(entries_[i].name, name))
+      lines_.push_back(i);
 }
 
 void OpenDialog::drawPlaces()
@@ -118,13 +140,7 @@ bool OpenDialog::drawFilter()
   if (before.empty() && filter_.empty() && isPressed(ImGuiKey_Backspace))
     this->goTo(folder_.parent_path());
   else if (before != filter_)
-  {
-    lines_.clear();
-    cursor_ = 0;
-    for (std::size_t i = 0; i < entries_.size(); ++i)
-      if (!this->typedPath().empty() || isFound(entries_[i].name, filter_))
-        lines_.push_back(i);
-  }
+    this->find();
   if (!lines_.empty())
     cursor_ = std::min(cursor_, lines_.size() - 1);
   if (isPressed(ImGuiKey_Insert))
@@ -224,9 +240,8 @@ fs::path OpenDialog::typedPath() const
 std::vector<std::string> OpenDialog::chosen() const
 {
   std::error_code error;
-  if (const fs::path typed = this->typedPath(); !typed.empty())
-    return fs::is_regular_file(typed, error) ? std::vector<std::string>{typed.string()}
-                                             : std::vector<std::string>();
+  if (const fs::path typed = this->typedPath(); fs::is_regular_file(typed, error))
+    return {typed.string()};
   std::vector<std::string> files;
   for (const std::size_t entry : marked_)
     files.insert(files.end(), entries_[entry].files.begin(), entries_[entry].files.end());
@@ -240,7 +255,7 @@ bool OpenDialog::enter()
 {
   std::error_code error;
   fs::path to = this->typedPath();
-  if (to.empty() && marked_.empty() && cursor_ < lines_.size() &&
+  if (!fs::exists(to, error) && marked_.empty() && cursor_ < lines_.size() &&
       entries_[lines_[cursor_]].isFolder)
     to = entries_[lines_[cursor_]].files.front();
   if (!fs::is_directory(to, error))

@@ -32,7 +32,9 @@ public:
   bool isOpen() const { return isOpen_; }
 
 private:
+  void list(const std::filesystem::path& folder);
   void goTo(const std::filesystem::path& folder);
+  void find();
   void drawPlaces();
   bool drawFilter();
   bool drawList();

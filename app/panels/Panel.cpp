@@ -3,8 +3,7 @@
 #include "PanelWidgets.h"
 #include "base/Text.h"
 #include "stage/Coloring.h"
-
-#include <vtkLookupTable.h>
+#include "stage/Volume.h"
 
 #include <imgui.h>
 
@@ -38,12 +37,29 @@ void Panel::setFocus(bool on)
   takesKeys_ = on;
 }
 
+void Panel::refuse(const Settings& before, const Settings& refused, std::string sentence)
+{
+  const Row* other = nullptr;
+  for (const Row& row : settingsTable())
+    if (row.get(before) != row.get(refused))
+    {
+      if (other)
+        return; // no control's own
+      other = &row;
+    }
+  if (!other)
+    return;
+  if (const std::string option = other->option() + ": "; sentence.starts_with(option))
+    sentence.erase(0, option.size());
+  rows_.refuse(*other, before, refused, sentence);
+}
+
 /// Looks the data over where they are others than the last time.
 void Panel::find()
 {
   std::vector<std::pair<vtkDataSet*, unsigned long>> key;
   for (const auto& part : stage_.parts())
-    key.emplace_back(part->data(), part->data()->GetMTime());
+    key.emplace_back(part->data(), 4 * part->data()->GetMTime() + static_cast<int>(part->kind()));
   if (key == found_.key)
     return;
   found_ = {};
@@ -51,7 +67,9 @@ void Panel::find()
   for (const auto& part : stage_.parts())
   {
     found_.hasParticles = found_.hasParticles || part->kind() == Part::Kind::Particles;
+    found_.hasSurfaces = found_.hasSurfaces || part->kind() == Part::Kind::Surface;
     found_.hasVolumes = found_.hasVolumes || part->kind() == Part::Kind::Volume;
+    found_.hasCells = found_.hasCells || Volume::canShow(part->data());
     for (const ArrayChoice& choice : rankedArrays(part->data()))
     {
       const std::string text = asText(part->data(), choice);
@@ -60,6 +78,20 @@ void Panel::find()
         found_.arrays.push_back({choice, text, describe(part->data(), choice)});
     }
   }
+  for (const auto& part : stage_.parts())
+    for (const ArrayChoice& choice : otherArrays(part->data()))
+      this->addOther({choice, asText(part->data(), choice), describe(part->data(), choice)});
+  if (found_.hasParticles)
+    for (const char* axis : {"x", "y", "z"})
+      this->addOther({{axis, 0, false}, axis, axis});
+}
+
+void Panel::addOther(const NamedArray& other)
+{
+  const auto isSame = [&](const NamedArray& array) { return array.text == other.text; };
+  if (std::none_of(found_.arrays.begin(), found_.arrays.end(), isSame) &&
+      std::none_of(found_.others.begin(), found_.others.end(), isSame))
+    found_.others.push_back(other);
 }
 
 const Histogram& Panel::histogramOf(const std::string& name)
@@ -114,6 +146,7 @@ PanelWish Panel::draw(const PanelFacts& facts, const PanelWish& earlier, float w
   wish_.action = earlier.action;
   wish_.open = earlier.open;
   drawn_ = withoutControl();
+  steps_ = facts.steps;
   this->beginFrame(width, height);
   if (stage_.settings().data.files.empty())
     this->drawStart();
@@ -126,6 +159,8 @@ PanelWish Panel::draw(const PanelFacts& facts, const PanelWish& earlier, float w
   wish_.isHeld = ImGui::IsAnyItemActive() && !dialog_.isOpen();
   if (next_ != stage_.settings())
     wish_.settings = next_;
+  const bool isEntered = rows_.takeEntered();
+  awaitsAnswer_ = wish_.settings && (awaitsAnswer_ || isEntered);
   return wish_;
 }
 
@@ -137,6 +172,8 @@ void Panel::drawGroups(const PanelFacts& facts)
   if (facts.steps > 1 || next_.output.follow)
     this->drawTime(facts);
   drawn_.insert({"hide-data", "side-by-side"}); // which Data has
+  if (!found_.hasSurfaces)
+    drawn_.insert("lod-error");
   this->drawGroup("Data", &Panel::drawData);
   this->drawGroup("Colour", &Panel::drawColour);
   this->drawGroup("Selection", &Panel::drawSelection);
@@ -144,12 +181,14 @@ void Panel::drawGroups(const PanelFacts& facts)
   this->drawPlot(facts.picked);
   if (found_.hasVolumes)
     this->drawGroup("Volume", &Panel::drawVolume);
+  else if (found_.hasCells)
+    this->drawGroup("Volume", &Panel::drawCells);
   if (found_.hasParticles)
     this->drawGroup("Radius", nullptr);
   this->drawGroup("Light", &Panel::drawLight);
   this->drawGroup("Silhouettes", nullptr);
   this->drawGroup("Camera", &Panel::drawCamera);
-  this->drawGroup("Picture", nullptr);
+  this->drawGroup("Picture", &Panel::drawPictureSize);
   // Groups that come to the table later are seen without a word here.
   std::vector<std::string> known = {"Volume", "Radius", "Structure"};
   for (const Row& row : settingsTable())
@@ -241,14 +280,40 @@ void Panel::drawGroup(const std::string& group, void (Panel::*first)())
 //------------------------------------------------------------------------------------------------
 // What is more than a row each
 
+namespace
+{
+
+/// How much there is, always in one line: what stands below stays where it is while ranges are
+/// dragged and the count changes.
+void drawContents(const std::string& contents)
+{
+  const float room = ImGui::GetContentRegionAvail().x;
+  const auto fits = [room](const std::string& text)
+  { return ImGui::CalcTextSize(text.c_str()).x <= room; };
+  std::string text = contents;
+  constexpr std::string_view least = " shown"; // which the numbers say, too
+  if (const std::size_t at = text.find(least); !fits(text) && at != std::string::npos)
+    text.erase(at, least.size());
+  for (std::string head = text; !fits(text) && !head.empty();)
+  {
+    head.pop_back();
+    text = head + "...";
+  }
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(text.c_str());
+  if (text != contents)
+    explainKey(contents.c_str());
+}
+
+} // namespace
+
 void Panel::drawTop(const PanelFacts& facts)
 {
   if (buttonOf("Open..."))
     this->showOpenDialog();
   explainKey("Open other files, or add some\nCtrl+O");
   ImGui::SameLine();
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextWrapped("%s", stage_.contents().c_str());
+  drawContents(stage_.contents());
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.35f * ImGui::GetFontSize(), 4.0f));
   const auto button = [this](const char* label, Action action, const char* help)
   {
@@ -269,124 +334,6 @@ void Panel::drawTop(const PanelFacts& facts)
     "Print a mote render command that makes this picture\nk; K for a Python script");
   ImGui::PopStyleVar();
   ImGui::Spacing();
-}
-
-void Panel::drawColour()
-{
-  const Coloring& coloring = stage_.coloring();
-  const Row& row = *rowNamed("color-by");
-  drawn_.insert(row.name);
-  ImGui::SetNextItemWidth(-1.0f);
-  const bool isOpen = ImGui::BeginCombo("##color-by",
-    coloring.choice() ? coloring.title().c_str() : "one colour", ImGuiComboFlags_HeightLarge);
-  RowControls::explain(row);
-  if (isOpen)
-  {
-    for (const NamedArray& array : found_.arrays)
-      if (lineOf(array.title.c_str(), array.choice == coloring.choice()))
-        next_.color.array = array.text;
-    if (!found_.hasVolumes && lineOf("one colour", !coloring.choice()))
-      next_.color.array = "none";
-    ImGui::EndCombo();
-  }
-  const auto present = std::find_if(found_.arrays.begin(), found_.arrays.end(),
-    [&](const NamedArray& array) { return array.choice.name == coloring.choice().name; });
-  if (present != found_.arrays.end() && coloring.componentCount(stage_.parts()) > 1)
-  {
-    if (buttonOf("Next component"))
-      next_.color.array = coloring.nextComponent(stage_.parts());
-    explainKey("C");
-  }
-  if (vtkLookupTable* table = coloring.table(); table && !coloring.isTyped())
-  {
-    colorStrip(table, ImGui::GetContentRegionAvail().x, 0.9f * ImGui::GetFontSize());
-    this->drawColourRange();
-  }
-  this->drawRow("color-map", "map");
-  this->drawRow("nan-color", "no number");
-  this->drawRow("calculate");
-  if (coloring.isTyped())
-    drawn_.insert({"range", "reverse", "log"});
-  else
-    drawn_.insert({"types", "type-names"});
-}
-
-void Panel::drawColourRange()
-{
-  drawn_.insert("range");
-  const Coloring& coloring = stage_.coloring();
-  const double* present = coloring.table()->GetRange();
-  Interval range = {present[0], present[1]};
-  if (rangeFields("range", range) && range.low < range.high)
-    next_.color.range = {range.low, range.high};
-  RowControls::explain(*rowNamed("range"));
-  if (!next_.color.range.empty())
-  {
-    if (buttonOf("Range of the data"))
-      next_.color.range.clear();
-  }
-  else
-    ImGui::TextDisabled("range of the data");
-  if (!next_.selection.ranges.empty())
-  {
-    // What is shown of the array that colours.
-    const std::string name = this->coloredBy();
-    for (const ShowRange& shown : next_.selection.ranges)
-      if (shown.name == name && !shown.intervals.empty())
-      {
-        ImGui::SameLine();
-        const Interval all = {shown.intervals.front().low, shown.intervals.back().high};
-        const Histogram& histogram = this->histogramOf(name);
-        if (buttonOf("Range of what is shown"))
-          next_.color.range = {
-            std::max(all.low, histogram.least), std::min(all.high, histogram.most)};
-      }
-  }
-}
-
-void Panel::drawVolume()
-{
-  drawn_.insert("opacity");
-  const Coloring& coloring = stage_.coloring();
-  const std::vector<OpacityPoint>& inForce = coloring.opacity();
-  if (!coloring.table() || inForce.empty())
-    return;
-  const double* range = coloring.table()->GetRange();
-  std::vector<OpacityPoint> points = inForce;
-  for (OpacityPoint& point : points)
-    if (point.isShare)
-      point = {range[0] + 0.01 * point.value * (range[1] - range[0]), false, point.opacity};
-  std::stable_sort(points.begin(), points.end(),
-    [](const OpacityPoint& a, const OpacityPoint& b) { return a.value < b.value; });
-  const Histogram& histogram = this->histogramOf(this->coloredBy());
-  if (opacityControl("opacity", histogram, coloring.table(), points))
-    next_.volume.opacity = points;
-  const auto preset = [&](const char* label, std::vector<OpacityPoint> wanted)
-  {
-    if (buttonOf(label))
-      next_.volume.opacity = std::move(wanted);
-    ImGui::SameLine();
-  };
-  preset("Usual", {});
-  preset("Rising", {{0.0, true, 0.0}, {100.0, true, 0.8}});
-  preset("Falling", {{0.0, true, 0.8}, {100.0, true, 0.0}});
-  preset("Even", {{0.0, true, 0.2}, {100.0, true, 0.2}});
-  ImGui::NewLine();
-  this->drawIsosurfaces(histogram);
-}
-
-/// Values of isosurfaces as lines over the histogram.
-void Panel::drawIsosurfaces(const Histogram& histogram)
-{
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("isosurfaces");
-  ImGui::SameLine(0.42f * ImGui::GetWindowContentRegionMax().x);
-  if (buttonOf("Add isosurface") && !histogram.isEmpty())
-    next_.volume.isoValues.push_back(newIsoValue(histogram, next_.volume.isoValues));
-  explainKey("One more, between the others; then drag its line\n--iso");
-  if (!next_.volume.isoValues.empty())
-    isoControl("iso lines", histogram, stage_.coloring().table(), next_.volume.isoValues);
-  this->drawRow("iso", "values");
 }
 
 void Panel::drawCamera()
@@ -411,13 +358,16 @@ void Panel::drawCamera()
 
 void Panel::drawCosts(const PanelFacts& facts)
 {
-  if (!ImGui::CollapsingHeader("Costs"))
+  const bool isOpen = ImGui::CollapsingHeader("Costs");
+  noteControl("group Costs");
+  if (!isOpen)
     return;
   const auto line = [](const char* what, const std::string& value)
   {
     ImGui::TextUnformatted(what);
     ImGui::SameLine(0.42f * ImGui::GetWindowContentRegionMax().x);
     ImGui::TextUnformatted(value.c_str());
+    noteControl(std::string(what) + ' ' + value);
   };
   if (facts.frameTime > 0.0)
     line("frame", asDuration(facts.frameTime));

@@ -57,6 +57,13 @@ public:
   /// earlier frames. `width` and `height` in pixels.
   PanelWish draw(const PanelFacts& facts, const PanelWish& earlier, float width, float height);
 
+  /// Settings that were asked for could not be shown: `sentence` says why, below the control of
+  /// what differs from those before.
+  void refuse(const Settings& before, const Settings& refused, std::string sentence);
+
+  /// What was refused is not to be mended any more.
+  void forgetRefused() { rows_.forgetRefused(); }
+
   /// The next draw() puts the keys to the panel, or leaves them to the view.
   void setFocus(bool on);
   /// Whether keys are the panel's, as of the last draw().
@@ -64,12 +71,15 @@ public:
 
   /// The views that a film goes through.
   const std::vector<Settings>& keyFrames() const { return keyFrames_; }
+  const PlotPanel& plot() const { return plot_; }
   /// Adds the view that is shown, or forgets some; false for what other actions do.
   bool changeKeyFrames(Action action);
 
   /// The next draw() opens the list of folders and files.
   void showOpenDialog();
-  bool hasOpenDialog() const { return dialog_.isOpen(); }
+  /// Whether keys are for a field: one of a list of files that comes, or one whose text was entered
+  /// and may be refused.
+  bool awaitsKeys() const { return dialog_.isOpen() || awaitsAnswer_; }
 
 private:
   struct NamedArray
@@ -81,15 +91,18 @@ private:
   struct Found
   {
     std::vector<std::pair<vtkDataSet*, unsigned long>> key; ///< with their times of change
-    std::vector<NamedArray> arrays;
-    std::map<std::string, Kinds> kinds;         ///< by the array's text; none where it has no types
-    std::map<std::string, TypeNames> typeNames; ///< by the array's text
+    std::vector<NamedArray> arrays;     ///< that tell of what happens, the most telling first
+    std::vector<NamedArray> others;     ///< ids, radii, places
+    std::map<std::string, Kinds> kinds; ///< by the array's text; none where it has no types
+    std::map<std::string, TypeNames> typeNames;  ///< by the array's text
     std::map<std::string, Histogram> histograms; ///< by the array's text, or a place
     std::map<std::pair<vtkDataSet*, std::string>, std::string> ranges; ///< of arrays, in words
-    bool hasParticles = false, hasVolumes = false;
+    bool hasParticles = false, hasVolumes = false, hasSurfaces = false;
+    bool hasCells = false; ///< that may be shown as a volume, too
   };
 
   void find();
+  void addOther(const NamedArray& other);
   const Histogram& histogramOf(const std::string& name);
   /// The array that colours, as the settings would name it.
   std::string coloredBy() const;
@@ -105,6 +118,7 @@ private:
   void drawArrays(const Part& part, const std::string& name);
   void drawColour();
   void drawColourRange();
+  void drawRangeOfShown();
   void drawSelection();
   bool drawShown(ShowRange& range);
   const Kinds& kindsOf(const NamedArray& array);
@@ -116,10 +130,12 @@ private:
   void drawPicked(const PickedFacts& facts);
   void drawPlot(const PickedFacts& facts);
   void drawVolume();
+  void drawCells();
   void drawIsosurfaces(const Histogram& histogram);
   void drawLight();
   void drawCamera();
   void drawViews();
+  void drawPictureSize();
   void drawFilm();
   void drawKeyFrames();
   void drawRecording(const PanelFacts& facts);
@@ -142,7 +158,8 @@ private:
   Settings next_;        ///< while drawing
   PanelWish wish_;
   std::set<std::string> drawn_; ///< rows that have a control of their own
-  bool takesKeys_ = false;
+  int steps_ = 1;               ///< of the data, while drawing
+  bool takesKeys_ = false, awaitsAnswer_ = false;
   std::optional<bool> focus_; ///< to be set
 };
 

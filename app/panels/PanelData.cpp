@@ -22,8 +22,9 @@ std::string countOf(const Part& part)
   if (part.kind() != Part::Kind::Particles)
     return counted(part.data()->GetNumberOfCells(), "cell");
   const vtkIdType all = part.data()->GetNumberOfPoints(), shown = part.numberShown();
-  return part.isHidden() || shown == all ? counted(all, "particle")
-                                         : withThousands(shown) + " of " + withThousands(all);
+  return part.isHidden() || part.isPreview() || shown == all
+           ? counted(all, "particle")
+           : withThousands(shown) + " of " + withThousands(all);
 }
 
 } // namespace
@@ -80,7 +81,9 @@ void Panel::drawData()
 /// The arrays of a data set with their ranges.
 void Panel::drawArrays(const Part& part, const std::string& name)
 {
-  for (const NamedArray& array : found_.arrays)
+  std::vector<NamedArray> arrays = found_.arrays;
+  arrays.insert(arrays.end(), found_.others.begin(), found_.others.end());
+  for (const NamedArray& array : arrays)
   {
     vtkDataArray* values = arrayOf(part.data(), array.choice);
     if (!values)

@@ -3,11 +3,21 @@
 #include "Panel.h"
 
 #include "PanelWidgets.h"
+#include "base/Text.h"
+#include "commands/FilmPlan.h"
 
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace mote::app
 {
+
+/// Of pictures, and of films, which have it, too.
+void Panel::drawPictureSize()
+{
+  rows_.draw(*commandRow("mote", "picture-size"), next_, "size");
+}
 
 void Panel::drawFilm()
 {
@@ -24,9 +34,18 @@ void Panel::drawFilm()
   draw("animate", "frames-per-step", "frames a step");
   draw("animate", "frames", "frames");
   draw("animate", "rate", "frames a second");
-  draw("mote", "picture-size", "size");
+  this->drawPictureSize();
   draw("animate", "quality", "quality");
   draw("animate", "output", "file");
+  const FilmForecast film = forecast(keyFrames_, steps_, next_.film);
+  for (const std::string& line : {film.length, film.steps})
+    if (!line.empty())
+    {
+      ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+      ImGui::TextWrapped("%s", line.c_str());
+      ImGui::PopStyleColor();
+      noteControl(line);
+    }
   if (buttonOf("Save film"))
     this->wish(Action::SaveFilm);
   explainKey(

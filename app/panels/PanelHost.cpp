@@ -1,5 +1,7 @@
 #include "PanelHost.h"
 
+#include "TypedLetter.h"
+
 #include <vtk_glew.h> // before what includes OpenGL
 
 #include <vtkCommand.h>
@@ -11,6 +13,7 @@
 
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cfloat>
@@ -223,10 +226,10 @@ void PanelHost::lay(const std::function<void()>& controls)
 }
 
 /// Whether a field takes texts. ImGui's own word, WantTextInput, is a frame old, and the field may
-/// have been left since.
+/// have been left, or got the keys back, since.
 bool PanelHost::isWritten()
 {
-  return ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
+  return ImGui::IsAnyItemActive() && ImGui::GetInputTextState(ImGui::GetActiveID());
 }
 
 bool PanelHost::isForField(const Input& input)
@@ -478,13 +481,16 @@ bool PanelHost::type(bool isDown)
     return place >= 0 && this->add({Input::Key, place, false}) && isText;
   const bool isPopup =
     ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  if (!isText && !((isFocused_ || isPopup) && isForMoving(symbol)))
+  // Letters beside an open list are not the view's.
+  if (!isText && !isPopup && !(isFocused_ && isForMoving(symbol)))
     return false;
   if (place >= 0)
     this->add({Input::Key, place, true});
   const char character = interactor_->GetKeyCode();
-  if (isText && character >= 32 && character != 127 && !interactor_->GetControlKey())
-    this->add({Input::Character, static_cast<unsigned char>(character)});
+  const unsigned letter =
+    character >= 32 && character < 127 ? static_cast<unsigned>(character) : letterOf(symbol);
+  if (isText && letter != 0 && !interactor_->GetControlKey())
+    this->add({Input::Character, static_cast<int>(letter)});
   return true;
 }
 

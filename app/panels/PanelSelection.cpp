@@ -25,6 +25,11 @@ bool isShown(const ShowRange* range, int value)
                      [&](const Interval& one) { return one.low <= value && value <= one.high; });
 }
 
+bool drawsRadiiAsTheyAre(const ParticleSettings& particles)
+{
+  return particles.radius == "auto" && particles.typeRadius.empty() && particles.radiusScale == 1.0;
+}
+
 } // namespace
 
 void Panel::drawSelection()
@@ -34,8 +39,10 @@ void Panel::drawSelection()
     drawn_.insert("where"); // is of particles alone
   else
   {
-    const std::string text = withThousands(stage_.numberShown()) + " of " +
-                             counted(stage_.numberOfParticles(), "particle") + " shown";
+    // How many of all are shown a preview does not know.
+    std::string text = counted(stage_.numberOfParticles(), "particle");
+    if (stage_.preview().empty())
+      text = withThousands(stage_.numberShown()) + " of " + text + " shown";
     ImGui::TextUnformatted(text.c_str());
     noteControl(text);
   }
@@ -113,8 +120,10 @@ void Panel::drawNewRange()
       if (this->kindsOf(array).empty())
         offer(array.text, array.title);
   if (found_.hasParticles)
-    for (const char* place : {"x", "y", "z"})
-      offer(place, place);
+    for (const NamedArray& array : found_.others)
+      // By the radius what is drawn is chosen, which need not be the array's.
+      if (array.text != "radius" || drawsRadiiAsTheyAre(next_.particles))
+        offer(array.text, array.title);
   ImGui::EndCombo();
 }
 
@@ -130,7 +139,8 @@ void Panel::drawPicked(const PickedFacts& facts)
   if (!isOpen)
     return;
   ImGui::PushID("Picked");
-  if (const Action action = picked_.draw(stage_, facts, next_); action != Action::None)
+  if (const Action action = picked_.draw(stage_, facts, this->coloredBy(), next_);
+      action != Action::None)
     this->wish(action);
   ImGui::PopID();
 }
@@ -145,7 +155,8 @@ void Panel::drawPlot(const PickedFacts& facts)
   if (!isOpen)
     return;
   ImGui::PushID("Plot");
-  plot_.draw(stage_, *facts.set, next_);
+  if (const Action wanted = plot_.draw(stage_, *facts.set, next_); wanted != Action::None)
+    this->wish(wanted);
   ImGui::PopID();
 }
 

@@ -41,12 +41,16 @@ void Panel::drawTime(const PanelFacts& facts)
     return;
   this->drawCache(facts);
   this->drawStep(facts);
-  const bool anyPicked = facts.picked.set && !facts.picked.set->empty();
-  if (!anyPicked && next_.marks.trajectories.empty())
-    return;
-  if (buttonOf(anyPicked ? "Paths of the picked" : "No paths"))
+  const bool anyPicked = facts.picked.set && facts.picked.set->hasParticles();
+  const bool areShown = !next_.marks.trajectories.empty();
+  if (anyPicked && buttonOf("Paths of the picked"))
     this->wish(Action::PathsOfPicked);
-  RowControls::explain(*rowNamed("trajectories"));
+  if (anyPicked)
+    RowControls::explain(*rowNamed("trajectories"));
+  if (anyPicked && areShown)
+    ImGui::SameLine();
+  if (areShown && buttonOf("No paths"))
+    next_.marks.trajectories = {};
 }
 
 void Panel::drawStep(const PanelFacts& facts)

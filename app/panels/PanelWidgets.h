@@ -4,6 +4,9 @@
 
 #include <imgui.h>
 
+#include <string>
+#include <vector>
+
 namespace mote::app
 {
 
@@ -26,6 +29,30 @@ inline bool lineOf(const char* label, bool isChosen = false)
   const bool isPressed = ImGui::Selectable(label, isChosen);
   noteControl(label);
   return isPressed;
+}
+
+/// A list of names, with `none`, where there may be none, for the empty one; whether another one
+/// was chosen. Tests find it as `of` and `label`.
+inline bool chooseName(const std::string& of, const std::string& label,
+  const std::vector<std::string>& names, const char* none, std::string& chosen)
+{
+  const std::string before = chosen;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(label.c_str());
+  ImGui::SameLine(2.2f * ImGui::GetFontSize());
+  ImGui::SetNextItemWidth(-1.0f);
+  const bool isOpen = ImGui::BeginCombo(("##" + of + label).c_str(),
+    chosen.empty() && none ? none : chosen.c_str(), ImGuiComboFlags_HeightLarge);
+  noteControl(of + " " + label);
+  if (!isOpen)
+    return false;
+  if (none && lineOf(none, chosen.empty()))
+    chosen.clear();
+  for (const std::string& name : names)
+    if (lineOf(name.c_str(), name == chosen))
+      chosen = name;
+  ImGui::EndCombo();
+  return chosen != before;
 }
 
 /// The key that does the same, or a word of help.

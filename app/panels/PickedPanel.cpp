@@ -13,11 +13,12 @@ namespace mote::app
 bool PickedPanel::isNew(const PickedFacts& facts)
 {
   const bool wasEmpty = wasEmpty_;
-  wasEmpty_ = !facts.set || facts.set->empty();
+  wasEmpty_ = !facts.set || (facts.set->empty() && facts.set->numberAway() == 0);
   return wasEmpty && !wasEmpty_;
 }
 
-Action PickedPanel::draw(const Stage& stage, const PickedFacts& facts, Settings& next)
+Action PickedPanel::draw(
+  const Stage& stage, const PickedFacts& facts, const std::string& coloredBy, Settings& next)
 {
   Action action = Action::None;
   const auto button = [&](const char* label, Action meant, const char* help)
@@ -27,20 +28,30 @@ Action PickedPanel::draw(const Stage& stage, const PickedFacts& facts, Settings&
     explainKey(help);
   };
   const PickedSet& set = *facts.set;
-  if (set.empty())
+  const auto away = static_cast<std::int64_t>(set.numberAway());
+  if (set.empty() && away == 0)
     ImGui::TextWrapped("Click on a particle or a cell to pick it; Shift and a click adds. "
                        "Ctrl and drag picks what is in a rectangle.");
-  else
+  else if (!set.empty())
   {
     ImGui::Text("%s picked", withThousands(static_cast<std::int64_t>(set.items().size())).c_str());
     button("Copy", Action::CopyPicked, "Copy the list, to be pasted into a spreadsheet\nCtrl+C");
     ImGui::SameLine();
     button("Save CSV", Action::SavePicked,
       "Save the list as comma-separated values beside where mote runs\nCtrl+E");
-    ImGui::SameLine();
-    button("Hide picked", Action::HidePicked, "Delete\n--hide-ids");
-    ImGui::SameLine();
-    button("Only picked", Action::OnlyPicked, "Show only these particles\ni\n--only-ids");
+    if (set.hasParticles())
+    {
+      ImGui::SameLine();
+      button("Hide picked", Action::HidePicked, "Delete\n--hide-ids");
+      ImGui::SameLine();
+      button("Only picked", Action::OnlyPicked, "Show only these particles\ni\n--only-ids");
+    }
+  }
+  if (away > 0)
+  {
+    const std::string told = withThousands(away) + " picked, not in this time step";
+    ImGui::TextWrapped("%s", told.c_str());
+    noteControl(told);
   }
   ImGui::Checkbox("rectangles take what is behind, too", facts.picksThrough);
   noteControl("picks through");
@@ -50,6 +61,14 @@ Action PickedPanel::draw(const Stage& stage, const PickedFacts& facts, Settings&
     drawMeasured(*measured);
   if (!set.empty())
     this->drawTable(stage, set);
+  if (facts.steps > 1 && set.hasParticles())
+    button("Plot over time", Action::PlotOverTime,
+      "Reads all time steps for the values of the picked particles, and plots them");
+  if (facts.overTime)
+    if (const Action wanted =
+          overTime_.draw(*facts.overTime, facts.times, facts.step, coloredBy, next);
+        wanted != Action::None)
+      action = wanted;
   return action;
 }
 
@@ -63,8 +82,8 @@ void PickedPanel::drawHidden(Settings& next)
     if (!ids.empty())
       ImGui::TextWrapped("%s %s", withThousands(ids.count()).c_str(), what);
   };
-  tell(selection.hidden, "ids are hidden");
-  tell(selection.only, "ids alone are shown");
+  tell(selection.hidden, selection.hidden.count() == 1 ? "id is hidden" : "ids are hidden");
+  tell(selection.only, selection.only.count() == 1 ? "id alone is shown" : "ids alone are shown");
   if (buttonOf("Show hidden"))
     selection.hidden = selection.only = {};
   explainKey("Show what is hidden by its id\nu");
@@ -81,7 +100,7 @@ void PickedPanel::drawMeasured(const Measured& measured)
   for (const Distance& distance : measured.distances)
   {
     line("distance " + asText(distance));
-    ImGui::TextDisabled("  %s, %s, %s", asNumber(distance.step[0]).c_str(),
+    ImGui::TextDisabled("  x %s, y %s, z %s", asNumber(distance.step[0]).c_str(),
       asNumber(distance.step[1]).c_str(), asNumber(distance.step[2]).c_str());
     explainKey("Along x, y and z");
     if (distance.isAcross)
@@ -90,6 +109,23 @@ void PickedPanel::drawMeasured(const Measured& measured)
   if (measured.angle)
     line("angle " + asNumber(*measured.angle, 5) + "\u00b0");
 }
+
+namespace
+{
+
+/// The longest text of each column, its name included, among the first rows.
+std::vector<std::string> longestOf(const PickedTable& table)
+{
+  constexpr std::size_t enough = 200;
+  std::vector<std::string> longest = table.columns();
+  for (std::size_t row = 0; row < std::min(enough, table.rows()); ++row)
+    for (std::size_t column = 0; column < longest.size(); ++column)
+      if (std::string text = table.cell(row, column, 6); text.size() > longest[column].size())
+        longest[column] = std::move(text);
+  return longest;
+}
+
+} // namespace
 
 void PickedPanel::drawTable(const Stage& stage, const PickedSet& set)
 {
@@ -101,6 +137,7 @@ void PickedPanel::drawTable(const Stage& stage, const PickedSet& set)
     table_ = PickedTable(stage.parts(), set);
     key_ = key;
     version_ = set.version();
+    longest_ = longestOf(table_);
   }
   constexpr std::size_t most = 60; // ImGui draws up to 64
   const std::size_t columns = std::min(most, table_.columns().size());
@@ -110,11 +147,16 @@ void PickedPanel::drawTable(const Stage& stage, const PickedSet& set)
   const ImGuiTableFlags flags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY |
                                 ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
                                 ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_Resizable;
-  if (!ImGui::BeginTable("picked", static_cast<int>(columns), flags, ImVec2(0.0f, height)))
+  // A table keeps the widths of its columns: where others are needed it is another table.
+  std::string id = "picked";
+  for (const std::string& text : longest_)
+    id += "," + std::to_string(text.size());
+  if (!ImGui::BeginTable(id.c_str(), static_cast<int>(columns), flags, ImVec2(0.0f, height)))
     return;
   ImGui::TableSetupScrollFreeze(1, 1);
   for (std::size_t column = 0; column < columns; ++column)
-    ImGui::TableSetupColumn(table_.columns()[column].c_str());
+    ImGui::TableSetupColumn(table_.columns()[column].c_str(), ImGuiTableColumnFlags_WidthFixed,
+      ImGui::CalcTextSize(longest_[column].c_str()).x);
   ImGui::TableHeadersRow();
   ImGuiListClipper clipper;
   clipper.Begin(rows);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "OverTimePanel.h"
 #include "stage/Measure.h"
 #include "stage/PickedTable.h"
 #include "stage/Stage.h"
@@ -15,15 +16,20 @@ namespace mote::app
 struct PickedFacts
 {
   const PickedSet* set = nullptr;
-  bool* picksThrough = nullptr; ///< rectangles take what others hide, too
+  bool* picksThrough = nullptr;             ///< rectangles take what others hide, too
+  const ValuesOverTime* overTime = nullptr; ///< that are read, or were; null: none
+  std::vector<double> times;                ///< of the steps
+  int step = 0, steps = 1;                  ///< the one that is shown, from 0, of so many
 };
 
 /// The part of the panel that lists what is picked.
 class PickedPanel
 {
 public:
-  /// Returns what the user asked for; changes `next`, the settings to be.
-  Action draw(const Stage& stage, const PickedFacts& facts, Settings& next);
+  /// Returns what the user asked for; changes `next`, the settings to be. Values over time are
+  /// first those of the array that colours.
+  Action draw(
+    const Stage& stage, const PickedFacts& facts, const std::string& coloredBy, Settings& next);
 
   /// Whether there is more picked than in the last frame.
   bool isNew(const PickedFacts& facts);
@@ -36,7 +42,9 @@ private:
   std::vector<std::pair<vtkDataSet*, unsigned long>> key_; ///< of the table's data
   unsigned long version_ = 0;                              ///< of its set
   PickedTable table_;
+  std::vector<std::string> longest_; ///< texts of its columns
   bool wasEmpty_ = true;
+  OverTimePanel overTime_;
 };
 
 } // namespace mote::app

@@ -58,34 +58,12 @@ double shareOf(const Plot& plot, std::size_t axis, double value)
   return width > 0.0 ? std::clamp((value - plot.least[axis]) / width, 0.0, 1.0) : 0.5;
 }
 
-bool chooseName(
-  const char* label, const std::vector<std::string>& names, const char* none, std::string& chosen)
-{
-  const std::string before = chosen;
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(label);
-  ImGui::SameLine(2.2f * ImGui::GetFontSize());
-  ImGui::SetNextItemWidth(-1.0f);
-  const bool isOpen = ImGui::BeginCombo((std::string("##") + label).c_str(),
-    chosen.empty() ? none : chosen.c_str(), ImGuiComboFlags_HeightLarge);
-  noteControl(std::string("plot ") + label);
-  if (!isOpen)
-    return false;
-  if (none && lineOf(none, chosen.empty()))
-    chosen.clear();
-  for (const std::string& name : names)
-    if (lineOf(name.c_str(), name == chosen))
-      chosen = name;
-  ImGui::EndCombo();
-  return chosen != before;
-}
-
 } // namespace
 
 PlotPanel::PlotPanel() = default;
 PlotPanel::~PlotPanel() = default;
 
-void PlotPanel::draw(const Stage& stage, const PickedSet& picked, Settings& next)
+Action PlotPanel::draw(const Stage& stage, const PickedSet& picked, Settings& next)
 {
   std::vector<std::pair<vtkDataSet*, unsigned long>> data;
   for (const auto& part : stage.parts())
@@ -108,9 +86,21 @@ void PlotPanel::draw(const Stage& stage, const PickedSet& picked, Settings& next
   this->drawChoices();
   this->follow(stage, picked);
   if (plot_.isEmpty())
-    return ImGui::TextWrapped("There are no values that both are of points or of cells.");
+  {
+    ImGui::TextWrapped("There are no values that both are of points or of cells.");
+    return Action::None;
+  }
   this->drawPlot(next);
   this->drawFields(next);
+  Action action = Action::None;
+  if (buttonOf("Save plot"))
+    action = Action::SavePlot;
+  explainKey("Save the plot as a picture with axes, .png, beside where mote runs");
+  ImGui::SameLine();
+  if (buttonOf("Save counts"))
+    action = Action::SaveCounts;
+  explainKey("Save what is plotted as comma-separated values: ranges, and how many lie in them");
+  return action;
 }
 
 void PlotPanel::drawChoices()
@@ -129,8 +119,8 @@ void PlotPanel::drawChoices()
   ImGui::Checkbox("log", &isLogarithmic_);
   noteControl("plot log");
   explainKey("Logarithm of the counts");
-  chooseName("x", names_, nullptr, choice_.names[0]);
-  chooseName("y", names_, "how many there are", choice_.names[1]);
+  chooseName("plot", "x", names_, nullptr, choice_.names[0]);
+  chooseName("plot", "y", names_, "how many there are", choice_.names[1]);
 }
 
 /// Counts anew where something is another; while a control is held only where that is fast.
@@ -196,6 +186,27 @@ void PlotPanel::drawCounts(const float* from, const float* size) const
     }
 }
 
+/// A frame around what is shown.
+void PlotPanel::drawLimits(Settings& settings, const float* from, const float* size) const
+{
+  ImVec2 low(from[0], from[1]), high(from[0] + size[0], from[1] + size[1]);
+  bool isLimited = false;
+  for (std::size_t axis = 0; axis < (plot_.height > 1 ? 2u : 1u); ++axis)
+    if (const ShowRange* range = rangeOf(settings, choice_.names[axis]);
+        range && !range->intervals.empty())
+    {
+      isLimited = true;
+      const auto begin = static_cast<float>(shareOf(plot_, axis, range->intervals.front().low));
+      const auto end = static_cast<float>(shareOf(plot_, axis, range->intervals.back().high));
+      if (axis == 0)
+        low.x = from[0] + begin * size[0], high.x = from[0] + end * size[0];
+      else
+        low.y = from[1] + (1.0f - end) * size[1], high.y = from[1] + (1.0f - begin) * size[1];
+    }
+  if (isLimited)
+    ImGui::GetWindowDrawList()->AddRect(low, high, heldInk);
+}
+
 void PlotPanel::drawPlot(Settings& next)
 {
   if (!colors_)
@@ -210,9 +221,14 @@ void PlotPanel::drawPlot(Settings& next)
   ImGui::InvisibleButton("plot", size);
   noteControl("plot");
   this->drawCounts(&from.x, &size.x);
+  if (ImGui::IsItemActivated() || !ImGui::IsItemActive())
+    heldTop_ = from.y;
+  // The ranges that a drag makes come up above the plot, and would push it away under the mouse.
+  if (heldTop_ != from.y)
+    ImGui::SetScrollY(ImGui::GetScrollY() + from.y - heldTop_);
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const std::array<double, 2> at = {std::clamp((mouse.x - from.x) / size.x, 0.0f, 1.0f),
-    std::clamp(1.0f - (mouse.y - from.y) / size.y, 0.0f, 1.0f)};
+    std::clamp(1.0f - (mouse.y - heldTop_) / size.y, 0.0f, 1.0f)};
   if (ImGui::IsItemActivated())
     pressed_ = at;
   const std::size_t axes = isPair ? 2 : 1;
@@ -225,23 +241,7 @@ void PlotPanel::drawPlot(Settings& next)
           valueAt(plot_, axis, std::max((*pressed_)[axis], at[axis]))});
   if (!ImGui::IsItemActive())
     pressed_.reset();
-  // What is shown.
-  ImVec2 low = from, high(from.x + size.x, from.y + size.y);
-  bool isLimited = false;
-  for (std::size_t axis = 0; axis < axes; ++axis)
-    if (const ShowRange* range = rangeOf(next, choice_.names[axis]);
-        range && !range->intervals.empty())
-    {
-      isLimited = true;
-      const auto begin = static_cast<float>(shareOf(plot_, axis, range->intervals.front().low));
-      const auto end = static_cast<float>(shareOf(plot_, axis, range->intervals.back().high));
-      if (axis == 0)
-        low.x = from.x + begin * size.x, high.x = from.x + end * size.x;
-      else
-        low.y = from.y + (1.0f - end) * size.y, high.y = from.y + (1.0f - begin) * size.y;
-    }
-  if (isLimited)
-    ImGui::GetWindowDrawList()->AddRect(low, high, heldInk);
+  this->drawLimits(next, &from.x, &size.x);
   if (!ImGui::IsItemHovered() || ImGui::IsItemActive())
     return;
   const auto bin = [&](std::size_t axis, int count)

@@ -24,13 +24,20 @@ public:
   ~PlotPanel();
 
   /// Changes `next`, the settings to be, where the user chose ranges.
-  void draw(const Stage& stage, const PickedSet& picked, Settings& next);
+  /// What the user asked for, or None.
+  Action draw(const Stage& stage, const PickedSet& picked, Settings& next);
+
+  /// What is plotted; empty before it was drawn.
+  const Plot& plot() const { return plot_; }
+  const PlotChoice& plotted() const { return plotted_; }
+  bool isLogarithmic() const { return isLogarithmic_; }
 
 private:
   void drawChoices();
   void follow(const Stage& stage, const PickedSet& picked);
   void drawPlot(Settings& next);
   void drawCounts(const float* from, const float* size) const;
+  void drawLimits(Settings& settings, const float* from, const float* size) const;
   void drawFields(Settings& next) const;
 
   PlotChoice choice_;
@@ -42,6 +49,7 @@ private:
   unsigned long chosenTime_ = 0;                 ///< of what is visible, or picked, in plot_
   double seconds_ = 0.0;                         ///< that plot_ took
   std::optional<std::array<double, 2>> pressed_; ///< shares of the plot where a range begins
+  float heldTop_ = 0.0f;                         ///< of the plot on the screen, when it was pressed
   vtkSmartPointer<vtkLookupTable> colors_;
 };
 

@@ -5,11 +5,13 @@
 #include "base/Text.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace mote::app
 {
@@ -77,6 +79,18 @@ bool hasSlider(const Row& row)
          std::isfinite(row.limits.most) && row.limits.most - row.limits.least <= 1000.0;
 }
 
+/// Gives the keys to a field, back to which they should go: its cursor stays where it was.
+void giveKeysBack(ImGuiID field)
+{
+  if (!ImGui::GetInputTextState(field))
+    return; // others were written in since
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  ImGui::SetActiveID(field, context.CurrentWindow);
+  context.ActiveIdIsJustActivated = false; // no key is lost
+  ImGui::SetActiveIdUsingNavAndKeys();
+  context.ActiveIdUsingKeyInputMask &= ~(ImU64(1) << ImGuiKey_Tab);
+}
+
 } // namespace
 
 std::string labelOf(const Row& row)
@@ -90,6 +104,41 @@ std::string labelOf(const Row& row)
     label = label.substr(group.size() + 1);
   std::replace(label.begin(), label.end(), '-', ' ');
   return label;
+}
+
+std::string RowControls::keyOf(const Row& row)
+{
+  return row.name + "@" + std::to_string(ImGui::GetID("text"));
+}
+
+void RowControls::refuse(
+  const Row& row, const Settings& before, const Settings& refused, const std::string& sentence)
+{
+  const std::vector<std::string> words = row.get(refused);
+  const bool isAdded = isList(row) && words.size() > row.get(before).size();
+  for (auto& [key, text] : texts_)
+    if (!key.starts_with(row.name + "@"))
+      continue;
+    else
+    {
+      text.takesKeysBack = std::exchange(text.isEntered, false);
+      if (key.ends_with("-new"))
+        text.text = text.refused = isAdded ? words.back() : text.text;
+      else if (key.find('-', row.name.size()) == std::string::npos)
+      {
+        text.text = text.refused = joined(row, words);
+        text.wrong = sentence;
+      }
+    }
+}
+
+void RowControls::forgetRefused()
+{
+  for (auto& [key, text] : texts_)
+  {
+    text.wrong.clear();
+    text.refused.clear();
+  }
 }
 
 void RowControls::explain(const Row& row)
@@ -124,7 +173,7 @@ bool RowControls::draw(const Row& row, Settings& settings, const std::string& la
                 : hasSlider(row) && !row.get(settings).empty()     ? this->drawSlider(row, settings)
                                                                    : this->drawText(row, settings);
   }
-  if (const std::string& wrong = texts_[row.name].wrong; !wrong.empty())
+  if (const std::string& wrong = texts_[keyOf(row)].wrong; !wrong.empty())
   {
     ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1.0f, 0.5f, 0.4f, 1.0f));
     ImGui::TextWrapped("%s", wrong.c_str());
@@ -136,7 +185,7 @@ bool RowControls::draw(const Row& row, Settings& settings, const std::string& la
 
 bool RowControls::set(const Row& row, Settings& settings, const std::vector<std::string>& words)
 {
-  std::string& wrong = texts_[row.name].wrong;
+  std::string& wrong = texts_[keyOf(row)].wrong;
   wrong.clear();
   const Settings before = settings;
   try
@@ -201,11 +250,13 @@ bool RowControls::drawColor(const Row& row, Settings& settings)
   }
   float rgb[3];
   std::copy(color.begin(), color.end(), rgb);
-  const bool isChanged =
-    ImGui::ColorEdit3("##", rgb, ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_InputRGB);
-  explain(row);
+  const bool isChanged = ImGui::ColorEdit3("##swatch", rgb, ImGuiColorEditFlags_NoInputs);
+  noteControl(row.name + " swatch");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(-1.0f);
+  const bool isWritten = this->drawText(row, settings); // a name, or #rrggbb
   if (!isChanged)
-    return false;
+    return isWritten;
   for (std::size_t k = 0; k < 3; ++k)
     color[k] = std::round(255.0 * rgb[k]) / 255.0;
   return this->set(row, settings, {colorText(color)});
@@ -231,15 +282,33 @@ bool RowControls::drawOptionalColor(const Row& row, Settings& settings)
   return false;
 }
 
+/// The way back to the default, beside a slider.
+bool RowControls::drawForget(const Row& row)
+{
+  ImGui::SameLine(0.0f, 0.0f);
+  const bool isPressed = ImGui::Button("x", ImVec2(ImGui::GetFrameHeight(), 0.0f));
+  noteControl("forget " + row.name);
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("Default: %s", row.usualText().c_str());
+  return isPressed;
+}
+
 bool RowControls::drawSlider(const Row& row, Settings& settings)
 {
   const std::string text = row.get(settings).front();
   auto value = static_cast<float>(std::strtod(text.c_str(), nullptr));
   const auto least = static_cast<float>(row.limits.least),
              most = static_cast<float>(row.limits.most);
-  const bool isChanged =
-    ImGui::SliderFloat("##", &value, least, most, text.c_str(), ImGuiSliderFlags_AlwaysClamp);
+  const bool isOptional = row.get(Settings()).empty();
+  if (isOptional)
+    ImGui::SetNextItemWidth(-ImGui::GetFrameHeight());
+  // Digits behind the point are those that a logarithmic slider begins with.
+  const std::string shown = row.inDecades ? "%.2f" : text;
+  const bool isChanged = ImGui::SliderFloat("##", &value, least, most, shown.c_str(),
+    ImGuiSliderFlags_AlwaysClamp | (row.inDecades ? ImGuiSliderFlags_Logarithmic : 0));
   explain(row);
+  if (isOptional && this->drawForget(row))
+    return this->set(row, settings, {});
   if (!isChanged)
     return false;
   // As many digits as the slider has steps to tell apart; whole numbers where others are wrong.
@@ -285,16 +354,13 @@ bool RowControls::drawList(const Row& row, Settings& settings)
   for (std::size_t i = 0; i <= words.size() && !isChanged; ++i)
   {
     const bool isNew = i == words.size();
-    Text& text = texts_[row.name + "-" + (isNew ? "new" : std::to_string(i))];
-    if (!text.isOpen && (!isNew || texts_[row.name].wrong.empty()))
+    Text& text = texts_[keyOf(row) + "-" + (isNew ? "new" : std::to_string(i))];
+    if (!text.isOpen && (!isNew || texts_[keyOf(row)].wrong.empty()))
       text.text = isNew ? "" : words[i];
     ImGui::PushID(static_cast<int>(i));
     if (i > 0)
       putLabel("");
-    const bool isEntered = ImGui::InputTextWithHint(
-      "##", row.value.c_str(), &text.text, textFlags | ImGuiInputTextFlags_EnterReturnsTrue);
-    text.isOpen = ImGui::IsItemActive();
-    const bool isDone = isEntered || ImGui::IsItemDeactivatedAfterEdit();
+    const bool isDone = drawField(row.value, text);
     if (isNew)
       explain(row);
     ImGui::PopID();
@@ -306,25 +372,52 @@ bool RowControls::drawList(const Row& row, Settings& settings)
       words.erase(words.begin() + static_cast<long>(i));
     else
       words[i] = text.text;
-    isChanged = this->set(row, settings, words);
+    isChanged = this->take(row, settings, words, text);
     break;
   }
   return isChanged;
 }
 
+/// A field for a text, which is as wide as there is room; whether the user is done with it.
+bool RowControls::drawField(const std::string& hint, Text& text)
+{
+  text.field = ImGui::GetID("##");
+  if (std::exchange(text.takesKeysBack, false))
+    giveKeysBack(text.field);
+  const bool isEntered = ImGui::InputTextWithHint(
+    "##", hint.c_str(), &text.text, textFlags | ImGuiInputTextFlags_EnterReturnsTrue);
+  text.isOpen = ImGui::IsItemActive();
+  const bool isLeft = ImGui::IsItemDeactivatedAfterEdit() && text.text != text.refused;
+  if (!isEntered && !isLeft)
+    return false;
+  text.isEntered = isEntered;
+  return true;
+}
+
+/// Sets what was written. Where it cannot be and Return was pressed, the field keeps the keys:
+/// those that come next would be the view's.
+bool RowControls::take(
+  const Row& row, Settings& settings, const std::vector<std::string>& words, Text& text)
+{
+  const bool isChanged = this->set(row, settings, words);
+  const bool isRefused = !texts_[keyOf(row)].wrong.empty();
+  text.refused = isRefused ? text.text : "";
+  if (isRefused && text.isEntered)
+    giveKeysBack(text.field);
+  isEntered_ = isEntered_ || (isChanged && text.isEntered);
+  return isChanged;
+}
+
 bool RowControls::drawText(const Row& row, Settings& settings)
 {
-  Text& text = texts_[row.name];
+  Text& text = texts_[keyOf(row)];
   const std::vector<std::string> words = row.get(settings);
   if (!text.isOpen && text.wrong.empty())
     text.text = joined(row, words);
   const std::string hint = row.usual.empty() ? row.usualText() : row.usual;
   if (!row.offers.empty())
     ImGui::SetNextItemWidth(-ImGui::GetFrameHeight());
-  const bool isEntered = ImGui::InputTextWithHint(
-    "##", hint.c_str(), &text.text, textFlags | ImGuiInputTextFlags_EnterReturnsTrue);
-  text.isOpen = ImGui::IsItemActive();
-  const bool isDone = isEntered || ImGui::IsItemDeactivatedAfterEdit();
+  const bool isDone = drawField(hint, text);
   explain(row);
   if (!row.offers.empty())
     if (const std::string chosen = this->drawOffers(row); !chosen.empty())
@@ -334,7 +427,7 @@ bool RowControls::drawText(const Row& row, Settings& settings)
   std::vector<std::string> next = split(row, text.text);
   if (next.empty())
     next = row.get(Settings()); // none: the default
-  return next != words ? this->set(row, settings, next) : (text.wrong.clear(), false);
+  return next != words ? this->take(row, settings, next, text) : (text.wrong.clear(), false);
 }
 
 } // namespace mote::app

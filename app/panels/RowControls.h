@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace mote::app
@@ -17,6 +18,17 @@ public:
   /// With the row's name, or another label. Returns whether the settings are others now.
   bool draw(const Row& row, Settings& settings, const std::string& label = {});
 
+  /// The program found that a setting cannot be, when it tried: what was written stays in the
+  /// field, with the sentence below.
+  void refuse(
+    const Row& row, const Settings& before, const Settings& refused, const std::string& sentence);
+
+  /// Whether settings were asked for by Return in a field since the last call.
+  bool takeEntered() { return std::exchange(isEntered_, false); }
+
+  /// What was refused leaves its fields, which say what is in force again.
+  void forgetRefused();
+
   /// The tooltip of the control that was drawn last: help, option and default.
   static void explain(const Row& row);
 
@@ -28,15 +40,26 @@ private:
   bool drawSlider(const Row& row, Settings& settings);
   bool drawList(const Row& row, Settings& settings);
   bool drawText(const Row& row, Settings& settings);
+  static bool drawForget(const Row& row);
   std::string drawOffers(const Row& row);
+  static std::string keyOf(const Row& row);
   bool set(const Row& row, Settings& settings, const std::vector<std::string>& words);
+
+  struct Text;
+  static bool drawField(const std::string& hint, Text& text);
+  bool take(const Row& row, Settings& settings, const std::vector<std::string>& words, Text& text);
 
   struct Text
   {
     std::string text, wrong;
-    bool isOpen = false; ///< being written
+    std::string refused;        ///< that was written last and cannot be
+    unsigned field = 0;         ///< ImGui's name of it
+    bool isOpen = false;        ///< being written
+    bool isEntered = false;     ///< by Return, the last time
+    bool takesKeysBack = false; ///< in the next frame
   };
-  std::map<std::string, Text> texts_; ///< by the row's name
+  bool isEntered_ = false;
+  std::map<std::string, Text> texts_; ///< by the row's name and the control's place
 };
 
 /// A row's name as a label in its group: "light-size" in Light is "size".

@@ -150,27 +150,61 @@ bool rangeControl(const char* id, const Histogram& histogram, Interval& range)
   return isChanged;
 }
 
+Interval inOrder(const Interval& before, Interval entered)
+{
+  if (entered.low <= entered.high)
+    return entered;
+  const bool isPositive = before.low > 0.0 && std::min(entered.low, entered.high) > 0.0;
+  const double width = before.high - before.low, ratio = before.high / before.low;
+  if (entered.low != before.low)
+    entered.high = isPositive ? entered.low * ratio : entered.low + width;
+  else
+    entered.low = isPositive ? entered.high / ratio : entered.high - width;
+  return entered;
+}
+
+namespace
+{
+
+/// A field for a number: true once it is left with another one, by Enter, Tab or a click elsewhere.
+bool numberField(const char* label, double& value)
+{
+  // What is written is known while it is, and no more when the field is left. Only one field is
+  // written at a time.
+  static ImGuiID writtenIn = 0;
+  static double written = 0.0;
+  double typed = value;
+  if (ImGui::InputDouble(label, &typed, 0.0, 0.0, "%.6g"))
+  {
+    writtenIn = ImGui::GetID(label);
+    written = typed;
+  }
+  if (!ImGui::IsItemDeactivatedAfterEdit() || writtenIn != ImGui::GetID(label))
+    return false;
+  writtenIn = 0;
+  const bool isOther = written != value;
+  value = written;
+  return isOther;
+}
+
+} // namespace
+
 bool rangeFields(const char* id, Interval& range)
 {
   ImGui::PushID(id);
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
   Interval next = range;
   ImGui::SetNextItemWidth(width);
-  bool isEntered =
-    ImGui::InputDouble("##low", &next.low, 0.0, 0.0, "%.6g", ImGuiInputTextFlags_EnterReturnsTrue);
-  isEntered = isEntered || (ImGui::IsItemDeactivatedAfterEdit() && next.low != range.low);
+  bool isEntered = numberField("##low", next.low);
   noteControl(std::string(id) + " low");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(width);
-  isEntered = ImGui::InputDouble(
-                "##high", &next.high, 0.0, 0.0, "%.6g", ImGuiInputTextFlags_EnterReturnsTrue) ||
-              isEntered;
+  isEntered = numberField("##high", next.high) || isEntered;
   noteControl(std::string(id) + " high");
-  isEntered = isEntered || (ImGui::IsItemDeactivatedAfterEdit() && next.high != range.high);
   ImGui::PopID();
-  if (!isEntered || !(next.low <= next.high) || next == range)
+  if (!isEntered || !std::isfinite(next.low) || !std::isfinite(next.high) || next == range)
     return false;
-  range = next;
+  range = inOrder(range, next);
   return true;
 }
 

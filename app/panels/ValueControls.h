@@ -16,6 +16,10 @@ namespace mote::app
 /// the histogram's range.
 bool rangeControl(const char* id, const Histogram& histogram, Interval& range);
 
+/// A range of which one end was entered beyond the other one: that follows, so that the range is as
+/// wide as before, or as many times its lower end where all is above zero, as for logarithms.
+Interval inOrder(const Interval& before, Interval entered);
+
 /// Two fields for the numbers of a range. Returns whether one was entered.
 bool rangeFields(const char* id, Interval& range);
 

@@ -17,18 +17,21 @@ struct OutputSettings
   std::string session;   ///< file for a session; empty: none, or the window's choice
   bool allSteps = false; ///< a picture of every time step
   bool json = false;
-  std::string memory;               ///< "4G"; empty: half of the machine's
-  bool preview = true;              ///< in the window, of large sets until they are built
-  bool panel = true;                ///< at the window's side
+  std::string memory;     ///< "4G"; empty: half of the machine's
+  bool preview = true;    ///< in the window, of large sets until they are built
+  bool panel = true;      ///< at the window's side
+  bool isSession = false; ///< whether a session says all this
+  bool fitsView = false; ///< the picture's size, of a session, is that of the view beside the panel
   std::optional<double> uiScale;    ///< of the panel's texts; none: as the display says
   std::string cache = "25%";        ///< memory for time steps ahead: a size, or a share
   double speed = 10.0;              ///< time steps a second, of playing, at most
   bool follow = false;              ///< whether steps that are written meanwhile are read
   bool loop = true;                 ///< whether playing goes on from the last step to the first
   std::array<int, 2> size = {0, 0}; ///< of pictures and films that the window saves; 0: the view's
-  std::string record;               ///< file for what is done in the window; empty: none
-  std::string play;                 ///< such a file; empty: none
-  double playSpeed = 1.0;           ///< factor on that of the user's; 0: as fast as it goes
+  int seenHeight = 0; ///< of a session's view, for which its lines are as thick; 0: of the picture
+  std::string record; ///< file for what is done in the window; empty: none
+  std::string play;   ///< such a file; empty: none
+  double playSpeed = 1.0; ///< factor on that of the user's; 0: as fast as it goes
   bool operator==(const OutputSettings&) const = default;
 };
 
@@ -49,8 +52,9 @@ struct FilmSettings
 struct AverageSettings
 {
   std::string array;
-  int resolution = 200;             ///< bins along the longer edge
-  std::vector<double> axis, origin; ///< three each, or none: as the data say
+  int resolution = 200;              ///< bins along the longer edge
+  std::vector<double> axis, origin;  ///< three each, or none: as the data say
+  std::vector<double> axial, radial; ///< ranges of what is averaged, two each, or none: all
   bool operator==(const AverageSettings&) const = default;
 };
 

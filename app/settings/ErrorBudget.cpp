@@ -49,12 +49,19 @@ bool isPlaceError(const PictureSettings& picture)
   return amountOf(picture.error, "px").has_value();
 }
 
+double mostDistance(const PictureSettings& picture, double pixels)
+{
+  constexpr double leastRays = 4096.0;
+  double most = picture.fps ? coarsest : std::min(coarsest, std::sqrt(pixels / leastRays));
+  if (const auto error = amountOf(picture.error, "px"))
+    most = std::min(most, 2.0 * *error); // a ray is half of it away
+  return std::max(1.0, most);
+}
+
 ErrorShares errorShares(const Settings& settings)
 {
   const VolumeSettings& volume = settings.volume;
-  ErrorShares shares = {settings.picture.noise, volume.tolerance, volume.cloudTolerance, coarsest};
-  if (const auto pixels = amountOf(settings.picture.error, "px"))
-    shares.mostDistance = std::clamp(2.0 * *pixels, 1.0, coarsest); // a ray is half of it away
+  ErrorShares shares = {settings.picture.noise, volume.tolerance, volume.cloudTolerance};
   if (const auto percent = amountOf(settings.picture.error, "%"))
   {
     // Root mean squares of the three are 0.85, 0.16 and 0.32 of the budget, together 0.92.

@@ -15,10 +15,14 @@ struct ErrorShares
   std::optional<double> noise; ///< standard error of colours, from 0 to 1; none: nobody judges it
   double tolerance;            ///< of integrals through volumes
   double cloudTolerance;       ///< between pixels of volumes
-  double mostDistance;         ///< of neighbouring rays, in pixels, while the view moves
 };
 
 ErrorShares errorShares(const Settings& settings);
+
+/// How far apart neighbouring rays may be, in pixels, in a view of so many pixels that moves: as
+/// --error says, and no farther than that one still knows what there is, unless --fps asks for so
+/// many frames.
+double mostDistance(const PictureSettings& picture, double pixels);
 
 /// Why the text is no --error, such as "1%" or "0.5px"; empty where it is.
 std::string checkError(const std::string& text);

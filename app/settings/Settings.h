@@ -43,6 +43,7 @@ struct ColorSettings
   bool reversed = false;  ///< the map's colours
   std::vector<int> types; ///< that have the first colours of the map of types, in this order
   std::map<int, std::string> typeNames; ///< of types; what is not named here the data may name
+  std::string plain = "#e8dec9"; ///< of what no array colours; warm against the cool background
   bool operator==(const ColorSettings&) const = default;
 };
 
@@ -110,7 +111,7 @@ struct VolumeSettings
   std::optional<double> sampleDistance;    ///< none: choose
   double tolerance = 0.001;
   double cloudTolerance = 0.0; ///< between pixels; 0: every pixel is traced
-  std::string structure; ///< a name of vtkMoteVolumeMapper::GetStructureNames(); empty: choose
+  std::string structure; ///< a name of vtkMoteVolumeMapper::GetStructureNames(); empty: its default
   bool operator==(const VolumeSettings&) const = default;
 };
 
@@ -185,6 +186,7 @@ struct PictureSettings
   std::optional<int> samples;       ///< a pixel, at most; none: choose
   std::optional<double> noise;      ///< standard error that is good enough; none: all samples
   std::string error;                ///< "1%" of colours or "0.5px"; see ErrorBudget.h; empty: none
+  double lodError = 0.0;            ///< pixels that levels of detail may err by; 0: there are none
   std::optional<double> fps;        ///< frames a second while the view moves; none: choose
   std::vector<Color> background;    ///< none: the default; one; or bottom and top
   bool legend = true;

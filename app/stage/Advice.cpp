@@ -1,9 +1,14 @@
 #include "Advice.h"
 
+#include "Calculated.h"
 #include "Silhouettes.h"
 #include "base/Text.h"
 
+#include <vtkBoundingBox.h>
+#include <vtkMath.h>
+
 #include <algorithm>
+#include <filesystem>
 
 namespace mote::app
 {
@@ -28,6 +33,14 @@ void adviseOnSurfaces(const Stage& stage, std::vector<std::string>& advice)
     advice.emplace_back("--show, --where and their like hide no triangles: surfaces stay whole");
 }
 
+/// Takes a range into another one; `any` tells whether that has one so far.
+void widen(double range[2], const double own[2], bool& any)
+{
+  range[0] = any ? std::min(range[0], own[0]) : own[0];
+  range[1] = any ? std::max(range[1], own[1]) : own[1];
+  any = true;
+}
+
 /// The least and greatest value that colours; false where none does.
 bool rangeOf(const Stage& stage, double range[2])
 {
@@ -38,9 +51,7 @@ bool rangeOf(const Stage& stage, double range[2])
     double own[2];
     if (!finiteRange(arrayOf(part->data(), choice), choice.component, own))
       continue;
-    range[0] = any ? std::min(range[0], own[0]) : own[0];
-    range[1] = any ? std::max(range[1], own[1]) : own[1];
-    any = true;
+    widen(range, own, any);
   }
   return any;
 }
@@ -175,7 +186,106 @@ void adviseOnValues(const Stage& stage, std::vector<std::string>& advice)
     advice.push_back("--log: values at or below 0 have the colour of the least; " + whole);
 }
 
+/// Whether any particle that could be shown has a value in the intervals; `range` is that of all
+/// values. True where none has the array.
+bool anyWithin(const Stage& stage, const std::string& name, const std::vector<Interval>& intervals,
+  double* range)
+{
+  std::int64_t count = 0;
+  bool any = false;
+  for (const auto& part : stage.parts())
+  {
+    if (part->kind() != Part::Kind::Particles || part->isHidden())
+      continue;
+    const ArrayChoice choice = findArray(part->data(), name);
+    double own[2];
+    if (!finiteRange(arrayOf(part->data(), choice), choice.component, own))
+      continue;
+    widen(range, own, any);
+    for (const Interval& interval : intervals)
+    {
+      const double ends[2] = {interval.low, interval.high};
+      count += countInRange(arrayOf(part->data(), choice), choice.component, ends);
+    }
+  }
+  return count > 0 || !any;
+}
+
+/// What is shown of a file.
+struct Shown
+{
+  std::string file, numbers; ///< of its data sets, as --hide-data takes them
+  vtkBoundingBox box;
+};
+
+std::vector<Shown> shownOf(const Stage& stage)
+{
+  std::vector<Shown> all;
+  for (std::size_t i = 0; i < stage.parts().size(); ++i)
+  {
+    double bounds[6];
+    stage.parts()[i]->shownBounds(bounds);
+    const std::string file = stage.fileOf(i);
+    if (!vtkMath::AreBoundsInitialized(bounds))
+      continue;
+    if (all.empty() || all.back().file != file)
+      all.push_back({file, "", {}});
+    all.back().numbers += (all.back().numbers.empty() ? "" : ",") + std::to_string(i + 1);
+    all.back().box.AddBounds(bounds);
+  }
+  return all;
+}
+
 } // namespace
+
+std::string whatLeavesNothing(const Stage& stage)
+{
+  const bool isAnyShown = std::any_of(stage.parts().begin(), stage.parts().end(),
+    [](const auto& part)
+    {
+      return !part->isHidden() &&
+             (part->kind() != Part::Kind::Particles || part->numberShown() > 0);
+    });
+  const SelectionSettings& selection = stage.settings().selection;
+  const bool isExpressed = isLimited(selection);
+  if (isAnyShown || stage.numberOfParticles() == 0 || (selection.ranges.empty() && !isExpressed))
+    return "";
+  double range[2];
+  if (isExpressed && !anyWithin(stage, whereArray, {{1.0, 1.0}}, range))
+  {
+    const bool hasIds = !selection.hidden.empty() || !selection.only.empty();
+    return "Nothing is shown: " +
+           (selection.where.empty() ? "--hide-ids and --only-ids leave"
+             : hasIds               ? "--where, --hide-ids and --only-ids together leave"
+                                    : "--where '" + selection.where + "' leaves") +
+           " no particle";
+  }
+  for (const ShowRange& one : selection.ranges)
+    if (!anyWithin(stage, one.name, one.intervals, range))
+      return "Nothing is shown: no particle has " + one.name + " in the range of --show; " +
+             one.name + " goes from " + asNumber(range[0]) + " to " + asNumber(range[1]);
+  return "Nothing is shown: each limit (--show, --where and their like) leaves some, and together "
+         "none";
+}
+
+std::string unlikeSizes(const Stage& stage)
+{
+  constexpr double alike = 30.0;
+  const std::vector<Shown> shown = shownOf(stage);
+  if (shown.size() < 2)
+    return "";
+  const auto [small, large] = std::minmax_element(shown.begin(), shown.end(),
+    [](const Shown& a, const Shown& b)
+    { return a.box.GetDiagonalLength() < b.box.GetDiagonalLength(); });
+  const double least = small->box.GetDiagonalLength(), most = large->box.GetDiagonalLength();
+  if (!(least > 0.0) || most < alike * least)
+    return "";
+  const auto nameOf = [](const Shown& one)
+  { return std::filesystem::path(one.file).filename().string(); };
+  return nameOf(*large) + " is " + asNumber(most, 3) + " across and " + nameOf(*small) + " " +
+         asNumber(least, 3) + ", which is hardly seen beside it at one scale: --hide-data " +
+         large->numbers + " shows the small alone";
+}
 
 std::vector<std::string> adviceOn(const Stage& stage)
 {
@@ -188,6 +298,8 @@ std::vector<std::string> adviceOn(const Stage& stage)
   adviseOnLight(stage, advice);
   adviseOnColors(stage, advice);
   adviseOnValues(stage, advice);
+  if (const std::string sizes = unlikeSizes(stage); !sizes.empty())
+    advice.push_back(sizes);
   return advice;
 }
 

@@ -12,4 +12,12 @@ namespace mote::app
 /// where there are only clouds, and for isosurfaces and colours outside of the data's range.
 std::vector<std::string> adviceOn(const Stage& stage);
 
+/// Where particles are limited so that none is shown: a sentence that names the limit; else
+/// nothing.
+std::string whatLeavesNothing(const Stage& stage);
+
+/// A sentence where files that are shown together are so unlike in size that one is hardly seen;
+/// else nothing.
+std::string unlikeSizes(const Stage& stage);
+
 } // namespace mote::app

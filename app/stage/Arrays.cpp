@@ -40,14 +40,13 @@ bool namesTypes(const std::string& name)
 bool isBookkeeping(const std::string& name)
 {
   return isAnyOf(
-           name, {"id", "ids", "particleids", "globalids", "globalpointids", "vtkoriginalpointids",
-                   "vtkoriginalcellids", "vtkghosttype", "mol", "molecule", "proc", "map_shift",
-                   "n_neighb", "model", "ishetatm", "procp1", "ix", "iy", "iz", "image", "x", "y",
-                   "z", "xu", "yu", "zu", "xs", "ys", "zs", "position", "positions", "coordinates",
-                   "points", "pos", "radius", "radii", "diameter", "mass", "normals", "tcoords",
-                   "residue", "chain", "is_hetatm", "atom_type_strings", "secondary_structures",
-                   "secondary_structures_begin", "secondary_structures_end", "rgb_colors"}) ||
-         name == whereArray;
+    name, {"id", "ids", "particleids", "globalids", "globalpointids", "vtkoriginalpointids",
+            "vtkoriginalcellids", "vtkghosttype", "mol", "molecule", "proc", "map_shift",
+            "n_neighb", "model", "ishetatm", "procp1", "ix", "iy", "iz", "image", "x", "y", "z",
+            "xu", "yu", "zu", "xs", "ys", "zs", "position", "positions", "coordinates", "points",
+            "pos", "radius", "radii", "diameter", "mass", "normals", "tcoords", "residue", "chain",
+            "is_hetatm", "atom_type_strings", "secondary_structures", "secondary_structures_begin",
+            "secondary_structures_end", "rgb_colors"});
 }
 
 vtkDataSetAttributes* attributesOf(vtkDataSet* data, bool ofCells)
@@ -172,9 +171,14 @@ void addCoordinate(vtkDataSet* data, const std::string& text)
     vtkDataSet::SafeDownCast(calculator->GetOutput())->GetPointData()->GetArray(text.c_str()));
 }
 
-std::vector<ArrayChoice> rankedArrays(vtkDataSet* data)
+namespace
 {
-  std::vector<std::pair<int, ArrayChoice>> ranked;
+
+/// Arrays of numbers, as a whole: of vectors their magnitudes. Points and cells may both hold an
+/// array of one name: the points' one is smooth.
+std::vector<ArrayChoice> namedArrays(vtkDataSet* data, bool areBookkeeping)
+{
+  std::vector<ArrayChoice> choices;
   for (const bool ofCells : {false, true})
   {
     vtkDataSetAttributes* attributes = attributesOf(data, ofCells);
@@ -182,21 +186,34 @@ std::vector<ArrayChoice> rankedArrays(vtkDataSet* data)
     {
       vtkDataArray* array = attributes->GetArray(i);
       const std::string name = nameOf(array);
-      if (name.empty() || isBookkeeping(name))
+      if (name.empty() || name == whereArray || isBookkeeping(name) != areBookkeeping ||
+          (ofCells && data->GetPointData()->GetArray(name.c_str())))
         continue;
       const bool vector = array->GetNumberOfComponents() > 1;
-      const ArrayChoice choice{name, vector ? ArrayChoice::magnitude : 0, ofCells};
-      // Points and cells may both hold an array of one name: the points' one is smooth.
-      if (!ofCells || !data->GetPointData()->GetArray(name.c_str()))
-        ranked.emplace_back(rank(data, choice), choice);
+      choices.push_back({name, vector ? ArrayChoice::magnitude : 0, ofCells});
     }
   }
+  return choices;
+}
+
+} // namespace
+
+std::vector<ArrayChoice> rankedArrays(vtkDataSet* data)
+{
+  std::vector<std::pair<int, ArrayChoice>> ranked;
+  for (const ArrayChoice& choice : namedArrays(data, false))
+    ranked.emplace_back(rank(data, choice), choice);
   std::stable_sort(
     ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<ArrayChoice> choices;
   for (const auto& entry : ranked)
     choices.push_back(entry.second);
   return choices;
+}
+
+std::vector<ArrayChoice> otherArrays(vtkDataSet* data)
+{
+  return namedArrays(data, true);
 }
 
 std::string nameOf(vtkAbstractArray* array)

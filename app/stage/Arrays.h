@@ -42,6 +42,10 @@ void addCoordinate(vtkDataSet* data, const std::string& text);
 /// integers, types. No ids, radii, positions; those with one value everywhere come last.
 std::vector<ArrayChoice> rankedArrays(vtkDataSet* data);
 
+/// The rest of the numbers, as far as they have a name: ids, radii, masses and so on, each in its
+/// place among the data.
+std::vector<ArrayChoice> otherArrays(vtkDataSet* data);
+
 /// An array's name; empty where it has none, as in files of VTK it may.
 std::string nameOf(vtkAbstractArray* array);
 

@@ -18,6 +18,10 @@ namespace mote::app
 namespace
 {
 
+/// Where an array has values at or below 0 others near 0 are as a rule rounding: logarithmic
+/// colours begin no lower than this share of the greatest value.
+constexpr double logShare = 1e-6;
+
 using Parts = std::vector<std::unique_ptr<Part>>;
 
 /// The first part that has the array, or null.
@@ -242,7 +246,7 @@ void Coloring::makeTable(bool types)
       throw Failure("--log needs values above zero; those of " + title_ + " go from " +
                     asNumber(range[0]) + " to " + asNumber(range[1]));
     if (range[0] <= 0.0 && settings_.color.range.empty())
-      range[0] = leastPositive_;
+      range[0] = std::max(leastPositive_, logShare * range[1]);
     if (!(range[0] > 0.0))
       throw Failure("--log needs a --range above zero, not " + asNumber(range[0]) + " to " +
                     asNumber(range[1]));

@@ -5,6 +5,7 @@
 #include "Part.h"
 #include "TypeNames.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -60,6 +61,19 @@ public:
 
   /// The same for legends: a table of types has a name for each.
   vtkLookupTable* legendTable() const;
+
+  /// Of the values in all data that were shown so far, which colours have where nobody chooses; and
+  /// back to what it was.
+  struct SeenRange
+  {
+    double range[2], leastPositive;
+  };
+  SeenRange seenRange() const { return {{range_[0], range_[1]}, leastPositive_}; }
+  void goBackTo(const SeenRange& seen)
+  {
+    std::copy_n(seen.range, 2, range_);
+    leastPositive_ = seen.leastPositive;
+  }
 
   const ArrayChoice& choice() const { return choice_; }
 

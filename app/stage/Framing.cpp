@@ -132,7 +132,11 @@ std::vector<double> cameraOf(vtkCamera* camera)
   std::vector<double> numbers(9);
   camera->GetPosition(numbers.data());
   camera->GetFocalPoint(numbers.data() + 3);
-  camera->GetViewUp(numbers.data() + 6);
+  // A camera makes what it is given of unit length, which may change the last digits of what had it
+  // already. Without those, the same view keeps the same numbers however often it is set.
+  constexpr double steps = 1e12;
+  for (int axis = 0; axis < 3; ++axis)
+    numbers[6 + axis] = std::round(camera->GetViewUp()[axis] * steps) / steps;
   numbers.push_back(
     camera->GetParallelProjection() ? camera->GetParallelScale() : camera->GetViewAngle());
   return numbers;

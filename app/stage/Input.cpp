@@ -1,6 +1,7 @@
 #include "Input.h"
 
 #include "base/Failure.h"
+#include "base/Messages.h"
 #include "base/Text.h"
 
 #include <vtkAlgorithm.h>
@@ -90,6 +91,32 @@ void Input::setSpace(const std::shared_ptr<ScratchSpace>& space)
       reader->SetScratchSpace(space);
 }
 
+namespace
+{
+
+/// Leaves the last step of a dump out where it is damaged and others are not, as where a run was
+/// killed while it wrote; and says so.
+void leaveOutDamagedEnd(const std::string& name, vtkAlgorithm* reader, std::vector<double>& times)
+{
+  auto* dump = vtkMoteLAMMPSDumpReader::SafeDownCast(reader);
+  if (!dump || dump->GetLeaveOutDamagedEnd() || times.size() < 2)
+    return;
+  std::string error;
+  dump->LeaveOutDamagedEndOn();
+  std::vector<double> others = vtkMoteReaderTable::GetTimeSteps(reader, error);
+  if (error.empty() && others.size() < times.size() && !others.empty())
+  {
+    Messages::warn(name + ": the last time step is damaged, as of a run that was stopped while it "
+                          "wrote, and is left out");
+    times = std::move(others);
+    return;
+  }
+  dump->LeaveOutDamagedEndOff();
+  vtkMoteReaderTable::GetTimeSteps(reader, error);
+}
+
+} // namespace
+
 void Input::open(ProgressRelay& progress)
 {
   times_.clear();
@@ -99,6 +126,8 @@ void Input::open(ProgressRelay& progress)
     {
       ProgressRelay::Work work(progress, "Scanning " + source.name, source.reader);
       source.times = vtkMoteReaderTable::GetTimeSteps(source.reader, error);
+      if (error.empty())
+        leaveOutDamagedEnd(source.name, source.reader, source.times);
       work.finish();
     }
     if (!error.empty())
@@ -189,7 +218,10 @@ std::vector<NamedData> Input::read(int step, const Runner& runner)
                               : vtkMoteReaderTable::Read(source.reader, times_[step], error);
       });
     if (!data)
+    {
+      source.reader->Modified(); // or it would fail without a look, once the file is there again
       throw Failure(error.empty() ? source.name + " could not be read" : error);
+    }
     // The reader writes its next step into the same object.
     auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
     copy->ShallowCopy(data);
@@ -203,6 +235,7 @@ std::vector<NamedData> Input::read(int step, const Runner& runner)
       const auto after = std::upper_bound(source.times.begin(), source.times.end(), times_[step]);
       all[i].step = std::max(0, static_cast<int>(after - source.times.begin()) - 1);
       all[i].steps = static_cast<int>(source.times.size());
+      all[i].isOwnStep = source.times != times_;
     }
   }
   return all;

@@ -29,6 +29,7 @@ struct NamedData
   std::string file; ///< that it is from, the first one of a series
   int step = 0;     ///< among those of the file
   int steps = 1;
+  bool isOwnStep = false; ///< as files with other times are beside this one
 };
 
 /// The files of one command line: their readers, and the time steps of all of them together. Every

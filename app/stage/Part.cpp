@@ -4,6 +4,7 @@
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/Text.h"
+#include "settings/Colors.h"
 #include "settings/ErrorBudget.h"
 
 #include <vtkActor.h>
@@ -14,7 +15,6 @@
 #include <vtkMoteSourcePoints.h>
 #include <vtkMoteVolumeMapper.h>
 #include <vtkPointData.h>
-#include <vtkPointSet.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkUnstructuredGrid.h>
@@ -40,9 +40,17 @@ bool hasRadii(vtkDataSet* data)
   return false;
 }
 
-void shade(vtkProperty* property, double ambient)
+vtkPoints* pointsOf(vtkDataSet* data)
 {
-  property->SetColor(0.91, 0.87, 0.79); // warm against the cool background
+  auto* points = vtkPointSet::SafeDownCast(data);
+  return points ? points->GetPoints() : nullptr;
+}
+
+void shade(vtkProperty* property, const std::string& plain, double ambient)
+{
+  Color color{};
+  parseColor(plain, color);
+  property->SetColor(color.data());
   property->SetAmbient(ambient);
   property->SetDiffuse(0.75);
   property->SetSpecular(0.0);
@@ -66,6 +74,7 @@ Part::Part(const std::string& name, vtkDataSet* data, const Settings& settings, 
   if (kind_ == Kind::Surface)
   {
     surface_ = std::make_unique<Surface>();
+    surface_->mapper()->SetPixelsOfError(settings_.picture.lodError);
     mapper_ = surface_->mapper();
   }
   this->setAmbient(ambient);
@@ -74,7 +83,7 @@ Part::Part(const std::string& name, vtkDataSet* data, const Settings& settings, 
 
 void Part::setAmbient(double ambient)
 {
-  shade(actor_->GetProperty(), ambient);
+  shade(actor_->GetProperty(), settings_.color.plain, ambient);
   if (volume_)
     volume_->setAmbient(ambient);
 }
@@ -88,6 +97,8 @@ void Part::followSettings()
   }
   if (volume_)
     volume_->update(errorShares(settings_).tolerance);
+  if (surface_)
+    surface_->mapper()->SetPixelsOfError(settings_.picture.lodError);
 }
 
 Part::Kind Part::kindOf(vtkDataSet* data, const Settings& settings)
@@ -128,8 +139,7 @@ double Part::buildTime() const
 
 bool Part::isOfSource(vtkDataSet* data)
 {
-  auto* points = vtkPointSet::SafeDownCast(data);
-  auto* ofSource = points ? vtkMoteSourcePoints::SafeDownCast(points->GetPoints()) : nullptr;
+  auto* ofSource = vtkMoteSourcePoints::SafeDownCast(pointsOf(data));
   return ofSource && ofSource->GetSource();
 }
 
@@ -155,6 +165,8 @@ void Part::setData(const std::string& name, vtkDataSet* data)
   data_ = data;
   if (particles_)
   {
+    if (spaced_ && spaced_ != pointsOf(data))
+      spaced_ = nullptr;
     this->showAll(); // other data may lack the arrays
     this->setRadius();
     this->setImages();
@@ -212,10 +224,12 @@ void Part::setRadius()
   else if (settings_.particles.radius == "spacing" ||
            (settings_.particles.radius == "auto" && !hasRadii(data_)))
   {
-    // Particles keep their size when a simulation spreads or packs them.
+    // Particles keep their size when a simulation spreads or packs them. The same positions with
+    // other arrays are what the structure is built for already.
+    const bool isKept = keptRadius_ > 0.0 && !spaced_;
     particles_->SetRadius(keptRadius_);
-    particles_->SetRadiusMode(keptRadius_ > 0.0 ? vtkMoteParticleMapper::RADIUS_CONSTANT
-                                                : vtkMoteParticleMapper::RADIUS_FROM_SPACING);
+    particles_->SetRadiusMode(
+      isKept ? vtkMoteParticleMapper::RADIUS_CONSTANT : vtkMoteParticleMapper::RADIUS_FROM_SPACING);
   }
   else if (settings_.particles.radius == "auto")
     particles_->SetRadiusModeToAutomatic();
@@ -253,6 +267,11 @@ void Part::setPreview(bool on)
 {
   if (particles_)
     particles_->SetPreview(on);
+}
+
+bool Part::isPreview() const
+{
+  return particles_ && particles_->IsPreview();
 }
 
 std::string Part::update()
@@ -293,7 +312,10 @@ void Part::build(const Runner& runner)
   this->placeProp();
   if (particles_ && particles_->GetRadiusMode() == vtkMoteParticleMapper::RADIUS_FROM_SPACING &&
       particles_->GetNumberOfParticles() > 1)
+  {
     keptRadius_ = particles_->GetRadiusInUse() / settings_.particles.radiusScale;
+    spaced_ = pointsOf(data_);
+  }
 }
 
 BuiltPart Part::built(bool forPicture) const
@@ -303,16 +325,25 @@ BuiltPart Part::built(bool forPicture) const
     built.particles = particles_->GetBuilt();
   if (volume_)
     built.volume = volume_->mapper()->GetBuilt(forPicture);
-  if (built.particles || built.volume)
-    built.bytes = static_cast<std::size_t>(this->structureBytes());
+  if (surface_)
+  {
+    built.mesh = surface_->mapper()->GetBuilt();
+    built.drawn = surface_->drawn();
+  }
+  if (built.particles)
+    built.memory = {{built.particles.get(), static_cast<std::size_t>(this->structureBytes())}};
+  else if (built.mesh)
+    built.memory = surface_->mapper()->GetMemory();
+  else if (built.volume)
+    built.memory = volume_->mapper()->GetMemory();
   return built;
 }
 
 bool Part::isProvisional() const
 {
-  return particles_ && (particles_->IsPreview() ||
-                         (keptRadius_ > 0.0 && particles_->GetRadiusMode() ==
-                                                 vtkMoteParticleMapper::RADIUS_FROM_SPACING));
+  return particles_ &&
+         (this->isPreview() || (keptRadius_ > 0.0 && particles_->GetRadiusMode() ==
+                                                       vtkMoteParticleMapper::RADIUS_FROM_SPACING));
 }
 
 void Part::offer(const BuiltPart& built)
@@ -321,6 +352,12 @@ void Part::offer(const BuiltPart& built)
     particles_->OfferBuilt(built.particles);
   if (volume_)
     volume_->mapper()->OfferBuilt(built.volume);
+  if (surface_)
+  {
+    surface_->mapper()->OfferBuilt(built.mesh);
+    if (built.drawn)
+      surface_->takeDrawn(built.drawn);
+  }
 }
 
 void Part::keep(double radius, const ArrayChoice& colored)
@@ -336,6 +373,7 @@ void Part::keep(double radius, const ArrayChoice& colored)
 void Part::setColors(
   const ArrayChoice& choice, vtkLookupTable* table, const std::vector<OpacityPoint>& opacity)
 {
+  const bool hadColors = colored_ == choice && mapper_ && mapper_->GetScalarVisibility();
   colored_ = choice;
   if (volume_)
   {
@@ -346,7 +384,15 @@ void Part::setColors(
     surface_->followArrays(data_);
   mapper_->SetScalarVisibility(arrayOf(data_, choice) != nullptr);
   if (!mapper_->GetScalarVisibility())
+  {
+    if (hadColors && choice && !(missed_ == choice))
+    {
+      missed_ = choice;
+      Messages::warn(
+        "a time step has no array '" + choice.name + "', so it is shown in one colour");
+    }
     return;
+  }
   if (choice.ofCells)
     mapper_->SetScalarModeToUseCellFieldData();
   else

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Arrays.h"
+#include "MemoryPieces.h"
 #include "Surface.h"
 #include "Volume.h"
 #include "base/ProgressRelay.h"
@@ -8,6 +9,7 @@
 
 #include <vtkDataSet.h>
 #include <vtkNew.h>
+#include <vtkPointSet.h>
 #include <vtkSmartPointer.h>
 
 #include <cmath>
@@ -18,10 +20,12 @@ class vtkActor;
 class vtkAlgorithm;
 class vtkLookupTable;
 class vtkMoteParticleMapper;
+class vtkPoints;
 class vtkProp3D;
 
 namespace mote
 {
+struct BuiltMesh;
 struct BuiltParticles;
 struct BuiltVolume;
 } // namespace mote
@@ -34,7 +38,9 @@ struct BuiltPart
 {
   std::shared_ptr<const BuiltParticles> particles;
   std::shared_ptr<const BuiltVolume> volume;
-  std::size_t bytes = 0;
+  std::shared_ptr<const BuiltMesh> mesh;
+  vtkSmartPointer<vtkPointSet> drawn; ///< in place of the data, where Surface made something of it
+  MemoryPieces memory;
 };
 
 /// One data set in the picture: its points as particles, its cells as a volume, or their surface.
@@ -86,6 +92,8 @@ public:
 
   /// Whether build() of many particles leaves them to another thread, with a preview meanwhile.
   void setPreview(bool on);
+  /// Whether what is drawn is such a preview, of a part of the particles.
+  bool isPreview() const;
   /// Takes what another thread has built by now. Returns what went wrong, or nothing.
   std::string update();
   /// Waits for what another thread builds. Throws Failure and Interrupted.
@@ -155,12 +163,14 @@ private:
   std::unique_ptr<Volume> volume_;
   std::unique_ptr<Surface> surface_;
   ArrayChoice colored_;
+  ArrayChoice missed_; // colours that a step lacked, which was told
   double sceneSize_ = 1.0;
   bool isHidden_ = false;
   bool isWhole_ = true; ///< false: nothing is drawn, as it could not be built
   vtkSmartPointer<vtkMapper> mapper_;
   vtkMoteParticleMapper* particles_ = nullptr;
-  double keptRadius_ = 0.0; // from the spacing of the first step with particles
+  double keptRadius_ = 0.0;           // from the spacing of the first step with particles
+  vtkSmartPointer<vtkPoints> spaced_; // whose spacing that was, while nothing else is shown
 };
 
 } // namespace mote::app

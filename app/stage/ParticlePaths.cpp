@@ -1,9 +1,7 @@
 #include "ParticlePaths.h"
 
-#include "Calculated.h"
 #include "Ids.h"
 #include "Part.h"
-#include "base/Background.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -33,8 +31,8 @@ namespace
 {
 
 /// Bright on a dark background, and still seen on a light one.
-constexpr unsigned char colors[][3] = {{255, 127, 14}, {31, 165, 230}, {44, 190, 44}, {230, 60, 60},
-  {190, 110, 230}, {240, 200, 0}, {230, 110, 190}, {0, 190, 180}};
+constexpr std::array<unsigned char, 3> colors[] = {{255, 127, 14}, {31, 165, 230}, {44, 190, 44},
+  {230, 60, 60}, {190, 110, 230}, {240, 200, 0}, {230, 110, 190}, {0, 190, 180}};
 
 /// Which sides of the box are joined; all where the data do not say.
 std::array<bool, 3> periodicAxes(vtkDataSet* data)
@@ -60,20 +58,23 @@ Settings movingAlone(Settings settings)
 
 } // namespace
 
-ParticlePaths::ParticlePaths(
-  std::unique_ptr<Input> input, const IdRanges& ids, const Settings& settings)
-  : input_(std::move(input))
-  , ids_(ids)
-  , settings_(movingAlone(settings))
-  , steps_(input_->numberOfSteps())
-  , thread_([this] { inBackground([this] { this->run(); }); })
+std::array<unsigned char, 3> pathColor(std::size_t number)
 {
+  return colors[number % std::size(colors)];
 }
 
-ParticlePaths::~ParticlePaths()
+ParticlePaths::ParticlePaths(
+  std::unique_ptr<Input> input, const IdRanges& ids, const Settings& settings)
+  : ids_(ids)
+  , settings_(movingAlone(settings))
+  , reader_(std::move(input), settings_,
+      [this](const std::vector<NamedData>& data)
+      {
+        Step found = this->look(data);
+        const std::lock_guard lock(mutex_);
+        read_.push_back(std::move(found));
+      })
 {
-  stop_ = true;
-  thread_.join();
 }
 
 std::unique_ptr<ParticlePaths> ParticlePaths::whole(
@@ -83,35 +84,20 @@ std::unique_ptr<ParticlePaths> ParticlePaths::whole(
   if (wanted.empty())
     return nullptr;
   auto paths = std::make_unique<ParticlePaths>(input.again(), wanted, settings);
-  vtkNew<vtkObject> reading;
-  ProgressRelay::Work work(progress, "Reading paths", reading);
-  while (paths->stepsRead() < paths->steps())
-  {
-    double share = static_cast<double>(paths->stepsRead()) / paths->steps();
-    reading->InvokeEvent(vtkCommand::ProgressEvent, &share);
-    work.finish(); // where the user stops it
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
+  paths->finish(progress);
   return paths;
 }
 
-void ParticlePaths::run()
+void ParticlePaths::finish(ProgressRelay& progress) const
 {
-  const Runner runner = quietly([this](double) { return !stop_; });
-  for (int step = 0; step < steps_ && !stop_; ++step)
+  vtkNew<vtkObject> reading;
+  ProgressRelay::Work work(progress, "Reading paths", reading);
+  while (this->stepsRead() < this->steps())
   {
-    Step found;
-    try
-    {
-      KnownExpressions known;
-      found = this->look(withCalculated(input_->read(step, runner), settings_, known));
-    }
-    catch (const std::exception&)
-    {
-      // A step that cannot be read is a gap; who shows it is told why.
-    }
-    const std::lock_guard lock(mutex_);
-    read_.push_back(std::move(found));
+    double share = static_cast<double>(this->stepsRead()) / this->steps();
+    reading->InvokeEvent(vtkCommand::ProgressEvent, &share);
+    work.finish(); // where the user stops it
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 }
 
@@ -181,7 +167,7 @@ void ParticlePaths::fill(vtkPolyData* lines, const std::vector<std::size_t>& set
       shadeOf.emplace(id, 0);
   std::size_t next = 0;
   for (auto& [id, shade] : shadeOf)
-    shade = next++ % std::size(colors);
+    shade = next++;
   for (std::size_t s = 1; s < read_.size(); ++s)
     for (const auto& [id, here] : read_[s].places)
     {
@@ -193,7 +179,7 @@ void ParticlePaths::fill(vtkPolyData* lines, const std::vector<std::size_t>& set
       const vtkIdType ends[2] = {
         points->InsertNextPoint(before->second.data()), points->InsertNextPoint(here.data())};
       cells->InsertNextCell(2, ends);
-      shades->InsertNextTypedTuple(colors[shadeOf[id]]);
+      shades->InsertNextTypedTuple(pathColor(shadeOf[id]).data());
     }
   lines->Initialize();
   lines->SetPoints(points);

@@ -1,17 +1,15 @@
 #pragma once
 
-#include "Input.h"
 #include "SimulationBox.h"
+#include "StepReader.h"
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -20,6 +18,10 @@ class vtkPolyData;
 namespace mote::app
 {
 
+/// Red, green, blue of a particle's path, or of its values over time: those of so many go round and
+/// round.
+std::array<unsigned char, 3> pathColor(std::size_t number);
+
 /// Where some particles are at each time step, found on a thread with readers of its own. All
 /// member functions are for one thread, that of the window.
 class ParticlePaths
@@ -27,18 +29,17 @@ class ParticlePaths
 public:
   /// Ids are those of --hide-ids. Positions are as --positions of the settings asks.
   ParticlePaths(std::unique_ptr<Input> input, const IdRanges& ids, const Settings& settings);
-  /// Stops what is under way, and waits until it has stopped.
-  ~ParticlePaths();
-  ParticlePaths(const ParticlePaths&) = delete;
-  ParticlePaths& operator=(const ParticlePaths&) = delete;
 
   /// The paths that the settings ask for, read to their end; null where they ask for none.
   static std::unique_ptr<ParticlePaths> whole(
     const Settings& settings, const Input& input, ProgressRelay& progress);
 
+  /// Waits until all steps are read. Throws Interrupted.
+  void finish(ProgressRelay& progress) const;
+
   /// How many steps were read, of how many.
   int stepsRead() const;
-  int steps() const { return steps_; }
+  int steps() const { return reader_.steps(); }
   /// The paths of these data sets through the steps that were read, as lines with a colour for each
   /// id. There is none
   /// from one side of a periodic box to the other, nor over a step that lacks the particle.
@@ -53,18 +54,14 @@ private:
     std::optional<SimulationBox> box;
     std::array<bool, 3> isPeriodic{};
   };
-  void run();
   Step look(const std::vector<NamedData>& data) const;
   static bool isJump(const Step& step, const Place& from, const Place& to);
 
-  std::unique_ptr<Input> input_;
   const IdRanges ids_;
   const Settings settings_;
-  const int steps_;
   mutable std::mutex mutex_; ///< of `read_`
   std::vector<Step> read_;
-  std::atomic<bool> stop_{false};
-  std::thread thread_; ///< the last: it uses the others
+  StepReader reader_; ///< the last: its thread uses the others
 };
 
 } // namespace mote::app

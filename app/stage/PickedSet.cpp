@@ -24,6 +24,30 @@ bool has(const PickedSet::Parts& parts, const Picked& picked)
                                                         : part.data()->GetNumberOfPoints());
 }
 
+/// Puts the particles of part k in the place of their ids; -1 where there is none.
+void findIn(const Part& part, int k, std::vector<Picked>& picked)
+{
+  vtkDataArray* ids = part.kind() == Part::Kind::Particles ? idArrayOf(part.data()) : nullptr;
+  if (!ids)
+    return; // numbers are ids
+  std::unordered_map<std::int64_t, std::vector<std::size_t>> wanted;
+  for (std::size_t i = 0; i < picked.size(); ++i)
+    if (picked[i].part == k && picked[i].kind == Picked::Kind::Particle)
+    {
+      wanted[picked[i].id].push_back(i);
+      picked[i].id = -1; // until it is found
+    }
+  for (vtkIdType p = 0; !wanted.empty() && p < ids->GetNumberOfTuples(); ++p)
+    if (const auto those = wanted.find(idOf(ids, p)); those != wanted.end())
+    {
+      // Ids that stand twice name as many as were picked.
+      picked[those->second.back()].id = p;
+      those->second.pop_back();
+      if (those->second.empty())
+        wanted.erase(those);
+    }
+}
+
 } // namespace
 
 Picked::Kind kindOfPicks(const Part& part)
@@ -42,11 +66,12 @@ void PickedSet::clear()
   this->replace({});
 }
 
-void PickedSet::replace(std::vector<Picked> items)
+void PickedSet::replace(std::vector<Picked> items, std::vector<Away> away)
 {
-  if (items.empty() && items_.empty())
+  if (items.empty() && items_.empty() && away == away_)
     return;
   items_ = std::move(items);
+  away_ = std::move(away);
   keys_.clear();
   keys_.reserve(items_.size());
   for (const Picked& picked : items_)
@@ -75,9 +100,31 @@ void PickedSet::toggle(const Picked& picked)
   ++version_;
 }
 
+bool PickedSet::hasParticles() const
+{
+  return !away_.empty() ||
+         std::any_of(items_.begin(), items_.end(),
+           [](const Picked& picked) { return picked.kind == Picked::Kind::Particle; });
+}
+
+const Picked* PickedSet::last() const
+{
+  const bool isAway = !away_.empty() && away_.back().place + 1 >= items_.size() + away_.size();
+  return items_.empty() || isAway ? nullptr : &items_.back();
+}
+
 void PickedSet::setPlace(const Picked& picked, const std::array<double, 3>& place)
 {
   places_[keyOf(picked)] = place;
+}
+
+CellWeights PickedSet::weightsOf(const Parts& parts, const Picked& picked) const
+{
+  vtkDataSet* data = parts[static_cast<std::size_t>(picked.part)]->data();
+  if (const auto known = places_.find(keyOf(picked)); known != places_.end())
+    if (auto weights = weightsAt(data, picked.id, known->second))
+      return *std::move(weights);
+  return evenWeights(data, picked.id);
 }
 
 std::array<double, 3> PickedSet::placeOf(const Parts& parts, const Picked& picked) const
@@ -112,13 +159,15 @@ IdRanges PickedSet::ids(const Parts& parts) const
       const std::int64_t id = idOf(arrays[static_cast<std::size_t>(picked.part)], picked.id);
       ranges.push_back({isAlone ? 0 : picked.part + 1, id, id});
     }
+  for (const Away& away : away_)
+    ranges.push_back({isAlone ? 0 : away.part + 1, away.id, away.id});
   return IdRanges(std::move(ranges));
 }
 
 std::vector<std::string> PickedSet::words(const Parts& parts) const
 {
   constexpr std::size_t mostMeasured = 3;
-  if (items_.size() > mostMeasured)
+  if (items_.size() > mostMeasured || !away_.empty())
     return ValuesOf<IdRanges>::words(this->ids(parts));
   std::vector<std::string> words;
   for (const Picked& picked : items_)
@@ -157,51 +206,59 @@ void PickedSet::addNamed(const Parts& parts, const std::vector<std::string>& wor
   this->add(found);
 }
 
-std::vector<std::int64_t> PickedSet::names(const Parts& parts) const
+PickedSet::Names PickedSet::names(const Parts& parts) const
 {
-  std::vector<std::int64_t> names;
-  names.reserve(items_.size());
+  Names names;
+  names.ids.reserve(items_.size());
   std::vector<vtkDataArray*> arrays;
   for (const auto& part : parts)
+  {
     arrays.push_back(items_.empty() ? nullptr : idArrayOf(part->data()));
+    names.cellsThen.push_back(part->data()->GetNumberOfCells());
+  }
   for (const Picked& picked : items_)
-    names.push_back(picked.kind == Picked::Kind::Particle && has(parts, picked)
-                      ? idOf(arrays[static_cast<std::size_t>(picked.part)], picked.id)
-                      : picked.id);
+    names.ids.push_back(picked.kind == Picked::Kind::Particle && has(parts, picked)
+                          ? idOf(arrays[static_cast<std::size_t>(picked.part)], picked.id)
+                          : picked.id);
   return names;
 }
 
-void PickedSet::findAgain(const Parts& parts, const std::vector<std::int64_t>& names)
+void PickedSet::findAgain(const Parts& parts, const Names& names)
 {
-  if (items_.empty())
+  if (items_.empty() && away_.empty())
     return;
+  // All that were picked, in the order of picking, by what names them.
   std::vector<Picked> found = items_;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    found[i].id = names.ids[i];
+  for (const Away& away : away_)
+    found.insert(found.begin() + static_cast<std::ptrdiff_t>(std::min(away.place, found.size())),
+      {away.part, Picked::Kind::Particle, away.id});
+  const std::vector<Picked> wanted = found;
   for (std::size_t k = 0; k < parts.size(); ++k)
+    findIn(*parts[k], static_cast<int>(k), found);
+  std::vector<Away> away;
+  for (std::size_t i = 0; i < found.size(); ++i)
   {
-    vtkDataArray* ids =
-      parts[k]->kind() == Part::Kind::Particles ? idArrayOf(parts[k]->data()) : nullptr;
-    if (!ids)
-      continue;
-    std::unordered_map<std::int64_t, std::vector<std::size_t>> wanted;
-    for (std::size_t i = 0; i < found.size(); ++i)
-      if (found[i].part == static_cast<int>(k) && found[i].kind == Picked::Kind::Particle)
-      {
-        wanted[names[i]].push_back(i);
-        found[i].id = -1; // until it is found
-      }
-    for (vtkIdType p = 0; !wanted.empty() && p < ids->GetNumberOfTuples(); ++p)
-      if (const auto those = wanted.find(idOf(ids, p)); those != wanted.end())
-      {
-        // Ids that stand twice name as many as were picked.
-        found[those->second.back()].id = p;
-        those->second.pop_back();
-        if (those->second.empty())
-          wanted.erase(those);
-      }
+    const auto part = static_cast<std::size_t>(found[i].part);
+    const bool isCell = found[i].kind == Picked::Kind::Cell;
+    // A number says nothing of the cells of another mesh.
+    if (isCell && (part >= parts.size() || part >= names.cellsThen.size() ||
+                    parts[part]->data()->GetNumberOfCells() != names.cellsThen[part]))
+      found[i].id = -1;
+    if (!isCell && !has(parts, found[i]))
+      away.push_back({i, wanted[i].part, wanted[i].id});
   }
   std::erase_if(found, [&](const Picked& picked) { return !has(parts, picked); });
-  places_.clear(); // meshes may have moved
-  this->replace(std::move(found));
+  // Meshes may have moved.
+  std::unordered_map<std::uint64_t, std::array<double, 3>> places;
+  for (const Picked& picked : found)
+    if (const auto known = places_.find(keyOf(picked));
+        known != places_.end() &&
+        weightsAt(parts[static_cast<std::size_t>(picked.part)]->data(), picked.id, known->second))
+      places.insert(*known);
+  places_ = std::move(places);
+  this->replace(std::move(found), std::move(away));
 }
 
 void PickedSet::keepWhatIs(const Parts& parts)
@@ -210,7 +267,7 @@ void PickedSet::keepWhatIs(const Parts& parts)
   std::copy_if(items_.begin(), items_.end(), std::back_inserter(kept),
     [&](const Picked& picked) { return has(parts, picked); });
   if (kept.size() != items_.size())
-    this->replace(std::move(kept));
+    this->replace(std::move(kept), away_);
 }
 
 } // namespace mote::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "CellValues.h"
 #include "Part.h"
 #include "settings/IdRanges.h"
 
@@ -51,6 +52,8 @@ public:
   /// Where a cell was picked; placeOf() is the middle of the cell else.
   void setPlace(const Picked& picked, const std::array<double, 3>& place);
   std::array<double, 3> placeOf(const Parts& parts, const Picked& picked) const;
+  /// How the points of a cell count there.
+  CellWeights weightsOf(const Parts& parts, const Picked& picked) const;
 
   /// The ids of the particles among them, as --hide-ids takes them.
   IdRanges ids(const Parts& parts) const;
@@ -62,20 +65,42 @@ public:
   void addNamed(const Parts& parts, const std::vector<std::string>& words);
   ///@}
 
+  /// What is known of the picked from one time step to the next.
+  struct Names
+  {
+    std::vector<std::int64_t> ids;    ///< of particles, numbers of cells: one of each of items()
+    std::vector<vtkIdType> cellsThen; ///< how many cells the parts have
+  };
   ///@{
   /// Before and after other data take the place of the present ones: the particles of the same ids
-  /// stay picked, and the cells of the same numbers.
-  std::vector<std::int64_t> names(const Parts& parts) const;
-  void findAgain(const Parts& parts, const std::vector<std::int64_t>& names);
+  /// stay picked, and the cells of the same numbers where there are as many of them. Particles that
+  /// the new data lack are picked again by data that have them.
+  Names names(const Parts& parts) const;
+  void findAgain(const Parts& parts, const Names& names);
   ///@}
+  /// How many of the picked particles the present data lack.
+  std::size_t numberAway() const { return away_.size(); }
+  /// Whether particles are picked, those included that the present data lack.
+  bool hasParticles() const;
+  /// What was picked last; null where that is nothing, or the present data lack it.
+  const Picked* last() const;
   /// Forgets what the parts do not have.
   void keepWhatIs(const Parts& parts);
 
 private:
+  /// A picked particle that the present data lack.
+  struct Away
+  {
+    std::size_t place; ///< among the items, in the order of picking
+    int part;
+    std::int64_t id;
+    bool operator==(const Away&) const = default;
+  };
   static std::uint64_t keyOf(const Picked& picked);
-  void replace(std::vector<Picked> items);
+  void replace(std::vector<Picked> items, std::vector<Away> away = {});
 
   std::vector<Picked> items_;
+  std::vector<Away> away_; ///< by ascending place
   std::unordered_set<std::uint64_t> keys_;
   std::unordered_map<std::uint64_t, std::array<double, 3>> places_;
   unsigned long version_ = 0;

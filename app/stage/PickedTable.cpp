@@ -1,6 +1,7 @@
 #include "PickedTable.h"
 
 #include "Calculated.h"
+#include "CellValues.h"
 #include "base/Failure.h"
 #include "base/Text.h"
 #include "settings/Values.h"
@@ -11,7 +12,6 @@
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
 #include <vtkFloatArray.h>
-#include <vtkIdList.h>
 #include <vtkPointData.h>
 #include <vtkVariant.h>
 
@@ -73,7 +73,8 @@ PickedTable::PickedTable(const PickedSet::Parts& parts, const PickedSet& picked)
     if (kindOfPicks(*parts[k]) == Picked::Kind::Cell)
       this->addArrays(*parts[k], k, true);
   }
-  names_ = {hasKinds_ ? "number" : nameOf(first)};
+  this->tellApart();
+  names_ = {hasKinds_ || first == Picked::Kind::Particle ? "index" : nameOf(first)};
   if (hasKinds_)
     names_.emplace_back("what");
   if (hasParts_)
@@ -111,6 +112,18 @@ void PickedTable::addArrays(const Part& part, std::size_t k, bool ofCells)
   }
 }
 
+/// Names of arrays that points and cells both have become those that --color-by takes.
+void PickedTable::tellApart()
+{
+  for (Column& ofPoints : columns_)
+    for (Column& ofCells : columns_)
+      if (!ofPoints.ofCells && ofCells.ofCells && ofPoints.name == ofCells.name)
+      {
+        ofPoints.name = "point:" + ofPoints.name;
+        ofCells.name = "cell:" + ofCells.name;
+      }
+}
+
 std::string PickedTable::cell(std::size_t row, std::size_t column, int digits) const
 {
   const Picked& picked = picked_->items()[row];
@@ -140,12 +153,8 @@ std::string PickedTable::valueOf(const Picked& picked, const Column& column, int
   auto* numbers = vtkDataArray::SafeDownCast(array);
   if (!numbers)
     return {};
-  vtkNew<vtkIdList> corners;
-  (*parts_)[part]->data()->GetCellPoints(picked.id, corners);
-  double sum = 0.0;
-  for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
-    sum += numbers->GetComponent(corners->GetId(i), column.component);
-  return numberText(sum / static_cast<double>(corners->GetNumberOfIds()), digits);
+  return numberText(
+    valueBetween(picked_->weightsOf(*parts_, picked), numbers, column.component), digits);
 }
 
 void PickedTable::appendLine(std::string& text, std::size_t row, char separator) const

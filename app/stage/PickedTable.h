@@ -43,6 +43,7 @@ private:
   };
   std::string valueOf(const Picked& picked, const Column& column, int digits) const;
   void addArrays(const Part& part, std::size_t k, bool ofCells);
+  void tellApart();
 
   const PickedSet::Parts* parts_ = nullptr;
   const PickedSet* picked_ = nullptr;

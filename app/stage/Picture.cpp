@@ -2,6 +2,7 @@
 
 #include "PictureMarks.h"
 #include "SideBySide.h"
+#include "Silhouettes.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/OutputFile.h"
@@ -15,7 +16,6 @@
 #include <vtkLightCollection.h>
 #include <vtkLookupTable.h>
 #include <vtkMoteShading.h>
-#include <vtkMoteSilhouettes.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
@@ -50,7 +50,7 @@ double Picture::aspect() const
 {
   const auto views = stage_.views();
   const SideBySide sides(stage_, views.size(), size_, labelled_ && views.size() > 1);
-  return double(sides.width) / size_[1];
+  return double(sides.width) / sides.height;
 }
 
 namespace
@@ -112,6 +112,11 @@ void Picture::takeSettings()
   source_->SetNormals(exr_);
   source_->SetIds(exr_);
   source_->SetVariance(exr_ && shares.noise);
+  if (lineScale_ != 1.0)
+  {
+    choose(scaled(settings.silhouettes, lineScale_), vtkMoteSilhouettes::RADII, lines_);
+    source_->SetSilhouettes(lines_);
+  }
   source_->SetSilhouetteCoverage(exr_ && stage_.silhouettes()->GetEnabled());
   source_->SetTransparentBackground(exr_);
   legend_->SetLookupTable(picture.legend ? stage_.coloring().legendTable() : nullptr);
@@ -221,25 +226,32 @@ vtkSmartPointer<vtkImageData> Picture::traceAll(
   whole->SetDimensions(size_[0], size_[1], 1);
   for (std::size_t i = 0; i < views.size(); ++i)
   {
-    name_->SetInputData(this->trace(views[i], {sides.width, size_[1]}, progress));
+    name_->SetInputData(this->trace(views[i], {sides.width, sides.height}, progress));
     name_->SetCaption(labelled_ ? stage_.viewName(views[i]) : "");
     name_->SetFontScale(stage_.settings().picture.fontScale);
     name_->Update();
-    this->paste(name_->GetOutput(), sides.begin(i), whole);
-    if (i > 0 && labelled_)
-      this->drawDivider(sides.begin(i), whole);
+    this->paste(name_->GetOutput(), sides.left(i), sides.bottom(i), whole);
   }
+  // The background where no view is.
   if (sides.legend > 0)
     this->paste(this->trace({}, {sides.legend, size_[1]}, progress),
-      sides.first > 0 ? 0 : size_[0] - sides.legend, whole);
+      sides.first > 0 ? 0 : sides.right(), 0, whole);
+  for (auto i = views.size(); i < static_cast<std::size_t>(sides.columns * sides.rows); ++i)
+    this->paste(this->trace({}, {sides.width, sides.height}, progress), sides.left(i),
+      sides.bottom(i), whole);
+  if (const int below = size_[1] - sides.rows * sides.height; below > 0)
+    this->paste(
+      this->trace({}, {sides.right() - sides.first, below}, progress), sides.first, 0, whole);
+  if (labelled_)
+    this->drawDividers(sides, whole);
   name_->SetInputData(nullptr);
   return whole;
 }
 
-/// Puts an image as high as the whole there, with all its arrays.
-void Picture::paste(vtkImageData* from, int x, vtkImageData* to) const
+/// Puts an image there, with all its arrays.
+void Picture::paste(vtkImageData* from, int x, int bottom, vtkImageData* to) const
 {
-  const int width = from->GetDimensions()[0];
+  const int width = from->GetDimensions()[0], height = from->GetDimensions()[1];
   for (int a = 0; a < from->GetPointData()->GetNumberOfArrays(); ++a)
   {
     vtkDataArray* part = from->GetPointData()->GetArray(a);
@@ -255,22 +267,36 @@ void Picture::paste(vtkImageData* from, int x, vtkImageData* to) const
         to->GetPointData()->SetScalars(made);
       all = made;
     }
-    for (int y = 0; y < size_[1]; ++y)
-      all->InsertTuples(
-        static_cast<vtkIdType>(y) * size_[0] + x, width, static_cast<vtkIdType>(y) * width, part);
+    for (int y = 0; y < height; ++y)
+      all->InsertTuples(static_cast<vtkIdType>(bottom + y) * size_[0] + x, width,
+        static_cast<vtkIdType>(y) * width, part);
   }
 }
 
-void Picture::drawDivider(int x, vtkImageData* image) const
+/// Lines between columns and rows of views.
+void Picture::drawDividers(const SideBySide& sides, vtkImageData* image) const
 {
   const Color ink = dividerInk(renderer_);
   vtkDataArray* colors = image->GetPointData()->GetScalars();
   const int thick = std::max(1, size_[1] / 700);
-  for (int y = 0; y < size_[1]; ++y)
-    for (int i = 0; i < thick; ++i)
-      for (int c = 0; c < 3; ++c)
-        colors->SetComponent(static_cast<vtkIdType>(y) * size_[0] + x + i - thick / 2, c,
-          ink[static_cast<std::size_t>(c)]);
+  const auto fill = [&](int left, int right, int bottom, int top)
+  {
+    for (int y = std::max(0, bottom); y < top; ++y)
+      for (int x = std::max(0, left); x < right; ++x)
+        for (int c = 0; c < 3; ++c)
+          colors->SetComponent(
+            static_cast<vtkIdType>(y) * size_[0] + x, c, ink[static_cast<std::size_t>(c)]);
+  };
+  for (int column = 1; column < sides.columns; ++column)
+  {
+    const int x = sides.left(static_cast<std::size_t>(column)) - thick / 2;
+    fill(x, x + thick, 0, size_[1]);
+  }
+  for (int row = 1; row < sides.rows; ++row)
+  {
+    const int y = sides.top - row * sides.height - thick / 2;
+    fill(sides.first, sides.right(), y, y + thick);
+  }
 }
 
 std::string Picture::quality() const

@@ -8,6 +8,7 @@
 #include <vtkMoteImageMarks.h>
 #include <vtkMoteImageWriter.h>
 #include <vtkMoteRendererSource.h>
+#include <vtkMoteSilhouettes.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 #include <vtkTrivialProducer.h>
@@ -18,6 +19,8 @@
 
 namespace mote::app
 {
+
+struct SideBySide;
 
 /// Side, numbers and letters of a legend as the settings say.
 void applyLook(vtkMoteColorLegend* legend, const PictureSettings& look);
@@ -50,6 +53,9 @@ public:
   /// write() else.
   vtkImageData* draw(const std::string& caption, ProgressRelay& progress);
 
+  /// A factor on how thick silhouettes are. Default 1.
+  void setLineScale(double scale) { lineScale_ = scale; }
+
   /// Draws these paths, and marks what is picked by the settings or else this; kept by the caller.
   void setPaths(const ParticlePaths* paths) { paths_ = paths; }
   void setPicked(const std::vector<std::string>& words) { picked_ = words; }
@@ -67,8 +73,8 @@ private:
   vtkSmartPointer<vtkImageData> traceAll(const std::vector<View>& views, ProgressRelay& progress);
   vtkImageData* marked(const View& view, const std::array<int, 2>& size);
   bool hasMarks() const;
-  void paste(vtkImageData* from, int x, vtkImageData* to) const;
-  void drawDivider(int x, vtkImageData* image) const;
+  void paste(vtkImageData* from, int x, int bottom, vtkImageData* to) const;
+  void drawDividers(const SideBySide& sides, vtkImageData* image) const;
   void requireMemory() const;
   double bytes() const;
   std::string needs() const;
@@ -80,6 +86,8 @@ private:
   vtkNew<vtkTrivialProducer> traced_; ///< the image, of one view or of several
   vtkNew<vtkMoteColorLegend> legend_, name_;
   vtkNew<vtkMoteImageMarks> marks_;
+  vtkNew<vtkMoteSilhouettes> lines_; ///< instead of those of the stage, where they are scaled
+  double lineScale_ = 1.0;
   vtkNew<vtkMoteImageWriter> writer_;
   const ParticlePaths* paths_ = nullptr;
   std::optional<std::vector<std::string>> picked_; ///< else the settings'

@@ -229,6 +229,24 @@ Plot plotOf(const std::vector<std::unique_ptr<Part>>& parts, const PickedSet& pi
   return plot;
 }
 
+std::vector<std::string> numbersOf(vtkDataSet* data, bool ofCells)
+{
+  std::vector<std::string> names;
+  vtkDataSetAttributes* arrays = ofCells ? static_cast<vtkDataSetAttributes*>(data->GetCellData())
+                                         : static_cast<vtkDataSetAttributes*>(data->GetPointData());
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = arrays->GetArray(i);
+    const std::string name = nameOf(array);
+    if (name.empty() || name == whereArray)
+      continue;
+    const int components = array->GetNumberOfComponents();
+    for (int c = components > 1 ? ArrayChoice::magnitude : 0; c < components; ++c)
+      names.push_back(asText(data, {name, c, ofCells}));
+  }
+  return names;
+}
+
 std::vector<std::string> plottable(const std::vector<std::unique_ptr<Part>>& parts)
 {
   std::vector<std::string> names;
@@ -239,21 +257,8 @@ std::vector<std::string> plottable(const std::vector<std::unique_ptr<Part>>& par
   };
   for (const auto& part : parts)
     for (const bool ofCells : {false, true})
-    {
-      vtkDataSetAttributes* arrays =
-        ofCells ? static_cast<vtkDataSetAttributes*>(part->data()->GetCellData())
-                : static_cast<vtkDataSetAttributes*>(part->data()->GetPointData());
-      for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
-      {
-        vtkDataArray* array = arrays->GetArray(i);
-        const std::string name = nameOf(array);
-        if (name.empty() || name == whereArray)
-          continue;
-        const int components = array->GetNumberOfComponents();
-        for (int c = components > 1 ? ArrayChoice::magnitude : 0; c < components; ++c)
-          add(asText(part->data(), {name, c, ofCells}));
-      }
-    }
+      for (const std::string& name : numbersOf(part->data(), ofCells))
+        add(name);
   for (const char* place : {"x", "y", "z"})
     add(place);
   return names;

@@ -47,6 +47,9 @@ struct Plot
 Plot plotOf(const std::vector<std::unique_ptr<Part>>& parts, const PickedSet& picked,
   const PlotChoice& choice, int width, int height);
 
+/// The names of the numbers that points, or cells, of a data set have, one of each component.
+std::vector<std::string> numbersOf(vtkDataSet* data, bool ofCells);
+
 /// The names that a choice may have: x, y, z, and all numbers that the parts have.
 std::vector<std::string> plottable(const std::vector<std::unique_ptr<Part>>& parts);
 

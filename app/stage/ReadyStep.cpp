@@ -27,11 +27,15 @@ bool ReadyPlan::fitsCalculations(const Settings& other) const
 
 void ReadyStep::count()
 {
-  bytes = 0;
+  memory.clear();
   for (const NamedData& one : data.empty() ? original : data)
-    bytes += std::size_t{1024} * one.data->GetActualMemorySize();
+    addMemory(memory, one.data);
   for (const BuiltPart& part : parts)
-    bytes += part.bytes;
+  {
+    memory.insert(memory.end(), part.memory.begin(), part.memory.end());
+    if (part.drawn)
+      addMemory(memory, part.drawn);
+  }
 }
 
 ReadyStep makeReady(const std::vector<NamedData>& original, const ReadyPlan& plan,
@@ -50,8 +54,6 @@ ReadyStep makeReady(const std::vector<NamedData>& original, const ReadyPlan& pla
     for (std::size_t i = 0; fits && i < ready.data.size(); ++i)
     {
       ready.parts.emplace_back();
-      if (plan.kept[i].kind == Part::Kind::Surface)
-        continue; // OpenGL's
       Part part(ready.data[i].name, ready.data[i].data, plan.settings, 0.0);
       part.keep(plan.kept[i].radius, plan.kept[i].colored);
       if (i < before.size())
@@ -72,19 +74,22 @@ ReadyStep makeReady(const std::vector<NamedData>& original, const ReadyPlan& pla
 ReadyStep withOwnData(const ReadyStep& step)
 {
   ReadyStep own = step;
-  const auto copy = [](NamedData& one)
+  const auto copy = [](auto& data)
   {
-    const vtkSmartPointer<vtkDataSet> from = one.data;
-    one.data.TakeReference(from->NewInstance());
-    one.data->ShallowCopy(from);
+    const auto from = data;
+    data.TakeReference(from->NewInstance());
+    data->ShallowCopy(from);
   };
   for (NamedData& one : own.original)
-    copy(one);
+    copy(one.data);
+  for (BuiltPart& part : own.parts)
+    if (part.drawn)
+      copy(part.drawn);
   for (std::size_t i = 0; i < own.data.size(); ++i)
     if (i < step.original.size() && step.data[i].data == step.original[i].data)
       own.data[i].data = own.original[i].data;
     else
-      copy(own.data[i]);
+      copy(own.data[i].data);
   return own;
 }
 

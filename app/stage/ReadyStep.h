@@ -38,9 +38,9 @@ struct ReadyStep
   std::vector<NamedData> data;     ///< with what is calculated
   std::vector<BuiltPart> parts;    ///< of `data`; none where nothing could be built
   ReadyPlan plan;                  ///< by which it was built
-  std::size_t bytes = 0;           ///< in memory, about
+  MemoryPieces memory;             ///< that it takes, about
 
-  /// Finds `bytes`.
+  /// Finds `memory`.
   void count();
 };
 

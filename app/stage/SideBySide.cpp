@@ -15,9 +15,26 @@ SideBySide::SideBySide(
   const bool hasLegend = isLabelled && picture.legend && stage.coloring().legendTable();
   const int count = static_cast<int>(std::max<std::size_t>(1, views));
   legend = hasLegend ? std::min(static_cast<int>(0.17 * size[1]), size[0] / 3) : 0;
-  width = std::max(1, (size[0] - legend) / count);
-  legend = std::max(0, size[0] - count * width); // and what is left over
+  rows = rowsOf(count, size[0] - legend, size[1]);
+  columns = (count + rows - 1) / rows;
+  width = std::max(1, (size[0] - legend) / columns);
+  height = std::max(1, size[1] / rows);
+  top = size[1];
+  legend = std::max(0, size[0] - columns * width); // and what is left over
   first = picture.legendSide == "left" ? legend : 0;
+}
+
+int rowsOf(int views, int width, int height)
+{
+  constexpr double worth = 1.1; // more rows are to be better by this, as steps down are harder to
+                                // compare than steps aside
+  int best = 1;
+  const auto least = [&](int rows)
+  { return std::min(double(width) / ((views + rows - 1) / rows), double(height) / rows); };
+  for (int rows = 2; rows <= views; ++rows)
+    if (least(rows) > worth * least(best))
+      best = rows;
+  return best;
 }
 
 Color dividerInk(vtkRenderer* renderer)

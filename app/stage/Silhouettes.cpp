@@ -1,15 +1,20 @@
 #include "Silhouettes.h"
 
 #include "base/Text.h"
+#include "settings/Values.h"
 
 #include <vtkMoteSilhouettes.h>
 #include <vtkNew.h>
+
+#include <algorithm>
 
 namespace mote::app
 {
 
 namespace
 {
+
+constexpr double leastWidth = 0.1, mostWidth = 64.0; // pixels
 
 /// "2" or "1.5%": the number, and whether it is a percentage.
 bool parseThreshold(const std::string& text, double& value, bool& isShare)
@@ -24,8 +29,8 @@ bool parseThickness(const std::string& text, double& least, double& most)
   const std::size_t colon = text.find(':');
   const bool isRange = colon != std::string::npos;
   return parseNumber(text.substr(0, colon), least) &&
-         parseNumber(isRange ? text.substr(colon + 1) : text, most) && least >= 0.1 &&
-         most >= least && most <= 64.0;
+         parseNumber(isRange ? text.substr(colon + 1) : text, most) && least >= leastWidth &&
+         most >= least && most <= mostWidth;
 }
 
 } // namespace
@@ -44,6 +49,17 @@ SilhouetteSettings toggled(const SilhouetteSettings& now, const SilhouetteSettin
   const bool own = asked.lines != "off" && asked.lines != "auto";
   next.lines = areOn(now) ? "off" : own ? asked.lines : "on";
   return next;
+}
+
+SilhouetteSettings scaled(SilhouetteSettings settings, double factor)
+{
+  double least = 0.0, most = 0.0;
+  if (factor == 1.0 || !areOn(settings) || !parseThickness(settings.thickness, least, most))
+    return settings;
+  const auto text = [factor](double width)
+  { return exactText(std::clamp(width * factor, leastWidth, mostWidth)); };
+  settings.thickness = least == most ? text(most) : text(least) + ":" + text(most);
+  return settings;
 }
 
 std::string checkLines(const std::string& text)

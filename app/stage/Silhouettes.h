@@ -13,6 +13,9 @@ bool areOn(const SilhouetteSettings& settings);
 /// The settings after the next press of a key: on, as they were asked for, or off.
 SilhouetteSettings toggled(const SilhouetteSettings& now, const SilhouetteSettings& asked);
 
+/// Lines that are so many times as thick, within what thicknesses may be.
+SilhouetteSettings scaled(SilhouetteSettings settings, double factor);
+
 /// Why the text is no SilhouetteSettings::lines, or thickness; empty where it is.
 std::string checkLines(const std::string& text);
 std::string checkThickness(const std::string& text);

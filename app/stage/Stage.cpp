@@ -53,7 +53,8 @@ bool Stage::apply(const Settings& settings)
     part->setAmbient(lighting_.ambient());
     // Where nothing changes nothing is touched: a mapper that is told of types builds anew.
     if (before.particles != settings.particles || before.volume != settings.volume ||
-        before.picture.error != settings.picture.error)
+        before.picture.error != settings.picture.error ||
+        before.picture.lodError != settings.picture.lodError)
       part->followSettings();
   }
   if (before.particles.replicate != settings.particles.replicate)
@@ -329,7 +330,10 @@ std::string Stage::viewName(const std::vector<std::size_t>& view) const
     if (std::find(names.begin(), names.end(), name) == names.end())
       names.push_back(name);
   }
-  return joined(names, ", ");
+  const NamedData& first = data_[view.front()];
+  return joined(names, ", ") + (first.isOwnStep ? ", step " + std::to_string(first.step + 1) + "/" +
+                                                    std::to_string(first.steps)
+                                                : "");
 }
 
 void Stage::bounds(double bounds[6]) const

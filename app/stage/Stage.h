@@ -78,12 +78,19 @@ public:
   vtkMoteSilhouettes* silhouettes() const { return silhouettes_; }
   const std::vector<std::unique_ptr<Part>>& parts() const { return parts_; }
 
+  /// The file that a part is of.
+  std::string fileOf(std::size_t part) const
+  {
+    return part < data_.size() ? data_[part].file : std::string();
+  }
+
   /// What is seen beside one another, as numbers of parts(): those of each file that are not hidden
   /// have a view of their own, or those of one file one each. All parts together where the settings
   /// do not ask for that, and where there is nothing to be set beside another.
   std::vector<std::vector<std::size_t>> views() const;
   static constexpr std::size_t mostViews = 4; ///< what is too much for them shares the last
-  /// "copper.dump": what the view of these parts is called.
+  /// "copper.dump": what the view of these parts is called; "copper.dump, step 3/7" where other
+  /// data are at another step of theirs.
   std::string viewName(const std::vector<std::size_t>& view) const;
 
   /// Bounds of all that is built; else of the simulation box; of a unit cube where there is

@@ -163,14 +163,16 @@ StepCache::Facts StepCache::facts() const
 {
   const std::lock_guard lock(mutex_);
   Facts facts;
+  MemorySum sum;
   facts.budget = budget_;
   facts.marks.assign(static_cast<std::size_t>(steps_), Mark::Away);
   for (const auto& [step, entry] : entries_)
   {
-    facts.bytes += entry->bytes;
+    sum.add(entry->memory);
     if (step < steps_)
       facts.marks[static_cast<std::size_t>(step)] = Mark::Here;
   }
+  facts.bytes = sum.bytes();
   if (place_ < steps_)
     facts.marks[static_cast<std::size_t>(place_)] = Mark::Here; // the window has it
   if (working_ >= 0 && working_ < steps_ && entries_.count(working_) == 0)
@@ -227,12 +229,18 @@ std::vector<int> StepCache::order() const
   return order;
 }
 
-/// What a step takes that is not there yet.
+/// What a step takes that is not there yet: no more than another one does that shares what it can.
 std::uint64_t StepCache::usualBytes() const
 {
+  MemorySum before;
   std::uint64_t most = 0;
   for (const auto& [step, entry] : entries_)
-    most = std::max<std::uint64_t>(most, entry->bytes);
+  {
+    // The first one has what the others share.
+    const std::uint64_t more = before.more(entry->memory);
+    most = before.bytes() == 0 && entries_.size() > 1 ? 0 : std::max(most, more);
+    before.add(entry->memory);
+  }
   return most;
 }
 
@@ -242,12 +250,16 @@ int StepCache::next() const
   if (!input_ || !plan_ || pauses_ > 0)
     return -1;
   const std::uint64_t usual = this->usualBytes();
-  std::uint64_t used = 0;
+  std::uint64_t expected = 0;
+  MemorySum used;
   for (const int step : this->order())
   {
     const auto found = entries_.find(step);
-    used += found == entries_.end() ? (step == place_ ? 0 : usual) : found->second->bytes;
-    if (used > budget_)
+    if (found != entries_.end())
+      used.add(found->second->memory);
+    else if (step != place_)
+      expected += usual;
+    if (used.bytes() + expected > budget_)
       return -1;
     if (step != place_ && failed_.count(step) == 0 &&
         (found == entries_.end() || !found->second->plan.fits(*plan_)))
@@ -260,18 +272,19 @@ int StepCache::next() const
 std::vector<StepCache::Entry> StepCache::evict(int reserved)
 {
   std::vector<Entry> gone;
-  std::uint64_t used = 0;
+  std::uint64_t expected = 0;
+  MemorySum used;
   for (const int step : this->order())
   {
     const auto found = entries_.find(step);
     if (found == entries_.end())
     {
-      used += step == reserved ? this->usualBytes() : 0;
+      expected += step == reserved ? this->usualBytes() : 0;
       continue;
     }
-    if (used + found->second->bytes <= budget_)
+    if (expected + used.bytes() + used.more(found->second->memory) <= budget_)
     {
-      used += found->second->bytes;
+      used.add(found->second->memory);
       continue;
     }
     gone.push_back(std::move(found->second));
@@ -364,7 +377,10 @@ void StepCache::work(std::unique_lock<std::mutex>& lock, int step)
     {
       last_ = made->parts;
       for (BuiltPart& part : last_)
+      {
         part.particles = nullptr; // no two steps have the same
+        part.drawn = nullptr;     // has the step's arrays
+      }
     }
     if (made)
       entries_[step] = std::move(made);

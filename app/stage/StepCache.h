@@ -111,7 +111,7 @@ private:
   std::optional<ReadyPlan> plan_;
   std::map<int, Entry> entries_;
   std::set<int> failed_;
-  std::vector<BuiltPart> last_; ///< the volumes that the thread built last
+  std::vector<BuiltPart> last_; ///< volumes and meshes that the thread built last
   Clock::time_point notBefore_; ///< settings that go on to change wait
   int steps_ = 0;
   int place_ = 0, direction_ = 1;

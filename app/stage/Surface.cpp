@@ -17,6 +17,10 @@ namespace mote::app
 namespace
 {
 
+/// Cells of a mesh that is smoothed, at most: of more each is small, and normals would take longer
+/// than the rest and as much memory.
+constexpr vtkIdType mostSmoothed = 4'000'000;
+
 // Filters carry the cells' numbers along.
 const char* const cellNumbers = "MoteInputCells";
 
@@ -40,7 +44,8 @@ void Surface::setData(vtkDataSet* data)
   taken_ = data->GetMTime();
   auto* polygons = vtkPolyData::SafeDownCast(data);
   auto* points = vtkPointSet::SafeDownCast(data);
-  makesNormals_ = polygons && !polygons->GetPointData()->GetNormals();
+  makesNormals_ = polygons && !polygons->GetPointData()->GetNormals() &&
+                  polygons->GetNumberOfCells() <= mostSmoothed;
   takesFaces_ = !points;
   if (makesNormals_)
   {
@@ -56,6 +61,23 @@ void Surface::setData(vtkDataSet* data)
   }
   else
     mapper_->SetInputData(points);
+}
+
+vtkSmartPointer<vtkPointSet> Surface::drawn() const
+{
+  vtkSmartPointer<vtkPointSet> copy;
+  vtkPointSet* input = mapper_->GetInput();
+  if (!input || (!makesNormals_ && !takesFaces_))
+    return copy;
+  copy.TakeReference(input->NewInstance());
+  copy->ShallowCopy(input);
+  return copy;
+}
+
+void Surface::takeDrawn(vtkPointSet* drawn)
+{
+  if (makesNormals_ || takesFaces_)
+    mapper_->SetInputData(drawn);
 }
 
 void Surface::followArrays(vtkDataSet* data)

@@ -4,22 +4,28 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
-class vtkAlgorithm;
 class vtkDataSet;
+class vtkPointSet;
 
 namespace mote::app
 {
 
 /// Cells of a part, shown by their surface.
 ///
-/// Polygons without normals of points get some, so that they look smooth but for sharp edges; for
-/// that points are split at these. Faces of grids are flat.
+/// Up to four million polygons without normals of points get some, so that they look smooth but for
+/// sharp edges; for that points are split at these. Faces of grids are flat.
 class Surface
 {
 public:
   void setData(vtkDataSet* data);
   /// Takes arrays that the data have got since.
   void followArrays(vtkDataSet* data);
+
+  /// What is drawn in place of the data, where something was made of them; else null. A data object
+  /// of its own.
+  vtkSmartPointer<vtkPointSet> drawn() const;
+  /// Takes what another made of the same data, in place of making it.
+  void takeDrawn(vtkPointSet* drawn);
 
   vtkMoteMeshMapper* mapper() const { return mapper_; }
   /// Whether normals were made, by a vtkPolyDataNormals as it is made.

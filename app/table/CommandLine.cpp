@@ -175,7 +175,15 @@ Settings GivenSettings::resolved() const
     throw Failure(*session + " is a session, and --play brings its own settings; give one of them");
   if (files.size() > 1)
     throw Failure(*session + " is a session, which names its data files itself; give it alone");
-  return this->over(readSession(*session));
+  const Settings kept = readSession(*session);
+  Settings all = this->over(kept);
+  if (std::none_of(named.begin(), named.end(),
+        [](const auto& one) { return one.first->name == "silhouette-thickness"; }))
+    all.output.seenHeight = kept.picture.size[1];
+  all.output.isSession = true;
+  all.output.fitsView = std::none_of(named.begin(), named.end(),
+    [](const auto& one) { return one.first->name == "size" && one.first->command.empty(); });
+  return all;
 }
 
 /// Other settings, but for what is named here.

@@ -126,6 +126,12 @@ void addConvert(Rows& table)
     }));
 }
 
+void requireAscending(const std::vector<double>& range)
+{
+  if (range.size() == 2 && !(range[0] < range[1]))
+    throw WrongValue{"LO must be less than HI"};
+}
+
 void addAverage(Rows& table)
 {
   const std::string group = "Averaging", command = "average";
@@ -134,8 +140,8 @@ void addAverage(Rows& table)
     {.group = group,
       .name = "array",
       .value = "NAME",
-      .help = "Array to average, on points or cells: of numbers, or of vectors, of which the parts "
-              "along axis, radius and circumference are averaged",
+      .help = "Array to average, named as in --color-by: cell:p, U:2, U:magnitude. Of vectors the "
+              "parts along axis, radius and circumference are averaged",
       .alias = "-a",
       .command = command,
       .required = true}));
@@ -167,6 +173,21 @@ void addAverage(Rows& table)
       .count = 3,
       .usual = "what the data say, else 0,0,0",
       .command = command}));
+  const auto add =
+    [&](std::vector<double> AverageSettings::*range, const char* name, const char* help)
+  {
+    table.push_back(row<AverageSettings, std::vector<double>>(average, range,
+      {.group = group,
+        .name = name,
+        .value = "LO HI",
+        .help = help,
+        .count = 2,
+        .usual = "all",
+        .command = command},
+      requireAscending));
+  };
+  add(&AverageSettings::radial, "radial-range", "Distances from the axis that are averaged");
+  add(&AverageSettings::axial, "axial-range", "Places along the axis that are averaged");
 }
 
 void addBake(Rows& table)

@@ -1,5 +1,9 @@
 #include "Keys.h"
 
+#include "base/Text.h"
+
+#include <algorithm>
+
 namespace mote::app
 {
 
@@ -88,14 +92,20 @@ const Binding& bindingOf(const std::string& keySymbol)
   return none;
 }
 
-std::string keysHelp()
+std::string keysHelp(std::size_t columns)
 {
+  constexpr std::size_t indent = 15, least = 20;
+  const std::size_t room = std::max(columns, indent + least + 2) - indent - 2;
+  const std::string between = "\n" + std::string(indent + 1, ' ');
   std::string text;
   for (const Line& line : lines())
   {
     std::string keys = line.keys;
-    keys.resize(15, ' ');
-    text += (text.empty() ? " " : "\n ") + keys + line.help + " ";
+    keys.resize(indent, ' ');
+    std::string help = wrapped(line.help, room);
+    for (std::size_t at = 0; (at = help.find('\n', at)) != std::string::npos; at += between.size())
+      help.replace(at, 1, between);
+    text += (text.empty() ? " " : "\n ") + keys + help + " ";
   }
   return text;
 }

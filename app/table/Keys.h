@@ -34,9 +34,14 @@ enum class Action
   CopyPicked,
   SavePicked,
   PathsOfPicked,
+  PlotOverTime, ///< values of the picked
+  SaveOverTime,
+  SavePlot,   ///< as a picture
+  SaveCounts, ///< of the plot, as CSV
   Center,
   SavePicture,
   SaveFilm,
+  RangeOfAllSteps, ///< of colours
   AddKeyFrame,
   ForgetKeyFrame,
   ForgetKeyFrames,
@@ -63,7 +68,8 @@ struct Binding
 /// What a key symbol is bound to; None where to nothing.
 const Binding& bindingOf(const std::string& keySymbol);
 
-/// All keys with what they do, a line each; for the window and for --help.
-std::string keysHelp();
+/// All keys with what they do, a line each; for the window and for --help. What is longer than so
+/// many letters goes on below.
+std::string keysHelp(std::size_t columns = 1000);
 
 } // namespace mote::app

@@ -16,7 +16,10 @@ Settings settingsToOpen(const Settings& now, const std::vector<std::string>& fil
     if (files.size() > 1 || isAdded)
       throw Failure(*session + " is a session, which names its data files itself; open it alone");
     Settings all = readSession(*session);
+    const std::array<int, 2> size = all.output.size;
     all.output = now.output;
+    if (size[0] > 0)
+      all.output.size = size;
     all.data.threads = now.data.threads;
     return all;
   }

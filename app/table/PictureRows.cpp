@@ -71,6 +71,17 @@ void addQualityRows(std::vector<Row>& table)
       .invalidates = invalidates,
       .limits = {.most = 1.0, .aboveZero = true},
       .usual = "off: all samples are taken"}));
+  table.push_back(row(picture, &PictureSettings::lodError,
+    {.group = pictureGroup,
+      .name = "lod-error",
+      .value = "PIXELS",
+      .help =
+        "Levels of detail: groups of triangles that err by less than so many pixels are drawn as "
+        "planes of their mean colour. That is faster where many triangles fall into a pixel, "
+        "and outlines are rougher. Picks and shadows ask the triangles themselves. 0 is exact",
+      .invalidates = Invalidates::Shading,
+      .limits = {.least = 0.0, .most = 64.0},
+      .inDecades = true}));
   table.push_back(row<PictureSettings, std::vector<Color>>(picture, &PictureSettings::background,
     {.group = pictureGroup,
       .name = "background",

@@ -34,10 +34,11 @@ struct Row
   Invalidates invalidates = Invalidates::Shading;
   std::string alias = {}; ///< one more name on the command line: "-c", "--ao"
   Shape shape = Shape::One;
-  int count = 0;       ///< of values, where the shape is Many
-  bool commas = true;  ///< whether values may be joined by commas, where there are several
-  bool numeric = true; ///< whether sessions write the values as numbers
-  Limits limits = {};  ///< of numbers
+  int count = 0;          ///< of values, where the shape is Many
+  bool commas = true;     ///< whether values may be joined by commas, where there are several
+  bool numeric = true;    ///< whether sessions write the values as numbers
+  Limits limits = {};     ///< of numbers
+  bool inDecades = false; ///< whether the small ones of them are told apart, too, by a slider
   std::vector<std::string> words = {};    ///< all values there are; none: any
   std::vector<std::string> offers = {};   ///< where any may be: those that have a name
   std::string usual = {};                 ///< what help says of the default; empty: the value

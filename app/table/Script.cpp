@@ -5,6 +5,7 @@
 #include "settings/ErrorBudget.h"
 #include "stage/Calculated.h"
 #include "stage/Ids.h"
+#include "stage/Silhouettes.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -18,6 +19,7 @@
 #include <vtkMoteShading.h>
 #include <vtkMoteSilhouettes.h>
 #include <vtkMoteVolumeMapper.h>
+#include <vtkNew.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkProperty.h>
 #include <vtkVolume.h>
@@ -172,6 +174,8 @@ void writeSurface(Script& script, const Part& part)
   }
   else
     script.line("mapper.SetInputData(part)");
+  if (surface.mapper()->GetPixelsOfError() > 0.0)
+    script.call("mapper", "SetPixelsOfError", surface.mapper()->GetPixelsOfError());
   writeActor(script, surface.mapper(), part);
 }
 
@@ -379,8 +383,10 @@ void writeShading(Script& script, vtkMoteShading* shading)
   script.vector("shading", "SetSkyBottom", shading->GetSkyBottom());
 }
 
-void writeSilhouettes(Script& script, vtkMoteSilhouettes* silhouettes)
+void writeSilhouettes(Script& script, const SilhouetteSettings& settings)
 {
+  vtkNew<vtkMoteSilhouettes> silhouettes; // as thick as of the picture, not of the view
+  choose(settings, vtkMoteSilhouettes::RADII, silhouettes);
   if (!silhouettes->GetEnabled())
     return;
   script.line("silhouettes = mote.vtkMoteSilhouettes()");
@@ -478,7 +484,7 @@ std::string scriptOf(
     "source", "SetSamplesPerPixel", settings.picture.mostSamples(settings.light.pathTrace));
   script.call("source", "SetNoiseLevel", errorShares(settings).noise.value_or(0.0));
   writeShading(script, stage.lighting().shading());
-  writeSilhouettes(script, stage.silhouettes());
+  writeSilhouettes(script, settings.silhouettes);
   writeLegend(script, stage, settings, captionOf(input, step, stage.contents()));
   script.line();
   script.line("writer = mote.vtkMoteImageWriter()");

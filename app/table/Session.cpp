@@ -5,8 +5,6 @@
 #include "base/OutputFile.h"
 #include "base/Text.h"
 
-#include <kernels/core/AtomicFile.h>
-
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -60,6 +58,18 @@ void requireVersion(const Json& json, const std::string& path)
                   ", and this mote reads version " + std::to_string(version));
 }
 
+/// What a session keeps: the settings, and how large the window saves pictures.
+const std::vector<Row>& sessionTable()
+{
+  static const std::vector<Row> table = []
+  {
+    std::vector<Row> rows = settingsTable();
+    rows.push_back(*commandRow("mote", "picture-size"));
+    return rows;
+  }();
+  return table;
+}
+
 } // namespace
 
 bool isSessionFile(const std::string& path)
@@ -74,8 +84,9 @@ std::string sessionText(const Settings& settings, const std::string& path)
   json["files"] = Json::array();
   for (const std::string& file : settings.data.files)
     json["files"].push_back(storedName(file, path));
-  for (const Row& row : settingsTable())
-    json[groupName(row)][row.name] = jsonOf(row, row.get(settings));
+  for (const Row& row : sessionTable())
+    if (row.command.empty() || settings.output.size[0] > 0)
+      json[groupName(row)][row.name] = jsonOf(row, row.get(settings));
   // File names need not be UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -89,7 +100,7 @@ Settings parseSession(const std::string& text, const std::string& path)
     if (name == "files")
       settings.data.files = filesOf(value, path);
     else if (name != versionName)
-      for (const auto& [row, words] : groupOf(name, value, settingsTable(), path))
+      for (const auto& [row, words] : groupOf(name, value, sessionTable(), path))
         row->set(settings, words);
   if (settings.data.files.empty())
     throw Failure(path + " names no data: \"files\" is missing or empty");
@@ -122,17 +133,7 @@ void checkSessionOutput(const Settings& settings)
 
 void writeSession(const Settings& settings, const std::string& path)
 {
-  const std::string text = sessionText(settings, path);
-  try
-  {
-    AtomicFile file(path);
-    file.write(text.data(), text.size());
-    file.commit();
-  }
-  catch (const WriteError& error)
-  {
-    throw Failure(error.what());
-  }
+  writeText(path, sessionText(settings, path));
 }
 
 } // namespace mote::app

@@ -106,7 +106,7 @@ void addIntegrationRows(std::vector<Row>& table)
               "cylindrical (cyl) or Cartesian (cart) coordinates",
       .invalidates = Invalidates::Structure,
       .words = vtkMoteVolumeMapper::GetStructureNames(),
-      .usual = "chosen by the mesh"}));
+      .usual = "cartbvh"}));
 }
 
 } // namespace

@@ -17,6 +17,9 @@ namespace mote::app
 namespace
 {
 
+constexpr double margin = 0.012; // of texts at the edges: shares of the view
+constexpr int messageSize = 15;  // pixels
+
 vtkTextProperty* place(vtkTextActor* text, double x, double y, int size, bool top)
 {
   text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
@@ -42,13 +45,12 @@ void onPanel(vtkTextProperty* property)
 Overlay::Overlay(vtkRenderer* renderer)
   : renderer_(renderer)
 {
-  place(statusText_, 0.012, 0.012, 16, false);
-  onPanel(place(messageText_, 0.012, 0.98, 15, true));
-  onPanel(place(helpText_, 0.012, 0.98, 15, true));
-  helpText_->SetInput(keysHelp().c_str());
+  place(statusText_, margin, margin, 16, false);
+  onPanel(place(messageText_, margin, 0.98, messageSize, true));
+  onPanel(place(helpText_, margin, 0.988, messageSize, true));
   helpText_->VisibilityOff();
   messageText_->VisibilityOff();
-  onPanel(place(previewText_, 0.5, 0.98, 15, true));
+  onPanel(place(previewText_, 0.5, 0.98, messageSize, true));
   previewText_->GetTextProperty()->SetJustificationToCentered();
   previewText_->VisibilityOff();
   onPanel(place(tipText_, 0.0, 0.0, 13, true));
@@ -61,6 +63,8 @@ Overlay::Overlay(vtkRenderer* renderer)
 
 void Overlay::setStatus(const std::string& text)
 {
+  if (helpOn_)
+    this->layHelp();
   const int width = renderer_->GetSize()[0];
   if (text == status_ && width == statusWidth_)
     return;
@@ -83,15 +87,48 @@ void Overlay::setStatus(const std::string& text)
 
 bool Overlay::fits(vtkTextActor* text) const
 {
-  constexpr double margins = 0.024; // shares of the view
   double box[4];
   text->GetBoundingBox(renderer_, box);
-  return box[1] - box[0] <= (1.0 - margins) * renderer_->GetSize()[0];
+  return box[1] - box[0] <= (1.0 - 2.0 * margin) * renderer_->GetSize()[0] &&
+         box[3] - box[2] <= (1.0 - 2.0 * margin) * renderer_->GetSize()[1];
 }
 
-void Overlay::setMessage(const std::string& text)
+/// As large as fits into the view; lines that are too long go on below.
+void Overlay::layHelp()
+{
+  constexpr int largest = messageSize, least = 6; // pixels
+  constexpr double widthOfLetter = 0.605;         // of Courier's size
+  const int* view = renderer_->GetSize();
+  if (helpSize_ == std::array{view[0], view[1]})
+    return;
+  helpSize_ = {view[0], view[1]};
+  for (int size = largest; size >= least; --size)
+  {
+    helpText_->GetTextProperty()->SetFontSize(size);
+    const double letters = (1.0 - 2.0 * margin) * view[0] / (widthOfLetter * size);
+    helpText_->SetInput(keysHelp(static_cast<std::size_t>(letters)).c_str());
+    if (this->fits(helpText_))
+      return;
+  }
+  helpText_->GetTextProperty()->SetFontSize(12);
+  helpText_->SetInput(" This window is too small for the keys: \n mote help keys prints them. ");
+}
+
+void Overlay::setTop(int pixels)
+{
+  if (top_ == pixels && topOf_ == renderer_->GetSize()[1])
+    return;
+  top_ = pixels;
+  topOf_ = renderer_->GetSize()[1];
+  const double y = 1.0 - std::max(0.02, double(pixels) / std::max(1, topOf_));
+  messageText_->SetPosition(margin, y);
+  previewText_->SetPosition(0.5, y);
+}
+
+void Overlay::setMessage(const std::string& text, bool isOfPicked)
 {
   messageOn_ = !text.empty();
+  tellsPicked_ = messageOn_ && isOfPicked;
   messageText_->SetInput(text.c_str());
   messageText_->SetVisibility(messageOn_);
 }
@@ -136,6 +173,8 @@ bool Overlay::hasMessage() const
 void Overlay::toggleHelp()
 {
   helpOn_ = !helpOn_;
+  if (helpOn_)
+    this->layHelp();
   helpText_->SetVisibility(helpOn_);
 }
 

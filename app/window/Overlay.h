@@ -28,9 +28,10 @@ public:
   const std::string& status() const { return status_; }
 
   /// A text at the upper left; none to take it away. Words of equal length stand one over the
-  /// other.
-  void setMessage(const std::string& text);
+  /// other. `isOfPicked`: it lists values of what was picked, which other data have otherwise.
+  void setMessage(const std::string& text, bool isOfPicked = false);
   bool hasMessage() const;
+  bool tellsPicked() const { return tellsPicked_; }
 
   /// The line at the top that says that this is a preview; none to take it away.
   void setPreview(const std::string& text);
@@ -40,6 +41,9 @@ public:
   void setTip(const std::string& text, int x, int y, const std::array<int, 2>& size);
   void hideTip();
   bool hasTip() const { return tipOn_; }
+
+  /// Pixels at the upper edge that are no place for messages.
+  void setTop(int pixels);
 
   void toggleHelp();
   void hideHelp();
@@ -52,12 +56,16 @@ public:
 
 private:
   bool fits(vtkTextActor* text) const;
+  void layHelp();
 
   vtkRenderer* renderer_;
   std::string status_;
-  int statusWidth_ = 0; ///< of the view
+  int statusWidth_ = 0;              ///< of the view
+  int top_ = -1, topOf_ = 0;         ///< pixels without messages, and the height of the view then
+  std::array<int, 2> helpSize_ = {}; ///< of the view, when the help was laid out
   bool helpOn_ = false;
   bool messageOn_ = false;
+  bool tellsPicked_ = false;
   bool previewOn_ = false;
   bool tipOn_ = false;
   vtkNew<vtkTextActor> statusText_;

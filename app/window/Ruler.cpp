@@ -15,11 +15,14 @@
 #include <vtkTextProperty.h>
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 namespace mote::app
 {
 
 Ruler::Ruler(vtkRenderer* renderer)
+  : renderer_(renderer)
 {
   vtkNew<vtkPolyDataMapper2D> mapper;
   vtkNew<vtkCoordinate> world;
@@ -33,7 +36,7 @@ Ruler::Ruler(vtkRenderer* renderer)
   renderer->AddActor2D(actor_);
   for (const auto& text : labels_)
   {
-    text->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+    text->GetPositionCoordinate()->SetCoordinateSystemToViewport();
     vtkTextProperty* look = text->GetTextProperty();
     look->SetFontSize(15);
     look->SetColor(1.0, 0.95, 0.3);
@@ -52,8 +55,41 @@ Ruler::~Ruler() = default;
 void Ruler::label(std::size_t number, const std::string& text, const Place& place)
 {
   labels_[number]->SetInput((" " + text + " ").c_str());
-  labels_[number]->GetPositionCoordinate()->SetValue(place[0], place[1], place[2]);
+  vtkNew<vtkCoordinate> world;
+  world->SetCoordinateSystemToWorld();
+  world->SetValue(place[0], place[1], place[2]);
+  const int* at = world->GetComputedViewportValue(renderer_);
+  labels_[number]->SetPosition(at[0], at[1]);
   labels_[number]->SetVisibility(isVisible_);
+}
+
+/// Labels that would hide others go below those.
+void Ruler::part()
+{
+  constexpr double gap = 3.0; // pixels
+  std::vector<std::array<double, 4>> taken;
+  for (const auto& text : labels_)
+  {
+    if (!text->GetVisibility())
+      continue;
+    double size[4];
+    text->GetBoundingBox(renderer_, size);
+    const double* at = text->GetPosition();
+    std::array<double, 4> box = {
+      at[0] + size[0], at[0] + size[1], at[1] + size[2], at[1] + size[3]};
+    const auto hides = [&](const std::array<double, 4>& other)
+    { return box[0] < other[1] && other[0] < box[1] && box[2] < other[3] && other[2] < box[3]; };
+    // Below one, a label may hide another; it only ever moves down, so this ends.
+    for (auto other = std::find_if(taken.begin(), taken.end(), hides); other != taken.end();
+         other = std::find_if(taken.begin(), taken.end(), hides))
+    {
+      const double down = box[3] - (*other)[2] + gap;
+      box[2] -= down;
+      box[3] -= down;
+    }
+    text->SetPosition(at[0], box[2] - size[2]);
+    taken.push_back(box);
+  }
 }
 
 void Ruler::update(
@@ -97,6 +133,7 @@ void Ruler::update(
   }
   if (measured->angle)
     this->label(2, asNumber(*measured->angle, 4) + "\u00b0", measured->distances[0].to);
+  this->part();
   lines_->SetPoints(points);
   lines_->SetLines(lines);
 }

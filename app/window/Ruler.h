@@ -29,7 +29,9 @@ public:
 
 private:
   void label(std::size_t number, const std::string& text, const Place& place);
+  void part();
 
+  vtkRenderer* renderer_;
   vtkNew<vtkPolyData> lines_;
   vtkNew<vtkActor2D> actor_;
   std::array<vtkNew<vtkTextActor>, 3> labels_; ///< of two distances and an angle

@@ -26,25 +26,32 @@ namespace mote::app
 namespace
 {
 
-/// An upright line over the whole height of a view, at x = 0.
+constexpr int nameSize = 16, nameMargin = 9; // pixels
+
+/// A line in pixels of a view.
 void makeDivider(vtkActor2D* divider)
 {
   vtkNew<vtkPoints> ends;
-  ends->InsertNextPoint(0.0, 0.0, 0.0);
-  ends->InsertNextPoint(0.0, 1.0, 0.0);
+  ends->SetNumberOfPoints(2);
   vtkNew<vtkCellArray> lines;
   const vtkIdType numbers[2] = {0, 1};
   lines->InsertNextCell(2, numbers);
   vtkNew<vtkPolyData> line;
   line->SetPoints(ends);
   line->SetLines(lines);
-  vtkNew<vtkCoordinate> shares;
-  shares->SetCoordinateSystemToNormalizedViewport();
   vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetTransformCoordinate(shares);
   mapper->SetInputData(line);
   divider->SetMapper(mapper);
   divider->VisibilityOff();
+}
+
+void placeDivider(vtkActor2D* divider, const std::array<int, 2>& from, const std::array<int, 2>& to)
+{
+  auto* mapper = static_cast<vtkPolyDataMapper2D*>(divider->GetMapper());
+  vtkPoints* ends = mapper->GetInput()->GetPoints();
+  ends->SetPoint(0, from[0], from[1], 0.0);
+  ends->SetPoint(1, to[0], to[1], 0.0);
+  ends->Modified();
 }
 
 /// The least and the greatest of what passes tell.
@@ -70,7 +77,7 @@ Views::Views(Stage& stage, vtkRenderWindow* window)
     column.renderer->SetActiveCamera(stage.renderer()->GetActiveCamera());
     column.renderer->AutomaticLightCreationOff();
     vtkTextProperty* look = column.title->GetTextProperty();
-    look->SetFontSize(16);
+    look->SetFontSize(nameSize);
     look->SetJustificationToCentered();
     look->SetVerticalJustificationToTop();
     column.title->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
@@ -124,8 +131,8 @@ void Views::setColumns(std::size_t count)
   stage_.renderer()->SetLayer(count > 0 ? 1 : 0);
   for (std::size_t i = 0; i < column_.size(); ++i)
     column_[i].title->SetVisibility(i < count);
-  for (std::size_t i = 0; i < dividers_.size(); ++i)
-    dividers_[i]->SetVisibility(i + 1 < count);
+  for (const auto& divider : dividers_)
+    divider->VisibilityOff(); // until they are laid
   this->takePasses();
 }
 
@@ -200,7 +207,7 @@ std::array<int, 2> Views::size() const
   if (!this->isSideBySide())
     return {right - left, top - bottom};
   const SideBySide sides(stage_, columns_, {right - left, top - bottom}, true);
-  return {sides.width, top - bottom};
+  return {sides.width, sides.height};
 }
 
 void Views::lay()
@@ -208,17 +215,39 @@ void Views::lay()
   const auto [left, right, bottom, top] = this->area();
   const std::array<int, 2> size = {right - left, top - bottom};
   const SideBySide sides(stage_, columns_, size, true);
-  const double whole = std::max(1, right);
+  const double whole = std::max(1, right), height = std::max(1, size[1]);
   ground_->SetViewport(stage_.renderer()->GetViewport());
   for (std::size_t i = 0; i < columns_; ++i)
   {
-    const int from = sides.begin(i);
+    const int from = sides.left(i), low = sides.bottom(i), high = low + sides.height;
     column_[i].renderer->SetViewport(
-      (left + from) / whole, 0.0, (left + from + sides.width) / whole, 1.0);
-    column_[i].title->SetPosition((from + 0.5 * sides.width) / std::max(1, size[0]), 0.985);
-    if (i > 0)
-      dividers_[i - 1]->SetPosition(from, 0.0);
+      (left + from) / whole, low / height, (left + from + sides.width) / whole, high / height);
+    column_[i].title->SetPosition(
+      (from + 0.5 * sides.width) / std::max(1, size[0]), (high - nameMargin) / height);
   }
+  std::size_t next = 0;
+  const auto divide = [&](const std::array<int, 2>& one, const std::array<int, 2>& other)
+  {
+    dividers_[next]->VisibilityOn();
+    placeDivider(dividers_[next++], one, other);
+  };
+  for (int column = 1; column < sides.columns; ++column)
+  {
+    const int x = sides.left(static_cast<std::size_t>(column));
+    divide({x, 0}, {x, sides.top});
+  }
+  for (int row = 1; row < sides.rows; ++row)
+  {
+    const int y = sides.top - row * sides.height;
+    divide({sides.first, y}, {sides.right(), y});
+  }
+  for (; next < dividers_.size(); ++next)
+    dividers_[next]->VisibilityOff();
+}
+
+int Views::heightOfNames() const
+{
+  return this->isSideBySide() ? 2 * nameMargin + nameSize : 0;
 }
 
 /// Light and background are the stage's.
@@ -250,9 +279,9 @@ void Views::update(const PickedSet& picked)
     this->copyLook(column_[i].renderer);
     column_[i].view.update(stage_, picked);
     column_[i].title->GetTextProperty()->SetColor(ink[0], ink[1], ink[2]);
-    if (i > 0)
-      dividers_[i - 1]->GetProperty()->SetColor(dividerInk(stage_.renderer()).data());
   }
+  for (const auto& divider : dividers_)
+    divider->GetProperty()->SetColor(dividerInk(stage_.renderer()).data());
   // One camera sees all, and cuts nothing off in any view.
   double bounds[6];
   stage_.bounds(bounds);

@@ -45,6 +45,8 @@ public:
 
   /// Of one view: pixels.
   std::array<int, 2> size() const;
+  /// What their names take at the upper edge: pixels.
+  int heightOfNames() const;
 
   ///@{
   /// The passes of all views as one.

@@ -9,6 +9,7 @@
 #include "settings/Colors.h"
 #include "settings/ErrorBudget.h"
 #include "settings/UserState.h"
+#include "stage/Advice.h"
 #include "table/Session.h"
 
 #include <vtkCamera.h>
@@ -85,7 +86,11 @@ void Window::setUpWindow()
   window_->AddRenderer(stage_.renderer());
   const std::array<int, 2> size = asked_.picture.size;
   const int* screen = window_->GetScreenSize();
-  window_->SetSize(size[0] > 0 ? size[0] : std::min(1280, screen[0] * 9 / 10),
+  // The view that a session was saved from had the panel at its side.
+  const int beside =
+    asked_.output.fitsView && panelOn_ ? std::min(this->widthOfPanel(), size[0]) : 0;
+  const int width = std::max(size[0], std::min(size[0] + beside, screen[0]));
+  window_->SetSize(size[0] > 0 ? width : std::min(1280, screen[0] * 9 / 10),
     size[0] > 0 ? size[1] : std::min(860, screen[1] * 8 / 10));
   views_.setUpPasses(
     [this](vtkMoteRayCastPass* pass)
@@ -133,7 +138,7 @@ void Window::setUpEvents()
         });
     });
   observe(style_, vtkCommand::EndInteractionEvent, [this](void*) { this->recordCamera(); });
-  observe(interactor_, vtkCommand::ExitEvent, [this](void*) { this->quit(); });
+  observe(interactor_, vtkCommand::ExitEvent, [this](void*) { this->leave(); });
   observe(
     interactor_, vtkCommand::TimerEvent,
     [this](void* timer) { this->onTimer(*static_cast<int*>(timer)); }, 0.0f, true);
@@ -169,6 +174,8 @@ void Window::run()
   this->nameWindow();
   this->look();
   this->followProps();
+  if (asked_.output.isSession)
+    kept_.keep(this->settings());
   if (this->isEmpty())
     this->say("Mote shows what simulations write: start it as mote FILE, or press Ctrl+O");
   else
@@ -176,6 +183,10 @@ void Window::run()
   noteRecent(input_.files());
   props_.attach(interactor_); // which draws the window
   this->setUpPanel();
+  this->updatePanel(); // how wide messages may be
+  for (const std::string& sentence : {unlikeSizes(stage_), whatLeavesNothing(stage_)})
+    if (!sentence.empty())
+      this->tell(sentence);
   this->setUpPicking();
   this->setUpOpening();
   this->startCache();
@@ -188,6 +199,7 @@ void Window::run()
   recorder_.stop();
   cache_.reset();
   paths_.clear();
+  overTime_ = nullptr;
   if (!asked_.output.session.empty() && !this->isEmpty())
     writeSession(this->settingsInForce(), asked_.output.session);
 }
@@ -216,7 +228,7 @@ bool Window::perform(const std::function<void()>& work)
   }
   catch (const Failure& failure)
   {
-    message = failure.what();
+    failure_ = message = failure.what();
   }
   busy_ = false;
   if (bar_.wantsQuit())
@@ -248,9 +260,11 @@ void Window::look()
   Margins margins;
   // Both sides alike, so that what turns about its middle stays in the window's middle. Views
   // beside one another leave the legend a strip of its own.
-  const bool legend = this->settings().picture.legend && stage_.coloring().legendTable() &&
-                      views_.shown().size() == 1;
-  margins.left = margins.right = legend ? 0.03 + 0.13 * size[1] / std::max(1, size[0]) : 0.04;
+  props_.update();
+  const int legend = views_.shown().size() == 1 ? props_.legend().widthAtSide() : 0;
+  const double width = std::max(1, size[0]);
+  margins.left = margins.right =
+    legend > 0 ? std::max(0.03 + 0.13 * size[1] / width, 0.01 + legend / width) : 0.04;
   margins.bottom = margins.top = 0.06;
   stage_.look(double(size[0]) / std::max(1, size[1]), margins);
   this->rememberView();
@@ -301,8 +315,8 @@ void Window::shareFrameTime()
   if (!asked && playing_ && !wheeling_ && style_->GetState() == VTKIS_NONE)
     wanted =
       std::clamp(0.25 * std::max(stepTime_, 1.0 / this->settings().output.speed), wanted, 1.0);
-  // Rays get something, however long the rest takes.
-  const double least = (asked ? 0.1 : 0.3) * wanted;
+  // Rays get something, however long the rest takes: so much that the data can be told.
+  const double least = asked ? std::min(0.5 * wanted, 0.3 / usual) : 0.3 * wanted;
   const auto count = static_cast<double>(views_.shown().size());
   const double share = std::max(wanted - otherTime_, least) / count;
   views_.setUpPasses([&](vtkMoteRayCastPass* pass) { pass->SetInteractiveFrameTime(share); });
@@ -331,11 +345,14 @@ void Window::updatePreview()
   const Settings& wanted = this->settings();
   const int samples = wanted.picture.mostSamples(wanted.light.pathTrace);
   const ErrorShares shares = errorShares(wanted);
+  const std::array<int, 2> size = this->viewSize();
+  const double distance =
+    mostDistance(wanted.picture, double(size[0]) * size[1] / double(views_.shown().size()));
   views_.setUpPasses(
     [&](vtkMoteRayCastPass* pass)
     {
       pass->SetNoiseLevel(shares.noise.value_or(0.0));
-      pass->SetMostDistance(shares.mostDistance);
+      pass->SetMostDistance(distance);
       pass->SetSamplesPerPixel(previewed_ ? std::min(previewSamples, samples) : samples);
     });
 }
@@ -351,9 +368,12 @@ void Window::onRenderStart()
   if (viewedSize_ != views_.size() && view_ == this->viewNow())
     this->look();
   recorder_.note(this->state());
+  if (picked_.empty() && picked_.numberAway() == 0)
+    overTime_ = nullptr; // whose values it has
   this->updatePreview();
   this->takeMessages();
   views_.update(picked_);
+  overlay_.setTop(views_.heightOfNames());
   overlay_.setStatus(this->statusText());
   props_.legend().update();
 }
@@ -415,10 +435,13 @@ void Window::onTimer(int timer)
     this->watchFiles();
   else if (due(pathTimer_))
     this->watchPaths();
+  else if (due(overTimeTimer_))
+    this->watchOverTime();
   else if (due(recordTimer_))
     this->playNext();
   else if (due(messageTimer_))
   {
+    askedToLeave_.reset();
     overlay_.setMessage("");
     this->render();
   }

@@ -12,10 +12,12 @@
 #include "panels/Panel.h"
 #include "panels/PanelHost.h"
 #include "settings/History.h"
+#include "settings/KeptSession.h"
 #include "stage/FollowedFiles.h"
 #include "stage/PickedSet.h"
 #include "stage/Stage.h"
 #include "stage/StepCache.h"
+#include "stage/ValuesOverTime.h"
 #include "table/Keys.h"
 
 #include <vtkNew.h>
@@ -78,6 +80,11 @@ private:
   void changePaths();
   void followPaths();
   void watchPaths();
+  void plotOverTime();
+  void readOverTime(const IdRanges& ids);
+  void watchOverTime();
+  void saveOverTime();
+  void leave();
   void quit();
 
   // Drawing
@@ -99,6 +106,8 @@ private:
 
   // Panel
   void setUpPanel();
+  int widthOfPanel() const;
+  int widthOfPanelNow() const;
   void updatePanel();
   void layPanel();
   void drawPanel();
@@ -128,6 +137,7 @@ private:
   void recordCamera();
   void goBack(bool undo);
   Settings settingsInForce();
+  Settings pictureInForce();
   void saveSession(const std::string& file);
 
   // What is recorded, and played
@@ -155,6 +165,7 @@ private:
   void act(const Binding& binding);
   void actOnRow(const Binding& binding);
   void fitToArray(Settings& next) const;
+  void resetView();
   bool actOnView(Action action);
   bool actOnFiles(Action action);
   void goTo(int step);
@@ -163,9 +174,13 @@ private:
   Settings otherBackground() const;
   void zoom(double factor);
   void savePicture();
+  void savePlot(bool asPicture);
+  bool doElsewhere(const std::function<void()>& work);
   void saveFilm();
+  void takeRangeOfAllSteps();
   std::string makeFilm(const std::string& file);
   std::array<int, 2> savedSize() const;
+  double savedScale() const;
   std::string unusedName(const std::string& ending) const;
   std::string coloringText() const;
   void say(const std::string& message);
@@ -183,6 +198,7 @@ private:
   std::string factsOf(const Hit& hit, int mostArrays) const;
   void setUpPicking();
   void pick(bool adds);
+  void tellPickedAgain();
   void pickRectangle(
     const std::array<int, 2>& from, const std::array<int, 2>& to, bool isThrough, bool adds);
   void addWithin(View& view, const std::array<int, 2>& from, const std::array<int, 2>& to,
@@ -225,6 +241,8 @@ private:
   Recorder recorder_;
   std::unique_ptr<Player> player_; ///< while a recording is played
   History history_;
+  KeptSession kept_;
+  std::optional<Settings> askedToLeave_;  ///< with these, while the message stands
   std::vector<std::string> adviceBefore_; ///< that was given already
   std::vector<std::string> messages_;     ///< warnings and failures so far
   std::array<double, 10> view_{};         // as the settings had it last
@@ -239,8 +257,9 @@ private:
   std::unique_ptr<StepCache> cache_;   ///< null: nothing is read ahead
   StepCache::Facts cacheShown_;        ///< as the panel has it
   WindowPaths paths_;
-  std::optional<FollowedFiles> followed_; ///< while steps are read that are written
-  std::string followProblem_;             ///< that was told last
+  std::unique_ptr<ValuesOverTime> overTime_; ///< of what was picked
+  std::optional<FollowedFiles> followed_;    ///< while steps are read that are written
+  std::string followProblem_;                ///< that was told last
   int step_ = 0;
   int loadedStep_ = -1; ///< that the stage shows; -1 while it changes
   int direction_ = 1;   ///< of the last change of the step
@@ -253,9 +272,11 @@ private:
   double otherTime_ = 0.0; ///< of the last frame that was traced, beside tracing: s
   double stepTime_ = 0.0;  ///< from one step that is played to the next: s, smoothed
   double stepStart_ = 0.0; ///< when the last one began to be shown
+  std::string failure_;    // what perform() told last
   bool previewed_ = false; // the picture shown last was a preview
   int sharpenTimer_ = 0, restTimer_ = 0, playTimer_ = 0, messageTimer_ = 0, panelTimer_ = 0,
-      hoverTimer_ = 0, cacheTimer_ = 0, followTimer_ = 0, pathTimer_ = 0, recordTimer_ = 0;
+      hoverTimer_ = 0, cacheTimer_ = 0, followTimer_ = 0, pathTimer_ = 0, overTimeTimer_ = 0,
+      recordTimer_ = 0;
 };
 
 } // namespace mote::app

@@ -1,7 +1,9 @@
 #include "Window.h"
 
 #include "InteractorStyle.h"
+#include "base/OutputFile.h"
 #include "base/Text.h"
+#include "commands/PlotFile.h"
 #include "settings/Colors.h"
 #include "stage/Arrays.h"
 #include "stage/Picture.h"
@@ -92,11 +94,32 @@ void Window::act(const Binding& binding)
       picked_.clear();
       break;
     case Action::Quit:
-      return this->quit();
+      return this->leave();
     default:
       break;
     }
   this->render();
+}
+
+/// The camera as it was asked for, or as it chooses itself for what is shown now.
+void Window::resetView()
+{
+  const Settings next = this->settingsOf(
+    [&](Settings& s)
+    {
+      const bool orthographic = s.camera.orthographic;
+      s.camera = asked_.camera;
+      s.camera.orthographic = orthographic;
+      // A camera that was asked for is of the projection that was asked for.
+      if (orthographic != asked_.camera.orthographic)
+        s.camera.camera.clear();
+    });
+  if (next != this->settings())
+    return this->change(next);
+  // The same settings look at what another time step has from another place.
+  if (const Settings seen = this->settingsAsSeen(); seen != next)
+    history_.add(seen);
+  this->look();
 }
 
 bool Window::actOnView(Action action)
@@ -104,16 +127,7 @@ bool Window::actOnView(Action action)
   switch (action)
   {
   case Action::ResetView:
-    this->change(this->settingsOf(
-      [&](Settings& s)
-      {
-        const bool orthographic = s.camera.orthographic;
-        s.camera = asked_.camera;
-        s.camera.orthographic = orthographic;
-        // A camera that was asked for is of the projection that was asked for.
-        if (orthographic != asked_.camera.orthographic)
-          s.camera.camera.clear();
-      }));
+    this->resetView();
     return true;
   case Action::Center:
     this->center();
@@ -224,15 +238,18 @@ bool Window::actOnFiles(Action action)
   case Action::SaveFilm:
     this->saveFilm();
     return true;
+  case Action::RangeOfAllSteps:
+    this->takeRangeOfAllSteps();
+    return true;
   case Action::SaveSession:
     this->saveSession(
       asked_.output.session.empty() ? this->unusedName(".json") : asked_.output.session);
     return true;
   case Action::PrintCommand:
-    print(commandOf(this->settingsInForce(), this->unusedName(".png")) + "\n", "The command");
+    print(commandOf(this->pictureInForce(), this->unusedName(".png")) + "\n", "The command");
     return true;
   case Action::PrintScript:
-    print(scriptOf(stage_, input_, this->settingsInForce(), this->unusedName(".png")), "The script",
+    print(scriptOf(stage_, input_, this->pictureInForce(), this->unusedName(".png")), "The script",
       views_.shown().size() > 1 ? "; it has all data in one view" : "");
     return true;
   default:
@@ -292,7 +309,8 @@ std::string Window::coloringText() const
 void Window::say(const std::string& message)
 {
   constexpr int letter = 10; // pixels, about
-  const int columns = std::max(24, this->viewSize()[0] / letter);
+  const int columns = std::max(12, this->viewSize()[0] / letter);
+  askedToLeave_.reset();
   overlay_.setMessage(" " + wrapped(message, static_cast<std::size_t>(columns)) + " ");
   this->startTimer(messageTimer_, 4000);
 }
@@ -310,8 +328,13 @@ void Window::zoom(double factor)
 
 std::string Window::unusedName(const std::string& ending) const
 {
-  const std::string stem =
-    std::filesystem::path(this->settings().data.files.front()).stem().stem().string();
+  const std::string& first = this->settings().data.files.front();
+  std::string stem = std::filesystem::path(first).stem().stem().string();
+  if (first.find(':') != std::string::npos && !std::filesystem::exists(first))
+  {
+    stem = first; // pump:0.1, which is made: the point begins no extension
+    std::replace(stem.begin(), stem.end(), ':', '-');
+  }
   for (int i = 1;; ++i)
   {
     char number[16];
@@ -319,6 +342,26 @@ std::string Window::unusedName(const std::string& ending) const
     if (const std::string file = stem + number + ending; !std::filesystem::exists(file))
       return file;
   }
+}
+
+/// What the panel plots, as a picture or as its counts.
+void Window::savePlot(bool asPicture)
+{
+  const PlotPanel& shown = panel_.plot();
+  if (shown.plot().isEmpty())
+    return this->say("Nothing is plotted");
+  const std::string file = this->unusedName(asPicture ? "-plot.png" : "-plot.csv");
+  const bool done = this->perform(
+    [&]
+    {
+      if (asPicture)
+        writePlotPicture(shown.plot(), shown.plotted(), shown.isLogarithmic(),
+          captionOf(input_, step_, stage_.contents()), file);
+      else
+        writeText(file, plotText(shown.plot(), shown.plotted()));
+    });
+  if (done)
+    this->say("Saved " + file);
 }
 
 void Window::savePicture()
@@ -332,9 +375,12 @@ void Window::savePicture()
     [&]
     {
       Picture picture(stage_, this->savedSize());
+      picture.setLineScale(this->savedScale());
       picture.aim(file);
-      const auto paths = ParticlePaths::whole(this->settings(), input_, progress_);
-      picture.setPaths(paths.get());
+      paths_.follow(this->settings(), input_);
+      if (paths_.isShown())
+        paths_.paths()->finish(progress_);
+      picture.setPaths(paths_.paths());
       picture.setPicked(picked_.words(stage_.parts()));
       picture.write(captionOf(input_, step_, stage_.contents()), progress_);
     });

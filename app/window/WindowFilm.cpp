@@ -1,12 +1,16 @@
-// Films that the window makes.
+// What the window makes of all time steps: films, a range of colours.
 
 #include "Window.h"
 
-#include "base/Failure.h"
+#include "base/Text.h"
 #include "commands/Animate.h"
 #include "commands/Film.h"
+#include "stage/Silhouettes.h"
 
+#include <vtkLookupTable.h>
 #include <vtkRenderer.h>
+
+#include <numeric>
 
 namespace mote::app
 {
@@ -18,15 +22,20 @@ std::array<int, 2> Window::savedSize() const
   return size[0] > 0 ? size : this->viewSize();
 }
 
-void Window::saveFilm()
+/// Factor on widths in pixels: what is saved looks like the view.
+double Window::savedScale() const
+{
+  return double(this->savedSize()[1]) / std::max(1, this->viewSize()[1]);
+}
+
+/// Does work that leaves the stage at other settings and data, and then shows again what is shown
+/// now. False where the work failed.
+bool Window::doElsewhere(const std::function<void()>& work)
 {
   playing_ = false;
   this->recordCamera();
   const Settings before = this->settings();
-  const std::string& asked = before.output.file;
-  const std::string file = asked.empty() ? this->unusedName(".ogv") : asked;
   const std::vector<double> camera = cameraOf(stage_.renderer()->GetActiveCamera());
-  std::string told;
   const bool done = this->perform(
     [&]
     {
@@ -43,7 +52,7 @@ void Window::saveFilm()
       };
       try
       {
-        told = this->makeFilm(file);
+        work();
       }
       catch (...)
       {
@@ -54,8 +63,45 @@ void Window::saveFilm()
     });
   this->followProps();
   this->rememberView();
-  if (done)
+  return done;
+}
+
+void Window::saveFilm()
+{
+  const std::string& asked = this->settings().output.file;
+  const std::string file = asked.empty() ? this->unusedName(".ogv") : asked;
+  std::string told;
+  if (this->doElsewhere([&] { told = this->makeFilm(file); }))
     this->say(told);
+}
+
+/// Has the colours go from the least to the greatest value that any time step has.
+void Window::takeRangeOfAllSteps()
+{
+  std::vector<double> range;
+  const Coloring::SeenRange seen = stage_.coloring().seenRange();
+  const bool done = this->doElsewhere(
+    [&]
+    {
+      Settings free = this->settings();
+      free.color.range.clear();
+      stage_.apply(free);
+      std::vector<int> steps(static_cast<std::size_t>(input_.numberOfSteps()));
+      std::iota(steps.begin(), steps.end(), 0);
+      includeColors(stage_, input_, steps, progress_);
+      stage_.applyColors();
+      if (vtkLookupTable* table = stage_.coloring().table(); table && !stage_.coloring().isTyped())
+        range.assign(table->GetRange(), table->GetRange() + 2);
+      stage_.coloring().goBackTo(seen); // these steps were not shown
+    });
+  if (!done || range.empty())
+    return;
+  this->change(this->settingsOf([&](Settings& s) { s.color.range = range; }),
+    [&]
+    {
+      return stage_.coloring().title() + " goes from " + asNumber(range[0]) + " to " +
+             asNumber(range[1]) + " in all " + counted(input_.numberOfSteps(), "time step");
+    });
 }
 
 /// Leaves the stage at the film's last frame. Returns what is to be told of it.
@@ -64,9 +110,13 @@ std::string Window::makeFilm(const std::string& file)
   const Settings now = this->settingsInForce();
   checkFilmName(file, now.data.files);
   stage_.setPreview(false);
-  const std::vector<Settings>& keys = panel_.keyFrames();
-  const std::vector<Settings> frames =
-    framesOf(stage_, input_, keys.empty() ? std::vector<Settings>{now} : keys);
+  std::vector<Settings> keys = panel_.keyFrames();
+  if (keys.empty())
+    keys = {now};
+  for (Settings& key : keys) // of a view that may have had another size
+    key.silhouettes =
+      scaled(key.silhouettes, double(this->savedSize()[1]) / std::max(1, key.picture.size[1]));
+  const std::vector<Settings> frames = framesOf(stage_, input_, keys);
   int step = includeColorsOf(frames, stage_, input_, step_, progress_);
   const std::array<int, 2> size = this->savedSize();
   const FilmResult result = mote::app::makeFilm(stage_, input_, step, frames, file, size, bar_);

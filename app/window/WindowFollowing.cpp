@@ -81,6 +81,8 @@ void Window::takeNewSteps()
   else
     cache_->setInput(input_.again(), same);
   this->followPaths();
+  if (overTime_)
+    this->readOverTime(overTime_->ids());
   if (!same)
   {
     loadedStep_ = -1; // there are others by these numbers

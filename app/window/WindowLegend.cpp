@@ -75,7 +75,7 @@ void WindowLegend::update()
 {
   const int* size = renderer_->GetSize();
   const bool wanted = legend_->GetLookupTable() && size[0] >= 64 && size[1] >= 64;
-  actor_->SetVisibility(wanted);
+  actor_->SetVisibility(wanted && !isLeftOut_);
   if (!wanted)
     return;
   const int* present = canvas_->GetDimensions();
@@ -93,11 +93,26 @@ void WindowLegend::update()
   legend_->Update();
   int rectangle[4];
   legend_->GetLegendRectangle(rectangle);
-  actor_->SetVisibility(rectangle[0] <= rectangle[1] && rectangle[2] <= rectangle[3]);
-  if (!actor_->GetVisibility())
+  // In a narrow view the data are worth more than what their colours mean.
+  constexpr double most = 0.3; // of the view's width
+  const bool fits = rectangle[1] - rectangle[0] < most * size[0];
+  actor_->SetVisibility(rectangle[0] <= rectangle[1] && rectangle[2] <= rectangle[3] && fits);
+  isLeftOut_ = !actor_->GetVisibility();
+  if (isLeftOut_)
     return;
   mapper_->SetInputData(cutOut(legend_->GetOutput(), rectangle));
   actor_->SetPosition(rectangle[0], rectangle[2]);
+}
+
+int WindowLegend::widthAtSide()
+{
+  this->update();
+  if (!actor_->GetVisibility())
+    return 0;
+  int rectangle[4];
+  legend_->GetLegendRectangle(rectangle);
+  return legend_->GetSide() == vtkMoteColorLegend::LEFT ? rectangle[1]
+                                                        : renderer_->GetSize()[0] - rectangle[0];
 }
 
 } // namespace mote::app

@@ -30,6 +30,9 @@ public:
   /// Draws anew where something has changed, the size of the window too. Call before each frame.
   void update();
 
+  /// Pixels that it takes from the edge that it is at; 0 where there is none.
+  int widthAtSide();
+
 private:
   vtkRenderer* renderer_;
   vtkNew<vtkImageData> canvas_;
@@ -37,6 +40,7 @@ private:
   vtkNew<vtkImageMapper> mapper_;
   vtkNew<vtkActor2D> actor_;
   vtkMTimeType drawn_ = 0;
+  bool isLeftOut_ = false; ///< as the view is too narrow
 };
 
 } // namespace mote::app

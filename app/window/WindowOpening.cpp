@@ -8,6 +8,7 @@
 #include "base/Messages.h"
 #include "settings/UserState.h"
 #include "table/Opening.h"
+#include "table/Session.h"
 
 #include <vtkCommand.h>
 #include <vtkStringArray.h>
@@ -45,7 +46,13 @@ void Window::open(const OpenChoice& choice)
                (wasEmpty ? "; press h for the keys" : "; Ctrl+Z brings back what was there");
       });
     if (input_.files() == next.data.files)
+    {
       noteRecent(next.data.files);
+      if (isSessionFile(choice.files.front()))
+        kept_.keep(this->settings());
+      else if (!choice.isAdded)
+        kept_.forget();
+    }
   }
   catch (const Failure& failure)
   {
@@ -64,6 +71,7 @@ void Window::readFiles(const Settings& wanted)
   followed_.reset();
   input_ = std::move(next);
   picked_.clear();
+  overTime_ = nullptr;
   stage_.clear();
   giveBackMemory();
   stage_.apply(wanted);

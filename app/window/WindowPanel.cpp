@@ -47,13 +47,26 @@ void Window::setUpPanel()
   observe(stage_.renderer(), vtkCommand::EndEvent, [this](void*) { this->drawPanel(); });
 }
 
+/// Pixels that the panel would have of a window that is wide enough.
+int Window::widthOfPanel() const
+{
+  return static_cast<int>(panelWidth * asked_.output.uiScale.value_or(displayScale()));
+}
+
+/// Pixels that the panel has of the window; 0 where there is no room for one.
+int Window::widthOfPanelNow() const
+{
+  constexpr double least = 0.6; // of its width: narrower, its texts are cut
+  const int* size = window_->GetSize();
+  const int width = std::min(this->widthOfPanel(), size[0] / 2);
+  return width < least * this->widthOfPanel() || size[1] < least * this->widthOfPanel() ? 0 : width;
+}
+
 /// The view has what the panel leaves of the window.
 void Window::updatePanel()
 {
   const int* size = window_->GetSize();
-  const double scale = asked_.output.uiScale.value_or(displayScale());
-  const int width =
-    panelHost_ && panelOn_ ? std::min(static_cast<int>(panelWidth * scale), size[0] / 2) : 0;
+  const int width = panelHost_ && panelOn_ ? this->widthOfPanelNow() : 0;
   const bool isStart = panelHost_ && panelOn_ && this->isEmpty();
   const double left = isStart ? 0.0 : static_cast<double>(width) / std::max(1, size[0]);
   stage_.renderer()->SetViewport(left, 0.0, 1.0, 1.0);
@@ -73,12 +86,12 @@ void Window::drawPanel()
 {
   if (!panelHost_)
     return;
-  if (busy_ || !panelOn_)
+  if (busy_ || !panelOn_ || panelHost_->width() == 0)
     return panelHost_->lose();
   if (!panelHost_->isLaid())
     this->layPanel();
-  // The view has what the panel leaves, but for several of them, which share a background.
-  if (this->isEmpty() || views_.shown().size() > 1)
+  // The views have what the panel leaves.
+  if (this->isEmpty())
     panelHost_->lose();
   panelHost_->draw();
 }
@@ -86,7 +99,7 @@ void Window::drawPanel()
 /// Draws the panel alone, where nothing else has changed.
 void Window::renderPanel()
 {
-  if (!panelHost_ || !panelOn_)
+  if (!panelHost_ || !panelOn_ || panelHost_->width() == 0)
     return this->renderOverlays();
   this->layPanel();
   const PanelHost::Drawn drawn = panelHost_->drawAlone();
@@ -109,7 +122,8 @@ void Window::layPanel()
   facts.isPlaying = playing_;
   facts.frameTime = frameTime_;
   facts.messages = messages_;
-  facts.picked = {&picked_, &picksThrough_};
+  facts.picked = {
+    &picked_, &picksThrough_, overTime_.get(), input_.times(), step_, input_.numberOfSteps()};
   facts.quality = views_.numberOfSamples() > 0 ? this->qualityText() : "";
   facts.isRecording = recorder_.isOn();
   if (player_)
@@ -122,7 +136,7 @@ void Window::layPanel()
         facts, wish_, static_cast<float>(panelHost_->width()), static_cast<float>(size[1]));
     });
   panelHost_->setFocused(panel_.hasFocus());
-  panelHost_->setTyping(panel_.hasOpenDialog());
+  panelHost_->setTyping(panel_.awaitsKeys());
   const bool isOver = beforeHold_ && !wish_.isHeld && !player_;
   if ((wish_.settings || wish_.open || wish_.action != Action::None || isOver) && panelTimer_ == 0)
     this->startTimer(panelTimer_, soon);
@@ -177,8 +191,11 @@ void Window::takeSettings(Settings next, bool isHeld)
     }
     const bool isShown = !beforeHold_ || this->follow(next);
     this->endHold();
+    failure_.clear();
     if (isShown)
       this->change(next);
+    if (!failure_.empty())
+      panel_.refuse(this->settings(), next, failure_);
     return this->render();
   }
   // What is dragged is seen at once, coarsely, and undone as one.
@@ -211,6 +228,8 @@ void Window::togglePanel()
 {
   if (!panelHost_)
     return this->say("This window's OpenGL is older than 3.2 and cannot draw the panel");
+  if (!this->isEmpty() && this->widthOfPanelNow() == 0)
+    return this->say("This window is too small for the panel");
   // Folded away only by whom it has the keys of: so that one key does both.
   const bool isShown = panelOn_;
   panelOn_ = !isShown || !panel_.hasFocus();

@@ -7,6 +7,7 @@
 #include "base/Failure.h"
 #include "base/Text.h"
 #include "stage/Calculated.h"
+#include "stage/CellValues.h"
 #include "stage/PickedTable.h"
 
 #include <vtkAbstractArray.h>
@@ -50,22 +51,47 @@ std::string asTuple(const double* values, int count)
   return text;
 }
 
-std::string arrayFacts(vtkDataSetAttributes* arrays, vtkIdType id, int most)
+std::string arrayFacts(
+  vtkDataSetAttributes* arrays, vtkIdType id, int& most, vtkDataSetAttributes* others = nullptr)
 {
   std::string text;
-  int told = 0;
-  for (int i = 0; i < arrays->GetNumberOfArrays() && told < most; ++i)
+  for (int i = 0; i < arrays->GetNumberOfArrays() && most > 0; ++i)
   {
     vtkAbstractArray* array = arrays->GetAbstractArray(i);
     const std::string name = nameOf(array);
     if (name.empty() || name == whereArray || id >= array->GetNumberOfTuples())
       continue;
-    ++told;
+    --most;
     std::vector<std::string> values(
       static_cast<std::size_t>(std::min(9, array->GetNumberOfComponents())));
     for (std::size_t k = 0; k < values.size(); ++k)
       values[k] = valueText(array, static_cast<int>(k), id, 6);
-    text += factLine(name, joined(values, ", "));
+    const bool isTwice = others && others->HasArray(name.c_str());
+    text += factLine((isTwice ? "cell:" : "") + name, joined(values, ", "));
+  }
+  return text;
+}
+
+/// What arrays of points are at a place in a cell.
+std::string factsBetween(
+  vtkDataSet* data, vtkIdType cell, const std::array<double, 3>& place, int& most)
+{
+  const auto weights = weightsAt(data, cell, place);
+  std::string text;
+  for (int i = 0; weights && i < data->GetPointData()->GetNumberOfArrays() && most > 0; ++i)
+  {
+    vtkDataArray* array = data->GetPointData()->GetArray(i);
+    const std::string name = array ? nameOf(array) : "";
+    if (name.empty() || name == whereArray)
+      continue;
+    --most;
+    std::vector<double> values(
+      static_cast<std::size_t>(std::min(9, array->GetNumberOfComponents())));
+    for (std::size_t k = 0; k < values.size(); ++k)
+      values[k] = valueBetween(*weights, array, static_cast<int>(k));
+    const bool isTwice = data->GetCellData()->HasArray(name.c_str()) != 0;
+    text += factLine(
+      (isTwice ? "point:" : "") + name, asTuple(values.data(), static_cast<int>(values.size())));
   }
   return text;
 }
@@ -114,13 +140,15 @@ std::string Window::factsOf(const Hit& hit, int mostArrays) const
       what = factLine("iso-surface", asNumber(hit.value));
     else if (!part.surface()->mapper()->IsColoredByCells() && std::isfinite(hit.value))
       what = factLine("here", stage_.coloring().title() + ' ' + asNumber(hit.value));
-    return (what + factLine("cell", which)).substr(1) +
-           factLine("position", asTuple(hit.at.data(), 3)) +
-           arrayFacts(part.data()->GetCellData(), picked.id, mostArrays);
+    vtkDataSet* data = part.data();
+    what += factLine("cell", which) + factLine("position", asTuple(hit.at.data(), 3));
+    what += factsBetween(data, picked.id, hit.at, mostArrays);
+    what += arrayFacts(data->GetCellData(), picked.id, mostArrays, data->GetPointData());
+    return what.substr(1);
   }
   double position[3];
   part.data()->GetPoint(picked.id, position);
-  return factLine("particle", which).substr(1) + factLine("position", asTuple(position, 3)) +
+  return factLine("index", which).substr(1) + factLine("position", asTuple(position, 3)) +
          arrayFacts(part.data()->GetPointData(), picked.id, mostArrays);
 }
 
@@ -170,11 +198,22 @@ void Window::pick(bool adds)
     return this->say(withThousands(static_cast<std::int64_t>(picked_.items().size())) + " picked");
   if (hit->picked.kind == Picked::Kind::Cell)
     picked_.setPlace(hit->picked, hit->at);
-  overlay_.setMessage(factsOf(*hit, mostFacts));
+  overlay_.setMessage(factsOf(*hit, mostFacts), true);
   overlay_.hideHelp();
   if (messageTimer_ > 0)
     interactor_->DestroyTimer(messageTimer_);
   messageTimer_ = 0;
+}
+
+/// The values in the view are those of the data that are there now; those of a place on a mesh
+/// are not known there.
+void Window::tellPickedAgain()
+{
+  if (!overlay_.tellsPicked())
+    return;
+  const Picked* last = picked_.last();
+  const bool isThere = last && last->kind == Picked::Kind::Particle;
+  overlay_.setMessage(isThere ? factsOf({*last, {}, 0.0, 0.0, 0.0}, mostFacts) : "", isThere);
 }
 
 void Window::drawRectangle(const std::array<int, 2>& from, const std::array<int, 2>& to)
@@ -317,6 +356,16 @@ bool Window::actOnPicked(Action action)
     return true;
   case Action::PathsOfPicked:
     this->changePaths();
+    return true;
+  case Action::PlotOverTime:
+    this->plotOverTime();
+    return true;
+  case Action::SaveOverTime:
+    this->saveOverTime();
+    return true;
+  case Action::SavePlot:
+  case Action::SaveCounts:
+    this->savePlot(action == Action::SavePlot);
     return true;
   case Action::CopyPicked:
     if (this->requirePicked(false))

@@ -1,18 +1,23 @@
 #include "WindowProgress.h"
 
 #include "Display.h"
+#include "Observe.h"
 #include "base/Text.h"
 #include "settings/Colors.h"
 
 #include <vtkActor2D.h>
 #include <vtkCoordinate.h>
+#include <vtkImageData.h>
 #include <vtkPlaneSource.h>
+#include <vtkPointData.h>
 #include <vtkPolyDataMapper2D.h>
 #include <vtkProperty2D.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
+#include <vtkTexture.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,14 +30,14 @@ namespace
 
 constexpr double left = 0.3, right = 0.7, bottom = 0.47, top = 0.485;
 
-void addBar(vtkRenderer* renderer, vtkPlaneSource* plane, const Color& color, double opacity)
+void addBar(vtkRenderer* renderer, vtkActor2D* actor, vtkPlaneSource* plane, const Color& color,
+  double opacity)
 {
   vtkNew<vtkCoordinate> coordinate;
   coordinate->SetCoordinateSystemToNormalizedViewport();
   vtkNew<vtkPolyDataMapper2D> mapper;
   mapper->SetInputConnection(plane->GetOutputPort());
   mapper->SetTransformCoordinate(coordinate);
-  vtkNew<vtkActor2D> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(color[0], color[1], color[2]);
   actor->GetProperty()->SetOpacity(opacity);
@@ -55,12 +60,13 @@ WindowProgress::WindowProgress(vtkRenderWindow* window, vtkRenderer* view)
   renderer_->SetBackground(view->GetBackground());
   renderer_->SetBackground2(view->GetBackground2());
   renderer_->SetGradientBackground(view->GetGradientBackground());
+  observe(view, vtkCommand::EndEvent, [this](void*) { isNew_ = true; });
   const Color ink = inkOn(view);
   vtkNew<vtkPlaneSource> groove;
   setSpan(groove, right);
   setSpan(bar_, right);
-  addBar(renderer_, groove, ink, 0.2);
-  addBar(renderer_, bar_, ink, 0.9);
+  addBar(renderer_, grooveActor_, groove, ink, 0.2);
+  addBar(renderer_, barActor_, bar_, ink, 0.9);
   text_->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   text_->SetPosition(0.5, 0.505);
   text_->GetTextProperty()->SetJustificationToCentered();
@@ -69,10 +75,36 @@ WindowProgress::WindowProgress(vtkRenderWindow* window, vtkRenderer* view)
   renderer_->AddActor2D(text_);
 }
 
+/// What was there last stays behind the bar: the view, its texts and the panel.
+void WindowProgress::keepFrame()
+{
+  if (!isNew_)
+    return;
+  isNew_ = false;
+  constexpr int share = 90; // of 256, of its brightness: white texts are read on it
+  const int* size = window_->GetSize();
+  vtkNew<vtkImageData> frame;
+  frame->SetDimensions(size[0], size[1], 1);
+  vtkNew<vtkUnsignedCharArray> pixels;
+  if (!window_->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels))
+    return;
+  for (vtkIdType i = 0; i < pixels->GetNumberOfValues(); ++i)
+    pixels->SetValue(i, static_cast<unsigned char>(pixels->GetValue(i) * share / 256));
+  frame->GetPointData()->SetScalars(pixels);
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(frame);
+  renderer_->SetBackgroundTexture(texture);
+  renderer_->TexturedBackgroundOn();
+  for (vtkActor2D* actor : {grooveActor_.Get(), barActor_.Get()})
+    actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  text_->GetTextProperty()->SetColor(1.0, 1.0, 1.0);
+}
+
 void WindowProgress::show(const std::string& what, double share)
 {
   if (!shown_)
   {
+    this->keepFrame();
     window_->RemoveRenderer(view_);
     window_->AddRenderer(renderer_);
     shown_ = true;

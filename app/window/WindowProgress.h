@@ -3,6 +3,7 @@
 #include "base/ProgressRelay.h"
 #include "settings/Settings.h"
 
+#include <vtkActor2D.h>
 #include <vtkNew.h>
 #include <vtkPlaneSource.h>
 #include <vtkTextActor.h>
@@ -13,7 +14,7 @@ class vtkRenderer;
 namespace mote::app
 {
 
-/// A bar in the window, in place of the view while long work goes on.
+/// A bar in the window while long work goes on, over the last frame of the view, darkened.
 class WindowProgress : public ProgressDisplay
 {
 public:
@@ -31,12 +32,16 @@ public:
   bool shown() const { return shown_; }
 
 private:
+  void keepFrame();
+
   vtkRenderWindow* window_;
   vtkRenderer* view_;
   vtkNew<vtkRenderer> renderer_;
   vtkNew<vtkTextActor> text_;
   vtkNew<vtkPlaneSource> bar_;
+  vtkNew<vtkActor2D> barActor_, grooveActor_;
   bool shown_ = false;
+  bool isNew_ = false; ///< the view has been drawn since the bar was there
   bool stop_ = false;
   bool quit_ = false;
 };

@@ -13,6 +13,13 @@
 namespace mote::app
 {
 
+namespace
+{
+
+constexpr double share = 0.13; // of the view's width: the axes' part
+
+} // namespace
+
 WindowProps::WindowProps(Stage& stage)
   : stage_(stage)
   , legend_(stage.renderer())
@@ -45,15 +52,24 @@ void WindowProps::placeAxes()
   // Shares of the view. VTK looks where that lies when these numbers change, and not otherwise.
   constexpr double unseen = 1e-6;
   const double left = stage_.renderer()->GetViewport()[0];
-  corner_->SetViewport(0.0, 0.045, 0.13 + unseen * left, 0.225);
+  corner_->SetViewport(0.0, 0.045, share + unseen * left, 0.225);
+  this->showAxes();
+}
+
+/// Where there is room for their letters.
+void WindowProps::showAxes()
+{
+  constexpr double least = 36.0; // pixels
+  const bool axes = stage_.settings().picture.axes && !stage_.parts().empty() &&
+                    share * stage_.renderer()->GetSize()[0] > least;
+  if (corner_->GetInteractor() && corner_->GetEnabled() != static_cast<int>(axes))
+    corner_->SetEnabled(axes);
 }
 
 void WindowProps::update()
 {
   const PictureSettings& picture = stage_.settings().picture;
-  const bool axes = picture.axes && !stage_.parts().empty();
-  if (corner_->GetInteractor() && corner_->GetEnabled() != static_cast<int>(axes))
-    corner_->SetEnabled(axes);
+  this->showAxes();
   legend_.set(stage_.coloring().legendTable(), stage_.coloring().title(), picture);
   this->setInk(inkOn(stage_.renderer()));
 }

@@ -33,6 +33,7 @@ public:
 
 private:
   void setInk(const Color& ink);
+  void showAxes();
 
   Stage& stage_;
   WindowLegend legend_;

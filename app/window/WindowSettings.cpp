@@ -6,6 +6,8 @@
 #include "base/Text.h"
 #include "settings/Colors.h"
 #include "stage/Advice.h"
+#include "stage/Silhouettes.h"
+#include "table/Row.h"
 #include "table/Session.h"
 
 #include <vtkCamera.h>
@@ -47,6 +49,8 @@ void Window::change(const Settings& next, const std::function<std::string()>& me
   // What does nothing is told when it is chosen.
   const auto known = adviceBefore_;
   adviceBefore_ = adviceOn(stage_);
+  if (const std::string nothing = whatLeavesNothing(stage_); !nothing.empty())
+    adviceBefore_.push_back(nothing);
   for (const std::string& sentence : adviceBefore_)
     if (std::find(known.begin(), known.end(), sentence) == known.end())
       text += (text.empty() ? "" : ". ") + sentence;
@@ -133,14 +137,38 @@ void Window::recordCamera()
   this->note(RecordedEvent::Kind::Camera, now);
 }
 
+namespace
+{
+
+/// The options in which two settings differ: ": where, show"; nothing where there are too many, or
+/// the files are others.
+std::string differenceOf(const Settings& a, const Settings& b)
+{
+  constexpr std::size_t most = 3;
+  std::vector<std::string> names;
+  for (const Row& row : settingsTable())
+    if (row.get(a) != row.get(b))
+      names.push_back(row.name);
+  // The same camera may be said outright on one side, and be chosen on the other.
+  if (names.size() > 1)
+    std::erase(names, "camera");
+  return names.empty() || names.size() > most || a.data.files != b.data.files
+           ? ""
+           : ": " + joined(names, ", ");
+}
+
+} // namespace
+
 void Window::goBack(bool undo)
 {
+  panel_.forgetRefused();
   const Settings seen = this->settingsAsSeen();
   const auto next = undo ? history_.undo(seen) : history_.redo(seen);
+  const std::string what = next ? differenceOf(seen, *next) : "";
   if (!next)
     this->say(undo ? "There is nothing to undo" : "There is nothing to redo");
   else if (this->follow(*next, RecordedEvent::Kind::Did))
-    this->say(undo ? "Undone" : "Redone");
+    this->say((undo ? "Undone" : "Redone") + what);
 }
 
 Settings Window::settingsInForce()
@@ -153,10 +181,32 @@ Settings Window::settingsInForce()
   return all;
 }
 
+/// What makes the picture that the window saves.
+Settings Window::pictureInForce()
+{
+  Settings all = this->settingsInForce();
+  all.picture.size = this->savedSize();
+  all.silhouettes = scaled(all.silhouettes, this->savedScale());
+  return all;
+}
+
 void Window::saveSession(const std::string& file)
 {
   writeSession(this->settingsInForce(), file);
+  kept_.keep(this->settings());
   this->say("Saved " + file);
+}
+
+/// Quits; where changes of a session would be lost only when asked once more.
+void Window::leave()
+{
+  if (askedToLeave_ == this->settings() || !asked_.output.session.empty() ||
+      !kept_.lacks(this->settings()))
+    return this->quit();
+  this->say("Changes are not saved in a session: press q again to close without them, or Ctrl+S "
+            "to save them");
+  askedToLeave_ = this->settings();
+  this->render();
 }
 
 } // namespace mote::app

@@ -35,7 +35,7 @@ void Window::load(int step)
   this->keepStep();
   stage_.stopBuild();
   loadedStep_ = -1;
-  const std::vector<std::int64_t> names = picked_.names(stage_.parts());
+  const PickedSet::Names names = picked_.names(stage_.parts());
   if (cache_ && cache_->isReading(step))
     this->awaitStep(step);
   if (const auto ready = cache_ ? cache_->take(step) : std::nullopt)
@@ -48,6 +48,7 @@ void Window::load(int step)
     stage_.setData(data);
   }
   picked_.findAgain(stage_.parts(), names);
+  this->tellPickedAgain();
   // What plays would go on to the next step before it is built.
   stage_.setPreview(asked_.output.preview && !playing_);
   if (step != step_)
@@ -225,6 +226,46 @@ void Window::watchPaths()
   }
   if (paths_.isReading())
     this->startTimer(pathTimer_, pathPause);
+}
+
+/// Reads the values that the picked particles have at all steps, for the panel to plot.
+void Window::plotOverTime()
+{
+  constexpr std::int64_t most = 1000;
+  const IdRanges ids = picked_.ids(stage_.parts());
+  if (ids.empty())
+    return this->say("Pick particles first: their values over time are plotted then");
+  if (ids.count() > most)
+    return this->say("Values over time are plotted of up to " + withThousands(most) +
+                     " particles, and " + withThousands(ids.count()) + " are picked");
+  this->readOverTime(ids);
+}
+
+void Window::readOverTime(const IdRanges& ids)
+{
+  const IdRanges wanted = ids; // before the one that has them goes
+  overTime_ = nullptr;
+  overTime_ = std::make_unique<ValuesOverTime>(input_.again(), wanted, this->settings());
+  this->startTimer(overTimeTimer_, pathPause);
+}
+
+void Window::watchOverTime()
+{
+  if (!overTime_)
+    return;
+  if (panelHost_ && panelOn_)
+    this->renderPanel();
+  if (overTime_->stepsRead() < overTime_->steps())
+    this->startTimer(overTimeTimer_, pathPause);
+}
+
+void Window::saveOverTime()
+{
+  if (!overTime_)
+    return;
+  const std::string file = this->unusedName("-over-time.csv");
+  overTime_->write(file, input_.times());
+  this->say("Saved " + file);
 }
 
 /// Looks at what was read ahead by now.

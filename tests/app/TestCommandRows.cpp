@@ -9,6 +9,7 @@
 #include <vtkMoteAmbientOcclusionBaker.h>
 #include <vtkMoteColorLegend.h>
 #include <vtkMoteMeridionalAverage.h>
+#include <vtkMoteMeshMapper.h>
 #include <vtkMoteParticleMapper.h>
 #include <vtkMoteShading.h>
 #include <vtkMoteSilhouetteFilter.h>
@@ -29,6 +30,8 @@ TEST(CommandTable, RowsAreSetReadAndParsed)
     {"memory", {"4G"}},
     {"axis", {"1", "0", "0.5"}},
     {"origin", {"1", "2", "3"}},
+    {"radial-range", {"0.5", "2"}},
+    {"axial-range", {"-1", "2"}},
     {"from", {"1", "2", "3"}},
     {"to", {"3", "2", "1"}},
     {"threshold", {"3%"}},
@@ -82,7 +85,13 @@ TEST(CommandTable, RowsAreSetReadAndParsed)
       ASSERT_NO_THROW(app.parse(line)) << row.name;
       EXPECT_EQ(row.get(given.settings), words) << row.name;
     }
-    if (row.name != "threshold") // of the silhouettes, that pictures have, too
+    if (row.name == "picture-size") // which sessions keep
+    {
+      settings.data.files = {"pump:0.1"};
+      const std::string text = sessionText(settings, "s.json");
+      EXPECT_EQ(parseSession(text, "s.json").output.size, settings.output.size);
+    }
+    else if (row.name != "threshold") // of the silhouettes, that pictures have, too
     {
       EXPECT_EQ(sessionText(settings, "s.json"), sessionText(Settings{}, "s.json"))
         << "sessions take notice of " << row.name;
@@ -122,4 +131,6 @@ TEST(CommandTable, DefaultsAreThoseOfTheClassesThatTheySet)
   EXPECT_EQ(settings.depthImage.reduction, image->GetReductionFactor());
   vtkNew<vtkMoteColorLegend> legend;
   EXPECT_EQ(settings.picture.fontScale, legend->GetFontScale());
+  vtkNew<vtkMoteMeshMapper> mesh;
+  EXPECT_EQ(settings.picture.lodError, mesh->GetPixelsOfError());
 }

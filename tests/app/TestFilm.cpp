@@ -144,6 +144,28 @@ TEST(Film, StepsAreSpreadOverTheFrames)
   EXPECT_EQ(planFilm(sceneOf(7), film).front().data.step, "7") << "stays where it is";
 }
 
+TEST(Film, WhatItWillBeIsTold)
+{
+  FilmSettings film;
+  EXPECT_EQ(forecast({}, 80, film).length, "80 frames, 3.20 s");
+  EXPECT_EQ(forecast({}, 80, film).steps, "");
+  EXPECT_EQ(forecast({}, 1, film).length, "nothing moves in this film");
+  film.steps = "90:100";
+  EXPECT_EQ(
+    forecast({}, 80, film).length, "the series has 80 time steps, so there is no --steps 90:100");
+  film.steps = "";
+  std::vector<Settings> keys = {keyAt(front), keyAt(right)};
+  EXPECT_EQ(forecast(keys, 80, film).length, "50 frames, 2.00 s");
+  EXPECT_EQ(
+    forecast(keys, 80, film).steps, "all frames show one of 80 time steps; --steps all plays them");
+  EXPECT_EQ(forecast(keys, 1, film).steps, "");
+  film.steps = "all";
+  EXPECT_EQ(forecast(keys, 80, film).steps, "");
+  film.steps = "";
+  keys.front().data.step = "1";
+  EXPECT_EQ(forecast(keys, 80, film).steps, "") << "it goes from step to step";
+}
+
 TEST(Film, NamesOfFramesHaveTheirNumber)
 {
   EXPECT_EQ(frameName("f-%04d.png", 12), "f-0012.png");

@@ -4,6 +4,7 @@
 #include <base/Text.h>
 #include <base/UserFiles.h>
 #include <panels/FolderList.h>
+#include <settings/KeptSession.h>
 #include <settings/UserState.h>
 #include <table/Opening.h>
 #include <table/Session.h>
@@ -89,6 +90,12 @@ TEST_F(Opening, ASessionIsOpenedAlone)
   EXPECT_EQ(next.data.files, kept.data.files);
   EXPECT_EQ(next.light.size, 30.0);
   EXPECT_FALSE(next.output.panel);
+  // The size of saved pictures is the session's, where it has one.
+  now.output.size = {640, 480};
+  EXPECT_EQ(settingsToOpen(now, {session}, false).output.size, now.output.size);
+  kept.output.size = {320, 200};
+  writeSession(kept, session);
+  EXPECT_EQ(settingsToOpen(now, {session}, false).output.size, kept.output.size);
   EXPECT_THROW(settingsToOpen(now, {session, "b.dump"}, false), Failure);
   EXPECT_THROW(settingsToOpen(now, {session}, true), Failure);
 }
@@ -96,13 +103,13 @@ TEST_F(Opening, ASessionIsOpenedAlone)
 TEST_F(Opening, AFolderListsWhatCanBeReadInTheOrderOfNumbers)
 {
   fs::create_directories(folder / "Zoo");
-  for (const char* name : {"run.10.vtu", "run.9.vtu", "b.xyz", "a10.xyz", "a9.xyz", ".hidden.xyz"})
+  for (const char* name : {"run.10.vtu", "run.9.vtu", "b.xyz", "a10.pdb", "a9.pdb", ".hidden.xyz"})
     this->make(name);
   this->make("words.txt", "words");
   this->make("other.json", "{\"mote\": 1}");
   this->make("melt", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n0\n"); // by its first bytes
   Settings kept;
-  kept.data.files = {this->make("a9.xyz")};
+  kept.data.files = {this->make("a9.pdb")};
   writeSession(kept, (folder / "view.json").string());
   std::string problem;
   std::vector<std::string> names;
@@ -110,7 +117,7 @@ TEST_F(Opening, AFolderListsWhatCanBeReadInTheOrderOfNumbers)
     names.push_back(entry.name);
   EXPECT_EQ(problem, "");
   EXPECT_EQ(names, (std::vector<std::string>{
-                     "Zoo", "a9.xyz", "a10.xyz", "b.xyz", "melt", "run.*.vtu", "view.json"}));
+                     "Zoo", "a9.pdb", "a10.pdb", "b.xyz", "melt", "run.*.vtu", "view.json"}));
   EXPECT_TRUE(listFolder(folder / "none", problem).empty());
   EXPECT_NE(problem, "");
   EXPECT_TRUE(isFound("Copper-Scratch.dump.gz", "scr  COP"));
@@ -155,4 +162,29 @@ TEST_F(Opening, LongSentencesAreWrapped)
   EXPECT_EQ(wrapped("a verylongword b", 4), "a\nverylongword\nb");
   EXPECT_EQ(wrapped(" a  b\n c", 80), " a  b\n c") << "lines that fit stay as they are";
   EXPECT_EQ(wrapped("", 5), "");
+}
+
+TEST_F(Opening, ASessionLacksWhatWasChosenSinceAndNotWhatWasLookedAt)
+{
+  KeptSession session;
+  Settings now;
+  now.data.files = {"a.dump"};
+  EXPECT_FALSE(session.lacks(now)) << "there is none";
+  session.keep(now);
+  EXPECT_FALSE(session.lacks(now));
+  now.camera.view = "+x";
+  now.data.step = "3";
+  EXPECT_FALSE(session.lacks(now)) << "looking changes nothing";
+  now.color.map = "plasma";
+  EXPECT_TRUE(session.lacks(now));
+  now.color.map.clear();
+  EXPECT_FALSE(session.lacks(now)) << "it was undone";
+  now.data.files = {"a.dump", "b.dump"};
+  EXPECT_TRUE(session.lacks(now)) << "data were added";
+  now.data.files = {"b.dump"};
+  EXPECT_FALSE(session.lacks(now)) << "other data are no session";
+  now.data.files = {"a.dump"};
+  now.selection.where = "x > 1";
+  session.forget();
+  EXPECT_FALSE(session.lacks(now));
 }

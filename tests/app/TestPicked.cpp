@@ -7,6 +7,8 @@
 #include <stage/Stage.h>
 
 #include <gtest/gtest.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
@@ -14,6 +16,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -136,6 +139,63 @@ TEST_F(PickedTest, StaysThroughTimeById)
   EXPECT_EQ(set.items(), (std::vector<Picked>{particle(0, 1), particle(0, 3)}));
 }
 
+TEST_F(PickedTest, ComesBackWithDataThatHaveIt)
+{
+  this->show({{"a", particles({5, 6, 7, 8}), "a"}});
+  set.add({particle(0, 3), particle(0, 1), particle(0, 0)}); // 8, 6, 5
+  const auto next = [&](const std::vector<vtkIdType>& ids)
+  {
+    const auto names = set.names(stage->parts());
+    this->show({{"a", particles(ids), "a"}});
+    set.findAgain(stage->parts(), names);
+  };
+  next({8, 5, 9});
+  EXPECT_EQ(set.items(), (std::vector<Picked>{particle(0, 0), particle(0, 1)}));
+  EXPECT_EQ(set.numberAway(), 1u);
+  EXPECT_EQ(ValuesOf<IdRanges>::words(set.ids(stage->parts())),
+    (std::vector<std::string>{"5:6", "8"})); // whose paths are shown
+  next({});
+  EXPECT_TRUE(set.empty());
+  EXPECT_TRUE(set.hasParticles());
+  EXPECT_EQ(set.last(), nullptr);
+  next({4, 5, 6, 7, 8});
+  EXPECT_EQ(set.items(), (std::vector<Picked>{particle(0, 4), particle(0, 2), particle(0, 1)}));
+  EXPECT_EQ(set.numberAway(), 0u);
+  EXPECT_EQ(*set.last(), particle(0, 1));
+  next({});
+  set.clear();
+  next({5, 6, 8});
+  EXPECT_TRUE(set.empty());
+}
+
+TEST_F(PickedTest, KeepsCellsOfTheSameMeshAlone)
+{
+  const auto mesh = [](int cells)
+  {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> triangles;
+    for (int i = 0; i < cells + 2; ++i)
+      points->InsertNextPoint(i, i % 2, 0.0);
+    for (vtkIdType i = 0; i < cells; ++i)
+      triangles->InsertNextCell({i, i + 1, i + 2});
+    data->SetPoints(points);
+    data->SetPolys(triangles);
+    return data;
+  };
+  this->show({{"a", mesh(8), "a"}});
+  set.toggle({0, Picked::Kind::Cell, 5});
+  auto names = set.names(stage->parts());
+  this->show({{"a", mesh(8), "a"}});
+  set.findAgain(stage->parts(), names);
+  EXPECT_EQ(set.items().size(), 1u);
+  names = set.names(stage->parts());
+  this->show({{"a", mesh(9), "a"}});
+  set.findAgain(stage->parts(), names);
+  EXPECT_TRUE(set.empty()); // cell 5 is another one
+  EXPECT_FALSE(set.hasParticles());
+}
+
 TEST_F(PickedTest, NamesIdsOfTheirDataSets)
 {
   this->show({{"a", particles({5, 6, 7, 8}), "a"}});
@@ -177,12 +237,60 @@ TEST_F(PickedTest, IsListedExactly)
   text << std::ifstream(file).rdbuf();
   EXPECT_NE(text.str().find(",1234567890123,0.1,odd\n"), std::string::npos) << text.str();
   EXPECT_NE(text.str().find("\n0,5,0,0.25,5,0.1,odd\n"), std::string::npos) << text.str();
-  EXPECT_EQ(text.str().find("particle,x,y,z,id,v,\"said, \"\"so\"\"\"\n"), 0u) << text.str();
+  EXPECT_EQ(text.str().find("index,x,y,z,id,v,\"said, \"\"so\"\"\"\n"), 0u) << text.str();
   // What cannot be written is told, and leaves what was there.
   EXPECT_THROW(
     writePicked(PickedTable(stage->parts(), set), (folder / "no" / "x.csv").string()), Failure);
   EXPECT_THROW(writePicked(PickedTable(stage->parts(), set), folder.string()), Failure);
   std::filesystem::remove_all(folder);
+}
+
+// A click in a cell asks for the values there, as long as the cell is there.
+TEST_F(PickedTest, ValuesOfPointsAreThoseOfThePlace)
+{
+  const auto block = [](double shift)
+  {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkDoubleArray> ofPoints, ofCells;
+    for (int i = 0; i < 8; ++i)
+    {
+      const double x = (i ^ i >> 1) & 1, y = i >> 1 & 1, z = i >> 2;
+      points->InsertNextPoint(x + shift, y, z);
+      ofPoints->InsertNextValue(x + 2.0 * y);
+    }
+    ofCells->InsertNextValue(7.0);
+    ofPoints->SetName("p");
+    ofCells->SetName("p");
+    auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    grid->SetPoints(points);
+    const vtkIdType corners[] = {0, 1, 2, 3, 4, 5, 6, 7};
+    grid->InsertNextCell(VTK_HEXAHEDRON, 8, corners);
+    grid->GetPointData()->AddArray(ofPoints);
+    grid->GetCellData()->AddArray(ofCells);
+    return grid;
+  };
+  const auto line = [&]
+  {
+    std::string text;
+    PickedTable(stage->parts(), set).appendLine(text, 0, ',');
+    return text;
+  };
+  this->show({{"a", block(0.0), "a"}});
+  const Picked cell{0, Picked::Kind::Cell, 0};
+  set.toggle(cell);
+  EXPECT_EQ(line(), "0,0.5,0.5,0.5,1.5,7\n") << "the middle, and the mean";
+  set.setPlace(cell, {0.25, 0.5, 0.75});
+  EXPECT_EQ(line(), "0,0.25,0.5,0.75,1.25,7\n");
+  std::string names;
+  PickedTable(stage->parts(), set).appendNames(names, ',');
+  EXPECT_EQ(names, "cell,x,y,z,point:p,cell:p\n");
+  for (const double shift : {0.0, 3.0})
+  {
+    const auto before = set.names(stage->parts());
+    this->show({{"a", block(shift), "a"}});
+    set.findAgain(stage->parts(), before);
+    EXPECT_EQ(line(), shift == 0.0 ? "0,0.25,0.5,0.75,1.25,7\n" : "0,3.5,0.5,0.5,1.5,7\n");
+  }
 }
 
 // What is told under the cursor and in the list: ids beyond six digits are not rounded.

@@ -1,5 +1,6 @@
 // The table of settings: every row goes through every door, and comes back the same.
 
+#include <settings/ErrorBudget.h>
 #include <settings/History.h>
 #include <table/CommandLine.h>
 #include <table/Keys.h>
@@ -46,6 +47,7 @@ std::vector<std::string> sampleOf(const Row& row)
     {"opacity", {"7%=0.1", "12.5=0.3"}},
     {"iso", {"0.1", "-2"}},
     {"nan-color", {"navy"}},
+    {"plain-color", {"#203040"}},
     {"camera", {"1", "2", "3", "0", "0", "0", "0", "0", "1", "30.000000000000004"}},
     {"saved-view", {"a=b=0,0,9,0,0,0,0,1,0,30", "top=parallel,0,0,9,0,0,0,0,1,0,2.5"}},
     {"hide-data", {"2", "3"}},
@@ -463,4 +465,19 @@ TEST(ShellLine, IsQuotedWhereItMustBe)
 {
   EXPECT_EQ(asShellLine({"mote", "a b", "--show=x=0:1", "it's", "", "#fff"}),
     "mote 'a b' --show=x=0:1 'it'\\''s' '' '#fff'");
+}
+
+TEST(ErrorBudget, ViewsThatMoveShowWhatThereIs)
+{
+  PictureSettings picture;
+  EXPECT_EQ(mostDistance(picture, 4.0 * 4096.0), 2.0) << "4,096 rays";
+  EXPECT_EQ(mostDistance(picture, 100.0), 1.0);
+  EXPECT_EQ(mostDistance(picture, 1e9), 32.0);
+  picture.error = "3px";
+  EXPECT_EQ(mostDistance(picture, 4.0 * 4096.0), 2.0);
+  EXPECT_EQ(mostDistance(picture, 1e9), 6.0);
+  picture.fps = 30.0;
+  EXPECT_EQ(mostDistance(picture, 4.0 * 4096.0), 6.0);
+  picture.error.clear();
+  EXPECT_EQ(mostDistance(picture, 4.0 * 4096.0), 32.0) << "so many frames a second";
 }

@@ -1,5 +1,7 @@
 // The stage follows settings by value: what does not change is not touched.
 
+#include <stage/Advice.h>
+#include <stage/SideBySide.h>
 #include <stage/Stage.h>
 
 #include <gtest/gtest.h>
@@ -100,6 +102,30 @@ TEST_F(StageTest, CoordinatesColourWithoutAnotherStructure)
   EXPECT_EQ(array->GetTuple1(7), 17.0);
 }
 
+TEST_F(StageTest, ExpressionsLeaveTheStructureWhereRadiiAreOfTheSpacing)
+{
+  settings.particles = {};
+  this->show(typedParticles(100));
+  EXPECT_EQ(mapper()->GetNumberOfBuilds(), 1);
+  const double radius = mapper()->GetRadiusInUse();
+  settings.selection.where = "z > 50";
+  stage->apply(settings);
+  stage->build(progress);
+  stage->applyColors();
+  EXPECT_EQ(stage->numberShown(), 59);
+  settings.data.calculations = {{"double", "2*z"}};
+  stage->apply(settings);
+  stage->build(progress);
+  EXPECT_EQ(mapper()->GetNumberOfBuilds(), 1);
+  // At another time they keep their size.
+  const auto later = typedParticles(100);
+  later->GetPoints()->SetPoint(0, -100.0, 0.0, 0.0);
+  stage->setData({{"particles", later, "particles"}});
+  stage->build(progress);
+  EXPECT_EQ(mapper()->GetNumberOfBuilds(), 2);
+  EXPECT_EQ(mapper()->GetRadiusInUse(), radius);
+}
+
 TEST_F(StageTest, AnArrayOfThatNameComesFirst)
 {
   const auto data = typedParticles(10);
@@ -153,4 +179,60 @@ TEST_F(StageTest, UnionsOfValuesAreShown)
   settings.selection.ranges = {{"type", {{2, 2}}}};
   stage->apply(settings);
   EXPECT_EQ(stage->numberShown(), 33);
+}
+
+TEST_F(StageTest, ViewsComeNearestToSquares)
+{
+  EXPECT_EQ(rowsOf(1, 100, 900), 1);
+  EXPECT_EQ(rowsOf(2, 1000, 600), 1);
+  EXPECT_EQ(rowsOf(2, 400, 900), 2);
+  EXPECT_EQ(rowsOf(3, 1800, 600), 1);
+  EXPECT_EQ(rowsOf(3, 600, 1800), 3);
+  EXPECT_EQ(rowsOf(4, 1280, 860), 2);
+  EXPECT_EQ(rowsOf(4, 1600, 300), 1);
+}
+
+TEST_F(StageTest, FilesOfUnlikeSizeAreTold)
+{
+  stage = std::make_unique<Stage>(settings);
+  const auto small = typedParticles(3), large = typedParticles(2000);
+  const auto with = [&](vtkPolyData* one, vtkPolyData* other, const std::string& file)
+  {
+    stage->setData({{"one", one, "one.dump"}, {"other", other, file}});
+    stage->build(progress);
+    stage->applyColors();
+    return unlikeSizes(*stage);
+  };
+  EXPECT_EQ(with(small, small, "other.dump"), "");
+  const std::string told = with(small, large, "other.dump");
+  EXPECT_NE(told.find("other.dump is 2e+03 across"), std::string::npos) << told;
+  EXPECT_NE(told.find("--hide-data 2"), std::string::npos) << told;
+  EXPECT_EQ(with(small, large, "one.dump"), "") << "parts of one file belong together";
+}
+
+TEST_F(StageTest, WhatLeavesNothingIsNamed)
+{
+  const auto said = [&] { return whatLeavesNothing(*stage); };
+  settings.selection.ranges = {{"type", {{1.0, 2.0}}}};
+  this->show(typedParticles(9));
+  EXPECT_EQ(said(), "");
+  settings.selection.ranges = {{"z", {{10.0, 12.0}}}, {"type", {{5.0, 6.0}}}};
+  this->show(typedParticles(9));
+  EXPECT_NE(said().find("type goes from 1 to 3"), std::string::npos) << said();
+  settings.selection.ranges = {{"type", {{1.0, 1.0}}}};
+  settings.selection.where = "type > 1";
+  this->show(typedParticles(9));
+  EXPECT_NE(said().find("together none"), std::string::npos) << said();
+  settings.selection.where = "type > 7";
+  this->show(typedParticles(9));
+  EXPECT_NE(said().find("--where 'type > 7' leaves no particle"), std::string::npos) << said();
+}
+
+TEST_F(StageTest, ViewsOfFilesWithOtherTimesTellTheirSteps)
+{
+  stage = std::make_unique<Stage>(settings);
+  NamedData one{"one", typedParticles(3), "one.dump", 2, 7, true};
+  stage->setData({one, {"other", typedParticles(3), "other.dump", 4, 9, false}});
+  EXPECT_EQ(stage->viewName({0}), "one, step 3/7");
+  EXPECT_EQ(stage->viewName({1}), "other");
 }

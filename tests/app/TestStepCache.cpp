@@ -6,12 +6,17 @@
 #include <stage/StepCache.h>
 
 #include <gtest/gtest.h>
+#include <vtkMoteMeshMapper.h>
 #include <vtkMoteParticleMapper.h>
 #include <vtkMoteVolumeMapper.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
 #include <vtkVolume.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 using namespace mote::app;
 
@@ -63,6 +68,25 @@ protected:
               "2 1 1\nCELLS 2 18\n8 0 1 2 3 4 5 6 7\n8 1 8 9 2 5 10 11 6\nCELL_TYPES 2\n12 12\n"
            << "POINT_DATA 12\nSCALARS p double 1\nLOOKUP_TABLE default\n";
       for (int i = 0; i < 12; ++i)
+        file << i + 100 * step << "\n";
+    }
+    return names;
+  }
+
+  /// A tent of four triangles without normals, with values of the points that are those of the
+  /// step; its top rises with the steps where it `moves`.
+  std::vector<std::string> tents(bool moves) const
+  {
+    std::vector<std::string> names;
+    for (int step = 0; step < steps; ++step)
+    {
+      names.push_back((folder / ("tent." + std::to_string(step) + ".vtk")).string());
+      std::ofstream file(names.back());
+      file << "# vtk DataFile Version 3.0\ntent\nASCII\nDATASET POLYDATA\nPOINTS 5 double\n"
+           << "0 0 0 2 0 0 2 2 0 0 2 0 1 1 " << (moves ? 1.0 + step : 1.0) << "\n"
+           << "POLYGONS 4 16\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n"
+           << "POINT_DATA 5\nSCALARS q double 1\nLOOKUP_TABLE default\n";
+      for (int i = 0; i < 5; ++i)
         file << i + 100 * step << "\n";
     }
     return names;
@@ -141,6 +165,7 @@ TEST_F(StepCacheTest, RangesStayWithTheViewAndNotWithTheStep)
   const auto go = [&](int step)
   {
     cache->keep(step == 1 ? 0 : 1, stage->ready());
+    ASSERT_TRUE(this->comes(step)); // what had no radius to keep is built once more
     auto ready = cache->take(step);
     ASSERT_TRUE(ready);
     this->show(ready->original, &*ready);
@@ -211,6 +236,55 @@ TEST_F(StepCacheTest, VolumesAreTakenAsTheyWereBuilt)
   }
   EXPECT_EQ(mapper->GetNumberOfBuilds(), builds);
   EXPECT_EQ(mapper->GetNumberOfFieldUpdates(), fields);
+}
+
+TEST_F(StepCacheTest, MeshesAreTakenAsTheyWereBuilt)
+{
+  for (const bool moves : {true, false})
+  {
+    SCOPED_TRACE(moves);
+    this->begin(this->tents(moves));
+    vtkMoteMeshMapper* mapper = stage->parts().front()->surface()->mapper();
+    const int builds = mapper->GetNumberOfBuilds();
+    std::set<const void*> structures;
+    for (int step = 1; step < steps; ++step)
+    {
+      ASSERT_TRUE(this->comes(step)) << step;
+      auto ready = cache->take(step);
+      ASSERT_TRUE(ready);
+      ASSERT_EQ(ready->parts.size(), 1u);
+      ASSERT_TRUE(ready->parts.front().drawn) << "normals were made";
+      this->show(ready->original, &*ready);
+      EXPECT_EQ(mapper->GetInput(), ready->parts.front().drawn) << "normals are not made again";
+      EXPECT_TRUE(mapper->GetInput()->GetPointData()->GetNormals());
+      double bounds[6], range[2];
+      mapper->GetBounds(bounds);
+      EXPECT_NEAR(bounds[5], moves ? 1.0 + step : 1.0, 1e-6);
+      mapper->GetColorArrayRange(range);
+      EXPECT_EQ(range[0], 100.0 * step);
+      ASSERT_EQ(mapper->GetMemory().size(), 1u);
+      structures.insert(mapper->GetMemory().front().first);
+      cache->setPlace(step, 1, false);
+    }
+    EXPECT_EQ(mapper->GetNumberOfBuilds() + mapper->GetNumberOfRefits(), builds);
+    EXPECT_EQ(structures.size(), moves ? steps - 1u : 1u) << "one where nothing moves";
+  }
+}
+
+TEST_F(StepCacheTest, WhatStepsShareCountsOnce)
+{
+  constexpr int all = 80;
+  this->begin({"pump:0.002:rotor"});
+  ASSERT_TRUE(this->rests());
+  const auto facts = cache->facts();
+  EXPECT_EQ(std::count(facts.marks.begin(), facts.marks.end(), StepCache::Mark::Here), all);
+  // Each has values of its own, in two forms and in ranges; the mesh and its structure take more.
+  const auto structure = static_cast<double>(stage->structureBytes());
+  EXPECT_LT(static_cast<double>(facts.bytes), 0.5 * all * structure);
+  const std::uint64_t budget = facts.bytes;
+  this->begin({"pump:0.002:rotor"}, budget);
+  ASSERT_TRUE(this->rests());
+  EXPECT_EQ(cache->facts().marks, facts.marks) << "what counts once fits once";
 }
 
 TEST_F(StepCacheTest, BudgetHolds)

@@ -67,7 +67,7 @@ case $3 in
     xdotool click 1
     marked -gt 20
     picked 1
-    head -1 now.csv | grep -qx 'particle,x,y,z,id,type,c_centro,c_pe' || fail "$(head -1 now.csv)"
+    head -1 now.csv | grep -qx 'index,x,y,z,id,type,c_centro,c_pe' || fail "$(head -1 now.csv)"
     first=$(tail -1 now.csv)
     shown 'picked list' # the panel's section has opened
     veiled() { python3 "$tests/halves.py" "$1" marks; }
@@ -175,7 +175,7 @@ case $3 in
     press Escape
     picture undone.png
     alike start.png undone.png
-    quit
+    quit_changed
     ;;
 
   cells) # of volumes and of meshes are picked
@@ -311,9 +311,22 @@ case $3 in
     has_no '--show'
     picture again.png
     alike all.png again.png
+    waits_for() { # FILE that the panel writes
+      for _ in $(seq 100); do
+        [ -e "$1" ] && return
+        sleep 0.1
+      done
+      fail "there is no $1"
+    }
+    click 'Save counts'
+    waits_for copper-scratch-001-plot.csv
+    [ "$(head -1 copper-scratch-001-plot.csv)" = 'c_centro from,c_centro to,count' ] || fail "$(head -1 copper-scratch-001-plot.csv)"
     click 'plot y'
     click z
     gone z
+    click 'Save plot'
+    waits_for copper-scratch-001-plot.png
+    is_picture copper-scratch-001-plot.png 1280x800
     over plot 0.2 0.9
     xdotool mousedown 1
     shown 'active plot'
@@ -326,6 +339,18 @@ case $3 in
     has_no '--show'
     picture undone.png
     alike all.png undone.png
+    # The ranges come up above the plot; what is pressed in it stays under the mouse.
+    click 'group Selection' 0.8
+    over plot 0.2 0.5
+    read -r x y < <(place plot 0.2 0.5)
+    xdotool mousedown 1
+    shown 'active plot'
+    for i in 1 2 3 4 5 6; do xdotool mousemove $((x + 20 * i)) $((y + 2 * i)) sleep 0.2; done
+    xdotool mouseup 1
+    gone 'active plot'
+    has '--show=z=[-0-9.]+:[0-9.]+ '
+    command_now | sed 's/.*--show=z=\([-0-9.]*\):\([0-9.]*\) .*/\1 \2/' |
+      awk '{ exit !($2 > $1 && $2 - $1 < 0.15 * 39.77) }' || fail "the plot went away: $(command_now)"
     quit
     ;;
 

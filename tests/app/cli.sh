@@ -136,8 +136,9 @@ case $3 in
       frame 4 'id type x y z c_pe' '1 1 1 1 1 6' '2 1 2 2 2 7' '3 1 3 3 3 8' '4 1 3 1 3 9'
     } >film.dump
     run 0 "$mote" render film.dump -o a.png --size 320x200 --all-steps --show c_pe=6:8
-    one_sentence
-    said err c_pe
+    [ "$(wc -l <err)" = 2 ] || { cat err; fail 'a step without the array is not told once'; }
+    said err "no array 'c_pe', so it is shown without that range"
+    said err "no array 'c_pe', so it is shown in one colour"
     for line in '2 of 3 particles shown' '2 particles;' '2 particles;' '2 particles;' \
       '3 of 4 particles shown'; do
       said out "$line"
@@ -333,6 +334,20 @@ case $3 in
     run 0 "$mote" average "$data/swirl.1.vtu" -a p --font-scale 2 -o large.png
     is_picture large.png 1280x480
     cmp -s large.png u.png && fail "letters have one size"
+    # Arrays are named as elsewhere; ranges take a part, of which the picture is narrow.
+    run 0 "$mote" average "$data/swirl.1.vtu" -a U:2 -o c.csv
+    [ "$(head -n 1 c.csv)" = axial,radial,volume,U:2,U:2_deviation ] || fail "other columns of a component"
+    cut -d, -f 4 u.csv | tail -n +2 >axial.txt # U_axial is U:2 about z
+    cut -d, -f 4 c.csv | tail -n +2 | cmp - axial.txt || fail "a component has other averages"
+    run 0 "$mote" average "$data/swirl.1.vtu" -a point:U -o w.csv
+    cmp u.csv w.csv || fail "point:U is not U"
+    run 1 "$mote" average "$data/swirl.1.vtu" -a cell:U
+    run 0 "$mote" average "$data/swirl.1.vtu" -a p --radial-range 0.01 0.02 --axial-range 0 9 -o part.csv
+    awk -F, 'NR > 1 && ($1 < 0 || $2 < 0.01 || $2 > 0.0205) { exit 1 }' part.csv || fail "bins outside the ranges"
+    [ "$(wc -l <part.csv)" -gt 100 ] || fail "hardly a bin in the ranges"
+    run 0 "$mote" average "$data/swirl.1.vtu" -a p --axial-range 0 0.01 -o tall.png
+    [ "$(png_size tall.png | cut -dx -f 1)" -lt 900 ] || fail "a tall picture is wide"
+    run 2 "$mote" average "$data/swirl.1.vtu" -a p --radial-range 2 1
     run 1 "$mote" average "$data/swirl.1.vtu" -a nothing
     one_sentence
     said err 'it has p, U'

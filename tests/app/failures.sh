@@ -118,6 +118,15 @@ case $3 in
     run 1 "$mote" render cut.dump -o a.png
     one_sentence
     [ ! -e a.png ] || fail "a picture of a broken file"
+    # Of a run that was killed while it wrote the steps before are shown.
+    zcat "$hopper" | head -c 1900000 >killed.dump
+    run 0 "$mote" render killed.dump -o a.png --size 160x120 --caption ""
+    one_sentence
+    said err 'killed.dump: the last time step is damaged'
+    run 0 "$mote" render "$hopper" -o b.png --size 160x120 --caption "" --step 6
+    cmp -s a.png b.png || fail "another picture than that of the last whole step"
+    run 0 "$mote" info killed.dump
+    said out 'time steps  6:'
     ;;
 
   nodisplay)

@@ -27,6 +27,7 @@ case $3 in
     picture before.png
     [ "$(png_size before.png)" = 160x120 ] || fail "the picture is $(png_size before.png)"
     film_section
+    shown '7 frames, 0.28 s'
     click 'Save film'
     written hopper-001.ogv
     [ "$(python3 "$tests/film_facts.py" hopper-001.ogv)" = '160x120 7 frames 25 fps playable complete' ] ||
@@ -38,6 +39,7 @@ case $3 in
     write output film-%02d.png
     write orbit 90
     write frames 3
+    shown '3 frames, 0.12 s'
     click 'Save film'
     written film-03.png
     picture after.png
@@ -73,6 +75,9 @@ case $3 in
     xdotool click 1
     written copper-scratch-001.part.ogv
     sleep 1
+    # What was there stays behind the bar, darkened: the panel, too.
+    read -r _ colors < <(python3 "$tests/screen.py" 5 100 280 16) # of a gradient, 16
+    [ "$colors" -gt 24 ] || fail "the window is empty while it makes a film: $colors colours"
     press Escape
     written copper-scratch-001.ogv
     python3 "$tests/film_facts.py" copper-scratch-001.ogv | grep -q 'playable complete' ||

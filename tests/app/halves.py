@@ -5,7 +5,7 @@ half are no background, which is the colour of its lower left corner.
 halves.py FILE marks: how many pixels have the colour of marks, and of the ruler.
 
 halves.py FILE OTHER SIDE TOP: how many pixels of the "left" or "right" half of FILE differ from OTHER,
-which is half as wide, without TOP rows above."""
+which is half as wide, without TOP rows above; or of the lower right "quarter", of OTHER's size."""
 import sys
 
 from compare_png import rows
@@ -28,8 +28,10 @@ if sys.argv[2:] == ["marks"]:
     print(marked, sum(min(r, g) > 170 and b < 0.6 * g for r, g, b in colors))
     sys.exit()
 half = len(picture[0]) // n // 2 * n
-if len(sys.argv) > 3 and sys.argv[3] in ("left", "right"):
+if len(sys.argv) > 3 and sys.argv[3] in ("left", "right", "quarter"):
     other, k = rows(sys.argv[2])
+    if sys.argv[3] == "quarter":
+        picture = picture[len(picture) // 2 :]
     assert k == n and len(other) == len(picture) and len(other[0]) == half
     top = int(sys.argv[4])
     side = [row[:half] if sys.argv[3] == "left" else row[-half:] for row in picture]

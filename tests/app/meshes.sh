@@ -43,6 +43,12 @@ case $3 in
     draw cells.png a.vtp --color-by face
     draw x.png a.vtp --color-by x
     draw none.png a.vtp --color-by none
+    draw plain.png a.vtp --color-by none --plain-color navy
+    differ none.png plain.png
+    draw unused.png a.vtp --plain-color navy
+    cmp -s points.png unused.png || fail "the plain colour is seen where an array colours"
+    run 2 "$mote" render a.vtp -o b.png --plain-color soup
+    said err soup
     draw map.png a.vtp --color-map plasma
     draw range.png a.vtp --range 0 1
     for other in cells x none map range; do differ points.png $other.png; done
@@ -136,6 +142,32 @@ GLTF
     said out 'cells, 4 triangles'
     draw hidden.png "$hopper" a.vtp --hide-data 2
     said out '0 of 4 triangles shown'
+    ;;
+
+  lods) # groups of triangles as planes, where some pixels of error are allowed
+    draw exact.png sphere:300000
+    said out '298,116 triangles'
+    draw near.png sphere:300000 --lod-error 0.001
+    cmp -s exact.png near.png || fail "a thousandth of a pixel makes another picture"
+    draw rough.png sphere:300000 --lod-error 8
+    differ exact.png rough.png
+    draw shadows.png sphere:300000 --lod-error 8 --shadows hard
+    differ rough.png shadows.png
+    # no lines along the steps between planes, however small the steps that are asked for
+    for error in 0 8; do
+      for pixels in 0 30; do
+        draw lines-$error-$pixels.png sphere:300000 --lod-error $error --silhouettes \
+          --silhouette-step-pixels $pixels
+      done
+    done
+    differ lines-0-0.png lines-0-30.png
+    cmp -s lines-8-0.png lines-8-30.png || fail "lines follow the steps between planes"
+    differ lines-8-0.png rough.png
+    run 2 "$mote" render sphere:300000 -o b.png --lod-error -1
+    one_sentence
+    run 1 "$mote" render sphere:12 -o b.png
+    one_sentence
+    said err 'no number of triangles'
     ;;
 
   steps) # points that move

@@ -45,7 +45,7 @@ case $3 in
   dialog) # a plain list, by keys and by the mouse; replaces, adds, is undone
     mkdir -p lists/below lists/empty
     cp "$copper" "$data/hopper.dump.gz" "$data/swirl.0.vtu" "$data/swirl.1.vtu" lists
-    for i in 1 2 10; do printf '1\n\nAr 0 0 %s\n' $i >lists/below/atom.$i.xyz; done
+    for i in a b c; do printf '1\n\nAr 0 0 1\n' >lists/below/atom.$i.xyz; done
     echo words >lists/below/words.unknown
     echo '{"other": 1}' >lists/below/other.json
     open lists/hopper.dump.gz --size 1000x760
@@ -62,11 +62,24 @@ case $3 in
     # Folders: down, and up again by Backspace to where it was.
     dialog_on "$folder/lists" below/
     xdotool key --window 0 Return
-    shown atom.2.xyz
+    shown atom.b.xyz
     gone words.unknown
     gone other.json
     xdotool key --window 0 BackSpace
     shown below/
+    # Of a path the last part need not be whole.
+    xdotool type --window 0 --delay 20 -- "$folder/lists/be"
+    shown below/
+    gone copper-scratch.dump.gz
+    xdotool key --window 0 Return
+    shown atom.b.xyz
+    xdotool type --window 0 --delay 20 -- "$folder/lists/cop"
+    shown copper-scratch.dump.gz
+    xdotool key --window 0 Return
+    titled copper
+    press ctrl+z
+    titled hopper
+    dialog_on "$folder/lists" below/
     # Two at once by the mouse, in place of what is open.
     click copper-scratch.dump.gz 0.3
     xdotool keydown Control_L
@@ -79,18 +92,18 @@ case $3 in
     titled hopper
     has_no copper
     # One more beside it, by keys; in place of nothing it could not be read, and all stays.
-    dialog_on "$folder/lists/below" atom.1.xyz
+    dialog_on "$folder/lists/below" atom.a.xyz
     xdotool key --window 0 Down ctrl+Return
     titled 'hopper.dump.gz and 1 more'
-    has 'hopper.dump.gz [^ ]*atom.2.xyz'
+    has 'hopper.dump.gz [^ ]*atom.b.xyz'
     head -c 20000 "$copper" >lists/below/cut.dump.gz
     dialog_on "$folder/lists/below" cut.dump.gz
     xdotool type --window 0 --delay 20 cut
-    gone atom.1.xyz
+    gone atom.a.xyz
     xdotool key --window 0 Return
     shown messages
     titled 'hopper.dump.gz and 1 more'
-    has 'hopper.dump.gz [^ ]*atom.2.xyz'
+    has 'hopper.dump.gz [^ ]*atom.b.xyz'
     click messages
     shown message
     press ctrl+o
@@ -118,6 +131,21 @@ case $3 in
     titled swirl
     picture again.png
     alike swirl.png again.png
+    quit
+    # Only changes of a session are asked about, and once.
+    open grains.json --size 1000x760 --samples 2
+    press x Left
+    has '--step=[0-9]'
+    quit
+    open grains.json --size 1000x760 --samples 2
+    press m
+    has '--color-map='
+    press q e # another key: it is asked anew
+    quit_changed
+    open grains.json --size 1000x760 --samples 2
+    press m ctrl+s
+    shown Undo
+    for _ in $(seq 100); do [ -s hopper-001.json ] && break; sleep 0.1; done
     quit
     ;;
 

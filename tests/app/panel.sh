@@ -32,11 +32,35 @@ case $3 in
     has "'--where=c_centro >= 2 && type == 1'"
     write calculate 'depth=z - 20'
     has "'--calculate=depth=z - 20'"
-    write where 'c_centro >'
+    refused where 'c_centro >'
+    xdotool key --window 0 Escape
+    gone 'active where'
     has "'--where=c_centro >= 2 && type == 1'"
     click color-by
     click depth
     has '--color-by=depth'
+    # What the data show to be wrong stays in the field, too, to be mended there.
+    refused where 'c_pee > -3.4'
+    shown messages
+    xdotool key --window 0 --delay 50 Tab
+    gone 'active where'
+    has "'--where=c_centro >= 2 && type == 1'"
+    click where 0.9
+    shown 'active where'
+    xdotool key --window 0 --delay 50 Home Right Right Right Right Delete Return
+    gone 'active where'
+    has "'--where=c_pe > -3.4'"
+    # Undo takes it from its field.
+    refused calculate 'odd=nothing + 1'
+    press Escape
+    gone 'active calculate'
+    click Undo
+    has "'--where=c_centro >= 2 && type == 1'"
+    click calculate
+    shown 'active calculate'
+    xdotool type --window 0 --delay 30 'far=z'
+    xdotool key --window 0 Return
+    has '--calculate=far=z '
     quit
     ;;
 
@@ -55,9 +79,15 @@ case $3 in
       occlusion-reach path-trace silhouettes silhouette-thickness silhouette-opacity \
       silhouette-color silhouette-on-pixels silhouette-step-pixels silhouette-groups \
       silhouette-no-hulls samples noise background legend title legend-side legend-format \
-      font-scale caption box axes; do
+      font-scale caption box axes picture-size; do
       grep -q "^$row " all || fail "no control of --$row"
     done
+    grep -q '^lod-error ' all && fail "levels of detail are offered where there are no triangles"
+    quit
+    open sphere:1000 --size 1000x860
+    click 'group Picture' 0.8
+    drag lod-error 0.02 0.3 0.5
+    has '--lod-error=(0\.[0-9]+|[1-9](\.[0-9]*)?) ' # half way is little of 64
     quit
     ;;
 
@@ -74,9 +104,22 @@ case $3 in
     has_no '--ambient-occlusion'
     drag light-size 0.1667 0.3 0.5
     has '--light-size=(4|5)[0-9.]*'
-    write occlusion-reach -4 # cannot be, and is told
+    refused occlusion-reach -4 # cannot be, and is told
+    press Escape
+    gone 'active occlusion-reach'
     has_no '--occlusion-reach'
     click 'group Light' 0.8
+    click 'group Picture' 0.8
+    write fps 30
+    click 'forget fps'
+    gone 'forget fps'
+    click 'group Picture' 0.8
+    write 'range low' 90 # beyond the upper end, which goes along
+    has '--range=90,173[0-9.]*'
+    write 'range high' 120
+    has '--range=90,120'
+    click 'Range of the data'
+    has_no '--range'
     click color-map
     click plasma
     has '--color-map=plasma'
@@ -91,6 +134,18 @@ case $3 in
     quit
     ;;
 
+  steady) # is what stands below the count, however long that is
+    open lattice:1500000 --size 1000x760
+    shown Undo
+    before=$(place Undo)
+    click show
+    click z
+    drag histogram 0.99 0.9
+    has '--show=z=[-0-9.]*:[0-9.]+ '
+    [ "$(place Undo)" = "$before" ] || fail "the panel moves from $before to $(place Undo)"
+    quit
+    ;;
+
   types) # are hidden and shown one by one, and counted
     open "$data/hopper.dump.gz" --color-by type --size 1000x860
     picture all.png
@@ -102,6 +157,20 @@ case $3 in
     has '--show=type=2 '
     click All
     has_no '--show'
+    # Radii, ids and places may colour, and be chosen by, as other numbers are.
+    click show
+    click radius
+    drag histogram 0.0 0.3
+    has '--show=radius=[0-9.]+:[0-9.]+ '
+    click 'show all'
+    click color-by
+    click radius
+    has '--color-by=radius '
+    click color-by
+    click z
+    has '--color-by=z '
+    click color-by
+    click type
     picture again.png
     alike all.png again.png
     over 'type 3' 0.05
@@ -159,6 +228,28 @@ case $3 in
     picture open.png
     [ "$(png_size open.png)" = 680x860 ] || fail "the view is $(png_size open.png) again"
     quit
+    # All keys are told within the view.
+    open "$copper" --size 1280x860
+    settled
+    read -r x y < <(xdotool getwindowgeometry "$window" | sed -n 's/.*Position: \([0-9]*\),\([0-9]*\).*/\1 \2/p')
+    edge() { python3 "$tests/screen.py" $((x + 1272)) "$y" 8 700; }
+    picture sharp.png
+    none=$(edge)
+    words=$(python3 "$tests/screen.py" $((x + 340)) "$y" 800 600)
+    press h
+    for _ in $(seq 100); do
+      [ "$(python3 "$tests/screen.py" $((x + 340)) "$y" 800 600)" != "$words" ] && break
+      sleep 0.05
+    done
+    sleep 0.5
+    [ "$(python3 "$tests/screen.py" $((x + 340)) "$y" 800 600)" != "$words" ] || fail "no keys are told"
+    [ "$(edge)" = "$none" ] || fail "the keys go on beyond the view"
+    quit
+    # What is too small for a panel has none.
+    open "$copper" --size 250x160
+    picture tiny.png
+    [ "$(png_size tiny.png)" = 250x160 ] || fail "the view is $(png_size tiny.png)"
+    quit
     ;;
 
   keyboard) # and no mouse
@@ -176,6 +267,36 @@ case $3 in
     press Down Tab # the section's first control; the panel goes
     picture folded.png
     [ "$(png_size folded.png)" = 1000x760 ] || fail "the folded view is $(png_size folded.png)"
+    quit
+    ;;
+
+  fields) # are taken however they are left; colours have names; open lists keep letters from the view
+    open "$copper" --size 1000x860 --picture-size 300x200
+    has '--size=300x200' # of the picture that is saved
+    click 'range low'
+    xdotool key --window 0 --delay 50 ctrl+a 3 Tab Escape
+    has '--range=3,'
+    click color-map
+    shown plasma
+    xdotool key --window 0 --delay 50 l q
+    click plasma
+    has '--color-map=plasma'
+    has_no '--no-legend'
+    click color-by
+    click 'one colour'
+    write plain-color steelblue
+    has '--plain-color=steelblue'
+    refused plain-color nocolour
+    press Escape
+    gone 'active plain-color'
+    has '--plain-color=steelblue'
+    quit
+    # Cells that are shown by their surface may become a volume again.
+    open "$data/swirl.1.vtu" --size 1000x860 --cells surface
+    click cells
+    click volume
+    has_no '--cells=surface'
+    shown opacity
     quit
     ;;
 
@@ -202,6 +323,29 @@ case $3 in
     has_no '--opacity'
     picture again.png
     alike usual.png again.png
+    quit
+    ;;
+
+  parts) # of a pump: one alone, its colours, its cells, its files
+    open pump:0.002 --color-by pressure --opacity 0%=0.9,100%=0.9 --size 1000x1000
+    section=$("$mote" info pump:0.002:rotor | awk '$2 == "pressure"')
+    click 'data 1' 0.3
+    click 'data 3' 0.3
+    has '--hide-data=1,3'
+    click 'Range of what is shown'
+    read -r low high < <(sed 's/.*\[\(.*\), \(.*\)\].*/\1 \2/' <<<"$section")
+    has "--range=${low:0:4}[.0-9]*,${high:0:4}[.0-9]* " # but for rounding
+    click 'Range of the data'
+    press r
+    xdotool mousemove 700 470 sleep 0.2 click 1
+    shown 'picked list'
+    gone 'Hide picked' # of particles
+    press ctrl+e
+    for _ in $(seq 100); do
+      [ -s pump-0.002-001-picked.csv ] && break
+      sleep 0.1
+    done
+    grep -q '^cell,of,.*pressure' pump-0.002-001-picked.csv || fail "no pressure of the cell"
     quit
     ;;
 

@@ -88,6 +88,19 @@ write() {
   xdotool type --window 0 --delay 30 -- "$2"
   xdotool key --window 0 Return
   gone "active $1"
+  settled # before keys are the view's again
+}
+
+# refused NAME TEXT: TEXT and Return into a field that cannot take it, and keeps the keys.
+refused() {
+  click "$1"
+  shown "active $1"
+  xdotool key --window 0 ctrl+a
+  xdotool type --window 0 --delay 30 -- "$2"
+  xdotool key --window 0 --delay 50 Return q BackSpace # which would be the view's
+  settled
+  shown "active $1"
+  kill -0 $process 2>/dev/null || fail "the program ended by a letter of a field"
 }
 
 # command: the command that makes this picture, as the window prints it.

@@ -47,7 +47,8 @@ case $3 in
     for q in '' ':q:R:1'; do
       printf '2\nProperties=species:S:1:pos:R:3%s\nA 0 0 0%s\nB 1 1 1%s\n' "$q" "${q:+ 1}" "${q:+ 2}"
     done >some.xyz
-    run 0 "$mote" render some.xyz -o s.png --all-steps --size 64x64 --where "q > 1"
+    run 0 "$mote" render some.xyz -o s.png --all-steps --size 64x64 --where "q > 1" \
+      --color-by type
     said out ' 1 of 2 particles shown'
     [ "$(wc -l <err)" = 1 ] || { cat err; fail "a step without the array is not told once"; }
     said err "no array 'q'"
@@ -259,6 +260,11 @@ case $3 in
     idle '--light-size does nothing' "$hopper" --light-size 60
     idle '--color-map types does nothing' "$copper" --color-by c_centro --color-map types
     idle '--log: values at or below 0' signed.csv --color-by v --log
+    # What is next to nothing beside values that are 0 is rounding.
+    printf 'x,y,z,v\n0,0,0,0\n1,0,0,1e-15\n2,0,0,0.001\n3,0,0,1\n' >tiny.csv
+    run 0 "$mote" render tiny.csv -o a.png --size 320x200 --color-by v --log
+    run 0 "$mote" render tiny.csv -o b.png --size 320x200 --color-by v --log --range 1e-6 1
+    cmp -s a.png b.png || fail "logarithmic colours begin at rounding"
     ;;
 
   sessions) # what render saves it renders again, wherever the files go
@@ -268,7 +274,7 @@ case $3 in
     cmp a.png b.png || fail "another picture"
     mkdir moved
     cp "$copper" moved
-    mv s.json moved
+    cp s.json moved
     sed -i 's|"[^"]*copper|"/gone/copper|' moved/s.json
     run 0 "$mote" render moved/s.json -o b.png --save-session moved/again.json
     cmp a.png b.png || fail "another picture after the move"
@@ -283,6 +289,12 @@ case $3 in
     one_sentence
     run 1 "$mote" render moved/again.json "$copper" -o d.png
     said err 'give it alone'
+    # Lines are as thick at another size, as a share of the picture, unless it is said how thick.
+    run 0 "$mote" render s.json -o a.png --size 640x400 --save-session twice.json
+    run 0 "$mote" render s.json -o b.png --size 640x400 --silhouette-thickness 3
+    run 0 "$mote" render twice.json -o c.png
+    cmp a.png b.png || fail "lines are not twice as thick at twice the size"
+    cmp a.png c.png || fail "a session has other lines than its picture"
     # A range that mote chose is chosen anew for another array; a switch is turned off.
     run 0 "$mote" render "$hopper" -o a.png --size 320x200 --log --save-session s.json
     run 0 "$mote" render s.json -o a.png --color-by type --log=false

@@ -46,6 +46,19 @@ case $3 in
     cmp -s film-01.png film-02.png && fail "the film stands still"
     run 0 "$mote" render pump:0.001 --side-by-side -o pump.png --size 640x200 --samples 1
     is_picture pump.png 640x200
+    # Four are two by two where that is nearest to squares, and in one row where the picture is wide.
+    for i in c d; do cp "$copper" $i.dump.gz; done
+    # shellcheck disable=SC2086
+    {
+      run 0 "$mote" render ?.dump.gz --side-by-side $view -o four.png --size 400x400
+      run 0 "$mote" render a.dump.gz $view -o one.png --size 200x200 --caption ''
+      other=$(python3 "$tests/halves.py" four.png one.png quarter 40)
+      [ "$other" = 0 ] || fail "$other pixels of the last of four are not those of its data"
+      run 0 "$mote" render ?.dump.gz --side-by-side $view -o four.png --size 1200x300
+      run 0 "$mote" render a.dump.gz b.dump.gz --side-by-side $view -o two.png --size 600x300
+      other=$(python3 "$tests/halves.py" four.png two.png right 60)
+      [ "$other" = 0 ] || fail "$other pixels of the last two of four in a row are not those of their data"
+    }
     ;;
 
   views) # share a camera that either turns, and come and go

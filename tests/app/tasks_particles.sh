@@ -125,7 +125,7 @@ case $3 in
     grep -q '"top left=' hopper-001.json || fail "the session has no view"
     click 'forget top left'
     gone 'go to top left'
-    quit
+    quit_changed
     # The session of above has the view.
     begin 'Colour Selection' hopper-001.json
     section Camera

@@ -112,8 +112,8 @@ case $3 in
     click 'nan-color on' 0.5
     has '--nan-color=#8c8c8c'
     changed
-    write nan-color 'ff0000'
-    has '--nan-color=#ff0000'
+    write nan-color red
+    has '--nan-color=red'
     changed
     click color-by
     click p

@@ -270,6 +270,148 @@ SCRIPT
     quit
     ;;
 
+  picks) # by id through steps that lack what is picked; the view of each step
+    step() { # TIME IDS...
+      printf 'ITEM: TIMESTEP\n%s\nITEM: NUMBER OF ATOMS\n%s\nITEM: BOX BOUNDS ff ff ff\n' "$1" $(($# - 1))
+      printf '0 20\n0 20\n0 20\nITEM: ATOMS id type x y z heat\n'
+      for id in "${@:2}"; do
+        echo "$id 1 10 $((9 + id)) 10 $1.5"
+      done
+    }
+    { step 0; step 1 1 2; step 2 2; step 3 1 2; } >come.dump
+    # What frames itself does so for the step that is shown.
+    open come.dump --size 900x700 --radius 1 --color-by heat --range 0 4 --step 2
+    picture two.png
+    quit
+    open come.dump --size 900x700 --radius 1 --color-by heat --range 0 4 --step 1
+    press Right
+    picture kept.png
+    differ two.png kept.png
+    press r
+    picture framed.png
+    alike two.png framed.png
+    click Undo
+    picture undone.png
+    alike kept.png undone.png
+    quit
+    open come.dump --size 900x700 --radius 2 --view +x --color-by none --step 4
+    xdotool mousemove 560 350
+    press p
+    shown 'picked list'
+    press Left
+    shown '1 picked, not in this time step'
+    press Left
+    gone '1 picked, not in this time step'
+    shown 'picked list'
+    has_no '--trajectories'
+    click 'Paths of the picked'
+    has '--trajectories[= ]1( |$)'
+    click 'No paths'
+    has_no '--trajectories'
+    press ctrl+s
+    for _ in $(seq 100); do
+      [ -e come-001.json ] && break
+      sleep 0.1
+    done
+    quit
+    # The window has room for the panel beside the view that was saved.
+    eval "$(python3 -c 'import json; print("width=" + json.load(open("come-001.json"))["picture"]["size"].split("x")[0])')"
+    [ "$width" -lt 700 ] || fail "the view was $width wide, panel and all"
+    open come-001.json
+    eval "$(xdotool getwindowgeometry --shell "$window" | grep WIDTH)"
+    [ "$WIDTH" = 900 ] || fail "a window of $WIDTH and not of 900 pixels"
+    quit
+    ;;
+
+  values) # of what is picked, over time, with a gap where a step lacks it
+    step() { # TIME ROWS...
+      printf 'ITEM: TIMESTEP\n%s\nITEM: NUMBER OF ATOMS\n%s\nITEM: BOX BOUNDS ff ff ff\n' "$1" $(($# - 1))
+      printf '0 20\n0 20\n0 20\nITEM: ATOMS id type x y z%s\n' "$heat"
+      printf '%s\n' "${@:2}"
+    }
+    { heat=' heat'; step 0 '7 1 10 10 10 0.25' '8 2 1 10 10 5'; step 5 '8 2 1 10 10 6' '7 1 10 11 10 -3';
+      step 10 '8 2 1 10 10 5'; heat=; step 15 '7 1 10 10.5 10'; } >warm.dump
+    open warm.dump --size 900x1000 --radius 3 --view +x --color-by heat --step 1 --calculate 'twice=2*y'
+    xdotool mousemove 600 500
+    press p
+    shown 'picked list'
+    click 'group Colour' 0.8
+    click 'group Selection' 0.8
+    click 'Plot over time'
+    click 'Save over time'
+    for _ in $(seq 100); do
+      [ -e warm-001-over-time.csv ] && break
+      sleep 0.1
+    done
+    printf 'step,time,id,x,y,z,heat,twice,type\n1,0,7,10,10,10,0.25,20,1\n2,5,7,10,11,10,-3,22,1\n4,15,7,10,10.5,10,,21,1\n' >wanted.csv
+    cmp warm-001-over-time.csv wanted.csv || { cat warm-001-over-time.csv; fail 'other values over time'; }
+    click 'over time' 0.34
+    at 2
+    click 'over time of'
+    click twice
+    picture twice.png
+    press c # another array that colours leaves the plot as it is
+    at 2
+    click 'over time of'
+    click twice
+    # Where nothing is picked any more nothing is plotted.
+    press Escape
+    gone 'over time'
+    xdotool mousemove 600 500
+    press p
+    shown 'picked list'
+    # While all of it is read again the window goes.
+    click 'Plot over time'
+    press q
+    wait $process
+    [ $? = 0 ] || { cat err; fail 'it did not end well'; }
+    ;;
+
+  range) # of colours over all steps, in one step of undo
+    for step in 0 1 2 3; do
+      printf 'ITEM: TIMESTEP\n%s\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n0 9\n0 9\n0 9\n' $step
+      printf 'ITEM: ATOMS id type x y z heat\n1 1 4 4 4 %s\n2 1 6 4 4 %s\n' $((5 - step)) $((10 + step * step))
+    done >hot.dump
+    open hot.dump --size 900x900 --color-by heat --no-loop
+    has_no '--range'
+    picture own.png
+    click 'Range of all steps'
+    has '--range=2,19 '
+    press Left Left
+    at 2
+    click 'Range of all steps'
+    has '--range=2,19 '
+    click Undo
+    click Undo
+    click Undo
+    has_no '--range'
+    picture again.png
+    alike own.png again.png
+    # Undone, the steps that were not shown count for nothing.
+    press q
+    wait $process
+    open hot.dump --size 900x900 --color-by heat --no-loop --step 1
+    picture own.png
+    click 'Range of all steps'
+    has '--range=2,19 '
+    picture all.png
+    differ own.png all.png
+    click Undo
+    has_no '--range'
+    picture again.png
+    alike own.png again.png
+    # Whose file is away for a while, has what there was.
+    mv hot.dump away
+    click 'Range of all steps'
+    has_no '--range'
+    mv away hot.dump
+    click 'Range of all steps'
+    has '--range=2,19 '
+    press q
+    wait $process
+    [ $? = 0 ] || { cat err; fail 'it did not end well'; }
+    ;;
+
   odd) # steps without particles, and arrays that some steps have
     step() { # TIME COUNT COLUMNS VALUES
       printf 'ITEM: TIMESTEP\n%s\nITEM: NUMBER OF ATOMS\n%s\nITEM: BOX BOUNDS pp pp pp\n' "$1" "$2"
@@ -294,6 +436,7 @@ SCRIPT
       wait $process
       [ $? = 0 ] || { cat err; fail 'it did not end well'; }
       grep -v 'has no array' err && fail 'another warning'
+      said err "no array 'heat', so it is shown in one colour"
     done
     alike three-0.png three-1G.png
     ;;

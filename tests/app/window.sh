@@ -198,10 +198,14 @@ case $3 in
     viewed m -- "$data/swirl.1.vtu" --iso 0.02 --no-cloud --color-by U
     viewed Left -- "$data/lj-fracture.dump.gz" --legend-side left --font-scale 1.5
     viewed g -- pump:0.001 --opacity 0%=0,100%=0.4 --lit
+    # Pictures of another size have lines of the same share, 1.5 of 240 rows.
+    viewed -- "$data/hopper.dump.gz" --silhouettes=4 --picture-size 480x360
+    [ "$(png_size window.png)" = 480x360 ] || fail "the picture is $(png_size window.png)"
+    grep -q 'silhouette-thickness=2.25 ' out || fail "lines do not grow with the picture"
     tetrahedron
     viewed l -- tetrahedron.ply --color-by z
     viewed m -- "$data/swirl.1.vtu" --cells surface --color-by U
-    [ $views = 13 ] || fail "$views views"
+    [ $views = 14 ] || fail "$views views"
     ;;
 
   mouse)

@@ -77,8 +77,21 @@ alike() { cmp -s "$1" "$2" || fail "$1 and $2 differ"; }
 
 quit() {
   press q
+  for _ in $(seq 600); do
+    kill -0 $process 2>/dev/null || break
+    sleep 0.1
+  done
+  kill -0 $process 2>/dev/null && { kill $process; fail "q does not close the window"; }
   wait $process
   local code=$?
   [ $code = 0 ] || { cat err; fail "exit code $code after q"; }
   [ ! -s err ] || { cat err; fail "something on standard error"; }
+}
+
+# quit_changed: the window asks first, as a session that was opened or saved has changed since.
+quit_changed() {
+  press q
+  sleep 0.5
+  kill -0 $process 2>/dev/null || fail "q closes a session that has changed"
+  quit
 }

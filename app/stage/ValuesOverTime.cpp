@@ -1,0 +1,143 @@
+#include "ValuesOverTime.h"
+
+#include "Arrays.h"
+#include "Ids.h"
+#include "Part.h"
+#include "Plot.h"
+#include "base/OutputFile.h"
+#include "settings/Values.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace mote::app
+{
+
+namespace
+{
+
+std::atomic<std::uint64_t> made{0};
+
+} // namespace
+
+ValuesOverTime::ValuesOverTime(
+  std::unique_ptr<Input> input, const IdRanges& ids, const Settings& settings)
+  : ids_(ids)
+  , number_(++made)
+  , names_({"x", "y", "z"})
+  , reader_(std::move(input), settings,
+      [this](const std::vector<NamedData>& data)
+      {
+        Step found = this->look(data);
+        const std::lock_guard lock(mutex_);
+        for (const auto& [name, values] : found)
+          if (std::find(names_.begin(), names_.end(), name) == names_.end())
+            names_.push_back(name);
+        read_.push_back(std::move(found));
+      })
+{
+}
+
+ValuesOverTime::Step ValuesOverTime::look(const std::vector<NamedData>& data) const
+{
+  Step step;
+  for (std::size_t k = 0; k < data.size(); ++k)
+  {
+    vtkDataSet* particles = data[k].data;
+    if (Part::isMesh(particles))
+      continue;
+    vtkDataArray* ids = idArrayOf(particles);
+    const auto wanted = ids_.of(static_cast<int>(k) + 1);
+    std::vector<std::pair<vtkIdType, Particle>> found;
+    for (vtkIdType i = 0; i < particles->GetNumberOfPoints(); ++i)
+      if (const std::int64_t id = idOf(ids, i); holds(wanted, id))
+        found.push_back({i, {k, id}});
+    for (const auto& [i, particle] : found)
+    {
+      double place[3];
+      particles->GetPoint(i, place);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        step[std::string(1, "xyz"[axis])][particle] = place[axis];
+    }
+    for (const std::string& name : numbersOf(particles, false))
+    {
+      const ArrayChoice choice = findArray(particles, name);
+      vtkDataArray* array = arrayOf(particles, choice);
+      if (!array || array == ids || array->GetNumberOfTuples() != particles->GetNumberOfPoints())
+        continue;
+      for (const auto& [i, particle] : found)
+        step[name][particle] = valueOf(array, choice.component, i);
+    }
+  }
+  return step;
+}
+
+int ValuesOverTime::stepsRead() const
+{
+  const std::lock_guard lock(mutex_);
+  return static_cast<int>(read_.size());
+}
+
+std::vector<std::string> ValuesOverTime::names() const
+{
+  const std::lock_guard lock(mutex_);
+  return names_;
+}
+
+std::vector<ValuesOverTime::Curve> ValuesOverTime::curves(const std::string& name) const
+{
+  const std::lock_guard lock(mutex_);
+  std::set<Particle> particles; // also those without this value: colours are those of paths
+  for (const Step& step : read_)
+    if (const auto places = step.find("x"); places != step.end())
+      for (const auto& [particle, value] : places->second)
+        particles.insert(particle);
+  std::vector<Curve> curves;
+  for (const Particle& particle : particles)
+  {
+    Curve curve{particle.first, particle.second, {}};
+    for (const Step& step : read_)
+    {
+      const auto values = step.find(name);
+      const bool isKnown = values != step.end() && values->second.contains(particle);
+      curve.values.push_back(
+        isKnown ? values->second.at(particle) : std::numeric_limits<double>::quiet_NaN());
+    }
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+void ValuesOverTime::write(const std::string& file, const std::vector<double>& times) const
+{
+  const std::vector<std::string> names = this->names();
+  std::vector<std::vector<Curve>> all;
+  for (const std::string& name : names)
+    all.push_back(this->curves(name));
+  std::string text = "step,time,id";
+  for (const std::string& name : names)
+    text += "," + name;
+  text += "\n";
+  const std::size_t steps = all.front().empty() ? 0 : all.front().front().values.size();
+  const bool hasSets = !all.front().empty() && all.front().back().set > 0;
+  for (std::size_t s = 0; s < steps; ++s)
+    for (std::size_t p = 0; p < all.front().size(); ++p)
+    {
+      const Curve& where = all.front()[p];
+      if (std::isnan(where.values[s]))
+        continue; // it is not there
+      text += std::to_string(s + 1) + "," + (s < times.size() ? exactText(times[s]) : "") + "," +
+              (hasSets ? std::to_string(where.set + 1) + "/" : "") + std::to_string(where.id);
+      for (const std::vector<Curve>& curves : all)
+        text += "," + (std::isnan(curves[p].values[s]) ? "" : exactText(curves[p].values[s]));
+      text += "\n";
+    }
+  writeText(file, text);
+}
+
+} // namespace mote::app
