@@ -74,6 +74,12 @@ struct Row
   {
 #if HWY_CAP_GE512
     return hn::TableLookupLanes(load(0), hn::IndicesFromVec(DF(), indices));
+#elif HWY_TARGET == HWY_AVX2
+    // Two lookups and a choice take a fifth of the time of a gather.
+    const auto lower = hn::IndicesFromVec(DF(), hn::And(indices, hn::Set(DI(), 7)));
+    const MF isUpper = hn::RebindMask(DF(), hn::Gt(indices, hn::Set(DI(), 7)));
+    return hn::IfThenElse(
+      isUpper, hn::TableLookupLanes(load(1), lower), hn::TableLookupLanes(load(0), lower));
 #else
     return hn::GatherIndex(DF(), v, indices);
 #endif
@@ -85,6 +91,7 @@ struct CornerIndices
 {
   VI a, b, c;
 
+  CornerIndices() = default;
   HWY_INLINE CornerIndices(const TriangleCluster& cluster, int set)
   {
     const DI d;
@@ -103,6 +110,18 @@ struct CornerIndices
     const VI packed = widened(cluster.corner2 + set * lanes % 8);
     c = set * lanes < 8 ? hn::And(packed, low) : hn::ShiftRight<4>(packed);
 #endif
+  }
+};
+
+/// Those of all triangles of a cluster.
+struct AllCornerIndices
+{
+  CornerIndices sets[laneSets];
+
+  HWY_INLINE explicit AllCornerIndices(const TriangleCluster& cluster)
+  {
+    for (int set = 0; set < laneSets; ++set)
+      sets[set] = CornerIndices(cluster, set);
   }
 };
 

@@ -11,6 +11,7 @@
 #include "TreeEntries-inl.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <vector>
 
@@ -20,56 +21,77 @@ namespace mote
 namespace HWY_NAMESPACE
 {
 
-/// Nodes, or clusters, each of which one ray is to visit.
+/// Nodes, or clusters, each of which some rays are to visit: rays of a packet, as bits.
 class Visits
 {
 public:
+  struct Visit
+  {
+    std::uint64_t rays;
+    std::uint32_t index;
+  };
+
   std::size_t size() const { return size_; }
-  std::uint32_t index(std::size_t i) const { return index_[i]; }
-  std::uint32_t ray(std::size_t i) const { return ray_[i]; }
+  const Visit& operator[](std::size_t i) const { return visits_[i]; }
   void shorten(std::size_t size) { size_ = size; }
 
-  /// Adds first + k for each bit k, all for one ray.
-  HWY_INLINE void add(std::uint32_t first, unsigned bits, std::uint32_t ray)
+  HWY_INLINE void add(std::uint32_t index, std::uint64_t rays)
   {
-    if (index_.size() < size_ + 2 * 16)
-    {
-      index_.resize(2 * index_.size() + 256);
-      ray_.resize(index_.size());
-    }
-    const DU d;
-#if HWY_CAP_GE512
-    std::uint8_t bytes[8] = {};
-    const auto word = static_cast<std::uint16_t>(bits);
-    std::memcpy(bytes, &word, sizeof word); // in one piece: two bytes would have to meet in memory
-    const auto mask = hn::LoadMaskBits(d, bytes);
-    // Faster than Iota(), which goes by the memory.
-    const auto all = hn::Add(hn::Load(d, numbers), hn::Set(d, first));
-    hn::StoreU(hn::Compress(all, mask), d, index_.data() + size_);
-    hn::StoreU(hn::Set(d, ray), d, ray_.data() + size_);
-    size_ += static_cast<std::size_t>(std::popcount(bits));
-#else
-    (void)d;
-    for (; bits != 0; bits &= bits - 1, ++size_)
-    {
-      index_[size_] = first + static_cast<std::uint32_t>(std::countr_zero(bits));
-      ray_[size_] = ray;
-    }
-#endif
+    if (visits_.size() == size_)
+      visits_.resize(2 * size_ + 256);
+    visits_[size_++] = {rays, index};
   }
 
 private:
-  alignas(64) static constexpr std::uint32_t numbers[16] = {
-    0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-
-  std::vector<std::uint32_t> index_, ray_;
+  std::vector<Visit> visits_;
   std::size_t size_ = 0;
 };
 
-/// Takes the rays of a packet through a tree together: the visits that wait are worked off in
-/// batches from the end. Those of a batch do not depend on one another, so memory is fetched for
-/// many at a time and the processor works on several; and being the last ones they go deep first,
-/// so that rays end early.
+/// Which of 16 things each ray of a packet meets, and the other way round.
+class RaysAndThings
+{
+public:
+  HWY_INLINE void clear()
+  {
+    for (int i = 0; i < RayPacket::capacity; i += step)
+      hn::Store(hn::Zero(D16()), D16(), things_ + i);
+  }
+  HWY_INLINE void set(int ray, unsigned things)
+  {
+    things_[ray] = static_cast<std::uint16_t>(things);
+    any_ |= things;
+  }
+  unsigned any() const { return any_; } ///< things that a ray meets
+
+  /// The rays that meet a thing.
+  HWY_INLINE std::uint64_t raysOf(int thing) const
+  {
+    const D16 d;
+    const auto bit = hn::Set(d, static_cast<std::uint16_t>(1U << thing));
+    std::uint64_t rays = 0;
+    for (int i = 0; i < RayPacket::capacity; i += step)
+    {
+      std::uint8_t bytes[8] = {};
+      hn::StoreMaskBits(d, hn::TestBit(hn::Load(d, things_ + i), bit), bytes);
+      std::uint64_t word;
+      std::memcpy(&word, bytes, sizeof word);
+      rays |= word << i;
+    }
+    return rays;
+  }
+
+private:
+  using D16 = hn::CappedTag<std::uint16_t, 32>;
+  static constexpr int step = static_cast<int>(hn::MaxLanes(D16()));
+
+  alignas(64) std::uint16_t things_[RayPacket::capacity];
+  unsigned any_ = 0;
+};
+
+/// Takes the rays of a packet through a tree together: a node is made ready once for all rays that
+/// visit it, and a cluster too. The visits that wait are worked off in batches from the end, so
+/// that memory is fetched for some at a time; and being the last ones they go deep first, so that
+/// rays end early.
 class Wave
 {
 public:
@@ -77,6 +99,7 @@ public:
     : view_(view)
     , packet_(packet)
     , all_(view, packet)
+    , boxRays_(all_, packet.count)
   {
     for (int i = 0; i < packet.count; ++i)
     {
@@ -102,10 +125,8 @@ public:
   }
 
 private:
-  static constexpr std::size_t batch = 64;
-  static constexpr std::size_t ahead = 10; ///< visits between a fetch and its use
-
-  bool isOpen(std::uint32_t ray) const { return (open_ >> ray & 1) != 0; }
+  static constexpr std::size_t batch = 16;
+  static constexpr std::size_t ahead = 4; ///< visits between a fetch and its use
 
   template <typename T>
   static HWY_INLINE void fetch(const T* what)
@@ -118,64 +139,95 @@ private:
   void enter(Visits& nodes, Visits& clusters) const
   {
     const TreeEntries entries(view_, all_, packet_.count);
+    RaysAndThings met;
+    met.clear();
     for (std::uint64_t left = open_; left != 0; left &= left - 1)
     {
-      const auto ray = static_cast<std::uint32_t>(std::countr_zero(left));
-      for (unsigned bits = entries.met(rays_[ray]); bits != 0; bits &= bits - 1)
-      {
-        const int k = std::countr_zero(bits);
-        (entries.isNode(k) ? nodes : clusters).add(entries.index(k), 1, ray);
-      }
+      const int ray = std::countr_zero(left);
+      met.set(ray, entries.met(boxRays_, ray));
+    }
+    for (unsigned bits = met.any(); bits != 0; bits &= bits - 1)
+    {
+      const int k = std::countr_zero(bits);
+      (entries.isNode(k) ? nodes : clusters).add(entries.index(k), met.raysOf(k));
     }
   }
 
   void visitNodes(Visits& nodes, Visits& clusters)
   {
     const std::size_t count = std::min(batch, nodes.size()), first = nodes.size() - count;
-    std::uint32_t index[batch + ahead], ray[batch];
+    Visits::Visit visits[batch];
     for (std::size_t i = 0; i < count; ++i)
-    {
-      index[i] = nodes.index(first + i);
-      ray[i] = nodes.ray(first + i);
-    }
-    std::fill_n(index + count, ahead, index[0]);
+      visits[i] = nodes[first + i];
     nodes.shorten(first);
     for (std::size_t i = 0; i < std::min(ahead, count); ++i)
-      fetch(&view_.nodes[index[i]]);
+      fetch(&view_.nodes[visits[i].index]);
     for (std::size_t i = 0; i < count; ++i)
     {
-      fetch(&view_.nodes[index[i + ahead]]);
-      if (!isOpen(ray[i]))
-        continue;
-      const RlodNode& node = view_.nodes[index[i]];
-      const unsigned bits = rays_[ray[i]].childrenMet(node);
-      const unsigned clusterBits = bits & lowest(node.clusters);
-      clusters.add(node.firstCluster, clusterBits, ray[i]);
-      nodes.add(node.firstNode - node.clusters, bits & ~clusterBits, ray[i]);
+      if (i + ahead < count)
+        fetch(&view_.nodes[visits[i + ahead].index]);
+      if (const std::uint64_t rays = visits[i].rays & open_; rays != 0)
+        visitNode(view_.nodes[visits[i].index], rays, nodes, clusters);
+    }
+  }
+
+  HWY_INLINE void visitNode(
+    const RlodNode& node, std::uint64_t rays, Visits& nodes, Visits& clusters) const
+  {
+    const TreeBoxes boxes(node);
+    RaysAndThings met;
+    met.clear();
+    for (std::uint64_t left = rays; left != 0; left &= left - 1)
+    {
+      const int ray = std::countr_zero(left);
+      met.set(ray, boxRays_.met(boxes, ray));
+    }
+    const unsigned any = met.any() & lowest(node.children);
+    const unsigned clusterBits = any & lowest(node.clusters);
+    for (unsigned bits = clusterBits; bits != 0; bits &= bits - 1)
+    {
+      const int k = std::countr_zero(bits);
+      clusters.add(node.firstCluster + static_cast<unsigned>(k), met.raysOf(k));
+    }
+    for (unsigned bits = any & ~clusterBits; bits != 0; bits &= bits - 1)
+    {
+      const int k = std::countr_zero(bits);
+      nodes.add(node.nodeOf(static_cast<unsigned>(k)), met.raysOf(k));
     }
   }
 
   void visitClusters(Visits& clusters)
   {
     for (std::size_t i = 0; i < std::min(ahead, clusters.size()); ++i)
-      fetch(&view_.clusters[clusters.index(i)]);
-    Row z;
+      fetch(&view_.clusters[clusters[i].index]);
     for (std::size_t i = 0; i < clusters.size(); ++i)
     {
       if (i + ahead < clusters.size())
-        fetch(&view_.clusters[clusters.index(i + ahead)]);
-      const std::uint32_t ray = clusters.ray(i);
-      if (!isOpen(ray) || rays_[ray].trianglesMet(view_.clusters[clusters.index(i)], z) == 0)
+        fetch(&view_.clusters[clusters[i + ahead].index]);
+      if (const std::uint64_t rays = clusters[i].rays & open_; rays != 0)
+        visitCluster(view_.clusters[clusters[i].index], rays);
+    }
+    clusters.shorten(0);
+  }
+
+  HWY_INLINE void visitCluster(const TriangleCluster& cluster, std::uint64_t rays)
+  {
+    const AllCornerIndices corners(cluster);
+    Row z;
+    for (std::uint64_t left = rays; left != 0; left &= left - 1)
+    {
+      const int ray = std::countr_zero(left);
+      if (rays_[ray].trianglesMet(cluster, corners, z) == 0)
         continue;
       open_ &= ~(std::uint64_t{1} << ray);
       packet_.t[ray] = -std::numeric_limits<double>::infinity();
     }
-    clusters.shorten(0);
   }
 
   const RlodTreeView& view_;
   RayPacket& packet_;
   const TreeRays all_;
+  const BoxRays boxRays_;
   TreeRay rays_[RayPacket::capacity];
   std::uint64_t open_ = 0; ///< rays that have met nothing yet
 };

@@ -7,7 +7,7 @@
 #define MOTE_TREE_ENTRIES_INL_H
 #endif
 
-#include "TreeRays-inl.h"
+#include "TreeBoxes-inl.h"
 
 #include <algorithm>
 
@@ -27,45 +27,36 @@ public:
     measure(rays, count);
     for (int axis = 0; axis < 3; ++axis)
     {
-      std::fill_n(low_[axis].v, 16, infinity);
-      std::fill_n(high_[axis].v, 16, -infinity);
-      low_[axis].v[0] = -2.0f;
-      high_[axis].v[0] = 2.0f;
+      std::fill_n(low(axis).v, 16, 2.0f);
+      std::fill_n(high(axis).v, 16, -2.0f);
+      low(axis).v[0] = -2.0f;
+      high(axis).v[0] = 2.0f;
     }
     index_[0] = 0;
     nodes_ = 1;
     count_ = 1;
-    unsigned whole = 0; // those that would make too many when opened
-    for (int next = 0; next >= 0; next = largest(nodes_ & ~whole))
-      whole = open(view.nodes[index_[next]], next) ? 0 : whole | 1U << next;
+    int next = 0;
+    do
+    {
+      if (!open(view.nodes[index_[next]], next))
+        break;
+      next = largest();
+    } while (next >= 0);
   }
 
   std::uint32_t index(int k) const { return index_[k]; }
   bool isNode(int k) const { return (nodes_ >> k & 1U) != 0; }
 
   /// The entries that a ray meets, as bits.
-  HWY_INLINE unsigned met(const TreeRay& ray) const
+  HWY_INLINE unsigned met(const BoxRays& rays, int ray) const
   {
-    unsigned bits = 0;
-    for (int set = 0; set < laneSets; ++set)
-    {
-      VF enter = all(ray.first), leave = all(ray.best);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        const bool forward = ray.inverse[axis] > 0.0f;
-        const VF q = all(ray.q[axis]), inverse = all(ray.inverse[axis]);
-        const VF error = hn::Mul(all(0x1p-18f), hn::Abs(inverse));
-        const Row& near = (forward ? low_ : high_)[axis];
-        const Row& far = (forward ? high_ : low_)[axis];
-        enter = hn::Max(enter, hn::MulSub(hn::Sub(near.load(set), q), inverse, error));
-        leave = hn::Min(leave, hn::MulAdd(hn::Sub(far.load(set), q), inverse, error));
-      }
-      bits |= bitsOf(hn::Le(enter, leave)) << (set * lanes);
-    }
-    return bits & lowest(static_cast<unsigned>(count_));
+    return rays.met(boxes_, ray) & lowest(static_cast<unsigned>(count_));
   }
 
 private:
+  Row& low(int axis) { return boxes_.bounds[axis][0]; }
+  Row& high(int axis) { return boxes_.bounds[axis][1]; }
+
   /// The box of all rays.
   void measure(const TreeRays& rays, int count)
   {
@@ -93,28 +84,33 @@ private:
     }
   }
 
-  /// The one of these with the largest surface, or -1.
-  int largest(unsigned some) const
+  /// The node with the largest surface, or -1.
+  int largest() const
   {
-    int found = -1;
-    for (float most = -1.0f; some != 0; some &= some - 1)
+    Row areas;
+    for (int set = 0; set < laneSets; ++set)
     {
-      const int k = std::countr_zero(some);
-      const float x = high_[0].v[k] - low_[0].v[k], y = high_[1].v[k] - low_[1].v[k],
-                  z = high_[2].v[k] - low_[2].v[k];
-      if (const float area = x * y + y * z + z * x; area > most)
+      const auto width = [&](int axis)
+      { return hn::Sub(boxes_.bounds[axis][1].load(set), boxes_.bounds[axis][0].load(set)); };
+      const VF x = width(0), y = width(1), z = width(2);
+      const VF area = hn::MulAdd(x, y, hn::MulAdd(y, z, hn::Mul(z, x)));
+      areas.store(area, set);
+    }
+    int found = -1;
+    float largest = -1.0f;
+    for (unsigned left = nodes_; left != 0; left &= left - 1)
+      if (const int k = std::countr_zero(left); areas.v[k] > largest)
       {
-        most = area;
+        largest = areas.v[k];
         found = k;
       }
-    }
     return found;
   }
 
   /// Puts the children of a node that are near the rays in its place; false where there is no room.
   bool open(const RlodNode& node, int place)
   {
-    Row low[3], high[3];
+    const TreeBoxes boxes(node);
     unsigned bits = 0;
     for (int set = 0; set < laneSets; ++set)
     {
@@ -122,12 +118,7 @@ private:
       MF near = hn::Eq(hn::Zero(d), hn::Zero(d));
       for (int axis = 0; axis < 3; ++axis)
       {
-        const VF scale = all(node.scale[axis]), origin = all(node.origin[axis]);
-        const auto bound = [&](const std::uint8_t* row)
-        { return hn::MulAdd(hn::ConvertTo(d, widened(row + set * lanes)), scale, origin); };
-        const VF least = bound(node.low(axis)), most = bound(node.high(axis));
-        low[axis].store(least, set);
-        high[axis].store(most, set);
+        const VF least = boxes.bounds[axis][0].load(set), most = boxes.bounds[axis][1].load(set);
         near =
           hn::And(near, hn::And(hn::Le(least, all(upper_[axis])), hn::Ge(most, all(lower_[axis]))));
       }
@@ -142,8 +133,8 @@ private:
       const auto k = static_cast<unsigned>(std::countr_zero(bits));
       for (int axis = 0; axis < 3; ++axis)
       {
-        low_[axis].v[count_] = low[axis].v[k];
-        high_[axis].v[count_] = high[axis].v[k];
+        low(axis).v[count_] = boxes.bounds[axis][0].v[k];
+        high(axis).v[count_] = boxes.bounds[axis][1].v[k];
       }
       const bool isCluster = k < node.clusters;
       index_[count_] = isCluster ? node.firstCluster + k : node.nodeOf(k);
@@ -159,8 +150,8 @@ private:
     const unsigned lastIsNode = nodes_ >> last & 1U;
     for (int axis = 0; axis < 3; ++axis)
     {
-      low_[axis].v[place] = low_[axis].v[last];
-      high_[axis].v[place] = high_[axis].v[last];
+      low(axis).v[place] = low(axis).v[last];
+      high(axis).v[place] = high(axis).v[last];
     }
     index_[place] = index_[last];
     nodes_ &= ~(1U << place) & ~(1U << last);
@@ -169,7 +160,7 @@ private:
   }
 
   float lower_[3], upper_[3];
-  Row low_[3], high_[3];
+  TreeBoxes boxes_;
   std::uint32_t index_[16];
   unsigned nodes_ = 0; ///< entries that are nodes, not clusters, as bits
   int count_ = 0;

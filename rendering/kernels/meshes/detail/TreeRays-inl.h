@@ -234,6 +234,12 @@ public:
   /// Triangles of a cluster that the ray meets between its ends, as bits; `z` becomes where.
   HWY_INLINE unsigned trianglesMet(const TriangleCluster& cluster, Row& z) const
   {
+    return trianglesMet(cluster, AllCornerIndices(cluster), z);
+  }
+  /// Likewise, with the cluster's corner indices, for many rays that meet it.
+  HWY_INLINE unsigned trianglesMet(
+    const TriangleCluster& cluster, const AllCornerIndices& corners, Row& z) const
+  {
     const DF d;
     Row u, v, deep;
     for (int set = 0; set < laneSets; ++set)
@@ -248,7 +254,7 @@ public:
     unsigned bits = 0;
     for (int set = 0; set < laneSets; ++set)
     {
-      const CornerIndices at(cluster, set);
+      const CornerIndices& at = corners.sets[set];
       const Edges edges(
         {u.at(at.a), v.at(at.a)}, {u.at(at.b), v.at(at.b)}, {u.at(at.c), v.at(at.c)});
       const VF sum = edges.sum();

@@ -1,0 +1,96 @@
+// The rays of a packet against boxes of an RlodTree, one ray and 16 boxes at a time. Included once
+// per SIMD instruction set.
+
+#if defined(MOTE_TREE_BOXES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef MOTE_TREE_BOXES_INL_H
+#undef MOTE_TREE_BOXES_INL_H
+#else
+#define MOTE_TREE_BOXES_INL_H
+#endif
+
+#include "TreeRays-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace mote
+{
+namespace HWY_NAMESPACE
+{
+
+/// 16 boxes in float: those of a node's children, made once for all rays that visit it.
+struct TreeBoxes
+{
+  Row bounds[3][2]; ///< of each axis the least and the greatest
+
+  TreeBoxes() = default;
+  HWY_INLINE explicit TreeBoxes(const RlodNode& node)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const VF scale = all(node.scale[axis]), origin = all(node.origin[axis]);
+      for (int set = 0; set < laneSets; ++set)
+      {
+        const auto bound = [&](const std::uint8_t* row)
+        { return hn::MulAdd(hn::ConvertTo(DF(), widened(row + set * lanes)), scale, origin); };
+        bounds[axis][0].store(bound(node.low(axis)), set);
+        bounds[axis][1].store(bound(node.high(axis)), set);
+      }
+    }
+  }
+};
+
+/// What a packet's rays are to boxes: z = inverse * bound - of Q.
+class BoxRays
+{
+public:
+  BoxRays(const TreeRays& rays, int count)
+    : rays_(rays)
+  {
+    const DF d;
+    const DU u;
+    for (int i = 0; i < count; i += lanes)
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const VF inverse = hn::Load(d, rays.inverse[axis] + i);
+        const VF at = hn::Mul(hn::Load(d, rays.q[axis] + i), inverse);
+        // Of Q, of the numbers here and of boxes, and of the triangles' own formula.
+        const VF error = hn::Mul(all(0x1p-18f), hn::Abs(inverse));
+        hn::Store(hn::Neg(hn::Add(at, error)), d, enter_[axis] + i);
+        hn::Store(hn::Sub(error, at), d, leave_[axis] + i);
+        hn::Store(hn::ShiftRight<31>(hn::BitCast(u, inverse)), u, nearSide_[axis] + i);
+      }
+  }
+
+  /// Boxes that a ray meets before its end, as bits.
+  HWY_INLINE unsigned met(const TreeBoxes& boxes, int i) const
+  {
+    unsigned bits = 0;
+    for (int set = 0; set < laneSets; ++set)
+    {
+      VF enter = all(rays_.first[i]), leave = all(rays_.best[i]);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const std::uint32_t side = nearSide_[axis][i];
+        const VF inverse = all(rays_.inverse[axis][i]);
+        const VF near = boxes.bounds[axis][side].load(set);
+        const VF far = boxes.bounds[axis][side ^ 1U].load(set);
+        enter = hn::Max(enter, hn::MulAdd(near, inverse, all(enter_[axis][i])));
+        leave = hn::Min(leave, hn::MulAdd(far, inverse, all(leave_[axis][i])));
+      }
+      bits |= bitsOf(hn::Le(enter, leave)) << (set * lanes);
+    }
+    return bits;
+  }
+
+private:
+  static constexpr int capacity = TreeRays::capacity;
+
+  const TreeRays& rays_;
+  alignas(64) float enter_[3][capacity], leave_[3][capacity]; ///< z of the origin, wider by errors
+  alignas(64) std::uint32_t nearSide_[3][capacity];           ///< of the bounds it meets first
+};
+
+} // namespace HWY_NAMESPACE
+} // namespace mote
+HWY_AFTER_NAMESPACE();
+
+#endif
