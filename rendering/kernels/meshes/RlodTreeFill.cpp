@@ -43,6 +43,20 @@ struct FloatBox
   }
 };
 
+/// Fetches the triangles of a cluster, or the points of its triangles.
+void fetchTriangles(
+  const TriangleMesh& mesh, const std::uint32_t* ids, const TriangleCluster& cluster)
+{
+  for (int t = 0; t < cluster.count; ++t)
+    __builtin_prefetch(&mesh.triangles()[ids[cluster.firstId + t]]);
+}
+void fetchPoints(const TriangleMesh& mesh, const std::uint32_t* ids, const TriangleCluster& cluster)
+{
+  for (int t = 0; t < cluster.count; ++t)
+    for (const std::uint32_t corner : mesh.triangles()[ids[cluster.firstId + t]])
+      __builtin_prefetch(&mesh.points()[corner]);
+}
+
 /// Fills all of a cluster but firstId and count. Answers its box.
 FloatBox fillCluster(const TriangleMesh& mesh, const std::uint32_t* ids, TriangleCluster& cluster)
 {
@@ -111,8 +125,15 @@ void RlodTree::fill(const TriangleMesh& mesh)
   tbb::parallel_for(Range(0, a.clusters.size(), 1 << 10),
     [&](const Range& range)
     {
+      const std::uint32_t* ids = a.ids.data();
       for (std::size_t k = range.begin(); k != range.end(); ++k)
-        clusters[k] = fillCluster(mesh, a.ids.data(), a.clusters[k]);
+      {
+        if (k + 2 < range.end())
+          fetchTriangles(mesh, ids, a.clusters[k + 2]);
+        if (k + 1 < range.end())
+          fetchPoints(mesh, ids, a.clusters[k + 1]);
+        clusters[k] = fillCluster(mesh, ids, a.clusters[k]);
+      }
     });
   // Children come after their parents.
   double area = 0.0;

@@ -21,8 +21,17 @@ public:
     , first_(first)
   {
     nodes_.reserve(count / 4);
+    // Triangles and points come from far apart in memory: they are fetched ahead.
+    constexpr std::size_t ahead = 16;
+    const auto fetchTriangle = [&](std::size_t i)
+    { __builtin_prefetch(&mesh.triangles()[order[std::min(i, count - 1)]]); };
+    for (std::size_t i = 0; i < 2 * ahead; ++i)
+      fetchTriangle(i);
     for (std::size_t i = 0; i < count; ++i)
     {
+      fetchTriangle(i + 2 * ahead);
+      for (const std::uint32_t corner : mesh.triangles()[order[std::min(i + ahead, count - 1)]])
+        __builtin_prefetch(&mesh.points()[corner]);
       boxes_[i] = {};
       for (const std::uint32_t corner : mesh.triangles()[order[i]])
       {

@@ -13,7 +13,9 @@
 #include <hwy/highway.h>
 
 #include <cstdint>
+#include <cstring>
 #include <limits>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace mote
@@ -43,12 +45,24 @@ HWY_INLINE VF all(float v)
   return hn::Set(DF(), v);
 }
 
-/// A mask as bits, the first lane lowest.
+/// A mask of up to 32 lanes as bits, the first lane lowest.
+template <typename D>
+HWY_INLINE std::uint32_t bitsOf(D d, hn::Mask<D> mask)
+{
+  constexpr std::size_t count = hn::MaxLanes(D());
+  // As large as what is written: so it never goes by the memory.
+  using Word = std::conditional_t<count == 32, std::uint32_t,
+    std::conditional_t<count == 16, std::uint16_t, std::uint8_t>>;
+  static_assert(count == 32 || count == 16 || count <= 8);
+  std::uint8_t bytes[8];
+  hn::StoreMaskBits(d, mask, bytes);
+  Word word;
+  std::memcpy(&word, bytes, sizeof word);
+  return word;
+}
 HWY_INLINE unsigned bitsOf(MF mask)
 {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(DF(), mask, bytes);
-  return bytes[0] | (static_cast<unsigned>(bytes[1]) << 8);
+  return bitsOf(DF(), mask);
 }
 
 /// The lanes `first` and following of whose numbers the bits tell.

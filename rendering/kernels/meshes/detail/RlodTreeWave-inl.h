@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 #include <vector>
 
 HWY_BEFORE_NAMESPACE();
@@ -70,13 +69,7 @@ public:
     const auto bit = hn::Set(d, static_cast<std::uint16_t>(1U << thing));
     std::uint64_t rays = 0;
     for (int i = 0; i < RayPacket::capacity; i += step)
-    {
-      std::uint8_t bytes[8] = {};
-      hn::StoreMaskBits(d, hn::TestBit(hn::Load(d, things_ + i), bit), bytes);
-      std::uint64_t word;
-      std::memcpy(&word, bytes, sizeof word);
-      rays |= word << i;
-    }
+      rays |= std::uint64_t{bitsOf(d, hn::TestBit(hn::Load(d, things_ + i), bit))} << i;
     return rays;
   }
 
@@ -103,7 +96,7 @@ public:
   {
     for (int i = 0; i < packet.count; ++i)
     {
-      rays_[i] = TreeRay(all_, i);
+      rays_[i] = TriangleRay(all_, i);
       if (all_.isAnywhere(i))
         open_ |= std::uint64_t{1} << i;
     }
@@ -228,7 +221,7 @@ private:
   RayPacket& packet_;
   const TreeRays all_;
   const BoxRays boxRays_;
-  TreeRay rays_[RayPacket::capacity];
+  TriangleRay rays_[RayPacket::capacity];
   std::uint64_t open_ = 0; ///< rays that have met nothing yet
 };
 

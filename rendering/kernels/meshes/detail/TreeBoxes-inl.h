@@ -19,7 +19,9 @@ namespace HWY_NAMESPACE
 /// 16 boxes in float: those of a node's children, made once for all rays that visit it.
 struct TreeBoxes
 {
-  Row bounds[3][2]; ///< of each axis the least and the greatest
+  static constexpr std::uint32_t greatest = 16; ///< where the greatest bounds of an axis begin
+
+  alignas(64) float bounds[3][2 * greatest]; ///< of each axis the least and the greatest
 
   TreeBoxes() = default;
   HWY_INLINE explicit TreeBoxes(const RlodNode& node)
@@ -31,11 +33,16 @@ struct TreeBoxes
       {
         const auto bound = [&](const std::uint8_t* row)
         { return hn::MulAdd(hn::ConvertTo(DF(), widened(row + set * lanes)), scale, origin); };
-        bounds[axis][0].store(bound(node.low(axis)), set);
-        bounds[axis][1].store(bound(node.high(axis)), set);
+        hn::Store(bound(node.low(axis)), DF(), low(axis) + set * lanes);
+        hn::Store(bound(node.high(axis)), DF(), high(axis) + set * lanes);
       }
     }
   }
+
+  float* low(int axis) { return bounds[axis]; }
+  float* high(int axis) { return bounds[axis] + greatest; }
+  const float* low(int axis) const { return bounds[axis]; }
+  const float* high(int axis) const { return bounds[axis] + greatest; }
 };
 
 /// What a packet's rays are to boxes: z = inverse * bound - of Q.
@@ -56,7 +63,9 @@ public:
         const VF error = hn::Mul(all(0x1p-18f), hn::Abs(inverse));
         hn::Store(hn::Neg(hn::Add(at, error)), d, enter_[axis] + i);
         hn::Store(hn::Sub(error, at), d, leave_[axis] + i);
-        hn::Store(hn::ShiftRight<31>(hn::BitCast(u, inverse)), u, nearSide_[axis] + i);
+        const auto backward = hn::RebindMask(u, hn::Lt(inverse, hn::Zero(d)));
+        hn::Store(
+          hn::IfThenElseZero(backward, hn::Set(u, TreeBoxes::greatest)), u, nearSide_[axis] + i);
       }
   }
 
@@ -71,8 +80,9 @@ public:
       {
         const std::uint32_t side = nearSide_[axis][i];
         const VF inverse = all(rays_.inverse[axis][i]);
-        const VF near = boxes.bounds[axis][side].load(set);
-        const VF far = boxes.bounds[axis][side ^ 1U].load(set);
+        const float* bounds = boxes.bounds[axis] + set * lanes;
+        const VF near = hn::Load(DF(), bounds + side);
+        const VF far = hn::Load(DF(), bounds + (side ^ TreeBoxes::greatest));
         enter = hn::Max(enter, hn::MulAdd(near, inverse, all(enter_[axis][i])));
         leave = hn::Min(leave, hn::MulAdd(far, inverse, all(leave_[axis][i])));
       }
@@ -86,7 +96,7 @@ private:
 
   const TreeRays& rays_;
   alignas(64) float enter_[3][capacity], leave_[3][capacity]; ///< z of the origin, wider by errors
-  alignas(64) std::uint32_t nearSide_[3][capacity];           ///< of the bounds it meets first
+  alignas(64) std::uint32_t nearSide_[3][capacity]; ///< where bounds begin that it meets first
 };
 
 } // namespace HWY_NAMESPACE

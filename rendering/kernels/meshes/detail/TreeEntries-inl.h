@@ -27,10 +27,10 @@ public:
     measure(rays, count);
     for (int axis = 0; axis < 3; ++axis)
     {
-      std::fill_n(low(axis).v, 16, 2.0f);
-      std::fill_n(high(axis).v, 16, -2.0f);
-      low(axis).v[0] = -2.0f;
-      high(axis).v[0] = 2.0f;
+      std::fill_n(low(axis), 16, 2.0f);
+      std::fill_n(high(axis), 16, -2.0f);
+      low(axis)[0] = -2.0f;
+      high(axis)[0] = 2.0f;
     }
     index_[0] = 0;
     nodes_ = 1;
@@ -54,8 +54,8 @@ public:
   }
 
 private:
-  Row& low(int axis) { return boxes_.bounds[axis][0]; }
-  Row& high(int axis) { return boxes_.bounds[axis][1]; }
+  float* low(int axis) { return boxes_.low(axis); }
+  float* high(int axis) { return boxes_.high(axis); }
 
   /// The box of all rays.
   void measure(const TreeRays& rays, int count)
@@ -91,7 +91,10 @@ private:
     for (int set = 0; set < laneSets; ++set)
     {
       const auto width = [&](int axis)
-      { return hn::Sub(boxes_.bounds[axis][1].load(set), boxes_.bounds[axis][0].load(set)); };
+      {
+        return hn::Sub(hn::Load(DF(), boxes_.high(axis) + set * lanes),
+          hn::Load(DF(), boxes_.low(axis) + set * lanes));
+      };
       const VF x = width(0), y = width(1), z = width(2);
       const VF area = hn::MulAdd(x, y, hn::MulAdd(y, z, hn::Mul(z, x)));
       areas.store(area, set);
@@ -118,7 +121,8 @@ private:
       MF near = hn::Eq(hn::Zero(d), hn::Zero(d));
       for (int axis = 0; axis < 3; ++axis)
       {
-        const VF least = boxes.bounds[axis][0].load(set), most = boxes.bounds[axis][1].load(set);
+        const VF least = hn::Load(d, boxes.low(axis) + set * lanes),
+                 most = hn::Load(d, boxes.high(axis) + set * lanes);
         near =
           hn::And(near, hn::And(hn::Le(least, all(upper_[axis])), hn::Ge(most, all(lower_[axis]))));
       }
@@ -133,8 +137,8 @@ private:
       const auto k = static_cast<unsigned>(std::countr_zero(bits));
       for (int axis = 0; axis < 3; ++axis)
       {
-        low(axis).v[count_] = boxes.bounds[axis][0].v[k];
-        high(axis).v[count_] = boxes.bounds[axis][1].v[k];
+        low(axis)[count_] = boxes.low(axis)[k];
+        high(axis)[count_] = boxes.high(axis)[k];
       }
       const bool isCluster = k < node.clusters;
       index_[count_] = isCluster ? node.firstCluster + k : node.nodeOf(k);
@@ -150,8 +154,8 @@ private:
     const unsigned lastIsNode = nodes_ >> last & 1U;
     for (int axis = 0; axis < 3; ++axis)
     {
-      low(axis).v[place] = low(axis).v[last];
-      high(axis).v[place] = high(axis).v[last];
+      low(axis)[place] = low(axis)[last];
+      high(axis)[place] = high(axis)[last];
     }
     index_[place] = index_[last];
     nodes_ &= ~(1U << place) & ~(1U << last);

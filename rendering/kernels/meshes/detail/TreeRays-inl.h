@@ -135,17 +135,17 @@ private:
   }
 };
 
-/// One ray of a packet, ready to be compared with many boxes and triangles.
-struct TreeRay
+/// One ray of a packet, ready to be compared with many triangles.
+struct TriangleRay
 {
-  alignas(16) float q[4], inverse[4]; ///< the fourth numbers are 0
-  std::uint8_t nearRow[3], farRow[3]; ///< rows of a node's bounds that the ray meets first and last
+  alignas(16) float q[4]; ///< the fourth number is 0
   int axisU, axisV, axisZ;
   float u0, v0, perZu, perZv, sign, first, best;
 
-  TreeRay() = default;
-  HWY_INLINE TreeRay(const TreeRays& rays, int i)
-    : axisZ(rays.depth[i])
+  TriangleRay() = default;
+  HWY_INLINE TriangleRay(const TreeRays& rays, int i)
+    : q{rays.q[0][i], rays.q[1][i], rays.q[2][i], 0.0f}
+    , axisZ(rays.depth[i])
     , u0(rays.u0[i])
     , v0(rays.v0[i])
     , perZu(rays.perZu[i])
@@ -156,15 +156,64 @@ struct TreeRay
   {
     axisU = axisZ == 2 ? 0 : axisZ + 1;
     axisV = axisU == 2 ? 0 : axisU + 1;
+  }
+
+  /// Triangles of a cluster that the ray meets between its ends, as bits; `z` becomes where.
+  HWY_INLINE unsigned trianglesMet(const TriangleCluster& cluster, Row& z) const
+  {
+    return trianglesMet(cluster, AllCornerIndices(cluster), z);
+  }
+  /// Likewise, with the cluster's corner indices, for many rays that meet it.
+  HWY_INLINE unsigned trianglesMet(
+    const TriangleCluster& cluster, const AllCornerIndices& corners, Row& z) const
+  {
+    const DF d;
+    Row u, v, deep;
+    for (int set = 0; set < laneSets; ++set)
+    {
+      const auto along = [&](int axis)
+      { return hn::Sub(hn::LoadU(d, cluster.point[axis] + set * lanes), all(q[axis])); };
+      const VF depth = along(axisZ);
+      u.store(hn::NegMulAdd(depth, all(perZu), hn::Sub(along(axisU), all(u0))), set);
+      v.store(hn::NegMulAdd(depth, all(perZv), hn::Sub(along(axisV), all(v0))), set);
+      deep.store(hn::Mul(depth, all(sign)), set);
+    }
+    unsigned bits = 0;
+    for (int set = 0; set < laneSets; ++set)
+    {
+      const CornerIndices& at = corners.sets[set];
+      const Edges edges(
+        {u.at(at.a), v.at(at.a)}, {u.at(at.b), v.at(at.b)}, {u.at(at.c), v.at(at.c)});
+      const VF sum = edges.sum();
+      const MF hits = edges.hits(sum);
+      if (hn::AllFalse(d, hits))
+        continue;
+      const VF depth = edges.at(sum, deep.at(at.a), deep.at(at.b), deep.at(at.c));
+      z.store(depth, set);
+      bits |= bitsOf(hn::And(hits, hn::And(hn::Gt(depth, all(first)), hn::Lt(depth, all(best)))))
+              << (set * lanes);
+    }
+    return bits & lowest(cluster.count);
+  }
+};
+
+/// And with many boxes.
+struct TreeRay : TriangleRay
+{
+  alignas(16) float inverse[4];       ///< the fourth number is 0
+  std::uint8_t nearRow[3], farRow[3]; ///< rows of a node's bounds that the ray meets first and last
+
+  HWY_INLINE TreeRay(const TreeRays& rays, int i)
+    : TriangleRay(rays, i)
+  {
     for (int axis = 0; axis < 3; ++axis)
     {
-      q[axis] = rays.q[axis][i];
       inverse[axis] = rays.inverse[axis][i];
       const bool forward = inverse[axis] > 0.0f;
       nearRow[axis] = static_cast<std::uint8_t>(forward ? axis : axis + 3);
       farRow[axis] = static_cast<std::uint8_t>(forward ? axis + 3 : axis);
     }
-    q[3] = inverse[3] = 0.0f;
+    inverse[3] = 0.0f;
   }
 
   /// Children of a node that the ray meets before its end, as bits; `near` becomes where it enters.
@@ -185,6 +234,34 @@ struct TreeRay
   HWY_INLINE unsigned childrenMet(const RlodNode& node) const
   {
     return childrenMet(node, [](VF, VF, int) {});
+  }
+
+  /// R-LODs of a node that the ray meets between `near` and `far`, where it is in the children's
+  /// boxes, as bits; z becomes where.
+  HWY_INLINE unsigned planesMet(
+    const RlodPlanes& planes, const Row& near, const Row& far, Row& z) const
+  {
+    const DF d;
+    const float nearest = std::nextafter(first, infinity);
+    unsigned bits = 0;
+    for (int set = 0; set < laneSets; ++set)
+    {
+      const auto normal = [&](int axis) { return hn::Load(d, planes.normal[axis] + set * lanes); };
+      const VF deep = normal(axisZ), u = normal(axisU), v = normal(axisV);
+      PlaneMeeting meeting = {hn::Max(near.load(set), all(nearest)), far.load(set),
+        hn::Neg(hn::Load(d, planes.offset + set * lanes)), hn::Zero(d)};
+      for (int axis = 0; axis < 3; ++axis)
+        meeting.height = hn::MulAdd(normal(axis), all(q[axis]), meeting.height);
+      meeting.height = hn::MulAdd(u, all(u0), hn::MulAdd(v, all(v0), meeting.height));
+      meeting.slope =
+        hn::Mul(all(sign), hn::MulAdd(u, all(perZu), hn::MulAdd(v, all(perZv), deep)));
+      VF at;
+      const MF met = meeting.meets(hn::Load(d, planes.deviation + set * lanes), at);
+      z.store(at, set);
+      bits |= bitsOf(hn::And(met, hn::And(hn::Gt(at, all(first)), hn::Lt(at, all(best)))))
+              << (set * lanes);
+    }
+    return bits;
   }
 
 private:
@@ -228,73 +305,6 @@ private:
       bits |= bitsOf(hn::Le(enter, leave)) << (set * lanes);
     }
     return bits & lowest(node.children);
-  }
-
-public:
-  /// Triangles of a cluster that the ray meets between its ends, as bits; `z` becomes where.
-  HWY_INLINE unsigned trianglesMet(const TriangleCluster& cluster, Row& z) const
-  {
-    return trianglesMet(cluster, AllCornerIndices(cluster), z);
-  }
-  /// Likewise, with the cluster's corner indices, for many rays that meet it.
-  HWY_INLINE unsigned trianglesMet(
-    const TriangleCluster& cluster, const AllCornerIndices& corners, Row& z) const
-  {
-    const DF d;
-    Row u, v, deep;
-    for (int set = 0; set < laneSets; ++set)
-    {
-      const auto along = [&](int axis)
-      { return hn::Sub(hn::LoadU(d, cluster.point[axis] + set * lanes), all(q[axis])); };
-      const VF depth = along(axisZ);
-      u.store(hn::NegMulAdd(depth, all(perZu), hn::Sub(along(axisU), all(u0))), set);
-      v.store(hn::NegMulAdd(depth, all(perZv), hn::Sub(along(axisV), all(v0))), set);
-      deep.store(hn::Mul(depth, all(sign)), set);
-    }
-    unsigned bits = 0;
-    for (int set = 0; set < laneSets; ++set)
-    {
-      const CornerIndices& at = corners.sets[set];
-      const Edges edges(
-        {u.at(at.a), v.at(at.a)}, {u.at(at.b), v.at(at.b)}, {u.at(at.c), v.at(at.c)});
-      const VF sum = edges.sum();
-      const MF hits = edges.hits(sum);
-      if (hn::AllFalse(d, hits))
-        continue;
-      const VF depth = edges.at(sum, deep.at(at.a), deep.at(at.b), deep.at(at.c));
-      z.store(depth, set);
-      bits |= bitsOf(hn::And(hits, hn::And(hn::Gt(depth, all(first)), hn::Lt(depth, all(best)))))
-              << (set * lanes);
-    }
-    return bits & lowest(cluster.count);
-  }
-
-  /// R-LODs of a node that the ray meets between `near` and `far`, where it is in the children's
-  /// boxes, as bits; z becomes where.
-  HWY_INLINE unsigned planesMet(
-    const RlodPlanes& planes, const Row& near, const Row& far, Row& z) const
-  {
-    const DF d;
-    const float nearest = std::nextafter(first, infinity);
-    unsigned bits = 0;
-    for (int set = 0; set < laneSets; ++set)
-    {
-      const auto normal = [&](int axis) { return hn::Load(d, planes.normal[axis] + set * lanes); };
-      const VF deep = normal(axisZ), u = normal(axisU), v = normal(axisV);
-      PlaneMeeting meeting = {hn::Max(near.load(set), all(nearest)), far.load(set),
-        hn::Neg(hn::Load(d, planes.offset + set * lanes)), hn::Zero(d)};
-      for (int axis = 0; axis < 3; ++axis)
-        meeting.height = hn::MulAdd(normal(axis), all(q[axis]), meeting.height);
-      meeting.height = hn::MulAdd(u, all(u0), hn::MulAdd(v, all(v0), meeting.height));
-      meeting.slope =
-        hn::Mul(all(sign), hn::MulAdd(u, all(perZu), hn::MulAdd(v, all(perZv), deep)));
-      VF at;
-      const MF met = meeting.meets(hn::Load(d, planes.deviation + set * lanes), at);
-      z.store(at, set);
-      bits |= bitsOf(hn::And(met, hn::And(hn::Gt(at, all(first)), hn::Lt(at, all(best)))))
-              << (set * lanes);
-    }
-    return bits;
   }
 };
 
