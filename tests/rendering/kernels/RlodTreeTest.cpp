@@ -26,6 +26,16 @@ void expectRight(const Triangles& triangles, int bundles, std::uint64_t seed, do
   EXPECT_GT(double(report.hits), hits * double(report.rays));
 }
 
+/// Checks that trees have the same clusters in the same order.
+void expectSameTree(const RlodTree& a, const RlodTree& b)
+{
+  ASSERT_EQ(a.clusterCount(), b.clusterCount());
+  EXPECT_EQ(a.nodeCount(), b.nodeCount());
+  EXPECT_EQ(a.cost(), b.cost());
+  for (std::uint64_t cluster = 0; cluster < a.clusterCount(); ++cluster)
+    EXPECT_EQ(a.inputIndex(16 * cluster), b.inputIndex(16 * cluster));
+}
+
 } // namespace
 
 TEST(RlodTree, AgreesWithTheReferenceOnTrianglesAnywhere)
@@ -220,10 +230,20 @@ TEST(RlodTree, DoesNotDependOnTheNumberOfThreads)
   RlodTree alone, together;
   tbb::task_arena(1).execute([&] { alone.build(mesh); });
   tbb::task_arena(4).execute([&] { together.build(mesh); });
-  ASSERT_EQ(alone.clusterCount(), together.clusterCount());
-  EXPECT_EQ(alone.nodeCount(), together.nodeCount());
-  for (std::uint64_t cluster = 0; cluster < alone.clusterCount(); ++cluster)
-    EXPECT_EQ(alone.inputIndex(16 * cluster), together.inputIndex(16 * cluster));
+  expectSameTree(alone, together);
+}
+
+TEST(RlodTree, DoesNotDependOnTheInstructionSet)
+{
+  const Triangles sphere = bumpySphere(90), loose = randomTriangles(3000, 5, 0.1);
+  const RlodTree ofSphere = treeOver(sphere), ofLoose = treeOver(loose);
+  for (const std::int64_t target : everyTarget())
+  {
+    SCOPED_TRACE(hwy::TargetName(target));
+    const OnlyTargets only(target);
+    expectSameTree(ofSphere, treeOver(sphere));
+    expectSameTree(ofLoose, treeOver(loose));
+  }
 }
 
 TEST(RlodTree, TakesNoMoreThan26BytesATriangle)

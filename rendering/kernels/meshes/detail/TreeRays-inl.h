@@ -54,6 +54,7 @@ private:
   struct Span
   {
     VD enter, leave;
+    VD per[3]; ///< steps of t in a step along an axis, finite
   };
 
   static HWY_INLINE Span spanOf(
@@ -61,11 +62,13 @@ private:
   {
     const DD d;
     constexpr double more = 1e-6;
-    Span span = {from, to};
+    Span span;
+    span.enter = from;
+    span.leave = to;
     for (int axis = 0; axis < 3; ++axis)
     {
       const VD length = hn::Max(hn::Abs(way[axis]), hn::Set(d, 1e-300));
-      const VD per = hn::Div(hn::Set(d, 1.0), hn::CopySign(length, way[axis]));
+      const VD per = span.per[axis] = hn::Div(hn::Set(d, 1.0), hn::CopySign(length, way[axis]));
       const VD a = hn::Mul(hn::Sub(hn::Set(d, view.lower[axis] - more), origin[axis]), per);
       const VD b = hn::Mul(hn::Sub(hn::Set(d, view.upper[axis] + more), origin[axis]), per);
       span.enter = hn::Max(span.enter, hn::Min(a, b));
@@ -104,7 +107,7 @@ private:
       rest[axis] = hn::Sub(at, hn::PromoteTo(d, near));
     }
     const VD deep = chosen(way[0], way[1], way[2]);
-    const VD steps = hn::Div(set(1.0), deep), perDepth = hn::Abs(steps);
+    const VD steps = chosen(span.per[0], span.per[1], span.per[2]), perDepth = hn::Abs(steps);
     const VD slopeU = hn::Mul(chosen(way[1], way[2], way[0]), steps);
     const VD slopeV = hn::Mul(chosen(way[2], way[0], way[1]), steps);
     const VD restZ = chosen(rest[0], rest[1], rest[2]);
@@ -116,9 +119,8 @@ private:
     keep(hn::CopySign(set(1.0), deep), sign);
     for (int axis = 0; axis < 3; ++axis)
     {
-      const VD share = hn::Mul(way[axis], perDepth);
-      const VD finite = hn::Max(hn::Abs(share), set(1e-18));
-      keep(hn::Div(set(1.0), hn::CopySign(finite, share)), inverse[axis]);
+      const VD share = hn::Mul(span.per[axis], hn::Abs(deep));
+      keep(hn::CopySign(hn::Min(hn::Abs(share), set(1e18)), share), inverse[axis]);
     }
     const VD t = hn::NegMulAdd(restZ, steps, span.enter);
     hn::Store(t, d, t0 + i);
