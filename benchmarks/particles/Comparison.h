@@ -18,4 +18,7 @@ bool isWanted(const Options& options, const std::string& method);
 /// left out where none was measured.
 Section comparison(const std::vector<Measurement>& measurements);
 
+/// A table of what levels of detail cost and make wrong, of the measurements with any.
+Section lodErrors(const std::vector<Measurement>& measurements);
+
 } // namespace mote::bench

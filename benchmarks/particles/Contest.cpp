@@ -1,5 +1,8 @@
 #include "Contest.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace mote::bench
 {
 
@@ -20,6 +23,16 @@ Record toRecord(const Measurement& m)
     {"max_depth_error", m.errors.checked > 0 ? m.errors.maxDepthError : unknown},
     {"max_depth_error_of_right", m.errors.checked > 0 ? m.errors.maxRightDepthError : unknown}};
   record.insert(record.end(), rest.begin(), rest.end());
+  if (!std::isnan(m.lodSeconds))
+  {
+    const ParticleLodErrors& e = m.lodErrors;
+    const Record lods = {{"poe", m.poe}, {"lod_build_s", m.lodSeconds}, {"rms_error", e.rms},
+      {"displacement_999_pixels", e.mostOfMany}, {"max_displacement_pixels", e.most},
+      {"on_lods", e.lods}, {"holes", e.holes}, {"extra", e.extra}, {"coverage", e.coverage},
+      {"brightness", e.brightness}, {"exact_color_error", e.exactColor}, {"color_error", e.color},
+      {"exact_flicker", e.exactFlicker}, {"flicker", e.flicker}};
+    record.insert(record.end(), lods.begin(), lods.end());
+  }
   record.insert(record.end(), m.more.begin(), m.more.end());
   return record;
 }
@@ -83,6 +96,7 @@ Contestant contestantOf(const ParticleMethodEntry& entry, const MethodOptions& o
   const BuiltMethod built = buildMethod(entry, options, input, threads);
   Contestant contestant;
   contestant.method = built.name;
+  contestant.own = built.method;
   contestant.modes = built.method->modes();
   contestant.cast = [method = built.method](std::size_t mode, const CameraRays& rays,
                       HitImage& image) { method->cast(mode, rays, image); };
@@ -91,6 +105,40 @@ Contestant contestantOf(const ParticleMethodEntry& entry, const MethodOptions& o
   contestant.buildSeconds = built.seconds;
   contestant.bytesPerParticle = built.bytesPerParticle;
   return contestant;
+}
+
+std::vector<Contestant> contestantsOf(const ParticleMethodEntry& entry,
+  const MethodOptions& options, const ParticleInput& input, int threads,
+  const std::vector<double>& poe)
+{
+  Contestant built = contestantOf(entry, options, input, threads);
+  if (*std::max_element(poe.begin(), poe.end()) <= 0.0)
+    return {built};
+  bool made = false;
+  const double seconds = timed(threads, [&] { made = built.own->makeLods(); });
+  if (!made)
+    return {built};
+  progress("levels of detail in %.3f s", seconds);
+  built.lodSeconds = seconds;
+  built.bytesPerParticle =
+    static_cast<double>(built.own->bytes()) / static_cast<double>(input.statistics.valid);
+  std::vector<Contestant> contestants;
+  for (const double error : poe)
+  {
+    Contestant contestant = built;
+    contestant.poe = error;
+    contestant.cast = [method = built.own, error](
+                        std::size_t mode, const CameraRays& rays, HitImage& image)
+    {
+      method->setPoe(error);
+      method->cast(mode, rays, image);
+    };
+    if (error > 0.0)
+      contestant.errors = [method = built.own, error](const Camera& camera, int width, int height)
+      { return method->lodErrors(camera, width, height, error); };
+    contestants.push_back(std::move(contestant));
+  }
+  return contestants;
 }
 
 Contest::Contest(std::vector<View> views, int width, int height, int repeat)
@@ -135,6 +183,10 @@ void Contest::keep(const Race& race, std::size_t c, std::size_t v)
   m.setTimes(race, first + best);
   m.buildSeconds = who.buildSeconds;
   m.bytesPerParticle = who.bytesPerParticle;
+  m.poe = who.poe;
+  m.lodSeconds = who.lodSeconds;
+  if (who.errors)
+    m.lodErrors = who.errors(cameraOf(views_[v], who.input->statistics.bounds), width_, height_);
   for (std::size_t mode = 0; mode < who.modes.size(); ++mode)
     progress("view %s, %s %s: %.2f Mrays/s", m.view.c_str(), m.method.c_str(),
       who.modes[mode].c_str(), m.mrays(race.seconds(first + mode)));
@@ -154,7 +206,11 @@ void Contest::race()
     for (std::size_t v = 0; v < views_.size(); ++v)
       keep(race, c, v);
   for (Contestant& contestant : contestants_)
+  {
     contestant.cast = nullptr;
+    contestant.errors = nullptr;
+    contestant.own.reset();
+  }
 }
 
 void Contest::check(ReferenceImages& references)

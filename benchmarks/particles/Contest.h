@@ -29,6 +29,9 @@ struct Measurement
   double buildSeconds = unknown;
   double bytesPerParticle = unknown;
   ImageErrors errors{};
+  double poe = 0.0; ///< pixels of error that were allowed
+  double lodSeconds = unknown;
+  ParticleLodErrors lodErrors{};
   std::size_t rays = 0; ///< that are timed, where it is not one a pixel
   Record more{};        ///< of its table or suite alone
 
@@ -70,6 +73,11 @@ struct Contestant
   int threads = 1;
   double buildSeconds = unknown;
   double bytesPerParticle = unknown;
+  std::shared_ptr<ParticleMethod> own{}; ///< that casts, if any
+  double poe = 0.0;                      ///< pixels of error that it makes
+  double lodSeconds = unknown;           ///< for levels of detail
+  /// What they make wrong, or none.
+  std::function<ParticleLodErrors(const Camera& camera, int width, int height)> errors{};
 };
 
 /// A method that is built over an input.
@@ -88,6 +96,11 @@ BuiltMethod buildMethod(const ParticleMethodEntry& entry, const MethodOptions& o
 /// The same as one who casts images.
 Contestant contestantOf(const ParticleMethodEntry& entry, const MethodOptions& options,
   const ParticleInput& input, int threads);
+/// The same with each of the errors that are allowed, in pixels; once, exactly, for a method
+/// without levels of detail.
+std::vector<Contestant> contestantsOf(const ParticleMethodEntry& entry,
+  const MethodOptions& options, const ParticleInput& input, int threads,
+  const std::vector<double>& poe);
 
 /// Contestants that cast the same views in one race, mode after mode, round after round.
 class Contest

@@ -48,20 +48,23 @@ Report run(const Options& options)
   {
     progress("making %s", name.c_str());
     inputs.push_back(makeParticleInput(name, true));
+    const double once = makingSeconds(inputs.back(), threads);
     for (const ParticleMethodEntry& entry : particleMethods())
       if (isWanted(options, entry.name))
-      {
-        contest.add(
-          contestantOf(entry, {threads, options.lambda, options.packet}, inputs.back(), threads));
-        making.push_back(makingSeconds(inputs.back(), threads));
-      }
+        for (Contestant& contestant : contestantsOf(entry,
+               {threads, options.lambda, options.packet}, inputs.back(), threads, options.poe))
+        {
+          contest.add(std::move(contestant));
+          making.push_back(once);
+        }
   }
   contest.race();
 
   Report report;
   Section section{"", Table(2)};
-  section.table.add({"method", "view", "particles", "ms", "(min - max)", "x first", "build s",
-    "making s", "bytes/particle"});
+  section.table.add({"method", "view", "PoE", "particles", "ms", "(min - max)", "x first",
+    "build s", "making s", "bytes/particle"});
+  std::vector<Measurement> measurements;
   const std::size_t methods = contest.size() / inputs.size();
   for (std::size_t v = 0; v < contest.views().size(); ++v)
     for (std::size_t c = 0; c < contest.size(); ++c)
@@ -70,7 +73,8 @@ Report run(const Options& options)
       m.suite = "growth";
       m.more = {{"seconds", m.seconds}, {"making_s", making[c]}};
       const double first = contest.at(c % methods, v).seconds;
-      section.table.add({m.method, m.view, format("%zu", m.particles),
+      measurements.push_back(m);
+      section.table.add({m.method, m.view, format("%g", m.poe), format("%zu", m.particles),
         format("%.1f", 1e3 * m.seconds), format("%.1f - %.1f", 1e3 * m.least, 1e3 * m.most),
         format("%.2f", m.seconds / first), format("%.2f", m.buildSeconds),
         format("%.2f", making[c]), format("%.2f", m.bytesPerParticle)});
@@ -81,6 +85,8 @@ Report run(const Options& options)
       options.width, options.height, threads, options.repeat),
     "Particles are made when they are looked at, which builds do twice or more; making s: once."};
   report.sections.push_back(std::move(section));
+  if (options.poe != std::vector<double>{0.0})
+    report.sections.push_back(lodErrors(measurements));
   return report;
 }
 
@@ -97,6 +103,7 @@ Suite growthSuite()
   for (const View& view : views())
     suite.views.emplace_back(view.name, view.summary);
   suite.bundles = true;
+  suite.lods = true;
   suite.run = run;
   return suite;
 }

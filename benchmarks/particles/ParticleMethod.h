@@ -3,6 +3,7 @@
 #include "HitImage.h"
 #include "OcclusionRays.h"
 #include "ParticleInput.h"
+#include "ParticleLodErrors.h"
 
 #include <kernels/core/Camera.h>
 #include <kernels/core/Error.h>
@@ -37,6 +38,17 @@ public:
   virtual std::vector<std::string> modes() const = 0;
   /// Casts a ray through every pixel's centre. Timed. May be called from one thread at a time.
   virtual void cast(std::size_t mode, const CameraRays& rays, HitImage& image) const = 0;
+
+  /// Makes levels of detail for casts with an error; false where the method has none. Timed.
+  virtual bool makeLods() { return false; }
+  /// Pixels of error that casts may make from now on.
+  virtual void setPoe(double /*poe*/) {}
+  /// What they make wrong then.
+  virtual ParticleLodErrors lodErrors(
+    const Camera& /*camera*/, int /*width*/, int /*height*/, double /*poe*/) const
+  {
+    return {};
+  }
 
   /// Ways of looking for anything in the way of rays; none where the method has not learnt it.
   virtual std::vector<std::string> occlusionModes() const { return {}; }

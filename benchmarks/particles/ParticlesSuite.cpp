@@ -17,7 +17,9 @@ Report compareMethods(const Options& options)
   Contest contest(viewsNamed(options.views), options.width, options.height, options.repeat);
   for (const ParticleMethodEntry& entry : particleMethods())
     if (isWanted(options, entry.name))
-      contest.add(contestantOf(entry, {threads, options.lambda, options.packet}, input, threads));
+      for (Contestant& contestant : contestantsOf(
+             entry, {threads, options.lambda, options.packet}, input, threads, options.poe))
+        contest.add(std::move(contestant));
   contest.race();
   ReferenceImages references;
   contest.check(references);
@@ -36,6 +38,8 @@ Report compareMethods(const Options& options)
     input.statistics.valid, options.input.c_str(), options.width, options.height, threads,
     options.repeat));
   report.sections.push_back(std::move(section));
+  if (options.poe != std::vector<double>{0.0})
+    report.sections.push_back(lodErrors(measurements));
   return report;
 }
 
@@ -59,6 +63,7 @@ Suite particlesSuite()
   for (const TableEntry& table : tables())
     suite.tables.emplace_back(table.name, table.title);
   suite.bundles = true;
+  suite.lods = true;
   suite.tablesInput = "lattice:1000000";
   suite.run = run;
   return suite;

@@ -3,31 +3,44 @@
 #include "ParticleMethod.h"
 
 #include <glm/geometric.hpp>
-#include <kernels/particles/IsParticleStructure.h>
+#include <kernels/particles/ParticleStructure.h>
 
 #include <algorithm>
 #include <cstring>
 #include <map>
+#include <type_traits>
 #include <vector>
 
 namespace mote::bench
 {
 
 /// Casts the rays of a camera through a structure of Mote's in bundles of `side` x `side` pixels:
-/// 2, 4, 8 or 16, or 0 for the structure's own choice tile by tile.
+/// 2, 4, 8 or 16, or 0 for the structure's own choice tile by tile. `poe` are pixels of error, of
+/// structures with levels of detail.
 template <typename Structure>
-void castBundles(const Structure& structure, int side, const CameraRays& rays, HitImage& image)
+void castBundles(
+  const Structure& structure, int side, const CameraRays& rays, HitImage& image, double poe = 0.0)
 {
+  const auto ownSide = [&](int x0, int y0)
+  {
+    if constexpr (std::is_same_v<Structure, PkdTree>)
+      return structure.bundleSide(rays, x0, y0, tileSide, poe);
+    else
+      return structure.bundleSide(rays, x0, y0, tileSide);
+  };
   forTiles(image.width(), image.height(),
     [&](int x0, int y0)
     {
       RayBundle bundle;
-      const int chosen = side > 0 ? side : structure.bundleSide(rays, x0, y0, tileSide);
+      const int chosen = side > 0 ? side : ownSide(x0, y0);
       forBlocksOfTile(x0, y0, image.width(), image.height(), chosen,
         [&](int x, int y)
         {
           rays.fillBundle(bundle, chosen, x, y, 0.0, 0.0);
-          structure.cast(bundle, 0);
+          if constexpr (std::is_same_v<Structure, PkdTree>)
+            structure.cast(bundle, 0, poe);
+          else
+            structure.cast(bundle, 0);
           image.putBundle(bundle, chosen, x, y);
         });
     });
@@ -107,9 +120,24 @@ public:
   {
   }
 
-  void build(const ParticleInput& input) override { structure_.build(input.set, build_); }
+  void build(const ParticleInput& input) override { structure().build(input.set, build_); }
 
-  std::size_t bytes() const override { return structure_.bytes(); }
+  std::size_t bytes() const override { return structure().bytes(); }
+
+  bool makeLods() override
+  {
+    if constexpr (std::is_same_v<Structure, PkdTree>)
+      structure().makeLods();
+    return std::is_same_v<Structure, PkdTree>;
+  }
+
+  void setPoe(double poe) override { poe_ = poe; }
+
+  ParticleLodErrors lodErrors(
+    const Camera& camera, int width, int height, double poe) const override
+  {
+    return measureParticleLods(held_, camera, width, height, poe);
+  }
 
   std::vector<std::string> modes() const override
   {
@@ -119,7 +147,7 @@ public:
 
   void cast(std::size_t, const CameraRays& rays, HitImage& image) const override
   {
-    castBundles(structure_, side_, rays, image);
+    castBundles(structure(), side_, rays, image, poe_);
   }
 
   std::vector<std::string> occlusionModes() const override
@@ -129,19 +157,24 @@ public:
 
   void prepareOcclusion(const OcclusionRays& rays) override
   {
-    slots_[&rays] = slotsLeft(structure_, rays);
+    slots_[&rays] = slotsLeft(structure(), rays);
   }
 
   void occlude(
     std::size_t mode, const OcclusionRays& rays, OcclusionAnswers& answers) const override
   {
-    occludePackets(structure_, rays, mode == 0 ? slots_.at(&rays).data() : nullptr, answers);
+    occludePackets(structure(), rays, mode == 0 ? slots_.at(&rays).data() : nullptr, answers);
   }
 
 private:
-  Structure structure_;
+  Structure& structure() { return std::get<Structure>(*held_); }
+  const Structure& structure() const { return std::get<Structure>(*held_); }
+
+  std::shared_ptr<ParticleStructure> held_ =
+    std::make_shared<ParticleStructure>(std::in_place_type<Structure>);
   typename Structure::Options build_;
   int side_;
+  double poe_ = 0.0;
   std::map<const OcclusionRays*, std::vector<std::uint64_t>> slots_; ///< that the rays leave
 };
 

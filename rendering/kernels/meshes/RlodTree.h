@@ -4,6 +4,7 @@
 #include "../core/Progress.h"
 #include "../core/RayBundle.h"
 #include "../core/RayPacket.h"
+#include "../core/WeightedSum.h"
 #include "TriangleMesh.h"
 
 #include <array>
@@ -129,7 +130,7 @@ public:
   static std::uint64_t lodPlace(std::uint64_t slot) { return slot & ~lodBit; }
   /// Writes up to mostMeans numbers for a triangle of the input; called from several threads.
   using TriangleValues = std::function<void(std::uint64_t triangle, double* values)>;
-  static constexpr int mostMeans = 4;
+  static constexpr int mostMeans = WeightedSum::most;
   /// Means of them over the triangles of each R-LOD, weighted by area: `components` numbers at
   /// lodPlace(). What is not finite does not count; NaN where nothing else is there. In parallel
   /// and linear time.

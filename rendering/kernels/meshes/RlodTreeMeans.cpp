@@ -2,6 +2,7 @@
 
 #include "RlodTree.h"
 
+#include "../core/WeightedSum.h"
 #include "detail/RlodTreeArrays.h"
 
 #include <tbb/blocked_range.h>
@@ -9,7 +10,6 @@
 
 #include <glm/geometric.hpp>
 
-#include <cmath>
 #include <limits>
 
 namespace mote
@@ -17,37 +17,6 @@ namespace mote
 
 namespace
 {
-
-constexpr int most = RlodTree::mostMeans;
-
-/// What counts towards a mean: values that are numbers, and how much of them there is.
-struct Sum
-{
-  double value[most] = {}, weight[most] = {};
-
-  void add(const double* values, double by, int components)
-  {
-    for (int c = 0; c < components; ++c)
-      if (std::isfinite(values[c]))
-      {
-        value[c] += by * values[c];
-        weight[c] += by;
-      }
-  }
-  void add(const Sum& part)
-  {
-    for (int c = 0; c < most; ++c)
-    {
-      value[c] += part.value[c];
-      weight[c] += part.weight[c];
-    }
-  }
-  float mean(int c) const
-  {
-    return weight[c] > 0.0 ? static_cast<float>(value[c] / weight[c])
-                           : std::numeric_limits<float>::quiet_NaN();
-  }
-};
 
 double areaOf(const TriangleCluster& cluster, int triangle)
 {
@@ -67,11 +36,11 @@ std::vector<float> RlodTree::lodMeans(int components, const TriangleValues& valu
   const Arrays& a = *arrays_;
   const auto perNode = trianglesPerCluster * static_cast<std::size_t>(components);
   std::vector<float> means(a.nodes.size() * perNode, 0.0f);
-  std::vector<Sum> sums(a.nodes.size());
+  std::vector<WeightedSum> sums(a.nodes.size());
   const auto sumOf = [&](const TriangleCluster& cluster)
   {
-    Sum sum;
-    double values[most];
+    WeightedSum sum;
+    double values[mostMeans];
     for (int t = 0; t < cluster.count; ++t)
     {
       valuesOf(a.ids[cluster.firstId + static_cast<std::uint32_t>(t)], values);
@@ -86,7 +55,7 @@ std::vector<float> RlodTree::lodMeans(int components, const TriangleValues& valu
     const RlodNode& node = a.nodes[index];
     for (unsigned k = 0; k < node.children; ++k)
     {
-      const Sum part =
+      const WeightedSum part =
         k < node.clusters ? sumOf(a.clusters[node.firstCluster + k]) : sums[node.nodeOf(k)];
       for (int c = 0; c < components; ++c)
         means[index * perNode + k * static_cast<std::size_t>(components) +

@@ -11,16 +11,23 @@ namespace mote
 /// Particles as spheres: a SurfaceKind. Slots are those of the structure, ids the indices of the
 /// input, and colours go by these too. Spheres are solids that are lit on both sides: whoever
 /// stands inside one sees it lit from within.
+///
+/// Boxes that stand for many are lit as spheres are in the mean: as far from the eye as most of
+/// what is seen of a sphere looks, and around it as the hit lies around the box's middle.
 class ParticleSurface
 {
 public:
   static constexpr bool isConvex = true;
   static constexpr bool mayMixColors = false;
-  static constexpr bool mayErr = false;
+  static constexpr bool mayErr = true;
 
   ParticleSurface() = default; ///< of no structure; to be given one before it is used
-  explicit ParticleSurface(std::shared_ptr<const ParticleStructure> structure)
+  /// `poe` is how many pixels of error bundles of a camera are allowed, where the structure has
+  /// levels of detail: see PkdTree::cast(). To be 0 where the particles are not opaque, or have
+  /// occlusion maps.
+  explicit ParticleSurface(std::shared_ptr<const ParticleStructure> structure, double poe = 0.0)
     : structure_(std::move(structure))
+    , poe_(poe)
   {
   }
 
@@ -28,6 +35,12 @@ public:
 
   Box bounds() const;
   double rounding() const;
+  double pixelsOfError() const { return levels() != nullptr ? poe_ : 0.0; }
+  double clearance(std::uint64_t slot, double cosine) const;
+  std::uint64_t meanPlace(std::uint64_t slot) const
+  {
+    return PkdTree::isLod(slot) ? PkdTree::lodPlace(slot) : RayBundle::noHit;
+  }
   void cast(RayBundle& rays, std::int32_t index) const;
   void cast(RayPacket& rays, std::int32_t index) const;
   void occlude(RayBundle& rays, std::int32_t index) const;
@@ -45,11 +58,15 @@ public:
   std::size_t slots() const;
   std::vector<FeatureSize> featureSizes() const;
 
-  ParticleSurface unowned() const { return ParticleSurface(mote::unowned(structure_)); }
+  ParticleSurface unowned() const { return ParticleSurface(mote::unowned(structure_), poe_); }
   bool operator==(const ParticleSurface&) const = default;
 
 private:
+  /// The tree where it has levels of detail that hits may be on, else null.
+  const PkdTree* levels() const;
+
   std::shared_ptr<const ParticleStructure> structure_;
+  double poe_ = 0.0;
 };
 
 static_assert(SurfaceKind<ParticleSurface>);

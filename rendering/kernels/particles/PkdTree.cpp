@@ -71,7 +71,8 @@ std::size_t PkdTree::bytes() const
 {
   const auto bytesOf = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return nodes_.bytes() + rows_.bytes() + bytesOf(levels_) + bytesOf(values_) + bytesOf(visible_) +
-         bytesOf(shown_) + bytesOf(nodeShown_) + bytesOf(valueBounds_) +
+         bytesOf(shown_) + bytesOf(nodeShown_) + bytesOf(valueBounds_) + bytesOf(nodeWhole_) +
+         bytesOf(lods_) +
          (sparse_ ? bytesOf(sparse_->levels) + bytesOf(sparse_->nodes) + bytesOf(sparse_->rows) +
                       bytesOf(sparse_->slots)
                   : 0);
@@ -89,11 +90,13 @@ void PkdTree::clear()
   visible_.clear();
   shown_.clear();
   nodeShown_.clear();
+  nodeWhole_.clear();
+  lods_.clear();
   valueBounds_.clear();
   sparse_.reset();
 }
 
-int PkdTree::bundleSide(const CameraRays& rays, int x0, int y0, int size) const
+int PkdTree::bundleSide(const CameraRays& rays, int x0, int y0, int size, double poe) const
 {
   if (count_ == 0)
     return 16;
@@ -106,7 +109,9 @@ int PkdTree::bundleSide(const CameraRays& rays, int x0, int y0, int size) const
     }
   const double spacing = particleGridEdge(
     extent, static_cast<double>(sparse_ ? sparse_->count : count_), statistics_.largestRadius);
-  return suitingBundleSide(rays, statistics_.bounds, spacing, x0, y0, size);
+  const int side = suitingBundleSide(rays, statistics_.bounds, spacing, x0, y0, size);
+  // What boxes stand for is no smaller than that.
+  return poe > 0.0 && hasLods() && !sparse_ ? std::max(side, poe < 0.5 ? 8 : 16) : side;
 }
 
 } // namespace mote

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../core/StoredArray.h"
+#include "../core/WeightedSum.h"
 #include "IsParticleStructure.h"
 #include "StoredParticles.h"
 
@@ -85,11 +86,55 @@ public:
   void build(const ParticleSet& particles, const PkdTreeOptions& options = {},
     const Progress& progress = {});
   void cast(RayPacket& packet, std::int32_t object) const;
-  void cast(RayBundle& bundle, std::int32_t object) const;
+  /// `poe` is how many pixels of error are allowed: where there are levels of detail, boxes stand
+  /// for particles below nodes whose error is smaller than so many footprints of the rays. A ray
+  /// that hits one tells its slot, and where it enters it. 0 is exact.
+  void cast(RayBundle& bundle, std::int32_t object, double poe = 0.0) const;
   void occlude(RayPacket& packet, std::int32_t object) const;
   void occlude(RayBundle& bundle, std::int32_t object) const;
   /// The larger a bucket looks, the larger.
-  int bundleSide(const CameraRays& rays, int x0, int y0, int size) const;
+  int bundleSide(const CameraRays& rays, int x0, int y0, int size, double poe = 0.0) const;
+
+  /// Makes levels of detail: 64 bytes a node, 0.27 a particle. Reads all particles, in parallel. A
+  /// tree that has them is neither read nor changed.
+  void makeLods();
+  void dropLods();
+  bool hasLods() const { return !lods_.empty(); }
+
+  /// Slots of levels of detail, which cast() tells: 16 times a node, and the place of its child
+  /// that the box stands for. No particle has such a slot, and none but the functions below take
+  /// one.
+  static constexpr std::uint64_t lodBit = std::uint64_t{1} << 62;
+  static bool isLod(std::uint64_t slot) { return slot >> 62 == 1; }
+  /// A box that stands for particles, in the input's coordinates.
+  struct Lod
+  {
+    Vec3d center, half; ///< of the bounds of the spheres, which the box is a part of
+    /// Shares of the bounds' faces across x, y and z behind which there is a sphere, rounded to
+    /// a sixteenth of themselves, but up to 1.
+    Vec3d coverage;
+    double
+      error; ///< how far aside of all spheres lines through the box may pass, about; or infinity
+  };
+  Lod lod(std::uint64_t slot) const;           ///< of a slot of theirs, where hasLods()
+  std::vector<std::uint64_t> lodSlots() const; ///< of all that stand for particles
+  /// The slots of the particles that it stands for.
+  SlotRun slotsBelow(std::uint64_t lodSlot) const;
+  /// The slot of a particle that speaks for the others.
+  std::uint64_t speaker(std::uint64_t lodSlot) const
+  {
+    const SlotRun below = slotsBelow(lodSlot);
+    return below.first + (below.last - below.first) / 2;
+  }
+
+  /// Where a number for each stands in an array that has one for each.
+  static std::uint64_t lodPlace(std::uint64_t slot) { return slot & ~lodBit; }
+  /// Writes up to mostMeans numbers for a particle of the input; called from several threads.
+  using ParticleValues = std::function<void(std::uint64_t particle, double* values)>;
+  static constexpr int mostMeans = WeightedSum::most;
+  /// Means of them over the particles of each, weighted by the squares of radii: `components`
+  /// numbers at lodPlace(). What is not finite does not count; NaN where nothing else is there.
+  std::vector<float> lodMeans(int components, const ParticleValues& valuesOf) const;
 
   /// Takes 16 bytes a particle, and 0.2 for the least and greatest values below every node.
   void setAttributes(const std::vector<ParticleAttribute>& attributes);
@@ -125,6 +170,7 @@ private:
   template <typename Tree>
   friend struct KdBuilder;
   friend struct PkdTreeQuery;
+  friend struct PkdTreeLodsMaker;
   friend struct PkdTreeView;
   friend class PkdTreeFile;
   friend class PkdTreeFileWriter;
@@ -147,6 +193,32 @@ private:
     }
   };
   static_assert(sizeof(Node) == 128);
+
+  /// What is known of a node's children, for boxes that stand for what is below them.
+  struct alignas(64) Lods
+  {
+    /// How far aside of all spheres lines through the child's box may pass, in lodStep(), rounded
+    /// up.
+    std::array<std::uint8_t, fanout> error;
+    /// How much what is in its bounds thins light along x, y and z: thicknessOf(), of -log of the
+    /// share of the face across that axis which is open.
+    std::array<std::array<std::uint8_t, fanout>, 3> thickness;
+
+    /// Three bits of a float's fraction and five of its exponent.
+    static float thicknessOf(std::uint8_t bits)
+    {
+      return std::bit_cast<float>((std::uint32_t{bits} + firstThickness) << 20);
+    }
+    static std::uint8_t bitsOf(float thickness)
+    {
+      const std::uint32_t half = 1u << 19,
+                          bits = (std::bit_cast<std::uint32_t>(thickness) + half) >> 20;
+      return static_cast<std::uint8_t>(
+        std::clamp(bits, firstThickness, firstThickness + 255) - firstThickness);
+    }
+    static constexpr std::uint32_t firstThickness = (127 - 28) << 3; ///< 2^-28
+  };
+  static constexpr std::uint8_t noLod = 255; ///< an error that is never allowed
 
   /// One number of each particle of a bucket: a cache line.
   struct alignas(64) Row
@@ -236,6 +308,10 @@ private:
   void findShown();
   void findInRange(const StoredRanges& stored);
   void findNodesShown();
+  void findNodesWhole();
+  template <typename OfBucket, typename OfNode>
+  void fillNodeBits(RawVector<Bits>& bits, const OfBucket& ofBucket, const OfNode& ofNode) const;
+  Bits visibleIn(std::size_t bucket) const;
   void makeSparse();
   SparseParticle particleAt(std::size_t slot) const;
   /// Fills a bucket of the sparse tree, and its slots, with what `order` has there.
@@ -275,6 +351,8 @@ private:
   RawVector<Bits> visible_;            ///< a bucket each, or empty: all are
   RawVector<Bits> shown_;              ///< a bucket each, of what ranges leave; or empty
   RawVector<Bits> nodeShown_;          ///< children of each node that hold anything shown; or empty
+  RawVector<Bits> nodeWhole_;          ///< those with nothing hidden, where lods_ ask; or empty
+  RawVector<Lods> lods_;               ///< of each node, or empty
   RawVector<ValueBounds> valueBounds_; ///< of each node, once a range asks for them
   std::shared_ptr<const Sparse> sparse_; ///< what rays meet instead, where little is shown
 };

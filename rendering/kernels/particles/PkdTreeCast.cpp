@@ -22,6 +22,16 @@ bool treeBundleNearest(const PkdTreeView& view, RayBundle& bundle, std::int32_t 
   return castTreeBundle<NearestPolicy>(view, bundle, object);
 }
 
+struct LodPolicy : NearestPolicy
+{
+  static constexpr bool lods = true;
+};
+
+bool treeBundleLods(const PkdTreeView& view, RayBundle& bundle, std::int32_t object, double poe)
+{
+  return castTreeBundle<LodPolicy>(view, bundle, object, poe);
+}
+
 bool treeBundleAny(const PkdTreeView& view, RayBundle& bundle, std::int32_t object)
 {
   return castTreeBundle<AnyPolicy>(view, bundle, object);
@@ -47,13 +57,19 @@ namespace mote
 {
 
 HWY_EXPORT(treeBundleNearest);
+HWY_EXPORT(treeBundleLods);
 HWY_EXPORT(treeBundleAny);
 HWY_EXPORT(treePacketNearest);
 HWY_EXPORT(treePacketAny);
 
-void PkdTree::cast(RayBundle& bundle, std::int32_t object) const
+void PkdTree::cast(RayBundle& bundle, std::int32_t object, double poe) const
 {
-  castInParts<PkdTreeView>(*this, bundle, object, HWY_DYNAMIC_DISPATCH(treeBundleNearest));
+  if (poe > 0.0 && hasLods() && !sparse_)
+    castInParts<PkdTreeView>(*this, bundle, object,
+      [poe](const PkdTreeView& view, RayBundle& part, std::int32_t own)
+      { return HWY_DYNAMIC_DISPATCH(treeBundleLods)(view, part, own, poe); });
+  else
+    castInParts<PkdTreeView>(*this, bundle, object, HWY_DYNAMIC_DISPATCH(treeBundleNearest));
 }
 
 void PkdTree::occlude(RayBundle& bundle, std::int32_t object) const

@@ -179,15 +179,7 @@ struct PkdTreeQuery
         tree.shown_.begin() + static_cast<std::ptrdiff_t>(last), Bits{0});
     else
       for (std::size_t b = first; b < last; ++b)
-        tree.shown_[b] = visible(b);
-  }
-
-  Bits visible(std::size_t bucket) const
-  {
-    if (!tree.visible_.empty())
-      return tree.visible_[bucket];
-    const std::size_t count = tree.count_ - bucket * PkdTree::bucketSize;
-    return count >= PkdTree::bucketSize ? Bits{0xffff} : static_cast<Bits>((1u << count) - 1);
+        tree.shown_[b] = tree.visibleIn(b);
   }
 
   /// Looks at each particle of a treelet.
@@ -198,7 +190,7 @@ struct PkdTreeQuery
     const Node& node = tree.nodes_[tree.levels_[0].first + treelet];
     for (std::size_t bucket = first; bucket < last; ++bucket)
     {
-      unsigned bits = visible(bucket);
+      unsigned bits = tree.visibleIn(bucket);
       for (int k = 0; k < stored.limits && bits != 0; ++k)
         if ((open >> k & 1) != 0)
           bits &= within(node, bucket, k);

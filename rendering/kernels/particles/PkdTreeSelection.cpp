@@ -60,11 +60,13 @@ void PkdTree::findShown()
 {
   const StoredRanges stored(ranges_, origin_, unit_, !values_.empty());
   nodeShown_.clear();
+  nodeWhole_.clear();
   sparse_.reset();
   if (count_ == 0 || (stored.limits == 0 && visible_.empty()))
   {
     release(shown_);
     release(nodeShown_);
+    release(nodeWhole_);
     return;
   }
   if (stored.limits == 0)
@@ -74,17 +76,31 @@ void PkdTree::findShown()
   makeSparse();
   if (!sparse_)
     findNodesShown();
+  if (!sparse_ && hasLods())
+    findNodesWhole();
 }
 
-void PkdTree::findNodesShown()
+/// The bits of a bucket's particles that are there and that visibility leaves.
+PkdTree::Bits PkdTree::visibleIn(std::size_t bucket) const
 {
-  nodeShown_.resize(nodes_.size());
-  const Bits* below = shown_.data();
-  std::size_t count = shown_.size();
-  for (const Level& level : levels_)
+  if (!visible_.empty())
+    return visible_[bucket];
+  const std::size_t count = count_ - bucket * bucketSize;
+  return count >= bucketSize ? Bits{0xffff} : static_cast<Bits>((1u << count) - 1);
+}
+
+/// Fills bits for the children of all nodes: those of buckets by ofBucket(bucket), and those of
+/// nodes by ofNode(bits, children) of the child.
+template <typename OfBucket, typename OfNode>
+void PkdTree::fillNodeBits(
+  RawVector<Bits>& bits, const OfBucket& ofBucket, const OfNode& ofNode) const
+{
+  bits.resize(nodes_.size());
+  for (std::size_t k = 0; k < levels_.size(); ++k)
   {
-    Bits* own = nodeShown_.data() + level.first;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, level.count, bucketsATask),
+    const std::size_t count = k == 0 ? buckets() : levels_[k - 1].count;
+    const std::size_t below = k == 0 ? 0 : k == 1 ? buckets() : levels_[k - 2].count;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, levels_[k].count, bucketsATask),
       [&](const tbb::blocked_range<std::size_t>& range)
       {
         for (std::size_t i = range.begin(); i != range.end(); ++i)
@@ -92,13 +108,33 @@ void PkdTree::findNodesShown()
           unsigned found = 0;
           const std::size_t first = fanout * i, last = std::min<std::size_t>(count, first + fanout);
           for (std::size_t child = first; child < last; ++child)
-            found |= static_cast<unsigned>(below[child] != 0) << (child - first);
-          own[i] = static_cast<Bits>(found);
+          {
+            const bool is = k == 0 ? ofBucket(child)
+                                   : ofNode(bits[levels_[k - 1].first + child],
+                                       std::min<std::size_t>(fanout, below - fanout * child));
+            found |= static_cast<unsigned>(is) << (child - first);
+          }
+          bits[levels_[k].first + i] = static_cast<Bits>(found);
         }
       });
-    below = own;
-    count = level.count;
   }
+}
+
+void PkdTree::findNodesShown()
+{
+  fillNodeBits(
+    nodeShown_, [this](std::size_t bucket) { return shown_[bucket] != 0; },
+    [](Bits bits, std::size_t) { return bits != 0; });
+}
+
+void PkdTree::findNodesWhole()
+{
+  const auto all = [](std::size_t count) { return 0xffffu >> (16 - count); };
+  fillNodeBits(
+    nodeWhole_,
+    [&](std::size_t bucket)
+    { return shown_[bucket] == all(std::min<std::size_t>(16, count_ - bucket * bucketSize)); },
+    [&](Bits bits, std::size_t children) { return bits == all(children); });
 }
 
 } // namespace mote

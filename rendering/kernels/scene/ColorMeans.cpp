@@ -5,26 +5,56 @@
 namespace mote
 {
 
-ColorMeans meansOf(const RlodTree& tree, const MeshLook& look, const SurfaceColoring& coloring)
+namespace
 {
+
+/// What a surface is coloured by.
+struct ColoredBy
+{
+  const SurfaceColoring& coloring;
   const bool isDirect = !coloring.direct.empty();
   const ArrayView& array = isDirect ? coloring.direct : coloring.values;
+
+  int components() const { return isDirect ? array.components() : 1; }
+  double value(std::uint64_t index, int c) const
+  {
+    return array.value(index, isDirect ? c : coloring.component);
+  }
+};
+
+} // namespace
+
+ColorMeans meansOf(const PkdTree& tree, const SurfaceColoring& coloring)
+{
+  const ColoredBy by{coloring};
   ColorMeans means;
-  means.components = isDirect ? array.components() : 1;
-  const auto valueAt = [&](std::uint64_t index, int c)
-  { return array.value(index, isDirect ? c : coloring.component); };
+  means.components = by.components();
+  means.numbers = tree.lodMeans(means.components,
+    [&](std::uint64_t particle, double* values)
+    {
+      for (int c = 0; c < means.components; ++c)
+        values[c] = by.value(particle, c);
+    });
+  return means;
+}
+
+ColorMeans meansOf(const RlodTree& tree, const MeshLook& look, const SurfaceColoring& coloring)
+{
+  const ColoredBy by{coloring};
+  ColorMeans means;
+  means.components = by.components();
   const auto ofCells = [&](std::uint64_t triangle, double* values)
   {
     const std::uint64_t cell =
       look.cells.empty() ? triangle : static_cast<std::uint64_t>(look.cells.value(triangle));
     for (int c = 0; c < means.components; ++c)
-      values[c] = valueAt(cell, c);
+      values[c] = by.value(cell, c);
   };
   const auto ofPoints = [&](std::uint64_t triangle, double* values)
   {
     const TriangleMesh::Corners& points = look.mesh->triangles()[triangle];
     for (int c = 0; c < means.components; ++c)
-      values[c] = (valueAt(points[0], c) + valueAt(points[1], c) + valueAt(points[2], c)) / 3.0;
+      values[c] = (by.value(points[0], c) + by.value(points[1], c) + by.value(points[2], c)) / 3.0;
   };
   if (look.mixesColors && look.mesh)
     means.numbers = tree.lodMeans(means.components, ofPoints);

@@ -9,9 +9,10 @@ namespace mote
 
 struct MeshLook;
 struct SurfaceColoring;
+class PkdTree;
 class RlodTree;
 
-/// Colours of R-LODs: means of what their triangles are coloured by.
+/// Colours of levels of detail: means of what their triangles or particles are coloured by.
 struct ColorMeans
 {
   std::vector<float> numbers;
@@ -29,5 +30,7 @@ struct ColorMeans
 /// cells, or where the look mixes colours those of points, of which a triangle has the mean of its
 /// corners. Reads each triangle once.
 ColorMeans meansOf(const RlodTree& tree, const MeshLook& look, const SurfaceColoring& coloring);
+/// The same of particles with levels of detail.
+ColorMeans meansOf(const PkdTree& tree, const SurfaceColoring& coloring);
 
 } // namespace mote

@@ -33,13 +33,19 @@ struct Projected
   unsigned ahead;                 ///< those that lie in front of the eye as a whole
 };
 
+/// A rectangle around a ray, and tau before which there is nothing.
+struct PicturePart
+{
+  float x, y, reachX, reachY, nearest;
+};
+
 struct NearestPolicy
 {
-  static constexpr bool any = false, culls = true, counts = false;
+  static constexpr bool any = false, culls = true, counts = false, lods = false;
 };
 struct AnyPolicy
 {
-  static constexpr bool any = true, culls = true, counts = false;
+  static constexpr bool any = true, culls = true, counts = false, lods = false;
 };
 
 /// What the centres of spheres count from, relative to Q: the same for all.
@@ -266,6 +272,36 @@ public:
       counts_->hits += changed != 0;
   }
 
+  /// Tests something that is no sphere, in parts of a picture and from a tau on, `slot` being its
+  /// own: meet(i) answers where rays i and on meet it, infinity where they do not.
+  template <typename Meet>
+  HWY_INLINE void testOther(const PicturePart& part, std::uint64_t slot, const Meet& meet)
+  {
+    const DF d;
+    const DU du32;
+    const auto mark = hn::Set(du32, static_cast<std::uint32_t>(hits_.size()));
+    unsigned changed = 0;
+    for (unsigned blocks = blocksWithin(part, true); blocks != 0; blocks &= blocks - 1)
+    {
+      const int block = __builtin_ctz(blocks);
+      for (int k = 0; k < blockRays; k += static_cast<int>(hn::Lanes(d)))
+      {
+        const int i = blockRays * block + k;
+        const VF near = meet(i), best = hn::Load(d, p_.best + i);
+        const auto nearer = hn::Lt(near, best);
+        if (hn::AllFalse(d, nearer))
+          continue;
+        hn::Store(hn::IfThenElse(nearer, near, best), d, p_.best + i);
+        const auto old = hn::Load(du32, p_.hit + i);
+        hn::Store(hn::IfThenElse(hn::RebindMask(du32, nearer), mark, old), du32, p_.hit + i);
+        changed |= 1u << block;
+      }
+    }
+    stale_ |= changed;
+    if (changed != 0)
+      hits_.push_back(slot);
+  }
+
   /// Bounds of the blocks that were hit.
   HWY_INLINE void refresh()
   {
@@ -279,16 +315,23 @@ private:
   /// Blocks of rays that the sphere in lane j may hide.
   HWY_INLINE unsigned blocksOf(const Projected& s, int j) const
   {
-    const DF d;
     const bool ahead = (s.ahead >> j & 1) != 0;
-    const VF lowX = hn::Set(d, s.x[j] - s.reachX[j]), highX = hn::Set(d, s.x[j] + s.reachX[j]);
-    const VF lowY = hn::Set(d, s.y[j] - s.reachY[j]), highY = hn::Set(d, s.y[j] + s.reachY[j]);
-    const VF nearest = hn::Set(d, s.nearest[j]);
+    return blocksWithin({s.x[j], s.y[j], s.reachX[j], s.reachY[j], s.nearest[j]}, ahead);
+  }
+
+  /// Blocks of rays to which a part of the picture may matter, or, not `placed`, all that are not
+  /// nearer.
+  HWY_INLINE unsigned blocksWithin(const PicturePart& part, bool placed) const
+  {
+    const DF d;
+    const VF lowX = hn::Set(d, part.x - part.reachX), highX = hn::Set(d, part.x + part.reachX);
+    const VF lowY = hn::Set(d, part.y - part.reachY), highY = hn::Set(d, part.y + part.reachY);
+    const VF nearest = hn::Set(d, part.nearest);
     unsigned bits = 0;
     for (int k = 0; k < p_.blocks; k += static_cast<int>(hn::Lanes(d)))
     {
       auto in = hn::Gt(hn::Load(d, p_.farthest + k), nearest);
-      if (ahead && Policy::culls)
+      if (placed && Policy::culls)
         in = hn::And(in, hn::And(hn::And(hn::Le(hn::Load(d, p_.lowX + k), highX),
                                    hn::Ge(hn::Load(d, p_.highX + k), lowX)),
                            hn::And(hn::Le(hn::Load(d, p_.lowY + k), highY),

@@ -7,28 +7,19 @@
 #define MOTE_PKD_TREE_BUNDLE_INL_H
 #endif
 
-#include "BundleSpheres-inl.h"
 #include "NearestFirst-inl.h"
-#include "PkdTreeView.h"
+#include "PkdTreeBoxes-inl.h"
 
 #include <hwy/cache_control.h>
 
 #include <array>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace mote
 {
 namespace HWY_NAMESPACE
 {
-
-/// Bounds in 8 bits as float numbers.
-HWY_INLINE VF boundsAt(const std::uint8_t* bounds)
-{
-  const DF d;
-  const hn::Rebind<std::int32_t, DF> di;
-  const hn::Rebind<std::uint8_t, DF> d8;
-  return hn::ConvertTo(d, hn::PromoteTo(di, hn::LoadU(d8, bounds)));
-}
 
 /// Centres, from their treelet's corner, and radii of a bucket's particles from `lane` on.
 struct Spheres
@@ -86,14 +77,17 @@ template <typename Policy>
 class TreeCaster
 {
 public:
+  /// `poe` matters where the policy has levels of detail.
   TreeCaster(const PkdTreeView& view, Pencil& pencil, const RayBundle& bundle, std::int32_t object,
-    std::vector<std::uint64_t>& hits)
+    double poe, std::vector<std::uint64_t>& hits)
     : view_(view)
     , p_(pencil)
     , tester_(view, pencil, bundle, object, hits, nullptr)
     , queue_(queueOfThread())
   {
     queue_.clear();
+    if constexpr (Policy::lods)
+      boxes_.prepare(view, pencil, bundle, poe);
   }
 
   void run()
@@ -128,6 +122,13 @@ private:
       [&](unsigned bits, const float* near, int first)
       {
         const std::size_t firstChild = index * PkdTree::fanout + static_cast<std::size_t>(first);
+        if constexpr (Policy::lods)
+        {
+          const unsigned boxes = bits & boxes_.fitting(view_.node(level, index), near, first);
+          if (boxes != 0)
+            boxes_.test(view_.node(level, index), boxes, first, tester_);
+          bits &= ~boxes;
+        }
         for (unsigned left = bits; left != 0; left &= left - 1)
           prefetch(level - 1, firstChild + static_cast<std::size_t>(__builtin_ctz(left)));
         // Where little is shown, little hides anything: order is not worth its time.
@@ -252,12 +253,17 @@ private:
   Pencil& p_;
   SphereTester<Policy, PkdTreeView> tester_;
   NearestFirst& queue_;
+  struct NoBoxes
+  {
+  };
+  std::conditional_t<Policy::lods, LodBoxes, NoBoxes> boxes_;
 };
 
 /// Casts a bundle; false, with nothing done, where its rays do not travel the same way along one
 /// axis.
 template <typename Policy>
-bool castTreeBundle(const PkdTreeView& view, RayBundle& bundle, std::int32_t object)
+bool castTreeBundle(
+  const PkdTreeView& view, RayBundle& bundle, std::int32_t object, double poe = 0.0)
 {
   Pencil p;
   bool coherent = false;
@@ -270,7 +276,7 @@ bool castTreeBundle(const PkdTreeView& view, RayBundle& bundle, std::int32_t obj
   prepareBlocks(bundle, p);
   static thread_local std::vector<std::uint64_t> hits;
   hits.assign(1, RayBundle::noHit);
-  TreeCaster<Policy>(view, p, bundle, object, hits).run();
+  TreeCaster<Policy>(view, p, bundle, object, poe, hits).run();
   keepAnswers<Policy>(p, hits.data(), object, bundle);
   return true;
 }

@@ -14,6 +14,8 @@ struct PkdTreeView
 {
   using Node = PkdTree::Node;
   using Row = PkdTree::Row;
+  using Lods = PkdTree::Lods;
+  static constexpr std::uint8_t noLod = PkdTree::noLod;
 
   const PkdTree& tree;
   const Node* nodes;
@@ -21,6 +23,8 @@ struct PkdTreeView
   const Row* rows;
   const std::uint16_t* shown;           ///< null: all are
   const std::uint16_t* nodeShown;       ///< null likewise
+  const Lods* lods;                     ///< of each node; null: there are none
+  const std::uint16_t* nodeWhole;       ///< null: nothing is hidden
   const std::uint64_t* slots = nullptr; ///< by place in `rows`; null: they are the places
   std::size_t rowsABucket;
   float radius;
@@ -35,13 +39,16 @@ struct PkdTreeView
 
   static constexpr bool hasTies = true;
 
-  explicit PkdTreeView(const PkdTree& t)
+  /// Of what is shown, or `whole`, of all.
+  explicit PkdTreeView(const PkdTree& t, bool whole = false)
     : tree(t)
     , nodes(t.nodes_.data())
     , levels(t.levels_.data())
     , rows(t.rows_.data())
-    , shown(t.shown_.empty() ? nullptr : t.shown_.data())
-    , nodeShown(t.nodeShown_.empty() ? nullptr : t.nodeShown_.data())
+    , shown(whole || t.shown_.empty() ? nullptr : t.shown_.data())
+    , nodeShown(whole || t.nodeShown_.empty() ? nullptr : t.nodeShown_.data())
+    , lods(t.lods_.empty() ? nullptr : t.lods_.data())
+    , nodeWhole(whole || t.nodeWhole_.empty() ? nullptr : t.nodeWhole_.data())
     , rowsABucket(t.rowsABucket_)
     , radius(t.radius_)
     , ownRadii(t.ownRadii_)
@@ -56,13 +63,14 @@ struct PkdTreeView
     least = (bounds.lower - t.origin_) / t.unit_ - margin;
     most = (bounds.upper - t.origin_) / t.unit_ + margin;
     std::size_t count = t.count_;
-    if (t.sparse_)
+    if (t.sparse_ && !whole)
     {
       const PkdTree::Sparse& sparse = *t.sparse_;
       nodes = sparse.nodes.data();
       levels = sparse.levels.data();
       rows = sparse.rows.data();
-      shown = nodeShown = nullptr;
+      shown = nodeShown = nodeWhole = nullptr;
+      lods = nullptr;
       placeRows = 3;
       rowsABucket = 6 + ownRadii;
       top = static_cast<int>(sparse.levels.size()) - 1;
@@ -92,10 +100,11 @@ struct PkdTreeView
     return tree.inputIndex(slot) < tree.inputIndex(before);
   }
 
-  /// Whether two particles are the same sphere.
+  /// Whether two particles are the same sphere; `b` may be a box that stands for many.
   bool coincide(std::uint64_t a, std::uint64_t b) const
   {
-    return tree.center(a) == tree.center(b) && tree.radius(a) == tree.radius(b);
+    return !PkdTree::isLod(b) && tree.center(a) == tree.center(b) &&
+           tree.radius(a) == tree.radius(b);
   }
 
   const Node& node(int level, std::size_t i) const { return nodes[levels[level].first + i]; }
@@ -104,6 +113,11 @@ struct PkdTreeView
   unsigned shownOf(const Node& of) const
   {
     return nodeShown == nullptr ? 0xffffu : nodeShown[&of - nodes];
+  }
+  /// The bits of children below which nothing is hidden.
+  unsigned wholeOf(const Node& of) const
+  {
+    return nodeWhole == nullptr ? 0xffffu : nodeWhole[&of - nodes];
   }
   /// The bits of a bucket's particles that are shown.
   unsigned shownIn(std::size_t bucket) const
@@ -117,6 +131,12 @@ struct PkdTreeView
 inline float stepOf(const PkdTreeView::Node& node, std::size_t axis)
 {
   return std::bit_cast<float>(std::uint32_t{node.exponent[axis]} << 23);
+}
+
+/// What errors of a node's levels of detail are counted in.
+inline float lodStep(const PkdTreeView::Node& node)
+{
+  return std::max({stepOf(node, 0), stepOf(node, 1), stepOf(node, 2)});
 }
 
 } // namespace mote
