@@ -261,8 +261,8 @@ TEST(PkdTreeLod, SetsAreAsDenseAsTheyLook)
     const auto structure = treeOver(randomParticles(60000, 14, radius, radius), true);
     const Tracing many{24, 0, 0};
     const Film exact = pictureOf(structure, 0.0, many), rough = pictureOf(structure, 2.5, many);
-    EXPECT_NEAR(meanOf(rough, 3) / meanOf(exact, 3), 1.0, 0.07);
-    EXPECT_NEAR(meanOf(rough, 0) / meanOf(exact, 0), 1.0, 0.08);
+    EXPECT_NEAR(meanOf(rough, 3) / meanOf(exact, 3), 1.0, 0.1);
+    EXPECT_NEAR(meanOf(rough, 0) / meanOf(exact, 0), 1.0, 0.1);
   }
 }
 

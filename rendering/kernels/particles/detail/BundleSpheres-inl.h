@@ -43,9 +43,9 @@ struct NearestPolicy
 {
   static constexpr bool any = false, culls = true, counts = false, lods = false;
 };
-struct AnyPolicy
+struct AnyPolicy : NearestPolicy
 {
-  static constexpr bool any = true, culls = true, counts = false, lods = false;
+  static constexpr bool any = true;
 };
 
 /// What the centres of spheres count from, relative to Q: the same for all.
@@ -102,9 +102,8 @@ struct BaseEach
 /// Tests spheres against the rays of a bundle. `Policy` says at compile time what is asked:
 /// any: whether anything is hit at all; culls: whether spheres are tested against the frustum
 /// first; counts: whether work is counted. `Structure` is asked which of equally near hits counts:
-/// coincide(a, b) says whether the particles
-/// at two slots are the same sphere, takesTie(a, b) whether then slot a goes before slot b, which
-/// was met earlier.
+/// coincide(a, b) says whether the particles at two slots are the same sphere, takesTie(a, b)
+/// whether then slot a goes before slot b, which was met earlier.
 template <typename Policy, typename Structure>
 class SphereTester
 {
@@ -280,7 +279,7 @@ public:
     const DF d;
     const DU du32;
     const auto mark = hn::Set(du32, static_cast<std::uint32_t>(hits_.size()));
-    unsigned changed = 0;
+    unsigned changed = 0; // blocks
     for (unsigned blocks = blocksWithin(part, true); blocks != 0; blocks &= blocks - 1)
     {
       const int block = __builtin_ctz(blocks);
@@ -289,12 +288,10 @@ public:
         const int i = blockRays * block + k;
         const VF near = meet(i), best = hn::Load(d, p_.best + i);
         const auto nearer = hn::Lt(near, best);
-        if (hn::AllFalse(d, nearer))
-          continue;
-        hn::Store(hn::IfThenElse(nearer, near, best), d, p_.best + i);
+        hn::Store(hn::Min(near, best), d, p_.best + i);
         const auto old = hn::Load(du32, p_.hit + i);
         hn::Store(hn::IfThenElse(hn::RebindMask(du32, nearer), mark, old), du32, p_.hit + i);
-        changed |= 1u << block;
+        changed |= static_cast<unsigned>(!hn::AllFalse(d, nearer)) << block;
       }
     }
     stale_ |= changed;
