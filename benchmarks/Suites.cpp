@@ -9,6 +9,7 @@
 #include "particles/OcclusionSuite.h"
 #include "particles/ParticlesSuite.h"
 #include "particles/PreviewSuite.h"
+#include "triangles/MeshFileSuite.h"
 #include "triangles/TrianglesSuite.h"
 
 namespace mote::bench
@@ -18,7 +19,7 @@ const std::vector<Suite>& suites()
 {
   static const std::vector<Suite> all = {particlesSuite(), occlusionSuite(), buildSuite(),
     previewSuite(), growthSuite(), fileSuite(), silhouetteSuite(), ambientSuite(), hexahedraSuite(),
-    trianglesSuite()};
+    trianglesSuite(), meshFileSuite()};
   return all;
 }
 

@@ -32,12 +32,14 @@ void forSteps(Input& input, const Settings& settings, ProgressRelay& progress,
   Settings ofStep = settings;
   ofStep.data.time.reset();
   ofStep.data.step = "last";
-  const NamedData last = particlesOf(input, ofStep, progress, "there must be one");
-  const Part part(last.name, last.data, ofStep, 0.0);
-  auto* points = vtkPointSet::SafeDownCast(last.data);
-  if (points && points->GetNumberOfPoints() > 1 &&
-      part.particles()->GetRadiusMode() == vtkMoteParticleMapper::RADIUS_FROM_SPACING)
-    ofStep.particles.radius = exactText(0.5 * vtkMoteParticleMapper::EstimateSpacing(points));
+  if (const auto last = onlyParticlesOf(input, ofStep, progress))
+  {
+    const Part part(last->name, last->data, ofStep, 0.0);
+    auto* points = vtkPointSet::SafeDownCast(last->data);
+    if (points && points->GetNumberOfPoints() > 1 &&
+        part.particles()->GetRadiusMode() == vtkMoteParticleMapper::RADIUS_FROM_SPACING)
+      ofStep.particles.radius = exactText(0.5 * vtkMoteParticleMapper::EstimateSpacing(points));
+  }
   const int steps = input.numberOfSteps();
   for (int step = 1; step <= steps; ++step)
   {

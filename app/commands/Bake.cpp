@@ -67,8 +67,10 @@ std::string outputOf(const NamedData& data, const Settings& settings)
 
 void bakeStep(OpenedInput& opened, const Settings& settings, const std::string& which)
 {
-  const NamedData data =
-    particlesOf(opened.input, settings, opened.progress, "mote bake takes one");
+  const auto found = onlyParticlesOf(opened.input, settings, opened.progress);
+  if (!found)
+    throw Failure(opened.input.name() + " does not hold one set of particles, as mote bake takes");
+  const NamedData& data = *found;
   const std::string output = outputOf(data, settings);
   if (lowerCase(std::filesystem::path(output).extension().string()) != ".moteao")
     throw Failure("the file to write must end in .moteao, not " + output);

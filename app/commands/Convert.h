@@ -3,15 +3,14 @@
 #include "settings/Settings.h"
 #include "stage/Input.h"
 
-#include <string>
+#include <optional>
 
 namespace mote::app
 {
 
-/// The one set of particles of the input at the settings' step. Throws Failure, with `why` one is
-/// needed, where there are more or none.
-NamedData particlesOf(
-  Input& input, const Settings& settings, ProgressRelay& progress, const std::string& why);
+/// The one set of particles of the input at the settings' step; none where there are more or none.
+std::optional<NamedData> onlyParticlesOf(
+  Input& input, const Settings& settings, ProgressRelay& progress);
 
 /// Writes a .mote file, which the last of the files names. Throws Failure and Interrupted; then no
 /// file is left that is not complete.

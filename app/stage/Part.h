@@ -143,7 +143,7 @@ public:
   Kind kind() const { return kind_; }
   vtkProp3D* prop() const;
   vtkMoteParticleMapper* particles() const { return particles_; } ///< null for cells
-  const Surface* surface() const { return surface_.get(); }       ///< null for all else
+  Surface* surface() const { return surface_.get(); }             ///< null for all else
   vtkTypeInt64 structureBytes() const;
   double buildTime() const;
 

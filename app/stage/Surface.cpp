@@ -4,6 +4,7 @@
 #include <vtkDataSet.h>
 #include <vtkDataSetSurfaceFilter.h>
 #include <vtkIdTypeArray.h>
+#include <vtkMoteMeshFilePoints.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkPolyData.h>
@@ -45,7 +46,8 @@ void Surface::setData(vtkDataSet* data)
   auto* polygons = vtkPolyData::SafeDownCast(data);
   auto* points = vtkPointSet::SafeDownCast(data);
   makesNormals_ = polygons && !polygons->GetPointData()->GetNormals() &&
-                  polygons->GetNumberOfCells() <= mostSmoothed;
+                  polygons->GetNumberOfCells() <= mostSmoothed &&
+                  !vtkMoteMeshFilePoints::FileOf(polygons); // whose tree is built
   takesFaces_ = !points;
   if (makesNormals_)
   {
@@ -84,6 +86,17 @@ void Surface::followArrays(vtkDataSet* data)
 {
   if ((makesNormals_ || takesFaces_) && data->GetMTime() != taken_)
     this->setData(data);
+}
+
+void Surface::nameCellsForFile()
+{
+  constexpr const char* inFiles = "vtkOriginalCellIds";
+  vtkPointSet* drawn = mapper_->GetInput();
+  vtkDataArray* numbers = drawn ? drawn->GetCellData()->GetArray(cellNumbers) : nullptr;
+  if (numbers && drawn->GetCellData()->HasArray(inFiles)) // the data's own
+    drawn->GetCellData()->RemoveArray(cellNumbers);
+  else if (numbers)
+    numbers->SetName(inFiles);
 }
 
 vtkIdType Surface::cellOf(vtkIdType cell) const

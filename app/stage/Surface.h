@@ -13,7 +13,8 @@ namespace mote::app
 /// Cells of a part, shown by their surface.
 ///
 /// Up to four million polygons without normals of points get some, so that they look smooth but for
-/// sharp edges; for that points are split at these. Faces of grids are flat.
+/// sharp edges; for that points are split at these. Faces of grids are flat, and .mote files stay
+/// as they were written.
 class Surface
 {
 public:
@@ -32,6 +33,9 @@ public:
   bool makesNormals() const { return makesNormals_; }
   /// Whether the faces were taken out before, as of images, by a vtkDataSetSurfaceFilter.
   bool takesFaces() const { return takesFaces_; }
+  /// Gives the numbers of the data's cells, where the mapper's input has them, the name that they
+  /// have in files; cellOf() knows nothing of them then.
+  void nameCellsForFile();
   /// The cell of the data that a cell of the mapper's input stands for.
   vtkIdType cellOf(vtkIdType cell) const;
 

@@ -64,7 +64,9 @@ const std::vector<Topic>& topics()
       "mote render run.dump -o run.png --all-steps", "render"},
     {"mote animate", "A film; it takes all of the above, too.",
       "mote animate run.dump -o turn.ogv --orbit 360", "animate"},
-    {"mote convert", "A .mote file; it takes the groups Data and Radius, and --form, too.",
+    {"mote convert",
+      "A .mote file of particles or triangles; it takes the groups Data and Radius, and --form, "
+      "too.",
       "mote convert run.dump run.mote --memory 8G", "convert"},
     {"mote info", "What files hold; it takes the group Data, too.", "mote info --json run.dump",
       "info"},

@@ -17,9 +17,6 @@
 namespace mote::bench
 {
 
-namespace
-{
-
 const std::vector<View>& triangleViews()
 {
   static const std::vector<View> all = {
@@ -28,6 +25,9 @@ const std::vector<View>& triangleViews()
     {"near", "eye at (0.65, 0.3, 0.7) sides from the middle", {0.65, 0.3, 0.7}}};
   return all;
 }
+
+namespace
+{
 
 struct Built
 {

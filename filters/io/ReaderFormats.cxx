@@ -11,10 +11,12 @@
 #include "vtkMoteGeneratedMeshReader.h"
 #include "vtkMoteGeneratedParticlesReader.h"
 #include "vtkMoteLAMMPSDumpReader.h"
+#include "vtkMoteMeshFileReader.h"
 #include "vtkMoteParticleFileReader.h"
 #include "vtkMotePointsReader.h"
 #include "vtkMoteXYZReader.h"
 
+#include "kernels/meshes/RlodTreeFile.h"
 #include "kernels/particles/GeneratedParticles.h"
 #include "kernels/particles/PkdTreeFile.h"
 
@@ -28,7 +30,9 @@
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
+#include <array>
 #include <cstring>
+#include <fstream>
 
 #include <vtksys/SystemTools.hxx>
 
@@ -84,6 +88,21 @@ vtkSmartPointer<vtkAlgorithm> makeGLTF(const FileNames& fileNames)
   return make<vtkGLTFReader>(fileNames);
 }
 
+bool isMote(std::string_view beginning)
+{
+  return PkdTreeFile::recognises(beginning) || RlodTreeFile::recognises(beginning);
+}
+
+vtkSmartPointer<vtkAlgorithm> makeMote(const FileNames& fileNames)
+{
+  std::array<char, 8> beginning{};
+  std::ifstream(fileNames.front(), std::ios::binary).read(beginning.data(), beginning.size());
+  // What is neither is told by the reader of particles.
+  return RlodTreeFile::recognises({beginning.data(), beginning.size()})
+           ? makeOneOrSeries<vtkMoteMeshFileReader>(fileNames)
+           : makeOneOrSeries<vtkMoteParticleFileReader>(fileNames);
+}
+
 } // namespace
 
 const std::vector<ReaderFormat>& readerFormats()
@@ -91,8 +110,7 @@ const std::vector<ReaderFormat>& readerFormats()
   static const std::vector<ReaderFormat> formats = {
     {{".dump", ".lammpstrj", ".lammps", ".dump.gz", ".lammpstrj.gz", ".lammps.gz"},
       "LAMMPS text dump", makeSeries<vtkMoteLAMMPSDumpReader>, true, looksLikeLAMMPSDump},
-    {{".mote"}, "Mote's own file of particles", makeOneOrSeries<vtkMoteParticleFileReader>, true,
-      PkdTreeFile::recognises},
+    {{".mote"}, "Mote's own file of particles or triangles", makeMote, true, isMote},
     {{".xyz", ".xyz.gz"}, "XYZ and extended XYZ atoms", makeOneOrSeries<vtkMoteXYZReader>, true},
     {{".pts", ".pts.gz"}, "points, x y z a line", makeOneOrSeries<vtkMotePointsReader>, true},
     {{".csv"}, "table with columns x, y, z", makeOneOrSeries<vtkMoteDelimitedPointsReader>, true},

@@ -1,9 +1,8 @@
 #include "vtkMoteParticleFileReader.h"
 
-#include "FileError.h"
+#include "OpenMoteFile.h"
 #include "TimeSteps.h"
 
-#include "kernels/core/Error.h"
 #include "kernels/particles/PkdTreeFile.h"
 
 #include "vtkDataArray.h"
@@ -29,15 +28,7 @@ bool vtkMoteParticleFileReader::Open()
     [this](const ProgressFunction&)
     {
       this->RequireFileName();
-      try
-      {
-        this->File = std::make_shared<const mote::PkdTreeFile>(this->GetFileName());
-      }
-      catch (const mote::Error& error)
-      {
-        throw mote::FileError(mote::FileError::Kind::Malformed, this->GetFileName(),
-          mote::withoutFile(error.what(), this->GetFileName()));
-      }
+      this->File = mote::openMoteFile<mote::PkdTreeFile>(this->GetFileName());
     });
 }
 

@@ -2,7 +2,10 @@
 
 #include "SurfaceTriangles.h"
 
+#include "kernels/meshes/RlodTreeFile.h"
+
 #include "vtkCellArray.h"
+#include "vtkMoteMeshFilePoints.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -109,53 +112,74 @@ MeshGeometry::Change MeshGeometry::update(vtkPointSet* data, const Progress& pro
   if (!key_.empty() && key == key_)
     return Change::None;
   key_.clear(); // until all has gone well
+  if (const auto file = vtkMoteMeshFilePoints::FileOf(data))
+  {
+    this->forget();
+    tree_ = file->tree();
+    corners_ = file->corners();
+    this->keep(std::move(key));
+    return Change::Built;
+  }
   const SurfaceTriangles triangles = surfaceTrianglesOf(data);
   const DataArrayView points(data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
   const ContentHash content = contentOf(points);
   cells_ = std::make_shared<const std::vector<vtkIdType>>(triangles.cells);
   thin_ = triangles.thin;
   flat_ = triangles.flat;
-  const bool moved =
-    tree_ && mesh_->pointCount() == points.view.count() && areTheSame(*mesh_, triangles.view());
+  const bool moved = tree_ && mesh_ && mesh_->pointCount() == points.view.count() &&
+                     areTheSame(*mesh_, triangles.view());
   if (moved && content == points_)
   {
     key_ = std::move(key);
     return Change::None;
   }
   points_ = content;
-  if (moved)
+  const bool refitted = moved && this->moveTo(points.view);
+  if (!refitted && !this->build(points.view, triangles.view(), progress))
   {
-    // What others hold stays as it is: a copy takes a tenth of the time of a build, a refit too.
-    if (mesh_.use_count() > 1)
-      mesh_ = std::make_shared<TriangleMesh>(*mesh_);
-    if (tree_.use_count() > 1)
-      tree_ = std::make_shared<RlodTree>(tree_->copyWithoutLods());
-    mesh_->movePoints(points.view);
-    if (tree_->refit(*mesh_) && tree_->cost() <= worstRefit * builtCost_)
-    {
-      key_ = std::move(key);
-      this->count();
-      return Change::Refitted;
-    }
+    this->forget();
+    return Change::None;
   }
+  this->keep(std::move(key));
+  return refitted ? Change::Refitted : Change::Built;
+}
+
+/// Gives the points other places. False where the tree has become too bad by that.
+bool MeshGeometry::moveTo(const ArrayView& points)
+{
+  // What others hold stays as it is: a copy takes a tenth of the time of a build, a refit too.
+  if (mesh_.use_count() > 1)
+    mesh_ = std::make_shared<TriangleMesh>(*mesh_);
+  if (tree_.use_count() > 1)
+    tree_ = std::make_shared<RlodTree>(tree_->copyWithoutLods());
+  mesh_->movePoints(points);
+  return tree_->refit(*mesh_) && tree_->cost() <= worstRefit * builtCost_;
+}
+
+/// False where `progress` stopped it.
+bool MeshGeometry::build(
+  const ArrayView& points, const ArrayView& triangles, const Progress& progress)
+{
   tree_ = nullptr; // before the next one takes memory
   mesh_ = nullptr;
-  mesh_ = std::make_shared<TriangleMesh>(points.view, triangles.view());
-  if (mesh_->validCount() > 0)
-  {
-    auto tree = std::make_shared<RlodTree>();
-    tree->build(*mesh_, progress);
-    if (tree->size() == 0) // stopped
-    {
-      this->forget();
-      return Change::None;
-    }
-    tree_ = std::move(tree);
-    builtCost_ = tree_->cost();
-  }
+  corners_ = nullptr;
+  mesh_ = std::make_shared<TriangleMesh>(points, triangles);
+  corners_ = mesh_->corners();
+  if (mesh_->validCount() == 0)
+    return true;
+  auto tree = std::make_shared<RlodTree>();
+  tree->build(*mesh_, progress);
+  if (tree->size() == 0)
+    return false;
+  tree_ = std::move(tree);
+  builtCost_ = tree_->cost();
+  return true;
+}
+
+void MeshGeometry::keep(InputKey key)
+{
   key_ = std::move(key);
   this->count();
-  return Change::Built;
 }
 
 ArrayView MeshGeometry::cells() const
@@ -175,8 +199,10 @@ void MeshGeometry::makeLods()
 
 void MeshGeometry::count()
 {
-  bytes_ = (mesh_ ? mesh_->bytes() : 0) + (tree_ ? tree_->bytes() : 0) +
-           (cells_ ? cells_->size() * sizeof(vtkIdType) : 0);
+  bytes_ = (mesh_       ? mesh_->bytes()
+             : corners_ ? corners_->bytes()
+                        : 0) +
+           (tree_ ? tree_->bytes() : 0) + (cells_ ? cells_->size() * sizeof(vtkIdType) : 0);
 }
 
 vtkIdType MeshGeometry::invalidTriangles() const

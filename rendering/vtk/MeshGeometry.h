@@ -34,10 +34,10 @@ public:
   bool fits(vtkPointSet* data) const;
 
   /// Takes the triangles and builds the tree, or does as little of it as it takes: nothing where
-  /// points and triangles have the same content, a refit where only points have moved and it does
-  /// not make rays much slower; of a copy, where others hold the tree. Without triangles, or where
-  /// `progress` stopped it, there is no tree. Throws Error for indices that are not those of
-  /// points, and as TriangleMesh and RlodTree do.
+  /// points and triangles have the same content or lie in a file, a refit where only points
+  /// have moved and it does not make rays much slower; of a copy, where others hold the tree.
+  /// Without triangles, or where `progress` stopped it, there is no tree. Throws Error for indices
+  /// that are not those of points, and as TriangleMesh and RlodTree do.
   Change update(vtkPointSet* data, const Progress& progress);
 
   /// Makes the tree's R-LODs where it has none. Not while another thread casts rays through it.
@@ -45,8 +45,9 @@ public:
 
   void forget() { *this = MeshGeometry(); }
 
-  const std::shared_ptr<RlodTree>& tree() const { return tree_; } ///< null without triangles
-  std::shared_ptr<const TriangleMesh> mesh() const { return mesh_; }
+  const std::shared_ptr<RlodTree>& tree() const { return tree_; }    ///< null without triangles
+  std::shared_ptr<const TriangleMesh> mesh() const { return mesh_; } ///< null for those of files
+  std::shared_ptr<const MeshCorners> corners() const { return corners_; }
   /// The cell of the data set that each triangle is of; empty: triangles are cells.
   ArrayView cells() const;
   std::size_t bytes() const { return bytes_; }
@@ -58,12 +59,16 @@ public:
   vtkIdType invalidTriangles() const; ///< triangles with a corner that is not finite
 
 private:
+  bool moveTo(const ArrayView& points);
+  bool build(const ArrayView& points, const ArrayView& triangles, const Progress& progress);
+  void keep(InputKey key);
   void count();
 
   InputKey key_;
   ContentHash points_;     ///< what they held
   double builtCost_ = 0.0; ///< of the tree when it was built
   std::shared_ptr<TriangleMesh> mesh_;
+  std::shared_ptr<const MeshCorners> corners_;
   std::shared_ptr<RlodTree> tree_;
   std::shared_ptr<const std::vector<vtkIdType>> cells_;
   vtkIdType thin_ = 0, flat_ = 0;

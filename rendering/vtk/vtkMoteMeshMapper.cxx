@@ -304,7 +304,7 @@ bool vtkMoteMeshMapper::DescribeTo(mote::SurfaceObject& object, vtkActor* actor)
     vtkErrorMacro(<< problem);
 
   mote::MeshLook look;
-  look.mesh = impl.geometry.mesh();
+  look.corners = impl.geometry.corners();
   look.cells = impl.geometry.cells();
   look.mixesColors = !ofCells;
   vtkDataArray* normals = input->GetPointData()->GetNormals();

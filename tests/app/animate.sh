@@ -10,7 +10,6 @@ small=(--size 160x120 --samples 1)
 frames_are() {
   [ "$(ls f-*.png | wc -l)" = "$1" ] || fail "$(ls f-*.png | wc -l) frames, not $1"
 }
-alike() { cmp -s "$1" "$2" || fail "$1 and $2 differ"; }
 differ() { cmp -s "$1" "$2" && fail "$1 and $2 look alike"; return 0; }
 
 # film_is FILE FACTS: what a film of Theora holds.

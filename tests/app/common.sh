@@ -35,6 +35,9 @@ png_size() {
   echo "$(($1 << 24 | $2 << 16 | $3 << 8 | $4))x$(($5 << 24 | $6 << 16 | $7 << 8 | $8))"
 }
 
+# alike FILE FILE: the two are the same, byte for byte.
+alike() { cmp -s "$1" "$2" || fail "$1 and $2 differ"; }
+
 # is_picture FILE SIZE: a PNG of that size with something on it.
 is_picture() {
   [ "$(png_size "$1")" = "$2" ] || fail "$1 is no PNG of $2 but '$(png_size "$1")'"

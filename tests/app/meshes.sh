@@ -170,6 +170,46 @@ GLTF
     said err 'no number of triangles'
     ;;
 
+  file) # .mote files of triangles
+    vtp a.vtp "$corners"
+    run 0 "$mote" convert a.vtp a.mote
+    said out 'a.mote: 4 triangles'
+    run 0 "$mote" info a.mote
+    said out '4 triangles'
+    said out 'cell   vtkOriginalCellIds'
+    said out 'point  Normals'
+    for colour in height cell:face none; do
+      draw of-vtp.png a.vtp --color-by $colour --caption ''
+      draw of-mote.png a.mote --color-by $colour --caption ''
+      alike of-vtp.png of-mote.png
+    done
+    run 0 "$mote" convert sphere:300000 sphere.mote
+    said out '298,116 triangles'
+    for error in 0 4; do
+      draw of-sphere.png sphere:300000 --lod-error $error --shadows hard --caption ''
+      draw of-mote.png sphere.mote --lod-error $error --shadows hard --caption ''
+      alike of-sphere.png of-mote.png
+    done
+    # a mesh that moves
+    vtp move.0.vtp "$corners"
+    vtp move.1.vtp '0 0 0 2 0 0 0 1 0 0 0 1'
+    run 0 "$mote" convert move.0.vtp move.1.vtp move.mote --all-steps
+    run 0 "$mote" render move.0001.mote move.0002.mote --all-steps -o step.png --size 320x240
+    differ step.0001.png step.0002.png
+    # what cannot be
+    head -c 200000 sphere.mote >short.mote
+    run 1 "$mote" render short.mote -o b.png
+    one_sentence
+    said err 'cut short'
+    run 1 "$mote" convert a.mote b.mote
+    one_sentence
+    said err 'can be copied'
+    run 1 "$mote" convert "$data/swirl.0.vtu" b.mote
+    one_sentence
+    said err '1 volume'
+    [ ! -e b.mote ] || fail "a file is left"
+    ;;
+
   steps) # points that move
     vtp move.0.vtp "$corners"
     vtp move.1.vtp '0 0 0 2 0 0 0 1 0 0 0 1'

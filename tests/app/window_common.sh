@@ -73,7 +73,6 @@ picture() {
 }
 
 differ() { cmp -s "$1" "$2" && fail "$1 and $2 look alike"; }
-alike() { cmp -s "$1" "$2" || fail "$1 and $2 differ"; }
 
 quit() {
   press q

@@ -3,6 +3,7 @@
 #include "Error.h"
 #include "ScratchSpace.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -35,8 +36,9 @@ struct Descriptor
 
 } // namespace
 
-MappedFile::MappedFile(const std::string& name)
+MappedFile::MappedFile(const std::string& name, Paging paging)
   : name_(name)
+  , paging_(paging)
 {
   // Opening a pipe would wait for somebody to write.
   const Descriptor file{::open(name.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
@@ -56,8 +58,17 @@ MappedFile::MappedFile(const std::string& name)
   // Rays jump, but what lies beside a page is wanted soon, and reading it too takes half the time
   // while there is room for it. Only advice; no matter if refused.
   if (size_ > physicalMemory())
+    paging_ = Paging::Single;
+  if (paging_ == Paging::Single)
     ::madvise(memory, size_, MADV_RANDOM);
   data_ = static_cast<const unsigned char*>(memory);
+}
+
+void MappedFile::fetch(std::uint64_t offset, std::uint64_t bytes) const
+{
+  if (offset < size_) // only advice, too
+    ::madvise(
+      const_cast<unsigned char*>(data_) + offset, std::min(bytes, size_ - offset), MADV_WILLNEED);
 }
 
 MappedFile::~MappedFile()

@@ -64,6 +64,15 @@ public:
     given_ = static_cast<T*>(memory.get());
     this->view(given_, size, std::move(memory));
   }
+  /// Takes values as its own.
+  void take(RawVector<T>&& values)
+  {
+    keeper_.reset();
+    given_ = nullptr;
+    own_ = std::move(values);
+    data_ = own_.data();
+    size_ = own_.size();
+  }
   /// Forgets the values; memory of its own is kept for the next ones.
   void clear() { resize(0); }
   /// Takes `size` values at `data`, which are there as long as `keeper`, not null, lives.

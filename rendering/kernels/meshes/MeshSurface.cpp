@@ -148,7 +148,7 @@ std::array<double, 3> MeshSurface::sharesAt(std::uint64_t slot, const Vec3d& poi
 Vec3d MeshSurface::smoothNormal(std::uint64_t slot, const Vec3d& point, const Vec3d& flat) const
 {
   const std::array<double, 3> shares = this->sharesAt(slot, point);
-  const TriangleMesh::Corners& points = this->pointsOf(slot);
+  const MeshCorners::Corners points = this->pointsOf(slot);
   Vec3d sum(0.0);
   for (std::size_t k = 0; k < 3; ++k)
   {
@@ -175,7 +175,7 @@ void MeshSurface::mixColors(
   for (int k = 0; k < count; ++k)
   {
     const std::array<double, 3> shares = this->sharesAt(slots[k], points[k]);
-    const TriangleMesh::Corners& corners = this->pointsOf(slots[k]);
+    const MeshCorners::Corners corners = this->pointsOf(slots[k]);
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
       mix.index[corner][k] = corners[corner];
@@ -195,7 +195,7 @@ void MeshSurface::inputIds(const std::uint64_t* slots, int count, std::uint64_t*
 MeshSurface MeshSurface::unowned() const
 {
   MeshSurface copy(mote::unowned(tree_), look_);
-  copy.look_.mesh = mote::unowned(look_.mesh);
+  copy.look_.corners = mote::unowned(look_.corners);
   return copy;
 }
 

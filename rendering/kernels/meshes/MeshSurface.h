@@ -15,8 +15,8 @@ struct MeshLook
   /// Normals of the points, three components of any length, for smooth shading; empty: every
   /// triangle is flat. Numbers behind a view must outlive the surface.
   ArrayView normals;
-  /// The mesh, whose triangles tell which points count; needed for `normals` and `mixesColors`.
-  std::shared_ptr<const TriangleMesh> mesh;
+  /// Which points count, triangle by triangle; needed for `normals` and `mixesColors`.
+  std::shared_ptr<const MeshCorners> corners;
   /// The cell of the input that each triangle is of, whole numbers; empty: triangles are cells.
   ArrayView cells;
   /// Colours are those of points, mixed where a triangle is hit; else those of cells.
@@ -69,7 +69,7 @@ public:
   {
     this->inputIds(slots, count, indices);
   }
-  bool mixesColors() const { return look_.mixesColors && look_.mesh; }
+  bool mixesColors() const { return look_.mixesColors && look_.corners; }
   void mixColors(const std::uint64_t* slots, const Vec3d* points, int count, ColorMix& mix) const;
   void inputIds(const std::uint64_t* slots, int count, std::uint64_t* ids) const;
   std::size_t slots() const { return 0; }
@@ -79,11 +79,11 @@ public:
   bool operator==(const MeshSurface&) const = default;
 
 private:
-  bool isSmooth() const { return !look_.normals.empty() && look_.mesh; }
+  bool isSmooth() const { return !look_.normals.empty() && look_.corners; }
   std::array<double, 3> sharesAt(std::uint64_t slot, const Vec3d& point) const;
-  const TriangleMesh::Corners& pointsOf(std::uint64_t slot) const
+  MeshCorners::Corners pointsOf(std::uint64_t slot) const
   {
-    return look_.mesh->triangles()[tree_->inputIndex(slot)];
+    return (*look_.corners)[tree_->inputIndex(slot)];
   }
   Vec3d smoothNormal(std::uint64_t slot, const Vec3d& point, const Vec3d& flat) const;
 

@@ -8,7 +8,7 @@ namespace mote
 {
 
 RlodTree::RlodTree()
-  : arrays_(std::make_unique<Arrays>())
+  : arrays_(std::make_unique<RlodTreeArrays>())
 {
 }
 
@@ -27,6 +27,7 @@ RlodTree RlodTree::copyWithoutLods() const
   copy.arrays_->nodes = arrays_->nodes;
   copy.arrays_->clusters = arrays_->clusters;
   copy.arrays_->ids = arrays_->ids;
+  copy.arrays_->triangles = arrays_->triangles;
   copy.origin_ = origin_;
   copy.unit_ = unit_;
   copy.lower_ = lower_;
@@ -39,7 +40,7 @@ RlodTree RlodTree::copyWithoutLods() const
 
 std::size_t RlodTree::size() const
 {
-  return arrays_->ids.size();
+  return arrays_->triangles;
 }
 
 std::size_t RlodTree::nodeCount() const
@@ -62,11 +63,8 @@ Box RlodTree::bounds() const
 
 std::size_t RlodTree::bytes() const
 {
-  return arrays_->nodes.capacity() * sizeof(RlodNode) +
-         arrays_->clusters.capacity() * sizeof(TriangleCluster) +
-         arrays_->planes.capacity() * sizeof(RlodPlanes) +
-         arrays_->words.capacity() * sizeof(RlodWords) +
-         arrays_->ids.capacity() * sizeof(std::uint32_t);
+  return arrays_->nodes.bytes() + arrays_->clusters.bytes() + arrays_->planes.bytes() +
+         arrays_->words.bytes() + arrays_->ids.bytes();
 }
 
 /// The slot of the triangle that speaks for an R-LOD; that of a triangle itself.
@@ -75,17 +73,20 @@ std::uint64_t RlodTree::triangleOf(std::uint64_t slot) const
   if (!isLod(slot))
     return slot;
   const RlodWords& words = arrays_->words[(slot & ~lodBit) / trianglesPerCluster];
-  const std::uint64_t cluster = words.cluster(static_cast<unsigned>(slot % trianglesPerCluster));
-  return cluster * trianglesPerCluster + arrays_->clusters[cluster].count / 2U;
+  const std::uint64_t cluster =
+    std::min<std::uint64_t>(words.cluster(static_cast<unsigned>(slot % trianglesPerCluster)),
+      arrays_->clusters.size() - 1); // whatever a damaged file says
+  return cluster * trianglesPerCluster +
+         std::min(arrays_->clusters[cluster].count / 2U, TriangleCluster::capacity - 1U);
 }
 
 std::uint64_t RlodTree::inputIndex(std::uint64_t slot) const
 {
   if (isLod(slot)) // not from the cluster, which nobody else may need
-    return arrays_->planes[(slot & ~lodBit) / trianglesPerCluster]
-      .triangle[slot % trianglesPerCluster];
+    return arrays_->inRange(
+      arrays_->planes[(slot & ~lodBit) / trianglesPerCluster].triangle[slot % trianglesPerCluster]);
   const TriangleCluster& cluster = arrays_->clusters[slot / trianglesPerCluster];
-  return arrays_->ids[cluster.firstId + slot % trianglesPerCluster];
+  return arrays_->idOf(cluster.firstId + slot % trianglesPerCluster);
 }
 
 std::array<Vec3f, 3> RlodTree::localCorners(std::uint64_t slot) const
@@ -163,7 +164,7 @@ void RlodTree::inputIndices(const std::uint64_t* slots, int count, std::uint64_t
 {
   const TriangleCluster* clusters = arrays_->clusters.data();
   const std::uint32_t* ids = arrays_->ids.data();
-  if (anyLod(slots, count))
+  if (arrays_->ids.empty() || anyLod(slots, count))
     for (int k = 0; k < count; ++k)
       indices[k] = inputIndex(slots[k]);
   else

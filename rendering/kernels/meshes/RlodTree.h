@@ -17,6 +17,7 @@ namespace mote
 {
 
 struct RlodNode;
+struct RlodTreeArrays;
 struct TriangleCluster;
 
 /// A hierarchy of boxes over triangles, 16 children a node with bounds of 8 bits, whose leaves are
@@ -149,13 +150,14 @@ public:
 
 private:
   friend struct RlodTreeView;
-  struct Arrays;
+  friend class RlodTreeFile;
+  friend class RlodTreeFileWriter;
 
   void clear();
   std::uint64_t triangleOf(std::uint64_t slot) const;
   void fill(const TriangleMesh& mesh);
 
-  std::unique_ptr<Arrays> arrays_;
+  std::unique_ptr<RlodTreeArrays> arrays_;
   Vec3d origin_{0.0};
   double unit_ = 1.0;
   Vec3f lower_{0.0f}, upper_{0.0f}; ///< of all triangles, in the tree's coordinates

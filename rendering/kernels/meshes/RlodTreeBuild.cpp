@@ -77,13 +77,14 @@ void RlodTree::build(const TriangleMesh& mesh, const Progress& progress)
   const std::size_t clusters = tree.nodes[tree.root].clusters;
   if (clusters >= RlodNode::mostIndices)
     throw Error("The mesh has more triangles than a tree holds: about 1500 million.");
-  Arrays& a = *arrays_;
+  RlodTreeArrays& a = *arrays_;
   a.clusters.resize(clusters);
-  preferHugePages(a.clusters.data(), clusters * sizeof(TriangleCluster));
-  a.nodes.reserve(clusters / 8 + 16);
+  preferHugePages(a.clusters.own(), clusters * sizeof(TriangleCluster));
+  RawVector<RlodNode> nodes;
+  nodes.reserve(clusters / 8 + 16);
 
   std::uint32_t nextCluster = 0;
-  a.nodes.resize(1);
+  nodes.resize(1);
   std::vector<Task> tasks = {{tree.root, 0, 1}};
   while (!tasks.empty())
   {
@@ -91,16 +92,16 @@ void RlodTree::build(const TriangleMesh& mesh, const Progress& progress)
     tasks.pop_back();
     depth_ = std::max(depth_, task.depth);
     const Children children = childrenOf(tree, task.binary);
-    const auto firstNode = static_cast<std::uint32_t>(a.nodes.size());
-    a.nodes.resize(firstNode + static_cast<std::size_t>(children.count - children.clusters));
-    RlodNode& node = a.nodes[task.wide];
+    const auto firstNode = static_cast<std::uint32_t>(nodes.size());
+    nodes.resize(firstNode + static_cast<std::size_t>(children.count - children.clusters));
+    RlodNode& node = nodes[task.wide];
     node.firstNode = firstNode;
     node.children = static_cast<std::uint32_t>(children.count);
     node.firstCluster = nextCluster;
     node.clusters = static_cast<std::uint32_t>(children.clusters);
     for (int k = 0; k < children.clusters; ++k)
     {
-      TriangleCluster& cluster = a.clusters[nextCluster++];
+      TriangleCluster& cluster = a.clusters.own()[nextCluster++];
       const BinaryNode& from = tree.nodes[children.node[k]];
       cluster.firstId = from.left;
       cluster.count = static_cast<std::uint8_t>(from.right);
@@ -110,7 +111,9 @@ void RlodTree::build(const TriangleMesh& mesh, const Progress& progress)
       tasks.push_back({children.node[k],
         firstNode + static_cast<std::uint32_t>(k - children.clusters), task.depth + 1});
   }
-  a.ids = std::move(tree.order);
+  a.nodes.take(std::move(nodes));
+  a.triangles = tree.order.size();
+  a.ids.take(std::move(tree.order));
   tree = {};
   fill(mesh);
   if (progress && !progress(1.0))

@@ -120,7 +120,7 @@ void quantise(const FloatBox& all, const FloatBox* boxes, RlodNode& node)
 
 void RlodTree::fill(const TriangleMesh& mesh)
 {
-  Arrays& a = *arrays_;
+  RlodTreeArrays& a = *arrays_;
   std::vector<FloatBox> clusters(a.clusters.size()), nodes(a.nodes.size());
   tbb::parallel_for(Range(0, a.clusters.size(), 1 << 10),
     [&](const Range& range)
@@ -132,7 +132,7 @@ void RlodTree::fill(const TriangleMesh& mesh)
           fetchTriangles(mesh, ids, a.clusters[k + 2]);
         if (k + 1 < range.end())
           fetchPoints(mesh, ids, a.clusters[k + 1]);
-        clusters[k] = fillCluster(mesh, ids, a.clusters[k]);
+        clusters[k] = fillCluster(mesh, ids, a.clusters.own()[k]);
       }
     });
   // Children come after their parents.
@@ -156,7 +156,7 @@ void RlodTree::fill(const TriangleMesh& mesh)
     {
       for (std::size_t k = range.begin(); k != range.end(); ++k)
       {
-        RlodNode& node = a.nodes[k];
+        RlodNode& node = a.nodes.own()[k];
         FloatBox boxes[RlodNode::fanout];
         for (std::uint32_t c = 0; c < node.children; ++c)
           boxes[c] = c < node.clusters ? clusters[node.firstCluster + c] : nodes[node.nodeOf(c)];
@@ -174,10 +174,11 @@ void RlodTree::fill(const TriangleMesh& mesh)
 
 bool RlodTree::refit(const TriangleMesh& mesh)
 {
-  if (mesh.validCount() != size())
+  const StoredArray<std::uint32_t>& ids = arrays_->ids;
+  if (mesh.validCount() != size() || ids.size() != size() || !arrays_->areOwn())
     return false;
-  for (const std::uint32_t id : arrays_->ids)
-    if (id >= mesh.size() || !mesh.isValid(id))
+  for (std::size_t k = 0; k < ids.size(); ++k)
+    if (const std::uint32_t id = ids[k]; id >= mesh.size() || !mesh.isValid(id))
       return false;
   if (size() > 0)
     fill(mesh);

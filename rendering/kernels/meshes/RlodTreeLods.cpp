@@ -90,15 +90,15 @@ double fromPlane(const Patch& part, const Vec3d& normal, double offset)
 class LodMaker
 {
 public:
-  LodMaker(const RlodNode* nodes, const TriangleCluster* clusters, const std::uint32_t* ids,
-    RlodPlanes* planes, RlodWords* words, std::size_t count)
-    : nodes_(nodes)
-    , clusters_(clusters)
-    , ids_(ids)
+  /// Of the nodes and clusters of `tree`, into `planes` and `words`.
+  LodMaker(const RlodTreeArrays& tree, RlodPlanes* planes, RlodWords* words)
+    : tree_(tree)
+    , nodes_(tree.nodes.data())
+    , clusters_(tree.clusters.data())
     , planes_(planes)
     , words_(words)
-    , patches_(count)
-    , errors_(count)
+    , patches_(tree.nodes.size())
+    , errors_(tree.nodes.size())
   {
   }
 
@@ -205,14 +205,15 @@ private:
     planes.offset[child] = patch.offset * length;
     planes.deviation[child] = above(double(patch.deviation) * length);
     const TriangleCluster& speaker = clusters_[patch.cluster];
-    planes.triangle[child] = ids_[speaker.firstId + speaker.count / 2U];
+    planes.triangle[child] =
+      static_cast<std::uint32_t>(tree_.idOf(speaker.firstId + speaker.count / 2U));
     words_[index].word[child] = patch.cluster;
     errors_[index][static_cast<std::size_t>(child)] = above(double(patch.radius) + patch.deviation);
   }
 
+  const RlodTreeArrays& tree_;
   const RlodNode* nodes_;
   const TriangleCluster* clusters_;
-  const std::uint32_t* ids_;
   RlodPlanes* planes_;
   RlodWords* words_;
   std::vector<Patch> patches_;                    ///< of nodes
@@ -223,13 +224,12 @@ private:
 
 void RlodTree::makeLods()
 {
-  Arrays& a = *arrays_;
+  RlodTreeArrays& a = *arrays_;
   a.planes.resize(a.nodes.size());
   a.words.resize(a.nodes.size());
   if (a.nodes.empty())
     return;
-  LodMaker maker(a.nodes.data(), a.clusters.data(), a.ids.data(), a.planes.data(), a.words.data(),
-    a.nodes.size());
+  LodMaker maker(a, a.planes.own(), a.words.own());
   // Nodes of clusters alone, nearly all, depend on no other node.
   const auto isBottom = [&](std::size_t k) { return a.nodes[k].clusters == a.nodes[k].children; };
   tbb::parallel_for(Range(0, a.nodes.size(), 1 << 7),
@@ -248,8 +248,8 @@ void RlodTree::makeLods()
 
 void RlodTree::dropLods()
 {
-  arrays_->planes = RawVector<RlodPlanes>();
-  arrays_->words = RawVector<RlodWords>();
+  arrays_->planes = {};
+  arrays_->words = {};
 }
 
 bool RlodTree::hasLods() const

@@ -10,6 +10,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <limits>
 
 namespace mote
@@ -33,7 +34,7 @@ double areaOf(const TriangleCluster& cluster, int triangle)
 
 std::vector<float> RlodTree::lodMeans(int components, const TriangleValues& valuesOf) const
 {
-  const Arrays& a = *arrays_;
+  const RlodTreeArrays& a = *arrays_;
   const auto perNode = trianglesPerCluster * static_cast<std::size_t>(components);
   std::vector<float> means(a.nodes.size() * perNode, 0.0f);
   std::vector<WeightedSum> sums(a.nodes.size());
@@ -41,9 +42,9 @@ std::vector<float> RlodTree::lodMeans(int components, const TriangleValues& valu
   {
     WeightedSum sum;
     double values[mostMeans];
-    for (int t = 0; t < cluster.count; ++t)
+    for (int t = 0; t < std::min<int>(cluster.count, TriangleCluster::capacity); ++t)
     {
-      valuesOf(a.ids[cluster.firstId + static_cast<std::uint32_t>(t)], values);
+      valuesOf(a.idOf(cluster.firstId + static_cast<std::uint32_t>(t)), values);
       // Those without area count for next to nothing, and for all where there is nothing else.
       const double least = std::numeric_limits<float>::min();
       sum.add(values, areaOf(cluster, t) + least, components);

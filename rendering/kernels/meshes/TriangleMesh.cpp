@@ -35,14 +35,14 @@ Vec3d pointOf(const ArrayView& points, std::size_t i)
 }
 
 /// The bounds of the points that triangles refer to and that are finite.
-Box boundsOf(const ArrayView& points, const RawVector<TriangleMesh::Corners>& triangles)
+Box boundsOf(const ArrayView& points, const MeshCorners& triangles)
 {
   std::vector<std::atomic<std::uint8_t>> used(points.count());
   tbb::parallel_for(Range(0, triangles.size(), grain),
     [&](const Range& range)
     {
       for (std::size_t t = range.begin(); t != range.end(); ++t)
-        for (const std::uint32_t corner : triangles[t])
+        for (const std::uint32_t corner : triangles.data()[t])
           used[corner].store(1, std::memory_order_relaxed);
     });
   return tbb::parallel_reduce(
@@ -89,7 +89,7 @@ void TriangleMesh::movePoints(const ArrayView& points)
 
 void TriangleMesh::takeTriangles(const ArrayView& triangles, std::size_t points)
 {
-  triangles_.resize(triangles.count());
+  RawVector<Corners> corners(triangles.count());
   // The first wrong index is told, however many threads look.
   const auto wrong = tbb::parallel_reduce(
     Range(0, triangles.count(), grain), triangles.count(),
@@ -100,7 +100,7 @@ void TriangleMesh::takeTriangles(const ArrayView& triangles, std::size_t points)
         {
           const double index = triangles.value(t, k);
           const bool right = index >= 0.0 && index < static_cast<double>(points);
-          triangles_[t][k] = right ? static_cast<std::uint32_t>(index) : 0;
+          corners[t][k] = right ? static_cast<std::uint32_t>(index) : 0;
           if (!right)
             first = std::min(first, t);
         }
@@ -108,18 +108,22 @@ void TriangleMesh::takeTriangles(const ArrayView& triangles, std::size_t points)
     },
     [](std::size_t a, std::size_t b) { return std::min(a, b); });
   if (wrong == triangles.count())
+  {
+    StoredArray<Corners> all;
+    all.take(std::move(corners));
+    corners_ = std::make_shared<const MeshCorners>(std::move(all), points);
     return;
+  }
   std::string text = "Triangle " + std::to_string(wrong) + " has the corners";
   for (int k = 0; k < 3; ++k)
     text +=
       (k > 0 ? ", " : " ") + std::to_string(static_cast<long long>(triangles.value(wrong, k)));
-  triangles_ = {};
   throw Error(text + ", but the mesh has " + std::to_string(points) + " points.");
 }
 
 void TriangleMesh::takePoints(const ArrayView& points)
 {
-  const Box box = boundsOf(points, triangles_);
+  const Box box = boundsOf(points, *corners_);
   const Vec3d size = box.size();
   const double half = 0.5 * std::max({size.x, size.y, size.z});
   origin_ = box.empty() ? Vec3d(0.0) : box.center();
@@ -135,7 +139,7 @@ void TriangleMesh::takePoints(const ArrayView& points)
         points_[i] = Vec3f((pointOf(points, i) - origin_) / unit_);
     });
   valid_ = tbb::parallel_reduce(
-    Range(0, triangles_.size(), grain), std::size_t{0},
+    Range(0, this->size(), grain), std::size_t{0},
     [&](const Range& range, std::size_t count)
     {
       for (std::size_t t = range.begin(); t != range.end(); ++t)
@@ -147,7 +151,7 @@ void TriangleMesh::takePoints(const ArrayView& points)
 
 bool TriangleMesh::isValid(std::size_t triangle) const
 {
-  const Corners& c = triangles_[triangle];
+  const Corners& c = corners_->data()[triangle];
   return isFinite(points_[c[0]]) && isFinite(points_[c[1]]) && isFinite(points_[c[2]]);
 }
 

@@ -96,9 +96,9 @@ bool PkdTreeFile::recognises(std::string_view beginning)
 PkdTreeFile::PkdTreeFile(const std::string& name)
   : file_(std::make_shared<const MappedFile>(name))
 {
-  std::vector<PkdTreeFileTableRow> table;
-  const Header h = unpackHeader(name, file_->data(), file_->size(), table);
-  checkSections(name, h, table);
+  FileTable table;
+  const auto h = unpackHeader<Header>(name, file_->data(), file_->size(), table);
+  checkSections(name, h, {h.nodes, h.rows}, table);
   if (h.nodeBytes != sizeof(PkdTree::Node) || h.rowBytes != sizeof(PkdTree::Row) ||
       h.fanout != PkdTree::fanout || h.bucketSize != PkdTree::bucketSize)
     throw Error(name + ": this file has nodes of another shape than is read here");
@@ -111,10 +111,10 @@ PkdTreeFile::PkdTreeFile(const std::string& name)
   if (h.levels != tree_.levels_.size() || h.nodes.bytes != nodes * sizeof(PkdTree::Node) ||
       h.rows.bytes != tree_.buckets() * h.rowsABucket * sizeof(PkdTree::Row))
     failDamaged(name, "its tree has not the size that its particles ask for");
-  for (PkdTreeFileTableRow& row : table)
+  for (FileTableRow& row : table)
   {
-    const PkdTreeFileEntry& e = row.entry;
-    const bool ofParticles = e.role == PkdTreeFileEntry::ofParticles;
+    const FileEntry& e = row.entry;
+    const bool ofParticles = e.role == Header::ofParticles;
     if (ofParticles && e.tuples != h.count)
       failDamaged(name, "an array in its table has not one tuple a particle");
     row.array.values = ArrayView(file_->data() + e.section.offset,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../core/ArrayView.h"
+#include "../core/FileArray.h"
 #include "../core/Progress.h"
 #include "PkdTree.h"
 
@@ -15,14 +15,6 @@ namespace mote
 {
 
 class MappedFile;
-
-/// An array with the names that a file keeps for it.
-struct NamedArray
-{
-  std::string name;
-  ArrayView values;
-  std::vector<std::string> components; ///< a name each, or none
-};
 
 /// What a file of particles holds besides their places.
 struct PkdTreeFileContents
@@ -57,16 +49,6 @@ bool writePkdTreeFile(const std::string& name, const PkdTree& tree,
 class PkdTreeFile
 {
 public:
-  /// Least and greatest; the first above the second where there is no value.
-  using Range = std::array<double, 2>;
-
-  /// An array with what is known of its values.
-  struct Array : NamedArray
-  {
-    std::vector<Range> ranges; ///< of finite values: of each component, then of the magnitude
-    bool finite = true;        ///< whether all values are
-  };
-
   /// Throws Error, in one sentence that names the file, where it is missing or unreadable, of
   /// another format, version or kind of machine, cut short, or where what the header says does not
   /// fit together. What nodes and rows hold is not looked at, and may, where the file is damaged,
@@ -86,8 +68,8 @@ public:
 
   /// One tuple a particle, in the order of slots. The views hold while this object, or a tree() of
   /// it, lives.
-  const std::vector<Array>& arrays() const { return arrays_; }
-  const std::vector<Array>& facts() const { return facts_; }
+  const std::vector<FileArray>& arrays() const { return arrays_; }
+  const std::vector<FileArray>& facts() const { return facts_; }
   std::optional<double> time() const { return time_; }
   double spacing() const { return spacing_; }
 
@@ -99,7 +81,7 @@ private:
 
   std::shared_ptr<const MappedFile> file_;
   PkdTree tree_;
-  std::vector<Array> arrays_, facts_;
+  std::vector<FileArray> arrays_, facts_;
   std::optional<double> time_;
   double spacing_ = 0.0;
 };

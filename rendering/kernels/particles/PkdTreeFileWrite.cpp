@@ -1,21 +1,18 @@
 // Writing a file of particles: rows and arrays are put in order a piece at a time, so that no
 // second copy of anything is made.
 
-#include "../core/AtomicFile.h"
 #include "../core/Error.h"
+#include "../core/detail/FileWriter.h"
+#include "PkdTreeFile.h"
 #include "detail/PkdTreeFileFormat.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <limits>
 #include <numeric>
-#include <set>
 
 namespace mote
 {
@@ -27,82 +24,11 @@ constexpr std::size_t bucketsAPiece = 1 << 14;
 constexpr std::size_t mostBucketsAPiece = 1 << 28;
 constexpr std::size_t bucketsATask = 256;
 
-/// The extremes of an array's finite values.
-struct Extremes
-{
-  std::vector<PkdTreeFile::Range> ranges; ///< of each component, then of the magnitude
-  bool finite = true;
-
-  explicit Extremes(int components)
-    : ranges(static_cast<std::size_t>(components) + 1,
-        {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()})
-  {
-  }
-  void add(const ArrayView& values, std::size_t first, std::size_t last)
-  {
-    for (std::size_t i = first; i < last; ++i)
-      for (std::size_t k = 0; k < ranges.size(); ++k)
-      {
-        const bool whole = k + 1 == ranges.size();
-        const double v = values.value(i, whole ? ArrayView::magnitude : static_cast<int>(k));
-        if (std::isfinite(v))
-          ranges[k] = {std::min(ranges[k][0], v), std::max(ranges[k][1], v)};
-        finite = finite && std::isfinite(v);
-      }
-  }
-  void add(const Extremes& other)
-  {
-    for (std::size_t k = 0; k < ranges.size(); ++k)
-      ranges[k] = {
-        std::min(ranges[k][0], other.ranges[k][0]), std::max(ranges[k][1], other.ranges[k][1])};
-    finite = finite && other.finite;
-  }
-};
-
-Extremes extremesOf(const ArrayView& values)
-{
-  return tbb::parallel_reduce(
-    tbb::blocked_range<std::size_t>(0, values.count(), 16 * bucketsATask),
-    Extremes(values.components()),
-    [&](const tbb::blocked_range<std::size_t>& range, Extremes found)
-    {
-      found.add(values, range.begin(), range.end());
-      return found;
-    },
-    [](Extremes a, const Extremes& b)
-    {
-      a.add(b);
-      return a;
-    });
-}
-
-/// Copies whole tuples: the size of one is known to the compiler where it is a usual one.
-void copyTuple(unsigned char* to, const unsigned char* from, std::size_t size)
-{
-  if (size == 4)
-    std::memcpy(to, from, 4);
-  else if (size == 8)
-    std::memcpy(to, from, 8);
-  else
-    std::memcpy(to, from, size);
-}
-
 void checkContents(
   const PkdTreeFileContents& contents, const ParticleStatistics& statistics, bool knowsInput)
 {
   const std::size_t inputs = statistics.valid + statistics.badPositions + statistics.badRadii;
-  std::set<std::string> names;
-  for (const NamedArray& array : contents.arrays)
-  {
-    const std::string quoted = "\"" + array.name + "\"";
-    if (array.name.empty())
-      throw Error("An array needs a name to be written.");
-    if (!names.insert(array.name).second || array.name == contents.indexArray)
-      throw Error("Two arrays are named " + quoted + ".");
-    if (array.values.count() != inputs || bytesOf(array.values.type()) == 0)
-      throw Error("The array " + quoted + " has " + std::to_string(array.values.count()) +
-                  " values for " + std::to_string(inputs) + " particles.");
-  }
+  checkArrays(contents.arrays, inputs, "particles", contents.indexArray);
   if (!knowsInput && statistics.valid > 0 &&
       !(contents.arrays.empty() && contents.indexArray.empty()))
     throw Error("Arrays need a tree that keeps the particles' input indices.");
@@ -118,8 +44,7 @@ public:
     const PkdTreeFileContents& contents, const Progress& progress)
     : tree_(tree)
     , contents_(contents)
-    , progress_(progress)
-    , file_(name)
+    , file_(name, progress)
   {
   }
 
@@ -127,18 +52,14 @@ public:
   {
     this->planTable();
     this->planHeader();
-    const std::vector<unsigned char> header = packHeader(header_, table_);
-    file_.write(header.data(), header.size());
-    place_ = header.size();
+    file_.begin(packHeader(header_, table_), total_);
     if (!this->writeTree())
       return false;
-    for (std::size_t k = 0; k < table_.size(); ++k)
-      if (!this->writeArray(k))
+    for (FileTableRow& row : table_)
+      if (!this->writeArray(row))
         return false;
-    header_.fileBytes = place_;
-    const std::vector<unsigned char> final = packHeader(header_, table_);
-    file_.rewrite(0, final.data(), final.size());
-    file_.commit();
+    header_.fileBytes = file_.place();
+    file_.end(packHeader(header_, table_));
     return true;
   }
 
@@ -168,29 +89,18 @@ private:
   void planTable()
   {
     const auto add = [&](const NamedArray& array, std::uint32_t role, std::uint64_t tuples)
-    {
-      PkdTreeFileTableRow row{};
-      static_cast<NamedArray&>(row.array) = array;
-      const auto components = static_cast<std::size_t>(array.values.components());
-      if (row.array.components.size() != components)
-        row.array.components.clear();
-      row.entry = {{0, tuples * components * bytesOf(array.values.type())}, tuples, role,
-        static_cast<std::uint32_t>(array.values.type()), static_cast<std::uint32_t>(components), 1,
-        static_cast<std::uint32_t>(row.array.components.size()), 0};
-      row.array.ranges.resize(components + 1);
-      table_.push_back(std::move(row));
-    };
+    { table_.push_back(rowFor(array, role, tuples)); };
     for (const NamedArray& array : contents_.arrays)
-      add(array, PkdTreeFileEntry::ofParticles, tree_.count_);
+      add(array, PkdTreeFileHeader::ofParticles, tree_.count_);
     if (!contents_.indexArray.empty())
     {
       const auto type = tree_.indexWords_ == 1 ? ArrayView::Type::UInt32 : ArrayView::Type::UInt64;
       add({contents_.indexArray, ArrayView(nullptr, type, tree_.count_, 1), {}},
-        PkdTreeFileEntry::ofParticles, tree_.count_);
+        PkdTreeFileHeader::ofParticles, tree_.count_);
     }
     for (const NamedArray& array : contents_.facts)
       if (bytesOf(array.values.type()) > 0)
-        add(array, PkdTreeFileEntry::ofWhole, array.values.count());
+        add(array, PkdTreeFileHeader::ofWhole, array.values.count());
   }
 
   void planHeader()
@@ -223,36 +133,18 @@ private:
       h.bounds[3 + k] = t.statistics_.bounds.upper[k];
     }
     total_ = t.nodes_.size() * sizeof(PkdTree::Node) + t.buckets() * h.rowsABucket * sizeof(Row);
-    for (const PkdTreeFileTableRow& row : table_)
+    for (const FileTableRow& row : table_)
       total_ += row.entry.section.bytes;
-  }
-
-  bool put(const void* data, std::size_t size)
-  {
-    file_.write(data, size);
-    place_ += size;
-    return !progress_ ||
-           progress_(std::min(1.0, double(place_) / double(total_ + sizeof(header_))));
-  }
-
-  /// Fills up to the next page, where a section begins.
-  PkdTreeFileHeader::Section begin(std::uint64_t bytes)
-  {
-    static constexpr std::array<unsigned char, PkdTreeFileHeader::alignment> nothing{};
-    const std::uint64_t over = place_ % PkdTreeFileHeader::alignment;
-    if (over > 0)
-      this->put(nothing.data(), PkdTreeFileHeader::alignment - over);
-    return {place_, bytes};
   }
 
   bool writeTree()
   {
     const std::size_t nodeBytes = tree_.nodes_.size() * sizeof(PkdTree::Node);
-    header_.nodes = this->begin(nodeBytes);
-    if (nodeBytes > 0 && !this->put(tree_.nodes_.data(), nodeBytes))
+    header_.nodes = file_.section(nodeBytes);
+    if (nodeBytes > 0 && !file_.put(tree_.nodes_.data(), nodeBytes))
       return false;
     const std::size_t kept = header_.rowsABucket;
-    header_.rows = this->begin(tree_.buckets() * kept * sizeof(Row));
+    header_.rows = file_.section(tree_.buckets() * kept * sizeof(Row));
     RawVector<Row> piece;
     return this->byPieces(bucketsAPiece,
       [&](std::size_t first, std::size_t last)
@@ -267,7 +159,7 @@ private:
               for (std::size_t i = 0; i < PkdTree::bucketSize; ++i)
                 to[k].words[i] = from[k].words[order[i]];
           });
-        return this->put(piece.data(), piece.size() * sizeof(Row));
+        return file_.put(piece.data(), piece.size() * sizeof(Row));
       });
   }
 
@@ -292,24 +184,14 @@ private:
       });
   }
 
-  bool writeArray(std::size_t k)
+  bool writeArray(FileTableRow& row)
   {
-    PkdTreeFileEntry& entry = table_[k].entry;
-    PkdTreeFile::Array& array = table_[k].array;
-    const ArrayView values = array.values;
-    entry.section = this->begin(entry.section.bytes);
-    Extremes found(values.components());
-    bool complete = true;
-    if (entry.role == PkdTreeFileEntry::ofWhole)
-    {
-      found.add(extremesOf(values));
-      complete = entry.section.bytes == 0 || this->put(values.data(), entry.section.bytes);
-    }
-    else
-      complete = this->writeInOrder(values, found);
-    array.ranges = found.ranges;
-    array.finite = found.finite;
-    entry.finite = found.finite;
+    if (row.entry.role == PkdTreeFileHeader::ofWhole)
+      return file_.putArray(row);
+    row.entry.section = file_.section(row.entry.section.bytes);
+    Extremes found(row.array.values.components());
+    const bool complete = this->writeInOrder(row.array.values, found);
+    mote::complete(row, found);
     return complete;
   }
 
@@ -335,7 +217,7 @@ private:
         else
           this->gather(values, first, last, piece);
         found.add(extremesOf(ArrayView(piece.data(), values.type(), count, values.components())));
-        return this->put(piece.data(), piece.size());
+        return file_.put(piece.data(), piece.size());
       });
   }
 
@@ -402,12 +284,10 @@ private:
 
   const PkdTree& tree_;
   const PkdTreeFileContents& contents_;
-  const Progress& progress_;
-  AtomicFile file_;
+  FileWriter file_;
   PkdTreeFileHeader header_;
-  std::vector<PkdTreeFileTableRow> table_;
+  FileTable table_;
   RawVector<Place> places_;
-  std::uint64_t place_ = 0; ///< bytes written
   std::uint64_t total_ = 0; ///< bytes that will be, without padding
 };
 

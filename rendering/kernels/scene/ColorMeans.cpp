@@ -52,11 +52,11 @@ ColorMeans meansOf(const RlodTree& tree, const MeshLook& look, const SurfaceColo
   };
   const auto ofPoints = [&](std::uint64_t triangle, double* values)
   {
-    const TriangleMesh::Corners& points = look.mesh->triangles()[triangle];
+    const MeshCorners::Corners points = (*look.corners)[triangle];
     for (int c = 0; c < means.components; ++c)
       values[c] = (by.value(points[0], c) + by.value(points[1], c) + by.value(points[2], c)) / 3.0;
   };
-  if (look.mixesColors && look.mesh)
+  if (look.mixesColors && look.corners)
     means.numbers = tree.lodMeans(means.components, ofPoints);
   else
     means.numbers = tree.lodMeans(means.components, ofCells);

@@ -32,7 +32,7 @@ struct ColoredMesh
     const auto tree = std::make_shared<RlodTree>();
     tree->build(*mesh);
     MeshLook look;
-    look.mesh = mesh;
+    look.corners = mesh->corners();
     look.mixesColors = true;
     SurfaceObject object;
     object.surface = MeshSurface(tree, look);
@@ -185,7 +185,7 @@ TEST(MeshColors, PathsMeetTheSameColours)
       bytes.push_back(static_cast<std::uint8_t>(channel));
   }
   MeshLook look;
-  look.mesh = mesh;
+  look.corners = mesh->corners();
   look.mixesColors = true;
   object.surface = MeshSurface(tree, look);
   object.coloring.direct = ArrayView(bytes.data(), ArrayView::Type::UInt8, room.pointCount(), 3);

@@ -32,7 +32,7 @@ struct SmoothSphere
     tree->build(*mesh);
     MeshLook look;
     if (smooth)
-      look = {ArrayView(normals.data(), normals.size() / 3, 3), mesh, {}};
+      look = {ArrayView(normals.data(), normals.size() / 3, 3), mesh->corners(), {}};
     object.surface = MeshSurface(tree, look);
   }
   SmoothSphere(const SmoothSphere&) = delete;

@@ -2,16 +2,12 @@
 
 #include "PkdTreeFileParts.h"
 
-#include <kernels/core/Error.h>
 #include <kernels/particles/detail/PkdTreeFileFormat.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <limits>
-
-#include <sys/stat.h>
 
 using namespace mote;
 using namespace mote::testing;
@@ -19,51 +15,17 @@ using namespace mote::testing;
 namespace
 {
 
-/// A file in memory that can be changed, its header in the form that is easy to change.
-struct Patient
+/// A file of particles.
+struct Patient : FilePatient<PkdTreeFile, PkdTreeFileHeader>
 {
-  Folder folder;
   Example example;
-  Bytes bytes;
-  PkdTreeFileHeader header;
-  std::vector<PkdTreeFileTableRow> table;
 
   explicit Patient(std::size_t count = 3000, bool arrays = true)
     : example(count)
   {
     writePkdTreeFile(
       folder.file(), example.tree, arrays ? example.contents() : PkdTreeFileContents{});
-    bytes = readBytes(folder.file());
-    header = unpackHeader("a", bytes.data(), bytes.size(), table);
-  }
-
-  /// What opening the file says with this header, which has a right checksum.
-  template <typename Change>
-  std::string with(const Change& change) const
-  {
-    PkdTreeFileHeader h = header;
-    std::vector<PkdTreeFileTableRow> t = table;
-    change(h, t);
-    Bytes changed = bytes;
-    const Bytes block = packHeader(h, t);
-    std::copy(block.begin(), block.end(), changed.begin());
-    return this->complaint(changed);
-  }
-
-  /// The sentence of the error, or nothing.
-  std::string complaint(const Bytes& changed) const
-  {
-    writeBytes(folder.file("b.mote"), changed);
-    try
-    {
-      const PkdTreeFile file(folder.file("b.mote"));
-      return {};
-    }
-    catch (const Error& error)
-    {
-      EXPECT_NE(std::strstr(error.what(), "b.mote: "), nullptr) << error.what();
-      return error.what();
-    }
+    this->take();
   }
 };
 
@@ -105,51 +67,24 @@ void castAnyhow(const PkdTree& tree)
 TEST(PkdTreeFileDamage, CutShortAnywhere)
 {
   const Patient patient;
-  std::vector<std::uint64_t> lengths = {0, 1, 7, 8, 9, 16, 100, sizeof(PkdTreeFileHeader) - 1,
-    sizeof(PkdTreeFileHeader), patient.header.headerBytes - 1, patient.header.headerBytes,
-    patient.bytes.size() - 1};
-  std::vector<PkdTreeFileHeader::Section> sections = {patient.header.nodes, patient.header.rows};
-  for (const PkdTreeFileTableRow& row : patient.table)
-    sections.push_back(row.entry.section);
-  for (const auto& s : sections)
-    for (const std::uint64_t at : {s.offset, s.offset + s.bytes})
-      lengths.insert(lengths.end(), {at - 1, at, at + 1});
-  for (const std::uint64_t length : lengths)
-  {
-    if (length >= patient.bytes.size())
-      continue;
-    const std::string said = patient.complaint(
-      Bytes(patient.bytes.begin(), patient.bytes.begin() + static_cast<std::ptrdiff_t>(length)));
-    EXPECT_TRUE(said.find("cut short") != said.npos || (length == 0 && !said.empty()))
-      << "at " << length << ": " << said;
-  }
+  patient.expectCutShort({patient.header.nodes, patient.header.rows});
   EXPECT_EQ(patient.complaint(patient.bytes), "");
 }
 
 TEST(PkdTreeFileDamage, EveryByteOfTheHeaderCounts)
 {
   const Patient patient(40);
-  Random random(7);
-  for (std::size_t k = 0; k < patient.header.headerBytes; ++k)
-  {
-    Bytes changed = patient.bytes;
-    changed[k] ^= static_cast<unsigned char>(random(1.0, 256.0));
-    ASSERT_NE(patient.complaint(changed), "") << "byte " << k;
-  }
+  patient.expectEveryByteOfTheHeaderCounts();
 }
 
 TEST(PkdTreeFileDamage, HeadersThatDoNotFit)
 {
   const Patient p;
   using Header = PkdTreeFileHeader;
-  using Table = std::vector<PkdTreeFileTableRow>;
+  using Table = FileTable;
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = HUGE_VAL;
   EXPECT_EQ(p.with([](Header&, Table&) {}), "");
-  const auto expect = [&](const char* what, const auto& change)
-  {
-    const std::string said = p.with(change);
-    EXPECT_NE(said.find(what), said.npos) << "'" << said << "' and not '" << what << "'";
-  };
+  const auto expect = [&](const char* what, const auto& change) { p.expect(what, change); };
   expect("version 2", [](Header& h, Table&) { h.version = 2; });
   expect("order of bytes", [](Header& h, Table&) { h.byteOrder = 0x04030201; });
   expect("damaged", [](Header& h, Table&) { h.byteOrder = 1; });
@@ -239,27 +174,5 @@ TEST(PkdTreeFileDamage, NoByteLeadsRaysOutOfTheFile)
 
 TEST(PkdTreeFileDamage, WhatIsNoFileOfParticles)
 {
-  const Folder folder;
-  const auto expect = [&](const std::string& name, const char* what)
-  {
-    try
-    {
-      const PkdTreeFile file(name);
-      ADD_FAILURE() << name << " was opened";
-    }
-    catch (const Error& error)
-    {
-      EXPECT_NE(std::strstr(error.what(), what), nullptr) << error.what();
-    }
-  };
-  writeBytes(folder.file("text"), Bytes(10000, 'x'));
-  writeBytes(folder.file("short"), Bytes(3, 'x'));
-  writeBytes(folder.file("empty"), {});
-  ASSERT_EQ(::mkfifo(folder.file("pipe").c_str(), 0600), 0);
-  expect(folder.file("text"), "no file of particles");
-  expect(folder.file("short"), "no file of particles");
-  expect(folder.file("empty"), "empty");
-  expect(folder.file("none"), "no such file");
-  expect(folder.file("."), "folder");
-  expect(folder.file("pipe"), "not a regular file");
+  expectNoFilesOf<PkdTreeFile>("particles");
 }

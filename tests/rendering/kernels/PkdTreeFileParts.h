@@ -2,56 +2,18 @@
 
 // What the tests of files of particles share.
 
+#include "FileParts.h"
+
 #include <kernels/particles/PkdTreeFile.h>
 
 #include <support/CastOracle.h>
 #include <support/Particles.h>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
-#include <unistd.h>
-
 namespace mote::testing
 {
-
-/// A folder of its own that goes with the test.
-class Folder
-{
-public:
-  Folder()
-  {
-    std::string name = (std::filesystem::temp_directory_path() / "mote-file-XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string file(const std::string& name = "a.mote") const { return (path_ / name).string(); }
-  bool empty() const { return std::filesystem::is_empty(path_); }
-
-private:
-  std::filesystem::path path_;
-};
-
-using Bytes = std::vector<unsigned char>;
-
-inline Bytes readBytes(const std::string& name)
-{
-  std::ifstream stream(name, std::ios::binary);
-  return Bytes(std::istreambuf_iterator<char>(stream), {});
-}
-
-inline void writeBytes(const std::string& name, const Bytes& bytes)
-{
-  std::ofstream stream(name, std::ios::binary);
-  stream.write(
-    reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-}
 
 /// Particles with arrays: `energy` (float), `v` (three double), `kind` (bytes), and a fact, `box`.
 struct Example
@@ -100,9 +62,9 @@ private:
   }
 };
 
-inline const PkdTreeFile::Array& arrayOf(const PkdTreeFile& file, const std::string& name)
+inline const FileArray& arrayOf(const PkdTreeFile& file, const std::string& name)
 {
-  for (const PkdTreeFile::Array& array : file.arrays())
+  for (const FileArray& array : file.arrays())
     if (array.name == name)
       return array;
   throw std::runtime_error("no array " + name);

@@ -207,13 +207,13 @@ TEST(PkdTreeFile, KnowsTheRangesOfItsArrays)
   const PkdTreeFile file(folder.file());
   const auto extremes = [](const ArrayView& values, int component)
   {
-    PkdTreeFile::Range range = {HUGE_VAL, -HUGE_VAL};
+    FileArray::Range range = {HUGE_VAL, -HUGE_VAL};
     for (std::size_t i = 0; i < values.count(); ++i)
       if (const double v = values.value(i, component); std::isfinite(v))
         range = {std::min(range[0], v), std::max(range[1], v)};
     return range;
   };
-  for (const PkdTreeFile::Array& array : file.arrays())
+  for (const FileArray& array : file.arrays())
   {
     const int n = array.values.components();
     ASSERT_EQ(array.ranges.size(), static_cast<std::size_t>(n) + 1);

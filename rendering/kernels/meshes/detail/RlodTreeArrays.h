@@ -1,22 +1,39 @@
 #pragma once
 
-#include "../../core/RawVector.h"
+#include "../../core/StoredArray.h"
 #include "../RlodTree.h"
 #include "RlodPlanes.h"
 #include "RlodTreeParts.h"
 
+#include <algorithm>
+
 namespace mote
 {
 
-struct RlodTree::Arrays
+/// What an RlodTree holds, or views in a file.
+struct RlodTreeArrays
 {
-  RawVector<RlodNode> nodes; ///< the root first; children come after their parents
-  RawVector<TriangleCluster> clusters;
-  RawVector<std::uint32_t> ids; ///< input's indices of the triangles, cluster by cluster
+  StoredArray<RlodNode> nodes; ///< the root first; children come after their parents
+  StoredArray<TriangleCluster> clusters;
+  std::size_t triangles = 0;
+  /// The input's indices of the triangles, cluster by cluster; empty where they have this order.
+  StoredArray<std::uint32_t> ids;
 
-  RawVector<RlodPlanes> planes; ///< R-LODs of each node's children, or none
-  RawVector<RlodWords> words;   ///< likewise
-  ErrorLevels levels;           ///< of their error radii
+  StoredArray<RlodPlanes> planes; ///< R-LODs of each node's children, or none
+  StoredArray<RlodWords> words;   ///< likewise
+  ErrorLevels levels;             ///< of their error radii
+
+  /// Of a triangle that there is, whatever a damaged file says.
+  std::uint64_t idOf(std::uint64_t place) const
+  {
+    return ids.empty() ? inRange(place) : std::uint64_t{ids[place]};
+  }
+  std::uint64_t inRange(std::uint64_t triangle) const
+  {
+    return std::min<std::uint64_t>(triangle, triangles - 1);
+  }
+  /// Whether they lie in memory of their own, and may be changed.
+  bool areOwn() { return nodes.own() != nullptr && clusters.own() != nullptr; }
 };
 
 static_assert(sizeof(RlodNode) == RlodTree::bytesPerNode);

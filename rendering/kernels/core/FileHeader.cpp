@@ -1,12 +1,11 @@
-// The header of a file of particles: from memory to bytes and, distrusting them, back.
+// The header of a .mote file: from memory to bytes and, distrusting them, back.
 
-#include "detail/PkdTreeFileFormat.h"
+#include "detail/FileHeader.h"
 
-#include "../core/Error.h"
+#include "Error.h"
 
 #include <algorithm>
 #include <cstddef>
-#include <cstring>
 
 namespace mote
 {
@@ -14,10 +13,8 @@ namespace mote
 namespace
 {
 
-using Header = PkdTreeFileHeader;
-
 constexpr std::uint32_t otherByteOrder = 0x04030201;
-constexpr std::size_t checksumAt = offsetof(Header, checksum);
+constexpr std::size_t checksumAt = offsetof(FileBeginning, checksum);
 
 /// FNV-1a, the checksum itself left out. Each step can be undone, so that no change of one byte
 /// goes unnoticed.
@@ -26,7 +23,7 @@ std::uint64_t checksumOf(const unsigned char* data, std::size_t size)
   std::uint64_t sum = 0xcbf29ce484222325u;
   for (std::size_t i = 0; i < size; ++i)
   {
-    const bool isOwn = i >= checksumAt && i < checksumAt + sizeof(Header::checksum);
+    const bool isOwn = i >= checksumAt && i < checksumAt + sizeof(FileBeginning::checksum);
     sum = (sum ^ (isOwn ? 0 : data[i])) * 0x100000001b3u;
   }
   return sum;
@@ -34,7 +31,7 @@ std::uint64_t checksumOf(const unsigned char* data, std::size_t size)
 
 std::uint64_t padded(std::uint64_t bytes)
 {
-  return (bytes + Header::alignment - 1) / Header::alignment * Header::alignment;
+  return (bytes + FileSection::alignment - 1) / FileSection::alignment * FileSection::alignment;
 }
 
 void append(std::vector<unsigned char>& to, const void* data, std::size_t size)
@@ -96,39 +93,22 @@ private:
   std::size_t left_;
 };
 
-/// Whether this is a header that can be read at all.
-void checkBeginning(const std::string& name, const Header& header, std::uint64_t size)
+FileTableRow takeRow(const std::string& name, std::uint32_t roles, Cursor& cursor)
 {
-  if (header.byteOrder == otherByteOrder)
-    throw Error(name + ": this file was written on a machine with another order of bytes");
-  if (header.byteOrder != Header::theByteOrder)
-    failDamaged(name, "its mark of the order of bytes is none");
-  if (header.version != Header::theVersion)
-    throw Error(name + ": this file has version " + std::to_string(header.version) +
-                " of the format, and version " + std::to_string(Header::theVersion) +
-                " is what is read here");
-  if (header.headerBytes < sizeof(Header) || header.headerBytes % Header::alignment != 0)
-    failDamaged(name, "its header has no right size");
-  if (header.headerBytes > size)
-    throw Error(name + ": the file is cut short, or its header is damaged");
-}
-
-PkdTreeFileTableRow takeRow(const std::string& name, Cursor& cursor)
-{
-  PkdTreeFileTableRow row;
-  PkdTreeFileEntry& entry = row.entry;
-  entry = cursor.take<PkdTreeFileEntry>();
+  FileTableRow row;
+  FileEntry& entry = row.entry;
+  entry = cursor.take<FileEntry>();
   const auto type = static_cast<ArrayView::Type>(entry.type);
   const std::size_t size = entry.type < 256 ? bytesOf(type) : 0;
-  if (size == 0 || entry.components < 1 || entry.components > (1u << 20) || entry.role > 1)
+  if (size == 0 || entry.components < 1 || entry.components > (1u << 20) || entry.role >= roles)
     failDamaged(name, "an array in its table is of no known kind");
   const std::uint64_t tuple = size * entry.components;
   if (entry.section.bytes / tuple != entry.tuples || entry.section.bytes % tuple != 0)
     failDamaged(name, "an array in its table has not the size of its values");
-  cursor.need((entry.components + 1) * sizeof(PkdTreeFile::Range));
+  cursor.need((entry.components + 1) * sizeof(FileArray::Range));
   row.array.ranges.resize(entry.components + 1);
-  for (PkdTreeFile::Range& range : row.array.ranges)
-    range = cursor.take<PkdTreeFile::Range>();
+  for (FileArray::Range& range : row.array.ranges)
+    range = cursor.take<FileArray::Range>();
   row.array.finite = entry.finite != 0;
   row.array.name = cursor.takeText();
   if (entry.componentNames != 0 && entry.componentNames != entry.components)
@@ -170,67 +150,99 @@ std::size_t bytesOf(ArrayView::Type type)
   return 0;
 }
 
-std::vector<unsigned char> packHeader(
-  PkdTreeFileHeader header, const std::vector<PkdTreeFileTableRow>& table)
+FileTableRow rowFor(const NamedArray& array, std::uint32_t role, std::uint64_t tuples)
 {
-  std::vector<unsigned char> block(sizeof(Header));
-  for (const PkdTreeFileTableRow& row : table)
+  FileTableRow row{};
+  static_cast<NamedArray&>(row.array) = array;
+  const auto components = static_cast<std::size_t>(array.values.components());
+  if (row.array.components.size() != components)
+    row.array.components.clear();
+  row.entry = {{0, tuples * components * bytesOf(array.values.type())}, tuples, role,
+    static_cast<std::uint32_t>(array.values.type()), static_cast<std::uint32_t>(components), 1,
+    static_cast<std::uint32_t>(row.array.components.size()), 0};
+  row.array.ranges.resize(components + 1);
+  return row;
+}
+
+std::vector<unsigned char> packHeaderBlock(
+  const void* header, std::size_t headerBytes, const FileTable& table)
+{
+  std::vector<unsigned char> block;
+  append(block, header, headerBytes);
+  for (const FileTableRow& row : table)
   {
     append(block, &row.entry, sizeof(row.entry));
-    for (const PkdTreeFile::Range& range : row.array.ranges)
+    for (const FileArray::Range& range : row.array.ranges)
       append(block, &range, sizeof(range));
     append(block, row.array.name);
     for (const std::string& component : row.array.components)
       append(block, component);
   }
   block.resize(padded(block.size()));
-  header.headerBytes = block.size();
-  header.arrays = table.size();
-  std::memcpy(block.data(), &header, sizeof(header));
-  header.checksum = checksumOf(block.data(), block.size());
-  std::memcpy(block.data(), &header, sizeof(header));
+  FileBeginning beginning;
+  std::memcpy(&beginning, block.data(), sizeof(beginning));
+  beginning.headerBytes = block.size();
+  std::memcpy(block.data(), &beginning, sizeof(beginning));
+  beginning.checksum = checksumOf(block.data(), block.size());
+  std::memcpy(block.data(), &beginning, sizeof(beginning));
   return block;
 }
 
-PkdTreeFileHeader unpackHeader(const std::string& name, const unsigned char* data,
-  std::uint64_t size, std::vector<PkdTreeFileTableRow>& table)
+void checkBeginning(
+  const std::string& name, const FileKind& kind, const unsigned char* data, std::uint64_t size)
 {
-  const auto begins = std::min<std::uint64_t>(size, Header::theMagic.size());
+  const auto begins = std::min<std::uint64_t>(size, kind.magic.size());
   if (size == 0)
     throw Error(name + ": the file is empty");
-  if (std::memcmp(data, Header::theMagic.data(), begins) != 0)
-    throw Error(name + ": this is no file of particles that Mote has written");
-  if (size < sizeof(Header))
+  if (std::memcmp(data, kind.magic.data(), begins) != 0)
+    throw Error(name + ": this is no file of " + kind.what + " that Mote has written");
+  if (size < kind.headerBytes)
     throw Error(name + ": the file is cut short");
-  Header header;
+  FileBeginning header;
   std::memcpy(&header, data, sizeof(header));
-  checkBeginning(name, header, size);
+  if (header.byteOrder == otherByteOrder)
+    throw Error(name + ": this file was written on a machine with another order of bytes");
+  if (header.byteOrder != FileBeginning::theByteOrder)
+    failDamaged(name, "its mark of the order of bytes is none");
+  if (header.version != kind.version)
+    throw Error(name + ": this file has version " + std::to_string(header.version) +
+                " of the format, and version " + std::to_string(kind.version) +
+                " is what is read here");
+  if (header.headerBytes < kind.headerBytes || header.headerBytes % FileSection::alignment != 0)
+    failDamaged(name, "its header has no right size");
+  if (header.headerBytes > size)
+    throw Error(name + ": the file is cut short, or its header is damaged");
   if (checksumOf(data, header.headerBytes) != header.checksum)
     failDamaged(name, "its header is not what was written");
   if (header.fileBytes > size)
     throw Error(name + ": the file is cut short: it has " + std::to_string(size) + " of " +
                 std::to_string(header.fileBytes) + " bytes");
-  Cursor cursor(name, data + sizeof(Header), header.headerBytes - sizeof(Header));
-  if (header.arrays > header.headerBytes / sizeof(PkdTreeFileEntry))
-    failDamaged(name, "its table of arrays ends too early");
-  for (std::uint64_t k = 0; k < header.arrays; ++k)
-    table.push_back(takeRow(name, cursor));
-  return header;
 }
 
-void checkSections(const std::string& name, const PkdTreeFileHeader& header,
-  const std::vector<PkdTreeFileTableRow>& table)
+FileTable takeTable(const std::string& name, const FileKind& kind, const unsigned char* data,
+  std::uint64_t headerBytes, std::uint64_t arrays)
 {
-  std::vector<Header::Section> sections = {header.nodes, header.rows};
-  for (const PkdTreeFileTableRow& row : table)
+  FileTable table;
+  Cursor cursor(name, data + kind.headerBytes, headerBytes - kind.headerBytes);
+  if (arrays > headerBytes / sizeof(FileEntry))
+    failDamaged(name, "its table of arrays ends too early");
+  for (std::uint64_t k = 0; k < arrays; ++k)
+    table.push_back(takeRow(name, kind.roles, cursor));
+  return table;
+}
+
+void checkSections(const std::string& name, const FileBeginning& header,
+  std::vector<FileSection> sections, const FileTable& table)
+{
+  for (const FileTableRow& row : table)
     sections.push_back(row.entry.section);
-  std::erase_if(sections, [](const Header::Section& s) { return s.bytes == 0; });
+  std::erase_if(sections, [](const FileSection& s) { return s.bytes == 0; });
   std::sort(sections.begin(), sections.end(),
-    [](const Header::Section& a, const Header::Section& b) { return a.offset < b.offset; });
+    [](const FileSection& a, const FileSection& b) { return a.offset < b.offset; });
   std::uint64_t end = header.headerBytes;
-  for (const Header::Section& s : sections)
+  for (const FileSection& s : sections)
   {
-    if (s.offset % Header::alignment != 0)
+    if (s.offset % FileSection::alignment != 0)
       failDamaged(name, "a part of it does not begin at a page");
     if (s.offset < end)
       failDamaged(name, "parts of it overlap");

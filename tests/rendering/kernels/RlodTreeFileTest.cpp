@@ -1,0 +1,383 @@
+// Files of triangles: what was written comes back, and rays meet the same.
+
+#include "FileParts.h"
+#include "MeshParts.h"
+
+#include <kernels/meshes/RlodTreeFile.h>
+#include <kernels/meshes/detail/RlodTreeFileHeader.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace mote;
+using namespace mote::testing;
+
+namespace
+{
+
+using Order = RlodTreeFileContents::Order;
+
+/// A bumpy sphere, with a point that no triangle uses, and arrays: of points `h` (float) and
+/// `Normals` (three float), of cells, each of two triangles, `part` (bytes), and a fact, `box`.
+struct MeshExample
+{
+  Triangles triangles;
+  TriangleMesh mesh;
+  RlodTree tree;
+  std::vector<float> height, normals;
+  std::vector<std::int64_t> cellOf;
+  std::vector<std::uint8_t> part;
+  std::vector<double> box = {-1.0, 1.0};
+
+  explicit MeshExample(int rings = 40)
+    : triangles(bumpySphere(rings))
+  {
+    triangles.addPoint({50.0, 0.0, 0.0});
+    mesh = triangles.mesh();
+    tree.build(mesh);
+    tree.makeLods();
+    for (std::size_t i = 0; i < mesh.pointCount(); ++i)
+    {
+      height.push_back(static_cast<float>(triangles.point(i).z));
+      for (int k = 0; k < 3; ++k)
+        normals.push_back(static_cast<float>(triangles.point(i)[k]));
+    }
+    for (std::size_t t = 0; t < mesh.size(); ++t)
+      cellOf.push_back(static_cast<std::int64_t>(t / 2));
+    for (std::size_t c = 0; c < (mesh.size() + 1) / 2; ++c)
+      part.push_back(static_cast<std::uint8_t>(c % 7));
+  }
+
+  RlodTreeFileContents contents() const
+  {
+    RlodTreeFileContents c;
+    c.places = triangles.pointView();
+    c.points = {{"h", ArrayView(height.data(), height.size(), 1), {}},
+      {"Normals", ArrayView(normals.data(), height.size(), 3), {"x", "y", "z"}}};
+    c.cells = {{"part", ArrayView(part.data(), ArrayView::Type::UInt8, part.size(), 1), {}}};
+    c.cellOf = ArrayView(cellOf.data(), ArrayView::Type::Int64, cellOf.size(), 1);
+    c.facts = {{"box", ArrayView(box.data(), 1, 2), {}}};
+    c.time = 2.5;
+    c.pointIndices = "point";
+    c.cellIndices = "cell";
+    c.normals = "Normals";
+    return c;
+  }
+};
+
+const FileArray& named(const std::vector<FileArray>& arrays, const std::string& name)
+{
+  for (const FileArray& array : arrays)
+    if (array.name == name)
+      return array;
+  throw std::runtime_error("no array " + name);
+}
+
+/// A file of triangles.
+struct Patient : FilePatient<RlodTreeFile, RlodTreeFileHeader>
+{
+  MeshExample example;
+
+  explicit Patient(int rings = 40, bool arrays = true)
+    : example(rings)
+  {
+    RlodTreeFileContents contents;
+    contents.places = example.triangles.pointView();
+    writeRlodTreeFile(
+      folder.file(), example.tree, example.mesh, arrays ? example.contents() : contents);
+    this->take();
+  }
+
+  std::vector<FileSection> sections() const
+  {
+    return {header.nodes, header.words, header.planes, header.clusters, header.corners,
+      header.offsets, header.places};
+  }
+};
+
+} // namespace
+
+TEST(RlodTreeFile, WhatWasWrittenComesBack)
+{
+  const MeshExample e;
+  const Folder folder;
+  for (const Order order : {Order::ByPages, Order::DepthFirst})
+  {
+    RlodTreeFileContents contents = e.contents();
+    contents.order = order;
+    ASSERT_TRUE(writeRlodTreeFile(folder.file(), e.tree, e.mesh, contents));
+    const RlodTreeFile file(folder.file());
+    ASSERT_EQ(file.size(), e.mesh.size());
+    ASSERT_EQ(file.pointCount(), e.mesh.pointCount() - 1); // one that nothing uses
+    ASSERT_EQ(file.tree()->size(), e.mesh.size());
+    EXPECT_EQ(file.time(), 2.5);
+    EXPECT_EQ(file.normals(), "Normals");
+    const ArrayView cell = named(file.cells(), "cell").values,
+                    part = named(file.cells(), "part").values,
+                    point = named(file.points(), "point").values,
+                    height = named(file.points(), "h").values;
+    EXPECT_EQ(named(file.points(), "Normals").components[2], "z");
+    EXPECT_EQ(named(file.facts(), "box").values.value(0, 1), 1.0);
+    for (std::size_t i = 0; i < file.pointCount(); ++i)
+    {
+      const auto input = static_cast<std::size_t>(point.value(i));
+      ASSERT_EQ(height.value(i), e.height[input]);
+      for (int k = 0; k < 3; ++k)
+        ASSERT_EQ(file.places().value(i, k), e.triangles.point(input)[k]);
+    }
+    std::vector<int> seen(e.mesh.size());
+    for (std::size_t t = 0; t < file.size(); ++t)
+    {
+      ASSERT_EQ(file.offsets().value(t), 3.0 * static_cast<double>(t));
+      const auto input = static_cast<std::size_t>(cell.value(t));
+      ASSERT_EQ(part.value(t), e.part[input]);
+      // It is one of the cell's two triangles.
+      int found = 0;
+      for (std::size_t of = 2 * input; of < std::min(2 * input + 2, e.mesh.size()); ++of)
+      {
+        bool same = true;
+        for (std::size_t k = 0; k < 3; ++k)
+          same = same && point.value((*file.corners())[t][k]) == e.mesh.triangles()[of][k];
+        found += same;
+        seen[of] += same;
+      }
+      ASSERT_EQ(found, 1);
+    }
+    EXPECT_EQ(seen, std::vector<int>(e.mesh.size(), 1));
+    EXPECT_EQ(file.offsets().value(file.size()), 3.0 * static_cast<double>(file.size()));
+    const FileArray& h = named(file.points(), "h");
+    const auto [least, most] = std::minmax_element(e.height.begin(), e.height.end());
+    EXPECT_EQ(h.ranges[0][0], *least);
+    EXPECT_EQ(h.ranges[0][1], *most);
+    const Box expected = e.tree.bounds();
+    EXPECT_EQ(file.bounds().lower, expected.lower);
+    EXPECT_EQ(file.tree()->bounds().upper, expected.upper);
+  }
+}
+
+TEST(RlodTreeFile, RaysMeetTheSame)
+{
+  const MeshExample e(90);
+  const Folder folder;
+  for (const Order order : {Order::ByPages, Order::DepthFirst})
+  {
+    RlodTreeFileContents contents = e.contents();
+    contents.cellOf = {};
+    contents.cells = {};
+    contents.order = order;
+    ASSERT_TRUE(writeRlodTreeFile(folder.file(), e.tree, e.mesh, contents));
+    const RlodTreeFile file(folder.file());
+    const ArrayView input = named(file.cells(), "cell").values;
+    const auto tree = file.tree();
+    const RlodTree& stored = *tree;
+    EXPECT_EQ(stored.nodeCount(), e.tree.nodeCount());
+    int hits = 0;
+    for (const RayBundle& question : meshQuestions(120, 5))
+      for (const double poe : {0.0, 2.0, 8.0})
+      {
+        RayBundle a = question, b = question;
+        e.tree.cast(a, 3, poe);
+        stored.cast(b, 3, poe);
+        for (int i = 0; i < a.count; ++i)
+        {
+          ASSERT_EQ(a.t[i], b.t[i]);
+          ASSERT_EQ(a.slot[i] == RayBundle::noHit, b.slot[i] == RayBundle::noHit);
+          if (a.slot[i] == RayBundle::noHit)
+            continue;
+          ++hits;
+          ASSERT_EQ(RlodTree::isLod(a.slot[i]), RlodTree::isLod(b.slot[i]));
+          ASSERT_EQ(e.tree.inputIndex(a.slot[i]), input.value(stored.inputIndex(b.slot[i])));
+          ASSERT_EQ(e.tree.normal(a.slot[i]), stored.normal(b.slot[i]));
+        }
+      }
+    EXPECT_GT(hits, 1000);
+    // R-LODs have the same means.
+    const auto mean = [](const RlodTree& tree, const auto& value)
+    {
+      std::vector<float> means = tree.lodMeans(
+        1, [&](std::uint64_t triangle, double* values) { values[0] = value(triangle); });
+      std::vector<float> found;
+      for (const std::uint64_t slot : tree.lodSlots())
+        found.push_back(means[RlodTree::lodPlace(slot)]);
+      std::sort(found.begin(), found.end());
+      return found;
+    };
+    EXPECT_EQ(mean(e.tree, [](std::uint64_t t) { return std::sin(double(t)); }),
+      mean(stored, [&](std::uint64_t t) { return std::sin(input.value(t)); }));
+    EXPECT_FALSE(tree->refit(e.mesh)); // the file stays what it is
+  }
+}
+
+TEST(RlodTreeFile, PagesHoldWhatRaysReadTogether)
+{
+  const MeshExample e(300);
+  const Folder folder;
+  std::vector<std::size_t> pages;
+  for (const Order order : {Order::ByPages, Order::DepthFirst})
+  {
+    RlodTreeFileContents contents;
+    contents.places = e.triangles.pointView();
+    contents.order = order;
+    ASSERT_TRUE(writeRlodTreeFile(folder.file(), e.tree, e.mesh, contents));
+    const RlodTreeFile file(folder.file());
+    const auto tree = file.tree();
+    RlodTree::Counts counts;
+    counts.seenNodes.resize(tree->nodeCount());
+    const CameraRays rays(lookAt({0.0, 0.0, 5.0}, Vec3d(0.0), 30.0), 64, 64);
+    for (int y = 0; y < 64; y += 16)
+      for (int x = 0; x < 64; x += 16)
+      {
+        RayBundle bundle;
+        rays.fillBundle(bundle, 16, x, y, 0.0, 0.0);
+        tree->cast(bundle, 0, 8.0, counts);
+      }
+    std::vector<bool> seen(counts.seenNodes.size() / 32 + 1);
+    for (std::size_t k = 0; k < counts.seenNodes.size(); ++k)
+      if (counts.seenNodes[k])
+        seen[k / 32] = true;
+    pages.push_back(static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true)));
+  }
+  EXPECT_LT(2 * pages[0], pages[1]);
+}
+
+TEST(RlodTreeFile, ErrorsAreSentences)
+{
+  const MeshExample e(10);
+  const Folder folder;
+  const auto expect = [&](const char* what, const RlodTree& tree, const auto& change)
+  {
+    RlodTreeFileContents contents = e.contents();
+    change(contents);
+    try
+    {
+      writeRlodTreeFile(folder.file(), tree, e.mesh, contents);
+      ADD_FAILURE() << what;
+    }
+    catch (const Error& error)
+    {
+      EXPECT_NE(std::string(error.what()).find(what), std::string::npos) << error.what();
+    }
+    EXPECT_TRUE(folder.empty());
+  };
+  RlodTree plain;
+  plain.build(e.mesh);
+  expect("levels of detail", plain, [](RlodTreeFileContents&) {});
+  expect("no triangles", RlodTree(), [](RlodTreeFileContents&) {});
+  expect("Two arrays", e.tree, [](RlodTreeFileContents& c) { c.points[1].name = "h"; });
+  expect("Two arrays", e.tree, [](RlodTreeFileContents& c) { c.cellIndices = "part"; });
+  expect("needs a name", e.tree, [](RlodTreeFileContents& c) { c.points[1].name = ""; });
+  expect("places of the points", e.tree, [](RlodTreeFileContents& c) { c.places = {}; });
+  expect("one cell for each", e.tree,
+    [](RlodTreeFileContents& c)
+    { c.cellOf = ArrayView(c.cellOf.data(), c.cellOf.type(), c.cellOf.count() - 1, 1); });
+  expect("5 values for 183 points", e.tree,
+    [](RlodTreeFileContents& c) {
+      c.points[0].values = ArrayView(static_cast<const float*>(c.points[0].values.data()), 5, 1);
+    });
+  // Stopped: nothing is left.
+  EXPECT_FALSE(writeRlodTreeFile(
+    folder.file(), e.tree, e.mesh, e.contents(), [](double done) { return done < 0.3; }));
+  EXPECT_TRUE(folder.empty());
+}
+
+TEST(RlodTreeFileDamage, CutShortAnywhere)
+{
+  const Patient patient;
+  patient.expectCutShort(patient.sections());
+  EXPECT_EQ(patient.complaint(patient.bytes), "");
+}
+
+TEST(RlodTreeFileDamage, EveryByteOfTheHeaderCounts)
+{
+  Patient(6).expectEveryByteOfTheHeaderCounts();
+}
+
+TEST(RlodTreeFileDamage, WhatIsNoFileOfTriangles)
+{
+  expectNoFilesOf<RlodTreeFile>("triangles");
+}
+
+TEST(RlodTreeFileDamage, HeadersThatDoNotFit)
+{
+  const Patient p;
+  using Header = RlodTreeFileHeader;
+  using Table = FileTable;
+  EXPECT_EQ(p.with([](Header&, Table&) {}), "");
+  const auto expect = [&](const char* what, const auto& change) { p.expect(what, change); };
+  expect("version 2", [](Header& h, Table&) { h.version = 2; });
+  expect("another shape", [](Header& h, Table&) { h.nodeBytes = 64; });
+  expect("another shape", [](Header& h, Table&) { h.planesBytes = 0; });
+  expect("numbers of triangles", [](Header& h, Table&) { h.triangles = 0; });
+  expect("numbers of triangles", [](Header& h, Table&) { h.points = ~std::uint64_t{0}; });
+  expect("numbers of triangles", [](Header& h, Table&) { h.placeBytes = 5; });
+  expect("numbers of triangles", [](Header& h, Table&) { h.nodes.bytes = 0; });
+  expect("size that its triangles", [](Header& h, Table&) { h.triangles -= 1; });
+  expect("size that its triangles", [](Header& h, Table&) { h.placeBytes = 4; });
+  expect("size that its triangles", [](Header& h, Table&) { h.words.bytes -= 64; });
+  expect("at a page", [](Header& h, Table&) { h.planes.offset += 64; });
+  expect("overlap", [](Header& h, Table&) { h.corners.offset = h.places.offset; });
+  expect("behind its end", [](Header& h, Table&) { h.places.offset = std::uint64_t{1} << 40; });
+  expect("no array of points", [](Header& h, Table&) { h.normals = 99; });
+  expect("no known kind", [](Header&, Table& t) { t[0].entry.role = 3; });
+  expect("one tuple a point", [](Header&, Table& t) { t[0].entry.role = Header::ofCells; });
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double v : {nan, double(HUGE_VAL), -1.0, 0.0, 1e-320})
+    expect("numbers on places", [&](Header& h, Table&) { h.unit = v; });
+  for (int k = 0; k < 3; ++k)
+  {
+    expect("numbers on places", [&](Header& h, Table&) { h.origin[k] = nan; });
+    expect("numbers on places", [&](Header& h, Table&) { h.lower[k] = 3.0; });
+    expect("numbers on places", [&](Header& h, Table&) { h.bounds[k] = nan; });
+  }
+  expect("numbers on places", [](Header& h, Table&) { h.levelStep = ~0U; });
+}
+
+TEST(RlodTreeFileDamage, NoByteLeadsRaysOutOfTheFile)
+{
+  const Patient patient(30);
+  Random random(8);
+  int opened = 0, refused = 0;
+  for (int k = 0; k < 24; ++k)
+  {
+    // Garbage in all parts, the nodes left alone or not.
+    Bytes changed = patient.bytes;
+    const double share = k % 3 == 0 ? 1.0 : 0.02;
+    for (const FileSection& s : patient.sections())
+      for (std::uint64_t i = s.offset; i < s.offset + s.bytes; ++i)
+        if (random() < share && (k % 4 == 3 || s.offset != patient.header.nodes.offset))
+          changed[i] = k % 2 == 0 ? static_cast<unsigned char>(random(0.0, 256.0)) : 0xff;
+    const std::string said = patient.complaint(changed);
+    ++(said.empty() ? opened : refused);
+    if (!said.empty())
+      continue;
+    const RlodTreeFile file(patient.folder.file("b.mote"));
+    MeshLook look;
+    look.corners = file.corners();
+    look.normals = named(file.points(), "Normals").values;
+    look.mixesColors = true;
+    const auto tree = file.tree();
+    const MeshSurface surface(tree, look);
+    for (const RayBundle& question : meshQuestions(30, 5))
+    {
+      RayBundle bundle = question, shadow = question;
+      tree->cast(bundle, 3, k % 2 == 0 ? 4.0 : 0.0);
+      tree->occlude(shadow, 3);
+      for (int i = 0; i < bundle.count; ++i)
+      {
+        if (bundle.slot[i] == RayBundle::noHit)
+          continue;
+        ASSERT_LT(tree->inputIndex(bundle.slot[i]), file.size());
+        const Vec3d at(1.0);
+        ColorMix mix;
+        surface.normalAt(bundle.slot[i], at);
+        surface.mixColors(&bundle.slot[i], &at, 1, mix);
+        for (const auto& index : mix.index)
+          ASSERT_LT(index[0], file.pointCount());
+      }
+    }
+    tree->lodMeans(1, [&](std::uint64_t triangle, double* values)
+      { values[0] = double((*file.corners())[triangle][0]); });
+  }
+  EXPECT_GE(opened, 12);
+  EXPECT_GT(refused, 0);
+}
