@@ -25,7 +25,7 @@ namespace mote::bench
 namespace
 {
 
-constexpr const char *byPages = "by-pages", *depthFirst = "depth-first";
+constexpr const char *byError = "by-error", *depthFirst = "depth-first";
 
 using Pages = std::map<std::string, std::int64_t>; ///< of each part of the file
 
@@ -175,7 +175,7 @@ public:
     const TriangleInput input = makeTriangleInput(options.input);
     using Order = RlodTreeFileContents::Order;
     for (const auto& [name, order] :
-      {std::pair(byPages, Order::ByPages), {depthFirst, Order::DepthFirst}})
+      {std::pair(byError, Order::ByError), {depthFirst, Order::DepthFirst}})
       if (options.methods.empty() ||
           std::count(options.methods.begin(), options.methods.end(), name) > 0)
       {
@@ -245,7 +245,7 @@ Suite meshFileSuite()
   suite.summary = "opening and drawing a .mote file of triangles that is not in memory";
   suite.inputs = triangleInputs();
   suite.inputs.emplace_back("FILE.mote", "a file of triangles as it is; mote convert writes them");
-  suite.methods = {{byPages, "nodes in a page that rays visit together; not for FILE.mote"},
+  suite.methods = {{byError, "nodes that err by more first, as files have them; not for FILE.mote"},
     {depthFirst, "nodes as the tree has them; not for FILE.mote"}};
   for (const View& view : triangleViews())
     suite.views.emplace_back(view.name, view.summary);

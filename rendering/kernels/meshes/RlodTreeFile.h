@@ -41,10 +41,10 @@ struct RlodTreeFileContents
   /// How nodes stand in the file.
   enum class Order
   {
-    ByPages,   ///< those together in a page that rays visit together
+    ByError,   ///< those that err by more first: so few pages hold what pictures read that may err
     DepthFirst ///< as the tree has them, for comparison
   };
-  Order order = Order::ByPages;
+  Order order = Order::ByError;
 };
 
 /// Writes a tree with R-LODs, the triangles of the mesh that it was built over, and what belongs to

@@ -1,15 +1,9 @@
 // Where nodes and clusters of an RlodTree stand in a file.
-//
-// Source: Yoon, Lauterbach, Manocha, "R-LODs: Fast LOD-based Ray Tracing of Massive Models" (2006),
-// section 5, which takes the ratio of areas for the probability that a ray goes on to a child.
 
 #include "detail/RlodTreeLayout.h"
 
-#include "../core/detail/FileHeader.h"
-
 #include <algorithm>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace mote
@@ -18,90 +12,43 @@ namespace mote
 namespace
 {
 
-constexpr std::size_t nodesAPage = FileSection::alignment / sizeof(RlodNode);
-
-/// The children of a node that are nodes, which stand together.
-struct Siblings
+/// The nodes in an order in which those come first that err by more where they are taken for their
+/// triangles; where these are alike the tree's order stays. What is read of them for a picture that
+/// may err are those that err by a little more than it may.
+RawVector<std::uint32_t> byError(const RlodTreeArrays& tree)
 {
-  float likelihood; ///< that a ray meets their parent, times a number that all share
-  std::uint32_t parent;
-
-  bool operator<(const Siblings& s) const { return likelihood < s.likelihood; }
-};
-
-float areaOf(const RlodNode& node)
-{
-  const float* s = node.scale;
-  return s[0] * s[1] + s[1] * s[2] + s[2] * s[0];
+  struct Siblings
+  {
+    std::uint32_t level; ///< of the greatest error, and no more than of what is above them
+    std::uint32_t parent;
+  };
+  std::vector<Siblings> all;
+  std::vector<std::uint32_t> levels(tree.nodes.size(), RlodWords::levels);
+  for (std::uint32_t k = 0; k < tree.nodes.size(); ++k) // parents come first
+  {
+    const RlodNode& node = tree.nodes[k];
+    std::uint32_t level = 0;
+    for (unsigned c = node.clusters; c < node.children; ++c)
+      level = std::max(level, tree.words[k].level(c));
+    level = std::min(level, levels[k]);
+    for (unsigned c = node.clusters; c < node.children; ++c)
+      levels[node.nodeOf(c)] = level;
+    if (node.children > node.clusters)
+      all.push_back({level, k});
+  }
+  std::stable_sort(
+    all.begin(), all.end(), [](const Siblings& a, const Siblings& b) { return a.level > b.level; });
+  RawVector<std::uint32_t> order;
+  order.reserve(tree.nodes.size());
+  order.push_back(0);
+  for (const Siblings& siblings : all)
+  {
+    const RlodNode& parent = tree.nodes[siblings.parent];
+    for (unsigned k = parent.clusters; k < parent.children; ++k)
+      order.push_back(parent.nodeOf(k));
+  }
+  return order;
 }
-
-/// Puts nodes in the order of pages.
-class PageFiller
-{
-public:
-  explicit PageFiller(const RlodTreeArrays& tree)
-    : tree_(tree)
-  {
-    order_.reserve(tree.nodes.size());
-    order_.push_back(0);
-    this->wait(0, waiting_);
-  }
-
-  RawVector<std::uint32_t> fill()
-  {
-    while (!waiting_.empty())
-    {
-      const Siblings first = waiting_.back();
-      waiting_.pop_back();
-      this->goOn(first);
-    }
-    return std::move(order_);
-  }
-
-private:
-  std::size_t room() const { return nodesAPage - order_.size() % nodesAPage; }
-
-  std::size_t countOf(const Siblings& s) const
-  {
-    const RlodNode& parent = tree_.nodes[s.parent];
-    return parent.children - parent.clusters;
-  }
-
-  template <typename List>
-  void wait(std::uint32_t node, List& list) const
-  {
-    const RlodNode& n = tree_.nodes[node];
-    if (n.children > n.clusters)
-      list.push_back({areaOf(n), node});
-  }
-
-  /// Fills what is left of a page with what is below these, which go where they can.
-  void goOn(const Siblings& first)
-  {
-    std::vector<Siblings> below = {first}; // a heap
-    for (bool begins = true; !below.empty() && (begins || this->countOf(below.front()) <= room());
-         begins = false)
-    {
-      std::pop_heap(below.begin(), below.end());
-      const RlodNode& parent = tree_.nodes[below.back().parent];
-      below.pop_back();
-      for (unsigned k = parent.clusters; k < parent.children; ++k)
-      {
-        order_.push_back(parent.nodeOf(k));
-        const std::size_t before = below.size();
-        this->wait(parent.nodeOf(k), below);
-        if (below.size() > before)
-          std::push_heap(below.begin(), below.end());
-      }
-    }
-    std::sort_heap(below.begin(), below.end()); // the likeliest last, and next
-    waiting_.insert(waiting_.end(), below.begin(), below.end());
-  }
-
-  const RlodTreeArrays& tree_;
-  RawVector<std::uint32_t> order_;
-  std::vector<Siblings> waiting_; ///< a stack, so that what lies together stays together
-};
 
 RawVector<std::uint32_t> placesOf(const RawVector<std::uint32_t>& order)
 {
@@ -118,8 +65,8 @@ RlodTreeLayout layOut(const RlodTreeArrays& tree, RlodTreeFileContents::Order or
   RlodTreeLayout layout;
   if (tree.nodes.empty())
     return layout;
-  if (order == RlodTreeFileContents::Order::ByPages)
-    layout.nodes = PageFiller(tree).fill();
+  if (order == RlodTreeFileContents::Order::ByError)
+    layout.nodes = byError(tree);
   else
   {
     layout.nodes.resize(tree.nodes.size());

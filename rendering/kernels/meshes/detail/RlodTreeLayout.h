@@ -19,9 +19,8 @@ struct RlodTreeLayout
   RawVector<std::uint32_t> firstTriangle; ///< of each of the tree's clusters, in the new order
 };
 
-/// The tree's order, or one in which a page holds nodes that rays visit together: from a node on
-/// those that are most likely to be visited, by the areas of their boxes, until the page is full.
-/// Children of a node stay together, and come after it; clusters are in the order of their nodes.
+/// The tree's order, or one in which nodes that err by more come first. Children of a node stay
+/// together, and come after it; clusters are in the order of their nodes.
 RlodTreeLayout layOut(const RlodTreeArrays& tree, RlodTreeFileContents::Order order);
 
 } // namespace mote
