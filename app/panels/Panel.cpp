@@ -172,7 +172,7 @@ void Panel::drawGroups(const PanelFacts& facts)
   if (facts.steps > 1 || next_.output.follow)
     this->drawTime(facts);
   drawn_.insert({"hide-data", "side-by-side"}); // which Data has
-  if (!found_.hasSurfaces)
+  if (!found_.hasSurfaces && !found_.hasParticles)
     drawn_.insert("lod-error");
   this->drawGroup("Data", &Panel::drawData);
   this->drawGroup("Colour", &Panel::drawColour);

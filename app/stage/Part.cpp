@@ -74,9 +74,9 @@ Part::Part(const std::string& name, vtkDataSet* data, const Settings& settings, 
   if (kind_ == Kind::Surface)
   {
     surface_ = std::make_unique<Surface>();
-    surface_->mapper()->SetPixelsOfError(settings_.picture.lodError);
     mapper_ = surface_->mapper();
   }
+  this->setLodError(settings_.picture.lodError);
   this->setAmbient(ambient);
   this->setData(name, data);
 }
@@ -97,8 +97,14 @@ void Part::followSettings()
   }
   if (volume_)
     volume_->update(errorShares(settings_).tolerance);
+}
+
+void Part::setLodError(double pixels)
+{
+  if (particles_)
+    particles_->SetPixelsOfError(pixels);
   if (surface_)
-    surface_->mapper()->SetPixelsOfError(settings_.picture.lodError);
+    surface_->mapper()->SetPixelsOfError(pixels);
 }
 
 Part::Kind Part::kindOf(vtkDataSet* data, const Settings& settings)

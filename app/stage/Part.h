@@ -56,6 +56,8 @@ public:
   /// Follows the settings: radii, structures, what volumes are made of. Colours and what is shown
   /// are set by others. Throws Failure.
   void followSettings();
+  /// Pixels that levels of detail may err by.
+  void setLodError(double pixels);
 
   enum class Kind
   {

@@ -14,7 +14,9 @@ bool ReadyPlan::fits(const ReadyPlan& other) const
   const VolumeSettings &a = settings.volume, &b = other.settings.volume;
   ParticleSettings particles = settings.particles;
   particles.replicate = other.settings.particles.replicate; // images of the same structure
-  return kept == other.kept && particles == other.settings.particles && a.cells == b.cells &&
+  const auto allowsError = [](const Settings& s) { return s.picture.lodError > 0.0; };
+  return kept == other.kept && particles == other.settings.particles &&
+         allowsError(settings) == allowsError(other.settings) && a.cells == b.cells &&
          a.structure == b.structure && a.integrator == b.integrator && a.cloud == b.cloud &&
          settings.color.array == other.settings.color.array &&
          this->fitsCalculations(other.settings);

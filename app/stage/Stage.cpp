@@ -53,16 +53,18 @@ bool Stage::apply(const Settings& settings)
     part->setAmbient(lighting_.ambient());
     // Where nothing changes nothing is touched: a mapper that is told of types builds anew.
     if (before.particles != settings.particles || before.volume != settings.volume ||
-        before.picture.error != settings.picture.error ||
-        before.picture.lodError != settings.picture.lodError)
+        before.picture.error != settings.picture.error)
       part->followSettings();
+    part->setLodError(settings.picture.lodError);
   }
   if (before.particles.replicate != settings.particles.replicate)
     this->checkImages();
   if (otherData || before.color != settings.color || before.selection != settings.selection ||
       before.volume != settings.volume)
     this->applyColors();
+  const auto allowsError = [](const Settings& s) { return s.picture.lodError > 0.0; };
   return otherData || before.particles != settings.particles ||
+         allowsError(before) != allowsError(settings) || // which automatic structures depend on
          before.volume.structure != settings.volume.structure;
 }
 

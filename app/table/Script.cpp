@@ -157,6 +157,8 @@ void writeParticles(Script& script, const Part& part, const Settings& settings)
     script.line(
       "mapper.SetReplicationVectors((" + python(mapper->GetReplicationVectors(), 9) + "))");
   }
+  if (mapper->GetPixelsOfError() > 0.0)
+    script.call("mapper", "SetPixelsOfError", mapper->GetPixelsOfError());
   writeRanges(script, part, settings);
   writeActor(script, mapper, part);
 }

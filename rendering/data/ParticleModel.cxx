@@ -80,6 +80,7 @@ void ParticleModel::noteChange()
 {
   selection_.forget();
   content_.reset();
+  structureChanged_.Modified();
   changed_.Modified();
 }
 
@@ -177,6 +178,14 @@ std::shared_ptr<const PkdTree> ParticleModel::tree() const
 {
   const auto* tree = structure_ ? std::get_if<PkdTree>(structure_.get()) : nullptr;
   return tree ? std::shared_ptr<const PkdTree>(structure_, tree) : nullptr;
+}
+
+bool ParticleModel::makeLods()
+{
+  auto* const tree = structure_ && !preview_ ? std::get_if<PkdTree>(structure_.get()) : nullptr;
+  if (tree)
+    tree->makeLods();
+  return tree != nullptr;
 }
 
 ParticleStatistics ParticleModel::statistics() const

@@ -82,6 +82,9 @@ public:
   /// null where there is nothing to draw; the tree where that is not the structure.
   const std::shared_ptr<ParticleStructure>& structure() const { return structure_; }
   std::shared_ptr<const PkdTree> tree() const;
+  /// Makes levels of detail where there are none; false where the structure can have none, or is a
+  /// preview's.
+  bool makeLods();
   /// Of all particles, also while a part of them is drawn.
   ParticleStatistics statistics() const;
   std::size_t bytes() const;                            ///< of the structure
@@ -90,6 +93,8 @@ public:
   int builds() const { return builds_; }                ///< so far
   /// Changes with the structure, and with what it shows.
   vtkMTimeType time() const { return changed_.GetMTime(); }
+  /// Changes with the structure alone.
+  vtkMTimeType structureTime() const { return structureChanged_.GetMTime(); }
   ///@}
 
   ///@{
@@ -176,7 +181,7 @@ private:
   std::shared_ptr<ParticleStructure> structure_;
   InputKey key_; ///< what the structure was built from
   std::shared_ptr<const BuiltParticles> offered_;
-  vtkTimeStamp changed_;
+  vtkTimeStamp changed_, structureChanged_;
   std::optional<ContentHash> content_;
   double commonRadius_ = 0.0;
   double buildTime_ = 0.0;

@@ -53,6 +53,10 @@ void OcclusionBaking::give(Scene& scene)
   for (std::size_t i = 0; i < maps_.size(); ++i)
   {
     scene.surfaces[i].occlusion = maps_[i] ? maps_[i]->maps() : nullptr;
+    // Maps are of particles: nothing stands for these.
+    if (const auto* particles = std::get_if<ParticleSurface>(&scene.surfaces[i].surface);
+        maps_[i] && particles)
+      scene.surfaces[i].surface = ParticleSurface(particles->structure());
     complete = complete && maps_[i] && maps_[i]->complete();
     times_.push_back(maps_[i] ? static_cast<double>(maps_[i]->time()) : 0.0);
   }

@@ -10,6 +10,7 @@
 #include "SceneBridge.h"
 
 #include "kernels/core/Error.h"
+#include "kernels/scene/ColorMeans.h"
 #include "kernels/scene/Scene.h"
 
 #include "vtkActor.h"
@@ -36,7 +37,9 @@ public:
   mote::ParticleModel model;
   mote::ArrayColors colors;
   mote::RendererImages images; ///< for renderers that have no vtkMoteRayCastPass
-  bool exactOnly = false;      ///< somebody waits for the exact structure
+  mote::ColorMeans means;      ///< of levels of detail
+  mote::InputKey meansKey;
+  bool exactOnly = false; ///< somebody waits for the exact structure
 
   // The last of each kind of message, so that it is told once and not every frame.
   std::string reported, reportedColors;
@@ -134,6 +137,9 @@ void vtkMoteParticleMapper::Update(int port)
   mote::takeRadiusProperties(this, model.radii);
   model.structureName = textOf(this->StructureName);
   model.structureForm = textOf(this->StructureForm);
+  // Of the structures that the name leaves open one has levels of detail.
+  if (this->PixelsOfError > 0.0 && model.structureName == mote::particleStructureNames().front())
+    model.structureName = mote::PkdTree::name();
   model.keepPointIds = this->KeepPointIds;
   std::string problem;
   try
@@ -423,6 +429,7 @@ bool vtkMoteParticleMapper::DescribeTo(mote::SurfaceObject& object, vtkActor* ac
   const std::string problem = impl.colors.describe(this, this->GetInput(), object.coloring);
   if (mote::isNews(problem, impl.reportedColors))
     vtkErrorMacro(<< problem);
+  this->AllowError(object);
   const bool clipped = this->ClippingPlanes && this->ClippingPlanes->GetNumberOfItems() > 0;
   if (clipped && !impl.reportedClipping)
     vtkWarningMacro(
@@ -430,6 +437,32 @@ bool vtkMoteParticleMapper::DescribeTo(mote::SurfaceObject& object, vtkActor* ac
       "clipping range.");
   impl.reportedClipping = clipped;
   return true;
+}
+
+/// Makes levels of detail and their colours, where an error is allowed and they were not made
+/// before.
+void vtkMoteParticleMapper::AllowError(mote::SurfaceObject& object)
+{
+  Internals& impl = *this->Impl;
+  mote::SurfaceColoring& coloring = object.coloring;
+  const bool opaque = object.material.opacity >= 1.0f && !coloring.mayBeTransparent();
+  if (!(this->PixelsOfError > 0.0) || !opaque || !impl.model.makeLods())
+    return;
+  object.surface = mote::ParticleSurface(impl.model.structure(), this->PixelsOfError);
+  const mote::ArrayView& array = coloring.direct.empty() ? coloring.values : coloring.direct;
+  if (array.empty())
+    return;
+  mote::InputKey key = {double(impl.model.structureTime()), double(coloring.component),
+    double(coloring.direct.empty())};
+  mote::addArray(key, this->GetColorArray());
+  if (!coloring.direct.empty())
+    key.push_back(double(this->GetLookupTable()->GetMTime()));
+  if (key != impl.meansKey)
+  {
+    impl.means = mote::meansOf(*impl.model.tree(), coloring);
+    impl.meansKey = std::move(key);
+  }
+  coloring.means = impl.means.view();
 }
 
 void vtkMoteParticleMapper::Render(vtkRenderer* renderer, vtkActor* actor)
@@ -481,6 +514,7 @@ void vtkMoteParticleMapper::PrintSelf(ostream& os, vtkIndent indent)
   print("IsPreview", this->IsPreview() ? "Yes" : "No");
   print("KeepPointIds", onOff(this->KeepPointIds));
   print("CastsShadows", onOff(this->CastsShadows));
+  print("PixelsOfError", this->PixelsOfError);
   for (int v = 0; v < 3; ++v)
     os << indent << "Replication " << v << ": " << this->Replication[v] << " by "
        << this->ReplicationVectors[3 * v] << " " << this->ReplicationVectors[3 * v + 1] << " "

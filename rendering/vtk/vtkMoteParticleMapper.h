@@ -252,6 +252,21 @@ public:
 
   ///@{
   /**
+   * How many pixels the picture may err by, at least 0: boxes stand for groups of particles, where
+   * no point of these is farther from a particle than that and no side is longer than eight times
+   * as much. They cover as much as their particles do and have their mean colour, so far views of
+   * many particles take less time and flicker less. It takes the "pkd-tree", which "auto"
+   * structures then are; others are exact, and so are 0, as unless set, what is not opaque, sets
+   * with baked ambient occlusion, and groups of which a part is hidden. Shadows, ambient occlusion
+   * and picks ask the particles themselves. The first picture looks at all particles, and so does
+   * the first one after a change of the array that colours. See docs/pkd-tree.md.
+   */
+  vtkSetClampMacro(PixelsOfError, double, 0.0, 1000.0);
+  vtkGetMacro(PixelsOfError, double);
+  ///@}
+
+  ///@{
+  /**
    * How often the particles are drawn along each of three vectors: as they are, one vector further,
    * and so on, as with the images of a periodic simulation. Nothing is copied and no structure is
    * built; colours, ids and occlusion maps are those of the particles. 1, 1, 1 at first; less
@@ -451,12 +466,15 @@ protected:
   vtkIdType PreviewSize = 1000000;
   bool KeepPointIds = true;
   bool CastsShadows = true;
+  double PixelsOfError = 0.0;
   int Replication[3] = {1, 1, 1};
   double ReplicationVectors[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
 
 private:
   vtkMoteParticleMapper(const vtkMoteParticleMapper&) = delete;
   void operator=(const vtkMoteParticleMapper&) = delete;
+
+  void AllowError(mote::SurfaceObject& object);
 
   class Internals;
   std::unique_ptr<Internals> Impl;
