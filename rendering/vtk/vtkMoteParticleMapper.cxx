@@ -183,16 +183,6 @@ bool vtkMoteParticleMapper::FinishBuild()
   return this->Impl->model.structure() && !this->IsPreview();
 }
 
-void vtkMoteParticleMapper::StopBuild()
-{
-  this->Impl->model.stopBuild();
-}
-
-void vtkMoteParticleMapper::SetScratchSpace(std::shared_ptr<mote::ScratchSpace> space)
-{
-  this->Impl->model.space = std::move(space);
-}
-
 std::shared_ptr<mote::ScratchSpace> vtkMoteParticleMapper::GetScratchSpace() const
 {
   return this->Impl->model.space;
@@ -333,26 +323,6 @@ int vtkMoteParticleMapper::GetNumberOfBuilds()
 double vtkMoteParticleMapper::GetRadiusInUse()
 {
   return this->Impl->model.commonRadius();
-}
-
-bool vtkMoteParticleMapper::IsPreview()
-{
-  return this->Impl->model.isPreview();
-}
-
-bool vtkMoteParticleMapper::IsBuilding()
-{
-  return this->Impl->model.isBuilding();
-}
-
-vtkIdType vtkMoteParticleMapper::GetNumberOfPreviewParticles()
-{
-  return static_cast<vtkIdType>(this->Impl->model.previewed());
-}
-
-double vtkMoteParticleMapper::GetBuildProgress()
-{
-  return this->Impl->model.buildProgress();
 }
 
 std::vector<std::string> vtkMoteParticleMapper::GetStructureNames()

@@ -252,14 +252,15 @@ public:
 
   ///@{
   /**
-   * How many pixels the picture may err by, at least 0: boxes stand for groups of particles, where
-   * no point of these is farther from a particle than that and no side is longer than eight times
-   * as much. They cover as much as their particles do and have their mean colour, so far views of
-   * many particles take less time and flicker less. It takes the "pkd-tree", which "auto"
-   * structures then are; others are exact, and so are 0, as unless set, what is not opaque, sets
-   * with baked ambient occlusion, and groups of which a part is hidden. Shadows, ambient occlusion
-   * and picks ask the particles themselves. The first picture looks at all particles, and so does
-   * the first one after a change of the array that colours. See docs/pkd-tree.md.
+   * How many pixels the picture may err by, at least 0: boxes stand for groups of particles. Most
+   * rays that hit a box pass one of its particles by less than so many pixels, and all by less than
+   * about twice as much; no side is longer than ten times as much. Boxes cover as much as their
+   * particles do and have their mean colour, so far views of many particles take less time and
+   * flicker less. Only the "pkd-tree" has them, which "auto" structures then are. Others are exact,
+   * and so are 0, as unless set, what is not opaque, sets with baked ambient occlusion, and groups
+   * of which a part is hidden. Shadows, ambient occlusion and picks ask the particles themselves.
+   * The first picture looks at all particles, and so does the first one after a change of the array
+   * that colours. See docs/pkd-tree.md.
    */
   vtkSetClampMacro(PixelsOfError, double, 0.0, 1000.0);
   vtkGetMacro(PixelsOfError, double);
