@@ -21,6 +21,7 @@
 #include "vtkPlaneCollection.h"
 #include "vtkPointSet.h"
 #include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
 
 #include <algorithm>
 
