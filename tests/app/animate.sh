@@ -123,7 +123,7 @@ case $3 in
     wait $process
     [ $? = 130 ] || { cat out err; fail "the exit code is not 130"; }
     said out 'of 100,000 frames'
-    frames=$(sed 's/.*, \([0-9]*\) of 100,000 frames.*/\1/' out)
+    frames=$(sed -n 's/.*, \([0-9]*\) of 100,000 frames.*/\1/p' out)
     film_is film.ogv "160x120 $frames frames 25 fps playable complete"
     ls | grep -q part && fail "something is left: $(ls)"
     true

@@ -128,7 +128,8 @@ GLTF
     ;;
 
   scene) # with particles and volumes, in one light
-    vtp a.vtp '-0.05 -0.05 0.1 0.05 -0.05 0.1 0 0.05 0.1 0 0 0.16' # within the hopper's box
+    vtp a.vtp '-15 -15 20 15 -15 20 0 15 20 0 0 38' # within the hopper's box
+    vtp b.vtp '-0.05 -0.05 0.1 0.05 -0.05 0.1 0 0.05 0.1 0 0 0.16' # and by the swirl
     draw alone.png "$hopper"
     draw both.png "$hopper" a.vtp
     said out '5,518 particles, 4 triangles'
@@ -138,7 +139,7 @@ GLTF
     draw outlined.png "$hopper" a.vtp --silhouettes
     draw paths.png "$hopper" a.vtp --path-trace
     for other in shadows occluded outlined paths; do differ both.png $other.png; done
-    draw volume.png "$data/swirl.0.vtu" a.vtp
+    draw volume.png "$data/swirl.0.vtu" b.vtp
     said out 'cells, 4 triangles'
     draw hidden.png "$hopper" a.vtp --hide-data 2
     said out '0 of 4 triangles shown'

@@ -46,7 +46,7 @@ struct Crowd : ::testing::Test
     stage.actor->GetProperty()->SetAmbient(1);
     stage.actor->GetProperty()->SetDiffuse(0);
     vtkCamera* camera = stage.renderer->GetActiveCamera();
-    camera->SetPosition(3.0, 2.0, 9.0);
+    camera->SetPosition(7.0, 7.0, 7.0); // boxes on one of the three faces that are seen are exact
     camera->SetFocalPoint(0, 0, 0);
     camera->SetClippingRange(1, 20);
   }
@@ -77,7 +77,7 @@ TEST_F(Crowd, PixelsOfErrorMakeBoxesOfTheMeanColour)
   EXPECT_GT(spread(exact), 0.45);
   stage.mapper->SetPixelsOfError(2.0);
   const Picture rough = stage.trace();
-  EXPECT_LT(spread(rough), 0.2);
+  EXPECT_LT(spread(rough), 0.6 * spread(exact));
   EXPECT_NEAR(rough.covered(), exact.covered(), 0.1 * exact.covered());
   for (vtkIdType i = 0; i < stripes->GetNumberOfTuples(); ++i)
     stripes->SetTuple1(i, 0.25);
