@@ -3,7 +3,7 @@
  * @brief   opens .mote files of triangles
  *
  * Output: vtkPolyData whose points (vtkMoteMeshFilePoints), triangles and arrays stay in the file,
- * mapped into memory: opening reads the nodes of the tree, about half a byte a triangle, and other
+ * mapped into memory: opening reads the nodes of the tree, about 1.2 bytes a triangle, and other
  * pages come in as they are used. Triangles stand in the order of the file; where the file was told
  * to keep it, the arrays "vtkOriginalPointIds" and "vtkOriginalCellIds" have the order before that.
  * Ranges of arrays and bounds are known without a look at the values. Nothing can be written to.

@@ -39,8 +39,8 @@ void checkNumbers(const std::string& name, const Header& h)
 }
 
 /// Checks that children of nodes are nodes and clusters that there are, and come after their
-/// parents: with this good no other byte leads a ray outside of the file. Answers how many nodes
-/// lie between the root and a leaf at most, with both.
+/// parents: with this good no other byte leads a ray outside of the file. Answers how many nodes a
+/// ray passes from the root down to a cluster, at most.
 int depthOf(const std::string& name, const StoredArray<RlodNode>& nodes, std::size_t clusters)
 {
   std::vector<std::uint16_t> depths(nodes.size());
