@@ -183,11 +183,11 @@ double FrameTracer::distanceFor(const Frame& frame, double seconds) const
 {
   if (!frame.settings.autoAdjust)
     return 1.0;
-  const double full = secondsPerRay_ * frame.width * frame.height;
+  const double full = double(frame.width) * frame.height, rays = cost_.raysFor(seconds);
   const double most = mostDistance(frame.settings);
   double distance = 1.0;
   // Steps as fine as a frame's time is to be met.
-  while (distance < most && full / (distance * distance) > seconds)
+  while (distance < most && full / (distance * distance) > rays)
     distance *= finerStep;
   return std::min(distance, most);
 }
@@ -337,7 +337,7 @@ void FrameTracer::traceFirst(Frame& frame)
     frame.end =
       settings.autoAdjust && distance < mostDistance(settings) ? start + patience * time : forever;
     const bool complete = addSample(frame);
-    secondsPerRay_ = (frame.seconds() - start) / double(std::max(1LL, rays_));
+    cost_.learn(frame.seconds() - start, double(std::max(1LL, rays_)), complete);
     const double next = distanceFor(frame, time - frame.seconds());
     if (complete && next * leastFiner > distance)
       return;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "FilmCost.h"
 #include "MoteProp.h"
 #include "OcclusionBaking.h"
 #include "SilhouetteTracer.h"
@@ -46,7 +47,7 @@ std::vector<vtkMTimeType> timesOf(const MoteProps& props);
 /// Keeps the traced picture of one renderer up to date with as few rays as the settings allow.
 ///
 /// A picture that moves or is progressive begins, whatever has changed, with a first film that is
-/// as fine as the frame's time allows, as far as the seconds per ray of the last one tell. It is
+/// as fine as the frame's time allows, as far as the ones before tell (see FilmCost). It is
 /// never stopped, so that each change is seen. A progressive picture at rest then gets finer films,
 /// the last of which has full resolution and all samples. A finer film begins as an enlarged copy
 /// of the one before and is traced tile by tile: each frame traces some, and what was stopped goes
@@ -142,9 +143,7 @@ private:
   unsigned channels_ = 0;      ///< of the film, besides those of silhouettes
   bool draft_ = false;         ///< the film has fewer rays a hit than it should
   bool shows_ = false;         ///< the film shows all of the view, however coarsely
-  /// Of the last first film: what the next will take, most likely. To begin with, about what clouds
-  /// take: where rays are faster a finer film follows in the same frame.
-  double secondsPerRay_ = 5e-6;
+  FilmCost cost_; ///< of first films
   double seconds_ = 0.0;
   long long rays_ = 0;
   unsigned long version_ = 0;
