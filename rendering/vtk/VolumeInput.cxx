@@ -38,9 +38,15 @@ bool VolumeGeometry::hasCellsOf(vtkUnstructuredGrid* grid)
   return mesh_ && seen_ == content_;
 }
 
-bool VolumeGeometry::fits(vtkUnstructuredGrid* grid, const HexStructureOptions& options)
+bool VolumeGeometry::hasStructure(const HexStructureOptions& options) const
 {
-  return hasCellsOf(grid) && structure_ && keyOf(options) == structureKey_;
+  return structure_ && keyOf(options) == structureKey_;
+}
+
+void VolumeGeometry::forgetStructure()
+{
+  structure_ = nullptr;
+  built_ = nullptr;
 }
 
 bool VolumeGeometry::takeCells(vtkUnstructuredGrid* grid)
@@ -70,18 +76,24 @@ void VolumeGeometry::build(const HexStructureOptions& options)
 
 void VolumeGeometry::setRanges(const HexField& field)
 {
+  if (!structure_)
+    return;
   if (structure_.use_count() > 1)
     structure_ = std::make_shared<HexStructure>(*structure_);
   mote::setRanges(*structure_, field);
 }
 
+void VolumeGeometry::findNeighbours()
+{
+  if (adjacency_)
+    return;
+  adjacency_ = std::make_shared<FaceAdjacency>(*mesh_);
+  views_ = std::make_shared<WalkViews>();
+}
+
 std::shared_ptr<const WalkCells> VolumeGeometry::makeWalk(const HexField& field)
 {
-  if (!adjacency_)
-  {
-    adjacency_ = std::make_shared<FaceAdjacency>(*mesh_);
-    views_ = std::make_shared<WalkViews>();
-  }
+  this->findNeighbours();
   return std::make_shared<WalkCells>(mesh_, adjacency_, field, views_);
 }
 
@@ -89,6 +101,11 @@ void VolumeGeometry::addMemory(std::vector<std::pair<const void*, std::size_t>>&
 {
   if (mesh_)
     pieces.emplace_back(mesh_.get(), mesh_->bytes());
+  if (adjacency_)
+  {
+    pieces.emplace_back(adjacency_.get(), adjacency_->bytes());
+    pieces.emplace_back(views_.get(), views_->bytes());
+  }
   if (structure_)
     withStructure(*structure_,
       [&](const auto& s)
@@ -105,10 +122,7 @@ std::vector<std::pair<const void*, std::size_t>> BuiltVolume::memory() const
   if (field)
     pieces.emplace_back(field.get(), field->bytes());
   if (walk)
-  {
-    pieces.emplace_back(&walk->adjacency(), walk->adjacency().bytes());
     pieces.emplace_back(walk.get(), walk->bytes() - walk->adjacency().bytes());
-  }
   return pieces;
 }
 

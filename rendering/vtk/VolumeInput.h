@@ -14,28 +14,32 @@ class vtkUnstructuredGrid;
 namespace mote
 {
 
-/// The mesh of a volume, and the structure over it, which follow a pipeline's output.
+/// The mesh of a volume, and what rays go through it by, which follow a pipeline's output.
 class VolumeGeometry
 {
 public:
-  /// Whether there is a structure over the grid's cells as the options want it: points, types,
-  /// offsets and connectivity are the same arrays, unchanged, or have the same content.
-  bool fits(vtkUnstructuredGrid* grid, const HexStructureOptions& options);
+  /// Whether the mesh is of the grid's cells: points, types, offsets and connectivity are the same
+  /// arrays, unchanged, or have the same content.
+  bool hasCellsOf(vtkUnstructuredGrid* grid);
 
   /// Takes the grid's cells where they are not those that are there. True where it did; there is no
-  /// structure then. Throws Error as HexMesh does, and where the grid has no cells or none that can
-  /// be drawn, and has no mesh then.
+  /// structure and no adjacency then. Throws Error as HexMesh does, and where the grid has no cells
+  /// or none that can be drawn, and has no mesh then.
   bool takeCells(vtkUnstructuredGrid* grid);
 
+  /// Whether there is a structure over the mesh as the options want it.
+  bool hasStructure(const HexStructureOptions& options) const;
   /// Builds the structure over the mesh. Throws as makeHexStructure() does.
   void build(const HexStructureOptions& options);
+  void forgetStructure();
 
-  /// Tells the structure the ranges of a field; a structure that somebody looks at is left alone,
-  /// and a copy takes its place.
+  /// Tells the structure, if there is one, the ranges of a field; a structure that somebody looks
+  /// at is left alone, and a copy takes its place.
   void setRanges(const HexField& field);
 
-  /// What camera rays need to go from cell to cell, of a field on the mesh. Which cells share faces
-  /// is found when it is first asked for, and kept while the mesh is the same.
+  /// Finds which cells share faces, which walks need, where that is not known.
+  void findNeighbours();
+  /// What camera rays need to go from cell to cell, of a field on the mesh.
   std::shared_ptr<const WalkCells> makeWalk(const HexField& field);
 
   void forget() { *this = VolumeGeometry(); }
@@ -48,8 +52,6 @@ public:
   std::shared_ptr<const HexStructure> structure() const { return structure_; }
 
 private:
-  bool hasCellsOf(vtkUnstructuredGrid* grid);
-
   InputKey seenKey_; ///< times of the arrays that were looked at last
   ContentHash seen_; ///< and what they held
   ContentHash content_;

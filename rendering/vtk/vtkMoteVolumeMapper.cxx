@@ -32,11 +32,6 @@
 
 vtkStandardNewMacro(vtkMoteVolumeMapper);
 
-namespace
-{
-constexpr const char* defaultStructure = "cartbvh";
-}
-
 /// What the mapper keeps between frames.
 class vtkMoteVolumeMapper::Internals : public mote::BuiltVolume
 {
@@ -57,12 +52,20 @@ public:
 
   mote::RendererImages images; ///< for renderers that have no vtkMoteRayCastPass
 
-  /// Takes what was offered, where it is of the grid's cells.
-  void takeOffer(vtkUnstructuredGrid* grid, const mote::HexStructureOptions& options)
+  /// Whether what was made of the grid's cells can be drawn. `options`: of the structure that is
+  /// needed; null: none is.
+  static bool fits(
+    mote::VolumeGeometry& made, vtkUnstructuredGrid* grid, const mote::HexStructureOptions* options)
+  {
+    return made.hasCellsOf(grid) && (!options || made.hasStructure(*options));
+  }
+
+  /// Takes what was offered, where it fits.
+  void takeOffer(vtkUnstructuredGrid* grid, const mote::HexStructureOptions* options)
   {
     const auto from = std::exchange(offered, nullptr);
     mote::BuiltVolume taken = from ? *from : mote::BuiltVolume();
-    if (!from || !taken.geometry.fits(grid, options))
+    if (!from || !fits(taken.geometry, grid, options))
       return;
     static_cast<mote::BuiltVolume&>(*this) = std::move(taken);
     changedAt.Modified();
@@ -72,8 +75,8 @@ public:
 vtkMoteVolumeMapper::vtkMoteVolumeMapper()
   : Impl(std::make_unique<Internals>())
 {
-  this->SetStructureName(defaultStructure);
-  this->SetIntegratorName("cell-by-cell");
+  this->SetStructureName(GetStructureNames().back().c_str());
+  this->SetIntegratorName(GetIntegratorNames().back().c_str());
 }
 
 vtkMoteVolumeMapper::~vtkMoteVolumeMapper()
@@ -86,16 +89,6 @@ int vtkMoteVolumeMapper::FillInputPortInformation(int vtkNotUsed(port), vtkInfor
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGridBase");
   return 1;
-}
-
-std::vector<std::string> vtkMoteVolumeMapper::GetStructureNames()
-{
-  return mote::hexStructureNames();
-}
-
-std::vector<std::string> vtkMoteVolumeMapper::GetIntegratorNames()
-{
-  return {"inverse-distance", "trilinear", "cell-by-cell"}; // as VolumeIntegrator counts them
 }
 
 double* vtkMoteVolumeMapper::GetBounds()
@@ -246,75 +239,49 @@ void vtkMoteVolumeMapper::UpdateVolume()
   impl.reported = problem;
 }
 
-mote::HexStructureOptions vtkMoteVolumeMapper::StructureOptions()
-{
-  mote::HexStructureOptions options;
-  const char* name =
-    this->StructureName && *this->StructureName ? this->StructureName : defaultStructure;
-  options.kind = static_cast<mote::HexStructureKind>(
-    mote::findName(mote::hexStructureNames(), name, "structure"));
-  const double* d = this->AxisDirection;
-  const double* o = this->AxisOrigin;
-  if (d[0] != 0.0 || d[1] != 0.0 || d[2] != 0.0)
-    options.axis = mote::CylinderAxis{{o[0], o[1], o[2]}, {d[0], d[1], d[2]}};
-  return options;
-}
-
 bool vtkMoteVolumeMapper::UpdateGeometry(vtkUnstructuredGrid* grid)
 {
   Internals& impl = *this->Impl;
-  const mote::HexStructureOptions options = this->StructureOptions();
+  const mote::HexStructureOptions options =
+    this->StructureOptions(); // says what is wrong with them
+  const mote::HexStructureOptions* needed = this->NeedsStructure() ? &options : nullptr;
   const auto start = std::chrono::steady_clock::now();
-  impl.takeOffer(grid, options);
-  if (impl.geometry.fits(grid, options))
+  impl.takeOffer(grid, needed);
+  if (Internals::fits(impl.geometry, grid, needed))
     return true;
   const mote::BuildEvents events(this);
   const auto stopped = [&](double done)
   {
     this->UpdateProgress(done);
     if (this->GetAbortExecute())
+    {
       impl.geometry.forget();
+      impl.forgetField();
+    }
     return this->GetAbortExecute() != 0;
   };
-  impl.forgetField();
   impl.changedAt.Modified();
   if (stopped(0.0))
     return false;
-  if (impl.geometry.takeCells(grid))
+  if (!impl.geometry.hasCellsOf(grid))
   {
+    impl.forgetField();
+    impl.geometry.takeCells(grid);
     const std::string report = this->GetReport();
     if (!report.empty())
       vtkWarningMacro(<< report);
   }
   if (stopped(0.3))
     return false;
-  impl.geometry.build(options);
+  if (needed)
+    impl.geometry.build(options);
+  else
+    impl.geometry.findNeighbours();
+  if (needed && impl.field)
+    impl.geometry.setRanges(*impl.field);
   impl.buildTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   ++impl.builds;
   return !stopped(1.0);
-}
-
-vtkDataArray* vtkMoteVolumeMapper::FindArray(vtkUnstructuredGrid* grid, bool& ofCells)
-{
-  int cellFlag = 0;
-  vtkDataArray* array = vtkAbstractMapper::GetScalars(
-    grid, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-  ofCells = cellFlag == 1;
-  if (array && cellFlag <= 1)
-    return array;
-  const std::string points = mote::arrayNames(grid->GetPointData());
-  const std::string cells = mote::arrayNames(grid->GetCellData());
-  const bool wantsPoints = this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA;
-  if (!wantsPoints && this->ScalarMode != VTK_SCALAR_MODE_USE_CELL_FIELD_DATA)
-    throw mote::Error("There are no active scalars to draw; there are point arrays: " + points +
-                      ", and cell arrays: " + cells + ".");
-  std::string name = "\"";
-  if (this->ArrayAccessMode == VTK_GET_ARRAY_BY_ID)
-    name = "number " + std::to_string(this->ArrayId);
-  else
-    name.append(this->ArrayName ? this->ArrayName : "").append("\"");
-  throw mote::Error(std::string("There is no ") + (wantsPoints ? "point" : "cell") + " array " +
-                    name + " to draw; there are: " + (wantsPoints ? points : cells) + ".");
 }
 
 void vtkMoteVolumeMapper::UpdateField(vtkUnstructuredGrid* grid)
@@ -334,6 +301,8 @@ void vtkMoteVolumeMapper::UpdateField(vtkUnstructuredGrid* grid)
   scalar.values = values.view;
   impl.field = std::make_shared<mote::HexField>(*impl.geometry.mesh(), scalar);
   impl.walk = nullptr;
+  if (!this->NeedsStructure())
+    impl.geometry.forgetStructure();
   impl.geometry.setRanges(*impl.field);
   impl.fieldKey = std::move(key);
   impl.changedAt.Modified();
@@ -352,8 +321,7 @@ std::shared_ptr<const mote::BuiltVolume> vtkMoteVolumeMapper::GetBuilt(bool forP
   Internals& impl = *this->Impl;
   if (!impl.field)
     return nullptr;
-  const std::string integrator = this->IntegratorName ? this->IntegratorName : "";
-  if (forPicture && this->ShowCloud && integrator == GetIntegratorNames().back())
+  if (forPicture && this->ShowCloud && this->Walks())
     this->UpdateWalk();
   return std::make_shared<mote::BuiltVolume>(impl);
 }
@@ -393,7 +361,7 @@ bool vtkMoteVolumeMapper::DescribeTo(mote::Scene& scene, vtkVolume* volume, int 
     }
     if (this->ShowCloud)
     {
-      if (cloud.sampling.integrator == mote::VolumeIntegrator::CellByCell)
+      if (mote::walkServes(cloud.sampling))
       {
         this->UpdateWalk();
         cloud.walk = impl.walk;

@@ -22,9 +22,11 @@
  * one each volume is traced alone. Either way rays end at the opaque props that VTK has drawn
  * before.
  *
- * A structure is built for a mesh and kept while points and cells stay what they are; where a
- * reader makes them anew for each time step their content is compared. Other scalars refresh the
- * structure's ranges, other colours, opacities, camera or light nothing.
+ * What rays need is made for a mesh and kept while points and cells stay what they are; where a
+ * reader makes them anew for each time step their content is compared. Clouds that are integrated
+ * cell by cell need to know which cells share faces, and no structure; one is built when first
+ * needed: by iso-surfaces, other integrators, a Tolerance below 1e-5. Other scalars refresh its
+ * ranges, where it is needed still; other colours, opacities, camera or light nothing.
  *
  * What an input, a property or a setting lacks or has that cannot be drawn is told once, in one
  * sentence, and nothing is drawn: bad connectivity, no cells, no such array, arrays of another
@@ -310,6 +312,8 @@ private:
   void operator=(const vtkMoteVolumeMapper&) = delete;
 
   void UpdateVolume();
+  bool Walks();
+  bool NeedsStructure();
   bool UpdateGeometry(vtkUnstructuredGrid* grid);
   void UpdateWalk();
   void UpdateField(vtkUnstructuredGrid* grid);

@@ -36,4 +36,18 @@ std::shared_ptr<const WalkView> WalkViews::view(
   return view;
 }
 
+const CellRuns& WalkViews::runs(const HexMesh& mesh)
+{
+  const std::lock_guard lock(mutex_);
+  if (!runs_)
+    runs_ = std::make_unique<const CellRuns>(mesh);
+  return *runs_;
+}
+
+std::size_t WalkViews::bytes() const
+{
+  const std::lock_guard lock(mutex_);
+  return runs_ ? runs_->bytes() : 0;
+}
+
 } // namespace mote

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../core/Camera.h"
+#include "CellRuns.h"
 
 #include <memory>
 #include <mutex>
@@ -12,8 +13,8 @@ namespace mote
 class WalkCells;
 class WalkView;
 
-/// How cameras last saw the boundary of a mesh, for walks to come: the samples of a picture see the
-/// same, and so do time steps over the same mesh.
+/// What walks through a mesh share, whatever the scalar: how cameras last saw its boundary, as the
+/// samples of a picture and time steps over the same mesh see the same, and where its cells are.
 class WalkViews
 {
 public:
@@ -21,6 +22,11 @@ public:
   /// it is not among the last. All `cells` must be of the same mesh. Any number of threads may ask.
   std::shared_ptr<const WalkView> view(
     const WalkCells& cells, const CameraRays& rays, int width, int height);
+
+  /// Where cells are, for single rays of other origins; found when it is first asked for.
+  const CellRuns& runs(const HexMesh& mesh);
+  /// Of what runs() keeps.
+  std::size_t bytes() const;
 
 private:
   struct Kept
@@ -33,7 +39,8 @@ private:
 
   std::shared_ptr<const WalkView> find(const CameraRays& rays, int width, int height);
 
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
+  std::unique_ptr<const CellRuns> runs_;
   std::vector<Kept> kept_; ///< the last one first
 };
 

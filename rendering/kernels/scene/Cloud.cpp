@@ -1,5 +1,7 @@
 #include "Cloud.h"
 
+#include "../hexahedra/CellWalk.h"
+
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -8,9 +10,20 @@
 namespace mote
 {
 
+bool walkServes(const VolumeSampling& sampling)
+{
+  return sampling.integrator == VolumeIntegrator::CellByCell &&
+         sampling.tolerance >= CellWalk::leastTolerance && CellWalk::isSupported();
+}
+
+const HexMesh& meshOf(const CloudObject& cloud)
+{
+  return cloud.structure ? meshOf(*cloud.structure) : cloud.walk->mesh();
+}
+
 double volumeStep(const CloudObject& cloud)
 {
-  const HexMesh& mesh = meshOf(*cloud.structure);
+  const HexMesh& mesh = meshOf(cloud);
   const HexMeshReport& report = mesh.report();
   const double cell =
     report.kept > 0 ? std::cbrt(std::abs(report.volume) / static_cast<double>(report.kept)) : 0.0;

@@ -42,10 +42,11 @@ struct CloudObject
 {
   std::int32_t id = 0;        ///< as SurfaceObject::id
   std::uint64_t revision = 0; ///< as SurfaceObject::revision
+  /// May be null where the walk serves, see walkServes().
   std::shared_ptr<const HexStructure> structure;
   std::shared_ptr<const HexField> field; ///< on the structure's mesh
-  /// Of the structure's mesh and the field: the camera's rays then go from cell to cell where the
-  /// integrator is CellByCell. Null: all rays go through the structure.
+  /// Of the structure's mesh and the field: the camera's rays then go from cell to cell where that
+  /// serves. Null: all rays go through the structure.
   std::shared_ptr<const WalkCells> walk;
   Mat4d toWorld{1.0}; ///< affine
   TransferFunction transfer;
@@ -56,12 +57,19 @@ struct CloudObject
   bool operator==(const CloudObject&) const = default;
 };
 
+/// Whether the camera's rays can go from cell to cell, and need no structure.
+bool walkServes(const VolumeSampling& sampling);
+
+/// The mesh of its structure or its walk, of which it has one at least.
+const HexMesh& meshOf(const CloudObject& cloud);
+
 /// The step of a cloud that names none, in world units: half the edge of a cube as large as the
 /// mean cell, or 1/2000 of the mesh's size where that is more.
 double volumeStep(const CloudObject& cloud);
 
-/// The opaque surfaces where the cloud's scalar has these values, in the colours that its transfer
-/// function gives them, with its placement, material, id and revision.
+/// The opaque surfaces, for which it must have a structure, where the cloud's scalar has these
+/// values, in the colours that its transfer function gives them, with its placement, material, id
+/// and revision.
 SurfaceObject isoSurfacesOf(const CloudObject& cloud, const std::vector<double>& values);
 
 } // namespace mote

@@ -32,7 +32,7 @@ Box Scene::bounds() const
   for (const SurfaceObject& object : surfaces)
     all.add(worldBounds(object));
   for (const CloudObject& cloud : clouds)
-    all.add(transformed(meshOf(*cloud.structure).bounds(), cloud.toWorld));
+    all.add(transformed(meshOf(cloud).bounds(), cloud.toWorld));
   return all;
 }
 

@@ -26,10 +26,10 @@ struct Piece
 class Pieces
 {
 public:
-  Pieces(const CloudObject& cloud, const HexMesh& mesh, const HexRay& ray, std::vector<Piece>& all)
+  Pieces(const CloudObject& cloud, const HexRay& ray, std::vector<Piece>& all)
     : cloud_(cloud)
     , transfer_(cloud.transfer, cloud.field->offset())
-    , sampler_(mesh, *cloud.field)
+    , sampler_(meshOf(cloud), *cloud.field)
     , ray_(ray)
     , all_(all)
   {
@@ -70,19 +70,28 @@ std::optional<CloudPick> pickCloud(
 {
   std::vector<Piece> pieces;
   for (const CloudObject& cloud : scene.clouds)
+  {
+    const Mat4d toLocal = glm::inverse(cloud.toWorld);
+    const HexRay ray = {
+      transformPoint(toLocal, origin), transformVector(toLocal, direction), tMin, tMax};
+    Pieces add(cloud, ray, pieces);
+    if (!cloud.structure)
+    {
+      for (const CellSpan& span :
+        cloud.walk->views().runs(meshOf(cloud)).spansOf(meshOf(cloud), ray))
+        add(span);
+      continue;
+    }
     withStructure(*cloud.structure,
       [&](const auto& s)
       {
-        const Mat4d toLocal = glm::inverse(cloud.toWorld);
-        const HexRay ray = {
-          transformPoint(toLocal, origin), transformVector(toLocal, direction), tMin, tMax};
-        Pieces add(cloud, s.mesh(), ray, pieces);
         s.forCellsAlong(
           ray, [&](const CellSpan& span) { return add(span); },
           [&](const ScalarRange& range)
           { return add.transfer().isVisible(range.lower, range.upper); },
           NoCounts{});
       });
+  }
   std::stable_sort(
     pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.tIn < b.tIn; });
 
@@ -113,7 +122,7 @@ std::optional<CloudPick> pickCloud(
     return std::nullopt;
   CloudPick pick;
   pick.object = found->cloud->id;
-  pick.cell = meshOf(*found->cloud->structure).inputCell(found->cell);
+  pick.cell = meshOf(*found->cloud).inputCell(found->cell);
   pick.value = found->value;
   pick.t = 0.5 * (found->tIn + found->tOut);
   pick.position = origin + pick.t * direction;

@@ -28,14 +28,15 @@ CloudTracer::CloudTracer(const CloudObject& cloud, const std::vector<ShadedLight
   , toLocal_(glm::inverse(cloud.toWorld))
   , normalToWorld_(glm::transpose(Mat3d(toLocal_)))
 {
-  if (!cloud.structure || !cloud.field)
-    throw Error("A volume needs a structure and a scalar.");
+  const bool hasRays = cloud.structure || (cloud.walk && walkServes(cloud.sampling));
+  if (!hasRays || !cloud.field)
+    throw Error("A volume needs a structure, or a walk that serves, and a scalar.");
   const double offset = cloud.field->offset();
   const VolumeSampling& sampling = cloud.sampling;
   settings_.transfer = TransferTable(cloud.transfer, offset);
   settings_.step = sampling.step > 0.0 ? sampling.step : volumeStep(cloud);
   settings_.tolerance = sampling.tolerance > 0.0 ? sampling.tolerance : 1e-12;
-  settings_.size = scaleOf(cloud.toWorld) * glm::length(meshOf(*cloud.structure).bounds().size());
+  settings_.size = scaleOf(cloud.toWorld) * glm::length(meshOf(cloud).bounds().size());
   settings_.step = std::max(settings_.step, leastStep * settings_.size);
   settings_.leastTransmittance = std::max(0.0, 1.0 - sampling.saturation);
   double y = 0.0;
@@ -149,8 +150,7 @@ void CloudTracer::gather(const CloudRay* rays, int count, const BundleFrustum::S
 
 bool CloudTracer::lookFrom(const CameraRays& rays, int width, int height)
 {
-  const bool isWanted = cloud_.walk && cloud_.sampling.integrator == VolumeIntegrator::CellByCell &&
-                        settings_.tolerance >= CellWalk::leastTolerance && CellWalk::isSupported();
+  const bool isWanted = cloud_.walk && walkServes(cloud_.sampling);
   if (isWanted)
     walk_.emplace(
       *cloud_.walk, *cloud_.field, settings_, lighting(), rays, toLocal_, width, height);

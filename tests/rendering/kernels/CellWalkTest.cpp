@@ -1,5 +1,7 @@
 // Camera rays that go from cell to cell find what rays through structures find.
 
+#include <kernels/hexahedra/CellRuns.h>
+#include <kernels/tracing/CloudPicking.h>
 #include <kernels/tracing/RayCaster.h>
 #include <kernels/tracing/detail/CloudTracer.h>
 
@@ -395,4 +397,58 @@ TEST(CellWalk, FilmsDoNotDependOnBundlesOrThreads)
     EXPECT_TRUE(caster.addSample(camera, film));
     EXPECT_TRUE(std::equal(expected.begin(), expected.end(), film.color()));
   }
+}
+
+TEST(CellRuns, FindTheCellsThatAllWouldBeAskedFor)
+{
+  for (const auto& mesh : {hexBlock(9, 7, 8, 0.3).mesh(), foam(3).mesh()})
+  {
+    const CellRuns runs(*mesh);
+    EXPECT_LT(double(runs.bytes()), 1.0 * double(mesh->cellCount()) + sizeof(Box));
+    const Vec3d middle = 0.5 * (mesh->bounds().lower + mesh->bounds().upper);
+    std::size_t met = 0;
+    for (int i = 0; i < 300; ++i)
+    {
+      const double a = 0.7 * i, b = 0.13 * i;
+      HexRay ray;
+      ray.direction = {std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)};
+      if (i % 10 == 0)
+        ray.direction = {0.0, 0.0, 2.0}; // along cells' faces at times
+      ray.origin = middle + 0.3 * Vec3d(i % 7 - 3, i % 5 - 2, i % 3 - 1) - 9.0 * ray.direction;
+      ray.tMin = i % 4 == 0 ? 8.5 : 0.0;
+      ray.tMax = i % 3 == 0 ? 9.5 : INFINITY;
+      const auto spans = runs.spansOf(*mesh, ray);
+      EXPECT_EQ(spans, allSpans(*mesh, ray)) << i;
+      met += spans.size();
+    }
+    EXPECT_GT(met, 1000U);
+  }
+}
+
+TEST(CellRuns, PicksWithoutAStructureAreTheSame)
+{
+  const auto mesh = hexBlock(9, 7, 8, 0.3).mesh();
+  CloudObject volume = volumeOf(mesh, pointValues(*mesh, wave), colorful());
+  addWalk(volume);
+  Scene scene, bare;
+  scene.clouds = {volume};
+  bare.clouds = {volume};
+  bare.clouds[0].structure = nullptr;
+  int picked = 0;
+  for (int i = 0; i < 200; ++i)
+  {
+    const Vec3d origin(i % 11 - 0.5, i % 9 - 0.5, -5.0),
+      direction(0.02 * (i % 13), 0.01 * (i % 7), 1);
+    const auto with = pickCloud(scene, origin, direction, 0.0, 100.0);
+    const auto without = pickCloud(bare, origin, direction, 0.0, 100.0);
+    ASSERT_EQ(with.has_value(), without.has_value()) << i;
+    if (!with)
+      continue;
+    ++picked;
+    EXPECT_EQ(with->cell, without->cell);
+    EXPECT_EQ(with->t, without->t);
+    EXPECT_EQ(with->value, without->value);
+    EXPECT_EQ(with->opacity, without->opacity);
+  }
+  EXPECT_GT(picked, 100);
 }

@@ -7,6 +7,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCommand.h"
+#include "vtkContourValues.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
@@ -123,15 +124,57 @@ TEST_F(VolumeRebuild, ForOtherCells)
 
 TEST_F(VolumeRebuild, ForStructureAndAxis)
 {
+  stage.mapper->SetStructureName("cartgrid");
+  EXPECT_EQ(work.done(), Pair(0, 0)) << "rays that go from cell to cell need none";
+  stage.mapper->SetStructureName("cartbvh");
+  stage.mapper->SetIntegratorName("trilinear");
+  EXPECT_EQ(work.done(), Pair(1, 0));
   stage.mapper->SetStructureName(nullptr);
   EXPECT_EQ(work.done(), Pair(0, 0)) << "that is the default, which it has";
   stage.mapper->SetStructureName("cartgrid");
-  EXPECT_EQ(work.done(), Pair(1, 1));
+  EXPECT_EQ(work.done(), Pair(1, 0));
   stage.mapper->SetStructureName("cylgrid");
   stage.mapper->SetAxisDirection(1, 0, 0);
-  EXPECT_EQ(work.done(), Pair(1, 1));
+  EXPECT_EQ(work.done(), Pair(1, 0));
   stage.mapper->SetAxisOrigin(0, 0.25, 0);
-  EXPECT_EQ(work.done(), Pair(1, 1));
+  EXPECT_EQ(work.done(), Pair(1, 0));
+}
+
+TEST_F(VolumeRebuild, ForAStructureOnceItIsNeeded)
+{
+  const auto structure = [&]() -> bool
+  {
+    mote::Scene scene;
+    EXPECT_TRUE(stage.mapper->DescribeTo(scene, stage.volume));
+    EXPECT_EQ(scene.surfaces.size(), stage.mapper->GetShowIsoSurfaces() ? 1U : 0U);
+    return scene.clouds.at(0).structure != nullptr;
+  };
+  EXPECT_FALSE(structure());
+  const vtkTypeInt64 bytes = stage.mapper->GetStructureBytes();
+  const auto colors = [&]
+  {
+    const Picture picture = stage.trace();
+    return std::vector<float>(picture.color(0), picture.color(0) + 4 * picture.count());
+  };
+  const std::vector<float> walked = colors();
+  stage.property()->GetIsoSurfaceValues()->SetValue(0, 0.5);
+  stage.mapper->ShowIsoSurfacesOn();
+  EXPECT_TRUE(structure());
+  EXPECT_EQ(work.done(), Pair(1, 0));
+  EXPECT_GT(stage.mapper->GetStructureBytes(), bytes);
+  // Who looks again for a moment finds it; other scalars leave it out.
+  stage.mapper->ShowIsoSurfacesOff();
+  EXPECT_TRUE(structure());
+  EXPECT_EQ(colors(), walked);
+  grid->GetPointData()->GetScalars()->Modified();
+  grid->Modified();
+  EXPECT_FALSE(structure());
+  EXPECT_EQ(work.done(), Pair(0, 1));
+  EXPECT_EQ(stage.mapper->GetStructureBytes(), bytes);
+  // Nearer than walks go.
+  stage.mapper->SetTolerance(1e-7);
+  EXPECT_TRUE(structure());
+  EXPECT_EQ(work.done(), Pair(1, 0));
 }
 
 TEST_F(VolumeRebuild, FollowsThePictureOfNewScalars)
@@ -152,6 +195,7 @@ TEST_F(VolumeRebuild, FollowsThePictureOfNewScalars)
 
 TEST_F(VolumeRebuild, LeavesAloneWhatSomebodyHolds)
 {
+  stage.mapper->SetIntegratorName("trilinear");
   mote::Scene held, later;
   ASSERT_TRUE(stage.mapper->DescribeTo(held, stage.volume));
   const mote::HexStructure* first = held.clouds.at(0).structure.get();
@@ -170,7 +214,30 @@ TEST_F(VolumeRebuild, LeavesAloneWhatSomebodyHolds)
   first = later.clouds.at(0).structure.get();
   change();
   EXPECT_EQ(later.clouds.at(0).structure.get(), first) << "nobody else's memory is taken again";
-  EXPECT_EQ(stage.mapper->GetNumberOfBuilds(), 1);
+  EXPECT_EQ(stage.mapper->GetNumberOfBuilds(), 2);
+}
+
+TEST(VolumeMemory, CloudsTakeNoStructure)
+{
+  vtkNew<vtkMotePumpSource> pump;
+  pump->SetScale(0.02);
+  pump->SetPartToRotor();
+  VolumeStage stage;
+  stage.mapper->SetInputConnection(pump->GetOutputPort());
+  const auto bytesOfCell = [&]
+  {
+    mote::Scene scene;
+    EXPECT_TRUE(stage.mapper->DescribeTo(scene, stage.volume));
+    return double(stage.mapper->GetStructureBytes()) / double(stage.mapper->GetNumberOfCells());
+  };
+  const double walk = bytesOfCell();
+  stage.mapper->SetIntegratorName("trilinear");
+  stage.mapper->Update();
+  const double both = bytesOfCell();
+  RecordProperty("walk", std::to_string(walk));
+  RecordProperty("both", std::to_string(both));
+  EXPECT_LT(walk, 120.0);
+  EXPECT_GT(both, walk + 70.0);
 }
 
 TEST(VolumeInput, FollowsItsPipeline)
