@@ -143,7 +143,7 @@ private:
   unsigned channels_ = 0;      ///< of the film, besides those of silhouettes
   bool draft_ = false;         ///< the film has fewer rays a hit than it should
   bool shows_ = false;         ///< the film shows all of the view, however coarsely
-  FilmCost cost_; ///< of first films
+  FilmCost cost_;              ///< of first films
   double seconds_ = 0.0;
   long long rays_ = 0;
   unsigned long version_ = 0;
