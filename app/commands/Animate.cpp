@@ -32,6 +32,14 @@ bool areSameFiles(const std::vector<std::string>& a, const std::vector<std::stri
     });
 }
 
+/// A key frame whose lines are as thick, as a share of the picture, as where it was seen.
+Settings scaledTo(Settings key, const Settings& first)
+{
+  if (const int seen = key.picture.size[1]; seen > 0)
+    key.silhouettes = scaled(key.silhouettes, double(first.picture.size[1]) / seen);
+  return key;
+}
+
 /// The settings of a session that a film goes on to.
 Settings keyOf(const std::string& file, const Settings& first)
 {
@@ -39,11 +47,9 @@ Settings keyOf(const std::string& file, const Settings& first)
   if (!areSameFiles(key.data.files, first.data.files))
     throw Failure("--key-frames: " + file + " shows other data, " + joined(key.data.files, ", ") +
                   ", and a film is of the same data throughout");
-  if (const int seen = key.picture.size[1]; seen > 0)
-    key.silhouettes = scaled(key.silhouettes, double(first.picture.size[1]) / seen);
   key.data.files = first.data.files;
   key.data.threads = first.data.threads;
-  return key;
+  return scaledTo(key, first);
 }
 
 } // namespace
@@ -107,7 +113,11 @@ void animate(const Settings& given)
   stage.look(picture.aspect(), picture.margins());
   for (const std::string& sentence : adviceOn(stage))
     Messages::warn(sentence);
-  keys.insert(keys.begin(), stage.settingsInForce());
+  if (keys.empty() && !settings.keyFrames.empty()) // of a session: all that its film goes through
+    for (const Settings& key : settings.keyFrames)
+      keys.push_back(scaledTo(key, settings));
+  else
+    keys.insert(keys.begin(), stage.settingsInForce());
   const std::vector<Settings> frames = framesOf(stage, input, keys);
   step = includeColorsOf(frames, stage, input, step, progress);
   const FilmResult result = makeFilm(stage, input, step, frames, file, size, terminal);

@@ -1,6 +1,7 @@
 #include "ControlPlaces.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -26,6 +27,8 @@ void noteControl(const std::string& name)
   lines += name + places;
   if (ImGui::IsItemActive())
     lines += "active " + name + places;
+  if (ImGui::IsItemFocused() && !GImGui->NavDisableHighlight)
+    lines += "focused " + name + places;
 }
 
 void writeControls(int inputs, bool isWaiting)

@@ -8,7 +8,7 @@ namespace mote::app
 /// For tests of the window: where controls lie. With the environment's MOTE_CONTROLS the panel
 /// writes that file in each frame, a line for each control: name, left, top, right and bottom in
 /// pixels of the window; and once more with "active" before the name where the mouse or the keys
-/// work it. Without it these do nothing.
+/// work it, and with "focused" where the keys have come to it. Without it these do nothing.
 
 /// The control that was drawn last.
 void noteControl(const std::string& name);

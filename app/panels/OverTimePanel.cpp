@@ -41,9 +41,13 @@ Action OverTimePanel::draw(const ValuesOverTime& values, const std::vector<doubl
   const auto has = [&](const std::string& name)
   { return std::find(names.begin(), names.end(), name) != names.end(); };
   // What is shown stays, whatever colours by now.
+  if (has(next.plot.overTime))
+    name_ = next.plot.overTime;
   if (!has(name_))
     name_ = has(usual) ? usual : names.front();
-  chooseName("over time", "of", names, nullptr, name_);
+  if (chooseName("over time", "of", names, nullptr,
+        "Which values are plotted over time\n--plot-over-time NAME", name_))
+    next.plot.overTime = name_;
   const std::string& name = name_;
   times_ = times;
   if (times_.empty())

@@ -3,6 +3,7 @@
 #include "PanelWidgets.h"
 #include "base/Text.h"
 #include "stage/Coloring.h"
+#include "stage/Framing.h"
 #include "stage/Volume.h"
 
 #include <imgui.h>
@@ -202,6 +203,7 @@ void Panel::drawGroups(const PanelFacts& facts)
     this->drawGroup("Structure", nullptr);
   this->drawFilm();
   this->drawRecording(facts);
+  this->drawWindow();
   this->drawCosts(facts);
 }
 
@@ -242,6 +244,7 @@ void Panel::drawMessages(const std::vector<std::string>& messages)
   const bool isOpen = ImGui::CollapsingHeader(
     (counted(static_cast<long>(messages.size()), "message") + "###messages").c_str());
   noteControl("messages");
+  explainKey("What was told so far, the last first");
   if (!isOpen)
     return;
   for (auto message = messages.rbegin(); message != messages.rend(); ++message)
@@ -321,9 +324,9 @@ void Panel::drawTop(const PanelFacts& facts)
       this->wish(action);
     explainKey(help);
   };
-  button("Undo", Action::Undo, "Ctrl+Z");
+  button("Undo", Action::Undo, "Go back before the last change\nCtrl+Z");
   ImGui::SameLine();
-  button("Redo", Action::Redo, "Ctrl+Y");
+  button("Redo", Action::Redo, "Do again what was undone last\nCtrl+Y");
   ImGui::SameLine();
   button("Picture", Action::SavePicture, "Save a picture of the view, as mote render makes it\ns");
   ImGui::SameLine();
@@ -338,22 +341,37 @@ void Panel::drawTop(const PanelFacts& facts)
 
 void Panel::drawCamera()
 {
-  for (const char* side : {"+x", "-x", "+y", "-y", "+z", "-z"})
+  // Those along an axis have a line of their own.
+  for (const std::string& name : viewNames())
   {
-    if (buttonOf(side))
+    if (buttonOf(name.c_str()))
     {
       const bool isParallel = next_.camera.orthographic;
       next_.camera = CameraSettings();
-      next_.camera.view = side;
+      next_.camera.view = name;
       next_.camera.orthographic = isParallel;
     }
     RowControls::explain(*rowNamed("view"));
-    ImGui::SameLine();
+    if (name != "iso-y")
+      ImGui::SameLine();
   }
   if (buttonOf("Reset"))
     this->wish(Action::ResetView);
-  explainKey("r");
+  explainKey("Frame what is shown, from the view of the beginning\nr");
   this->drawViews();
+}
+
+/// What holds for the window itself.
+void Panel::drawWindow()
+{
+  const bool isOpen = ImGui::CollapsingHeader("Window##group");
+  noteControl("group Window");
+  if (!isOpen)
+    return;
+  ImGui::PushID("Window");
+  rows_.draw(*commandRow("mote", "ui-scale"), next_, "size of texts");
+  ImGui::Spacing();
+  ImGui::PopID();
 }
 
 void Panel::drawCosts(const PanelFacts& facts)

@@ -69,11 +69,12 @@ public:
   /// Whether keys are the panel's, as of the last draw().
   bool hasFocus() const { return takesKeys_; }
 
-  /// The views that a film goes through.
-  const std::vector<Settings>& keyFrames() const { return keyFrames_; }
-  const PlotPanel& plot() const { return plot_; }
-  /// Adds the view that is shown, or forgets some; false for what other actions do.
-  bool changeKeyFrames(Action action);
+  /// The plot that the settings in force ask for, drawn or not.
+  const PlotPanel& plotNow(const PickedSet& picked)
+  {
+    plot_.update(stage_, picked);
+    return plot_;
+  }
 
   /// The next draw() opens the list of folders and files.
   void showOpenDialog();
@@ -95,6 +96,8 @@ private:
     std::vector<NamedArray> others;     ///< ids, radii, places
     std::map<std::string, Kinds> kinds; ///< by the array's text; none where it has no types
     std::map<std::string, TypeNames> typeNames;  ///< by the array's text
+    std::map<int, double> radii;                 ///< by type
+    unsigned long radiiTime = 0;                 ///< of the structures that have them
     std::map<std::string, Histogram> histograms; ///< by the array's text, or a place
     std::map<std::pair<vtkDataSet*, std::string>, std::string> ranges; ///< of arrays, in words
     bool hasParticles = false, hasVolumes = false, hasSurfaces = false;
@@ -117,14 +120,24 @@ private:
   void drawData();
   void drawArrays(const Part& part, const std::string& name);
   void drawColour();
+  void drawComponents();
+  void drawMaps();
   void drawColourRange();
   void drawRangeOfShown();
   void drawSelection();
+  bool drawShownHead(ShowRange& range);
   bool drawShown(ShowRange& range);
+  void drawWhere();
   const Kinds& kindsOf(const NamedArray& array);
+  bool hasList(const ArrayChoice& types);
   std::string nameOf(const NamedArray& array, int kind) const;
-  void drawKind(const NamedArray& array, const Kinds::value_type& kind, std::vector<bool>& shown,
-    std::size_t i) const;
+  void drawKindShown(
+    const NamedArray& array, int kind, std::vector<bool>& shown, std::size_t i) const;
+  void drawKindColour(const NamedArray& array, int kind);
+  void drawKindName(const NamedArray& array, int kind);
+  void drawKindRadius(const NamedArray& array, int kind);
+  const std::map<int, double>& radiiOf(const NamedArray& array);
+  void drawKindsHead(const NamedArray& array, std::vector<bool>& shown);
   void drawKinds(const NamedArray& array, const Kinds& kinds);
   void drawNewRange();
   void drawPicked(const PickedFacts& facts);
@@ -139,6 +152,7 @@ private:
   void drawFilm();
   void drawKeyFrames();
   void drawRecording(const PanelFacts& facts);
+  void drawWindow();
   void drawCosts(const PanelFacts& facts);
   void drawGroups(const PanelFacts& facts);
   void drawGroup(const std::string& group, void (Panel::*first)());
@@ -153,7 +167,6 @@ private:
   PickedPanel picked_;
   PlotPanel plot_;
   Found found_;
-  std::vector<Settings> keyFrames_;
   std::string viewName_; ///< that is written for a view to be saved
   Settings next_;        ///< while drawing
   PanelWish wish_;

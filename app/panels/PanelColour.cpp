@@ -1,9 +1,11 @@
-// What colours, and the opacities and isosurfaces of volumes.
+// What colours: the array, its component, the colour map, the range.
 
 #include "Panel.h"
 
 #include "PanelWidgets.h"
+#include "stage/ColorMaps.h"
 #include "stage/Coloring.h"
+#include "stage/Plot.h"
 
 #include <vtkLookupTable.h>
 
@@ -38,20 +40,10 @@ void Panel::drawColour()
         next_.color.array = array.text;
     ImGui::EndCombo();
   }
-  const auto present = std::find_if(found_.arrays.begin(), found_.arrays.end(),
-    [&](const NamedArray& array) { return array.choice.name == coloring.choice().name; });
-  if (present != found_.arrays.end() && coloring.componentCount(stage_.parts()) > 1)
-  {
-    if (buttonOf("Next component"))
-      next_.color.array = coloring.nextComponent(stage_.parts());
-    explainKey("C");
-  }
-  if (vtkLookupTable* table = coloring.table(); table && !coloring.isTyped())
-  {
-    colorStrip(table, ImGui::GetContentRegionAvail().x, 0.9f * ImGui::GetFontSize());
+  this->drawComponents();
+  this->drawMaps();
+  if (coloring.table() && !coloring.isTyped())
     this->drawColourRange();
-  }
-  this->drawRow("color-map", "map");
   if (coloring.choice())
     drawn_.insert("plain-color");
   else
@@ -62,7 +54,108 @@ void Panel::drawColour()
   if (coloring.isTyped() || !coloring.choice())
     drawn_.insert({"range", "reverse", "log"});
   if (!coloring.isTyped())
-    drawn_.insert({"types", "type-names"});
+    drawn_.insert("types");
+  // The list of types has them.
+  if (!coloring.isTyped() || this->hasList(coloring.choice()))
+    drawn_.insert({"type-names", "type-colors"});
+}
+
+/// A list of the components of the array that colours, where it has several.
+void Panel::drawComponents()
+{
+  const Coloring& coloring = stage_.coloring();
+  const auto holder = std::find_if(stage_.parts().begin(), stage_.parts().end(),
+    [&](const auto& part) { return arrayOf(part->data(), coloring.choice()); });
+  const int count = coloring.componentCount(stage_.parts());
+  if (holder == stage_.parts().end() || count < 2 || !coloring.table())
+    return;
+  vtkDataSet* data = (*holder)->data();
+  putLabel("component");
+  const bool isOpen = ImGui::BeginCombo("##component", coloring.title().c_str());
+  noteControl("component");
+  explainKey("The component that colours, or the magnitude\nC goes on to the next\n"
+             "--color-by NAME:COMPONENT");
+  if (!isOpen)
+    return;
+  ArrayChoice choice = coloring.choice();
+  for (choice.component = ArrayChoice::magnitude; choice.component < count; ++choice.component)
+    if (lineOf(describe(data, choice).c_str(), choice == coloring.choice()))
+      next_.color.array = asText(data, choice);
+  ImGui::EndCombo();
+}
+
+namespace
+{
+
+/// A colour map with its picture, as a line of a list. Empty names are the default's.
+struct OfferedMap
+{
+  std::string name, title;
+  bool isReversed;
+  vtkSmartPointer<vtkLookupTable> table;
+};
+
+const std::vector<OfferedMap>& offeredMaps()
+{
+  static const std::vector<OfferedMap> maps = []
+  {
+    constexpr double range[2] = {0.0, 1.0};
+    std::vector<OfferedMap> all;
+    for (const std::string& name : colorMapNames())
+      for (const bool isReversed : {false, true})
+      {
+        const bool isOfTypes = name == "types";
+        if (isOfTypes && isReversed)
+          continue; // is in no order
+        const std::vector<int> types = {1, 2, 3, 4, 5, 6, 7, 8};
+        auto table = isOfTypes ? makeTypeMap(types, typeColors(types.size()))
+                               : makeColorMap(name, range, false);
+        if (isReversed)
+          reverse(table);
+        all.push_back({name, isReversed ? name + " reversed" : name, isReversed, table});
+      }
+    return all;
+  }();
+  return maps;
+}
+
+} // namespace
+
+/// The map in force as a picture, and a list of all with theirs.
+void Panel::drawMaps()
+{
+  const Coloring& coloring = stage_.coloring();
+  const float height = 0.9f * ImGui::GetFontSize();
+  if (vtkLookupTable* table = coloring.legendTable())
+    colorStrip(table, ImGui::GetContentRegionAvail().x, height, coloring.isTyped());
+  const Row& row = *rowNamed("color-map");
+  drawn_.insert(row.name);
+  putLabel("map");
+  ColorSettings& color = next_.color;
+  const bool isOpen = ImGui::BeginCombo("##color-map",
+    color.map.empty()                        ? "default"
+    : color.reversed && color.map != "types" ? (color.map + " reversed").c_str()
+                                             : color.map.c_str(),
+    ImGuiComboFlags_HeightLargest);
+  RowControls::explain(row);
+  if (!isOpen)
+    return;
+  if (lineOf("default", color.map.empty()))
+    color.map.clear();
+  const float left = 9.0f * ImGui::GetFontSize();
+  for (const OfferedMap& map : offeredMaps())
+  {
+    const bool isChosen =
+      color.map == map.name && (map.name == "types" || color.reversed == map.isReversed);
+    if (lineOf(map.title.c_str(), isChosen))
+    {
+      color.map = map.name;
+      color.reversed = map.name == "types" ? color.reversed : map.isReversed;
+    }
+    ImGui::SameLine(left);
+    colorStrip(map.table, 8.0f * ImGui::GetFontSize(), height, map.name == "types");
+  }
+  ImGui::EndCombo();
 }
 
 void Panel::drawColourRange()
@@ -78,6 +171,8 @@ void Panel::drawColourRange()
   {
     if (buttonOf("Range of the data"))
       next_.color.range.clear();
+    explainKey("Colours go from the least to the greatest value of the data, as by default\n"
+               "without --range");
   }
   else
     ImGui::TextDisabled(steps_ > 1 ? "range of the steps seen" : "range of the data");
@@ -86,95 +181,32 @@ void Panel::drawColourRange()
     ImGui::SameLine();
     if (buttonOf("Range of all steps"))
       this->wish(Action::RangeOfAllSteps);
-    explainKey("Reads all time steps for their least and greatest value. Escape stops");
+    explainKey("Reads all time steps for their least and greatest value. Escape stops\n--range");
   }
   this->drawRangeOfShown();
 }
 
-/// A button where something is hidden that the range of the data has.
+/// A button where limits may hide something that the range of the data has.
 void Panel::drawRangeOfShown()
 {
-  const ArrayChoice& choice = stage_.coloring().choice();
-  const std::string name = this->coloredBy();
-  const auto& ranges = next_.selection.ranges;
-  const auto shown = std::find_if(ranges.begin(), ranges.end(),
-    [&](const ShowRange& range) { return range.name == name && !range.intervals.empty(); });
-  const bool isPart = std::any_of(stage_.parts().begin(), stage_.parts().end(),
-    [](const auto& part) { return part->isHidden(); });
-  if (shown == ranges.end() && !isPart)
+  SelectionSettings all; // without any limit
+  if (stage_.settings().selection == all)
     return;
   if (steps_ == 1) // there is room
     ImGui::SameLine();
-  if (!buttonOf("Range of what is shown"))
+  const bool isPressed = buttonOf("Range of what is shown");
+  explainKey("Colours go from the least to the greatest value of what no limit hides\n--range");
+  double range[2];
+  if (!isPressed ||
+      !rangeOfShown(stage_.parts(), stage_.coloring().choice(), stage_.settings().selection, range))
     return;
-  double least = HUGE_VAL, most = -HUGE_VAL;
-  for (const auto& part : stage_.parts())
-    if (double own[2];
-        !part->isHidden() && finiteRange(arrayOf(part->data(), choice), choice.component, own))
-    {
-      least = std::min(least, own[0]);
-      most = std::max(most, own[1]);
-    }
-  if (shown != ranges.end())
+  if (range[0] == range[1]) // one value: in the middle
   {
-    least = std::max(least, shown->intervals.front().low);
-    most = std::min(most, shown->intervals.back().high);
+    const double margin = range[0] == 0.0 ? 0.5 : 0.5 * std::abs(range[0]);
+    range[0] -= margin;
+    range[1] += margin;
   }
-  if (least < most)
-    next_.color.range = {least, most};
-}
-
-void Panel::drawVolume()
-{
-  drawn_.insert("opacity");
-  const Coloring& coloring = stage_.coloring();
-  const std::vector<OpacityPoint>& inForce = coloring.opacity();
-  if (!coloring.table() || inForce.empty())
-    return;
-  const double* range = coloring.table()->GetRange();
-  std::vector<OpacityPoint> points = inForce;
-  for (OpacityPoint& point : points)
-    if (point.isShare)
-      point = {range[0] + 0.01 * point.value * (range[1] - range[0]), false, point.opacity};
-  std::stable_sort(points.begin(), points.end(),
-    [](const OpacityPoint& a, const OpacityPoint& b) { return a.value < b.value; });
-  const Histogram& histogram = this->histogramOf(this->coloredBy());
-  if (opacityControl("opacity", histogram, coloring.table(), points))
-    next_.volume.opacity = points;
-  const auto preset = [&](const char* label, std::vector<OpacityPoint> wanted)
-  {
-    if (buttonOf(label))
-      next_.volume.opacity = std::move(wanted);
-    ImGui::SameLine();
-  };
-  preset("Usual", {});
-  preset("Rising", {{0.0, true, 0.0}, {100.0, true, 0.8}});
-  preset("Falling", {{0.0, true, 0.8}, {100.0, true, 0.0}});
-  preset("Even", {{0.0, true, 0.2}, {100.0, true, 0.2}});
-  ImGui::NewLine();
-  this->drawIsosurfaces(histogram);
-}
-
-/// Of cells that are shown by their surface: the way to the volume, and nothing else.
-void Panel::drawCells()
-{
-  for (const Row& row : settingsTable())
-    if (row.group == "Volume" && row.name != "cells")
-      drawn_.insert(row.name);
-}
-
-/// Values of isosurfaces as lines over the histogram.
-void Panel::drawIsosurfaces(const Histogram& histogram)
-{
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("isosurfaces");
-  ImGui::SameLine(0.42f * ImGui::GetWindowContentRegionMax().x);
-  if (buttonOf("Add isosurface") && !histogram.isEmpty())
-    next_.volume.isoValues.push_back(newIsoValue(histogram, next_.volume.isoValues));
-  explainKey("One more, between the others; then drag its line\n--iso");
-  if (!next_.volume.isoValues.empty())
-    isoControl("iso lines", histogram, stage_.coloring().table(), next_.volume.isoValues);
-  this->drawRow("iso", "values");
+  next_.color.range = {range[0], range[1]};
 }
 
 } // namespace mote::app

@@ -37,7 +37,7 @@ void Panel::drawFilm()
   this->drawPictureSize();
   draw("animate", "quality", "quality");
   draw("animate", "output", "file");
-  const FilmForecast film = forecast(keyFrames_, steps_, next_.film);
+  const FilmForecast film = forecast(stage_.settings().keyFrames, steps_, next_.film);
   for (const std::string& line : {film.length, film.steps})
     if (!line.empty())
     {
@@ -55,58 +55,53 @@ void Panel::drawFilm()
   ImGui::PopID();
 }
 
-bool Panel::changeKeyFrames(Action action)
+namespace
 {
-  switch (action)
-  {
-  case Action::AddKeyFrame:
-    keyFrames_.push_back(stage_.settingsInForce());
-    return true;
-  case Action::ForgetKeyFrame:
-    if (!keyFrames_.empty())
-      keyFrames_.pop_back();
-    return true;
-  case Action::ForgetKeyFrames:
-    keyFrames_.clear();
-    return true;
-  default:
-    return false;
-  }
+
+/// The settings of a view of the film; the film's own stay.
+Settings withKeyFrame(const Settings& now, std::size_t number)
+{
+  Settings next = now.keyFrames[number];
+  next.keyFrames = now.keyFrames;
+  next.film = now.film;
+  next.output = now.output;
+  next.plot = now.plot;
+  return next;
 }
+
+} // namespace
 
 void Panel::drawKeyFrames()
 {
-  std::erase_if(keyFrames_,
-    [&](const Settings& key) { return key.data.files != stage_.settings().data.files; });
+  const std::vector<Settings>& keyFrames = stage_.settings().keyFrames;
   ImGui::AlignTextToFramePadding();
-  const std::string count = "key frames: " + std::to_string(keyFrames_.size());
+  const std::string count = "key frames: " + std::to_string(keyFrames.size());
   ImGui::TextUnformatted(count.c_str());
   noteControl(count);
   ImGui::SameLine();
   if (buttonOf("Add this view"))
     this->wish(Action::AddKeyFrame);
   explainKey("The film goes smoothly from view to view: camera, and settings that are numbers");
-  for (std::size_t i = 0; i < keyFrames_.size(); ++i)
+  for (std::size_t i = 0; i < keyFrames.size(); ++i)
   {
     ImGui::PushID(static_cast<int>(i));
     if (i % 4 != 0)
       ImGui::SameLine();
     const std::string label = "view " + std::to_string(i + 1);
     if (buttonOf(label.c_str()))
-    {
-      next_ = keyFrames_[i];
-      next_.film = stage_.settings().film;
-      next_.output = stage_.settings().output;
-    }
+      next_ = withKeyFrame(stage_.settings(), i);
+    explainKey("Come back to this view of the film");
     ImGui::PopID();
   }
-  if (keyFrames_.empty())
+  if (keyFrames.empty())
     return;
   if (buttonOf("Forget the last"))
     this->wish(Action::ForgetKeyFrame);
+  explainKey("Take the last view of the film away");
   ImGui::SameLine();
   if (buttonOf("Forget all"))
     this->wish(Action::ForgetKeyFrames);
+  explainKey("Take all views of the film away: it has the one that is shown");
 }
 
 } // namespace mote::app

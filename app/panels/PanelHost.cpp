@@ -54,8 +54,8 @@ int placeOf(const char* symbol)
 /// Whether a key moves between controls or works one that has no text.
 bool isForMoving(const char* symbol)
 {
-  for (const char* moving :
-    {"Left", "Right", "Up", "Down", "Prior", "Next", "Home", "End", "space", "Return", "Escape"})
+  for (const char* moving : {"Left", "Right", "Up", "Down", "Prior", "Next", "Home", "End", "space",
+         "Return", "Escape", "Insert", "Delete"})
     if (std::strcmp(moving, symbol) == 0)
       return true;
   return false;

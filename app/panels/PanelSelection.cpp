@@ -1,4 +1,4 @@
-// What is shown: ranges, types, expressions.
+// What is shown: ranges, expressions.
 
 #include "Panel.h"
 
@@ -6,11 +6,11 @@
 #include "base/Text.h"
 #include "stage/Coloring.h"
 
-#include <vtkLookupTable.h>
-
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace mote::app
 {
@@ -18,11 +18,64 @@ namespace mote::app
 namespace
 {
 
-/// Whether a value is shown: in one of the intervals, of which none stand for all.
-bool isShown(const ShowRange* range, int value)
+/// All numbers but those of an interval.
+std::vector<Interval> around(const Interval& interval)
 {
-  return !range || std::any_of(range->intervals.begin(), range->intervals.end(),
-                     [&](const Interval& one) { return one.low <= value && value <= one.high; });
+  return {{-HUGE_VAL, std::nextafter(interval.low, -HUGE_VAL)},
+    {std::nextafter(interval.high, HUGE_VAL), HUGE_VAL}};
+}
+
+/// The interval around which a range lies, if it does.
+std::optional<Interval> outsideOf(const ShowRange& range)
+{
+  const std::vector<Interval>& parts = range.intervals;
+  if (parts.size() != 2 || parts[0].low != -HUGE_VAL || parts[1].high != HUGE_VAL)
+    return {};
+  return Interval{std::nextafter(parts[0].high, HUGE_VAL), std::nextafter(parts[1].low, -HUGE_VAL)};
+}
+
+/// An expression that holds where this one does not.
+std::string inverted(const std::string& expression)
+{
+  if (!expression.starts_with("!(") || !expression.ends_with(')'))
+    return "!(" + expression + ")";
+  // Whether that bracket ends with the whole.
+  int open = 0;
+  for (std::size_t i = 1; i + 1 < expression.size(); ++i)
+    if (open += expression[i] == '(' ? 1 : expression[i] == ')' ? -1 : 0; open == 0)
+      return "!(" + expression + ")";
+  return expression.substr(2, expression.size() - 3);
+}
+
+/// Turns a range round. Those of x, y, z and the radius, which have one interval each, become a
+/// part of the expression: false then, and the range is to go.
+bool invert(ShowRange& range, SelectionSettings& selection)
+{
+  const std::vector<std::string> places = {"x", "y", "z", "radius"};
+  if (std::find(places.begin(), places.end(), range.name) == places.end())
+  {
+    const std::vector<Interval> before = range.intervals;
+    range.intervals.clear();
+    double low = -HUGE_VAL;
+    for (const Interval& one : before)
+    {
+      if (one.low > low)
+        range.intervals.push_back({low, std::nextafter(one.low, -HUGE_VAL)});
+      low = std::nextafter(one.high, HUGE_VAL);
+    }
+    if (before.back().high < HUGE_VAL)
+      range.intervals.push_back({low, HUGE_VAL});
+    return true;
+  }
+  const Interval& shown = range.intervals.front();
+  std::string inside;
+  if (std::isfinite(shown.low))
+    inside = range.name + " >= " + exactText(shown.low);
+  if (std::isfinite(shown.high))
+    inside += (inside.empty() ? "" : " && ") + range.name + " <= " + exactText(shown.high);
+  const std::string& where = selection.where;
+  selection.where = (where.empty() ? "" : "(" + where + ") && ") + inverted(inside);
+  return false;
 }
 
 bool drawsRadiiAsTheyAre(const ParticleSettings& particles)
@@ -66,28 +119,70 @@ void Panel::drawSelection()
   }
   if (next_.selection.ranges.size() < 8)
     this->drawNewRange();
+  this->drawWhere();
+}
+
+/// An expression, and a button that turns it round.
+void Panel::drawWhere()
+{
+  if (!found_.hasParticles)
+    return;
+  this->drawRow("where");
+  std::string& where = next_.selection.where;
+  if (where.empty())
+    return;
+  if (buttonOf("Invert expression"))
+    where = inverted(where);
+  explainKey("Show the particles for which the expression does not hold\n--where \"!(...)\"");
+}
+
+/// What is over a range: its name, and what can be done with it. Returns false where it is to go.
+bool Panel::drawShownHead(ShowRange& range)
+{
+  const bool isOutside = outsideOf(range).has_value();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted((range.name + (isOutside ? ", outside of" : "")).c_str());
+  RowControls::explain(*rowNamed("show"));
+  const bool isInvertible = range.name != "radius" || drawsRadiiAsTheyAre(next_.particles);
+  ImGui::SameLine(
+    ImGui::GetContentRegionMax().x - (isInvertible ? 8.4f : 4.5f) * ImGui::GetFontSize());
+  if (isInvertible)
+  {
+    const bool isPressed = ImGui::Button("Invert");
+    noteControl("invert " + range.name);
+    if (isPressed)
+      return invert(range, next_.selection);
+    explainKey("Show what is hidden by this range, and hide what it shows\n"
+               "--show NAME=:LO,HI:, or --where of x, y, z and radius");
+    ImGui::SameLine();
+  }
+  const bool isLeft = buttonOf("show all");
+  explainKey("Take this range away\nwithout --show NAME");
+  return !isLeft;
 }
 
 /// Returns false where the range is to go.
 bool Panel::drawShown(ShowRange& range)
 {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(range.name.c_str());
-  RowControls::explain(*rowNamed("show"));
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - 4.5f * ImGui::GetFontSize());
-  if (buttonOf("show all"))
+  if (!this->drawShownHead(range))
     return false;
   const Histogram& histogram = this->histogramOf(range.name);
-  if (range.intervals.size() != 1)
+  const std::optional<Interval> outside = outsideOf(range);
+  if (range.intervals.size() != 1 && !outside)
   {
     ImGui::TextWrapped("%s", ValuesOf<ShowRange>::words(range).front().c_str());
     return true;
   }
-  Interval shown = {std::max(range.intervals[0].low, histogram.least),
-    std::min(range.intervals[0].high, histogram.most)};
-  const bool isDragged = rangeControl("histogram", histogram, shown);
+  Interval shown = outside.value_or(range.intervals[0]);
+  shown = {std::max(shown.low, histogram.least), std::min(shown.high, histogram.most)};
+  const bool isDragged = rangeControl("histogram", histogram, shown, outside.has_value());
   const bool isEntered = rangeFields("fields", shown);
-  if (isDragged || isEntered)
+  explainKey("The ends of the range\n--show NAME=LO:HI");
+  if (!isDragged && !isEntered)
+    return true;
+  if (outside)
+    range.intervals = around(shown);
+  else
     range.intervals[0] = shown;
   return true;
 }
@@ -158,97 +253,6 @@ void Panel::drawPlot(const PickedFacts& facts)
   if (const Action wanted = plot_.draw(stage_, *facts.set, next_); wanted != Action::None)
     this->wish(wanted);
   ImGui::PopID();
-}
-
-const Kinds& Panel::kindsOf(const NamedArray& array)
-{
-  const auto known = found_.kinds.find(array.text);
-  if (known != found_.kinds.end())
-    return known->second;
-  for (const auto& part : stage_.parts())
-    found_.typeNames[array.text].merge(typeNamesOf(part->data(), array.choice));
-  return found_.kinds[array.text] = mote::app::kindsOf(stage_.parts(), array.choice);
-}
-
-/// A type's number, and what it is called.
-std::string Panel::nameOf(const NamedArray& array, int kind) const
-{
-  const TypeNames& chosen = stage_.settings().color.typeNames;
-  const auto named = found_.typeNames.find(array.text);
-  std::string name;
-  if (const auto found = chosen.find(kind); found != chosen.end())
-    name = found->second;
-  else if (named != found_.typeNames.end() && named->second.count(kind) > 0)
-    name = named->second.at(kind);
-  const std::string number = std::to_string(kind);
-  return name.empty() || name == number ? number : number + "  " + name;
-}
-
-/// A type's line: its colour, whether it is shown, how many there are.
-void Panel::drawKind(const NamedArray& array, const Kinds::value_type& kind,
-  std::vector<bool>& shown, std::size_t i) const
-{
-  const Coloring& coloring = stage_.coloring();
-  const std::string name = array.text + " " + std::to_string(kind.first);
-  if (coloring.isTyped() && coloring.choice() == array.choice)
-  {
-    const unsigned char* c = coloring.table()->MapValue(kind.first);
-    ImGui::ColorButton(("##" + name).c_str(),
-      ImVec4(c[0] / 255.0f, c[1] / 255.0f, c[2] / 255.0f, 1.0f), ImGuiColorEditFlags_NoTooltip);
-    ImGui::SameLine();
-  }
-  bool isOn = shown[i];
-  if (ImGui::Checkbox(
-        (this->nameOf(array, kind.first) + "##" + std::to_string(kind.first)).c_str(), &isOn))
-  {
-    // With Ctrl this one alone.
-    if (ImGui::GetIO().KeyCtrl)
-      shown.assign(shown.size(), false), isOn = true;
-    shown[i] = isOn;
-  }
-  noteControl(name);
-  explainKey("Ctrl and click shows this type alone");
-  ImGui::SameLine(0.42f * ImGui::GetWindowContentRegionMax().x);
-  ImGui::TextDisabled("%s", withThousands(kind.second).c_str());
-}
-
-/// Types, each with a line.
-void Panel::drawKinds(const NamedArray& array, const Kinds& kinds)
-{
-  std::vector<ShowRange>& ranges = next_.selection.ranges;
-  const auto range = std::find_if(
-    ranges.begin(), ranges.end(), [&](const ShowRange& one) { return one.name == array.text; });
-  const ShowRange* present = range == ranges.end() ? nullptr : &*range;
-  std::vector<bool> shown;
-  for (const auto& [kind, count] : kinds)
-    shown.push_back(isShown(present, kind));
-  const std::vector<bool> before = shown;
-  ImGui::PushID(array.text.c_str());
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(array.title.c_str());
-  explainKey(("--show=" + array.text + "=TYPE,...").c_str());
-  ImGui::SameLine();
-  if (buttonOf("All"))
-    shown.assign(kinds.size(), true);
-  ImGui::SameLine();
-  if (buttonOf("Invert"))
-    shown.flip();
-  for (std::size_t i = 0; i < kinds.size(); ++i)
-    this->drawKind(array, kinds[i], shown, i);
-  ImGui::PopID();
-  if (shown == before)
-    return;
-  ShowRange wanted = {array.text, {}};
-  for (std::size_t i = 0; i < kinds.size(); ++i)
-    if (shown[i])
-      wanted.intervals.push_back({double(kinds[i].first), double(kinds[i].first)});
-  const bool isAll = wanted.intervals.size() == kinds.size();
-  if (wanted.intervals.empty()) // of a type that is not there
-    wanted.intervals.push_back({kinds[0].first - 1.0, kinds[0].first - 1.0});
-  if (range != ranges.end())
-    ranges.erase(range);
-  if (!isAll)
-    ranges.push_back(wanted);
 }
 
 } // namespace mote::app

@@ -30,7 +30,7 @@ void Panel::drawTime(const PanelFacts& facts)
   stepButton("<", facts.step - 1, "The time step before\nLeft");
   if (buttonOf(facts.isPlaying ? "Pause" : "Play"))
     this->wish(Action::Play);
-  explainKey("space");
+  explainKey("Play the time steps one after the other, or pause\nspace");
   ImGui::SameLine();
   stepButton(">", facts.step + 1, "The next time step\nRight");
   stepButton(">|", facts.steps - 1, "The last time step\nEnd");
@@ -41,6 +41,7 @@ void Panel::drawTime(const PanelFacts& facts)
     return;
   this->drawCache(facts);
   this->drawStep(facts);
+  rows_.draw(*commandRow("mote", "cache"), next_, "memory for steps");
   const bool anyPicked = facts.picked.set && facts.picked.set->hasParticles();
   const bool areShown = !next_.marks.trajectories.empty();
   if (anyPicked && buttonOf("Paths of the picked"))
@@ -51,6 +52,8 @@ void Panel::drawTime(const PanelFacts& facts)
     ImGui::SameLine();
   if (areShown && buttonOf("No paths"))
     next_.marks.trajectories = {};
+  if (areShown)
+    explainKey("Take the paths away\nwithout --trajectories");
 }
 
 void Panel::drawStep(const PanelFacts& facts)
@@ -114,8 +117,8 @@ void Panel::drawCache(const PanelFacts& facts)
   }
   noteControl("cache " + std::to_string(here) + "/" + std::to_string(marks.size()));
   if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("%s of %s in memory: %s of %s\n--cache SIZE when Mote is started",
-      withThousands(here).c_str(), counted(facts.steps, "time step").c_str(),
+    ImGui::SetTooltip("%s of %s in memory: %s of %s\n--cache SIZE", withThousands(here).c_str(),
+      counted(facts.steps, "time step").c_str(),
       asBytes(static_cast<double>(facts.cache.bytes)).c_str(),
       asBytes(static_cast<double>(facts.cache.budget)).c_str());
 }

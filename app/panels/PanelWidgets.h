@@ -31,10 +31,21 @@ inline bool lineOf(const char* label, bool isChosen = false)
   return isPressed;
 }
 
+/// The label stands left of its control.
+inline void putLabel(const std::string& label)
+{
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(label.c_str());
+  ImGui::SameLine(0.42f * ImGui::GetWindowContentRegionMax().x);
+  ImGui::SetNextItemWidth(-1.0f);
+}
+
+inline void explainKey(const char* text);
+
 /// A list of names, with `none`, where there may be none, for the empty one; whether another one
-/// was chosen. Tests find it as `of` and `label`.
+/// was chosen. Tests find it as `of` and `label`; `help` is its tooltip.
 inline bool chooseName(const std::string& of, const std::string& label,
-  const std::vector<std::string>& names, const char* none, std::string& chosen)
+  const std::vector<std::string>& names, const char* none, const char* help, std::string& chosen)
 {
   const std::string before = chosen;
   ImGui::AlignTextToFramePadding();
@@ -44,6 +55,7 @@ inline bool chooseName(const std::string& of, const std::string& label,
   const bool isOpen = ImGui::BeginCombo(("##" + of + label).c_str(),
     chosen.empty() && none ? none : chosen.c_str(), ImGuiComboFlags_HeightLarge);
   noteControl(of + " " + label);
+  explainKey(help);
   if (!isOpen)
     return false;
   if (none && lineOf(none, chosen.empty()))
@@ -58,8 +70,13 @@ inline bool chooseName(const std::string& of, const std::string& label,
 /// The key that does the same, or a word of help.
 inline void explainKey(const char* text)
 {
-  if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("%s", text);
+  if (!ImGui::IsItemHovered())
+    return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(25.0f * ImGui::GetFontSize());
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
 }
 
 } // namespace mote::app

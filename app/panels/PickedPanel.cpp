@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace mote::app
 {
@@ -87,6 +88,12 @@ void PickedPanel::drawHidden(Settings& next)
   if (buttonOf("Show hidden"))
     selection.hidden = selection.only = {};
   explainKey("Show what is hidden by its id\nu");
+  if (!selection.hidden.empty() && !selection.only.empty())
+    return; // no list of ids says the opposite
+  ImGui::SameLine();
+  if (buttonOf("Invert ids"))
+    std::swap(selection.hidden, selection.only);
+  explainKey("Show the ids that are hidden, and hide those that are shown\n--hide-ids, --only-ids");
 }
 
 /// What is between two or three picked.

@@ -5,6 +5,7 @@
 #include "ValueControls.h"
 #include "base/Text.h"
 #include "stage/ColorMaps.h"
+#include "table/Row.h"
 
 #include <ParticleModel.h>
 #include <vtkLookupTable.h>
@@ -63,7 +64,8 @@ double shareOf(const Plot& plot, std::size_t axis, double value)
 PlotPanel::PlotPanel() = default;
 PlotPanel::~PlotPanel() = default;
 
-Action PlotPanel::draw(const Stage& stage, const PickedSet& picked, Settings& next)
+/// What the settings ask for, as far as the data have it.
+void PlotPanel::choose(const Stage& stage, const PlotSettings& wanted)
 {
   std::vector<std::pair<vtkDataSet*, unsigned long>> data;
   for (const auto& part : stage.parts())
@@ -73,17 +75,36 @@ Action PlotPanel::draw(const Stage& stage, const PickedSet& picked, Settings& ne
     data_ = data;
     plotted_ = {};
     names_ = plottable(stage.parts());
-    for (std::string& name : choice_.names)
-      if (std::find(names_.begin(), names_.end(), name) == names_.end())
-        name.clear();
   }
-  if (choice_.names[0].empty() && !names_.empty())
-    for (const auto& part : stage.parts())
-      if (choice_.names[0].empty() && arrayOf(part->data(), stage.coloring().choice()))
-        choice_.names[0] = asText(part->data(), stage.coloring().choice());
-  if (choice_.names[0].empty() && !names_.empty())
-    choice_.names[0] = names_.front();
-  this->drawChoices();
+  const auto has = [&](const std::string& name)
+  { return std::find(names_.begin(), names_.end(), name) != names_.end(); };
+  auto& [x, y] = choice_.names;
+  // What is plotted stays, whatever colours by now.
+  if (!wanted.x.empty() || !has(x))
+    x = has(wanted.x) ? wanted.x : "";
+  for (const auto& part : stage.parts())
+    if (x.empty() && arrayOf(part->data(), stage.coloring().choice()))
+      x = asText(part->data(), stage.coloring().choice());
+  if (x.empty() && !names_.empty())
+    x = names_.front();
+  y = has(wanted.y) ? wanted.y : "";
+  choice_.of = wanted.of == "picked"    ? Plotted::Picked
+               : wanted.of == "visible" ? Plotted::Visible
+                                        : Plotted::All;
+}
+
+void PlotPanel::update(const Stage& stage, const PickedSet& picked)
+{
+  this->choose(stage, stage.settings().plot);
+  this->follow(stage, picked);
+}
+
+Action PlotPanel::draw(const Stage& stage, const PickedSet& picked, Settings& next)
+{
+  isLogarithmic_ = next.plot.logarithmic;
+  this->choose(stage, next.plot);
+  this->drawChoices(next.plot);
+  this->choose(stage, next.plot);
   this->follow(stage, picked);
   if (plot_.isEmpty())
   {
@@ -103,24 +124,28 @@ Action PlotPanel::draw(const Stage& stage, const PickedSet& picked, Settings& ne
   return action;
 }
 
-void PlotPanel::drawChoices()
+void PlotPanel::drawChoices(PlotSettings& next) const
 {
-  constexpr std::pair<Plotted, const char*> whom[] = {
-    {Plotted::All, "all"}, {Plotted::Visible, "visible"}, {Plotted::Picked, "picked"}};
-  for (const auto& [of, label] : whom)
+  const Row& row = *commandRow("mote", "plot-of");
+  for (const std::string& word : row.words)
   {
-    if (of != Plotted::All)
+    if (word != row.words.front())
       ImGui::SameLine();
-    if (ImGui::RadioButton(label, choice_.of == of))
-      choice_.of = of;
-    noteControl(std::string("plot ") + label);
+    if (ImGui::RadioButton(word.c_str(), next.of == word))
+      next.of = word;
+    noteControl("plot " + word);
+    explainKey((row.help + "\n" + row.option() + " " + word).c_str());
   }
   ImGui::SameLine();
-  ImGui::Checkbox("log", &isLogarithmic_);
+  ImGui::Checkbox("log", &next.logarithmic);
   noteControl("plot log");
-  explainKey("Logarithm of the counts");
-  chooseName("plot", "x", names_, nullptr, choice_.names[0]);
-  chooseName("plot", "y", names_, "how many there are", choice_.names[1]);
+  explainKey("Plot the logarithm of the counts\n--plot-log");
+  if (std::string x = choice_.names[0];
+      chooseName("plot", "x", names_, nullptr, "What is plotted to the right\n--plot-x NAME", x))
+    next.x = x;
+  if (std::string y = choice_.names[1]; chooseName("plot", "y", names_, "how many there are",
+        "What is plotted upwards: how many there are, or another value\n--plot-y NAME", y))
+    next.y = y;
 }
 
 /// Counts anew where something is another; while a control is held only where that is fast.
@@ -269,11 +294,14 @@ void PlotPanel::drawFields(Settings& next) const
         std::min(interval.high, range->intervals.back().high)};
     if (rangeFields(axis == 0 ? "x range" : "y range", interval))
       show(next, choice_.names[axis], interval);
+    explainKey("The range that is shown of what is plotted\n--show NAME=LO:HI");
     noteControl(axis == 0 ? "plot x range" : "plot y range");
   }
   if (isLimited && buttonOf("Show all of these"))
     std::erase_if(next.selection.ranges, [&](const ShowRange& range)
       { return range.name == choice_.names[0] || range.name == choice_.names[1]; });
+  if (isLimited)
+    explainKey("Take the ranges of what is plotted away\nwithout --show");
   if (!isLimited)
     ImGui::TextDisabled("%s plotted", withThousands(plot_.total).c_str());
 }

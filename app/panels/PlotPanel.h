@@ -23,17 +23,19 @@ public:
   PlotPanel();
   ~PlotPanel();
 
-  /// Changes `next`, the settings to be, where the user chose ranges.
+  /// Changes `next`, the settings to be, where the user chose arrays or ranges.
   /// What the user asked for, or None.
   Action draw(const Stage& stage, const PickedSet& picked, Settings& next);
+  /// Plots what the settings ask for, though it is not drawn.
+  void update(const Stage& stage, const PickedSet& picked);
 
-  /// What is plotted; empty before it was drawn.
+  /// What was plotted by these.
   const Plot& plot() const { return plot_; }
   const PlotChoice& plotted() const { return plotted_; }
-  bool isLogarithmic() const { return isLogarithmic_; }
 
 private:
-  void drawChoices();
+  void choose(const Stage& stage, const PlotSettings& wanted);
+  void drawChoices(PlotSettings& next) const;
   void follow(const Stage& stage, const PickedSet& picked);
   void drawPlot(Settings& next);
   void drawCounts(const float* from, const float* size) const;
@@ -41,7 +43,7 @@ private:
   void drawFields(Settings& next) const;
 
   PlotChoice choice_;
-  bool isLogarithmic_ = false;
+  bool isLogarithmic_ = false; ///< while drawing
   std::vector<std::string> names_;
   std::vector<std::pair<vtkDataSet*, unsigned long>> data_; ///< of names_ and plot_
   Plot plot_;

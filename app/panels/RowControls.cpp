@@ -19,15 +19,6 @@ namespace mote::app
 namespace
 {
 
-/// The label stands left of its control.
-void putLabel(const std::string& label)
-{
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(label.c_str());
-  ImGui::SameLine(0.42f * ImGui::GetWindowContentRegionMax().x);
-  ImGui::SetNextItemWidth(-1.0f);
-}
-
 std::string joined(const Row& row, const std::vector<std::string>& words)
 {
   std::string text;

@@ -1,16 +1,18 @@
 #include "ValueControls.h"
 
 #include "ControlPlaces.h"
-#include "PanelColors.h"
+#include "PanelWidgets.h"
+#include "ValueFrame.h"
 #include "base/Text.h"
 
 #include <vtkLookupTable.h>
 
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <utility>
 
 namespace mote::app
 {
@@ -18,96 +20,23 @@ namespace mote::app
 namespace
 {
 
-constexpr ImU32 outside = IM_COL32(70, 76, 86, 255), handle = IM_COL32(235, 235, 235, 255);
-
-/// A rectangle of the panel, and values from its left to its right.
-struct Frame
-{
-  ImVec2 from, size;
-  double least, most;
-
-  float xOf(double value) const
-  {
-    const double width = most - least;
-    const double share = width > 0.0 ? (value - least) / width : 0.5;
-    return from.x + static_cast<float>(std::clamp(share, 0.0, 1.0)) * size.x;
-  }
-  /// In round numbers, a thousand or more in all; the ends as they are.
-  double valueAt(float x) const
-  {
-    const double share = (x - from.x) / size.x;
-    return share <= 0.0 ? least : share >= 1.0 ? most : rounded(least + share * (most - least));
-  }
-  double rounded(double value) const
-  {
-    const double width = most - least;
-    if (!(width > 0.0))
-      return value;
-    const double digits = std::floor(std::log10(width / 1000.0));
-    const double step = std::pow(10.0, std::abs(digits));
-    const double round =
-      digits < 0.0 ? std::round(value * step) / step : std::round(value / step) * step;
-    return std::clamp(round, least, most);
-  }
-  float yOf(double share) const
-  {
-    return from.y + static_cast<float>(1.0 - std::clamp(share, 0.0, 1.0)) * size.y;
-  }
-  double shareAt(float y) const { return std::clamp(1.0f - (y - from.y) / size.y, 0.0f, 1.0f); }
-};
-
-Frame frameOf(const Histogram& histogram, float lines)
-{
-  const ImVec2 size(ImGui::GetContentRegionAvail().x, lines * ImGui::GetFontSize());
-  return {ImGui::GetCursorScreenPos(), size, histogram.least, histogram.most};
-}
-
-ImU32 colorAt(vtkLookupTable* table, double value)
-{
-  const unsigned char* c = table->MapValue(value);
-  return IM_COL32(c[0], c[1], c[2], 255);
-}
-
-/// Bars as high as the square root of the counts: few are seen beside many.
-template <typename ColorOf>
-void drawBars(const Frame& frame, const Histogram& histogram, const ColorOf& colorOf)
-{
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  const ImVec2 end(frame.from.x + frame.size.x, frame.from.y + frame.size.y);
-  list->AddRectFilled(frame.from, end, drawingGround);
-  const double bins = static_cast<double>(histogram.counts.size());
-  for (std::size_t i = 0; i < histogram.counts.size(); ++i)
-  {
-    if (!(histogram.counts[i] > 0.0))
-      continue;
-    const double low = histogram.least + (histogram.most - histogram.least) * double(i) / bins;
-    const double high =
-      histogram.least + (histogram.most - histogram.least) * (double(i) + 1.0) / bins;
-    list->AddRectFilled(
-      ImVec2(frame.xOf(low), frame.yOf(std::sqrt(histogram.counts[i] / histogram.highest))),
-      ImVec2(std::max(frame.xOf(low) + 1.0f, frame.xOf(high)), end.y), colorOf(0.5 * (low + high)));
-  }
-}
-
-/// What of a control the mouse holds, between frames.
-int& heldPart(ImGuiID id)
-{
-  return *ImGui::GetStateStorage()->GetIntRef(id, -1);
-}
+constexpr ImU32 hiddenBar = IM_COL32(70, 76, 86, 255);
 
 } // namespace
 
-bool rangeControl(const char* id, const Histogram& histogram, Interval& range)
+bool rangeControl(const char* id, const Histogram& histogram, Interval& range, bool isOutside)
 {
   if (histogram.isEmpty())
     return false;
-  const Frame frame = frameOf(histogram, 2.6f);
+  const ValueFrame frame = frameOf(histogram, 2.6f);
   ImGui::InvisibleButton(id, frame.size);
   noteControl(id);
   const double low = std::clamp(range.low, frame.least, frame.most);
   const double high = std::clamp(range.high, frame.least, frame.most);
   drawBars(frame, histogram,
-    [&](double value) { return value >= low && value <= high ? drawingBar : outside; });
+    [&](double value)
+    { return (value >= low && value <= high) != isOutside ? drawingBar : hiddenBar; });
+  explainKey("Drag a handle, or the range between the handles\n--show NAME=LO:HI");
   int& part = heldPart(ImGui::GetID(id));
   const float x = ImGui::GetIO().MousePos.x;
   const float left = frame.xOf(low), right = frame.xOf(high);
@@ -166,28 +95,48 @@ Interval inOrder(const Interval& before, Interval entered)
 namespace
 {
 
-/// A field for a number: true once it is left with another one, by Enter, Tab or a click elsewhere.
-bool numberField(const char* label, double& value)
+/// What is written in a field is known while it is, and no more when the field is left. Only one
+/// field is written at a time.
+template <typename T>
+struct Written
 {
-  // What is written is known while it is, and no more when the field is left. Only one field is
-  // written at a time.
-  static ImGuiID writtenIn = 0;
-  static double written = 0.0;
-  double typed = value;
-  if (ImGui::InputDouble(label, &typed, 0.0, 0.0, "%.6g"))
+  ImGuiID field = 0;
+  T value{};
+
+  /// After the field `label`, which says whether `typed` was written in it: whether it was left
+  /// with another value than `present`, which becomes that.
+  bool take(const char* label, bool isWritten, const T& typed, T& present)
   {
-    writtenIn = ImGui::GetID(label);
-    written = typed;
+    const ImGuiID id = ImGui::GetID(label);
+    if (isWritten)
+    {
+      field = id;
+      value = typed;
+    }
+    if (!ImGui::IsItemDeactivatedAfterEdit() || field != id)
+      return false;
+    field = 0;
+    return std::exchange(present, value) != value;
   }
-  if (!ImGui::IsItemDeactivatedAfterEdit() || writtenIn != ImGui::GetID(label))
-    return false;
-  writtenIn = 0;
-  const bool isOther = written != value;
-  value = written;
-  return isOther;
-}
+};
 
 } // namespace
+
+bool numberField(const char* label, double& value)
+{
+  static Written<double> written;
+  double typed = value;
+  const bool isWritten = ImGui::InputDouble(label, &typed, 0.0, 0.0, "%.6g");
+  return written.take(label, isWritten, typed, value);
+}
+
+bool textField(const char* label, const char* hint, std::string& text)
+{
+  static Written<std::string> written;
+  std::string typed = text;
+  const bool isWritten = ImGui::InputTextWithHint(label, hint, &typed, textFlags);
+  return written.take(label, isWritten, typed, text);
+}
 
 bool rangeFields(const char* id, Interval& range)
 {
@@ -209,128 +158,13 @@ bool rangeFields(const char* id, Interval& range)
 }
 
 //------------------------------------------------------------------------------------------------
-// The curve of opacities
-
-namespace
-{
-
-/// The point under the mouse; -1 for none.
-int nearestPoint(const Frame& frame, const std::vector<OpacityPoint>& points)
-{
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  int nearest = -1;
-  float least = 0.6f * ImGui::GetFontSize();
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    const float away =
-      std::hypot(frame.xOf(points[i].value) - mouse.x, frame.yOf(points[i].opacity) - mouse.y);
-    if (away < least)
-      least = away, nearest = static_cast<int>(i);
-  }
-  return nearest;
-}
-
-OpacityPoint pointAtMouse(const Frame& frame)
-{
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  return {frame.valueAt(mouse.x), false, std::round(1000.0 * frame.shareAt(mouse.y)) / 1000.0};
-}
-
-/// A double click adds a point, which is held from then on; the right button takes one away.
-bool addOrTakeAway(const Frame& frame, std::vector<OpacityPoint>& points, int nearest, int& part)
-{
-  if (!ImGui::IsItemHovered())
-    return false;
-  if (ImGui::IsMouseDoubleClicked(0) && nearest < 0)
-  {
-    const OpacityPoint added = pointAtMouse(frame);
-    const auto at = std::find_if(points.begin(), points.end(),
-      [&](const OpacityPoint& point) { return point.value > added.value; });
-    part = static_cast<int>(points.insert(at, added) - points.begin());
-    return true;
-  }
-  if (ImGui::IsMouseClicked(1) && nearest >= 0 && points.size() > 1)
-  {
-    points.erase(points.begin() + nearest);
-    part = -1;
-    return true;
-  }
-  return false;
-}
-
-/// A point that is dragged stays between its neighbours.
-bool dragPoint(const Frame& frame, std::vector<OpacityPoint>& points, std::size_t i)
-{
-  const ImVec2 moved = ImGui::GetIO().MouseDelta;
-  if (moved.x == 0.0f && moved.y == 0.0f)
-    return false;
-  OpacityPoint next = pointAtMouse(frame);
-  next.value = std::clamp(next.value, i > 0 ? points[i - 1].value : frame.least,
-    i + 1 < points.size() ? points[i + 1].value : frame.most);
-  if (next == points[i])
-    return false;
-  points[i] = next;
-  return true;
-}
-
-void drawCurve(const Frame& frame, const std::vector<OpacityPoint>& points, int bright)
-{
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  const auto placeOf = [&](const OpacityPoint& point)
-  { return ImVec2(frame.xOf(point.value), frame.yOf(point.opacity)); };
-  ImVec2 before(frame.from.x, placeOf(points.front()).y);
-  for (const OpacityPoint& point : points)
-  {
-    list->AddLine(before, placeOf(point), handle, 1.5f);
-    before = placeOf(point);
-  }
-  list->AddLine(before, ImVec2(frame.from.x + frame.size.x, before.y), handle, 1.5f);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    list->AddCircleFilled(placeOf(points[i]), 0.28f * ImGui::GetFontSize(),
-      bright == static_cast<int>(i) ? heldInk : handle);
-}
-
-} // namespace
-
-bool opacityControl(const char* id, const Histogram& histogram, vtkLookupTable* table,
-  std::vector<OpacityPoint>& points)
-{
-  if (histogram.isEmpty() || !table || points.empty())
-    return false;
-  const Frame frame = frameOf(histogram, 7.0f);
-  ImGui::InvisibleButton(
-    id, frame.size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
-  noteControl(id);
-  drawBars(frame, histogram, [&](double value) { return colorAt(table, value); });
-  const int nearest = nearestPoint(frame, points);
-  int& part = heldPart(ImGui::GetID(id));
-  bool isChanged = addOrTakeAway(frame, points, nearest, part);
-  if (!isChanged && ImGui::IsItemActivated())
-    part = ImGui::IsMouseDown(0) ? nearest : -1;
-  else if (!isChanged && !ImGui::IsItemActive())
-    part = -1;
-  if (!isChanged && ImGui::IsItemActive() && part >= 0 && part < static_cast<int>(points.size()))
-    isChanged = dragPoint(frame, points, static_cast<std::size_t>(part));
-  drawCurve(frame, points, part >= 0 ? part : ImGui::IsItemHovered() ? nearest : -1);
-  if (ImGui::IsItemHovered() && nearest >= 0 && nearest < static_cast<int>(points.size()))
-  {
-    const OpacityPoint& point = points[static_cast<std::size_t>(nearest)];
-    ImGui::SetTooltip(
-      "%s: opacity %s", asNumber(point.value).c_str(), asNumber(point.opacity, 3).c_str());
-  }
-  else if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
-    ImGui::SetTooltip("Drag points; double click adds one, right click takes one away\n--opacity");
-  return isChanged;
-}
-
-//------------------------------------------------------------------------------------------------
 // Values of isosurfaces
 
 namespace
 {
 
 /// The value whose line is under the mouse; -1 for none.
-int nearestLine(const Frame& frame, const std::vector<double>& values)
+int nearestLine(const ValueFrame& frame, const std::vector<double>& values)
 {
   int nearest = -1;
   float least = 0.6f * ImGui::GetFontSize();
@@ -340,7 +174,7 @@ int nearestLine(const Frame& frame, const std::vector<double>& values)
   return nearest;
 }
 
-void drawLine(const Frame& frame, double value, bool isBright)
+void drawLine(const ValueFrame& frame, double value, bool isBright)
 {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float x = frame.xOf(value), half = 0.3f * ImGui::GetFontSize();
@@ -358,7 +192,7 @@ bool isoControl(
 {
   if (histogram.isEmpty() || !table)
     return false;
-  const Frame frame = frameOf(histogram, 2.6f);
+  const ValueFrame frame = frameOf(histogram, 2.6f);
   ImGui::InvisibleButton(
     id, frame.size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   noteControl(id);
@@ -410,28 +244,28 @@ double newIsoValue(const Histogram& histogram, std::vector<double> values)
   for (std::size_t i = 2; i < values.size(); ++i)
     if (values[i] - values[i - 1] > values[widest] - values[widest - 1])
       widest = i;
-  const Frame frame = {{}, {}, histogram.least, histogram.most};
+  const ValueFrame frame = {{}, {}, histogram.least, histogram.most};
   return frame.rounded(0.5 * (values[widest - 1] + values[widest]));
 }
 
-void colorStrip(vtkLookupTable* table, float width, float height)
+void colorStrip(vtkLookupTable* table, float width, float height, bool isOfBlocks)
 {
   const ImVec2 from = ImGui::GetCursorScreenPos();
   ImDrawList* list = ImGui::GetWindowDrawList();
-  constexpr int pieces = 32;
-  const double* range = table->GetRange();
+  const auto entries = static_cast<int>(table->GetNumberOfTableValues());
+  const int pieces = isOfBlocks ? entries : 32;
   const auto at = [&](int i)
   {
-    const double share = double(i) / pieces;
-    return colorAt(table, table->UsingLogScale() ? range[0] * std::pow(range[1] / range[0], share)
-                                                 : range[0] + share * (range[1] - range[0]));
+    const double* c = table->GetTableValue(isOfBlocks ? i : i * (entries - 1) / pieces);
+    return ImGui::ColorConvertFloat4ToU32(
+      ImVec4(static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2]), 1.0f));
   };
   for (int i = 0; i < pieces; ++i)
   {
-    const float left = from.x + width * float(i) / pieces;
-    const float right = from.x + width * (float(i) + 1.0f) / pieces;
-    list->AddRectFilledMultiColor(
-      ImVec2(left, from.y), ImVec2(right, from.y + height), at(i), at(i + 1), at(i + 1), at(i));
+    const ImU32 left = at(i), right = isOfBlocks ? left : at(i + 1);
+    list->AddRectFilledMultiColor(ImVec2(from.x + width * float(i) / float(pieces), from.y),
+      ImVec2(from.x + width * (float(i) + 1.0f) / float(pieces), from.y + height), left, right,
+      right, left);
   }
   ImGui::Dummy(ImVec2(width, height));
 }

@@ -48,6 +48,16 @@ struct FilmSettings
   bool operator==(const FilmSettings&) const = default;
 };
 
+/// What the window's panel plots.
+struct PlotSettings
+{
+  std::string x, y;       ///< as ColorSettings::array, or x, y, z; no x: choose; no y: a histogram
+  std::string of = "all"; ///< or "visible", or "picked"
+  bool logarithmic = false;
+  std::string overTime; ///< of the picked; empty: choose
+  bool operator==(const PlotSettings&) const = default;
+};
+
 /// Of `mote average`.
 struct AverageSettings
 {

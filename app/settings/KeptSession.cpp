@@ -19,6 +19,7 @@ Settings choicesOf(Settings settings)
   settings.picture.size = {};
   settings.output = {};
   settings.film = {};
+  settings.plot = {};
   return settings;
 }
 

@@ -43,6 +43,7 @@ struct ColorSettings
   bool reversed = false;  ///< the map's colours
   std::vector<int> types; ///< that have the first colours of the map of types, in this order
   std::map<int, std::string> typeNames; ///< of types; what is not named here the data may name
+  std::map<int, Color> typeColors;      ///< of types; others have the map's or the elements'
   std::string plain = "#e8dec9"; ///< of what no array colours; warm against the cool background
   bool operator==(const ColorSettings&) const = default;
 };
@@ -150,6 +151,7 @@ struct LightSettings
   std::string shadows = "none"; ///< "none", "hard", "soft", or a side of the square of samples
   double size = 15.0;           ///< degrees
   double intensity = 1.0;       ///< factor on the main light
+  double headlight = 1.0;       ///< factor on the light that comes from the viewer
   std::string ambientOcclusion = "none"; ///< or "live", "baked", or rays a hit
   std::optional<double> occlusionReach;  ///< world units; none: choose
   bool pathTrace = false;
@@ -229,6 +231,8 @@ struct Settings
   BakeSettings bake;
   ProbeSettings probe;
   DepthImageSettings depthImage;
+  PlotSettings plot;
+  std::vector<Settings> keyFrames; ///< of films that the window makes; these have none themselves
   bool operator==(const Settings&) const = default;
 };
 

@@ -293,54 +293,84 @@ OpacityPoint ValuesOf<OpacityPoint>::parse(const std::vector<std::string>& words
   return point;
 }
 
-std::vector<std::string> ValuesOf<std::map<int, double>>::words(const std::map<int, double>& values)
+namespace
+{
+
+/// "1=0.5", with the text of each value.
+template <typename T, typename TextOf>
+std::vector<std::string> wordsOfTypes(const std::map<int, T>& values, const TextOf& textOf)
 {
   std::vector<std::string> all;
-  for (const auto& [key, value] : values)
-    all.push_back(std::to_string(key) + "=" + exactText(value));
+  for (const auto& [type, value] : values)
+    all.push_back(std::to_string(type) + "=" + textOf(value));
   return all;
+}
+
+/// The other way: `read` takes a text and gives the value, or throws WrongValue. `form` is what
+/// words look like, for messages.
+template <typename T, typename Read>
+std::map<int, T> parseTypes(
+  const std::vector<std::string>& words, const std::string& form, const Read& read)
+{
+  std::map<int, T> values;
+  for (const std::string& word : words)
+  {
+    const std::size_t sign = word.find('=');
+    int type = 0;
+    const WrongValue wrong = {"'" + word + "' is not of the form TYPE=" + form};
+    if (sign == std::string::npos || sign + 1 == word.size() ||
+        !parseWhole(word.substr(0, sign), type))
+      throw wrong;
+    if (const std::optional<T> value = read(word.substr(sign + 1)))
+      values[type] = *value;
+    else
+      throw wrong;
+  }
+  return values;
+}
+
+} // namespace
+
+std::vector<std::string> ValuesOf<std::map<int, double>>::words(const std::map<int, double>& values)
+{
+  return wordsOfTypes(values, exactText);
 }
 
 std::map<int, double> ValuesOf<std::map<int, double>>::parse(
   const std::vector<std::string>& words, const Limits& limits)
 {
-  std::map<int, double> values;
-  for (const std::string& word : words)
-  {
-    const std::size_t sign = word.find('=');
-    double key = 0.0, value = 0.0;
-    if (sign == std::string::npos || !parseNumber(word.substr(0, sign), key) ||
-        !parseNumber(word.substr(sign + 1), value) || !isWhole(key) ||
-        (limits.aboveZero && !(value > 0.0)))
-      throw WrongValue{"'" + word + "' is not of the form TYPE=RADIUS, such as 1=0.5"};
-    values[static_cast<int>(key)] = value;
-  }
-  return values;
+  return parseTypes<double>(words, "RADIUS, such as 1=0.5",
+    [&](const std::string& text)
+    {
+      double value = 0.0;
+      const bool isRight = parseNumber(text, value) && (!limits.aboveZero || value > 0.0);
+      return isRight ? std::optional(value) : std::nullopt;
+    });
 }
 
 std::vector<std::string> ValuesOf<std::map<int, std::string>>::words(
   const std::map<int, std::string>& values)
 {
-  std::vector<std::string> all;
-  for (const auto& [key, name] : values)
-    all.push_back(std::to_string(key) + "=" + name);
-  return all;
+  return wordsOfTypes(values, [](const std::string& name) { return name; });
 }
 
 std::map<int, std::string> ValuesOf<std::map<int, std::string>>::parse(
   const std::vector<std::string>& words, const Limits&)
 {
-  std::map<int, std::string> values;
-  for (const std::string& word : words)
-  {
-    const std::size_t sign = word.find('=');
-    int key = 0;
-    if (sign == std::string::npos || sign + 1 == word.size() ||
-        !parseWhole(word.substr(0, sign), key))
-      throw WrongValue{"'" + word + "' is not of the form TYPE=NAME, such as 1=Cu"};
-    values[key] = word.substr(sign + 1);
-  }
-  return values;
+  return parseTypes<std::string>(
+    words, "NAME, such as 1=Cu", [](const std::string& name) { return std::optional(name); });
+}
+
+std::vector<std::string> ValuesOf<std::map<int, Color>>::words(const std::map<int, Color>& values)
+{
+  return wordsOfTypes(values, colorText);
+}
+
+std::map<int, Color> ValuesOf<std::map<int, Color>>::parse(
+  const std::vector<std::string>& words, const Limits&)
+{
+  return parseTypes<Color>(words, "COLOUR, such as 1=red or 2=#3060c0",
+    [](const std::string& text) { return std::optional(colorOf(text)); });
 }
 
 std::vector<std::string> ValuesOf<NamedView>::words(const NamedView& view)

@@ -204,6 +204,16 @@ struct ValuesOf<std::map<int, double>>
   static std::map<int, double> parse(const std::vector<std::string>& words, const Limits& limits);
 };
 
+/// Any number, such as "1=red".
+template <>
+struct ValuesOf<std::map<int, Color>>
+{
+  static constexpr Shape shape = Shape::Many;
+  static constexpr bool numeric = false;
+  static std::vector<std::string> words(const std::map<int, Color>& values);
+  static std::map<int, Color> parse(const std::vector<std::string>& words, const Limits&);
+};
+
 /// Any number, such as "1=Cu".
 template <>
 struct ValuesOf<std::map<int, std::string>>

@@ -153,6 +153,9 @@ void adviseOnColors(const Stage& stage, std::vector<std::string>& advice)
     idle.add(picture.title.has_value(), "--title");
     return idle.tell(advice, "no array colours");
   }
+  if (!color.typeColors.empty() && stage.coloring().legendTable() && !stage.coloring().isTyped())
+    advice.push_back("--type-colors does nothing here: the colours of " + stage.coloring().title() +
+                     " do not stand for types");
   if (color.map == "types" && stage.coloring().legendTable() && !stage.coloring().isTyped())
     advice.push_back("--color-map types does nothing here: " + stage.coloring().title() +
                      " does not have so few whole numbers that each could have its colour");

@@ -1,11 +1,13 @@
 #include "ColorMaps.h"
 
 #include <vtkLookupTable.h>
+#include <vtkMath.h>
 #include <vtkVariant.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 
 namespace mote::app
 {
@@ -125,19 +127,80 @@ bool areAlike(vtkLookupTable* a, vtkLookupTable* b)
          a->GetVectorComponent() == b->GetVectorComponent();
 }
 
-std::size_t numberOfTypeColors()
+namespace
 {
-  return controlPoints().back().colors.size();
+
+Color colorOf(std::uint32_t rgb)
+{
+  return {((rgb >> 16) & 0xff) / 255.0, ((rgb >> 8) & 0xff) / 255.0, (rgb & 0xff) / 255.0};
 }
 
-std::vector<Color> typeColors(std::size_t count)
+/// CIELAB, where distances are about as large as differences look.
+Color labOf(const Color& color)
+{
+  Color lab;
+  vtkMath::RGBToLab(color.data(), lab.data());
+  return lab;
+}
+
+double squaredDifference(const Color& a, const Color& b)
+{
+  return vtkMath::Distance2BetweenPoints(a.data(), b.data());
+}
+
+/// Colours that could be a type's: neither so dark that shading hides them, nor so pale that they
+/// are taken for white.
+std::vector<Color> candidateColors()
+{
+  constexpr std::uint32_t step = 0x11;
+  std::vector<Color> all;
+  for (std::uint32_t red = 0; red < 256; red += step)
+    for (std::uint32_t green = 0; green < 256; green += step)
+      for (std::uint32_t blue = 0; blue < 256; blue += step)
+      {
+        const Color color = colorOf(red << 16 | green << 8 | blue);
+        if (const double lightness = labOf(color)[0]; lightness > 45.0 && lightness < 93.0)
+          all.push_back(color);
+      }
+  return all;
+}
+
+/// The colours of the map of types, and then always the one that differs most from all before it,
+/// as well as from the usual background and what has no value. C. Glasbey et al., "Colour Displays
+/// for Categorical Images" (2007).
+std::vector<Color> separatedColors()
 {
   std::vector<Color> colors;
   for (const std::uint32_t color : controlPoints().back().colors)
-    if (colors.size() < count)
-      colors.push_back(
-        {((color >> 16) & 0xff) / 255.0, ((color >> 8) & 0xff) / 255.0, (color & 0xff) / 255.0});
+    colors.push_back(colorOf(color));
+  const std::vector<Color> candidates = candidateColors();
+  std::vector<Color> places;
+  std::transform(candidates.begin(), candidates.end(), std::back_inserter(places), labOf);
+  std::vector<double> least(candidates.size(), HUGE_VAL); // squared differences from what is taken
+  const auto take = [&](const Color& color)
+  {
+    const Color place = labOf(color);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      least[i] = std::min(least[i], squaredDifference(place, places[i]));
+  };
+  take({0.3, 0.32, 0.35});
+  take({0.55, 0.55, 0.55});
+  std::for_each(colors.begin(), colors.end(), take);
+  while (colors.size() < mostTypeColors)
+  {
+    const auto next = std::max_element(least.begin(), least.end()) - least.begin();
+    colors.push_back(candidates[static_cast<std::size_t>(next)]);
+    take(colors.back());
+  }
   return colors;
+}
+
+} // namespace
+
+std::vector<Color> typeColors(std::size_t count)
+{
+  static const std::vector<Color> all = separatedColors();
+  return {all.begin(), all.begin() + static_cast<long>(std::min(count, all.size()))};
 }
 
 vtkSmartPointer<vtkLookupTable> makeTypeMap(

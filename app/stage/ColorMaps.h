@@ -25,10 +25,12 @@ void reverse(vtkLookupTable* table);
 /// Whether two tables give every value the same colour.
 bool areAlike(vtkLookupTable* a, vtkLookupTable* b);
 
-/// How many types makeTypeMap() can tell apart.
-std::size_t numberOfTypeColors();
+/// How many types have colours of their own: as many as there are elements. Of more than two dozen
+/// some are hard to tell apart.
+constexpr std::size_t mostTypeColors = 118;
 
-/// The first of these colours, as many as are asked for.
+/// The first of these colours, as many as are asked for, but no more than there are. None of them
+/// depends on how many there are.
 std::vector<Color> typeColors(std::size_t count);
 
 /// For types and a colour for each a table that has an entry for every integer from the least to

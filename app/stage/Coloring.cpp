@@ -118,22 +118,18 @@ bool Coloring::updateTypes(const Parts& parts)
       !(settings_.color.map.empty() && isTypes(holder->data(), choice_)))
     return false;
   this->updateNames(parts);
-  // As many as there are elements, where the data may name them.
-  constexpr std::size_t mostElements = 118;
-  const bool isPalette = settings_.color.map == "types" || names_.empty();
-  const std::size_t limit = isPalette ? numberOfTypeColors() : mostElements;
-  if (limit != typeLimit_)
-  {
-    types_.clear();
-    countable_ = true;
-    typeLimit_ = limit;
-  }
-  if (!this->findTypes(parts, limit))
+  if (!this->findTypes(parts, mostTypeColors))
     return false;
+  const bool isPalette = settings_.color.map == "types" || names_.empty();
   typeColors_ = isPalette ? std::vector<Color>() : elementColors(types_, names_);
   if (typeColors_.empty())
     typeColors_ = typeColors(types_.size());
-  return typeColors_.size() == types_.size();
+  if (typeColors_.size() < types_.size())
+    return false; // so many were asked for
+  for (const auto& [type, color] : settings_.color.typeColors)
+    if (const auto at = std::find(types_.begin(), types_.end(), type); at != types_.end())
+      typeColors_[static_cast<std::size_t>(at - types_.begin())] = color;
+  return true;
 }
 
 /// Finds the types; false where there are more, or others than integers.

@@ -101,7 +101,6 @@ private:
   double leastPositive_ = 0.0;
   std::vector<int> types_;        // in the order of their colours; new ones come last
   bool countable_ = true;         // whether types_ could be found
-  std::size_t typeLimit_ = 0;     // how many may have been found
   std::vector<Color> typeColors_; // of types_
   TypeNames dataNames_, names_;   // of types: as data have named them so far; in force
   std::vector<std::pair<vtkDataSet*, unsigned long>>

@@ -1,7 +1,9 @@
 #include "Histogram.h"
 
+#include <ParticleModel.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
+#include <vtkMoteParticleMapper.h>
 
 #include <algorithm>
 #include <cmath>
@@ -84,6 +86,33 @@ Kinds kindsOf(const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice
     }
   }
   return {counts.begin(), counts.end()};
+}
+
+std::map<int, double> meanRadii(
+  const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& types)
+{
+  std::map<int, std::pair<double, double>> sums; // and numbers
+  for (const auto& part : parts)
+  {
+    vtkDataArray* array = arrayOf(part->data(), types);
+    if (!array || !part->particles())
+      continue;
+    const ParticleInput input = part->particles()->GetModel().particles();
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      const double value = array->GetComponent(i, 0);
+      const double radius = input.set.radiusOf(static_cast<std::size_t>(i));
+      if (!std::isfinite(value) || !(radius > 0.0))
+        continue;
+      auto& [sum, number] = sums[static_cast<int>(value)];
+      sum += radius;
+      number += 1.0;
+    }
+  }
+  std::map<int, double> means;
+  for (const auto& [type, sum] : sums)
+    means[type] = sum.first / sum.second;
+  return means;
 }
 
 Histogram histogramOfPlaces(const std::vector<std::unique_ptr<Part>>& parts, int axis, int bins)

@@ -3,6 +3,7 @@
 #include "Arrays.h"
 #include "Part.h"
 
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -31,6 +32,10 @@ using Kinds = std::vector<std::pair<int, vtkIdType>>;
 /// Of an array of types of particles, as isTypes() knows it; none of other arrays and of more than
 /// a hundred types.
 Kinds kindsOf(const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& choice);
+
+/// The mean radius that particles of each type are drawn with.
+std::map<int, double> meanRadii(
+  const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& types);
 
 /// Of the positions of all particles along x, y or z: 0, 1 or 2.
 Histogram histogramOfPlaces(const std::vector<std::unique_ptr<Part>>& parts, int axis, int bins);

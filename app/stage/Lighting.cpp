@@ -256,16 +256,16 @@ void Lighting::balance()
 {
   const bool on = settings_.light.shadows != "none";
   const bool paths = settings_.light.pathTrace;
-  const double factor = settings_.light.intensity;
+  const double factor = settings_.light.intensity, fill = settings_.light.headlight;
   if (paths || this->isOccluded())
   {
     // The sky, of which crevices see less, takes over from the light of the eye.
     main_->SetIntensity(factor * (paths ? 0.8 : 0.55));
-    fill_->SetIntensity(fromEye_ || paths ? 0.0 : 0.1);
+    fill_->SetIntensity(fill * (fromEye_ || paths ? 0.0 : 0.1));
     return;
   }
   main_->SetIntensity(factor * (fromEye_ ? 1.05 : on ? 0.8 : 0.64));
-  fill_->SetIntensity(fromEye_ ? 0.0 : on ? 0.28 : 0.41);
+  fill_->SetIntensity(fill * (fromEye_ ? 0.0 : on ? 0.28 : 0.41));
 }
 
 } // namespace mote::app

@@ -98,24 +98,33 @@ private:
   bool isThere_ = false;
 };
 
+std::size_t countOf(vtkDataSet* data, bool ofCells)
+{
+  return static_cast<std::size_t>(ofCells ? data->GetNumberOfCells() : data->GetNumberOfPoints());
+}
+
+/// Which points, or cells, of a part are shown; empty for all.
+std::vector<unsigned char> visibleOf(const Part& part, bool ofCells)
+{
+  std::vector<unsigned char> visible;
+  if (part.isHidden())
+    visible.resize(countOf(part.data(), ofCells));
+  else if (part.particles() && !ofCells)
+  {
+    visible.resize(countOf(part.data(), ofCells));
+    part.particles()->GetModel().markVisible(visible.data());
+  }
+  return visible;
+}
+
 /// Which points, or cells, of a part are plotted; empty for all.
 std::vector<unsigned char> chosenOf(
   const Part& part, int number, const PickedSet& picked, Plotted of, bool ofCells)
 {
-  std::vector<unsigned char> chosen;
-  vtkDataSet* data = part.data();
-  const auto count =
-    static_cast<std::size_t>(ofCells ? data->GetNumberOfCells() : data->GetNumberOfPoints());
-  if (of == Plotted::Visible && part.isHidden())
-    chosen.resize(count);
-  else if (of == Plotted::Visible && part.particles() && !ofCells)
-  {
-    chosen.resize(count);
-    part.particles()->GetModel().markVisible(chosen.data());
-  }
   if (of != Plotted::Picked)
-    return chosen;
-  chosen.resize(count);
+    return of == Plotted::Visible ? visibleOf(part, ofCells) : std::vector<unsigned char>();
+  vtkDataSet* data = part.data();
+  std::vector<unsigned char> chosen(countOf(data, ofCells));
   vtkNew<vtkIdList> corners;
   for (const Picked& one : picked.items())
   {
@@ -227,6 +236,67 @@ Plot plotOf(const std::vector<std::unique_ptr<Part>>& parts, const PickedSet& pi
     plot.total += count;
   }
   return plot;
+}
+
+namespace
+{
+
+/// What ranges of the array that colours a volume leave of its values.
+std::vector<Interval> shownOfVolume(
+  const Interval& values, const std::string& name, const SelectionSettings& selection)
+{
+  std::vector<Interval> shown = {values};
+  const auto keep = [&](const std::vector<Interval>& intervals)
+  {
+    std::vector<Interval> kept;
+    for (const Interval& one : shown)
+      for (const Interval& other : intervals)
+        if (const Interval both = {std::max(one.low, other.low), std::min(one.high, other.high)};
+            both.low <= both.high)
+          kept.push_back(both);
+    shown = kept;
+  };
+  for (const ShowRange& range : selection.ranges)
+    if (range.name == name)
+      keep(range.intervals);
+  if (!selection.range.empty() && (selection.array.empty() || selection.array == name))
+    keep({{selection.range[0], selection.range[1]}});
+  return shown;
+}
+
+} // namespace
+
+bool rangeOfShown(const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& choice,
+  const SelectionSettings& selection, double range[2])
+{
+  Interval all = {HUGE_VAL, -HUGE_VAL};
+  const auto include = [&](double low, double high)
+  {
+    all.low = std::min(all.low, low);
+    all.high = std::max(all.high, high);
+  };
+  for (const auto& part : parts)
+  {
+    const std::string name = asText(part->data(), choice);
+    const Values values(part->data(), name);
+    if (part->isHidden() || !values.isThere())
+      continue;
+    if (Interval own = {HUGE_VAL, -HUGE_VAL};
+        part->kind() == Part::Kind::Volume && values.widen(own.low, own.high))
+    {
+      for (const Interval& shown : shownOfVolume(own, name, selection))
+        include(shown.low, shown.high);
+      continue;
+    }
+    const std::vector<unsigned char> visible = visibleOf(*part, values.ofCells());
+    for (std::size_t i = 0; i < countOf(part->data(), values.ofCells()); ++i)
+      if (visible.empty() || visible[i])
+        if (const double value = values(static_cast<vtkIdType>(i)); std::isfinite(value))
+          include(value, value);
+  }
+  range[0] = all.low;
+  range[1] = all.high;
+  return all.low <= all.high;
 }
 
 std::vector<std::string> numbersOf(vtkDataSet* data, bool ofCells)

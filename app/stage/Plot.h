@@ -47,6 +47,11 @@ struct Plot
 Plot plotOf(const std::vector<std::unique_ptr<Part>>& parts, const PickedSet& picked,
   const PlotChoice& choice, int width, int height);
 
+/// The least and greatest value of an array in what is shown, as `selection`, which is in force,
+/// leaves it; false where nothing is.
+bool rangeOfShown(const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& choice,
+  const SelectionSettings& selection, double range[2]);
+
 /// The names of the numbers that points, or cells, of a data set have, one of each component.
 std::vector<std::string> numbersOf(vtkDataSet* data, bool ofCells);
 

@@ -103,7 +103,7 @@ TypeNames typeNamesOf(vtkDataSet* data, const ArrayChoice& types)
 
 std::vector<Color> elementColors(const std::vector<int>& types, const TypeNames& names)
 {
-  const std::vector<Color> others = typeColors(numberOfTypeColors());
+  const std::vector<Color> others = typeColors(mostTypeColors);
   std::vector<Color> colors;
   std::size_t unknown = 0;
   for (const int type : types)

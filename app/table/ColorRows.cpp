@@ -36,6 +36,12 @@ void addTypeRows(std::vector<Row>& table)
       .help = "Names of types, such as 1=Cu,2=Zr, for legends and lists. Types that all are named "
               "after chemical elements have the elements' colours",
       .usual = "as the data name them"}));
+  table.push_back(row(color, &ColorSettings::typeColors,
+    {.group = colorGroup,
+      .name = "type-colors",
+      .value = "TYPE=COLOUR,...",
+      .help = "Colours of types, such as 1=tomato,2=#3060c0; other types keep theirs",
+      .usual = "the elements', or those of the colour map types"}));
 }
 
 } // namespace

@@ -371,8 +371,8 @@ const std::vector<Row>& commandTable()
   static const Rows table = []
   {
     Rows rows;
-    for (const auto add : {addPictureCommands, addTimeRows, addRecordingRows, addFilmRows,
-           addConvert, addInfo, addAverage, addSilhouettesCommand, addBake, addProbe})
+    for (const auto add : {addPictureCommands, addTimeRows, addPlotRows, addRecordingRows,
+           addFilmRows, addConvert, addInfo, addAverage, addSilhouettesCommand, addBake, addProbe})
       add(rows);
     return rows;
   }();

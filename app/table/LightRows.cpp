@@ -51,6 +51,13 @@ void addMainLightRows(std::vector<Row>& table)
       .value = "F",
       .help = "Factor on the brightness of the main light",
       .limits = {.least = 0.0, .most = 10.0}}));
+  table.push_back(row(light, &LightSettings::headlight,
+    {.group = lightGroup,
+      .name = "headlight",
+      .value = "F",
+      .help = "Factor on the brightness of the light that comes from the viewer and fills what the "
+              "main light leaves dark; paths of light have none",
+      .limits = {.least = 0.0, .most = 10.0}}));
 }
 
 void addSkyRows(std::vector<Row>& table)

@@ -21,9 +21,11 @@ Settings settingsToOpen(const Settings& now, const std::vector<std::string>& fil
     if (size[0] > 0)
       all.output.size = size;
     all.data.threads = now.data.threads;
+    all.plot = now.plot;
     return all;
   }
   Settings next = now;
+  next.keyFrames.clear(); // which are of the files that there were
   if (isAdded)
   {
     for (const std::string& file : files)

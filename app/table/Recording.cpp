@@ -44,7 +44,9 @@ constexpr NamedAction actions[] = {{Action::Help, "help"}, {Action::Play, "play"
   {Action::Pick, "pick"}, {Action::PickMore, "pick-more"}, {Action::HidePicked, "hide-picked"},
   {Action::OnlyPicked, "only-picked"}, {Action::ShowHidden, "show-hidden"},
   {Action::CopyPicked, "copy-picked"}, {Action::SavePicked, "save-picked"},
-  {Action::PathsOfPicked, "paths-of-picked"}, {Action::SavePicture, "save-picture"},
+  {Action::PathsOfPicked, "paths-of-picked"}, {Action::PlotOverTime, "plot-over-time"},
+  {Action::SaveOverTime, "save-over-time"}, {Action::SavePlot, "save-plot"},
+  {Action::SaveCounts, "save-counts"}, {Action::SavePicture, "save-picture"},
   {Action::SaveFilm, "save-film"}, {Action::AddKeyFrame, "add-key-frame"},
   {Action::ForgetKeyFrame, "forget-key-frame"}, {Action::ForgetKeyFrames, "forget-key-frames"},
   {Action::SaveSession, "save-session"}, {Action::PrintCommand, "print-command"},
@@ -174,6 +176,14 @@ void readHeader(Recording& recording, const std::string& line, const std::string
     settings.erase("files");
     changesOf(settings, path, path + ", line 1").apply(recording.start);
     recording.start.data.files = named;
+    if (const auto keys = json.find("key-frames"); keys != json.end())
+      for (const Json& key : *keys)
+      {
+        Settings view = recording.start;
+        view.keyFrames.clear();
+        changesOf(key, path, path + ", line 1").apply(view);
+        recording.start.keyFrames.push_back(view);
+      }
     recording.window = windowOf(json.at("window"));
   }
   catch (const Json::exception& error)
@@ -425,6 +435,8 @@ RecordingFile::RecordingFile(
     if (row.command.empty() || !row.isDefault(start))
       all.rows.emplace_back(&row, row.get(start));
   json["settings"] = jsonOf(all, path);
+  for (const Settings& key : start.keyFrames)
+    json["key-frames"].push_back(jsonOf(changesBetween(start, key), path));
   this->write(textOf(json));
 }
 

@@ -70,6 +70,41 @@ const std::vector<Row>& sessionTable()
   return table;
 }
 
+constexpr const char* keyFramesName = "key-frames";
+
+/// The views of a film, each as what it has otherwise than the session.
+Json jsonOfKeyFrames(const Settings& settings)
+{
+  Json list = Json::array();
+  for (const Settings& key : settings.keyFrames)
+  {
+    Json json = Json::object();
+    for (const Row& row : settingsTable())
+      if (const auto words = row.get(key); words != row.get(settings))
+        json[groupName(row)][row.name] = jsonOf(row, words);
+    list.push_back(json);
+  }
+  return list;
+}
+
+std::vector<Settings> keyFramesOf(
+  const Json& list, const Settings& settings, const std::string& path)
+{
+  if (!list.is_array())
+    throw Failure(path + ": " + keyFramesName + ": must be a list of views");
+  std::vector<Settings> all;
+  for (const Json& json : list)
+  {
+    all.push_back(settings);
+    if (!json.is_object())
+      throw Failure(path + ": " + keyFramesName + ": " + json.dump() + " is no view");
+    for (const auto& [name, value] : json.items())
+      for (const auto& [row, words] : groupOf(name, value, settingsTable(), path))
+        row->set(all.back(), words);
+  }
+  return all;
+}
+
 } // namespace
 
 bool isSessionFile(const std::string& path)
@@ -87,6 +122,8 @@ std::string sessionText(const Settings& settings, const std::string& path)
   for (const Row& row : sessionTable())
     if (row.command.empty() || settings.output.size[0] > 0)
       json[groupName(row)][row.name] = jsonOf(row, row.get(settings));
+  if (!settings.keyFrames.empty())
+    json[keyFramesName] = jsonOfKeyFrames(settings);
   // File names need not be UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -99,11 +136,13 @@ Settings parseSession(const std::string& text, const std::string& path)
   for (const auto& [name, value] : json.items())
     if (name == "files")
       settings.data.files = filesOf(value, path);
-    else if (name != versionName)
+    else if (name != versionName && name != keyFramesName)
       for (const auto& [row, words] : groupOf(name, value, sessionTable(), path))
         row->set(settings, words);
   if (settings.data.files.empty())
     throw Failure(path + " names no data: \"files\" is missing or empty");
+  if (const auto found = json.find(keyFramesName); found != json.end())
+    settings.keyFrames = keyFramesOf(*found, settings, path);
   return settings;
 }
 

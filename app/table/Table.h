@@ -19,6 +19,7 @@ void addPictureRows(std::vector<Row>& table);
 
 // What commands alone take, in files of its own: what commandTable() puts beside the rest.
 void addTimeRows(std::vector<Row>& table);
+void addPlotRows(std::vector<Row>& table);
 void addFilmRows(std::vector<Row>& table);
 void addRecordingRows(std::vector<Row>& table);
 

@@ -1,4 +1,4 @@
-// What the window alone may be told, about time.
+// What the window alone may be told, about time and plots.
 
 #include "Table.h"
 
@@ -21,6 +21,7 @@ void addTimeRows(std::vector<Row>& table)
       .value = "SIZE",
       .help = "Memory for time steps that are read and built ahead, such as 4G, or a share of the "
               "machine's such as 25%; 0: none are",
+      .invalidates = Invalidates::Nothing,
       .usual = "25%",
       .command = command},
     [](const std::string& text)
@@ -48,6 +49,51 @@ void addTimeRows(std::vector<Row>& table)
       .name = "loop",
       .help = "Stop at the last time step; else playing begins again at the first",
       .invalidates = Invalidates::Nothing,
+      .command = command}));
+}
+
+void addPlotRows(std::vector<Row>& table)
+{
+  const std::string group = "Plot", command = "mote";
+  const auto plot = &Settings::plot;
+  const auto nothing = Invalidates::Nothing;
+  table.push_back(row(plot, &PlotSettings::x,
+    {.group = group,
+      .name = "plot-x",
+      .value = "NAME",
+      .help = "What the panel plots to the right: an array as --color-by names it, or x, y, z",
+      .invalidates = nothing,
+      .usual = "what colours",
+      .command = command}));
+  table.push_back(row(plot, &PlotSettings::y,
+    {.group = group,
+      .name = "plot-y",
+      .value = "NAME",
+      .help = "What the panel plots upwards, for a scatter plot of two values",
+      .invalidates = nothing,
+      .usual = "how many there are",
+      .command = command}));
+  table.push_back(row(plot, &PlotSettings::of,
+    {.group = group,
+      .name = "plot-of",
+      .value = "WHICH",
+      .help = "Whose values the panel plots: of all, of those that are visible, or of the picked",
+      .invalidates = nothing,
+      .words = {"all", "visible", "picked"},
+      .command = command}));
+  table.push_back(row(plot, &PlotSettings::logarithmic,
+    {.group = group,
+      .name = "plot-log",
+      .help = "Plot the logarithm of the counts",
+      .invalidates = nothing,
+      .command = command}));
+  table.push_back(row(plot, &PlotSettings::overTime,
+    {.group = group,
+      .name = "plot-over-time",
+      .value = "NAME",
+      .help = "Which values of the picked particles the panel plots over time",
+      .invalidates = nothing,
+      .usual = "what colours",
       .command = command}));
 }
 

@@ -175,6 +175,7 @@ private:
   void zoom(double factor);
   void savePicture();
   void savePlot(bool asPicture);
+  bool changeKeyFrames(Action action);
   bool doElsewhere(const std::function<void()>& work);
   void saveFilm();
   void takeRangeOfAllSteps();
@@ -256,6 +257,7 @@ private:
   std::optional<Settings> beforeHold_; ///< as the settings were when a control was taken hold of
   std::unique_ptr<StepCache> cache_;   ///< null: nothing is read ahead
   StepCache::Facts cacheShown_;        ///< as the panel has it
+  std::string cacheSize_;              ///< as the settings said when it was made
   WindowPaths paths_;
   std::unique_ptr<ValuesOverTime> overTime_; ///< of what was picked
   std::optional<FollowedFiles> followed_;    ///< while steps are read that are written

@@ -347,7 +347,7 @@ std::string Window::unusedName(const std::string& ending) const
 /// What the panel plots, as a picture or as its counts.
 void Window::savePlot(bool asPicture)
 {
-  const PlotPanel& shown = panel_.plot();
+  const PlotPanel& shown = panel_.plotNow(picked_);
   if (shown.plot().isEmpty())
     return this->say("Nothing is plotted");
   const std::string file = this->unusedName(asPicture ? "-plot.png" : "-plot.csv");
@@ -355,7 +355,7 @@ void Window::savePlot(bool asPicture)
     [&]
     {
       if (asPicture)
-        writePlotPicture(shown.plot(), shown.plotted(), shown.isLogarithmic(),
+        writePlotPicture(shown.plot(), shown.plotted(), this->settings().plot.logarithmic,
           captionOf(input_, step_, stage_.contents()), file);
       else
         writeText(file, plotText(shown.plot(), shown.plotted()));

@@ -75,6 +75,27 @@ void Window::saveFilm()
     this->say(told);
 }
 
+/// Adds the view that is shown to those that a film goes through, or forgets some; false for what
+/// other actions do.
+bool Window::changeKeyFrames(Action action)
+{
+  Settings next = this->settings();
+  if (action == Action::AddKeyFrame)
+  {
+    Settings key = this->settingsInForce();
+    key.keyFrames.clear();
+    next.keyFrames.push_back(std::move(key));
+  }
+  else if (action == Action::ForgetKeyFrame && !next.keyFrames.empty())
+    next.keyFrames.pop_back();
+  else if (action == Action::ForgetKeyFrames)
+    next.keyFrames.clear();
+  else
+    return false;
+  this->change(next);
+  return true;
+}
+
 /// Has the colours go from the least to the greatest value that any time step has.
 void Window::takeRangeOfAllSteps()
 {
@@ -110,7 +131,7 @@ std::string Window::makeFilm(const std::string& file)
   const Settings now = this->settingsInForce();
   checkFilmName(file, now.data.files);
   stage_.setPreview(false);
-  std::vector<Settings> keys = panel_.keyFrames();
+  std::vector<Settings> keys = now.keyFrames;
   if (keys.empty())
     keys = {now};
   for (Settings& key : keys) // of a view that may have had another size

@@ -40,8 +40,8 @@ bool Window::actOnRecording(Action action)
     this->toggleRecording();
   else if (action == Action::PlayRecording)
     this->togglePlaying();
-  else if (!panel_.changeKeyFrames(action))
-    return false;
+  else
+    return this->changeKeyFrames(action);
   return true;
 }
 

@@ -149,6 +149,8 @@ std::string differenceOf(const Settings& a, const Settings& b)
   for (const Row& row : settingsTable())
     if (row.get(a) != row.get(b))
       names.push_back(row.name);
+  if (a.keyFrames != b.keyFrames)
+    names.emplace_back("key frames");
   // The same camera may be said outright on one side, and be chosen on the other.
   if (names.size() > 1)
     std::erase(names, "camera");

@@ -13,8 +13,10 @@
 #include <vtkTimerLog.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <thread>
 #include <utility>
 
 namespace mote::app
@@ -88,7 +90,8 @@ void Window::awaitStep(int step)
 
 void Window::startCache()
 {
-  const std::uint64_t budget = memoryOf(asked_.output.cache).value_or(0);
+  cacheSize_ = this->settings().output.cache;
+  const std::uint64_t budget = memoryOf(cacheSize_).value_or(0);
   if (budget == 0 || input_.numberOfSteps() < 2)
     return;
   cache_ = std::make_unique<StepCache>(budget, addOcclusionMaps);
@@ -109,6 +112,13 @@ void Window::endCache()
 /// Tells how steps are to be built that are read ahead.
 void Window::planCache()
 {
+  if (cacheSize_ != this->settings().output.cache)
+  {
+    wantedStep_ = -1;
+    cache_.reset();
+    cacheShown_ = {};
+    return this->startCache();
+  }
   if (cache_ && loadedStep_ >= 0)
     cache_->setPlan(stage_.readyPlan());
 }
@@ -263,6 +273,8 @@ void Window::saveOverTime()
 {
   if (!overTime_)
     return;
+  while (player_ && overTime_->stepsRead() < overTime_->steps()) // who was recorded had waited
+    std::this_thread::sleep_for(std::chrono::milliseconds(pathPause));
   const std::string file = this->unusedName("-over-time.csv");
   overTime_->write(file, input_.times());
   this->say("Saved " + file);

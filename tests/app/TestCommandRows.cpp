@@ -42,6 +42,7 @@ TEST(CommandTable, RowsAreSetReadAndParsed)
     {"quality", {"low"}},
     {"picture-size", {"320x200"}},
     {"cache", {"4G"}},
+    {"plot-of", {"picked"}},
   };
   std::set<std::string> names;
   for (const Row& row : commandTable())

@@ -136,6 +136,30 @@ TEST_F(PlotTest, IsOfTheVisibleOrThePicked)
   EXPECT_EQ(stage->numberShown(), 0);
 }
 
+TEST_F(PlotTest, RangesOfWhatIsShownAreThoseOfCountingOneByOne)
+{
+  settings.selection.ranges = {{"x", {{0.0, 0.25}}}, {"v:1", {{0.1, 0.4}, {0.6, 0.7}}}};
+  settings.selection.where = "y < 1.5";
+  settings.selection.hidden = IdRanges({{0, 0, 999}});
+  this->show();
+  double least = HUGE_VAL, most = -HUGE_VAL, place[3];
+  for (int i = 1000; i < count; ++i)
+  {
+    data->GetPoint(i, place);
+    const double v1 = v->GetComponent(i, 1);
+    if (place[0] > 0.25 || place[1] >= 1.5 || v1 < 0.1 || v1 > 0.7 || (v1 > 0.4 && v1 < 0.6))
+      continue;
+    least = std::min(least, static_cast<double>(a->GetValue(i)));
+    most = std::max(most, static_cast<double>(a->GetValue(i)));
+  }
+  double range[2];
+  ASSERT_TRUE(rangeOfShown(stage->parts(), {"a", 0, false}, settings.selection, range));
+  EXPECT_EQ(range[0], least);
+  EXPECT_EQ(range[1], most);
+  stage->parts().front()->setHidden(true);
+  EXPECT_FALSE(rangeOfShown(stage->parts(), {"a", 0, false}, settings.selection, range));
+}
+
 TEST_F(PlotTest, IsEmptyWhereThereIsNoSuchArray)
 {
   this->show();

@@ -52,6 +52,7 @@ std::vector<std::string> sampleOf(const Row& row)
     {"saved-view", {"a=b=0,0,9,0,0,0,0,1,0,30", "top=parallel,0,0,9,0,0,0,0,1,0,2.5"}},
     {"hide-data", {"2", "3"}},
     {"type-names", {"1=Cu", "2=Zr"}},
+    {"type-colors", {"1=#ff6347", "3=#3060c0"}},
     {"shadows", {"4"}},
     {"light", {"-30,40"}},
     {"ambient-occlusion", {"baked"}},
@@ -265,6 +266,26 @@ TEST_F(SettingsTable, WrongValuesAreRefused)
       EXPECT_TRUE(refuses({"1", "2"})) << row.name;
     }
   }
+}
+
+TEST_F(SettingsTable, SessionsKeepTheViewsOfFilms)
+{
+  Settings settings;
+  settings.data.files = {data()};
+  settings.color.map = "plasma";
+  EXPECT_EQ(sessionText(settings, session).find("key-frames"), std::string::npos);
+  Settings key = settings;
+  key.color.map.clear();
+  key.camera.azimuth = 30.0;
+  settings.keyFrames = {settings, key};
+  EXPECT_EQ(parseSession(sessionText(settings, session), session), settings);
+  History history;
+  history.add(Settings());
+  EXPECT_TRUE(history.undo(settings)->keyFrames.empty());
+  EXPECT_EQ(history.redo(Settings())->keyFrames.size(), 2u);
+  std::string text = sessionText(settings, session);
+  text.replace(text.find("\"azimuth\": 30"), 9, "\"nothing\"");
+  EXPECT_THROW(parseSession(text, session), Failure);
 }
 
 TEST_F(SettingsTable, SessionsFindTheirDataWhereverTheyLie)

@@ -14,6 +14,9 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <array>
+#include <set>
+
 using namespace mote::app;
 
 namespace
@@ -158,6 +161,27 @@ TEST_F(StageTest, TypesKeepTheirColoursOverTimeSteps)
   settings.color.types = {7, 3};
   this->show(first);
   EXPECT_EQ(stage->settingsInForce().color.types, (std::vector<int>{7, 3}));
+}
+
+TEST_F(StageTest, ManyTypesHaveColoursOfTheirOwn)
+{
+  const auto data = typedParticles(84);
+  for (int i = 0; i < 84; ++i)
+    data->GetPointData()->GetArray("type")->SetTuple1(i, 1 + i % 14);
+  settings.color.array = "type";
+  settings.color.typeColors = {{3, {1.0, 0.0, 0.0}}, {99, {0.0, 0.0, 0.0}}};
+  this->show(data);
+  ASSERT_TRUE(stage->coloring().isTyped());
+  vtkLookupTable* table = stage->coloring().legendTable();
+  ASSERT_EQ(table->GetNumberOfTableValues(), 14);
+  std::set<std::array<double, 3>> colors;
+  for (int i = 0; i < 14; ++i)
+  {
+    const double* c = table->GetTableValue(i);
+    colors.insert({c[0], c[1], c[2]});
+  }
+  EXPECT_EQ(colors.size(), 14u);
+  EXPECT_TRUE(colors.count({1.0, 0.0, 0.0}));
 }
 
 TEST_F(StageTest, RangesAreSaidWhereOtherTimeStepsHaveWidenedThem)

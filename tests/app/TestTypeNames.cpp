@@ -7,11 +7,15 @@
 #include <gtest/gtest.h>
 #include <vtkFieldData.h>
 #include <vtkIntArray.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
+
+#include <algorithm>
+#include <cmath>
 
 using namespace mote::app;
 
@@ -69,12 +73,37 @@ TEST(TypeNames, OnlyUnknownElementsHaveOtherColours)
   EXPECT_TRUE(elementColors(types, {}).empty());
 }
 
-TEST(TypeNames, ManyUnknownOnesBeginAnew)
+TEST(TypeNames, ManyUnknownOnesHaveColoursOfTheirOwn)
 {
   std::vector<int> types;
   for (int i = 0; i < 100; ++i)
     types.push_back(i);
   const auto colors = elementColors(types, {{0, "H"}});
   ASSERT_EQ(colors.size(), types.size());
-  EXPECT_EQ(colors[1], colors[1 + numberOfTypeColors()]);
+  for (std::size_t i = 1; i < colors.size(); ++i)
+    EXPECT_EQ(std::count(colors.begin(), colors.end(), colors[i]), 1) << "colour " << i;
+}
+
+TEST(TypeNames, ColoursOfTypesAreWellApart)
+{
+  const auto all = typeColors(mostTypeColors);
+  ASSERT_EQ(all.size(), mostTypeColors);
+  EXPECT_EQ(typeColors(5), std::vector<Color>(all.begin(), all.begin() + 5));
+  // In CIELAB a difference of 2.3 is just seen, side by side.
+  const auto leastOf = [&](std::size_t count)
+  {
+    double least = HUGE_VAL;
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t k = 0; k < i; ++k)
+      {
+        double a[3], b[3];
+        vtkMath::RGBToLab(all[i].data(), a);
+        vtkMath::RGBToLab(all[k].data(), b);
+        least = std::min(least, std::sqrt(vtkMath::Distance2BetweenPoints(a, b)));
+      }
+    return least;
+  };
+  EXPECT_GT(leastOf(14), 25.0);
+  EXPECT_GT(leastOf(24), 20.0);
+  EXPECT_GT(leastOf(mostTypeColors), 8.0);
 }

@@ -251,19 +251,208 @@ case $3 in
     quit
     ;;
 
-  keyboard) # and no mouse
+  colours) # components and maps are chosen from lists; the range is that of what is shown
+    {
+      printf 'ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n64\nITEM: BOX BOUNDS ff ff ff\n0 4\n0 4\n0 4\n'
+      echo 'ITEM: ATOMS id type x y z vx vy vz'
+      for i in $(seq 0 63); do
+        echo "$i $((1 + i % 2)) $((i % 4)) $((i / 4 % 4)) $((i / 16)) $((i * i)) $((-2 * i)) 0"
+      done
+    } >flow.dump
+    open flow.dump --color-by v --size 1000x860
+    click component
+    click 'v: vy'
+    has '--color-by=v:1 '
+    picture forth.png
+    click color-map
+    click 'plasma reversed'
+    has '--color-map=plasma .*--reverse'
+    picture back.png
+    differ forth.png back.png
+    click color-map
+    click 'plasma'
+    has_no '--reverse'
+    # Of what a type, an expression and ids hide, nothing counts.
+    click 'type 1' 0.05
+    has '--show=type=2'
+    click 'Range of what is shown'
+    has '--range=-126,-2 '
+    write where 'x >= 0 && vx < 3000'
+    click 'Range of what is shown'
+    has '--range=-106,-2 '
+    quit
+    open flow.dump --color-by v:1 --hide-ids 0:2,61:63 --size 1000x860
+    click 'Range of what is shown'
+    has '--range=-120,-6 '
+    quit
+    ;;
+
+  typelist) # has a line for each type: its colour, name and radius are chosen there
+    {
+      printf 'ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n56\nITEM: BOX BOUNDS ff ff ff\n0 8\n0 8\n0 2\n'
+      echo 'ITEM: ATOMS id type x y z'
+      for i in $(seq 0 55); do echo "$i $((1 + i % 14)) $((i % 8)) $((i / 8)) 0"; done
+    } >many.dump
+    open many.dump --color-by type --size 1000x860 --view +z
+    picture start.png
+    write 'type 2 name' wall
+    has '--type-names=2=wall '
+    picture named.png
+    differ start.png named.png
+    write 'type 14 radius' 0.9
+    has '--type-radius=1=0\.[0-9]*,.*14=0.9 '
+    picture large.png
+    differ named.png large.png
+    write 'type 14 radius' 0
+    has_no '--type-radius'
+    picture small.png
+    alike named.png small.png
+    click 'type 3 colour'
+    sleep 0.5
+    read -r x y < <(place 'type 3 colour')
+    xdotool mousemove $((x + 40)) $((y + 60)) mousedown 1 mousemove $((x + 60)) $((y + 70)) sleep 0.3 mouseup 1
+    press Escape
+    settled
+    has "'--type-colors=3=#[0-9a-f]{6}' "
+    picture painted.png
+    differ named.png painted.png
+    press Control+s
+    for _ in $(seq 100); do ls ./*.json >/dev/null 2>&1 && break; sleep 0.05; done
+    grep -A 3 '"type-colors"' ./*.json | grep -q '3=#' || fail "the session has no colour of the type"
+    click 'Usual colours'
+    has_no '--type-colors'
+    picture usual.png
+    alike named.png usual.png
+    press Control+z
+    quit
+    ;;
+
+  inverts) # turn ranges, expressions and ids round
+    open "$copper" --size 1000x900 --where 'c_pe > -3.4'
+    total=24480
+    shown_now() { awk '/ of 24,480 particles shown/ && NF > 6 { gsub(",", "", $1); print $1; exit }' "$MOTE_CONTROLS"; }
+    shown 'Invert expression'
+    settled
+    some=$(shown_now)
+    click 'Invert expression'
+    has "'--where=!\(c_pe > -3.4\)'"
+    [ $((some + $(shown_now))) = $total ] || fail "$some and $(shown_now) are not all"
+    click 'Invert expression'
+    has "'--where=c_pe > -3.4'"
+    click where 0.9
+    shown 'active where'
+    xdotool key --window 0 --delay 50 ctrl+a BackSpace Return
+    gone 'active where'
+    has_no '--where'
+    click show
+    click c_centro
+    drag histogram 0.0 0.3
+    drag histogram 0.99 0.8
+    settled
+    some=$(shown_now)
+    picture inside.png
+    click 'invert c_centro'
+    has '--show=c_centro=:[0-9.]*,[0-9.]*: '
+    [ $((some + $(shown_now))) = $total ] || fail "$some and $(shown_now) are not all"
+    picture outside.png
+    differ inside.png outside.png
+    drag histogram 0.3 0.4 # the edge of what is hidden
+    [ $((some + $(shown_now))) -gt $total ] || fail "$some and $(shown_now) are no more"
+    press Control+z
+    click 'invert c_centro'
+    settled
+    [ "$(shown_now)" = "$some" ] || fail "$(shown_now) are shown, not $some again"
+    picture again.png
+    alike inside.png again.png
+    click 'show all'
+    click show
+    click z
+    drag histogram 0.0 0.4
+    settled
+    some=$(shown_now)
+    click 'invert z'
+    has "'--where=!\(z >= .* && z <= .*\)'"
+    has_no '--show'
+    [ $((some + $(shown_now))) = $total ] || fail "$some and $(shown_now) are not all"
+    quit
+    ;;
+
+  curve) # of opacities is changed by the keys alone, and as numbers
+    open "$data/swirl.1.vtu" --size 1000x860 --opacity 0%=0,100%=0.8
+    shown opacity
+    picture start.png
+    press Tab
+    go_to opacity
+    press space
+    shown 'active opacity'
+    xdotool key --window 0 --delay 100 Up Up Right Next Down
+    press space
+    gone 'active opacity'
+    has '--opacity=[^, ]*=0.04,[^, ]*=0.78 '
+    press Tab Tab # folded, and back without the keys
+    press Tab Tab
+    click Rising
+    has '--opacity=0%=0,100%=0.8'
+    click 'opacity points'
+    write 'opacity 1 opacity' 0.3
+    has '--opacity=[^, ]*=0.3,[^, ]*=0.8 '
+    click 'Add point'
+    has '--opacity=[^, ]*=0.3,[^, ]*=0.55,[^, ]*=0.8 '
+    click 'forget opacity 2'
+    has '--opacity=[^, ]*=0.3,[^, ]*=0.8 '
+    picture changed.png
+    differ start.png changed.png
+    quit
+    ;;
+
+  keyboard) # and no mouse: sections are folded, lists chosen from, fields written, boxes ticked
     open "$copper" --size 1000x760
     shown color-map
     press Tab
-    for _ in 1 2 3 4 5 6 7 8; do
-      press Down # over the buttons, time, play, step, speed and data, to the head of Colour
-      sleep 0.3
-    done
+    go_to 'group Colour'
     press space
     gone color-map
     press space
     shown color-map
-    press Down Tab # the section's first control; the panel goes
+    go_to color-map
+    press space
+    shown plasma
+    go_to inferno
+    press space
+    gone inferno
+    has '--color-map=inferno '
+    go_to reverse
+    press space
+    has '--reverse'
+    go_to 'group Selection'
+    go_to where
+    press Return
+    shown 'active where'
+    xdotool type --window 0 --delay 30 'c_pe > -3.4'
+    press Return
+    gone 'active where'
+    has "'--where=c_pe > -3.4'"
+    go_to 'Invert expression'
+    press space
+    has "'--where=!\(c_pe > -3.4\)'"
+    go_to 'group Light'
+    press space
+    shown headlight
+    go_to headlight
+    press space
+    shown 'active headlight'
+    xdotool key --window 0 --delay 100 Right Right Right
+    press space
+    gone 'active headlight'
+    has '--headlight=[1-9][.0-9]* '
+    go_to 'group Camera'
+    press space
+    go_to +x
+    press space
+    has '--camera=[1-9][0-9.]*,[-0-9.e]*,'
+    press Control+z Control+z
+    has_no '--headlight'
+    press Tab # the panel goes
     picture folded.png
     [ "$(png_size folded.png)" = 1000x760 ] || fail "the folded view is $(png_size folded.png)"
     quit

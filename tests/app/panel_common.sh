@@ -103,6 +103,17 @@ refused() {
   kill -0 $process 2>/dev/null || fail "the program ended by a letter of a field"
 }
 
+# go_to NAME: with the keys alone, from wherever in the panel they are down to the control.
+go_to() {
+  for _ in $(seq 80); do
+    [ -n "$(place "focused $1")" ] && return
+    xdotool key --window 0 Down
+    sleep 0.1
+    settled
+  done
+  fail "the keys do not come to $1"
+}
+
 # command: the command that makes this picture, as the window prints it.
 command_now() {
   local before

@@ -25,7 +25,8 @@ case $3 in
     click color-by
     click 'U magnitude'
     for component in 0 1 2; do
-      click 'Next component'
+      click component
+      click "U: $component"
       has "--color-by=U:$component "
     done
     changed
