@@ -3,6 +3,7 @@
 #include "PanelWidgets.h"
 #include "base/Text.h"
 #include "base/UserFiles.h"
+#include "settings/UserState.h"
 #include "table/Session.h"
 
 #include <imgui.h>
@@ -41,6 +42,8 @@ std::string factsOf(const FolderEntry& entry)
 void OpenDialog::show(const fs::path& folder)
 {
   toOpen_ = isOpen_ = true;
+  recent_ = readUserState().recent;
+  chosenRecent_.reset();
   if (!folder.empty() || folder_.empty())
   {
     std::error_code error;
@@ -94,16 +97,18 @@ void OpenDialog::find()
 
 void OpenDialog::drawPlaces()
 {
-  const auto place = [this](const char* label, const fs::path& folder)
+  const auto place = [this](const char* label, const fs::path& folder, const char* help)
   {
     if (buttonOf(label))
       this->goTo(folder);
+    explainKey(help);
     ImGui::SameLine();
   };
-  place("Up", folder_.parent_path());
-  place("Home", homeFolder());
+  place("Up", folder_.parent_path(), "The folder above\nBackspace");
+  place("Home", homeFolder(), "Your own folder\n~");
   if (const fs::path demo = demoFolder(); !demo.empty())
-    place("Demo data", demo);
+    place("Demo data", demo, "Small simulations that come with Mote");
+  this->drawRecent();
   // The end of a long path tells more than its beginning.
   std::string path = folder_.string();
   const float room = ImGui::GetContentRegionAvail().x;
@@ -114,10 +119,39 @@ void OpenDialog::drawPlaces()
     path.size() < folder_.string().size() ? ("..." + path).c_str() : path.c_str());
 }
 
+/// A list of what was opened last.
+void OpenDialog::drawRecent()
+{
+  isListing_ = false;
+  if (recent_.empty())
+    return;
+  ImGui::SetNextItemWidth(6.0f * ImGui::GetFontSize());
+  isListing_ = ImGui::BeginCombo("##recent", "Recent", ImGuiComboFlags_HeightLarge);
+  noteControl("Recent");
+  explainKey("Files that were opened last");
+  if (isListing_)
+  {
+    for (std::size_t i = 0; i < recent_.size(); ++i)
+    {
+      const std::vector<std::string>& files = recent_[i];
+      const std::string more =
+        files.size() > 1 ? " and " + std::to_string(files.size() - 1) + " more" : "";
+      ImGui::PushID(static_cast<int>(i));
+      const bool isPressed = ImGui::Selectable((files.front() + more).c_str());
+      noteControl("recent " + fs::path(files.front()).filename().string());
+      ImGui::PopID();
+      if (isPressed)
+        chosenRecent_ = OpenChoice{files, false};
+    }
+    ImGui::EndCombo();
+  }
+  ImGui::SameLine();
+}
+
 /// The field that has the keys. Returns whether Return was pressed in it.
 bool OpenDialog::drawFilter()
 {
-  if (!ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(0))
+  if (!ImGui::IsAnyItemActive() && !ImGui::IsMouseDown(0) && !isListing_)
     ImGui::SetKeyboardFocusHere();
   // Arrows would leave the field, were they not its own.
   const auto onArrow = [](ImGuiInputTextCallbackData* data)
@@ -295,6 +329,7 @@ std::optional<OpenChoice> OpenDialog::draw(bool canAdd)
   const bool isSession = std::any_of(files.begin(), files.end(), isSessionFile);
   ImGui::BeginDisabled(files.empty());
   isEntered = buttonOf("Open") || isEntered;
+  explainKey("Show these files in the place of those that are open\nReturn");
   ImGui::SameLine();
   ImGui::BeginDisabled(!canAdd || isSession);
   if (buttonOf("Add"))
@@ -306,11 +341,15 @@ std::optional<OpenChoice> OpenDialog::draw(bool canAdd)
   std::optional<OpenChoice> choice;
   if (isEntered && !files.empty())
     choice = OpenChoice{files, isAdded && canAdd && !isSession};
-  if (buttonOf("Cancel") || isPressed(ImGuiKey_Escape) || choice)
+  if (chosenRecent_)
+    choice = std::move(chosenRecent_);
+  chosenRecent_.reset();
+  if (buttonOf("Cancel") || (isPressed(ImGuiKey_Escape) && !isListing_) || choice)
   {
     ImGui::CloseCurrentPopup();
     isOpen_ = false;
   }
+  explainKey("Leave the list\nEscape");
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   if (marked_.size() > 1)

@@ -36,6 +36,7 @@ private:
   void goTo(const std::filesystem::path& folder);
   void find();
   void drawPlaces();
+  void drawRecent();
   bool drawFilter();
   bool drawList();
   bool drawLine(std::size_t line) const;
@@ -53,7 +54,10 @@ private:
   std::set<std::size_t> marked_;   ///< of the entries
   std::size_t cursor_ = 0;         ///< of the lines
   std::string filter_, problem_;
-  bool toCursor_ = false; ///< the list is to show the cursor's line
+  std::vector<std::vector<std::string>> recent_; ///< files that were opened together
+  std::optional<OpenChoice> chosenRecent_;
+  bool isListing_ = false; ///< those stand in a list that has the keys
+  bool toCursor_ = false;  ///< the list is to show the cursor's line
 };
 
 } // namespace mote::app

@@ -1,5 +1,6 @@
 #include "PanelHost.h"
 
+#include "PanelLook.h"
 #include "TypedLetter.h"
 
 #include <vtk_glew.h> // before what includes OpenGL
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <cfloat>
 #include <cstring>
-#include <filesystem>
 #include <iterator>
 #include <utility>
 
@@ -59,31 +59,6 @@ bool isForMoving(const char* symbol)
     if (std::strcmp(moving, symbol) == 0)
       return true;
   return false;
-}
-
-void setLook(double scale)
-{
-  ImGui::StyleColorsDark();
-  ImGuiStyle& style = ImGui::GetStyle();
-  style.WindowRounding = style.FrameRounding = style.GrabRounding = 3.0f;
-  style.WindowBorderSize = 0.0f;
-  style.Colors[ImGuiCol_WindowBg] = ImVec4(0.13f, 0.14f, 0.16f, 1.0f);
-  style.Colors[ImGuiCol_PopupBg] = ImVec4(0.11f, 0.12f, 0.14f, 1.0f);
-  style.ScaleAllSizes(static_cast<float>(scale));
-}
-
-void addFont(double scale)
-{
-  ImGuiIO& io = ImGui::GetIO();
-  const float size = std::floor(static_cast<float>(14.5 * scale));
-  static const ImWchar glyphs[] = {
-    0x20, 0x24f, 0x370, 0x3ff, 0x2010, 0x2027, 0x2190, 0x2193, 0x2212, 0x2212, 0x25a0, 0x25cf, 0};
-  for (const char* file : {MOTE_PANEL_FONT, "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"})
-    if (*file && std::filesystem::exists(file) &&
-        io.Fonts->AddFontFromFileTTF(file, size, nullptr, glyphs))
-      return;
-  io.Fonts->AddFontDefault();
-  io.FontGlobalScale = static_cast<float>(scale);
 }
 
 /// All that makes the pixels of a layout.
@@ -200,11 +175,27 @@ void PanelHost::start()
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   for (std::size_t i = 0; i < std::size(keyNames); ++i)
     io.KeyMap[keyNames[i].key] = static_cast<int>(i);
-  setLook(scale_);
-  addFont(scale_);
+  setPanelLook(scale_);
   window_->MakeCurrent();
   if (ImGui_ImplOpenGL3_Init("#version 150"))
     state_ = State::Ready;
+}
+
+void PanelHost::setScale(double scale)
+{
+  if (scale == scale_)
+    return;
+  scale_ = scale;
+  if (state_ != State::Ready)
+    return;
+  ImGui::SetCurrentContext(context_);
+  setPanelLook(scale_);
+  window_->MakeCurrent();
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui_ImplOpenGL3_CreateFontsTexture();
+  isLaid_ = false; // by letters that are gone
+  this->lose();
+  this->drawAgain();
 }
 
 void PanelHost::lay(const std::function<void()>& controls)

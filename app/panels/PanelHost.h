@@ -28,6 +28,9 @@ public:
   /// Whether this window's OpenGL can draw controls; asked once the window has drawn.
   bool isSupported();
 
+  /// Another size, from the next layout on. Not within one.
+  void setScale(double scale);
+
   /// Lays out what `controls` asks ImGui for: the input that came works, and nothing is drawn yet.
   void lay(const std::function<void()>& controls);
   /// Whether there is a layout that has not been drawn.

@@ -74,7 +74,8 @@ void addPictureCommands(Rows& table)
     {.group = "Output",
       .name = "ui-scale",
       .value = "F",
-      .help = "Factor on the size of the panel's texts and controls",
+      .help = "Factor on the size of the window's texts and controls; the legend has --font-scale",
+      .invalidates = Invalidates::Nothing,
       .limits = {.least = 0.5, .most = 4.0},
       .usual = "as the display says: its dots per inch over 96",
       .command = "mote"}));

@@ -73,7 +73,9 @@ const std::vector<Line>& lines()
     {"Escape", "stop long work; dismiss messages; pick nothing", {{Escape, {"Escape"}}}},
     {"Tab", "show the panel and give it the keys (arrows, space; Escape); again: hide it",
       {{Panel, {"Tab"}}}},
-    {"h ?", "these keys", {{Help, {"h", "H", "question", "F1"}}}},
+    {"h ?", "these keys; Page Up and Page Down go through them where the view is small",
+      {{Help, {"h", "H", "question", "F1"}}, {HelpUp, {"Prior", "KP_Prior"}},
+        {HelpDown, {"Next", "KP_Next"}}}},
     {"q", "quit", {{Quit, {"q", "Q"}}}},
   };
   return table;

@@ -20,6 +20,8 @@ enum class Action
   Set, ///< the value that the binding names
   // Of the window:
   Help,
+  HelpUp,
+  HelpDown,
   Open,
   Panel,
   ResetView,

@@ -8,7 +8,9 @@
 #include <vtkTextProperty.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <sstream>
 #include <vector>
 
 namespace mote::app
@@ -18,7 +20,7 @@ namespace
 {
 
 constexpr double margin = 0.012; // of texts at the edges: shares of the view
-constexpr int messageSize = 15;  // pixels
+constexpr int statusSize = 16, messageSize = 15, tipSize = 13; // pixels, at a scale of 1
 
 vtkTextProperty* place(vtkTextActor* text, double x, double y, int size, bool top)
 {
@@ -45,7 +47,7 @@ void onPanel(vtkTextProperty* property)
 Overlay::Overlay(vtkRenderer* renderer)
   : renderer_(renderer)
 {
-  place(statusText_, margin, margin, 16, false);
+  place(statusText_, margin, margin, statusSize, false);
   onPanel(place(messageText_, margin, 0.98, messageSize, true));
   onPanel(place(helpText_, margin, 0.988, messageSize, true));
   helpText_->VisibilityOff();
@@ -53,7 +55,7 @@ Overlay::Overlay(vtkRenderer* renderer)
   onPanel(place(previewText_, 0.5, 0.98, messageSize, true));
   previewText_->GetTextProperty()->SetJustificationToCentered();
   previewText_->VisibilityOff();
-  onPanel(place(tipText_, 0.0, 0.0, 13, true));
+  onPanel(place(tipText_, 0.0, 0.0, tipSize, true));
   tipText_->GetPositionCoordinate()->SetCoordinateSystemToViewport();
   tipText_->VisibilityOff();
   for (vtkTextActor* text :
@@ -93,25 +95,76 @@ bool Overlay::fits(vtkTextActor* text) const
          box[3] - box[2] <= (1.0 - 2.0 * margin) * renderer_->GetSize()[1];
 }
 
-/// As large as fits into the view; lines that are too long go on below.
+int Overlay::pixels(int size) const
+{
+  return std::max(1, static_cast<int>(std::lround(scale_ * size)));
+}
+
+void Overlay::setScale(double scale)
+{
+  scale_ = scale;
+  statusText_->GetTextProperty()->SetFontSize(this->pixels(statusSize));
+  messageText_->GetTextProperty()->SetFontSize(this->pixels(messageSize));
+  previewText_->GetTextProperty()->SetFontSize(this->pixels(messageSize));
+  tipText_->GetTextProperty()->SetFontSize(this->pixels(tipSize));
+  helpSize_ = {};
+  statusWidth_ = 0;
+}
+
+/// As large as fits into the view, but to be read; lines that are too long go on below.
 void Overlay::layHelp()
 {
-  constexpr int largest = messageSize, least = 6; // pixels
-  constexpr double widthOfLetter = 0.605;         // of Courier's size
+  constexpr int smallest = 11;            // pixels, at a scale of 1
+  constexpr double widthOfLetter = 0.605; // of Courier's size
   const int* view = renderer_->GetSize();
   if (helpSize_ == std::array{view[0], view[1]})
     return;
   helpSize_ = {view[0], view[1]};
-  for (int size = largest; size >= least; --size)
+  helpLines_.clear();
+  std::string text;
+  for (int size = this->pixels(messageSize); size >= this->pixels(smallest); --size)
   {
     helpText_->GetTextProperty()->SetFontSize(size);
     const double letters = (1.0 - 2.0 * margin) * view[0] / (widthOfLetter * size);
-    helpText_->SetInput(keysHelp(static_cast<std::size_t>(letters)).c_str());
+    text = keysHelp(static_cast<std::size_t>(letters));
+    helpText_->SetInput(text.c_str());
     if (this->fits(helpText_))
       return;
   }
-  helpText_->GetTextProperty()->SetFontSize(12);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    helpLines_.push_back(line);
+  double box[4];
+  helpText_->GetBoundingBox(renderer_, box);
+  const double height = (box[3] - box[2]) / static_cast<double>(helpLines_.size());
+  helpRows_ = static_cast<int>((1.0 - 2.0 * margin) * view[1] / height) - 2;
+  if (helpRows_ >= 3 && box[1] - box[0] <= (1.0 - margin) * view[0])
+    return this->showHelpLines();
+  helpLines_.clear();
   helpText_->SetInput(" This window is too small for the keys: \n mote help keys prints them. ");
+}
+
+/// As many lines as there is room for, and how to come to the others.
+void Overlay::showHelpLines()
+{
+  const auto count = static_cast<int>(helpLines_.size());
+  helpFirst_ = std::clamp(helpFirst_, 0, std::max(0, count - helpRows_));
+  const int last = std::min(count, helpFirst_ + helpRows_);
+  std::string text;
+  for (int i = helpFirst_; i < last; ++i)
+    text += helpLines_[static_cast<std::size_t>(i)] + "\n";
+  text += " \n lines " + std::to_string(helpFirst_ + 1) + " to " + std::to_string(last) + " of " +
+          std::to_string(count) + ": wheel, Page Down ";
+  helpText_->SetInput(text.c_str());
+}
+
+bool Overlay::scrollHelp(int lines)
+{
+  if (!helpOn_ || helpLines_.empty())
+    return false;
+  helpFirst_ += lines;
+  this->showHelpLines();
+  return true;
 }
 
 void Overlay::setTop(int pixels)
@@ -142,7 +195,7 @@ void Overlay::setPreview(const std::string& text)
 
 void Overlay::setTip(const std::string& text, int x, int y, const std::array<int, 2>& size)
 {
-  constexpr int away = 14; // pixels: the cursor hides nothing of it
+  const int away = this->pixels(14); // the cursor hides nothing of it
   const bool isLeft = 2 * x > size[0], isLow = 2 * y < size[1];
   tipText_->SetInput(text.c_str());
   tipText_->SetPosition(isLeft ? x - away : x + away, isLow ? y + away : y - away);
@@ -173,6 +226,8 @@ bool Overlay::hasMessage() const
 void Overlay::toggleHelp()
 {
   helpOn_ = !helpOn_;
+  helpFirst_ = 0;
+  helpSize_ = {};
   if (helpOn_)
     this->layHelp();
   helpText_->SetVisibility(helpOn_);

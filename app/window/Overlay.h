@@ -7,6 +7,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 class vtkRenderer;
 
@@ -47,6 +48,12 @@ public:
 
   void toggleHelp();
   void hideHelp();
+  /// Goes on in a list of keys that does not fit into the view, by so many lines; false where there
+  /// is none.
+  bool scrollHelp(int lines);
+
+  /// The size of all texts: 1 for a display of 96 dots an inch.
+  void setScale(double scale);
 
   /// Without texts, for pictures of the view.
   void setVisible(bool visible);
@@ -56,13 +63,18 @@ public:
 
 private:
   bool fits(vtkTextActor* text) const;
+  int pixels(int size) const;
   void layHelp();
+  void showHelpLines();
 
   vtkRenderer* renderer_;
   std::string status_;
-  int statusWidth_ = 0;              ///< of the view
-  int top_ = -1, topOf_ = 0;         ///< pixels without messages, and the height of the view then
-  std::array<int, 2> helpSize_ = {}; ///< of the view, when the help was laid out
+  int statusWidth_ = 0;      ///< of the view
+  int top_ = -1, topOf_ = 0; ///< pixels without messages, and the height of the view then
+  double scale_ = 1.0;
+  std::array<int, 2> helpSize_ = {};   ///< of the view, when the help was laid out
+  std::vector<std::string> helpLines_; ///< where they do not all fit, else none
+  int helpFirst_ = 0, helpRows_ = 0;   ///< of those lines, that are shown
   bool helpOn_ = false;
   bool messageOn_ = false;
   bool tellsPicked_ = false;

@@ -16,10 +16,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace mote::app
 {
+
+namespace
+{
+
+constexpr double textSize = 15.0, lineWidth = 2.0; // pixels, at a scale of 1
+
+} // namespace
 
 Ruler::Ruler(vtkRenderer* renderer)
   : renderer_(renderer)
@@ -31,14 +39,12 @@ Ruler::Ruler(vtkRenderer* renderer)
   mapper->SetInputData(lines_);
   actor_->SetMapper(mapper);
   actor_->GetProperty()->SetColor(1.0, 0.95, 0.3);
-  actor_->GetProperty()->SetLineWidth(2.0);
   actor_->VisibilityOff();
   renderer->AddActor2D(actor_);
   for (const auto& text : labels_)
   {
     text->GetPositionCoordinate()->SetCoordinateSystemToViewport();
     vtkTextProperty* look = text->GetTextProperty();
-    look->SetFontSize(15);
     look->SetColor(1.0, 0.95, 0.3);
     look->SetBackgroundColor(0.09, 0.10, 0.12);
     look->SetBackgroundOpacity(0.82);
@@ -48,6 +54,14 @@ Ruler::Ruler(vtkRenderer* renderer)
     renderer->AddActor2D(text);
   }
   labels_[2]->GetTextProperty()->SetVerticalJustificationToTop();
+  this->setScale(1.0);
+}
+
+void Ruler::setScale(double scale)
+{
+  actor_->GetProperty()->SetLineWidth(static_cast<float>(scale * lineWidth));
+  for (const auto& text : labels_)
+    text->GetTextProperty()->SetFontSize(static_cast<int>(std::lround(scale * textSize)));
 }
 
 Ruler::~Ruler() = default;

@@ -24,6 +24,8 @@ public:
   /// Follows what is picked, where any of it is in these parts.
   void update(
     const PickedSet::Parts& parts, const PickedSet& picked, const std::vector<std::size_t>& shown);
+  /// The size of its texts and lines: 1 for a display of 96 dots an inch.
+  void setScale(double scale);
   /// Without it, for pictures of the window.
   void setVisible(bool visible);
 

@@ -35,6 +35,8 @@ public:
   void show(const Stage& stage, const std::vector<std::size_t>& parts, const ParticlePaths* paths);
   /// Follows the picked and the camera; call before each frame.
   void update(const Stage& stage, const PickedSet& picked);
+  /// The size of texts: 1 for a display of 96 dots an inch.
+  void setScale(double scale) { ruler_.setScale(scale); }
   /// Without marks and ruler, for pictures of the window.
   void setVisible(bool visible);
 

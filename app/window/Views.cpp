@@ -26,7 +26,7 @@ namespace mote::app
 namespace
 {
 
-constexpr int nameSize = 16, nameMargin = 9; // pixels
+constexpr int nameSize = 16, nameMargin = 9; // pixels, at a scale of 1
 
 /// A line in pixels of a view.
 void makeDivider(vtkActor2D* divider)
@@ -222,8 +222,8 @@ void Views::lay()
     const int from = sides.left(i), low = sides.bottom(i), high = low + sides.height;
     column_[i].renderer->SetViewport(
       (left + from) / whole, low / height, (left + from + sides.width) / whole, high / height);
-    column_[i].title->SetPosition(
-      (from + 0.5 * sides.width) / std::max(1, size[0]), (high - nameMargin) / height);
+    column_[i].title->SetPosition((from + 0.5 * sides.width) / std::max(1, size[0]),
+      (high - this->pixels(nameMargin)) / height);
   }
   std::size_t next = 0;
   const auto divide = [&](const std::array<int, 2>& one, const std::array<int, 2>& other)
@@ -247,7 +247,20 @@ void Views::lay()
 
 int Views::heightOfNames() const
 {
-  return this->isSideBySide() ? 2 * nameMargin + nameSize : 0;
+  return this->isSideBySide() ? this->pixels(2 * nameMargin + nameSize) : 0;
+}
+
+void Views::setScale(double scale)
+{
+  scale_ = scale;
+  whole_.setScale(scale);
+  for (Column& column : column_)
+  {
+    column.view.setScale(scale);
+    column.title->GetTextProperty()->SetFontSize(this->pixels(nameSize));
+  }
+  if (this->isSideBySide())
+    this->lay();
 }
 
 /// Light and background are the stage's.

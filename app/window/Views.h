@@ -8,6 +8,7 @@
 #include <vtkTextActor.h>
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -33,6 +34,8 @@ public:
   void update(const PickedSet& picked);
   /// Marks anew, for what is shown has changed.
   void forgetMarks();
+  /// The size of texts: 1 for a display of 96 dots an inch.
+  void setScale(double scale);
   /// Without marks and ruler, for pictures of the window.
   void setVisible(bool visible);
 
@@ -74,6 +77,7 @@ private:
   void setColumns(std::size_t count);
   void move(const std::vector<std::vector<std::size_t>>& views);
   void lay();
+  int pixels(int size) const { return static_cast<int>(std::lround(scale_ * size)); }
   void copyLook(vtkRenderer* to) const;
   std::array<int, 4> area() const;
   std::vector<vtkMoteRayCastPass*> passes() const;
@@ -85,7 +89,8 @@ private:
   std::array<vtkNew<vtkMoteRayCastPass>, Stage::mostViews> pass_;
   std::array<vtkNew<vtkActor2D>, Stage::mostViews - 1> dividers_;
   vtkNew<vtkRenderer> ground_; ///< below all columns, and beside them
-  std::size_t columns_ = 0;    ///< 0: one view, the stage's own
+  double scale_ = 1.0;
+  std::size_t columns_ = 0; ///< 0: one view, the stage's own
 };
 
 } // namespace mote::app

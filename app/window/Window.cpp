@@ -122,7 +122,7 @@ void Window::setUpEvents()
       this->render();
     }
   };
-  style_->onZoom = [this](double factor) { this->zoom(factor); };
+  style_->onZoom = [this](double factor) { this->turnWheel(factor); };
   observe(window_, vtkCommand::StartEvent, [this](void*) { this->onRenderStart(); });
   observe(window_, vtkCommand::EndEvent, [this](void*) { this->onRenderEnd(); });
   // Input stops what sharpens a picture and nothing else: VTK shows no frame that was stopped, and

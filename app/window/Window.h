@@ -108,6 +108,7 @@ private:
   void setUpPanel();
   int widthOfPanel() const;
   int widthOfPanelNow() const;
+  void updateScale();
   void updatePanel();
   void layPanel();
   void drawPanel();
@@ -173,6 +174,7 @@ private:
   Settings scaledRadius(double factor) const;
   Settings otherBackground() const;
   void zoom(double factor);
+  void turnWheel(double factor);
   void savePicture();
   void savePlot(bool asPicture);
   bool changeKeyFrames(Action action);
@@ -253,6 +255,7 @@ private:
   Panel panel_;
   std::unique_ptr<PanelHost> panelHost_; ///< null: the window's OpenGL cannot draw it
   bool panelOn_ = true;
+  double scale_ = 1.0;                 ///< of texts
   PanelWish wish_;                     ///< what the user did in the last frame
   std::optional<Settings> beforeHold_; ///< as the settings were when a control was taken hold of
   std::unique_ptr<StepCache> cache_;   ///< null: nothing is read ahead

@@ -32,7 +32,7 @@ namespace
 bool isWithoutData(Action action)
 {
   using enum Action;
-  for (const Action one : {Help, Open, Panel, Undo, Redo, Escape, Quit})
+  for (const Action one : {Help, HelpUp, HelpDown, Open, Panel, Undo, Redo, Escape, Quit})
     if (action == one)
       return true;
   return false;
@@ -68,6 +68,10 @@ void Window::act(const Binding& binding)
     case Action::Help:
       overlay_.setMessage("");
       overlay_.toggleHelp();
+      break;
+    case Action::HelpUp:
+    case Action::HelpDown:
+      overlay_.scrollHelp(binding.action == Action::HelpUp ? -8 : 8);
       break;
     case Action::Open:
       this->showOpenDialog();
@@ -308,11 +312,19 @@ std::string Window::coloringText() const
 
 void Window::say(const std::string& message)
 {
-  constexpr int letter = 10; // pixels, about
-  const int columns = std::max(12, this->viewSize()[0] / letter);
+  const double letter = 10.0 * scale_; // pixels, about
+  const int columns = std::max(12, static_cast<int>(this->viewSize()[0] / letter));
   askedToLeave_.reset();
   overlay_.setMessage(" " + wrapped(message, static_cast<std::size_t>(columns)) + " ");
   this->startTimer(messageTimer_, 4000);
+}
+
+/// Zooms, or goes on in a list of keys that is longer than the view.
+void Window::turnWheel(double factor)
+{
+  if (overlay_.scrollHelp(factor > 1.0 ? -3 : 3))
+    return this->renderOverlays();
+  this->zoom(factor);
 }
 
 void Window::zoom(double factor)

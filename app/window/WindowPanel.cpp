@@ -26,8 +26,8 @@ constexpr unsigned long soon = 1;    // ms
 
 void Window::setUpPanel()
 {
-  const double scale = asked_.output.uiScale.value_or(displayScale());
-  panelHost_ = std::make_unique<PanelHost>(window_, interactor_, scale);
+  this->updateScale();
+  panelHost_ = std::make_unique<PanelHost>(window_, interactor_, scale_);
   if (!panelHost_->isSupported())
   {
     panelHost_.reset();
@@ -47,10 +47,29 @@ void Window::setUpPanel()
   observe(stage_.renderer(), vtkCommand::EndEvent, [this](void*) { this->drawPanel(); });
 }
 
+/// Gives all texts the size that the settings ask for, or the display.
+void Window::updateScale()
+{
+  static const double usual = displayScale();
+  const double scale = this->settings().output.uiScale.value_or(usual);
+  // A slider that is dragged would go away from under the mouse.
+  if (scale == scale_ || beforeHold_)
+    return;
+  scale_ = scale;
+  overlay_.setScale(scale);
+  views_.setScale(scale);
+  props_.setScale(scale);
+  bar_.setScale(scale);
+  if (!panelHost_)
+    return;
+  panelHost_->setScale(scale);
+  this->updatePanel();
+}
+
 /// Pixels that the panel would have of a window that is wide enough.
 int Window::widthOfPanel() const
 {
-  return static_cast<int>(panelWidth * asked_.output.uiScale.value_or(displayScale()));
+  return static_cast<int>(panelWidth * scale_);
 }
 
 /// Pixels that the panel has of the window; 0 where there is no room for one.
@@ -221,6 +240,7 @@ void Window::endHold()
   if (*beforeHold_ != this->settings())
     history_.add(*beforeHold_);
   beforeHold_.reset();
+  this->updateScale();
   this->note({.kind = RecordedEvent::Kind::Release});
 }
 

@@ -70,9 +70,14 @@ WindowProgress::WindowProgress(vtkRenderWindow* window, vtkRenderer* view)
   text_->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
   text_->SetPosition(0.5, 0.505);
   text_->GetTextProperty()->SetJustificationToCentered();
-  text_->GetTextProperty()->SetFontSize(18);
+  this->setScale(1.0);
   text_->GetTextProperty()->SetColor(ink[0], ink[1], ink[2]);
   renderer_->AddActor2D(text_);
+}
+
+void WindowProgress::setScale(double scale)
+{
+  text_->GetTextProperty()->SetFontSize(static_cast<int>(std::lround(18.0 * scale)));
 }
 
 /// What was there last stays behind the bar: the view, its texts and the panel.

@@ -24,6 +24,8 @@ public:
   void hide() override;
   bool wantsStop() override;
 
+  /// The size of its text: 1 for a display of 96 dots an inch.
+  void setScale(double scale);
   /// Forgets an earlier wish to stop.
   void reset() { stop_ = false; }
   /// Whether the user wants the program to end, too.

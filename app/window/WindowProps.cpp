@@ -10,6 +10,8 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
+#include <cmath>
+
 namespace mote::app
 {
 
@@ -74,6 +76,12 @@ void WindowProps::update()
   this->setInk(inkOn(stage_.renderer()));
 }
 
+void WindowProps::setScale(double scale)
+{
+  scale_ = scale;
+  this->setInk(inkOn(stage_.renderer()));
+}
+
 void WindowProps::setInk(const Color& ink)
 {
   legend_.setInk(ink);
@@ -82,7 +90,7 @@ void WindowProps::setInk(const Color& ink)
   {
     caption->GetTextActor()->SetTextScaleModeToNone();
     vtkTextProperty* text = caption->GetCaptionTextProperty();
-    text->SetFontSize(14);
+    text->SetFontSize(static_cast<int>(std::lround(14.0 * scale_)));
     text->ItalicOff();
     text->BoldOff();
     text->ShadowOff();

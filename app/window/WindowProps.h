@@ -29,6 +29,9 @@ public:
   /// Puts the axes into the corner of the view, wherever that lies in the window by now.
   void placeAxes();
 
+  /// The size of the axes' letters: 1 for a display of 96 dots an inch.
+  void setScale(double scale);
+
   WindowLegend& legend() { return legend_; }
 
 private:
@@ -36,6 +39,7 @@ private:
   void showAxes();
 
   Stage& stage_;
+  double scale_ = 1.0;
   WindowLegend legend_;
   vtkNew<vtkAxesActor> axes_;
   vtkNew<vtkOrientationMarkerWidget> corner_;

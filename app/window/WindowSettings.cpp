@@ -112,6 +112,7 @@ bool Window::follow(const Settings& next, RecordedEvent::Kind how)
   views_.forgetMarks();
   this->startFollowing();
   this->followPaths();
+  this->updateScale();
   return done;
 }
 

@@ -63,7 +63,25 @@ case $3 in
     click 'view 1'
     picture again.png
     alike before.png again.png
+    # Sessions keep the views, and undo brings them back.
+    click 'Forget all'
+    shown 'key frames: 0'
+    press ctrl+z
+    shown 'key frames: 2'
+    press ctrl+s
+    written hopper-001.json
+    run 0 "$mote" animate hopper-001.json -o kept-%d.png --frames 3
+    alike before.png kept-1.png
+    alike side.png kept-3.png
+    differ kept-2.png kept-1.png
     quit
+    open hopper-001.json --size 1000x900
+    click 'group Film' 0.8
+    shown 'key frames: 2'
+    click 'view 2'
+    picture again.png
+    alike side.png again.png
+    quit_changed
     ;;
 
   stop) # by Escape: the film has the frames that there are; by q the window goes, too

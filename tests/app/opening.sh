@@ -57,6 +57,13 @@ case $3 in
     xdotool key --window 0 Return
     titled copper-scratch
     has "render [^ ]*lists/copper-scratch.dump.gz "
+    # What was open last is offered.
+    dialog_on "$folder/lists" Recent
+    click Recent
+    click 'recent hopper.dump.gz'
+    titled hopper
+    press ctrl+z
+    titled copper
     press ctrl+z
     titled hopper
     # Folders: down, and up again by Backspace to where it was.

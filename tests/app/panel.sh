@@ -405,6 +405,33 @@ case $3 in
     quit
     ;;
 
+  window) # its letters, and the memory for steps, are changed while it is open
+    open "$copper" --size 1100x980
+    for group in Time Colour Selection; do
+      [ $group = Time ] || click "group $group" 0.8
+    done
+    shown 'cache 7/7'
+    write cache 0
+    gone 'cache 7/7'
+    press Left
+    has '--step=6 '
+    write cache 4G
+    shown 'cache 7/7'
+    click 'group Window' 0.8
+    height_of() { awk -v name="$1" 'index($0, name " ") == 1 { print $NF - $(NF - 2); exit }' "$MOTE_CONTROLS"; }
+    before=$(height_of Undo)
+    write ui-scale 1.5
+    settled
+    for _ in $(seq 100); do [ "$(height_of Undo)" -gt "$before" ] && break; sleep 0.05; done
+    [ $((10 * $(height_of Undo))) -gt $((13 * before)) ] || fail "buttons are $(height_of Undo) high, not $before"
+    picture large.png
+    [ "$(png_size large.png)" = 620x980 ] || fail "the view is $(png_size large.png)"
+    press Control+z
+    for _ in $(seq 100); do [ "$(height_of Undo)" = "$before" ] && break; sleep 0.05; done
+    [ "$(height_of Undo)" = "$before" ] || fail "buttons are $(height_of Undo) high, not $before again"
+    quit
+    ;;
+
   keyboard) # and no mouse: sections are folded, lists chosen from, fields written, boxes ticked
     open "$copper" --size 1000x760
     shown color-map

@@ -98,6 +98,37 @@ case $3 in
     diff first second || fail "other rows"
     ;;
 
+  plots) # are chosen again, and what is saved of them is saved again
+    cp "$copper" .
+    open copper-scratch.dump.gz --size 1000x900 --record plot.rec
+    for group in Colour Selection; do click "group $group" 0.8; done
+    click 'group Plot' 0.8
+    click 'plot x'
+    click z
+    has_row plot.rec '"plot-x":"z"'
+    click 'plot y'
+    click c_centro
+    click 'plot visible' 0.1
+    has_row plot.rec '"plot-of":"visible"'
+    click 'Save counts'
+    has_row plot.rec '"action":"save-counts"'
+    click 'group Plot' 0.8
+    xdotool mousemove 640 450 click 1
+    shown 'picked list'
+    click 'Plot over time'
+    has_row plot.rec '"action":"plot-over-time"'
+    shown 'over time of'
+    click 'Save over time'
+    has_row plot.rec '"action":"save-over-time"'
+    for file in plot over-time; do mv copper-scratch-001-$file.csv made-$file.csv || fail "no $file"; done
+    press Control+z Control+z
+    quit
+    open --play plot.rec --play-speed 0 --no-panel
+    ended
+    for file in plot over-time; do alike made-$file.csv copper-scratch-001-$file.csv; done
+    quit
+    ;;
+
   steps) # that play are shown as they were, and pauses are kept
     open "$copper" --size 1000x760 --record played.rec --speed 20 --no-loop
     press Home

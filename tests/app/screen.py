@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """screen.py X Y WIDTH HEIGHT: a fingerprint of a rectangle of the screen that DISPLAY names, and
 how many colours it has; with "marked" or "ruled" behind, how many pixels have the colour of marks, or
-of the ruler."""
+of the ruler; with "lines", how many rows have white letters."""
 import ctypes
 import sys
 import zlib
@@ -28,6 +28,9 @@ pixels = ctypes.string_at(image.data, image.bytes_per_line * height)
 colors = list(zip(pixels[2::4], pixels[1::4], pixels[0::4]))
 if sys.argv[5:] == ["marked"]:
     print(sum(red > 120 and blue > 100 and green < 0.6 * min(red, blue) for red, green, blue in colors))
+elif sys.argv[5:] == ["lines"]:
+    rows = [colors[width * y:width * (y + 1)] for y in range(height)]
+    print(sum(any(min(color) > 200 for color in row) for row in rows))
 elif sys.argv[5:] == ["ruled"]:
     print(sum(min(red, green) > 170 and blue < 0.6 * green for red, green, blue in colors))
 else:

@@ -66,6 +66,55 @@ case $3 in
     done
     ;;
 
+  letters) # of the window are as large as the display, or the user, wants; lists of keys scroll
+    # rows WIDTH HEIGHT SCALE: how many rows of pixels the status line has.
+    rows() {
+      open "$data/hopper.dump.gz" --size $1x$2 --samples 1 --view +y --ui-scale $3
+      picture drawn.png
+      rm drawn.png
+      read -r x y < <(xdotool getwindowgeometry "$window" | sed -n 's/.*Position: \([0-9]*\),\([0-9]*\).*/\1 \2/p')
+      high=$(python3 "$tests/screen.py" $((x + 4)) $((y + $2 - 60)) 60 60 lines)
+    }
+    rows 640 400 1
+    small=$high
+    keys() { python3 "$tests/screen.py" "$x" "$y" 640 360; }
+    none=$(keys)
+    # other NAME BEFORE: what is over the view becomes other than BEFORE, within a while.
+    other() {
+      for _ in $(seq 100); do
+        now=$(keys)
+        [ "$now" != "$2" ] && return
+        sleep 0.05
+      done
+      fail "$1 changes nothing"
+    }
+    press h
+    other h "$none"
+    sleep 0.5
+    first=$(keys)
+    letters=$(python3 "$tests/screen.py" $((x + 12)) "$y" 90 44 lines)
+    [ "$letters" -ge 16 ] || fail "the letters of the keys are $letters rows high, in two lines"
+    press Next
+    other 'Page Down' "$first"
+    press Prior
+    sleep 0.5
+    [ "$(keys)" = "$first" ] || fail "Page Up does not come back"
+    xdotool mousemove $((x + 300)) $((y + 200)) click 5
+    other 'the wheel' "$first"
+    press h
+    sleep 0.5
+    camera=$(press k; sleep 0.5; grep -o -- '--camera=[^ ]*' out | tail -1)
+    xdotool click 4
+    sleep 1
+    press k
+    sleep 0.5
+    [ "$(grep -o -- '--camera=[^ ]*' out | tail -1)" != "$camera" ] || fail "the wheel zooms no more"
+    quit
+    rows 900 600 2
+    [ $((10 * high)) -gt $((16 * small)) ] || fail "twice as large a line is $high rows high, not $small"
+    quit
+    ;;
+
   hover) # the cursor at rest is told what is under it, and nothing beside the data
     open "$data/hopper.dump.gz" --size 640x400 --samples 1
     picture sharp.png
