@@ -114,8 +114,7 @@ void Overlay::setScale(double scale)
 /// As large as fits into the view, but to be read; lines that are too long go on below.
 void Overlay::layHelp()
 {
-  constexpr int smallest = 11;            // pixels, at a scale of 1
-  constexpr double widthOfLetter = 0.605; // of Courier's size
+  constexpr int smallest = 11; // pixels, at a scale of 1
   const int* view = renderer_->GetSize();
   if (helpSize_ == std::array{view[0], view[1]})
     return;
@@ -125,7 +124,11 @@ void Overlay::layHelp()
   for (int size = this->pixels(messageSize); size >= this->pixels(smallest); --size)
   {
     helpText_->GetTextProperty()->SetFontSize(size);
-    const double letters = (1.0 - 2.0 * margin) * view[0] / (widthOfLetter * size);
+    constexpr int some = 40; // letters, which all are as wide, in whole pixels
+    helpText_->SetInput(std::string(some, 'm').c_str());
+    double line[4];
+    helpText_->GetBoundingBox(renderer_, line);
+    const double letters = (1.0 - 2.0 * margin) * view[0] / ((line[1] - line[0]) / some);
     text = keysHelp(static_cast<std::size_t>(letters));
     helpText_->SetInput(text.c_str());
     if (this->fits(helpText_))
@@ -154,7 +157,7 @@ void Overlay::showHelpLines()
   for (int i = helpFirst_; i < last; ++i)
     text += helpLines_[static_cast<std::size_t>(i)] + "\n";
   text += " \n lines " + std::to_string(helpFirst_ + 1) + " to " + std::to_string(last) + " of " +
-          std::to_string(count) + ": wheel, Page Down ";
+          std::to_string(count) + ": wheel, Page Up, Page Down ";
   helpText_->SetInput(text.c_str());
 }
 

@@ -81,7 +81,7 @@ case $3 in
     click 'view 2'
     picture again.png
     alike side.png again.png
-    quit_changed
+    quit
     ;;
 
   stop) # by Escape: the film has the frames that there are; by q the window goes, too
