@@ -31,6 +31,12 @@ void noteControl(const std::string& name)
     lines += "focused " + name + places;
 }
 
+void noteTip(const std::string& text)
+{
+  if (file)
+    lines += "tip " + text.substr(0, text.find('\n')) + " 0 0 0 0\n";
+}
+
 void writeControls(int inputs, bool isWaiting)
 {
   if (!file)
@@ -39,7 +45,7 @@ void writeControls(int inputs, bool isWaiting)
   if (std::FILE* out = std::fopen(beside.c_str(), "w"))
   {
     std::fputs(lines.c_str(), out);
-    std::fprintf(out, "inputs %d %d\n", inputs, isWaiting ? 1 : 0);
+    std::fprintf(out, "inputs %d %d\nkeys at %u\n", inputs, isWaiting ? 1 : 0, GImGui->NavId);
     std::fclose(out);
     std::rename(beside.c_str(), file); // whoever reads sees all of a frame
   }

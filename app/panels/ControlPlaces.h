@@ -13,8 +13,12 @@ namespace mote::app
 /// The control that was drawn last.
 void noteControl(const std::string& name);
 
+/// That this is told beside the mouse: a line "tip" with the first line of the text.
+void noteTip(const std::string& text);
+
 /// Writes the file of this frame, with a line "inputs", how many presses came so far, and 1 where
-/// more frames come for what came, else 0.
+/// more frames come for what came, else 0; and a line "keys at" with ImGui's number of the control
+/// that the keys have come to.
 void writeControls(int inputs, bool isWaiting);
 
 } // namespace mote::app

@@ -56,6 +56,7 @@ void Hints::draw()
     ++state_.hintsSeen;
     this->remember();
   }
+  explainKey(isLast ? "This was the last hint" : "Go on to the next hint");
   if (!isLast)
   {
     ImGui::SameLine();
@@ -68,6 +69,7 @@ void Hints::draw()
       state_.hints = false;
       this->remember();
     }
+    explainKey("Show no hints any more");
   }
   ImGui::SameLine();
   ImGui::TextDisabled("%d of %d", std::min(state_.hintsSeen + 1, count), count);

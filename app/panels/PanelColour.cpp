@@ -164,9 +164,10 @@ void Panel::drawColourRange()
   const Coloring& coloring = stage_.coloring();
   const double* present = coloring.table()->GetRange();
   Interval range = {present[0], present[1]};
-  if (rangeFields("range", range) && range.low < range.high)
+  if (rangeFields("range", range, "The values at the two ends of the colour map\n--range LO HI") &&
+      range.low < range.high)
     next_.color.range = {range.low, range.high};
-  RowControls::explain(*rowNamed("range"));
+  noteControl("range");
   if (!next_.color.range.empty())
   {
     if (buttonOf("Range of the data"))

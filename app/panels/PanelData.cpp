@@ -102,6 +102,7 @@ void Panel::drawArrays(const Part& part, const std::string& name)
     if (ImGui::Selectable(array.title.c_str(), array.choice == stage_.coloring().choice()))
       next_.color.array = array.text;
     noteControl(name + " " + array.text);
+    explainKey(("Colour by this array\n--color-by " + array.text).c_str());
     ImGui::SameLine(0.48f * ImGui::GetWindowContentRegionMax().x);
     ImGui::TextDisabled("%s", known->second.c_str());
   }

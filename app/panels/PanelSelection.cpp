@@ -176,8 +176,7 @@ bool Panel::drawShown(ShowRange& range)
   Interval shown = outside.value_or(range.intervals[0]);
   shown = {std::max(shown.low, histogram.least), std::min(shown.high, histogram.most)};
   const bool isDragged = rangeControl("histogram", histogram, shown, outside.has_value());
-  const bool isEntered = rangeFields("fields", shown);
-  explainKey("The ends of the range\n--show NAME=LO:HI");
+  const bool isEntered = rangeFields("fields", shown, "The ends of the range\n--show NAME=LO:HI");
   if (!isDragged && !isEntered)
     return true;
   if (outside)

@@ -152,7 +152,7 @@ const std::map<int, double>& Panel::radiiOf(const NamedArray& array)
   if (found_.radiiTime == time)
     return found_.radii;
   found_.radiiTime = time;
-  found_.radii = meanRadii(stage_.parts(), array.choice);
+  found_.radii = meanRadii(stage_.parts(), array.choice, this->kindsOf(array));
   for (auto& [kind, radius] : found_.radii)
     parseNumber(asNumber(radius / stage_.settings().particles.radiusScale, 4), radius);
   return found_.radii;

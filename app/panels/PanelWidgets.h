@@ -77,6 +77,7 @@ inline void explainKey(const char* text)
   ImGui::TextUnformatted(text);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
+  noteTip(text);
 }
 
 } // namespace mote::app

@@ -292,9 +292,9 @@ void PlotPanel::drawFields(Settings& next) const
     if (range && !range->intervals.empty())
       interval = {std::max(interval.low, range->intervals.front().low),
         std::min(interval.high, range->intervals.back().high)};
-    if (rangeFields(axis == 0 ? "x range" : "y range", interval))
+    if (rangeFields(axis == 0 ? "x range" : "y range", interval,
+          "The range that is shown of what is plotted\n--show NAME=LO:HI"))
       show(next, choice_.names[axis], interval);
-    explainKey("The range that is shown of what is plotted\n--show NAME=LO:HI");
     noteControl(axis == 0 ? "plot x range" : "plot y range");
   }
   if (isLimited && buttonOf("Show all of these"))

@@ -132,19 +132,25 @@ void RowControls::forgetRefused()
   }
 }
 
-void RowControls::explain(const Row& row)
+namespace
 {
-  noteControl(row.name);
-  if (!ImGui::IsItemHovered())
-    return;
+
+/// The tooltip alone.
+void tellOf(const Row& row)
+{
   std::string text = row.help + ".\n\n" + row.option() + (row.value.empty() ? "" : " " + row.value);
   if (const std::string usual = row.usualText(); !usual.empty())
     text += "\nDefault: " + usual;
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(25.0f * ImGui::GetFontSize());
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
+  explainKey(text.c_str());
+}
+
+} // namespace
+
+void RowControls::explain(const Row& row)
+{
+  noteControl(row.name);
+  if (ImGui::IsItemHovered())
+    tellOf(row);
 }
 
 bool RowControls::draw(const Row& row, Settings& settings, const std::string& label)
@@ -243,6 +249,7 @@ bool RowControls::drawColor(const Row& row, Settings& settings)
   std::copy(color.begin(), color.end(), rgb);
   const bool isChanged = ImGui::ColorEdit3("##swatch", rgb, ImGuiColorEditFlags_NoInputs);
   noteControl(row.name + " swatch");
+  tellOf(row);
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-1.0f);
   const bool isWritten = this->drawText(row, settings); // a name, or #rrggbb
@@ -261,6 +268,7 @@ bool RowControls::drawOptionalColor(const Row& row, Settings& settings)
   bool isOn = wasOn;
   ImGui::Checkbox("##on", &isOn);
   noteControl(row.name + " on");
+  tellOf(row);
   ImGui::SameLine();
   if (isOn != wasOn)
     return this->set(
@@ -324,6 +332,7 @@ std::string RowControls::drawOffers(const Row& row)
   const bool isOpen =
     ImGui::BeginCombo("##offers", "", ImGuiComboFlags_NoPreview | ImGuiComboFlags_PopupAlignLeft);
   noteControl(row.name + "-offers");
+  explainKey(("Values that have a name\n" + row.option()).c_str());
   std::string chosen;
   if (!isOpen)
     return chosen;
@@ -354,6 +363,8 @@ bool RowControls::drawList(const Row& row, Settings& settings)
     const bool isDone = drawField(row.value, text);
     if (isNew)
       explain(row);
+    else
+      tellOf(row);
     ImGui::PopID();
     if (!isDone || text.text == (isNew ? "" : words[i]))
       continue;

@@ -138,7 +138,7 @@ bool textField(const char* label, const char* hint, std::string& text)
   return written.take(label, isWritten, typed, text);
 }
 
-bool rangeFields(const char* id, Interval& range)
+bool rangeFields(const char* id, Interval& range, const char* help)
 {
   ImGui::PushID(id);
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
@@ -146,10 +146,12 @@ bool rangeFields(const char* id, Interval& range)
   ImGui::SetNextItemWidth(width);
   bool isEntered = numberField("##low", next.low);
   noteControl(std::string(id) + " low");
+  explainKey(help);
   ImGui::SameLine();
   ImGui::SetNextItemWidth(width);
   isEntered = numberField("##high", next.high) || isEntered;
   noteControl(std::string(id) + " high");
+  explainKey(help);
   ImGui::PopID();
   if (!isEntered || !std::isfinite(next.low) || !std::isfinite(next.high) || next == range)
     return false;

@@ -25,8 +25,8 @@ Interval inOrder(const Interval& before, Interval entered);
 bool numberField(const char* label, double& value);
 bool textField(const char* label, const char* hint, std::string& text);
 
-/// Two fields for the numbers of a range. Returns whether one was entered.
-bool rangeFields(const char* id, Interval& range);
+/// Two fields for the numbers of a range, with this tooltip. Returns whether one was entered.
+bool rangeFields(const char* id, Interval& range, const char* help);
 
 /// Draws a histogram in the colours of its values, and over it the curve of the opacities, whose
 /// points can be dragged, added by a double click and taken away by a right one. Points are in

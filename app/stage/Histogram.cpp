@@ -88,9 +88,38 @@ Kinds kindsOf(const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice
   return {counts.begin(), counts.end()};
 }
 
-std::map<int, double> meanRadii(
-  const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& types)
+namespace
 {
+
+/// The radius that all particles have; 0 where they differ.
+double commonRadius(const std::vector<std::unique_ptr<Part>>& parts)
+{
+  double common = 0.0;
+  for (const auto& part : parts)
+  {
+    if (!part->particles() || part->data()->GetNumberOfPoints() == 0)
+      continue;
+    const ParticleInput input = part->particles()->GetModel().particles();
+    const double radius = input.set.hasOneRadius() ? input.set.radiusOf(0) : 0.0;
+    if (!(radius > 0.0) || (common > 0.0 && radius != common))
+      return 0.0;
+    common = radius;
+  }
+  return common;
+}
+
+} // namespace
+
+std::map<int, double> meanRadii(
+  const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& types, const Kinds& kinds)
+{
+  std::map<int, double> means;
+  if (const double common = commonRadius(parts); common > 0.0)
+  {
+    for (const auto& [type, number] : kinds)
+      means[type] = common;
+    return means;
+  }
   std::map<int, std::pair<double, double>> sums; // and numbers
   for (const auto& part : parts)
   {
@@ -109,7 +138,6 @@ std::map<int, double> meanRadii(
       number += 1.0;
     }
   }
-  std::map<int, double> means;
   for (const auto& [type, sum] : sums)
     means[type] = sum.first / sum.second;
   return means;

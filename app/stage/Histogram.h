@@ -33,9 +33,10 @@ using Kinds = std::vector<std::pair<int, vtkIdType>>;
 /// a hundred types.
 Kinds kindsOf(const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& choice);
 
-/// The mean radius that particles of each type are drawn with.
+/// The mean radius that particles of each of these types are drawn with. Particles are looked at
+/// only where their radii differ.
 std::map<int, double> meanRadii(
-  const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& types);
+  const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& types, const Kinds& kinds);
 
 /// Of the positions of all particles along x, y or z: 0, 1 or 2.
 Histogram histogramOfPlaces(const std::vector<std::unique_ptr<Part>>& parts, int axis, int bins);

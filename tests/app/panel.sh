@@ -92,6 +92,7 @@ case $3 in
 
   controls) # of each kind change what they should, and excluded ones give way
     open "$copper" --size 1000x980
+    click 'group Selection' 0.8 # which leaves room for the rest
     click 'group Light' 0.8
     click shadows-offers
     click soft
@@ -402,6 +403,50 @@ case $3 in
     has '--opacity=[^, ]*=0.3,[^, ]*=0.8 '
     picture changed.png
     differ start.png changed.png
+    quit
+    ;;
+
+  tips) # are told by all controls: what they do, and their name on the command line
+    # told NAME WORDS [X]: over the control a text stands beside the mouse that begins so.
+    told() {
+      over "$1" "${3:-0.5}"
+      for _ in $(seq 100); do
+        grep -q "^tip $2" "$MOTE_CONTROLS" && return
+        sleep 0.05
+      done
+      grep '^tip' "$MOTE_CONTROLS"
+      fail "$1 tells not: $2"
+    }
+    open "$data/swirl.1.vtu" --size 1000x900
+    told Usual 'The opacities that Mote chooses'
+    told Rising 'The greater the value'
+    told Falling 'The less the value'
+    told Even 'All values'
+    told opacity 'Drag points' 0.5
+    told 'opacity points' 'The points of the curve'
+    told 'range low' 'The values at the two ends'
+    quit
+    open "$copper" --size 1000x980 --show z=0:20 --range 0 50 --trajectories 1,2
+    told 'No paths' 'Take the paths away'
+    told All 'Show all types'
+    told Invert 'Show the types that are hidden'
+    told 'type 1' 'Show this type' 0.1
+    told 'type 1 name' 'The type.s name'
+    told 'type 1 radius' 'The type.s radius'
+    told 'invert z' 'Show what is hidden'
+    told 'show all' 'Take this range away'
+    told 'Range of the data' 'Colours go from'
+    told 'Range of what is shown' 'Colours go from'
+    told 'Range of all steps' 'Reads all time steps'
+    for group in Colour Selection; do click "group $group" 0.8; done
+    click 'group Plot' 0.8
+    click 'plot x'
+    click z
+    gone z
+    told 'plot visible' 'Whose values' 0.1
+    told 'plot x' 'What is plotted to the right'
+    told 'plot y' 'What is plotted upwards'
+    told 'Show all of these' 'Take the ranges'
     quit
     ;;
 

@@ -105,11 +105,16 @@ refused() {
 
 # go_to NAME: with the keys alone, from wherever in the panel they are down to the control.
 go_to() {
+  local at
   for _ in $(seq 80); do
-    [ -n "$(place "focused $1")" ] && return
-    xdotool key --window 0 Down
-    sleep 0.1
     settled
+    [ -n "$(place "focused $1")" ] && return
+    at=$(grep '^keys at' "$MOTE_CONTROLS")
+    xdotool key --window 0 Down
+    for _ in $(seq 100); do
+      [ "$(grep '^keys at' "$MOTE_CONTROLS")" != "$at" ] && break
+      sleep 0.05
+    done
   done
   fail "the keys do not come to $1"
 }
