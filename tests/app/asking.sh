@@ -118,6 +118,7 @@ case $3 in
 
   rectangle) # picks what is seen in it, or all; the picked are hidden, and shown alone
     open "$copper" --size 1000x760
+    click 'group Selection' 0.8 # which leaves room for the list
     picture start.png
     rectangle 1 600 300 700 400
     marked -gt 3000
