@@ -1,6 +1,7 @@
 #include "Panel.h"
 
 #include "PanelWidgets.h"
+#include "base/Memory.h"
 #include "base/Text.h"
 #include "stage/Coloring.h"
 #include "stage/Framing.h"
@@ -387,11 +388,25 @@ void Panel::drawCosts(const PanelFacts& facts)
     ImGui::TextUnformatted(value.c_str());
     noteControl(std::string(what) + ' ' + value);
   };
-  if (facts.frameTime > 0.0)
-    line("frame", asDuration(facts.frameTime));
+  const FrameCosts& costs = facts.costs;
+  const auto ofFrame = [&](const char* what, double seconds)
+  { line(what, asDuration(seconds) + ", " + asNumber(100.0 * seconds / costs.frame, 2) + " %"); };
+  if (costs.frame > 0.0)
+  {
+    line("frame", asDuration(costs.frame));
+    ofFrame("- rays", costs.trace);
+    if (costs.silhouettes > 0.0)
+      ofFrame("- silhouettes", costs.silhouettes);
+    ofFrame("- panel", costs.panel);
+    ofFrame("- to the screen", costs.present);
+    ofFrame("- the rest",
+      std::max(0.0, costs.frame - costs.trace - costs.silhouettes - costs.panel - costs.present));
+  }
   line("quality", facts.quality);
   line("structure", asBytes(static_cast<double>(stage_.structureBytes())));
   line("built in", asDuration(stage_.buildTime()));
+  if (const std::uint64_t bytes = residentMemory(); bytes > 0)
+    line("process", asBytes(static_cast<double>(bytes)) + " of memory");
   if (found_.hasParticles)
     line("particles", withThousands(stage_.numberOfParticles()));
   if (stage_.numberOfCells() > 0)

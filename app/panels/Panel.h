@@ -21,6 +21,12 @@
 namespace mote::app
 {
 
+/// Seconds that a frame took, and of these what its stages took.
+struct FrameCosts
+{
+  double frame = 0.0, trace = 0.0, silhouettes = 0.0, panel = 0.0, present = 0.0;
+};
+
 /// What the panel tells of besides the stage.
 struct PanelFacts
 {
@@ -29,7 +35,7 @@ struct PanelFacts
   StepCache::Facts cache;  ///< of the steps that are read ahead
   double time = 0.0;
   bool hasTimes = false, isPlaying = false;
-  double frameTime = 0.0; ///< seconds
+  FrameCosts costs;
   std::string quality;
   bool isRecording = false;
   std::string played;                ///< "3 of 80 steps" while a recording is played, else empty

@@ -28,6 +28,10 @@ namespace mote::app
 namespace
 {
 
+/// Particles from which on an error budget is used for levels of detail. Fewer are seldom smaller
+/// than pixels together, and the structure that it takes is not the fastest for them.
+constexpr vtkIdType leastForLods = 4'000'000;
+
 /// Whether the data say how large particles are.
 bool hasRadii(vtkDataSet* data)
 {
@@ -76,7 +80,6 @@ Part::Part(const std::string& name, vtkDataSet* data, const Settings& settings, 
     surface_ = std::make_unique<Surface>();
     mapper_ = surface_->mapper();
   }
-  this->setLodError(settings_.picture.lodError);
   this->setAmbient(ambient);
   this->setData(name, data);
 }
@@ -99,12 +102,21 @@ void Part::followSettings()
     volume_->update(errorShares(settings_).tolerance);
 }
 
-void Part::setLodError(double pixels)
+double Part::lodError() const
+{
+  if (settings_.picture.lodError > 0.0 && !volume_)
+    return settings_.picture.lodError;
+  if (surface_ || (particles_ && data_->GetNumberOfPoints() >= leastForLods))
+    return errorShares(settings_).lodError;
+  return 0.0;
+}
+
+void Part::followLodError()
 {
   if (particles_)
-    particles_->SetPixelsOfError(pixels);
+    particles_->SetPixelsOfError(this->lodError());
   if (surface_)
-    surface_->mapper()->SetPixelsOfError(pixels);
+    surface_->mapper()->SetPixelsOfError(this->lodError());
 }
 
 Part::Kind Part::kindOf(vtkDataSet* data, const Settings& settings)
@@ -169,6 +181,7 @@ void Part::setData(const std::string& name, vtkDataSet* data)
 {
   name_ = name;
   data_ = data;
+  this->followLodError();
   if (particles_)
   {
     if (spaced_ && spaced_ != pointsOf(data))

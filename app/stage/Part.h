@@ -56,8 +56,9 @@ public:
   /// Follows the settings: radii, structures, what volumes are made of. Colours and what is shown
   /// are set by others. Throws Failure.
   void followSettings();
-  /// Pixels that levels of detail may err by.
-  void setLodError(double pixels);
+  /// Pixels that levels of detail may err by, as the settings say; 0 where there are none.
+  double lodError() const;
+  void followLodError();
 
   enum class Kind
   {

@@ -304,9 +304,7 @@ std::string Picture::quality() const
   std::string text = counted(samples_, "sample") + " per pixel";
   if (stage_.settings().picture.noise)
     text += ", noise " + asNumber(noise_, 3);
-  if (isColorError(stage_.settings().picture))
-    text += ", expected error " + stage_.expectedErrorText(noise_);
-  return text;
+  return text + stage_.errorText(1.0, noise_);
 }
 
 /// Throws Failure for a picture that the machine has no memory for.

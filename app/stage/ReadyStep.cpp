@@ -2,6 +2,7 @@
 
 #include "Calculated.h"
 #include "base/Failure.h"
+#include "settings/ErrorBudget.h"
 
 #include <vtkActor.h>
 #include <vtkDataSet.h>
@@ -14,10 +15,11 @@ bool ReadyPlan::fits(const ReadyPlan& other) const
   const VolumeSettings &a = settings.volume, &b = other.settings.volume;
   ParticleSettings particles = settings.particles;
   particles.replicate = other.settings.particles.replicate; // images of the same structure
-  const auto allowsError = [](const Settings& s) { return s.picture.lodError > 0.0; };
+  const auto allowsError = [](const Settings& s) { return errorShares(s).lodError > 0.0; };
   return kept == other.kept && particles == other.settings.particles &&
          allowsError(settings) == allowsError(other.settings) && a.cells == b.cells &&
          a.structure == b.structure && a.integrator == b.integrator && a.cloud == b.cloud &&
+         a.isoValues.empty() == b.isoValues.empty() && // which need a structure
          settings.color.array == other.settings.color.array &&
          this->fitsCalculations(other.settings);
 }

@@ -55,14 +55,14 @@ bool Stage::apply(const Settings& settings)
     if (before.particles != settings.particles || before.volume != settings.volume ||
         before.picture.error != settings.picture.error)
       part->followSettings();
-    part->setLodError(settings.picture.lodError);
+    part->followLodError();
   }
   if (before.particles.replicate != settings.particles.replicate)
     this->checkImages();
   if (otherData || before.color != settings.color || before.selection != settings.selection ||
       before.volume != settings.volume)
     this->applyColors();
-  const auto allowsError = [](const Settings& s) { return s.picture.lodError > 0.0; };
+  const auto allowsError = [](const Settings& s) { return errorShares(s).lodError > 0.0; };
   return otherData || before.particles != settings.particles ||
          allowsError(before) != allowsError(settings) || // which automatic structures depend on
          before.volume.structure != settings.volume.structure;
@@ -463,11 +463,34 @@ std::string Stage::contents() const
   return leftOut > 0 ? text + " (" + withThousands(leftOut) + " cannot be drawn)" : text;
 }
 
-std::string Stage::expectedErrorText(double noise) const
+double Stage::lodError() const
 {
+  double most = 0.0;
+  for (const auto& part : parts_)
+    most = std::max(most, part->lodError());
+  return most;
+}
+
+std::string Stage::errorText(double distance, double noise) const
+{
+  const double lods = this->lodError();
+  std::string text;
+  if (lods > 0.0)
+    text = ", levels of detail within " + asNumber(lods, 2) + " px";
+  const double far = (distance > 1.0 ? 0.5 * distance : 0.0) + lods;
+  if (isPlaceError(settings_.picture) && far > 0.0)
+    text += ", edges within " + asNumber(far, 2) + " px";
+  if (!isColorError(settings_.picture))
+    return text;
   const bool hasVolumes = std::any_of(parts_.begin(), parts_.end(),
     [](const auto& part) { return part->kind() == Part::Kind::Volume; });
-  return asNumber(100.0 * expectedError(errorShares(settings_), noise, hasVolumes), 2) + " %";
+  const ErrorShares shares = errorShares(settings_);
+  if (hasVolumes)
+    text += ", tolerance " + asNumber(shares.tolerance, 2);
+  if (std::isfinite(noise))
+    text += ", expected error " +
+            asNumber(100.0 * expectedError(shares, noise, hasVolumes, lods), 2) + " %";
+  return text;
 }
 
 } // namespace mote::app

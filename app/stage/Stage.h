@@ -112,8 +112,11 @@ public:
   /// 33,600 cells shown"...
   std::string contents() const;
 
-  /// The error of colours that a picture with this noise most likely has: "0.8 %".
-  std::string expectedErrorText(double noise) const;
+  /// Pixels that levels of detail may err by, at most.
+  double lodError() const;
+  /// What was chosen for an error budget, and the error that a picture with rays so many pixels
+  /// apart and with this noise most likely has: ", tolerance 0.004, expected error 0.8 %".
+  std::string errorText(double distance, double noise) const;
 
 private:
   std::string automaticSide() const;

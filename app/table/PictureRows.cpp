@@ -20,10 +20,13 @@ void addBudgetRows(std::vector<Row>& table)
     {.group = pictureGroup,
       .name = "error",
       .value = "BUDGET",
-      .help = "Error that the picture may have, and that the program then shares out. 1% is of "
-              "colours, root mean square: samples are taken until the noise is small enough, and "
-              "volumes are integrated and interpolated as roughly as that allows. 0.5px is of "
-              "places while the view moves: resolution falls no further",
+      .help =
+        "Error that the picture may have, and that the program then shares out. 1% is of "
+        "colours, root mean square: samples are taken until the noise is small enough, and "
+        "volumes are integrated and interpolated as roughly as that allows. 0.5px is of "
+        "places: half of it is for levels of detail of triangles and of four million particles "
+        "and more, where --lod-error is 0, and while the view moves resolution falls no "
+        "further than the rest allows",
       .invalidates = Invalidates::Shading,
       .usual = "none",
       .excludes = {"noise"}},

@@ -345,6 +345,14 @@ double Views::traceTime() const
   return sum;
 }
 
+double Views::silhouetteTime() const
+{
+  double sum = 0.0;
+  for (vtkMoteRayCastPass* pass : this->passes())
+    sum += pass->GetSilhouetteTime();
+  return sum;
+}
+
 int Views::numberOfSamples() const
 {
   int least = pass_[0]->GetNumberOfSamples();
@@ -356,6 +364,11 @@ int Views::numberOfSamples() const
 double Views::finerShare() const
 {
   return extremes(this->passes(), &vtkMoteRayCastPass::GetFinerShare)[0];
+}
+
+double Views::bakedShare() const
+{
+  return extremes(this->passes(), &vtkMoteRayCastPass::GetBakedShare)[0];
 }
 
 double Views::imageSampleDistance() const

@@ -59,8 +59,10 @@ public:
   bool isConverged() const;
   bool isPreview() const;
   double traceTime() const;
+  double silhouetteTime() const;      ///< the part of it that silhouettes took
   int numberOfSamples() const;        ///< the least
   double finerShare() const;          ///< the least
+  double bakedShare() const;          ///< the least
   double imageSampleDistance() const; ///< the greatest
   double noise() const;               ///< the greatest
   ///@}

@@ -346,13 +346,14 @@ void Window::updatePreview()
   const int samples = wanted.picture.mostSamples(wanted.light.pathTrace);
   const ErrorShares shares = errorShares(wanted);
   const std::array<int, 2> size = this->viewSize();
-  const double distance =
-    mostDistance(wanted.picture, double(size[0]) * size[1] / double(views_.shown().size()));
+  const double distance = mostDistance(
+    wanted.picture, double(size[0]) * size[1] / double(views_.shown().size()), stage_.lodError());
   views_.setUpPasses(
     [&](vtkMoteRayCastPass* pass)
     {
       pass->SetNoiseLevel(shares.noise.value_or(0.0));
       pass->SetMostDistance(distance);
+      pass->SetRoughDrafts(!isColorError(wanted.picture));
       pass->SetSamplesPerPixel(previewed_ ? std::min(previewSamples, samples) : samples);
     });
 }
@@ -360,6 +361,7 @@ void Window::updatePreview()
 void Window::onRenderStart()
 {
   frameStart_ = vtkTimerLog::GetUniversalTime();
+  panelTime_ = 0.0;
   if (busy_)
     return;
   this->shareFrameTime();
@@ -380,6 +382,7 @@ void Window::onRenderStart()
 
 void Window::onRenderEnd()
 {
+  const double presenting = vtkTimerLog::GetUniversalTime();
   if (!presenter_.present() && panelHost_)
     panelHost_->lose(); // nobody has seen what was drawn of it
   if (busy_)
@@ -389,8 +392,11 @@ void Window::onRenderEnd()
   const double traceTime = views_.traceTime();
   if (traceTime > 0.0)
   {
-    frameTime_ = vtkTimerLog::GetUniversalTime() - frameStart_;
-    otherTime_ = frameTime_ - traceTime;
+    const double now = vtkTimerLog::GetUniversalTime();
+    const double silhouettes = views_.silhouetteTime();
+    costs_ = {
+      now - frameStart_, traceTime - silhouettes, silhouettes, panelTime_, now - presenting};
+    otherTime_ = costs_.frame - traceTime;
   }
   if (this->isResting())
     this->noteRest();
@@ -463,37 +469,6 @@ bool Window::isResting() const
   constexpr unsigned long soon = 100; // ms
   return !wheeling_ && !playing_ && style_->GetState() == VTKIS_NONE &&
          !(player_ && player_->wait() < soon);
-}
-
-std::string Window::statusText() const
-{
-  const std::string dot = Overlay::dot;
-  std::string text = this->isEmpty() ? "" : stage_.contents();
-  if (!input_.times().empty())
-    text += dot + "step " + std::to_string(step_ + 1) + "/" +
-            std::to_string(input_.numberOfSteps()) + ", t = " + asNumber(input_.times()[step_], 10);
-  if (frameTime_ > 0.0)
-    text += dot + "frame " + asDuration(frameTime_);
-  if (views_.numberOfSamples() == 0)
-    return text;
-  if (!previewed_)
-    text += dot + "structure " + asBytes(static_cast<double>(stage_.structureBytes()));
-  return text + dot + this->qualityText();
-}
-
-std::string Window::qualityText() const
-{
-  const double distance = views_.imageSampleDistance(), noise = views_.noise();
-  std::string text = distance > 1.0 ? "1/" + asNumber(distance, 2) + " resolution"
-                                    : counted(views_.numberOfSamples(), "sample") + " per pixel";
-  if (const double share = views_.finerShare(); share > 0.0)
-    text += ", " + asNumber(std::floor(100.0 * share)) + " % sharpened";
-  const PictureSettings& picture = this->settings().picture;
-  if (isPlaceError(picture) && distance > 1.0)
-    text += ", edges within " + asNumber(0.5 * distance, 2) + " px";
-  else if (isColorError(picture) && std::isfinite(noise))
-    text += ", expected error " + stage_.expectedErrorText(noise);
-  return text;
 }
 
 } // namespace mote::app

@@ -112,6 +112,7 @@ private:
   void updatePanel();
   void layPanel();
   void drawPanel();
+  void drawPanelNow();
   void renderPanel();
   void takeWish();
   void takeSettings(Settings next, bool isHeld);
@@ -273,7 +274,9 @@ private:
   bool busy_ = false; // in long work: events wait
   bool wheeling_ = false;
   bool quit_ = false;
-  double frameStart_ = 0.0, frameTime_ = 0.0;
+  double frameStart_ = 0.0;
+  FrameCosts costs_;       ///< of the last frame that was traced
+  double panelTime_ = 0.0; ///< of the present frame
   double otherTime_ = 0.0; ///< of the last frame that was traced, beside tracing: s
   double stepTime_ = 0.0;  ///< from one step that is played to the next: s, smoothed
   double stepStart_ = 0.0; ///< when the last one began to be shown

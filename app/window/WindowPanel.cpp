@@ -8,6 +8,7 @@
 
 #include <vtkCommand.h>
 #include <vtkRenderer.h>
+#include <vtkTimerLog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -103,6 +104,13 @@ std::array<int, 2> Window::viewSize() const
 
 void Window::drawPanel()
 {
+  const double start = vtkTimerLog::GetUniversalTime();
+  this->drawPanelNow();
+  panelTime_ += vtkTimerLog::GetUniversalTime() - start;
+}
+
+void Window::drawPanelNow()
+{
   if (!panelHost_)
     return;
   if (busy_ || !panelOn_ || panelHost_->width() == 0)
@@ -139,7 +147,7 @@ void Window::layPanel()
   facts.hasTimes = !input_.times().empty();
   facts.time = facts.hasTimes ? input_.times()[static_cast<std::size_t>(step_)] : 0.0;
   facts.isPlaying = playing_;
-  facts.frameTime = frameTime_;
+  facts.costs = costs_;
   facts.messages = messages_;
   facts.picked = {
     &picked_, &picksThrough_, overTime_.get(), input_.times(), step_, input_.numberOfSteps()};

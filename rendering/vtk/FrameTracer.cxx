@@ -72,12 +72,15 @@ bool takesLong(const Scene& scene)
            [](const Light& light) { return light.shadows && light.samples > 1; });
 }
 
-/// Leaves local shading with one ray a light, and clouds as they are good enough to move in.
-void makeDraft(Scene& scene)
+/// Leaves local shading with one ray a light, and clouds, where they may be rough, as they are good
+/// enough to move in.
+void makeDraft(Scene& scene, bool rough)
 {
-  scene.cloudTolerance = std::max(scene.cloudTolerance, draftTolerance);
+  if (rough)
+    scene.cloudTolerance = std::max(scene.cloudTolerance, draftTolerance);
   for (CloudObject& cloud : scene.clouds)
-    cloud.sampling.tolerance = std::max(cloud.sampling.tolerance, draftRayTolerance);
+    if (rough)
+      cloud.sampling.tolerance = std::max(cloud.sampling.tolerance, draftRayTolerance);
   scene.occlusion.rays = scene.paths.bounces = 0;
   for (Light& light : scene.lights)
     light.samples = 1;
@@ -153,7 +156,7 @@ struct FrameTracer::Frame
     limitsFor(film.width(), film.height());
     traced = scene;
     if (draft)
-      makeDraft(traced);
+      makeDraft(traced, settings.roughDrafts);
   }
   const float* ends() const { return settings.others ? limits.data() : nullptr; }
 
@@ -220,6 +223,8 @@ bool FrameTracer::trace(vtkRenderer* renderer, MoteProps& props, int width, int 
   seconds_ = 0.0;
   rays_ = 0;
   converged_ = false;
+  if (!settings.interactive)
+    bakedShare_ = 1.0;
   const auto before = std::exchange(shown_, {}); // where something throws nothing counts
   Frame frame{renderer, props, width, height, settings, progress};
   frame.scene = sceneOf(renderer, props, settings.shading);
@@ -284,6 +289,7 @@ bool FrameTracer::bake(Frame& frame, const Camera& camera, bool& complete)
   frame.baked = bakingShare;
   complete = baking_.bake(frame.scene, camera, view, view_,
     [&](double done) { return frame.goesOn(bakingShare * done); });
+  bakedShare_ = complete ? 1.0 : baking_.share();
   return !frame.stopped;
 }
 

@@ -32,6 +32,7 @@ struct FrameSettings
   bool refines = true; ///< where progressive and at rest
   bool autoAdjust = true;
   double frameTime = 0.08;    ///< seconds that a frame may take while the view moves
+  bool roughDrafts = true;    ///< drafts of clouds may be rougher than the scene says
   double mostDistance = 32.0; ///< of rays in pixels while the view moves, whatever time it takes
   double stillTime = 0.1; ///< seconds after which a progressive frame at rest shows what there is
   int threads = 0;
@@ -81,6 +82,9 @@ public:
   int samples() const;
   /// The share of the film that is finer than distance() tells, in [0, 1).
   double finerShare() const;
+  /// The share of the particles in view whose occlusion is baked, where that is asked for and not
+  /// all of it is done; else 1.
+  double bakedShare() const { return bakedShare_; }
   bool converged() const { return converged_; }
   /// Whether anything in the film is a preview of more; such a film never counts as converged.
   bool preview() const { return preview_; }
@@ -147,6 +151,7 @@ private:
   double seconds_ = 0.0;
   long long rays_ = 0;
   unsigned long version_ = 0;
+  double bakedShare_ = 1.0;
   bool converged_ = false;
   bool preview_ = false;
 };

@@ -4,6 +4,7 @@
 #include "vtkMoteShading.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace mote
 {
@@ -12,6 +13,9 @@ namespace
 {
 
 constexpr double castingShare = 0.05; ///< of the progress, until it is known what is seen
+
+/// A view of whose particles a lesser share is baked shows no maps.
+constexpr double leastShown = 0.5;
 
 } // namespace
 
@@ -49,25 +53,48 @@ void OcclusionBaking::take(
 void OcclusionBaking::give(Scene& scene)
 {
   times_.clear();
+  blank_.resize(maps_.size());
   bool complete = true;
   for (std::size_t i = 0; i < maps_.size(); ++i)
   {
-    scene.surfaces[i].occlusion = maps_[i] ? maps_[i]->maps() : nullptr;
+    const auto known = maps_[i] ? maps_[i]->maps() : nullptr;
+    const bool isShown = isShown_ || !known || maps_[i]->complete();
+    if (!isShown && (!blank_[i] || blank_[i]->size() != known->size()))
+      blank_[i] = std::make_shared<const OcclusionMaps>(known->size(), known->sky());
+    scene.surfaces[i].occlusion = isShown ? known : blank_[i];
     // Maps are of particles: nothing stands for these.
     if (const auto* particles = std::get_if<ParticleSurface>(&scene.surfaces[i].surface);
         maps_[i] && particles)
       scene.surfaces[i].surface = ParticleSurface(particles->structure());
     complete = complete && maps_[i] && maps_[i]->complete();
-    times_.push_back(maps_[i] ? static_cast<double>(maps_[i]->time()) : 0.0);
+    times_.push_back(!isShown ? -1.0 : known ? static_cast<double>(maps_[i]->time()) : 0.0);
   }
   if (complete)
     scene.occlusion.rays = 0;
+}
+
+double OcclusionBaking::shareOfSeen() const
+{
+  std::size_t seen = 0, baked = 0;
+  for (std::size_t i = 0; i < maps_.size() && i < seen_.size(); ++i)
+  {
+    const auto maps = maps_[i] ? maps_[i]->maps() : nullptr;
+    for (std::size_t word = 0; maps && word < seen_[i].size(); ++word)
+      for (std::uint64_t bits = seen_[i][word]; bits != 0; bits &= bits - 1)
+      {
+        const std::size_t slot = 64 * word + static_cast<std::size_t>(std::countr_zero(bits));
+        ++seen;
+        baked += slot < maps->size() && maps->isBaked(slot) ? 1 : 0;
+      }
+  }
+  return seen > 0 ? static_cast<double>(baked) / static_cast<double>(seen) : 0.0;
 }
 
 bool OcclusionBaking::bake(Scene& scene, const Camera& camera, const SeenView& view,
   std::uint64_t number, const Progress& progress)
 {
   const auto has = [](MapperOcclusion* maps) { return !maps || maps->complete(); };
+  share_ = 1.0;
   if (std::all_of(maps_.begin(), maps_.end(), has) ||
       (completeIn_ == number && completeTimes_ == times_))
     return true;
@@ -79,9 +106,11 @@ bool OcclusionBaking::bake(Scene& scene, const Camera& camera, const SeenView& v
   if (seenIn_ != number)
   {
     seenIn_ = 0;
+    share_ = 0.0;
     if (!findSeenParticles(scene, camera, view, seen_, part(0.0, castingShare)))
       return false;
     seenIn_ = number;
+    isShown_ = isShown_ && this->shareOfSeen() >= leastShown;
   }
   bool finished = true;
   const double share = (1.0 - castingShare) / static_cast<double>(maps_.size());
@@ -90,7 +119,9 @@ bool OcclusionBaking::bake(Scene& scene, const Camera& camera, const SeenView& v
         particles && maps_[i] && !maps_[i]->complete())
       finished = maps_[i]->bake(*particles->structure(), seen_[i],
         part(castingShare + share * static_cast<double>(i), share));
+  isShown_ = isShown_ || finished;
   this->give(scene);
+  share_ = finished ? 1.0 : this->shareOfSeen();
   if (finished)
   {
     completeIn_ = number;

@@ -17,6 +17,10 @@ namespace mote
 
 /// The occlusion maps of a scene's particles: gives the scene those that the mappers have, and
 /// bakes those that a view lacks. Does nothing where the shading asks for no maps.
+///
+/// Half-baked particles would look like data. So maps are shown once the view has all of them; till
+/// then all particles have the light of those that no map knows. Where a view shows some more
+/// than the one before, these alone look so.
 class OcclusionBaking
 {
 public:
@@ -36,11 +40,15 @@ public:
   bool bake(Scene& scene, const Camera& camera, const SeenView& view, std::uint64_t number,
     const Progress& progress);
 
+  /// The share of the particles that the view shows, as bake() last found them, that maps know.
+  double share() const { return share_; }
+
   /// Changes with the maps of the scene.
   const std::vector<double>& times() const { return times_; }
 
 private:
   void give(Scene& scene);
+  double shareOfSeen() const;
 
   std::vector<MapperOcclusion*> maps_; ///< a surface of the scene each, or null
   std::vector<double> times_;
@@ -48,6 +56,9 @@ private:
   SeenParticles seen_;
   std::uint64_t completeIn_ = 0; ///< view that maps of completeTimes_ had all of
   std::vector<double> completeTimes_;
+  double share_ = 1.0;
+  bool isShown_ = false; ///< what is baked, where more is to come
+  std::vector<std::shared_ptr<const OcclusionMaps>> blank_; ///< in place of maps not shown
 };
 
 } // namespace mote

@@ -126,6 +126,7 @@ void vtkMoteRayCastPass::DrawImage(vtkRenderer* renderer)
   settings.autoAdjust = this->AutoAdjustResolution != 0;
   settings.frameTime = this->InteractiveFrameTime;
   settings.mostDistance = this->MostDistance;
+  settings.roughDrafts = this->RoughDrafts != 0;
   settings.threads = this->NumberOfThreads;
   settings.shading = this->Shading;
   settings.silhouettes = this->Silhouettes;
@@ -170,6 +171,11 @@ int vtkMoteRayCastPass::GetNumberOfSamples()
   return this->Impl->last && this->Impl->last->shown() ? this->Impl->tracer().samples() : 0;
 }
 
+double vtkMoteRayCastPass::GetBakedShare()
+{
+  return this->Impl->last ? this->Impl->tracer().bakedShare() : 1.0;
+}
+
 double vtkMoteRayCastPass::GetFinerShare()
 {
   return this->Impl->tracer().finerShare();
@@ -210,6 +216,7 @@ void vtkMoteRayCastPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AutoAdjustResolution: " << (this->AutoAdjustResolution ? "On" : "Off") << "\n";
   os << indent << "InteractiveFrameTime: " << this->InteractiveFrameTime << "\n";
   os << indent << "MostDistance: " << this->MostDistance << "\n";
+  os << indent << "RoughDrafts: " << (this->RoughDrafts ? "On" : "Off") << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "Shading: " << this->Shading << "\n";
   os << indent << "Silhouettes: " << this->Silhouettes << "\n";

@@ -132,6 +132,16 @@ public:
 
   ///@{
   /**
+   * Whether clouds may be integrated and interpolated more roughly than mappers and shading say
+   * while the view moves and until a progressive picture is sharp. Default on.
+   */
+  vtkSetMacro(RoughDrafts, vtkTypeBool);
+  vtkGetMacro(RoughDrafts, vtkTypeBool);
+  vtkBooleanMacro(RoughDrafts, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * Threads to trace with; 0, the default, for all.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
@@ -169,6 +179,7 @@ public:
   double GetImageSampleDistance();
   int GetNumberOfSamples();
   double GetFinerShare();
+  double GetBakedShare();
   double GetNoise();
   vtkTypeInt64 GetNumberOfRays();
   double GetTraceTime();
@@ -197,6 +208,7 @@ protected:
   vtkTypeBool AutoAdjustResolution = 1;
   double InteractiveFrameTime = 0.08;
   double MostDistance = 32.0;
+  vtkTypeBool RoughDrafts = 1;
   int NumberOfThreads = 0;
   vtkSmartPointer<vtkMoteShading> Shading;
   vtkSmartPointer<vtkMoteSilhouettes> Silhouettes;

@@ -64,6 +64,34 @@ case $3 in
     quit
     ;;
 
+  costs) # what a frame takes, stage by stage, and the process; how far occlusion is baked
+    open "$copper" --size 1000x900 --silhouettes=2
+    for group in Colour Selection; do
+      click "group $group" 0.8
+    done
+    click 'group Costs' 0.8
+    # told PATTERN: a line of the costs, within a while.
+    told() {
+      for _ in $(seq 400); do
+        grep -Eq "^$1" "$MOTE_CONTROLS" && return
+        sleep 0.05
+      done
+      cat "$MOTE_CONTROLS"
+      fail "the costs do not tell: $1"
+    }
+    for stage in rays silhouettes panel 'to the screen' 'the rest'; do
+      told "- $stage [0-9.]+ m?s, [0-9.e-]+ % "
+    done
+    told 'frame [0-9.]+ m?s '
+    told 'process [0-9.]+ [MG]B of memory '
+    xdotool mousemove 700 400
+    xdotool key --window 0 t
+    xdotool key --window 0 t # baked
+    told 'quality .*, ambient occlusion [0-9]+ % baked'
+    told 'quality [0-9]+ samples per pixel [0-9]'
+    quit
+    ;;
+
   rows) # every row of the table has a control, or is among the few that need none
     open "$copper" --size 1000x860
     shown 'group Picture'

@@ -196,6 +196,42 @@ case $3 in
     run 2 "$mote" render "$hopper" -o a.png --error 1% --noise 0.1
     ;;
 
+  lods) # an error of places chooses levels of detail: outlines keep to it, and use it
+    look=(--size 256x256 --samples 1 --no-legend --caption '')
+    # places FILE ERROR...: the outline of each against the exact one.
+    places() {
+      local file=$1
+      shift
+      run 0 "$mote" render "$file" "${look[@]}" -o true.png
+      ! grep -q 'levels of detail' out || fail 'levels of detail, which nobody asked for'
+      run 0 "$mote" render "$file" "${look[@]}" -o empty.png --camera 0,0,1e6,0,0,2e6,0,1,0,1
+      for budget in "$@"; do
+        run 0 "$mote" render "$file" "${look[@]}" -o some.png --error "${budget}px"
+        said out "levels of detail within $(awk -v b="$budget" 'BEGIN { print b / 2 }') px"
+        error=$(python3 "$tests/edge_error.py" some.png true.png empty.png)
+        awk -v e="$error" -v b="$budget" 'BEGIN { exit !(e <= b && e >= b / 10) }' ||
+          fail "$file: outlines are $error px off with a budget of $budget px"
+      done
+    }
+    places sphere:1000000 3 4 8 12
+    python3 "$tests/many_particles.py" many.vtp 165
+    places many.vtp 4 8
+    # Few particles are exact, and what was asked for counts.
+    run 0 "$mote" render "$hopper" "${look[@]}" -o a.png --error 4px
+    ! grep -q 'levels of detail' out || fail 'levels of detail, which nobody asked for'
+    run 0 "$mote" render sphere:100000 "${look[@]}" -o a.png --error 4px --lod-error 0.5
+    said out 'levels of detail within 0.5 px'
+    # Of colours they take a small part.
+    run 0 "$mote" render sphere:1000000 "${look[@]}" --samples 300 -o true.png
+    for budget in 0.5 2; do
+      run 0 "$mote" render sphere:1000000 --size 256x256 --no-legend --caption '' -o some.png --error "$budget%"
+      said out 'levels of detail within 0.'
+      error=$(python3 "$tests/compare_png.py" some.png true.png empty.png)
+      awk -v e="$error" -v b="$budget" 'BEGIN { exit !(e <= b && e >= b / 10) }' ||
+        fail "an error of $error % with a budget of $budget %"
+    done
+    ;;
+
   values) # what options mean
     run 0 "$mote" render "$hopper" -o a.png --size 160x120 --samples 1 --show type=1,3:4
     grep -q 'of 5,518 particles shown' out || fail "nothing is hidden"

@@ -214,6 +214,15 @@ void lightSurfaces(SurfaceBlock& block, const Material& material, const SceneLig
 
 } // namespace
 
+namespace
+{
+
+/// Of what no map knows yet, and no rays ask for: about what particles in dense sets see of the
+/// sky in the mean, so that baked ones among others are no pattern.
+constexpr float typicalShare = 0.6f;
+
+} // namespace
+
 void SurfaceShader::shade(
   SurfaceBlock& block, const BundlePlacing& placing, const SceneLighting& lighting, bool ids) const
 {
@@ -228,6 +237,9 @@ void SurfaceShader::shade(
   place(block, placing, positions, ids);
   float shares[SurfaceBlock::capacity];
   lookUpShares(block, found, shares);
+  for (int k = 0; k < block.count && !lighting.occlusion; ++k)
+    if (std::isnan(shares[k]) && block.side[k] > 0.0f)
+      shares[k] = typicalShare;
   lightSurfaces(block, object_.material, lighting, placing.footprint, shares);
 }
 

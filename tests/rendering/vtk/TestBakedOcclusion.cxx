@@ -182,6 +182,71 @@ TEST(BakedOcclusion, AnAbortedPictureCanBeTakenUpAgain)
   EXPECT_EQ(rmsOf(baked.shown(), whole.shown()), 0.0);
 }
 
+TEST(BakedOcclusion, WhatIsNotBakedYetIsNoPatternAndProgressIsTold)
+{
+  Baked baked(6000); // which are baked in several pieces
+  baked.mapper->SetRadiusScale(0.4);
+  mote::FrameTracer tracer;
+  mote::FrameSettings settings;
+  settings.shading = baked.source->GetShading();
+  settings.autoAdjust = false;
+  settings.threads = 1;
+  baked.renderer->ResetCameraClippingRange();
+  double until = 2.0; // of the progress; baking is its first half
+  const auto frame = [&]
+  {
+    mote::MoteProps props = {mote::motePropOf(baked.actor)};
+    return tracer.trace(
+      baked.renderer, props, 48, 48, settings, [&](double done) { return done < until; });
+  };
+  const auto light = [&](int i) { return tracer.film().color()[4 * i]; };
+  const auto isHit = [&](int i) { return tracer.film().color()[4 * i + 3] == 1.0f; };
+  EXPECT_EQ(tracer.bakedShare(), 1.0) << "of nothing";
+  until = 0.2;
+  EXPECT_FALSE(frame());
+  const double some = tracer.bakedShare();
+  EXPECT_GT(some, 0.0);
+  EXPECT_LT(some, 1.0);
+  until = 0.4;
+  EXPECT_FALSE(frame());
+  EXPECT_GT(tracer.bakedShare(), some);
+  EXPECT_LT(tracer.bakedShare(), 1.0);
+  // Half-baked, as a moving view shows it: even, and about as bright as it will be.
+  until = 2.0;
+  settings.interactive = true;
+  ASSERT_TRUE(frame());
+  const std::vector<float> half(tracer.film().color(), tracer.film().color() + 4 * 48 * 48);
+  settings.interactive = false;
+  ASSERT_TRUE(frame());
+  EXPECT_EQ(tracer.bakedShare(), 1.0);
+  double before = 0.0, after = 0.0;
+  int hits = 0, odd = 0;
+  for (int i = 0; i < 48 * 48; ++i)
+    if (isHit(i) && half[4 * i + 3] == 1.0f)
+    {
+      ++hits;
+      odd += std::abs(half[4 * i] - 0.6f) > 0.01f ? 1 : 0;
+      before += half[4 * i];
+      after += light(i);
+    }
+  ASSERT_GT(hits, 500);
+  EXPECT_EQ(odd, 0);
+  EXPECT_NEAR(before / hits, after / hits, 0.15);
+  // Turned a little, what is baked stays, and little else is even.
+  settings.interactive = true;
+  baked.renderer->GetActiveCamera()->Azimuth(10.0);
+  ASSERT_TRUE(frame());
+  int even = 0, all = 0;
+  for (int i = 0; i < 48 * 48; ++i)
+    if (isHit(i))
+    {
+      ++all;
+      even += std::abs(light(i) - 0.6f) < 1e-6f ? 1 : 0;
+    }
+  EXPECT_GT(even, 0);
+  EXPECT_LT(even, all / 4);
+}
+
 TEST(BakedOcclusion, NothingIsBakedWhileTheViewMoves)
 {
   Baked baked;
