@@ -8,11 +8,9 @@
 #include "settings/ErrorBudget.h"
 
 #include <vtkActor.h>
-#include <vtkCellTypes.h>
 #include <vtkLookupTable.h>
 #include <vtkMath.h>
 #include <vtkMoteParticleMapper.h>
-#include <vtkMoteSourcePoints.h>
 #include <vtkMoteVolumeMapper.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -119,18 +117,6 @@ void Part::followLodError()
     surface_->mapper()->SetPixelsOfError(this->lodError());
 }
 
-Part::Kind Part::kindOf(vtkDataSet* data, const Settings& settings)
-{
-  if (!isMesh(data))
-    return Kind::Particles;
-  if (settings.volume.cells != "surface" && settings.color.array != "none" && Volume::canShow(data))
-    return Kind::Volume;
-  if (settings.volume.cells == "volume")
-    throw Failure("--cells volume needs tetrahedra, voxels, hexahedra, wedges or pyramids in an "
-                  "unstructured grid, and an array of numbers that colours them");
-  return Kind::Surface;
-}
-
 vtkProp3D* Part::prop() const
 {
   return volume_ ? static_cast<vtkProp3D*>(volume_->volume()) : actor_;
@@ -153,28 +139,6 @@ double Part::buildTime() const
   return particles_ ? particles_->GetBuildTime()
          : volume_  ? volume_->mapper()->GetBuildTime()
                     : surface_->mapper()->GetBuildTime();
-}
-
-bool Part::isOfSource(vtkDataSet* data)
-{
-  auto* ofSource = vtkMoteSourcePoints::SafeDownCast(pointsOf(data));
-  return ofSource && ofSource->GetSource();
-}
-
-bool Part::isMesh(vtkDataSet* data)
-{
-  if (auto* surface = vtkPolyData::SafeDownCast(data))
-    return surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
-  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
-  {
-    vtkNew<vtkCellTypes> types;
-    grid->GetCellTypes(types);
-    for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
-      if (types->GetCellType(i) > VTK_POLY_LINE)
-        return true;
-    return false;
-  }
-  return data->GetNumberOfCells() > 0;
 }
 
 void Part::setData(const std::string& name, vtkDataSet* data)

@@ -1,0 +1,50 @@
+// What data are drawn as.
+
+#include "Part.h"
+
+#include "base/Failure.h"
+
+#include <vtkCellTypes.h>
+#include <vtkMoteSourcePoints.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+
+namespace mote::app
+{
+
+Part::Kind Part::kindOf(vtkDataSet* data, const Settings& settings)
+{
+  if (!isMesh(data))
+    return Kind::Particles;
+  if (settings.volume.cells != "surface" && settings.color.array != "none" && Volume::canShow(data))
+    return Kind::Volume;
+  if (settings.volume.cells == "volume")
+    throw Failure("--cells volume needs tetrahedra, voxels, hexahedra, wedges or pyramids in an "
+                  "unstructured grid, and an array of numbers that colours them");
+  return Kind::Surface;
+}
+
+bool Part::isOfSource(vtkDataSet* data)
+{
+  auto* set = vtkPointSet::SafeDownCast(data);
+  auto* ofSource = set ? vtkMoteSourcePoints::SafeDownCast(set->GetPoints()) : nullptr;
+  return ofSource && ofSource->GetSource();
+}
+
+bool Part::isMesh(vtkDataSet* data)
+{
+  if (auto* surface = vtkPolyData::SafeDownCast(data))
+    return surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    vtkNew<vtkCellTypes> types;
+    grid->GetCellTypes(types);
+    for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+      if (types->GetCellType(i) > VTK_POLY_LINE)
+        return true;
+    return false;
+  }
+  return data->GetNumberOfCells() > 0;
+}
+
+} // namespace mote::app
