@@ -146,6 +146,7 @@ private:
   void drawKindsHead(const NamedArray& array, std::vector<bool>& shown);
   void drawKinds(const NamedArray& array, const Kinds& kinds);
   void drawNewRange();
+  void tellShown() const;
   void drawPicked(const PickedFacts& facts);
   void drawPlot(const PickedFacts& facts);
   void drawVolume();

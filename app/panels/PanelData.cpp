@@ -19,11 +19,12 @@ namespace
 
 std::string countOf(const Part& part)
 {
-  if (part.kind() != Part::Kind::Particles)
-    return counted(part.data()->GetNumberOfCells(), "cell");
-  const vtkIdType all = part.data()->GetNumberOfPoints(), shown = part.numberShown();
+  const bool isParticles = part.kind() == Part::Kind::Particles;
+  const vtkIdType all =
+    isParticles ? part.data()->GetNumberOfPoints() : part.data()->GetNumberOfCells();
+  const vtkIdType shown = isParticles ? part.numberShown() : part.numberOfCellsShown();
   return part.isHidden() || part.isPreview() || shown == all
-           ? counted(all, "particle")
+           ? counted(all, isParticles ? "particle" : "cell")
            : withThousands(shown) + " of " + withThousands(all);
 }
 

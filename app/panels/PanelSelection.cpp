@@ -6,6 +6,8 @@
 #include "base/Text.h"
 #include "stage/Coloring.h"
 
+#include <vtkDataSet.h>
+
 #include <imgui.h>
 
 #include <algorithm>
@@ -88,17 +90,7 @@ bool drawsRadiiAsTheyAre(const ParticleSettings& particles)
 void Panel::drawSelection()
 {
   drawn_.insert({"show", "hide-ids", "only-ids"});
-  if (!found_.hasParticles)
-    drawn_.insert("where"); // is of particles alone
-  else
-  {
-    // How many of all are shown a preview does not know.
-    std::string text = counted(stage_.numberOfParticles(), "particle");
-    if (stage_.preview().empty())
-      text = withThousands(stage_.numberShown()) + " of " + text + " shown";
-    ImGui::TextUnformatted(text.c_str());
-    noteControl(text);
-  }
+  this->tellShown();
   for (const NamedArray& array : found_.arrays)
     if (const Kinds& kinds = this->kindsOf(array); !kinds.empty())
       this->drawKinds(array, kinds);
@@ -125,15 +117,13 @@ void Panel::drawSelection()
 /// An expression, and a button that turns it round.
 void Panel::drawWhere()
 {
-  if (!found_.hasParticles)
-    return;
   this->drawRow("where");
   std::string& where = next_.selection.where;
   if (where.empty())
     return;
   if (buttonOf("Invert expression"))
     where = inverted(where);
-  explainKey("Show the particles for which the expression does not hold\n--where \"!(...)\"");
+  explainKey("Show what the expression does not hold for\n--where \"!(...)\"");
 }
 
 /// What is over a range: its name, and what can be done with it. Returns false where it is to go.
@@ -159,6 +149,32 @@ bool Panel::drawShownHead(ShowRange& range)
   const bool isLeft = buttonOf("show all");
   explainKey("Take this range away\nwithout --show NAME");
   return !isLeft;
+}
+
+/// How much of all is shown.
+void Panel::tellShown() const
+{
+  const auto tell = [](const std::string& text)
+  {
+    ImGui::TextUnformatted(text.c_str());
+    noteControl(text);
+  };
+  const auto shownOf = [](vtkIdType shown, vtkIdType all, const char* what)
+  { return withThousands(shown) + " of " + counted(all, what) + " shown"; };
+  // How many of all are shown a preview does not know.
+  const vtkIdType particles = stage_.numberOfParticles();
+  if (found_.hasParticles)
+    tell(stage_.preview().empty() ? shownOf(stage_.numberShown(), particles, "particle")
+                                  : counted(particles, "particle"));
+  vtkIdType cells = 0, shown = 0;
+  for (const auto& part : stage_.parts())
+    if (!part->particles())
+    {
+      cells += part->data()->GetNumberOfCells();
+      shown += part->numberOfCellsShown();
+    }
+  if (cells > 0)
+    tell(shownOf(shown, cells, "cell"));
 }
 
 /// Returns false where the range is to go.
@@ -206,18 +222,20 @@ void Panel::drawNewRange()
     if (!histogram.isEmpty())
       next_.selection.ranges.push_back({name, {{histogram.least, histogram.most}}});
   };
-  // Volumes hide values of the array that colours them, or its component, and of no other.
-  if (found_.hasVolumes && stage_.coloring().choice())
+  // Volumes hide values of the array that colours them, or its component, within cells.
+  const bool hidesWithin = found_.hasVolumes && stage_.coloring().choice();
+  if (hidesWithin)
     offer(this->coloredBy(), stage_.coloring().title());
-  else
-    for (const NamedArray& array : found_.arrays)
-      if (this->kindsOf(array).empty())
-        offer(array.text, array.title);
-  if (found_.hasParticles)
-    for (const NamedArray& array : found_.others)
-      // By the radius what is drawn is chosen, which need not be the array's.
-      if (array.text != "radius" || drawsRadiiAsTheyAre(next_.particles))
-        offer(array.text, array.title);
+  for (const NamedArray& array : found_.arrays)
+    if (this->kindsOf(array).empty() && !(hidesWithin && array.text == this->coloredBy()))
+      offer(array.text, array.title);
+  for (const NamedArray& array : found_.others)
+    // By the radius what is drawn is chosen, which need not be the array's.
+    if (array.text != "radius" || drawsRadiiAsTheyAre(next_.particles))
+      offer(array.text, array.title);
+  if (!found_.hasParticles) // whose places are among the others
+    for (const char* axis : {"x", "y", "z"})
+      offer(axis, axis);
   ImGui::EndCombo();
 }
 

@@ -40,13 +40,10 @@ Action PickedPanel::draw(
     ImGui::SameLine();
     button("Save CSV", Action::SavePicked,
       "Save the list as comma-separated values beside where mote runs\nCtrl+E");
-    if (set.hasParticles())
-    {
-      ImGui::SameLine();
-      button("Hide picked", Action::HidePicked, "Delete\n--hide-ids");
-      ImGui::SameLine();
-      button("Only picked", Action::OnlyPicked, "Show only these particles\ni\n--only-ids");
-    }
+    ImGui::SameLine();
+    button("Hide picked", Action::HidePicked, "Delete\n--hide-ids");
+    ImGui::SameLine();
+    button("Only picked", Action::OnlyPicked, "Show only what is picked\ni\n--only-ids");
   }
   if (away > 0)
   {

@@ -158,7 +158,7 @@ void PlotPanel::follow(const Stage& stage, const PickedSet& picked)
         time = std::max<unsigned long>(time, part->particles()->GetModel().time());
   if (choice_.of == Plotted::Visible)
     for (const auto& part : stage.parts())
-      time = 31 * time + part->isHidden();
+      time = 31 * (31 * time + part->isHidden()) + part->cells().time();
   if (choice_ == plotted_ && time == chosenTime_)
     return;
   if (choice_ == plotted_ && seconds_ > shortTime && ImGui::IsAnyItemActive())

@@ -5,6 +5,7 @@
 #include "base/Text.h"
 
 #include <vtkBoundingBox.h>
+#include <vtkDataSet.h>
 #include <vtkMath.h>
 
 #include <algorithm>
@@ -20,17 +21,6 @@ bool has(const Stage& stage, Part::Kind kind)
 {
   return std::any_of(stage.parts().begin(), stage.parts().end(),
     [kind](const auto& part) { return part->kind() == kind; });
-}
-
-/// What hides particles and values of volumes leaves surfaces whole.
-void adviseOnSurfaces(const Stage& stage, std::vector<std::string>& advice)
-{
-  const SelectionSettings& selection = stage.settings().selection;
-  const bool isLimiting = !selection.ranges.empty() || !selection.range.empty() ||
-                          !selection.where.empty() || !selection.hidden.empty() ||
-                          !selection.only.empty();
-  if (isLimiting && has(stage, Part::Kind::Surface))
-    advice.emplace_back("--show, --where and their like hide no triangles: surfaces stay whole");
 }
 
 /// Takes a range into another one; `any` tells whether that has one so far.
@@ -189,8 +179,8 @@ void adviseOnValues(const Stage& stage, std::vector<std::string>& advice)
     advice.push_back("--log: values at or below 0 have the colour of the least; " + whole);
 }
 
-/// Whether any particle that could be shown has a value in the intervals; `range` is that of all
-/// values. True where none has the array.
+/// Whether any particle or cell that could be shown has a value in the intervals; `range` is that
+/// of all values. True where none has the array.
 bool anyWithin(const Stage& stage, const std::string& name, const std::vector<Interval>& intervals,
   double* range)
 {
@@ -198,13 +188,20 @@ bool anyWithin(const Stage& stage, const std::string& name, const std::vector<In
   bool any = false;
   for (const auto& part : stage.parts())
   {
-    if (part->kind() != Part::Kind::Particles || part->isHidden())
+    if (part->isHidden())
       continue;
     const ArrayChoice choice = findArray(part->data(), name);
     double own[2];
     if (!finiteRange(arrayOf(part->data(), choice), choice.component, own))
       continue;
     widen(range, own, any);
+    if (!part->particles())
+    {
+      ShownCells cells;
+      cells.update(part->data(), {{choice, -1, intervals}}, {});
+      count += cells.count();
+      continue;
+    }
     for (const Interval& interval : intervals)
     {
       const double ends[2] = {interval.low, interval.high};
@@ -245,13 +242,13 @@ std::string whatLeavesNothing(const Stage& stage)
 {
   const bool isAnyShown = std::any_of(stage.parts().begin(), stage.parts().end(),
     [](const auto& part)
-    {
-      return !part->isHidden() &&
-             (part->kind() != Part::Kind::Particles || part->numberShown() > 0);
-    });
+    { return !part->isHidden() && part->numberShown() + part->numberOfCellsShown() > 0; });
+  const bool isAny = std::any_of(stage.parts().begin(), stage.parts().end(),
+    [](const auto& part) { return !part->isHidden() && part->data()->GetNumberOfPoints() > 0; });
+  const std::string what = stage.numberOfParticles() > 0 ? "particle" : "cell";
   const SelectionSettings& selection = stage.settings().selection;
   const bool isExpressed = isLimited(selection);
-  if (isAnyShown || stage.numberOfParticles() == 0 || (selection.ranges.empty() && !isExpressed))
+  if (isAnyShown || !isAny || (selection.ranges.empty() && !isExpressed))
     return "";
   double range[2];
   if (isExpressed && !anyWithin(stage, whereArray, {{1.0, 1.0}}, range))
@@ -261,11 +258,11 @@ std::string whatLeavesNothing(const Stage& stage)
            (selection.where.empty() ? "--hide-ids and --only-ids leave"
              : hasIds               ? "--where, --hide-ids and --only-ids together leave"
                                     : "--where '" + selection.where + "' leaves") +
-           " no particle";
+           " no " + what;
   }
   for (const ShowRange& one : selection.ranges)
     if (!anyWithin(stage, one.name, one.intervals, range))
-      return "Nothing is shown: no particle has " + one.name + " in the range of --show; " +
+      return "Nothing is shown: no " + what + " has " + one.name + " in the range of --show; " +
              one.name + " goes from " + asNumber(range[0]) + " to " + asNumber(range[1]);
   return "Nothing is shown: each limit (--show, --where and their like) leaves some, and together "
          "none";
@@ -296,7 +293,6 @@ std::vector<std::string> adviceOn(const Stage& stage)
   if (stage.settings().views.sideBySide && !stage.parts().empty() && stage.views().size() < 2)
     advice.emplace_back("--side-by-side does nothing here: it takes two data sets that are shown");
   adviseOnVolumes(stage, advice);
-  adviseOnSurfaces(stage, advice);
   adviseOnParticles(stage, advice);
   adviseOnLight(stage, advice);
   adviseOnColors(stage, advice);

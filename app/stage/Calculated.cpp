@@ -18,9 +18,22 @@ const std::string whereArray = "--where";
 namespace
 {
 
-/// Of all data sets that have anything.
+/// Adds what --where says, to the cells of meshes.
+std::string addWhere(vtkDataSet* data, const Calculation& wanted)
+{
+  return Part::isMesh(data)
+           ? vtkMoteExpression::AddToCells(data, wanted.expression, wanted.name, VTK_UNSIGNED_CHAR)
+           : vtkMoteExpression::AddTo(data, wanted.expression, wanted.name, VTK_UNSIGNED_CHAR);
+}
+
+std::string addCalculated(vtkDataSet* data, const Calculation& wanted)
+{
+  return vtkMoteExpression::AddTo(data, wanted.expression, wanted.name);
+}
+
+/// To all data sets that have anything.
 void add(const std::vector<NamedData>& data, const std::string& option, const Calculation& wanted,
-  int type, KnownExpressions& known)
+  std::string (*addTo)(vtkDataSet*, const Calculation&), KnownExpressions& known)
 {
   std::string problem;
   bool isAdded = false;
@@ -28,8 +41,7 @@ void add(const std::vector<NamedData>& data, const std::string& option, const Ca
   {
     if (one.data->GetNumberOfPoints() == 0)
       continue;
-    const std::string wrong =
-      vtkMoteExpression::AddTo(one.data, wanted.expression, wanted.name, type);
+    const std::string wrong = addTo(one.data, wanted);
     isAdded = isAdded || wrong.empty();
     if (problem.empty() && !wrong.empty())
       problem = option + ": " + one.name + ": " + wrong;
@@ -77,9 +89,9 @@ std::vector<NamedData> withCalculated(
   if (isMoved)
     movePositions(copies, settings.data.positions);
   for (const Calculation& calculation : settings.data.calculations)
-    add(copies, "--calculate", calculation, VTK_DOUBLE, known);
+    add(copies, "--calculate", calculation, addCalculated, known);
   if (!settings.selection.where.empty())
-    add(copies, "--where", {whereArray, settings.selection.where}, VTK_UNSIGNED_CHAR, known);
+    add(copies, "--where", {whereArray, settings.selection.where}, addWhere, known);
   if (!settings.selection.hidden.empty() || !settings.selection.only.empty())
     addIdMarks(copies, settings.selection, whereArray);
   return copies;

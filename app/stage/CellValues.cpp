@@ -4,6 +4,7 @@
 #include <vtkDataSet.h>
 #include <vtkGenericCell.h>
 #include <vtkIdList.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 
 #include <cmath>
@@ -34,6 +35,23 @@ std::optional<CellWeights> weightsAt(
     found.emplace_back(shape->GetPointId(i), weight);
   }
   return found;
+}
+
+vtkIdType nearestCorner(vtkDataSet* data, vtkIdType cell, const std::array<double, 3>& place)
+{
+  vtkNew<vtkIdList> corners;
+  data->GetCellPoints(cell, corners);
+  vtkIdType nearest = -1;
+  double least = HUGE_VAL;
+  for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
+  {
+    double at[3];
+    data->GetPoint(corners->GetId(i), at);
+    const double distance = vtkMath::Distance2BetweenPoints(at, place.data());
+    if (distance < least)
+      least = distance, nearest = corners->GetId(i);
+  }
+  return nearest;
 }
 
 CellWeights evenWeights(vtkDataSet* data, vtkIdType cell)

@@ -20,6 +20,9 @@ using CellWeights = std::vector<std::pair<vtkIdType, double>>;
 std::optional<CellWeights> weightsAt(
   vtkDataSet* data, vtkIdType cell, const std::array<double, 3>& place);
 
+/// The corner of a cell that is nearest to a place, the first of several; -1 of a cell without.
+vtkIdType nearestCorner(vtkDataSet* data, vtkIdType cell, const std::array<double, 3>& place);
+
 /// Those of the mean.
 CellWeights evenWeights(vtkDataSet* data, vtkIdType cell);
 

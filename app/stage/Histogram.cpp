@@ -148,7 +148,7 @@ Histogram histogramOfPlaces(const std::vector<std::unique_ptr<Part>>& parts, int
   Histogram histogram;
   histogram.counts.resize(static_cast<std::size_t>(bins));
   const auto hasPlaces = [](const std::unique_ptr<Part>& part)
-  { return part->kind() == Part::Kind::Particles && part->data()->GetNumberOfPoints() > 0; };
+  { return part->data()->GetNumberOfPoints() > 0; };
   for (const auto& part : parts)
     if (hasPlaces(part))
     {

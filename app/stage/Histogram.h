@@ -38,7 +38,7 @@ Kinds kindsOf(const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice
 std::map<int, double> meanRadii(
   const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& types, const Kinds& kinds);
 
-/// Of the positions of all particles along x, y or z: 0, 1 or 2.
+/// Of the positions of all particles, and of all points of meshes, along x, y or z: 0, 1 or 2.
 Histogram histogramOfPlaces(const std::vector<std::unique_ptr<Part>>& parts, int axis, int bins);
 
 } // namespace mote::app

@@ -3,6 +3,7 @@
 #include "Part.h"
 #include "base/Text.h"
 
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
 #include <vtkPointData.h>
@@ -38,31 +39,54 @@ std::int64_t idOf(vtkDataArray* ids, vtkIdType particle)
   return ids ? static_cast<std::int64_t>(ids->GetComponent(particle, 0)) : particle;
 }
 
+namespace
+{
+
+/// Whether some of the ids may be of the data sets that are meshes, or of those that are not.
+bool isOf(const IdRanges& ids, const std::vector<NamedData>& data, bool meshes)
+{
+  return std::any_of(ids.list().begin(), ids.list().end(),
+    [&](const IdRange& range)
+    {
+      const auto k = static_cast<std::size_t>(range.part) - 1;
+      return range.part == 0 || (k < data.size() && Part::isMesh(data[k].data) == meshes);
+    });
+}
+
+/// The array of marks, of 1 where there was none.
+vtkUnsignedCharArray* marksOf(vtkDataSetAttributes* arrays, vtkIdType count, const char* name)
+{
+  if (auto* marks = vtkUnsignedCharArray::SafeDownCast(arrays->GetArray(name)))
+    return marks;
+  vtkNew<vtkUnsignedCharArray> all;
+  all->SetName(name);
+  all->SetNumberOfValues(count);
+  std::fill_n(all->GetPointer(0), count, 1);
+  arrays->AddArray(all);
+  return all;
+}
+
+} // namespace
+
 void addIdMarks(
   const std::vector<NamedData>& data, const SelectionSettings& selection, const std::string& name)
 {
   for (std::size_t k = 0; k < data.size(); ++k)
   {
-    vtkDataSet* particles = data[k].data;
-    if (Part::isMesh(particles))
+    vtkDataSet* one = data[k].data;
+    const bool isMesh = Part::isMesh(one);
+    const bool isHiding = isOf(selection.hidden, data, isMesh);
+    const bool isAll = !isOf(selection.only, data, isMesh);
+    if (!isHiding && isAll)
       continue;
-    const vtkIdType count = particles->GetNumberOfPoints();
-    auto* marks =
-      vtkUnsignedCharArray::SafeDownCast(particles->GetPointData()->GetArray(name.c_str()));
-    if (!marks)
-    {
-      vtkNew<vtkUnsignedCharArray> all;
-      all->SetName(name.c_str());
-      all->SetNumberOfValues(count);
-      std::fill_n(all->GetPointer(0), count, 1);
-      particles->GetPointData()->AddArray(all);
-      marks = all;
-    }
+    const vtkIdType count = isMesh ? one->GetNumberOfCells() : one->GetNumberOfPoints();
+    vtkDataSetAttributes* arrays = one->GetPointData();
+    if (isMesh)
+      arrays = one->GetCellData();
+    unsigned char* values = marksOf(arrays, count, name.c_str())->GetPointer(0);
     const int part = static_cast<int>(k) + 1;
     const auto hidden = selection.hidden.of(part), only = selection.only.of(part);
-    const bool isAll = selection.only.empty();
-    vtkDataArray* ids = idArrayOf(particles);
-    unsigned char* values = marks->GetPointer(0);
+    vtkDataArray* ids = isMesh ? nullptr : idArrayOf(one);
     tbb::parallel_for(tbb::blocked_range<vtkIdType>(0, count, 1 << 14),
       [&](const tbb::blocked_range<vtkIdType>& range)
       {

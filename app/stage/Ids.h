@@ -20,8 +20,10 @@ vtkDataArray* idArrayOf(vtkDataSet* data);
 /// The id of a particle.
 std::int64_t idOf(vtkDataArray* ids, vtkIdType particle);
 
-/// Gives data sets of particles an array of that name, of 1 for those that --hide-ids and
-/// --only-ids leave, else 0; where they have it already, what is 0 stays so.
+/// Gives data sets an array of that name, of 1 for the particles and cells that --hide-ids and
+/// --only-ids leave, else 0; where they have it already, what is 0 stays so. Cells count from 0.
+/// Ids of cells alone leave particles as they are, and ids of particles cells: those have no such
+/// array then.
 void addIdMarks(
   const std::vector<NamedData>& data, const SelectionSettings& selection, const std::string& name);
 

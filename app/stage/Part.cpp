@@ -145,6 +145,7 @@ void Part::setData(const std::string& name, vtkDataSet* data)
 {
   name_ = name;
   data_ = data;
+  cells_ = {};
   this->followLodError();
   if (particles_)
   {
@@ -385,10 +386,23 @@ void Part::setColors(
   mapper_->UseLookupTableScalarRangeOn();
 }
 
+void Part::limitCells(const std::vector<CellLimit>& limits)
+{
+  const ArrayChoice within = volume_ ? colored_ : ArrayChoice();
+  cells_.update(data_, limits, within);
+  if (surface_)
+    surface_->setVisible(data_, cells_.mask());
+  if (!volume_)
+    return;
+  volume_->mapper()->SetVisibleCells(cells_.mask());
+  volume_->showAll();
+  for (const CellLimit& limit : limits)
+    if (limit.place < 0 && limit.choice == within)
+      volume_->limit(limit.intervals);
+}
+
 void Part::showAll()
 {
-  if (volume_)
-    volume_->showAll();
   if (!particles_)
     return;
   particles_->RemoveAllRanges();
@@ -400,11 +414,6 @@ void Part::limit(const ArrayChoice& choice, const std::vector<Interval>& interva
   if (particles_)
     for (const auto& [low, high] : intervals)
       particles_->AddToRange(choice.name.c_str(), choice.component, low, high);
-  if (volume_ && choice == colored_)
-    volume_->limit(intervals);
-  else if (volume_)
-    throw Failure("--show: a volume hides values of the array that colours it, '" + colored_.name +
-                  "', and of no other, such as '" + choice.name + "'");
 }
 
 void Part::limitPlace(int place, double low, double high)
@@ -419,11 +428,6 @@ void Part::limitPlace(int place, double low, double high)
 
 void Part::setVisible(const ArrayChoice& choice, const double range[2])
 {
-  if (volume_ && choice == colored_)
-    volume_->limit({{range[0], range[1]}});
-  else if (volume_)
-    throw Failure("--show-by: a volume hides values of the array that colours it, '" +
-                  colored_.name + "', and of no other");
   if (!particles_)
     return;
   particles_->SetUseVisibilityRange(arrayOf(data_, choice) != nullptr);
@@ -448,7 +452,7 @@ void Part::shownBounds(double bounds[6]) const
   if (particles_)
     particles_->GetVisibleBounds(bounds);
   else if (volume_)
-    volume_->shownBounds(vtkUnstructuredGrid::SafeDownCast(data_), bounds);
+    volume_->shownBounds(vtkUnstructuredGrid::SafeDownCast(data_), cells_.mask(), bounds);
   else if (const double* own = this->prop()->GetBounds())
     std::copy_n(own, 6, bounds);
 }
@@ -464,6 +468,13 @@ vtkIdType Part::numberLeftOut() const
 vtkIdType Part::numberShown() const
 {
   return particles_ && !isHidden_ ? particles_->GetNumberOfVisibleParticles() : 0;
+}
+
+vtkIdType Part::numberOfCellsShown() const
+{
+  return particles_ || isHidden_ ? 0
+         : cells_.isUpToDate()   ? cells_.count()
+                                 : data_->GetNumberOfCells();
 }
 
 } // namespace mote::app

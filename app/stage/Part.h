@@ -2,6 +2,7 @@
 
 #include "Arrays.h"
 #include "MemoryPieces.h"
+#include "ShownCells.h"
 #include "Surface.h"
 #include "Volume.h"
 #include "base/ProgressRelay.h"
@@ -113,6 +114,11 @@ public:
   void setHidden(bool on);
   bool isHidden() const { return isHidden_; }
 
+  /// Which cells are shown, in place of those before; volumes hide values of the array that colours
+  /// within cells, too. Nothing but triangles of surfaces is built anew, in the next build().
+  void limitCells(const std::vector<CellLimit>& limits);
+  const ShownCells& cells() const { return cells_; }
+
   /// Hides no particle.
   void showAll();
   /// Hides particles with values outside, besides those that are hidden already.
@@ -131,8 +137,9 @@ public:
   /// How often the particles are drawn, side by side.
   int images() const;
 
-  /// How many particles are not hidden.
+  /// How many particles, or cells, are not hidden.
   vtkIdType numberShown() const;
+  vtkIdType numberOfCellsShown() const;
 
   /// Bounds of what is not hidden; not initialized where there is nothing.
   void shownBounds(double bounds[6]) const;
@@ -165,6 +172,7 @@ private:
   vtkNew<vtkActor> actor_;
   std::unique_ptr<Volume> volume_;
   std::unique_ptr<Surface> surface_;
+  ShownCells cells_; // of a volume or a surface
   ArrayChoice colored_;
   ArrayChoice missed_; // colours that a step lacked, which was told
   double sceneSize_ = 1.0;

@@ -2,7 +2,13 @@
 
 #include <ParticleModel.h>
 #include <PeriodicImages.h>
+#include <vtkCell.h>
+#include <vtkDataSet.h>
+#include <vtkGenericCell.h>
 #include <vtkMoteParticleMapper.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 
@@ -37,6 +43,21 @@ Drawn drawnOf(const Part& part)
 
 } // namespace
 
+std::vector<CellEdge> edgesOf(vtkDataSet* data, vtkIdType number)
+{
+  vtkNew<vtkGenericCell> cell;
+  data->GetCell(number, cell);
+  std::vector<CellEdge> edges;
+  for (int e = 0; e < cell->GetNumberOfEdges(); ++e)
+  {
+    CellEdge edge;
+    for (vtkIdType i = 0; i < 2; ++i)
+      cell->GetEdge(e)->GetPoints()->GetPoint(i, edge[static_cast<std::size_t>(i)].data());
+    edges.push_back(edge);
+  }
+  return edges;
+}
+
 std::vector<PickedPlace> placesOf(
   const PickedSet::Parts& parts, const PickedSet& picked, const std::vector<std::size_t>& shown)
 {
@@ -55,6 +76,9 @@ std::vector<PickedPlace> placesOf(
       continue;
     if (one.kind == Picked::Kind::Cell)
     {
+      vtkUnsignedCharArray* isVisible = parts[k]->cells().mask();
+      if (isVisible && isVisible->GetValue(one.id) == 0)
+        continue;
       found.push_back({k, one.id, true, {}, 0.0});
       continue;
     }

@@ -5,6 +5,8 @@
 #include <array>
 #include <vector>
 
+class vtkDataSet;
+
 namespace mote::app
 {
 
@@ -17,6 +19,10 @@ struct PickedPlace
   std::array<double, 3> at{};
   double radius = 0.0; ///< as drawn; 0 for cells
 };
+
+/// The edges of a cell, as pairs of ends.
+using CellEdge = std::array<std::array<double, 3>, 2>;
+std::vector<CellEdge> edgesOf(vtkDataSet* data, vtkIdType cell);
 
 /// Of what is picked in these parts and shown now, images too. Of more than ten thousand evenly
 /// taken ones: a hundred thousand marks would take a second a frame.

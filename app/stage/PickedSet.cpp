@@ -1,6 +1,7 @@
 #include "PickedSet.h"
 
 #include "Ids.h"
+#include "base/Text.h"
 #include "settings/Values.h"
 
 #include <vtkDataArray.h>
@@ -147,18 +148,41 @@ std::array<double, 3> PickedSet::placeOf(const Parts& parts, const Picked& picke
 
 IdRanges PickedSet::ids(const Parts& parts) const
 {
-  const auto isParticles = [](const auto& part) { return part->kind() == Part::Kind::Particles; };
-  const bool isAlone = std::count_if(parts.begin(), parts.end(), isParticles) == 1;
+  return this->idsOf(parts, false);
+}
+
+IdRanges PickedSet::particleIds(const Parts& parts) const
+{
+  return this->idsOf(parts, true);
+}
+
+std::string PickedSet::counts() const
+{
+  const auto all = static_cast<std::int64_t>(items_.size());
+  const auto cells = static_cast<std::int64_t>(std::count_if(items_.begin(), items_.end(),
+    [](const Picked& one) { return one.kind == Picked::Kind::Cell; }));
+  const std::string ofCells = counted(cells, "cell"), rest = counted(all - cells, "particle");
+  return cells == 0 ? rest : cells == all ? ofCells : rest + " and " + ofCells;
+}
+
+IdRanges PickedSet::idsOf(const Parts& parts, bool particlesAlone) const
+{
+  const auto counts = [&](const auto& part)
+  { return !particlesAlone || part->kind() == Part::Kind::Particles; };
+  const bool isAlone = std::count_if(parts.begin(), parts.end(), counts) == 1;
   std::vector<vtkDataArray*> arrays;
   for (const auto& part : parts)
     arrays.push_back(idArrayOf(part->data()));
   std::vector<IdRange> ranges;
   for (const Picked& picked : items_)
-    if (picked.kind == Picked::Kind::Particle)
-    {
-      const std::int64_t id = idOf(arrays[static_cast<std::size_t>(picked.part)], picked.id);
-      ranges.push_back({isAlone ? 0 : picked.part + 1, id, id});
-    }
+  {
+    const bool isParticle = picked.kind == Picked::Kind::Particle;
+    if (!isParticle && particlesAlone)
+      continue;
+    const std::int64_t id =
+      isParticle ? idOf(arrays[static_cast<std::size_t>(picked.part)], picked.id) : picked.id;
+    ranges.push_back({isAlone ? 0 : picked.part + 1, id, id});
+  }
   for (const Away& away : away_)
     ranges.push_back({isAlone ? 0 : away.part + 1, away.id, away.id});
   return IdRanges(std::move(ranges));
@@ -194,14 +218,15 @@ void PickedSet::addNamed(const Parts& parts, const std::vector<std::string>& wor
   for (const IdRanges& look : looks)
     for (std::size_t k = 0; k < parts.size(); ++k)
     {
-      if (parts[k]->kind() != Part::Kind::Particles)
-        continue;
+      const Picked::Kind kind = kindOfPicks(*parts[k]);
+      const bool isCell = kind == Picked::Kind::Cell;
       vtkDataSet* data = parts[k]->data();
-      vtkDataArray* ids = idArrayOf(data);
+      vtkDataArray* ids = isCell ? nullptr : idArrayOf(data);
+      const vtkIdType count = isCell ? data->GetNumberOfCells() : data->GetNumberOfPoints();
       const auto wanted = look.of(static_cast<int>(k) + 1);
-      for (vtkIdType i = 0; !wanted.empty() && i < data->GetNumberOfPoints(); ++i)
+      for (vtkIdType i = 0; !wanted.empty() && i < count; ++i)
         if (holds(wanted, idOf(ids, i)))
-          found.push_back({static_cast<int>(k), Picked::Kind::Particle, i});
+          found.push_back({static_cast<int>(k), kind, i});
     }
   this->add(found);
 }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
@@ -55,11 +56,15 @@ public:
   /// How the points of a cell count there.
   CellWeights weightsOf(const Parts& parts, const Picked& picked) const;
 
-  /// The ids of the particles among them, as --hide-ids takes them.
+  /// The ids of the particles and the numbers of the cells among them, as --hide-ids takes them;
+  /// and of the particles alone.
   IdRanges ids(const Parts& parts) const;
+  IdRanges particleIds(const Parts& parts) const;
+  /// "12 particles", "3 cells", "12 particles and 3 cells".
+  std::string counts() const;
 
   ///@{
-  /// The particles among them as MarkSettings::picked: in the order of picking where they are so
+  /// Them as MarkSettings::picked: in the order of picking where they are so
   /// few that something is measured, else in ranges. And what such words name, taken in.
   std::vector<std::string> words(const Parts& parts) const;
   void addNamed(const Parts& parts, const std::vector<std::string>& words);
@@ -97,6 +102,7 @@ private:
     bool operator==(const Away&) const = default;
   };
   static std::uint64_t keyOf(const Picked& picked);
+  IdRanges idsOf(const Parts& parts, bool particlesAlone) const;
   void replace(std::vector<Picked> items, std::vector<Away> away = {});
 
   std::vector<Picked> items_;

@@ -67,6 +67,7 @@ PickedTable::PickedTable(const PickedSet::Parts& parts, const PickedSet& picked)
   {
     hasKinds_ = hasKinds_ || (isUsed[k] && kindOfPicks(*parts[k]) != first);
     hasParts_ = hasParts_ || parts.size() > 1;
+    hasCells_ = hasCells_ || (isUsed[k] && kindOfPicks(*parts[k]) == Picked::Kind::Cell);
     if (!isUsed[k])
       continue;
     this->addArrays(*parts[k], k, false);
@@ -80,6 +81,8 @@ PickedTable::PickedTable(const PickedSet::Parts& parts, const PickedSet& picked)
   if (hasParts_)
     names_.emplace_back("of");
   names_.insert(names_.end(), {"x", "y", "z"});
+  if (hasCells_)
+    names_.emplace_back("nearest point");
   for (const Column& column : columns_)
     names_.push_back(column.name);
 }
@@ -136,7 +139,14 @@ std::string PickedTable::cell(std::size_t row, std::size_t column, int digits) c
     return (*parts_)[static_cast<std::size_t>(picked.part)]->name();
   if (column < at + 3)
     return numberText(picked_->placeOf(*parts_, picked)[column - at], digits);
-  return this->valueOf(picked, columns_[column - at - 3], digits);
+  at += 3;
+  if (hasCells_ && column == at++)
+    return picked.kind == Picked::Kind::Cell
+             ? std::to_string(
+                 nearestCorner((*parts_)[static_cast<std::size_t>(picked.part)]->data(), picked.id,
+                   picked_->placeOf(*parts_, picked)))
+             : std::string();
+  return this->valueOf(picked, columns_[column - at], digits);
 }
 
 std::string PickedTable::valueOf(const Picked& picked, const Column& column, int digits) const

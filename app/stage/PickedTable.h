@@ -15,7 +15,8 @@ namespace mote::app
 std::string valueText(vtkAbstractArray* array, int component, vtkIdType tuple, int digits);
 
 /// What is picked as a table: what it is, its position, and the values of all arrays; of a cell
-/// those of the cell, and of arrays of points the mean over the cell's points. It looks at the
+/// those of the cell, of arrays of points what they are where it was picked, or the mean over the
+/// cell's points, and the number of its point that is nearest to that place. It looks at the
 /// parts' data, and is good as long as these and the set stay what they are.
 class PickedTable
 {
@@ -47,7 +48,7 @@ private:
 
   const PickedSet::Parts* parts_ = nullptr;
   const PickedSet* picked_ = nullptr;
-  bool hasKinds_ = false, hasParts_ = false;
+  bool hasKinds_ = false, hasParts_ = false, hasCells_ = false;
   std::vector<Column> columns_; ///< after those of names and positions
   std::vector<std::string> names_;
 };

@@ -89,8 +89,14 @@ void PictureMarks::addPicked(
 {
   for (const PickedPlace& one : placesOf(parts, picked, shown))
   {
+    if (one.isCell)
+    {
+      for (const auto& [from, to] : edgesOf(parts[one.part]->data(), one.id))
+        this->addLine(from, to, veilInk, 2.0, false);
+      continue;
+    }
     const Place eye = this->inEye(one.at);
-    if (one.isCell || (!isParallel_ && eye[2] <= 0.0))
+    if (!isParallel_ && eye[2] <= 0.0)
       continue;
     const Place at = this->inPicture(eye);
     const double unit = 0.5 * size_[1] / (isParallel_ ? half_ : half_ * eye[2]);

@@ -114,6 +114,11 @@ std::vector<unsigned char> visibleOf(const Part& part, bool ofCells)
     visible.resize(countOf(part.data(), ofCells));
     part.particles()->GetModel().markVisible(visible.data());
   }
+  else if (!part.particles())
+  {
+    visible.resize(countOf(part.data(), ofCells), 1);
+    part.cells().dropHidden(visible, ofCells);
+  }
   return visible;
 }
 

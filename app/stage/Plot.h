@@ -16,7 +16,7 @@ namespace mote::app
 enum class Plotted
 {
   All,
-  Visible, ///< particles that are not hidden; all points and cells of others
+  Visible, ///< particles and cells that are not hidden, and points that shown cells have
   Picked
 };
 

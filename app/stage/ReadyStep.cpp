@@ -7,6 +7,8 @@
 #include <vtkActor.h>
 #include <vtkDataSet.h>
 
+#include <algorithm>
+
 namespace mote::app
 {
 
@@ -16,6 +18,11 @@ bool ReadyPlan::fits(const ReadyPlan& other) const
   ParticleSettings particles = settings.particles;
   particles.replicate = other.settings.particles.replicate; // images of the same structure
   const auto allowsError = [](const Settings& s) { return errorShares(s).lodError > 0.0; };
+  const bool hasSurfaces = std::any_of(
+    kept.begin(), kept.end(), [](const Kept& one) { return one.kind == Part::Kind::Surface; });
+  // Of surfaces what is hidden is not built.
+  if (hasSurfaces && (settings.selection != other.settings.selection || colored != other.colored))
+    return false;
   return kept == other.kept && particles == other.settings.particles &&
          allowsError(settings) == allowsError(other.settings) && a.cells == b.cells &&
          a.structure == b.structure && a.integrator == b.integrator && a.cloud == b.cloud &&
@@ -62,6 +69,8 @@ ReadyStep makeReady(const std::vector<NamedData>& original, const ReadyPlan& pla
       part.keep(plan.kept[i].radius, plan.kept[i].colored);
       if (i < before.size())
         part.offer(before[i]);
+      if (part.surface())
+        part.limitCells(cellLimitsOf(part.data(), plan.settings.selection, plan.colored));
       part.build(runner);
       ready.parts.back() = part.built(true);
     }

@@ -24,6 +24,7 @@ struct ReadyPlan
   };
   Settings settings;
   std::vector<Kept> kept; ///< one a part
+  ArrayChoice colored;    ///< the array that colours
 
   /// Whether the other plan makes the same of the same data.
   bool fits(const ReadyPlan& other) const;

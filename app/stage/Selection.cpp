@@ -26,10 +26,17 @@ int builtInNamed(const std::string& name)
   return found == names.end() ? -1 : static_cast<int>(found - names.begin());
 }
 
-ArrayChoice pointArray(vtkDataSet* data, const std::string& text)
+/// What a name means: of particles an array of points.
+ArrayChoice arrayNamed(const Part& part, const std::string& text)
 {
-  const ArrayChoice choice = findArray(data, text);
-  return choice.ofCells ? ArrayChoice{} : choice;
+  const ArrayChoice choice = findArray(part.data(), text);
+  return choice.ofCells && part.particles() ? ArrayChoice{} : choice;
+}
+
+/// Whether a part has the array of --where.
+bool isExpressed(const Part& part)
+{
+  return arrayOf(part.data(), {whereArray, 0, part.particles() == nullptr}) != nullptr;
 }
 
 } // namespace
@@ -57,7 +64,9 @@ void Selection::require(bool found, std::size_t range, const std::string& name, 
     known_[range] = true;
   else if (!known_[range])
     throw Failure(option + ": " + part.name() + " has no array '" + name + "'; it has " +
-                  (option == "--show" ? "x, y, z, radius as drawn, and " : "") +
+                  (option != "--show"  ? ""
+                    : part.particles() ? "x, y, z, radius as drawn, and "
+                                       : "x, y, z, and ") +
                   listArrays(part.data()));
   else if (!warned_[range])
   {
@@ -89,7 +98,7 @@ void Selection::apply(const Parts& parts, const ArrayChoice& colored)
   for (const auto& part : parts)
   {
     part->showAll();
-    if (!first && part->kind() != Part::Kind::Surface && part->data()->GetNumberOfPoints() > 0)
+    if (!first && part->data()->GetNumberOfPoints() > 0)
       first = part.get();
   }
   if (!first)
@@ -97,8 +106,16 @@ void Selection::apply(const Parts& parts, const ArrayChoice& colored)
   this->applyRanges(parts, *first);
   if (!settings_.selection.range.empty())
     this->applyRange(parts, colored, *first);
+  this->limitCells(parts, colored);
   for (const auto& part : parts)
     part->applyRanges();
+}
+
+void Selection::limitCells(const Parts& parts, const ArrayChoice& colored) const
+{
+  for (const auto& part : parts)
+    if (!part->particles())
+      part->limitCells(cellLimitsOf(part->data(), settings_.selection, colored));
 }
 
 /// What --where, --hide-ids and --only-ids ask for; returns the array that it takes, if any.
@@ -107,20 +124,20 @@ std::vector<ArrayChoice> Selection::applyExpression(const Parts& parts)
   if (!isLimited(settings_.selection))
     return {};
   const ArrayChoice holds = {whereArray, 0, false};
+  std::vector<ArrayChoice> arrays;
   bool isFound = false;
   for (const auto& part : parts)
-    if (part->kind() == Part::Kind::Particles && arrayOf(part->data(), holds))
-    {
-      part->limit(holds, {{1.0, 1.0}});
-      isFound = true;
-    }
-  if (!isFound && !whereKnown_)
-    throw Failure(settings_.selection.where.empty()
-                    ? "--hide-ids and --only-ids are of particles; cells are hidden by --show"
-                    : "--where: '" + settings_.selection.where +
-                        "' is not of particles; cells are hidden by --show");
+  {
+    isFound = isFound || isExpressed(*part);
+    if (!part->particles() || !isExpressed(*part))
+      continue;
+    part->limit(holds, {{1.0, 1.0}});
+    arrays = {holds};
+  }
+  if (!isFound && !whereKnown_ && !settings_.selection.where.empty())
+    throw Failure("--where: '" + settings_.selection.where + "' is not of what is shown");
   whereKnown_ = true;
-  return isFound ? std::vector<ArrayChoice>{holds} : std::vector<ArrayChoice>{};
+  return arrays;
 }
 
 /// What --show asks for.
@@ -132,29 +149,29 @@ void Selection::applyRanges(const Parts& parts, const Part& first)
   {
     const ShowRange& range = ranges[i];
     const int place = builtInNamed(range.name);
-    bool found = place >= 0;
+    const bool isRadius = place == 3;
+    bool found = place >= 0 && !isRadius;
     if (place >= 0 && range.intervals.size() > 1)
       throw Failure(
         "--show: " + range.name + " takes one range, from LO to HI; arrays take several");
     for (const auto& part : parts)
     {
-      const bool isVolume = part->kind() == Part::Kind::Volume;
-      const ArrayChoice choice = place >= 0 ? ArrayChoice{}
-                                 : isVolume ? findArray(part->data(), range.name)
-                                            : pointArray(part->data(), range.name);
+      if (!part->particles()) // limitCells() does what it asks for
+      {
+        found = found || findArray(part->data(), range.name);
+        continue;
+      }
+      const ArrayChoice choice = place >= 0 ? ArrayChoice{} : arrayNamed(*part, range.name);
       if (choice && std::find(arrays.begin(), arrays.end(), choice) == arrays.end())
         arrays.push_back(choice);
       if (arrays.size() > mostArrays)
-        throw Failure("--show takes at most four arrays, besides x, y, z and radius; --where, "
-                      "--hide-ids and --only-ids together are one of them");
-      if (place >= 0 && isVolume)
-        throw Failure(
-          "--show: volumes are hidden by the array that colours them, not by " + range.name);
+        throw Failure("--show takes at most four arrays of particles, besides x, y, z and radius; "
+                      "--where, --hide-ids and --only-ids together are one of them");
       if (place >= 0)
         part->limitPlace(place, range.intervals.front().low, range.intervals.front().high);
       else if (choice)
         part->limit(choice, range.intervals);
-      found = found || choice;
+      found = found || choice || isRadius;
     }
     this->require(found, i + 1, range.name, first, "--show");
   }
@@ -168,7 +185,7 @@ void Selection::applyRange(const Parts& parts, const ArrayChoice& colored, const
   bool found = false;
   for (const auto& part : parts)
   {
-    const ArrayChoice choice = isColored ? colored : pointArray(part->data(), wanted.array);
+    const ArrayChoice choice = isColored ? colored : arrayNamed(*part, wanted.array);
     found = found || arrayOf(part->data(), choice);
     part->setVisible(choice, wanted.range.data());
   }

@@ -10,7 +10,7 @@
 namespace mote::app
 {
 
-/// Which particles are shown: what --show, --show-range and --show-by ask for.
+/// Which particles and cells are shown: what --show, --show-range and --show-by ask for.
 class Selection
 {
 public:
@@ -33,6 +33,7 @@ private:
   void followSettings();
   void hideData(const Parts& parts);
   std::vector<ArrayChoice> applyExpression(const Parts& parts);
+  void limitCells(const Parts& parts, const ArrayChoice& colored) const;
   void applyRanges(const Parts& parts, const Part& first);
   void applyRange(const Parts& parts, const ArrayChoice& colored, const Part& first);
   void require(bool found, std::size_t range, const std::string& name, const Part& part,
@@ -41,7 +42,7 @@ private:
   const Settings& settings_;
   SelectionSettings followed_;
   std::size_t mostParts_ = 0; ///< at any time step
-  bool whereKnown_ = false;   ///< --where was of particles at some time step
+  bool whereKnown_ = false;   ///< --where was of something at some time step
   std::vector<bool> known_;   ///< whether a range's array was there: --show-range, then each --show
   std::vector<bool> warned_;  ///< whether a range was told to be missing
 };

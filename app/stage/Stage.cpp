@@ -167,6 +167,7 @@ ReadyPlan Stage::readyPlan() const
 {
   ReadyPlan plan;
   plan.settings = settings_;
+  plan.colored = coloring_.choice();
   for (const auto& part : parts_)
     plan.kept.push_back({part->kind(), part->keptRadius(),
       part->kind() == Part::Kind::Volume ? part->colored() : ArrayChoice()});
@@ -186,6 +187,10 @@ void Stage::setSizes()
 
 void Stage::build(ProgressRelay& progress)
 {
+  // Triangles of hidden cells are not built; what is wrong with limits applyColors() tells.
+  for (const auto& part : parts_)
+    if (part->surface())
+      part->limitCells(cellLimitsOf(part->data(), settings_.selection, coloring_.choice()));
   for (const auto& part : parts_)
     part->build(progress);
 }
@@ -388,12 +393,22 @@ vtkIdType Stage::numberShown() const
   return count;
 }
 
+namespace
+{
+
+/// Whether cells are told of: those of surfaces where some are hidden, else triangles say enough.
+bool isCounted(const Part& part)
+{
+  return part.kind() == Part::Kind::Volume || part.cells().mask();
+}
+
+} // namespace
+
 vtkIdType Stage::numberOfCells() const
 {
   vtkIdType count = 0;
   for (const auto& part : parts_)
-    if (part->kind() == Part::Kind::Volume)
-      count += part->data()->GetNumberOfCells();
+    count += isCounted(*part) ? part->data()->GetNumberOfCells() : 0;
   return count;
 }
 
@@ -401,8 +416,7 @@ vtkIdType Stage::numberOfCellsShown() const
 {
   vtkIdType count = 0;
   for (const auto& part : parts_)
-    if (part->kind() == Part::Kind::Volume && !part->isHidden())
-      count += part->data()->GetNumberOfCells();
+    count += isCounted(*part) ? part->numberOfCellsShown() : 0;
   return count;
 }
 

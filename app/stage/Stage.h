@@ -102,7 +102,7 @@ public:
 
   vtkIdType numberOfParticles() const;
   vtkIdType numberShown() const;        ///< of the particles, those that are not hidden
-  vtkIdType numberOfCells() const;      ///< of volumes
+  vtkIdType numberOfCells() const;      ///< of volumes, and of surfaces that hide some
   vtkIdType numberOfCellsShown() const; ///< of those of them that are not hidden
   vtkIdType numberOfTriangles(bool shownOnly) const; ///< of surfaces, as drawn
   vtkTypeInt64 structureBytes() const;

@@ -9,6 +9,8 @@
 #include <vtkPointSet.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataNormals.h>
+#include <vtkThreshold.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <numeric>
 
@@ -24,6 +26,7 @@ constexpr vtkIdType mostSmoothed = 4'000'000;
 
 // Filters carry the cells' numbers along.
 const char* const cellNumbers = "MoteInputCells";
+const char* const visibleCells = "MoteShownCells";
 
 vtkSmartPointer<vtkDataSet> withCellNumbers(vtkDataSet* data)
 {
@@ -38,11 +41,29 @@ vtkSmartPointer<vtkDataSet> withCellNumbers(vtkDataSet* data)
   return copy;
 }
 
+/// The cells that are shown, as a grid.
+vtkSmartPointer<vtkThreshold> shownOf(vtkDataSet* data, vtkUnsignedCharArray* isVisible)
+{
+  const vtkSmartPointer<vtkDataSet> marked = withCellNumbers(data);
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->ShallowCopy(isVisible);
+  marks->SetName(visibleCells);
+  marked->GetCellData()->AddArray(marks);
+  auto shown = vtkSmartPointer<vtkThreshold>::New();
+  shown->SetInputData(marked);
+  shown->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, visibleCells);
+  shown->SetThresholdFunction(vtkThreshold::THRESHOLD_UPPER);
+  shown->SetUpperThreshold(1.0);
+  return shown;
+}
+
 } // namespace
 
 void Surface::setData(vtkDataSet* data)
 {
   taken_ = data->GetMTime();
+  isVisible_ = nullptr;
+  mapper_->SetVisibleCells(nullptr);
   auto* polygons = vtkPolyData::SafeDownCast(data);
   auto* points = vtkPointSet::SafeDownCast(data);
   makesNormals_ = polygons && !polygons->GetPointData()->GetNormals() &&
@@ -65,11 +86,37 @@ void Surface::setData(vtkDataSet* data)
     mapper_->SetInputData(points);
 }
 
+void Surface::setVisible(vtkDataSet* data, vtkUnsignedCharArray* isVisible)
+{
+  if (isVisible == isVisible_)
+    return;
+  if (takesFaces_)
+  {
+    // Faces between cells that are shown and cells that are not come to light.
+    if (!isVisible)
+      return this->setData(data);
+    mapper_->SetInputConnection(shownOf(data, isVisible)->GetOutputPort());
+    isVisible_ = isVisible;
+    return;
+  }
+  isVisible_ = isVisible;
+  if (!isVisible || !makesNormals_)
+    return mapper_->SetVisibleCells(isVisible);
+  // Cells have another order there.
+  mapper_->GetInputAlgorithm()->Update();
+  const vtkIdType count = mapper_->GetInput()->GetNumberOfCells();
+  vtkNew<vtkUnsignedCharArray> ofDrawn;
+  ofDrawn->SetNumberOfValues(count);
+  for (vtkIdType cell = 0; cell < count; ++cell)
+    ofDrawn->SetValue(cell, isVisible->GetValue(this->cellOf(cell)));
+  mapper_->SetVisibleCells(ofDrawn);
+}
+
 vtkSmartPointer<vtkPointSet> Surface::drawn() const
 {
   vtkSmartPointer<vtkPointSet> copy;
   vtkPointSet* input = mapper_->GetInput();
-  if (!input || (!makesNormals_ && !takesFaces_))
+  if (!input || (!makesNormals_ && !takesFaces_) || this->hasCutFaces())
     return copy;
   copy.TakeReference(input->NewInstance());
   copy->ShallowCopy(input);
@@ -78,14 +125,17 @@ vtkSmartPointer<vtkPointSet> Surface::drawn() const
 
 void Surface::takeDrawn(vtkPointSet* drawn)
 {
-  if (makesNormals_ || takesFaces_)
+  if ((makesNormals_ || takesFaces_) && !this->hasCutFaces())
     mapper_->SetInputData(drawn);
 }
 
 void Surface::followArrays(vtkDataSet* data)
 {
-  if ((makesNormals_ || takesFaces_) && data->GetMTime() != taken_)
-    this->setData(data);
+  if ((!makesNormals_ && !takesFaces_) || data->GetMTime() == taken_)
+    return;
+  const vtkSmartPointer<vtkUnsignedCharArray> isVisible = isVisible_;
+  this->setData(data);
+  this->setVisible(data, isVisible);
 }
 
 void Surface::nameCellsForFile()

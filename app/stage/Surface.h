@@ -6,6 +6,7 @@
 
 class vtkDataSet;
 class vtkPointSet;
+class vtkUnsignedCharArray;
 
 namespace mote::app
 {
@@ -22,8 +23,11 @@ public:
   /// Takes arrays that the data have got since.
   void followArrays(vtkDataSet* data);
 
+  /// Shows those of the data's cells alone for which this is not 0; null for all.
+  void setVisible(vtkDataSet* data, vtkUnsignedCharArray* isVisible);
+
   /// What is drawn in place of the data, where something was made of them; else null. A data object
-  /// of its own.
+  /// of its own. Also null where that lacks faces of hidden cells.
   vtkSmartPointer<vtkPointSet> drawn() const;
   /// Takes what another made of the same data, in place of making it.
   void takeDrawn(vtkPointSet* drawn);
@@ -40,9 +44,12 @@ public:
   vtkIdType cellOf(vtkIdType cell) const;
 
 private:
+  bool hasCutFaces() const { return takesFaces_ && isVisible_; }
+
   vtkNew<vtkMoteMeshMapper> mapper_;
   bool makesNormals_ = false, takesFaces_ = false;
-  vtkMTimeType taken_ = 0; ///< of the data
+  vtkMTimeType taken_ = 0;                          ///< of the data
+  vtkSmartPointer<vtkUnsignedCharArray> isVisible_; ///< cells of the data; null: all
 };
 
 } // namespace mote::app

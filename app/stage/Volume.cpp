@@ -12,6 +12,7 @@
 #include <vtkLookupTable.h>
 #include <vtkMath.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkVolumeProperty.h>
 
@@ -228,14 +229,15 @@ bool rangeIn(const ArrayChoice& choice, vtkDataArray* array, vtkIdType cell, vtk
 
 } // namespace
 
-void Volume::shownBounds(vtkUnstructuredGrid* data, double bounds[6]) const
+void Volume::shownBounds(
+  vtkUnstructuredGrid* data, vtkUnsignedCharArray* isVisible, double bounds[6]) const
 {
   std::vector<Interval> shown = settings_.cloud ? shown_ : std::vector<Interval>();
   for (const double value : settings_.isoValues)
     shown.push_back({value, value});
   vtkDataArray* array = arrayOf(data, choice_);
   const std::vector<Interval> everything = {{-HUGE_VAL, HUGE_VAL}};
-  if (!array || (settings_.cloud && shown_ == everything))
+  if (!array || (settings_.cloud && shown_ == everything && !isVisible))
     return data->GetBounds(bounds);
   vtkBoundingBox box;
   const auto cells = vtk::TakeSmartPointer(data->GetCells()->NewIterator());
@@ -244,6 +246,8 @@ void Volume::shownBounds(vtkUnstructuredGrid* data, double bounds[6]) const
     vtkIdType points = 0;
     const vtkIdType* ids = nullptr;
     cells->GetCurrentCell(points, ids);
+    if (isVisible && isVisible->GetValue(cells->GetCurrentCellId()) == 0)
+      continue;
     double range[2];
     if (!rangeIn(choice_, array, cells->GetCurrentCellId(), points, ids, range) ||
         std::none_of(shown.begin(), shown.end(),

@@ -10,6 +10,7 @@
 
 class vtkDataSet;
 class vtkLookupTable;
+class vtkUnsignedCharArray;
 class vtkUnstructuredGrid;
 
 namespace mote::app
@@ -44,7 +45,9 @@ public:
   bool isColored() const { return isColored_; }
   void setAmbient(double ambient);
   /// Bounds of the cells that have a value that is shown; not initialized where there are none.
-  void shownBounds(vtkUnstructuredGrid* data, double bounds[6]) const;
+  /// `isVisible` is that of ShownCells.
+  void shownBounds(
+    vtkUnstructuredGrid* data, vtkUnsignedCharArray* isVisible, double bounds[6]) const;
 
   vtkVolume* volume() const { return volume_; }
   vtkMoteVolumeMapper* mapper() const { return mapper_; }

@@ -14,8 +14,9 @@ void addMarkRows(std::vector<Row>& table)
         .name = "picked",
         .value = "ID,LO:HI,...",
         .help =
-          "Mark the particles with these ids, as if they were picked in the window: with a veil, "
-          "and two or three of them with a ruler in this order. Ids are those of --hide-ids",
+          "Mark the particles and cells with these ids, as if they were picked in the window: "
+          "particles with a veil, cells with their edges, and two or three with a ruler in this "
+          "order. Ids are those of --hide-ids",
         .invalidates = Invalidates::Picture,
         .usual = "none"},
       [](const std::vector<std::string>& words) { ValuesOf<IdRanges>::parse(words, {}); }));

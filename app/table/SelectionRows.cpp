@@ -27,18 +27,18 @@ void addIdRows(std::vector<Row>& table)
 {
   const std::string ids = ": 7, or 7:12 for all from 7 to 12; 2/7:12 of the second data set alone. "
                           "Ids are those of the array id (or ids, ParticleIds, GlobalIds, ...) "
-                          "where there is one, else particles count from 0";
+                          "where there is one, else particles count from 0, as cells do";
   table.push_back(row(selection, &SelectionSettings::hidden,
     {.group = selectionGroup,
       .name = "hide-ids",
       .value = "ID,LO:HI,...",
-      .help = "Hide particles by their ids" + ids,
+      .help = "Hide particles and cells by their ids" + ids,
       .usual = "none"}));
   table.push_back(row(selection, &SelectionSettings::only,
     {.group = selectionGroup,
       .name = "only-ids",
       .value = "ID,LO:HI,...",
-      .help = "Show only the particles with these ids" + ids,
+      .help = "Show only the particles or cells with these ids" + ids,
       .usual = "all"}));
 }
 
@@ -51,10 +51,13 @@ void addSelectionRows(std::vector<Row>& table)
       {.group = selectionGroup,
         .name = "show",
         .value = "NAME=LO:HI,...",
-        .help = "Show only what has a value from LO to HI: particles by x, y, z, radius (as drawn) "
-                "or an array, named as in --color-by; volumes by the array that colours them. LO "
-                "or HI may be left out; type=2 is one value, and type=1,3:5 several. May be given "
-                "up to eight times, four of them for arrays: what lies in all ranges is shown",
+        .help =
+          "Show only what has a value from LO to HI: particles and cells by x, y, z, radius (of "
+          "particles, as drawn) or an array, named as in --color-by. LO or HI may be left "
+          "out; type=2 is one value, and type=1,3:5 several. May be given up to eight times, "
+          "of particles four of them for arrays: what lies in all ranges is shown. Cells "
+          "have the mean over their points; the array that colours a volume cuts through "
+          "cells",
         .commas = false,
         .usual = "all"},
       checkRanges));
@@ -62,8 +65,9 @@ void addSelectionRows(std::vector<Row>& table)
     {.group = selectionGroup,
       .name = "where",
       .value = "EXPRESSION",
-      .help = "Show only particles for which EXPRESSION holds, as in \"c_pe > -3 && type == 2\"; "
-              "names and operators are those of --calculate",
+      .help = "Show only particles and cells for which EXPRESSION holds, as in \"c_pe > -3 && "
+              "type == 2\"; names and operators are those of --calculate. In a cell what is of "
+              "points counts as the mean over its points",
       .usual = "all"},
     [](const std::string& expression)
     {
@@ -76,7 +80,7 @@ void addSelectionRows(std::vector<Row>& table)
     {.group = selectionGroup,
       .name = "show-range",
       .value = "LO HI",
-      .help = "Hide particles with values outside LO to HI of the array of --show-by",
+      .help = "Hide particles and cells with values outside LO to HI of the array of --show-by",
       .count = 2,
       .usual = "all"},
     [](const std::vector<double>& range)

@@ -5,11 +5,9 @@
 #include <vtkActor.h>
 #include <vtkActor2D.h>
 #include <vtkCamera.h>
-#include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkDataSet.h>
 #include <vtkFloatArray.h>
-#include <vtkGenericCell.h>
 #include <vtkIdList.h>
 #include <vtkMath.h>
 #include <vtkOpenGLSphereMapper.h>
@@ -150,14 +148,11 @@ void PickedMarks::setCenters(vtkPoints* places)
 
 void PickedMarks::addCell(vtkDataSet* data, vtkIdType number)
 {
-  vtkNew<vtkGenericCell> cell;
-  data->GetCell(number, cell);
-  for (int e = 0; e < cell->GetNumberOfEdges(); ++e)
+  for (const CellEdge& edge : edgesOf(data, number))
   {
-    vtkCell* edge = cell->GetEdge(e);
     vtkIdType ends[2];
-    for (int i = 0; i < 2; ++i)
-      ends[i] = lines_->GetPoints()->InsertNextPoint(edge->GetPoints()->GetPoint(i));
+    for (std::size_t i = 0; i < 2; ++i)
+      ends[i] = lines_->GetPoints()->InsertNextPoint(edge[i].data());
     lines_->GetLines()->InsertNextCell(2, ends);
   }
 }

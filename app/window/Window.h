@@ -207,11 +207,10 @@ private:
     const std::array<int, 2>& from, const std::array<int, 2>& to, bool isThrough, bool adds);
   void addWithin(View& view, const std::array<int, 2>& from, const std::array<int, 2>& to,
     bool isThrough, std::vector<Picked>& found);
-  void addSeen(const std::array<int, 4>& rectangle, std::vector<Picked>& found);
   void addAll(View& view, const std::array<int, 4>& rectangle, std::vector<Picked>& found) const;
   void drawRectangle(const std::array<int, 2>& from, const std::array<int, 2>& to);
   bool actOnPicked(Action action);
-  bool requirePicked(bool particles);
+  bool requirePicked();
   void showOnly(const std::function<void(SelectionSettings&)>& change, const std::string& told);
   void copyPicked();
   void savePicked();

@@ -209,14 +209,6 @@ void Window::fitToArray(Settings& next) const
     next.volume.opacity = asked_.volume.opacity;
     return;
   }
-  // Volumes hide values of the array that colours them, and of no other.
-  std::erase_if(next.selection.ranges,
-    [&](const ShowRange& range)
-    {
-      return std::any_of(parts.begin(), parts.end(),
-        [&](const auto& part)
-        { return part->kind() == Part::Kind::Volume && findArray(part->data(), range.name); });
-    });
   next.volume.isoValues.clear();
   next.volume.cloud = true;
   if (std::any_of(next.volume.opacity.begin(), next.volume.opacity.end(),

@@ -23,6 +23,7 @@
 #include <vtkPointData.h>
 #include <vtkProp3D.h>
 #include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,8 +52,8 @@ std::string asTuple(const double* values, int count)
   return text;
 }
 
-std::string arrayFacts(
-  vtkDataSetAttributes* arrays, vtkIdType id, int& most, vtkDataSetAttributes* others = nullptr)
+std::string arrayFacts(vtkDataSetAttributes* arrays, vtkIdType id, int& most,
+  vtkDataSetAttributes* others = nullptr, const std::string& indent = "")
 {
   std::string text;
   for (int i = 0; i < arrays->GetNumberOfArrays() && most > 0; ++i)
@@ -67,7 +68,7 @@ std::string arrayFacts(
     for (std::size_t k = 0; k < values.size(); ++k)
       values[k] = valueText(array, static_cast<int>(k), id, 6);
     const bool isTwice = others && others->HasArray(name.c_str());
-    text += factLine((isTwice ? "cell:" : "") + name, joined(values, ", "));
+    text += factLine(indent + (isTwice ? "cell:" : "") + name, joined(values, ", "));
   }
   return text;
 }
@@ -94,6 +95,19 @@ std::string factsBetween(
       (isTwice ? "point:" : "") + name, asTuple(values.data(), static_cast<int>(values.size())));
   }
   return text;
+}
+
+/// The corner of a cell that is nearest to a place, and what it has.
+std::string nearestFacts(
+  vtkDataSet* data, vtkIdType cell, const std::array<double, 3>& place, int& most)
+{
+  const vtkIdType corner = nearestCorner(data, cell, place);
+  if (corner < 0 || most <= 0)
+    return {};
+  double at[3];
+  data->GetPoint(corner, at);
+  return factLine("nearest point", withThousands(corner)) + factLine("  at", asTuple(at, 3)) +
+         arrayFacts(data->GetPointData(), corner, most, nullptr, "  ");
 }
 
 } // namespace
@@ -144,6 +158,7 @@ std::string Window::factsOf(const Hit& hit, int mostArrays) const
     what += factLine("cell", which) + factLine("position", asTuple(hit.at.data(), 3));
     what += factsBetween(data, picked.id, hit.at, mostArrays);
     what += arrayFacts(data->GetCellData(), picked.id, mostArrays, data->GetPointData());
+    what += nearestFacts(data, picked.id, hit.at, mostArrays);
     return what.substr(1);
   }
   double position[3];
@@ -236,42 +251,29 @@ void Window::addWithin(View& view, const std::array<int, 2>& from, const std::ar
     return;
   vtkNew<vtkMoteAreaPicker> picker;
   picker->SetThrough(isThrough);
+  picker->PickCellsOn();
   picker->SetNumberOfThreads(asked_.data.threads);
   picker->Pick(left, from[1], right, to[1], view.renderer());
   for (int i = 0; i < picker->GetNumberOfProps(); ++i)
     for (std::size_t k = 0; k < stage_.parts().size(); ++k)
-      if (stage_.parts()[k]->prop() == picker->GetProp(i))
+      if (const Part& part = *stage_.parts()[k]; part.prop() == picker->GetProp(i))
       {
-        vtkIdTypeArray* particles = picker->GetParticles(i);
-        for (vtkIdType p = 0; p < particles->GetNumberOfValues(); ++p)
-          found.push_back({static_cast<int>(k), Picked::Kind::Particle, particles->GetValue(p)});
+        vtkIdTypeArray* cells = picker->GetCells(i);
+        vtkIdTypeArray* ids = cells ? cells : picker->GetParticles(i);
+        for (vtkIdType p = 0; p < ids->GetNumberOfValues(); ++p)
+        {
+          const vtkIdType id = ids->GetValue(p);
+          found.push_back({static_cast<int>(k), kindOfPicks(part),
+            part.surface() ? part.surface()->cellOf(id) : id});
+        }
       }
-  const std::array<int, 4> rectangle = {
-    left, right, std::min(from[1], to[1]), std::max(from[1], to[1])};
   const bool hasOthers = std::any_of(view.parts().begin(), view.parts().end(),
     [&](std::size_t k) { return !stage_.parts()[k]->particles(); });
   if (hasOthers && isThrough)
-    this->addAll(view, rectangle, found);
-  else if (hasOthers)
-    this->addSeen(rectangle, found);
+    this->addAll(view, {left, right, std::min(from[1], to[1]), std::max(from[1], to[1])}, found);
 }
 
-/// Adds the cells that rays through the rectangle meet first.
-void Window::addSeen(const std::array<int, 4>& rectangle, std::vector<Picked>& found)
-{
-  constexpr int most = 32; // rays each way: a second, of large volumes
-  const auto [left, right, bottom, top] = rectangle;
-  const int across = std::max(1, (right - left + most - 1) / most);
-  const int up = std::max(1, (top - bottom + most - 1) / most);
-  PickedSet seen;
-  for (int y = bottom + up / 2; y <= top; y += up)
-    for (int x = left + across / 2; x <= right; x += across)
-      if (const auto hit = this->hitAt(x, y); hit && hit->picked.kind != Picked::Kind::Particle)
-        seen.add({hit->picked});
-  found.insert(found.end(), seen.items().begin(), seen.items().end());
-}
-
-/// Adds all cells whose middle lies in the rectangle.
+/// Adds all cells that are shown and whose middle lies in the rectangle.
 void Window::addAll(
   View& view, const std::array<int, 4>& rectangle, std::vector<Picked>& found) const
 {
@@ -290,8 +292,11 @@ void Window::addAll(
     const Part& part = *stage_.parts()[k];
     vtkDataSet* data = part.data();
     const vtkIdType count = kindOfPicks(part) == Picked::Kind::Cell ? data->GetNumberOfCells() : 0;
+    vtkUnsignedCharArray* isVisible = part.cells().mask();
     for (vtkIdType i = 0; i < count; ++i)
     {
+      if (isVisible && isVisible->GetValue(i) == 0)
+        continue;
       double place[3], bounds[6];
       data->GetCellBounds(i, bounds);
       for (int axis = 0; axis < 3; ++axis)
@@ -334,12 +339,12 @@ void Window::pickRectangle(
 
 bool Window::actOnPicked(Action action)
 {
-  const std::string hidden = counted(static_cast<std::int64_t>(picked_.items().size()), "particle");
+  const std::string hidden = picked_.counts();
   const auto ids = [this] { return picked_.ids(stage_.parts()); };
   switch (action)
   {
   case Action::HidePicked:
-    if (this->requirePicked(true))
+    if (this->requirePicked())
     {
       this->showOnly(
         [&](SelectionSettings& s) { s.hidden = s.hidden.with(ids()); }, "Hid " + hidden);
@@ -347,7 +352,7 @@ bool Window::actOnPicked(Action action)
     }
     return true;
   case Action::OnlyPicked:
-    if (this->requirePicked(true))
+    if (this->requirePicked())
       this->showOnly([&](SelectionSettings& s) { s.only = ids(); }, "Only " + hidden);
     return true;
   case Action::ShowHidden:
@@ -368,11 +373,11 @@ bool Window::actOnPicked(Action action)
     this->savePlot(action == Action::SavePlot);
     return true;
   case Action::CopyPicked:
-    if (this->requirePicked(false))
+    if (this->requirePicked())
       this->copyPicked();
     return true;
   case Action::SavePicked:
-    if (this->requirePicked(false))
+    if (this->requirePicked())
       this->savePicked();
     return true;
   default:
@@ -380,17 +385,11 @@ bool Window::actOnPicked(Action action)
   }
 }
 
-bool Window::requirePicked(bool particles)
+bool Window::requirePicked()
 {
-  const auto& items = picked_.items();
-  if (items.empty())
+  if (picked_.items().empty())
     this->say("Nothing is picked: click on it first, or drag a rectangle with Ctrl");
-  else if (particles && std::none_of(items.begin(), items.end(),
-                          [](const Picked& one) { return one.kind == Picked::Kind::Particle; }))
-    this->say("No particles are picked; cells are hidden by --show");
-  else
-    return true;
-  return false;
+  return !picked_.items().empty();
 }
 
 void Window::showOnly(

@@ -204,7 +204,7 @@ void Window::endScrub()
 void Window::changePaths()
 {
   const IdRanges present = this->settings().marks.trajectories;
-  const IdRanges picked = picked_.ids(stage_.parts());
+  const IdRanges picked = picked_.particleIds(stage_.parts());
   if (picked.empty() && present.empty())
     return this->say("Pick particles first: their paths through time are shown then");
   const IdRanges next = picked == present ? IdRanges() : picked;
@@ -242,7 +242,7 @@ void Window::watchPaths()
 void Window::plotOverTime()
 {
   constexpr std::int64_t most = 1000;
-  const IdRanges ids = picked_.ids(stage_.parts());
+  const IdRanges ids = picked_.particleIds(stage_.parts());
   if (ids.empty())
     return this->say("Pick particles first: their values over time are plotted then");
   if (ids.count() > most)

@@ -1,5 +1,6 @@
 #include "vtkMoteExpression.h"
 
+#include "CellCorners.h"
 #include "DataArrayView.h"
 #include "ExpressionParser.h"
 
@@ -35,6 +36,7 @@ struct Variable
 {
   vtkDataArray* array = nullptr; ///< null: a coordinate
   int component = 0;             ///< or axis
+  bool ofCells = false;
   mote::DataArrayView values{};
 };
 
@@ -90,6 +92,34 @@ std::string namesOf(vtkDataSet* data)
   return names.empty() ? "none" : names;
 }
 
+/// A value of points, which may be a coordinate, or of cells.
+bool findVariable(vtkDataSet* data, bool ofCells, const std::string& name, Variable& variable)
+{
+  const std::size_t axis = std::string("xyz").find(name);
+  variable = {nullptr, static_cast<int>(axis), ofCells};
+  if (!ofCells && name.size() == 1 && axis != std::string::npos)
+    return true;
+  return ofCells ? findVariable(data->GetCellData(), name, variable)
+                 : findVariable(data->GetPointData(), name, variable);
+}
+
+[[noreturn]] void throwMissing(vtkDataSet* data, const std::string& name)
+{
+  throw mote::Error(
+    "there is no array '" + name + "'; there are x, y, z of points, and " + namesOf(data));
+}
+
+/// All variables, each of points or else of cells. Throws Error.
+std::vector<Variable> mixedVariablesOf(vtkDataSet* data, const std::vector<std::string>& names)
+{
+  std::vector<Variable> variables(names.size());
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (!findVariable(data, false, names[i], variables[i]) &&
+        !findVariable(data, true, names[i], variables[i]))
+      throwMissing(data, names[i]);
+  return variables;
+}
+
 /// All variables, of points or else of cells. Throws Error.
 std::vector<Variable> variablesOf(
   vtkDataSet* data, const std::vector<std::string>& names, bool& ofCells)
@@ -99,24 +129,17 @@ std::vector<Variable> variablesOf(
   for (const bool cells : {false, true})
   {
     ofCells = cells;
-    vtkDataSetAttributes* attributes = cells
-                                         ? static_cast<vtkDataSetAttributes*>(data->GetCellData())
-                                         : static_cast<vtkDataSetAttributes*>(data->GetPointData());
     bool complete = true;
     for (std::size_t i = 0; i < names.size() && complete; ++i)
     {
-      const std::size_t axis = std::string("xyz").find(names[i]);
-      const bool isPlace = !cells && names[i].size() == 1 && axis != std::string::npos;
-      variables[i] = {nullptr, static_cast<int>(axis)};
-      complete = isPlace || findVariable(attributes, names[i], variables[i]);
+      complete = findVariable(data, cells, names[i], variables[i]);
       if (!complete && missing.empty())
         missing = names[i];
     }
     if (complete)
       return variables;
   }
-  throw mote::Error(
-    "there is no array '" + missing + "'; there are x, y, z of points, and " + namesOf(data));
+  throwMissing(data, missing);
 }
 
 template <typename Array>
@@ -148,12 +171,23 @@ vtkSmartPointer<vtkDataArray> newArray(
   return array;
 }
 
+/// What it is that an expression is computed for.
+enum class Elements
+{
+  Either, ///< points, else cells
+  Cells
+};
+
 /// The values of an expression for all points or cells. Throws Error.
 vtkSmartPointer<vtkDataArray> evaluated(
-  vtkDataSet* data, const std::string& expression, int type, bool& ofCells)
+  vtkDataSet* data, const std::string& expression, int type, Elements of, bool& ofCells)
 {
   const mote::ExpressionParser first(expression);
-  std::vector<Variable> variables = variablesOf(data, first.names(), ofCells);
+  ofCells = of == Elements::Cells;
+  std::vector<Variable> variables =
+    ofCells ? mixedVariablesOf(data, first.names()) : variablesOf(data, first.names(), ofCells);
+  if (ofCells)
+    mote::CellCorners::prepare(data);
   auto* points = vtkPointSet::SafeDownCast(data);
   for (Variable& variable : variables)
     if (variable.array)
@@ -166,17 +200,24 @@ vtkSmartPointer<vtkDataArray> evaluated(
   const auto evaluate = [&](std::size_t from, std::size_t to, double* results)
   {
     mote::ExpressionParser& parser = parsers.local();
+    mote::CellCorners corners(data);
     for (std::size_t v = 0; v < variables.size(); ++v)
     {
       double* values = parser.values(v);
-      const bool hasArray = variables[v].values.owner != nullptr;
+      const Variable& variable = variables[v];
+      const auto valueAt = [&](vtkIdType i)
+      {
+        if (variable.values.owner)
+          return variable.values.view.value(static_cast<std::size_t>(i), variable.component);
+        double place[3]; // of a grid
+        data->GetPoint(i, place);
+        return place[variable.component];
+      };
+      const bool isMean = ofCells && !variable.ofCells;
       for (std::size_t i = from; i < to; ++i)
       {
-        double place[3] = {0.0, 0.0, 0.0};
-        if (!hasArray) // of a grid
-          data->GetPoint(static_cast<vtkIdType>(i), place);
-        values[i - from] = hasArray ? variables[v].values.view.value(i, variables[v].component)
-                                    : place[variables[v].component];
+        const auto id = static_cast<vtkIdType>(i);
+        values[i - from] = isMean ? corners.mean(id, valueAt) : valueAt(id);
       }
     }
     parser.evaluate(results, static_cast<int>(to - from));
@@ -225,15 +266,18 @@ std::string vtkMoteExpression::Check(const std::string& expression)
   }
 }
 
-std::string vtkMoteExpression::AddTo(
-  vtkDataSet* data, const std::string& expression, const std::string& name, int type)
+namespace
+{
+
+std::string addTo(
+  vtkDataSet* data, const std::string& expression, const std::string& name, int type, Elements of)
 {
   if (!data)
     return "there is no data set";
   try
   {
     bool ofCells = false;
-    const auto array = evaluated(data, expression, type, ofCells);
+    const auto array = evaluated(data, expression, type, of, ofCells);
     array->SetName(name.c_str());
     if (ofCells)
       data->GetCellData()->AddArray(array);
@@ -245,6 +289,20 @@ std::string vtkMoteExpression::AddTo(
   {
     return about(expression, error);
   }
+}
+
+} // namespace
+
+std::string vtkMoteExpression::AddTo(
+  vtkDataSet* data, const std::string& expression, const std::string& name, int type)
+{
+  return addTo(data, expression, name, type, Elements::Either);
+}
+
+std::string vtkMoteExpression::AddToCells(
+  vtkDataSet* data, const std::string& expression, const std::string& name, int type)
+{
+  return addTo(data, expression, name, type, Elements::Cells);
 }
 
 int vtkMoteExpression::FillInputPortInformation(int, vtkInformation* info)

@@ -70,6 +70,14 @@ public:
     const std::string& resultArrayName, int resultType = VTK_DOUBLE);
 
   /**
+   * The same with an array of cells, whatever the expression speaks of: what is of points, places
+   * included, counts in a cell as the mean over its points, and there may be arrays of points and
+   * of cells in one expression.
+   */
+  static std::string AddToCells(vtkDataSet* data, const std::string& expression,
+    const std::string& resultArrayName, int resultType = VTK_DOUBLE);
+
+  /**
    * What is wrong with an expression whatever the data, as a sentence; nothing where it can be
    * read.
    */

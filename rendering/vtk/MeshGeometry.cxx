@@ -40,9 +40,9 @@ void addCells(InputKey& key, vtkCellArray* cells)
 }
 
 /// The times of all that triangles are made of.
-InputKey keyOfMesh(vtkPointSet* data)
+InputKey keyOfMesh(vtkPointSet* data, const InputKey& visible)
 {
-  InputKey key;
+  InputKey key = visible;
   addTime(key, data->GetPoints());
   addArray(key, data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
   addArray(key, data->GetCellGhostArray());
@@ -101,18 +101,20 @@ std::string sentence(vtkIdType count, const char* one, const char* many)
 
 } // namespace
 
-bool MeshGeometry::fits(vtkPointSet* data) const
+bool MeshGeometry::fits(vtkPointSet* data, const InputKey& visible) const
 {
-  return !key_.empty() && key_ == keyOfMesh(data);
+  return !key_.empty() && key_ == keyOfMesh(data, visible);
 }
 
-MeshGeometry::Change MeshGeometry::update(vtkPointSet* data, const Progress& progress)
+MeshGeometry::Change MeshGeometry::update(vtkPointSet* data, vtkUnsignedCharArray* isVisible,
+  const InputKey& visible, const Progress& progress)
 {
-  InputKey key = keyOfMesh(data);
+  InputKey key = keyOfMesh(data, visible);
   if (!key_.empty() && key == key_)
     return Change::None;
   key_.clear(); // until all has gone well
-  if (const auto file = vtkMoteMeshFilePoints::FileOf(data))
+  // The tree of a file has all triangles.
+  if (const auto file = isVisible ? nullptr : vtkMoteMeshFilePoints::FileOf(data))
   {
     this->forget();
     tree_ = file->tree();
@@ -120,7 +122,7 @@ MeshGeometry::Change MeshGeometry::update(vtkPointSet* data, const Progress& pro
     this->keep(std::move(key));
     return Change::Built;
   }
-  const SurfaceTriangles triangles = surfaceTrianglesOf(data);
+  const SurfaceTriangles triangles = surfaceTrianglesOf(data, isVisible);
   const DataArrayView points(data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
   const ContentHash content = contentOf(points);
   cells_ = std::make_shared<const std::vector<vtkIdType>>(triangles.cells);

@@ -12,6 +12,7 @@
 #include <vector>
 
 class vtkPointSet;
+class vtkUnsignedCharArray;
 
 namespace mote
 {
@@ -19,7 +20,8 @@ namespace mote
 /// The triangles of a data set's surface, and the tree over them, which follow a pipeline's output.
 ///
 /// Of a vtkPolyData these are its polygons and strips; of all else with points the faces that no
-/// two cells share, and the cells that are flat. Corners are points of the data set.
+/// two cells share, and the cells that are flat. Corners are points of the data set. Cells that are
+/// not visible are left out, as if they were not there.
 class MeshGeometry
 {
 public:
@@ -30,15 +32,17 @@ public:
     Built
   };
 
-  /// Whether all that triangles are made of is the very same as at the last update().
-  bool fits(vtkPointSet* data) const;
+  /// Whether all that triangles are made of is the very same as at the last update(). `visible` is
+  /// the key of VisibleCells.
+  bool fits(vtkPointSet* data, const InputKey& visible) const;
 
   /// Takes the triangles and builds the tree, or does as little of it as it takes: nothing where
   /// points and triangles have the same content or lie in a file, a refit where only points
   /// have moved and it does not make rays much slower; of a copy, where others hold the tree.
   /// Without triangles, or where `progress` stopped it, there is no tree. Throws Error for indices
   /// that are not those of points, and as TriangleMesh and RlodTree do.
-  Change update(vtkPointSet* data, const Progress& progress);
+  Change update(vtkPointSet* data, vtkUnsignedCharArray* isVisible, const InputKey& visible,
+    const Progress& progress);
 
   /// Makes the tree's R-LODs where it has none. Not while another thread casts rays through it.
   void makeLods();

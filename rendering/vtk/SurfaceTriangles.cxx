@@ -10,6 +10,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkThreshold.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -28,6 +29,7 @@ namespace
 // VTK 9.1's own numbers of points and cells are wrong where cells are not linear.
 const char* const pointIds = "MotePointIds";
 const char* const cellIds = "MoteCellIds";
+const char* const visibleCells = "MoteVisibleCells";
 
 vtkSmartPointer<vtkIdTypeArray> numbers(const char* name, vtkIdType first, vtkIdType count)
 {
@@ -107,24 +109,16 @@ SurfaceTriangles trianglesOf(vtkPolyData* surface)
   return found;
 }
 
-/// Leaves out triangles of cells of which another piece has the same one, and of those that are
-/// hidden. vtkPolyData::RemoveGhostCells() keeps the hidden ones, in VTK 9.1.
-void dropGhosts(vtkUnsignedCharArray* ghosts, SurfaceTriangles& found)
+/// Leaves out triangles of cells for which isOut(cell).
+template <typename IsOut>
+void drop(SurfaceTriangles& found, const IsOut& isOut)
 {
   const std::size_t count = found.corners.view.empty() ? 0 : found.view().count();
-  const auto isGhost = [&](std::size_t triangle)
-  {
-    const vtkIdType cell =
-      found.cells.empty() ? static_cast<vtkIdType>(triangle) : found.cells[triangle];
-    return cell < ghosts->GetNumberOfValues() &&
-           (ghosts->GetValue(cell) &
-             (vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL)) != 0;
-  };
   vtkNew<vtkIdTypeArray> corners;
   std::vector<vtkIdType> cells;
   for (std::size_t i = 0; i < count; ++i)
   {
-    if (isGhost(i))
+    if (isOut(found.cells.empty() ? static_cast<vtkIdType>(i) : found.cells[i]))
       continue;
     for (std::size_t k = 3 * i; k < 3 * i + 3; ++k)
       corners->InsertNextValue(static_cast<vtkIdType>(found.corners.view.value(k)));
@@ -136,14 +130,43 @@ void dropGhosts(vtkUnsignedCharArray* ghosts, SurfaceTriangles& found)
   found.cells = std::move(cells);
 }
 
+/// Leaves out triangles of cells of which another piece has the same one, and of those that are
+/// hidden. vtkPolyData::RemoveGhostCells() keeps the hidden ones, in VTK 9.1.
+void dropGhosts(vtkUnsignedCharArray* ghosts, SurfaceTriangles& found)
+{
+  drop(found,
+    [&](vtkIdType cell)
+    {
+      return cell < ghosts->GetNumberOfValues() &&
+             (ghosts->GetValue(cell) &
+               (vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL)) != 0;
+    });
+}
+
 void copyGhosts(vtkDataSetAttributes* from, vtkDataSetAttributes* to)
 {
   if (vtkDataArray* ghosts = from->GetArray(vtkDataSetAttributes::GhostArrayName()))
     to->AddArray(ghosts);
 }
 
+/// The cells that are visible; `isVisible` has no name that the arrays of cells have.
+vtkSmartPointer<vtkPointSet> visibleOf(vtkPointSet* shape, vtkUnsignedCharArray* isVisible)
+{
+  vtkNew<vtkUnsignedCharArray> named;
+  named->ShallowCopy(isVisible);
+  named->SetName(visibleCells);
+  shape->GetCellData()->AddArray(named);
+  vtkNew<vtkThreshold> threshold;
+  threshold->SetInputData(shape);
+  threshold->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, visibleCells);
+  threshold->SetThresholdFunction(vtkThreshold::THRESHOLD_UPPER);
+  threshold->SetUpperThreshold(1.0);
+  threshold->Update();
+  return threshold->GetOutput();
+}
+
 /// Triangles of the faces, in points and cells of `data`.
-SurfaceTriangles trianglesOfFaces(vtkPointSet* data)
+SurfaceTriangles trianglesOfFaces(vtkPointSet* data, vtkUnsignedCharArray* isVisible)
 {
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
     checkIndices(grid->GetCells(), grid->GetNumberOfPoints());
@@ -154,6 +177,8 @@ SurfaceTriangles trianglesOfFaces(vtkPointSet* data)
   copyGhosts(data->GetPointData(), shape->GetPointData());
   shape->GetPointData()->AddArray(numbers(pointIds, 0, data->GetNumberOfPoints()));
   shape->GetCellData()->AddArray(numbers(cellIds, 0, data->GetNumberOfCells()));
+  if (isVisible)
+    shape = visibleOf(shape, isVisible);
   vtkNew<vtkGeometryFilter> filter;
   filter->SetInputData(shape);
   filter->Update();
@@ -191,14 +216,16 @@ ArrayView SurfaceTriangles::view() const
   return {corners.view.data(), corners.view.type(), corners.view.count() / 3, 3};
 }
 
-SurfaceTriangles surfaceTrianglesOf(vtkPointSet* data)
+SurfaceTriangles surfaceTrianglesOf(vtkPointSet* data, vtkUnsignedCharArray* isVisible)
 {
   auto* surface = vtkPolyData::SafeDownCast(data);
   if (!surface)
-    return trianglesOfFaces(data);
+    return trianglesOfFaces(data, isVisible);
   SurfaceTriangles found = trianglesOf(surface);
   if (vtkUnsignedCharArray* ghosts = surface->GetCellGhostArray())
     dropGhosts(ghosts, found);
+  if (isVisible)
+    drop(found, [&](vtkIdType cell) { return isVisible->GetValue(cell) == 0; });
   return found;
 }
 

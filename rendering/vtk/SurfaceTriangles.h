@@ -5,6 +5,7 @@
 #include <vector>
 
 class vtkPointSet;
+class vtkUnsignedCharArray;
 
 namespace mote
 {
@@ -22,7 +23,8 @@ struct SurfaceTriangles
   ArrayView view() const;
 };
 
+/// Of all cells, or of those alone for which `isVisible` is not 0: as if the others were not there.
 /// Throws Error where a cell has a point that the data set has not.
-SurfaceTriangles surfaceTrianglesOf(vtkPointSet* data);
+SurfaceTriangles surfaceTrianglesOf(vtkPointSet* data, vtkUnsignedCharArray* isVisible = nullptr);
 
 } // namespace mote

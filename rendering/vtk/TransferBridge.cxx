@@ -144,4 +144,17 @@ TransferFunction transferOf(vtkVolumeProperty* property)
   return transfer;
 }
 
+std::string unusedOf(vtkVolumeProperty* property)
+{
+  vtkPiecewiseFunction* gradient =
+    property->HasGradientOpacity() ? property->GetStoredGradientOpacity() : nullptr;
+  if (!gradient || property->GetDisableGradientOpacity())
+    return {};
+  const double* range = gradient->GetRange();
+  double values[64];
+  gradient->GetTable(range[0], range[1], 64, values);
+  const bool isUsed = std::any_of(values, values + 64, [](double v) { return v != 1.0; });
+  return isUsed ? "Gradient opacity is not used. " : "";
+}
+
 } // namespace mote

@@ -2,6 +2,8 @@
 
 #include "kernels/shading/TransferFunction.h"
 
+#include <string>
+
 class vtkVolumeProperty;
 
 namespace mote
@@ -13,5 +15,8 @@ namespace mote
 /// more, so that colours err by less than 1/1000 and opacities by less than 1/10000. Jumps are kept
 /// as jumps.
 TransferFunction transferOf(vtkVolumeProperty* property);
+
+/// What of the property has no effect, as a sentence with a space behind; empty where all has.
+std::string unusedOf(vtkVolumeProperty* property);
 
 } // namespace mote

@@ -115,6 +115,19 @@ void VolumeGeometry::addMemory(std::vector<std::pair<const void*, std::size_t>>&
       });
 }
 
+std::shared_ptr<const HiddenCells> HiddenOfMesh::of(
+  const std::shared_ptr<const HexMesh>& mesh, VisibleCells& visible)
+{
+  const InputKey& key = visible.key(static_cast<vtkIdType>(mesh->report().cells));
+  if (mesh_ == mesh && key_ == key)
+    return hidden_;
+  hidden_ = key.empty() ? nullptr
+                        : std::make_shared<const HiddenCells>(*mesh, visible.get()->GetPointer(0));
+  mesh_ = mesh;
+  key_ = key;
+  return hidden_;
+}
+
 std::vector<std::pair<const void*, std::size_t>> BuiltVolume::memory() const
 {
   std::vector<std::pair<const void*, std::size_t>> pieces;

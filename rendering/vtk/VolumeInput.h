@@ -2,7 +2,9 @@
 
 #include "GridCells.h"
 #include "ParticleInput.h"
+#include "VisibleCells.h"
 #include "kernels/hexahedra/HexStructure.h"
+#include "kernels/hexahedra/HiddenCells.h"
 #include "kernels/hexahedra/WalkCells.h"
 
 #include <memory>
@@ -61,6 +63,20 @@ private:
   std::shared_ptr<const char> built_;              ///< the same for all copies of the structure
   std::shared_ptr<const FaceAdjacency> adjacency_; ///< of the mesh, once it was asked for
   std::shared_ptr<WalkViews> views_;               ///< the same
+};
+
+/// The cells of a mesh that are not visible, kept for as long as both stay what they are.
+class HiddenOfMesh
+{
+public:
+  /// Null where all are visible. Throws Error as VisibleCells does.
+  std::shared_ptr<const HiddenCells> of(
+    const std::shared_ptr<const HexMesh>& mesh, VisibleCells& visible);
+
+private:
+  std::shared_ptr<const HiddenCells> hidden_;
+  std::shared_ptr<const HexMesh> mesh_;
+  InputKey key_;
 };
 
 /// What one mapper has made of a grid and another may take over, instead of making it.

@@ -2,6 +2,7 @@
 
 #include "ParticleModel.h"
 #include "PeriodicImages.h"
+#include "PixelPicker.h"
 #include "SceneBridge.h"
 #include "vtkMoteParticleMapper.h"
 
@@ -17,10 +18,14 @@
 #include "vtkRenderer.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/blocked_range2d.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -55,6 +60,18 @@ std::vector<vtkIdType> idsOf(
   return {ids.begin(), ids.end()};
 }
 
+/// A structure for a cloud that has none: it takes less time than many rays without one.
+std::shared_ptr<const mote::HexStructure> structureOf(const mote::CloudObject& cloud)
+{
+  // The mesh is the cloud's, which outlives it.
+  const std::shared_ptr<const mote::HexMesh> mesh(std::shared_ptr<void>(), &meshOf(cloud));
+  mote::HexStructureOptions options;
+  options.kind = mote::HexStructureKind::CartesianBvh;
+  const auto structure = mote::makeHexStructure(mesh, options);
+  mote::setRanges(*structure, *cloud.field);
+  return structure;
+}
+
 } // namespace
 
 vtkMoteAreaPicker::vtkMoteAreaPicker() = default;
@@ -62,8 +79,7 @@ vtkMoteAreaPicker::~vtkMoteAreaPicker() = default;
 
 vtkIdType vtkMoteAreaPicker::Pick(double x0, double y0, double x1, double y1, vtkRenderer* renderer)
 {
-  this->Props.clear();
-  this->Particles.clear();
+  this->All.clear();
   if (!renderer || !renderer->GetActiveCamera())
   {
     vtkErrorMacro("Picking needs a renderer with a camera.");
@@ -87,8 +103,8 @@ vtkIdType vtkMoteAreaPicker::Pick(double x0, double y0, double x1, double y1, vt
     vtkErrorMacro(<< error.what());
   }
   vtkIdType count = 0;
-  for (const auto& particles : this->Particles)
-    count += particles->GetNumberOfValues();
+  for (const Found& found : this->All)
+    count += found.Ids->GetNumberOfValues();
   return count;
 }
 
@@ -107,8 +123,8 @@ void vtkMoteAreaPicker::FindSeen(const Rectangle& rectangle, vtkRenderer* render
   const mote::SeenView view = {
     width, height, this->SamplesPerPixel, limits.data(), this->NumberOfThreads};
   mote::SeenParticles seen;
-  mote::findSeenParticles(
-    scene, mote::cameraOf(renderer, double(width) / height, width, height), view, seen);
+  const mote::Camera camera = mote::cameraOf(renderer, double(width) / height, width, height);
+  mote::findSeenParticles(scene, camera, view, seen);
   for (std::size_t k = 0; k < scene.surfaces.size(); ++k)
   {
     const std::int32_t id = scene.surfaces[k].id;
@@ -119,7 +135,66 @@ void vtkMoteAreaPicker::FindSeen(const Rectangle& rectangle, vtkRenderer* render
     for (; k + 1 < scene.surfaces.size() && scene.surfaces[k + 1].id == id; ++k)
       std::transform(
         seen[k].begin(), seen[k].end(), seen[k + 1].begin(), seen[k + 1].begin(), std::bit_or<>());
-    this->Add(props[static_cast<std::size_t>(id)]->prop(), idsOf(*particles, seen[k]));
+    this->Add(props[static_cast<std::size_t>(id)]->prop(), idsOf(*particles, seen[k]), false);
+  }
+  if (this->PickCells)
+    this->FindSeenCells(rectangle, scene, camera, props);
+}
+
+void vtkMoteAreaPicker::FindSeenCells(const Rectangle& rectangle, const mote::Scene& scene,
+  const mote::Camera& camera, const mote::MoteProps& props)
+{
+  const mote::CameraRays rays(camera, rectangle.width, rectangle.height);
+  mote::Scene looked = scene;
+  for (mote::CloudObject& cloud : looked.clouds)
+    if (!cloud.structure)
+      cloud.structure = structureOf(cloud);
+  const mote::PixelPicker picker(looked, rays, true);
+  // What each thread found: by the prop's number.
+  using Cells = std::vector<std::vector<vtkIdType>>;
+  tbb::enumerable_thread_specific<Cells> found([&] { return Cells(props.size()); });
+  const auto add = [&](std::int32_t prop, std::uint64_t cell)
+  {
+    std::vector<vtkIdType>& cells = found.local()[static_cast<std::size_t>(prop)];
+    if (cells.empty() || cells.back() != static_cast<vtkIdType>(cell))
+      cells.push_back(static_cast<vtkIdType>(cell));
+  };
+  const auto look = [&](int x, int y)
+  {
+    const auto [surface, cell] = picker.at(x + 0.5, y + 0.5, mote::CloudPicker::Wanted::Cell);
+    if (cell)
+      add(cell->object, cell->cell);
+    else if (surface && props[static_cast<std::size_t>(surface->object)]->picksCells())
+      add(surface->object, surface->id);
+  };
+  const auto inside = [](double at, int size)
+  { return static_cast<int>(std::clamp(at, 0.0, double(size))); };
+  const int left = inside(std::ceil(rectangle.x0), rectangle.width);
+  const int right = inside(std::floor(rectangle.x1) + 1.0, rectangle.width);
+  const int lower = inside(std::ceil(rectangle.y0), rectangle.height);
+  const int upper = inside(std::floor(rectangle.y1) + 1.0, rectangle.height);
+  tbb::task_arena arena(
+    this->NumberOfThreads > 0 ? this->NumberOfThreads : tbb::task_arena::automatic);
+  arena.execute(
+    [&]
+    {
+      tbb::parallel_for(tbb::blocked_range2d<int>(
+                          lower, std::max(lower, upper), 16, left, std::max(left, right), 16),
+        [&](const tbb::blocked_range2d<int>& range)
+        {
+          for (int y = range.rows().begin(); y != range.rows().end(); ++y)
+            for (int x = range.cols().begin(); x != range.cols().end(); ++x)
+              look(x, y);
+        });
+    });
+  for (std::size_t k = 0; k < props.size(); ++k)
+  {
+    std::vector<vtkIdType> all;
+    for (const Cells& cells : found)
+      all.insert(all.end(), cells[k].begin(), cells[k].end());
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    this->Add(props[k]->prop(), all, true);
   }
 }
 
@@ -172,43 +247,53 @@ void vtkMoteAreaPicker::FindAll(const Rectangle& rectangle, vtkRenderer* rendere
     for (vtkIdType i = 0; i < count; ++i)
       if (marks[static_cast<std::size_t>(i)])
         found.push_back(i);
-    this->Add(actor, found);
+    this->Add(actor, found, false);
   }
 }
 
-void vtkMoteAreaPicker::Add(vtkProp3D* prop, const std::vector<vtkIdType>& particles)
+void vtkMoteAreaPicker::Add(vtkProp3D* prop, const std::vector<vtkIdType>& ids, bool areCells)
 {
-  if (particles.empty())
+  if (ids.empty())
     return;
-  auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
-  ids->SetNumberOfValues(static_cast<vtkIdType>(particles.size()));
-  std::copy(particles.begin(), particles.end(), ids->GetPointer(0));
-  this->Props.emplace_back(prop);
-  this->Particles.push_back(ids);
+  auto array = vtkSmartPointer<vtkIdTypeArray>::New();
+  array->SetNumberOfValues(static_cast<vtkIdType>(ids.size()));
+  std::copy(ids.begin(), ids.end(), array->GetPointer(0));
+  this->All.push_back({prop, array, areCells});
 }
 
 int vtkMoteAreaPicker::GetNumberOfProps()
 {
-  return static_cast<int>(this->Props.size());
+  return static_cast<int>(this->All.size());
 }
 
 vtkProp3D* vtkMoteAreaPicker::GetProp(int i)
 {
-  return i >= 0 && i < this->GetNumberOfProps() ? this->Props[static_cast<std::size_t>(i)].Get()
-                                                : nullptr;
+  const bool isThere = i >= 0 && i < this->GetNumberOfProps();
+  return isThere ? this->All[static_cast<std::size_t>(i)].Prop.Get() : nullptr;
 }
 
 vtkIdTypeArray* vtkMoteAreaPicker::GetParticles(int i)
 {
-  return i >= 0 && i < this->GetNumberOfProps() ? this->Particles[static_cast<std::size_t>(i)].Get()
-                                                : nullptr;
+  const bool isThere = i >= 0 && i < this->GetNumberOfProps();
+  return isThere && !this->All[static_cast<std::size_t>(i)].AreCells
+           ? this->All[static_cast<std::size_t>(i)].Ids.Get()
+           : nullptr;
+}
+
+vtkIdTypeArray* vtkMoteAreaPicker::GetCells(int i)
+{
+  const bool isThere = i >= 0 && i < this->GetNumberOfProps();
+  return isThere && this->All[static_cast<std::size_t>(i)].AreCells
+           ? this->All[static_cast<std::size_t>(i)].Ids.Get()
+           : nullptr;
 }
 
 void vtkMoteAreaPicker::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Through: " << (this->Through ? "On\n" : "Off\n");
+  os << indent << "PickCells: " << (this->PickCells ? "On\n" : "Off\n");
   os << indent << "SamplesPerPixel: " << this->SamplesPerPixel << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
-  os << indent << "Props: " << this->Props.size() << "\n";
+  os << indent << "Props: " << this->All.size() << "\n";
 }

@@ -8,6 +8,7 @@
 #include "News.h"
 #include "RendererImage.h"
 #include "SceneBridge.h"
+#include "VisibleCells.h"
 
 #include "kernels/core/Error.h"
 #include "kernels/scene/ColorMeans.h"
@@ -41,6 +42,8 @@ public:
   vtkTimeStamp changedAt;                         ///< when the geometry last did
   int builds = 0, refits = 0;
 
+  mote::VisibleCells visible;
+
   mote::ArrayColors colors;
   mote::DataArrayView normals; ///< copied once where they are not one piece of memory
   mote::InputKey normalsKey;
@@ -60,7 +63,8 @@ public:
   void takeOffer(vtkPointSet* input)
   {
     const auto from = std::exchange(offered, nullptr);
-    if (!from || (geometry.tree() && !from->geometry.fits(input)))
+    if (!from ||
+        (geometry.tree() && !from->geometry.fits(input, visible.key(input->GetNumberOfCells()))))
       return;
     static_cast<mote::BuiltMesh&>(*this) = *from;
     changedAt.Modified();
@@ -102,6 +106,17 @@ vtkPointSet* vtkMoteMeshMapper::GetInput()
   if (this->GetNumberOfInputConnections(0) < 1)
     return nullptr;
   return vtkPointSet::SafeDownCast(this->GetExecutive()->GetInputData(0, 0));
+}
+
+void vtkMoteMeshMapper::SetVisibleCells(vtkUnsignedCharArray* isVisible)
+{
+  if (this->Impl->visible.set(isVisible))
+    this->Modified();
+}
+
+vtkUnsignedCharArray* vtkMoteMeshMapper::GetVisibleCells()
+{
+  return this->Impl->visible.get();
 }
 
 double* vtkMoteMeshMapper::GetBounds()
@@ -195,7 +210,8 @@ double vtkMoteMeshMapper::ValueOf(const mote::ScenePick& pick)
 
 vtkMTimeType vtkMoteMeshMapper::GetPictureMTime()
 {
-  vtkMTimeType time = std::max(this->GetMTime(), this->Impl->changedAt.GetMTime());
+  vtkMTimeType time =
+    std::max({this->GetMTime(), this->Impl->changedAt.GetMTime(), this->Impl->visible.time()});
   if (vtkPointSet* input = this->GetInput())
     time = std::max(time, input->GetMTime());
   return time;
@@ -253,7 +269,8 @@ void vtkMoteMeshMapper::UpdateGeometry(vtkPointSet* input)
   using Change = mote::MeshGeometry::Change;
   Internals& impl = *this->Impl;
   impl.takeOffer(input);
-  if (impl.geometry.fits(input))
+  const mote::InputKey& visible = impl.visible.key(input->GetNumberOfCells());
+  if (impl.geometry.fits(input, visible))
     return;
   const auto start = std::chrono::steady_clock::now();
   const mote::BuildEvents events(this);
@@ -265,7 +282,7 @@ void vtkMoteMeshMapper::UpdateGeometry(vtkPointSet* input)
   impl.changedAt.Modified();
   if (!goesOn(0.0))
     return impl.geometry.forget();
-  const Change change = impl.geometry.update(input, goesOn);
+  const Change change = impl.geometry.update(input, impl.visible.get(), visible, goesOn);
   if (change == Change::None)
     return;
   impl.buildTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

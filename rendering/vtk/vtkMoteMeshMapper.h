@@ -39,6 +39,7 @@
 
 class vtkDataArray;
 class vtkPointSet;
+class vtkUnsignedCharArray;
 
 namespace mote
 {
@@ -82,6 +83,17 @@ public:
    */
   vtkSetClampMacro(PixelsOfError, double, 0.0, 1000.0);
   vtkGetMacro(PixelsOfError, double);
+  ///@}
+
+  ///@{
+  /**
+   * Which of the input's cells are drawn: an array with a value for each, of which 0 hides the
+   * cell; null, as unless set, for all. What is seen is what would be seen if the input did not
+   * have the hidden cells: faces that they share with others come to light. Where other cells are
+   * hidden than before, the structure is built anew.
+   */
+  void SetVisibleCells(vtkUnsignedCharArray* isVisible);
+  vtkUnsignedCharArray* GetVisibleCells();
   ///@}
 
   /** Bounds of the triangles that can be drawn. */

@@ -1,5 +1,6 @@
 #include "vtkMoteParticlePicker.h"
 
+#include "PixelPicker.h"
 #include "SceneBridge.h"
 
 #include "kernels/tracing/CloudPicking.h"
@@ -78,22 +79,17 @@ void vtkMoteParticlePicker::CastRay(double x, double y, vtkPropCollection* props
     mote::cameraOf(this->Renderer, double(size[0]) / size[1], size[0], size[1]), size[0], size[1]);
   // Display coordinates name pixels; a pixel's ray goes through its centre.
   const double px = x - corner[0] + 0.5, py = y - corner[1] + 0.5;
-  const mote::Vec3d origin = rays.originAt(px, py), direction = rays.directionAt(px, py);
-  const auto hit = mote::pick(scene, origin, direction, rays.tMin, rays.tMax);
-  if (this->PickClouds && !scene.clouds.empty())
+  const mote::PixelPicker picker(scene, rays, this->PickClouds != 0);
+  const auto [hit, cloud] = picker.at(px, py, mote::CloudPicker::Wanted::All);
+  if (cloud)
   {
-    const auto cloud =
-      mote::pickCloud(scene, origin, direction, rays.tMin, hit ? hit->t : rays.tMax);
-    if (cloud && (!hit || cloud->opacity > 0.5))
-    {
-      this->SetPath(pathTo(*pickable[static_cast<std::size_t>(cloud->object)]));
-      this->CellId = static_cast<vtkIdType>(cloud->cell);
-      this->Value = cloud->value;
-      this->Distance = cloud->t;
-      this->CloudOpacity = cloud->opacity;
-      std::copy_n(&cloud->position[0], 3, this->PickPosition);
-      return;
-    }
+    this->SetPath(pathTo(*pickable[static_cast<std::size_t>(cloud->object)]));
+    this->CellId = static_cast<vtkIdType>(cloud->cell);
+    this->Value = cloud->value;
+    this->Distance = cloud->t;
+    this->CloudOpacity = cloud->opacity;
+    std::copy_n(&cloud->position[0], 3, this->PickPosition);
+    return;
   }
   if (!hit)
     return;

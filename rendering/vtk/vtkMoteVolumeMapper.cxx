@@ -7,6 +7,8 @@
 #include "Names.h"
 #include "RendererImage.h"
 #include "SceneBridge.h"
+#include "TransferBridge.h"
+#include "VisibleCells.h"
 #include "VolumeInput.h"
 
 #include "kernels/core/Error.h"
@@ -40,6 +42,9 @@ public:
   vtkTimeStamp changedAt;                           ///< when geometry or field last did
   int builds = 0;
   int fieldUpdates = 0;
+
+  mote::VisibleCells visible;
+  mote::HiddenOfMesh hidden;
 
   mote::ArrayColors colors;
 
@@ -89,6 +94,17 @@ int vtkMoteVolumeMapper::FillInputPortInformation(int vtkNotUsed(port), vtkInfor
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGridBase");
   return 1;
+}
+
+void vtkMoteVolumeMapper::SetVisibleCells(vtkUnsignedCharArray* isVisible)
+{
+  if (this->Impl->visible.set(isVisible))
+    this->Modified();
+}
+
+vtkUnsignedCharArray* vtkMoteVolumeMapper::GetVisibleCells()
+{
+  return this->Impl->visible.get();
 }
 
 double* vtkMoteVolumeMapper::GetBounds()
@@ -180,7 +196,8 @@ void vtkMoteVolumeMapper::GetScalarRange(double range[2])
 
 vtkMTimeType vtkMoteVolumeMapper::GetPictureMTime()
 {
-  vtkMTimeType time = std::max(this->GetMTime(), this->Impl->changedAt.GetMTime());
+  vtkMTimeType time =
+    std::max({this->GetMTime(), this->Impl->changedAt.GetMTime(), this->Impl->visible.time()});
   if (this->GetNumberOfInputConnections(0) > 0)
     if (vtkDataObject* input = this->GetExecutive()->GetInputData(0, 0))
       time = std::max(time, input->GetMTime());
@@ -348,6 +365,7 @@ bool vtkMoteVolumeMapper::DescribeTo(mote::Scene& scene, vtkVolume* volume, int 
   {
     mote::CloudObject cloud;
     this->DescribeLook(cloud, property);
+    cloud.hidden = impl.hidden.of(impl.geometry.mesh(), impl.visible);
     cloud.id = id;
     cloud.revision = this->GetPictureMTime();
     cloud.structure = impl.geometry.structure();
@@ -402,17 +420,7 @@ void vtkMoteVolumeMapper::DescribeLook(mote::CloudObject& cloud, vtkVolumeProper
 
 void vtkMoteVolumeMapper::WarnOfUnused(vtkVolumeProperty* property)
 {
-  std::string unused;
-  vtkPiecewiseFunction* gradient =
-    property->HasGradientOpacity() ? property->GetStoredGradientOpacity() : nullptr;
-  if (gradient && !property->GetDisableGradientOpacity())
-  {
-    const double* range = gradient->GetRange();
-    double values[64];
-    gradient->GetTable(range[0], range[1], 64, values);
-    if (std::any_of(values, values + 64, [](double v) { return v != 1.0; }))
-      unused += "Gradient opacity is not used. ";
-  }
+  std::string unused = mote::unusedOf(property);
   if (this->ClippingPlanes && this->ClippingPlanes->GetNumberOfItems() > 0)
     unused += "Clipping planes do not cut volumes; use the camera's clipping range.";
   if (!unused.empty() && unused != this->Impl->reportedUnused)

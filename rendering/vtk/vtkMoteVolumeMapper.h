@@ -46,6 +46,7 @@
 #include <vector>  // for names
 
 class vtkDataArray;
+class vtkUnsignedCharArray;
 class vtkUnstructuredGrid;
 class vtkVolumeProperty;
 
@@ -183,8 +184,18 @@ public:
   vtkGetMacro(NanOpacity, double);
   ///@}
 
+  ///@{
   /**
-   * Bounds of the cells that are drawn.
+   * Which of the input's cells are drawn: an array with a value for each, of which 0 hides the
+   * cell; null, the default, for all. What is seen is what would be seen if the input did not have
+   * the hidden cells. Nothing is built for it.
+   */
+  void SetVisibleCells(vtkUnsignedCharArray* isVisible);
+  vtkUnsignedCharArray* GetVisibleCells();
+  ///@}
+
+  /**
+   * Bounds of the cells that can be drawn, hidden ones included.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }

@@ -278,18 +278,18 @@ TEST_F(PickedTest, ValuesOfPointsAreThoseOfThePlace)
   this->show({{"a", block(0.0), "a"}});
   const Picked cell{0, Picked::Kind::Cell, 0};
   set.toggle(cell);
-  EXPECT_EQ(line(), "0,0.5,0.5,0.5,1.5,7\n") << "the middle, and the mean";
+  EXPECT_EQ(line(), "0,0.5,0.5,0.5,0,1.5,7\n") << "the middle, and the mean";
   set.setPlace(cell, {0.25, 0.5, 0.75});
-  EXPECT_EQ(line(), "0,0.25,0.5,0.75,1.25,7\n");
+  EXPECT_EQ(line(), "0,0.25,0.5,0.75,4,1.25,7\n");
   std::string names;
   PickedTable(stage->parts(), set).appendNames(names, ',');
-  EXPECT_EQ(names, "cell,x,y,z,point:p,cell:p\n");
+  EXPECT_EQ(names, "cell,x,y,z,nearest point,point:p,cell:p\n");
   for (const double shift : {0.0, 3.0})
   {
     const auto before = set.names(stage->parts());
     this->show({{"a", block(shift), "a"}});
     set.findAgain(stage->parts(), before);
-    EXPECT_EQ(line(), shift == 0.0 ? "0,0.25,0.5,0.75,1.25,7\n" : "0,3.5,0.5,0.5,1.5,7\n");
+    EXPECT_EQ(line(), shift == 0.0 ? "0,0.25,0.5,0.75,4,1.25,7\n" : "0,3.5,0.5,0.5,0,1.5,7\n");
   }
 }
 

@@ -187,10 +187,21 @@ case $3 in
     head -1 now.csv | grep -q '^cell,x,y,z,.*U' || fail "$(head -1 now.csv)"
     marked -gt 20
     shown 'picked list'
-    press i # there are no particles to show alone
+    cell=$(tail -1 now.csv | cut -d, -f1)
+    head -1 now.csv | grep -q '^cell,x,y,z,nearest point,' || fail "no point: $(head -1 now.csv)"
+    press i
+    has "--only-ids=$cell"
+    has "--picked=$cell"
+    shown '1 of 8,547 cells shown'
+    marked -gt 20
+    press u
     has_no '--only-ids'
-    press Escape
+    shown '8,547 of 8,547 cells shown'
+    press Delete
+    has "--hide-ids=$cell"
+    shown '8,546 of 8,547 cells shown'
     marked -eq 0
+    press u
     at 340 40
     xdotool click 1
     none

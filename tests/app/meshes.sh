@@ -56,14 +56,53 @@ case $3 in
     cmp -s points.png again.png || fail "other colours than those chosen of itself"
     run 1 "$mote" render a.vtp -o b.png --color-by nothing
     said err "no array 'nothing'"
-    run 0 "$mote" render a.vtp -o b.png --size 160x120 --show height=0:1
-    one_sentence
-    said err 'surfaces stay whole'
     run 0 "$mote" render a.vtp -o b.exr --size 64x48 --samples 1
     vtp line.vtp "$corners" 1
     run 0 "$mote" render line.vtp -o b.png --size 160x120
     said err '1 line or vertex, which has no area'
     said out '4 triangles (1 cannot be drawn)'
+    ;;
+
+  hidden) # triangles and cells of volumes, by ranges, expressions and numbers
+    vtp a.vtp "$corners"
+    draw all.png a.vtp
+    draw three.png a.vtp --hide-ids 0
+    said out '3 of 4 cells shown, 3 triangles'
+    draw where.png a.vtp --where 'face > 1'
+    draw faces.png a.vtp --show face=2:
+    for other in where faces; do cmp -s three.png $other.png || fail "$other.png shows other triangles"; done
+    differ all.png three.png
+    # What is left is seen as if it were alone; the picture frames it.
+    draw low.png a.vtp --show z=:0.1
+    said out '1 of 4 cells shown'
+    run 0 "$mote" render a.vtp -o b.png --size 160x120 --show z=5:
+    one_sentence
+    said err 'leave no cell'
+    run 1 "$mote" render a.vtp -o b.png --show nothing=1
+    said err "no array 'nothing'; it has x, y, z, and"
+    run 1 "$mote" render a.vtp -o b.png --where 'nothing > 1'
+    said err nothing
+    # Of a volume; its isosurfaces; its walls, with those that come to light.
+    for look in '' '--iso 0.02 --no-cloud' '--cells surface'; do
+      set -- --color-by U --view +y $look # options
+      draw whole.png "$data/swirl.1.vtu" "$@"
+      draw half.png "$data/swirl.1.vtu" "$@" --show x=0:
+      half=$(grep -o '[0-9,]* of 8,547 cells' out)
+      [ -n "$half" ] || fail "no count of cells: $(cat out)"
+      differ whole.png half.png
+      draw same.png "$data/swirl.1.vtu" "$@" --where 'x >= 0'
+      said out "$half"
+      cmp -s half.png same.png || fail "a range and an expression leave other cells ($look)"
+      draw pressure.png "$data/swirl.1.vtu" "$@" --show p=0: --show x=0: --show-by U --show-range 0 0.05
+      differ half.png pressure.png
+    done
+    # Picked cells are marked as in the window, where they are shown.
+    draw none.png "$data/swirl.1.vtu" --cells surface --color-by none
+    draw picked.png "$data/swirl.1.vtu" --cells surface --color-by none --picked 8500:8546
+    differ none.png picked.png
+    draw away.png "$data/swirl.1.vtu" --cells surface --color-by none --picked 8500:8546 --hide-ids 8500:8546
+    draw left.png "$data/swirl.1.vtu" --cells surface --color-by none --hide-ids 8500:8546
+    cmp -s away.png left.png || fail "hidden cells are marked"
     ;;
 
   formats) # polygons, grids, images: what they are made of is shown

@@ -627,7 +627,7 @@ case $3 in
     press r
     xdotool mousemove 700 470 sleep 0.2 click 1
     shown 'picked list'
-    gone 'Hide picked' # of particles
+    shown 'Hide picked'
     press ctrl+e
     for _ in $(seq 100); do
       [ -s pump-0.002-001-picked.csv ] && break

@@ -57,9 +57,9 @@ case $3 in
     one_sentence
     said err "no array 'energy'"
     said err 'type, '
-    run 1 "$mote" render "$data/swirl.1.vtu" -o a.png --where "p > 0"
+    run 1 "$mote" render "$data/swirl.1.vtu" -o a.png --where "energy > 0"
     one_sentence
-    said err 'not of particles'
+    said err "no array 'energy'"
     for wrong in 'type = 2' 'type ==' '(type' ''; do
       run 2 "$mote" render "$hopper" -o a.png --calculate "a=$wrong"
       one_sentence

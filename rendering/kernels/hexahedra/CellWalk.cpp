@@ -115,11 +115,12 @@ private:
 
 CellWalk::CellWalk(const WalkCells& cells, const HexField& field, const CloudSettings& settings,
   const CloudLighting* lighting, const CameraRays& rays, const Mat4d& toLocal, int width,
-  int height)
+  int height, const HiddenCells* hidden)
   : cells_(cells)
   , field_(field)
   , settings_(settings)
   , lighting_(lighting)
+  , hidden_(hidden)
   , transfer_(std::make_unique<WalkTransfer>(
       settings.transfer, field.lower() - field.offset(), field.upper() - field.offset()))
   , world_(rays)
@@ -162,6 +163,7 @@ void CellWalk::gather(
   task.cells = &cells_;
   task.view = view_.get();
   task.transfer = transfer_.get();
+  task.hidden = hidden_;
   task.isAllSeldom = lighting_ != nullptr;
   task.leastTransmittance = static_cast<float>(settings_.leastTransmittance);
   task.rate = rate_;

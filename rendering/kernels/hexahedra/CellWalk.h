@@ -12,6 +12,7 @@
 namespace mote
 {
 
+class HiddenCells;
 class WalkTransfer;
 class WalkView;
 struct WalkTask;
@@ -44,11 +45,11 @@ public:
   static bool isSupported();
 
   /// For the rays of a camera in an image of so many pixels; `toLocal` takes the world to the mesh.
-  /// `cells`, `field`, which the cells were made of, `settings` and `lighting`, which may be null,
-  /// must outlive this.
+  /// `cells`, `field`, which the cells were made of, `settings`, and `lighting` and `hidden`, which
+  /// may be null, must outlive this. Rays go through hidden cells and gather nothing there.
   CellWalk(const WalkCells& cells, const HexField& field, const CloudSettings& settings,
     const CloudLighting* lighting, const CameraRays& rays, const Mat4d& toLocal, int width,
-    int height);
+    int height, const HiddenCells* hidden = nullptr);
   ~CellWalk();
 
   /// Where a ray of the camera runs: as its place in the image, in pixels.
@@ -83,6 +84,7 @@ private:
   const HexField& field_;
   const CloudSettings& settings_;
   const CloudLighting* lighting_;
+  const HiddenCells* hidden_;
   std::unique_ptr<const WalkTransfer> transfer_;
   std::shared_ptr<const WalkView> view_;
   /// The camera's rays in the world, in the mesh, and as WalkCells has places.

@@ -39,9 +39,11 @@ HexRay rayOf(const RayPacket& rays, int i)
 } // namespace
 
 IsoSurface::IsoSurface(std::shared_ptr<const HexStructure> structure,
-  std::shared_ptr<const HexField> field, const std::vector<double>& values)
+  std::shared_ptr<const HexField> field, const std::vector<double>& values,
+  std::shared_ptr<const HiddenCells> hidden)
   : structure_(std::move(structure))
   , field_(std::move(field))
+  , hidden_(std::move(hidden))
 {
   // An infinite value is never met, and unlike NaN equal to itself.
   for (const double value : values)
@@ -63,7 +65,8 @@ std::optional<IsoHit> IsoSurface::first(const HexRay& ray, Counts&& counts) cons
     {
       IsoCrossing crossing(s.mesh(), *field_, values_, ray);
       s.forCellsAlong(
-        ray, [&](const CellSpan& span) { return crossing(span); },
+        ray,
+        [&](const CellSpan& span) { return (hidden_ && (*hidden_)[span.cell]) || crossing(span); },
         [&](const ScalarRange& range)
         {
           return std::any_of(values_.begin(), values_.end(),
@@ -166,6 +169,7 @@ IsoSurface IsoSurface::unowned() const
   IsoSurface copy;
   copy.structure_ = mote::unowned(structure_);
   copy.field_ = mote::unowned(field_);
+  copy.hidden_ = mote::unowned(hidden_);
   copy.values_ = values_;
   return copy;
 }

@@ -3,6 +3,7 @@
 #include "../core/SurfaceKind.h"
 #include "HexField.h"
 #include "HexStructure.h"
+#include "HiddenCells.h"
 #include "IsoCrossing.h"
 
 #include <memory>
@@ -24,9 +25,9 @@ public:
 
   IsoSurface() = default; ///< of no structure
   /// The field is on the structure's mesh; `values` are as the user's scalar has them, and those
-  /// that are not finite have no surface.
+  /// that are not finite have no surface. Hidden cells, null for none, have none either.
   IsoSurface(std::shared_ptr<const HexStructure> structure, std::shared_ptr<const HexField> field,
-    const std::vector<double>& values);
+    const std::vector<double>& values, std::shared_ptr<const HiddenCells> hidden = nullptr);
 
   /// The first surface on a ray in the mesh's coordinates.
   template <typename Counts = NoCounts>
@@ -59,7 +60,8 @@ private:
 
   std::shared_ptr<const HexStructure> structure_;
   std::shared_ptr<const HexField> field_;
-  std::vector<double> values_; ///< from the field's offset
+  std::shared_ptr<const HiddenCells> hidden_; ///< null: none
+  std::vector<double> values_;                ///< from the field's offset
 };
 
 static_assert(SurfaceKind<IsoSurface>);

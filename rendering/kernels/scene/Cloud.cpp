@@ -37,7 +37,7 @@ SurfaceObject isoSurfacesOf(const CloudObject& cloud, const std::vector<double>&
   SurfaceObject object;
   object.id = cloud.id;
   object.revision = cloud.revision;
-  object.surface = IsoSurface(cloud.structure, cloud.field, values);
+  object.surface = IsoSurface(cloud.structure, cloud.field, values, cloud.hidden);
   object.toWorld = cloud.toWorld;
   object.material = cloud.material;
   const double offset = cloud.field->offset();

@@ -2,6 +2,7 @@
 
 #include "../hexahedra/HexField.h"
 #include "../hexahedra/HexStructure.h"
+#include "../hexahedra/HiddenCells.h"
 #include "../hexahedra/WalkCells.h"
 #include "../shading/TransferFunction.h"
 #include "Surface.h"
@@ -48,7 +49,8 @@ struct CloudObject
   /// Of the structure's mesh and the field: the camera's rays then go from cell to cell where that
   /// serves. Null: all rays go through the structure.
   std::shared_ptr<const WalkCells> walk;
-  Mat4d toWorld{1.0}; ///< affine
+  std::shared_ptr<const HiddenCells> hidden; ///< of the structure's mesh; null: none
+  Mat4d toWorld{1.0};                        ///< affine
   TransferFunction transfer;
   VolumeSampling sampling;
   bool shade = false; ///< light it by its gradient and the material
@@ -68,8 +70,8 @@ const HexMesh& meshOf(const CloudObject& cloud);
 double volumeStep(const CloudObject& cloud);
 
 /// The opaque surfaces, for which it must have a structure, where the cloud's scalar has these
-/// values, in the colours that its transfer function gives them, with its placement, material, id
-/// and revision.
+/// values, in the colours that its transfer function gives them, with its placement, material, id,
+/// revision and hidden cells.
 SurfaceObject isoSurfacesOf(const CloudObject& cloud, const std::vector<double>& values);
 
 } // namespace mote

@@ -50,6 +50,7 @@ Scene Scene::unowned() const
     cloud.structure = mote::unowned(cloud.structure);
     cloud.field = mote::unowned(cloud.field);
     cloud.walk = mote::unowned(cloud.walk);
+    cloud.hidden = mote::unowned(cloud.hidden);
   }
   return copy;
 }

@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace mote
 {
@@ -19,8 +20,35 @@ struct CloudPick
   double opacity = 0.0;    ///< of all clouds along the ray, in (0, 1]
 };
 
-/// Looks along one ray through the scene's clouds, from tMin to tMax; surfaces are not looked at.
-/// `direction` may have any length but 0. None where the clouds let all light through.
+/// Looks along rays through the scene's clouds; surfaces are not looked at.
+class CloudPicker
+{
+public:
+  /// The scene must outlive this.
+  explicit CloudPicker(const Scene& scene);
+
+  /// What is wanted of a ray.
+  enum class Wanted
+  {
+    All,
+    Cell ///< `opacity` may be any that is above a half where that of the whole ray is
+  };
+  /// Looks along one ray, from tMin to tMax. `direction` may have any length but 0. None where the
+  /// clouds let all light through. Any number of threads may ask.
+  std::optional<CloudPick> pick(const Vec3d& origin, const Vec3d& direction, double tMin,
+    double tMax, Wanted wanted = Wanted::All) const;
+
+private:
+  struct Look
+  {
+    const CloudObject* cloud;
+    Mat4d toLocal;
+    TransferTable transfer;
+  };
+  std::vector<Look> looks_;
+};
+
+/// One ray of a CloudPicker.
 std::optional<CloudPick> pickCloud(const Scene& scene, const Vec3d& origin, const Vec3d& direction,
   double tMin = 0.0, double tMax = std::numeric_limits<double>::infinity());
 

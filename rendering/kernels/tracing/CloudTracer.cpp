@@ -97,7 +97,9 @@ void CloudTracer::gather(const CloudRay& ray, RayGatherer& gatherer, Counts&& co
           std::optional<Integrator> integrator;
           make(integrator, ray, gatherer);
           s.forCellsAlong(
-            ray.local, [&](const CellSpan& span) { return (*integrator)(span); }, keep(), counts);
+            ray.local,
+            [&](const CellSpan& span) { return isHidden(span.cell) || (*integrator)(span); },
+            keep(), counts);
           integrator->finish();
         });
     });
@@ -130,7 +132,9 @@ bool CloudTracer::gatherTogether(const CartesianBvh& bvh, const CloudRay* rays, 
                              : nullptr;
   const bool done = bvh.forCellsAlongBundle(
     local.data(), count, sides, values, spans,
-    [&](std::size_t ray, const ValuedSpan& span) { return (*integrators[ray])(span); }, keep());
+    [&](std::size_t ray, const ValuedSpan& span)
+    { return isHidden(span.span.cell) || (*integrators[ray])(span); },
+    keep());
   for (int i = 0; done && i < count; ++i)
     integrators[static_cast<std::size_t>(i)]->finish();
   return done;
@@ -152,8 +156,8 @@ bool CloudTracer::lookFrom(const CameraRays& rays, int width, int height)
 {
   const bool isWanted = cloud_.walk && walkServes(cloud_.sampling);
   if (isWanted)
-    walk_.emplace(
-      *cloud_.walk, *cloud_.field, settings_, lighting(), rays, toLocal_, width, height);
+    walk_.emplace(*cloud_.walk, *cloud_.field, settings_, lighting(), rays, toLocal_, width, height,
+      cloud_.hidden.get());
   return isWanted;
 }
 

@@ -6,6 +6,7 @@
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
+#include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
@@ -162,6 +163,39 @@ TEST(Expression, OfGridsAndOfCells)
   ASSERT_EQ(grid->GetCellData()->GetArray("half")->GetNumberOfTuples(), grid->GetNumberOfCells());
   EXPECT_EQ(grid->GetCellData()->GetArray("half")->GetComponent(7, 0), 3.5);
   EXPECT_NE(vtkMoteExpression::AddTo(grid, "p + x", "mixed"), "") << "of points and of cells";
+}
+
+TEST(Expression, InCellsPointsCountByTheirMean)
+{
+  vtkNew<vtkImageData> grid;
+  grid->SetDimensions(4, 5, 6);
+  grid->SetSpacing(0.5, 2.0, 1.0);
+  vtkNew<vtkDoubleArray> ofPoints, ofCells;
+  ofPoints->SetName("a");
+  ofCells->SetName("b");
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    ofPoints->InsertNextValue(std::sin(static_cast<double>(i)));
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+    ofCells->InsertNextValue(static_cast<double>(i));
+  grid->GetPointData()->AddArray(ofPoints);
+  grid->GetCellData()->AddArray(ofCells);
+  ASSERT_EQ(vtkMoteExpression::AddToCells(grid, "a * b + 10 * y", "both"), "");
+  EXPECT_EQ(grid->GetPointData()->GetArray("both"), nullptr);
+  vtkDataArray* both = grid->GetCellData()->GetArray("both");
+  ASSERT_EQ(both->GetNumberOfTuples(), grid->GetNumberOfCells());
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    double a = 0.0, y = 0.0;
+    grid->GetCellPoints(cell, corners);
+    for (vtkIdType i = 0; i < 8; ++i)
+    {
+      a += ofPoints->GetValue(corners->GetId(i)) / 8.0;
+      y += grid->GetPoint(corners->GetId(i))[1] / 8.0;
+    }
+    EXPECT_NEAR(both->GetComponent(cell, 0), a * static_cast<double>(cell) + 10.0 * y, 1e-9);
+  }
+  EXPECT_NE(vtkMoteExpression::AddToCells(grid, "c + 1", "no"), "");
 }
 
 TEST(Expression, WrongOnesAreToldWithWhatIsThere)

@@ -44,14 +44,19 @@ public:
     isClipped_ = isBent_ = isHalved_ = isQuartered_ = isFine_ = isDone_ = 0;
     for (std::size_t first = 0; first < lanes; first += hn::Lanes(D()))
       leave(first);
+    // Lanes in hidden cells come to the values on the far faces, and gather nothing before.
+    std::uint32_t isHidden = 0;
+    if (task_.hidden != nullptr)
+      forLanes(l_.active,
+        [&](std::size_t k) { isHidden |= ((*task_.hidden)[l_.cell[k]] ? 1U : 0U) << k; });
     isClipped_ &= l_.active;
-    isBent_ &= l_.active;
+    isBent_ &= l_.active & ~isHidden;
     if (HWY_UNLIKELY(isClipped_ != 0))
       clip();
     if (task_.cells->isOfCells())
       isFresh_ = l_.active;
     if (HWY_UNLIKELY(task_.isAllSeldom))
-      isDone_ = l_.active;
+      isDone_ = l_.active & ~isHidden;
     else if (isBent_ != 0)
       bend();
     forLanes(isFine_, [&](std::size_t k) { isDone_ &= ~(addFine(k) ? 1U << k : 0U); });
@@ -60,7 +65,7 @@ public:
     if (isFresh_ != 0)
       forLanes(isFresh_, [&](std::size_t k) { start(k); });
     isFresh_ = 0;
-    isDone_ |= isFine_;
+    isDone_ |= isFine_ | isHidden;
     if ((isHalved_ | isQuartered_) != 0)
     {
       if (isQuartered_ != 0)

@@ -2,6 +2,7 @@
 
 // What the parts of a CellWalk share. Only for CellWalk*.cpp and Walk*.cpp.
 
+#include "../HiddenCells.h"
 #include "../RayColor.h"
 #include "CellFaces.h"
 #include "WalkTransfer.h"
@@ -85,8 +86,9 @@ struct WalkTask
   const WalkCells* cells = nullptr;
   const WalkView* view = nullptr;
   const WalkTransfer* transfer = nullptr;
-  int axis = 2;             ///< k, see WalkRays
-  bool isBackwards = false; ///< depth is the third coordinate's opposite
+  const HiddenCells* hidden = nullptr; ///< null: none
+  int axis = 2;                        ///< k, see WalkRays
+  bool isBackwards = false;            ///< depth is the third coordinate's opposite
   WalkRays rays;
   WalkEntries entries;
   SeldomParts* seldom = nullptr;

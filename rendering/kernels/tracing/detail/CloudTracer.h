@@ -65,6 +65,8 @@ private:
     return [this](const ScalarRange& range)
     { return settings_.transfer.isVisible(range.lower, range.upper); };
   }
+  /// Whether rays go through a cell as if it were not there.
+  bool isHidden(std::uint32_t cell) const { return cloud_.hidden && (*cloud_.hidden)[cell]; }
   const CloudLighting* lighting() const { return lighting_ ? &lighting_ : nullptr; }
 
   const CloudObject& cloud_;
