@@ -27,8 +27,8 @@ constexpr double draftTolerance = 0.02, draftRayTolerance = 0.005;
 /// Samples of a film whose rays find what a view shows: few particles first show up later.
 constexpr int seenSamples = 4;
 
-/// Seconds that a frame of a progressive picture bakes.
-constexpr double bakingTime = 0.25;
+/// Seconds that a frame of a progressive picture bakes, once it is known what is seen.
+constexpr double leastBakingTime = 0.25;
 
 /// A first film that takes so many times as long as it should is given up.
 constexpr double patience = 3.0;
@@ -285,11 +285,14 @@ bool FrameTracer::bake(Frame& frame, const Camera& camera, bool& complete)
   SeenView view{frame.width, frame.height, std::min(settings.refinement.samples, seenSamples)};
   view.threads = settings.threads;
   view.limits = frame.limitsFor(frame.width, frame.height);
-  frame.end = settings.progressive ? frame.seconds() + bakingTime : forever;
+  bakingTime_ = std::max(bakingTime_, leastBakingTime);
+  frame.end = settings.progressive ? frame.seconds() + bakingTime_ : forever;
   frame.baked = bakingShare;
   complete = baking_.bake(frame.scene, camera, view, view_,
     [&](double done) { return frame.goesOn(bakingShare * done); });
   bakedShare_ = complete ? 1.0 : baking_.share();
+  // What is seen is looked for anew where the time was too short for it.
+  bakingTime_ = complete || frame.stopped || baking_.hasSeen(view_) ? 0.0 : 2.0 * bakingTime_;
   return !frame.stopped;
 }
 

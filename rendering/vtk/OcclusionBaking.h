@@ -42,6 +42,8 @@ public:
 
   /// The share of the particles that the view shows, as bake() last found them, that maps know.
   double share() const { return share_; }
+  /// Whether it is known what this view shows.
+  bool hasSeen(std::uint64_t number) const { return seenIn_ == number; }
 
   /// Changes with the maps of the scene.
   const std::vector<double>& times() const { return times_; }

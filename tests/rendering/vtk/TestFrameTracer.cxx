@@ -50,11 +50,11 @@ struct Tracing
     settings.progressive = true;
     settings.frameTime = settings.stillTime = 0.0;
   }
-  bool frame()
+  bool frame(int columns = width, int rows = height)
   {
     mote::MoteProps props = {mote::motePropOf(actor), mote::motePropOf(stage.volume)};
     return tracer.trace(
-      stage.renderer, props, width, height, settings, [this](double) { return !stop; });
+      stage.renderer, props, columns, rows, settings, [this](double) { return !stop; });
   }
   void addSlowThings()
   {
@@ -113,6 +113,31 @@ TEST(FrameTracer, BitByBitIsAsAtOnce)
     EXPECT_TRUE(bits.frame());
     EXPECT_EQ(bits.tracer.rays(), 0);
   }
+}
+
+/// However long it takes to find what is seen, baking comes to its end, and tells how far it is.
+TEST(FrameTracer, BakesLargeViewsBitByBit)
+{
+  Tracing t;
+  t.stage.volume->VisibilityOff();
+  t.showEveryTile();
+  t.settings.refinement = {1};
+  ASSERT_TRUE(t.frame());
+  EXPECT_EQ(t.tracer.bakedShare(), 1.0); // none is asked for
+  t.shading->SetAmbientOcclusionToBaked();
+  t.shading->SetAmbientOcclusionReach(0.5);
+  t.shading->SetBakeSide(4);
+  t.shading->SetBakeSamples(4);
+  double before = 0.0;
+  int frames = 0;
+  for (; frames < 40 && (frames < 2 || t.tracer.bakedShare() < 1.0); ++frames)
+  {
+    ASSERT_TRUE(t.frame(8000, 6000)); // more rays than the first time for it allows
+    EXPECT_TRUE(frames < 2 || t.tracer.bakedShare() >= before);
+    before = t.tracer.bakedShare();
+  }
+  EXPECT_EQ(t.tracer.bakedShare(), 1.0);
+  EXPECT_GT(frames, 2);
 }
 
 TEST(FrameTracer, MovesNoCoarserThanWanted)
