@@ -406,7 +406,7 @@ bool PanelHost::add(Input input)
 /// Whether the mouse is over controls, or holds one.
 bool PanelHost::ownsMouse() const
 {
-  if (state_ != State::Ready || viewButtons_ != 0)
+  if (state_ != State::Ready || width_ == 0 || viewButtons_ != 0)
     return false;
   if (ownButtons_ != 0 || interactor_->GetEventPosition()[0] < width_)
     return true;
@@ -461,7 +461,7 @@ bool PanelHost::turn(float wheel)
 bool PanelHost::type(bool isDown)
 {
   const char* symbol = interactor_->GetKeySym();
-  if (state_ != State::Ready || !symbol)
+  if (state_ != State::Ready || width_ == 0 || !symbol)
     return false;
   ImGui::SetCurrentContext(context_);
   if (isDown)

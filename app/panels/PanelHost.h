@@ -55,8 +55,14 @@ public:
   /// decides whose the key is.
   std::function<void()> onHurry;
 
-  /// The part of the window, from its left edge, that is the controls' own.
-  void setWidth(int pixels) { width_ = pixels; }
+  /// The part of the window, from its left edge, that is the controls' own. Where they have none,
+  /// all keys and buttons are the view's, whatever list or field is open among them.
+  void setWidth(int pixels)
+  {
+    width_ = pixels;
+    if (width_ == 0)
+      waiting_.clear();
+  }
   int width() const { return width_; }
   /// Draws some frames more: what opens by itself needs them to find its size.
   void drawAgain();

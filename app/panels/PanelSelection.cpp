@@ -6,6 +6,7 @@
 #include "base/Text.h"
 #include "stage/Coloring.h"
 
+#include <vtkDataArray.h>
 #include <vtkDataSet.h>
 
 #include <imgui.h>
@@ -83,6 +84,23 @@ bool invert(ShowRange& range, SelectionSettings& selection)
 bool drawsRadiiAsTheyAre(const ParticleSettings& particles)
 {
   return particles.radius == "auto" && particles.typeRadius.empty() && particles.radiusScale == 1.0;
+}
+
+/// Texts and titles of the components of a vector whose magnitude is meant; of others none.
+std::vector<std::pair<std::string, std::string>> componentsOf(
+  const std::vector<std::unique_ptr<Part>>& parts, ArrayChoice choice)
+{
+  std::vector<std::pair<std::string, std::string>> found;
+  if (choice.component != ArrayChoice::magnitude)
+    return found;
+  for (const auto& part : parts)
+    if (vtkDataArray* array = found.empty() ? arrayOf(part->data(), choice) : nullptr)
+      for (int component = 0; component < array->GetNumberOfComponents(); ++component)
+      {
+        const ArrayChoice one{choice.name, component, choice.ofCells};
+        found.emplace_back(asText(part->data(), one), describe(part->data(), one));
+      }
+  return found;
 }
 
 } // namespace
@@ -228,7 +246,12 @@ void Panel::drawNewRange()
     offer(this->coloredBy(), stage_.coloring().title());
   for (const NamedArray& array : found_.arrays)
     if (this->kindsOf(array).empty() && !(hidesWithin && array.text == this->coloredBy()))
+    {
       offer(array.text, array.title);
+      for (const auto& [text, title] : componentsOf(stage_.parts(), array.choice))
+        if (!(hidesWithin && text == this->coloredBy()))
+          offer(text, title);
+    }
   for (const NamedArray& array : found_.others)
     // By the radius what is drawn is chosen, which need not be the array's.
     if (array.text != "radius" || drawsRadiiAsTheyAre(next_.particles))

@@ -25,7 +25,7 @@ namespace
 
 constexpr double veilInk[3] = {1.0, 0.16, 0.86}; // those of the window
 constexpr double rulerInk[3] = {1.0, 0.95, 0.3};
-constexpr double larger = 1.04, before = 0.4, leastPixels = 3.0;
+constexpr double larger = 1.04, before = 0.4, leastPixels = 5.0;
 constexpr double usualHeight = 860.0; // pixels, of the window's view
 
 } // namespace

@@ -196,21 +196,34 @@ void Overlay::setPreview(const std::string& text)
   previewText_->SetVisibility(previewOn_);
 }
 
+/// Above what came into the view later, such as the legend.
+void Overlay::raise(vtkTextActor* text)
+{
+  renderer_->RemoveActor2D(text);
+  renderer_->AddActor2D(text);
+}
+
 void Overlay::setTip(const std::string& text, int x, int y, const std::array<int, 2>& size)
 {
   const int away = this->pixels(14); // the cursor hides nothing of it
-  const bool isLeft = 2 * x > size[0], isLow = 2 * y < size[1];
+  const int least = this->pixels(9);
+  constexpr int edge = 4;
+  this->raise(tipText_);
   tipText_->SetInput(text.c_str());
-  tipText_->SetPosition(isLeft ? x - away : x + away, isLow ? y + away : y - away);
-  vtkTextProperty* property = tipText_->GetTextProperty();
-  if (isLeft)
-    property->SetJustificationToRight();
-  else
-    property->SetJustificationToLeft();
-  if (isLow)
-    property->SetVerticalJustificationToBottom();
-  else
-    property->SetVerticalJustificationToTop();
+  double box[4];
+  for (int letters = this->pixels(tipSize); letters >= least; --letters)
+  {
+    tipText_->GetTextProperty()->SetFontSize(letters);
+    tipText_->GetBoundingBox(renderer_, box);
+    if (box[1] - box[0] <= size[0] - 2 * edge)
+      break;
+  }
+  // Beside the cursor, where there is more room, and whole if the view is wide enough for it.
+  const int width = static_cast<int>(box[1] - box[0]), height = static_cast<int>(box[3] - box[2]);
+  const int left = 2 * x > size[0] ? x - away - width : x + away;
+  const int top = 2 * y < size[1] ? y + away + height : y - away;
+  tipText_->SetPosition(std::max(edge, std::min(left, size[0] - width - edge)),
+    std::min(size[1] - edge, std::max(top, height + edge)));
   tipText_->VisibilityOn();
   tipOn_ = true;
 }
@@ -232,7 +245,11 @@ void Overlay::toggleHelp()
   helpFirst_ = 0;
   helpSize_ = {};
   if (helpOn_)
+  {
+    this->hideTip();
     this->layHelp();
+    this->raise(helpText_);
+  }
   helpText_->SetVisibility(helpOn_);
 }
 

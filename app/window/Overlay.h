@@ -42,6 +42,7 @@ public:
   void setTip(const std::string& text, int x, int y, const std::array<int, 2>& size);
   void hideTip();
   bool hasTip() const { return tipOn_; }
+  bool hasHelp() const { return helpOn_; }
 
   /// Pixels at the upper edge that are no place for messages.
   void setTop(int pixels);
@@ -62,6 +63,7 @@ public:
   void setInk(const Color& ink);
 
 private:
+  void raise(vtkTextActor* text);
   bool fits(vtkTextActor* text) const;
   int pixels(int size) const;
   void layHelp();

@@ -31,7 +31,7 @@ namespace
 
 constexpr double ink[3] = {1.0, 0.16, 0.86}; // in no colour map of ours
 constexpr float larger = 1.04f;              // than what is marked
-constexpr double leastPixels = 3.0;          // radius
+constexpr double leastPixels = 5.0;          // radius
 /// How far marks stand before what they mark, in radii: a pixel's depth is the nearest of all of
 /// its rays, and would stand before a mark at the sphere's slopes.
 constexpr double before = 0.4;

@@ -218,6 +218,7 @@ private:
   void setUpHover();
   void moveCursor();
   void hover();
+  void leaveWindow();
   void renderOverlays();
 
   /// What tells one view from another.

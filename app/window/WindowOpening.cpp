@@ -92,6 +92,10 @@ void Window::showOpenDialog()
     return this->say("This window's OpenGL is older than 3.2 and has no list of files: mote FILE "
                      "opens one");
   panelOn_ = true;
+  this->updatePanel();
+  if (panelHost_->width() == 0)
+    return this->say(
+      "This window is too small for the list of files: make it larger, or drop files on it");
   panel_.showOpenDialog();
   panelHost_->setTyping(true);
   panelHost_->drawAgain();

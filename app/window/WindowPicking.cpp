@@ -142,7 +142,8 @@ std::string Window::factsOf(const Hit& hit, int mostArrays) const
 {
   const Picked& picked = hit.picked;
   const Part& part = *stage_.parts()[static_cast<std::size_t>(picked.part)];
-  const std::string which = withThousands(picked.id) + " of " + part.name();
+  const std::string which =
+    withThousands(picked.id) + (stage_.parts().size() > 1 ? " of " + part.name() : "");
   if (picked.kind == Picked::Kind::Cell)
   {
     std::string what;
@@ -441,6 +442,17 @@ void Window::setUpHover()
   constexpr float first = 20.0f; // before the panel, which keeps its events
   observe(
     interactor_, vtkCommand::MouseMoveEvent, [this](void*) { this->moveCursor(); }, first);
+  observe(
+    interactor_, vtkCommand::LeaveEvent, [this](void*) { this->leaveWindow(); }, first);
+}
+
+void Window::leaveWindow()
+{
+  hoverTimer_ = 0;
+  if (busy_ || quit_ || !overlay_.hasTip())
+    return;
+  overlay_.hideTip();
+  this->renderOverlays();
 }
 
 void Window::moveCursor()
@@ -463,7 +475,7 @@ void Window::hover()
 {
   const int* cursor = interactor_->GetEventPosition();
   const int left = window_->GetSize()[0] - this->viewSize()[0];
-  if (playing_ || style_->GetState() != VTKIS_NONE || cursor[0] < left)
+  if (playing_ || overlay_.hasHelp() || style_->GetState() != VTKIS_NONE || cursor[0] < left)
     return;
   const std::optional<Hit> hit = this->hitAt(cursor[0], cursor[1]);
   if (!hit)

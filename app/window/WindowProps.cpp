@@ -6,7 +6,10 @@
 #include <vtkCaptionActor2D.h>
 #include <vtkLookupTable.h>
 #include <vtkOrientationMarkerWidget.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
@@ -46,6 +49,13 @@ void WindowProps::attach(vtkRenderWindowInteractor* interactor)
   this->placeAxes();
   corner_->SetEnabled(1);
   corner_->InteractiveOff();
+  // The widget does not tell its renderer, which has a layer above all others.
+  vtkRendererCollection* all = interactor->GetRenderWindow()->GetRenderers();
+  vtkCollectionSimpleIterator at;
+  all->InitTraversal(at);
+  while (vtkRenderer* renderer = all->GetNextRenderer(at))
+    if (renderer->GetLayer() > 0)
+      axesRenderer_ = renderer;
   this->update();
 }
 
@@ -61,11 +71,16 @@ void WindowProps::placeAxes()
 /// Where there is room for their letters.
 void WindowProps::showAxes()
 {
-  constexpr double least = 36.0; // pixels
+  constexpr double least = 64.0; // pixels
   const bool axes = stage_.settings().picture.axes && !stage_.parts().empty() &&
                     share * stage_.renderer()->GetSize()[0] > least;
   if (corner_->GetInteractor() && corner_->GetEnabled() != static_cast<int>(axes))
     corner_->SetEnabled(axes);
+}
+
+bool WindowProps::hasAxes() const
+{
+  return corner_->GetInteractor() && corner_->GetEnabled() != 0;
 }
 
 void WindowProps::update()
