@@ -184,7 +184,8 @@ std::string markdown()
   std::string text =
     "# Settings\n\nEvery choice that a user can make. The groups up to Picture are "
     "options of `mote` and `mote render`, and\nentries of sessions; what follows "
-    "belongs to one command. `mote help --format markdown` writes this page.\n";
+    "belongs to one command. Keys have [a page of their own](keys.md).\n`mote help --format "
+    "markdown` writes this page.\n";
   for (const Topic& topic : topics())
   {
     text += "\n## " + std::string(topic.name) + "\n\n" + topic.about + "\n\n    " + topic.example +
@@ -283,7 +284,8 @@ void addHelpOptions(CLI::App& app, HelpOptions& options)
   app.allow_extras(); // options, as they are written elsewhere
   app
     .add_option("--format", options.format,
-      "Print all of it: markdown for the reference, man for a manual page, bash for a completion")
+      "Print all of it: markdown for the reference (of keys, where TOPIC is keys), man for a "
+      "manual page, bash for a completion")
     ->check(CLI::IsMember({"text", "markdown", "man", "bash"}).description(""))
     ->type_name("text|markdown|man|bash");
 }
@@ -293,11 +295,12 @@ void printHelp(const CLI::App& app, const HelpOptions& options)
   const std::vector<std::string> others = app.get_subcommand("help")->remaining();
   const std::string& topic =
     options.topic.empty() && !others.empty() ? others.front() : options.topic;
-  const std::string text = options.format == "markdown" ? markdown()
-                           : options.format == "man"    ? manPage(app)
-                           : options.format == "bash"   ? bashCompletion(app)
-                           : topic.empty()              ? overview()
-                                                        : topicText(topic);
+  const std::string text = options.format == "markdown"
+                             ? topic == "keys" ? keysMarkdown() : markdown()
+                           : options.format == "man"  ? manPage(app)
+                           : options.format == "bash" ? bashCompletion(app)
+                           : topic.empty()            ? overview()
+                                                      : topicText(topic);
   std::fputs(text.c_str(), stdout);
 }
 

@@ -112,4 +112,24 @@ std::string keysHelp(std::size_t columns)
   return text;
 }
 
+std::string keysMarkdown()
+{
+  std::string text =
+    "# Keys\n\nWhat keys and the mouse do in the window. `h` shows them there. The last column "
+    "names the option that a key\nchanges, where there is one: [settings.md](settings.md) tells "
+    "more about it. `mote help keys --format markdown`\nwrites this page.\n\n"
+    "| keys | what they do | options |\n|---|---|---|\n";
+  for (const Line& line : lines())
+  {
+    std::vector<std::string> options;
+    for (const Binding& binding : line.bindings)
+      if (const std::string option = "`--" + binding.row + "`";
+          !binding.row.empty() && (options.empty() || options.back() != option))
+        options.push_back(option);
+    text +=
+      std::string("| ") + line.keys + " | " + line.help + " | " + joined(options, ", ") + " |\n";
+  }
+  return text;
+}
+
 } // namespace mote::app

@@ -74,4 +74,7 @@ const Binding& bindingOf(const std::string& keySymbol);
 /// many letters goes on below.
 std::string keysHelp(std::size_t columns = 1000);
 
+/// The same as a page of the docs, with the options that keys change.
+std::string keysMarkdown();
+
 } // namespace mote::app

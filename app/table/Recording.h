@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-// What a user did in the window, as a file: see docs/user-guide.md, "Recordings".
+// What a user did in the window, as a file: see docs/guide/sessions.md, "Recordings".
 
 namespace mote::app
 {

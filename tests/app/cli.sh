@@ -147,37 +147,6 @@ case $3 in
     one_sentence
     ;;
 
-  readme) # the pictures of README.md and the user guide are made as printed
-    root=$(dirname "$data")
-    ln -s "$data" data
-    meshes=$MOTE_SHARED_DATA/hexahedra
-    if [ -d "$meshes" ]; then
-      ln -s "$meshes"/*.vtu .
-    else
-      echo "There is no $meshes: pictures of its meshes are left out."
-    fi
-    count=0
-    while read -r command; do
-      for word in $command; do
-        [[ $word != *.vtu || -e $word ]] || continue 2
-      done
-      command=${command/720x540/96x72} # of real meshes: smaller, and soon done
-      # shellcheck disable=SC2086
-      run 0 "$mote" ${command#mote }
-      count=$((count + 1))
-    done < <(sed -nE 's/^    (mote (render|average|probe|silhouettes) .*)/\1/p' "$root/README.md" "$root/docs/user-guide.md")
-    [ $count -ge 8 ] || fail "only $count commands"
-    for part in '' render animate info convert average probe silhouettes bake; do # and what they name are options
-      # shellcheck disable=SC2086
-      run 0 "$mote" $part --help
-      cat out >>help
-    done
-    for option in $(sed -n -e '/^    mote /p' -e 's/`\(--[a-z-]*\)/\n    mote \1\n/gp' "$root/README.md" \
-      "$root/docs/user-guide.md" | sed -n '/^    mote /p' | grep -oE -e ' --[a-z][a-z-]*' | sort -u); do
-      grep -qE -e "(^|[ ,])$option([ ,=]|$)" help || fail "a page names $option, which is no option"
-    done
-    ;;
-
   allsteps) # a file of each time step, and its maps
     run 0 "$mote" convert "$hopper" heap.mote --all-steps
     steps=$(ls heap.*.mote | wc -l)

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """screen.py X Y WIDTH HEIGHT: a fingerprint of a rectangle of the screen that DISPLAY names, and
-how many colours it has; with "marked" or "ruled" behind, how many pixels have the colour of marks, or
-of the ruler; with "lines", how many rows have white letters."""
+how many colours it has; with "marked", "ruled" or "red" behind, how many pixels have the colour of marks, of
+the ruler, or are red; with "lines", how many rows have white letters; with "save FILE", the rectangle as a
+PNG."""
 import ctypes
+import struct
 import sys
 import zlib
 
@@ -31,6 +33,17 @@ if sys.argv[5:] == ["marked"]:
 elif sys.argv[5:] == ["lines"]:
     rows = [colors[width * y:width * (y + 1)] for y in range(height)]
     print(sum(any(min(color) > 200 for color in row) for row in rows))
+elif sys.argv[5:6] == ["save"]:
+    lines = b"".join(b"\0" + bytes(part for color in colors[row * width : (row + 1) * width] for part in color)
+                     for row in range(height))
+    with open(sys.argv[6], "wb") as file:
+        file.write(b"\x89PNG\r\n\x1a\n")
+        for kind, body in [(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)),
+                           (b"IDAT", zlib.compress(lines)), (b"IEND", b"")]:
+            file.write(struct.pack(">I", len(body)) + kind + body +
+                       struct.pack(">I", zlib.crc32(kind + body)))
+elif sys.argv[5:] == ["red"]:
+    print(sum(red > 150 and max(green, blue) < 0.4 * red for red, green, blue in colors))
 elif sys.argv[5:] == ["ruled"]:
     print(sum(min(red, green) > 170 and blue < 0.6 * green for red, green, blue in colors))
 else:

@@ -369,6 +369,9 @@ case $3 in
     run 0 "$mote" help --format markdown
     cmp out "$(dirname "$data")/docs/settings.md" ||
       fail "docs/settings.md is not what mote help --format markdown prints"
+    run 0 "$mote" help keys --format markdown
+    cmp out "$(dirname "$data")/docs/keys.md" ||
+      fail "docs/keys.md is not what mote help keys --format markdown prints"
     run 0 "$mote" help --format man
     sed 's/\\-/-/g' out >page
     for text in --all-steps --memory --tolerance 'Values: auto, volume, surface' lattice 'EXIT STATUS'; do

@@ -10,7 +10,7 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(os.environ["MOTE_SOURCE_DIR"])
-PAGES = [ROOT / name for name in ["README.md", "docs/user-guide.md", "docs/volumes.md"]]
+PAGES = [ROOT / "README.md", ROOT / "docs/volumes.md", *sorted((ROOT / "docs/guide").glob("*.md"))]
 
 
 def examples():
