@@ -79,6 +79,12 @@ case $3 in
     PATH=$PWD/there:$PATH run 0 "$mote" animate "$hopper" -o film.mp4 --size 50x40 --samples 1
     said words '-s 50x40 -r 25'
     [ "$(stat -c %s film.mp4)" = $((7 * 50 * 40 * 3)) ] || fail "$(stat -c %s film.mp4) bytes of frames"
+    if command -v ffmpeg ffprobe >/dev/null; then # the real one
+      run 0 "$mote" animate "$hopper" -o real.mp4 --size 64x48 --samples 1
+      run 0 ffprobe -v error -count_frames -show_entries stream=width,height,nb_read_frames -of csv=p=0 real.mp4
+      said out 64,48,7
+      rm real.mp4
+    fi
     # Its failures are told, and leave what was there.
     printf '#!/bin/sh\nhead -c 10 >/dev/null\nexit 1\n' >there/ffmpeg
     PATH=$PWD/there:$PATH run 1 "$mote" animate "$hopper" -o film.mp4 --size 500x400 --samples 1

@@ -31,7 +31,7 @@ picked() {
 # none: nothing is picked.
 none() {
   press ctrl+e
-  sleep 1
+  command_now >/dev/null # answered after it
   ls -- *-picked.csv 2>/dev/null && fail "something is picked"
 }
 
@@ -298,13 +298,32 @@ case $3 in
     quit
     ;;
 
+  widths) # of the list's columns are those of their texts, without any input after the pick
+    open "$copper" --size 1000x860
+    click 'group Colour' 0.8
+    click 'group Selection' 0.8
+    xdotool mousemove 640 400
+    press p
+    shown 'picked list'
+    settled
+    read -r left top < <(place 'picked list' 0 0)
+    read -r right bottom < <(place 'picked list' 1 1)
+    at_rest "$left" "$top" $((right - left)) $((bottom - top)) >first
+    python3 "$tests/screen.py" "$left" "$top" $((right - left)) 40 save list.png
+    [ "$(python3 "$tests/drawn.py" list.png 150 $((right - left - 20)) 0 39 light)" -gt 100 ] ||
+      fail "the columns are too narrow for their texts"
+    xdotool mousemove 700 800 sleep 0.2 mousemove 640 400
+    at_rest "$left" "$top" $((right - left)) $((bottom - top)) >second
+    cmp first second || fail "the list is laid out anew by the next input"
+    quit
+    ;;
+
   plot) # of values: a histogram or a scatter plot, in which ranges are dragged
     open "$copper" --size 1000x1000 --color-by c_centro
     # What the panel draws without a frame of the view is on the screen, too.
     panel_now() { python3 "$tests/screen.py" 0 200 310 400; }
     click 'group Colour' 0.8
-    sleep 1
-    before=$(panel_now)
+    before=$(at_rest 0 200 310 400)
     click 'group Selection' 0.8
     for _ in $(seq 50); do
       [ "$(panel_now)" != "$before" ] && break

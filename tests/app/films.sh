@@ -92,9 +92,12 @@ case $3 in
     over 'Save film'
     xdotool click 1
     written copper-scratch-001.part.ogv
-    sleep 1
     # What was there stays behind the bar, darkened: the panel, too.
-    read -r _ colors < <(python3 "$tests/screen.py" 5 100 280 16) # of a gradient, 16
+    for _ in $(seq 100); do
+      read -r _ colors < <(python3 "$tests/screen.py" 5 100 280 16) # of a gradient, 16
+      [ "$colors" -gt 24 ] && break
+      sleep 0.1
+    done
     [ "$colors" -gt 24 ] || fail "the window is empty while it makes a film: $colors colours"
     press Escape
     written copper-scratch-001.ogv

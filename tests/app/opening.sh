@@ -42,6 +42,28 @@ case $3 in
     wait $process || fail "exit code $? without a file"
     ;;
 
+  small) # windows have no list of files, and keep their keys
+    open "$data/swirl.0.vtu" --size 1000x760
+    shown Undo
+    xdotool windowsize --sync "$window" 289 600
+    sized small.png 289x600
+    press ctrl+o
+    has '--size=289x600'
+    # So they do where the list, or a field, is open when the window becomes small.
+    xdotool windowsize --sync "$window" 1000 760
+    shown Undo
+    press ctrl+o
+    shown filter
+    xdotool windowsize --sync "$window" 289 600
+    sized small.png 289x600
+    has '--size=289x600'
+    xdotool windowsize --sync "$window" 1000 760
+    shown Cancel # it is still there
+    xdotool key --window 0 Escape
+    gone Cancel
+    quit
+    ;;
+
   dialog) # a plain list, by keys and by the mouse; replaces, adds, is undone
     mkdir -p lists/below lists/empty
     cp "$copper" "$data/hopper.dump.gz" "$data/swirl.0.vtu" "$data/swirl.1.vtu" lists

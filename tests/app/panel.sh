@@ -191,6 +191,11 @@ case $3 in
     drag histogram 0.0 0.3
     has '--show=radius=[0-9.]+:[0-9.]+ '
     click 'show all'
+    click show
+    click 'v: vx' # components of vectors, too
+    drag histogram 0.99 0.8 0.6
+    has '--show=v:0=[-0-9.e]*:[-0-9.e]+ '
+    click 'show all'
     click color-by
     click radius
     has '--color-by=radius '
@@ -505,6 +510,24 @@ case $3 in
     quit
     ;;
 
+  over) # the axes lie what is told of a control, and over the axes no texts of a small view
+    open "$copper" --size 1000x650 --color-by none
+    axes() { python3 "$tests/screen.py" 330 520 110 80 red; }
+    at_rest 330 520 110 80 >/dev/null
+    [ "$(axes)" -gt 20 ] || fail "no axes"
+    over where 0.9
+    for _ in $(seq 100); do
+      [ "$(axes)" = 0 ] && break
+      sleep 0.1
+    done
+    [ "$(axes)" = 0 ] || fail "the axes stand in what is told of a control"
+    xdotool windowsize --sync "$window" 640 400
+    xdotool mousemove 500 200
+    at_rest 320 250 320 110 >/dev/null
+    [ "$(python3 "$tests/screen.py" 320 250 120 110 red)" = 0 ] || fail "axes in a small view"
+    quit
+    ;;
+
   keyboard) # and no mouse: sections are folded, lists chosen from, fields written, boxes ticked
     open "$copper" --size 1000x760
     shown color-map
@@ -574,6 +597,15 @@ case $3 in
     click 'one colour'
     write plain-color steelblue
     has '--plain-color=steelblue'
+    # Ctrl+Z while a field is written in undoes nothing of the view, nor does the program fall over
+    # where it has changed the field's text itself.
+    click plain-color
+    shown 'active plain-color'
+    xdotool key --window 0 --delay 50 ctrl+a r e d ctrl+z ctrl+z ctrl+y ctrl+z Escape
+    gone 'active plain-color'
+    has '--color-by=none'
+    write plain-color steelblue
+    has '--plain-color=steelblue'
     refused plain-color nocolour
     press Escape
     gone 'active plain-color'
@@ -635,6 +667,28 @@ case $3 in
     done
     grep -q '^cell,of,.*pressure' pump-0.002-001-picked.csv || fail "no pressure of the cell"
     quit
+    ;;
+
+  scale) # of the panel's texts and controls
+    size() { awk -v name="$1" '$1 == name { print $4 - $2, $5 - $3 }' "$MOTE_CONTROLS"; }
+    declare -A wide high
+    for scale in 1 2; do
+      open "$copper" --size 1280x1000 --ui-scale $scale
+      shown Undo
+      settled
+      read -r wide[$scale] high[$scale] < <(size Undo)
+      # The texts are larger, and not only the room that they have: rows of the button that have ink.
+      read -r x y < <(place Undo 0 0)
+      python3 "$tests/screen.py" "$x" "$y" "${wide[$scale]}" "${high[$scale]}" save undo-$scale.png
+      quit
+    done
+    twice() { [ $((10 * $2)) -ge $((19 * $1)) ] && [ $((10 * $2)) -le $((21 * $1)) ]; }
+    twice "${wide[1]}" "${wide[2]}" && twice "${high[1]}" "${high[2]}" ||
+      fail "the button is ${wide[*]} wide, ${high[*]} high"
+    ink() { python3 "$tests/drawn.py" "undo-$1.png" 2 $((${wide[$1]} - 3)) 2 $((${high[$1]} - 3)) light; }
+    read -r low < <(ink 1)
+    read -r much < <(ink 2)
+    [ "$much" -ge $((3 * low)) ] && [ "$much" -le $((5 * low)) ] || fail "$low pixels of text, then $much"
     ;;
 
   *)

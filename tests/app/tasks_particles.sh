@@ -174,7 +174,8 @@ case $3 in
     changed
     task 12 'values under the mouse'
     xdotool mousemove 340 300
-    sleep 6 # the greeting goes
+    press Escape # the greeting goes
+    at_rest 330 60 660 880 >/dev/null
     before=$(on_screen)
     xdotool mousemove 640 500
     until_other "$before"

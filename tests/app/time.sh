@@ -263,10 +263,13 @@ SCRIPT
     xdotool mousemove 610 200
     press p
     shown 'Paths of the picked'
-    click 'Paths of the picked'
-    sleep 1
     picture picked.png
+    click 'Paths of the picked'
+    has '--trajectories='
+    picture paths.png
+    differ picked.png paths.png
     click Undo
+    has_no '--trajectories='
     quit
     ;;
 

@@ -121,8 +121,8 @@ case $3 in
     read -r x y < <(xdotool getwindowgeometry "$window" | sed -n 's/.*Position: \([0-9]*\),\([0-9]*\).*/\1 \2/p')
     tip() { python3 "$tests/screen.py" "$x" "$y" 640 380; } # but the status line
     xdotool mousemove $((x + 20)) $((y + 60))
-    sleep 6 # the greeting goes
-    none=$(tip)
+    press Escape # the greeting goes
+    none=$(at_rest "$x" "$y" 640 380)
     xdotool mousemove $((x + 320)) $((y + 210))
     until_is() {
       for _ in $(seq 100); do
@@ -138,13 +138,38 @@ case $3 in
     picture saved.png
     alike sharp.png saved.png
     xdotool mousemove $((x + 300)) $((y + 250))
-    sleep 1
-    until_is other "nothing is told of another particle"
+    for _ in $(seq 100); do
+      until_is other "nothing is told of another particle"
+      [ "$now" != "$first" ] && break
+      sleep 0.05
+    done
     [ "$now" != "$first" ] || fail "the same is told of another place"
     xdotool mousemove $((x + 20)) $((y + 60))
     until_is same "what was told stays"
-    sleep 1
+    sleep 1 # longer than it takes to be told
     until_is same "something is told of nothing"
+    xdotool mousemove $((x + 320)) $((y + 210))
+    until_is other "nothing is told any more"
+    xdotool mousemove $((x + 800)) $((y + 500)) # out of the window
+    until_is same "what was told stays when the cursor has left"
+    quit
+    # What is told is whole in a narrow view, and lies over the legend.
+    open "$data/hopper.dump.gz" --size 400x400 --samples 1 --color-by v
+    picture sharp.png
+    read -r x y < <(xdotool getwindowgeometry "$window" | sed -n 's/.*Position: \([0-9]*\),\([0-9]*\).*/\1 \2/p')
+    xdotool mousemove $((x + 20)) $((y + 60))
+    press Escape
+    none=$(at_rest $((x + 397)) "$y" 3 380)
+    tip() { python3 "$tests/screen.py" $((x + 320)) "$y" 60 380; }
+    legend=$(tip)
+    xdotool mousemove $((x + 195)) $((y + 210))
+    for _ in $(seq 100); do
+      [ "$(tip)" = "$legend" ] || break
+      sleep 0.05
+    done
+    [ "$(tip)" != "$legend" ] || fail "nothing is told over the legend"
+    tip() { python3 "$tests/screen.py" $((x + 397)) "$y" 3 380; }
+    [ "$(tip)" = "$none" ] || fail "what is told goes on beyond the view"
     quit
     ;;
 
@@ -285,7 +310,7 @@ case $3 in
       fail "nothing changes on the screen $2"
     }
     press Escape
-    sleep 1
+    at_rest 0 0 640 440 >/dev/null
     plain=$(shown)
     press p
     changed "$plain" "where a particle is picked"
@@ -304,14 +329,12 @@ case $3 in
     xdotool getwindowname "$window" | grep -q 'Mote - copper-scratch' || fail "title"
     picture start.png
     xdotool windowsize --sync "$window" 500 600
-    sleep 1
-    picture tall.png
+    sized tall.png 500x600
     is_picture tall.png 500x600
     xdotool windowsize --sync "$window" 120 90 # too small for the texts
-    sleep 1
+    sized tiny.png 120x90
     xdotool windowsize --sync "$window" 640 480
-    sleep 1
-    picture back.png
+    sized back.png 640x480
     alike start.png back.png
     quit
     ;;

@@ -72,6 +72,31 @@ picture() {
   mv "$file" "$1"
 }
 
+# at_rest X Y WIDTH HEIGHT: a fingerprint of a rectangle of the screen, once it has been the same for a
+# while.
+at_rest() {
+  local before= now same=0
+  for _ in $(seq 300); do
+    now=$(python3 "$tests/screen.py" "$@")
+    [ "$now" = "$before" ] && same=$((same + 1)) || same=0
+    [ $same -ge 5 ] && break
+    before=$now
+    sleep 0.1
+  done
+  [ $same -ge 5 ] || fail "the screen does not come to rest"
+  echo "$now"
+}
+
+# sized NAME SIZE: a picture of the view, once it has this size.
+sized() {
+  for _ in $(seq 50); do
+    picture "$1"
+    [ "$(png_size "$1")" = "$2" ] && return
+    sleep 0.1
+  done
+  fail "the view is $(png_size "$1"), not $2"
+}
+
 differ() { cmp -s "$1" "$2" && fail "$1 and $2 look alike"; }
 
 quit() {

@@ -103,6 +103,23 @@ class Window:
             time.sleep(0.02)
         return time.time() - start
 
+    def sessions(self):
+        return {name for name in os.listdir(self.folder) if name.endswith(".json")}
+
+    def save_session(self, limit):
+        """Has the window save its session, and returns the file."""
+        self.ask(limit)  # which leaves lists and fields
+        before = self.sessions()
+        self.xdo("key", "--window", "0", "ctrl+s")
+        end = time.time() + limit
+        while self.sessions() == before:
+            self.require_running()
+            if time.time() > end:
+                raise Trouble("no session was saved")
+            time.sleep(0.1)
+        self.ask(limit)
+        return os.path.join(self.folder, (self.sessions() - before).pop())
+
     def diagnose(self):
         """What the program is at, for whoever looks for the reason of a hang."""
         path = os.path.join(self.folder, "stacks")

@@ -4,19 +4,25 @@
     soak.py --seed 1 --minutes 60 --folder OUT MOTE DATA...
 
 Clicks, drags, turns the wheel, presses keys, writes into fields, resizes, undoes and opens the other
-data sets: all controls that the panel says it has (MOTE_CONTROLS). Each start of the program is
-recorded (--record), and the recording is kept where the program crashes, hangs or fails; then the
-seed, the recording and the last actions are named, and the exit code is 1. The end is a table of
-memory by minute.
+data sets: all controls that the panel says it has (MOTE_CONTROLS). A triangle mesh that it makes, and
+the .mote file of it, are among the data; it begins with both, and with values over time. Each start
+of the program is recorded (--record), and the recording is kept where the program crashes, hangs or
+fails; then the seed, the recording and the last actions are named, and the exit code is 1. So they
+are where more memory is resident than the cache and --beside, or where the last recording, played
+without a display, ends with other settings than the window did. The end is a table of memory by
+minute.
 """
 
 import argparse
 import os
 import random
+import re
+import subprocess
 import sys
 import time
 
 from hands import Trouble, Window
+from replay import differences, write_mesh
 
 # Every key of the window but q, and some that are not bound.
 KEYS = """plus minus r v x y z X Y Z o f p P i Delete u ctrl+c ctrl+e j c C m bracketleft bracketright
@@ -41,6 +47,7 @@ class Soak:
         self.slowest = 0.0
         self.begin = time.time()
         self.data = ""
+        self.waiting = []   # data that were not opened since the others were
 
     # ---------------------------------------------------------------- the program
 
@@ -48,22 +55,52 @@ class Soak:
         self.starts += 1
         folder = os.path.join(self.arguments.folder, "start-%d" % self.starts)
         os.makedirs(folder, exist_ok=True)
-        self.data = self.random.choice(self.arguments.data)
-        options = ["--size", "1000x760", "--cache", self.arguments.cache, "--samples", "4"]
+        self.data = self.next_data()
+        options = ["--size", "1000x760", "--cache", self.arguments.cache, "--samples", "4",
+                   "--lod-error", self.random.choice("014")]
         if self.arguments.record:
             options += ["--record", os.path.join(folder, "recording.jsonl")]
         self.done.append("--- start %d with %s" % (self.starts, self.data))
         self.window = Window(self.arguments.mote, [self.data], folder, options)
 
+    def next_data(self):
+        """All in turn, each time in another order; the meshes first of all."""
+        if not self.waiting:
+            self.waiting = self.random.sample(self.arguments.data, len(self.arguments.data))
+            if self.starts <= 1 and not self.actions:
+                self.waiting.sort(key=lambda name: "soak-mesh" in name)
+        return self.waiting.pop()
+
     def end(self):
+        if self.arguments.record:
+            self.play_again(self.window.save_session(self.arguments.patience))
         code = self.window.quit()
         if code != 0:
             raise Trouble("exit code %d after q" % code)
         self.window.kill()
 
+    def play_again(self, session):
+        """What was recorded, without a display, must end as the window did."""
+        played = os.path.join(self.window.folder, "played.json")
+        command = [self.arguments.mote, "render", "--play", "recording.jsonl", "-o", "played.png",
+                   "--save-session", played]
+        with open(os.path.join(self.window.folder, "played"), "wb") as said:
+            code = subprocess.run(command, cwd=self.window.folder, stdout=said, stderr=said,
+                                  timeout=20 * self.arguments.patience, check=False).returncode
+        if code != 0:
+            raise Trouble("exit code %d of %s" % (code, " ".join(command)))
+        found = differences(session, played)
+        if found:
+            raise Trouble("played again, it ends with other settings (window, played):\n  " +
+                          "\n  ".join(found))
+
     def sample(self):
         self.samples.append((time.time() - self.begin, self.actions, self.starts, self.data,
                              self.window.memory()))
+        most = bytes_of(self.arguments.cache) + bytes_of(self.arguments.beside)
+        if self.samples[-1][-1] > most:
+            raise Trouble("%d MiB are resident, more than cache and --beside, %d MiB" % (
+                self.samples[-1][-1] / 2**20, most / 2**20))
 
     # ---------------------------------------------------------------- what is done
 
@@ -179,7 +216,7 @@ class Soak:
         return "resize to %dx%d" % size
 
     def open(self):
-        self.data = self.random.choice(self.arguments.data)
+        self.data = self.next_data()
         is_added = self.random.random() < 0.1
         self.window.open(self.data, is_added)
         return "open %s%s" % (self.data, " beside" if is_added else "")
@@ -189,19 +226,60 @@ class Soak:
         self.window.xdo("mousemove", *map(str, place), "sleep", "0.8")
         return "rest at %d %d" % place
 
+    def named(self, name):
+        return next((c for c in self.window.controls() if c[0] == name), None)
+
+    def press_control(self, name):
+        control = self.named(name)
+        if control:
+            self.window.xdo("mousemove", *map(str, self.spot_on(control)), "sleep", "0.02", "click", "1",
+                            "sleep", "0.3")
+        return control is not None
+
+    def plot_over_time(self):
+        """Of what is at a place in the view, where there is something."""
+        self.click_view()
+        time.sleep(0.5)
+        if not self.named("Plot over time"):
+            self.press_control("group Picked")
+        return "plot over time: " + ("yes" if self.press_control("Plot over time") else "nothing is picked")
+
+    def lower_detail(self):
+        for group in ("group Picture", "group Colour", "group Selection"):
+            if not self.named("lod-error"):
+                self.press_control(group)  # which makes room, or brings it
+        control = self.named("lod-error")
+        if not control:
+            return "no --lod-error in sight"
+        places = [self.spot_on(control) for _ in range(3)]
+        self.drag("1", places)
+        return "drag lod-error from %s to %s" % (places[0], places[-1])
+
+    def tour(self):
+        """What half a minute at random would miss: meshes, their details, values over time."""
+        for kind in (self.lower_detail, self.drag_view, self.open, self.lower_detail, self.click_view,
+                     self.open, self.plot_over_time):
+            self.note(kind)
+            self.window.ask(self.arguments.patience)
+
+    def note(self, kind):
+        self.done.append("%6d %7.1f s  %s" % (self.actions, time.time() - self.begin, kind()))
+        self.actions += 1
+
     def act(self):
         kinds = [(self.click, 30), (self.drag_control, 14), (self.drag_view, 8),
                  (self.click_view, 6), (self.wheel, 10), (self.keys, 16), (self.undo, 4),
-                 (self.write, 8), (self.resize, 2), (self.open, 1.2), (self.rest, 1)]
+                 (self.write, 8), (self.resize, 2), (self.open, 1.2), (self.rest, 1),
+                 (self.plot_over_time, 1), (self.lower_detail, 1)]
         kind = self.random.choices([k for k, _ in kinds], [w for _, w in kinds])[0]
-        self.done.append("%6d %7.1f s  %s" % (self.actions, time.time() - self.begin, kind()))
-        self.actions += 1
+        self.note(kind)
 
     # ---------------------------------------------------------------- the whole
 
     def run(self):
         end = self.begin + 60.0 * self.arguments.minutes
         self.start()
+        self.tour()
         while time.time() < end:
             self.act()
             if self.window.has_ended():
@@ -234,6 +312,20 @@ class Soak:
                                                                self.slowest))
 
 
+def bytes_of(text):
+    number, unit = re.fullmatch(r"([0-9.]+)([KMG]?)", text).groups()
+    return float(number) * {"": 1, "K": 2**10, "M": 2**20, "G": 2**30}[unit]
+
+
+def with_meshes(arguments):
+    """A mesh and the .mote file of it, besides the data that are given."""
+    mesh = os.path.join(arguments.folder, "soak-mesh.ply")
+    file = os.path.join(arguments.folder, "soak-mesh.mote")
+    write_mesh(mesh)
+    subprocess.run([arguments.mote, "convert", mesh, file], stdout=subprocess.DEVNULL, check=True)
+    return arguments.data + [mesh, file]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -243,6 +335,9 @@ def main():
     parser.add_argument("--minutes", type=float, default=60.0)
     parser.add_argument("--folder", required=True, help="for recordings and what the program says")
     parser.add_argument("--cache", default="200M", help="of the program")
+    parser.add_argument("--beside", default="1100M", help="memory that the program may take besides "
+                        "the cache: itself, OpenGL in software, the data that are shown, and the "
+                        "next ones while they are read")
     parser.add_argument("--patience", type=float, default=180.0, help="seconds for an answer")
     parser.add_argument("--no-record", dest="record", action="store_false")
     arguments = parser.parse_args()
@@ -251,6 +346,8 @@ def main():
     # What is no file is made by the program, such as pump:0.02.
     arguments.data = [os.path.abspath(name) if os.path.exists(name) else name
                       for name in arguments.data]
+    os.makedirs(arguments.folder, exist_ok=True)
+    arguments.data = with_meshes(arguments)
     soak = Soak(arguments)
     code = 0
     try:
