@@ -142,7 +142,7 @@ private:
   std::uint64_t view_ = 0;     ///< its number
   Shown shown_;                ///< by the film
   OcclusionBaking baking_;
-  double bakingTime_ = 0.0; ///< seconds that a frame of a progressive picture bakes
+  double bakingTime_ = 0.0;    ///< seconds that a frame of a progressive picture bakes
   double distance_ = 1.0;      ///< of the film's rays
   double shownDistance_ = 1.0; ///< of those of the film before, while the first sample is traced
   unsigned channels_ = 0;      ///< of the film, besides those of silhouettes
