@@ -1,45 +1,10 @@
 #include "EmbreeOcclusion.h"
 
-#include <algorithm>
-#include <limits>
-
 namespace mote::bench
 {
 
 namespace
 {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
-/// Writes `size` rays from `first` on; those past the end are passed over.
-template <int size>
-void fillRays(const EmbreeRays& from, int first, RTCRayNt<size>& rays)
-{
-  const auto copy = [&](const float* numbers, float* to)
-  { std::copy_n(numbers + first, size, to); };
-  copy(from.origin[0], rays.org_x);
-  copy(from.origin[1], rays.org_y);
-  copy(from.origin[2], rays.org_z);
-  copy(from.direction[0], rays.dir_x);
-  copy(from.direction[1], rays.dir_y);
-  copy(from.direction[2], rays.dir_z);
-  for (int i = 0; i < size; ++i)
-  {
-    const bool used = first + i < from.count;
-    rays.tnear[i] = used ? from.begin(first + i) : infinity;
-    rays.tfar[i] = used ? from.end(first + i) : -infinity;
-    rays.time[i] = 0.0f;
-    rays.mask[i] = ~0u;
-    rays.id[i] = rays.flags[i] = 0;
-  }
-}
-
-RTCRay singleRay(const EmbreeRays& from, int i)
-{
-  const auto &o = from.origin, &d = from.direction;
-  return {o[0][i], o[1][i], o[2][i], from.begin(i), d[0][i], d[1][i], d[2][i], 0.0f, from.end(i),
-    ~0u, 0, 0};
-}
 
 /// Bits of the rays that Embree has found something on: their tfar has become -infinity.
 template <typename FarEnd>
@@ -115,22 +80,25 @@ std::uint64_t embreeOccluded(
   return all[mode](scene, context, rays);
 }
 
-void embreeOccluded(
-  std::size_t mode, RTCScene scene, const OcclusionRays& rays, OcclusionAnswers& answers)
+EmbreeRays embreeRays(const OcclusionRays::Packet& packet, double reach)
+{
+  EmbreeRays rays;
+  rays.count = packet.count;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    rays.origin[k] = packet.origin32[k];
+    rays.direction[k] = packet.direction32[k];
+  }
+  rays.reach = static_cast<float>(reach);
+  return rays;
+}
+
+void embreeOccluded(std::size_t mode, RTCScene scene, RTCIntersectContextFlags flags,
+  const OcclusionRays& rays, OcclusionAnswers& answers)
 {
   forPackets(rays, answers,
     [&](const OcclusionRays::Packet& packet)
-    {
-      EmbreeRays asked;
-      asked.count = packet.count;
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        asked.origin[k] = packet.origin32[k];
-        asked.direction[k] = packet.direction32[k];
-      }
-      asked.reach = static_cast<float>(rays.reach);
-      return embreeOccluded(mode, scene, RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT, asked);
-    });
+    { return embreeOccluded(mode, scene, flags, embreeRays(packet, rays.reach)); });
 }
 
 } // namespace mote::bench

@@ -3,8 +3,10 @@
 #include "../EmbreeDevice.h"
 #include "OcclusionRays.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -35,8 +37,43 @@ const std::vector<std::string>& embreeOcclusionModes();
 std::uint64_t embreeOccluded(
   std::size_t mode, RTCScene scene, RTCIntersectContextFlags flags, const EmbreeRays& rays);
 
-/// The same for rays that have little in common, in parallel.
-void embreeOccluded(
-  std::size_t mode, RTCScene scene, const OcclusionRays& rays, OcclusionAnswers& answers);
+/// The rays of a packet, all as far as `reach`.
+EmbreeRays embreeRays(const OcclusionRays::Packet& packet, double reach);
+
+/// The same for many rays, in parallel.
+void embreeOccluded(std::size_t mode, RTCScene scene, RTCIntersectContextFlags flags,
+  const OcclusionRays& rays, OcclusionAnswers& answers);
+
+/// Writes `size` rays from `first` on; those past the end are passed over.
+template <int size>
+void fillRays(const EmbreeRays& from, int first, RTCRayNt<size>& rays)
+{
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  const auto copy = [&](const float* numbers, float* to)
+  { std::copy_n(numbers + first, size, to); };
+  copy(from.origin[0], rays.org_x);
+  copy(from.origin[1], rays.org_y);
+  copy(from.origin[2], rays.org_z);
+  copy(from.direction[0], rays.dir_x);
+  copy(from.direction[1], rays.dir_y);
+  copy(from.direction[2], rays.dir_z);
+  for (int i = 0; i < size; ++i)
+  {
+    const bool used = first + i < from.count;
+    rays.tnear[i] = used ? from.begin(first + i) : infinity;
+    rays.tfar[i] = used ? from.end(first + i) : -infinity;
+    rays.time[i] = 0.0f;
+    rays.mask[i] = ~0u;
+    rays.id[i] = rays.flags[i] = 0;
+  }
+}
+
+/// One of the rays.
+inline RTCRay singleRay(const EmbreeRays& from, int i)
+{
+  const auto &o = from.origin, &d = from.direction;
+  return {o[0][i], o[1][i], o[2][i], from.begin(i), d[0][i], d[1][i], d[2][i], 0.0f, from.end(i),
+    ~0u, 0, 0};
+}
 
 } // namespace mote::bench

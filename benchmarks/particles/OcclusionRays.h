@@ -62,10 +62,9 @@ OcclusionRays makeOcclusionRays(const reference::SphereTree& tree, const Particl
 /// What the reference says.
 OcclusionAnswers referenceAnswers(const reference::SphereTree& tree, const OcclusionRays& rays);
 
-/// Calls answer(packet) for all packets in parallel, in tasks as large as those of images, and
-/// keeps the word that it returns.
-template <typename Answer>
-void forPackets(const OcclusionRays& rays, OcclusionAnswers& answers, const Answer& answer)
+/// Calls visit(packet, place) for all packets in parallel, in tasks as large as those of images.
+template <typename Visit>
+void forPackets(const OcclusionRays& rays, const Visit& visit)
 {
   constexpr std::size_t grain = 16; // 1024 rays
   tbb::parallel_for(
@@ -73,9 +72,17 @@ void forPackets(const OcclusionRays& rays, OcclusionAnswers& answers, const Answ
     [&](const tbb::blocked_range<std::size_t>& range)
     {
       for (std::size_t p = range.begin(); p != range.end(); ++p)
-        answers[p] = answer(rays.packets[p]);
+        visit(rays.packets[p], p);
     },
     tbb::simple_partitioner());
+}
+
+/// Calls answer(packet) for all packets likewise, and keeps the word that it returns.
+template <typename Answer>
+void forPackets(const OcclusionRays& rays, OcclusionAnswers& answers, const Answer& answer)
+{
+  forPackets(rays,
+    [&](const OcclusionRays::Packet& packet, std::size_t p) { answers[p] = answer(packet); });
 }
 
 } // namespace mote::bench

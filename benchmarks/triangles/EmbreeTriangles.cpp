@@ -1,5 +1,6 @@
 #include "../EmbreeCaster.h"
 #include "../particles/EmbreeOcclusion.h"
+#include "EmbreeNearest.h"
 #include "TriangleMethod.h"
 
 namespace mote::bench
@@ -68,9 +69,13 @@ public:
   }
 
   std::size_t bytes() const override { return device_.bytes() + shared_; }
-  std::vector<std::string> modes() const override
+  std::vector<std::string> modes(TriangleTask task) const override
   {
-    return EmbreeCaster<EmbreeTriangleImage>::modes();
+    if (task == TriangleTask::Primary)
+      return EmbreeCaster<EmbreeTriangleImage>::modes();
+    if (task == TriangleTask::Reflection)
+      return {"single", "packet 16", "stream 64"};
+    return embreeOcclusionModes();
   }
 
   void cast(std::size_t mode, const CameraRays& rays, TriangleImage& image) const override
@@ -79,15 +84,26 @@ public:
     EmbreeCaster<EmbreeTriangleImage>(scene_).cast(mode, rays, Vec3d(0.0), hits);
   }
 
-  std::vector<std::string> occlusionModes() const override { return embreeOcclusionModes(); }
-
-  void occlude(
-    std::size_t mode, const OcclusionRays& rays, OcclusionAnswers& answers) const override
+  void occlude(TriangleTask task, std::size_t mode, const SecondaryRays& rays,
+    OcclusionAnswers& answers) const override
   {
-    embreeOccluded(mode, scene_, rays, answers);
+    embreeOccluded(mode, scene_, contextOf(task), rays.rays, answers);
+  }
+
+  void castRays(
+    std::size_t mode, const SecondaryRays& rays, std::vector<PacketHits>& hits) const override
+  {
+    embreeNearest(mode, scene_, contextOf(TriangleTask::Reflection), rays.rays, hits);
   }
 
 private:
+  /// Mirrored rays of neighbouring pixels run alike, and so do those to a light.
+  static RTCIntersectContextFlags contextOf(TriangleTask task)
+  {
+    return task == TriangleTask::Occlusion ? RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT
+                                           : RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  }
+
   void release()
   {
     if (scene_ != nullptr)

@@ -71,7 +71,11 @@ public:
   }
   std::size_t bytes() const override { return bytes_; }
 
-  std::vector<std::string> modes() const override { return {"frame"}; }
+  std::vector<std::string> modes(TriangleTask task) const override
+  {
+    return task == TriangleTask::Primary ? std::vector<std::string>{"frame"}
+                                         : std::vector<std::string>{};
+  }
 
   void cast(std::size_t /*mode*/, const CameraRays& rays, TriangleImage& image) const override
   {
@@ -99,8 +103,9 @@ public:
       }
   }
 
-  std::vector<std::string> occlusionModes() const override { return {}; }
-  void occlude(std::size_t, const OcclusionRays&, OcclusionAnswers&) const override {}
+  void occlude(TriangleTask, std::size_t, const SecondaryRays&, OcclusionAnswers&) const override
+  {
+  }
 
 private:
   static void place(vtkCamera* camera, const CameraRays& rays, int width, int height)

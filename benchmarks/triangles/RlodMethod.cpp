@@ -4,6 +4,8 @@
 
 #include <kernels/meshes/RlodTree.h>
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 
 namespace mote::bench
@@ -45,9 +47,13 @@ public:
     return measureLods(tree_, rays, width, height, poe());
   }
 
-  std::vector<std::string> modes() const override
+  std::vector<std::string> modes(TriangleTask task) const override
   {
-    return {"bundle 16x16", "bundle 8x8", "bundle 4x4"};
+    if (task == TriangleTask::Primary)
+      return {"bundle 16x16", "bundle 8x8", "bundle 4x4"};
+    if (task == TriangleTask::Shadow)
+      return {"packet 64", "bundle 64"};
+    return {"packet 64"};
   }
 
   void cast(std::size_t mode, const CameraRays& rays, TriangleImage& image) const override
@@ -89,15 +95,62 @@ public:
       static_cast<double>(counts.clusters) / pixels, bytes};
   }
 
-  std::vector<std::string> occlusionModes() const override { return {"packet 64"}; }
-
-  void occlude(
-    std::size_t /*mode*/, const OcclusionRays& rays, OcclusionAnswers& answers) const override
+  void occlude(TriangleTask /*task*/, std::size_t mode, const SecondaryRays& rays,
+    OcclusionAnswers& answers) const override
   {
-    occludePackets(rays, answers, [&](RayPacket& packet) { tree_.occlude(packet, 0); });
+    if (mode == 0)
+      occludePackets(rays, answers, [&](RayPacket& packet) { tree_.occlude(packet, 0, poe()); });
+    else
+      forPackets(rays.rays, answers,
+        [&](const OcclusionRays::Packet& packet) { return inBundle(rays, packet); });
+  }
+
+  void castRays(
+    std::size_t /*mode*/, const SecondaryRays& rays, std::vector<PacketHits>& hits) const override
+  {
+    castPackets(tree_, rays, hits, [&](RayPacket& packet) { tree_.cast(packet, 0, poe()); });
   }
 
 private:
+  /// Rays of one direction as a bundle that comes from where they go, as shadows are cast.
+  std::uint64_t inBundle(const SecondaryRays& rays, const OcclusionRays::Packet& packet) const
+  {
+    const auto at = [&](const double(&v)[3][OcclusionRays::packetRays], int i)
+    { return Vec3d(v[0][i], v[1][i], v[2][i]); };
+    RayBundle bundle;
+    bundle.kind = RayBundle::Kind::CommonDirection;
+    bundle.count = packet.count;
+    bundle.direction = -at(packet.direction, 0);
+    acrossAxes(bundle.direction, bundle.dx, bundle.dy);
+    const Vec3d middle = at(packet.origin, packet.count / 2);
+    const double reach = rays.rays.reach;
+    bundle.origin = middle - reach * bundle.direction;
+    bundle.footprint = rays.widthOf(packet);
+    double spread = 0.0;
+    double places[2][OcclusionRays::packetRays];
+    for (int i = 0; i < packet.count; ++i)
+    {
+      const Vec3d aside = at(packet.origin, i) - middle;
+      places[0][i] = glm::dot(aside, bundle.dx);
+      places[1][i] = glm::dot(aside, bundle.dy);
+      spread = std::max({spread, std::abs(places[0][i]), std::abs(places[1][i])});
+      bundle.t[i] = reach + glm::dot(aside, bundle.direction);
+    }
+    spread = spread > 0.0 ? spread : reach;
+    for (int i = 0; i < packet.count; ++i)
+    {
+      bundle.x[i] = static_cast<float>(places[0][i] / spread);
+      bundle.y[i] = static_cast<float>(places[1][i] / spread);
+    }
+    bundle.dx *= spread;
+    bundle.dy *= spread;
+    tree_.occlude(bundle, 0, poe());
+    std::uint64_t bits = 0;
+    for (int i = 0; i < packet.count; ++i)
+      bits |= std::uint64_t{bundle.t[i] < 0.0} << i;
+    return bits;
+  }
+
   RlodTree tree_;
   Lods lods_;
 };

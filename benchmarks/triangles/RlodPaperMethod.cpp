@@ -28,7 +28,12 @@ public:
     return measureLods(tree_, rays, width, height, poe());
   }
 
-  std::vector<std::string> modes() const override { return {"packet 4x4", "single"}; }
+  std::vector<std::string> modes(TriangleTask task) const override
+  {
+    if (task == TriangleTask::Reflection)
+      return {};
+    return {"packet 16", "single"};
+  }
 
   void cast(std::size_t mode, const CameraRays& rays, TriangleImage& image) const override
   {
@@ -71,13 +76,11 @@ public:
         double(references * sizeof(arrays.references[0]))};
   }
 
-  std::vector<std::string> occlusionModes() const override { return {"single", "packet 16"}; }
-
-  void occlude(
-    std::size_t mode, const OcclusionRays& rays, OcclusionAnswers& answers) const override
+  void occlude(TriangleTask /*task*/, std::size_t mode, const SecondaryRays& rays,
+    OcclusionAnswers& answers) const override
   {
     occludePackets(
-      rays, answers, [&](RayPacket& packet) { tree_.occlude(packet, 0, together(1 - mode)); });
+      rays, answers, [&](RayPacket& packet) { tree_.occlude(packet, 0, together(mode)); });
   }
 
 private:

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "../particles/OcclusionRays.h"
-#include "TriangleImage.h"
+#include "SecondaryRays.h"
 
 #include <kernels/core/RayBundle.h>
 #include <kernels/core/RayPacket.h>
@@ -67,28 +66,74 @@ void keepHits(
   }
 }
 
+/// Rays as the kernels take them.
+inline void fillPacket(
+  const SecondaryRays& rays, const OcclusionRays::Packet& asked, RayPacket& packet)
+{
+  packet.count = asked.count;
+  packet.onSurface = OnSurface::Start;
+  packet.footprint = rays.widthOf(asked);
+  packet.footprintPerT = rays.widthPerLength;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::copy_n(asked.origin[axis], asked.count, packet.origin[axis]);
+    std::copy_n(asked.direction[axis], asked.count, packet.direction[axis]);
+  }
+  std::fill_n(packet.tMin, asked.count, 0.0);
+  std::fill_n(packet.t, asked.count, rays.rays.reach);
+  std::fill_n(packet.slot, asked.count, RayPacket::noHit);
+  std::fill_n(packet.object, asked.count, -1);
+}
+
 /// Answers which rays meet anything, by occlude(packet).
 template <typename Occlude>
-void occludePackets(const OcclusionRays& rays, OcclusionAnswers& answers, const Occlude& occlude)
+void occludePackets(const SecondaryRays& rays, OcclusionAnswers& answers, const Occlude& occlude)
 {
-  forPackets(rays, answers,
+  forPackets(rays.rays, answers,
     [&](const OcclusionRays::Packet& asked)
     {
       RayPacket packet;
-      packet.count = asked.count;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        std::copy_n(asked.origin[axis], asked.count, packet.origin[axis]);
-        std::copy_n(asked.direction[axis], asked.count, packet.direction[axis]);
-      }
-      std::fill_n(packet.tMin, asked.count, 0.0);
-      std::fill_n(packet.t, asked.count, rays.reach);
-      std::fill_n(packet.object, asked.count, -1);
+      fillPacket(rays, asked, packet);
       occlude(packet);
       std::uint64_t bits = 0;
       for (int i = 0; i < asked.count; ++i)
         bits |= std::uint64_t{packet.t[i] < 0.0} << i;
       return bits;
+    });
+}
+
+/// Finds what rays meet first, by cast(packet).
+template <typename Tree, typename Cast>
+void castPackets(
+  const Tree& tree, const SecondaryRays& rays, std::vector<PacketHits>& hits, const Cast& cast)
+{
+  forPackets(rays.rays,
+    [&](const OcclusionRays::Packet& asked, std::size_t place)
+    {
+      RayPacket packet;
+      fillPacket(rays, asked, packet);
+      cast(packet);
+      std::uint64_t slots[RayPacket::capacity], ids[RayPacket::capacity];
+      int found[RayPacket::capacity], count = 0;
+      PacketHits& to = hits[place];
+      for (int i = 0; i < asked.count; ++i)
+      {
+        const bool isHit = packet.object[i] >= 0;
+        to.t[i] = isHit ? static_cast<float>(packet.t[i]) : std::numeric_limits<float>::infinity();
+        slots[count] = packet.slot[i];
+        found[count] = i;
+        count += isHit;
+      }
+      float normals[3][RayPacket::capacity];
+      float* const rows[3] = {normals[0], normals[1], normals[2]};
+      tree.normals(slots, count, rows);
+      tree.inputIndices(slots, count, ids);
+      for (int k = 0; k < count; ++k)
+      {
+        to.triangle[found[k]] = static_cast<std::uint32_t>(ids[k]);
+        for (int axis = 0; axis < 3; ++axis)
+          to.normal[axis][found[k]] = normals[axis][k];
+      }
     });
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "../particles/OcclusionRays.h"
 #include "LodErrors.h"
+#include "SecondaryRays.h"
 #include "TriangleImage.h"
 #include "TriangleInput.h"
 
@@ -43,18 +43,21 @@ public:
   /// What casting needs, all together.
   virtual std::size_t bytes() const = 0;
 
-  /// Ways of casting; the fastest of them speaks for the method.
-  virtual std::vector<std::string> modes() const = 0;
+  /// Ways of doing a task; the fastest of them speaks for the method. Empty: it cannot.
+  virtual std::vector<std::string> modes(TriangleTask task) const = 0;
   /// Casts a ray through every pixel's centre. Timed.
   virtual void cast(std::size_t mode, const CameraRays& rays, TriangleImage& image) const = 0;
   /// What that looks at, as far as anybody knows.
   virtual TriangleVisits visits(
     std::size_t mode, const CameraRays& rays, int width, int height) const;
 
-  virtual std::vector<std::string> occlusionModes() const = 0;
-  /// Answers which rays meet a triangle. Timed.
-  virtual void occlude(
-    std::size_t mode, const OcclusionRays& rays, OcclusionAnswers& answers) const = 0;
+  /// Answers which rays of a task meet a triangle. Timed.
+  virtual void occlude(TriangleTask task, std::size_t mode, const SecondaryRays& rays,
+    OcclusionAnswers& answers) const = 0;
+  /// Finds what rays meet first, for each packet. Timed; only where TriangleTask::Reflection has
+  /// modes.
+  virtual void castRays(
+    std::size_t mode, const SecondaryRays& rays, std::vector<PacketHits>& hits) const;
 
 private:
   double poe_ = 0.0;

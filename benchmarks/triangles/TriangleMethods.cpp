@@ -14,6 +14,11 @@ LodErrors TriangleMethod::lodErrors(const CameraRays& /*rays*/, int /*width*/, i
   return {};
 }
 
+void TriangleMethod::castRays(std::size_t /*mode*/, const SecondaryRays& /*rays*/,
+  std::vector<PacketHits>& /*hits*/) const
+{
+}
+
 const std::vector<TriangleMethodEntry>& triangleMethods()
 {
   static const std::vector<TriangleMethodEntry> all = {

@@ -58,7 +58,9 @@ std::shared_ptr<T> unowned(const std::shared_ptr<T>& owner)
 ///   `clearance(slot, cosine)`: how far a ray goes from such a hit, at that cosine to its normal,
 ///   before it has left behind all of the surface that the error might put in its way; and
 ///   `meanPlace(slot)`: where the colour of a hit that stands for many stands among the means of
-///   SurfaceColoring, or `RayBundle::noHit` for a hit that stands for itself.
+///   SurfaceColoring, or `RayBundle::noHit` for a hit that stands for itself; and
+///   `seenNormalAt(slot, point, way)`: in place of normalAt() for a hit that stands for many, what
+///   is seen of their normals by a ray that goes this way.
 /// - `isConvex`: whether what a slot names is convex, so that a line meets it twice at most.
 /// - `slots()`: how many slots occlusion maps count, or 0 where the kind can have none.
 /// - `featureSizes()`: of a sample of what the surface is made of; empty where nothing has a size.
@@ -97,6 +99,9 @@ concept SurfaceKind = std::equality_comparable<S> &&
     {
       s.meanPlace(slot)
       } -> std::same_as<std::uint64_t>;
+    {
+      s.seenNormalAt(slot, point, point)
+      } -> std::same_as<Vec3d>;
   };
   {
     s.bounds()

@@ -169,6 +169,11 @@ Vec3d MeshSurface::normalAt(std::uint64_t slot, const Vec3d& point) const
   return isSmooth() && !RlodTree::isLod(slot) ? smoothNormal(slot, point, flat) : flat;
 }
 
+Vec3d MeshSurface::seenNormalAt(std::uint64_t slot, const Vec3d& /*point*/, const Vec3d& way) const
+{
+  return seenNormal(Vec3d(tree_->normal(slot)), way);
+}
+
 void MeshSurface::mixColors(
   const std::uint64_t* slots, const Vec3d* points, int count, ColorMix& mix) const
 {

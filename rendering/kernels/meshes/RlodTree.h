@@ -85,9 +85,11 @@ public:
   void cast(RayBundle& bundle, std::int32_t object, double poe = 0.0) const;
   void cast(RayPacket& packet, std::int32_t object, double poe = 0.0) const;
   /// t of each ray that meets a triangle with tMin < t < its t becomes -infinity; slot and object
-  /// stay as they are.
-  void occlude(RayBundle& bundle, std::int32_t object) const;
-  void occlude(RayPacket& packet, std::int32_t object) const;
+  /// stay as they are. `poe` as in cast(), but R-LODs do not count that hold the end of a ray which
+  /// lies on a surface within twice their deviation: that surface would be in its own shadow. In
+  /// packets it is the end that these name, in bundles the far one.
+  void occlude(RayBundle& bundle, std::int32_t object, double poe = 0.0) const;
+  void occlude(RayPacket& packet, std::int32_t object, double poe = 0.0) const;
 
   /// Nodes, clusters and R-LODs that cast() looks at for a bundle, added up.
   struct Counts

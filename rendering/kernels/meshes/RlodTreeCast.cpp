@@ -8,7 +8,6 @@
 #include <hwy/highway.h>
 
 #include "detail/RlodTreeBundle-inl.h"
-#include "detail/RlodTreeRays-inl.h"
 #include "detail/RlodTreeWave-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,10 +22,9 @@ bool castNearest(const RlodTreeView& view, RayBundle& bundle, std::int32_t objec
   return castBundle<NearestHit>(view, bundle, object, poe, counts);
 }
 
-bool castAny(
-  const RlodTreeView& view, RayBundle& bundle, std::int32_t object, RlodTree::Counts* counts)
+bool castAny(const RlodTreeView& view, RayBundle& bundle, std::int32_t object, double poe)
 {
-  return castBundle<AnyHit>(view, bundle, object, 0.0, counts);
+  return castBundle<AnyHit>(view, bundle, object, poe, nullptr);
 }
 
 void castNearestOfPacket(
@@ -35,9 +33,9 @@ void castNearestOfPacket(
   castPacketNearest(view, packet, object, poe);
 }
 
-void castAnyOfPacket(const RlodTreeView& view, RayPacket& packet)
+void castAnyOfPacket(const RlodTreeView& view, RayPacket& packet, double poe)
 {
-  castPacketAny(view, packet);
+  castPacketAny(view, packet, poe);
 }
 
 } // namespace HWY_NAMESPACE
@@ -45,6 +43,8 @@ void castAnyOfPacket(const RlodTreeView& view, RayPacket& packet)
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 
@@ -61,9 +61,10 @@ namespace
 
 /// Calls ask(packet) for the rays of a bundle, as packets, and keeps the answers.
 template <typename Ask>
-void askInPackets(RayBundle& bundle, const Ask& ask)
+void askInPackets(RayBundle& bundle, OnSurface onSurface, const Ask& ask)
 {
   RayPacket packet;
+  packet.onSurface = onSurface;
   packet.footprint = bundle.footprint;
   packet.footprintPerT = bundle.footprintPerT;
   for (int first = 0; first < bundle.count; first += packet.count)
@@ -89,6 +90,26 @@ void askInPackets(RayBundle& bundle, const Ask& ask)
   }
 }
 
+/// Whether the rays of a bundle lie so far apart that most meet triangles of their own: a bundle then
+/// looks at all that lies between them, and packets are much faster (docs/triangles.md).
+bool isSparse(const RayBundle& rays, const RlodTree& tree)
+{
+  const auto width = [&](const float* places)
+  {
+    const auto [least, most] = std::minmax_element(places, places + rays.count);
+    return double(*most - *least);
+  };
+  const bool fan = rays.kind == RayBundle::Kind::CommonOrigin;
+  const double end = fan ? *std::max_element(rays.t, rays.t + rays.count) : 1.0;
+  const double perRay = glm::length(glm::cross(rays.dx, rays.dy)) * width(rays.x) *
+                        width(rays.y) * end * end / rays.count;
+  const Vec3d size = tree.bounds().size();
+  const double perTriangle =
+    (size.x * size.y + size.y * size.z + size.z * size.x) / (2.0 * double(tree.size()));
+  constexpr double raysPerTriangle = 6.0;
+  return perTriangle < raysPerTriangle * perRay;
+}
+
 } // namespace
 
 void RlodTree::cast(RayPacket& packet, std::int32_t object, double poe) const
@@ -97,10 +118,10 @@ void RlodTree::cast(RayPacket& packet, std::int32_t object, double poe) const
     HWY_DYNAMIC_DISPATCH(castNearestOfPacket)(RlodTreeView(*this), packet, object, poe);
 }
 
-void RlodTree::occlude(RayPacket& packet, std::int32_t) const
+void RlodTree::occlude(RayPacket& packet, std::int32_t, double poe) const
 {
   if (size() > 0)
-    HWY_DYNAMIC_DISPATCH(castAnyOfPacket)(RlodTreeView(*this), packet);
+    HWY_DYNAMIC_DISPATCH(castAnyOfPacket)(RlodTreeView(*this), packet, poe);
 }
 
 void RlodTree::cast(RayBundle& bundle, std::int32_t object, double poe) const
@@ -108,7 +129,8 @@ void RlodTree::cast(RayBundle& bundle, std::int32_t object, double poe) const
   if (size() == 0 ||
       HWY_DYNAMIC_DISPATCH(castNearest)(RlodTreeView(*this), bundle, object, poe, nullptr))
     return;
-  askInPackets(bundle, [&](RayPacket& packet) { cast(packet, object, poe); });
+  askInPackets(
+    bundle, OnSurface::Neither, [&](RayPacket& packet) { cast(packet, object, poe); });
 }
 
 void RlodTree::cast(RayBundle& bundle, std::int32_t object, double poe, Counts& counts) const
@@ -117,11 +139,13 @@ void RlodTree::cast(RayBundle& bundle, std::int32_t object, double poe, Counts& 
     HWY_DYNAMIC_DISPATCH(castNearest)(RlodTreeView(*this), bundle, object, poe, &counts);
 }
 
-void RlodTree::occlude(RayBundle& bundle, std::int32_t object) const
+void RlodTree::occlude(RayBundle& bundle, std::int32_t object, double poe) const
 {
-  if (size() == 0 || HWY_DYNAMIC_DISPATCH(castAny)(RlodTreeView(*this), bundle, object, nullptr))
+  if (size() == 0 ||
+      (!isSparse(bundle, *this) &&
+        HWY_DYNAMIC_DISPATCH(castAny)(RlodTreeView(*this), bundle, object, poe)))
     return;
-  askInPackets(bundle, [&](RayPacket& packet) { occlude(packet, object); });
+  askInPackets(bundle, OnSurface::End, [&](RayPacket& packet) { occlude(packet, object, poe); });
 }
 
 } // namespace mote

@@ -49,6 +49,7 @@ public:
   void fetch(HitBlock& block) const;
   void place(HitBlock& block, const HitPlacing& placing) const;
   Vec3d normalAt(std::uint64_t slot, const Vec3d& point) const;
+  Vec3d seenNormalAt(std::uint64_t slot, const Vec3d& point, const Vec3d& way) const;
   bool encloses(std::uint64_t slot, const Vec3d& point) const;
   void colorIndices(const std::uint64_t* slots, int count, std::uint64_t* indices) const
   {

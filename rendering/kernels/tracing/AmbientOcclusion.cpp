@@ -39,6 +39,8 @@ void AmbientOcclusion::findShares(const SurfaceBlock& block, float* shares, bool
   Work work;
   RayPacket& packet = work.packet;
   packet.count = 0;
+  packet.footprint = block.width;
+  packet.onSurface = OnSurface::Start;
   std::fill_n(work.open, block.count, 0);
   const auto isWanted = [&](int i) { return !known || std::isnan(shares[i]); };
   for (int i = 0; i < block.count; ++i)

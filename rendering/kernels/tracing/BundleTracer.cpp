@@ -54,6 +54,7 @@ BundleTracer::BundleTracer(
     shaders_.emplace_back(object);
     isTransparent_ =
       isTransparent_ || object.material.opacity < 1.0f || object.coloring.mayBeTransparent();
+    mayErr_ = mayErr_ || pixelsOfError(object) > 0.0;
   }
   // Positions count from where the rays start: they are small numbers wherever the scene lies.
   const bool hasPaths = scene.paths.bounces > 0;
@@ -143,6 +144,22 @@ double BundleTracer::footprint(const RayBundle& rays, int side) const
   return side * pixel;
 }
 
+/// Tells the block how far the rays lie apart where they hit, if surfaces may err by that.
+void BundleTracer::measure(const RayBundle& rays, const RayBundle& world, SurfaceBlock& block) const
+{
+  block.width = block.widthPerLength = 0.0;
+  if (!mayErr_)
+    return;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < rays.count; ++i)
+    if (rays.object[i] >= 0)
+      nearest = std::min(nearest, rays.t[i]);
+  if (!std::isfinite(nearest))
+    return;
+  block.width = world.footprint + nearest * world.footprintPerT;
+  block.widthPerLength = world.footprintPerT / glm::length(world.direction);
+}
+
 /// Gives each hit of the block the seed of its pixel: the same whatever the bundles.
 void BundleTracer::seed(Bundle& bundle, int x0, int y0) const
 {
@@ -179,6 +196,7 @@ void BundleTracer::shadeHits(
   placing.footprint = lighting_ && lighting_->shadows ? footprint(rays, side) : 0.0;
   const bool ids = wantsIds();
   SurfaceBlock& block = bundle.block;
+  this->measure(rays, bundle.world, block);
   for (std::size_t k = 0; k < shaders_.size(); ++k)
   {
     localRays_[k].placeBundle(rays, side, x0, y0, jitterX_, jitterY_);
@@ -251,7 +269,7 @@ void BundleTracer::addBehind(Bundle& bundle, int side, int x0, int y0) const
     std::vector<double> from;
     for (const PassingRay& ray : passing)
       from.push_back(ray.t);
-    findNextHits(*sceneRays_, passing);
+    findNextHits(*sceneRays_, passing, bundle.world.footprint, bundle.world.footprintPerT);
     std::fill_n(behind.object, behind.count, -1);
     for (const PassingRay& ray : passing)
     {

@@ -51,12 +51,15 @@ bool take(const SceneRays& scene, const RayPacket& packet, int k, PassingRay& ra
 
 } // namespace
 
-void findNextHits(const SceneRays& scene, std::vector<PassingRay>& rays)
+void findNextHits(const SceneRays& scene, std::vector<PassingRay>& rays, double footprint,
+  double footprintPerT)
 {
   std::vector<PassingRay*> waiting;
   for (PassingRay& ray : rays)
     waiting.push_back(&ray);
   RayPacket packet;
+  packet.footprint = footprint;
+  packet.footprintPerT = footprintPerT;
   while (!waiting.empty())
   {
     const auto count = std::min<std::size_t>(waiting.size(), RayPacket::capacity);

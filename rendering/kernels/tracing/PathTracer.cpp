@@ -40,6 +40,7 @@ struct PathTracer::Path
   std::int32_t surface;
   bool isOutside; ///< not within a solid
   bool isDiffuse; ///< there was a diffuse surface before
+  double width;   ///< how far the paths of neighbouring pixels are apart there, if mirrors are flat
   std::uint32_t seed;
   std::uint16_t hit; ///< of the block
 };
@@ -50,15 +51,20 @@ struct PathTracer::Work
   int count = 0;
   Path paths[SurfaceBlock::capacity];
   Vec3f light[SurfaceBlock::capacity]; ///< that the hits send to the camera
+  double widthPerLength = 0.0; ///< as SurfaceBlock has it
   RayPacket packet;
   int path[RayPacket::capacity];      ///< that each ray belongs to
   Vec3f carried[RayPacket::capacity]; ///< light that arrives if nothing stands in the way
 
-  /// Adds a ray from the end of a path, which does not meet where it starts.
-  void addRay(const SceneRays& rays, int index, const Vec3f& direction, double tMax)
+  /// Adds a ray from the end of a path, which does not meet where it starts. An error may be larger
+  /// by `perT` behind each unit of length.
+  void addRay(
+    const SceneRays& rays, int index, const Vec3f& direction, double tMax, double perT)
   {
     const Path& from = paths[index];
     const int k = packet.count++;
+    packet.footprint = k > 0 ? std::min(packet.footprint, from.width) : from.width;
+    packet.footprintPerT = k > 0 ? std::min(packet.footprintPerT, perT) : perT;
     for (int axis = 0; axis < 3; ++axis)
     {
       packet.origin[axis][k] = from.position[axis];
@@ -113,6 +119,7 @@ void PathTracer::begin(Work& work, const SurfaceBlock& block) const
     path.surface = block.surface;
     path.isOutside = block.side[k] > 0.0f;
     path.isDiffuse = false;
+    path.width = block.width;
     path.seed = block.seed[k];
     path.hit = static_cast<std::uint16_t>(k);
     work.count += meet(work, path, Vec3f(block.color[k][0], block.color[k][1], block.color[k][2]));
@@ -165,7 +172,11 @@ void PathTracer::addLight(Work& work, std::size_t light, int bounce) const
     if (shine == Vec3f(0.0f))
       continue;
     const int k = work.packet.count;
-    work.addRay(rays_, i, in, isPoint ? distance : std::numeric_limits<double>::infinity());
+    // What is off by the width at the surface moves the shadow of a near light by more.
+    if (isPoint)
+      work.addRay(rays_, i, in, distance, -path.width / distance);
+    else
+      work.addRay(rays_, i, in, std::numeric_limits<double>::infinity(), 0.0);
     if (path.isOutside) // else the solid itself keeps out what shines from without
     {
       work.packet.slot[k] = path.slot;
@@ -195,11 +206,13 @@ void PathTracer::follow(Work& work, int& arrived) const
     path.surface = packet.object[k];
     const SurfaceShader& shader = shaders_[static_cast<std::size_t>(path.surface)];
     path.position += packet.t[k] * direction;
+    path.width += packet.t[k] * work.widthPerLength;
     path.slot = packet.slot[k];
     path.out = Vec3f(-direction);
     const Vec3d local =
       transformPoint(rays_.toLocal(path.surface), rays_.reference() + path.position);
-    path.normal = shader.normalAt(path.slot, local);
+    path.normal = shader.normalAt(
+      path.slot, local, transformVector(rays_.toLocal(path.surface), direction));
     if (path.normal == Vec3f(0.0f))
       path.normal = path.out;
     path.isOutside = glm::dot(path.normal, path.out) >= 0.0f;
@@ -237,7 +250,8 @@ void PathTracer::goOn(Work& work, int bounce) const
         continue;
       path.weight /= chance;
     }
-    work.addRay(rays_, i, found.direction, std::numeric_limits<double>::infinity());
+    work.addRay(rays_, i, found.direction, std::numeric_limits<double>::infinity(),
+      work.widthPerLength);
     if (work.packet.count == RayPacket::capacity)
       follow(work, arrived);
   }
@@ -248,6 +262,8 @@ void PathTracer::goOn(Work& work, int bounce) const
 void PathTracer::shade(SurfaceBlock& block) const
 {
   Work work;
+  work.widthPerLength = block.widthPerLength;
+  work.packet.onSurface = OnSurface::Start;
   begin(work, block);
   for (int bounce = 1; work.count > 0; ++bounce)
   {

@@ -75,6 +75,7 @@ void SceneRays::forSurfaces(RayPacket& rays, const Takes& takes, const Visit& vi
 {
   RayPacket local;
   local.count = rays.count;
+  local.onSurface = rays.onSurface;
   std::copy_n(rays.tMin, rays.count, local.tMin);
   std::copy_n(rays.t, rays.count, local.t);
   std::copy_n(rays.slot, rays.count, local.slot);
@@ -103,6 +104,8 @@ void SceneRays::forSurfaces(RayPacket& rays, const Takes& takes, const Visit& vi
         local.direction[axis][i] = way[axis];
       }
     }
+    local.footprint = localWidth(static_cast<std::int32_t>(k), rays.footprint);
+    local.footprintPerT = localWidth(static_cast<std::int32_t>(k), rays.footprintPerT);
     withSurface(scene_.surfaces[k].surface,
       [&](const auto& s) { visit(s, local, static_cast<std::int32_t>(k)); });
   }

@@ -240,6 +240,10 @@ void ShadowCaster::castTogether(Work& work, const std::uint16_t* hits, int count
     bundle.direction = transformVector(rays_.toLocal(k), work.distance * work.ahead);
     bundle.dx = transformVector(rays_.toLocal(k), work.u);
     bundle.dy = transformVector(rays_.toLocal(k), work.v);
+    // What is off by this much moves a shadow by the width of a pixel.
+    const double width = rays_.localWidth(k, work.block.width);
+    bundle.footprint = work.isPoint() ? 0.0 : width;
+    bundle.footprintPerT = work.isPoint() ? width : 0.0;
     withSurface(object.surface, [&](const auto& s) { s.occlude(bundle, k); });
   }
   for (int k = 0; k < count; ++k)

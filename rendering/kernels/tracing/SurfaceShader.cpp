@@ -133,10 +133,16 @@ Vec4f SurfaceShader::colorOf(std::uint64_t slot, const Vec3d& local) const
   return {color[0][0], color[0][1], color[0][2], color[0][3]};
 }
 
-Vec3f SurfaceShader::normalAt(std::uint64_t slot, const Vec3d& local) const
+Vec3f SurfaceShader::normalAt(std::uint64_t slot, const Vec3d& local, const Vec3d& way) const
 {
-  const Vec3d outward =
-    withSurface(object_.surface, [&](const auto& s) { return s.normalAt(slot, local); });
+  const Vec3d outward = withSurface(object_.surface,
+    [&](const auto& s)
+    {
+      if constexpr (std::decay_t<decltype(s)>::mayErr)
+        if (s.pixelsOfError() > 0.0 && s.meanPlace(slot) != RayBundle::noHit)
+          return s.seenNormalAt(slot, local, way);
+      return s.normalAt(slot, local);
+    });
   const double largest = std::max({std::abs(outward.x), std::abs(outward.y), std::abs(outward.z)});
   return largest > 0.0 ? glm::normalize(normalToWorld_ * Vec3f(outward / largest)) : Vec3f(0.0f);
 }

@@ -22,6 +22,10 @@ namespace HWY_NAMESPACE
 
 /// Tests R-LODs. Those that cover few rays of a square are tested many at a time, each with a ray
 /// of its own; others one at a time with the rays of a block.
+///
+/// Rays that look for anything in the way end on a surface: R-LODs that hold their end are passed
+/// over, since they stand for that surface.
+template <typename Policy>
 class PlaneCaster
 {
 public:
@@ -31,7 +35,7 @@ public:
     , rays_(rays)
     , half_(0.5f * float(rays.lastCell))
     , first_(std::nextafter(frame.first, infinity))
-    , smallest_(frame.side > 0 ? 24.5f : 0.0f)
+    , smallest_(frame.side > 0 && !Policy::any ? 24.5f : 0.0f)
   {
   }
 
@@ -146,14 +150,15 @@ private:
   };
 
   /// Lines through the picture's places (x, y), and R-LODs.
-  HWY_INLINE MF meet(const Lines& lines, const Course& course, VF x, VF y, VF& z) const
+  HWY_INLINE PlaneMeeting meetingOf(
+    const Lines& lines, const Course& course, VF x, VF y) const
   {
     const auto over = [&](const VF(&from)[3])
     { return hn::MulAdd(x, from[1], hn::MulAdd(y, from[2], from[0])); };
     PlaneMeeting meeting = {all(first_), all(infinity), over(lines.height), over(lines.slope)};
     for (int axis = 0; axis < 3; ++axis)
       meeting.within(course.at[axis], course.per[axis], lines.low[axis], lines.high[axis]);
-    return meeting.meets(lines.deviation, z);
+    return meeting;
   }
 
   /// Tests those that cover few rays of a square, and answers which these are.
@@ -179,9 +184,10 @@ private:
     {
       VF z;
       const VF atX = hn::Sub(x, half), atY = hn::Sub(y, half);
-      const MF hits = hn::And(some, meet(lines, Course(frame_, atX, atY), atX, atY, z));
+      const PlaneMeeting meeting = meetingOf(lines, Course(frame_, atX, atY), atX, atY);
+      const MF hits = hn::And(some, meeting.meets(lines.deviation, z));
       if (!hn::AllFalse(d, hits))
-        rays_.template keepEach<NearestHit>(bitsOf(hits), x, y, z, frame_.first, first);
+        rays_.template keepEach<Policy>(bitsOf(hits), x, y, z, frame_.first, first);
       x = hn::Add(x, one);
       const MF ends = hn::Gt(x, x1);
       x = hn::IfThenElse(ends, x0, x);
@@ -209,9 +215,12 @@ private:
           course.per[axis] = hn::Load(DF(), per_[axis] + i);
         }
         VF z;
-        const MF hits =
-          meet(lines, course, hn::Load(DF(), rays_.x + i), hn::Load(DF(), rays_.y + i), z);
-        rays_.keepBlock<NearestHit>(hits, z, i, frame_.first, slot);
+        const PlaneMeeting meeting =
+          meetingOf(lines, course, hn::Load(DF(), rays_.x + i), hn::Load(DF(), rays_.y + i));
+        MF hits = meeting.meets(lines.deviation, z);
+        if constexpr (Policy::any)
+          hits = hn::AndNot(meeting.holds(lines.deviation, hn::Load(DF(), rays_.z + i)), hits);
+        rays_.template keepBlock<Policy>(hits, z, i, frame_.first, slot);
       }
     }
   }

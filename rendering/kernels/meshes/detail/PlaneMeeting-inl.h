@@ -53,6 +53,14 @@ struct PlaneMeeting
     leave = hn::Min(leave, hn::Max(a, b));
   }
 
+  /// Lines that are within twice the greatest deviation of the plane at z, inside the box or not:
+  /// a point there may be one of the surface that the R-LOD is part of. NaN is nowhere.
+  HWY_INLINE MF holds(VF deviation, VF z) const
+  {
+    const VF away = hn::Abs(hn::MulAdd(slope, z, height));
+    return hn::Le(away, hn::MulAdd(deviation, all(2.0f), all(rounding)));
+  }
+
   /// Lines that meet their R-LOD; z becomes where.
   HWY_INLINE MF meets(VF deviation, VF& z) const
   {

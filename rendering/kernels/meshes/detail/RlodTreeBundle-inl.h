@@ -326,7 +326,7 @@ private:
   Tolerance tolerance_;
   NodeProjector projector_;
   ClusterCaster<Policy> clusters_;
-  std::conditional_t<lods, PlaneCaster, NoPlanes> planes_;
+  std::conditional_t<lods, PlaneCaster<Policy>, NoPlanes> planes_;
 };
 
 /// Writes what the rays have hit into the bundle.
@@ -373,7 +373,7 @@ template <typename Policy>
 bool castBundle(const RlodTreeView& view, RayBundle& bundle, std::int32_t object, double poe,
   RlodTree::Counts* counts)
 {
-  const bool lods = poe > 0.0 && view.words != nullptr && !Policy::any;
+  const bool lods = view.takesLods(bundle, poe);
   BundleFrame frame;
   if (bundle.count < 4 || !frame.place(view, bundle, lods))
     return false;

@@ -34,6 +34,14 @@ struct RlodTreeView
   {
   }
 
+  /// Whether R-LODs may stand for triangles. Rays that are not told how far they lie apart are
+  /// exact.
+  template <typename Rays>
+  bool takesLods(const Rays& rays, double poe) const
+  {
+    return poe > 0.0 && words != nullptr && (rays.footprint > 0.0 || rays.footprintPerT > 0.0);
+  }
+
   /// Children of a node, as bits, whose R-LODs may be taken.
   std::uint32_t mayErr(const RlodNode& node) const
   {

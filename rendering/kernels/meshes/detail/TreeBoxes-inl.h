@@ -45,6 +45,49 @@ struct TreeBoxes
   const float* high(int axis) const { return bounds[axis] + greatest; }
 };
 
+/// The least depths at which any of some rays enters each of 16 boxes.
+class LeastDepths
+{
+public:
+  HWY_INLINE LeastDepths()
+  {
+    for (int set = 0; set < laneSets; ++set)
+      depths_.store(all(infinity), set);
+  }
+  HWY_INLINE void take(VF enter, MF met, int set)
+  {
+    depths_.store(hn::Min(depths_.load(set), hn::IfThenElse(met, enter, all(infinity))), set);
+  }
+  float of(int k) const { return depths_.v[k]; }
+
+private:
+  Row depths_;
+};
+/// Nobody asks.
+struct NoDepths
+{
+  HWY_INLINE void take(VF, MF, int) {}
+  float of(int) const { return 0.0f; }
+};
+
+/// Those of one ray, which tells them to others too.
+template <typename Others>
+struct RowDepths
+{
+  Others& others;
+  Row z;
+
+  HWY_INLINE explicit RowDepths(Others& told)
+    : others(told)
+  {
+  }
+  HWY_INLINE void take(VF enter, MF met, int set)
+  {
+    z.store(enter, set);
+    others.take(enter, met, set);
+  }
+};
+
 /// What a packet's rays are to boxes: z = inverse * bound - of Q.
 class BoxRays
 {
@@ -69,8 +112,28 @@ public:
       }
   }
 
-  /// Boxes that a ray meets before its end, as bits.
-  HWY_INLINE unsigned met(const TreeBoxes& boxes, int i) const
+  /// Boxes that a ray meets before its end, as bits; `depths` learn where it enters them.
+  template <typename Depths>
+  HWY_INLINE unsigned met(const TreeBoxes& boxes, int i, Depths& depths) const
+  {
+    return metBy(boxes, i, [&](VF enter, VF, MF met, int set) { depths.take(enter, met, set); });
+  }
+  /// Likewise; `near` and `far` become where it enters and leaves them.
+  HWY_INLINE unsigned met(const TreeBoxes& boxes, int i, Row& near, Row& far) const
+  {
+    return metBy(boxes, i,
+      [&](VF enter, VF leave, MF, int set)
+      {
+        near.store(enter, set);
+        far.store(leave, set);
+      });
+  }
+
+private:
+  static constexpr int capacity = TreeRays::capacity;
+
+  template <typename Keep>
+  HWY_INLINE unsigned metBy(const TreeBoxes& boxes, int i, const Keep& keep) const
   {
     unsigned bits = 0;
     for (int set = 0; set < laneSets; ++set)
@@ -86,13 +149,12 @@ public:
         enter = hn::Max(enter, hn::MulAdd(near, inverse, all(enter_[axis][i])));
         leave = hn::Min(leave, hn::MulAdd(far, inverse, all(leave_[axis][i])));
       }
-      bits |= bitsOf(hn::Le(enter, leave)) << (set * lanes);
+      const MF met = hn::Le(enter, leave);
+      keep(enter, leave, met, set);
+      bits |= bitsOf(met) << (set * lanes);
     }
     return bits;
   }
-
-private:
-  static constexpr int capacity = TreeRays::capacity;
 
   const TreeRays& rays_;
   alignas(64) float enter_[3][capacity], leave_[3][capacity]; ///< z of the origin, wider by errors

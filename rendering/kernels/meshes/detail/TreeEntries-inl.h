@@ -22,7 +22,9 @@ namespace HWY_NAMESPACE
 class TreeEntries
 {
 public:
-  TreeEntries(const RlodTreeView& view, const TreeRays& rays, int count)
+  /// Nodes that `opens` refuses stay as they are.
+  template <typename Opens>
+  TreeEntries(const RlodTreeView& view, const TreeRays& rays, int count, const Opens& opens)
   {
     measure(rays, count);
     for (int axis = 0; axis < 3; ++axis)
@@ -38,7 +40,8 @@ public:
     int next = 0;
     do
     {
-      if (!open(view.nodes[index_[next]], next))
+      const RlodNode& node = view.nodes[index_[next]];
+      if (!opens(node) || !open(node, next))
         break;
       next = largest();
     } while (next >= 0);
@@ -48,9 +51,10 @@ public:
   bool isNode(int k) const { return (nodes_ >> k & 1U) != 0; }
 
   /// The entries that a ray meets, as bits.
-  HWY_INLINE unsigned met(const BoxRays& rays, int ray) const
+  template <typename Depths>
+  HWY_INLINE unsigned met(const BoxRays& rays, int ray, Depths& depths) const
   {
-    return rays.met(boxes_, ray) & lowest(static_cast<unsigned>(count_));
+    return rays.met(boxes_, ray, depths) & lowest(static_cast<unsigned>(count_));
   }
 
 private:

@@ -9,6 +9,7 @@
 #endif
 
 #include "../../core/RayPacket.h"
+#include "BundleFrame.h"
 #include "MeshSimd-inl.h"
 #include "PlaneMeeting-inl.h"
 #include "RlodTreeView.h"
@@ -41,6 +42,7 @@ struct TreeRays
   alignas(64) double t0[capacity], perZ[capacity]; ///< t = t0 + perZ * z
 
   TreeRays(const RlodTreeView& view, const RayPacket& packet)
+    : end_(packet.onSurface)
   {
     for (int i = 0; i < packet.count; i += static_cast<int>(hn::MaxLanes(DD())))
       place(view, packet, i);
@@ -48,6 +50,21 @@ struct TreeRays
 
   /// Whether the ray can hit anything at all.
   bool isAnywhere(int i) const { return best[i] > first[i]; }
+
+  /// z of the end that lies on a surface, or NaN.
+  float onSurface(int i) const
+  {
+    if (end_ == OnSurface::Neither)
+      return std::numeric_limits<float>::quiet_NaN();
+    return end_ == OnSurface::End ? best[i] : static_cast<float>(-t0[i] / perZ[i]);
+  }
+
+  /// What rays may err by along z where R-LODs of `factor` footprints are taken.
+  Tolerance tolerance(const RayPacket& packet, double factor, int i) const
+  {
+    return {static_cast<float>(factor * (packet.footprint + t0[i] * packet.footprintPerT)),
+      static_cast<float>(factor * (perZ[i] * packet.footprintPerT))};
+  }
 
 private:
   /// Where rays enter and leave what holds all triangles, and a little more.
@@ -135,6 +152,8 @@ private:
     const hn::Rebind<std::int32_t, DD> whole;
     hn::Store(hn::DemoteTo(whole, chosen(set(0.0), set(1.0), set(2.0))), whole, depth + i);
   }
+
+  OnSurface end_;
 };
 
 /// One ray of a packet, ready to be compared with many triangles.
@@ -143,6 +162,7 @@ struct TriangleRay
   alignas(16) float q[4]; ///< the fourth number is 0
   int axisU, axisV, axisZ;
   float u0, v0, perZu, perZv, sign, first, best;
+  float onSurface; ///< z of the end that lies on a surface, or NaN
 
   TriangleRay() = default;
   HWY_INLINE TriangleRay(const TreeRays& rays, int i)
@@ -155,6 +175,7 @@ struct TriangleRay
     , sign(rays.sign[i])
     , first(rays.first[i])
     , best(rays.best[i])
+    , onSurface(rays.onSurface(i))
   {
     axisU = axisZ == 2 ? 0 : axisZ + 1;
     axisV = axisU == 2 ? 0 : axisU + 1;
@@ -197,49 +218,9 @@ struct TriangleRay
     }
     return bits & lowest(cluster.count);
   }
-};
-
-/// And with many boxes.
-struct TreeRay : TriangleRay
-{
-  alignas(16) float inverse[4];       ///< the fourth number is 0
-  std::uint8_t nearRow[3], farRow[3]; ///< rows of a node's bounds that the ray meets first and last
-
-  HWY_INLINE TreeRay(const TreeRays& rays, int i)
-    : TriangleRay(rays, i)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      inverse[axis] = rays.inverse[axis][i];
-      const bool forward = inverse[axis] > 0.0f;
-      nearRow[axis] = static_cast<std::uint8_t>(forward ? axis : axis + 3);
-      farRow[axis] = static_cast<std::uint8_t>(forward ? axis + 3 : axis);
-    }
-    inverse[3] = 0.0f;
-  }
-
-  /// Children of a node that the ray meets before its end, as bits; `near` becomes where it enters.
-  HWY_INLINE unsigned childrenMet(const RlodNode& node, Row& near) const
-  {
-    return childrenMet(node, [&](VF enter, VF, int set) { near.store(enter, set); });
-  }
-  /// Likewise, and `far` becomes where it leaves.
-  HWY_INLINE unsigned childrenMet(const RlodNode& node, Row& near, Row& far) const
-  {
-    return childrenMet(node,
-      [&](VF enter, VF leave, int set)
-      {
-        near.store(enter, set);
-        far.store(leave, set);
-      });
-  }
-  HWY_INLINE unsigned childrenMet(const RlodNode& node) const
-  {
-    return childrenMet(node, [](VF, VF, int) {});
-  }
 
   /// R-LODs of a node that the ray meets between `near` and `far`, where it is in the children's
-  /// boxes, as bits; z becomes where.
+  /// boxes, as bits; z becomes where. Those that hold the ray's end on a surface are none of them.
   HWY_INLINE unsigned planesMet(
     const RlodPlanes& planes, const Row& near, const Row& far, Row& z) const
   {
@@ -257,58 +238,48 @@ struct TreeRay : TriangleRay
       meeting.height = hn::MulAdd(u, all(u0), hn::MulAdd(v, all(v0), meeting.height));
       meeting.slope =
         hn::Mul(all(sign), hn::MulAdd(u, all(perZu), hn::MulAdd(v, all(perZv), deep)));
+      const VF deviation = hn::Load(d, planes.deviation + set * lanes);
       VF at;
-      const MF met = meeting.meets(hn::Load(d, planes.deviation + set * lanes), at);
+      MF met = meeting.meets(deviation, at);
       z.store(at, set);
-      bits |= bitsOf(hn::And(met, hn::And(hn::Gt(at, all(first)), hn::Lt(at, all(best)))))
-              << (set * lanes);
+      met = hn::And(met, hn::And(hn::Gt(at, all(first)), hn::Lt(at, all(best))));
+      if (!hn::AllFalse(d, met))
+        met = hn::AndNot(meeting.holds(deviation, all(onSurface)), met);
+      bits |= bitsOf(met) << (set * lanes);
     }
     return bits;
   }
-
-private:
-  template <typename Keep>
-  HWY_INLINE unsigned childrenMet(const RlodNode& node, const Keep& keep) const
-  {
-    const DF d;
-    const hn::CappedTag<float, 4> d4;
-    alignas(16) float per[4], enterAt[4], leaveAt[4];
-    for (int k = 0; k < 4; k += static_cast<int>(hn::Lanes(d4)))
-    {
-      // What lies behind the third numbers is none: as a denormal it would take a long time.
-      const auto three = hn::FirstN(d4, static_cast<std::size_t>(3 - std::min(k, 3)));
-      const auto number = [&](const float* numbers)
-      { return hn::IfThenElseZero(three, hn::LoadU(d4, numbers + k)); };
-      const auto from = hn::Sub(number(node.origin), hn::Load(d4, q + k));
-      const auto scale = number(node.scale), factor = hn::Load(d4, inverse + k);
-      const auto at = hn::Mul(from, factor);
-      // Of Q, of the products below, and of the triangles' own formula.
-      const auto size = hn::MulAdd(scale, hn::Set(d4, 255.0f), hn::Abs(from));
-      const auto error =
-        hn::Mul(hn::MulAdd(size, hn::Set(d4, 0x1p-20f), hn::Set(d4, 0x1p-22f)), hn::Abs(factor));
-      hn::Store(hn::Mul(scale, factor), d4, per + k);
-      hn::Store(hn::Sub(at, error), d4, enterAt + k);
-      hn::Store(hn::Add(at, error), d4, leaveAt + k);
-    }
-    unsigned bits = 0;
-    const std::uint8_t* bounds = node.bounds[0];
-    for (int set = 0; set < laneSets; ++set)
-    {
-      VF enter = all(first), leave = all(best);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        const auto row = [&](int number)
-        { return hn::ConvertTo(d, widened(bounds + 16 * number + set * lanes)); };
-        const VF perStep = all(per[axis]);
-        enter = hn::Max(enter, hn::MulAdd(row(nearRow[axis]), perStep, all(enterAt[axis])));
-        leave = hn::Min(leave, hn::MulAdd(row(farRow[axis]), perStep, all(leaveAt[axis])));
-      }
-      keep(enter, leave, set);
-      bits |= bitsOf(hn::Le(enter, leave)) << (set * lanes);
-    }
-    return bits & lowest(node.children);
-  }
 };
+
+/// Those of the children `may` of a node whose R-LODs err by less than allowed(set), a vector.
+template <typename Allowed>
+HWY_INLINE unsigned finerChildren(
+  const RlodTreeView& view, std::uint32_t index, unsigned may, const Allowed& allowed)
+{
+  if (may == 0)
+    return 0;
+  unsigned bits = 0;
+  for (int set = 0; set < laneSets; ++set)
+    bits |= bitsOf(hn::Gt(allowed(set), errorRadii(view.words[index], view.levels, set)))
+            << (set * lanes);
+  return bits & may;
+}
+
+/// By less than a number.
+HWY_INLINE unsigned fineChildren(
+  const RlodTreeView& view, std::uint32_t index, unsigned may, float allowed)
+{
+  return finerChildren(view, index, may, [&](int) { return all(allowed); });
+}
+
+/// By less than is allowed where the ray meets them first.
+HWY_INLINE unsigned fineChildren(const RlodTreeView& view, std::uint32_t index, unsigned may,
+  const Tolerance& tolerance, const Row& near)
+{
+  return finerChildren(view, index, may,
+    [&](int set)
+    { return hn::MulAdd(near.load(set), all(tolerance.perZ), all(tolerance.atQ)); });
+}
 
 } // namespace HWY_NAMESPACE
 } // namespace mote

@@ -51,6 +51,7 @@ private:
   bool wantsIds() const;
   bool wantsNormals() const;
   double footprint(const RayBundle& rays, int side) const;
+  void measure(const RayBundle& rays, const RayBundle& world, SurfaceBlock& block) const;
 
   const Scene& scene_;
   Film& film_;
@@ -65,6 +66,7 @@ private:
   std::optional<SceneRays> sceneRays_;    ///< for paths, and for what is behind transparent things
   std::optional<PathTracer> paths_;       ///< instead of local shading
   bool isTransparent_ = false;            ///< something may be
+  bool mayErr_ = false;                   ///< a surface, by some pixels
 };
 
 } // namespace mote

@@ -23,7 +23,9 @@ struct PassingRay
 };
 
 /// Sends each ray on to what it meets next. Everything counts once, where it is met first: not the
-/// far side of a sphere that was passed.
-void findNextHits(const SceneRays& scene, std::vector<PassingRay>& rays);
+/// far side of a sphere that was passed. Footprints are those of RayBundle, in the world, where
+/// surfaces may err by some.
+void findNextHits(const SceneRays& scene, std::vector<PassingRay>& rays, double footprint = 0.0,
+  double footprintPerT = 0.0);
 
 } // namespace mote

@@ -47,6 +47,13 @@ public:
     const auto k = static_cast<std::size_t>(index);
     return stretch_[k] > 0.0 ? clearanceOfErring(k, slot, cosine) : rounding_[k] / cosine;
   }
+  /// A width in the world as one in the coordinates of a surface that may err, or less; 0 for those
+  /// that may not.
+  double localWidth(std::int32_t index, double width) const
+  {
+    const double stretch = stretch_[static_cast<std::size_t>(index)];
+    return stretch > 0.0 ? width / stretch : 0.0;
+  }
 
 private:
   double clearanceOfErring(std::size_t index, std::uint64_t slot, double cosine) const;

@@ -39,8 +39,9 @@ public:
   Vec4f colorOf(std::uint64_t slot, const Vec3d& local) const;
 
   /// Unit normal in the world, outwards, at a point in the surface's coordinates; 0 where there is
-  /// none.
-  Vec3f normalAt(std::uint64_t slot, const Vec3d& local) const;
+  /// none. Where a hit stands for many, it is what a ray sees of them that goes `way`, which is in
+  /// the surface's coordinates too.
+  Vec3f normalAt(std::uint64_t slot, const Vec3d& local, const Vec3d& way) const;
 
 private:
   template <typename PointOf>
