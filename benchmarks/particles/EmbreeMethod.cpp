@@ -48,8 +48,7 @@ public:
   void occlude(
     std::size_t mode, const OcclusionRays& rays, OcclusionAnswers& answers) const override
   {
-    embreeOccluded(
-      mode, spheres_.scene(), RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT, rays, answers);
+    embreeOccluded(mode, spheres_.scene(), RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT, rays, answers);
   }
 
 private:

@@ -81,8 +81,8 @@ void forPackets(const OcclusionRays& rays, const Visit& visit)
 template <typename Answer>
 void forPackets(const OcclusionRays& rays, OcclusionAnswers& answers, const Answer& answer)
 {
-  forPackets(rays,
-    [&](const OcclusionRays::Packet& packet, std::size_t p) { answers[p] = answer(packet); });
+  forPackets(
+    rays, [&](const OcclusionRays::Packet& packet, std::size_t p) { answers[p] = answer(packet); });
 }
 
 } // namespace mote::bench

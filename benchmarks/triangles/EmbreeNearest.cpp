@@ -70,8 +70,7 @@ void inStream(
   constexpr int size = EmbreeRays::capacity;
   alignas(64) RTCRayHitNt<size> rays;
   fillHits(from, 0, rays);
-  rtcIntersectNM(
-    scene, &context, reinterpret_cast<RTCRayHitN*>(&rays), size, 1, sizeof(rays));
+  rtcIntersectNM(scene, &context, reinterpret_cast<RTCRayHitN*>(&rays), size, 1, sizeof(rays));
   keepHits(rays, 0, hits);
 }
 

@@ -8,8 +8,8 @@
 namespace mote::bench
 {
 
-/// Finds what rays meet first by Embree, in parallel: one by one, in packets of 16, or in streams of
-/// 64, by the number of the mode.
+/// Finds what rays meet first by Embree, in parallel: one by one, in packets of 16, or in streams
+/// of 64, by the number of the mode.
 void embreeNearest(std::size_t mode, RTCScene scene, RTCIntersectContextFlags flags,
   const OcclusionRays& rays, std::vector<PacketHits>& hits);
 

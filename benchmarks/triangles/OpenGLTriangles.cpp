@@ -103,9 +103,7 @@ public:
       }
   }
 
-  void occlude(TriangleTask, std::size_t, const SecondaryRays&, OcclusionAnswers&) const override
-  {
-  }
+  void occlude(TriangleTask, std::size_t, const SecondaryRays&, OcclusionAnswers&) const override {}
 
 private:
   static void place(vtkCamera* camera, const CameraRays& rays, int width, int height)

@@ -21,8 +21,8 @@ enum class TriangleTask : std::uint8_t
   Shadow,    ///< from what is seen and faces the light to that: anything?
   Reflection ///< as if all that is seen were a mirror: what they meet first
 };
-constexpr std::array<TriangleTask, 4> triangleTasks = {TriangleTask::Primary,
-  TriangleTask::Occlusion, TriangleTask::Shadow, TriangleTask::Reflection};
+constexpr std::array<TriangleTask, 4> triangleTasks = {
+  TriangleTask::Primary, TriangleTask::Occlusion, TriangleTask::Shadow, TriangleTask::Reflection};
 
 const char* nameOf(TriangleTask task);
 

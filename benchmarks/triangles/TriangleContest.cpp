@@ -87,8 +87,7 @@ TriangleContest::TriangleContest(const Options& options, const TriangleInput& in
   , threads_(threadCount(options.threads))
 {
   for (const TriangleMethodEntry& entry : triangleMethods())
-    if (isWanted(options, entry.name) &&
-        !(entry.draws && options.methods.empty() && !hasDisplay()))
+    if (isWanted(options, entry.name) && !(entry.draws && options.methods.empty() && !hasDisplay()))
       build(entry);
   for (const View& view : triangleViews())
     if (options.views.empty() ||
@@ -168,8 +167,7 @@ void TriangleContest::enter(std::size_t method, std::size_t view, TriangleTask t
     return;
   for (std::size_t mode = 0; mode < modes; ++mode)
   {
-    const std::size_t place = race_.add(threads_,
-      [this, entry, mode]
+    const std::size_t place = race_.add(threads_, [this, entry, mode]
       { work(entry, mode, answers_[entry.view][static_cast<std::size_t>(entry.task)]); });
     if (mode == 0)
       entry.first = place;
@@ -221,9 +219,9 @@ std::size_t TriangleContest::differing(const Entry& entry)
   Answers exact = answersFor(entry), found = answersFor(entry);
   work(first, 0, exact);
   work(entry, best(entry) - entry.first, found);
-  return entry.task == TriangleTask::Primary ? differingPixels(exact.image, found.image)
-    : entry.task == TriangleTask::Reflection ? differingHits(exact.hits, found.hits)
-                                             : differingRays(exact.bits, found.bits);
+  return entry.task == TriangleTask::Primary      ? differingPixels(exact.image, found.image)
+         : entry.task == TriangleTask::Reflection ? differingHits(exact.hits, found.hits)
+                                                  : differingRays(exact.bits, found.bits);
 }
 
 /// What a picture with levels of detail makes wrong.
@@ -244,8 +242,8 @@ TriangleContest::Result TriangleContest::resultOf(const Entry& entry)
   result.mode = modes[best(entry) - entry.first];
   result.seconds = race_.seconds(best(entry));
   result.rays = static_cast<double>(entry.task == TriangleTask::Primary
-      ? std::size_t(options_.width) * options_.height
-      : raysOf(entry).rays.count);
+                                      ? std::size_t(options_.width) * options_.height
+                                      : raysOf(entry).rays.count);
   built.method->setPoe(entry.poe);
   if (entry.task == TriangleTask::Primary)
     result.visits = built.method->visits(
@@ -273,11 +271,11 @@ void TriangleContest::addRows(const Entry& entry, const Result& r, Sections& sec
     number(built.seconds, "%.3f"), number(built.lodSeconds, "%.3f"),
     number(built.bytesPerTriangle, "%.1f"), std::to_string(r.differing)});
   if (entry.task == TriangleTask::Primary && entry.poe > 0.0)
-    sections.errors.table.add({built.name, view, poe, number(1e3 * r.seconds, "%.2f"),
-      number(r.timesExact, "%.2f"), number(r.errors.rms, "%.3f"),
-      number(r.errors.mostOfMany, "%.2f"), number(r.errors.most, "%.2f"),
-      number(r.errors.lods, "%.3f"), std::to_string(r.errors.holes),
-      std::to_string(r.errors.extra)});
+    sections.errors.table.add(
+      {built.name, view, poe, number(1e3 * r.seconds, "%.2f"), number(r.timesExact, "%.2f"),
+        number(r.errors.rms, "%.3f"), number(r.errors.mostOfMany, "%.2f"),
+        number(r.errors.most, "%.2f"), number(r.errors.lods, "%.3f"),
+        std::to_string(r.errors.holes), std::to_string(r.errors.extra)});
 }
 
 /// Frames that need primary rays alone, or others too: their times added up.
@@ -296,8 +294,7 @@ void TriangleContest::addFrames(const Entry& primary, Table& table) const
     return sum;
   };
   const std::string& name = methods_[primary.method].name;
-  std::vector<std::string> row = {
-    name, views_[primary.view].name, number(primary.poe, "%g")};
+  std::vector<std::string> row = {name, views_[primary.view].name, number(primary.poe, "%g")};
   for (std::size_t tasks = 1; tasks <= 3; ++tasks)
   {
     const double own = seconds(name, primary.poe, tasks);
@@ -331,9 +328,9 @@ Report TriangleContest::report()
 {
   Sections sections;
   sections.speed.table = Table(4);
-  sections.speed.table.add({"task", "method", "mode", "view", "PoE", "Mrays/s", "fps", "x embree",
-    "x PoE 0", "nodes/ray", "clusters/ray", "MB seen", "build s", "LODs s", "bytes/triangle",
-    "differing"});
+  sections.speed.table.add(
+    {"task", "method", "mode", "view", "PoE", "Mrays/s", "fps", "x embree", "x PoE 0", "nodes/ray",
+      "clusters/ray", "MB seen", "build s", "LODs s", "bytes/triangle", "differing"});
   sections.speed.notes.push_back(
     format("%zu triangles (%s), %dx%d rays a view; occlusion rays from what is seen, %g of the "
            "longest side long; shadow rays to a light far away; reflection as of a mirror. %d "

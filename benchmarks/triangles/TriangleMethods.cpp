@@ -14,8 +14,8 @@ LodErrors TriangleMethod::lodErrors(const CameraRays& /*rays*/, int /*width*/, i
   return {};
 }
 
-void TriangleMethod::castRays(std::size_t /*mode*/, const SecondaryRays& /*rays*/,
-  std::vector<PacketHits>& /*hits*/) const
+void TriangleMethod::castRays(
+  std::size_t /*mode*/, const SecondaryRays& /*rays*/, std::vector<PacketHits>& /*hits*/) const
 {
 }
 

@@ -10,8 +10,9 @@ namespace mote
 /// numbers relative to its middle, and a ray's formulas (docs/shadows.md tells the measurement).
 constexpr double surfaceError = 5e-7;
 
-/// Which end of rays lies on a surface. Where a caster is allowed an error, what stands for many and
-/// holds that end in its thickness is not in the way of the ray: it stands for the surface itself.
+/// Which end of rays lies on a surface. Where a caster is allowed an error, what stands for many
+/// and holds that end in its thickness is not in the way of the ray: it stands for the surface
+/// itself.
 enum class OnSurface : std::uint8_t
 {
   Neither,

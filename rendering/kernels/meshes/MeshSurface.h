@@ -21,9 +21,9 @@ struct MeshLook
   ArrayView cells;
   /// Colours are those of points, mixed where a triangle is hit; else those of cells.
   bool mixesColors = false;
-  /// Pixels of error that rays are allowed which are told how far they lie apart, where the tree has
-  /// R-LODs: see RlodTree::cast(). To be 0 where the triangles are not opaque: behind an R-LOD they would be
-  /// met once more.
+  /// Pixels of error that rays are allowed which are told how far they lie apart, where the tree
+  /// has R-LODs: see RlodTree::cast(). To be 0 where the triangles are not opaque: behind an R-LOD
+  /// they would be met once more.
   double poe = 0.0;
 
   bool operator==(const MeshLook&) const = default;
@@ -58,8 +58,14 @@ public:
   }
   void cast(RayBundle& rays, std::int32_t index) const { tree_->cast(rays, index, look_.poe); }
   void cast(RayPacket& rays, std::int32_t index) const { tree_->cast(rays, index, look_.poe); }
-  void occlude(RayBundle& rays, std::int32_t index) const { tree_->occlude(rays, index, look_.poe); }
-  void occlude(RayPacket& rays, std::int32_t index) const { tree_->occlude(rays, index, look_.poe); }
+  void occlude(RayBundle& rays, std::int32_t index) const
+  {
+    tree_->occlude(rays, index, look_.poe);
+  }
+  void occlude(RayPacket& rays, std::int32_t index) const
+  {
+    tree_->occlude(rays, index, look_.poe);
+  }
   int bundleSide(const CameraRays&, int, int, int) const { return 16; } ///< docs/triangles.md
   void fetch(HitBlock& block) const;
   void place(HitBlock& block, const HitPlacing& placing) const;

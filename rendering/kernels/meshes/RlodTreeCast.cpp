@@ -90,8 +90,8 @@ void askInPackets(RayBundle& bundle, OnSurface onSurface, const Ask& ask)
   }
 }
 
-/// Whether the rays of a bundle lie so far apart that most meet triangles of their own: a bundle then
-/// looks at all that lies between them, and packets are much faster (docs/triangles.md).
+/// Whether the rays of a bundle lie so far apart that most meet triangles of their own: a bundle
+/// then looks at all that lies between them, and packets are much faster (docs/triangles.md).
 bool isSparse(const RayBundle& rays, const RlodTree& tree)
 {
   const auto width = [&](const float* places)
@@ -101,8 +101,8 @@ bool isSparse(const RayBundle& rays, const RlodTree& tree)
   };
   const bool fan = rays.kind == RayBundle::Kind::CommonOrigin;
   const double end = fan ? *std::max_element(rays.t, rays.t + rays.count) : 1.0;
-  const double perRay = glm::length(glm::cross(rays.dx, rays.dy)) * width(rays.x) *
-                        width(rays.y) * end * end / rays.count;
+  const double perRay = glm::length(glm::cross(rays.dx, rays.dy)) * width(rays.x) * width(rays.y) *
+                        end * end / rays.count;
   const Vec3d size = tree.bounds().size();
   const double perTriangle =
     (size.x * size.y + size.y * size.z + size.z * size.x) / (2.0 * double(tree.size()));
@@ -129,8 +129,7 @@ void RlodTree::cast(RayBundle& bundle, std::int32_t object, double poe) const
   if (size() == 0 ||
       HWY_DYNAMIC_DISPATCH(castNearest)(RlodTreeView(*this), bundle, object, poe, nullptr))
     return;
-  askInPackets(
-    bundle, OnSurface::Neither, [&](RayPacket& packet) { cast(packet, object, poe); });
+  askInPackets(bundle, OnSurface::Neither, [&](RayPacket& packet) { cast(packet, object, poe); });
 }
 
 void RlodTree::cast(RayBundle& bundle, std::int32_t object, double poe, Counts& counts) const
@@ -141,9 +140,8 @@ void RlodTree::cast(RayBundle& bundle, std::int32_t object, double poe, Counts& 
 
 void RlodTree::occlude(RayBundle& bundle, std::int32_t object, double poe) const
 {
-  if (size() == 0 ||
-      (!isSparse(bundle, *this) &&
-        HWY_DYNAMIC_DISPATCH(castAny)(RlodTreeView(*this), bundle, object, poe)))
+  if (size() == 0 || (!isSparse(bundle, *this) &&
+                       HWY_DYNAMIC_DISPATCH(castAny)(RlodTreeView(*this), bundle, object, poe)))
     return;
   askInPackets(bundle, OnSurface::End, [&](RayPacket& packet) { occlude(packet, object, poe); });
 }

@@ -170,8 +170,7 @@ Vec3d ParticleSurface::normalAt(std::uint64_t slot, const Vec3d& point) const
     *structure_, [&](const auto& s) { return (point - s.center(slot)) / s.radius(slot); });
 }
 
-Vec3d ParticleSurface::seenNormalAt(
-  std::uint64_t slot, const Vec3d& point, const Vec3d& way) const
+Vec3d ParticleSurface::seenNormalAt(std::uint64_t slot, const Vec3d& point, const Vec3d& way) const
 {
   return normalOfMany(point - std::get<PkdTree>(*structure_).lod(slot).center, way);
 }

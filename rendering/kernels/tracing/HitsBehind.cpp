@@ -51,8 +51,8 @@ bool take(const SceneRays& scene, const RayPacket& packet, int k, PassingRay& ra
 
 } // namespace
 
-void findNextHits(const SceneRays& scene, std::vector<PassingRay>& rays, double footprint,
-  double footprintPerT)
+void findNextHits(
+  const SceneRays& scene, std::vector<PassingRay>& rays, double footprint, double footprintPerT)
 {
   std::vector<PassingRay*> waiting;
   for (PassingRay& ray : rays)

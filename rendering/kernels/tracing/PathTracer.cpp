@@ -51,15 +51,14 @@ struct PathTracer::Work
   int count = 0;
   Path paths[SurfaceBlock::capacity];
   Vec3f light[SurfaceBlock::capacity]; ///< that the hits send to the camera
-  double widthPerLength = 0.0; ///< as SurfaceBlock has it
+  double widthPerLength = 0.0;         ///< as SurfaceBlock has it
   RayPacket packet;
   int path[RayPacket::capacity];      ///< that each ray belongs to
   Vec3f carried[RayPacket::capacity]; ///< light that arrives if nothing stands in the way
 
   /// Adds a ray from the end of a path, which does not meet where it starts. An error may be larger
   /// by `perT` behind each unit of length.
-  void addRay(
-    const SceneRays& rays, int index, const Vec3f& direction, double tMax, double perT)
+  void addRay(const SceneRays& rays, int index, const Vec3f& direction, double tMax, double perT)
   {
     const Path& from = paths[index];
     const int k = packet.count++;
@@ -211,8 +210,8 @@ void PathTracer::follow(Work& work, int& arrived) const
     path.out = Vec3f(-direction);
     const Vec3d local =
       transformPoint(rays_.toLocal(path.surface), rays_.reference() + path.position);
-    path.normal = shader.normalAt(
-      path.slot, local, transformVector(rays_.toLocal(path.surface), direction));
+    path.normal =
+      shader.normalAt(path.slot, local, transformVector(rays_.toLocal(path.surface), direction));
     if (path.normal == Vec3f(0.0f))
       path.normal = path.out;
     path.isOutside = glm::dot(path.normal, path.out) >= 0.0f;
@@ -250,8 +249,8 @@ void PathTracer::goOn(Work& work, int bounce) const
         continue;
       path.weight /= chance;
     }
-    work.addRay(rays_, i, found.direction, std::numeric_limits<double>::infinity(),
-      work.widthPerLength);
+    work.addRay(
+      rays_, i, found.direction, std::numeric_limits<double>::infinity(), work.widthPerLength);
     if (work.packet.count == RayPacket::capacity)
       follow(work, arrived);
   }

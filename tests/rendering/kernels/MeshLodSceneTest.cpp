@@ -196,6 +196,90 @@ TEST(MeshLodScene, PathsLeaveThePlanesThatTheyBeginAt)
   EXPECT_NEAR(found.rough / found.exact, 1.0, 0.03);
 }
 
+namespace
+{
+
+/// Pixels on an object that differ from the exact picture by more than a tenth, and those of them
+/// that are like nothing in the exact picture within `reach` pixels.
+struct MovedPixels
+{
+  int moved = 0, lost = 0;
+};
+
+MovedPixels movedPixels(const Film& exact, const Film& rough, std::int32_t object, int reach)
+{
+  const auto red = [](const Film& film, int x, int y) { return film.color()[4 * (y * size + x)]; };
+  MovedPixels found;
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x)
+    {
+      if (exact.object()[y * size + x] != object || rough.object()[y * size + x] != object)
+        continue;
+      const float after = red(rough, x, y);
+      if (std::abs(after - red(exact, x, y)) < 0.1f)
+        continue;
+      ++found.moved;
+      bool isNear = false;
+      for (int v = std::max(0, y - reach); v <= std::min(size - 1, y + reach); ++v)
+        for (int u = std::max(0, x - reach); u <= std::min(size - 1, x + reach); ++u)
+          isNear = isNear || std::abs(red(exact, u, v) - after) < 0.05f;
+      found.lost += !isNear;
+    }
+  return found;
+}
+
+/// Puts the mesh over a floor of two triangles, which has no R-LODs.
+void addFloor(LodMesh& lods)
+{
+  Triangles floor;
+  for (const double y : {-4.0, 4.0})
+    for (const double x : {-4.0, 4.0})
+      floor.addPoint({x, y, -1.2});
+  floor.add(0, 1, 3);
+  floor.add(0, 3, 2);
+  addTo(lods.scene, objectOf(floor));
+  lods.camera = lookAt({2.0, 5.0, 7.0}, {0.0, 0.0, -0.6}, 32.0);
+}
+
+} // namespace
+
+TEST(MeshLodScene, ShadowsOfPlanesFallWhereThoseOfTheirTrianglesDo)
+{
+  LodMesh lods;
+  addFloor(lods);
+  for (SurfaceObject& object : lods.scene.surfaces)
+    object.material.ambient = 0.0f;
+  int moved = 0;
+  for (const auto kind : {Light::Kind::Directional, Light::Kind::Point})
+  {
+    const Vec3d towards(-2.0, 1.0, 5.0);
+    lods.scene.lights = {
+      shadowLight(kind, kind == Light::Kind::Point ? towards : -glm::normalize(towards))};
+    const MovedPixels found = movedPixels(lods.traced(0.0), lods.traced(pixels), 1, int(pixels));
+    moved += found.moved;
+    EXPECT_EQ(found.lost, 0);
+    EXPECT_LT(found.moved, 120); // along the outline of the shadow
+  }
+  EXPECT_GT(moved, 0) << "were planes taken at all?";
+}
+
+TEST(MeshLodScene, MirrorsShowPlanes)
+{
+  LodMesh lods;
+  addFloor(lods);
+  lods.scene.surfaces[1].material.metallic = 1.0f;
+  lods.scene.surfaces[1].material.roughness = 0.0f;
+  lods.scene.surfaces[0].material.ambient = 1.0f; // it shines by itself
+  lods.scene.surfaces[0].material.diffuse = 0.0f;
+  lods.scene.lights.clear();
+  lods.scene.sky = {Vec3f(0.0f), Vec3f(0.0f)};
+  lods.scene.paths.bounces = 1;
+  const MovedPixels found = movedPixels(lods.traced(0.0), lods.traced(pixels), 1, 2 * int(pixels));
+  EXPECT_GT(found.moved, 0) << "were planes taken at all?";
+  EXPECT_LT(found.moved, 120);
+  EXPECT_LE(found.lost, 1); // no metal is quite smooth: a ray in thousands goes far aside
+}
+
 TEST(MeshLodScene, PlanesHaveTheMeanColour)
 {
   LodMesh lods;

@@ -150,8 +150,7 @@ private:
   };
 
   /// Lines through the picture's places (x, y), and R-LODs.
-  HWY_INLINE PlaneMeeting meetingOf(
-    const Lines& lines, const Course& course, VF x, VF y) const
+  HWY_INLINE PlaneMeeting meetingOf(const Lines& lines, const Course& course, VF x, VF y) const
   {
     const auto over = [&](const VF(&from)[3])
     { return hn::MulAdd(x, from[1], hn::MulAdd(y, from[2], from[0])); };

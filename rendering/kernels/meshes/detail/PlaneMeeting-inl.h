@@ -53,12 +53,17 @@ struct PlaneMeeting
     leave = hn::Min(leave, hn::Max(a, b));
   }
 
-  /// Lines that are within twice the greatest deviation of the plane at z, inside the box or not:
-  /// a point there may be one of the surface that the R-LOD is part of. NaN is nowhere.
-  HWY_INLINE MF holds(VF deviation, VF z) const
+  /// Lines whose point at z may be one of the surface that the R-LOD is part of: it is within twice
+  /// the greatest deviation of the plane, or in the box, over which planes may reach beyond their
+  /// triangles. NaN is nowhere.
+  HWY_INLINE MF holds(VF deviation, VF z) const { return holds(deviation, z, z); }
+  /// Likewise, `inBox` being the z nearest to it at which the line is known to be in the box or
+  /// not.
+  HWY_INLINE MF holds(VF deviation, VF z, VF inBox) const
   {
     const VF away = hn::Abs(hn::MulAdd(slope, z, height));
-    return hn::Le(away, hn::MulAdd(deviation, all(2.0f), all(rounding)));
+    const MF beside = hn::Le(away, hn::MulAdd(deviation, all(2.0f), all(rounding)));
+    return hn::Or(beside, hn::And(hn::Le(enter, inBox), hn::Le(inBox, leave)));
   }
 
   /// Lines that meet their R-LOD; z becomes where.

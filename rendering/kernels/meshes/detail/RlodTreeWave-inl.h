@@ -261,8 +261,8 @@ private:
 
   /// Asks a ray at the R-LODs of those of the children `may` that err by less than it may. Answers
   /// which others it meets; none where an R-LOD is in its way and any hit will do.
-  HWY_INLINE unsigned metBesidePlanes(const RlodNode& node, const TreeBoxes& boxes, unsigned may,
-    int ray, Nearest& nearest)
+  HWY_INLINE unsigned metBesidePlanes(
+    const RlodNode& node, const TreeBoxes& boxes, unsigned may, int ray, Nearest& nearest)
   {
     RowDepths<Nearest> enter(nearest);
     const unsigned met = boxRays_.met(boxes, ray, enter);
@@ -274,8 +274,7 @@ private:
   }
 
   /// Asks a ray at R-LODs of a node. False where one is in its way and any hit will do.
-  HWY_NOINLINE bool castPlanes(
-    std::uint32_t index, const TreeBoxes& boxes, unsigned fine, int ray)
+  HWY_NOINLINE bool castPlanes(std::uint32_t index, const TreeBoxes& boxes, unsigned fine, int ray)
   {
     Row near, far, at;
     boxRays_.met(boxes, ray, near, far);
@@ -331,10 +330,11 @@ private:
     }
     const unsigned any = met.any() & lowest(node.children);
     const unsigned clusterBits = any & lowest(node.clusters);
-    add(met, clusterBits, nearest, [&](int k, std::uint64_t some)
+    add(met, clusterBits, nearest,
+      [&](int k, std::uint64_t some)
       { clusters.add(node.firstCluster + static_cast<unsigned>(k), some); });
-    add(met, any & ~clusterBits, nearest, [&](int k, std::uint64_t some)
-      { nodes.add(node.nodeOf(static_cast<unsigned>(k)), some); });
+    add(met, any & ~clusterBits, nearest,
+      [&](int k, std::uint64_t some) { nodes.add(node.nodeOf(static_cast<unsigned>(k)), some); });
   }
 
   void visitClusters(Visits& clusters)

@@ -226,6 +226,9 @@ struct TriangleRay
   {
     const DF d;
     const float nearest = std::nextafter(first, infinity);
+    // Where the ray is in boxes is known between its ends alone.
+    const float between =
+      std::isnan(onSurface) ? onSurface : std::clamp(onSurface, nearest, std::max(nearest, best));
     unsigned bits = 0;
     for (int set = 0; set < laneSets; ++set)
     {
@@ -244,7 +247,7 @@ struct TriangleRay
       z.store(at, set);
       met = hn::And(met, hn::And(hn::Gt(at, all(first)), hn::Lt(at, all(best))));
       if (!hn::AllFalse(d, met))
-        met = hn::AndNot(meeting.holds(deviation, all(onSurface)), met);
+        met = hn::AndNot(meeting.holds(deviation, all(onSurface), all(between)), met);
       bits |= bitsOf(met) << (set * lanes);
     }
     return bits;
@@ -277,8 +280,7 @@ HWY_INLINE unsigned fineChildren(const RlodTreeView& view, std::uint32_t index, 
   const Tolerance& tolerance, const Row& near)
 {
   return finerChildren(view, index, may,
-    [&](int set)
-    { return hn::MulAdd(near.load(set), all(tolerance.perZ), all(tolerance.atQ)); });
+    [&](int set) { return hn::MulAdd(near.load(set), all(tolerance.perZ), all(tolerance.atQ)); });
 }
 
 } // namespace HWY_NAMESPACE

@@ -16,8 +16,8 @@ struct SurfaceBlock : HitBlock
   std::uint32_t seed[capacity];         ///< of the pixel's random numbers; filled likewise
   alignas(64) float color[capacity][4]; ///< of the surface, with its alpha
 
-  /// How far neighbouring rays of the camera are apart in the world, at the nearest of the hits, and
-  /// how much farther behind each unit of length; 0 where no surface may err.
+  /// How far neighbouring rays of the camera are apart in the world, at the nearest of the hits,
+  /// and how much farther behind each unit of length; 0 where no surface may err.
   double width = 0.0, widthPerLength = 0.0;
 
   alignas(64) float cosine[capacity]; ///< to one light sample; 0 where it lights nothing
