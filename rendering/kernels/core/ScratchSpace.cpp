@@ -1,6 +1,7 @@
 #include "ScratchSpace.h"
 
 #include "AtomicFile.h"
+#include "HugePages.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -80,16 +81,6 @@ std::shared_ptr<void> ScratchSpace::allocate(std::uint64_t bytes, bool inFile)
   if (file < 0)
     preferHugePages(mapping->memory, bytes);
   return {mapping, mapping->memory};
-}
-
-void preferHugePages(void* memory, std::size_t bytes)
-{
-  const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
-  const auto begin = reinterpret_cast<std::uintptr_t>(memory);
-  const std::uintptr_t first = (begin + page - 1) / page * page,
-                       end = (begin + bytes) / page * page;
-  if (first < end)
-    ::madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE); // no matter if refused
 }
 
 std::uint64_t physicalMemory()

@@ -43,9 +43,6 @@ private:
   std::atomic<bool> usesFiles_{false};
 };
 
-/// Advises the system to keep memory that is not touched yet in pages of megabytes where it fills
-/// any: look-ups all over it then miss fewer addresses. Changes nothing else.
-void preferHugePages(void* memory, std::size_t bytes);
 
 /// Memory of the machine, or of the control group that the process is kept to, whichever is less.
 std::uint64_t physicalMemory();

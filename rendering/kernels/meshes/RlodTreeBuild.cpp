@@ -4,7 +4,6 @@
 #include "RlodTree.h"
 
 #include "../core/Error.h"
-#include "../core/ScratchSpace.h"
 #include "detail/BinaryTree.h"
 #include "detail/RlodTreeArrays.h"
 
@@ -79,7 +78,6 @@ void RlodTree::build(const TriangleMesh& mesh, const Progress& progress)
     throw Error("The mesh has more triangles than a tree holds: about 1500 million.");
   RlodTreeArrays& a = *arrays_;
   a.clusters.resize(clusters);
-  preferHugePages(a.clusters.own(), clusters * sizeof(TriangleCluster));
   RawVector<RlodNode> nodes;
   nodes.reserve(clusters / 8 + 16);
 

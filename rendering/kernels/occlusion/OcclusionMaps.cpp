@@ -1,7 +1,6 @@
 #include "OcclusionMaps.h"
 
 #include "../core/Error.h"
-#include "../core/ScratchSpace.h"
 
 #include <tbb/parallel_for.h>
 
@@ -61,7 +60,6 @@ OcclusionMaps::OcclusionMaps(std::size_t count, const OcclusionSky& sky)
     throw Error("The sky of occlusion maps must be bright at its top or its bottom, and not "
                 "negative.");
   blocks_.resize((count + blockSize - 1) / blockSize);
-  preferHugePages(blocks_.data(), blocks_.size() * sizeof(Block));
   std::fill(blocks_.begin(), blocks_.end(), Block());
 }
 
@@ -118,7 +116,6 @@ std::size_t OcclusionMaps::placeBlocks()
 void OcclusionMaps::makeTexels()
 {
   texels_.resize(placeBlocks());
-  preferHugePages(texels_.data(), texels_.size());
 }
 
 std::size_t OcclusionMaps::firstTexel(std::size_t particle) const
