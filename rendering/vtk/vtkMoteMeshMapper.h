@@ -77,9 +77,9 @@ public:
    * How many pixels the picture may err by, at least 0: groups of triangles that would err by less
    * are drawn as planes (R-LODs), which takes less time and memory where many triangles fall into a
    * pixel, and keeps colours from flickering: planes have the mean colour. 99.9 % of the pixels are
-   * displaced by less than this, none by more than about twice as much. Shadows, ambient occlusion and
-   * reflections err by as much as the pixels that show them; picks ask the triangles themselves. 0,
-   * as unless set, is exact; so is all that is not opaque. See docs/triangles.md.
+   * displaced by less than this, none by more than about twice as much. Shadows, ambient occlusion
+   * and reflections err by as much as the pixels that show them; picks ask the triangles
+   * themselves. 0, as unless set, is exact; so is all that is not opaque. See docs/triangles.md.
    */
   vtkSetClampMacro(PixelsOfError, double, 0.0, 1000.0);
   vtkGetMacro(PixelsOfError, double);

@@ -237,7 +237,7 @@ case $3 in
     is_picture b.png 320x240
     run 0 "$mote" render "$hopper" "$data/swirl.0.vtu" -o b.png --size 320x240 --samples 1
     said err 'swirl.0.vtu is not shown: its volume has no v magnitude'
-    run 0 "$mote" render pump:0.002 -o c.png --size 320x240 --samples 1 --show x=0:1 --show velocity:0=0:1
+    run 0 "$mote" render pump:0.002 -o b.png --size 320x240 --samples 1 --show x=0:1 --show velocity:0=0:1
     said out ' of 12,944 cells shown'
     run 1 "$mote" render pump:0.002 -o c.png --show radius=0:1
     one_sentence

@@ -144,22 +144,6 @@ double BundleTracer::footprint(const RayBundle& rays, int side) const
   return side * pixel;
 }
 
-/// Tells the block how far the rays lie apart where they hit, if surfaces may err by that.
-void BundleTracer::measure(const RayBundle& rays, const RayBundle& world, SurfaceBlock& block) const
-{
-  block.width = block.widthPerLength = 0.0;
-  if (!mayErr_)
-    return;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < rays.count; ++i)
-    if (rays.object[i] >= 0)
-      nearest = std::min(nearest, rays.t[i]);
-  if (!std::isfinite(nearest))
-    return;
-  block.width = world.footprint + nearest * world.footprintPerT;
-  block.widthPerLength = world.footprintPerT / glm::length(world.direction);
-}
-
 /// Gives each hit of the block the seed of its pixel: the same whatever the bundles.
 void BundleTracer::seed(Bundle& bundle, int x0, int y0) const
 {
@@ -196,7 +180,9 @@ void BundleTracer::shadeHits(
   placing.footprint = lighting_ && lighting_->shadows ? footprint(rays, side) : 0.0;
   const bool ids = wantsIds();
   SurfaceBlock& block = bundle.block;
-  this->measure(rays, bundle.world, block);
+  block.width = block.widthPerLength = 0.0;
+  if (mayErr_)
+    measureWidth(block, rays, bundle.world);
   for (std::size_t k = 0; k < shaders_.size(); ++k)
   {
     localRays_[k].placeBundle(rays, side, x0, y0, jitterX_, jitterY_);

@@ -135,6 +135,18 @@ HWY_AFTER_NAMESPACE();
 namespace mote
 {
 
+void measureWidth(SurfaceBlock& block, const RayBundle& rays, const RayBundle& world)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < rays.count; ++i)
+    if (rays.object[i] >= 0)
+      nearest = std::min(nearest, rays.t[i]);
+  if (!std::isfinite(nearest))
+    return;
+  block.width = world.footprint + nearest * world.footprintPerT;
+  block.widthPerLength = world.footprintPerT / glm::length(world.direction);
+}
+
 HWY_EXPORT(begin);
 HWY_EXPORT(facePoint);
 HWY_EXPORT(faceFar);

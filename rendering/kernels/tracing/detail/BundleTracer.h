@@ -51,7 +51,6 @@ private:
   bool wantsIds() const;
   bool wantsNormals() const;
   double footprint(const RayBundle& rays, int side) const;
-  void measure(const RayBundle& rays, const RayBundle& world, SurfaceBlock& block) const;
 
   const Scene& scene_;
   Film& film_;

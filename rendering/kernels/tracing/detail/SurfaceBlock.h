@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../../core/HitBlock.h"
+#include "../../core/RayBundle.h"
 #include "../../shading/Light.h"
 #include "../../shading/LightSamples.h"
 
@@ -26,6 +27,9 @@ struct SurfaceBlock : HitBlock
   Triple<float> highlight;
   alignas(64) float out[capacity][4]; ///< red, green, blue times alpha; alpha
 };
+
+/// Sets width and widthPerLength for the hits of `rays`, which run in the world as `world` does.
+void measureWidth(SurfaceBlock& block, const RayBundle& rays, const RayBundle& world);
 
 /// Sets what light the block has received to nothing but `ambient`.
 void beginLight(SurfaceBlock& block, float ambient);
