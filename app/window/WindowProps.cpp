@@ -80,7 +80,9 @@ void WindowProps::showAxes()
 
 bool WindowProps::hasAxes() const
 {
-  return corner_->GetInteractor() && corner_->GetEnabled() != 0;
+  vtkRenderWindowInteractor* interactor = corner_->GetInteractor();
+  return axesRenderer_ && interactor && corner_->GetEnabled() != 0 &&
+         interactor->GetRenderWindow()->HasRenderer(axesRenderer_) != 0;
 }
 
 void WindowProps::update()

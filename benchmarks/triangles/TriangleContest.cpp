@@ -120,8 +120,8 @@ void TriangleContest::addView(const View& view)
   for (const TriangleTask task : triangleTasks)
   {
     rays.push_back(secondaryRays(task, image, cameras_.back(), input_.bounds));
-    if (task != TriangleTask::Primary && rays.back().rays.count == 0)
-      throw Error("View " + view.name + " shows no triangle at this size, or none in the light.");
+    if (task == TriangleTask::Occlusion && rays.back().rays.count == 0)
+      throw Error("View " + view.name + " shows no triangle at this size.");
   }
   std::vector<Answers>& answers = answers_.emplace_back();
   for (const TriangleTask task : triangleTasks)
@@ -163,8 +163,8 @@ void TriangleContest::enter(std::size_t method, std::size_t view, TriangleTask t
 {
   Entry entry{method, view, 0, task, poe};
   const std::size_t modes = modesOf(entry).size();
-  if (modes == 0)
-    return;
+  if (modes == 0 || (task != TriangleTask::Primary && raysOf(entry).rays.count == 0))
+    return; // nothing that is seen faces the light, for one
   for (std::size_t mode = 0; mode < modes; ++mode)
   {
     const std::size_t place = race_.add(threads_, [this, entry, mode]
