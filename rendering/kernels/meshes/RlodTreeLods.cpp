@@ -222,6 +222,54 @@ private:
 
 } // namespace
 
+namespace
+{
+
+/// From 1 where all triangles look away from the middle of all to -1 where they look towards it,
+/// and near 0 where neither: of planes of clusters, in proportion to the squares of their error
+/// radii.
+double outwardness(const RlodTreeArrays& a)
+{
+  double sum = 0.0, most = 0.0;
+  for (std::size_t k = 0; k < a.nodes.size(); ++k)
+  {
+    const RlodNode& node = a.nodes[k];
+    for (unsigned child = 0; child < node.clusters; ++child)
+    {
+      Vec3d normal, middle;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        normal[axis] = a.planes[k].normal[axis][child];
+        const double steps = 0.5 * (double(node.low(axis)[child]) + double(node.high(axis)[child]));
+        middle[axis] = double(node.origin[axis]) + double(node.scale[axis]) * steps;
+      }
+      const double radius = a.levels.radius(a.words[k].level(child));
+      sum += radius * radius * glm::dot(normal, middle);
+      most += radius * radius * glm::length(normal) * glm::length(middle);
+    }
+  }
+  return most > 0.0 ? sum / most : 0.0;
+}
+
+/// Which side of a plane near an outline is seen can only be told where planes look outwards: in
+/// meshes whose triangles look inwards all are turned.
+void turnOutwards(RlodTreeArrays& a)
+{
+  constexpr double clearly = -0.1;
+  if (outwardness(a) > clearly)
+    return;
+  RlodPlanes* planes = a.planes.own();
+  for (std::size_t k = 0; k < a.nodes.size(); ++k)
+    for (int child = 0; child < RlodNode::fanout; ++child)
+    {
+      for (auto& normal : planes[k].normal)
+        normal[child] = -normal[child];
+      planes[k].offset[child] = -planes[k].offset[child];
+    }
+}
+
+} // namespace
+
 void RlodTree::makeLods()
 {
   RlodTreeArrays& a = *arrays_;
@@ -244,6 +292,7 @@ void RlodTree::makeLods()
     if (!isBottom(k))
       maker.make(k);
   a.levels = maker.finish();
+  turnOutwards(a);
 }
 
 void RlodTree::dropLods()

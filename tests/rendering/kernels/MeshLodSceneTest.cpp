@@ -133,9 +133,20 @@ TEST(MeshLodScene, RoughGroundSeenAtGrazingAnglesIsAsBrightAsItsTriangles)
   }
 }
 
-TEST(MeshLodScene, OutlinesHaveNoDarkRim)
+namespace
 {
-  LodMesh lods;
+
+/// The same mesh, each triangle the other way round.
+Triangles turned(Triangles of)
+{
+  for (std::size_t k = 0; k < of.corners.size(); k += 3)
+    std::swap(of.corners[k + 1], of.corners[k + 2]);
+  return of;
+}
+
+void expectNoDarkRim(Triangles triangles)
+{
+  LodMesh lods(std::move(triangles));
   lods.object().material.ambient = 0.0f;
   lods.scene.lights = {shadowLight(Light::Kind::Directional, {0.8, -0.3, -0.6})};
   lods.scene.lights[0].shadows = false;
@@ -156,6 +167,14 @@ TEST(MeshLodScene, OutlinesHaveNoDarkRim)
     }
   EXPECT_GT(rim, 10);
   EXPECT_LT(dark, rim / 8);
+}
+
+} // namespace
+
+TEST(MeshLodScene, OutlinesHaveNoDarkRim)
+{
+  expectNoDarkRim(bumpySphere(250));
+  expectNoDarkRim(turned(bumpySphere(250))); // triangles may look inwards
 }
 
 TEST(MeshLodScene, NoPlaneIsInItsOwnShadow)
