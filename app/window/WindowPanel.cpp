@@ -44,15 +44,8 @@ void Window::setUpPanel()
     if (!busy_)
       this->takeWish();
   };
-  // After the view and its props, before the window shows the frame: tooltips lie over the axes.
-  observe(stage_.renderer(), vtkCommand::EndEvent,
-    [this](void*)
-    {
-      if (!props_.hasAxes())
-        this->drawPanel();
-    });
-  if (vtkRenderer* axes = props_.axesRenderer())
-    observe(axes, vtkCommand::EndEvent, [this](void*) { this->drawPanel(); });
+  // After the view and its props, before the window shows the frame.
+  observe(stage_.renderer(), vtkCommand::EndEvent, [this](void*) { this->drawPanel(); });
 }
 
 /// Gives all texts the size that the settings ask for, or the display.

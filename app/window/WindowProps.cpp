@@ -6,10 +6,8 @@
 #include <vtkCaptionActor2D.h>
 #include <vtkLookupTable.h>
 #include <vtkOrientationMarkerWidget.h>
-#include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
-#include <vtkRendererCollection.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
@@ -49,13 +47,6 @@ void WindowProps::attach(vtkRenderWindowInteractor* interactor)
   this->placeAxes();
   corner_->SetEnabled(1);
   corner_->InteractiveOff();
-  // The widget does not tell its renderer, which has a layer above all others.
-  vtkRendererCollection* all = interactor->GetRenderWindow()->GetRenderers();
-  vtkCollectionSimpleIterator at;
-  all->InitTraversal(at);
-  while (vtkRenderer* renderer = all->GetNextRenderer(at))
-    if (renderer->GetLayer() > 0)
-      axesRenderer_ = renderer;
   this->update();
 }
 
@@ -76,13 +67,6 @@ void WindowProps::showAxes()
                     share * stage_.renderer()->GetSize()[0] > least;
   if (corner_->GetInteractor() && corner_->GetEnabled() != static_cast<int>(axes))
     corner_->SetEnabled(axes);
-}
-
-bool WindowProps::hasAxes() const
-{
-  vtkRenderWindowInteractor* interactor = corner_->GetInteractor();
-  return axesRenderer_ && interactor && corner_->GetEnabled() != 0 &&
-         interactor->GetRenderWindow()->HasRenderer(axesRenderer_) != 0;
 }
 
 void WindowProps::update()

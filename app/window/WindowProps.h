@@ -9,7 +9,6 @@
 class vtkAxesActor;
 class vtkOrientationMarkerWidget;
 class vtkRenderWindowInteractor;
-class vtkRenderer;
 
 namespace mote::app
 {
@@ -33,11 +32,6 @@ public:
   /// The size of the axes' letters: 1 for a display of 96 dots an inch.
   void setScale(double scale);
 
-  /// What draws the axes, after all views; null before attach().
-  vtkRenderer* axesRenderer() const { return axesRenderer_; }
-  /// Whether the axes are shown.
-  bool hasAxes() const;
-
   WindowLegend& legend() { return legend_; }
 
 private:
@@ -49,7 +43,6 @@ private:
   WindowLegend legend_;
   vtkNew<vtkAxesActor> axes_;
   vtkNew<vtkOrientationMarkerWidget> corner_;
-  vtkRenderer* axesRenderer_ = nullptr;
 };
 
 } // namespace mote::app
