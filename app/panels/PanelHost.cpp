@@ -223,6 +223,12 @@ bool PanelHost::isWritten()
   return ImGui::IsAnyItemActive() && ImGui::GetInputTextState(ImGui::GetActiveID());
 }
 
+/// Whether the next frame gives the keys to another control.
+bool PanelHost::isMovingKeys()
+{
+  return ImGui::GetCurrentContext()->NavMoveSubmitted;
+}
+
 bool PanelHost::isForField(const Input& input)
 {
   return input.kind == Input::Character || (input.kind == Input::Key && input.isDown);
@@ -334,6 +340,11 @@ void PanelHost::feed()
     const Input input = waiting_.front();
     if (isTyping_ && !isWritten() && isForField(input))
       return;
+    // The next frame gives the keys to a field that asked for them, and would take a press of the
+    // mouse from the control that it was for. A field that never gets them must not hold the mouse.
+    if (input.kind == Input::Button && input.isDown && isMovingKeys() && ++heldFrames_ < 4)
+      return;
+    heldFrames_ = 0;
     waiting_.pop_front();
     const auto number = static_cast<std::size_t>(input.number);
     if (input.kind == Input::Character)
