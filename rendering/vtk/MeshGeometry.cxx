@@ -39,10 +39,16 @@ void addCells(InputKey& key, vtkCellArray* cells)
   addArray(key, cells ? cells->GetConnectivityArray() : nullptr);
 }
 
+/// Whether cells are hidden in a tree that has all of them.
+bool hidesInTree(vtkPointSet* data)
+{
+  return vtkPolyData::SafeDownCast(data) != nullptr;
+}
+
 /// The times of all that triangles are made of.
 InputKey keyOfMesh(vtkPointSet* data, const InputKey& visible)
 {
-  InputKey key = visible;
+  InputKey key = hidesInTree(data) ? InputKey() : visible;
   addTime(key, data->GetPoints());
   addArray(key, data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
   addArray(key, data->GetCellGhostArray());
@@ -101,49 +107,85 @@ std::string sentence(vtkIdType count, const char* one, const char* many)
 
 } // namespace
 
-bool MeshGeometry::fits(vtkPointSet* data, const InputKey& visible) const
+bool MeshGeometry::holds(vtkPointSet* data, const InputKey& visible) const
 {
   return !key_.empty() && key_ == keyOfMesh(data, visible);
+}
+
+bool MeshGeometry::fits(vtkPointSet* data, const InputKey& visible) const
+{
+  return this->holds(data, visible) && (!hidesInTree(data) || visible_ == visible);
 }
 
 MeshGeometry::Change MeshGeometry::update(vtkPointSet* data, vtkUnsignedCharArray* isVisible,
   const InputKey& visible, const Progress& progress)
 {
-  InputKey key = keyOfMesh(data, visible);
-  if (!key_.empty() && key == key_)
-    return Change::None;
-  key_.clear(); // until all has gone well
-  // The tree of a file has all triangles.
-  if (const auto file = isVisible ? nullptr : vtkMoteMeshFilePoints::FileOf(data))
+  const bool hides = hidesInTree(data);
+  Change change = Change::None;
+  if (!this->holds(data, visible))
+  {
+    InputKey key = keyOfMesh(data, visible);
+    key_.clear(); // until all has gone well
+    change = this->updateAll(data, hides ? nullptr : isVisible, progress);
+    if (!tree_ && !mesh_)
+      return change; // it was stopped
+    key_ = std::move(key);
+  }
+  if (hides && (change != Change::None || visible_ != visible))
+  {
+    this->hide(isVisible);
+    visible_ = visible;
+    change = change == Change::None ? Change::Hidden : change;
+  }
+  this->count();
+  return change;
+}
+
+/// Takes all triangles, or those of visible cells.
+MeshGeometry::Change MeshGeometry::updateAll(
+  vtkPointSet* data, vtkUnsignedCharArray* isVisible, const Progress& progress)
+{
+  if (const auto file = vtkMoteMeshFilePoints::FileOf(data))
   {
     this->forget();
     tree_ = file->tree();
     corners_ = file->corners();
-    this->keep(std::move(key));
     return Change::Built;
   }
   const SurfaceTriangles triangles = surfaceTrianglesOf(data, isVisible);
   const DataArrayView points(data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
   const ContentHash content = contentOf(points);
+  const bool moved = tree_ && mesh_ && mesh_->pointCount() == points.view.count() &&
+                     areTheSame(*mesh_, triangles.view());
   cells_ = std::make_shared<const std::vector<vtkIdType>>(triangles.cells);
   thin_ = triangles.thin;
   flat_ = triangles.flat;
-  const bool moved = tree_ && mesh_ && mesh_->pointCount() == points.view.count() &&
-                     areTheSame(*mesh_, triangles.view());
   if (moved && content == points_)
-  {
-    key_ = std::move(key);
     return Change::None;
-  }
   points_ = content;
-  const bool refitted = moved && this->moveTo(points.view);
-  if (!refitted && !this->build(points.view, triangles.view(), progress))
-  {
-    this->forget();
-    return Change::None;
-  }
-  this->keep(std::move(key));
-  return refitted ? Change::Refitted : Change::Built;
+  part_ = nullptr; // which is of the tree as it was
+  if (moved && this->moveTo(points.view))
+    return Change::Refitted;
+  if (this->build(points.view, triangles.view(), progress))
+    return Change::Built;
+  this->forget();
+  return Change::None;
+}
+
+/// Makes the tree of what is visible, where that is not all.
+void MeshGeometry::hide(vtkUnsignedCharArray* isVisible)
+{
+  std::shared_ptr<RlodTree> last = std::move(part_);
+  part_ = nullptr;
+  if (!tree_ || !isVisible)
+    return;
+  const unsigned char* marks = isVisible->GetPointer(0);
+  const vtkIdType* cells = cells_ && !cells_->empty() ? cells_->data() : nullptr;
+  part_ = RlodTree::partOf(
+    tree_,
+    [=](std::uint64_t triangle)
+    { return marks[cells ? static_cast<std::size_t>(cells[triangle]) : triangle] != 0; },
+    std::move(last));
 }
 
 /// Gives the points other places. False where the tree has become too bad by that.
@@ -178,12 +220,6 @@ bool MeshGeometry::build(
   return true;
 }
 
-void MeshGeometry::keep(InputKey key)
-{
-  key_ = std::move(key);
-  this->count();
-}
-
 ArrayView MeshGeometry::cells() const
 {
   if (!cells_ || cells_->empty())
@@ -196,6 +232,8 @@ void MeshGeometry::makeLods()
 {
   if (!tree_->hasLods())
     tree_->makeLods();
+  if (part_ && !part_->hasLods())
+    part_->takeLodsOfWhole();
   this->count();
 }
 
@@ -205,6 +243,7 @@ void MeshGeometry::count()
              : corners_ ? corners_->bytes()
                         : 0) +
            (tree_ ? tree_->bytes() : 0) + (cells_ ? cells_->size() * sizeof(vtkIdType) : 0);
+  bytesOfPart_ = part_ ? part_->bytes() : 0;
 }
 
 vtkIdType MeshGeometry::invalidTriangles() const

@@ -21,13 +21,15 @@ namespace mote
 ///
 /// Of a vtkPolyData these are its polygons and strips; of all else with points the faces that no
 /// two cells share, and the cells that are flat. Corners are points of the data set. Cells that are
-/// not visible are left out, as if they were not there.
+/// not visible are left out, as if they were not there: polygons and strips are hidden in a tree
+/// that has all, which builds nothing; of cells with a volume other faces come to light.
 class MeshGeometry
 {
 public:
   enum class Change
   {
     None,
+    Hidden,   ///< other cells are visible, which took no build
     Refitted, ///< the tree took points that have moved
     Built
   };
@@ -35,6 +37,8 @@ public:
   /// Whether all that triangles are made of is the very same as at the last update(). `visible` is
   /// the key of VisibleCells.
   bool fits(vtkPointSet* data, const InputKey& visible) const;
+  /// Whether a tree is there that update() would take, at most with others of its cells visible.
+  bool holds(vtkPointSet* data, const InputKey& visible) const;
 
   /// Takes the triangles and builds the tree, or does as little of it as it takes: nothing where
   /// points and triangles have the same content or lie in a file, a refit where only points
@@ -49,12 +53,16 @@ public:
 
   void forget() { *this = MeshGeometry(); }
 
-  const std::shared_ptr<RlodTree>& tree() const { return tree_; }    ///< null without triangles
+  /// Null without triangles that are visible.
+  const std::shared_ptr<RlodTree>& tree() const { return part_ ? part_ : tree_; }
+  /// The tree that tree() is a part of, or which it is: slots and R-LODs are the same.
+  const std::shared_ptr<RlodTree>& whole() const { return tree_; }
   std::shared_ptr<const TriangleMesh> mesh() const { return mesh_; } ///< null for those of files
   std::shared_ptr<const MeshCorners> corners() const { return corners_; }
   /// The cell of the data set that each triangle is of; empty: triangles are cells.
   ArrayView cells() const;
-  std::size_t bytes() const { return bytes_; }
+  std::size_t bytes() const { return bytes_; } ///< of the whole
+  std::size_t bytesOfPart() const { return bytesOfPart_; }
   /// What was left out, as sentences; empty where nothing was.
   std::string report() const;
 
@@ -63,20 +71,23 @@ public:
   vtkIdType invalidTriangles() const; ///< triangles with a corner that is not finite
 
 private:
+  Change updateAll(vtkPointSet* data, vtkUnsignedCharArray* isVisible, const Progress& progress);
+  void hide(vtkUnsignedCharArray* isVisible);
   bool moveTo(const ArrayView& points);
   bool build(const ArrayView& points, const ArrayView& triangles, const Progress& progress);
-  void keep(InputKey key);
   void count();
 
-  InputKey key_;
+  InputKey key_;           ///< of the triangles
+  InputKey visible_;       ///< of the cells of these that are visible, where part_ is needed
   ContentHash points_;     ///< what they held
   double builtCost_ = 0.0; ///< of the tree when it was built
   std::shared_ptr<TriangleMesh> mesh_;
   std::shared_ptr<const MeshCorners> corners_;
-  std::shared_ptr<RlodTree> tree_;
+  std::shared_ptr<RlodTree> tree_, part_; ///< of all triangles; of those that are visible
   std::shared_ptr<const std::vector<vtkIdType>> cells_;
   vtkIdType thin_ = 0, flat_ = 0;
-  std::size_t bytes_ = 0; ///< kept: others that hold the tree may be making its R-LODs
+  /// Kept: others that hold the tree may be making its R-LODs.
+  std::size_t bytes_ = 0, bytesOfPart_ = 0;
 };
 
 /// What one mapper has made of a mesh and another may take over, instead of making it.

@@ -40,6 +40,7 @@ class vtkMoteMeshMapper::Internals : public mote::BuiltMesh
 public:
   std::shared_ptr<const mote::BuiltMesh> offered; ///< by another mapper
   vtkTimeStamp changedAt;                         ///< when the geometry last did
+  vtkTimeStamp builtAt;                           ///< when it did by more than what is hidden
   int builds = 0, refits = 0;
 
   mote::VisibleCells visible;
@@ -64,10 +65,11 @@ public:
   {
     const auto from = std::exchange(offered, nullptr);
     if (!from ||
-        (geometry.tree() && !from->geometry.fits(input, visible.key(input->GetNumberOfCells()))))
+        (geometry.whole() && !from->geometry.holds(input, visible.key(input->GetNumberOfCells()))))
       return;
     static_cast<mote::BuiltMesh&>(*this) = *from;
     changedAt.Modified();
+    builtAt.Modified();
   }
 
   const mote::ArrayView& viewOf(vtkDataArray* array)
@@ -152,15 +154,20 @@ std::string vtkMoteMeshMapper::GetReport()
 
 vtkTypeInt64 vtkMoteMeshMapper::GetStructureBytes()
 {
-  return static_cast<vtkTypeInt64>(this->Impl->geometry.bytes());
+  const mote::MeshGeometry& geometry = this->Impl->geometry;
+  return static_cast<vtkTypeInt64>(geometry.bytes() + geometry.bytesOfPart());
 }
 
 std::vector<std::pair<const void*, std::size_t>> vtkMoteMeshMapper::GetMemory()
 {
   const mote::MeshGeometry& geometry = this->Impl->geometry;
-  if (!geometry.tree())
+  if (!geometry.whole())
     return {};
-  return {{geometry.tree().get(), geometry.bytes()}};
+  std::vector<std::pair<const void*, std::size_t>> memory = {
+    {geometry.whole().get(), geometry.bytes()}};
+  if (geometry.tree() != geometry.whole())
+    memory.emplace_back(geometry.tree().get(), geometry.bytesOfPart());
+  return memory;
 }
 
 double vtkMoteMeshMapper::GetBuildTime()
@@ -222,7 +229,7 @@ int vtkMoteMeshMapper::UpdateTimeStep(
 {
   const bool done = mote::updateInputTimeStep(this, time, piece, pieces, ghostLevels, extents);
   this->Update();
-  return done && this->Impl->geometry.tree() ? 1 : 0;
+  return done && this->Impl->geometry.whole() ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------------------------
@@ -283,8 +290,9 @@ void vtkMoteMeshMapper::UpdateGeometry(vtkPointSet* input)
   if (!goesOn(0.0))
     return impl.geometry.forget();
   const Change change = impl.geometry.update(input, impl.visible.get(), visible, goesOn);
-  if (change == Change::None)
+  if (change == Change::None || change == Change::Hidden)
     return;
+  impl.builtAt.Modified();
   impl.buildTime = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   (change == Change::Built ? impl.builds : impl.refits) += 1;
   const std::string report = this->GetReport();
@@ -294,7 +302,7 @@ void vtkMoteMeshMapper::UpdateGeometry(vtkPointSet* input)
 
 std::shared_ptr<const mote::BuiltMesh> vtkMoteMeshMapper::GetBuilt()
 {
-  if (!this->Impl->geometry.tree())
+  if (!this->Impl->geometry.whole())
     return nullptr;
   return std::make_shared<mote::BuiltMesh>(*this->Impl);
 }
@@ -311,7 +319,7 @@ bool vtkMoteMeshMapper::DescribeTo(mote::SurfaceObject& object, vtkActor* actor)
 {
   Internals& impl = *this->Impl;
   this->Update();
-  if (!impl.geometry.tree())
+  if (!impl.geometry.tree() || impl.geometry.tree()->size() == 0)
     return false;
   vtkPointSet* input = this->GetInput();
   mote::describeActor(actor, object);
@@ -354,14 +362,14 @@ void vtkMoteMeshMapper::AllowError(mote::SurfaceObject& object, mote::MeshLook& 
   const mote::ArrayView& array = coloring.direct.empty() ? coloring.values : coloring.direct;
   if (array.empty())
     return;
-  mote::InputKey key = {double(impl.changedAt.GetMTime()), double(ofCells),
+  mote::InputKey key = {double(impl.builtAt.GetMTime()), double(ofCells),
     double(coloring.component), double(coloring.direct.empty())};
   mote::addArray(key, this->GetColorArray());
   if (!coloring.direct.empty())
     key.push_back(double(this->GetLookupTable()->GetMTime()));
   if (key != impl.meansKey)
   {
-    impl.means = mote::meansOf(*impl.geometry.tree(), look, coloring);
+    impl.means = mote::meansOf(*impl.geometry.whole(), look, coloring);
     impl.meansKey = std::move(key);
   }
   coloring.means = impl.means.view();

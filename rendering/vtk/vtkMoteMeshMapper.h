@@ -90,7 +90,8 @@ public:
    * Which of the input's cells are drawn: an array with a value for each, of which 0 hides the
    * cell; null, as unless set, for all. What is seen is what would be seen if the input did not
    * have the hidden cells: faces that they share with others come to light. Where other cells are
-   * hidden than before, the structure is built anew.
+   * hidden than before, the structure is built anew; but not for polygons and strips, which take a
+   * copy of most of it as long as some are hidden.
    */
   void SetVisibleCells(vtkUnsignedCharArray* isVisible);
   vtkUnsignedCharArray* GetVisibleCells();

@@ -40,7 +40,7 @@ RlodTree RlodTree::copyWithoutLods() const
 
 std::size_t RlodTree::size() const
 {
-  return arrays_->triangles;
+  return arrays_->triangles - arrays_->hidden;
 }
 
 std::size_t RlodTree::nodeCount() const
@@ -63,8 +63,9 @@ Box RlodTree::bounds() const
 
 std::size_t RlodTree::bytes() const
 {
-  return arrays_->nodes.bytes() + arrays_->clusters.bytes() + arrays_->planes.bytes() +
-         arrays_->words.bytes() + arrays_->ids.bytes();
+  const RlodTreeArrays& a = *arrays_;
+  const std::size_t own = a.nodes.bytes() + a.clusters.bytes() + a.complete.bytes();
+  return whole_ ? own : own + a.planes.bytes() + a.words.bytes() + a.ids.bytes();
 }
 
 /// The slot of the triangle that speaks for an R-LOD; that of a triangle itself.

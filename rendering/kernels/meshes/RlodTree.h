@@ -47,6 +47,18 @@ public:
   /// than a build, and the boxes are those of the new points, but which triangles share a box
   /// stays. False, with nothing done, where the valid triangles are others: then build.
   bool refit(const TriangleMesh& mesh);
+  /// Whether a triangle of the input is to be seen; called from several threads.
+  using TriangleChoice = std::function<bool(std::uint64_t triangle)>;
+  /// A tree of some of the triangles of `whole`, not null: rays do not meet the others, and size()
+  /// and bounds() are those of what is visible. Much faster than a build: boxes stay as they are,
+  /// and R-LODs are taken where all is visible that they stand for. Slots, ids and R-LODs are those
+  /// of `whole`, which it holds. The memory of `last`, an earlier part of it that nobody else
+  /// holds, is taken for the new one.
+  static std::shared_ptr<RlodTree> partOf(std::shared_ptr<const RlodTree> whole,
+    const TriangleChoice& isVisible, std::shared_ptr<RlodTree> last = nullptr);
+  /// Takes R-LODs that the tree which this is a part of was given since. Not while another thread
+  /// casts rays through it.
+  void takeLodsOfWhole();
   /// The same tree once more, without R-LODs: to be refitted while others use this one. Another
   /// thread may be making R-LODs of this one meanwhile.
   RlodTree copyWithoutLods() const;
@@ -68,11 +80,11 @@ public:
   /// clusters.
   void setSparesMemory(bool spares) { sparesMemory_ = spares; }
 
-  std::size_t size() const; ///< triangles held
+  std::size_t size() const; ///< triangles held that are not hidden
   Box bounds() const;
   double unit() const { return unit_; }
   const Vec3d& origin() const { return origin_; }
-  std::size_t bytes() const;
+  std::size_t bytes() const; ///< of a part: what it does not share with the whole
   std::size_t nodeCount() const;
   std::size_t clusterCount() const;
 
@@ -166,6 +178,7 @@ private:
   int depth_ = 0;                   ///< nodes from the root to a leaf, at most
   double cost_ = 0.0;
   bool sparesMemory_ = false;
+  std::shared_ptr<const RlodTree> whole_; ///< of which this is a part
 };
 
 } // namespace mote

@@ -153,9 +153,11 @@ TEST_F(MeshStage, HiddenPolygonsAndStripsAreNotThere)
   mapper->Update();
   EXPECT_EQ(mapper->GetNumberOfTriangles(), 0);
   EXPECT_EQ(trace().covered(), 0);
+  EXPECT_LT(mapper->GetBounds()[1], mapper->GetBounds()[0]) << "of nothing";
   mapper->SetVisibleCells(nullptr);
   mapper->Update();
   EXPECT_EQ(mapper->GetNumberOfTriangles(), 4);
+  EXPECT_EQ(mapper->GetNumberOfBuilds(), 1) << "the tree has all of them";
 }
 
 TEST_F(MeshStage, FacesOfHiddenCellsComeToLight)

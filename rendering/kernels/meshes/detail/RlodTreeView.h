@@ -12,6 +12,7 @@ struct RlodTreeView
   const TriangleCluster* clusters;
   const RlodPlanes* planes; ///< with `words`, or both none
   const RlodWords* words;
+  const std::uint16_t* complete; ///< or null: all are
   ErrorLevels levels;
   Vec3d origin;
   double unit;
@@ -24,6 +25,7 @@ struct RlodTreeView
     , clusters(tree.arrays_->clusters.data())
     , planes(tree.arrays_->planes.data())
     , words(tree.hasLods() ? tree.arrays_->words.data() : nullptr)
+    , complete(tree.arrays_->complete.empty() ? nullptr : tree.arrays_->complete.data())
     , levels(tree.arrays_->levels)
     , origin(tree.origin_)
     , unit(tree.unit_)
@@ -45,7 +47,8 @@ struct RlodTreeView
   /// Children of a node, as bits, whose R-LODs may be taken.
   std::uint32_t mayErr(const RlodNode& node) const
   {
-    return sparesMemory ? ~std::uint32_t{0} : ~std::uint32_t{0} << node.clusters;
+    const std::uint32_t all = complete ? complete[&node - nodes] : ~std::uint32_t{0};
+    return sparesMemory ? all : all & ~std::uint32_t{0} << node.clusters;
   }
 
   /// Most references that wait while the tree is gone through depth first.
