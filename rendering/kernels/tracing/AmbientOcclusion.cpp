@@ -14,6 +14,7 @@ namespace mote
 struct AmbientOcclusion::Work
 {
   RayPacket packet;
+  Departures from;
   std::uint16_t hit[RayPacket::capacity]; ///< that each ray starts from
   int open[SurfaceBlock::capacity];       ///< rays that met nothing, a hit each
 };
@@ -28,7 +29,7 @@ AmbientOcclusion::AmbientOcclusion(const SceneRays& rays, int filmSample)
 
 void AmbientOcclusion::cast(Work& work) const
 {
-  rays_.occlude(work.packet);
+  rays_.occlude(work.packet, &work.from);
   for (int k = 0; k < work.packet.count; ++k)
     work.open[work.hit[k]] += work.packet.t[k] > 0.0;
   work.packet.count = 0;
@@ -60,7 +61,7 @@ void AmbientOcclusion::findShares(const SurfaceBlock& block, float* shares, bool
         packet.origin[axis][k] = position[axis];
         packet.direction[axis][k] = direction[axis];
       }
-      packet.tMin[k] = rays_.clearance(block.surface, block.slot[i], std::sqrt(1.0 - at.x));
+      rays_.leave(packet, k, work.from, block.surface, block.slot[i], std::sqrt(1.0 - at.x));
       packet.t[k] = reach_;
       packet.slot[k] = isOutside ? block.slot[i] : RayPacket::noHit;
       packet.object[k] = isOutside ? block.surface : -1;

@@ -53,6 +53,7 @@ struct PathTracer::Work
   Vec3f light[SurfaceBlock::capacity]; ///< that the hits send to the camera
   double widthPerLength = 0.0;         ///< as SurfaceBlock has it
   RayPacket packet;
+  Departures from;
   int path[RayPacket::capacity];      ///< that each ray belongs to
   Vec3f carried[RayPacket::capacity]; ///< light that arrives if nothing stands in the way
 
@@ -60,17 +61,17 @@ struct PathTracer::Work
   /// by `perT` behind each unit of length.
   void addRay(const SceneRays& rays, int index, const Vec3f& direction, double tMax, double perT)
   {
-    const Path& from = paths[index];
+    const Path& start = paths[index];
     const int k = packet.count++;
-    packet.footprint = k > 0 ? std::min(packet.footprint, from.width) : from.width;
+    packet.footprint = k > 0 ? std::min(packet.footprint, start.width) : start.width;
     packet.footprintPerT = k > 0 ? std::min(packet.footprintPerT, perT) : perT;
     for (int axis = 0; axis < 3; ++axis)
     {
-      packet.origin[axis][k] = from.position[axis];
+      packet.origin[axis][k] = start.position[axis];
       packet.direction[axis][k] = direction[axis];
     }
-    packet.tMin[k] = rays.clearance(
-      from.surface, from.slot, std::max(1e-9, double(glm::dot(direction, from.normal))));
+    rays.leave(packet, k, from, start.surface, start.slot,
+      std::max(1e-9, double(glm::dot(direction, start.normal))));
     packet.t[k] = tMax;
     packet.slot[k] = RayPacket::noHit;
     packet.object[k] = -1;
@@ -147,7 +148,7 @@ void PathTracer::addLight(Work& work, std::size_t light, int bounce) const
 {
   const auto cast = [&]
   {
-    rays_.shadow(work.packet);
+    rays_.shadow(work.packet, &work.from);
     for (int k = 0; k < work.packet.count; ++k)
       if (work.packet.t[k] > 0.0)
         work.light[work.paths[work.path[k]].hit] += work.carried[k];
@@ -191,7 +192,7 @@ void PathTracer::addLight(Work& work, std::size_t light, int bounce) const
 /// Follows the rays of the packet: to the sky, or to the next surface, where paths go on from.
 void PathTracer::follow(Work& work, int& arrived) const
 {
-  rays_.cast(work.packet);
+  rays_.cast(work.packet, &work.from);
   const RayPacket& packet = work.packet;
   for (int k = 0; k < packet.count; ++k)
   {

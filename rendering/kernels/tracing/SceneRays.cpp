@@ -19,6 +19,7 @@ SceneRays::SceneRays(const Scene& scene, const Vec3d& reference)
     rounding_.push_back(
       withSurface(object.surface, [](const auto& s) { return s.rounding(); }) * stretch);
     stretch_.push_back(pixelsOfError(object) > 0.0 ? stretch : 0.0);
+    anyErrs_ = anyErrs_ || stretch_.back() > 0.0;
     if (scene.surfaces.size() < 2)
       continue;
     Box box = worldBounds(object);
@@ -27,9 +28,9 @@ SceneRays::SceneRays(const Scene& scene, const Vec3d& reference)
   }
 }
 
-double SceneRays::clearanceOfErring(std::size_t index, std::uint64_t slot, double cosine) const
+double SceneRays::clearance(std::int32_t index, std::uint64_t slot, double cosine) const
 {
-  const double local = withSurface(scene_.surfaces[index].surface,
+  const double local = withSurface(this->surface(index).surface,
     [&](const auto& s)
     {
       if constexpr (std::decay_t<decltype(s)>::mayErr)
@@ -37,7 +38,7 @@ double SceneRays::clearanceOfErring(std::size_t index, std::uint64_t slot, doubl
       else
         return s.rounding() / cosine;
     });
-  return stretch_[index] * local;
+  return stretch_[static_cast<std::size_t>(index)] * local;
 }
 
 namespace
@@ -69,9 +70,11 @@ bool mayMeet(const RayPacket& rays, const Box& box)
 } // namespace
 
 /// Calls visit(surface, packet, index) for each surface that `takes` accepts, the packet holding
-/// the rays in the surface's coordinates; their answers come back into `rays`.
+/// the rays in the surface's coordinates, and of those that leave it no more than what lies behind
+/// their departure; their answers come back into `rays`.
 template <typename Takes, typename Visit>
-void SceneRays::forSurfaces(RayPacket& rays, const Takes& takes, const Visit& visit) const
+void SceneRays::forSurfaces(
+  RayPacket& rays, const Departures* from, const Takes& takes, const Visit& visit) const
 {
   RayPacket local;
   local.count = rays.count;
@@ -94,16 +97,20 @@ void SceneRays::forSurfaces(RayPacket& rays, const Takes& takes, const Visit& vi
     const Vec3d origin = transformPoint(toLocal_[k], reference_);
     for (int i = 0; i < rays.count; ++i)
     {
-      const Vec3d from =
+      const Vec3d at =
         origin + linear * Vec3d(rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]);
       const Vec3d way =
         linear * Vec3d(rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]);
       for (int axis = 0; axis < 3; ++axis)
       {
-        local.origin[axis][i] = from[axis];
+        local.origin[axis][i] = at[axis];
         local.direction[axis][i] = way[axis];
       }
     }
+    if (anyErrs_ && from != nullptr)
+      for (int i = 0; i < rays.count; ++i)
+        local.tMin[i] =
+          from->surface[i] == static_cast<std::int32_t>(k) ? from->until[i] : rays.tMin[i];
     local.footprint = localWidth(static_cast<std::int32_t>(k), rays.footprint);
     local.footprintPerT = localWidth(static_cast<std::int32_t>(k), rays.footprintPerT);
     withSurface(scene_.surfaces[k].surface,
@@ -125,19 +132,19 @@ constexpr auto occludeAt = [](const auto& s, RayPacket& rays, std::int32_t k)
 
 } // namespace
 
-void SceneRays::cast(RayPacket& rays) const
+void SceneRays::cast(RayPacket& rays, const Departures* from) const
 {
-  this->forSurfaces(rays, all, castAt);
+  this->forSurfaces(rays, from, all, castAt);
 }
 
-void SceneRays::occlude(RayPacket& rays) const
+void SceneRays::occlude(RayPacket& rays, const Departures* from) const
 {
-  this->forSurfaces(rays, all, occludeAt);
+  this->forSurfaces(rays, from, all, occludeAt);
 }
 
-void SceneRays::shadow(RayPacket& rays) const
+void SceneRays::shadow(RayPacket& rays, const Departures* from) const
 {
-  this->forSurfaces(rays, casters, occludeAt);
+  this->forSurfaces(rays, from, casters, occludeAt);
 }
 
 } // namespace mote

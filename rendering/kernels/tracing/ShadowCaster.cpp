@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace mote
 {
@@ -31,6 +32,7 @@ struct ShadowCaster::Work
   double distance;   ///< of the middle from the sample; directional: from where rays start
   double x[SurfaceBlock::capacity], y[SurfaceBlock::capacity]; ///< of hits, from the middle
   double t[SurfaceBlock::capacity];
+  double ownEnd[SurfaceBlock::capacity]; ///< of rays to hits that err: for what they hit itself
   std::uint16_t spare[SurfaceBlock::capacity];
   RayBundle bundle;
 
@@ -68,14 +70,19 @@ struct ShadowCaster::Work
     return low == 0 || high == 0 ? count / 2 : low;
   }
 
-  /// Where the ray to hit i ends: at the hit, less what rounding and an allowed error may move
-  /// surfaces by along the ray. Spheres that coincide with the one that is lit would shadow it in
-  /// speckles.
+  /// Where the ray to hit i ends: at the hit, less what may move surfaces along the ray, as a
+  /// length.
+  double endOf(int i, double blur) const { return std::max(t[i] - blur / distance, 0.5 * t[i]); }
+  /// For all surfaces that is what rounding may move them by: spheres that coincide with the one
+  /// that is lit would shadow it in speckles.
   double endOf(int i) const
   {
-    const double blur =
-      rays.clearance(block.surface, block.slot[i], double(block.cosine[i])) / distance;
-    return std::max(t[i] - blur, 0.5 * t[i]);
+    return endOf(i, rays.rounding(block.surface) / double(block.cosine[i]));
+  }
+  /// For the one that the hit is of an allowed error, too.
+  double ownEndOf(int i) const
+  {
+    return endOf(i, rays.clearance(block.surface, block.slot[i], double(block.cosine[i])));
   }
 
   int splitInPlane(std::uint16_t* hits, int count);
@@ -208,11 +215,14 @@ void ShadowCaster::cast(Work& work, std::uint16_t* hits, int count) const
     return castParts(work.splitInPlane(hits, count));
   RayBundle& bundle = work.bundle;
   const double scale = spread > 0.0 ? spread : work.distance;
+  const bool errs = rays_.errs(work.block.surface);
   for (int k = 0; k < count; ++k)
   {
     bundle.x[k] = static_cast<float>(work.x[hits[k]] / scale);
     bundle.y[k] = static_cast<float>(work.y[hits[k]] / scale);
     bundle.t[k] = work.endOf(hits[k]);
+    if (errs)
+      work.ownEnd[k] = work.ownEndOf(hits[k]);
     bundle.slot[k] = work.block.slot[hits[k]];
     bundle.object[k] = work.block.surface;
   }
@@ -244,7 +254,13 @@ void ShadowCaster::castTogether(Work& work, const std::uint16_t* hits, int count
     const double width = rays_.localWidth(k, work.block.width);
     bundle.footprint = work.isPoint() ? 0.0 : width;
     bundle.footprintPerT = work.isPoint() ? width : 0.0;
+    const bool endsSooner = k == work.block.surface && rays_.errs(k);
+    for (int i = 0; endsSooner && i < count; ++i)
+      work.ownEnd[i] = std::exchange(bundle.t[i], std::min(bundle.t[i], work.ownEnd[i]));
     withSurface(object.surface, [&](const auto& s) { s.occlude(bundle, k); });
+    for (int i = 0; endsSooner && i < count; ++i)
+      if (bundle.t[i] > 0.0)
+        bundle.t[i] = work.ownEnd[i];
   }
   for (int k = 0; k < count; ++k)
     if (!(bundle.t[k] > 0.0))

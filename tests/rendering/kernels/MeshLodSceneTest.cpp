@@ -299,6 +299,83 @@ TEST(MeshLodScene, MirrorsShowPlanes)
   EXPECT_LE(found.lost, 1); // no metal is quite smooth: a ray in thousands goes far aside
 }
 
+namespace
+{
+
+/// Waves of ground that R-LODs stand for, and a fence on it of two triangles, as high as the waves:
+/// the rays that leave an R-LOD leave behind more of its own mesh than that.
+struct FencedGround : LodMesh
+{
+  static Triangles ground()
+  {
+    Triangles waves;
+    constexpr int side = 300;
+    const auto wave = [](int i, int j) { return 0.02 * std::sin(0.15 * i) * std::sin(0.15 * j); };
+    for (int j = 0; j <= side; ++j)
+      for (int i = 0; i <= side; ++i)
+        waves.addPoint({2.0 * i / side - 1.0, 2.0 * j / side - 1.0, wave(i, j)});
+    addGrid(waves, side);
+    return waves;
+  }
+  FencedGround()
+    : LodMesh(ground())
+  {
+    Triangles fence;
+    for (const double z : {-0.05, 0.04})
+      for (const double x : {-0.9, 0.9})
+        fence.addPoint({x, 0.0, z});
+    fence.add(0, 1, 3);
+    fence.add(0, 3, 2);
+    addTo(scene, objectOf(fence));
+    camera = lookAt({0.5, -5.0, 5.0}, Vec3d(0.0), 18.0);
+    object().material.ambient = 0.0f;
+    scene.surfaces[1].material.ambient = 0.0f;
+    scene.lights = {shadowLight(Light::Kind::Directional, {0.0, -1.0, -0.7})};
+  }
+  /// How much darker the ground is than without the fence, all pixels added up.
+  double taken(double poe)
+  {
+    const Film with = traced(poe);
+    const SurfaceObject fence = scene.surfaces.back();
+    scene.surfaces.pop_back();
+    const Film without = traced(poe);
+    scene.surfaces.push_back(fence);
+    double sum = 0.0;
+    for (int i = 0; i < size * size; ++i)
+      if (with.object()[i] == 0)
+        sum += std::max(0.0f, without.color()[4 * i] - with.color()[4 * i]);
+    return sum;
+  }
+  void expectTaken(double least, double tolerance)
+  {
+    const double exact = taken(0.0), rough = taken(pixels);
+    EXPECT_GT(exact, least) << "is there anything to be lost?";
+    EXPECT_NEAR(rough / exact, 1.0, tolerance);
+  }
+};
+
+} // namespace
+
+TEST(MeshLodScene, OtherThingsThrowShadowsRightWhereTheyTouchPlanes)
+{
+  FencedGround ground;
+  ground.expectTaken(30.0, 0.25);
+  ground.scene.lights = {shadowLight(Light::Kind::Point, {0.0, 5.0, 3.5})};
+  ground.expectTaken(30.0, 0.25);
+  ground.scene.paths.bounces = 1;
+  ground.scene.sky = {Vec3f(0.0f), Vec3f(0.0f)};
+  ground.expectTaken(30.0, 0.25);
+}
+
+TEST(MeshLodScene, OtherThingsHideTheSkyRightWhereTheyTouchPlanes)
+{
+  FencedGround ground;
+  ground.scene.lights.clear();
+  ground.object().material.ambient = 1.0f;
+  ground.scene.occlusion = {64, 0.06};
+  ground.expectTaken(10.0, 0.4); // waves hide from one another what planes see of the fence
+}
+
 TEST(MeshLodScene, PlanesHaveTheMeanColour)
 {
   LodMesh lods;

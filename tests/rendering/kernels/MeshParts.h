@@ -47,6 +47,15 @@ inline void addGrid(Triangles& triangles, int side)
     }
 }
 
+/// Adds the triangles of another mesh.
+inline void append(Triangles& to, const Triangles& more)
+{
+  const auto first = static_cast<std::int32_t>(to.pointCount());
+  to.points.insert(to.points.end(), more.points.begin(), more.points.end());
+  for (const std::int32_t corner : more.corners)
+    to.corners.push_back(first + corner);
+}
+
 /// Rays that suit a mesh in [-1, 1]^3: bundles of both kinds from all sides and from within,
 /// squares and rays anywhere.
 inline std::vector<RayBundle> meshQuestions(int count, std::uint64_t seed)

@@ -1,6 +1,6 @@
 // Rays at the R-LODs of an RlodTree: what they may miss, and by how much they err.
 
-#include "MeshParts.h"
+#include "LodParts.h"
 
 #include <support/Targets.h>
 
@@ -15,82 +15,15 @@ using namespace mote::testing;
 namespace
 {
 
-/// What casting at R-LODs did to some rays.
-struct Errors
-{
-  std::size_t rays = 0, lods = 0, holes = 0;
-  double worst = 0.0; ///< distance of a hit on an R-LOD from its triangles, over its error radius
-  double tooCoarse = 0.0; ///< greatest error radius over what was allowed where the hit is
-};
-
-/// Judges a hit: it may be anywhere near the triangles that the R-LOD stands for.
-void judge(
-  const RlodTree& tree, std::uint64_t slot, const Vec3d& at, double allowed, Errors& errors)
-{
-  if (!RlodTree::isLod(slot))
-    return;
-  ++errors.lods;
-  const RlodTree::Lod lod = tree.lod(slot);
-  const Vec3d local = (at - tree.origin()) / tree.unit();
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const std::uint64_t below : tree.slotsBelow(slot))
-  {
-    const auto corners = tree.localCorners(below);
-    nearest = std::min(
-      nearest, distanceFrom({Vec3d(corners[0]), Vec3d(corners[1]), Vec3d(corners[2])}, local));
-  }
-  errors.worst = std::max(errors.worst, nearest / double(lod.error));
-  errors.tooCoarse = std::max(errors.tooCoarse, lod.error * tree.unit() / allowed);
-}
-
-void judge(const RlodTree& tree, const RayBundle& question, double poe, Errors& errors)
-{
-  RayBundle exact = question, rough = question;
-  tree.cast(exact, 0);
-  tree.cast(rough, 0, poe);
-  for (int first = 0; first < question.count; first += RayPacket::capacity)
-  {
-    RayPacket packet = emptyPacket();
-    packet.footprint = question.footprint;
-    packet.footprintPerT = question.footprintPerT;
-    const int count = std::min(RayPacket::capacity, question.count - first);
-    for (int i = first; i < first + count; ++i)
-      addRay(packet, question.originOf(i), question.directionOf(i), question.tMin);
-    tree.cast(packet, 0, poe);
-    for (int i = first; i < first + count; ++i)
-    {
-      ++errors.rays;
-      const auto at = [&](double t) { return question.originOf(i) + t * question.directionOf(i); };
-      const auto allowed = [&](double t)
-      { return poe * (question.footprint + t * question.footprintPerT); };
-      const double t = packet.t[i - first];
-      if (exact.object[i] == 0)
-        errors.holes += (rough.object[i] != 0) + (packet.object[i - first] != 0);
-      if (rough.object[i] == 0)
-        judge(tree, rough.slot[i], at(rough.t[i]), allowed(rough.t[i]), errors);
-      if (packet.object[i - first] == 0)
-        judge(tree, packet.slot[i - first], at(t), allowed(t), errors);
-    }
-  }
-}
-
-std::vector<RayBundle> wholeQuestions(int count, std::uint64_t seed)
-{
-  std::vector<RayBundle> questions = meshQuestions(count, seed);
-  for (RayBundle& question : questions)
-    std::fill_n(question.t, question.count, std::numeric_limits<double>::infinity());
-  return questions;
-}
-
 void expectNoHoles(const Triangles& triangles, int bundles, std::uint64_t seed)
 {
   const RlodTree tree = treeWithLods(triangles);
   for (const double poe : {0.3, 1.0, 4.0, 16.0, 100.0})
   {
     SCOPED_TRACE(poe);
-    Errors errors;
-    for (const RayBundle& question : wholeQuestions(bundles, seed))
-      judge(tree, question, poe, errors);
+    LodErrors errors;
+    for (const RayBundle& question : endlessQuestions(bundles, seed))
+      judgeLods(tree, question, poe, errors);
     EXPECT_EQ(errors.holes, 0u) << "of " << errors.rays << " rays";
     EXPECT_LT(errors.worst, 2.0);
     EXPECT_LT(errors.tooCoarse, 2.001);
@@ -175,15 +108,11 @@ TEST(RlodTreeLodCast, TakesThoseOfClustersOnlyToSpareMemory)
       if (RlodTree::isLod(slot))
         ++(tree.slotsBelow(slot).size() <= 16 ? ofClusters : ofNodes);
     };
-    for (const RayBundle& question : wholeQuestions(30, 9))
+    for (const RayBundle& question : endlessQuestions(30, 9))
     {
       RayBundle bundle = question;
       tree.cast(bundle, 0, 4.0);
-      RayPacket packet = emptyPacket();
-      packet.footprint = question.footprint;
-      packet.footprintPerT = question.footprintPerT;
-      for (int i = 0; i < std::min(RayPacket::capacity, question.count); ++i)
-        addRay(packet, question.originOf(i), question.directionOf(i), question.tMin);
+      RayPacket packet = packetsOf(question)[0];
       tree.cast(packet, 0, 4.0);
       for (int i = 0; i < bundle.count; ++i)
         if (bundle.object[i] == 0)

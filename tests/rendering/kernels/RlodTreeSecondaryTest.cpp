@@ -1,6 +1,6 @@
 // Rays that begin or end on surfaces, at the R-LODs of an RlodTree.
 
-#include "MeshParts.h"
+#include "LodParts.h"
 
 #include <support/Targets.h>
 
@@ -27,15 +27,6 @@ Triangles smoothSphere(int rings)
   return sphere;
 }
 
-/// Adds the triangles of another mesh.
-void append(Triangles& to, const Triangles& more)
-{
-  const auto first = static_cast<std::int32_t>(to.pointCount());
-  to.points.insert(to.points.end(), more.points.begin(), more.points.end());
-  for (const std::int32_t corner : more.corners)
-    to.corners.push_back(first + corner);
-}
-
 bool isHit(double t)
 {
   return t < 0.0;
@@ -52,20 +43,15 @@ void compare(const RlodTree& tree, const RayBundle& question, double poe, Answer
   RayBundle exact = question, rough = question;
   tree.occlude(exact, 0);
   tree.occlude(rough, 0, poe);
-  for (int first = 0; first < question.count; first += RayPacket::capacity)
+  int i = 0;
+  for (RayPacket& packet : packetsOf(question))
   {
-    RayPacket packet = emptyPacket();
-    packet.footprint = question.footprint;
-    packet.footprintPerT = question.footprintPerT;
-    const int end = std::min(question.count, first + RayPacket::capacity);
-    for (int i = first; i < end; ++i)
-      addRay(packet, question.originOf(i), question.directionOf(i), question.tMin);
     tree.occlude(packet, 0, poe);
-    for (int i = first; i < end; ++i)
+    for (int k = 0; k < packet.count; ++k, ++i)
     {
       ++answers.rays;
       answers.met += isHit(exact.t[i]);
-      for (const bool met : {isHit(rough.t[i]), isHit(packet.t[i - first])})
+      for (const bool met : {isHit(rough.t[i]), isHit(packet.t[k])})
       {
         answers.missed += isHit(exact.t[i]) && !met;
         answers.invented += !isHit(exact.t[i]) && met;
@@ -82,11 +68,8 @@ void expectNothingMissed(const Triangles& triangles, int bundles, std::uint64_t 
   {
     SCOPED_TRACE(poe);
     Answers answers;
-    for (RayBundle& question : meshQuestions(bundles, seed))
-    {
-      std::fill_n(question.t, question.count, infinity);
+    for (const RayBundle& question : endlessQuestions(bundles, seed))
       compare(tree, question, poe, answers);
-    }
     EXPECT_EQ(answers.missed, 0u) << "of " << answers.met << " of " << answers.rays << " rays";
     EXPECT_GT(answers.met, answers.rays / 10);
     invented += answers.invented;
@@ -180,10 +163,9 @@ TEST(RlodTreeSecondary, EveryInstructionSetMissesNothing)
 TEST(RlodTreeSecondary, IsExactWithoutFootprints)
 {
   const RlodTree tree = treeWithLods(bumpySphere(40));
-  for (RayBundle& question : meshQuestions(20, 6))
+  for (RayBundle& question : endlessQuestions(20, 6))
   {
     question.footprint = question.footprintPerT = 0.0;
-    std::fill_n(question.t, question.count, infinity);
     Answers answers;
     compare(tree, question, 16.0, answers);
     EXPECT_EQ(answers.missed + answers.invented, 0u);

@@ -1,6 +1,6 @@
 // Rays through an RlodTree, judged by brute force.
 
-#include "MeshParts.h"
+#include "HardMeshes.h"
 
 #include <support/Targets.h>
 
@@ -64,36 +64,14 @@ TEST(RlodTree, EveryInstructionSetAgreesWithTheReference)
 
 TEST(RlodTree, TakesSliversAndHugeBesideTiny)
 {
-  Random random(4);
-  Triangles all = randomTriangles(100, 5, 0.2);
-  for (int i = 0; i < 100; ++i) // slivers
-  {
-    const Vec3d a = random.inBox(Vec3d(-1.0), Vec3d(1.0)), way = random.direction();
-    all.add(a, a + way, a + 0.5 * way + std::pow(10.0, random(-9.0, -2.0)) * random.direction());
-  }
-  for (int i = 0; i < 100; ++i) // dust
-  {
-    const Vec3d a = random.inBox(Vec3d(-1.0), Vec3d(1.0));
-    all.add(a, a + 1e-4 * random.direction(), a + 1e-4 * random.direction());
-  }
-  for (int i = 0; i < 4; ++i) // walls
-    all.add(40.0 * random.direction(), 40.0 * random.direction(), 40.0 * random.direction());
-  expectRight(all, 40, 16);
+  expectRight(sliversHugeAndTiny(), 40, 16);
 }
 
 TEST(RlodTree, DegenerateTrianglesAreHeldAndNeverHit)
 {
-  Random random(6);
   Triangles all = bumpySphere(10);
   const std::size_t whole = all.size();
-  for (int i = 0; i < 300; ++i)
-  {
-    const Vec3d a = random.inBox(Vec3d(-1.0), Vec3d(1.0)),
-                b = random.inBox(Vec3d(-1.0), Vec3d(1.0));
-    all.add(a, b, i % 2 == 0 ? b : a);
-  }
-  for (int i = 0; i < 40; ++i)
-    all.add(0, 0, 0);
+  addDegenerate(all, 300);
   const RlodTree tree = treeOver(all);
   EXPECT_EQ(tree.size(), all.size());
   for (RayBundle bundle : meshQuestions(30, 17))
@@ -110,19 +88,7 @@ TEST(RlodTree, DegenerateTrianglesAreHeldAndNeverHit)
 
 TEST(RlodTree, TakesDuplicatesStacksAndEdgesOfManyTriangles)
 {
-  Triangles all;
-  Random random(7);
-  for (int i = 0; i < 60; ++i) // one triangle again and again: more than a cluster holds
-    all.add({-0.9, -0.9, 0.1}, {0.1, -0.8, 0.2}, {-0.3, 0.1, -0.2});
-  for (int i = 0; i < 50; ++i) // in one plane, over one another
-  {
-    const auto at = [&] { return Vec3d(random(-1.0, 1.0), random(-1.0, 1.0), 0.5); };
-    const Vec3d a = at(), b = at();
-    all.add(a, b, at());
-  }
-  for (int i = 0; i < 50; ++i) // a fan about one edge
-    all.add(
-      {0.5, 0.5, -1.0}, {0.5, 0.5, 1.0}, {random(-1.0, 1.0), random(-1.0, 1.0), random(-1.0, 1.0)});
+  Triangles all = duplicatesStacksAndFans();
   expectRight(all, 40, 19);
   for (int i = 0; i < 3000; ++i) // more than a treelet
     all.add({-0.9, -0.9, 0.1}, {0.1, -0.8, 0.2}, {-0.3, 0.1, -0.2});
@@ -143,27 +109,13 @@ TEST(RlodTree, AnswersInWhateverUnitsAndWhereverTheModelLies)
     for (const double away : {0.0, 1e6})
     {
       SCOPED_TRACE(std::to_string(size) + " " + std::to_string(away));
-      const Vec3d middle = away * size * Vec3d(1.0, -1.0, 1.0);
-      Triangles moved = base;
-      moved.move([&](const Vec3d& p) { return middle + size * p; });
+      const Elsewhere place{size, away * size * Vec3d(1.0, -1.0, 1.0)};
+      const Triangles moved = place(base);
       const RlodTree tree = treeOver(moved);
       const TriangleOracle oracle(moved);
       CastReport report;
-      for (RayBundle bundle : questions)
-      {
-        bundle.origin = middle + size * bundle.origin;
-        if (bundle.kind == RayBundle::Kind::CommonDirection)
-        {
-          bundle.dx *= size;
-          bundle.dy *= size;
-        }
-        const double perT = bundle.kind == RayBundle::Kind::CommonDirection ? 1.0 : size;
-        bundle.direction *= size / perT;
-        bundle.tMin *= perT;
-        for (int i = 0; i < bundle.count; ++i)
-          bundle.t[i] *= perT;
-        report.add(checkMesh(tree, oracle, bundle));
-      }
+      for (const RayBundle& bundle : questions)
+        report.add(checkMesh(tree, oracle, place(bundle)));
       EXPECT_EQ(report.wrong, 0u) << "of " << report.rays << " rays; " << report.complaint;
       EXPECT_GT(report.hits, report.rays / 20);
     }
@@ -205,9 +157,7 @@ TEST(RlodTree, LeavesOutTrianglesThatAreNotFinite)
 {
   Triangles all = bumpySphere(8);
   const std::size_t whole = all.size();
-  const std::int32_t bad = all.addPoint(Vec3d(std::numeric_limits<double>::quiet_NaN()));
-  for (int i = 0; i < 20; ++i)
-    all.add(i, bad, i + 1);
+  addNotFinite(all);
   const RlodTree tree = treeOver(all);
   EXPECT_EQ(tree.size(), whole);
   expectRight(all, 20, 23);

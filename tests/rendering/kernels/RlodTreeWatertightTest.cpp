@@ -62,27 +62,80 @@ RayBundle narrowBundle(const Vec3d& origin, const Vec3d& target, double width)
 
 TEST(RlodTreeWatertight, RandomRaysFromWithinHitClosedMeshes)
 {
-  for (const int rings : {6, 60, 300})
-  {
-    const Triangles sphere = crumpledSphere(rings, rings > 10 ? 0.2 : 0.5);
-    const RlodTree tree = treeOver(sphere);
-    Closed closed{tree};
-    tbb::parallel_for(0, 4000,
-      [&](int k)
-      {
-        Random random(1000 + static_cast<std::uint64_t>(k));
-        RayPacket packet = emptyPacket();
-        const Vec3d origin = random.inBox(Vec3d(-0.01), Vec3d(0.01));
-        for (int i = 0; i < RayPacket::capacity; ++i)
-          addRay(packet, origin, random.direction());
-        closed.ask(packet);
-        if (k % 8 == 0)
+  for (const std::int64_t target : everyTarget())
+    for (const int rings : {6, 60, 300})
+    {
+      SCOPED_TRACE(hwy::TargetName(target));
+      const OnlyTargets only(target);
+      const Triangles sphere = crumpledSphere(rings, rings > 10 ? 0.2 : 0.5);
+      const RlodTree tree = treeOver(sphere);
+      Closed closed{tree};
+      tbb::parallel_for(0, 1500,
+        [&](int k)
         {
-          RayBundle bundle = narrowBundle(origin, random.direction(), 1.0);
-          closed.ask(bundle);
+          Random random(1000 + static_cast<std::uint64_t>(k));
+          RayPacket packet = emptyPacket();
+          const Vec3d origin = random.inBox(Vec3d(-0.01), Vec3d(0.01));
+          for (int i = 0; i < RayPacket::capacity; ++i)
+            addRay(packet, origin, random.direction());
+          closed.ask(packet);
+          for (int i = 0; i < 8; ++i)
+          {
+            RayPacket single = emptyPacket();
+            addRay(single, origin, random.direction());
+            closed.ask(single);
+          }
+          if (k % 8 == 0)
+          {
+            RayBundle bundle = narrowBundle(origin, random.direction(), 1.0);
+            closed.ask(bundle);
+          }
+        });
+      EXPECT_EQ(closed.missed, 0u) << "of " << closed.rays << " rays, " << rings << " rings";
+      EXPECT_GT(closed.rays, 300000u);
+    }
+}
+
+TEST(RlodTreeWatertight, RaysThroughPointsOfCornersAndEdgesHitFromBothSides)
+{
+  for (const std::int64_t target : everyTarget())
+  {
+    SCOPED_TRACE(hwy::TargetName(target));
+    const OnlyTargets only(target);
+    const Triangles sphere = crumpledSphere(120, 0.2);
+    const RlodTree tree = treeOver(sphere);
+    const TriangleMesh mesh = sphere.mesh();
+    Closed closed{tree};
+    tbb::parallel_for(std::size_t(0), sphere.size() / 6,
+      [&](std::size_t t)
+      {
+        Random random(2000 + t);
+        const auto corner = [&](int k) { return mesh.point(mesh.triangles()[6 * t][k]); };
+        RayPacket packet = emptyPacket();
+        const auto add = [&](const Vec3d& at)
+        {
+          // From the middle, from beside it, and from without towards the middle.
+          const Vec3d beside = random.inBox(Vec3d(-0.1), Vec3d(0.1));
+          addRay(packet, Vec3d(0.0), at);
+          addRay(packet, beside, at - beside);
+          addRay(packet, random(2.0, 5.0) * at, -at);
+        };
+        for (int k = 0; k < 3; ++k)
+        {
+          add(corner(k));
+          const double share = random();
+          add((1.0 - share) * corner(k) + share * corner((k + 1) % 3));
         }
+        for (int i = 0; i < packet.count; ++i)
+        {
+          RayPacket single = emptyPacket();
+          const reference::Ray ray = rayOf(packet, i);
+          addRay(single, ray.origin, ray.direction);
+          closed.ask(single);
+        }
+        closed.ask(packet);
       });
-    EXPECT_EQ(closed.missed, 0u) << "of " << closed.rays << " rays, " << rings << " rings";
+    EXPECT_EQ(closed.missed, 0u) << "of " << closed.rays << " rays";
     EXPECT_GT(closed.rays, 500000u);
   }
 }

@@ -65,10 +65,10 @@ HWY_INLINE unsigned bitsOf(MF mask)
   return bitsOf(DF(), mask);
 }
 
-/// The lanes `first` and following of whose numbers the bits tell.
+/// The lowest `count` bits, for counts up to 16: a damaged file may hold others, which take some.
 HWY_INLINE unsigned lowest(unsigned count)
 {
-  return (1U << count) - 1U;
+  return (1U << (count & 31U)) - 1U;
 }
 
 HWY_INLINE VI widened(const std::uint8_t* bytes)
