@@ -136,8 +136,9 @@ struct Elsewhere
     triangles.move([&](const Vec3d& p) { return middle + unit * p; });
     return triangles;
   }
-  RayBundle operator()(RayBundle bundle) const
+  RayBundle operator()(const RayBundle& question) const
   {
+    RayBundle bundle = question;
     bundle.origin = middle + unit * bundle.origin;
     bundle.footprint *= unit;
     if (bundle.kind == RayBundle::Kind::CommonDirection) // t counts in lengths of the direction
