@@ -128,7 +128,7 @@ private:
   ImGuiContext* context_ = nullptr;
   std::vector<unsigned long> observers_;
   std::deque<Input> waiting_; ///< one press or release a frame: ImGui looks once a frame
-  int heldFrames_ = 0; ///< in which a press waited for the keys to move
+  int heldFrames_ = 0;        ///< in which a press waited for the keys to move
   unsigned ownButtons_ = 0, viewButtons_ = 0; ///< held, a bit each: whose presses they were
   double lastTime_ = 0.0;                     ///< of the last frame
   int framesToCome_ = 0, inputs_ = 0;
