@@ -213,7 +213,10 @@ int main(int argc, char** argv)
   {
     const std::string wrong =
       app.get_subcommands().empty() ? wrongCommand(argc, argv) : std::string();
-    std::fprintf(stderr, "mote: %s. Try: mote --help\n", (wrong + error.what()).c_str());
+    const std::vector<CLI::App*> commands = app.get_subcommands();
+    const std::string command = commands.empty() ? "" : commands.front()->get_name() + " ";
+    std::fprintf(
+      stderr, "mote: %s. Try: mote %s--help\n", (wrong + error.what()).c_str(), command.c_str());
     return misused;
   }
 

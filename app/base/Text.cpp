@@ -50,7 +50,18 @@ std::string asDuration(double seconds)
 {
   if (seconds < 0.0995)
     return formatted(seconds < 0.00095 ? "%.1f ms" : "%.0f ms", 1000.0 * seconds);
-  return formatted(seconds < 9.95 ? "%.2f s" : "%.1f s", seconds);
+  if (seconds < 99.95)
+    return formatted(seconds < 9.95 ? "%.2f s" : "%.1f s", seconds);
+  const auto whole = static_cast<long long>(std::min(std::round(seconds), 1e15));
+  const auto two = [](long long large, const char* its, long long small, const char* own)
+  { return std::to_string(large) + its + std::to_string(small) + own; };
+  return whole < 6000 ? two(whole / 60, " min ", whole % 60, " s")
+                      : two(whole / 3600, " h ", whole % 3600 / 60, " min");
+}
+
+std::string stepText(int step, int steps)
+{
+  return steps > 1 ? "step " + std::to_string(step + 1) + "/" + std::to_string(steps) + ", " : "";
 }
 
 std::string asNumber(double value, int digits)

@@ -19,6 +19,9 @@ std::string asBytes(double bytes);
 /// Seconds with a sensible unit: "35 ms", "2.41 s".
 std::string asDuration(double seconds);
 
+/// "step 3/7, " of the third of seven time steps; nothing of one alone.
+std::string stepText(int step, int steps);
+
 /// The shortest text with up to `digits` digits: "0.000125", "3000", "1.2e+20".
 std::string asNumber(double value, int digits = 6);
 

@@ -126,6 +126,7 @@ std::string Panel::coloredBy() const
 
 void Panel::beginFrame(float width, float height)
 {
+  rightOfPanel = width < ImGui::GetIO().DisplaySize.x ? width : 0.0f;
   ImGui::SetNextWindowPos(ImVec2(0.0f, 0.0f));
   ImGui::SetNextWindowSize(ImVec2(width, height));
   if (focus_ && !*focus_)
@@ -173,7 +174,7 @@ void Panel::drawGroups(const PanelFacts& facts)
   drawMessages(facts.messages);
   if (facts.steps > 1 || next_.output.follow)
     this->drawTime(facts);
-  drawn_.insert({"hide-data", "side-by-side"}); // which Data has
+  drawn_.insert({"hide-data", "side-by-side", "nan-color"}); // which Data and Colour have
   if (!found_.hasSurfaces && !found_.hasParticles)
     drawn_.insert("lod-error");
   this->drawGroup("Data", &Panel::drawData);
@@ -385,7 +386,7 @@ void Panel::drawCosts(const PanelFacts& facts)
   {
     ImGui::TextUnformatted(what);
     ImGui::SameLine(0.42f * ImGui::GetWindowContentRegionMax().x);
-    ImGui::TextUnformatted(value.c_str());
+    ImGui::TextWrapped("%s", value.c_str());
     noteControl(std::string(what) + ' ' + value);
   };
   const FrameCosts& costs = facts.costs;

@@ -129,7 +129,9 @@ private:
   void drawComponents();
   void drawMaps();
   void drawColourRange();
+  void setRange(double low, double high);
   void drawRangeOfShown();
+  void drawRangeOfMost();
   void drawSelection();
   bool drawShownHead(ShowRange& range);
   bool drawShown(ShowRange& range);
@@ -143,6 +145,7 @@ private:
   void drawKindName(const NamedArray& array, int kind);
   void drawKindRadius(const NamedArray& array, int kind);
   const std::map<int, double>& radiiOf(const NamedArray& array);
+  float widthOfRadii(const NamedArray& array);
   void drawKindsHead(const NamedArray& array, std::vector<bool>& shown);
   void drawKinds(const NamedArray& array, const Kinds& kinds);
   void drawNewRange();

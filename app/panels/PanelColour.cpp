@@ -3,6 +3,7 @@
 #include "Panel.h"
 
 #include "PanelWidgets.h"
+#include "base/Text.h"
 #include "stage/ColorMaps.h"
 #include "stage/Coloring.h"
 #include "stage/Plot.h"
@@ -52,7 +53,7 @@ void Panel::drawColour()
   this->drawRow("calculate");
   // One colour has no values.
   if (coloring.isTyped() || !coloring.choice())
-    drawn_.insert({"range", "reverse", "log"});
+    drawn_.insert({"range", "percentiles", "reverse", "log"});
   if (!coloring.isTyped())
     drawn_.insert("types");
   // The list of types has them.
@@ -160,20 +161,27 @@ void Panel::drawMaps()
 
 void Panel::drawColourRange()
 {
-  drawn_.insert("range");
+  drawn_.insert({"range", "percentiles"});
   const Coloring& coloring = stage_.coloring();
   const double* present = coloring.table()->GetRange();
   Interval range = {present[0], present[1]};
   if (rangeFields("range", range, "The values at the two ends of the colour map\n--range LO HI") &&
       range.low < range.high)
-    next_.color.range = {range.low, range.high};
+    this->setRange(range.low, range.high);
   noteControl("range");
-  if (!next_.color.range.empty())
+  const bool isTrimmed = next_.color.range.empty() && !next_.color.percentiles.empty();
+  if (isTrimmed)
+    ImGui::TextDisabled("%s to %s %% of the values", asNumber(next_.color.percentiles[0]).c_str(),
+      asNumber(next_.color.percentiles[1]).c_str());
+  if (isTrimmed || !next_.color.range.empty())
   {
     if (buttonOf("Range of the data"))
+    {
       next_.color.range.clear();
+      next_.color.percentiles.clear();
+    }
     explainKey("Colours go from the least to the greatest value of the data, as by default\n"
-               "without --range");
+               "without --range and --percentiles");
   }
   else
     ImGui::TextDisabled(steps_ > 1 ? "range of the steps seen" : "range of the data");
@@ -185,6 +193,36 @@ void Panel::drawColourRange()
     explainKey("Reads all time steps for their least and greatest value. Escape stops\n--range");
   }
   this->drawRangeOfShown();
+  if (!isTrimmed)
+    this->drawRangeOfMost();
+}
+
+void Panel::setRange(double low, double high)
+{
+  next_.color.range = {low, high};
+  next_.color.percentiles.clear();
+}
+
+/// A button that leaves outliers out, and what that comes to where they stretch the range.
+void Panel::drawRangeOfMost()
+{
+  const std::vector<double> most = Coloring::percentilesOfMost();
+  if (buttonOf("Range without outliers"))
+  {
+    next_.color.range.clear();
+    next_.color.percentiles = most;
+  }
+  explainKey("Colours leave out a hundredth of the values at both ends, which have the colours of "
+             "the ends; the legend says so\n--percentiles 1 99");
+  double range[2];
+  if (!next_.color.range.empty() || !stage_.coloring().rangeOfMost(stage_.parts(), range))
+    return;
+  const std::string text = asNumber(most[1] - most[0]) + " % of the values lie between " +
+                           asNumber(range[0], 3) + " and " + asNumber(range[1], 3);
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  ImGui::TextWrapped("%s", text.c_str());
+  ImGui::PopStyleColor();
+  noteControl("outliers");
 }
 
 /// A button where limits may hide something that the range of the data has.
@@ -207,7 +245,7 @@ void Panel::drawRangeOfShown()
     range[0] -= margin;
     range[1] += margin;
   }
-  next_.color.range = {range[0], range[1]};
+  this->setRange(range[0], range[1]);
 }
 
 } // namespace mote::app

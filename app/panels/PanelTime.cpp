@@ -14,8 +14,17 @@ namespace mote::app
 
 void Panel::drawTime(const PanelFacts& facts)
 {
-  if (!ImGui::CollapsingHeader("Time", ImGuiTreeNodeFlags_DefaultOpen))
+  // One step leaves little to do.
+  const bool isOpen =
+    ImGui::CollapsingHeader("Time", facts.steps > 1 ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+  noteControl("group Time");
+  if (!isOpen)
     return;
+  if (facts.steps < 2)
+  {
+    rows_.draw(*commandRow("mote", "follow"), next_, "follow");
+    return;
+  }
   const auto stepButton = [&](const char* label, int step, const char* help)
   {
     if (buttonOf(label) && step >= 0 && step < facts.steps && step != facts.step)
@@ -37,8 +46,6 @@ void Panel::drawTime(const PanelFacts& facts)
   rows_.draw(*commandRow("mote", "loop"), next_, "loop");
   ImGui::SameLine();
   rows_.draw(*commandRow("mote", "follow"), next_, "follow");
-  if (facts.steps < 2)
-    return;
   this->drawCache(facts);
   this->drawStep(facts);
   rows_.draw(*commandRow("mote", "cache"), next_, "memory for steps");

@@ -158,6 +158,18 @@ const std::map<int, double>& Panel::radiiOf(const NamedArray& array)
   return found_.radii;
 }
 
+/// Room for each radius as its field writes it.
+float Panel::widthOfRadii(const NamedArray& array)
+{
+  float width = 4.2f * ImGui::GetFontSize();
+  const ParticleSettings& particles = next_.particles;
+  for (const auto& [kind, radius] :
+    particles.typeRadius.empty() ? this->radiiOf(array) : particles.typeRadius)
+    width = std::max(width,
+      ImGui::CalcTextSize(asNumber(radius).c_str()).x + 3.0f * ImGui::GetStyle().FramePadding.x);
+  return width;
+}
+
 /// What is over the list: what holds for all of its types.
 void Panel::drawKindsHead(const NamedArray& array, std::vector<bool>& shown)
 {
@@ -200,7 +212,6 @@ void Panel::drawKinds(const NamedArray& array, const Kinds& kinds)
   const bool hasColours = coloring.isTyped() && coloring.choice() == array.choice;
   const bool hasRadii = array.text == radiusTypes;
   constexpr std::size_t most = 16; // that are seen at once
-  const float text = ImGui::GetFontSize();
   const bool isLong = kinds.size() > most;
   const float height = isLong ? float(most + 1) * ImGui::GetFrameHeightWithSpacing() : 0.0f;
   if (ImGui::BeginTable("kinds", 3 + hasColours + hasRadii,
@@ -214,7 +225,8 @@ void Panel::drawKinds(const NamedArray& array, const Kinds& kinds)
       ImGui::TableSetupColumn("##colour");
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
     if (hasRadii)
-      ImGui::TableSetupColumn("radius", ImGuiTableColumnFlags_WidthFixed, 4.2f * text);
+      ImGui::TableSetupColumn(
+        "radius", ImGuiTableColumnFlags_WidthFixed, this->widthOfRadii(array));
     ImGui::TableSetupColumn("count");
     ImGui::TableHeadersRow();
     for (std::size_t i = 0; i < kinds.size(); ++i)

@@ -4,6 +4,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -67,13 +68,26 @@ inline bool chooseName(const std::string& of, const std::string& label,
   return chosen != before;
 }
 
-/// The key that does the same, or a word of help.
+/// Where the panel ends; 0 where it has all of the window.
+inline float rightOfPanel = 0.0f;
+
+/// The key that does the same, or a word of help: beside the panel, where it hides no control, and
+/// not while something is dragged.
 inline void explainKey(const char* text)
 {
-  if (!ImGui::IsItemHovered())
+  if (!ImGui::IsItemHovered() || ImGui::IsMouseDown(0))
     return;
+  const float wrap = 25.0f * ImGui::GetFontSize();
+  if (ImGui::GetItemRectMin().x < rightOfPanel)
+  {
+    const ImVec2 margin = ImGui::GetStyle().WindowPadding;
+    const float height = ImGui::CalcTextSize(text, nullptr, false, wrap).y + 2.0f * margin.y;
+    const float lowest = ImGui::GetIO().DisplaySize.y - height;
+    const float y = std::max(0.0f, std::min(ImGui::GetItemRectMin().y, lowest));
+    ImGui::SetNextWindowPos(ImVec2(rightOfPanel + margin.x, y));
+  }
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(25.0f * ImGui::GetFontSize());
+  ImGui::PushTextWrapPos(wrap);
   ImGui::TextUnformatted(text);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();

@@ -39,6 +39,8 @@ struct ColorSettings
   std::string array;         ///< NAME, NAME:component, NAME:magnitude or "none"; empty: choose
   std::string map;           ///< a name of colorMapNames(); empty: choose
   std::vector<double> range; ///< none or two
+  std::vector<double>
+    percentiles; ///< of the values, where the range is to begin and to end; none or two
   bool logarithmic = false;
   bool reversed = false;  ///< the map's colours
   std::vector<int> types; ///< that have the first colours of the map of types, in this order

@@ -139,6 +139,7 @@ void adviseOnColors(const Stage& stage, std::vector<std::string>& advice)
   {
     idle.add(!color.map.empty(), "--color-map");
     idle.add(!color.range.empty(), "--range");
+    idle.add(!color.percentiles.empty(), "--percentiles");
     idle.add(color.logarithmic, "--log");
     idle.add(picture.title.has_value(), "--title");
     return idle.tell(advice, "no array colours");

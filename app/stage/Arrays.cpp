@@ -305,6 +305,35 @@ bool finiteRange(vtkDataArray* array, int component, double range[2])
   return range[0] <= range[1];
 }
 
+bool percentileRange(
+  vtkDataArray* array, int component, const std::vector<double>& percentiles, double range[2])
+{
+  if (!finiteRange(array, component, range))
+    return false;
+  constexpr vtkIdType mostLookedAt = 200'000;
+  const vtkIdType count = array->GetNumberOfTuples();
+  const vtkIdType step = (count + mostLookedAt - 1) / mostLookedAt;
+  std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(count / step + 1));
+  for (vtkIdType i = 0; i < count; i += step)
+    if (const double value = valueOf(array, component, i); std::isfinite(value))
+      values.push_back(value);
+  if (values.empty())
+    return true;
+  double ends[2];
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    const double last = static_cast<double>(values.size() - 1);
+    const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(std::lround(0.01 * percentiles[k] * last));
+    std::nth_element(values.begin(), at, values.end());
+    ends[k] = percentiles[k] <= 0.0 || percentiles[k] >= 100.0 ? range[k] : *at;
+  }
+  if (ends[0] < ends[1])
+    std::copy_n(ends, 2, range);
+  return true;
+}
+
 std::int64_t countInRange(vtkDataArray* array, int component, const double range[2])
 {
   std::int64_t count = 0;

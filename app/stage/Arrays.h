@@ -72,6 +72,12 @@ double valueOf(vtkDataArray* array, int component, vtkIdType tuple);
 /// Least and greatest finite value; false where there is none.
 bool finiteRange(vtkDataArray* array, int component, double range[2]);
 
+/// The values at two percentiles, from 0 to 100, of the finite values: of arrays of more than
+/// 200,000 of so many, in equal steps. The least and the greatest where both are one value, and
+/// where their steps miss all others. False where there is none.
+bool percentileRange(
+  vtkDataArray* array, int component, const std::vector<double>& percentiles, double range[2]);
+
 /// How many values lie in the range, its ends included.
 std::int64_t countInRange(vtkDataArray* array, int component, const double range[2]);
 

@@ -123,6 +123,8 @@ bool areAlike(vtkLookupTable* a, vtkLookupTable* b)
          std::equal(a->GetPointer(0), a->GetPointer(0) + 4 * count, b->GetPointer(0)) &&
          std::equal(a->GetTableRange(), a->GetTableRange() + 2, b->GetTableRange()) &&
          std::equal(a->GetNanColor(), a->GetNanColor() + 4, b->GetNanColor()) &&
+         a->GetUseBelowRangeColor() == b->GetUseBelowRangeColor() &&
+         a->GetUseAboveRangeColor() == b->GetUseAboveRangeColor() &&
          a->GetScale() == b->GetScale() && a->GetVectorMode() == b->GetVectorMode() &&
          a->GetVectorComponent() == b->GetVectorComponent();
 }

@@ -93,6 +93,66 @@ void Coloring::choose(const Parts& parts)
     [](const auto& part) { return part->data()->GetNumberOfPoints() > 0; });
 }
 
+namespace
+{
+
+/// Takes a range into another one, which may be none yet.
+void widen(double range[2], const double own[2])
+{
+  const bool first = range[0] > range[1];
+  range[0] = first ? own[0] : std::min(range[0], own[0]);
+  range[1] = first ? own[1] : std::max(range[1], own[1]);
+}
+
+} // namespace
+
+bool Coloring::percentilesOf(
+  vtkDataArray* array, const std::vector<double>& percentiles, double range[2]) const
+{
+  if (!array)
+    return false;
+  constexpr std::size_t mostKnown = 16;
+  auto found = std::find_if(known_.begin(), known_.end(),
+    [&](const Percentiles& one)
+    {
+      return one.array == array && one.time == array->GetMTime() &&
+             one.component == choice_.component && one.of == percentiles;
+    });
+  if (found == known_.end())
+  {
+    Percentiles one;
+    one.of = percentiles;
+    one.array = array;
+    one.time = array->GetMTime();
+    one.component = choice_.component;
+    one.isAny = percentileRange(array, choice_.component, percentiles, one.range);
+    if (known_.size() >= mostKnown)
+      known_.erase(known_.begin());
+    found = known_.insert(known_.end(), one);
+  }
+  if (found->isAny)
+    std::copy_n(found->range, 2, range);
+  return found->isAny;
+}
+
+bool Coloring::rangeOfMost(const Parts& parts, double range[2]) const
+{
+  constexpr double most = 1.0 / 3.0; // of the range that is theirs where nothing is said
+  double whole[2] = {1.0, 0.0};
+  range[0] = 1.0, range[1] = 0.0;
+  for (const auto& part : parts)
+  {
+    vtkDataArray* array = arrayOf(part->data(), choice_);
+    double own[2];
+    if (!finiteRange(array, choice_.component, own))
+      continue;
+    widen(whole, own);
+    if (this->percentilesOf(array, percentilesOfMost(), own))
+      widen(range, own);
+  }
+  return range[0] < range[1] && range[1] - range[0] < most * (whole[1] - whole[0]);
+}
+
 bool Coloring::updateRange(const Parts& parts)
 {
   for (const auto& part : parts)
@@ -101,14 +161,15 @@ bool Coloring::updateRange(const Parts& parts)
     vtkDataArray* array = arrayOf(part->data(), choice_);
     if (!finiteRange(array, choice_.component, range))
       continue;
-    const bool first = range_[0] > range_[1];
-    range_[0] = first ? range[0] : std::min(range_[0], range[0]);
-    range_[1] = first ? range[1] : std::max(range_[1], range[1]);
+    widen(seen_.whole, range);
     if (settings_.color.logarithmic && range[0] <= 0.0)
       if (const double least = leastPositive(array, choice_.component); least > 0.0)
-        leastPositive_ = leastPositive_ > 0.0 ? std::min(least, leastPositive_) : least;
+        seen_.leastPositive =
+          seen_.leastPositive > 0.0 ? std::min(least, seen_.leastPositive) : least;
+    if (!percentiles_.empty() && this->percentilesOf(array, percentiles_, range))
+      widen(seen_.trimmed, range);
   }
-  return range_[0] <= range_[1];
+  return seen_.whole[0] <= seen_.whole[1];
 }
 
 bool Coloring::updateTypes(const Parts& parts)
@@ -175,8 +236,7 @@ void Coloring::updateNames(const Parts& parts)
 
 void Coloring::forget()
 {
-  range_[0] = 1.0, range_[1] = 0.0;
-  leastPositive_ = 0.0;
+  seen_ = {};
   types_.clear();
   countable_ = true;
   dataNames_.clear();
@@ -187,6 +247,10 @@ void Coloring::followSettings()
 {
   if (settings_.color.array != wanted_)
     this->startAnew();
+  if (settings_.color.percentiles == percentiles_)
+    return;
+  percentiles_ = settings_.color.percentiles;
+  seen_.trimmed[0] = 1.0, seen_.trimmed[1] = 0.0;
 }
 
 void Coloring::startAnew()
@@ -229,9 +293,34 @@ void Coloring::apply(const Parts& parts)
     part->setColors(choice_, table_, opacity_);
 }
 
+namespace
+{
+
+/// Has the legend of a table say that there are values beyond its range, which have the colours of
+/// its ends.
+void markOutliers(vtkLookupTable* table, const double whole[2])
+{
+  double color[4];
+  if (whole[0] < table->GetRange()[0])
+  {
+    table->GetTableValue(0, color);
+    table->SetBelowRangeColor(color);
+    table->UseBelowRangeColorOn();
+  }
+  if (whole[1] > table->GetRange()[1])
+  {
+    table->GetTableValue(table->GetNumberOfTableValues() - 1, color);
+    table->SetAboveRangeColor(color);
+    table->UseAboveRangeColorOn();
+  }
+  table->BuildSpecialColors();
+}
+
+} // namespace
+
 void Coloring::makeTable(bool types)
 {
-  double range[2] = {range_[0], range_[1]};
+  double range[2] = {this->range()[0], this->range()[1]};
   if (!settings_.color.range.empty())
     std::copy_n(settings_.color.range.begin(), 2, range);
   if (!(range[0] <= range[1]))
@@ -242,7 +331,7 @@ void Coloring::makeTable(bool types)
       throw Failure("--log needs values above zero; those of " + title_ + " go from " +
                     asNumber(range[0]) + " to " + asNumber(range[1]));
     if (range[0] <= 0.0 && settings_.color.range.empty())
-      range[0] = std::max(leastPositive_, logShare * range[1]);
+      range[0] = std::max(seen_.leastPositive, logShare * range[1]);
     if (!(range[0] > 0.0))
       throw Failure("--log needs a --range above zero, not " + asNumber(range[0]) + " to " +
                     asNumber(range[1]));
@@ -260,6 +349,8 @@ void Coloring::makeTable(bool types)
                          settings_.color.logarithmic);
   if (!types && settings_.color.reversed)
     reverse(table);
+  if (!types && settings_.color.range.empty() && !percentiles_.empty())
+    markOutliers(table, seen_.whole);
   if (Color none = {0.0, 0.0, 0.0}; parseColor(settings_.volume.nanColor, none))
     table->SetNanColor(none[0], none[1], none[2], 1.0);
   if (choice_.component == ArrayChoice::magnitude)
@@ -347,8 +438,12 @@ ColorSettings Coloring::inForce(const Parts& parts) const
   fresh.include(parts);
   if (typed_ && fresh.types_ != types_)
     all.types = types_;
-  if (!typed_ && range_[0] < range_[1] && !std::equal(range_, range_ + 2, fresh.range_))
+  const double* range = this->range();
+  if (!typed_ && range[0] < range[1] && !std::equal(range, range + 2, fresh.range()))
+  {
     all.range = {table_->GetRange()[0], table_->GetRange()[1]};
+    all.percentiles.clear();
+  }
   return all;
 }
 

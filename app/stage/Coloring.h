@@ -66,14 +66,18 @@ public:
   /// back to what it was.
   struct SeenRange
   {
-    double range[2], leastPositive;
+    double whole[2] = {1.0, 0.0};   // from the least to the greatest
+    double trimmed[2] = {1.0, 0.0}; // between the percentiles that the settings name, if any
+    double leastPositive = 0.0;
   };
-  SeenRange seenRange() const { return {{range_[0], range_[1]}, leastPositive_}; }
-  void goBackTo(const SeenRange& seen)
-  {
-    std::copy_n(seen.range, 2, range_);
-    leastPositive_ = seen.leastPositive;
-  }
+  SeenRange seenRange() const { return seen_; }
+  void goBackTo(const SeenRange& seen) { seen_ = seen; }
+
+  /// Most of the values in these parts, without a hundredth at both ends, where these take most of
+  /// the range; false else. Parts are looked at anew only where they have changed.
+  bool rangeOfMost(const std::vector<std::unique_ptr<Part>>& parts, double range[2]) const;
+  /// The percentiles that leave outliers out.
+  static std::vector<double> percentilesOfMost() { return {1.0, 99.0}; }
 
   const ArrayChoice& choice() const { return choice_; }
 
@@ -90,6 +94,7 @@ private:
   bool updateTypes(const std::vector<std::unique_ptr<Part>>& parts);
   bool findTypes(const std::vector<std::unique_ptr<Part>>& parts, std::size_t limit);
   void updateNames(const std::vector<std::unique_ptr<Part>>& parts);
+  const double* range() const { return percentiles_.empty() ? seen_.whole : seen_.trimmed; }
   void makeTable(bool types);
   void forget();
 
@@ -97,8 +102,22 @@ private:
   ArrayChoice choice_;
   bool chosen_ = false;
   std::string wanted_; // what the settings named when it was chosen
-  double range_[2] = {1.0, 0.0};
-  double leastPositive_ = 0.0;
+  SeenRange seen_;
+  std::vector<double> percentiles_; // of seen_.trimmed
+
+  /// What percentiles of arrays were last.
+  struct Percentiles
+  {
+    std::vector<double> of;
+    vtkDataArray* array = nullptr;
+    vtkMTimeType time = 0;
+    int component = 0;
+    bool isAny = false;
+    double range[2] = {1.0, 0.0};
+  };
+  bool percentilesOf(
+    vtkDataArray* array, const std::vector<double>& percentiles, double range[2]) const;
+  mutable std::vector<Percentiles> known_;
   std::vector<int> types_;        // in the order of their colours; new ones come last
   bool countable_ = true;         // whether types_ could be found
   std::vector<Color> typeColors_; // of types_

@@ -278,25 +278,12 @@ void Picture::drawDividers(const SideBySide& sides, vtkImageData* image) const
 {
   const Color ink = dividerInk(renderer_);
   vtkDataArray* colors = image->GetPointData()->GetScalars();
-  const int thick = std::max(1, size_[1] / 700);
-  const auto fill = [&](int left, int right, int bottom, int top)
-  {
-    for (int y = std::max(0, bottom); y < top; ++y)
-      for (int x = std::max(0, left); x < right; ++x)
+  for (const auto& [left, right, bottom, top] : sides.dividers())
+    for (int y = bottom; y < top; ++y)
+      for (int x = left; x < right; ++x)
         for (int c = 0; c < 3; ++c)
           colors->SetComponent(
             static_cast<vtkIdType>(y) * size_[0] + x, c, ink[static_cast<std::size_t>(c)]);
-  };
-  for (int column = 1; column < sides.columns; ++column)
-  {
-    const int x = sides.left(static_cast<std::size_t>(column)) - thick / 2;
-    fill(x, x + thick, 0, size_[1]);
-  }
-  for (int row = 1; row < sides.rows; ++row)
-  {
-    const int y = sides.top - row * sides.height - thick / 2;
-    fill(sides.first, sides.right(), y, y + thick);
-  }
 }
 
 std::string Picture::quality() const

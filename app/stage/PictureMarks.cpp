@@ -24,7 +24,7 @@ namespace
 {
 
 constexpr double veilInk[3] = {1.0, 0.16, 0.86}; // those of the window
-constexpr double rulerInk[3] = {1.0, 0.95, 0.3};
+constexpr double rulerInk[3] = {1.0, 0.95, 0.3}, rulerEdge[3] = {0.09, 0.10, 0.12};
 constexpr double larger = 1.04, before = 0.4, leastPixels = 5.0;
 constexpr double usualHeight = 860.0; // pixels, of the window's view
 
@@ -123,6 +123,11 @@ void PictureMarks::addRuler(const PickedSet::Parts& parts, const PickedSet& pick
     if (isParallel_ || eye[2] > 0.0)
       to_->AddLabel(this->inPicture(eye).data(), text, rulerInk, below);
   };
+  const auto ruler = [&](const Place& from, const Place& to)
+  {
+    this->addLine(from, to, rulerEdge, 5.0, true);
+    this->addLine(from, to, rulerInk, 2.0, true);
+  };
   for (const Distance& distance : measured->distances)
   {
     Place end = distance.from, middle = distance.from, begin = distance.to;
@@ -132,9 +137,9 @@ void PictureMarks::addRuler(const PickedSet::Parts& parts, const PickedSet& pick
       middle[axis] += 0.5 * distance.step[axis];
       begin[axis] -= distance.step[axis];
     }
-    this->addLine(distance.from, end, rulerInk, 2.0, true);
+    ruler(distance.from, end);
     if (distance.isAcross)
-      this->addLine(begin, distance.to, rulerInk, 2.0, true);
+      ruler(begin, distance.to);
     label(middle, asNumber(distance.length, 5), false);
   }
   if (measured->angle)

@@ -24,6 +24,23 @@ SideBySide::SideBySide(
   first = picture.legendSide == "left" ? legend : 0;
 }
 
+std::vector<std::array<int, 4>> SideBySide::dividers() const
+{
+  const int thick = std::max(1, top / 700);
+  std::vector<std::array<int, 4>> lines;
+  for (int column = 1; column < columns; ++column)
+  {
+    const int x = this->left(static_cast<std::size_t>(column)) - thick / 2;
+    lines.push_back({std::max(0, x), x + thick, 0, top});
+  }
+  for (int row = 1; row < rows; ++row)
+  {
+    const int y = top - row * height - thick / 2;
+    lines.push_back({first, this->right(), std::max(0, y), y + thick});
+  }
+  return lines;
+}
+
 int rowsOf(int views, int width, int height)
 {
   constexpr double worth = 1.1; // more rows are to be better by this, as steps down are harder to

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 class vtkRenderer;
 
@@ -27,6 +28,10 @@ struct SideBySide
     return top - (static_cast<int>(view) / columns + 1) * height;
   }
   int right() const { return first + columns * width; } ///< of all views
+
+  /// Lines between columns and rows of views, as {left, right, bottom, top}, without the pixels at
+  /// right and top.
+  std::vector<std::array<int, 4>> dividers() const;
 
   int columns = 1, rows = 1;
   int width = 1, height = 1; ///< of each view

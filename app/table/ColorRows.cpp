@@ -77,6 +77,22 @@ void addColorRows(std::vector<Row>& table)
       if (range.size() == 2 && !(range[0] < range[1]))
         throw WrongValue{"LO must be less than HI"};
     }));
+  table.push_back(row<ColorSettings, std::vector<double>>(color, &ColorSettings::percentiles,
+    {.group = colorGroup,
+      .name = "percentiles",
+      .value = "LO HI",
+      .help = "The colour map goes from one percentile of the values to another, as in 1 99, which "
+              "leaves outliers out of the range: they have the colours of its ends, and the legend "
+              "shows that there are some. Hidden values count, too. Types have none",
+      .count = 2,
+      .limits = {0.0, 100.0},
+      .usual = "0 100: from the least to the greatest value",
+      .excludes = {"range"}},
+    [](const std::vector<double>& shares)
+    {
+      if (shares.size() == 2 && !(shares[0] < shares[1]))
+        throw WrongValue{"LO must be less than HI"};
+    }));
   table.push_back(row<ColorSettings, std::string>(color, &ColorSettings::plain,
     {.group = colorGroup,
       .name = "plain-color",

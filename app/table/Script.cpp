@@ -1,30 +1,22 @@
 #include "Script.h"
 
 #include "CommandLine.h"
+#include "ScriptParts.h"
 #include "ScriptText.h"
 #include "settings/ErrorBudget.h"
-#include "stage/Calculated.h"
-#include "stage/Ids.h"
+#include "stage/SideBySide.h"
 #include "stage/Silhouettes.h"
 
-#include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkColorTransferFunction.h>
-#include <vtkContourValues.h>
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
 #include <vtkLookupTable.h>
 #include <vtkMoteAreaLight.h>
-#include <vtkMoteParticleMapper.h>
 #include <vtkMoteShading.h>
 #include <vtkMoteSilhouettes.h>
-#include <vtkMoteVolumeMapper.h>
 #include <vtkNew.h>
-#include <vtkPiecewiseFunction.h>
-#include <vtkProperty.h>
-#include <vtkVolume.h>
-#include <vtkVolumeProperty.h>
 
+#include <algorithm>
 #include <initializer_list>
 
 namespace mote::app
@@ -40,14 +32,16 @@ void writeImports(Script& script)
   script.line();
   script.line("import mote");
   script.line("from vtkmodules.vtkCommonCore import vtkLookupTable, vtkUnsignedCharArray");
-  script.line(
-    "from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPiecewiseFunction");
-  script.line("from vtkmodules.vtkFiltersCore import vtkArrayCalculator, vtkPolyDataNormals");
+  script.line("from vtkmodules.vtkCommonDataModel import (");
+  script.line("    vtkCompositeDataSet, vtkImageData, vtkPiecewiseFunction)");
+  script.line("from vtkmodules.vtkFiltersCore import (");
+  script.line("    vtkArrayCalculator, vtkPolyDataNormals, vtkThreshold)");
   script.line("from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter");
   script.line("from vtkmodules.vtkRenderingCore import (");
   script.line("    vtkActor, vtkColorTransferFunction, vtkLight, vtkRenderer, vtkVolume)");
   script.line();
   script.line("parts = []  # the data sets");
+  script.line("props = []  # what is seen of them");
   script.line();
   script.line();
   script.line("def read(name, time=None):");
@@ -77,6 +71,16 @@ void writeTable(Script& script, vtkLookupTable* table)
   script.call("colors", "SetScale", table->GetScale());
   script.vector("colors", "SetTableRange", table->GetTableRange(), 2);
   script.vector("colors", "SetNanColor", table->GetNanColor(), 4);
+  if (table->GetUseBelowRangeColor())
+  {
+    script.vector("colors", "SetBelowRangeColor", table->GetBelowRangeColor(), 4);
+    script.line("colors.UseBelowRangeColorOn()");
+  }
+  if (table->GetUseAboveRangeColor())
+  {
+    script.vector("colors", "SetAboveRangeColor", table->GetAboveRangeColor(), 4);
+    script.line("colors.UseAboveRangeColorOn()");
+  }
   script.call("colors", "SetVectorMode", table->GetVectorMode());
   script.call("colors", "SetVectorComponent", table->GetVectorComponent());
   script.line("for entry, color in enumerate((");
@@ -85,251 +89,6 @@ void writeTable(Script& script, vtkLookupTable* table)
   script.line(")):");
   script.line("    colors.SetTableValue(entry, color)");
   script.line();
-}
-
-/// The ranges to show, of particles.
-void writeRanges(Script& script, const Part& part, const Settings& settings)
-{
-  const std::vector<std::string> places = {"x", "y", "z"};
-  for (const ShowRange& range : settings.selection.ranges)
-  {
-    const auto place = std::find(places.begin(), places.end(), range.name);
-    const auto [low, high] = range.intervals.front();
-    if (place != places.end())
-      script.call("mapper", "SetCenterRange", static_cast<int>(place - places.begin()), low, high);
-    else if (range.name == "radius")
-      script.call("mapper", "SetRadiusRange", low, high);
-    else if (const ArrayChoice choice = findArray(part.data(), range.name); choice)
-      for (const Interval& interval : range.intervals)
-        script.call(
-          "mapper", "AddToRange", choice.name, choice.component, interval.low, interval.high);
-  }
-  if (arrayOf(part.data(), {whereArray, 0, false}))
-    script.call("mapper", "AddToRange", whereArray, 0, 1.0, 1.0);
-  vtkMoteParticleMapper* mapper = part.particles();
-  if (!mapper->GetUseVisibilityRange())
-    return;
-  script.call("mapper", "SetUseVisibilityRange", true);
-  script.call("mapper", "SetVisibilityArrayName", mapper->GetVisibilityArrayName());
-  script.call("mapper", "SetVisibilityComponent", mapper->GetVisibilityComponent());
-  script.vector("mapper", "SetVisibilityRange", mapper->GetVisibilityRange(), 2);
-}
-
-/// The colours of a mapper, and its actor with what it looks like.
-void writeActor(Script& script, vtkMapper* mapper, const Part& part)
-{
-  script.call("mapper", "SetScalarVisibility", mapper->GetScalarVisibility() != 0);
-  if (mapper->GetScalarVisibility())
-  {
-    script.call("mapper", "SetScalarMode", mapper->GetScalarMode());
-    script.call("mapper", "SelectColorArray", mapper->GetArrayName());
-    script.line("mapper.SetLookupTable(colors)");
-    script.call("mapper", "SetUseLookupTableScalarRange", true);
-  }
-  script.line("prop = vtkActor()");
-  script.line("prop.SetMapper(mapper)");
-  vtkProperty* look = vtkActor::SafeDownCast(part.prop())->GetProperty();
-  script.line("look = prop.GetProperty()");
-  script.vector("look", "SetColor", look->GetColor());
-  script.call("look", "SetAmbient", look->GetAmbient());
-  script.call("look", "SetDiffuse", look->GetDiffuse());
-  script.call("look", "SetSpecular", look->GetSpecular());
-  script.call("look", "SetSpecularPower", look->GetSpecularPower());
-}
-
-void writeParticles(Script& script, const Part& part, const Settings& settings)
-{
-  vtkMoteParticleMapper* mapper = part.particles();
-  script.line("mapper = mote.vtkMoteParticleMapper()");
-  script.line("mapper.SetInputData(part)");
-  script.call("mapper", "SetStructureName", mapper->GetStructureName());
-  script.call("mapper", "SetStructureForm", mapper->GetStructureForm());
-  script.call("mapper", "SetRadiusMode", mapper->GetRadiusMode());
-  script.call("mapper", "SetRadius", mapper->GetRadius());
-  script.call("mapper", "SetRadiusScale", mapper->GetRadiusScale());
-  script.call("mapper", "SetRadiusArrayName", mapper->GetRadiusArrayName());
-  for (const auto& [type, radius] : settings.particles.typeRadius)
-    script.call("mapper", "SetTypeRadius", type, radius);
-  if (part.images() > 1)
-  {
-    const int* counts = mapper->GetReplication();
-    script.call("mapper", "SetReplication", counts[0], counts[1], counts[2]);
-    script.line(
-      "mapper.SetReplicationVectors((" + python(mapper->GetReplicationVectors(), 9) + "))");
-  }
-  if (mapper->GetPixelsOfError() > 0.0)
-    script.call("mapper", "SetPixelsOfError", mapper->GetPixelsOfError());
-  writeRanges(script, part, settings);
-  writeActor(script, mapper, part);
-}
-
-void writeSurface(Script& script, const Part& part)
-{
-  const Surface& surface = *part.surface();
-  script.line("mapper = mote.vtkMoteMeshMapper()");
-  if (surface.makesNormals() || surface.takesFaces())
-  {
-    script.line(surface.makesNormals() ? "faces = vtkPolyDataNormals()"
-                                       : "faces = vtkDataSetSurfaceFilter()");
-    script.line("faces.SetInputData(part)");
-    script.line("mapper.SetInputConnection(faces.GetOutputPort())");
-  }
-  else
-    script.line("mapper.SetInputData(part)");
-  if (surface.mapper()->GetPixelsOfError() > 0.0)
-    script.call("mapper", "SetPixelsOfError", surface.mapper()->GetPixelsOfError());
-  writeActor(script, surface.mapper(), part);
-}
-
-void writeFunctions(Script& script, vtkVolumeProperty* look)
-{
-  script.line("curve = vtkColorTransferFunction()");
-  vtkColorTransferFunction* curve = look->GetRGBTransferFunction();
-  script.line("for point in (");
-  for (int i = 0; i < curve->GetSize(); ++i)
-  {
-    double node[6];
-    curve->GetNodeValue(i, node);
-    script.line("    (" + python(node, 6) + "),");
-  }
-  script.line("):");
-  script.line("    curve.AddRGBPoint(*point)");
-  script.line("look.SetColor(curve)");
-  script.line("opacity = vtkPiecewiseFunction()");
-  vtkPiecewiseFunction* opacity = look->GetScalarOpacity();
-  script.call("opacity", "SetAllowDuplicateScalars", opacity->GetAllowDuplicateScalars() != 0);
-  script.line("for point in (");
-  for (int i = 0; i < opacity->GetSize(); ++i)
-  {
-    double node[4];
-    opacity->GetNodeValue(i, node);
-    script.line("    (" + python(node, 4) + "),");
-  }
-  script.line("):");
-  script.line("    opacity.AddPoint(*point)");
-  script.line("look.SetScalarOpacity(opacity)");
-}
-
-void writeVolume(Script& script, vtkVolume* volume)
-{
-  auto* mapper = vtkMoteVolumeMapper::SafeDownCast(volume->GetMapper());
-  script.line("mapper = mote.vtkMoteVolumeMapper()");
-  script.line("mapper.SetInputData(part)");
-  if (mapper->GetStructureName())
-    script.call("mapper", "SetStructureName", mapper->GetStructureName());
-  script.call("mapper", "SetIntegratorName", mapper->GetIntegratorName());
-  script.call("mapper", "SetSampleDistance", mapper->GetSampleDistance());
-  script.call("mapper", "SetTolerance", mapper->GetTolerance());
-  script.call("mapper", "SetShowCloud", mapper->GetShowCloud() != 0);
-  script.call("mapper", "SetShowIsoSurfaces", mapper->GetShowIsoSurfaces() != 0);
-  script.vector("mapper", "SetNanColor", mapper->GetNanColor());
-  script.call("mapper", "SetNanOpacity", mapper->GetNanOpacity());
-  script.call("mapper", "SetScalarMode", mapper->GetScalarMode());
-  script.call("mapper", "SelectScalarArray", mapper->GetArrayName());
-  script.call("mapper", "SetVectorMode", mapper->GetVectorMode());
-  script.call("mapper", "SetVectorComponent", mapper->GetVectorComponent());
-  script.line("prop = vtkVolume()");
-  script.line("prop.SetMapper(mapper)");
-  vtkVolumeProperty* look = volume->GetProperty();
-  script.line("look = prop.GetProperty()");
-  writeFunctions(script, look);
-  script.call("look", "SetScalarOpacityUnitDistance", look->GetScalarOpacityUnitDistance());
-  script.call("look", "SetShade", look->GetShade());
-  script.call("look", "SetAmbient", look->GetAmbient());
-  script.call("look", "SetDiffuse", look->GetDiffuse());
-  script.call("look", "SetSpecular", look->GetSpecular());
-  vtkContourValues* values = look->GetIsoSurfaceValues();
-  for (int i = 0; i < values->GetNumberOfContours(); ++i)
-    script.call("look.GetIsoSurfaceValues()", "SetValue", i, values->GetValue(i));
-}
-
-/// The array of a coordinate, where one colours; see addCoordinate().
-void writeCoordinate(Script& script, const std::string& name)
-{
-  const std::size_t axis = std::string("xyz").find(name);
-  if (name.size() != 1 || axis == std::string::npos)
-    return;
-  script.line("if not part.GetPointData().HasArray(" + python(name) + "):");
-  script.line("    calculator = vtkArrayCalculator()");
-  script.line("    calculator.SetInputData(part)");
-  script.call("    calculator", "AddCoordinateScalarVariable", name, static_cast<int>(axis));
-  script.call("    calculator", "SetFunction", name);
-  script.call("    calculator", "SetResultArrayName", name);
-  script.line("    calculator.Update()");
-  script.line("    part.GetPointData().AddArray(");
-  script.line("        calculator.GetOutput().GetPointData().GetArray(" + python(name) + "))");
-}
-
-/// The positions of --positions, and the arrays of --calculate and --where that the part has.
-void writeCalculated(Script& script, const Part& part, const Settings& settings)
-{
-  if (part.particles() && settings.data.positions != "file")
-    script.line("mote.vtkMotePeriodicPositions.Move(part, mote.vtkMotePeriodicPositions." +
-                std::string(settings.data.positions == "wrapped" ? "WRAPPED" : "UNWRAPPED") + ")");
-  std::vector<Calculation> all = settings.data.calculations;
-  if (!settings.selection.where.empty())
-    all.push_back({whereArray, settings.selection.where});
-  for (const Calculation& one : all)
-    for (const bool ofCells : {false, true})
-      if (vtkDataArray* array = arrayOf(part.data(), {one.name, 0, ofCells}))
-      {
-        script.line("mote.vtkMoteExpression.AddTo(part, " + python(one.expression) + ", " +
-                    python(one.name) + ", " + python(array->GetDataType()) + ")");
-        break;
-      }
-}
-
-/// What --hide-ids and --only-ids leave, of the data set with this number, which counts from 1.
-void writeIds(Script& script, const Part& part, int number, const SelectionSettings& selection)
-{
-  if ((selection.hidden.empty() && selection.only.empty()) || !part.particles())
-    return;
-  vtkDataArray* ids = idArrayOf(part.data());
-  script.line("marks = part.GetPointData().GetArray(" + python(whereArray) + ")");
-  script.line("if not marks:");
-  script.line("    marks = vtkUnsignedCharArray()");
-  script.call("    marks", "SetName", whereArray);
-  script.line("    marks.SetNumberOfValues(part.GetNumberOfPoints())");
-  script.line("    marks.Fill(1)");
-  script.line("    part.GetPointData().AddArray(marks)");
-  const auto list = [&](const char* name, const IdRanges& ranges)
-  {
-    script.line(std::string(name) + " = (");
-    for (const auto& [low, high] : ranges.of(number))
-      script.line("    range(" + std::to_string(low) + ", " + std::to_string(high) + " + 1),");
-    script.line(")");
-  };
-  list("hidden", selection.hidden);
-  list("only", selection.only);
-  if (ids)
-    script.line("ids = part.GetPointData().GetArray(" + python(ids->GetName()) + ")");
-  script.line("for i in range(part.GetNumberOfPoints()):");
-  script.line(std::string("    name = ") + (ids ? "int(ids.GetComponent(i, 0))" : "i"));
-  script.line(std::string("    if any(name in r for r in hidden)") +
-              (selection.only.empty() ? ":" : " or not any(name in r for r in only):"));
-  script.line("        marks.SetValue(i, 0)");
-}
-
-void writeParts(Script& script, const Stage& stage, const Settings& settings)
-{
-  for (std::size_t i = 0; i < stage.parts().size(); ++i)
-  {
-    const Part& part = *stage.parts()[i];
-    script.line();
-    script.line("part = parts[" + std::to_string(i) + "]  # " + part.name());
-    writeCalculated(script, part, settings);
-    writeIds(script, part, static_cast<int>(i) + 1, settings.selection);
-    writeCoordinate(script, settings.color.array);
-    if (part.particles())
-      writeParticles(script, part, settings);
-    else if (part.surface())
-      writeSurface(script, part);
-    else
-      writeVolume(script, vtkVolume::SafeDownCast(part.prop()));
-    if (part.isHidden())
-      script.line("prop.VisibilityOff()");
-    script.line("renderer.AddViewProp(prop)");
-  }
 }
 
 void writeLights(Script& script, vtkRenderer* renderer)
@@ -406,12 +165,87 @@ void writeSilhouettes(Script& script, const SilhouetteSettings& settings)
   script.line("source.SetSilhouettes(silhouettes)");
 }
 
+/// Views beside one another, with their names: see Picture.
+void writeViews(Script& script, const Stage& stage, const Settings& settings)
+{
+  const std::array<int, 2>& size = settings.picture.size;
+  const auto views = stage.views();
+  const SideBySide sides(stage, views.size(), size, true);
+  script.line();
+  script.line("whole = vtkImageData()");
+  script.call("whole", "SetDimensions", size[0], size[1], 1);
+  script.line("name = mote.vtkMoteColorLegend()");
+  script.line("name.CaptionOnTopOn()");
+  script.call("name", "SetFontScale", settings.picture.fontScale);
+  script.line();
+  script.line();
+  script.line("def view(numbers, caption, left, bottom, width, height):");
+  script.line("    renderer.RemoveAllViewProps()");
+  script.line("    for number in numbers:");
+  script.line("        renderer.AddViewProp(props[number])");
+  script.line("    source.SetSize(width, height)");
+  script.line("    source.Modified()");
+  script.line("    source.Update()");
+  script.line("    name.SetInputData(source.GetOutput())");
+  script.line("    name.SetCaption(caption)");
+  script.line("    name.Update()");
+  script.line("    drawn = name.GetOutput().GetPointData().GetScalars()");
+  script.line("    if not whole.GetPointData().GetScalars():");
+  script.line("        made = drawn.NewInstance()");
+  script.line("        made.SetName(drawn.GetName())");
+  script.line("        made.SetNumberOfComponents(drawn.GetNumberOfComponents())");
+  script.line("        made.SetNumberOfTuples(whole.GetNumberOfPoints())");
+  script.line("        whole.GetPointData().SetScalars(made)");
+  script.line("    pixels = whole.GetPointData().GetScalars()");
+  script.line("    for y in range(height):");
+  script.line("        to = (bottom + y) * whole.GetDimensions()[0] + left");
+  script.line("        pixels.InsertTuples(to, width, y * width, drawn)");
+  script.line();
+  script.line();
+  const auto view = [&](const std::string& numbers, const std::string& caption, int left,
+                      int bottom, int width, int height)
+  {
+    script.line("view((" + numbers + "), " + python(caption) + ", " + python(left) + ", " +
+                python(bottom) + ", " + python(width) + ", " + python(height) + ")");
+  };
+  for (std::size_t i = 0; i < views.size(); ++i)
+  {
+    std::string numbers;
+    for (const std::size_t part : views[i])
+      numbers += std::to_string(part) + ",";
+    view(
+      numbers, stage.viewName(views[i]), sides.left(i), sides.bottom(i), sides.width, sides.height);
+  }
+  if (sides.legend > 0)
+    view("", "", sides.first > 0 ? 0 : sides.right(), 0, sides.legend, size[1]);
+  for (auto i = views.size(); i < static_cast<std::size_t>(sides.columns * sides.rows); ++i)
+    view("", "", sides.left(i), sides.bottom(i), sides.width, sides.height);
+  if (const int below = size[1] - sides.rows * sides.height; below > 0)
+    view("", "", sides.first, 0, sides.right() - sides.first, below);
+  const Color ink = dividerInk(stage.renderer());
+  const auto lines = sides.dividers();
+  if (lines.empty())
+    return;
+  script.line("pixels = whole.GetPointData().GetScalars()");
+  script.line("for left, right, bottom, top in (  # the lines between views");
+  for (const auto& [left, right, bottom, top] : lines)
+    script.line("    (" + python(left) + ", " + python(right) + ", " + python(bottom) + ", " +
+                python(top) + "),");
+  script.line("):");
+  script.line("    for y in range(bottom, top):");
+  script.line("        for x in range(left, right):");
+  script.line("            for c, ink in enumerate((" + python(ink.data(), 3) + ")):");
+  script.line("                pixels.SetComponent(y * " + python(size[0]) + " + x, c, ink)");
+}
+
 void writeLegend(
   Script& script, const Stage& stage, const Settings& settings, const std::string& caption)
 {
   const PictureSettings& picture = settings.picture;
+  const bool isAlone = stage.views().size() < 2;
   script.line("legend = mote.vtkMoteColorLegend()");
-  script.line("legend.SetInputConnection(source.GetOutputPort())");
+  script.line(
+    isAlone ? "legend.SetInputConnection(source.GetOutputPort())" : "legend.SetInputData(whole)");
   if (vtkLookupTable* table = picture.legend ? stage.coloring().legendTable() : nullptr)
   {
     if (table == stage.coloring().table())
@@ -427,7 +261,7 @@ void writeLegend(
     }
   }
   script.call("legend", "SetTitle", picture.title.value_or(stage.coloring().title()));
-  script.call("legend", "SetCaption", picture.caption.value_or(caption));
+  script.call("legend", "SetCaption", picture.caption.value_or(isAlone ? caption : ""));
   script.call("legend", "SetSide", picture.legendSide == "left" ? 1 : 0);
   script.call("legend", "SetLabelFormat", picture.legendFormat);
   script.call("legend", "SetFontScale", picture.fontScale);
@@ -487,6 +321,8 @@ std::string scriptOf(
   script.call("source", "SetNoiseLevel", errorShares(settings).noise.value_or(0.0));
   writeShading(script, stage.lighting().shading());
   writeSilhouettes(script, settings.silhouettes);
+  if (stage.views().size() > 1)
+    writeViews(script, stage, settings);
   writeLegend(script, stage, settings, captionOf(input, step, stage.contents()));
   script.line();
   script.line("writer = mote.vtkMoteImageWriter()");

@@ -25,7 +25,7 @@ namespace mote::app
 namespace
 {
 
-constexpr double textSize = 15.0, lineWidth = 2.0; // pixels, at a scale of 1
+constexpr double textSize = 15.0, lineWidth = 2.0, edgeWidth = 5.0; // pixels, at a scale of 1
 
 } // namespace
 
@@ -37,10 +37,15 @@ Ruler::Ruler(vtkRenderer* renderer)
   world->SetCoordinateSystemToWorld();
   mapper->SetTransformCoordinate(world);
   mapper->SetInputData(lines_);
-  actor_->SetMapper(mapper);
+  for (vtkActor2D* actor : {edge_.Get(), actor_.Get()})
+  {
+    actor->SetMapper(mapper);
+    actor->VisibilityOff();
+    renderer->AddActor2D(actor);
+  }
+  // So that it stands out from data of its own colour, too.
+  edge_->GetProperty()->SetColor(0.09, 0.10, 0.12);
   actor_->GetProperty()->SetColor(1.0, 0.95, 0.3);
-  actor_->VisibilityOff();
-  renderer->AddActor2D(actor_);
   for (const auto& text : labels_)
   {
     text->GetPositionCoordinate()->SetCoordinateSystemToViewport();
@@ -59,6 +64,7 @@ Ruler::Ruler(vtkRenderer* renderer)
 
 void Ruler::setScale(double scale)
 {
+  edge_->GetProperty()->SetLineWidth(static_cast<float>(scale * edgeWidth));
   actor_->GetProperty()->SetLineWidth(static_cast<float>(scale * lineWidth));
   for (const auto& text : labels_)
     text->GetTextProperty()->SetFontSize(static_cast<int>(std::lround(scale * textSize)));
@@ -117,7 +123,8 @@ void Ruler::update(
     measured.reset();
   for (const auto& text : labels_)
     text->VisibilityOff();
-  actor_->SetVisibility(measured && isVisible_);
+  for (vtkActor2D* actor : {edge_.Get(), actor_.Get()})
+    actor->SetVisibility(measured && isVisible_);
   if (!measured)
     return;
   vtkNew<vtkPoints> points;
@@ -157,6 +164,7 @@ void Ruler::setVisible(bool visible)
   isVisible_ = visible;
   if (visible)
     return;
+  edge_->VisibilityOff();
   actor_->VisibilityOff();
   for (const auto& text : labels_)
     text->VisibilityOff();

@@ -35,7 +35,7 @@ private:
 
   vtkRenderer* renderer_;
   vtkNew<vtkPolyData> lines_;
-  vtkNew<vtkActor2D> actor_;
+  vtkNew<vtkActor2D> edge_, actor_;            ///< dark lines, and bright ones over them
   std::array<vtkNew<vtkTextActor>, 3> labels_; ///< of two distances and an angle
   bool isVisible_ = true;
 };

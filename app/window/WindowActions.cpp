@@ -218,12 +218,11 @@ void Window::fitToArray(Settings& next) const
 
 bool Window::actOnFiles(Action action)
 {
-  const auto print =
-    [this](const std::string& text, const std::string& what, const std::string& note = {})
+  const auto print = [this](const std::string& text, const std::string& what)
   {
     std::fputs(text.c_str(), stdout);
     std::fflush(stdout);
-    this->say(what + " is printed in the terminal" + note);
+    this->say(what + " is printed in the terminal");
   };
   switch (action)
   {
@@ -245,8 +244,7 @@ bool Window::actOnFiles(Action action)
     print(commandOf(this->pictureInForce(), this->unusedName(".png")) + "\n", "The command");
     return true;
   case Action::PrintScript:
-    print(scriptOf(stage_, input_, this->pictureInForce(), this->unusedName(".png")), "The script",
-      views_.shown().size() > 1 ? "; it has all data in one view" : "");
+    print(scriptOf(stage_, input_, this->pictureInForce(), this->unusedName(".png")), "The script");
     return true;
   default:
     return false;

@@ -106,6 +106,7 @@ void Window::takeRangeOfAllSteps()
     {
       Settings free = this->settings();
       free.color.range.clear();
+      free.color.percentiles.clear();
       stage_.apply(free);
       std::vector<int> steps(static_cast<std::size_t>(input_.numberOfSteps()));
       std::iota(steps.begin(), steps.end(), 0);
@@ -117,7 +118,12 @@ void Window::takeRangeOfAllSteps()
     });
   if (!done || range.empty())
     return;
-  this->change(this->settingsOf([&](Settings& s) { s.color.range = range; }),
+  this->change(this->settingsOf(
+                 [&](Settings& s)
+                 {
+                   s.color.range = range;
+                   s.color.percentiles.clear();
+                 }),
     [&]
     {
       return stage_.coloring().title() + " goes from " + asNumber(range[0]) + " to " +

@@ -40,7 +40,7 @@ constexpr int mostFacts = 20, fewFacts = 7;
 /// A line of what is known of what was picked.
 std::string factLine(std::string what, const std::string& value)
 {
-  what.resize(std::max<std::size_t>(what.size(), 12), ' ');
+  what.resize(std::max<std::size_t>(what.size(), 13), ' ');
   return "\n " + what + " " + value + " ";
 }
 

@@ -14,8 +14,8 @@ std::string Window::statusText() const
   const std::string dot = Overlay::dot;
   std::string text = this->isEmpty() ? "" : stage_.contents();
   if (!input_.times().empty())
-    text += dot + "step " + std::to_string(step_ + 1) + "/" +
-            std::to_string(input_.numberOfSteps()) + ", t = " + asNumber(input_.times()[step_], 10);
+    text +=
+      dot + stepText(step_, input_.numberOfSteps()) + "t = " + asNumber(input_.times()[step_], 10);
   if (costs_.frame > 0.0)
     text += dot + "frame " + asDuration(costs_.frame);
   if (views_.numberOfSamples() == 0)

@@ -109,6 +109,46 @@ TEST_F(Arrays, RangesLeaveOutWhatIsNotFinite)
   EXPECT_EQ(leastPositive(t, 0), 1.0);
 }
 
+TEST(Percentiles, AreThoseOfTheSortedValues)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetNumberOfTuples(1002);
+  for (vtkIdType i = 0; i < 1001; ++i)
+    array->SetValue(i, static_cast<double>(i * 10 % 1001)); // 0 to 1000, each once
+  array->SetValue(1001, NAN);
+  double range[2];
+  ASSERT_TRUE(percentileRange(array, 0, {1.0, 99.0}, range));
+  EXPECT_EQ(range[0], 10.0);
+  EXPECT_EQ(range[1], 990.0);
+  array->SetValue(5, 1e6);
+  array->Modified();
+  ASSERT_TRUE(percentileRange(array, 0, {0.0, 100.0}, range));
+  EXPECT_EQ(range[1], 1e6);
+  // Nearly all have one value: the range is that of all.
+  array->Fill(3.0);
+  array->SetValue(0, 5.0);
+  array->Modified();
+  ASSERT_TRUE(percentileRange(array, 0, {1.0, 99.0}, range));
+  EXPECT_EQ(range[0], 3.0);
+  EXPECT_EQ(range[1], 5.0);
+  array->Fill(NAN);
+  array->Modified();
+  EXPECT_FALSE(percentileRange(array, 0, {1.0, 99.0}, range));
+}
+
+TEST(Percentiles, OfManyValuesAreNearTheirs)
+{
+  vtkNew<vtkDoubleArray> array;
+  constexpr vtkIdType count = 1'000'003;
+  array->SetNumberOfTuples(count);
+  for (vtkIdType i = 0; i < count; ++i)
+    array->SetValue(i, static_cast<double>(i * 999'979 % count));
+  double range[2];
+  ASSERT_TRUE(percentileRange(array, 0, {1.0, 99.0}, range));
+  EXPECT_NEAR(range[0], 0.01 * count, 0.001 * count);
+  EXPECT_NEAR(range[1], 0.99 * count, 0.001 * count);
+}
+
 TEST_F(Arrays, TypesAreFewIntegersThatNameKinds)
 {
   EXPECT_TRUE(isTypes(data, findArray(data, "type")));

@@ -32,6 +32,7 @@ std::vector<std::string> sampleOf(const Row& row)
     {"step", {"3"}},
     {"color-by", {"v:magnitude"}},
     {"range", {"-1.5", "2e-05"}},
+    {"percentiles", {"1", "99.5"}},
     {"where", {"c_pe > -3 && type == 2"}},
     {"calculate", {"speed=sqrt(vx^2 + vy^2)", "fast=speed >= 2"}},
     {"show", {"x=0:10", "type=2,4:5,8:", "c_pe=:-3.25"}},

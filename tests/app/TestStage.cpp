@@ -195,6 +195,40 @@ TEST_F(StageTest, RangesAreSaidWhereOtherTimeStepsHaveWidenedThem)
   EXPECT_EQ(stage->settingsInForce().color.range, (std::vector<double>{10.0, 109.0}));
 }
 
+TEST_F(StageTest, PercentilesLeaveOutliersOutAndTheLegendSaysSo)
+{
+  const auto data = typedParticles(1001);
+  data->GetPoints()->SetPoint(7, 0.0, 0.0, 1e6);
+  settings.color.array = "z";
+  this->show(data);
+  vtkLookupTable* table = stage->coloring().table();
+  EXPECT_EQ(this->range(), (std::vector<double>{10.0, 1e6}));
+  EXPECT_EQ(table->GetUseAboveRangeColor(), 0);
+  double most[2];
+  ASSERT_TRUE(stage->coloring().rangeOfMost(stage->parts(), most));
+  EXPECT_NEAR(most[0], 20.0, 1.5);
+  EXPECT_NEAR(most[1], 1000.0, 1.5);
+
+  settings.color.percentiles = {0.0, 99.0};
+  stage->apply(settings);
+  stage->applyColors();
+  table = stage->coloring().table();
+  EXPECT_EQ(table->GetRange()[0], 10.0);
+  EXPECT_NEAR(table->GetRange()[1], 1000.0, 1.5);
+  EXPECT_EQ(table->GetUseBelowRangeColor(), 0) << "there is nothing below";
+  ASSERT_EQ(table->GetUseAboveRangeColor(), 1);
+  double last[3];
+  table->GetColor(table->GetRange()[1], last);
+  for (int c = 0; c < 3; ++c)
+    EXPECT_NEAR(table->GetAboveRangeColor()[c], last[c], 0.01);
+  EXPECT_EQ(stage->settingsInForce().color.percentiles, settings.color.percentiles);
+
+  settings.color.percentiles.clear();
+  stage->apply(settings);
+  stage->applyColors();
+  EXPECT_EQ(this->range(), (std::vector<double>{10.0, 1e6})) << "back to all";
+}
+
 TEST_F(StageTest, UnionsOfValuesAreShown)
 {
   settings.selection.ranges = {{"type", {{1, 1}, {3, 3}}}};

@@ -22,6 +22,11 @@ TEST(Text, Units)
   EXPECT_EQ(asBytes(48e6), "48 MB");
   EXPECT_EQ(asDuration(0.035), "35 ms");
   EXPECT_EQ(asDuration(2.414), "2.41 s");
+  EXPECT_EQ(stepText(2, 7), "step 3/7, ");
+  EXPECT_EQ(stepText(0, 1), "");
+  EXPECT_EQ(asDuration(99.4), "99.4 s");
+  EXPECT_EQ(asDuration(867.3), "14 min 27 s");
+  EXPECT_EQ(asDuration(7380.0), "2 h 3 min");
 }
 
 TEST(Text, NumbersAreReadWhole)

@@ -6,64 +6,6 @@ tests=$(cd "$(dirname "$0")" && pwd)
 source "$tests/panel_common.sh"
 
 case $3 in
-  range) # is dragged, seen at once, undone as one; fields, and all again
-    open "$copper" --size 1000x760
-    picture all.png
-    click show
-    click c_centro
-    drag histogram 0.0 0.05 0.1 0.2 0.3
-    has '--show=c_centro=2[0-9.]*:8'
-    picture some.png
-    differ all.png some.png
-    click Undo
-    has '--show=c_centro=0:8'
-    picture undone.png
-    alike all.png undone.png
-    click Redo
-    has '--show=c_centro=2[0-9.]*:8'
-    picture redone.png
-    alike some.png redone.png
-    click 'show all'
-    has_no '--show'
-    picture again.png
-    alike all.png again.png
-    # An expression does what a range does; a wrong one is refused below its field.
-    write where 'c_centro >= 2 && type == 1'
-    has "'--where=c_centro >= 2 && type == 1'"
-    write calculate 'depth=z - 20'
-    has "'--calculate=depth=z - 20'"
-    refused where 'c_centro >'
-    xdotool key --window 0 Escape
-    gone 'active where'
-    has "'--where=c_centro >= 2 && type == 1'"
-    click color-by
-    click depth
-    has '--color-by=depth'
-    # What the data show to be wrong stays in the field, too, to be mended there.
-    refused where 'c_pee > -3.4'
-    shown messages
-    xdotool key --window 0 --delay 50 Tab
-    gone 'active where'
-    has "'--where=c_centro >= 2 && type == 1'"
-    click where 0.9
-    shown 'active where'
-    xdotool key --window 0 --delay 50 Home Right Right Right Right Delete Return
-    gone 'active where'
-    has "'--where=c_pe > -3.4'"
-    # Undo takes it from its field.
-    refused calculate 'odd=nothing + 1'
-    press Escape
-    gone 'active calculate'
-    click Undo
-    has "'--where=c_centro >= 2 && type == 1'"
-    click calculate
-    shown 'active calculate'
-    xdotool type --window 0 --delay 30 'far=z'
-    xdotool key --window 0 Return
-    has '--calculate=far=z '
-    quit
-    ;;
-
   costs) # what a frame takes, stage by stage, and the process; how far occlusion is baked
     open "$copper" --size 1000x900 --silhouettes=2
     for group in Colour Selection; do
@@ -174,54 +116,6 @@ case $3 in
     quit
     ;;
 
-  types) # are hidden and shown one by one, and counted
-    open "$data/hopper.dump.gz" --color-by type --size 1000x860
-    picture all.png
-    click 'type 2' 0.05
-    has '--show=type=1,3:?'
-    picture some.png
-    differ all.png some.png
-    click Invert
-    has '--show=type=2 '
-    click All
-    has_no '--show'
-    # Radii, ids and places may colour, and be chosen by, as other numbers are.
-    click show
-    click radius
-    drag histogram 0.0 0.3
-    has '--show=radius=[0-9.]+:[0-9.]+ '
-    click 'show all'
-    click show
-    click 'v: vx' # components of vectors, too
-    drag histogram 0.99 0.8 0.6
-    has '--show=v:0=[-0-9.e]*:[-0-9.e]+ '
-    click 'show all'
-    click color-by
-    click radius
-    has '--color-by=radius '
-    click color-by
-    click z
-    has '--color-by=z '
-    click color-by
-    click type
-    picture again.png
-    alike all.png again.png
-    over 'type 3' 0.05
-    xdotool keydown Control_L
-    click 'type 3' 0.05
-    xdotool keyup Control_L
-    has '--show=type=3 '
-    click 'type 3' 0.05 # none is left
-    picture none.png
-    differ all.png none.png
-    click All
-    click color-by
-    click 'v magnitude'
-    click reverse 0.05
-    has '--reverse'
-    quit
-    ;;
-
   keys) # go to texts while they are written, else to the view; Tab folds the panel
     open "$copper" --size 1000x860
     picture start.png
@@ -282,160 +176,6 @@ case $3 in
     open "$copper" --size 250x160
     picture tiny.png
     [ "$(png_size tiny.png)" = 250x160 ] || fail "the view is $(png_size tiny.png)"
-    quit
-    ;;
-
-  colours) # components and maps are chosen from lists; the range is that of what is shown
-    {
-      printf 'ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n64\nITEM: BOX BOUNDS ff ff ff\n0 4\n0 4\n0 4\n'
-      echo 'ITEM: ATOMS id type x y z vx vy vz'
-      for i in $(seq 0 63); do
-        echo "$i $((1 + i % 2)) $((i % 4)) $((i / 4 % 4)) $((i / 16)) $((i * i)) $((-2 * i)) 0"
-      done
-    } >flow.dump
-    open flow.dump --color-by v --size 1000x860
-    click component
-    click 'v: vy'
-    has '--color-by=v:1 '
-    picture forth.png
-    click color-map
-    click 'plasma reversed'
-    has '--color-map=plasma .*--reverse'
-    picture back.png
-    differ forth.png back.png
-    click color-map
-    click 'plasma'
-    has_no '--reverse'
-    # Of what a type, an expression and ids hide, nothing counts.
-    click 'type 1' 0.05
-    has '--show=type=2'
-    click 'Range of what is shown'
-    has '--range=-126,-2 '
-    write where 'x >= 0 && vx < 3000'
-    click 'Range of what is shown'
-    has '--range=-106,-2 '
-    quit
-    open flow.dump --color-by v:1 --hide-ids 0:2,61:63 --size 1000x860
-    click 'Range of what is shown'
-    has '--range=-120,-6 '
-    quit
-    ;;
-
-  typelist) # has a line for each type: its colour, name and radius are chosen there
-    {
-      printf 'ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n56\nITEM: BOX BOUNDS ff ff ff\n0 8\n0 8\n0 2\n'
-      echo 'ITEM: ATOMS id type x y z'
-      for i in $(seq 0 55); do echo "$i $((1 + i % 14)) $((i % 8)) $((i / 8)) 0"; done
-    } >many.dump
-    open many.dump --color-by type --size 1000x860 --view +z
-    picture start.png
-    write 'type 2 name' wall
-    has '--type-names=2=wall '
-    picture named.png
-    differ start.png named.png
-    write 'type 14 radius' 0.9
-    has '--type-radius=1=0\.[0-9]*,.*14=0.9 '
-    picture large.png
-    differ named.png large.png
-    write 'type 14 radius' 0
-    has_no '--type-radius'
-    picture small.png
-    alike named.png small.png
-    click 'type 3 colour'
-    sleep 0.5
-    read -r x y < <(place 'type 3 colour')
-    xdotool mousemove $((x + 40)) $((y + 60)) mousedown 1 mousemove $((x + 60)) $((y + 70)) sleep 0.3 mouseup 1
-    press Escape
-    settled
-    has "'--type-colors=3=#[0-9a-f]{6}' "
-    picture painted.png
-    differ named.png painted.png
-    press Control+s
-    for _ in $(seq 100); do ls ./*.json >/dev/null 2>&1 && break; sleep 0.05; done
-    grep -A 3 '"type-colors"' ./*.json | grep -q '3=#' || fail "the session has no colour of the type"
-    click 'Usual colours'
-    has_no '--type-colors'
-    picture usual.png
-    alike named.png usual.png
-    press Control+z
-    quit
-    ;;
-
-  inverts) # turn ranges, expressions and ids round
-    open "$copper" --size 1000x900 --where 'c_pe > -3.4'
-    total=24480
-    shown_now() { awk '/ of 24,480 particles shown/ && NF > 6 { gsub(",", "", $1); print $1; exit }' "$MOTE_CONTROLS"; }
-    shown 'Invert expression'
-    settled
-    some=$(shown_now)
-    click 'Invert expression'
-    has "'--where=!\(c_pe > -3.4\)'"
-    [ $((some + $(shown_now))) = $total ] || fail "$some and $(shown_now) are not all"
-    click 'Invert expression'
-    has "'--where=c_pe > -3.4'"
-    click where 0.9
-    shown 'active where'
-    xdotool key --window 0 --delay 50 ctrl+a BackSpace Return
-    gone 'active where'
-    has_no '--where'
-    click show
-    click c_centro
-    drag histogram 0.0 0.3
-    drag histogram 0.99 0.8
-    settled
-    some=$(shown_now)
-    picture inside.png
-    click 'invert c_centro'
-    has '--show=c_centro=:[0-9.]*,[0-9.]*: '
-    [ $((some + $(shown_now))) = $total ] || fail "$some and $(shown_now) are not all"
-    picture outside.png
-    differ inside.png outside.png
-    drag histogram 0.3 0.4 # the edge of what is hidden
-    [ $((some + $(shown_now))) -gt $total ] || fail "$some and $(shown_now) are no more"
-    press Control+z
-    click 'invert c_centro'
-    settled
-    [ "$(shown_now)" = "$some" ] || fail "$(shown_now) are shown, not $some again"
-    picture again.png
-    alike inside.png again.png
-    click 'show all'
-    click show
-    click z
-    drag histogram 0.0 0.4
-    settled
-    some=$(shown_now)
-    click 'invert z'
-    has "'--where=!\(z >= .* && z <= .*\)'"
-    has_no '--show'
-    [ $((some + $(shown_now))) = $total ] || fail "$some and $(shown_now) are not all"
-    quit
-    ;;
-
-  curve) # of opacities is changed by the keys alone, and as numbers
-    open "$data/swirl.1.vtu" --size 1000x860 --opacity 0%=0,100%=0.8
-    shown opacity
-    picture start.png
-    press Tab
-    go_to opacity
-    press space
-    shown 'active opacity'
-    xdotool key --window 0 --delay 100 Up Up Right Next Down
-    press space
-    gone 'active opacity'
-    has '--opacity=[^, ]*=0.04,[^, ]*=0.78 '
-    press Tab Tab # folded, and back without the keys
-    press Tab Tab
-    click Rising
-    has '--opacity=0%=0,100%=0.8'
-    click 'opacity points'
-    write 'opacity 1 opacity' 0.3
-    has '--opacity=[^, ]*=0.3,[^, ]*=0.8 '
-    click 'Add point'
-    has '--opacity=[^, ]*=0.3,[^, ]*=0.55,[^, ]*=0.8 '
-    click 'forget opacity 2'
-    has '--opacity=[^, ]*=0.3,[^, ]*=0.8 '
-    picture changed.png
-    differ start.png changed.png
     quit
     ;;
 
@@ -518,6 +258,23 @@ case $3 in
     xdotool mousemove 500 200
     at_rest 320 250 320 110 >/dev/null
     [ "$(python3 "$tests/screen.py" 320 250 120 110 red)" = 0 ] || fail "axes in a small view"
+    quit
+    ;;
+
+  enlarged) # a window that was too small for the panel has one when there is room
+    open "$copper" --size 250x160
+    sized tiny.png 250x160
+    xdotool windowsize --sync "$window" 1000 760
+    shown Undo
+    sized large.png 680x760
+    over color-map
+    xdotool windowsize --sync "$window" 250 160
+    sized tiny.png 250x160
+    xdotool windowsize --sync "$window" 900 700
+    sized large.png 580x700
+    click color-map
+    click plasma
+    has '--color-map=plasma'
     quit
     ;;
 
@@ -610,55 +367,6 @@ case $3 in
     click volume
     has_no '--cells=surface'
     shown opacity
-    quit
-    ;;
-
-  volume) # opacities are drawn, dragged, and chosen
-    open "$data/swirl.1.vtu" --size 1000x860
-    picture usual.png
-    click Rising
-    has '--opacity=0%=0,100%=0.8'
-    picture rising.png
-    differ usual.png rising.png
-    height=0.98 drag opacity 0.0 0.1 0.2
-    has_no '--opacity=0%'
-    over opacity 0.6 0.2
-    # However busy the program is: two slow clicks are no double click, and two quick ones are one.
-    before=$(inputs)
-    kill -STOP $process
-    xdotool click --repeat 2 --delay 700 1
-    kill -CONT $process
-    settled $((before + 4))
-    has_no '--opacity=[^, ]*,[^, ]*,'
-    xdotool click --repeat 2 --delay 60 1
-    has '--opacity=[^, ]*,[^, ]*,[^, ]* '
-    click Usual
-    has_no '--opacity'
-    picture again.png
-    alike usual.png again.png
-    quit
-    ;;
-
-  parts) # of a pump: one alone, its colours, its cells, its files
-    open pump:0.002 --color-by pressure --opacity 0%=0.9,100%=0.9 --size 1000x1000
-    section=$("$mote" info pump:0.002:rotor | awk '$2 == "pressure"')
-    click 'data 1' 0.3
-    click 'data 3' 0.3
-    has '--hide-data=1,3'
-    click 'Range of what is shown'
-    read -r low high < <(sed 's/.*\[\(.*\), \(.*\)\].*/\1 \2/' <<<"$section")
-    has "--range=${low:0:4}[.0-9]*,${high:0:4}[.0-9]* " # but for rounding
-    click 'Range of the data'
-    press r
-    xdotool mousemove 700 470 sleep 0.2 click 1
-    shown 'picked list'
-    shown 'Hide picked'
-    press ctrl+e
-    for _ in $(seq 100); do
-      [ -s pump-0.002-001-picked.csv ] && break
-      sleep 0.1
-    done
-    grep -q '^cell,of,.*pressure' pump-0.002-001-picked.csv || fail "no pressure of the cell"
     quit
     ;;
 

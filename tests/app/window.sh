@@ -52,127 +52,6 @@ case $3 in
     quit
     ;;
 
-  status) # the line fits into the view, however narrow
-    for width in 400 408 415 421 428; do # one of them would cut a letter
-      open "$data/hopper.dump.gz" --size ${width}x300 --samples 1
-      picture drawn.png
-      read -r x y < <(xdotool getwindowgeometry "$window" | sed -n 's/.*Position: \([0-9]*\),\([0-9]*\).*/\1 \2/p')
-      # colours X WIDTH: how many there are in the line; without a text one for each of 24 rows.
-      colours() { python3 "$tests/screen.py" $((x + $1)) $((y + 274)) "$2" 24 | cut -d ' ' -f 2; }
-      [ "$(colours 4 200)" -gt 40 ] || fail "there is no line: $(colours 4 200) colours"
-      [ "$(colours $((width - 4)) 4)" -le 24 ] || fail "the line goes on: $(colours $((width - 4)) 4) colours at $width"
-      quit
-      rm drawn.png
-    done
-    ;;
-
-  letters) # of the window are as large as the display, or the user, wants; lists of keys scroll
-    # rows WIDTH HEIGHT SCALE: how many rows of pixels the status line has.
-    rows() {
-      open "$data/hopper.dump.gz" --size $1x$2 --samples 1 --view +y --ui-scale $3
-      picture drawn.png
-      rm drawn.png
-      read -r x y < <(xdotool getwindowgeometry "$window" | sed -n 's/.*Position: \([0-9]*\),\([0-9]*\).*/\1 \2/p')
-      high=$(python3 "$tests/screen.py" $((x + 4)) $((y + $2 - 60)) 60 60 lines)
-    }
-    rows 640 400 1
-    small=$high
-    keys() { python3 "$tests/screen.py" "$x" "$y" 640 360; }
-    none=$(keys)
-    # other NAME BEFORE: what is over the view becomes other than BEFORE, within a while.
-    other() {
-      for _ in $(seq 100); do
-        now=$(keys)
-        [ "$now" != "$2" ] && return
-        sleep 0.05
-      done
-      fail "$1 changes nothing"
-    }
-    press h
-    other h "$none"
-    sleep 0.5
-    first=$(keys)
-    letters=$(python3 "$tests/screen.py" $((x + 12)) "$y" 90 44 lines)
-    [ "$letters" -ge 14 ] || fail "the letters of the keys are $letters rows high, in two lines"
-    press Next
-    other 'Page Down' "$first"
-    press Prior
-    sleep 0.5
-    [ "$(keys)" = "$first" ] || fail "Page Up does not come back"
-    xdotool mousemove $((x + 300)) $((y + 200)) click 5
-    other 'the wheel' "$first"
-    press h
-    sleep 0.5
-    camera=$(press k; sleep 0.5; grep -o -- '--camera=[^ ]*' out | tail -1)
-    xdotool click 4
-    sleep 1
-    press k
-    sleep 0.5
-    [ "$(grep -o -- '--camera=[^ ]*' out | tail -1)" != "$camera" ] || fail "the wheel zooms no more"
-    quit
-    rows 900 600 2
-    [ $((10 * high)) -gt $((16 * small)) ] || fail "twice as large a line is $high rows high, not $small"
-    quit
-    ;;
-
-  hover) # the cursor at rest is told what is under it, and nothing beside the data
-    open "$data/hopper.dump.gz" --size 640x400 --samples 1
-    picture sharp.png
-    read -r x y < <(xdotool getwindowgeometry "$window" | sed -n 's/.*Position: \([0-9]*\),\([0-9]*\).*/\1 \2/p')
-    tip() { python3 "$tests/screen.py" "$x" "$y" 640 380; } # but the status line
-    xdotool mousemove $((x + 20)) $((y + 60))
-    press Escape # the greeting goes
-    none=$(at_rest "$x" "$y" 640 380)
-    xdotool mousemove $((x + 320)) $((y + 210))
-    until_is() {
-      for _ in $(seq 100); do
-        now=$(tip)
-        [ "$1" = other ] && [ "$now" != "$none" ] && return
-        [ "$1" = same ] && [ "$now" = "$none" ] && return
-        sleep 0.05
-      done
-      fail "$2"
-    }
-    until_is other "nothing is told of a particle"
-    first=$now
-    picture saved.png
-    alike sharp.png saved.png
-    xdotool mousemove $((x + 300)) $((y + 250))
-    for _ in $(seq 100); do
-      until_is other "nothing is told of another particle"
-      [ "$now" != "$first" ] && break
-      sleep 0.05
-    done
-    [ "$now" != "$first" ] || fail "the same is told of another place"
-    xdotool mousemove $((x + 20)) $((y + 60))
-    until_is same "what was told stays"
-    sleep 1 # longer than it takes to be told
-    until_is same "something is told of nothing"
-    xdotool mousemove $((x + 320)) $((y + 210))
-    until_is other "nothing is told any more"
-    xdotool mousemove $((x + 800)) $((y + 500)) # out of the window
-    until_is same "what was told stays when the cursor has left"
-    quit
-    # What is told is whole in a narrow view, and lies over the legend.
-    open "$data/hopper.dump.gz" --size 400x400 --samples 1 --color-by v
-    picture sharp.png
-    read -r x y < <(xdotool getwindowgeometry "$window" | sed -n 's/.*Position: \([0-9]*\),\([0-9]*\).*/\1 \2/p')
-    xdotool mousemove $((x + 20)) $((y + 60))
-    press Escape
-    none=$(at_rest $((x + 397)) "$y" 3 380)
-    tip() { python3 "$tests/screen.py" $((x + 320)) "$y" 60 380; }
-    legend=$(tip)
-    xdotool mousemove $((x + 195)) $((y + 210))
-    for _ in $(seq 100); do
-      [ "$(tip)" = "$legend" ] || break
-      sleep 0.05
-    done
-    [ "$(tip)" != "$legend" ] || fail "nothing is told over the legend"
-    tip() { python3 "$tests/screen.py" $((x + 397)) "$y" 3 380; }
-    [ "$(tip)" = "$none" ] || fail "what is told goes on beyond the view"
-    quit
-    ;;
-
   undo) # settings and views, back and forth
     open "$copper" --size 320x240
     picture start.png
@@ -279,7 +158,13 @@ case $3 in
     tetrahedron
     viewed l -- tetrahedron.ply --color-by z
     viewed m -- "$data/swirl.1.vtu" --cells surface --color-by U
-    [ $views = 14 ] || fail "$views views"
+    # Cells that limits hide, and data sets side by side.
+    viewed m -- "$data/swirl.1.vtu" --color-by p --show x=:0.005 --show U=0.01: --hide-ids 5:400
+    viewed -- "$data/swirl.1.vtu" --cells surface --color-by U --show x=:0.005 --where 'U.magnitude > 0.01'
+    viewed -- tetrahedron.ply --color-by z --hide-ids 2
+    viewed -- "$data/swirl.1.vtu" "$copper" tetrahedron.ply --side-by-side --color-by z
+    viewed -- "$copper" --percentiles 2 98
+    [ $views = 19 ] || fail "$views views"
     ;;
 
   mouse)

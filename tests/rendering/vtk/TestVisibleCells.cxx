@@ -3,6 +3,7 @@
 #include "VolumeTestSupport.h"
 
 #include <CellSelection.h>
+#include <vtkMoteCellSelection.h>
 
 #include "vtkCellData.h"
 #include "vtkCellTypeSource.h"
@@ -221,6 +222,26 @@ TEST(VisibleCells, AreThoseWhoseMeansLieInAllRanges)
   EXPECT_GT(count, 10);
   EXPECT_LT(count, cells / 2);
   EXPECT_THROW(selection.limit(f, 0, true, {{0.0, 1.0}}), std::exception);
+
+  // The class of VTK's for it does the same.
+  vtkNew<vtkMoteCellSelection> wrapped;
+  wrapped->SetDataSet(grid);
+  EXPECT_EQ(wrapped->GetVisibleCells(), nullptr);
+  wrapped->AddInterval(-0.7, 0.1);
+  wrapped->AddInterval(0.3, 2.0);
+  EXPECT_TRUE(wrapped->Limit("f", 0, false));
+  wrapped->AddInterval(-10.0, 10.0);
+  EXPECT_TRUE(wrapped->Limit("c", 0, true));
+  wrapped->AddInterval(-0.5, 0.7);
+  EXPECT_TRUE(wrapped->LimitPlace(1));
+  EXPECT_EQ(wrapped->GetNumberOfVisibleCells(), selection.numberVisible());
+  for (vtkIdType cell = 0; cell < cells; ++cell)
+    EXPECT_EQ(wrapped->GetVisibleCells()->GetValue(cell), selection.isVisible()->GetValue(cell));
+  wrapped->GlobalWarningDisplayOff();
+  EXPECT_FALSE(wrapped->Limit("none", 0, true));
+  EXPECT_FALSE(wrapped->Limit("c", 3, true));
+  EXPECT_FALSE(wrapped->LimitPlace(3));
+  wrapped->GlobalWarningDisplayOn();
 }
 
 TEST(VisibleCells, ThoseInARectangleAreFoundAtEveryPixel)
