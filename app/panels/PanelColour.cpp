@@ -212,8 +212,8 @@ void Panel::drawRangeOfMost()
     next_.color.range.clear();
     next_.color.percentiles = most;
   }
-  explainKey("Colours leave out a hundredth of the values at both ends, which have the colours of "
-             "the ends; the legend says so\n--percentiles 1 99");
+  explainKey("Colours go from the 1st to the 99th percentile of the values. Those beyond have the "
+             "colours of the ends, and the legend says so\n--percentiles 1 99");
   double range[2];
   if (!next_.color.range.empty() || !stage_.coloring().rangeOfMost(stage_.parts(), range))
     return;
