@@ -35,7 +35,7 @@ case $3 in
     ;;
 
   rows) # every row of the table has a control, or is among the few that need none
-    open "$copper" --size 1000x860
+    open "$copper" --size 1000x980
     shown 'group Picture'
     "$mote" help --format markdown >settings.md
     for group in Radius Light Silhouettes Camera Picture Structure; do
@@ -130,6 +130,7 @@ case $3 in
     has '--step=7'
     picture start.png # ranges of colours have widened
     click 'group Selection' 0.8 # which leaves room for the rest
+    click 'group Colour' 0.8
     click 'group Picture' 0.8
     write title momcp
     has '--title=momcp'
