@@ -25,7 +25,23 @@ namespace mote::bench
 namespace
 {
 
-constexpr const char *byError = "by-error", *depthFirst = "depth-first";
+using Order = RlodTreeFileContents::Order;
+
+struct OrderEntry
+{
+  const char* name;
+  const char* summary;
+  Order order;
+};
+
+constexpr OrderEntry orders[] = {
+  {"by-error", "nodes that err by more first, as files have them; not for FILE.mote",
+    Order::ByError},
+  {"depth-first", "nodes as the tree has them; not for FILE.mote", Order::DepthFirst},
+  {"by-area", "nodes with a larger surface first, in steps of two; not for FILE.mote",
+    Order::ByArea},
+  {"blocks", "blocks of a page with the likeliest nodes by surface; not for FILE.mote",
+    Order::Blocks}};
 
 using Pages = std::map<std::string, std::int64_t>; ///< of each part of the file
 
@@ -72,7 +88,7 @@ Pages residentPages(const RlodTreeFile& file)
 class ScratchFile
 {
 public:
-  ScratchFile(const TriangleInput& input, RlodTreeFileContents::Order order)
+  ScratchFile(const TriangleInput& input, Order order)
     : name_("mesh-file-" + std::to_string(::getpid()) + "-" +
             std::to_string(static_cast<int>(order)) + ".mote")
   {
@@ -173,14 +189,12 @@ public:
       return;
     }
     const TriangleInput input = makeTriangleInput(options.input);
-    using Order = RlodTreeFileContents::Order;
-    for (const auto& [name, order] :
-      {std::pair(byError, Order::ByError), {depthFirst, Order::DepthFirst}})
+    for (const OrderEntry& entry : orders)
       if (options.methods.empty() ||
-          std::count(options.methods.begin(), options.methods.end(), name) > 0)
+          std::count(options.methods.begin(), options.methods.end(), entry.name) > 0)
       {
-        written_.push_back(std::make_unique<ScratchFile>(input, order));
-        names_.emplace_back(name, written_.back()->name());
+        written_.push_back(std::make_unique<ScratchFile>(input, entry.order));
+        names_.emplace_back(entry.name, written_.back()->name());
       }
   }
 
@@ -245,8 +259,8 @@ Suite meshFileSuite()
   suite.summary = "opening and drawing a .mote file of triangles that is not in memory";
   suite.inputs = triangleInputs();
   suite.inputs.emplace_back("FILE.mote", "a file of triangles as it is; mote convert writes them");
-  suite.methods = {{byError, "nodes that err by more first, as files have them; not for FILE.mote"},
-    {depthFirst, "nodes as the tree has them; not for FILE.mote"}};
+  for (const OrderEntry& entry : orders)
+    suite.methods.emplace_back(entry.name, entry.summary);
   for (const View& view : triangleViews())
     suite.views.emplace_back(view.name, view.summary);
   suite.lods = true;

@@ -184,7 +184,7 @@ bool ParticleModel::makeLods()
 {
   auto* const tree = structure_ && !preview_ ? std::get_if<PkdTree>(structure_.get()) : nullptr;
   if (tree)
-    tree->makeLods();
+    tree->makeLods(space);
   return tree != nullptr;
 }
 

@@ -60,6 +60,7 @@ bool vtkMoteParticleFileWriter::WriteFile()
   if (this->Mapper->GetAbortExecute())
     return false;
   vtkPointSet* input = this->Mapper->GetInput();
+  this->Mapper->GetModel().makeLods();
   const std::shared_ptr<const mote::PkdTree> tree = this->Mapper->GetModel().tree();
   if (!input || !tree)
     throw mote::Error("there are no particles to write.");
@@ -78,6 +79,7 @@ bool vtkMoteParticleFileWriter::WriteFile()
   // What lies in files because memory is short is not read here and there.
   if (const auto space = this->Mapper->GetScratchSpace(); space && space->usesFiles())
     contents.workBytes = std::max<std::size_t>(space->budget() / 3, 1);
+  contents.space = this->Mapper->GetScratchSpace();
   return mote::writePkdTreeFile(this->FileName, *tree, contents, this->ProgressOfWrite());
 }
 

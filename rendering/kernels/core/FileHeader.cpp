@@ -81,6 +81,7 @@ public:
     left_ -= length;
     return text;
   }
+  std::size_t left() const { return left_; }
   void need(std::size_t size) const
   {
     if (size > left_)
@@ -169,7 +170,7 @@ std::vector<unsigned char> packHeaderBlock(
 {
   std::vector<unsigned char> block;
   append(block, header, headerBytes);
-  for (const FileTableRow& row : table)
+  for (const FileTableRow& row : table.rows)
   {
     append(block, &row.entry, sizeof(row.entry));
     for (const FileArray::Range& range : row.array.ranges)
@@ -177,6 +178,12 @@ std::vector<unsigned char> packHeaderBlock(
     append(block, row.array.name);
     for (const std::string& component : row.array.components)
       append(block, component);
+  }
+  // Where there are none, there are zeros, or nothing.
+  if (const std::uint64_t count = table.more.size(); count > 0)
+  {
+    append(block, &count, sizeof(count));
+    append(block, table.more.data(), count * sizeof(FileSection));
   }
   block.resize(padded(block.size()));
   FileBeginning beginning;
@@ -227,15 +234,21 @@ FileTable takeTable(const std::string& name, const FileKind& kind, const unsigne
   if (arrays > headerBytes / sizeof(FileEntry))
     failDamaged(name, "its table of arrays ends too early");
   for (std::uint64_t k = 0; k < arrays; ++k)
-    table.push_back(takeRow(name, kind.roles, cursor));
+    table.rows.push_back(takeRow(name, kind.roles, cursor));
+  const auto count = cursor.left() < sizeof(std::uint64_t) ? 0 : cursor.take<std::uint64_t>();
+  if (count > cursor.left() / sizeof(FileSection))
+    failDamaged(name, "its table of arrays ends too early");
+  for (std::uint64_t k = 0; k < count; ++k)
+    table.more.push_back(cursor.take<FileSection>());
   return table;
 }
 
 void checkSections(const std::string& name, const FileBeginning& header,
   std::vector<FileSection> sections, const FileTable& table)
 {
-  for (const FileTableRow& row : table)
+  for (const FileTableRow& row : table.rows)
     sections.push_back(row.entry.section);
+  sections.insert(sections.end(), table.more.begin(), table.more.end());
   std::erase_if(sections, [](const FileSection& s) { return s.bytes == 0; });
   std::sort(sections.begin(), sections.end(),
     [](const FileSection& a, const FileSection& b) { return a.offset < b.offset; });

@@ -4,6 +4,7 @@
 #include "../core/Progress.h"
 #include "../core/RayBundle.h"
 #include "../core/RayPacket.h"
+#include "../core/StoredMeans.h"
 #include "../core/WeightedSum.h"
 #include "TriangleMesh.h"
 
@@ -150,6 +151,9 @@ public:
   /// lodPlace(). What is not finite does not count; NaN where nothing else is there. In parallel
   /// and linear time.
   std::vector<float> lodMeans(int components, const TriangleValues& valuesOf) const;
+  /// The same of one component of an array of the file that the tree lies in, from the file; empty
+  /// where it holds none. Triangles have the means of their corners' values.
+  ArrayView storedMeans(const ArrayView& values, int component) const;
 
   /// The triangle's index in the input.
   std::uint64_t inputIndex(std::uint64_t slot) const;

@@ -97,12 +97,40 @@ RlodTreeFile::RlodTreeFile(const std::string& name, MappedFile::Paging paging)
   file_->fetch(h.nodes.offset, h.nodes.bytes);
   this->takeTable(h, table);
   this->takeTree(h);
+  this->takeMeans(table);
+}
+
+/// Takes the means of arrays over what R-LODs stand for, where there are any.
+void RlodTreeFile::takeMeans(const FileTable& table)
+{
+  if (table.more.empty())
+    return;
+  if (table.more.size() != table.rows.size())
+    failDamaged(file_->name(), "its mean values are not those of its arrays");
+  const std::size_t places = tree_->nodeCount() * RlodTree::trianglesPerCluster;
+  const auto means = std::make_shared<StoredMeans>();
+  for (std::size_t k = 0; k < table.rows.size(); ++k)
+  {
+    const FileEntry& e = table.rows[k].entry;
+    const FileSection& section = table.more[k];
+    if (section.bytes == 0)
+      continue;
+    const auto type = static_cast<ArrayView::Type>(e.type);
+    const auto components = static_cast<int>(e.components);
+    if (e.role == Header::ofWhole ||
+        section.bytes != StoredMeans::rowsOf(type, components) * places * sizeof(float))
+      failDamaged(file_->name(), "its mean values have not the size that its tree asks for");
+    means->add(ArrayView(file_->data() + e.section.offset, type, e.tuples, components),
+      reinterpret_cast<const float*>(file_->data() + section.offset), places);
+    parts_.push_back({"means", section.offset, section.bytes});
+  }
+  tree_->arrays_->means = means;
 }
 
 void RlodTreeFile::takeTable(const Header& h, FileTable& table)
 {
   const std::string& name = file_->name();
-  for (FileTableRow& row : table)
+  for (FileTableRow& row : table.rows)
   {
     const FileEntry& e = row.entry;
     if ((e.role == Header::ofPoints && e.tuples != h.points) ||
@@ -176,6 +204,7 @@ std::shared_ptr<RlodTree> RlodTreeFile::tree() const
   tree->arrays_->planes = tree_->arrays_->planes;
   tree->arrays_->words = tree_->arrays_->words;
   tree->arrays_->levels = tree_->arrays_->levels;
+  tree->arrays_->means = tree_->arrays_->means;
   return tree;
 }
 

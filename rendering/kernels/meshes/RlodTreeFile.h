@@ -14,7 +14,7 @@
 namespace mote
 {
 
-struct FileTableRow;
+struct FileTable;
 struct RlodTreeFileHeader;
 
 /// What a file of triangles holds besides their tree.
@@ -41,8 +41,11 @@ struct RlodTreeFileContents
   /// How nodes stand in the file.
   enum class Order
   {
-    ByError,   ///< those that err by more first: so few pages hold what pictures read that may err
-    DepthFirst ///< as the tree has them, for comparison
+    ByError, ///< those that err by more first: so few pages hold what pictures read that may err
+    // For comparison:
+    DepthFirst, ///< as the tree has them
+    ByArea,     ///< those whose boxes have more surface first: rays are likelier to meet them
+    Blocks      ///< blocks of a page, each with the likeliest nodes below those it begins with
   };
   Order order = Order::ByError;
 };
@@ -112,7 +115,8 @@ public:
 
 private:
   void takeTree(const RlodTreeFileHeader& header);
-  void takeTable(const RlodTreeFileHeader& header, std::vector<FileTableRow>& table);
+  void takeTable(const RlodTreeFileHeader& header, FileTable& table);
+  void takeMeans(const FileTable& table);
 
   std::shared_ptr<const MappedFile> file_;
   std::shared_ptr<const RlodTree> tree_;

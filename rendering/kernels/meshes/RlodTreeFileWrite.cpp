@@ -76,13 +76,15 @@ public:
     std::uint64_t total = h_.triangles * 16 + h_.points * 3 * h_.placeBytes +
                           a_.nodes.size() * (h_.nodeBytes + h_.wordsBytes + h_.planesBytes) +
                           a_.clusters.size() * h_.clusterBytes;
-    for (const FileTableRow& row : table_)
+    for (const FileTableRow& row : table_.rows)
       total += row.entry.section.bytes;
+    for (const FileSection& section : table_.more)
+      total += section.bytes;
     file_.begin(packHeader(h_, table_), total);
     if (!this->writeTree() || !this->writeMesh())
       return false;
-    for (FileTableRow& row : table_)
-      if (!this->writeArray(row))
+    for (std::size_t k = 0; k < table_.rows.size(); ++k)
+      if (!this->writeArray(table_.rows[k]) || !this->writeMeans(table_.rows[k], table_.more[k]))
         return false;
     h_.fileBytes = file_.place();
     file_.end(packHeader(h_, table_));
@@ -112,7 +114,7 @@ private:
   void planTable()
   {
     const auto add = [&](const NamedArray& array, std::uint32_t role, std::uint64_t tuples)
-    { table_.push_back(rowFor(array, role, tuples)); };
+    { table_.rows.push_back(rowFor(array, role, tuples)); };
     const auto addIndices = [&](const std::string& name, std::uint32_t role, std::uint64_t tuples)
     {
       if (!name.empty())
@@ -122,7 +124,7 @@ private:
     {
       add(array, Header::ofPoints, points_.size());
       if (array.name == contents_.normals)
-        h_.normals = static_cast<std::uint32_t>(table_.size());
+        h_.normals = static_cast<std::uint32_t>(table_.rows.size());
     }
     addIndices(contents_.pointIndices, Header::ofPoints, points_.size());
     for (const NamedArray& array : contents_.cells)
@@ -131,6 +133,55 @@ private:
     for (const NamedArray& array : contents_.facts)
       if (bytesOf(array.values.type()) > 0)
         add(array, Header::ofWhole, array.values.count());
+    for (const FileTableRow& row : table_.rows)
+      table_.more.push_back({0, meanRowsOf(row) * this->places() * sizeof(float)});
+  }
+
+  std::size_t places() const { return a_.nodes.size() * RlodTree::trianglesPerCluster; }
+
+  /// Rows of means of an array; indices and normals have none.
+  std::size_t meanRowsOf(const FileTableRow& row) const
+  {
+    const ArrayView& values = row.array.values;
+    const bool colours =
+      row.entry.role != Header::ofWhole && values.data() != nullptr &&
+      !(row.entry.role == Header::ofPoints && row.array.name == contents_.normals);
+    return colours ? StoredMeans::rowsOf(values.type(), values.components()) : 0;
+  }
+
+  /// Writes means of an array over what R-LODs stand for.
+  bool writeMeans(const FileTableRow& row, FileSection& section)
+  {
+    if (section.bytes == 0)
+      return true;
+    section = file_.section(section.bytes);
+    const ArrayView& values = row.array.values;
+    for (std::size_t k = 0; k < meanRowsOf(row); ++k)
+    {
+      const int component = StoredMeans::componentOf(k, values.components());
+      const auto ofCells = [&](std::uint64_t triangle, double* value)
+      {
+        const ArrayView& cell = contents_.cellOf;
+        *value = values.value(
+          cell.empty() ? triangle : static_cast<std::size_t>(cell.value(triangle)), component);
+      };
+      const auto ofPoints = [&](std::uint64_t triangle, double* value)
+      {
+        const MeshCorners::Corners& points = mesh_.triangles()[triangle];
+        *value = (values.value(points[0], component) + values.value(points[1], component) +
+                   values.value(points[2], component)) /
+                 3.0;
+      };
+      const std::vector<float> means = row.entry.role == Header::ofPoints
+                                         ? tree_.lodMeans(1, ofPoints)
+                                         : tree_.lodMeans(1, ofCells);
+      using OfNode = std::array<float, RlodTree::trianglesPerCluster>;
+      const auto* ofNodes = reinterpret_cast<const OfNode*>(means.data());
+      if (!this->putPieces<OfNode>(
+            a_.nodes.size(), [&](std::size_t i) { return ofNodes[layout_.nodes[i]]; }))
+        return false;
+    }
+    return true;
   }
 
   void planHeader()
@@ -164,6 +215,12 @@ private:
   bool writePieces(FileSection& section, std::size_t count, const Fill& fill)
   {
     section = file_.section(count * sizeof(Value));
+    return this->putPieces<Value>(count, fill);
+  }
+
+  template <typename Value, typename Fill>
+  bool putPieces(std::size_t count, const Fill& fill)
+  {
     RawVector<Value> piece;
     for (std::size_t first = 0; first < count; first += aPiece)
     {

@@ -32,6 +32,11 @@ double areaOf(const TriangleCluster& cluster, int triangle)
 
 } // namespace
 
+ArrayView RlodTree::storedMeans(const ArrayView& values, int component) const
+{
+  return arrays_->means ? arrays_->means->find(values, component) : ArrayView();
+}
+
 std::vector<float> RlodTree::lodMeans(int components, const TriangleValues& valuesOf) const
 {
   const RlodTreeArrays& a = *arrays_;

@@ -160,6 +160,7 @@ void RlodTree::takeLodsOfWhole()
   arrays_->planes.view(from.planes.data(), from.planes.size(), whole_);
   arrays_->words.view(from.words.data(), from.words.size(), whole_);
   arrays_->levels = from.levels;
+  arrays_->means = from.means;
 }
 
 } // namespace mote

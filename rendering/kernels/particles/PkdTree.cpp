@@ -72,7 +72,7 @@ std::size_t PkdTree::bytes() const
   const auto bytesOf = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return nodes_.bytes() + rows_.bytes() + bytesOf(levels_) + bytesOf(values_) + bytesOf(visible_) +
          bytesOf(shown_) + bytesOf(nodeShown_) + bytesOf(valueBounds_) + bytesOf(nodeWhole_) +
-         bytesOf(lods_) +
+         lods_.bytes() +
          (sparse_ ? bytesOf(sparse_->levels) + bytesOf(sparse_->nodes) + bytesOf(sparse_->rows) +
                       bytesOf(sparse_->slots)
                   : 0);
@@ -92,6 +92,7 @@ void PkdTree::clear()
   nodeShown_.clear();
   nodeWhole_.clear();
   lods_.clear();
+  storedMeans_.reset();
   valueBounds_.clear();
   sparse_.reset();
 }

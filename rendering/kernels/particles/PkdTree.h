@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../core/StoredArray.h"
+#include "../core/StoredMeans.h"
 #include "../core/WeightedSum.h"
 #include "IsParticleStructure.h"
 #include "StoredParticles.h"
@@ -95,9 +96,9 @@ public:
   /// The larger a bucket looks, the larger.
   int bundleSide(const CameraRays& rays, int x0, int y0, int size, double poe = 0.0) const;
 
-  /// Makes levels of detail: 64 bytes a node, 0.27 a particle. Reads all particles, in parallel. A
-  /// tree that has them is neither read nor changed.
-  void makeLods();
+  /// Makes levels of detail: 64 bytes a node, 0.27 a particle, in the space, or where it is null on
+  /// the heap. Reads all particles, in parallel. A tree that has them is neither read nor changed.
+  void makeLods(const std::shared_ptr<ScratchSpace>& space = nullptr);
   void dropLods();
   bool hasLods() const { return !lods_.empty(); }
 
@@ -135,6 +136,12 @@ public:
   /// Means of them over the particles of each, weighted by the squares of radii: `components`
   /// numbers at lodPlace(). What is not finite does not count; NaN where nothing else is there.
   std::vector<float> lodMeans(int components, const ParticleValues& valuesOf) const;
+  /// The same of one component of an array of the file that the tree lies in, from the file; empty
+  /// where it holds none.
+  ArrayView storedMeans(const ArrayView& values, int component) const
+  {
+    return storedMeans_ ? storedMeans_->find(values, component) : ArrayView();
+  }
 
   /// Takes 16 bytes a particle, and 0.2 for the least and greatest values below every node.
   void setAttributes(const std::vector<ParticleAttribute>& attributes);
@@ -170,7 +177,7 @@ private:
   template <typename Tree>
   friend struct KdBuilder;
   friend struct PkdTreeQuery;
-  friend struct PkdTreeLodsMaker;
+  friend class PkdTreeMeans;
   friend struct PkdTreeView;
   friend class PkdTreeFile;
   friend class PkdTreeFileWriter;
@@ -352,8 +359,9 @@ private:
   RawVector<Bits> shown_;              ///< a bucket each, of what ranges leave; or empty
   RawVector<Bits> nodeShown_;          ///< children of each node that hold anything shown; or empty
   RawVector<Bits> nodeWhole_;          ///< those with nothing hidden, where lods_ ask; or empty
-  RawVector<Lods> lods_;               ///< of each node, or empty
+  StoredArray<Lods> lods_;             ///< of each node, or empty
   RawVector<ValueBounds> valueBounds_; ///< of each node, once a range asks for them
+  std::shared_ptr<const StoredMeans> storedMeans_;
   std::shared_ptr<const Sparse> sparse_; ///< what rays meet instead, where little is shown
 };
 

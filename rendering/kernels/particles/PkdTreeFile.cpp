@@ -111,7 +111,7 @@ PkdTreeFile::PkdTreeFile(const std::string& name)
   if (h.levels != tree_.levels_.size() || h.nodes.bytes != nodes * sizeof(PkdTree::Node) ||
       h.rows.bytes != tree_.buckets() * h.rowsABucket * sizeof(PkdTree::Row))
     failDamaged(name, "its tree has not the size that its particles ask for");
-  for (FileTableRow& row : table)
+  for (FileTableRow& row : table.rows)
   {
     const FileEntry& e = row.entry;
     const bool ofParticles = e.role == Header::ofParticles;
@@ -142,6 +142,43 @@ PkdTreeFile::PkdTreeFile(const std::string& name)
   tree_.rows_.view(reinterpret_cast<const PkdTree::Row*>(file_->data() + h.rows.offset),
     tree_.buckets() * h.rowsABucket, file_);
   this->checkEnds(name);
+  this->takeLods(table);
+}
+
+/// Takes boxes that stand for particles, and means of arrays over these, where there are any.
+void PkdTreeFile::takeLods(const FileTable& table)
+{
+  if (table.more.empty())
+    return;
+  if (table.more.size() != 1 + table.rows.size())
+    failDamaged(file_->name(), "its levels of detail are not those of its arrays");
+  const std::size_t nodes = tree_.nodes_.size(), places = nodes * PkdTree::fanout;
+  const auto check = [&](const FileSection& section, std::size_t bytes)
+  {
+    if (section.bytes != 0 && section.bytes != bytes)
+      failDamaged(file_->name(), "its levels of detail have not the size that its tree asks for");
+    return section.bytes != 0;
+  };
+  const FileSection& boxes = table.more.front();
+  if (check(boxes, nodes * sizeof(PkdTree::Lods)))
+    tree_.lods_.view(
+      reinterpret_cast<const PkdTree::Lods*>(file_->data() + boxes.offset), nodes, file_);
+  const auto means = std::make_shared<StoredMeans>();
+  std::size_t array = 0;
+  for (std::size_t k = 0; k < table.rows.size(); ++k)
+  {
+    const FileEntry& e = table.rows[k].entry;
+    const bool ofParticles = e.role == Header::ofParticles;
+    const std::size_t rows = ofParticles ? StoredMeans::rowsOf(static_cast<ArrayView::Type>(e.type),
+                                             static_cast<int>(e.components))
+                                         : 0;
+    const FileSection& section = table.more[1 + k];
+    if (check(section, rows * places * sizeof(float)))
+      means->add(arrays_[array].values,
+        reinterpret_cast<const float*>(file_->data() + section.offset), places);
+    array += ofParticles;
+  }
+  tree_.storedMeans_ = means;
 }
 
 void PkdTreeFile::checkEnds(const std::string& name) const

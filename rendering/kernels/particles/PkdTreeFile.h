@@ -14,7 +14,9 @@
 namespace mote
 {
 
+struct FileTable;
 class MappedFile;
+class ScratchSpace;
 
 /// What a file of particles holds besides their places.
 struct PkdTreeFileContents
@@ -30,13 +32,16 @@ struct PkdTreeFileContents
   /// Bytes of memory to work in for arrays that lie in a file and are better read from their begin
   /// to their end, some times over; 0 for arrays in memory, which are read here and there.
   std::size_t workBytes = 0;
+  /// Where means lie until they are written; null for the heap.
+  std::shared_ptr<ScratchSpace> space;
 };
 
 /// Writes a tree and what belongs to it as a file (docs/mote-file.md) that PkdTreeFile opens. The
 /// file appears under its name complete or not at all; false where `progress` stopped it.
 ///
 /// The file's particles stand in the order of the tree, of coincident ones the first of the input
-/// first. Visibility and ranges are not written. Throws WriteError where the file cannot be
+/// first. Levels of detail are written where the tree has them, with means of the arrays;
+/// visibility and ranges are not. Throws WriteError where the file cannot be
 /// written, and Error where an array has not one tuple a particle of the input, has two arrays' or
 /// no name, or where there are arrays and the tree keeps no indices.
 bool writePkdTreeFile(const std::string& name, const PkdTree& tree,
@@ -77,6 +82,7 @@ public:
   static bool recognises(std::string_view beginning);
 
 private:
+  void takeLods(const FileTable& table);
   void checkEnds(const std::string& name) const;
 
   std::shared_ptr<const MappedFile> file_;

@@ -2,16 +2,20 @@
 // second copy of anything is made.
 
 #include "../core/Error.h"
+#include "../core/ScratchSpace.h"
 #include "../core/detail/FileWriter.h"
 #include "PkdTreeFile.h"
 #include "detail/PkdTreeFileFormat.h"
+#include "detail/PkdTreeMeans.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <numeric>
 
 namespace mote
@@ -55,8 +59,8 @@ public:
     file_.begin(packHeader(header_, table_), total_);
     if (!this->writeTree())
       return false;
-    for (FileTableRow& row : table_)
-      if (!this->writeArray(row))
+    for (std::size_t k = 0; k < table_.rows.size(); ++k)
+      if (!this->writeArray(table_.rows[k], table_.more.empty() ? nullptr : &table_.more[1 + k]))
         return false;
     header_.fileBytes = file_.place();
     file_.end(packHeader(header_, table_));
@@ -89,7 +93,7 @@ private:
   void planTable()
   {
     const auto add = [&](const NamedArray& array, std::uint32_t role, std::uint64_t tuples)
-    { table_.push_back(rowFor(array, role, tuples)); };
+    { table_.rows.push_back(rowFor(array, role, tuples)); };
     for (const NamedArray& array : contents_.arrays)
       add(array, PkdTreeFileHeader::ofParticles, tree_.count_);
     if (!contents_.indexArray.empty())
@@ -101,6 +105,22 @@ private:
     for (const NamedArray& array : contents_.facts)
       if (bytesOf(array.values.type()) > 0)
         add(array, PkdTreeFileHeader::ofWhole, array.values.count());
+    if (!tree_.hasLods())
+      return;
+    table_.more.push_back({0, tree_.lods_.size() * sizeof(PkdTree::Lods)});
+    for (const FileTableRow& row : table_.rows)
+      table_.more.push_back({0, meanRowsOf(row) * this->places() * sizeof(float)});
+  }
+
+  std::size_t places() const { return tree_.nodes_.size() * PkdTree::fanout; }
+
+  /// Rows of means of an array; indices have none.
+  static std::size_t meanRowsOf(const FileTableRow& row)
+  {
+    const ArrayView& values = row.array.values;
+    return row.entry.role == PkdTreeFileHeader::ofParticles && values.data() != nullptr
+             ? StoredMeans::rowsOf(values.type(), values.components())
+             : 0;
   }
 
   void planHeader()
@@ -133,8 +153,10 @@ private:
       h.bounds[3 + k] = t.statistics_.bounds.upper[k];
     }
     total_ = t.nodes_.size() * sizeof(PkdTree::Node) + t.buckets() * h.rowsABucket * sizeof(Row);
-    for (const FileTableRow& row : table_)
+    for (const FileTableRow& row : table_.rows)
       total_ += row.entry.section.bytes;
+    for (const FileSection& section : table_.more)
+      total_ += section.bytes;
   }
 
   bool writeTree()
@@ -147,20 +169,29 @@ private:
     header_.rows = file_.section(tree_.buckets() * kept * sizeof(Row));
     RawVector<Row> piece;
     return this->byPieces(bucketsAPiece,
-      [&](std::size_t first, std::size_t last)
-      {
-        piece.resize((last - first) * kept);
-        this->forBuckets(first, last,
-          [&](std::size_t bucket, const auto& order)
-          {
-            const Row* from = tree_.bucketOf(bucket * PkdTree::bucketSize);
-            Row* to = &piece[(bucket - first) * kept];
-            for (std::size_t k = 0; k < kept; ++k)
-              for (std::size_t i = 0; i < PkdTree::bucketSize; ++i)
-                to[k].words[i] = from[k].words[order[i]];
-          });
-        return file_.put(piece.data(), piece.size() * sizeof(Row));
-      });
+             [&](std::size_t first, std::size_t last)
+             {
+               piece.resize((last - first) * kept);
+               this->forBuckets(first, last,
+                 [&](std::size_t bucket, const auto& order)
+                 {
+                   const Row* from = tree_.bucketOf(bucket * PkdTree::bucketSize);
+                   Row* to = &piece[(bucket - first) * kept];
+                   for (std::size_t k = 0; k < kept; ++k)
+                     for (std::size_t i = 0; i < PkdTree::bucketSize; ++i)
+                       to[k].words[i] = from[k].words[order[i]];
+                 });
+               return file_.put(piece.data(), piece.size() * sizeof(Row));
+             }) &&
+           (table_.more.empty() || this->writeSection(table_.more.front(), tree_.lods_.data()));
+  }
+
+  bool writeSection(FileSection& section, const void* data)
+  {
+    if (section.bytes == 0)
+      return true;
+    section = file_.section(section.bytes);
+    return file_.put(data, section.bytes);
   }
 
   template <typename Write>
@@ -184,18 +215,86 @@ private:
       });
   }
 
-  bool writeArray(FileTableRow& row)
+  /// Writes an array and, where asked for, its means.
+  bool writeArray(FileTableRow& row, FileSection* meansSection)
   {
     if (row.entry.role == PkdTreeFileHeader::ofWhole)
       return file_.putArray(row);
     row.entry.section = file_.section(row.entry.section.bytes);
     Extremes found(row.array.values.components());
-    const bool complete = this->writeInOrder(row.array.values, found);
+    Means means(*this, meansSection != nullptr ? meanRowsOf(row) : 0);
+    const bool complete = this->writeInOrder(row.array.values, found, means);
     mote::complete(row, found);
-    return complete;
+    if (!complete || meansSection == nullptr)
+      return complete;
+    return this->writeSection(*meansSection, means.finish());
   }
 
-  bool writeInOrder(const ArrayView& values, Extremes& found)
+  /// Means of an array's rows over what boxes stand for, from its values in the file's order.
+  class Means
+  {
+  public:
+    Means(const PkdTreeFileWriter& writer, std::size_t rows)
+      : writer_(writer)
+      , rows_(rows)
+    {
+      const std::size_t places = writer.places(), bytes = rows * places * sizeof(float);
+      const auto& space = writer.contents_.space;
+      means_.resize(rows * places, space && bytes > 0 ? space->allocate(bytes) : nullptr);
+      std::fill_n(means_.own(), means_.size(), std::numeric_limits<float>::quiet_NaN());
+      for (std::size_t first = 0; first < rows; first += WeightedSum::most)
+        parts_.emplace_back(
+          writer.tree_, this->numbersFrom(first), means_.own() + first * places, 1, places);
+    }
+
+    /// Values of some buckets, the first of `values` being the first's.
+    void add(std::size_t first, std::size_t last, const ArrayView& values)
+    {
+      for (std::size_t k = 0; k < parts_.size(); ++k)
+        parts_[k].add(
+          first, last, [&](std::size_t bucket) { return this->sumOf(bucket, first, values, k); });
+    }
+
+    const float* finish()
+    {
+      for (PkdTreeMeans& part : parts_)
+        part.finish();
+      return means_.data();
+    }
+
+  private:
+    int numbersFrom(std::size_t row) const
+    {
+      return static_cast<int>(std::min<std::size_t>(WeightedSum::most, rows_ - row));
+    }
+
+    WeightedSum sumOf(
+      std::size_t bucket, std::size_t first, const ArrayView& values, std::size_t part) const
+    {
+      const std::size_t row = part * WeightedSum::most, count = writer_.countIn(bucket);
+      const auto order = writer_.tree_.ownRadii_ ? writer_.orderIn(bucket, count)
+                                                 : std::array<std::uint8_t, PkdTree::bucketSize>{};
+      const int numbers = this->numbersFrom(row);
+      WeightedSum sum;
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        double numbersOf[WeightedSum::most];
+        for (int c = 0; c < numbers; ++c)
+          numbersOf[c] = values.value((bucket - first) * PkdTree::bucketSize + i,
+            StoredMeans::componentOf(row + static_cast<std::size_t>(c), values.components()));
+        const std::size_t slot = bucket * PkdTree::bucketSize + order[i];
+        sum.add(numbersOf, std::pow(double(writer_.tree_.storedRadius(slot)), 2), numbers);
+      }
+      return sum;
+    }
+
+    const PkdTreeFileWriter& writer_;
+    std::size_t rows_;
+    StoredArray<float> means_;
+    std::vector<PkdTreeMeans> parts_;
+  };
+
+  bool writeInOrder(const ArrayView& values, Extremes& found, Means& means)
   {
     const std::size_t tuple =
       bytesOf(values.type()) * static_cast<std::size_t>(values.components());
@@ -216,7 +315,9 @@ private:
           this->gatherAscending(values, first, last, piece);
         else
           this->gather(values, first, last, piece);
-        found.add(extremesOf(ArrayView(piece.data(), values.type(), count, values.components())));
+        const ArrayView ordered(piece.data(), values.type(), count, values.components());
+        found.add(extremesOf(ordered));
+        means.add(first, last, ordered);
         return file_.put(piece.data(), piece.size());
       });
   }

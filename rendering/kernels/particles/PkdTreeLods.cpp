@@ -2,6 +2,8 @@
 
 #include "PkdTree.h"
 
+#include "../core/ScratchSpace.h"
+#include "detail/PkdTreeMeans.h"
 #include "detail/PkdTreeView.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -30,9 +32,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <cmath>
 #include <limits>
 
@@ -41,18 +40,19 @@ namespace mote
 
 HWY_EXPORT(fillTreeLods);
 
-void PkdTree::makeLods()
+void PkdTree::makeLods(const std::shared_ptr<ScratchSpace>& space)
 {
   if (hasLods() || count_ == 0)
     return;
   const PkdTreeView all(*this, true);
-  RawVector<Lods> made(nodes_.size());
+  StoredArray<Lods> made;
+  made.resize(nodes_.size(), space ? space->allocate(nodes_.size() * sizeof(Lods)) : nullptr);
   for (std::size_t k = 0; k < levels_.size(); ++k)
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, levels_[k].count, 64),
       [&](const tbb::blocked_range<std::size_t>& range)
       {
         HWY_DYNAMIC_DISPATCH(fillTreeLods)
-        (all, static_cast<int>(k), range.begin(), range.end(), made.data());
+        (all, static_cast<int>(k), range.begin(), range.end(), made.own());
       });
   lods_ = std::move(made);
   if (!nodeShown_.empty())
@@ -61,7 +61,7 @@ void PkdTree::makeLods()
 
 void PkdTree::dropLods()
 {
-  RawVector<Lods>().swap(lods_);
+  lods_ = {};
   RawVector<Bits>().swap(nodeWhole_);
 }
 
@@ -111,39 +111,54 @@ std::vector<float> PkdTree::lodMeans(int components, const ParticleValues& value
 {
   const auto each = static_cast<std::size_t>(components);
   std::vector<float> means(nodes_.size() * fanout * each, std::numeric_limits<float>::quiet_NaN());
-  std::vector<WeightedSum> below, own;
-  const auto ofBucket = [&](std::size_t bucket)
-  {
-    WeightedSum sum;
-    std::array<double, mostMeans> values{};
-    for (std::size_t slot = bucket * bucketSize; slot < std::min(count_, (bucket + 1) * bucketSize);
-         ++slot)
+  PkdTreeMeans made(*this, components, means.data(), each, 1);
+  made.add(0, buckets(),
+    [&](std::size_t bucket)
     {
-      valuesOf(inputIndex(slot), values.data());
-      sum.add(values.data(), std::pow(double(storedRadius(slot)), 2), components);
-    }
-    return sum;
-  };
-  for (std::size_t k = 0; k < levels_.size(); ++k, below.swap(own))
-  {
-    own.assign(levels_[k].count, {});
-    const std::size_t children = k == 0 ? buckets() : below.size();
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, own.size(), 64),
-      [&](const tbb::blocked_range<std::size_t>& range)
+      WeightedSum sum;
+      std::array<double, mostMeans> values{};
+      for (std::size_t slot = bucket * bucketSize;
+           slot < std::min(count_, (bucket + 1) * bucketSize); ++slot)
       {
-        for (std::size_t i = range.begin(); i != range.end(); ++i)
-          for (std::size_t c = i * fanout; c < std::min<std::size_t>(children, (i + 1) * fanout);
-               ++c)
-          {
-            const WeightedSum part = k == 0 ? ofBucket(c) : below[c];
-            own[i].add(part);
-            for (int n = 0; n < components; ++n)
-              means[(levels_[k].first * fanout + c) * each + static_cast<std::size_t>(n)] =
-                part.mean(n);
-          }
-      });
-  }
+        valuesOf(inputIndex(slot), values.data());
+        sum.add(values.data(), std::pow(double(storedRadius(slot)), 2), components);
+      }
+      return sum;
+    });
+  made.finish();
   return means;
+}
+
+PkdTreeMeans::PkdTreeMeans(
+  const PkdTree& tree, int numbers, float* means, std::size_t perPlace, std::size_t perNumber)
+  : tree_(tree)
+  , numbers_(numbers)
+  , means_(means)
+  , perPlace_(perPlace)
+  , perNumber_(perNumber)
+  , sums_(tree.levels_.empty() ? 0 : tree.levels_.front().count)
+{
+}
+
+void PkdTreeMeans::put(std::size_t level, std::size_t child, const WeightedSum& sum)
+{
+  const std::size_t place = tree_.levels_[level].first * PkdTree::fanout + child;
+  for (int c = 0; c < numbers_; ++c)
+    means_[place * perPlace_ + static_cast<std::size_t>(c) * perNumber_] = sum.mean(c);
+}
+
+void PkdTreeMeans::finish()
+{
+  std::vector<WeightedSum> above;
+  for (std::size_t level = 1; level < tree_.levels_.size(); ++level, sums_.swap(above))
+  {
+    above.assign(tree_.levels_[level].count, {});
+    for (std::size_t child = 0; child < sums_.size(); ++child)
+    {
+      this->put(level, child, sums_[child]);
+      above[child / PkdTree::fanout].add(sums_[child]);
+    }
+  }
 }
 
 } // namespace mote

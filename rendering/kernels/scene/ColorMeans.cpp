@@ -16,6 +16,11 @@ struct ColoredBy
   const ArrayView& array = isDirect ? coloring.direct : coloring.values;
 
   int components() const { return isDirect ? array.components() : 1; }
+  template <typename Tree>
+  ArrayView storedIn(const Tree& tree) const
+  {
+    return isDirect ? ArrayView() : tree.storedMeans(array, coloring.component);
+  }
   double value(std::uint64_t index, int c) const
   {
     return array.value(index, isDirect ? c : coloring.component);
@@ -29,6 +34,9 @@ ColorMeans meansOf(const PkdTree& tree, const SurfaceColoring& coloring)
   const ColoredBy by{coloring};
   ColorMeans means;
   means.components = by.components();
+  means.stored = by.storedIn(tree);
+  if (!means.stored.empty())
+    return means;
   means.numbers = tree.lodMeans(means.components,
     [&](std::uint64_t particle, double* values)
     {
@@ -43,6 +51,9 @@ ColorMeans meansOf(const RlodTree& tree, const MeshLook& look, const SurfaceColo
   const ColoredBy by{coloring};
   ColorMeans means;
   means.components = by.components();
+  means.stored = by.storedIn(tree);
+  if (!means.stored.empty())
+    return means;
   const auto ofCells = [&](std::uint64_t triangle, double* values)
   {
     const std::uint64_t cell =

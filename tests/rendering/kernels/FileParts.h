@@ -114,8 +114,9 @@ struct FilePatient
   {
     std::vector<std::uint64_t> lengths = {0, 1, 7, 8, 9, 16, 100, sizeof(Header) - 1,
       sizeof(Header), header.headerBytes - 1, header.headerBytes, bytes.size() - 1};
-    for (const FileTableRow& row : table)
+    for (const FileTableRow& row : table.rows)
       sections.push_back(row.entry.section);
+    sections.insert(sections.end(), table.more.begin(), table.more.end());
     for (const FileSection& s : sections)
       for (const std::uint64_t at : {s.offset, s.offset + s.bytes})
         lengths.insert(lengths.end(), {at - 1, at, at + 1});

@@ -23,6 +23,7 @@ struct Patient : FilePatient<PkdTreeFile, PkdTreeFileHeader>
   explicit Patient(std::size_t count = 3000, bool arrays = true)
     : example(count)
   {
+    example.tree.makeLods();
     writePkdTreeFile(
       folder.file(), example.tree, arrays ? example.contents() : PkdTreeFileContents{});
     this->take();
@@ -54,8 +55,19 @@ void castAnyhow(const PkdTree& tree)
         const CameraRays rays(
           lookAt(random(1.0, 3.0) * random.direction(), Vec3d(0.0), 60.0), 64, 64);
         rays.fillBundle(bundle, 16, x, y, 0.0, 0.0);
-        RayBundle shadow = bundle;
+        RayBundle shadow = bundle, far = bundle;
         tree.cast(bundle, 0);
+        tree.cast(far, 0, 100.0);
+        for (int i = 0; i < far.count; ++i)
+        {
+          ASSERT_TRUE(far.slot[i] == RayBundle::noHit || far.slot[i] < tree.size() ||
+                      PkdTree::isLod(far.slot[i]));
+          if (far.slot[i] == RayBundle::noHit || !PkdTree::isLod(far.slot[i]))
+            continue;
+          ASSERT_LT(PkdTree::lodPlace(far.slot[i]) / PkdTree::fanout, 13u);
+          ASSERT_LT(tree.speaker(far.slot[i]), tree.size());
+          tree.lod(far.slot[i]);
+        }
         for (int i = 0; i < bundle.count; ++i)
           ASSERT_TRUE(bundle.slot[i] == RayBundle::noHit || bundle.slot[i] < tree.size());
         tree.occlude(shadow, 0);
@@ -108,22 +120,30 @@ TEST(PkdTreeFileDamage, HeadersThatDoNotFit)
   expect("overlap", [](Header& h, Table&) { h.nodes.offset = 0; });
   expect("behind its end", [](Header& h, Table&) { h.rows.offset = std::uint64_t{1} << 40; });
   expect("behind its end", [](Header& h, Table&) { h.rows.offset = ~std::uint64_t{4095}; });
-  expect(
-    "overlap", [](Header&, Table& t) { t[1].entry.section.offset = t[0].entry.section.offset; });
-  expect("size of its values", [](Header&, Table& t) { t[0].entry.section.bytes += 4; });
-  expect(
-    "size of its values", [](Header&, Table& t) { t[0].entry.tuples = std::uint64_t{1} << 62; });
-  expect("no known kind", [](Header&, Table& t) { t[0].entry.type = 99; });
-  expect("no known kind", [](Header&, Table& t) { t[0].entry.type = 256 + 1; });
-  expect("no known kind", [](Header&, Table& t) { t[0].entry.components = 0; });
-  expect("no known kind", [](Header&, Table& t) { t[0].entry.role = 7; });
-  expect("name for every", [](Header&, Table& t) { t[1].entry.componentNames = 2; });
+  expect("overlap",
+    [](Header&, Table& t) { t.rows[1].entry.section.offset = t.rows[0].entry.section.offset; });
+  expect("size of its values", [](Header&, Table& t) { t.rows[0].entry.section.bytes += 4; });
+  expect("size of its values",
+    [](Header&, Table& t) { t.rows[0].entry.tuples = std::uint64_t{1} << 62; });
+  expect("no known kind", [](Header&, Table& t) { t.rows[0].entry.type = 99; });
+  expect("no known kind", [](Header&, Table& t) { t.rows[0].entry.type = 256 + 1; });
+  expect("no known kind", [](Header&, Table& t) { t.rows[0].entry.components = 0; });
+  expect("no known kind", [](Header&, Table& t) { t.rows[0].entry.role = 7; });
+  expect("name for every", [](Header&, Table& t) { t.rows[1].entry.componentNames = 2; });
   expect("ends too early",
     [](Header&, Table& t)
     {
-      t[0].entry.components = 400;
-      t[0].entry.section.bytes = t[0].entry.tuples * 1600;
+      t.rows[0].entry.components = 400;
+      t.rows[0].entry.section.bytes = t.rows[0].entry.tuples * 1600;
     });
+  expect("not those of its arrays", [](Header&, Table& t) { t.more.pop_back(); });
+  expect("not those of its arrays", [](Header&, Table& t) { t.more.resize(1); });
+  for (const std::size_t k : {0, 1, 2, 3})
+    expect("size that its tree", [&](Header&, Table& t) { t.more[k].bytes -= 4; });
+  expect("size that its tree", [](Header&, Table& t) { std::swap(t.more[5], t.more[3]); });
+  expect("at a page", [](Header&, Table& t) { t.more[0].offset += 64; });
+  expect("overlap", [](Header&, Table& t) { t.more[1].offset = t.more[2].offset; });
+  expect("behind its end", [](Header&, Table& t) { t.more[0].offset = std::uint64_t{1} << 40; });
   for (double Header::*number : {&Header::unit, &Header::step, &Header::coarse, &Header::radius})
     for (const double v : {nan, infinity, -1.0})
       expect("numbers on places", [&](Header& h, Table&) { h.*number = v; });
@@ -143,11 +163,11 @@ TEST(PkdTreeFileDamage, NoByteLeadsRaysOutOfTheFile)
   std::size_t opened = 0, refused = 0;
   for (int k = 0; k < 24; ++k)
   {
-    // Garbage in all of the tree, or in all but what opening looks at.
+    // Garbage in all of the tree and its boxes, or in all but what opening looks at.
     Bytes changed = patient.bytes;
     const PkdTreeFileHeader& h = patient.header;
     const double share = k % 3 == 0 ? 1.0 : 0.02;
-    for (std::uint64_t i = h.nodes.offset; i < h.rows.offset + h.rows.bytes; ++i)
+    for (std::uint64_t i = h.nodes.offset; i < changed.size(); ++i)
       if (random() < share)
         changed[i] = k % 2 == 0 ? static_cast<unsigned char>(random(0.0, 256.0)) : 0xff;
     if (k % 4 != 3)

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <csignal>
 #include <cstring>
 
@@ -114,6 +115,118 @@ TEST(PkdTreeFile, GivesTheSameAnswers)
   }
 }
 
+namespace
+{
+
+/// Rays that may err hit the same in the file, and boxes stand for the same.
+void expectSameLods(const PkdTree& before, const PkdTree& after)
+{
+  ASSERT_TRUE(after.hasLods());
+  const std::vector<std::uint64_t> slots = before.lodSlots();
+  EXPECT_EQ(slots, after.lodSlots());
+  for (const std::uint64_t slot : slots)
+  {
+    ASSERT_EQ(before.lod(slot).coverage, after.lod(slot).coverage);
+    ASSERT_EQ(before.lod(slot).error, after.lod(slot).error);
+    ASSERT_EQ(before.lod(slot).half, after.lod(slot).half);
+  }
+  std::size_t onBoxes = 0;
+  for (int k = 0; k < 20; ++k)
+  {
+    Random random(static_cast<std::uint64_t>(k));
+    const CameraRays rays(lookAt(9.0 * random.direction(), Vec3d(0.0), 20.0), 32, 32);
+    RayBundle a, b;
+    rays.fillBundle(a, 16, 16 * (k % 2), 16, 0.0, 0.0);
+    b = a;
+    before.cast(a, 1, 8.0);
+    after.cast(b, 1, 8.0);
+    for (int i = 0; i < a.count; ++i)
+    {
+      ASSERT_EQ(a.t[i], b.t[i]);
+      const bool hit = a.slot[i] != RayBundle::noHit, isLod = hit && PkdTree::isLod(a.slot[i]);
+      ASSERT_EQ(hit && PkdTree::isLod(b.slot[i]), isLod);
+      onBoxes += isLod;
+    }
+  }
+  EXPECT_GT(onBoxes, 500u);
+}
+
+/// The means that a file holds of an array are those that are made of its particles.
+void expectSameMeans(const PkdTree& tree, const ArrayView& values)
+{
+  for (int c = ArrayView::magnitude; c < values.components(); ++c)
+  {
+    const ArrayView stored = tree.storedMeans(values, c);
+    if (values.components() == 1 && c == ArrayView::magnitude)
+    {
+      EXPECT_TRUE(stored.empty()); // would be that of absolute values
+      continue;
+    }
+    const std::vector<float> made = tree.lodMeans(
+      1, [&](std::uint64_t particle, double* value) { *value = values.value(particle, c); });
+    ASSERT_EQ(stored.count(), made.size());
+    for (std::size_t k = 0; k < made.size(); ++k)
+      ASSERT_TRUE(
+        stored.value(k) == double(made[k]) || (std::isnan(stored.value(k)) && std::isnan(made[k])))
+        << "component " << c << ", place " << k;
+  }
+}
+
+} // namespace
+
+TEST(PkdTreeFile, HoldsLevelsOfDetailAndMeans)
+{
+  const Folder folder;
+  for (const std::size_t count : {20000u, 6000u})
+  {
+    Example example(count, 0.02, count == 6000 ? 0.02 : 0.05);
+    example.tree.makeLods();
+    PkdTreeFileContents contents = example.contents();
+    // A tensor has more numbers than are summed at once; 8-bit colours are used as they are.
+    std::vector<double> stress(7 * example.particles.size());
+    std::vector<std::uint8_t> colors(3 * example.particles.size(), 9);
+    for (std::size_t k = 0; k < stress.size(); ++k)
+      stress[k] = k % 50 == 0 ? std::nan("") : std::sin(double(k));
+    contents.arrays.push_back(
+      {"stress", ArrayView(stress.data(), example.particles.size(), 7), {}});
+    contents.arrays.push_back({"colors",
+      ArrayView(colors.data(), ArrayView::Type::UInt8, example.particles.size(), 3), {}});
+    ASSERT_TRUE(writePkdTreeFile(folder.file(), example.tree, contents));
+    {
+      const PkdTreeFile file(folder.file());
+      const PkdTree tree = file.tree();
+      expectSameLods(example.tree, tree);
+      for (const char* name : {"energy", "v", "kind", "stress"})
+        expectSameMeans(tree, arrayOf(file, name).values);
+      EXPECT_TRUE(tree.storedMeans(arrayOf(file, "index").values, 0).empty());
+      EXPECT_TRUE(tree.storedMeans(arrayOf(file, "colors").values, 0).empty());
+      EXPECT_TRUE(tree.storedMeans(contents.arrays[0].values, 0).empty()); // not the file's
+      // Also where the arrays are put in order a little at a time.
+      contents.workBytes = 3000;
+      ASSERT_TRUE(writePkdTreeFile(folder.file("little"), example.tree, contents));
+      EXPECT_TRUE(readBytes(folder.file("little")) == readBytes(folder.file()));
+    }
+    // The tree may be built anew, and knows nothing of the file then.
+    PkdTree other = PkdTreeFile(folder.file()).tree();
+    other.build(example.particles.set());
+    EXPECT_FALSE(other.hasLods());
+    EXPECT_EQ(PkdTree(other).bytes(), other.bytes());
+  }
+}
+
+TEST(PkdTreeFile, FilesWithoutLevelsOfDetailGetThemInMemory)
+{
+  const Folder folder;
+  const Example example(5000);
+  ASSERT_TRUE(writePkdTreeFile(folder.file(), example.tree, example.contents()));
+  PkdTree tree = PkdTreeFile(folder.file()).tree();
+  EXPECT_FALSE(tree.hasLods());
+  EXPECT_TRUE(tree.storedMeans(arrayOf(PkdTreeFile(folder.file()), "energy").values, 0).empty());
+  tree.makeLods();
+  EXPECT_GT(tree.lodSlots().size(), 300u);
+  EXPECT_FALSE(PkdTreeFile(folder.file()).tree().hasLods());
+}
+
 TEST(PkdTreeFile, AnyNumberOfParticles)
 {
   const Folder folder;
@@ -123,9 +236,11 @@ TEST(PkdTreeFile, AnyNumberOfParticles)
     const Particles particles = randomParticles(count, count + 1, 0.02, 0.08);
     PkdTree tree;
     tree.build(particles.set());
+    tree.makeLods();
     ASSERT_TRUE(writePkdTreeFile(folder.file(), tree, {}));
     const PkdTreeFile file(folder.file());
     ASSERT_EQ(file.size(), count);
+    EXPECT_EQ(file.tree().lodSlots(), tree.lodSlots());
     EXPECT_FALSE(file.time().has_value());
     RayPacket packet = emptyPacket(), other = emptyPacket();
     for (RayPacket* p : {&packet, &other})

@@ -16,6 +16,7 @@ namespace
 {
 
 using Order = RlodTreeFileContents::Order;
+constexpr Order orders[] = {Order::ByError, Order::DepthFirst, Order::ByArea, Order::Blocks};
 
 /// A bumpy sphere, with a point that no triangle uses, and arrays: of points `h` (float) and
 /// `Normals` (three float), of cells, each of two triangles, `part` (bytes), and a fact, `box`.
@@ -101,7 +102,7 @@ TEST(RlodTreeFile, WhatWasWrittenComesBack)
 {
   const MeshExample e;
   const Folder folder;
-  for (const Order order : {Order::ByError, Order::DepthFirst})
+  for (const Order order : orders)
   {
     RlodTreeFileContents contents = e.contents();
     contents.order = order;
@@ -159,7 +160,7 @@ TEST(RlodTreeFile, RaysMeetTheSame)
 {
   const MeshExample e(90);
   const Folder folder;
-  for (const Order order : {Order::ByError, Order::DepthFirst})
+  for (const Order order : orders)
   {
     RlodTreeFileContents contents = e.contents();
     contents.cellOf = {};
@@ -205,6 +206,49 @@ TEST(RlodTreeFile, RaysMeetTheSame)
     EXPECT_EQ(mean(e.tree, [](std::uint64_t t) { return std::sin(double(t)); }),
       mean(stored, [&](std::uint64_t t) { return std::sin(input.value(t)); }));
     EXPECT_FALSE(tree->refit(e.mesh)); // the file stays what it is
+  }
+}
+
+TEST(RlodTreeFile, HoldsMeansOfItsArrays)
+{
+  const MeshExample e;
+  const Folder folder;
+  for (const Order order : orders)
+  {
+    RlodTreeFileContents contents = e.contents();
+    contents.order = order;
+    contents.points.push_back({"way", ArrayView(e.normals.data(), e.height.size(), 3), {}});
+    ASSERT_TRUE(writeRlodTreeFile(folder.file(), e.tree, e.mesh, contents));
+    const RlodTreeFile file(folder.file());
+    const auto tree = file.tree();
+    const MeshCorners& corners = *file.corners();
+    const auto expectSame = [&](const ArrayView& values, int component, bool ofPoints)
+    {
+      const ArrayView stored = tree->storedMeans(values, component);
+      const std::vector<float> made = tree->lodMeans(1,
+        [&](std::uint64_t t, double* value)
+        {
+          *value = !ofPoints ? values.value(t, component)
+                             : (values.value(corners[t][0], component) +
+                                 values.value(corners[t][1], component) +
+                                 values.value(corners[t][2], component)) /
+                                 3.0;
+        });
+      ASSERT_EQ(stored.count(), made.size());
+      for (const std::uint64_t slot : tree->lodSlots())
+      {
+        const std::uint64_t place = RlodTree::lodPlace(slot);
+        ASSERT_EQ(stored.value(place), double(made[place]));
+      }
+    };
+    expectSame(named(file.points(), "h").values, 0, true);
+    for (const int component : {0, 1, 2, ArrayView::magnitude})
+      expectSame(named(file.points(), "way").values, component, true);
+    expectSame(named(file.cells(), "part").values, 0, false);
+    // Nobody colours by these.
+    EXPECT_TRUE(tree->storedMeans(named(file.points(), "Normals").values, 0).empty());
+    EXPECT_TRUE(tree->storedMeans(named(file.points(), "point").values, 0).empty());
+    EXPECT_TRUE(e.tree.storedMeans(contents.points[0].values, 0).empty());
   }
 }
 
@@ -320,8 +364,12 @@ TEST(RlodTreeFileDamage, HeadersThatDoNotFit)
   expect("overlap", [](Header& h, Table&) { h.corners.offset = h.places.offset; });
   expect("behind its end", [](Header& h, Table&) { h.places.offset = std::uint64_t{1} << 40; });
   expect("no array of points", [](Header& h, Table&) { h.normals = 99; });
-  expect("no known kind", [](Header&, Table& t) { t[0].entry.role = 3; });
-  expect("one tuple a point", [](Header&, Table& t) { t[0].entry.role = Header::ofCells; });
+  expect("no known kind", [](Header&, Table& t) { t.rows[0].entry.role = 3; });
+  expect("one tuple a point", [](Header&, Table& t) { t.rows[0].entry.role = Header::ofCells; });
+  expect("not those of its arrays", [](Header&, Table& t) { t.more.pop_back(); });
+  expect("size that its tree", [](Header&, Table& t) { t.more[0].bytes -= 4; });
+  expect("size that its tree", [](Header&, Table& t) { std::swap(t.more.back(), t.more[0]); });
+  expect("overlap", [](Header&, Table& t) { t.more[0].offset = t.rows[0].entry.section.offset; });
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double v : {nan, double(HUGE_VAL), -1.0, 0.0, 1e-320})
     expect("numbers on places", [&](Header& h, Table&) { h.unit = v; });

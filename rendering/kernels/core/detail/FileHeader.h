@@ -58,7 +58,13 @@ struct FileTableRow
   FileArray array; ///< without values
 };
 
-using FileTable = std::vector<FileTableRow>;
+/// What stands behind a kind's own part of the header.
+struct FileTable
+{
+  std::vector<FileTableRow> rows;
+  /// Parts that older files lack, in an order that the kind has; those without bytes are not there.
+  std::vector<FileSection> more;
+};
 
 /// Size of a value in bytes; 0 for types that there are not.
 std::size_t bytesOf(ArrayView::Type type);
@@ -90,7 +96,7 @@ std::vector<unsigned char> packHeaderBlock(
 /// Throws Error where a file of `size` bytes at `data` does not begin as a file of the kind.
 void checkBeginning(
   const std::string& name, const FileKind& kind, const unsigned char* data, std::uint64_t size);
-/// Reads the table of `arrays` entries; after checkBeginning().
+/// Reads the table of `arrays` entries, and what follows it; after checkBeginning().
 FileTable takeTable(const std::string& name, const FileKind& kind, const unsigned char* data,
   std::uint64_t headerBytes, std::uint64_t arrays);
 
@@ -98,7 +104,7 @@ FileTable takeTable(const std::string& name, const FileKind& kind, const unsigne
 template <typename Header>
 std::vector<unsigned char> packHeader(Header header, const FileTable& table)
 {
-  header.arrays = table.size();
+  header.arrays = table.rows.size();
   return packHeaderBlock(&header, sizeof(header), table);
 }
 
@@ -116,7 +122,7 @@ Header unpackHeader(
   return header;
 }
 
-/// Throws Error where the sections, with those of the table, overlap, leave the file or begin
+/// Throws Error where the sections, with all of the table, overlap, leave the file or begin
 /// elsewhere than at pages.
 void checkSections(const std::string& name, const FileBeginning& header,
   std::vector<FileSection> sections, const FileTable& table);

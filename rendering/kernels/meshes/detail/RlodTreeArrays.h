@@ -24,6 +24,7 @@ struct RlodTreeArrays
   ErrorLevels levels;             ///< of their error radii
   /// Where triangles are hidden: children of each node that have all of theirs, as bits.
   StoredArray<std::uint16_t> complete;
+  std::shared_ptr<const StoredMeans> means; ///< of a file's arrays, or null
 
   /// Of a triangle that there is, whatever a damaged file says.
   std::uint64_t idOf(std::uint64_t place) const

@@ -19,7 +19,7 @@ struct RlodTreeLayout
   RawVector<std::uint32_t> firstTriangle; ///< of each of the tree's clusters, in the new order
 };
 
-/// The tree's order, or one in which nodes that err by more come first. Children of a node stay
+/// The tree's order or another. Children of a node stay
 /// together, and come after it; clusters are in the order of their nodes.
 RlodTreeLayout layOut(const RlodTreeArrays& tree, RlodTreeFileContents::Order order);
 
