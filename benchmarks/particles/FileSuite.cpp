@@ -24,6 +24,7 @@ constexpr int orbitViews = 24;
 struct Moment
 {
   std::string what, view;
+  double poe;
   std::vector<double> seconds{};
   double anonymous = 0.0, mapped = 0.0; ///< resident bytes: memory proper, and pages of files
   double read = 0.0;                    ///< bytes from the disk, the last time
@@ -69,13 +70,16 @@ public:
   {
     for (const View& view : viewsNamed(options_.views))
     {
-      this->openAndLook(view, true);
-      this->openAndLook(view, false);
+      for (const double poe : options_.poe)
+        for (const bool cold : {true, false})
+          this->openAndLook(view, cold, poe);
     }
     const PkdTreeFile file(options_.input);
     for (const View& view : viewsNamed(options_.views))
-      this->frames(file, view);
-    this->orbit(file, views().front());
+      for (const double poe : options_.poe)
+        this->frames(file, view, poe);
+    for (const double poe : options_.poe)
+      this->orbit(file, views().front(), poe);
   }
 
   const std::vector<Moment>& moments() const { return moments_; }
@@ -85,19 +89,25 @@ public:
 
 private:
   /// Casts a picture of a view; returns seconds.
-  double look(const PkdTreeFile& file, const View& view)
+  double look(const PkdTreeFile& file, const View& view, double poe)
   {
-    const PkdTree tree = file.tree();
+    PkdTree tree = file.tree();
     const CameraRays rays(
       cameraOf(view, file.statistics().bounds), options_.width, options_.height);
-    return timed(threads_, [&] { castBundles(tree, 0, rays, image_); });
+    return timed(threads_,
+      [&]
+      {
+        if (poe > 0.0)
+          tree.makeLods(); // where the file holds none
+        castBundles(tree, 0, rays, image_, poe);
+      });
   }
 
   /// Opens the file and casts its first picture, with nothing of it in memory or all that it takes.
-  void openAndLook(const View& view, bool cold)
+  void openAndLook(const View& view, bool cold, double poe)
   {
     const std::string state = cold ? "cold" : "warm";
-    Moment open{"open " + state, view.name}, first{"first picture " + state, view.name};
+    Moment open{"open " + state, view.name, poe}, first{"first picture " + state, view.name, poe};
     for (int k = 0; k < options_.repeat; ++k)
     {
       if (cold)
@@ -110,36 +120,36 @@ private:
       const double opened =
         secondsOf([&] { file = std::make_unique<const PkdTreeFile>(options_.input); });
       open.add(opened, before);
-      const double looked = this->look(*file, view);
+      const double looked = this->look(*file, view, poe);
       first.add(opened + looked, before);
-      progress("%s, view %s: opened in %.3f ms, first picture after %.3f s", state.c_str(),
-        view.name.c_str(), 1e3 * opened, opened + looked);
+      progress("%s, view %s, %g pixels of error: opened in %.3f ms, first picture after %.3f s",
+        state.c_str(), view.name.c_str(), poe, 1e3 * opened, opened + looked);
     }
     moments_.push_back(open);
     moments_.push_back(first);
   }
 
-  void frames(const PkdTreeFile& file, const View& view)
+  void frames(const PkdTreeFile& file, const View& view, double poe)
   {
-    Moment frame{"frame", view.name};
-    this->look(file, view); // pages
+    Moment frame{"frame", view.name, poe};
+    this->look(file, view, poe); // pages
     for (int k = 0; k < 5 * options_.repeat; ++k)
     {
       const double before = bytesReadFromDisk();
-      frame.add(this->look(file, view), before);
+      frame.add(this->look(file, view, poe), before);
     }
     moments_.push_back(frame);
   }
 
   /// Around the data at the distance of a view.
-  void orbit(const PkdTreeFile& file, const View& view)
+  void orbit(const PkdTreeFile& file, const View& view, double poe)
   {
-    Moment first{"first orbit", "around"}, orbit{"orbit", "around"};
+    Moment first{"first orbit", "around", poe}, orbit{"orbit", "around", poe};
     for (int round = 0; round < 2; ++round)
       for (int k = 0; k < orbitViews; ++k)
       {
         const double before = bytesReadFromDisk();
-        const double seconds = this->look(file, turned(view, k, orbitViews));
+        const double seconds = this->look(file, turned(view, k, orbitViews), poe);
         (round == 0 ? first : orbit).add(seconds, before);
       }
     moments_.push_back(first);
@@ -161,8 +171,8 @@ Record toRecord(
   return {{"suite", std::string("file")}, {"what", moment.what}, {"input", options.input},
     {"particles", static_cast<std::int64_t>(file.size())},
     {"file_bytes", static_cast<std::int64_t>(file.bytes())}, {"view", moment.view},
-    {"width", std::int64_t{options.width}}, {"height", std::int64_t{options.height}},
-    {"threads", std::int64_t{run.threads()}},
+    {"poe", moment.poe}, {"width", std::int64_t{options.width}},
+    {"height", std::int64_t{options.height}}, {"threads", std::int64_t{run.threads()}},
     {"repeat", static_cast<std::int64_t>(moment.seconds.size())},
     {"seconds", median(moment.seconds)}, {"seconds_min", *least}, {"seconds_max", *most},
     {"rss_anon_bytes", moment.anonymous}, {"rss_file_bytes", moment.mapped},
@@ -174,7 +184,7 @@ std::vector<std::string> rowOf(const Moment& moment)
   const double seconds = median(moment.seconds);
   const auto [least, most] = std::minmax_element(moment.seconds.begin(), moment.seconds.end());
   const bool isFrame = moment.what == "frame" || moment.what.ends_with("orbit");
-  return {moment.what, moment.view, format("%.3f", 1e3 * seconds),
+  return {moment.what, moment.view, format("%g", moment.poe), format("%.3f", 1e3 * seconds),
     format("%.3f - %.3f", 1e3 * *least, 1e3 * *most), isFrame ? format("%.2f", 1.0 / seconds) : "",
     format("%.1f", 1e-6 * moment.anonymous), format("%.1f", 1e-6 * moment.mapped),
     format("%.1f", 1e-6 * moment.read)};
@@ -187,8 +197,8 @@ Report run(const Options& options)
   const PkdTreeFile file(options.input);
   Report report;
   Section section{"", Table(2)};
-  section.table.add(
-    {"what", "view", "ms", "(min - max)", "frames/s", "RssAnon MB", "RssFile MB", "read MB"});
+  section.table.add({"what", "view", "PoE", "ms", "(min - max)", "frames/s", "RssAnon MB",
+    "RssFile MB", "read MB"});
   for (const Moment& moment : run.moments())
   {
     section.table.add(rowOf(moment));
@@ -216,6 +226,7 @@ Suite fileSuite()
   suite.inputs = {{"FILE", "a .mote file; mote convert writes them"}};
   for (const View& view : views())
     suite.views.emplace_back(view.name, view.summary);
+  suite.lods = true;
   suite.run = run;
   return suite;
 }

@@ -4,6 +4,8 @@
 
 #include <kernels/core/AtomicFile.h>
 #include <kernels/core/Camera.h>
+#include <kernels/scene/ColorMeans.h>
+#include <kernels/scene/Surface.h>
 
 #include <gtest/gtest.h>
 
@@ -201,6 +203,13 @@ TEST(PkdTreeFile, HoldsLevelsOfDetailAndMeans)
       EXPECT_TRUE(tree.storedMeans(arrayOf(file, "index").values, 0).empty());
       EXPECT_TRUE(tree.storedMeans(arrayOf(file, "colors").values, 0).empty());
       EXPECT_TRUE(tree.storedMeans(contents.arrays[0].values, 0).empty()); // not the file's
+      SurfaceColoring coloring;
+      coloring.values = arrayOf(file, "v").values;
+      coloring.component = 1;
+      EXPECT_EQ(meansOf(tree, coloring).view(), tree.storedMeans(coloring.values, 1));
+      coloring.values = contents.arrays[1].values; // the same numbers, but somewhere else
+      EXPECT_EQ(meansOf(tree, coloring).numbers.size(),
+        tree.storedMeans(arrayOf(file, "v").values, 1).count());
       // Also where the arrays are put in order a little at a time.
       contents.workBytes = 3000;
       ASSERT_TRUE(writePkdTreeFile(folder.file("little"), example.tree, contents));

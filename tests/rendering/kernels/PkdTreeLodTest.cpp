@@ -1,11 +1,7 @@
 // Levels of detail of the P-k-d tree: boxes that stand for particles.
 
-#include "ShadowParts.h"
+#include "PkdTreeLodParts.h"
 
-#include <kernels/particles/PkdTree.h>
-#include <kernels/scene/ColorMeans.h>
-
-#include <support/CastOracle.h>
 #include <support/Targets.h>
 
 #include <gtest/gtest.h>
@@ -19,57 +15,6 @@ using namespace mote::testing;
 
 namespace
 {
-
-/// Particles in a box of side 2 about the origin that touch their neighbours, but for chance.
-Particles denseParticles(int side, std::uint64_t seed)
-{
-  Particles particles;
-  Random random(seed);
-  const double spacing = 2.0 / side;
-  for (int i = 0; i < side * side * side; ++i)
-  {
-    const Vec3d cell(i % side, i / side % side, i / (side * side));
-    particles.add(spacing * (cell + random.inBox(Vec3d(0.3), Vec3d(0.7))) - 1.0, 0.5 * spacing);
-  }
-  return particles;
-}
-
-std::shared_ptr<ParticleStructure> treeOver(
-  const Particles& particles, bool lods, PkdTreeOptions options = {})
-{
-  auto made = std::make_shared<ParticleStructure>(std::in_place_type<PkdTree>);
-  auto& tree = std::get<PkdTree>(*made);
-  tree.build(particles.set(), options);
-  if (lods)
-    tree.makeLods();
-  return made;
-}
-
-const PkdTree& treeOf(const std::shared_ptr<ParticleStructure>& structure)
-{
-  return std::get<PkdTree>(*structure);
-}
-
-/// Bundles of cameras around, from which particles are about as large as pixels or smaller.
-std::vector<RayBundle> farBundles(int count, std::uint64_t seed)
-{
-  std::vector<RayBundle> bundles;
-  Random random(seed);
-  for (int k = 0; k < count; ++k)
-  {
-    Camera camera = lookAt(random(6.0, 9.0) * random.direction(), Vec3d(0.0), 25.0);
-    if (k % 4 == 3)
-    {
-      camera.projection = Camera::Projection::Orthographic;
-      camera.parallelScale = 1.6;
-    }
-    const CameraRays rays(camera, 64, 64);
-    const int side = 4 << (k % 3);
-    bundles.emplace_back();
-    rays.fillBundle(bundles.back(), side, 16 * (k % 3), 16 * (k / 3 % 3), 0.1, -0.2);
-  }
-  return bundles;
-}
 
 /// How far aside a ray passes from the nearest sphere that its hit stands for, in footprints.
 double displacementOf(const PkdTree& tree, const RayBundle& rays, int i)
@@ -110,24 +55,6 @@ Displacements displacementsOf(
     }
   }
   return found;
-}
-
-Film pictureOf(
-  const std::shared_ptr<ParticleStructure>& structure, double poe, const Tracing& tracing = {})
-{
-  Scene scene;
-  SurfaceObject object;
-  object.surface = ParticleSurface(structure, poe);
-  addTo(scene, object);
-  return tracedFilm(scene, lookAt({4.0, 3.0, 6.0}, Vec3d(0.0), 25.0), 96, 96, tracing);
-}
-
-double meanOf(const Film& film, int channel)
-{
-  double sum = 0.0;
-  for (std::size_t k = 0; k < film.pixels(); ++k)
-    sum += film.color()[4 * k + static_cast<std::size_t>(channel)];
-  return sum / static_cast<double>(film.pixels());
 }
 
 } // namespace
@@ -346,90 +273,4 @@ TEST(PkdTreeLod, MemoryIsAsSmallAsSaid)
   EXPECT_LT(static_cast<double>(tree.bytes() - before), 0.28 * static_cast<double>(tree.size()));
   tree.dropLods();
   EXPECT_EQ(tree.bytes(), before);
-}
-
-TEST(PkdTreeLodScene, IdsAreOfParticlesAndColoursAreMeans)
-{
-  const Particles particles = denseParticles(40, 19);
-  const auto structure = treeOver(particles, true);
-  std::vector<float> values;
-  for (std::size_t k = 0; k < particles.size(); ++k)
-    values.push_back(k % 2 == 0 ? 0.0f : 1.0f);
-  Scene scene;
-  SurfaceObject object;
-  object.surface = ParticleSurface(structure, 3.0);
-  object.coloring.values = ArrayView(values.data(), values.size(), 1);
-  object.coloring.map.table = {Vec4f(0.0f, 0.0f, 0.0f, 1.0f), Vec4f(1.0f)};
-  object.material.ambient = 1.0f; // the colour itself
-  object.material.diffuse = 0.0f;
-  scene.lights.clear();
-  addTo(scene, object);
-  const auto spreadOf = [&]
-  {
-    const Film film = tracedFilm(scene, lookAt({4.0, 3.0, 6.0}, Vec3d(0.0), 25.0), 96);
-    double sum = 0.0;
-    int count = 0;
-    for (std::size_t i = 0; i < film.pixels(); ++i)
-      if (film.object()[i] == 0)
-      {
-        EXPECT_LT(film.id()[i], particles.size());
-        sum += std::pow(film.color()[4 * i] - 0.5, 2.0);
-        ++count;
-      }
-    return std::sqrt(sum / count);
-  };
-  EXPECT_NEAR(spreadOf(), 0.5, 1e-6) << "colours of the particles that speak";
-  const ColorMeans means = meansOf(treeOf(structure), scene.surfaces[0].coloring);
-  scene.surfaces[0].coloring.means = means.view();
-  EXPECT_LT(spreadOf(), 0.3);
-  scene.surfaces[0].surface = ParticleSurface(structure);
-  EXPECT_NEAR(spreadOf(), 0.5, 1e-6) << "without error nothing is a mean";
-}
-
-TEST(PkdTreeLodScene, BoxesAreAsBrightAsTheirParticles)
-{
-  const auto structure = treeOver(denseParticles(40, 20), true);
-  Scene scene;
-  SurfaceObject object;
-  object.material.ambient = 0.0f;
-  addTo(scene, object);
-  const auto brightness = [&](double poe)
-  {
-    scene.surfaces[0].surface = ParticleSurface(structure, poe);
-    const Camera camera = lookAt({4.0, 3.0, 6.0}, Vec3d(0.0), 25.0);
-    return meanOf(tracedFilm(scene, camera, 96, 96, {16, 0, 0}), 0);
-  };
-  EXPECT_NEAR(brightness(3.0) / brightness(0.0), 1.0, 0.1) << "lit from the eye";
-  for (const Vec3d towards : {Vec3d(1.0, 4.0, 1.0), Vec3d(4.0, 1.0, 1.0), Vec3d(-1.0, 3.0, 4.0)})
-    for (const bool shadows : {false, true})
-    {
-      SCOPED_TRACE(towards.x + 10.0 * shadows);
-      scene.lights = {shadowLight(Light::Kind::Directional, -glm::normalize(towards))};
-      scene.lights[0].shadows = shadows;
-      EXPECT_NEAR(brightness(3.0) / brightness(0.0), 1.0, 0.25);
-    }
-  scene.lights.clear();
-  scene.occlusion = {64, 0.2};
-  scene.surfaces[0].material.ambient = 1.0f;
-  EXPECT_NEAR(brightness(3.0) / brightness(0.0), 1.0, 0.25) << "the sky";
-}
-
-TEST(PkdTreeLodScene, PicksAndSetsWithoutLodsAreExact)
-{
-  const Particles particles = denseParticles(20, 21);
-  const auto structure = treeOver(particles, true);
-  Scene scene;
-  SurfaceObject object;
-  object.surface = ParticleSurface(structure, 64.0);
-  addTo(scene, object);
-  EXPECT_EQ(pixelsOfError(scene), 64.0);
-  Scene exact = scene;
-  exact.surfaces[0].surface = ParticleSurface(structure);
-  const Vec3d eye(4.0, 3.0, 6.0);
-  const auto rough = pick(scene, eye, Vec3d(0.1) - eye), right = pick(exact, eye, Vec3d(0.1) - eye);
-  ASSERT_TRUE(rough && right);
-  EXPECT_EQ(rough->id, right->id);
-  EXPECT_EQ(rough->position, right->position);
-  scene.surfaces[0].surface = ParticleSurface(treeOver(particles, false), 64.0);
-  EXPECT_EQ(pixelsOfError(scene), 0.0);
 }

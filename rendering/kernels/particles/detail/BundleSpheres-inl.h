@@ -272,7 +272,8 @@ public:
   }
 
   /// Tests something that is no sphere, in parts of a picture and from a tau on, `slot` being its
-  /// own: meet(i) answers where rays i and on meet it, infinity where they do not.
+  /// own: meet(i, best) answers where rays i and on meet it before `best`, infinity where they do
+  /// not.
   template <typename Meet>
   HWY_INLINE void testOther(const PicturePart& part, std::uint64_t slot, const Meet& meet)
   {
@@ -286,16 +287,17 @@ public:
       for (int k = 0; k < blockRays; k += static_cast<int>(hn::Lanes(d)))
       {
         const int i = blockRays * block + k;
-        const VF near = meet(i), best = hn::Load(d, p_.best + i);
+        const VF best = hn::Load(d, p_.best + i), near = meet(i, best);
         const auto nearer = hn::Lt(near, best);
-        hn::Store(hn::Min(near, best), d, p_.best + i);
+        const VF kept = Policy::any ? hn::Set(d, -infinity) : near;
+        hn::Store(hn::IfThenElse(nearer, kept, best), d, p_.best + i);
         const auto old = hn::Load(du32, p_.hit + i);
         hn::Store(hn::IfThenElse(hn::RebindMask(du32, nearer), mark, old), du32, p_.hit + i);
         changed |= static_cast<unsigned>(!hn::AllFalse(d, nearer)) << block;
       }
     }
     stale_ |= changed;
-    if (changed != 0)
+    if (!Policy::any && changed != 0)
       hits_.push_back(slot);
   }
 

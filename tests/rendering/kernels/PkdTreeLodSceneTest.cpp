@@ -1,0 +1,216 @@
+// Levels of detail of the P-k-d tree in scenes: light, shadows, colours.
+
+#include "PkdTreeLodParts.h"
+
+#include <kernels/scene/ColorMeans.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace mote;
+using namespace mote::testing;
+
+namespace
+{
+
+/// Whether rays of a bundle, from its origin to their t, are in the shadow of the tree's particles.
+std::vector<bool> shadowed(const PkdTree& tree, RayBundle rays, double poe)
+{
+  tree.occlude(rays, 0, poe);
+  std::vector<bool> are;
+  for (int i = 0; i < rays.count; ++i)
+    are.push_back(rays.t[i] < 0.0);
+  return are;
+}
+
+int countOf(const std::vector<bool>& which)
+{
+  return static_cast<int>(std::count(which.begin(), which.end(), true));
+}
+
+} // namespace
+
+TEST(PkdTreeLodScene, BoxesThrowTheShadowsOfTheirParticles)
+{
+  const auto structure = treeOver(denseParticles(40, 22), true);
+  auto& tree = std::get<PkdTree>(*structure);
+  int rays = 0, in = 0, differing = 0, lit = 0, ownShadow = 0;
+  for (const RayBundle& question : farBundles(60, 23))
+  {
+    // Past all particles.
+    RayBundle past = question;
+    std::fill_n(past.t, past.count, 100.0);
+    const std::vector<bool> exact = shadowed(tree, past, 0.0), rough = shadowed(tree, past, 2.0);
+    rays += past.count;
+    in += countOf(exact);
+    for (std::size_t i = 0; i < exact.size(); ++i)
+      differing += exact[i] != rough[i];
+    // To the first particles, which are lit.
+    RayBundle first = question;
+    tree.cast(first, 0);
+    EXPECT_EQ(countOf(shadowed(tree, first, 0.0)), 0);
+    const std::vector<bool> dark = shadowed(tree, first, 2.0);
+    for (std::size_t i = 0; i < dark.size(); ++i)
+      if (first.object[i] == 0)
+      {
+        ++lit;
+        ownShadow += dark[i];
+      }
+  }
+  EXPECT_GT(in, rays / 4);
+  EXPECT_GT(differing, 0) << "no box was met";
+  EXPECT_LT(differing, rays / 50);
+  EXPECT_GT(lit, rays / 4);
+  EXPECT_LT(ownShadow, lit / 10);
+
+  // What light falls through in part throws as much shadow.
+  for (const double radius : {0.0012, 0.0025, 0.005, 0.01})
+  {
+    SCOPED_TRACE(radius);
+    const auto random = treeOver(randomParticles(60000, 26, radius, radius), true);
+    int exact = 0, rough = 0;
+    for (const RayBundle& question : farBundles(60, 27))
+    {
+      RayBundle past = question;
+      std::fill_n(past.t, past.count, 100.0);
+      exact += countOf(shadowed(treeOf(random), past, 0.0));
+      rough += countOf(shadowed(treeOf(random), past, 2.5));
+    }
+    EXPECT_GT(exact, 300);
+    EXPECT_NEAR(rough / double(exact), 1.0, 0.15);
+  }
+
+  // What is hidden throws none.
+  tree.setVisibility([&](std::size_t slot) { return tree.center(slot).x < 0.0; });
+  for (const RayBundle& question : farBundles(60, 24))
+  {
+    RayBundle past = question;
+    std::fill_n(past.t, past.count, 100.0);
+    const std::vector<bool> rough = shadowed(tree, past, 2.0);
+    for (int i = 0; i < past.count; ++i)
+      if (rough[static_cast<std::size_t>(i)])
+      {
+        // The half that is shown, and what a box may reach over it.
+        const Vec3d o = past.originOf(i), w = past.directionOf(i);
+        double enter = 0.0, leave = 1e9;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          const double a = (-1.1 - o[axis]) / w[axis],
+                       b = ((axis == 0 ? 0.2 : 1.1) - o[axis]) / w[axis];
+          enter = std::max(enter, std::min(a, b));
+          leave = std::min(leave, std::max(a, b));
+        }
+        EXPECT_LE(enter, leave);
+      }
+  }
+}
+
+TEST(PkdTreeLodScene, IdsAreOfParticlesAndColoursAreMeans)
+{
+  const Particles particles = denseParticles(40, 19);
+  const auto structure = treeOver(particles, true);
+  std::vector<float> values;
+  for (std::size_t k = 0; k < particles.size(); ++k)
+    values.push_back(k % 2 == 0 ? 0.0f : 1.0f);
+  Scene scene;
+  SurfaceObject object;
+  object.surface = ParticleSurface(structure, 3.0);
+  object.coloring.values = ArrayView(values.data(), values.size(), 1);
+  object.coloring.map.table = {Vec4f(0.0f, 0.0f, 0.0f, 1.0f), Vec4f(1.0f)};
+  object.material.ambient = 1.0f; // the colour itself
+  object.material.diffuse = 0.0f;
+  scene.lights.clear();
+  addTo(scene, object);
+  const auto spreadOf = [&]
+  {
+    const Film film = tracedFilm(scene, lookAt({4.0, 3.0, 6.0}, Vec3d(0.0), 25.0), 96);
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t i = 0; i < film.pixels(); ++i)
+      if (film.object()[i] == 0)
+      {
+        EXPECT_LT(film.id()[i], particles.size());
+        sum += std::pow(film.color()[4 * i] - 0.5, 2.0);
+        ++count;
+      }
+    return std::sqrt(sum / count);
+  };
+  EXPECT_NEAR(spreadOf(), 0.5, 1e-6) << "colours of the particles that speak";
+  const ColorMeans means = meansOf(treeOf(structure), scene.surfaces[0].coloring);
+  scene.surfaces[0].coloring.means = means.view();
+  EXPECT_LT(spreadOf(), 0.3);
+  scene.surfaces[0].surface = ParticleSurface(structure);
+  EXPECT_NEAR(spreadOf(), 0.5, 1e-6) << "without error nothing is a mean";
+}
+
+TEST(PkdTreeLodScene, BoxesAreAsBrightAsTheirParticles)
+{
+  const auto structure = treeOver(denseParticles(40, 20), true);
+  Scene scene;
+  SurfaceObject object;
+  object.material.ambient = 0.0f;
+  addTo(scene, object);
+  const auto brightness = [&](double poe)
+  {
+    scene.surfaces[0].surface = ParticleSurface(structure, poe);
+    const Camera camera = lookAt({4.0, 3.0, 6.0}, Vec3d(0.0), 25.0);
+    return meanOf(tracedFilm(scene, camera, 96, 96, {16, 0, 0}), 0);
+  };
+  EXPECT_NEAR(brightness(3.0) / brightness(0.0), 1.0, 0.1) << "lit from the eye";
+  for (const Vec3d towards : {Vec3d(1.0, 4.0, 1.0), Vec3d(4.0, 1.0, 1.0), Vec3d(-1.0, 3.0, 4.0)})
+    for (const bool shadows : {false, true})
+    {
+      SCOPED_TRACE(towards.x + 10.0 * shadows);
+      scene.lights = {shadowLight(Light::Kind::Directional, -glm::normalize(towards))};
+      scene.lights[0].shadows = shadows;
+      EXPECT_NEAR(brightness(3.0) / brightness(0.0), 1.0, 0.25);
+    }
+  scene.lights.clear();
+  scene.occlusion = {64, 0.2};
+  scene.surfaces[0].material.ambient = 1.0f;
+  EXPECT_NEAR(brightness(3.0) / brightness(0.0), 1.0, 0.25) << "the sky";
+}
+
+TEST(PkdTreeLodScene, SparseSetsShadowThemselvesAsTheirParticlesDo)
+{
+  for (const double radius : {0.0025, 0.005, 0.01})
+    for (const Vec3d towards : {Vec3d(1.0, 4.0, 1.0), Vec3d(-1.0, 3.0, 4.0)})
+    {
+      SCOPED_TRACE(radius);
+      const auto structure = treeOver(randomParticles(60000, 25, radius, radius), true);
+      Scene scene;
+      SurfaceObject object;
+      object.material.ambient = 0.0f;
+      addTo(scene, object);
+      scene.lights = {shadowLight(Light::Kind::Directional, -glm::normalize(towards))};
+      const auto brightness = [&](double poe)
+      {
+        scene.surfaces[0].surface = ParticleSurface(structure, poe);
+        const Camera camera = lookAt({4.0, 3.0, 6.0}, Vec3d(0.0), 25.0);
+        return meanOf(tracedFilm(scene, camera, 96, 96, {16, 0, 0}), 0);
+      };
+      EXPECT_NEAR(brightness(2.5) / brightness(0.0), 1.0, 0.25);
+    }
+}
+
+TEST(PkdTreeLodScene, PicksAndSetsWithoutLodsAreExact)
+{
+  const Particles particles = denseParticles(20, 21);
+  const auto structure = treeOver(particles, true);
+  Scene scene;
+  SurfaceObject object;
+  object.surface = ParticleSurface(structure, 64.0);
+  addTo(scene, object);
+  EXPECT_EQ(pixelsOfError(scene), 64.0);
+  Scene exact = scene;
+  exact.surfaces[0].surface = ParticleSurface(structure);
+  const Vec3d eye(4.0, 3.0, 6.0);
+  const auto rough = pick(scene, eye, Vec3d(0.1) - eye), right = pick(exact, eye, Vec3d(0.1) - eye);
+  ASSERT_TRUE(rough && right);
+  EXPECT_EQ(rough->id, right->id);
+  EXPECT_EQ(rough->position, right->position);
+  scene.surfaces[0].surface = ParticleSurface(treeOver(particles, false), 64.0);
+  EXPECT_EQ(pixelsOfError(scene), 0.0);
+}
