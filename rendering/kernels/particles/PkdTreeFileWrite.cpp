@@ -114,11 +114,13 @@ private:
 
   std::size_t places() const { return tree_.nodes_.size() * PkdTree::fanout; }
 
-  /// Rows of means of an array; indices have none.
+  /// Rows of means of an array; what may be indices has none.
   static std::size_t meanRowsOf(const FileTableRow& row)
   {
     const ArrayView& values = row.array.values;
-    return row.entry.role == PkdTreeFileHeader::ofParticles && values.data() != nullptr
+    const bool mayBeIndex =
+      values.type() == ArrayView::Type::UInt32 || values.type() == ArrayView::Type::UInt64;
+    return row.entry.role == PkdTreeFileHeader::ofParticles && !mayBeIndex
              ? StoredMeans::rowsOf(values.type(), values.components())
              : 0;
   }
