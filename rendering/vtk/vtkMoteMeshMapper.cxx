@@ -4,6 +4,7 @@
 #include "Bounds.h"
 #include "BuildEvents.h"
 #include "InputTimeStep.h"
+#include "MapperClip.h"
 #include "MeshGeometry.h"
 #include "News.h"
 #include "RendererImage.h"
@@ -21,7 +22,6 @@
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
-#include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkProperty.h"
@@ -44,6 +44,7 @@ public:
   int builds = 0, refits = 0;
 
   mote::VisibleCells visible;
+  mote::MapperClip clip;
 
   mote::ArrayColors colors;
   mote::DataArrayView normals; ///< copied once where they are not one piece of memory
@@ -55,7 +56,7 @@ public:
   vtkMTimeType failedAt = 0; ///< of the picture that could not be made: not tried again
 
   // The last of each kind of message, so that it is told once and not every frame.
-  std::string reported, reportedColors, reportedClipping;
+  std::string reported, reportedColors;
 
   mote::RendererImages images; ///< for renderers that have no vtkMoteRayCastPass
 
@@ -119,6 +120,17 @@ void vtkMoteMeshMapper::SetVisibleCells(vtkUnsignedCharArray* isVisible)
 vtkUnsignedCharArray* vtkMoteMeshMapper::GetVisibleCells()
 {
   return this->Impl->visible.get();
+}
+
+void vtkMoteMeshMapper::SetClipCylinder(vtkMoteClipCylinder* cylinder)
+{
+  if (this->Impl->clip.set(cylinder))
+    this->Modified();
+}
+
+vtkMoteClipCylinder* vtkMoteMeshMapper::GetClipCylinder()
+{
+  return this->Impl->clip.cylinder();
 }
 
 double* vtkMoteMeshMapper::GetBounds()
@@ -217,8 +229,8 @@ double vtkMoteMeshMapper::ValueOf(const mote::ScenePick& pick)
 
 vtkMTimeType vtkMoteMeshMapper::GetPictureMTime()
 {
-  vtkMTimeType time =
-    std::max({this->GetMTime(), this->Impl->changedAt.GetMTime(), this->Impl->visible.time()});
+  vtkMTimeType time = std::max({this->GetMTime(), this->Impl->changedAt.GetMTime(),
+    this->Impl->visible.time(), this->Impl->clip.time(this)});
   if (vtkPointSet* input = this->GetInput())
     time = std::max(time, input->GetMTime());
   return time;
@@ -339,13 +351,7 @@ bool vtkMoteMeshMapper::DescribeTo(mote::SurfaceObject& object, vtkActor* actor)
   this->AllowError(object, look, ofCells);
   object.surface = mote::MeshSurface(impl.geometry.tree(), look);
   object.castsShadows = this->CastsShadows;
-
-  const bool clipped = this->ClippingPlanes && this->ClippingPlanes->GetNumberOfItems() > 0;
-  if (mote::isNews(clipped ? "Clipping planes do not cut meshes; use vtkClipPolyData, or the "
-                             "camera's clipping range."
-                           : "",
-        impl.reportedClipping))
-    vtkWarningMacro(<< impl.reportedClipping);
+  object.clip = impl.clip.region(this);
   return true;
 }
 

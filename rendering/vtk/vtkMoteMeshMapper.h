@@ -37,6 +37,7 @@
 #include <utility>
 #include <vector>
 
+class vtkMoteClipCylinder;
 class vtkDataArray;
 class vtkPointSet;
 class vtkUnsignedCharArray;
@@ -95,6 +96,16 @@ public:
    */
   void SetVisibleCells(vtkUnsignedCharArray* isVisible);
   vtkUnsignedCharArray* GetVisibleCells();
+  ///@}
+
+  ///@{
+  /**
+   * Which piece about an axis is shown, beside what SetClippingPlanes() leaves: null, the default,
+   * for all. Triangles are cut where planes and cylinder are, and open. Nothing is built for
+   * either.
+   */
+  void SetClipCylinder(vtkMoteClipCylinder* cylinder);
+  vtkMoteClipCylinder* GetClipCylinder();
   ///@}
 
   /** Bounds of the triangles that can be drawn. */

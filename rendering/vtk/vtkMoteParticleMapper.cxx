@@ -3,6 +3,7 @@
 #include "ArrayColors.h"
 #include "Bounds.h"
 #include "InputTimeStep.h"
+#include "MapperClip.h"
 #include "News.h"
 #include "ParticleModel.h"
 #include "PeriodicImages.h"
@@ -18,7 +19,6 @@
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
-#include "vtkPlaneCollection.h"
 #include "vtkPointSet.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
@@ -44,7 +44,7 @@ public:
 
   // The last of each kind of message, so that it is told once and not every frame.
   std::string reported, reportedColors;
-  bool reportedClipping = false;
+  mote::MapperClip clip;
 
   explicit Internals(vtkMoteParticleMapper* self)
     : model(self, true)
@@ -284,6 +284,17 @@ void vtkMoteParticleMapper::GetVisibleBounds(double bounds[6])
   mote::copyBounds(mote::withImages(box, this->Replication, this->ReplicationVectors), bounds);
 }
 
+void vtkMoteParticleMapper::SetClipCylinder(vtkMoteClipCylinder* cylinder)
+{
+  if (this->Impl->clip.set(cylinder))
+    this->Modified();
+}
+
+vtkMoteClipCylinder* vtkMoteParticleMapper::GetClipCylinder()
+{
+  return this->Impl->clip.cylinder();
+}
+
 double* vtkMoteParticleMapper::GetBounds()
 {
   const bool any = this->GetNumberOfInputConnections(0) > 0;
@@ -382,7 +393,8 @@ void vtkMoteParticleMapper::GetColorArrayRange(double range[2])
 
 vtkMTimeType vtkMoteParticleMapper::GetPictureMTime()
 {
-  vtkMTimeType time = std::max(this->GetMTime(), this->Impl->model.time());
+  vtkMTimeType time =
+    std::max({this->GetMTime(), this->Impl->model.time(), this->Impl->clip.time(this)});
   if (vtkPointSet* input = this->GetInput())
     time = std::max(time, input->GetMTime());
   return time;
@@ -397,16 +409,11 @@ bool vtkMoteParticleMapper::DescribeTo(mote::SurfaceObject& object, vtkActor* ac
   object.surface = mote::ParticleSurface(impl.model.structure());
   object.castsShadows = this->CastsShadows;
   mote::describeActor(actor, object);
+  object.clip = impl.clip.region(this);
   const std::string problem = impl.colors.describe(this, this->GetInput(), object.coloring);
   if (mote::isNews(problem, impl.reportedColors))
     vtkErrorMacro(<< problem);
   this->AllowError(object);
-  const bool clipped = this->ClippingPlanes && this->ClippingPlanes->GetNumberOfItems() > 0;
-  if (clipped && !impl.reportedClipping)
-    vtkWarningMacro(
-      "Clipping planes do not cut particles; use the visibility range or the camera's "
-      "clipping range.");
-  impl.reportedClipping = clipped;
   return true;
 }
 
@@ -417,7 +424,8 @@ void vtkMoteParticleMapper::AllowError(mote::SurfaceObject& object)
   Internals& impl = *this->Impl;
   mote::SurfaceColoring& coloring = object.coloring;
   const bool opaque = object.material.opacity >= 1.0f && !coloring.mayBeTransparent();
-  if (!(this->PixelsOfError > 0.0) || !opaque || !impl.model.makeLods())
+  // Boxes cannot be closed where they are cut.
+  if (!(this->PixelsOfError > 0.0) || !opaque || !object.clip.isAll() || !impl.model.makeLods())
     return;
   object.surface = mote::ParticleSurface(impl.model.structure(), this->PixelsOfError);
   const mote::ArrayView& array = coloring.direct.empty() ? coloring.values : coloring.direct;

@@ -35,6 +35,7 @@
 #include <string> // for messages
 #include <vector> // for names
 
+class vtkMoteClipCylinder;
 class vtkDataArray;
 class vtkPointSet;
 
@@ -286,6 +287,16 @@ public:
    */
   vtkSetVectorMacro(ReplicationVectors, double, 9);
   vtkGetVectorMacro(ReplicationVectors, double, 9);
+  ///@}
+
+  ///@{
+  /**
+   * Which piece about an axis is shown, beside what SetClippingPlanes() leaves: null, the default,
+   * for all. Spheres are cut where planes and cylinder are, and closed by flat faces. Nothing is
+   * built for either.
+   */
+  void SetClipCylinder(vtkMoteClipCylinder* cylinder);
+  vtkMoteClipCylinder* GetClipCylinder();
   ///@}
 
   /** Bounds of the spheres, not of their centres alone, and of all images of Replication. */

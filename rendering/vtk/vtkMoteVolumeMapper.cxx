@@ -4,6 +4,7 @@
 #include "Bounds.h"
 #include "BuildEvents.h"
 #include "InputTimeStep.h"
+#include "MapperClip.h"
 #include "Names.h"
 #include "RendererImage.h"
 #include "SceneBridge.h"
@@ -21,7 +22,6 @@
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkUnstructuredGrid.h"
@@ -44,6 +44,7 @@ public:
   int fieldUpdates = 0;
 
   mote::VisibleCells visible;
+  mote::MapperClip clip;
   mote::HiddenOfMesh hidden;
 
   mote::ArrayColors colors;
@@ -105,6 +106,17 @@ void vtkMoteVolumeMapper::SetVisibleCells(vtkUnsignedCharArray* isVisible)
 vtkUnsignedCharArray* vtkMoteVolumeMapper::GetVisibleCells()
 {
   return this->Impl->visible.get();
+}
+
+void vtkMoteVolumeMapper::SetClipCylinder(vtkMoteClipCylinder* cylinder)
+{
+  if (this->Impl->clip.set(cylinder))
+    this->Modified();
+}
+
+vtkMoteClipCylinder* vtkMoteVolumeMapper::GetClipCylinder()
+{
+  return this->Impl->clip.cylinder();
 }
 
 double* vtkMoteVolumeMapper::GetBounds()
@@ -196,8 +208,8 @@ void vtkMoteVolumeMapper::GetScalarRange(double range[2])
 
 vtkMTimeType vtkMoteVolumeMapper::GetPictureMTime()
 {
-  vtkMTimeType time =
-    std::max({this->GetMTime(), this->Impl->changedAt.GetMTime(), this->Impl->visible.time()});
+  vtkMTimeType time = std::max({this->GetMTime(), this->Impl->changedAt.GetMTime(),
+    this->Impl->visible.time(), this->Impl->clip.time(this)});
   if (this->GetNumberOfInputConnections(0) > 0)
     if (vtkDataObject* input = this->GetExecutive()->GetInputData(0, 0))
       time = std::max(time, input->GetMTime());
@@ -371,6 +383,7 @@ bool vtkMoteVolumeMapper::DescribeTo(mote::Scene& scene, vtkVolume* volume, int 
     cloud.structure = impl.geometry.structure();
     cloud.field = impl.field;
     cloud.toWorld = mote::placementOf(volume);
+    cloud.clip = impl.clip.region(this);
     if (values > 0)
     {
       scene.surfaces.push_back(
@@ -420,9 +433,7 @@ void vtkMoteVolumeMapper::DescribeLook(mote::CloudObject& cloud, vtkVolumeProper
 
 void vtkMoteVolumeMapper::WarnOfUnused(vtkVolumeProperty* property)
 {
-  std::string unused = mote::unusedOf(property);
-  if (this->ClippingPlanes && this->ClippingPlanes->GetNumberOfItems() > 0)
-    unused += "Clipping planes do not cut volumes; use the camera's clipping range.";
+  const std::string unused = mote::unusedOf(property);
   if (!unused.empty() && unused != this->Impl->reportedUnused)
     vtkWarningMacro(<< unused);
   this->Impl->reportedUnused = unused;

@@ -45,6 +45,7 @@
 #include <utility> // for memory
 #include <vector>  // for names
 
+class vtkMoteClipCylinder;
 class vtkDataArray;
 class vtkUnsignedCharArray;
 class vtkUnstructuredGrid;
@@ -192,6 +193,16 @@ public:
    */
   void SetVisibleCells(vtkUnsignedCharArray* isVisible);
   vtkUnsignedCharArray* GetVisibleCells();
+  ///@}
+
+  ///@{
+  /**
+   * Which piece about an axis is shown, beside what SetClippingPlanes() leaves: null, the default,
+   * for all. Rays are cut where planes and cylinder are; isosurfaces are open there. Nothing is
+   * built for either.
+   */
+  void SetClipCylinder(vtkMoteClipCylinder* cylinder);
+  vtkMoteClipCylinder* GetClipCylinder();
   ///@}
 
   /**

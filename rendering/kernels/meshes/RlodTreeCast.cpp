@@ -2,6 +2,8 @@
 
 #include "RlodTree.h"
 
+#include "../core/BundlePackets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "meshes/RlodTreeCast.cpp"
 #include <hwy/foreach_target.h>
@@ -59,37 +61,6 @@ HWY_EXPORT(castAnyOfPacket);
 namespace
 {
 
-/// Calls ask(packet) for the rays of a bundle, as packets, and keeps the answers.
-template <typename Ask>
-void askInPackets(RayBundle& bundle, OnSurface onSurface, const Ask& ask)
-{
-  RayPacket packet;
-  packet.onSurface = onSurface;
-  packet.footprint = bundle.footprint;
-  packet.footprintPerT = bundle.footprintPerT;
-  for (int first = 0; first < bundle.count; first += packet.count)
-  {
-    packet.count = std::min(RayPacket::capacity, bundle.count - first);
-    for (int i = 0; i < packet.count; ++i)
-    {
-      const Vec3d origin = bundle.originOf(first + i), way = bundle.directionOf(first + i);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        packet.origin[axis][i] = origin[axis];
-        packet.direction[axis][i] = way[axis];
-      }
-    }
-    std::fill_n(packet.tMin, packet.count, bundle.tMin);
-    std::copy_n(bundle.t + first, packet.count, packet.t);
-    std::copy_n(bundle.slot + first, packet.count, packet.slot);
-    std::copy_n(bundle.object + first, packet.count, packet.object);
-    ask(packet);
-    std::copy_n(packet.t, packet.count, bundle.t + first);
-    std::copy_n(packet.slot, packet.count, bundle.slot + first);
-    std::copy_n(packet.object, packet.count, bundle.object + first);
-  }
-}
-
 /// Whether the rays of a bundle lie so far apart that most meet triangles of their own: a bundle
 /// then looks at all that lies between them, and packets are much faster (docs/triangles.md).
 bool isSparse(const RayBundle& rays, const RlodTree& tree)
@@ -129,7 +100,8 @@ void RlodTree::cast(RayBundle& bundle, std::int32_t object, double poe) const
   if (size() == 0 ||
       HWY_DYNAMIC_DISPATCH(castNearest)(RlodTreeView(*this), bundle, object, poe, nullptr))
     return;
-  askInPackets(bundle, OnSurface::Neither, [&](RayPacket& packet) { cast(packet, object, poe); });
+  askInPackets(
+    bundle, OnSurface::Neither, [&](RayPacket& packet, int) { cast(packet, object, poe); });
 }
 
 void RlodTree::cast(RayBundle& bundle, std::int32_t object, double poe, Counts& counts) const
@@ -143,7 +115,8 @@ void RlodTree::occlude(RayBundle& bundle, std::int32_t object, double poe) const
   if (size() == 0 || (!isSparse(bundle, *this) &&
                        HWY_DYNAMIC_DISPATCH(castAny)(RlodTreeView(*this), bundle, object, poe)))
     return;
-  askInPackets(bundle, OnSurface::End, [&](RayPacket& packet) { occlude(packet, object, poe); });
+  askInPackets(
+    bundle, OnSurface::End, [&](RayPacket& packet, int) { occlude(packet, object, poe); });
 }
 
 } // namespace mote

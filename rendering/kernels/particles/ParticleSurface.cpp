@@ -184,6 +184,12 @@ bool ParticleSurface::encloses(std::uint64_t slot, const Vec3d& point) const
            [&](const auto& s) { return glm::length(point - s.center(slot)) < s.radius(slot); });
 }
 
+double ParticleSurface::largestWidth() const
+{
+  return 2.0 *
+         withStructure(*structure_, [](const auto& s) { return s.statistics().largestRadius; });
+}
+
 void ParticleSurface::inputIds(const std::uint64_t* slots, int count, std::uint64_t* ids) const
 {
   withStructure(*structure_,

@@ -51,6 +51,7 @@ public:
   Vec3d normalAt(std::uint64_t slot, const Vec3d& point) const;
   Vec3d seenNormalAt(std::uint64_t slot, const Vec3d& point, const Vec3d& way) const;
   bool encloses(std::uint64_t slot, const Vec3d& point) const;
+  double largestWidth() const; ///< of anything that may enclose a point
   void colorIndices(const std::uint64_t* slots, int count, std::uint64_t* indices) const
   {
     this->inputIds(slots, count, indices);

@@ -39,6 +39,7 @@ SurfaceObject isoSurfacesOf(const CloudObject& cloud, const std::vector<double>&
   object.revision = cloud.revision;
   object.surface = IsoSurface(cloud.structure, cloud.field, values, cloud.hidden);
   object.toWorld = cloud.toWorld;
+  object.clip = cloud.clip;
   object.material = cloud.material;
   const double offset = cloud.field->offset();
   const TransferTable table(cloud.transfer, offset);

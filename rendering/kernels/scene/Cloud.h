@@ -51,6 +51,7 @@ struct CloudObject
   std::shared_ptr<const WalkCells> walk;
   std::shared_ptr<const HiddenCells> hidden; ///< of the structure's mesh; null: none
   Mat4d toWorld{1.0};                        ///< affine
+  ClipRegion clip;                           ///< where in the world it is shown
   TransferFunction transfer;
   VolumeSampling sampling;
   bool shade = false; ///< light it by its gradient and the material

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../core/ArrayView.h"
+#include "../core/ClipRegion.h"
 #include "../core/ColorMix.h"
 #include "../hexahedra/IsoSurface.h"
 #include "../meshes/MeshSurface.h"
@@ -67,6 +68,9 @@ struct SurfaceObject
   std::uint64_t revision = 0;
   Surface surface;
   Mat4d toWorld{1.0}; ///< affine; spheres become ellipsoids where it scales unevenly
+  /// Where in the world it is shown, of kinds that are not convex: cut open, and without a cap.
+  /// What lies outside is not there for rays. Particles are cut by whoever chooses them.
+  ClipRegion clip;
   SurfaceColoring coloring;
   Material material;
   /// By slot, or null. Local shading takes the ambient light from them in place of rays; see

@@ -39,8 +39,60 @@ void BundleClouds::gather(const Part* parts, int count, RayColor* colors) const
   }
 }
 
-/// Gathers one cloud.
+/// Gathers one cloud, where it is shown.
 void BundleClouds::gather(
+  std::size_t cloud, const Part* parts, int count, RayColor* colors, Runs* runs) const
+{
+  if (!tracers_[cloud].clip().isAll())
+    return this->gatherClipped(cloud, parts, count, colors, runs);
+  this->gatherWhole(cloud, parts, count, colors, runs);
+}
+
+/// Gathers those parts of one cloud that are shown, one behind another.
+void BundleClouds::gatherClipped(
+  std::size_t cloud, const Part* parts, int count, RayColor* colors, Runs* runs) const
+{
+  std::array<std::array<RaySpan, ClipRegion::mostSpans>, mostParts> spans;
+  std::array<int, mostParts> counts;
+  for (int i = 0; i < count; ++i)
+  {
+    const auto& [place, from, to] = parts[i];
+    const auto r = static_cast<std::size_t>(i);
+    counts[r] = tracers_[cloud].clip().spansOf(rays_.originAt(place.x, place.y),
+      rays_.directionAt(place.x, place.y), from, to, spans[r].data());
+    colors[i] = {};
+  }
+  std::array<Part, mostParts> some;
+  std::array<RayColor, mostParts> theirs;
+  std::array<Runs, mostParts> ofSome;
+  std::array<int, mostParts> ray;
+  for (int s = 0; s < ClipRegion::mostSpans; ++s)
+  {
+    int found = 0;
+    for (int i = 0; i < count; ++i)
+    {
+      const auto r = static_cast<std::size_t>(i), k = static_cast<std::size_t>(found);
+      if (s >= counts[r])
+        continue;
+      const RaySpan& span = spans[r][static_cast<std::size_t>(s)];
+      some[k] = {parts[i].place, span.tIn, span.tOut};
+      ofSome[k].clear();
+      ray[k] = i;
+      ++found;
+    }
+    if (found > 0)
+      this->gatherWhole(cloud, some.data(), found, theirs.data(), runs ? ofSome.data() : nullptr);
+    for (int k = 0; k < found; ++k)
+    {
+      const auto r = static_cast<std::size_t>(k);
+      colors[ray[r]].add(theirs[r]);
+      if (runs)
+        runs[ray[r]].insert(runs[ray[r]].end(), ofSome[r].begin(), ofSome[r].end());
+    }
+  }
+}
+
+void BundleClouds::gatherWhole(
   std::size_t cloud, const Part* parts, int count, RayColor* colors, Runs* runs) const
 {
   const CloudTracer& tracer = tracers_[cloud];

@@ -46,11 +46,11 @@ BundleTracer::BundleTracer(
   , side_(side)
   , limits_(limits)
   , rays_(camera, film.width(), film.height())
+  , casts_(scene, rays_)
 {
   RayCaster::sampleOffset(film.samples(), jitterX_, jitterY_);
   for (const SurfaceObject& object : scene.surfaces)
   {
-    localRays_.push_back(rays_.transformed(glm::inverse(object.toWorld)));
     shaders_.emplace_back(object);
     isTransparent_ =
       isTransparent_ || object.material.opacity < 1.0f || object.coloring.mayBeTransparent();
@@ -76,7 +76,7 @@ void BundleTracer::traceTile(int x0, int y0, int size) const
     side = 16;
     for (std::size_t k = 0; k < scene_.surfaces.size(); ++k)
       side = std::min(side, withSurface(scene_.surfaces[k].surface, [&](const auto& s)
-                              { return s.bundleSide(localRays_[k], x0, y0, size); }));
+                              { return s.bundleSide(casts_.local(k), x0, y0, size); }));
   }
   Bundle bundle;
   bundle.pixels = &pixelsOf(side);
@@ -113,12 +113,7 @@ void BundleTracer::traceBundle(Bundle& bundle, int side, int x0, int y0) const
   }
   if (limits_ != nullptr)
     limitRays(bundle, x0, y0);
-  for (std::size_t k = 0; k < scene_.surfaces.size(); ++k)
-  {
-    localRays_[k].placeBundle(rays, side, x0, y0, jitterX_, jitterY_);
-    withSurface(scene_.surfaces[k].surface,
-      [&](const auto& s) { s.cast(rays, static_cast<std::int32_t>(k)); });
-  }
+  casts_.cast(rays, side, x0, y0, jitterX_, jitterY_);
 }
 
 void BundleTracer::limitRays(Bundle& bundle, int x0, int y0) const
@@ -185,7 +180,7 @@ void BundleTracer::shadeHits(
     measureWidth(block, rays, bundle.world);
   for (std::size_t k = 0; k < shaders_.size(); ++k)
   {
-    localRays_[k].placeBundle(rays, side, x0, y0, jitterX_, jitterY_);
+    casts_.local(k).placeBundle(rays, side, x0, y0, jitterX_, jitterY_);
     const SurfaceShader& shader = shaders_[k];
     shader.gather(rays, static_cast<std::int32_t>(k), bundle.outside, block);
     if (block.count == 0)

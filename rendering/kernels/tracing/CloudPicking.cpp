@@ -150,31 +150,40 @@ std::optional<CloudPick> CloudPicker::pick(
   const Vec3d& origin, const Vec3d& direction, double tMin, double tMax, Wanted wanted) const
 {
   Sum sum(glm::length(direction));
-  const auto rayIn = [&](const Look& look)
+  // The parts of the ray where a cloud is shown, in its coordinates.
+  const auto raysIn = [&](const Look& look)
   {
-    return HexRay{
-      transformPoint(look.toLocal, origin), transformVector(look.toLocal, direction), tMin, tMax};
+    RaySpan spans[ClipRegion::mostSpans];
+    const int count = look.cloud->clip.spansOf(origin, direction, tMin, tMax, spans);
+    std::vector<HexRay> rays;
+    for (int k = 0; k < count; ++k)
+      rays.push_back({transformPoint(look.toLocal, origin),
+        transformVector(look.toLocal, direction), spans[k].tIn, spans[k].tOut});
+    return rays;
   };
   if (looks_.size() == 1) // spans come in order
   {
-    const HexRay ray = rayIn(looks_.front());
-    forPieces(*looks_.front().cloud, looks_.front().transfer, ray,
-      [&](const Piece& piece)
-      {
-        sum.add(piece);
-        return wanted == Wanted::All || !sum.isDecided();
-      });
+    const auto goesOn = [&] { return wanted == Wanted::All || !sum.isDecided(); };
+    for (const HexRay& ray : raysIn(looks_.front()))
+      if (goesOn())
+        forPieces(*looks_.front().cloud, looks_.front().transfer, ray,
+          [&](const Piece& piece)
+          {
+            sum.add(piece);
+            return goesOn();
+          });
   }
   else
   {
     std::vector<Piece> pieces;
     for (const Look& look : looks_)
-      forPieces(*look.cloud, look.transfer, rayIn(look),
-        [&](const Piece& piece)
-        {
-          pieces.push_back(piece);
-          return true;
-        });
+      for (const HexRay& ray : raysIn(look))
+        forPieces(*look.cloud, look.transfer, ray,
+          [&](const Piece& piece)
+          {
+            pieces.push_back(piece);
+            return true;
+          });
     std::stable_sort(
       pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.tIn < b.tIn; });
     for (const Piece& piece : pieces)

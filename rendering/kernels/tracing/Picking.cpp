@@ -86,6 +86,9 @@ std::optional<ScenePick> pick(
       const double length = glm::length(normal);
       found.normal = length > 0.0 ? normal / length : Vec3d(0.0);
     });
+  const double distance = found.t * glm::length(direction);
+  if (const auto face = cutFaceAt(rays.surface(ray.object), found.position, distance))
+    found.normal = *face;
   return found;
 }
 

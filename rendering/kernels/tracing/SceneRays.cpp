@@ -1,5 +1,7 @@
 #include "detail/SceneRays.h"
 
+#include "detail/ClippedRays.h"
+
 #include <algorithm>
 #include <type_traits>
 
@@ -72,7 +74,7 @@ bool mayMeet(const RayPacket& rays, const Box& box)
 /// Calls visit(surface, packet, index) for each surface that `takes` accepts, the packet holding
 /// the rays in the surface's coordinates, and of those that leave it no more than what lies behind
 /// their departure; their answers come back into `rays`.
-template <typename Takes, typename Visit>
+template <bool isNearest, typename Takes, typename Visit>
 void SceneRays::forSurfaces(
   RayPacket& rays, const Departures* from, const Takes& takes, const Visit& visit) const
 {
@@ -113,8 +115,24 @@ void SceneRays::forSurfaces(
           from->surface[i] == static_cast<std::int32_t>(k) ? from->until[i] : rays.tMin[i];
     local.footprint = localWidth(static_cast<std::int32_t>(k), rays.footprint);
     local.footprintPerT = localWidth(static_cast<std::int32_t>(k), rays.footprintPerT);
-    withSurface(scene_.surfaces[k].surface,
-      [&](const auto& s) { visit(s, local, static_cast<std::int32_t>(k)); });
+    const SurfaceObject& object = scene_.surfaces[k];
+    withSurface(object.surface,
+      [&](const auto& s)
+      {
+        const auto look = [&](RayPacket& some) { visit(s, some, static_cast<std::int32_t>(k)); };
+        if (object.clip.isAll())
+          return look(local);
+        ClippedPacket clipped(object.clip, local,
+          [&](int i, const auto& with)
+          {
+            with(reference_ + Vec3d(rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]),
+              Vec3d(rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]));
+          });
+        if constexpr (isNearest)
+          clipped.castNearest(local, s, static_cast<std::int32_t>(k));
+        else
+          clipped.cast(local, look);
+      });
   }
   std::copy_n(local.t, rays.count, rays.t);
   std::copy_n(local.slot, rays.count, rays.slot);
@@ -134,17 +152,17 @@ constexpr auto occludeAt = [](const auto& s, RayPacket& rays, std::int32_t k)
 
 void SceneRays::cast(RayPacket& rays, const Departures* from) const
 {
-  this->forSurfaces(rays, from, all, castAt);
+  this->forSurfaces<true>(rays, from, all, castAt);
 }
 
 void SceneRays::occlude(RayPacket& rays, const Departures* from) const
 {
-  this->forSurfaces(rays, from, all, occludeAt);
+  this->forSurfaces<false>(rays, from, all, occludeAt);
 }
 
 void SceneRays::shadow(RayPacket& rays, const Departures* from) const
 {
-  this->forSurfaces(rays, from, casters, occludeAt);
+  this->forSurfaces<false>(rays, from, casters, occludeAt);
 }
 
 } // namespace mote

@@ -2,6 +2,7 @@
 
 #include "RayCaster.h"
 #include "Tiles.h"
+#include "detail/CameraCasts.h"
 
 #include <algorithm>
 #include <atomic>
@@ -27,13 +28,11 @@ class Look
 {
 public:
   Look(const Scene& scene, const Camera& camera, const SeenView& view, int sample)
-    : scene_(scene)
-    , view_(view)
+    : view_(view)
     , rays_(camera, view.width, view.height)
+    , casts_(scene, rays_)
   {
     RayCaster::sampleOffset(sample, jitterX_, jitterY_);
-    for (const SurfaceObject& object : scene.surfaces)
-      localRays_.push_back(rays_.transformed(glm::inverse(object.toWorld)));
   }
 
   void add(int x0, int y0, SeenParticles& seen) const
@@ -45,12 +44,7 @@ public:
       {
         rays_.fillBundle(bundle, side, x, y, jitterX_, jitterY_);
         limit(bundle, side, x, y);
-        for (std::size_t k = 0; k < localRays_.size(); ++k)
-        {
-          localRays_[k].placeBundle(bundle, side, x, y, jitterX_, jitterY_);
-          withSurface(scene_.surfaces[k].surface,
-            [&](const auto& s) { s.cast(bundle, static_cast<std::int32_t>(k)); });
-        }
+        casts_.cast(bundle, side, x, y, jitterX_, jitterY_);
         for (int i = 0; i < bundle.count; ++i)
           if (bundle.object[i] >= 0)
             if (auto& bits = seen[static_cast<std::size_t>(bundle.object[i])]; !bits.empty())
@@ -76,11 +70,10 @@ private:
     }
   }
 
-  const Scene& scene_;
   const SeenView& view_;
   CameraRays rays_;
+  CameraCasts casts_;
   double jitterX_ = 0.0, jitterY_ = 0.0;
-  std::vector<CameraRays> localRays_;
 };
 
 } // namespace

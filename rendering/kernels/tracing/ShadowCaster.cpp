@@ -1,5 +1,7 @@
 #include "detail/ShadowCaster.h"
 
+#include "detail/ClippedRays.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -257,7 +259,21 @@ void ShadowCaster::castTogether(Work& work, const std::uint16_t* hits, int count
     const bool endsSooner = k == work.block.surface && rays_.errs(k);
     for (int i = 0; endsSooner && i < count; ++i)
       work.ownEnd[i] = std::exchange(bundle.t[i], std::min(bundle.t[i], work.ownEnd[i]));
-    withSurface(object.surface, [&](const auto& s) { s.occlude(bundle, k); });
+    withSurface(object.surface,
+      [&](const auto& s)
+      {
+        const auto visit = [&](auto& some) { s.occlude(some, k); };
+        if (object.clip.isAll())
+          return visit(bundle);
+        RayBundle world;
+        world.kind = bundle.kind;
+        world.origin = origin;
+        world.direction = work.distance * work.ahead;
+        world.dx = work.u;
+        world.dy = work.v;
+        castClipped(object.clip, world, OnSurface::End, bundle, visit,
+          [&](ClippedPacket& clipped, RayPacket& packet) { clipped.cast(packet, visit); });
+      });
     for (int i = 0; endsSooner && i < count; ++i)
       if (bundle.t[i] > 0.0)
         bundle.t[i] = work.ownEnd[i];

@@ -21,6 +21,8 @@ SurfaceShader::SurfaceShader(const SurfaceObject& object)
       largest = std::max(largest, std::abs(normals[column][row]));
   normalToWorld_ = glm::mat3(largest > 0.0 ? normals / largest : normals);
   normalToLocal_ = glm::mat3(glm::transpose(linear) * (largest > 0.0 ? largest : 1.0));
+  isCut_ = !object.clip.isAll() && withSurface(object.surface, [](const auto& s)
+                                     { return std::decay_t<decltype(s)>::isConvex; });
 }
 
 void SurfaceShader::gather(const RayBundle& local, std::int32_t index, const std::uint8_t* skipped,
@@ -133,8 +135,44 @@ Vec4f SurfaceShader::colorOf(std::uint64_t slot, const Vec3d& local) const
   return {color[0][0], color[0][1], color[0][2], color[0][3]};
 }
 
+std::optional<Vec3d> cutFaceAt(const SurfaceObject& object, const Vec3d& point, double distance)
+{
+  const bool isSolid =
+    withSurface(object.surface, [](const auto& s) { return std::decay_t<decltype(s)>::isConvex; });
+  if (object.clip.isAll() || !isSolid)
+    return {};
+  // What rounding may put the point off the face.
+  const Vec3d size = glm::abs(point);
+  return object.clip.faceAt(point, 1e-9 * distance + 1e-13 * std::max({size.x, size.y, size.z}));
+}
+
+/// Hits where a solid was cut look across the cut.
+void SurfaceShader::faceCuts(SurfaceBlock& block, const BundlePlacing& placing) const
+{
+  for (int k = 0; k < block.count; ++k)
+  {
+    const bool fan = placing.world.kind == RayBundle::Kind::CommonOrigin;
+    const Vec3d aside =
+      double(block.rayX[k]) * placing.world.dx + double(block.rayY[k]) * placing.world.dy;
+    const Vec3d origin = fan ? placing.world.origin : placing.world.origin + aside;
+    const Vec3d way = fan ? placing.world.direction + aside : placing.world.direction;
+    const Vec3d point = origin + block.t[k] * way;
+    const auto face = cutFaceAt(object_, point, block.t[k] * glm::length(way));
+    if (!face || glm::dot(*face, way) > 0.0)
+      continue;
+    block.normal.x[k] = static_cast<float>(face->x);
+    block.normal.y[k] = static_cast<float>(face->y);
+    block.normal.z[k] = static_cast<float>(face->z);
+    block.side[k] = 1.0f;
+  }
+}
+
 Vec3f SurfaceShader::normalAt(std::uint64_t slot, const Vec3d& local, const Vec3d& way) const
 {
+  if (isCut_)
+    if (const auto face = cutFaceAt(object_, transformPoint(object_.toWorld, local),
+          glm::length(transformVector(object_.toWorld, local))))
+      return Vec3f(*face);
   const Vec3d outward = withSurface(object_.surface,
     [&](const auto& s)
     {
@@ -165,6 +203,8 @@ void SurfaceShader::place(
         s.inputIds(block.slot, block.count, block.id);
       s.place(block, hits);
     });
+  if (isCut_)
+    faceCuts(block, placing);
   beginLight(block, object_.material.ambient);
 }
 

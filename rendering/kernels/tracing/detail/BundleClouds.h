@@ -27,6 +27,10 @@ public:
 private:
   using Runs = std::vector<RayRun>;
   void gather(std::size_t cloud, const Part* parts, int count, RayColor* colors, Runs* runs) const;
+  void gatherClipped(
+    std::size_t cloud, const Part* parts, int count, RayColor* colors, Runs* runs) const;
+  void gatherWhole(
+    std::size_t cloud, const Part* parts, int count, RayColor* colors, Runs* runs) const;
 
   const CameraRays& rays_;
   std::deque<CloudTracer> tracers_;

@@ -3,6 +3,7 @@
 #include "../../core/Camera.h"
 #include "../../core/Film.h"
 #include "BundleClouds.h"
+#include "CameraCasts.h"
 #include "HitsBehind.h"
 #include "PathTracer.h"
 
@@ -57,8 +58,8 @@ private:
   int side_;
   const float* limits_;
   CameraRays rays_;
+  CameraCasts casts_;
   double jitterX_ = 0.0, jitterY_ = 0.0;
-  std::vector<CameraRays> localRays_; ///< a surface each
   std::vector<SurfaceShader> shaders_;
   std::optional<SceneLighting> lighting_; ///< of local shading, and of clouds
   std::optional<BundleClouds> clouds_;    ///< where there are any

@@ -50,6 +50,8 @@ public:
   /// Gathers rays of that camera from cell to cell; null where there is none.
   const CellWalk* walk() const { return walk_ ? &*walk_ : nullptr; }
 
+  const ClipRegion& clip() const { return cloud_.clip; }
+
   /// How the rays of a camera differ from pixel to pixel, in the coordinates of the mesh.
   BundleFrustum::Sides sidesOf(const CameraRays& rays) const;
 

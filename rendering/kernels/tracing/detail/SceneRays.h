@@ -75,7 +75,7 @@ public:
   }
 
 private:
-  template <typename Takes, typename Visit>
+  template <bool isNearest, typename Takes, typename Visit>
   void forSurfaces(
     RayPacket& rays, const Departures* from, const Takes& takes, const Visit& visit) const;
 

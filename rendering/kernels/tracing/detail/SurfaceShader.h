@@ -2,6 +2,8 @@
 
 #include "SceneLighting.h"
 
+#include <optional>
+
 namespace mote
 {
 
@@ -13,6 +15,10 @@ struct BundlePlacing
   Vec3d worldOrigin{0.0}; ///< of `world`, from the reference point
   double footprint = 0.0; ///< as in ShadowCaster::remove()
 };
+
+/// The unit normal of the flat face that a hit lies on, so far along its ray, where the clip of an
+/// object has cut a solid open.
+std::optional<Vec3d> cutFaceAt(const SurfaceObject& object, const Vec3d& point, double distance);
 
 /// Shades hits on one surface by its material, colours and the scene's lights.
 class SurfaceShader
@@ -47,6 +53,7 @@ private:
   template <typename PointOf>
   void fillColors(
     const std::uint64_t* slots, int count, const PointOf& pointOf, float (*colors)[4]) const;
+  void faceCuts(SurfaceBlock& block, const BundlePlacing& placing) const;
   void lookUpShares(const SurfaceBlock& block, const OcclusionLookUp& found, float* shares) const;
   bool usesMaps() const { return object_.occlusion && object_.material.ambient > 0.0f; }
 
@@ -54,6 +61,7 @@ private:
   glm::mat3 normalToWorld_{1.0f};
   glm::mat3 normalToLocal_{1.0f}; ///< times any factor
   bool isIdentity_ = false;
+  bool isCut_ = false; ///< solids, by the object's clip
 };
 
 } // namespace mote

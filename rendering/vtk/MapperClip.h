@@ -1,0 +1,31 @@
+#pragma once
+
+#include "kernels/core/ClipRegion.h"
+
+#include "vtkMoteClipCylinder.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+class vtkAbstractMapper;
+
+namespace mote
+{
+
+/// Where in the world a mapper shows its data: its clipping planes, and a cylinder's piece.
+class MapperClip
+{
+public:
+  /// Returns whether it is another one; null for none.
+  bool set(vtkMoteClipCylinder* cylinder);
+  vtkMoteClipCylinder* cylinder() const { return cylinder_; }
+
+  /// Planes and cylinders without a direction leave all.
+  ClipRegion region(vtkAbstractMapper* mapper) const;
+  /// When any of it changed last.
+  vtkMTimeType time(vtkAbstractMapper* mapper) const;
+
+private:
+  vtkSmartPointer<vtkMoteClipCylinder> cylinder_;
+};
+
+} // namespace mote
