@@ -180,6 +180,7 @@ void Panel::drawGroups(const PanelFacts& facts)
   this->drawGroup("Data", &Panel::drawData);
   this->drawGroup("Colour", &Panel::drawColour);
   this->drawGroup("Selection", &Panel::drawSelection);
+  this->drawGroup("Cuts", &Panel::drawCuts);
   this->drawPicked(facts.picked);
   this->drawPlot(facts.picked);
   if (found_.hasVolumes)

@@ -150,6 +150,10 @@ private:
   void drawKinds(const NamedArray& array, const Kinds& kinds);
   void drawNewRange();
   void tellShown() const;
+  void drawCuts();
+  bool drawCut(ShowRange& cut, const Interval& extent);
+  bool dragCut(const std::string& name, const Interval& extent, Interval& shown);
+  void drawNewCut(const double bounds[6]);
   void drawPicked(const PickedFacts& facts);
   void drawPlot(const PickedFacts& facts);
   void drawVolume();

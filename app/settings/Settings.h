@@ -78,6 +78,15 @@ struct SelectionSettings
   bool operator==(const SelectionSettings&) const = default;
 };
 
+/// What is cut open.
+struct CutSettings
+{
+  /// By x, y, z, a direction "NX,NY,NZ", or r, h, angle about the axis: one interval each.
+  std::vector<ShowRange> ranges;
+  std::vector<double> axis; ///< none; its direction; or a point on it and its direction
+  bool operator==(const CutSettings&) const = default;
+};
+
 /// How large particles are, and what rays are cast through.
 struct ParticleSettings
 {
@@ -218,6 +227,7 @@ struct Settings
   DataSettings data;
   ColorSettings color;
   SelectionSettings selection;
+  CutSettings cuts;
   ParticleSettings particles;
   VolumeSettings volume;
   CameraSettings camera;

@@ -401,6 +401,21 @@ void Part::limitCells(const std::vector<CellLimit>& limits)
       volume_->limit(limit.intervals);
 }
 
+void Part::setCuts(const Cuts& cuts)
+{
+  const auto set = [&](auto* mapper)
+  {
+    mapper->SetClippingPlanes(cuts.planes());
+    mapper->SetClipCylinder(cuts.cylinder());
+  };
+  if (particles_)
+    set(particles_);
+  if (surface_)
+    set(surface_->mapper());
+  if (volume_)
+    set(volume_->mapper());
+}
+
 void Part::showAll()
 {
   if (!particles_)

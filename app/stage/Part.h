@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Arrays.h"
+#include "Cuts.h"
 #include "MemoryPieces.h"
 #include "ShownCells.h"
 #include "Surface.h"
@@ -118,6 +119,9 @@ public:
   /// within cells, too. Nothing but triangles of surfaces is built anew, in the next build().
   void limitCells(const std::vector<CellLimit>& limits);
   const ShownCells& cells() const { return cells_; }
+
+  /// Cuts it open.
+  void setCuts(const Cuts& cuts);
 
   /// Hides no particle.
   void showAll();

@@ -62,6 +62,8 @@ bool Stage::apply(const Settings& settings)
   if (otherData || before.color != settings.color || before.selection != settings.selection ||
       before.volume != settings.volume)
     this->applyColors();
+  else if (before.cuts != settings.cuts)
+    this->applyCuts();
   const auto allowsError = [](const Settings& s) { return errorShares(s).lodError > 0.0; };
   return otherData || before.particles != settings.particles ||
          allowsError(before) != allowsError(settings) || // which automatic structures depend on
@@ -257,6 +259,14 @@ void Stage::applyColors()
 {
   coloring_.apply(parts_);
   selection_.apply(parts_, coloring_.choice());
+  this->applyCuts();
+}
+
+void Stage::applyCuts()
+{
+  cuts_.follow(settings_.cuts);
+  for (const auto& part : parts_)
+    part->setCuts(cuts_);
 }
 
 void Stage::look(double aspect, const Margins& margins)

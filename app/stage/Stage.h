@@ -66,6 +66,7 @@ public:
 
   /// Colours by the settings' array, or the most telling one, and hides what they hide.
   void applyColors();
+  void applyCuts();
 
   /// Looks as the settings' camera says; without one from the settings' side, with all that is
   /// shown in the frame, spheres and all.
@@ -132,6 +133,7 @@ private:
   vtkNew<vtkMoteSilhouettes> silhouettes_;
   Coloring coloring_;
   Selection selection_;
+  Cuts cuts_;
   bool preview_ = false;
 };
 

@@ -33,7 +33,7 @@ void writeImports(Script& script)
   script.line("import mote");
   script.line("from vtkmodules.vtkCommonCore import vtkLookupTable, vtkUnsignedCharArray");
   script.line("from vtkmodules.vtkCommonDataModel import (");
-  script.line("    vtkCompositeDataSet, vtkImageData, vtkPiecewiseFunction)");
+  script.line("    vtkCompositeDataSet, vtkImageData, vtkPiecewiseFunction, vtkPlane)");
   script.line("from vtkmodules.vtkFiltersCore import (");
   script.line("    vtkArrayCalculator, vtkPolyDataNormals, vtkThreshold)");
   script.line("from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter");

@@ -1,5 +1,6 @@
 #include "ScriptParts.h"
 
+#include "ScriptCuts.h"
 #include "ScriptText.h"
 #include "stage/Calculated.h"
 #include "stage/Ids.h"
@@ -96,6 +97,7 @@ void writeParticles(Script& script, const Part& part, const Settings& settings)
   if (mapper->GetPixelsOfError() > 0.0)
     script.call("mapper", "SetPixelsOfError", mapper->GetPixelsOfError());
   writeRanges(script, part, settings);
+  writeCuts(script, mapper, mapper->GetClipCylinder());
   writeActor(script, mapper, part);
 }
 
@@ -162,6 +164,7 @@ void writeSurface(
     script.line("mapper.SetVisibleCells(cells.GetVisibleCells())");
   if (surface.mapper()->GetPixelsOfError() > 0.0)
     script.call("mapper", "SetPixelsOfError", surface.mapper()->GetPixelsOfError());
+  writeCuts(script, surface.mapper(), surface.mapper()->GetClipCylinder());
   writeActor(script, surface.mapper(), part);
 }
 
@@ -217,6 +220,7 @@ void writeVolume(
   script.call("mapper", "SelectScalarArray", mapper->GetArrayName());
   script.call("mapper", "SetVectorMode", mapper->GetVectorMode());
   script.call("mapper", "SetVectorComponent", mapper->GetVectorComponent());
+  writeCuts(script, mapper, mapper->GetClipCylinder());
   script.line("prop = vtkVolume()");
   script.line("prop.SetMapper(mapper)");
   vtkVolumeProperty* look = volume->GetProperty();

@@ -9,6 +9,7 @@ namespace mote::app
 void addDataRows(std::vector<Row>& table);
 void addColorRows(std::vector<Row>& table);
 void addSelectionRows(std::vector<Row>& table);
+void addCutRows(std::vector<Row>& table);
 void addParticleRows(std::vector<Row>& table);
 void addVolumeRows(std::vector<Row>& table);
 void addCameraRows(std::vector<Row>& table);
