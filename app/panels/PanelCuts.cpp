@@ -110,7 +110,8 @@ bool Panel::dragCut(const std::string& name, const Interval& extent, Interval& s
   Histogram frame;
   frame.least = extent.low;
   frame.most = extent.high;
-  const bool isDragged = rangeControl(("cut " + name).c_str(), frame, shown, false);
+  const bool isDragged =
+    rangeControl(("cut " + name).c_str(), frame, shown, false, "--cut NAME=LO:HI");
   const bool isEntered =
     rangeFields("fields", shown, "The ends of what is shown\n--cut NAME=LO:HI");
   return isDragged || isEntered;

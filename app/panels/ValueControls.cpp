@@ -24,7 +24,8 @@ constexpr ImU32 hiddenBar = IM_COL32(70, 76, 86, 255);
 
 } // namespace
 
-bool rangeControl(const char* id, const Histogram& histogram, Interval& range, bool isOutside)
+bool rangeControl(const char* id, const Histogram& histogram, Interval& range, bool isOutside,
+  const std::string& option)
 {
   if (histogram.isEmpty())
     return false;
@@ -36,7 +37,7 @@ bool rangeControl(const char* id, const Histogram& histogram, Interval& range, b
   drawBars(frame, histogram,
     [&](double value)
     { return (value >= low && value <= high) != isOutside ? drawingBar : hiddenBar; });
-  explainKey("Drag a handle, or the range between the handles\n--show NAME=LO:HI");
+  explainKey(("Drag a handle, or the range between the handles\n" + option).c_str());
   int& part = heldPart(ImGui::GetID(id));
   const float x = ImGui::GetIO().MousePos.x;
   const float left = frame.xOf(low), right = frame.xOf(high);

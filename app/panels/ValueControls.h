@@ -13,8 +13,10 @@ namespace mote::app
 
 /// Draws a histogram with two handles at the ends of a range, which can be dragged, as can what
 /// lies between them. Returns whether the range is another one now. Keeps `low` <= `high`, within
-/// the histogram's range. `isOutside`: what is shown lies outside the range.
-bool rangeControl(const char* id, const Histogram& histogram, Interval& range, bool isOutside);
+/// the histogram's range. `isOutside`: what is shown lies outside the range. `option` is what the
+/// command line has for it.
+bool rangeControl(const char* id, const Histogram& histogram, Interval& range, bool isOutside,
+  const std::string& option = "--show NAME=LO:HI");
 
 /// A range of which one end was entered beyond the other one: that follows, so that the range is as
 /// wide as before, or as many times its lower end where all is above zero, as for logarithms.

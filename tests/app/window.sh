@@ -141,13 +141,13 @@ case $3 in
     }
     viewed -- "$copper"
     viewed c d plus Y -- "$copper" --show c_centro=3:20
-    viewed o bracketright m e -- "$data/hopper.dump.gz" --color-by type
+    viewed o bracketright m e -- "$data/hopper.dump.gz" --color-by type --cut x=:2 --cut angle=30:350
     viewed d d t -- "$data/hopper.dump.gz" --light -30,40 --title 'it'"'"'s speed'
     viewed c -- "$data/hopper.dump.gz" --calculate 'speed=v.magnitude' --calculate 'fast=speed > 1' \
       --where 'type == 2 || fast' --color-by speed
     viewed t t -- "$data/lj-fracture.dump.gz" --background white,navy
     viewed t t t -- "$data/hopper.dump.gz" --show type=2 --show radius=0.8:
-    viewed z -- "$data/swirl.1.vtu" --color-by U
+    viewed z -- "$data/swirl.1.vtu" --color-by U --cut 1,1,0=0:
     viewed m -- "$data/swirl.1.vtu" --iso 0.02 --no-cloud --color-by U
     viewed Left -- "$data/lj-fracture.dump.gz" --legend-side left --font-scale 1.5
     viewed g -- pump:0.001 --opacity 0%=0,100%=0.4 --lit
@@ -156,7 +156,7 @@ case $3 in
     [ "$(png_size window.png)" = 480x360 ] || fail "the picture is $(png_size window.png)"
     grep -q 'silhouette-thickness=2.25 ' out || fail "lines do not grow with the picture"
     tetrahedron
-    viewed l -- tetrahedron.ply --color-by z
+    viewed l -- tetrahedron.ply --color-by z --cut 1,1,1=:0.5
     viewed m -- "$data/swirl.1.vtu" --cells surface --color-by U
     # Cells that limits hide, and data sets side by side.
     viewed m -- "$data/swirl.1.vtu" --color-by p --show x=:0.005 --show U=0.01: --hide-ids 5:400

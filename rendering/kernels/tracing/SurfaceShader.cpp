@@ -146,24 +146,21 @@ std::optional<Vec3d> cutFaceAt(const SurfaceObject& object, const Vec3d& point, 
   return object.clip.faceAt(point, 1e-9 * distance + 1e-13 * std::max({size.x, size.y, size.z}));
 }
 
-/// Hits where a solid was cut look across the cut.
-void SurfaceShader::faceCuts(SurfaceBlock& block, const BundlePlacing& placing) const
+/// Calls take(hit, normal of the face) for hits where a solid was cut.
+template <typename Take>
+void SurfaceShader::forCuts(
+  const SurfaceBlock& block, const BundlePlacing& placing, const Take& take) const
 {
-  for (int k = 0; k < block.count; ++k)
+  for (int k = 0; isCut_ && k < block.count; ++k)
   {
     const bool fan = placing.world.kind == RayBundle::Kind::CommonOrigin;
     const Vec3d aside =
       double(block.rayX[k]) * placing.world.dx + double(block.rayY[k]) * placing.world.dy;
     const Vec3d origin = fan ? placing.world.origin : placing.world.origin + aside;
     const Vec3d way = fan ? placing.world.direction + aside : placing.world.direction;
-    const Vec3d point = origin + block.t[k] * way;
-    const auto face = cutFaceAt(object_, point, block.t[k] * glm::length(way));
-    if (!face || glm::dot(*face, way) > 0.0)
-      continue;
-    block.normal.x[k] = static_cast<float>(face->x);
-    block.normal.y[k] = static_cast<float>(face->y);
-    block.normal.z[k] = static_cast<float>(face->z);
-    block.side[k] = 1.0f;
+    const auto face = cutFaceAt(object_, origin + block.t[k] * way, block.t[k] * glm::length(way));
+    if (face && glm::dot(*face, way) <= 0.0)
+      take(k, *face);
   }
 }
 
@@ -203,8 +200,14 @@ void SurfaceShader::place(
         s.inputIds(block.slot, block.count, block.id);
       s.place(block, hits);
     });
-  if (isCut_)
-    faceCuts(block, placing);
+  forCuts(block, placing,
+    [&](int k, const Vec3d& face)
+    {
+      block.normal.x[k] = static_cast<float>(face.x);
+      block.normal.y[k] = static_cast<float>(face.y);
+      block.normal.z[k] = static_cast<float>(face.z);
+      block.side[k] = 1.0f;
+    });
   beginLight(block, object_.material.ambient);
 }
 
@@ -283,6 +286,8 @@ void SurfaceShader::shade(
   place(block, placing, positions, ids);
   float shares[SurfaceBlock::capacity];
   lookUpShares(block, found, shares);
+  // Maps are of the whole: what lay before a cut is not there.
+  forCuts(block, placing, [&](int k, const Vec3d&) { shares[k] = 1.0f; });
   for (int k = 0; k < block.count && !lighting.occlusion; ++k)
     if (std::isnan(shares[k]) && block.side[k] > 0.0f)
       shares[k] = typicalShare;

@@ -52,15 +52,6 @@ vtkSmartPointer<vtkUnstructuredGrid> only(vtkUnstructuredGrid* grid, vtkUnsigned
   return rest;
 }
 
-double mostBetween(const Picture& a, const Picture& b)
-{
-  double most = 0.0;
-  for (int i = 0; i < a.count(); ++i)
-    for (int c = 0; c < 4; ++c)
-      most = std::max(most, double(std::abs(a.color(i)[c] - b.color(i)[c])));
-  return most;
-}
-
 double ofPlace(const Point& p)
 {
   return p[0] + 0.5 * p[2];

@@ -127,6 +127,15 @@ std::vector<long long> Picture::particles() const
   return ids;
 }
 
+double mostBetween(const Picture& a, const Picture& b)
+{
+  double most = 0.0;
+  for (int i = 0; i < a.count(); ++i)
+    for (int c = 0; c < 4; ++c)
+      most = std::max(most, double(std::abs(a.color(i)[c] - b.color(i)[c])));
+  return most;
+}
+
 Picture trace(vtkRenderer* renderer, int width, int height, int samples)
 {
   vtkNew<vtkMoteRendererSource> source;

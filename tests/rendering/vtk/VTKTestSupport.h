@@ -77,6 +77,9 @@ struct Picture
   std::vector<long long> particles() const;
 };
 
+/// The greatest difference of a colour, over all pixels.
+double mostBetween(const Picture& a, const Picture& b);
+
 /// Traces with all arrays and a transparent background.
 Picture trace(vtkRenderer* renderer, int width, int height, int samples = 1);
 

@@ -53,7 +53,8 @@ private:
   template <typename PointOf>
   void fillColors(
     const std::uint64_t* slots, int count, const PointOf& pointOf, float (*colors)[4]) const;
-  void faceCuts(SurfaceBlock& block, const BundlePlacing& placing) const;
+  template <typename Take>
+  void forCuts(const SurfaceBlock& block, const BundlePlacing& placing, const Take& take) const;
   void lookUpShares(const SurfaceBlock& block, const OcclusionLookUp& found, float* shares) const;
   bool usesMaps() const { return object_.occlusion && object_.material.ambient > 0.0f; }
 
