@@ -81,9 +81,9 @@ void addQualityRows(std::vector<Row>& table)
       .help =
         "Levels of detail: groups of triangles that err by less than so many pixels are drawn as "
         "planes of their mean colour, and groups of particles as boxes. That is faster where many "
-        "fall into a pixel, and outlines are rougher. Shadows take planes and boxes too, occlusion "
-        "and reflections planes alone; picks ask triangles and particles themselves. Particles "
-        "need the P-k-d tree, which auto structures are then. 0 "
+        "fall into a pixel, and outlines are rougher. Shadows, occlusion and reflections take "
+        "planes too, but no boxes; picks ask triangles and particles themselves. Particles need "
+        "the P-k-d tree, which auto structures are then. 0 "
         "is exact",
       .invalidates = Invalidates::Shading,
       .limits = {.least = 0.0, .most = 64.0},

@@ -259,8 +259,8 @@ public:
    * particles do and have their mean colour, so far views of many particles take less time and
    * flicker less. Only the "pkd-tree" has them, which "auto" structures then are. Others are exact,
    * and so are 0, as unless set, what is not opaque, sets with baked ambient occlusion, and groups
-   * of which a part is hidden. Shadows take boxes too; ambient occlusion and picks ask the
-   * particles themselves. The first picture looks at all particles, and so does the first one after
+   * of which a part is hidden. Shadows, ambient occlusion and picks ask the particles
+   * themselves. The first picture looks at all particles, and so does the first one after
    * a change of the array that colours, but for files, which hold what is needed. See
    * docs/pkd-tree.md.
    */

@@ -90,8 +90,6 @@ void ParticleSurface::cast(RayPacket& rays, std::int32_t index) const
 
 void ParticleSurface::occlude(RayBundle& rays, std::int32_t index) const
 {
-  if (const PkdTree* tree = levels())
-    return tree->occlude(rays, index, poe_);
   withStructure(*structure_, [&](const auto& s) { s.occlude(rays, index); });
 }
 

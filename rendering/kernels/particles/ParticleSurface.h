@@ -22,7 +22,7 @@ public:
   static constexpr bool mayErr = true;
 
   ParticleSurface() = default; ///< of no structure; to be given one before it is used
-  /// `poe` is how many pixels of error bundles are allowed, where the structure has
+  /// `poe` is how many pixels of error bundles of a camera are allowed, where the structure has
   /// levels of detail: see PkdTree::cast(). To be 0 where the particles are not opaque, or have
   /// occlusion maps.
   explicit ParticleSurface(std::shared_ptr<const ParticleStructure> structure, double poe = 0.0)

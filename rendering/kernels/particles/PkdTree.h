@@ -92,10 +92,7 @@ public:
   /// that hits one tells its slot, and where it enters it. 0 is exact.
   void cast(RayBundle& bundle, std::int32_t object, double poe = 0.0) const;
   void occlude(RayPacket& packet, std::int32_t object) const;
-  /// With pixels of error boxes are in the way of rays, too. Those whose child's bounds hold the
-  /// end of a ray do not count: they stand for what is lit there. A ray whose slot is that of a box
-  /// ends so far before it as a shadow asks for, and all boxes count that it enters.
-  void occlude(RayBundle& bundle, std::int32_t object, double poe = 0.0) const;
+  void occlude(RayBundle& bundle, std::int32_t object) const;
   /// The larger a bucket looks, the larger.
   int bundleSide(const CameraRays& rays, int x0, int y0, int size, double poe = 0.0) const;
 

@@ -37,16 +37,6 @@ bool treeBundleAny(const PkdTreeView& view, RayBundle& bundle, std::int32_t obje
   return castTreeBundle<AnyPolicy>(view, bundle, object);
 }
 
-struct AnyLodPolicy : AnyPolicy
-{
-  static constexpr bool lods = true;
-};
-
-bool treeBundleAnyLods(const PkdTreeView& view, RayBundle& bundle, std::int32_t object, double poe)
-{
-  return castTreeBundle<AnyLodPolicy>(view, bundle, object, poe);
-}
-
 void treePacketNearest(const PkdTreeView& view, RayPacket& packet, std::int32_t object)
 {
   castTreePacket(view, packet, object);
@@ -69,7 +59,6 @@ namespace mote
 HWY_EXPORT(treeBundleNearest);
 HWY_EXPORT(treeBundleLods);
 HWY_EXPORT(treeBundleAny);
-HWY_EXPORT(treeBundleAnyLods);
 HWY_EXPORT(treePacketNearest);
 HWY_EXPORT(treePacketAny);
 
@@ -83,14 +72,9 @@ void PkdTree::cast(RayBundle& bundle, std::int32_t object, double poe) const
     castInParts<PkdTreeView>(*this, bundle, object, HWY_DYNAMIC_DISPATCH(treeBundleNearest));
 }
 
-void PkdTree::occlude(RayBundle& bundle, std::int32_t object, double poe) const
+void PkdTree::occlude(RayBundle& bundle, std::int32_t object) const
 {
-  if (poe > 0.0 && hasLods() && !sparse_)
-    castInParts<PkdTreeView>(*this, bundle, object,
-      [poe](const PkdTreeView& view, RayBundle& part, std::int32_t own)
-      { return HWY_DYNAMIC_DISPATCH(treeBundleAnyLods)(view, part, own, poe); });
-  else
-    castInParts<PkdTreeView>(*this, bundle, object, HWY_DYNAMIC_DISPATCH(treeBundleAny));
+  castInParts<PkdTreeView>(*this, bundle, object, HWY_DYNAMIC_DISPATCH(treeBundleAny));
 }
 
 void PkdTree::cast(RayPacket& packet, std::int32_t object) const

@@ -1,4 +1,5 @@
-// Spheres as a bundle of rays sees them, and their test. Included once per SIMD instruction set.
+// Spheres as a bundle of rays sees them, and the test of rays against them, for every structure's
+// traversal. Included once per SIMD instruction set.
 
 #if defined(MOTE_BUNDLE_SPHERES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef MOTE_BUNDLE_SPHERES_INL_H
@@ -270,8 +271,8 @@ public:
       counts_->hits += changed != 0;
   }
 
-  /// Tests what is no sphere and has that slot, in parts of a picture and from a tau on: meet(i,
-  /// best) answers where rays i and on meet it, infinity where they do not before `best`.
+  /// Tests something that is no sphere, in parts of a picture and from a tau on, `slot` being its
+  /// own: meet(i) answers where rays i and on meet it, infinity where they do not.
   template <typename Meet>
   HWY_INLINE void testOther(const PicturePart& part, std::uint64_t slot, const Meet& meet)
   {
@@ -285,17 +286,16 @@ public:
       for (int k = 0; k < blockRays; k += static_cast<int>(hn::Lanes(d)))
       {
         const int i = blockRays * block + k;
-        const VF best = hn::Load(d, p_.best + i), near = meet(i, best);
+        const VF near = meet(i), best = hn::Load(d, p_.best + i);
         const auto nearer = hn::Lt(near, best);
-        hn::Store(
-          hn::IfThenElse(nearer, Policy::any ? hn::Set(d, -infinity) : near, best), d, p_.best + i);
+        hn::Store(hn::Min(near, best), d, p_.best + i);
         const auto old = hn::Load(du32, p_.hit + i);
         hn::Store(hn::IfThenElse(hn::RebindMask(du32, nearer), mark, old), du32, p_.hit + i);
         changed |= static_cast<unsigned>(!hn::AllFalse(d, nearer)) << block;
       }
     }
     stale_ |= changed;
-    if (!Policy::any && changed != 0)
+    if (changed != 0)
       hits_.push_back(slot);
   }
 

@@ -31,17 +31,11 @@ HWY_INLINE VF boundsAt(const std::uint8_t* bounds)
 /// Levels of detail: which of a node's children boxes may stand for, and the test of rays against
 /// these. A box is the child's bounds, shrunk about their middle until it covers as much of their
 /// outline as the spheres in them do, seen from where the bundle comes from.
-///
-/// Where `ANY` hit is looked for, rays end at what they light. A box that holds the end in its
-/// child's bounds stands for that, and does not count; but where the end is on a box itself, it is
-/// as far from it as a shadow asks for, and all count that the ray enters before.
-template <bool ANY>
 class LodBoxes
 {
 public:
   /// `poe` footprints of the bundle's rays are what a box may err by.
-  void prepare(const PkdTreeView& view, const Pencil& p, const RayBundle& bundle,
-    std::int32_t object, double poe)
+  void prepare(const PkdTreeView& view, const Pencil& p, const RayBundle& bundle, double poe)
   {
     view_ = &view;
     p_ = &p;
@@ -50,16 +44,6 @@ public:
     limit_ = static_cast<float>(poe * (bundle.footprint / view.tree.unit() + perTau * p.t0));
     limitPerKappa_ = static_cast<float>(poe * perTau / forward);
     prepareRays();
-    if constexpr (ANY)
-    {
-      anyEndsOnBox_ = false;
-      for (int i = 0; i < bundle.count; ++i)
-      {
-        const bool ends = bundle.object[i] == object && PkdTree::isLod(bundle.slot[i]);
-        endsOnBox_[i] = ends ? 1.0f : 0.0f;
-        anyEndsOnBox_ = anyEndsOnBox_ || ends;
-      }
-    }
   }
 
   /// The children from `first` on that boxes may stand for, as bits; `near` is where they begin.
@@ -94,7 +78,7 @@ public:
     {
       const int j = __builtin_ctz(bits);
       tester.testOther({x_[j], y_[j], reachX_[j], reachY_[j], nearest_[j]},
-        slot + static_cast<unsigned>(first + j), [&](int i, VF best) { return meet(i, j, best); });
+        slot + static_cast<unsigned>(first + j), [&](int i) { return meet(i, j); });
     }
     tester.refresh();
   }
@@ -152,19 +136,9 @@ private:
       thinned = hn::MulAdd(
         hn::Mul(face, set(along * along)), thicknessAt(lods.thickness[k].data() + first), thinned);
     }
-    VF shrunk = hn::Sqrt(covered(hn::Div(thinned, outline)));
-    // What lights boxes comes from aside, and meets what stands out of those that all but touch.
-    if constexpr (ANY)
-      if (anyEndsOnBox_)
-        shrunk =
-          hn::MulAdd(hn::Sub(set(1.0f), shrunk), hn::Mul(hn::Mul(shrunk, shrunk), shrunk), shrunk);
+    const VF shrunk = hn::Sqrt(covered(hn::Div(thinned, outline)));
     for (std::size_t k = 0; k < 3; ++k)
     {
-      if constexpr (ANY)
-      {
-        hn::Store(hn::Sub(middle[k], half[k]), d, outer_[k]);
-        hn::Store(hn::Add(middle[k], half[k]), d, outer_[3 + k]);
-      }
       half[k] = hn::Mul(half[k], shrunk);
       hn::Store(hn::Sub(middle[k], half[k]), d, low_[k]);
       hn::Store(hn::Add(middle[k], half[k]), d, high_[k]);
@@ -223,8 +197,8 @@ private:
     hn::Store(hn::Sub(tau, hn::Mul(reach, set(1.00001f))), d, nearest_);
   }
 
-  /// Where rays i and on, which end at `best`, enter box j; infinity where they do not.
-  HWY_INLINE VF meet(int i, int j, VF best) const
+  /// Where rays i and on enter box j; infinity where they do not.
+  HWY_INLINE VF meet(int i, int j) const
   {
     const DF d;
     VF enter = hn::Set(d, p_->first), leave = hn::Set(d, infinity);
@@ -236,38 +210,15 @@ private:
       enter = hn::Max(enter, hn::Min(a, b));
       leave = hn::Min(leave, hn::Max(a, b));
     }
-    auto meets = hn::And(hn::Le(enter, leave), hn::Gt(enter, hn::Set(d, p_->first)));
-    if constexpr (ANY)
-    {
-      const auto endsOnBox = hn::Gt(hn::Load(d, endsOnBox_ + i), hn::Zero(d));
-      meets = hn::And(meets, hn::Or(endsOnBox, hn::Lt(leaveOuter(i, j), best)));
-    }
+    const auto meets = hn::And(hn::Le(enter, leave), hn::Gt(enter, hn::Set(d, p_->first)));
     return hn::IfThenElse(meets, enter, hn::Set(d, infinity));
-  }
-
-  /// Where rays i and on leave the bounds of the child that box j stands for.
-  HWY_INLINE VF leaveOuter(int i, int j) const
-  {
-    const DF d;
-    VF leave = hn::Set(d, infinity);
-    for (int k = 0; k < 3; ++k)
-    {
-      const VF inverse = hn::Load(d, inverse_[k] + i), from = hn::Load(d, from_[k] + i);
-      const VF a = hn::MulSub(hn::Set(d, outer_[k][j]), inverse, from);
-      const VF b = hn::MulSub(hn::Set(d, outer_[3 + k][j]), inverse, from);
-      leave = hn::Min(leave, hn::Max(a, b));
-    }
-    return leave;
   }
 
   const PkdTreeView* view_;
   const Pencil* p_;
-  bool anyEndsOnBox_ = false;
   float limit_, limitPerKappa_; ///< most error, in unit(), where kappa is 0, and its growth
   alignas(64) float inverse_[3][RayBundle::capacity], from_[3][RayBundle::capacity];
   alignas(64) float low_[3][PkdTree::fanout], high_[3][PkdTree::fanout]; ///< from Q
-  alignas(64) float endsOnBox_[ANY ? RayBundle::capacity : 1] = {};
-  alignas(64) float outer_[ANY ? 6 : 1][PkdTree::fanout]; ///< of the child's bounds: lows, highs
   alignas(64) float x_[PkdTree::fanout], y_[PkdTree::fanout];
   alignas(64) float reachX_[PkdTree::fanout], reachY_[PkdTree::fanout], nearest_[PkdTree::fanout];
 };

@@ -87,7 +87,7 @@ public:
   {
     queue_.clear();
     if constexpr (Policy::lods)
-      boxes_.prepare(view, pencil, bundle, object, poe);
+      boxes_.prepare(view, pencil, bundle, poe);
   }
 
   void run()
@@ -256,7 +256,7 @@ private:
   struct NoBoxes
   {
   };
-  std::conditional_t<Policy::lods, LodBoxes<Policy::any>, NoBoxes> boxes_;
+  std::conditional_t<Policy::lods, LodBoxes, NoBoxes> boxes_;
 };
 
 /// Casts a bundle; false, with nothing done, where its rays do not travel the same way along one
