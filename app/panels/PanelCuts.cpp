@@ -42,7 +42,7 @@ std::string directionName(const double direction[3])
 {
   std::string name;
   for (int k = 0; k < 3; ++k)
-    name += (k > 0 ? "," : "") + asNumber(std::round(direction[k] * 1e4) / 1e4);
+    name += (k > 0 ? "," : "") + asNumber(std::round(direction[k] * 1e4) / 1e4 + 0.0); // no -0
   return name;
 }
 
@@ -79,7 +79,7 @@ bool Panel::drawCut(ShowRange& cut, const Interval& extent)
 {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(titleOf(cut.name).c_str());
-  RowControls::explain(*rowNamed("cut"));
+  explainKey(("Only what lies in this range is there\n--cut " + cut.name + "=LO:HI").c_str());
   ImGui::SameLine(ImGui::GetContentRegionMax().x - 7.4f * ImGui::GetFontSize());
   Interval& shown = cut.intervals.front();
   const double low = std::max(shown.low, extent.low), high = std::min(shown.high, extent.high);

@@ -44,6 +44,8 @@ const std::vector<Topic>& topics()
       "mote render run.dump -o v.png --color-by v:magnitude --color-map plasma --range 0 5"},
     {"Selection", "What is shown; the rest is hidden, not only recoloured.",
       "mote render run.dump -o part.png --show c_pe=-3.2: --show z=0:10"},
+    {"Cuts", "Planes and cylinders that cut everything open.",
+      "mote render run.dump -o half.png --cut x=:0 --cut z=1:5"},
     {"Radius", "How large particles are.",
       "mote render run.dump -o r.png --type-radius 1=0.5,2=0.7"},
     {"Structure", "What rays are cast through; pictures stay the same, to rounding.",
