@@ -36,6 +36,8 @@ std::vector<std::string> sampleOf(const Row& row)
     {"where", {"c_pe > -3 && type == 2"}},
     {"calculate", {"speed=sqrt(vx^2 + vy^2)", "fast=speed >= 2"}},
     {"show", {"x=0:10", "type=2,4:5,8:", "c_pe=:-3.25"}},
+    {"cut", {"x=0:10", "1,1,0=:2.5", "angle=-30:"}},
+    {"cut-axis", {"0", "0", "2", "0", "1", "0.5"}},
     {"hide-ids", {"-2", "7:12", "2/7"}},
     {"picked", {"9", "2/4", "5:7"}},
     {"trajectories", {"4", "7:9"}},

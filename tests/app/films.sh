@@ -76,7 +76,7 @@ case $3 in
     differ kept-2.png kept-1.png
     quit
     open hopper-001.json --size 1000x900
-    click 'group Film' 0.8
+    film_section
     shown 'key frames: 2'
     click 'view 2'
     picture again.png

@@ -37,8 +37,8 @@ double opacityOf(const Picture& picture)
 TEST_F(MeshStage, ClippingPlanesCutAndBuildNothing)
 {
   mapper->SetInputData(polygonAndStrip());
-  const Complaints complaints(mapper);
   const int whole = trace().covered();
+  const Complaints complaints(mapper);
   const auto plane = planeAt(0.0, 1.0);
   auto before = mapper->GetPictureMTime();
   mapper->AddClippingPlane(plane);
@@ -146,6 +146,7 @@ TEST_F(MeshStage, ParticlesAreCutThroughAndClosed)
   vtkNew<vtkMoteParticleMapper> spheres;
   const Complaints complaints(spheres);
   spheres->SetInputData(data);
+  spheres->SetRadiusModeToConstant();
   spheres->SetRadius(1.0);
   actor->SetMapper(spheres);
   vtkNew<vtkPlane> plane;
