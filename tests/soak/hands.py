@@ -118,7 +118,9 @@ class Window:
                 raise Trouble("no session was saved")
             time.sleep(0.1)
         self.ask(limit)
-        return os.path.join(self.folder, (self.sessions() - before).pop())
+        # One that was asked for before may have come since: the last is this one.
+        found = [os.path.join(self.folder, name) for name in self.sessions() - before]
+        return max(found, key=lambda file: os.stat(file).st_mtime_ns)
 
     def diagnose(self):
         """What the program is at, for whoever looks for the reason of a hang."""
