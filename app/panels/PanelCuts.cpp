@@ -6,7 +6,6 @@
 #include "base/Text.h"
 #include "stage/Cuts.h"
 
-#include <vtkBoundingBox.h>
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
@@ -83,10 +82,9 @@ bool Panel::drawCut(ShowRange& cut, const Interval& extent)
   ImGui::SameLine(ImGui::GetContentRegionMax().x - 7.4f * ImGui::GetFontSize());
   Interval& shown = cut.intervals.front();
   const double low = std::max(shown.low, extent.low), high = std::min(shown.high, extent.high);
-  // The side that is whole is cut, and the cut side shown.
   const bool isTurned = ImGui::Button("Other side");
   noteControl("other side " + cut.name);
-  explainKey("Show what this cut has taken away, and take away what it shows\n--cut NAME=LO:HI");
+  explainKey("Show what lies beyond the range, in place of what lies in it\n--cut NAME=LO:HI");
   ImGui::SameLine();
   const bool isLeft = ImGui::Button("x");
   noteControl("no cut " + cut.name);
@@ -98,9 +96,9 @@ bool Panel::drawCut(ShowRange& cut, const Interval& extent)
   else if (isTurned && low > extent.low)
     shown = {-HUGE_VAL, low};
   else if (Interval now = {low, high}; this->dragCut(cut.name, extent, now))
-    // An end that is where the data end leaves all on that side.
-    shown = {now.low <= extent.low && extent.low != extent.high ? -HUGE_VAL : now.low,
-      now.high >= extent.high ? HUGE_VAL : now.high};
+    // Where the data end, an end is open.
+    shown = {
+      now.low <= extent.low ? -HUGE_VAL : now.low, now.high >= extent.high ? HUGE_VAL : now.high};
   return true;
 }
 

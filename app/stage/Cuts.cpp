@@ -127,7 +127,7 @@ void Cuts::follow(const CutSettings& settings)
     if (!kind || range.intervals.empty())
       continue;
     const Interval shown = {
-      finite(range.intervals.front().low), finite(range.intervals.back().high)};
+      finite(range.intervals.front().low), finite(range.intervals.front().high)};
     hasCylinder_ = hasCylinder_ || kind->of != CutKind::Direction;
     if (kind->of == CutKind::Direction)
       this->addPlanes(kind->direction, range.intervals.front());
@@ -135,8 +135,9 @@ void Cuts::follow(const CutSettings& settings)
       radius = shown;
     else if (kind->of == CutKind::Height)
       height = shown;
-    else
-      angle = {std::max(shown.low, -1e6), std::min(shown.high, 1e6)};
+    else // of which an open end is that of the turn
+      angle = {std::isfinite(range.intervals.front().low) ? shown.low : angle.low,
+        std::isfinite(range.intervals.front().high) ? shown.high : angle.high};
   }
   cylinder_->SetRadiusRange(radius.low, radius.high);
   cylinder_->SetHeightRange(height.low, height.high);

@@ -41,7 +41,8 @@ void addCutRows(std::vector<Row>& table)
         "Cut everything open: show only what lies from LO to HI along x, y or z, or along a "
         "direction of three numbers, as in 1,1,0=0:5, or by a coordinate about the axis of "
         "--cut-axis: r, its distance, h, the height, or angle, in degrees. LO or HI may be left "
-        "out. May be given up to eight times. Spheres are cut through and closed, surfaces are "
+        "out, of an angle for 0 and 360. May be given up to eight times. Spheres are cut through "
+        "and closed, surfaces are "
         "open, volumes end there. Bounds, counts and statistics stay those of the whole",
       .commas = false,
       .usual = "nothing is cut"},

@@ -6,6 +6,8 @@
 #include "vtkPlaneCollection.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace mote
 {
@@ -49,6 +51,9 @@ ClipCylinder cylinderOf(vtkMoteClipCylinder* from)
     cylinder.height[end] = limit(from->GetHeightRange()[end]);
     cylinder.angle[end] = vtkMath::RadiansFromDegrees(from->GetAngleRange()[end]);
   }
+  constexpr double turn = 2.0 * std::numbers::pi;
+  if (const double width = cylinder.angle[1] - cylinder.angle[0]; width < 0.0)
+    cylinder.angle[1] -= turn * std::floor(width / turn);
   return cylinder;
 }
 

@@ -43,8 +43,8 @@ public:
   ///@{
   /**
    * What is shown, both ends included: distances from the axis and heights along it in world units,
-   * angles in degrees, from the first on to the second. All by default; angles a whole turn apart
-   * or more are all.
+   * angles in degrees, from the first on to the second, past 360 where that is less. All by
+   * default; angles a whole turn apart or more are all.
    */
   vtkSetVector2Macro(RadiusRange, double);
   vtkGetVector2Macro(RadiusRange, double);

@@ -28,6 +28,8 @@ case $3 in
     alike half.png picture.png
     shot --cut angle=0:180
     alike half.png picture.png
+    shot --cut angle=:180
+    alike half.png picture.png
     shot --cut angle=-90:90 --cut-axis 5,0,-1,0,0,7 --cut r=0:1000
     cmp -s half.png picture.png && fail "the axis is not where it was put"
     shot --cut h=-1: --cut-axis 0,1,0,0,1,0
@@ -89,11 +91,18 @@ case $3 in
     click 'angle about the axis'
     has '--cut=angle=90:360'
     shown cut-axis
+    picture quarter.png
+    click 'other side angle'
+    has '--cut=angle=:90'
+    picture three.png
+    differ quarter.png three.png
     click 'no cut angle'
+    picture none.png
+    differ three.png none.png
     has_no angle=
     press ctrl+z
     has angle=
-    for _ in $(seq 8); do press ctrl+z; done
+    for _ in $(seq 9); do press ctrl+z; done
     has_no '--cut'
     picture again.png
     alike whole.png again.png

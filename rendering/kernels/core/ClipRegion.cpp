@@ -146,11 +146,6 @@ void cut(const ClipCylinder& cylinder, const Vec3d& origin, const Vec3d& directi
   cutByAngles(cylinder, p, d, spans);
 }
 
-} // namespace
-
-namespace
-{
-
 /// The nearest of some faces to a point.
 struct NearestFace
 {

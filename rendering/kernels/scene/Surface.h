@@ -68,8 +68,8 @@ struct SurfaceObject
   std::uint64_t revision = 0;
   Surface surface;
   Mat4d toWorld{1.0}; ///< affine; spheres become ellipsoids where it scales unevenly
-  /// Where in the world it is shown, of kinds that are not convex: cut open, and without a cap.
-  /// What lies outside is not there for rays. Particles are cut by whoever chooses them.
+  /// Where in the world it is shown; what lies outside is not there for rays. Solids that it cuts
+  /// through (see SurfaceKind::isConvex) are closed by flat faces, all else is open.
   ClipRegion clip;
   SurfaceColoring coloring;
   Material material;

@@ -83,6 +83,10 @@ TEST_F(MeshStage, CylindersCutInWorldCoordinates)
   piece->SetZeroAngle(0.0, 1.0, 0.0); // a quarter turn on
   EXPECT_EQ(cellAt(0.2, 0.2), 1);
   EXPECT_EQ(cellAt(-0.2, 0.2), -1);
+  piece->SetAngleRange(270.0, 90.0); // on to 90, past 360
+  EXPECT_EQ(cellAt(-0.2, 0.2), 1);
+  EXPECT_EQ(cellAt(0.2, 0.2), 1);
+  EXPECT_EQ(cellAt(0.2, -0.2), -1);
   piece->SetHeightRange(0.5, 1.0);
   EXPECT_EQ(trace().covered(), 0);
   // The cut stays where it is, whatever the actor does.
