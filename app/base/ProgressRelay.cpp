@@ -43,6 +43,14 @@ void onInterrupt(int signal)
     endInterrupted(signal);
 }
 
+/// What SIGINT does. To ask by setting another answer would lose one that comes just then.
+void (*onSigint())(int)
+{
+  struct sigaction action = {};
+  ::sigaction(SIGINT, nullptr, &action);
+  return action.sa_handler;
+}
+
 class ProgressCommand : public vtkCommand
 {
 public:
@@ -115,8 +123,8 @@ ProgressRelay::Work::Work(ProgressRelay& progress, const std::string& what, vtkO
 {
   if (works++ == 0)
     interrupts = 0; // within another work it may be that one's
-  before_ = std::signal(SIGINT, SIG_IGN);
-  if (before_ != SIG_IGN)
+  before_ = onSigint();
+  if (before_ != SIG_IGN && before_ != onInterrupt)
     std::signal(SIGINT, onInterrupt);
   if (algorithm_)
     algorithm_->SetAbortExecute(0);
@@ -130,7 +138,8 @@ ProgressRelay::Work::~Work()
 {
   --works;
   object_->RemoveObserver(observer_);
-  std::signal(SIGINT, before_);
+  if (before_ != SIG_IGN && before_ != onInterrupt)
+    std::signal(SIGINT, before_);
   if (algorithm_)
     algorithm_->SetAbortExecute(0);
   if (shown_)
