@@ -184,7 +184,10 @@ void Panel::drawGroups(const PanelFacts& facts)
   this->drawPicked(facts.picked);
   this->drawPlot(facts.picked);
   if (found_.hasVolumes)
+  {
+    this->drawGroup("Slices", &Panel::drawSlices);
     this->drawGroup("Volume", &Panel::drawVolume);
+  }
   else if (found_.hasCells)
     this->drawGroup("Volume", &Panel::drawCells);
   if (found_.hasParticles)
@@ -194,7 +197,7 @@ void Panel::drawGroups(const PanelFacts& facts)
   this->drawGroup("Camera", &Panel::drawCamera);
   this->drawGroup("Picture", &Panel::drawPictureSize);
   // Groups that come to the table later are seen without a word here.
-  std::vector<std::string> known = {"Volume", "Radius", "Structure"};
+  std::vector<std::string> known = {"Volume", "Radius", "Structure", "Slices"};
   for (const Row& row : settingsTable())
     if (drawn_.count(row.name) == 0 &&
         std::find(known.begin(), known.end(), row.group) == known.end())

@@ -153,7 +153,11 @@ private:
   void drawCuts();
   bool drawCut(ShowRange& cut, const Interval& extent);
   bool dragCut(const std::string& name, const Interval& extent, Interval& shown);
+  std::string chooseCut(const char* label, const char* row, const std::vector<ShowRange>& taken);
   void drawNewCut(const double bounds[6]);
+  void drawSlices();
+  static bool drawSlice(
+    const std::string& name, std::size_t number, const Interval& extent, Interval& place);
   void drawPicked(const PickedFacts& facts);
   void drawPlot(const PickedFacts& facts);
   void drawVolume();

@@ -1,4 +1,4 @@
-// What is cut open.
+// What is cut open, and where volumes are sliced.
 
 #include "Panel.h"
 
@@ -115,26 +115,24 @@ bool Panel::dragCut(const std::string& name, const Interval& extent, Interval& s
   return isDragged || isEntered;
 }
 
-void Panel::drawNewCut(const double bounds[6])
+/// A list of the names that cuts and slices go by, without those that are `taken`; the one chosen,
+/// or nothing.
+std::string Panel::chooseCut(
+  const char* label, const char* row, const std::vector<ShowRange>& taken)
 {
+  std::string chosen;
   ImGui::SetNextItemWidth(-1.0f);
-  const bool isOpen = ImGui::BeginCombo("##cut", "Cut by ...", ImGuiComboFlags_HeightLarge);
-  RowControls::explain(*rowNamed("cut"));
+  const bool isOpen =
+    ImGui::BeginCombo((std::string("##") + row).c_str(), label, ImGuiComboFlags_HeightLarge);
+  RowControls::explain(*rowNamed(row));
   if (!isOpen)
-    return;
-  std::vector<ShowRange>& cuts = next_.cuts.ranges;
+    return chosen;
   const auto offer = [&](const std::string& name, const std::string& title)
   {
-    const bool isThere =
-      std::any_of(cuts.begin(), cuts.end(), [&](const ShowRange& cut) { return cut.name == name; });
-    if (isThere || !lineOf(title.c_str()))
-      return;
-    const CutKind kind = *cutNamed(name);
-    const Interval extent = extentOf(kind, cutAxisOf(next_.cuts.axis), bounds);
-    const double middle = 0.5 * (extent.low + extent.high);
-    // An angle opens a quarter.
-    cuts.push_back(
-      {name, {kind.of == CutKind::Angle ? Interval{90.0, 360.0} : Interval{-HUGE_VAL, middle}}});
+    const bool isThere = std::any_of(
+      taken.begin(), taken.end(), [&](const ShowRange& cut) { return cut.name == name; });
+    if (!isThere && lineOf(title.c_str()))
+      chosen = name;
   };
   for (const OfferedCut& one : offeredCuts)
     offer(one.name, one.title);
@@ -144,6 +142,91 @@ void Panel::drawNewCut(const double bounds[6])
     part = -part;
   offer(directionName(away), "the direction of the view");
   ImGui::EndCombo();
+  return chosen;
+}
+
+void Panel::drawNewCut(const double bounds[6])
+{
+  std::vector<ShowRange>& cuts = next_.cuts.ranges;
+  const std::string name = this->chooseCut("Cut by ...", "cut", cuts);
+  if (name.empty())
+    return;
+  const CutKind kind = *cutNamed(name);
+  const Interval extent = extentOf(kind, cutAxisOf(next_.cuts.axis), bounds);
+  const double middle = 0.5 * (extent.low + extent.high);
+  // An angle opens a quarter.
+  cuts.push_back(
+    {name, {kind.of == CutKind::Angle ? Interval{90.0, 360.0} : Interval{-HUGE_VAL, middle}}});
+}
+
+void Panel::drawSlices()
+{
+  drawn_.insert("slice");
+  double bounds[6];
+  stage_.bounds(bounds);
+  std::vector<ShowRange>& slices = next_.volume.slices;
+  const CutAxis axis = cutAxisOf(next_.cuts.axis);
+  const auto extent = [&](const std::string& name)
+  { return extentOf(*cutNamed(name), axis, bounds); };
+  for (std::size_t i = 0; i < slices.size(); ++i)
+    for (std::size_t k = 0; k < slices[i].intervals.size(); ++k)
+    {
+      ImGui::PushID(static_cast<int>(100 * i + k));
+      const bool isKept =
+        !cutNamed(slices[i].name) ||
+        drawSlice(slices[i].name, k, extent(slices[i].name), slices[i].intervals[k]);
+      ImGui::PopID();
+      if (!isKept)
+        slices[i].intervals.erase(slices[i].intervals.begin() + static_cast<std::ptrdiff_t>(k--));
+    }
+  std::erase_if(slices, [](const ShowRange& slice) { return slice.intervals.empty(); });
+  const std::string name = this->chooseCut("Slice by ...", "slice", {});
+  if (name.empty())
+    return;
+  const Interval all = extent(name);
+  if (slices.empty())
+    next_.volume.cloud = false; // which would hide it
+  auto same = std::find_if(
+    slices.begin(), slices.end(), [&](const ShowRange& slice) { return slice.name == name; });
+  if (same == slices.end())
+    same = slices.insert(slices.end(), {name, {}});
+  // The first one in the middle, others in the widest gap.
+  std::vector<double> places = {all.low, all.high};
+  for (const Interval& place : same->intervals)
+    places.push_back(place.low);
+  std::sort(places.begin(), places.end());
+  std::size_t widest = 1;
+  for (std::size_t k = 2; k < places.size(); ++k)
+    if (places[k] - places[k - 1] > places[widest] - places[widest - 1])
+      widest = k;
+  const double place = 0.5 * (places[widest - 1] + places[widest]);
+  same->intervals.push_back({place, place});
+  std::sort(same->intervals.begin(), same->intervals.end(),
+    [](const Interval& a, const Interval& b) { return a.low < b.low; });
+}
+
+/// A slider for one slice; returns false where it is to go.
+bool Panel::drawSlice(
+  const std::string& name, std::size_t number, const Interval& extent, Interval& place)
+{
+  const float button = 1.8f * ImGui::GetFontSize();
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX() - button);
+  // Radii begin above 0.
+  const double low = name == "r" ? 1e-6 * extent.high : extent.low, high = extent.high;
+  const std::string format =
+    (name.find(',') == std::string::npos ? name : "along view") + " = %.5g";
+  double value = place.low;
+  if (ImGui::SliderScalar("##place", ImGuiDataType_Double, &value, &low, &high, format.c_str()) &&
+      std::isfinite(value) && (name != "r" || value > 0.0))
+    place = {value, value};
+  noteControl("slice " + name + " " + std::to_string(number));
+  explainKey(
+    ("Where the slice lies; Ctrl and a click to type\n--slice " + name + "=PLACE").c_str());
+  ImGui::SameLine();
+  const bool isLeft = ImGui::Button("x");
+  noteControl("no slice " + name + " " + std::to_string(number));
+  explainKey("Take this slice away\nwithout --slice NAME");
+  return !isLeft;
 }
 
 } // namespace mote::app

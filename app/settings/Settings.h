@@ -116,7 +116,12 @@ struct VolumeSettings
   std::vector<OpacityPoint> opacity; ///< none: choose
   std::optional<double> opacityUnit; ///< the length that opacities are of; none: choose
   std::vector<double> isoValues;
-  bool cloud = true; ///< whether the volume itself is seen, beside iso-surfaces
+  bool cloud = true;             ///< whether the volume itself is seen, beside iso-surfaces
+  std::vector<ShowRange> slices; ///< by names of CutSettings::ranges, at places in place of ranges
+  bool unroll = false;           ///< whether slices by r are rolled out flat
+  double walls = 0.0;            ///< opacity of the boundary; 0: it is not shown
+  std::string wallColor = "#b9c2cb"; ///< or "data"
+  double edges = 0.0;                ///< pixels, of lines along the edges of cells; 0: none
   bool lit = false;
   std::string nanColor;                    ///< empty: cells with NaN are left out
   std::string integrator = "cell-by-cell"; ///< a name of vtkMoteVolumeMapper::GetIntegratorNames()

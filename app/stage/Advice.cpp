@@ -75,6 +75,7 @@ void adviseOnVolumes(const Stage& stage, std::vector<std::string>& advice)
     VolumeSettings plain;
     plain.cells = volume.cells;
     plain.cloudTolerance = volume.cloudTolerance;
+    plain.edges = volume.edges; // of surfaces, too
     if (volume != plain)
       advice.push_back("the options of volumes (mote help volume) do nothing here: there are no "
                        "cells that are shown as a volume");
@@ -86,8 +87,9 @@ void adviseOnVolumes(const Stage& stage, std::vector<std::string>& advice)
       advice.push_back(part->name() + " is not shown: its volume has no " +
                        stage.coloring().title() +
                        ", which colours; --color-by names another array");
-  if (!volume.cloud && volume.isoValues.empty())
-    advice.push_back("--no-cloud leaves nothing of a volume without isosurfaces (--iso)");
+  if (!volume.cloud && volume.isoValues.empty() && volume.slices.empty() && volume.walls == 0.0)
+    advice.push_back("--no-cloud leaves nothing of a volume without isosurfaces (--iso), slices "
+                     "(--slice) or walls (--walls)");
   const bool exact = volume.integrator == "cell-by-cell";
   Idle idle;
   idle.add(exact && volume.sampleDistance, "--sample-distance");

@@ -1,6 +1,7 @@
 #include "Part.h"
 
 #include "SimulationBox.h"
+#include "Slices.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/Text.h"
@@ -66,7 +67,12 @@ Part::Part(const std::string& name, vtkDataSet* data, const Settings& settings, 
   , kind_(kindOf(data, settings))
 {
   if (kind_ == Kind::Volume)
+  {
     volume_ = std::make_unique<Volume>(settings_.volume, errorShares(settings_).tolerance);
+    volume_->setSlices(slicesOf(settings_));
+    walls_ = vtkSmartPointer<vtkMoteMeshMapper>::New();
+    actor_->SetMapper(walls_);
+  }
   if (kind_ == Kind::Particles)
   {
     auto mapper = vtkSmartPointer<vtkMoteParticleMapper>::New();
@@ -87,6 +93,7 @@ void Part::setAmbient(double ambient)
   shade(actor_->GetProperty(), settings_.color.plain, ambient);
   if (volume_)
     volume_->setAmbient(ambient);
+  this->followWalls();
 }
 
 void Part::followSettings()
@@ -97,7 +104,11 @@ void Part::followSettings()
     this->setImages();
   }
   if (volume_)
+  {
     volume_->update(errorShares(settings_).tolerance);
+    volume_->setSlices(slicesOf(settings_));
+  }
+  this->followWalls();
 }
 
 double Part::lodError() const
@@ -157,10 +168,14 @@ void Part::setData(const std::string& name, vtkDataSet* data)
     particles_->SetInputData(vtkPointSet::SafeDownCast(data));
   }
   else if (volume_)
+  {
     volume_->setData(vtkUnstructuredGrid::SafeDownCast(data));
+    walls_->SetInputData(vtkUnstructuredGrid::SafeDownCast(data));
+  }
   else
     surface_->setData(data);
-  actor_->SetMapper(mapper_);
+  actor_->SetMapper(volume_ ? static_cast<vtkMapper*>(walls_) : mapper_.Get());
+  this->followWalls();
   isWhole_ = true;
   this->placeProp();
 }
@@ -168,7 +183,23 @@ void Part::setData(const std::string& name, vtkDataSet* data)
 /// Into the picture, or out of it.
 void Part::placeProp()
 {
-  this->prop()->SetVisibility(isWhole_ && !isHidden_ && (!volume_ || volume_->isColored()));
+  const bool isShown = isWhole_ && !isHidden_ && (!volume_ || volume_->isColored());
+  this->prop()->SetVisibility(isShown);
+  if (volume_)
+    actor_->SetVisibility(isShown && settings_.volume.walls > 0.0);
+}
+
+std::vector<vtkProp3D*> Part::props() const
+{
+  if (volume_)
+    return {volume_->volume(), actor_};
+  return {actor_};
+}
+
+bool Part::draws(const vtkProp* prop) const
+{
+  const std::vector<vtkProp3D*> own = this->props();
+  return std::find(own.begin(), own.end(), prop) != own.end();
 }
 
 void Part::setHidden(bool on)
@@ -292,6 +323,8 @@ void Part::build(const Runner& runner)
   isWhole_ = false; // whatever happens, nothing half built is drawn
   this->placeProp();
   this->work(runner, [this] { this->worker()->Update(); });
+  if (volume_ && settings_.volume.walls > 0.0)
+    this->work(runner, [this] { walls_->Update(); });
   isWhole_ = true;
   this->placeProp();
   if (particles_ && particles_->GetRadiusMode() == vtkMoteParticleMapper::RADIUS_FROM_SPACING &&
@@ -352,105 +385,6 @@ void Part::keep(double radius, const ArrayChoice& colored)
     volume_->select(colored);
   if (particles_)
     this->setRadius();
-}
-
-void Part::setColors(
-  const ArrayChoice& choice, vtkLookupTable* table, const std::vector<OpacityPoint>& opacity)
-{
-  const bool hadColors = colored_ == choice && mapper_ && mapper_->GetScalarVisibility();
-  colored_ = choice;
-  if (volume_)
-  {
-    volume_->setColors(data_, choice, table, opacity, sceneSize_);
-    return this->placeProp();
-  }
-  if (surface_)
-    surface_->followArrays(data_);
-  mapper_->SetScalarVisibility(arrayOf(data_, choice) != nullptr);
-  if (!mapper_->GetScalarVisibility())
-  {
-    if (hadColors && choice && !(missed_ == choice))
-    {
-      missed_ = choice;
-      Messages::warn(
-        "a time step has no array '" + choice.name + "', so it is shown in one colour");
-    }
-    return;
-  }
-  if (choice.ofCells)
-    mapper_->SetScalarModeToUseCellFieldData();
-  else
-    mapper_->SetScalarModeToUsePointFieldData();
-  mapper_->SelectColorArray(choice.name.c_str());
-  mapper_->SetLookupTable(table);
-  mapper_->UseLookupTableScalarRangeOn();
-}
-
-void Part::limitCells(const std::vector<CellLimit>& limits)
-{
-  const ArrayChoice within = volume_ ? colored_ : ArrayChoice();
-  cells_.update(data_, limits, within);
-  if (surface_)
-    surface_->setVisible(data_, cells_.mask());
-  if (!volume_)
-    return;
-  volume_->mapper()->SetVisibleCells(cells_.mask());
-  volume_->showAll();
-  for (const CellLimit& limit : limits)
-    if (limit.place < 0 && limit.choice == within)
-      volume_->limit(limit.intervals);
-}
-
-void Part::setCuts(const Cuts& cuts)
-{
-  const auto set = [&](auto* mapper)
-  {
-    mapper->SetClippingPlanes(cuts.planes());
-    mapper->SetClipCylinder(cuts.cylinder());
-  };
-  if (particles_)
-    set(particles_);
-  if (surface_)
-    set(surface_->mapper());
-  if (volume_)
-    set(volume_->mapper());
-}
-
-void Part::showAll()
-{
-  if (!particles_)
-    return;
-  particles_->RemoveAllRanges();
-  particles_->UseVisibilityRangeOff();
-}
-
-void Part::limit(const ArrayChoice& choice, const std::vector<Interval>& intervals)
-{
-  if (particles_)
-    for (const auto& [low, high] : intervals)
-      particles_->AddToRange(choice.name.c_str(), choice.component, low, high);
-}
-
-void Part::limitPlace(int place, double low, double high)
-{
-  if (!particles_)
-    return;
-  if (place < 3)
-    particles_->SetCenterRange(place, low, high);
-  else
-    particles_->SetRadiusRange(low, high);
-}
-
-void Part::setVisible(const ArrayChoice& choice, const double range[2])
-{
-  if (!particles_)
-    return;
-  particles_->SetUseVisibilityRange(arrayOf(data_, choice) != nullptr);
-  if (!particles_->GetUseVisibilityRange())
-    return;
-  particles_->SetVisibilityArrayName(choice.name.c_str());
-  particles_->SetVisibilityComponent(choice.component);
-  particles_->SetVisibilityRange(range[0], range[1]);
 }
 
 void Part::applyRanges()

@@ -17,12 +17,14 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <vector>
 
 class vtkActor;
 class vtkAlgorithm;
 class vtkLookupTable;
 class vtkMoteParticleMapper;
 class vtkPoints;
+class vtkProp;
 class vtkProp3D;
 
 namespace mote
@@ -155,7 +157,10 @@ public:
   const std::string& name() const { return name_; }
   vtkDataSet* data() const { return data_; }
   Kind kind() const { return kind_; }
-  vtkProp3D* prop() const;
+  vtkProp3D* prop() const; ///< the first of props()
+  /// All that is drawn of it: what shows the data, and of a volume its walls.
+  std::vector<vtkProp3D*> props() const;
+  bool draws(const vtkProp* prop) const;
   vtkMoteParticleMapper* particles() const { return particles_; } ///< null for cells
   Surface* surface() const { return surface_.get(); }             ///< null for all else
   vtkTypeInt64 structureBytes() const;
@@ -165,6 +170,7 @@ private:
   void setRadius();
   void setImages();
   void placeProp();
+  void followWalls();
   void work(const Runner& runner, const std::function<void()>& build);
 
   vtkAlgorithm* worker() const;
@@ -175,6 +181,7 @@ private:
   Kind kind_;
   vtkNew<vtkActor> actor_;
   std::unique_ptr<Volume> volume_;
+  vtkSmartPointer<vtkMoteMeshMapper> walls_; ///< of a volume
   std::unique_ptr<Surface> surface_;
   ShownCells cells_; // of a volume or a surface
   ArrayChoice colored_;

@@ -27,6 +27,7 @@ bool ReadyPlan::fits(const ReadyPlan& other) const
          allowsError(settings) == allowsError(other.settings) && a.cells == b.cells &&
          a.structure == b.structure && a.integrator == b.integrator && a.cloud == b.cloud &&
          a.isoValues.empty() == b.isoValues.empty() && // which need a structure
+         a.slices.empty() == b.slices.empty() &&       // the same
          settings.color.array == other.settings.color.array &&
          this->fitsCalculations(other.settings);
 }

@@ -53,7 +53,7 @@ bool Stage::apply(const Settings& settings)
     part->setAmbient(lighting_.ambient());
     // Where nothing changes nothing is touched: a mapper that is told of types builds anew.
     if (before.particles != settings.particles || before.volume != settings.volume ||
-        before.picture.error != settings.picture.error)
+        before.picture.error != settings.picture.error || before.cuts.axis != settings.cuts.axis)
       part->followSettings();
     part->followLodError();
   }
@@ -106,13 +106,15 @@ void Stage::setData(const std::vector<NamedData>& original, const ReadyStep* rea
     return this->setSizes();
   }
   for (const auto& part : parts_)
-    renderer_->RemoveViewProp(part->prop());
+    for (vtkProp3D* prop : part->props())
+      renderer_->RemoveViewProp(prop);
   parts_.clear();
   for (const NamedData& one : data)
   {
     parts_.push_back(std::make_unique<Part>(one.name, one.data, settings_, lighting_.ambient()));
     parts_.back()->setPreview(preview_);
-    renderer_->AddViewProp(parts_.back()->prop());
+    for (vtkProp3D* prop : parts_.back()->props())
+      renderer_->AddViewProp(prop);
   }
   this->setSizes();
   const bool anyRadii = std::any_of(
@@ -136,7 +138,8 @@ void Stage::checkImages() const
 void Stage::clear()
 {
   for (const auto& part : parts_)
-    renderer_->RemoveViewProp(part->prop());
+    for (vtkProp3D* prop : part->props())
+      renderer_->RemoveViewProp(prop);
   parts_.clear();
   data_.clear();
   known_.clear();

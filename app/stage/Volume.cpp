@@ -71,6 +71,7 @@ void Volume::update(double tolerance)
   mapper_->SetSampleDistance(settings_.sampleDistance.value_or(0.0));
   mapper_->SetTolerance(tolerance);
   mapper_->SetShowCloud(settings_.cloud);
+  mapper_->SetEdgeWidth(settings_.edges);
   mapper_->SetShowIsoSurfaces(!settings_.isoValues.empty());
   Color nan = {0.0, 0.0, 0.0};
   const bool colored = parseColor(settings_.nanColor, nan);
@@ -83,6 +84,13 @@ void Volume::update(double tolerance)
     values->SetNumberOfContours(static_cast<int>(settings_.isoValues.size()));
   for (std::size_t i = 0; i < settings_.isoValues.size(); ++i)
     values->SetValue(static_cast<int>(i), settings_.isoValues[i]);
+}
+
+void Volume::setSlices(const std::vector<vtkSmartPointer<vtkMoteSlice>>& slices)
+{
+  mapper_->RemoveAllSlices();
+  for (const auto& slice : slices)
+    mapper_->AddSlice(slice);
 }
 
 bool Volume::canShow(vtkDataSet* data)
@@ -196,11 +204,16 @@ void Volume::setOpacity()
     whole->AddPoint(
       point.isShare ? valueAt(table_, 0.01 * point.value) : point.value, point.opacity);
   vtkVolumeProperty* look = volume_->GetProperty();
+  mapper_->RemoveAllSliceRanges();
   if (shown_ == std::vector<Interval>{{-HUGE_VAL, HUGE_VAL}})
   {
     look->SetScalarOpacity(whole);
     return;
   }
+  for (const auto& [low, high] : shown_)
+    mapper_->AddSliceRange(low, high);
+  if (shown_.empty())
+    mapper_->AddSliceRange(HUGE_VAL, -HUGE_VAL);
   if (shown_.empty())
     part->AddPoint(0.0, 0.0);
   for (const Interval& interval : shown_)
@@ -232,6 +245,15 @@ bool rangeIn(const ArrayChoice& choice, vtkDataArray* array, vtkIdType cell, vtk
 void Volume::shownBounds(
   vtkUnstructuredGrid* data, vtkUnsignedCharArray* isVisible, double bounds[6]) const
 {
+  if (settings_.walls > 0.0)
+    return data->GetBounds(bounds);
+  if (!settings_.slices.empty() && !settings_.cloud && settings_.isoValues.empty())
+  {
+    mapper_->Update();
+    return mapper_->GetSliceBounds(bounds);
+  }
+  if (!settings_.slices.empty())
+    return data->GetBounds(bounds);
   std::vector<Interval> shown = settings_.cloud ? shown_ : std::vector<Interval>();
   for (const double value : settings_.isoValues)
     shown.push_back({value, value});

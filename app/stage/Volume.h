@@ -3,6 +3,7 @@
 #include "Arrays.h"
 #include "settings/Settings.h"
 
+#include <vtkMoteSlice.h>
 #include <vtkMoteVolumeMapper.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -29,6 +30,8 @@ public:
 
   /// Whether a data set has cells with a volume and an array to look by.
   static bool canShow(vtkDataSet* data);
+
+  void setSlices(const std::vector<vtkSmartPointer<vtkMoteSlice>>& slices);
 
   void setData(vtkUnstructuredGrid* data);
   /// Chooses the array that colours.

@@ -51,9 +51,10 @@ void addCutRows(std::vector<Row>& table)
     {.group = group,
       .name = "cut-axis",
       .value = "X,Y,Z,...",
-      .help = "The axis of cuts by r, h and angle: its direction, or a point on it and its "
-              "direction. Angles count from the x axis, or from y where the axis is x, by the "
-              "right-hand rule",
+      .help =
+        "The axis of cuts and slices by r, h and angle: its direction, or a point on it and its "
+        "direction. Angles count from the x axis, or from y where the axis is x, by the "
+        "right-hand rule",
       .usual = "z through the origin"},
     [](const std::vector<double>& numbers) { cutAxisOf(numbers); }));
 }

@@ -52,6 +52,8 @@ const std::vector<Topic>& topics()
       "mote render run.dump -o a.png --structure pkd-tree --form 8-byte"},
     {"Volume", "How cells with a volume look.",
       "mote render pump:0.02 -o pump.png --color-by pressure --opacity 0%=0.4,50%=0,100%=0.4"},
+    {"Slices", "Volumes sliced by planes and cylinders; their boundary; edges of cells.",
+      "mote render pump:0.02 -o slice.png --no-cloud --slice z=0.03 --walls 0.2 --edges 1"},
     {"Camera", "Where the picture is taken from.",
       "mote render run.dump -o side.png --view +x --elevation 20 --zoom 2"},
     {"Light", "Lights, shadows and the sky.",

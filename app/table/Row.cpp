@@ -60,7 +60,7 @@ const std::vector<Row>& settingsTable()
     std::vector<Row> rows;
     for (const auto add :
       {addDataRows, addColorRows, addSelectionRows, addCutRows, addParticleRows, addVolumeRows,
-        addCameraRows, addLightRows, addSilhouetteRows, addMarkRows, addPictureRows})
+        addSliceRows, addCameraRows, addLightRows, addSilhouetteRows, addMarkRows, addPictureRows})
       add(rows);
     return rows;
   }();

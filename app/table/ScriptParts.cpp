@@ -65,13 +65,42 @@ void writeActor(Script& script, vtkMapper* mapper, const Part& part)
   }
   script.line("prop = vtkActor()");
   script.line("prop.SetMapper(mapper)");
-  vtkProperty* look = vtkActor::SafeDownCast(part.prop())->GetProperty();
+  vtkProperty* look = vtkActor::SafeDownCast(part.props().back())->GetProperty();
   script.line("look = prop.GetProperty()");
   script.vector("look", "SetColor", look->GetColor());
   script.call("look", "SetAmbient", look->GetAmbient());
   script.call("look", "SetDiffuse", look->GetDiffuse());
   script.call("look", "SetSpecular", look->GetSpecular());
   script.call("look", "SetSpecularPower", look->GetSpecularPower());
+  if (look->GetOpacity() < 1.0)
+    script.call("look", "SetOpacity", look->GetOpacity());
+  if (!look->GetEdgeVisibility())
+    return;
+  script.line("look.EdgeVisibilityOn()");
+  script.call("look", "SetLineWidth", double(look->GetLineWidth()));
+  script.vector("look", "SetEdgeColor", look->GetEdgeColor());
+}
+
+void writeProp(Script& script, const Part& part)
+{
+  if (part.isHidden())
+    script.line("prop.VisibilityOff()");
+  script.line("props.append(prop)");
+  script.line("renderer.AddViewProp(prop)");
+}
+
+/// The boundary of a volume whose cells the script has found.
+void writeWalls(Script& script, const Part& part)
+{
+  auto* mapper =
+    vtkMoteMeshMapper::SafeDownCast(vtkActor::SafeDownCast(part.props().back())->GetMapper());
+  script.line("mapper = mote.vtkMoteMeshMapper()");
+  script.line("mapper.SetInputData(part)");
+  if (part.cells().mask())
+    script.line("mapper.SetVisibleCells(cells.GetVisibleCells())");
+  writeCuts(script, mapper, mapper->GetClipCylinder());
+  writeActor(script, mapper, part);
+  writeProp(script, part);
 }
 
 void writeParticles(Script& script, const Part& part, const Settings& settings)
@@ -197,6 +226,28 @@ void writeFunctions(Script& script, vtkVolumeProperty* look)
   script.line("look.SetScalarOpacity(opacity)");
 }
 
+void writeSlices(Script& script, vtkMoteVolumeMapper* mapper)
+{
+  for (int i = 0; i < mapper->GetNumberOfSlices(); ++i)
+  {
+    vtkMoteSlice* slice = mapper->GetSlice(i);
+    script.line("slice = mote.vtkMoteSlice()");
+    script.call("slice", "SetShape", slice->GetShape());
+    script.vector("slice", "SetCenter", slice->GetCenter());
+    script.vector("slice", "SetAxis", slice->GetAxis());
+    script.vector("slice", "SetOutwards", slice->GetOutwards());
+    script.call("slice", "SetRadius", slice->GetRadius());
+    script.line("mapper.AddSlice(slice)");
+  }
+  for (int i = 0; i < mapper->GetNumberOfSliceRanges(); ++i)
+  {
+    double range[2];
+    mapper->GetSliceRange(i, range);
+    script.call("mapper", "AddSliceRange", range[0], range[1]);
+  }
+  script.call("mapper", "SetEdgeWidth", mapper->GetEdgeWidth());
+}
+
 void writeVolume(
   Script& script, const Part& part, const Settings& settings, const ArrayChoice& colored)
 {
@@ -220,6 +271,7 @@ void writeVolume(
   script.call("mapper", "SelectScalarArray", mapper->GetArrayName());
   script.call("mapper", "SetVectorMode", mapper->GetVectorMode());
   script.call("mapper", "SetVectorComponent", mapper->GetVectorComponent());
+  writeSlices(script, mapper);
   writeCuts(script, mapper, mapper->GetClipCylinder());
   script.line("prop = vtkVolume()");
   script.line("prop.SetMapper(mapper)");
@@ -341,10 +393,9 @@ void writeParts(Script& script, const Stage& stage, const Settings& settings)
       writeSurface(script, part, settings, stage.coloring().choice());
     else
       writeVolume(script, part, settings, stage.coloring().choice());
-    if (part.isHidden())
-      script.line("prop.VisibilityOff()");
-    script.line("props.append(prop)");
-    script.line("renderer.AddViewProp(prop)");
+    writeProp(script, part);
+    if (part.kind() == Part::Kind::Volume && settings.volume.walls > 0.0)
+      writeWalls(script, part);
   }
 }
 

@@ -144,7 +144,8 @@ void Views::move(const std::vector<std::vector<std::size_t>>& views)
     std::vector<vtkProp*> wanted;
     if (i < columns_)
       for (const std::size_t part : views[i])
-        wanted.push_back(stage_.parts()[part]->prop());
+        for (vtkProp* prop : stage_.parts()[part]->props())
+          wanted.push_back(prop);
     if (wanted == column_[i].props)
       continue;
     for (vtkProp* prop : column_[i].props)
@@ -154,10 +155,11 @@ void Views::move(const std::vector<std::vector<std::size_t>>& views)
     column_[i].props = wanted;
   }
   for (const auto& part : stage_.parts())
-    if (this->isSideBySide())
-      stage_.renderer()->RemoveViewProp(part->prop());
-    else if (!stage_.renderer()->HasViewProp(part->prop()))
-      stage_.renderer()->AddViewProp(part->prop());
+    for (vtkProp* prop : part->props())
+      if (this->isSideBySide())
+        stage_.renderer()->RemoveViewProp(prop);
+      else if (!stage_.renderer()->HasViewProp(prop))
+        stage_.renderer()->AddViewProp(prop);
 }
 
 View* Views::at(int x, int y)

@@ -123,7 +123,7 @@ std::optional<Window::Hit> Window::hitAt(int x, int y)
   if (!view || !picker->Pick(x, y, 0.0, view->renderer()))
     return {};
   for (std::size_t k = 0; k < stage_.parts().size(); ++k)
-    if (stage_.parts()[k]->prop() == picker->GetViewProp())
+    if (stage_.parts()[k]->draws(picker->GetViewProp()))
     {
       const Surface* surface = stage_.parts()[k]->surface();
       const bool isCell = picker->GetCellId() >= 0;
@@ -257,7 +257,7 @@ void Window::addWithin(View& view, const std::array<int, 2>& from, const std::ar
   picker->Pick(left, from[1], right, to[1], view.renderer());
   for (int i = 0; i < picker->GetNumberOfProps(); ++i)
     for (std::size_t k = 0; k < stage_.parts().size(); ++k)
-      if (const Part& part = *stage_.parts()[k]; part.prop() == picker->GetProp(i))
+      if (const Part& part = *stage_.parts()[k]; part.draws(picker->GetProp(i)))
       {
         vtkIdTypeArray* cells = picker->GetCells(i);
         vtkIdTypeArray* ids = cells ? cells : picker->GetParticles(i);

@@ -158,6 +158,9 @@ MeshGeometry::Change MeshGeometry::updateAll(
   const bool moved = tree_ && mesh_ && mesh_->pointCount() == points.view.count() &&
                      areTheSame(*mesh_, triangles.view());
   cells_ = std::make_shared<const std::vector<vtkIdType>>(triangles.cells);
+  edges_ = triangles.edges.empty()
+             ? nullptr
+             : std::make_shared<const std::vector<std::uint8_t>>(triangles.edges);
   thin_ = triangles.thin;
   flat_ = triangles.flat;
   if (moved && content == points_)

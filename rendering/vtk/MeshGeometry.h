@@ -61,6 +61,8 @@ public:
   std::shared_ptr<const MeshCorners> corners() const { return corners_; }
   /// The cell of the data set that each triangle is of; empty: triangles are cells.
   ArrayView cells() const;
+  /// Which sides of each triangle are edges of the data set's cells, as MeshLook::edges; null: all.
+  const std::shared_ptr<const std::vector<std::uint8_t>>& edges() const { return edges_; }
   std::size_t bytes() const { return bytes_; } ///< of the whole
   std::size_t bytesOfPart() const { return bytesOfPart_; }
   /// What was left out, as sentences; empty where nothing was.
@@ -85,6 +87,7 @@ private:
   std::shared_ptr<const MeshCorners> corners_;
   std::shared_ptr<RlodTree> tree_, part_; ///< of all triangles; of those that are visible
   std::shared_ptr<const std::vector<vtkIdType>> cells_;
+  std::shared_ptr<const std::vector<std::uint8_t>> edges_;
   vtkIdType thin_ = 0, flat_ = 0;
   /// Kept: others that hold the tree may be making its R-LODs.
   std::size_t bytes_ = 0, bytesOfPart_ = 0;

@@ -128,6 +128,8 @@ void describeActor(vtkActor* actor, SurfaceObject& object)
   object.toWorld = placementOf(actor);
   vtkProperty* property = actor->GetProperty();
   object.coloring.constant = Vec4f(toColor(property->GetDiffuseColor()), 1.0f);
+  if (property->GetEdgeVisibility())
+    object.edges = {property->GetLineWidth(), Vec4f(toColor(property->GetEdgeColor()), 1.0f)};
   Material& m = object.material;
   m.opacity = static_cast<float>(property->GetOpacity());
   if (!property->GetLighting())

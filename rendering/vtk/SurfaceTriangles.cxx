@@ -15,6 +15,7 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -58,6 +59,32 @@ void checkIndices(vtkCellArray* cells, vtkIdType points)
                 ", but there are " + std::to_string(points) + " points.");
 }
 
+/// Finds which sides of triangles are edges of their polygons: those that no other triangle of the
+/// polygon has the other way round. Triangles of a polygon follow one another.
+void findEdges(SurfaceTriangles& found)
+{
+  const ArrayView& corners = found.corners.view;
+  const std::size_t count = found.cells.size();
+  const auto corner = [&](std::size_t i, std::size_t k) { return corners.value(3 * i + k % 3); };
+  using Side = std::pair<double, double>;
+  std::vector<Side> sides;
+  found.edges.assign(count, 0);
+  for (std::size_t first = 0, end = 0; first < count; first = end)
+  {
+    while (end < count && found.cells[end] == found.cells[first])
+      ++end;
+    sides.clear();
+    for (std::size_t i = first; i < end; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        sides.emplace_back(corner(i, k), corner(i, k + 1));
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t i = first; i < end; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        if (!std::binary_search(sides.begin(), sides.end(), Side(corner(i, k + 1), corner(i, k))))
+          found.edges[i] |= static_cast<std::uint8_t>(1U << k);
+  }
+}
+
 /// Cuts polygons and strips into triangles.
 void cut(vtkPolyData* surface, vtkIdType first, SurfaceTriangles& found)
 {
@@ -83,6 +110,7 @@ void cut(vtkPolyData* surface, vtkIdType first, SurfaceTriangles& found)
     last = cell;
   }
   found.flat = count - met;
+  findEdges(found);
 }
 
 SurfaceTriangles trianglesOf(vtkPolyData* surface)
@@ -116,6 +144,7 @@ void drop(SurfaceTriangles& found, const IsOut& isOut)
   const std::size_t count = found.corners.view.empty() ? 0 : found.view().count();
   vtkNew<vtkIdTypeArray> corners;
   std::vector<vtkIdType> cells;
+  std::vector<std::uint8_t> edges;
   for (std::size_t i = 0; i < count; ++i)
   {
     if (isOut(found.cells.empty() ? static_cast<vtkIdType>(i) : found.cells[i]))
@@ -123,11 +152,14 @@ void drop(SurfaceTriangles& found, const IsOut& isOut)
     for (std::size_t k = 3 * i; k < 3 * i + 3; ++k)
       corners->InsertNextValue(static_cast<vtkIdType>(found.corners.view.value(k)));
     cells.push_back(found.cells.empty() ? static_cast<vtkIdType>(i) : found.cells[i]);
+    if (!found.edges.empty())
+      edges.push_back(found.edges[i]);
   }
   if (cells.size() == count)
     return;
   found.corners = DataArrayView(corners);
   found.cells = std::move(cells);
+  found.edges = std::move(edges);
 }
 
 /// Leaves out triangles of cells of which another piece has the same one, and of those that are

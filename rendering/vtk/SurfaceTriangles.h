@@ -2,6 +2,7 @@
 
 #include "DataArrayView.h"
 
+#include <cstdint>
 #include <vector>
 
 class vtkPointSet;
@@ -16,8 +17,10 @@ struct SurfaceTriangles
 {
   DataArrayView corners;        ///< three indices of the data set's points each, one after another
   std::vector<vtkIdType> cells; ///< the data set's cell of each; empty: triangles are cells
-  vtkIdType thin = 0;           ///< lines and vertices
-  vtkIdType flat = 0;           ///< polygons and strips that have no triangle
+  /// Which sides of each triangle are edges of its polygon: bit k from corner k on. Empty: all.
+  std::vector<std::uint8_t> edges;
+  vtkIdType thin = 0; ///< lines and vertices
+  vtkIdType flat = 0; ///< polygons and strips that have no triangle
 
   /// Three indices a tuple.
   ArrayView view() const;

@@ -48,7 +48,8 @@ bool vtkMoteVolumeMapper::Walks()
 
 bool vtkMoteVolumeMapper::NeedsStructure()
 {
-  return this->ShowIsoSurfaces || (this->ShowCloud && !this->Walks());
+  return this->ShowIsoSurfaces || this->GetNumberOfSlices() > 0 ||
+         (this->ShowCloud && !this->Walks());
 }
 
 vtkDataArray* vtkMoteVolumeMapper::FindArray(vtkUnstructuredGrid* grid, bool& ofCells)

@@ -35,6 +35,8 @@ public:
   bool picksCells() const override { return true; }
   double pickedValue(const ScenePick& pick) const override
   {
+    if (pick.value)
+      return *pick.value;
     return prop_->GetProperty()->GetIsoSurfaceValues()->GetValue(static_cast<int>(pick.colorIndex));
   }
 };

@@ -343,6 +343,7 @@ bool vtkMoteMeshMapper::DescribeTo(mote::SurfaceObject& object, vtkActor* actor)
   mote::MeshLook look;
   look.corners = impl.geometry.corners();
   look.cells = impl.geometry.cells();
+  look.edges = impl.geometry.edges();
   look.mixesColors = !ofCells;
   vtkDataArray* normals = input->GetPointData()->GetNormals();
   if (normals && normals->GetNumberOfTuples() == input->GetNumberOfPoints() &&

@@ -1,16 +1,12 @@
 #include "vtkMoteVolumeMapper.h"
 
-#include "ArrayColors.h"
-#include "Bounds.h"
 #include "BuildEvents.h"
 #include "InputTimeStep.h"
-#include "MapperClip.h"
 #include "Names.h"
 #include "RendererImage.h"
 #include "SceneBridge.h"
 #include "TransferBridge.h"
-#include "VisibleCells.h"
-#include "VolumeInput.h"
+#include "VolumeMapperInternals.h"
 
 #include "kernels/core/Error.h"
 #include "kernels/scene/Scene.h"
@@ -34,50 +30,6 @@
 
 vtkStandardNewMacro(vtkMoteVolumeMapper);
 
-/// What the mapper keeps between frames.
-class vtkMoteVolumeMapper::Internals : public mote::BuiltVolume
-{
-public:
-  std::shared_ptr<const mote::BuiltVolume> offered; ///< by another mapper
-  vtkTimeStamp changedAt;                           ///< when geometry or field last did
-  int builds = 0;
-  int fieldUpdates = 0;
-
-  mote::VisibleCells visible;
-  mote::MapperClip clip;
-  mote::HiddenOfMesh hidden;
-
-  mote::ArrayColors colors;
-
-  vtkMTimeType failedAt = 0; ///< of the picture that could not be made: not tried again
-
-  // The last of each kind of message, so that it is told once and not every frame.
-  std::string reported;
-  std::string reportedLook;
-  std::string reportedUnused;
-
-  mote::RendererImages images; ///< for renderers that have no vtkMoteRayCastPass
-
-  /// Whether what was made of the grid's cells can be drawn. `options`: of the structure that is
-  /// needed; null: none is.
-  static bool fits(
-    mote::VolumeGeometry& made, vtkUnstructuredGrid* grid, const mote::HexStructureOptions* options)
-  {
-    return made.hasCellsOf(grid) && (!options || made.hasStructure(*options));
-  }
-
-  /// Takes what was offered, where it fits.
-  void takeOffer(vtkUnstructuredGrid* grid, const mote::HexStructureOptions* options)
-  {
-    const auto from = std::exchange(offered, nullptr);
-    mote::BuiltVolume taken = from ? *from : mote::BuiltVolume();
-    if (!from || !fits(taken.geometry, grid, options))
-      return;
-    static_cast<mote::BuiltVolume&>(*this) = std::move(taken);
-    changedAt.Modified();
-  }
-};
-
 vtkMoteVolumeMapper::vtkMoteVolumeMapper()
   : Impl(std::make_unique<Internals>())
 {
@@ -97,119 +49,10 @@ int vtkMoteVolumeMapper::FillInputPortInformation(int vtkNotUsed(port), vtkInfor
   return 1;
 }
 
-void vtkMoteVolumeMapper::SetVisibleCells(vtkUnsignedCharArray* isVisible)
-{
-  if (this->Impl->visible.set(isVisible))
-    this->Modified();
-}
-
-vtkUnsignedCharArray* vtkMoteVolumeMapper::GetVisibleCells()
-{
-  return this->Impl->visible.get();
-}
-
-void vtkMoteVolumeMapper::SetClipCylinder(vtkMoteClipCylinder* cylinder)
-{
-  if (this->Impl->clip.set(cylinder))
-    this->Modified();
-}
-
-vtkMoteClipCylinder* vtkMoteVolumeMapper::GetClipCylinder()
-{
-  return this->Impl->clip.cylinder();
-}
-
-double* vtkMoteVolumeMapper::GetBounds()
-{
-  this->Update();
-  const auto& mesh = this->Impl->geometry.mesh();
-  mote::copyBounds(mesh ? mesh->bounds() : mote::Box(), this->Bounds);
-  return this->Bounds;
-}
-
-vtkIdType vtkMoteVolumeMapper::GetNumberOfCells()
-{
-  const auto& mesh = this->Impl->geometry.mesh();
-  return mesh ? static_cast<vtkIdType>(mesh->report().kept) : 0;
-}
-
-vtkIdType vtkMoteVolumeMapper::GetNumberOfCellsLeftOut(int reason)
-{
-  const auto& mesh = this->Impl->geometry.mesh();
-  if (!mesh)
-    return 0;
-  const mote::HexMeshReport& r = mesh->report();
-  switch (reason)
-  {
-  case ANY_REASON:
-    return static_cast<vtkIdType>(r.cells - r.kept);
-  case OTHER_TYPE:
-    return static_cast<vtkIdType>(r.otherTypes);
-  case UNFIT_POLYHEDRON:
-    return static_cast<vtkIdType>(r.unfit);
-  case NOT_FINITE:
-    return static_cast<vtkIdType>(r.nonFinite);
-  case TOO_FAR:
-    return static_cast<vtkIdType>(r.tooFar);
-  case NO_VOLUME:
-    return static_cast<vtkIdType>(r.zeroVolume);
-  default:
-    return 0;
-  }
-}
-
-std::string vtkMoteVolumeMapper::GetReport()
-{
-  const auto& mesh = this->Impl->geometry.mesh();
-  return mesh ? mesh->report().sentence() : std::string();
-}
-
-vtkTypeInt64 vtkMoteVolumeMapper::GetStructureBytes()
-{
-  std::size_t bytes = 0;
-  for (const auto& piece : this->GetMemory())
-    bytes += piece.second;
-  return static_cast<vtkTypeInt64>(bytes);
-}
-
-std::vector<std::pair<const void*, std::size_t>> vtkMoteVolumeMapper::GetMemory()
-{
-  return this->Impl->memory();
-}
-
-double vtkMoteVolumeMapper::GetBuildTime()
-{
-  return this->Impl->buildTime;
-}
-
-int vtkMoteVolumeMapper::GetNumberOfBuilds()
-{
-  return this->Impl->builds;
-}
-
-int vtkMoteVolumeMapper::GetNumberOfFieldUpdates()
-{
-  return this->Impl->fieldUpdates;
-}
-
-double* vtkMoteVolumeMapper::GetScalarRange()
-{
-  const auto& field = this->Impl->field;
-  const bool any = field && field->lower() <= field->upper();
-  this->ScalarRange[0] = any ? field->lower() : 1.0;
-  this->ScalarRange[1] = any ? field->upper() : 0.0;
-  return this->ScalarRange;
-}
-
-void vtkMoteVolumeMapper::GetScalarRange(double range[2])
-{
-  std::copy_n(this->GetScalarRange(), 2, range);
-}
-
 vtkMTimeType vtkMoteVolumeMapper::GetPictureMTime()
 {
   vtkMTimeType time = std::max({this->GetMTime(), this->Impl->changedAt.GetMTime(),
-    this->Impl->visible.time(), this->Impl->clip.time(this)});
+    this->Impl->visible.time(), this->Impl->clip.time(this), this->Impl->slices.time()});
   if (this->GetNumberOfInputConnections(0) > 0)
     if (vtkDataObject* input = this->GetExecutive()->GetInputData(0, 0))
       time = std::max(time, input->GetMTime());
@@ -390,6 +233,14 @@ bool vtkMoteVolumeMapper::DescribeTo(mote::Scene& scene, vtkVolume* volume, int 
         mote::isoSurfacesOf(cloud, {surfaces->GetValues(), surfaces->GetValues() + values}));
       scene.surfaces.back().castsShadows = this->CastsShadows;
     }
+    if (impl.slices.count() > 0)
+    {
+      const double* c = this->EdgeColor;
+      const mote::EdgeLook edges{this->EdgeWidth, mote::Vec4f(c[0], c[1], c[2], 1.0)};
+      scene.surfaces.push_back(
+        mote::slicesOf(cloud, impl.slices.shapes(), edges, impl.slices.ranges()));
+      scene.surfaces.back().castsShadows = this->CastsShadows;
+    }
     if (this->ShowCloud)
     {
       if (mote::walkServes(cloud.sampling))
@@ -407,7 +258,7 @@ bool vtkMoteVolumeMapper::DescribeTo(mote::Scene& scene, vtkVolume* volume, int 
   if (!problem.empty() && problem != impl.reportedLook)
     vtkErrorMacro(<< problem);
   impl.reportedLook = problem;
-  return problem.empty() && (values > 0 || this->ShowCloud);
+  return problem.empty() && (values > 0 || impl.slices.count() > 0 || this->ShowCloud);
 }
 
 void vtkMoteVolumeMapper::DescribeLook(mote::CloudObject& cloud, vtkVolumeProperty* property)
@@ -450,31 +301,4 @@ void vtkMoteVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Impl->images.release(window);
   this->Superclass::ReleaseGraphicsResources(window);
-}
-
-void vtkMoteVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
-{
-  const auto text = [](const char* s) { return s ? s : "(none)"; };
-  const auto three = [](const double* v)
-  { return std::to_string(v[0]) + " " + std::to_string(v[1]) + " " + std::to_string(v[2]); };
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "VectorMode: " << (this->VectorMode == MAGNITUDE ? "Magnitude" : "Component")
-     << "\n";
-  os << indent << "VectorComponent: " << this->VectorComponent << "\n";
-  os << indent << "StructureName: " << text(this->StructureName) << "\n";
-  os << indent << "AxisOrigin: " << three(this->AxisOrigin) << "\n";
-  os << indent << "AxisDirection: " << three(this->AxisDirection) << "\n";
-  os << indent << "IntegratorName: " << text(this->IntegratorName) << "\n";
-  os << indent << "SampleDistance: " << this->SampleDistance << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "Saturation: " << this->Saturation << "\n";
-  os << indent << "ShowCloud: " << (this->ShowCloud ? "On" : "Off") << "\n";
-  os << indent << "ShowIsoSurfaces: " << (this->ShowIsoSurfaces ? "On" : "Off") << "\n";
-  os << indent << "CastsShadows: " << (this->CastsShadows ? "On" : "Off") << "\n";
-  os << indent << "NanColor: " << three(this->NanColor) << "\n";
-  os << indent << "NanOpacity: " << this->NanOpacity << "\n";
-  os << indent << "NumberOfCells: " << this->GetNumberOfCells() << "\n";
-  os << indent << "NumberOfBuilds: " << this->GetNumberOfBuilds() << "\n";
-  os << indent << "NumberOfFieldUpdates: " << this->GetNumberOfFieldUpdates() << "\n";
-  os << indent << "StructureBytes: " << this->GetStructureBytes() << "\n";
 }

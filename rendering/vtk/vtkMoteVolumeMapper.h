@@ -1,7 +1,7 @@
 /**
  * @class   vtkMoteVolumeMapper
- * @brief   Draws a scalar on hexahedral cells as a cloud, as iso-surfaces or both, ray cast on the
- * CPU.
+ * @brief   Draws a scalar on hexahedral cells as a cloud, as iso-surfaces, as slices, or as any of
+ * these together, ray cast on the CPU.
  *
  * Input is a vtkUnstructuredGrid. Hexahedra, voxels, wedges, pyramids, tetrahedra and polyhedra
  * are drawn, with warped faces as they are; what cannot be is left out, counted and told of once
@@ -25,8 +25,8 @@
  * What rays need is made for a mesh and kept while points and cells stay what they are; where a
  * reader makes them anew for each time step their content is compared. Clouds that are integrated
  * cell by cell need to know which cells share faces, and no structure; one is built when first
- * needed: by iso-surfaces, other integrators, a Tolerance below 1e-5. Other scalars refresh its
- * ranges, where it is needed still; other colours, opacities, camera or light nothing.
+ * needed: by iso-surfaces, slices, other integrators, a Tolerance below 1e-5. Other scalars refresh
+ * its ranges, where it is needed still; other colours, opacities, camera or light nothing.
  *
  * What an input, a property or a setting lacks or has that cannot be drawn is told once, in one
  * sentence, and nothing is drawn: bad connectivity, no cells, no such array, arrays of another
@@ -46,6 +46,7 @@
 #include <vector>  // for names
 
 class vtkMoteClipCylinder;
+class vtkMoteSlice;
 class vtkDataArray;
 class vtkUnsignedCharArray;
 class vtkUnstructuredGrid;
@@ -166,6 +167,41 @@ public:
 
   ///@{
   /**
+   * Where cells are shown sliced; see vtkMoteSlice. Slices are opaque, and no light changes the
+   * colours that the property's colour function gives them. None by default; null where there is
+   * none of this number, from 0 on. The bounds are those of the slices in the input's coordinates,
+   * as of the last Update(), which takes a look at all points; not initialized where there is none.
+   */
+  void AddSlice(vtkMoteSlice* slice);
+  void RemoveAllSlices();
+  int GetNumberOfSlices();
+  vtkMoteSlice* GetSlice(int number);
+  void GetSliceBounds(double bounds[6]);
+  ///@}
+
+  ///@{
+  /**
+   * Which values slices show: those in any of the ranges, ends included; all of them without any.
+   */
+  void AddSliceRange(double low, double high);
+  void RemoveAllSliceRanges();
+  int GetNumberOfSliceRanges();
+  void GetSliceRange(int number, double range[2]); ///< 1, 0 where there is none of this number
+  ///@}
+
+  ///@{
+  /**
+   * Width in pixels, and colour, of lines on slices along the edges of cells. Width 0 (default): no
+   * lines. Where cells are only a few pixels wide the lines fade.
+   */
+  vtkSetClampMacro(EdgeWidth, double, 0.0, 100.0);
+  vtkGetMacro(EdgeWidth, double);
+  vtkSetVector3Macro(EdgeColor, double);
+  vtkGetVector3Macro(EdgeColor, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether these surfaces keep the light of lights that cast shadows from others, and from one
    * another. On unless set. Clouds never do.
    */
@@ -277,8 +313,8 @@ public:
 
 #ifndef __VTK_WRAP__
   /**
-   * Updates, and adds cloud and iso-surfaces to the scene as this prop shows them, by the same id;
-   * false where there is nothing to draw.
+   * Updates, and adds cloud, iso-surfaces and slices to the scene as this prop shows them, by the
+   * same id; false where there is nothing to draw.
    */
   bool DescribeTo(mote::Scene& scene, vtkVolume* volume, int id = 0);
 
@@ -324,6 +360,8 @@ protected:
   double Saturation = 0.999;
   vtkTypeBool ShowCloud = 1;
   vtkTypeBool ShowIsoSurfaces = 0;
+  double EdgeWidth = 0.0;
+  double EdgeColor[3] = {0.05, 0.05, 0.05};
   bool CastsShadows = true;
   double NanColor[3] = {0.5, 0.0, 0.0};
   double NanOpacity = 0.0;

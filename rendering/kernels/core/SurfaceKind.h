@@ -7,6 +7,7 @@
 #include "RayPacket.h"
 
 #include <concepts>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -19,6 +20,29 @@ struct FeatureSize
 {
   double size = 0.0;
   double section = 0.0;
+};
+
+/// The nearest edge of the cell that a hit lies on, as the hit's ray sees it: how far it is from
+/// the hit across the ray, and how far the cell goes on that way, from edge to edge. Infinite where
+/// there is none.
+struct EdgeSeen
+{
+  double distance = std::numeric_limits<double>::infinity();
+  double extent = std::numeric_limits<double>::infinity();
+
+  /// Takes an edge that goes along `edge` at `offset` from the hit, seen along `way`, neither of
+  /// them 0, in place of a farther one.
+  void take(const Vec3d& offset, const Vec3d& edge, const Vec3d& way, double share)
+  {
+    const Vec3d v = glm::normalize(way);
+    const Vec3d across = offset - glm::dot(offset, v) * v;
+    const Vec3d along = edge - glm::dot(edge, v) * v;
+    const double length = glm::length(along);
+    const double seen =
+      length > 0.0 ? glm::length(glm::cross(across, along)) / length : glm::length(across);
+    if (seen < distance)
+      *this = {seen, share > 0.0 ? seen / share : extent};
+  }
 };
 
 /// A pointer that equals `owner` and keeps nothing alive.
@@ -52,6 +76,11 @@ std::shared_ptr<T> unowned(const std::shared_ptr<T>& owner)
 /// have
 ///   `mixesColors()`, whether this surface's do, and `mixColors(slots, points, count, mix)`, which
 ///   tells it of hits at these points; colorIndices() is not asked then.
+/// - `hasValues`: whether the surface itself knows the values of its colouring. Such kinds have
+///   `values(slots, points, count, values)`, which are looked up in the map; colorIndices() is not
+///   asked then.
+/// - `hasEdges`: whether hits lie on cells that have edges. Such kinds have
+///   `edges(slots, points, ways, count, found)`, see EdgeSeen; the ways are the rays' directions.
 /// - `mayErr`: whether hits may lie farther off the surface than rounding() tells, because an error
 ///   is allowed. Such kinds have `pixelsOfError()`, how far hits of the camera's rays may lie off
 ///   in pixels, 0 if not; and
@@ -84,6 +113,20 @@ concept SurfaceKind = std::equality_comparable<S> &&
       s.mixesColors()
       } -> std::same_as<bool>;
     s.mixColors(slots, &point, n, mix);
+  };
+  {
+    S::hasValues
+    } -> std::convertible_to<bool>;
+  requires !S::hasValues || requires(double* values)
+  {
+    s.values(slots, &point, n, values);
+  };
+  {
+    S::hasEdges
+    } -> std::convertible_to<bool>;
+  requires !S::hasEdges || requires(EdgeSeen * found)
+  {
+    s.edges(slots, &point, &point, n, found);
   };
   {
     S::mayErr

@@ -1,6 +1,7 @@
 #include "IsoSurface.h"
 
 #include "../core/PlaceByNormals.h"
+#include "detail/RaysOf.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,18 +23,6 @@ std::uint64_t slotOf(const IsoHit& hit)
 std::uint32_t cellOf(std::uint64_t slot)
 {
   return static_cast<std::uint32_t>(slot);
-}
-
-/// Ray i of a bundle or a packet.
-HexRay rayOf(const RayBundle& rays, int i)
-{
-  return {rays.originOf(i), rays.directionOf(i), rays.tMin, rays.t[i]};
-}
-
-HexRay rayOf(const RayPacket& rays, int i)
-{
-  return {{rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]},
-    {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]}, rays.tMin[i], rays.t[i]};
 }
 
 } // namespace

@@ -21,6 +21,8 @@ class IsoSurface
 public:
   static constexpr bool isConvex = false;
   static constexpr bool mayMixColors = false;
+  static constexpr bool hasValues = false;
+  static constexpr bool hasEdges = false;
   static constexpr bool mayErr = false;
 
   IsoSurface() = default; ///< of no structure

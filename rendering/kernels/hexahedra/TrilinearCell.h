@@ -34,6 +34,9 @@ public:
   /// cell follow, and `rst` is the best that was found, within [0, 1]^3.
   bool coordinates(const Vec3d& p, Vec3d& rst, const Vec3d& start = Vec3d(0.5)) const;
 
+  /// The same by Newton's method alone, where that converges; else false.
+  bool converges(const Vec3d& p, Vec3d& rst) const { return newton(p - origin_, rst); }
+
   /// The trilinear weights of the eight corners at `rst`; their sum is 1.
   static CornerValues weights(const Vec3d& rst);
 

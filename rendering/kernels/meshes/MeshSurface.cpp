@@ -197,10 +197,41 @@ void MeshSurface::inputIds(const std::uint64_t* slots, int count, std::uint64_t*
       ids[k] = static_cast<std::uint64_t>(look_.cells.value(ids[k]));
 }
 
+/// What a plane stands for that R-LODs have has no edges.
+void MeshSurface::edges(const std::uint64_t* slots, const Vec3d* points, const Vec3d* ways,
+  int count, EdgeSeen* found) const
+{
+  for (int k = 0; k < count; ++k)
+  {
+    if (RlodTree::isLod(slots[k]))
+      continue;
+    const unsigned own = look_.edges ? (*look_.edges)[tree_->inputIndex(slots[k])] : 7U;
+    const auto corners = tree_->localCorners(slots[k]);
+    const Vec3d at = (points[k] - tree_->origin()) / tree_->unit();
+    for (std::size_t side = 0; side < 3; ++side)
+    {
+      if ((own >> side & 1) == 0)
+        continue;
+      const Vec3d from(corners[side]), to(corners[(side + 1) % 3]), third(corners[(side + 2) % 3]);
+      const Vec3d edge = to - from;
+      const double length2 = glm::dot(edge, edge);
+      if (!(length2 > 0.0))
+        continue;
+      const auto across = [&](const Vec3d& p) // from p to the side's line
+      { return from + glm::dot(p - from, edge) / length2 * edge - p; };
+      const double height = glm::length(across(third));
+      const Vec3d offset = across(at);
+      found[k].take(
+        tree_->unit() * offset, edge, ways[k], height > 0.0 ? glm::length(offset) / height : 0.0);
+    }
+  }
+}
+
 MeshSurface MeshSurface::unowned() const
 {
   MeshSurface copy(mote::unowned(tree_), look_);
   copy.look_.corners = mote::unowned(look_.corners);
+  copy.look_.edges = mote::unowned(look_.edges);
   return copy;
 }
 

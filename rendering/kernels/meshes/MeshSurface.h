@@ -4,7 +4,9 @@
 #include "../core/SurfaceKind.h"
 #include "RlodTree.h"
 
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace mote
 {
@@ -21,6 +23,9 @@ struct MeshLook
   ArrayView cells;
   /// Colours are those of points, mixed where a triangle is hit; else those of cells.
   bool mixesColors = false;
+  /// Which sides of each triangle of the input are edges of its cell: bit 0 from the first corner
+  /// to the second, 1 to the third, 2 back to the first. Null: all.
+  std::shared_ptr<const std::vector<std::uint8_t>> edges;
   /// Pixels of error that rays are allowed which are told how far they lie apart, where the tree
   /// has R-LODs: see RlodTree::cast(). To be 0 where the triangles are not opaque: behind an R-LOD
   /// they would be met once more.
@@ -39,6 +44,8 @@ class MeshSurface
 public:
   static constexpr bool isConvex = false;
   static constexpr bool mayMixColors = true;
+  static constexpr bool hasValues = false;
+  static constexpr bool hasEdges = true;
   static constexpr bool mayErr = true;
 
   MeshSurface() = default; ///< of no triangles; to be given some before it is used
@@ -78,6 +85,8 @@ public:
   }
   bool mixesColors() const { return look_.mixesColors && look_.corners; }
   void mixColors(const std::uint64_t* slots, const Vec3d* points, int count, ColorMix& mix) const;
+  void edges(const std::uint64_t* slots, const Vec3d* points, const Vec3d* ways, int count,
+    EdgeSeen* found) const;
   void inputIds(const std::uint64_t* slots, int count, std::uint64_t* ids) const;
   std::size_t slots() const { return 0; }
   std::vector<FeatureSize> featureSizes() const { return {}; }

@@ -19,6 +19,8 @@ class ParticleSurface
 public:
   static constexpr bool isConvex = true;
   static constexpr bool mayMixColors = false;
+  static constexpr bool hasValues = false;
+  static constexpr bool hasEdges = false;
   static constexpr bool mayErr = true;
 
   ParticleSurface() = default; ///< of no structure; to be given one before it is used

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mote
 {
@@ -32,15 +33,27 @@ double volumeStep(const CloudObject& cloud)
   return step > 0.0 && std::isfinite(step) ? step : 1.0;
 }
 
-SurfaceObject isoSurfacesOf(const CloudObject& cloud, const std::vector<double>& values)
+namespace
+{
+
+/// What a surface in a cloud has of it.
+SurfaceObject surfaceIn(const CloudObject& cloud)
 {
   SurfaceObject object;
   object.id = cloud.id;
   object.revision = cloud.revision;
-  object.surface = IsoSurface(cloud.structure, cloud.field, values, cloud.hidden);
   object.toWorld = cloud.toWorld;
   object.clip = cloud.clip;
   object.material = cloud.material;
+  return object;
+}
+
+} // namespace
+
+SurfaceObject isoSurfacesOf(const CloudObject& cloud, const std::vector<double>& values)
+{
+  SurfaceObject object = surfaceIn(cloud);
+  object.surface = IsoSurface(cloud.structure, cloud.field, values, cloud.hidden);
   const double offset = cloud.field->offset();
   const TransferTable table(cloud.transfer, offset);
   for (const double value : values)
@@ -48,6 +61,64 @@ SurfaceObject isoSurfacesOf(const CloudObject& cloud, const std::vector<double>&
     const auto sample = std::isfinite(value) ? table(value - offset) : table.ofNaN();
     object.coloring.palette.emplace_back(Vec3f(sample.color), 1.0f);
   }
+  return object;
+}
+
+namespace
+{
+
+/// The colours of a function, whatever its opacities.
+ColorMap colorsOf(const TransferFunction& function)
+{
+  ColorMap map;
+  map.table.clear();
+  for (const TransferFunction::Knot& knot : function.knots)
+  {
+    map.knots.push_back(knot.value);
+    map.table.emplace_back(Vec3f(knot.color), 1.0f);
+  }
+  map.nan = {Vec3f(function.nan), 1.0f};
+  return map;
+}
+
+/// The same map, clear outside of the ranges.
+ColorMap within(const ColorMap& whole, const std::vector<std::array<double, 2>>& ranges)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  ColorMap map;
+  map.nan = whole.nan;
+  map.knots = whole.knots;
+  for (const auto& [low, high] : ranges)
+    for (const double end :
+      {std::nextafter(low, -infinity), low, high, std::nextafter(high, infinity)})
+      if (std::isfinite(end))
+        map.knots.push_back(end);
+  std::sort(map.knots.begin(), map.knots.end());
+  map.table.clear();
+  for (const double value : map.knots)
+  {
+    const bool isShown = std::any_of(ranges.begin(), ranges.end(),
+      [&](const auto& range) { return range[0] <= value && value <= range[1]; });
+    map.table.emplace_back(Vec3f(whole(value)), isShown ? 1.0f : 0.0f);
+  }
+  return map;
+}
+
+} // namespace
+
+SurfaceObject slicesOf(const CloudObject& cloud, const std::vector<SliceShape>& shapes,
+  const EdgeLook& edges, const std::vector<std::array<double, 2>>& ranges)
+{
+  SurfaceObject object = surfaceIn(cloud);
+  object.edges = edges;
+  object.material = {};
+  object.material.ambient = 1.0f; // colours are to be read
+  object.material.diffuse = object.material.specular = 0.0f;
+  object.surface =
+    SliceSurface(cloud.structure, cloud.field, shapes, cloud.hidden, cloud.transfer.nan.a > 0.0f);
+  object.coloring.map = colorsOf(cloud.transfer);
+  if (!ranges.empty())
+    object.coloring.map = within(object.coloring.map, ranges);
   return object;
 }
 

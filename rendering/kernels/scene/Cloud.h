@@ -7,6 +7,7 @@
 #include "../shading/TransferFunction.h"
 #include "Surface.h"
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -74,5 +75,12 @@ double volumeStep(const CloudObject& cloud);
 /// values, in the colours that its transfer function gives them, with its placement, material, id,
 /// revision and hidden cells.
 SurfaceObject isoSurfacesOf(const CloudObject& cloud, const std::vector<double>& values);
+
+/// The slices of the cloud's cells, for which it must have a structure, opaque, unlit and in the
+/// colours that its transfer function gives to their values, with its placement, id, revision and
+/// hidden cells. Cells with a NaN are there where their opacity is not 0. Of values there are those
+/// in any of the ranges, ends included; all without any.
+SurfaceObject slicesOf(const CloudObject& cloud, const std::vector<SliceShape>& shapes,
+  const EdgeLook& edges = {}, const std::vector<std::array<double, 2>>& ranges = {});
 
 } // namespace mote

@@ -84,7 +84,7 @@ bool SurfaceColoring::mayBeTransparent() const
   const auto isClear = [](const Vec4f& color) { return color.a < 1.0f; };
   if (!direct.empty())
     return direct.components() % 2 == 0;
-  if (!values.empty())
+  if (!values.empty() || !map.knots.empty())
     return std::any_of(map.table.begin(), map.table.end(), isClear) || isClear(map.nan) ||
            (map.useBelow && isClear(map.below)) || (map.useAbove && isClear(map.above));
   return palette.empty() ? isClear(constant) : std::any_of(palette.begin(), palette.end(), isClear);

@@ -4,6 +4,7 @@
 #include "../core/ClipRegion.h"
 #include "../core/ColorMix.h"
 #include "../hexahedra/IsoSurface.h"
+#include "../hexahedra/SliceSurface.h"
 #include "../meshes/MeshSurface.h"
 #include "../occlusion/OcclusionMaps.h"
 #include "../particles/ParticleSurface.h"
@@ -20,7 +21,7 @@ namespace mote
 
 /// Every kind of surface; see SurfaceKind for what each does. A new one is one more alternative
 /// here.
-using Surface = std::variant<ParticleSurface, IsoSurface, MeshSurface>;
+using Surface = std::variant<ParticleSurface, IsoSurface, MeshSurface, SliceSurface>;
 
 /// Calls `visit` with the surface that the variant holds: once a bundle, rather than once a ray.
 template <typename Visit>
@@ -50,12 +51,26 @@ struct SurfaceColoring
   void fill(const ColorMix& mix, int count, float (*colors)[4]) const;
   /// Colours of hits that stand for many, by their places among the means.
   void fillMeans(const std::uint64_t* places, int count, float (*colors)[4]) const;
+  /// Colours of values that the surface itself knows.
+  void fill(const double* known, int count, float (*colors)[4]) const
+  {
+    map.map(known, count, colors);
+  }
   /// Whether any index is asked for.
   bool usesIndices() const { return !values.empty() || !direct.empty() || !palette.empty(); }
   /// Whether any alpha may be below 1.
   bool mayBeTransparent() const;
 
   bool operator==(const SurfaceColoring&) const = default;
+};
+
+/// Lines along the edges of the cells that a surface shows; see SurfaceKind::hasEdges.
+struct EdgeLook
+{
+  double width = 0.0;                     ///< pixels; 0: no lines
+  Vec4f color{0.05f, 0.05f, 0.05f, 1.0f}; ///< its alpha mixes it with the surface's
+
+  bool operator==(const EdgeLook&) const = default;
 };
 
 /// A surface placed in a scene.
@@ -72,6 +87,7 @@ struct SurfaceObject
   /// through (see SurfaceKind::isConvex) are closed by flat faces, all else is open.
   ClipRegion clip;
   SurfaceColoring coloring;
+  EdgeLook edges;
   Material material;
   /// By slot, or null. Local shading takes the ambient light from them in place of rays; see
   /// OcclusionOptions for what has no map.

@@ -27,6 +27,8 @@ public:
 
   Vec4f operator()(double value) const
   {
+    if (!map_.knots.empty())
+      return betweenKnots(value);
     if (map_.logarithmic && !std::isnan(value))
       value = value > 0.0 ? std::log10(value) : -std::numeric_limits<double>::infinity();
     if (!(value >= map_.lower && value <= map_.upper))
@@ -42,6 +44,18 @@ public:
   }
 
 private:
+  Vec4f betweenKnots(double value) const
+  {
+    if (std::isnan(value))
+      return map_.nan;
+    const auto above = std::upper_bound(map_.knots.begin(), map_.knots.end(), value);
+    const auto next = static_cast<std::size_t>(above - map_.knots.begin());
+    if (next == 0 || next == map_.knots.size())
+      return next == 0 ? map_.table.front() : map_.table.back();
+    const double from = map_.knots[next - 1];
+    const double blend = (value - from) / (map_.knots[next] - from);
+    return glm::mix(map_.table[next - 1], map_.table[next], static_cast<float>(blend));
+  }
   Vec4f outside(double value) const
   {
     if (std::isnan(value))

@@ -18,6 +18,10 @@ struct ColorMap
   };
 
   std::vector<Vec4f> table = {Vec4f(1.0f)}; ///< at least one; RGBA in [0, 1]
+  /// Empty, or an ascending value for each entry, at which it holds, with colours linear between
+  /// them in place of even steps from `lower` to `upper`. Of two entries at one value the second
+  /// holds from it on.
+  std::vector<double> knots;
   Interpolation interpolation = Interpolation::Linear;
   double lower = 0.0; ///< value at the table's begin, or its base-10 logarithm where `logarithmic`
   double upper = 1.0;

@@ -26,6 +26,8 @@ void takeColor(const Kind& surface, std::uint64_t slot, const Vec3d& local, Scen
   surface.colorIndices(&slot, 1, &found.colorIndex);
   found.colorShares = {};
   found.colorShares[0] = {found.colorIndex, 1.0};
+  if constexpr (Kind::hasValues)
+    surface.values(&slot, &local, 1, &found.value.emplace());
   if constexpr (Kind::mayMixColors)
     if (surface.mixesColors())
     {

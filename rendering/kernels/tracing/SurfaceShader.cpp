@@ -13,6 +13,7 @@ SurfaceShader::SurfaceShader(const SurfaceObject& object)
 {
   const Mat3d linear(object.toWorld);
   isIdentity_ = linear == Mat3d(1.0);
+  lengthToLocal_ = 1.0 / std::cbrt(std::abs(glm::determinant(linear)));
   const Mat3d normals = glm::transpose(glm::inverse(linear));
   // Only directions count: a common factor keeps the numbers within float's range.
   double largest = 0.0;
@@ -75,6 +76,17 @@ bool takeMix(
 namespace
 {
 
+/// The share of a pixel that a line along an edge covers, half of its width on this cell. Cells of
+/// few pixels would be nothing but lines: theirs fade.
+float edgeShare(const EdgeSeen& edge, double pixel, double width)
+{
+  if (!(pixel > 0.0) || !std::isfinite(edge.distance))
+    return 0.0f;
+  const double covered = std::clamp(0.5 + 0.5 * width - edge.distance / pixel, 0.0, 1.0);
+  const double fading = std::clamp(edge.extent / pixel / (4.0 * width) - 0.5, 0.0, 1.0);
+  return static_cast<float>(covered * fading);
+}
+
 /// Gives hits that stand for many the colours of the means.
 template <typename Kind>
 void takeMeans(const Kind& surface, const SurfaceColoring& coloring, const std::uint64_t* slots,
@@ -96,6 +108,61 @@ void takeMeans(const Kind& surface, const SurfaceColoring& coloring, const std::
 
 } // namespace
 
+/// Gives hits the colours of the values that the surface itself knows; false where it knows none.
+template <typename PointOf>
+bool SurfaceShader::takeValues(
+  const std::uint64_t* slots, int count, const PointOf& pointOf, float (*colors)[4]) const
+{
+  return withSurface(object_.surface,
+    [&](const auto& s)
+    {
+      if constexpr (std::decay_t<decltype(s)>::hasValues)
+      {
+        Vec3d points[SurfaceBlock::capacity];
+        for (int k = 0; k < count; ++k)
+          points[k] = pointOf(k);
+        double values[SurfaceBlock::capacity];
+        s.values(slots, points, count, values);
+        object_.coloring.fill(values, count, colors);
+        return true;
+      }
+      return false;
+    });
+}
+
+/// Draws lines along the edges of cells into the colours of a block.
+void SurfaceShader::drawEdges(SurfaceBlock& block, const BundlePlacing& placing) const
+{
+  const EdgeLook& look = object_.edges;
+  if (!(look.width > 0.0))
+    return;
+  withSurface(object_.surface,
+    [&](const auto& s)
+    {
+      if constexpr (std::decay_t<decltype(s)>::hasEdges)
+      {
+        Vec3d points[SurfaceBlock::capacity], ways[SurfaceBlock::capacity];
+        EdgeSeen found[SurfaceBlock::capacity];
+        for (int k = 0; k < block.count; ++k)
+        {
+          ways[k] = placing.local.directionOf(block.ray[k]);
+          points[k] = placing.local.originOf(block.ray[k]) + block.t[k] * ways[k];
+        }
+        s.edges(block.slot, points, ways, block.count, found);
+        for (int k = 0; k < block.count; ++k)
+        {
+          const double pixel =
+            lengthToLocal_ * (placing.world.footprint + block.t[k] * placing.world.footprintPerT);
+          const float share = look.color.a * edgeShare(found[k], pixel, look.width);
+          for (int c = 0; c < 3; ++c)
+            block.color[k][c] += share * (look.color[c] - block.color[k][c]);
+          if (block.color[k][3] > 0.0f) // else there is nothing to have edges
+            block.color[k][3] += share * (1.0f - block.color[k][3]);
+        }
+      }
+    });
+}
+
 /// Colours of up to SurfaceBlock::capacity hits; pointOf(k) is where hit k lies, in the surface's
 /// coordinates.
 template <typename PointOf>
@@ -103,6 +170,8 @@ void SurfaceShader::fillColors(
   const std::uint64_t* slots, int count, const PointOf& pointOf, float (*colors)[4]) const
 {
   const SurfaceColoring& coloring = object_.coloring;
+  if (this->takeValues(slots, count, pointOf, colors))
+    return;
   if (!coloring.usesIndices())
     return coloring.fill(slots, count, colors);
   withSurface(object_.surface,
@@ -193,6 +262,7 @@ void SurfaceShader::place(
     return placing.local.originOf(ray) + block.t[k] * placing.local.directionOf(ray);
   };
   this->fillColors(block.slot, block.count, pointOf, block.color);
+  this->drawEdges(block, placing);
   withSurface(object_.surface,
     [&](const auto& s)
     {

@@ -32,7 +32,10 @@ struct SmoothSphere
     tree->build(*mesh);
     MeshLook look;
     if (smooth)
-      look = {ArrayView(normals.data(), normals.size() / 3, 3), mesh->corners(), {}};
+    {
+      look.normals = ArrayView(normals.data(), normals.size() / 3, 3);
+      look.corners = mesh->corners();
+    }
     object.surface = MeshSurface(tree, look);
   }
   SmoothSphere(const SmoothSphere&) = delete;

@@ -47,10 +47,21 @@ struct Kind
   SurfaceObject object;
 };
 
+std::vector<SliceShape> slices()
+{
+  SliceShape plane, half, cylinder;
+  plane.axis = {1.0, 2.0, 3.0};
+  half.kind = SliceShape::Kind::HalfPlane;
+  cylinder.kind = SliceShape::Kind::Cylinder;
+  cylinder.axis = {0.0, 1.0, 0.1};
+  return {plane, half, cylinder};
+}
+
 std::vector<Kind> kinds()
 {
   return {{"particles", objectOf(randomParticles(60, 11, 0.1, 0.4))},
-    {"iso-surface", isoSurfacesOf(ball(), {0.8, 1.1})}, {"mesh", objectOf(bumpySphere(20))}};
+    {"iso-surface", isoSurfacesOf(ball(), {0.8, 1.1})}, {"mesh", objectOf(bumpySphere(20))},
+    {"slices", slicesOf(ball(), slices())}};
 }
 
 RayBundle bundleTowards(const Vec3d& eye, int side)

@@ -53,6 +53,10 @@ private:
   template <typename PointOf>
   void fillColors(
     const std::uint64_t* slots, int count, const PointOf& pointOf, float (*colors)[4]) const;
+  template <typename PointOf>
+  bool takeValues(
+    const std::uint64_t* slots, int count, const PointOf& pointOf, float (*colors)[4]) const;
+  void drawEdges(SurfaceBlock& block, const BundlePlacing& placing) const;
   template <typename Take>
   void forCuts(const SurfaceBlock& block, const BundlePlacing& placing, const Take& take) const;
   void lookUpShares(const SurfaceBlock& block, const OcclusionLookUp& found, float* shares) const;
@@ -61,6 +65,7 @@ private:
   const SurfaceObject& object_;
   glm::mat3 normalToWorld_{1.0f};
   glm::mat3 normalToLocal_{1.0f}; ///< times any factor
+  double lengthToLocal_ = 1.0;    ///< lengths of the surface's coordinates for one in the world
   bool isIdentity_ = false;
   bool isCut_ = false; ///< solids, by the object's clip
 };

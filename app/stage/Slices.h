@@ -1,0 +1,16 @@
+#pragma once
+
+#include "settings/Settings.h"
+
+#include <vtkMoteSlice.h>
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+namespace mote::app
+{
+
+/// The slices that --slice asks for, about the axis of --cut-axis, in the order of the settings.
+std::vector<vtkSmartPointer<vtkMoteSlice>> slicesOf(const Settings& settings);
+
+} // namespace mote::app

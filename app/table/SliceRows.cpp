@@ -1,0 +1,90 @@
+#include "Table.h"
+
+#include "stage/Cuts.h"
+
+#include <algorithm>
+
+namespace mote::app
+{
+
+namespace
+{
+
+void checkSlices(const std::vector<ShowRange>& slices)
+{
+  std::size_t count = 0;
+  for (const ShowRange& slice : slices)
+  {
+    const std::optional<CutKind> kind = cutNamed(slice.name);
+    if (!kind)
+      throw WrongValue{"there is no slice by '" + slice.name +
+                       "', but by x, y, z, r, h, angle, or a direction of three numbers"};
+    for (const Interval& place : slice.intervals)
+    {
+      if (place.low != place.high)
+        throw WrongValue{"'" + slice.name + "' takes places, such as 0.1 or 0.1,0.2, not a range"};
+      if (kind->of == CutKind::Radius && !(place.low > 0.0))
+        throw WrongValue{"a slice by r lies at a radius above 0"};
+      ++count;
+    }
+    if (std::count_if(slices.begin(), slices.end(),
+          [&](const ShowRange& other) { return other.name == slice.name; }) > 1)
+      throw WrongValue{"'" + slice.name + "' is given twice; places are joined by commas"};
+  }
+  if (count > 32)
+    throw WrongValue{"at most 32 slices are possible, not " + std::to_string(count)};
+}
+
+} // namespace
+
+void addSliceRows(std::vector<Row>& table)
+{
+  const std::string group = "Slices";
+  const auto volume = &Settings::volume;
+  table.push_back(row<VolumeSettings, std::vector<ShowRange>>(volume, &VolumeSettings::slices,
+    {.group = group,
+      .name = "slice",
+      .value = "NAME=PLACE,...",
+      .help =
+        "Show volumes sliced: by planes across x, y, z or a direction of three numbers, as in "
+        "1,1,0=5, by cylinders about the axis of --cut-axis at radii r, by planes across it at "
+        "heights h, or by half planes at angles in degrees, which end at the axis. Colours are "
+        "those of the cells' values, to the pixel. The cloud stays unless --no-cloud. May be given "
+        "for several names",
+      .commas = false,
+      .usual = "none"},
+    checkSlices));
+  table.push_back(row(volume, &VolumeSettings::unroll,
+    {.group = group,
+      .name = "unroll",
+      .help = "Roll slices by r out flat, blade to blade: onto the plane that touches the cylinder "
+              "at angle 0, half a turn to either side",
+      .needs = "slice"}));
+  table.push_back(row(volume, &VolumeSettings::walls,
+    {.group = group,
+      .name = "walls",
+      .value = "OPACITY",
+      .help = "Show the boundary of volumes, too, from 0, not at all, to 1, opaque",
+      .limits = {.least = 0.0, .most = 1.0}}));
+  table.push_back(row<VolumeSettings, std::string>(volume, &VolumeSettings::wallColor,
+    {.group = group,
+      .name = "wall-color",
+      .value = "COLOUR",
+      .help = "Colour of --walls; data colours them like all else",
+      .offers = {"data"}},
+    [](const std::string& name)
+    {
+      if (name != "data")
+        colorOf(name);
+    }));
+  table.push_back(row(volume, &VolumeSettings::edges,
+    {.group = group,
+      .name = "edges",
+      .value = "PIXELS",
+      .help = "Width of lines along the edges of cells: on slices, walls and surfaces. They fade "
+              "where cells are only a few pixels wide",
+      .limits = {.least = 0.0, .most = 20.0},
+      .usual = "0, no lines"}));
+}
+
+} // namespace mote::app

@@ -1,0 +1,77 @@
+#include "MapperSlices.h"
+
+#include <algorithm>
+
+namespace mote
+{
+
+namespace
+{
+
+Vec3d vectorOf(const double* numbers)
+{
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+} // namespace
+
+void MapperSlices::add(vtkMoteSlice* slice)
+{
+  if (!slice)
+    return;
+  slices_.emplace_back(slice);
+  changedAt_.Modified();
+}
+
+void MapperSlices::clear()
+{
+  if (slices_.empty())
+    return;
+  slices_.clear();
+  changedAt_.Modified();
+}
+
+void MapperSlices::addRange(double low, double high)
+{
+  ranges_.push_back({low, high});
+  changedAt_.Modified();
+}
+
+void MapperSlices::clearRanges()
+{
+  if (ranges_.empty())
+    return;
+  ranges_.clear();
+  changedAt_.Modified();
+}
+
+vtkMoteSlice* MapperSlices::slice(int number) const
+{
+  return number >= 0 && number < this->count() ? slices_[static_cast<std::size_t>(number)].Get()
+                                               : nullptr;
+}
+
+std::vector<SliceShape> MapperSlices::shapes() const
+{
+  std::vector<SliceShape> shapes;
+  for (const auto& slice : slices_)
+  {
+    SliceShape& shape = shapes.emplace_back();
+    shape.kind = static_cast<SliceShape::Kind>(slice->GetShape()); // of the same order
+    shape.point = vectorOf(slice->GetCenter());
+    shape.axis = vectorOf(slice->GetAxis());
+    shape.out = vectorOf(slice->GetOutwards());
+    shape.radius = slice->GetRadius();
+  }
+  return shapes;
+}
+
+vtkMTimeType MapperSlices::time() const
+{
+  vtkMTimeType time = changedAt_.GetMTime();
+  for (const auto& slice : slices_)
+    time = std::max(time, slice->GetMTime());
+  return time;
+}
+
+} // namespace mote

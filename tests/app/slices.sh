@@ -1,0 +1,112 @@
+#!/usr/bin/env bash
+# slices.sh MOTE DATA CASE: one test of volumes that are sliced, of their walls and edges; the case
+# `window` on the X server that DISPLAY names, the others without one.
+tests=$(realpath "$(dirname "$0")")
+pump=pump:0.02:rotor
+
+# shot OPTIONS...: a small picture of the rotor, in picture.png.
+shot() {
+  run 0 "$mote" render $pump -o picture.png --size 200x160 --no-legend --caption "" "$@"
+  [ ! -s err ] || { cat err; fail "something on standard error"; }
+}
+other() { cmp -s "$1" "$2" && fail "$1 and $2 look alike"; return 0; }
+
+case $3 in
+  pictures) # places, directions, cylinders; walls and edges; sessions
+    source "$tests/common.sh"
+    unset DISPLAY
+    view=(--no-cloud --camera 0.3,0.3,0.4,0,0,0.02,0,0,1,30)
+    shot "${view[@]}" --slice z=0.03
+    mv picture.png plane.png
+    shot "${view[@]}" --slice 0,0,5=0.03
+    alike plane.png picture.png
+    shot "${view[@]}" --slice h=0.01 --cut-axis 0,0,0.02,0,0,3
+    alike plane.png picture.png
+    shot "${view[@]}" --slice z=0.03,0.03
+    alike plane.png picture.png
+    shot "${view[@]}" --slice z=0.02
+    other plane.png picture.png
+    shot "${view[@]}" --slice r=0.07
+    mv picture.png round.png
+    shot "${view[@]}" --slice r=0.07 --unroll
+    other round.png picture.png
+    shot "${view[@]}" --slice angle=30
+    mv picture.png angle.png
+    shot "${view[@]}" --slice angle=390
+    alike angle.png picture.png
+    for more in "--edges 1" "--walls 0.3" "--cut x=0:" "--show pressure=0:" "--walls 1 --wall-color data"; do
+      shot "${view[@]}" --slice z=0.03 $more
+      other plane.png picture.png
+    done
+    shot "${view[@]}" --walls 1 --wall-color data --color-by velocity
+    mv picture.png walls.png
+    shot --cells surface --color-by velocity "${view[@]:1}"
+    alike walls.png picture.png
+    # A session keeps it all.
+    shot "${view[@]}" --slice z=0.03 --slice r=0.05,0.1 --walls 0.4 --edges 1.5 --save-session s.json
+    mv picture.png all.png
+    run 0 "$mote" render s.json -o picture.png
+    alike all.png picture.png
+    # What is rolled out is framed, whichever half turn it is.
+    shot --no-cloud --slice r=0.07 --unroll --view +x
+    is_picture picture.png 200x160
+    ;;
+
+  errors)
+    source "$tests/common.sh"
+    unset DISPLAY
+    for wrong in q=1 x=0:1 x 0,0,0=1 r=0 r=-1 x=a; do
+      run 2 "$mote" render $pump -o a.png --slice "$wrong"
+      one_sentence
+      said err '--slice'
+    done
+    run 2 "$mote" render $pump -o a.png --slice x=0 --slice x=1
+    said err 'given twice'
+    run 2 "$mote" render $pump -o a.png --walls 2
+    said err '--walls'
+    run 2 "$mote" render $pump -o a.png --wall-color blurple
+    said err '--wall-color'
+    run 0 "$mote" render $pump -o a.png --size 80x60 --no-cloud
+    said err '--slice'
+    run 0 "$mote" render sphere:100 -o a.png --size 80x60 --slice x=0
+    said err 'do nothing here'
+    ;;
+
+  window) # slices are added, dragged and taken away; walls and edges; undone; picked
+    source "$tests/panel_common.sh"
+    open $pump --size 1000x760 --color-by pressure
+    click 'group Data'
+    click 'group Colour'
+    click 'group Selection'
+    picture cloud.png
+    click 'group Slices'
+    click slice
+    click z
+    has '--no-cloud'
+    has '--slice=z=0.02[0-9]* '
+    picture plane.png
+    differ cloud.png plane.png
+    drag 'slice z 0' 0.5 0.6 0.7
+    has '--slice=z=0.03[0-9]* '
+    picture moved.png
+    differ plane.png moved.png
+    click slice
+    click 'r, distance from the axis'
+    has '--slice=r=0\.[0-9]*'
+    click slice
+    click z
+    has '--slice=z=0\.[0-9]*,0\.[0-9]*'
+    click 'no slice r 0'
+    has_no 'slice=r'
+    picture two.png
+    differ moved.png two.png
+    for _ in $(seq 5); do press ctrl+z; done
+    has_no '--slice'
+    has_no '--no-cloud'
+    picture again.png
+    alike cloud.png again.png
+    quit
+    ;;
+
+  *) exit 2 ;;
+esac

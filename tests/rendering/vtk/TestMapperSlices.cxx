@@ -1,0 +1,162 @@
+// Slices of a vtkMoteVolumeMapper, and edges of cells on slices and surfaces.
+
+#include "MeshTestSupport.h"
+#include "VolumeTestSupport.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkMoteSlice.h"
+
+#include <cmath>
+
+using namespace mote::testing;
+
+namespace
+{
+
+vtkSmartPointer<vtkMoteSlice> planeAt(double z)
+{
+  auto slice = vtkSmartPointer<vtkMoteSlice>::New();
+  slice->SetCenter(0.0, 0.0, z);
+  return slice;
+}
+
+int covered(const Picture& picture)
+{
+  int count = 0;
+  for (int i = 0; i < picture.count(); ++i)
+    count += picture.color(i)[3] > 0.5;
+  return count;
+}
+
+} // namespace
+
+TEST(MapperSlices, AreDrawnInTheColoursOfValuesWhateverTheLight)
+{
+  const auto grid = makeBox(5, [](const Point& p) { return p[0]; });
+  VolumeStage stage(grid, true);
+  stage.mapper->ShowCloudOff();
+  vtkNew<vtkColorTransferFunction> colors;
+  colors->AddRGBPoint(-1.0, 0.0, 0.0, 1.0);
+  colors->AddRGBPoint(1.0, 1.0, 0.0, 0.0);
+  stage.property()->SetColor(colors);
+  const Complaints complaints(stage.mapper);
+  const auto slice = planeAt(0.3);
+  auto before = stage.mapper->GetPictureMTime();
+  stage.mapper->AddSlice(slice);
+  EXPECT_GT(stage.mapper->GetPictureMTime(), before);
+  const Picture picture = stage.trace(60, 60);
+  EXPECT_EQ(covered(picture), 40 * 40); // of [-1.5, 1.5]^2
+  for (int y = 12; y < 48; ++y)
+    for (int x = 12; x < 48; ++x)
+    {
+      const double red = 0.5 + 0.5 * ((x + 0.5) / 20.0 - 1.5);
+      EXPECT_NEAR(picture.color(y * 60 + x)[0], red, 1e-4);
+      EXPECT_NEAR(picture.color(y * 60 + x)[2], 1.0 - red, 1e-4);
+    }
+  // Values outside of ranges are not there.
+  stage.mapper->AddSliceRange(-5.0, -0.5);
+  stage.mapper->AddSliceRange(0.5, 0.75);
+  EXPECT_NEAR(covered(stage.trace(60, 60)), 15 * 40, 40);
+  stage.mapper->RemoveAllSliceRanges();
+  // Another place is another picture, and nothing is built for it.
+  const int builds = stage.mapper->GetNumberOfBuilds();
+  before = stage.mapper->GetPictureMTime();
+  slice->SetAxis(0.0, 1.0, 1.0);
+  EXPECT_GT(stage.mapper->GetPictureMTime(), before);
+  EXPECT_LT(covered(stage.trace(60, 60)), 40 * 40);
+  EXPECT_EQ(stage.mapper->GetNumberOfBuilds(), builds);
+  double bounds[6];
+  stage.mapper->GetSliceBounds(bounds);
+  EXPECT_NEAR(bounds[0], -1.0, 1e-6);
+  EXPECT_NEAR(bounds[2], -0.7, 1e-6);
+  EXPECT_NEAR(bounds[3], 1.0, 1e-6);
+  EXPECT_EQ(stage.mapper->GetNumberOfSlices(), 1);
+  EXPECT_EQ(stage.mapper->GetSlice(0), slice);
+  EXPECT_EQ(stage.mapper->GetSlice(1), nullptr);
+  stage.mapper->RemoveAllSlices();
+  EXPECT_EQ(covered(stage.trace(60, 60)), 0);
+  stage.mapper->GetSliceBounds(bounds);
+  EXPECT_GT(bounds[0], bounds[1]);
+  EXPECT_EQ(complaints.warnings + complaints.errors, 0) << complaints.text;
+}
+
+TEST(MapperSlices, ArePickedWithCellAndValue)
+{
+  const auto grid = makeBox(4, [](const Point& p) { return 10.0 * p[0] + p[1]; });
+  VolumeStage stage(grid, true);
+  stage.mapper->ShowCloudOff();
+  stage.mapper->AddSlice(planeAt(-0.25));
+  vtkNew<vtkGenericOpenGLRenderWindow> window; // never opened: it lends the renderer its size
+  window->SetSize(60, 60);
+  window->AddRenderer(stage.renderer);
+  stage.renderer->ResetCameraClippingRange();
+  vtkNew<vtkMoteParticlePicker> picker;
+  ASSERT_EQ(picker->Pick(22, 41, 0, stage.renderer), 1);
+  const double* at = picker->GetPickPosition();
+  EXPECT_NEAR(at[2], -0.25, 1e-6);
+  EXPECT_NEAR(picker->GetValue(), 10.0 * at[0] + at[1], 1e-5);
+  double bounds[6];
+  grid->GetCellBounds(picker->GetCellId(), bounds);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_LE(bounds[2 * axis], at[axis] + 1e-6);
+    EXPECT_GE(bounds[2 * axis + 1], at[axis] - 1e-6);
+  }
+  EXPECT_EQ(picker->Pick(1, 1, 0, stage.renderer), 0) << "beside it";
+}
+
+TEST(MapperSlices, WithoutDirectionAreRefusedInASentence)
+{
+  VolumeStage stage(makeBox(2, [](const Point& p) { return p[0]; }), true);
+  Complaints complaints(stage.mapper);
+  const auto slice = planeAt(0.0);
+  slice->SetAxis(0.0, 0.0, 0.0);
+  stage.mapper->AddSlice(slice);
+  stage.trace();
+  EXPECT_EQ(complaints.errors, 1);
+  EXPECT_NE(complaints.text.find("axis"), std::string::npos) << complaints.text;
+}
+
+TEST_F(MeshStage, EdgesAreThoseOfPolygonsAndNotOfTheirTriangles)
+{
+  mapper->SetInputData(polygonAndStrip());
+  this->unlit();
+  actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  const auto isDark = [](const Picture& picture, double x, double y)
+  { return picture.color(pixel(x, y))[0] < 0.6; };
+  Picture plain = trace();
+  for (const double y : {-0.48, 0.0, 0.48})
+    EXPECT_FALSE(isDark(plain, -0.48, y));
+  actor->GetProperty()->EdgeVisibilityOn();
+  actor->GetProperty()->SetLineWidth(3.0);
+  const Picture lined = trace();
+  for (const double along : {-0.3, 0.1, 0.3})
+  {
+    EXPECT_TRUE(isDark(lined, -0.48, along));
+    EXPECT_TRUE(isDark(lined, 0.48, along));
+    EXPECT_TRUE(isDark(lined, along, -0.48));
+    EXPECT_TRUE(isDark(lined, along, 0.48));
+    // The square's diagonals, one of which its triangles have.
+    EXPECT_FALSE(isDark(lined, along, along));
+    EXPECT_FALSE(isDark(lined, along, -along));
+  }
+  EXPECT_EQ(lined.covered(), plain.covered());
+}
+
+TEST_F(MeshStage, EdgesOfAGridsFacesAreThoseOfItsCells)
+{
+  mapper->SetInputData(makeBox(2, [](const Point& p) { return p[0]; }));
+  mapper->ScalarVisibilityOff();
+  this->unlit();
+  actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  actor->GetProperty()->EdgeVisibilityOn();
+  actor->GetProperty()->SetLineWidth(2.0);
+  const Picture lined = trace();
+  for (const double along : {-0.7, -0.3, 0.3, 0.7})
+  {
+    EXPECT_LT(lined.color(pixel(0.0, along))[0], 0.6);
+    EXPECT_LT(lined.color(pixel(along, 0.0))[0], 0.6);
+    EXPECT_GT(lined.color(pixel(along, along))[0], 0.9);
+    EXPECT_GT(lined.color(pixel(along, -along))[0], 0.9);
+  }
+}
