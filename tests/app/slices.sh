@@ -49,7 +49,9 @@ case $3 in
     alike all.png picture.png
     # What is rolled out is framed, whichever half turn it is.
     shot --no-cloud --slice r=0.07 --unroll --view +x
-    is_picture picture.png 200x160
+    mv picture.png flat.png
+    shot --no-cloud --slice r=9 --view +x
+    other flat.png picture.png
     ;;
 
   errors)
