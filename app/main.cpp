@@ -10,6 +10,7 @@
 #include "commands/Convert.h"
 #include "commands/ImageSilhouettes.h"
 #include "commands/Info.h"
+#include "commands/Integrate.h"
 #include "commands/Probe.h"
 #include "commands/Render.h"
 #include "table/CommandOptions.h"
@@ -73,6 +74,8 @@ constexpr Command commands[] = {
   {"bake",
     "Write the ambient occlusion of particles as maps, which --ambient-occlusion baked looks up",
     addBakeOptions, bake},
+  {"integrate", "List areas, means, flow rates, torques and heads of sections and boundaries",
+    addIntegrateOptions, integrate},
   {"probe", "List the values along a line", addProbeOptions, probe},
 };
 

@@ -86,6 +86,17 @@ struct ProbeSettings
   bool operator==(const ProbeSettings&) const = default;
 };
 
+/// Of `mote integrate`, beside slices and their axis.
+struct IntegrateSettings
+{
+  bool boundary = false;
+  std::vector<std::string> arrays;
+  std::string velocity, pressure; ///< "none", or empty: choose
+  double density = 1.0;
+  bool kinematic = false; ///< whether the pressure is given over the density
+  bool operator==(const IntegrateSettings&) const = default;
+};
+
 /// Of `mote silhouettes`; see vtkMoteSilhouetteFilter.
 struct DepthImageSettings
 {

@@ -247,6 +247,7 @@ struct Settings
   AverageSettings average;
   BakeSettings bake;
   ProbeSettings probe;
+  IntegrateSettings integrate;
   DepthImageSettings depthImage;
   PlotSettings plot;
   std::vector<Settings> keyFrames; ///< of films that the window makes; these have none themselves

@@ -79,6 +79,17 @@ void addBakeOptions(CLI::App& app, GivenSettings& given)
   addCommandSettings(app, given, "bake");
 }
 
+void addIntegrateOptions(CLI::App& app, GivenSettings& given)
+{
+  addFiles(app, given.settings);
+  addSettings(app, given, {"Data", "slice", "cut-axis"});
+  addCommandSettings(app, given, "integrate");
+  app.get_option("--slice")->description(
+    "Sections, by planes across x, y, z or a direction of three numbers, as in 1,1,0=5, by "
+    "cylinders about the axis of --cut-axis at radii r, by planes across it at heights h, or by "
+    "half planes at angles in degrees, which end at the axis");
+}
+
 void addProbeOptions(CLI::App& app, GivenSettings& given)
 {
   addFiles(app, given.settings);

@@ -16,6 +16,7 @@ void addInfoOptions(CLI::App& app, GivenSettings& given);
 void addAverageOptions(CLI::App& app, GivenSettings& given);
 void addImageSilhouetteOptions(CLI::App& app, GivenSettings& given);
 void addBakeOptions(CLI::App& app, GivenSettings& given);
+void addIntegrateOptions(CLI::App& app, GivenSettings& given);
 void addProbeOptions(CLI::App& app, GivenSettings& given);
 ///@}
 

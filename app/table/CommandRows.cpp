@@ -239,6 +239,64 @@ void addBake(Rows& table)
       .command = command}));
 }
 
+void addIntegrate(Rows& table)
+{
+  const std::string group = "Integrals", command = "integrate";
+  const auto integrate = &Settings::integrate;
+  table.push_back(row(integrate, &IntegrateSettings::boundary,
+    {.group = group,
+      .name = "boundary",
+      .help = "Integrate over the boundary of each part, too; without --slice over that alone",
+      .command = command}));
+  table.push_back(
+    row<IntegrateSettings, std::vector<std::string>>(integrate, &IntegrateSettings::arrays,
+      {.group = group,
+        .name = "array",
+        .value = "NAME,...",
+        .help = "Arrays to integrate, on points or cells: their means, and integrals",
+        .alias = "-a",
+        .usual = "none",
+        .command = command}));
+  const auto add = [&](std::string IntegrateSettings::*name, const char* option, const char* help,
+                     const char* usual)
+  {
+    table.push_back(row(integrate, name,
+      {.group = group,
+        .name = option,
+        .value = "NAME",
+        .help = help,
+        .usual = usual,
+        .command = command}));
+  };
+  add(&IntegrateSettings::velocity, "velocity",
+    "Array of the velocity, for flow rates and means weighted with the flow; or none",
+    "U or velocity, if it is there");
+  add(&IntegrateSettings::pressure, "pressure",
+    "Array of the pressure, for torques on boundaries and, with a velocity, total pressure and "
+    "head; or none",
+    "p or pressure, if it is there");
+  table.push_back(row(integrate, &IntegrateSettings::density,
+    {.group = group,
+      .name = "density",
+      .value = "RHO",
+      .help = "Density of the fluid",
+      .limits = {.aboveZero = true},
+      .command = command}));
+  table.push_back(row(integrate, &IntegrateSettings::kinematic,
+    {.group = group,
+      .name = "kinematic",
+      .help = "The pressure is given over the density, as incompressible solvers do",
+      .command = command}));
+  table.push_back(allStepsRow(command, "All time steps, with a column of their times"));
+  table.push_back(row(output, &OutputSettings::json,
+    {.group = "Output",
+      .name = "json",
+      .help = "Write JSON in place of a table",
+      .command = command}));
+  table.push_back(outputRow(command,
+    "Table to write, .csv, or .json. By default the table goes to standard output", false));
+}
+
 void addProbe(Rows& table)
 {
   const std::string group = "Line", command = "probe";
@@ -372,8 +430,9 @@ const std::vector<Row>& commandTable()
   static const Rows table = []
   {
     Rows rows;
-    for (const auto add : {addPictureCommands, addTimeRows, addPlotRows, addRecordingRows,
-           addFilmRows, addConvert, addInfo, addAverage, addSilhouettesCommand, addBake, addProbe})
+    for (const auto add :
+      {addPictureCommands, addTimeRows, addPlotRows, addRecordingRows, addFilmRows, addConvert,
+        addInfo, addAverage, addSilhouettesCommand, addBake, addIntegrate, addProbe})
       add(rows);
     return rows;
   }();

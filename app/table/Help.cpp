@@ -80,6 +80,8 @@ const std::vector<Topic>& topics()
       "mote silhouettes run.exr -o lines.png --threshold 2%", "silhouettes"},
     {"mote bake", "Maps of ambient occlusion; it takes Data and Radius, too.",
       "mote bake run.dump --samples 196", "bake"},
+    {"mote integrate", "Integrals over sections and boundaries; it takes Data, too.",
+      "mote integrate pump:0.02:rotor --slice r=0.06,0.12 --array pressure", "integrate"},
     {"mote probe", "Values along a line; it takes Data, too.",
       "mote probe pump:0.02 --from 0,0.1,0.1 --to 0.3,0.1,0.1 -o line.csv", "probe"},
   };

@@ -2,6 +2,7 @@
 
 #include "DataSetMismatch.h"
 #include "DataSetParts.h"
+#include "FieldVector.h"
 #include "MeridionalBins.h"
 
 #include "vtkCellData.h"
@@ -88,16 +89,6 @@ std::string choose(vtkDataObject* input, const std::string& name, int associatio
       return "the array '" + name + "' has " + std::to_string(components) +
              " components, and one or three are averaged";
   return {};
-}
-
-bool readVector(vtkDataSet* data, const char* name, mote::Vec3d& value)
-{
-  vtkDataArray* array = data->GetFieldData()->GetArray(name);
-  if (!array || array->GetNumberOfComponents() * array->GetNumberOfTuples() != 3)
-    return false;
-  for (int k = 0; k < 3; ++k)
-    value[k] = array->GetVariantValue(k).ToDouble();
-  return true;
 }
 
 /// Whether a range leaves nothing out.
@@ -236,8 +227,9 @@ std::string vtkMoteMeridionalAverage::Average(
 
   mote::Axis axis{{this->Origin[0], this->Origin[1], this->Origin[2]},
     {this->Axis[0], this->Axis[1], this->Axis[2]}};
-  if (mote::Axis own; this->AxisFromInput && readVector(data.front(), "AxisOrigin", own.origin) &&
-                      readVector(data.front(), "AxisDirection", own.direction))
+  if (mote::Axis own; this->AxisFromInput &&
+                      mote::readVector(data.front(), "AxisOrigin", own.origin) &&
+                      mote::readVector(data.front(), "AxisDirection", own.direction))
     axis = own;
   const double length = glm::length(axis.direction);
   if (!(length > 0.0) || !std::isfinite(length) || !std::isfinite(glm::length(axis.origin)))

@@ -3,18 +3,13 @@
 #include "DataSetMismatch.h"
 #include "DataSetParts.h"
 #include "MeshStatistics.h"
+#include "TableColumns.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkSmartPointer.h"
-#include "vtkStringArray.h"
-#include "vtkTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,46 +20,7 @@ vtkStandardNewMacro(vtkMoteMeshStatistics);
 namespace
 {
 
-/// Columns that are filled from left to right, row by row. A table takes them when they are whole.
-class Columns
-{
-public:
-  void Add(const char* name, const std::string& value)
-  {
-    this->Of<vtkStringArray>(name)->InsertNextValue(value);
-  }
-  void Add(const char* name, vtkIdType value)
-  {
-    this->Of<vtkIdTypeArray>(name)->InsertNextValue(value);
-  }
-  void Add(const char* name, double value)
-  {
-    this->Of<vtkDoubleArray>(name)->InsertNextValue(value);
-  }
-
-  void FillTable(vtkTable* table) const
-  {
-    for (const auto& column : this->All)
-      table->AddColumn(column);
-  }
-
-private:
-  template <class Array>
-  Array* Of(const char* name)
-  {
-    for (const auto& column : this->All)
-      if (column->GetName() == std::string(name))
-        return Array::SafeDownCast(column);
-    vtkNew<Array> column;
-    column->SetName(name);
-    this->All.emplace_back(column);
-    return column;
-  }
-
-  std::vector<vtkSmartPointer<vtkAbstractArray>> All;
-};
-
-void addCells(Columns& row, const mote::CellStatistics& cells)
+void addCells(mote::TableColumns& row, const mote::CellStatistics& cells)
 {
   const auto known = [](double value, bool any) { return any ? value : std::nan(""); };
   const bool any = cells.taken() > 0, anyVolume = any || cells.polyhedra > 0;
@@ -88,7 +44,7 @@ void addCells(Columns& row, const mote::CellStatistics& cells)
   row.Add("max_aspect_ratio", known(cells.maxAspectRatio, any));
 }
 
-void addArray(Columns& row, const mote::MeasuredArray& measured)
+void addArray(mote::TableColumns& row, const mote::MeasuredArray& measured)
 {
   const mote::ArrayStatistics& statistics = measured.statistics;
   const bool any = statistics.min <= statistics.max;
@@ -122,7 +78,7 @@ int vtkMoteMeshStatistics::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
-  Columns cells, arrays;
+  mote::TableColumns cells, arrays;
   if (const std::string mismatch = mote::mismatchOf(input); !mismatch.empty())
   {
     vtkErrorMacro(<< mismatch << ".");
@@ -139,7 +95,7 @@ int vtkMoteMeshStatistics::RequestData(
       addArray(arrays, measured);
     }
   }
-  const Columns* columns[2] = {&cells, &arrays};
+  const mote::TableColumns* columns[2] = {&cells, &arrays};
   for (int i = 0; i < 2; ++i)
   {
     vtkTable* table = vtkTable::GetData(outputVector, i);

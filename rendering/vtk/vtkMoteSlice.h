@@ -70,7 +70,7 @@ public:
   /**
    * Of cylinders, above 0. Default 1.
    */
-  vtkSetClampMacro(Radius, double, VTK_DBL_MIN, VTK_DOUBLE_MAX);
+  vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
   ///@}
 

@@ -29,6 +29,25 @@ Vec3d normalized(const Vec3d& direction, const char* what)
 
 } // namespace
 
+SliceSurface::Frame SliceSurface::framed(const SliceShape& shape)
+{
+  Frame frame{shape};
+  frame.axes[2] = normalized(shape.axis, "axis");
+  Vec3d across = shape.out - glm::dot(shape.out, frame.axes[2]) * frame.axes[2];
+  if (shape.kind == SliceShape::Kind::Plane && !(glm::length(across) > 0.0))
+  {
+    Vec3d other;
+    acrossAxes(frame.axes[2], across, other);
+  }
+  frame.axes[0] = normalized(across, "direction away from the axis");
+  frame.axes[1] = glm::cross(frame.axes[2], frame.axes[0]);
+  const bool isRound =
+    shape.kind == SliceShape::Kind::Cylinder || shape.kind == SliceShape::Kind::Unrolled;
+  if (isRound && !(shape.radius > 0.0 && std::isfinite(shape.radius)))
+    throw Error("The radius of a slice must be above 0.");
+  return frame;
+}
+
 SliceSurface::SliceSurface(std::shared_ptr<const HexStructure> structure,
   std::shared_ptr<const HexField> field, const std::vector<SliceShape>& shapes,
   std::shared_ptr<const HiddenCells> hidden, bool showsNaN)
@@ -42,20 +61,7 @@ SliceSurface::SliceSurface(std::shared_ptr<const HexStructure> structure,
   Box box;
   for (const SliceShape& shape : shapes)
   {
-    Frame frame{shape};
-    frame.axes[2] = normalized(shape.axis, "axis");
-    Vec3d across = shape.out - glm::dot(shape.out, frame.axes[2]) * frame.axes[2];
-    if (shape.kind == SliceShape::Kind::Plane && !(glm::length(across) > 0.0))
-    {
-      Vec3d other;
-      acrossAxes(frame.axes[2], across, other);
-    }
-    frame.axes[0] = normalized(across, "direction away from the axis");
-    frame.axes[1] = glm::cross(frame.axes[2], frame.axes[0]);
-    const bool isRound =
-      shape.kind == SliceShape::Kind::Cylinder || shape.kind == SliceShape::Kind::Unrolled;
-    if (isRound && !(shape.radius > 0.0 && std::isfinite(shape.radius)))
-      throw Error("The radius of a slice must be above 0.");
+    const Frame frame = framed(shape);
     frames_.push_back(frame);
     box.add(boundsOf(frame, -M_PI, M_PI));
   }

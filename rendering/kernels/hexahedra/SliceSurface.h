@@ -83,6 +83,9 @@ public:
   std::size_t slots() const { return 0; }
   std::vector<FeatureSize> featureSizes() const { return {}; }
 
+  /// Throws Error for an axis or a direction without length, and a radius that is not above 0.
+  static void check(const SliceShape& shape) { framed(shape); }
+
   /// The place in the mesh that a hit's point stands for: the point itself, but where rolled out.
   Vec3d meshPoint(std::uint64_t slot, const Vec3d& point) const;
 
@@ -99,6 +102,7 @@ private:
     bool operator==(const Frame&) const = default;
   };
 
+  static Frame framed(const SliceShape& shape);
   CellFinder finder() const;
   template <typename Rays, typename Take>
   void meetEach(Rays& rays, const Take& take) const;

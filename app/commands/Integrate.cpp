@@ -1,0 +1,200 @@
+#include "Integrate.h"
+
+#include "OpenedInput.h"
+#include "TableFile.h"
+#include "base/Failure.h"
+#include "base/Messages.h"
+#include "base/OutputFile.h"
+#include "stage/Arrays.h"
+#include "stage/Cuts.h"
+#include "stage/Slices.h"
+
+#include <vtkCellData.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataSet.h>
+#include <vtkDoubleArray.h>
+#include <vtkInformation.h>
+#include <vtkMoteSurfaceIntegrals.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkTable.h>
+#include <vtkVariantArray.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+
+namespace mote::app
+{
+
+namespace
+{
+
+/// The first of the names that an array with so many components has in any of the data sets.
+std::string usualName(
+  const std::vector<NamedData>& data, const std::vector<const char*>& names, int components)
+{
+  for (const char* name : names)
+    for (const NamedData& one : data)
+      for (vtkDataSetAttributes* of : {static_cast<vtkDataSetAttributes*>(one.data->GetPointData()),
+             static_cast<vtkDataSetAttributes*>(one.data->GetCellData())})
+        if (vtkDataArray* array = of->GetArray(name);
+            array && array->GetNumberOfComponents() == components)
+          return name;
+  return {};
+}
+
+std::string chosen(const std::string& asked, const std::string& usual)
+{
+  return asked == "none" ? "" : asked.empty() ? usual : asked;
+}
+
+/// Sections named as the user wrote them.
+void addSections(vtkMoteSurfaceIntegrals* filter, const Settings& settings)
+{
+  const auto slices = slicesOf(settings);
+  std::size_t next = 0;
+  for (const ShowRange& asked : settings.volume.slices)
+    for (const Interval& place : asked.intervals)
+    {
+      vtkMoteSlice* slice = slices[next++];
+      const std::string name = asked.name + "=" + asNumber(place.low, 10);
+      if (slice->GetShape() == vtkMoteSlice::PLANE)
+        filter->AddPlane(name, slice->GetCenter(), slice->GetAxis());
+      else if (slice->GetShape() == vtkMoteSlice::HALF_PLANE)
+        filter->AddHalfPlane(name, slice->GetCenter(), slice->GetAxis(), slice->GetOutwards());
+      else
+        filter->AddCylinder(name, slice->GetCenter(), slice->GetAxis(), slice->GetRadius());
+    }
+  if (settings.integrate.boundary || slices.empty())
+    filter->AddBoundary("boundary");
+}
+
+/// The table of one time step.
+vtkSmartPointer<vtkTable> tableOf(
+  vtkMoteSurfaceIntegrals* filter, const std::vector<NamedData>& data, OpenedInput& opened)
+{
+  const IntegrateSettings& wanted = opened.settings.integrate;
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  std::string known;
+  for (const NamedData& one : data)
+  {
+    const unsigned number = blocks->GetNumberOfBlocks();
+    blocks->SetBlock(number, one.data);
+    blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), one.name.c_str());
+    if (known.empty())
+      known = listArrays(one.data);
+  }
+  filter->SetVelocityArrayName(
+    chosen(wanted.velocity, usualName(data, {"U", "velocity", "Velocity", "u"}, 3)));
+  filter->SetPressureArrayName(
+    chosen(wanted.pressure, usualName(data, {"p", "pressure", "Pressure"}, 1)));
+  filter->SetInputData(blocks);
+  ProgressRelay::Work work(opened.progress, "Integrating", filter);
+  filter->Update();
+  work.finish();
+  Messages::takeError(); // the filter keeps it
+  if (const std::string& error = filter->GetErrorMessage(); !error.empty())
+    throw Failure(opened.input.name() + ": " + error +
+                  (error.starts_with("there is no array") ? "; it has " + known : ""));
+  auto table = vtkSmartPointer<vtkTable>::New();
+  table->DeepCopy(filter->GetOutput());
+  return table;
+}
+
+/// Puts a column with one number in front.
+vtkSmartPointer<vtkTable> withTime(vtkTable* table, double time)
+{
+  vtkNew<vtkDoubleArray> times;
+  times->SetName("time");
+  times->SetNumberOfValues(table->GetNumberOfRows());
+  times->Fill(time);
+  auto timed = vtkSmartPointer<vtkTable>::New();
+  timed->AddColumn(times);
+  for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column)
+    timed->AddColumn(table->GetColumn(column));
+  return timed;
+}
+
+/// Adds the rows of a table with the same columns.
+void append(vtkTable* to, vtkTable* rows)
+{
+  for (vtkIdType row = 0; row < rows->GetNumberOfRows(); ++row)
+    to->InsertNextRow(rows->GetRow(row));
+}
+
+std::string asJson(vtkTable* table)
+{
+  auto rows = nlohmann::ordered_json::array();
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    nlohmann::ordered_json one;
+    for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column)
+    {
+      const vtkVariant value = table->GetValue(row, column);
+      auto& entry = one[table->GetColumnName(column)];
+      if (!value.IsNumeric())
+        entry = value.ToString();
+      else if (value.IsVTKIdType() || value.IsLongLong())
+        entry = value.ToLongLong();
+      else if (std::isfinite(value.ToDouble())) // null is what is not known
+        entry = value.ToDouble();
+    }
+    rows.push_back(one);
+  }
+  return rows.dump(2) + "\n";
+}
+
+} // namespace
+
+void integrate(const Settings& settings)
+{
+  const std::string& output = settings.output.file;
+  const bool isJson = lowerCase(std::filesystem::path(output).extension().string()) == ".json" ||
+                      settings.output.json;
+  if (!isTableFile(output) && !isJson)
+    throw Failure("cannot write " + output + ": the name must end in .csv or .json");
+  checkOutput(output, settings.data.files);
+  OpenedInput opened(settings);
+  vtkNew<vtkMoteSurfaceIntegrals> filter;
+  addSections(filter, settings);
+  for (const std::string& name : settings.integrate.arrays)
+    filter->AddArray(name);
+  filter->SetDensity(settings.integrate.density);
+  filter->SetKinematicPressure(settings.integrate.kinematic);
+  if (!settings.cuts.axis.empty())
+  {
+    const CutAxis axis = cutAxisOf(settings.cuts.axis);
+    filter->AxisFromInputOff();
+    filter->SetOrigin(axis.point.data());
+    filter->SetAxis(axis.direction.data());
+  }
+  vtkSmartPointer<vtkTable> all;
+  const int steps = settings.output.allSteps ? std::max(1, opened.input.numberOfSteps()) : 1;
+  for (int i = 0; i < steps; ++i)
+  {
+    if (settings.output.allSteps)
+      opened.step = i;
+    auto table = tableOf(filter, opened.read(), opened);
+    const std::vector<double>& times = opened.input.times();
+    if (settings.output.allSteps)
+      table = withTime(table, times.empty() ? i + 1.0 : times[static_cast<std::size_t>(i)]);
+    if (!all)
+      all = table;
+    else if (all->GetNumberOfColumns() == table->GetNumberOfColumns())
+      append(all, table);
+    else
+      throw Failure(opened.input.name() + ": time step " + std::to_string(i + 1) +
+                    " has other arrays; --array, --velocity and --pressure name those of all");
+  }
+  if (!isJson)
+    writeTable(all, output);
+  else if (output.empty())
+    std::fputs(asJson(all).c_str(), stdout);
+  else
+    writeText(output, asJson(all));
+}
+
+} // namespace mote::app
