@@ -236,7 +236,7 @@ bool PanelHost::isForField(const Input& input)
 
 void PanelHost::drawAgain()
 {
-  framesToCome_ = 3;
+  framesToCome_ = someFrames;
   if (onInput)
     onInput();
 }
@@ -346,6 +346,7 @@ void PanelHost::feed()
       return;
     heldFrames_ = 0;
     waiting_.pop_front();
+    framesToCome_ = someFrames; // from here on, however long it has waited
     const auto number = static_cast<std::size_t>(input.number);
     if (input.kind == Input::Character)
       io.AddInputCharacter(static_cast<unsigned>(input.number));

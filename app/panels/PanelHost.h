@@ -64,7 +64,7 @@ public:
       waiting_.clear();
   }
   int width() const { return width_; }
-  /// Draws some frames more: what opens by itself needs them to find its size.
+  /// Draws some frames more: what opens needs them to find its size.
   void drawAgain();
   /// How many presses and releases of the mouse have come, and whether more frames are to come for
   /// what came.
@@ -131,6 +131,7 @@ private:
   int heldFrames_ = 0;        ///< in which a press waited for the keys to move
   unsigned ownButtons_ = 0, viewButtons_ = 0; ///< held, a bit each: whose presses they were
   double lastTime_ = 0.0;                     ///< of the last frame
+  static constexpr int someFrames = 3;
   int framesToCome_ = 0, inputs_ = 0;
   bool isLaid_ = false;
   bool wasWithin_ = false; ///< the controls of the last frame kept to their part, and are there

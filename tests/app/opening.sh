@@ -86,6 +86,15 @@ case $3 in
     titled hopper
     press ctrl+z
     titled copper
+    # The list is laid out whole where the click that opens it comes behind many keys.
+    press ctrl+o
+    shown Recent
+    settled
+    xdotool key --window 0 --delay 0 s w i r l s w i r l mousemove $(place Recent) click 1
+    click 'recent hopper.dump.gz'
+    titled hopper
+    press ctrl+z
+    titled copper
     press ctrl+z
     titled hopper
     # Folders: down, and up again by Backspace to where it was.
