@@ -106,6 +106,7 @@ private:
   static bool isWritten();
   static bool isMovingKeys();
   static bool isForField(const Input& input);
+  bool mustWait(const Input& input);
   void placeMouse(int x, int y);
   void settle();
   void feed();
@@ -128,7 +129,7 @@ private:
   ImGuiContext* context_ = nullptr;
   std::vector<unsigned long> observers_;
   std::deque<Input> waiting_; ///< one press or release a frame: ImGui looks once a frame
-  int heldFrames_ = 0;        ///< in which a press waited for the keys to move
+  int heldFrames_ = 0;        ///< that the first of them has waited for a field
   unsigned ownButtons_ = 0, viewButtons_ = 0; ///< held, a bit each: whose presses they were
   double lastTime_ = 0.0;                     ///< of the last frame
   static constexpr int someFrames = 3;

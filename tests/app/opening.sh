@@ -86,6 +86,20 @@ case $3 in
     titled hopper
     press ctrl+z
     titled copper
+    # Escape leaves that list, and then the dialog. A letter that no field takes holds nothing up.
+    press ctrl+o
+    click Recent
+    shown 'recent hopper.dump.gz'
+    press Escape
+    gone 'recent hopper.dump.gz'
+    over copper-scratch.dump.gz
+    xdotool mousedown 1 key --window 0 x mouseup 1
+    click Recent
+    shown 'recent hopper.dump.gz'
+    press Escape
+    gone 'recent hopper.dump.gz'
+    press Escape
+    gone Cancel
     # The list is laid out whole where the click that opens it comes behind many keys.
     press ctrl+o
     shown Recent
