@@ -184,9 +184,10 @@ void Window::run()
   props_.attach(interactor_); // which draws the window
   this->setUpPanel();
   this->updatePanel(); // how wide messages may be
-  for (const std::string& sentence : {unlikeSizes(stage_), whatLeavesNothing(stage_)})
-    if (!sentence.empty())
-      this->tell(sentence);
+  for (const std::string& sentence : adviceOnData(stage_))
+    this->tell(sentence);
+  if (const std::string nothing = whatLeavesNothing(stage_); !nothing.empty())
+    this->tell(nothing);
   this->setUpPicking();
   this->setUpOpening();
   this->startCache();
