@@ -90,6 +90,9 @@ case $3 in
     press ctrl+o
     click Recent
     shown 'recent hopper.dump.gz'
+    # The dialog lies over all else, the axes too.
+    at_rest 330 600 110 55 >/dev/null
+    [ "$(python3 "$tests/screen.py" 330 600 110 55 red)" = 0 ] || fail "axes over the dialog"
     press Escape
     gone 'recent hopper.dump.gz'
     over copper-scratch.dump.gz
