@@ -5,9 +5,10 @@ set(MOTE_VTK_COMPONENTS
   CommonColor FiltersCore FiltersFlowPaths FiltersGeneral FiltersGeometry FiltersModeling FiltersSources FiltersVerdict
   ImagingCore ImagingHybrid
   InteractionStyle InteractionWidgets
-  IOChemistry IOCore IOGeometry IOImage IOInfovis IOLegacy IOOggTheora IOParallel IOPLY IOXML
+  IOCGNSReader IOChemistry IOCore IOEnSight IOGeometry IOImage IOInfovis IOLegacy IOOggTheora
+  IOParallel IOParallelXML IOPLY IOXML IOXMLParser ParallelCore
   RenderingAnnotation RenderingContextOpenGL2 RenderingCore RenderingFreeType
-  RenderingOpenGL2 RenderingUI RenderingVolume opengl glew)
+  RenderingOpenGL2 RenderingUI RenderingVolume cgns opengl glew)
 if (MOTE_BUILD_BENCHMARKS)
   list(APPEND MOTE_VTK_COMPONENTS RenderingVolumeOpenGL2) # peers
 endif ()

@@ -6,6 +6,7 @@
 #include "base/OutputFile.h"
 #include "base/Text.h"
 #include "stage/Calculated.h"
+#include "stage/HiddenParts.h"
 #include "stage/Input.h"
 #include "stage/Part.h"
 #include "stage/Surface.h"
@@ -43,7 +44,8 @@ struct Found
 Found find(Input& input, const Settings& settings, ProgressRelay& progress)
 {
   Found found;
-  for (const NamedData& one : readAsAsked(input, input.chosenStep(settings), settings, progress))
+  for (const NamedData& one : shownParts(
+         readAsAsked(input, input.chosenStep(settings), settings, progress), settings.selection))
     switch (Part::kindOf(one.data, settings))
     {
     case Part::Kind::Particles:

@@ -4,6 +4,7 @@
 #include "base/Text.h"
 #include "stage/Arrays.h"
 #include "stage/Calculated.h"
+#include "stage/HiddenParts.h"
 #include "stage/Input.h"
 #include "stage/Part.h"
 #include "stage/SimulationBox.h"
@@ -174,6 +175,43 @@ bool isOfTriangles(vtkDataSet* data)
          surface->GetPolys()->IsHomogeneous() == 3;
 }
 
+const char* kindOf(vtkDataSet* data, const Settings& settings)
+{
+  Settings any = settings;
+  any.volume.cells = "auto";
+  switch (Part::kindOf(data, any))
+  {
+  case Part::Kind::Volume:
+    return "volume";
+  case Part::Kind::Surface:
+    return "surface";
+  default:
+    return "particles";
+  }
+}
+
+/// A line for each of the parts of a file, where it has several.
+void printParts(
+  const std::vector<NamedData>& all, const Settings& settings, const std::string& name)
+{
+  const std::vector<bool> hidden = hiddenParts(all, settings.selection);
+  std::size_t width = 4;
+  for (const NamedData& one : all)
+    width = std::max(width, partName(one).size());
+  std::printf("%s\n", name.c_str());
+  printLine("parts", std::to_string(all.size()));
+  std::printf("  %3s  %-*s  %-9s  %12s  %12s\n", "", static_cast<int>(width), "name", "kind",
+    "cells", "points");
+  for (std::size_t i = 0; i < all.size(); ++i)
+    std::printf("  %3zu  %-*s  %-9s  %12s  %12s%s\n", i + 1, static_cast<int>(width),
+      partName(all[i]).c_str(), kindOf(all[i].data, settings),
+      withThousands(all[i].data->GetNumberOfCells()).c_str(),
+      withThousands(all[i].data->GetNumberOfPoints()).c_str(),
+      !hidden[i]          ? ""
+      : all[i].isBoundary ? "  not shown unless --show-part names it"
+                          : "  hidden");
+}
+
 void printText(const NamedData& one, const Input& input, int step, double seconds)
 {
   vtkDataSet* data = one.data;
@@ -221,16 +259,17 @@ Json numbers(const double* values, int count)
   return values ? Json(std::vector<double>(values, values + count)) : Json();
 }
 
-Json asJson(const NamedData& one, const Input& input, int step, double seconds)
+Json asJson(const NamedData& one, bool isHidden, const Settings& settings, const Input& input,
+  int step, double seconds)
 {
   vtkDataSet* data = one.data;
   const std::optional<MeshFacts> mesh = meshOf(data);
   const auto box = simulationBoxOf(data);
   const double spacing = spacingOf(data);
   auto* inFile = pointsInFile(data);
-  Json json = {{"name", one.name}, {"class", data->GetClassName()},
-    {"points", data->GetNumberOfPoints()}, {"cells", data->GetNumberOfCells()},
-    {"times", input.times()}, {"step", step + 1},
+  Json json = {{"name", one.name}, {"part", partName(one)}, {"kind", kindOf(data, settings)},
+    {"hidden", isHidden}, {"class", data->GetClassName()}, {"points", data->GetNumberOfPoints()},
+    {"cells", data->GetNumberOfCells()}, {"times", input.times()}, {"step", step + 1},
     {"bounds", numbers(data->GetNumberOfPoints() > 0 ? data->GetBounds() : nullptr, 6)},
     {"box", numbers(box ? &box->vectors[0][0] : nullptr, 9)},
     {"box_origin", numbers(box ? box->origin : nullptr, 3)},
@@ -262,11 +301,14 @@ void printInfo(const Settings& settings)
     const int step = input.chosenStep(settings);
     const std::vector<NamedData> all = readAsAsked(input, step, settings, progress);
     const double seconds = vtkTimerLog::GetUniversalTime() - start;
-    for (const NamedData& one : all)
+    if (all.size() > 1 && !settings.output.json)
+      printParts(all, settings, input.name());
+    const std::vector<bool> hidden = hiddenParts(all, settings.selection);
+    for (std::size_t i = 0; i < all.size(); ++i)
       if (settings.output.json)
-        objects.push_back(asJson(one, input, step, seconds));
+        objects.push_back(asJson(all[i], hidden[i], settings, input, step, seconds));
       else
-        printText(one, input, step, seconds);
+        printText(all[i], input, step, seconds);
   }
   // Names need not be UTF-8.
   if (settings.output.json)

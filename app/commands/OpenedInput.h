@@ -1,8 +1,10 @@
 #pragma once
 
+#include "base/Failure.h"
 #include "base/ProgressRelay.h"
 #include "base/Text.h"
 #include "stage/Calculated.h"
+#include "stage/HiddenParts.h"
 
 namespace mote::app
 {
@@ -20,8 +22,15 @@ struct OpenedInput
     step = input.chosenStep(settings);
   }
 
-  /// The data sets of the step that was asked for.
-  std::vector<NamedData> read() { return readAsAsked(input, step, settings, progress); }
+  /// The data sets of the step that was asked for, without those that are hidden. Throws Failure
+  /// where all are.
+  std::vector<NamedData> read()
+  {
+    auto shown = shownParts(readAsAsked(input, step, settings, progress), settings.selection);
+    if (shown.empty())
+      throw Failure(input.name() + ": --hide-data and --hide-part leave nothing");
+    return shown;
+  }
 
   /// "swirl.vtu, t = 0.05".
   std::string caption() const

@@ -42,6 +42,7 @@ std::string factsOf(const FolderEntry& entry)
 void OpenDialog::show(const fs::path& folder)
 {
   toOpen_ = isOpen_ = true;
+  isListing_ = false;
   recent_ = readUserState().recent;
   chosenRecent_.reset();
   if (!folder.empty() || folder_.empty())
@@ -312,9 +313,10 @@ std::optional<OpenChoice> OpenDialog::draw(bool canAdd)
   if (!ImGui::BeginPopupModal(title, nullptr,
         ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
   {
-    isOpen_ = false;
+    isOpen_ = isListing_ = false;
     return {};
   }
+  const bool wasListing = isListing_; // Escape has left that list by now
   this->drawPlaces();
   bool isEntered = this->drawFilter();
   isEntered = this->drawList() || isEntered;
@@ -344,7 +346,7 @@ std::optional<OpenChoice> OpenDialog::draw(bool canAdd)
   if (chosenRecent_)
     choice = std::move(chosenRecent_);
   chosenRecent_.reset();
-  if (buttonOf("Cancel") || (isPressed(ImGuiKey_Escape) && !isListing_) || choice)
+  if (buttonOf("Cancel") || (isPressed(ImGuiKey_Escape) && !wasListing) || choice)
   {
     ImGui::CloseCurrentPopup();
     isOpen_ = false;

@@ -30,6 +30,8 @@ public:
 
   /// Whether it is open, or about to be.
   bool isOpen() const { return isOpen_; }
+  /// Whether keys are for its field: not while a list in it has them.
+  bool awaitsKeys() const { return isOpen_ && !isListing_; }
 
 private:
   void list(const std::filesystem::path& folder);

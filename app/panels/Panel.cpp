@@ -174,7 +174,8 @@ void Panel::drawGroups(const PanelFacts& facts)
   drawMessages(facts.messages);
   if (facts.steps > 1 || next_.output.follow)
     this->drawTime(facts);
-  drawn_.insert({"hide-data", "side-by-side", "nan-color"}); // which Data and Colour have
+  drawn_.insert({"hide-data", "hide-part", "show-part", "side-by-side",
+    "nan-color"}); // which Data and Colour have
   if (!found_.hasSurfaces && !found_.hasParticles)
     drawn_.insert("lod-error");
   this->drawGroup("Data", &Panel::drawData);

@@ -86,7 +86,7 @@ public:
   void showOpenDialog();
   /// Whether keys are for a field: one of a list of files that comes, or one whose text was entered
   /// and may be refused.
-  bool awaitsKeys() const { return dialog_.isOpen() || awaitsAnswer_; }
+  bool awaitsKeys() const { return dialog_.awaitsKeys() || awaitsAnswer_; }
 
 private:
   struct NamedArray

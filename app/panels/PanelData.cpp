@@ -4,6 +4,7 @@
 
 #include "PanelWidgets.h"
 #include "base/Text.h"
+#include "stage/HiddenParts.h"
 
 #include <vtkDataArray.h>
 
@@ -28,6 +29,15 @@ std::string countOf(const Part& part)
            : withThousands(shown) + " of " + withThousands(all);
 }
 
+/// What a data set's box does, and the option that does it.
+std::string optionFor(const NamedData& one, int number)
+{
+  return "Shows or hides " + one.name +
+         (one.block.empty()
+             ? "\n--hide-data " + std::to_string(number)
+             : (one.isBoundary ? "\n--show-part '" : "\n--hide-part '") + partName(one) + "'");
+}
+
 } // namespace
 
 /// A line for each data set, with a box that shows or hides it.
@@ -38,25 +48,18 @@ void Panel::drawData()
     drawn_.insert("positions");
   if (stage_.parts().size() > 1)
     this->drawRow("side-by-side", "side by side");
-  std::vector<int>& hidden = next_.selection.hiddenData;
-  for (std::size_t i = 0; i < stage_.parts().size(); ++i)
+  const std::vector<bool> isHidden = hiddenParts(stage_.data(), next_.selection);
+  for (std::size_t i = 0; i < isHidden.size() && i < stage_.parts().size(); ++i)
   {
     const Part& part = *stage_.parts()[i];
     const int number = static_cast<int>(i) + 1;
     const std::string name = "data " + std::to_string(number);
-    const auto place = std::find(hidden.begin(), hidden.end(), number);
-    bool isOn = place == hidden.end();
+    bool isOn = !isHidden[i];
     ImGui::PushID(number);
     if (ImGui::Checkbox("##shown", &isOn))
-    {
-      if (isOn)
-        hidden.erase(place);
-      else
-        hidden.insert(std::upper_bound(hidden.begin(), hidden.end(), number), number);
-    }
+      next_.selection = withPart(next_.selection, stage_.data(), i, isOn);
     noteControl(name);
-    explainKey(
-      ("Shows or hides " + part.name() + "\n--hide-data " + std::to_string(number)).c_str());
+    explainKey(optionFor(stage_.data()[i], number).c_str());
     ImGui::SameLine();
     const bool isOpen =
       ImGui::TreeNodeEx("arrays", ImGuiTreeNodeFlags_SpanAvailWidth, "%s", part.name().c_str());

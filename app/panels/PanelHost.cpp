@@ -1,5 +1,6 @@
 #include "PanelHost.h"
 
+#include "PanelKeys.h"
 #include "PanelLook.h"
 #include "TypedLetter.h"
 
@@ -18,8 +19,6 @@
 
 #include <algorithm>
 #include <cfloat>
-#include <cstring>
-#include <iterator>
 #include <utility>
 
 namespace mote::app
@@ -27,39 +26,6 @@ namespace mote::app
 
 namespace
 {
-
-/// Keys that ImGui asks for by meaning, and X11's names for them.
-struct KeyName
-{
-  const char* symbol;
-  int key;
-};
-constexpr KeyName keyNames[] = {{"Tab", ImGuiKey_Tab}, {"Left", ImGuiKey_LeftArrow},
-  {"Right", ImGuiKey_RightArrow}, {"Up", ImGuiKey_UpArrow}, {"Down", ImGuiKey_DownArrow},
-  {"Prior", ImGuiKey_PageUp}, {"Next", ImGuiKey_PageDown}, {"Home", ImGuiKey_Home},
-  {"End", ImGuiKey_End}, {"Insert", ImGuiKey_Insert}, {"Delete", ImGuiKey_Delete},
-  {"BackSpace", ImGuiKey_Backspace}, {"space", ImGuiKey_Space}, {"Return", ImGuiKey_Enter},
-  {"Escape", ImGuiKey_Escape}, {"KP_Enter", ImGuiKey_KeyPadEnter}, {"a", ImGuiKey_A},
-  {"c", ImGuiKey_C}, {"v", ImGuiKey_V}, {"x", ImGuiKey_X}, {"y", ImGuiKey_Y}, {"z", ImGuiKey_Z}};
-
-/// The place of a key among ImGui's keys that are down; -1 for others.
-int placeOf(const char* symbol)
-{
-  for (std::size_t i = 0; i < std::size(keyNames); ++i)
-    if (std::strcmp(keyNames[i].symbol, symbol) == 0)
-      return static_cast<int>(i);
-  return -1;
-}
-
-/// Whether a key moves between controls or works one that has no text.
-bool isForMoving(const char* symbol)
-{
-  for (const char* moving : {"Left", "Right", "Up", "Down", "Prior", "Next", "Home", "End", "space",
-         "Return", "Escape", "Insert", "Delete"})
-    if (std::strcmp(moving, symbol) == 0)
-      return true;
-  return false;
-}
 
 /// All that makes the pixels of a layout.
 std::vector<unsigned char> bytesOf(const ImDrawData& data)
@@ -173,8 +139,7 @@ void PanelHost::start()
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr; // sessions keep what is to be kept
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-  for (std::size_t i = 0; i < std::size(keyNames); ++i)
-    io.KeyMap[keyNames[i].key] = static_cast<int>(i);
+  mapKeys(io);
   setPanelLook(scale_);
   window_->MakeCurrent();
   if (ImGui_ImplOpenGL3_Init("#version 150"))
@@ -236,7 +201,7 @@ bool PanelHost::isForField(const Input& input)
 
 void PanelHost::drawAgain()
 {
-  framesToCome_ = 3;
+  framesToCome_ = someFrames;
   if (onInput)
     onInput();
 }
@@ -321,6 +286,18 @@ bool PanelHost::isWithin() const
   return true;
 }
 
+/// Whether input waits for the next frame, which gives the keys to a field that asked for them:
+/// keys are for that field, and it would take a press of the mouse from the control that this was
+/// for. A field that never gets them must not hold up all that comes after.
+bool PanelHost::mustWait(const Input& input)
+{
+  constexpr int most = 10; // frames
+  const bool waits = input.kind == Input::Button ? input.isDown && isMovingKeys()
+                                                 : isTyping_ && !isWritten() && isForField(input);
+  heldFrames_ = waits ? heldFrames_ + 1 : 0;
+  return waits && heldFrames_ < most;
+}
+
 /// Gives ImGui what came since the last frame, up to the first change of a button or a key.
 void PanelHost::feed()
 {
@@ -338,14 +315,10 @@ void PanelHost::feed()
   while (!waiting_.empty())
   {
     const Input input = waiting_.front();
-    if (isTyping_ && !isWritten() && isForField(input))
+    if (this->mustWait(input))
       return;
-    // The next frame gives the keys to a field that asked for them, and would take a press of the
-    // mouse from the control that it was for. A field that never gets them must not hold the mouse.
-    if (input.kind == Input::Button && input.isDown && isMovingKeys() && ++heldFrames_ < 4)
-      return;
-    heldFrames_ = 0;
     waiting_.pop_front();
+    framesToCome_ = someFrames; // from here on, however long it has waited
     const auto number = static_cast<std::size_t>(input.number);
     if (input.kind == Input::Character)
       io.AddInputCharacter(static_cast<unsigned>(input.number));
@@ -478,7 +451,7 @@ bool PanelHost::type(bool isDown)
   if (isDown)
     this->settle();
   const bool isText = isTyping_ || isWritten();
-  const int place = placeOf(symbol);
+  const int place = placeOfKey(symbol);
   if (!isDown)
     return place >= 0 && this->add({Input::Key, place, false}) && isText;
   const bool isPopup =

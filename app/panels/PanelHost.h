@@ -64,7 +64,7 @@ public:
       waiting_.clear();
   }
   int width() const { return width_; }
-  /// Draws some frames more: what opens by itself needs them to find its size.
+  /// Draws some frames more: what opens needs them to find its size.
   void drawAgain();
   /// How many presses and releases of the mouse have come, and whether more frames are to come for
   /// what came.
@@ -106,6 +106,7 @@ private:
   static bool isWritten();
   static bool isMovingKeys();
   static bool isForField(const Input& input);
+  bool mustWait(const Input& input);
   void placeMouse(int x, int y);
   void settle();
   void feed();
@@ -128,9 +129,10 @@ private:
   ImGuiContext* context_ = nullptr;
   std::vector<unsigned long> observers_;
   std::deque<Input> waiting_; ///< one press or release a frame: ImGui looks once a frame
-  int heldFrames_ = 0;        ///< in which a press waited for the keys to move
+  int heldFrames_ = 0;        ///< that the first of them has waited for a field
   unsigned ownButtons_ = 0, viewButtons_ = 0; ///< held, a bit each: whose presses they were
   double lastTime_ = 0.0;                     ///< of the last frame
+  static constexpr int someFrames = 3;
   int framesToCome_ = 0, inputs_ = 0;
   bool isLaid_ = false;
   bool wasWithin_ = false; ///< the controls of the last frame kept to their part, and are there

@@ -72,10 +72,10 @@ inline bool chooseName(const std::string& of, const std::string& label,
 inline float rightOfPanel = 0.0f;
 
 /// The key that does the same, or a word of help: beside the panel, where it hides no control, and
-/// not while something is dragged.
+/// not while something is dragged or written: over the view each letter would take a whole frame.
 inline void explainKey(const char* text)
 {
-  if (!ImGui::IsItemHovered() || ImGui::IsMouseDown(0))
+  if (!ImGui::IsItemHovered() || ImGui::IsItemActive() || ImGui::IsMouseDown(0))
     return;
   const float wrap = 25.0f * ImGui::GetFontSize();
   if (ImGui::GetItemRectMin().x < rightOfPanel)

@@ -367,7 +367,10 @@ bool RowControls::drawList(const Row& row, Settings& settings)
       tellOf(row);
     ImGui::PopID();
     if (!isDone || text.text == (isNew ? "" : words[i]))
+    {
+      tellWhole(text);
       continue;
+    }
     if (isNew)
       words.push_back(text.text);
     else if (text.text.empty())
@@ -389,11 +392,24 @@ bool RowControls::drawField(const std::string& hint, Text& text)
   const bool isEntered = ImGui::InputTextWithHint(
     "##", hint.c_str(), &text.text, textFlags | ImGuiInputTextFlags_EnterReturnsTrue);
   text.isOpen = ImGui::IsItemActive();
+  text.width = ImGui::GetItemRectSize().x;
   const bool isLeft = ImGui::IsItemDeactivatedAfterEdit() && text.text != text.refused;
   if (!isEntered && !isLeft)
     return false;
   text.isEntered = isEntered;
   return true;
+}
+
+/// All of a text that is longer than its field, below it.
+void RowControls::tellWhole(const Text& text)
+{
+  const float room = text.width - 2.0f * ImGui::GetStyle().FramePadding.x;
+  if (text.isOpen || ImGui::CalcTextSize(text.text.c_str()).x <= room)
+    return;
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  ImGui::TextWrapped("%s", text.text.c_str());
+  ImGui::PopStyleColor();
+  noteControl("whole text");
 }
 
 /// Sets what was written. Where it cannot be and Return was pressed, the field keeps the keys:
@@ -425,7 +441,7 @@ bool RowControls::drawText(const Row& row, Settings& settings)
     if (const std::string chosen = this->drawOffers(row); !chosen.empty())
       return this->set(row, settings, {chosen});
   if (!isDone)
-    return false;
+    return tellWhole(text), false;
   std::vector<std::string> next = split(row, text.text);
   if (next.empty())
     next = row.get(Settings()); // none: the default

@@ -47,6 +47,7 @@ private:
 
   struct Text;
   static bool drawField(const std::string& hint, Text& text);
+  static void tellWhole(const Text& text);
   bool take(const Row& row, Settings& settings, const std::vector<std::string>& words, Text& text);
 
   struct Text
@@ -54,6 +55,7 @@ private:
     std::string text, wrong;
     std::string refused;        ///< that was written last and cannot be
     unsigned field = 0;         ///< ImGui's name of it
+    float width = 0.0f;         ///< of its field
     bool isOpen = false;        ///< being written
     bool isEntered = false;     ///< by Return, the last time
     bool takesKeysBack = false; ///< in the next frame

@@ -57,4 +57,14 @@ Color inkOn(vtkRenderer* renderer)
   return light > 0.55 ? Color{0.08, 0.09, 0.1} : Color{0.97, 0.97, 0.97};
 }
 
+Color groundAt(vtkRenderer* renderer, double share)
+{
+  const double* bottom = renderer->GetBackground();
+  const double* top = renderer->GetGradientBackground() ? renderer->GetBackground2() : bottom;
+  Color ground{};
+  for (std::size_t i = 0; i < ground.size(); ++i)
+    ground[i] = bottom[i] + share * (top[i] - bottom[i]);
+  return ground;
+}
+
 } // namespace mote::app

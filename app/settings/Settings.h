@@ -68,10 +68,12 @@ struct ShowRange
 /// What is shown.
 struct SelectionSettings
 {
-  std::vector<int> hiddenData; ///< numbers of data sets, from 1, that are not shown
-  std::string where;           ///< an expression that holds for what is shown; empty: all
-  IdRanges hidden;             ///< particles that are not shown
-  IdRanges only;               ///< those that are shown alone; none: all
+  std::vector<int> hiddenData;          ///< numbers of data sets, from 1, that are not shown
+  std::vector<std::string> hiddenParts; ///< names of data sets that are not shown, with *
+  std::vector<std::string> shownParts;  ///< of those that are, whatever hides them
+  std::string where;                    ///< an expression that holds for what is shown; empty: all
+  IdRanges hidden;                      ///< particles that are not shown
+  IdRanges only;                        ///< those that are shown alone; none: all
   std::vector<ShowRange> ranges;
   std::vector<double> range; ///< none or two
   std::string array;         ///< that `range` speaks of, as ColorSettings::array; empty: its own

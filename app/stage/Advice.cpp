@@ -1,6 +1,7 @@
 #include "Advice.h"
 
 #include "Calculated.h"
+#include "HiddenParts.h"
 #include "Silhouettes.h"
 #include "base/Text.h"
 
@@ -290,6 +291,14 @@ std::string unlikeSizes(const Stage& stage)
          large->numbers + " shows the small alone";
 }
 
+std::vector<std::string> adviceOnData(const Stage& stage)
+{
+  std::vector<std::string> advice = {
+    unlikeSizes(stage), hiddenBoundaries(stage.data(), stage.settings().selection)};
+  std::erase(advice, "");
+  return advice;
+}
+
 std::vector<std::string> adviceOn(const Stage& stage)
 {
   std::vector<std::string> advice;
@@ -300,8 +309,8 @@ std::vector<std::string> adviceOn(const Stage& stage)
   adviseOnLight(stage, advice);
   adviseOnColors(stage, advice);
   adviseOnValues(stage, advice);
-  if (const std::string sizes = unlikeSizes(stage); !sizes.empty())
-    advice.push_back(sizes);
+  for (const std::string& sentence : adviceOnData(stage))
+    advice.push_back(sentence);
   return advice;
 }
 

@@ -16,6 +16,9 @@ std::vector<std::string> adviceOn(const Stage& stage);
 /// nothing.
 std::string whatLeavesNothing(const Stage& stage);
 
+/// Sentences on what is shown of the files: unlikeSizes(), and boundaries that are hidden.
+std::vector<std::string> adviceOnData(const Stage& stage);
+
 /// A sentence where files that are shown together are so unlike in size that one is hardly seen;
 /// else nothing.
 std::string unlikeSizes(const Stage& stage);

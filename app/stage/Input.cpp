@@ -1,14 +1,13 @@
 #include "Input.h"
 
+#include "Blocks.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/Text.h"
 
 #include <vtkAlgorithm.h>
-#include <vtkCompositeDataIterator.h>
-#include <vtkCompositeDataSet.h>
+#include <vtkDataObjectTree.h>
 #include <vtkDataSet.h>
-#include <vtkInformation.h>
 #include <vtkMoteLAMMPSDumpReader.h>
 #include <vtkMotePolyDataReader.h>
 #include <vtkMoteReaderTable.h>
@@ -17,35 +16,6 @@
 
 namespace mote::app
 {
-
-namespace
-{
-
-void collectDataSets(
-  vtkDataObject* object, const std::string& name, std::vector<NamedData>& collected)
-{
-  if (auto* data = vtkDataSet::SafeDownCast(object))
-  {
-    collected.push_back({name, data, {}});
-    return;
-  }
-  auto* composite = vtkCompositeDataSet::SafeDownCast(object);
-  if (!composite)
-    throw Failure(
-      name + " holds a " + object->GetClassName() + ", which has no points in space to show");
-  auto blocks = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
-  {
-    vtkInformation* facts = blocks->HasCurrentMetaData() ? blocks->GetCurrentMetaData() : nullptr;
-    const char* block = facts && facts->Has(vtkCompositeDataSet::NAME())
-                          ? facts->Get(vtkCompositeDataSet::NAME())
-                          : nullptr;
-    if (auto* data = vtkDataSet::SafeDownCast(blocks->GetCurrentDataObject()))
-      collected.push_back({block ? name + ": " + block : name, data, {}});
-  }
-}
-
-} // namespace
 
 std::string nameOf(const std::vector<std::string>& files)
 {
@@ -222,11 +192,15 @@ std::vector<NamedData> Input::read(int step, const Runner& runner)
       source.reader->Modified(); // or it would fail without a look, once the file is there again
       throw Failure(error.empty() ? source.name + " could not be read" : error);
     }
-    // The reader writes its next step into the same object.
+    // The reader writes its next step into the same objects.
     auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
-    copy->ShallowCopy(data);
+    if (auto* composite = vtkDataObjectTree::SafeDownCast(copy))
+      composite->RecursiveShallowCopy(data);
+    else
+      copy->ShallowCopy(data);
     const std::size_t first = all.size();
-    collectDataSets(copy, source.name, all);
+    for (NamedData& one : dataSetsOf(copy, source.name))
+      all.push_back(std::move(one));
     for (std::size_t i = first; i < all.size(); ++i)
     {
       all[i].file = source.files.front();

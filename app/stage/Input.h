@@ -29,7 +29,9 @@ struct NamedData
   std::string file; ///< that it is from, the first one of a series
   int step = 0;     ///< among those of the file
   int steps = 1;
-  bool isOwnStep = false; ///< as files with other times are beside this one
+  bool isOwnStep = false;  ///< as files with other times are beside this one
+  std::string block = {};  ///< what it is called in its file; empty where it is the file's only one
+  bool isBoundary = false; ///< a surface beside a volume in the same file
 };
 
 /// The files of one command line: their readers, and the time steps of all of them together. Every

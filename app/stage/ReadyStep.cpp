@@ -1,6 +1,7 @@
 #include "ReadyStep.h"
 
 #include "Calculated.h"
+#include "HiddenParts.h"
 #include "base/Failure.h"
 #include "settings/ErrorBudget.h"
 
@@ -20,8 +21,10 @@ bool ReadyPlan::fits(const ReadyPlan& other) const
   const auto allowsError = [](const Settings& s) { return errorShares(s).lodError > 0.0; };
   const bool hasSurfaces = std::any_of(
     kept.begin(), kept.end(), [](const Kept& one) { return one.kind == Part::Kind::Surface; });
-  // Of surfaces what is hidden is not built.
-  if (hasSurfaces && (settings.selection != other.settings.selection || colored != other.colored))
+  // Of surfaces hidden cells are not built, but hidden parts are.
+  if (hasSurfaces &&
+      (settings.selection != withPartsOf(settings.selection, other.settings.selection) ||
+        colored != other.colored))
     return false;
   return kept == other.kept && particles == other.settings.particles &&
          allowsError(settings) == allowsError(other.settings) && a.cells == b.cells &&

@@ -1,6 +1,7 @@
 #include "Selection.h"
 
 #include "Calculated.h"
+#include "HiddenParts.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/Text.h"
@@ -76,8 +77,32 @@ void Selection::require(bool found, std::size_t range, const std::string& name, 
   }
 }
 
-/// What --hide-data asks for.
-void Selection::hideData(const Parts& parts)
+namespace
+{
+
+/// Throws Failure for a name that no data set has, nor had at another time step: `known`.
+void requireNamed(const std::vector<std::string>& names, const std::vector<NamedData>& data,
+  const std::string& option, std::set<std::string>& known)
+{
+  for (const std::string& name : names)
+  {
+    const bool isThere = std::any_of(
+      data.begin(), data.end(), [&](const NamedData& one) { return isNamed(one, name); });
+    if (!isThere && known.count(name) == 0 && !data.empty())
+    {
+      std::vector<std::string> all;
+      for (const NamedData& one : data)
+        all.push_back(partName(one));
+      throw Failure(option + ": there is no part '" + name + "'; there is " + joined(all, ", "));
+    }
+    known.insert(name);
+  }
+}
+
+} // namespace
+
+/// What --hide-data, --hide-part and --show-part ask for.
+void Selection::hideData(const Parts& parts, const std::vector<NamedData>& data)
 {
   const std::vector<int>& hidden = settings_.selection.hiddenData;
   mostParts_ = std::max(mostParts_, parts.size());
@@ -85,15 +110,18 @@ void Selection::hideData(const Parts& parts)
     if (!parts.empty() && static_cast<std::size_t>(number) > mostParts_)
       throw Failure("--hide-data: there is no data set " + std::to_string(number) + ", but " +
                     std::to_string(mostParts_));
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    parts[i]->setHidden(
-      std::find(hidden.begin(), hidden.end(), static_cast<int>(i) + 1) != hidden.end());
+  requireNamed(settings_.selection.hiddenParts, data, "--hide-part", knownParts_);
+  requireNamed(settings_.selection.shownParts, data, "--show-part", knownParts_);
+  const std::vector<bool> isHidden = hiddenParts(data, settings_.selection);
+  for (std::size_t i = 0; i < parts.size() && i < data.size(); ++i)
+    parts[i]->setHidden(isHidden[i]);
 }
 
-void Selection::apply(const Parts& parts, const ArrayChoice& colored)
+void Selection::apply(
+  const Parts& parts, const ArrayChoice& colored, const std::vector<NamedData>& data)
 {
   this->followSettings();
-  this->hideData(parts);
+  this->hideData(parts, data);
   const Part* first = nullptr; // with particles: an empty step says nothing about arrays
   for (const auto& part : parts)
   {

@@ -261,7 +261,7 @@ std::string Stage::preview() const
 void Stage::applyColors()
 {
   coloring_.apply(parts_);
-  selection_.apply(parts_, coloring_.choice());
+  selection_.apply(parts_, coloring_.choice(), data_);
   this->applyCuts();
 }
 

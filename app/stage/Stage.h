@@ -85,6 +85,9 @@ public:
     return part < data_.size() ? data_[part].file : std::string();
   }
 
+  /// What parts() show, without what is calculated.
+  const std::vector<NamedData>& data() const { return data_; }
+
   /// What is seen beside one another, as numbers of parts(): those of each file that are not hidden
   /// have a view of their own, or those of one file one each. All parts together where the settings
   /// do not ask for that, and where there is nothing to be set beside another.
@@ -127,7 +130,7 @@ private:
   Settings settings_; ///< that all below refer to
   vtkNew<vtkRenderer> renderer_;
   KnownExpressions known_;
-  std::vector<NamedData> data_; ///< without what is calculated
+  std::vector<NamedData> data_; // one for each of parts_
   std::vector<std::unique_ptr<Part>> parts_;
   Lighting lighting_;
   vtkNew<vtkMoteSilhouettes> silhouettes_;

@@ -419,10 +419,17 @@ std::uint64_t bytesOf(const std::string& text)
 {
   std::uint64_t bytes = 0;
   std::string size = text;
-  // It turns the text into one without a unit, or says why not.
-  if (!CLI::AsSizeValue(false)(size).empty() || !CLI::detail::lexical_cast(size, bytes))
-    return 0;
-  return bytes;
+  try
+  {
+    // It turns the text into one without a unit, or says why not; or throws that.
+    if (!text.starts_with('-') && CLI::AsSizeValue(false)(size).empty() &&
+        CLI::detail::lexical_cast(size, bytes))
+      return bytes;
+  }
+  catch (const CLI::Error&)
+  {
+  }
+  return 0;
 }
 
 const std::vector<Row>& commandTable()

@@ -35,6 +35,12 @@ void checkCalculations(const std::vector<Calculation>& calculations)
   }
 }
 
+void checkPartNames(const std::vector<std::string>& names)
+{
+  if (std::find(names.begin(), names.end(), "") != names.end())
+    throw WrongValue{"the name of a part has at least one letter"};
+}
+
 } // namespace
 
 void addDataRows(std::vector<Row>& table)
@@ -86,6 +92,28 @@ void addDataRows(std::vector<Row>& table)
               "the blocks in each: as mote info lists them",
       .limits = {.least = 1},
       .usual = "none"}));
+  table.push_back(row<SelectionSettings, std::vector<std::string>>(&Settings::selection,
+    &SelectionSettings::hiddenParts,
+    {.group = group,
+      .name = "hide-part",
+      .value = "NAME",
+      .help =
+        "Hide the parts of this name: blocks and patches as mote info lists them, or files. * "
+        "stands for any letters. May be given several times",
+      .commas = false,
+      .usual = "none"},
+    checkPartNames));
+  table.push_back(row<SelectionSettings, std::vector<std::string>>(&Settings::selection,
+    &SelectionSettings::shownParts,
+    {.group = group,
+      .name = "show-part",
+      .value = "NAME",
+      .help = "Show the parts of this name, whatever hides them; * stands for any letters. "
+              "Surfaces beside a volume in one file, such as the patches of an OpenFOAM case, are "
+              "seen only so. May be given several times",
+      .commas = false,
+      .usual = "none"},
+    checkPartNames));
   table.push_back(row(data, &DataSettings::threads,
     {.group = group,
       .name = "threads",

@@ -53,11 +53,12 @@ void writeImports(Script& script)
   script.line("        reader.UpdateTimeStep(time)");
   script.line("    data = reader.GetOutputDataObject(0)");
   script.line("    if not data.IsA(\"vtkCompositeDataSet\"):");
-  script.line("        parts.append(data)");
+  script.line("        parts.append(mote.vtkMoteStructuredCells.Of(data))");
   script.line("        return");
   script.line("    leaves = data.NewIterator()");
   script.line("    while not leaves.IsDoneWithTraversal():");
-  script.line("        parts.append(leaves.GetCurrentDataObject())");
+  script.line(
+    "        parts.append(mote.vtkMoteStructuredCells.Of(leaves.GetCurrentDataObject()))");
   script.line("        leaves.GoToNextItem()");
   script.line();
   script.line();

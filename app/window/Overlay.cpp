@@ -1,8 +1,10 @@
 #include "Overlay.h"
 
 #include "base/Text.h"
+#include "settings/Colors.h"
 #include "table/Keys.h"
 
+#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
@@ -44,9 +46,15 @@ void onPanel(vtkTextProperty* property)
 
 } // namespace
 
-Overlay::Overlay(vtkRenderer* renderer)
-  : renderer_(renderer)
+Overlay::Overlay(vtkRenderWindow* window, vtkRenderer* view)
+  : view_(view)
 {
+  constexpr int layer = 2; // the axes' is 1, and so is the view's above several
+  window->SetNumberOfLayers(layer + 1);
+  renderer_->SetLayer(layer);
+  renderer_->InteractiveOff();
+  renderer_->AutomaticLightCreationOff();
+  window->AddRenderer(renderer_);
   place(statusText_, margin, margin, statusSize, false);
   onPanel(place(messageText_, margin, 0.98, messageSize, true));
   onPanel(place(helpText_, margin, 0.988, messageSize, true));
@@ -59,8 +67,13 @@ Overlay::Overlay(vtkRenderer* renderer)
   tipText_->GetPositionCoordinate()->SetCoordinateSystemToViewport();
   tipText_->VisibilityOff();
   for (vtkTextActor* text :
-    {statusText_.Get(), messageText_.Get(), helpText_.Get(), previewText_.Get(), tipText_.Get()})
-    renderer->AddActor2D(text);
+    {statusText_.Get(), messageText_.Get(), previewText_.Get(), helpText_.Get(), tipText_.Get()})
+    renderer_->AddActor2D(text);
+}
+
+vtkRenderer* Overlay::renderer()
+{
+  return renderer_;
 }
 
 void Overlay::setStatus(const std::string& text)
@@ -191,16 +204,8 @@ void Overlay::setMessage(const std::string& text, bool isOfPicked)
 
 void Overlay::setPreview(const std::string& text)
 {
-  previewOn_ = !text.empty();
   previewText_->SetInput(text.c_str());
-  previewText_->SetVisibility(previewOn_);
-}
-
-/// Above what came into the view later, such as the legend.
-void Overlay::raise(vtkTextActor* text)
-{
-  renderer_->RemoveActor2D(text);
-  renderer_->AddActor2D(text);
+  previewText_->SetVisibility(!text.empty());
 }
 
 void Overlay::setTip(const std::string& text, int x, int y, const std::array<int, 2>& size)
@@ -208,7 +213,6 @@ void Overlay::setTip(const std::string& text, int x, int y, const std::array<int
   const int away = this->pixels(14); // the cursor hides nothing of it
   const int least = this->pixels(9);
   constexpr int edge = 4;
-  this->raise(tipText_);
   tipText_->SetInput(text.c_str());
   double box[4];
   for (int letters = this->pixels(tipSize); letters >= least; --letters)
@@ -248,7 +252,6 @@ void Overlay::toggleHelp()
   {
     this->hideTip();
     this->layHelp();
-    this->raise(helpText_);
   }
   helpText_->SetVisibility(helpOn_);
 }
@@ -259,18 +262,14 @@ void Overlay::hideHelp()
   helpText_->VisibilityOff();
 }
 
-void Overlay::setVisible(bool visible)
+void Overlay::followBackground()
 {
-  statusText_->SetVisibility(visible);
-  messageText_->SetVisibility(visible && messageOn_);
-  helpText_->SetVisibility(visible && helpOn_);
-  previewText_->SetVisibility(visible && previewOn_);
-  tipText_->SetVisibility(visible && tipOn_);
-}
-
-void Overlay::setInk(const Color& ink)
-{
-  statusText_->GetTextProperty()->SetColor(ink[0], ink[1], ink[2]);
+  const Color ink = inkOn(view_);
+  vtkTextProperty* status = statusText_->GetTextProperty();
+  status->SetColor(ink[0], ink[1], ink[2]);
+  // A veil that is seen over data alone.
+  status->SetBackgroundColor(view_->GetBackground());
+  status->SetBackgroundOpacity(veilOpacity);
 }
 
 } // namespace mote::app

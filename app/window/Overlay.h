@@ -3,13 +3,14 @@
 #include "settings/Settings.h"
 
 #include <vtkNew.h>
+#include <vtkRenderer.h>
 #include <vtkTextActor.h>
 
 #include <array>
 #include <string>
 #include <vector>
 
-class vtkRenderer;
+class vtkRenderWindow;
 
 namespace mote::app
 {
@@ -18,7 +19,11 @@ namespace mote::app
 class Overlay
 {
 public:
-  explicit Overlay(vtkRenderer* renderer);
+  /// Over the view and all else in the window.
+  Overlay(vtkRenderWindow* window, vtkRenderer* view);
+
+  /// What is drawn last. Its viewport is to be that of the view.
+  vtkRenderer* renderer();
 
   /// Stands between what the status line tells.
   static constexpr const char* dot = "   \u00b7   ";
@@ -56,20 +61,17 @@ public:
   /// The size of all texts: 1 for a display of 96 dots an inch.
   void setScale(double scale);
 
-  /// Without texts, for pictures of the view.
-  void setVisible(bool visible);
-
-  /// Follows a change of background.
-  void setInk(const Color& ink);
+  /// Follows the view's background.
+  void followBackground();
 
 private:
-  void raise(vtkTextActor* text);
   bool fits(vtkTextActor* text) const;
   int pixels(int size) const;
   void layHelp();
   void showHelpLines();
 
-  vtkRenderer* renderer_;
+  vtkRenderer* view_;
+  vtkNew<vtkRenderer> renderer_;
   std::string status_;
   int statusWidth_ = 0;      ///< of the view
   int top_ = -1, topOf_ = 0; ///< pixels without messages, and the height of the view then
@@ -80,7 +82,6 @@ private:
   bool helpOn_ = false;
   bool messageOn_ = false;
   bool tellsPicked_ = false;
-  bool previewOn_ = false;
   bool tipOn_ = false;
   vtkNew<vtkTextActor> statusText_;
   vtkNew<vtkTextActor> messageText_;

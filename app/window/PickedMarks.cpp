@@ -208,10 +208,4 @@ void PickedMarks::hideRectangle()
   rectangle_->VisibilityOff();
 }
 
-void PickedMarks::setVisible(bool visible)
-{
-  veils_->SetVisibility(visible && !radii_.empty());
-  edges_->SetVisibility(visible && lines_->GetNumberOfLines() > 0);
-}
-
 } // namespace mote::app

@@ -38,9 +38,6 @@ public:
   void showRectangle(double x0, double y0, double x1, double y1);
   void hideRectangle();
 
-  /// Without marks, for pictures of the window.
-  void setVisible(bool visible);
-
 private:
   void gather(const PickedSet::Parts& parts, const PickedSet& picked);
   void setCenters(vtkPoints* places);

@@ -80,7 +80,7 @@ void Ruler::label(std::size_t number, const std::string& text, const Place& plac
   world->SetValue(place[0], place[1], place[2]);
   const int* at = world->GetComputedViewportValue(renderer_);
   labels_[number]->SetPosition(at[0], at[1]);
-  labels_[number]->SetVisibility(isVisible_);
+  labels_[number]->VisibilityOn();
 }
 
 /// Labels that would hide others go below those.
@@ -124,7 +124,7 @@ void Ruler::update(
   for (const auto& text : labels_)
     text->VisibilityOff();
   for (vtkActor2D* actor : {edge_.Get(), actor_.Get()})
-    actor->SetVisibility(measured && isVisible_);
+    actor->SetVisibility(measured.has_value());
   if (!measured)
     return;
   vtkNew<vtkPoints> points;
@@ -157,17 +157,6 @@ void Ruler::update(
   this->part();
   lines_->SetPoints(points);
   lines_->SetLines(lines);
-}
-
-void Ruler::setVisible(bool visible)
-{
-  isVisible_ = visible;
-  if (visible)
-    return;
-  edge_->VisibilityOff();
-  actor_->VisibilityOff();
-  for (const auto& text : labels_)
-    text->VisibilityOff();
 }
 
 } // namespace mote::app

@@ -26,8 +26,6 @@ public:
     const PickedSet::Parts& parts, const PickedSet& picked, const std::vector<std::size_t>& shown);
   /// The size of its texts and lines: 1 for a display of 96 dots an inch.
   void setScale(double scale);
-  /// Without it, for pictures of the window.
-  void setVisible(bool visible);
 
 private:
   void label(std::size_t number, const std::string& text, const Place& place);
@@ -37,7 +35,6 @@ private:
   vtkNew<vtkPolyData> lines_;
   vtkNew<vtkActor2D> edge_, actor_;            ///< dark lines, and bright ones over them
   std::array<vtkNew<vtkTextActor>, 3> labels_; ///< of two distances and an angle
-  bool isVisible_ = true;
 };
 
 } // namespace mote::app

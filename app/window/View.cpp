@@ -19,10 +19,4 @@ void View::update(const Stage& stage, const PickedSet& picked)
   ruler_.update(stage.parts(), picked, parts_);
 }
 
-void View::setVisible(bool visible)
-{
-  marks_.setVisible(visible);
-  ruler_.setVisible(visible);
-}
-
 } // namespace mote::app

@@ -37,8 +37,6 @@ public:
   void update(const Stage& stage, const PickedSet& picked);
   /// The size of texts: 1 for a display of 96 dots an inch.
   void setScale(double scale) { ruler_.setScale(scale); }
-  /// Without marks and ruler, for pictures of the window.
-  void setVisible(bool visible);
 
 private:
   vtkRenderer* renderer_;

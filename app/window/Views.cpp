@@ -186,12 +186,6 @@ void Views::forgetMarks()
     view->marks().forget();
 }
 
-void Views::setVisible(bool visible)
-{
-  for (View* view : this->shown())
-    view->setVisible(visible);
-}
-
 //------------------------------------------------------------------------------------------------
 // Where the views lie
 

@@ -36,8 +36,6 @@ public:
   void forgetMarks();
   /// The size of texts: 1 for a display of 96 dots an inch.
   void setScale(double scale);
-  /// Without marks and ruler, for pictures of the window.
-  void setVisible(bool visible);
 
   /// The view at a place of the window in pixels; null where there is none.
   View* at(int x, int y);

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <new>
 
 namespace mote::app
 {
@@ -58,9 +59,9 @@ Window::Window(const Settings& settings, Input& input)
   , input_(input)
   , stage_(settings)
   , views_(stage_, window_)
-  , overlay_(stage_.renderer())
+  , overlay_(window_, stage_.renderer())
   , props_(stage_)
-  , bar_(window_, stage_.renderer())
+  , bar_(window_, stage_.renderer(), overlay_.renderer())
   , panel_(stage_)
   , panelOn_(settings.output.panel)
 {
@@ -77,6 +78,7 @@ Window::~Window()
   forget(style_);
   forget(interactor_);
   forget(stage_.renderer());
+  forget(overlay_.renderer());
 }
 
 void Window::setUpWindow()
@@ -101,7 +103,7 @@ void Window::setUpWindow()
       pass->SetSilhouettes(stage_.silhouettes());
     });
   views_.takePasses();
-  overlay_.setInk(inkOn(stage_.renderer()));
+  overlay_.followBackground();
   interactor_->SetRenderWindow(window_);
   interactor_->SetInteractorStyle(style_);
 }
@@ -184,9 +186,10 @@ void Window::run()
   props_.attach(interactor_); // which draws the window
   this->setUpPanel();
   this->updatePanel(); // how wide messages may be
-  for (const std::string& sentence : {unlikeSizes(stage_), whatLeavesNothing(stage_)})
-    if (!sentence.empty())
-      this->tell(sentence);
+  for (const std::string& sentence : adviceOnData(stage_))
+    this->tell(sentence);
+  if (const std::string nothing = whatLeavesNothing(stage_); !nothing.empty())
+    this->tell(nothing);
   this->setUpPicking();
   this->setUpOpening();
   this->startCache();
@@ -229,6 +232,10 @@ bool Window::perform(const std::function<void()>& work)
   catch (const Failure& failure)
   {
     failure_ = message = failure.what();
+  }
+  catch (const std::bad_alloc&)
+  {
+    failure_ = message = "There is not enough memory for this";
   }
   busy_ = false;
   if (bar_.wantsQuit())

@@ -6,6 +6,7 @@
 #include "commands/PlotFile.h"
 #include "settings/Colors.h"
 #include "stage/Arrays.h"
+#include "stage/HiddenParts.h"
 #include "stage/Picture.h"
 #include "table/Row.h"
 #include "table/Script.h"
@@ -201,9 +202,7 @@ void Window::fitToArray(Settings& next) const
     return;
   if (asked)
   {
-    const std::vector<int> hidden = next.selection.hiddenData;
-    next.selection = asked_.selection;
-    next.selection.hiddenData = hidden;
+    next.selection = withPartsOf(next.selection, asked_.selection);
     next.volume.isoValues = asked_.volume.isoValues;
     next.volume.cloud = asked_.volume.cloud;
     next.volume.opacity = asked_.volume.opacity;
@@ -291,7 +290,7 @@ std::string Window::coloringText() const
   if (!stage_.coloring().choice())
     return "One colour for all";
   Settings now = this->settings();
-  now.selection.hiddenData = asked_.selection.hiddenData; // which stay, whatever colours
+  now.selection = withPartsOf(asked_.selection, now.selection); // which stay, whatever colours
   const bool away =
     now.color.array != arrayAsked_ &&
     (now.selection != asked_.selection || now.volume.isoValues != asked_.volume.isoValues ||

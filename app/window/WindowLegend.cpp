@@ -1,5 +1,6 @@
 #include "WindowLegend.h"
 
+#include "settings/Colors.h"
 #include "stage/Picture.h"
 
 #include <vtkActor2D.h>
@@ -12,6 +13,7 @@
 #include <vtkScalarsToColors.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace mote::app
 {
@@ -19,25 +21,30 @@ namespace mote::app
 namespace
 {
 
-/// The rectangle {x min, x max, y min, y max} of an image of premultiplied floats, in bytes that
-/// are not premultiplied, as OpenGL blends them.
-vtkSmartPointer<vtkImageData> cutOut(vtkImageData* image, const int rectangle[4])
+/// The rectangle {x min, x max, y min, y max} of an image of premultiplied floats, on a veil in the
+/// background's colours, in bytes that are not premultiplied, as OpenGL blends them.
+vtkSmartPointer<vtkImageData> cutOut(
+  vtkImageData* image, const int rectangle[4], const std::function<Color(int y)>& ground)
 {
   auto part = vtkSmartPointer<vtkImageData>::New();
   part->SetDimensions(rectangle[1] - rectangle[0] + 1, rectangle[3] - rectangle[2] + 1, 1);
   part->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  const auto byte = [](double value)
+  { return static_cast<unsigned char>(255.0 * std::clamp(value, 0.0, 1.0) + 0.5); };
   for (int y = rectangle[2]; y <= rectangle[3]; ++y)
+  {
+    const Color behind = ground(y);
     for (int x = rectangle[0]; x <= rectangle[1]; ++x)
     {
       const auto* from = static_cast<const float*>(image->GetScalarPointer(x, y, 0));
       auto* to =
         static_cast<unsigned char*>(part->GetScalarPointer(x - rectangle[0], y - rectangle[2], 0));
-      for (int c = 0; c < 4; ++c)
-      {
-        const float value = c < 3 && from[3] > 0.0f ? from[c] / from[3] : from[c];
-        to[c] = static_cast<unsigned char>(255.0f * std::clamp(value, 0.0f, 1.0f) + 0.5f);
-      }
+      const double veil = veilOpacity * (1.0 - from[3]), alpha = from[3] + veil;
+      for (int c = 0; c < 3; ++c)
+        to[c] = byte((from[c] + veil * behind[static_cast<std::size_t>(c)]) / alpha);
+      to[3] = byte(alpha);
     }
+  }
   return part;
 }
 
@@ -69,6 +76,12 @@ void WindowLegend::set(
 void WindowLegend::setInk(const Color& ink)
 {
   legend_->SetTextColor(ink[0], ink[1], ink[2]);
+  if (const std::array ground = {groundAt(renderer_, 0.0), groundAt(renderer_, 1.0)};
+      ground != ground_)
+  {
+    ground_ = ground;
+    drawn_ = 0;
+  }
 }
 
 void WindowLegend::update()
@@ -100,7 +113,8 @@ void WindowLegend::update()
   isLeftOut_ = !actor_->GetVisibility();
   if (isLeftOut_)
     return;
-  mapper_->SetInputData(cutOut(legend_->GetOutput(), rectangle));
+  mapper_->SetInputData(cutOut(legend_->GetOutput(), rectangle,
+    [&](int y) { return groundAt(renderer_, (y + 0.5) / size[1]); }));
   actor_->SetPosition(rectangle[0], rectangle[2]);
 }
 

@@ -5,6 +5,7 @@
 #include <vtkMoteColorLegend.h>
 #include <vtkNew.h>
 
+#include <array>
 #include <string>
 
 class vtkActor2D;
@@ -40,7 +41,8 @@ private:
   vtkNew<vtkImageMapper> mapper_;
   vtkNew<vtkActor2D> actor_;
   vtkMTimeType drawn_ = 0;
-  bool isLeftOut_ = false; ///< as the view is too narrow
+  std::array<Color, 2> ground_{}; ///< of the view: at its bottom, and at its top
+  bool isLeftOut_ = false;        ///< as the view is too narrow
 };
 
 } // namespace mote::app

@@ -44,8 +44,8 @@ void Window::setUpPanel()
     if (!busy_)
       this->takeWish();
   };
-  // After the view and its props, before the window shows the frame.
-  observe(stage_.renderer(), vtkCommand::EndEvent, [this](void*) { this->drawPanel(); });
+  // After all else, before the window shows the frame.
+  observe(overlay_.renderer(), vtkCommand::EndEvent, [this](void*) { this->drawPanel(); });
 }
 
 /// Gives all texts the size that the settings ask for, or the display.
@@ -89,7 +89,8 @@ void Window::updatePanel()
   const int width = panelHost_ && panelOn_ ? this->widthOfPanelNow() : 0;
   const bool isStart = panelHost_ && panelOn_ && this->isEmpty();
   const double left = isStart ? 0.0 : static_cast<double>(width) / std::max(1, size[0]);
-  stage_.renderer()->SetViewport(left, 0.0, 1.0, 1.0);
+  for (vtkRenderer* renderer : {stage_.renderer(), overlay_.renderer()})
+    renderer->SetViewport(left, 0.0, 1.0, 1.0);
   props_.placeAxes();
   if (panelHost_)
     panelHost_->setWidth(isStart ? size[0] : width);

@@ -53,9 +53,10 @@ void setSpan(vtkPlaneSource* plane, double to)
 
 } // namespace
 
-WindowProgress::WindowProgress(vtkRenderWindow* window, vtkRenderer* view)
+WindowProgress::WindowProgress(vtkRenderWindow* window, vtkRenderer* view, vtkRenderer* above)
   : window_(window)
   , view_(view)
+  , above_(above)
 {
   renderer_->SetBackground(view->GetBackground());
   renderer_->SetBackground2(view->GetBackground2());
@@ -112,6 +113,7 @@ void WindowProgress::show(const std::string& what, double share)
     this->keepFrame();
     window_->RemoveRenderer(view_);
     window_->AddRenderer(renderer_);
+    above_->DrawOff();
     shown_ = true;
   }
   setSpan(bar_, left + std::max(share, 0.004) * (right - left)); // a plane needs an area
@@ -126,6 +128,7 @@ void WindowProgress::hide()
     return;
   window_->RemoveRenderer(renderer_);
   window_->AddRenderer(view_);
+  above_->DrawOn();
   shown_ = false;
 }
 

@@ -18,7 +18,8 @@ namespace mote::app
 class WindowProgress : public ProgressDisplay
 {
 public:
-  WindowProgress(vtkRenderWindow* window, vtkRenderer* view);
+  /// `above` draws over the view.
+  WindowProgress(vtkRenderWindow* window, vtkRenderer* view, vtkRenderer* above);
 
   void show(const std::string& what, double share) override;
   void hide() override;
@@ -38,6 +39,7 @@ private:
 
   vtkRenderWindow* window_;
   vtkRenderer* view_;
+  vtkRenderer* above_;
   vtkNew<vtkRenderer> renderer_;
   vtkNew<vtkTextActor> text_;
   vtkNew<vtkPlaneSource> bar_;

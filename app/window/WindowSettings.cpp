@@ -102,7 +102,7 @@ bool Window::follow(const Settings& next, RecordedEvent::Kind how)
   const bool isWider = before.particles.replicate != next.particles.replicate;
   if (done && (isOther || before.camera != next.camera || (isWider && next.camera.camera.empty())))
     this->look();
-  overlay_.setInk(inkOn(stage_.renderer()));
+  overlay_.followBackground();
   const std::size_t viewsBefore = views_.shown().size();
   this->followProps();
   if (viewsBefore != views_.shown().size() && next.camera.camera.empty() && done)

@@ -1,11 +1,15 @@
 #include "ReaderFormats.h"
 
+#include "CGNSReader.h"
+#include "EnSightReader.h"
 #include "FileError.h"
+#include "FoamReader.h"
 #include "GLTFCheck.h"
 #include "LAMMPSDump.h"
 #include "PDBReader.h"
 #include "PLYCheck.h"
 #include "TextFile.h"
+#include "vtkMoteCollectionReader.h"
 #include "vtkMoteDelimitedPointsReader.h"
 #include "vtkMoteFileSeriesReader.h"
 #include "vtkMoteGeneratedMeshReader.h"
@@ -23,11 +27,18 @@
 #include "vtkGLTFReader.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkOBJReader.h"
-#include "vtkOpenFOAMReader.h"
 #include "vtkPLYReader.h"
 #include "vtkSTLReader.h"
 #include "vtkXMLImageDataReader.h"
+#include "vtkXMLMultiBlockDataReader.h"
+#include "vtkXMLPImageDataReader.h"
+#include "vtkXMLPPolyDataReader.h"
+#include "vtkXMLPRectilinearGridReader.h"
+#include "vtkXMLPStructuredGridReader.h"
+#include "vtkXMLPUnstructuredGridReader.h"
 #include "vtkXMLPolyDataReader.h"
+#include "vtkXMLRectilinearGridReader.h"
+#include "vtkXMLStructuredGridReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
 #include <array>
@@ -88,6 +99,29 @@ vtkSmartPointer<vtkAlgorithm> makeGLTF(const FileNames& fileNames)
   return make<vtkGLTFReader>(fileNames);
 }
 
+vtkSmartPointer<vtkAlgorithm> makeFoam(const FileNames& fileNames)
+{
+  return makeFoamReader(fileNames.front());
+}
+
+/// A control dictionary, which stands for its case.
+bool isControlDict(std::string_view beginning)
+{
+  return beginning.find("FoamFile") != beginning.npos &&
+         beginning.find("controlDict") != beginning.npos;
+}
+
+vtkSmartPointer<vtkAlgorithm> makeEnSight(const FileNames& fileNames)
+{
+  return makeEnSightReader(fileNames.front());
+}
+
+vtkSmartPointer<vtkAlgorithm> makeCGNS(const FileNames& fileNames)
+{
+  return fileNames.size() == 1 ? makeCGNSReader(fileNames.front())
+                               : makeSeries<vtkMoteFileSeriesReader>(fileNames);
+}
+
 bool isMote(std::string_view beginning)
 {
   return PkdTreeFile::recognises(beginning) || RlodTreeFile::recognises(beginning);
@@ -118,13 +152,27 @@ const std::vector<ReaderFormat>& readerFormats()
     {{".vtp"}, "VTK XML polygonal data", makeOneOrSeries<vtkXMLPolyDataReader>, true},
     {{".vtu"}, "VTK XML unstructured grid", makeOneOrSeries<vtkXMLUnstructuredGridReader>, true},
     {{".vti"}, "VTK XML image", makeOneOrSeries<vtkXMLImageDataReader>, true},
+    {{".vts"}, "VTK XML structured grid", makeOneOrSeries<vtkXMLStructuredGridReader>, true},
+    {{".vtr"}, "VTK XML rectilinear grid", makeOneOrSeries<vtkXMLRectilinearGridReader>, true},
+    {{".vtm", ".vtmb"}, "VTK XML blocks", makeOneOrSeries<vtkXMLMultiBlockDataReader>, true},
+    {{".pvtp"}, "VTK XML polygonal data in pieces", makeOneOrSeries<vtkXMLPPolyDataReader>, true},
+    {{".pvtu"}, "VTK XML unstructured grid in pieces",
+      makeOneOrSeries<vtkXMLPUnstructuredGridReader>, true},
+    {{".pvti"}, "VTK XML image in pieces", makeOneOrSeries<vtkXMLPImageDataReader>, true},
+    {{".pvts"}, "VTK XML structured grid in pieces", makeOneOrSeries<vtkXMLPStructuredGridReader>,
+      true},
+    {{".pvtr"}, "VTK XML rectilinear grid in pieces", makeOneOrSeries<vtkXMLPRectilinearGridReader>,
+      true},
+    {{".pvd", ".series"}, "files with their times and parts", make<vtkMoteCollectionReader>},
     {{".vtk"}, "VTK legacy file of any data set", makeOneOrSeries<vtkGenericDataObjectReader>,
       true},
     {{".ply"}, "Stanford triangle mesh", makePLY, true},
     {{".obj"}, "Wavefront mesh", make<vtkOBJReader>},
     {{".stl"}, "STL triangle mesh", make<vtkSTLReader>},
     {{".gltf", ".glb"}, "glTF triangle meshes", makeGLTF},
-    {{".foam"}, "OpenFOAM case", make<vtkOpenFOAMReader>},
+    {{".case", ".encas"}, "EnSight case", makeEnSight},
+    {{".cgns"}, "CGNS mesh", makeCGNS, true},
+    {{".foam"}, "OpenFOAM case, also by its controlDict", makeFoam, false, isControlDict},
   };
   return formats;
 }

@@ -1,18 +1,16 @@
 #include "vtkMoteFileSeriesReader.h"
 
 #include "LegacyTime.h"
+#include "ReadInside.h"
 #include "TextFile.h"
 #include "TimeSteps.h"
 #include "vtkMoteReaderTable.h"
 #include "vtkMoteXYZReader.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -210,21 +208,8 @@ vtkDataObject* vtkMoteFileSeriesReader::Internals::ReadStep(const Step& step)
   const auto reader = open(step.File, times);
   if (!step.Frame)
     requireOneStep(step.File, times);
-  vtkNew<vtkCallbackCommand> progress;
-  progress->SetClientData(this->Self);
-  progress->SetCallback(
-    [](vtkObject* object, unsigned long, void* data, void*)
-    {
-      auto* fileReader = static_cast<vtkAlgorithm*>(object);
-      auto* self = static_cast<vtkMoteFileSeriesReader*>(data);
-      self->UpdateProgress(fileReader->GetProgress());
-      fileReader->SetAbortExecute(self->GetAbortExecute());
-    });
-  const unsigned long tag = reader->AddObserver(vtkCommand::ProgressEvent, progress);
   std::string error, warnings;
-  this->Data = step.Frame ? vtkMoteReaderTable::Read(reader, *step.Frame, error, &warnings)
-                          : vtkMoteReaderTable::Read(reader, error, &warnings);
-  reader->RemoveObserver(tag);
+  this->Data = mote::readInside(this->Self, reader, step.Frame, error, warnings);
   if (this->Self->GetAbortExecute())
     fail(step.File + ": reading was aborted");
   if (!error.empty())

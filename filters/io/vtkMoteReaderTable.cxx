@@ -6,6 +6,7 @@
 #include "PumpInput.h"
 #include "ReaderFormats.h"
 #include "TextFile.h"
+#include "vtkMoteCollectionReader.h"
 #include "vtkMoteFileSeriesReader.h"
 #include "vtkMotePolyDataReader.h"
 
@@ -137,9 +138,10 @@ vtkSmartPointer<vtkDataObject> readWith(
   }
   error = runQuietly(reader, update, warnings);
   vtkDataObject* data = error.empty() ? reader->GetOutputDataObject(0) : nullptr;
-  // Readers of our own leave nothing to check, that of series has its files checked one by one.
+  // Readers of our own leave nothing to check, those of series have their files checked one by one.
   if (!data || vtkMotePolyDataReader::SafeDownCast(reader) ||
-      vtkMoteFileSeriesReader::SafeDownCast(reader))
+      vtkMoteFileSeriesReader::SafeDownCast(reader) ||
+      vtkMoteCollectionReader::SafeDownCast(reader))
     return data;
   const std::string damage =
     hasContent(data) ? mote::mismatchOf(data) : "the file has no points, or is damaged";

@@ -135,3 +135,10 @@ TEST(CommandTable, DefaultsAreThoseOfTheClassesThatTheySet)
   vtkNew<vtkMoteMeshMapper> mesh;
   EXPECT_EQ(settings.picture.lodError, mesh->GetPixelsOfError());
 }
+
+TEST(CommandTable, SizesOfMemoryAreSaidOrRefused)
+{
+  EXPECT_EQ(bytesOf("4K"), 4096u);
+  for (const char* wrong : {"", "4z", "hello", "-1", "99999999999999999999G", "4 G z"})
+    EXPECT_EQ(bytesOf(wrong), 0u) << wrong;
+}

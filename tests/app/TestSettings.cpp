@@ -56,6 +56,8 @@ std::vector<std::string> sampleOf(const Row& row)
     {"camera", {"1", "2", "3", "0", "0", "0", "0", "0", "1", "30.000000000000004"}},
     {"saved-view", {"a=b=0,0,9,0,0,0,0,1,0,30", "top=parallel,0,0,9,0,0,0,0,1,0,2.5"}},
     {"hide-data", {"2", "3"}},
+    {"hide-part", {"inlet", "rotor, stage*"}},
+    {"show-part", {"*"}},
     {"type-names", {"1=Cu", "2=Zr"}},
     {"type-colors", {"1=#ff6347", "3=#3060c0"}},
     {"shadows", {"4"}},

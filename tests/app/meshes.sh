@@ -154,12 +154,17 @@ PLY
 "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
 {"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}]}
 GLTF
-    for case in 'cube.ply 12' 'a.obj 4' 'a.stl 3' 'a.vtk 2' 'image.vtk 48' 'a.gltf 1'; do
+    for case in 'cube.ply 12' 'a.obj 4' 'a.stl 3' 'a.vtk 2' 'a.gltf 1'; do
       # shellcheck disable=SC2086
       set -- $case
       draw a.png "$1" --view iso
       said out " $2 triangle"
     done
+    draw a.png image.vtk --view iso # a volume
+    said out ' 8 cells'
+    draw b.png image.vtk --view iso --cells surface
+    said out ' 48 triangles'
+    differ a.png b.png
     run 0 "$mote" info cube.ply
     said out '8 points, 6 cells'
     draw swirl.png "$data/swirl.0.vtu" --cells surface

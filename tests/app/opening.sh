@@ -86,6 +86,32 @@ case $3 in
     titled hopper
     press ctrl+z
     titled copper
+    # Escape leaves that list, and then the dialog. A letter that no field takes holds nothing up.
+    press ctrl+o
+    click Recent
+    shown 'recent hopper.dump.gz'
+    # The dialog lies over all else, the axes too.
+    at_rest 330 600 110 55 >/dev/null
+    [ "$(python3 "$tests/screen.py" 330 600 110 55 red)" = 0 ] || fail "axes over the dialog"
+    press Escape
+    gone 'recent hopper.dump.gz'
+    over copper-scratch.dump.gz
+    xdotool mousedown 1 key --window 0 x mouseup 1
+    click Recent
+    shown 'recent hopper.dump.gz'
+    press Escape
+    gone 'recent hopper.dump.gz'
+    press Escape
+    gone Cancel
+    # The list is laid out whole where the click that opens it comes behind many keys.
+    press ctrl+o
+    shown Recent
+    settled
+    xdotool key --window 0 --delay 0 s w i r l s w i r l mousemove $(place Recent) click 1
+    click 'recent hopper.dump.gz'
+    titled hopper
+    press ctrl+z
+    titled copper
     press ctrl+z
     titled hopper
     # Folders: down, and up again by Backspace to where it was.

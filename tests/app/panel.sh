@@ -338,6 +338,14 @@ case $3 in
     click 'range low'
     xdotool key --window 0 --delay 50 ctrl+a 3 Tab Escape
     has '--range=3,'
+    refused cache 4z # a unit that there is none of
+    xdotool key --window 0 Escape
+    gone 'active cache'
+    # What is longer than its field stands whole below it.
+    write where 'c_centro > 0 && c_pe < 0 && x < 1000'
+    shown 'whole text'
+    write where 'x < 1000'
+    gone 'whole text'
     click color-map
     shown plasma
     xdotool key --window 0 --delay 50 l q

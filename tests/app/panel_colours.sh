@@ -175,7 +175,7 @@ case $3 in
     section=$("$mote" info pump:0.002:rotor | awk '$2 == "pressure"')
     click 'data 1' 0.3
     click 'data 3' 0.3
-    has '--hide-data=1,3'
+    has '--hide-part=inlet --hide-part=diffuser'
     click 'Range of what is shown'
     read -r low high < <(sed 's/.*\[\(.*\), \(.*\)\].*/\1 \2/' <<<"$section")
     has "--range=${low:0:4}[.0-9]*,${high:0:4}[.0-9]* " # but for rounding

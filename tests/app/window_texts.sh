@@ -19,6 +19,17 @@ case $3 in
     done
     ;;
 
+  veils) # lie under the legend and the status line, where data are behind them
+    open "$copper" --size 800x600 --samples 1 --zoom 20 --range=-2000,-1000 --ambient-occlusion none
+    read -r x y < <(xdotool getwindowgeometry "$window" | sed -n 's/.*Position: \([0-9]*\),\([0-9]*\).*/\1 \2/p')
+    # yellow X Y WIDTH HEIGHT: how many pixels there have the colour that all data have.
+    yellow() { at_rest $((x + $1)) $((y + $2)) $3 $4 >/dev/null; python3 "$tests/screen.py" $((x + $1)) $((y + $2)) $3 $4 ruled; }
+    [ "$(yellow 250 150 200 100)" -gt 5000 ] || fail "the data are not yellow: $(yellow 250 150 200 100)"
+    [ "$(yellow 12 578 200 10)" = 0 ] || fail "the status line stands on bare data: $(yellow 12 578 200 10)"
+    [ "$(yellow 740 180 45 250)" = 0 ] || fail "the legend stands on bare data: $(yellow 740 180 45 250)"
+    quit
+    ;;
+
   letters) # of the window are as large as the display, or the user, wants; lists of keys scroll
     # rows WIDTH HEIGHT SCALE: how many rows of pixels the status line has.
     rows() {

@@ -23,6 +23,16 @@ void setBit(std::vector<std::uint64_t>& bits, std::uint64_t k)
     word.fetch_or(bit, std::memory_order_relaxed);
 }
 
+/// The scene without levels of detail of particles: a box that stands for many of them does not
+/// tell which are seen.
+Scene ofSingleParticles(Scene scene)
+{
+  for (SurfaceObject& object : scene.surfaces)
+    if (auto* particles = std::get_if<ParticleSurface>(&object.surface))
+      *particles = ParticleSurface(particles->structure());
+  return scene;
+}
+
 /// One film sample's rays.
 class Look
 {
@@ -82,12 +92,13 @@ bool findSeenParticles(const Scene& scene, const Camera& camera, const SeenView&
   SeenParticles& seen, const Progress& progress)
 {
   seen.clear();
-  for (const SurfaceObject& object : scene.surfaces)
+  const Scene looked = ofSingleParticles(scene);
+  for (const SurfaceObject& object : looked.surfaces)
     seen.emplace_back(
       (withSurface(object.surface, [](const auto& s) { return s.slots(); }) + 63) / 64);
   for (int sample = 0; sample < view.samples; ++sample)
   {
-    const Look look(scene, camera, view, sample);
+    const Look look(looked, camera, view, sample);
     const auto part = [&](double done)
     { return !progress || progress((sample + done) / view.samples); };
     if (!forTiles(view.width, view.height, view.threads, part,

@@ -178,10 +178,10 @@ TEST_F(TestReaderTable, OpenFOAMCase)
   list(mesh + "neighbour", "labelList", "0\n(\n)\n");
   list(mesh + "boundary", "polyBoundaryMesh",
     "1\n(\nwalls\n{\ntype wall;\nnFaces 6;\nstartFace 0;\n}\n)\n");
-  auto data = read(write("case.foam", ""), "vtkOpenFOAMReader");
+  auto data = read(write("case.foam", ""), "vtkPOpenFOAMReader");
   auto* blocks = vtkCompositeDataSet::SafeDownCast(data);
   ASSERT_TRUE(blocks);
-  EXPECT_EQ(blocks->GetNumberOfCells(), 1);
+  EXPECT_EQ(blocks->GetNumberOfCells(), 1 + 6); // and those of the patch
   std::filesystem::create_directories(path("bare"));
   expectError(write("bare/case.foam", ""), "");
 }

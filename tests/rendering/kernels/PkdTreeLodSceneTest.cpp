@@ -3,6 +3,7 @@
 #include "PkdTreeLodParts.h"
 
 #include <kernels/scene/ColorMeans.h>
+#include <kernels/tracing/SeenParticles.h>
 
 #include <gtest/gtest.h>
 
@@ -118,4 +119,20 @@ TEST(PkdTreeLodScene, PicksAndSetsWithoutLodsAreExact)
   EXPECT_EQ(rough->position, right->position);
   scene.surfaces[0].surface = ParticleSurface(treeOver(particles, false), 64.0);
   EXPECT_EQ(pixelsOfError(scene), 0.0);
+}
+
+TEST(PkdTreeLodScene, WhatIsSeenAreParticlesAndNoBoxes)
+{
+  const auto structure = treeOver(denseParticles(40, 22), true);
+  const Camera camera = lookAt({4.0, 3.0, 6.0}, Vec3d(0.0), 25.0);
+  Scene scene;
+  addTo(scene, SurfaceObject());
+  const auto seenWith = [&](double poe)
+  {
+    scene.surfaces[0].surface = ParticleSurface(structure, poe);
+    SeenParticles seen;
+    EXPECT_TRUE(findSeenParticles(scene, camera, {96, 96}, seen));
+    return seen;
+  };
+  EXPECT_EQ(seenWith(3.0), seenWith(0.0));
 }

@@ -1,0 +1,86 @@
+#include "FoamCase.h"
+
+#include "FileError.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <vector>
+
+namespace mote
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// The folders in a folder, by name.
+std::vector<fs::path> foldersIn(const fs::path& folder)
+{
+  std::vector<fs::path> all;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (entry.is_directory(error))
+      all.push_back(entry.path());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+bool isTime(const fs::path& folder)
+{
+  const std::string name = folder.filename().string();
+  double time = 0.0;
+  const char* const end = name.data() + name.size();
+  const auto [stop, error] = std::from_chars(name.data(), end, time);
+  return error == std::errc() && stop == end;
+}
+
+/// The folders polyMesh of a case: of all its regions.
+std::vector<fs::path> meshesIn(const fs::path& folder)
+{
+  std::vector<fs::path> meshes;
+  std::error_code error;
+  std::vector<fs::path> regions = foldersIn(folder / "constant");
+  regions.push_back(folder / "constant");
+  for (const fs::path& region : regions)
+    if (fs::is_directory(region / "polyMesh", error))
+      meshes.push_back(region / "polyMesh");
+  return meshes;
+}
+
+std::size_t timesIn(const fs::path& folder)
+{
+  const auto folders = foldersIn(folder);
+  return static_cast<std::size_t>(std::count_if(folders.begin(), folders.end(), isTime));
+}
+
+} // namespace
+
+FoamCase foamCaseOf(const std::string& fileName)
+{
+  fs::path folder = fs::path(fileName).parent_path();
+  if (folder.empty())
+    folder = ".";
+  std::error_code error;
+  if (!fs::is_directory(folder / "constant", error) && folder.filename() == "system")
+    folder = folder / "..";
+  const fs::path first = folder / "processor0";
+  const bool hasMesh = !meshesIn(folder).empty();
+  const bool hasParts = !meshesIn(first).empty();
+  if (!hasMesh && !hasParts)
+  {
+    const auto folders = foldersIn(folder);
+    const bool isCollated = std::any_of(folders.begin(), folders.end(),
+      [](const fs::path& one) { return one.filename().string().starts_with("processors"); });
+    throw FileError(FileError::Kind::NotFound, fileName,
+      isCollated ? "the case is decomposed in the collated form, which is not read; reconstructPar "
+                   "puts it together"
+                 : "there is no mesh beside this file: an OpenFOAM case has it in "
+                   "constant/polyMesh");
+  }
+  const bool isDecomposed = hasParts && (!hasMesh || timesIn(first) > timesIn(folder));
+  return {folder.string(), isDecomposed};
+}
+
+} // namespace mote
