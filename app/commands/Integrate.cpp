@@ -137,7 +137,7 @@ std::string asJson(vtkTable* table)
       auto& entry = one[table->GetColumnName(column)];
       if (!value.IsNumeric())
         entry = value.ToString();
-      else if (value.IsVTKIdType() || value.IsLongLong())
+      else if (value.GetType() == VTK_ID_TYPE)
         entry = value.ToLongLong();
       else if (std::isfinite(value.ToDouble())) // null is what is not known
         entry = value.ToDouble();

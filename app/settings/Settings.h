@@ -123,6 +123,7 @@ struct VolumeSettings
   bool unroll = false;           ///< whether slices by r are rolled out flat
   double walls = 0.0;            ///< opacity of the boundary; 0: it is not shown
   std::string wallColor = "#b9c2cb"; ///< or "data"
+  int repeatAround = 1;              ///< copies around the axis of the cuts
   double edges = 0.0;                ///< pixels, of lines along the edges of cells; 0: none
   bool lit = false;
   std::string nanColor;                    ///< empty: cells with NaN are left out

@@ -77,6 +77,7 @@ void adviseOnVolumes(const Stage& stage, std::vector<std::string>& advice)
     plain.cells = volume.cells;
     plain.cloudTolerance = volume.cloudTolerance;
     plain.edges = volume.edges; // of surfaces, too
+    plain.repeatAround = volume.repeatAround;
     if (volume != plain)
       advice.push_back("the options of volumes (mote help volume) do nothing here: there are no "
                        "cells that are shown as a volume");

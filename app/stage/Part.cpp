@@ -93,7 +93,7 @@ void Part::setAmbient(double ambient)
   shade(actor_->GetProperty(), settings_.color.plain, ambient);
   if (volume_)
     volume_->setAmbient(ambient);
-  this->followWalls();
+  this->followLook();
 }
 
 void Part::followSettings()
@@ -108,7 +108,7 @@ void Part::followSettings()
     volume_->update(errorShares(settings_).tolerance);
     volume_->setSlices(slicesOf(settings_));
   }
-  this->followWalls();
+  this->followLook();
 }
 
 double Part::lodError() const
@@ -175,7 +175,7 @@ void Part::setData(const std::string& name, vtkDataSet* data)
   else
     surface_->setData(data);
   actor_->SetMapper(volume_ ? static_cast<vtkMapper*>(walls_) : mapper_.Get());
-  this->followWalls();
+  this->followLook();
   isWhole_ = true;
   this->placeProp();
 }
@@ -401,7 +401,10 @@ void Part::shownBounds(double bounds[6]) const
   if (particles_)
     particles_->GetVisibleBounds(bounds);
   else if (volume_)
+  {
     volume_->shownBounds(vtkUnstructuredGrid::SafeDownCast(data_), cells_.mask(), bounds);
+    this->repeatAround(bounds);
+  }
   else if (const double* own = this->prop()->GetBounds())
     std::copy_n(own, 6, bounds);
 }

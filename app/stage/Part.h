@@ -170,7 +170,9 @@ private:
   void setRadius();
   void setImages();
   void placeProp();
-  void followWalls();
+  void followLook();
+  void followRepetitions();
+  void repeatAround(double bounds[6]) const;
   void work(const Runner& runner, const std::function<void()>& build);
 
   vtkAlgorithm* worker() const;

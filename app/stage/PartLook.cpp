@@ -6,19 +6,65 @@
 #include "settings/Colors.h"
 
 #include <vtkActor.h>
+#include <vtkBoundingBox.h>
 #include <vtkLookupTable.h>
 #include <vtkMoteParticleMapper.h>
 #include <vtkMoteVolumeMapper.h>
 #include <vtkProperty.h>
+#include <vtkTransform.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkVolume.h>
 
 namespace mote::app
 {
 
-/// The lines on surfaces; of a volume the look of its walls.
-void Part::followWalls()
+/// How often cells are drawn around the axis of the cuts.
+void Part::followRepetitions()
 {
+  const CutAxis axis = cutAxisOf(settings_.cuts.axis);
+  const auto set = [&](auto* mapper)
+  {
+    mapper->SetRepetitions(settings_.volume.repeatAround);
+    mapper->SetRepetitionCenter(axis.point.data());
+    mapper->SetRepetitionAxis(axis.direction.data());
+  };
+  if (surface_)
+    set(surface_->mapper());
+  if (!volume_)
+    return;
+  set(volume_->mapper());
+  set(walls_.Get());
+}
+
+/// Bounds with those of all copies; what is not initialized stays so.
+void Part::repeatAround(double bounds[6]) const
+{
+  const int count = settings_.volume.repeatAround;
+  if (count == 1 || bounds[0] > bounds[1])
+    return;
+  const CutAxis axis = cutAxisOf(settings_.cuts.axis);
+  vtkBoundingBox all;
+  for (int k = 0; k < count; ++k)
+  {
+    vtkNew<vtkTransform> turn;
+    turn->Translate(axis.point.data());
+    turn->RotateWXYZ(360.0 * k / count, axis.direction.data());
+    turn->Translate(-axis.point[0], -axis.point[1], -axis.point[2]);
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      double p[3];
+      for (int i = 0; i < 3; ++i)
+        p[i] = bounds[2 * i + (corner >> i & 1)];
+      all.AddPoint(turn->TransformDoublePoint(p));
+    }
+  }
+  all.GetBounds(bounds);
+}
+
+/// How often it is drawn, and the lines on surfaces; of a volume the look of its walls.
+void Part::followLook()
+{
+  this->followRepetitions();
   vtkProperty* look = actor_->GetProperty();
   look->SetEdgeVisibility(settings_.volume.edges > 0.0);
   look->SetLineWidth(static_cast<float>(settings_.volume.edges));
@@ -59,7 +105,7 @@ void Part::setColors(
   {
     volume_->setColors(data_, choice, table, opacity, sceneSize_);
     colorBy(walls_, choice, table);
-    return this->followWalls();
+    return this->followLook();
   }
   if (surface_)
     surface_->followArrays(data_);

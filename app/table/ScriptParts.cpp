@@ -89,6 +89,16 @@ void writeProp(Script& script, const Part& part)
   script.line("renderer.AddViewProp(prop)");
 }
 
+template <typename Mapper>
+void writeRepetitions(Script& script, Mapper* mapper)
+{
+  if (mapper->GetRepetitions() == 1)
+    return;
+  script.call("mapper", "SetRepetitions", mapper->GetRepetitions());
+  script.vector("mapper", "SetRepetitionCenter", mapper->GetRepetitionCenter());
+  script.vector("mapper", "SetRepetitionAxis", mapper->GetRepetitionAxis());
+}
+
 /// The boundary of a volume whose cells the script has found.
 void writeWalls(Script& script, const Part& part)
 {
@@ -98,6 +108,7 @@ void writeWalls(Script& script, const Part& part)
   script.line("mapper.SetInputData(part)");
   if (part.cells().mask())
     script.line("mapper.SetVisibleCells(cells.GetVisibleCells())");
+  writeRepetitions(script, mapper);
   writeCuts(script, mapper, mapper->GetClipCylinder());
   writeActor(script, mapper, part);
   writeProp(script, part);
@@ -193,6 +204,7 @@ void writeSurface(
     script.line("mapper.SetVisibleCells(cells.GetVisibleCells())");
   if (surface.mapper()->GetPixelsOfError() > 0.0)
     script.call("mapper", "SetPixelsOfError", surface.mapper()->GetPixelsOfError());
+  writeRepetitions(script, surface.mapper());
   writeCuts(script, surface.mapper(), surface.mapper()->GetClipCylinder());
   writeActor(script, surface.mapper(), part);
 }
@@ -272,6 +284,7 @@ void writeVolume(
   script.call("mapper", "SetVectorMode", mapper->GetVectorMode());
   script.call("mapper", "SetVectorComponent", mapper->GetVectorComponent());
   writeSlices(script, mapper);
+  writeRepetitions(script, mapper);
   writeCuts(script, mapper, mapper->GetClipCylinder());
   script.line("prop = vtkVolume()");
   script.line("prop.SetMapper(mapper)");

@@ -77,6 +77,14 @@ void addSliceRows(std::vector<Row>& table)
       if (name != "data")
         colorOf(name);
     }));
+  table.push_back(row(volume, &VolumeSettings::repeatAround,
+    {.group = group,
+      .name = "repeat-around",
+      .value = "N",
+      .help = "Show volumes and surfaces N times, evenly around the axis of --cut-axis: one sector "
+              "as the whole wheel. Nothing is copied; cells, counts and components of vectors are "
+              "those of the one that is there",
+      .limits = {.least = 1, .most = 360}}));
   table.push_back(row(volume, &VolumeSettings::edges,
     {.group = group,
       .name = "edges",

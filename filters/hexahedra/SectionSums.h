@@ -53,7 +53,9 @@ class SectionSums
 {
 public:
   /// The grid's cells and arrays, ready for sections. `columns` are names of the components of all
-  /// arrays; those that the grid lacks are NaN.
+  /// arrays; those that the data lack are NaN. Of a grid the boundary is that of its cells; of a
+  /// vtkPolyData it is its polygons, with normals by the right-hand rule, each as triangles to its
+  /// middle, and there are no slices.
   SectionSums(vtkDataSet* data, const SectionTask& task, const std::vector<std::string>& columns);
 
   SurfaceIntegrals of(const Section& section) const;

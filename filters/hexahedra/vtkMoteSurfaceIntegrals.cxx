@@ -12,6 +12,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -199,8 +200,12 @@ std::string vtkMoteSurfaceIntegrals::Integrate(vtkDataObject* input, vtkTable* t
   if (const std::string mismatch = mote::mismatchOf(input); !mismatch.empty())
     return mismatch;
   std::vector<mote::DataSetPart> parts = mote::partsOf(input);
-  std::erase_if(parts, [](const auto& part)
-    { return !part.data->IsA("vtkUnstructuredGrid") && !part.data->IsA("vtkPolyData"); });
+  std::erase_if(parts,
+    [](const auto& part)
+    {
+      auto* surface = vtkPolyData::SafeDownCast(part.data);
+      return surface ? surface->GetNumberOfPolys() == 0 : !part.data->IsA("vtkUnstructuredGrid");
+    });
   if (parts.empty())
     return "there are neither cells nor polygons to integrate over";
   if (this->Impl->sections.empty())

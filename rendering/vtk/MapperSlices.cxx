@@ -1,5 +1,7 @@
 #include "MapperSlices.h"
 
+#include <glm/matrix.hpp>
+
 #include <algorithm>
 
 namespace mote
@@ -51,16 +53,19 @@ vtkMoteSlice* MapperSlices::slice(int number) const
                                                : nullptr;
 }
 
-std::vector<SliceShape> MapperSlices::shapes() const
+std::vector<SliceShape> MapperSlices::shapes(const Mat4d& turn) const
 {
+  const Mat4d back = glm::inverse(turn);
+  const auto point = [&](const double* p) { return Vec3d(back * Vec4d(vectorOf(p), 1.0)); };
+  const auto way = [&](const double* p) { return Vec3d(back * Vec4d(vectorOf(p), 0.0)); };
   std::vector<SliceShape> shapes;
   for (const auto& slice : slices_)
   {
     SliceShape& shape = shapes.emplace_back();
     shape.kind = static_cast<SliceShape::Kind>(slice->GetShape()); // of the same order
-    shape.point = vectorOf(slice->GetCenter());
-    shape.axis = vectorOf(slice->GetAxis());
-    shape.out = vectorOf(slice->GetOutwards());
+    shape.point = point(slice->GetCenter());
+    shape.axis = way(slice->GetAxis());
+    shape.out = way(slice->GetOutwards());
     shape.radius = slice->GetRadius();
   }
   return shapes;

@@ -27,7 +27,8 @@ public:
   void clearRanges();
   const std::vector<std::array<double, 2>>& ranges() const { return ranges_; }
 
-  std::vector<SliceShape> shapes() const;
+  /// In the coordinates of data that are drawn turned.
+  std::vector<SliceShape> shapes(const Mat4d& turn = Mat4d(1.0)) const;
   /// When any of them changed last, or which there are.
   vtkMTimeType time() const;
 

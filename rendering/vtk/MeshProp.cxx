@@ -1,5 +1,6 @@
 #include "MoteProp.h"
 
+#include "RotatedCopies.h"
 #include "vtkMoteMeshMapper.h"
 
 #include "kernels/scene/Scene.h"
@@ -7,8 +8,6 @@
 
 #include "vtkActor.h"
 #include "vtkProperty.h"
-
-#include <utility>
 
 namespace mote
 {
@@ -29,7 +28,13 @@ public:
       return false;
     object.id = id;
     object.revision = mapper_->GetPictureMTime();
-    scene.surfaces.push_back(std::move(object));
+    const Mat4d placed = object.toWorld;
+    for (const Mat4d& turn : rotatedCopies(
+           mapper_->GetRepetitions(), mapper_->GetRepetitionCenter(), mapper_->GetRepetitionAxis()))
+    {
+      object.toWorld = placed * turn;
+      scene.surfaces.push_back(object);
+    }
     return true;
   }
   std::vector<vtkMTimeType> times() const override

@@ -2,6 +2,7 @@
 #include "VolumeMapperInternals.h"
 
 #include "Bounds.h"
+#include "RotatedCopies.h"
 
 #include "kernels/hexahedra/SliceSurface.h"
 
@@ -87,7 +88,9 @@ double* vtkMoteVolumeMapper::GetBounds()
 {
   this->Update();
   const auto& mesh = this->Impl->geometry.mesh();
-  mote::copyBounds(mesh ? mesh->bounds() : mote::Box(), this->Bounds);
+  mote::copyBounds(mote::withRotatedCopies(mesh ? mesh->bounds() : mote::Box(), this->Repetitions,
+                     this->RepetitionCenter, this->RepetitionAxis),
+    this->Bounds);
   return this->Bounds;
 }
 
@@ -191,6 +194,7 @@ void vtkMoteVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfSlices: " << this->GetNumberOfSlices() << "\n";
   os << indent << "EdgeWidth: " << this->EdgeWidth << "\n";
   os << indent << "EdgeColor: " << three(this->EdgeColor) << "\n";
+  os << indent << "Repetitions: " << this->Repetitions << "\n";
   os << indent << "CastsShadows: " << (this->CastsShadows ? "On" : "Off") << "\n";
   os << indent << "NanColor: " << three(this->NanColor) << "\n";
   os << indent << "NanOpacity: " << this->NanOpacity << "\n";

@@ -8,6 +8,7 @@
 #include "MeshGeometry.h"
 #include "News.h"
 #include "RendererImage.h"
+#include "RotatedCopies.h"
 #include "SceneBridge.h"
 #include "VisibleCells.h"
 
@@ -138,7 +139,9 @@ double* vtkMoteMeshMapper::GetBounds()
   if (!this->Static)
     this->Update();
   const auto& tree = this->Impl->geometry.tree();
-  mote::copyBounds(tree ? tree->bounds() : mote::Box(), this->Bounds);
+  mote::copyBounds(mote::withRotatedCopies(tree ? tree->bounds() : mote::Box(), this->Repetitions,
+                     this->RepetitionCenter, this->RepetitionAxis),
+    this->Bounds);
   return this->Bounds;
 }
 
@@ -399,6 +402,7 @@ void vtkMoteMeshMapper::ReleaseGraphicsResources(vtkWindow* window)
 void vtkMoteMeshMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Repetitions: " << this->Repetitions << "\n";
   os << indent << "CastsShadows: " << (this->CastsShadows ? "On" : "Off") << "\n";
   os << indent << "PixelsOfError: " << this->PixelsOfError << "\n";
   os << indent << "NumberOfTriangles: " << this->GetNumberOfTriangles() << "\n";

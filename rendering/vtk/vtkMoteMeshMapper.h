@@ -108,6 +108,20 @@ public:
   vtkMoteClipCylinder* GetClipCylinder();
   ///@}
 
+  ///@{
+  /**
+   * How often it is drawn, evenly around an axis, in the input's coordinates: a sector as the whole
+   * wheel. Nothing is copied: copies share what is built. They have the same cells for picks, and
+   * the same values; components of vectors are those of the one that is there. Default 1, about z.
+   */
+  vtkSetClampMacro(Repetitions, int, 1, 10000);
+  vtkGetMacro(Repetitions, int);
+  vtkSetVector3Macro(RepetitionCenter, double);
+  vtkGetVector3Macro(RepetitionCenter, double);
+  vtkSetVector3Macro(RepetitionAxis, double);
+  vtkGetVector3Macro(RepetitionAxis, double);
+  ///@}
+
   /** Bounds of the triangles that can be drawn. */
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
@@ -203,6 +217,9 @@ protected:
   ~vtkMoteMeshMapper() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
+  int Repetitions = 1;
+  double RepetitionCenter[3] = {0.0, 0.0, 0.0};
+  double RepetitionAxis[3] = {0.0, 0.0, 1.0};
   bool CastsShadows = true;
   double PixelsOfError = 0.0;
 

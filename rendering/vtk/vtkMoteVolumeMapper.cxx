@@ -4,6 +4,7 @@
 #include "InputTimeStep.h"
 #include "Names.h"
 #include "RendererImage.h"
+#include "RotatedCopies.h"
 #include "SceneBridge.h"
 #include "TransferBridge.h"
 #include "VolumeMapperInternals.h"
@@ -206,6 +207,34 @@ void vtkMoteVolumeMapper::OfferBuilt(std::shared_ptr<const mote::BuiltVolume> bu
 //------------------------------------------------------------------------------------------------
 // Drawing
 
+namespace
+{
+
+/// What is seen of a volume beside its cloud.
+struct SurfacesShown
+{
+  std::vector<double> isoValues;
+  const mote::MapperSlices& slices;
+  mote::EdgeLook edges;
+  bool castsShadows;
+
+  /// Adds it, of a cloud whose data are drawn turned.
+  void addTo(mote::Scene& scene, const mote::CloudObject& cloud, const mote::Mat4d& turn) const
+  {
+    const auto add = [&](mote::SurfaceObject surface)
+    {
+      surface.castsShadows = castsShadows;
+      scene.surfaces.push_back(std::move(surface));
+    };
+    if (!isoValues.empty())
+      add(mote::isoSurfacesOf(cloud, isoValues));
+    if (slices.count() > 0)
+      add(mote::slicesOf(cloud, slices.shapes(turn), edges, slices.ranges()));
+  }
+};
+
+} // namespace
+
 bool vtkMoteVolumeMapper::DescribeTo(mote::Scene& scene, vtkVolume* volume, int id)
 {
   Internals& impl = *this->Impl;
@@ -227,28 +256,22 @@ bool vtkMoteVolumeMapper::DescribeTo(mote::Scene& scene, vtkVolume* volume, int 
     cloud.field = impl.field;
     cloud.toWorld = mote::placementOf(volume);
     cloud.clip = impl.clip.region(this);
-    if (values > 0)
+    if (this->ShowCloud && mote::walkServes(cloud.sampling))
     {
-      scene.surfaces.push_back(
-        mote::isoSurfacesOf(cloud, {surfaces->GetValues(), surfaces->GetValues() + values}));
-      scene.surfaces.back().castsShadows = this->CastsShadows;
+      this->UpdateWalk();
+      cloud.walk = impl.walk;
     }
-    if (impl.slices.count() > 0)
+    const double* c = this->EdgeColor;
+    const SurfacesShown shown = {{surfaces->GetValues(), surfaces->GetValues() + values},
+      impl.slices, {this->EdgeWidth, mote::Vec4f(c[0], c[1], c[2], 1.0)}, this->CastsShadows};
+    const mote::Mat4d placed = cloud.toWorld;
+    for (const mote::Mat4d& turn :
+      mote::rotatedCopies(this->Repetitions, this->RepetitionCenter, this->RepetitionAxis))
     {
-      const double* c = this->EdgeColor;
-      const mote::EdgeLook edges{this->EdgeWidth, mote::Vec4f(c[0], c[1], c[2], 1.0)};
-      scene.surfaces.push_back(
-        mote::slicesOf(cloud, impl.slices.shapes(), edges, impl.slices.ranges()));
-      scene.surfaces.back().castsShadows = this->CastsShadows;
-    }
-    if (this->ShowCloud)
-    {
-      if (mote::walkServes(cloud.sampling))
-      {
-        this->UpdateWalk();
-        cloud.walk = impl.walk;
-      }
-      scene.clouds.push_back(std::move(cloud));
+      cloud.toWorld = placed * turn;
+      shown.addTo(scene, cloud, turn);
+      if (this->ShowCloud)
+        scene.clouds.push_back(cloud);
     }
   }
   catch (const std::exception& error)

@@ -241,6 +241,20 @@ public:
   vtkMoteClipCylinder* GetClipCylinder();
   ///@}
 
+  ///@{
+  /**
+   * How often it is drawn, evenly around an axis, in the input's coordinates: a sector as the whole
+   * wheel. Nothing is copied: copies share what is built. They have the same cells for picks, and
+   * the same values; components of vectors are those of the one that is there. Default 1, about z.
+   */
+  vtkSetClampMacro(Repetitions, int, 1, 10000);
+  vtkGetMacro(Repetitions, int);
+  vtkSetVector3Macro(RepetitionCenter, double);
+  vtkGetVector3Macro(RepetitionCenter, double);
+  vtkSetVector3Macro(RepetitionAxis, double);
+  vtkGetVector3Macro(RepetitionAxis, double);
+  ///@}
+
   /**
    * Bounds of the cells that can be drawn, hidden ones included.
    */
@@ -362,6 +376,9 @@ protected:
   vtkTypeBool ShowIsoSurfaces = 0;
   double EdgeWidth = 0.0;
   double EdgeColor[3] = {0.05, 0.05, 0.05};
+  int Repetitions = 1;
+  double RepetitionCenter[3] = {0.0, 0.0, 0.0};
+  double RepetitionAxis[3] = {0.0, 0.0, 1.0};
   bool CastsShadows = true;
   double NanColor[3] = {0.5, 0.0, 0.0};
   double NanOpacity = 0.0;

@@ -42,6 +42,13 @@ case $3 in
     mv picture.png walls.png
     shot --cells surface --color-by velocity "${view[@]:1}"
     alike walls.png picture.png
+    # Of a sector the wheel: what each copy shows is what the whole shows there.
+    for what in "--slice z=0.03" "--slice r=0.07 --unroll" "--walls 1" "--iso 20000"; do
+      shot "${view[@]}" $what --repeat-around 4
+      mv picture.png four.png
+      shot "${view[@]}" $what
+      other four.png picture.png
+    done
     # A session keeps it all.
     shot "${view[@]}" --slice z=0.03 --slice r=0.05,0.1 --walls 0.4 --edges 1.5 --save-session s.json
     mv picture.png all.png

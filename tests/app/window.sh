@@ -148,7 +148,7 @@ case $3 in
     viewed t t -- "$data/lj-fracture.dump.gz" --background white,navy
     viewed t t t -- "$data/hopper.dump.gz" --show type=2 --show radius=0.8:
     viewed z -- "$data/swirl.1.vtu" --color-by U --cut 1,1,0=0:
-    viewed -- "$data/swirl.1.vtu" --no-cloud --slice z=0.02,0.05 --slice r=0.004 --walls 0.4 --edges 1 \
+    viewed -- "$data/swirl.1.vtu" --no-cloud --slice z=0.02,0.05 --slice r=0.004 --walls 0.4 --edges 1 --repeat-around 3 --cut-axis 0.02,0,0,0,0,1 \
       --show U=0.01: --color-by U
     viewed m -- "$data/swirl.1.vtu" --iso 0.02 --no-cloud --color-by U
     viewed Left -- "$data/lj-fracture.dump.gz" --legend-side left --font-scale 1.5

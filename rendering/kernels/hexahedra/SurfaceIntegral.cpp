@@ -99,6 +99,14 @@ public:
     const Vec3d from = p - shape_.point;
     return glm::normalize(from - glm::dot(from, axis_) * axis_);
   }
+  /// Of a round shape: the place on it beside a point near to it, and how much larger a piece there
+  /// is than the flat one that it lies beside, which is across `normal`.
+  Vec3d onShape(const Vec3d& p) const { return p - this->at(p) * this->normal(p); }
+  double stretch(const Vec3d& p, const Vec3d& normal) const
+  {
+    return std::abs(glm::dot(glm::normalize(normal), this->normal(p))) * shape_.radius /
+           (this->at(p) + shape_.radius);
+  }
   /// Above 0 on the side of the axis where a half plane is.
   double outwards(const Vec3d& p) const
   {
@@ -281,7 +289,8 @@ private:
   /// symmetrical Gaussian quadrature rules for the triangle", 1985).
   void add(const Corner& a, const Corner& b, const Corner& c, Sums& sums)
   {
-    const double area = 0.5 * glm::length(glm::cross(b.place - a.place, c.place - a.place));
+    const Vec3d across = glm::cross(b.place - a.place, c.place - a.place);
+    const double area = 0.5 * glm::length(across);
     if (!(area > 0.0))
       return;
     constexpr double rule[2][2] = {
@@ -291,12 +300,19 @@ private:
       {
         double shares[3] = {share, share, share};
         shares[corner] = 1.0 - 2.0 * share;
-        const Vec3d rst = shares[0] * a.rst + shares[1] * b.rst + shares[2] * c.rst;
+        Vec3d rst = shares[0] * a.rst + shares[1] * b.rst + shares[2] * c.rst;
+        double stretch = 1.0;
+        if (distance_.isRound())
+        {
+          const Vec3d flat = shares[0] * a.place + shares[1] * b.place + shares[2] * c.place;
+          stretch = distance_.stretch(flat, across);
+          shape_.converges(distance_.onShape(flat), rst);
+        }
         point_.weights = TrilinearCell::weights(rst);
         point_.place = shape_.point(rst);
         point_.normal = distance_.normal(point_.place);
         integrand_(point_, at_.data());
-        sums.add(area * weight, at_);
+        sums.add(stretch * area * weight, at_);
       }
   }
 

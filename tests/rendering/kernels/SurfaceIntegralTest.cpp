@@ -80,7 +80,7 @@ TEST(SurfaceIntegral, OfWholePlanesAddUpToTheVolume)
 {
   const auto mesh = hexBlock(3, 3, 3, 0.4).mesh();
   double volume = 0.0;
-  constexpr int planes = 200;
+  constexpr int planes = 60;
   const Box bounds = mesh->bounds();
   const double step = bounds.size().z / planes;
   for (int i = 0; i < planes; ++i)
@@ -88,7 +88,7 @@ TEST(SurfaceIntegral, OfWholePlanesAddUpToTheVolume)
                        planeAt({0.0, 0.0, bounds.lower.z + (i + 0.5) * step}, {0, 0, 1}), 3,
                        areaAndFlow(position))
                        .values[0];
-  EXPECT_NEAR(volume / mesh->report().volume, 1.0, 2e-4);
+  EXPECT_NEAR(volume / mesh->report().volume, 1.0, 1e-3);
 }
 
 TEST(SurfaceIntegral, OfCylindersInARingIsThatOfTheirShape)

@@ -105,6 +105,75 @@ TEST(MapperSlices, ArePickedWithCellAndValue)
   EXPECT_EQ(picker->Pick(1, 1, 0, stage.renderer), 0) << "beside it";
 }
 
+TEST(MapperSlices, CopiesAroundAnAxisAreTheWholeWheel)
+{
+  // A quarter of a block, and the block: a field that is the same in all quarters.
+  const auto field = [](const Point& p) { return p[2]; };
+  const auto whole = makeBox(4, field), quarter = makeBox(2, field);
+  for (vtkIdType i = 0; i < quarter->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    quarter->GetPoint(i, p);
+    quarter->GetPoints()->SetPoint(i, 0.5 * p[0] + 0.5, 0.5 * p[1] + 0.5, p[2]);
+  }
+  VolumeStage one(whole, true), four(quarter, true);
+  four.mapper->SetRepetitions(4);
+  for (VolumeStage* stage : {&one, &four})
+  {
+    stage->paint({0.2, 0.6, 0.9}, 0.4);
+    stage->camera()->SetPosition(1.0, 2.0, 5.0);
+    vtkNew<vtkMoteSlice> slice;
+    slice->SetCenter(0.1, 0.2, -0.1);
+    slice->SetAxis(0.3, -0.2, 1.0);
+    stage->mapper->AddSlice(slice);
+  }
+  double ofOne[6], ofFour[6];
+  one.mapper->GetBounds(ofOne);
+  four.mapper->GetBounds(ofFour);
+  for (int i = 0; i < 6; ++i)
+    EXPECT_NEAR(ofOne[i], ofFour[i], 1e-12);
+  const auto compare = [&](const char* what)
+  {
+    const Picture a = one.trace(60, 60), b = four.trace(60, 60);
+    int others = 0, seen = 0;
+    for (int i = 0; i < a.count(); ++i)
+    {
+      seen += a.color(i)[3] > 0.0;
+      for (int c = 0; c < 4; ++c)
+        if (std::abs(a.color(i)[c] - b.color(i)[c]) > 3e-3)
+        {
+          ++others;
+          break;
+        }
+    }
+    EXPECT_GT(seen, 900) << what;
+    EXPECT_LE(others, 3) << what; // where copies touch
+  };
+  compare("cloud and slice");
+  for (VolumeStage* stage : {&one, &four})
+    stage->mapper->ShowCloudOff();
+  compare("slice");
+  EXPECT_EQ(four.mapper->GetNumberOfBuilds(), one.mapper->GetNumberOfBuilds());
+}
+
+TEST_F(MeshStage, CopiesAroundAnAxis)
+{
+  auto data = sixPoints();
+  data->SetPolys(cellArray({{1, 4, 5, 2}})); // to the right of the middle
+  mapper->SetInputData(data);
+  const int one = trace().covered();
+  mapper->SetRepetitions(4);
+  EXPECT_NEAR(trace().covered(), 4 * one, 8);
+  EXPECT_EQ(cellAt(0.75, 0.0), 0);
+  EXPECT_EQ(cellAt(0.0, -0.75), 0);
+  EXPECT_EQ(cellAt(0.0, 0.0), -1);
+  mapper->SetRepetitionCenter(0.75, 0.0, 0.0);
+  EXPECT_LT(trace().covered(), 4 * one);
+  mapper->SetRepetitionAxis(0.0, 0.0, 0.0); // none: one alone
+  EXPECT_EQ(trace().covered(), one);
+  EXPECT_EQ(mapper->GetNumberOfBuilds(), 1);
+}
+
 TEST(MapperSlices, WithoutDirectionAreRefusedInASentence)
 {
   VolumeStage stage(makeBox(2, [](const Point& p) { return p[0]; }), true);
