@@ -64,16 +64,17 @@ PY
   pictures) # patches would hide the volume, and are hidden at first
     draw usual.png foam/case.foam
     said err "inlet, outlet, walls would hide the volume"
-    said out '12 cells'
+    said out '12 cells;' # and no count of what was never asked for
     draw walls.png foam/case.foam --show-part walls
     [ ! -s err ] || fail "told in spite of a choice: $(cat err)"
-    said out '12 cells, 48 of 64 triangles shown'
+    said out '12 cells, 48 triangles;'
     draw patches.png foam/case.foam --show-part '*' --hide-part internalMesh
     draw same.png foam/case.foam --show-part inlet --show-part outlet --show-part walls
     for one in walls patches; do differ usual.png $one.png; done
     alike patches.png same.png
     draw alone.png foam/case.foam --hide-part internalMesh --show-part 'in*t'
-    said out '0 of 12 cells shown, 8 of 64 triangles shown'
+    said out '0 of 12 cells shown, 8 triangles;'
+    [ ! -s err ] || fail "something on standard error: $(cat err)"
     differ alone.png patches.png
     run 1 "$mote" render foam/case.foam -o a.png --hide-part blade
     one_sentence
