@@ -436,9 +436,13 @@ vtkIdType Stage::numberOfCellsShown() const
 vtkIdType Stage::numberOfTriangles(bool shownOnly) const
 {
   vtkIdType count = 0;
-  for (const auto& part : parts_)
-    if (part->surface() && !(shownOnly && part->isHidden()))
-      count += part->surface()->mapper()->GetNumberOfTriangles();
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+  {
+    // Patches that are not asked for are not missed.
+    const bool isLeftOut = shownOnly || (i < data_.size() && data_[i].isBoundary);
+    if (parts_[i]->surface() && !(isLeftOut && parts_[i]->isHidden()))
+      count += parts_[i]->surface()->mapper()->GetNumberOfTriangles();
+  }
   return count;
 }
 

@@ -3,8 +3,10 @@
 #include "DataSetParts.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellTypes.h"
 #include "vtkDataArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStructuredGrid.h"
@@ -73,8 +75,6 @@ std::string mismatchOf(vtkCellArray* cells, vtkIdType points)
 std::string mismatchOf(
   vtkIdTypeArray* faces, vtkIdTypeArray* locations, vtkIdType cells, vtkIdType points)
 {
-  if (!faces || !locations)
-    return {};
   if (const vtkIdType count = locations->GetNumberOfValues(); count != cells)
     return "there are " + std::to_string(count) + " places of faces for " + std::to_string(cells) +
            " cells";
@@ -146,14 +146,27 @@ std::string mismatchOf(vtkStructuredGrid* grid)
                              std::to_string(count) + " of them";
 }
 
+bool hasPolyhedra(vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkCellTypes> types;
+  grid->GetCellTypes(types);
+  return types->IsType(VTK_POLYHEDRON) != 0;
+}
+
 std::string mismatchOf(vtkDataSet* data)
 {
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
     const std::string found = mismatchOf(grid->GetCells(), grid->GetNumberOfPoints());
-    return found.empty() ? mismatchOf(grid->GetFaces(), grid->GetFaceLocations(),
-                             grid->GetNumberOfCells(), grid->GetNumberOfPoints())
-                         : found;
+    vtkIdTypeArray *const faces = grid->GetFaces(), *const locations = grid->GetFaceLocations();
+    // Readers of pieces leave empty lists, and lose the faces of polyhedra.
+    const bool hasFaces =
+      faces && locations && faces->GetNumberOfValues() + locations->GetNumberOfValues() > 0;
+    if (!hasFaces && hasPolyhedra(grid))
+      return "the faces of polyhedra are missing";
+    return found.empty() && hasFaces
+             ? mismatchOf(faces, locations, grid->GetNumberOfCells(), grid->GetNumberOfPoints())
+             : found;
   }
   if (auto* surface = vtkPolyData::SafeDownCast(data))
     return mismatchOf(surface);

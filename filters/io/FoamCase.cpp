@@ -1,10 +1,13 @@
 #include "FoamCase.h"
 
 #include "FileError.h"
+#include "FoamMesh.h"
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace mote
@@ -27,13 +30,14 @@ std::vector<fs::path> foldersIn(const fs::path& folder)
   return all;
 }
 
-bool isTime(const fs::path& folder)
+/// The time that a folder is of; none for others.
+std::optional<double> timeOf(const fs::path& folder)
 {
   const std::string name = folder.filename().string();
   double time = 0.0;
   const char* const end = name.data() + name.size();
   const auto [stop, error] = std::from_chars(name.data(), end, time);
-  return error == std::errc() && stop == end;
+  return error == std::errc() && stop == end ? std::optional(time) : std::nullopt;
 }
 
 /// The folders polyMesh of a case: of all its regions.
@@ -49,10 +53,22 @@ std::vector<fs::path> meshesIn(const fs::path& folder)
   return meshes;
 }
 
+/// The case's own folder, or those of its processors.
+std::vector<fs::path> casesIn(const FoamCase& which)
+{
+  if (!which.isDecomposed)
+    return {which.folder};
+  std::vector<fs::path> cases = foldersIn(which.folder);
+  std::erase_if(
+    cases, [](const fs::path& one) { return !one.filename().string().starts_with("processor"); });
+  return cases;
+}
+
 std::size_t timesIn(const fs::path& folder)
 {
   const auto folders = foldersIn(folder);
-  return static_cast<std::size_t>(std::count_if(folders.begin(), folders.end(), isTime));
+  return static_cast<std::size_t>(std::count_if(
+    folders.begin(), folders.end(), [](const fs::path& one) { return timeOf(one).has_value(); }));
 }
 
 } // namespace
@@ -80,7 +96,36 @@ FoamCase foamCaseOf(const std::string& fileName)
                    "constant/polyMesh");
   }
   const bool isDecomposed = hasParts && (!hasMesh || timesIn(first) > timesIn(folder));
-  return {folder.string(), isDecomposed};
+  const FoamCase found = {folder.string(), isDecomposed};
+  for (const fs::path& one : casesIn(found))
+    for (const fs::path& mesh : meshesIn(one))
+      checkFoamMesh(mesh.string());
+  return found;
+}
+
+void checkFoamFields(const FoamCase& which, double time)
+{
+  for (const fs::path& one : casesIn(which))
+  {
+    fs::path nearest;
+    double least = 0.0;
+    for (const fs::path& folder : foldersIn(one))
+      if (const auto own = timeOf(folder))
+        if (const double away = std::abs(*own - time); nearest.empty() || away < least)
+        {
+          nearest = folder;
+          least = away;
+        }
+    if (nearest.empty())
+      continue;
+    std::vector<fs::path> folders = foldersIn(nearest); // of regions
+    folders.push_back(nearest);
+    std::error_code error;
+    for (const fs::path& folder : folders)
+      for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+        if (entry.is_regular_file(error))
+          checkFoamField(entry.path().string());
+  }
 }
 
 } // namespace mote

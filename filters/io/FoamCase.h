@@ -19,6 +19,9 @@ struct FoamCase
 /// 9.1's reader would crash or run for very long.
 FoamCase foamCaseOf(const std::string& fileName);
 
+/// Looks at the fields of the time that is nearest to this one, in the same way.
+void checkFoamFields(const FoamCase& which, double time);
+
 } // namespace mote
 
 #endif

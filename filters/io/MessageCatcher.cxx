@@ -28,6 +28,8 @@ std::string withoutDecoration(const std::string& text)
   const std::size_t close = address == message.npos ? message.npos : message.find("): ", address);
   if (close != message.npos)
     message.erase(0, close + 3);
+  // Advice on the menus of another program.
+  message.erase(std::min(message.find(" If you are trying to read a parallel"), message.size()));
   const char* const blanks = " \t\r\n";
   message.erase(message.find_last_not_of(blanks) + 1);
   message.erase(0, message.find_first_not_of(blanks));

@@ -9,6 +9,7 @@
 #include "PDBReader.h"
 #include "PLYCheck.h"
 #include "TextFile.h"
+#include "XMLCheck.h"
 #include "vtkMoteCollectionReader.h"
 #include "vtkMoteDelimitedPointsReader.h"
 #include "vtkMoteFileSeriesReader.h"
@@ -99,6 +100,15 @@ vtkSmartPointer<vtkAlgorithm> makeGLTF(const FileNames& fileNames)
   return make<vtkGLTFReader>(fileNames);
 }
 
+/// As makeOneOrSeries(), of VTK's XML files.
+template <class Reader>
+vtkSmartPointer<vtkAlgorithm> makeXML(const FileNames& fileNames)
+{
+  if (fileNames.size() == 1) // those of a series come here one by one
+    checkVTKXML(fileNames.front());
+  return makeOneOrSeries<Reader>(fileNames);
+}
+
 vtkSmartPointer<vtkAlgorithm> makeFoam(const FileNames& fileNames)
 {
   return makeFoamReader(fileNames.front());
@@ -149,20 +159,18 @@ const std::vector<ReaderFormat>& readerFormats()
     {{".pts", ".pts.gz"}, "points, x y z a line", makeOneOrSeries<vtkMotePointsReader>, true},
     {{".csv"}, "table with columns x, y, z", makeOneOrSeries<vtkMoteDelimitedPointsReader>, true},
     {{".pdb"}, "Protein Data Bank atoms", makePDB},
-    {{".vtp"}, "VTK XML polygonal data", makeOneOrSeries<vtkXMLPolyDataReader>, true},
-    {{".vtu"}, "VTK XML unstructured grid", makeOneOrSeries<vtkXMLUnstructuredGridReader>, true},
-    {{".vti"}, "VTK XML image", makeOneOrSeries<vtkXMLImageDataReader>, true},
-    {{".vts"}, "VTK XML structured grid", makeOneOrSeries<vtkXMLStructuredGridReader>, true},
-    {{".vtr"}, "VTK XML rectilinear grid", makeOneOrSeries<vtkXMLRectilinearGridReader>, true},
-    {{".vtm", ".vtmb"}, "VTK XML blocks", makeOneOrSeries<vtkXMLMultiBlockDataReader>, true},
-    {{".pvtp"}, "VTK XML polygonal data in pieces", makeOneOrSeries<vtkXMLPPolyDataReader>, true},
-    {{".pvtu"}, "VTK XML unstructured grid in pieces",
-      makeOneOrSeries<vtkXMLPUnstructuredGridReader>, true},
-    {{".pvti"}, "VTK XML image in pieces", makeOneOrSeries<vtkXMLPImageDataReader>, true},
-    {{".pvts"}, "VTK XML structured grid in pieces", makeOneOrSeries<vtkXMLPStructuredGridReader>,
+    {{".vtp"}, "VTK XML polygonal data", makeXML<vtkXMLPolyDataReader>, true},
+    {{".vtu"}, "VTK XML unstructured grid", makeXML<vtkXMLUnstructuredGridReader>, true},
+    {{".vti"}, "VTK XML image", makeXML<vtkXMLImageDataReader>, true},
+    {{".vts"}, "VTK XML structured grid", makeXML<vtkXMLStructuredGridReader>, true},
+    {{".vtr"}, "VTK XML rectilinear grid", makeXML<vtkXMLRectilinearGridReader>, true},
+    {{".vtm", ".vtmb"}, "VTK XML blocks", makeXML<vtkXMLMultiBlockDataReader>, true},
+    {{".pvtp"}, "VTK XML polygonal data in pieces", makeXML<vtkXMLPPolyDataReader>, true},
+    {{".pvtu"}, "VTK XML unstructured grid in pieces", makeXML<vtkXMLPUnstructuredGridReader>,
       true},
-    {{".pvtr"}, "VTK XML rectilinear grid in pieces", makeOneOrSeries<vtkXMLPRectilinearGridReader>,
-      true},
+    {{".pvti"}, "VTK XML image in pieces", makeXML<vtkXMLPImageDataReader>, true},
+    {{".pvts"}, "VTK XML structured grid in pieces", makeXML<vtkXMLPStructuredGridReader>, true},
+    {{".pvtr"}, "VTK XML rectilinear grid in pieces", makeXML<vtkXMLPRectilinearGridReader>, true},
     {{".pvd", ".series"}, "files with their times and parts", make<vtkMoteCollectionReader>},
     {{".vtk"}, "VTK legacy file of any data set", makeOneOrSeries<vtkGenericDataObjectReader>,
       true},

@@ -37,6 +37,26 @@ assert "p" in [a["name"] for a in parts[0]["arrays"]]
 PY
     run 0 "$mote" info decomposed/case.foam
     grep -Eq ' internalMesh +volume +24 ' out || fail "not both processors"
+    run 0 "$mote" info a.cgns --step 1
+    grep -Eq ' fluid +volume +12 ' out && grep -Eq ' walls +surface +24 .* not shown' out || fail "no zones: $(cat out)"
+    said out 'step 1, t = 0'
+    run 0 "$mote" info ensight/box.case
+    grep -Eq ' fluid +volume +12 ' out && grep -Eq ' inlet +surface +4 .* not shown' out || fail "no parts: $(cat out)"
+    # Damaged files get a sentence, and nothing else is printed.
+    for file in a.cgns ensight/box.geo ensight/box.p.1 foam/constant/polyMesh/owner a.vts; do
+      cp $file whole
+      for part in 3 10; do
+        head -c $(($(stat -c %s whole) * part / 16)) whole >$file
+        run 1 "$mote" info a.cgns ensight/box.case foam/case.foam a.vts
+        one_sentence
+        said err "${file%%/*}"
+      done
+      cp whole $file
+    done
+    cp a.cgns whole
+    printf 'FILE' | dd of=a.cgns bs=1 seek=12000 conv=notrunc 2>/dev/null
+    "$mote" info a.cgns >out 2>err || one_sentence
+    cp whole a.cgns
     run 0 "$mote" info a.vtm
     grep -Eq ' fluid +volume +12 ' out && grep -Eq ' block 2 +volume +12 ' out || fail "no blocks: $(cat out)"
     ;;
@@ -44,16 +64,17 @@ PY
   pictures) # patches would hide the volume, and are hidden at first
     draw usual.png foam/case.foam
     said err "inlet, outlet, walls would hide the volume"
-    said out '12 cells'
+    said out '12 cells;' # and no count of what was never asked for
     draw walls.png foam/case.foam --show-part walls
     [ ! -s err ] || fail "told in spite of a choice: $(cat err)"
-    said out '12 cells, 48 of 64 triangles shown'
+    said out '12 cells, 48 triangles;'
     draw patches.png foam/case.foam --show-part '*' --hide-part internalMesh
     draw same.png foam/case.foam --show-part inlet --show-part outlet --show-part walls
     for one in walls patches; do differ usual.png $one.png; done
     alike patches.png same.png
     draw alone.png foam/case.foam --hide-part internalMesh --show-part 'in*t'
-    said out '0 of 12 cells shown, 8 of 64 triangles shown'
+    said out '0 of 12 cells shown, 8 triangles;'
+    [ ! -s err ] || fail "something on standard error: $(cat err)"
     differ alone.png patches.png
     run 1 "$mote" render foam/case.foam -o a.png --hide-part blade
     one_sentence

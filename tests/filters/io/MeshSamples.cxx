@@ -590,7 +590,7 @@ void writeCoordinates(int file, int zone)
 
 void writeCGNS(const std::string& name)
 {
-  int file = 0, base = 0, zone = 0, section = 0, condition = 0;
+  int file = 0, base = 0, zone = 0, section = 0, condition = 0, family = 0;
   cg_open(name.c_str(), CG_MODE_WRITE, &file);
   cg_base_write(file, "Base", 3, 3, &base);
   const cgsize_t size[3] = {pointCount, count, 0};
@@ -620,6 +620,9 @@ void writeCGNS(const std::string& name)
     cg_boco_write(
       file, base, zone, patch, CGNS_ENUMV(BCWall), CGNS_ENUMV(PointRange), 2, range, &condition);
     cg_boco_gridlocation_write(file, base, zone, condition, CGNS_ENUMV(FaceCenter));
+    cg_goto(file, base, "Zone_t", zone, "ZoneBC_t", 1, "BC_t", condition, "end");
+    cg_famname_write(patch);
+    cg_family_write(file, base, patch, &family);
     last = range[1];
   }
   writeTimes(file, zone);

@@ -8,6 +8,7 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
+#include "vtkEnSightWriter.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
@@ -150,6 +151,65 @@ TEST_F(TestMeshReaders, DecomposedOpenFOAM)
   EXPECT_NE(m_error.find("no mesh"), std::string::npos) << m_error;
 }
 
+TEST_F(TestMeshReaders, EnSight)
+{
+  for (const bool isBinary : {false, true})
+  {
+    const std::string file = samples::writeEnSight(path(isBinary ? "binary" : "ascii"), isBinary);
+    EXPECT_EQ(open(file), (Times{0.0, 0.5}));
+    const Blocks blocks = readAt(0.5);
+    ASSERT_EQ(namesOf(blocks), (Names{"fluid", "inlet"}));
+    EXPECT_EQ(blocks.at("fluid")->GetNumberOfCells(), 12);
+    EXPECT_EQ(blocks.at("inlet")->GetNumberOfCells(), 4);
+    EXPECT_EQ(value(blocks.at("fluid")->GetPointData()->GetArray("p"), 35), 223.0);
+    EXPECT_EQ(value(blocks.at("fluid")->GetCellData()->GetArray("U"), 7, 0), 0.5);
+    EXPECT_EQ(value(blocks.at("fluid")->GetCellData()->GetArray("U"), 7, 1), 7.0);
+    EXPECT_EQ(value(readAt(0.0).at("fluid")->GetCellData()->GetArray("U"), 7, 0), 0.0);
+  }
+  EXPECT_FALSE(
+    vtkMoteReaderTable::MakeReader(write("old.case", "FORMAT\ntype: ensight\n"), m_error));
+  EXPECT_NE(m_error.find("Gold"), std::string::npos) << m_error;
+}
+
+TEST_F(TestMeshReaders, EnSightOfVTKsWriter)
+{
+  vtkNew<vtkEnSightWriter> writer;
+  const auto grid = samples::box();
+  writer->SetInputData(grid);
+  writer->SetGhostLevel(0);
+  writer->SetPath(path("").c_str());
+  writer->SetBaseName("box");
+  writer->SetTransientGeometry(false);
+  writer->SetTimeStep(0);
+  writer->Write();
+  // VTK 9.1 leaves the case file itself open.
+  open(
+    write("a.case", "FORMAT\ntype: ensight gold\n\nGEOMETRY\nmodel: box.0.00000.geo\n\nVARIABLE\n"
+                    "scalar per node: p box.0.00000_n.p\nscalar per element: q box.0.00000_c.q\n"
+                    "vector per element: U box.0.00000_c.U\n"));
+  vtkIdType cells = 0;
+  for (const auto& [name, data] : readAt(0.0))
+  {
+    cells += data->GetNumberOfCells();
+    EXPECT_TRUE(data->GetCellData()->GetArray("q")) << name;
+    EXPECT_TRUE(data->GetPointData()->GetArray("p")) << name;
+  }
+  EXPECT_EQ(cells, 12);
+}
+
+TEST_F(TestMeshReaders, CGNS)
+{
+  samples::writeCGNS(path("a.cgns"));
+  EXPECT_EQ(open(path("a.cgns")), (Times{0.0, 0.5}));
+  const Blocks blocks = readAt(0.5);
+  ASSERT_EQ(namesOf(blocks), (Names{"fluid", "inlet", "rotor", "walls"}));
+  EXPECT_EQ(blocks.at("fluid")->GetNumberOfCells(), 12);
+  EXPECT_EQ(blocks.at("walls")->GetNumberOfCells(), 24);
+  EXPECT_TRUE(vtkStructuredGrid::SafeDownCast(blocks.at("rotor")));
+  EXPECT_EQ(value(blocks.at("fluid")->GetCellData()->GetArray("q"), 7), 7.5);
+  EXPECT_EQ(value(readAt(0.0).at("rotor")->GetCellData()->GetArray("q"), 7), 7.0);
+}
+
 TEST_F(TestMeshReaders, Blocks)
 {
   open(writeWith<vtkXMLMultiBlockDataWriter>("a.vtm", twoBlocks()));
@@ -216,7 +276,9 @@ TEST_F(TestMeshReaders, Collections)
   {
     m_error.clear();
     const auto reader = vtkMoteReaderTable::MakeReader(file, m_error);
-    if (reader && vtkMoteReaderTable::GetTimeSteps(reader, m_error).size() < 9 && m_error.empty())
+    if (reader)
+      vtkMoteReaderTable::GetTimeSteps(reader, m_error);
+    if (reader && m_error.empty())
       EXPECT_FALSE(vtkMoteReaderTable::Read(reader, m_error)) << file;
     EXPECT_NE(m_error.find(sentence), std::string::npos) << m_error;
     EXPECT_EQ(m_error.find('\n'), std::string::npos) << m_error;

@@ -178,7 +178,7 @@ TEST_F(TestReaderTable, OpenFOAMCase)
   list(mesh + "neighbour", "labelList", "0\n(\n)\n");
   list(mesh + "boundary", "polyBoundaryMesh",
     "1\n(\nwalls\n{\ntype wall;\nnFaces 6;\nstartFace 0;\n}\n)\n");
-  auto data = read(write("case.foam", ""), "vtkPOpenFOAMReader");
+  auto data = read(write("case.foam", ""), "vtkMoteFoamReader");
   auto* blocks = vtkCompositeDataSet::SafeDownCast(data);
   ASSERT_TRUE(blocks);
   EXPECT_EQ(blocks->GetNumberOfCells(), 1 + 6); // and those of the patch

@@ -1,0 +1,20 @@
+#ifndef MoteFoamMesh_h
+#define MoteFoamMesh_h
+
+#include <string>
+
+namespace mote
+{
+
+/// Throws FileError where the faces, owners and neighbours of an OpenFOAM mesh (a folder polyMesh)
+/// do not fit together, so that VTK 9.1's reader would crash or take very long. Files that are
+/// packed, and what that reader finds itself, are left to it.
+void checkFoamMesh(const std::string& folder);
+
+/// Throws FileError where a file of OpenFOAM is a field whose part on the boundary is damaged in a
+/// way that VTK 9.1's reader would crash by.
+void checkFoamField(const std::string& path);
+
+} // namespace mote
+
+#endif

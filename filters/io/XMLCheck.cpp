@@ -1,0 +1,214 @@
+#include "XMLCheck.h"
+
+#include "FileError.h"
+#include "TextFile.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace mote
+{
+
+namespace
+{
+
+/// What stands in quotes behind a name in an element.
+std::optional<std::string_view> attributeOf(std::string_view element, std::string_view name)
+{
+  for (std::size_t at = element.find(name); at != element.npos; at = element.find(name, at + 1))
+  {
+    const std::string_view rest = element.substr(at + name.size());
+    const bool isWhole = at > 0 && (element[at - 1] == ' ' || element[at - 1] == '\n') &&
+                         rest.size() > 1 && rest[0] == '=' && (rest[1] == '"' || rest[1] == '\'');
+    if (isWhole)
+      return rest.substr(2, rest.find(rest[1], 2) - 2);
+  }
+  return {};
+}
+
+/// The first bytes that a text in base64 stands for; fewer where it is none.
+std::string fromBase64(std::string_view text, std::size_t count)
+{
+  constexpr std::string_view digits =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  unsigned value = 0;
+  int bits = 0;
+  for (const char c : text.substr(0, 256))
+  {
+    const std::size_t digit = digits.find(c);
+    if (digit == digits.npos && (c == ' ' || c == '\n' || c == '\r' || c == '\t'))
+      continue;
+    if (digit == digits.npos || bytes.size() == count)
+      break;
+    value = (value << 6 | static_cast<unsigned>(digit)) & 0xffff;
+    bits += 6;
+    if (bits >= 8)
+    {
+      bits -= 8;
+      bytes += static_cast<char>(value >> bits & 0xff);
+    }
+  }
+  return bytes;
+}
+
+/// Throws FileError for a number below zero or above `most`.
+void requireUpTo(const std::string& path, std::string_view element, const char* name, double most)
+{
+  const auto text = attributeOf(element, name);
+  double value = 0.0;
+  if (!text || text->empty())
+    return;
+  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
+  if (error == std::errc::result_out_of_range ||
+      (error == std::errc() && (value > most || value < 0.0)))
+    throw FileError(FileError::Kind::Malformed, path,
+      std::string(name) + " cannot be " + std::string(text->substr(0, 24)) + " in this file");
+}
+
+/// The type and the number of components of arrays, by what has them and their names.
+using Arrays = std::map<std::string, std::string>;
+
+/// Goes through the elements of a file, and of those that it names.
+class Check
+{
+public:
+  Check(const std::string& path, const Arrays& promised)
+    : path_(path)
+    , promised_(promised)
+  {
+  }
+
+  void run(int depth)
+  {
+    const TextFile file(path_);
+    const std::string_view text = file.text();
+    most_ = std::max(1e6, mostPerByte * static_cast<double>(text.size()));
+    for (std::size_t at = text.find('<'); at != text.npos; at = text.find('<', at + 1))
+    {
+      const std::size_t end = text.find('>', at);
+      const std::string_view element = text.substr(at, std::min<std::size_t>(end - at, 4096));
+      if (element.starts_with("<AppendedData"))
+      {
+        const bool isBase64 = attributeOf(element, "encoding") == "base64";
+        const std::size_t begin = text.find('_', end);
+        for (const std::uint64_t offset : offsets_)
+          if (begin != text.npos && offset < text.size() - begin)
+            this->packed(text.substr(begin + 1 + offset), isBase64);
+        return; // what follows are bytes
+      }
+      if (element.starts_with("<VTKFile"))
+      {
+        isPacked_ = attributeOf(element, "compressor").has_value();
+        isLong_ = attributeOf(element, "header_type") == "UInt64";
+        isBigEndian_ = attributeOf(element, "byte_order") == "BigEndian";
+      }
+      this->numbers(element);
+      this->array(element);
+      if (attributeOf(element, "format") == "binary" && end != text.npos)
+        this->packed(text.substr(end + 1), true);
+      for (const char* name : {"file", "Source"})
+        if (const auto other = attributeOf(element, name); other && depth < 2)
+          this->follow(std::string(*other), depth);
+    }
+  }
+
+private:
+  // The best packer leaves a byte of some thousand equal ones.
+  static constexpr double mostPerByte = 4096.0;
+
+  void numbers(std::string_view element) const
+  {
+    for (const char* name : {"NumberOfPoints", "NumberOfCells", "NumberOfVerts", "NumberOfLines",
+           "NumberOfStrips", "NumberOfPolys", "NumberOfTuples"})
+      requireUpTo(path_, element, name, most_);
+    requireUpTo(path_, element, "NumberOfComponents", 1e5);
+    requireUpTo(path_, element, "index", 1e6);
+  }
+
+  /// The head of packed values begins with the number of blocks, for which VTK takes memory.
+  void packed(std::string_view bytes, bool isBase64) const
+  {
+    if (!isPacked_)
+      return;
+    const std::size_t count = isLong_ ? 8 : 4;
+    std::string head = isBase64 ? fromBase64(bytes, count) : std::string(bytes.substr(0, count));
+    if (head.size() < count)
+      return; // which the reader finds
+    if (!isBigEndian_)
+      std::reverse(head.begin(), head.end());
+    std::uint64_t blocks = 0;
+    for (const char byte : head)
+      blocks = blocks << 8 | static_cast<unsigned char>(byte);
+    if (blocks > bytes.size())
+      throw FileError(FileError::Kind::Malformed, path_,
+        "the file has no room for " + std::to_string(blocks) + " blocks of packed values");
+  }
+
+  /// What a file says of the arrays of its pieces, these must have: they are copied byte by byte.
+  void array(std::string_view element)
+  {
+    const bool isArray = element.starts_with("<DataArray") || element.starts_with("<PDataArray");
+    if (!isArray && !element.starts_with("</") && !element.starts_with("<InformationKey"))
+    {
+      const std::string_view name = element.substr(1, element.find_first_of(" >", 1) - 1);
+      isPromise_ = name == "PPoints" || name == "PPointData" || name == "PCellData";
+      section_ = name.substr(isPromise_ ? 1 : 0);
+    }
+    std::uint64_t offset = 0;
+    if (const auto text = attributeOf(element, "offset");
+        text &&
+        std::from_chars(text->data(), text->data() + text->size(), offset).ec == std::errc())
+      offsets_.push_back(offset);
+    if (!isArray)
+      return;
+    const auto valueOf = [&](const char* name, const char* usual)
+    { return std::string(attributeOf(element, name).value_or(usual)); };
+    const bool isOfPoints = section_ == "Points";
+    const std::string components = valueOf("NumberOfComponents", "1");
+    if (isOfPoints && components != "3")
+      throw FileError(FileError::Kind::Malformed, path_, "points have three components");
+    const std::string key = section_ + ' ' + (isOfPoints ? "" : valueOf("Name", ""));
+    const std::string form = valueOf("type", "") + " with " + components + " components";
+    if (isPromise_)
+      arrays_[key] = form;
+    else if (const auto found = promised_.find(key);
+             found != promised_.end() && found->second != form)
+      throw FileError(FileError::Kind::Malformed, path_,
+        "an array of " + key + " is of " + form + ", and " + found->second +
+          " is what the file of all pieces says");
+  }
+
+  void follow(const std::string& name, int depth) const
+  {
+    const auto beside = std::filesystem::path(path_).parent_path() / name;
+    std::error_code error;
+    if (std::filesystem::is_regular_file(beside, error))
+      Check(beside.string(), arrays_).run(depth + 1);
+  }
+
+  std::string path_;
+  const Arrays& promised_;
+  Arrays arrays_;
+  double most_ = 0.0;
+  std::vector<std::uint64_t> offsets_; ///< of appended values
+  bool isPacked_ = false, isLong_ = false, isBigEndian_ = false;
+  std::string section_;
+  bool isPromise_ = false; ///< the section's arrays are those of pieces
+};
+
+} // namespace
+
+void checkVTKXML(const std::string& path)
+{
+  const Arrays none;
+  Check(path, none).run(0);
+}
+
+} // namespace mote

@@ -1,0 +1,16 @@
+#ifndef MoteXMLCheck_h
+#define MoteXMLCheck_h
+
+#include <string>
+
+namespace mote
+{
+
+/// Throws FileError where the elements of a VTK XML file, or of the files that it names, have
+/// numbers that cannot be: points or cells that the file has no room for, whatever packs them, and
+/// indices or components by the million. VTK 9.1's readers take memory for them, or never end.
+void checkVTKXML(const std::string& path);
+
+} // namespace mote
+
+#endif

@@ -1,0 +1,195 @@
+// Damaged meshes are read right or get one sentence: they are cut, bytes and numbers are changed.
+#include "IOTestSupport.h"
+#include "MeshSamples.h"
+#include "vtkMoteReaderTable.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkXMLMultiBlockDataWriter.h"
+#include "vtkXMLPUnstructuredGridWriter.h"
+#include "vtkXMLStructuredGridWriter.h"
+#include "vtkXMLUnstructuredGridWriter.h"
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <random>
+#include <vector>
+
+namespace
+{
+
+class TestDamagedMeshes : public FileTest
+{
+protected:
+  /// Reads all steps; the sentence of what is wrong.
+  static std::string read(const std::string& file)
+  {
+    std::string error;
+    const auto reader = vtkMoteReaderTable::MakeReader(file, error);
+    if (!reader)
+      return error;
+    const auto times = vtkMoteReaderTable::GetTimeSteps(reader, error);
+    for (std::size_t i = 0; error.empty() && i < std::max<std::size_t>(times.size(), 1); ++i)
+      if (times.empty())
+        vtkMoteReaderTable::Read(reader, error);
+      else
+        vtkMoteReaderTable::Read(reader, times[i], error);
+    return error;
+  }
+
+  static std::string bytesOf(const std::filesystem::path& file)
+  {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  /// The bytes without an end, with others among them, or with another number.
+  static std::string damaged(std::string bytes, int kind, std::mt19937& random)
+  {
+    if (kind == 0)
+      bytes.resize(random() % bytes.size());
+    if (kind == 1)
+      for (auto changes = 1 + random() % 4; changes > 0; --changes)
+        bytes[random() % bytes.size()] = static_cast<char>(random());
+    if (kind < 2)
+      return bytes;
+    const auto isDigit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+    const auto begin = std::find_if(
+      bytes.begin() + static_cast<std::ptrdiff_t>(random() % bytes.size()), bytes.end(), isDigit);
+    const auto end = std::find_if_not(begin, bytes.end(), isDigit);
+    static const std::vector<std::string> numbers = {
+      "0", "-1", "7", "999999999", "2147483647", "-2147483648", "99999999999999999999"};
+    return std::string(bytes.begin(), begin) + numbers[random() % numbers.size()] +
+           std::string(end, bytes.end());
+  }
+
+  /// Damages each file that there is, in turn, so many times.
+  void damage(const std::string& file, int times)
+  {
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(read(file), "");
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path("")))
+      if (entry.is_regular_file() && entry.file_size() > 0)
+        files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    std::mt19937 random(11);
+    int refused = 0;
+    for (const auto& one : files)
+    {
+      const std::string whole = bytesOf(one);
+      for (int i = 0; i < times; ++i)
+      {
+        std::ofstream(one, std::ios::binary) << damaged(whole, i % 3, random);
+        const std::string error = read(file);
+        refused += !error.empty();
+        EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+        EXPECT_TRUE(error.empty() || error.find(path("")) != std::string::npos) << error;
+      }
+      std::ofstream(one, std::ios::binary) << whole;
+    }
+    EXPECT_GT(refused, static_cast<int>(files.size()) * times / 4);
+    EXPECT_EQ(read(file), "");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  }
+};
+
+TEST_F(TestDamagedMeshes, OpenFOAM)
+{
+  damage(samples::writeFoam(path("ascii")), 15);
+}
+
+TEST_F(TestDamagedMeshes, BinaryOpenFOAM)
+{
+  damage(samples::writeFoam(path("binary"), {true}), 15);
+}
+
+TEST_F(TestDamagedMeshes, DecomposedOpenFOAM)
+{
+  damage(samples::writeDecomposedFoam(path("decomposed"), true), 12);
+}
+
+TEST_F(TestDamagedMeshes, EnSight)
+{
+  damage(samples::writeEnSight(path("ascii"), false), 30);
+}
+
+TEST_F(TestDamagedMeshes, BinaryEnSight)
+{
+  damage(samples::writeEnSight(path("binary"), true), 30);
+}
+
+TEST_F(TestDamagedMeshes, CGNS)
+{
+  samples::writeCGNS(path("a.cgns"));
+  damage(path("a.cgns"), 90);
+}
+
+TEST_F(TestDamagedMeshes, Blocks)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, samples::box());
+  blocks->SetBlock(1, samples::structuredBox());
+  damage(writeWith<vtkXMLMultiBlockDataWriter>("a.vtm", blocks.Get()), 30);
+}
+
+TEST_F(TestDamagedMeshes, StructuredGrids)
+{
+  damage(writeWith<vtkXMLStructuredGridWriter>("a.vts", samples::structuredBox()), 60);
+}
+
+TEST_F(TestDamagedMeshes, Pieces)
+{
+  vtkNew<vtkXMLPUnstructuredGridWriter> writer;
+  writer->SetInputData(samples::box());
+  writer->SetFileName(path("a.pvtu").c_str());
+  writer->Write();
+  damage(path("a.pvtu"), 60);
+}
+
+TEST_F(TestDamagedMeshes, Collections)
+{
+  writeWith<vtkXMLUnstructuredGridWriter>("a.vtu", samples::box());
+  write("a.pvd",
+    "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n"
+    "<DataSet timestep=\"0\" part=\"0\" name=\"x\" file=\"a.vtu\"/>\n"
+    "<DataSet timestep=\"1.5\" file=\"a.vtu\"/>\n</Collection>\n</VTKFile>\n");
+  damage(path("a.pvd"), 60);
+}
+
+TEST_F(TestDamagedMeshes, WhatCrashedAReader)
+{
+  const auto change = [&](const std::string& name, const std::string& from, const std::string& to)
+  {
+    const std::string whole = bytesOf(path(name));
+    const std::size_t at = whole.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    write(name, std::string(whole).replace(at, from.size(), to));
+    const std::string error = read(path(name.substr(0, name.find('/')) + "/case.foam"));
+    EXPECT_NE(error.find(name), std::string::npos) << error;
+    write(name, whole);
+  };
+  samples::writeFoam(path("foam"));
+  change("foam/0/U", "boundaryField\n", "boundaryField/");
+  change("foam/constant/polyMesh/boundary", "inlet\n    {", "inlet\n    ");
+  change("foam/constant/polyMesh/owner", "\n0", "\n-5");
+  change("foam/constant/polyMesh/faces", "4(1", "4(100");
+  const std::string file = samples::writeEnSight(path("ensight"), true);
+  const std::string geometry = path("ensight/box.geo");
+  for (const std::size_t bytes : {0u, 300u, 900u})
+  {
+    const std::string whole = bytesOf(geometry);
+    std::filesystem::resize_file(geometry, bytes);
+    EXPECT_NE(read(file).find("box.geo: the file ends too early"), std::string::npos) << read(file);
+    write("ensight/box.geo", whole);
+  }
+}
+
+} // namespace
