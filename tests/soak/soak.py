@@ -110,7 +110,9 @@ class Soak:
                 self.random.randint(0, max(1, height - 1)))
 
     def control(self):
-        controls = [c for c in self.window.controls() if c[3] > c[1] and c[4] > c[2]]
+        # What is recorded is compared with the window at the end, and has to go on until then.
+        controls = [c for c in self.window.controls()
+                    if c[3] > c[1] and c[4] > c[2] and c[0] != "Stop recording"]
         width, height = self.window.size()
         controls = [c for c in controls if 0 <= c[1] < width and 0 <= c[2] < height]
         chosen = self.random.choice(controls) if controls else None
