@@ -166,7 +166,7 @@ case $3 in
     viewed -- tetrahedron.ply --color-by z --hide-ids 2
     viewed -- "$data/swirl.1.vtu" "$copper" tetrahedron.ply --side-by-side --color-by z
     viewed -- "$copper" --percentiles 2 98
-    [ $views = 19 ] || fail "$views views"
+    [ $views = 20 ] || fail "$views views"
     ;;
 
   mouse)
