@@ -24,7 +24,7 @@ while read -r command; do
     *) fail "what is '$command'?" ;;
   esac
   # What opens a window makes a picture instead: the same options, the same data.
-  [[ $command =~ ^mote\ (render|animate|convert|info|average|probe|silhouettes|bake|help)\  ]] ||
+  [[ $command =~ ^mote\ (render|animate|convert|info|average|integrate|probe|silhouettes|bake|help)\  ]] ||
     command="mote render ${command#mote } -o window.png --size 96x72"
   command=${command/1000000000/1000}
   command=${command/720x540/96x72} # of real meshes: smaller, and soon done
