@@ -5,6 +5,7 @@
 #include "PanelWidgets.h"
 #include "base/Text.h"
 #include "stage/Cuts.h"
+#include "stage/Slices.h"
 
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
@@ -180,6 +181,11 @@ void Panel::drawSlices()
         slices[i].intervals.erase(slices[i].intervals.begin() + static_cast<std::ptrdiff_t>(k--));
     }
   std::erase_if(slices, [](const ShowRange& slice) { return slice.intervals.empty(); });
+  std::size_t count = 0;
+  for (const ShowRange& slice : slices)
+    count += slice.intervals.size();
+  if (count >= mostSlices)
+    return;
   const std::string name = this->chooseCut("Slice by ...", "slice", {});
   if (name.empty())
     return;

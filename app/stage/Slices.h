@@ -10,6 +10,9 @@
 namespace mote::app
 {
 
+/// More are refused.
+constexpr std::size_t mostSlices = 32;
+
 /// The slices that --slice asks for, about the axis of --cut-axis, in the order of the settings.
 std::vector<vtkSmartPointer<vtkMoteSlice>> slicesOf(const Settings& settings);
 

@@ -1,6 +1,7 @@
 #include "Table.h"
 
 #include "stage/Cuts.h"
+#include "stage/Slices.h"
 
 #include <algorithm>
 
@@ -31,8 +32,9 @@ void checkSlices(const std::vector<ShowRange>& slices)
           [&](const ShowRange& other) { return other.name == slice.name; }) > 1)
       throw WrongValue{"'" + slice.name + "' is given twice; places are joined by commas"};
   }
-  if (count > 32)
-    throw WrongValue{"at most 32 slices are possible, not " + std::to_string(count)};
+  if (count > mostSlices)
+    throw WrongValue{"at most " + std::to_string(mostSlices) + " slices are possible, not " +
+                     std::to_string(count)};
 }
 
 } // namespace
