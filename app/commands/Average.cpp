@@ -1,6 +1,8 @@
 #include "Average.h"
 
+#include "AverageProfile.h"
 #include "ChartFile.h"
+#include "DataUnits.h"
 #include "OpenedInput.h"
 #include "TableFile.h"
 #include "base/Failure.h"
@@ -35,7 +37,7 @@ namespace
 /// A picture and the pixels of it that hold the bins: {x min, x max, y min, y max}.
 struct Drawn
 {
-  vtkSmartPointer<vtkImageData> image;
+  ChartPaper paper;
   std::array<int, 4> frame;
   double fontScale; ///< factor that flat pictures, too, are read with
 };
@@ -58,8 +60,8 @@ Drawn drawn(vtkImageData* bins, vtkDataArray* values, vtkLookupTable* colors, do
   // The legend stands beside the bins; what is too narrow for a caption has its room at the left.
   const int width = std::max(least, left + columns + legend);
   left = width - legend - columns;
-  const auto image = whitePaper(width, height);
-  auto* pixels = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
+  ChartPaper paper(width, height);
+  auto* pixels = vtkFloatArray::SafeDownCast(paper.image()->GetPointData()->GetScalars());
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < columns; ++x)
     {
@@ -74,8 +76,9 @@ Drawn drawn(vtkImageData* bins, vtkDataArray* values, vtkLookupTable* colors, do
       for (int k = 0; k < 3; ++k)
         pixels->SetTypedComponent(at, k, static_cast<float>(rgb[k]));
     }
-  return {image, {left, left + columns - 1, below, below + rows - 1},
-    fontScale * std::clamp(720.0 / height, 1.0, 1.4)};
+  const std::array<int, 4> frame = {left, left + columns - 1, below, below + rows - 1};
+  paper.keepPixels(frame);
+  return {paper, frame, fontScale * std::clamp(720.0 / height, 1.0, 1.4)};
 }
 
 /// The column that colours: what the user says, else the average, of a vector its magnitude.
@@ -97,7 +100,7 @@ vtkDataArray* columnOf(vtkImageData* bins, const Settings& settings)
 struct Meaning
 {
   std::string caption, array;
-  std::string unit, lengthUnit; ///< empty where the data do not say
+  std::string unit, lengthUnit, timeUnit; ///< empty where the data do not say
 };
 
 /// The picture's axes: along the axis of the machine, and away from it.
@@ -130,14 +133,13 @@ void writePicture(vtkImageData* bins, const Settings& settings, const Meaning& m
     range[1] = range[0] + 1.0;
   const std::string map = settings.color.map.empty() ? "viridis" : settings.color.map;
   const auto colors = makeColorMap(map, range, settings.color.logarithmic);
-  const Drawn picture = drawn(bins, column, colors, settings.picture.fontScale);
+  Drawn picture = drawn(bins, column, colors, settings.picture.fontScale);
   vtkNew<vtkMoteImageAxes> axes;
-  axes->SetInputData(picture.image);
   axes->SetFrame(picture.frame[0], picture.frame[1], picture.frame[2], picture.frame[3]);
   axes->SetFontScale(picture.fontScale);
   aimAxes(axes, bins, meaning.lengthUnit);
+  picture.paper.draw(axes.Get());
   vtkNew<vtkMoteColorLegend> legend;
-  legend->SetInputConnection(axes->GetOutputPort());
   legend->SetLookupTable(colors);
   const std::string name = column->GetName();
   legend->SetTitle(settings.picture.title.value_or(
@@ -145,7 +147,8 @@ void writePicture(vtkImageData* bins, const Settings& settings, const Meaning& m
   applyLook(legend, settings.picture);
   legend->SetFontScale(picture.fontScale);
   legend->SetCaption(meaning.caption);
-  writeChart(legend, settings.output.file);
+  picture.paper.draw(legend.Get());
+  picture.paper.write(settings.output.file);
 }
 
 /// Tells the filter which array is meant, as --color-by would be. Returns its name.
@@ -169,34 +172,9 @@ std::string chooseArray(
   return choice.name;
 }
 
-} // namespace
-
-void average(const Settings& settings)
+/// Where and how finely is averaged.
+void aimFilter(vtkMoteMeridionalAverage* filter, const AverageSettings& wanted)
 {
-  const AverageSettings& wanted = settings.average;
-  if (!isTableFile(settings.output.file) &&
-      !vtkMoteImageWriter::CanWriteFile(settings.output.file.c_str()))
-    throw Failure("cannot write " + settings.output.file +
-                  ": the name must end in .csv for a table, or .png, .jpg, .tif or .exr for a "
-                  "picture");
-  checkOutput(settings.output.file, settings.data.files);
-  OpenedInput opened(settings);
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  std::vector<std::string> known;
-  Meaning meaning;
-  const std::vector<NamedData> data = opened.read();
-  vtkNew<vtkMoteMeridionalAverage> filter;
-  meaning.array = chooseArray(filter, data, wanted.array);
-  for (const NamedData& one : data)
-  {
-    blocks->SetBlock(blocks->GetNumberOfBlocks(), one.data);
-    known.push_back(listArrays(one.data));
-    if (meaning.unit.empty())
-      meaning.unit = unitOf(one.data, meaning.array);
-    if (meaning.lengthUnit.empty())
-      meaning.lengthUnit = lengthUnitOf(one.data);
-  }
-  filter->SetInputData(blocks);
   if (!wanted.axial.empty())
     filter->SetAxialRange(wanted.axial.data());
   if (!wanted.radial.empty())
@@ -207,24 +185,85 @@ void average(const Settings& settings)
     filter->SetAxis(wanted.axis.data());
   if (!wanted.origin.empty())
     filter->SetOrigin(wanted.origin.data());
+}
+
+/// Averages one step, and notes what it means.
+void averageStep(vtkMoteMeridionalAverage* filter, OpenedInput& opened, Meaning& meaning)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  std::vector<std::string> known;
+  const std::vector<NamedData> data = opened.read();
+  meaning.array = chooseArray(filter, data, opened.settings.average.array);
+  for (const NamedData& one : data)
+  {
+    blocks->SetBlock(blocks->GetNumberOfBlocks(), one.data);
+    known.push_back(listArrays(one.data));
+    if (meaning.unit.empty())
+      meaning.unit = unitText(unitOf(one.data, meaning.array));
+    if (meaning.lengthUnit.empty())
+      meaning.lengthUnit = unitText(lengthUnitOf(one.data));
+  }
+  if (meaning.timeUnit.empty())
+    meaning.timeUnit = timeUnitOf(data);
+  filter->SetInputData(blocks);
   {
     ProgressRelay::Work work(opened.progress, "Averaging", filter);
     filter->Update();
     work.finish();
   }
   Messages::takeError(); // the filter keeps it
-  const std::string name = opened.input.name();
   if (const std::string& error = filter->GetErrorMessage(); !error.empty())
     throw Failure(
-      name + ": " + error +
+      opened.input.name() + ": " + error +
       (error.starts_with("there is no array") && !known.empty() ? "; it has " + known.front()
                                                                 : ""));
-  if (isTableFile(settings.output.file))
-    writeTable(filter->GetOutput(), settings.output.file);
+}
+
+} // namespace
+
+void average(const Settings& settings)
+{
+  const std::string& output = settings.output.file;
+  const std::string& over = settings.chart.over;
+  const bool isTable = isTableFile(output);
+  if (!isTable && !isChartFile(output))
+    throw Failure("cannot write " + output +
+                  ": the name must end in .csv for a table, or .png, .jpg, .tif, .exr or .svg for "
+                  "a picture");
+  if (over.empty() && !isTable && settings.output.allSteps)
+    throw Failure("a picture of all steps needs --over axial or --over radial");
+  checkOutput(output, settings.data.files);
+  OpenedInput opened(settings);
+  vtkNew<vtkMoteMeridionalAverage> filter;
+  aimFilter(filter, settings.average);
+  Meaning meaning;
+  vtkSmartPointer<vtkTable> all;
+  opened.forSteps(
+    [&](int step)
+    {
+      averageStep(filter, opened, meaning);
+      vtkSmartPointer<vtkTable> table = vtkSmartPointer<vtkTable>::New();
+      table->DeepCopy(
+        over.empty() ? filter->GetOutput() : profileOf(filter->GetOutput(), over).Get());
+      if (settings.output.allSteps)
+        table = withTime(table, opened.timeOf(step));
+      if (!appendRows(all, table))
+        throw Failure(opened.input.name() + ": time step " + std::to_string(step + 1) +
+                      " has an array of other components");
+    });
+  meaning.caption = opened.chartCaption();
+  if (isTable)
+    writeTable(all, output);
+  else if (over.empty())
+    writePicture(filter->GetImage(), settings, meaning);
   else
   {
-    meaning.caption = opened.caption();
-    writePicture(filter->GetImage(), settings, meaning);
+    Chart chart = profileChart(all, meaning.array, meaning.unit, settings);
+    chart.xTitle = withUnit(over, meaning.lengthUnit);
+    chart.caption = meaning.caption;
+    if (!chart.colorTitle.empty())
+      chart.colorTitle = withUnit(chart.colorTitle, meaning.timeUnit);
+    writeChart(chart, output);
   }
 }
 

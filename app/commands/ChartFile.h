@@ -1,22 +1,48 @@
 #pragma once
 
+#include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <string>
-
-class vtkAlgorithm;
-class vtkImageData;
 
 namespace mote::app
 {
 
-/// A white image with the array `color`, to draw on.
-vtkSmartPointer<vtkImageData> whitePaper(int width, int height);
+/// Whether a chart can be written to a file of this name: a picture, or .svg.
+bool isChartFile(const std::string& file);
 
-/// "p (Pa)"; without a unit the name alone.
-std::string withUnit(const std::string& name, const std::string& unit);
+/// White paper with the array `color`, on which filters draw, as pixels and as SVG.
+class ChartPaper
+{
+public:
+  ChartPaper(int width, int height);
 
-/// Writes what the filter makes as a picture. Throws Failure.
-void writeChart(vtkAlgorithm* source, const std::string& file);
+  /// What is drawn so far.
+  vtkImageData* image() { return image_; }
+
+  /// Takes the pixels of a frame, {x min, x max, y min, y max}, which were changed in the image.
+  void keepPixels(const std::array<int, 4>& frame);
+
+  /// Draws what a vtkMoteImageAxes or vtkMoteColorLegend draws.
+  template <class Filter>
+  void draw(Filter* filter)
+  {
+    filter->SetInputData(image_);
+    filter->Update();
+    image_ = vtkSmartPointer<vtkImageData>::New();
+    image_->ShallowCopy(filter->GetOutput());
+    elements_ += filter->GetSvgElements();
+  }
+
+  /// The file's ending says which picture. Throws Failure.
+  void write(const std::string& file);
+
+private:
+  std::string svg() const;
+
+  vtkSmartPointer<vtkImageData> image_;
+  std::string elements_; ///< of SVG
+};
 
 } // namespace mote::app

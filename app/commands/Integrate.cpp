@@ -1,5 +1,7 @@
 #include "Integrate.h"
 
+#include "ChartFile.h"
+#include "IntegralChart.h"
 #include "OpenedInput.h"
 #include "TableFile.h"
 #include "base/Failure.h"
@@ -14,12 +16,12 @@
 #include <vtkDataSet.h>
 #include <vtkDoubleArray.h>
 #include <vtkInformation.h>
+#include <vtkMath.h>
 #include <vtkMoteSurfaceIntegrals.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkTable.h>
-#include <vtkVariantArray.h>
 
 #include <nlohmann/json.hpp>
 
@@ -72,6 +74,23 @@ void addSections(vtkMoteSurfaceIntegrals* filter, const Settings& settings)
     filter->AddBoundary("boundary");
 }
 
+/// Adds what torques do at so many turns a minute.
+void addPowers(vtkTable* table, double rpm)
+{
+  if (!table->GetColumnByName("torque"))
+    throw Failure("--rpm makes powers of torques, which need a pressure; --pressure names it");
+  const double speed = 2.0 * vtkMath::Pi() * rpm / 60.0;
+  for (const auto& [from, to] : {std::pair{"torque", "power"}, {"torque_error", "power_error"}})
+  {
+    vtkNew<vtkDoubleArray> power;
+    power->SetName(to);
+    for (const double torque : numbersOf(table, from))
+      power->InsertNextValue(
+        from == std::string("torque") ? speed * torque : std::abs(speed) * torque);
+    table->AddColumn(power);
+  }
+}
+
 /// The table of one time step.
 vtkSmartPointer<vtkTable> tableOf(
   vtkMoteSurfaceIntegrals* filter, const std::vector<NamedData>& data, OpenedInput& opened)
@@ -91,6 +110,8 @@ vtkSmartPointer<vtkTable> tableOf(
     chosen(wanted.velocity, usualName(data, {"U", "velocity", "Velocity", "u"}, 3)));
   filter->SetPressureArrayName(
     chosen(wanted.pressure, usualName(data, {"p", "pressure", "Pressure"}, 1)));
+  filter->SetKinematicPressure(
+    wanted.kinematic || isKinematic(data, filter->GetPressureArrayName()));
   filter->SetInputData(blocks);
   ProgressRelay::Work work(opened.progress, "Integrating", filter);
   filter->Update();
@@ -101,28 +122,9 @@ vtkSmartPointer<vtkTable> tableOf(
                   (error.starts_with("there is no array") ? "; it has " + known : ""));
   auto table = vtkSmartPointer<vtkTable>::New();
   table->DeepCopy(filter->GetOutput());
+  if (wanted.rpm)
+    addPowers(table, *wanted.rpm);
   return table;
-}
-
-/// Puts a column with one number in front.
-vtkSmartPointer<vtkTable> withTime(vtkTable* table, double time)
-{
-  vtkNew<vtkDoubleArray> times;
-  times->SetName("time");
-  times->SetNumberOfValues(table->GetNumberOfRows());
-  times->Fill(time);
-  auto timed = vtkSmartPointer<vtkTable>::New();
-  timed->AddColumn(times);
-  for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column)
-    timed->AddColumn(table->GetColumn(column));
-  return timed;
-}
-
-/// Adds the rows of a table with the same columns.
-void append(vtkTable* to, vtkTable* rows)
-{
-  for (vtkIdType row = 0; row < rows->GetNumberOfRows(); ++row)
-    to->InsertNextRow(rows->GetRow(row));
 }
 
 std::string asJson(vtkTable* table)
@@ -154,16 +156,19 @@ void integrate(const Settings& settings)
   const std::string& output = settings.output.file;
   const bool isJson = lowerCase(std::filesystem::path(output).extension().string()) == ".json" ||
                       settings.output.json;
-  if (!isTableFile(output) && !isJson)
-    throw Failure("cannot write " + output + ": the name must end in .csv or .json");
+  if (!isTableFile(output) && !isJson && !isChartFile(output))
+    throw Failure("cannot write " + output +
+                  ": the name must end in .csv or .json for a table, or "
+                  ".png, .jpg, .tif, .exr or .svg for curves");
   checkOutput(output, settings.data.files);
   OpenedInput opened(settings);
   vtkNew<vtkMoteSurfaceIntegrals> filter;
   addSections(filter, settings);
+  // What is left is smaller by far, as it is extrapolated; less would take longer.
+  filter->SetTolerance(1e-5);
   for (const std::string& name : settings.integrate.arrays)
     filter->AddArray(name);
   filter->SetDensity(settings.integrate.density);
-  filter->SetKinematicPressure(settings.integrate.kinematic);
   if (!settings.cuts.axis.empty())
   {
     const CutAxis axis = cutAxisOf(settings.cuts.axis);
@@ -172,29 +177,32 @@ void integrate(const Settings& settings)
     filter->SetAxis(axis.direction.data());
   }
   vtkSmartPointer<vtkTable> all;
-  const int steps = settings.output.allSteps ? std::max(1, opened.input.numberOfSteps()) : 1;
-  for (int i = 0; i < steps; ++i)
-  {
-    if (settings.output.allSteps)
-      opened.step = i;
-    auto table = tableOf(filter, opened.read(), opened);
-    const std::vector<double>& times = opened.input.times();
-    if (settings.output.allSteps)
-      table = withTime(table, times.empty() ? i + 1.0 : times[static_cast<std::size_t>(i)]);
-    if (!all)
-      all = table;
-    else if (all->GetNumberOfColumns() == table->GetNumberOfColumns())
-      append(all, table);
-    else
-      throw Failure(opened.input.name() + ": time step " + std::to_string(i + 1) +
-                    " has other arrays; --array, --velocity and --pressure name those of all");
-  }
-  if (!isJson)
-    writeTable(all, output);
-  else if (output.empty())
+  std::vector<NamedData> data;
+  opened.forSteps(
+    [&](int step)
+    {
+      data = opened.read();
+      auto table = tableOf(filter, data, opened);
+      if (settings.output.allSteps)
+        table = withTime(table, opened.timeOf(step));
+      if (!appendRows(all, table))
+        throw Failure(opened.input.name() + ": time step " + std::to_string(step + 1) +
+                      " has other arrays; --array, --velocity and --pressure name those of all");
+    });
+  if (isJson && output.empty())
     std::fputs(asJson(all).c_str(), stdout);
-  else
+  else if (isJson)
     writeText(output, asJson(all));
+  else if (isTableFile(output))
+    writeTable(all, output);
+  else
+  {
+    const IntegralUnits units(
+      data, filter->GetVelocityArrayName(), filter->GetPressureArrayName(), settings);
+    Chart chart = integralChart(all, units, settings);
+    chart.caption = opened.chartCaption();
+    writeChart(chart, output);
+  }
 }
 
 } // namespace mote::app

@@ -6,6 +6,8 @@
 #include "stage/Calculated.h"
 #include "stage/HiddenParts.h"
 
+#include <algorithm>
+
 namespace mote::app
 {
 
@@ -31,6 +33,28 @@ struct OpenedInput
       throw Failure(input.name() + ": --hide-data and --hide-part leave nothing");
     return shown;
   }
+
+  /// Calls with the number of each step that was asked for, which is then the one to read.
+  template <class Visit>
+  void forSteps(const Visit& visit)
+  {
+    if (!settings.output.allSteps)
+      visit(step);
+    else
+      for (step = 0; step < std::max(1, input.numberOfSteps()); ++step)
+        visit(step);
+    step = std::min(step, std::max(1, input.numberOfSteps()) - 1);
+  }
+
+  /// The time of a step; its number from 1 where the data have no times.
+  double timeOf(int which) const
+  {
+    const std::vector<double>& times = input.times();
+    return times.empty() ? which + 1.0 : times[static_cast<std::size_t>(which)];
+  }
+
+  /// Of a chart, which shows its times itself where it has several.
+  std::string chartCaption() const { return settings.output.allSteps ? input.name() : caption(); }
 
   /// "swirl.vtu, t = 0.05".
   std::string caption() const

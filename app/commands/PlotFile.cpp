@@ -98,7 +98,7 @@ void writePlotPicture(const Plot& plot, const PlotChoice& choice, bool isLogarit
   const int letter = vtkMoteImageAxes::LabelSize(paperWidth, paperHeight, 1.0);
   const std::array<int, 4> frame = {
     7 * letter, paperWidth - (isPair ? 11 : 2) * letter, 6 * letter + 10, paperHeight - 2 * letter};
-  const auto paper = whitePaper(paperWidth, paperHeight);
+  ChartPaper paper(paperWidth, paperHeight);
   const auto height = [isLogarithmic](double count)
   { return isLogarithmic ? std::log10(1.0 + count) : count; };
   double across[2], up[2] = {0.0, 1.05 * std::max(height(plot.highest), 1e-3)};
@@ -110,7 +110,7 @@ void writePlotPicture(const Plot& plot, const PlotChoice& choice, bool isLogarit
     const double counts[2] = {isLogarithmic ? 1.0 : 0.0, std::max(2.0, double(plot.highest))};
     colors = makeColorMap(colorMapNames().front(), counts, isLogarithmic);
   }
-  paint(paper, frame,
+  paint(paper.image(), frame,
     [&](double x, double y, double rgb[3])
     {
       const std::uint32_t count = countAt(plot, x, isPair ? y : 0.0);
@@ -120,19 +120,20 @@ void writePlotPicture(const Plot& plot, const PlotChoice& choice, bool isLogarit
         rgb[0] = 0.3, rgb[1] = 0.5, rgb[2] = 0.75;
       return isPair ? count > 0 : y * up[1] < height(count);
     });
+  paper.keepPixels(frame);
   vtkNew<vtkMoteImageAxes> axes;
-  axes->SetInputData(paper);
   axes->SetFrame(frame[0], frame[1], frame[2], frame[3]);
   axes->SetXRange(across);
   axes->SetYRange(up);
   axes->SetXTitle(choice.names[0]);
   axes->SetYTitle(isPair ? choice.names[1] : isLogarithmic ? "log10 (1 + count)" : "count");
+  paper.draw(axes.Get());
   vtkNew<vtkMoteColorLegend> legend;
-  legend->SetInputConnection(axes->GetOutputPort());
   legend->SetLookupTable(colors);
   legend->SetTitle("count");
   legend->SetCaption(caption);
-  writeChart(legend, file);
+  paper.draw(legend.Get());
+  paper.write(file);
 }
 
 } // namespace mote::app

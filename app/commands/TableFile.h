@@ -1,8 +1,10 @@
 #pragma once
 
-#include <string>
+#include <vtkSmartPointer.h>
+#include <vtkTable.h>
 
-class vtkTable;
+#include <string>
+#include <vector>
 
 namespace mote::app
 {
@@ -13,5 +15,15 @@ void writeTable(vtkTable* table, const std::string& file);
 
 /// Whether the name is that of a table: .csv, or none for standard output.
 bool isTableFile(const std::string& file);
+
+/// Puts a column with one number in front.
+vtkSmartPointer<vtkTable> withTime(vtkTable* table, double time);
+
+/// Adds the rows of a table, all of whose columns the other has; false where it has not. A table
+/// that is null becomes this one.
+bool appendRows(vtkSmartPointer<vtkTable>& to, vtkTable* rows);
+
+/// A column of numbers; NaN where there is none of that name.
+std::vector<double> numbersOf(vtkTable* table, const std::string& column);
 
 } // namespace mote::app

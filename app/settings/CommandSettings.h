@@ -58,6 +58,14 @@ struct PlotSettings
   bool operator==(const PlotSettings&) const = default;
 };
 
+/// Of pictures of tables, which `mote average`, `integrate` and `probe` draw.
+struct ChartSettings
+{
+  std::vector<std::string> curves; ///< columns or arrays, one above the other; empty: choose
+  std::string over;                ///< what the curves run over; empty: choose
+  bool operator==(const ChartSettings&) const = default;
+};
+
 /// Of `mote average`.
 struct AverageSettings
 {
@@ -81,8 +89,9 @@ struct BakeSettings
 /// Of `mote probe`.
 struct ProbeSettings
 {
-  std::vector<double> from, to; ///< three each
-  int points = 101;
+  std::vector<double> from, to; ///< three each, or none
+  std::vector<double> at;       ///< three for each point; none: the line
+  int points = 101;             ///< along the line
   bool operator==(const ProbeSettings&) const = default;
 };
 
@@ -93,7 +102,8 @@ struct IntegrateSettings
   std::vector<std::string> arrays;
   std::string velocity, pressure; ///< "none", or empty: choose
   double density = 1.0;
-  bool kinematic = false; ///< whether the pressure is given over the density
+  bool kinematic = false;    ///< whether the pressure is given over the density
+  std::optional<double> rpm; ///< turns a minute about the axis, for powers; none: none
   bool operator==(const IntegrateSettings&) const = default;
 };
 

@@ -247,6 +247,7 @@ struct Settings
 
   OutputSettings output;
   FilmSettings film;
+  ChartSettings chart;
   AverageSettings average;
   BakeSettings bake;
   ProbeSettings probe;

@@ -117,6 +117,7 @@ void adviseOnLight(const Stage& stage, std::vector<std::string>& advice)
   const Settings& settings = stage.settings();
   const LightSettings& light = settings.light;
   if (!has(stage, Part::Kind::Volume) || has(stage, Part::Kind::Particles) ||
+      has(stage, Part::Kind::Surface) || settings.volume.walls > 0.0 ||
       !settings.volume.isoValues.empty())
   {
     Idle idle;

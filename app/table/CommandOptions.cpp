@@ -88,6 +88,9 @@ void addIntegrateOptions(CLI::App& app, GivenSettings& given)
     "Sections, by planes across x, y, z or a direction of three numbers, as in 1,1,0=5, by "
     "cylinders about the axis of --cut-axis at radii r, by planes across it at heights h, or by "
     "half planes at angles in degrees, which end at the axis");
+  addSettings(app, given, {"range", "font-scale"});
+  app.get_option("--range")->description(
+    "Least and greatest value at the axis of a picture's curves. Default: theirs");
 }
 
 void addProbeOptions(CLI::App& app, GivenSettings& given)
@@ -97,7 +100,8 @@ void addProbeOptions(CLI::App& app, GivenSettings& given)
   addCommandSettings(app, given, "probe");
   addSettings(app, given, {"color-by", "range", "title", "font-scale"});
   app.get_option("--color-by")
-    ->description("Array that a picture shows. Default: the most telling one");
+    ->description("Array that a picture shows, where --curves names none. Default: the most "
+                  "telling one");
   app.get_option("--range")->description(
     "Least and greatest value at the picture's axis. Default: those along the line");
 }

@@ -32,6 +32,16 @@ Row outputRow(const std::string& command, const std::string& help, bool required
       .required = required});
 }
 
+Row allStepsRow(const std::string& command, const std::string& help)
+{
+  return row(&Settings::output, &OutputSettings::allSteps,
+    {.group = "Output",
+      .name = "all-steps",
+      .help = help,
+      .excludes = {"step", "time"},
+      .command = command});
+}
+
 namespace
 {
 
@@ -43,16 +53,6 @@ Row sessionRow(const std::string& command)
       .value = "FILE",
       .help = "Write all of this as a session, .json, which mote and mote render open as they do "
               "data",
-      .command = command});
-}
-
-Row allStepsRow(const std::string& command, const std::string& help)
-{
-  return row(output, &OutputSettings::allSteps,
-    {.group = "Output",
-      .name = "all-steps",
-      .help = help,
-      .excludes = {"step", "time"},
       .command = command});
 }
 
@@ -127,70 +127,6 @@ void addConvert(Rows& table)
     }));
 }
 
-void requireAscending(const std::vector<double>& range)
-{
-  if (range.size() == 2 && !(range[0] < range[1]))
-    throw WrongValue{"LO must be less than HI"};
-}
-
-void addAverage(Rows& table)
-{
-  const std::string group = "Averaging", command = "average";
-  const auto average = &Settings::average;
-  table.push_back(row(average, &AverageSettings::array,
-    {.group = group,
-      .name = "array",
-      .value = "NAME",
-      .help = "Array to average, named as in --color-by: cell:p, U:2, U:magnitude. Of vectors the "
-              "parts along axis, radius and circumference are averaged",
-      .alias = "-a",
-      .command = command,
-      .required = true}));
-  table.push_back(outputRow(command,
-    "Table to write, .csv, or picture, .png, .jpg, .tif or .exr, in which the axis goes to the "
-    "right and "
-    "the radius upwards. By default the table goes to standard output",
-    false));
-  table.push_back(row(average, &AverageSettings::resolution,
-    {.group = group,
-      .name = "resolution",
-      .value = "N",
-      .help = "Bins along the longer edge",
-      .limits = {.least = 1, .most = 4096},
-      .command = command}));
-  table.push_back(row(average, &AverageSettings::axis,
-    {.group = group,
-      .name = "axis",
-      .value = "X,Y,Z",
-      .help = "Direction of the axis",
-      .count = 3,
-      .usual = "what the data say, else z",
-      .command = command}));
-  table.push_back(row(average, &AverageSettings::origin,
-    {.group = group,
-      .name = "origin",
-      .value = "X,Y,Z",
-      .help = "A point of the axis",
-      .count = 3,
-      .usual = "what the data say, else 0,0,0",
-      .command = command}));
-  const auto add =
-    [&](std::vector<double> AverageSettings::*range, const char* name, const char* help)
-  {
-    table.push_back(row<AverageSettings, std::vector<double>>(average, range,
-      {.group = group,
-        .name = name,
-        .value = "LO HI",
-        .help = help,
-        .count = 2,
-        .usual = "all",
-        .command = command},
-      requireAscending));
-  };
-  add(&AverageSettings::radial, "radial-range", "Distances from the axis that are averaged");
-  add(&AverageSettings::axial, "axial-range", "Places along the axis that are averaged");
-}
-
 void addBake(Rows& table)
 {
   const std::string group = "Baking", command = "bake";
@@ -237,98 +173,6 @@ void addBake(Rows& table)
               "gives all maps the same size",
       .limits = {.least = 0.0, .most = 1.0},
       .command = command}));
-}
-
-void addIntegrate(Rows& table)
-{
-  const std::string group = "Integrals", command = "integrate";
-  const auto integrate = &Settings::integrate;
-  table.push_back(row(integrate, &IntegrateSettings::boundary,
-    {.group = group,
-      .name = "boundary",
-      .help = "Integrate over the boundary of each part, too; without --slice over that alone",
-      .command = command}));
-  table.push_back(
-    row<IntegrateSettings, std::vector<std::string>>(integrate, &IntegrateSettings::arrays,
-      {.group = group,
-        .name = "array",
-        .value = "NAME,...",
-        .help = "Arrays to integrate, on points or cells: their means, and integrals",
-        .alias = "-a",
-        .usual = "none",
-        .command = command}));
-  const auto add = [&](std::string IntegrateSettings::*name, const char* option, const char* help,
-                     const char* usual)
-  {
-    table.push_back(row(integrate, name,
-      {.group = group,
-        .name = option,
-        .value = "NAME",
-        .help = help,
-        .usual = usual,
-        .command = command}));
-  };
-  add(&IntegrateSettings::velocity, "velocity",
-    "Array of the velocity, for flow rates and means weighted with the flow; or none",
-    "U or velocity, if it is there");
-  add(&IntegrateSettings::pressure, "pressure",
-    "Array of the pressure, for torques on boundaries and, with a velocity, total pressure and "
-    "head; or none",
-    "p or pressure, if it is there");
-  table.push_back(row(integrate, &IntegrateSettings::density,
-    {.group = group,
-      .name = "density",
-      .value = "RHO",
-      .help = "Density of the fluid",
-      .limits = {.aboveZero = true},
-      .command = command}));
-  table.push_back(row(integrate, &IntegrateSettings::kinematic,
-    {.group = group,
-      .name = "kinematic",
-      .help = "The pressure is given over the density, as incompressible solvers do",
-      .command = command}));
-  table.push_back(allStepsRow(command, "All time steps, with a column of their times"));
-  table.push_back(row(output, &OutputSettings::json,
-    {.group = "Output",
-      .name = "json",
-      .help = "Write JSON in place of a table",
-      .command = command}));
-  table.push_back(outputRow(command,
-    "Table to write, .csv, or .json. By default the table goes to standard output", false));
-}
-
-void addProbe(Rows& table)
-{
-  const std::string group = "Line", command = "probe";
-  const auto probe = &Settings::probe;
-  table.push_back(row(probe, &ProbeSettings::from,
-    {.group = group,
-      .name = "from",
-      .value = "X,Y,Z",
-      .help = "Where the line begins",
-      .count = 3,
-      .command = command,
-      .required = true}));
-  table.push_back(row(probe, &ProbeSettings::to,
-    {.group = group,
-      .name = "to",
-      .value = "X,Y,Z",
-      .help = "Where it ends",
-      .count = 3,
-      .command = command,
-      .required = true}));
-  table.push_back(row(probe, &ProbeSettings::points,
-    {.group = group,
-      .name = "points",
-      .value = "N",
-      .help = "Points along the line, its ends included",
-      .limits = {.least = 2, .most = 1000000},
-      .command = command}));
-  table.push_back(outputRow(command,
-    "Table to write, as comma-separated values; or picture, .png, .jpg, .tif or .exr, of values "
-    "over "
-    "the distance along the line. By default the table goes to standard output",
-    false));
 }
 
 /// Why the text is no length nor percentage.
@@ -437,9 +281,8 @@ const std::vector<Row>& commandTable()
   static const Rows table = []
   {
     Rows rows;
-    for (const auto add :
-      {addPictureCommands, addTimeRows, addPlotRows, addRecordingRows, addFilmRows, addConvert,
-        addInfo, addAverage, addSilhouettesCommand, addBake, addIntegrate, addProbe})
+    for (const auto add : {addPictureCommands, addTimeRows, addPlotRows, addRecordingRows,
+           addFilmRows, addConvert, addInfo, addSilhouettesCommand, addBake, addMeasureRows})
       add(rows);
     return rows;
   }();

@@ -24,9 +24,13 @@ void addTimeRows(std::vector<Row>& table);
 void addPlotRows(std::vector<Row>& table);
 void addFilmRows(std::vector<Row>& table);
 void addRecordingRows(std::vector<Row>& table);
+void addMeasureRows(std::vector<Row>& table);
 
 /// The row of what a command writes.
 Row outputRow(const std::string& command, const std::string& help, bool required);
+
+/// The row of --all-steps.
+Row allStepsRow(const std::string& command, const std::string& help);
 
 /// A check that says in a sentence what is wrong with a text, as one that throws WrongValue.
 std::function<void(const std::string&)> refusing(std::string (*check)(const std::string&));

@@ -7,6 +7,7 @@
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -54,6 +55,11 @@ void addVector(vtkFieldData* data, const char* name, const Vec3d& value)
   data->AddArray(array);
 }
 
+void setUnit(vtkAbstractArray* array, const char* unit)
+{
+  array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), unit);
+}
+
 } // namespace
 
 Part::Part(PartName name, double scale, const Frame& frame, int precision)
@@ -76,6 +82,7 @@ void Part::makePoints(const Plane& plane, int precision)
   const vtkIdType count = sheet * static_cast<vtkIdType>(plane.layers.size());
   vtkNew<vtkPoints> points;
   points->SetDataType(precision);
+  setUnit(points->GetData(), "m");
   points->SetNumberOfPoints(count);
   flow_.resize(static_cast<std::size_t>(count));
   const auto place = [&](vtkIdType begin, vtkIdType end)
@@ -135,6 +142,8 @@ vtkSmartPointer<vtkUnstructuredGrid> Part::at(double seconds) const
   velocity->SetName("velocity");
   velocity->SetNumberOfComponents(3);
   velocity->SetNumberOfTuples(count);
+  setUnit(pressure, "Pa");
+  setUnit(velocity, "m/s");
   const double phase = frame_.angularSpeed * seconds, tip = frame_.angularSpeed * frame_.radius;
   const auto pulsePhase = static_cast<float>(std::remainder(rhythm_.pulses * phase, 2.0 * pi));
   const auto wavePhase = static_cast<float>(std::remainder(rhythm_.waves * phase, 2.0 * pi));

@@ -1,5 +1,7 @@
 #include "Canvas.h"
 
+#include "SvgDrawing.h"
+
 #include <vtkDataArray.h>
 
 #include <algorithm>
@@ -33,11 +35,12 @@ Rect Rect::clipped(int width, int height) const
   return {std::max(x0, 0), std::max(y0, 0), std::min(x1, width), std::min(y1, height)};
 }
 
-Canvas::Canvas(vtkDataArray* colors, int width, int height)
+Canvas::Canvas(vtkDataArray* colors, int width, int height, SvgDrawing* svg)
   : m_colors(colors)
   , m_width(width)
   , m_height(height)
   , m_components(colors->GetNumberOfComponents())
+  , m_svg(svg)
   , m_scale(colors->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0 : 1.0)
 {
 }
@@ -80,6 +83,8 @@ void Canvas::blend(int x, int y, const Color& color, double coverage)
 
 void Canvas::fill(const Rect& rect, const Color& color)
 {
+  if (m_svg)
+    m_svg->addRectangle(rect, 0.0, color);
   fillShape(rect, color, [](double, double) { return 1.0; });
 }
 
@@ -94,6 +99,8 @@ void Canvas::fillShape(
 
 void Canvas::fillRounded(const Rect& rect, double radius, const Color& color)
 {
+  if (m_svg)
+    m_svg->addRectangle(rect, radius, color);
   fillShape(rect, color,
     [&](double x, double y)
     {
@@ -105,6 +112,8 @@ void Canvas::fillRounded(const Rect& rect, double radius, const Color& color)
 
 void Canvas::draw(const TextMask& mask, int x, int y, const Color& color)
 {
+  if (m_svg)
+    m_svg->addText(mask, x, y, color);
   for (int row = 0; row < mask.height; ++row)
   {
     for (int column = 0; column < mask.width; ++column)

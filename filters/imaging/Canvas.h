@@ -14,6 +14,8 @@ class vtkDataArray;
 namespace mote::imaging
 {
 
+class SvgDrawing;
+
 /// Straight (not premultiplied), each in [0, 1].
 struct Color
 {
@@ -51,10 +53,12 @@ struct Rect
 class Canvas
 {
 public:
-  Canvas(vtkDataArray* colors, int width, int height);
+  /// What is drawn goes to `svg`, too, if there is one; shapes and blended pixels do not.
+  Canvas(vtkDataArray* colors, int width, int height, SvgDrawing* svg = nullptr);
 
   int width() const { return m_width; }
   int height() const { return m_height; }
+  SvgDrawing* svg() { return m_svg; }
 
   /// A pixel over white paper, opaque.
   Color seen(int x, int y) const;
@@ -71,6 +75,7 @@ private:
   int m_width;
   int m_height;
   int m_components;
+  SvgDrawing* m_svg;
   double m_scale; // of stored values to [0, 1]
 };
 

@@ -1,5 +1,7 @@
 #include "LegendPainter.h"
 
+#include "SvgDrawing.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -86,6 +88,15 @@ void fillTriangle(Canvas& canvas, const Rect& rect, bool isUp, double inset, con
     // The distance from a slanted side is the horizontal one times the cosine of its slope.
     return fromBase >= inset && slack * height / std::hypot(half, height) >= inset;
   };
+  if (SvgDrawing* svg = canvas.svg())
+  {
+    // The sides move inwards by `inset`; the tip by more, as it is narrower.
+    const double shift = inset * std::hypot(half, height) / half, side = shift + inset;
+    const double base = isUp ? rect.y0 + inset : rect.y1 - inset;
+    const double tip = isUp ? rect.y1 - shift : rect.y0 + shift;
+    const double beside = half * (1.0 - side / height);
+    svg->addPolygon({{middle - beside, base}, {middle + beside, base}, {middle, tip}}, color);
+  }
   canvas.fillShape(rect, color,
     [&](double x, double y)
     {

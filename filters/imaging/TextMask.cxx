@@ -241,7 +241,10 @@ TextFont::~TextFont() = default;
 
 TextMask TextFont::draw(const std::string& text, int size)
 {
-  return m_implementation->lay(text, size, true);
+  TextMask mask = m_implementation->lay(text, size, true);
+  mask.text = text;
+  mask.size = size;
+  return mask;
 }
 
 double TextFont::width(const std::string& text, int size)

@@ -24,6 +24,9 @@ struct TextMask
   int height = 0;
   double advance = 0.0;               // of the pen, in pixels
   std::vector<std::uint8_t> coverage; // 0 to 255, row after row from the bottom
+  std::string text;                   // what it says
+  int size = 0;                       // pixels to the em
+  bool isTurned = false;              // whether the pen goes up
 
   int right() const { return left + width; }
   int top() const { return bottom + height; }

@@ -4,6 +4,7 @@
 #include "LegendLayout.h"
 #include "LegendPainter.h"
 #include "LegendTable.h"
+#include "SvgDrawing.h"
 #include "TextMask.h"
 
 #include <vtkDataArray.h>
@@ -103,6 +104,7 @@ int vtkMoteColorLegend::RequestData(
   clearRectangle(this->BarRectangle);
   this->TickValues.clear();
   this->TickLabels.clear();
+  this->SvgElements.clear();
   if ((!this->LookupTable && this->Caption.empty()) || input->GetNumberOfPoints() == 0)
     return 1;
   vtkDataArray* colors = input->GetPointData()->GetArray("color");
@@ -129,7 +131,8 @@ void vtkMoteColorLegend::Draw(vtkImageData* image, vtkDataArray* colors)
   image->GetDimensions(size);
   const auto drawn = vtk::TakeSmartPointer(colors->NewInstance());
   drawn->DeepCopy(colors);
-  Canvas canvas(drawn, size[0], size[1]);
+  SvgDrawing svg(size[1]);
+  Canvas canvas(drawn, size[0], size[1], &svg);
   TextFont font(this->FontFile);
   Placement placement;
   placement.imageWidth = size[0];
@@ -161,6 +164,7 @@ void vtkMoteColorLegend::Draw(vtkImageData* image, vtkDataArray* colors)
       barColor = [&](double share) { return colorOf(this->LookupTable, scale.valueAt(share)); };
     paintLegend(canvas, layout, style, barColor);
   }
+  this->SvgElements = svg.elements();
   if (!font.missing().empty())
   {
     vtkWarningMacro(<< "No font has the characters \"" << font.missing()

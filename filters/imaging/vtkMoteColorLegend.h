@@ -208,6 +208,12 @@ public:
   std::string GetTickLabel(int i) const;
   ///@}
 
+  /**
+   * What the last update drew, as elements of SVG: coordinates are pixels from the image's upper
+   * left corner, and texts are text.
+   */
+  const std::string& GetSvgElements() const { return this->SvgElements; }
+
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -243,6 +249,7 @@ private:
 
   std::vector<double> TickValues;
   std::vector<std::string> TickLabels;
+  std::string SvgElements;
 };
 
 #endif

@@ -9,7 +9,8 @@
  * stands at its title. Text is at a size in proportion to the image's height, dark or light,
  * whichever stands out.
  *
- * Curves are drawn within the rectangle; values that are not finite are gaps.
+ * Curves are drawn within the rectangle; values that are not finite are gaps. Several of these
+ * filters, one behind the other, draw rectangles one above the other.
  *
  * An empty rectangle, or a range whose ends are not finite and ascending, is reported by
  * vtkErrorMacro and nothing is drawn.
@@ -27,6 +28,14 @@
 #include <vector> // for ticks and curves
 
 class vtkDataArray;
+
+namespace mote
+{
+namespace imaging // in two steps, for VTK's wrappers
+{
+struct AxesContent;
+} // namespace imaging
+} // namespace mote
 
 class MOTEFILTERSIMAGING_EXPORT vtkMoteImageAxes : public vtkImageAlgorithm
 {
@@ -72,6 +81,38 @@ public:
   vtkGetMacro(FontScale, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether the numbers and the title of the x axis stand below it. Default on. Off for all but
+   * the lowest of several rectangles over one axis.
+   */
+  vtkSetMacro(XLabels, bool);
+  vtkGetMacro(XLabels, bool);
+  vtkBooleanMacro(XLabels, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether faint lines go through the rectangle at the ticks, and dots stand at the points of
+   * curves. Default off.
+   */
+  vtkSetMacro(Grid, bool);
+  vtkGetMacro(Grid, bool);
+  vtkBooleanMacro(Grid, bool);
+  vtkSetMacro(Dots, bool);
+  vtkGetMacro(Dots, bool);
+  vtkBooleanMacro(Dots, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The pixels in which the names of the curves are listed from the top, as in Frame; 1.6 times
+   * LabelSize() for each. What does not fit is counted. Default none.
+   */
+  vtkSetVector4Macro(NamesFrame, int);
+  vtkGetVector4Macro(NamesFrame, int);
+  ///@}
+
   /** The em of the labels in an image of that size, in pixels. */
   static int LabelSize(int width, int height, double fontScale);
 
@@ -80,7 +121,16 @@ public:
    * both counts.
    */
   void AddCurve(vtkDataArray* x, vtkDataArray* y, double red, double green, double blue);
+  /** The same, with a name, and dashed or not. */
+  void AddNamedCurve(const std::string& name, vtkDataArray* x, vtkDataArray* y, double red,
+    double green, double blue, bool isDashed);
   void RemoveAllCurves();
+
+  /**
+   * What the last update drew, as elements of SVG: coordinates are pixels from the image's upper
+   * left corner, texts are text, and each curve is a group with its name for a title.
+   */
+  const std::string& GetSvgElements() const { return this->SvgElements; }
 
   ///@{
   /**
@@ -107,6 +157,10 @@ protected:
   std::string XTitle;
   std::string YTitle;
   double FontScale = 1.0;
+  int NamesFrame[4] = {0, -1, 0, -1};
+  bool XLabels = true;
+  bool Grid = false;
+  bool Dots = false;
 
 private:
   vtkMoteImageAxes(const vtkMoteImageAxes&) = delete;
@@ -114,16 +168,19 @@ private:
 
   struct Curve
   {
+    std::string Name;
     vtkSmartPointer<vtkDataArray> X, Y;
     std::array<double, 3> Color;
+    bool IsDashed;
   };
-  class Painter;
 
+  mote::imaging::AxesContent MakeContent() const;
   double TickValue(int axis, int i) const;
   std::string TickLabel(int axis, int i) const;
 
   std::vector<Curve> Curves;
   std::vector<std::pair<double, std::string>> Ticks[2];
+  std::string SvgElements;
 };
 
 #endif

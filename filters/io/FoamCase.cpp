@@ -103,8 +103,9 @@ FoamCase foamCaseOf(const std::string& fileName)
   return found;
 }
 
-void checkFoamFields(const FoamCase& which, double time)
+std::vector<std::string> foamFieldsOf(const FoamCase& which, double time)
 {
+  std::vector<std::string> fields;
   for (const fs::path& one : casesIn(which))
   {
     fs::path nearest;
@@ -124,8 +125,9 @@ void checkFoamFields(const FoamCase& which, double time)
     for (const fs::path& folder : folders)
       for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
         if (entry.is_regular_file(error))
-          checkFoamField(entry.path().string());
+          fields.push_back(entry.path().string());
   }
+  return fields;
 }
 
 } // namespace mote

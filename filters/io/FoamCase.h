@@ -2,6 +2,7 @@
 #define MoteFoamCase_h
 
 #include <string>
+#include <vector>
 
 namespace mote
 {
@@ -19,8 +20,8 @@ struct FoamCase
 /// 9.1's reader would crash or run for very long.
 FoamCase foamCaseOf(const std::string& fileName);
 
-/// Looks at the fields of the time that is nearest to this one, in the same way.
-void checkFoamFields(const FoamCase& which, double time);
+/// The files of the fields of the time that is nearest to this one.
+std::vector<std::string> foamFieldsOf(const FoamCase& which, double time);
 
 } // namespace mote
 

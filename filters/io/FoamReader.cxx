@@ -2,8 +2,14 @@
 
 #include "FileError.h"
 #include "FoamCase.h"
+#include "FoamMesh.h"
+#include "FoamUnits.h"
 #include "MessageCatcher.h"
 
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkDummyController.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -11,10 +17,33 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPOpenFOAMReader.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <filesystem>
+#include <map>
 
 namespace
 {
+
+/// Tells arrays what they are measured in, and points that they are metres.
+void nameUnits(vtkDataSet* part, const std::map<std::string, std::string>& units)
+{
+  const auto name = [](vtkAbstractArray* array, const std::string& unit)
+  {
+    if (!unit.empty())
+      array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), unit.c_str());
+  };
+  if (auto* points = vtkPointSet::SafeDownCast(part); points && points->GetPoints())
+    name(points->GetPoints()->GetData(), "m");
+  for (vtkFieldData* arrays : {static_cast<vtkFieldData*>(part->GetPointData()),
+         static_cast<vtkFieldData*>(part->GetCellData())})
+    for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+      if (vtkAbstractArray* array = arrays->GetAbstractArray(i); array->GetName())
+        if (const auto found = units.find(array->GetName()); found != units.end())
+          name(array, found->second);
+}
 
 class vtkMoteFoamReader : public vtkPOpenFOAMReader
 {
@@ -29,10 +58,16 @@ protected:
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
   {
     vtkInformation* information = outputs->GetInformationObject(0);
+    std::map<std::string, std::string> units;
     auto* const key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
     try
     {
-      mote::checkFoamFields(this->Case, information->Has(key) ? information->Get(key) : 0.0);
+      const double time = information->Has(key) ? information->Get(key) : 0.0;
+      for (const std::string& field : mote::foamFieldsOf(this->Case, time))
+      {
+        mote::checkFoamField(field);
+        units.emplace(std::filesystem::path(field).filename().string(), mote::foamUnitOf(field));
+      }
     }
     catch (const mote::FileError& error)
     {
@@ -40,7 +75,10 @@ protected:
       vtkErrorMacro(<< error.what());
       return 1; // a failed request would leave old data downstream
     }
-    return this->Superclass::RequestData(request, inputs, outputs);
+    const int done = this->Superclass::RequestData(request, inputs, outputs);
+    for (vtkDataSet* part : vtkCompositeDataSet::GetDataSets(vtkDataObject::GetData(information)))
+      nameUnits(part, units);
+    return done;
   }
 };
 

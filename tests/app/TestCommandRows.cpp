@@ -34,6 +34,7 @@ TEST(CommandTable, RowsAreSetReadAndParsed)
     {"axial-range", {"-1", "2"}},
     {"from", {"1", "2", "3"}},
     {"to", {"3", "2", "1"}},
+    {"at", {"3", "2", "1"}},
     {"threshold", {"3%"}},
     {"tolerance", {"0.25"}},
     {"view-angle", {"45"}},
@@ -55,8 +56,9 @@ TEST(CommandTable, RowsAreSetReadAndParsed)
       found != samples.end() ? found->second
       : row.shape == Shape::Flag
         ? std::vector<std::string>{row.get(settings).front() == "true" ? "false" : "true"}
-      : row.numeric ? std::vector<std::string>{"7"}
-                    : std::vector<std::string>{"text"};
+      : !row.words.empty() ? std::vector<std::string>{row.words.back()}
+      : row.numeric        ? std::vector<std::string>{"7"}
+                           : std::vector<std::string>{"text"};
     row.set(settings, words);
     EXPECT_FALSE(row.isDefault(settings)) << row.name;
     EXPECT_EQ(row.get(settings), words) << row.name;
@@ -67,7 +69,7 @@ TEST(CommandTable, RowsAreSetReadAndParsed)
     // By itself, as the others that a command requires or excludes are tested by the program.
     CLI::App app;
     GivenSettings given;
-    if (row.excludes.empty())
+    if (row.excludes.empty() && row.needs.empty())
     {
       addSettings(app, given, {"Data"}); // which some exclude
       addCommandSettings(app, given, row.command);

@@ -50,9 +50,20 @@ PYTHON
     run 1 "$mote" integrate "$swirl" --array nothing
     one_sentence
     said err "there is no array 'nothing'; it has"
-    run 1 "$mote" integrate "$swirl" -o table.png
+    run 1 "$mote" integrate "$swirl" -o table.gif
     one_sentence
     said err '.csv or .json'
+    run 1 "$mote" integrate "$swirl" -o table.png
+    one_sentence
+    said err 'slices of one kind'
+    run 1 "$mote" integrate "$swirl" --slice z=0.01 --slice x=0 -o table.svg
+    said err 'slices of one kind'
+    run 1 "$mote" integrate "$swirl" --slice z=0.01,0.02 --over time -o table.svg
+    said err '--all-steps'
+    run 1 "$mote" integrate "$swirl" --slice z=0.01,0.02 --curves nothing -o table.svg
+    said err 'no column nothing for curves; it has cells, area, flow'
+    run 1 "$mote" integrate "$swirl" --rpm 100 --pressure none
+    said err '--pressure'
     run 2 "$mote" integrate "$swirl" --slice x=0:1
     said err '--slice'
     run 2 "$mote" integrate "$swirl" --density 0

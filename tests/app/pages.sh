@@ -20,6 +20,7 @@ while read -r command; do
   [[ ! $command =~ (FILE|run\.|trajectory\.) ]] || continue
   case $command in
     'mote --follow '*) continue ;; # goes on
+    data/make-rotor.py*) python3 $command >out || fail "$command"; continue ;;
     'mote '[a-z]*' '* | 'mote data/'* | 'mote lattice:'*) ;;
     *) fail "what is '$command'?" ;;
   esac
@@ -29,7 +30,7 @@ while read -r command; do
   command=${command/1000000000/1000}
   command=${command/720x540/96x72} # of real meshes: smaller, and soon done
   eval "run 0 $command"
-done < <(sed -n 's/^    \(mote .*\)/\1/p' "$page")
+done < <(sed -nE 's,^    ((mote|data/make-rotor.py) .*),\1,p' "$page")
 
 run 0 "$mote" help --format bash # names all options
 mv out help

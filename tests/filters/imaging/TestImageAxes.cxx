@@ -143,6 +143,80 @@ TEST_F(ImageAxes, CurvesStayInTheFrame)
   EXPECT_EQ(drawnIn(image, 0, Width - 1, 0, Height - 1), around + inside);
 }
 
+TEST_F(ImageAxes, NamesStandBesideTheirCurves)
+{
+  vtkNew<vtkDoubleArray> x, y;
+  for (const double value : {0.2, 0.8})
+  {
+    x->InsertNextValue(value);
+    y->InsertNextValue(value);
+  }
+  this->Axes->SetFrame(100, 449, 90, 459);
+  this->Axes->SetNamesFrame(460, 639, 90, 459);
+  EXPECT_EQ(drawnIn(this->draw(), 460, 639, 90, 459), 0);
+  this->Axes->AddNamedCurve("first", x, y, 1.0, 0.0, 0.0, false);
+  const int one = drawnIn(this->draw(), 460, 639, 90, 459);
+  EXPECT_GT(one, 50);
+  this->Axes->AddNamedCurve("second", x, y, 0.0, 0.0, 1.0, true);
+  EXPECT_GT(drawnIn(this->draw(), 460, 639, 90, 459), one + 50);
+  const std::string& svg = this->Axes->GetSvgElements();
+  EXPECT_NE(svg.find(">first</text>"), std::string::npos);
+  EXPECT_NE(svg.find("<title>second</title>"), std::string::npos);
+  // More than there is room for are counted.
+  for (int i = 0; i < 98; ++i)
+    this->Axes->AddNamedCurve("more", x, y, 0.0, 0.0, 1.0, false);
+  this->draw();
+  EXPECT_NE(this->Axes->GetSvgElements().find(" more</text>"), std::string::npos);
+  EXPECT_EQ(this->Axes->GetSvgElements().find(">and 98 more"), std::string::npos);
+}
+
+TEST_F(ImageAxes, SvgHasTheSameElements)
+{
+  vtkNew<vtkDoubleArray> x, y;
+  for (const double value : {0.0, 0.25, std::nan(""), 0.75, 1.0})
+  {
+    x->InsertNextValue(std::isnan(value) ? 0.5 : value);
+    y->InsertNextValue(value);
+  }
+  this->Axes->AddNamedCurve("a < b & c", x, y, 1.0, 0.0, 0.0, false);
+  this->Axes->SetXTitle("time (s)");
+  this->draw();
+  const std::string svg = this->Axes->GetSvgElements();
+  // From the lower left corner of the frame, with a gap.
+  EXPECT_NE(svg.find("points=\"100,390 225,297.5\""), std::string::npos) << svg;
+  EXPECT_NE(svg.find("points=\"475,112.5 600,20\""), std::string::npos) << svg;
+  EXPECT_NE(svg.find("stroke=\"#ff0000\""), std::string::npos);
+  EXPECT_NE(svg.find("<title>a &lt; b &amp; c</title>"), std::string::npos);
+  EXPECT_NE(svg.find(">time (s)</text>"), std::string::npos);
+  EXPECT_EQ(svg.find("<circle"), std::string::npos);
+  this->Axes->DotsOn();
+  this->draw();
+  EXPECT_NE(
+    this->Axes->GetSvgElements().find("<circle cx=\"225\" cy=\"297.5\""), std::string::npos);
+  this->Axes->XLabelsOff();
+  this->draw();
+  EXPECT_EQ(this->Axes->GetSvgElements().find(">time (s)</text>"), std::string::npos);
+}
+
+TEST_F(ImageAxes, DashesAndGridsAreSeen)
+{
+  vtkNew<vtkDoubleArray> x, y;
+  for (const double value : {0.0, 1.0})
+  {
+    x->InsertNextValue(value);
+    y->InsertNextValue(0.43); // between lines of the grid
+  }
+  this->Axes->AddNamedCurve("", x, y, 0.0, 0.0, 1.0, false);
+  const int whole = drawnIn(this->draw(), 100, 599, 90, 459);
+  this->Axes->RemoveAllCurves();
+  this->Axes->AddNamedCurve("", x, y, 0.0, 0.0, 1.0, true);
+  const int dashed = drawnIn(this->draw(), 100, 599, 90, 459);
+  EXPECT_GT(dashed, 0.4 * whole);
+  EXPECT_LT(dashed, 0.75 * whole);
+  this->Axes->GridOn();
+  EXPECT_GT(drawnIn(this->draw(), 100, 599, 90, 459), dashed + 3 * 400);
+}
+
 TEST_F(ImageAxes, ReportsWhatCannotBeDrawn)
 {
   this->Axes->SetXRange(1.0, 1.0);
