@@ -2,6 +2,7 @@
 
 #include "MeshFacts.h"
 #include "base/Text.h"
+#include "base/Unit.h"
 #include "stage/Arrays.h"
 #include "stage/Calculated.h"
 #include "stage/HiddenParts.h"
@@ -39,6 +40,7 @@ namespace
 struct ArrayFacts
 {
   std::string name, place, type;
+  std::string unit; ///< empty where the data do not say
   std::vector<std::string> components;
   double range[2] = {1.0, 0.0};
   bool ranged = false;
@@ -71,8 +73,11 @@ std::vector<ArrayFacts> allFacts(vtkDataSet* data, const std::optional<MeshFacts
   for (int i = 0; i < data->GetCellData()->GetNumberOfArrays(); ++i)
     all.push_back(factsOf(data->GetCellData()->GetAbstractArray(i), "cell"));
   for (ArrayFacts& facts : all)
+  {
+    facts.unit = unitText(unitOf(data, facts.name));
     if (mesh)
       facts.mean = mesh->meanOf(facts.name, facts.place);
+  }
   return all;
 }
 
@@ -146,6 +151,8 @@ void printArrays(const std::vector<ArrayFacts>& arrays)
     if (!facts.components.empty())
       text =
         "(" + joined(facts.components, " ") + ")" + (text.empty() ? "" : ", magnitude ") + text;
+    if (!text.empty() && !facts.unit.empty())
+      text += ' ' + facts.unit;
     if (facts.mean)
       text += ", mean by volume " + asNumber(*facts.mean);
     std::printf("  %-5s  %-*s  %-9s  %s\n", facts.place.c_str(), static_cast<int>(width),
@@ -248,7 +255,7 @@ using Json = nlohmann::ordered_json;
 Json asJson(const ArrayFacts& facts)
 {
   return {{"name", facts.name}, {"of", facts.place}, {"type", facts.type},
-    {"components", facts.components},
+    {"unit", facts.unit.empty() ? Json() : Json(facts.unit)}, {"components", facts.components},
     {"range", facts.ranged ? Json{facts.range[0], facts.range[1]} : Json()},
     {"mean", facts.mean ? Json(*facts.mean) : Json()}};
 }

@@ -149,6 +149,10 @@ PYTHON
 
   rotor) # the case of the tutorial: what is known of it, units by the case's own dimensions
     run 0 python3 "$data/make-rotor.py" rotor
+    run 0 "$mote" info rotor/rotor.foam
+    grep -qE 'point +p .*\] m²/s²,' out || { cat out; fail "info does not name units"; }
+    run 0 "$mote" info rotor/rotor.foam --json
+    said out '"unit": "m/s"'
     sections="rotor/rotor.foam --slice z=-0.03,0.06 --density 1000"
     run 0 "$mote" integrate $sections -o head.csv
     run 0 "$mote" integrate $sections --kinematic -o kinematic.csv
