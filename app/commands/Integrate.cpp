@@ -56,9 +56,9 @@ std::string chosen(const std::string& asked, const std::string& usual)
 /// Sections named as the user wrote them.
 void addSections(vtkMoteSurfaceIntegrals* filter, const Settings& settings)
 {
-  const auto slices = slicesOf(settings);
+  const auto slices = slicesOf(settings, 0.0);
   std::size_t next = 0;
-  for (const ShowRange& asked : settings.volume.slices)
+  for (const ShowRange& asked : settings.volume.slices.value_or(std::vector<ShowRange>()))
     for (const Interval& place : asked.intervals)
     {
       vtkMoteSlice* slice = slices[next++];

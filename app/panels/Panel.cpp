@@ -188,6 +188,7 @@ void Panel::drawGroups(const PanelFacts& facts)
   {
     this->drawGroup("Slices", &Panel::drawSlices);
     this->drawGroup("Volume", &Panel::drawVolume);
+    this->drawGroup("Flow", nullptr);
   }
   else if (found_.hasCells)
     this->drawGroup("Volume", &Panel::drawCells);
@@ -198,7 +199,7 @@ void Panel::drawGroups(const PanelFacts& facts)
   this->drawGroup("Camera", &Panel::drawCamera);
   this->drawGroup("Picture", &Panel::drawPictureSize);
   // Groups that come to the table later are seen without a word here.
-  std::vector<std::string> known = {"Volume", "Radius", "Structure", "Slices"};
+  std::vector<std::string> known = {"Volume", "Radius", "Structure", "Slices", "Flow"};
   for (const Row& row : settingsTable())
     if (drawn_.count(row.name) == 0 &&
         std::find(known.begin(), known.end(), row.group) == known.end())

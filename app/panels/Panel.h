@@ -156,6 +156,7 @@ private:
   std::string chooseCut(const char* label, const char* row, const std::vector<ShowRange>& taken);
   void drawNewCut(const double bounds[6]);
   void drawSlices();
+  void changeSlices(std::vector<ShowRange>& slices, const double bounds[6]);
   static bool drawSlice(
     const std::string& name, std::size_t number, const Interval& extent, Interval& place);
   void drawPicked(const PickedFacts& facts);

@@ -165,7 +165,16 @@ void Panel::drawSlices()
   drawn_.insert("slice");
   double bounds[6];
   stage_.bounds(bounds);
-  std::vector<ShowRange>& slices = next_.volume.slices;
+  const std::vector<ShowRange> inForce =
+    stage_.shown().volume.slices.value_or(std::vector<ShowRange>());
+  std::vector<ShowRange> slices = next_.volume.slices.value_or(inForce);
+  this->changeSlices(slices, bounds);
+  if (slices != next_.volume.slices.value_or(inForce))
+    next_.volume.slices = slices;
+}
+
+void Panel::changeSlices(std::vector<ShowRange>& slices, const double bounds[6])
+{
   const CutAxis axis = cutAxisOf(next_.cuts.axis);
   const auto extent = [&](const std::string& name)
   { return extentOf(*cutNamed(name), axis, bounds); };
@@ -191,7 +200,7 @@ void Panel::drawSlices()
     return;
   const Interval all = extent(name);
   if (slices.empty())
-    next_.volume.cloud = false; // which would hide it
+    next_.volume.cloud = "off"; // which would hide it
   auto same = std::find_if(
     slices.begin(), slices.end(), [&](const ShowRange& slice) { return slice.name == name; });
   if (same == slices.end())

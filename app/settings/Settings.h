@@ -118,11 +118,13 @@ struct VolumeSettings
   std::vector<OpacityPoint> opacity; ///< none: choose
   std::optional<double> opacityUnit; ///< the length that opacities are of; none: choose
   std::vector<double> isoValues;
-  bool cloud = true;             ///< whether the volume itself is seen, beside iso-surfaces
-  std::vector<ShowRange> slices; ///< by names of CutSettings::ranges, at places in place of ranges
-  bool unroll = false;           ///< whether slices by r are rolled out flat
-  double walls = 0.0;            ///< opacity of the boundary; 0: it is not shown
-  std::string wallColor = "#b9c2cb"; ///< or "data"
+  std::string cloud = "auto"; ///< "on", "off", "auto": whether the volume itself is seen
+  /// By names of CutSettings::ranges, at places in place of ranges. No list: choose.
+  std::optional<std::vector<ShowRange>> slices;
+  bool unroll = false;             ///< whether slices by r are rolled out flat
+  std::optional<double> walls;     ///< opacity of the boundary; 0: it is not shown; none: choose
+  std::optional<double> nearWalls; ///< of its parts that face the eye; none: choose
+  std::string wallColor = "#d5cfc4"; ///< or "data"
   int repeatAround = 1;              ///< copies around the axis of the cuts
   double edges = 0.0;                ///< pixels, of lines along the edges of cells; 0: none
   bool lit = false;
@@ -133,6 +135,17 @@ struct VolumeSettings
   double cloudTolerance = 0.0; ///< between pixels; 0: every pixel is traced
   std::string structure; ///< a name of vtkMoteVolumeMapper::GetStructureNames(); empty: its default
   bool operator==(const VolumeSettings&) const = default;
+};
+
+/// Streamlines and arrows of vectors in volumes.
+struct FlowSettings
+{
+  int lines = 0, arrows = 0;
+  std::string array;        ///< of vectors; empty: choose
+  std::vector<double> from; ///< none: throughout; or both ends of a line
+  std::optional<double> length, width;
+  double arrowScale = 0.7; ///< length of a mean one, as a share of how far they lie apart
+  bool operator==(const FlowSettings&) const = default;
 };
 
 struct CameraSettings
@@ -238,6 +251,7 @@ struct Settings
   CutSettings cuts;
   ParticleSettings particles;
   VolumeSettings volume;
+  FlowSettings flow;
   CameraSettings camera;
   ViewSettings views;
   LightSettings light;

@@ -172,6 +172,25 @@ bool parseInterval(const std::string& text, Interval& interval)
 
 } // namespace
 
+std::vector<std::string> ValuesOf<std::optional<std::vector<ShowRange>>>::words(
+  const std::optional<std::vector<ShowRange>>& ranges)
+{
+  if (!ranges)
+    return {};
+  return ranges->empty() ? std::vector<std::string>{"none"}
+                         : ValuesOf<std::vector<ShowRange>>::words(*ranges);
+}
+
+std::optional<std::vector<ShowRange>> ValuesOf<std::optional<std::vector<ShowRange>>>::parse(
+  const std::vector<std::string>& words, const Limits& limits)
+{
+  if (words.empty())
+    return std::nullopt;
+  if (words.size() == 1 && words.front() == "none")
+    return std::vector<ShowRange>();
+  return ValuesOf<std::vector<ShowRange>>::parse(words, limits);
+}
+
 ShowRange ValuesOf<ShowRange>::parse(const std::vector<std::string>& words, const Limits&)
 {
   const std::string& text = only(words);

@@ -194,6 +194,17 @@ struct ValuesOf<std::vector<T>>
   }
 };
 
+/// Any number, or none where nothing is to be chosen: "none".
+template <>
+struct ValuesOf<std::optional<std::vector<ShowRange>>>
+{
+  static constexpr Shape shape = Shape::Many;
+  static constexpr bool numeric = false;
+  static std::vector<std::string> words(const std::optional<std::vector<ShowRange>>& ranges);
+  static std::optional<std::vector<ShowRange>> parse(
+    const std::vector<std::string>& words, const Limits& limits);
+};
+
 /// Any number, such as "1=0.5".
 template <>
 struct ValuesOf<std::map<int, double>>

@@ -70,7 +70,7 @@ private:
 
 void adviseOnVolumes(const Stage& stage, std::vector<std::string>& advice)
 {
-  const VolumeSettings& volume = stage.settings().volume;
+  const VolumeSettings &volume = stage.settings().volume, &shown = stage.shown().volume;
   if (!has(stage, Part::Kind::Volume))
   {
     VolumeSettings plain;
@@ -78,7 +78,7 @@ void adviseOnVolumes(const Stage& stage, std::vector<std::string>& advice)
     plain.cloudTolerance = volume.cloudTolerance;
     plain.edges = volume.edges; // of surfaces, too
     plain.repeatAround = volume.repeatAround;
-    if (volume != plain)
+    if (volume != plain || stage.settings().flow != FlowSettings{})
       advice.push_back("the options of volumes (mote help volume) do nothing here: there are no "
                        "cells that are shown as a volume");
     return;
@@ -89,11 +89,21 @@ void adviseOnVolumes(const Stage& stage, std::vector<std::string>& advice)
       advice.push_back(part->name() + " is not shown: its volume has no " +
                        stage.coloring().title() +
                        ", which colours; --color-by names another array");
-  if (!volume.cloud && volume.isoValues.empty() && volume.slices.empty() && volume.walls == 0.0)
-    advice.push_back("--no-cloud leaves nothing of a volume without isosurfaces (--iso), slices "
+  if (shown.cloud == "off" && shown.isoValues.empty() && shown.slices->empty() &&
+      shown.walls == 0.0)
+    advice.push_back("--cloud off leaves nothing of a volume without isosurfaces (--iso), slices "
                      "(--slice) or walls (--walls)");
   const bool exact = volume.integrator == "cell-by-cell";
   Idle idle;
+  if (shown.cloud == "off")
+  {
+    idle.add(!exact, "--integrator");
+    idle.add(volume.sampleDistance.has_value(), "--sample-distance");
+    idle.add(volume.tolerance != VolumeSettings{}.tolerance, "--tolerance");
+    idle.add(volume.cloudTolerance != 0.0, "--cloud-tolerance");
+    idle.add(!volume.opacity.empty(), "--opacity");
+    return idle.tell(advice, "there is no cloud (--cloud)");
+  }
   idle.add(exact && volume.sampleDistance, "--sample-distance");
   idle.add(!exact && volume.tolerance != VolumeSettings{}.tolerance, "--tolerance");
   idle.tell(advice, "the integrator is " + volume.integrator);
@@ -116,9 +126,11 @@ void adviseOnLight(const Stage& stage, std::vector<std::string>& advice)
 {
   const Settings& settings = stage.settings();
   const LightSettings& light = settings.light;
+  const VolumeSettings& shown = stage.shown().volume;
+  const bool hasSurfaces = !shown.isoValues.empty() || shown.walls.value_or(0.0) > 0.0 ||
+                           (shown.slices && !shown.slices->empty());
   if (!has(stage, Part::Kind::Volume) || has(stage, Part::Kind::Particles) ||
-      has(stage, Part::Kind::Surface) || settings.volume.walls > 0.0 ||
-      !settings.volume.isoValues.empty())
+      has(stage, Part::Kind::Surface) || hasSurfaces)
   {
     Idle idle;
     idle.add(light.size != LightSettings{}.size && light.shadows == "none" && !light.pathTrace,
@@ -131,7 +143,7 @@ void adviseOnLight(const Stage& stage, std::vector<std::string>& advice)
   idle.add(light.pathTrace, "--path-trace");
   idle.add(light.place != "auto" && !settings.volume.lit, "--light");
   idle.add(areOn(settings.silhouettes), "--silhouettes");
-  idle.tell(advice, "a volume without isosurfaces (--iso) has no surface");
+  idle.tell(advice, "a volume has no surface without walls, slices and isosurfaces");
 }
 
 void adviseOnColors(const Stage& stage, std::vector<std::string>& advice)

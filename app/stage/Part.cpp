@@ -2,6 +2,7 @@
 
 #include "SimulationBox.h"
 #include "Slices.h"
+#include "VolumeLook.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/Text.h"
@@ -69,7 +70,6 @@ Part::Part(const std::string& name, vtkDataSet* data, const Settings& settings, 
   if (kind_ == Kind::Volume)
   {
     volume_ = std::make_unique<Volume>(settings_.volume, errorShares(settings_).tolerance);
-    volume_->setSlices(slicesOf(settings_));
     walls_ = vtkSmartPointer<vtkMoteMeshMapper>::New();
     actor_->SetMapper(walls_);
   }
@@ -106,7 +106,7 @@ void Part::followSettings()
   if (volume_)
   {
     volume_->update(errorShares(settings_).tolerance);
-    volume_->setSlices(slicesOf(settings_));
+    volume_->setSlices(slicesOf(settings_, data_->GetLength()));
   }
   this->followLook();
 }
@@ -154,6 +154,7 @@ double Part::buildTime() const
 
 void Part::setData(const std::string& name, vtkDataSet* data)
 {
+  const bool isFirst = !data_;
   name_ = name;
   data_ = data;
   cells_ = {};
@@ -171,6 +172,8 @@ void Part::setData(const std::string& name, vtkDataSet* data)
   {
     volume_->setData(vtkUnstructuredGrid::SafeDownCast(data));
     walls_->SetInputData(vtkUnstructuredGrid::SafeDownCast(data));
+    if (isFirst)
+      volume_->setSlices(slicesOf(settings_, data_->GetLength()));
   }
   else
     surface_->setData(data);
@@ -186,7 +189,7 @@ void Part::placeProp()
   const bool isShown = isWhole_ && !isHidden_ && (!volume_ || volume_->isColored());
   this->prop()->SetVisibility(isShown);
   if (volume_)
-    actor_->SetVisibility(isShown && settings_.volume.walls > 0.0);
+    actor_->SetVisibility(isShown && this->hasWalls());
 }
 
 std::vector<vtkProp3D*> Part::props() const
@@ -323,7 +326,7 @@ void Part::build(const Runner& runner)
   isWhole_ = false; // whatever happens, nothing half built is drawn
   this->placeProp();
   this->work(runner, [this] { this->worker()->Update(); });
-  if (volume_ && settings_.volume.walls > 0.0)
+  if (this->hasWalls())
     this->work(runner, [this] { walls_->Update(); });
   isWhole_ = true;
   this->placeProp();
@@ -342,6 +345,8 @@ BuiltPart Part::built(bool forPicture) const
     built.particles = particles_->GetBuilt();
   if (volume_)
     built.volume = volume_->mapper()->GetBuilt(forPicture);
+  if (this->hasWalls())
+    built.mesh = walls_->GetBuilt();
   if (surface_)
   {
     built.mesh = surface_->mapper()->GetBuilt();
@@ -349,10 +354,15 @@ BuiltPart Part::built(bool forPicture) const
   }
   if (built.particles)
     built.memory = {{built.particles.get(), static_cast<std::size_t>(this->structureBytes())}};
-  else if (built.mesh)
+  else if (surface_)
     built.memory = surface_->mapper()->GetMemory();
-  else if (built.volume)
+  else if (volume_)
+  {
     built.memory = volume_->mapper()->GetMemory();
+    if (built.mesh)
+      for (const auto& piece : walls_->GetMemory())
+        built.memory.push_back(piece);
+  }
   return built;
 }
 
@@ -368,7 +378,10 @@ void Part::offer(const BuiltPart& built)
   if (particles_)
     particles_->OfferBuilt(built.particles);
   if (volume_)
+  {
     volume_->mapper()->OfferBuilt(built.volume);
+    walls_->OfferBuilt(built.mesh);
+  }
   if (surface_)
   {
     surface_->mapper()->OfferBuilt(built.mesh);
@@ -403,7 +416,7 @@ void Part::shownBounds(double bounds[6]) const
   else if (volume_)
   {
     volume_->shownBounds(vtkUnstructuredGrid::SafeDownCast(data_), cells_.mask(), bounds);
-    this->repeatAround(bounds);
+    addRepetitions(settings_, bounds);
   }
   else if (const double* own = this->prop()->GetBounds())
     std::copy_n(own, 6, bounds);

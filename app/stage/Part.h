@@ -169,10 +169,10 @@ public:
 private:
   void setRadius();
   void setImages();
+  bool hasWalls() const { return volume_ && settings_.volume.walls.value_or(0.0) > 0.0; }
   void placeProp();
   void followLook();
   void followRepetitions();
-  void repeatAround(double bounds[6]) const;
   void work(const Runner& runner, const std::function<void()>& build);
 
   vtkAlgorithm* worker() const;

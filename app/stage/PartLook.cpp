@@ -6,12 +6,10 @@
 #include "settings/Colors.h"
 
 #include <vtkActor.h>
-#include <vtkBoundingBox.h>
 #include <vtkLookupTable.h>
 #include <vtkMoteParticleMapper.h>
 #include <vtkMoteVolumeMapper.h>
 #include <vtkProperty.h>
-#include <vtkTransform.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkVolume.h>
 
@@ -36,31 +34,6 @@ void Part::followRepetitions()
   set(walls_.Get());
 }
 
-/// Bounds with those of all copies; what is not initialized stays so.
-void Part::repeatAround(double bounds[6]) const
-{
-  const int count = settings_.volume.repeatAround;
-  if (count == 1 || bounds[0] > bounds[1])
-    return;
-  const CutAxis axis = cutAxisOf(settings_.cuts.axis);
-  vtkBoundingBox all;
-  for (int k = 0; k < count; ++k)
-  {
-    vtkNew<vtkTransform> turn;
-    turn->Translate(axis.point.data());
-    turn->RotateWXYZ(360.0 * k / count, axis.direction.data());
-    turn->Translate(-axis.point[0], -axis.point[1], -axis.point[2]);
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      double p[3];
-      for (int i = 0; i < 3; ++i)
-        p[i] = bounds[2 * i + (corner >> i & 1)];
-      all.AddPoint(turn->TransformDoublePoint(p));
-    }
-  }
-  all.GetBounds(bounds);
-}
-
 /// How often it is drawn, and the lines on surfaces; of a volume the look of its walls.
 void Part::followLook()
 {
@@ -75,7 +48,19 @@ void Part::followLook()
   const bool isPlain = parseColor(settings_.volume.wallColor, color);
   if (isPlain)
     look->SetColor(color.data());
-  look->SetOpacity(settings_.volume.walls);
+  const double walls = settings_.volume.walls.value_or(0.0);
+  const double nearWalls = settings_.volume.nearWalls.value_or(walls);
+  look->SetOpacity(nearWalls);
+  if (nearWalls == walls)
+    actor_->SetBackfaceProperty(nullptr);
+  else
+  {
+    vtkNew<vtkProperty> farther;
+    farther->SetOpacity(walls);
+    actor_->SetBackfaceProperty(farther);
+  }
+  // What is looked through keeps no light from what is within.
+  walls_->SetCastsShadows(nearWalls == walls);
   walls_->SetScalarVisibility(!isPlain && arrayOf(data_, colored_) != nullptr);
   this->placeProp();
 }

@@ -88,9 +88,8 @@ void Picture::takeStage(const View& view)
 {
   vtkRenderer* stage = stage_.renderer();
   renderer_->RemoveAllViewProps();
-  for (const std::size_t part : view)
-    for (vtkProp* prop : stage_.parts()[part]->props())
-      renderer_->AddViewProp(prop);
+  for (vtkProp* prop : stage_.propsOf(view))
+    renderer_->AddViewProp(prop);
   renderer_->RemoveAllLights();
   vtkCollectionSimpleIterator next;
   stage->GetLights()->InitTraversal(next);

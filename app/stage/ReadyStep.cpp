@@ -13,6 +13,16 @@
 namespace mote::app
 {
 
+namespace
+{
+
+bool hasSlices(const VolumeSettings& volume)
+{
+  return volume.slices && !volume.slices->empty();
+}
+
+} // namespace
+
 bool ReadyPlan::fits(const ReadyPlan& other) const
 {
   const VolumeSettings &a = settings.volume, &b = other.settings.volume;
@@ -30,7 +40,8 @@ bool ReadyPlan::fits(const ReadyPlan& other) const
          allowsError(settings) == allowsError(other.settings) && a.cells == b.cells &&
          a.structure == b.structure && a.integrator == b.integrator && a.cloud == b.cloud &&
          a.isoValues.empty() == b.isoValues.empty() && // which need a structure
-         a.slices.empty() == b.slices.empty() &&       // the same
+         hasSlices(a) == hasSlices(b) &&               // the same
+         (a.walls.value_or(0.0) > 0.0) == (b.walls.value_or(0.0) > 0.0) &&
          settings.color.array == other.settings.color.array &&
          this->fitsCalculations(other.settings);
 }

@@ -60,14 +60,38 @@ vtkSmartPointer<vtkMoteSlice> sliceAt(
 
 } // namespace
 
-std::vector<vtkSmartPointer<vtkMoteSlice>> slicesOf(const Settings& settings)
+namespace
+{
+
+/// A slice that lies on the face of a cut by the same name lies within, by less than can be seen:
+/// else rounding would cut part of it away.
+double withinCuts(const CutSettings& cuts, const std::string& name, double place, double step)
+{
+  for (const ShowRange& cut : cuts.ranges)
+    if (cut.name == name)
+    {
+      const auto [low, high] = cut.intervals.front();
+      return place == low ? place + step : place == high ? place - step : place;
+    }
+  return place;
+}
+
+} // namespace
+
+std::vector<vtkSmartPointer<vtkMoteSlice>> slicesOf(const Settings& settings, double length)
 {
   std::vector<vtkSmartPointer<vtkMoteSlice>> slices;
   const CutAxis axis = cutAxisOf(settings.cuts.axis);
-  for (const ShowRange& asked : settings.volume.slices)
+  if (!settings.volume.slices)
+    return slices;
+  for (const ShowRange& asked : *settings.volume.slices)
     if (const std::optional<CutKind> kind = cutNamed(asked.name))
       for (const Interval& place : asked.intervals)
-        slices.push_back(sliceAt(*kind, axis, place.low, settings.volume.unroll));
+      {
+        const double step = 1e-7 * (kind->of == CutKind::Angle ? 360.0 : length);
+        slices.push_back(sliceAt(*kind, axis,
+          withinCuts(settings.cuts, asked.name, place.low, step), settings.volume.unroll));
+      }
   return slices;
 }
 

@@ -14,6 +14,7 @@ namespace mote::app
 constexpr std::size_t mostSlices = 32;
 
 /// The slices that --slice asks for, about the axis of --cut-axis, in the order of the settings.
-std::vector<vtkSmartPointer<vtkMoteSlice>> slicesOf(const Settings& settings);
+/// `length` is the size of the data.
+std::vector<vtkSmartPointer<vtkMoteSlice>> slicesOf(const Settings& settings, double length);
 
 } // namespace mote::app

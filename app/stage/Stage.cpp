@@ -2,6 +2,7 @@
 
 #include "Silhouettes.h"
 #include "SimulationBox.h"
+#include "VolumeLook.h"
 #include "base/Failure.h"
 #include "base/Text.h"
 #include "settings/Colors.h"
@@ -14,6 +15,7 @@
 #include <vtkMath.h>
 #include <vtkMoteParticleMapper.h>
 #include <vtkProp3D.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,55 +26,85 @@ namespace mote::app
 {
 
 Stage::Stage(const Settings& settings)
-  : settings_(settings)
+  : asked_(settings)
+  , settings_(settings)
   , lighting_(renderer_, settings_)
   , coloring_(settings_)
   , selection_(settings_)
+  , flow_(settings_)
 {
+  for (vtkActor* actor : flow_.actors())
+    renderer_->AddViewProp(actor);
   setBackground(renderer_, settings.picture.background);
   choose(settings.silhouettes, vtkMoteSilhouettes::RADII, silhouettes_);
   renderer_->GetActiveCamera()->SetParallelProjection(settings.camera.orthographic);
+  this->chooseLook();
+}
+
+void Stage::chooseLook()
+{
+  settings_ = asked_;
+  if (usualSlice_)
+    settings_.volume = lookInForce(asked_, *usualSlice_);
+}
+
+/// Where volumes are sliced the first ones tell: slices stay in place over time steps.
+void Stage::placeSlice(const std::vector<NamedData>& data)
+{
+  std::vector<vtkUnstructuredGrid*> volumes;
+  for (const NamedData& one : data)
+    if (!usualSlice_ && Part::kindOf(one.data, settings_) == Part::Kind::Volume)
+      volumes.push_back(vtkUnstructuredGrid::SafeDownCast(one.data));
+  if (volumes.empty())
+    return;
+  usualSlice_ = fullestSlice(volumes);
+  this->chooseLook();
 }
 
 bool Stage::apply(const Settings& settings)
 {
   const Settings before = settings_;
-  settings_ = settings;
-  if (before.picture.background != settings.picture.background)
-    setBackground(renderer_, settings.picture.background);
+  asked_ = settings;
+  this->chooseLook();
+  if (before.picture.background != settings_.picture.background)
+    setBackground(renderer_, settings_.picture.background);
   lighting_.update(); // which knows samples and tolerances, too
-  if (before.silhouettes != settings.silhouettes)
-    choose(settings.silhouettes, vtkMoteSilhouettes::RADII, silhouettes_);
+  if (before.silhouettes != settings_.silhouettes)
+    choose(settings_.silhouettes, vtkMoteSilhouettes::RADII, silhouettes_);
   const bool otherKinds = std::any_of(parts_.begin(), parts_.end(),
     [&](const auto& part) { return part->kind() != Part::kindOf(part->data(), settings_); });
-  const bool otherData = otherKinds || areOtherCalculations(before, settings);
+  const bool otherData = otherKinds || areOtherCalculations(before, settings_);
   if (otherData)
     this->setData(std::vector<NamedData>(data_));
   for (const auto& part : parts_)
   {
     part->setAmbient(lighting_.ambient());
     // Where nothing changes nothing is touched: a mapper that is told of types builds anew.
-    if (before.particles != settings.particles || before.volume != settings.volume ||
-        before.picture.error != settings.picture.error || before.cuts.axis != settings.cuts.axis)
+    if (before.particles != settings_.particles || before.volume != settings_.volume ||
+        before.picture.error != settings_.picture.error || before.cuts.axis != settings_.cuts.axis)
       part->followSettings();
     part->followLodError();
   }
-  if (before.particles.replicate != settings.particles.replicate)
+  flow_.setAmbient(lighting_.ambient());
+  if (before.particles.replicate != settings_.particles.replicate)
     this->checkImages();
-  if (otherData || before.color != settings.color || before.selection != settings.selection ||
-      before.volume != settings.volume)
+  if (otherData || before.color != settings_.color || before.selection != settings_.selection ||
+      before.volume != settings_.volume)
     this->applyColors();
-  else if (before.cuts != settings.cuts)
+  else if (before.cuts != settings_.cuts)
     this->applyCuts();
   const auto allowsError = [](const Settings& s) { return errorShares(s).lodError > 0.0; };
-  return otherData || before.particles != settings.particles ||
-         allowsError(before) != allowsError(settings) || // which automatic structures depend on
-         before.volume.structure != settings.volume.structure;
+  return otherData || before.particles != settings_.particles ||
+         Flow::areOther(before, settings_) ||
+         allowsError(before) != allowsError(settings_) || // which automatic structures depend on
+         before.volume.structure != settings_.volume.structure;
 }
 
 Settings Stage::settingsInForce() const
 {
-  Settings all = settings_;
+  Settings all = asked_; // from which all of the look of volumes follows, but for one slice
+  if (settings_.volume.slices && !settings_.volume.slices->empty())
+    all.volume.slices = settings_.volume.slices;
   all.color = coloring_.inForce(parts_);
   vtkCamera* camera = renderer_->GetActiveCamera();
   all.camera.orthographic = camera->GetParallelProjection() != 0;
@@ -92,6 +124,7 @@ void Stage::setData(const std::vector<NamedData>& original, const ReadyStep* rea
   if (isReady)
     noteCalculated(settings_, known_);
   data_ = original;
+  this->placeSlice(data);
   bool sameKinds = parts_.size() == data.size();
   for (std::size_t i = 0; sameKinds && i < data.size(); ++i)
     sameKinds = parts_[i]->kind() == Part::kindOf(data[i].data, settings_);
@@ -143,6 +176,9 @@ void Stage::clear()
   parts_.clear();
   data_.clear();
   known_.clear();
+  flow_.clear();
+  usualSlice_.reset();
+  this->chooseLook();
   coloring_.startAnew();
   selection_.startAnew();
 }
@@ -198,6 +234,7 @@ void Stage::build(ProgressRelay& progress)
       part->limitCells(cellLimitsOf(part->data(), settings_.selection, coloring_.choice()));
   for (const auto& part : parts_)
     part->build(progress);
+  flow_.build(parts_, progress.runner());
 }
 
 void Stage::setPreview(bool on)
@@ -235,32 +272,10 @@ bool Stage::isBuilding() const
     [](const auto& part) { return part->particles() && part->particles()->IsBuilding(); });
 }
 
-std::string Stage::preview() const
-{
-  vtkIdType shown = 0;
-  bool any = false;
-  double built = 0.0;
-  for (const auto& part : parts_)
-    if (vtkMoteParticleMapper* mapper = part->particles())
-    {
-      any = any || mapper->IsPreview();
-      shown += mapper->IsPreview() ? mapper->GetNumberOfPreviewParticles()
-                                   : mapper->GetNumberOfParticles();
-      built += mapper->GetBuildProgress() * static_cast<double>(mapper->GetNumberOfParticles());
-    }
-  if (!any)
-    return {};
-  const vtkIdType all = this->numberOfParticles();
-  std::string text =
-    "Preview: " + withThousands(shown) + " of " + counted(all, "particle") + ", enlarged";
-  if (this->isBuilding())
-    text += "; " + asNumber(std::floor(100.0 * built / static_cast<double>(all))) + " % built";
-  return text;
-}
-
 void Stage::applyColors()
 {
   coloring_.apply(parts_);
+  flow_.setColors(coloring_.choice(), coloring_.table());
   selection_.apply(parts_, coloring_.choice(), data_);
   this->applyCuts();
 }
@@ -270,6 +285,7 @@ void Stage::applyCuts()
   cuts_.follow(settings_.cuts);
   for (const auto& part : parts_)
     part->setCuts(cuts_);
+  flow_.setCuts(cuts_);
 }
 
 void Stage::look(double aspect, const Margins& margins)
@@ -339,6 +355,21 @@ std::vector<std::vector<std::size_t>> Stage::views() const
   return views;
 }
 
+std::vector<vtkProp3D*> Stage::propsOf(const std::vector<std::size_t>& view) const
+{
+  std::vector<vtkProp3D*> props;
+  for (const std::size_t part : view)
+    for (vtkProp3D* prop : parts_[part]->props())
+      props.push_back(prop);
+  for (std::size_t i = 0; i < parts_.size(); ++i)
+    if (parts_[i]->kind() == Part::Kind::Volume && !parts_[i]->isHidden() &&
+        std::find(view.begin(), view.end(), i) == view.end())
+      return props;
+  for (vtkActor* actor : flow_.actors())
+    props.push_back(actor);
+  return props;
+}
+
 std::string Stage::viewName(const std::vector<std::size_t>& view) const
 {
   std::vector<std::string> names;
@@ -387,111 +418,6 @@ void Stage::shownBounds(double bounds[6]) const
     box.GetBounds(bounds);
   else
     this->bounds(bounds);
-}
-
-vtkIdType Stage::numberOfParticles() const
-{
-  vtkIdType count = 0;
-  for (const auto& part : parts_)
-    if (part->particles())
-      count += part->particles()->GetNumberOfParticles();
-  return count;
-}
-
-vtkIdType Stage::numberShown() const
-{
-  vtkIdType count = 0;
-  for (const auto& part : parts_)
-    count += part->numberShown();
-  return count;
-}
-
-namespace
-{
-
-/// Whether cells are told of: those of surfaces where some are hidden, else triangles say enough.
-bool isCounted(const Part& part)
-{
-  return part.kind() == Part::Kind::Volume || part.cells().mask();
-}
-
-} // namespace
-
-vtkIdType Stage::numberOfCells() const
-{
-  vtkIdType count = 0;
-  for (const auto& part : parts_)
-    count += isCounted(*part) ? part->data()->GetNumberOfCells() : 0;
-  return count;
-}
-
-vtkIdType Stage::numberOfCellsShown() const
-{
-  vtkIdType count = 0;
-  for (const auto& part : parts_)
-    count += isCounted(*part) ? part->numberOfCellsShown() : 0;
-  return count;
-}
-
-vtkIdType Stage::numberOfTriangles(bool shownOnly) const
-{
-  vtkIdType count = 0;
-  for (std::size_t i = 0; i < parts_.size(); ++i)
-  {
-    // Patches that are not asked for are not missed.
-    const bool isLeftOut = shownOnly || (i < data_.size() && data_[i].isBoundary);
-    if (parts_[i]->surface() && !(isLeftOut && parts_[i]->isHidden()))
-      count += parts_[i]->surface()->mapper()->GetNumberOfTriangles();
-  }
-  return count;
-}
-
-vtkTypeInt64 Stage::structureBytes() const
-{
-  vtkTypeInt64 bytes = 0;
-  for (const auto& part : parts_)
-    bytes += part->structureBytes();
-  return bytes;
-}
-
-double Stage::buildTime() const
-{
-  double seconds = 0.0;
-  for (const auto& part : parts_)
-    seconds += part->buildTime();
-  return seconds;
-}
-
-std::string Stage::contents() const
-{
-  std::string text;
-  const bool particles = std::any_of(
-    parts_.begin(), parts_.end(), [](const auto& part) { return part->particles() != nullptr; });
-  if (particles || parts_.empty())
-  {
-    text = counted(this->numberOfParticles(), "particle");
-    // How many of all are shown a preview does not know.
-    if (this->preview().empty() && this->numberShown() != this->numberOfParticles())
-      text = withThousands(this->numberShown()) + " of " + text + " shown";
-  }
-  int images = 1;
-  for (const auto& part : parts_)
-    images = std::max(images, part->images());
-  if (images > 1)
-    text += ", " + std::to_string(images) + " images";
-  const auto tell = [&](vtkIdType all, vtkIdType shown, const char* what)
-  {
-    if (all > 0)
-      text += (text.empty() ? "" : ", ") +
-              (shown == all ? counted(all, what)
-                            : withThousands(shown) + " of " + counted(all, what) + " shown");
-  };
-  tell(this->numberOfCells(), this->numberOfCellsShown(), "cell");
-  tell(this->numberOfTriangles(false), this->numberOfTriangles(true), "triangle");
-  vtkIdType leftOut = 0;
-  for (const auto& part : parts_)
-    leftOut += part->isHidden() ? 0 : part->numberLeftOut();
-  return leftOut > 0 ? text + " (" + withThousands(leftOut) + " cannot be drawn)" : text;
 }
 
 } // namespace mote::app

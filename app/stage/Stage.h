@@ -2,6 +2,7 @@
 
 #include "Calculated.h"
 #include "Coloring.h"
+#include "Flow.h"
 #include "Framing.h"
 #include "Input.h"
 #include "Lighting.h"
@@ -14,6 +15,7 @@
 #include <vtkRenderer.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace mote::app
@@ -26,7 +28,10 @@ class Stage
 public:
   explicit Stage(const Settings& settings);
 
-  const Settings& settings() const { return settings_; }
+  /// As they were given.
+  const Settings& settings() const { return asked_; }
+  /// The same, with what is chosen of itself of how volumes look; see lookInForce().
+  const Settings& shown() const { return settings_; }
 
   /// Takes other settings and follows them, but for the data, size and camera. Returns whether
   /// build() must follow. Throws Failure where they do not fit the data; then apply() with the
@@ -76,6 +81,7 @@ public:
   Coloring& coloring() { return coloring_; }
   const Coloring& coloring() const { return coloring_; }
   const Lighting& lighting() const { return lighting_; }
+  const Flow& flow() const { return flow_; }
   vtkMoteSilhouettes* silhouettes() const { return silhouettes_; }
   const std::vector<std::unique_ptr<Part>>& parts() const { return parts_; }
 
@@ -96,6 +102,8 @@ public:
   /// "copper.dump": what the view of these parts is called; "copper.dump, step 3/7" where other
   /// data are at another step of theirs.
   std::string viewName(const std::vector<std::size_t>& view) const;
+  /// What is drawn in the view of these parts. Streamlines and arrows are where all volumes are.
+  std::vector<vtkProp3D*> propsOf(const std::vector<std::size_t>& view) const;
 
   /// Bounds of all that is built; else of the simulation box; of a unit cube where there is
   /// nothing.
@@ -126,8 +134,11 @@ private:
   std::string automaticSide() const;
   void setSizes();
   void checkImages() const;
+  void chooseLook();
+  void placeSlice(const std::vector<NamedData>& data);
 
-  Settings settings_; ///< that all below refer to
+  Settings asked_, settings_;           ///< as given; shown(), which all below refer to
+  std::optional<ShowRange> usualSlice_; ///< of volumes, which stays over time steps
   vtkNew<vtkRenderer> renderer_;
   KnownExpressions known_;
   std::vector<NamedData> data_; // one for each of parts_
@@ -137,6 +148,7 @@ private:
   Coloring coloring_;
   Selection selection_;
   Cuts cuts_;
+  Flow flow_;
   bool preview_ = false;
 };
 

@@ -70,7 +70,7 @@ void Volume::update(double tolerance)
   mapper_->SetIntegratorName(settings_.integrator.c_str());
   mapper_->SetSampleDistance(settings_.sampleDistance.value_or(0.0));
   mapper_->SetTolerance(tolerance);
-  mapper_->SetShowCloud(settings_.cloud);
+  mapper_->SetShowCloud(settings_.cloud == "on");
   mapper_->SetEdgeWidth(settings_.edges);
   mapper_->SetShowIsoSurfaces(!settings_.isoValues.empty());
   Color nan = {0.0, 0.0, 0.0};
@@ -245,21 +245,21 @@ bool rangeIn(const ArrayChoice& choice, vtkDataArray* array, vtkIdType cell, vtk
 void Volume::shownBounds(
   vtkUnstructuredGrid* data, vtkUnsignedCharArray* isVisible, double bounds[6]) const
 {
-  if (settings_.walls > 0.0)
-    return data->GetBounds(bounds);
-  if (!settings_.slices.empty() && !settings_.cloud && settings_.isoValues.empty())
+  const std::vector<Interval> everything = {{-HUGE_VAL, HUGE_VAL}};
+  const bool hasCloud = settings_.cloud == "on", hasWalls = settings_.walls.value_or(0.0) > 0.0;
+  const bool hasSlices = settings_.slices && !settings_.slices->empty();
+  if (hasSlices && !hasCloud && !hasWalls && settings_.isoValues.empty())
   {
     mapper_->Update();
     return mapper_->GetSliceBounds(bounds);
   }
-  if (!settings_.slices.empty())
-    return data->GetBounds(bounds);
-  std::vector<Interval> shown = settings_.cloud ? shown_ : std::vector<Interval>();
+  std::vector<Interval> shown = hasSlices || hasWalls ? everything
+                                : hasCloud            ? shown_
+                                                      : std::vector<Interval>();
   for (const double value : settings_.isoValues)
     shown.push_back({value, value});
   vtkDataArray* array = arrayOf(data, choice_);
-  const std::vector<Interval> everything = {{-HUGE_VAL, HUGE_VAL}};
-  if (!array || (settings_.cloud && shown_ == everything && !isVisible))
+  if (!array || (!shown.empty() && shown.front() == everything.front() && !isVisible))
     return data->GetBounds(bounds);
   vtkBoundingBox box;
   const auto cells = vtk::TakeSmartPointer(data->GetCells()->NewIterator());

@@ -58,6 +58,7 @@ const std::vector<Line>& lines()
     {"b l a g", "box, legend, axes, light or dark background",
       {{Next, {"b", "B"}, "box"}, {Next, {"l", "L"}, "legend"}, {Next, {"a", "A"}, "axes"},
         {Next, {"g", "G"}, "background"}}},
+    {"w", "volumes: walls and slices, or the cloud", {{Next, {"w", "W"}, "cloud"}}},
     {"d", "shadows: none, hard, soft", {{Next, {"d", "D"}, "shadows"}}},
     {"t", "light: plain, ambient occlusion, baked ambient occlusion, path tracing",
       {{Next, {"t", "T"}, "ambient-occlusion"}}},

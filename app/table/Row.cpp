@@ -58,9 +58,9 @@ const std::vector<Row>& settingsTable()
   static const std::vector<Row> table = []
   {
     std::vector<Row> rows;
-    for (const auto add :
-      {addDataRows, addColorRows, addSelectionRows, addCutRows, addParticleRows, addVolumeRows,
-        addSliceRows, addCameraRows, addLightRows, addSilhouetteRows, addMarkRows, addPictureRows})
+    for (const auto add : {addDataRows, addColorRows, addSelectionRows, addCutRows, addParticleRows,
+           addVolumeRows, addSliceRows, addFlowRows, addCameraRows, addLightRows, addSilhouetteRows,
+           addMarkRows, addPictureRows})
       add(rows);
     return rows;
   }();

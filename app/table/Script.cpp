@@ -33,12 +33,16 @@ void writeImports(Script& script)
   script.line("import mote");
   script.line("from vtkmodules.vtkCommonCore import vtkLookupTable, vtkUnsignedCharArray");
   script.line("from vtkmodules.vtkCommonDataModel import (");
-  script.line("    vtkCompositeDataSet, vtkImageData, vtkPiecewiseFunction, vtkPlane)");
+  script.line(
+    "    vtkCompositeDataSet, vtkImageData, vtkMultiBlockDataSet, vtkPiecewiseFunction, vtkPlane)");
   script.line("from vtkmodules.vtkFiltersCore import (");
-  script.line("    vtkArrayCalculator, vtkPolyDataNormals, vtkThreshold)");
+  script.line(
+    "    vtkArrayCalculator, vtkGlyph3D, vtkPolyDataNormals, vtkThreshold, vtkTubeFilter)");
   script.line("from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter");
+  script.line("from vtkmodules.vtkFiltersSources import vtkArrowSource");
   script.line("from vtkmodules.vtkRenderingCore import (");
-  script.line("    vtkActor, vtkColorTransferFunction, vtkLight, vtkRenderer, vtkVolume)");
+  script.line(
+    "    vtkActor, vtkColorTransferFunction, vtkLight, vtkProperty, vtkRenderer, vtkVolume)");
   script.line();
   script.line("parts = []  # the data sets");
   script.line("props = []  # what is seen of them");

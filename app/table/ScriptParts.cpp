@@ -1,6 +1,8 @@
 #include "ScriptParts.h"
 
+#include "ScriptActor.h"
 #include "ScriptCuts.h"
+#include "ScriptFlow.h"
 #include "ScriptText.h"
 #include "stage/Calculated.h"
 #include "stage/Ids.h"
@@ -12,7 +14,6 @@
 #include <vtkMoteParticleMapper.h>
 #include <vtkMoteVolumeMapper.h>
 #include <vtkPiecewiseFunction.h>
-#include <vtkProperty.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
@@ -52,51 +53,12 @@ void writeRanges(Script& script, const Part& part, const Settings& settings)
   script.vector("mapper", "SetVisibilityRange", mapper->GetVisibilityRange(), 2);
 }
 
-/// The colours of a mapper, and its actor with what it looks like.
-void writeActor(Script& script, vtkMapper* mapper, const Part& part)
-{
-  script.call("mapper", "SetScalarVisibility", mapper->GetScalarVisibility() != 0);
-  if (mapper->GetScalarVisibility())
-  {
-    script.call("mapper", "SetScalarMode", mapper->GetScalarMode());
-    script.call("mapper", "SelectColorArray", mapper->GetArrayName());
-    script.line("mapper.SetLookupTable(colors)");
-    script.call("mapper", "SetUseLookupTableScalarRange", true);
-  }
-  script.line("prop = vtkActor()");
-  script.line("prop.SetMapper(mapper)");
-  vtkProperty* look = vtkActor::SafeDownCast(part.props().back())->GetProperty();
-  script.line("look = prop.GetProperty()");
-  script.vector("look", "SetColor", look->GetColor());
-  script.call("look", "SetAmbient", look->GetAmbient());
-  script.call("look", "SetDiffuse", look->GetDiffuse());
-  script.call("look", "SetSpecular", look->GetSpecular());
-  script.call("look", "SetSpecularPower", look->GetSpecularPower());
-  if (look->GetOpacity() < 1.0)
-    script.call("look", "SetOpacity", look->GetOpacity());
-  if (!look->GetEdgeVisibility())
-    return;
-  script.line("look.EdgeVisibilityOn()");
-  script.call("look", "SetLineWidth", double(look->GetLineWidth()));
-  script.vector("look", "SetEdgeColor", look->GetEdgeColor());
-}
-
 void writeProp(Script& script, const Part& part)
 {
   if (part.isHidden())
     script.line("prop.VisibilityOff()");
   script.line("props.append(prop)");
   script.line("renderer.AddViewProp(prop)");
-}
-
-template <typename Mapper>
-void writeRepetitions(Script& script, Mapper* mapper)
-{
-  if (mapper->GetRepetitions() == 1)
-    return;
-  script.call("mapper", "SetRepetitions", mapper->GetRepetitions());
-  script.vector("mapper", "SetRepetitionCenter", mapper->GetRepetitionCenter());
-  script.vector("mapper", "SetRepetitionAxis", mapper->GetRepetitionAxis());
 }
 
 /// The boundary of a volume whose cells the script has found.
@@ -110,7 +72,8 @@ void writeWalls(Script& script, const Part& part)
     script.line("mapper.SetVisibleCells(cells.GetVisibleCells())");
   writeRepetitions(script, mapper);
   writeCuts(script, mapper, mapper->GetClipCylinder());
-  writeActor(script, mapper, part);
+  script.call("mapper", "SetCastsShadows", mapper->GetCastsShadows());
+  writeActor(script, vtkActor::SafeDownCast(part.props().back()));
   writeProp(script, part);
 }
 
@@ -138,7 +101,7 @@ void writeParticles(Script& script, const Part& part, const Settings& settings)
     script.call("mapper", "SetPixelsOfError", mapper->GetPixelsOfError());
   writeRanges(script, part, settings);
   writeCuts(script, mapper, mapper->GetClipCylinder());
-  writeActor(script, mapper, part);
+  writeActor(script, vtkActor::SafeDownCast(part.props().back()));
 }
 
 /// Finds the cells that limits leave, but for those of the array `within`; whether any are hidden.
@@ -206,7 +169,7 @@ void writeSurface(
     script.call("mapper", "SetPixelsOfError", surface.mapper()->GetPixelsOfError());
   writeRepetitions(script, surface.mapper());
   writeCuts(script, surface.mapper(), surface.mapper()->GetClipCylinder());
-  writeActor(script, surface.mapper(), part);
+  writeActor(script, vtkActor::SafeDownCast(part.props().back()));
 }
 
 void writeFunctions(Script& script, vtkVolumeProperty* look)
@@ -407,9 +370,10 @@ void writeParts(Script& script, const Stage& stage, const Settings& settings)
     else
       writeVolume(script, part, settings, stage.coloring().choice());
     writeProp(script, part);
-    if (part.kind() == Part::Kind::Volume && settings.volume.walls > 0.0)
+    if (part.kind() == Part::Kind::Volume && stage.shown().volume.walls.value_or(0.0) > 0.0)
       writeWalls(script, part);
   }
+  writeFlow(script, stage, settings.flow);
 }
 
 } // namespace mote::app

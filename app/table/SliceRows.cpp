@@ -11,8 +11,9 @@ namespace mote::app
 namespace
 {
 
-void checkSlices(const std::vector<ShowRange>& slices)
+void checkSlices(const std::optional<std::vector<ShowRange>>& asked)
 {
+  const std::vector<ShowRange> slices = asked.value_or(std::vector<ShowRange>());
   std::size_t count = 0;
   for (const ShowRange& slice : slices)
   {
@@ -43,19 +44,21 @@ void addSliceRows(std::vector<Row>& table)
 {
   const std::string group = "Slices";
   const auto volume = &Settings::volume;
-  table.push_back(row<VolumeSettings, std::vector<ShowRange>>(volume, &VolumeSettings::slices,
-    {.group = group,
-      .name = "slice",
-      .value = "NAME=PLACE,...",
-      .help =
-        "Show volumes sliced: by planes across x, y, z or a direction of three numbers, as in "
-        "1,1,0=5, by cylinders about the axis of --cut-axis at radii r, by planes across it at "
-        "heights h, or by half planes at angles in degrees, which end at the axis. Colours are "
-        "those of the cells' values, to the pixel. The cloud stays unless --no-cloud. May be given "
-        "for several names",
-      .commas = false,
-      .usual = "none"},
-    checkSlices));
+  table.push_back(
+    row<VolumeSettings, std::optional<std::vector<ShowRange>>>(volume, &VolumeSettings::slices,
+      {.group = group,
+        .name = "slice",
+        .value = "NAME=PLACE,...",
+        .help =
+          "Show volumes sliced: by planes across x, y, z or a direction of three numbers, as in "
+          "1,1,0=5, by cylinders about the axis of --cut-axis at radii r, by planes across it at "
+          "heights h, or by half planes at angles in degrees, which end at the axis. Colours are "
+          "those of the cells' values, to the pixel. May be given for several names; none is no "
+          "slice",
+        .commas = false,
+        .usual = "without --cloud, --iso and --streamlines the faces of --cut, else one across the "
+                 "shortest side"},
+      checkSlices));
   table.push_back(row(volume, &VolumeSettings::unroll,
     {.group = group,
       .name = "unroll",
@@ -66,8 +69,18 @@ void addSliceRows(std::vector<Row>& table)
     {.group = group,
       .name = "walls",
       .value = "OPACITY",
-      .help = "Show the boundary of volumes, too, from 0, not at all, to 1, opaque",
-      .limits = {.least = 0.0, .most = 1.0}}));
+      .help = "Show the boundary of volumes, from 0, not at all, to 1, opaque",
+      .limits = {.least = 0.0, .most = 1.0},
+      .usual = "1 without --cloud, else 0"}));
+  table.push_back(row(volume, &VolumeSettings::nearWalls,
+    {.group = group,
+      .name = "near-walls",
+      .value = "OPACITY",
+      .help = "Opacity of the parts of --walls that are seen from outside, and so hide what is "
+              "within: with 0 you look in, onto the walls behind",
+      .limits = {.least = 0.0, .most = 1.0},
+      .usual =
+        "0 where --walls is not given and there is something within, else that of --walls"}));
   table.push_back(row<VolumeSettings, std::string>(volume, &VolumeSettings::wallColor,
     {.group = group,
       .name = "wall-color",

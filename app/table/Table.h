@@ -13,6 +13,7 @@ void addCutRows(std::vector<Row>& table);
 void addParticleRows(std::vector<Row>& table);
 void addVolumeRows(std::vector<Row>& table);
 void addSliceRows(std::vector<Row>& table);
+void addFlowRows(std::vector<Row>& table);
 void addCameraRows(std::vector<Row>& table);
 void addLightRows(std::vector<Row>& table);
 void addSilhouetteRows(std::vector<Row>& table);

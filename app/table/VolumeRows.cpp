@@ -8,6 +8,34 @@ namespace mote::app
 namespace
 {
 
+/// Sessions of earlier versions say true or false.
+Row cloudRow(const std::string& group)
+{
+  Row cloud = row(&Settings::volume, &VolumeSettings::cloud,
+    {.group = group,
+      .name = "cloud",
+      .value = "WHEN",
+      .help = "Whether the volume itself is seen, as a cloud of the opacities of --opacity: on, "
+              "off, or auto, where --opacity, --opacity-unit or --lit is given",
+      .words = {"on", "off", "auto"}});
+  cloud.set = [set = cloud.set](Settings& s, const std::vector<std::string>& words)
+  {
+    std::vector<std::string> now = words;
+    for (std::string& word : now)
+      word = word == "true" ? "on" : word == "false" ? "off" : word;
+    set(s, now);
+  };
+  cloud.next = [](Settings& s, const Settings&)
+  {
+    const bool isUsual = !s.volume.opacity.empty() || s.volume.opacityUnit || s.volume.lit;
+    const bool isOn = s.volume.cloud == "on" || (s.volume.cloud == "auto" && isUsual);
+    s.volume.cloud = !isOn ? "on" : isUsual ? "off" : "auto";
+  };
+  cloud.told = [](const Settings& s)
+  { return s.volume.cloud == "on" ? "The cloud of volumes" : "Walls and slices of volumes"; };
+  return cloud;
+}
+
 void addAppearanceRows(std::vector<Row>& table)
 {
   const std::string group = "Volume";
@@ -43,10 +71,7 @@ void addAppearanceRows(std::vector<Row>& table)
       .value = "VALUE,...",
       .help = "Opaque isosurfaces where the array that colours has these values",
       .usual = "none"}));
-  table.push_back(row(volume, &VolumeSettings::cloud,
-    {.group = group,
-      .name = "cloud",
-      .help = "Draw only the isosurfaces of --iso, not the volume itself"}));
+  table.push_back(cloudRow(group));
   table.push_back(row(volume, &VolumeSettings::lit,
     {.group = group,
       .name = "lit",

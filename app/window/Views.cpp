@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace mote::app
 {
@@ -143,9 +144,8 @@ void Views::move(const std::vector<std::vector<std::size_t>>& views)
   {
     std::vector<vtkProp*> wanted;
     if (i < columns_)
-      for (const std::size_t part : views[i])
-        for (vtkProp* prop : stage_.parts()[part]->props())
-          wanted.push_back(prop);
+      for (vtkProp* prop : stage_.propsOf(views[i]))
+        wanted.push_back(prop);
     if (wanted == column_[i].props)
       continue;
     for (vtkProp* prop : column_[i].props)
@@ -154,12 +154,13 @@ void Views::move(const std::vector<std::vector<std::size_t>>& views)
       column_[i].renderer->AddViewProp(prop);
     column_[i].props = wanted;
   }
-  for (const auto& part : stage_.parts())
-    for (vtkProp* prop : part->props())
-      if (this->isSideBySide())
-        stage_.renderer()->RemoveViewProp(prop);
-      else if (!stage_.renderer()->HasViewProp(prop))
-        stage_.renderer()->AddViewProp(prop);
+  std::vector<std::size_t> all(stage_.parts().size());
+  std::iota(all.begin(), all.end(), 0);
+  for (vtkProp* prop : stage_.propsOf(all))
+    if (this->isSideBySide())
+      stage_.renderer()->RemoveViewProp(prop);
+    else if (!stage_.renderer()->HasViewProp(prop))
+      stage_.renderer()->AddViewProp(prop);
 }
 
 View* Views::at(int x, int y)

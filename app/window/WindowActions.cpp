@@ -209,7 +209,7 @@ void Window::fitToArray(Settings& next) const
     return;
   }
   next.volume.isoValues.clear();
-  next.volume.cloud = true;
+  next.volume.cloud = "auto";
   if (std::any_of(next.volume.opacity.begin(), next.volume.opacity.end(),
         [](const OpacityPoint& point) { return !point.isShare; }))
     next.volume.opacity.clear();

@@ -1,5 +1,7 @@
 #include "MoteProp.h"
 
+#include "SceneBridge.h"
+
 #include "RotatedCopies.h"
 #include "vtkMoteMeshMapper.h"
 
@@ -39,7 +41,7 @@ public:
   }
   std::vector<vtkMTimeType> times() const override
   {
-    return {mapper_->GetPictureMTime(), prop_->GetProperty()->GetMTime()};
+    return {mapper_->GetPictureMTime(), lookTimeOf(prop_)};
   }
   bool picksCells() const override { return true; }
   double pickedValue(const ScenePick& pick) const override { return mapper_->ValueOf(pick); }

@@ -1,5 +1,7 @@
 #include "MoteProp.h"
 
+#include "SceneBridge.h"
+
 #include "PeriodicImages.h"
 #include "vtkMoteParticleMapper.h"
 
@@ -44,7 +46,7 @@ public:
   }
   std::vector<vtkMTimeType> times() const override
   {
-    return {mapper_->GetPictureMTime(), prop_->GetProperty()->GetMTime()};
+    return {mapper_->GetPictureMTime(), lookTimeOf(prop_)};
   }
   vtkDataArray* particleArray(const char* name) const override
   {

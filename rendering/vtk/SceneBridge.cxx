@@ -132,6 +132,8 @@ void describeActor(vtkActor* actor, SurfaceObject& object)
     object.edges = {property->GetLineWidth(), Vec4f(toColor(property->GetEdgeColor()), 1.0f)};
   Material& m = object.material;
   m.opacity = static_cast<float>(property->GetOpacity());
+  if (vtkProperty* back = actor->GetBackfaceProperty())
+    object.backOpacity = static_cast<float>(back->GetOpacity());
   if (!property->GetLighting())
   {
     m.ambient = 1.0f;
@@ -145,6 +147,12 @@ void describeActor(vtkActor* actor, SurfaceObject& object)
   m.specular = static_cast<float>(property->GetSpecular());
   m.specularColor = toColor(property->GetSpecularColor());
   m.specularPower = static_cast<float>(property->GetSpecularPower());
+}
+
+vtkMTimeType lookTimeOf(vtkActor* actor)
+{
+  vtkProperty* back = actor->GetBackfaceProperty();
+  return std::max(actor->GetProperty()->GetMTime(), back ? back->GetMTime() : vtkMTimeType(0));
 }
 
 Material materialOf(vtkVolumeProperty* property)

@@ -32,6 +32,9 @@ Mat4d placementOf(vtkProp3D* prop);
 /// Placement, material and plain colour of an actor.
 void describeActor(vtkActor* actor, SurfaceObject& object);
 
+/// When what describeActor() reads of the actor's properties changed last.
+vtkMTimeType lookTimeOf(vtkActor* actor);
+
 /// How a volume, and a surface in it, answers light.
 Material materialOf(vtkVolumeProperty* property);
 

@@ -352,6 +352,14 @@ bool vtkMoteMeshMapper::DescribeTo(mote::SurfaceObject& object, vtkActor* actor)
   if (normals && normals->GetNumberOfTuples() == input->GetNumberOfPoints() &&
       actor->GetProperty()->GetInterpolation() != VTK_FLAT)
     look.normals = impl.viewOf(normals);
+  // What is wholly transparent from outside is not met at all: that is faster, and walls without
+  // thickness are met from the side that is seen.
+  if (object.backOpacity && object.material.opacity == 0.0f)
+  {
+    look.isInner = true;
+    object.material.opacity = *object.backOpacity;
+    object.backOpacity.reset();
+  }
   this->AllowError(object, look, ofCells);
   object.surface = mote::MeshSurface(impl.geometry.tree(), look);
   object.castsShadows = this->CastsShadows;
@@ -362,8 +370,7 @@ bool vtkMoteMeshMapper::DescribeTo(mote::SurfaceObject& object, vtkActor* actor)
 /// Makes R-LODs and their colours, where an error is allowed and they were not made before.
 void vtkMoteMeshMapper::AllowError(mote::SurfaceObject& object, mote::MeshLook& look, bool ofCells)
 {
-  const bool opaque = object.material.opacity >= 1.0f && !object.coloring.mayBeTransparent();
-  if (!(this->PixelsOfError > 0.0) || !opaque)
+  if (!(this->PixelsOfError > 0.0) || object.mayBeTransparent() || look.isInner)
     return;
   Internals& impl = *this->Impl;
   look.poe = this->PixelsOfError;

@@ -423,9 +423,9 @@ void vtkMoteParticleMapper::AllowError(mote::SurfaceObject& object)
 {
   Internals& impl = *this->Impl;
   mote::SurfaceColoring& coloring = object.coloring;
-  const bool opaque = object.material.opacity >= 1.0f && !coloring.mayBeTransparent();
   // Boxes cannot be closed where they are cut.
-  if (!(this->PixelsOfError > 0.0) || !opaque || !object.clip.isAll() || !impl.model.makeLods())
+  if (!(this->PixelsOfError > 0.0) || object.mayBeTransparent() || !object.clip.isAll() ||
+      !impl.model.makeLods())
     return;
   object.surface = mote::ParticleSurface(impl.model.structure(), this->PixelsOfError);
   const mote::ArrayView& array = coloring.direct.empty() ? coloring.values : coloring.direct;

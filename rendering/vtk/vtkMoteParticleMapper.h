@@ -4,9 +4,8 @@
  *
  * Input is any vtkPointSet; each of its points is a particle, cells are not looked at. Use it with
  * a vtkActor, as any mapper: position, scale and orientation of the actor, visibility, and the
- * ambient, diffuse, specular and opacity terms and the colour of its vtkProperty hold. An opacity
- * below 1 lets the background show through the first surface that is met; surfaces behind it stay
- * hidden.
+ * ambient, diffuse, specular and opacity terms and the colour of its vtkProperty hold. What
+ * lies behind an opacity below 1 shines through, in order.
  *
  * Colours come from any array, as in other mappers: ScalarVisibility, ScalarMode,
  * SelectColorArray(), ColorMode, LookupTable, ScalarRange; component or magnitude of a vector are

@@ -114,7 +114,6 @@ TEST(CommandTable, DefaultsAreThoseOfTheClassesThatTheySet)
   EXPECT_EQ(settings.average.resolution, average->GetResolution());
   vtkNew<vtkMoteVolumeMapper> volume;
   EXPECT_EQ(settings.volume.tolerance, volume->GetTolerance());
-  EXPECT_EQ(settings.volume.cloud, volume->GetShowCloud() != 0);
   vtkNew<vtkMoteShading> shading;
   EXPECT_EQ(settings.volume.cloudTolerance, shading->GetCloudTolerance());
   vtkNew<vtkMoteSilhouettes> lines;

@@ -51,6 +51,8 @@ std::vector<std::string> sampleOf(const Row& row)
     {"iso", {"0.1", "-2"}},
     {"slice", {"z=0.5", "angle=-30,90", "1,1,0=2"}},
     {"wall-color", {"#203040"}},
+    {"flow-from", {"0", "0", "0", "1", "2", "0.5"}},
+    {"flow-array", {"U"}},
     {"nan-color", {"navy"}},
     {"plain-color", {"#203040"}},
     {"camera", {"1", "2", "3", "0", "0", "0", "0", "0", "1", "30.000000000000004"}},

@@ -224,13 +224,13 @@ case $3 in
     [ ! -s err ] || { cat err; fail "something on standard error"; }
     for options in '--integrator cell-by-cell --tolerance 0.01' '--integrator inverse-distance' \
       '--sample-distance 0.02' '--cell-structure cartgrid --cloud-tolerance 0' '--lit' \
-      '--opacity 0%=0,100%=0.5' '--opacity-unit 0.5' '--iso 120000' '--iso 0,120000 --no-cloud' \
+      '--opacity 0%=0,100%=0.5' '--opacity-unit 0.5' '--iso 120000' '--iso 0,120000 --cloud off' \
       '--color-by velocity:magnitude' '--show pressure=100000:' '--time 0.01' '--nan-color red'; do
       # shellcheck disable=SC2086
       run 0 "$mote" render pump:0.002 -o b.png --size 320x240 --samples 1 $options
       is_picture b.png 320x240
     done
-    run 0 "$mote" render pump:0.002 -o b.exr --size 64x48 --samples 1 --iso 120000 --no-cloud
+    run 0 "$mote" render pump:0.002 -o b.exr --size 64x48 --samples 1 --iso 120000 --cloud off
     run 0 "$mote" render "$data/swirl.0.vtu" -o b.png --size 320x240 --samples 1
     is_picture b.png 320x240
     run 0 "$mote" render "$data/swirl.0.vtu" "$hopper" -o b.png --size 320x240 --samples 1

@@ -40,8 +40,8 @@ case $3 in
       run 0 "$mote" render "$input" -o some.png --size 160x120 --cut z=:0 --cut angle=20:300
       cmp -s all.png some.png && fail "$input is not cut"
     done
-    run 0 "$mote" render pump:0.02:rotor -o all.png --size 160x120 --iso 50000 --no-cloud
-    run 0 "$mote" render pump:0.02:rotor -o some.png --size 160x120 --iso 50000 --no-cloud --cut r=0.1:
+    run 0 "$mote" render pump:0.02:rotor -o all.png --size 160x120 --iso 50000 --cloud off
+    run 0 "$mote" render pump:0.02:rotor -o some.png --size 160x120 --iso 50000 --cloud off --cut r=0.1:
     ! cmp -s all.png some.png || fail "isosurfaces are not cut"
     ;;
 

@@ -83,7 +83,7 @@ case $3 in
     run 1 "$mote" render a.vtp -o b.png --where 'nothing > 1'
     said err nothing
     # Of a volume; its isosurfaces; its walls, with those that come to light.
-    for look in '' '--iso 0.02 --no-cloud' '--cells surface'; do
+    for look in '' '--iso 0.02 --cloud off' '--cells surface'; do
       set -- --color-by U --view +y $look # options
       draw whole.png "$data/swirl.1.vtu" "$@"
       draw half.png "$data/swirl.1.vtu" "$@" --show x=0:

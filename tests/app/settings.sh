@@ -281,16 +281,17 @@ case $3 in
       one_sentence
     }
     idle '--iso: there is no surface at 77' "$data/swirl.1.vtu" --color-by p --iso 77
-    idle '--shadows, --silhouettes do nothing' "$data/swirl.1.vtu" --shadows soft --silhouettes
-    idle '--ambient-occlusion does nothing' "$data/swirl.1.vtu" --ao live
+    idle '--shadows, --silhouettes do nothing' "$data/swirl.1.vtu" --cloud on --shadows soft --silhouettes
+    idle '--ambient-occlusion does nothing' "$data/swirl.1.vtu" --cloud on --ao live
     idle 'the options of volumes' "$hopper" --opacity 0%=0.5
     printf 'x,y,z,v\n0,0,0,-1\n1,1,1,2\n' >signed.csv
     idle 'the options of volumes' "$hopper" --opacity 0%=0.5
-    idle '--path-trace, --light do nothing' "$data/swirl.1.vtu" --path-trace --light left
+    idle '--path-trace, --light do nothing' "$data/swirl.1.vtu" --cloud on --path-trace --light left
     idle '--structure, --form do nothing' "$data/swirl.1.vtu" --structure pkd-tree --form 4-byte
-    idle '--sample-distance does nothing' "$data/swirl.1.vtu" --sample-distance 0.001
-    idle '--tolerance does nothing' "$data/swirl.1.vtu" --integrator trilinear --tolerance 0.5
-    idle '--no-cloud leaves nothing' "$data/swirl.1.vtu" --no-cloud
+    idle '--sample-distance does nothing' "$data/swirl.1.vtu" --cloud on --sample-distance 0.001
+    idle '--tolerance does nothing' "$data/swirl.1.vtu" --cloud on --integrator trilinear --tolerance 0.5
+    idle '--integrator, --tolerance do nothing here: there is no cloud' "$data/swirl.1.vtu" --integrator trilinear --tolerance 0.5
+    idle '--cloud off leaves nothing' "$data/swirl.1.vtu" --cloud off --slice none --walls 0
     idle '--range, --title do nothing' "$hopper" --color-by none --range 0 1 --title speed
     idle '--legend-side does nothing' "$hopper" --no-legend --legend-side left
     idle '--light-size does nothing' "$hopper" --light-size 60
@@ -357,7 +358,7 @@ case $3 in
 
   topics) # help about a group, an option, the keys; the reference is what the table says
     for topic in data colour selection radius structure volume camera light silhouettes picture \
-      keys formats animate shadows legend no-cloud color bake render probe \
+      keys formats animate shadows legend cloud color bake render probe \
       --range -c ao save-session all-steps; do
       run 0 "$mote" help "$topic"
       [ "$(wc -l <out)" -ge 2 ] || fail "little help about $topic"

@@ -15,7 +15,7 @@ case $3 in
   pictures) # places, directions, cylinders; walls and edges; sessions
     source "$tests/common.sh"
     unset DISPLAY
-    view=(--no-cloud --camera 0.3,0.3,0.4,0,0,0.02,0,0,1,30)
+    view=(--cloud off --camera 0.3,0.3,0.4,0,0,0.02,0,0,1,30)
     shot "${view[@]}" --slice z=0.03
     mv picture.png plane.png
     shot "${view[@]}" --slice 0,0,5=0.03
@@ -40,7 +40,7 @@ case $3 in
     done
     shot "${view[@]}" --walls 1 --wall-color data --color-by velocity
     mv picture.png walls.png
-    shot --cells surface --color-by velocity "${view[@]:1}"
+    shot --cells surface --color-by velocity "${view[@]:2}"
     alike walls.png picture.png
     # Of a sector the wheel: what each copy shows is what the whole shows there.
     for what in "--slice z=0.03" "--slice r=0.07 --unroll" "--walls 1" "--iso 20000"; do
@@ -55,9 +55,9 @@ case $3 in
     run 0 "$mote" render s.json -o picture.png
     alike all.png picture.png
     # What is rolled out is framed, whichever half turn it is.
-    shot --no-cloud --slice r=0.07 --unroll --view +x
+    shot --cloud off --slice r=0.07 --unroll --view +x
     mv picture.png flat.png
-    shot --no-cloud --slice r=9 --view +x
+    shot --cloud off --slice r=9 --view +x
     other flat.png picture.png
     ;;
 
@@ -75,7 +75,7 @@ case $3 in
     said err '--walls'
     run 2 "$mote" render $pump -o a.png --wall-color blurple
     said err '--wall-color'
-    run 0 "$mote" render $pump -o a.png --size 80x60 --no-cloud
+    run 0 "$mote" render $pump -o a.png --size 80x60 --cloud off --slice none --walls 0
     said err '--slice'
     run 0 "$mote" render sphere:100 -o a.png --size 80x60 --slice x=0
     said err 'do nothing here'
@@ -83,7 +83,7 @@ case $3 in
 
   window) # slices are added, dragged and taken away; walls and edges; undone; picked
     source "$tests/panel_common.sh"
-    open $pump --size 1000x760 --color-by pressure
+    open $pump --size 1000x760 --color-by pressure --cloud on
     click 'group Data'
     click 'group Colour'
     click 'group Selection'
@@ -91,7 +91,7 @@ case $3 in
     click 'group Slices'
     click slice
     click z
-    has '--no-cloud'
+    has '--cloud=off'
     has '--slice=z=0.02[0-9]* '
     picture plane.png
     differ cloud.png plane.png
@@ -111,9 +111,39 @@ case $3 in
     differ moved.png two.png
     for _ in $(seq 5); do press ctrl+z; done
     has_no '--slice'
-    has_no '--no-cloud'
+    has_no '--cloud=off'
     picture again.png
     alike cloud.png again.png
+    quit
+    ;;
+
+  first) # the first view: walls that are looked into, and a slice, which the window shows, too
+    source "$tests/panel_common.sh"
+    run 0 "$mote" render $pump -o first.png --size 200x160 --samples 1 --caption '' --save-session s.json
+    slice=$(python3 -c 'import json; print(json.load(open("s.json"))["slices"]["slice"][0])')
+    [[ $slice == z=0.0[12]* ]] || fail "the slice lies at $slice, not in the rotor"
+    look=(render $pump --size 200x160 --samples 1 --caption '')
+    run 0 "$mote" "${look[@]}" -o same.png --cloud off --slice "$slice" --walls 1 --near-walls 0
+    cmp first.png same.png || fail 'the first view is not what its options say'
+    for other in "--cloud on" "--slice none" "--walls 0" "--near-walls 1" "--iso 20000" "--cut x=0:"; do
+      # shellcheck disable=SC2086
+      run 0 "$mote" "${look[@]}" -o other.png $other
+      differ first.png other.png
+    done
+    # What is cut open shows its cells there.
+    run 0 "$mote" "${look[@]}" -o faces.png --cut x=0: --slice x=0
+    cmp other.png faces.png || fail 'a cut is not closed by the cells that it goes through'
+    open $pump --size 1000x760 --color-by pressure
+    has "--slice=$slice "
+    picture walls.png
+    press w
+    has '--cloud=on'
+    has_no '--slice'
+    picture cloud.png
+    differ walls.png cloud.png
+    press w
+    picture again.png
+    alike walls.png again.png
     quit
     ;;
 

@@ -94,9 +94,14 @@ case $3 in
     click 'iso lines' 0.3 0.5
     xdotool click 3
     has '--iso=0.000[0-9]* '
-    task 26 'isosurfaces alone'
-    click cloud 0.05
-    has '--no-cloud'
+    task 26 'the cloud beside them, or without it'
+    click cloud
+    click on
+    has '--cloud=on'
+    changed
+    click cloud
+    click off
+    has '--cloud=off'
     changed
     quit
     ;;

@@ -83,6 +83,7 @@ bool BundleFrame::place(const RlodTreeView& view, const RayBundle& bundle, bool 
   const double volume = glm::dot(glm::cross(dx, dy), direction);
   if (!(std::abs(volume) > 0.02 * glm::length(dx) * glm::length(dy) * speed))
     return false;
+  handedness = volume > 0.0 ? 1.0f : -1.0f;
 
   // p = origin + t direction + (x dx + y dy) (t or 1): these are the rows of the inverse.
   const Vec3d toT = glm::cross(dx, dy) / volume;

@@ -30,6 +30,9 @@ struct MeshLook
   /// has R-LODs: see RlodTree::cast(). To be 0 where the triangles are not opaque: behind an R-LOD
   /// they would be met once more.
   double poe = 0.0;
+  /// Rays of cast() meet triangles from their inner side alone, and pass through the others: to be
+  /// looked into. `poe` does not count then. Occlusion rays meet both.
+  bool isInner = false;
 
   bool operator==(const MeshLook&) const = default;
 };
@@ -57,14 +60,14 @@ public:
 
   Box bounds() const { return tree_->bounds(); }
   double rounding() const;
-  double pixelsOfError() const { return tree_->hasLods() ? look_.poe : 0.0; }
+  double pixelsOfError() const { return tree_->hasLods() && !look_.isInner ? look_.poe : 0.0; }
   double clearance(std::uint64_t slot, double cosine) const;
   std::uint64_t meanPlace(std::uint64_t slot) const
   {
     return RlodTree::isLod(slot) ? RlodTree::lodPlace(slot) : RlodTree::noHit;
   }
-  void cast(RayBundle& rays, std::int32_t index) const { tree_->cast(rays, index, look_.poe); }
-  void cast(RayPacket& rays, std::int32_t index) const { tree_->cast(rays, index, look_.poe); }
+  void cast(RayBundle& rays, std::int32_t index) const { this->castRays(rays, index); }
+  void cast(RayPacket& rays, std::int32_t index) const { this->castRays(rays, index); }
   void occlude(RayBundle& rays, std::int32_t index) const
   {
     tree_->occlude(rays, index, look_.poe);
@@ -95,6 +98,14 @@ public:
   bool operator==(const MeshSurface&) const = default;
 
 private:
+  template <typename Rays>
+  void castRays(Rays& rays, std::int32_t index) const
+  {
+    if (look_.isInner)
+      tree_->castInner(rays, index);
+    else
+      tree_->cast(rays, index, look_.poe);
+  }
   bool isSmooth() const { return !look_.normals.empty() && look_.corners; }
   std::array<double, 3> sharesAt(std::uint64_t slot, const Vec3d& point) const;
   MeshCorners::Corners pointsOf(std::uint64_t slot) const

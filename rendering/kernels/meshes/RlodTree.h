@@ -97,6 +97,10 @@ public:
   /// them by less than the error may hit too. 0 is exact.
   void cast(RayBundle& bundle, std::int32_t object, double poe = 0.0) const;
   void cast(RayPacket& packet, std::int32_t object, double poe = 0.0) const;
+  /// The same of triangles that the ray meets from their inner side, the one that their normals
+  /// look away from; exact. The others are not there.
+  void castInner(RayBundle& bundle, std::int32_t object) const;
+  void castInner(RayPacket& packet, std::int32_t object) const;
   /// t of each ray that meets a triangle with tMin < t < its t becomes -infinity; slot and object
   /// stay as they are. `poe` as in cast(), but R-LODs do not count that hold the end of a ray which
   /// lies on a surface within twice their deviation: that surface would be in its own shadow. In

@@ -24,6 +24,11 @@ bool castNearest(const RlodTreeView& view, RayBundle& bundle, std::int32_t objec
   return castBundle<NearestHit>(view, bundle, object, poe, counts);
 }
 
+bool castNearestInner(const RlodTreeView& view, RayBundle& bundle, std::int32_t object)
+{
+  return castBundle<NearestInnerHit>(view, bundle, object, 0.0, nullptr);
+}
+
 bool castAny(const RlodTreeView& view, RayBundle& bundle, std::int32_t object, double poe)
 {
   return castBundle<AnyHit>(view, bundle, object, poe, nullptr);
@@ -33,6 +38,11 @@ void castNearestOfPacket(
   const RlodTreeView& view, RayPacket& packet, std::int32_t object, double poe)
 {
   castPacketNearest(view, packet, object, poe);
+}
+
+void castNearestInnerOfPacket(const RlodTreeView& view, RayPacket& packet, std::int32_t object)
+{
+  castWaveNearest<NearestInnerHit, false>(view, packet, object, 0.0);
 }
 
 void castAnyOfPacket(const RlodTreeView& view, RayPacket& packet, double poe)
@@ -54,8 +64,10 @@ namespace mote
 {
 
 HWY_EXPORT(castNearest);
+HWY_EXPORT(castNearestInner);
 HWY_EXPORT(castAny);
 HWY_EXPORT(castNearestOfPacket);
+HWY_EXPORT(castNearestInnerOfPacket);
 HWY_EXPORT(castAnyOfPacket);
 
 namespace
@@ -87,6 +99,20 @@ void RlodTree::cast(RayPacket& packet, std::int32_t object, double poe) const
 {
   if (size() > 0)
     HWY_DYNAMIC_DISPATCH(castNearestOfPacket)(RlodTreeView(*this), packet, object, poe);
+}
+
+void RlodTree::castInner(RayPacket& packet, std::int32_t object) const
+{
+  if (size() > 0)
+    HWY_DYNAMIC_DISPATCH(castNearestInnerOfPacket)(RlodTreeView(*this), packet, object);
+}
+
+void RlodTree::castInner(RayBundle& bundle, std::int32_t object) const
+{
+  if (size() == 0 || HWY_DYNAMIC_DISPATCH(castNearestInner)(RlodTreeView(*this), bundle, object))
+    return;
+  askInPackets(
+    bundle, OnSurface::Neither, [&](RayPacket& packet, int) { castInner(packet, object); });
 }
 
 void RlodTree::occlude(RayPacket& packet, std::int32_t, double poe) const

@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -89,11 +90,23 @@ struct SurfaceObject
   SurfaceColoring coloring;
   EdgeLook edges;
   Material material;
+  /// Opacity in place of the material's where the eye looks at the inner side: where the outward
+  /// normal (SurfaceKind::normalAt()) looks away from it. None: the material's.
+  std::optional<float> backOpacity;
   /// By slot, or null. Local shading takes the ambient light from them in place of rays; see
   /// OcclusionOptions for what has no map.
   std::shared_ptr<const OcclusionMaps> occlusion;
   /// Whether it keeps the light of lights from others. The sky's it keeps, and it is seen.
   bool castsShadows = true;
+
+  /// The opacity of all hits, where colours add none of their own to it.
+  float evenOpacity() const { return backOpacity ? 1.0f : material.opacity; }
+  /// Whether rays may go on behind it.
+  bool mayBeTransparent() const
+  {
+    return material.opacity < 1.0f || backOpacity.value_or(1.0f) < 1.0f ||
+           coloring.mayBeTransparent();
+  }
 
   bool operator==(const SurfaceObject&) const = default;
 };

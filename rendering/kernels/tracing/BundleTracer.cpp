@@ -52,8 +52,7 @@ BundleTracer::BundleTracer(
   for (const SurfaceObject& object : scene.surfaces)
   {
     shaders_.emplace_back(object);
-    isTransparent_ =
-      isTransparent_ || object.material.opacity < 1.0f || object.coloring.mayBeTransparent();
+    isTransparent_ = isTransparent_ || object.mayBeTransparent();
     mayErr_ = mayErr_ || pixelsOfError(object) > 0.0;
   }
   // Positions count from where the rays start: they are small numbers wherever the scene lies.

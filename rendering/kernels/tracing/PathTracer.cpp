@@ -271,7 +271,7 @@ void PathTracer::shade(SurfaceBlock& block) const
       addLight(work, light, bounce);
     goOn(work, bounce);
   }
-  const float opacity = rays_.surface(block.surface).material.opacity;
+  const float opacity = rays_.surface(block.surface).evenOpacity();
   for (int k = 0; k < block.count; ++k)
   {
     const float alpha = block.color[k][3] * opacity;

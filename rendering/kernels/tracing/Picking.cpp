@@ -14,10 +14,13 @@ namespace
 bool isClear(const SceneRays& rays, const PassingRay& ray)
 {
   const SurfaceObject& object = rays.surface(ray.object);
-  if (object.material.opacity != 0.0f && !object.coloring.mayBeTransparent())
+  if (!object.mayBeTransparent())
     return false;
-  const Vec3d local = transformPoint(rays.toLocal(ray.object), ray.origin + ray.t * ray.direction);
-  return object.material.opacity * SurfaceShader(object).colorOf(ray.slot, local).a == 0.0f;
+  const Mat4d& toLocal = rays.toLocal(ray.object);
+  const Vec3d local = transformPoint(toLocal, ray.origin + ray.t * ray.direction);
+  const SurfaceShader shader(object);
+  const Vec3d way = transformVector(toLocal, ray.direction);
+  return shader.sideOpacity(ray.slot, local, way) * shader.colorOf(ray.slot, local).a == 0.0f;
 }
 
 template <typename Kind>

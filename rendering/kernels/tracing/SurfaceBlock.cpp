@@ -101,10 +101,10 @@ void addHighlight(SurfaceBlock& b, const Vec3f& color)
   addScaled(b.highlight, b.shine, color, b.count);
 }
 
-void finish(SurfaceBlock& b, const Material& m)
+void finish(SurfaceBlock& b, const Material& m, float times)
 {
   const DF d;
-  const VF one = hn::Set(d, 1.0f), opacity = hn::Set(d, m.opacity);
+  const VF one = hn::Set(d, 1.0f), opacity = hn::Set(d, times);
   const bool specular = m.specular > 0.0f;
   for (int i = 0; i < b.count; i += static_cast<int>(hn::Lanes(d)))
   {
@@ -189,9 +189,9 @@ void addLight(SurfaceBlock& block, const Vec3f& color, const Material& material)
   HWY_DYNAMIC_DISPATCH(addHighlight)(block, color * material.specular);
 }
 
-void finishSurfaces(SurfaceBlock& block, const Material& material)
+void finishSurfaces(SurfaceBlock& block, const Material& material, float opacity)
 {
-  HWY_DYNAMIC_DISPATCH(finish)(block, material);
+  HWY_DYNAMIC_DISPATCH(finish)(block, material, opacity);
 }
 
 } // namespace mote

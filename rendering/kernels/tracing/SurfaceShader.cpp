@@ -196,6 +196,14 @@ void SurfaceShader::fillColors(
     });
 }
 
+float SurfaceShader::sideOpacity(std::uint64_t slot, const Vec3d& local, const Vec3d& way) const
+{
+  const Vec3d outward =
+    withSurface(object_.surface, [&](const auto& s) { return s.normalAt(slot, local); });
+  return glm::dot(outward, way) > 0.0 ? object_.backOpacity.value_or(object_.material.opacity)
+                                      : object_.material.opacity;
+}
+
 Vec4f SurfaceShader::colorOf(std::uint64_t slot, const Vec3d& local) const
 {
   float color[1][4];
@@ -263,6 +271,9 @@ void SurfaceShader::place(
   };
   this->fillColors(block.slot, block.count, pointOf, block.color);
   this->drawEdges(block, placing);
+  for (int k = 0; object_.backOpacity && k < block.count; ++k)
+    block.color[k][3] *=
+      this->sideOpacity(block.slot[k], pointOf(k), placing.local.directionOf(block.ray[k]));
   withSurface(object_.surface,
     [&](const auto& s)
     {
@@ -314,9 +325,10 @@ void darken(SurfaceBlock& block, const AmbientOcclusion* occlusion, float* share
 /// needsPositions() says so, seeds where the lighting has occlusion; `footprint` is as in
 /// ShadowCaster::remove(). `shares` are open shares of the sky that maps tell, a hit each, NaN
 /// where they know nothing; null: where they know nothing of any. What is unknown is filled.
-void lightSurfaces(SurfaceBlock& block, const Material& material, const SceneLighting& lighting,
+void lightSurfaces(SurfaceBlock& block, const SurfaceObject& object, const SceneLighting& lighting,
   double footprint, float* shares = nullptr)
 {
+  const Material& material = object.material;
   const AmbientOcclusion* occlusion = lighting.occlusion ? &*lighting.occlusion : nullptr;
   if ((occlusion || shares) && material.ambient > 0.0f)
     darken(block, occlusion, shares);
@@ -328,7 +340,7 @@ void lightSurfaces(SurfaceBlock& block, const Material& material, const SceneLig
         lighting.shadows->remove(block, sample, footprint);
       addLight(block, light.color, material);
     }
-  finishSurfaces(block, material);
+  finishSurfaces(block, material, object.evenOpacity());
 }
 
 } // namespace
@@ -349,7 +361,7 @@ void SurfaceShader::shade(
   if (!usesMaps())
   {
     place(block, placing, positions, ids);
-    return lightSurfaces(block, object_.material, lighting, placing.footprint);
+    return lightSurfaces(block, object_, lighting, placing.footprint);
   }
   OcclusionLookUp found; // texels are on their way while surfaces are placed
   object_.occlusion->find(block.slot, block.count, found);
@@ -361,7 +373,7 @@ void SurfaceShader::shade(
   for (int k = 0; k < block.count && !lighting.occlusion; ++k)
     if (std::isnan(shares[k]) && block.side[k] > 0.0f)
       shares[k] = typicalShare;
-  lightSurfaces(block, object_.material, lighting, placing.footprint, shares);
+  lightSurfaces(block, object_, lighting, placing.footprint, shares);
 }
 
 /// What the maps know; of spheres that are seen from within they know nothing.

@@ -2,6 +2,8 @@
 
 #include "HardMeshes.h"
 
+#include <kernels/core/BundlePackets.h>
+
 #include <support/Targets.h>
 
 #include <gtest/gtest.h>
@@ -265,4 +267,92 @@ TEST(RlodTree, StopsWhenItIsTold)
   EXPECT_EQ(tree.size(), sphere.size());
   tree.build(sphere.mesh(), [](double share) { return share < 0.1; });
   EXPECT_EQ(tree.size(), 0u);
+}
+
+namespace
+{
+
+/// The same triangles seen from the other side.
+Triangles turnedOver(Triangles triangles)
+{
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    std::swap(triangles.corners[3 * i + 1], triangles.corners[3 * i + 2]);
+  return triangles;
+}
+
+/// How each ray of a bundle is answered by castInner(), as a bundle or one by one.
+RayBundle inner(const RlodTree& tree, RayBundle bundle, bool oneByOne)
+{
+  if (!oneByOne)
+  {
+    tree.castInner(bundle, 0);
+    return bundle;
+  }
+  askInPackets(
+    bundle, OnSurface::Neither, [&](RayPacket& packet, int) { tree.castInner(packet, 0); });
+  return bundle;
+}
+
+} // namespace
+
+TEST(RlodTree, InnerSidesAndOuterOnesTogetherAreAll)
+{
+  for (const Triangles& triangles : {bumpySphere(20), randomTriangles(600, 31, 0.3)})
+    for (const std::int64_t target : everyTarget())
+    {
+      SCOPED_TRACE(hwy::TargetName(target));
+      const OnlyTargets only(target);
+      const RlodTree tree = treeOver(triangles), turned = treeOver(turnedOver(triangles));
+      std::size_t hits = 0, fromWithin = 0, unlike = 0;
+      for (const RayBundle& asked : meshQuestions(40, 32))
+        for (const bool oneByOne : {false, true})
+        {
+          RayBundle all = asked;
+          tree.cast(all, 0);
+          const RayBundle in = inner(tree, asked, oneByOne), out = inner(turned, asked, oneByOne);
+          for (int i = 0; i < asked.count; ++i)
+          {
+            for (const auto& [found, held] : {std::pair(&in, &tree), std::pair(&out, &turned)})
+              if (found->object[i] == 0)
+              {
+                const Vec3d normal(held->normal(found->slot[i]));
+                // Of triangles that are seen from their edge the side is rounded.
+                const double cosine = glm::dot(normal, asked.directionOf(i)) /
+                                      (glm::length(normal) * glm::length(asked.directionOf(i)));
+                EXPECT_GT(cosine, -1e-4);
+              }
+            hits += all.object[i] == 0;
+            fromWithin += in.object[i] == 0;
+            const double nearest = std::min(
+              in.object[i] == 0 ? in.t[i] : asked.t[i], out.object[i] == 0 ? out.t[i] : asked.t[i]);
+            const double wanted = all.object[i] == 0 ? all.t[i] : asked.t[i];
+            unlike += nearest != wanted && !(std::abs(nearest - wanted) <= 1e-5 * std::abs(wanted));
+          }
+        }
+      EXPECT_GT(hits, 1000u);
+      EXPECT_GT(fromWithin, hits / 4);
+      EXPECT_LE(unlike, hits / 1000) << "of " << hits;
+    }
+}
+
+TEST(RlodTree, FromOutsideTheInnerSideOfWhatIsClosedLiesBehind)
+{
+  const RlodTree tree = treeOver(bumpySphere(24));
+  std::size_t hits = 0, lost = 0;
+  for (const RayBundle& asked : meshQuestions(40, 33))
+    if (glm::length(asked.origin) > 1.5 && asked.tMin == 0.0)
+    {
+      RayBundle all = asked;
+      tree.cast(all, 0);
+      const RayBundle in = inner(tree, asked, false);
+      for (int i = 0; i < asked.count; ++i)
+        if (all.object[i] == 0 && !(asked.t[i] < 1e9))
+        {
+          ++hits;
+          lost += in.object[i] != 0;
+          EXPECT_TRUE(in.object[i] != 0 || in.t[i] >= all.t[i]);
+        }
+    }
+  EXPECT_GT(hits, 500u);
+  EXPECT_LE(lost, hits / 500); // that touch the outline
 }

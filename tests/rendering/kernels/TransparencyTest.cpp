@@ -1,6 +1,9 @@
 // What lies behind surfaces that are not opaque.
 
+#include "MeshParts.h"
 #include "ShadowParts.h"
+
+#include <kernels/tracing/Picking.h>
 
 #include <support/CastOracle.h>
 #include <support/Volumes.h>
@@ -209,4 +212,32 @@ TEST(Transparency, AThinFogOfParticlesIsItsProduct)
   spheres.resize(12);
   const double alpha = 1.0 - std::pow(0.8, 12);
   expectColor(Row(spheres).traced(), alpha, alpha, alpha, alpha);
+}
+
+TEST(Transparency, SidesMayDiffer)
+{
+  // Two squares one behind the other, seen from the side that they look to, then from behind.
+  Triangles squares;
+  for (const double z : {0.0, -1.0})
+  {
+    squares.add({-1.0, -1.0, z}, {1.0, -1.0, z}, {1.0, 1.0, z});
+    squares.add({-1.0, -1.0, z}, {1.0, 1.0, z}, {-1.0, 1.0, z});
+  }
+  Scene scene;
+  addTo(scene, objectOf(squares));
+  SurfaceObject& object = scene.surfaces[0];
+  object.material = {.ambient = 1.0f, .diffuse = 0.0f, .opacity = 0.25f};
+  object.coloring.constant = Vec4f(1.0f, 1.0f, 1.0f, 1.0f);
+  object.backOpacity = 0.6f;
+  const auto alphaFrom = [&](double z)
+  {
+    const Camera camera = lookAt({0.2, 0.1, z}, Vec3d(0.2, 0.1, 0.0), 5.0);
+    return tracedFilm(scene, camera, 5, 5).color()[4 * 12 + 3];
+  };
+  EXPECT_NEAR(alphaFrom(9.0), 1.0 - 0.75 * 0.75, 1e-6);
+  EXPECT_NEAR(alphaFrom(-9.0), 1.0 - 0.4 * 0.4, 1e-6);
+  object.material.opacity = 0.0f;
+  EXPECT_EQ(alphaFrom(9.0), 0.0f);
+  EXPECT_FALSE(pick(scene, {0.2, 0.1, 9.0}, {0.0, 0.0, -1.0}, 0.0, 99.0));
+  EXPECT_TRUE(pick(scene, {0.2, 0.1, -9.0}, {0.0, 0.0, 1.0}, 0.0, 99.0));
 }

@@ -489,3 +489,22 @@ TEST_F(MeshStage, PrintsWhatItHolds)
   EXPECT_NE(text.str().find("NumberOfTriangles: 4"), std::string::npos);
   EXPECT_NE(text.str().find("CastsShadows: On"), std::string::npos);
 }
+
+TEST_F(MeshStage, LooksIntoWallsWhoseOuterSideIsClear)
+{
+  const auto grid = gridOf(VTK_HEXAHEDRON); // nine cells a layer, from z = 0 on
+  mapper->SetInputData(grid);
+  actor->SetPosition(-1.5, -1.5, -1.5);
+  EXPECT_GE(cellAt(0.1, 0.1), 18);
+  actor->GetProperty()->SetOpacity(0.0);
+  EXPECT_EQ(cellAt(0.1, 0.1), -1);
+  vtkNew<vtkProperty> inner;
+  actor->SetBackfaceProperty(inner);
+  EXPECT_EQ(cellAt(0.1, 0.1), 4); // of the farthest layer
+  const auto alpha = [&] { return this->trace().color(pixel(0.1, 0.1))[3]; };
+  EXPECT_EQ(alpha(), 1.0f);
+  inner->SetOpacity(0.5);
+  EXPECT_NEAR(alpha(), 0.5, 1e-6);
+  actor->GetProperty()->SetOpacity(0.5);
+  EXPECT_NEAR(alpha(), 0.75, 1e-6);
+}

@@ -41,7 +41,8 @@ struct BundleFrame
   float at[3][3], way[3][3];
   double zOfQ; ///< z counts from there: t = (zOfQ + z) / speed
   double speed;
-  float first; ///< hits with z <= first do not count
+  float first;      ///< hits with z <= first do not count
+  float handedness; ///< 1, or -1 where u, v and the rays' direction are left-handed
 
   /// x = xScale * (ray's x - xShift), likewise y; xScale is 0 where all x are equal.
   float xShift, yShift, xScale, yScale;

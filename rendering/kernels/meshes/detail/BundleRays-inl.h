@@ -55,14 +55,19 @@ constexpr BlockTables squareTables()
 }
 constexpr BlockTables blocksOfSquare = squareTables();
 
-/// Policies say what a hit does to a ray: the nearest is looked for, or any.
+/// Policies say what a hit does to a ray: the nearest is looked for, or any; and whether triangles
+/// are hit from their inner side alone.
 struct NearestHit
 {
-  static constexpr bool any = false;
+  static constexpr bool any = false, isInner = false;
+};
+struct NearestInnerHit
+{
+  static constexpr bool any = false, isInner = true;
 };
 struct AnyHit
 {
-  static constexpr bool any = true;
+  static constexpr bool any = true, isInner = false;
 };
 
 struct BundleRays

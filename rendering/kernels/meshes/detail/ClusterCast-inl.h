@@ -135,6 +135,14 @@ private:
     return hn::Or(hn::And(reaches, before), hn::AndNot(reaches, found));
   }
 
+  HWY_INLINE MF hitsOf(const Edges& edges, VF sum) const
+  {
+    if constexpr (Policy::isInner)
+      return edges.hitsInner(sum, frame_.handedness);
+    else
+      return edges.hits(sum);
+  }
+
   /// A corner as the ray at (x, y) sees it. All corners, everywhere, are seen by this formula.
   static HWY_INLINE Corner cornerAt(VF x, VF y, VF u, VF v, VF s)
   {
@@ -156,7 +164,7 @@ private:
       const Edges edges(cornerAt(atX, atY, ua, va, sa), cornerAt(atX, atY, ub, vb, sb),
         cornerAt(atX, atY, uc, vc, sc));
       const VF sum = edges.sum();
-      const MF hits = hn::And(some, edges.hits(sum));
+      const MF hits = hn::And(some, hitsOf(edges, sum));
       if (!hn::AllFalse(d, hits))
       {
         const VF z = edges.at(sum, points.z.at(at.a), points.z.at(at.b), points.z.at(at.c));
@@ -218,7 +226,7 @@ private:
       { return cornerAt(x, y, all(t.u[k]), all(t.v[k]), all(t.s[k])); };
       const Edges edges(corner(0), corner(1), corner(2));
       const VF sum = edges.sum();
-      const MF hits = edges.hits(sum);
+      const MF hits = hitsOf(edges, sum);
       if (hn::AllFalse(d, hits))
         continue;
       const VF z = edges.at(sum, all(t.z[0]), all(t.z[1]), all(t.z[2]));

@@ -171,6 +171,12 @@ struct Edges
     const VF least = hn::Min(hn::Min(a, b), c), most = hn::Max(hn::Max(a, b), c);
     return hn::And(hn::Or(hn::Ge(least, zero), hn::Le(most, zero)), hn::Ne(sum, zero));
   }
+  /// The same of triangles whose normals look the way of the ray, where `side` is 1; or -1, where
+  /// u, v and the ray's direction are left-handed.
+  HWY_INLINE MF hitsInner(VF sum, float side) const
+  {
+    return hn::And(hits(sum), hn::Gt(hn::Mul(sum, all(side)), hn::Zero(DF())));
+  }
   /// What a linear function is where the rays meet the triangles' planes.
   HWY_INLINE VF at(VF sum, VF p, VF q, VF r) const
   {

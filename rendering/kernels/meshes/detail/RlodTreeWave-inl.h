@@ -362,7 +362,7 @@ private:
     for (std::uint64_t left = rays; left != 0; left &= left - 1)
     {
       const int ray = std::countr_zero(left);
-      const unsigned met = rays_[ray].trianglesMet(cluster, corners, z);
+      const unsigned met = rays_[ray].template trianglesMet<Policy>(cluster, corners, z);
       if constexpr (!Policy::any)
         keep(ray, met, z,
           [&](unsigned k) { return std::uint64_t{index} * TriangleCluster::capacity + k; });
@@ -389,10 +389,10 @@ inline void castPacketAny(const RlodTreeView& view, RayPacket& packet, double po
     Wave<AnyHit, false>(view, packet, 0.0).run();
 }
 
-template <bool lods>
+template <typename Policy, bool lods>
 void castWaveNearest(const RlodTreeView& view, RayPacket& packet, std::int32_t object, double poe)
 {
-  Wave<NearestHit, lods> wave(view, packet, poe);
+  Wave<Policy, lods> wave(view, packet, poe);
   wave.run();
   wave.keepNearest(object);
 }
@@ -401,9 +401,9 @@ inline void castPacketNearest(
   const RlodTreeView& view, RayPacket& packet, std::int32_t object, double poe)
 {
   if (view.takesLods(packet, poe))
-    castWaveNearest<true>(view, packet, object, poe);
+    castWaveNearest<NearestHit, true>(view, packet, object, poe);
   else
-    castWaveNearest<false>(view, packet, object, 0.0);
+    castWaveNearest<NearestHit, false>(view, packet, object, 0.0);
 }
 
 } // namespace HWY_NAMESPACE

@@ -182,11 +182,8 @@ struct TriangleRay
   }
 
   /// Triangles of a cluster that the ray meets between its ends, as bits; `z` becomes where.
-  HWY_INLINE unsigned trianglesMet(const TriangleCluster& cluster, Row& z) const
-  {
-    return trianglesMet(cluster, AllCornerIndices(cluster), z);
-  }
-  /// Likewise, with the cluster's corner indices, for many rays that meet it.
+  /// `corners` are the cluster's: many rays meet it.
+  template <typename Policy>
   HWY_INLINE unsigned trianglesMet(
     const TriangleCluster& cluster, const AllCornerIndices& corners, Row& z) const
   {
@@ -208,7 +205,7 @@ struct TriangleRay
       const Edges edges(
         {u.at(at.a), v.at(at.a)}, {u.at(at.b), v.at(at.b)}, {u.at(at.c), v.at(at.c)});
       const VF sum = edges.sum();
-      const MF hits = edges.hits(sum);
+      const MF hits = Policy::isInner ? edges.hitsInner(sum, sign) : edges.hits(sum);
       if (hn::AllFalse(d, hits))
         continue;
       const VF depth = edges.at(sum, deep.at(at.a), deep.at(at.b), deep.at(at.c));

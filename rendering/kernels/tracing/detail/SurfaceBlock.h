@@ -40,7 +40,7 @@ void faceLight(SurfaceBlock& block, const LightSample& sample, bool specular);
 /// Adds what a light sample of `color` sends by the cosines and shines there are.
 void addLight(SurfaceBlock& block, const Vec3f& color, const Material& material);
 
-/// Fills `out` from the light received.
-void finishSurfaces(SurfaceBlock& block, const Material& material);
+/// Fills `out` from the light received, with the alpha of the colours times `opacity`.
+void finishSurfaces(SurfaceBlock& block, const Material& material, float opacity);
 
 } // namespace mote

@@ -44,6 +44,10 @@ public:
   /// Colour of what is hit at a slot, at a point in the surface's coordinates.
   Vec4f colorOf(std::uint64_t slot, const Vec3d& local) const;
 
+  /// Opacity that the side has which is hit at a point by a ray that goes `way`, both in the
+  /// surface's coordinates.
+  float sideOpacity(std::uint64_t slot, const Vec3d& local, const Vec3d& way) const;
+
   /// Unit normal in the world, outwards, at a point in the surface's coordinates; 0 where there is
   /// none. Where a hit stands for many, it is what a ray sees of them that goes `way`, which is in
   /// the surface's coordinates too.

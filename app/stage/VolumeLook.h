@@ -1,0 +1,25 @@
+#pragma once
+
+#include "settings/Settings.h"
+
+#include <optional>
+#include <vector>
+
+class vtkUnstructuredGrid;
+
+namespace mote::app
+{
+
+/// The slice across x, y or z that shows about the most of these volumes, as near to their middle
+/// as that allows; none where there is nothing.
+std::optional<ShowRange> fullestSlice(const std::vector<vtkUnstructuredGrid*>& volumes);
+
+/// The settings of volumes with what the user left open chosen: whether the cloud is seen, walls
+/// and slices. Without a cloud walls are shown, those towards the eye left out so that one looks
+/// in; and what is cut open shows the cells that the cuts go through, or else there is this slice.
+VolumeSettings lookInForce(const Settings& settings, const ShowRange& slice);
+
+/// Bounds with those of all copies around the axis; what is not initialized stays so.
+void addRepetitions(const Settings& settings, double bounds[6]);
+
+} // namespace mote::app
