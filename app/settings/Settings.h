@@ -121,9 +121,9 @@ struct VolumeSettings
   std::string cloud = "auto"; ///< "on", "off", "auto": whether the volume itself is seen
   /// By names of CutSettings::ranges, at places in place of ranges. No list: choose.
   std::optional<std::vector<ShowRange>> slices;
-  bool unroll = false;             ///< whether slices by r are rolled out flat
-  std::optional<double> walls;     ///< opacity of the boundary; 0: it is not shown; none: choose
-  std::optional<double> nearWalls; ///< of its parts that face the eye; none: choose
+  bool unroll = false;               ///< whether slices by r are rolled out flat
+  std::optional<double> walls;       ///< opacity of the boundary; 0: it is not shown; none: choose
+  std::optional<double> nearWalls;   ///< of its parts that face the eye; none: choose
   std::string wallColor = "#d5cfc4"; ///< or "data"
   int repeatAround = 1;              ///< copies around the axis of the cuts
   double edges = 0.0;                ///< pixels, of lines along the edges of cells; 0: none

@@ -97,6 +97,17 @@ Interval extentOf(const CutKind& kind, const CutAxis& axis, const double bounds[
   return extent;
 }
 
+double shortPlace(double place, double length)
+{
+  if (!(length > 0.0))
+    return place;
+  // A division by a power of ten that is whole gives the number that has these digits.
+  const double decimals = 3.0 - std::floor(std::log10(length));
+  const double power = std::pow(10.0, std::abs(decimals));
+  return (decimals > 0.0 ? std::round(place * power) / power : std::round(place / power) * power) +
+         0.0; // no -0
+}
+
 void Cuts::addPlanes(const std::array<double, 3>& direction, const Interval& shown)
 {
   for (const double sign : {1.0, -1.0})

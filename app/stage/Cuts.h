@@ -41,6 +41,9 @@ CutAxis cutAxisOf(const std::vector<double>& numbers);
 /// Where a coordinate of cuts may lie in a box: from and to; of angles a whole turn.
 Interval extentOf(const CutKind& kind, const CutAxis& axis, const double bounds[6]);
 
+/// The place in digits that are enough to tell a thousandth of a length or a little less.
+double shortPlace(double place, double length);
+
 /// What --cut asks for, as mappers take it.
 class Cuts
 {

@@ -209,4 +209,9 @@ void Flow::setCuts(const Cuts& cuts)
   }
 }
 
+vtkIdType Flow::numberOfLines() const
+{
+  return lines_.actor->GetVisibility() ? found_->GetOutput(1)->GetNumberOfPoints() : 0;
+}
+
 } // namespace mote::app

@@ -45,6 +45,8 @@ public:
   void setColors(const ArrayChoice& choice, vtkLookupTable* table);
   void setCuts(const Cuts& cuts);
 
+  /// Those that are shown; one goes both ways from its place.
+  vtkIdType numberOfLines() const;
   /// What scripts need to make the same.
   double tubeRadius() const { return tubes_->GetRadius(); }
   double arrowFactor() const { return glyphs_->GetScaleFactor(); }

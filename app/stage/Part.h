@@ -161,6 +161,8 @@ public:
   /// All that is drawn of it: what shows the data, and of a volume its walls.
   std::vector<vtkProp3D*> props() const;
   bool draws(const vtkProp* prop) const;
+  /// Whether the settings ask for the walls of a volume, the last of props().
+  bool hasWalls() const { return volume_ && settings_.volume.walls.value_or(0.0) > 0.0; }
   vtkMoteParticleMapper* particles() const { return particles_; } ///< null for cells
   Surface* surface() const { return surface_.get(); }             ///< null for all else
   vtkTypeInt64 structureBytes() const;
@@ -169,7 +171,6 @@ public:
 private:
   void setRadius();
   void setImages();
-  bool hasWalls() const { return volume_ && settings_.volume.walls.value_or(0.0) > 0.0; }
   void placeProp();
   void followLook();
   void followRepetitions();

@@ -57,7 +57,7 @@ void Stage::placeSlice(const std::vector<NamedData>& data)
       volumes.push_back(vtkUnstructuredGrid::SafeDownCast(one.data));
   if (volumes.empty())
     return;
-  usualSlice_ = fullestSlice(volumes);
+  usualSlice_ = fullestSlice(volumes, asked_.cuts.axis);
   this->chooseLook();
 }
 
@@ -103,7 +103,7 @@ bool Stage::apply(const Settings& settings)
 Settings Stage::settingsInForce() const
 {
   Settings all = asked_; // from which all of the look of volumes follows, but for one slice
-  if (settings_.volume.slices && !settings_.volume.slices->empty())
+  if (usualSlice_ && settings_.volume.slices == std::vector{*usualSlice_})
     all.volume.slices = settings_.volume.slices;
   all.color = coloring_.inForce(parts_);
   vtkCamera* camera = renderer_->GetActiveCamera();

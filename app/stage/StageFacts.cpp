@@ -134,6 +134,8 @@ std::string Stage::contents() const
   };
   tell(this->numberOfCells(), this->numberOfCellsShown(), "cell");
   tell(this->numberOfTriangles(false), this->numberOfTriangles(true), "triangle");
+  if (flow_.numberOfLines() > 0)
+    text += ", " + counted(flow_.numberOfLines(), "streamline");
   vtkIdType leftOut = 0;
   for (const auto& part : parts_)
     leftOut += part->isHidden() ? 0 : part->numberLeftOut();

@@ -18,17 +18,6 @@ namespace mote::app
 namespace
 {
 
-/// The number with few digits that is nearest to the middle, in steps of a thousandth of the length
-/// or less.
-double middleOf(double low, double high)
-{
-  const double middle = 0.5 * (low + high), length = high - low;
-  if (!(length > 0.0))
-    return middle;
-  const double step = std::pow(10.0, std::floor(std::log10(length)) - 3.0);
-  return std::round(middle / step) * step + 0.0; // no -0
-}
-
 /// How much of some volumes lies in each of a few layers across an axis, about: cells count as
 /// their boxes.
 struct Layers
@@ -53,11 +42,10 @@ struct Layers
   {
     return thickness > 0.0 ? *std::max_element(volume.begin(), volume.end()) / thickness : 0.0;
   }
-  /// The layer nearest to the middle that is at least half as full as the fullest.
-  int best() const
+  /// The layer nearest to the middle that has at least this share of the fullest.
+  int best(double share) const
   {
-    constexpr double nearly = 0.5;
-    const double least = nearly * *std::max_element(volume.begin(), volume.end());
+    const double least = share * *std::max_element(volume.begin(), volume.end());
     for (int away = 0; away <= count / 2; ++away)
       for (const int k : {count / 2 - away, count / 2 + away})
         if (volume[static_cast<std::size_t>(k)] >= least)
@@ -114,7 +102,8 @@ std::vector<ShowRange> facesOf(const CutSettings& cuts)
 
 } // namespace
 
-std::optional<ShowRange> fullestSlice(const std::vector<vtkUnstructuredGrid*>& volumes)
+std::optional<ShowRange> fullestSlice(
+  const std::vector<vtkUnstructuredGrid*>& volumes, const std::vector<double>& cutAxis)
 {
   vtkBoundingBox all;
   for (vtkUnstructuredGrid* volume : volumes)
@@ -139,8 +128,13 @@ std::optional<ShowRange> fullestSlice(const std::vector<vtkUnstructuredGrid*>& v
   for (const std::size_t other : {2, 0})
     if (layers[other].fullest() > more * layers[axis].fullest())
       axis = other;
-  const double away = (layers[axis].best() - Layers::count / 2) * layers[axis].thickness;
-  const double place = middleOf(all.GetMinPoint()[axis] + away, all.GetMaxPoint()[axis] + away);
+  // Along the axis of a machine there is much in one place; across it the middle has the axis.
+  constexpr double alongAxis = 0.8, acrossAxis = 0.4;
+  const bool isAlong = std::abs(cutAxisOf(cutAxis).direction[axis]) > 0.9;
+  const int layer = layers[axis].best(isAlong ? alongAxis : acrossAxis);
+  const double away = (layer - Layers::count / 2) * layers[axis].thickness;
+  const double low = all.GetMinPoint()[axis], high = all.GetMaxPoint()[axis];
+  const double place = shortPlace(0.5 * (low + high) + away, high - low);
   return ShowRange{std::string(1, "xyz"[axis]), {{place, place}}};
 }
 
@@ -150,8 +144,8 @@ VolumeSettings lookInForce(const Settings& settings, const ShowRange& slice)
   if (look.cloud == "auto")
     look.cloud = !look.opacity.empty() || look.opacityUnit || look.lit ? "on" : "off";
   const bool hasCloud = look.cloud == "on";
-  const bool hasOther = hasCloud || !look.isoValues.empty() || settings.flow.lines > 0 ||
-                        settings.flow.arrows > 0;
+  const bool hasOther =
+    hasCloud || !look.isoValues.empty() || settings.flow.lines > 0 || settings.flow.arrows > 0;
   if (!look.slices)
   {
     look.slices = std::vector<ShowRange>();
@@ -161,8 +155,9 @@ VolumeSettings lookInForce(const Settings& settings, const ShowRange& slice)
       look.slices = {slice};
   }
   const bool isAsked = look.walls.has_value();
+  // What is rolled out flat does not lie within the walls.
   if (!isAsked)
-    look.walls = hasCloud ? 0.0 : 1.0;
+    look.walls = hasCloud || look.unroll ? 0.0 : 1.0;
   const bool isFull = hasOther || !look.slices->empty();
   if (!look.nearWalls)
     look.nearWalls = isAsked || !isFull ? *look.walls : 0.0;

@@ -10,9 +10,11 @@ class vtkUnstructuredGrid;
 namespace mote::app
 {
 
-/// The slice across x, y or z that shows about the most of these volumes, as near to their middle
-/// as that allows; none where there is nothing.
-std::optional<ShowRange> fullestSlice(const std::vector<vtkUnstructuredGrid*>& volumes);
+/// The slice across x, y or z that shows about the most of these volumes: along the axis of the
+/// cuts where there is most, else as near to the middle as what it shows allows. None where there
+/// is nothing.
+std::optional<ShowRange> fullestSlice(
+  const std::vector<vtkUnstructuredGrid*>& volumes, const std::vector<double>& cutAxis = {});
 
 /// The settings of volumes with what the user left open chosen: whether the cloud is seen, walls
 /// and slices. Without a cloud walls are shown, those towards the eye left out so that one looks

@@ -40,6 +40,7 @@ const std::vector<Line>& lines()
       "pick what is seen in a rectangle; right button: also what is hidden behind; "
       "Shift: add it",
       {}},
+    {"Alt and drag", "move the slice, or the face of a cut, that is under the cursor", {}},
     {"i Delete u", "show only the picked particles; hide them; show again what these hid",
       {{OnlyPicked, {"i", "I"}}, {HidePicked, {"Delete"}}, {ShowHidden, {"u", "U"}}}},
     {"Ctrl+C Ctrl+E", "copy the list of the picked; save it as a CSV file",

@@ -213,11 +213,13 @@ void writeViews(Script& script, const Stage& stage, const Settings& settings)
     script.line("view((" + numbers + "), " + python(caption) + ", " + python(left) + ", " +
                 python(bottom) + ", " + python(width) + ", " + python(height) + ")");
   };
+  const std::vector<vtkProp3D*> written = writtenProps(stage);
   for (std::size_t i = 0; i < views.size(); ++i)
   {
     std::string numbers;
-    for (const std::size_t part : views[i])
-      numbers += std::to_string(part) + ",";
+    for (vtkProp3D* prop : stage.propsOf(views[i]))
+      if (const auto at = std::find(written.begin(), written.end(), prop); at != written.end())
+        numbers += std::to_string(at - written.begin()) + ",";
     view(
       numbers, stage.viewName(views[i]), sides.left(i), sides.bottom(i), sides.width, sides.height);
   }

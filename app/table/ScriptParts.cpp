@@ -370,10 +370,25 @@ void writeParts(Script& script, const Stage& stage, const Settings& settings)
     else
       writeVolume(script, part, settings, stage.coloring().choice());
     writeProp(script, part);
-    if (part.kind() == Part::Kind::Volume && stage.shown().volume.walls.value_or(0.0) > 0.0)
+    if (part.hasWalls())
       writeWalls(script, part);
   }
   writeFlow(script, stage, settings.flow);
+}
+
+std::vector<vtkProp3D*> writtenProps(const Stage& stage)
+{
+  std::vector<vtkProp3D*> written;
+  for (const auto& part : stage.parts())
+  {
+    written.push_back(part->prop());
+    if (part->hasWalls())
+      written.push_back(part->props().back());
+  }
+  for (vtkActor* actor : stage.flow().actors())
+    if (actor->GetVisibility())
+      written.push_back(actor);
+  return written;
 }
 
 } // namespace mote::app

@@ -12,4 +12,7 @@ class Script;
 /// the table of colours.
 void writeParts(Script& script, const Stage& stage, const Settings& settings);
 
+/// What writeParts() has written, in the order of `props`.
+std::vector<vtkProp3D*> writtenProps(const Stage& stage);
+
 } // namespace mote::app

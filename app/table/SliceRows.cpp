@@ -71,7 +71,7 @@ void addSliceRows(std::vector<Row>& table)
       .value = "OPACITY",
       .help = "Show the boundary of volumes, from 0, not at all, to 1, opaque",
       .limits = {.least = 0.0, .most = 1.0},
-      .usual = "1 without --cloud, else 0"}));
+      .usual = "1 without --cloud and --unroll, else 0"}));
   table.push_back(row(volume, &VolumeSettings::nearWalls,
     {.group = group,
       .name = "near-walls",

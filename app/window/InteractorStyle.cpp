@@ -4,6 +4,7 @@
 #include <vtkRenderWindowInteractor.h>
 
 #include <cstdlib>
+#include <utility>
 
 namespace mote::app
 {
@@ -74,6 +75,11 @@ void InteractorStyle::OnLeftButtonDown()
 {
   if (this->beginRectangle(false))
     return;
+  if (this->Interactor->GetAltKey() && this->State == VTKIS_NONE && onGrab && onGrab())
+  {
+    holds_ = true;
+    return;
+  }
   pressed_ = this->cursor();
   mayBeClick_ = true;
   this->Superclass::OnLeftButtonDown();
@@ -83,6 +89,8 @@ void InteractorStyle::OnLeftButtonUp()
 {
   if (this->endRectangle(false))
     return;
+  if (std::exchange(holds_, false))
+    return onDrag(true);
   const bool isClick = mayBeClick_ && this->isNearPress();
   mayBeClick_ = false;
   this->Superclass::OnLeftButtonUp();
@@ -127,6 +135,8 @@ void InteractorStyle::OnMouseMove()
       this->onRectangle({pressed_, this->cursor(), isThrough_, adds_}, false);
     return;
   }
+  if (holds_)
+    return onDrag(false);
   if (mayBeClick_ && this->isNearPress())
     return;
   mayBeClick_ = false;

@@ -33,6 +33,11 @@ public:
   std::function<void(const Rectangle&, bool isDone)> onRectangle;
   bool drawsRectangle() const { return draws_; }
 
+  /// Alt and the left button go down on something; whether it was taken hold of. Then it is dragged
+  /// until the button goes up.
+  std::function<bool()> onGrab;
+  std::function<void(bool isDone)> onDrag;
+
   void OnKeyPress() override;
   void OnMouseWheelForward() override;
   void OnMouseWheelBackward() override;
@@ -57,6 +62,7 @@ private:
 
   std::array<int, 2> pressed_{};
   bool mayBeClick_ = false; ///< the left button is down and has not moved
+  bool holds_ = false;      ///< what onGrab() took hold of
   bool draws_ = false, isThrough_ = false, adds_ = false;
 };
 

@@ -13,6 +13,7 @@
 #include "panels/PanelHost.h"
 #include "settings/History.h"
 #include "settings/KeptSession.h"
+#include "stage/CutGrip.h"
 #include "stage/FollowedFiles.h"
 #include "stage/PickedSet.h"
 #include "stage/Stage.h"
@@ -201,6 +202,8 @@ private:
   std::optional<Hit> hitAt(int x, int y);
   std::string factsOf(const Hit& hit, int mostArrays) const;
   void setUpPicking();
+  void setUpGrips();
+  void dragGrip(bool isDone);
   void pick(bool adds);
   void tellPickedAgain();
   void pickRectangle(
@@ -237,7 +240,8 @@ private:
   WindowProps props_;
   PickedSet picked_;
   Clipboard clipboard_;
-  bool picksThrough_ = false; ///< rectangles take what others hide, too
+  std::optional<CutGrip> grip_; ///< that the mouse holds
+  bool picksThrough_ = false;   ///< rectangles take what others hide, too
   TerminalProgress terminal_;
   WindowProgress bar_;
   ProgressRelay progress_;

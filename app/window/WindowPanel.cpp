@@ -165,7 +165,7 @@ void Window::layPanel()
     });
   panelHost_->setFocused(panel_.hasFocus());
   panelHost_->setTyping(panel_.awaitsKeys());
-  const bool isOver = beforeHold_ && !wish_.isHeld && !player_;
+  const bool isOver = beforeHold_ && !wish_.isHeld && !grip_ && !player_;
   if ((wish_.settings || wish_.open || wish_.action != Action::None || isOver) && panelTimer_ == 0)
     this->startTimer(panelTimer_, soon);
   writeControls(panelHost_->inputs(), panelTimer_ != 0);
@@ -177,7 +177,7 @@ void Window::takeWish()
   const PanelWish wish = std::exchange(wish_, {});
   if (wish.settings)
     this->takeSettings(*wish.settings, wish.isHeld);
-  else if (!wish.isHeld && !player_)
+  else if (!wish.isHeld && !grip_ && !player_)
     this->endHold();
   if (wish.open)
   {

@@ -192,6 +192,7 @@ void Window::setUpPicking()
         rectangle.from, rectangle.to, rectangle.isThrough || picksThrough_, rectangle.adds);
     this->render();
   };
+  this->setUpGrips();
   this->setUpHover();
 }
 

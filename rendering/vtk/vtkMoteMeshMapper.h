@@ -7,14 +7,14 @@
  * and the cells that are flat. Lines and vertices are left out, as are triangles with a corner that
  * is not finite, with a warning that counts them. Both sides of triangles are drawn alike, but for
  * the opacity of the actor's BackfaceProperty, where it has one: walls of cells that face the eye
- * can be left out by opacity 0, and those behind them be opaque. Outer faces of cells look outwards,
- * polygons to where their corners go round against the clock.
+ * can be left out by opacity 0, and those behind them be opaque. Outer faces of cells look
+ * outwards, polygons to where their corners go round against the clock.
  *
  * Use it with a vtkActor, as any mapper: position, scale and orientation of the actor, visibility,
  * and the ambient, diffuse, specular and opacity terms and the colour of its vtkProperty hold. What
- * lies behind an opacity below 1 shines through, in order. Normals of the points make triangles look smooth, unless the property's
- * interpolation is flat; without them triangles are flat. Texture coordinates are not used, nor
- * are edges, points and wireframes drawn.
+ * lies behind an opacity below 1 shines through, in order. Normals of the points make triangles
+ * look smooth, unless the property's interpolation is flat; without them triangles are flat.
+ * Texture coordinates are not used, nor are edges, points and wireframes drawn.
  *
  * Colours come from any array of points or cells, as in other mappers: ScalarVisibility,
  * ScalarMode, SelectColorArray(), ColorMode, LookupTable, ScalarRange; component or magnitude of a

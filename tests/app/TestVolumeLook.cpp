@@ -74,6 +74,14 @@ TEST(VolumeLook, TheSliceLiesWhereThereIsMuch)
   EXPECT_LT(slice->intervals.front().low, 11.0);
 }
 
+TEST(VolumeLook, AcrossTheAxisTheSliceHasTheAxisInIt)
+{
+  // A shaft through the middle of a long housing: beside it there is more to be seen.
+  const auto housing = blocks({{{{-2, -2, 0}, {2, -1, 9}}}, {{{-2, 1, 0}, {2, 2, 9}}},
+    {{{-2, -1, 0}, {-1, 1, 9}}}, {{{1, -1, 0}, {2, 1, 9}}}});
+  EXPECT_EQ(fullestSlice({housing}), at("y", 0.0));
+}
+
 TEST(VolumeLook, WhatIsAskedForComesInPlaceOfWhatIsChosen)
 {
   const ShowRange slice = at("z", 0.5);
