@@ -2,7 +2,8 @@
 """Measures the window as a user sees it: what changes on the screen, and when.
 
     xvfb-run -a -s '-screen 0 1600x1100x24 -noreset' python3 benchmarks/window/window.py \\
-        build/release/bin/mote [drag] [panel] [fps] [steps] [turn] [--volume FILE]
+        build/release/bin/mote [drag] [panel] [fps] [steps] [turn] [slice] [volumesteps]
+        [--volume FILE] [--slice-of FILE] [--options "..."]
 
 drag   frames a range slider brings while it is dragged, 8 million particles
 panel  frames of the panel alone, while the mouse moves over it; and what it adds to frames of a
@@ -11,7 +12,11 @@ fps    frames while the view turns with --fps 5, 10, 20: how many are held withi
 steps  from the key to the first changed pixel, 2 million particles: a time step that was read
        ahead, and one that was not but that the system has in its memory
 turn   frames while a volume turns, in a view of 1024x1024 without the panel; --volume names it,
-       else the pump with 129,000 cells
+       else the pump with 129,000 cells, and --options what else the program is told
+slice  frames that the slider of a slice brings while it is dragged, in a view of 1024x1024;
+       --slice-of names the volume, else the pump's rotor of 1,288,000 cells
+volumesteps  from the key to the first changed pixel: a time step of --volume with its walls, a
+       slice and the cloud, read ahead, and in the system's memory
 
 Needs xdotool's libraries (libX11, libXtst) and a display of 1600x1100. Prints Markdown tables.
 """
@@ -292,23 +297,64 @@ def measure_steps(screen, mote, folder):
         row(name, gaps[1:])
 
 
-def measure_turn(screen, mote, folder, volume="pump:0.02"):
+def measure_turn(screen, mote, folder, arguments):
     print("| turned | frames | median, ms | nine of ten within, ms |\n|---|---|---|---|")
-    window = Window(screen, mote, folder, volume, "--no-panel", "--size", "1024x1024", "--fps", 20)
+    volume = arguments.volume
+    window = Window(screen, mote, folder, volume, "--no-panel", "--size", "1024x1024", "--fps", 20,
+                    *arguments.options.split())
     gaps = turn(screen, 0)
     window.close()
     row(pathlib.Path(volume).stem, gaps)
 
 
+def measure_slice(screen, mote, folder, arguments):
+    print("| dragged slice | frames | median, ms | nine of ten within, ms |\n|---|---|---|---|")
+    volume = arguments.slice_of
+    window = Window(screen, mote, folder, volume, *arguments.options.split())
+    for group in ("Data", "Colour", "Selection"):
+        window.click("group " + group)
+    window.click("group Slices")
+    (x0, y), (x1, _) = window.place("slice z 0", 0.1), window.place("slice z 0", 0.9)
+    screen.move(*window.place("slice z 0", 0.5))
+    time.sleep(3.0)
+    screen.button(True)
+    gaps = frames(screen, Window.view, line(x0, x1, y))
+    screen.button(False)
+    window.close()
+    row(pathlib.Path(volume).stem, gaps)
+
+
+def measure_volume_steps(screen, mote, folder, arguments):
+    print("| time step of a volume | changes | median, ms | nine of ten within, ms |\n|---|---|---|---|")
+    for name, cache in (("read ahead", "4G"), ("in the system's memory", "0")):
+        window = Window(screen, mote, folder, arguments.volume, "--cache", cache, "--step", 20, "--cloud",
+                        "on", "--walls", 1, "--near-walls", 0, "--slice", "z=0.03")
+        screen.move(800, 500)
+        time.sleep(8.0)
+        gaps = []
+        for _ in range(9):
+            before = screen.still(Window.view, 2.0)
+            start = time.time()
+            screen.press("Right")
+            while screen.pixels(*Window.view) == before and time.time() - start < 10.0:
+                time.sleep(0.002)
+            gaps.append(time.time() - start)
+        window.close()
+        row(name, gaps[1:])
+
+
 def main():
     parts = {"drag": measure_drag, "panel": measure_panel, "fps": measure_fps,
-             "steps": measure_steps, "turn": measure_turn}
+             "steps": measure_steps, "turn": measure_turn, "slice": measure_slice,
+             "volumesteps": measure_volume_steps}
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("mote", help="the program")
     parser.add_argument("parts", nargs="*", metavar="part",
                         help=f"{', '.join(parts)}; all where none is named")
     parser.add_argument("--volume", default="pump:0.02", help="what `turn` turns")
+    parser.add_argument("--slice-of", default="pump:0.6:rotor", help="what `slice` slices")
+    parser.add_argument("--options", default="", help="of the program, for `turn` and `slice`")
     arguments = parser.parse_args()
     wrong = [part for part in arguments.parts if part not in parts]
     if wrong:
@@ -317,7 +363,7 @@ def main():
     screen = Screen()
     with tempfile.TemporaryDirectory() as folder:
         for part in arguments.parts or parts:
-            more = [arguments.volume] if part == "turn" else []
+            more = [arguments] if part in ("turn", "slice", "volumesteps") else []
             parts[part](screen, mote, pathlib.Path(folder), *more)
             print(flush=True)
 

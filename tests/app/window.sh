@@ -384,7 +384,7 @@ case $3 in
   slow) # what takes minutes to trace is seen at once, coarsely, with its legend; and so is every change
     legend() { python3 "$tests/screen.py" 850 120 140 460; }
     view() { python3 "$tests/screen.py" 300 120 400 460; }
-    open "$data/swirl.1.vtu" --size 1000x700 --color-by U --sample-distance 3e-6 --samples 1
+    open "$data/swirl.1.vtu" --size 1000x700 --color-by U --cloud on --sample-distance 3e-6 --samples 1
     for _ in $(seq 50); do
       [ "$(legend | cut -d ' ' -f 2)" -gt 300 ] && break
       sleep 0.2
