@@ -141,8 +141,9 @@ vtkAlgorithm* Part::worker() const
 vtkTypeInt64 Part::structureBytes() const
 {
   return particles_ ? particles_->GetStructureBytes()
-         : volume_  ? volume_->mapper()->GetStructureBytes()
-                    : surface_->mapper()->GetStructureBytes();
+         : volume_  ? volume_->mapper()->GetStructureBytes() +
+                       (this->hasWalls() ? walls_->GetStructureBytes() : 0)
+                   : surface_->mapper()->GetStructureBytes();
 }
 
 double Part::buildTime() const

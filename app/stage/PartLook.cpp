@@ -55,9 +55,10 @@ void Part::followLook()
     actor_->SetBackfaceProperty(nullptr);
   else
   {
-    vtkNew<vtkProperty> farther;
-    farther->SetOpacity(walls);
-    actor_->SetBackfaceProperty(farther);
+    // The same object again: what has not changed is not traced anew.
+    if (!actor_->GetBackfaceProperty())
+      actor_->SetBackfaceProperty(vtkNew<vtkProperty>());
+    actor_->GetBackfaceProperty()->SetOpacity(walls);
   }
   // What is looked through keeps no light from what is within.
   walls_->SetCastsShadows(nearWalls == walls);

@@ -57,7 +57,8 @@ void Stage::placeSlice(const std::vector<NamedData>& data)
       volumes.push_back(vtkUnstructuredGrid::SafeDownCast(one.data));
   if (volumes.empty())
     return;
-  usualSlice_ = fullestSlice(volumes, asked_.cuts.axis);
+  // What is flat has none; whatever is chosen then, all else follows from it.
+  usualSlice_ = fullestSlice(volumes, asked_.cuts.axis).value_or(ShowRange{"z", {{0.0, 0.0}}});
   this->chooseLook();
 }
 
@@ -81,7 +82,10 @@ bool Stage::apply(const Settings& settings)
     part->setAmbient(lighting_.ambient());
     // Where nothing changes nothing is touched: a mapper that is told of types builds anew.
     if (before.particles != settings_.particles || before.volume != settings_.volume ||
-        before.picture.error != settings_.picture.error || before.cuts.axis != settings_.cuts.axis)
+        before.picture.error != settings_.picture.error ||
+        before.cuts.axis != settings_.cuts.axis ||
+        // Slices on the faces of cuts lie a little within.
+        (part->kind() == Part::Kind::Volume && before.cuts != settings_.cuts))
       part->followSettings();
     part->followLodError();
   }

@@ -172,6 +172,15 @@ std::uint32_t LocatorStructure::cellAt(const Vec3d& p) const
   return nearest;
 }
 
+HexStructureKind structureKindNamed(const std::string& name)
+{
+  const auto& names = hexStructureNames();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    throw Error("There is no structure of the name \"" + name + "\".");
+  return static_cast<HexStructureKind>(found - names.begin());
+}
+
 std::shared_ptr<const LocatorStructure> SharedStructures::get(
   vtkDataSet* data, const HexStructureOptions& options)
 {

@@ -11,6 +11,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
 class vtkDataSet;
@@ -44,6 +45,9 @@ struct LocatorStructure
   /// HexMesh::noCell. May be called from any number of threads.
   std::uint32_t cellAt(const Vec3d& p) const;
 };
+
+/// The structure of a name of hexStructureNames(). Throws Error for another one.
+HexStructureKind structureKindNamed(const std::string& name);
 
 /// Structures that locators made from one prototype share. Those whose geometry is gone are
 /// dropped when one is asked for.

@@ -57,11 +57,7 @@ void vtkMoteCylindricalLocator::BuildLocator()
   try
   {
     mote::HexStructureOptions options;
-    const auto& names = mote::hexStructureNames();
-    const auto name = std::find(names.begin(), names.end(), this->StructureName);
-    if (name == names.end())
-      throw mote::Error("There is no structure of the name \"" + this->StructureName + "\".");
-    options.kind = static_cast<mote::HexStructureKind>(name - names.begin());
+    options.kind = mote::structureKindNamed(this->StructureName);
     if (!this->FindAxis)
       options.axis = mote::CylinderAxis{{this->Origin[0], this->Origin[1], this->Origin[2]},
         {this->Axis[0], this->Axis[1], this->Axis[2]}};

@@ -36,11 +36,7 @@ void vtkMoteInterpolatedVelocityField::AddDataSet(vtkDataSet* data)
   try
   {
     mote::HexStructureOptions options;
-    const auto& names = mote::hexStructureNames();
-    const auto name = std::find(names.begin(), names.end(), this->StructureName);
-    if (name == names.end())
-      throw mote::Error("There is no structure of the name \"" + this->StructureName + "\".");
-    options.kind = static_cast<mote::HexStructureKind>(name - names.begin());
+    options.kind = mote::structureKindNamed(this->StructureName);
     structure = this->Shared->get(data, options);
   }
   catch (const mote::Error& error)
