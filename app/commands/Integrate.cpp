@@ -27,6 +27,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace mote::app
 {
@@ -178,11 +179,15 @@ void integrate(const Settings& settings)
   }
   vtkSmartPointer<vtkTable> all;
   std::vector<NamedData> data;
+  std::string told;
   opened.forSteps(
     [&](int step)
     {
       data = opened.read();
       auto table = tableOf(filter, data, opened);
+      if (const std::string& report = filter->GetReport();
+          std::exchange(told, report) != report && !report.empty())
+        Messages::warn(report);
       if (settings.output.allSteps)
         table = withTime(table, opened.timeOf(step));
       if (!appendRows(all, table))

@@ -323,8 +323,9 @@ std::vector<std::string> adviceOn(const Stage& stage)
   adviseOnLight(stage, advice);
   adviseOnColors(stage, advice);
   adviseOnValues(stage, advice);
-  for (const std::string& sentence : adviceOnData(stage))
-    advice.push_back(sentence);
+  // Of patches that are not shown the window tells: nobody asked a picture for them.
+  if (const std::string sizes = unlikeSizes(stage); !sizes.empty())
+    advice.push_back(sizes);
   return advice;
 }
 

@@ -67,6 +67,7 @@ SectionSums::SectionSums(
   }
   count_ += !task.pressure.empty();
   count_ += flows && !task.pressure.empty();
+  count_ += flows ? 2 : 0;
 }
 
 /// A value of cells, or of points, trilinear; that of a middle is the mean of those around it.
@@ -116,12 +117,47 @@ void SectionSums::fill(
     if (flows)
       *values++ = value * flow;
   }
-  if (!presses)
+  if (presses)
+  {
+    const double pressure = task_.pressureFactor * valueOf(pressure_, 0);
+    *values++ = pressure * glm::dot(glm::cross(place - task_.origin, normal), task_.axis);
+    if (flows)
+      *values++ = (pressure + 0.5 * task_.density * glm::dot(velocity, velocity)) * flow;
+  }
+  if (!flows)
     return;
-  const double pressure = task_.pressureFactor * valueOf(pressure_, 0);
-  *values++ = pressure * glm::dot(glm::cross(place - task_.origin, normal), task_.axis);
+  *values++ = std::abs(flow);
+  *values++ = glm::length(velocity);
+}
+
+template <typename ValueOf>
+void SectionSums::fillSizes(const Vec3d& place, const ValueOf& valueOf, double* values) const
+{
+  *values++ = 0.0; // the area tells for itself
+  const bool flows = !task_.velocity.empty(), presses = !task_.pressure.empty();
+  Vec3d velocity(0.0);
+  for (int k = 0; flows && k < 3; ++k)
+    velocity[k] = valueOf(velocity_, k);
+  const double speed = glm::length(velocity);
   if (flows)
-    *values++ = (pressure + 0.5 * task_.density * glm::dot(velocity, velocity)) * flow;
+    *values++ = speed;
+  for (const Component& column : columns_)
+  {
+    const double value = std::abs(valueOf(arrays_[column.array], column.number));
+    *values++ = value;
+    if (flows)
+      *values++ = value * speed;
+  }
+  if (presses)
+  {
+    const double pressure = task_.pressureFactor * std::abs(valueOf(pressure_, 0));
+    *values++ = pressure * glm::length(glm::cross(place - task_.origin, task_.axis));
+    if (flows)
+      *values++ = (pressure + 0.5 * task_.density * speed * speed) * speed;
+  }
+  // Whatever these are, no cell is cut for them.
+  for (int k = 0; flows && k < 2; ++k)
+    *values++ = std::numeric_limits<double>::infinity();
 }
 
 SurfaceIntegrals SectionSums::of(const Section& section) const
@@ -135,9 +171,16 @@ SurfaceIntegrals SectionSums::of(const Section& section) const
       [&](const IntegratedArray& array, int component) { return valueAt(array, component, at); },
       values);
   };
-  return section.slice
-           ? integrateSlice(mesh_, *section.slice, count_, integrand, nullptr, task_.tolerance)
-           : integrateBoundary(mesh_, adjacency_, count_, integrand);
+  const Integrand sizes = [this](const SurfacePoint& at, double* values)
+  {
+    fillSizes(
+      at.place,
+      [&](const IntegratedArray& array, int component) { return valueAt(array, component, at); },
+      values);
+  };
+  return section.slice ? integrateSlice(mesh_, *section.slice, count_, integrand, nullptr,
+                           task_.tolerance, sizes)
+                       : integrateBoundary(mesh_, adjacency_, count_, integrand);
 }
 
 namespace

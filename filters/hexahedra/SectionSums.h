@@ -48,7 +48,7 @@ struct Section
 
 /// Sums over a section, in this order: the area; with a velocity the flow; for each component of
 /// each array its integral and, with a velocity, that times the flow; with a pressure the torque;
-/// with both the total pressure times the flow.
+/// with both the total pressure times the flow; with a velocity the flow either way, and the speed.
 class SectionSums
 {
 public:
@@ -65,6 +65,9 @@ private:
   /// Writes what is integrated; valueOf(array, component) is the value there.
   template <typename ValueOf>
   void fill(const Vec3d& place, const Vec3d& normal, const ValueOf& valueOf, double* values) const;
+  /// The same of the sizes of what it is made of, whichever way it goes.
+  template <typename ValueOf>
+  void fillSizes(const Vec3d& place, const ValueOf& valueOf, double* values) const;
   SurfaceIntegrals ofPolygons() const;
 
   const SectionTask& task_;

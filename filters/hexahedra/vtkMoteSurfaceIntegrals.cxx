@@ -15,6 +15,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -57,9 +58,17 @@ void addMeasure(mote::TableColumns& row, const std::string& name, const Measure&
   row.Add(name + "_error", measure.error);
 }
 
-/// Writes the row of a section of one part; `first` is the total pressure of the part's first
-/// section, and takes it there.
-void addRow(mote::TableColumns& row, const mote::SectionTask& task, const mote::Section& section,
+/// Whether there is so little flow through a section that means weighted with it would be noise:
+/// along walls, and where as much goes in as out.
+bool isWithoutFlow(const Measure& flow, const mote::SurfaceIntegrals& sums)
+{
+  const double eitherWay = sums.values[sums.values.size() - 2], speed = sums.values.back();
+  return std::abs(flow.value) <= std::max({1e-3 * eitherWay, 1e-6 * speed, flow.error});
+}
+
+/// Writes the row of a section. `first` is the total pressure that heads refer to, and takes it
+/// where it is not known. Returns whether there is no flow to weight with.
+bool addRow(mote::TableColumns& row, const mote::SectionTask& task, const mote::Section& section,
   const std::vector<std::string>& columns, const mote::SurfaceIntegrals& sums, Measure& first)
 {
   std::size_t next = 0;
@@ -77,27 +86,121 @@ void addRow(mote::TableColumns& row, const mote::SectionTask& task, const mote::
   Measure flow;
   if (flows)
     addMeasure(row, "flow", flow = take());
+  const bool isWithout = flows && isWithoutFlow(flow, sums);
+  const auto weighted = [&]
+  {
+    const Measure sum = take();
+    return isWithout ? Measure() : ratio(sum, flow);
+  };
   for (const std::string& column : columns)
   {
     const Measure integral = take();
     addMeasure(row, column, ratio(integral, area));
     addMeasure(row, column + "_integral", integral);
     if (flows)
-      addMeasure(row, column + "_flow_mean", ratio(take(), flow));
+      addMeasure(row, column + "_flow_mean", weighted());
   }
   if (!presses)
-    return;
+    return isWithout;
   const Measure torque = take();
   addMeasure(row, "torque", section.slice ? Measure() : torque);
   if (!flows)
-    return;
-  const Measure total = ratio(take(), flow);
+    return isWithout;
+  const Measure total = weighted();
   addMeasure(row, "total_pressure", total);
   if (std::isnan(first.value))
     first = total;
   const double weight = task.density * gravity;
   addMeasure(
     row, "head", {(total.value - first.value) / weight, (total.error + first.error) / weight});
+  return isWithout;
+}
+
+/// The sums of one part, of all sections.
+struct PartSums
+{
+  std::string name;
+  bool isPatch = false; ///< polygons, the boundary of a mesh or a piece of it
+  std::vector<mote::SurfaceIntegrals> sections;
+};
+
+Measure totalPressureOf(const mote::SurfaceIntegrals& sums)
+{
+  const std::size_t count = sums.values.size(); // and see SectionSums
+  const Measure flow = {sums.values[1], sums.errors[1]};
+  return isWithoutFlow(flow, sums) ? Measure()
+                                   : ratio({sums.values[count - 3], sums.errors[count - 3]}, flow);
+}
+
+/// What heads of patches refer to: the total pressure of a patch whose name says that it is an
+/// inlet, else of the first with a flow.
+Measure referenceOfPatches(const std::vector<PartSums>& all)
+{
+  Measure first;
+  for (const bool byName : {true, false})
+    for (const PartSums& part : all)
+    {
+      std::string name = part.name;
+      std::transform(
+        name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+      if (!part.isPatch || (byName && name.find("inlet") == std::string::npos))
+        continue;
+      for (const mote::SurfaceIntegrals& sums : part.sections)
+        if (std::isnan(first.value))
+          first = totalPressureOf(sums);
+    }
+  return first;
+}
+
+/// Those of all parts together: of meshes, where there are any, as patches bound them.
+PartSums sumOf(const std::vector<PartSums>& all)
+{
+  const bool hasMeshes =
+    std::any_of(all.begin(), all.end(), [](const PartSums& part) { return !part.isPatch; });
+  PartSums sum;
+  sum.name = "all";
+  for (const PartSums& part : all)
+    for (std::size_t k = 0; k < part.sections.size() && !(part.isPatch && hasMeshes); ++k)
+      if (sum.sections.size() <= k)
+        sum.sections.push_back(part.sections[k]);
+      else
+        sum.sections[k] = mote::together(sum.sections[k], part.sections[k]);
+  return sum;
+}
+
+/// Fills the table. Returns a sentence about sections without flow, or nothing.
+std::string writeTable(const mote::SectionTask& task, const std::vector<mote::Section>& sections,
+  const std::vector<std::string>& columns, const std::vector<PartSums>& all, vtkTable* table)
+{
+  const bool hasTotals = !task.velocity.empty() && !task.pressure.empty();
+  const Measure ofPatches = hasTotals ? referenceOfPatches(all) : Measure();
+  mote::TableColumns rows;
+  std::vector<std::string> without;
+  const auto write = [&](const PartSums& part)
+  {
+    Measure first = part.isPatch ? ofPatches : Measure();
+    for (std::size_t k = 0; k < sections.size(); ++k)
+    {
+      rows.Add("part", part.name);
+      const bool isMet = part.sections[k].cells > 0;
+      if (addRow(rows, task, sections[k], columns, part.sections[k], first) && isMet)
+        without.push_back(part.name + " " + sections[k].name);
+    }
+  };
+  for (const PartSums& part : all)
+    write(part);
+  if (all.size() > 1)
+    write(sumOf(all));
+  rows.FillTable(table);
+  if (without.empty())
+    return {};
+  constexpr std::size_t most = 6;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, without.size()); ++i)
+    text += (i > 0 ? ", " : "") + without[i];
+  return "no flow goes through, or as much in as out, so that means weighted with it are nan: " +
+         text +
+         (without.size() > most ? " and " + std::to_string(without.size() - most) + " more" : "");
 }
 
 /// Whether an array of this name has so many components, of those parts that have it; a sentence
@@ -238,41 +341,39 @@ std::string vtkMoteSurfaceIntegrals::Integrate(vtkDataObject* input, vtkTable* t
         break;
       }
 
-  mote::TableColumns rows;
-  std::vector<mote::SurfaceIntegrals> all(this->Impl->sections.size());
+  std::vector<PartSums> all;
   for (const mote::DataSetPart& part : parts)
   {
-    task.origin = vectorOf(this->Origin);
-    task.axis = vectorOf(this->Axis);
-    if (mote::Vec3d origin, axis; this->AxisFromInput &&
-                                  mote::readVector(part.data, "AxisOrigin", origin) &&
-                                  mote::readVector(part.data, "AxisDirection", axis))
-    {
-      task.origin = origin;
-      task.axis = axis;
-    }
-    const double length = glm::length(task.axis);
-    if (!(length > 0.0) || !std::isfinite(length))
+    if (!this->FindAxis(part.data, &task.origin.x, &task.axis.x))
       return "the axis of torques needs a direction of finite length above 0";
-    task.axis /= length;
     const mote::SectionSums sums(part.data, task, columns);
-    Measure first;
-    for (std::size_t k = 0; k < all.size(); ++k)
-    {
-      const mote::SurfaceIntegrals found = sums.of(this->Impl->sections[k]);
-      rows.Add("part", part.name);
-      addRow(rows, task, this->Impl->sections[k], columns, found, first);
-      all[k] = all[k].values.empty() ? found : mote::together(all[k], found);
-    }
+    PartSums& own = all.emplace_back();
+    own.name = part.name;
+    own.isPatch = part.data->IsA("vtkPolyData");
+    for (const mote::Section& section : this->Impl->sections)
+      own.sections.push_back(sums.of(section));
   }
-  Measure first;
-  for (std::size_t k = 0; parts.size() > 1 && k < all.size(); ++k)
-  {
-    rows.Add("part", std::string("all"));
-    addRow(rows, task, this->Impl->sections[k], columns, all[k], first);
-  }
-  rows.FillTable(table);
+  this->Report = writeTable(task, this->Impl->sections, columns, all, table);
   return {};
+}
+
+/// The axis of torques of a part, of unit length; false where it has no direction.
+bool vtkMoteSurfaceIntegrals::FindAxis(vtkDataSet* data, double origin[3], double axis[3])
+{
+  mote::Vec3d from = vectorOf(this->Origin), way = vectorOf(this->Axis);
+  if (mote::Vec3d own, direction; this->AxisFromInput &&
+                                  mote::readVector(data, "AxisOrigin", own) &&
+                                  mote::readVector(data, "AxisDirection", direction))
+  {
+    from = own;
+    way = direction;
+  }
+  const double length = glm::length(way);
+  if (!(length > 0.0) || !std::isfinite(length))
+    return false;
+  for (int k = 0; k < 3; ++k)
+    origin[k] = from[k], axis[k] = way[k] / length;
+  return true;
 }
 
 int vtkMoteSurfaceIntegrals::RequestData(
@@ -280,6 +381,7 @@ int vtkMoteSurfaceIntegrals::RequestData(
 {
   vtkTable* table = vtkTable::GetData(outputVector, 0);
   table->Initialize();
+  this->Report.clear();
   try
   {
     this->ErrorMessage = this->Integrate(vtkDataObject::GetData(inputVector[0]), table);

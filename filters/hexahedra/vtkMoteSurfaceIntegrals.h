@@ -9,7 +9,8 @@
  * boundary is its polygons, with normals by the right-hand rule; each is triangles to its middle.
  *
  * The output is a table with a row for each part and section, and, of several parts, one for each
- * section of all of them together, named "all". Columns:
+ * section of all of them together, named "all": of grids where there are any, as patches bound
+ * them. Columns:
  * - `part`, `section`: names; `cells`: cells that the section meets, of a boundary its faces;
  *   `area`.
  * - For each array of AddArray(), and for each component of it (`U:0`, or by its name): `NAME`, the
@@ -22,7 +23,10 @@
  *   is behind the boundary: the integral of p (r x n), n out of the mesh. NaN for other sections.
  * - With both: `total_pressure`, the mean of p + density v^2 / 2 weighted with the flow, and
  *   `head`, by how much that is greater than in the part's first section, over density times
- *   gravity, 9.80665 m/s^2.
+ *   gravity, 9.80665 m/s^2; of patches, than at the patch whose name has "inlet" in it, or else at
+ *   the first with a flow.
+ * Through walls, and where as much flows in as out, means weighted with the flow are NaN, and
+ * GetReport() says so.
  * Each number has a column `NAME_error` beside it, what the quadrature may err by, estimated from
  * a coarser rule. docs/hexahedra.md tells the rules.
  *
@@ -42,6 +46,8 @@
 
 #include <memory> // For the sections
 #include <string> // For names
+
+class vtkDataSet;
 
 class MOTEFILTERSHEXAHEDRA_EXPORT vtkMoteSurfaceIntegrals : public vtkTableAlgorithm
 {
@@ -110,8 +116,9 @@ public:
 
   ///@{
   /**
-   * What of a cell's integral may change when the cell is cut finer, before it is cut no more; in
-   * [1e-12, 0.1], default 1e-7.
+   * What of a cell's integral may change when the cell is cut finer, before it is cut no more: a
+   * share of that of the absolute value, or of the size of the field on the section times the area,
+   * such as of the speed where that is the flow; in [1e-12, 0.1], default 1e-7.
    */
   vtkSetClampMacro(Tolerance, double, 1e-12, 0.1);
   vtkGetMacro(Tolerance, double);
@@ -121,6 +128,11 @@ public:
    * What went wrong in the last run; empty if nothing did.
    */
   const std::string& GetErrorMessage() const { return this->ErrorMessage; }
+
+  /**
+   * A sentence about sections of the last run without flow; empty where there are none.
+   */
+  const std::string& GetReport() const { return this->Report; }
 
 protected:
   vtkMoteSurfaceIntegrals();
@@ -134,6 +146,7 @@ private:
   void operator=(const vtkMoteSurfaceIntegrals&) = delete;
 
   std::string Integrate(vtkDataObject* input, vtkTable* table);
+  bool FindAxis(vtkDataSet* data, double origin[3], double axis[3]);
 
   std::string VelocityArrayName, PressureArrayName;
   double Density = 1.0;
@@ -142,7 +155,7 @@ private:
   double Origin[3] = {0.0, 0.0, 0.0};
   double Axis[3] = {0.0, 0.0, 1.0};
   double Tolerance = 1e-7;
-  std::string ErrorMessage;
+  std::string ErrorMessage, Report;
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

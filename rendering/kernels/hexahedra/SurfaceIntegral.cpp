@@ -36,6 +36,7 @@ struct Sums
   }
   void add(double weight, const std::vector<double>& point)
   {
+    area += weight;
     for (std::size_t i = 0; i < values.size(); ++i)
     {
       values[i] += weight * point[i];
@@ -44,6 +45,7 @@ struct Sums
   }
 
   std::vector<double> values, sizes;
+  double area = 0.0;
 };
 
 /// Adds what of(cell or face number, sum) finds for each of so many.
@@ -327,7 +329,9 @@ private:
 /// A cell is cut into no more than this many cubes along each edge.
 constexpr int mostCuts = 16;
 
-void addCell(SlicedCell& cell, double tolerance, SurfaceIntegrals& sum)
+/// `enough`, for each function: what may change per area; none: 0.
+void addCell(
+  SlicedCell& cell, double tolerance, const std::vector<double>& enough, SurfaceIntegrals& sum)
 {
   Sums coarse = cell.cut(1), fine = cell.cut(2);
   if (std::all_of(fine.sizes.begin(), fine.sizes.end(), [](double size) { return size == 0.0; }) &&
@@ -337,7 +341,9 @@ void addCell(SlicedCell& cell, double tolerance, SurfaceIntegrals& sum)
   const auto isGood = [&]
   {
     for (std::size_t i = 0; i < fine.values.size(); ++i)
-      if (std::abs(fine.values[i] - coarse.values[i]) > tolerance * fine.sizes[i])
+      if (const double change = std::abs(fine.values[i] - coarse.values[i]);
+          change > tolerance * fine.sizes[i] &&
+          !(!enough.empty() && change <= enough[i] * fine.area))
         return false;
     return true;
   };
@@ -355,12 +361,11 @@ void addCell(SlicedCell& cell, double tolerance, SurfaceIntegrals& sum)
   }
 }
 
-} // namespace
-
-SurfaceIntegrals integrateSlice(const HexMesh& mesh, const SliceShape& shape, int count,
-  const Integrand& integrand, const HiddenCells* hidden, double tolerance)
+/// Calls visit(cell, sum) for the cells that a shape may meet.
+template <typename Visit>
+SurfaceIntegrals inSlicedCells(const HexMesh& mesh, const Distance& distance, int count,
+  const Integrand& integrand, const HiddenCells* hidden, const Visit& visit)
 {
-  const Distance distance(shape);
   return inParallel(mesh.cellCount(), count,
     [&](std::size_t i, SurfaceIntegrals& sum)
     {
@@ -368,8 +373,49 @@ SurfaceIntegrals integrateSlice(const HexMesh& mesh, const SliceShape& shape, in
       if ((hidden && (*hidden)[number]) || !distance.mayMeet(mesh.corners(i)))
         return;
       SlicedCell cell(mesh, number, distance, integrand, count);
-      addCell(cell, tolerance, sum);
+      visit(cell, sum);
     });
+}
+
+/// The mean of each function on a surface, roughly; none where there is no surface.
+std::vector<double> roughMeans(const HexMesh& mesh, const Distance& distance, int count,
+  const Integrand& sizes, const HiddenCells* hidden)
+{
+  // One more, the area.
+  const Integrand withArea = [&](const SurfacePoint& at, double* values)
+  {
+    sizes(at, values);
+    values[count] = 1.0;
+  };
+  SurfaceIntegrals sums = inSlicedCells(mesh, distance, count + 1, withArea, hidden,
+    [](SlicedCell& cell, SurfaceIntegrals& sum)
+    {
+      const Sums found = cell.cut(1);
+      for (std::size_t i = 0; i < found.values.size(); ++i)
+        sum.values[i] += found.values[i];
+    });
+  const double area = sums.values.back();
+  sums.values.pop_back();
+  if (!(area > 0.0))
+    return {};
+  for (double& mean : sums.values)
+    mean /= area;
+  return sums.values;
+}
+
+} // namespace
+
+SurfaceIntegrals integrateSlice(const HexMesh& mesh, const SliceShape& shape, int count,
+  const Integrand& integrand, const HiddenCells* hidden, double tolerance, const Integrand& sizes)
+{
+  const Distance distance(shape);
+  std::vector<double> enough;
+  if (sizes)
+    enough = roughMeans(mesh, distance, count, sizes, hidden);
+  for (double& one : enough)
+    one *= tolerance;
+  return inSlicedCells(mesh, distance, count, integrand, hidden,
+    [&](SlicedCell& cell, SurfaceIntegrals& sum) { addCell(cell, tolerance, enough, sum); });
 }
 
 //------------------------------------------------------------------------------------------------

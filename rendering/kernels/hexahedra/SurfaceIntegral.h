@@ -42,8 +42,14 @@ SurfaceIntegrals together(SurfaceIntegrals a, const SurfaceIntegrals& b);
 /// the shape; n doubles until what changes is less than `tolerance` of the integral of the
 /// absolute value in the cell, and the last two are extrapolated. What is linear on a plane in
 /// cells with plane faces is exact at once.
+///
+/// `sizes`, if any, writes for each function the size of what it is made of, such as the speed
+/// where that is the velocity along the normal: what changes by less than `tolerance` of the mean
+/// size on the surface, times the area in the cell, is good enough, too. Where there is hardly any
+/// flow through a surface nothing else would end the cutting.
 SurfaceIntegrals integrateSlice(const HexMesh& mesh, const SliceShape& shape, int count,
-  const Integrand& integrand, const HiddenCells* hidden = nullptr, double tolerance = 1e-7);
+  const Integrand& integrand, const HiddenCells* hidden = nullptr, double tolerance = 1e-7,
+  const Integrand& sizes = {});
 
 /// The same over the mesh's boundary, whose normals go outwards: bilinear patches, by Gauss' rule
 /// with 4 x 4 points each, judged by that with 3 x 3.

@@ -194,6 +194,56 @@ TEST(SurfaceIntegrals, OfPolygonsHaveTheirOwnSide)
   EXPECT_NEAR(found(0, "x"), 1.0, 1e-12);
 }
 
+TEST(SurfaceIntegrals, OfPatchesHaveHeadAgainstTheInletAndDoNotCountTwice)
+{
+  const Grid grid = box({1.0, 0.0, 0.0});
+  addPointArray(grid, "pressure", [](const double* p) { return std::vector{10.0 * p[0]}; });
+  // The ends of the box along x as patches, and a wall.
+  const auto patch = [&](double x, double sign)
+  {
+    auto made = vtkSmartPointer<vtkPolyData>::New();
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (const auto& [y, z] : {std::pair(0.0, 0.0), {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}})
+      points->InsertNextPoint(x, sign > 0.0 ? y : 1.0 - y, z);
+    made->SetPoints(points);
+    vtkNew<vtkCellArray> polygons;
+    const vtkIdType ids[4] = {0, 1, 2, 3};
+    polygons->InsertNextCell(4, ids);
+    made->SetPolys(polygons);
+    addPointArray(made, "U", [](const double*) { return std::vector{1.0, 0.0, 0.0}; });
+    addPointArray(made, "pressure", [](const double* p) { return std::vector{10.0 * p[0]}; });
+    return made;
+  };
+  const auto outlet = patch(1.0, 1.0), inlet = patch(0.0, -1.0), wall = patch(0.5, 1.0);
+  addPointArray(wall, "U", [](const double*) { return std::vector{1e-18, 3.0, 0.0}; });
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  const std::pair<const char*, vtkDataSet*> all[] = {
+    {"mesh", grid}, {"case: outlet", outlet}, {"case: inlet", inlet}, {"case: wall", wall}};
+  for (unsigned i = 0; i < 4; ++i)
+  {
+    blocks->SetBlock(i, all[i].second);
+    blocks->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), all[i].first);
+  }
+  Integrals found(blocks);
+  found.filter->AddBoundary("boundary");
+  found.filter->SetVelocityArrayName("U");
+  found.filter->SetPressureArrayName("pressure");
+  found.filter->AddArray("pressure");
+  EXPECT_NEAR(found(1, "flow"), 1.0, 1e-12);
+  EXPECT_NEAR(found(2, "flow"), -1.0, 1e-12);
+  EXPECT_NEAR(found(1, "head"), 10.0 / 9.80665, 1e-9) << "against the inlet, which comes later";
+  EXPECT_NEAR(found(2, "head"), 0.0, 1e-12);
+  for (const char* column : {"pressure_flow_mean", "total_pressure", "head"})
+    for (const int row : {0, 3}) // as much goes in as out; nothing goes through
+      EXPECT_TRUE(std::isnan(found(row, column))) << column << row;
+  EXPECT_NEAR(found(3, "pressure"), 5.0, 1e-12);
+  EXPECT_NE(found.filter->GetReport().find("mesh boundary, case: wall boundary"), std::string::npos)
+    << found.filter->GetReport();
+  EXPECT_EQ(found.text(4, "part"), "all");
+  EXPECT_NEAR(found(4, "area"), found(0, "area"), 1e-12) << "patches bound the mesh";
+}
+
 TEST(SurfaceIntegrals, WhatCannotBeIsToldInASentence)
 {
   const Grid grid = box({1.0, 0.0, 0.0}, 1);

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 
 using namespace mote;
@@ -106,6 +107,33 @@ TEST(SurfaceIntegral, OfCylindersInARingIsThatOfTheirShape)
   EXPECT_NEAR(found.values[1], 0.0, 1e-6);
   EXPECT_NEAR(found.values[2] / (2.0 * M_PI * ring.height), 1.0, 1e-6);
   EXPECT_LT(found.errors[2], 1e-3);
+}
+
+TEST(SurfaceIntegral, WhereNothingFlowsThroughTheSpeedTellsWhatIsEnough)
+{
+  RingShape ring;
+  ring.twist = 0.3;
+  const auto mesh = hexRing(ring).mesh();
+  SliceShape shape;
+  shape.kind = SliceShape::Kind::Cylinder;
+  shape.radius = 1.45;
+  std::atomic<long> calls = 0;
+  const auto around = [&](const Vec3d& p)
+  {
+    ++calls;
+    return Vec3d(-p.y, p.x, 0.5 + 0.1 * p.z);
+  };
+  const Integrand sizes = [&](const SurfacePoint& at, double* values)
+  {
+    values[0] = values[1] = 0.0;
+    values[2] = glm::length(around(at.place));
+  };
+  integrateSlice(*mesh, shape, 3, areaAndFlow(around), nullptr, 1e-5);
+  const long without = calls.exchange(0);
+  const auto found = integrateSlice(*mesh, shape, 3, areaAndFlow(around), nullptr, 1e-5, sizes);
+  EXPECT_LT(4 * calls, without);
+  EXPECT_NEAR(found.values[0] / (2.0 * M_PI * 1.45 * ring.height), 1.0, 1e-5);
+  EXPECT_NEAR(found.values[2], 0.0, 1e-5);
 }
 
 TEST(SurfaceIntegral, OfBoundariesObeysGauss)
