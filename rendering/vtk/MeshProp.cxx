@@ -35,6 +35,7 @@ public:
            mapper_->GetRepetitions(), mapper_->GetRepetitionCenter(), mapper_->GetRepetitionAxis()))
     {
       object.toWorld = placed * turn;
+      mapper_->TurnColors(object);
       scene.surfaces.push_back(object);
     }
     return true;

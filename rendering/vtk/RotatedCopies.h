@@ -25,6 +25,25 @@ inline std::vector<Mat4d> rotatedCopies(int count, const double center[3], const
   return turns;
 }
 
+/// The direction in the data of a component of vectors in the world, of data that are drawn so
+/// placed: by it a vector that turns with them has that component. 0 where it is the data's own
+/// component, and where there is none.
+inline Vec3d componentAlong(const Mat4d& toWorld, int component)
+{
+  if (component < 0 || component > 2)
+    return Vec3d(0.0);
+  Vec3d along, own(0.0);
+  own[component] = 1.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const Vec3d way(toWorld[k]); // where the data's axis goes
+    const double length = glm::length(way);
+    along[k] = length > 0.0 ? way[component] / length : 0.0;
+  }
+  constexpr double rounding = 1e-12;
+  return glm::length(along - own) > rounding ? along : Vec3d(0.0);
+}
+
 /// Bounds of a box and its copies.
 inline Box withRotatedCopies(
   const Box& box, int count, const double center[3], const double axis[3])

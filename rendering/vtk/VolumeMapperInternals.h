@@ -10,6 +10,8 @@
 
 #include "vtkTimeStamp.h"
 
+#include <algorithm>
+#include <list>
 #include <memory>
 #include <string>
 #include <utility>
@@ -29,6 +31,47 @@ public:
   mote::HiddenOfMesh hidden;
 
   mote::ArrayColors colors;
+
+  /// The same for copies in which vectors have turned, so that a component of theirs is another
+  /// field.
+  struct Turned : mote::BuiltVolume
+  {
+    mote::Vec3d along{0.0}; ///< HexScalar::along
+    bool isSeen = false;    ///< in the scene that is described
+    std::weak_ptr<const mote::HexStructure> from;
+
+    bool isOf(const mote::BuiltVolume& whole) const
+    {
+      return field && fieldKey == whole.fieldKey && geometry.mesh() == whole.geometry.mesh() &&
+             from.lock() == whole.geometry.structure();
+    }
+    void take(const mote::BuiltVolume& whole, std::shared_ptr<const mote::HexField> own)
+    {
+      geometry = whole.geometry;
+      from = whole.geometry.structure();
+      fieldKey = whole.fieldKey;
+      field = std::move(own);
+      walk = nullptr;
+      geometry.setRanges(*field);
+    }
+  };
+  std::list<Turned> turned;
+
+  Turned& turnedAlong(const mote::Vec3d& along)
+  {
+    auto found = std::find_if(
+      turned.begin(), turned.end(), [&](const Turned& one) { return one.along == along; });
+    if (found == turned.end())
+      found = turned.emplace(turned.end());
+    found->along = along;
+    found->isSeen = true;
+    return *found;
+  }
+  /// Forgets those that were not asked for since the last time.
+  void dropTurned()
+  {
+    turned.remove_if([](Turned& one) { return !std::exchange(one.isSeen, false); });
+  }
 
   vtkMTimeType failedAt = 0; ///< of the picture that could not be made: not tried again
 

@@ -224,10 +224,29 @@ double vtkMoteMeshMapper::ValueOf(const mote::ScenePick& pick)
 {
   vtkDataArray* array = this->GetColorArray();
   double value = array ? 0.0 : vtkMath::Nan();
+  const auto valueOf = [&](vtkIdType tuple)
+  {
+    double sum = 0.0;
+    for (int k = 0; k < 3 && pick.along != mote::Vec3d(0.0); ++k)
+      sum += pick.along[k] * array->GetComponent(tuple, k);
+    return pick.along == mote::Vec3d(0.0) ? mote::ArrayColors::valueOf(this, array, tuple) : sum;
+  };
   for (const auto& [index, share] : pick.colorShares)
     if (array && share > 0.0)
-      value += share * mote::ArrayColors::valueOf(this, array, static_cast<vtkIdType>(index));
+      value += share * valueOf(static_cast<vtkIdType>(index));
   return value;
+}
+
+void vtkMoteMeshMapper::TurnColors(mote::SurfaceObject& placed)
+{
+  vtkDataArray* array = this->TurnVectors ? this->GetColorArray() : nullptr;
+  mote::SurfaceColoring& coloring = placed.coloring;
+  coloring.along = mote::Vec3d(0.0);
+  if (array && array->GetNumberOfComponents() == 3)
+    coloring.along =
+      mote::componentAlong(placed.toWorld, mote::ArrayColors::componentOf(this, array));
+  if (coloring.along != mote::Vec3d(0.0))
+    coloring.means = {}; // which are of the component
 }
 
 vtkMTimeType vtkMoteMeshMapper::GetPictureMTime()

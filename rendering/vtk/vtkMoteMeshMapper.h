@@ -114,7 +114,7 @@ public:
   /**
    * How often it is drawn, evenly around an axis, in the input's coordinates: a sector as the whole
    * wheel. Nothing is copied: copies share what is built. They have the same cells for picks, and
-   * the same values; components of vectors are those of the one that is there. Default 1, about z.
+   * the same values; for components of vectors see TurnVectors. Default 1, about z.
    */
   vtkSetClampMacro(Repetitions, int, 1, 10000);
   vtkGetMacro(Repetitions, int);
@@ -122,6 +122,16 @@ public:
   vtkGetVector3Macro(RepetitionCenter, double);
   vtkSetVector3Macro(RepetitionAxis, double);
   vtkGetVector3Macro(RepetitionAxis, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether arrays with three components are vectors that turn with what is drawn, by its prop and
+   * its repetition: a component is then that along an axis of the world. Default off.
+   */
+  vtkSetMacro(TurnVectors, bool);
+  vtkGetMacro(TurnVectors, bool);
+  vtkBooleanMacro(TurnVectors, bool);
   ///@}
 
   /** Bounds of the triangles that can be drawn. */
@@ -207,6 +217,11 @@ public:
    */
   bool DescribeTo(mote::SurfaceObject& object, vtkActor* actor);
 
+  /**
+   * Follows TurnVectors in what DescribeTo() said, for triangles that are placed so.
+   */
+  void TurnColors(mote::SurfaceObject& placed);
+
   /** The value that colours what was picked, NaN where none does. */
   double ValueOf(const mote::ScenePick& pick);
 #endif
@@ -222,6 +237,7 @@ protected:
   int Repetitions = 1;
   double RepetitionCenter[3] = {0.0, 0.0, 0.0};
   double RepetitionAxis[3] = {0.0, 0.0, 1.0};
+  bool TurnVectors = false;
   bool CastsShadows = true;
   double PixelsOfError = 0.0;
 

@@ -157,15 +157,43 @@ bool vtkMoteVolumeMapper::UpdateGeometry(vtkUnstructuredGrid* grid)
   return !stopped(1.0);
 }
 
+/// Which component is drawn of the array.
+int vtkMoteVolumeMapper::ChosenComponent(vtkDataArray* array)
+{
+  if (array->GetNumberOfComponents() == 1)
+    return 0; // of one number there is nothing to choose
+  return this->VectorMode == COMPONENT ? this->VectorComponent : mote::ArrayView::magnitude;
+}
+
+/// What rays need of a copy that is placed so: what was built, but for components of vectors that
+/// turn.
+mote::BuiltVolume& vtkMoteVolumeMapper::UpdateTurned(const mote::CloudObject& placed)
+{
+  Internals& impl = *this->Impl;
+  mote::HexScalar scalar;
+  vtkDataArray* array = nullptr;
+  if (this->TurnVectors)
+    array = this->FindArray(
+      vtkUnstructuredGrid::SafeDownCast(this->GetExecutive()->GetInputData(0, 0)), scalar.ofCells);
+  if (array && array->GetNumberOfComponents() == 3)
+    scalar.along = mote::componentAlong(placed.toWorld, this->ChosenComponent(array));
+  if (scalar.along == mote::Vec3d(0.0))
+    return impl;
+  Internals::Turned& turned = impl.turnedAlong(scalar.along);
+  if (turned.isOf(impl))
+    return turned;
+  const mote::DataArrayView values(array);
+  scalar.values = values.view;
+  turned.take(impl, std::make_shared<mote::HexField>(*impl.geometry.mesh(), scalar));
+  return turned;
+}
+
 void vtkMoteVolumeMapper::UpdateField(vtkUnstructuredGrid* grid)
 {
   Internals& impl = *this->Impl;
   mote::HexScalar scalar;
   vtkDataArray* array = this->FindArray(grid, scalar.ofCells);
-  scalar.component =
-    this->VectorMode == COMPONENT ? this->VectorComponent : mote::ArrayView::magnitude;
-  if (array->GetNumberOfComponents() == 1)
-    scalar.component = 0; // of one number there is nothing to choose
+  scalar.component = this->ChosenComponent(array);
   mote::InputKey key = {double(scalar.component), double(scalar.ofCells)};
   mote::addArray(key, array);
   if (impl.field && key == impl.fieldKey)
@@ -252,15 +280,8 @@ bool vtkMoteVolumeMapper::DescribeTo(mote::Scene& scene, vtkVolume* volume, int 
     cloud.hidden = impl.hidden.of(impl.geometry.mesh(), impl.visible);
     cloud.id = id;
     cloud.revision = this->GetPictureMTime();
-    cloud.structure = impl.geometry.structure();
-    cloud.field = impl.field;
     cloud.toWorld = mote::placementOf(volume);
     cloud.clip = impl.clip.region(this);
-    if (this->ShowCloud && mote::walkServes(cloud.sampling))
-    {
-      this->UpdateWalk();
-      cloud.walk = impl.walk;
-    }
     const double* c = this->EdgeColor;
     const SurfacesShown shown = {{surfaces->GetValues(), surfaces->GetValues() + values},
       impl.slices, {this->EdgeWidth, mote::Vec4f(c[0], c[1], c[2], 1.0)}, this->CastsShadows};
@@ -269,10 +290,20 @@ bool vtkMoteVolumeMapper::DescribeTo(mote::Scene& scene, vtkVolume* volume, int 
       mote::rotatedCopies(this->Repetitions, this->RepetitionCenter, this->RepetitionAxis))
     {
       cloud.toWorld = placed * turn;
+      mote::BuiltVolume& seen = this->UpdateTurned(cloud);
+      cloud.structure = seen.geometry.structure();
+      cloud.field = seen.field;
+      if (this->ShowCloud && mote::walkServes(cloud.sampling))
+      {
+        if (!seen.walk)
+          seen.walk = seen.geometry.makeWalk(*seen.field);
+        cloud.walk = seen.walk;
+      }
       shown.addTo(scene, cloud, turn);
       if (this->ShowCloud)
         scene.clouds.push_back(cloud);
     }
+    impl.dropTurned();
   }
   catch (const std::exception& error)
   {

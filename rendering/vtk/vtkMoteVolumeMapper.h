@@ -245,7 +245,7 @@ public:
   /**
    * How often it is drawn, evenly around an axis, in the input's coordinates: a sector as the whole
    * wheel. Nothing is copied: copies share what is built. They have the same cells for picks, and
-   * the same values; components of vectors are those of the one that is there. Default 1, about z.
+   * the same values; for components of vectors see TurnVectors. Default 1, about z.
    */
   vtkSetClampMacro(Repetitions, int, 1, 10000);
   vtkGetMacro(Repetitions, int);
@@ -253,6 +253,16 @@ public:
   vtkGetVector3Macro(RepetitionCenter, double);
   vtkSetVector3Macro(RepetitionAxis, double);
   vtkGetVector3Macro(RepetitionAxis, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether arrays with three components are vectors that turn with what is drawn, by its prop and
+   * its repetition: a component is then that along an axis of the world. Default off.
+   */
+  vtkSetMacro(TurnVectors, bool);
+  vtkGetMacro(TurnVectors, bool);
+  vtkBooleanMacro(TurnVectors, bool);
   ///@}
 
   /**
@@ -379,6 +389,7 @@ protected:
   int Repetitions = 1;
   double RepetitionCenter[3] = {0.0, 0.0, 0.0};
   double RepetitionAxis[3] = {0.0, 0.0, 1.0};
+  bool TurnVectors = false;
   bool CastsShadows = true;
   double NanColor[3] = {0.5, 0.0, 0.0};
   double NanOpacity = 0.0;
@@ -394,10 +405,12 @@ private:
   bool UpdateGeometry(vtkUnstructuredGrid* grid);
   void UpdateWalk();
   void UpdateField(vtkUnstructuredGrid* grid);
+  int ChosenComponent(vtkDataArray* array);
   vtkDataArray* FindArray(vtkUnstructuredGrid* grid, bool& ofCells);
   void WarnOfUnused(vtkVolumeProperty* property);
 #ifndef __VTK_WRAP__
   mote::HexStructureOptions StructureOptions();
+  mote::BuiltVolume& UpdateTurned(const mote::CloudObject& placed);
   void DescribeLook(mote::CloudObject& cloud, vtkVolumeProperty* property);
 #endif
 

@@ -89,9 +89,21 @@ HexField::HexField(const HexMesh& mesh, const HexScalar& scalar)
       values_.push_back(static_cast<float>(sum / double(mesh.aroundMiddle(m).size())));
     }
   };
+  const bool isAlong = scalar.along != Vec3d(0.0);
+  if (isAlong && wanted > 0 && v.components() != 3)
+    throw Error("Only vectors of three components have a part along a direction.");
+  const auto partAlong = [&](std::size_t i)
+  {
+    return scalar.along.x * v.value(i, 0) + scalar.along.y * v.value(i, 1) +
+           scalar.along.z * v.value(i, 2);
+  };
   // The usual array is read without asking for each value what type it has.
   if (v.type() == ArrayView::Type::Float32 && v.components() == 1 && !ofCells_)
     take([f = static_cast<const float*>(v.data())](std::size_t i) { return double(f[i]); });
+  else if (isAlong && ofCells_)
+    take([&](std::size_t c) { return partAlong(mesh.inputCell(c)); });
+  else if (isAlong)
+    take(partAlong);
   else if (ofCells_)
     take([&](std::size_t c) { return v.value(mesh.inputCell(c), scalar.component); });
   else

@@ -14,6 +14,9 @@ struct HexScalar
   ArrayView values;
   int component = 0;
   bool ofCells = false;
+  /// Where it is not 0, of values with three components: the vector's part along this direction, in
+  /// place of a component.
+  Vec3d along{0.0};
 };
 
 /// A scalar on a mesh, at its points (trilinear in each cell) or one value a cell: an owned copy,

@@ -28,13 +28,14 @@ void fillDirect(const ArrayView& from, const std::uint64_t* indices, int count, 
   }
 }
 
-void fillMapped(const ArrayView& from, int component, const ColorMap& map,
-  const std::uint64_t* indices, int count, float (*colors)[4])
+template <typename ValueOf>
+void fillMapped(const ValueOf& valueOf, const ColorMap& map, const std::uint64_t* indices,
+  int count, float (*colors)[4])
 {
   // Values come from anywhere in memory: with nothing else in the loop many are on their way.
   double found[HitBlock::capacity];
   for (int k = 0; k < count; ++k)
-    found[k] = from.value(indices[k], component);
+    found[k] = valueOf(indices[k]);
   map.map(found, count, colors);
 }
 
@@ -44,8 +45,12 @@ void SurfaceColoring::fill(const std::uint64_t* indices, int count, float (*colo
 {
   if (!direct.empty())
     return fillDirect(direct, indices, count, colors);
+  if (!values.empty() && along == Vec3d(0.0))
+    return fillMapped(
+      [this](std::uint64_t i) { return values.value(i, component); }, map, indices, count, colors);
   if (!values.empty())
-    return fillMapped(values, component, map, indices, count, colors);
+    return fillMapped(
+      [this](std::uint64_t i) { return this->valueOf(i); }, map, indices, count, colors);
   for (int k = 0; k < count; ++k)
     setColor(palette.empty() ? constant : palette[indices[k]], colors[k]);
 }
@@ -58,7 +63,7 @@ void SurfaceColoring::fill(const ColorMix& mix, int count, float (*colors)[4]) c
     for (int corner = 0; corner < ColorMix::corners; ++corner)
       for (int k = 0; k < count; ++k)
         if (mix.share[corner][k] > 0.0) // else a value that is NaN does not count
-          found[k] += mix.share[corner][k] * values.value(mix.index[corner][k], component);
+          found[k] += mix.share[corner][k] * this->valueOf(mix.index[corner][k]);
     return map.map(found, count, colors);
   }
   float part[HitBlock::capacity][4];
@@ -76,7 +81,7 @@ void SurfaceColoring::fillMeans(const std::uint64_t* places, int count, float (*
 {
   if (!direct.empty())
     return fillDirect(means, places, count, colors);
-  fillMapped(means, 0, map, places, count, colors);
+  fillMapped([this](std::uint64_t i) { return means.value(i, 0); }, map, places, count, colors);
 }
 
 bool SurfaceColoring::mayBeTransparent() const

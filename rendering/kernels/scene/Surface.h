@@ -38,6 +38,9 @@ struct SurfaceColoring
   Vec4f constant{1.0f}; ///< where there is nothing else
   ArrayView values;     ///< looked up in `map` where not empty
   int component = 0;    ///< of `values`, or ArrayView::magnitude
+  /// Where it is not 0, of `values` with three components: the vector's part along this direction,
+  /// in place of a component.
+  Vec3d along{0.0};
   ColorMap map;
   ArrayView direct; ///< 8-bit grey, grey+alpha, RGB or RGBA where not empty: used as they are
   std::vector<Vec4f> palette; ///< a colour an index where not empty
@@ -56,6 +59,14 @@ struct SurfaceColoring
   void fill(const double* known, int count, float (*colors)[4]) const
   {
     map.map(known, count, colors);
+  }
+  /// The value of an index, to be looked up in `map`.
+  double valueOf(std::uint64_t index) const
+  {
+    return along == Vec3d(0.0)
+             ? values.value(index, component)
+             : along.x * values.value(index, 0) + along.y * values.value(index, 1) +
+                 along.z * values.value(index, 2);
   }
   /// Whether any index is asked for.
   bool usesIndices() const { return !values.empty() || !direct.empty() || !palette.empty(); }

@@ -78,6 +78,7 @@ std::optional<ScenePick> pick(
 
   ScenePick found;
   found.object = rays.surface(ray.object).id;
+  found.along = rays.surface(ray.object).coloring.along;
   found.t = ray.t;
   found.position = origin + found.t * direction;
   const Mat4d& toLocal = rays.toLocal(ray.object);

@@ -20,6 +20,7 @@ struct ScenePick
   std::uint64_t colorIndex = 0;
   /// The indices that are mixed, and their shares; where one tells the colour, it has all.
   std::array<std::pair<std::uint64_t, double>, ColorMix::corners> colorShares{};
+  Vec3d along{0.0};            ///< SurfaceColoring::along
   std::optional<double> value; ///< that a surface itself knows; see SurfaceKind::hasValues
   double t = 0.0;              ///< in lengths of the direction given
   Vec3d position{0.0};

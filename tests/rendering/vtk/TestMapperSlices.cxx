@@ -3,8 +3,12 @@
 #include "MeshTestSupport.h"
 #include "VolumeTestSupport.h"
 
+#include "vtkActor.h"
 #include "vtkColorTransferFunction.h"
+#include "vtkDoubleArray.h"
+#include "vtkMoteMeshMapper.h"
 #include "vtkMoteSlice.h"
+#include "vtkPointData.h"
 
 #include <cmath>
 
@@ -154,6 +158,73 @@ TEST(MapperSlices, CopiesAroundAnAxisAreTheWholeWheel)
     stage->mapper->ShowCloudOff();
   compare("slice");
   EXPECT_EQ(four.mapper->GetNumberOfBuilds(), one.mapper->GetNumberOfBuilds());
+}
+
+TEST(MapperSlices, ComponentsOfVectorsTurnWithWhatIsDrawn)
+{
+  // A vector that is the place itself: wherever it has turned to, its part along x is x.
+  const auto quarter = makeBox(2, [](const Point& p) { return p[2]; });
+  vtkNew<vtkDoubleArray> places;
+  places->SetName("place");
+  places->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < quarter->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    quarter->GetPoint(i, p);
+    p[0] = 0.5 * p[0] + 0.5, p[1] = 0.5 * p[1] + 0.5;
+    quarter->GetPoints()->SetPoint(i, p);
+    places->InsertNextTuple(p);
+  }
+  quarter->GetPointData()->AddArray(places);
+  VolumeStage stage(quarter, true);
+  stage.mapper->SetScalarModeToUsePointFieldData();
+  stage.mapper->SelectScalarArray("place");
+  stage.mapper->SetRepetitions(4);
+  stage.mapper->ShowCloudOff();
+  stage.mapper->AddSlice(planeAt(0.3));
+  vtkNew<vtkMoteMeshMapper> walls;
+  walls->SetInputData(quarter);
+  walls->SetScalarModeToUsePointFieldData();
+  walls->SelectColorArray("place");
+  walls->SetRepetitions(4);
+  vtkNew<vtkActor> boundary;
+  boundary->SetMapper(walls);
+  vtkNew<vtkGenericOpenGLRenderWindow> window; // never opened: it lends the renderer its size
+  window->SetSize(60, 60);
+  window->AddRenderer(stage.renderer);
+  const auto largestError = [&](int component)
+  {
+    stage.renderer->ResetCameraClippingRange();
+    vtkNew<vtkMoteParticlePicker> picker;
+    picker->PickCloudsOn();
+    double error = 0.0;
+    for (const auto& [x, y] : {std::pair(40, 45), {20, 42}, {17, 21}, {42, 18}})
+    {
+      EXPECT_EQ(picker->Pick(x, y, 0, stage.renderer), 1);
+      error = std::max(error, std::abs(picker->GetValue() - picker->GetPickPosition()[component]));
+    }
+    return error;
+  };
+  EXPECT_GT(largestError(0), 0.1) << "components of the data";
+  stage.mapper->TurnVectorsOn();
+  EXPECT_LT(largestError(0), 1e-5);
+  for (vtkProp3D* prop : {static_cast<vtkProp3D*>(stage.volume), static_cast<vtkProp3D*>(boundary)})
+    prop->RotateZ(10.0);
+  EXPECT_LT(largestError(0), 1e-5);
+  stage.mapper->SetVectorComponent(1);
+  EXPECT_LT(largestError(1), 1e-5);
+  EXPECT_EQ(stage.mapper->GetNumberOfBuilds(), 1);
+  EXPECT_EQ(stage.mapper->GetNumberOfFieldUpdates(), 2) << "those of the copies are their own";
+  stage.mapper->SetVectorComponent(0);
+  stage.mapper->RemoveAllSlices();
+  stage.mapper->ShowCloudOn();
+  stage.paint({0.2, 0.6, 0.9}, 0.9);
+  EXPECT_LT(largestError(0), 1e-5) << "the cloud";
+  stage.renderer->RemoveVolume(stage.volume);
+  stage.renderer->AddActor(boundary);
+  EXPECT_GT(largestError(0), 0.1);
+  walls->TurnVectorsOn();
+  EXPECT_LT(largestError(0), 1e-5) << "triangles";
 }
 
 TEST_F(MeshStage, CopiesAroundAnAxis)
