@@ -1,5 +1,6 @@
 #include "FlowInCells.h"
 
+#include "FlowSeeds.h"
 #include "LocatorQueries.h"
 
 #include <glm/common.hpp>
@@ -7,13 +8,41 @@
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 
 namespace mote
 {
+
+Mat4d placementOf(vtkDataSet* data)
+{
+  Mat4d placement(1.0);
+  vtkDataArray* array = data->GetFieldData()->GetArray("Placement");
+  if (!array || array->GetNumberOfComponents() * array->GetNumberOfTuples() != 16)
+    return placement;
+  for (int k = 0; k < 16; ++k)
+    placement[k % 4][k / 4] = array->GetVariantValue(k).ToDouble();
+  return placement;
+}
+
+Vec3d turnedVector(const Mat4d& placement, const Vec3d& vector)
+{
+  return transformVector(placement, vector) / scaleOf(placement);
+}
+
+FlowInCells::FlowInCells(vtkDataSet* data, std::shared_ptr<const LocatorStructure> structure)
+  : data_(data)
+  , toWorld_(placementOf(data))
+  , toData_(glm::inverse(toWorld_))
+  , ghosts_(data->GetCellGhostArray())
+  , structure_(std::move(structure))
+{
+}
 
 void FlowInCells::select(vtkDataArray* vectors, bool ofCells)
 {
@@ -72,10 +101,11 @@ bool FlowInCells::isHeld(Entered& entered, const Vec3d& p) const
   return true;
 }
 
-bool FlowInCells::find(const Vec3d& p)
+bool FlowInCells::find(const Vec3d& inWorld)
 {
   if (!structure_ || !selected_)
     return false;
+  const Vec3d p = transformPoint(toData_, inWorld);
   p_ = p;
   std::size_t held = last_, tried = 0;
   while (tried < entered_.size() && !this->isHeld(entered_[held], p))
@@ -83,7 +113,7 @@ bool FlowInCells::find(const Vec3d& p)
   if (tried == entered_.size())
   {
     const std::uint32_t cell = structure_->cellAt(p);
-    if (cell == HexMesh::noCell)
+    if (cell == HexMesh::noCell || isHiddenCell(ghosts_, structure_->mesh->inputCell(cell)))
       return false;
     held = next_;
     next_ = (next_ + 1) % entered_.size();
@@ -102,6 +132,7 @@ void FlowInCells::velocity(double f[3]) const
   Vec3d sum(0.0);
   for (std::size_t i = 0; i < 8; ++i)
     sum += shares_[i] * entered_[last_].velocities[i];
+  sum = turnedVector(toWorld_, sum);
   std::copy_n(&sum.x, 3, f);
 }
 

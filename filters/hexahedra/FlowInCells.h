@@ -14,20 +14,25 @@
 class vtkDataArray;
 class vtkDataSet;
 class vtkGenericCell;
+class vtkUnsignedCharArray;
 
 namespace mote
 {
 
+/// Where a data set stands in the world: by its field array "Placement", if it has one, 16 numbers
+/// of a matrix row by row, which turns and moves.
+Mat4d placementOf(vtkDataSet* data);
+
+/// Turns a vector with a data set that is placed so.
+Vec3d turnedVector(const Mat4d& placement, const Vec3d& vector);
+
 /// The velocity in the cells of one data set, at points that follow one another: cells that held
-/// the last ones are asked first, and what was read of them is kept. For one thread.
+/// the last ones are asked first, and what was read of them is kept. Points and velocities are in
+/// the world, see placementOf(). Cells that the ghost array hides are not found. For one thread.
 class FlowInCells
 {
 public:
-  FlowInCells(vtkDataSet* data, std::shared_ptr<const LocatorStructure> structure)
-    : data_(data)
-    , structure_(std::move(structure))
-  {
-  }
+  FlowInCells(vtkDataSet* data, std::shared_ptr<const LocatorStructure> structure);
 
   vtkDataSet* data() const { return data_; }
 
@@ -35,7 +40,7 @@ public:
   void select(vtkDataArray* vectors, bool ofCells);
 
   /// Finds the cell at a point; false for none. All below is about that.
-  bool find(const Vec3d& p);
+  bool find(const Vec3d& inWorld);
   void velocity(double f[3]) const;
   /// The data set's number of the cell; its own number where parts of a polyhedron make it up.
   vtkIdType cell() const { return entered_[last_].inputCell; }
@@ -58,6 +63,8 @@ private:
   bool isHeld(Entered& entered, const Vec3d& p) const;
 
   vtkDataSet* data_;
+  Mat4d toWorld_, toData_;
+  vtkUnsignedCharArray* ghosts_; ///< of the data set; null: none is hidden
   std::shared_ptr<const LocatorStructure> structure_;
   vtkDataArray* selected_ = nullptr;
   DataArrayView vectors_;

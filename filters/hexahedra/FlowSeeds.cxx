@@ -2,6 +2,9 @@
 
 #include "kernels/hexahedra/TrilinearCell.h"
 
+#include "vtkDataSetAttributes.h"
+#include "vtkUnsignedCharArray.h"
+
 #include <cmath>
 
 namespace mote
@@ -24,28 +27,47 @@ Vec3d evenPlace(std::size_t i)
   return {part(1.0 / g), part(1.0 / (g * g)), part(1.0 / (g * g * g))};
 }
 
+/// Calls visit(mesh, corners, volume) for the cells that are not hidden.
+template <typename Visit>
+void forCells(const std::vector<SeededMesh>& meshes, const Visit& visit)
+{
+  for (const SeededMesh& one : meshes)
+  {
+    const HexMesh& mesh = *one.structure->mesh;
+    for (std::size_t cell = 0; cell < mesh.cellCount(); ++cell)
+      if (!isHiddenCell(one.ghosts, mesh.inputCell(cell)))
+      {
+        const HexCorners corners = mesh.corners(cell);
+        visit(one, corners, std::abs(cellVolume(corners)));
+      }
+  }
+}
+
 } // namespace
 
-std::vector<Vec3d> seedsWithin(
-  const std::vector<std::shared_ptr<const LocatorStructure>>& meshes, std::size_t count)
+bool isHiddenCell(vtkUnsignedCharArray* ghosts, std::size_t inputCell)
+{
+  return ghosts && (ghosts->GetValue(static_cast<vtkIdType>(inputCell)) &
+                     vtkDataSetAttributes::HIDDENCELL) != 0;
+}
+
+std::vector<Vec3d> seedsWithin(const std::vector<SeededMesh>& meshes, std::size_t count)
 {
   double all = 0.0;
-  for (const auto& mesh : meshes)
-    for (std::size_t cell = 0; cell < mesh->mesh->cellCount(); ++cell)
-      all += std::abs(cellVolume(mesh->mesh->corners(cell)));
+  forCells(meshes, [&](const SeededMesh&, const HexCorners&, double volume) { all += volume; });
   std::vector<Vec3d> seeds;
   if (!(all > 0.0))
     return seeds;
   const double each = all / static_cast<double>(count);
   double passed = 0.0;
-  for (const auto& mesh : meshes)
-    for (std::size_t cell = 0; cell < mesh->mesh->cellCount(); ++cell)
+  forCells(meshes,
+    [&](const SeededMesh& mesh, const HexCorners& corners, double volume)
     {
-      const HexCorners corners = mesh->mesh->corners(cell);
-      passed += std::abs(cellVolume(corners));
+      passed += volume;
       while (seeds.size() < count && (static_cast<double>(seeds.size()) + 0.5) * each < passed)
-        seeds.push_back(TrilinearCell(corners).point(evenPlace(seeds.size())));
-    }
+        seeds.push_back(
+          transformPoint(mesh.placement, TrilinearCell(corners).point(evenPlace(seeds.size()))));
+    });
   return seeds;
 }
 

@@ -17,6 +17,7 @@
 #include "vtkCellDataToPointData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
+#include "vtkFloatArray.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
@@ -28,8 +29,10 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStreamTracer.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 
 vtkStandardNewMacro(vtkMoteStreamlines);
 
@@ -37,6 +40,7 @@ vtkStandardNewMacro(vtkMoteStreamlines);
 struct vtkMoteStreamlines::Internals
 {
   std::shared_ptr<mote::SharedStructures> structures = std::make_shared<mote::SharedStructures>();
+  vtkSmartPointer<vtkPoints> places; ///< of seeds, where they are given
 };
 
 namespace
@@ -106,7 +110,11 @@ std::vector<vtkSmartPointer<vtkDataSet>> withVectors(
       vtkNew<vtkCellDataToPointData> toPoints;
       toPoints->SetInputData(data);
       toPoints->Update();
+      const vtkSmartPointer<vtkUnsignedCharArray> ghosts = data->GetCellGhostArray();
       data->ShallowCopy(toPoints->GetOutput());
+      data->GetFieldData()->PassData(part.data->GetFieldData());
+      if (ghosts)
+        data->GetCellData()->AddArray(ghosts);
     }
     if (data->GetPointData()->GetArray(vectors.name.c_str()))
       all.push_back(data);
@@ -138,18 +146,61 @@ vtkSmartPointer<vtkPolyData> pointsOf(const mote::Vec3d* seeds, std::size_t coun
   return data;
 }
 
+/// Turns the vectors of a point with the data that they are of.
+void turnVectors(vtkPointData* arrays, vtkIdType point, const mote::Mat4d& placement)
+{
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = arrays->GetArray(i);
+    const bool isReal =
+      array && (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE);
+    if (!isReal || array->GetNumberOfComponents() != 3)
+      continue;
+    mote::Vec3d vector;
+    array->GetTuple(point, &vector.x);
+    vector = mote::turnedVector(placement, vector);
+    array->SetTuple(point, &vector.x);
+  }
+}
+
+constexpr const char* partArray = "MotePart"; ///< of points: which of the parts they are of
+
+/// Has lines tell which parts their points are of.
+void numberParts(const std::vector<vtkSmartPointer<vtkDataSet>>& parts)
+{
+  for (std::size_t k = 0; k < parts.size(); ++k)
+  {
+    vtkNew<vtkFloatArray> number;
+    number->SetName(partArray);
+    number->SetNumberOfTuples(parts[k]->GetNumberOfPoints());
+    number->FillValue(static_cast<float>(k));
+    parts[k]->GetPointData()->AddArray(number);
+  }
+}
+
+/// Turns the vectors of lines whose points tell which parts they are of.
+void turnLines(vtkPolyData* lines, const std::vector<mote::SeededMesh>& meshes)
+{
+  vtkDataArray* parts = lines->GetPointData()->GetArray(partArray);
+  const vtkSmartPointer<vtkDataArray> numbers = parts;
+  lines->GetPointData()->RemoveArray(partArray);
+  for (vtkIdType i = 0; numbers && i < lines->GetNumberOfPoints(); ++i)
+    if (const auto k = static_cast<std::size_t>(std::lround(numbers->GetComponent(i, 0)));
+        k < meshes.size() && meshes[k].placement != mote::Mat4d(1.0))
+      turnVectors(lines->GetPointData(), i, meshes[k].placement);
+}
+
 /// Seeds as vertices, with what the points of the cells around them have.
 void fillSeeds(const std::vector<mote::Vec3d>& seeds,
   const std::vector<vtkSmartPointer<vtkDataSet>>& parts,
-  const std::vector<std::shared_ptr<const mote::LocatorStructure>>& structures,
-  const Vectors& vectors, vtkPolyData* output)
+  const std::vector<mote::SeededMesh>& meshes, const Vectors& vectors, vtkPolyData* output)
 {
   vtkNew<vtkAppendPolyData> all;
   all->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   std::vector<bool> isTaken(seeds.size());
   for (std::size_t k = 0; k < parts.size(); ++k)
   {
-    mote::FlowInCells flow(parts[k], structures[k]);
+    mote::FlowInCells flow(parts[k], meshes[k].structure);
     flow.select(parts[k]->GetPointData()->GetArray(vectors.name.c_str()), false);
     vtkNew<vtkPolyData> own;
     vtkNew<vtkPoints> points;
@@ -170,6 +221,8 @@ void fillSeeds(const std::vector<mote::Vec3d>& seeds,
       vertices->InsertNextCell(1, &point);
       own->GetPointData()->InterpolatePoint(
         parts[k]->GetPointData(), point, cell->GetPointIds(), weights.data());
+      if (meshes[k].placement != mote::Mat4d(1.0))
+        turnVectors(own->GetPointData(), point, meshes[k].placement);
     }
     own->SetPoints(points);
     own->SetVerts(vertices);
@@ -200,13 +253,48 @@ int vtkMoteStreamlines::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
+namespace
+{
+
+std::vector<mote::Vec3d> seedsOf(
+  vtkMoteStreamlines* filter, const std::vector<mote::SeededMesh>& meshes)
+{
+  const auto count = static_cast<std::size_t>(filter->GetNumberOfSeeds());
+  if (vtkPoints* places = filter->GetSeedPlaces())
+  {
+    std::vector<mote::Vec3d> seeds(static_cast<std::size_t>(places->GetNumberOfPoints()));
+    for (std::size_t i = 0; i < seeds.size(); ++i)
+      places->GetPoint(static_cast<vtkIdType>(i), &seeds[i].x);
+    return seeds;
+  }
+  const double *from = filter->GetPoint1(), *to = filter->GetPoint2();
+  return filter->GetSeedsOnLine()
+           ? mote::seedsAlong({from[0], from[1], from[2]}, {to[0], to[1], to[2]}, count)
+           : mote::seedsWithin(meshes, count);
+}
+
+} // namespace
+
+void vtkMoteStreamlines::SetSeedPlaces(vtkPoints* places)
+{
+  if (this->Impl->places == places)
+    return;
+  this->Impl->places = places;
+  this->Modified();
+}
+
+vtkPoints* vtkMoteStreamlines::GetSeedPlaces()
+{
+  return this->Impl->places;
+}
+
 int vtkMoteStreamlines::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   this->ErrorMessage.clear();
   std::vector<vtkSmartPointer<vtkDataSet>> parts;
-  std::vector<std::shared_ptr<const mote::LocatorStructure>> structures;
+  std::vector<mote::SeededMesh> meshes;
   Vectors vectors;
   vtkBoundingBox bounds;
   try
@@ -220,7 +308,8 @@ int vtkMoteStreamlines::RequestData(
     options.kind = mote::HexStructureKind::CartesianBvh;
     for (const auto& part : parts)
     {
-      structures.push_back(this->Impl->structures->get(part, options));
+      meshes.push_back({this->Impl->structures->get(part, options), mote::placementOf(part),
+        part->GetCellGhostArray()});
       bounds.AddBounds(part->GetBounds());
     }
   }
@@ -230,14 +319,14 @@ int vtkMoteStreamlines::RequestData(
     vtkErrorMacro(<< error.what());
     return 1;
   }
-  const auto count = static_cast<std::size_t>(this->NumberOfSeeds);
-  const std::vector<mote::Vec3d> seeds =
-    this->SeedsOnLine ? mote::seedsAlong({this->Point1[0], this->Point1[1], this->Point1[2]},
-                          {this->Point2[0], this->Point2[1], this->Point2[2]}, count)
-                      : mote::seedsWithin(structures, count);
-  fillSeeds(seeds, parts, structures, vectors, vtkPolyData::GetData(outputs, 1));
+  const std::vector<mote::Vec3d> seeds = seedsOf(this, meshes);
+  fillSeeds(seeds, parts, meshes, vectors, vtkPolyData::GetData(outputs, 1));
   if (!this->ComputeLines || seeds.empty() || parts.empty())
     return 1;
+  const bool isTurned = std::any_of(meshes.begin(), meshes.end(),
+    [](const auto& mesh) { return mesh.placement != mote::Mat4d(1.0); });
+  if (isTurned)
+    numberParts(parts);
 
   // Each task has tracers and data objects of its own, over the same arrays.
   const double length =
@@ -274,6 +363,8 @@ int vtkMoteStreamlines::RequestData(
   {
     all->Update();
     output->ShallowCopy(all->GetOutput());
+    if (isTurned)
+      turnLines(output, meshes);
   }
   return 1;
 }
@@ -286,6 +377,7 @@ void vtkMoteStreamlines::PrintSelf(ostream& os, vtkIndent indent)
   for (const auto& [name, point] :
     {std::pair("Point1: ", this->Point1), {"Point2: ", this->Point2}})
     os << indent << name << point[0] << " " << point[1] << " " << point[2] << "\n";
+  os << indent << "SeedPlaces: " << this->GetSeedPlaces() << "\n";
   os << indent << "MaximumLength: " << this->MaximumLength << "\n";
   os << indent << "MaximumNumberOfSteps: " << this->MaximumNumberOfSteps << "\n";
   os << indent << "ComputeLines: " << (this->ComputeLines ? "on" : "off") << "\n";

@@ -11,6 +11,11 @@
  * Lines are vtkStreamTracer's, by Runge and Kutta's method of orders 4 and 5, both ways from each
  * seed, which all cores find together. They do not depend on the number of threads.
  *
+ * Cells that the ghost array of a data set hides (vtkDataSetAttributes::HIDDENCELL) count as not
+ * there: lines end at them. A data set with a field array "Placement", 16 numbers of a matrix row
+ * by row, stands in the world as that turns and moves it, and its vectors turn with it; seeds and
+ * lines are in the world. Nothing is built anew for that.
+ *
  * Output 0 are the lines, with vtkStreamTracer's arrays. Output 1 are the seeds that lie in a cell,
  * a vertex each, with the arrays of points there: what glyphs are made of.
  *
@@ -26,6 +31,8 @@
 
 #include <memory> // For what runs share
 #include <string> // For the message
+
+class vtkPoints;
 
 class MOTEFILTERSHEXAHEDRA_EXPORT vtkMoteStreamlines : public vtkPolyDataAlgorithm
 {
@@ -54,6 +61,15 @@ public:
   vtkGetVector3Macro(Point1, double);
   vtkSetVector3Macro(Point2, double);
   vtkGetVector3Macro(Point2, double);
+  ///@}
+
+  ///@{
+  /**
+   * Places of seeds in the world, in place of all others; those outside of all cells have no line.
+   * Null, the default: none are given. Set other points where they have changed.
+   */
+  void SetSeedPlaces(vtkPoints* places);
+  vtkPoints* GetSeedPlaces();
   ///@}
 
   ///@{
