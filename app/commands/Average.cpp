@@ -8,6 +8,7 @@
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/OutputFile.h"
+#include "base/Text.h"
 #include "stage/Arrays.h"
 #include "stage/ColorMaps.h"
 #include "stage/Picture.h"
@@ -22,11 +23,13 @@
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkSmartPointer.h>
 #include <vtkTable.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace mote::app
 {
@@ -151,6 +154,60 @@ void writePicture(vtkImageData* bins, const Settings& settings, const Meaning& m
   picture.paper.write(settings.output.file);
 }
 
+/// The mean of bins over time steps, of those of them in which there is a value.
+class MeanOfSteps
+{
+public:
+  void add(vtkImageData* bins, int step)
+  {
+    ++steps_;
+    if (!image_)
+    {
+      image_ = vtkSmartPointer<vtkImageData>::New();
+      image_->DeepCopy(bins);
+      counts_.resize(static_cast<std::size_t>(image_->GetPointData()->GetNumberOfArrays()));
+    }
+    if (!isLike(bins))
+      throw Failure("time step " + std::to_string(step + 1) +
+                    " has its bins elsewhere; --axial-range and --radial-range keep them in place");
+    for (std::size_t k = 0; k < counts_.size(); ++k)
+      this->add(bins->GetPointData()->GetArray(static_cast<int>(k)),
+        image_->GetPointData()->GetArray(static_cast<int>(k)), counts_[k]);
+  }
+  vtkImageData* image() const { return image_; }
+  int steps() const { return steps_; }
+
+private:
+  bool isLike(vtkImageData* bins) const
+  {
+    constexpr double near = 1e-3; // of a bin
+    for (int k = 0; k < 2; ++k)
+      if (bins->GetDimensions()[k] != image_->GetDimensions()[k] ||
+          std::abs(bins->GetOrigin()[k] - image_->GetOrigin()[k]) > near * image_->GetSpacing()[k])
+        return false;
+    return bins->GetPointData()->GetNumberOfArrays() == static_cast<int>(counts_.size());
+  }
+  static void add(vtkDataArray* from, vtkDataArray* mean, std::vector<int>& counts)
+  {
+    const vtkIdType size = mean->GetNumberOfValues();
+    counts.resize(static_cast<std::size_t>(size));
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      const int parts = mean->GetNumberOfComponents(), part = static_cast<int>(i % parts);
+      const double value = from->GetComponent(i / parts, part);
+      if (!std::isfinite(value))
+        continue;
+      const int count = ++counts[static_cast<std::size_t>(i)];
+      const double before = count > 1 ? mean->GetComponent(i / parts, part) : 0.0;
+      mean->SetComponent(i / parts, part, before + (value - before) / count);
+    }
+  }
+
+  vtkSmartPointer<vtkImageData> image_;
+  std::vector<std::vector<int>> counts_; ///< of each array, a number for each value
+  int steps_ = 0;
+};
+
 /// Tells the filter which array is meant, as --color-by would be. Returns its name.
 std::string chooseArray(
   vtkMoteMeridionalAverage* filter, const std::vector<NamedData>& data, const std::string& text)
@@ -230,18 +287,19 @@ void average(const Settings& settings)
     throw Failure("cannot write " + output +
                   ": the name must end in .csv for a table, or .png, .jpg, .tif, .exr or .svg for "
                   "a picture");
-  if (over.empty() && !isTable && settings.output.allSteps)
-    throw Failure("a picture of all steps needs --over axial or --over radial");
   checkOutput(output, settings.data.files);
   OpenedInput opened(settings);
   vtkNew<vtkMoteMeridionalAverage> filter;
   aimFilter(filter, settings.average);
   Meaning meaning;
+  MeanOfSteps mean;
   vtkSmartPointer<vtkTable> all;
   opened.forSteps(
     [&](int step)
     {
       averageStep(filter, opened, meaning);
+      if (over.empty() && !isTable)
+        return mean.add(filter->GetImage(), step);
       vtkSmartPointer<vtkTable> table = vtkSmartPointer<vtkTable>::New();
       table->DeepCopy(
         over.empty() ? filter->GetOutput() : profileOf(filter->GetOutput(), over).Get());
@@ -255,7 +313,11 @@ void average(const Settings& settings)
   if (isTable)
     writeTable(all, output);
   else if (over.empty())
-    writePicture(filter->GetImage(), settings, meaning);
+  {
+    if (mean.steps() > 1)
+      meaning.caption += "   mean of " + counted(mean.steps(), "time step");
+    writePicture(mean.image(), settings, meaning);
+  }
   else
   {
     Chart chart = profileChart(all, meaning.array, meaning.unit, settings);

@@ -322,6 +322,11 @@ case $3 in
     said err 'it has p, U'
     run 1 "$mote" average "$data/swirl.1.vtu" -a U -c nothing -o a.png
     one_sentence
+    # Of several steps a picture shows the mean.
+    for steps in swirl.0 swirl.1; do run 0 "$mote" average "$data/$steps.vtu" -a p --range -1 1 -o $steps.svg; done
+    run 0 "$mote" average "$data/swirl.0.vtu" "$data/swirl.1.vtu" -a p --range -1 1 --all-steps -o mean.svg
+    said mean.svg 'mean of 2 time steps'
+    for steps in swirl.0 swirl.1; do ! cmp -s mean.svg $steps.svg || fail "the mean is that of $steps"; done
     run 1 "$mote" average "$data/swirl.1.vtu" -a p -o a.gif
     one_sentence
     run 1 "$mote" average "$data/swirl.1.vtu" -a p -o no/folder/a.csv
