@@ -13,7 +13,7 @@ public:
   Hints();
 
   /// Draws the present one, with what puts it off; nothing where all have been seen.
-  void draw();
+  void draw(bool hasVolumes);
 
 private:
   void remember() const;

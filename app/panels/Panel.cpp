@@ -149,6 +149,7 @@ PanelWish Panel::draw(const PanelFacts& facts, const PanelWish& earlier, float w
   wish_.action = earlier.action;
   wish_.open = earlier.open;
   drawn_ = withoutControl();
+  showsCuts_ = false;
   steps_ = facts.steps;
   this->beginFrame(width, height);
   if (stage_.settings().data.files.empty())
@@ -170,7 +171,7 @@ PanelWish Panel::draw(const PanelFacts& facts, const PanelWish& earlier, float w
 void Panel::drawGroups(const PanelFacts& facts)
 {
   this->drawTop(facts);
-  hints_.draw();
+  hints_.draw(found_.hasVolumes);
   drawMessages(facts.messages);
   if (facts.steps > 1 || next_.output.follow)
     this->drawTime(facts);
@@ -277,6 +278,7 @@ void Panel::drawGroup(const std::string& group, void (Panel::*first)())
   const bool isOpen = ImGui::CollapsingHeader((group + "##group").c_str(),
     isFirst ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
   noteControl("group " + group);
+  showsCuts_ = showsCuts_ || (isOpen && (group == "Cuts" || group == "Slices"));
   ImGui::PushID(group.c_str());
   if (first && isOpen)
     (this->*first)();

@@ -63,6 +63,9 @@ public:
   /// earlier frames. `width` and `height` in pixels.
   PanelWish draw(const PanelFacts& facts, const PanelWish& earlier, float width, float height);
 
+  /// Whether the lists of cuts or slices were open when it was drawn.
+  bool showsCuts() const { return showsCuts_; }
+
   /// Settings that were asked for could not be shown: `sentence` says why, below the control of
   /// what differs from those before.
   void refuse(const Settings& before, const Settings& refused, std::string sentence);
@@ -189,6 +192,7 @@ private:
   std::string viewName_; ///< that is written for a view to be saved
   Settings next_;        ///< while drawing
   PanelWish wish_;
+  bool showsCuts_ = false;
   std::set<std::string> drawn_; ///< rows that have a control of their own
   int steps_ = 1;               ///< of the data, while drawing
   bool takesKeys_ = false, awaitsAnswer_ = false;

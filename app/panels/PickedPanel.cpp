@@ -41,6 +41,8 @@ Action PickedPanel::draw(
     button("Save CSV", Action::SavePicked,
       "Save the list as comma-separated values beside where mote runs\nCtrl+E");
     ImGui::SameLine();
+    button("Save JSON", Action::SavePickedJson,
+      "Save the list as JSON; of cells with the places of all their points");
     button("Hide picked", Action::HidePicked, "Delete\n--hide-ids");
     ImGui::SameLine();
     button("Only picked", Action::OnlyPicked, "Show only what is picked\ni\n--only-ids");

@@ -118,6 +118,10 @@ Action PlotPanel::draw(const Stage& stage, const PickedSet& picked, Settings& ne
     action = Action::SavePlot;
   explainKey("Save the plot as a picture with axes, .png, beside where mote runs");
   ImGui::SameLine();
+  if (buttonOf("Save SVG"))
+    action = Action::SavePlotSvg;
+  explainKey("Save the plot as lines and texts, .svg, which papers and slides enlarge");
+  ImGui::SameLine();
   if (buttonOf("Save counts"))
     action = Action::SaveCounts;
   explainKey("Save what is plotted as comma-separated values: ranges, and how many lie in them");

@@ -126,6 +126,7 @@ struct VolumeSettings
   std::optional<double> nearWalls;   ///< of its parts that face the eye; none: choose
   std::string wallColor = "#d5cfc4"; ///< or "data"
   int repeatAround = 1;              ///< copies around the axis of the cuts
+  std::vector<ShowRange> turns;      ///< of parts, by name: a number of turns a minute each
   double edges = 0.0;                ///< pixels, of lines along the edges of cells; 0: none
   bool lit = false;
   std::string nanColor;                    ///< empty: cells with NaN are left out
@@ -144,7 +145,9 @@ struct FlowSettings
   std::string array;        ///< of vectors; empty: choose
   std::vector<double> from; ///< none: throughout; or both ends of a line
   std::optional<double> length, width;
-  double arrowScale = 0.7; ///< length of a mean one, as a share of how far they lie apart
+  std::string arrowsOn = "volume";   ///< or "slices"
+  std::string arrowVectors = "full"; ///< or "tangential", of those on slices
+  double arrowScale = 0.7;           ///< length of a mean one, as a share of how far they lie apart
   bool operator==(const FlowSettings&) const = default;
 };
 
@@ -231,6 +234,7 @@ struct PictureSettings
   std::optional<std::string> caption;
   bool box = true; ///< around the data, in the window
   bool axes = true;
+  std::string handles = "auto"; ///< of slices and cuts, in the window: "on", "off" or "auto"
   bool operator==(const PictureSettings&) const = default;
 
   /// Samples per pixel, at most; `paths` are noisier than other light.

@@ -104,6 +104,24 @@ void widen(double range[2], const double own[2])
   range[1] = first ? own[1] : std::max(range[1], own[1]);
 }
 
+/// Takes in what a component of vectors may be at any angle, where they turn about an axis.
+void widenByTurns(
+  double range[2], const Part& part, vtkDataArray* array, int component, const Settings& settings)
+{
+  const bool turns = settings.volume.repeatAround > 1 || !settings.volume.turns.empty();
+  if (!turns || part.particles() || component < 0 || array->GetNumberOfComponents() != 3)
+    return;
+  const CutAxis axis =
+    part.turn().degrees != 0.0 ? part.turn().axis : cutAxisOf(settings.cuts.axis);
+  double lengths[2];
+  constexpr double isAlong = 1.0 - 1e-9;
+  if (std::abs(axis.direction[static_cast<std::size_t>(component)]) > isAlong ||
+      !finiteRange(array, ArrayChoice::magnitude, lengths))
+    return;
+  const double all[2] = {-lengths[1], lengths[1]};
+  widen(range, all);
+}
+
 } // namespace
 
 bool Coloring::percentilesOf(
@@ -161,6 +179,7 @@ bool Coloring::updateRange(const Parts& parts)
     vtkDataArray* array = arrayOf(part->data(), choice_);
     if (!finiteRange(array, choice_.component, range))
       continue;
+    widenByTurns(range, *part, array, choice_.component, settings_);
     widen(seen_.whole, range);
     if (settings_.color.logarithmic && range[0] <= 0.0)
       if (const double least = leastPositive(array, choice_.component); least > 0.0)

@@ -1,5 +1,7 @@
 #include "CutGrip.h"
 
+#include "PlaceMath.h"
+
 #include <vtkMath.h>
 #include <vtkMoteClipCylinder.h>
 #include <vtkNew.h>
@@ -12,18 +14,6 @@ namespace mote::app
 
 namespace
 {
-
-using Vec = std::array<double, 3>;
-
-double dot(const Vec& a, const Vec& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vec sum(const Vec& a, double factor, const Vec& b)
-{
-  return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
-}
 
 /// The coordinate of a cut at a place, where it grows, and by how much for each unit of length.
 struct Coordinate
@@ -67,19 +57,21 @@ bool isThere(const CutKind& kind, double value, double place, double tolerance)
 
 } // namespace
 
-std::optional<CutGrip> CutGrip::at(const Settings& shown, const Vec& place, double size)
+/// The first of which isMeant(name, kind, its value, coordinate of the place) is true.
+template <typename IsMeant>
+std::optional<CutGrip> CutGrip::find(
+  const Settings& shown, const Vec& place, const IsMeant& isMeant)
 {
   CutGrip grip;
   grip.axis_ = cutAxisOf(shown.cuts.axis);
   grip.place_ = place;
-  constexpr double near = 1e-5; // of the size: slices on faces of cuts lie a little within
   const auto take = [&](const ShowRange& cut, double at)
   {
     const std::optional<CutKind> kind = cutNamed(cut.name);
     if (!kind)
       return false;
     const Coordinate found = coordinateAt(*kind, grip.axis_, place);
-    if (!isThere(*kind, found.value, at, near * size * std::max(found.perLength, 1e-300)))
+    if (!isMeant(cut.name, *kind, at, found))
       return false;
     grip.cut_ = cut.name;
     grip.kind_ = *kind;
@@ -104,6 +96,22 @@ std::optional<CutGrip> CutGrip::at(const Settings& shown, const Vec& place, doub
         return grip;
       }
   return {};
+}
+
+std::optional<CutGrip> CutGrip::at(const Settings& shown, const Vec& place, double size)
+{
+  constexpr double near = 1e-5; // of the size: slices on faces of cuts lie a little within
+  return find(shown, place,
+    [&](const std::string&, const CutKind& kind, double at, const Coordinate& found)
+    { return isThere(kind, found.value, at, near * size * std::max(found.perLength, 1e-300)); });
+}
+
+std::optional<CutGrip> CutGrip::of(
+  const Settings& shown, const std::string& name, double value, const Vec& place)
+{
+  return find(shown, place,
+    [&](const std::string& own, const CutKind&, double at, const Coordinate&)
+    { return own == name && at == value; });
 }
 
 std::optional<double> CutGrip::valueAt(const GripRay& ray, const double bounds[6]) const

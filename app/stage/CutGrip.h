@@ -25,6 +25,10 @@ public:
   static std::optional<CutGrip> at(
     const Settings& shown, const std::array<double, 3>& place, double size);
 
+  /// That of a name which lies there, held at a place on it.
+  static std::optional<CutGrip> of(const Settings& shown, const std::string& name, double value,
+    const std::array<double, 3>& place);
+
   /// Where it lies when it is moved to where the ray comes nearest to the way that the place goes,
   /// within the bounds of what is cut; none where one looks along that way.
   std::optional<double> valueAt(const GripRay& ray, const double bounds[6]) const;
@@ -37,6 +41,10 @@ public:
   std::string name() const { return (isSlice_ ? "slice " : "cut ") + cut_; }
 
 private:
+  template <typename IsMeant>
+  static std::optional<CutGrip> find(
+    const Settings& shown, const std::array<double, 3>& place, const IsMeant& isMeant);
+
   bool isSlice_ = false, isHigh_ = false; ///< the upper end of a cut
   std::string cut_;
   std::size_t number_ = 0; ///< among the slices of that name

@@ -35,6 +35,7 @@ std::optional<CutKind> cutNamed(const std::string& name);
 struct CutAxis
 {
   std::array<double, 3> point = {0.0, 0.0, 0.0}, direction = {0.0, 0.0, 1.0};
+  bool operator==(const CutAxis&) const = default;
 };
 CutAxis cutAxisOf(const std::vector<double>& numbers);
 

@@ -1,21 +1,14 @@
 #include "Flow.h"
 
-#include "base/Failure.h"
-#include "base/Messages.h"
 #include "settings/Colors.h"
 
-#include <vtkArrowSource.h>
-#include <vtkBoundingBox.h>
-#include <vtkDataSet.h>
 #include <vtkLookupTable.h>
-#include <vtkMultiBlockDataSet.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkSmartPointer.h>
 
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace mote::app
 {
@@ -23,14 +16,6 @@ namespace mote::app
 Flow::Flow(const Settings& settings)
   : settings_(settings)
 {
-  tubes_->SetNumberOfSides(8);
-  tubes_->CappingOn();
-  vtkNew<vtkArrowSource> arrow;
-  arrow->SetTipResolution(12);
-  arrow->SetShaftResolution(8);
-  glyphs_->SetSourceConnection(arrow->GetOutputPort());
-  glyphs_->SetVectorModeToUseVector();
-  glyphs_->SetScaleModeToScaleByVector();
   for (Drawn* drawn : {&lines_, &arrows_})
   {
     drawn->actor->SetMapper(drawn->mapper);
@@ -41,113 +26,35 @@ Flow::Flow(const Settings& settings)
 
 bool Flow::areOther(const Settings& a, const Settings& b)
 {
-  const bool isAny = a.flow.lines > 0 || b.flow.lines > 0 || a.flow.arrows > 0 || b.flow.arrows > 0;
-  return isAny && (a.flow != b.flow || a.selection.hiddenData != b.selection.hiddenData ||
-                    a.selection.hiddenParts != b.selection.hiddenParts ||
-                    a.selection.shownParts != b.selection.shownParts);
+  const bool onSlices = a.flow.arrows > 0 && a.flow.arrowsOn == "slices";
+  return (isAny(a) || isAny(b)) &&
+         (a.flow != b.flow || a.selection != b.selection || a.volume.turns != b.volume.turns ||
+           a.cuts.axis != b.cuts.axis ||
+           (onSlices && (a.volume.slices != b.volume.slices || a.volume.unroll != b.volume.unroll ||
+                          a.volume.repeatAround != b.volume.repeatAround)));
 }
 
 void Flow::clear()
 {
-  built_ = {};
-  data_.clear();
-  for (Drawn* drawn : {&lines_, &arrows_})
-    draw(*drawn, nullptr);
+  this->show({});
 }
 
-namespace
+void Flow::show(const BuiltFlow& built)
 {
-
-/// The places with their active vectors once more, which glyphs take away, and the mean length of
-/// these.
-double takeVectors(vtkPolyData* found, vtkPolyData* places)
-{
-  places->ShallowCopy(found);
-  vtkDataArray* vectors = places->GetPointData()->GetVectors();
-  if (!vectors || vectors->GetNumberOfTuples() == 0)
-    return 0.0;
-  const auto arrows = vtk::TakeSmartPointer(vectors->NewInstance());
-  arrows->DeepCopy(vectors);
-  arrows->SetName("arrow");
-  places->GetPointData()->AddArray(arrows);
-  places->GetPointData()->SetActiveVectors("arrow");
-  double sum = 0.0;
-  vtkIdType count = 0;
-  for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
-  {
-    double v[3];
-    vectors->GetTuple(i, v);
-    if (const double length = std::hypot(v[0], v[1], v[2]); std::isfinite(length))
-      sum += length, ++count;
-  }
-  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+  built_ = built;
+  this->draw(lines_, built_.lines);
+  this->draw(arrows_, built_.arrows);
 }
-
-} // namespace
 
 void Flow::build(const std::vector<std::unique_ptr<Part>>& parts, const Runner& runner)
 {
-  const FlowSettings& flow = settings_.flow;
-  std::vector<std::pair<vtkDataSet*, vtkMTimeType>> data;
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  vtkBoundingBox bounds;
-  for (const auto& part : parts)
-    if (part->kind() == Part::Kind::Volume && !part->isHidden())
-    {
-      blocks->SetBlock(static_cast<unsigned>(data.size()), part->data());
-      data.emplace_back(part->data(), part->data()->GetMTime());
-      bounds.AddBounds(part->data()->GetBounds());
-    }
-  if (flow == built_ && data == data_)
+  const BuiltFlow offered = std::exchange(offered_, {});
+  const FlowKey key = FlowKey::of(parts, settings_);
+  if (key == built_.key)
     return;
   this->clear();
-  if (data.empty() || (flow.lines == 0 && flow.arrows == 0))
-    return;
-  const double size = bounds.GetDiagonalLength();
-  Messages::takeError();
-  const auto find = [&](int seeds, bool lines)
-  {
-    found_->SetInputDataObject(blocks);
-    found_->SetComputeLines(lines);
-    found_->SetNumberOfSeeds(seeds);
-    found_->SetSeedsOnLine(flow.from.size() == 6);
-    if (flow.from.size() == 6)
-    {
-      found_->SetPoint1(flow.from.data());
-      found_->SetPoint2(flow.from.data() + 3);
-    }
-    found_->SetMaximumLength(flow.length.value_or(size));
-    if (flow.array.empty())
-      found_->GetInformation()->Remove(vtkAlgorithm::INPUT_ARRAYS_TO_PROCESS());
-    else
-      found_->SetInputArrayToProcess(
-        0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, flow.array.c_str());
-    runner("Finding streamlines", found_, [&] { found_->Update(); });
-    if (const std::string error = Messages::takeError(); !error.empty())
-      throw Failure("--streamlines, --arrows: " + error);
-  };
-  if (flow.arrows > 0)
-  {
-    find(flow.arrows, false);
-    vtkNew<vtkPolyData> places;
-    const double mean = takeVectors(found_->GetOutput(1), places);
-    const double room = bounds.GetLength(0) * bounds.GetLength(1) * bounds.GetLength(2);
-    glyphs_->SetScaleFactor(
-      mean > 0.0 ? flow.arrowScale * std::cbrt(room / flow.arrows) / mean : 0.0);
-    glyphs_->SetInputData(places);
-    glyphs_->Update();
-    this->draw(arrows_, glyphs_->GetOutput());
-  }
-  if (flow.lines > 0)
-  {
-    find(flow.lines, true);
-    tubes_->SetInputData(found_->GetOutput(0));
-    tubes_->SetRadius(0.5 * flow.width.value_or(0.003 * size));
-    tubes_->Update();
-    this->draw(lines_, tubes_->GetOutput());
-  }
-  built_ = flow;
-  data_ = data;
+  if (!key.isEmpty())
+    this->show(offered.key == key ? offered : finder_.find(parts, settings_, runner));
 }
 
 /// Null: nothing.
@@ -203,15 +110,18 @@ void Flow::setCuts(const Cuts& cuts)
   {
     drawn->mapper->SetClippingPlanes(cuts.planes());
     drawn->mapper->SetClipCylinder(cuts.cylinder());
-    drawn->mapper->SetRepetitions(settings_.volume.repeatAround);
+    // Those on slices lie on all of these already.
+    const bool isEverywhere = drawn == &arrows_ && settings_.flow.arrowsOn == "slices";
+    drawn->mapper->SetRepetitions(isEverywhere ? 1 : settings_.volume.repeatAround);
     drawn->mapper->SetRepetitionCenter(axis.point.data());
     drawn->mapper->SetRepetitionAxis(axis.direction.data());
+    drawn->mapper->TurnVectorsOn();
   }
 }
 
 vtkIdType Flow::numberOfLines() const
 {
-  return lines_.actor->GetVisibility() ? found_->GetOutput(1)->GetNumberOfPoints() : 0;
+  return lines_.actor->GetVisibility() ? built_.numberOfLines : 0;
 }
 
 } // namespace mote::app

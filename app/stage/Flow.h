@@ -2,16 +2,14 @@
 
 #include "Arrays.h"
 #include "Cuts.h"
+#include "FlowFinder.h"
 #include "Part.h"
 #include "base/ProgressRelay.h"
 #include "settings/Settings.h"
 
 #include <vtkActor.h>
-#include <vtkGlyph3D.h>
 #include <vtkMoteMeshMapper.h>
-#include <vtkMoteStreamlines.h>
 #include <vtkNew.h>
-#include <vtkTubeFilter.h>
 
 #include <memory>
 #include <vector>
@@ -32,8 +30,17 @@ public:
   /// What is drawn: lines, then arrows.
   std::vector<vtkActor*> actors() const { return {lines_.actor, arrows_.actor}; }
 
+  /// Whether any are asked for.
+  static bool isAny(const Settings& settings)
+  {
+    return settings.flow.lines > 0 || settings.flow.arrows > 0;
+  }
   /// Whether other settings ask for others.
   static bool areOther(const Settings& a, const Settings& b);
+
+  /// The next build() takes this where it fits data and settings.
+  void offer(const BuiltFlow& built) { offered_ = built; }
+  const BuiltFlow& built() const { return built_; }
 
   /// Finds lines and arrows anew, where settings or data are others. Throws Failure and
   /// Interrupted.
@@ -47,9 +54,6 @@ public:
 
   /// Those that are shown; one goes both ways from its place.
   vtkIdType numberOfLines() const;
-  /// What scripts need to make the same.
-  double tubeRadius() const { return tubes_->GetRadius(); }
-  double arrowFactor() const { return glyphs_->GetScaleFactor(); }
 
 private:
   struct Drawn
@@ -57,19 +61,17 @@ private:
     vtkNew<vtkActor> actor;
     vtkNew<vtkMoteMeshMapper> mapper;
   };
+  void show(const BuiltFlow& built);
   void draw(Drawn& drawn, vtkPolyData* triangles);
   void color(Drawn& drawn);
 
   const Settings& settings_;
-  vtkNew<vtkMoteStreamlines> found_;
-  vtkNew<vtkTubeFilter> tubes_;
-  vtkNew<vtkGlyph3D> glyphs_;
+  FlowFinder finder_;
   Drawn lines_, arrows_;
   double ambient_ = 0.0;
   ArrayChoice choice_;
   vtkSmartPointer<vtkLookupTable> table_;
-  FlowSettings built_; ///< by which it was built, and of which data
-  std::vector<std::pair<vtkDataSet*, vtkMTimeType>> data_;
+  BuiltFlow built_, offered_; ///< what is shown; and what another thread has found
 };
 
 } // namespace mote::app

@@ -204,6 +204,8 @@ std::vector<NamedData> Input::read(int step, const Runner& runner)
     for (std::size_t i = first; i < all.size(); ++i)
     {
       all[i].file = source.files.front();
+      if (!times_.empty())
+        all[i].time = times_[step];
       if (source.times.empty())
         continue;
       const auto after = std::upper_bound(source.times.begin(), source.times.end(), times_[step]);

@@ -32,6 +32,7 @@ struct NamedData
   bool isOwnStep = false;  ///< as files with other times are beside this one
   std::string block = {};  ///< what it is called in its file; empty where it is the file's only one
   bool isBoundary = false; ///< a surface beside a volume in the same file
+  std::optional<double> time = {}; ///< of the step that is shown; none where there is no time
 };
 
 /// The files of one command line: their readers, and the time steps of all of them together. Every

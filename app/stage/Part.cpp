@@ -106,7 +106,7 @@ void Part::followSettings()
   if (volume_)
   {
     volume_->update(errorShares(settings_).tolerance);
-    volume_->setSlices(slicesOf(settings_, data_->GetLength()));
+    this->placeSlices();
   }
   this->followLook();
 }
@@ -174,7 +174,7 @@ void Part::setData(const std::string& name, vtkDataSet* data)
     volume_->setData(vtkUnstructuredGrid::SafeDownCast(data));
     walls_->SetInputData(vtkUnstructuredGrid::SafeDownCast(data));
     if (isFirst)
-      volume_->setSlices(slicesOf(settings_, data_->GetLength()));
+      this->placeSlices();
   }
   else
     surface_->setData(data);
@@ -418,6 +418,7 @@ void Part::shownBounds(double bounds[6]) const
   {
     volume_->shownBounds(vtkUnstructuredGrid::SafeDownCast(data_), cells_.mask(), bounds);
     addRepetitions(settings_, bounds);
+    moveBounds(transformOf(turn_), bounds);
   }
   else if (const double* own = this->prop()->GetBounds())
     std::copy_n(own, 6, bounds);

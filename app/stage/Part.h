@@ -5,6 +5,7 @@
 #include "MemoryPieces.h"
 #include "ShownCells.h"
 #include "Surface.h"
+#include "Turning.h"
 #include "Volume.h"
 #include "base/ProgressRelay.h"
 #include "settings/Settings.h"
@@ -81,6 +82,12 @@ public:
 
   /// Other data of the same kind, such as the next time step.
   void setData(const std::string& name, vtkDataSet* data);
+
+  /// Turns it from where its data say that it is; nothing is built for that. Slices and cuts stay.
+  void setTurn(const Turn& turn);
+  const Turn& turn() const { return turn_; }
+  /// From the data's coordinates to where they are seen: one for each repetition around the axis.
+  std::vector<vtkSmartPointer<vtkTransform>> placements() const;
 
   /// Brings structures up to date. Throws Failure and Interrupted, after which nothing is drawn.
   void build(ProgressRelay& progress);
@@ -172,6 +179,7 @@ private:
   void setRadius();
   void setImages();
   void placeProp();
+  void placeSlices();
   void followLook();
   void followRepetitions();
   void work(const Runner& runner, const std::function<void()>& build);
@@ -189,6 +197,7 @@ private:
   ShownCells cells_; // of a volume or a surface
   ArrayChoice colored_;
   ArrayChoice missed_; // colours that a step lacked, which was told
+  Turn turn_;
   double sceneSize_ = 1.0;
   bool isHidden_ = false;
   bool isWhole_ = true; ///< false: nothing is drawn, as it could not be built

@@ -2,6 +2,7 @@
 
 #include "Part.h"
 
+#include "Slices.h"
 #include "base/Messages.h"
 #include "settings/Colors.h"
 
@@ -25,6 +26,7 @@ void Part::followRepetitions()
     mapper->SetRepetitions(settings_.volume.repeatAround);
     mapper->SetRepetitionCenter(axis.point.data());
     mapper->SetRepetitionAxis(axis.direction.data());
+    mapper->TurnVectorsOn();
   };
   if (surface_)
     set(surface_->mapper());
@@ -32,6 +34,41 @@ void Part::followRepetitions()
     return;
   set(volume_->mapper());
   set(walls_.Get());
+}
+
+void Part::setTurn(const Turn& turn)
+{
+  if (turn == turn_ || particles_)
+    return;
+  turn_ = turn;
+  const auto moved = transformOf(turn_);
+  for (vtkProp3D* prop : this->props())
+    prop->SetUserTransform(turn_.degrees == 0.0 ? nullptr : moved.Get());
+  this->placeSlices();
+}
+
+/// Where they are in the world: they do not turn with the part.
+void Part::placeSlices()
+{
+  if (!volume_)
+    return;
+  const auto slices = slicesOf(settings_, data_->GetLength());
+  if (turn_.degrees != 0.0)
+    moveSlices(slices, transformOf(turn_)->GetLinearInverse());
+  volume_->setSlices(slices);
+}
+
+std::vector<vtkSmartPointer<vtkTransform>> Part::placements() const
+{
+  std::vector<vtkSmartPointer<vtkTransform>> all = {transformOf(turn_)};
+  const int count = particles_ ? 1 : settings_.volume.repeatAround;
+  for (int k = 1; k < count; ++k)
+  {
+    all.push_back(transformOf({cutAxisOf(settings_.cuts.axis), 360.0 * k / count}));
+    all.back()->PostMultiply();
+    all.back()->Concatenate(all.front());
+  }
+  return all;
 }
 
 /// How often it is drawn, and the lines on surfaces; of a volume the look of its walls.

@@ -1,5 +1,7 @@
 #include "PickedPlaces.h"
 
+#include "PlacedCell.h"
+
 #include <ParticleModel.h>
 #include <PeriodicImages.h>
 #include <vtkCell.h>
@@ -43,7 +45,7 @@ Drawn drawnOf(const Part& part)
 
 } // namespace
 
-std::vector<CellEdge> edgesOf(vtkDataSet* data, vtkIdType number)
+std::vector<CellEdge> edgesOf(vtkDataSet* data, vtkIdType number, vtkTransform* placed)
 {
   vtkNew<vtkGenericCell> cell;
   data->GetCell(number, cell);
@@ -51,8 +53,12 @@ std::vector<CellEdge> edgesOf(vtkDataSet* data, vtkIdType number)
   for (int e = 0; e < cell->GetNumberOfEdges(); ++e)
   {
     CellEdge edge;
-    for (vtkIdType i = 0; i < 2; ++i)
-      cell->GetEdge(e)->GetPoints()->GetPoint(i, edge[static_cast<std::size_t>(i)].data());
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      double* at = edge[i].data();
+      cell->GetEdge(e)->GetPoints()->GetPoint(static_cast<vtkIdType>(i), at);
+      placed->TransformPoint(at, at);
+    }
     edges.push_back(edge);
   }
   return edges;
@@ -79,7 +85,8 @@ std::vector<PickedPlace> placesOf(
       vtkUnsignedCharArray* isVisible = parts[k]->cells().mask();
       if (isVisible && isVisible->GetValue(one.id) == 0)
         continue;
-      found.push_back({k, one.id, true, {}, 0.0});
+      found.push_back({k, one.id, true,
+        placedCell(*parts[k], one.id, picked.placeOf(parts, one)).placed, {}, 0.0});
       continue;
     }
     const bool isParticle = one.kind == Picked::Kind::Particle;
@@ -90,8 +97,8 @@ std::vector<PickedPlace> placesOf(
       isParticle ? double(particles.set.radiusOf(id)) * particles.enlargement : 0.0;
     const auto place = picked.placeOf(parts, one);
     for (const Vec3d& image : drawn[k].images)
-      found.push_back(
-        {k, one.id, false, {place[0] + image.x, place[1] + image.y, place[2] + image.z}, radius});
+      found.push_back({k, one.id, false, nullptr,
+        {place[0] + image.x, place[1] + image.y, place[2] + image.z}, radius});
   }
   return found;
 }

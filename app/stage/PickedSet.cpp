@@ -1,6 +1,7 @@
 #include "PickedSet.h"
 
 #include "Ids.h"
+#include "PlacedCell.h"
 #include "base/Text.h"
 #include "settings/Values.h"
 
@@ -121,11 +122,11 @@ void PickedSet::setPlace(const Picked& picked, const std::array<double, 3>& plac
 
 CellWeights PickedSet::weightsOf(const Parts& parts, const Picked& picked) const
 {
-  vtkDataSet* data = parts[static_cast<std::size_t>(picked.part)]->data();
+  const Part& part = *parts[static_cast<std::size_t>(picked.part)];
   if (const auto known = places_.find(keyOf(picked)); known != places_.end())
-    if (auto weights = weightsAt(data, picked.id, known->second))
+    if (auto weights = placedCell(part, picked.id, known->second).weights)
       return *std::move(weights);
-  return evenWeights(data, picked.id);
+  return evenWeights(part.data(), picked.id);
 }
 
 std::array<double, 3> PickedSet::placeOf(const Parts& parts, const Picked& picked) const
@@ -143,6 +144,8 @@ std::array<double, 3> PickedSet::placeOf(const Parts& parts, const Picked& picke
   data->GetCellBounds(picked.id, bounds);
   for (std::size_t axis = 0; axis < 3; ++axis)
     place[axis] = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
+  const auto placed = parts[static_cast<std::size_t>(picked.part)]->placements().front();
+  placed->TransformPoint(place.data(), place.data());
   return place;
 }
 
@@ -280,7 +283,7 @@ void PickedSet::findAgain(const Parts& parts, const Names& names)
   for (const Picked& picked : found)
     if (const auto known = places_.find(keyOf(picked));
         known != places_.end() &&
-        weightsAt(parts[static_cast<std::size_t>(picked.part)]->data(), picked.id, known->second))
+        placedCell(*parts[static_cast<std::size_t>(picked.part)], picked.id, known->second).weights)
       places.insert(*known);
   places_ = std::move(places);
   this->replace(std::move(found), std::move(away));

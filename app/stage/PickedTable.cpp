@@ -1,7 +1,7 @@
 #include "PickedTable.h"
 
 #include "Calculated.h"
-#include "CellValues.h"
+#include "PlacedCell.h"
 #include "base/Failure.h"
 #include "base/Text.h"
 #include "settings/Values.h"
@@ -12,8 +12,12 @@
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
 #include <vtkFloatArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkVariant.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -85,6 +89,8 @@ PickedTable::PickedTable(const PickedSet::Parts& parts, const PickedSet& picked)
     names_.emplace_back("nearest point");
   for (const Column& column : columns_)
     names_.push_back(column.name);
+  if (hasCells_)
+    names_.emplace_back("points");
 }
 
 void PickedTable::addArrays(const Part& part, std::size_t k, bool ofCells)
@@ -132,21 +138,47 @@ std::string PickedTable::cell(std::size_t row, std::size_t column, int digits) c
   const Picked& picked = picked_->items()[row];
   if (column == 0)
     return std::to_string(picked.id);
+  const Part& part = *(*parts_)[static_cast<std::size_t>(picked.part)];
   std::size_t at = 1;
   if (hasKinds_ && column == at++)
     return nameOf(picked.kind);
   if (hasParts_ && column == at++)
-    return (*parts_)[static_cast<std::size_t>(picked.part)]->name();
+    return part.name();
   if (column < at + 3)
     return numberText(picked_->placeOf(*parts_, picked)[column - at], digits);
   at += 3;
   if (hasCells_ && column == at++)
     return picked.kind == Picked::Kind::Cell
-             ? std::to_string(
-                 nearestCorner((*parts_)[static_cast<std::size_t>(picked.part)]->data(), picked.id,
-                   picked_->placeOf(*parts_, picked)))
+             ? std::to_string(nearestCorner(part.data(), picked.id,
+                 placedCell(part, picked.id, picked_->placeOf(*parts_, picked)).place))
              : std::string();
-  return this->valueOf(picked, columns_[column - at], digits);
+  if (column - at < columns_.size())
+    return this->valueOf(picked, columns_[column - at], digits);
+  std::string text;
+  for (const auto& [point, place] : this->corners(row))
+    text += (text.empty() ? "" : "; ") + std::to_string(point) + " (" +
+            numberText(place[0], digits) + " " + numberText(place[1], digits) + " " +
+            numberText(place[2], digits) + ")";
+  return text;
+}
+
+std::vector<PickedTable::Corner> PickedTable::corners(std::size_t row) const
+{
+  std::vector<Corner> corners;
+  const Picked& picked = picked_->items()[row];
+  if (picked.kind != Picked::Kind::Cell)
+    return corners;
+  const Part& part = *(*parts_)[static_cast<std::size_t>(picked.part)];
+  const auto placed = placedCell(part, picked.id, picked_->placeOf(*parts_, picked)).placed;
+  vtkNew<vtkIdList> points;
+  part.data()->GetCellPoints(picked.id, points);
+  for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
+  {
+    Corner& corner = corners.emplace_back(Corner{points->GetId(i), {}});
+    part.data()->GetPoint(corner.point, corner.place.data());
+    placed->TransformPoint(corner.place.data(), corner.place.data());
+  }
+  return corners;
 }
 
 std::string PickedTable::valueOf(const Picked& picked, const Column& column, int digits) const
@@ -181,6 +213,32 @@ void PickedTable::appendNames(std::string& text, char separator) const
   text.back() = '\n';
 }
 
+std::string asJson(const PickedTable& table)
+{
+  auto rows = nlohmann::ordered_json::array();
+  for (std::size_t row = 0; row < table.rows(); ++row)
+  {
+    nlohmann::ordered_json one;
+    for (std::size_t column = 0; column < table.columns().size(); ++column)
+    {
+      const std::string text = table.cell(row, column, 0);
+      auto& entry = one[table.columns()[column]]; // null where there is nothing
+      if (const auto number = nlohmann::json::parse(text, nullptr, false); number.is_number())
+        entry = number;
+      else if (!text.empty())
+        entry = text;
+    }
+    if (const auto corners = table.corners(row); !corners.empty())
+    {
+      auto& points = one["points"] = nlohmann::ordered_json::array();
+      for (const auto& [point, place] : corners)
+        points.push_back({{"point", point}, {"place", place}});
+    }
+    rows.push_back(std::move(one));
+  }
+  return rows.dump(2) + "\n";
+}
+
 void writePicked(const PickedTable& table, const std::string& file)
 {
   constexpr std::size_t atOnce = 1 << 20;
@@ -188,6 +246,12 @@ void writePicked(const PickedTable& table, const std::string& file)
   {
     AtomicFile out(file);
     std::string text;
+    if (lowerCase(file).ends_with(".json"))
+    {
+      text = asJson(table);
+      out.write(text.data(), text.size());
+      return out.commit();
+    }
     table.appendNames(text, ',');
     for (std::size_t row = 0; row < table.rows(); ++row)
     {

@@ -16,8 +16,9 @@ std::string valueText(vtkAbstractArray* array, int component, vtkIdType tuple, i
 
 /// What is picked as a table: what it is, its position, and the values of all arrays; of a cell
 /// those of the cell, of arrays of points what they are where it was picked, or the mean over the
-/// cell's points, and the number of its point that is nearest to that place. It looks at the
-/// parts' data, and is good as long as these and the set stay what they are.
+/// cell's points, the number of its point that is nearest to that place, and all of its points with
+/// their places. It looks at the parts' data, and is good as long as these and the set stay what
+/// they are.
 class PickedTable
 {
 public:
@@ -29,6 +30,14 @@ public:
   /// The text of a cell, with so many digits; 0: as many as tell the number from all others. Empty
   /// where what is picked has no such array.
   std::string cell(std::size_t row, std::size_t column, int digits) const;
+
+  /// The points of a cell, by their numbers, and where they are seen; none of a particle.
+  struct Corner
+  {
+    vtkIdType point;
+    std::array<double, 3> place;
+  };
+  std::vector<Corner> corners(std::size_t row) const;
 
   /// Lines, cells separated by commas, with the names first; or by tabs, for spreadsheets.
   void appendLine(std::string& text, std::size_t row, char separator) const;
@@ -56,5 +65,8 @@ private:
 /// Writes the table as a file of comma-separated values. Throws Failure; then no file is left that
 /// is not complete.
 void writePicked(const PickedTable& table, const std::string& file);
+
+/// The same as JSON, an object a row, if the file's name ends so.
+std::string asJson(const PickedTable& table);
 
 } // namespace mote::app

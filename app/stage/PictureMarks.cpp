@@ -91,7 +91,7 @@ void PictureMarks::addPicked(
   {
     if (one.isCell)
     {
-      for (const auto& [from, to] : edgesOf(parts[one.part]->data(), one.id))
+      for (const auto& [from, to] : edgesOf(parts[one.part]->data(), one.id, one.placed))
         this->addLine(from, to, veilInk, 2.0, false);
       continue;
     }

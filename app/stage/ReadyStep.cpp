@@ -1,6 +1,7 @@
 #include "ReadyStep.h"
 
 #include "Calculated.h"
+#include "Flow.h"
 #include "HiddenParts.h"
 #include "base/Failure.h"
 #include "settings/ErrorBudget.h"
@@ -43,7 +44,7 @@ bool ReadyPlan::fits(const ReadyPlan& other) const
          hasSlices(a) == hasSlices(b) &&               // the same
          (a.walls.value_or(0.0) > 0.0) == (b.walls.value_or(0.0) > 0.0) &&
          settings.color.array == other.settings.color.array &&
-         this->fitsCalculations(other.settings);
+         !Flow::areOther(settings, other.settings) && this->fitsCalculations(other.settings);
 }
 
 bool ReadyPlan::fitsCalculations(const Settings& other) const
@@ -62,10 +63,13 @@ void ReadyStep::count()
     if (part.drawn)
       addMemory(memory, part.drawn);
   }
+  for (vtkPolyData* triangles : {flow.lines.Get(), flow.arrows.Get()})
+    if (triangles)
+      addMemory(memory, triangles);
 }
 
 ReadyStep makeReady(const std::vector<NamedData>& original, const ReadyPlan& plan,
-  const Runner& runner, const std::vector<BuiltPart>& before)
+  const Runner& runner, const std::vector<BuiltPart>& before, FlowFinder& finder)
 {
   ReadyStep ready;
   ready.original = original;
@@ -77,10 +81,13 @@ ReadyStep makeReady(const std::vector<NamedData>& original, const ReadyPlan& pla
     bool fits = plan.kept.size() == ready.data.size();
     for (std::size_t i = 0; fits && i < ready.data.size(); ++i)
       fits = Part::kindOf(ready.data[i].data, plan.settings) == plan.kept[i].kind;
+    std::vector<std::unique_ptr<Part>> parts;
     for (std::size_t i = 0; fits && i < ready.data.size(); ++i)
     {
       ready.parts.emplace_back();
-      Part part(ready.data[i].name, ready.data[i].data, plan.settings, 0.0);
+      parts.push_back(
+        std::make_unique<Part>(ready.data[i].name, ready.data[i].data, plan.settings, 0.0));
+      Part& part = *parts.back();
       part.keep(plan.kept[i].radius, plan.kept[i].colored);
       if (i < before.size())
         part.offer(before[i]);
@@ -88,12 +95,19 @@ ReadyStep makeReady(const std::vector<NamedData>& original, const ReadyPlan& pla
         part.limitCells(cellLimitsOf(part.data(), plan.settings.selection, plan.colored));
       part.build(runner);
       ready.parts.back() = part.built(true);
+      part.setTurn(turnOf(original[i], plan.settings));
+    }
+    if (fits && Flow::isAny(plan.settings))
+    {
+      prepareFlow(parts, original, plan.settings, plan.colored);
+      ready.flow = finder.find(parts, plan.settings, runner);
     }
   }
   catch (const Failure&)
   {
     // Who shows the step finds the same, and tells it.
     ready.parts.clear();
+    ready.flow = {};
   }
   ready.count();
   return ready;

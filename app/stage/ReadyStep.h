@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Arrays.h"
+#include "FlowFinder.h"
 #include "Input.h"
 #include "Part.h"
 #include "settings/Settings.h"
@@ -38,6 +39,7 @@ struct ReadyStep
   std::vector<NamedData> original; ///< as it was read
   std::vector<NamedData> data;     ///< with what is calculated
   std::vector<BuiltPart> parts;    ///< of `data`; none where nothing could be built
+  BuiltFlow flow;                  ///< streamlines and arrows of them
   ReadyPlan plan;                  ///< by which it was built
   MemoryPieces memory;             ///< that it takes, about
 
@@ -46,10 +48,11 @@ struct ReadyStep
 };
 
 /// Builds what the plan asks for of data that were read, taking from an earlier step what both have
-/// in common. Where they do not fit the plan nothing is built. Throws Interrupted. Uses nothing
-/// that another thread uses, but for what `before` holds, which stays as it is.
+/// in common; `finder` keeps what streamlines have. Where they do not fit the plan nothing is
+/// built. Throws Interrupted. Uses nothing that another thread uses, but for what `before` holds,
+/// which stays as it is.
 ReadyStep makeReady(const std::vector<NamedData>& original, const ReadyPlan& plan,
-  const Runner& runner, const std::vector<BuiltPart>& before);
+  const Runner& runner, const std::vector<BuiltPart>& before, FlowFinder& finder);
 
 /// Data objects of one's own, which share their arrays with those of the step. Arrays and
 /// structures may be used by one thread at a time.

@@ -37,6 +37,7 @@ public:
 
   /// One value a cell, 0 for those that all but `within` hides; null where nothing is hidden.
   vtkUnsignedCharArray* mask() const { return mask_; }
+  const std::vector<CellLimit>& limits() const { return limits_; }
   bool isUpToDate() const { return data_ != nullptr; } ///< after update()
   /// Changes with what is shown; 0 before update().
   vtkMTimeType time() const { return changed_.GetMTime(); }

@@ -2,6 +2,7 @@
 
 #include "Cuts.h"
 
+#include <vtkLinearTransform.h>
 #include <vtkMath.h>
 #include <vtkMoteClipCylinder.h>
 #include <vtkNew.h>
@@ -93,6 +94,20 @@ std::vector<vtkSmartPointer<vtkMoteSlice>> slicesOf(const Settings& settings, do
           withinCuts(settings.cuts, asked.name, place.low, step), settings.volume.unroll));
       }
   return slices;
+}
+
+void moveSlices(const std::vector<vtkSmartPointer<vtkMoteSlice>>& slices, vtkLinearTransform* moved)
+{
+  for (const auto& slice : slices)
+  {
+    double to[3];
+    moved->TransformPoint(slice->GetCenter(), to);
+    slice->SetCenter(to);
+    moved->TransformVector(slice->GetAxis(), to);
+    slice->SetAxis(to);
+    moved->TransformVector(slice->GetOutwards(), to);
+    slice->SetOutwards(to);
+  }
 }
 
 } // namespace mote::app

@@ -7,6 +7,8 @@
 
 #include <vector>
 
+class vtkLinearTransform;
+
 namespace mote::app
 {
 
@@ -16,5 +18,9 @@ constexpr std::size_t mostSlices = 32;
 /// The slices that --slice asks for, about the axis of --cut-axis, in the order of the settings.
 /// `length` is the size of the data.
 std::vector<vtkSmartPointer<vtkMoteSlice>> slicesOf(const Settings& settings, double length);
+
+/// Moves slices with what they lie in.
+void moveSlices(
+  const std::vector<vtkSmartPointer<vtkMoteSlice>>& slices, vtkLinearTransform* moved);
 
 } // namespace mote::app

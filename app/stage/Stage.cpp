@@ -4,6 +4,7 @@
 #include "SimulationBox.h"
 #include "VolumeLook.h"
 #include "base/Failure.h"
+#include "base/Messages.h"
 #include "base/Text.h"
 #include "settings/Colors.h"
 #include "settings/ErrorBudget.h"
@@ -21,6 +22,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numeric>
+#include <utility>
 
 namespace mote::app
 {
@@ -74,6 +76,8 @@ bool Stage::apply(const Settings& settings)
     choose(settings_.silhouettes, vtkMoteSilhouettes::RADII, silhouettes_);
   const bool otherKinds = std::any_of(parts_.begin(), parts_.end(),
     [&](const auto& part) { return part->kind() != Part::kindOf(part->data(), settings_); });
+  if (before.volume.turns != settings_.volume.turns || before.cuts.axis != settings_.cuts.axis)
+    this->turnParts();
   const bool otherData = otherKinds || areOtherCalculations(before, settings_);
   if (otherData)
     this->setData(std::vector<NamedData>(data_));
@@ -128,6 +132,7 @@ void Stage::setData(const std::vector<NamedData>& original, const ReadyStep* rea
   if (isReady)
     noteCalculated(settings_, known_);
   data_ = original;
+  flow_.offer(isReady ? ready->flow : BuiltFlow());
   this->placeSlice(data);
   bool sameKinds = parts_.size() == data.size();
   for (std::size_t i = 0; sameKinds && i < data.size(); ++i)
@@ -139,6 +144,7 @@ void Stage::setData(const std::vector<NamedData>& original, const ReadyStep* rea
       parts_[i]->setData(data[i].name, data[i].data);
       parts_[i]->offer(isReady ? ready->parts[i] : BuiltPart());
     }
+    this->turnParts();
     this->checkImages();
     return this->setSizes();
   }
@@ -153,6 +159,7 @@ void Stage::setData(const std::vector<NamedData>& original, const ReadyStep* rea
     for (vtkProp3D* prop : parts_.back()->props())
       renderer_->AddViewProp(prop);
   }
+  this->turnParts();
   this->setSizes();
   const bool anyRadii = std::any_of(
     parts_.begin(), parts_.end(), [](const auto& part) { return part->particles() != nullptr; });
@@ -161,6 +168,16 @@ void Stage::setData(const std::vector<NamedData>& original, const ReadyStep* rea
     throw Failure("--radius and --type-radius are for particles, and " + parts_.front()->name() +
                   " holds cells alone");
   this->checkImages();
+}
+
+/// Turns what --turn names, by the time of its step.
+void Stage::turnParts()
+{
+  for (std::size_t i = 0; i < parts_.size() && i < data_.size(); ++i)
+    parts_[i]->setTurn(turnOf(data_[i], settings_));
+  if (const std::string idle = idleTurns(data_, settings_);
+      !parts_.empty() && std::exchange(toldTurns_, idle) != idle && !idle.empty())
+    Messages::warn(idle);
 }
 
 void Stage::checkImages() const
@@ -192,6 +209,7 @@ ReadyStep Stage::ready() const
   ReadyStep ready;
   ready.plan = this->readyPlan();
   ready.original = data_;
+  ready.flow = flow_.built();
   for (const auto& part : parts_)
   {
     ready.parts.push_back(part->built());
@@ -203,6 +221,7 @@ ReadyStep Stage::ready() const
   {
     ready.parts.clear();
     ready.plan = {};
+    ready.flow = {};
   }
   ready.count();
   return ready;
@@ -238,6 +257,8 @@ void Stage::build(ProgressRelay& progress)
       part->limitCells(cellLimitsOf(part->data(), settings_.selection, coloring_.choice()));
   for (const auto& part : parts_)
     part->build(progress);
+  if (Flow::isAny(settings_))
+    prepareFlow(parts_, data_, settings_, coloring_.choice());
   flow_.build(parts_, progress.runner());
 }
 

@@ -134,6 +134,7 @@ private:
   std::string automaticSide() const;
   void setSizes();
   void checkImages() const;
+  void turnParts();
   void chooseLook();
   void placeSlice(const std::vector<NamedData>& data);
 
@@ -150,6 +151,7 @@ private:
   Cuts cuts_;
   Flow flow_;
   bool preview_ = false;
+  std::string toldTurns_; ///< of those that do not turn
 };
 
 } // namespace mote::app

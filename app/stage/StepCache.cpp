@@ -359,7 +359,7 @@ void StepCache::work(std::unique_lock<std::mutex>& lock, int step)
     else
       this->readInto(read, *input, step, runner);
     made = std::make_shared<ReadyStep>(read); // which stays where the building is stopped
-    *made = makeReady(read.original, plan, runner, last_);
+    *made = makeReady(read.original, plan, runner, last_, finder_);
   }
   catch (const Interrupted&)
   {

@@ -112,6 +112,7 @@ private:
   std::map<int, Entry> entries_;
   std::set<int> failed_;
   std::vector<BuiltPart> last_; ///< volumes and meshes that the thread built last
+  FlowFinder finder_;           ///< of the thread
   Clock::time_point notBefore_; ///< settings that go on to change wait
   int steps_ = 0;
   int place_ = 0, direction_ = 1;

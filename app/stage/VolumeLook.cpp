@@ -1,11 +1,10 @@
 #include "VolumeLook.h"
 
 #include "Cuts.h"
+#include "Turning.h"
 
 #include <vtkBoundingBox.h>
 #include <vtkCellArray.h>
-#include <vtkNew.h>
-#include <vtkTransform.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -144,8 +143,8 @@ VolumeSettings lookInForce(const Settings& settings, const ShowRange& slice)
   if (look.cloud == "auto")
     look.cloud = !look.opacity.empty() || look.opacityUnit || look.lit ? "on" : "off";
   const bool hasCloud = look.cloud == "on";
-  const bool hasOther =
-    hasCloud || !look.isoValues.empty() || settings.flow.lines > 0 || settings.flow.arrows > 0;
+  const bool hasOther = hasCloud || !look.isoValues.empty() || settings.flow.lines > 0 ||
+                        (settings.flow.arrows > 0 && settings.flow.arrowsOn != "slices");
   if (!look.slices)
   {
     look.slices = std::vector<ShowRange>();
@@ -173,17 +172,10 @@ void addRepetitions(const Settings& settings, double bounds[6])
   vtkBoundingBox all;
   for (int k = 0; k < count; ++k)
   {
-    vtkNew<vtkTransform> turn;
-    turn->Translate(axis.point.data());
-    turn->RotateWXYZ(360.0 * k / count, axis.direction.data());
-    turn->Translate(-axis.point[0], -axis.point[1], -axis.point[2]);
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      double p[3];
-      for (int i = 0; i < 3; ++i)
-        p[i] = bounds[2 * i + (corner >> i & 1)];
-      all.AddPoint(turn->TransformDoublePoint(p));
-    }
+    double copy[6];
+    std::copy_n(bounds, 6, copy);
+    moveBounds(transformOf({axis, 360.0 * k / count}), copy);
+    all.AddBounds(copy);
   }
   all.GetBounds(bounds);
 }

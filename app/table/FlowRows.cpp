@@ -23,6 +23,25 @@ void addFlowRows(std::vector<Row>& table)
       .invalidates = Invalidates::Structure,
       .limits = {.least = 0, .most = 1'000'000},
       .usual = "0, none"}));
+  table.push_back(row(flow, &FlowSettings::arrowsOn,
+    {.group = group,
+      .name = "arrows-on",
+      .value = "WHERE",
+      .help =
+        "Where --arrows are: throughout the volume, or evenly over the slices that are shown, "
+        "about as many in all",
+      .invalidates = Invalidates::Structure,
+      .words = {"volume", "slices"},
+      .needs = "arrows"}));
+  table.push_back(row(flow, &FlowSettings::arrowVectors,
+    {.group = group,
+      .name = "arrow-vectors",
+      .value = "WHICH",
+      .help = "What --arrows-on slices shows: full vectors, or tangential, their part that lies in "
+              "the slice",
+      .invalidates = Invalidates::Structure,
+      .words = {"full", "tangential"},
+      .needs = "arrows"}));
   table.push_back(row(flow, &FlowSettings::array,
     {.group = group,
       .name = "flow-array",

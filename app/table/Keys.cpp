@@ -41,6 +41,10 @@ const std::vector<Line>& lines()
       "Shift: add it",
       {}},
     {"Alt and drag", "move the slice, or the face of a cut, that is under the cursor", {}},
+    {"n",
+      "handles of slices and cuts, to be dragged without Alt: while their lists are open in "
+      "the panel, always, never",
+      {{Next, {"n", "N"}, "handles"}}},
     {"i Delete u", "show only the picked particles; hide them; show again what these hid",
       {{OnlyPicked, {"i", "I"}}, {HidePicked, {"Delete"}}, {ShowHidden, {"u", "U"}}}},
     {"Ctrl+C Ctrl+E", "copy the list of the picked; save it as a CSV file",

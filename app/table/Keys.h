@@ -35,10 +35,12 @@ enum class Action
   ShowHidden,
   CopyPicked,
   SavePicked,
+  SavePickedJson,
   PathsOfPicked,
   PlotOverTime, ///< values of the picked
   SaveOverTime,
-  SavePlot,   ///< as a picture
+  SavePlot, ///< as a picture
+  SavePlotSvg,
   SaveCounts, ///< of the plot, as CSV
   Center,
   SavePicture,

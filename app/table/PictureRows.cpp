@@ -162,6 +162,15 @@ void addLabelRows(std::vector<Row>& table)
       .name = "axes",
       .help = "No axes in the corner of the window; pictures have none",
       .invalidates = invalidates}));
+  table.push_back(row(picture, &PictureSettings::handles,
+    {.group = pictureGroup,
+      .name = "handles",
+      .value = "WHEN",
+      .help = "Outlines and marks of slices and of faces of cuts in the window, by which they are "
+              "dragged: on, off, or auto, while Slices or Cuts is open in the panel; pictures have "
+              "none",
+      .invalidates = invalidates,
+      .words = {"auto", "on", "off"}}));
 }
 
 } // namespace

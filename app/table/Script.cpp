@@ -31,10 +31,12 @@ void writeImports(Script& script)
   script.line("import math");
   script.line();
   script.line("import mote");
-  script.line("from vtkmodules.vtkCommonCore import vtkLookupTable, vtkUnsignedCharArray");
+  script.line("from vtkmodules.vtkCommonCore import (");
+  script.line("    vtkDoubleArray, vtkLookupTable, vtkPoints, vtkUnsignedCharArray)");
   script.line("from vtkmodules.vtkCommonDataModel import (");
-  script.line(
-    "    vtkCompositeDataSet, vtkImageData, vtkMultiBlockDataSet, vtkPiecewiseFunction, vtkPlane)");
+  script.line("    vtkCompositeDataSet, vtkImageData, vtkMultiBlockDataSet, vtkPiecewiseFunction,");
+  script.line("    vtkPlane, vtkPolyData)");
+  script.line("from vtkmodules.vtkCommonTransforms import vtkTransform");
   script.line("from vtkmodules.vtkFiltersCore import (");
   script.line(
     "    vtkArrayCalculator, vtkGlyph3D, vtkPolyDataNormals, vtkThreshold, vtkTubeFilter)");

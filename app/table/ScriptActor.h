@@ -19,6 +19,7 @@ void writeRepetitions(Script& script, Mapper* mapper)
   script.call("mapper", "SetRepetitions", mapper->GetRepetitions());
   script.vector("mapper", "SetRepetitionCenter", mapper->GetRepetitionCenter());
   script.vector("mapper", "SetRepetitionAxis", mapper->GetRepetitionAxis());
+  script.line("mapper.TurnVectorsOn()");
 }
 
 } // namespace mote::app

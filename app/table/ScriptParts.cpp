@@ -57,6 +57,17 @@ void writeProp(Script& script, const Part& part)
 {
   if (part.isHidden())
     script.line("prop.VisibilityOff()");
+  if (const auto& [axis, degrees] = part.turn(); degrees != 0.0)
+  {
+    script.line("turn = vtkTransform()");
+    script.vector("turn", "Translate", axis.point.data());
+    const double turned[] = {degrees, axis.direction[0], axis.direction[1], axis.direction[2]};
+    script.vector("turn", "RotateWXYZ", turned, 4);
+    const double back[] = {-axis.point[0], -axis.point[1], -axis.point[2]};
+    script.vector("turn", "Translate", back);
+    script.line("prop.SetUserTransform(turn)");
+    script.line("mapper.TurnVectorsOn()");
+  }
   script.line("props.append(prop)");
   script.line("renderer.AddViewProp(prop)");
 }

@@ -4,6 +4,7 @@
 #include "stage/Slices.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mote::app
 {
@@ -36,6 +37,14 @@ void checkSlices(const std::optional<std::vector<ShowRange>>& asked)
   if (count > mostSlices)
     throw WrongValue{"at most " + std::to_string(mostSlices) + " slices are possible, not " +
                      std::to_string(count)};
+}
+
+void checkTurns(const std::vector<ShowRange>& turns)
+{
+  for (const ShowRange& turn : turns)
+    if (turn.intervals.size() != 1 || turn.intervals.front().low != turn.intervals.front().high ||
+        !std::isfinite(turn.intervals.front().low))
+      throw WrongValue{"'" + turn.name + "' takes one number, turns a minute"};
 }
 
 } // namespace
@@ -97,9 +106,21 @@ void addSliceRows(std::vector<Row>& table)
       .name = "repeat-around",
       .value = "N",
       .help = "Show volumes and surfaces N times, evenly around the axis of --cut-axis: one sector "
-              "as the whole wheel. Nothing is copied; cells, counts and components of vectors are "
-              "those of the one that is there",
+              "as the whole wheel. Nothing is copied; cells and counts are those of the one that "
+              "is there. Vectors turn with it",
       .limits = {.least = 1, .most = 360}}));
+  table.push_back(row<VolumeSettings, std::vector<ShowRange>>(volume, &VolumeSettings::turns,
+    {.group = group,
+      .name = "turn",
+      .value = "PART=RPM",
+      .help = "Turn a volume or surface by so many turns a minute since time 0, in seconds, about "
+              "the axis of --cut-axis, or the one that the data name: a rotor whose file says what "
+              "flows around it at each step, but not where it stands. Above 0 by the right-hand "
+              "rule. Parts are named as for --hide-part. Vectors turn with them. Nothing is copied "
+              "or built anew from step to step; slices and cuts stay in place",
+      .commas = false,
+      .usual = "nothing turns"},
+    checkTurns));
   table.push_back(row(volume, &VolumeSettings::edges,
     {.group = group,
       .name = "edges",

@@ -75,7 +75,8 @@ void InteractorStyle::OnLeftButtonDown()
 {
   if (this->beginRectangle(false))
     return;
-  if (this->Interactor->GetAltKey() && this->State == VTKIS_NONE && onGrab && onGrab())
+  if (this->State == VTKIS_NONE && !this->Interactor->GetShiftKey() && onGrab &&
+      onGrab(this->Interactor->GetAltKey() != 0))
   {
     holds_ = true;
     return;

@@ -33,9 +33,9 @@ public:
   std::function<void(const Rectangle&, bool isDone)> onRectangle;
   bool drawsRectangle() const { return draws_; }
 
-  /// Alt and the left button go down on something; whether it was taken hold of. Then it is dragged
-  /// until the button goes up.
-  std::function<bool()> onGrab;
+  /// The left button goes down, with Alt on something, or without on a handle; whether it was taken
+  /// hold of. Then it is dragged until the button goes up.
+  std::function<bool(bool withAlt)> onGrab;
   std::function<void(bool isDone)> onDrag;
 
   void OnKeyPress() override;

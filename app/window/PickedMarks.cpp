@@ -1,7 +1,5 @@
 #include "PickedMarks.h"
 
-#include "stage/PickedPlaces.h"
-
 #include <vtkActor.h>
 #include <vtkActor2D.h>
 #include <vtkCamera.h>
@@ -106,7 +104,7 @@ void PickedMarks::gather(const PickedSet::Parts& parts, const PickedSet& picked)
   lines_->SetLines(vtkNew<vtkCellArray>());
   for (const PickedPlace& one : placesOf(parts, picked, marked_))
     if (one.isCell)
-      this->addCell(parts[one.part]->data(), one.id);
+      this->addCell(edgesOf(parts[one.part]->data(), one.id, one.placed));
     else
     {
       places->InsertNextPoint(one.at.data());
@@ -146,9 +144,9 @@ void PickedMarks::setCenters(vtkPoints* places)
   edges_->SetVisibility(lines_->GetNumberOfLines() > 0);
 }
 
-void PickedMarks::addCell(vtkDataSet* data, vtkIdType number)
+void PickedMarks::addCell(const std::vector<CellEdge>& edges)
 {
-  for (const CellEdge& edge : edgesOf(data, number))
+  for (const CellEdge& edge : edges)
   {
     vtkIdType ends[2];
     for (std::size_t i = 0; i < 2; ++i)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stage/PickedSet.h"
+#include "stage/PickedPlaces.h"
 
 #include <vtkNew.h>
 
@@ -41,7 +41,7 @@ public:
 private:
   void gather(const PickedSet::Parts& parts, const PickedSet& picked);
   void setCenters(vtkPoints* places);
-  void addCell(vtkDataSet* data, vtkIdType cell);
+  void addCell(const std::vector<CellEdge>& edges);
   void setSizes();
 
   vtkRenderer* renderer_;

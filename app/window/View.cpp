@@ -11,6 +11,7 @@ void View::show(
   box_.update(stage, parts);
   box_.setInk(inkOn(stage.renderer()), stage.renderer()->GetBackground());
   paths_.update(paths, parts);
+  handles_.update(stage, parts);
 }
 
 void View::update(const Stage& stage, const PickedSet& picked)

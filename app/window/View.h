@@ -1,6 +1,7 @@
 #pragma once
 
 #include "BoxEdges.h"
+#include "HandleMarks.h"
 #include "PathLines.h"
 #include "PickedMarks.h"
 #include "Ruler.h"
@@ -23,11 +24,19 @@ public:
     , ruler_(renderer)
     , box_(renderer)
     , paths_(renderer)
+    , handles_(renderer)
   {
   }
 
   vtkRenderer* renderer() const { return renderer_; }
   PickedMarks& marks() { return marks_; }
+  const HandleMarks& handles() const { return handles_; }
+  /// Whether handles are seen where the settings leave it open; returns whether others are.
+  bool offerHandles(const Stage& stage, bool on)
+  {
+    handles_.offer(on);
+    return handles_.update(stage, parts_);
+  }
   /// The parts that are shown here.
   const std::vector<std::size_t>& parts() const { return parts_; }
 
@@ -36,7 +45,11 @@ public:
   /// Follows the picked and the camera; call before each frame.
   void update(const Stage& stage, const PickedSet& picked);
   /// The size of texts: 1 for a display of 96 dots an inch.
-  void setScale(double scale) { ruler_.setScale(scale); }
+  void setScale(double scale)
+  {
+    ruler_.setScale(scale);
+    handles_.setScale(scale);
+  }
 
 private:
   vtkRenderer* renderer_;
@@ -44,6 +57,7 @@ private:
   Ruler ruler_;
   BoxEdges box_;
   PathLines paths_;
+  HandleMarks handles_;
   std::vector<std::size_t> parts_;
 };
 

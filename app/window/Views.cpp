@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace mote::app
 {
@@ -179,6 +180,16 @@ std::vector<View*> Views::shown()
   for (std::size_t i = 0; i < columns_; ++i)
     views.push_back(&column_[i].view);
   return views;
+}
+
+bool Views::offerHandles(bool on)
+{
+  if (std::exchange(offersHandles_, on) == on)
+    return false;
+  bool isOther = whole_.offerHandles(stage_, on);
+  for (Column& column : column_)
+    isOther = column.view.offerHandles(stage_, on) || isOther;
+  return isOther;
 }
 
 void Views::forgetMarks()

@@ -32,6 +32,9 @@ public:
   void follow(const ParticlePaths* paths);
   /// Lays the views out and brings them up to date: call before each frame.
   void update(const PickedSet& picked);
+  /// Whether slices and faces of cuts have handles where the settings leave it to the panel.
+  /// Returns whether other ones are seen.
+  bool offerHandles(bool on);
   /// Marks anew, for what is shown has changed.
   void forgetMarks();
   /// The size of texts: 1 for a display of 96 dots an inch.
@@ -90,6 +93,7 @@ private:
   std::array<vtkNew<vtkActor2D>, Stage::mostViews - 1> dividers_;
   vtkNew<vtkRenderer> ground_; ///< below all columns, and beside them
   double scale_ = 1.0;
+  bool offersHandles_ = false;
   std::size_t columns_ = 0; ///< 0: one view, the stage's own
 };
 

@@ -178,7 +178,7 @@ private:
   void zoom(double factor);
   void turnWheel(double factor);
   void savePicture();
-  void savePlot(bool asPicture);
+  void savePlot(const std::string& ending);
   bool changeKeyFrames(Action action);
   bool doElsewhere(const std::function<void()>& work);
   void saveFilm();
@@ -216,7 +216,7 @@ private:
   bool requirePicked();
   void showOnly(const std::function<void(SelectionSettings&)>& change, const std::string& told);
   void copyPicked();
-  void savePicked();
+  void savePicked(const char* ending);
   void center();
   void setUpHover();
   void moveCursor();
@@ -261,6 +261,7 @@ private:
   std::unique_ptr<PanelHost> panelHost_; ///< null: the window's OpenGL cannot draw it
   bool panelOn_ = true;
   double scale_ = 1.0;                 ///< of texts
+  bool hasOtherHandles_ = false;       ///< than the last frame showed
   PanelWish wish_;                     ///< what the user did in the last frame
   std::optional<Settings> beforeHold_; ///< as the settings were when a control was taken hold of
   std::unique_ptr<StepCache> cache_;   ///< null: nothing is read ahead

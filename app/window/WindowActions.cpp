@@ -346,16 +346,16 @@ std::string Window::unusedName(const std::string& ending) const
 }
 
 /// What the panel plots, as a picture or as its counts.
-void Window::savePlot(bool asPicture)
+void Window::savePlot(const std::string& ending)
 {
   const PlotPanel& shown = panel_.plotNow(picked_);
   if (shown.plot().isEmpty())
     return this->say("Nothing is plotted");
-  const std::string file = this->unusedName(asPicture ? "-plot.png" : "-plot.csv");
+  const std::string file = this->unusedName(ending);
   const bool done = this->perform(
     [&]
     {
-      if (asPicture)
+      if (ending != "-plot.csv")
         writePlotPicture(shown.plot(), shown.plotted(), this->settings().plot.logarithmic,
           captionOf(input_, step_, stage_.contents()), file);
       else

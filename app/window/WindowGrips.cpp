@@ -37,15 +37,18 @@ GripRay rayThrough(vtkRenderer* renderer, const std::array<int, 2>& at)
 
 void Window::setUpGrips()
 {
-  style_->onGrab = [this]
+  style_->onGrab = [this](bool withAlt)
   {
     if (busy_ || quit_)
       return false;
     const std::array<int, 2> at = this->cursor();
+    View* view = views_.at(at[0], at[1]);
+    grip_ = view ? view->handles().at(stage_.shown(), at) : std::nullopt;
+    if (grip_ || !withAlt)
+      return grip_.has_value();
     const std::optional<Hit> hit = this->hitAt(at[0], at[1]);
     double bounds[6];
     stage_.bounds(bounds);
-    grip_.reset();
     if (hit)
       grip_ = CutGrip::at(stage_.shown(), hit->at, vtkBoundingBox(bounds).GetDiagonalLength());
     if (!grip_)

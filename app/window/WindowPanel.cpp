@@ -166,7 +166,10 @@ void Window::layPanel()
   panelHost_->setFocused(panel_.hasFocus());
   panelHost_->setTyping(panel_.awaitsKeys());
   const bool isOver = beforeHold_ && !wish_.isHeld && !grip_ && !player_;
-  if ((wish_.settings || wish_.open || wish_.action != Action::None || isOver) && panelTimer_ == 0)
+  hasOtherHandles_ = views_.offerHandles(panel_.showsCuts()) || hasOtherHandles_;
+  if ((wish_.settings || wish_.open || wish_.action != Action::None || isOver ||
+        hasOtherHandles_) &&
+      panelTimer_ == 0)
     this->startTimer(panelTimer_, soon);
   writeControls(panelHost_->inputs(), panelTimer_ != 0);
 }
@@ -199,6 +202,8 @@ void Window::takeWish()
       this->render();
     }
   }
+  else if (std::exchange(hasOtherHandles_, false))
+    this->renderOverlays();
   else if (!wish.settings)
     this->renderPanel(); // controls answer while the view is traced
 }

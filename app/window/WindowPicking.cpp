@@ -7,8 +7,8 @@
 #include "base/Failure.h"
 #include "base/Text.h"
 #include "stage/Calculated.h"
-#include "stage/CellValues.h"
 #include "stage/PickedTable.h"
+#include "stage/PlacedCell.h"
 
 #include <vtkAbstractArray.h>
 #include <vtkCamera.h>
@@ -74,10 +74,8 @@ std::string arrayFacts(vtkDataSetAttributes* arrays, vtkIdType id, int& most,
 }
 
 /// What arrays of points are at a place in a cell.
-std::string factsBetween(
-  vtkDataSet* data, vtkIdType cell, const std::array<double, 3>& place, int& most)
+std::string factsBetween(vtkDataSet* data, const std::optional<CellWeights>& weights, int& most)
 {
-  const auto weights = weightsAt(data, cell, place);
   std::string text;
   for (int i = 0; weights && i < data->GetPointData()->GetNumberOfArrays() && most > 0; ++i)
   {
@@ -98,14 +96,14 @@ std::string factsBetween(
 }
 
 /// The corner of a cell that is nearest to a place, and what it has.
-std::string nearestFacts(
-  vtkDataSet* data, vtkIdType cell, const std::array<double, 3>& place, int& most)
+std::string nearestFacts(vtkDataSet* data, vtkIdType cell, const PlacedCell& placed, int& most)
 {
-  const vtkIdType corner = nearestCorner(data, cell, place);
+  const vtkIdType corner = nearestCorner(data, cell, placed.place);
   if (corner < 0 || most <= 0)
     return {};
   double at[3];
   data->GetPoint(corner, at);
+  placed.placed->TransformPoint(at, at);
   return factLine("nearest point", withThousands(corner)) + factLine("  at", asTuple(at, 3)) +
          arrayFacts(data->GetPointData(), corner, most, nullptr, "  ");
 }
@@ -157,9 +155,10 @@ std::string Window::factsOf(const Hit& hit, int mostArrays) const
       what = factLine("here", stage_.coloring().title() + ' ' + asNumber(hit.value));
     vtkDataSet* data = part.data();
     what += factLine("cell", which) + factLine("position", asTuple(hit.at.data(), 3));
-    what += factsBetween(data, picked.id, hit.at, mostArrays);
+    const PlacedCell placed = placedCell(part, picked.id, hit.at);
+    what += factsBetween(data, placed.weights, mostArrays);
     what += arrayFacts(data->GetCellData(), picked.id, mostArrays, data->GetPointData());
-    what += nearestFacts(data, picked.id, hit.at, mostArrays);
+    what += nearestFacts(data, picked.id, placed, mostArrays);
     return what.substr(1);
   }
   double position[3];
@@ -295,6 +294,7 @@ void Window::addAll(
     vtkDataSet* data = part.data();
     const vtkIdType count = kindOfPicks(part) == Picked::Kind::Cell ? data->GetNumberOfCells() : 0;
     vtkUnsignedCharArray* isVisible = part.cells().mask();
+    const auto placements = part.placements();
     for (vtkIdType i = 0; i < count; ++i)
     {
       if (isVisible && isVisible->GetValue(i) == 0)
@@ -303,7 +303,8 @@ void Window::addAll(
       data->GetCellBounds(i, bounds);
       for (int axis = 0; axis < 3; ++axis)
         place[axis] = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
-      if (isIn(place))
+      if (std::any_of(placements.begin(), placements.end(),
+            [&](const auto& placed) { return isIn(placed->TransformDoublePoint(place)); }))
         found.push_back({static_cast<int>(k), Picked::Kind::Cell, i});
     }
   }
@@ -371,16 +372,20 @@ bool Window::actOnPicked(Action action)
     this->saveOverTime();
     return true;
   case Action::SavePlot:
+  case Action::SavePlotSvg:
   case Action::SaveCounts:
-    this->savePlot(action == Action::SavePlot);
+    this->savePlot(action == Action::SavePlot      ? "-plot.png"
+                   : action == Action::SavePlotSvg ? "-plot.svg"
+                                                   : "-plot.csv");
     return true;
   case Action::CopyPicked:
     if (this->requirePicked())
       this->copyPicked();
     return true;
   case Action::SavePicked:
+  case Action::SavePickedJson:
     if (this->requirePicked())
-      this->savePicked();
+      this->savePicked(action == Action::SavePicked ? "-picked.csv" : "-picked.json");
     return true;
   default:
     return false;
@@ -411,9 +416,9 @@ void Window::copyPicked()
   this->say("Copied " + counted(static_cast<std::int64_t>(table.rows()), "line"));
 }
 
-void Window::savePicked()
+void Window::savePicked(const char* ending)
 {
-  const std::string file = this->unusedName("-picked.csv");
+  const std::string file = this->unusedName(ending);
   writePicked(PickedTable(stage_.parts(), picked_), file);
   this->say("Saved " + file);
 }

@@ -1,6 +1,7 @@
 // Slices and faces of cuts that are taken hold of where they are seen.
 
 #include "stage/CutGrip.h"
+#include "stage/CutHandles.h"
 
 #include <gtest/gtest.h>
 
@@ -85,4 +86,35 @@ TEST(CutGrip, CylindersAndHalfPlanesMoveAboutTheirAxis)
   settings.volume.slices = {{{"r", {{0.25, 0.25}}}}};
   settings.volume.unroll = true;
   EXPECT_FALSE(CutGrip::at(settings, {0.75, 0.0, 2.0}, 6.0)); // it lies elsewhere
+}
+
+TEST(CutHandles, LieOnWhatTheyHold)
+{
+  const double box[6] = {-2.0, 2.0, -2.0, 2.0, 0.0, 4.0};
+  const Settings settings = with({{"y", {{-HUGE_VAL, 0.5}}}, {"angle", {{90.0, 360.0}}}},
+    {{"z", {{1.0, 1.0}, {3.0, 3.0}}}, {"1,1,0", {{0.5, 0.5}}}, {"r", {{1.5, 1.5}}},
+      {"x", {{9.0, 9.0}}}});
+  const std::vector<CutHandle> handles = cutHandles(settings, box);
+  std::vector<std::string> names;
+  for (const CutHandle& handle : handles)
+  {
+    names.push_back(handle.name);
+    ASSERT_FALSE(handle.outlines.empty());
+    std::vector<CutHandle::Place> places = {handle.middle};
+    for (const auto& outline : handle.outlines)
+      places.insert(places.end(), outline.begin(), outline.end());
+    for (const CutHandle::Place& place : places)
+    {
+      const auto grip = handle.heldAt(settings, place);
+      ASSERT_TRUE(grip);
+      // Not moved it stays where it is; an axis has no angle.
+      const auto value = grip->valueAt(to(place), box);
+      if (handle.name != "angle" || std::hypot(place[0], place[1]) > 0.1)
+        EXPECT_NEAR(std::remainder(*value - handle.value, 360.0), 0.0, 1e-9) << handle.name;
+    }
+  }
+  EXPECT_EQ(names,
+    (std::vector<std::string>{"y", "angle", "angle", "z", "z", "1,1,0", "r"})); // no x in the box
+  const auto second = handles[4].heldAt(settings, handles[4].middle);
+  EXPECT_EQ(second->moved(settings, settings, 2.0).volume.slices->at(0).intervals.at(1).low, 2.0);
 }

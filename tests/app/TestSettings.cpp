@@ -51,6 +51,7 @@ std::vector<std::string> sampleOf(const Row& row)
     {"iso", {"0.1", "-2"}},
     {"slice", {"z=0.5", "angle=-30,90", "1,1,0=2"}},
     {"wall-color", {"#203040"}},
+    {"turn", {"rotor=1500", "case.foam: shaft*=-22.5"}},
     {"flow-from", {"0", "0", "0", "1", "2", "0.5"}},
     {"flow-array", {"U"}},
     {"nan-color", {"navy"}},

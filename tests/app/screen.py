@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """screen.py X Y WIDTH HEIGHT: a fingerprint of a rectangle of the screen that DISPLAY names, and
 how many colours it has; with "marked", "ruled" or "red" behind, how many pixels have the colour of marks, of
-the ruler, or are red; with "lines", how many rows have white letters; with "save FILE", the rectangle as a
+the ruler, or are red; with "handles", where the upper-
+most mark of a handle is; with "lines", how many rows have white letters; with "save FILE", the rectangle as a
 PNG."""
 import ctypes
 import struct
@@ -42,6 +43,14 @@ elif sys.argv[5:6] == ["save"]:
                            (b"IDAT", zlib.compress(lines)), (b"IEND", b"")]:
             file.write(struct.pack(">I", len(body)) + kind + body +
                        struct.pack(">I", zlib.crc32(kind + body)))
+elif sys.argv[5:6] == ["handles"]:
+    # Marks of handles are larger than outlines are wide: where eight pixels in a row have the colour.
+    ink = [red < 60 and 150 < green < 220 and blue > 200 for red, green, blue in colors]
+    for row in range(height):
+        found = [at for at in range(width - 8) if all(ink[row * width + at + k] for k in range(8))]
+        if found and all(ink[(row + down) * width + found[0] + 4] for down in range(min(8, height - row))):
+            print(x + found[0] + 4, y + row + 4)
+            break
 elif sys.argv[5:] == ["red"]:
     print(sum(red > 150 and max(green, blue) < 0.4 * red for red, green, blue in colors))
 elif sys.argv[5:] == ["ruled"]:

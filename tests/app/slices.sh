@@ -146,6 +146,84 @@ case $3 in
     quit
     ;;
 
+  handles) # marks of slices and cuts come with their lists or by a key, and are dragged
+    source "$tests/panel_common.sh"
+    mark() { python3 "$tests/screen.py" 340 60 640 640 handles; }
+    no_mark() { [ -z "$(mark)" ] || fail "a handle: $1"; }
+    pull() { # pull DX DY: drags the first mark
+      local at
+      at=($(mark))
+      [ "${#at[@]}" = 2 ] || fail 'there is no handle'
+      xdotool mousemove "${at[@]}" sleep 0.1 mousedown 1
+      for part in 1 2 3 4; do
+        xdotool mousemove $((at[0] + $1 * part / 4)) $((at[1] + $2 * part / 4)) sleep 0.1
+      done
+      xdotool mouseup 1
+    }
+    open $pump --size 1000x760 --color-by pressure
+    has '--slice=z=0.03[0-9]* '
+    no_mark 'before the list is open'
+    for group in Data Colour Selection; do click "group $group"; done
+    click 'group Slices'
+    sleep 0.5
+    pull 0 -40
+    has '--slice=z=0.0[4-6][0-9]* '
+    press ctrl+z
+    has '--slice=z=0.03[0-9]* '
+    click 'group Slices'
+    sleep 0.5
+    no_mark 'after the list was closed'
+    press n
+    sleep 0.5
+    has '--handles=on'
+    pull 0 -40
+    has '--slice=z=0.0[4-6][0-9]* '
+    quit
+    ;;
+
+  turning) # a part that has turned is what is seen from elsewhere; slices stay
+    source "$tests/common.sh"
+    unset DISPLAY
+    swirl=("$2/swirl.0.vtu" "$2/swirl.1.vtu")
+    seen() { # seen FILE OPTIONS...
+      run 0 "$mote" render "${swirl[@]}" -o "$1" --size 200x160 --no-legend --caption '' --light 0,30 "${@:2}"
+    }
+    near() { # near FILE FILE: all but a few pixels in a hundred are the same
+      local wrong
+      wrong=$(python3 "$tests/compare_png.py" "$1" "$2" | cut -d' ' -f1)
+      [ "${wrong%.*}" -lt 150 ] || fail "$1 and $2 differ in $wrong of 10,000 pixels"
+    }
+    turned=(--camera 0.1,0.05,0.2,0,0,0.03,0,0,1,30) unturned=(--camera 0.05,-0.1,0.2,0,0,0.03,0,0,1,30)
+    # A quarter of a turn, as the second step is at 8 s.
+    for look in "--slice z=0.03" "--walls 1 --slice none" "--cloud on" "--cells surface" "--streamlines 40" "--arrows 60"; do
+      # shellcheck disable=SC2086
+      seen turned.png "${turned[@]}" $look --turn '*=1.875' --step 2
+      # shellcheck disable=SC2086
+      seen same.png "${unturned[@]}" $look --step 2
+      near turned.png same.png
+    done
+    # A slice stays in the world, and so does a cut; a component is along the world's axis.
+    seen turned.png "${turned[@]}" --slice x=0.003 --color-by U:0 --range -1 1 --turn '*=1.875' --step 2
+    seen same.png "${unturned[@]}" --slice y=-0.003 --color-by U:1 --range -1 1 --reverse --step 2 # -U:1
+    near turned.png same.png
+    seen other.png "${unturned[@]}" --slice y=-0.003 --color-by U:0 --range -1 1 --step 2
+    ! cmp -s turned.png other.png || fail 'vectors do not turn'
+    seen turned.png "${turned[@]}" --slice x=0.003 --cut x=0.003: --color-by p --turn '*=1.875' --step 2
+    seen same.png "${unturned[@]}" --slice y=-0.003 --cut y=:-0.003 --color-by p --step 2
+    near turned.png same.png
+    # Without any turns it is as it was.
+    seen first.png "${turned[@]}" --step 1 --slice z=0.03
+    seen same.png "${turned[@]}" --step 1 --slice z=0.03 --turn '*=0'
+    alike first.png same.png
+    run 0 "$mote" render "$2/swirl.1.vtu" -o a.png --size 80x60 --turn 'rotor=1.875'
+    said err "no part 'rotor'"
+    run 1 "$mote" render pump:0.001 -o a.png --size 80x60 --turn rotor=1000
+    one_sentence
+    said err 'turns by itself'
+    run 2 "$mote" render "$2/swirl.1.vtu" -o a.png --turn rotor=1:2
+    said err '--turn'
+    ;;
+
   first) # the first view: walls that are looked into, and a slice, which the window shows, too
     source "$tests/panel_common.sh"
     run 0 "$mote" render $pump -o first.png --size 200x160 --samples 1 --caption '' --save-session s.json
