@@ -46,9 +46,17 @@ bool hidesInTree(vtkPointSet* data)
 }
 
 /// The times of all that triangles are made of.
-InputKey keyOfMesh(vtkPointSet* data, const InputKey& visible)
+InputKey keyOfMesh(vtkPointSet* data, const SurfaceChoice& choice)
 {
-  InputKey key = hidesInTree(data) ? InputKey() : visible;
+  InputKey key;
+  if (!hidesInTree(data))
+  {
+    key = choice.visible;
+    const SectorCopies& copies = choice.copies;
+    key.push_back(copies.count);
+    for (int k = 0; copies.count > 1 && k < 3; ++k)
+      key.insert(key.end(), {copies.center[k], copies.axis[k]});
+  }
   addTime(key, data->GetPoints());
   addArray(key, data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
   addArray(key, data->GetCellGhostArray());
@@ -107,43 +115,43 @@ std::string sentence(vtkIdType count, const char* one, const char* many)
 
 } // namespace
 
-bool MeshGeometry::holds(vtkPointSet* data, const InputKey& visible) const
+bool MeshGeometry::holds(vtkPointSet* data, const SurfaceChoice& choice) const
 {
-  return !key_.empty() && key_ == keyOfMesh(data, visible);
+  return !key_.empty() && key_ == keyOfMesh(data, choice);
 }
 
-bool MeshGeometry::fits(vtkPointSet* data, const InputKey& visible) const
+bool MeshGeometry::fits(vtkPointSet* data, const SurfaceChoice& choice) const
 {
-  return this->holds(data, visible) && (!hidesInTree(data) || visible_ == visible);
+  return this->holds(data, choice) && (!hidesInTree(data) || visible_ == choice.visible);
 }
 
-MeshGeometry::Change MeshGeometry::update(vtkPointSet* data, vtkUnsignedCharArray* isVisible,
-  const InputKey& visible, const Progress& progress)
+MeshGeometry::Change MeshGeometry::update(
+  vtkPointSet* data, const SurfaceChoice& choice, const Progress& progress)
 {
   const bool hides = hidesInTree(data);
   Change change = Change::None;
-  if (!this->holds(data, visible))
+  if (!this->holds(data, choice))
   {
-    InputKey key = keyOfMesh(data, visible);
+    InputKey key = keyOfMesh(data, choice);
     key_.clear(); // until all has gone well
-    change = this->updateAll(data, hides ? nullptr : isVisible, progress);
+    change = this->updateAll(data, choice, progress);
     if (!tree_ && !mesh_)
       return change; // it was stopped
     key_ = std::move(key);
   }
-  if (hides && (change != Change::None || visible_ != visible))
+  if (hides && (change != Change::None || visible_ != choice.visible))
   {
-    this->hide(isVisible);
-    visible_ = visible;
+    this->hide(choice.isVisible);
+    visible_ = choice.visible;
     change = change == Change::None ? Change::Hidden : change;
   }
   this->count();
   return change;
 }
 
-/// Takes all triangles, or those of visible cells.
+/// Takes all triangles, or those of visible cells where they are not hidden in the tree.
 MeshGeometry::Change MeshGeometry::updateAll(
-  vtkPointSet* data, vtkUnsignedCharArray* isVisible, const Progress& progress)
+  vtkPointSet* data, const SurfaceChoice& choice, const Progress& progress)
 {
   if (const auto file = vtkMoteMeshFilePoints::FileOf(data))
   {
@@ -152,7 +160,8 @@ MeshGeometry::Change MeshGeometry::updateAll(
     corners_ = file->corners();
     return Change::Built;
   }
-  const SurfaceTriangles triangles = surfaceTrianglesOf(data, isVisible);
+  const SurfaceTriangles triangles =
+    surfaceTrianglesOf(data, hidesInTree(data) ? nullptr : choice.isVisible, choice.copies);
   const DataArrayView points(data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
   const ContentHash content = contentOf(points);
   const bool moved = tree_ && mesh_ && mesh_->pointCount() == points.view.count() &&

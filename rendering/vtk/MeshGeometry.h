@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ParticleInput.h"
+#include "SectorSeams.h"
 
 #include "kernels/core/ContentHash.h"
 #include "kernels/meshes/RlodTree.h"
@@ -17,12 +18,21 @@ class vtkUnsignedCharArray;
 namespace mote
 {
 
+/// What of a data set's surface is asked for.
+struct SurfaceChoice
+{
+  vtkUnsignedCharArray* isVisible = nullptr; ///< one value a cell, 0 hides it; null: all
+  InputKey visible;                          ///< the key of VisibleCells
+  SectorCopies copies;                       ///< that are drawn
+};
+
 /// The triangles of a data set's surface, and the tree over them, which follow a pipeline's output.
 ///
 /// Of a vtkPolyData these are its polygons and strips; of all else with points the faces that no
 /// two cells share, and the cells that are flat. Corners are points of the data set. Cells that are
 /// not visible are left out, as if they were not there: polygons and strips are hidden in a tree
-/// that has all, which builds nothing; of cells with a volume other faces come to light.
+/// that has all, which builds nothing; of cells with a volume other faces come to light. Of these
+/// the faces are left out that copies of a sector cover.
 class MeshGeometry
 {
 public:
@@ -34,19 +44,17 @@ public:
     Built
   };
 
-  /// Whether all that triangles are made of is the very same as at the last update(). `visible` is
-  /// the key of VisibleCells.
-  bool fits(vtkPointSet* data, const InputKey& visible) const;
+  /// Whether all that triangles are made of is the very same as at the last update().
+  bool fits(vtkPointSet* data, const SurfaceChoice& choice) const;
   /// Whether a tree is there that update() would take, at most with others of its cells visible.
-  bool holds(vtkPointSet* data, const InputKey& visible) const;
+  bool holds(vtkPointSet* data, const SurfaceChoice& choice) const;
 
   /// Takes the triangles and builds the tree, or does as little of it as it takes: nothing where
   /// points and triangles have the same content or lie in a file, a refit where only points
   /// have moved and it does not make rays much slower; of a copy, where others hold the tree.
   /// Without triangles, or where `progress` stopped it, there is no tree. Throws Error for indices
   /// that are not those of points, and as TriangleMesh and RlodTree do.
-  Change update(vtkPointSet* data, vtkUnsignedCharArray* isVisible, const InputKey& visible,
-    const Progress& progress);
+  Change update(vtkPointSet* data, const SurfaceChoice& choice, const Progress& progress);
 
   /// Makes the tree's R-LODs where it has none. Not while another thread casts rays through it.
   void makeLods();
@@ -73,7 +81,7 @@ public:
   vtkIdType invalidTriangles() const; ///< triangles with a corner that is not finite
 
 private:
-  Change updateAll(vtkPointSet* data, vtkUnsignedCharArray* isVisible, const Progress& progress);
+  Change updateAll(vtkPointSet* data, const SurfaceChoice& choice, const Progress& progress);
   void hide(vtkUnsignedCharArray* isVisible);
   bool moveTo(const ArrayView& points);
   bool build(const ArrayView& points, const ArrayView& triangles, const Progress& progress);

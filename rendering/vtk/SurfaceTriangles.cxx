@@ -137,7 +137,12 @@ SurfaceTriangles trianglesOf(vtkPolyData* surface)
   return found;
 }
 
-/// Leaves out triangles of cells for which isOut(cell).
+vtkIdType cellOf(const SurfaceTriangles& found, std::size_t triangle)
+{
+  return found.cells.empty() ? static_cast<vtkIdType>(triangle) : found.cells[triangle];
+}
+
+/// Leaves out triangles for which isOut(triangle).
 template <typename IsOut>
 void drop(SurfaceTriangles& found, const IsOut& isOut)
 {
@@ -147,11 +152,11 @@ void drop(SurfaceTriangles& found, const IsOut& isOut)
   std::vector<std::uint8_t> edges;
   for (std::size_t i = 0; i < count; ++i)
   {
-    if (isOut(found.cells.empty() ? static_cast<vtkIdType>(i) : found.cells[i]))
+    if (isOut(i))
       continue;
     for (std::size_t k = 3 * i; k < 3 * i + 3; ++k)
       corners->InsertNextValue(static_cast<vtkIdType>(found.corners.view.value(k)));
-    cells.push_back(found.cells.empty() ? static_cast<vtkIdType>(i) : found.cells[i]);
+    cells.push_back(cellOf(found, i));
     if (!found.edges.empty())
       edges.push_back(found.edges[i]);
   }
@@ -167,8 +172,9 @@ void drop(SurfaceTriangles& found, const IsOut& isOut)
 void dropGhosts(vtkUnsignedCharArray* ghosts, SurfaceTriangles& found)
 {
   drop(found,
-    [&](vtkIdType cell)
+    [&](std::size_t triangle)
     {
+      const vtkIdType cell = cellOf(found, triangle);
       return cell < ghosts->GetNumberOfValues() &&
              (ghosts->GetValue(cell) &
                (vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL)) != 0;
@@ -248,16 +254,24 @@ ArrayView SurfaceTriangles::view() const
   return {corners.view.data(), corners.view.type(), corners.view.count() / 3, 3};
 }
 
-SurfaceTriangles surfaceTrianglesOf(vtkPointSet* data, vtkUnsignedCharArray* isVisible)
+SurfaceTriangles surfaceTrianglesOf(
+  vtkPointSet* data, vtkUnsignedCharArray* isVisible, const SectorCopies& copies)
 {
   auto* surface = vtkPolyData::SafeDownCast(data);
   if (!surface)
-    return trianglesOfFaces(data, isVisible);
+  {
+    SurfaceTriangles found = trianglesOfFaces(data, isVisible);
+    const std::vector<std::uint8_t> isCovered = coveredByCopies(found, data->GetPoints(), copies);
+    if (!isCovered.empty())
+      drop(found, [&](std::size_t triangle) { return isCovered[triangle] != 0; });
+    return found;
+  }
   SurfaceTriangles found = trianglesOf(surface);
   if (vtkUnsignedCharArray* ghosts = surface->GetCellGhostArray())
     dropGhosts(ghosts, found);
   if (isVisible)
-    drop(found, [&](vtkIdType cell) { return isVisible->GetValue(cell) == 0; });
+    drop(found,
+      [&](std::size_t triangle) { return isVisible->GetValue(cellOf(found, triangle)) == 0; });
   return found;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "DataArrayView.h"
+#include "SectorSeams.h"
 
 #include <cstdint>
 #include <vector>
@@ -27,7 +28,9 @@ struct SurfaceTriangles
 };
 
 /// Of all cells, or of those alone for which `isVisible` is not 0: as if the others were not there.
-/// Throws Error where a cell has a point that the data set has not.
-SurfaceTriangles surfaceTrianglesOf(vtkPointSet* data, vtkUnsignedCharArray* isVisible = nullptr);
+/// Of cells with a volume without the faces that copies of a sector cover. Throws Error where a
+/// cell has a point that the data set has not.
+SurfaceTriangles surfaceTrianglesOf(
+  vtkPointSet* data, vtkUnsignedCharArray* isVisible = nullptr, const SectorCopies& copies = {});
 
 } // namespace mote

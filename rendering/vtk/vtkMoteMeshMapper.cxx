@@ -29,6 +29,8 @@
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -63,11 +65,10 @@ public:
 
   /// Takes what is offered where it is of this input, or where there is nothing yet: of an input
   /// with the same content it will do, too.
-  void takeOffer(vtkPointSet* input)
+  void takeOffer(vtkPointSet* input, const mote::SurfaceChoice& choice)
   {
     const auto from = std::exchange(offered, nullptr);
-    if (!from ||
-        (geometry.whole() && !from->geometry.holds(input, visible.key(input->GetNumberOfCells()))))
+    if (!from || (geometry.whole() && !from->geometry.holds(input, choice)))
       return;
     static_cast<mote::BuiltMesh&>(*this) = *from;
     changedAt.Modified();
@@ -309,9 +310,12 @@ void vtkMoteMeshMapper::UpdateGeometry(vtkPointSet* input)
 {
   using Change = mote::MeshGeometry::Change;
   Internals& impl = *this->Impl;
-  impl.takeOffer(input);
-  const mote::InputKey& visible = impl.visible.key(input->GetNumberOfCells());
-  if (impl.geometry.fits(input, visible))
+  const mote::SurfaceChoice choice = {impl.visible.get(),
+    impl.visible.key(input->GetNumberOfCells()),
+    {this->Repetitions, glm::make_vec3(this->RepetitionCenter),
+      glm::make_vec3(this->RepetitionAxis)}};
+  impl.takeOffer(input, choice);
+  if (impl.geometry.fits(input, choice))
     return;
   const auto start = std::chrono::steady_clock::now();
   const mote::BuildEvents events(this);
@@ -323,7 +327,7 @@ void vtkMoteMeshMapper::UpdateGeometry(vtkPointSet* input)
   impl.changedAt.Modified();
   if (!goesOn(0.0))
     return impl.geometry.forget();
-  const Change change = impl.geometry.update(input, impl.visible.get(), visible, goesOn);
+  const Change change = impl.geometry.update(input, choice, goesOn);
   if (change == Change::None || change == Change::Hidden)
     return;
   impl.builtAt.Modified();

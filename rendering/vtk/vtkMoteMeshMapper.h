@@ -114,7 +114,8 @@ public:
   /**
    * How often it is drawn, evenly around an axis, in the input's coordinates: a sector as the whole
    * wheel. Nothing is copied: copies share what is built. They have the same cells for picks, and
-   * the same values; for components of vectors see TurnVectors. Default 1, about z.
+   * the same values; for components of vectors see TurnVectors. Of cells with a volume the sides
+   * are left out where copies touch with the same points. Default 1, about z.
    */
   vtkSetClampMacro(Repetitions, int, 1, 10000);
   vtkGetMacro(Repetitions, int);

@@ -245,6 +245,66 @@ TEST_F(MeshStage, CopiesAroundAnAxis)
   EXPECT_EQ(mapper->GetNumberOfBuilds(), 1);
 }
 
+namespace
+{
+
+/// Hexahedra from radius 0.25 to 1 and an eighth high, over the first `share` of a turn about z;
+/// `moved` turns the inner points on its last side aside.
+vtkSmartPointer<vtkUnstructuredGrid> ringSector(double share, double moved = 0.0)
+{
+  const int around = static_cast<int>(std::lround(16 * share));
+  const bool isClosed = share == 1.0;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (int k = 0; k <= around; ++k)
+    for (const double radius : {0.25, 0.5, 1.0})
+      for (const double z : {0.0, 0.125})
+      {
+        const bool aside = k == around && radius == 0.5;
+        const double angle = 2.0 * M_PI * (k + (aside ? moved : 0.0)) / 16;
+        points->InsertNextPoint(radius * std::cos(angle), radius * std::sin(angle), z);
+      }
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points);
+  for (int k = 0; k < around; ++k)
+    for (int ring = 0; ring < 2; ++ring)
+    {
+      const vtkIdType a = 6 * k + 2 * ring, b = isClosed && k + 1 == around ? 2 * ring : a + 6;
+      const vtkIdType cell[8] = {a, a + 2, b + 2, b, a + 1, a + 3, b + 3, b + 1};
+      grid->InsertNextCell(VTK_HEXAHEDRON, 8, cell);
+    }
+  return grid;
+}
+
+} // namespace
+
+TEST_F(MeshStage, SidesWhereCopiesOfASectorTouchAreNotDrawn)
+{
+  const auto trianglesOf = [&](vtkUnstructuredGrid* grid, int copies)
+  {
+    mapper->SetInputData(grid);
+    mapper->SetRepetitions(copies);
+    mapper->Update();
+    return mapper->GetNumberOfTriangles();
+  };
+  const vtkIdType wheel = trianglesOf(ringSector(1.0), 1);
+  EXPECT_EQ(wheel, 16 * 2 * (2 * 2 + 2));
+  for (const int copies : {2, 4, 8})
+    EXPECT_EQ(trianglesOf(ringSector(1.0 / copies), copies), wheel / copies) << copies;
+  const vtkIdType alone = trianglesOf(ringSector(0.25), 1);
+  EXPECT_EQ(alone, wheel / 4 + 2 * 2 * 2);
+  // With a gap between copies, or with other points on either side, all is seen.
+  EXPECT_EQ(trianglesOf(ringSector(0.25), 3), alone);
+  EXPECT_EQ(trianglesOf(ringSector(0.25, 0.1), 4), alone);
+  // What covers itself looks the same way, and is no side.
+  EXPECT_EQ(trianglesOf(ringSector(1.0), 4), wheel);
+  // The axis counts, too.
+  trianglesOf(ringSector(0.25), 4);
+  mapper->SetRepetitionCenter(1.0, 0.0, 0.0);
+  mapper->Update();
+  EXPECT_EQ(mapper->GetNumberOfTriangles(), alone);
+}
+
 TEST(MapperSlices, WithoutDirectionAreRefusedInASentence)
 {
   VolumeStage stage(makeBox(2, [](const Point& p) { return p[0]; }), true);
