@@ -9,6 +9,7 @@
 #include "base/OutputFile.h"
 #include "stage/Arrays.h"
 #include "stage/Cuts.h"
+#include "stage/ShownCells.h"
 #include "stage/Slices.h"
 
 #include <vtkCellData.h>
@@ -92,6 +93,28 @@ void addPowers(vtkTable* table, double rpm)
   }
 }
 
+/// The data with marks on cells that --show, --where and the like leave out, as ghosts.
+vtkSmartPointer<vtkDataSet> withHiddenCells(vtkDataSet* data, const SelectionSettings& selection)
+{
+  ShownCells shown;
+  shown.update(data, cellLimitsOf(data, selection, {}), {});
+  if (!shown.mask())
+    return data;
+  auto copy = vtk::TakeSmartPointer(data->NewInstance());
+  copy->ShallowCopy(data);
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->SetName(vtkDataSetAttributes::GhostArrayName());
+  marks->SetNumberOfValues(data->GetNumberOfCells());
+  vtkUnsignedCharArray* before = data->GetCellGhostArray();
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+    marks->SetValue(
+      cell, static_cast<unsigned char>(
+              (before ? before->GetValue(cell) : 0) |
+              (shown.mask()->GetValue(cell) != 0 ? 0 : vtkDataSetAttributes::HIDDENCELL)));
+  copy->GetCellData()->AddArray(marks);
+  return copy;
+}
+
 /// The table of one time step.
 vtkSmartPointer<vtkTable> tableOf(
   vtkMoteSurfaceIntegrals* filter, const std::vector<NamedData>& data, OpenedInput& opened)
@@ -102,7 +125,7 @@ vtkSmartPointer<vtkTable> tableOf(
   for (const NamedData& one : data)
   {
     const unsigned number = blocks->GetNumberOfBlocks();
-    blocks->SetBlock(number, one.data);
+    blocks->SetBlock(number, withHiddenCells(one.data, opened.settings.selection));
     blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), one.name.c_str());
     if (known.empty())
       known = listArrays(one.data);

@@ -48,7 +48,8 @@ void Panel::drawVolume()
   ImGui::NewLine();
   if (opacityFields(points, histogram))
     next_.volume.opacity = points;
-  this->drawIsosurfaces(histogram);
+  const std::string& followed = next_.volume.isoArray;
+  this->drawIsosurfaces(followed.empty() ? histogram : this->histogramOf(followed));
 }
 
 /// Of cells that are shown by their surface: the way to the volume, and nothing else.
@@ -69,8 +70,10 @@ void Panel::drawIsosurfaces(const Histogram& histogram)
     next_.volume.isoValues.push_back(newIsoValue(histogram, next_.volume.isoValues));
   explainKey("One more, between the others; then drag its line\n--iso");
   if (!next_.volume.isoValues.empty())
-    isoControl("iso lines", histogram, stage_.coloring().table(), next_.volume.isoValues);
+    isoControl("iso lines", histogram,
+      next_.volume.isoArray.empty() ? stage_.coloring().table() : nullptr, next_.volume.isoValues);
   this->drawRow("iso", "values");
+  this->drawRow("iso-array", "of");
 }
 
 } // namespace mote::app

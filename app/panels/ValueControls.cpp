@@ -193,13 +193,15 @@ void drawLine(const ValueFrame& frame, double value, bool isBright)
 bool isoControl(
   const char* id, const Histogram& histogram, vtkLookupTable* table, std::vector<double>& values)
 {
-  if (histogram.isEmpty() || !table)
+  if (histogram.isEmpty())
     return false;
+  const auto colorOf = [&](double value)
+  { return table ? colorAt(table, value) : ImGui::GetColorU32(ImGuiCol_PlotHistogram); };
   const ValueFrame frame = frameOf(histogram, 2.6f);
   ImGui::InvisibleButton(
     id, frame.size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   noteControl(id);
-  drawBars(frame, histogram, [&](double value) { return colorAt(table, value); });
+  drawBars(frame, histogram, colorOf);
   const int nearest = nearestLine(frame, values);
   const double at = frame.valueAt(ImGui::GetIO().MousePos.x);
   int& part = heldPart(ImGui::GetID(id));

@@ -118,6 +118,7 @@ struct VolumeSettings
   std::vector<OpacityPoint> opacity; ///< none: choose
   std::optional<double> opacityUnit; ///< the length that opacities are of; none: choose
   std::vector<double> isoValues;
+  std::string isoArray;       ///< that they are of; empty: the one that colours
   std::string cloud = "auto"; ///< "on", "off", "auto": whether the volume itself is seen
   /// By names of CutSettings::ranges, at places in place of ranges. No list: choose.
   std::optional<std::vector<ShowRange>> slices;

@@ -10,6 +10,7 @@
 #include <vtkMath.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 namespace mote::app
@@ -176,6 +177,34 @@ void adviseOnColors(const Stage& stage, std::vector<std::string>& advice)
   }
 }
 
+/// Of isosurfaces that do not meet the range of the values that they follow: of those that colour,
+/// or of another array.
+void addOfIsoValues(const Stage& stage, std::array<double, 2> range, std::string whole,
+  std::vector<std::string>& advice)
+{
+  const VolumeSettings& volume = stage.settings().volume;
+  if (!volume.isoArray.empty() && !volume.isoValues.empty())
+  {
+    bool any = false;
+    for (const auto& part : stage.parts())
+    {
+      const ArrayChoice choice = findArray(part->data(), volume.isoArray);
+      double own[2];
+      if (part->kind() == Part::Kind::Volume &&
+          finiteRange(arrayOf(part->data(), choice), choice.component, own))
+        widen(range.data(), own, any);
+    }
+    if (!any)
+      advice.push_back("--iso-array: no volume has numbers of the name " + volume.isoArray);
+    if (!any)
+      return;
+    whole = volume.isoArray + " goes from " + asNumber(range[0]) + " to " + asNumber(range[1]);
+  }
+  for (const double value : volume.isoValues)
+    if (value < range[0] || value > range[1])
+      advice.push_back("--iso: there is no surface at " + asNumber(value) + "; " + whole);
+}
+
 void adviseOnValues(const Stage& stage, std::vector<std::string>& advice)
 {
   const Settings& settings = stage.settings();
@@ -190,9 +219,7 @@ void adviseOnValues(const Stage& stage, std::vector<std::string>& advice)
   const std::string whole =
     stage.coloring().title() + " goes from " + asNumber(range[0]) + " to " + asNumber(range[1]);
   if (isVolume)
-    for (const double value : settings.volume.isoValues)
-      if (value < range[0] || value > range[1])
-        advice.push_back("--iso: there is no surface at " + asNumber(value) + "; " + whole);
+    addOfIsoValues(stage, {range[0], range[1]}, whole, advice);
   if (settings.color.logarithmic && range[0] <= 0.0)
     advice.push_back("--log: values at or below 0 have the colour of the least; " + whole);
 }

@@ -72,7 +72,9 @@ void Volume::update(double tolerance)
   mapper_->SetTolerance(tolerance);
   mapper_->SetShowCloud(settings_.cloud == "on");
   mapper_->SetEdgeWidth(settings_.edges);
-  mapper_->SetShowIsoSurfaces(!settings_.isoValues.empty());
+  this->followIsoArray(mapper_->GetInputConnection(0, 0)
+                         ? vtkUnstructuredGrid::SafeDownCast(mapper_->GetInput())
+                         : nullptr);
   Color nan = {0.0, 0.0, 0.0};
   const bool colored = parseColor(settings_.nanColor, nan);
   mapper_->SetNanColor(nan.data());
@@ -84,6 +86,17 @@ void Volume::update(double tolerance)
     values->SetNumberOfContours(static_cast<int>(settings_.isoValues.size()));
   for (std::size_t i = 0; i < settings_.isoValues.size(); ++i)
     values->SetValue(static_cast<int>(i), settings_.isoValues[i]);
+}
+
+/// Data without the array have no isosurfaces.
+void Volume::followIsoArray(vtkUnstructuredGrid* data)
+{
+  const ArrayChoice choice =
+    data && !settings_.isoArray.empty() ? findArray(data, settings_.isoArray) : ArrayChoice();
+  mapper_->SetIsoArray(choice.name.c_str(), choice.ofCells,
+    choice.component == ArrayChoice::magnitude ? -1 : choice.component);
+  mapper_->SetShowIsoSurfaces(
+    !settings_.isoValues.empty() && (settings_.isoArray.empty() || arrayOf(data, choice)));
 }
 
 void Volume::setSlices(const std::vector<vtkSmartPointer<vtkMoteSlice>>& slices)
@@ -109,6 +122,7 @@ bool Volume::canShow(vtkDataSet* data)
 void Volume::setData(vtkUnstructuredGrid* data)
 {
   mapper_->SetInputData(data);
+  this->followIsoArray(data);
   if (arrayOf(data, choice_))
     return this->select(choice_);
   if (table_ && !warned_)
@@ -259,7 +273,8 @@ void Volume::shownBounds(
   for (const double value : settings_.isoValues)
     shown.push_back({value, value});
   vtkDataArray* array = arrayOf(data, choice_);
-  if (!array || (!shown.empty() && shown.front() == everything.front() && !isVisible))
+  const bool hasOthers = !settings_.isoValues.empty() && !settings_.isoArray.empty();
+  if (!array || hasOthers || (!shown.empty() && shown.front() == everything.front() && !isVisible))
     return data->GetBounds(bounds);
   vtkBoundingBox box;
   const auto cells = vtk::TakeSmartPointer(data->GetCells()->NewIterator());

@@ -57,6 +57,7 @@ public:
 
 private:
   void setOpacity();
+  void followIsoArray(vtkUnstructuredGrid* data);
 
   const VolumeSettings& settings_;
   vtkNew<vtkVolume> volume_;

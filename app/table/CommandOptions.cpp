@@ -82,8 +82,14 @@ void addBakeOptions(CLI::App& app, GivenSettings& given)
 void addIntegrateOptions(CLI::App& app, GivenSettings& given)
 {
   addFiles(app, given.settings);
-  addSettings(app, given, {"Data", "slice", "cut-axis"});
+  addSettings(app, given, {"Data", "slice", "cut-axis", "show", "where"});
   addCommandSettings(app, given, "integrate");
+  app.get_option("--show")->description(
+    "Only cells whose middle, or mean of an array, lies in a range: NAME=LO:HI. May be given "
+    "several times");
+  app.get_option("--where")->description(
+    "Only cells for which EXPRESSION holds, such as \"sqrt(x^2 + y^2) < 0.05\", with x, y, z of "
+    "their middles");
   app.get_option("--slice")->description(
     "Sections, by planes across x, y, z or a direction of three numbers, as in 1,1,0=5, by "
     "cylinders about the axis of --cut-axis at radii r, by planes across it at heights h, or by "

@@ -43,7 +43,7 @@ void addBudgetRows(std::vector<Row>& table)
               "resolution falls as far as that takes, and no further than --error says",
       .invalidates = Invalidates::Nothing,
       .limits = {.least = 1.0, .most = 120.0},
-      .usual = "about 11"}));
+      .usual = "about 12"}));
 }
 
 void addQualityRows(std::vector<Row>& table)

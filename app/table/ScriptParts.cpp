@@ -251,6 +251,9 @@ void writeVolume(
   script.call("mapper", "SetTolerance", mapper->GetTolerance());
   script.call("mapper", "SetShowCloud", mapper->GetShowCloud() != 0);
   script.call("mapper", "SetShowIsoSurfaces", mapper->GetShowIsoSurfaces() != 0);
+  if (mapper->GetIsoArrayName()[0] != '\0')
+    script.call("mapper", "SetIsoArray", mapper->GetIsoArrayName(), mapper->GetIsoArrayOfCells(),
+      mapper->GetIsoArrayComponent());
   script.vector("mapper", "SetNanColor", mapper->GetNanColor());
   script.call("mapper", "SetNanOpacity", mapper->GetNanOpacity());
   script.call("mapper", "SetScalarMode", mapper->GetScalarMode());

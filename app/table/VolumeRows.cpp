@@ -69,8 +69,16 @@ void addAppearanceRows(std::vector<Row>& table)
     {.group = group,
       .name = "iso",
       .value = "VALUE,...",
-      .help = "Opaque isosurfaces where the array that colours has these values",
+      .help = "Opaque isosurfaces where the array that colours, or that of --iso-array, has these "
+              "values",
       .usual = "none"}));
+  table.push_back(row(volume, &VolumeSettings::isoArray,
+    {.group = group,
+      .name = "iso-array",
+      .value = "NAME",
+      .help = "The array that isosurfaces follow, named as in --color-by; they have the colours "
+              "of the one that colours",
+      .usual = "the array that colours"}));
   table.push_back(cloudRow(group));
   table.push_back(row(volume, &VolumeSettings::lit,
     {.group = group,

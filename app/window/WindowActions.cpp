@@ -103,6 +103,9 @@ void Window::act(const Binding& binding)
     default:
       break;
     }
+  // A time step is to be seen at once, and sharp once it is looked at.
+  if (binding.row == "step")
+    return this->renderMoving();
   this->render();
 }
 
@@ -208,7 +211,8 @@ void Window::fitToArray(Settings& next) const
     next.volume.opacity = asked_.volume.opacity;
     return;
   }
-  next.volume.isoValues.clear();
+  if (next.volume.isoArray.empty())
+    next.volume.isoValues.clear();
   next.volume.cloud = "auto";
   if (std::any_of(next.volume.opacity.begin(), next.volume.opacity.end(),
         [](const OpacityPoint& point) { return !point.isShare; }))

@@ -6,6 +6,7 @@
 #include "vtkCellData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -35,6 +36,28 @@ IntegratedArray IntegratedArray::of(vtkDataSet* data, const std::string& name)
   return found;
 }
 
+namespace
+{
+
+bool isGhost(vtkUnsignedCharArray* ghosts, vtkIdType cell)
+{
+  constexpr int out = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+  return ghosts && (ghosts->GetValue(cell) & out) != 0;
+}
+
+std::shared_ptr<const HiddenCells> ghostsOf(vtkDataSet* data, const HexMesh& mesh)
+{
+  vtkUnsignedCharArray* ghosts = data->GetCellGhostArray();
+  if (!ghosts)
+    return nullptr;
+  std::vector<unsigned char> isVisible(static_cast<std::size_t>(data->GetNumberOfCells()));
+  for (std::size_t i = 0; i < isVisible.size(); ++i)
+    isVisible[i] = !isGhost(ghosts, static_cast<vtkIdType>(i));
+  return std::make_shared<const HiddenCells>(mesh, isVisible.data());
+}
+
+} // namespace
+
 SectionSums::SectionSums(
   vtkDataSet* data, const SectionTask& task, const std::vector<std::string>& columns)
   : task_(task)
@@ -44,6 +67,7 @@ SectionSums::SectionSums(
   {
     mesh_ = HexMesh(GridCells(GridArrays(grid)).input());
     adjacency_ = FaceAdjacency(mesh_);
+    hidden_ = ghostsOf(grid, mesh_);
   }
   count_ = 1;
   const auto take = [&](const std::string& name)
@@ -178,9 +202,9 @@ SurfaceIntegrals SectionSums::of(const Section& section) const
       [&](const IntegratedArray& array, int component) { return valueAt(array, component, at); },
       values);
   };
-  return section.slice ? integrateSlice(mesh_, *section.slice, count_, integrand, nullptr,
+  return section.slice ? integrateSlice(mesh_, *section.slice, count_, integrand, hidden_.get(),
                            task_.tolerance, sizes)
-                       : integrateBoundary(mesh_, adjacency_, count_, integrand);
+                       : integrateBoundary(mesh_, adjacency_, count_, integrand, hidden_.get());
 }
 
 namespace
@@ -218,6 +242,8 @@ SurfaceIntegrals SectionSums::ofPolygons() const
   };
   for (vtkIdType cell = 0; cell < polygons->GetNumberOfCells(); ++cell)
   {
+    if (isGhost(polygons_->GetCellGhostArray(), before + cell))
+      continue;
     vtkIdType size = 0;
     const vtkIdType* ids = nullptr;
     polygons->GetCellAtId(cell, size, ids);

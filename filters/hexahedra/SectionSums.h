@@ -4,6 +4,7 @@
 #include "data/DataArrayView.h"
 #include "kernels/hexahedra/SurfaceIntegral.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,7 +56,8 @@ public:
   /// The grid's cells and arrays, ready for sections. `columns` are names of the components of all
   /// arrays; those that the data lack are NaN. Of a grid the boundary is that of its cells; of a
   /// vtkPolyData it is its polygons, with normals by the right-hand rule, each as triangles to its
-  /// middle, and there are no slices.
+  /// middle, and there are no slices. Cells that are hidden or another's, by the array of ghosts,
+  /// do not count.
   SectionSums(vtkDataSet* data, const SectionTask& task, const std::vector<std::string>& columns);
 
   SurfaceIntegrals of(const Section& section) const;
@@ -73,6 +75,7 @@ private:
   const SectionTask& task_;
   vtkPolyData* polygons_ = nullptr; ///< in place of a mesh
   HexMesh mesh_;
+  std::shared_ptr<const HiddenCells> hidden_; ///< null: none
   FaceAdjacency adjacency_;
   struct Component
   {

@@ -30,6 +30,8 @@
  * Each number has a column `NAME_error` beside it, what the quadrature may err by, estimated from
  * a coarser rule. docs/hexahedra.md tells the rules.
  *
+ * Cells that the array of ghosts marks as hidden or as another's do not count.
+ *
  * Values of points are trilinear in the cells, those of cells even. Where a value is NaN, so are
  * its sums.
  *

@@ -3,6 +3,7 @@
 #include "CellCorners.h"
 #include "DataArrayView.h"
 #include "ExpressionParser.h"
+#include "FieldDerivatives.h"
 
 #include "kernels/core/Error.h"
 
@@ -178,7 +179,7 @@ enum class Elements
   Cells
 };
 
-/// The values of an expression for all points or cells. Throws Error.
+/// The values of an expression without derivatives for all points or cells. Throws Error.
 vtkSmartPointer<vtkDataArray> evaluated(
   vtkDataSet* data, const std::string& expression, int type, Elements of, bool& ofCells)
 {
@@ -257,7 +258,8 @@ std::string vtkMoteExpression::Check(const std::string& expression)
 {
   try
   {
-    const mote::ExpressionParser parser(expression);
+    std::vector<mote::FieldDerivative> derivatives;
+    const mote::ExpressionParser parser(mote::withoutDerivatives(expression, derivatives));
     return {};
   }
   catch (const mote::Error& error)
@@ -277,7 +279,12 @@ std::string addTo(
   try
   {
     bool ofCells = false;
-    const auto array = evaluated(data, expression, type, of, ofCells);
+    std::vector<mote::FieldDerivative> derivatives;
+    const std::string plain = mote::withoutDerivatives(expression, derivatives);
+    vtkSmartPointer<vtkDataSet> all = data;
+    if (!derivatives.empty())
+      all = mote::withArraysOf(data, derivatives);
+    const auto array = evaluated(all, plain, type, of, ofCells);
     array->SetName(name.c_str());
     if (ofCells)
       data->GetCellData()->AddArray(array);

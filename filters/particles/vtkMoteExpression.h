@@ -10,6 +10,9 @@
  *   digits and _;
  * - NAME.x, NAME.y, NAME.z, NAME.0, NAME.1... of components of other arrays, NAME.magnitude and
  *   NAME alone of the magnitude, and names that components have of their own;
+ * - gradient(NAME), vorticity(NAME), divergence(NAME) and q_criterion(NAME), derivatives in space
+ *   of an array on cells, as vtkGradientFilter finds them; of components as above, such as
+ *   gradient(p).x and vorticity(U).z;
  * - pi.
  *
  * Points' arrays come before cells'; all arrays of an expression must be of one of the two.

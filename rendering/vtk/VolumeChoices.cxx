@@ -52,6 +52,18 @@ bool vtkMoteVolumeMapper::NeedsStructure()
          (this->ShowCloud && !this->Walks());
 }
 
+void vtkMoteVolumeMapper::SetIsoArray(const char* name, bool ofCells, int component)
+{
+  const std::string wanted = name ? name : "";
+  if (wanted == this->IsoArrayName && ofCells == this->IsoArrayOfCells &&
+      component == this->IsoArrayComponent)
+    return;
+  this->IsoArrayName = wanted;
+  this->IsoArrayOfCells = ofCells;
+  this->IsoArrayComponent = component;
+  this->Modified();
+}
+
 vtkDataArray* vtkMoteVolumeMapper::FindArray(vtkUnstructuredGrid* grid, bool& ofCells)
 {
   int cellFlag = 0;

@@ -190,6 +190,8 @@ void vtkMoteVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "Saturation: " << this->Saturation << "\n";
   os << indent << "ShowCloud: " << (this->ShowCloud ? "On" : "Off") << "\n";
+  os << indent << "IsoArray: " << (this->IsoArrayName.empty() ? "(none)" : this->IsoArrayName)
+     << "\n";
   os << indent << "ShowIsoSurfaces: " << (this->ShowIsoSurfaces ? "On" : "Off") << "\n";
   os << indent << "NumberOfSlices: " << this->GetNumberOfSlices() << "\n";
   os << indent << "EdgeWidth: " << this->EdgeWidth << "\n";

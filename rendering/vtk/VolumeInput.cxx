@@ -134,6 +134,12 @@ std::vector<std::pair<const void*, std::size_t>> BuiltVolume::memory() const
   geometry.addMemory(pieces);
   if (field)
     pieces.emplace_back(field.get(), field->bytes());
+  if (followed.field)
+  {
+    pieces.emplace_back(followed.field.get(), followed.field->bytes());
+    withStructure(*followed.structure,
+      [&](const auto& s) { pieces.emplace_back(followed.structure.get(), s.ownBytes()); });
+  }
   if (walk)
     pieces.emplace_back(walk.get(), walk->bytes() - walk->adjacency().bytes());
   return pieces;

@@ -6,6 +6,7 @@
 #include "kernels/hexahedra/HexStructure.h"
 #include "kernels/hexahedra/HiddenCells.h"
 #include "kernels/hexahedra/WalkCells.h"
+#include "kernels/scene/Cloud.h"
 
 #include <memory>
 #include <utility>
@@ -86,6 +87,8 @@ struct BuiltVolume
   std::shared_ptr<const HexField> field;
   std::shared_ptr<const WalkCells> walk; ///< of the field, once it was needed
   InputKey fieldKey;                     ///< what the field was taken from
+  OtherField followed;                   ///< by isosurfaces, where that is another
+  InputKey followedKey;                  ///< the same of it
   double buildTime = 0.0;                ///< seconds, of the structure
 
   /// What it takes in memory, as VolumeGeometry::addMemory() tells it.
@@ -96,6 +99,12 @@ struct BuiltVolume
     field = nullptr;
     walk = nullptr;
     fieldKey.clear();
+    this->forgetFollowed();
+  }
+  void forgetFollowed()
+  {
+    followed = {};
+    followedKey.clear();
   }
 };
 

@@ -5,6 +5,7 @@
 #include "kernels/tracing/Picking.h"
 
 #include "vtkContourValues.h"
+#include "vtkMath.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -35,9 +36,7 @@ public:
   bool picksCells() const override { return true; }
   double pickedValue(const ScenePick& pick) const override
   {
-    if (pick.value)
-      return *pick.value;
-    return prop_->GetProperty()->GetIsoSurfaceValues()->GetValue(static_cast<int>(pick.colorIndex));
+    return pick.value.value_or(vtkMath::Nan()); // which all that is picked of a volume has
   }
 };
 

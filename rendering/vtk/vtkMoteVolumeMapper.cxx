@@ -97,7 +97,10 @@ void vtkMoteVolumeMapper::UpdateVolume()
     if (!grid)
       throw mote::Error("The input is not a vtkUnstructuredGrid.");
     if (this->UpdateGeometry(grid))
+    {
       this->UpdateField(grid);
+      this->UpdateFollowed(grid);
+    }
     else
       impl.forgetField();
   }
@@ -146,6 +149,7 @@ bool vtkMoteVolumeMapper::UpdateGeometry(vtkUnstructuredGrid* grid)
   }
   if (stopped(0.3))
     return false;
+  impl.forgetFollowed();
   if (needed)
     impl.geometry.build(options);
   else
@@ -210,6 +214,38 @@ void vtkMoteVolumeMapper::UpdateField(vtkUnstructuredGrid* grid)
   ++impl.fieldUpdates;
 }
 
+/// Takes the array that isosurfaces follow, where that is not the one that colours.
+void vtkMoteVolumeMapper::UpdateFollowed(vtkUnstructuredGrid* grid)
+{
+  Internals& impl = *this->Impl;
+  if (!this->ShowIsoSurfaces || this->IsoArrayName.empty())
+    return impl.forgetFollowed();
+  vtkDataSetAttributes* arrays = this->IsoArrayOfCells
+                                   ? static_cast<vtkDataSetAttributes*>(grid->GetCellData())
+                                   : grid->GetPointData();
+  vtkDataArray* array = arrays->GetArray(this->IsoArrayName.c_str());
+  if (!array)
+    throw mote::Error("The input has no array '" + this->IsoArrayName + "' of " +
+                      (this->IsoArrayOfCells ? "cells" : "points") + " for isosurfaces.");
+  mote::HexScalar scalar;
+  scalar.ofCells = this->IsoArrayOfCells;
+  scalar.component = array->GetNumberOfComponents() == 1 ? 0
+                     : this->IsoArrayComponent < 0       ? mote::ArrayView::magnitude
+                                                         : this->IsoArrayComponent;
+  mote::InputKey key = {double(scalar.component), double(scalar.ofCells)};
+  mote::addArray(key, array);
+  if (impl.followed.field && key == impl.followedKey)
+    return;
+  const mote::DataArrayView values(array);
+  scalar.values = values.view;
+  impl.followed.field = std::make_shared<mote::HexField>(*impl.geometry.mesh(), scalar);
+  const auto structure = std::make_shared<mote::HexStructure>(*impl.geometry.structure());
+  mote::setRanges(*structure, *impl.followed.field);
+  impl.followed.structure = structure;
+  impl.followedKey = std::move(key);
+  impl.changedAt.Modified();
+}
+
 void vtkMoteVolumeMapper::UpdateWalk()
 {
   Internals& impl = *this->Impl;
@@ -242,6 +278,7 @@ namespace
 struct SurfacesShown
 {
   std::vector<double> isoValues;
+  mote::OtherField followed;
   const mote::MapperSlices& slices;
   mote::EdgeLook edges;
   bool castsShadows;
@@ -255,7 +292,7 @@ struct SurfacesShown
       scene.surfaces.push_back(std::move(surface));
     };
     if (!isoValues.empty())
-      add(mote::isoSurfacesOf(cloud, isoValues));
+      add(mote::isoSurfacesOf(cloud, isoValues, followed));
     if (slices.count() > 0)
       add(mote::slicesOf(cloud, slices.shapes(turn), edges, slices.ranges()));
   }
@@ -284,7 +321,8 @@ bool vtkMoteVolumeMapper::DescribeTo(mote::Scene& scene, vtkVolume* volume, int 
     cloud.clip = impl.clip.region(this);
     const double* c = this->EdgeColor;
     const SurfacesShown shown = {{surfaces->GetValues(), surfaces->GetValues() + values},
-      impl.slices, {this->EdgeWidth, mote::Vec4f(c[0], c[1], c[2], 1.0)}, this->CastsShadows};
+      impl.followed, impl.slices, {this->EdgeWidth, mote::Vec4f(c[0], c[1], c[2], 1.0)},
+      this->CastsShadows};
     const mote::Mat4d placed = cloud.toWorld;
     for (const mote::Mat4d& turn :
       mote::rotatedCopies(this->Repetitions, this->RepetitionCenter, this->RepetitionAxis))

@@ -167,6 +167,19 @@ public:
 
   ///@{
   /**
+   * Which array isosurfaces follow in place of the one that colours: a name, null or empty, the
+   * default, for that one; whether it is of cells; and its component, -1 for the magnitude.
+   * Isosurfaces have the colour that the array that colours has there. It is an error to name an
+   * array that the input lacks.
+   */
+  void SetIsoArray(const char* name, bool ofCells = false, int component = 0);
+  const char* GetIsoArrayName() { return this->IsoArrayName.c_str(); }
+  bool GetIsoArrayOfCells() { return this->IsoArrayOfCells; }
+  int GetIsoArrayComponent() { return this->IsoArrayComponent; }
+  ///@}
+
+  ///@{
+  /**
    * Where cells are shown sliced; see vtkMoteSlice. Slices are opaque, and no light changes the
    * colours that the property's colour function gives them. None by default; null where there is
    * none of this number, from 0 on. The bounds are those of the slices in the input's coordinates,
@@ -384,6 +397,9 @@ protected:
   double Saturation = 0.999;
   vtkTypeBool ShowCloud = 1;
   vtkTypeBool ShowIsoSurfaces = 0;
+  std::string IsoArrayName;
+  bool IsoArrayOfCells = false;
+  int IsoArrayComponent = 0;
   double EdgeWidth = 0.0;
   double EdgeColor[3] = {0.05, 0.05, 0.05};
   int Repetitions = 1;
@@ -406,6 +422,7 @@ private:
   void UpdateWalk();
   void UpdateField(vtkUnstructuredGrid* grid);
   int ChosenComponent(vtkDataArray* array);
+  void UpdateFollowed(vtkUnstructuredGrid* grid);
   vtkDataArray* FindArray(vtkUnstructuredGrid* grid, bool& ofCells);
   void WarnOfUnused(vtkVolumeProperty* property);
 #ifndef __VTK_WRAP__

@@ -75,7 +75,7 @@ bool CellFinder::holds(std::size_t candidate, const Vec3d& p)
 {
   Candidate& c = candidates_[candidate];
   Vec3d rst = c.rst;
-  if (!c.shape.converges(p, rst))
+  if (!c.shape.settles(p, rst))
     return CrossingPoint(p, size_).isIn(c.shape.corners());
   const Vec3d from = glm::abs(rst - Vec3d(0.5));
   if (!(std::max({from.x, from.y, from.z}) <= 0.5 + ofRounding))

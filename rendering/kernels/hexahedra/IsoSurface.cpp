@@ -2,6 +2,7 @@
 
 #include "../core/PlaceByNormals.h"
 #include "detail/RaysOf.h"
+#include "detail/ValuesAt.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,14 +30,18 @@ std::uint32_t cellOf(std::uint64_t slot)
 
 IsoSurface::IsoSurface(std::shared_ptr<const HexStructure> structure,
   std::shared_ptr<const HexField> field, const std::vector<double>& values,
-  std::shared_ptr<const HiddenCells> hidden)
+  std::shared_ptr<const HiddenCells> hidden, std::shared_ptr<const HexField> colors)
   : structure_(std::move(structure))
   , field_(std::move(field))
   , hidden_(std::move(hidden))
+  , colors_(std::move(colors))
 {
   // An infinite value is never met, and unlike NaN equal to itself.
   for (const double value : values)
-    values_.push_back(std::isfinite(value) ? value - field_->offset() : nothing);
+  {
+    asked_.push_back(std::isfinite(value) ? value : nothing);
+    values_.push_back(asked_.back() - field_->offset());
+  }
 }
 
 double IsoSurface::rounding() const
@@ -146,6 +151,15 @@ void IsoSurface::colorIndices(const std::uint64_t* slots, int count, std::uint64
     indices[k] = slots[k] >> 32;
 }
 
+void IsoSurface::values(
+  const std::uint64_t* slots, const Vec3d* points, int count, double* values) const
+{
+  if (colors_)
+    return valuesAt(meshOf(*structure_), *colors_, slots, points, count, values);
+  for (int k = 0; k < count; ++k)
+    values[k] = asked_[slots[k] >> 32];
+}
+
 void IsoSurface::inputIds(const std::uint64_t* slots, int count, std::uint64_t* ids) const
 {
   const HexMesh& mesh = meshOf(*structure_);
@@ -159,7 +173,9 @@ IsoSurface IsoSurface::unowned() const
   copy.structure_ = mote::unowned(structure_);
   copy.field_ = mote::unowned(field_);
   copy.hidden_ = mote::unowned(hidden_);
+  copy.colors_ = mote::unowned(colors_);
   copy.values_ = values_;
+  copy.asked_ = asked_;
   return copy;
 }
 

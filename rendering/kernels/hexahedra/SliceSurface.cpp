@@ -6,6 +6,7 @@
 #include "detail/CellFaces.h"
 #include "detail/CellFinder.h"
 #include "detail/RaysOf.h"
+#include "detail/ValuesAt.h"
 
 #include <algorithm>
 #include <cmath>
@@ -154,7 +155,7 @@ Box SliceSurface::boundsOf(const Frame& frame, double left, double right) const
   return box.empty() ? Box() : box;
 }
 
-/// Where a ray passes a shape, nearest first; how often.
+/// Where a ray passes a shape that is no plane, nearest first; how often.
 int SliceSurface::meet(const Frame& frame, const Vec3d& origin, const Vec3d& way, double t[2])
 {
   const SliceShape& shape = frame.shape;
@@ -177,9 +178,7 @@ int SliceSurface::meet(const Frame& frame, const Vec3d& origin, const Vec3d& way
     t[1] = nearest + half;
     return 2;
   }
-  const int across = shape.kind == SliceShape::Kind::Plane       ? 2
-                     : shape.kind == SliceShape::Kind::HalfPlane ? 1
-                                                                 : 0;
+  const int across = shape.kind == SliceShape::Kind::HalfPlane ? 1 : 0;
   const double level = shape.kind == SliceShape::Kind::Unrolled ? shape.radius : 0.0;
   t[0] = (level - from[across]) / go[across];
   if (!std::isfinite(t[0]))
@@ -187,14 +186,13 @@ int SliceSurface::meet(const Frame& frame, const Vec3d& origin, const Vec3d& way
   const Vec3d at = from + t[0] * go;
   if (shape.kind == SliceShape::Kind::HalfPlane)
     return at.x >= 0.0;
-  return shape.kind == SliceShape::Kind::Plane || std::abs(at.y) <= M_PI * shape.radius;
+  return std::abs(at.y) <= M_PI * shape.radius;
 }
 
-Vec3d SliceSurface::meshPoint(const Frame& frame, const Vec3d& point)
+/// Of what is rolled out.
+Vec3d SliceSurface::unrolledPoint(const Frame& frame, const Vec3d& point)
 {
   const SliceShape& shape = frame.shape;
-  if (shape.kind != SliceShape::Kind::Unrolled)
-    return point;
   const Vec3d flat = (point - shape.point) * frame.axes;
   const double angle = flat.y / shape.radius;
   return shape.point +
@@ -270,40 +268,93 @@ void SliceSurface::meetEach(Rays& rays, const Take& take) const
 {
   CellFinder cells = this->finder();
   constexpr bool isBundle = std::is_same_v<Rays, RayBundle>;
-  double t[2][Rays::capacity];
-  int counts[Rays::capacity];
+  Meeting met[2][Rays::capacity];
+  int counts[2];
   for (std::size_t k = 0; k < frames_.size(); ++k)
   {
-    for (int i = 0; i < rays.count; ++i)
-    {
-      const HexRay ray = rayOf(rays, i);
-      double own[2] = {};
-      counts[i] = meet(frames_[k], ray.origin, ray.direction, own);
-      t[0][i] = own[0];
-      t[1][i] = own[1];
-    }
+    const Frame& frame = frames_[k];
+    this->meetAll(frame, rays, met, counts);
     for (int n = 0; n < 2; ++n)
     {
-      const auto isMet = [&](int i)
-      { return n < counts[i] && t[n][i] > rayOf(rays, i).tMin && t[n][i] < rays.t[i]; };
-      const auto placeOf = [&](int i)
-      {
-        const HexRay ray = rayOf(rays, i);
-        return meshPoint(frames_[k], ray.origin + t[n][i] * ray.direction);
-      };
       Box box;
-      for (int i = 0; isBundle && i < rays.count; ++i)
-        if (isMet(i))
-          box.add(placeOf(i));
-      if (isBundle && box.empty())
+      for (int i = 0; isBundle && i < counts[n]; ++i)
+        box.add(met[n][i].place);
+      if (counts[n] == 0)
         continue;
       if (isBundle)
-        cells.gather(box, [&](const HexCorners& corners) { return mayHold(frames_[k], corners); });
-      for (int i = 0; i < rays.count; ++i)
-        if (isMet(i))
-          if (const std::uint32_t cell = cells.at(placeOf(i)); cell != HexMesh::noCell)
-            take(i, t[n][i], std::uint64_t{k} << 32 | cell);
+        cells.gather(box, [&](const HexCorners& corners) { return mayHold(frame, corners); });
+      for (int i = 0; i < counts[n]; ++i)
+      {
+        const Meeting& at = met[n][i];
+        if (!(at.t < rays.t[at.ray])) // of the nearer side
+          continue;
+        if (const std::uint32_t cell = cells.at(at.place); cell != HexMesh::noCell)
+          take(at.ray, at.t, std::uint64_t{k} << 32 | cell);
+      }
     }
+  }
+}
+
+namespace
+{
+
+/// Where rays pass a plane; no number where they do not.
+void passPlane(const RayBundle& rays, const Vec3d& point, const Vec3d& normal, double* t)
+{
+  const double away = glm::dot(point - rays.origin, normal);
+  const double along = glm::dot(rays.direction, normal);
+  const double x = glm::dot(rays.dx, normal), y = glm::dot(rays.dy, normal);
+  if (rays.kind == RayBundle::Kind::CommonOrigin)
+    for (int i = 0; i < rays.count; ++i)
+      t[i] = away / (along + double(rays.x[i]) * x + double(rays.y[i]) * y);
+  else
+    for (int i = 0; i < rays.count; ++i)
+      t[i] = (away - double(rays.x[i]) * x - double(rays.y[i]) * y) / along;
+}
+
+void passPlane(const RayPacket& rays, const Vec3d& point, const Vec3d& normal, double* t)
+{
+  for (int i = 0; i < rays.count; ++i)
+  {
+    const HexRay ray = rayOf(rays, i);
+    t[i] = glm::dot(point - ray.origin, normal) / glm::dot(ray.direction, normal);
+  }
+}
+
+} // namespace
+
+/// Where rays that may still meet something pass a shape: nearer places, and farther ones.
+template <typename Rays>
+void SliceSurface::meetAll(
+  const Frame& frame, const Rays& rays, Meeting (&met)[2][Rays::capacity], int (&counts)[2]) const
+{
+  counts[0] = counts[1] = 0;
+  const Box& own = meshOf(*structure_).bounds();
+  const Box box = own.expanded(surfaceError * glm::length(own.size()));
+  const auto add = [&](int n, const HexRay& ray, int i, double t)
+  {
+    const Vec3d place = meshPoint(frame, ray.origin + t * ray.direction);
+    if (!glm::any(glm::lessThan(place, box.lower)) && !glm::any(glm::greaterThan(place, box.upper)))
+      met[n][counts[n]++] = {place, t, i};
+  };
+  const auto isNear = [](const HexRay& ray, double t) { return t > ray.tMin && t < ray.tMax; };
+  if (frame.shape.kind == SliceShape::Kind::Plane) // most are
+  {
+    double t[Rays::capacity];
+    passPlane(rays, frame.shape.point, frame.axes[2], t);
+    for (int i = 0; i < rays.count; ++i)
+      if (const HexRay ray = rayOf(rays, i); isNear(ray, t[i]))
+        add(0, ray, i, t[i]);
+    return;
+  }
+  for (int i = 0; i < rays.count; ++i)
+  {
+    const HexRay ray = rayOf(rays, i);
+    double t[2] = {};
+    const int count = meet(frame, ray.origin, ray.direction, t);
+    for (int n = 0; n < count; ++n)
+      if (isNear(ray, t[n]))
+        add(n, ray, i, t[n]);
   }
 }
 
@@ -363,12 +414,15 @@ void SliceSurface::place(HitBlock& block, const HitPlacing& placing) const
 void SliceSurface::values(
   const std::uint64_t* slots, const Vec3d* points, int count, double* values) const
 {
-  CellSampler cell(meshOf(*structure_), *field_);
-  for (int k = 0; k < count; ++k)
+  for (int k = 0, end = 0; k < count; k = end)
   {
-    cell.enter(cellOf(slots[k]));
-    values[k] = cell.isNaN() ? std::numeric_limits<double>::quiet_NaN()
-                             : field_->offset() + cell.trilinear(meshPoint(slots[k], points[k]));
+    // Hits of the same shape follow one another.
+    const Frame& frame = frameOf(slots[k]);
+    Vec3d places[HitBlock::capacity];
+    for (end = k; end < count && end - k < HitBlock::capacity && &frameOf(slots[end]) == &frame;
+         ++end)
+      places[end - k] = meshPoint(frame, points[end]);
+    valuesAt(meshOf(*structure_), *field_, slots + k, places, end - k, values + k);
   }
 }
 

@@ -102,6 +102,14 @@ private:
     bool operator==(const Frame&) const = default;
   };
 
+  /// Where a ray passes a shape.
+  struct Meeting
+  {
+    Vec3d place; ///< in the mesh
+    double t;
+    int ray;
+  };
+
   static Frame framed(const SliceShape& shape);
   CellFinder finder() const;
   template <typename Rays, typename Take>
@@ -110,10 +118,17 @@ private:
   void castEach(Rays& rays, std::int32_t index) const;
   template <typename Rays>
   void occludeEach(Rays& rays) const;
+  template <typename Rays>
+  void meetAll(const Frame& frame, const Rays& rays, Meeting (&met)[2][Rays::capacity],
+    int (&counts)[2]) const;
   Box boundsOf(const Frame& frame, double left, double right) const;
   static int meet(const Frame& frame, const Vec3d& origin, const Vec3d& way, double t[2]);
   static bool mayHold(const Frame& frame, const HexCorners& corners);
-  static Vec3d meshPoint(const Frame& frame, const Vec3d& point);
+  static Vec3d meshPoint(const Frame& frame, const Vec3d& point)
+  {
+    return frame.shape.kind == SliceShape::Kind::Unrolled ? unrolledPoint(frame, point) : point;
+  }
+  static Vec3d unrolledPoint(const Frame& frame, const Vec3d& point);
   static Vec3d normalAt(const Frame& frame, const Vec3d& point);
   static Vec3d unrolled(const Frame& frame, const Vec3d& point, const Vec3d& gradient);
   static std::uint32_t cellOf(std::uint64_t slot) { return static_cast<std::uint32_t>(slot); }

@@ -487,19 +487,11 @@ SurfaceIntegrals integrateBoundary(const HexMesh& mesh, const FaceAdjacency& adj
     ++sum.cells;
   };
   const RawVector<CellFace>& boundary = adjacency.boundary();
-  if (!hidden)
-    return inParallel(boundary.size(), count,
-      [&](std::size_t i, SurfaceIntegrals& sum) { addFace(boundary[i], sum); });
-  return inParallel(mesh.cellCount(), count,
+  return inParallel(boundary.size(), count,
     [&](std::size_t i, SurfaceIntegrals& sum)
     {
-      const auto cell = static_cast<std::uint32_t>(i);
-      for (std::uint8_t face = 0; face < 6 && !(*hidden)[cell]; ++face)
-      {
-        const std::uint32_t next = adjacency.next(cell, face);
-        if (next == HexMesh::noCell || (*hidden)[next])
-          addFace({cell, face}, sum);
-      }
+      if (!hidden || !(*hidden)[boundary[i].cell])
+        addFace(boundary[i], sum);
     });
 }
 

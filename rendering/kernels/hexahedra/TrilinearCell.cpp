@@ -78,7 +78,9 @@ Mat3d TrilinearCell::jacobian(const Vec3d& rst) const
   return jacobianOf(c_, rst);
 }
 
-bool TrilinearCell::newton(const Vec3d& target, Vec3d& rst) const
+/// Until it has converged, or isEnough(length of the last step).
+template <typename IsEnough>
+bool TrilinearCell::newton(const Vec3d& target, Vec3d& rst, const IsEnough& isEnough) const
 {
   double last = 0.0;
   for (int i = 0; i < newtonSteps; ++i)
@@ -97,11 +99,28 @@ bool TrilinearCell::newton(const Vec3d& target, Vec3d& rst) const
     rst += step;
     // The error after a step is about the square of the step, times what the last two steps tell.
     if (size < 1e-7 || size < converged * largest(rst) ||
-        (size < 1e-3 && size * size * size < 1e-14 * last * last))
+        (size < 1e-3 && size * size * size < 1e-14 * last * last) || isEnough(size))
       return true;
     last = size;
   }
   return false;
+}
+
+bool TrilinearCell::converges(const Vec3d& p, Vec3d& rst) const
+{
+  return newton(p - origin_, rst, [](double) { return false; });
+}
+
+bool TrilinearCell::settles(const Vec3d& p, Vec3d& rst) const
+{
+  // What is left after such a short step is less than the step.
+  const auto isSure = [&rst](double size)
+  {
+    const Vec3d from = glm::abs(rst - Vec3d(0.5));
+    const double side = std::max({from.x, from.y, from.z}) - 0.5;
+    return size < 0.03 && std::abs(side) > size;
+  };
+  return newton(p - origin_, rst, isSure);
 }
 
 void TrilinearCell::search(const Vec3d& target, Vec3d& best) const
@@ -156,11 +175,11 @@ bool TrilinearCell::coordinates(const Vec3d& p, Vec3d& rst, const Vec3d& start) 
 {
   const Vec3d target = p - origin_;
   rst = start;
-  if (newton(target, rst))
+  if (converges(p, rst))
     return true;
   search(target, rst);
   Vec3d polished = rst;
-  if (newton(target, polished) && largest(polished - rst) < 0.1)
+  if (converges(p, polished) && largest(polished - rst) < 0.1)
   {
     rst = polished;
     return true;

@@ -35,7 +35,11 @@ public:
   bool coordinates(const Vec3d& p, Vec3d& rst, const Vec3d& start = Vec3d(0.5)) const;
 
   /// The same by Newton's method alone, where that converges; else false.
-  bool converges(const Vec3d& p, Vec3d& rst) const { return newton(p - origin_, rst); }
+  bool converges(const Vec3d& p, Vec3d& rst) const;
+
+  /// The same, but no farther than it takes to tell on which side of the
+  /// cell's faces the point lies.
+  bool settles(const Vec3d& p, Vec3d& rst) const;
 
   /// The trilinear weights of the eight corners at `rst`; their sum is 1.
   static CornerValues weights(const Vec3d& rst);
@@ -55,7 +59,8 @@ private:
   Vec3d local(const Vec3d& rst) const;
   /// The columns are the derivatives along r, s and t.
   Mat3d jacobian(const Vec3d& rst) const;
-  bool newton(const Vec3d& target, Vec3d& rst) const;
+  template <typename IsEnough>
+  bool newton(const Vec3d& target, Vec3d& rst, const IsEnough& isEnough) const;
   void search(const Vec3d& target, Vec3d& rst) const;
 
   HexCorners corners_;

@@ -50,20 +50,6 @@ SurfaceObject surfaceIn(const CloudObject& cloud)
 
 } // namespace
 
-SurfaceObject isoSurfacesOf(const CloudObject& cloud, const std::vector<double>& values)
-{
-  SurfaceObject object = surfaceIn(cloud);
-  object.surface = IsoSurface(cloud.structure, cloud.field, values, cloud.hidden);
-  const double offset = cloud.field->offset();
-  const TransferTable table(cloud.transfer, offset);
-  for (const double value : values)
-  {
-    const auto sample = std::isfinite(value) ? table(value - offset) : table.ofNaN();
-    object.coloring.palette.emplace_back(Vec3f(sample.color), 1.0f);
-  }
-  return object;
-}
-
 namespace
 {
 
@@ -105,6 +91,17 @@ ColorMap within(const ColorMap& whole, const std::vector<std::array<double, 2>>&
 }
 
 } // namespace
+
+SurfaceObject isoSurfacesOf(
+  const CloudObject& cloud, const std::vector<double>& values, const OtherField& followed)
+{
+  SurfaceObject object = surfaceIn(cloud);
+  object.surface = followed.field ? IsoSurface(followed.structure, followed.field, values,
+                                      cloud.hidden, cloud.field)
+                                  : IsoSurface(cloud.structure, cloud.field, values, cloud.hidden);
+  object.coloring.map = colorsOf(cloud.transfer);
+  return object;
+}
 
 SurfaceObject slicesOf(const CloudObject& cloud, const std::vector<SliceShape>& shapes,
   const EdgeLook& edges, const std::vector<std::array<double, 2>>& ranges)

@@ -71,10 +71,19 @@ const HexMesh& meshOf(const CloudObject& cloud);
 /// mean cell, or 1/2000 of the mesh's size where that is more.
 double volumeStep(const CloudObject& cloud);
 
+/// A scalar on a cloud's mesh beside its own, and a structure that knows the ranges of that.
+struct OtherField
+{
+  std::shared_ptr<const HexStructure> structure;
+  std::shared_ptr<const HexField> field;
+};
+
 /// The opaque surfaces, for which it must have a structure, where the cloud's scalar has these
 /// values, in the colours that its transfer function gives them, with its placement, material, id,
-/// revision and hidden cells.
-SurfaceObject isoSurfacesOf(const CloudObject& cloud, const std::vector<double>& values);
+/// revision and hidden cells. Where there is another field the values are of that, and the colours
+/// those of the cloud's scalar at the same place.
+SurfaceObject isoSurfacesOf(
+  const CloudObject& cloud, const std::vector<double>& values, const OtherField& followed = {});
 
 /// The slices of the cloud's cells, for which it must have a structure, opaque, unlit and in the
 /// colours that its transfer function gives to their values, with its placement, id, revision and

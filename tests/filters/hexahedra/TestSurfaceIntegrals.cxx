@@ -15,6 +15,7 @@
 #include <vtkPolyData.h>
 #include <vtkTable.h>
 #include <vtkTestErrorObserver.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <gtest/gtest.h>
 
@@ -143,6 +144,30 @@ TEST(SurfaceIntegrals, OfABoundaryAreFlowAndTorque)
   EXPECT_NEAR(found(0, "torque"), 2.0 - 1.5, 1e-12);
   found.filter->SetAxis(0.0, 0.0, -3.0);
   EXPECT_NEAR(found(0, "torque"), 1.5 - 2.0, 1e-12);
+}
+
+TEST(SurfaceIntegrals, GhostsDoNotCount)
+{
+  const Grid grid = box({1.0, 0.0, 0.0});
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    double bounds[6];
+    grid->GetCellBounds(cell, bounds);
+    // Beyond x = 0.5 all are hidden or another's.
+    marks->InsertNextValue(bounds[0] < 0.49 ? 0
+                           : bounds[2] < 0.49
+                             ? static_cast<unsigned char>(vtkDataSetAttributes::HIDDENCELL)
+                             : static_cast<unsigned char>(vtkDataSetAttributes::DUPLICATECELL));
+  }
+  grid->GetCellData()->AddArray(marks);
+  Integrals found(grid);
+  const double center[3] = {0.5, 0.5, 0.3}, normal[3] = {0.0, 0.0, 1.0};
+  found.filter->AddPlane("middle", center, normal);
+  found.filter->AddBoundary("walls");
+  EXPECT_NEAR(found(0, "area"), 0.5, 1e-12);
+  EXPECT_NEAR(found(1, "area"), 3.0, 1e-12);
 }
 
 TEST(SurfaceIntegrals, OfPartsAddUp)

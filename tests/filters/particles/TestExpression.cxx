@@ -165,6 +165,56 @@ TEST(Expression, OfGridsAndOfCells)
   EXPECT_NE(vtkMoteExpression::AddTo(grid, "p + x", "mixed"), "") << "of points and of cells";
 }
 
+TEST(Expression, DerivativesOfALinearFieldAreExact)
+{
+  vtkNew<vtkImageData> grid;
+  grid->SetDimensions(5, 4, 6);
+  grid->SetSpacing(0.5, 0.25, 1.0);
+  grid->SetOrigin(10.0, -3.0, 2.0);
+  const vtkIdType points = grid->GetNumberOfPoints(), cells = grid->GetNumberOfCells();
+  vtkNew<vtkDoubleArray> velocity, pressure, count;
+  velocity->SetName("U");
+  velocity->SetNumberOfComponents(3);
+  pressure->SetName("p'"); // which wants the other quotes
+  count->SetName("n");
+  for (vtkIdType i = 0; i < points; ++i)
+  {
+    const double* at = grid->GetPoint(i);
+    // A rotation at 2 about z, and what flows away at 0.5.
+    velocity->InsertNextTuple3(-2.0 * at[1] + 0.5 * at[0], 2.0 * at[0] + 0.5 * at[1], 0.5 * at[2]);
+    pressure->InsertNextValue(3.0 * at[0] - at[2]);
+  }
+  for (vtkIdType i = 0; i < cells; ++i)
+    count->InsertNextValue(7.0);
+  grid->GetPointData()->AddArray(velocity);
+  grid->GetPointData()->AddArray(pressure);
+  grid->GetCellData()->AddArray(count);
+  const auto isEverywhere = [&](const char* expression, double expected)
+  {
+    ASSERT_EQ(vtkMoteExpression::Check(expression), "");
+    ASSERT_EQ(vtkMoteExpression::AddTo(grid, expression, "result"), "") << expression;
+    for (vtkIdType i = 0; i < points; ++i)
+      ASSERT_NEAR(grid->GetPointData()->GetArray("result")->GetComponent(i, 0), expected, 1e-9)
+        << expression << " at " << i;
+  };
+  isEverywhere("vorticity(U).z", 4.0);
+  isEverywhere("vorticity( U )", 4.0);
+  isEverywhere("divergence(U)", 1.5);
+  isEverywhere("q_criterion('U') * 2 + vorticity(U).x", 2.0 * (4.0 - 0.5 * 0.75));
+  isEverywhere("gradient(\"p'\").x", 3.0);
+  isEverywhere("gradient(\"p'\").z + gradient(U).1", -3.0);
+  EXPECT_EQ(grid->GetPointData()->GetArray("vorticity(U)"), nullptr) << "only what was asked for";
+  ASSERT_EQ(vtkMoteExpression::AddTo(grid, "n + gradient(n)", "slope"), "");
+  EXPECT_NEAR(grid->GetCellData()->GetArray("slope")->GetComponent(5, 0), 7.0, 1e-9);
+  const auto problem = [&](const char* expression)
+  { return vtkMoteExpression::AddTo(grid, expression, "wrong"); };
+  EXPECT_NE(problem("vorticity(n)").find("three components"), std::string::npos);
+  EXPECT_NE(problem("vorticity(nothing)").find("'nothing'"), std::string::npos);
+  EXPECT_NE(vtkMoteExpression::Check("vorticity(U"), "");
+  EXPECT_NE(vtkMoteExpression::Check("vorticity('U"), "");
+  EXPECT_NE(vtkMoteExpression::AddTo(somePoints(), "gradient(x)", "wrong"), "");
+}
+
 TEST(Expression, InCellsPointsCountByTheirMean)
 {
   vtkNew<vtkImageData> grid;
