@@ -157,7 +157,7 @@ void SectionSums::fill(
 template <typename ValueOf>
 void SectionSums::fillSizes(const Vec3d& place, const ValueOf& valueOf, double* values) const
 {
-  *values++ = 0.0; // the area tells for itself
+  *values++ = 1.0;
   const bool flows = !task_.velocity.empty(), presses = !task_.pressure.empty();
   Vec3d velocity(0.0);
   for (int k = 0; flows && k < 3; ++k)

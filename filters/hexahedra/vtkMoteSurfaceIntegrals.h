@@ -119,8 +119,9 @@ public:
   ///@{
   /**
    * What of a cell's integral may change when the cell is cut finer, before it is cut no more: a
-   * share of that of the absolute value, or of the size of the field on the section times the area,
-   * such as of the speed where that is the flow; in [1e-12, 0.1], default 1e-7.
+   * share of that of the absolute value, or of the integral of the field's size over the section,
+   * such as of the speed where that is the flow, over the root of the number of cells; in
+   * [1e-12, 0.1], default 1e-7.
    */
   vtkSetClampMacro(Tolerance, double, 1e-12, 0.1);
   vtkGetMacro(Tolerance, double);

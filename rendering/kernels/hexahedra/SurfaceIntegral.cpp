@@ -329,7 +329,7 @@ private:
 /// A cell is cut into no more than this many cubes along each edge.
 constexpr int mostCuts = 16;
 
-/// `enough`, for each function: what may change per area; none: 0.
+/// `enough`, for each function: what may change; none: 0.
 void addCell(
   SlicedCell& cell, double tolerance, const std::vector<double>& enough, SurfaceIntegrals& sum)
 {
@@ -341,9 +341,8 @@ void addCell(
   const auto isGood = [&]
   {
     for (std::size_t i = 0; i < fine.values.size(); ++i)
-      if (const double change = std::abs(fine.values[i] - coarse.values[i]);
-          change > tolerance * fine.sizes[i] &&
-          !(!enough.empty() && change <= enough[i] * fine.area))
+      if (std::abs(fine.values[i] - coarse.values[i]) >
+          std::max(tolerance * fine.sizes[i], enough.empty() ? 0.0 : enough[i]))
         return false;
     return true;
   };
@@ -377,29 +376,21 @@ SurfaceIntegrals inSlicedCells(const HexMesh& mesh, const Distance& distance, in
     });
 }
 
-/// The mean of each function on a surface, roughly; none where there is no surface.
-std::vector<double> roughMeans(const HexMesh& mesh, const Distance& distance, int count,
+/// What the integral of each function over a surface may err by in each cell, for one of 1 in all,
+/// roughly: cut alike, cells side by side err the opposite way, and errors add up as random ones.
+std::vector<double> roughShares(const HexMesh& mesh, const Distance& distance, int count,
   const Integrand& sizes, const HiddenCells* hidden)
 {
-  // One more, the area.
-  const Integrand withArea = [&](const SurfacePoint& at, double* values)
-  {
-    sizes(at, values);
-    values[count] = 1.0;
-  };
-  SurfaceIntegrals sums = inSlicedCells(mesh, distance, count + 1, withArea, hidden,
+  SurfaceIntegrals sums = inSlicedCells(mesh, distance, count, sizes, hidden,
     [](SlicedCell& cell, SurfaceIntegrals& sum)
     {
       const Sums found = cell.cut(1);
+      sum.cells += found.area > 0.0;
       for (std::size_t i = 0; i < found.values.size(); ++i)
         sum.values[i] += found.values[i];
     });
-  const double area = sums.values.back();
-  sums.values.pop_back();
-  if (!(area > 0.0))
-    return {};
-  for (double& mean : sums.values)
-    mean /= area;
+  for (double& share : sums.values)
+    share /= std::sqrt(static_cast<double>(std::max<std::size_t>(1, sums.cells)));
   return sums.values;
 }
 
@@ -411,7 +402,7 @@ SurfaceIntegrals integrateSlice(const HexMesh& mesh, const SliceShape& shape, in
   const Distance distance(shape);
   std::vector<double> enough;
   if (sizes)
-    enough = roughMeans(mesh, distance, count, sizes, hidden);
+    enough = roughShares(mesh, distance, count, sizes, hidden);
   for (double& one : enough)
     one *= tolerance;
   return inSlicedCells(mesh, distance, count, integrand, hidden,

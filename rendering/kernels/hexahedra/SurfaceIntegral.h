@@ -44,9 +44,10 @@ SurfaceIntegrals together(SurfaceIntegrals a, const SurfaceIntegrals& b);
 /// cells with plane faces is exact at once.
 ///
 /// `sizes`, if any, writes for each function the size of what it is made of, such as the speed
-/// where that is the velocity along the normal: what changes by less than `tolerance` of the mean
-/// size on the surface, times the area in the cell, is good enough, too. Where there is hardly any
-/// flow through a surface nothing else would end the cutting.
+/// where that is the velocity along the normal: what changes by less than `tolerance` of the
+/// integral of that, over the root of the number of cells, is good enough, too: cells side by side
+/// are cut alike, and their errors cancel. Nothing else would end the cutting where there is hardly
+/// any flow through a surface, and where a round one only just meets a cell.
 SurfaceIntegrals integrateSlice(const HexMesh& mesh, const SliceShape& shape, int count,
   const Integrand& integrand, const HiddenCells* hidden = nullptr, double tolerance = 1e-7,
   const Integrand& sizes = {});

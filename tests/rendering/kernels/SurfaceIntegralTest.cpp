@@ -125,7 +125,8 @@ TEST(SurfaceIntegral, WhereNothingFlowsThroughTheSpeedTellsWhatIsEnough)
   };
   const Integrand sizes = [&](const SurfacePoint& at, double* values)
   {
-    values[0] = values[1] = 0.0;
+    values[0] = 1.0;
+    values[1] = std::abs(at.place.x);
     values[2] = glm::length(around(at.place));
   };
   integrateSlice(*mesh, shape, 3, areaAndFlow(around), nullptr, 1e-5);
