@@ -25,6 +25,7 @@
 #include <CLI/CLI.hpp>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -196,7 +197,9 @@ int main(int argc, char** argv)
   takeNoMore(app);
   try
   {
-    app.parse(argc, argv);
+    std::vector<std::string> words = wordsOf(app, argc, argv);
+    std::reverse(words.begin(), words.end()); // as the library wants them
+    app.parse(std::move(words));
   }
   catch (const CLI::Success& asked)
   {

@@ -6,6 +6,9 @@
 #include "settings/UserState.h"
 #include "table/Session.h"
 
+#include <vtkAlgorithm.h>
+#include <vtkMoteReaderTable.h>
+
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -168,7 +171,7 @@ bool OpenDialog::drawFilter()
   const std::string before = filter_;
   ImGui::SetNextItemWidth(-1.0f);
   const bool isEntered = ImGui::InputTextWithHint("##filter",
-    "part of a name, or a path that begins with / or ~", &filter_,
+    "part of a name, a path from / or ~, or pump:0.02", &filter_,
     textFlags | ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory, onArrow,
     this);
   noteControl("filter");
@@ -277,6 +280,10 @@ std::vector<std::string> OpenDialog::chosen() const
   std::error_code error;
   if (const fs::path typed = this->typedPath(); fs::is_regular_file(typed, error))
     return {typed.string()};
+  // What is made and no file, such as pump:0.02.
+  if (std::string problem; lines_.empty() && filter_.find(':') != std::string::npos &&
+                           vtkMoteReaderTable::MakeReader({filter_}, problem))
+    return {filter_};
   std::vector<std::string> files;
   for (const std::size_t entry : marked_)
     files.insert(files.end(), entries_[entry].files.begin(), entries_[entry].files.end());

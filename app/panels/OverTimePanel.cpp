@@ -37,17 +37,7 @@ Action OverTimePanel::draw(const ValuesOverTime& values, const std::vector<doubl
     ImGui::TextDisabled("0 of %s read", counted(values.steps(), "step").c_str());
     return action;
   }
-  const std::vector<std::string> names = values.names();
-  const auto has = [&](const std::string& name)
-  { return std::find(names.begin(), names.end(), name) != names.end(); };
-  // What is shown stays, whatever colours by now.
-  if (has(next.plot.overTime))
-    name_ = next.plot.overTime;
-  if (!has(name_))
-    name_ = has(usual) ? usual : names.front();
-  if (chooseName("over time", "of", names, nullptr,
-        "Which values are plotted over time\n--plot-over-time NAME", name_))
-    next.plot.overTime = name_;
+  this->choose(values.names(), usual, next.plot);
   const std::string& name = name_;
   times_ = times;
   if (times_.empty())
@@ -68,18 +58,19 @@ Action OverTimePanel::draw(const ValuesOverTime& values, const std::vector<doubl
     for (int i = 1; i < values.steps(); ++i)
       if (std::abs(this->shareOf(i) - at) < std::abs(this->shareOf(nearest) - at))
         nearest = i;
-    this->explain(nearest);
+    this->explain(values.isRead(nearest), nearest);
     if (isPressed)
     {
       next.data.time.reset();
       next.data.step = std::to_string(nearest + 1);
     }
   }
-  if (least_ <= most_)
-    ImGui::TextDisabled("%s to %s, t = %s to %s", asNumber(least_).c_str(), asNumber(most_).c_str(),
-      asNumber(times_.front(), 10).c_str(), asNumber(times_.back(), 10).c_str());
-  else
-    ImGui::TextDisabled("no values so far");
+  const std::string ranges = least_ <= most_ ? asNumber(least_) + " to " + asNumber(most_) +
+                                                 ", t = " + asNumber(times_.front(), 10) + " to " +
+                                                 asNumber(times_.back(), 10)
+                                             : "no values so far";
+  ImGui::TextDisabled("%s", ranges.c_str());
+  noteControl(ranges);
   this->drawIds();
   if (read_ < values.steps())
   {
@@ -91,6 +82,25 @@ Action OverTimePanel::draw(const ValuesOverTime& values, const std::vector<doubl
   explainKey("Save all values of these particles as comma-separated values, a line for each step "
              "and id, beside where mote runs");
   return action;
+}
+
+/// What is plotted: what the settings say, or else what colours.
+void OverTimePanel::choose(
+  const std::vector<std::string>& names, const std::string& usual, PlotSettings& next)
+{
+  const auto has = [&](const std::string& name)
+  { return std::find(names.begin(), names.end(), name) != names.end(); };
+  // What is shown stays, whatever colours by now. The first steps may lack what the others have.
+  if (has(next.overTime))
+    name_ = next.overTime;
+  else if (!has(name_) || (isMakeshift_ && has(usual)))
+  {
+    isMakeshift_ = !has(usual);
+    name_ = isMakeshift_ ? names.front() : usual;
+  }
+  if (chooseName("over time", "of", names, nullptr,
+        "Which values are plotted over time\n--plot-over-time NAME", name_))
+    next.overTime = name_;
 }
 
 /// Takes what was read by now.
@@ -144,7 +154,7 @@ void OverTimePanel::drawCurves(const float* from, const float* size, int step) c
     }
 }
 
-void OverTimePanel::explain(int step) const
+void OverTimePanel::explain(bool isRead, int step) const
 {
   std::string text = "step " + std::to_string(step + 1) +
                      ", t = " + asNumber(times_[static_cast<std::size_t>(step)], 10);
@@ -153,7 +163,9 @@ void OverTimePanel::explain(int step) const
     {
       const double value = curves_[c].values[static_cast<std::size_t>(step)];
       text += "\n" + std::to_string(curves_[c].id) + ": " +
-              (std::isnan(value) ? "not there" : asNumber(value));
+              (!std::isnan(value) ? asNumber(value)
+                : isRead          ? "not there"
+                                  : "not read yet");
     }
   ImGui::SetTooltip("%s\nA click goes to this step", text.c_str());
 }

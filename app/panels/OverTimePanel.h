@@ -20,14 +20,16 @@ public:
     const std::string& usual, Settings& next);
 
 private:
+  void choose(const std::vector<std::string>& names, const std::string& usual, PlotSettings& next);
   void follow(const ValuesOverTime& values, const std::string& name);
   void drawCurves(const float* from, const float* size, int step) const;
-  void explain(int step) const;
+  void explain(bool isRead, int step) const;
   void drawIds() const;
   /// From 0 to 1 along the plot.
   float shareOf(int step) const;
 
   std::string name_, followed_; ///< that is plotted, and that the curves are of
+  bool isMakeshift_ = false;    ///< name_ is, as what colours was not there
   std::uint64_t number_ = 0;    ///< of what they were taken from
   int read_ = 0;                ///< steps that the curves have
   std::vector<ValuesOverTime::Curve> curves_;

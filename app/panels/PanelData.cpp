@@ -107,8 +107,17 @@ void Panel::drawArrays(const Part& part, const std::string& name)
       next_.color.array = array.text;
     noteControl(name + " " + array.text);
     explainKey(("Colour by this array\n--color-by " + array.text).c_str());
-    ImGui::SameLine(0.48f * ImGui::GetWindowContentRegionMax().x);
+    // Beside the name where there is room for both, else below it.
+    const float right = ImGui::GetWindowContentRegionMax().x;
+    const float gap = ImGui::GetFontSize();
+    const float end = ImGui::GetCursorPosX() + ImGui::CalcTextSize(array.title.c_str()).x + gap;
+    const float width = ImGui::CalcTextSize(known->second.c_str()).x;
+    if (end + width <= right)
+      ImGui::SameLine(std::max(end, std::min(0.48f * right, right - width)));
+    else
+      ImGui::SetCursorPosX(ImGui::GetCursorPosX() + gap);
     ImGui::TextDisabled("%s", known->second.c_str());
+    noteControl(name + " range of " + array.text);
   }
 }
 

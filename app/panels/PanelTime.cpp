@@ -76,14 +76,22 @@ void Panel::drawStep(const PanelFacts& facts)
     next_.data.step = std::to_string(step);
   }
   RowControls::explain(*rowNamed("step"));
-  std::string text = facts.hasTimes ? "t = " + asNumber(facts.time, 10) : "";
-  if (facts.shownStep != facts.step)
-    text += (text.empty() ? "step " : ", step ") + std::to_string(facts.shownStep + 1) +
-            " until that is read";
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(text.c_str());
   if (facts.shownStep != facts.step)
-    return;
+  {
+    const std::string time = facts.hasTimes ? "t = " + asNumber(facts.time, 10) + ", " : "";
+    const std::string text = "step " + std::to_string(facts.shownStep + 1) + " until that is read";
+    return ImGui::TextUnformatted((time + text).c_str());
+  }
+  ImGui::TextUnformatted(facts.hasTimes ? "t" : "");
+  if (facts.hasTimes)
+  {
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(0.53f * ImGui::GetWindowContentRegionMax().x - ImGui::GetCursorPosX());
+    if (double time = facts.time; numberField("##time", time, "%.10g"))
+      next_.data.time = time;
+    RowControls::explain(*rowNamed("time"));
+  }
   ImGui::SameLine(0.55f * ImGui::GetWindowContentRegionMax().x);
   ImGui::SetNextItemWidth(-1.0f);
   const Row& row = *commandRow("mote", "speed");

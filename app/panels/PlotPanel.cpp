@@ -49,8 +49,12 @@ double valueAt(const Plot& plot, std::size_t axis, double share)
   const double least = plot.least[axis], most = plot.most[axis];
   if (share <= 0.0 || share >= 1.0 || !(most > least))
     return share <= 0.0 ? least : most;
-  const double step = std::pow(10.0, std::floor(std::log10((most - least) / 1000.0)));
-  return std::clamp(std::round((least + share * (most - least)) / step) * step, least, most);
+  const double digits = -std::floor(std::log10((most - least) / 1000.0));
+  const double scale = std::pow(10.0, std::abs(digits)), value = least + share * (most - least);
+  // Dividing by a whole number gives what has few digits as it is written.
+  return std::clamp(
+    digits > 0.0 ? std::round(value * scale) / scale : std::round(value / scale) * scale, least,
+    most);
 }
 
 double shareOf(const Plot& plot, std::size_t axis, double value)
@@ -236,6 +240,25 @@ void PlotPanel::drawLimits(Settings& settings, const float* from, const float* s
     ImGui::GetWindowDrawList()->AddRect(low, high, heldInk);
 }
 
+/// Shows the range from where the mouse was pressed to where it is. Along an axis on which that is
+/// hardly a pixel or two nothing is meant, and what was shown before is.
+void PlotPanel::drag(const std::array<double, 2>& at, const float* size, Settings& next)
+{
+  constexpr double least = 4.0; // pixels
+  std::array<bool, 2> isMeant{};
+  for (std::size_t axis = 0; axis < (plot_.height > 1 ? 2u : 1u); ++axis)
+    isMeant[axis] = size[axis] * std::abs(at[axis] - pressed_->at[axis]) > least;
+  pressed_->isMoved = pressed_->isMoved || isMeant[0] || isMeant[1];
+  if (!pressed_->isMoved)
+    return;
+  next.selection.ranges = pressed_->ranges;
+  for (std::size_t axis = 0; axis < isMeant.size(); ++axis)
+    if (isMeant[axis])
+      show(next, choice_.names[axis],
+        {valueAt(plot_, axis, std::min(pressed_->at[axis], at[axis])),
+          valueAt(plot_, axis, std::max(pressed_->at[axis], at[axis]))});
+}
+
 void PlotPanel::drawPlot(Settings& next)
 {
   if (!colors_)
@@ -259,16 +282,10 @@ void PlotPanel::drawPlot(Settings& next)
   const std::array<double, 2> at = {std::clamp((mouse.x - from.x) / size.x, 0.0f, 1.0f),
     std::clamp(1.0f - (mouse.y - heldTop_) / size.y, 0.0f, 1.0f)};
   if (ImGui::IsItemActivated())
-    pressed_ = at;
-  const std::size_t axes = isPair ? 2 : 1;
-  const float away =
-    std::abs(ImGui::GetMouseDragDelta(0, 0.0f).x) + std::abs(ImGui::GetMouseDragDelta(0, 0.0f).y);
-  if (pressed_ && ImGui::IsItemActive() && away > 4.0f)
-    for (std::size_t axis = 0; axis < axes; ++axis)
-      show(next, choice_.names[axis],
-        {valueAt(plot_, axis, std::min((*pressed_)[axis], at[axis])),
-          valueAt(plot_, axis, std::max((*pressed_)[axis], at[axis]))});
-  if (!ImGui::IsItemActive())
+    pressed_ = {at, next.selection.ranges};
+  if (pressed_ && ImGui::IsItemActive())
+    this->drag(at, &size.x, next);
+  else
     pressed_.reset();
   this->drawLimits(next, &from.x, &size.x);
   if (!ImGui::IsItemHovered() || ImGui::IsItemActive())

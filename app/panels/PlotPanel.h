@@ -38,6 +38,7 @@ private:
   void drawChoices(PlotSettings& next) const;
   void follow(const Stage& stage, const PickedSet& picked);
   void drawPlot(Settings& next);
+  void drag(const std::array<double, 2>& at, const float* size, Settings& next);
   void drawCounts(const float* from, const float* size) const;
   void drawLimits(Settings& settings, const float* from, const float* size) const;
   void drawFields(Settings& next) const;
@@ -48,10 +49,17 @@ private:
   std::vector<std::pair<vtkDataSet*, unsigned long>> data_; ///< of names_ and plot_
   Plot plot_;
   PlotChoice plotted_;
-  unsigned long chosenTime_ = 0;                 ///< of what is visible, or picked, in plot_
-  double seconds_ = 0.0;                         ///< that plot_ took
-  std::optional<std::array<double, 2>> pressed_; ///< shares of the plot where a range begins
-  float heldTop_ = 0.0f;                         ///< of the plot on the screen, when it was pressed
+  unsigned long chosenTime_ = 0; ///< of what is visible, or picked, in plot_
+  double seconds_ = 0.0;         ///< that plot_ took
+  /// Where a range begins that is dragged.
+  struct Pressed
+  {
+    std::array<double, 2> at;      ///< shares of the plot
+    std::vector<ShowRange> ranges; ///< that were shown then
+    bool isMoved = false;
+  };
+  std::optional<Pressed> pressed_;
+  float heldTop_ = 0.0f; ///< of the plot on the screen, when it was pressed
   vtkSmartPointer<vtkLookupTable> colors_;
 };
 

@@ -123,11 +123,11 @@ struct Written
 
 } // namespace
 
-bool numberField(const char* label, double& value)
+bool numberField(const char* label, double& value, const char* format)
 {
   static Written<double> written;
   double typed = value;
-  const bool isWritten = ImGui::InputDouble(label, &typed, 0.0, 0.0, "%.6g");
+  const bool isWritten = ImGui::InputDouble(label, &typed, 0.0, 0.0, format);
   return written.take(label, isWritten, typed, value);
 }
 

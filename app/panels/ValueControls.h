@@ -24,7 +24,7 @@ Interval inOrder(const Interval& before, Interval entered);
 
 /// A field for a number, or for a text with a hint where that is empty: true once it is left with
 /// another one, by Enter, Tab or a click elsewhere.
-bool numberField(const char* label, double& value);
+bool numberField(const char* label, double& value, const char* format = "%.6g");
 bool textField(const char* label, const char* hint, std::string& text);
 
 /// Two fields for the numbers of a range, with this tooltip. Returns whether one was entered.

@@ -153,6 +153,16 @@ void setCamera(vtkCamera* camera, const std::vector<double>& numbers)
     camera->SetViewAngle(numbers[9]);
 }
 
+void moveAside(vtkCamera* camera, vtkCamera* from, const std::array<double, 3>& aside)
+{
+  camera->DeepCopy(from);
+  double place[3];
+  vtkMath::Add(from->GetPosition(), aside.data(), place);
+  camera->SetPosition(place);
+  vtkMath::Add(from->GetFocalPoint(), aside.data(), place);
+  camera->SetFocalPoint(place);
+}
+
 std::vector<double> withParallelProjection(std::vector<double> camera)
 {
   const double distance = std::sqrt(vtkMath::Distance2BetweenPoints(&camera[0], &camera[3]));

@@ -2,6 +2,7 @@
 
 #include "settings/Settings.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ constexpr double usualViewAngle = 30.0;
 /// The camera as CameraSettings::camera has it, and the other way.
 std::vector<double> cameraOf(vtkCamera* camera);
 void setCamera(vtkCamera* camera, const std::vector<double>& numbers);
+
+/// Makes a camera that of another one, moved aside.
+void moveAside(vtkCamera* camera, vtkCamera* from, const std::array<double, 3>& aside);
 
 /// The camera of the other projection, in which things at the focal point are as large.
 std::vector<double> withParallelProjection(std::vector<double> camera);

@@ -63,16 +63,18 @@ std::array<unsigned char, 3> pathColor(std::size_t number)
   return colors[number % std::size(colors)];
 }
 
-ParticlePaths::ParticlePaths(
-  std::unique_ptr<Input> input, const IdRanges& ids, const Settings& settings)
+ParticlePaths::ParticlePaths(std::unique_ptr<Input> input, const IdRanges& ids,
+  const Settings& settings, const std::weak_ptr<StepCache>& cache)
   : ids_(ids)
   , settings_(movingAlone(settings))
-  , reader_(std::move(input), settings_,
-      [this](const std::vector<NamedData>& data)
+  , read_(static_cast<std::size_t>(input->numberOfSteps()))
+  , reader_(std::move(input), settings_, cache,
+      [this](int step, const std::vector<NamedData>& data)
       {
         Step found = this->look(data);
         const std::lock_guard lock(mutex_);
-        read_.push_back(std::move(found));
+        read_[static_cast<std::size_t>(step)] = std::move(found);
+        ++stepsRead_;
       })
 {
 }
@@ -126,7 +128,7 @@ ParticlePaths::Step ParticlePaths::look(const std::vector<NamedData>& data) cons
 int ParticlePaths::stepsRead() const
 {
   const std::lock_guard lock(mutex_);
-  return static_cast<int>(read_.size());
+  return stepsRead_;
 }
 
 /// Whether the way is by more than half of a periodic box: the particle left it on one side and
@@ -162,19 +164,20 @@ void ParticlePaths::fill(vtkPolyData* lines, const std::vector<std::size_t>& set
   const bool mayJump = settings_.data.positions != "unwrapped";
   const std::lock_guard lock(mutex_);
   std::map<Id, std::size_t> shadeOf; // in the order of ids
-  for (const Step& step : read_)
-    for (const auto& [id, place] : step.places)
-      shadeOf.emplace(id, 0);
+  for (const auto& step : read_)
+    if (step)
+      for (const auto& [id, place] : step->places)
+        shadeOf.emplace(id, 0);
   std::size_t next = 0;
   for (auto& [id, shade] : shadeOf)
     shade = next++;
   for (std::size_t s = 1; s < read_.size(); ++s)
-    for (const auto& [id, here] : read_[s].places)
+    for (const auto& [id, here] : read_[s] && read_[s - 1] ? read_[s]->places : Places())
     {
-      const auto before = read_[s - 1].places.find(id);
+      const auto before = read_[s - 1]->places.find(id);
       if (std::find(sets.begin(), sets.end(), id.first) == sets.end() ||
-          before == read_[s - 1].places.end() ||
-          (mayJump && isJump(read_[s], before->second, here)))
+          before == read_[s - 1]->places.end() ||
+          (mayJump && isJump(*read_[s], before->second, here)))
         continue;
       const vtkIdType ends[2] = {
         points->InsertNextPoint(before->second.data()), points->InsertNextPoint(here.data())};

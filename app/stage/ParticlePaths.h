@@ -27,8 +27,10 @@ std::array<unsigned char, 3> pathColor(std::size_t number);
 class ParticlePaths
 {
 public:
-  /// Ids are those of --hide-ids. Positions are as --positions of the settings asks.
-  ParticlePaths(std::unique_ptr<Input> input, const IdRanges& ids, const Settings& settings);
+  /// Ids are those of --hide-ids. Positions are as --positions of the settings asks. The cache may
+  /// have steps that need not be read again.
+  ParticlePaths(std::unique_ptr<Input> input, const IdRanges& ids, const Settings& settings,
+    const std::weak_ptr<StepCache>& cache = {});
 
   /// The paths that the settings ask for, read to their end; null where they ask for none.
   static std::unique_ptr<ParticlePaths> whole(
@@ -48,9 +50,10 @@ public:
 private:
   using Place = std::array<double, 3>;
   using Id = std::pair<std::size_t, std::int64_t>; ///< data set, and id of its particle
+  using Places = std::map<Id, Place>;
   struct Step
   {
-    std::map<Id, Place> places;
+    Places places;
     std::optional<SimulationBox> box;
     std::array<bool, 3> isPeriodic{};
   };
@@ -59,8 +62,9 @@ private:
 
   const IdRanges ids_;
   const Settings settings_;
-  mutable std::mutex mutex_; ///< of `read_`
-  std::vector<Step> read_;
+  mutable std::mutex mutex_;              ///< of the next two
+  std::vector<std::optional<Step>> read_; ///< all steps
+  int stepsRead_ = 0;
   StepReader reader_; ///< the last: its thread uses the others
 };
 

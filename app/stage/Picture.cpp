@@ -1,5 +1,6 @@
 #include "Picture.h"
 
+#include "Framing.h"
 #include "PictureMarks.h"
 #include "SideBySide.h"
 #include "Silhouettes.h"
@@ -96,6 +97,12 @@ void Picture::takeStage(const View& view)
   while (vtkLight* light = stage->GetLights()->GetNextLight(next))
     renderer_->AddLight(light);
   renderer_->SetActiveCamera(stage->GetActiveCamera());
+  if (const auto aside = stage_.asideOf(view); aside != std::array<double, 3>())
+  {
+    moveAside(camera_, stage->GetActiveCamera(), aside);
+    renderer_->SetActiveCamera(camera_);
+    renderer_->ResetCameraClippingRange();
+  }
   renderer_->SetBackground(stage->GetBackground());
   renderer_->SetBackground2(stage->GetBackground2());
   renderer_->SetGradientBackground(stage->GetGradientBackground());

@@ -4,6 +4,7 @@
 #include "Stage.h"
 #include "base/ProgressRelay.h"
 
+#include <vtkCamera.h>
 #include <vtkMoteColorLegend.h>
 #include <vtkMoteImageMarks.h>
 #include <vtkMoteImageWriter.h>
@@ -82,6 +83,7 @@ private:
   Stage& stage_;
   std::array<int, 2> size_;
   vtkNew<vtkRenderer> renderer_; ///< of the stage's data alone, without what a window adds
+  vtkNew<vtkCamera> camera_;     ///< of views of what lies elsewhere
   vtkNew<vtkMoteRendererSource> source_;
   vtkNew<vtkTrivialProducer> traced_; ///< the image, of one view or of several
   vtkNew<vtkMoteColorLegend> legend_, name_;

@@ -429,15 +429,47 @@ void Stage::bounds(double bounds[6]) const
   box.GetBounds(bounds);
 }
 
+std::array<double, 3> Stage::asideOf(const std::vector<std::size_t>& view) const
+{
+  const auto boxOf = [this](const std::vector<std::size_t>& numbers)
+  {
+    vtkBoundingBox box;
+    for (const std::size_t part : numbers)
+      if (const double* own = parts_[part]->prop()->GetBounds();
+          own && vtkMath::AreBoundsInitialized(own))
+        box.AddBounds(own);
+    return box;
+  };
+  std::array<double, 3> aside{};
+  const auto views = this->views();
+  if (view.empty() || views.size() < 2)
+    return aside;
+  vtkBoundingBox first = boxOf(views.front());
+  const vtkBoundingBox own = boxOf(view);
+  if (!first.IsValid() || !own.IsValid() || first.Intersects(own))
+    return aside;
+  double there[3], here[3];
+  own.GetCenter(there);
+  first.GetCenter(here);
+  vtkMath::Subtract(there, here, aside.data());
+  return aside;
+}
+
 void Stage::shownBounds(double bounds[6]) const
 {
   vtkBoundingBox box;
-  for (const auto& part : parts_)
+  for (const auto& view : this->views())
   {
-    double own[6];
-    part->shownBounds(own);
-    if (vtkMath::AreBoundsInitialized(own))
-      box.AddBounds(own);
+    const std::array<double, 3> aside = this->asideOf(view);
+    for (const std::size_t part : view)
+    {
+      double own[6];
+      parts_[part]->shownBounds(own);
+      for (std::size_t axis = 0; axis < 6; ++axis)
+        own[axis] -= vtkMath::AreBoundsInitialized(own) ? aside[axis / 2] : 0.0;
+      if (vtkMath::AreBoundsInitialized(own))
+        box.AddBounds(own);
+    }
   }
   if (box.IsValid())
     box.GetBounds(bounds);

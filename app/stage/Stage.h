@@ -14,6 +14,7 @@
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -102,6 +103,9 @@ public:
   /// "copper.dump": what the view of these parts is called; "copper.dump, step 3/7" where other
   /// data are at another step of theirs.
   std::string viewName(const std::vector<std::size_t>& view) const;
+  /// How far from where the first view looks that of these parts does, so that data which do not
+  /// meet those of the first are seen in the middle of theirs: 0 where they do.
+  std::array<double, 3> asideOf(const std::vector<std::size_t>& view) const;
   /// What is drawn in the view of these parts. Streamlines and arrows are where all volumes are.
   std::vector<vtkProp3D*> propsOf(const std::vector<std::size_t>& view) const;
 
@@ -109,7 +113,7 @@ public:
   /// nothing.
   void bounds(double bounds[6]) const;
 
-  /// Bounds of what is not hidden; of all where everything is.
+  /// Bounds of what is not hidden, by the camera of the first view; of all where everything is.
   void shownBounds(double bounds[6]) const;
 
   vtkIdType numberOfParticles() const;

@@ -136,6 +136,44 @@ bool StepCache::isReading(int step) const
   return working_ == step;
 }
 
+std::vector<int> StepCache::placesInOrder() const
+{
+  const std::lock_guard lock(mutex_);
+  return this->order();
+}
+
+std::optional<std::vector<NamedData>> StepCache::original(int step, double time) const
+{
+  Entry entry;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = entries_.find(step);
+    if (found == entries_.end() || working_ == step || !this->isOf(step, time))
+      return std::nullopt;
+    entry = found->second;
+  }
+  ReadyStep read;
+  read.original = entry->original;
+  return withOwnData(read).original;
+}
+
+void StepCache::give(int step, double time, const std::vector<NamedData>& original)
+{
+  ReadyStep given;
+  given.original = original;
+  auto entry = std::make_shared<ReadyStep>(withOwnData(given));
+  if (complete_)
+    complete_(entry->original);
+  entry->count();
+  std::vector<Entry> gone;
+  const std::lock_guard lock(mutex_);
+  if (working_ == step || step == place_ || entries_.count(step) > 0 || !this->isOf(step, time))
+    return;
+  entries_[step] = std::move(entry);
+  gone = this->evict(-1);
+  changed_.notify_all();
+}
+
 bool StepCache::isAtRest() const
 {
   const std::lock_guard lock(mutex_);
@@ -200,6 +238,13 @@ StepCache::Pause::~Pause()
 
 //------------------------------------------------------------------------------------------------
 // Of both; the mutex is held
+
+/// Whether the step's time is this one, and not that of other data.
+bool StepCache::isOf(int step, double time) const
+{
+  const auto at = static_cast<std::size_t>(step);
+  return input_ && step < steps_ && at < input_->times().size() && input_->times()[at] == time;
+}
 
 /// All steps, those that are to be kept first first.
 std::vector<int> StepCache::order() const

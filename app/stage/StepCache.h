@@ -21,8 +21,8 @@ namespace mote::app
 
 /// Reads and builds time steps ahead, on a thread with readers and mappers of its own, and keeps
 /// them within a budget of memory: first the next steps in the direction of the last change, then
-/// the others. What is handed out the thread does not use any more. All member functions are for
-/// one thread, that of the window.
+/// the others. What is handed out the thread does not use any more. Member functions are for one
+/// thread, that of the window, but for those that say otherwise.
 class StepCache
 {
 public:
@@ -50,8 +50,17 @@ public:
   /// Keeps what the caller has read, and does not use while another step is shown.
   void keep(int step, ReadyStep ready);
 
+  // For any thread.
   bool has(int step) const;
   bool isReading(int step) const;
+  /// All steps, in the order in which they are read as far as there is room.
+  std::vector<int> placesInOrder() const;
+  /// What was read of the step, which must be of this time, as data objects of the caller's own;
+  /// none where it is not there. Their arrays are to be read and not changed.
+  std::optional<std::vector<NamedData>> original(int step, double time) const;
+  /// Keeps what somebody else has read of a step of this time, where it is not there and fits.
+  void give(int step, double time, const std::vector<NamedData>& original);
+
   /// Whether nothing is left to be read or built.
   bool isAtRest() const;
   /// The share done of what is read or built now.
@@ -96,6 +105,7 @@ private:
   void run();
   void readInto(ReadyStep& read, Input& input, int step, const Runner& runner) const;
   void work(std::unique_lock<std::mutex>& lock, int step);
+  bool isOf(int step, double time) const;
   bool goesOn(double share);
   std::vector<int> order() const;
   int next() const;

@@ -25,20 +25,21 @@ std::atomic<std::uint64_t> made{0};
 
 } // namespace
 
-ValuesOverTime::ValuesOverTime(
-  std::unique_ptr<Input> input, const IdRanges& ids, const Settings& settings)
+ValuesOverTime::ValuesOverTime(std::unique_ptr<Input> input, const IdRanges& ids,
+  const Settings& settings, const std::weak_ptr<StepCache>& cache)
   : ids_(ids)
   , number_(++made)
-  , names_({"x", "y", "z"})
-  , reader_(std::move(input), settings,
-      [this](const std::vector<NamedData>& data)
+  , read_(static_cast<std::size_t>(input->numberOfSteps()))
+  , reader_(std::move(input), settings, cache,
+      [this](int step, const std::vector<NamedData>& data)
       {
         Step found = this->look(data);
         const std::lock_guard lock(mutex_);
         for (const auto& [name, values] : found)
-          if (std::find(names_.begin(), names_.end(), name) == names_.end())
-            names_.push_back(name);
-        read_.push_back(std::move(found));
+          if (const auto [first, isNew] = firstOf_.emplace(name, step); !isNew)
+            first->second = std::min(first->second, step);
+        read_[static_cast<std::size_t>(step)] = std::move(found);
+        ++stepsRead_;
       })
 {
 }
@@ -80,33 +81,46 @@ ValuesOverTime::Step ValuesOverTime::look(const std::vector<NamedData>& data) co
 int ValuesOverTime::stepsRead() const
 {
   const std::lock_guard lock(mutex_);
-  return static_cast<int>(read_.size());
+  return stepsRead_;
+}
+
+bool ValuesOverTime::isRead(int step) const
+{
+  const std::lock_guard lock(mutex_);
+  return read_[static_cast<std::size_t>(step)].has_value();
 }
 
 std::vector<std::string> ValuesOverTime::names() const
 {
   const std::lock_guard lock(mutex_);
-  return names_;
+  std::vector<std::string> names = {"x", "y", "z"};
+  std::vector<std::pair<int, std::string>> others; // whatever was read first
+  for (const auto& [name, step] : firstOf_)
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      others.emplace_back(step, name);
+  std::sort(others.begin(), others.end());
+  for (const auto& [step, name] : others)
+    names.push_back(name);
+  return names;
 }
 
 std::vector<ValuesOverTime::Curve> ValuesOverTime::curves(const std::string& name) const
 {
   const std::lock_guard lock(mutex_);
   std::set<Particle> particles; // also those without this value: colours are those of paths
-  for (const Step& step : read_)
-    if (const auto places = step.find("x"); places != step.end())
-      for (const auto& [particle, value] : places->second)
+  for (const auto& step : read_)
+    if (step && step->contains("x"))
+      for (const auto& [particle, value] : step->at("x"))
         particles.insert(particle);
   std::vector<Curve> curves;
   for (const Particle& particle : particles)
   {
     Curve curve{particle.first, particle.second, {}};
-    for (const Step& step : read_)
+    for (const auto& step : read_)
     {
-      const auto values = step.find(name);
-      const bool isKnown = values != step.end() && values->second.contains(particle);
+      const bool isKnown = step && step->contains(name) && step->at(name).contains(particle);
       curve.values.push_back(
-        isKnown ? values->second.at(particle) : std::numeric_limits<double>::quiet_NaN());
+        isKnown ? step->at(name).at(particle) : std::numeric_limits<double>::quiet_NaN());
     }
     curves.push_back(std::move(curve));
   }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,8 +18,10 @@ namespace mote::app
 class ValuesOverTime
 {
 public:
-  /// Ids are those of --hide-ids. What the settings calculate has values, too.
-  ValuesOverTime(std::unique_ptr<Input> input, const IdRanges& ids, const Settings& settings);
+  /// Ids are those of --hide-ids. What the settings calculate has values, too. The cache may have
+  /// steps that need not be read again.
+  ValuesOverTime(std::unique_ptr<Input> input, const IdRanges& ids, const Settings& settings,
+    const std::weak_ptr<StepCache>& cache = {});
 
   const IdRanges& ids() const { return ids_; }
   /// Of this one and no other that the program has made.
@@ -30,7 +33,9 @@ public:
   /// x, y, z and the arrays that were found, their components one by one.
   std::vector<std::string> names() const;
 
-  /// One particle's values: one a step that was read, not a number where that has none.
+  bool isRead(int step) const;
+
+  /// One particle's values: one a step, not a number where that has none or was not read yet.
   struct Curve
   {
     std::size_t set; ///< number of the data set
@@ -51,10 +56,11 @@ private:
 
   const IdRanges ids_;
   const std::uint64_t number_;
-  mutable std::mutex mutex_; ///< of the next two
-  std::vector<Step> read_;
-  std::vector<std::string> names_;
-  StepReader reader_; ///< the last: its thread uses the others
+  mutable std::mutex mutex_;              ///< of the next three
+  std::vector<std::optional<Step>> read_; ///< all steps
+  int stepsRead_ = 0;
+  std::map<std::string, int> firstOf_; ///< by name the first step that has it
+  StepReader reader_;                  ///< the last: its thread uses the others
 };
 
 } // namespace mote::app

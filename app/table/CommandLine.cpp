@@ -205,6 +205,28 @@ Settings GivenSettings::over(Settings all) const
   return all;
 }
 
+std::vector<std::string> wordsOf(const CLI::App& app, int argc, const char* const* argv)
+{
+  std::vector<std::string> words;
+  const CLI::App* command = &app;
+  for (int i = 1; i < argc; ++i)
+  {
+    std::string word = argv[i];
+    const auto named = app.get_subcommands(
+      [&](const CLI::App* one) { return command == &app && one->get_name() == word; });
+    if (!named.empty())
+      command = named.front();
+    const bool isEmpty = word.starts_with("--") && word.ends_with("=") && word.size() > 3;
+    const std::string name = isEmpty ? word.substr(0, word.size() - 1) : "";
+    const CLI::Option* option = isEmpty ? command->get_option_no_throw(name) : nullptr;
+    if (option && option->get_items_expected_max() > 0)
+      words.insert(words.end(), {name, ""});
+    else
+      words.push_back(std::move(word));
+  }
+  return words;
+}
+
 std::vector<std::string> asOptions(const Settings& settings)
 {
   std::vector<std::string> all = settings.data.files;

@@ -45,6 +45,10 @@ void addAllSettings(CLI::App& app, GivenSettings& given);
 /// Declares the files.
 void addFiles(CLI::App& app, Settings& settings);
 
+/// The words of a command line, without the program's name: of options that take a value an empty
+/// one behind "=" becomes a word of its own, or the parser would take the next word for it.
+std::vector<std::string> wordsOf(const CLI::App& app, int argc, const char* const* argv);
+
 /// These settings as words of a command line: the files, and all that differs from the defaults.
 std::vector<std::string> asOptions(const Settings& settings);
 

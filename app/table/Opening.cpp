@@ -41,13 +41,17 @@ Settings settingsToOpen(const Settings& now, const std::vector<std::string>& fil
   next.data.files = files;
   next.color = {};
   next.selection = {};
+  next.cuts = {};
   next.particles = {};
   next.volume = {};
+  next.flow = {};
   next.camera = {};
   next.views = {};
   next.camera.orthographic = now.camera.orthographic;
   next.light.occlusionReach.reset();
   next.silhouettes.groups.clear();
+  next.marks = {};
+  next.film.steps.clear();
   next.picture.title.reset();
   next.picture.caption.reset();
   return next;

@@ -4,6 +4,7 @@
 #include "ScriptParts.h"
 #include "ScriptText.h"
 #include "settings/ErrorBudget.h"
+#include "stage/Framing.h"
 #include "stage/SideBySide.h"
 #include "stage/Silhouettes.h"
 
@@ -172,18 +173,9 @@ void writeSilhouettes(Script& script, const SilhouetteSettings& settings)
   script.line("source.SetSilhouettes(silhouettes)");
 }
 
-/// Views beside one another, with their names: see Picture.
-void writeViews(Script& script, const Stage& stage, const Settings& settings)
+/// What draws a view into the whole picture.
+void writeViewFunction(Script& script)
 {
-  const std::array<int, 2>& size = settings.picture.size;
-  const auto views = stage.views();
-  const SideBySide sides(stage, views.size(), size, true);
-  script.line();
-  script.line("whole = vtkImageData()");
-  script.call("whole", "SetDimensions", size[0], size[1], 1);
-  script.line("name = mote.vtkMoteColorLegend()");
-  script.line("name.CaptionOnTopOn()");
-  script.call("name", "SetFontScale", settings.picture.fontScale);
   script.line();
   script.line();
   script.line("def view(numbers, caption, left, bottom, width, height):");
@@ -209,6 +201,21 @@ void writeViews(Script& script, const Stage& stage, const Settings& settings)
   script.line("        pixels.InsertTuples(to, width, y * width, drawn)");
   script.line();
   script.line();
+}
+
+/// Views beside one another, with their names: see Picture.
+void writeViews(Script& script, const Stage& stage, const Settings& settings)
+{
+  const std::array<int, 2>& size = settings.picture.size;
+  const auto views = stage.views();
+  const SideBySide sides(stage, views.size(), size, true);
+  script.line();
+  script.line("whole = vtkImageData()");
+  script.call("whole", "SetDimensions", size[0], size[1], 1);
+  script.line("name = mote.vtkMoteColorLegend()");
+  script.line("name.CaptionOnTopOn()");
+  script.call("name", "SetFontScale", settings.picture.fontScale);
+  writeViewFunction(script);
   const auto view = [&](const std::string& numbers, const std::string& caption, int left,
                       int bottom, int width, int height)
   {
@@ -216,12 +223,21 @@ void writeViews(Script& script, const Stage& stage, const Settings& settings)
                 python(bottom) + ", " + python(width) + ", " + python(height) + ")");
   };
   const std::vector<vtkProp3D*> written = writtenProps(stage);
+  vtkNew<vtkCamera> camera;
+  bool isAside = false; // the camera, by now
   for (std::size_t i = 0; i < views.size(); ++i)
   {
     std::string numbers;
     for (vtkProp3D* prop : stage.propsOf(views[i]))
       if (const auto at = std::find(written.begin(), written.end(), prop); at != written.end())
         numbers += std::to_string(at - written.begin()) + ",";
+    if (const auto aside = stage.asideOf(views[i]); isAside || aside != std::array<double, 3>())
+    {
+      moveAside(camera, stage.renderer()->GetActiveCamera(), aside);
+      script.vector("camera", "SetPosition", camera->GetPosition());
+      script.vector("camera", "SetFocalPoint", camera->GetFocalPoint());
+      isAside = true;
+    }
     view(
       numbers, stage.viewName(views[i]), sides.left(i), sides.bottom(i), sides.width, sides.height);
   }

@@ -1,10 +1,10 @@
 #include "Views.h"
 
 #include "settings/Colors.h"
+#include "stage/Framing.h"
 #include "stage/SideBySide.h"
 
 #include <vtkActor2D.h>
-#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCoordinate.h>
 #include <vtkLight.h>
@@ -78,6 +78,7 @@ Views::Views(Stage& stage, vtkRenderWindow* window)
   {
     column.renderer->SetActiveCamera(stage.renderer()->GetActiveCamera());
     column.renderer->AutomaticLightCreationOff();
+    column.renderer->InteractiveOff(); // the mouse turns the stage's camera
     vtkTextProperty* look = column.title->GetTextProperty();
     look->SetFontSize(nameSize);
     look->SetJustificationToCentered();
@@ -303,10 +304,36 @@ void Views::update(const PickedSet& picked)
   }
   for (const auto& divider : dividers_)
     divider->GetProperty()->SetColor(dividerInk(stage_.renderer()).data());
-  // One camera sees all, and cuts nothing off in any view.
+  // One camera sees all that lies together, and cuts nothing off in any view.
   double bounds[6];
   stage_.bounds(bounds);
   stage_.renderer()->ResetCameraClippingRange(bounds);
+  for (std::size_t i = 0; i < columns_; ++i)
+    this->placeCamera(column_[i]);
+}
+
+void Views::placeCamera(Column& column)
+{
+  vtkCamera* shared = stage_.renderer()->GetActiveCamera();
+  const auto aside = stage_.asideOf(column.view.parts());
+  const bool isOwn = aside != std::array<double, 3>();
+  if (isOwn && (aside != column.aside || shared->GetMTime() != column.copied))
+    moveAside(column.camera, shared, aside);
+  column.aside = aside;
+  column.copied = shared->GetMTime();
+  vtkCamera* wanted = isOwn ? column.camera.Get() : shared;
+  if (column.renderer->GetActiveCamera() != wanted)
+    column.renderer->SetActiveCamera(wanted);
+  if (isOwn)
+    column.renderer->ResetCameraClippingRange();
+}
+
+std::array<double, 3> Views::asideOf(const View* view) const
+{
+  for (std::size_t i = 0; i < columns_; ++i)
+    if (&column_[i].view == view)
+      return column_[i].aside;
+  return {};
 }
 
 //------------------------------------------------------------------------------------------------

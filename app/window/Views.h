@@ -3,6 +3,7 @@
 #include "View.h"
 #include "stage/Stage.h"
 
+#include <vtkCamera.h>
 #include <vtkMoteRayCastPass.h>
 #include <vtkNew.h>
 #include <vtkTextActor.h>
@@ -21,7 +22,7 @@ namespace mote::app
 
 /// Where the window shows the data: all in the stage's renderer, or, with --side-by-side, each view
 /// in a renderer of its own below that one, which then has the texts and the legend alone. All have
-/// one camera.
+/// one camera; where data lie elsewhere it is moved aside by as much.
 class Views
 {
 public:
@@ -42,6 +43,8 @@ public:
 
   /// The view at a place of the window in pixels; null where there is none.
   View* at(int x, int y);
+  /// How far the camera is moved aside in it.
+  std::array<double, 3> asideOf(const View* view) const;
   /// Those that show data.
   std::vector<View*> shown();
   /// For what is drawn over all of them.
@@ -74,12 +77,16 @@ private:
     vtkNew<vtkRenderer> renderer;
     View view{renderer};
     vtkNew<vtkTextActor> title;
+    vtkNew<vtkCamera> camera; ///< where the data lie elsewhere than those of the first
+    std::array<double, 3> aside{};
+    vtkMTimeType copied = 0;     ///< the time of the camera that it was made of
     std::vector<vtkProp*> props; ///< of the data that it shows
   };
   bool isSideBySide() const { return columns_ > 0; }
   void setColumns(std::size_t count);
   void move(const std::vector<std::vector<std::size_t>>& views);
   void lay();
+  void placeCamera(Column& column);
   int pixels(int size) const { return static_cast<int>(std::lround(scale_ * size)); }
   void copyLook(vtkRenderer* to) const;
   std::array<int, 4> area() const;

@@ -390,8 +390,9 @@ void Window::onRenderStart()
 void Window::onRenderEnd()
 {
   const double presenting = vtkTimerLog::GetUniversalTime();
-  if (!presenter_.present() && panelHost_)
-    panelHost_->lose(); // nobody has seen what was drawn of it
+  // Nobody has seen what was drawn of it, or a bar's frame lies over it.
+  if ((!presenter_.present() || busy_) && panelHost_)
+    panelHost_->lose();
   if (busy_)
     return;
   if (takeFileCut())

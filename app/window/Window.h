@@ -220,6 +220,7 @@ private:
   void center();
   void setUpHover();
   void moveCursor();
+  void hoverAgain();
   void hover();
   void leaveWindow();
   void renderOverlays();
@@ -264,7 +265,7 @@ private:
   bool hasOtherHandles_ = false;       ///< than the last frame showed
   PanelWish wish_;                     ///< what the user did in the last frame
   std::optional<Settings> beforeHold_; ///< as the settings were when a control was taken hold of
-  std::unique_ptr<StepCache> cache_;   ///< null: nothing is read ahead
+  std::shared_ptr<StepCache> cache_;   ///< null: nothing is read ahead
   StepCache::Facts cacheShown_;        ///< as the panel has it
   std::string cacheSize_;              ///< as the settings said when it was made
   WindowPaths paths_;

@@ -328,6 +328,7 @@ void Window::zoom(double factor)
   else
     camera->Dolly(factor);
   stage_.renderer()->ResetCameraClippingRange();
+  this->hoverAgain();
   this->renderMoving();
 }
 
@@ -382,7 +383,7 @@ void Window::savePicture()
       Picture picture(stage_, this->savedSize());
       picture.setLineScale(this->savedScale());
       picture.aim(file);
-      paths_.follow(this->settings(), input_);
+      paths_.follow(this->settings(), input_, cache_);
       if (paths_.isShown())
         paths_.paths()->finish(progress_);
       picture.setPaths(paths_.paths());

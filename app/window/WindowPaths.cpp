@@ -3,7 +3,8 @@
 namespace mote::app
 {
 
-void WindowPaths::follow(const Settings& settings, const Input& input)
+void WindowPaths::follow(
+  const Settings& settings, const Input& input, const std::weak_ptr<StepCache>& cache)
 {
   const IdRanges& wanted = settings.marks.trajectories;
   if (wanted.empty() || input.files().empty())
@@ -17,7 +18,7 @@ void WindowPaths::follow(const Settings& settings, const Input& input)
   times_ = input.times();
   shown_ = 0;
   paths_ = nullptr; // before the next one reads
-  paths_ = std::make_unique<ParticlePaths>(input.again(), wanted, settings);
+  paths_ = std::make_unique<ParticlePaths>(input.again(), wanted, settings, cache);
 }
 
 void WindowPaths::clear()

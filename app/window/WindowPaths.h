@@ -14,8 +14,8 @@ class WindowPaths
 {
 public:
   /// Reads what --trajectories of the settings asks for, where that is other than before
-  /// or the input's steps are.
-  void follow(const Settings& settings, const Input& input);
+  /// or the input's steps are. The cache may have steps of the input.
+  void follow(const Settings& settings, const Input& input, const std::weak_ptr<StepCache>& cache);
   void clear();
 
   /// Takes what was read by now; whether there is more than before.

@@ -149,8 +149,10 @@ std::string Window::factsOf(const Hit& hit, int mostArrays) const
       what =
         factLine("volume", asNumber(hit.value) + " at the most opaque place of a ray that is " +
                              asNumber(std::ceil(100.0 * hit.cloudOpacity)) + " % opaque");
-    else if (!part.surface())
-      what = factLine("iso-surface", asNumber(hit.value));
+    else if (!part.surface() && std::isfinite(hit.value)) // of walls no value is known
+      what = stage_.shown().volume.isoValues.empty()
+               ? factLine("here", stage_.coloring().title() + ' ' + asNumber(hit.value))
+               : factLine("surface", asNumber(hit.value));
     else if (!part.surface()->mapper()->IsColoredByCells() && std::isfinite(hit.value))
       what = factLine("here", stage_.coloring().title() + ' ' + asNumber(hit.value));
     vtkDataSet* data = part.data();
@@ -433,9 +435,14 @@ void Window::center()
   vtkCamera* camera = stage_.renderer()->GetActiveCamera();
   camera->GetFocalPoint(focus);
   camera->GetPosition(position);
+  std::array<double, 3> at = hit->at;
+  const auto aside = views_.asideOf(views_.at(cursor[0], cursor[1]));
   for (std::size_t i = 0; i < 3; ++i)
-    position[i] += hit->at[i] - focus[i];
-  camera->SetFocalPoint(hit->at.data());
+  {
+    at[i] -= aside[i];
+    position[i] += at[i] - focus[i];
+  }
+  camera->SetFocalPoint(at.data());
   camera->SetPosition(position);
   stage_.renderer()->ResetCameraClippingRange();
 }
@@ -475,6 +482,15 @@ void Window::moveCursor()
     hoverTimer_ = 0;
   if (wasTold)
     this->renderOverlays();
+}
+
+/// What is under the cursor is told anew, as it may be another thing now.
+void Window::hoverAgain()
+{
+  if (!overlay_.hasTip())
+    return;
+  overlay_.hideTip();
+  this->startTimer(hoverTimer_, hoverAfter);
 }
 
 void Window::hover()

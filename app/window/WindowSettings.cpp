@@ -62,6 +62,7 @@ void Window::change(const Settings& next, const std::function<std::string()>& me
 bool Window::follow(const Settings& next, RecordedEvent::Kind how)
 {
   const Settings before = this->settings();
+  this->hoverAgain();
   this->note(how, next);
   const auto show = [&](const Settings& wanted)
   {

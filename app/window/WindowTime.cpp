@@ -94,7 +94,7 @@ void Window::startCache()
   const std::uint64_t budget = memoryOf(cacheSize_).value_or(0);
   if (budget == 0 || input_.numberOfSteps() < 2)
     return;
-  cache_ = std::make_unique<StepCache>(budget, addOcclusionMaps);
+  cache_ = std::make_shared<StepCache>(budget, addOcclusionMaps);
   cache_->setPlace(step_, direction_, false);
   cache_->setInput(input_.again(), true);
   this->planCache();
@@ -219,7 +219,7 @@ void Window::changePaths()
 /// Reads the paths that the settings ask for.
 void Window::followPaths()
 {
-  paths_.follow(this->settings(), input_);
+  paths_.follow(this->settings(), input_, cache_);
   if (paths_.isReading())
     this->startTimer(pathTimer_, pathPause);
   else
@@ -255,7 +255,7 @@ void Window::readOverTime(const IdRanges& ids)
 {
   const IdRanges wanted = ids; // before the one that has them goes
   overTime_ = nullptr;
-  overTime_ = std::make_unique<ValuesOverTime>(input_.again(), wanted, this->settings());
+  overTime_ = std::make_unique<ValuesOverTime>(input_.again(), wanted, this->settings(), cache_);
   this->startTimer(overTimeTimer_, pathPause);
 }
 

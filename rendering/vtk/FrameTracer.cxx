@@ -81,6 +81,7 @@ void makeDraft(Scene& scene, bool rough)
   for (CloudObject& cloud : scene.clouds)
     if (rough)
       cloud.sampling.tolerance = std::max(cloud.sampling.tolerance, draftRayTolerance);
+  scene.occlusion.isAssumed = scene.occlusion.rays > 0; // or it would be brighter than the last
   scene.occlusion.rays = scene.paths.bounces = 0;
   for (Light& light : scene.lights)
     light.samples = 1;

@@ -54,6 +54,12 @@ TEST_F(Opening, OtherDataTakeNothingThatSpeaksOfTheFormer)
   now.data.threads = 2;
   now.color.array = "energy";
   now.selection.where = "energy > 2";
+  now.cuts.ranges = {{"x", {{0.0, 1.0}}}};
+  now.cuts.axis = {1.0, 0.0, 0.0};
+  now.flow.lines = 20;
+  now.marks.picked = {"7"};
+  now.marks.trajectories = IdRanges({{0, 7, 7}});
+  now.film.steps = "2:9";
   now.camera.camera = std::vector<double>(10, 1.0);
   now.light.shadows = "soft";
   now.picture.title = "energy";

@@ -2,8 +2,10 @@
 // gives, and stay within their budget.
 
 #include <stage/Input.h>
+#include <stage/ParticlePaths.h>
 #include <stage/Stage.h>
 #include <stage/StepCache.h>
+#include <stage/ValuesOverTime.h>
 
 #include <gtest/gtest.h>
 #include <vtkMoteMeshMapper.h>
@@ -11,9 +13,11 @@
 #include <vtkMoteVolumeMapper.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
+#include <vtkPolyData.h>
 #include <vtkVolume.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -100,7 +104,7 @@ protected:
     input->open(progress);
     stage = std::make_unique<Stage>(settings);
     this->show(input->read(0, progress), nullptr);
-    cache = std::make_unique<StepCache>(budget);
+    cache = std::make_shared<StepCache>(budget);
     cache->setPlace(0, 1, false);
     cache->setInput(input->again(), true);
     cache->setPlan(stage->readyPlan());
@@ -133,7 +137,7 @@ protected:
   ProgressRelay progress;
   std::unique_ptr<Input> input;
   std::unique_ptr<Stage> stage;
-  std::unique_ptr<StepCache> cache;
+  std::shared_ptr<StepCache> cache;
 };
 
 } // namespace
@@ -331,6 +335,50 @@ TEST_F(StepCacheTest, StepsThatCannotBeReadAreLeftToWhoShowsThem)
     EXPECT_TRUE(this->comes(step)) << step;
   EXPECT_FALSE(cache->has(2));
   EXPECT_FALSE(cache->take(2));
+}
+
+TEST_F(StepCacheTest, OthersNeedNotReadWhatIsThere)
+{
+  const std::string file = this->dump();
+  this->begin({file});
+  cache->keep(0, stage->ready());
+  ASSERT_TRUE(this->rests());
+  auto forPaths = input->again(), forValues = input->again();
+  std::filesystem::remove(file);
+  settings.data.calculations = {{"twice", "2*y"}};
+  const ParticlePaths paths(std::move(forPaths), IdRanges({{0, 5, 5}}), settings, cache);
+  const ValuesOverTime values(std::move(forValues), IdRanges({{0, 5, 5}}), settings, cache);
+  paths.finish(progress);
+  while (values.stepsRead() < steps)
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  vtkNew<vtkPolyData> lines;
+  paths.fill(lines, {0});
+  EXPECT_EQ(lines->GetNumberOfCells(), steps - 1);
+  const auto curves = values.curves("twice");
+  ASSERT_EQ(curves.size(), 1u);
+  for (int step = 0; step < steps; ++step)
+    EXPECT_NEAR(curves.front().values[static_cast<std::size_t>(step)], 0.2 * step, 1e-5) << step;
+}
+
+TEST_F(StepCacheTest, WhatOthersReadIsKept)
+{
+  this->begin({this->dump()});
+  const ReadyPlan plan = stage->readyPlan();
+  cache = std::make_shared<StepCache>(1'000'000'000); // without a plan it reads nothing itself
+  cache->setInput(input->again(), true);
+  cache->setPlace(0, 1, false);
+  ParticlePaths(input->again(), IdRanges({{0, 5, 5}}), settings, cache).finish(progress);
+  std::filesystem::remove(settings.data.files.front());
+  for (int step = 1; step < steps; ++step)
+    EXPECT_TRUE(cache->has(step)) << step;
+  EXPECT_FALSE(cache->original(1, 11.0)) << "of another time";
+  cache->setPlan(plan);
+  ASSERT_TRUE(this->rests());
+  auto ready = cache->take(steps - 1);
+  ASSERT_TRUE(ready);
+  ASSERT_EQ(ready->parts.size(), 1u) << "and built";
+  this->show(ready->original, &*ready);
+  EXPECT_EQ(stage->numberOfParticles(), 100 + steps - 1);
 }
 
 TEST_F(StepCacheTest, EndsAtOnceWhateverIsUnderWay)

@@ -334,6 +334,7 @@ case $3 in
     picture all.png
     drag plot 0.1 0.2 0.3 0.5
     has '--show=c_centro=[0-9.]+:[0-9.]+ '
+    has_no '--show=[^ ]*[0-9]{10}' # digits that nobody dragged
     picture some.png
     differ all.png some.png
     click 'plot visible' 0.1
@@ -370,6 +371,14 @@ case $3 in
     has_no '--show'
     picture undone.png
     alike all.png undone.png
+    drag plot 0.2 0.4 0.7 # along x alone: z is left as it is
+    has '--show=c_centro=[0-9.]+:[0-9.]+ '
+    has_no '--show=z'
+    picture flat.png
+    differ all.png flat.png
+    press ctrl+z
+    picture undone.png
+    alike all.png undone.png
     # The ranges come up above the plot; what is pressed in it stays under the mouse.
     click 'group Selection' 0.8
     over plot 0.2 0.5
@@ -382,6 +391,26 @@ case $3 in
     has '--show=z=[-0-9.]+:[0-9.]+ '
     command_now | sed 's/.*--show=z=\([-0-9.]*\):\([0-9.]*\) .*/\1 \2/' |
       awk '{ exit !($2 > $1 && $2 - $1 < 0.15 * 39.77) }' || fail "the plot went away: $(command_now)"
+    quit
+    ;;
+
+  usual) # what colours is plotted over time, though the first steps lack it
+    { for time in 0 5; do
+        printf 'ITEM: TIMESTEP\n%s\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ff ff ff\n' $time
+        printf '0 20\n0 20\n0 20\nITEM: ATOMS id type x y z\n7 1 10 10 10\n'
+      done
+      for time in 10 15; do
+        printf 'ITEM: TIMESTEP\n%s\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ff ff ff\n' $time
+        printf '0 20\n0 20\n0 20\nITEM: ATOMS id type x y z heat\n7 1 10 10 10 %s\n' $time
+      done; } >warm.dump
+    open warm.dump --size 900x1000 --radius 3 --view +x --color-by heat --step last
+    xdotool mousemove 600 500
+    press p
+    shown 'picked list'
+    click 'group Colour' 0.8
+    click 'group Selection' 0.8
+    click 'Plot over time'
+    shown '10 to 15, t = 0 to 15'
     quit
     ;;
 

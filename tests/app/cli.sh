@@ -201,6 +201,13 @@ case $3 in
     run 0 "$mote" render "$copper" -o last.png --size 320x200 --caption ''
     run 0 "$mote" render "$copper" -o first.png --size 320x200 --caption '' --step first
     cmp -s last.png first.png && fail "first and last step look alike"
+    # No value is none, and not the word behind it.
+    run 0 "$mote" render "$copper" -o empty.png --caption= --size 320x200
+    alike last.png empty.png
+    run 0 "$mote" render "$copper" --caption= -o empty.png --size=320x200
+    alike last.png empty.png
+    run 2 "$mote" render "$copper" -o empty.png --samples= --size 320x200
+    said err samples
     run 0 "$mote" render "$copper" -o all.png --size 320x200 --all-steps
     [ ! -e all.0000.png ] && [ -e all.0001.png ] && [ -e all.0002.png ] || fail "no numbered pictures"
     [ "$(wc -l <out)" = "$(ls all.*.png | wc -l)" ] || fail "not a line for every picture"

@@ -79,6 +79,14 @@ case $3 in
     xdotool key --window 0 Return
     titled copper-scratch
     has "render [^ ]*lists/copper-scratch.dump.gz "
+    # What is no file is made.
+    press ctrl+o
+    shown Cancel
+    xdotool type --window 0 --delay 20 pump:0.001:rotor
+    xdotool key --window 0 Return
+    titled pump:0.001
+    press ctrl+z
+    titled copper
     # What was open last is offered.
     dialog_on "$folder/lists" Recent
     click Recent

@@ -34,6 +34,34 @@ case $3 in
     quit
     ;;
 
+  busy) # what lay behind a bar is drawn again, all of it
+    many_particles many.vtp
+    open many.vtp --size 1000x700 --no-preview --samples 1
+    for group in Colour Selection; do
+      click "group $group" 0.8
+    done
+    xdotool mousemove 700 600
+    before=$(at_rest 0 60 300 500)
+    xdotool key --window 0 bracketright # is built anew
+    has '--radius-scale='
+    xdotool mousemove 700 610
+    [ "$(at_rest 0 60 300 500)" = "$before" ] || fail "the panel stays as it was behind the bar"
+    quit
+    ;;
+
+  arrays) # of a data set, each with its range beside it or below
+    open pump:0.001 --size 1000x900
+    click 'data 1 arrays'
+    shown 'data 1 range of velocity:magnitude'
+    read -r right _ < <(place 'data 1 range of velocity:magnitude' 1)
+    [ "$right" -le 302 ] || fail "the range ends at $right"
+    read -r left y < <(place 'data 1 range of velocity:magnitude' 0)
+    read -r _ name < <(place 'data 1 velocity:magnitude' 0)
+    # The name ends at 145.
+    [ "$left" -gt 150 ] || [ "$y" -gt $((name + 8)) ] || fail "the range lies over the name"
+    quit
+    ;;
+
   rows) # every row of the table has a control, or is among the few that need none
     open "$copper" --size 1000x980
     shown 'group Picture'

@@ -133,6 +133,39 @@ case $3 in
     quit
     ;;
 
+  apart) # what lies elsewhere is in the middle of its view, too
+    awk 'BEGIN { srand(3); print 300; print ""
+      for (i = 0; i < 300; i++) print "Ar", 10 * rand(), 10 * rand(), 10 * rand() }' >a.xyz
+    awk -v OFMT=%.9g 'NR < 3 { print } NR >= 3 { print $1, $2 + 1024, $3 - 256, $4 + 64 }' a.xyz >b.xyz
+    plain='--side-by-side --no-legend --color-by none --samples 1'
+    # shellcheck disable=SC2086
+    {
+      run 0 "$mote" render a.xyz b.xyz $plain -o both.png --size 400x300
+      alike_halves both.png 60 0
+      open a.xyz b.xyz $plain --size 1000x600
+    }
+    picture both.png
+    alike_halves both.png 60 40
+    xdotool mousemove 750 300 mousedown 1 mousemove 790 310 sleep 0.1 mousemove 820 330 mouseup 1
+    has '--camera='
+    picture turned.png
+    differ both.png turned.png
+    alike_halves turned.png 60 40
+    eval "$(command_now | sed -e "s|^mote|$mote|" -e 's|-o [^ ]*|-o head.png|')" >said
+    alike turned.png head.png
+    xdotool mousemove 740 290
+    press f # what is there comes to the middle of both
+    picture middle.png
+    differ turned.png middle.png
+    alike_halves middle.png 60 40
+    press v # together they are far apart
+    picture one.png
+    press v
+    picture back.png
+    alike middle.png back.png
+    quit
+    ;;
+
   panel) # has a box for it where there are two data sets
     folded=
     open a.dump.gz b.dump.gz --size 1300x700 --color-by none --samples 1

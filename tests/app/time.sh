@@ -350,6 +350,12 @@ SCRIPT
     cmp warm-001-over-time.csv wanted.csv || { cat warm-001-over-time.csv; fail 'other values over time'; }
     click 'over time' 0.34
     at 2
+    write time 11 # the latest step at or before it
+    at 3
+    write time -1
+    at 3 # there is none before 0
+    write time 5
+    at 2
     click 'over time of'
     click twice
     picture twice.png

@@ -167,7 +167,10 @@ case $3 in
     viewed -- tetrahedron.ply --color-by z --hide-ids 2
     viewed -- "$data/swirl.1.vtu" "$copper" tetrahedron.ply --side-by-side --color-by z
     viewed -- "$copper" --percentiles 2 98
-    [ $views = 21 ] || fail "$views views"
+    printf '2\n\nAr 0 0 0\nNe 3 2 1\n' >near.xyz
+    printf '2\n\nAr 100 0 0\nNe 103 2 1\n' >far.xyz
+    viewed -- near.xyz far.xyz --side-by-side --color-by z
+    [ $views = 22 ] || fail "$views views"
     ;;
 
   mouse)

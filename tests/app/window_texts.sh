@@ -116,6 +116,16 @@ case $3 in
     until_is other "nothing is told any more"
     xdotool mousemove $((x + 800)) $((y + 500)) # out of the window
     until_is same "what was told stays when the cursor has left"
+    # What is told is of the step that is shown.
+    xdotool mousemove $((x + 320)) $((y + 210))
+    until_is other "nothing is told before the step changes"
+    before=$(python3 "$tests/screen.py" $((x + 334)) $((y + 223)) 200 100)
+    press Left
+    for _ in $(seq 100); do
+      [ "$(python3 "$tests/screen.py" $((x + 334)) $((y + 223)) 200 100)" != "$before" ] && break
+      sleep 0.05
+    done
+    [ "$(python3 "$tests/screen.py" $((x + 334)) $((y + 223)) 200 100)" != "$before" ] || fail "what is told of the step before stays"
     quit
     # What is told is whole in a narrow view, and lies over the legend.
     open "$data/hopper.dump.gz" --size 400x400 --samples 1 --color-by v

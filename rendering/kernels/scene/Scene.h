@@ -9,12 +9,14 @@ namespace mote
 {
 
 /// Rays that find how much of an even sky the surfaces see, where no maps tell it; see
-/// docs/ambient-occlusion.md. Without such rays surfaces that no map knows see all of it.
+/// docs/ambient-occlusion.md. Without such rays surfaces that no map knows see all of it, or where
+/// it is assumed as much as they see in the mean in dense sets.
 struct OcclusionOptions
 {
   static constexpr int mostRays = 4096;
-  int rays = 0;       ///< a hit, for each sample of a film, up to mostRays; 0 or less: none
-  double reach = 0.0; ///< world units that a ray goes, or infinity; 0 or less: occlusionReach()
+  int rays = 0;           ///< a hit, for each sample of a film, up to mostRays; 0 or less: none
+  double reach = 0.0;     ///< world units that a ray goes, or infinity; 0 or less: occlusionReach()
+  bool isAssumed = false; ///< where there are no rays
 
   bool operator==(const OcclusionOptions&) const = default;
 };

@@ -29,6 +29,7 @@ std::vector<ShadedLight> shadedLights(const Scene& scene, const Vec3d& reference
 
 SceneLighting::SceneLighting(const Scene& scene, const Vec3d& reference, int filmSample)
   : lights(shadedLights(scene, reference, filmSample))
+  , assumesOcclusion(scene.occlusion.isAssumed && scene.occlusion.rays <= 0)
 {
   const bool anyShadows =
     std::any_of(lights.begin(), lights.end(), [](const auto& light) { return light.shadows; });

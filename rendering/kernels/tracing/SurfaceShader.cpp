@@ -358,16 +358,19 @@ void SurfaceShader::shade(
   SurfaceBlock& block, const BundlePlacing& placing, const SceneLighting& lighting, bool ids) const
 {
   const bool positions = needsPositions(object_.material, lighting);
-  if (!usesMaps())
+  if (!usesMaps() && !lighting.assumesOcclusion)
   {
     place(block, placing, positions, ids);
     return lightSurfaces(block, object_, lighting, placing.footprint);
   }
   OcclusionLookUp found; // texels are on their way while surfaces are placed
-  object_.occlusion->find(block.slot, block.count, found);
+  if (usesMaps())
+    object_.occlusion->find(block.slot, block.count, found);
   place(block, placing, positions, ids);
   float shares[SurfaceBlock::capacity];
-  lookUpShares(block, found, shares);
+  std::fill_n(shares, block.count, std::numeric_limits<float>::quiet_NaN());
+  if (usesMaps())
+    lookUpShares(block, found, shares);
   // Maps are of the whole: what lay before a cut is not there.
   forCuts(block, placing, [&](int k, const Vec3d&) { shares[k] = 1.0f; });
   for (int k = 0; k < block.count && !lighting.occlusion; ++k)

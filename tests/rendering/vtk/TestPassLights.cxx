@@ -7,6 +7,8 @@
 #include "vtkProperty.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 using namespace mote::testing;
 
@@ -122,8 +124,10 @@ TEST_F(Lights, WorkWithoutThePass)
   EXPECT_LT(differentPixels(drawing.shoot(), plain.shoot(), 2), 20);
 }
 
-TEST_F(Lights, OcclusionIsLeftOutWhileTheViewMovesAndAllThereAtRest)
+TEST_F(Lights, OcclusionIsAnEvenOneWhileTheViewMovesAndAllThereAtRest)
 {
+  const auto brightness = [](const Shot& shot)
+  { return std::accumulate(shot.color.begin(), shot.color.end(), 0.0) / shot.color.size(); };
   light->ShadowsOff();
   actor->GetProperty()->SetAmbient(0.6);
   vtkMoteShading* shading = pass->GetShading();
@@ -143,7 +147,10 @@ TEST_F(Lights, OcclusionIsLeftOutWhileTheViewMovesAndAllThereAtRest)
   shading->SetAmbientOcclusionSamples(0);
   const Shot without = drawing.shoot();
   shading->SetAmbientOcclusionSamples(8);
-  EXPECT_EQ(differentPixels(without, drawing.shoot(), 0), 0);
+  const Shot moving = drawing.shoot();
+  EXPECT_LT(brightness(moving), brightness(without));
+  EXPECT_LT(std::abs(brightness(moving) - brightness(still)),
+    0.6 * std::abs(brightness(without) - brightness(still)));
   drawing.window->SetDesiredUpdateRate(0.001);
   EXPECT_EQ(differentPixels(still, drawing.shoot(), 0), 0);
   EXPECT_TRUE(pass->IsConverged());

@@ -32,6 +32,7 @@ struct SceneLighting
   std::optional<SceneRays> rays; ///< where shadows or occlusion cast any
   std::optional<ShadowCaster> shadows;
   std::optional<AmbientOcclusion> occlusion;
+  bool assumesOcclusion = false; ///< of what nobody asks rays or maps for
 };
 
 } // namespace mote
