@@ -149,12 +149,14 @@ std::string Window::factsOf(const Hit& hit, int mostArrays) const
       what =
         factLine("volume", asNumber(hit.value) + " at the most opaque place of a ray that is " +
                              asNumber(std::ceil(100.0 * hit.cloudOpacity)) + " % opaque");
-    else if (!part.surface() && std::isfinite(hit.value)) // of walls no value is known
-      what = stage_.shown().volume.isoValues.empty()
-               ? factLine("here", stage_.coloring().title() + ' ' + asNumber(hit.value))
-               : factLine("surface", asNumber(hit.value));
-    else if (!part.surface()->mapper()->IsColoredByCells() && std::isfinite(hit.value))
-      what = factLine("here", stage_.coloring().title() + ' ' + asNumber(hit.value));
+    else if (const Surface* surface = part.surface();
+             std::isfinite(hit.value) && !(surface && surface->mapper()->IsColoredByCells()))
+    {
+      // Of a volume's walls no value is known; what is no isosurface is a slice.
+      const bool isIso = !surface && !stage_.shown().volume.isoValues.empty();
+      what = isIso ? factLine("surface", asNumber(hit.value))
+                   : factLine("here", stage_.coloring().title() + ' ' + asNumber(hit.value));
+    }
     vtkDataSet* data = part.data();
     what += factLine("cell", which) + factLine("position", asTuple(hit.at.data(), 3));
     const PlacedCell placed = placedCell(part, picked.id, hit.at);

@@ -226,6 +226,13 @@ case $3 in
     rectangle 3 340 40 980 740
     picked 1
     quit
+    # Walls and slices of a volume have cells, too, and what is told of them makes sense.
+    open pump:0.001:rotor --size 1000x800
+    for x in 500 560 620 680 740; do
+      xdotool mousemove $x 400 sleep 0.7 click 1 sleep 0.1
+    done
+    shown 'picked list'
+    quit
     ;;
 
   copy) # puts the list into the clipboard

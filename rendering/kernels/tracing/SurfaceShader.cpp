@@ -352,6 +352,10 @@ namespace
 /// sky in the mean, so that baked ones among others are no pattern.
 constexpr float typicalShare = 0.6f;
 
+/// The same in drafts, of sets that are dense and others: both are nearer to their mean than if
+/// they saw all of the sky.
+constexpr float draftShare = 0.7f;
+
 } // namespace
 
 void SurfaceShader::shade(
@@ -375,7 +379,7 @@ void SurfaceShader::shade(
   forCuts(block, placing, [&](int k, const Vec3d&) { shares[k] = 1.0f; });
   for (int k = 0; k < block.count && !lighting.occlusion; ++k)
     if (std::isnan(shares[k]) && block.side[k] > 0.0f)
-      shares[k] = typicalShare;
+      shares[k] = usesMaps() ? typicalShare : draftShare;
   lightSurfaces(block, object_, lighting, placing.footprint, shares);
 }
 
