@@ -395,6 +395,11 @@ void Window::onRenderEnd()
     panelHost_->lose();
   if (busy_)
     return;
+  if (Messages::takeError() == std::bad_alloc().what()) // and is not drawn
+  {
+    this->endCache();
+    this->tell("There is not enough memory to draw this; what was read ahead is given up");
+  }
   if (takeFileCut())
     Messages::warn("A file was cut short while it was in use: what is shown of it may be wrong");
   const double traceTime = views_.traceTime();
