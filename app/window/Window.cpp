@@ -376,6 +376,7 @@ void Window::onRenderStart()
   this->updatePanel();
   if (viewedSize_ != views_.size() && view_ == this->viewNow())
     this->look();
+  this->letGoWithoutPanel();
   recorder_.note(this->state());
   if (picked_.empty() && picked_.numberAway() == 0)
     overTime_ = nullptr; // whose values it has

@@ -118,6 +118,7 @@ private:
   void takeWish();
   void takeSettings(Settings next, bool isHeld);
   void endHold();
+  void letGoWithoutPanel();
   void togglePanel();
   std::array<int, 2> viewSize() const;
 

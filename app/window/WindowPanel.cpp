@@ -258,6 +258,17 @@ void Window::endHold()
   this->note({.kind = RecordedEvent::Kind::Release});
 }
 
+/// A control that was held while the panel went, as in a window that became too small for it, is
+/// let go of: nobody would say so any more, and what the view chooses from then on was not noted.
+void Window::letGoWithoutPanel()
+{
+  const bool isThere = panelHost_ && panelOn_ && panelHost_->width() > 0;
+  if (!beforeHold_ || isThere || grip_ || player_ || panelTimer_ != 0)
+    return;
+  wish_ = {};
+  this->startTimer(panelTimer_, soon);
+}
+
 void Window::togglePanel()
 {
   if (!panelHost_)

@@ -98,6 +98,26 @@ case $3 in
     diff first second || fail "other rows"
     ;;
 
+  small) # a window that becomes too small for its panel lets go of what was held there
+    cp "$copper" .
+    open copper-scratch.dump.gz --size 1000x760 --record done.rec
+    click show
+    click c_centro
+    over histogram 0.0
+    xdotool mousedown 1
+    shown 'active histogram'
+    xdotool mousemove $(place histogram 0.1) sleep 0.2 mousemove $(place histogram 0.2)
+    has_row done.rec '"what":"drag"'
+    xdotool windowsize --sync "$window" 289 700 sleep 0.3 mouseup 1
+    has_row done.rec '"what":"release"'
+    xdotool windowsize --sync "$window" 280 500
+    has_row done.rec '"view":[280,500]'
+    session done.json
+    quit
+    run 0 "$mote" render --play done.rec -o played.png --save-session played.json
+    diff <(grep -A11 '"camera": \[' done.json) <(grep -A11 '"camera": \[' played.json) || fail "another camera"
+    ;;
+
   plots) # are chosen again, and what is saved of them is saved again
     cp "$copper" .
     open copper-scratch.dump.gz --size 1000x900 --record plot.rec
