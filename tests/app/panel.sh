@@ -49,22 +49,6 @@ case $3 in
     quit
     ;;
 
-  memory) # that runs out is told, and the window goes on
-    open pump:0.05:rotor --size 900x700 --cache 0 --samples 1
-    has '--step=80 '
-    bytes=$(awk '/VmSize/ { printf "%.0f", 1024 * $2 }' /proc/$process/status)
-    [ "$bytes" -lt 100000000000 ] || { kill $process; exit 0; } # with a sanitizer
-    prlimit --pid $process --as=$((bytes - 100000000)): # what is there already stays
-    press Left
-    shown messages
-    prlimit --pid $process --as=unlimited:
-    press Home
-    has '--step=1 '
-    picture first.png
-    is_picture first.png 580x700
-    quit
-    ;;
-
   arrays) # of a data set, each with its range beside it or below
     open pump:0.001 --size 1000x900
     click 'data 1 arrays'
