@@ -7,6 +7,7 @@
 #include "settings/Colors.h"
 #include "stage/Arrays.h"
 #include "stage/HiddenParts.h"
+#include "stage/PickedTable.h"
 #include "stage/Picture.h"
 #include "table/Row.h"
 #include "table/Script.h"
@@ -351,6 +352,24 @@ std::string Window::unusedName(const std::string& ending) const
 }
 
 /// What the panel plots, as a picture or as its counts.
+void Window::copyPicked()
+{
+  const PickedTable table(stage_.parts(), picked_);
+  std::string text;
+  table.appendNames(text, '\t');
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    table.appendLine(text, row, '\t');
+  clipboard_.set(text);
+  this->say("Copied " + counted(static_cast<std::int64_t>(table.rows()), "line"));
+}
+
+void Window::savePicked(const char* ending)
+{
+  const std::string file = this->unusedName(ending);
+  writePicked(PickedTable(stage_.parts(), picked_), file);
+  this->say("Saved " + file);
+}
+
 void Window::savePlot(const std::string& ending)
 {
   const PlotPanel& shown = panel_.plotNow(picked_);

@@ -409,24 +409,6 @@ void Window::showOnly(
   this->change(this->settingsOf([&](Settings& s) { change(s.selection); }), [&] { return told; });
 }
 
-void Window::copyPicked()
-{
-  const PickedTable table(stage_.parts(), picked_);
-  std::string text;
-  table.appendNames(text, '\t');
-  for (std::size_t row = 0; row < table.rows(); ++row)
-    table.appendLine(text, row, '\t');
-  clipboard_.set(text);
-  this->say("Copied " + counted(static_cast<std::int64_t>(table.rows()), "line"));
-}
-
-void Window::savePicked(const char* ending)
-{
-  const std::string file = this->unusedName(ending);
-  writePicked(PickedTable(stage_.parts(), picked_), file);
-  this->say("Saved " + file);
-}
-
 void Window::center()
 {
   const int* cursor = interactor_->GetEventPosition();

@@ -273,6 +273,42 @@ std::vector<mote::Vec3d> seedsOf(
            : mote::seedsWithin(meshes, count);
 }
 
+/// The lines through the seeds, in pieces.
+std::vector<vtkSmartPointer<vtkPolyData>> tracedFrom(vtkMoteStreamlines* filter,
+  vtkMoteInterpolatedVelocityField* field, const std::vector<mote::Vec3d>& seeds,
+  const std::vector<vtkSmartPointer<vtkDataSet>>& parts, const std::string& vectors)
+{
+  // Each task has tracers and data objects of its own, over the same arrays.
+  vtkBoundingBox bounds;
+  for (const auto& part : parts)
+    bounds.AddBounds(part->GetBounds());
+  const double length = filter->GetMaximumLength() > 0.0 ? filter->GetMaximumLength()
+                                                         : 2.0 * bounds.GetDiagonalLength();
+  const std::size_t tasks = std::min<std::size_t>(
+    seeds.size(), 8 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()));
+  std::vector<vtkSmartPointer<vtkPolyData>> lines(tasks);
+  tbb::parallel_for(std::size_t{0}, tasks,
+    [&](std::size_t task)
+    {
+      const std::size_t first = seeds.size() * task / tasks;
+      const std::size_t end = seeds.size() * (task + 1) / tasks;
+      vtkNew<vtkStreamTracer> tracer;
+      tracer->SetInputDataObject(ownBlocks(parts));
+      tracer->SetSourceData(pointsOf(seeds.data() + first, end - first));
+      tracer->SetInterpolatorPrototype(field);
+      tracer->SetInputArrayToProcess(
+        0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vectors.c_str());
+      tracer->SetIntegratorTypeToRungeKutta45();
+      tracer->SetIntegrationDirectionToBoth();
+      tracer->SetMaximumPropagation(length);
+      tracer->SetMaximumNumberOfSteps(filter->GetMaximumNumberOfSteps());
+      tracer->SetComputeVorticity(false);
+      tracer->Update();
+      lines[task] = tracer->GetOutput();
+    });
+  return lines;
+}
+
 } // namespace
 
 void vtkMoteStreamlines::SetSeedPlaces(vtkPoints* places)
@@ -296,7 +332,6 @@ int vtkMoteStreamlines::RequestData(
   std::vector<vtkSmartPointer<vtkDataSet>> parts;
   std::vector<mote::SeededMesh> meshes;
   Vectors vectors;
-  vtkBoundingBox bounds;
   try
   {
     const auto given = mote::partsOf(vtkDataObject::GetData(inputs[0], 0));
@@ -310,7 +345,6 @@ int vtkMoteStreamlines::RequestData(
     {
       meshes.push_back({this->Impl->structures->get(part, options), mote::placementOf(part),
         part->GetCellGhostArray()});
-      bounds.AddBounds(part->GetBounds());
     }
   }
   catch (const mote::Error& error)
@@ -328,33 +362,9 @@ int vtkMoteStreamlines::RequestData(
   if (isTurned)
     numberParts(parts);
 
-  // Each task has tracers and data objects of its own, over the same arrays.
-  const double length =
-    this->MaximumLength > 0.0 ? this->MaximumLength : 2.0 * bounds.GetDiagonalLength();
   vtkNew<vtkMoteInterpolatedVelocityField> field;
   field->Shared = this->Impl->structures;
-  const std::size_t tasks = std::min<std::size_t>(
-    seeds.size(), 8 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()));
-  std::vector<vtkSmartPointer<vtkPolyData>> lines(tasks);
-  tbb::parallel_for(std::size_t{0}, tasks,
-    [&](std::size_t task)
-    {
-      const std::size_t first = seeds.size() * task / tasks;
-      const std::size_t end = seeds.size() * (task + 1) / tasks;
-      vtkNew<vtkStreamTracer> tracer;
-      tracer->SetInputDataObject(ownBlocks(parts));
-      tracer->SetSourceData(pointsOf(seeds.data() + first, end - first));
-      tracer->SetInterpolatorPrototype(field);
-      tracer->SetInputArrayToProcess(
-        0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vectors.name.c_str());
-      tracer->SetIntegratorTypeToRungeKutta45();
-      tracer->SetIntegrationDirectionToBoth();
-      tracer->SetMaximumPropagation(length);
-      tracer->SetMaximumNumberOfSteps(this->MaximumNumberOfSteps);
-      tracer->SetComputeVorticity(false);
-      tracer->Update();
-      lines[task] = tracer->GetOutput();
-    });
+  const auto lines = tracedFrom(this, field, seeds, parts, vectors.name);
   vtkNew<vtkAppendPolyData> all;
   for (const auto& some : lines)
     if (some->GetNumberOfCells() > 0)

@@ -49,7 +49,7 @@ std::vector<std::string> sampleOf(const Row& row)
     {"type-radius", {"1=0.5", "7=0.30000000000000004"}},
     {"opacity", {"7%=0.1", "12.5=0.3"}},
     {"iso", {"0.1", "-2"}},
-    {"iso-array", {"U", "cell:p"}},
+    {"iso-array", {"cell:it's p"}},
     {"slice", {"z=0.5", "angle=-30,90", "1,1,0=2"}},
     {"wall-color", {"#203040"}},
     {"turn", {"rotor=1500", "case.foam: shaft*=-22.5"}},

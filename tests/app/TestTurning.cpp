@@ -317,3 +317,27 @@ TEST_F(Turning, LinesAndArrowsEndWhereCellsAreHidden)
   stage->flow().built().lines->GetBounds(bounds);
   EXPECT_GT(bounds[1], 2.9);
 }
+
+TEST_F(Turning, StreamlinesThatAreReadyAreNotFoundAgain)
+{
+  settings.flow.lines = 10;
+  settings.flow.array = "U";
+  this->show(0.0);
+  const std::vector<NamedData> next = {this->at(1.0, box())};
+  FlowFinder finder;
+  const ReadyStep ready =
+    makeReady(next, stage->readyPlan(), quietly([](double) { return true; }), {}, finder);
+  ASSERT_EQ(ready.flow.numberOfLines, 10);
+  const ReadyStep own = withOwnData(ready);
+  stage->setData(own.original, &own);
+  stage->build(progress);
+  stage->applyColors();
+  EXPECT_EQ(stage->flow().built().lines, ready.flow.lines);
+  double bounds[6];
+  stage->flow().built().lines->GetBounds(bounds);
+  EXPECT_GT(bounds[3], 2.9) << "where the part stands then";
+  // Other lines fit no more.
+  settings.flow.lines = 12;
+  stage->apply(settings);
+  EXPECT_FALSE(ready.plan.fits(stage->readyPlan()));
+}

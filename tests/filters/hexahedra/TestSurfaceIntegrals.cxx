@@ -155,15 +155,15 @@ TEST(SurfaceIntegrals, GhostsDoNotCount)
   {
     double bounds[6];
     grid->GetCellBounds(cell, bounds);
-    // Beyond x = 0.5 all are hidden or another's.
-    marks->InsertNextValue(bounds[0] < 0.49 ? 0
+    // Beyond x = 1.5 all are hidden or another's.
+    marks->InsertNextValue(bounds[0] < 1.49 ? 0
                            : bounds[2] < 0.49
                              ? static_cast<unsigned char>(vtkDataSetAttributes::HIDDENCELL)
                              : static_cast<unsigned char>(vtkDataSetAttributes::DUPLICATECELL));
   }
   grid->GetCellData()->AddArray(marks);
   Integrals found(grid);
-  const double center[3] = {0.5, 0.5, 0.3}, normal[3] = {0.0, 0.0, 1.0};
+  const double center[3] = {1.5, 0.5, 0.3}, normal[3] = {0.0, 0.0, 1.0};
   found.filter->AddPlane("middle", center, normal);
   found.filter->AddBoundary("walls");
   EXPECT_NEAR(found(0, "area"), 0.5, 1e-12);

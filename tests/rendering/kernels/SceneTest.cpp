@@ -43,7 +43,7 @@ TEST(Scene, EqualsItsCopyAndNothingElse)
     [](Scene& s) { s.surfaces[0].coloring.constant.r = 0.0f; },
     [&](Scene& s) { s.surfaces[0].coloring.values = ArrayView(&value, 1, 1); },
     [](Scene& s) { s.surfaces[0].coloring.map.upper = 2.0; },
-    [](Scene& s) { s.surfaces[1].coloring.palette[0].g = 0.25f; },
+    [](Scene& s) { s.surfaces[1].coloring.map.table[0].g = 0.25f; },
     [](Scene& s) { s.surfaces[1] = isoSurfacesOf(s.clouds[0], {0.75}); },
     [](Scene& s) { s.clouds[0].transfer.unitDistance = 2.0; },
     [](Scene& s) { s.clouds[0].sampling.step = 0.5; }, [](Scene& s) { s.clouds[0].shade = true; },
