@@ -42,7 +42,7 @@ bool ReadyPlan::fits(const ReadyPlan& other) const
          a.structure == b.structure && a.integrator == b.integrator && a.cloud == b.cloud &&
          a.isoValues.empty() == b.isoValues.empty() && // which need a structure
          (a.isoValues.empty() || a.isoArray == b.isoArray) &&
-         hasSlices(a) == hasSlices(b) &&               // the same
+         hasSlices(a) == hasSlices(b) && // the same
          (a.walls.value_or(0.0) > 0.0) == (b.walls.value_or(0.0) > 0.0) &&
          settings.color.array == other.settings.color.array &&
          !Flow::areOther(settings, other.settings) && this->fitsCalculations(other.settings);

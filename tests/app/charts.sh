@@ -140,9 +140,12 @@ assert len({r.get("fill") for r in rects}) > 100  # the colours of the legend
 PYTHON
     run 0 "$mote" average "$data"/swirl.*.vtu -a p --over radial --all-steps -o steps.svg
     said steps.svg '>t = 7.5<'
-    run 1 "$mote" average "$data"/swirl.*.vtu -a p --all-steps -o a.png
-    one_sentence
-    said err '--over'
+    # A map of all steps shows their mean, which is that of neither.
+    run 0 "$mote" average "$data"/swirl.*.vtu -a p --all-steps -o mean.png
+    for step in 1 2; do
+      run 0 "$mote" average "$data"/swirl.*.vtu -a p --step $step -o one.png
+      ! cmp -s one.png mean.png || fail "the mean is step $step"
+    done
     run 1 "$mote" average "$swirl" -a p --over axial --curves nothing -o a.png
     said err 'no column nothing'
     ;;

@@ -21,7 +21,7 @@ while read -r command; do
   case $command in
     'mote --follow '*) continue ;; # goes on
     data/make-rotor.py*) python3 $command >out || fail "$command"; continue ;;
-    'mote '[a-z]*' '* | 'mote data/'* | 'mote lattice:'*) ;;
+    'mote '[a-z]*' '* | 'mote data/'* | 'mote lattice:'* | 'mote '*.vtu) ;;
     *) fail "what is '$command'?" ;;
   esac
   # What opens a window makes a picture instead: the same options, the same data.

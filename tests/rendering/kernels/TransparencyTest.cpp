@@ -134,14 +134,16 @@ TEST(Transparency, BetweenObjectsAndKinds)
   const CloudObject volume =
     volumeOf(mesh, pointValues(*mesh, [](const Vec3d& p) { return p.z; }), evenTransfer(0.5F));
   addTo(row.scene, isoSurfacesOf(volume, {5.5, 4.5}));
-  row.scene.surfaces[1].coloring.palette = {{0, 1, 0, 0}, {0, 0, 1, 0.5f}};
+  ColorMap& map = row.scene.surfaces[1].coloring.map;
+  map.knots = {4.5, 5.5};
+  map.table = {{0, 0, 1, 0.5f}, {0, 1, 0, 0}};
   row.lightEvenly();
   const Film film = row.traced(2);
   expectColor(film, 0.5, 0, 0.5, 1);
   EXPECT_EQ(film.object()[middle], 1);
   EXPECT_NEAR(film.depth()[middle], 15.5, 1e-5);
   // Half of each surface of the one volume.
-  row.scene.surfaces[1].coloring.palette = {{0, 1, 0, 0.5f}, {0, 0, 1, 0.5f}};
+  map.table = {{0, 0, 1, 0.5f}, {0, 1, 0, 0.5f}};
   expectColor(row.traced(), 0.25, 0.5, 0.25, 1);
 }
 
