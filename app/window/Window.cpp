@@ -315,7 +315,7 @@ void Window::renderMoving()
 /// Leaves the rays what the panel and OpenGL leave of a frame that moves.
 void Window::shareFrameTime()
 {
-  constexpr double usual = 12.0; // frames a second, so that 10 are held
+  constexpr double usual = 12.0; // frames a second
   const std::optional<double> asked = this->settings().picture.fps;
   double wanted = 1.0 / asked.value_or(usual); // s
   // A time step that is seen for long may be traced for long, unless somebody turns it.
