@@ -63,11 +63,14 @@ bool isOptionalColor(const Row& row)
          (usual.empty() || usual.front().empty());
 }
 
+/// Beyond this a slider as wide as the panel cannot be put on whole numbers.
+constexpr double slidersReach = 300.0;
+
 /// Whether a slider goes from one limit to the other.
 bool hasSlider(const Row& row)
 {
   return row.numeric && row.shape == Shape::One && std::isfinite(row.limits.least) &&
-         std::isfinite(row.limits.most) && row.limits.most - row.limits.least <= 1000.0;
+         std::isfinite(row.limits.most) && row.limits.most - row.limits.least <= slidersReach;
 }
 
 /// Gives the keys to a field, back to which they should go: its cursor stays where it was.

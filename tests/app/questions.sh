@@ -26,7 +26,7 @@ case $3 in
     ;;
 
   sector) # as the whole wheel, in the colours of the pressure
-    begin 'Colour Selection Slices' pump:0.02:rotor
+    begin 'Colour Selection Volume' pump:0.02:rotor
     section Slices
     write repeat-around 3
     has '--repeat-around=3'
@@ -34,8 +34,8 @@ case $3 in
     write wall-color data
     has '--wall-color=data'
     changed
-    write edges 1
-    has '--edges=1'
+    click edges 0.1
+    has '--edges=[0-9.]+'
     changed
     quit
     ;;
