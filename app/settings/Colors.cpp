@@ -24,7 +24,8 @@ double luminance(const double* c)
 
 bool parseColor(const std::string& text, Color& color)
 {
-  vtkNew<vtkNamedColors> names;
+  // Making the list of names takes a millisecond, and no two threads share one.
+  thread_local const vtkNew<vtkNamedColors> names;
   if (names->ColorExists(text))
   {
     const vtkColor3d c = names->GetColor3d(text);

@@ -295,16 +295,18 @@ void Coloring::include(const Parts& parts)
   typed_ = explained_ && this->updateTypes(parts);
 }
 
+void Coloring::offer(const Parts& parts, const UsualOpacity::Found& opacity)
+{
+  usual_.offer(volumesOf(parts), opacity);
+}
+
 void Coloring::apply(const Parts& parts)
 {
   this->include(parts);
   if (const Part* holder = holderOf(parts, choice_))
     title_ = describe(holder->data(), choice_);
   this->makeTable(typed_);
-  std::vector<vtkDataSet*> volumes;
-  for (const auto& part : parts)
-    if (part->kind() == Part::Kind::Volume)
-      volumes.push_back(part->data());
+  const std::vector<vtkDataSet*> volumes = volumesOf(parts);
   opacity_ = settings_.volume.opacity;
   if (opacity_.empty() && !volumes.empty())
     opacity_ = usual_.of(volumes, choice_);

@@ -26,6 +26,9 @@ public:
   /// name it; throws Failure if no part has the array that they name. The range grows from step to
   /// step, so that colours keep their meaning.
   void apply(const std::vector<std::unique_ptr<Part>>& parts);
+  /// Takes opacities of the parts that were found before.
+  void offer(const std::vector<std::unique_ptr<Part>>& parts, const UsualOpacity::Found& opacity);
+  const UsualOpacity::Found& usualOpacity() const { return usual_.found(); }
 
   /// Only takes the parts' values into the range and the types.
   void include(const std::vector<std::unique_ptr<Part>>& parts);

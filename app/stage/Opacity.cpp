@@ -28,6 +28,14 @@ constexpr double everywhere = 0.3; ///< of one value
 /// second, so that a key that shows another array is answered soon.
 constexpr vtkIdType cellsLookedAt = 10000;
 
+std::vector<std::pair<vtkDataSet*, unsigned long>> keyOf(const std::vector<vtkDataSet*>& data)
+{
+  std::vector<std::pair<vtkDataSet*, unsigned long>> key;
+  for (vtkDataSet* one : data)
+    key.emplace_back(one, one->GetMTime());
+  return key;
+}
+
 } // namespace
 
 std::vector<OpacityPoint> opacitiesFor(
@@ -64,16 +72,15 @@ std::vector<OpacityPoint> opacitiesFor(
 const std::vector<OpacityPoint>& UsualOpacity::of(
   const std::vector<vtkDataSet*>& data, const ArrayChoice& choice)
 {
-  std::vector<std::pair<vtkDataSet*, unsigned long>> key;
-  for (vtkDataSet* one : data)
-    key.emplace_back(one, one->GetMTime());
-  if (key != key_ || choice != choice_)
-  {
-    points_ = opacitiesFor(data, choice);
-    key_ = key;
-    choice_ = choice;
-  }
-  return points_;
+  if (keyOf(data) != key_ || choice != found_.choice)
+    this->offer(data, {choice, opacitiesFor(data, choice)});
+  return found_.points;
+}
+
+void UsualOpacity::offer(const std::vector<vtkDataSet*>& data, const Found& found)
+{
+  key_ = keyOf(data);
+  found_ = found;
 }
 
 } // namespace mote::app

@@ -18,13 +18,23 @@ std::vector<OpacityPoint> opacitiesFor(
 class UsualOpacity
 {
 public:
+  /// What opacitiesFor() found of an array.
+  struct Found
+  {
+    ArrayChoice choice;
+    std::vector<OpacityPoint> points;
+  };
+
   const std::vector<OpacityPoint>& of(
     const std::vector<vtkDataSet*>& data, const ArrayChoice& choice);
+  /// Takes what was found of these data before.
+  void offer(const std::vector<vtkDataSet*>& data, const Found& found);
+  /// What was found last.
+  const Found& found() const { return found_; }
 
 private:
   std::vector<std::pair<vtkDataSet*, unsigned long>> key_; ///< with their times of change
-  ArrayChoice choice_;
-  std::vector<OpacityPoint> points_;
+  Found found_;
 };
 
 } // namespace mote::app

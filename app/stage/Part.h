@@ -207,4 +207,7 @@ private:
   vtkSmartPointer<vtkPoints> spaced_; // whose spacing that was, while nothing else is shown
 };
 
+/// The data of the parts that are volumes.
+std::vector<vtkDataSet*> volumesOf(const std::vector<std::unique_ptr<Part>>& parts);
+
 } // namespace mote::app

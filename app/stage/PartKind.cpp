@@ -4,7 +4,7 @@
 
 #include "base/Failure.h"
 
-#include <vtkCellTypes.h>
+#include <vtkCellType.h>
 #include <vtkMoteSourcePoints.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
@@ -37,14 +37,22 @@ bool Part::isMesh(vtkDataSet* data)
     return surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
-    vtkNew<vtkCellTypes> types;
-    grid->GetCellTypes(types);
-    for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
-      if (types->GetCellType(i) > VTK_POLY_LINE)
+    // As a rule the first cell tells.
+    for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+      if (grid->GetCellType(i) > VTK_POLY_LINE)
         return true;
     return false;
   }
   return data->GetNumberOfCells() > 0;
+}
+
+std::vector<vtkDataSet*> volumesOf(const std::vector<std::unique_ptr<Part>>& parts)
+{
+  std::vector<vtkDataSet*> volumes;
+  for (const auto& part : parts)
+    if (part->kind() == Part::Kind::Volume)
+      volumes.push_back(part->data());
+  return volumes;
 }
 
 } // namespace mote::app

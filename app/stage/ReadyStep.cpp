@@ -98,6 +98,9 @@ ReadyStep makeReady(const std::vector<NamedData>& original, const ReadyPlan& pla
       ready.parts.back() = part.built(true);
       part.setTurn(turnOf(original[i], plan.settings));
     }
+    if (const std::vector<vtkDataSet*> volumes = volumesOf(parts);
+        fits && !volumes.empty() && plan.settings.volume.opacity.empty() && plan.colored)
+      ready.opacity = {plan.colored, opacitiesFor(volumes, plan.colored)};
     if (fits && Flow::isAny(plan.settings))
     {
       prepareFlow(parts, original, plan.settings, plan.colored);
@@ -109,6 +112,7 @@ ReadyStep makeReady(const std::vector<NamedData>& original, const ReadyPlan& pla
     // Who shows the step finds the same, and tells it.
     ready.parts.clear();
     ready.flow = {};
+    ready.opacity = {};
   }
   ready.count();
   return ready;

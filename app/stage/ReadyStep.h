@@ -3,6 +3,7 @@
 #include "Arrays.h"
 #include "FlowFinder.h"
 #include "Input.h"
+#include "Opacity.h"
 #include "Part.h"
 #include "settings/Settings.h"
 
@@ -40,6 +41,7 @@ struct ReadyStep
   std::vector<NamedData> data;     ///< with what is calculated
   std::vector<BuiltPart> parts;    ///< of `data`; none where nothing could be built
   BuiltFlow flow;                  ///< streamlines and arrows of them
+  UsualOpacity::Found opacity;     ///< of its volumes; no array where it was not asked for
   ReadyPlan plan;                  ///< by which it was built
   MemoryPieces memory;             ///< that it takes, about
 

@@ -144,6 +144,8 @@ void Stage::setData(const std::vector<NamedData>& original, const ReadyStep* rea
       parts_[i]->setData(data[i].name, data[i].data);
       parts_[i]->offer(isReady ? ready->parts[i] : BuiltPart());
     }
+    if (isReady && ready->opacity.choice)
+      coloring_.offer(parts_, ready->opacity);
     this->turnParts();
     this->checkImages();
     return this->setSizes();
@@ -210,6 +212,7 @@ ReadyStep Stage::ready() const
   ready.plan = this->readyPlan();
   ready.original = data_;
   ready.flow = flow_.built();
+  ready.opacity = coloring_.usualOpacity();
   for (const auto& part : parts_)
   {
     ready.parts.push_back(part->built());

@@ -6,7 +6,7 @@
 #include <vtkBoundingBox.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
-#include <vtkCellTypes.h>
+#include <vtkCellType.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>
 #include <vtkLookupTable.h>
@@ -111,10 +111,8 @@ bool Volume::canShow(vtkDataSet* data)
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
   if (!grid || rankedArrays(grid).empty())
     return false;
-  vtkNew<vtkCellTypes> types;
-  grid->GetCellTypes(types);
-  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
-    if (isVolume(types->GetCellType(i)))
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+    if (isVolume(grid->GetCellType(i)))
       return true;
   return false;
 }

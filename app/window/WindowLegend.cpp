@@ -21,8 +21,8 @@ namespace mote::app
 namespace
 {
 
-/// The rectangle {x min, x max, y min, y max} of an image of premultiplied floats, on a veil in the
-/// background's colours, in bytes that are not premultiplied, as OpenGL blends them.
+/// The rectangle {x min, x max, y min, y max} of an image, on a veil in the background's colours.
+/// Both hold bytes that are not premultiplied, as OpenGL blends them.
 vtkSmartPointer<vtkImageData> cutOut(
   vtkImageData* image, const int rectangle[4], const std::function<Color(int y)>& ground)
 {
@@ -34,14 +34,15 @@ vtkSmartPointer<vtkImageData> cutOut(
   for (int y = rectangle[2]; y <= rectangle[3]; ++y)
   {
     const Color behind = ground(y);
-    for (int x = rectangle[0]; x <= rectangle[1]; ++x)
+    const auto* from =
+      static_cast<const unsigned char*>(image->GetScalarPointer(rectangle[0], y, 0));
+    auto* to = static_cast<unsigned char*>(part->GetScalarPointer(0, y - rectangle[2], 0));
+    for (int x = rectangle[0]; x <= rectangle[1]; ++x, from += 4, to += 4)
     {
-      const auto* from = static_cast<const float*>(image->GetScalarPointer(x, y, 0));
-      auto* to =
-        static_cast<unsigned char*>(part->GetScalarPointer(x - rectangle[0], y - rectangle[2], 0));
-      const double veil = veilOpacity * (1.0 - from[3]), alpha = from[3] + veil;
+      const double own = from[3] / 255.0, veil = veilOpacity * (1.0 - own), alpha = own + veil;
       for (int c = 0; c < 3; ++c)
-        to[c] = byte((from[c] + veil * behind[static_cast<std::size_t>(c)]) / alpha);
+        to[c] =
+          byte((own * (from[c] / 255.0) + veil * behind[static_cast<std::size_t>(c)]) / alpha);
       to[3] = byte(alpha);
     }
   }
@@ -95,7 +96,7 @@ void WindowLegend::update()
   if (size[0] != present[0] || size[1] != present[1])
   {
     canvas_->SetDimensions(size[0], size[1], 1);
-    canvas_->AllocateScalars(VTK_FLOAT, 4);
+    canvas_->AllocateScalars(VTK_UNSIGNED_CHAR, 4); // which the legend copies at each new label
     canvas_->GetPointData()->GetScalars()->SetName("color");
     canvas_->GetPointData()->GetScalars()->Fill(0.0);
   }

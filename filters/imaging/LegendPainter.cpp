@@ -140,7 +140,9 @@ void paintBar(Canvas& canvas, const LegendLayout& layout, const Color& frame,
 void paintLegend(Canvas& canvas, const LegendLayout& layout, const LegendStyle& style,
   const std::function<Color(double)>& barColor)
 {
-  const Ink ink = chooseInk(look(canvas, layout.panel), style);
+  // Where all is said nothing depends on what lies behind.
+  const bool isSaid = style.text && style.panel != PanelUse::WhereNeeded;
+  const Ink ink = chooseInk(isSaid ? Background() : look(canvas, layout.panel), style);
   if (ink.panel.alpha > 0.0)
   {
     // A faint edge, since the panel may be as light or dark as what is beside it.
