@@ -26,39 +26,80 @@ IsoCrossing::IsoCrossing(
 {
 }
 
-bool IsoCrossing::operator()(const CellSpan& span)
+bool IsoCrossing::isMet(double low, double high) const
 {
-  cell_.enter(span.cell);
-  if (cell_.isNaN() || cell_.isConstant())
-    return true;
-  const auto [low, high] = std::minmax_element(cell_.values().begin(), cell_.values().end());
-  range_ = *high - *low;
-  const auto isMet = [lower = *low, upper = *high](double v) { return v >= lower && v <= upper; };
-  if (std::none_of(values_.begin(), values_.end(), isMet))
-    return true;
-  found_ =
-    search(span.tIn, cell_.entry(line_, span, ray_), span.tOut, cell_.exit(line_, span, ray_), 0);
-  if (!found_)
-    return true;
-  hit_.cell = span.cell;
-  return false;
+  return std::any_of(
+    values_.begin(), values_.end(), [&](double v) { return v >= low && v <= high; });
 }
 
-bool IsoCrossing::search(double t0, double v0, double t1, double v1, int depth)
+/// Goes to a cell. False where it has no surface.
+bool IsoCrossing::enter(std::uint32_t cell)
 {
+  cell_.enter(cell);
+  if (cell_.isNaN() || cell_.isConstant())
+    return false;
+  const auto [low, high] = std::minmax_element(cell_.values().begin(), cell_.values().end());
+  range_ = *high - *low;
+  return isMet(*low, *high);
+}
+
+bool IsoCrossing::operator()(const CellSpan& span)
+{
+  return !enter(span.cell) ||
+         take(span, cell_.entry(line_, span, ray_), cell_.exit(line_, span, ray_),
+           bendOf(cell_.mesh().corners(span.cell), cell_.values()));
+}
+
+bool IsoCrossing::operator()(const ValuedSpan& valued)
+{
+  const CellSpan& span = valued.span;
+  const bool isIn = span.inFace != noFace, isOut = span.outFace != noFace;
+  // Most that a ray meets is told from the ends alone.
+  if (isIn && isOut &&
+      !isMet(std::min(valued.valueIn, valued.valueOut) - valued.bend,
+        std::max(valued.valueIn, valued.valueOut) + valued.bend))
+    return true;
+  if (!enter(span.cell))
+    return true;
+  return take(span, isIn ? valued.valueIn : cell_.entry(line_, span, ray_),
+    isOut ? valued.valueOut : cell_.exit(line_, span, ray_), valued.bend);
+}
+
+bool IsoCrossing::take(const CellSpan& span, double in, double out, double bend)
+{
+  found_ = search(span.tIn, in, span.tOut, out, bend, 0);
+  if (found_)
+    hit_.cell = span.cell;
+  return !found_;
+}
+
+/// `bend` is how far the field may be from the line between the ends.
+bool IsoCrossing::search(double t0, double v0, double t1, double v1, double bend, int depth)
+{
+  if (!isMet(std::min(v0, v1) - bend, std::max(v0, v1) + bend))
+    return false;
+  if (bend <= exactness * range_)
+    return searchPiece(CubicPiece::line(v0, v1), t0, v0, t1, v1);
   const auto at = [&](double x) { return t0 + x * (t1 - t0); };
   const CubicPiece cubic = CubicPiece::through(v0, valueAt(at(0.25)), valueAt(at(0.75)), v1);
   const double middle = valueAt(at(0.5));
   if (depth < 8 && !(std::abs(cubic(0.5) - middle) <= exactness * range_))
-    return search(t0, v0, at(0.5), middle, depth + 1) || search(at(0.5), middle, t1, v1, depth + 1);
+    return search(t0, v0, at(0.5), middle, 0.25 * bend, depth + 1) ||
+           search(at(0.5), middle, t1, v1, 0.25 * bend, depth + 1);
+  return searchPiece(cubic, t0, v0, t1, v1);
+}
+
+bool IsoCrossing::searchPiece(const CubicPiece& piece, double t0, double v0, double t1, double v1)
+{
+  const auto at = [&](double x) { return t0 + x * (t1 - t0); };
   double turns[2];
-  const int count = cubic.turns(turns);
+  const int count = piece.turns(turns);
   double from = 0.0;
   for (int part = 0; part <= count; ++part)
   {
     const double to = part < count ? turns[part] : 1.0;
     // The ends have their own values, not the cubic's: a sign is the same in two cells.
-    const double atFrom = from == 0.0 ? v0 : cubic(from), atTo = to == 1.0 ? v1 : cubic(to);
+    const double atFrom = from == 0.0 ? v0 : piece(from), atTo = to == 1.0 ? v1 : piece(to);
     double first = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < values_.size(); ++i)
     {
@@ -66,7 +107,7 @@ bool IsoCrossing::search(double t0, double v0, double t1, double v1, int depth)
       if ((atFrom < value) == (atTo < value))
         continue;
       const double t =
-        refine(value, at(from), atFrom, at(to), atTo, at(rootIn(cubic, value, from, to)));
+        refine(value, at(from), atFrom, at(to), atTo, at(rootIn(piece, value, from, to)));
       if (t < first)
       {
         first = hit_.t = t;

@@ -2,11 +2,14 @@
 
 #include "CellSampler.h"
 #include "HexRay.h"
+#include "LineBundle.h"
 
 #include <vector>
 
 namespace mote
 {
+
+struct CubicPiece;
 
 /// Where a ray first meets one of some iso-surfaces of a field.
 struct IsoHit
@@ -28,13 +31,18 @@ public:
 
   /// Takes the ray's next span. False where a surface was found.
   bool operator()(const CellSpan& span);
+  bool operator()(const ValuedSpan& span);
 
   bool found() const { return found_; }
   const IsoHit& hit() const { return hit_; }
 
 private:
   double valueAt(double t) { return cell_.trilinear(ray_.origin + t * ray_.direction); }
-  bool search(double t0, double v0, double t1, double v1, int depth);
+  bool isMet(double low, double high) const;
+  bool enter(std::uint32_t cell);
+  bool take(const CellSpan& span, double in, double out, double bend);
+  bool search(double t0, double v0, double t1, double v1, double bend, int depth);
+  bool searchPiece(const CubicPiece& piece, double t0, double v0, double t1, double v1);
   double refine(double value, double t0, double v0, double t1, double v1, double t);
 
   const std::vector<double>& values_;

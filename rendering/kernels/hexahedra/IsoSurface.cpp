@@ -1,6 +1,7 @@
 #include "IsoSurface.h"
 
 #include "../core/PlaceByNormals.h"
+#include "HexBvhBundle.h"
 #include "detail/RaysOf.h"
 #include "detail/ValuesAt.h"
 
@@ -15,6 +16,9 @@ namespace
 {
 
 constexpr double nothing = -std::numeric_limits<double>::infinity();
+
+/// Fewer rays are as soon done one at a time.
+constexpr int leastTogether = 4;
 
 std::uint64_t slotOf(const IsoHit& hit)
 {
@@ -44,6 +48,13 @@ IsoSurface::IsoSurface(std::shared_ptr<const HexStructure> structure,
   }
 }
 
+/// Whether a region with these values may hold a surface.
+bool IsoSurface::isMet(const ScalarRange& range) const
+{
+  return std::any_of(
+    values_.begin(), values_.end(), [&](double v) { return v >= range.lower && v <= range.upper; });
+}
+
 double IsoSurface::rounding() const
 {
   const Vec3d size = this->bounds().size();
@@ -61,64 +72,109 @@ std::optional<IsoHit> IsoSurface::first(const HexRay& ray, Counts&& counts) cons
       s.forCellsAlong(
         ray,
         [&](const CellSpan& span) { return (hidden_ && (*hidden_)[span.cell]) || crossing(span); },
-        [&](const ScalarRange& range)
-        {
-          return std::any_of(values_.begin(), values_.end(),
-            [&](double v) { return v >= range.lower && v <= range.upper; });
-        },
-        counts);
+        [&](const ScalarRange& range) { return isMet(range); }, counts);
       if (crossing.found())
         hit = crossing.hit();
     });
   return hit;
 }
 
-template <typename Rays>
-void IsoSurface::castEach(Rays& rays, std::int32_t index) const
+/// Rays one at a time: calls found(i, hit) for those that meet a surface.
+template <typename Rays, typename Found>
+void IsoSurface::meetEach(const Rays& rays, int first, int last, const Found& found) const
 {
-  for (int i = 0; i < rays.count; ++i)
+  for (int i = first; i < last; ++i)
   {
     const HexRay ray = rayOf(rays, i);
     if (!(ray.tMax > ray.tMin))
       continue;
     if (const auto hit = this->first(ray))
-    {
-      rays.t[i] = hit->t;
-      rays.slot[i] = slotOf(*hit);
-      rays.object[i] = index;
-    }
+      found(i, *hit);
   }
 }
 
-template <typename Rays>
-void IsoSurface::occludeEach(Rays& rays) const
+/// The same for rays that go through the hierarchy together, at most as many as it takes at once.
+/// False where they must go one at a time; then nothing was found.
+template <typename Found>
+bool IsoSurface::meetTogether(const RayBundle& rays, int first, int last, const Found& found) const
 {
-  for (int i = 0; i < rays.count; ++i)
-  {
-    const HexRay ray = rayOf(rays, i);
-    if (ray.tMax > ray.tMin && this->first(ray))
-      rays.t[i] = nothing;
-  }
+  const auto* bvh = std::get_if<CartesianBvh>(structure_.get());
+  if (!bvh || last - first < leastTogether || field_->isOfCells())
+    return false;
+  std::array<HexRay, BundleSpans::rays> local;
+  std::array<std::optional<IsoCrossing>, BundleSpans::rays> crossings;
+  for (int i = first; i < last; ++i)
+    local[static_cast<std::size_t>(i - first)] = rayOf(rays, i);
+  thread_local BundleSpans spans; // keeps its memory
+  return bvh->forCellsAlongBundle(
+    local.data(), last - first, {rays.dx, rays.dy}, field_.get(), spans,
+    [&](std::size_t ray, const ValuedSpan& span)
+    {
+      if (hidden_ && (*hidden_)[span.span.cell])
+        return true;
+      std::optional<IsoCrossing>& crossing = crossings[ray];
+      if (!crossing)
+        crossing.emplace(bvh->mesh(), *field_, values_, local[ray]);
+      if ((*crossing)(span))
+        return true;
+      found(first + static_cast<int>(ray), crossing->hit());
+      return false;
+    },
+    [&](const ScalarRange& range) { return isMet(range); });
+}
+
+template <typename Found>
+void IsoSurface::meetAll(const RayBundle& rays, const Found& found) const
+{
+  constexpr int step = BundleSpans::rays;
+  for (int first = 0; first < rays.count; first += step)
+    if (const int last = std::min(first + step, rays.count);
+        !this->meetTogether(rays, first, last, found))
+      this->meetEach(rays, first, last, found);
+}
+
+template <typename Found>
+void IsoSurface::meetAll(const RayPacket& rays, const Found& found) const
+{
+  this->meetEach(rays, 0, rays.count, found);
+}
+
+template <typename Rays>
+void IsoSurface::castAll(Rays& rays, std::int32_t index) const
+{
+  this->meetAll(rays,
+    [&](int i, const IsoHit& hit)
+    {
+      rays.t[i] = hit.t;
+      rays.slot[i] = slotOf(hit);
+      rays.object[i] = index;
+    });
+}
+
+template <typename Rays>
+void IsoSurface::occludeAll(Rays& rays) const
+{
+  this->meetAll(rays, [&](int i, const IsoHit&) { rays.t[i] = nothing; });
 }
 
 void IsoSurface::cast(RayBundle& rays, std::int32_t index) const
 {
-  this->castEach(rays, index);
+  this->castAll(rays, index);
 }
 
 void IsoSurface::cast(RayPacket& rays, std::int32_t index) const
 {
-  this->castEach(rays, index);
+  this->castAll(rays, index);
 }
 
 void IsoSurface::occlude(RayBundle& rays, std::int32_t) const
 {
-  this->occludeEach(rays);
+  this->occludeAll(rays);
 }
 
 void IsoSurface::occlude(RayPacket& rays, std::int32_t) const
 {
-  this->occludeEach(rays);
+  this->occludeAll(rays);
 }
 
 Vec3d IsoSurface::normalAt(std::uint64_t slot, const Vec3d& point) const

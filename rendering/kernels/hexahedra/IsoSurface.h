@@ -43,7 +43,7 @@ public:
   void cast(RayPacket& rays, std::int32_t index) const;
   void occlude(RayBundle& rays, std::int32_t index) const;
   void occlude(RayPacket& rays, std::int32_t index) const;
-  int bundleSide(const CameraRays&, int, int, int) const { return 16; } ///< rays go one by one
+  int bundleSide(const CameraRays&, int, int, int) const { return 16; }
   void fetch(HitBlock&) const {}
   void place(HitBlock& block, const HitPlacing& placing) const;
   Vec3d normalAt(std::uint64_t slot, const Vec3d& point) const;
@@ -60,10 +60,19 @@ public:
   bool operator==(const IsoSurface&) const = default;
 
 private:
+  bool isMet(const ScalarRange& range) const;
+  template <typename Rays, typename Found>
+  void meetEach(const Rays& rays, int first, int last, const Found& found) const;
+  template <typename Found>
+  bool meetTogether(const RayBundle& rays, int first, int last, const Found& found) const;
+  template <typename Found>
+  void meetAll(const RayBundle& rays, const Found& found) const;
+  template <typename Found>
+  void meetAll(const RayPacket& rays, const Found& found) const;
   template <typename Rays>
-  void castEach(Rays& rays, std::int32_t index) const;
+  void castAll(Rays& rays, std::int32_t index) const;
   template <typename Rays>
-  void occludeEach(Rays& rays) const;
+  void occludeAll(Rays& rays) const;
 
   std::shared_ptr<const HexStructure> structure_;
   std::shared_ptr<const HexField> field_;

@@ -117,6 +117,57 @@ TEST(IsoSurface, OfASphereIsASphere)
   }
 }
 
+TEST(IsoSurface, RaysTogetherMeetWhatEachMeetsAlone)
+{
+  // Cells are warped, and the field is flat in some and bends in others.
+  const auto mesh = hexBlock(14, 14, 14, 0.4).mesh();
+  const Vec3d middle(7.0);
+  auto values = pointValues(*mesh, [&](const Vec3d& p)
+    { return std::max(3.0, glm::length(p - middle)) + 0.3 * std::sin(3 * p.x); });
+  values[1000] = NAN;
+  const IsoSurface surface =
+    surfaceOf(mesh, values, {5.0, 4.0, 3.1, 9.5}, HexStructureKind::CartesianBvh);
+  for (const auto kind : {RayBundle::Kind::CommonOrigin, RayBundle::Kind::CommonDirection})
+    for (const int count : {256, 70, 3})
+    {
+      RayBundle bundle;
+      bundle.kind = kind;
+      bundle.count = count;
+      bundle.origin = middle + Vec3d(20.0, -9.0, 13.0);
+      bundle.direction = middle - bundle.origin;
+      acrossAxes(bundle.direction, bundle.dx, bundle.dy);
+      for (int i = 0; i < count; ++i)
+      {
+        int x, y;
+        bundleOffset(16, i, x, y);
+        bundle.x[i] = 0.5F * static_cast<float>(x - 8);
+        bundle.y[i] = 0.5F * static_cast<float>(y - 8);
+        // Some end before they come to anything, or behind where they begin.
+        bundle.t[i] = i % 11 == 0 ? 0.6 : i % 13 == 0 ? -1.0 : 1e30;
+        bundle.slot[i] = RayBundle::noHit;
+        bundle.object[i] = -1;
+      }
+      RayBundle dark = bundle, lit = bundle;
+      surface.cast(lit, 5);
+      surface.occlude(dark, 5);
+      int hits = 0;
+      for (int i = 0; i < count; ++i)
+      {
+        const auto alone =
+          surface.first({bundle.originOf(i), bundle.directionOf(i), bundle.tMin, bundle.t[i]});
+        ASSERT_EQ(lit.slot[i] != RayBundle::noHit, alone.has_value()) << i;
+        ASSERT_EQ(dark.t[i] < -1e30, alone.has_value()) << i;
+        if (!alone)
+          continue;
+        ++hits;
+        EXPECT_EQ(lit.t[i], alone->t);
+        EXPECT_EQ(lit.slot[i], std::uint64_t{alone->surface} << 32 | alone->cell);
+        EXPECT_EQ(lit.object[i], 5);
+      }
+      EXPECT_GT(hits, count / 4);
+    }
+}
+
 TEST(IsoSurface, CellsWithNaNHaveNone)
 {
   const auto mesh = hexBlock(3, 1, 1).mesh();
