@@ -31,7 +31,7 @@ vtkObjectBase* vtkMoteCylindricalLocator::NewInstanceInternal() const
   made->FindAxis = this->FindAxis;
   std::copy_n(this->Origin, 3, made->Origin);
   std::copy_n(this->Axis, 3, made->Axis);
-  made->LazyEvaluation = this->LazyEvaluation;
+  made->Lazy = this->Lazy;
   made->UseExistingSearchStructure = this->UseExistingSearchStructure;
   made->Shared = this->Shared;
   return made;
@@ -76,7 +76,7 @@ void vtkMoteCylindricalLocator::BuildLocator()
 
 bool vtkMoteCylindricalLocator::IsBuilt()
 {
-  if (!this->Structure && this->LazyEvaluation)
+  if (!this->Structure && this->Lazy)
     this->BuildLocator();
   return this->Structure != nullptr;
 }

@@ -155,6 +155,16 @@ public:
 
   ///@{
   /**
+   * Whether the first query builds. Default off. VTK 9.2 has functions that do nothing for this.
+   */
+  void SetLazyEvaluation(vtkTypeBool lazy) override { this->Lazy = lazy; }
+  vtkTypeBool GetLazyEvaluation() override { return this->Lazy; }
+  void LazyEvaluationOn() override { this->SetLazyEvaluation(1); }
+  void LazyEvaluationOff() override { this->SetLazyEvaluation(0); }
+  ///@}
+
+  ///@{
+  /**
    * Builds the structure where it is not there yet; see above for what is compared.
    */
   void BuildLocator() override;
@@ -182,6 +192,7 @@ private:
 
   std::string StructureName = "cylbvh";
   bool FindAxis = true;
+  vtkTypeBool Lazy = 0;
   double Origin[3] = {0.0, 0.0, 0.0};
   double Axis[3] = {0.0, 0.0, 1.0};
 

@@ -34,6 +34,9 @@ bool RendererImage::trace(
   renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
   problem_.clear();
   interrupted_ = false;
+  picksCells_ = !props.empty() && props.front()->picksCells();
+  if (renderer->GetSelector())
+    settings.channels |= Film::Id;
   ended_ = std::any_of(props.begin(), props.end(), [](const auto& p) { return p->isVolume(); });
   try
   {
@@ -62,7 +65,7 @@ void RendererImage::draw(vtkRenderer* renderer, bool translucent)
 {
   const auto start = std::chrono::steady_clock::now();
   if (renderer->GetSelector())
-    drawSelection(renderer);
+    drawSelection(renderer, picksCells_);
   else
     display_.draw(renderer, tracer_.film(), tracer_.silhouettes(), tracer_.version(),
       ended_        ? FilmDisplay::Way::Over
@@ -77,19 +80,62 @@ void RendererImage::release(vtkWindow* window)
   depthReader_.release(window);
 }
 
-void RendererImage::drawSelection(vtkRenderer* renderer)
+namespace
+{
+
+/// What the selector asks of each pixel in a pass.
+struct SelectionPass
+{
+  SelectionPass(vtkHardwareSelector* selector, bool picksCells)
+  {
+    const int pass = selector->GetCurrentPass();
+    isFlat = pass == vtkHardwareSelector::ACTOR_PASS || pass == vtkHardwareSelector::PROCESS_PASS;
+    isLow = pass ==
+            (picksCells ? vtkHardwareSelector::CELL_ID_LOW24 : vtkHardwareSelector::POINT_ID_LOW24);
+    isHigh = pass == (picksCells ? vtkHardwareSelector::CELL_ID_HIGH24
+                                 : vtkHardwareSelector::POINT_ID_HIGH24);
+    for (int c = 0; isFlat && c < 3; ++c)
+      flat[c] = static_cast<unsigned char>(selector->GetPropColorValue()[c] * 255.0f + 0.5f);
+  }
+
+  /// Writes three bytes of an id.
+  void write(std::uint64_t id, unsigned char* to) const
+  {
+    const std::uint64_t part = isLow ? id & 0xffffff : id >> 24;
+    for (int c = 0; c < 3; ++c)
+      to[c] = isFlat ? flat[c] : isLow || isHigh ? static_cast<unsigned char>(part >> 8 * c) : 0;
+    to[3] = 255;
+  }
+
+  bool isFlat, isLow, isHigh;
+  unsigned char flat[3] = {0, 0, 0};
+};
+
+} // namespace
+
+void RendererImage::drawSelection(vtkRenderer* renderer, bool picksCells)
 {
   vtkHardwareSelector* selector = renderer->GetSelector();
   selector->BeginRenderProp(); // sets the colour that stands for the prop
-  unsigned char code[4] = {0, 0, 0, 255};
-  if (selector->GetCurrentPass() == vtkHardwareSelector::ACTOR_PASS)
-    for (int c = 0; c < 3; ++c)
-      code[c] = static_cast<unsigned char>(selector->GetPropColorValue()[c] * 255.0f + 0.5f);
+  const SelectionPass pass(selector, picksCells);
   const Film& film = tracer_.film();
   std::vector<unsigned char> colors(4 * film.pixels(), 0);
+  std::uint64_t greatest = 0;
   for (std::size_t i = 0; i < film.pixels(); ++i)
-    if (std::isfinite(film.depth()[i]))
-      std::copy_n(code, 4, &colors[4 * i]);
+  {
+    const std::uint64_t id = film.has(Film::Id) ? film.id()[i] : Film::noId;
+    if (!std::isfinite(film.depth()[i]) || (id == Film::noId && !pass.isFlat))
+      continue;
+    pass.write(id, &colors[4 * i]);
+    if (id == Film::noId)
+      continue; // of clouds
+    greatest = std::max(greatest, id);
+  }
+  // Whether there is a pass for the higher bits is decided by this.
+  if (pass.isLow && picksCells)
+    selector->UpdateMaximumCellId(static_cast<vtkIdType>(greatest));
+  else if (pass.isLow)
+    selector->UpdateMaximumPointId(static_cast<vtkIdType>(greatest));
   display_.drawFlat(renderer, film, colors);
   selector->EndRenderProp();
 }

@@ -42,11 +42,12 @@ private:
   bool trace(
     vtkRenderer* renderer, MoteProps props, FrameSettings settings, const Progress& progress);
   void draw(vtkRenderer* renderer, bool translucent);
-  void drawSelection(vtkRenderer* renderer);
+  void drawSelection(vtkRenderer* renderer, bool picksCells);
 
   FrameTracer tracer_;
   FilmDisplay display_;
   WindowDepthReader depthReader_;
+  bool picksCells_ = false;
   bool ended_ = false;   ///< rays of the film ended at what the depth buffer held
   std::string problem_;  ///< what kept the last trace() from tracing, or empty
   std::string reported_; ///< so that it is told once and not every frame
