@@ -29,19 +29,21 @@ quietly() {
 
 missing_packages() {
   local wanted
-  mapfile -t wanted < <(sed -E 's/[[:space:]]*#.*//; /^$/d' "$root/scripts/packages.txt")
+  mapfile -t wanted < <(sed -E 's/[[:space:]]*#.*//; /^$/d' "$root/scripts/$1")
   comm -23 <(printf '%s\n' "${wanted[@]}" | sort) \
     <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null |
       sed -n 's/^installed //p' | sort)
 }
 
+# install_packages [LIST]: those of packages.txt, or of another list beside it.
 install_packages() {
+  local list=${1:-packages.txt}
   if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-    stage "Not a Debian system: taking the packages of scripts/packages.txt as given"
+    stage "Not a Debian system: taking the packages of scripts/$list as given"
     return
   fi
   local missing
-  mapfile -t missing < <(missing_packages)
+  mapfile -t missing < <(missing_packages "$list")
   if ((${#missing[@]} == 0)); then
     return
   fi

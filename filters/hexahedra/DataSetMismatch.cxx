@@ -3,7 +3,7 @@
 #include "DataSetParts.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellTypes.h"
+#include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -148,9 +148,10 @@ std::string mismatchOf(vtkStructuredGrid* grid)
 
 bool hasPolyhedra(vtkUnstructuredGrid* grid)
 {
-  vtkNew<vtkCellTypes> types;
-  grid->GetCellTypes(types);
-  return types->IsType(VTK_POLYHEDRON) != 0;
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+    if (grid->GetCellType(i) == VTK_POLYHEDRON)
+      return true;
+  return false;
 }
 
 std::string mismatchOf(vtkDataSet* data)

@@ -62,6 +62,8 @@ std::shared_ptr<const ParticleSource> sourceOf(vtkPointSet* points)
 vtkDataArray* findRadiusArray(vtkPointSet* points, const RadiusChoice& choice, bool& half)
 {
   half = false;
+  if (points->GetNumberOfPoints() == 0)
+    return nullptr; // what is empty lacks no array
   switch (choice.mode)
   {
   case RadiusMode::ByArray:

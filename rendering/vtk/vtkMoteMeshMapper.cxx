@@ -418,8 +418,8 @@ void vtkMoteMeshMapper::AllowError(mote::SurfaceObject& object, mote::MeshLook& 
 void vtkMoteMeshMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
   mote::RendererImage& image = this->Impl->images.of(renderer);
-  image.render(this, renderer, {mote::motePropOf(actor)}, mote::FrameSettings{}, {},
-    !actor->HasOpaqueGeometry());
+  image.render(this, renderer, {mote::motePropOf(actor)},
+    mote::FrameSettings{mote::Refinement{this->SamplesPerPixel}}, {}, !actor->HasOpaqueGeometry());
   this->TimeToDraw = image.time();
 }
 
@@ -433,6 +433,7 @@ void vtkMoteMeshMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Repetitions: " << this->Repetitions << "\n";
+  os << indent << "SamplesPerPixel: " << this->SamplesPerPixel << "\n";
   os << indent << "CastsShadows: " << (this->CastsShadows ? "On" : "Off") << "\n";
   os << indent << "PixelsOfError: " << this->PixelsOfError << "\n";
   os << indent << "NumberOfTriangles: " << this->GetNumberOfTriangles() << "\n";

@@ -67,6 +67,15 @@ public:
 
   ///@{
   /**
+   * Rays a pixel, in [1, 65536], where the mapper draws by itself, without a vtkMoteRayCastPass.
+   * Default 4. With 1 a pixel is covered or not, as compositing by depth needs it.
+   */
+  vtkSetClampMacro(SamplesPerPixel, int, 1, 65536);
+  vtkGetMacro(SamplesPerPixel, int);
+  ///@}
+
+  ///@{
+  /**
    * Whether the triangles keep the light of lights that cast shadows from others, and from one
    * another. On unless set.
    */
@@ -239,6 +248,7 @@ protected:
   double RepetitionCenter[3] = {0.0, 0.0, 0.0};
   double RepetitionAxis[3] = {0.0, 0.0, 1.0};
   bool TurnVectors = false;
+  int SamplesPerPixel = 4;
   bool CastsShadows = true;
   double PixelsOfError = 0.0;
 

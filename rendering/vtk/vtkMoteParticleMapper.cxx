@@ -447,8 +447,8 @@ void vtkMoteParticleMapper::AllowError(mote::SurfaceObject& object)
 void vtkMoteParticleMapper::Render(vtkRenderer* renderer, vtkActor* actor)
 {
   mote::RendererImage& image = this->Impl->images.of(renderer);
-  image.render(this, renderer, {mote::motePropOf(actor)}, mote::FrameSettings{}, {},
-    !actor->HasOpaqueGeometry());
+  image.render(this, renderer, {mote::motePropOf(actor)},
+    mote::FrameSettings{mote::Refinement{this->SamplesPerPixel}}, {}, !actor->HasOpaqueGeometry());
   this->TimeToDraw = image.time();
 }
 

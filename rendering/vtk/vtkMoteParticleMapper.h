@@ -242,6 +242,15 @@ public:
 
   ///@{
   /**
+   * Rays a pixel, in [1, 65536], where the mapper draws by itself, without a vtkMoteRayCastPass.
+   * Default 4. With 1 a pixel is covered or not, as compositing by depth needs it.
+   */
+  vtkSetClampMacro(SamplesPerPixel, int, 1, 65536);
+  vtkGetMacro(SamplesPerPixel, int);
+  ///@}
+
+  ///@{
+  /**
    * Whether the particles keep the light of lights that cast shadows from others, and from one
    * another. On unless set.
    */
@@ -477,6 +486,7 @@ protected:
   vtkTypeBool Preview = 0;
   vtkIdType PreviewSize = 1000000;
   bool KeepPointIds = true;
+  int SamplesPerPixel = 4;
   bool CastsShadows = true;
   double PixelsOfError = 0.0;
   int Replication[3] = {1, 1, 1};

@@ -385,7 +385,8 @@ void vtkMoteVolumeMapper::WarnOfUnused(vtkVolumeProperty* property)
 void vtkMoteVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   mote::RendererImage& image = this->Impl->images.of(renderer);
-  image.render(this, renderer, {mote::motePropOf(volume)}, mote::FrameSettings{});
+  image.render(this, renderer, {mote::motePropOf(volume)},
+    mote::FrameSettings{mote::Refinement{this->SamplesPerPixel}});
   this->TimeToDraw = image.time();
 }
 

@@ -215,6 +215,15 @@ public:
 
   ///@{
   /**
+   * Rays a pixel, in [1, 65536], where the mapper draws by itself, without a vtkMoteRayCastPass.
+   * Default 4. With 1 a pixel is covered or not, as compositing by depth needs it.
+   */
+  vtkSetClampMacro(SamplesPerPixel, int, 1, 65536);
+  vtkGetMacro(SamplesPerPixel, int);
+  ///@}
+
+  ///@{
+  /**
    * Whether these surfaces keep the light of lights that cast shadows from others, and from one
    * another. On unless set. Clouds never do.
    */
@@ -406,6 +415,7 @@ protected:
   double RepetitionCenter[3] = {0.0, 0.0, 0.0};
   double RepetitionAxis[3] = {0.0, 0.0, 1.0};
   bool TurnVectors = false;
+  int SamplesPerPixel = 4;
   bool CastsShadows = true;
   double NanColor[3] = {0.5, 0.0, 0.0};
   double NanOpacity = 0.0;

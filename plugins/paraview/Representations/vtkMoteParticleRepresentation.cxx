@@ -1,0 +1,198 @@
+#include "vtkMoteParticleRepresentation.h"
+
+#include "vtkMoteParticleMapper.h"
+#include "vtkMoteSourcePoints.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCommunicator.h"
+#include "vtkDataArray.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtksys/SystemTools.hxx"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkMoteParticleRepresentation);
+
+namespace
+{
+
+/// The points of a data set with their arrays, and no cells.
+vtkSmartPointer<vtkPolyData> pointsOf(vtkPointSet* from)
+{
+  auto to = vtkSmartPointer<vtkPolyData>::New();
+  to->SetPoints(from->GetPoints());
+  to->GetPointData()->ShallowCopy(from->GetPointData());
+  to->GetFieldData()->ShallowCopy(from->GetFieldData());
+  return to;
+}
+
+/// An array that the mapper takes radii from by itself: of one component and this name, in letters
+/// of either case.
+vtkDataArray* arrayNamed(vtkPointData* data, const std::string& name)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    if (vtkDataArray* array = data->GetArray(i);
+        array && array->GetName() && array->GetNumberOfComponents() == 1 &&
+        vtksys::SystemTools::LowerCase(array->GetName()) == name)
+      return array;
+  return nullptr;
+}
+
+double greatestOf(vtkDataArray* array)
+{
+  const double* range = array ? array->GetFiniteRange(0) : nullptr;
+  return range && range[0] <= range[1] ? std::max(0.0, range[1]) : 0.0;
+}
+
+} // namespace
+
+vtkMoteParticleRepresentation::vtkMoteParticleRepresentation() = default;
+vtkMoteParticleRepresentation::~vtkMoteParticleRepresentation() = default;
+
+vtkMapper* vtkMoteParticleRepresentation::GetMapper()
+{
+  return this->Mapper;
+}
+
+vtkSmartPointer<vtkPointSet> vtkMoteParticleRepresentation::Collect(
+  const std::vector<vtkPointSet*>& parts)
+{
+  if (parts.empty())
+    return vtkSmartPointer<vtkPolyData>::New();
+  if (parts.size() == 1)
+    return pointsOf(parts.front());
+  vtkNew<vtkAppendPolyData> append;
+  for (vtkPointSet* part : parts)
+    append->AddInputData(pointsOf(part));
+  append->Update();
+  return pointsOf(append->GetOutput());
+}
+
+/// Whether the data of this rank tell radii in the present mode.
+bool vtkMoteParticleRepresentation::HasOwnRadii()
+{
+  if (this->RadiusMode != vtkMoteParticleMapper::RADIUS_AUTOMATIC)
+    return this->RadiusMode != vtkMoteParticleMapper::RADIUS_FROM_SPACING;
+  auto* ofSource = vtkMoteSourcePoints::SafeDownCast(this->Drawn->GetPoints());
+  vtkPointData* data = this->Drawn->GetPointData();
+  return (ofSource && ofSource->GetSource()) || arrayNamed(data, "radius") ||
+         arrayNamed(data, "diameter");
+}
+
+/// The typical distance of neighbours, the mean over the points of all ranks; 0 where all tell
+/// radii.
+double vtkMoteParticleRepresentation::GetCommonSpacing()
+{
+  const auto count = static_cast<double>(this->Drawn->GetNumberOfPoints());
+  double own[2] = {0.0, 0.0}, all[2];
+  if (count > 1.0 && !this->HasOwnRadii())
+  {
+    own[0] = count * vtkMoteParticleMapper::EstimateSpacing(this->Drawn);
+    own[1] = count;
+  }
+  std::copy_n(own, 2, all);
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (controller && controller->GetNumberOfProcesses() > 1)
+    controller->AllReduce(own, all, 2, vtkCommunicator::SUM_OP);
+  return all[1] > 0.0 ? all[0] / all[1] : 0.0;
+}
+
+double vtkMoteParticleRepresentation::GetLargestRadius()
+{
+  vtkPointData* data = this->Drawn->GetPointData();
+  const double scale = this->Mapper->GetRadiusScale();
+  switch (this->Mapper->GetRadiusMode())
+  {
+  case vtkMoteParticleMapper::RADIUS_CONSTANT:
+    return scale * this->Mapper->GetRadius();
+  case vtkMoteParticleMapper::RADIUS_BY_ARRAY:
+    return scale * greatestOf(data->GetArray(this->Mapper->GetRadiusArrayName()));
+  default:
+    break;
+  }
+  if (vtkDataArray* radius = arrayNamed(data, "radius"))
+    return scale * greatestOf(radius);
+  if (vtkDataArray* diameter = arrayNamed(data, "diameter"))
+    return 0.5 * scale * greatestOf(diameter);
+  // What only the mapper can tell.
+  this->Mapper->SetInputData(this->Drawn);
+  double drawn[6], points[6], most = 0.0;
+  this->Mapper->GetBounds(drawn);
+  this->Drawn->GetPoints()->GetBounds(points);
+  for (int i = 0; i < 6; ++i)
+    most = std::max(most, std::abs(drawn[i] - points[i]));
+  return most;
+}
+
+double vtkMoteParticleRepresentation::GetReach()
+{
+  const double spacing = this->GetCommonSpacing(); // asked on all ranks
+  this->Mapper->SetRadiusMode(
+    spacing > 0.0 ? vtkMoteParticleMapper::RADIUS_CONSTANT : this->RadiusMode);
+  this->Mapper->SetRadius(spacing > 0.0 ? 0.5 * spacing : this->Radius);
+  return this->Drawn->GetNumberOfPoints() > 0 ? this->GetLargestRadius() : 0.0;
+}
+
+void vtkMoteParticleRepresentation::SetRadiusMode(int mode)
+{
+  this->RadiusMode = mode;
+  this->MarkModified(); // bounds change
+}
+
+void vtkMoteParticleRepresentation::SelectRadiusArray(int, int, int, int, const char* name)
+{
+  this->Mapper->SetRadiusArrayName(name);
+  this->MarkModified();
+}
+
+void vtkMoteParticleRepresentation::SelectTypeArray(int, int, int, int, const char* name)
+{
+  this->Mapper->SetTypeArrayName(name && *name ? name : "type");
+  this->MarkModified();
+}
+
+void vtkMoteParticleRepresentation::SetRadius(double radius)
+{
+  this->Radius = radius;
+  this->MarkModified();
+}
+
+void vtkMoteParticleRepresentation::SetRadiusScale(double scale)
+{
+  this->Mapper->SetRadiusScale(scale);
+  this->MarkModified();
+}
+
+void vtkMoteParticleRepresentation::SetStructureName(const char* name)
+{
+  this->Mapper->SetStructureName(name);
+}
+
+void vtkMoteParticleRepresentation::SetSamplesPerPixel(int samples)
+{
+  this->Mapper->SetSamplesPerPixel(samples);
+}
+
+void vtkMoteParticleRepresentation::SetUseVisibilityRange(int on)
+{
+  this->Mapper->SetUseVisibilityRange(on);
+}
+
+void vtkMoteParticleRepresentation::SelectVisibilityArray(int, int, int, int, const char* name)
+{
+  this->Mapper->SetVisibilityArrayName(name);
+}
+
+void vtkMoteParticleRepresentation::SetVisibilityRange(double low, double high)
+{
+  this->Mapper->SetVisibilityRange(low, high);
+}
+
+void vtkMoteParticleRepresentation::SetPixelsOfError(double pixels)
+{
+  this->Mapper->SetPixelsOfError(pixels);
+}

@@ -1,0 +1,95 @@
+"""Draws a file by ParaView with Mote's representations; scripts/paraview render runs it."""
+
+import argparse
+import os
+import sys
+
+from paraview import simple
+
+parser = argparse.ArgumentParser(prog="scripts/paraview render", description=__doc__.split(";")[0] + ".")
+parser.add_argument("file", metavar="FILE")
+parser.add_argument("-o", "--output", metavar="PICTURE", required=True)
+parser.add_argument("--size", default="1024x1024", help="width x height in pixels; default 1024x1024")
+parser.add_argument("--as", dest="kind", choices=("particles", "volume", "mesh"),
+                    help="default: by what the file holds")
+parser.add_argument("--color-by", metavar="ARRAY", help="default: one colour; of a volume its first array")
+parser.add_argument("--samples", type=int, default=1, help="rays a pixel; default 1")
+parser.add_argument("--step", type=int, default=1, help="time step, from 1")
+parser.add_argument("--shadows", action="store_true")
+parser.add_argument("--ambient-occlusion", action="store_true")
+parser.add_argument("--silhouettes", action="store_true")
+
+
+def arrays_of(source):
+    """Names of arrays by association."""
+    return {"POINTS": list(source.PointData.keys()), "CELLS": list(source.CellData.keys())}
+
+
+def kind_of(source, display):
+    """By the representation that ParaView took, and the cells."""
+    information = source.GetDataInformation()
+    if display.Representation == "Mote Particles" or information.GetNumberOfCells() == 0:
+        return "particles"
+    return "volume" if information.GetDataSetTypeAsString() == "vtkUnstructuredGrid" else "mesh"
+
+
+def show(source, view, options):
+    display = simple.Show(source, view)
+    kind = options.kind or kind_of(source, display)
+    name = {"particles": "Mote Particles", "volume": "Mote Volume", "mesh": "Mote Mesh"}[kind]
+    if name not in display.GetProperty("Representation").Available:
+        sys.exit(f"{options.file}: its data cannot be shown as {kind}")
+    arrays = arrays_of(source)
+    wanted = options.color_by
+    if not wanted and kind == "volume":
+        wanted = next((names[0] for names in arrays.values() if names), None)
+    association = next((a for a, names in arrays.items() if wanted in names), None)
+    if wanted and not association:
+        known = ", ".join(arrays["POINTS"] + arrays["CELLS"]) or "none"
+        sys.exit(f"--color-by: {options.file} has no array '{wanted}'; it has {known}")
+    simple.ColorBy(display, (association, wanted) if wanted else ("POINTS", None))
+    display.SetRepresentationType(name)
+    if wanted:
+        display.RescaleTransferFunctionToDataRange(False, True)
+        display.SetScalarBarVisibility(view, True)
+    setattr(display, f"Mote{name.split()[1].removesuffix('s')}Samples", options.samples)
+
+
+def main():
+    options = parser.parse_args()
+    try:
+        size = [int(n) for n in options.size.lower().split("x")]
+        if len(size) != 2 or min(size) < 1:
+            raise ValueError
+    except ValueError:
+        sys.exit(f"--size: '{options.size}' is no size; 1024x768 is one")
+    if not os.path.isfile(options.file):
+        sys.exit(f"{options.file}: there is no such file")
+    simple._DisableFirstRenderCameraReset()
+    simple.LoadPlugin(os.environ["MOTE_PLUGIN"], remote=False, ns=vars(simple))
+    source = simple.OpenDataFile(options.file)
+    if source is None:
+        sys.exit(f"{options.file}: ParaView has no reader for it")
+    source.UpdatePipeline()
+    lit = options.shadows or options.ambient_occlusion or options.silhouettes
+    view = simple.CreateView("MoteRenderView" if lit else "RenderView")
+    view.ViewSize = size
+    if lit:
+        view.MoteSamples = options.samples
+        view.MoteShadows = options.shadows
+        view.MoteOcclusion = "Live" if options.ambient_occlusion else "None"
+        view.MoteSilhouettes = options.silhouettes
+    steps = list(getattr(source, "TimestepValues", []) or [])
+    if steps:
+        if not 1 <= options.step <= len(steps):
+            sys.exit(f"--step: {options.file} has steps 1 to {len(steps)}")
+        view.ViewTime = steps[options.step - 1]
+    show(source, view, options)
+    simple.Render(view)  # before which ParaView knows no bounds of volumes
+    view.ResetCamera(True)
+    simple.Render(view)
+    if not simple.SaveScreenshot(options.output, view, ImageResolution=size):
+        sys.exit(f"{options.output}: cannot be written")
+
+
+main()

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# render.sh: `scripts/paraview render` from one rank and from two, and what it says of errors.
+root=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../..
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+fail() {
+  echo "FAILED  $*" >&2
+  exit 1
+}
+render() { "$root/scripts/paraview" render "$@" 2>"$folder/err" || { cat "$folder/err"; return 1; }; }
+refused() { # WORDS ARGUMENT...
+  local words=$1
+  shift
+  "$root/scripts/paraview" render "$@" >"$folder/out" 2>&1 && fail "taken: $*"
+  grep -qF "$words" "$folder/out" || fail "no '$words' in: $(tail -3 "$folder/out")"
+  echo "ok      refused: $words"
+}
+# alike A B STEPS: hardly a pixel differs by more than so many of 255.
+alike() {
+  oiiotool --fail "$(python3 -c "print($3.5 / 255)")" --failpercent 0.02 --hardfail 1 --diff "$1" "$2" >"$folder/diff" || {
+    cat "$folder/diff"
+    fail "$1 and $2 differ"
+  }
+}
+
+for pair in copper-scratch.dump.gz:0 swirl.1.vtu:16; do # edges of clouds differ a little
+  data=${pair%:*}
+  for ranks in 1 2; do
+    render "$root/data/$data" -o "$folder/$ranks.png" --size 300x200 --ranks $ranks || fail "$data, $ranks"
+    [ -s "$folder/$ranks.png" ] || fail "no picture of $data from $ranks ranks"
+  done
+  alike "$folder/1.png" "$folder/2.png" "${pair#*:}"
+  echo "ok      $data: two ranks make the picture of one"
+done
+refused 'there is no such file' "$root/data/nothing.vtu" -o "$folder/x.png"
+refused "no array 'nothing'; it has p, U" "$root/data/swirl.1.vtu" -o "$folder/x.png" --color-by nothing
+refused 'has steps 1 to 7' "$root/data/copper-scratch.dump.gz" -o "$folder/x.png" --step 9
+refused "'large' is no size" "$root/data/swirl.1.vtu" -o "$folder/x.png" --size large
+refused 'cannot be shown as volume' "$root/data/copper-scratch.dump.gz" -o "$folder/x.png" --as volume
+echo 'all checks held'
