@@ -1,0 +1,91 @@
+"""Frames of Mote's representations in ParaView against ParaView's own, as a Markdown table.
+
+    PYTHONPATH=plugins/paraview/tests scripts/paraview batch benchmarks/paraview/frames.py
+
+1024x1024, the camera moves between frames, medians.
+"""
+
+import statistics
+import time
+
+import numpy as np
+from checks import numpy_support, points, simple, source, vtk
+
+random = np.random.default_rng(1)
+
+
+def particles(count):
+    """So many at random, and a radius with which they just touch on average."""
+    data = points(random.random((count, 3)) * 100.0, v=random.random(count))
+    cells = vtk.vtkCellArray()  # Point Gaussian asks for vertices
+    ids = np.arange(count + 1, dtype=np.int64)
+    cells.SetData(numpy_support.numpy_to_vtkIdTypeArray(ids, deep=True),
+                  numpy_support.numpy_to_vtkIdTypeArray(ids[:-1], deep=True))
+    data.SetVerts(cells)
+    return source(data), 0.5 * 100.0 / count ** (1 / 3)
+
+
+def hexahedra(n):
+    """n^3 of them, whose inner points are moved at random by up to 0.15 of an edge."""
+    at = np.linspace(-0.5, 0.5, n + 1)
+    places = np.stack(np.meshgrid(at, at, at, indexing="ij"), -1).reshape(-1, 3)
+    inside = (np.abs(places) < 0.499).all(1)
+    places = places + inside[:, None] * (random.random(places.shape) - 0.5) * 0.3 / n
+    ids = np.arange((n + 1) ** 3, dtype=np.int64).reshape(n + 1, n + 1, n + 1)
+    corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+    cells = np.stack([ids[a:n + a, b:n + b, c:n + c].ravel() for a, b, c in corners], -1)
+    grid = vtk.vtkUnstructuredGrid()
+    grid.SetPoints(points(places).GetPoints())
+    array = vtk.vtkCellArray()
+    array.SetData(
+        numpy_support.numpy_to_vtkIdTypeArray(np.arange(0, 8 * len(cells) + 1, 8), deep=True),
+        numpy_support.numpy_to_vtkIdTypeArray(cells.ravel(), deep=True))
+    grid.SetCells(vtk.VTK_HEXAHEDRON, array)
+    values = np.sin(9 * places[:, 0]) * np.cos(7 * places[:, 1]) + places[:, 2]
+    field = numpy_support.numpy_to_vtk(values, deep=True)
+    field.SetName("f")
+    grid.GetPointData().AddArray(field)
+    opacities = simple.GetOpacityTransferFunction("f")
+    opacities.Points = [-1.5, 0.0, 0.5, 0.0, 0.0, 0.1, 0.5, 0.0, 1.5, 0.6, 0.5, 0.0]
+    simple.GetColorTransferFunction("f").RescaleTransferFunction(-1.5, 1.5)
+    return source(grid)
+
+
+def measure(what, data, kind, group, array, frames=7, **properties):
+    view = simple.CreateView("RenderView")
+    view.ViewSize = [1024, 1024]
+    display = simple.Show(data, view, group)
+    simple.ColorBy(display, ("POINTS", array))
+    start = time.time()
+    display.SetRepresentationType(kind)
+    for name, value in properties.items():
+        setattr(display, name, value)
+    simple.Render(view)
+    view.ResetCamera()
+    simple.Render(view)
+    first, gaps = time.time() - start, []
+    for _ in range(frames):
+        view.GetActiveCamera().Azimuth(3)
+        start = time.time()
+        simple.Render(view)
+        gaps.append(time.time() - start)
+    print(f"| {what} | {kind} | {first:.2f} | {statistics.median(gaps):.3f} |", flush=True)
+    simple.Delete(display)
+    simple.Delete(view)
+
+
+print("| data | representation | first, s | frame, s |\n|---|---|---|---|")
+for count, theirs in ((8_000_000, "Point Gaussian"), (100_000, "Point Gaussian"), (100_000, "3D Glyphs")):
+    data, radius = particles(count)
+    what = f"{count:,} particles"
+    for samples in (1, 4):
+        measure(f"{what}, rays a pixel {samples}", data, "Mote Particles", "GeometryRepresentation", "v",
+                MoteRadiusMode="Constant", MoteRadius=radius, MoteParticleSamples=samples)
+    own = {"Point Gaussian": {"GaussianRadius": radius, "ShaderPreset": "Sphere"},
+           "3D Glyphs": {"GlyphType": "Sphere", "ScaleFactor": 2 * radius}}[theirs]
+    measure(what, data, theirs, "GeometryRepresentation", "v", frames=5, **own)
+    simple.Delete(data)
+data = hexahedra(60)
+for kind in ("Mote Volume", "Volume"):
+    measure("216,000 hexahedra", data, kind, "UnstructuredGridRepresentation", "f", frames=5,
+            ScalarOpacityUnitDistance=0.1)
