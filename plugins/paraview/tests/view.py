@@ -24,7 +24,7 @@ check(covered(plain) > 0.9, "both representations are drawn")
 
 view.MoteShadows = 1
 view.MoteLightSize = 0.0
-lit = picture(view, "/tmp/p/view-shadow.png")
+lit = picture(view)
 view.MoteShadows = 0
 check((picture(view) == plain).all(), "without shadows all is as before")
 view.MoteShadows = 1
