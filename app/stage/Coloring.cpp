@@ -300,6 +300,11 @@ void Coloring::offer(const Parts& parts, const UsualOpacity::Found& opacity)
   usual_.offer(volumesOf(parts), opacity);
 }
 
+UsualOpacity::Found Coloring::usualOpacity(const Parts& parts) const
+{
+  return usual_.foundOf(volumesOf(parts));
+}
+
 void Coloring::apply(const Parts& parts)
 {
   this->include(parts);

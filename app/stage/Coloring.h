@@ -28,7 +28,8 @@ public:
   void apply(const std::vector<std::unique_ptr<Part>>& parts);
   /// Takes opacities of the parts that were found before.
   void offer(const std::vector<std::unique_ptr<Part>>& parts, const UsualOpacity::Found& opacity);
-  const UsualOpacity::Found& usualOpacity() const { return usual_.found(); }
+  /// What there is to offer of these parts another time.
+  UsualOpacity::Found usualOpacity(const std::vector<std::unique_ptr<Part>>& parts) const;
 
   /// Only takes the parts' values into the range and the types.
   void include(const std::vector<std::unique_ptr<Part>>& parts);

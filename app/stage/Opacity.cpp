@@ -77,6 +77,11 @@ const std::vector<OpacityPoint>& UsualOpacity::of(
   return found_.points;
 }
 
+UsualOpacity::Found UsualOpacity::foundOf(const std::vector<vtkDataSet*>& data) const
+{
+  return keyOf(data) == key_ ? found_ : Found();
+}
+
 void UsualOpacity::offer(const std::vector<vtkDataSet*>& data, const Found& found)
 {
   key_ = keyOf(data);

@@ -29,8 +29,8 @@ public:
     const std::vector<vtkDataSet*>& data, const ArrayChoice& choice);
   /// Takes what was found of these data before.
   void offer(const std::vector<vtkDataSet*>& data, const Found& found);
-  /// What was found last.
-  const Found& found() const { return found_; }
+  /// What was found of these data; no array where nothing was.
+  Found foundOf(const std::vector<vtkDataSet*>& data) const;
 
 private:
   std::vector<std::pair<vtkDataSet*, unsigned long>> key_; ///< with their times of change

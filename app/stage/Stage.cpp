@@ -212,7 +212,7 @@ ReadyStep Stage::ready() const
   ready.plan = this->readyPlan();
   ready.original = data_;
   ready.flow = flow_.built();
-  ready.opacity = coloring_.usualOpacity();
+  ready.opacity = coloring_.usualOpacity(parts_);
   for (const auto& part : parts_)
   {
     ready.parts.push_back(part->built());

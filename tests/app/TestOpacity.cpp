@@ -92,3 +92,23 @@ TEST(UsualOpacity, IsKeptUntilDataChange)
   values->Modified();
   EXPECT_EQ(usual.of({data}, f).back().value, 2.0);
 }
+
+TEST(UsualOpacity, IsOfferedWithTheDataThatItWasFoundOf)
+{
+  const auto one = row([](double t) { return t; });
+  const auto other = row([](double t) { return 10.0 * t; });
+  UsualOpacity opacity;
+  opacity.of({one}, f);
+  const UsualOpacity::Found found = opacity.foundOf({one});
+  EXPECT_TRUE(found.choice == f);
+  EXPECT_FALSE(found.points.empty());
+  EXPECT_TRUE(opacity.foundOf({other}).points.empty()) << "another step's";
+
+  UsualOpacity later;
+  later.offer({other}, UsualOpacity::Found());
+  EXPECT_TRUE(later.foundOf({other}).points.empty());
+  later.offer({one}, found);
+  EXPECT_EQ(later.foundOf({one}).points.size(), found.points.size());
+  one->Modified();
+  EXPECT_TRUE(later.foundOf({one}).points.empty()) << "data that changed";
+}

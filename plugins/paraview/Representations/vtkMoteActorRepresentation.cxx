@@ -123,7 +123,7 @@ void vtkMoteActorRepresentation::TellBounds(vtkInformation* inInfo)
 void vtkMoteActorRepresentation::FollowColors()
 {
   vtkMapper* mapper = this->GetMapper();
-  const auto* input = vtkPointSet::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  auto* input = vtkPointSet::SafeDownCast(mapper->GetInputDataObject(0, 0));
   vtkInformation* info = this->GetInputArrayInformation(0);
   const char* name = info && info->Has(vtkDataObject::FIELD_NAME())
                        ? info->Get(vtkDataObject::FIELD_NAME())
@@ -131,10 +131,9 @@ void vtkMoteActorRepresentation::FollowColors()
   const bool ofCells =
     info && info->Has(vtkDataObject::FIELD_ASSOCIATION()) &&
     info->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_CELLS;
-  auto* set = const_cast<vtkPointSet*>(input);
-  vtkFieldData* from = !set      ? nullptr
-                       : ofCells ? static_cast<vtkFieldData*>(set->GetCellData())
-                                 : set->GetPointData();
+  vtkFieldData* from = !input    ? nullptr
+                       : ofCells ? static_cast<vtkFieldData*>(input->GetCellData())
+                                 : input->GetPointData();
   const bool isColored = name && *name && from && from->HasArray(name);
   mapper->SetScalarVisibility(isColored);
   if (!isColored)

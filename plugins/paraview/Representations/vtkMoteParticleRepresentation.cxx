@@ -149,12 +149,6 @@ void vtkMoteParticleRepresentation::SelectRadiusArray(int, int, int, int, const 
   this->MarkModified();
 }
 
-void vtkMoteParticleRepresentation::SelectTypeArray(int, int, int, int, const char* name)
-{
-  this->Mapper->SetTypeArrayName(name && *name ? name : "type");
-  this->MarkModified();
-}
-
 void vtkMoteParticleRepresentation::SetRadius(double radius)
 {
   this->Radius = radius;

@@ -27,7 +27,6 @@ public:
    */
   void SetRadiusMode(int mode);
   void SelectRadiusArray(int, int, int, int, const char* name);
-  void SelectTypeArray(int, int, int, int, const char* name);
   void SetRadius(double radius);
   void SetRadiusScale(double scale);
   void SetStructureName(const char* name);

@@ -37,12 +37,6 @@ void vtkMoteRenderView::SetAmbientOcclusion(int how)
   this->Pass->GetShading()->SetAmbientOcclusion(how);
 }
 
-void vtkMoteRenderView::SetAmbientOcclusionSamples(int samples)
-{
-  if (samples > 0 && this->Pass->GetShading()->GetAmbientOcclusion() != 0)
-    this->Pass->GetShading()->SetAmbientOcclusionSamples(samples);
-}
-
 void vtkMoteRenderView::SetAmbientOcclusionReach(double reach)
 {
   this->Pass->GetShading()->SetAmbientOcclusionReach(reach);

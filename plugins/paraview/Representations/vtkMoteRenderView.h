@@ -31,7 +31,6 @@ public:
    */
   void SetSamplesPerPixel(int samples);
   void SetAmbientOcclusion(int how);
-  void SetAmbientOcclusionSamples(int samples);
   void SetAmbientOcclusionReach(double reach);
   void SetPathTracing(int on);
   double GetTraceTime();

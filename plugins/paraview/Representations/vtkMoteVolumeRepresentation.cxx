@@ -144,11 +144,6 @@ void vtkMoteVolumeRepresentation::SetTolerance(double tolerance)
   this->Mapper->SetTolerance(tolerance);
 }
 
-void vtkMoteVolumeRepresentation::SetSampleDistance(double distance)
-{
-  this->Mapper->SetSampleDistance(distance);
-}
-
 void vtkMoteVolumeRepresentation::SetSamplesPerPixel(int samples)
 {
   this->Mapper->SetSamplesPerPixel(samples);

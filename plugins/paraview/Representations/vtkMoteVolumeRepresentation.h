@@ -37,7 +37,6 @@ public:
    */
   void SetIntegratorName(const char* name);
   void SetTolerance(double tolerance);
-  void SetSampleDistance(double distance);
   void SetSamplesPerPixel(int samples);
   ///@}
   /// Whether the cloud is lit by its gradient.
