@@ -52,5 +52,4 @@ if (MOTE_BUILD_PYTHON)
     TARGET Mote::Python
     BUILD_STATIC OFF)
   set(CMAKE_INSTALL_RPATH "${_install_rpath}")
-  add_subdirectory(plugins/python)
 endif ()

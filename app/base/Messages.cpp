@@ -4,6 +4,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkSmartPointer.h>
 
+#include <atomic>
 #include <cstdio>
 #include <utility>
 
@@ -18,6 +19,7 @@ thread_local std::string firstError;
 
 std::mutex guard; ///< of `kept`
 std::vector<std::string> kept;
+std::atomic<bool> printing = true;
 
 /// The sentence in "ERROR: In FILE, line N\nvtkClass (0x5581): SENTENCE\n\n".
 std::string sentenceOf(const std::string& text)
@@ -49,11 +51,17 @@ std::string Messages::takeError()
 void Messages::warn(const std::string& sentence)
 {
   constexpr std::size_t most = 100;
-  std::fprintf(stderr, "mote: warning: %s\n", sentence.c_str());
+  if (printing)
+    std::fprintf(stderr, "mote: warning: %s\n", sentence.c_str());
   const std::lock_guard lock(guard);
   if (kept.size() == most)
     kept.erase(kept.begin());
   kept.push_back(sentence);
+}
+
+void Messages::setPrinting(bool prints)
+{
+  printing = prints;
 }
 
 std::vector<std::string> Messages::takeWarnings()

@@ -28,6 +28,9 @@ public:
   /// Prints a warning on the terminal and keeps it for takeWarnings(). From any thread.
   static void warn(const std::string& sentence);
 
+  /// Whether warn() prints. Default yes; they are kept in any case.
+  static void setPrinting(bool prints);
+
   /// The warnings since the last call, at most the last hundred.
   static std::vector<std::string> takeWarnings();
 

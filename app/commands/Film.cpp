@@ -87,23 +87,6 @@ std::optional<NumberPlace> numberPlace(const std::string& pattern)
   return place;
 }
 
-/// Eight bits a colour, without alpha: backgrounds are opaque.
-vtkSmartPointer<vtkImageData> inBytes(vtkImageData* image)
-{
-  auto bytes = vtkSmartPointer<vtkImageData>::New();
-  bytes->SetDimensions(image->GetDimensions());
-  bytes->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  vtkDataArray* colors = image->GetPointData()->GetArray("color");
-  const auto* from = static_cast<const float*>(colors->GetVoidPointer(0));
-  auto* to = static_cast<unsigned char*>(bytes->GetScalarPointer());
-  const int components = colors->GetNumberOfComponents();
-  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
-    for (int c = 0; c < 3; ++c)
-      to[3 * i + c] = static_cast<unsigned char>(
-        255.0f * std::clamp(from[components * i + c], 0.0f, 1.0f) + 0.5f);
-  return bytes;
-}
-
 /// Shows a frame's settings and time step.
 void showFrame(
   Stage& stage, Input& input, int& step, const Settings& frame, ProgressRelay& progress)

@@ -121,7 +121,7 @@ std::string onlyStepOf(const std::vector<Settings>& frames, int steps)
     { return one.data.step == first.step && one.data.time == first.time; });
   return steps < 2 || !isOne ? ""
                              : "all frames show one of " + std::to_string(steps) +
-                                 " time steps; --steps all plays them";
+                                 " time steps; --steps all plays them, or 'all' at time steps";
 }
 
 std::vector<Settings> planFilm(const FilmScene& scene, const FilmSettings& film)

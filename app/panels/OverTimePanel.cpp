@@ -186,7 +186,6 @@ void OverTimePanel::drawIds() const
   }
   if (curves_.size() > mostTold)
   {
-    ImGui::SameLine();
     ImGui::TextDisabled("of %s, %s drawn",
       withThousands(static_cast<std::int64_t>(curves_.size())).c_str(),
       withThousands(static_cast<std::int64_t>(std::min(mostDrawn, curves_.size()))).c_str());

@@ -155,9 +155,17 @@ void Panel::drawNewCut(const double bounds[6])
   const CutKind kind = *cutNamed(name);
   const Interval extent = extentOf(kind, cutAxisOf(next_.cuts.axis), bounds);
   const double middle = 0.5 * (extent.low + extent.high);
-  // An angle opens a quarter.
-  cuts.push_back(
-    {name, {kind.of == CutKind::Angle ? Interval{90.0, 360.0} : Interval{-HUGE_VAL, middle}}});
+  double away[3];
+  stage_.renderer()->GetActiveCamera()->GetDirectionOfProjection(away);
+  const auto& along =
+    kind.of == CutKind::Height ? cutAxisOf(next_.cuts.axis).direction : kind.direction;
+  const double slope = along[0] * away[0] + along[1] * away[1] + along[2] * away[2];
+  if (kind.of == CutKind::Angle) // opens a quarter
+    cuts.push_back({name, {{90.0, 360.0}}});
+  else if (kind.of == CutKind::Radius || slope <= 0.0)
+    cuts.push_back({name, {{-HUGE_VAL, middle}}});
+  else // the face of the cut is towards the eye
+    cuts.push_back({name, {{middle, HUGE_VAL}}});
 }
 
 void Panel::drawSlices()

@@ -8,6 +8,7 @@
 #include <vtkCellTypes.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
+#include <vtkDataObjectTree.h>
 #include <vtkDataObjectTreeIterator.h>
 #include <vtkDataSet.h>
 #include <vtkGenericCell.h>
@@ -129,6 +130,16 @@ vtkSmartPointer<vtkDataSet> withCells(vtkDataSet* data, const std::string& name)
 }
 
 } // namespace
+
+vtkSmartPointer<vtkDataObject> sharingCopy(vtkDataObject* object)
+{
+  auto copy = vtkSmartPointer<vtkDataObject>::Take(object->NewInstance());
+  if (auto* composite = vtkDataObjectTree::SafeDownCast(copy))
+    composite->RecursiveShallowCopy(object);
+  else
+    copy->ShallowCopy(object);
+  return copy;
+}
 
 std::vector<NamedData> dataSetsOf(vtkDataObject* object, const std::string& name)
 {

@@ -10,6 +10,9 @@ class vtkDataObject;
 namespace mote::app
 {
 
+/// A data object of one's own that shares the arrays; of composite data with blocks of its own.
+vtkSmartPointer<vtkDataObject> sharingCopy(vtkDataObject* object);
+
 /// The data sets of what a reader made of a file that is called `name`: the data themselves, or
 /// all that lie in composite data, in VTK's order. Those are called as their blocks are, "inlet";
 /// where several are called the same, the names of the blocks that they lie in stand before,

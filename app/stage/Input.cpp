@@ -1,12 +1,13 @@
 #include "Input.h"
 
 #include "Blocks.h"
+#include "KeptData.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/Text.h"
 
 #include <vtkAlgorithm.h>
-#include <vtkDataObjectTree.h>
+#include <vtkDataObject.h>
 #include <vtkDataSet.h>
 #include <vtkMoteLAMMPSDumpReader.h>
 #include <vtkMotePolyDataReader.h>
@@ -38,20 +39,52 @@ std::string nameOf(const std::vector<std::string>& files)
   return first;
 }
 
+namespace
+{
+
+/// Throws Failure for what no reader is for.
+vtkSmartPointer<vtkAlgorithm> makeReader(const std::vector<std::string>& files)
+{
+  if (isKeptData(files.front()))
+    return producerOfKept(files.front());
+  std::string error;
+  auto reader = vtkMoteReaderTable::MakeReader(files, error);
+  if (!reader)
+    throw Failure(error);
+  return reader;
+}
+
+} // namespace
+
 Input::Input(const std::vector<std::string>& files)
   : files_(files)
 {
-  for (const auto& group : vtkMoteReaderTable::GroupSeries(files))
+  std::vector<std::string> ofDisk;
+  const auto add = [this](const std::vector<std::string>& group, const std::string& name)
   {
     Source source;
     source.files = group;
-    source.name = nameOf(group);
-    std::string error;
-    source.reader = vtkMoteReaderTable::MakeReader(group, error);
-    if (!source.reader)
-      throw Failure(error);
+    source.name = name;
+    source.reader = makeReader(group);
     sources_.push_back(source);
+  };
+  const auto addDisk = [&]
+  {
+    for (const auto& group : vtkMoteReaderTable::GroupSeries(ofDisk))
+      add(group, nameOf(group));
+    ofDisk.clear();
+  };
+  for (const std::string& file : files)
+  {
+    if (!isKeptData(file))
+    {
+      ofDisk.push_back(file);
+      continue;
+    }
+    addDisk();
+    add({file}, nameOfKept(file));
   }
+  addDisk();
 }
 
 void Input::setSpace(const std::shared_ptr<ScratchSpace>& space)
@@ -157,12 +190,9 @@ std::unique_ptr<Input> Input::again() const
   other->times_ = times_;
   for (const Source& source : sources_)
   {
-    std::string error;
     other->sources_.push_back(source);
     Source& own = other->sources_.back();
-    own.reader = vtkMoteReaderTable::MakeReader(source.files, error);
-    if (!own.reader)
-      throw Failure(error);
+    own.reader = makeReader(source.files);
     if (auto* dump = vtkMoteLAMMPSDumpReader::SafeDownCast(own.reader))
       dump->TakeIndexOf(vtkMoteLAMMPSDumpReader::SafeDownCast(source.reader));
   }
@@ -176,6 +206,9 @@ std::vector<NamedData> Input::read(int step, ProgressRelay& progress)
 
 std::vector<NamedData> Input::read(int step, const Runner& runner)
 {
+  if (kept_)
+    if (auto kept = kept_(step))
+      return *std::move(kept);
   std::vector<NamedData> all;
   for (Source& source : sources_)
   {
@@ -193,11 +226,7 @@ std::vector<NamedData> Input::read(int step, const Runner& runner)
       throw Failure(error.empty() ? source.name + " could not be read" : error);
     }
     // The reader writes its next step into the same objects.
-    auto copy = vtkSmartPointer<vtkDataObject>::Take(data->NewInstance());
-    if (auto* composite = vtkDataObjectTree::SafeDownCast(copy))
-      composite->RecursiveShallowCopy(data);
-    else
-      copy->ShallowCopy(data);
+    const auto copy = sharingCopy(data);
     const std::size_t first = all.size();
     for (NamedData& one : dataSetsOf(copy, source.name))
       all.push_back(std::move(one));

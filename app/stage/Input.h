@@ -5,6 +5,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -61,6 +62,12 @@ public:
   std::vector<NamedData> read(int step, ProgressRelay& progress);
   std::vector<NamedData> read(int step, const Runner& runner);
 
+  /// What has been read of a step and is still kept, as data objects of the caller's own; none
+  /// where it is not.
+  using Kept = std::function<std::optional<std::vector<NamedData>>(int step)>;
+  /// Has read() ask there first.
+  void setKept(Kept kept) { kept_ = std::move(kept); }
+
   /// The same and new files, of a simulation that goes on: opened, with what is known of those that
   /// have only grown. A last step that is half written is left out. Throws Failure and Interrupted.
   Input goneOn(const std::vector<std::string>& files, ProgressRelay& progress) const;
@@ -93,6 +100,7 @@ private:
   std::vector<std::string> files_;
   std::vector<Source> sources_;
   std::vector<double> times_;
+  Kept kept_;
 };
 
 /// What a file is called, without folders; a series as "peri.*.dump".

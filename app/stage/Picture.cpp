@@ -34,6 +34,22 @@ void applyLook(vtkMoteColorLegend* legend, const PictureSettings& look)
   legend->SetFontScale(look.fontScale);
 }
 
+vtkSmartPointer<vtkImageData> inBytes(vtkImageData* image)
+{
+  auto bytes = vtkSmartPointer<vtkImageData>::New();
+  bytes->SetDimensions(image->GetDimensions());
+  bytes->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  vtkDataArray* colors = image->GetPointData()->GetArray("color");
+  const auto* from = static_cast<const float*>(colors->GetVoidPointer(0));
+  auto* to = static_cast<unsigned char*>(bytes->GetScalarPointer());
+  const int components = colors->GetNumberOfComponents();
+  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+    for (int c = 0; c < 3; ++c)
+      to[3 * i + c] = static_cast<unsigned char>(
+        255.0f * std::clamp(from[components * i + c], 0.0f, 1.0f) + 0.5f);
+  return bytes;
+}
+
 Picture::Picture(Stage& stage, const std::array<int, 2>& size)
   : stage_(stage)
   , size_(size)
@@ -146,6 +162,11 @@ Margins Picture::margins()
 void Picture::write(const std::string& caption, ProgressRelay& progress)
 {
   this->draw(caption, progress);
+  this->save();
+}
+
+void Picture::save()
+{
   if (!writer_->Write())
     throw Failure(writer_->GetErrorMessage());
 }

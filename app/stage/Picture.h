@@ -26,6 +26,9 @@ struct SideBySide;
 /// Side, numbers and letters of a legend as the settings say.
 void applyLook(vtkMoteColorLegend* legend, const PictureSettings& look);
 
+/// The colours of a picture in eight bits each, without alpha: backgrounds are opaque.
+vtkSmartPointer<vtkImageData> inBytes(vtkImageData* image);
+
 /// The pipeline from a stage to a picture file, without a window: that of `mote render`, and of the
 /// window's saved pictures.
 class Picture
@@ -49,6 +52,9 @@ public:
   /// Traces and writes. `caption` stands where the settings have none. Throws Failure and
   /// Interrupted.
   void write(const std::string& caption, ProgressRelay& progress);
+
+  /// Writes what was drawn last to the file that was aimed at. Throws Failure.
+  void save();
 
   /// Traces, and returns the image with what is drawn over it, which is the picture's own. As
   /// write() else.

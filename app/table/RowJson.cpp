@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 
 namespace mote::app
 {
@@ -70,6 +71,19 @@ Json jsonOf(const Row& row, const std::vector<std::string>& words)
   for (const std::string& word : words)
     list.push_back(jsonOfWord(row, word));
   return list;
+}
+
+std::vector<std::string> givenWords(const Row& row, const Json& value)
+{
+  if (row.shape == Shape::OptionalOne && value.is_boolean())
+    return {value.get<bool>() ? "on" : "off"};
+  if (row.shape != Shape::Many || !row.commas || !value.is_string())
+    return wordsOf(row, value);
+  std::vector<std::string> words;
+  std::istringstream text(value.get<std::string>());
+  for (std::string word; std::getline(text, word, ',');)
+    words.push_back(word);
+  return words;
 }
 
 std::string groupName(const Row& row)

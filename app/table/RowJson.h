@@ -17,6 +17,10 @@ using Json = nlohmann::ordered_json;
 /// Words of a row as JSON: numbers, true and false, a text, or a list of them.
 Json jsonOf(const Row& row, const std::vector<std::string>& words);
 
+/// What JSON says of a row as words of its set(): of several values joined by commas, too, as on
+/// the command line. Throws WrongValue for what is no value.
+std::vector<std::string> givenWords(const Row& row, const Json& value);
+
 /// The group of a row as JSON names it: "Colour" is "colour"; of a command's row the command.
 std::string groupName(const Row& row);
 

@@ -10,6 +10,7 @@
 #include "settings/ErrorBudget.h"
 #include "settings/UserState.h"
 #include "stage/Advice.h"
+#include "stage/KeptData.h"
 #include "table/Session.h"
 
 #include <vtkCamera.h>
@@ -182,7 +183,8 @@ void Window::run()
     this->say("Mote shows what simulations write: start it as mote FILE, or press Ctrl+O");
   else
     this->say("Press h for the keys");
-  noteRecent(input_.files());
+  if (std::none_of(input_.files().begin(), input_.files().end(), isKeptData))
+    noteRecent(input_.files());
   props_.attach(interactor_); // which draws the window
   this->setUpPanel();
   this->updatePanel(); // how wide messages may be

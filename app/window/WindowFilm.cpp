@@ -45,11 +45,18 @@ bool Window::doElsewhere(const std::function<void()>& work)
       const StepCache::Pause pause(cache_.get());
       const auto restore = [&]
       {
+        input_.setKept({});
         bar_.reset();
         stage_.apply(before);
         setCamera(stage_.renderer()->GetActiveCamera(), camera);
         this->load(step_);
       };
+      input_.setKept(
+        [this](int step) -> std::optional<std::vector<NamedData>>
+        {
+          const std::vector<double>& times = input_.times();
+          return cache_ && !times.empty() ? cache_->original(step, times[step]) : std::nullopt;
+        });
       try
       {
         work();

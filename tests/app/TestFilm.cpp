@@ -156,8 +156,8 @@ TEST(Film, WhatItWillBeIsTold)
   film.steps = "";
   std::vector<Settings> keys = {keyAt(front), keyAt(right)};
   EXPECT_EQ(forecast(keys, 80, film).length, "50 frames, 2.00 s");
-  EXPECT_EQ(
-    forecast(keys, 80, film).steps, "all frames show one of 80 time steps; --steps all plays them");
+  EXPECT_EQ(forecast(keys, 80, film).steps,
+    "all frames show one of 80 time steps; --steps all plays them, or 'all' at time steps");
   EXPECT_EQ(forecast(keys, 1, film).steps, "");
   film.steps = "all";
   EXPECT_EQ(forecast(keys, 80, film).steps, "");

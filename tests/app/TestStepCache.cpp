@@ -1,7 +1,9 @@
 // Time steps that are read and built ahead on another thread are what reading and building here
 // gives, and stay within their budget.
 
+#include <base/Failure.h>
 #include <stage/Input.h>
+#include <stage/KeptData.h>
 #include <stage/ParticlePaths.h>
 #include <stage/Stage.h>
 #include <stage/StepCache.h>
@@ -379,6 +381,53 @@ TEST_F(StepCacheTest, WhatOthersReadIsKept)
   ASSERT_EQ(ready->parts.size(), 1u) << "and built";
   this->show(ready->original, &*ready);
   EXPECT_EQ(stage->numberOfParticles(), 100 + steps - 1);
+}
+
+TEST_F(StepCacheTest, AnInputAsksForWhatIsKeptFirst)
+{
+  ProgressRelay progress;
+  Input input({this->dump()});
+  input.open(progress);
+  const std::vector<NamedData> second = input.read(1, progress);
+  std::vector<int> asked;
+  input.setKept(
+    [&](int step) -> std::optional<std::vector<NamedData>>
+    {
+      asked.push_back(step);
+      return step == 1 ? std::optional(second) : std::nullopt;
+    });
+  EXPECT_EQ(input.read(1, progress).front().data, second.front().data);
+  EXPECT_EQ(input.read(2, progress).front().data->GetNumberOfPoints(), 102);
+  EXPECT_EQ(asked, (std::vector<int>{1, 2}));
+  input.setKept({});
+  EXPECT_NE(input.read(1, progress).front().data, second.front().data);
+  EXPECT_EQ(asked.size(), 2U);
+}
+
+TEST_F(StepCacheTest, DataOfNoFileAreReadByTheirNames)
+{
+  ProgressRelay progress;
+  Input file({this->dump()});
+  file.open(progress);
+  const auto data = file.read(0, progress).front().data;
+  std::string name;
+  {
+    KeptData kept;
+    name = kept.keep("of a program", data);
+    ASSERT_TRUE(isKeptData(name));
+    Input input({name, this->dump()});
+    input.open(progress);
+    EXPECT_EQ(input.name(), "of a program and 1 more");
+    const auto all = input.again()->read(3, progress);
+    ASSERT_EQ(all.size(), 2U);
+    EXPECT_EQ(all[0].name, "of a program");
+    EXPECT_NE(all[0].data, data) << "an object of its own";
+    EXPECT_EQ(vtkPointSet::SafeDownCast(all[0].data)->GetPoints(),
+      vtkPointSet::SafeDownCast(data)->GetPoints());
+    EXPECT_EQ(all[1].data->GetNumberOfPoints(), 103);
+  }
+  EXPECT_FALSE(isKeptData(name));
+  EXPECT_THROW(Input({name}), Failure);
 }
 
 TEST_F(StepCacheTest, EndsAtOnceWhateverIsUnderWay)

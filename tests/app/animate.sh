@@ -52,7 +52,7 @@ case $3 in
       --azimuth 70 --zoom 2 --background white --save-session b.json
     run 0 "$mote" animate a.json --key-frames b.json,a.json -o f-%03d.png --frames 5
     frames_are 5
-    said out 'all frames show one of 7 time steps; --steps all plays them'
+    said out "all frames show one of 7 time steps; --steps all plays them"
     alike f-001.png a.png
     alike f-003.png b.png
     alike f-005.png a.png

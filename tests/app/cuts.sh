@@ -70,6 +70,8 @@ case $3 in
     picture whole.png
     click cut
     click y
+    has '--cut=y=[-0-9.e]+: ' # from -y: the face is towards the eye
+    click 'other side y'
     has '--cut=y=:[-0-9.e]+ '
     picture half.png
     differ whole.png half.png
@@ -102,7 +104,7 @@ case $3 in
     has_no angle=
     press ctrl+z
     has angle=
-    for _ in $(seq 9); do press ctrl+z; done
+    for _ in $(seq 10); do press ctrl+z; done
     has_no '--cut'
     picture again.png
     alike whole.png again.png

@@ -1,5 +1,5 @@
-"""Runs the Python examples of README.md and of pages in docs as a reader would: in a folder of their
-own."""
+"""Runs the Python examples of README.md and of pages in docs as a reader would: in a folder of their own,
+which has the project's data."""
 
 import os
 import pathlib
@@ -22,6 +22,7 @@ class Readme(unittest.TestCase):
     def test_examples_run(self):
         for number, code in enumerate(examples(), 1):
             with self.subTest(example=number), tempfile.TemporaryDirectory() as folder:
+                (pathlib.Path(folder) / "data").symlink_to(ROOT / "data")
                 done = subprocess.run(
                     [sys.executable, "-c", code],
                     cwd=folder,
@@ -33,7 +34,7 @@ class Readme(unittest.TestCase):
                 said = done.stdout + done.stderr
                 self.assertEqual(done.returncode, 0, said)
                 self.assertNotRegex(said, r"ERR\||ERROR|Traceback")
-                named = re.findall(r"[\"']([\w.-]+\.(?:png|exr))[\"']", code)
+                named = re.findall(r"[\"']([\w.-]+\.(?:png|exr|ogv))[\"']", code)
                 for name in named:
                     self.assertGreater((pathlib.Path(folder) / name).stat().st_size, 0, name)
 
