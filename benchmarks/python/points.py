@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """How long it takes from an array of NumPy to a picture, and the next one, and what memory that takes.
 
     PYTHONPATH=build/release/lib/python3/dist-packages benchmarks/python/points.py [COUNT]

@@ -4,6 +4,7 @@
 
 #include <Program.h>
 #include <base/Failure.h>
+#include <base/Messages.h>
 #include <base/Text.h>
 #include <stage/Advice.h>
 #include <stage/Blocks.h>
@@ -110,6 +111,7 @@ void DataView::show(const std::vector<GivenData>& data, const Settings& settings
 DrawnImage DataView::draw(
   const std::vector<GivenData>& data, const std::string& text, const std::string& output)
 {
+  const std::lock_guard lock(mutex_);
   const MessageScope messages;
   Settings settings = settingsOf(text, false);
   if (settings.picture.size[0] == 0)

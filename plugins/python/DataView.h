@@ -8,6 +8,7 @@
 #include <vtkSmartPointer.h>
 
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,7 @@ public:
 private:
   void show(const std::vector<GivenData>& data, const Settings& settings);
 
+  std::mutex mutex_; ///< of both, should threads draw one scene
   std::unique_ptr<Stage> stage_;
   std::vector<std::pair<vtkSmartPointer<vtkDataObject>, vtkMTimeType>> shown_;
 };

@@ -8,6 +8,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import threading
 import unittest
 import warnings
 
@@ -211,6 +212,22 @@ class Errors(Folder):
         with self.assertRaises(mote.Error):
             scene.render(color_by="mass", **SMALL)
         self.assertTrue(same(before, scene.render(**SMALL)))
+
+    def test_threads_draw_at_the_same_time(self):
+        pictures = [None] * 4
+
+        def draw(i):
+            scene = mote.particles(lattice() * (i + 1), radius=0.4)
+            for _ in range(5):
+                pictures[i] = scene.render(**SMALL)
+
+        threads = [threading.Thread(target=draw, args=(i,)) for i in range(len(pictures))]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for i, picture in enumerate(pictures):
+            self.assertTrue(same(picture, mote.particles(lattice() * (i + 1), radius=0.4).render(**SMALL)))
 
     def test_warnings_are_pythons(self):
         with warnings.catch_warnings(record=True) as told:

@@ -1,6 +1,8 @@
 """Runs the Python examples of README.md and of pages in docs as a reader would: in a folder of their own,
 which has the project's data."""
 
+import ast
+import json
 import os
 import pathlib
 import re
@@ -16,6 +18,32 @@ PAGES = [ROOT / "README.md", ROOT / "docs/volumes.md", *sorted((ROOT / "docs/gui
 def examples():
     texts = [page.read_text(encoding="utf-8") for page in PAGES if page.exists()]
     return re.findall(r"^```python\n(.*?)^```", "\n".join(texts), re.M | re.S)
+
+
+def notebook_cells():
+    notebook = json.loads((ROOT / "docs/guide/python.ipynb").read_text(encoding="utf-8"))
+    return [cell["source"] for cell in notebook["cells"] if cell["cell_type"] == "code"]
+
+
+class Notebook(unittest.TestCase):
+    def test_cells_run_and_show_their_last_value(self):
+        names = {}
+        shown = []
+        here = os.getcwd()
+        os.chdir(ROOT)
+        try:
+            for cell in notebook_cells():
+                *before, last = ast.parse(cell).body
+                exec(compile(ast.Module(before, []), "cell", "exec"), names)
+                if isinstance(last, ast.Expr):
+                    value = eval(compile(ast.Expression(last.value), "cell", "eval"), names)
+                    shown.append(value)
+        finally:
+            os.chdir(here)
+        pictures = [value._repr_png_() for value in shown if hasattr(value, "_repr_png_")]
+        self.assertEqual(len(pictures), 2)
+        self.assertTrue(all(picture.startswith(b"\x89PNG") for picture in pictures))
+        self.assertEqual(shown[-1], (300, 800, 3))
 
 
 class Readme(unittest.TestCase):
