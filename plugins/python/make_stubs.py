@@ -8,7 +8,11 @@ import re
 import sys
 
 import mote
-from mote import functions
+
+try:
+    from mote import functions
+except ModuleNotFoundError:  # there is no NumPy, and so there are classes alone
+    functions = None
 
 SETTING = {"flag": "bool", "one": "_One", "optional": "_One | bool", "many": "_Many"}
 
@@ -47,6 +51,8 @@ def stub_of_class(name, value):
 
 
 def functions_stub():
+    if functions is None:
+        return ""
     text = [
         "from typing import Any, Iterable\n\n",
         "_One = str | float | int\n_Many = str | float | int | Iterable[Any] | dict[str, Any]\n\n",
@@ -60,9 +66,11 @@ def functions_stub():
 
 
 def package_stub():
-    public = [n for n in dir(functions) if not n.startswith("_") and hasattr(mote, n)]
-    public = [n for n in public if getattr(functions, n).__module__.startswith("mote")]
-    text = ["from .functions import " + ", ".join(f"{n} as {n}" for n in public) + "\n\n__version__: str\n\n"]
+    text = ["__version__: str\n\n"]
+    if functions is not None:
+        public = [n for n in dir(functions) if not n.startswith("_") and hasattr(mote, n)]
+        public = [n for n in public if getattr(functions, n).__module__.startswith("mote")]
+        text.insert(0, "from .functions import " + ", ".join(f"{n} as {n}" for n in public) + "\n\n")
     for name in sorted(n for n in dir(mote) if n.startswith("vtkMote")):
         text.append(f"class {name}:\n")
         for part in sorted(vars(getattr(mote, name))):
