@@ -292,6 +292,15 @@ def _with_arrays(data, arrays, kind):
     return scene
 
 
+def _given(data, arrays, color):
+    """Data of VTK as they are, or, where arrays come to them, an object of the scene's own that shares theirs."""
+    if not arrays and (color is None or isinstance(color, str)):
+        return data
+    own = data.NewInstance()
+    own.ShallowCopy(data)
+    return own
+
+
 def _color(scene, color):
     """Has the scene the colour: the values of an array, the name of one, or a colour for all."""
     if color is None:
@@ -340,7 +349,7 @@ def mesh(points, triangles=None, color=None, *, arrays=None, name="mesh", **sett
     color, arrays: as particles() has them, of n corners or m triangles.
     """
     if isinstance(points, vtkDataObject):
-        data = points
+        data = _given(points, arrays, color)
     else:
         corners = np.asarray(triangles if triangles is not None else ())
         if corners.ndim != 2 or corners.shape[1] != 3 or corners.dtype.kind not in "iu":
@@ -370,7 +379,7 @@ def volume(grid, color=None, *, spacing=(1, 1, 1), origin=(0, 0, 0), arrays=None
     color, arrays: as particles() has them, of points or cells.
     """
     if isinstance(grid, vtkDataObject):
-        data = grid
+        data = _given(grid, arrays, color)
     else:
         values = np.asarray(grid)
         if values.ndim != 3 or min(values.shape) < 2:

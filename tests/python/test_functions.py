@@ -121,6 +121,14 @@ class Scenes(Folder):
         with self.assertRaises(ValueError):
             mote.volume(np.zeros((3, 3)))
 
+    def test_data_of_vtk_stay_as_they_are(self):
+        mesh = mote.mesh(lattice(2)[:3], [[0, 1, 2]]).data[0]
+        colored = mote.mesh(mesh, color=[1.0, 2.0, 3.0])
+        self.assertEqual(colored.keys(), ["color"])
+        self.assertEqual(mesh.GetPointData().GetNumberOfArrays(), 0)
+        self.assertIs(colored.data[0].GetPoints(), mesh.GetPoints())
+        self.assertIs(mote.mesh(mesh).data[0], mesh)
+
     def test_scenes_are_added(self):
         left = mote.particles(lattice(), radius=0.3, color="tomato")
         right = mote.particles(lattice() + [7, 0, 0], radius=0.3)
