@@ -409,7 +409,15 @@ SCRIPT
     has_no '--range'
     picture again.png
     alike own.png again.png
-    # Whose file is away for a while, has what there was.
+    # Steps that are in memory need no file.
+    mv hot.dump away
+    click 'Range of all steps'
+    has '--range=2,19 '
+    mv away hot.dump
+    press q
+    wait $process
+    # Whose file is away for a while, and in memory neither, has what there was.
+    open hot.dump --size 900x900 --color-by heat --no-loop --step 1 --cache 0
     mv hot.dump away
     click 'Range of all steps'
     has_no '--range'
