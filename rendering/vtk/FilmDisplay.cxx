@@ -32,13 +32,15 @@ const char* const fragmentShader = R"(//VTK::System::Dec
 in vec2 texCoord;
 uniform sampler2D colorTexture;
 uniform sampler2D depthTexture;
+uniform int cloudsPass;
 void main()
 {
   vec4 color = texture2D(colorTexture, texCoord);
   if (color.a <= 0.0)
     discard;
+  float depth = texture2D(depthTexture, texCoord).r;
   gl_FragData[0] = color;
-  gl_FragDepth = texture2D(depthTexture, texCoord).r;
+  gl_FragDepth = cloudsPass != 0 && depth >= 1.0 ? 0.0 : depth;
 }
 )";
 
@@ -156,10 +158,11 @@ void FilmDisplay::upload(const Film& film, const unsigned char* colors, bool smo
   depth_->Create2DFromRaw(width, height, 1, VTK_FLOAT, windowDepth_.data());
 }
 
-void FilmDisplay::renderQuad()
+void FilmDisplay::renderQuad(bool cloudsPass)
 {
   color_->Activate();
   depth_->Activate();
+  quad_->Program->SetUniformi("cloudsPass", cloudsPass);
   quad_->Program->SetUniformi("colorTexture", color_->GetTextureUnit());
   quad_->Program->SetUniformi("depthTexture", depth_->GetTextureUnit());
   quad_->Render();
@@ -183,7 +186,7 @@ void FilmDisplay::drawQuad(bool blend)
   }
   else
     state->vtkglDisable(GL_BLEND);
-  renderQuad();
+  renderQuad(false);
 }
 
 void FilmDisplay::drawOver()
@@ -197,14 +200,17 @@ void FilmDisplay::drawOver()
   const vtkOpenGLState::ScopedglBlendFuncSeparate keepFunction(state);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  state->vtkglDisable(GL_DEPTH_TEST); // which keeps depths from being written, too
-  renderQuad();
+  // Colours first. Rays have ended at other props. But a pixel of a coarse film may be of several
+  // of the window, and a surface in it must not cover what stands before it, such as a thin line.
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDepthMask(GL_FALSE);
+  renderQuad(true);
   // Then depths alone. A cloud has none: its pixels hold 1, which is nearer than nothing.
   state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LESS);
   state->vtkglDepthMask(GL_TRUE);
-  renderQuad();
+  renderQuad(false);
 }
 
 void FilmDisplay::drawIntoWindow(vtkRenderer* renderer)

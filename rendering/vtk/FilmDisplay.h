@@ -54,7 +54,8 @@ private:
   void convertDepth(vtkRenderer* renderer, const Film& film, const SilhouetteLayer& lines);
   void drawQuad(bool blend);
   void drawOver();
-  void renderQuad();
+  /// In `cloudsPass` what has no depth counts as nearest.
+  void renderQuad(bool cloudsPass);
   void drawIntoWindow(vtkRenderer* renderer);
 
   vtkWeakPointer<vtkOpenGLRenderWindow> window_; ///< may go away unnoticed while the pass is unset

@@ -19,17 +19,29 @@
 namespace mote
 {
 
+namespace
+{
+
+/// The pixels, of so many, that one of fewer covers, and three at the least, of which a thin line
+/// is the lesser part; of an image that is not coarser the one at its middle. The first, and after
+/// the last.
+std::pair<int, int> spanOf(int pixel, int count, int newCount)
+{
+  const auto at = [&](double p) { return static_cast<int>(p * count / newCount); };
+  const int middle = at(pixel + 0.5);
+  if (newCount >= count)
+    return {middle, middle + 1};
+  const int first = at(pixel), last = at(pixel + 1);
+  return last - first >= 3 ? std::pair(first, last)
+                           : std::pair(std::max(middle - 1, 0), std::min(middle + 2, count));
+}
+
+} // namespace
+
 std::vector<float> WindowDepth::resampled(int newWidth, int newHeight) const
 {
   if (newWidth == width && newHeight == height)
     return distances;
-  // The pixels that another one covers; of an image that is not coarser, the one at its middle.
-  const auto spanOf = [](int pixel, int count, int newCount)
-  {
-    const auto at = [&](double p) { return static_cast<int>(p * count / newCount); };
-    return newCount < count ? std::pair(at(pixel), at(pixel + 1))
-                            : std::pair(at(pixel + 0.5), at(pixel + 0.5) + 1);
-  };
   std::vector<float> samples(static_cast<std::size_t>(newWidth) * newHeight);
   tbb::parallel_for(0, newHeight,
     [&](int y)
@@ -46,7 +58,9 @@ std::vector<float> WindowDepth::resampled(int newWidth, int newHeight) const
           block.insert(block.end(), from + x0, from + x1);
         }
         const auto middle = block.begin() + static_cast<std::ptrdiff_t>(block.size() / 2);
-        std::nth_element(block.begin(), middle, block.end());
+        // Most often nothing is there.
+        if (std::any_of(block.begin(), block.end(), [&](float d) { return d != block.front(); }))
+          std::nth_element(block.begin(), middle, block.end());
         samples[static_cast<std::size_t>(y) * newWidth + x] = *middle;
       }
     });

@@ -25,7 +25,8 @@ struct WindowDepth
   ContentHash hash; ///< of the distances
 
   /// The distances for the pixels of an image of another size over the same viewport: of the pixels
-  /// that one covers the median, the farther of two. A thin line in front ends no coarse pixel.
+  /// that one covers, at least 3x3 where it is coarser, the median. A thin line in front ends no
+  /// coarse pixel.
   std::vector<float> resampled(int newWidth, int newHeight) const;
 };
 

@@ -5,6 +5,7 @@
 #include "vtkCamera.h"
 #include "vtkContourValues.h"
 #include "vtkImageData.h"
+#include "vtkLineSource.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
@@ -357,6 +358,45 @@ TEST_F(VolumeFrames, MovingViewsAreCoarser)
   EXPECT_EQ(drawing.pass->GetImageSampleDistance(), 1.0);
   EXPECT_TRUE(drawing.pass->IsConverged());
   EXPECT_GT(fine.at(120, 150)[0], 50);
+}
+
+TEST_F(VolumeFrames, ThinLinesStayBeforeCoarseSurfaces)
+{
+  ball->VisibilityOff();
+  box.mapper->SetInputData(makeBox(3, [](const Point& p) { return p[2]; }));
+  box.mapper->ShowIsoSurfacesOn();
+  box.property()->GetIsoSurfaceValues()->SetValue(0, 0.0);
+  vtkNew<vtkLineSource> line;
+  line->SetPoint1(-0.9, -0.6, 1.2);
+  line->SetPoint2(0.9, 0.5, 1.2);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(line->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(0, 1, 0);
+  actor->GetProperty()->LightingOff();
+  drawing.renderer->AddActor(actor);
+  drawing.window->SetSize(400, 300);
+  const auto greenPixels = [](const Shot& shot)
+  {
+    int count = 0;
+    for (int y = 0; y < shot.height; ++y)
+      for (int x = 0; x < shot.width; ++x)
+        count += shot.at(x, y)[1] > 200 && shot.at(x, y)[0] < 50;
+    return count;
+  };
+  const int fine = greenPixels(drawing.shoot());
+  ASSERT_GT(fine, 60);
+  drawing.pass->SetInteractiveFrameTime(0.001);
+  drawing.pass->SetMostDistance(2);
+  drawing.window->SetDesiredUpdateRate(15);
+  for (int i = 0; i < 3; ++i)
+  {
+    drawing.camera()->Azimuth(0.1);
+    drawing.window->Render();
+  }
+  ASSERT_GT(drawing.pass->GetImageSampleDistance(), 1.0);
+  EXPECT_GE(greenPixels(read(drawing.window)), 0.95 * fine);
 }
 
 TEST_F(VolumeFrames, ProgressivePicturesEndAtProps)

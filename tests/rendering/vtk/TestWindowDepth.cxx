@@ -40,6 +40,18 @@ TEST(WindowDepth, AThinLineEndsNoCoarsePixel)
     }
 }
 
+TEST(WindowDepth, ASlopingLineEndsNoPixelThatIsALittleCoarser)
+{
+  for (const int coarse : {59, 50, 40, 31})
+  {
+    mote::WindowDepth depth = empty(60, 60);
+    for (int i = 0; i < 60; ++i)
+      depth.distances[static_cast<std::size_t>(i) * 60 + (i * 7) / 10] = 1.0f;
+    for (const float d : depth.resampled(coarse, coarse))
+      ASSERT_EQ(d, nothing) << coarse;
+  }
+}
+
 TEST(WindowDepth, WhatCoversMostOfACoarsePixelEndsIt)
 {
   mote::WindowDepth depth = empty(64, 64);
