@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <sstream>
 
 namespace mote::app
@@ -82,6 +83,29 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
   for (const std::string& word : words)
     text += (text.empty() ? "" : separator) + word;
   return text;
+}
+
+std::vector<std::string> shortestEnds(const std::vector<std::vector<std::string>>& paths)
+{
+  const auto endOf = [](const std::vector<std::string>& path, std::size_t count) {
+    return joined({path.end() - std::ptrdiff_t(std::min(count, path.size())), path.end()}, "/");
+  };
+  std::vector<std::string> ends(paths.size());
+  std::vector<std::size_t> counts(paths.size(), 1);
+  for (bool isChanged = true; isChanged;)
+  {
+    isChanged = false;
+    std::map<std::string, int> known;
+    for (std::size_t i = 0; i < paths.size(); ++i)
+      ++known[ends[i] = endOf(paths[i], counts[i])];
+    for (std::size_t i = 0; i < paths.size(); ++i)
+      if (known[ends[i]] > 1 && counts[i] < paths[i].size())
+      {
+        ++counts[i];
+        isChanged = true;
+      }
+  }
+  return ends;
 }
 
 std::string wrapped(const std::string& text, std::size_t columns)

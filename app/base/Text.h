@@ -31,6 +31,10 @@ std::string baseName(const std::string& path);
 /// `separator` between the words.
 std::string joined(const std::vector<std::string>& words, const std::string& separator);
 
+/// For each path the shortest end that no other has, with "/" between its words: all of it where
+/// another path is the same.
+std::vector<std::string> shortestEnds(const std::vector<std::vector<std::string>>& paths);
+
 /// Lines of at most so many characters, broken between words; lines that fit stay as they are.
 std::string wrapped(const std::string& text, std::size_t columns);
 

@@ -18,7 +18,6 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
-#include <map>
 
 namespace mote::app
 {
@@ -73,34 +72,6 @@ void collectLeaves(vtkCompositeDataSet* composite, const std::vector<std::string
   }
 }
 
-/// The last names of a path, as many as `count`.
-std::string endOf(const std::vector<std::string>& path, std::size_t count)
-{
-  const std::size_t taken = std::min(count, path.size());
-  return joined({path.end() - static_cast<std::ptrdiff_t>(taken), path.end()}, "/");
-}
-
-/// For each data set the shortest end of its path that no other has.
-std::vector<std::string> shortestNames(const std::vector<Leaf>& leaves)
-{
-  std::vector<std::string> names(leaves.size());
-  std::vector<std::size_t> counts(leaves.size(), 1);
-  for (bool isChanged = true; isChanged;)
-  {
-    isChanged = false;
-    std::map<std::string, int> known;
-    for (std::size_t i = 0; i < leaves.size(); ++i)
-      ++known[names[i] = endOf(leaves[i].path, counts[i])];
-    for (std::size_t i = 0; i < leaves.size(); ++i)
-      if (known[names[i]] > 1 && counts[i] < leaves[i].path.size())
-      {
-        ++counts[i];
-        isChanged = true;
-      }
-  }
-  return names;
-}
-
 /// The largest dimension of the cells: 3 of a volume, 2 of a surface.
 int dimensionOf(vtkDataSet* data)
 {
@@ -153,7 +124,10 @@ std::vector<NamedData> dataSetsOf(vtkDataObject* object, const std::string& name
   collectLeaves(composite, {}, false, leaves);
   if (leaves.size() == 1 && !leaves.front().isNamed)
     return {{name, withCells(leaves.front().data, name)}};
-  const std::vector<std::string> blocks = shortestNames(leaves);
+  std::vector<std::vector<std::string>> paths;
+  for (const Leaf& leaf : leaves)
+    paths.push_back(leaf.path);
+  const std::vector<std::string> blocks = shortestEnds(paths);
   std::vector<NamedData> all;
   std::vector<int> dimensions;
   for (std::size_t i = 0; i < leaves.size(); ++i)

@@ -14,6 +14,8 @@
 #include <vtkMoteReaderTable.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
 
 namespace mote::app
 {
@@ -85,6 +87,35 @@ Input::Input(const std::vector<std::string>& files)
     add({file}, nameOfKept(file));
   }
   addDisk();
+  tellApart(sources_);
+}
+
+/// Files of one name in several folders have of their folders what tells them apart.
+void Input::tellApart(std::vector<Source>& sources)
+{
+  std::map<std::vector<std::string>, std::vector<Source*>> sameFiles; // a file may be there twice
+  for (Source& source : sources)
+  {
+    std::vector<std::string> path;
+    if (!isKeptData(source.files.front()))
+      for (const auto& word : std::filesystem::absolute(source.files.front()).lexically_normal())
+        path.push_back(word.string());
+    if (path.empty())
+      path.emplace_back();
+    path.back() = source.name;
+    sameFiles[path].push_back(&source);
+  }
+  std::vector<std::vector<std::string>> paths;
+  for (const auto& [path, same] : sameFiles)
+    paths.push_back(path);
+  const std::vector<std::string> names = shortestEnds(paths);
+  auto name = names.begin();
+  for (const auto& [path, same] : sameFiles)
+  {
+    for (Source* source : same)
+      source->name = *name;
+    ++name;
+  }
 }
 
 void Input::setSpace(const std::shared_ptr<ScratchSpace>& space)
@@ -233,6 +264,7 @@ std::vector<NamedData> Input::read(int step, const Runner& runner)
     for (std::size_t i = first; i < all.size(); ++i)
     {
       all[i].file = source.files.front();
+      all[i].fileName = source.name;
       if (!times_.empty())
         all[i].time = times_[step];
       if (source.times.empty())

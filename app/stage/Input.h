@@ -27,12 +27,13 @@ struct NamedData
 {
   std::string name;
   vtkSmartPointer<vtkDataSet> data;
-  std::string file; ///< that it is from, the first one of a series
-  int step = 0;     ///< among those of the file
+  std::string file = {}; ///< that it is from, the first one of a series
+  int step = 0;          ///< among those of the file
   int steps = 1;
-  bool isOwnStep = false;  ///< as files with other times are beside this one
-  std::string block = {};  ///< what it is called in its file; empty where it is the file's only one
-  bool isBoundary = false; ///< a surface beside a volume in the same file
+  bool isOwnStep = false; ///< as files with other times are beside this one
+  std::string block = {}; ///< what it is called in its file; empty where it is the file's only one
+  std::string fileName = {};       ///< what the file, or the series, is called
+  bool isBoundary = false;         ///< a surface beside a volume in the same file
   std::optional<double> time = {}; ///< of the step that is shown; none where there is no time
 };
 
@@ -97,6 +98,8 @@ private:
     vtkSmartPointer<vtkAlgorithm> reader;
     std::vector<double> times;
   };
+  static void tellApart(std::vector<Source>& sources);
+
   std::vector<std::string> files_;
   std::vector<Source> sources_;
   std::vector<double> times_;

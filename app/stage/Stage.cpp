@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numeric>
 #include <utility>
 
@@ -403,9 +402,8 @@ std::string Stage::viewName(const std::vector<std::size_t>& view) const
   std::vector<std::string> names;
   for (const std::size_t part : view)
   {
-    const std::string file = std::filesystem::path(data_[part].file).filename().string();
-    const std::string& own = parts_[part]->name();
-    const std::string name = view.size() > 1 && !file.empty() ? file : own;
+    const std::string& file = data_[part].fileName;
+    const std::string name = view.size() > 1 && !file.empty() ? file : parts_[part]->name();
     if (std::find(names.begin(), names.end(), name) == names.end())
       names.push_back(name);
   }

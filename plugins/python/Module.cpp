@@ -77,14 +77,6 @@ PyObject* textOf(const std::string& text)
   return PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace");
 }
 
-PyObject* listOf(const std::vector<std::string>& texts)
-{
-  PyObject* list = PyList_New(static_cast<Py_ssize_t>(texts.size()));
-  for (std::size_t i = 0; list && i < texts.size(); ++i)
-    PyList_SET_ITEM(list, static_cast<Py_ssize_t>(i), textOf(texts[i]));
-  return list;
-}
-
 /// The texts of a list; false with a Python exception for another thing.
 bool takeTexts(PyObject* list, std::vector<std::string>& texts)
 {

@@ -1,11 +1,14 @@
 // What is opened in the window, from which list, and what is remembered of it.
 
 #include <base/Failure.h>
+#include <base/ProgressRelay.h>
 #include <base/Text.h>
 #include <base/UserFiles.h>
 #include <panels/FolderList.h>
 #include <settings/KeptSession.h>
 #include <settings/UserState.h>
+#include <stage/Input.h>
+
 #include <table/Opening.h>
 #include <table/Session.h>
 
@@ -45,6 +48,32 @@ protected:
 };
 
 } // namespace
+
+TEST_F(Opening, FilesOfOneNameAreToldApartByTheirFolders)
+{
+  for (const char* name : {"first", "second"})
+    fs::create_directories(folder / name / "results");
+  const std::string one = this->make("first/results/gas.xyz"),
+                    other = this->make("second/results/gas.xyz"), third = this->make("ice.xyz");
+  ProgressRelay progress;
+  const auto namesOf = [&](const std::vector<std::string>& files)
+  {
+    Input input(files);
+    input.open(progress);
+    std::vector<std::string> names;
+    for (const NamedData& data : input.read(0, progress))
+    {
+      EXPECT_EQ(data.name, data.fileName);
+      names.push_back(data.name);
+    }
+    return names;
+  };
+  EXPECT_EQ(namesOf({one, third}), (std::vector<std::string>{"gas.xyz", "ice.xyz"}));
+  EXPECT_EQ(namesOf({one, other, third}),
+    (std::vector<std::string>{"first/results/gas.xyz", "second/results/gas.xyz", "ice.xyz"}));
+  EXPECT_EQ(namesOf({one, one}), (std::vector<std::string>{"gas.xyz", "gas.xyz"}))
+    << "two of one file have nothing that tells them apart";
+}
 
 TEST_F(Opening, OtherDataTakeNothingThatSpeaksOfTheFormer)
 {

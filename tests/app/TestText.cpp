@@ -37,3 +37,12 @@ TEST(Text, NumbersAreReadWhole)
   for (const char* text : {"", " 1", "1x", "nan", "inf", "radius", "--"})
     EXPECT_FALSE(parseNumber(text, value)) << text;
 }
+
+TEST(Text, ShortestEndsTellPathsApart)
+{
+  EXPECT_EQ(shortestEnds({{"a", "b"}, {"c", "d"}}), (std::vector<std::string>{"b", "d"}));
+  EXPECT_EQ(shortestEnds({{"x", "a", "p"}, {"x", "b", "p"}, {"x", "q"}}),
+    (std::vector<std::string>{"a/p", "b/p", "q"}));
+  EXPECT_EQ(
+    shortestEnds({{"p"}, {"a", "p"}, {"a", "p"}}), (std::vector<std::string>{"p", "a/p", "a/p"}));
+}
