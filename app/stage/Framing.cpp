@@ -114,8 +114,11 @@ std::string automaticView(const double bounds[6])
 {
   const double length[3] = {bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]};
   const double longest = *std::max_element(length, length + 3);
-  const auto thin = [&](int axis) { return length[axis] < 0.04 * longest; };
-  return thin(2) ? "+z" : thin(1) ? "-y" : thin(0) ? "+x" : "iso";
+  const int thinnest = length[2] <= std::min(length[0], length[1]) ? 2
+                       : length[1] <= length[0]                    ? 1
+                                                                   : 0;
+  static const char* const faces[] = {"+x", "-y", "+z"};
+  return length[thinnest] < 0.04 * longest ? faces[thinnest] : "iso";
 }
 
 void lookFrom(vtkCamera* camera, const std::string& view)

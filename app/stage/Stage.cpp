@@ -348,7 +348,9 @@ std::string Stage::automaticSide() const
     surfaces = surfaces && !part->particles() && part->data()->IsA("vtkPolyData");
   }
   double bounds[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-  if (positions.IsValid())
+  if (settings_.volume.unroll)
+    this->shownBounds(bounds); // what is rolled out lies where no position is
+  else if (positions.IsValid())
     positions.GetBounds(bounds);
   const std::string side = automaticView(bounds);
   // Modellers of surfaces have y up, simulations z.

@@ -99,8 +99,10 @@ bool Window::follow(const Settings& next, RecordedEvent::Kind how)
   if (!done)
     this->note(RecordedEvent::Kind::Refused, this->settings());
   const bool isOther = before.data.files != next.data.files;
-  // Images would come up outside of a view that nobody chose.
-  const bool isWider = before.particles.replicate != next.particles.replicate;
+  // Images, copies and what is rolled out would come up outside of a view that nobody chose.
+  const bool isWider = before.particles.replicate != next.particles.replicate ||
+                       before.volume.repeatAround != next.volume.repeatAround ||
+                       before.volume.unroll != next.volume.unroll;
   if (done && (isOther || before.camera != next.camera || (isWider && next.camera.camera.empty())))
     this->look();
   overlay_.followBackground();

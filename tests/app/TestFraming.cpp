@@ -73,11 +73,14 @@ TEST(Framing, BoxJustFits)
 TEST(Framing, FlatDataShowTheirFace)
 {
   const double flatZ[6] = {0, 100, 0, 80, 0, 0}, flatY[6] = {0, 100, 5, 6, 0, 100},
-               flatX[6] = {0, 0, 0, 1, 0, 1}, cube[6] = {0, 1, 0, 1, 0, 1}, point[6] = {};
+               flatX[6] = {0, 0, 0, 1, 0, 1}, cube[6] = {0, 1, 0, 1, 0, 1}, point[6] = {},
+               strip[6] = {5, 5, 0, 100, 0, 3};
   EXPECT_EQ(automaticView(flatZ), "+z");
   EXPECT_EQ(automaticView(flatY), "-y");
   EXPECT_EQ(automaticView(flatX), "+x");
   EXPECT_EQ(automaticView(cube), "iso");
+  // A strip that is narrow in one direction, too.
+  EXPECT_EQ(automaticView(strip), "+x");
   EXPECT_EQ(automaticView(point), "iso");
 }
 

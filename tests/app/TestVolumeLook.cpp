@@ -91,7 +91,9 @@ TEST(VolumeLook, WhatIsAskedForComesInPlaceOfWhatIsChosen)
   EXPECT_EQ(look().slices, std::vector{slice});
   EXPECT_EQ(look().walls, 1.0);
   EXPECT_EQ(look().nearWalls, 0.0);
-  EXPECT_EQ(lookInForce({.volume = look()}, at("x", 0.1)), look()); // what is chosen is said
+  Settings chosen;
+  chosen.volume = look();
+  EXPECT_EQ(lookInForce(chosen, at("x", 0.1)), look()); // what is chosen is said
 
   settings.volume.slices = std::vector<ShowRange>(); // nothing within: seen from outside
   EXPECT_EQ(look().nearWalls, 1.0);

@@ -40,6 +40,36 @@ case $3 in
     quit
     ;;
 
+  views) # come to what is rolled out, and go back from it, unless somebody has turned them
+    begin 'Colour Selection Volume' pump:0.02:rotor --slice r=0.07
+    section Slices
+    camera() { # its numbers, rounded
+      command_now | sed 's/.*--camera=\([^ ]*\).*/\1/' | tr , ' ' |
+        awk '{ for (i = 1; i <= NF; i++) printf "%.4f ", $i + 0; print "" }'
+    }
+    sees() { # DIRECTION: the camera stands in this direction, of its focal point
+      camera | awk -v wanted="$1" '{ x = $1 - $4; y = $2 - $5; z = $3 - $6
+        is = y * y + z * z < 1e-6 * x * x && x > 0 ? "+x" : "aside"; exit is != wanted }' ||
+        fail "the camera is not $1: $(camera)"
+    }
+    sees aside
+    first=$(camera)
+    click unroll
+    has '--unroll'
+    changed
+    sees +x
+    click Undo
+    has_no '--unroll'
+    [ "$(camera)" = "$first" ] || fail "$(camera) is not $first"
+    xdotool mousemove 700 500 mousedown 1 mousemove 750 500 mouseup 1
+    sleep 0.3
+    first=$(camera)
+    click unroll
+    has '--unroll'
+    [ "$(camera)" = "$first" ] || fail "a view that was turned has moved: $(camera), not $first"
+    quit
+    ;;
+
   *)
     fail "no case $3"
     ;;
