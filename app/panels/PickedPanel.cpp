@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace mote::app
@@ -119,16 +120,19 @@ void PickedPanel::drawMeasured(const Measured& measured)
 namespace
 {
 
-/// The longest text of each column, its name included, among the first rows.
-std::vector<std::string> longestOf(const PickedTable& table)
+/// What each column needs to show its title and its first cells whole, in pixels.
+std::vector<float> widthsOf(const PickedTable& table)
 {
   constexpr std::size_t enough = 200;
-  std::vector<std::string> longest = table.columns();
-  for (std::size_t row = 0; row < std::min(enough, table.rows()); ++row)
-    for (std::size_t column = 0; column < longest.size(); ++column)
-      if (std::string text = table.cell(row, column, 6); text.size() > longest[column].size())
-        longest[column] = std::move(text);
-  return longest;
+  const auto widthOf = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+  std::vector<float> widths;
+  for (std::size_t column = 0; column < table.columns().size(); ++column)
+  {
+    widths.push_back(widthOf(table.columns()[column]));
+    for (std::size_t row = 0; row < std::min(enough, table.rows()); ++row)
+      widths.back() = std::max(widths.back(), widthOf(table.cell(row, column, 6)));
+  }
+  return widths;
 }
 
 } // namespace
@@ -138,12 +142,13 @@ void PickedPanel::drawTable(const Stage& stage, const PickedSet& set)
   std::vector<std::pair<vtkDataSet*, unsigned long>> key;
   for (const auto& part : stage.parts())
     key.emplace_back(part->data(), part->data()->GetMTime());
-  if (key != key_ || version_ != set.version())
+  if (key != key_ || version_ != set.version() || fontSize_ != ImGui::GetFontSize())
   {
     table_ = PickedTable(stage.parts(), set);
     key_ = key;
     version_ = set.version();
-    longest_ = longestOf(table_);
+    fontSize_ = ImGui::GetFontSize();
+    widths_ = widthsOf(table_);
   }
   constexpr std::size_t most = 60; // ImGui draws up to 64
   const std::size_t columns = std::min(most, table_.columns().size());
@@ -155,14 +160,14 @@ void PickedPanel::drawTable(const Stage& stage, const PickedSet& set)
                                 ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_Resizable;
   // A table keeps the widths of its columns: where others are needed it is another table.
   std::string id = "picked";
-  for (const std::string& text : longest_)
-    id += "," + std::to_string(text.size());
+  for (const float width : widths_)
+    id += "," + std::to_string(std::lround(width));
   if (!ImGui::BeginTable(id.c_str(), static_cast<int>(columns), flags, ImVec2(0.0f, height)))
     return;
   ImGui::TableSetupScrollFreeze(1, 1);
   for (std::size_t column = 0; column < columns; ++column)
-    ImGui::TableSetupColumn(table_.columns()[column].c_str(), ImGuiTableColumnFlags_WidthFixed,
-      ImGui::CalcTextSize(longest_[column].c_str()).x);
+    ImGui::TableSetupColumn(
+      table_.columns()[column].c_str(), ImGuiTableColumnFlags_WidthFixed, widths_[column]);
   ImGui::TableHeadersRow();
   ImGuiListClipper clipper;
   clipper.Begin(rows);

@@ -42,7 +42,8 @@ private:
   std::vector<std::pair<vtkDataSet*, unsigned long>> key_; ///< of the table's data
   unsigned long version_ = 0;                              ///< of its set
   PickedTable table_;
-  std::vector<std::string> longest_; ///< texts of its columns
+  std::vector<float> widths_; ///< of its columns, for letters of this size
+  float fontSize_ = 0.0f;
   bool wasEmpty_ = true;
   OverTimePanel overTime_;
 };
