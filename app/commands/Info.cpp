@@ -56,8 +56,7 @@ ArrayFacts factsOf(vtkAbstractArray* array, const char* place)
   facts.type = array->GetDataTypeAsString();
   const int components = array->GetNumberOfComponents();
   for (int i = 0; components > 1 && i < components; ++i)
-    facts.components.push_back(
-      array->GetComponentName(i) ? array->GetComponentName(i) : std::to_string(i));
+    facts.components.push_back(componentName(array, i));
   facts.whole =
     array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE && components == 1;
   if (auto* numbers = vtkDataArray::SafeDownCast(array))

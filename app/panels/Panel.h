@@ -136,6 +136,7 @@ private:
   void drawRangeOfShown();
   void drawRangeOfMost();
   void drawSelection();
+  std::string titleOfRange(const ShowRange& range) const;
   bool drawShownHead(ShowRange& range);
   bool drawShown(ShowRange& range);
   void drawWhere();

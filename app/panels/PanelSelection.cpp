@@ -144,12 +144,26 @@ void Panel::drawWhere()
   explainKey("Show what the expression does not hold for\n--where \"!(...)\"");
 }
 
+/// What a range is of, for people.
+std::string Panel::titleOfRange(const ShowRange& range) const
+{
+  for (const NamedArray& array : found_.arrays)
+  {
+    if (array.text == range.name)
+      return array.title;
+    for (const auto& [text, title] : componentsOf(stage_.parts(), array.choice))
+      if (text == range.name)
+        return title;
+  }
+  return range.name;
+}
+
 /// What is over a range: its name, and what can be done with it. Returns false where it is to go.
 bool Panel::drawShownHead(ShowRange& range)
 {
   const bool isOutside = outsideOf(range).has_value();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted((range.name + (isOutside ? ", outside of" : "")).c_str());
+  ImGui::TextUnformatted((this->titleOfRange(range) + (isOutside ? ", outside of" : "")).c_str());
   RowControls::explain(*rowNamed("show"));
   const bool isInvertible = range.name != "radius" || drawsRadiiAsTheyAre(next_.particles);
   ImGui::SameLine(

@@ -77,7 +77,7 @@ int componentOf(vtkDataArray* array, const std::string& text)
   if (lowerCase(text) == "magnitude" || lowerCase(text) == "mag")
     return ArrayChoice::magnitude;
   for (int i = 0; i < array->GetNumberOfComponents(); ++i)
-    if (array->GetComponentName(i) && text == array->GetComponentName(i))
+    if (text == componentName(array, i))
       return i;
   double number = -1.0;
   if (parseNumber(text, number) && number >= 0.0 && number < array->GetNumberOfComponents() &&
@@ -85,7 +85,7 @@ int componentOf(vtkDataArray* array, const std::string& text)
     return static_cast<int>(number);
   std::vector<std::string> known = {"magnitude"};
   for (int i = 0; i < array->GetNumberOfComponents(); ++i)
-    known.push_back(array->GetComponentName(i) ? array->GetComponentName(i) : std::to_string(i));
+    known.push_back(componentName(array, i));
   throw Failure(
     "array " + nameOf(array) + " has no component " + text + "; there are " + joined(known, ", "));
 }
@@ -227,6 +227,14 @@ vtkDataArray* arrayOf(vtkDataSet* data, const ArrayChoice& choice)
   return choice ? attributesOf(data, choice.ofCells)->GetArray(choice.name.c_str()) : nullptr;
 }
 
+std::string componentName(vtkAbstractArray* array, int component)
+{
+  if (const char* own = array->GetComponentName(component))
+    return own;
+  return array->GetNumberOfComponents() == 3 ? std::string(1, "xyz"[component])
+                                             : std::to_string(component);
+}
+
 std::string describe(vtkDataSet* data, const ArrayChoice& choice)
 {
   vtkDataArray* array = arrayOf(data, choice);
@@ -234,8 +242,7 @@ std::string describe(vtkDataSet* data, const ArrayChoice& choice)
     return choice.name;
   if (choice.component == ArrayChoice::magnitude)
     return choice.name + " magnitude";
-  const char* component = array->GetComponentName(choice.component);
-  return choice.name + ": " + (component ? component : std::to_string(choice.component));
+  return choice.name + ": " + componentName(array, choice.component);
 }
 
 namespace

@@ -52,7 +52,10 @@ std::string nameOf(vtkAbstractArray* array);
 /// The array itself, or null.
 vtkDataArray* arrayOf(vtkDataSet* data, const ArrayChoice& choice);
 
-/// "c_1", "v magnitude", "v: vx".
+/// What a component is called: its own name, or x, y and z of three without, or its number.
+std::string componentName(vtkAbstractArray* array, int component);
+
+/// "c_1", "v magnitude", "v: vx", "v: z".
 std::string describe(vtkDataSet* data, const ArrayChoice& choice);
 
 /// What the values of an array are measured in, as the file says ("UNITS_LABEL" of VTK's XML

@@ -78,7 +78,8 @@ void addDataRows(std::vector<Row>& table)
       .help = "Make an array NAME from others, as in speed=sqrt(vx^2 + vy^2), to colour or choose "
               "by: arrays by their names, 'in quotes' where these have other characters than "
               "letters, digits and _, components as v.x or v.0, x, y, z of points, + - * / ^, "
-              "< <= > >= == !=, && || !, A ? B : C, sqrt, abs, exp, ln, sin, min, max... May be "
+              "< <= > >= == !=, && || !, A ? B : C, sqrt, abs, exp, ln, sin, min, max...; on "
+              "cells also gradient(p).x, vorticity(U).z, divergence(U), q_criterion(U). May be "
               "given several times, and take earlier ones",
       .invalidates = Invalidates::Shading,
       .commas = false,

@@ -78,6 +78,12 @@ TEST_F(Arrays, NamesAreFound)
   EXPECT_THROW(findArray(data, "v:2"), Failure);
   EXPECT_EQ(describe(data, findArray(data, "v:vy")), "v: vy");
   EXPECT_EQ(describe(data, findArray(data, "type")), "type");
+  // Of three without names.
+  add<vtkDoubleArray>(data, "u", 3, 1.0);
+  EXPECT_EQ(describe(data, findArray(data, "u:2")), "u: z");
+  EXPECT_EQ(findArray(data, "u:z"), findArray(data, "u:2"));
+  EXPECT_EQ(asText(data, findArray(data, "u:z")), "u:2");
+  EXPECT_EQ(describe(data, findArray(data, "v:0")), "v: 0");
 }
 
 TEST_F(Arrays, ThoseWithoutANameAreNotMeant)

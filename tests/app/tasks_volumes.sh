@@ -24,16 +24,16 @@ case $3 in
     task 22 'one component of the velocity'
     click color-by
     click 'U magnitude'
-    for component in 0 1 2; do
+    for component in x y z; do
       click component
       click "U: $component"
-      has "--color-by=U:$component "
+      has "--color-by=U:$(echo $component | tr xyz 012) "
     done
     changed
     task 27 'only where the water flows back'
     section Selection
     click show
-    click 'U: 2'
+    click 'U: z'
     write 'fields high' 0
     has '--show=U:2=-[0-9.]+:0 '
     changed
