@@ -46,7 +46,7 @@ void Stage::chooseLook()
 {
   settings_ = asked_;
   if (usualSlice_)
-    settings_.volume = lookInForce(asked_, *usualSlice_);
+    settings_.volume = lookInForce(asked_, *usualSlice_, hidesCells_);
 }
 
 /// Where volumes are sliced the first ones tell: slices stay in place over time steps.
@@ -200,6 +200,7 @@ void Stage::clear()
   known_.clear();
   flow_.clear();
   usualSlice_.reset();
+  hidesCells_ = false;
   this->chooseLook();
   coloring_.startAnew();
   selection_.startAnew();
@@ -304,6 +305,18 @@ void Stage::applyColors()
   coloring_.apply(parts_);
   flow_.setColors(coloring_.choice(), coloring_.table());
   selection_.apply(parts_, coloring_.choice(), data_);
+  const bool hidesCells = std::any_of(parts_.begin(), parts_.end(),
+    [](const auto& part) { return part->kind() == Part::Kind::Volume && part->cells().mask(); });
+  if (hidesCells != hidesCells_)
+  {
+    hidesCells_ = hidesCells;
+    const VolumeSettings before = settings_.volume;
+    this->chooseLook();
+    for (const auto& part : parts_)
+      if (before != settings_.volume)
+        part->followSettings();
+    return this->applyColors(); // which the look has a part in, and which hides the same
+  }
   this->applyCuts();
 }
 

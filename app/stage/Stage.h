@@ -144,6 +144,7 @@ private:
 
   Settings asked_, settings_;           ///< as given; shown(), which all below refer to
   std::optional<ShowRange> usualSlice_; ///< of volumes, which stays over time steps
+  bool hidesCells_ = false;             ///< whether a selection hides cells of volumes
   vtkNew<vtkRenderer> renderer_;
   KnownExpressions known_;
   std::vector<NamedData> data_; // one for each of parts_

@@ -137,7 +137,7 @@ std::optional<ShowRange> fullestSlice(
   return ShowRange{std::string(1, "xyz"[axis]), {{place, place}}};
 }
 
-VolumeSettings lookInForce(const Settings& settings, const ShowRange& slice)
+VolumeSettings lookInForce(const Settings& settings, const ShowRange& slice, bool hidesCells)
 {
   VolumeSettings look = settings.volume;
   if (look.cloud == "auto")
@@ -145,15 +145,22 @@ VolumeSettings lookInForce(const Settings& settings, const ShowRange& slice)
   const bool hasCloud = look.cloud == "on";
   const bool hasOther = hasCloud || !look.isoValues.empty() || settings.flow.lines > 0 ||
                         (settings.flow.arrows > 0 && settings.flow.arrowsOn != "slices");
+  const bool isAsked = look.walls.has_value();
+  const bool showsCells = hidesCells && !hasOther && !isAsked && !look.nearWalls && !look.slices;
   if (!look.slices)
   {
     look.slices = std::vector<ShowRange>();
     if (!hasOther)
       look.slices = facesOf(settings.cuts);
-    if (!hasOther && look.slices->empty())
+    if (!hasOther && look.slices->empty() && !showsCells)
       look.slices = {slice};
   }
-  const bool isAsked = look.walls.has_value();
+  if (showsCells)
+  {
+    look.nearWalls = 1.0;
+    if (look.wallColor == VolumeSettings().wallColor)
+      look.wallColor = "data";
+  }
   // What is rolled out flat does not lie within the walls.
   if (!isAsked)
     look.walls = hasCloud || look.unroll ? 0.0 : 1.0;

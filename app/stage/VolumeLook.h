@@ -19,7 +19,9 @@ std::optional<ShowRange> fullestSlice(
 /// The settings of volumes with what the user left open chosen: whether the cloud is seen, walls
 /// and slices. Without a cloud walls are shown, those towards the eye left out so that one looks
 /// in; and what is cut open shows the cells that the cuts go through, or else there is this slice.
-VolumeSettings lookInForce(const Settings& settings, const ShowRange& slice);
+/// Where a selection `hidesCells`, the others are shown from outside, in the colours of the data.
+VolumeSettings lookInForce(
+  const Settings& settings, const ShowRange& slice, bool hidesCells = false);
 
 /// Bounds with those of all copies around the axis; what is not initialized stays so.
 void addRepetitions(const Settings& settings, double bounds[6]);

@@ -66,7 +66,7 @@ void addSliceRows(std::vector<Row>& table)
           "slice",
         .commas = false,
         .usual = "without --cloud, --iso and --streamlines the faces of --cut, else one across the "
-                 "shortest side"},
+                 "shortest side, where no selection hides cells"},
       checkSlices));
   table.push_back(row(volume, &VolumeSettings::unroll,
     {.group = group,
@@ -89,12 +89,14 @@ void addSliceRows(std::vector<Row>& table)
               "within: with 0 you look in, onto the walls behind",
       .limits = {.least = 0.0, .most = 1.0},
       .usual =
-        "0 where --walls is not given and there is something within, else that of --walls"}));
+        "0 where --walls is not given, there is something within and no selection hides cells, "
+        "else that of --walls"}));
   table.push_back(row<VolumeSettings, std::string>(volume, &VolumeSettings::wallColor,
     {.group = group,
       .name = "wall-color",
       .value = "COLOUR",
-      .help = "Colour of --walls; data colours them like all else",
+      .help = "Colour of --walls; data colours them like all else, as they are where a selection "
+              "hides cells and --walls is not given",
       .offers = {"data"}},
     [](const std::string& name)
     {

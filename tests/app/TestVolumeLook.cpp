@@ -117,6 +117,32 @@ TEST(VolumeLook, WhatIsAskedForComesInPlaceOfWhatIsChosen)
   EXPECT_EQ(look().cloud, "on");
 }
 
+TEST(VolumeLook, CellsThatASelectionLeavesAreSeenFromOutside)
+{
+  const ShowRange slice = at("z", 0.5);
+  Settings settings;
+  const auto look = [&] { return lookInForce(settings, slice, true); };
+  EXPECT_TRUE(look().slices->empty());
+  EXPECT_EQ(look().nearWalls, 1.0);
+  EXPECT_EQ(look().wallColor, "data");
+  settings.volume.wallColor = "#102030";
+  EXPECT_EQ(look().wallColor, "#102030");
+  settings = {};
+  settings.volume.walls = 1.0;
+  EXPECT_EQ(look().wallColor, VolumeSettings().wallColor);
+  EXPECT_EQ(look().slices, std::vector{slice});
+  settings = {};
+  settings.volume.slices = {slice};
+  EXPECT_EQ(look().nearWalls, 0.0);
+  settings = {};
+  settings.volume.isoValues = {3.0};
+  EXPECT_EQ(look().wallColor, VolumeSettings().wallColor);
+  settings = {};
+  settings.cuts.ranges = {{"x", {{-HUGE_VAL, 0.25}}}};
+  EXPECT_EQ(look().slices, std::vector{at("x", 0.25)});
+  EXPECT_EQ(look().nearWalls, 1.0);
+}
+
 TEST(VolumeLook, FacesOfCutsAreTheSlices)
 {
   Settings settings;

@@ -49,6 +49,15 @@ case $3 in
       shot "${view[@]}" $what
       other four.png picture.png
     done
+    # Cells that are left are seen from outside, unless something else is asked for.
+    for what in "--where z>0.03" "--color-by velocity --show pressure=0:"; do
+      shot "${view[@]:2}" $what
+      mv picture.png cells.png
+      shot "${view[@]:2}" $what --slice none --walls 1 --wall-color data
+      alike cells.png picture.png
+      shot "${view[@]:2}" $what --walls 1
+      other cells.png picture.png
+    done
     # A session keeps it all.
     shot "${view[@]}" --slice z=0.03 --slice r=0.05,0.1 --walls 0.4 --edges 1.5 --save-session s.json
     mv picture.png all.png
