@@ -23,8 +23,8 @@ write_basic_package_version_file("${CMAKE_BINARY_DIR}/mote-config-version.cmake"
   VERSION "${PROJECT_VERSION}" COMPATIBILITY SameMinorVersion)
 install(FILES "${CMAKE_BINARY_DIR}/mote-config.cmake"
   "${CMAKE_BINARY_DIR}/mote-config-version.cmake"
-  DESTINATION "${_mote_cmake_destination}")
+  DESTINATION "${_mote_cmake_destination}" COMPONENT development)
 install(EXPORT MoteKernels NAMESPACE Mote:: FILE Mote-kernels-targets.cmake
-  DESTINATION "${_mote_cmake_destination}")
+  DESTINATION "${_mote_cmake_destination}" COMPONENT development)
 install(EXPORT MoteModules NAMESPACE Mote:: FILE Mote-targets.cmake
-  DESTINATION "${_mote_cmake_destination}")
+  DESTINATION "${_mote_cmake_destination}" COMPONENT development)

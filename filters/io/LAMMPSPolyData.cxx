@@ -111,33 +111,36 @@ vtkStringArray* typeWords(vtkPointData* arrays)
   return nullptr;
 }
 
-/// Adds "type" to a frame that has only words for it: their place in alphabetical order, from 1.
-void addTypes(const LAMMPSFrame& frame, vtkPointData* arrays)
+/// Adds "type" to a frame that has only words for it: their place in alphabetical order, from 1,
+/// among `all` words where these are given.
+void addTypes(const LAMMPSFrame& frame, vtkPointData* arrays, const std::set<std::string>& all)
 {
   vtkStringArray* words = typeWords(arrays);
   if (!words || hasTypes(frame))
     return;
   using Range = tbb::blocked_range<vtkIdType>;
   using Words = std::set<std::string>;
-  const Range all(0, words->GetNumberOfValues(), 10000);
-  const vtkStdString* const texts = all.empty() ? nullptr : words->GetPointer(0);
-  const Words distinct = tbb::parallel_reduce(
-    all, Words(),
-    [&](const Range& range, Words found)
-    {
-      found.insert(texts + range.begin(), texts + range.end());
-      return found;
-    },
-    [](Words a, const Words& b)
-    {
-      a.insert(b.begin(), b.end());
-      return a;
-    });
+  const Range atoms(0, words->GetNumberOfValues(), 10000);
+  const vtkStdString* const texts = atoms.empty() ? nullptr : words->GetPointer(0);
+  const Words distinct = !all.empty()
+                           ? all
+                           : tbb::parallel_reduce(
+                               atoms, Words(),
+                               [&](const Range& range, Words found)
+                               {
+                                 found.insert(texts + range.begin(), texts + range.end());
+                                 return found;
+                               },
+                               [](Words a, const Words& b)
+                               {
+                                 a.insert(b.begin(), b.end());
+                                 return a;
+                               });
   const std::vector<std::string> sorted(distinct.begin(), distinct.end());
   vtkNew<vtkIntArray> types;
   types->SetName("type");
   types->SetNumberOfTuples(words->GetNumberOfValues());
-  tbb::parallel_for(all,
+  tbb::parallel_for(atoms,
     [&](const Range& range)
     {
       for (vtkIdType i = range.begin(); i < range.end(); ++i)
@@ -189,6 +192,7 @@ void readLAMMPSFrame(const std::string& path, const LAMMPSFrame& frame,
   TextCursor cursor(path);
   PointRows rows;
   rows.rows = frame.atoms;
+  rows.piece = options.piece;
   rows.place = frame.rows;
   rows.columns = *frame.columns;
   rows.types = chooseTypes(cursor, frame, layout, options);
@@ -208,11 +212,14 @@ void readLAMMPSFrame(const std::string& path, const LAMMPSFrame& frame,
     words.column = *column;
     rows.words = &words;
   }
+  std::set<std::string> all;
+  if (column && !hasTypes(frame) && !rows.piece.isAll())
+    all = wordsOf(cursor, rows, *column, progress);
   readPointRows(cursor, std::move(rows), progress, output);
   if (words.numbers)
     addTypes(words, output);
   else if (!options.space)
-    addTypes(frame, output->GetPointData());
+    addTypes(frame, output->GetPointData(), all);
   addHeader(frame, output->GetFieldData());
 }
 

@@ -90,11 +90,72 @@ void widen(PointRows& rows, const WidenColumn& request)
   }
 }
 
+/// Passes over so many lines.
+void skipLines(TextCursor& cursor, std::uint64_t lines)
+{
+  constexpr std::size_t blockBytes = std::size_t{4} << 20;
+  while (lines > 0)
+  {
+    std::string_view text = cursor.block(blockBytes);
+    if (text.empty())
+      return; // which the rows will tell
+    std::uint64_t count = countBytes(text, '\n', '\n').first;
+    std::size_t bytes = text.size();
+    if (count > lines)
+    {
+      bytes = 0;
+      for (count = 0; count < lines; ++count)
+        bytes = text.find('\n', bytes) + 1;
+    }
+    cursor.advance(bytes, count);
+    lines -= count;
+  }
+}
+
+/// The rows of the piece alone.
+void takePiece(TextCursor& cursor, PointRows& rows)
+{
+  const std::uint64_t first = rows.piece.first(rows.rows);
+  rows.rows = rows.piece.count(rows.rows);
+  rows.piece = {};
+  cursor.seek(rows.place);
+  skipLines(cursor, first);
+  rows.place = cursor.place();
+}
+
 } // namespace
+
+std::set<std::string> wordsOf(
+  TextCursor& cursor, const PointRows& rows, std::size_t column, const Progress& progress)
+{
+  constexpr std::uint64_t most = 1 << 20; // rows at a time
+  WordTable table;
+  std::vector<std::int32_t> numbers(static_cast<std::size_t>(std::min(most, rows.rows)));
+  std::vector<TextColumn> targets(rows.columns.size());
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    targets[i].name = rows.columns[i];
+  targets[column].type = ColumnType::Word;
+  targets[column].data = numbers.data();
+  targets[column].words = &table;
+  cursor.seek(rows.place);
+  for (std::uint64_t done = 0; done < rows.rows; done += most)
+    readRows(cursor, std::min(most, rows.rows - done), targets, {},
+      [&](double fraction)
+      {
+        const double all = static_cast<double>(done) + fraction * static_cast<double>(most);
+        return !progress || progress(std::min(1.0, all / static_cast<double>(rows.rows)));
+      });
+  std::set<std::string> words;
+  for (const auto& [word, number] : table.numbers())
+    words.insert(word);
+  return words;
+}
 
 void readPointRows(
   TextCursor& cursor, PointRows rows, const Progress& progress, vtkPolyData* output)
 {
+  if (!rows.piece.isAll())
+    takePiece(cursor, rows);
   RowsResult result;
   do
   {

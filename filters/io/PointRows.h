@@ -14,6 +14,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,10 +31,32 @@ struct NumberedWords
   vtkSmartPointer<vtkDataArray> numbers; ///< Int32, one a point
 };
 
+/// A piece, from 0, of so many: what one of several processes takes of the rows.
+struct PieceOf
+{
+  int piece = 0, pieces = 1;
+
+  bool isAll() const { return pieces <= 1; }
+  std::uint64_t first(std::uint64_t rows) const { return this->share(rows, piece); }
+  std::uint64_t count(std::uint64_t rows) const
+  {
+    return this->share(rows, piece + 1) - first(rows);
+  }
+
+private:
+  /// How many rows the first `n` pieces have; without a product that could overflow.
+  std::uint64_t share(std::uint64_t rows, int n) const
+  {
+    const auto all = static_cast<std::uint64_t>(pieces), some = static_cast<std::uint64_t>(n);
+    return rows / all * some + rows % all * some / all;
+  }
+};
+
 /// Lines of a text file, one a point, and what their columns become.
 struct PointRows
 {
-  std::uint64_t rows = 0;
+  std::uint64_t rows = 0;  ///< of all pieces
+  PieceOf piece;           ///< which of them are read
   TextCursor::Place place; ///< of the first row
   std::vector<std::string> columns;
   std::vector<ColumnType> types; ///< of each column; Skip where its array is not wanted
@@ -56,6 +79,10 @@ struct PointRows
 /// `output` must be dropped; and WriteError where a space has no more room.
 void readPointRows(
   TextCursor& cursor, PointRows rows, const Progress& progress, vtkPolyData* output);
+
+/// All words of a column, in all pieces: what numbers them must be the same for each piece.
+std::set<std::string> wordsOf(
+  TextCursor& cursor, const PointRows& rows, std::size_t column, const Progress& progress);
 
 /// Makes the numbers of words those of types, in an array "type".
 void addTypes(NumberedWords& words, const std::map<std::string, int>& types, vtkPolyData* output);

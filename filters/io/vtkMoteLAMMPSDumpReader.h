@@ -29,6 +29,10 @@
  * passed over; where it has changed otherwise (size or time of change), or is gzip, all of it. Gzip
  * is inflated for that; a step then inflates little more than its own text.
  *
+ * Pieces: of several processes each reads its share of the atoms alone, in file order, with the
+ * numbers that words have in the whole step. Each passes over the file once to find its steps, and
+ * over the atoms before its own. A column may become wider in one piece than in another.
+ *
  * Errors are reported through vtkErrorMacro as one sentence with the file, and line and column
  * where there are such, which GetLastErrorMessage repeats; GetErrorCode tells its kind. After an
  * error, as after an abort, the output is empty. A damaged step in a file is an error only when it

@@ -33,6 +33,13 @@ vtkStandardNewMacro(vtkMotePointsReader);
 vtkMotePointsReader::vtkMotePointsReader() = default;
 vtkMotePointsReader::~vtkMotePointsReader() = default;
 
+int vtkMotePointsReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  OfferPieces(outputVector->GetInformationObject(0));
+  return 1;
+}
+
 int vtkMotePointsReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
@@ -51,6 +58,8 @@ int vtkMotePointsReader::RequestData(
       rows.coordinates = {0, 1, 2};
       rows.types.assign(3, mote::ColumnType::Float64);
       rows.rows = countLines(cursor);
+      const auto [piece, pieces] = RequestedPiece(outputVector->GetInformationObject(0));
+      rows.piece = {piece, pieces};
       if (rows.rows == 0)
         throw mote::FileError(
           mote::FileError::Kind::Truncated, this->GetFileName(), "the file is empty");

@@ -24,6 +24,7 @@ protected:
   vtkMotePointsReader();
   ~vtkMotePointsReader() override;
 
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

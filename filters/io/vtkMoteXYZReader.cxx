@@ -54,7 +54,7 @@ void addTypes(vtkPolyData* data, mote::NumberedWords& words)
   mote::addTypes(words, types, data);
 }
 
-void readFrame(const std::string& path, const mote::XYZFrame& frame,
+void readFrame(const std::string& path, const mote::XYZFrame& frame, const mote::PieceOf& piece,
   const std::shared_ptr<mote::ScratchSpace>& space, const mote::Progress& progress,
   vtkPolyData* output)
 {
@@ -64,6 +64,7 @@ void readFrame(const std::string& path, const mote::XYZFrame& frame,
   const mote::XYZLayout layout = mote::xyzLayout(path, frame, first);
   mote::PointRows rows;
   rows.rows = frame.atoms;
+  rows.piece = piece;
   rows.place = frame.rows;
   rows.columns = layout.columns;
   rows.types = layout.types;
@@ -124,6 +125,7 @@ int vtkMoteXYZReader::RequestInformation(
 {
   vtkInformation* information = outputVector->GetInformationObject(0);
   mote::offerTimeSteps(information, {});
+  OfferPieces(information);
   this->AbortExecute = 0; // of an earlier run: only REQUEST_DATA resets it
   const bool good = this->Attempt(
     [this](const ProgressFunction& progress)
@@ -160,7 +162,9 @@ int vtkMoteXYZReader::RequestData(
       const mote::XYZFrame& frame =
         mote::requestedStep(information, this->Internal->Frames, &mote::XYZFrame::time);
       time = frame.time;
-      readFrame(this->GetFileName(), frame, this->GetScratchSpace(), progress, result);
+      const auto [piece, pieces] = RequestedPiece(information);
+      readFrame(
+        this->GetFileName(), frame, {piece, pieces}, this->GetScratchSpace(), progress, result);
     });
   if (good)
     DeliverStep(result, time, output);
