@@ -3,9 +3,12 @@
 #include "OpenMoteFile.h"
 #include "TimeSteps.h"
 
+#include "kernels/core/Vec.h"
+#include "kernels/particles/ParticleSource.h"
 #include "kernels/particles/PkdTreeFile.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -13,8 +16,68 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace
+{
+
+using Array = vtkSmartPointer<vtkDataArray>;
+
+/// Some tuples of an array of the file, in memory.
+Array tuplesOf(vtkDataArray* all, vtkIdType first, vtkIdType count)
+{
+  const auto some = Array::Take(vtkDataArray::CreateDataArray(all->GetDataType()));
+  some->SetName(all->GetName());
+  some->SetNumberOfComponents(all->GetNumberOfComponents());
+  some->CopyComponentNames(all);
+  some->SetNumberOfTuples(count);
+  some->InsertTuples(0, count, first, all);
+  return some;
+}
+
+/// The radii of some particles; an array of one value each.
+Array radiiOf(const mote::ParticleSource& particles, std::size_t first, std::size_t count)
+{
+  const auto radii = vtkSmartPointer<vtkDoubleArray>::New();
+  radii->SetName("radius");
+  radii->SetNumberOfValues(static_cast<vtkIdType>(count));
+  double* const values = radii->GetPointer(0);
+  particles.radii(first, first + count, values);
+  std::for_each(values, values + count, [&](double& value) { value *= particles.radius(); });
+  return radii;
+}
+
+/// What one of several processes gets: particles that stand beside one another in the file, and
+/// about in space too, since the file has the order of its tree.
+void readPiece(const mote::PkdTreeFile& file, std::pair<int, int> piece, vtkPolyData* result)
+{
+  const auto particles = file.particles();
+  const std::size_t all = particles->count(), pieces = static_cast<std::size_t>(piece.second);
+  const auto beginOf = [&](std::size_t n) { return all / pieces * n + all % pieces * n / pieces; };
+  const std::size_t first = beginOf(static_cast<std::size_t>(piece.first));
+  const std::size_t count = beginOf(static_cast<std::size_t>(piece.first) + 1) - first;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(count));
+  static_assert(sizeof(mote::Vec3d) == 3 * sizeof(double));
+  particles->positions(first, first + count, static_cast<mote::Vec3d*>(points->GetVoidPointer(0)));
+  result->SetPoints(points);
+  for (int i = 0; i < result->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* whole = result->GetPointData()->GetArray(i);
+    result->GetPointData()->AddArray(
+      tuplesOf(whole, static_cast<vtkIdType>(first), static_cast<vtkIdType>(count)));
+  }
+  if (!result->GetPointData()->HasArray("radius"))
+    result->GetPointData()->AddArray(radiiOf(*particles, first, count));
+}
+
+} // namespace
 
 vtkStandardNewMacro(vtkMoteParticleFileReader);
 
@@ -37,6 +100,7 @@ int vtkMoteParticleFileReader::RequestInformation(
 {
   vtkInformation* information = outputVector->GetInformationObject(0);
   mote::offerTimeSteps(information, {});
+  OfferPieces(information);
   if (this->Open() && this->File->time())
     mote::offerTimeSteps(information, {*this->File->time()});
   return 1;
@@ -61,6 +125,9 @@ int vtkMoteParticleFileReader::RequestData(
   };
   add(result->GetPointData(), this->File->arrays().size(), false);
   add(result->GetFieldData(), this->File->facts().size(), true);
+  const std::pair<int, int> piece = RequestedPiece(outputVector->GetInformationObject(0));
+  if (piece.second > 1)
+    readPiece(*this->File, piece, result);
   if (this->File->time())
     DeliverStep(result, *this->File->time(), output);
   else

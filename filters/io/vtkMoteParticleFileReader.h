@@ -11,6 +11,10 @@
  * A vtkMoteParticleMapper draws such data without a copy, with the radii that the file was written
  * with. vtkMoteParticleFileWriter writes the files; docs/mote-file.md describes them.
  *
+ * Pieces: of several processes each gets its share of the particles, which stand beside one another
+ * in the file and about so in space, in memory: as much as they take, and no tree. The radii of the
+ * file are then an array, "radius", where there is none of that name.
+ *
  * The file must not be made shorter while its data are in use; to replace it by another of the same
  * name is safe.
  */

@@ -127,6 +127,52 @@ TEST_F(Filed, ReadsBackWhatWasWritten)
   EXPECT_EQ(stage.mapper->GetNumberOfBuilds(), 1);
 }
 
+TEST_F(Filed, PiecesAreTheWhole)
+{
+  vtkNew<vtkPolyData> all;
+  all->DeepCopy(this->writeAndRead());
+  vtkPointData* whole = all->GetPointData();
+  for (const int pieces : {2, 3, 7})
+  {
+    vtkIdType done = 0;
+    double volume = 0.0; // of the pieces' boxes
+    for (int piece = 0; piece < pieces; ++piece)
+    {
+      reader->UpdatePiece(piece, pieces, 0);
+      vtkPolyData* own = reader->GetOutput();
+      EXPECT_NEAR(own->GetNumberOfPoints(), 400.0 / pieces, 1.0);
+      ASSERT_EQ(own->GetFieldData()->GetArray("box")->GetTuple1(0), 7.0);
+      vtkDataArray* radii = own->GetPointData()->GetArray("radius");
+      ASSERT_TRUE(radii);
+      for (vtkIdType i = 0; i < own->GetNumberOfPoints(); ++i, ++done)
+      {
+        for (int k = 0; k < 3; ++k)
+          ASSERT_EQ(own->GetPoint(i)[k], all->GetPoint(done)[k]);
+        for (int a = 0; a < whole->GetNumberOfArrays(); ++a)
+        {
+          vtkDataArray* mine = own->GetPointData()->GetArray(whole->GetArrayName(a));
+          ASSERT_EQ(mine->GetDataType(), whole->GetArray(a)->GetDataType());
+          for (int c = 0; c < mine->GetNumberOfComponents(); ++c)
+            ASSERT_EQ(mine->GetComponent(i, c), whole->GetArray(a)->GetComponent(done, c));
+        }
+        const auto id =
+          static_cast<vtkIdType>(whole->GetArray("vtkOriginalPointIds")->GetTuple1(done));
+        EXPECT_NEAR(
+          radii->GetTuple1(i), data->GetPointData()->GetArray("radius")->GetTuple1(id), 1e-6);
+      }
+      const double* box = own->GetBounds();
+      volume += (box[1] - box[0]) * (box[3] - box[2]) * (box[5] - box[4]);
+    }
+    EXPECT_EQ(done, 400);
+    const double* box = all->GetBounds();
+    // Each of them lies in a part of space: seven slices of the order of the input would take seven
+    // times all of it.
+    EXPECT_LT(volume, 2.0 * (box[1] - box[0]) * (box[3] - box[2]) * (box[5] - box[4]));
+  }
+  reader->UpdatePiece(0, 1, 0);
+  EXPECT_TRUE(vtkMoteParticleFilePoints::SafeDownCast(reader->GetOutput()->GetPoints()));
+}
+
 TEST_F(Filed, IsDrawnFromTheFile)
 {
   Stage fromMemory(data), fromFile(this->writeAndRead());
