@@ -110,16 +110,20 @@ bool drawsFile(vtkPointSet* points, const RadiusChoice& choice, const StructureC
   return file && (!structure.form || *structure.form == file->tree().form());
 }
 
-double spacingOf(vtkPointSet* points)
+double spacingOf(vtkPointSet* points, const ParticleParts* parts)
 {
   const auto file = fileOf(points);
-  if (file && file->spacing() > 0.0)
+  if (!parts && file && file->spacing() > 0.0)
     return file->spacing();
-  if (points->GetNumberOfPoints() < 2)
+  std::vector<double> count = {static_cast<double>(points->GetNumberOfPoints())};
+  if (parts)
+    parts->sum(count);
+  if (count[0] < 2.0)
     return 0.0;
   ParticleInput input;
-  takePositions(points, input);
-  return estimateSpacing(input.set);
+  if (points->GetNumberOfPoints() > 0)
+    takePositions(points, input);
+  return estimateSpacing(input.set, parts);
 }
 
 void printRadii(const RadiusChoice& choice, std::ostream& os, vtkIndent indent)

@@ -98,8 +98,10 @@ MOTERENDERINGDATA_EXPORT std::vector<std::string> structureFormNames();
 /// Whether what is to be drawn is the very tree of that file.
 bool drawsFile(vtkPointSet* points, const RadiusChoice& choice, const StructureChoice& structure);
 
-/// The typical distance between neighbours; of points in a file what that says.
-MOTERENDERINGDATA_EXPORT double spacingOf(vtkPointSet* points);
+/// The typical distance between neighbours; of points in a file what that says. With parts that of
+/// the points of all processes, 0 where these are less than two.
+MOTERENDERINGDATA_EXPORT double spacingOf(
+  vtkPointSet* points, const ParticleParts* parts = nullptr);
 
 /// Looks up radii as `choice` says, and puts those that are in no array into `space`, or on the
 /// heap where that is null. Throws Error where the choice names an array that is missing or unfit.

@@ -1,5 +1,6 @@
 #include "vtkMoteParticleRepresentation.h"
 
+#include "ParticleInput.h"
 #include "vtkMoteParticleMapper.h"
 #include "vtkMoteSourcePoints.h"
 
@@ -7,6 +8,7 @@
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -14,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 vtkStandardNewMacro(vtkMoteParticleRepresentation);
 
@@ -41,6 +44,40 @@ vtkDataArray* arrayNamed(vtkPointData* data, const std::string& name)
       return array;
   return nullptr;
 }
+
+/// The ranks of ParaView, each with a part of the particles.
+class Ranks : public mote::ParticleParts
+{
+public:
+  explicit Ranks(vtkMultiProcessController* controller)
+    : Controller(controller)
+  {
+  }
+  void sum(std::vector<double>& values) const override
+  {
+    this->Reduce(values, vtkCommunicator::SUM_OP);
+  }
+  void least(std::vector<double>& values) const override
+  {
+    this->Reduce(values, vtkCommunicator::MIN_OP);
+  }
+  double before(double value) const override
+  {
+    std::vector<double> all(static_cast<std::size_t>(this->Controller->GetNumberOfProcesses()));
+    this->Controller->AllGather(&value, all.data(), 1);
+    return std::accumulate(all.begin(), all.begin() + this->Controller->GetLocalProcessId(), 0.0);
+  }
+
+private:
+  void Reduce(std::vector<double>& values, int operation) const
+  {
+    const std::vector<double> own = values;
+    this->Controller->AllReduce(
+      own.data(), values.data(), static_cast<vtkIdType>(values.size()), operation);
+  }
+
+  vtkMultiProcessController* Controller;
+};
 
 double greatestOf(vtkDataArray* array)
 {
@@ -83,22 +120,16 @@ bool vtkMoteParticleRepresentation::HasOwnRadii()
          arrayNamed(data, "diameter");
 }
 
-/// The typical distance of neighbours, the mean over the points of all ranks; 0 where all tell
-/// radii.
+/// The typical distance of neighbours, on whichever ranks these are; 0 where all tell radii.
 double vtkMoteParticleRepresentation::GetCommonSpacing()
 {
-  const auto count = static_cast<double>(this->Drawn->GetNumberOfPoints());
-  double own[2] = {0.0, 0.0}, all[2];
-  if (count > 1.0 && !this->HasOwnRadii())
-  {
-    own[0] = count * vtkMoteParticleMapper::EstimateSpacing(this->Drawn);
-    own[1] = count;
-  }
-  std::copy_n(own, 2, all);
+  const bool counts = this->Drawn->GetNumberOfPoints() > 0 && !this->HasOwnRadii();
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (controller && controller->GetNumberOfProcesses() > 1)
-    controller->AllReduce(own, all, 2, vtkCommunicator::SUM_OP);
-  return all[1] > 0.0 ? all[0] / all[1] : 0.0;
+  if (!controller || controller->GetNumberOfProcesses() < 2)
+    return counts ? mote::spacingOf(this->Drawn) : 0.0;
+  const vtkNew<vtkPolyData> nothing;
+  const Ranks ranks(controller);
+  return mote::spacingOf(counts ? this->Drawn.Get() : nothing.Get(), &ranks);
 }
 
 double vtkMoteParticleRepresentation::GetLargestRadius()

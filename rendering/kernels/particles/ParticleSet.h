@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace mote
 {
@@ -134,9 +135,25 @@ inline bool isValidParticle(const Vec3d& position, double radius)
          std::isfinite(radius) && radius > 0.0;
 }
 
+/// Several processes, each with a part of the particles: what one calls all must call.
+class ParticleParts
+{
+public:
+  virtual ~ParticleParts() = default;
+
+  /// Replaces each number by the sum, or the least, of those of all processes.
+  virtual void sum(std::vector<double>& values) const = 0;
+  virtual void least(std::vector<double>& values) const = 0;
+  /// The sum of those of the processes before this one.
+  virtual double before(double value) const = 0;
+};
+
 /// The typical distance between neighbours, whatever their radii: the median, over an even sample
 /// of up to 256 particles, of the distance to the nearest other particle. Coincident particles do
 /// not count as neighbours. For one particle, or when all coincide, the answer is 1.
-double estimateSpacing(const ParticleSet& particles);
+///
+/// With parts it is that of all of them together, one after the other, on every process: wherever
+/// neighbours are. Where these throw, so does it.
+double estimateSpacing(const ParticleSet& particles, const ParticleParts* parts = nullptr);
 
 } // namespace mote

@@ -8,7 +8,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <barrier>
 #include <cmath>
+#include <functional>
+#include <numeric>
+#include <thread>
 
 using namespace mote;
 using namespace mote::testing;
@@ -125,6 +129,111 @@ TEST(Spacing, PassesOverBadPositions)
   bad.add({std::nan(""), 0.0, 0.0}, 1.0);
   bad.add({INFINITY, 0.0, 0.0}, 1.0);
   EXPECT_EQ(spacingOf(bad), 1.0);
+}
+
+namespace
+{
+
+/// Threads in place of processes.
+struct Board
+{
+  explicit Board(int count)
+    : meeting(count)
+    , said(static_cast<std::size_t>(count))
+  {
+  }
+  std::barrier<> meeting;
+  std::vector<std::vector<double>> said;
+};
+
+class ThreadPart : public ParticleParts
+{
+public:
+  ThreadPart(Board& board, std::size_t number)
+    : board_(board)
+    , number_(number)
+  {
+  }
+  void sum(std::vector<double>& values) const override
+  {
+    this->reduce(values, [](double a, double b) { return a + b; });
+  }
+  void least(std::vector<double>& values) const override
+  {
+    this->reduce(values, [](double a, double b) { return std::min(a, b); });
+  }
+  double before(double value) const override
+  {
+    board_.said[number_] = {value};
+    board_.meeting.arrive_and_wait();
+    double all = 0.0;
+    for (std::size_t i = 0; i < number_; ++i)
+      all += board_.said[i].front();
+    board_.meeting.arrive_and_wait();
+    return all;
+  }
+
+private:
+  void reduce(
+    std::vector<double>& values, const std::function<double(double, double)>& operation) const
+  {
+    board_.said[number_] = values;
+    board_.meeting.arrive_and_wait();
+    for (std::size_t i = 0; i < board_.said.size(); ++i)
+      for (std::size_t k = 0; k < values.size(); ++k)
+        values[k] = i == 0 ? board_.said[0][k] : operation(values[k], board_.said[i][k]);
+    board_.meeting.arrive_and_wait();
+  }
+  Board& board_;
+  std::size_t number_;
+};
+
+/// What each of the parts says, which have so many particles one after the other.
+std::vector<double> spacingsOf(const Particles& whole, const std::vector<std::size_t>& sizes)
+{
+  std::vector<Particles> parts(sizes.size());
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < sizes.size(); ++k)
+    for (std::size_t i = 0; i < sizes[k]; ++i)
+      parts[k].add(whole.center(next++), 1.0);
+  Board board(static_cast<int>(sizes.size()));
+  std::vector<double> spacings(sizes.size());
+  std::vector<std::thread> threads;
+  for (std::size_t k = 0; k < sizes.size(); ++k)
+    threads.emplace_back(
+      [&, k]
+      {
+        const ThreadPart part(board, k);
+        spacings[k] = estimateSpacing(parts[k].size() > 0 ? parts[k].set() : ParticleSet{}, &part);
+      });
+  for (std::thread& thread : threads)
+    thread.join();
+  return spacings;
+}
+
+} // namespace
+
+TEST(Spacing, OfPartsIsThatOfTheWhole)
+{
+  // In no order: neighbours are with others.
+  Random random(5);
+  Particles whole;
+  for (int i = 0; i < 3000; ++i)
+    whole.add({random.uniform(0.0, 5.0), random.uniform(0.0, 3.0), random.uniform(0.0, 1.0)}, 1.0);
+  whole.add({std::nan(""), 0.0, 0.0}, 1.0);
+  const double expected = spacingOf(whole);
+  for (const std::vector<std::size_t>& sizes : std::vector<std::vector<std::size_t>>{
+         {3001}, {1500, 1501}, {0, 3001}, {1, 0, 3000}, {1000, 1, 1000, 1000}, {3000, 1}})
+  {
+    ASSERT_EQ(std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}), 3001u);
+    for (const double spacing : spacingsOf(whole, sizes))
+      EXPECT_EQ(spacing, expected) << sizes.size();
+  }
+  EXPECT_EQ(spacingsOf(Particles(), {0, 0}), (std::vector<double>{1.0, 1.0}));
+  Particles two;
+  two.add({0.0, 0.0, 0.0}, 1.0);
+  two.add({0.0, 3.0, 0.0}, 1.0);
+  EXPECT_EQ(spacingsOf(two, {1, 1}), (std::vector<double>{3.0, 3.0}));
 }
 
 TEST(Spacing, RefusesTwoComponents)
