@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# render.sh: `scripts/paraview render` from one rank and from two, and what it says of errors.
+# render.sh: `scripts/paraview render` from one rank, two and four, and what it says of errors.
 root=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../..
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -25,12 +25,14 @@ alike() {
 
 for pair in copper-scratch.dump.gz:0 swirl.1.vtu:16; do # edges of clouds differ a little
   data=${pair%:*}
-  for ranks in 1 2; do
+  for ranks in 1 2 4; do
     render "$root/data/$data" -o "$folder/$ranks.png" --size 300x200 --ranks $ranks || fail "$data, $ranks"
     [ -s "$folder/$ranks.png" ] || fail "no picture of $data from $ranks ranks"
   done
-  alike "$folder/1.png" "$folder/2.png" "${pair#*:}"
-  echo "ok      $data: two ranks make the picture of one"
+  for ranks in 2 4; do
+    alike "$folder/1.png" "$folder/$ranks.png" "${pair#*:}"
+  done
+  echo "ok      $data: two and four ranks make the picture of one"
 done
 refused 'there is no such file' "$root/data/nothing.vtu" -o "$folder/x.png"
 refused "no array 'nothing'; it has p, U" "$root/data/swirl.1.vtu" -o "$folder/x.png" --color-by nothing

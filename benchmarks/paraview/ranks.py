@@ -1,0 +1,59 @@
+"""A file of particles on several ranks, each with a piece: what reading and frames take, and memory.
+
+    taskset -c 0   mpiexec -n 1                pvbatch --sym benchmarks/paraview/ranks.py FILE
+    LP_NUM_THREADS=1 mpiexec -n 2 --bind-to core pvbatch --sym benchmarks/paraview/ranks.py FILE
+
+1024x1024, the camera moves between frames, medians. Memory is what each rank has taken more than
+before it read, at the most.
+"""
+
+import os
+import statistics
+import sys
+import time
+
+from paraview import servermanager, simple
+
+simple._DisableFirstRenderCameraReset()
+simple.LoadPlugin(os.environ["MOTE_PLUGIN"], remote=False, ns=vars(simple))
+controller = servermanager.vtkProcessModule.GetProcessModule().GetGlobalController()
+rank, ranks = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
+
+
+def memory():
+    """Of this process, in MB: what it takes by itself, and files that it has mapped."""
+    with open("/proc/self/status") as file:
+        lines = dict(line.split(":", 1) for line in file)
+    return [int(lines[key].split()[0]) / 1e3 for key in ("RssAnon", "RssFile")]
+
+
+before = memory()
+start = time.time()
+source = simple.OpenDataFile(sys.argv[1])
+source.UpdatePipeline()
+read = time.time() - start
+count = source.GetDataInformation().GetNumberOfPoints()
+view = simple.CreateView("RenderView")
+view.ViewSize = [1024, 1024]
+display = simple.Show(source, view)
+display.SetRepresentationType("Mote Particles")
+simple.ResetCamera(view)
+start = time.time()
+simple.Render(view)
+first = time.time() - start
+camera = simple.GetActiveCamera()
+frames = []
+for _ in range(9):
+    camera.Azimuth(3)
+    start = time.time()
+    simple.Render(view)
+    frames.append(time.time() - start)
+own, mapped = (now - then for now, then in zip(memory(), before))
+controller.Barrier()
+if rank == 0:
+    print(f"{count} particles on {ranks} ranks: read in {read:.2f} s, first picture {first:.2f} s, "
+          f"frame {statistics.median(frames):.3f} s", flush=True)
+for k in range(ranks):
+    controller.Barrier()
+    if k == rank:
+        print(f"  rank {rank}: {own:.0f} MB, and {mapped:.0f} MB of files", flush=True)
