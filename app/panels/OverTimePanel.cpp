@@ -79,8 +79,8 @@ Action OverTimePanel::draw(const ValuesOverTime& values, const std::vector<doubl
   }
   if (buttonOf("Save over time"))
     action = Action::SaveOverTime;
-  explainKey("Save all values of these particles as comma-separated values, a line for each step "
-             "and id, beside where mote runs");
+  explainKey("Save all of these values as comma-separated values, a line for each step and id, or "
+             "cell, beside where mote runs");
   return action;
 }
 

@@ -62,9 +62,10 @@ Action PickedPanel::draw(
     drawMeasured(*measured);
   if (!set.empty())
     this->drawTable(stage, set);
-  if (facts.steps > 1 && set.hasParticles())
+  if (facts.steps > 1 && !set.empty())
     button("Plot over time", Action::PlotOverTime,
-      "Reads all time steps for the values of the picked particles, and plots them");
+      "Reads all time steps for the values of the picked particles, or at the picked places in "
+      "cells, and plots them");
   if (facts.overTime)
     if (const Action wanted =
           overTime_.draw(*facts.overTime, facts.times, facts.step, coloredBy, next);

@@ -1,5 +1,7 @@
 #include "CellValues.h"
 
+#include "Arrays.h"
+
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
 #include <vtkGenericCell.h>
@@ -7,6 +9,7 @@
 #include <vtkMath.h>
 #include <vtkNew.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace mote::app
@@ -66,10 +69,20 @@ CellWeights evenWeights(vtkDataSet* data, vtkIdType cell)
 
 double valueBetween(const CellWeights& weights, vtkDataArray* array, int component)
 {
-  double sum = 0.0;
-  for (const auto& [point, weight] : weights)
-    sum += weight * array->GetComponent(point, component);
-  return sum;
+  const auto between = [&](int one)
+  {
+    double sum = 0.0;
+    for (const auto& [point, weight] : weights)
+      sum += weight * array->GetComponent(point, one);
+    return sum;
+  };
+  const int components = array->GetNumberOfComponents();
+  if (component != ArrayChoice::magnitude || components == 1)
+    return between(std::max(component, 0));
+  double square = 0.0;
+  for (int one = 0; one < components; ++one)
+    square += between(one) * between(one);
+  return std::sqrt(square);
 }
 
 } // namespace mote::app

@@ -26,7 +26,7 @@ vtkIdType nearestCorner(vtkDataSet* data, vtkIdType cell, const std::array<doubl
 /// Those of the mean.
 CellWeights evenWeights(vtkDataSet* data, vtkIdType cell);
 
-/// A component's value between the points.
+/// A component's value between the points, or with ArrayChoice::magnitude that of the vector there.
 double valueBetween(const CellWeights& weights, vtkDataArray* array, int component);
 
 } // namespace mote::app

@@ -25,9 +25,9 @@ std::atomic<std::uint64_t> made{0};
 
 } // namespace
 
-ValuesOverTime::ValuesOverTime(std::unique_ptr<Input> input, const IdRanges& ids,
+ValuesOverTime::ValuesOverTime(std::unique_ptr<Input> input, Followed followed,
   const Settings& settings, const std::weak_ptr<StepCache>& cache)
-  : ids_(ids)
+  : followed_(std::move(followed))
   , number_(++made)
   , read_(static_cast<std::size_t>(input->numberOfSteps()))
   , reader_(std::move(input), settings, cache,
@@ -48,34 +48,66 @@ ValuesOverTime::Step ValuesOverTime::look(const std::vector<NamedData>& data) co
 {
   Step step;
   for (std::size_t k = 0; k < data.size(); ++k)
-  {
-    vtkDataSet* particles = data[k].data;
-    if (Part::isMesh(particles))
-      continue;
-    vtkDataArray* ids = idArrayOf(particles);
-    const auto wanted = ids_.of(static_cast<int>(k) + 1);
-    std::vector<std::pair<vtkIdType, Particle>> found;
-    for (vtkIdType i = 0; i < particles->GetNumberOfPoints(); ++i)
-      if (const std::int64_t id = idOf(ids, i); holds(wanted, id))
-        found.push_back({i, {k, id}});
-    for (const auto& [i, particle] : found)
-    {
-      double place[3];
-      particles->GetPoint(i, place);
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        step[std::string(1, "xyz"[axis])][particle] = place[axis];
-    }
-    for (const std::string& name : numbersOf(particles, false))
-    {
-      const ArrayChoice choice = findArray(particles, name);
-      vtkDataArray* array = arrayOf(particles, choice);
-      if (!array || array == ids || array->GetNumberOfTuples() != particles->GetNumberOfPoints())
-        continue;
-      for (const auto& [i, particle] : found)
-        step[name][particle] = valueOf(array, choice.component, i);
-    }
-  }
+    if (Part::isMesh(data[k].data))
+      this->lookAtCells(k, data[k].data, step);
+    else
+      this->lookAtParticles(k, data[k].data, step);
   return step;
+}
+
+void ValuesOverTime::lookAtParticles(std::size_t set, vtkDataSet* particles, Step& step) const
+{
+  vtkDataArray* ids = idArrayOf(particles);
+  const auto wanted = followed_.ids.of(static_cast<int>(set) + 1);
+  std::vector<std::pair<vtkIdType, Particle>> found;
+  for (vtkIdType i = 0; i < particles->GetNumberOfPoints(); ++i)
+    if (const std::int64_t id = idOf(ids, i); holds(wanted, id))
+      found.push_back({i, {set, id}});
+  for (const auto& [i, particle] : found)
+  {
+    double place[3];
+    particles->GetPoint(i, place);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      step[std::string(1, "xyz"[axis])][particle] = place[axis];
+  }
+  for (const std::string& name : numbersOf(particles, false))
+  {
+    const ArrayChoice choice = findArray(particles, name);
+    vtkDataArray* array = arrayOf(particles, choice);
+    if (!array || array == ids || array->GetNumberOfTuples() != particles->GetNumberOfPoints())
+      continue;
+    for (const auto& [i, particle] : found)
+      step[name][particle] = valueOf(array, choice.component, i);
+  }
+}
+
+void ValuesOverTime::lookAtCells(std::size_t set, vtkDataSet* mesh, Step& step) const
+{
+  for (const PlaceInCell& place : followed_.places)
+  {
+    // Of a mesh that has become another one nothing is known.
+    const bool isThere = place.set == set && place.cell < mesh->GetNumberOfCells() &&
+                         std::all_of(place.weights.begin(), place.weights.end(),
+                           [&](const auto& one) { return one.first < mesh->GetNumberOfPoints(); });
+    if (!isThere)
+      continue;
+    const Particle key{set, place.cell};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      double at = 0.0;
+      for (const auto& [point, weight] : place.weights)
+        at += weight * mesh->GetPoint(point)[axis];
+      step[std::string(1, "xyz"[axis])][key] = at;
+    }
+    for (const bool ofCells : {false, true})
+      for (const std::string& name : numbersOf(mesh, ofCells))
+      {
+        const ArrayChoice choice = findArray(mesh, name);
+        if (vtkDataArray* array = choice.ofCells == ofCells ? arrayOf(mesh, choice) : nullptr)
+          step[name][key] = ofCells ? valueOf(array, choice.component, place.cell)
+                                    : valueBetween(place.weights, array, choice.component);
+      }
+  }
 }
 
 int ValuesOverTime::stepsRead() const

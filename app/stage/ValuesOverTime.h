@@ -1,5 +1,6 @@
 #pragma once
 
+#include "CellValues.h"
 #include "StepReader.h"
 
 #include <cstdint>
@@ -13,17 +14,32 @@
 namespace mote::app
 {
 
-/// The values that some particles have at each time step, found on a thread with readers of its
-/// own. All member functions are for one thread, that of the window.
+/// A place in a cell, which goes with the cell where that moves.
+struct PlaceInCell
+{
+  std::size_t set = 0; ///< number of the data set
+  vtkIdType cell = 0;
+  CellWeights weights; ///< of the cell's points there
+};
+
+/// What is followed through time: particles, by ids of --hide-ids, and places in cells.
+struct Followed
+{
+  IdRanges ids;
+  std::vector<PlaceInCell> places;
+};
+
+/// The values that some particles and places in cells have at each time step, found on a thread
+/// with readers of its own. All member functions are for one thread, that of the window.
 class ValuesOverTime
 {
 public:
-  /// Ids are those of --hide-ids. What the settings calculate has values, too. The cache may have
-  /// steps that need not be read again.
-  ValuesOverTime(std::unique_ptr<Input> input, const IdRanges& ids, const Settings& settings,
+  /// What the settings calculate has values, too. The cache may have steps that need not be read
+  /// again.
+  ValuesOverTime(std::unique_ptr<Input> input, Followed followed, const Settings& settings,
     const std::weak_ptr<StepCache>& cache = {});
 
-  const IdRanges& ids() const { return ids_; }
+  const Followed& followed() const { return followed_; }
   /// Of this one and no other that the program has made.
   std::uint64_t number() const { return number_; }
   /// How many steps were read, of how many.
@@ -35,11 +51,12 @@ public:
 
   bool isRead(int step) const;
 
-  /// One particle's values: one a step, not a number where that has none or was not read yet.
+  /// The values of a particle, or in a cell: one a step, not a number where that has none or was
+  /// not read yet.
   struct Curve
   {
     std::size_t set; ///< number of the data set
-    std::int64_t id;
+    std::int64_t id; ///< or the number of the cell
     std::vector<double> values;
   };
   /// In the order of data sets and ids.
@@ -53,8 +70,10 @@ private:
   /// By name.
   using Step = std::map<std::string, std::map<Particle, double>>;
   Step look(const std::vector<NamedData>& data) const;
+  void lookAtParticles(std::size_t set, vtkDataSet* particles, Step& step) const;
+  void lookAtCells(std::size_t set, vtkDataSet* mesh, Step& step) const;
 
-  const IdRanges ids_;
+  const Followed followed_;
   const std::uint64_t number_;
   mutable std::mutex mutex_;              ///< of the next three
   std::vector<std::optional<Step>> read_; ///< all steps

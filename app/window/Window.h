@@ -82,7 +82,7 @@ private:
   void followPaths();
   void watchPaths();
   void plotOverTime();
-  void readOverTime(const IdRanges& ids);
+  void readOverTime(Followed followed);
   void watchOverTime();
   void saveOverTime();
   void leave();

@@ -82,7 +82,7 @@ void Window::takeNewSteps()
     cache_->setInput(input_.again(), same);
   this->followPaths();
   if (overTime_)
-    this->readOverTime(overTime_->ids());
+    this->readOverTime(overTime_->followed());
   if (!same)
   {
     loadedStep_ = -1; // there are others by these numbers

@@ -238,24 +238,29 @@ void Window::watchPaths()
     this->startTimer(pathTimer_, pathPause);
 }
 
-/// Reads the values that the picked particles have at all steps, for the panel to plot.
+/// Reads the values that what is picked has at all steps, for the panel to plot.
 void Window::plotOverTime()
 {
   constexpr std::int64_t most = 1000;
-  const IdRanges ids = picked_.particleIds(stage_.parts());
-  if (ids.empty())
-    return this->say("Pick particles first: their values over time are plotted then");
-  if (ids.count() > most)
-    return this->say("Values over time are plotted of up to " + withThousands(most) +
-                     " particles, and " + withThousands(ids.count()) + " are picked");
-  this->readOverTime(ids);
+  const auto count = static_cast<std::int64_t>(picked_.items().size());
+  if (count == 0)
+    return this->say("Pick particles or cells first: their values over time are plotted then");
+  if (count > most)
+    return this->say("Values over time are plotted of up to " + withThousands(most) + ", and " +
+                     withThousands(count) + " are picked");
+  Followed followed{picked_.particleIds(stage_.parts()), {}};
+  for (const Picked& one : picked_.items())
+    if (one.kind == Picked::Kind::Cell)
+      followed.places.push_back(
+        {static_cast<std::size_t>(one.part), one.id, picked_.weightsOf(stage_.parts(), one)});
+  this->readOverTime(std::move(followed));
 }
 
-void Window::readOverTime(const IdRanges& ids)
+void Window::readOverTime(Followed followed)
 {
-  const IdRanges wanted = ids; // before the one that has them goes
   overTime_ = nullptr;
-  overTime_ = std::make_unique<ValuesOverTime>(input_.again(), wanted, this->settings(), cache_);
+  overTime_ =
+    std::make_unique<ValuesOverTime>(input_.again(), std::move(followed), this->settings(), cache_);
   this->startTimer(overTimeTimer_, pathPause);
 }
 

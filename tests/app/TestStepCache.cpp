@@ -349,7 +349,8 @@ TEST_F(StepCacheTest, OthersNeedNotReadWhatIsThere)
   std::filesystem::remove(file);
   settings.data.calculations = {{"twice", "2*y"}};
   const ParticlePaths paths(std::move(forPaths), IdRanges({{0, 5, 5}}), settings, cache);
-  const ValuesOverTime values(std::move(forValues), IdRanges({{0, 5, 5}}), settings, cache);
+  const ValuesOverTime values(
+    std::move(forValues), Followed{IdRanges({{0, 5, 5}}), {}}, settings, cache);
   paths.finish(progress);
   while (values.stepsRead() < steps)
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
