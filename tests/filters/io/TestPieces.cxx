@@ -92,8 +92,9 @@ TEST_F(TestPieces, OfDumps)
 {
   for (const int count : {0, 1, 5, 20'000})
   {
-    const std::string frames = dumpFrame(1, 2, "id element xs ys zs", "1 Ni 0 0 0\n2 Ni 1 1 1\n") +
-                               dumpFrame(2, count, "id element xs ys zs", rows(count, true));
+    const std::string columns = "id element xs ys zs";
+    const std::string frames = dumpFrame(1, count, columns, rows(count, true)) +
+                               dumpFrame(2, 2, columns, "1 Ni 0 0 0\n2 Ni 1 1 1\n");
     this->expectWhole<vtkMoteLAMMPSDumpReader>(write("a.dump", frames), count);
     this->expectWhole<vtkMoteLAMMPSDumpReader>(writeGzip("b.dump.gz", frames), count);
   }

@@ -219,7 +219,7 @@ TEST(Spacing, OfPartsIsThatOfTheWhole)
   Random random(5);
   Particles whole;
   for (int i = 0; i < 3000; ++i)
-    whole.add({random.uniform(0.0, 5.0), random.uniform(0.0, 3.0), random.uniform(0.0, 1.0)}, 1.0);
+    whole.add(random.inBox({0.0, 0.0, 0.0}, {5.0, 3.0, 1.0}), 1.0);
   whole.add({std::nan(""), 0.0, 0.0}, 1.0);
   const double expected = spacingOf(whole);
   for (const std::vector<std::size_t>& sizes : std::vector<std::vector<std::size_t>>{
