@@ -6,7 +6,7 @@ fail() {
   echo "smoke.sh: $*" >&2
   exit 1
 }
-! command -v cc >/dev/null || echo "(there is a compiler)"
+! command -v cc >/dev/null || fail "there is a compiler"
 
 mote --version
 mote render /usr/share/mote/data/hopper.dump.gz -o heap.png --size 320x240
