@@ -33,6 +33,21 @@ struct Step
   std::optional<double> Frame; ///< its time in a file of several
 };
 
+/// What one of several processes asks for.
+struct Piece
+{
+  int Number = 0, Count = 1;
+  bool operator==(const Piece&) const = default;
+};
+
+Piece pieceAskedFor(vtkInformation* information)
+{
+  if (!information->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()))
+    return {};
+  return {information->Get(Pipeline::UPDATE_PIECE_NUMBER()),
+    information->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())};
+}
+
 /// Ends the work under way (see Attempt) with a sentence, which names a file.
 [[noreturn]] void fail(const std::string& sentence)
 {
@@ -74,10 +89,13 @@ std::vector<Step> stepsOf(
   return steps;
 }
 
-/// Hands on what a pipeline must know of an image before it is read.
+/// Hands on what a pipeline must know before anything is read: the extent of images, and whether
+/// each of several processes may have its piece.
 void copyExtent(vtkAlgorithm* reader, vtkInformation* information)
 {
   vtkInformation* from = reader->GetOutputInformation(0);
+  if (vtkMotePolyDataReader::SafeDownCast(reader))
+    information->CopyEntry(from, vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST());
   information->CopyEntry(from, Pipeline::WHOLE_EXTENT());
   information->CopyEntry(from, vtkDataObject::ORIGIN());
   information->CopyEntry(from, vtkDataObject::SPACING());
@@ -130,7 +148,7 @@ public:
   template <class Work>
   bool Attempt(const Work& work);
   void FindSteps(vtkInformation* information);
-  vtkDataObject* ReadStep(const Step& step);
+  vtkDataObject* ReadStep(const Step& step, const Piece& piece);
 
   vtkMoteFileSeriesReader* Self;
   std::vector<std::string> Names;
@@ -139,6 +157,7 @@ public:
   // The step that was last read.
   std::string File;
   std::optional<double> Frame;
+  Piece Asked;
   mote::FileStamp Stamp;
   vtkSmartPointer<vtkDataObject> Data;
 };
@@ -198,16 +217,23 @@ void vtkMoteFileSeriesReader::Internals::FindSteps(vtkInformation* information)
 }
 
 /// The step's data.
-vtkDataObject* vtkMoteFileSeriesReader::Internals::ReadStep(const Step& step)
+vtkDataObject* vtkMoteFileSeriesReader::Internals::ReadStep(const Step& step, const Piece& piece)
 {
   const mote::FileStamp stamp = mote::stampOf(step.File);
-  if (this->Data && this->File == step.File && this->Frame == step.Frame && this->Stamp == stamp)
+  if (this->Data && this->File == step.File && this->Frame == step.Frame && this->Asked == piece &&
+      this->Stamp == stamp)
     return this->Data;
   this->Data = nullptr; // before the memory is needed for the next
   std::vector<double> times;
   const auto reader = open(step.File, times);
   if (!step.Frame)
     requireOneStep(step.File, times);
+  if (piece.Count > 1 && vtkMotePolyDataReader::SafeDownCast(reader))
+  {
+    vtkInformation* request = reader->GetOutputInformation(0);
+    request->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece.Number);
+    request->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), piece.Count);
+  }
   std::string error, warnings;
   this->Data = mote::readInside(this->Self, reader, step.Frame, error, warnings);
   if (this->Self->GetAbortExecute())
@@ -218,6 +244,7 @@ vtkDataObject* vtkMoteFileSeriesReader::Internals::ReadStep(const Step& step)
     vtkWarningWithObjectMacro(this->Self, << warnings);
   this->File = step.File;
   this->Frame = step.Frame;
+  this->Asked = piece;
   this->Stamp = stamp;
   return this->Data;
 }
@@ -323,7 +350,7 @@ int vtkMoteFileSeriesReader::RequestData(
     [&]
     {
       const Step& step = mote::requestedStep(information, this->Internal->Steps, &Step::Time);
-      vtkDataObject* data = this->Internal->ReadStep(step);
+      vtkDataObject* data = this->Internal->ReadStep(step, pieceAskedFor(information));
       requireLikeFirst(step.File, data, output, information);
       output->ShallowCopy(data);
       output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step.Time);

@@ -1,5 +1,6 @@
 // Readers that give each of several processes its piece: together the pieces are the whole.
 #include "IOTestSupport.h"
+#include "vtkMoteFileSeriesReader.h"
 #include "vtkMoteLAMMPSDumpReader.h"
 #include "vtkMotePointsReader.h"
 #include "vtkMoteXYZReader.h"
@@ -107,6 +108,33 @@ TEST_F(TestPieces, OfXYZ)
     const std::string text = std::to_string(count) + "\nof atoms\n" + rows(count, false);
     this->expectWhole<vtkMoteXYZReader>(write("a.xyz", text), count);
     this->expectWhole<vtkMoteXYZReader>(writeGzip("b.xyz.gz", text), count);
+  }
+}
+
+TEST_F(TestPieces, OfASeries)
+{
+  vtkNew<vtkMoteFileSeriesReader> reader;
+  for (const int number : {0, 1})
+  {
+    const std::string name = "a." + std::to_string(number) + ".xyz";
+    reader->AddFileName(
+      this->write(name, std::to_string(90 + number) + "\nof atoms\n" + rows(90 + number, false))
+        .c_str());
+  }
+  for (const int step : {1, 0})
+  {
+    vtkIdType count = 0;
+    for (const int piece : {0, 1, 2, 3})
+    {
+      reader->UpdateInformation();
+      reader->UpdateTimeStep(step, piece, 4, 0);
+      ASSERT_EQ(reader->GetLastErrorMessage(), "");
+      auto* own = vtkPolyData::SafeDownCast(reader->GetOutputDataObject(0));
+      ASSERT_TRUE(own);
+      EXPECT_LE(own->GetNumberOfPoints(), 23);
+      count += own->GetNumberOfPoints();
+    }
+    EXPECT_EQ(count, 90 + step);
   }
 }
 
