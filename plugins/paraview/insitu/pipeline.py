@@ -1,3 +1,4 @@
+# script-version: 2.0
 """What Catalyst makes of a simulation's points: a picture of spheres each 100 steps, by Mote."""
 
 import os
@@ -15,8 +16,8 @@ view.Background = [0.2, 0.22, 0.25]
 view.OrientationAxesVisibility = 0
 view.MoteSamples = 4
 view.MoteShadows = 1
-view.CameraPosition = [2.6, -3.6, 2.6]
-view.CameraFocalPoint = [0.5, 0.5, 0.75]
+view.CameraPosition = [5.0, -6.6, 4.0]
+view.CameraFocalPoint = [0.5, 0.5, 1.2]
 view.CameraViewUp = [0, 0, 1]
 
 display = simple.Show(balls, view)
