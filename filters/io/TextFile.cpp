@@ -54,6 +54,43 @@ FileStamp stampOf(const std::string& path)
     std::int64_t{status.st_mtim.tv_sec} * 1000000000 + status.st_mtim.tv_nsec};
 }
 
+namespace
+{
+
+std::size_t pageBytes()
+{
+  static const auto bytes = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  return bytes;
+}
+
+std::size_t wholePages(std::uint64_t bytes)
+{
+  return (static_cast<std::size_t>(bytes) + pageBytes() - 1) / pageBytes() * pageBytes();
+}
+
+/// A file's text, and a page of line ends behind it: where another program changes the file while
+/// it is parsed, the line ends that were counted may be gone, and a parser must still meet one.
+/// Null, with errno, where there is no room.
+void* mapped(int descriptor, std::uint64_t bytes)
+{
+  const std::size_t pages = wholePages(bytes);
+  void* all = ::mmap(nullptr, pages + pageBytes(), PROT_READ | PROT_WRITE,
+    MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (all == MAP_FAILED)
+    return nullptr;
+  char* const behind = static_cast<char*>(all) + pages;
+  std::memset(behind, '\n', pageBytes());
+  ::mprotect(behind, pageBytes(), PROT_READ);
+  if (::mmap(all, bytes, PROT_READ, MAP_PRIVATE | MAP_FIXED, descriptor, 0) != MAP_FAILED)
+    return all;
+  const int error = errno;
+  ::munmap(all, pages + pageBytes());
+  errno = error;
+  return nullptr;
+}
+
+} // namespace
+
 TextFile::TextFile(const std::string& path)
   : m_path(path)
 {
@@ -68,8 +105,8 @@ TextFile::TextFile(const std::string& path)
   m_gzip = ::pread(m_descriptor, magic, 2, 0) == 2 && magic[0] == 0x1f && magic[1] == 0x8b;
   if (!m_gzip && m_bytes > 0)
   {
-    void* map = ::mmap(nullptr, m_bytes, PROT_READ, MAP_PRIVATE, m_descriptor, 0);
-    if (map == MAP_FAILED)
+    void* map = mapped(m_descriptor, m_bytes);
+    if (!map)
     {
       const int error = errno;
       ::close(m_descriptor);
@@ -83,7 +120,7 @@ TextFile::TextFile(const std::string& path)
 TextFile::~TextFile()
 {
   if (m_map)
-    ::munmap(const_cast<char*>(m_map), m_bytes);
+    ::munmap(const_cast<char*>(m_map), wholePages(m_bytes) + pageBytes());
   ::close(m_descriptor);
 }
 

@@ -126,10 +126,12 @@ const char* parseRow(
 void parsePiece(Piece& piece, const std::vector<TextColumn>& columns, const RowsStored& stored)
 {
   const char* p = piece.text.data();
+  const char* const end = p + piece.text.size();
   for (std::uint64_t row = piece.firstRow; row < piece.firstRow + piece.rows; ++row)
   {
-    Fault fault;
-    p = parseRow(columns, row, p, fault);
+    Fault fault{Trouble::TooFew, row, 0, p, p};
+    // Past the end only where another program has changed the file since its lines were counted.
+    p = p < end ? parseRow(columns, row, p, fault) : nullptr;
     if (!p)
     {
       piece.fault = fault;
@@ -146,7 +148,9 @@ std::vector<Piece> cutIntoPieces(std::string_view text)
   std::vector<Piece> pieces;
   while (!text.empty())
   {
-    const std::size_t lineEnd = text.find('\n', std::min(PieceBytes, text.size()) - 1);
+    // Without a line end only where another program has changed the file meanwhile.
+    const std::size_t lineEnd =
+      std::min(text.find('\n', std::min(PieceBytes, text.size()) - 1), text.size() - 1);
     pieces.push_back({text.substr(0, lineEnd + 1), 0, 0, 0, {}});
     text.remove_prefix(lineEnd + 1);
   }

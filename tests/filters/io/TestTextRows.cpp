@@ -132,6 +132,37 @@ TEST_F(TestTextRows, IntegersThatAreNoneAskForMore)
   EXPECT_EQ(typeFor("1\n1.5\n"), ColumnType::Float64);
 }
 
+TEST_F(TestTextRows, WhatAnotherProgramChangesMeanwhileIsNotReadBeyond)
+{
+  // Lines that were counted are gone, or have become fewer, once the first are parsed.
+  for (const char other : {'1', ' ', '\0'})
+  {
+    const std::uint64_t rows = 262'144; // the file ends with a page
+    std::string text;
+    for (std::uint64_t i = 0; i < rows; ++i)
+      text += "123 5.25 wordword\n"; // of which the last is passed over
+    text.resize(text.size() / 4096 * 4096);
+    text.back() = '\n';
+    const std::string file = write("rows", text);
+    TextCursor cursor(file);
+    std::vector<std::int64_t> a(rows);
+    std::vector<double> b(rows);
+    std::atomic<bool> isChanged{false};
+    const auto change = [&](std::uint64_t, std::uint64_t)
+    {
+      if (isChanged.exchange(true))
+        return;
+      std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+      stream << std::string(text.size(), other);
+    };
+    EXPECT_THROW(mote::readRows(cursor, rows,
+                   {{"a", ColumnType::Int64, a.data(), 1}, {"b", ColumnType::Float64, b.data(), 1},
+                     {"c", ColumnType::Skip, nullptr, 1}},
+                   change, {}),
+      FileError);
+  }
+}
+
 TEST_F(TestTextRows, StopsWhenAsked)
 {
   TextCursor cursor(write("rows", "1\n2\n"));
