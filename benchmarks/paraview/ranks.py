@@ -1,9 +1,9 @@
 """A file of particles on several ranks, each with a piece: what reading and frames take, and memory.
 
-    taskset -c 0   mpiexec -n 1                pvbatch --sym benchmarks/paraview/ranks.py FILE
-    LP_NUM_THREADS=1 mpiexec -n 2 --bind-to core pvbatch --sym benchmarks/paraview/ranks.py FILE
+    export LP_NUM_THREADS=1 VTK_SMP_BACKEND_IN_USE=STDThread MOTE_PLUGIN=...  # Mote.so, as scripts/paraview builds it
+    xvfb-run -a mpiexec --bind-to core -n N pvbatch --sym benchmarks/paraview/ranks.py FILE
 
-1024x1024, the camera moves between frames, medians. Memory is what each rank has taken more than
+pvbatch is in build/paraview/packages/usr/bin. 1024x1024, the camera moves between frames, medians. Memory is what each rank has taken more than
 before it read, at the most.
 """
 

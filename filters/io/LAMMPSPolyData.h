@@ -3,7 +3,7 @@
 
 #include "LAMMPSColumns.h"
 #include "LAMMPSDump.h"
-#include "PointRows.h"
+#include "Piece.h"
 
 #include <functional>
 #include <memory>
@@ -23,7 +23,7 @@ struct LAMMPSReadOptions
   bool singlePrecision = false; ///< Float32 for what would be Float64, save positions
   std::function<bool(const std::string& array)> wanted; ///< arrays to make; empty means all
   std::shared_ptr<ScratchSpace> space;                  ///< see PointRows
-  PieceOf piece;                                        ///< of the atoms
+  Piece piece;                                          ///< of the atoms
 };
 
 /// Reads one frame into `output`, which should be empty: points, one vertex cell an atom, point

@@ -116,7 +116,7 @@ void skipLines(TextCursor& cursor, std::uint64_t lines)
 void takePiece(TextCursor& cursor, PointRows& rows)
 {
   const std::uint64_t first = rows.piece.first(rows.rows);
-  rows.rows = rows.piece.count(rows.rows);
+  rows.rows = rows.piece.size(rows.rows);
   rows.piece = {};
   cursor.seek(rows.place);
   skipLines(cursor, first);

@@ -1,6 +1,7 @@
 #ifndef MotePointRows_h
 #define MotePointRows_h
 
+#include "Piece.h"
 #include "TextRows.h"
 
 #include "kernels/core/ScratchSpace.h"
@@ -31,32 +32,11 @@ struct NumberedWords
   vtkSmartPointer<vtkDataArray> numbers; ///< Int32, one a point
 };
 
-/// A piece, from 0, of so many: what one of several processes takes of the rows.
-struct PieceOf
-{
-  int piece = 0, pieces = 1;
-
-  bool isAll() const { return pieces <= 1; }
-  std::uint64_t first(std::uint64_t rows) const { return this->share(rows, piece); }
-  std::uint64_t count(std::uint64_t rows) const
-  {
-    return this->share(rows, piece + 1) - first(rows);
-  }
-
-private:
-  /// How many rows the first `n` pieces have; without a product that could overflow.
-  std::uint64_t share(std::uint64_t rows, int n) const
-  {
-    const auto all = static_cast<std::uint64_t>(pieces), some = static_cast<std::uint64_t>(n);
-    return rows / all * some + rows % all * some / all;
-  }
-};
-
 /// Lines of a text file, one a point, and what their columns become.
 struct PointRows
 {
   std::uint64_t rows = 0;  ///< of all pieces
-  PieceOf piece;           ///< which of them are read
+  Piece piece;             ///< which of them are read
   TextCursor::Place place; ///< of the first row
   std::vector<std::string> columns;
   std::vector<ColumnType> types; ///< of each column; Skip where its array is not wanted

@@ -1,6 +1,7 @@
 #include "vtkMoteFileSeriesReader.h"
 
 #include "LegacyTime.h"
+#include "Piece.h"
 #include "ReadInside.h"
 #include "TextFile.h"
 #include "TimeSteps.h"
@@ -32,21 +33,6 @@ struct Step
   std::string File;
   std::optional<double> Frame; ///< its time in a file of several
 };
-
-/// What one of several processes asks for.
-struct Piece
-{
-  int Number = 0, Count = 1;
-  bool operator==(const Piece&) const = default;
-};
-
-Piece pieceAskedFor(vtkInformation* information)
-{
-  if (!information->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()))
-    return {};
-  return {information->Get(Pipeline::UPDATE_PIECE_NUMBER()),
-    information->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())};
-}
 
 /// Ends the work under way (see Attempt) with a sentence, which names a file.
 [[noreturn]] void fail(const std::string& sentence)
@@ -148,7 +134,7 @@ public:
   template <class Work>
   bool Attempt(const Work& work);
   void FindSteps(vtkInformation* information);
-  vtkDataObject* ReadStep(const Step& step, const Piece& piece);
+  vtkDataObject* ReadStep(const Step& step, const mote::Piece& piece);
 
   vtkMoteFileSeriesReader* Self;
   std::vector<std::string> Names;
@@ -157,7 +143,7 @@ public:
   // The step that was last read.
   std::string File;
   std::optional<double> Frame;
-  Piece Asked;
+  mote::Piece Asked;
   mote::FileStamp Stamp;
   vtkSmartPointer<vtkDataObject> Data;
 };
@@ -217,7 +203,8 @@ void vtkMoteFileSeriesReader::Internals::FindSteps(vtkInformation* information)
 }
 
 /// The step's data.
-vtkDataObject* vtkMoteFileSeriesReader::Internals::ReadStep(const Step& step, const Piece& piece)
+vtkDataObject* vtkMoteFileSeriesReader::Internals::ReadStep(
+  const Step& step, const mote::Piece& piece)
 {
   const mote::FileStamp stamp = mote::stampOf(step.File);
   if (this->Data && this->File == step.File && this->Frame == step.Frame && this->Asked == piece &&
@@ -228,11 +215,11 @@ vtkDataObject* vtkMoteFileSeriesReader::Internals::ReadStep(const Step& step, co
   const auto reader = open(step.File, times);
   if (!step.Frame)
     requireOneStep(step.File, times);
-  if (piece.Count > 1 && vtkMotePolyDataReader::SafeDownCast(reader))
+  if (!piece.isAll() && vtkMotePolyDataReader::SafeDownCast(reader))
   {
     vtkInformation* request = reader->GetOutputInformation(0);
-    request->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece.Number);
-    request->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), piece.Count);
+    request->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece.number);
+    request->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), piece.count);
   }
   std::string error, warnings;
   this->Data = mote::readInside(this->Self, reader, step.Frame, error, warnings);
@@ -350,7 +337,7 @@ int vtkMoteFileSeriesReader::RequestData(
     [&]
     {
       const Step& step = mote::requestedStep(information, this->Internal->Steps, &Step::Time);
-      vtkDataObject* data = this->Internal->ReadStep(step, pieceAskedFor(information));
+      vtkDataObject* data = this->Internal->ReadStep(step, mote::requestedPiece(information));
       requireLikeFirst(step.File, data, output, information);
       output->ShallowCopy(data);
       output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step.Time);

@@ -3,6 +3,7 @@
 #include "LAMMPSColumns.h"
 #include "LAMMPSDump.h"
 #include "LAMMPSPolyData.h"
+#include "Piece.h"
 #include "TimeSteps.h"
 
 #include "vtkDataArraySelection.h"
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <tuple>
 #include <vector>
 
 namespace
@@ -244,7 +244,7 @@ int vtkMoteLAMMPSDumpReader::RequestInformation(
 {
   vtkInformation* information = outputVector->GetInformationObject(0);
   mote::offerTimeSteps(information, {});
-  OfferPieces(information);
+  mote::offerPieces(information);
   this->AbortExecute = 0; // of an earlier run: only REQUEST_DATA resets it
   this->Ready = this->Attempt(
     [this](const mote::Progress& progress)
@@ -289,7 +289,7 @@ int vtkMoteLAMMPSDumpReader::RequestData(
       options.combine = this->CombineVectors;
       options.singlePrecision = this->SinglePrecision;
       options.space = this->GetScratchSpace();
-      std::tie(options.piece.piece, options.piece.pieces) = RequestedPiece(information);
+      options.piece = mote::requestedPiece(information);
       options.wanted = [this](const std::string& name)
       { return this->Internal->Selection->ArrayIsEnabled(name.c_str()) != 0; };
       mote::readLAMMPSFrame(*step.File, *step.Frame, options, progress, result);

@@ -1,6 +1,7 @@
 #include "vtkMoteParticleFileReader.h"
 
 #include "OpenMoteFile.h"
+#include "Piece.h"
 #include "TimeSteps.h"
 
 #include "kernels/core/Vec.h"
@@ -21,7 +22,6 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace
 {
@@ -54,13 +54,11 @@ Array radiiOf(const mote::ParticleSource& particles, std::size_t first, std::siz
 
 /// What one of several processes gets: particles that stand beside one another in the file, and
 /// about in space too, since the file has the order of its tree.
-void readPiece(const mote::PkdTreeFile& file, std::pair<int, int> piece, vtkPolyData* result)
+void readPiece(const mote::PkdTreeFile& file, const mote::Piece& piece, vtkPolyData* result)
 {
   const auto particles = file.particles();
-  const std::size_t all = particles->count(), pieces = static_cast<std::size_t>(piece.second);
-  const auto beginOf = [&](std::size_t n) { return all / pieces * n + all % pieces * n / pieces; };
-  const std::size_t first = beginOf(static_cast<std::size_t>(piece.first));
-  const std::size_t count = beginOf(static_cast<std::size_t>(piece.first) + 1) - first;
+  const std::size_t first = piece.first(particles->count());
+  const std::size_t count = piece.size(particles->count());
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(count));
@@ -100,7 +98,7 @@ int vtkMoteParticleFileReader::RequestInformation(
 {
   vtkInformation* information = outputVector->GetInformationObject(0);
   mote::offerTimeSteps(information, {});
-  OfferPieces(information);
+  mote::offerPieces(information);
   if (this->Open() && this->File->time())
     mote::offerTimeSteps(information, {*this->File->time()});
   return 1;
@@ -125,8 +123,8 @@ int vtkMoteParticleFileReader::RequestData(
   };
   add(result->GetPointData(), this->File->arrays().size(), false);
   add(result->GetFieldData(), this->File->facts().size(), true);
-  const std::pair<int, int> piece = RequestedPiece(outputVector->GetInformationObject(0));
-  if (piece.second > 1)
+  const mote::Piece piece = mote::requestedPiece(outputVector->GetInformationObject(0));
+  if (!piece.isAll())
     readPiece(*this->File, piece, result);
   if (this->File->time())
     DeliverStep(result, *this->File->time(), output);

@@ -36,7 +36,7 @@ vtkMotePointsReader::~vtkMotePointsReader() = default;
 int vtkMotePointsReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  OfferPieces(outputVector->GetInformationObject(0));
+  mote::offerPieces(outputVector->GetInformationObject(0));
   return 1;
 }
 
@@ -58,8 +58,7 @@ int vtkMotePointsReader::RequestData(
       rows.coordinates = {0, 1, 2};
       rows.types.assign(3, mote::ColumnType::Float64);
       rows.rows = countLines(cursor);
-      const auto [piece, pieces] = RequestedPiece(outputVector->GetInformationObject(0));
-      rows.piece = {piece, pieces};
+      rows.piece = mote::requestedPiece(outputVector->GetInformationObject(0));
       if (rows.rows == 0)
         throw mote::FileError(
           mote::FileError::Kind::Truncated, this->GetFileName(), "the file is empty");

@@ -8,13 +8,10 @@
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <algorithm>
 #include <new>
 
 namespace
@@ -91,20 +88,6 @@ void vtkMotePolyDataReader::RequireFileName()
     throw mote::FileError(
       mote::FileError::Kind::NotFound, this->GetClassName(), "no file name has been set");
   }
-}
-
-void vtkMotePolyDataReader::OfferPieces(vtkInformation* outputInformation)
-{
-  outputInformation->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
-}
-
-std::pair<int, int> vtkMotePolyDataReader::RequestedPiece(vtkInformation* outputInformation)
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  const auto valueOf = [&](vtkInformationIntegerKey* key, int usual)
-  { return outputInformation->Has(key) ? outputInformation->Get(key) : usual; };
-  const int pieces = std::max(1, valueOf(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1));
-  return {std::clamp(valueOf(Pipeline::UPDATE_PIECE_NUMBER(), 0), 0, pieces - 1), pieces};
 }
 
 void vtkMotePolyDataReader::DeliverStep(vtkPolyData* result, double time, vtkPolyData* output)

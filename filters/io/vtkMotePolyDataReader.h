@@ -81,15 +81,6 @@ protected:
   int RequestMade(vtkInformationVector* outputVector,
     const std::function<void(const std::string&, vtkPolyData*)>& make);
 
-  ///@{
-  /**
-   * Readers that give each of several processes its piece say so in RequestInformation, and ask in
-   * RequestData which one is wanted: its number and how many there are.
-   */
-  static void OfferPieces(vtkInformation* outputInformation);
-  static std::pair<int, int> RequestedPiece(vtkInformation* outputInformation);
-  ///@}
-
   /**
    * How readers of time steps hand on the step that they have read, with its time.
    */

@@ -54,7 +54,7 @@ void addTypes(vtkPolyData* data, mote::NumberedWords& words)
   mote::addTypes(words, types, data);
 }
 
-void readFrame(const std::string& path, const mote::XYZFrame& frame, const mote::PieceOf& piece,
+void readFrame(const std::string& path, const mote::XYZFrame& frame, const mote::Piece& piece,
   const std::shared_ptr<mote::ScratchSpace>& space, const mote::Progress& progress,
   vtkPolyData* output)
 {
@@ -125,7 +125,7 @@ int vtkMoteXYZReader::RequestInformation(
 {
   vtkInformation* information = outputVector->GetInformationObject(0);
   mote::offerTimeSteps(information, {});
-  OfferPieces(information);
+  mote::offerPieces(information);
   this->AbortExecute = 0; // of an earlier run: only REQUEST_DATA resets it
   const bool good = this->Attempt(
     [this](const ProgressFunction& progress)
@@ -162,9 +162,8 @@ int vtkMoteXYZReader::RequestData(
       const mote::XYZFrame& frame =
         mote::requestedStep(information, this->Internal->Frames, &mote::XYZFrame::time);
       time = frame.time;
-      const auto [piece, pieces] = RequestedPiece(information);
-      readFrame(
-        this->GetFileName(), frame, {piece, pieces}, this->GetScratchSpace(), progress, result);
+      readFrame(this->GetFileName(), frame, mote::requestedPiece(information),
+        this->GetScratchSpace(), progress, result);
     });
   if (good)
     DeliverStep(result, time, output);
