@@ -23,7 +23,7 @@ std::string joined(const Row& row, const std::vector<std::string>& words)
 {
   std::string text;
   for (const std::string& word : words)
-    text += (text.empty() ? "" : row.commas && row.count == 0 ? "," : " ") + word;
+    text += (text.empty() ? "" : row.commas ? "," : " ") + word;
   return text;
 }
 

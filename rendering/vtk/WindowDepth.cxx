@@ -43,25 +43,36 @@ std::vector<float> WindowDepth::resampled(int newWidth, int newHeight) const
   if (newWidth == width && newHeight == height)
     return distances;
   std::vector<float> samples(static_cast<std::size_t>(newWidth) * newHeight);
+  std::vector<std::pair<int, int>> columns;
+  for (int x = 0; x < newWidth; ++x)
+    columns.push_back(spanOf(x, width, newWidth));
   tbb::parallel_for(0, newHeight,
     [&](int y)
     {
       std::vector<float> block;
       const auto [y0, y1] = spanOf(y, height, newHeight);
+      const float* rows = distances.data() + static_cast<std::size_t>(y0) * width;
+      float* to = samples.data() + static_cast<std::size_t>(y) * newWidth;
+      // Most often nothing is there.
+      if (std::all_of(rows, rows + static_cast<std::ptrdiff_t>(y1 - y0) * width,
+            [first = *rows](float d) { return d == first; }))
+      {
+        std::fill_n(to, newWidth, *rows);
+        return;
+      }
       for (int x = 0; x < newWidth; ++x)
       {
-        const auto [x0, x1] = spanOf(x, width, newWidth);
+        const auto [x0, x1] = columns[static_cast<std::size_t>(x)];
         block.clear();
-        for (int row = y0; row < y1; ++row)
+        for (int row = 0; row < y1 - y0; ++row)
         {
-          const float* from = distances.data() + static_cast<std::size_t>(row) * width;
+          const float* from = rows + static_cast<std::size_t>(row) * width;
           block.insert(block.end(), from + x0, from + x1);
         }
         const auto middle = block.begin() + static_cast<std::ptrdiff_t>(block.size() / 2);
-        // Most often nothing is there.
         if (std::any_of(block.begin(), block.end(), [&](float d) { return d != block.front(); }))
           std::nth_element(block.begin(), middle, block.end());
-        samples[static_cast<std::size_t>(y) * newWidth + x] = *middle;
+        to[x] = *middle;
       }
     });
   return samples;

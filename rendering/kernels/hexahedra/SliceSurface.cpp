@@ -321,6 +321,38 @@ void passPlane(const RayPacket& rays, const Vec3d& point, const Vec3d& normal, d
   }
 }
 
+/// The points of rays at `t`, by coordinate: plain loops, which compilers turn into SIMD.
+void placesAt(const RayBundle& rays, const double* t, double (*places)[RayBundle::capacity])
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double origin = rays.origin[axis], along = rays.direction[axis];
+    const double dx = rays.dx[axis], dy = rays.dy[axis];
+    if (rays.kind == RayBundle::Kind::CommonOrigin)
+      for (int i = 0; i < rays.count; ++i)
+        places[axis][i] = origin + t[i] * (along + double(rays.x[i]) * dx + double(rays.y[i]) * dy);
+    else
+      for (int i = 0; i < rays.count; ++i)
+        places[axis][i] = origin + double(rays.x[i]) * dx + double(rays.y[i]) * dy + t[i] * along;
+  }
+}
+
+void placesAt(const RayPacket& rays, const double* t, double (*places)[RayPacket::capacity])
+{
+  for (int axis = 0; axis < 3; ++axis)
+    for (int i = 0; i < rays.count; ++i)
+      places[axis][i] = rays.origin[axis][i] + t[i] * rays.direction[axis][i];
+}
+
+double leastOf(const RayBundle& rays, int)
+{
+  return rays.tMin;
+}
+double leastOf(const RayPacket& rays, int i)
+{
+  return rays.tMin[i];
+}
+
 } // namespace
 
 /// Where rays that may still meet something pass a shape: nearer places, and farther ones.
@@ -331,20 +363,20 @@ void SliceSurface::meetAll(
   counts[0] = counts[1] = 0;
   const Box& own = meshOf(*structure_).bounds();
   const Box box = own.expanded(surfaceError * glm::length(own.size()));
-  const auto add = [&](int n, const HexRay& ray, int i, double t)
+  const auto add = [&](int n, const Vec3d& place, int i, double t)
   {
-    const Vec3d place = meshPoint(frame, ray.origin + t * ray.direction);
-    if (!glm::any(glm::lessThan(place, box.lower)) && !glm::any(glm::greaterThan(place, box.upper)))
+    if (!(place.x < box.lower.x || place.y < box.lower.y || place.z < box.lower.z ||
+          place.x > box.upper.x || place.y > box.upper.y || place.z > box.upper.z))
       met[n][counts[n]++] = {place, t, i};
   };
-  const auto isNear = [](const HexRay& ray, double t) { return t > ray.tMin && t < ray.tMax; };
   if (frame.shape.kind == SliceShape::Kind::Plane) // most are
   {
-    double t[Rays::capacity];
+    double t[Rays::capacity], places[3][Rays::capacity];
     passPlane(rays, frame.shape.point, frame.axes[2], t);
+    placesAt(rays, t, places);
     for (int i = 0; i < rays.count; ++i)
-      if (const HexRay ray = rayOf(rays, i); isNear(ray, t[i]))
-        add(0, ray, i, t[i]);
+      if (t[i] > leastOf(rays, i) && t[i] < rays.t[i])
+        add(0, {places[0][i], places[1][i], places[2][i]}, i, t[i]);
     return;
   }
   for (int i = 0; i < rays.count; ++i)
@@ -353,8 +385,8 @@ void SliceSurface::meetAll(
     double t[2] = {};
     const int count = meet(frame, ray.origin, ray.direction, t);
     for (int n = 0; n < count; ++n)
-      if (isNear(ray, t[n]))
-        add(n, ray, i, t[n]);
+      if (t[n] > ray.tMin && t[n] < ray.tMax)
+        add(n, meshPoint(frame, ray.origin + t[n] * ray.direction), i, t[n]);
   }
 }
 
