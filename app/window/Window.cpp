@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstdio>
 #include <new>
+#include <utility>
 
 namespace mote::app
 {
@@ -327,7 +328,9 @@ void Window::shareFrameTime()
   // Rays get something, however long the rest takes: so much that the data can be told.
   const double least = asked ? std::min(0.5 * wanted, 0.3 / usual) : 0.3 * wanted;
   const auto count = static_cast<double>(views_.shown().size());
-  const double share = std::max(wanted - otherTime_, least) / count;
+  // Whoever asks for a time step waits for what is done before its frame, too.
+  const double before = asked ? 0.0 : std::min(std::exchange(loadTime_, 0.0), 0.5 * wanted);
+  const double share = std::max(wanted - otherTime_ - before, least) / count;
   views_.setUpPasses([&](vtkMoteRayCastPass* pass) { pass->SetInteractiveFrameTime(share); });
 }
 

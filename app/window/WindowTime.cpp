@@ -34,6 +34,7 @@ constexpr unsigned long cachePause = 250; // ms between looks at what is read ah
 
 void Window::load(int step)
 {
+  const double start = vtkTimerLog::GetUniversalTime();
   this->keepStep();
   stage_.stopBuild();
   loadedStep_ = -1;
@@ -62,6 +63,7 @@ void Window::load(int step)
   }
   stage_.applyColors();
   loadedStep_ = step;
+  loadTime_ = vtkTimerLog::GetUniversalTime() - start;
   if (cache_)
     cache_->setPlace(step_, playing_ ? 1 : direction_, playing_ && this->settings().output.loop);
 }
