@@ -329,7 +329,8 @@ void Window::shareFrameTime()
   const double least = asked ? std::min(0.5 * wanted, 0.3 / usual) : 0.3 * wanted;
   const auto count = static_cast<double>(views_.shown().size());
   // Whoever asks for a time step waits for what is done before its frame, too.
-  const double before = asked ? 0.0 : std::min(std::exchange(loadTime_, 0.0), 0.5 * wanted);
+  const double loading = std::min(std::exchange(loadTime_, 0.0), 0.5 * wanted);
+  const double before = asked ? 0.0 : loading;
   const double share = std::max(wanted - otherTime_ - before, least) / count;
   views_.setUpPasses([&](vtkMoteRayCastPass* pass) { pass->SetInteractiveFrameTime(share); });
 }

@@ -121,11 +121,8 @@ void FilmDisplay::convertColors(const Film& film, const SilhouetteLayer& lines)
   forRows(film,
     [&](int first, int last, std::size_t begin, std::size_t end)
     {
-      // Bytes may be anything's: where from and whereto are looked up once.
-      const float* from = film.color();
-      unsigned char* to = colorBytes_.data();
       for (std::size_t i = 4 * begin; i != 4 * end; ++i)
-        to[i] = byteOf(from[i]);
+        colorBytes_[i] = byteOf(film.color()[i]);
       lines.forCovered(first, last, drawLine);
     });
 }

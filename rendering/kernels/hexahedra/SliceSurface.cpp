@@ -344,10 +344,12 @@ void placesAt(const RayPacket& rays, const double* t, double (*places)[RayPacket
       places[axis][i] = rays.origin[axis][i] + t[i] * rays.direction[axis][i];
 }
 
+/// Hits of ray i at no more than this do not count.
 double leastOf(const RayBundle& rays, int)
 {
   return rays.tMin;
 }
+
 double leastOf(const RayPacket& rays, int i)
 {
   return rays.tMin[i];
