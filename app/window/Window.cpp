@@ -24,7 +24,6 @@
 #include <cmath>
 #include <cstdio>
 #include <new>
-#include <utility>
 
 namespace mote::app
 {
@@ -328,10 +327,7 @@ void Window::shareFrameTime()
   // Rays get something, however long the rest takes: so much that the data can be told.
   const double least = asked ? std::min(0.5 * wanted, 0.3 / usual) : 0.3 * wanted;
   const auto count = static_cast<double>(views_.shown().size());
-  // Whoever asks for a time step waits for what is done before its frame, too.
-  const double loading = std::min(std::exchange(loadTime_, 0.0), 0.5 * wanted);
-  const double before = asked ? 0.0 : loading;
-  const double share = std::max(wanted - otherTime_ - before, least) / count;
+  const double share = frameTime_.forRays(wanted, least, asked.has_value()) / count;
   views_.setUpPasses([&](vtkMoteRayCastPass* pass) { pass->SetInteractiveFrameTime(share); });
 }
 
@@ -416,7 +412,7 @@ void Window::onRenderEnd()
     const double silhouettes = views_.silhouetteTime();
     costs_ = {
       now - frameStart_, traceTime - silhouettes, silhouettes, panelTime_, now - presenting};
-    otherTime_ = costs_.frame - traceTime;
+    frameTime_.traced(costs_.frame, traceTime);
   }
   if (this->isResting())
     this->noteRest();

@@ -2,6 +2,7 @@
 
 #include "Clipboard.h"
 #include "Display.h"
+#include "FrameTime.h"
 #include "Overlay.h"
 #include "Presenter.h"
 #include "Recorder.h"
@@ -284,8 +285,7 @@ private:
   double frameStart_ = 0.0;
   FrameCosts costs_;       ///< of the last frame that was traced
   double panelTime_ = 0.0; ///< of the present frame
-  double otherTime_ = 0.0; ///< of the last frame that was traced, beside tracing: s
-  double loadTime_ = 0.0;  ///< of a time step that no frame has shown yet: s
+  FrameTime frameTime_;
   double stepTime_ = 0.0;  ///< from one step that is played to the next: s, smoothed
   double stepStart_ = 0.0; ///< when the last one began to be shown
   std::string failure_;    // what perform() told last

@@ -63,7 +63,7 @@ void Window::load(int step)
   }
   stage_.applyColors();
   loadedStep_ = step;
-  loadTime_ = vtkTimerLog::GetUniversalTime() - start;
+  frameTime_.loaded(vtkTimerLog::GetUniversalTime() - start);
   if (cache_)
     cache_->setPlace(step_, playing_ ? 1 : direction_, playing_ && this->settings().output.loop);
 }

@@ -33,7 +33,9 @@ protected:
     EXPECT_EQ(writer->GetErrorMessage().back(), '.');
     EXPECT_NE(writer->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
     if (code != 0)
+    {
       EXPECT_EQ(writer->GetErrorCode(), code);
+    }
     EXPECT_NE(this->Messages->Text.find(writer->GetErrorMessage()), std::string::npos);
     EXPECT_EQ(this->countFiles(), before);
   }

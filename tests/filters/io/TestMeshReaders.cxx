@@ -279,7 +279,9 @@ TEST_F(TestMeshReaders, Collections)
     if (reader)
       vtkMoteReaderTable::GetTimeSteps(reader, m_error);
     if (reader && m_error.empty())
+    {
       EXPECT_FALSE(vtkMoteReaderTable::Read(reader, m_error)) << file;
+    }
     EXPECT_NE(m_error.find(sentence), std::string::npos) << m_error;
     EXPECT_EQ(m_error.find('\n'), std::string::npos) << m_error;
   };

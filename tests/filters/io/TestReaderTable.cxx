@@ -52,7 +52,9 @@ protected:
   {
     auto reader = vtkMoteReaderTable::MakeReader(file, m_error);
     if (reader)
+    {
       EXPECT_FALSE(vtkMoteReaderTable::Read(reader, m_error));
+    }
     EXPECT_EQ(m_error.find('\n'), std::string::npos);
     EXPECT_NE(m_error.find(file), std::string::npos) << m_error;
     EXPECT_NE(m_error.find(sentence), std::string::npos) << m_error;
