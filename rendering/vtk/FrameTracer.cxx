@@ -249,8 +249,9 @@ bool FrameTracer::trace(vtkRenderer* renderer, MoteProps& props, int width, int 
   }
   const Shown shown{view_, baking_.times()};
   const bool changed = shown != before;
-  const bool justBaked = complete && hadMaps != baking_.times() && before.view == view_;
-  shows_ = shows_ && (!changed || justBaked);
+  // What is baked changes what is shown, but a film of it does to begin with.
+  const bool onlyBaked = before.view == view_ && (complete ? hadMaps != baking_.times() : !moving);
+  shows_ = shows_ && (!changed || onlyBaked);
   frame.slow = takesLong(frame.scene) || !complete;
   frame.startClock();
   silhouettes_.startFrame();
@@ -261,6 +262,8 @@ bool FrameTracer::trace(vtkRenderer* renderer, MoteProps& props, int width, int 
     traceFirst(frame);
   else if (!moving && complete && (refines || changed))
     sharpen(frame, changed);
+  else if (!moving && refines)
+    keepUp(frame, changed);
   if (refines || changed)
     addSilhouettes(frame, film_.samples());
   converged_ = complete && !preview_ && isDone(settings) && !silhouettes_.isBehind(film_.samples());
@@ -321,13 +324,20 @@ void FrameTracer::begin(Frame& frame, double distance, bool draft)
   frame.aimed = false;
 }
 
-/// Begins the film that comes after the present one.
-void FrameTracer::beginNext(Frame& frame, bool last)
+/// The distance of the film that comes after one that is not the last.
+double FrameTracer::nextDistance() const
 {
   double finer = 1.0;
   for (const double distance : distances)
-    if (!last && distance * finerBy <= distance_)
+    if (distance * finerBy <= distance_)
       finer = distance;
+  return finer;
+}
+
+/// Begins the film that comes after the present one.
+void FrameTracer::beginNext(Frame& frame, bool last)
+{
+  const double finer = last ? 1.0 : nextDistance();
   begin(frame, finer, finer > 1.0 && frame.slow);
 }
 
@@ -373,6 +383,22 @@ void FrameTracer::sharpen(Frame& frame, bool anew)
     if (!addSample(frame) || (bits && 2.0 * frame.seconds() - start > settings.frameTime))
       return;
   }
+}
+
+/// Goes over what is shown while more is baked: finer where it is coarse, and with the maps of now
+/// where these have `changed`.
+void FrameTracer::keepUp(Frame& frame, bool changed)
+{
+  if (film_.samples() > 0 && distance_ == 1.0 && !changed)
+    return;
+  frame.end = restingTime(frame.settings);
+  do
+  {
+    if (film_.samples() > 0)
+      begin(frame, nextDistance(), frame.slow);
+    if (!addSilhouettes(frame, 1))
+      return;
+  } while (addSample(frame) && distance_ > 1.0);
 }
 
 /// Traces the film's next sample, or the rest of it. False where it is not complete.

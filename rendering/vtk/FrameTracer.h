@@ -62,7 +62,8 @@ std::vector<vtkMTimeType> timesOf(const MoteProps& props);
 /// the film stays, and rays are cast again for their depths alone.
 ///
 /// What a picture at rest shows and has no occlusion map is baked before; a progressive picture
-/// stays a draft meanwhile, with the maps that there are, and is baked for a moment each time.
+/// stays a draft meanwhile, of full resolution and with the maps that there are, and is baked for a
+/// moment each time.
 class FrameTracer
 {
 public:
@@ -129,9 +130,11 @@ private:
   bool forget(int width, int height, const FrameSettings& settings);
   bool bake(Frame& frame, const Camera& camera, bool& complete);
   void begin(Frame& frame, double distance, bool draft);
+  double nextDistance() const;
   void beginNext(Frame& frame, bool last);
   void traceFirst(Frame& frame);
   void sharpen(Frame& frame, bool anew);
+  void keepUp(Frame& frame, bool changed);
   bool addSample(Frame& frame);
   bool addSilhouettes(Frame& frame, int samples);
 

@@ -247,6 +247,41 @@ TEST(BakedOcclusion, WhatIsNotBakedYetIsNoPatternAndProgressIsTold)
   EXPECT_LT(even, all / 4);
 }
 
+TEST(BakedOcclusion, APictureAtRestIsSharpWhileItBakes)
+{
+  Baked baked(20000);
+  baked.mapper->SetRadiusScale(0.2);
+  baked.source->GetShading()->SetBakeSide(16);
+  baked.source->GetShading()->SetBakeSamples(256); // which takes many frames
+  baked.source->GetShading()->BakeAdaptiveOff();
+  mote::FrameTracer tracer;
+  mote::FrameSettings settings;
+  settings.shading = baked.source->GetShading();
+  settings.progressive = true;
+  settings.frameTime = settings.stillTime = 0.005;
+  settings.threads = 1;
+  baked.renderer->ResetCameraClippingRange();
+  const auto frame = [&]
+  {
+    mote::MoteProps props = {mote::motePropOf(baked.actor)};
+    ASSERT_TRUE(tracer.trace(baked.renderer, props, 512, 512, settings, {}));
+  };
+  frame();
+  EXPECT_GT(tracer.distance(), 1.0);
+  for (int i = 0; i < 100 && tracer.distance() > 1.0; ++i)
+    frame();
+  EXPECT_EQ(tracer.distance(), 1.0);
+  EXPECT_LT(tracer.bakedShare(), 1.0);
+  EXPECT_FALSE(tracer.converged());
+  // Nothing is traced again until there is more to show: less than half is not shown.
+  const unsigned long version = tracer.version();
+  frame();
+  if (tracer.bakedShare() < 0.5)
+  {
+    EXPECT_EQ(tracer.version(), version);
+  }
+}
+
 TEST(BakedOcclusion, NothingIsBakedWhileTheViewMoves)
 {
   Baked baked;
