@@ -5,6 +5,8 @@
 #include <muParser.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 
 namespace mote
 {
@@ -62,9 +64,53 @@ std::string withoutQuotes(const std::string& text, std::vector<std::string>& quo
   return plain;
 }
 
+double magnitudeOf(double value)
+{
+  return std::abs(value);
+}
+
 double isZero(double value)
 {
   return value == 0.0 ? 1.0 : 0.0;
+}
+
+bool isOfName(char c)
+{
+  return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.';
+}
+
+/// The name that ends before a place of the text, or an empty one.
+std::string nameBefore(const std::string& text, std::size_t place)
+{
+  const std::size_t end = std::min(place, text.size());
+  std::size_t begin = end;
+  while (begin > 0 && isOfName(text[begin - 1]))
+    --begin;
+  return text.substr(begin, end - begin);
+}
+
+/// muParser wants no space between a function and its parenthesis.
+std::string withCallsClosed(const std::string& text)
+{
+  std::string closed;
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
+    const std::size_t next = std::min(text.find_first_not_of(" \t\n", i), text.size());
+    const bool isCall = next > i && next < text.size() && text[next] == '(' && !closed.empty() &&
+                        isOfName(closed.back());
+    if (!isCall)
+      closed += text[i];
+  }
+  return closed;
+}
+
+/// Whether a name stands before a parenthesis: else it may be that of an array.
+bool calls(const std::string& text, const std::string& name)
+{
+  for (std::size_t at = text.find('('); at != std::string::npos; at = text.find('(', at + 1))
+    if (nameBefore(text, at) == name)
+      return true;
+  return false;
 }
 
 } // namespace
@@ -73,9 +119,10 @@ ExpressionParser::ExpressionParser(const std::string& expression)
   : parser_(std::make_unique<Parser>())
 {
   mu::Parser& parser = parser_->parser;
+  std::string plain;
   try
   {
-    const std::string plain = withoutQuotes(expression, quoted_);
+    plain = withCallsClosed(withoutQuotes(expression, quoted_));
     if (plain.find_first_not_of(" \t\n") == std::string::npos)
       throw Error("it is empty");
     refuseSingle(plain, '=', "<>!");
@@ -87,6 +134,9 @@ ExpressionParser::ExpressionParser(const std::string& expression)
     parser.DefineNameChars(letters.c_str());
     parser.DefineInfixOprt("!", isZero);
     parser.DefineConst("pi", 3.14159265358979323846);
+    // A vector's name is its magnitude already.
+    if (calls(plain, "mag"))
+      parser.DefineFun("mag", magnitudeOf);
     parser.SetVarFactory(&ExpressionParser::variableNamed, this);
     parser.SetExpr(plain);
     // The first evaluation of one value by itself makes the code that the others run.
@@ -96,6 +146,10 @@ ExpressionParser::ExpressionParser(const std::string& expression)
   }
   catch (const mu::ParserError& error)
   {
+    if (error.GetCode() == mu::ecUNEXPECTED_PARENS)
+      if (const std::string name = nameBefore(plain, static_cast<std::size_t>(error.GetPos()));
+          !name.empty() && name.rfind(quotedName, 0) != 0)
+        throw Error("there is no function " + name);
     std::string sentence = error.GetMsg();
     for (std::size_t i = 0; i < quoted_.size(); ++i)
       if (const std::size_t at = sentence.find(quotedName + std::to_string(i));

@@ -17,8 +17,8 @@
  *
  * Points' arrays come before cells'; all arrays of an expression must be of one of the two.
  * Operators are + - * / ^, < <= > >= == !=, && || ! and A ? B : C, which has B where A is not 0;
- * functions are those of muParser, such as abs, sqrt, exp, ln, log10, sin, min, max, rint. All is
- * computed in double precision, in parallel.
+ * functions are those of muParser, such as abs, sqrt, exp, ln, log10, sin, min, max, rint, and mag,
+ * which is the magnitude that NAME alone is. All is computed in double precision, in parallel.
  *
  * Source of the parser: muParser, https://beltoforion.de/en/muparser/.
  */

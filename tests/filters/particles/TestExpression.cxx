@@ -97,6 +97,8 @@ const Case cases[] = {
   {"v.vy - vy", [](vtkPolyData*, vtkIdType) { return 0.0; }},
   {"v", [](vtkPolyData* d, vtkIdType i) { return speed(d, i); }},
   {"v.magnitude / max(1, 2, 3)", [](vtkPolyData* d, vtkIdType i) { return speed(d, i) / 3.0; }},
+  {"mag(v) + mag (v.x)",
+    [](vtkPolyData* d, vtkIdType i) { return speed(d, i) + std::abs(value(d, "v", i)); }},
   {"2 * pi", [](vtkPolyData*, vtkIdType) { return 2.0 * 3.14159265358979323846; }},
 };
 
@@ -259,9 +261,20 @@ TEST(Expression, WrongOnesAreToldWithWhatIsThere)
   EXPECT_TRUE(has(problemOf("type & 2"), "&&")) << problemOf("type & 2");
   EXPECT_TRUE(has(problemOf("type == 1 | type == 2"), "||"));
   EXPECT_TRUE(has(problemOf("'potential energy > 2"), "quote"));
+  EXPECT_TRUE(has(problemOf("2 * length(v)"), "there is no function length"));
   for (const char* wrong : {"", "  ", "type +", "(type", "type 2", "type, x", "f(type)", "#", "=="})
     EXPECT_NE(vtkMoteExpression::Check(wrong), "") << wrong;
   EXPECT_EQ(vtkMoteExpression::AddTo(nullptr, "1", "one"), "there is no data set");
+}
+
+TEST(Expression, AnArrayMayBeCalledMag)
+{
+  const auto data = somePoints();
+  data->GetPointData()->GetArray("type")->SetName("mag");
+  ASSERT_EQ(vtkMoteExpression::AddTo(data, "mag > 1 && (x > 0)", "result"), "");
+  EXPECT_EQ(value(data, "result", 2), 1.0);
+  ASSERT_EQ(vtkMoteExpression::AddTo(data, "mag(v) - v + 'mag'", "result"), "");
+  EXPECT_EQ(value(data, "result", 3), 3.0);
 }
 
 TEST(Expression, TheFilterLeavesItsInputAsItIs)
