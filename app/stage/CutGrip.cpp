@@ -114,15 +114,24 @@ std::optional<CutGrip> CutGrip::of(
     { return own == name && at == value; });
 }
 
-std::optional<double> CutGrip::valueAt(const GripRay& ray, const double bounds[6]) const
+std::optional<double> CutGrip::valueAt(const GripRay& ray, const double bounds[6])
 {
+  constexpr double steep = 0.06; // the square of a sine: 14 degrees. A pixel would go four times as
+                                 // far as aside, and much farther soon.
   // Lines place + s way and origin + t direction are nearest to one another at this s.
   const double length2 = dot(ray.direction, ray.direction);
   const double along = dot(way_, ray.direction), across2 = length2 - along * along;
-  if (!(across2 > 1e-3 * length2))
-    return {};
   const Vec from = sum(place_, -1.0, ray.origin);
-  const double s = (along * dot(ray.direction, from) - length2 * dot(way_, from)) / across2;
+  double s = (along * dot(ray.direction, from) - length2 * dot(way_, from)) / across2;
+  if (!isAlong_)
+    isAlong_ = !(across2 > steep * length2);
+  if (*isAlong_ && dot(ray.up, ray.up) > 0.0)
+  {
+    const Vec nearest = sum(ray.origin, dot(ray.direction, from) / length2, ray.direction);
+    s = (along < 0.0 ? -1.0 : 1.0) * dot(sum(nearest, -1.0, place_), ray.up);
+  }
+  else if (!(across2 > 1e-3 * length2))
+    return {};
   const double value = value_ + perLength_ * s;
   if (kind_.of == CutKind::Angle)
     return value - 360.0 * std::floor(value / 360.0);

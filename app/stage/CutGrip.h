@@ -10,10 +10,11 @@
 namespace mote::app
 {
 
-/// A ray in the world; its direction has any length but 0.
+/// A ray in the world; its direction has any length but 0. `up` is what is up in the view, of unit
+/// length and across the ray; 0 where nobody asks.
 struct GripRay
 {
-  std::array<double, 3> origin, direction;
+  std::array<double, 3> origin, direction, up{};
 };
 
 /// A slice, or an end of a cut, that is held at a place where it is seen, to be moved.
@@ -30,8 +31,9 @@ public:
     const std::array<double, 3>& place);
 
   /// Where it lies when it is moved to where the ray comes nearest to the way that the place goes,
-  /// within the bounds of what is cut; none where one looks along that way.
-  std::optional<double> valueAt(const GripRay& ray, const double bounds[6]) const;
+  /// within the bounds of what is cut. Where one looks along that way as it is taken hold of, it
+  /// goes away from the viewer as the ray goes up, as far; none without `up`.
+  std::optional<double> valueAt(const GripRay& ray, const double bounds[6]);
 
   /// The settings with it there; `shown` are those that are shown now.
   Settings moved(Settings settings, const Settings& shown, double value) const;
@@ -52,6 +54,7 @@ private:
   CutAxis axis_;
   std::array<double, 3> place_{}, way_{}; ///< of unit length, where the coordinate grows
   double value_ = 0.0, perLength_ = 1.0;  ///< of the coordinate
+  std::optional<bool> isAlong_;           ///< one looked along the way; by the first ray
 };
 
 } // namespace mote::app

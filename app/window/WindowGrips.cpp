@@ -6,6 +6,8 @@
 #include "base/Text.h"
 
 #include <vtkBoundingBox.h>
+#include <vtkCamera.h>
+#include <vtkMath.h>
 #include <vtkRenderer.h>
 
 namespace mote::app
@@ -30,6 +32,11 @@ GripRay rayThrough(vtkRenderer* renderer, const std::array<int, 2>& at)
     ray.origin[k] = ends[0][k] / ends[0][3];
     ray.direction[k] = ends[1][k] / ends[1][3] - ray.origin[k];
   }
+  vtkCamera* camera = renderer->GetActiveCamera();
+  double right[3];
+  vtkMath::Cross(camera->GetDirectionOfProjection(), camera->GetViewUp(), right);
+  vtkMath::Cross(right, ray.direction.data(), ray.up.data());
+  vtkMath::Normalize(ray.up.data());
   return ray;
 }
 

@@ -33,7 +33,7 @@ GripRay to(const std::array<double, 3>& point)
 TEST(CutGrip, ASliceComesToWhereTheMouseIs)
 {
   const Settings settings = with({}, {{"z", {{1.0, 1.0}, {3.0, 3.0}}}, {"x", {{0.5, 0.5}}}});
-  const auto grip = CutGrip::at(settings, {0.7, -0.2, 3.0}, 6.0);
+  auto grip = CutGrip::at(settings, {0.7, -0.2, 3.0}, 6.0);
   ASSERT_TRUE(grip);
   EXPECT_EQ(grip->name(), "slice z");
   const auto value = grip->valueAt(to({0.7, -0.2, 2.25}), bounds);
@@ -47,6 +47,32 @@ TEST(CutGrip, ASliceComesToWhereTheMouseIs)
   EXPECT_FALSE(CutGrip::at(settings, {0.7, -0.2, 2.0}, 6.0));
   // Who looks along the way cannot say where to.
   EXPECT_FALSE(grip->valueAt({{0.0, 0.0, 9.0}, {0.0, 0.0, -1.0}}, bounds));
+}
+
+TEST(CutGrip, WhoLooksAlongItsWayMovesItUpAndDown)
+{
+  const Settings settings = with({}, {{"z", {{1.0, 1.0}}}});
+  const auto down = [](double x, double y) {
+    return GripRay{{x, y, 90.0}, {0.0, 0.0, -9.0}, {0.0, 1.0, 0.0}};
+  };
+  auto grip = CutGrip::at(settings, {0.5, 0.5, 1.0}, 6.0);
+  ASSERT_TRUE(grip);
+  EXPECT_NEAR(*grip->valueAt(down(0.5, 0.5), bounds), 1.0, 1e-12);
+  EXPECT_NEAR(*grip->valueAt(down(0.5, 1.0), bounds), 0.5, 1e-12) << "up is away";
+  EXPECT_NEAR(*grip->valueAt(down(1.5, -0.5), bounds), 2.0, 1e-12);
+  // From below, nearly along: up is away still, and no small step goes far.
+  grip = CutGrip::at(settings, {0.5, 0.5, 1.0}, 6.0);
+  const auto up = [](double y) {
+    return GripRay{{0.5, y - 1.0, -9.0}, {0.0, 0.1, 1.0}, {0.0, 1.0, 0.0}};
+  };
+  const double before = *grip->valueAt(up(0.5), bounds);
+  const double after = *grip->valueAt(up(0.6), bounds);
+  EXPECT_GT(after, before);
+  EXPECT_LT(after - before, 0.11);
+  // Who began aside goes on so, as steep as it becomes.
+  grip = CutGrip::at(settings, {0.5, 0.5, 1.0}, 6.0);
+  ASSERT_TRUE(grip->valueAt(to({0.5, 0.5, 1.5}), bounds));
+  EXPECT_FALSE(grip->valueAt({{0.0, 0.0, 9.0}, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}}, bounds));
 }
 
 TEST(CutGrip, EndsOfCutsComeBeforeSlices)
@@ -70,11 +96,11 @@ TEST(CutGrip, CylindersAndHalfPlanesMoveAboutTheirAxis)
 {
   Settings settings = with({{"r", {{0.0, 1.0}}}}, {{"angle", {{90.0, 90.0}}}, {"h", {{0.5, 0.5}}}});
   settings.cuts.axis = {0.5, 0.0, 1.0, 0.0, 0.0, 1.0};
-  const auto cylinder = CutGrip::at(settings, {1.5, 0.0, 2.0}, 6.0);
+  auto cylinder = CutGrip::at(settings, {1.5, 0.0, 2.0}, 6.0);
   ASSERT_TRUE(cylinder);
   EXPECT_EQ(cylinder->name(), "cut r");
   EXPECT_NEAR(*cylinder->valueAt(to({1.75, 0.0, 2.0}), bounds), 1.25, 1e-12);
-  const auto plane = CutGrip::at(settings, {0.5, 0.5, 2.0}, 6.0);
+  auto plane = CutGrip::at(settings, {0.5, 0.5, 2.0}, 6.0);
   ASSERT_TRUE(plane);
   EXPECT_EQ(plane->name(), "slice angle");
   // A small step around: the way is straight.
@@ -105,7 +131,7 @@ TEST(CutHandles, LieOnWhatTheyHold)
       places.insert(places.end(), outline.begin(), outline.end());
     for (const CutHandle::Place& place : places)
     {
-      const auto grip = handle.heldAt(settings, place);
+      auto grip = handle.heldAt(settings, place);
       ASSERT_TRUE(grip);
       // Not moved it stays where it is; an axis has no angle.
       const auto value = grip->valueAt(to(place), box);
