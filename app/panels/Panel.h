@@ -114,6 +114,7 @@ private:
   };
 
   void find();
+  void offerArrays();
   void addOther(const NamedArray& other);
   const Histogram& histogramOf(const std::string& name);
   /// The array that colours, as the settings would name it.
@@ -134,6 +135,7 @@ private:
   void drawColourRange();
   void setRange(double low, double high);
   void drawRangeOfShown();
+  void drawEvenRange(const Interval& range);
   void drawRangeOfMost();
   void drawSelection();
   std::string titleOfRange(const ShowRange& range) const;

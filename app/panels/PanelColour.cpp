@@ -187,14 +187,29 @@ void Panel::drawColourRange()
     ImGui::TextDisabled(steps_ > 1 ? "range of the steps seen" : "range of the data");
   if (steps_ > 1)
   {
-    ImGui::SameLine();
-    if (buttonOf("Range of all steps"))
+    if (nextButtonOf("Range of all steps"))
       this->wish(Action::RangeOfAllSteps);
     explainKey("Reads all time steps for their least and greatest value. Escape stops\n--range");
   }
+  if (nextButtonOf("Range of view"))
+    this->wish(Action::RangeOfView);
+  explainKey("Colours go from the least to the greatest value that is seen now: on slices, "
+             "isosurfaces, meshes and particles, and where clouds are densest\n--range");
   this->drawRangeOfShown();
+  this->drawEvenRange(range);
   if (!isTrimmed)
     this->drawRangeOfMost();
+}
+
+/// A button where zero lies within the range, but not in its middle.
+void Panel::drawEvenRange(const Interval& range)
+{
+  const double most = std::max(-range.low, range.high);
+  if (!(range.low < 0.0 && range.high > 0.0) || next_.color.logarithmic || -range.low == range.high)
+    return;
+  if (nextButtonOf("Even about 0"))
+    this->setRange(-most, most);
+  explainKey("Zero has the colour in the middle of the map, which coolwarm is made for\n--range");
 }
 
 void Panel::setRange(double low, double high)
@@ -207,7 +222,7 @@ void Panel::setRange(double low, double high)
 void Panel::drawRangeOfMost()
 {
   const std::vector<double> most = Coloring::percentilesOfMost();
-  if (buttonOf("Range without outliers"))
+  if (nextButtonOf("Range without outliers"))
   {
     next_.color.range.clear();
     next_.color.percentiles = most;
@@ -231,20 +246,13 @@ void Panel::drawRangeOfShown()
   SelectionSettings all; // without any limit
   if (stage_.settings().selection == all)
     return;
-  if (steps_ == 1) // there is room
-    ImGui::SameLine();
-  const bool isPressed = buttonOf("Range of what is shown");
+  const bool isPressed = nextButtonOf("Range of what is shown");
   explainKey("Colours go from the least to the greatest value of what no limit hides\n--range");
   double range[2];
   if (!isPressed ||
       !rangeOfShown(stage_.parts(), stage_.coloring().choice(), stage_.settings().selection, range))
     return;
-  if (range[0] == range[1]) // one value: in the middle
-  {
-    const double margin = range[0] == 0.0 ? 0.5 : 0.5 * std::abs(range[0]);
-    range[0] -= margin;
-    range[1] += margin;
-  }
+  makeRoom(range);
   this->setRange(range[0], range[1]);
 }
 

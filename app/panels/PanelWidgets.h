@@ -24,6 +24,17 @@ inline bool buttonOf(const char* label)
   return isPressed;
 }
 
+/// A button beside what was drawn last, where there is room for it; else below.
+inline bool nextButtonOf(const char* label)
+{
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float width = ImGui::CalcTextSize(label).x + 2.0f * style.FramePadding.x;
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  if (ImGui::GetItemRectMax().x + style.ItemSpacing.x + width <= right)
+    ImGui::SameLine();
+  return buttonOf(label);
+}
+
 /// Of a list.
 inline bool lineOf(const char* label, bool isChosen = false)
 {
@@ -71,11 +82,22 @@ inline bool chooseName(const std::string& of, const std::string& label,
 /// Where the panel ends; 0 where it has all of the window.
 inline float rightOfPanel = 0.0f;
 
+/// Where the control lies that was pressed last, while the mouse stays on it; else nowhere.
+inline const ImVec2 nowhere(-1.0f, -1.0f);
+inline ImVec2 pressedAt = nowhere;
+
 /// The key that does the same, or a word of help: beside the panel, where it hides no control, and
 /// not while something is dragged or written: over the view each letter would take a whole frame.
+/// Who has pressed a button looks for what it did, which the view may tell there.
 inline void explainKey(const char* text)
 {
-  if (!ImGui::IsItemHovered() || ImGui::IsItemActive() || ImGui::IsMouseDown(0))
+  const ImVec2 at = ImGui::GetItemRectMin();
+  if (ImGui::IsItemActive())
+    pressedAt = at;
+  const bool isPressed = at.x == pressedAt.x && at.y == pressedAt.y;
+  if (isPressed && !ImGui::IsItemHovered())
+    pressedAt = nowhere;
+  if (!ImGui::IsItemHovered() || isPressed || ImGui::IsMouseDown(0))
     return;
   const float wrap = 25.0f * ImGui::GetFontSize();
   if (ImGui::GetItemRectMin().x < rightOfPanel)

@@ -271,6 +271,15 @@ std::vector<Interval> shownOfVolume(
 
 } // namespace
 
+void makeRoom(double range[2])
+{
+  if (range[0] != range[1])
+    return;
+  const double margin = range[0] == 0.0 ? 0.5 : 0.5 * std::abs(range[0]);
+  range[0] -= margin;
+  range[1] += margin;
+}
+
 bool rangeOfShown(const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& choice,
   const SelectionSettings& selection, double range[2])
 {

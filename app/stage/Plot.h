@@ -47,6 +47,9 @@ struct Plot
 Plot plotOf(const std::vector<std::unique_ptr<Part>>& parts, const PickedSet& picked,
   const PlotChoice& choice, int width, int height);
 
+/// A range of one value is given room about it, so that it lies in the middle.
+void makeRoom(double range[2]);
+
 /// The least and greatest value of an array in what is shown, as `selection`, which is in force,
 /// leaves it; false where nothing is.
 bool rangeOfShown(const std::vector<std::unique_ptr<Part>>& parts, const ArrayChoice& choice,

@@ -46,6 +46,7 @@ enum class Action
   SavePicture,
   SaveFilm,
   RangeOfAllSteps, ///< of colours
+  RangeOfView,
   AddKeyFrame,
   ForgetKeyFrame,
   ForgetKeyFrames,

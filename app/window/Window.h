@@ -184,7 +184,9 @@ private:
   bool changeKeyFrames(Action action);
   bool doElsewhere(const std::function<void()>& work);
   void saveFilm();
+  void takeRange(const std::vector<double>& range, const std::string& from);
   void takeRangeOfAllSteps();
+  void takeRangeOfView();
   std::string makeFilm(const std::string& file);
   std::array<int, 2> savedSize() const;
   double savedScale() const;

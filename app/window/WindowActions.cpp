@@ -240,6 +240,9 @@ bool Window::actOnFiles(Action action)
   case Action::RangeOfAllSteps:
     this->takeRangeOfAllSteps();
     return true;
+  case Action::RangeOfView:
+    this->takeRangeOfView();
+    return true;
   case Action::SaveSession:
     this->saveSession(
       asked_.output.session.empty() ? this->unusedName(".json") : asked_.output.session);

@@ -1,4 +1,4 @@
-// What the window makes of all time steps: films, a range of colours.
+// Films that the window makes.
 
 #include "Window.h"
 
@@ -7,10 +7,7 @@
 #include "commands/Film.h"
 #include "stage/Silhouettes.h"
 
-#include <vtkLookupTable.h>
 #include <vtkRenderer.h>
-
-#include <numeric>
 
 namespace mote::app
 {
@@ -101,41 +98,6 @@ bool Window::changeKeyFrames(Action action)
     return false;
   this->change(next);
   return true;
-}
-
-/// Has the colours go from the least to the greatest value that any time step has.
-void Window::takeRangeOfAllSteps()
-{
-  std::vector<double> range;
-  const Coloring::SeenRange seen = stage_.coloring().seenRange();
-  const bool done = this->doElsewhere(
-    [&]
-    {
-      Settings free = this->settings();
-      free.color.range.clear();
-      free.color.percentiles.clear();
-      stage_.apply(free);
-      std::vector<int> steps(static_cast<std::size_t>(input_.numberOfSteps()));
-      std::iota(steps.begin(), steps.end(), 0);
-      includeColors(stage_, input_, steps, progress_);
-      stage_.applyColors();
-      if (vtkLookupTable* table = stage_.coloring().table(); table && !stage_.coloring().isTyped())
-        range.assign(table->GetRange(), table->GetRange() + 2);
-      stage_.coloring().goBackTo(seen); // these steps were not shown
-    });
-  if (!done || range.empty())
-    return;
-  this->change(this->settingsOf(
-                 [&](Settings& s)
-                 {
-                   s.color.range = range;
-                   s.color.percentiles.clear();
-                 }),
-    [&]
-    {
-      return stage_.coloring().title() + " goes from " + asNumber(range[0]) + " to " +
-             asNumber(range[1]) + " in all " + counted(input_.numberOfSteps(), "time step");
-    });
 }
 
 /// Leaves the stage at the film's last frame. Returns what is to be told of it.

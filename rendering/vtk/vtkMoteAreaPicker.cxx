@@ -11,6 +11,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
@@ -74,12 +75,17 @@ std::shared_ptr<const mote::HexStructure> structureOf(const mote::CloudObject& c
 
 } // namespace
 
-vtkMoteAreaPicker::vtkMoteAreaPicker() = default;
+vtkMoteAreaPicker::vtkMoteAreaPicker()
+{
+  std::fill_n(this->ValueRange, 2, vtkMath::Nan());
+}
+
 vtkMoteAreaPicker::~vtkMoteAreaPicker() = default;
 
 vtkIdType vtkMoteAreaPicker::Pick(double x0, double y0, double x1, double y1, vtkRenderer* renderer)
 {
   this->All.clear();
+  std::fill_n(this->ValueRange, 2, vtkMath::Nan());
   if (!renderer || !renderer->GetActiveCamera())
   {
     vtkErrorMacro("Picking needs a renderer with a camera.");
@@ -137,11 +143,12 @@ void vtkMoteAreaPicker::FindSeen(const Rectangle& rectangle, vtkRenderer* render
         seen[k].begin(), seen[k].end(), seen[k + 1].begin(), seen[k + 1].begin(), std::bit_or<>());
     this->Add(props[static_cast<std::size_t>(id)]->prop(), idsOf(*particles, seen[k]), false);
   }
-  if (this->PickCells)
-    this->FindSeenCells(rectangle, scene, camera, props);
+  if (this->PickCells || this->PickValues)
+    this->LookAtPixels(rectangle, scene, camera, props);
 }
 
-void vtkMoteAreaPicker::FindSeenCells(const Rectangle& rectangle, const mote::Scene& scene,
+/// Finds cells and values where the rays of the pixels' centres end.
+void vtkMoteAreaPicker::LookAtPixels(const Rectangle& rectangle, const mote::Scene& scene,
   const mote::Camera& camera, const mote::MoteProps& props)
 {
   const mote::CameraRays rays(camera, rectangle.width, rectangle.height);
@@ -151,21 +158,34 @@ void vtkMoteAreaPicker::FindSeenCells(const Rectangle& rectangle, const mote::Sc
       cloud.structure = structureOf(cloud);
   const mote::PixelPicker picker(looked, rays, true);
   // What each thread found: by the prop's number.
-  using Cells = std::vector<std::vector<vtkIdType>>;
-  tbb::enumerable_thread_specific<Cells> found([&] { return Cells(props.size()); });
-  const auto add = [&](std::int32_t prop, std::uint64_t cell)
+  struct Seen
   {
-    std::vector<vtkIdType>& cells = found.local()[static_cast<std::size_t>(prop)];
-    if (cells.empty() || cells.back() != static_cast<vtkIdType>(cell))
+    std::vector<std::vector<vtkIdType>> cells;
+    double low = HUGE_VAL, high = -HUGE_VAL;
+  };
+  tbb::enumerable_thread_specific<Seen> found(
+    [&] { return Seen{decltype(Seen::cells)(props.size())}; });
+  const auto add = [&](std::int32_t prop, std::uint64_t cell, bool isCell, double value)
+  {
+    Seen& seen = found.local();
+    seen.low = std::min(seen.low, std::isfinite(value) ? value : seen.low);
+    seen.high = std::max(seen.high, std::isfinite(value) ? value : seen.high);
+    std::vector<vtkIdType>& cells = seen.cells[static_cast<std::size_t>(prop)];
+    if (isCell && (cells.empty() || cells.back() != static_cast<vtkIdType>(cell)))
       cells.push_back(static_cast<vtkIdType>(cell));
   };
+  using Wanted = mote::CloudPicker::Wanted;
+  const Wanted wanted = this->PickValues ? Wanted::All : Wanted::Cell;
   const auto look = [&](int x, int y)
   {
-    const auto [surface, cell] = picker.at(x + 0.5, y + 0.5, mote::CloudPicker::Wanted::Cell);
+    const auto [surface, cell] = picker.at(x + 0.5, y + 0.5, wanted);
     if (cell)
-      add(cell->object, cell->cell);
-    else if (surface && props[static_cast<std::size_t>(surface->object)]->picksCells())
-      add(surface->object, surface->id);
+      return add(cell->object, cell->cell, this->PickCells, cell->value);
+    if (!surface)
+      return;
+    const mote::MoteProp& prop = *props[static_cast<std::size_t>(surface->object)];
+    add(surface->object, surface->id, this->PickCells && prop.picksCells(),
+      this->PickValues ? prop.pickedValue(*surface) : 0.0);
   };
   const auto inside = [](double at, int size)
   { return static_cast<int>(std::clamp(at, 0.0, double(size))); };
@@ -190,11 +210,24 @@ void vtkMoteAreaPicker::FindSeenCells(const Rectangle& rectangle, const mote::Sc
   for (std::size_t k = 0; k < props.size(); ++k)
   {
     std::vector<vtkIdType> all;
-    for (const Cells& cells : found)
-      all.insert(all.end(), cells[k].begin(), cells[k].end());
+    for (const Seen& seen : found)
+      all.insert(all.end(), seen.cells[k].begin(), seen.cells[k].end());
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
     this->Add(props[k]->prop(), all, true);
+  }
+  if (!this->PickValues)
+    return;
+  Seen all;
+  for (const Seen& seen : found)
+  {
+    all.low = std::min(all.low, seen.low);
+    all.high = std::max(all.high, seen.high);
+  }
+  if (all.low <= all.high)
+  {
+    this->ValueRange[0] = all.low;
+    this->ValueRange[1] = all.high;
   }
 }
 
@@ -293,6 +326,8 @@ void vtkMoteAreaPicker::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Through: " << (this->Through ? "On\n" : "Off\n");
   os << indent << "PickCells: " << (this->PickCells ? "On\n" : "Off\n");
+  os << indent << "PickValues: " << (this->PickValues ? "On\n" : "Off\n");
+  os << indent << "ValueRange: " << this->ValueRange[0] << " " << this->ValueRange[1] << "\n";
   os << indent << "SamplesPerPixel: " << this->SamplesPerPixel << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "Props: " << this->All.size() << "\n";

@@ -60,6 +60,15 @@ public:
 
   ///@{
   /**
+   * Whether the values are found that colour what is seen, without Through. Off by default.
+   */
+  vtkSetMacro(PickValues, vtkTypeBool);
+  vtkGetMacro(PickValues, vtkTypeBool);
+  vtkBooleanMacro(PickValues, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * Rays a pixel, in [1, 65536], without Through. Default 4. The first goes through the pixel's
    * centre. With more rays smaller particles are found.
    */
@@ -81,6 +90,13 @@ public:
    */
   vtkIdType Pick(double x0, double y0, double x1, double y1, vtkRenderer* renderer);
 
+  /**
+   * The least and the greatest value that colours what the last Pick() with PickValues met, as
+   * vtkMoteParticlePicker has it at the centres of the rectangle's pixels with PickClouds; both NaN
+   * where nothing that was met is coloured by values.
+   */
+  vtkGetVector2Macro(ValueRange, double);
+
   ///@{
   /**
    * What the last Pick() found: props, and for each the indices in its mapper's input, ascending,
@@ -98,6 +114,8 @@ protected:
 
   vtkTypeBool Through = 0;
   vtkTypeBool PickCells = 0;
+  vtkTypeBool PickValues = 0;
+  double ValueRange[2];
   int SamplesPerPixel = 4;
   int NumberOfThreads = 0;
 
@@ -106,7 +124,7 @@ private:
   void FindSeen(const Rectangle& rectangle, vtkRenderer* renderer);
   void FindAll(const Rectangle& rectangle, vtkRenderer* renderer);
 #ifndef __VTK_WRAP__
-  void FindSeenCells(const Rectangle& rectangle, const mote::Scene& scene,
+  void LookAtPixels(const Rectangle& rectangle, const mote::Scene& scene,
     const mote::Camera& camera, const std::vector<std::shared_ptr<mote::MoteProp>>& props);
 #endif
   void Add(vtkProp3D* prop, const std::vector<vtkIdType>& ids, bool areCells);

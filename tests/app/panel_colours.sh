@@ -38,6 +38,17 @@ case $3 in
     open flow.dump --color-by v:1 --hide-ids 0:2,61:63 --size 1000x860
     click 'Range of what is shown'
     has '--range=-120,-6 '
+    gone 'Even about 0' # none has the other sign
+    quit
+    # What is seen, of a slice: less than the whole has, as long as the walls have no values.
+    open pump:0.02 --color-by pressure --slice z=0.03 --size 1000x860
+    click 'Range of view'
+    has '--range='
+    seen=$(command_now | grep -o -- '--range=[^ ]*')
+    click 'Even about 0'
+    has_no "$seen"
+    has '--range=-([0-9.e+]+),\1 '
+    gone 'Even about 0'
     quit
     ;;
 

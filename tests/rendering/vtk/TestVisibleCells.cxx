@@ -257,10 +257,15 @@ TEST(VisibleCells, ThoseInARectangleAreFoundAtEveryPixel)
   std::map<vtkProp*, std::set<vtkIdType>> truth, found;
   vtkNew<vtkMoteParticlePicker> one;
   one->PickCloudsOn();
+  double low = HUGE_VAL, high = -HUGE_VAL;
   for (int y = y0; y <= y1; ++y)
     for (int x = x0; x <= x1; ++x)
       if (one->Pick(x, y, 0, stage.renderer))
+      {
         truth[one->GetViewProp()].insert(one->GetCellId());
+        low = std::fmin(low, one->GetValue());
+        high = std::fmax(high, one->GetValue());
+      }
   EXPECT_GT(truth[stage.volume].size(), 10u);
   EXPECT_GT(truth[actor].size(), 0u);
   vtkNew<vtkMoteAreaPicker> picker;
@@ -277,4 +282,15 @@ TEST(VisibleCells, ThoseInARectangleAreFoundAtEveryPixel)
       EXPECT_TRUE(found[picker->GetProp(i)].insert(cells->GetValue(k)).second);
   }
   EXPECT_EQ(found, truth);
+  EXPECT_TRUE(std::isnan(picker->GetValueRange()[0])) << "unless asked";
+  picker->PickValuesOn();
+  picker->Pick(x0, y0, x1, y1, stage.renderer);
+  EXPECT_LT(low, high);
+  EXPECT_EQ(picker->GetValueRange()[0], low);
+  EXPECT_EQ(picker->GetValueRange()[1], high);
+  picker->PickCellsOff();
+  EXPECT_EQ(picker->Pick(x0, y0, x1, y1, stage.renderer), 0) << "values alone";
+  EXPECT_EQ(picker->GetValueRange()[0], low);
+  picker->Pick(0, 0, 1, 1, stage.renderer); // of the background
+  EXPECT_TRUE(std::isnan(picker->GetValueRange()[0]) && std::isnan(picker->GetValueRange()[1]));
 }
