@@ -86,6 +86,32 @@ void Panel::find()
   if (found_.hasParticles)
     for (const char* axis : {"x", "y", "z"})
       this->addOther({{axis, 0, false}, axis, axis});
+  this->offerArrays();
+}
+
+/// Gives the fields that take an array's name lists of those that they can have.
+void Panel::offerArrays()
+{
+  std::vector<std::string> values, vectors, groups;
+  const auto add = [](std::vector<std::string>& to, const std::string& name)
+  {
+    if (std::find(to.begin(), to.end(), name) == to.end())
+      to.push_back(name);
+  };
+  for (const auto& part : stage_.parts())
+    for (const ArrayChoice& choice : rankedArrays(part->data()))
+    {
+      if (isTypes(part->data(), choice))
+        add(groups, choice.name);
+      if (part->kind() != Part::Kind::Volume)
+        continue;
+      add(values, asText(part->data(), choice));
+      if (arrayOf(part->data(), choice)->GetNumberOfComponents() == 3)
+        add(vectors, choice.name);
+    }
+  rows_.offer("iso-array", std::move(values));
+  rows_.offer("flow-array", std::move(vectors));
+  rows_.offer("silhouette-groups", std::move(groups));
 }
 
 void Panel::addOther(const NamedArray& other)

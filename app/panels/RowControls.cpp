@@ -328,18 +328,29 @@ bool RowControls::drawSlider(const Row& row, Settings& settings)
   return this->set(row, settings, {rounded});
 }
 
+/// Values of a text that have a name, and those that the data have.
+std::vector<std::string> RowControls::offersOf(const Row& row) const
+{
+  std::vector<std::string> offers = row.offers;
+  if (const auto own = offered_.find(row.name); own != offered_.end())
+    offers.insert(offers.end(), own->second.begin(), own->second.end());
+  return offers;
+}
+
 /// A list beside a text; returns what was chosen.
-std::string RowControls::drawOffers(const Row& row)
+std::string RowControls::drawOffers(const Row& row, const std::vector<std::string>& offers)
 {
   ImGui::SameLine(0.0f, 0.0f);
   const bool isOpen =
     ImGui::BeginCombo("##offers", "", ImGuiComboFlags_NoPreview | ImGuiComboFlags_PopupAlignLeft);
   noteControl(row.name + "-offers");
-  explainKey(("Values that have a name\n" + row.option()).c_str());
+  explainKey(
+    ((row.offers.empty() ? "What the data have\n" : "Values that have a name\n") + row.option())
+      .c_str());
   std::string chosen;
   if (!isOpen)
     return chosen;
-  for (const std::string& offer : row.offers)
+  for (const std::string& offer : offers)
   {
     if (ImGui::Selectable(offer.c_str()))
       chosen = offer;
@@ -436,12 +447,13 @@ bool RowControls::drawText(const Row& row, Settings& settings)
   if (!text.isOpen && text.wrong.empty())
     text.text = joined(row, words);
   const std::string hint = row.usual.empty() ? row.usualText() : row.usual;
-  if (!row.offers.empty())
+  const std::vector<std::string> offers = this->offersOf(row);
+  if (!offers.empty())
     ImGui::SetNextItemWidth(-ImGui::GetFrameHeight());
   const bool isDone = drawField(hint, text);
   explain(row);
-  if (!row.offers.empty())
-    if (const std::string chosen = this->drawOffers(row); !chosen.empty())
+  if (!offers.empty())
+    if (const std::string chosen = drawOffers(row, offers); !chosen.empty())
       return this->set(row, settings, {chosen});
   if (!isDone)
     return tellWhole(text), false;

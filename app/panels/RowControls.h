@@ -23,6 +23,12 @@ public:
   void refuse(
     const Row& row, const Settings& before, const Settings& refused, const std::string& sentence);
 
+  /// What the data have for a row that takes any text: beside its field, to be chosen.
+  void offer(const std::string& row, std::vector<std::string> values)
+  {
+    offered_[row] = std::move(values);
+  }
+
   /// Whether settings were asked for by Return in a field since the last call.
   bool takeEntered() { return std::exchange(isEntered_, false); }
 
@@ -41,7 +47,8 @@ private:
   bool drawList(const Row& row, Settings& settings);
   bool drawText(const Row& row, Settings& settings);
   static bool drawForget(const Row& row);
-  std::string drawOffers(const Row& row);
+  std::vector<std::string> offersOf(const Row& row) const;
+  static std::string drawOffers(const Row& row, const std::vector<std::string>& offers);
   static std::string keyOf(const Row& row);
   bool set(const Row& row, Settings& settings, const std::vector<std::string>& words);
 
@@ -61,6 +68,7 @@ private:
     bool takesKeysBack = false; ///< in the next frame
   };
   bool isEntered_ = false;
+  std::map<std::string, std::vector<std::string>> offered_; ///< by the row's name
   std::map<std::string, Text> texts_; ///< by the row's name and the control's place
 };
 

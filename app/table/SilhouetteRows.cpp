@@ -59,6 +59,7 @@ void addSilhouetteRows(std::vector<Row>& table)
       .value = "NAME",
       .help = "Lines also between neighbours that differ in this array of integers, such as type; "
               "particle outlines every particle, object every data set",
+      .offers = {"particle", "object"},
       .usual = "none"}));
   table.push_back(row(silhouettes, &SilhouetteSettings::noHulls,
     {.group = group, .name = "silhouette-no-hulls", .help = "No lines against the background"}));

@@ -63,7 +63,12 @@ case $3 in
     write flow-array nothing
     has_no '--flow-array'
     press Escape
-    press ctrl+z ctrl+z
+    click flow-array-offers # what there is to choose: vectors alone
+    shown U
+    gone p
+    click U
+    has '--flow-array=U '
+    press ctrl+z ctrl+z ctrl+z
     has_no '--streamlines'
     picture again.png
     alike before.png again.png
