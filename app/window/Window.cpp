@@ -87,6 +87,7 @@ void Window::setUpWindow()
   window_->SetMultiSamples(0); // the rays are the antialiasing
   window_->SetWindowName(this->isEmpty() ? "Mote" : ("Mote: opening " + input_.name()).c_str());
   window_->AddRenderer(stage_.renderer());
+  this->updateScale(); // which the panel's width goes by
   const std::array<int, 2> size = asked_.picture.size;
   const int* screen = window_->GetScreenSize();
   // The view that a session was saved from had the panel at its side.

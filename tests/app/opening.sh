@@ -210,6 +210,16 @@ case $3 in
     shown Undo
     for _ in $(seq 100); do [ -s hopper-001.json ] && break; sleep 0.1; done
     quit
+    # The view is as large as it was, however wide the panel is.
+    open swirl.1.vtu --size 1000x700 --samples 2 --ui-scale 1.3
+    press ctrl+s
+    for _ in $(seq 100); do [ -s swirl-001.json ] && break; sleep 0.1; done
+    has '--size=[0-9]+x700 '
+    size=$(command_now | grep -o -- '--size=[0-9x]*')
+    quit
+    open swirl-001.json
+    has "$size "
+    quit
     ;;
 
   drop) # files that are dropped on the window
