@@ -60,6 +60,14 @@ SimulationBox boxOf(const Stage& stage, const std::vector<std::size_t>& parts)
   return boxOfBounds(bounds);
 }
 
+/// Whether nothing but slices is shown, and these lie where the data's bounds are not.
+bool isRolledOut(const Stage& stage)
+{
+  const VolumeSettings& volume = stage.shown().volume;
+  return volume.unroll && volume.cloud != "on" && !(volume.walls.value_or(0.0) > 0.0) &&
+         volume.isoValues.empty();
+}
+
 } // namespace
 
 BoxEdges::BoxEdges(vtkRenderer* renderer)
@@ -76,7 +84,7 @@ BoxEdges::BoxEdges(vtkRenderer* renderer)
 
 void BoxEdges::update(const Stage& stage, const std::vector<std::size_t>& parts)
 {
-  actor_->SetVisibility(stage.settings().picture.box && !parts.empty());
+  actor_->SetVisibility(stage.settings().picture.box && !parts.empty() && !isRolledOut(stage));
   if (actor_->GetVisibility())
     static_cast<vtkPolyDataMapper*>(actor_->GetMapper())
       ->SetInputData(edgesOf(boxOf(stage, parts)));

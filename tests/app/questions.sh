@@ -67,6 +67,16 @@ case $3 in
     click unroll
     has '--unroll'
     [ "$(camera)" = "$first" ] || fail "a view that was turned has moved: $(camera), not $first"
+    # The data's box would stand where nothing is shown.
+    bare=$(at_rest 330 80 600 500)
+    press b
+    titled pump
+    [ "$(at_rest 330 80 600 500)" = "$bare" ] || fail "there is a box about what is rolled out"
+    click unroll
+    has_no '--unroll'
+    bare=$(at_rest 330 80 600 500)
+    press b
+    [ "$(at_rest 330 80 600 500)" = "$bare" ] && fail "b shows no box"
     quit
     ;;
 
