@@ -4,6 +4,7 @@
 #include "Film.h"
 #include "FilmPlan.h"
 #include "Render.h"
+#include "VideoFile.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/Text.h"
@@ -61,6 +62,9 @@ std::vector<Settings> framesOf(
   FilmScene scene;
   scene.name = input.name();
   scene.steps = input.numberOfSteps();
+  // The window chooses a video where no name is given.
+  const std::string& file = stage.settings().output.file;
+  scene.isVideo = file.empty() || isVideoName(file);
   stage.shownBounds(scene.bounds.data());
   for (Settings key : keys)
   {

@@ -138,6 +138,7 @@ FilmResult makeFilm(Stage& stage, Input& input, int& step, const std::vector<Set
   std::unique_ptr<ParticlePaths> paths;
   const bool isVideo = isVideoName(file);
   std::unique_ptr<VideoFile> video;
+  vtkSmartPointer<vtkImageData> last; // of the video
   if (isVideo)
     video = makeVideoFile(file, size, frames.front().film);
   vtkNew<vtkObject> whole;
@@ -152,13 +153,20 @@ FilmResult makeFilm(Stage& stage, Input& input, int& step, const std::vector<Set
       if (shown.wantsStop())
         throw Interrupted();
       work.finish();
+      // The frames of one time step are often alike.
+      if (last && frames[i] == frames[i - 1])
+      {
+        video->add(last);
+        ++result.frames;
+        continue;
+      }
       showFrame(stage, input, step, frames[i], progress);
       if (!isVideo)
         picture.aim(frameName(file, result.frames + 1));
       stage.look(picture.aspect(), picture.margins());
       const std::string caption = captionOf(input, step, stage.contents());
       if (isVideo)
-        video->add(inBytes(picture.draw(caption, progress)));
+        video->add(last = inBytes(picture.draw(caption, progress)));
       else
         picture.write(caption, progress);
       ++result.frames;

@@ -16,7 +16,7 @@ namespace mote::app
 namespace
 {
 
-constexpr double secondsOfTurn = 10.0, secondsOfKey = 2.0;
+constexpr double secondsOfTurn = 10.0, secondsOfKey = 2.0, secondsOfSteps = 2.0;
 
 /// The steps to show, from 0; none where the film stays at those of its keys.
 std::vector<int> stepsOf(const FilmScene& scene, const FilmSettings& film)
@@ -47,8 +47,12 @@ int framesOf(const FilmScene& scene, const FilmSettings& film, int steps)
   const auto keys = static_cast<double>(scene.keys.size() - 1);
   const double seconds =
     std::max(keys * secondsOfKey, std::abs(film.orbit) / 360.0 * secondsOfTurn);
-  return steps > 0 ? steps * film.framesPerStep
-                   : std::max(2, static_cast<int>(std::lround(seconds * film.rate)));
+  if (steps == 0)
+    return std::max(2, static_cast<int>(std::lround(seconds * film.rate)));
+  // A few steps would be over before anybody has looked.
+  const double least = scene.isVideo ? std::max(seconds, secondsOfSteps) * film.rate : 0.0;
+  const int needed = std::max(1, static_cast<int>(std::ceil(least / steps)));
+  return steps * film.framesPerStep.value_or(needed);
 }
 
 } // namespace
@@ -90,13 +94,15 @@ std::vector<double> turned(
   return result;
 }
 
-FilmForecast forecast(const std::vector<Settings>& keys, int steps, const FilmSettings& film)
+FilmForecast forecast(
+  const std::vector<Settings>& keys, int steps, const FilmSettings& film, bool isVideo)
 {
   FilmScene scene;
   scene.keys = keys;
   scene.keys.resize(std::max<std::size_t>(1, keys.size()));
   scene.steps = steps;
   scene.name = "the series";
+  scene.isVideo = isVideo;
   try
   {
     const std::vector<int> shown = stepsOf(scene, film);

@@ -17,6 +17,7 @@ struct FilmScene
   int steps = 1;                     ///< of the data
   std::array<double, 6> bounds = {}; ///< of what is shown
   std::string name;                  ///< of the data, for sentences
+  bool isVideo = true;               ///< and no pictures, of which one a time step is enough
 };
 
 /// The settings of each frame, with its camera and its time step by number. Throws Failure where
@@ -29,7 +30,8 @@ struct FilmForecast
   std::string length; ///< "125 frames, 5 s"; or why there will be none
   std::string steps;  ///< that it stays at one time step of several; else empty
 };
-FilmForecast forecast(const std::vector<Settings>& keys, int steps, const FilmSettings& film);
+FilmForecast forecast(
+  const std::vector<Settings>& keys, int steps, const FilmSettings& film, bool isVideo = true);
 
 /// A sentence where all frames show one of several time steps; else empty.
 std::string onlyStepOf(const std::vector<Settings>& frames, int steps);

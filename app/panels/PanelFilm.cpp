@@ -5,6 +5,7 @@
 #include "PanelWidgets.h"
 #include "base/Text.h"
 #include "commands/FilmPlan.h"
+#include "commands/VideoFile.h"
 
 #include <imgui.h>
 
@@ -37,7 +38,9 @@ void Panel::drawFilm()
   this->drawPictureSize();
   draw("animate", "quality", "quality");
   draw("animate", "output", "file");
-  const FilmForecast film = forecast(stage_.settings().keyFrames, steps_, next_.film);
+  const std::string& file = next_.output.file;
+  const FilmForecast film =
+    forecast(stage_.settings().keyFrames, steps_, next_.film, file.empty() || isVideoName(file));
   for (const std::string& line : {film.length, film.steps})
     if (!line.empty())
     {

@@ -38,11 +38,11 @@ struct OutputSettings
 /// Of `mote animate`, and of films that the window makes.
 struct FilmSettings
 {
-  double orbit = 0.0;        ///< degrees, to the right
-  std::optional<int> frames; ///< none: choose
-  int rate = 25;             ///< frames a second
-  std::string steps;         ///< "all", "A:B" or "A:B:STRIDE" from 1; empty: choose
-  int framesPerStep = 1;
+  double orbit = 0.0;                 ///< degrees, to the right
+  std::optional<int> frames;          ///< none: choose
+  int rate = 25;                      ///< frames a second
+  std::string steps;                  ///< "all", "A:B" or "A:B:STRIDE" from 1; empty: choose
+  std::optional<int> framesPerStep;   ///< none: choose
   std::vector<std::string> keyFrames; ///< sessions
   std::string quality = "high";       ///< "low", "medium" or "high"
   bool operator==(const FilmSettings&) const = default;

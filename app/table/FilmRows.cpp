@@ -50,7 +50,8 @@ void addFilmRows(std::vector<Row>& table)
       .name = "frames-per-step",
       .value = "N",
       .help = "Frames that show the same time step",
-      .limits = {.least = 1, .most = 10000}}));
+      .limits = {.least = 1, .most = 10000},
+      .usual = "1; in a video so many that it takes 2 s, and as long as the camera's way"}));
   table.push_back(row(film, &FilmSettings::keyFrames,
     {.group = group,
       .name = "key-frames",
@@ -64,7 +65,7 @@ void addFilmRows(std::vector<Row>& table)
       .value = "N",
       .help = "Frames of the film, over which orbit, time steps and key frames are spread",
       .limits = {.least = 1, .most = 1000000},
-      .usual = "one a time step; 2 s a key frame; 10 s a full turn"}));
+      .usual = "those of --frames-per-step; 2 s a key frame; 10 s a full turn"}));
   table.push_back(row(film, &FilmSettings::rate,
     {.group = group,
       .name = "rate",

@@ -137,6 +137,16 @@ TEST(Film, StepsAreSpreadOverTheFrames)
   film.frames = 4;
   EXPECT_EQ(stepsOf(7), (std::vector<std::string>{"4", "5", "6", "7"}));
   EXPECT_THROW(stepsOf(3), Failure);
+  // A video of few steps is long enough to be looked at; pictures are one a step.
+  film = {};
+  EXPECT_EQ(stepsOf(7).size(), 56u);
+  EXPECT_EQ(stepsOf(80).size(), 80u);
+  film.steps = "all";
+  film.orbit = 360.0;
+  EXPECT_EQ(stepsOf(80).size(), 320u) << "ten seconds for the turn, at least";
+  FilmScene pictures = sceneOf(7);
+  pictures.isVideo = false;
+  EXPECT_EQ(planFilm(pictures, film).size(), 7u);
   film = {};
   EXPECT_THROW(stepsOf(1), Failure) << "nothing moves";
   film.orbit = 36.0;
@@ -149,6 +159,8 @@ TEST(Film, WhatItWillBeIsTold)
   FilmSettings film;
   EXPECT_EQ(forecast({}, 80, film).length, "80 frames, 3.20 s");
   EXPECT_EQ(forecast({}, 80, film).steps, "");
+  EXPECT_EQ(forecast({}, 12, film).length, "60 frames, 2.40 s");
+  EXPECT_EQ(forecast({}, 12, film, false).length, "12 frames, 0.48 s");
   EXPECT_EQ(forecast({}, 1, film).length, "nothing moves in this film");
   film.steps = "90:100";
   EXPECT_EQ(

@@ -69,7 +69,7 @@ case $3 in
 
   video) # Theora of any size; others by ffmpeg, where it is
     run 0 "$mote" animate "$hopper" -o film.ogv --size 161x99 --samples 1 --rate 12
-    film_is film.ogv '161x99 7 frames 12 fps playable complete'
+    film_is film.ogv '161x99 28 frames 12 fps playable complete'
     run 0 "$mote" animate "$data/swirl.1.vtu" -o film.ogv --size 160x120 --samples 1 --orbit 36 \
       --quality low
     film_is film.ogv '160x120 25 frames 25 fps playable complete'
@@ -78,18 +78,18 @@ case $3 in
     chmod +x there/ffmpeg
     PATH=$PWD/there:$PATH run 0 "$mote" animate "$hopper" -o film.mp4 --size 50x40 --samples 1
     said words '-s 50x40 -r 25'
-    [ "$(stat -c %s film.mp4)" = $((7 * 50 * 40 * 3)) ] || fail "$(stat -c %s film.mp4) bytes of frames"
+    [ "$(stat -c %s film.mp4)" = $((56 * 50 * 40 * 3)) ] || fail "$(stat -c %s film.mp4) bytes of frames"
     if command -v ffmpeg ffprobe >/dev/null; then # the real one
       run 0 "$mote" animate "$hopper" -o real.mp4 --size 64x48 --samples 1
       run 0 ffprobe -v error -count_frames -show_entries stream=width,height,nb_read_frames -of csv=p=0 real.mp4
-      said out 64,48,7
+      said out 64,48,56
       rm real.mp4
     fi
     # Its failures are told, and leave what was there.
     printf '#!/bin/sh\nhead -c 10 >/dev/null\nexit 1\n' >there/ffmpeg
     PATH=$PWD/there:$PATH run 1 "$mote" animate "$hopper" -o film.mp4 --size 500x400 --samples 1
     one_sentence
-    [ "$(stat -c %s film.mp4)" = $((7 * 50 * 40 * 3)) ] || fail "the former film is gone"
+    [ "$(stat -c %s film.mp4)" = $((56 * 50 * 40 * 3)) ] || fail "the former film is gone"
     rm film.mp4
     PATH= run 1 "$mote" animate "$hopper" -o film.mp4
     one_sentence

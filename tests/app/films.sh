@@ -27,10 +27,10 @@ case $3 in
     picture before.png
     [ "$(png_size before.png)" = 160x120 ] || fail "the picture is $(png_size before.png)"
     film_section
-    shown '7 frames, 0.28 s'
+    shown '56 frames, 2.24 s'
     click 'Save film'
     written hopper-001.ogv
-    [ "$(python3 "$tests/film_facts.py" hopper-001.ogv)" = '160x120 7 frames 25 fps playable complete' ] ||
+    [ "$(python3 "$tests/film_facts.py" hopper-001.ogv)" = '160x120 56 frames 25 fps playable complete' ] ||
       fail "the film is: $(python3 "$tests/film_facts.py" hopper-001.ogv)"
     picture after.png
     alike before.png after.png
