@@ -43,6 +43,11 @@ void refuseSingle(const std::string& text, char sign, const std::string& partner
   }
 }
 
+std::string wordFor(std::size_t quoted)
+{
+  return quotedName + std::to_string(quoted) + "_";
+}
+
 /// Puts names of the parser's own in the place of those in quotes.
 std::string withoutQuotes(const std::string& text, std::vector<std::string>& quoted)
 {
@@ -57,7 +62,7 @@ std::string withoutQuotes(const std::string& text, std::vector<std::string>& quo
     const std::size_t end = text.find(text[i], i + 1);
     if (end == std::string::npos)
       throw Error(std::string("the quote ") + text[i] + " has no end");
-    plain += quotedName + std::to_string(quoted.size());
+    plain += wordFor(quoted.size());
     quoted.push_back(text.substr(i + 1, end - i - 1));
     i = end;
   }
@@ -152,9 +157,8 @@ ExpressionParser::ExpressionParser(const std::string& expression)
         throw Error("there is no function " + name);
     std::string sentence = error.GetMsg();
     for (std::size_t i = 0; i < quoted_.size(); ++i)
-      if (const std::size_t at = sentence.find(quotedName + std::to_string(i));
-          at != std::string::npos)
-        sentence.replace(at, quotedName.size() + std::to_string(i).size(), quoted_[i]);
+      if (const std::size_t at = sentence.find(wordFor(i)); at != std::string::npos)
+        sentence.replace(at, wordFor(i).size(), quoted_[i]);
     while (!sentence.empty() && (sentence.back() == '.' || sentence.back() == '\n'))
       sentence.pop_back();
     throw Error(sentence);
@@ -167,12 +171,15 @@ double* ExpressionParser::variableNamed(const char* text, void* self)
 {
   auto* me = static_cast<ExpressionParser*>(self);
   std::string name = text;
-  if (name.compare(0, quotedName.size(), quotedName) == 0)
-  {
-    const std::size_t dot = std::min(name.find('.'), name.size());
-    const std::size_t which = std::stoul(name.substr(quotedName.size(), dot));
-    name = me->quoted_.at(which) + name.substr(dot);
-  }
+  for (std::size_t i = 0; i < me->quoted_.size(); ++i)
+    if (const std::string word = wordFor(i); name.compare(0, word.size(), word) == 0)
+    {
+      const std::string rest = name.substr(word.size());
+      if (!rest.empty() && rest.front() != '.')
+        throw Error("after '" + me->quoted_[i] + "' stands " + rest);
+      name = me->quoted_[i] + rest;
+      break;
+    }
   me->names_.push_back(name);
   me->values_.emplace_back(blockSize, 0.0);
   return me->values_.back().data();

@@ -262,6 +262,9 @@ TEST(Expression, WrongOnesAreToldWithWhatIsThere)
   EXPECT_TRUE(has(problemOf("type == 1 | type == 2"), "||"));
   EXPECT_TRUE(has(problemOf("'potential energy > 2"), "quote"));
   EXPECT_TRUE(has(problemOf("2 * length(v)"), "there is no function length"));
+  EXPECT_TRUE(has(problemOf("'v'1 + 'v'"), "after 'v' stands 1")) << problemOf("'v'1 + 'v'");
+  EXPECT_TRUE(has(problemOf("'v'v.x"), "after 'v' stands v.x"));
+  EXPECT_TRUE(has(problemOf("quoted_name_7"), "there is no array 'quoted_name_7'"));
   for (const char* wrong : {"", "  ", "type +", "(type", "type 2", "type, x", "f(type)", "#", "=="})
     EXPECT_NE(vtkMoteExpression::Check(wrong), "") << wrong;
   EXPECT_EQ(vtkMoteExpression::AddTo(nullptr, "1", "one"), "there is no data set");
