@@ -8,4 +8,8 @@ if (MOTE_SANITIZE)
   # The vptr check wants the type information of classes in VTK's own libraries.
   add_compile_options(-fno-sanitize=vptr)
   add_link_options(-fsanitize=address,undefined)
+  if (MOTE_FUZZ)
+    # The caller of a class of VTK knows another type than its library; both are the same.
+    add_compile_options(-fsanitize=fuzzer-no-link -fno-sanitize=function)
+  endif ()
 endif ()

@@ -1,0 +1,64 @@
+#include "ScratchFile.h"
+
+#include "vtkMoteReaderTable.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include <unistd.h>
+
+ScratchFile::ScratchFile(const std::string& ending)
+{
+  char folder[] = "/dev/shm/mote-fuzz-XXXXXX";
+  if (!mkdtemp(folder))
+    std::abort();
+  folder_ = folder;
+  path_ = folder_ + "/input" + ending;
+}
+
+ScratchFile::~ScratchFile()
+{
+  unlink(path_.c_str());
+  rmdir(folder_.c_str());
+}
+
+void ScratchFile::write(const std::uint8_t* bytes, std::size_t size)
+{
+  std::FILE* file = std::fopen(path_.c_str(), "wb");
+  if (!file || std::fwrite(bytes, 1, size, file) != size || std::fclose(file) != 0)
+    std::abort();
+}
+
+namespace
+{
+
+void check(bool isRead, const std::string& error)
+{
+  if (isRead == error.empty() && error.find('\n') == std::string::npos)
+    return;
+  std::fprintf(stderr, "%s, and the message is '%s'\n",
+    isRead ? "data were read" : "nothing was read", error.c_str());
+  std::abort();
+}
+
+} // namespace
+
+void readAsUsersDo(const std::string& path)
+{
+  std::string error;
+  const auto reader = vtkMoteReaderTable::MakeReader(path, error);
+  check(reader != nullptr, error);
+  if (!reader)
+    return;
+  const auto steps = vtkMoteReaderTable::GetTimeSteps(reader, error);
+  if (!error.empty())
+    return check(false, error);
+  // Damage of one step leaves the others.
+  check(vtkMoteReaderTable::Read(reader, error) != nullptr, error);
+  error.clear();
+  if (steps.size() > 1)
+    check(vtkMoteReaderTable::Read(reader, steps.back(), error) != nullptr, error);
+}
