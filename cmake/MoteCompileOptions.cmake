@@ -9,7 +9,7 @@ if (MOTE_SANITIZE)
   add_compile_options(-fno-sanitize=vptr)
   add_link_options(-fsanitize=address,undefined)
   if (MOTE_FUZZ)
-    # The caller of a class of VTK knows another type than its library; both are the same.
+    # VTK's libraries are built without it, and calls into them would count as wrong ones.
     add_compile_options(-fsanitize=fuzzer-no-link -fno-sanitize=function)
   endif ()
 endif ()

@@ -1,6 +1,5 @@
 // Writes small .mote files for libFuzzer to begin with.
 
-#include "kernels/meshes/RlodTreeFile.h"
 #include "kernels/particles/PkdTreeFile.h"
 
 #include <cmath>

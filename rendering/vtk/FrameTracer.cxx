@@ -249,7 +249,7 @@ bool FrameTracer::trace(vtkRenderer* renderer, MoteProps& props, int width, int 
   }
   const Shown shown{view_, baking_.times()};
   const bool changed = shown != before;
-  // What is baked changes what is shown, but a film of it does to begin with.
+  // Where only maps are new, the film is shown on, and gone over.
   const bool onlyBaked = before.view == view_ && (complete ? hadMaps != baking_.times() : !moving);
   shows_ = shows_ && (!changed || onlyBaked);
   frame.slow = takesLong(frame.scene) || !complete;
