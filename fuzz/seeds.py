@@ -4,8 +4,11 @@
     fuzz/seeds.py FORMAT FOLDER
 """
 
+import base64
 import gzip
+import json
 import pathlib
+import struct
 import sys
 
 dump = """ITEM: TIMESTEP
@@ -23,6 +26,61 @@ scaled = dict(step=100, box="xy xz yz pp pp pp", bounds="0 2 0.5\n0 2 0\n0 2 -0.
               columns="id element xs ys zs ix iy iz q", rows="7 Cu 0 0 0 0 0 0 1\n"
               "8 Zr 0.5 0.5 0.5 -1 0 2 -2.5e-3\n9 Cu 1 1 1 0 0 0 12345678901234567890")
 pdb_atom = "ATOM  {n:5d}  CA  ALA A{n:4d}    {x:8.3f}{x:8.3f}{x:8.3f}  1.00 10.00           C"
+
+vtk_xml = """<VTKFile type="{type}" version="1.0" byte_order="LittleEndian" header_type="UInt32">
+<{type}{extent}><Piece {piece}>
+{body}
+</Piece></{type}>
+{appended}</VTKFile>
+"""
+
+
+def array(name, values, type="Float32", components=1):
+    return (f'<DataArray type="{type}" Name="{name}" NumberOfComponents="{components}" '
+            f'format="ascii">{values}</DataArray>')
+
+
+def packed(name, numbers, type="Float32", code="f", components=1):
+    raw = struct.pack(f"<{len(numbers)}{code}", *numbers)
+    coded = base64.b64encode(struct.pack("<I", len(raw)) + raw).decode()
+    return (f'<DataArray type="{type}" Name="{name}" NumberOfComponents="{components}" '
+            f'format="binary">{coded}</DataArray>')
+
+
+corners = "0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1"
+numbered = "0 1 2 3 4 5 6 7"
+hexahedron = vtk_xml.format(
+    type="UnstructuredGrid", extent="", piece='NumberOfPoints="8" NumberOfCells="1"', appended="",
+    body="<PointData>" + array("p", numbered) + "</PointData><Points>" +
+    array("Points", corners, components=3) + "</Points><Cells>" +
+    array("connectivity", numbered, "Int64") + array("offsets", "8", "Int64") +
+    array("types", "12", "UInt8") + "</Cells>")
+triangles = vtk_xml.format(
+    type="PolyData", extent="", piece='NumberOfPoints="8" NumberOfPolys="2"', appended="",
+    body="<CellData>" + packed("c", [1, 2]) + "</CellData><Points>" +
+    packed("Points", [float(n) for n in corners.split()], components=3) + "</Points><Polys>" +
+    array("connectivity", "0 1 2 5 6 7", "Int64") + array("offsets", "3 6", "Int64") + "</Polys>")
+image = vtk_xml.format(
+    type="ImageData", extent=' WholeExtent="0 1 0 1 0 1" Origin="0 0 0" Spacing="1 1 1"',
+    piece='Extent="0 1 0 1 0 1"', body='<PointData><DataArray type="Float64" Name="p" '
+    'format="appended" offset="0"/></PointData>',
+    appended='<AppendedData encoding="base64">_' +
+    base64.b64encode(struct.pack("<I8d", 64, *range(8))).decode() + "</AppendedData>\n")
+legacy = "# vtk DataFile Version 3.0\na test\n{format}\nDATASET {rest}"
+facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
+gltf = {
+    "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+    "nodes": [{"mesh": 0, "translation": [1, 0, 0]}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "mode": 4}]}],
+    "accessors": [
+        {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0],
+         "max": [1, 1, 0]},
+        {"bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36},
+                    {"buffer": 0, "byteOffset": 36, "byteLength": 6}],
+    "buffers": [{"byteLength": 42, "uri": "data:application/octet-stream;base64," +
+                 base64.b64encode(struct.pack("<9f3H", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 2)).decode()}],
+}
 
 seeds = {
     "dump": [
@@ -53,6 +111,35 @@ seeds = {
         b"ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\n"
         b"property float y\nproperty float z\nend_header\n" + bytes(12)
     ],
+    "obj": [
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\np 3\n",
+        "# a comment\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvn 0 0 1\nusemtl a\ng b\n"
+        "f 1/1/1 2/2/1 -1/1/-1\nf 1//1 2//1 \\\n3//1\nusemtl c\nf 1/2 2/2 3/1\n"
+    ],
+    "vtk": [
+        legacy.format(format="ASCII", rest="POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n"
+                      "POLYGONS 1 4\n3 0 1 2\nPOINT_DATA 3\nSCALARS s float 1\n"
+                      "LOOKUP_TABLE default\n0 1 2\n"),
+        legacy.format(format="ASCII", rest="UNSTRUCTURED_GRID\nPOINTS 8 double\n" + corners +
+                      "\nCELLS 1 9\n8 " + numbered + "\nCELL_TYPES 1\n12\nCELL_DATA 1\n"
+                      "FIELD FieldData 1\nv 3 1 int\n1 2 3\n"),
+        legacy.format(format="BINARY", rest="STRUCTURED_POINTS\nDIMENSIONS 2 2 2\nORIGIN 0 0 0\n"
+                      "SPACING 1 1 1\nPOINT_DATA 8\nSCALARS s unsigned_char\n"
+                      "LOOKUP_TABLE default\n").encode() + bytes(range(8)) + b"\n",
+        legacy.format(format="ASCII", rest="STRUCTURED_GRID\nDIMENSIONS 2 2 2\nPOINTS 8 float\n" +
+                      corners + "\nPOINT_DATA 8\nVECTORS v float\n" + corners + "\n"),
+        legacy.format(format="ASCII", rest="MULTIBLOCK\nCHILDREN 1\nCHILD 0 [a]\n" +
+                      legacy.format(format="ASCII", rest="POLYDATA\nPOINTS 1 float\n0 0 0\n") +
+                      "ENDCHILD\n")
+    ],
+    "vtp": [triangles],
+    "vtu": [hexahedron],
+    "vti": [image],
+    "stl": [
+        "solid a\n" + facet + "endsolid a\n",
+        b"a binary file".ljust(80) + struct.pack("<I12fH", 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)
+    ],
+    "gltf": [json.dumps(gltf)],
     "expression": [
         "x + 2*y^2 - z", "v.x > 0.5 && mag(v) <= 2 || !(y == 1)", "'v'.1 ? sqrt(abs(z)) : -pi",
         "max(1, 2, min(x, y)) + sum(x, y, z) + rint(1e-3)", "gradient(v).x", '"v" * 0.1e+2'

@@ -8,6 +8,15 @@
 namespace mote
 {
 
+/// A text without line breaks and other control characters, which names out of files and folders
+/// may hold: a question mark stands for each.
+inline std::string oneLine(std::string text)
+{
+  for (char& c : text)
+    c = static_cast<unsigned char>(c) < ' ' || c == '\x7f' ? '?' : c;
+  return text;
+}
+
 /// What is wrong with a file, as one sentence that names the file and, where there is one, the line
 /// and the column: "melt.dump, line 12, column 8: expected a number for 'vx', found 'abc'".
 class FileError : public std::runtime_error
@@ -42,7 +51,7 @@ private:
       text += ", line " + std::to_string(line);
     if (column > 0)
       text += ", column " + std::to_string(column);
-    return text + ": " + sentence;
+    return oneLine(text + ": " + sentence);
   }
 
   Kind m_kind;
@@ -51,7 +60,7 @@ private:
 /// What is left of a sentence when the file's name, which a FileError puts before it, is taken off.
 inline std::string withoutFile(const std::string& sentence, const std::string& file)
 {
-  return sentence.starts_with(file + ": ") ? sentence.substr(file.size() + 2) : sentence;
+  return sentence.starts_with(oneLine(file) + ": ") ? sentence.substr(file.size() + 2) : sentence;
 }
 
 } // namespace mote

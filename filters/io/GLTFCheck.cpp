@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <iterator>
 #include <map>
 #include <vector>
@@ -123,9 +124,164 @@ Json listOf(const Json& model, const char* name)
   return found != model.end() && found->is_array() ? *found : Json::array();
 }
 
+/// Everything that one part of a model calls by its number in a list has to be in it.
+class References
+{
+public:
+  References(const std::string& path, const Json& model)
+    : path_(path)
+    , model_(model)
+  {
+  }
+
+  void check() const
+  {
+    this->named(model_, "scene", "scenes");
+    for (const Json& scene : listOf(model_, "scenes"))
+      this->each(scene, "nodes", "nodes");
+    this->checkNodes();
+    for (const Json& mesh : listOf(model_, "meshes"))
+      for (const Json& primitive : listOf(mesh, "primitives"))
+        this->checkPrimitive(primitive);
+    for (const Json& texture : listOf(model_, "textures"))
+    {
+      this->named(texture, "source", "images");
+      this->named(texture, "sampler", "samplers");
+    }
+    for (const Json& image : listOf(model_, "images"))
+      this->named(image, "bufferView", "bufferViews");
+    for (const Json& material : listOf(model_, "materials"))
+      this->checkTextures(material);
+    for (const Json& skin : listOf(model_, "skins"))
+    {
+      this->each(skin, "joints", "nodes");
+      this->named(skin, "skeleton", "nodes");
+      this->named(skin, "inverseBindMatrices", "accessors");
+    }
+    for (const Json& animation : listOf(model_, "animations"))
+      this->checkAnimation(animation);
+  }
+
+private:
+  [[noreturn]] void fail(const std::string& list) const
+  {
+    throw FileError(FileError::Kind::Malformed, path_, "it asks for " + list + " that it lacks");
+  }
+
+  void number(const Json& number, const char* list, std::size_t count) const
+  {
+    if (!number.is_number_unsigned() || number.get<Size>() >= count)
+      this->fail(list);
+  }
+
+  void number(const Json& number, const char* list) const
+  {
+    this->number(number, list, listOf(model_, list).size());
+  }
+
+  void named(const Json& object, const char* name, const char* list) const
+  {
+    if (object.contains(name))
+      this->number(object[name], list);
+  }
+
+  void each(const Json& object, const char* name, const char* list) const
+  {
+    for (const Json& number : listOf(object, name))
+      this->number(number, list);
+  }
+
+  /// Also that no node is below itself, nor below two others: which is walked through without end.
+  void checkNodes() const
+  {
+    const Json nodes = listOf(model_, "nodes");
+    std::vector<std::size_t> above(nodes.size(), nodes.size());
+    for (std::size_t node = 0; node < nodes.size(); ++node)
+    {
+      this->named(nodes[node], "mesh", "meshes");
+      this->named(nodes[node], "skin", "skins");
+      this->named(nodes[node], "camera", "cameras");
+      for (const Json& child : listOf(nodes[node], "children"))
+      {
+        this->number(child, "nodes");
+        if (above[child.get<Size>()] != nodes.size())
+          this->fail("a node twice, or nodes");
+        above[child.get<Size>()] = node;
+      }
+    }
+    for (std::size_t node = 0; node < nodes.size(); ++node)
+    {
+      std::size_t steps = 0;
+      for (std::size_t up = node; up != nodes.size(); up = above[up])
+        if (++steps > nodes.size())
+          this->fail("a node below itself, or nodes");
+    }
+  }
+
+  void checkPrimitive(const Json& primitive) const
+  {
+    this->named(primitive, "indices", "accessors");
+    this->named(primitive, "material", "materials");
+    const Json attributes = primitive.value("attributes", Json::object());
+    for (const Json& accessor : attributes)
+      this->number(accessor, "accessors");
+    this->form(attributes, "POSITION", "VEC3", {5126});
+    if (primitive.contains("indices"))
+      this->form(primitive, "indices", "SCALAR", {5121, 5123, 5125});
+    for (const Json& target : listOf(primitive, "targets"))
+      for (const Json& accessor : target)
+        this->number(accessor, "accessors");
+  }
+
+  /// The values of the accessor that is called so, which are in a buffer.
+  void form(const Json& object, const char* name, const char* type,
+    std::initializer_list<Size> componentTypes) const
+  {
+    if (!object.contains(name))
+      this->fail(std::string("values for ") + name);
+    const Json accessor = listOf(model_, "accessors")[object[name].get<std::size_t>()];
+    const Size componentType = numberOf(accessor, "componentType");
+    if (!accessor.contains("bufferView") || accessor.value("type", "") != type ||
+        std::find(componentTypes.begin(), componentTypes.end(), componentType) ==
+          componentTypes.end())
+      this->fail(std::string("values of the right type for ") + name);
+  }
+
+  /// Textures of a material, wherever they are in it.
+  void checkTextures(const Json& part) const
+  {
+    for (const auto& [name, value] : part.items())
+    {
+      if (!value.is_object())
+        continue;
+      if (name.ends_with("Texture"))
+        this->named(value, "index", "textures");
+      this->checkTextures(value);
+    }
+  }
+
+  void checkAnimation(const Json& animation) const
+  {
+    const std::size_t samplers = listOf(animation, "samplers").size();
+    for (const Json& channel : listOf(animation, "channels"))
+    {
+      this->number(channel.value("sampler", Json()), "samplers", samplers);
+      this->named(channel.value("target", Json::object()), "node", "nodes");
+    }
+    for (const Json& sampler : listOf(animation, "samplers"))
+    {
+      this->number(sampler.value("input", Json()), "accessors");
+      this->number(sampler.value("output", Json()), "accessors");
+    }
+  }
+
+  const std::string& path_;
+  const Json& model_;
+};
+
 } // namespace
 
-void checkGLTFIsWhole(const std::string& path)
+void checkGLTF(const std::string& path)
 {
   try
   {
@@ -148,6 +304,7 @@ void checkGLTFIsWhole(const std::string& path)
     }
     for (const Json& accessor : listOf(model.json, "accessors"))
       checkAccessor(path, accessor, views);
+    References(path, model.json).check();
   }
   catch (const Json::exception&)
   {

@@ -1,155 +1,258 @@
 #include "PLYCheck.h"
 
 #include "FileError.h"
+#include "PLYHeader.h"
+#include "ParseNumber.h"
 #include "TextCursor.h"
-#include "TextRows.h"
 
+#include <algorithm>
 #include <cstring>
-#include <vector>
+#include <limits>
 
 namespace mote
 {
 namespace
 {
 
-/// A property: one value, or a list of values after their number.
-struct Property
-{
-  std::size_t countBytes = 0; ///< of a list's number of values; 0 for one value
-  std::size_t valueBytes = 0;
-};
+using Element = PLYHeader::Element;
+using Property = PLYHeader::Property;
 
-struct Element
-{
-  std::string name;
-  std::uint64_t count = 0;
-  std::vector<Property> properties;
-};
+/// vtkPLYReader counts the points of a face in a byte.
+constexpr double mostPointsOfFace = 255;
 
-struct Header
+[[noreturn]] void failTruncated(const std::string& path)
 {
-  enum class Format
-  {
-    None, ///< no PLY header
-    Text,
-    LittleEndian,
-    BigEndian
-  };
-  Format format = Format::None;
-  std::vector<Element> elements;
-};
-
-std::size_t bytesOf(const std::string& type)
-{
-  for (const char* name : {"char", "uchar", "int8", "uint8"})
-    if (type == name)
-      return 1;
-  for (const char* name : {"short", "ushort", "int16", "uint16"})
-    if (type == name)
-      return 2;
-  return type == "double" || type == "float64" ? 8 : 4;
+  throw FileError(FileError::Kind::Truncated, path,
+    "the file ends before all the elements that its header announces: it is truncated");
 }
 
-/// Parses the header; the cursor then stands behind it.
-Header readHeader(TextCursor& cursor)
+/// The values of a binary file, one after the other.
+class BinaryValues
 {
-  Header header;
-  std::string_view line;
-  if (!cursor.nextLine(line) || line != "ply")
-    return header;
-  Header::Format format = Header::Format::None;
-  while (cursor.nextLine(line) && !line.starts_with("end_header"))
+public:
+  BinaryValues(const std::string& path, std::string_view bytes, bool bigEndian)
+    : m_path(path)
+    , m_bytes(bytes)
+    , m_bigEndian(bigEndian)
   {
-    const std::vector<std::string> words = splitValues(line);
-    if (words.size() >= 2 && words[0] == "format")
-    {
-      format = words[1] == "ascii"               ? Header::Format::Text
-               : words[1] == "binary_big_endian" ? Header::Format::BigEndian
-                                                 : Header::Format::LittleEndian;
-    }
-    else if (words.size() >= 3 && words[0] == "element")
-    {
-      header.elements.push_back({words[1], std::strtoull(words[2].c_str(), nullptr, 10), {}});
-    }
-    else if (words.size() >= 3 && words[0] == "property" && !header.elements.empty())
-    {
-      const bool list = words[1] == "list" && words.size() >= 5;
-      header.elements.back().properties.push_back(
-        list ? Property{bytesOf(words[2]), bytesOf(words[3])} : Property{0, bytesOf(words[1])});
-    }
   }
-  header.format = line.starts_with("end_header") ? format : Header::Format::None;
-  return header;
-}
 
-std::uint64_t readCount(const char* at, std::size_t bytes, bool bigEndian)
-{
-  std::uint64_t count = 0;
-  for (std::size_t i = 0; i < bytes; ++i)
+  void beginElement() {}
+  void endElement() {}
+
+  double next(PLYHeader::Number number)
   {
-    const std::size_t place = bigEndian ? bytes - 1 - i : i;
-    count |= std::uint64_t{static_cast<unsigned char>(at[i])} << (8 * place);
+    const char* const at = m_bytes.data();
+    skip(number.bytes);
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < number.bytes; ++i)
+    {
+      const std::size_t place = m_bigEndian ? number.bytes - 1 - i : i;
+      bits |= std::uint64_t{static_cast<unsigned char>(at[i])} << (8 * place);
+    }
+    if (number.type == PLYHeader::Type::Unsigned)
+      return static_cast<double>(bits);
+    if (number.type == PLYHeader::Type::Signed)
+    {
+      const unsigned above = 64 - 8 * static_cast<unsigned>(number.bytes);
+      return static_cast<double>(static_cast<std::int64_t>(bits << above) >> above);
+    }
+    return real(bits, number.bytes);
   }
-  return count;
+
+  /// Passes values by without a look.
+  void skip(std::uint64_t bytes)
+  {
+    if (m_bytes.size() < bytes)
+      failTruncated(m_path);
+    m_bytes.remove_prefix(bytes);
+  }
+
+  [[noreturn]] void fail(const std::string& sentence) const
+  {
+    throw FileError(FileError::Kind::Malformed, m_path, sentence);
+  }
+
+private:
+  static double real(std::uint64_t bits, std::size_t bytes)
+  {
+    if (bytes == sizeof(double))
+    {
+      double value = 0;
+      std::memcpy(&value, &bits, sizeof value);
+      return value;
+    }
+    const auto narrow = static_cast<std::uint32_t>(bits);
+    float value = 0;
+    std::memcpy(&value, &narrow, sizeof value);
+    return value;
+  }
+
+  const std::string& m_path;
+  std::string_view m_bytes;
+  bool m_bigEndian;
+};
+
+/// The values of a text file, of which every element has a line.
+class TextValues
+{
+public:
+  explicit TextValues(TextCursor& cursor)
+    : m_cursor(cursor)
+  {
+  }
+
+  void beginElement()
+  {
+    m_line = m_cursor.line();
+    std::string_view line;
+    if (!m_cursor.nextLine(line))
+      failTruncated(m_cursor.path());
+    if (line.size() > longestPLYLine)
+      fail("a line of a PLY file has at most " + std::to_string(longestPLYLine) + " bytes");
+    m_at = line.data();
+    m_end = m_at + line.size();
+  }
+
+  void endElement()
+  {
+    skipBlanks();
+    if (m_at != m_end)
+      fail("this line has more values than its element");
+  }
+
+  double next(PLYHeader::Number /*number*/)
+  {
+    skipBlanks();
+    if (m_at == m_end)
+      fail("this line has fewer values than its element");
+    double value = 0;
+    const char* const end = parseDouble(m_at, value);
+    if (!end)
+      fail("expected a number, found '" + std::string(m_at, tokenEnd(m_at)) + "'");
+    m_at = end;
+    return value;
+  }
+
+  [[noreturn]] void fail(const std::string& sentence) const
+  {
+    throw FileError(FileError::Kind::Malformed, m_cursor.path(), sentence, m_line);
+  }
+
+private:
+  /// Blanks that vtkPLYReader knows.
+  void skipBlanks()
+  {
+    while (m_at != m_end && (*m_at == ' ' || *m_at == '\t' || *m_at == '\r'))
+      ++m_at;
+  }
+
+  TextCursor& m_cursor;
+  std::uint64_t m_line = 0;
+  const char* m_at = nullptr;
+  const char* m_end = nullptr;
+};
+
+/// What the values of a list may be.
+struct ListLimits
+{
+  double mostValues = std::numeric_limits<int>::max();
+  bool areIndices = false;
+};
+
+ListLimits limitsOf(const Element& element, const Property& property)
+{
+  if (element.name != "face" || property.name != "vertex_indices")
+    return {property.name == "texcoord" ? mostPointsOfFace : ListLimits().mostValues, false};
+  return {mostPointsOfFace, true};
 }
 
-/// Whether the bytes hold all elements of a binary file.
-bool isWhole(std::string_view bytes, const Header& header)
+template <class Values>
+void walkList(Values& values, const Property& property, const ListLimits& limits, double points)
 {
-  const bool bigEndian = header.format == Header::Format::BigEndian;
+  const double count = values.next(property.count);
+  if (!(count >= 0 && count <= limits.mostValues))
+  {
+    values.fail("a list of " + std::to_string(static_cast<long long>(count)) + " '" +
+                property.name + "', and there can be " +
+                std::to_string(static_cast<long long>(limits.mostValues)));
+  }
+  for (auto left = static_cast<std::uint64_t>(count); left > 0; --left)
+  {
+    const double value = values.next(property.value);
+    if (limits.areIndices && !(value >= 0 && value < points))
+      values.fail("a face has a point that is not there: there are " +
+                  std::to_string(static_cast<std::uint64_t>(points)) + " points, from 0");
+  }
+}
+
+template <class Values>
+void walk(Values& values, const Element& element, double points)
+{
+  for (std::uint64_t i = 0; i < element.count; ++i)
+  {
+    values.beginElement();
+    for (const Property& property : element.properties)
+    {
+      if (property.isList())
+        walkList(values, property, limitsOf(element, property), points);
+      else
+        values.next(property.value);
+    }
+    values.endElement();
+  }
+}
+
+/// vtkPLYReader reads vertices and faces, in the order of the file, and skips nothing between.
+void checkElements(const PLYHeader& header, const std::string& path)
+{
+  const auto fail = [&path](const std::string& sentence)
+  { throw FileError(FileError::Kind::Malformed, path, sentence); };
+  const Element* const vertex = header.find("vertex");
+  if (!vertex || !vertex->find("x") || !vertex->find("y") || !vertex->find("z"))
+    fail("a PLY file needs an element 'vertex' with x, y and z");
+  const Element* const face = header.find("face");
+  if (face && !face->find("vertex_indices"))
+    fail("the element 'face' has no list 'vertex_indices'");
+  const auto isRead = [](const Element& element)
+  { return element.name == "vertex" || element.name == "face"; };
+  const auto firstOther = std::find_if_not(header.elements.begin(), header.elements.end(), isRead);
+  if (std::any_of(firstOther, header.elements.end(), isRead))
+    fail("the element '" + firstOther->name + "' must stand behind vertices and faces");
+}
+
+/// Walks through what is read.
+void checkValues(const PLYHeader& header, const TextFile& file, TextCursor& cursor)
+{
+  const auto points = static_cast<double>(header.find("vertex")->count);
+  const bool isText = header.format == PLYHeader::Format::Text;
+  TextValues text(cursor);
+  BinaryValues binary(file.path(),
+    file.text().substr(std::min<std::size_t>(cursor.offset(), file.text().size())),
+    header.format == PLYHeader::Format::BigEndian);
   for (const Element& element : header.elements)
   {
-    for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i)
-    {
-      for (const Property& property : element.properties)
-      {
-        if (bytes.size() < property.countBytes)
-          return false;
-        const std::uint64_t count =
-          property.countBytes > 0 ? readCount(bytes.data(), property.countBytes, bigEndian) : 1;
-        bytes.remove_prefix(property.countBytes);
-        if (bytes.size() / property.valueBytes < count)
-          return false;
-        bytes.remove_prefix(count * property.valueBytes);
-      }
-    }
+    if (isText)
+      walk(text, element, points);
+    else if (element.hasLists())
+      walk(binary, element, points);
+    else
+      binary.skip(element.count * element.bytes());
   }
-  return true;
 }
 
 } // namespace
 
-void checkPLYIsWhole(const std::string& path)
+void checkPLY(const std::string& path)
 {
   const TextFile file(path);
-  TextCursor cursor(path, TextCursor::OpenEnd::Accept);
-  const Header header = readHeader(cursor);
-  if (file.isGzip() || header.format == Header::Format::None)
-  {
+  if (file.isGzip())
     throw FileError(FileError::Kind::OtherFormat, path,
-      file.isGzip() ? "PLY is not read from gzip files; unpack it first (gunzip)"
-                    : "this is no PLY file: its header is missing or damaged");
-  }
-  bool whole = true;
-  if (header.format == Header::Format::Text)
-  {
-    std::uint64_t expected = 0;
-    for (const Element& element : header.elements)
-      expected += element.count;
-    const std::string_view text = file.text().substr(cursor.offset());
-    const bool open = !text.empty() && text.back() != '\n';
-    whole = countBytes(text, '\n', '\n').first + open >= expected;
-  }
-  else
-  {
-    whole = isWhole(file.text().substr(cursor.offset()), header);
-  }
-  if (!whole)
-  {
-    throw FileError(FileError::Kind::Truncated, path,
-      "the file ends before all the elements that its header announces: it is "
-      "truncated");
-  }
+      "PLY is not read from gzip files; unpack it first (gunzip)");
+  TextCursor cursor(path, TextCursor::OpenEnd::Accept);
+  const PLYHeader header = readPLYHeader(cursor);
+  checkElements(header, path);
+  checkValues(header, file, cursor);
 }
 
 } // namespace mote

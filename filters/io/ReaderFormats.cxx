@@ -6,8 +6,11 @@
 #include "FoamReader.h"
 #include "GLTFCheck.h"
 #include "LAMMPSDump.h"
+#include "LegacyCheck.h"
+#include "OBJCheck.h"
 #include "PDBReader.h"
 #include "PLYCheck.h"
+#include "STLCheck.h"
 #include "TextFile.h"
 #include "XMLCheck.h"
 #include "vtkMoteCollectionReader.h"
@@ -27,9 +30,12 @@
 
 #include "vtkGLTFReader.h"
 #include "vtkGenericDataObjectReader.h"
+#include "vtkNew.h"
 #include "vtkOBJReader.h"
+#include "vtkObjectFactory.h"
 #include "vtkPLYReader.h"
 #include "vtkSTLReader.h"
+#include "vtkXMLDataElement.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLMultiBlockDataReader.h"
 #include "vtkXMLPImageDataReader.h"
@@ -90,15 +96,55 @@ vtkSmartPointer<vtkAlgorithm> makePDB(const FileNames& fileNames)
 vtkSmartPointer<vtkAlgorithm> makePLY(const FileNames& fileNames)
 {
   if (fileNames.size() == 1) // those of a series come here one by one
-    checkPLYIsWhole(fileNames.front());
+    checkPLY(fileNames.front());
   return makeOneOrSeries<vtkPLYReader>(fileNames);
+}
+
+vtkSmartPointer<vtkAlgorithm> makeLegacy(const FileNames& fileNames)
+{
+  if (fileNames.size() == 1) // those of a series come here one by one
+    checkLegacyVTK(fileNames.front());
+  return makeOneOrSeries<vtkGenericDataObjectReader>(fileNames);
+}
+
+vtkSmartPointer<vtkAlgorithm> makeOBJ(const FileNames& fileNames)
+{
+  checkOBJ(fileNames.front());
+  return make<vtkOBJReader>(fileNames);
+}
+
+vtkSmartPointer<vtkAlgorithm> makeSTL(const FileNames& fileNames)
+{
+  checkSTL(fileNames.front());
+  return make<vtkSTLReader>(fileNames);
 }
 
 vtkSmartPointer<vtkAlgorithm> makeGLTF(const FileNames& fileNames)
 {
-  checkGLTFIsWhole(fileNames.front());
+  checkGLTF(fileNames.front());
   return make<vtkGLTFReader>(fileNames);
 }
+
+/// A reader of one of VTK's XML files. Where cell data are too short, VTK 9.1 names the element of
+/// the point data in its message, and crashes where there is none: this adds an empty one.
+template <class Reader>
+class WithPointData : public Reader
+{
+public:
+  static WithPointData* New() { VTK_STANDARD_NEW_BODY(WithPointData); }
+
+protected:
+  int ReadPiece(vtkXMLDataElement* piece) override
+  {
+    if (!piece->FindNestedElementWithName("PointData"))
+    {
+      vtkNew<vtkXMLDataElement> none;
+      none->SetName("PointData");
+      piece->AddNestedElement(none);
+    }
+    return Reader::ReadPiece(piece);
+  }
+};
 
 /// As makeOneOrSeries(), of VTK's XML files.
 template <class Reader>
@@ -159,11 +205,13 @@ const std::vector<ReaderFormat>& readerFormats()
     {{".pts", ".pts.gz"}, "points, x y z a line", makeOneOrSeries<vtkMotePointsReader>, true},
     {{".csv"}, "table with columns x, y, z", makeOneOrSeries<vtkMoteDelimitedPointsReader>, true},
     {{".pdb"}, "Protein Data Bank atoms", makePDB},
-    {{".vtp"}, "VTK XML polygonal data", makeXML<vtkXMLPolyDataReader>, true},
-    {{".vtu"}, "VTK XML unstructured grid", makeXML<vtkXMLUnstructuredGridReader>, true},
-    {{".vti"}, "VTK XML image", makeXML<vtkXMLImageDataReader>, true},
-    {{".vts"}, "VTK XML structured grid", makeXML<vtkXMLStructuredGridReader>, true},
-    {{".vtr"}, "VTK XML rectilinear grid", makeXML<vtkXMLRectilinearGridReader>, true},
+    {{".vtp"}, "VTK XML polygonal data", makeXML<WithPointData<vtkXMLPolyDataReader>>, true},
+    {{".vtu"}, "VTK XML unstructured grid", makeXML<WithPointData<vtkXMLUnstructuredGridReader>>,
+      true},
+    {{".vti"}, "VTK XML image", makeXML<WithPointData<vtkXMLImageDataReader>>, true},
+    {{".vts"}, "VTK XML structured grid", makeXML<WithPointData<vtkXMLStructuredGridReader>>, true},
+    {{".vtr"}, "VTK XML rectilinear grid", makeXML<WithPointData<vtkXMLRectilinearGridReader>>,
+      true},
     {{".vtm", ".vtmb"}, "VTK XML blocks", makeXML<vtkXMLMultiBlockDataReader>, true},
     {{".pvtp"}, "VTK XML polygonal data in pieces", makeXML<vtkXMLPPolyDataReader>, true},
     {{".pvtu"}, "VTK XML unstructured grid in pieces", makeXML<vtkXMLPUnstructuredGridReader>,
@@ -172,11 +220,10 @@ const std::vector<ReaderFormat>& readerFormats()
     {{".pvts"}, "VTK XML structured grid in pieces", makeXML<vtkXMLPStructuredGridReader>, true},
     {{".pvtr"}, "VTK XML rectilinear grid in pieces", makeXML<vtkXMLPRectilinearGridReader>, true},
     {{".pvd", ".series"}, "files with their times and parts", make<vtkMoteCollectionReader>},
-    {{".vtk"}, "VTK legacy file of any data set", makeOneOrSeries<vtkGenericDataObjectReader>,
-      true},
+    {{".vtk"}, "VTK legacy file of any data set", makeLegacy, true},
     {{".ply"}, "Stanford triangle mesh", makePLY, true},
-    {{".obj"}, "Wavefront mesh", make<vtkOBJReader>},
-    {{".stl"}, "STL triangle mesh", make<vtkSTLReader>},
+    {{".obj"}, "Wavefront mesh", makeOBJ},
+    {{".stl"}, "STL triangle mesh", makeSTL},
     {{".gltf", ".glb"}, "glTF triangle meshes", makeGLTF},
     {{".case", ".encas"}, "EnSight case", makeEnSight},
     {{".cgns"}, "CGNS mesh", makeCGNS, true},

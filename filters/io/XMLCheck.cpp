@@ -4,6 +4,7 @@
 #include "TextFile.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdint>
 #include <filesystem>
@@ -72,6 +73,13 @@ void requireUpTo(const std::string& path, std::string_view element, const char* 
       std::string(name) + " cannot be " + std::string(text->substr(0, 24)) + " in this file");
 }
 
+bool isKnownType(std::string_view type)
+{
+  constexpr std::array known = {"Float32", "Float64", "Int8", "UInt8", "Int16", "UInt16", "Int32",
+    "UInt32", "Int64", "UInt64", "String", "Bit", "vtkIdType"};
+  return std::find(known.begin(), known.end(), type) != known.end();
+}
+
 /// The type and the number of components of arrays, by what has them and their names.
 using Arrays = std::map<std::string, std::string>;
 
@@ -93,6 +101,9 @@ public:
     for (std::size_t at = text.find('<'); at != text.npos; at = text.find('<', at + 1))
     {
       const std::size_t end = text.find('>', at);
+      if (end == text.npos)
+        throw FileError(FileError::Kind::Truncated, path_,
+          "the file ends within '" + std::string(text.substr(at, 24)) + "'");
       const std::string_view element = text.substr(at, std::min<std::size_t>(end - at, 4096));
       if (element.starts_with("<AppendedData"))
       {
@@ -168,6 +179,11 @@ private:
       offsets_.push_back(offset);
     if (!isArray)
       return;
+    if (!isPromise_ && element.find("format") == element.npos)
+      throw FileError(FileError::Kind::Malformed, path_, "an array does not say its format");
+    if (const auto type = attributeOf(element, "type"); type && !isKnownType(*type))
+      throw FileError(FileError::Kind::Malformed, path_,
+        "an array is of '" + std::string(type->substr(0, 24)) + "', which is no type of VTK files");
     const auto valueOf = [&](const char* name, const char* usual)
     { return std::string(attributeOf(element, name).value_or(usual)); };
     const bool isOfPoints = section_ == "Points";
