@@ -324,7 +324,7 @@ void PlotPanel::drawFields(Settings& next) const
   if (isLimited)
     explainKey("Take the ranges of what is plotted away\nwithout --show");
   if (!isLimited)
-    ImGui::TextDisabled("%s plotted", withThousands(plot_.total).c_str());
+    ImGui::TextDisabled("%s %s", withThousands(plot_.total).c_str(), plot_.what.c_str());
 }
 
 } // namespace mote::app

@@ -194,6 +194,12 @@ void countPart(const Values& x, const Values* y, vtkIdType count,
     });
 }
 
+/// What a part's values are of.
+std::string itemsOf(const Part& part, bool ofCells)
+{
+  return ofCells ? "cells" : part.particles() ? "particles" : "points";
+}
+
 } // namespace
 
 Plot plotOf(const std::vector<std::unique_ptr<Part>>& parts, const PickedSet& picked,
@@ -217,6 +223,8 @@ Plot plotOf(const std::vector<std::unique_ptr<Part>>& parts, const PickedSet& pi
     if (!isThere)
       x.reset();
     isAny = isAny || isThere;
+    const std::string what = isThere ? itemsOf(*parts[k], x->ofCells()) : plot.what;
+    plot.what = plot.what.empty() || plot.what == what ? what : "values";
   }
   if (!isAny)
     return {};

@@ -38,6 +38,7 @@ struct Plot
   std::vector<std::uint32_t> counts;
   std::uint32_t highest = 0;
   std::int64_t total = 0;
+  std::string what; ///< particles, points, cells, or values where parts differ
 
   bool isEmpty() const { return counts.empty(); }
 };

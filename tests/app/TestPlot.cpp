@@ -66,6 +66,7 @@ TEST_F(PlotTest, CountsEveryValueOnce)
   const Plot plot = plotOf(stage->parts(), picked, {{"a", ""}, Plotted::All}, 50, 40);
   EXPECT_EQ(plot.height, 1);
   EXPECT_EQ(plot.total, count - 1); // one is no number
+  EXPECT_EQ(plot.what, "particles");
   std::vector<std::uint32_t> truth(50);
   for (int i = 0; i < count; ++i)
     if (const double value = a->GetValue(i); std::isfinite(value))

@@ -146,3 +146,6 @@ has_no() {
   done
   fail "the command has $1: $(command_now)"
 }
+
+# at STEP: the window shows this step, counted from 1.
+at() { has "--step[= ]$1( |\$)"; }
