@@ -8,7 +8,7 @@ set(MOTE_VTK_COMPONENTS
   IOCGNSReader IOChemistry IOCore IOEnSight IOGeometry IOImage IOInfovis IOLegacy IOOggTheora
   IOParallel IOParallelXML IOPLY IOXML IOXMLParser ParallelCore
   RenderingAnnotation RenderingContextOpenGL2 RenderingCore RenderingFreeType
-  RenderingOpenGL2 RenderingUI RenderingVolume cgns opengl glew)
+  RenderingOpenGL2 RenderingUI RenderingVolume cgns hdf5 opengl glew)
 if (MOTE_BUILD_BENCHMARKS)
   list(APPEND MOTE_VTK_COMPONENTS RenderingVolumeOpenGL2) # peers
 endif ()

@@ -82,7 +82,38 @@ gltf = {
                  base64.b64encode(struct.pack("<9f3H", 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 2)).decode()}],
 }
 
+def record(data):
+    length = struct.pack("<I", len(data))
+    return length + data + length
+
+
+gadget = record(
+    struct.pack("<6I6d2d10Id", 2, 0, 0, 0, 1, 0, 0, 0, 0, 0, 7.5, 0, 0.25, 0, 0, 0, 2, 0, 0, 0, 1, 0,
+                0, 1, 100).ljust(256, b"\0"))
+gadget += b"".join(
+    record(struct.pack(f"<{len(values)}{code}", *values))
+    for code, values in [("f", range(9)), ("f", range(9)), ("I", [1, 2, 3]), ("f", [0.5, 1.5]),
+                         ("f", [20, 30]), ("f", [2, 3])])
+names = b"id type xs ys zs"
+binary_head = struct.pack("<qqi6i6d", 4, 2, 0, 0, 0, 1, 1, 2, 3, 0, 10, 0, 10, 0, 10)
+binary_rows = struct.pack("<ii10d", 1, 10, 1, 1, 0, 0, 0, 2, 1, 0.5, 0.5, 1)
+named_dump = (struct.pack("<q", -8) + b"DUMPATOM" + struct.pack("<ii", 1, 2) + binary_head +
+              struct.pack("<ii5sbd", 5, 5, b"metal", 1, 0.5) + struct.pack("<i", len(names)) + names +
+              binary_rows)
+
 seeds = {
+    "bin": [named_dump * 2, binary_head + struct.pack("<i", 5) + binary_rows],
+    "gadget": [gadget],
+    "gro": [
+        "water, t= 1.5\n2\n    1SOL     OW    1   0.230   0.628   0.113  0.1000 -0.2000  0.3000\n"
+        "    1SOL    HW1    2   0.137   0.626   0.150  0.0000  0.0000  0.0000\n  1.8 1.8 1.8\n",
+        "a title\n1\n    1SOL     OW    1    .230    .628    .113\n1 1 1 0 0 0.5 0 0.5 0.5\n"
+    ],
+    "cfg": [
+        "Number of particles = 2\nA = 1.0 Angstrom\nH0(1,1) = 4 A\nH0(2,2) = 5 A\nH0(3,3) = 6 A\n"
+        ".NO_VELOCITY.\nentry_count = 4\nauxiliary[0] = pe [eV]\n63.5\nCu\n.5 .5 .5 -1\n0 0 0 2\n",
+        "Number of particles = 1\nH0(1,1) = 4 A\nR = 2\n63.5 Cu 0.5 0.5 0.5 1 0 0\n"
+    ],
     "dump": [
         dump.format(**plain), dump.format(**plain) + dump.format(**scaled),
         "ITEM: UNITS\nmetal\nITEM: TIME\n0.25\n" + dump.format(**scaled),

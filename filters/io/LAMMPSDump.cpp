@@ -1,5 +1,6 @@
 #include "LAMMPSDump.h"
 
+#include "LAMMPSBinary.h"
 #include "LAMMPSHeader.h"
 
 #include <algorithm>
@@ -70,20 +71,13 @@ void Indexer::checkBeginning()
   const std::string beginning = readBeginning(m_cursor.path(), 4096);
   const auto refuse = [&](FileError::Kind kind, const std::string& sentence) -> void
   { throw FileError(kind, m_cursor.path(), sentence); };
-  if (looksLikeLAMMPSDump(beginning))
+  if (startsFrame(beginning))
     return;
   if (beginning.empty())
   {
     std::string_view line;
     m_cursor.peekLine(line); // damaged gzip says so itself
     refuse(FileError::Kind::Truncated, "the file is empty");
-  }
-  if (beginning.find("DUMPATOM") != std::string::npos ||
-      beginning.find("DUMPCUSTOM") != std::string::npos)
-  {
-    refuse(FileError::Kind::OtherFormat,
-      "this is a binary LAMMPS dump, and only text dumps are read (LAMMPS's tool binary2txt "
-      "turns one into the other)");
   }
   if (beginning.find('\0') != std::string::npos)
     refuse(FileError::Kind::OtherFormat, "this is a binary file, not a LAMMPS text dump");
@@ -239,12 +233,14 @@ bool Indexer::resynchronise()
 
 bool looksLikeLAMMPSDump(std::string_view beginning)
 {
-  return startsFrame(beginning);
+  return startsFrame(beginning) || looksLikeBinaryDump(beginning);
 }
 
 LAMMPSIndex indexLAMMPSDump(
   const std::string& path, const Progress& progress, const LAMMPSIndex* before)
 {
+  if (looksLikeBinaryDump(readBeginning(path, 128)))
+    return indexBinaryDump(path, progress);
   return Indexer(path, progress).run(before);
 }
 

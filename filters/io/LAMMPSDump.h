@@ -28,6 +28,15 @@ struct LAMMPSBox
   std::string boundary; ///< "pp pp fm"; empty in dumps older than the flags
 };
 
+/// Rows of a binary dump that stand together: from a byte on, the first of them so many atoms into
+/// the step.
+struct LAMMPSChunk
+{
+  std::uint64_t offset = 0;
+  std::uint64_t first = 0;
+  bool isSwapped = false; ///< of the other byte order
+};
+
 /// One time step: its header, and where its rows of atoms are.
 struct LAMMPSFrame
 {
@@ -41,7 +50,8 @@ struct LAMMPSFrame
   std::uint64_t columnsLine = 0; ///< the line ITEM: ATOMS
   TextCursor::Place start;       ///< of the header
   TextCursor::Place rows;
-  std::optional<FileError> damage; ///< why this step cannot be read
+  std::shared_ptr<const std::vector<LAMMPSChunk>> chunks; ///< of a binary dump; else null
+  std::optional<FileError> damage;                        ///< why this step cannot be read
 };
 
 struct LAMMPSIndex
@@ -50,7 +60,7 @@ struct LAMMPSIndex
   std::string warning;             ///< about damage that belongs to no listed frame; or empty
 };
 
-/// Whether a text begins like a LAMMPS text dump.
+/// Whether bytes begin like a LAMMPS dump, of text or binary.
 bool looksLikeLAMMPSDump(std::string_view beginning);
 
 /// Reads a whole file once, headers by parsing and atoms by counting lines. The number of atoms of

@@ -23,8 +23,8 @@ std::string inQuotes(std::string_view text)
   return std::string("'").append(text.substr(0, 40)).append("'");
 }
 
-/// The lower-triangular cell from the bounds of the box around it and the tilts xy, xz, yz (LAMMPS
-/// manual, Howto triclinic).
+} // namespace
+
 void setTilted(LAMMPSBox& box, const double (&rows)[3][3])
 {
   const double xy = rows[0][2];
@@ -39,8 +39,6 @@ void setTilted(LAMMPSBox& box, const double (&rows)[3][3])
   box.origin = {xlo, ylo, zlo};
   box.cell = {{{xhi - xlo, 0, 0}, {xy, yhi - ylo, 0}, {xz, yz, zhi - zlo}}};
 }
-
-} // namespace
 
 void LAMMPSHeader::refuse(const std::string& sentence) const
 {

@@ -9,6 +9,10 @@
 namespace mote
 {
 
+/// The lower-triangular cell from the bounds of the box around it, which are the first two numbers
+/// of each row, and the tilts xy, xz, yz, which are the third (LAMMPS manual, Howto triclinic).
+void setTilted(LAMMPSBox& box, const double (&rows)[3][3]);
+
 /// Parses the items from the beginning of a frame to "ITEM: ATOMS", after which the rows begin.
 class LAMMPSHeader
 {

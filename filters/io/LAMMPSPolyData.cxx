@@ -1,5 +1,6 @@
 #include "LAMMPSPolyData.h"
 
+#include "LAMMPSBinary.h"
 #include "PointRows.h"
 #include "PolyDataParts.h"
 
@@ -39,25 +40,27 @@ void requireCoordinates(
     frame.columnsLine);
 }
 
-std::vector<ColumnType> chooseTypes(TextCursor& cursor, const LAMMPSFrame& frame,
+std::vector<ColumnType> chooseTypes(TextCursor* cursor, const LAMMPSFrame& frame,
   const LAMMPSLayout& layout, const LAMMPSReadOptions& options)
 {
   const std::vector<std::string>& columns = *frame.columns;
   std::vector<ColumnType> types(columns.size(), ColumnType::Skip);
   std::vector<std::string> first;
-  if (frame.atoms > 0)
+  if (frame.atoms > 0 && cursor)
   {
-    cursor.seek(frame.rows);
-    first = peekValues(cursor);
+    cursor->seek(frame.rows);
+    first = peekValues(*cursor);
   }
-  first.resize(columns.size());
+  first.resize(columns.size(), cursor ? "" : "0"); // binary dumps have numbers alone
   for (const ColumnGroup& array : layout.arrays)
   {
     if (options.wanted && !options.wanted(array.name))
       continue;
     for (const std::size_t column : array.columns)
     {
-      const ColumnType type = typeOf(columns[column], first[column]);
+      ColumnType type = typeOf(columns[column], first[column]);
+      if (!cursor && type == ColumnType::String)
+        type = ColumnType::Int32;
       // The components of an array have one type, and only floats are ever combined.
       const bool real = array.columns.size() > 1 || type == ColumnType::Float64;
       types[column] = !real                     ? type
@@ -189,13 +192,15 @@ void readLAMMPSFrame(const std::string& path, const LAMMPSFrame& frame,
   const LAMMPSLayout layout = layoutOf(*frame.columns, options.combine);
   requireCoordinates(path, frame, layout);
   const LAMMPSPlacement placement(frame, layout, path);
-  TextCursor cursor(path);
+  std::optional<TextCursor> cursor;
+  if (!frame.chunks)
+    cursor.emplace(path);
   PointRows rows;
   rows.rows = frame.atoms;
   rows.piece = options.piece;
   rows.place = frame.rows;
   rows.columns = *frame.columns;
-  rows.types = chooseTypes(cursor, frame, layout, options);
+  rows.types = chooseTypes(cursor ? &*cursor : nullptr, frame, layout, options);
   rows.arrays = layout.arrays;
   for (std::size_t axis = 0; axis < 3; ++axis)
     rows.coordinates[axis] = layout.coordinates[axis].column;
@@ -214,8 +219,19 @@ void readLAMMPSFrame(const std::string& path, const LAMMPSFrame& frame,
   }
   std::set<std::string> all;
   if (column && !hasTypes(frame) && !rows.piece.isAll())
-    all = wordsOf(cursor, rows, *column, progress);
-  readPointRows(cursor, std::move(rows), progress, output);
+    all = wordsOf(*cursor, rows, *column, progress);
+  if (cursor)
+    readPointRows(*cursor, std::move(rows), progress, output);
+  else
+    makePointRows(
+      std::move(rows),
+      [&](std::uint64_t first, std::uint64_t count, const std::vector<TextColumn>& targets,
+        const RowsStored& stored)
+      {
+        readBinaryRows(path, frame, first, count, targets, stored, progress);
+        return RowsResult();
+      },
+      output);
   if (words.numbers)
     addTypes(words, output);
   else if (!options.space)

@@ -36,9 +36,12 @@ ColumnSpace chooseSpace(const PointRows& rows)
 void addWords(const PointRows& rows, const ColumnGroup& group, const ColumnSpace& space,
   vtkPolyData* output, std::vector<TextColumn>& targets)
 {
-  vtkNew<vtkStringArray> name;
-  name->SetName(group.name.c_str());
-  output->GetPointData()->AddArray(name);
+  if (rows.space)
+  {
+    vtkNew<vtkStringArray> name;
+    name->SetName(group.name.c_str());
+    output->GetPointData()->AddArray(name);
+  }
   if (!rows.words || group.columns[0] != rows.words->column)
     return;
   TextColumn& target = targets[group.columns[0]];
@@ -57,7 +60,8 @@ void addArrays(const PointRows& rows, const ColumnSpace& space, vtkPolyData* out
     const ColumnType type = rows.types[group.columns[0]];
     if (type == ColumnType::Skip)
       continue;
-    if (type == ColumnType::String && rows.space)
+    const bool areNumbered = rows.words && group.columns[0] == rows.words->column;
+    if (type == ColumnType::String && (rows.space || areNumbered))
     {
       addWords(rows, group, space, output, targets);
       continue;
@@ -112,17 +116,6 @@ void skipLines(TextCursor& cursor, std::uint64_t lines)
   }
 }
 
-/// The rows of the piece alone.
-void takePiece(TextCursor& cursor, PointRows& rows)
-{
-  const std::uint64_t first = rows.piece.first(rows.rows);
-  rows.rows = rows.piece.size(rows.rows);
-  rows.piece = {};
-  cursor.seek(rows.place);
-  skipLines(cursor, first);
-  rows.place = cursor.place();
-}
-
 } // namespace
 
 std::set<std::string> wordsOf(
@@ -151,11 +144,10 @@ std::set<std::string> wordsOf(
   return words;
 }
 
-void readPointRows(
-  TextCursor& cursor, PointRows rows, const Progress& progress, vtkPolyData* output)
+void makePointRows(PointRows rows, const RowSource& source, vtkPolyData* output)
 {
-  if (!rows.piece.isAll())
-    takePiece(cursor, rows);
+  const std::uint64_t first = rows.piece.first(rows.rows);
+  rows.rows = rows.piece.size(rows.rows);
   RowsResult result;
   do
   {
@@ -178,16 +170,36 @@ void readPointRows(
     RowsStored stored;
     if (rows.transform)
     {
-      stored = [&](std::uint64_t first, std::uint64_t count)
-      { rows.transform(positions, first, count); };
+      stored = [&](std::uint64_t begin, std::uint64_t count)
+      { rows.transform(positions, begin, count); };
     }
-    cursor.seek(rows.place);
-    result = readRows(cursor, rows.rows, targets, stored, progress);
+    result = source(first, rows.rows, targets, stored);
     if (!result.complete)
       widen(rows, result.widen);
   } while (!result.complete);
   if (!rows.space)
     setVertices(output, static_cast<vtkIdType>(rows.rows));
+}
+
+void readPointRows(
+  TextCursor& cursor, PointRows rows, const Progress& progress, vtkPolyData* output)
+{
+  TextCursor::Place place = rows.place;
+  if (!rows.piece.isAll())
+  {
+    cursor.seek(place);
+    skipLines(cursor, rows.piece.first(rows.rows));
+    place = cursor.place();
+  }
+  makePointRows(
+    std::move(rows),
+    [&](std::uint64_t, std::uint64_t count, const std::vector<TextColumn>& targets,
+      const RowsStored& stored)
+    {
+      cursor.seek(place);
+      return readRows(cursor, count, targets, stored, progress);
+    },
+    output);
 }
 
 void addTypes(NumberedWords& words, const std::map<std::string, int>& types, vtkPolyData* output)

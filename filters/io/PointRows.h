@@ -50,9 +50,18 @@ struct PointRows
   /// Where the values are put, in place of the heap; or null. With a space there are no cells, and
   /// of text only the names of its arrays, which have no tuples.
   std::shared_ptr<ScratchSpace> space;
-  /// With a space: a column of text whose words are numbered; or null.
+  /// A column of text whose words are numbered; or null.
   NumberedWords* words = nullptr;
 };
+
+/// Stores rows [first, first + count) of a step where `targets` say, the first of them at their
+/// begin, and tells `stored` of it.
+using RowSource = std::function<RowsResult(std::uint64_t first, std::uint64_t count,
+  const std::vector<TextColumn>& targets, const RowsStored& stored)>;
+
+/// As readPointRows() below, of rows that come from anywhere; `place` is not looked at. Words are
+/// numbered where `words` asks for it, with a space or without.
+void makePointRows(PointRows rows, const RowSource& source, vtkPolyData* output);
 
 /// Makes points (double), one vertex cell a point and the arrays as point data. Integer columns
 /// with a value that is no such integer become wider, or Float64. Throws FileError, and then

@@ -5,6 +5,8 @@
 #include "FileError.h"
 #include "FoamReader.h"
 #include "GLTFCheck.h"
+#include "GadgetFile.h"
+#include "HDF5Particles.h"
 #include "LAMMPSDump.h"
 #include "LegacyCheck.h"
 #include "OBJCheck.h"
@@ -21,6 +23,7 @@
 #include "vtkMoteLAMMPSDumpReader.h"
 #include "vtkMoteMeshFileReader.h"
 #include "vtkMoteParticleFileReader.h"
+#include "vtkMoteParticleFormatsReader.h"
 #include "vtkMotePointsReader.h"
 #include "vtkMoteXYZReader.h"
 
@@ -198,12 +201,18 @@ vtkSmartPointer<vtkAlgorithm> makeMote(const FileNames& fileNames)
 const std::vector<ReaderFormat>& readerFormats()
 {
   static const std::vector<ReaderFormat> formats = {
-    {{".dump", ".lammpstrj", ".lammps", ".dump.gz", ".lammpstrj.gz", ".lammps.gz"},
-      "LAMMPS text dump", makeSeries<vtkMoteLAMMPSDumpReader>, true, looksLikeLAMMPSDump},
+    {{".dump", ".lammpstrj", ".lammps", ".dump.gz", ".lammpstrj.gz", ".lammps.gz", ".bin"},
+      "LAMMPS dump, of text or binary", makeSeries<vtkMoteLAMMPSDumpReader>, true, looksLikeLAMMPSDump},
     {{".mote"}, "Mote's own file of particles or triangles", makeMote, true, isMote},
     {{".xyz", ".xyz.gz"}, "XYZ and extended XYZ atoms", makeOneOrSeries<vtkMoteXYZReader>, true},
     {{".pts", ".pts.gz"}, "points, x y z a line", makeOneOrSeries<vtkMotePointsReader>, true},
     {{".csv"}, "table with columns x, y, z", makeOneOrSeries<vtkMoteDelimitedPointsReader>, true},
+    {{".gro"}, "GROMACS atoms", makeOneOrSeries<vtkMoteParticleFormatsReader>, true},
+    {{".cfg"}, "AtomEye atoms", makeOneOrSeries<vtkMoteParticleFormatsReader>, true},
+    {{".h5part", ".hdf5", ".h5"}, "particles of Gadget, SWIFT, AREPO, H5Part and openPMD in HDF5",
+      makeOneOrSeries<vtkMoteParticleFormatsReader>, true, looksLikeHDF5},
+    {{".gadget", ".gadget.gz", ".gadget2", ".gadget2.gz"}, "Gadget binary snapshot",
+      makeOneOrSeries<vtkMoteParticleFormatsReader>, true, looksLikeGadget},
     {{".pdb"}, "Protein Data Bank atoms", makePDB},
     {{".vtp"}, "VTK XML polygonal data", makeXML<WithPointData<vtkXMLPolyDataReader>>, true},
     {{".vtu"}, "VTK XML unstructured grid", makeXML<WithPointData<vtkXMLUnstructuredGridReader>>,
@@ -220,7 +229,7 @@ const std::vector<ReaderFormat>& readerFormats()
     {{".pvts"}, "VTK XML structured grid in pieces", makeXML<vtkXMLPStructuredGridReader>, true},
     {{".pvtr"}, "VTK XML rectilinear grid in pieces", makeXML<vtkXMLPRectilinearGridReader>, true},
     {{".pvd", ".series"}, "files with their times and parts", make<vtkMoteCollectionReader>},
-    {{".vtk"}, "VTK legacy file of any data set", makeLegacy, true},
+    {{".vtk"}, "VTK legacy file of points, grids, meshes or blocks", makeLegacy, true},
     {{".ply"}, "Stanford triangle mesh", makePLY, true},
     {{".obj"}, "Wavefront mesh", makeOBJ},
     {{".stl"}, "STL triangle mesh", makeSTL},

@@ -43,13 +43,6 @@ const mote::ReaderFormat& requireFormat(const std::string& path)
   if (const mote::ReaderFormat* format = mote::formatOf(path, beginning))
     return *format;
   using Kind = mote::FileError::Kind;
-  if (beginning.find("DUMPATOM") != std::string::npos ||
-      beginning.find("DUMPCUSTOM") != std::string::npos)
-  {
-    throw mote::FileError(Kind::OtherFormat, path,
-      "this is a binary LAMMPS dump, and only text dumps are read (LAMMPS's "
-      "tool binary2txt turns one into the other)");
-  }
   throw mote::FileError(Kind::OtherFormat, path,
     "no reader knows this file; known extensions are " + vtkMoteReaderTable::GetExtensions());
 }

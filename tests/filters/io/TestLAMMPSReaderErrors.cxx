@@ -69,8 +69,7 @@ TEST_F(TestLAMMPSReaderErrors, OtherFormats)
   expectError(write("b.dump", std::string("\x01\0\x02\0", 4)),
     vtkErrorCode::UnrecognizedFileTypeError, "this is a binary file, not a LAMMPS text dump");
   expectError(write("c.dump", std::string("\xf8\xff\xff\xff\xff\xff\xff\xff", 8) + "DUMPATOM"),
-    vtkErrorCode::UnrecognizedFileTypeError,
-    "this is a binary LAMMPS dump, and only text dumps are read");
+    vtkErrorCode::PrematureEndOfFileError, "the file ends within a time step: it is truncated");
   expectError(write("d.dump", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n3\n"),
     vtkErrorCode::FileFormatError,
     ", line 3: 'ITEM: NUMBER OF ENTRIES' belongs to no dump of atoms");

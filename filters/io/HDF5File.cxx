@@ -1,0 +1,210 @@
+#include "HDF5File.h"
+
+#include "FileError.h"
+#include "TextFile.h"
+
+#include "vtk_hdf5.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace mote
+{
+namespace
+{
+
+/// Something of HDF5 that has to be closed; below 0 where it could not be opened.
+class Handle
+{
+public:
+  Handle(hid_t id, herr_t (*close)(hid_t))
+    : m_id(id)
+    , m_close(close)
+  {
+  }
+  ~Handle()
+  {
+    if (m_id >= 0)
+      m_close(m_id);
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+
+  operator hid_t() const { return m_id; }
+  bool isGood() const { return m_id >= 0; }
+
+private:
+  hid_t m_id;
+  herr_t (*m_close)(hid_t);
+};
+
+/// HDF5 prints nothing meanwhile.
+class Silence
+{
+public:
+  Silence()
+  {
+    H5Eget_auto2(H5E_DEFAULT, &m_function, &m_data);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  ~Silence() { H5Eset_auto2(H5E_DEFAULT, m_function, m_data); }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+private:
+  H5E_auto2_t m_function = nullptr;
+  void* m_data = nullptr;
+};
+
+/// A group or an array, wherever every group on the way to it is there.
+hid_t openObject(hid_t file, const std::string& name)
+{
+  for (std::size_t at = name.find('/', 1); name != "/"; at = name.find('/', at + 1))
+  {
+    const std::string part = name.substr(0, at);
+    if (H5Lexists(file, part.c_str(), H5P_DEFAULT) <= 0)
+      return -1;
+    if (at == std::string::npos)
+      break;
+  }
+  return H5Oopen(file, name.c_str(), H5P_DEFAULT);
+}
+
+} // namespace
+
+HDF5File::HDF5File(const std::string& path)
+  : m_path(path)
+  , m_bytes(TextFile(path).bytes())
+{
+  const Silence silence;
+  m_file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  if (m_file < 0)
+    throw FileError(FileError::Kind::Malformed, path,
+      "HDF5 cannot open it: it is damaged, truncated or being written");
+}
+
+HDF5File::~HDF5File()
+{
+  if (m_file >= 0)
+    H5Fclose(m_file);
+}
+
+std::vector<std::string> HDF5File::namesIn(const std::string& group) const
+{
+  const Silence silence;
+  std::vector<std::string> names;
+  const Handle object(openObject(m_file, group), H5Oclose);
+  H5G_info_t info{};
+  if (!object.isGood() || H5Iget_type(object) != H5I_GROUP || H5Gget_info(object, &info) < 0)
+    return names;
+  for (hsize_t i = 0; i < std::min<hsize_t>(info.nlinks, m_bytes); ++i)
+  {
+    std::array<char, 1024> name{};
+    if (H5Lget_name_by_idx(object, ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(), name.size() - 1,
+          H5P_DEFAULT) >= 0)
+      names.emplace_back(name.data());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+bool HDF5File::isGroup(const std::string& name) const
+{
+  const Silence silence;
+  const Handle object(openObject(m_file, name), H5Oclose);
+  return object.isGood() && H5Iget_type(object) == H5I_GROUP;
+}
+
+std::optional<HDF5Array> HDF5File::array(const std::string& name) const
+{
+  const Silence silence;
+  const Handle object(openObject(m_file, name), H5Oclose);
+  if (!object.isGood() || H5Iget_type(object) != H5I_DATASET)
+    return {};
+  const Handle space(H5Dget_space(object), H5Sclose);
+  const Handle type(H5Dget_type(object), H5Tclose);
+  const int rank = space.isGood() ? H5Sget_simple_extent_ndims(space) : -1;
+  if (!type.isGood() || rank < 0 || rank > 8)
+    return {};
+  HDF5Array array;
+  std::array<hsize_t, 8> sizes{};
+  H5Sget_simple_extent_dims(space, sizes.data(), nullptr);
+  array.dimensions.assign(sizes.begin(), sizes.begin() + rank);
+  // The best packer leaves a byte of some thousand equal ones.
+  double values = 1.0;
+  for (const std::uint64_t size : array.dimensions)
+    values *= static_cast<double>(size);
+  if (values > std::max(1e6, 4096.0 * static_cast<double>(m_bytes)))
+    throw FileError(FileError::Kind::Malformed, m_path,
+      "the file has no room for the values that '" + name + "' announces");
+  const H5T_class_t kind = H5Tget_class(type);
+  array.isWhole = kind == H5T_INTEGER && H5Tget_size(type) <= 8;
+  array.isNumber = array.isWhole || kind == H5T_FLOAT;
+  return array;
+}
+
+bool HDF5File::hasAttribute(const std::string& of, const std::string& attribute) const
+{
+  const Silence silence;
+  const Handle object(openObject(m_file, of), H5Oclose);
+  return object.isGood() && H5Aexists(object, attribute.c_str()) > 0;
+}
+
+std::vector<double> HDF5File::numbers(const std::string& of, const std::string& attribute) const
+{
+  const Silence silence;
+  const Handle object(openObject(m_file, of), H5Oclose);
+  if (!object.isGood() || H5Aexists(object, attribute.c_str()) <= 0)
+    return {};
+  const Handle found(H5Aopen(object, attribute.c_str(), H5P_DEFAULT), H5Aclose);
+  const Handle space(found.isGood() ? H5Aget_space(found) : -1, H5Sclose);
+  const Handle type(found.isGood() ? H5Aget_type(found) : -1, H5Tclose);
+  const hssize_t count = space.isGood() ? H5Sget_simple_extent_npoints(space) : 0;
+  const H5T_class_t kind = type.isGood() ? H5Tget_class(type) : H5T_NO_CLASS;
+  if ((kind != H5T_INTEGER && kind != H5T_FLOAT) || count < 1 || count > 10'000)
+    return {};
+  std::vector<double> values(static_cast<std::size_t>(count));
+  if (H5Aread(found, H5T_NATIVE_DOUBLE, values.data()) < 0)
+    return {};
+  return values;
+}
+
+void HDF5File::readAs(std::int64_t memoryType, const std::string& name, std::uint64_t first,
+  std::uint64_t count, void* values) const
+{
+  const auto fail = [&]
+  {
+    throw FileError(FileError::Kind::Malformed, m_path,
+      "'" + name + "' cannot be read: it is damaged, or packed in a way that HDF5 lacks here");
+  };
+  const std::optional<HDF5Array> known = array(name);
+  if (!known || known->columns() == 0 || first > known->rows() || count > known->rows() - first)
+    fail();
+  if (count == 0)
+    return;
+  const Silence silence;
+  const Handle object(openObject(m_file, name), H5Oclose);
+  const Handle space(object.isGood() ? H5Dget_space(object) : -1, H5Sclose);
+  const std::array<hsize_t, 2> begin = {first, 0}, size = {count, known->columns()};
+  const Handle memory(
+    H5Screate_simple(static_cast<int>(known->dimensions.size()), size.data(), nullptr), H5Sclose);
+  if (!space.isGood() || !memory.isGood() ||
+      H5Sselect_hyperslab(space, H5S_SELECT_SET, begin.data(), nullptr, size.data(), nullptr) < 0 ||
+      H5Dread(object, memoryType, memory, space, H5P_DEFAULT, values) < 0)
+    fail();
+}
+
+void HDF5File::read(
+  const std::string& name, std::uint64_t first, std::uint64_t count, double* values) const
+{
+  readAs(H5T_NATIVE_DOUBLE, name, first, count, values);
+}
+
+void HDF5File::read(
+  const std::string& name, std::uint64_t first, std::uint64_t count, std::int64_t* values) const
+{
+  readAs(H5T_NATIVE_INT64, name, first, count, values);
+}
+
+} // namespace mote

@@ -1,0 +1,534 @@
+// GROMACS, AtomEye, Gadget and HDF5 particles, and binary dumps: made here byte by byte, read whole
+// and in pieces, and cut everywhere.
+#include "IOTestSupport.h"
+#include "vtkMoteLAMMPSDumpReader.h"
+#include "vtkMoteParticleFormatsReader.h"
+#include "vtkMoteReaderTable.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtk_hdf5.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace
+{
+
+template <class Number>
+std::string bytesOf(const std::vector<Number>& numbers, bool swapped = false)
+{
+  std::string bytes;
+  for (const Number& number : numbers)
+  {
+    std::string one(reinterpret_cast<const char*>(&number), sizeof number);
+    if (swapped)
+      std::reverse(one.begin(), one.end());
+    bytes += one;
+  }
+  return bytes;
+}
+
+class TestParticleFormats : public FileTest
+{
+protected:
+  vtkPolyData* read(const std::string& file, double time = -1e300)
+  {
+    m_reader = vtkMoteReaderTable::MakeReader(file, m_error);
+    EXPECT_TRUE(m_reader) << m_error;
+    if (!m_reader)
+      return nullptr;
+    m_times = vtkMoteReaderTable::GetTimeSteps(m_reader, m_error);
+    m_data = vtkMoteReaderTable::Read(m_reader, time, m_error);
+    EXPECT_EQ(m_error, "");
+    return vtkPolyData::SafeDownCast(m_data);
+  }
+
+  void expectError(const std::string& file, const std::string& sentence)
+  {
+    std::string error;
+    const auto reader = vtkMoteReaderTable::MakeReader(file, error);
+    if (reader)
+    {
+      EXPECT_FALSE(vtkMoteReaderTable::Read(reader, error));
+    }
+    EXPECT_NE(error.find(sentence), std::string::npos) << error;
+    EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+  }
+
+  static double value(vtkPolyData* data, const char* array, vtkIdType i, int component = 0)
+  {
+    vtkDataArray* found = data->GetPointData()->GetArray(array);
+    return found ? found->GetComponent(i, component) : HUGE_VAL;
+  }
+
+  static void expectPoint(vtkPolyData* data, vtkIdType i, double x, double y, double z)
+  {
+    ASSERT_LT(i, data->GetNumberOfPoints());
+    const double* point = data->GetPoint(i);
+    EXPECT_NEAR(point[0], x, 1e-12) << i;
+    EXPECT_NEAR(point[1], y, 1e-12) << i;
+    EXPECT_NEAR(point[2], z, 1e-12) << i;
+  }
+
+  /// Every beginning of a file is refused or holds what the whole does, and two halves are the
+  /// whole.
+  template <class Reader>
+  void cutAndPart(
+    const std::string& text, const std::string& ending, vtkIdType points, std::size_t mayLack = 0)
+  {
+    for (std::size_t size = 0; size < text.size() - mayLack; ++size)
+    {
+      std::string error;
+      const auto reader =
+        vtkMoteReaderTable::MakeReader(write("cut" + ending, text.substr(0, size)), error);
+      const auto data = reader ? vtkMoteReaderTable::Read(reader, error) : nullptr;
+      EXPECT_EQ(data == nullptr, !error.empty()) << size;
+      EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+    }
+    const std::string file = write("whole" + ending, text);
+    vtkNew<Reader> all;
+    all->SetFileName(file.c_str());
+    all->Update();
+    ASSERT_EQ(all->GetOutput()->GetNumberOfPoints(), points);
+    vtkIdType done = 0;
+    for (int piece = 0; piece < 3; ++piece)
+    {
+      vtkNew<Reader> part;
+      part->SetFileName(file.c_str());
+      part->UpdateInformation();
+      part->UpdatePiece(piece, 3, 0);
+      vtkPolyData* own = part->GetOutput();
+      vtkPointData *mine = own->GetPointData(), *whole = all->GetOutput()->GetPointData();
+      ASSERT_EQ(mine->GetNumberOfArrays(), whole->GetNumberOfArrays());
+      for (vtkIdType i = 0; i < own->GetNumberOfPoints(); ++i, ++done)
+      {
+        for (int axis = 0; axis < 3; ++axis)
+          EXPECT_EQ(own->GetPoint(i)[axis], all->GetOutput()->GetPoint(done)[axis]);
+        for (int a = 0; a < whole->GetNumberOfArrays(); ++a)
+          for (int c = 0; c < whole->GetAbstractArray(a)->GetNumberOfComponents(); ++c)
+            expectSame(mine->GetAbstractArray(a), i, whole->GetAbstractArray(a), done, c);
+      }
+    }
+    EXPECT_EQ(done, points);
+  }
+
+  static void expectSame(
+    vtkAbstractArray* mine, vtkIdType i, vtkAbstractArray* whole, vtkIdType k, int component)
+  {
+    const int each = whole->GetNumberOfComponents();
+    EXPECT_EQ(mine->GetVariantValue(each * i + component).ToString(),
+      whole->GetVariantValue(each * k + component).ToString())
+      << whole->GetName();
+  }
+
+  std::string m_error;
+  vtkSmartPointer<vtkAlgorithm> m_reader;
+  vtkSmartPointer<vtkDataObject> m_data;
+  std::vector<double> m_times;
+};
+
+const std::string gro = "Water, t= 1.5\n    3\n"
+                        "    1SOL     OW    1   0.230   0.628   0.113  0.1000 -0.2000  0.3000\n"
+                        "    1SOL    HW1    2   0.137   0.626   0.150  0.0000  0.0000  0.0000\n"
+                        "    2SOL     OW    3  -0.230  99.628   0.113  1.0000  1.0000  1.0000\n"
+                        "   1.86206   1.86206   1.86206\n"
+                        "Water, t= 2.5\n    3\n"
+                        "    1SOL     OW    1   1.230   0.628   0.113  0.1000 -0.2000  0.3000\n"
+                        "    1SOL    HW1    2   0.137   0.626   0.150  0.0000  0.0000  0.0000\n"
+                        "    2SOL     OW    3  -0.230  99.628   0.113  1.0000  1.0000  1.0000\n"
+                        "   1.0 2.0 3.0 0.0 0.0 0.5 0.0 0.6 0.7\n";
+
+TEST_F(TestParticleFormats, Gromacs)
+{
+  const std::string file = write("a.gro", gro);
+  vtkPolyData* data = read(file, 2.5);
+  ASSERT_TRUE(data);
+  EXPECT_EQ(m_times, (std::vector<double>{1.5, 2.5}));
+  expectPoint(data, 0, 1.230, 0.628, 0.113);
+  expectPoint(data, 2, -0.230, 99.628, 0.113);
+  EXPECT_EQ(value(data, "v", 0, 1), -0.2);
+  EXPECT_EQ(value(data, "residue", 2), 2);
+  EXPECT_EQ(value(data, "type", 0), 2); // HW1, OW
+  EXPECT_EQ(value(data, "type", 1), 1);
+  EXPECT_EQ(value(data, "id", 2), 3);
+  const double* box =
+    static_cast<double*>(data->GetFieldData()->GetArray("box")->GetVoidPointer(0));
+  EXPECT_EQ(std::vector<double>(box, box + 9),
+    (std::vector<double>{1, 0, 0, 0.5, 2, 0, 0.6, 0.7, 3})); // v2(x) is the sixth number
+  cutAndPart<vtkMoteParticleFormatsReader>(gro, ".gro", 3, 1);
+  expectError(write("a.gro", "title\n2\n"), "truncated");
+  expectError(write("a.gro", "title\nmany\n"), "line 2: expected the number of atoms");
+  std::string wrong = gro;
+  wrong.replace(wrong.find("0.628"), 5, "0.6x8");
+  expectError(write("a.gro", wrong), "line 3: expected a number, found '0.6x8'");
+}
+
+/// Of more than 99,999 atoms the file's numbers begin anew, and those that are read do not.
+TEST_F(TestParticleFormats, GromacsCountsOn)
+{
+  std::string text = "many\n100001\n";
+  for (int i = 1; i <= 100'001; ++i)
+  {
+    std::array<char, 64> line{};
+    std::snprintf(line.data(), line.size(), "%5dSOL     OW%5d%8.3f%8.3f%8.3f\n", i % 100'000,
+      i % 100'000, 0.001 * i, 0.0, 1.0);
+    text += line.data();
+  }
+  vtkPolyData* data = read(write("many.gro", text + "1 1 1\n"));
+  ASSERT_TRUE(data);
+  EXPECT_EQ(value(data, "id", 100'000), 100'001);
+  expectPoint(data, 100'000, 100.001, 0, 1);
+}
+
+TEST_F(TestParticleFormats, AtomEye)
+{
+  const std::string head = "Number of particles = 3\nA = 2.0 Angstrom (basic length-scale)\n"
+                           "H0(1,1) = 4 A\nH0(1,2) = 1 A\nH0(1,3) = 0 A\nH0(2,1) = 0 A\n"
+                           "H0(2,2) = 5 A\nH0(2,3) = 0 A\nH0(3,1) = 0 A\nH0(3,2) = 0 A\n"
+                           "H0(3,3) = 6 A\n";
+  const std::string extended = head + ".NO_VELOCITY.\nentry_count = 4\nauxiliary[0] = pe [eV]\n"
+                                      "63.5\nCu\n0.5 0.5 0.5 -1.5\n91.2\nZr\n0 0 0 2\n1 1 1 3\n";
+  vtkPolyData* data = read(write("a.cfg", extended));
+  ASSERT_TRUE(data);
+  expectPoint(data, 0, 4, 6, 6);
+  expectPoint(data, 2, 8, 12, 12);
+  EXPECT_EQ(value(data, "type", 0), 29);
+  EXPECT_EQ(value(data, "type", 2), 40);
+  EXPECT_EQ(value(data, "mass", 1), 91.2);
+  EXPECT_EQ(value(data, "pe", 0), -1.5);
+  cutAndPart<vtkMoteParticleFormatsReader>(extended, ".cfg", 3, 2);
+  const std::string standard =
+    head + "R = 10\n63.5 Cu .5 .5 .5 1 0 0\n63.5 Cu 0 0 0 0 0 0\n1 H 1 1 1 0 0 1\n";
+  data = read(write("b.cfg", standard));
+  ASSERT_TRUE(data);
+  EXPECT_EQ(value(data, "v", 0, 0), 80);
+  EXPECT_EQ(value(data, "v", 0, 1), 20);
+  EXPECT_EQ(value(data, "type", 2), 1);
+  expectError(write("c.cfg", "nothing\n"), "this is no AtomEye file");
+}
+
+/// A snapshot of two particles of gas and one star; the gas has its own masses.
+std::string gadget(bool named, bool swapped)
+{
+  const auto record = [&](const std::string& bytes)
+  {
+    const std::string length =
+      bytesOf<std::uint32_t>({static_cast<std::uint32_t>(bytes.size())}, swapped);
+    return length + bytes + length;
+  };
+  const auto block = [&](const std::string& name, const std::string& bytes)
+  {
+    const std::string next =
+      bytesOf<std::uint32_t>({static_cast<std::uint32_t>(bytes.size() + 8)}, swapped);
+    return (named ? record(name + next) : std::string()) + record(bytes);
+  };
+  std::string head = bytesOf<std::uint32_t>({2, 0, 0, 0, 1, 0}, swapped) +
+                     bytesOf<double>({0, 0, 0, 0, 7.5, 0, 0.25, 0}, swapped) +
+                     bytesOf<std::uint32_t>({0, 0, 2, 0, 0, 0, 1, 0, 0, 1}, swapped) +
+                     bytesOf<double>({100.0}, swapped);
+  head.resize(256);
+  return block("HEAD", head) + block("POS ", bytesOf<float>({1, 2, 3, 4, 5, 6, 7, 8, 9}, swapped)) +
+         block("VEL ", bytesOf<float>({0, 0, 0, 1, 1, 1, -2, 0, 0}, swapped)) +
+         block("ID  ", bytesOf<std::uint32_t>({11, 12, 13}, swapped)) +
+         block("MASS", bytesOf<float>({0.5F, 1.5F}, swapped)) +
+         block("U   ", bytesOf<float>({20, 30}, swapped)) +
+         block("RHO ", bytesOf<float>({2, 3}, swapped));
+}
+
+TEST_F(TestParticleFormats, GadgetOfBothFormsAndOrders)
+{
+  for (const bool named : {false, true})
+    for (const bool swapped : {false, true})
+    {
+      const std::string text = gadget(named, swapped);
+      vtkPolyData* data = read(write("snapshot_000", text));
+      ASSERT_TRUE(data);
+      EXPECT_EQ(m_times, std::vector<double>{0.25});
+      ASSERT_EQ(data->GetNumberOfPoints(), 3);
+      expectPoint(data, 2, 7, 8, 9);
+      EXPECT_EQ(value(data, "type", 1), 0);
+      EXPECT_EQ(value(data, "type", 2), 4);
+      EXPECT_EQ(value(data, "mass", 1), 1.5);
+      EXPECT_EQ(value(data, "mass", 2), 7.5);
+      EXPECT_EQ(value(data, "id", 2), 13);
+      EXPECT_EQ(value(data, "v", 2, 0), -2);
+      EXPECT_EQ(value(data, "u", 1), 30);
+      EXPECT_EQ(value(data, "rho", 0), 2);
+      EXPECT_TRUE(std::isnan(value(data, "u", 2)));
+      cutAndPart<vtkMoteParticleFormatsReader>(text, ".gadget", 3);
+      data = read(writeGzip("a.gadget.gz", text));
+      ASSERT_TRUE(data);
+      expectPoint(data, 0, 1, 2, 3);
+    }
+  std::string wrong = gadget(false, false);
+  wrong[4] = 3; // particles of gas
+  expectError(write("a.gadget", wrong), "does not hold");
+  wrong = gadget(false, false);
+  wrong[260] = 1; // behind the header
+  expectError(write("a.gadget", wrong), "the lengths before and behind a block differ");
+}
+
+std::string binaryDump(bool named, bool swapped, int kind, std::int64_t step)
+{
+  const auto number = [&](auto value)
+  { return bytesOf(std::vector<decltype(value)>{value}, swapped); };
+  std::string text;
+  if (named)
+    text =
+      number(std::int64_t{-10}) + "DUMPCUSTOM" + number(std::int32_t{1}) + number(std::int32_t{2});
+  text += number(step) + number(std::int64_t{3}) + number(std::int32_t{kind});
+  text += bytesOf<std::int32_t>({0, 0, 1, 1, 2, 3}, swapped);
+  if (kind == 2)
+    text += bytesOf<double>({10, 0, 0, 0, 10, 0, 0, 0, 10, 1, 1, 1}, swapped);
+  else
+    text += bytesOf<double>({0, 10, 0, 10, 0, 10}, swapped);
+  if (kind == 1)
+    text += bytesOf<double>({2, 0, 0}, swapped);
+  text += number(std::int32_t{6});
+  const std::string names = "id type xs ys zs c_pe";
+  if (named)
+    text += number(std::int32_t{5}) + "metal" + char(1) + number(0.5 * static_cast<double>(step)) +
+            number(static_cast<std::int32_t>(names.size())) + names;
+  // Two processes wrote two atoms and one.
+  text += number(std::int32_t{2}) + number(std::int32_t{12}) +
+          bytesOf<double>({1, 1, 0, 0, 0, -1, 2, 2, 0.5, 0.5, 0.5, -2}, swapped) +
+          number(std::int32_t{6}) + bytesOf<double>({3, 1, 1, 1, 1, 3e300}, swapped);
+  return text;
+}
+
+TEST_F(TestParticleFormats, BinaryDumps)
+{
+  for (const bool named : {true, false})
+    for (const bool swapped : {false, true})
+      for (const int kind : {0, 1, 2})
+      {
+        if (!named && (swapped || kind == 2))
+          continue; // as LAMMPS of then had none
+        SCOPED_TRACE(std::to_string(named) + std::to_string(swapped) + std::to_string(kind));
+        const std::string text =
+          binaryDump(named, swapped, kind, 4) + binaryDump(named, swapped, kind, 8);
+        vtkPolyData* data = read(write("a.bin", text), 8);
+        ASSERT_TRUE(data);
+        EXPECT_EQ(m_times, named ? (std::vector<double>{2, 4}) : (std::vector<double>{4, 8}));
+        const double origin = kind == 2 ? 1 : 0;
+        // The box around a tilted cell is as wide as its tilt more.
+        expectPoint(data, 1, origin + 5, origin + 5, origin + 5);
+        expectPoint(data, 2, origin + 10, origin + 10, origin + 10);
+        EXPECT_EQ(value(data, "type", 1), 2);
+        EXPECT_EQ(value(data, "id", 2), 3);
+        EXPECT_EQ(value(data, named ? "c_pe" : "column6", 1), -2);
+        cutAndPart<vtkMoteLAMMPSDumpReader>(binaryDump(named, swapped, kind, 4), ".bin", 3);
+      }
+  // A step that is cut short leaves the one before.
+  const std::string two = binaryDump(true, false, 0, 4) + binaryDump(true, false, 0, 8);
+  const std::string file = write("b.bin", two.substr(0, two.size() - 1));
+  const auto reader = vtkMoteReaderTable::MakeReader(file, m_error);
+  ASSERT_TRUE(reader) << m_error;
+  EXPECT_TRUE(vtkMoteReaderTable::Read(reader, 2, m_error)) << m_error;
+  EXPECT_FALSE(vtkMoteReaderTable::Read(reader, 4, m_error));
+  EXPECT_NE(m_error.find("truncated"), std::string::npos) << m_error;
+}
+
+/// Writes HDF5.
+class Writer
+{
+public:
+  explicit Writer(const std::string& file)
+    : m_file(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT))
+  {
+  }
+  ~Writer() { H5Fclose(m_file); }
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  void group(const std::string& name)
+  {
+    H5Gclose(H5Gcreate2(m_file, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  }
+
+  template <class Number>
+  void array(const std::string& name, const std::vector<Number>& values, hsize_t columns = 1)
+  {
+    const hsize_t sizes[2] = {values.size() / columns, columns};
+    const hid_t space = H5Screate_simple(columns > 1 ? 2 : 1, sizes, nullptr);
+    const hid_t type = std::is_same_v<Number, double>  ? H5T_NATIVE_DOUBLE
+                       : std::is_same_v<Number, float> ? H5T_NATIVE_FLOAT
+                                                       : H5T_NATIVE_INT64;
+    const hid_t set =
+      H5Dcreate2(m_file, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+    H5Dclose(set);
+    H5Sclose(space);
+  }
+
+  void attribute(const std::string& of, const std::string& name, const std::vector<double>& values)
+  {
+    const hid_t object = H5Oopen(m_file, of.c_str(), H5P_DEFAULT);
+    const hsize_t size = values.size();
+    const hid_t space = H5Screate_simple(1, &size, nullptr);
+    const hid_t set =
+      H5Acreate2(object, name.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT);
+    H5Awrite(set, H5T_NATIVE_DOUBLE, values.data());
+    H5Aclose(set);
+    H5Sclose(space);
+    H5Oclose(object);
+  }
+
+private:
+  hid_t m_file;
+};
+
+void writeGadget(const std::string& file)
+{
+  Writer out(file);
+  for (const char* name : {"/Header", "/PartType0", "/PartType1"})
+    out.group(name);
+  out.attribute("/Header", "Time", {0.75});
+  out.attribute("/Header", "BoxSize", {50});
+  out.attribute("/Header", "MassTable", {0, 2.5});
+  out.array<double>("/PartType0/Coordinates", {1, 2, 3, 4, 5, 6}, 3);
+  out.array<float>("/PartType0/Masses", {0.5F, 1.5F});
+  out.array<std::int64_t>("/PartType0/ParticleIDs", {5, 1LL << 60});
+  out.array<double>("/PartType0/Metallicity", {0.1, 0.2, 0.3, 0.4}, 2);
+  out.array<double>("/PartType1/Coordinates", {7, 8, 9}, 3);
+  out.array<std::int64_t>("/PartType1/ParticleIDs", {7});
+}
+
+TEST_F(TestParticleFormats, GadgetInHDF5)
+{
+  const std::string file = path("snap_001.hdf5");
+  writeGadget(file);
+  vtkPolyData* data = read(file);
+  ASSERT_TRUE(data);
+  ASSERT_EQ(data->GetNumberOfPoints(), 3);
+  EXPECT_EQ(m_times, std::vector<double>{0.75});
+  expectPoint(data, 1, 4, 5, 6);
+  expectPoint(data, 2, 7, 8, 9);
+  EXPECT_EQ(value(data, "mass", 1), 1.5);
+  EXPECT_EQ(value(data, "mass", 2), 2.5);
+  EXPECT_EQ(value(data, "type", 2), 1);
+  auto* ids = data->GetPointData()->GetArray("id");
+  ASSERT_TRUE(ids);
+  EXPECT_EQ(ids->GetVariantValue(1).ToLongLong(), 1LL << 60); // to the last bit
+  EXPECT_EQ(value(data, "Metallicity", 1, 0), 0.3);
+  EXPECT_TRUE(std::isnan(value(data, "Metallicity", 2, 1)));
+  std::ifstream stream(file, std::ios::binary);
+  const std::string whole(std::istreambuf_iterator<char>(stream), {});
+  for (std::size_t size = 0; size < whole.size(); size += 97)
+    expectError(write("cut.hdf5", whole.substr(0, size)), size == 0 ? "empty" : "cut.hdf5");
+}
+
+TEST_F(TestParticleFormats, H5Part)
+{
+  {
+    Writer out(path("a.h5part"));
+    for (const int step : {0, 2, 10})
+    {
+      const std::string group = "/Step#" + std::to_string(step);
+      out.group(group);
+      for (const char* axis : {"x", "y", "z", "px", "py", "pz"})
+        out.array<double>(group + "/" + axis, {0.5 + step, *axis - 100.0});
+      out.array<std::int64_t>(group + "/id", {3, 4});
+      out.array<std::int64_t>(group + "/other", {3, 4, 5}); // not of these particles
+    }
+  }
+  vtkPolyData* data = read(path("a.h5part"), 10);
+  ASSERT_TRUE(data);
+  EXPECT_EQ(m_times, (std::vector<double>{0, 2, 10}));
+  expectPoint(data, 0, 10.5, 10.5, 10.5);
+  expectPoint(data, 1, 20, 21, 22);
+  EXPECT_EQ(value(data, "p", 0, 2), 10.5);
+  EXPECT_EQ(value(data, "id", 1), 4);
+  EXPECT_FALSE(data->GetPointData()->HasArray("other"));
+  EXPECT_FALSE(data->GetPointData()->HasArray("type"));
+  {
+    Writer out(path("b.h5part"));
+    out.group("/Step#0");
+    out.array<double>("/Step#0/x", {1, 2});
+    out.array<double>("/Step#0/y", {1, 2, 3});
+  }
+  expectError(path("b.h5part"), "has no x, y and z");
+  {
+    Writer out(path("c.h5"));
+    out.group("/other");
+  }
+  expectError(path("c.h5"), "no particles of Gadget, H5Part or openPMD");
+}
+
+TEST_F(TestParticleFormats, OpenPMD)
+{
+  {
+    Writer out(path("a.h5"));
+    out.attribute("/", "openPMD", {1});
+    for (const char* name : {"/data", "/data/100", "/data/100/particles", "/data/100/particles/e",
+           "/data/100/particles/e/position", "/data/100/particles/e/positionOffset",
+           "/data/100/particles/e/positionOffset/x", "/data/100/particles/e/positionOffset/y",
+           "/data/100/particles/e/mass"})
+      out.group(name);
+    out.attribute("/data/100", "time", {2.5});
+    const std::string e = "/data/100/particles/e";
+    out.array<double>(e + "/position/x", {1, 2});
+    out.array<double>(e + "/position/y", {3, 4});
+    for (const char* axis : {"x", "y"})
+    {
+      out.attribute(e + "/positionOffset/" + axis, "value", {10});
+      out.attribute(e + "/positionOffset/" + axis, "shape", {2});
+      out.attribute(e + "/positionOffset/" + axis, "unitSI", {1e-6});
+      out.attribute(e + "/position/" + axis, "unitSI", {1e-6});
+    }
+    out.attribute(e + "/mass", "value", {9.1e-31});
+    out.attribute(e + "/mass", "shape", {2});
+    out.array<float>(e + "/weighting", {0.5F, 0.25F});
+  }
+  vtkPolyData* data = read(path("a.h5"));
+  ASSERT_TRUE(data);
+  EXPECT_EQ(m_times, std::vector<double>{2.5});
+  expectPoint(data, 1, 12, 14, 0); // in the file's units, which are alike
+  EXPECT_EQ(value(data, "mass", 1), 9.1e-31);
+  EXPECT_EQ(value(data, "weighting", 1), 0.25);
+  EXPECT_EQ(value(data, "type", 0), 1);
+}
+
+TEST_F(TestParticleFormats, SharedSamples)
+{
+  MOTE_REQUIRE_SHARED(galaxy, "variants/galaxy_gadget2.dat.gz");
+  vtkPolyData* data = read(galaxy);
+  ASSERT_TRUE(data);
+  EXPECT_EQ(data->GetNumberOfPoints(), 60'000);
+  EXPECT_EQ(value(data, "type", 0), 1);
+  EXPECT_EQ(value(data, "type", 59'999), 2);
+  MOTE_REQUIRE_SHARED(later, "variants/G2galaxy_001.hdf5");
+  data = read(later);
+  ASSERT_TRUE(data);
+  EXPECT_EQ(data->GetNumberOfPoints(), 60'000);
+  // The same particles keep their masses.
+  EXPECT_NEAR(data->GetPointData()->GetArray("mass")->GetRange()[0], 0.00023252, 1e-8);
+  MOTE_REQUIRE_SHARED(water, "variants/spc216.gro");
+  data = read(water);
+  ASSERT_TRUE(data);
+  EXPECT_EQ(data->GetNumberOfPoints(), 648);
+  for (vtkIdType i = 0; i < 648; i += 3) // oxygen, and hydrogen a tenth of a nanometre away
+    for (vtkIdType k = 1; k < 3; ++k)
+    {
+      double a[3], b[3];
+      data->GetPoint(i, a);
+      data->GetPoint(i + k, b);
+      EXPECT_NEAR(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 0.1, 0.002);
+    }
+  MOTE_REQUIRE_SHARED(shear, "variants/shear_void.h5part");
+  ASSERT_TRUE(read(shear, 1000));
+  EXPECT_EQ(m_times.size(), 5u);
+  MOTE_REQUIRE_SHARED(melt, "variants/melt.unwrapped.125.cfg");
+  data = read(melt);
+  ASSERT_TRUE(data);
+  EXPECT_EQ(data->GetNumberOfPoints(), 4000);
+}
+
+} // namespace
