@@ -202,7 +202,8 @@ const std::vector<ReaderFormat>& readerFormats()
 {
   static const std::vector<ReaderFormat> formats = {
     {{".dump", ".lammpstrj", ".lammps", ".dump.gz", ".lammpstrj.gz", ".lammps.gz", ".bin"},
-      "LAMMPS dump, of text or binary", makeSeries<vtkMoteLAMMPSDumpReader>, true, looksLikeLAMMPSDump},
+      "LAMMPS dump, of text or binary", makeSeries<vtkMoteLAMMPSDumpReader>, true,
+      looksLikeLAMMPSDump},
     {{".mote"}, "Mote's own file of particles or triangles", makeMote, true, isMote},
     {{".xyz", ".xyz.gz"}, "XYZ and extended XYZ atoms", makeOneOrSeries<vtkMoteXYZReader>, true},
     {{".pts", ".pts.gz"}, "points, x y z a line", makeOneOrSeries<vtkMotePointsReader>, true},
