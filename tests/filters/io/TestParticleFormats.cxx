@@ -1,5 +1,6 @@
 // GROMACS, AtomEye, Gadget and HDF5 particles, and binary dumps: made here byte by byte, read whole
 // and in pieces, and cut everywhere.
+#include "HDF5Writer.h"
 #include "IOTestSupport.h"
 #include "vtkMoteLAMMPSDumpReader.h"
 #include "vtkMoteParticleFormatsReader.h"
@@ -11,7 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
-#include "vtk_hdf5.h"
 
 #include <algorithm>
 #include <cmath>
@@ -336,71 +336,6 @@ TEST_F(TestParticleFormats, BinaryDumps)
   EXPECT_NE(m_error.find("truncated"), std::string::npos) << m_error;
 }
 
-/// Writes HDF5.
-class Writer
-{
-public:
-  explicit Writer(const std::string& file)
-    : m_file(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT))
-  {
-  }
-  ~Writer() { H5Fclose(m_file); }
-  Writer(const Writer&) = delete;
-  Writer& operator=(const Writer&) = delete;
-
-  void group(const std::string& name)
-  {
-    H5Gclose(H5Gcreate2(m_file, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
-  }
-
-  template <class Number>
-  void array(const std::string& name, const std::vector<Number>& values, hsize_t columns = 1)
-  {
-    const hsize_t sizes[2] = {values.size() / columns, columns};
-    const hid_t space = H5Screate_simple(columns > 1 ? 2 : 1, sizes, nullptr);
-    const hid_t type = std::is_same_v<Number, double>  ? H5T_NATIVE_DOUBLE
-                       : std::is_same_v<Number, float> ? H5T_NATIVE_FLOAT
-                                                       : H5T_NATIVE_INT64;
-    const hid_t set =
-      H5Dcreate2(m_file, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
-    H5Dclose(set);
-    H5Sclose(space);
-  }
-
-  void attribute(const std::string& of, const std::string& name, const std::vector<double>& values)
-  {
-    const hid_t object = H5Oopen(m_file, of.c_str(), H5P_DEFAULT);
-    const hsize_t size = values.size();
-    const hid_t space = H5Screate_simple(1, &size, nullptr);
-    const hid_t set =
-      H5Acreate2(object, name.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT);
-    H5Awrite(set, H5T_NATIVE_DOUBLE, values.data());
-    H5Aclose(set);
-    H5Sclose(space);
-    H5Oclose(object);
-  }
-
-private:
-  hid_t m_file;
-};
-
-void writeGadget(const std::string& file)
-{
-  Writer out(file);
-  for (const char* name : {"/Header", "/PartType0", "/PartType1"})
-    out.group(name);
-  out.attribute("/Header", "Time", {0.75});
-  out.attribute("/Header", "BoxSize", {50});
-  out.attribute("/Header", "MassTable", {0, 2.5});
-  out.array<double>("/PartType0/Coordinates", {1, 2, 3, 4, 5, 6}, 3);
-  out.array<float>("/PartType0/Masses", {0.5F, 1.5F});
-  out.array<std::int64_t>("/PartType0/ParticleIDs", {5, 1LL << 60});
-  out.array<double>("/PartType0/Metallicity", {0.1, 0.2, 0.3, 0.4}, 2);
-  out.array<double>("/PartType1/Coordinates", {7, 8, 9}, 3);
-  out.array<std::int64_t>("/PartType1/ParticleIDs", {7});
-}
-
 TEST_F(TestParticleFormats, GadgetInHDF5)
 {
   const std::string file = path("snap_001.hdf5");
@@ -427,18 +362,7 @@ TEST_F(TestParticleFormats, GadgetInHDF5)
 
 TEST_F(TestParticleFormats, H5Part)
 {
-  {
-    Writer out(path("a.h5part"));
-    for (const int step : {0, 2, 10})
-    {
-      const std::string group = "/Step#" + std::to_string(step);
-      out.group(group);
-      for (const char* axis : {"x", "y", "z", "px", "py", "pz"})
-        out.array<double>(group + "/" + axis, {0.5 + step, *axis - 100.0});
-      out.array<std::int64_t>(group + "/id", {3, 4});
-      out.array<std::int64_t>(group + "/other", {3, 4, 5}); // not of these particles
-    }
-  }
+  writeH5Part(path("a.h5part"));
   vtkPolyData* data = read(path("a.h5part"), 10);
   ASSERT_TRUE(data);
   EXPECT_EQ(m_times, (std::vector<double>{0, 2, 10}));
@@ -449,14 +373,14 @@ TEST_F(TestParticleFormats, H5Part)
   EXPECT_FALSE(data->GetPointData()->HasArray("other"));
   EXPECT_FALSE(data->GetPointData()->HasArray("type"));
   {
-    Writer out(path("b.h5part"));
+    HDF5Writer out(path("b.h5part"));
     out.group("/Step#0");
     out.array<double>("/Step#0/x", {1, 2});
     out.array<double>("/Step#0/y", {1, 2, 3});
   }
   expectError(path("b.h5part"), "has no x, y and z");
   {
-    Writer out(path("c.h5"));
+    HDF5Writer out(path("c.h5"));
     out.group("/other");
   }
   expectError(path("c.h5"), "no particles of Gadget, H5Part or openPMD");
@@ -464,29 +388,7 @@ TEST_F(TestParticleFormats, H5Part)
 
 TEST_F(TestParticleFormats, OpenPMD)
 {
-  {
-    Writer out(path("a.h5"));
-    out.attribute("/", "openPMD", {1});
-    for (const char* name : {"/data", "/data/100", "/data/100/particles", "/data/100/particles/e",
-           "/data/100/particles/e/position", "/data/100/particles/e/positionOffset",
-           "/data/100/particles/e/positionOffset/x", "/data/100/particles/e/positionOffset/y",
-           "/data/100/particles/e/mass"})
-      out.group(name);
-    out.attribute("/data/100", "time", {2.5});
-    const std::string e = "/data/100/particles/e";
-    out.array<double>(e + "/position/x", {1, 2});
-    out.array<double>(e + "/position/y", {3, 4});
-    for (const char* axis : {"x", "y"})
-    {
-      out.attribute(e + "/positionOffset/" + axis, "value", {10});
-      out.attribute(e + "/positionOffset/" + axis, "shape", {2});
-      out.attribute(e + "/positionOffset/" + axis, "unitSI", {1e-6});
-      out.attribute(e + "/position/" + axis, "unitSI", {1e-6});
-    }
-    out.attribute(e + "/mass", "value", {9.1e-31});
-    out.attribute(e + "/mass", "shape", {2});
-    out.array<float>(e + "/weighting", {0.5F, 0.25F});
-  }
+  writeOpenPMD(path("a.h5"));
   vtkPolyData* data = read(path("a.h5"));
   ASSERT_TRUE(data);
   EXPECT_EQ(m_times, std::vector<double>{2.5});

@@ -1,0 +1,120 @@
+#ifndef MoteHDF5Writer_h
+#define MoteHDF5Writer_h
+
+// Small files of particles in HDF5.
+
+#include "vtk_hdf5.h"
+
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+/// Writes HDF5.
+class HDF5Writer
+{
+public:
+  explicit HDF5Writer(const std::string& file)
+    : m_file(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT))
+  {
+  }
+  ~HDF5Writer() { H5Fclose(m_file); }
+  HDF5Writer(const HDF5Writer&) = delete;
+  HDF5Writer& operator=(const HDF5Writer&) = delete;
+
+  void group(const std::string& name)
+  {
+    H5Gclose(H5Gcreate2(m_file, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  }
+
+  template <class Number>
+  void array(const std::string& name, const std::vector<Number>& values, hsize_t columns = 1)
+  {
+    const hsize_t sizes[2] = {values.size() / columns, columns};
+    const hid_t space = H5Screate_simple(columns > 1 ? 2 : 1, sizes, nullptr);
+    const hid_t type = std::is_same_v<Number, double>  ? H5T_NATIVE_DOUBLE
+                       : std::is_same_v<Number, float> ? H5T_NATIVE_FLOAT
+                                                       : H5T_NATIVE_INT64;
+    const hid_t set =
+      H5Dcreate2(m_file, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+    H5Dclose(set);
+    H5Sclose(space);
+  }
+
+  void attribute(const std::string& of, const std::string& name, const std::vector<double>& values)
+  {
+    const hid_t object = H5Oopen(m_file, of.c_str(), H5P_DEFAULT);
+    const hsize_t size = values.size();
+    const hid_t space = H5Screate_simple(1, &size, nullptr);
+    const hid_t set =
+      H5Acreate2(object, name.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT);
+    H5Awrite(set, H5T_NATIVE_DOUBLE, values.data());
+    H5Aclose(set);
+    H5Sclose(space);
+    H5Oclose(object);
+  }
+
+private:
+  hid_t m_file;
+};
+
+/// A snapshot of two particles of gas and one of halo.
+inline void writeGadget(const std::string& file)
+{
+  HDF5Writer out(file);
+  for (const char* name : {"/Header", "/PartType0", "/PartType1"})
+    out.group(name);
+  out.attribute("/Header", "Time", {0.75});
+  out.attribute("/Header", "BoxSize", {50});
+  out.attribute("/Header", "MassTable", {0, 2.5});
+  out.array<double>("/PartType0/Coordinates", {1, 2, 3, 4, 5, 6}, 3);
+  out.array<float>("/PartType0/Masses", {0.5F, 1.5F});
+  out.array<std::int64_t>("/PartType0/ParticleIDs", {5, 1LL << 60});
+  out.array<double>("/PartType0/Metallicity", {0.1, 0.2, 0.3, 0.4}, 2);
+  out.array<double>("/PartType1/Coordinates", {7, 8, 9}, 3);
+  out.array<std::int64_t>("/PartType1/ParticleIDs", {7});
+}
+
+/// Steps 0, 2 and 10 of two particles.
+inline void writeH5Part(const std::string& file)
+{
+  HDF5Writer out(file);
+  for (const int step : {0, 2, 10})
+  {
+    const std::string group = "/Step#" + std::to_string(step);
+    out.group(group);
+    for (const char* axis : {"x", "y", "z", "px", "py", "pz"})
+      out.array<double>(group + "/" + axis, {0.5 + step, *axis - 100.0});
+    out.array<std::int64_t>(group + "/id", {3, 4});
+    out.array<std::int64_t>(group + "/other", {3, 4, 5}); // not of these particles
+  }
+}
+
+/// An iteration with one kind of particles, whose offsets are one value.
+inline void writeOpenPMD(const std::string& file)
+{
+  HDF5Writer out(file);
+  out.attribute("/", "openPMD", {1});
+  for (const char* name : {"/data", "/data/100", "/data/100/particles", "/data/100/particles/e",
+         "/data/100/particles/e/position", "/data/100/particles/e/positionOffset",
+         "/data/100/particles/e/positionOffset/x", "/data/100/particles/e/positionOffset/y",
+         "/data/100/particles/e/mass"})
+    out.group(name);
+  out.attribute("/data/100", "time", {2.5});
+  const std::string e = "/data/100/particles/e";
+  out.array<double>(e + "/position/x", {1, 2});
+  out.array<double>(e + "/position/y", {3, 4});
+  for (const char* axis : {"x", "y"})
+  {
+    out.attribute(e + "/positionOffset/" + axis, "value", {10});
+    out.attribute(e + "/positionOffset/" + axis, "shape", {2});
+    out.attribute(e + "/positionOffset/" + axis, "unitSI", {1e-6});
+    out.attribute(e + "/position/" + axis, "unitSI", {1e-6});
+  }
+  out.attribute(e + "/mass", "value", {9.1e-31});
+  out.attribute(e + "/mass", "shape", {2});
+  out.array<float>(e + "/weighting", {0.5F, 0.25F});
+}
+
+#endif
