@@ -268,7 +268,7 @@ bool looksLikeAtomEye(std::string_view beginning)
   return beginning.find("Number of particles") != beginning.npos;
 }
 
-std::unique_ptr<StepSource> openAtomEye(const std::string& path, const Progress&)
+std::unique_ptr<StepSource> openAtomEye(const std::string& path)
 {
   return std::make_unique<AtomEye>(path);
 }

@@ -15,7 +15,7 @@ bool looksLikeAtomEye(std::string_view beginning);
 /// Positions are Cartesian, in the file's basic length (mostly Angstrom); "mass" (Float64), "type"
 /// from the names of the elements, "v" where there are velocities, and the auxiliary values under
 /// their names. Throws FileError.
-std::unique_ptr<StepSource> openAtomEye(const std::string& path, const Progress& progress);
+std::unique_ptr<StepSource> openAtomEye(const std::string& path);
 
 } // namespace mote
 

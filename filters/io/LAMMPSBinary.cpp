@@ -102,8 +102,9 @@ private:
     m_isSwapped = false;
     auto first = next<std::int64_t>();
     // A step of a named dump begins with the length of the name, below zero, in its byte order.
-    const bool isSwappedName = std::abs(first) > 64 && std::abs(swappedOf(first)) <= 64;
-    const bool isNamed = (first < 0 && first >= -64) || (isSwappedName && swappedOf(first) < 0);
+    const auto isLength = [](std::int64_t number) { return number < 0 && number >= -64; };
+    const bool isSwappedName = !isLength(first) && isLength(swappedOf(first));
+    const bool isNamed = isLength(first) || isSwappedName;
     std::int32_t revision = 0;
     if (isNamed)
     {

@@ -18,7 +18,7 @@ namespace
 
 using Size = std::uint64_t;
 
-/// No count of a file is above this, so that products of counts and sizes are numbers.
+/// No count of a file is above this: its product with 100,000 components of 64 bits fits into Size.
 constexpr Size mostValues = Size{1} << 40;
 
 bool isBlank(char c)
@@ -95,7 +95,7 @@ private:
     return word;
   }
 
-  /// The next word is put back if it is none of the keywords that may stand here.
+  /// Moves past the next word if it is this keyword.
   bool passWord(const char* keyword)
   {
     const std::size_t before = m_at;
@@ -322,7 +322,7 @@ private:
     static const std::map<std::string, Size> components = {{"vectors", 3}, {"normals", 3},
       {"tensors", 9}, {"tensors6", 6}, {"global_ids", 1}, {"pedigree_ids", 1}, {"edge_flags", 1}};
     if (keyword == "point_data" || keyword == "cell_data")
-      m_tuples = requireCount("the number of values"); // a product with 100,000 is a number
+      m_tuples = requireCount("the number of values");
     else if (keyword == "scalars")
       checkScalars();
     else if (keyword == "color_scalars")
@@ -380,21 +380,16 @@ private:
     const Size arrays = requireCount("the number of arrays");
     for (Size array = 0; array < arrays; ++array)
     {
-      passMetadataOfArray();
+      if (passWord("metadata"))
+        passMetadata();
       if (requireWord("the name of an array") == "NULL_ARRAY")
         continue;
       const Size each = requireCount("the number of components");
       const Size tuples = requireCount("the number of values");
       if (each > 100'000)
         fail("there is no array of " + std::to_string(each) + " components");
-      checkValues(each * std::min(tuples, mostValues / 100'000), requireType());
+      checkValues(each * tuples, requireType());
     }
-  }
-
-  void passMetadataOfArray()
-  {
-    if (passWord("metadata"))
-      passMetadata();
   }
 
   /// What the file is short of is told before anything is read.

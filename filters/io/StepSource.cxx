@@ -105,7 +105,7 @@ std::unique_ptr<StepSource> openStepSource(const std::string& path, const Progre
   if (looksLikeGadget(beginning))
     return openGadget(path);
   if (looksLikeAtomEye(beginning) || path.ends_with(".cfg"))
-    return openAtomEye(path, progress);
+    return openAtomEye(path);
   return openGromacs(path, progress);
 }
 

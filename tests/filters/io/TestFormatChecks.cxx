@@ -253,6 +253,18 @@ TEST_F(TestFormatChecks, LegacyFilesOfAllKindsPass)
 const std::string legacyHead = "# vtk DataFile Version 3.0\na test\nASCII\nDATASET ";
 const std::string legacyPoints = legacyHead + "POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n";
 
+TEST_F(TestFormatChecks, LegacyFilesOfLongArraysPass)
+{
+  constexpr std::size_t count = 12'000'000;
+  const auto floats = std::string("\x3f\x80\0\0", 4); // 1, of the file's byte order
+  const std::string head = "# vtk DataFile Version 3.0\na test\nBINARY\nDATASET POLYDATA\n"
+                           "FIELD FieldData 1\nlong 1 " +
+                           std::to_string(count) + " unsigned_char\n";
+  expectPoints(write("a.vtk",
+                 head + std::string(count, 'a') + "\nPOINTS 1 float\n" + floats + floats + floats),
+    1, 0);
+}
+
 TEST_F(TestFormatChecks, LegacyFilesThatVTKWouldCrashOn)
 {
   expectPoints(write("a.vtk", legacyPoints + "POLYGONS 1 4\n3 0 1 2\n"), 3, 1);

@@ -163,6 +163,9 @@ TEST_F(TestParticleFormats, Gromacs)
   EXPECT_EQ(std::vector<double>(box, box + 9),
     (std::vector<double>{1, 0, 0, 0.5, 2, 0, 0.6, 0.7, 3})); // v2(x) is the sixth number
   cutAndPart<vtkMoteParticleFormatsReader>(gro, ".gro", 3, 1);
+  data = read(writeGzip("a.gro.gz", gro), 1.5);
+  ASSERT_TRUE(data);
+  expectPoint(data, 0, 0.230, 0.628, 0.113);
   expectError(write("a.gro", "title\n2\n"), "truncated");
   expectError(write("a.gro", "title\nmany\n"), "line 2: expected the number of atoms");
   std::string wrong = gro;
@@ -204,6 +207,9 @@ TEST_F(TestParticleFormats, AtomEye)
   EXPECT_EQ(value(data, "mass", 1), 91.2);
   EXPECT_EQ(value(data, "pe", 0), -1.5);
   cutAndPart<vtkMoteParticleFormatsReader>(extended, ".cfg", 3, 2);
+  data = read(writeGzip("a.cfg.gz", extended));
+  ASSERT_TRUE(data);
+  expectPoint(data, 0, 4, 6, 6);
   const std::string standard =
     head + "R = 10\n63.5 Cu .5 .5 .5 1 0 0\n63.5 Cu 0 0 0 0 0 0\n1 H 1 1 1 0 0 1\n";
   data = read(write("b.cfg", standard));
