@@ -3,6 +3,7 @@
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/ProgressRelay.h"
+#include "base/Text.h"
 #include "commands/Animate.h"
 #include "commands/Average.h"
 #include "commands/Bake.h"
@@ -18,6 +19,8 @@
 #include "table/Session.h"
 #include "window/Display.h"
 #include "window/Window.h"
+
+#include <kernels/core/CutFiles.h>
 
 #include <vtkMoteReaderTable.h>
 
@@ -144,6 +147,11 @@ std::string wrongCommand(int argc, char** argv)
   return "there is neither a file nor a command '" + word + "'; commands are " + known + "help. ";
 }
 
+void tell(const std::string& sentence)
+{
+  std::fprintf(stderr, "mote: %s\n", oneLine(sentence).c_str());
+}
+
 int run(CLI::App& app, const CommandLine& line)
 {
   if (app.got_subcommand("help"))
@@ -160,7 +168,7 @@ int run(CLI::App& app, const CommandLine& line)
   const Settings& given = line.given[chosen].settings;
   if (given.data.files.empty() && given.output.play.empty() && !canOffer)
   {
-    std::fprintf(stderr, "mote: no file given. Try: mote --help\n");
+    tell("no file given. Try: mote --help");
     return misused;
   }
   const Settings settings = line.given[chosen].resolved();
@@ -170,6 +178,37 @@ int run(CLI::App& app, const CommandLine& line)
   commands[chosen].run(settings);
   requireWritten();
   return 0;
+}
+
+/// Runs what the command line says, and tells what goes wrong. Returns the exit code.
+int runWhole(CLI::App& app, const CommandLine& line)
+{
+  Messages::install();
+  endOnInterrupt();
+  surviveCutFiles();
+  try
+  {
+    const int code = run(app, line);
+    if (!fileWasCut())
+      return code;
+  }
+  catch (const Interrupted&)
+  {
+    tell("interrupted");
+    return interrupted;
+  }
+  catch (const std::bad_alloc&)
+  {
+    tell("there is not enough memory for this");
+  }
+  catch (const std::exception& error)
+  {
+    if (!fileWasCut()) // what was found wrong with it says less
+      tell(error.what());
+  }
+  if (fileWasCut())
+    tell("a file was cut short by another program, or could not be read, while it was in use");
+  return failed;
 }
 
 } // namespace
@@ -209,7 +248,7 @@ int runProgram(int argc, char** argv)
     }
     catch (const Failure& failure)
     {
-      std::fprintf(stderr, "mote: %s\n", failure.what());
+      tell(failure.what());
       return failed;
     }
     return code;
@@ -220,31 +259,11 @@ int runProgram(int argc, char** argv)
       app.get_subcommands().empty() ? wrongCommand(argc, argv) : std::string();
     const std::vector<CLI::App*> commands = app.get_subcommands();
     const std::string command = commands.empty() ? "" : commands.front()->get_name() + " ";
-    std::fprintf(
-      stderr, "mote: %s. Try: mote %s--help\n", (wrong + error.what()).c_str(), command.c_str());
+    tell(wrong + error.what() + ". Try: mote " + command + "--help");
     return misused;
   }
 
-  Messages::install();
-  endOnInterrupt();
-  try
-  {
-    return run(app, line);
-  }
-  catch (const Interrupted&)
-  {
-    std::fprintf(stderr, "mote: interrupted\n");
-    return interrupted;
-  }
-  catch (const std::bad_alloc&)
-  {
-    std::fprintf(stderr, "mote: there is not enough memory for this\n");
-  }
-  catch (const std::exception& error)
-  {
-    std::fprintf(stderr, "mote: %s\n", error.what());
-  }
-  return failed;
+  return runWhole(app, line);
 }
 
 } // namespace mote::app

@@ -108,6 +108,13 @@ std::vector<std::string> shortestEnds(const std::vector<std::vector<std::string>
   return ends;
 }
 
+std::string oneLine(std::string text)
+{
+  for (char& c : text)
+    c = static_cast<unsigned char>(c) < ' ' || c == '\x7f' ? '?' : c;
+  return text;
+}
+
 std::string wrapped(const std::string& text, std::size_t columns)
 {
   std::string all, line;

@@ -35,6 +35,10 @@ std::string joined(const std::vector<std::string>& words, const std::string& sep
 /// another path is the same.
 std::vector<std::string> shortestEnds(const std::vector<std::vector<std::string>>& paths);
 
+/// A text without line breaks and other control characters, which words of a command line may hold:
+/// a question mark stands for each.
+std::string oneLine(std::string text);
+
 /// Lines of at most so many characters, broken between words; lines that fit stay as they are.
 std::string wrapped(const std::string& text, std::size_t columns);
 

@@ -4,6 +4,8 @@
 #include "base/Messages.h"
 #include "base/Text.h"
 
+#include <kernels/core/AtomicFile.h>
+
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkOggTheoraWriter.h>
@@ -11,9 +13,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -61,16 +65,37 @@ public:
   GrowingFile(const GrowingFile&) = delete;
   GrowingFile& operator=(const GrowingFile&) = delete;
 
-  void finish() const
-  {
-    std::error_code error;
-    fs::rename(part, name, error);
-    if (error)
-      throw Failure(name + " cannot be written: " + error.message());
-  }
+  void finish() const { moveIntoPlace(part, name); }
 
   const std::string name, part;
 };
+
+/// Whether all pages of an Ogg file are there, one after the other, and the last one says that it
+/// is. Source: RFC 3533.
+bool isWholeOgg(const std::string& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  constexpr int last = 4;
+  std::array<char, 27> page;
+  int kind = 0;
+  for (std::uint32_t expected = 0; in.read(page.data(), page.size()); ++expected)
+  {
+    std::uint32_t number;
+    std::memcpy(&number, &page[18], 4);
+    kind = page[5];
+    std::array<char, 255> parts;
+    const auto count = static_cast<unsigned char>(page[26]);
+    if (std::memcmp(page.data(), "OggS", 4) != 0 || number != expected ||
+        !in.read(parts.data(), count))
+      return false;
+    std::streamoff bytes = 0;
+    for (int i = 0; i < count; ++i)
+      bytes += static_cast<unsigned char>(parts[static_cast<std::size_t>(i)]);
+    if (bytes > 0 && (!in.seekg(bytes - 1, std::ios::cur) || in.get() < 0))
+      return false;
+  }
+  return in.gcount() == 0 && (kind & last) != 0;
+}
 
 class TheoraFile : public VideoFile
 {
@@ -104,6 +129,9 @@ public:
       writer_->End();
     isBegun_ = false;
     this->require();
+    // The writer does not look whether the disk took what it gave.
+    if (!isWholeOgg(file_.part))
+      throw Failure(file_.name + " cannot be written: the disk did not take all of it");
     file_.finish();
   }
 
@@ -113,7 +141,6 @@ private:
     const std::string error = Messages::takeError();
     if (writer_->GetErrorCode() != 0 || !error.empty())
       throw Failure(file_.name + " cannot be written" + (error.empty() ? "" : ": " + error));
-    // The writer does not look whether the disk took what it gave.
     std::error_code unknown;
     if (const auto room = fs::space(fs::absolute(file_.part).parent_path(), unknown);
         !unknown && room.available == 0)

@@ -2,7 +2,6 @@
 
 #include "InteractorStyle.h"
 #include "Observe.h"
-#include "base/CutFiles.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/Text.h"
@@ -12,6 +11,8 @@
 #include "stage/Advice.h"
 #include "stage/KeptData.h"
 #include "table/Session.h"
+
+#include <kernels/core/CutFiles.h>
 
 #include <vtkCamera.h>
 #include <vtkCommand.h>
@@ -50,7 +51,6 @@ void showWindow(const Settings& settings)
   if (!displayAvailable())
     throw Failure("there is no display to open a window on; make a picture instead: "
                   "mote render FILE -o picture.png");
-  surviveCutFiles();
   Window window(settings, input);
   window.run();
 }

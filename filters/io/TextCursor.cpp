@@ -156,12 +156,21 @@ bool TextCursor::fill()
   return m_position != m_end;
 }
 
+/// The window ended with a line end when it was made: the file under it is another now.
+void TextCursor::failChanged() const
+{
+  throw FileError(FileError::Kind::Truncated, path(),
+    "the file was changed by another program while it was read", m_line);
+}
+
 bool TextCursor::peekLine(std::string_view& line)
 {
   if (m_position == m_end && !fill())
     return false;
   const auto* lineEnd = static_cast<const char*>(
     std::memchr(m_position, '\n', static_cast<std::size_t>(m_end - m_position)));
+  if (!lineEnd)
+    failChanged();
   line = {m_position, static_cast<std::size_t>(lineEnd - m_position)};
   if (!line.empty() && line.back() == '\r')
     line.remove_suffix(1);
@@ -184,7 +193,12 @@ std::string_view TextCursor::block(std::size_t bytes)
     return {};
   const std::string_view window(m_position, static_cast<std::size_t>(m_end - m_position));
   const std::string_view whole = wholeLines(window.substr(0, bytes));
-  return whole.empty() ? window.substr(0, window.find('\n') + 1) : whole;
+  if (!whole.empty())
+    return whole;
+  const std::size_t lineEnd = window.find('\n');
+  if (lineEnd == std::string_view::npos)
+    failChanged();
+  return window.substr(0, lineEnd + 1);
 }
 
 void TextCursor::advance(std::size_t bytes, std::uint64_t lines)

@@ -68,6 +68,7 @@ private:
   void fillFromStream();
   void takeSnapshot();
   void acceptOpenEnd(std::string_view rest);
+  [[noreturn]] void failChanged() const;
 
   TextFile m_file;
   OpenEnd m_openEnd;

@@ -25,7 +25,8 @@ FileStamp stampOf(const std::string& path);
 ///
 /// The map has the length of the file when it was opened, so that a file may grow meanwhile. A file
 /// that another program cuts short while it is being read ends this program (SIGBUS), as with every
-/// memory map.
+/// memory map, unless it calls surviveCutFiles() of kernels/core/CutFiles.h: then what is missing
+/// reads as zeros.
 class TextFile
 {
 public:

@@ -1,5 +1,7 @@
 #include "AtomicFile.h"
 
+#include "CutFiles.h"
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -20,6 +22,11 @@ namespace
 [[noreturn]] void fail(WriteError::Kind kind, const std::string& name, const std::string& reason)
 {
   throw WriteError(kind, "Cannot write \"" + name + "\": " + reason + ".");
+}
+
+[[noreturn]] void failCut(const std::string& name)
+{
+  fail(WriteError::Kind::CannotOpen, name, "a file that it is made of was cut short meanwhile");
 }
 
 } // namespace
@@ -119,6 +126,17 @@ int openTemporary(const fs::path& folder, int access, std::string& name)
   return -1;
 }
 
+/// A new name outlives a power cut only once its folder is on the disk. Some file systems know no
+/// such thing, and the file is whole without it.
+void syncFolder(const fs::path& file)
+{
+  const int folder = ::open(file.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0)
+    return;
+  ::fsync(folder);
+  ::close(folder);
+}
+
 /// Where the system shows an open file.
 std::string linkTo(int file)
 {
@@ -137,6 +155,21 @@ int openNameless(const std::string& beside)
   if (file < 0)
     throwWriteError(beside, errno);
   return file;
+}
+
+void moveIntoPlace(const std::string& written, const std::string& name)
+{
+  if (fileWasCut())
+    failCut(name);
+  const int file = ::open(written.c_str(), O_RDONLY | O_CLOEXEC);
+  int error = file < 0 || (::fsync(file) != 0 && errno != EINVAL) ? errno : 0;
+  if (file >= 0)
+    ::close(file);
+  if (error == 0 && ::rename(written.c_str(), name.c_str()) != 0)
+    error = errno;
+  if (error != 0)
+    throwWriteError(name, error);
+  syncFolder(fs::absolute(name));
 }
 
 void checkWritable(const std::string& name)
@@ -251,6 +284,11 @@ int AtomicFile::giveName()
 
 void AtomicFile::commit()
 {
+  if (fileWasCut())
+  {
+    remove();
+    failCut(name_);
+  }
   // Quotas and network file systems report a full disk only here. A descriptor is gone after
   // close() whatever that returns.
   int error = ::fsync(descriptor_) != 0 && errno != EINVAL ? errno : 0;
@@ -267,6 +305,7 @@ void AtomicFile::commit()
     throwWriteError(name_, error);
   }
   temporaryName_.clear();
+  syncFolder(targetName_);
 }
 
 } // namespace mote

@@ -40,6 +40,10 @@ void checkWritable(const std::string& name);
 /// and is gone when it is closed. Throws WriteError.
 int openNameless(const std::string& beside);
 
+/// Brings the file `written` to the disk and gives it the name `name` then, in place of what is
+/// there. Both are in one folder. Throws WriteError.
+void moveIntoPlace(const std::string& written, const std::string& name);
+
 /// A file that appears under its name complete or not at all.
 ///
 /// Writes into a file in the folder of `name` that has no name, or a temporary one where the file

@@ -6,7 +6,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-namespace mote::app
+namespace mote
 {
 
 namespace
@@ -40,9 +40,14 @@ void surviveCutFiles()
   ::sigaction(SIGBUS, &action, nullptr);
 }
 
+bool fileWasCut()
+{
+  return wasCut;
+}
+
 bool takeFileCut()
 {
   return wasCut.exchange(false);
 }
 
-} // namespace mote::app
+} // namespace mote
