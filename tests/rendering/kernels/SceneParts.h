@@ -4,6 +4,8 @@
 
 #include <support/Particles.h>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -56,6 +58,14 @@ inline double occlusionBySphere(
     std::clamp(-cosine * std::sqrt((h2 - 1.0) / (1.0 - cosine * cosine)), -1., 1.);
   const double part = cosine * std::acos(edge) - std::sqrt(k2 * (h2 - 1.0));
   return (part / h2 + std::atan(std::sqrt(k2 / (h2 - 1.0)))) / M_PI;
+}
+
+/// Turned, moved, and scaled by up to 3 times as much along one axis as along another.
+inline Mat4d unevenTransform(Random& random)
+{
+  Mat4d m = glm::translate(Mat4d(1.0), random.inBox(Vec3d(-0.5), Vec3d(0.5)));
+  m = glm::rotate(m, random(0.0, 6.0), random.direction());
+  return glm::scale(m, random.inBox(Vec3d(0.5), Vec3d(1.5)));
 }
 
 } // namespace mote::testing

@@ -105,6 +105,27 @@ TEST_F(Shading, FromWithinTheSphereIsLitToo)
   EXPECT_NEAR(film.normal()[2], -1.0f, 1e-5f); // the normal points outwards all the same
 }
 
+TEST_F(Shading, NormalsStandOnWhatAnUnevenTransformMakesOfSpheres)
+{
+  Random random(811);
+  for (int k = 0; k < 20; ++k)
+  {
+    const Mat4d place = unevenTransform(random);
+    scene.surfaces[0].toWorld = place;
+    const Vec3d local = random.direction();
+    const Mat3d linear(place);
+    const Vec3d at = Vec3d(place * Vec4d(local, 1.0));
+    const Vec3d normal = glm::normalize(glm::transpose(glm::inverse(linear)) * local);
+    Film film;
+    film.resize(1, 1, Film::Normal);
+    const Vec3d eye = at + 0.5 * normal;
+    RayCaster(scene).addSample(lookAt(eye, at, 1e-3), film);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_NEAR(film.normal()[c], normal[c], 1e-4) << k;
+    EXPECT_NEAR(film.color()[0], 1.0f, 1e-4) << k; // seen from straight above, with a headlight
+  }
+}
+
 TEST_F(Shading, LightsBehindAndNoLightsLeaveTheAmbientPart)
 {
   scene.surfaces[0].material.ambient = 0.125f;

@@ -170,6 +170,7 @@ TEST(ShadowLight, SamplesFillTheSquareThatFacesTheScene)
       Vec3d u, v;
       acrossAxes(normal, u, v);
       std::set<int> strata, columns, rows;
+      double sumA = 0.0, sumB = 0.0;
       for (const LightSample& sample : samples)
       {
         const Vec3d from = sample.place - place;
@@ -179,6 +180,8 @@ TEST(ShadowLight, SamplesFillTheSquareThatFacesTheScene)
         ASSERT_LT(std::max(a, b), 1.0 + 1e-9);
         columns.insert(int(std::round(a * n * n * 100.0)));
         rows.insert(int(std::round(b * n * n * 100.0)));
+        sumA += a;
+        sumB += b;
         if (filmSample == 0)
           strata.insert(int(a * n) + n * int(b * n));
       }
@@ -188,6 +191,8 @@ TEST(ShadowLight, SamplesFillTheSquareThatFacesTheScene)
       if (filmSample == 0)
       {
         EXPECT_EQ(strata.size(), samples.size());
+        EXPECT_NEAR(sumA / (n * n), 0.5, 1e-9);
+        EXPECT_NEAR(sumB / (n * n), 0.5, 1e-9);
       }
     }
 }

@@ -35,14 +35,6 @@ Light lightFromAside(Random& random, int k, const Vec3d& eye, int samples = 1, d
                     : shadowLight(directional, -towards, samples, size);
 }
 
-/// Turned, moved, and scaled by up to 3 times as much along one axis as along another.
-Mat4d unevenTransform(Random& random)
-{
-  Mat4d m = glm::translate(Mat4d(1.0), random.inBox(Vec3d(-0.5), Vec3d(0.5)));
-  m = glm::rotate(m, random(0.0, 6.0), random.direction());
-  return glm::scale(m, random.inBox(Vec3d(0.5), Vec3d(1.5)));
-}
-
 } // namespace
 
 TEST(Shadow, HardShadowsOfRandomParticlesAgreeWithBruteForce)

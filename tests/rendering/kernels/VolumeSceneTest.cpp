@@ -235,6 +235,50 @@ TEST(VolumeScene, CloudsAreLitByTheirGradient)
   }
 }
 
+TEST(VolumeScene, NearLightsCountInTheMiddleOfEachCell)
+{
+  HexCells cells = hexBlock(4, 4, 4);
+  cells.move([](const Vec3d& p) { return p - Vec3d(2.0); });
+  const auto mesh = cells.mesh();
+  const Vec3d light(1.5, -0.5, 2.6), normal = glm::normalize(Vec3d(1.0, 0.0, 1.0));
+  const double x = -3.0 + 19.5 * 6.0 / 33.0; // of the ray, and its y
+  double wanted = 0.0, passed = 1.0;
+  for (const double z : {1.5, 0.5, -0.5, -1.5})
+  {
+    const double cosine = glm::dot(normal, glm::normalize(light - Vec3d(x, x, z)));
+    wanted += passed * (1.0 - none) * (0.1 + 0.7 * std::max(0.0, cosine));
+    passed *= none;
+  }
+  for (const bool isWalked : {false, true})
+  {
+    Scene scene;
+    scene.clouds.push_back(volumeOf(
+      mesh, pointValues(*mesh, [](const Vec3d& p) { return p.x + p.z; }), evenTransfer(0.2F)));
+    scene.clouds[0].sampling.integrator = VolumeIntegrator::CellByCell;
+    if (isWalked)
+      addWalk(scene.clouds[0]);
+    scene.clouds[0].shade = true;
+    scene.clouds[0].material.ambient = 0.1f;
+    scene.clouds[0].material.diffuse = 0.7f;
+    scene.lights = {{Light::Kind::Point, light, Vec3f(1.0f)}};
+    EXPECT_NEAR(at(traced(scene, along()), 19, 19)[0], wanted, 1e-5) << isWalked;
+  }
+}
+
+TEST(VolumeScene, EvenPlacesHaveNoNormalAndTakeAllLight)
+{
+  for (const float ambient : {0.1f, 0.75f})
+  {
+    Scene scene;
+    scene.clouds.push_back(cube(0.2F, Vec3f(1.0f)));
+    scene.clouds[0].shade = true;
+    scene.clouds[0].material.ambient = ambient;
+    scene.clouds[0].material.diffuse = 0.5f;
+    const double alpha = 1.0 - std::pow(none, 4.0);
+    EXPECT_NEAR(at(traced(scene, along()), 16, 16)[0], alpha * std::min(1.0, ambient + 0.5), 1e-5);
+  }
+}
+
 TEST(VolumeScene, BoundsAndThreadsAndBundles)
 {
   Scene scene;
