@@ -36,6 +36,7 @@ Stage::Stage(const Settings& settings)
 {
   for (vtkActor* actor : flow_.actors())
     renderer_->AddViewProp(actor);
+  flow_.setAmbient(lighting_.ambient());
   setBackground(renderer_, settings.picture.background);
   choose(settings.silhouettes, vtkMoteSilhouettes::RADII, silhouettes_);
   renderer_->GetActiveCamera()->SetParallelProjection(settings.camera.orthographic);
@@ -261,7 +262,10 @@ void Stage::build(ProgressRelay& progress)
   for (const auto& part : parts_)
     part->build(progress);
   if (Flow::isAny(settings_))
+  {
+    coloring_.include(parts_); // adds the coordinate that colours, which lines take along
     prepareFlow(parts_, data_, settings_, coloring_.choice());
+  }
   flow_.build(parts_, progress.runner());
 }
 

@@ -136,6 +136,15 @@ class Scenes(Folder):
         self.assertIn("250 particles", mote.render([left, right], **SMALL).contents)
 
 
+class Again(Folder):
+    def test_the_first_picture_is_as_the_later_ones(self):
+        for settings in ({"arrows": 30}, {"streamlines": 8, "color_by": "z"}, {"arrows": 30, "color_by": "none"}):
+            scene = mote.read(DATA / "swirl.0.vtu", **settings)
+            first = scene.render(**SMALL)
+            self.assertTrue(same(first, scene.render(**SMALL)), settings)
+            self.assertFalse(same(first, mote.read(DATA / "swirl.0.vtu").render(**SMALL)))
+
+
 class Files(Folder):
     def test_the_picture_is_that_of_the_program(self):
         whole = {"size": (320, 240), "samples": 4, "caption": "hopper"}
