@@ -332,6 +332,29 @@ TEST(ShadowLight, OddLightsGiveSanePictures)
   }
 }
 
+TEST(ShadowLight, PointsOnBothSidesOfALightAreSeenEach)
+{
+  // Two hits in one bundle, seen from the light in opposite directions; a sphere hides one of them.
+  for (const double side : {1.0, -1.0})
+  {
+    Particles particles;
+    particles.add({-3.0, 0.0, 0.0}, 1.0);
+    particles.add({3.0, 0.0, 0.0}, 1.0);
+    particles.add({1.5 * side, 0.0, 1.1}, 0.1);
+    Scene scene;
+    addTo(scene, objectOf(particles));
+    scene.lights = {shadowLight(point, {0.0, 0.0, 1.2})};
+    Camera camera = lookAt({0.0, 0.0, 9.0}, Vec3d(0.0), 20.0);
+    camera.projection = Camera::Projection::Orthographic;
+    camera.parallelScale = 3.0;
+    const Film film =
+      tracedFilm(scene, camera, 2, 1); // the middles of the pixels lie at x = -3 and 3
+    const float left = film.color()[0], right = film.color()[4];
+    EXPECT_EQ(side > 0.0 ? right : left, 0.0f);
+    EXPECT_NEAR(side > 0.0 ? left : right, 0.2 / std::hypot(3.0, 0.2), 1e-5);
+  }
+}
+
 TEST(ShadowLight, ALightAtTheEyeSeesWhatTheEyeSees)
 {
   // A point light in the eye casts shadows that nobody sees.
