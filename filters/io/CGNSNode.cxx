@@ -1,6 +1,7 @@
 #include "CGNSNode.h"
 
 #include "FileError.h"
+#include "HDF5Walk.h"
 #include "TextFile.h"
 
 #include "vtk_cgns.h"
@@ -44,6 +45,8 @@ public:
   {
     int type = 0;
     this->require(cgio_check_file(path.c_str(), &type));
+    if (type == CGIO_FILE_HDF5)
+      requireWalkable(path);
     this->require(cgio_open_file(path.c_str(), CGIO_MODE_READ, CGIO_FILE_NONE, &file_));
   }
   ~Nodes()

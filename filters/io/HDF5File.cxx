@@ -1,6 +1,8 @@
 #include "HDF5File.h"
 
 #include "FileError.h"
+#include "HDF5Handle.h"
+#include "HDF5Walk.h"
 #include "TextFile.h"
 
 #include "vtk_hdf5.h"
@@ -13,49 +15,6 @@ namespace mote
 {
 namespace
 {
-
-/// Something of HDF5 that has to be closed; below 0 where it could not be opened.
-class Handle
-{
-public:
-  Handle(hid_t id, herr_t (*close)(hid_t))
-    : m_id(id)
-    , m_close(close)
-  {
-  }
-  ~Handle()
-  {
-    if (m_id >= 0)
-      m_close(m_id);
-  }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-
-  operator hid_t() const { return m_id; }
-  bool isGood() const { return m_id >= 0; }
-
-private:
-  hid_t m_id;
-  herr_t (*m_close)(hid_t);
-};
-
-/// HDF5 prints nothing meanwhile.
-class Silence
-{
-public:
-  Silence()
-  {
-    H5Eget_auto2(H5E_DEFAULT, &m_function, &m_data);
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  }
-  ~Silence() { H5Eset_auto2(H5E_DEFAULT, m_function, m_data); }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
-private:
-  H5E_auto2_t m_function = nullptr;
-  void* m_data = nullptr;
-};
 
 /// A group or an array, wherever every group on the way to it is there.
 hid_t openObject(hid_t file, const std::string& name)
@@ -77,7 +36,8 @@ HDF5File::HDF5File(const std::string& path)
   : m_path(path)
   , m_bytes(TextFile(path).bytes())
 {
-  const Silence silence;
+  requireWalkable(path);
+  const HDF5Silence silence;
   m_file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (m_file < 0)
     throw FileError(FileError::Kind::Malformed, path,
@@ -92,9 +52,9 @@ HDF5File::~HDF5File()
 
 std::vector<std::string> HDF5File::namesIn(const std::string& group) const
 {
-  const Silence silence;
+  const HDF5Silence silence;
   std::vector<std::string> names;
-  const Handle object(openObject(m_file, group), H5Oclose);
+  const HDF5Handle object(openObject(m_file, group), H5Oclose);
   H5G_info_t info{};
   if (!object.isGood() || H5Iget_type(object) != H5I_GROUP || H5Gget_info(object, &info) < 0)
     return names;
@@ -111,19 +71,19 @@ std::vector<std::string> HDF5File::namesIn(const std::string& group) const
 
 bool HDF5File::isGroup(const std::string& name) const
 {
-  const Silence silence;
-  const Handle object(openObject(m_file, name), H5Oclose);
+  const HDF5Silence silence;
+  const HDF5Handle object(openObject(m_file, name), H5Oclose);
   return object.isGood() && H5Iget_type(object) == H5I_GROUP;
 }
 
 std::optional<HDF5Array> HDF5File::array(const std::string& name) const
 {
-  const Silence silence;
-  const Handle object(openObject(m_file, name), H5Oclose);
+  const HDF5Silence silence;
+  const HDF5Handle object(openObject(m_file, name), H5Oclose);
   if (!object.isGood() || H5Iget_type(object) != H5I_DATASET)
     return {};
-  const Handle space(H5Dget_space(object), H5Sclose);
-  const Handle type(H5Dget_type(object), H5Tclose);
+  const HDF5Handle space(H5Dget_space(object), H5Sclose);
+  const HDF5Handle type(H5Dget_type(object), H5Tclose);
   const int rank = space.isGood() ? H5Sget_simple_extent_ndims(space) : -1;
   if (!type.isGood() || rank < 0 || rank > 8)
     return {};
@@ -146,20 +106,20 @@ std::optional<HDF5Array> HDF5File::array(const std::string& name) const
 
 bool HDF5File::hasAttribute(const std::string& of, const std::string& attribute) const
 {
-  const Silence silence;
-  const Handle object(openObject(m_file, of), H5Oclose);
+  const HDF5Silence silence;
+  const HDF5Handle object(openObject(m_file, of), H5Oclose);
   return object.isGood() && H5Aexists(object, attribute.c_str()) > 0;
 }
 
 std::vector<double> HDF5File::numbers(const std::string& of, const std::string& attribute) const
 {
-  const Silence silence;
-  const Handle object(openObject(m_file, of), H5Oclose);
+  const HDF5Silence silence;
+  const HDF5Handle object(openObject(m_file, of), H5Oclose);
   if (!object.isGood() || H5Aexists(object, attribute.c_str()) <= 0)
     return {};
-  const Handle found(H5Aopen(object, attribute.c_str(), H5P_DEFAULT), H5Aclose);
-  const Handle space(found.isGood() ? H5Aget_space(found) : -1, H5Sclose);
-  const Handle type(found.isGood() ? H5Aget_type(found) : -1, H5Tclose);
+  const HDF5Handle found(H5Aopen(object, attribute.c_str(), H5P_DEFAULT), H5Aclose);
+  const HDF5Handle space(found.isGood() ? H5Aget_space(found) : -1, H5Sclose);
+  const HDF5Handle type(found.isGood() ? H5Aget_type(found) : -1, H5Tclose);
   const hssize_t count = space.isGood() ? H5Sget_simple_extent_npoints(space) : 0;
   const H5T_class_t kind = type.isGood() ? H5Tget_class(type) : H5T_NO_CLASS;
   if ((kind != H5T_INTEGER && kind != H5T_FLOAT) || count < 1 || count > 10'000)
@@ -183,11 +143,11 @@ void HDF5File::readAs(std::int64_t memoryType, const std::string& name, std::uin
     fail();
   if (count == 0)
     return;
-  const Silence silence;
-  const Handle object(openObject(m_file, name), H5Oclose);
-  const Handle space(object.isGood() ? H5Dget_space(object) : -1, H5Sclose);
+  const HDF5Silence silence;
+  const HDF5Handle object(openObject(m_file, name), H5Oclose);
+  const HDF5Handle space(object.isGood() ? H5Dget_space(object) : -1, H5Sclose);
   const std::array<hsize_t, 2> begin = {first, 0}, size = {count, known->columns()};
-  const Handle memory(
+  const HDF5Handle memory(
     H5Screate_simple(static_cast<int>(known->dimensions.size()), size.data(), nullptr), H5Sclose);
   if (!space.isGood() || !memory.isGood() ||
       H5Sselect_hyperslab(space, H5S_SELECT_SET, begin.data(), nullptr, size.data(), nullptr) < 0 ||
