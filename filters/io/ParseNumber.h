@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <locale.h>
 #include <string>
 
 namespace mote
@@ -57,7 +58,9 @@ inline const char* parseDoubleSlowly(const char* begin, double& value)
   if (error == std::errc::result_out_of_range)
   {
     // What is too small for a double is zero or nearly so; what is too large is no value.
-    value = std::strtod(std::string(p, end).c_str(), nullptr);
+    // Programs may write decimal commas.
+    static const locale_t plain = ::newlocale(LC_NUMERIC_MASK, "C", nullptr);
+    value = ::strtod_l(std::string(p, end).c_str(), nullptr, plain);
     return std::abs(value) < 1.0 ? end : nullptr;
   }
   return end;

@@ -11,6 +11,8 @@
 #include <vtkImageData.h>
 #include <vtkPythonUtil.h>
 
+#include <clocale>
+#include <locale.h>
 #include <new>
 
 namespace
@@ -20,20 +22,32 @@ using namespace mote::app;
 
 PyObject* errorClass = nullptr; ///< mote.Error
 
-/// Lets other Python threads run while this one works.
+/// Lets other Python threads run while this one works, which reads and writes numbers with points,
+/// whatever the program's locale: settings and pictures are the same everywhere.
 class Unlocked
 {
 public:
   Unlocked()
     : state_(PyEval_SaveThread())
+    , points_(::newlocale(LC_NUMERIC_MASK, "C", ::duplocale(LC_GLOBAL_LOCALE)))
+    , before_(points_ ? ::uselocale(points_) : nullptr)
   {
   }
-  ~Unlocked() { PyEval_RestoreThread(state_); }
+  ~Unlocked()
+  {
+    if (points_)
+    {
+      ::uselocale(before_);
+      ::freelocale(points_);
+    }
+    PyEval_RestoreThread(state_);
+  }
   Unlocked(const Unlocked&) = delete;
   Unlocked& operator=(const Unlocked&) = delete;
 
 private:
   PyThreadState* state_;
+  locale_t points_, before_;
 };
 
 /// Does the work, and makes a Python exception of what it throws. Returns null then.

@@ -5,6 +5,7 @@ import gc
 import inspect
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -134,6 +135,31 @@ class Scenes(Folder):
         right = mote.particles(lattice() + [7, 0, 0], radius=0.3)
         self.assertIn("250 particles", (left + right).render(**SMALL).contents)
         self.assertIn("250 particles", mote.render([left, right], **SMALL).contents)
+
+
+class Locales(Folder):
+    def test_decimal_commas_of_the_program_change_nothing(self):
+        made = shutil.which("localedef") and subprocess.run(
+            ["localedef", "-i", "de_DE", "-f", "UTF-8", self.folder / "de_DE.UTF-8"],
+            capture_output=True).returncode
+        if made != 0:
+            self.skipTest("no German locale can be made")
+        draw = f"""if True:
+            import hashlib, locale, sys, mote, numpy
+            if sys.argv[1:]:
+                locale.setlocale(locale.LC_ALL, "de_DE.UTF-8")
+                assert locale.str(0.5) == "0,5"
+            points = numpy.random.default_rng(1).random((500, 3))
+            scene = mote.particles(points, radius=0.015, color=points[:, 2], range=[0.25, 0.75],
+                                   show={{"x": (0.1, 0.9)}}, where="y > 0.25", radius_scale="0.5")
+            cut = mote.read({str(DATA / "swirl.0.vtu")!r}, cut="x=0.001:", slice="z=0.05")
+            for one in scene, cut:
+                print(hashlib.md5(one.render(size=(320, 240), samples=1).array.tobytes()).hexdigest())
+            """
+        told = [subprocess.run([sys.executable, "-c", draw, *words], capture_output=True, text=True,
+                               check=True, env=dict(os.environ, LOCPATH=str(self.folder))).stdout
+                for words in ([], ["in German"])]
+        self.assertEqual(*told)
 
 
 class Again(Folder):
