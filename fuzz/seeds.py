@@ -10,6 +10,7 @@ import json
 import pathlib
 import struct
 import sys
+import zlib
 
 dump = """ITEM: TIMESTEP
 {step}
@@ -101,7 +102,57 @@ named_dump = (struct.pack("<q", -8) + b"DUMPATOM" + struct.pack("<ii", 1, 2) + b
               struct.pack("<ii5sbd", 5, 5, b"metal", 1, 0.5) + struct.pack("<i", len(names)) + names +
               binary_rows)
 
+
+def png(width, height, kind, depth, channels, pixel):
+    def chunk(name, data):
+        return (struct.pack(">I", len(data)) + name + data +
+                struct.pack(">I", zlib.crc32(name + data)))
+    row = b"\0" + pixel * width * channels
+    return (b"\x89PNG\r\n\x1a\n" +
+            chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, depth, kind, 0, 0, 0)) +
+            chunk(b"tEXt", b"Software\0a test") + chunk(b"IDAT", zlib.compress(row * height)) +
+            chunk(b"IEND", b""))
+
+
+def exr(width, height, compression):
+    """Channels R as half and Z as float, one scan line a block; 0 stands for none, 2 for zip."""
+    def attribute(name, kind, data):
+        return name + b"\0" + kind + b"\0" + struct.pack("<I", len(data)) + data
+    channels = b"".join(name + b"\0" + struct.pack("<IIII", kind, 0, 1, 1)
+                        for name, kind in ((b"R", 1), (b"Z", 2))) + b"\0"
+    window = struct.pack("<4i", 0, 0, width - 1, height - 1)
+    head = (struct.pack("<II", 20000630, 2) + attribute(b"channels", b"chlist", channels) +
+            attribute(b"compression", b"compression", bytes([compression])) +
+            attribute(b"dataWindow", b"box2i", window) +
+            attribute(b"displayWindow", b"box2i", window) +
+            attribute(b"lineOrder", b"lineOrder", b"\0") +
+            attribute(b"pixelAspectRatio", b"float", struct.pack("<f", 1)) +
+            attribute(b"screenWindowCenter", b"v2f", struct.pack("<2f", 0, 0)) +
+            attribute(b"screenWindowWidth", b"float", struct.pack("<f", 1)) + b"\0")
+    lines = []
+    for y in range(height):
+        data = struct.pack(f"<{width}e{width}f", *[0.5] * width, *[2.0 + y] * width)
+        if compression:
+            halves = data[0::2] + data[1::2]
+            packed = zlib.compress(bytes([halves[0]]) + bytes(
+                (b - a + 128) & 255 for a, b in zip(halves, halves[1:])))
+            data = packed if len(packed) < len(data) else data
+        lines.append(struct.pack("<iI", y, len(data)) + data)
+    places, at = [], len(head) + 8 * height
+    for line in lines:
+        places.append(at)
+        at += len(line)
+    return head + struct.pack(f"<{height}Q", *places) + b"".join(lines)
+
+
 seeds = {
+    "png": [png(3, 2, 2, 8, 3, b"\x40"), png(2, 2, 0, 16, 1, b"\x40\1"), png(1, 1, 6, 8, 4, b"\x80")],
+    "exr": [exr(4, 3, 0), exr(16, 2, 2)],
+    "session": [
+        pathlib.Path(__file__).with_name("session.json").read_text(),
+        '{"mote-session": 1, "files": ["pump:0.02"], "colour": {"color-by": "p", "range": [0, 1]}, '
+        '"cuts": {"cut": ["x=0", "r=:0.1"]}, "volume": {"opacity": ["0=0", "50%=0.5"], "iso": [1, 2]}}'
+    ],
     "bin": [named_dump * 2, binary_head + struct.pack("<i", 5) + binary_rows],
     "gadget": [gadget],
     "gro": [
