@@ -1,5 +1,7 @@
 // Makes calls to the system fail, in the process that loads this library first (LD_PRELOAD):
-//   MOTE_FAULT=CALL:N    the Nth CALL fails; CALL:N+ all from there on. CALL is open, read, write,
+//   MOTE_FAULT=CALL:N    the Nth CALL fails; CALL:N+ all from there on; CALL:N! the process is
+//   killed
+//                        in place of the Nth call. CALL is open, read, write,
 //                        fsync, rename, link, map, memory, or cut: a file that is mapped and can
 //                        only be read is cut to half its length then.
 //   MOTE_FAULT_IN=FOLDER only files in this folder count, other than for memory
@@ -9,6 +11,7 @@
 
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdarg>
 #include <cstdint>
 #include <cstdio>
@@ -50,7 +53,7 @@ struct Plan
 {
   int call = callCount;
   long first = 0;
-  bool goesOn = false;
+  bool goesOn = false, kills = false;
   const char* folder = nullptr;
   std::size_t bytes = SIZE_MAX;
   int log = -1;
@@ -72,6 +75,7 @@ struct Plan
     char* end = nullptr;
     first = colon ? std::strtol(colon + 1, &end, 10) : 0;
     goesOn = end && *end == '+';
+    kills = end && *end == '!';
   }
 };
 
@@ -125,6 +129,8 @@ bool fails(Call call)
   isInside = false;
   if (call != plan().call || !(n == plan().first || (plan().goesOn && n > plan().first)))
     return false;
+  if (plan().kills)
+    ::kill(::getpid(), SIGKILL);
   errno = errors[call];
   return true;
 }

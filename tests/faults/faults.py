@@ -5,10 +5,10 @@
 
 Each case is a command. It runs once as it is, and tells each place of the program that opens, reads,
 writes, flushes, renames, links or maps a file of the case, or takes a large block of memory. Then it
-runs once for each of these places, where the first call fails, and once where all fail from there on.
-Each time it must end by itself, in good order: with success and the same results as before, or with
-exit code 1, a sentence, the old files as they were, and nothing left over. The exit code is 1 where
-it does not.
+runs once for each of these places, where the first call fails, once where all fail from there on, and
+where it would write once more, in which it is killed there. Each time it must end by itself, in good order: with success and the same results as before, or with
+exit code 1, a sentence, the old files as they were, and nothing left over. What is killed leaves each
+file old or new as a whole. The exit code is 1 where it does not.
 """
 
 import argparse
@@ -17,6 +17,7 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import sys
 
@@ -180,9 +181,21 @@ class Faults:
         most = len(places) if os.environ.get("MOTE_TEST_ALL") else self.arguments.most
         return places[::max(1, -(-len(places) // most))]
 
+    def judge_killed(self, good, got):
+        if got.code != -signal.SIGKILL:
+            return None if got.code in (0, 1) else "exit code %s" % got.code  # no such call this time
+        left = [name for name in got.left if ".part." not in name and not name.startswith(".mote-")]
+        if left:
+            return "left over: " + " ".join(left)
+        for name, content in got.files.items():
+            if content != OLD and (content != good.files[name] if self.alike else not content):
+                return "killed, and %s is neither old nor new" % name
+        return None
+
     def attempt(self, case, good, fault):
         got = self.run(case, fault)
-        wrong = self.judge(good, got, fault.startswith("cut"))
+        wrong = (self.judge_killed(good, got) if fault.endswith("!") else
+                 self.judge(good, got, fault.startswith("cut")))
         if self.arguments.verbose or wrong:
             print("%s %s: %s %s" % (case.name, fault, wrong or "in order, exit code %s" % got.code,
                                     got.told.strip()[-300:]), flush=True)
@@ -202,6 +215,8 @@ class Faults:
             for call, number in self.some_of(places):
                 self.attempt(case, good, "%s:%d" % (call, number))
                 self.attempt(case, good, "%s:%d+" % (call, number))
+                if call in ("write", "fsync", "rename", "link"):
+                    self.attempt(case, good, "%s:%d!" % (call, number))
         print("%d runs, %d of them in disorder" % (self.runs, len(self.wrong)))
         return 1 if self.wrong else 0
 
