@@ -1,11 +1,14 @@
 #include "Messages.h"
 
+#include "Failure.h"
+
 #include <vtkLogger.h>
 #include <vtkObjectFactory.h>
 #include <vtkSmartPointer.h>
 
 #include <atomic>
 #include <cstdio>
+#include <new>
 #include <utility>
 
 namespace mote::app
@@ -46,6 +49,15 @@ void Messages::install()
 std::string Messages::takeError()
 {
   return std::exchange(firstError, {});
+}
+
+void Messages::throwError(const std::string& what)
+{
+  const std::string error = takeError();
+  if (error == std::bad_alloc().what())
+    throw std::bad_alloc();
+  if (!error.empty())
+    throw Failure(what + error);
 }
 
 void Messages::warn(const std::string& sentence)

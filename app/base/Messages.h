@@ -25,6 +25,10 @@ public:
   /// was none.
   static std::string takeError();
 
+  /// Throws this thread's first error since then, if there was one: as std::bad_alloc where it says
+  /// that (VTK's pipeline lets no exception through), else as Failure with `what` before it.
+  static void throwError(const std::string& what = {});
+
   /// Prints a warning on the terminal and keeps it for takeWarnings(). From any thread.
   static void warn(const std::string& sentence);
 

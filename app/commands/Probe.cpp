@@ -125,8 +125,7 @@ void lookUp(const ProbedPoints& points, const std::vector<NamedData>& data, Open
     work.finish();
     table.add(one.name, filter->GetOutput()->GetPointData());
   }
-  if (const std::string error = Messages::takeError(); !error.empty())
-    throw Failure(error);
+  Messages::throwError();
   const std::string name = opened.input.name();
   if (cells == 0)
     throw Failure(name + " holds no cells, in which values could be looked up");

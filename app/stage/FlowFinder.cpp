@@ -204,8 +204,7 @@ void FlowFinder::run(const Runner& runner)
 {
   Messages::takeError();
   runner("Finding streamlines", streamlines_, [&] { streamlines_->Update(); });
-  if (const std::string error = Messages::takeError(); !error.empty())
-    throw Failure("--streamlines, --arrows: " + error);
+  Messages::throwError("--streamlines, --arrows: ");
 }
 
 BuiltFlow FlowFinder::find(

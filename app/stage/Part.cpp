@@ -307,8 +307,7 @@ void Part::work(const Runner& runner, const std::function<void()>& build)
 {
   Messages::takeError();
   runner("Building structure", this->worker(), build);
-  if (const std::string error = Messages::takeError(); !error.empty())
-    throw Failure(error);
+  Messages::throwError();
 }
 
 void Part::finishBuild(ProgressRelay& progress)

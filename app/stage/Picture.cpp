@@ -209,10 +209,7 @@ vtkImageData* Picture::trace(
     source_->Update();
     work.finish();
   }
-  if (const std::string error = Messages::takeError(); error == std::bad_alloc().what())
-    throw std::bad_alloc(); // VTK's pipeline lets no exception through
-  else if (!error.empty())
-    throw Failure(error);
+  Messages::throwError();
   traceTime_ += source_->GetTraceTime();
   samples_ = std::max(samples_, source_->GetNumberOfSamples());
   noise_ = std::max(noise_, source_->GetNoise());

@@ -103,6 +103,10 @@ std::string runQuietly(vtkAlgorithm* reader, const Update& update, std::string* 
   {
     update();
   }
+  catch (const std::bad_alloc&)
+  {
+    return withFile(reader, "there is not enough memory for it");
+  }
   catch (const std::exception& error)
   {
     return withFile(reader, std::string("reading failed (") + error.what() + ")");
