@@ -55,7 +55,8 @@ void writeMesh(const std::string& name, int rows)
         corners.push_back(corner);
   }
   const mote::ArrayView places(points.data(), heights.size(), 3);
-  const mote::TriangleMesh mesh(places, mote::ArrayView(corners.data(), corners.size() / 3, 3));
+  const mote::TriangleMesh mesh(
+    places, mote::ArrayView(corners.data(), mote::ArrayView::Type::Int32, corners.size() / 3, 3));
   mote::RlodTree tree;
   tree.build(mesh);
   tree.makeLods();

@@ -112,9 +112,11 @@ std::optional<ReadyStep> StepCache::take(int step)
   return withOwnData(*entry);
 }
 
-void StepCache::keep(int step, ReadyStep ready)
+void StepCache::keep(int step, const ReadyStep& ready)
 {
-  auto entry = std::make_shared<const ReadyStep>(std::move(ready));
+  // The stage has its data sets until it shows others, and mappers in two threads would enter
+  // themselves into them.
+  auto entry = std::make_shared<const ReadyStep>(withOwnData(ready));
   std::vector<Entry> gone;
   const std::lock_guard lock(mutex_);
   if (working_ == step)

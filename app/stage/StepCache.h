@@ -48,7 +48,7 @@ public:
   /// The step with data objects of the caller's own; none where it is not there.
   std::optional<ReadyStep> take(int step);
   /// Keeps what the caller has read, and does not use while another step is shown.
-  void keep(int step, ReadyStep ready);
+  void keep(int step, const ReadyStep& ready);
 
   // For any thread.
   bool has(int step) const;

@@ -1,6 +1,7 @@
 #include "DecodeImage.h"
 
 #include "ChannelGroups.h"
+#include "EXRCheck.h"
 #include "ImageError.h"
 
 #include <OpenImageIO/color.h>
@@ -35,6 +36,9 @@ std::unique_ptr<OIIO::ImageInput> openImage(const std::string& fileName)
     throw ImageError(vtkErrorCode::FileNotFoundError, "there is no such file");
   if (std::filesystem::is_directory(fileName, ignored))
     throw ImageError(vtkErrorCode::CannotOpenFileError, "it is a folder");
+  if (!std::filesystem::is_regular_file(fileName, ignored))
+    throw ImageError(vtkErrorCode::CannotOpenFileError, "it is not a regular file");
+  checkEXR(fileName);
   OIIO::ImageSpec wanted;
   wanted["oiio:UnassociatedAlpha"] = 1; // to multiply by it in floats, not in bytes
   auto input = OIIO::ImageInput::open(fileName, &wanted);
@@ -48,6 +52,8 @@ std::unique_ptr<OIIO::ImageInput> openImage(const std::string& fileName)
     fail("deep images cannot be read");
   if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
     fail("the image is empty");
+  if (spec.image_bytes(true) > mostOf(std::filesystem::file_size(fileName, ignored)))
+    fail("the file has no room for so many pixels");
   if (spec.depth > 1)
     fail("the image has " + std::to_string(spec.depth) + " slices, and must have one");
   return input;
