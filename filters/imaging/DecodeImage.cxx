@@ -1,7 +1,7 @@
 #include "DecodeImage.h"
 
 #include "ChannelGroups.h"
-#include "EXRCheck.h"
+#include "ImageCheck.h"
 #include "ImageError.h"
 
 #include <OpenImageIO/color.h>
@@ -38,7 +38,7 @@ std::unique_ptr<OIIO::ImageInput> openImage(const std::string& fileName)
     throw ImageError(vtkErrorCode::CannotOpenFileError, "it is a folder");
   if (!std::filesystem::is_regular_file(fileName, ignored))
     throw ImageError(vtkErrorCode::CannotOpenFileError, "it is not a regular file");
-  checkEXR(fileName);
+  checkImage(fileName);
   OIIO::ImageSpec wanted;
   wanted["oiio:UnassociatedAlpha"] = 1; // to multiply by it in floats, not in bytes
   auto input = OIIO::ImageInput::open(fileName, &wanted);

@@ -13,9 +13,12 @@
 #include <vtkTypeInt64Array.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -242,8 +245,15 @@ TEST_F(ImageReader, WhatIsNoImageIsRefusedInASentence)
   std::ofstream(this->path("text.exr")) << "This is no image.";
   std::ofstream(this->path("empty.png"));
   const std::string folder = this->Folder.string();
-  for (const std::string& path : {this->path("none.exr"), folder, this->path("text.exr"),
-         this->path("empty.png"), this->path("short.exr"), this->path("short.png"), std::string()})
+  std::vector<std::string> paths = {this->path("none.exr"), folder, this->path("text.exr"),
+    this->path("empty.png"), this->path("short.exr"), this->path("short.png"), std::string()};
+  // For these the libraries took gigabytes; fuzzing found them.
+  for (const char* kind : {"exr", "png"})
+    for (const auto& found :
+      std::filesystem::directory_iterator(MOTE_SOURCE_DIR "/fuzz/found/" + std::string(kind)))
+      paths.push_back(found.path().string());
+  ASSERT_GE(paths.size(), 10u);
+  for (const std::string& path : paths)
   {
     this->Messages->Text.clear();
     const auto reader = readerOf(path);

@@ -1,4 +1,4 @@
-#include "EXRCheck.h"
+#include "ImageCheck.h"
 
 #include "ImageError.h"
 
@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 namespace mote::imaging
 {
@@ -20,8 +21,17 @@ constexpr std::size_t longestName = 256;
 
 [[noreturn]] void fail()
 {
-  throw ImageError(vtkErrorCode::FileFormatError, "the file is damaged: its header does not fit");
+  throw ImageError(
+    vtkErrorCode::FileFormatError, "the file is damaged, or of a kind that cannot be read");
 }
+
+/// Lengths of the kinds of attributes that have one. The library reads so much, whatever the
+/// attribute says; what follows would be taken for another thing.
+const std::map<std::string, std::uint64_t, std::less<>> lengths = {{"box2i", 16}, {"box2f", 16},
+  {"chromaticities", 32}, {"compression", 1}, {"double", 8}, {"envmap", 1}, {"float", 4},
+  {"int", 4}, {"keycode", 28}, {"lineOrder", 1}, {"m33f", 36}, {"m33d", 72}, {"m44f", 64},
+  {"m44d", 128}, {"rational", 8}, {"tiledesc", 9}, {"timecode", 8}, {"v2i", 8}, {"v2f", 8},
+  {"v2d", 16}, {"v3i", 12}, {"v3f", 12}, {"v3d", 24}};
 
 /// Goes through the attributes of the headers. Source: OpenEXR file layout, openexr.com.
 class Headers
@@ -84,9 +94,31 @@ private:
     const auto at = static_cast<std::uint64_t>(file_.tellg());
     if (!file_ || size > bytes_ - std::min(at, bytes_))
       fail();
-    if (name == "dataWindow" && type == "box2i" && size == 16)
+    if (const auto known = lengths.find(type); known != lengths.end() && size != known->second)
+      fail();
+    if (name == "dataWindow" && type == "box2i")
       this->window();
+    if (type == "preview" && (size < 8 || size - 8 != 4 * this->product()))
+      fail();
+    if (type == "chlist")
+      this->channels(at + size);
     file_.seekg(static_cast<std::streamoff>(at + size));
+  }
+
+  std::uint64_t product()
+  {
+    const std::uint64_t width = this->number();
+    return width * this->number();
+  }
+
+  /// They end with an empty name, where the attribute does.
+  void channels(std::uint64_t end)
+  {
+    while (!this->word().empty())
+      for (int i = 0; i < 4; ++i)
+        this->number();
+    if (!file_ || static_cast<std::uint64_t>(file_.tellg()) != end)
+      fail();
   }
 
   void window()
@@ -105,6 +137,25 @@ private:
   std::uint32_t version_ = 0;
 };
 
+/// Whether every chunk ends within the file. Source: PNG specification, w3.org/TR/png.
+void checkPNG(std::ifstream& file, std::uint64_t bytes)
+{
+  std::array<unsigned char, 8> head{};
+  for (std::uint64_t at = head.size(); at < bytes;)
+  {
+    file.seekg(static_cast<std::streamoff>(at));
+    if (!file.read(reinterpret_cast<char*>(head.data()), head.size()))
+      fail();
+    const std::uint64_t length =
+      std::uint64_t{head[0]} << 24 | head[1] << 16 | head[2] << 8 | head[3];
+    at += length + 12;
+    if (at > bytes)
+      fail();
+    if (std::memcmp(&head[4], "IEND", 4) == 0)
+      return;
+  }
+}
+
 } // namespace
 
 std::uint64_t mostOf(std::uint64_t fileBytes)
@@ -112,13 +163,17 @@ std::uint64_t mostOf(std::uint64_t fileBytes)
   return std::max<std::uint64_t>(std::uint64_t{16} << 20, 4096 * fileBytes);
 }
 
-void checkEXR(const std::string& fileName)
+void checkImage(const std::string& fileName)
 {
   std::error_code error;
   const std::uint64_t bytes = std::filesystem::file_size(fileName, error);
   std::ifstream file(fileName, std::ios::binary);
-  if (error || !file)
+  std::array<char, 8> first{};
+  if (error || !file.read(first.data(), first.size()))
     return;
+  if (std::memcmp(first.data(), "\x89PNG\r\n\x1a\n", first.size()) == 0)
+    return checkPNG(file, bytes);
+  file.seekg(0);
   Headers headers(file, bytes);
   if (headers.begins())
     headers.check();
