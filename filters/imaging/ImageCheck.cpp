@@ -160,7 +160,7 @@ void checkPNG(std::ifstream& file, std::uint64_t bytes)
 
 std::uint64_t mostOf(std::uint64_t fileBytes)
 {
-  return std::max<std::uint64_t>(std::uint64_t{16} << 20, 4096 * fileBytes);
+  return std::max<std::uint64_t>(std::uint64_t{128} << 20, 16384 * fileBytes);
 }
 
 void checkImage(const std::string& fileName)

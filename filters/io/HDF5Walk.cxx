@@ -24,7 +24,7 @@ namespace
 
 constexpr double secondsAtMost = 5.0;
 /// What takes longer than this within one call does not come back.
-constexpr unsigned secondsOfCall = 20;
+constexpr unsigned secondsOfCall = 60;
 /// Attributes of particle formats are a few numbers or words.
 constexpr hsize_t largestAttribute = 1 << 16;
 constexpr int deepest = 32;
