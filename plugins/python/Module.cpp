@@ -11,7 +11,6 @@
 #include <vtkImageData.h>
 #include <vtkPythonUtil.h>
 
-#include <clocale>
 #include <locale.h>
 #include <new>
 

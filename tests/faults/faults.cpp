@@ -1,9 +1,8 @@
 // Makes calls to the system fail, in the process that loads this library first (LD_PRELOAD):
-//   MOTE_FAULT=CALL:N    the Nth CALL fails; CALL:N+ all from there on; CALL:N! the process is
-//   killed
-//                        in place of the Nth call. CALL is open, read, write,
-//                        fsync, rename, link, map, memory, or cut: a file that is mapped and can
-//                        only be read is cut to half its length then.
+//   MOTE_FAULT=CALL:N    the Nth CALL fails; with CALL:N+ all from there on. With CALL:N! the
+//                        process is killed in place of the call. CALL is open, read, write, fsync,
+//                        rename, link, map, memory, or cut: then a file that is mapped, and may
+//                        only be read, is cut to half its length.
 //   MOTE_FAULT_IN=FOLDER only files in this folder count, other than for memory
 //   MOTE_FAULT_BYTES=B   blocks of memory of this size and more count
 //   MOTE_FAULT_LOG=FILE  gets a line for each call that counts: CALL N PLACE, where equal numbers
@@ -169,6 +168,16 @@ bool memoryFails(std::size_t bytes)
   return isReady && bytes >= plan().bytes && fails(Memory);
 }
 
+/// What open and open64 do; `mode` is there where a file may be made.
+int openFile(const char* path, int flags, std::va_list mode)
+{
+  if (isInFolder(path) && fails(Open))
+    return -1;
+  const bool isMade = (flags & (O_CREAT | O_TMPFILE)) != 0;
+  return static_cast<int>(
+    ::syscall(SYS_openat, AT_FDCWD, path, flags, isMade ? va_arg(mode, int) : 0));
+}
+
 /// Another program would do it while the file is in use: here it is done before its first use.
 void cut(int file)
 {
@@ -205,22 +214,18 @@ extern "C"
   {
     std::va_list list;
     va_start(list, flags);
-    const int mode = va_arg(list, int);
+    const int file = openFile(path, flags, list);
     va_end(list);
-    if (isInFolder(path) && fails(Open))
-      return -1;
-    return static_cast<int>(::syscall(SYS_openat, AT_FDCWD, path, flags, mode));
+    return file;
   }
 
   int open64(const char* path, int flags, ...)
   {
     std::va_list list;
     va_start(list, flags);
-    const int mode = va_arg(list, int);
+    const int file = openFile(path, flags, list);
     va_end(list);
-    if (isInFolder(path) && fails(Open))
-      return -1;
-    return static_cast<int>(::syscall(SYS_openat, AT_FDCWD, path, flags, mode));
+    return file;
   }
 
   FILE* fopen(const char* path, const char* mode)

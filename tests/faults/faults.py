@@ -5,10 +5,10 @@
 
 Each case is a command. It runs once as it is, and tells each place of the program that opens, reads,
 writes, flushes, renames, links or maps a file of the case, or takes a large block of memory. Then it
-runs once for each of these places, where the first call fails, once where all fail from there on, and
-where it would write once more, in which it is killed there. Each time it must end by itself, in good order: with success and the same results as before, or with
-exit code 1, a sentence, the old files as they were, and nothing left over. What is killed leaves each
-file old or new as a whole. The exit code is 1 where it does not.
+runs for each of these places: once where the first call fails, and once where all fail from there on.
+Each time it must end in good order: with success and the same results as before, or with exit code 1,
+a sentence, the old files as they were, and nothing left over. Where it writes it is killed, too, and
+each file must be old or new as a whole. The exit code is 1 where something is not so.
 """
 
 import argparse
@@ -52,7 +52,8 @@ CASES = [
          ["out.ogv"]),
     Case("info", ["hopper.dump", "swirl.0.vtu", "mesh.ply"],
          "info hopper.dump swirl.0.vtu mesh.ply", []),
-    Case("average", ["swirl.0.vtu"], "average swirl.0.vtu --array p -o out.csv --resolution 20", ["out.csv"]),
+    Case("average", ["swirl.0.vtu"], "average swirl.0.vtu --array p -o out.csv --resolution 20",
+         ["out.csv"]),
     Case("average-svg", ["swirl.0.vtu"], "average swirl.0.vtu --array p -o out.svg --resolution 20",
          ["out.svg"]),
     Case("probe", ["swirl.0.vtu"], "probe swirl.0.vtu --from -0.01,0,0 --to 0.01,0,0.05 -o out.csv",
@@ -209,9 +210,9 @@ class Faults:
                 continue
             good, places = self.places(case)
             counts = collections.Counter(call for call, _ in places)
-            print("%s%s: %s" % (case.name, "" if self.alike else " (results differ from run to run)", ", ".join("%d x %s" % (n, call)
-                                                   for call, n in sorted(counts.items()))),
-                  flush=True)
+            differ = "" if self.alike else " (results differ from run to run)"
+            print("%s%s: %s" % (case.name, differ, ", ".join(
+                "%d x %s" % (n, call) for call, n in sorted(counts.items()))), flush=True)
             for call, number in self.some_of(places):
                 self.attempt(case, good, "%s:%d" % (call, number))
                 self.attempt(case, good, "%s:%d+" % (call, number))
@@ -226,8 +227,8 @@ def main():
     parser.add_argument("--library", required=True)
     parser.add_argument("--folder", required=True, help="is made anew")
     parser.add_argument("--case", help="names between commas")
-    parser.add_argument("--most", type=int, default=1000000, help="places of a case that are tried; all where "
-                        "MOTE_TEST_ALL is set")
+    parser.add_argument("--most", type=int, default=1000000,
+                        help="places of a case that are tried; all where MOTE_TEST_ALL is set")
     parser.add_argument("--verbose", action="store_true")
     parser.add_argument("mote")
     parser.add_argument("data")

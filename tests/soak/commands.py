@@ -9,7 +9,6 @@ nothing left over. Some run twice, and must write the same. A command that does 
 a shell takes it, and the exit code is 1.
 """
 
-import argparse
 import collections
 import os
 import random
@@ -22,6 +21,7 @@ import time
 
 from replay import write_mesh
 from table import options_of, value
+from words import parser_of
 
 COMMANDS = {"render": ".png .jpg .tif .exr", "animate": ".ogv .png", "convert": ".mote", "info": "",
             "average": ".csv .png .svg", "bake": ".moteao", "integrate": ".csv .json .svg",
@@ -179,12 +179,7 @@ def output_differs_by_time(names):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("mote")
-    parser.add_argument("data", nargs="+")
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--minutes", type=float, default=60.0)
+    parser = parser_of(__doc__)
     parser.add_argument("--folder", required=True, help="is made anew")
     parser.add_argument("--memory", type=float, default=1500.0, help="MiB that a command may take")
     parser.add_argument("--patience", type=float, default=20.0, help="seconds until Ctrl-C")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Works the Python package at random: scenes of arrays and files, settings, pictures, VTK's classes.
+"""Works the Python package at random: scenes of arrays and files, settings, pictures.
 
     pipelines.py --seed 1 --minutes 60 [--memory MIB] MOTE DATA...
 
@@ -9,7 +9,6 @@ that of its beginning; memory may not grow. The last steps are told where it fai
 is 1.
 """
 
-import argparse
 import gc
 import os
 import random
@@ -22,6 +21,7 @@ import mote
 import numpy as np
 
 from table import options_of, value
+from words import parser_of
 
 # What wrong arguments give.
 DOCUMENTED = (mote.Error, TypeError, ValueError, KeyError, IndexError, OSError)
@@ -179,12 +179,7 @@ class Pipelines:
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("mote")
-    parser.add_argument("data", nargs="+")
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--minutes", type=float, default=60.0)
+    parser = parser_of(__doc__)
     parser.add_argument("--memory", type=float, default=100.0,
                         help="MiB more that the second half may take")
     arguments = parser.parse_args()

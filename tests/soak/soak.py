@@ -13,7 +13,6 @@ without a display, ends with other settings than the window did. The end is a ta
 minute.
 """
 
-import argparse
 import os
 import random
 import re
@@ -23,6 +22,7 @@ import time
 
 from hands import Trouble, Window
 from replay import differences, write_mesh
+from words import parser_of
 
 # Every key of the window but q, and some that are not bound.
 KEYS = """plus minus r v x y z X Y Z o f p P i Delete u ctrl+c ctrl+e j c C m bracketleft bracketright
@@ -329,12 +329,7 @@ def with_meshes(arguments):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("mote")
-    parser.add_argument("data", nargs="+")
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--minutes", type=float, default=60.0)
+    parser = parser_of(__doc__)
     parser.add_argument("--folder", required=True, help="for recordings and what the program says")
     parser.add_argument("--cache", default="200M", help="of the program")
     parser.add_argument("--beside", default="1100M", help="memory that the program may take besides "
