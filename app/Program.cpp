@@ -58,7 +58,9 @@ constexpr Command commands[] = {
   {"render", "Write a picture; needs no display", addRenderOptions, render},
   {"animate", "Write a film: an orbit, time steps, key frames; needs no display", addAnimateOptions,
     animate},
-  {"convert", "Write particles or triangles as a .mote file, which opens at once",
+  {"convert",
+    "Write particles or triangles as a .mote file, which opens at once; or what is shown as .vtp, "
+    ".vtu or .xyz",
     addConvertOptions, convert},
   {"info", "List arrays, ranges, types and time steps; cells, volumes and quality", addInfoOptions,
     printInfo},

@@ -2,7 +2,7 @@
 
 set(MOTE_VTK_COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
-  CommonColor FiltersCore FiltersFlowPaths FiltersGeneral FiltersGeometry FiltersModeling FiltersSources FiltersVerdict
+  CommonColor FiltersCore FiltersExtraction FiltersFlowPaths FiltersGeneral FiltersGeometry FiltersModeling FiltersSources FiltersVerdict
   ImagingCore ImagingHybrid
   InteractionStyle InteractionWidgets
   IOCGNSReader IOChemistry IOCore IOEnSight IOGeometry IOImage IOInfovis IOLegacy IOOggTheora

@@ -1,8 +1,11 @@
 #include "OutputFile.h"
 
 #include "Failure.h"
+#include "Messages.h"
+#include "Text.h"
 
 #include <kernels/core/AtomicFile.h>
+#include <vtkMoteFileWriter.h>
 
 #include <filesystem>
 #include <system_error>
@@ -41,6 +44,22 @@ void writeText(const std::string& file, const std::string& text)
   {
     throw Failure(error.what());
   }
+}
+
+void writeFile(vtkMoteFileWriter* writer, const std::string& file, ProgressRelay& progress,
+  const std::string& which)
+{
+  writer->SetFileName(file.c_str());
+  Messages::takeError();
+  {
+    ProgressRelay::Work work(
+      progress, "Writing " + baseName(file) + (which.empty() ? "" : "," + which), writer);
+    writer->Write();
+    work.finish();
+  }
+  Messages::takeError(); // the writer says it too
+  if (const std::string error = writer->GetErrorMessage(); !error.empty())
+    throw Failure(error);
 }
 
 } // namespace mote::app

@@ -1,7 +1,11 @@
 #pragma once
 
+#include "ProgressRelay.h"
+
 #include <string>
 #include <vector>
+
+class vtkMoteFileWriter;
 
 namespace mote::app
 {
@@ -13,5 +17,10 @@ void checkOutput(const std::string& output, const std::vector<std::string>& inpu
 
 /// Writes a file of this text, which appears complete or not at all. Throws Failure.
 void writeText(const std::string& file, const std::string& text);
+
+/// Has a writer write a file, with progress, where `which` says which of several it is. Throws
+/// Failure and Interrupted.
+void writeFile(vtkMoteFileWriter* writer, const std::string& file, ProgressRelay& progress,
+  const std::string& which = {});
 
 } // namespace mote::app

@@ -20,8 +20,14 @@ std::string numbered(const std::string& file, int step, int steps)
   std::string number = std::to_string(step);
   number.insert(0, std::max(0, digits - static_cast<int>(number.size())), '0');
   std::filesystem::path path(file);
-  return (path.parent_path() / (path.stem().string() + "." + number)).string() +
-         path.extension().string();
+  std::string ending = path.extension().string();
+  path.replace_extension();
+  if (ending == ".gz" && path.has_extension()) // as in .xyz.gz
+  {
+    ending.insert(0, path.extension().string());
+    path.replace_extension();
+  }
+  return path.string() + "." + number + ending;
 }
 
 void forSteps(Input& input, const Settings& settings, ProgressRelay& progress,

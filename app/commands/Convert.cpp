@@ -5,16 +5,20 @@
 #include "base/Messages.h"
 #include "base/OutputFile.h"
 #include "base/Text.h"
+#include "settings/Values.h"
 #include "stage/Calculated.h"
 #include "stage/HiddenParts.h"
 #include "stage/Input.h"
 #include "stage/Part.h"
+#include "stage/Selection.h"
+#include "stage/ShownData.h"
 #include "stage/Surface.h"
 #include "table/Row.h"
 
 #include <kernels/core/ScratchSpace.h>
 
 #include <vtkActor.h>
+#include <vtkMoteDataWriter.h>
 #include <vtkMoteMeshFileWriter.h>
 #include <vtkMoteParticleFileWriter.h>
 #include <vtkMoteParticleMapper.h>
@@ -34,11 +38,10 @@ namespace mote::app
 namespace
 {
 
-/// What a .mote file may be made of.
+/// What a file may be made of.
 struct Found
 {
-  std::vector<NamedData> particles, surfaces;
-  int volumes = 0;
+  std::vector<NamedData> particles, surfaces, volumes;
 };
 
 Found find(Input& input, const Settings& settings, ProgressRelay& progress)
@@ -55,46 +58,54 @@ Found find(Input& input, const Settings& settings, ProgressRelay& progress)
       found.surfaces.push_back(one);
       break;
     case Part::Kind::Volume:
-      ++found.volumes;
+      found.volumes.push_back(one);
     }
   return found;
 }
 
-/// The one set of particles, or without particles the one set of triangles.
-NamedData convertible(Input& input, const Settings& settings, ProgressRelay& progress)
+/// The endings of files that are written.
+std::string endingOf(const std::string& file)
 {
-  Found found = find(input, settings, progress);
-  const std::vector<NamedData>& all = found.particles.empty() ? found.surfaces : found.particles;
+  return lowerCase(std::filesystem::path(file).extension().string()) == ".mote"
+           ? ".mote"
+           : vtkMoteDataWriter::EndingOf(file);
+}
+
+/// What a file with an ending can hold, for messages.
+std::string holdingOf(const std::string& ending)
+{
+  return "a " + ending + " file holds one set of particles" +
+         (ending == ".mote"   ? ", or without particles one surface"
+           : ending == ".vtp" ? " or one surface"
+           : ending == ".vtu" ? ", one surface or one volume"
+                              : "");
+}
+
+/// The one data set that a file with this ending can hold.
+NamedData convertible(
+  Input& input, const Settings& settings, const std::string& ending, ProgressRelay& progress)
+{
+  const Found found = find(input, settings, progress);
+  std::vector<NamedData> all = found.particles;
+  const bool withSurfaces =
+    ending == ".vtp" || ending == ".vtu" || (ending == ".mote" && all.empty());
+  if (withSurfaces)
+    all.insert(all.end(), found.surfaces.begin(), found.surfaces.end());
+  if (ending == ".vtu")
+    all.insert(all.end(), found.volumes.begin(), found.volumes.end());
   if (all.size() == 1)
     return all.front();
-  const auto many = [](std::size_t count, const char* what)
-  { return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s"); };
-  throw Failure(input.name() + " holds " + many(found.particles.size(), "set") + " of particles, " +
-                many(found.surfaces.size(), "surface") + " and " +
-                many(static_cast<std::size_t>(found.volumes), "volume") +
-                "; a .mote file holds one set of particles, or without particles one surface");
+  const auto many = [](const std::vector<NamedData>& them, const char* what)
+  { return std::to_string(them.size()) + ' ' + what + (them.size() == 1 ? "" : "s"); };
+  throw Failure(input.name() + " holds " + many(found.particles, "set") + " of particles, " +
+                many(found.surfaces, "surface") + " and " + many(found.volumes, "volume") + "; " +
+                holdingOf(ending) +
+                (all.size() > 1 ? "; choose with --hide-data, --hide-part or --show-part" : ""));
 }
 
 double secondsSince(double start)
 {
   return vtkTimerLog::GetUniversalTime() - start;
-}
-
-/// Has a writer write a file, with progress. Throws Failure and Interrupted.
-void write(vtkMoteFileWriter* writer, const std::string& output, ProgressRelay& progress,
-  const std::string& which)
-{
-  writer->SetFileName(output.c_str());
-  Messages::takeError();
-  {
-    ProgressRelay::Work work(
-      progress, "Writing " + baseName(output) + (which.empty() ? "" : "," + which), writer);
-    writer->Write();
-    work.finish();
-  }
-  Messages::takeError(); // the writer says it too
-  if (const std::string error = writer->GetErrorMessage(); !error.empty())
-    throw Failure(error);
 }
 
 void convertParticles(
@@ -103,7 +114,7 @@ void convertParticles(
   vtkNew<vtkMoteParticleFileWriter> writer;
   writer->SetMapper(part.particles());
   writer->SetWriteOriginalIds(part.particles()->GetKeepPointIds());
-  write(writer, output, progress, which);
+  writeFile(writer, output, progress, which);
 }
 
 void convertSurface(
@@ -112,22 +123,61 @@ void convertSurface(
   part.surface()->nameCellsForFile();
   vtkNew<vtkMoteMeshFileWriter> writer;
   writer->SetMapper(part.surface()->mapper());
-  write(writer, output, progress, which);
+  writeFile(writer, output, progress, which);
 }
 
-/// The file of a step, in which what stood there is replaced.
-void convertStep(Input& input, const Settings& settings, const std::string& output,
-  const std::shared_ptr<ScratchSpace>& space, ProgressRelay& progress, const std::string& which)
+/// A part of these data, with what the settings hide hidden.
+std::unique_ptr<Part> hiding(
+  const NamedData& data, const Settings& settings, ProgressRelay& progress)
 {
-  const double start = vtkTimerLog::GetUniversalTime();
-  const NamedData data = convertible(input, settings, progress);
-  if (settings.output.allSteps && data.data->GetNumberOfPoints() == 0)
-  {
-    std::printf("%s: no particle, not written\n", output.c_str());
-    return;
-  }
-  const double readTime = secondsSince(start);
+  Settings own = settings; // whole data sets are chosen already
+  own.selection.hiddenData.clear();
+  own.selection.hiddenParts.clear();
+  own.selection.shownParts.clear();
+  std::vector<std::unique_ptr<Part>> parts;
+  parts.push_back(std::make_unique<Part>(data.name, data.data, settings, 0.0));
+  const bool hides = hidesAny(settings);
+  if (parts.front()->particles() && (hides || givesRadii(settings.particles)))
+    parts.front()->build(progress); // by which ranges are looked at
+  if (hides)
+    Selection(own).apply(parts, {}, {data});
+  return std::move(parts.front());
+}
 
+/// What is shown of the data, and the settings with the radius that they have.
+NamedData shownOf(const NamedData& data, Settings& settings, ProgressRelay& progress)
+{
+  const std::unique_ptr<Part> part = hiding(data, settings, progress);
+  NamedData shown = data;
+  shown.data = markedData(*part, shownMarks(*part, settings), settings);
+  if (part->keptRadius() > 0.0) // of all, which those that are left may not tell
+    settings.particles.radius = exactText(part->keptRadius());
+  return shown;
+}
+
+/// The lines that tell what was written end alike.
+void tell(const std::string& output, const std::string& what)
+{
+  std::printf("%s: %s\n", output.c_str(), what.c_str());
+}
+
+std::string sizeOf(const std::string& file)
+{
+  return asBytes(static_cast<double>(std::filesystem::file_size(file)));
+}
+
+/// How many particles, or cells, data have.
+std::string countOf(vtkDataSet* data)
+{
+  return Part::isMesh(data) ? counted(data->GetNumberOfCells(), "cell")
+                            : counted(data->GetNumberOfPoints(), "particle");
+}
+
+/// Builds what the data are drawn by, and writes that as a .mote file.
+void convertToMote(const NamedData& data, const Settings& settings, const std::string& output,
+  const std::shared_ptr<ScratchSpace>& space, ProgressRelay& progress, const std::string& which,
+  double readTime)
+{
   Part part(data.name, data.data, settings, 0.0);
   if (vtkMoteParticleMapper* particles = part.particles())
   {
@@ -145,10 +195,35 @@ void convertStep(Input& input, const Settings& settings, const std::string& outp
   const std::string count =
     part.particles() ? counted(part.particles()->GetNumberOfParticles(), "particle")
                      : counted(part.surface()->mapper()->GetNumberOfTriangles(), "triangle");
-  std::printf("%s: %s, %s; read in %s, built in %s, written in %s\n", output.c_str(), count.c_str(),
-    asBytes(static_cast<double>(std::filesystem::file_size(output))).c_str(),
-    asDuration(readTime).c_str(), asDuration(part.buildTime()).c_str(),
-    asDuration(secondsSince(built)).c_str());
+  tell(output, count + ", " + sizeOf(output) + "; read in " + asDuration(readTime) + ", built in " +
+                 asDuration(part.buildTime()) + ", written in " + asDuration(secondsSince(built)));
+}
+
+/// The file of a step, in which what stood there is replaced.
+void convertStep(Input& input, const Settings& given, const std::string& output,
+  const std::shared_ptr<ScratchSpace>& space, ProgressRelay& progress, const std::string& which)
+{
+  const double start = vtkTimerLog::GetUniversalTime();
+  const std::string ending = endingOf(output);
+  Settings settings = given;
+  NamedData data = convertible(input, settings, ending, progress);
+  const bool isWhole = ending == ".mote" && !hidesAny(settings);
+  if (!isWhole && data.data->GetNumberOfPoints() > 0)
+    data = shownOf(data, settings, progress);
+  if (data.data->GetNumberOfPoints() == 0 && (settings.output.allSteps || !isWhole))
+  {
+    if (!settings.output.allSteps)
+      throw Failure(
+        "nothing of " + input.name() + " is shown, so that " + output + " would be empty");
+    return tell(output, "no particle, not written");
+  }
+  const double readTime = secondsSince(start);
+  if (ending == ".mote")
+    return convertToMote(data, settings, output, space, progress, which, readTime);
+  const double ready = vtkTimerLog::GetUniversalTime();
+  writeData(data.data, output, progress, which);
+  tell(output, countOf(data.data) + ", " + sizeOf(output) + "; read in " + asDuration(readTime) +
+                 ", written in " + asDuration(secondsSince(ready)));
 }
 
 } // namespace
@@ -165,8 +240,11 @@ void convert(const Settings& given)
   Settings settings = given;
   const std::string output = settings.data.files.back();
   settings.data.files.pop_back();
-  if (lowerCase(std::filesystem::path(output).extension().string()) != ".mote")
-    throw Failure("the last file is the one to write, and must end in .mote, not " + output);
+  const std::string ending = endingOf(output);
+  if (ending.empty())
+    throw Failure("the last file is the one to write, and must end in .mote, .vtp, .vtu, .xyz or "
+                  ".xyz.gz, not " +
+                  output);
   if (settings.data.files.empty())
     throw Failure("no file to read is given, only " + output + " to write");
 
@@ -179,7 +257,8 @@ void convert(const Settings& given)
   // The rest is for putting arrays in order.
   const auto space = std::make_shared<ScratchSpace>(output, memory / 4 * 3);
   Input input(settings.data.files);
-  input.setSpace(space);
+  if (ending == ".mote" && !hidesAny(settings)) // others keep words, and what is read in memory
+    input.setSpace(space);
   input.open(progress);
   forSteps(input, settings, progress,
     [&](const Settings& ofStep, const std::string& which)

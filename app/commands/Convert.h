@@ -12,8 +12,8 @@ namespace mote::app
 std::optional<NamedData> onlyParticlesOf(
   Input& input, const Settings& settings, ProgressRelay& progress);
 
-/// Writes a .mote file, which the last of the files names. Throws Failure and Interrupted; then no
-/// file is left that is not complete.
+/// Writes the last of the files: a .mote file, or what is shown for other programs. Throws Failure
+/// and Interrupted; then no file is left that is not complete.
 void convert(const Settings& settings);
 
 } // namespace mote::app

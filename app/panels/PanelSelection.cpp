@@ -130,6 +130,10 @@ void Panel::drawSelection()
   if (next_.selection.ranges.size() < 8)
     this->drawNewRange();
   this->drawWhere();
+  if (buttonOf("Save what is shown"))
+    this->wish(Action::SaveShown);
+  explainKey("Save the particles, or cells, that are shown with all arrays as .vtp or .vtu, for "
+             "other programs; what is cut away is left out\nmote convert");
 }
 
 /// An expression, and a button that turns it round.

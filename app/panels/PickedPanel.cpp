@@ -47,6 +47,9 @@ Action PickedPanel::draw(
     button("Hide picked", Action::HidePicked, "Delete\n--hide-ids");
     ImGui::SameLine();
     button("Only picked", Action::OnlyPicked, "Show only what is picked\ni\n--only-ids");
+    ImGui::SameLine();
+    button("Save data", Action::SavePickedData,
+      "Save the picked particles, or cells, with all arrays as .vtp or .vtu, for other programs");
   }
   if (away > 0)
   {

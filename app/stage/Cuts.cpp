@@ -155,4 +155,39 @@ void Cuts::follow(const CutSettings& settings)
   cylinder_->SetAngleRange(angle.low, angle.high);
 }
 
+bool Cuts::isInCylinder(const Vec& place) const
+{
+  Vec center{}, axis{}, zero{};
+  cylinder_->GetCenter(center.data());
+  cylinder_->GetAxis(axis.data());
+  cylinder_->GetZeroAngle(zero.data());
+  vtkMath::Normalize(axis.data());
+  zero = sum(zero, -dot(zero, axis), axis);
+  vtkMath::Normalize(zero.data());
+  Vec across{};
+  vtkMath::Cross(axis.data(), zero.data(), across.data());
+  const Vec from = sum(place, -1.0, center);
+  const double x = dot(from, zero), y = dot(from, across), height = dot(from, axis);
+  const double radius = std::hypot(x, y);
+  const double* radii = cylinder_->GetRadiusRange();
+  const double* heights = cylinder_->GetHeightRange();
+  const double* angles = cylinder_->GetAngleRange();
+  if (radius < radii[0] || radius > radii[1] || height < heights[0] || height > heights[1])
+    return false;
+  double turn = angles[1] - angles[0];
+  if (turn < 0.0)
+    turn += 360.0;
+  double angle = vtkMath::DegreesFromRadians(std::atan2(y, x)) - angles[0];
+  angle -= 360.0 * std::floor(angle / 360.0);
+  return turn >= 360.0 || angle <= turn;
+}
+
+bool Cuts::contains(const Vec& place) const
+{
+  for (int i = 0; i < planes_->GetNumberOfItems(); ++i)
+    if (planes_->GetItem(i)->EvaluateFunction(place[0], place[1], place[2]) < 0.0)
+      return false;
+  return !hasCylinder_ || this->isInCylinder(place);
+}
+
 } // namespace mote::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "PlaceMath.h"
 #include "settings/Settings.h"
 
 #include <vtkMoteClipCylinder.h>
@@ -55,7 +56,11 @@ public:
   /// Null where no cut is about the axis.
   vtkMoteClipCylinder* cylinder() const { return hasCylinder_ ? cylinder_.Get() : nullptr; }
 
+  /// Whether a place lies in all of them.
+  bool contains(const Vec& place) const;
+
 private:
+  bool isInCylinder(const Vec& place) const;
   void addPlanes(const std::array<double, 3>& direction, const Interval& shown);
 
   vtkNew<vtkPlaneCollection> planes_;

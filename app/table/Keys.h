@@ -36,6 +36,7 @@ enum class Action
   CopyPicked,
   SavePicked,
   SavePickedJson,
+  SavePickedData, ///< for other programs
   PathsOfPicked,
   PlotOverTime, ///< values of the picked
   SaveOverTime,
@@ -45,6 +46,7 @@ enum class Action
   Center,
   SavePicture,
   SaveFilm,
+  SaveShown,       ///< as data for other programs
   RangeOfAllSteps, ///< of colours
   RangeOfView,
   AddKeyFrame,

@@ -180,6 +180,9 @@ private:
   void zoom(double factor);
   void turnWheel(double factor);
   void savePicture();
+  void saveShown();
+  void saveData(
+    const std::function<std::vector<unsigned char>(std::size_t part)>& marks, const char* what);
   void savePlot(const std::string& ending);
   bool changeKeyFrames(Action action);
   bool doElsewhere(const std::function<void()>& work);
@@ -221,6 +224,7 @@ private:
   void showOnly(const std::function<void(SelectionSettings&)>& change, const std::string& told);
   void copyPicked();
   void savePicked(const char* ending);
+  void savePickedData();
   void center();
   void setUpHover();
   void moveCursor();

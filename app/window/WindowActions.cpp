@@ -1,28 +1,19 @@
 #include "Window.h"
 
 #include "InteractorStyle.h"
-#include "base/OutputFile.h"
 #include "base/Text.h"
-#include "commands/PlotFile.h"
 #include "settings/Colors.h"
-#include "stage/Arrays.h"
 #include "stage/HiddenParts.h"
-#include "stage/PickedTable.h"
-#include "stage/Picture.h"
 #include "table/Row.h"
 #include "table/Script.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkDataArray.h>
-#include <vtkDataSet.h>
-#include <vtkImageData.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 
 namespace mote::app
 {
@@ -237,6 +228,9 @@ bool Window::actOnFiles(Action action)
   case Action::SaveFilm:
     this->saveFilm();
     return true;
+  case Action::SaveShown:
+    this->saveShown();
+    return true;
   case Action::RangeOfAllSteps:
     this->takeRangeOfAllSteps();
     return true;
@@ -334,86 +328,6 @@ void Window::zoom(double factor)
   stage_.renderer()->ResetCameraClippingRange();
   this->hoverAgain();
   this->renderMoving();
-}
-
-std::string Window::unusedName(const std::string& ending) const
-{
-  const std::string& first = this->settings().data.files.front();
-  std::string stem = std::filesystem::path(first).stem().stem().string();
-  if (first.find(':') != std::string::npos && !std::filesystem::exists(first))
-  {
-    stem = first; // pump:0.1, which is made: the point begins no extension
-    std::replace(stem.begin(), stem.end(), ':', '-');
-  }
-  for (int i = 1;; ++i)
-  {
-    char number[16];
-    std::snprintf(number, sizeof number, "-%03d", i);
-    if (const std::string file = stem + number + ending; !std::filesystem::exists(file))
-      return file;
-  }
-}
-
-/// What the panel plots, as a picture or as its counts.
-void Window::copyPicked()
-{
-  const PickedTable table(stage_.parts(), picked_);
-  std::string text;
-  table.appendNames(text, '\t');
-  for (std::size_t row = 0; row < table.rows(); ++row)
-    table.appendLine(text, row, '\t');
-  clipboard_.set(text);
-  this->say("Copied " + counted(static_cast<std::int64_t>(table.rows()), "line"));
-}
-
-void Window::savePicked(const char* ending)
-{
-  const std::string file = this->unusedName(ending);
-  writePicked(PickedTable(stage_.parts(), picked_), file);
-  this->say("Saved " + file);
-}
-
-void Window::savePlot(const std::string& ending)
-{
-  const PlotPanel& shown = panel_.plotNow(picked_);
-  if (shown.plot().isEmpty())
-    return this->say("Nothing is plotted");
-  const std::string file = this->unusedName(ending);
-  const bool done = this->perform(
-    [&]
-    {
-      if (ending != "-plot.csv")
-        writePlotPicture(shown.plot(), shown.plotted(), this->settings().plot.logarithmic,
-          captionOf(input_, step_, stage_.contents()), file);
-      else
-        writeText(file, plotText(shown.plot(), shown.plotted()));
-    });
-  if (done)
-    this->say("Saved " + file);
-}
-
-void Window::savePicture()
-{
-  const std::string file = this->unusedName(".png");
-  // A preview is for looking; what is kept is exact.
-  if (previewed_ && !this->perform([&] { stage_.finishBuild(progress_); }))
-    return;
-  // As mote render makes it, so that the printed command gives the same.
-  const bool done = this->perform(
-    [&]
-    {
-      Picture picture(stage_, this->savedSize());
-      picture.setLineScale(this->savedScale());
-      picture.aim(file);
-      paths_.follow(this->settings(), input_, cache_);
-      if (paths_.isShown())
-        paths_.paths()->finish(progress_);
-      picture.setPaths(paths_.paths());
-      picture.setPicked(picked_.words(stage_.parts()));
-      picture.write(captionOf(input_, step_, stage_.contents()), progress_);
-    });
-  if (done)
-    this->say("Saved " + file);
 }
 
 } // namespace mote::app

@@ -7,7 +7,6 @@
 #include "base/Failure.h"
 #include "base/Text.h"
 #include "stage/Calculated.h"
-#include "stage/PickedTable.h"
 #include "stage/PlacedCell.h"
 
 #include <vtkAbstractArray.h>
@@ -385,6 +384,10 @@ bool Window::actOnPicked(Action action)
   case Action::CopyPicked:
     if (this->requirePicked())
       this->copyPicked();
+    return true;
+  case Action::SavePickedData:
+    if (this->requirePicked())
+      this->savePickedData();
     return true;
   case Action::SavePicked:
   case Action::SavePickedJson:

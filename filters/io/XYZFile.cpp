@@ -3,17 +3,54 @@
 #include "FileError.h"
 #include "ParseNumber.h"
 
+#include <cmath>
+
 namespace mote
 {
 namespace
 {
 
-/// The number after "Timestep: " in a comment.
+/// The value of KEY=value in a comment, without quotes; empty if there is none.
+std::string valueOf(const std::string& comment, const std::string& key)
+{
+  std::size_t at = comment.find(key + '=');
+  while (at != comment.npos && at > 0 && comment[at - 1] != ' ' && comment[at - 1] != '\t')
+    at = comment.find(key + '=', at + 1);
+  if (at == comment.npos)
+    return {};
+  std::string value = comment.substr(at + key.size() + 1);
+  const bool isQuoted = !value.empty() && value[0] == '"';
+  value = value.substr(isQuoted, value.find_first_of(isQuoted ? "\"" : " \t", isQuoted) - isQuoted);
+  return value;
+}
+
+/// The number after "Timestep: ", as LAMMPS has it, or of Time= in a comment.
 bool timestepOf(const std::string& comment, double& time)
 {
   const std::string key = "Timestep: ";
   const std::size_t at = comment.find(key);
-  return at != comment.npos && parseDouble(comment.c_str() + at + key.size(), time);
+  if (at != comment.npos)
+    return parseDouble(comment.c_str() + at + key.size(), time);
+  std::string value = valueOf(comment, "Time");
+  if (value.empty())
+    value = valueOf(comment, "time");
+  return !value.empty() && parseDouble(value.c_str(), time);
+}
+
+/// Numbers with blanks between; whether there are as many, all finite, and nothing else.
+template <std::size_t count>
+bool parseNumbers(const std::string& text, std::array<double, count>& numbers)
+{
+  const std::vector<std::string> values = splitValues(text);
+  if (values.size() != count)
+    return false;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const char* end = parseDouble(values[i].c_str(), numbers[i]);
+    if (!end || *end != '\0' || !std::isfinite(numbers[i]))
+      return false;
+  }
+  return true;
 }
 
 void setTimes(std::vector<XYZFrame>& frames)
@@ -45,18 +82,6 @@ void skipRows(TextCursor& cursor, XYZFrame& frame, const Progress& progress)
     if (row % 65536 == 0 && progress && !progress(cursor.fraction()))
       throw FileError(FileError::Kind::Aborted, cursor.path(), "reading was aborted");
   }
-}
-
-/// The value of Properties in a comment, without quotes; empty if there is none.
-std::string propertiesOf(const std::string& comment)
-{
-  const std::size_t at = comment.find("Properties=");
-  if (at == comment.npos)
-    return {};
-  std::string value = comment.substr(at + 11);
-  const bool isQuoted = !value.empty() && value[0] == '"';
-  value = value.substr(isQuoted, value.find_first_of(isQuoted ? "\"" : " \t", isQuoted) - isQuoted);
-  return value;
 }
 
 std::vector<std::string> splitAtColons(const std::string& text)
@@ -168,7 +193,7 @@ std::vector<XYZFrame> indexXYZ(const std::string& path, const Progress& progress
 XYZLayout xyzLayout(
   const std::string& path, const XYZFrame& frame, const std::vector<std::string>& firstRow)
 {
-  const std::string properties = propertiesOf(frame.comment);
+  const std::string properties = valueOf(frame.comment, "Properties");
   if (!properties.empty())
     return extendedLayout(path, frame, properties);
   std::int64_t number = 0;
@@ -189,6 +214,24 @@ XYZLayout xyzLayout(
     addGroup(layout, unnamedColumn(i + 1), isNumber ? ColumnType::Float64 : ColumnType::String, 1);
   }
   return layout;
+}
+
+std::optional<XYZBox> xyzBox(const std::string& comment)
+{
+  XYZBox box;
+  if (!parseNumbers(valueOf(comment, "Lattice"), box.vectors))
+    return {};
+  if (!parseNumbers(valueOf(comment, "Origin"), box.origin))
+    box.origin = {};
+  const std::vector<std::string> periods = splitValues(valueOf(comment, "pbc"));
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const bool isOpen =
+      periods.size() == 3 && (periods[i][0] == 'F' || periods[i][0] == 'f' || periods[i] == "0");
+    box.boundary += isOpen ? "ff " : "pp ";
+  }
+  box.boundary.pop_back();
+  return box;
 }
 
 } // namespace mote

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,14 @@ struct XYZFrame
   std::uint64_t commentLine = 0;
   TextCursor::Place rows;
   double time = 0; ///< see vtkMoteXYZReader
+};
+
+/// The box of the particles, as the comment of an extended file tells it.
+struct XYZBox
+{
+  std::array<double, 9> vectors = {}; ///< one after the other
+  std::array<double, 3> origin = {};
+  std::string boundary; ///< "pp pp ff": periodic along the first two vectors, as LAMMPS says it
 };
 
 /// The columns of a frame.
@@ -40,6 +49,10 @@ std::vector<XYZFrame> indexXYZ(const std::string& path, const Progress& progress
 /// row. Throws FileError for a description that makes no sense or has no positions.
 XYZLayout xyzLayout(
   const std::string& path, const XYZFrame& frame, const std::vector<std::string>& firstRow);
+
+/// What Lattice, Origin and pbc of a comment say; none where there is no Lattice of nine finite
+/// numbers. A box is periodic where nothing else is said.
+std::optional<XYZBox> xyzBox(const std::string& comment);
 
 } // namespace mote
 

@@ -2,9 +2,11 @@
 
 #include "FileError.h"
 #include "PointRows.h"
+#include "PolyDataParts.h"
 #include "TimeSteps.h"
 #include "XYZFile.h"
 
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
@@ -87,6 +89,13 @@ void readFrame(const std::string& path, const mote::XYZFrame& frame, const mote:
     addTypes(output, words);
   else if (!space)
     addTypes(output, layout.species);
+  if (const auto box = mote::xyzBox(frame.comment))
+  {
+    vtkFieldData* fields = output->GetFieldData();
+    mote::addNumbers(fields, "box", box->vectors.data(), 9);
+    mote::addNumbers(fields, "box_origin", box->origin.data(), 3);
+    mote::addText(fields, "boundary", box->boundary);
+  }
 }
 
 } // namespace

@@ -12,9 +12,12 @@
  * columns as "column5", "column6", and so on. For extended XYZ the properties under their own names
  * (R double, I int, S and L strings), and "type" from the first S property in the same way.
  *
+ * Lattice="..." of a comment becomes the field data "box" (9 numbers, one vector after the other),
+ * Origin="..." "box_origin", and pbc="T T F" "boundary", as vtkMoteLAMMPSDumpReader has them.
+ *
  * Time steps are the frames; their times are what the comments call "Timestep: N" (as LAMMPS
- * writes) if all frames have it in ascending order, else 0, 1, 2 and so on. A requested time
- * becomes the nearest step at or before it. vtkXYZMolReader2 makes a vtkMolecule instead, of
+ * writes), or Time=N, if all frames have it in ascending order, else 0, 1, 2 and so on. A requested
+ * time becomes the nearest step at or before it. vtkXYZMolReader2 makes a vtkMolecule instead, of
  * elements only.
  */
 

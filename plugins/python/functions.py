@@ -461,6 +461,30 @@ def show(scene, **settings):
         _program.show(scene._data, [], json.dumps(chosen))
 
 
+def write(scene, path):
+    """Writes the data of a scene as a file that other programs read: .vtp for particles and surfaces, .vtu for
+    any cells, .xyz or .xyz.gz (extended XYZ) for particles. All of them, whatever the settings hide.
+
+    scene: what render() takes; it must hold one data set.
+    path: the file, which is replaced where it is there. It appears whole or not at all.
+
+    Raises ValueError for a scene of several data sets, and mote.Error for what cannot be written.
+
+    >>> mote.write(mote.read("run.dump"), "run.xyz")
+    """
+    data = [one for one in _as_scene(scene).data if isinstance(one, vtkDataSet)]
+    if len(data) != 1:
+        raise ValueError(f"a file holds one data set, and the scene has {len(data)}")
+    from . import vtkMoteDataWriter
+
+    writer = vtkMoteDataWriter()
+    writer.SetInputData(data[0])
+    writer.SetFileName(os.fspath(path))
+    writer.AddObserver("ErrorEvent", lambda *_: None)  # the exception tells it
+    if not writer.Write():
+        raise Error(writer.GetErrorMessage())
+
+
 def film(images, path, rate=25, quality="high"):
     """Writes pictures of one size as a film: .ogv, which needs nothing else; .mp4, .mkv, .webm, .mov, .avi or
     .gif by the program ffmpeg. ``images`` may be a generator; they are not kept."""

@@ -17,16 +17,16 @@
 #define vtkMoteMeshFileWriter_h
 
 #include "MoteRenderingVTKModule.h" // for export macro
-#include "vtkMoteFileWriter.h"
+#include "vtkMoteStructureFileWriter.h"
 #include "vtkSmartPointer.h" // for the mapper
 
 class vtkMoteMeshMapper;
 
-class MOTERENDERINGVTK_EXPORT vtkMoteMeshFileWriter : public vtkMoteFileWriter
+class MOTERENDERINGVTK_EXPORT vtkMoteMeshFileWriter : public vtkMoteStructureFileWriter
 {
 public:
   static vtkMoteMeshFileWriter* New();
-  vtkTypeMacro(vtkMoteMeshFileWriter, vtkMoteFileWriter);
+  vtkTypeMacro(vtkMoteMeshFileWriter, vtkMoteStructureFileWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{

@@ -18,16 +18,16 @@
 #define vtkMoteParticleFileWriter_h
 
 #include "MoteRenderingVTKModule.h" // for export macro
-#include "vtkMoteFileWriter.h"
+#include "vtkMoteStructureFileWriter.h"
 #include "vtkSmartPointer.h" // for the mapper
 
 class vtkMoteParticleMapper;
 
-class MOTERENDERINGVTK_EXPORT vtkMoteParticleFileWriter : public vtkMoteFileWriter
+class MOTERENDERINGVTK_EXPORT vtkMoteParticleFileWriter : public vtkMoteStructureFileWriter
 {
 public:
   static vtkMoteParticleFileWriter* New();
-  vtkTypeMacro(vtkMoteParticleFileWriter, vtkMoteFileWriter);
+  vtkTypeMacro(vtkMoteParticleFileWriter, vtkMoteStructureFileWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{

@@ -49,15 +49,6 @@ marked() {
 # at X Y: the mouse goes there and rests.
 at() { xdotool mousemove "$1" "$2" sleep 0.2; }
 
-# rectangle BUTTON X0 Y0 X1 Y1: is drawn with Ctrl.
-rectangle() {
-  at "$2" "$3"
-  xdotool keydown Control_L mousedown "$1" sleep 0.1
-  at $((($2 + $4) / 2)) "$5"
-  at "$4" "$5"
-  xdotool mouseup "$1" keyup Control_L sleep 0.1
-}
-
 case $3 in
   click) # picks, with Shift adds and takes away; it is marked, listed, and pictures and sessions have the marks
     open "$copper" --size 1000x760 --color-by none

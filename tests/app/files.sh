@@ -71,6 +71,95 @@ case $3 in
     [ -z "$(ls -A | grep -e full -e tmp)" ] || { ls -A; fail "something was left"; }
     ;;
 
+  others) # what is shown, for other programs
+    count() { "$mote" info --json "$1" | grep -o "\"$2\": [0-9]*" | head -1 | grep -o '[0-9]*$'; }
+    for file in a.vtp a.vtu a.xyz a.xyz.gz; do
+      run 0 "$mote" convert "$copper" "$file"
+      said out "$file: 24,480 particles, "
+      run 0 "$mote" info "$file"
+      for text in '24,480 points' 'c_centro' '26502' 'vectors (130.14, 0, 0) (0, 72.3, 0)'; do said out "$text"; done
+      # The picture of the file is that of the dump.
+      run 0 "$mote" render "$copper" -o a.png --size 320x200 --caption '' --no-legend --color-by c_pe --radius 1.4
+      run 0 "$mote" render "$file" -o b.png --size 320x200 --caption '' --no-legend --color-by c_pe --radius 1.4
+      if command -v python3 >/dev/null; then
+        read -r wrong bias < <(python3 "$tests/compare_png.py" a.png b.png)
+        [ "$wrong" = 0 ] || fail "the picture of $file differs: $wrong"
+      fi
+    done
+    # What ranges, expressions, ids and cuts leave is what the picture counts.
+    for hiding in '--show c_centro=5:' '--where type==1&&z>20' '--only-ids 100:5000' '--hide-ids 1:20000' \
+      '--show z=10:30 --show type=1,3' '--show radius=0: --radius 2'; do
+      # shellcheck disable=SC2086
+      run 0 "$mote" render "$copper" -o a.png --size 64x64 $hiding
+      shown=$(grep -o '[0-9,]* of 24,480 particles shown' out | head -1)
+      shown=${shown%% of*}
+      for file in some.vtp some.xyz some.mote; do
+        # shellcheck disable=SC2086
+        run 0 "$mote" convert "$copper" $hiding $file
+        said out "$file: ${shown:-24,480} particles"
+        [ "$(count $file points)" = "$(echo "${shown:-24480}" | tr -d ,)" ] || fail "$file holds others"
+      done
+    done
+    run 0 "$mote" convert "$copper" --cut x=0:65 --cut-axis 65,36,0,0,0,1 --cut r=:30 some.xyz
+    python3 - some.xyz <<'END' || fail "others are cut away"
+import sys
+rows = open(sys.argv[1]).read().splitlines()[2:]
+places = [[float(x) for x in row.split()[:3]] for row in rows]
+assert 500 < len(places) < 12000, len(places)
+for x, y, z in places:
+    assert 0 <= x <= 65 and (x - 65) ** 2 + (y - 36) ** 2 <= 900 * (1 + 1e-9), (x, y, z)
+END
+    # The radius of all stays that of the few that are left; other radii become an array.
+    run 0 "$mote" convert "$copper" --only-ids 1,24480 two.mote
+    run 0 "$mote" info "$copper"
+    spacing=$(sed -n 's/^ *spacing *\([0-9.]*\).*/\1/p' out)
+    run 0 "$mote" render two.mote -o a.png --size 64x64
+    run 0 "$mote" convert two.mote two.xyz --radius-scale 1.5
+    python3 - two.xyz "$spacing" <<'END' || fail "the radius is another"
+import sys
+head, *rows = open(sys.argv[1]).read().splitlines()[1:]
+assert "radius:R:1" in head, head
+for row in rows:
+    assert abs(float(row.split()[-1]) / (1.5 * 0.5 * float(sys.argv[2])) - 1) < 2e-3, row
+END
+    # Cells.
+    run 0 "$mote" render "$data/swirl.0.vtu" -o a.png --size 64x64 --show x=0:
+    cells=$(grep -o '[0-9,]* of [0-9,]* cells shown' out)
+    run 0 "$mote" convert "$data/swirl.0.vtu" --show x=0: half.vtu
+    said out "half.vtu: ${cells%% of*} cells"
+    run 0 "$mote" convert "$data/swirl.0.vtu" --cut angle=350:370 slice.vtu
+    run 0 "$mote" info slice.vtu
+    said out 'hexahedra'
+    run 0 "$mote" convert "$data/swirl.0.vtu" "$data/swirl.1.vtu" all.vtu --all-steps
+    [ -s all.0001.vtu ] && [ -s all.0002.vtu ] || fail "not one file a step"
+    run 0 "$mote" convert "$copper" all.xyz.gz --all-steps
+    # What cannot be.
+    run 1 "$mote" convert "$data/swirl.0.vtu" a.xyz
+    one_sentence
+    said err 'a .xyz file holds one set of particles'
+    run 1 "$mote" convert pump:0.02 pump.vtu
+    one_sentence
+    said err 'choose with --hide-data'
+    run 0 "$mote" convert pump:0.02:rotor pump.vtu
+    run 1 "$mote" convert "$copper" --show x=1e6: none.vtp
+    one_sentence
+    said err 'is shown'
+    [ ! -e none.vtp ] || fail "a file of nothing"
+    run 1 "$mote" convert a.vtp a.vtp
+    one_sentence
+    for file in full.vtp full.vtu full.xyz full.xyz.gz; do
+      (
+        trap '' XFSZ
+        ulimit -f 50
+        "$mote" convert "$copper" $file >/dev/null 2>err
+      )
+      [ $? = 1 ] || fail "a full disk went unnoticed by $file"
+      one_sentence
+      said err $file
+    done
+    [ -z "$(ls -A | grep -e full -e tmp)" ] || { ls -A; fail "something was left"; }
+    ;;
+
   generated) # particles that are made, wherever a file may be named
     for input in lattice:5000 random:5000:0.01 varied:5000; do
       run 0 "$mote" info "$input"

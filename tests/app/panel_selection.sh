@@ -63,6 +63,32 @@ case $3 in
     quit
     ;;
 
+  save) # what is shown, and what is picked, as data
+    # points FILE: how many it has.
+    points() {
+      for _ in $(seq 200); do
+        [ -s "$1" ] && break
+        sleep 0.05
+      done
+      "$mote" info --json "$1" | grep -o '"points": [0-9]*' | head -1
+    }
+    open "$copper" --size 1000x1000 --show type=1
+    click 'Save what is shown'
+    "$mote" convert "$copper" --show type=1 expected.vtp >/dev/null || fail "no file to compare with"
+    [ "$(points copper-scratch-001-shown.vtp)" = "$(points expected.vtp)" ] || fail "others were saved"
+    # A rectangle over the middle picks what is seen there.
+    rectangle 1 600 450 700 520
+    click 'Save data'
+    picked=$(points copper-scratch-001-picked.vtp | grep -o '[0-9]*$')
+    [ "$picked" -gt 10 ] && [ "$picked" -lt 10000 ] || fail "'$picked' were saved"
+    quit
+    open "$data/swirl.0.vtu" --size 1000x860 --cut x=0:
+    click 'Save what is shown'
+    "$mote" convert "$data/swirl.0.vtu" --cut x=0: expected.vtu >/dev/null || fail "no file to compare with"
+    [ "$(points swirl-001-shown.vtu)" = "$(points expected.vtu)" ] || fail "other cells were saved"
+    quit
+    ;;
+
   types) # are hidden and shown one by one, and counted
     open "$data/hopper.dump.gz" --color-by type --size 1000x860
     picture all.png

@@ -119,3 +119,11 @@ quit_changed() {
   kill -0 $process 2>/dev/null || fail "q closes a session that has changed"
   quit
 }
+
+# rectangle BUTTON X0 Y0 X1 Y1: is drawn with Ctrl.
+rectangle() {
+  xdotool mousemove "$2" "$3" sleep 0.2
+  xdotool keydown Control_L mousedown "$1" sleep 0.1
+  xdotool mousemove $((($2 + $4) / 2)) "$5" sleep 0.2 mousemove "$4" "$5" sleep 0.2
+  xdotool mouseup "$1" keyup Control_L sleep 0.1
+}

@@ -40,6 +40,9 @@ CASES = [
     Case("convert-pieces", ["hopper.dump"], "convert hopper.dump out.mote --memory 1K",
          ["out.mote"]),
     Case("convert-mesh", ["mesh.ply"], "convert mesh.ply out.mote", ["out.mote"]),
+    Case("convert-vtp", ["hopper.dump"], "convert hopper.dump --show x=0: out.vtp", ["out.vtp"]),
+    Case("convert-vtu", ["swirl.0.vtu"], "convert swirl.0.vtu --show x=0: out.vtu", ["out.vtu"]),
+    Case("convert-xyz", ["hopper.dump"], "convert hopper.dump out.xyz.gz", ["out.xyz.gz"]),
     Case("render", ["hopper.dump"], "render hopper.dump -o out.png --shadows hard "
          "--save-session out.json" + SMALL, ["out.png", "out.json"]),
     Case("render-large", [], "render random:200000:0.01 -o out.exr" + SMALL, ["out.exr"]),

@@ -223,6 +223,25 @@ class Files(Folder):
                 mote.film(images, self.folder / path)
 
 
+    def test_data_are_written(self):
+        points = np.random.default_rng(5).random((500, 3))
+        scene = mote.particles(points, radius=0.1, color=points[:, 0] ** 3)
+        for name in ("a.vtp", "a.vtu", "a.xyz", "a.xyz.gz"):
+            path = self.folder / name
+            mote.write(scene, path)
+            again = mote.read(path)
+            np.testing.assert_array_equal(again.points, scene.points, name)
+            for key in scene.keys():
+                np.testing.assert_array_equal(again[key], scene[key], name)
+        with self.assertRaisesRegex(mote.Error, "must end in"):
+            mote.write(scene, self.folder / "a.txt")
+        with self.assertRaisesRegex(mote.Error, "folder does not exist"):
+            mote.write(scene, "/nowhere/a.vtp")
+        with self.assertRaisesRegex(ValueError, "the scene has 2"):
+            mote.write(scene + scene, self.folder / "b.vtp")
+        self.assertEqual(len(os.listdir(self.folder)), 4)
+
+
 class Errors(Folder):
     def test_settings(self):
         scene = mote.particles(lattice(), radius=0.4)
@@ -316,7 +335,7 @@ class Help(Folder):
     def test_settings_are_told(self):
         self.assertIn("Array that colours", mote.settings()["color_by"])
         self.assertIn("shadows: ", mote.render.__doc__)
-        for name in ("particles", "mesh", "volume", "read", "render", "show", "film", "settings"):
+        for name in ("particles", "mesh", "volume", "read", "render", "show", "film", "settings", "write"):
             self.assertGreater(len(inspect.getdoc(getattr(mote, name)).split()), 8, name)
 
     def test_stubs(self):

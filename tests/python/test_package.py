@@ -103,7 +103,7 @@ class Package(unittest.TestCase):
 
     def test_holds_nothing_else_but_functions(self):
         functions = {"Error", "Image", "Scene", "film", "mesh", "particles", "read", "render"}
-        functions |= {"settings", "show", "volume"}
+        functions |= {"settings", "show", "volume", "write"}
         strangers = {
             name
             for name in dir(mote)

@@ -264,6 +264,11 @@ void AtomicFile::rewrite(std::uint64_t offset, const void* data, std::size_t siz
     { return ::pwrite(descriptor_, from, left, static_cast<off_t>(offset + done)); });
 }
 
+std::string AtomicFile::openName() const
+{
+  return temporaryName_.empty() ? linkTo(descriptor_) : temporaryName_;
+}
+
 /// Gives the file a temporary name, which it needs to replace another. Returns the system's error.
 int AtomicFile::giveName()
 {

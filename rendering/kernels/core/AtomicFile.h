@@ -64,6 +64,9 @@ public:
   void write(const void* data, std::size_t size);
   /// Overwrites what was written from `offset` on.
   void rewrite(std::uint64_t offset, const void* data, std::size_t size);
+  /// A name under which a library may open the file, and write it in place of write(), until
+  /// commit(). It may not remove it.
+  std::string openName() const;
   void commit();
 
 private:

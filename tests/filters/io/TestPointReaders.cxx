@@ -8,6 +8,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -126,6 +127,37 @@ TEST_F(TestPointReaders, ExtendedXYZ)
   EXPECT_EQ(data->GetPointData()->GetArray("Z")->GetDataType(), VTK_INT);
   EXPECT_EQ(data->GetPointData()->GetArray("type")->GetTuple1(0), 14);
   EXPECT_TRUE(data->GetPointData()->GetAbstractArray("fixed"));
+}
+
+TEST_F(TestPointReaders, BoxAndTimeOfXYZ)
+{
+  const std::string row = "\nCu 1 2 3\n";
+  const std::string properties = " Properties=species:S:1:pos:R:3";
+  vtkNew<vtkMoteXYZReader> reader;
+  const auto read = [&](const std::string& comment)
+  {
+    reader->SetFileName(write("a.xyz", "1\n" + comment + row).c_str());
+    reader->Modified();
+    reader->Update();
+    return reader->GetOutput()->GetFieldData();
+  };
+  vtkFieldData* fields = read(
+    "Lattice=\"1 0 0 0.5 2 0 0 0 3\"" + properties + " Origin=\"-1 0 1\" pbc=\"T F T\" Time=7.5");
+  ASSERT_TRUE(fields->GetArray("box"));
+  EXPECT_EQ(fields->GetArray("box")->GetComponent(0, 3), 0.5);
+  EXPECT_EQ(fields->GetArray("box_origin")->GetComponent(0, 0), -1.0);
+  EXPECT_EQ(
+    vtkStringArray::SafeDownCast(fields->GetAbstractArray("boundary"))->GetValue(0), "pp ff pp");
+  EXPECT_EQ(reader->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), 7.5);
+  // Without more a box is periodic, and its corner is the origin.
+  fields = read("Lattice=\"1 0 0 0 2 0 0 0 3\"" + properties);
+  EXPECT_EQ(
+    vtkStringArray::SafeDownCast(fields->GetAbstractArray("boundary"))->GetValue(0), "pp pp pp");
+  EXPECT_EQ(fields->GetArray("box_origin")->GetComponent(0, 2), 0.0);
+  // What is no box, or part of another word.
+  for (const char* none : {"Lattice=\"1 0 0 0 2 0 0 0\"", "Lattice=\"1 0 0 0 2 0 0 0 x\"",
+         "Lattice=\"1 0 0 0 2 0 0 0 nan\"", "Lattice=", "SubLattice=\"1 0 0 0 2 0 0 0 3\""})
+    EXPECT_FALSE(read(none + properties)->GetArray("box")) << none;
 }
 
 TEST_F(TestPointReaders, BadXYZ)

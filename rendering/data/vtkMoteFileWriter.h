@@ -1,28 +1,21 @@
 /**
  * @class   vtkMoteFileWriter
- * @brief   what the writers of .mote files have in common
+ * @brief   what writers of one file have in common
  *
  * The file is written without a name, or under a temporary one in the same folder, and then
- * renamed: under its own name it is complete or is not there. docs/mote-file.md describes the
- * files.
+ * renamed: under its own name it is complete or is not there.
  */
 
 #ifndef vtkMoteFileWriter_h
 #define vtkMoteFileWriter_h
 
-#include "MoteRenderingVTKModule.h" // for export macro
+#include "MoteRenderingDataModule.h" // for export macro
 #include "vtkWriter.h"
 
 #include <functional> // for the progress
 #include <string>     // for messages
-#include <vector>     // for names
 
-namespace mote
-{
-struct FieldArrays;
-} // namespace mote
-
-class MOTERENDERINGVTK_EXPORT vtkMoteFileWriter : public vtkWriter
+class MOTERENDERINGDATA_EXPORT vtkMoteFileWriter : public vtkWriter
 {
 public:
   vtkAbstractTypeMacro(vtkMoteFileWriter, vtkWriter);
@@ -34,17 +27,6 @@ public:
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
-  ///@}
-
-  ///@{
-  /**
-   * Whether the input's order is kept, as arrays "vtkOriginalPointIds" and, of triangles,
-   * "vtkOriginalCellIds" (4 bytes each; 8 for points above 2^32). On by default; without effect
-   * where the input has an array of that name, which is then written as any.
-   */
-  vtkSetMacro(WriteOriginalIds, vtkTypeBool);
-  vtkGetMacro(WriteOriginalIds, vtkTypeBool);
-  vtkBooleanMacro(WriteOriginalIds, vtkTypeBool);
   ///@}
 
   /**
@@ -61,7 +43,6 @@ public:
 protected:
   vtkMoteFileWriter();
   ~vtkMoteFileWriter() override;
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   void WriteData() override {}
 
   /**
@@ -74,13 +55,7 @@ protected:
    */
   std::function<bool(double)> ProgressOfWrite();
 
-  /**
-   * Warns of arrays that are not written.
-   */
-  void WarnOfLeftOut(const mote::FieldArrays& arrays);
-
   char* FileName = nullptr;
-  vtkTypeBool WriteOriginalIds = 1;
 
 private:
   vtkMoteFileWriter(const vtkMoteFileWriter&) = delete;

@@ -1,12 +1,9 @@
 #include "vtkMoteFileWriter.h"
 
-#include "FieldArrays.h"
-
 #include "kernels/core/AtomicFile.h"
 
 #include "vtkCommand.h"
 #include "vtkErrorCode.h"
-#include "vtkInformation.h"
 
 #include <new>
 
@@ -15,13 +12,6 @@ vtkMoteFileWriter::vtkMoteFileWriter() = default;
 vtkMoteFileWriter::~vtkMoteFileWriter()
 {
   this->SetFileName(nullptr);
-}
-
-int vtkMoteFileWriter::FillInputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return 1;
 }
 
 int vtkMoteFileWriter::Write()
@@ -71,16 +61,8 @@ std::function<bool(double)> vtkMoteFileWriter::ProgressOfWrite()
   };
 }
 
-void vtkMoteFileWriter::WarnOfLeftOut(const mote::FieldArrays& arrays)
-{
-  if (!arrays.leftOut.empty())
-    vtkWarningMacro(<< "\"" << this->FileName
-                    << "\" is without the arrays that hold no numbers: " << arrays.leftOut << ".");
-}
-
 void vtkMoteFileWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
-  os << indent << "WriteOriginalIds: " << (this->WriteOriginalIds ? "On" : "Off") << "\n";
 }
