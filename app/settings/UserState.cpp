@@ -35,6 +35,8 @@ std::vector<std::string> textsOf(const Json& list)
 UserState readUserState()
 {
   UserState state;
+  if (std::error_code error; !fs::is_regular_file(stateFile(), error))
+    return state;
   std::ifstream file(stateFile());
   const Json json = Json::parse(file, nullptr, false);
   if (!json.is_object())

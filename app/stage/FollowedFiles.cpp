@@ -50,6 +50,8 @@ bool FollowedFiles::isWhole(const std::string& file)
   const std::string extension = fs::path(file).extension().string();
   if (extension != ".vtu" && extension != ".vtp" && extension != ".vti")
     return rests && now.first > 0;
+  if (std::error_code error; !fs::is_regular_file(file, error))
+    return false;
   constexpr std::int64_t tail = 64;
   std::ifstream in(file, std::ios::binary);
   in.seekg(std::max<std::int64_t>(0, now.first - tail));

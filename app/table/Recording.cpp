@@ -381,6 +381,8 @@ Recording readRecording(const std::string& path, const std::vector<std::string>&
 {
   if (std::error_code error; !std::filesystem::exists(path, error))
     throw Failure(path + ": there is no such file");
+  else if (!std::filesystem::is_regular_file(path, error))
+    throw Failure(path + ": this is not a regular file");
   std::ifstream file(path, std::ios::binary);
   std::string line;
   if (!std::getline(file, line))

@@ -151,6 +151,8 @@ Settings readSession(const std::string& path)
   std::error_code error;
   if (!fs::exists(path, error))
     throw Failure(path + ": there is no such file");
+  if (!fs::is_regular_file(path, error))
+    throw Failure(path + ": this is not a regular file");
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   if (file && file.peek() == std::ifstream::traits_type::eof())

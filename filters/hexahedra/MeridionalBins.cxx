@@ -1,6 +1,7 @@
 #include "MeridionalBins.h"
 
 #include "ForRanges.h"
+#include "MeridionalCell.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -15,58 +16,6 @@ namespace mote
 namespace
 {
 
-/// What a cell brings: its shape and its corners' values.
-struct Sampled
-{
-  CollapsedCell cell;
-  double side;                   // -1 for a cell that is inside out
-  std::array<Vec3d, 8> values{}; // scalars in x
-  double middle = 0.0;
-};
-
-/// Into how many pieces a cell is cut along its three directions: three for each bin that it
-/// reaches over, for fewer show as stripes where cells and bins are in step. Chords of circles
-/// count by how far they dip below them.
-std::array<int, 3> piecesOf(const CollapsedCell& cell, const Axis& axis, double size)
-{
-  static constexpr int edges[3][4][2] = {{{0, 1}, {3, 2}, {4, 5}, {7, 6}},
-    {{0, 3}, {1, 2}, {4, 7}, {5, 6}}, {{0, 4}, {1, 5}, {2, 6}, {3, 7}}};
-  std::array<int, 3> pieces{};
-  for (int k = 0; k < 3; ++k)
-  {
-    double reach = 0.0;
-    for (const auto& [a, b] : edges[k])
-    {
-      const Vec3d &p = cell.corners[a], &q = cell.corners[b];
-      const double dip = 0.5 * (axis.from(p) + axis.from(q)) - axis.from(0.5 * (p + q));
-      reach = std::max({reach, std::abs(axis.along(p) - axis.along(q)),
-        std::abs(axis.from(p) - axis.from(q)), 2.0 * dip});
-    }
-    // Two samples a piece.
-    pieces[k] = static_cast<int>(std::clamp(std::ceil(3.0 * reach / size), 1.0, 256.0));
-  }
-  return pieces;
-}
-
-void addSample(Bin& bin, const Sampled& from, const Axis& axis, const Vec3d& place,
-  const Vec3d& value, double volume, bool isVector)
-{
-  bin.volume += volume;
-  if (!isVector)
-  {
-    bin.sums[0] += volume * value.x;
-    bin.sums[1] += volume * (value.x - from.middle) * (value.x - from.middle);
-    return;
-  }
-  const Vec3d outwards = axis.outwards(place);
-  const double radius = glm::length(outwards);
-  const Vec3d radial = radius > 0.0 ? outwards / radius : Vec3d(0.0);
-  bin.sums[0] += volume * glm::dot(value, axis.direction);
-  bin.sums[1] += volume * glm::dot(value, radial);
-  bin.sums[2] += volume * glm::dot(value, glm::cross(axis.direction, radial));
-  bin.sums[3] += volume * glm::length(value);
-}
-
 /// Whether corners tell that a cell has nothing within the limits.
 bool isOutside(const CollapsedCell& cell, const Axis& axis, const Limits& limits)
 {
@@ -75,32 +24,6 @@ bool isOutside(const CollapsedCell& cell, const Axis& axis, const Limits& limits
   return all([&](const Vec3d& p) { return axis.along(p) < limits.axial[0]; }) ||
          all([&](const Vec3d& p) { return axis.along(p) > limits.axial[1]; }) ||
          all([&](const Vec3d& p) { return axis.from(p) < limits.radial[0]; });
-}
-
-/// The Gauss rule with two samples a direction in every piece: exact for the volume as a whole.
-void addCell(
-  std::vector<Bin>& bins, const BinGrid& grid, const Axis& axis, const Sampled& from, bool isVector)
-{
-  static const double low = 0.5 - 0.5 / std::sqrt(3.0);
-  const auto pieces = piecesOf(from.cell, axis, grid.size);
-  const auto sample = [&](int i, int n) { return (i / 2 + (i % 2 == 0 ? low : 1.0 - low)) / n; };
-  const double share = from.side / (8.0 * pieces[0] * pieces[1] * pieces[2]);
-  for (int k = 0; k < 2 * pieces[2]; ++k)
-    for (int j = 0; j < 2 * pieces[1]; ++j)
-      for (int i = 0; i < 2 * pieces[0]; ++i)
-      {
-        const Vec3d rst(sample(i, pieces[0]), sample(j, pieces[1]), sample(k, pieces[2]));
-        const auto weights = trilinearWeights(rst);
-        Vec3d place(0.0), value(0.0);
-        for (int c = 0; c < 8; ++c)
-        {
-          place += weights[c] * from.cell.corners[c];
-          value += weights[c] * from.values[c];
-        }
-        if (const std::size_t bin = grid.at(axis.along(place), axis.from(place)); bin < bins.size())
-          addSample(
-            bins[bin], from, axis, place, value, share * jacobianAt(from.cell, rst), isVector);
-      }
 }
 
 /// The mean of a polyhedron's point values.

@@ -247,7 +247,8 @@ std::string vtkMoteMeridionalAverage::Average(
   for (const Chosen& chosen : arrays)
     if (!bins.empty()) // there are none over a single place
       mote::addToBins(bins, grid, axis, chosen.data, chosen.array, chosen.ofCells, middle);
-  if (std::none_of(bins.begin(), bins.end(), [](const mote::Bin& b) { return b.volume > 0.0; }))
+  if (std::none_of(bins.begin(), bins.end(),
+        [](const mote::Bin& b) { return b.volume > 0.0 || std::isnan(b.volume); }))
     return std::string("there is no cell with volume and a finite value to average") +
            (isAll(this->AxialRange) && isAll(this->RadialRange) ? ""
                                                                 : " within the ranges of place");
@@ -255,6 +256,8 @@ std::string vtkMoteMeridionalAverage::Average(
   const auto overflows = [&columns](const mote::Bin& bin)
   {
     const auto isFinite = [](double x) { return std::isfinite(x); };
+    if (std::isnan(bin.volume)) // from differences of infinite ones
+      return true;
     return bin.volume > 0.0 && !(std::all_of(std::begin(bin.sums), std::end(bin.sums), isFinite) &&
                                  std::all_of(columns.begin(), columns.end(),
                                    [&](const Column& c) { return isFinite(c.value(bin)); }));

@@ -8,8 +8,11 @@
  *
  * The plane of place along the axis and distance from it is cut into square bins. A bin's average
  * is the integral over the part of the cells' volume that falls into it when it turns about the
- * axis, by that volume. Cells are cut into pieces of a third of a bin, with two Gauss samples
- * along each direction; a point array is interpolated by the trilinear map of the cell.
+ * axis, by that volume. A cell that fits into a bin is cut into pieces of a third of a bin, with
+ * two Gauss samples along each direction. One that reaches over more is cut into lines, along which
+ * the integral between the edges of bins is exact: two between those edges as the cell's middle
+ * meets them, by four a bin, up to 64, in the third direction. A point array is interpolated by the
+ * trilinear map of the cell.
  *
  * First output, a vtkTable with a row for each bin that holds something: `axial` and `radial`, the
  * middle of the bin; `volume`; for an array NAME of one component `NAME`, its average, and

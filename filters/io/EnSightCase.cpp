@@ -2,6 +2,7 @@
 
 #include "EnSightGeometry.h"
 #include "FileError.h"
+#include "TextFile.h"
 
 #include <algorithm>
 #include <charconv>
@@ -276,6 +277,13 @@ std::string EnSightCase::fileAt(const Pattern& pattern, std::optional<double> ti
     name.replace(stars, width, digits);
   }
   return (std::filesystem::path(path_).parent_path() / name).string();
+}
+
+void EnSightCase::requireFiles() const
+{
+  requireNoStream(this->fileAt(geometry_, {}));
+  for (const Variable& variable : variables_)
+    requireNoStream(this->fileAt(variable.pattern, {}));
 }
 
 void EnSightCase::checkAt(std::optional<double> time) const

@@ -71,7 +71,7 @@ namespace mote
 
 vtkSmartPointer<vtkAlgorithm> makeEnSightReader(const std::string& fileName)
 {
-  const EnSightCase whole(fileName);
+  EnSightCase(fileName).requireFiles();
   auto reader = vtkSmartPointer<vtkMoteEnSightReader>::New();
   reader->SetCaseFileName(fileName.c_str());
   reader->Path = fileName;

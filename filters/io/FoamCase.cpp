@@ -2,6 +2,7 @@
 
 #include "FileError.h"
 #include "FoamMesh.h"
+#include "TextFile.h"
 
 #include <algorithm>
 #include <charconv>
@@ -71,6 +72,21 @@ std::size_t timesIn(const fs::path& folder)
     folders.begin(), folders.end(), [](const fs::path& one) { return timeOf(one).has_value(); }));
 }
 
+/// Throws FileError where a case has a pipe or a device in place of a file, which VTK's reader
+/// would wait for.
+void requireNoStreams(const fs::path& folder)
+{
+  std::vector<fs::path> folders = {folder / "constant", folder / "system"};
+  for (const fs::path& one : foldersIn(folder))
+    if (timeOf(one))
+      folders.push_back(one);
+  std::error_code error;
+  for (const fs::path& one : folders)
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(one, error))
+      if (!entry.is_regular_file(error) && !entry.is_directory(error))
+        requireNoStream(entry.path().string());
+}
+
 } // namespace
 
 FoamCase foamCaseOf(const std::string& fileName)
@@ -95,6 +111,9 @@ FoamCase foamCaseOf(const std::string& fileName)
                  : "there is no mesh beside this file: an OpenFOAM case has it in "
                    "constant/polyMesh");
   }
+  requireNoStreams(folder);
+  if (hasParts)
+    requireNoStreams(first); // others are as that one
   const bool isDecomposed = hasParts && (!hasMesh || timesIn(first) > timesIn(folder));
   const FoamCase found = {folder.string(), isDecomposed};
   for (const fs::path& one : casesIn(found))

@@ -33,6 +33,11 @@ FileError cannotOpen(const std::string& path, int error)
   }
 }
 
+[[noreturn]] void failAsStream(const std::string& path)
+{
+  throw FileError(FileError::Kind::CannotOpen, path, "this is not a regular file");
+}
+
 struct stat statOf(const std::string& path)
 {
   struct stat status = {};
@@ -41,11 +46,18 @@ struct stat statOf(const std::string& path)
   if (S_ISDIR(status.st_mode))
     throw FileError(FileError::Kind::CannotOpen, path, "this is a directory, not a file");
   if (!S_ISREG(status.st_mode))
-    throw FileError(FileError::Kind::CannotOpen, path, "this is not a regular file");
+    failAsStream(path);
   return status;
 }
 
 } // namespace
+
+void requireNoStream(const std::string& path)
+{
+  struct stat status = {};
+  if (::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode))
+    failAsStream(path);
+}
 
 FileStamp stampOf(const std::string& path)
 {

@@ -53,6 +53,10 @@ private:
   const char* m_map = nullptr;
 };
 
+/// Throws FileError where a name is that of a pipe, a device or the like, links followed: these may
+/// never end. What is not there passes.
+void requireNoStream(const std::string& path);
+
 /// The first `count` bytes of a file's text, inflated if it is gzip; fewer when the file is shorter
 /// or damaged. Throws FileError when the file cannot be opened.
 std::string readBeginning(const std::string& path, std::size_t count);

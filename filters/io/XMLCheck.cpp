@@ -204,6 +204,7 @@ private:
   void follow(const std::string& name, int depth) const
   {
     const auto beside = std::filesystem::path(path_).parent_path() / name;
+    requireNoStream(beside.string());
     std::error_code error;
     if (std::filesystem::is_regular_file(beside, error))
       Check(beside.string(), arrays_).run(depth + 1);

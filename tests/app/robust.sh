@@ -136,6 +136,34 @@ FILE
     said out '1 polyhedra'
     ;;
 
+  streams) # pipes and devices in place of files get a sentence at once, whoever names them
+    mkfifo pipe
+    ended() { # COMMAND...: within a while, with a sentence
+      timeout 20 "$@" >out 2>err
+      [ $? = 1 ] || { cat out err; fail "no sentence but exit code $?: $*"; }
+      one_sentence
+      said err 'regular file'
+    }
+    for ending in dump bin mote xyz pts csv gro cfg h5 pdb vtp vtu vtk ply obj stl gltf case cgns foam json pvd; do
+      ln -s /dev/zero "zero.$ending"
+      mkfifo "pipe.$ending"
+      ended "$mote" info "zero.$ending"
+      ended "$mote" render "pipe.$ending" -o a.png
+    done
+    element() { echo "<VTKFile type=\"$1\" version=\"0.1\"><$2>$3</$2></VTKFile>"; }
+    element Collection Collection '<DataSet timestep="0" file="pipe.vtp"/>' >parts.pvd
+    element vtkMultiBlockDataSet vtkMultiBlockDataSet '<DataSet index="0" file="pipe.vtp"/>' >parts.vtm
+    element PPolyData PPolyData '<Piece Source="pipe.vtp"/>' >parts.pvtp
+    printf 'FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: pipe\n' >parts.case
+    for file in parts.pvd parts.vtm parts.pvtp parts.case; do ended "$mote" info $file; done
+    mkdir -p case/constant/polyMesh case/0
+    touch case/a.foam
+    for name in points faces owner neighbour boundary; do mkfifo "case/constant/polyMesh/$name"; done
+    ended "$mote" info case/a.foam
+    ended "$mote" silhouettes pipe.json -o a.png
+    ended "$mote" --play pipe
+    ;;
+
   far) # numbers that are too large
     for place in 1e150 1e200 1e300; do
       grid far.vtk "1 1 $place" '0 1 1'

@@ -11,7 +11,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace
 {
@@ -259,6 +261,53 @@ TEST(MeridionalAverage, ThePumpTurnsAboutItsOwnAxis)
     EXPECT_GT(valueAt(table, i, "velocity_circumferential"), inRotor ? 5.0 : -1.0);
   }
   EXPECT_NEAR(volume, 0.00375, 0.0001);
+}
+
+TEST(MeridionalAverage, OneCellOverManyBins)
+{
+  // The cube from (1, 0, 0) to (2, 1, 1), whose parts between two radii have known volumes.
+  const auto grid = Grid::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (int i = 0; i < 8; ++i)
+    points->InsertNextPoint(1.0 + (i % 4 == 1 || i % 4 == 2), i % 4 > 1, i > 3);
+  const vtkIdType ids[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+  grid->SetPoints(points);
+  grid->InsertNextCell(VTK_HEXAHEDRON, 8, ids);
+  addField(grid, "f", 1, [](Vec p) { return Vec{p[2]}; });
+  // Of the square's part within a circle, by the integral of its height over x.
+  const auto within = [](double radius)
+  {
+    constexpr int steps = 20000;
+    double sum = 0.0;
+    for (int i = 0; i < steps; ++i)
+      sum += std::clamp(
+        std::sqrt(std::max(0.0, radius * radius - std::pow(1.0 + (i + 0.5) / steps, 2))), 0.0, 1.0);
+    return sum / steps;
+  };
+  for (const int resolution : {7, 40, 200})
+  {
+    Average average(grid, "f", resolution);
+    vtkTable* table = average.table();
+    const double size = std::sqrt(5.0) / resolution;
+    double volume = 0.0, off = 0.0, largest = 0.0;
+    std::map<double, double> areas;
+    for (vtkIdType i = 0; i < table->GetNumberOfRows(); ++i)
+    {
+      const double r = valueAt(table, i, "radial"), z = valueAt(table, i, "axial");
+      const double high = std::min(1.0, z + 0.5 * size), low = z - 0.5 * size;
+      if (areas.count(r) == 0)
+        areas[r] = within(r + 0.5 * size) - within(r - 0.5 * size);
+      const double expected = areas[r] * (high - low), own = valueAt(table, i, "volume");
+      volume += own;
+      off += std::abs(own - expected);
+      largest = std::max(largest, std::abs(own - expected));
+      EXPECT_NEAR(valueAt(table, i, "f"), 0.5 * (low + high), 1e-9) << resolution;
+    }
+    EXPECT_NEAR(volume, 1.0, 1e-9) << resolution;
+    EXPECT_LT(off, 0.004) << resolution; // of a volume of 1
+    EXPECT_LT(largest, 0.01 * size * size) << resolution;
+  }
 }
 
 TEST(MeridionalAverage, WrongRequestsGetASentence)
