@@ -101,7 +101,41 @@ std::optional<HDF5Array> HDF5File::array(const std::string& name) const
   const H5T_class_t kind = H5Tget_class(type);
   array.isWhole = kind == H5T_INTEGER && H5Tget_size(type) <= 8;
   array.isNumber = array.isWhole || kind == H5T_FLOAT;
+  array.isSigned = !array.isWhole || H5Tget_sign(type) != H5T_SGN_NONE;
+  array.bytes = H5Tget_size(type);
   return array;
+}
+
+std::string HDF5File::text(const std::string& of, const std::string& attribute) const
+{
+  const HDF5Silence silence;
+  const HDF5Handle object(openObject(m_file, of), H5Oclose);
+  if (!object.isGood() || H5Aexists(object, attribute.c_str()) <= 0)
+    return {};
+  const HDF5Handle found(H5Aopen(object, attribute.c_str(), H5P_DEFAULT), H5Aclose);
+  const HDF5Handle type(found.isGood() ? H5Aget_type(found) : -1, H5Tclose);
+  const HDF5Handle space(found.isGood() ? H5Aget_space(found) : -1, H5Sclose);
+  if (!type.isGood() || H5Tget_class(type) != H5T_STRING || !space.isGood() ||
+      H5Sget_simple_extent_npoints(space) != 1)
+    return {};
+  std::string text;
+  if (H5Tis_variable_str(type) > 0)
+  {
+    char* words = nullptr;
+    if (H5Aread(found, type, &words) >= 0 && words)
+    {
+      text = words;
+      H5free_memory(words);
+    }
+    return text;
+  }
+  const std::size_t length = H5Tget_size(type);
+  if (length == 0 || length > 4096)
+    return {};
+  text.resize(length);
+  if (H5Aread(found, type, text.data()) < 0)
+    return {};
+  return text.substr(0, text.find('\0'));
 }
 
 bool HDF5File::hasAttribute(const std::string& of, const std::string& attribute) const
@@ -133,26 +167,58 @@ std::vector<double> HDF5File::numbers(const std::string& of, const std::string& 
 void HDF5File::readAs(std::int64_t memoryType, const std::string& name, std::uint64_t first,
   std::uint64_t count, void* values) const
 {
-  const auto fail = [&]
-  {
-    throw FileError(FileError::Kind::Malformed, m_path,
-      "'" + name + "' cannot be read: it is damaged, or packed in a way that HDF5 lacks here");
-  };
   const std::optional<HDF5Array> known = array(name);
-  if (!known || known->columns() == 0 || first > known->rows() || count > known->rows() - first)
-    fail();
+  if (!known || known->columns() == 0)
+    failToRead(name);
+  readSlab(memoryType, name, *known, first, count, values);
+}
+
+void HDF5File::failToRead(const std::string& name) const
+{
+  throw FileError(FileError::Kind::Malformed, m_path,
+    "'" + name + "' cannot be read: it is damaged, or packed in a way that HDF5 lacks here");
+}
+
+void HDF5File::readSlab(std::int64_t memoryType, const std::string& name, const HDF5Array& known,
+  std::uint64_t first, std::uint64_t count, void* values) const
+{
+  if (first > known.rows() || count > known.rows() - first)
+    failToRead(name);
   if (count == 0)
     return;
   const HDF5Silence silence;
   const HDF5Handle object(openObject(m_file, name), H5Oclose);
   const HDF5Handle space(object.isGood() ? H5Dget_space(object) : -1, H5Sclose);
-  const std::array<hsize_t, 2> begin = {first, 0}, size = {count, known->columns()};
+  std::array<hsize_t, 8> begin{}, size{};
+  std::copy(known.dimensions.begin(), known.dimensions.end(), size.begin());
+  begin[0] = first;
+  size[0] = count;
   const HDF5Handle memory(
-    H5Screate_simple(static_cast<int>(known->dimensions.size()), size.data(), nullptr), H5Sclose);
+    H5Screate_simple(static_cast<int>(known.dimensions.size()), size.data(), nullptr), H5Sclose);
   if (!space.isGood() || !memory.isGood() ||
       H5Sselect_hyperslab(space, H5S_SELECT_SET, begin.data(), nullptr, size.data(), nullptr) < 0 ||
       H5Dread(object, memoryType, memory, space, H5P_DEFAULT, values) < 0)
-    fail();
+    failToRead(name);
+}
+
+void HDF5File::readAsStored(
+  const std::string& name, std::uint64_t first, std::uint64_t count, void* values) const
+{
+  const std::optional<HDF5Array> known = array(name);
+  if (!known || !known->isNumber || known->dimensions.empty())
+    failToRead(name);
+  const std::array<hid_t, 4> wholes = {
+    H5T_NATIVE_INT8, H5T_NATIVE_INT16, H5T_NATIVE_INT32, H5T_NATIVE_INT64};
+  const std::array<hid_t, 4> naturals = {
+    H5T_NATIVE_UINT8, H5T_NATIVE_UINT16, H5T_NATIVE_UINT32, H5T_NATIVE_UINT64};
+  const std::size_t size = known->bytes <= 1   ? 0
+                           : known->bytes <= 2 ? 1
+                           : known->bytes <= 4 ? 2
+                                               : 3;
+  const hid_t type = !known->isWhole   ? size <= 2 ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE
+                     : known->isSigned ? wholes[size]
+                                       : naturals[size];
+  readSlab(type, name, *known, first, count, values);
 }
 
 void HDF5File::read(

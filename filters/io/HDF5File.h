@@ -16,6 +16,8 @@ struct HDF5Array
   std::vector<std::uint64_t> dimensions;
   bool isWhole = false;  ///< whole numbers, of up to 64 bits
   bool isNumber = false; ///< these, or floating point
+  bool isSigned = false;
+  std::size_t bytes = 0; ///< of a number
 
   std::uint64_t rows() const { return dimensions.empty() ? 0 : dimensions.front(); }
   /// Of each row, where arrays have one dimension or two; else 0.
@@ -44,6 +46,8 @@ public:
   std::optional<HDF5Array> array(const std::string& name) const;
   /// The numbers of an attribute of a group or an array; none where there is no such.
   std::vector<double> numbers(const std::string& of, const std::string& attribute) const;
+  /// The text of an attribute; empty where there is no such.
+  std::string text(const std::string& of, const std::string& attribute) const;
   bool hasAttribute(const std::string& of, const std::string& attribute) const;
 
   /// Rows [first, first + count) of an array of one dimension or two.
@@ -51,10 +55,17 @@ public:
     const std::string& name, std::uint64_t first, std::uint64_t count, double* values) const;
   void read(
     const std::string& name, std::uint64_t first, std::uint64_t count, std::int64_t* values) const;
+  /// The same of an array of any dimensions, as numbers of the array's own type: float or double,
+  /// or whole ones of as many bytes.
+  void readAsStored(
+    const std::string& name, std::uint64_t first, std::uint64_t count, void* values) const;
 
 private:
   void readAs(std::int64_t memoryType, const std::string& name, std::uint64_t first,
     std::uint64_t count, void* values) const;
+  void readSlab(std::int64_t memoryType, const std::string& name, const HDF5Array& known,
+    std::uint64_t first, std::uint64_t count, void* values) const;
+  [[noreturn]] void failToRead(const std::string& name) const;
 
   std::string m_path;
   std::int64_t m_file = -1;

@@ -14,6 +14,8 @@
 #include "PLYCheck.h"
 #include "STLCheck.h"
 #include "TextFile.h"
+#include "VTKHDFFile.h"
+#include "VTKHDFReader.h"
 #include "XMLCheck.h"
 #include "vtkMoteCollectionReader.h"
 #include "vtkMoteDelimitedPointsReader.h"
@@ -181,6 +183,20 @@ vtkSmartPointer<vtkAlgorithm> makeCGNS(const FileNames& fileNames)
                                : makeSeries<vtkMoteFileSeriesReader>(fileNames);
 }
 
+vtkSmartPointer<vtkAlgorithm> makeVTKHDF(const FileNames& fileNames)
+{
+  return fileNames.size() == 1 ? makeVTKHDFReader(fileNames.front())
+                               : makeSeries<vtkMoteFileSeriesReader>(fileNames);
+}
+
+/// Files of HDF5 have the same endings, whatever is in them.
+vtkSmartPointer<vtkAlgorithm> makeHDF5(const FileNames& fileNames)
+{
+  return fileNames.size() == 1 && isVTKHDF(fileNames.front())
+           ? makeVTKHDFReader(fileNames.front())
+           : makeOneOrSeries<vtkMoteParticleFormatsReader>(fileNames);
+}
+
 bool isMote(std::string_view beginning)
 {
   return PkdTreeFile::recognises(beginning) || RlodTreeFile::recognises(beginning);
@@ -211,7 +227,9 @@ const std::vector<ReaderFormat>& readerFormats()
     {{".gro", ".gro.gz"}, "GROMACS atoms", makeOneOrSeries<vtkMoteParticleFormatsReader>, true},
     {{".cfg", ".cfg.gz"}, "AtomEye atoms", makeOneOrSeries<vtkMoteParticleFormatsReader>, true},
     {{".h5part", ".hdf5", ".h5"}, "particles of Gadget, SWIFT, AREPO, H5Part and openPMD in HDF5",
-      makeOneOrSeries<vtkMoteParticleFormatsReader>, true, looksLikeHDF5},
+      makeHDF5, true, looksLikeHDF5},
+    {{".vtkhdf", ".hdf"}, "VTKHDF: grids, polygonal data and images of VTK in HDF5", makeVTKHDF,
+      true},
     {{".gadget", ".gadget.gz", ".gadget2", ".gadget2.gz"}, "Gadget binary snapshot",
       makeOneOrSeries<vtkMoteParticleFormatsReader>, true, looksLikeGadget},
     {{".pdb"}, "Protein Data Bank atoms", makePDB},

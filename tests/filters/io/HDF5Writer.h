@@ -30,11 +30,23 @@ public:
   template <class Number>
   void array(const std::string& name, const std::vector<Number>& values, hsize_t columns = 1)
   {
-    const hsize_t sizes[2] = {values.size() / columns, columns};
-    const hid_t space = H5Screate_simple(columns > 1 ? 2 : 1, sizes, nullptr);
-    const hid_t type = std::is_same_v<Number, double>  ? H5T_NATIVE_DOUBLE
-                       : std::is_same_v<Number, float> ? H5T_NATIVE_FLOAT
-                                                       : H5T_NATIVE_INT64;
+    if (columns > 1)
+      this->block(name, values, {values.size() / columns, columns});
+    else
+      this->block(name, values, {values.size()});
+  }
+
+  /// An array of any dimensions.
+  template <class Number>
+  void block(
+    const std::string& name, const std::vector<Number>& values, const std::vector<hsize_t>& sizes)
+  {
+    const hid_t space = H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr);
+    const hid_t type = std::is_same_v<Number, double>          ? H5T_NATIVE_DOUBLE
+                       : std::is_same_v<Number, float>         ? H5T_NATIVE_FLOAT
+                       : std::is_same_v<Number, int>           ? H5T_NATIVE_INT32
+                       : std::is_same_v<Number, unsigned char> ? H5T_NATIVE_UINT8
+                                                               : H5T_NATIVE_INT64;
     const hid_t set =
       H5Dcreate2(m_file, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
@@ -52,6 +64,20 @@ public:
     H5Awrite(set, H5T_NATIVE_DOUBLE, values.data());
     H5Aclose(set);
     H5Sclose(space);
+    H5Oclose(object);
+  }
+
+  void text(const std::string& of, const std::string& name, const std::string& text)
+  {
+    const hid_t object = H5Oopen(m_file, of.c_str(), H5P_DEFAULT);
+    const hid_t type = H5Tcopy(H5T_C_S1);
+    H5Tset_size(type, text.size());
+    const hid_t space = H5Screate(H5S_SCALAR);
+    const hid_t set = H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT);
+    H5Awrite(set, type, text.data());
+    H5Aclose(set);
+    H5Sclose(space);
+    H5Tclose(type);
     H5Oclose(object);
   }
 
