@@ -36,6 +36,8 @@ HDF5File::HDF5File(const std::string& path)
   : m_path(path)
   , m_bytes(TextFile(path).bytes())
 {
+  if (m_bytes == 0)
+    throw FileError(FileError::Kind::Truncated, path, "the file is empty");
   requireWalkable(path);
   const HDF5Silence silence;
   m_file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);

@@ -74,7 +74,14 @@ struct VTKHDFFile::Topology
 
 bool isVTKHDF(const std::string& path)
 {
-  return HDF5File(path).isGroup("/VTKHDF");
+  try
+  {
+    return HDF5File(path).isGroup("/VTKHDF");
+  }
+  catch (const FileError&)
+  {
+    return false;
+  }
 }
 
 VTKHDFFile::VTKHDFFile(const std::string& path)
@@ -367,35 +374,44 @@ void VTKHDFFile::addImageArrays(
   }
 }
 
-vtkSmartPointer<vtkDataSet> VTKHDFFile::readImage(const Step& step, const Progress& progress) const
+/// Numbers that the file says of an image.
+std::vector<double> VTKHDFFile::numbers(const std::string& attribute, std::size_t count) const
 {
-  const auto numbers = [&](const char* name, std::size_t count)
-  {
-    std::vector<double> found = m_file.numbers("/VTKHDF", name);
-    if (found.size() != count)
-      this->fail(
-        std::string("the image has no ") + name + " of " + std::to_string(count) + " numbers");
-    return found;
-  };
-  const std::vector<double> extent = numbers("WholeExtent", 6), origin = numbers("Origin", 3),
-                            spacing = numbers("Spacing", 3);
+  std::vector<double> found = m_file.numbers("/VTKHDF", attribute);
+  if (found.size() != count)
+    this->fail("the image has no " + attribute + " of " + std::to_string(count) + " numbers");
+  return found;
+}
+
+std::array<int, 6> VTKHDFFile::extent() const
+{
+  const std::vector<double> read = this->numbers("WholeExtent", 6);
   std::array<int, 6> whole{};
-  std::uint64_t points = 1, cells = 1;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const double low = extent[2 * k], high = extent[2 * k + 1];
+    const double low = read[2 * k], high = read[2 * k + 1];
     if (!(low >= -1e9 && high <= 1e9 && low <= high && high - low < 1e6))
       this->fail("the extent of the image is none");
     whole[2 * k] = static_cast<int>(low);
     whole[2 * k + 1] = static_cast<int>(high);
+  }
+  return whole;
+}
+
+vtkSmartPointer<vtkDataSet> VTKHDFFile::readImage(const Step& step, const Progress& progress) const
+{
+  std::array<int, 6> whole = this->extent();
+  std::uint64_t points = 1, cells = 1;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
     const auto steps = static_cast<std::uint64_t>(whole[2 * k + 1] - whole[2 * k]);
     points *= steps + 1;
     cells *= std::max<std::uint64_t>(steps, 1);
   }
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetExtent(whole.data());
-  image->SetOrigin(origin.data());
-  image->SetSpacing(spacing.data());
+  image->SetOrigin(this->numbers("Origin", 3).data());
+  image->SetSpacing(this->numbers("Spacing", 3).data());
   if (const std::vector<double> turn = m_file.numbers("/VTKHDF", "Direction"); turn.size() == 9)
     image->SetDirectionMatrix(turn.data());
   this->addImageArrays("PointData", step, points, image->GetPointData());

@@ -32,6 +32,8 @@ public:
 
   /// VTK_UNSTRUCTURED_GRID, VTK_POLY_DATA or VTK_IMAGE_DATA.
   int dataType() const { return m_type; }
+  /// Of an image, as VTK's WHOLE_EXTENT.
+  std::array<int, 6> extent() const;
   /// In the order of the file; none where it has no steps.
   const std::vector<double>& times() const { return m_times; }
   /// A step, or all of a file without; of several pieces those parts that come in turn.
@@ -64,6 +66,7 @@ private:
     const std::vector<Rows>& rows, vtkDataSetAttributes* to, const Progress& progress) const;
   vtkSmartPointer<vtkDataSet> readCells(
     const Step& step, const Piece& piece, const Progress& progress) const;
+  std::vector<double> numbers(const std::string& attribute, std::size_t count) const;
   vtkSmartPointer<vtkDataSet> readImage(const Step& step, const Progress& progress) const;
   void addImageArrays(const std::string& group, const Step& step, std::uint64_t tuples,
     vtkDataSetAttributes* to) const;
@@ -75,7 +78,7 @@ private:
   std::vector<double> m_times;
 };
 
-/// Whether an HDF5 file is one of VTK. Throws FileError for one that cannot be opened.
+/// Whether an HDF5 file is one of VTK; false for what cannot be opened.
 bool isVTKHDF(const std::string& path);
 
 } // namespace mote

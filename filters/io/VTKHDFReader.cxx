@@ -52,10 +52,17 @@ protected:
   {
     vtkInformation* information = outputs->GetInformationObject(0);
     mote::offerTimeSteps(information, {});
-    if (!this->Attempt([this] { this->Open(); }))
+    const bool isOpen = this->Attempt(
+      [&]
+      {
+        this->Open();
+        if (this->File->dataType() != VTK_IMAGE_DATA)
+          return mote::offerPieces(information);
+        information->Set(
+          vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), this->File->extent().data(), 6);
+      });
+    if (!isOpen)
       return 1;
-    if (this->File->dataType() != VTK_IMAGE_DATA)
-      mote::offerPieces(information);
     std::vector<double> times;
     for (const Step& step : this->Steps)
       times.push_back(step.time);
