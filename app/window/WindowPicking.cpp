@@ -3,7 +3,6 @@
 #include "Window.h"
 
 #include "InteractorStyle.h"
-#include "Observe.h"
 #include "base/Failure.h"
 #include "base/Text.h"
 #include "stage/Calculated.h"
@@ -12,7 +11,6 @@
 #include <vtkAbstractArray.h>
 #include <vtkCamera.h>
 #include <vtkCellData.h>
-#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
 #include <vtkIdTypeArray.h>
@@ -33,8 +31,7 @@ namespace mote::app
 namespace
 {
 
-constexpr unsigned long hoverAfter = 500; // ms that the cursor rests
-constexpr int mostFacts = 20, fewFacts = 7;
+constexpr int mostFacts = 20;
 
 /// A line of what is known of what was picked.
 std::string factLine(std::string what, const std::string& value)
@@ -432,73 +429,6 @@ void Window::center()
   camera->SetFocalPoint(at.data());
   camera->SetPosition(position);
   stage_.renderer()->ResetCameraClippingRange();
-}
-
-//------------------------------------------------------------------------------------------------
-// The cursor at rest
-
-void Window::setUpHover()
-{
-  constexpr float first = 20.0f; // before the panel, which keeps its events
-  observe(
-    interactor_, vtkCommand::MouseMoveEvent, [this](void*) { this->moveCursor(); }, first);
-  observe(
-    interactor_, vtkCommand::LeaveEvent, [this](void*) { this->leaveWindow(); }, first);
-}
-
-void Window::leaveWindow()
-{
-  hoverTimer_ = 0;
-  if (busy_ || quit_ || !overlay_.hasTip())
-    return;
-  overlay_.hideTip();
-  this->renderOverlays();
-}
-
-void Window::moveCursor()
-{
-  if (busy_ || quit_)
-    return;
-  const bool wasTold = overlay_.hasTip();
-  overlay_.hideTip();
-  const int left = window_->GetSize()[0] - this->viewSize()[0];
-  const bool isInView = interactor_->GetEventPosition()[0] >= left;
-  if (isInView && style_->GetState() == VTKIS_NONE && !style_->drawsRectangle())
-    this->startTimer(hoverTimer_, hoverAfter);
-  else
-    hoverTimer_ = 0;
-  if (wasTold)
-    this->renderOverlays();
-}
-
-/// What is under the cursor is told anew, as it may be another thing now.
-void Window::hoverAgain()
-{
-  if (!overlay_.hasTip())
-    return;
-  overlay_.hideTip();
-  this->startTimer(hoverTimer_, hoverAfter);
-}
-
-void Window::hover()
-{
-  const int* cursor = interactor_->GetEventPosition();
-  const int left = window_->GetSize()[0] - this->viewSize()[0];
-  if (playing_ || overlay_.hasHelp() || style_->GetState() != VTKIS_NONE || cursor[0] < left)
-    return;
-  const std::optional<Hit> hit = this->hitAt(cursor[0], cursor[1]);
-  if (!hit)
-    return;
-  overlay_.setTip(factsOf(*hit, fewFacts), cursor[0] - left, cursor[1], this->viewSize());
-  this->renderOverlays();
-}
-
-/// A frame in which the view itself waits for its own turn.
-void Window::renderOverlays()
-{
-  views_.setUpPasses([](vtkMoteRayCastPass* pass) { pass->RefiningOff(); });
-  this->render();
-  views_.setUpPasses([](vtkMoteRayCastPass* pass) { pass->RefiningOn(); });
 }
 
 } // namespace mote::app
