@@ -144,12 +144,14 @@ std::unique_ptr<Part> hiding(
   return std::move(parts.front());
 }
 
-/// What is shown of the data, and the settings with the radius that they have.
-NamedData shownOf(const NamedData& data, Settings& settings, ProgressRelay& progress)
+/// What is shown of the data, and the settings with the radius that they have. Radii that these say
+/// become an array where the file has no other place for them.
+NamedData shownOf(const NamedData& data, Settings& settings, bool isMote, ProgressRelay& progress)
 {
   const std::unique_ptr<Part> part = hiding(data, settings, progress);
   NamedData shown = data;
-  shown.data = markedData(*part, shownMarks(*part, settings), settings);
+  shown.data =
+    markedData(*part, shownMarks(*part, settings), !isMote && givesRadii(settings.particles));
   if (part->keptRadius() > 0.0) // of all, which those that are left may not tell
     settings.particles.radius = exactText(part->keptRadius());
   return shown;
@@ -209,7 +211,7 @@ void convertStep(Input& input, const Settings& given, const std::string& output,
   NamedData data = convertible(input, settings, ending, progress);
   const bool isWhole = ending == ".mote" && !hidesAny(settings);
   if (!isWhole && data.data->GetNumberOfPoints() > 0)
-    data = shownOf(data, settings, progress);
+    data = shownOf(data, settings, ending == ".mote", progress);
   if (data.data->GetNumberOfPoints() == 0 && (settings.output.allSteps || !isWhole))
   {
     if (!settings.output.allSteps)

@@ -151,7 +151,7 @@ std::vector<unsigned char> shownMarks(const Part& part, const Settings& settings
 }
 
 vtkSmartPointer<vtkDataSet> markedData(
-  const Part& part, const std::vector<unsigned char>& marks, const Settings& settings)
+  const Part& part, const std::vector<unsigned char>& marks, bool withRadii)
 {
   vtkDataSet* data = part.data();
   vtkNew<vtkIdList> ids;
@@ -163,7 +163,7 @@ vtkSmartPointer<vtkDataSet> markedData(
   if (part.particles())
   {
     const vtkSmartPointer<vtkPolyData> particles = particlesOf(data, ids, marks);
-    if (givesRadii(settings.particles) && !particles->GetPointData()->HasArray("radius"))
+    if (withRadii && !particles->GetPointData()->HasArray("radius"))
       addRadii(part.particles()->GetModel().particles().set, ids, particles->GetPointData());
     shown = particles;
   }

@@ -20,10 +20,10 @@ namespace mote::app
 std::vector<unsigned char> shownMarks(const Part& part, const Settings& settings);
 
 /// The particles, or cells, with these marks and all their arrays: points and polygons as
-/// vtkPolyData, other cells as a vtkUnstructuredGrid. Particles have an array "radius" more where
-/// givesRadii() and the data have none of that name.
+/// vtkPolyData, other cells as a vtkUnstructuredGrid. Of particles `withRadii` adds an array
+/// "radius", as drawn, where the data have none of that name; the structure must be built for it.
 vtkSmartPointer<vtkDataSet> markedData(
-  const Part& part, const std::vector<unsigned char>& marks, const Settings& settings);
+  const Part& part, const std::vector<unsigned char>& marks, bool withRadii);
 
 /// Whether the settings hide particles or cells, or cut them away.
 bool hidesAny(const Settings& settings);

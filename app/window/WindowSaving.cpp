@@ -113,7 +113,7 @@ void Window::saveData(
         const std::vector<unsigned char> marked = marks(i);
         if (std::count(marked.begin(), marked.end(), 1) == 0)
           continue;
-        const auto data = markedData(part, marked, this->settings());
+        const auto data = markedData(part, marked, givesRadii(this->settings().particles));
         const std::string ending = data->IsA("vtkPolyData") ? ".vtp" : ".vtu";
         files.push_back(this->unusedName(std::string("-") + what + ending));
         writeData(data, files.back(), progress_);

@@ -88,7 +88,7 @@ TEST(TestShownData, SurfacesKeepPolygonsAndArrays)
   settings.cuts.ranges = {cut("x", 0.0, open)};
   Part part("sphere", data, settings, 0.0);
   const auto marks = shownMarks(part, settings);
-  const auto half = markedData(part, marks, settings);
+  const auto half = markedData(part, marks, false);
   auto* polygons = vtkPolyData::SafeDownCast(half);
   ASSERT_TRUE(polygons);
   const auto count = static_cast<vtkIdType>(std::count(marks.begin(), marks.end(), 1));
@@ -105,7 +105,7 @@ TEST(TestShownData, SurfacesKeepPolygonsAndArrays)
   }
   // Nothing is hidden: the data themselves.
   settings.cuts.ranges.clear();
-  const auto all = markedData(part, shownMarks(part, settings), settings);
+  const auto all = markedData(part, shownMarks(part, settings), false);
   EXPECT_EQ(all->GetNumberOfCells(), data->GetNumberOfCells());
   EXPECT_EQ(all->GetNumberOfPoints(), data->GetNumberOfPoints());
 }

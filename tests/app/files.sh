@@ -113,15 +113,18 @@ END
     run 0 "$mote" convert "$copper" --only-ids 1,24480 two.mote
     run 0 "$mote" info "$copper"
     spacing=$(sed -n 's/^ *spacing *\([0-9.]*\).*/\1/p' out)
-    run 0 "$mote" render two.mote -o a.png --size 64x64
     run 0 "$mote" convert two.mote two.xyz --radius-scale 1.5
-    python3 - two.xyz "$spacing" <<'END' || fail "the radius is another"
+    run 0 "$mote" convert "$copper" --only-ids 1,24480 --radius-scale 0.75 larger.mote
+    run 0 "$mote" convert larger.mote larger.xyz --radius-scale 2
+    for file in two.xyz larger.xyz; do
+      python3 - $file "$spacing" <<'END' || fail "the radius in $file is another"
 import sys
 head, *rows = open(sys.argv[1]).read().splitlines()[1:]
-assert "radius:R:1" in head, head
+assert "radius:R:1" in head and len(rows) == 2, head
 for row in rows:
     assert abs(float(row.split()[-1]) / (1.5 * 0.5 * float(sys.argv[2])) - 1) < 2e-3, row
 END
+    done
     # Cells.
     run 0 "$mote" render "$data/swirl.0.vtu" -o a.png --size 64x64 --show x=0:
     cells=$(grep -o '[0-9,]* of [0-9,]* cells shown' out)
