@@ -31,9 +31,11 @@ class HDF5Particles final : public StepSource
 {
 public:
   explicit HDF5Particles(const std::string& path)
-    : m_file(path)
-    , m_steps(findHDF5Steps(m_file))
   {
+    m_files.push_back(std::make_unique<HDF5File>(path));
+    m_steps = findHDF5Steps(*m_files.front());
+    if (m_steps.files > 1)
+      addOtherFiles(path);
   }
 
   std::vector<double> times() const override
@@ -44,7 +46,15 @@ public:
     return times;
   }
 
-  std::string warning() const override { return m_steps.warning; }
+  std::string warning() const override
+  {
+    return m_steps.files == m_files.size()
+             ? std::string()
+             : m_files.front()->path() + ": this is one of the " + std::to_string(m_steps.files) +
+                 " files of a snapshot, and only its own particles are read; the first one, with "
+                 ".0 "
+                 "in its name, stands for all";
+  }
 
   void read(const SourceRequest& request, vtkPolyData* output) override
   {
@@ -79,7 +89,8 @@ public:
               storeNumber(targets[types], rows.target + i, kind.type);
             if (request.progress &&
                 !request.progress(static_cast<double>(at - first) / static_cast<double>(count)))
-              throw FileError(FileError::Kind::Aborted, m_file.path(), "reading was aborted");
+              throw FileError(
+                FileError::Kind::Aborted, m_files.front()->path(), "reading was aborted");
           }
           before += kind.particles;
         }
@@ -103,6 +114,33 @@ private:
   {
     std::uint64_t first = 0, count = 0, target = 0;
   };
+
+  /// The first file of a snapshot, snap_007.0.hdf5, stands for all.
+  void addOtherFiles(const std::string& path)
+  {
+    const std::size_t mark = path.rfind(".0.");
+    if (mark == path.npos || path.find('/', mark) != path.npos || m_steps.steps.size() != 1)
+      return;
+    HDF5Step& step = m_steps.steps.front();
+    for (std::uint64_t number = 1; number < m_steps.files; ++number)
+    {
+      std::string name = path;
+      name.replace(mark + 1, 1, std::to_string(number));
+      m_files.push_back(std::make_unique<HDF5File>(name));
+      const HDF5Steps own = findHDF5Steps(*m_files.back());
+      if (own.files != m_steps.files || own.steps.size() != 1)
+        throw FileError(FileError::Kind::Malformed, name,
+          "it does not say that it is one of " + std::to_string(m_steps.files) +
+            " files of a snapshot, as the first one does");
+      for (HDF5Kind kind : own.steps.front().kinds)
+      {
+        kind.file = number;
+        step.kinds.push_back(std::move(kind));
+      }
+    }
+    std::stable_sort(step.kinds.begin(), step.kinds.end(),
+      [](const HDF5Kind& a, const HDF5Kind& b) { return a.type < b.type; });
+  }
 
   static std::vector<Merged> merge(const HDF5Step& step)
   {
@@ -129,14 +167,15 @@ private:
   void readKind(const HDF5Kind& kind, const Rows& rows, const std::vector<Merged>& arrays,
     const std::vector<TextColumn>& targets) const
   {
-    readField(kind.positions, rows, targets, 0, false);
+    const HDF5File& file = *m_files[kind.file];
+    readField(file, kind.positions, rows, targets, 0, false);
     if (!kind.offsets.parts.empty())
-      readField(kind.offsets, rows, targets, 0, true);
+      readField(file, kind.offsets, rows, targets, 0, true);
     for (const Merged& array : arrays)
     {
       const HDF5Field* field = kind.field(array.name);
       if (field && field->components() == array.components)
-        readField(*field, rows, targets, array.first, false);
+        readField(file, *field, rows, targets, array.first, false);
       else
         for (std::size_t c = 0; c < array.components; ++c)
           for (std::uint64_t i = 0; i < rows.count; ++i)
@@ -145,28 +184,28 @@ private:
     }
   }
 
-  void readField(const HDF5Field& field, const Rows& rows, const std::vector<TextColumn>& targets,
-    std::size_t column, bool isAdded) const
+  static void readField(const HDF5File& file, const HDF5Field& field, const Rows& rows,
+    const std::vector<TextColumn>& targets, std::size_t column, bool isAdded)
   {
     for (const HDF5Part& part : field.parts)
     {
       const bool areWhole = !isAdded && !part.constant && targets[column].type == ColumnType::Int64;
       if (areWhole)
-        readPart<std::int64_t>(part, rows, targets, column, isAdded);
+        readPart<std::int64_t>(file, part, rows, targets, column, isAdded);
       else
-        readPart<double>(part, rows, targets, column, isAdded);
+        readPart<double>(file, part, rows, targets, column, isAdded);
       column += part.columns;
     }
   }
 
   template <class Number>
-  void readPart(const HDF5Part& part, const Rows& rows, const std::vector<TextColumn>& targets,
-    std::size_t column, bool isAdded) const
+  static void readPart(const HDF5File& file, const HDF5Part& part, const Rows& rows,
+    const std::vector<TextColumn>& targets, std::size_t column, bool isAdded)
   {
     std::vector<Number> values(static_cast<std::size_t>(rows.count) * part.columns,
       part.constant ? static_cast<Number>(*part.constant) : Number{});
     if (!part.constant)
-      m_file.read(part.array, rows.first, rows.count, values.data());
+      file.read(part.array, rows.first, rows.count, values.data());
     for (std::size_t c = 0; c < part.columns; ++c)
     {
       const TextColumn& target = targets[column + c];
@@ -184,7 +223,7 @@ private:
     }
   }
 
-  HDF5File m_file;
+  std::vector<std::unique_ptr<HDF5File>> m_files;
   HDF5Steps m_steps;
 };
 

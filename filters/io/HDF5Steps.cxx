@@ -113,11 +113,8 @@ HDF5Steps gadgetSteps(const HDF5File& file)
   if (!size.empty() && size[0] > 0)
     step.box = {size[0], 0, 0, 0, size.size() == 3 ? size[1] : size[0], 0, 0, 0,
       size.size() == 3 ? size[2] : size[0]};
-  const double files = numberOf(file, "/Header", "NumFilesPerSnapshot", 1.0);
-  if (files > 1)
-    found.warning = file.path() + ": this is one of the " +
-                    std::to_string(static_cast<std::int64_t>(std::min(files, 1e9))) +
-                    " files of a snapshot, and only its own particles are read";
+  found.files = static_cast<std::uint64_t>(
+    std::clamp(numberOf(file, "/Header", "NumFilesPerSnapshot", 1.0), 1.0, 1e9));
   found.steps.push_back(std::move(step));
   return found;
 }

@@ -36,6 +36,7 @@ struct HDF5Field
 struct HDF5Kind
 {
   int type = 0;
+  std::size_t file = 0; ///< of the snapshot's, that it is in
   std::string name;
   std::uint64_t particles = 0;
   HDF5Field positions;
@@ -57,7 +58,7 @@ struct HDF5Steps
 {
   std::vector<HDF5Step> steps; ///< by ascending times; never none
   bool hasKinds = false;       ///< particles may be of several kinds
-  std::string warning;
+  std::uint64_t files = 1;     ///< that the snapshot is spread over; this is one of them
 };
 
 /// Finds the particles of a snapshot of Gadget, of H5Part or of openPMD. Throws FileError where

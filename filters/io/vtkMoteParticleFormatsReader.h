@@ -8,7 +8,8 @@
  * - AtomEye .cfg, standard and extended: "mass", "type" by the elements, "v", auxiliary values;
  * - Gadget-1 and -2 binary snapshots, plain or gzip, of either byte order: "type" (0 gas, 1 halo,
  *   2 disk, 3 bulge, 4 stars, 5 boundary), "id", "v", "mass", of gas "u" and "rho";
- * - HDF5 snapshots of Gadget, SWIFT and AREPO, H5Part and openPMD: every array of numbers.
+ * - HDF5 snapshots of Gadget, SWIFT and AREPO, H5Part and openPMD: every array of numbers. The
+ *   first file of a snapshot that is spread over several, with ".0." in its name, stands for all.
  *
  * Output: vtkPolyData with the points in double and file order, one vertex cell a point, the arrays
  * as point data, and as field data "box" (nine numbers: a, b, c) with "box_origin" and "boundary"

@@ -102,6 +102,22 @@ inline void writeGadget(const std::string& file)
   out.array<std::int64_t>("/PartType1/ParticleIDs", {7});
 }
 
+/// A file of a snapshot that is spread over several: two particles of gas, which begin at `place`.
+inline void writeGadgetShare(const std::string& file, double place, double files)
+{
+  HDF5Writer out(file);
+  for (const char* name : {"/Header", "/PartType0"})
+    out.group(name);
+  out.attribute("/Header", "Time", {0.5});
+  out.attribute("/Header", "NumFilesPerSnapshot", {files});
+  out.array<double>("/PartType0/Coordinates", {place, 0, 0, place + 1, 0, 0}, 3);
+  out.array<std::int64_t>("/PartType0/ParticleIDs", {std::int64_t(place), std::int64_t(place) + 1});
+  if (place == 0)
+    return;
+  out.group("/PartType4");
+  out.array<double>("/PartType4/Coordinates", {place, 5, 5}, 3);
+}
+
 /// Steps 0, 2 and 10 of two particles.
 inline void writeH5Part(const std::string& file)
 {

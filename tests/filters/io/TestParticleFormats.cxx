@@ -366,6 +366,33 @@ TEST_F(TestParticleFormats, GadgetInHDF5)
     expectError(write("cut.hdf5", whole.substr(0, size)), size == 0 ? "empty" : "cut.hdf5");
 }
 
+TEST_F(TestParticleFormats, SnapshotsOfSeveralFiles)
+{
+  for (int i = 0; i < 3; ++i)
+    writeGadgetShare(path("snap_007." + std::to_string(i) + ".hdf5"), 10.0 * i, 3);
+  vtkPolyData* data = read(path("snap_007.0.hdf5"));
+  ASSERT_TRUE(data);
+  ASSERT_EQ(data->GetNumberOfPoints(), 8);
+  for (int i = 0; i < 6; ++i) // gas of all files, then stars
+  {
+    EXPECT_EQ(value(data, "type", i), 0);
+    expectPoint(data, i, 10 * (i / 2) + i % 2, 0, 0);
+    EXPECT_EQ(value(data, "id", i), 10 * (i / 2) + i % 2);
+  }
+  expectPoint(data, 7, 20, 5, 5);
+  EXPECT_EQ(value(data, "type", 7), 4);
+  m_reader->UpdatePiece(1, 2, 0);
+  auto* half = vtkPolyData::SafeDownCast(m_reader->GetOutputDataObject(0));
+  ASSERT_EQ(half->GetNumberOfPoints(), 4);
+  expectPoint(half, 0, 20, 0, 0);
+  // Another one than the first is read alone; without one the first is told to lack it.
+  EXPECT_EQ(read(path("snap_007.1.hdf5"))->GetNumberOfPoints(), 3);
+  std::filesystem::remove(path("snap_007.2.hdf5"));
+  expectError(path("snap_007.0.hdf5"), "snap_007.2.hdf5: there is no such file");
+  writeGadgetShare(path("snap_007.2.hdf5"), 20, 4);
+  expectError(path("snap_007.0.hdf5"), "one of 3 files of a snapshot");
+}
+
 TEST_F(TestParticleFormats, H5Part)
 {
   writeH5Part(path("a.h5part"));
