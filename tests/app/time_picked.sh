@@ -79,8 +79,8 @@ SCRIPT
     picture undone.png
     alike kept.png undone.png
     quit
-    open come.dump --size 900x700 --radius 2 --view +x --color-by none --step 4
-    xdotool mousemove 560 350
+    open come.dump --size 900x740 --radius 2 --view +x --color-by none --step 4
+    xdotool mousemove 560 370
     press p
     shown 'picked list'
     press Left

@@ -13,6 +13,7 @@ without a display, ends with other settings than the window did. The end is a ta
 minute.
 """
 
+import json
 import os
 import random
 import re
@@ -72,12 +73,20 @@ class Soak:
         return self.waiting.pop()
 
     def end(self):
-        if self.arguments.record:
+        if self.arguments.record and not self.has_stopped_recording():
             self.play_again(self.window.save_session(self.arguments.patience))
         code = self.window.quit()
         if code != 0:
             raise Trouble("exit code %d after q" % code)
         self.window.kill()
+
+    def has_stopped_recording(self):
+        """Keys reach the button for it, too. What was done afterwards is not in the recording."""
+        with open(os.path.join(self.window.folder, "recording.jsonl"), errors="replace") as file:
+            last = json.loads(file.readlines()[-1])
+        if last["what"] == "end":
+            print("the recording was stopped after %.0f s: it is not played again" % last["time"])
+        return last["what"] == "end"
 
     def play_again(self, session):
         """What was recorded, without a display, must end as the window did."""
