@@ -2,7 +2,6 @@
 
 #include "AllSteps.h"
 #include "base/Failure.h"
-#include "base/Messages.h"
 #include "base/OutputFile.h"
 #include "base/Text.h"
 #include "settings/Values.h"

@@ -51,9 +51,8 @@ public:
     return m_steps.files == m_files.size()
              ? std::string()
              : m_files.front()->path() + ": this is one of the " + std::to_string(m_steps.files) +
-                 " files of a snapshot, and only its own particles are read; the first one, with "
-                 ".0 "
-                 "in its name, stands for all";
+                 " files of a snapshot, and only its own particles are read; the first one, "
+                 "with .0 in its name, stands for all";
   }
 
   void read(const SourceRequest& request, vtkPolyData* output) override

@@ -192,7 +192,7 @@ XYZText::XYZText(vtkPointSet* data, std::optional<double> time)
   vtkDataArray* types = arrays->GetArray("type");
   if (species)
     columns.add("species", 'S', 1, wordsOf(species));
-  else if (types && types->GetNumberOfComponents() == 1)
+  else if (types && areWhole(types) && types->GetNumberOfComponents() == 1)
     if (auto names = namesOfTypes(data, types); !names.empty())
       columns.add("species", 'S', 1, namedTypes(types, std::move(names)));
   if (data->GetNumberOfPoints() > 0)
