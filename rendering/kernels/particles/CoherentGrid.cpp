@@ -10,9 +10,9 @@ std::size_t CoherentGrid::bytes() const
 {
   const auto bytesOf = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return bytesOf(records_) + bytesOf(cellStart_) + bytesOf(rowStart_) + bytesOf(index32_) +
-         bytesOf(index64_) + bytesOf(shown_) + bytesOf(values_) + bytesOf(macroBounds_) +
-         bytesOf(macroHasNaN_) + bytesOf(macrocellOccupied_) + bytesOf(macrocellShown_) +
-         bytesOf(layers_);
+         bytesOf(index64_) + bytesOf(shown_) + bytesOf(met_) + bytesOf(metWords_) +
+         repeats_.bytes() + bytesOf(values_) + bytesOf(macroBounds_) + bytesOf(macroHasNaN_) +
+         bytesOf(macrocellOccupied_) + bytesOf(macrocellShown_) + bytesOf(layers_);
 }
 
 void CoherentGrid::clear()
@@ -25,7 +25,10 @@ void CoherentGrid::clear()
   rowStart_.clear();
   index32_.clear();
   index64_.clear();
+  repeats_.clear();
   shown_.clear();
+  met_.clear();
+  metWords_.clear();
   macroBounds_.clear();
   macrocellOccupied_.clear();
   macrocellShown_.clear();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "IsParticleStructure.h"
+#include "RepeatedSpheres.h"
 #include "StoredParticles.h"
 
 #include <array>
@@ -136,6 +137,7 @@ private:
   void findOccupied();
   void findMacroBounds();
   void findShown();
+  void leaveOutRepeats();
 
   std::size_t inputs_ = 0;    ///< particles of the input, unfit ones too
   std::vector<Layer> layers_; ///< largest radii first: what hides most is met first
@@ -147,9 +149,14 @@ private:
   RawVector<std::uint64_t> rowStart_;
   RawVector<std::uint32_t> index32_;
   RawVector<std::uint64_t> index64_;
+  RepeatedSpheres repeats_; ///< in crowded cells
 
   // What is shown.
   RawVector<std::uint64_t> shown_; ///< one bit a particle, or empty: all are
+  /// Where there are repeats: one bit a particle, of what visibility and ranges leave but one of
+  /// each group of repeats_.
+  RawVector<std::uint64_t> met_;
+  RawVector<std::uint64_t> metWords_; ///< one bit a word of met_: whether any is set there
   /// Least and greatest of each value in a macrocell; made for the first limited range.
   std::vector<MacroBounds> macroBounds_;
   std::vector<std::uint8_t> macroHasNaN_;       ///< among attributes; as long as macroBounds_

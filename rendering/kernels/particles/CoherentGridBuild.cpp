@@ -7,6 +7,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
+#include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -14,7 +15,9 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <thread>
+#include <tuple>
 
 namespace mote
 {
@@ -28,6 +31,58 @@ constexpr std::size_t paddingRecords = 16; // what one SIMD load may read past t
 int octaveOf(float radius)
 {
   return static_cast<int>(std::bit_cast<std::uint32_t>(radius) >> 23);
+}
+
+bool areSame(const CoherentGrid::Record& a, const CoherentGrid::Record& b)
+{
+  return a.x == b.x && a.y == b.y && a.z == b.z && a.r == b.r;
+}
+
+/// Some order in which those that are the same are neighbours.
+bool isBefore(const CoherentGrid::Record& a, const CoherentGrid::Record& b)
+{
+  return std::tie(a.x, a.y, a.z, a.r) < std::tie(b.x, b.y, b.z, b.r);
+}
+
+/// Whether of some records, taken at even distances, two are the same: cells may be crowded for
+/// other reasons, and sorting them would take long.
+bool areLikelyRepeated(
+  const RawVector<CoherentGrid::Record>& records, std::size_t first, std::size_t last)
+{
+  const std::size_t most = 2 * RepeatedSpheres::smallest, step = (last - first + most - 1) / most;
+  std::vector<CoherentGrid::Record> some;
+  for (std::size_t i = first; i < last; i += step)
+    some.push_back(records[i]);
+  std::sort(some.begin(), some.end(), isBefore);
+  return std::adjacent_find(some.begin(), some.end(), areSame) != some.end();
+}
+
+/// Adds the groups of one sphere among the records of a cell.
+void findRepeatedRecords(const RawVector<CoherentGrid::Record>& records, std::size_t first,
+  std::size_t last, RepeatedSpheres& repeats)
+{
+  if (!areLikelyRepeated(records, first, last))
+    return;
+  std::vector<std::size_t> slots(last - first);
+  std::iota(slots.begin(), slots.end(), first);
+  const auto differs = [&](std::size_t slot) { return !areSame(records[slot], records[first]); };
+  if (std::any_of(slots.begin(), slots.end(), differs))
+    tbb::parallel_sort(slots.begin(), slots.end(),
+      [&](std::size_t a, std::size_t b)
+      {
+        const CoherentGrid::Record &p = records[a], &q = records[b];
+        return isBefore(p, q) || (!isBefore(q, p) && a < b);
+      });
+  for (std::size_t i = 0, end = 0; i < slots.size(); i = end)
+  {
+    for (end = i + 1; end < slots.size() && areSame(records[slots[i]], records[slots[end]]);)
+      ++end;
+    if (end - i < RepeatedSpheres::smallest)
+      continue;
+    repeats.addGroup();
+    for (std::size_t j = i; j < end; ++j)
+      repeats.addRun(slots[j], slots[j] + 1);
+  }
 }
 
 } // namespace
@@ -60,6 +115,8 @@ struct CoherentGrid::Builder
   std::vector<std::size_t> slabStart{};
   RawVector<Record> sortedRecords{};        ///< by slab
   RawVector<std::uint64_t> sortedIndices{}; ///< by slab; empty where indices are not kept
+
+  std::vector<RepeatedSpheres> repeats{}; ///< by slab
 
   bool report(double done) const { return !progress || progress(done); }
 
@@ -335,6 +392,23 @@ struct CoherentGrid::Builder
     }
   }
 
+  /// Looks for repeats in the cells of a slab that are crowded.
+  void findRepeats(std::size_t k)
+  {
+    const Slab slab = slabs[k];
+    const Layer& layer = grid.layers_[slab.layer];
+    for (std::size_t row = slab.firstRow; row < slab.lastRow; ++row)
+    {
+      const std::uint64_t base = grid.rowStart_[layer.firstRow + row];
+      const std::uint32_t* start = &grid.cellStart_[layer.firstCell + row * layer.rowWidth()];
+      if (start[layer.resolution.x] - start[0] < RepeatedSpheres::smallest)
+        continue;
+      for (int x = 0; x < layer.resolution.x; ++x)
+        if (start[x + 1] - start[x] >= RepeatedSpheres::smallest)
+          findRepeatedRecords(grid.records_, base + start[x], base + start[x + 1], repeats[k]);
+    }
+  }
+
   bool run()
   {
     grid.statistics_ = examine(particles);
@@ -349,8 +423,16 @@ struct CoherentGrid::Builder
     if (!sortIntoSlabs())
       return false;
     allocate();
-    if (!forEach(slabs.size(), 0.7, 1.0, [&](std::size_t slab) { sortSlab(slab); }))
+    repeats.resize(slabs.size());
+    const auto finishSlab = [&](std::size_t slab)
+    {
+      sortSlab(slab);
+      findRepeats(slab);
+    };
+    if (!forEach(slabs.size(), 0.7, 1.0, finishSlab))
       return false;
+    for (const RepeatedSpheres& found : repeats)
+      grid.repeats_.add(found);
     grid.findOccupied();
     grid.findShown();
     return report(1.0);

@@ -183,7 +183,7 @@ std::vector<SlotRun> CoherentGrid::slotsBetween(int k, double low, double high) 
 
 std::size_t CoherentGrid::shownCount() const
 {
-  const CoherentGridView view(*this);
+  const CoherentGridView view(*this, true);
   if (view.ranges.limits == 0)
     return countBits(shown_, count_);
   const auto isAllShown = [&](std::size_t i)
@@ -214,8 +214,26 @@ std::size_t CoherentGrid::shownCount() const
                    std::plus<>());
 }
 
+/// Fills met_ where there are repeats. All that are one sphere lie in one cell, so that macrocells
+/// are empty as before.
+void CoherentGrid::leaveOutRepeats()
+{
+  if (repeats_.empty())
+  {
+    RawVector<std::uint64_t>().swap(met_);
+    RawVector<std::uint64_t>().swap(metWords_);
+    return;
+  }
+  const CoherentGridView view(*this, true);
+  findBits(count_, met_, [&](std::size_t slot) { return view.isShown(slot); });
+  // Particles of a cell are in the order of the input.
+  repeats_.leaveFirst(met_, [](std::size_t slot) { return slot; });
+  findBits(met_.size(), metWords_, [this](std::size_t word) { return met_[word] != 0; });
+}
+
 void CoherentGrid::findShown()
 {
+  leaveOutRepeats();
   const StoredRanges stored(ranges_, origin_, unit_, !values_.empty());
   macrocellShown_ = macrocellOccupied_;
   if (stored.limits == 0)

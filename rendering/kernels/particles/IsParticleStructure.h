@@ -82,7 +82,8 @@ concept IsParticleStructure = std::default_initializable<S> && std::copyable<S> 
   requires std::same_as<decltype(held.slotsBetween(0, 0.0, 1.0)), std::vector<SlotRun>>;
 
   // Adds to `found` the shown particles whose spheres come closer to a point, in the input's
-  // coordinates, than a distance, in no special order: findNear(point, distance, found).
+  // coordinates, than a distance, in no special order: findNear(point, distance, found). Of many
+  // that are one and the same sphere it may add but one.
   held.findNear(Vec3d(0.0), 1.0, found);
 
   // The number of particles held, and what the build found in the input.

@@ -45,7 +45,7 @@ void forRowsNear(
 
 bool CoherentGrid::isShown(std::size_t slot) const
 {
-  return CoherentGridView(*this).isShown(slot);
+  return CoherentGridView(*this, true).isShown(slot);
 }
 
 void CoherentGrid::findNear(
@@ -60,13 +60,18 @@ void CoherentGrid::findNear(
     forRowsNear(view.layer(k), at, most,
       [&](std::uint64_t first, std::uint64_t last)
       {
-        for (std::uint64_t slot = first; slot < last; ++slot)
+        const auto look = [&](std::uint64_t slot)
         {
           const Record& p = records_[slot];
           if (NearParticle::isNear({p.x, p.y, p.z}, p.r, at, most) &&
               (!view.selects || view.isShown(slot)))
             found.push_back({center(slot), radius(slot), slot});
-        }
+        };
+        if (view.skips)
+          view.forShown(first, last, look);
+        else
+          for (std::uint64_t slot = first; slot < last; ++slot)
+            look(slot);
       });
 }
 

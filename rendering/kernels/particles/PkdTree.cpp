@@ -71,8 +71,8 @@ std::size_t PkdTree::bytes() const
 {
   const auto bytesOf = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
   return nodes_.bytes() + rows_.bytes() + bytesOf(levels_) + bytesOf(values_) + bytesOf(visible_) +
-         bytesOf(shown_) + bytesOf(nodeShown_) + bytesOf(valueBounds_) + bytesOf(nodeWhole_) +
-         lods_.bytes() +
+         bytesOf(shown_) + bytesOf(met_) + repeats_.bytes() + bytesOf(nodeShown_) +
+         bytesOf(valueBounds_) + bytesOf(nodeWhole_) + lods_.bytes() +
          (sparse_ ? bytesOf(sparse_->levels) + bytesOf(sparse_->nodes) + bytesOf(sparse_->rows) +
                       bytesOf(sparse_->slots)
                   : 0);
@@ -89,6 +89,8 @@ void PkdTree::clear()
   placeRows_ = 3;
   visible_.clear();
   shown_.clear();
+  repeats_.clear();
+  met_.clear();
   nodeShown_.clear();
   nodeWhole_.clear();
   lods_.clear();

@@ -4,6 +4,7 @@
 #include "../core/StoredMeans.h"
 #include "../core/WeightedSum.h"
 #include "IsParticleStructure.h"
+#include "RepeatedSpheres.h"
 #include "StoredParticles.h"
 
 #include <algorithm>
@@ -312,13 +313,19 @@ private:
   double roundingMargin() const;
   ValueBounds boundsOfTreelet(std::size_t treelet) const;
   void findValueBounds();
+  void findRepeats();
+  bool isOneSphere(std::size_t treelet) const;
+  void groupRepeats(const RawVector<std::uint8_t>& isOne);
   void findShown();
+  void leaveOutRepeats();
   void findInRange(const StoredRanges& stored);
   void findNodesShown();
   void findNodesWhole();
   template <typename OfBucket, typename OfNode>
   void fillNodeBits(RawVector<Bits>& bits, const OfBucket& ofBucket, const OfNode& ofNode) const;
   Bits visibleIn(std::size_t bucket) const;
+  /// Bits of a bucket's particles that rays may meet; none: all.
+  const RawVector<Bits>& met() const { return met_.empty() ? shown_ : met_; }
   void makeSparse();
   SparseParticle particleAt(std::size_t slot) const;
   /// Fills a bucket of the sparse tree, and its slots, with what `order` has there.
@@ -355,11 +362,13 @@ private:
 
   // What is shown.
   std::size_t sparseShare_ = PkdTreeOptions().sparseShare;
-  RawVector<Bits> visible_;            ///< a bucket each, or empty: all are
-  RawVector<Bits> shown_;              ///< a bucket each, of what ranges leave; or empty
-  RawVector<Bits> nodeShown_;          ///< children of each node that hold anything shown; or empty
-  RawVector<Bits> nodeWhole_;          ///< those with nothing hidden, where lods_ ask; or empty
-  StoredArray<Lods> lods_;             ///< of each node, or empty
+  RawVector<Bits> visible_;   ///< a bucket each, or empty: all are
+  RawVector<Bits> shown_;     ///< a bucket each, of what ranges leave; or empty
+  RepeatedSpheres repeats_;   ///< whole treelets of one sphere
+  RawVector<Bits> met_;       ///< shown_, but one particle of each group of repeats_; or empty
+  RawVector<Bits> nodeShown_; ///< children of each node that hold anything met; or empty
+  RawVector<Bits> nodeWhole_; ///< those with nothing hidden, where lods_ ask; or empty
+  StoredArray<Lods> lods_;    ///< of each node, or empty
   RawVector<ValueBounds> valueBounds_; ///< of each node, once a range asks for them
   std::shared_ptr<const StoredMeans> storedMeans_;
   std::shared_ptr<const Sparse> sparse_; ///< what rays meet instead, where little is shown

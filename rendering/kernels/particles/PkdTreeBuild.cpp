@@ -349,6 +349,7 @@ struct PkdTree::Builder : KdBuilder<PkdTree>
     if (!exact)
       tree.rows_ = std::move(shortRows);
     tree.boundNodes(tree.levels_, tree.nodes_.own(), std::move(below), marginOfSet);
+    tree.findRepeats();
   }
 };
 

@@ -143,6 +143,7 @@ PkdTreeFile::PkdTreeFile(const std::string& name)
     tree_.buckets() * h.rowsABucket, file_);
   this->checkEnds(name);
   this->takeLods(table);
+  tree_.findRepeats();
 }
 
 /// Takes boxes that stand for particles, and means of arrays over these, where there are any.

@@ -55,7 +55,7 @@ void PkdTree::makeLods(const std::shared_ptr<ScratchSpace>& space)
         (all, static_cast<int>(k), range.begin(), range.end(), made.own());
       });
   lods_ = std::move(made);
-  if (!nodeShown_.empty())
+  if (!shown_.empty() && !sparse_)
     findNodesWhole();
 }
 

@@ -61,23 +61,39 @@ void PkdTree::findShown()
   const StoredRanges stored(ranges_, origin_, unit_, !values_.empty());
   nodeShown_.clear();
   nodeWhole_.clear();
+  met_.clear();
   sparse_.reset();
-  if (count_ == 0 || (stored.limits == 0 && visible_.empty()))
-  {
+  const bool hides = count_ > 0 && (stored.limits > 0 || !visible_.empty());
+  if (!hides)
     release(shown_);
+  else if (stored.limits == 0)
+    shown_ = visible_;
+  else
+    findInRange(stored);
+  leaveOutRepeats();
+  if (met().empty())
+  {
     release(nodeShown_);
     release(nodeWhole_);
     return;
   }
-  if (stored.limits == 0)
-    shown_ = visible_;
-  else
-    findInRange(stored);
   makeSparse();
   if (!sparse_)
     findNodesShown();
-  if (!sparse_ && hasLods())
+  if (!sparse_ && hides && hasLods())
     findNodesWhole();
+}
+
+/// Fills met_ where there are repeats.
+void PkdTree::leaveOutRepeats()
+{
+  if (repeats_.empty())
+    return release(met_);
+  if (shown_.empty())
+    findBits(count_, met_, [](std::size_t) { return true; });
+  else
+    met_ = shown_;
+  repeats_.leaveFirst(met_, [this](std::size_t slot) { return inputIndex(slot); });
 }
 
 /// The bits of a bucket's particles that are there and that visibility leaves.
@@ -123,7 +139,7 @@ void PkdTree::fillNodeBits(
 void PkdTree::findNodesShown()
 {
   fillNodeBits(
-    nodeShown_, [this](std::size_t bucket) { return shown_[bucket] != 0; },
+    nodeShown_, [this](std::size_t bucket) { return met()[bucket] != 0; },
     [](Bits bits, std::size_t) { return bits != 0; });
 }
 

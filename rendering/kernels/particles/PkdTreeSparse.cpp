@@ -53,7 +53,7 @@ void PkdTree::makeSparse()
   if (sparseShare_ == 0)
     return;
   std::size_t occupied = 0;
-  const std::vector<std::size_t> places = placesOf(shown_, occupied);
+  const std::vector<std::size_t> places = placesOf(met(), occupied);
   const std::size_t count = places.back();
   // Where whole buckets are shown, the whole tree is as good.
   if (count == 0 || count > count_ / sparseShare_ || count > fullestSparse * occupied)
@@ -65,9 +65,9 @@ void PkdTree::makeSparse()
     {
       std::size_t next = places[part];
       const std::size_t first = part * bucketsAPart;
-      const std::size_t last = std::min(shown_.size(), first + bucketsAPart);
+      const std::size_t last = std::min(met().size(), first + bucketsAPart);
       for (std::size_t b = first; b < last; ++b)
-        for (unsigned bits = shown_[b]; bits != 0; bits &= bits - 1)
+        for (unsigned bits = met()[b]; bits != 0; bits &= bits - 1)
         {
           shown[next] =
             particleAt(b * bucketSize + static_cast<std::size_t>(std::countr_zero(bits)));

@@ -140,6 +140,8 @@ private:
       counts_->cells += static_cast<std::uint64_t>(x1 - x0 + 1);
       counts_->particles += end - slot;
     }
+    if (HWY_UNLIKELY(view_.skips))
+      return gatherShown(slot, end);
     // Four records at a time; what is copied too much is overwritten by the next row.
     for (; slot < end; slot += 4)
     {
@@ -153,6 +155,19 @@ private:
       if (buffered_ > bufferSize - 4)
         flush();
     }
+  }
+
+  /// Gathers those of the spheres that are not repeats of others.
+  HWY_NOINLINE void gatherShown(std::uint64_t first, std::uint64_t last)
+  {
+    view_.forShown(first, last,
+      [this](std::uint64_t slot)
+      {
+        std::copy_n(&view_.records[slot].x, 4, buffer_ + 4 * buffered_);
+        slots_[buffered_++] = slot;
+        if (buffered_ > bufferSize - 4)
+          flush();
+      });
   }
 
   /// Projects the gathered spheres, many at once, and tests those that the frustum overlaps against

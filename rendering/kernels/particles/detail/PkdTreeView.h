@@ -39,13 +39,13 @@ struct PkdTreeView
 
   static constexpr bool hasTies = true;
 
-  /// Of what is shown, or `whole`, of all.
+  /// Of what rays may meet, or `whole`, of all.
   explicit PkdTreeView(const PkdTree& t, bool whole = false)
     : tree(t)
     , nodes(t.nodes_.data())
     , levels(t.levels_.data())
     , rows(t.rows_.data())
-    , shown(whole || t.shown_.empty() ? nullptr : t.shown_.data())
+    , shown(whole || t.met().empty() ? nullptr : t.met().data())
     , nodeShown(whole || t.nodeShown_.empty() ? nullptr : t.nodeShown_.data())
     , lods(t.lods_.empty() ? nullptr : t.lods_.data())
     , nodeWhole(whole || t.nodeWhole_.empty() ? nullptr : t.nodeWhole_.data())
