@@ -95,6 +95,17 @@ gadget += b"".join(
     record(struct.pack(f"<{len(values)}{code}", *values))
     for code, values in [("f", range(9)), ("f", range(9)), ("I", [1, 2, 3]), ("f", [0.5, 1.5]),
                          ("f", [20, 30]), ("f", [2, 3])])
+
+
+def houdini_attribute(name, kind, components, rest):
+    return struct.pack(">H", len(name)) + name + struct.pack(">Hi", components, kind) + rest
+
+
+bgeo = (b"BgeoV" + struct.pack(">9i", 5, 2, 1, 0, 0, 3, 0, 0, 0) +
+        houdini_attribute(b"v", 5, 3, struct.pack(">3f", 0, 0, 0)) +
+        houdini_attribute(b"id", 1, 1, struct.pack(">i", 0)) +
+        houdini_attribute(b"phase", 4, 1, struct.pack(">iH5sH3s", 2, 5, b"water", 3, b"oil")) +
+        b"".join(struct.pack(">7f2i", i, 0, 0, 1, 1, 0, 0, 7 + i, i) for i in range(2)))
 names = b"id type xs ys zs"
 binary_head = struct.pack("<qqi6i6d", 4, 2, 0, 0, 0, 1, 1, 2, 3, 0, 10, 0, 10, 0, 10)
 binary_rows = struct.pack("<ii10d", 1, 10, 1, 1, 0, 0, 0, 2, 1, 0.5, 0.5, 1)
@@ -155,6 +166,7 @@ seeds = {
     ],
     "bin": [named_dump * 2, binary_head + struct.pack("<i", 5) + binary_rows],
     "gadget": [gadget],
+    "bgeo": [bgeo],
     "gro": [
         "water, t= 1.5\n2\n    1SOL     OW    1   0.230   0.628   0.113  0.1000 -0.2000  0.3000\n"
         "    1SOL    HW1    2   0.137   0.626   0.150  0.0000  0.0000  0.0000\n  1.8 1.8 1.8\n",

@@ -2,14 +2,13 @@
 
 #include "FileError.h"
 #include "NumberAt.h"
-#include "TextFile.h"
+#include "WholeFile.h"
 
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <zlib.h>
 
 namespace mote
 {
@@ -26,34 +25,13 @@ struct Block
   std::string_view bytes;
 };
 
-/// All bytes of a gzip file.
-std::string inflated(const std::string& path)
-{
-  const gzFile file = gzopen(path.c_str(), "rb");
-  std::string bytes;
-  std::vector<char> part(std::size_t{1} << 20);
-  int count = 0;
-  while (file && (count = gzread(file, part.data(), static_cast<unsigned>(part.size()))) > 0)
-    bytes.append(part.data(), static_cast<std::size_t>(count));
-  int error = file ? 0 : Z_ERRNO;
-  if (file)
-    gzerror(file, &error);
-  if (file && gzclose(file) != Z_OK && error == 0)
-    error = Z_DATA_ERROR;
-  if (count < 0 || error != 0)
-    throw FileError(FileError::Kind::Truncated, path, "its gzip data are damaged or end too early");
-  return bytes;
-}
-
 class Gadget final : public StepSource
 {
 public:
   explicit Gadget(const std::string& path)
     : m_file(path)
+    , m_bytes(m_file.bytes())
   {
-    if (m_file.isGzip())
-      m_inflated = inflated(path);
-    m_bytes = m_file.isGzip() ? std::string_view(m_inflated) : m_file.text();
     readBlocks();
     readHeader();
   }
@@ -276,8 +254,7 @@ private:
     }
   }
 
-  TextFile m_file;
-  std::string m_inflated;
+  WholeFile m_file;
   std::string_view m_bytes;
   bool m_isSwapped = false;
   std::vector<Block> m_blocks;

@@ -1,5 +1,6 @@
 #include "ReaderFormats.h"
 
+#include "BgeoFile.h"
 #include "CGNSReader.h"
 #include "EnSightReader.h"
 #include "FileError.h"
@@ -14,6 +15,7 @@
 #include "PLYCheck.h"
 #include "STLCheck.h"
 #include "TextFile.h"
+#include "UintahFile.h"
 #include "VTKHDFFile.h"
 #include "VTKHDFReader.h"
 #include "XMLCheck.h"
@@ -172,6 +174,11 @@ bool isControlDict(std::string_view beginning)
          beginning.find("controlDict") != beginning.npos;
 }
 
+vtkSmartPointer<vtkAlgorithm> makeUintah(const FileNames& fileNames)
+{
+  return make<vtkMoteParticleFormatsReader>({uintahIndexOf(fileNames.front())});
+}
+
 vtkSmartPointer<vtkAlgorithm> makeEnSight(const FileNames& fileNames)
 {
   return makeEnSightReader(fileNames.front());
@@ -232,6 +239,10 @@ const std::vector<ReaderFormat>& readerFormats()
       true},
     {{".gadget", ".gadget.gz", ".gadget2", ".gadget2.gz"}, "Gadget binary snapshot",
       makeOneOrSeries<vtkMoteParticleFormatsReader>, true, looksLikeGadget},
+    {{".bgeo", ".bgeo.gz", ".bhclassic"}, "points of Houdini, as Partio writes them",
+      makeOneOrSeries<vtkMoteParticleFormatsReader>, true, looksLikeBgeo},
+    {{".uda"}, "particles of a Uintah data archive, also by its index.xml", makeUintah, false,
+      looksLikeUintah},
     {{".pdb"}, "Protein Data Bank atoms", makePDB},
     {{".vtp"}, "VTK XML polygonal data", makeXML<WithPointData<vtkXMLPolyDataReader>>, true},
     {{".vtu"}, "VTK XML unstructured grid", makeXML<WithPointData<vtkXMLUnstructuredGridReader>>,
@@ -252,7 +263,7 @@ const std::vector<ReaderFormat>& readerFormats()
     {{".ply"}, "Stanford triangle mesh", makePLY, true},
     {{".obj"}, "Wavefront mesh", makeOBJ},
     {{".stl"}, "STL triangle mesh", makeSTL},
-    {{".gltf", ".glb"}, "glTF triangle meshes", makeGLTF},
+    {{".gltf", ".glb"}, "glTF triangle meshes and points", makeGLTF},
     {{".case", ".encas"}, "EnSight case", makeEnSight},
     {{".cgns"}, "CGNS mesh", makeCGNS, true},
     {{".foam"}, "OpenFOAM case, also by its controlDict", makeFoam, false, isControlDict},

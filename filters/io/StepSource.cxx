@@ -1,12 +1,14 @@
 #include "StepSource.h"
 
 #include "AtomEyeFile.h"
+#include "BgeoFile.h"
 #include "FileError.h"
 #include "GadgetFile.h"
 #include "GromacsFile.h"
 #include "HDF5Particles.h"
 #include "PolyDataParts.h"
 #include "TextFile.h"
+#include "UintahFile.h"
 
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -36,9 +38,11 @@ std::size_t RowLayout::add(const std::string& name, ColumnType type, std::size_t
   for (std::size_t i = 0; i < components; ++i)
   {
     group.columns.push_back(first + i);
+    // vx, vy, vz of v, as dumps have them; but no velocityx.
     m_rows.columns.push_back(components == 1   ? name
-                             : components == 3 ? name + "xyz"[i]
-                                               : name + "[" + std::to_string(i + 1) + "]");
+                             : components != 3 ? name + "[" + std::to_string(i + 1) + "]"
+                             : name.size() > 1 ? std::string(1, "xyz"[i])
+                                               : name + "xyz"[i]);
     m_rows.types.push_back(type);
   }
   m_rows.arrays.push_back(std::move(group));
@@ -104,6 +108,10 @@ std::unique_ptr<StepSource> openStepSource(const std::string& path, const Progre
     return openHDF5Particles(path);
   if (looksLikeGadget(beginning))
     return openGadget(path);
+  if (looksLikeUintah(beginning))
+    return openUintah(path);
+  if (looksLikeBgeo(beginning) || path.ends_with(".bgeo") || path.ends_with(".bhclassic"))
+    return openBgeo(path);
   if (looksLikeAtomEye(beginning) || path.ends_with(".cfg"))
     return openAtomEye(path);
   return openGromacs(path, progress);

@@ -1,6 +1,6 @@
 /**
  * @class   vtkMoteParticleFormatsReader
- * @brief   reads particles from GROMACS, AtomEye, Gadget, H5Part and openPMD files
+ * @brief   reads particles from GROMACS, AtomEye, Gadget, H5Part, openPMD, .bgeo and Uintah files
  *
  * The format is told by the content:
  * - GROMACS .gro: "id", "residue", "residue_name", "type" by the names of the atoms, "v"; nm and
@@ -9,7 +9,9 @@
  * - Gadget-1 and -2 binary snapshots, plain or gzip, of either byte order: "type" (0 gas, 1 halo,
  *   2 disk, 3 bulge, 4 stars, 5 boundary), "id", "v", "mass", of gas "u" and "rho";
  * - HDF5 snapshots of Gadget, SWIFT and AREPO, H5Part and openPMD: every array of numbers. The
- *   first file of a snapshot that is spread over several, with ".0." in its name, stands for all.
+ *   first file of a snapshot that is spread over several, with ".0." in its name, stands for all;
+ * - classic .bgeo files of Houdini and Partio: every attribute of points;
+ * - Uintah data archives, by their index.xml: "material", and every particle variable.
  *
  * Output: vtkPolyData with the points in double and file order, one vertex cell a point, the arrays
  * as point data, and as field data "box" (nine numbers: a, b, c) with "box_origin" and "boundary"
