@@ -25,10 +25,17 @@ struct Block
   std::string_view bytes;
 };
 
-class Gadget final : public StepSource
+/// Rows of a file, and where the first of them goes.
+struct Rows
+{
+  std::uint64_t first = 0, count = 0, target = 0;
+};
+
+/// One file of a snapshot.
+class GadgetPart
 {
 public:
-  explicit Gadget(const std::string& path)
+  explicit GadgetPart(const std::string& path)
     : m_file(path)
     , m_bytes(m_file.bytes())
   {
@@ -36,57 +43,58 @@ public:
     readHeader();
   }
 
-  std::vector<double> times() const override { return {m_time}; }
+  double time() const { return m_time; }
+  double box() const { return m_box; }
+  std::int32_t files() const { return m_files; } ///< of the snapshot
+  std::uint64_t particles() const { return m_total; }
+  bool has(const std::string& block) const { return blockNamed(block) != nullptr; }
 
-  std::string warning() const override
+  /// Stores rows of a block, of so many values a particle, in columns of which `targets` is the
+  /// first: what the block does not have is not a number.
+  void storeBlock(const std::string& name, std::size_t components, const Rows& rows,
+    const TextColumn* targets) const
   {
-    return m_files <= 1 ? std::string()
-                        : m_file.path() + ": this is one of the " + std::to_string(m_files) +
-                            " files of a snapshot, and only its own particles are read";
+    const Block* block = blockNamed(name);
+    const bool areIds = name == "ID  ", isOfGas = name == "U   " || name == "RHO ";
+    const std::uint64_t there = !block ? 0 : isOfGas ? m_counts[0] : m_total;
+    const std::size_t bytes = block ? bytesOf(*block, there * components) : 0;
+    for (std::uint64_t i = 0; i < rows.count; ++i)
+      for (std::size_t c = 0; c < components; ++c)
+      {
+        const std::uint64_t value = (rows.first + i) * components + c;
+        const std::uint64_t row = rows.target + i;
+        if (rows.first + i >= there)
+          storeNumber(targets[c], row, std::numeric_limits<double>::quiet_NaN());
+        else if (areIds)
+          storeNumber(targets[c], row, wholeAt(*block, bytes, value));
+        else
+          storeNumber(targets[c], row, realAt(*block, bytes, value));
+      }
   }
 
-  void read(const SourceRequest& request, vtkPolyData* output) override
+  /// Stores the kinds and the masses of rows.
+  void storeTypes(const Rows& rows, const TextColumn& types, const TextColumn& masses) const
   {
-    RowLayout layout(m_total);
-    std::vector<Column> columns;
-    const auto add = [&](const char* block, const char* name, ColumnType type, std::size_t count)
+    const Block* own = blockNamed("MASS");
+    const std::size_t bytes = own ? bytesOf(*own, m_ownMasses) : 4;
+    std::uint64_t before = 0, ownBefore = 0; // particles of the kinds before
+    for (std::size_t kind = 0; kind < kinds; ++kind)
     {
-      if (const Block* found = blockNamed(block))
-        columns.push_back(
-          {found, std::string(name).empty() ? 0 : layout.add(name, type, count), count});
-    };
-    layout.addPositions();
-    add("POS ", "", ColumnType::Float64, 3);
-    const std::size_t type = layout.add("type", ColumnType::Int32);
-    const std::size_t mass = layout.add("mass", ColumnType::Float64);
-    add("ID  ", "id", ColumnType::Int64, 1);
-    add("VEL ", "v", ColumnType::Float64, 3);
-    add("U   ", "u", ColumnType::Float64, 1);
-    add("RHO ", "rho", ColumnType::Float64, 1);
-    makePointRows(
-      layout.rowsFor(request),
-      [&](std::uint64_t first, std::uint64_t count, const std::vector<TextColumn>& targets,
-        const RowsStored&)
+      const std::uint64_t begin = std::max(rows.first, before);
+      const std::uint64_t end = std::min(rows.first + rows.count, before + m_counts[kind]);
+      for (std::uint64_t i = begin; i < end; ++i)
       {
-        for (const Column& column : columns)
-          store(column, first, count, targets);
-        storeTypes(targets[type], targets[mass], first, count);
-        return RowsResult();
-      },
-      output);
-    addTypeNames(gadgetTypeNames(), output);
-    if (m_box > 0)
-      addBox({m_box, 0, 0, 0, m_box, 0, 0, 0, m_box}, {0, 0, 0}, "pp pp pp", output);
+        const std::uint64_t row = rows.target + i - rows.first;
+        storeNumber(types, row, kind);
+        storeNumber(masses, row,
+          m_masses[kind] != 0.0 ? m_masses[kind] : realAt(*own, bytes, ownBefore + i - before));
+      }
+      before += m_counts[kind];
+      ownBefore += m_masses[kind] == 0.0 ? m_counts[kind] : 0;
+    }
   }
 
 private:
-  /// Values of a block, and the columns that they go to.
-  struct Column
-  {
-    const Block* block = nullptr;
-    std::size_t first = 0, count = 1;
-  };
-
   [[noreturn]] void fail(FileError::Kind kind, const std::string& sentence) const
   {
     throw FileError(kind, m_file.path(), sentence);
@@ -202,56 +210,16 @@ private:
                       : static_cast<double>(numberAt<float>(at, m_isSwapped));
   }
 
+  std::int64_t wholeAt(const Block& block, std::size_t bytes, std::uint64_t value) const
+  {
+    const char* const at = block.bytes.data() + bytes * value;
+    return bytes == 8 ? numberAt<std::int64_t>(at, m_isSwapped)
+                      : std::int64_t{numberAt<std::uint32_t>(at, m_isSwapped)};
+  }
+
   static std::size_t bytesOf(const Block& block, std::uint64_t values)
   {
     return block.bytes.size() == 8 * values ? 8 : 4;
-  }
-
-  void store(const Column& column, std::uint64_t first, std::uint64_t count,
-    const std::vector<TextColumn>& targets) const
-  {
-    const Block& block = *column.block;
-    const bool areIds = block.name == "ID  ";
-    const bool isOfGas = block.name == "U   " || block.name == "RHO ";
-    const std::uint64_t there = isOfGas ? m_counts[0] : m_total;
-    const std::size_t bytes = bytesOf(block, there * column.count);
-    for (std::uint64_t i = 0; i < count; ++i)
-      for (std::size_t c = 0; c < column.count; ++c)
-      {
-        const std::uint64_t value = (first + i) * column.count + c;
-        const TextColumn& target = targets[column.first + c];
-        if (first + i >= there)
-          storeNumber(target, i, std::numeric_limits<double>::quiet_NaN());
-        else if (!areIds)
-          storeNumber(target, i, realAt(block, bytes, value));
-        else if (bytes == 8)
-          storeNumber(
-            target, i, numberAt<std::int64_t>(block.bytes.data() + 8 * value, m_isSwapped));
-        else
-          storeNumber(
-            target, i, numberAt<std::uint32_t>(block.bytes.data() + 4 * value, m_isSwapped));
-      }
-  }
-
-  void storeTypes(const TextColumn& types, const TextColumn& masses, std::uint64_t first,
-    std::uint64_t count) const
-  {
-    const Block* own = blockNamed("MASS");
-    const std::size_t bytes = own ? bytesOf(*own, m_ownMasses) : 4;
-    std::uint64_t before = 0, ownBefore = 0; // particles of the kinds before
-    for (std::size_t kind = 0; kind < kinds; ++kind)
-    {
-      const std::uint64_t begin = std::max(first, before);
-      const std::uint64_t end = std::min(first + count, before + m_counts[kind]);
-      for (std::uint64_t i = begin; i < end; ++i)
-      {
-        storeNumber(types, i - first, kind);
-        storeNumber(masses, i - first,
-          m_masses[kind] != 0.0 ? m_masses[kind] : realAt(*own, bytes, ownBefore + i - before));
-      }
-      before += m_counts[kind];
-      ownBefore += m_masses[kind] == 0.0 ? m_counts[kind] : 0;
-    }
   }
 
   WholeFile m_file;
@@ -264,6 +232,107 @@ private:
   std::uint64_t m_total = 0, m_ownMasses = 0;
   double m_time = 0, m_box = 0;
   std::int32_t m_files = 1;
+};
+
+/// The name of another file of a snapshot, by that of the first, snap_007.0 or snap_007.0.gadget;
+/// empty where the name is not that of a first one.
+std::string partOf(const std::string& first, int number)
+{
+  std::size_t mark = first.ends_with(".0") ? first.size() - 2 : first.rfind(".0.");
+  if (mark == first.npos || first.find('/', mark) != first.npos)
+    return {};
+  std::string name = first;
+  return name.replace(mark + 1, 1, std::to_string(number));
+}
+
+class Gadget final : public StepSource
+{
+public:
+  explicit Gadget(const std::string& path)
+    : m_path(path)
+  {
+    m_parts.push_back(std::make_unique<GadgetPart>(path));
+    const int files = m_parts.front()->files();
+    for (int number = 1; number < files && !partOf(path, number).empty(); ++number)
+      addPart(partOf(path, number), files);
+    for (const auto& part : m_parts)
+      m_total += part->particles();
+  }
+
+  std::vector<double> times() const override { return {m_parts.front()->time()}; }
+
+  std::string warning() const override
+  {
+    const int files = m_parts.front()->files();
+    return files <= 1 || m_parts.size() > 1
+             ? std::string()
+             : m_path + ": this is one of the " + std::to_string(files) +
+                 " files of a snapshot, and only its own particles are read; the first of them, "
+                 "with .0 in its name, stands for all";
+  }
+
+  void read(const SourceRequest& request, vtkPolyData* output) override
+  {
+    struct Column
+    {
+      std::string block;
+      std::size_t first, count;
+    };
+    RowLayout layout(m_total);
+    layout.addPositions();
+    std::vector<Column> columns = {{"POS ", 0, 3}};
+    const std::size_t type = layout.add("type", ColumnType::Int32);
+    const std::size_t mass = layout.add("mass", ColumnType::Float64);
+    const auto add = [&](const char* block, const char* name, ColumnType kind, std::size_t count)
+    {
+      const auto has = [&](const auto& part) { return part->has(block); };
+      if (std::any_of(m_parts.begin(), m_parts.end(), has))
+        columns.push_back({block, layout.add(name, kind, count), count});
+    };
+    add("ID  ", "id", ColumnType::Int64, 1);
+    add("VEL ", "v", ColumnType::Float64, 3);
+    add("U   ", "u", ColumnType::Float64, 1);
+    add("RHO ", "rho", ColumnType::Float64, 1);
+    makePointRows(
+      layout.rowsFor(request),
+      [&](std::uint64_t first, std::uint64_t count, const std::vector<TextColumn>& targets,
+        const RowsStored&)
+      {
+        std::uint64_t before = 0; // particles of the files before
+        for (const auto& part : m_parts)
+        {
+          const std::uint64_t begin = std::max(first, before);
+          const std::uint64_t end = std::min(first + count, before + part->particles());
+          if (begin < end)
+          {
+            const Rows rows = {begin - before, end - begin, begin - first};
+            for (const Column& column : columns)
+              part->storeBlock(column.block, column.count, rows, &targets[column.first]);
+            part->storeTypes(rows, targets[type], targets[mass]);
+          }
+          before += part->particles();
+        }
+        return RowsResult();
+      },
+      output);
+    addTypeNames(gadgetTypeNames(), output);
+    if (const double box = m_parts.front()->box(); box > 0)
+      addBox({box, 0, 0, 0, box, 0, 0, 0, box}, {0, 0, 0}, "pp pp pp", output);
+  }
+
+private:
+  void addPart(const std::string& name, int files)
+  {
+    m_parts.push_back(std::make_unique<GadgetPart>(name));
+    if (m_parts.back()->files() != files)
+      throw FileError(FileError::Kind::Malformed, name,
+        "it does not say that it is one of " + std::to_string(files) +
+          " files of a snapshot, as the first one does");
+  }
+
+  std::string m_path;
+  std::vector<std::unique_ptr<GadgetPart>> m_parts;
+  std::uint64_t m_total = 0;
 };
 
 } // namespace

@@ -17,7 +17,8 @@ bool looksLikeGadget(std::string_view beginning);
 ///
 /// "type" (Int32), "id" (Int64), "v" and "mass"; of gas "u" and "rho", where the file has them,
 /// which are not a number for other particles. The time is the header's. Without names only the
-/// blocks up to the density are known, in their usual order. Throws FileError.
+/// blocks up to the density are known, in their usual order. The first file of a snapshot that is
+/// spread over several, snap_007.0 or snap_007.0.gadget, stands for all. Throws FileError.
 std::unique_ptr<StepSource> openGadget(const std::string& path);
 
 } // namespace mote

@@ -8,8 +8,7 @@
  * - AtomEye .cfg, standard and extended: "mass", "type" by the elements, "v", auxiliary values;
  * - Gadget-1 and -2 binary snapshots, plain or gzip, of either byte order: "type" (0 gas, 1 halo,
  *   2 disk, 3 bulge, 4 stars, 5 boundary), "id", "v", "mass", of gas "u" and "rho";
- * - HDF5 snapshots of Gadget, SWIFT and AREPO, H5Part and openPMD: every array of numbers. The
- *   first file of a snapshot that is spread over several, with ".0." in its name, stands for all;
+ * - HDF5 snapshots of Gadget, SWIFT and AREPO, H5Part and openPMD: every array of numbers;
  * - classic .bgeo files of Houdini and Partio: every attribute of points;
  * - Uintah data archives, by their index.xml: "material", and every particle variable.
  *
@@ -17,6 +16,9 @@
  * as point data, and as field data "box" (nine numbers: a, b, c) with "box_origin" and "boundary"
  * where the file tells them, "type_names" ("0=gas") and "units". Numbers that some kinds of
  * particles lack are not a number (NaN) there.
+ *
+ * The first file of a snapshot that is spread over several, with ".0" at the end of its name or
+ * ".0." in it, stands for all.
  *
  * Time steps are those of the file. Each process may ask for a piece of the particles.
  */

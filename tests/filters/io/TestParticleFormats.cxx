@@ -108,7 +108,7 @@ TEST_F(TestParticleFormats, AtomEye)
 }
 
 /// A snapshot of two particles of gas and one star; the gas has its own masses.
-std::string gadget(bool named, bool swapped)
+std::string gadget(bool named, bool swapped, std::uint32_t files = 1)
 {
   const auto record = [&](const std::string& bytes)
   {
@@ -124,7 +124,7 @@ std::string gadget(bool named, bool swapped)
   };
   std::string head = bytesOf<std::uint32_t>({2, 0, 0, 0, 1, 0}, swapped) +
                      bytesOf<double>({0, 0, 0, 0, 7.5, 0, 0.25, 0}, swapped) +
-                     bytesOf<std::uint32_t>({0, 0, 2, 0, 0, 0, 1, 0, 0, 1}, swapped) +
+                     bytesOf<std::uint32_t>({0, 0, 2, 0, 0, 0, 1, 0, 0, files}, swapped) +
                      bytesOf<double>({100.0}, swapped);
   head.resize(256);
   return block("HEAD", head) + block("POS ", bytesOf<float>({1, 2, 3, 4, 5, 6, 7, 8, 9}, swapped)) +
@@ -227,6 +227,36 @@ TEST_F(TestParticleFormats, BinaryDumps)
   EXPECT_TRUE(vtkMoteReaderTable::Read(reader, 2, m_error)) << m_error;
   EXPECT_FALSE(vtkMoteReaderTable::Read(reader, 4, m_error));
   EXPECT_NE(m_error.find("truncated"), std::string::npos) << m_error;
+}
+
+TEST_F(TestParticleFormats, BinarySnapshotsOfSeveralFiles)
+{
+  for (const std::string ending : {"", ".gadget"})
+  {
+    for (int i = 0; i < 3; ++i) // of which the first has no names for its blocks
+      write("snap_007." + std::to_string(i) + ending, gadget(i > 0, i == 2, 3));
+    vtkPolyData* data = read(path("snap_007.0" + ending));
+    ASSERT_TRUE(data);
+    ASSERT_EQ(data->GetNumberOfPoints(), 9);
+    for (int i = 0; i < 9; ++i)
+    {
+      expectPoint(data, i, 1 + 3 * (i % 3), 2 + 3 * (i % 3), 3 + 3 * (i % 3));
+      EXPECT_EQ(value(data, "id", i), 11 + i % 3);
+      EXPECT_EQ(value(data, "mass", i), i % 3 == 2 ? 7.5 : 0.5 + i % 3);
+      EXPECT_EQ(value(data, "type", i), i % 3 == 2 ? 4 : 0);
+      EXPECT_EQ(std::isnan(value(data, "u", i)), i % 3 == 2);
+    }
+    m_reader->UpdatePiece(1, 2, 0);
+    auto* half = vtkPolyData::SafeDownCast(m_reader->GetOutputDataObject(0));
+    ASSERT_EQ(half->GetNumberOfPoints(), 5);
+    EXPECT_EQ(value(half, "id", 0), 12);
+    EXPECT_EQ(value(half, "mass", 4), 7.5);
+    EXPECT_EQ(read(path("snap_007.1" + ending))->GetNumberOfPoints(), 3);
+    std::filesystem::remove(path("snap_007.2" + ending));
+    expectError(path("snap_007.0" + ending), "snap_007.2" + ending + ": there is no such file");
+    write("snap_007.2" + ending, gadget(false, false, 4));
+    expectError(path("snap_007.0" + ending), "one of 3 files of a snapshot");
+  }
 }
 
 TEST_F(TestParticleFormats, GadgetInHDF5)
