@@ -122,6 +122,25 @@ void EnSightCase::parseLine(
     this->parseVariable(key, value);
   else if (section == "TIME")
     this->parseTime(key, value);
+  else if (section == "FILE")
+    this->parseFileSet(key, value);
+}
+
+/// Sets of files that hold many steps each: read are those of one file.
+void EnSightCase::parseFileSet(const std::string& key, const std::string& value)
+{
+  int number = 0;
+  const std::vector<std::string> words = wordsOf(value);
+  if (words.size() != 1 || !isNumber(words[0], number) || number < 0)
+    this->fail("'" + key + "' has no number");
+  if (key == "file set")
+    fileSet_ = number;
+  else if (key == "number of steps" && fileSet_ > 0 && !fileSets_.contains(fileSet_))
+    fileSets_[fileSet_] = static_cast<std::size_t>(number);
+  else if (key == "number of steps" || key == "filename index")
+    this->fail("steps that are spread over several files of many steps each are not read");
+  else
+    this->fail("file sets have no '" + key + "'");
 }
 
 /// A file's name behind `after` other words, and before them the numbers of a time set and a file
@@ -249,9 +268,14 @@ void EnSightCase::require() const
     if (isCounted && timeSets_.at(set).numbers.empty() && !starts_.contains(set))
       this->fail(
         "the time set " + std::to_string(set) + " has no numbers for '" + one.file + "'", false);
-    if (one.fileSet != 0)
-      this->fail(
-        "'" + one.file + "' holds several time steps (a file set); one a file is read", false);
+    if (one.fileSet == 0)
+      continue;
+    const auto steps = fileSets_.find(one.fileSet);
+    if (isCounted || set == 0 || steps == fileSets_.end() ||
+        steps->second != timeSets_.at(set).times.size())
+      this->fail("'" + one.file + "' has the file set " + std::to_string(one.fileSet) +
+                   ", which has not the steps of its time set",
+        false);
   }
 }
 
@@ -290,10 +314,25 @@ void EnSightCase::checkAt(std::optional<double> time) const
 {
   const std::string geometry = this->fileAt(geometry_, time);
   const std::vector<EnSightParts> parts = checkEnSightGeometry(geometry);
+  this->requireSteps(geometry_, geometry, parts.size());
   const EnSightForm form = formOfEnSight(geometry);
   for (const Variable& variable : variables_)
-    checkEnSightValues(
-      this->fileAt(variable.pattern, time), form, parts, variable.components, variable.isOfNodes);
+  {
+    const std::string file = this->fileAt(variable.pattern, time);
+    this->requireSteps(variable.pattern, file,
+      checkEnSightValues(file, form, parts, variable.components, variable.isOfNodes));
+  }
+}
+
+/// That a file has the steps of its set: VTK's reader looks for them behind its end.
+void EnSightCase::requireSteps(
+  const Pattern& pattern, const std::string& file, std::size_t found) const
+{
+  const std::size_t wanted = pattern.fileSet == 0 ? 1 : fileSets_.at(pattern.fileSet);
+  if (found < wanted)
+    throw FileError(FileError::Kind::Truncated, file,
+      "it holds " + std::to_string(found) + " of the " + std::to_string(wanted) +
+        " time steps of its set: it is truncated");
 }
 
 } // namespace mote

@@ -47,9 +47,11 @@ private:
   void parse();
   void parseLine(const std::string& section, const std::string& key, const std::string& value);
   void parseTime(const std::string& key, const std::string& value);
+  void parseFileSet(const std::string& key, const std::string& value);
   void parseVariable(const std::string& key, const std::string& value);
   Pattern patternOf(std::vector<std::string> words, std::size_t after) const;
   void require() const;
+  void requireSteps(const Pattern& pattern, const std::string& file, std::size_t found) const;
   std::string fileAt(const Pattern& pattern, std::optional<double> time) const;
   [[noreturn]] void fail(const std::string& sentence, bool isHere = true) const;
 
@@ -60,7 +62,8 @@ private:
   std::map<int, TimeSet> timeSets_;
   std::map<int, std::size_t> counts_;         ///< of steps, as time sets say them
   std::map<int, std::pair<int, int>> starts_; ///< number of the first file, increment
-  int timeSet_ = 0;                           ///< whose lines come
+  std::map<int, std::size_t> fileSets_;       ///< steps of each
+  int timeSet_ = 0, fileSet_ = 0;             ///< whose lines come
   std::string listed_;                        ///< whose numbers go on in the next lines
 };
 

@@ -263,7 +263,7 @@ std::vector<EnSightParts> checkEnSightGeometry(const std::string& path)
   return Geometry(path).steps();
 }
 
-void checkEnSightValues(const std::string& path, EnSightForm form,
+std::size_t checkEnSightValues(const std::string& path, EnSightForm form,
   const std::vector<EnSightParts>& steps, int components, bool isOfNodes)
 {
   EnSightSource source(path, form);
@@ -297,7 +297,7 @@ void checkEnSightValues(const std::string& path, EnSightForm form,
     }
     const std::optional<std::string> next = isWrapped && text ? source.text() : std::nullopt;
     if (!next)
-      return;
+      return step + 1;
     if (!isStepBegin(*next))
       source.fail("expected BEGIN TIME STEP, found '" + *next + "'");
   }

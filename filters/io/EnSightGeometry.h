@@ -27,7 +27,8 @@ using EnSightParts = std::map<std::int64_t, EnSightPart>;
 std::vector<EnSightParts> checkEnSightGeometry(const std::string& path);
 
 /// Goes through a file of values, with one or more components a node or element, on these parts.
-void checkEnSightValues(const std::string& path, EnSightForm form,
+/// Returns how many steps it holds.
+std::size_t checkEnSightValues(const std::string& path, EnSightForm form,
   const std::vector<EnSightParts>& steps, int components, bool isOfNodes);
 
 } // namespace mote

@@ -33,6 +33,27 @@ table = servermanager.Fetch(statistics)
 check(table.GetNumberOfRows() > 0 and table.GetNumberOfColumns() > 3,
       f"statistics are a table: {table.GetNumberOfRows()} x {table.GetNumberOfColumns()}")
 
+line = simple.Line(Point1=[0.0, 0.0, 0.0], Point2=[1.0, 0.0, 0.0], Resolution=200)
+for name in ("ResampleWithDatasetMote", "ResampleWithDataset"):
+    probed = getattr(simple, name)(SourceDataArrays=pump, DestinationMesh=line)
+    probed.UpdatePipeline()
+    table = servermanager.Fetch(probed).GetPointData()
+    found = numpy_support.vtk_to_numpy(table.GetArray("vtkValidPointMask")).astype(bool)
+    pressures = numpy_support.vtk_to_numpy(table.GetArray("pressure"))
+    if name == "ResampleWithDatasetMote":
+        mine, mine_found = pressures, found
+check(mine_found.sum() > 10, f"points of a line are found in the pump: {mine_found.sum()}")
+same = mine_found & found
+check(np.abs(mine[same] - pressures[same]).max() < 1e-3 * (high - low) and (mine_found != found).sum() <= 4,
+      "with the values of ParaView's own filter")
+
+quantiles = simple.VolumeQuantilesMote(Input=pump)
+quantiles.Array = "pressure"
+quantiles.UpdatePipeline()
+values = numpy_support.vtk_to_numpy(servermanager.Fetch(quantiles).GetColumnByName("value"))
+check(len(values) == 101 and np.all(np.diff(values) >= 0) and low <= values[0] <= values[-1] <= high,
+      "quantiles ascend from the least to the greatest value")
+
 lattice = np.stack(np.meshgrid(*[np.arange(6.0)] * 3), axis=-1).reshape(-1, 3)
 baker = simple.BakeAmbientOcclusionMote(Input=source(points(lattice, radius=[0.5] * len(lattice))))
 baker.UpdatePipeline()
