@@ -123,6 +123,13 @@ vtkIdType vtkMoteCylindricalLocator::FindCell(
   return id;
 }
 
+vtkIdType vtkMoteCylindricalLocator::FindCell(double x[3], double tol2, vtkGenericCell* cell,
+  int& subId, double pcoords[3], double* weights)
+{
+  subId = 0;
+  return this->FindCell(x, tol2, cell, pcoords, weights);
+}
+
 vtkIdType vtkMoteCylindricalLocator::FindCell(double x[3])
 {
   const std::uint32_t found =

@@ -23,6 +23,7 @@ vtkMoteRenderView::vtkMoteRenderView()
   this->Light->SetIntensity(0.8);
   this->Fill->SetLightTypeToHeadlight();
   this->Fill->SetIntensity(0.28);
+  this->SetUseFXAA(false);
 }
 
 vtkMoteRenderView::~vtkMoteRenderView() = default;

@@ -45,6 +45,9 @@ public:
   void SetMoteLightSize(double degrees);
   ///@}
 
+  /// Never: rays are cast as often as is asked for, and FXAA, which a server would add, blurs.
+  void SetUseFXAA(bool) override { this->Superclass::SetUseFXAA(false); }
+
   ///@{
   /**
    * See vtkMoteSilhouettes; the threshold counts radii of typical particles.

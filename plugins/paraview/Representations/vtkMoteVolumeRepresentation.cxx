@@ -25,6 +25,9 @@ vtkMoteVolumeRepresentation::vtkMoteVolumeRepresentation()
   : Grid(vtkSmartPointer<vtkUnstructuredGrid>::New())
 {
   this->Volume->SetMapper(this->Mapper);
+  // Without an input mappers of volumes say that they reach from -1 to 1, which a view would be
+  // reset to before its first picture.
+  this->Volume->UseBoundsOff();
   this->Volume->SetProperty(this->Property);
 }
 
@@ -107,6 +110,7 @@ int vtkMoteVolumeRepresentation::ProcessViewRequest(
   else if (request == vtkPVView::REQUEST_RENDER())
   {
     this->Mapper->SetInputConnection(vtkPVRenderView::GetPieceProducer(inInfo, this));
+    this->Volume->UseBoundsOn();
     this->FollowArray();
     // The mapper would complain of ranks without cells.
     auto* grid = vtkDataSet::SafeDownCast(this->Mapper->GetInputDataObject(0, 0));

@@ -10,8 +10,8 @@ from checks import check, covered, end, picture, simple, view_of
 
 connection = simple.Connect("localhost", int(sys.argv[1]))
 check(connection is not None, "there is a server")
-simple.LoadPlugin(os.environ["MOTE_PLUGIN"], remote=True, ns=globals())
-simple.LoadPlugin(os.environ["MOTE_PLUGIN"], remote=False, ns=globals())
+simple.LoadPlugin(os.environ["MOTE_PLUGIN"], remote=True, ns=vars(simple))
+simple.LoadPlugin(os.environ["MOTE_PLUGIN"], remote=False, ns=vars(simple))
 data = os.environ["MOTE_DATA"]
 
 
@@ -55,6 +55,8 @@ pump = simple.PumpMote(Scale=0.002)
 display = simple.Show(pump, view)
 display.SetRepresentationType("Mote Volume")
 simple.ColorBy(display, ("POINTS", "pressure"))
+low, high = pump.PointData["pressure"].GetRange()
+simple.GetOpacityTransferFunction("pressure").Points = [low, 0.3, 0.5, 0.0, high, 0.3, 0.5, 0.0]
 simple.ResetCamera(view)
 both(view, "a volume")
 end()

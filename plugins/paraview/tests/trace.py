@@ -8,6 +8,15 @@ from checks import check, covered, end, picture, simple, view_of
 from paraview import smtrace
 
 data = os.path.join(os.environ["MOTE_DATA"], "copper-scratch.dump.gz")
+
+def change(proxy, **properties):
+    """As the panel of properties does, which tells the trace of it."""
+    item = smtrace._create_trace_item_internal("PropertiesModified", kwargs={"proxy": proxy})
+    for name, value in properties.items():
+        setattr(proxy, name, value)
+    item.finalize()
+
+
 smtrace.start_trace()
 dump = simple.OpenDataFile(data)
 view = simple.CreateView("MoteRenderView")
@@ -15,9 +24,8 @@ view.ViewSize = [300, 300]
 display = simple.Show(dump, view)
 simple.ColorBy(display, ("POINTS", "c_centro"))
 display.RescaleTransferFunctionToDataRange(True, False)
-display.MoteRadiusScale = 0.8
-view.MoteShadows = 1
-view.MoteLightSize = 3.0
+change(display, MoteRadiusScale=0.8)
+change(view, MoteShadows=1, MoteLightSize=3.0)
 simple.ResetCamera(view)
 simple.Render(view)
 script = smtrace.stop_trace()
@@ -34,6 +42,8 @@ for source in list(simple.GetSources().values()):
     simple.Delete(source)
 with open(name) as file:
     exec(compile(file.read(), name, "exec"), {"__name__": "traced"})
-again = picture(simple.GetViews()[0])
+view = simple.GetViews()[0]
+view.ViewSize = [300, 300]  # which traces leave to the window
+again = picture(view)
 check(again.shape == first.shape and np.abs(again - first).max() <= 2, "the trace draws the same")
 end()

@@ -85,4 +85,15 @@ ours = picture(view)
 check(abs(covered(theirs) - covered(ours)) < 0.003, "a surface covers what ParaView's covers")
 check(np.abs(theirs[120:180, 120:180] - ours[120:180, 120:180]).mean() < 4.0,
       f"and is as bright: {np.abs(theirs - ours).mean()}")
+view = view_of()
+pump = simple.PumpMote(Scale=0.002)
+scales = []
+for kind in ("Surface", "Mote Volume"):
+    display = simple.Show(pump, view)
+    display.SetRepresentationType(kind)
+    simple.ResetCamera(view)
+    scales.append(view.CameraParallelScale)
+    simple.Delete(view)
+    view = view_of()
+check(abs(scales[1] / scales[0] - 1.0) < 1e-3, f"the first view is of the data: {scales}")
 end()
