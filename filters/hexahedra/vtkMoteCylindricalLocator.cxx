@@ -123,8 +123,8 @@ vtkIdType vtkMoteCylindricalLocator::FindCell(
   return id;
 }
 
-vtkIdType vtkMoteCylindricalLocator::FindCell(double x[3], double tol2, vtkGenericCell* cell,
-  int& subId, double pcoords[3], double* weights)
+vtkIdType vtkMoteCylindricalLocator::FindCell(
+  double x[3], double tol2, vtkGenericCell* cell, int& subId, double pcoords[3], double* weights)
 {
   subId = 0;
   return this->FindCell(x, tol2, cell, pcoords, weights);

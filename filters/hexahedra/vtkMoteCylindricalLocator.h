@@ -114,8 +114,8 @@ public:
     double x[3], double tol2, vtkGenericCell* cell, double pcoords[3], double* weights) override;
   vtkIdType FindCell(double x[3]) override;
   /// What VTK 9.2's filters call, where it overrides; `subId` is 0.
-  vtkIdType FindCell(double x[3], double tol2, vtkGenericCell* cell, int& subId, double pcoords[3],
-    double* weights);
+  vtkIdType FindCell(
+    double x[3], double tol2, vtkGenericCell* cell, int& subId, double pcoords[3], double* weights);
   ///@}
 
   /**
