@@ -188,6 +188,7 @@ void vtkMoteVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IntegratorName: " << text(this->IntegratorName) << "\n";
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "CloudTolerance: " << this->CloudTolerance << "\n";
   os << indent << "Saturation: " << this->Saturation << "\n";
   os << indent << "ShowCloud: " << (this->ShowCloud ? "On" : "Off") << "\n";
   os << indent << "IsoArray: " << (this->IsoArrayName.empty() ? "(none)" : this->IsoArrayName)

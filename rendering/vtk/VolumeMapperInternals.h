@@ -6,8 +6,10 @@
 #include "RendererImage.h"
 #include "VisibleCells.h"
 #include "VolumeInput.h"
+#include "vtkMoteShading.h"
 #include "vtkMoteVolumeMapper.h"
 
+#include "vtkNew.h"
 #include "vtkTimeStamp.h"
 
 #include <algorithm>
@@ -80,7 +82,8 @@ public:
   std::string reportedLook;
   std::string reportedUnused;
 
-  mote::RendererImages images; ///< for renderers that have no vtkMoteRayCastPass
+  mote::RendererImages images;    ///< for renderers that have no vtkMoteRayCastPass
+  vtkNew<vtkMoteShading> shading; ///< the same
 
   /// Whether what was made of the grid's cells can be drawn. `options`: of the structure that is
   /// needed; null: none is.

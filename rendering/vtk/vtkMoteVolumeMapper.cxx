@@ -385,8 +385,10 @@ void vtkMoteVolumeMapper::WarnOfUnused(vtkVolumeProperty* property)
 void vtkMoteVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   mote::RendererImage& image = this->Impl->images.of(renderer);
-  image.render(this, renderer, {mote::motePropOf(volume)},
-    mote::FrameSettings{mote::Refinement{this->SamplesPerPixel}});
+  this->Impl->shading->SetCloudTolerance(this->CloudTolerance);
+  mote::FrameSettings settings{mote::Refinement{this->SamplesPerPixel}};
+  settings.shading = this->Impl->shading;
+  image.render(this, renderer, {mote::motePropOf(volume)}, settings);
   this->TimeToDraw = image.time();
 }
 

@@ -224,6 +224,15 @@ public:
 
   ///@{
   /**
+   * The CloudTolerance of vtkMoteShading, in [0, 1], where the mapper draws by itself. Default 0:
+   * every pixel is traced. Below 1/255 nothing of it is seen in a picture of 8 bits.
+   */
+  vtkSetClampMacro(CloudTolerance, double, 0.0, 1.0);
+  vtkGetMacro(CloudTolerance, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether these surfaces keep the light of lights that cast shadows from others, and from one
    * another. On unless set. Clouds never do.
    */
@@ -416,6 +425,7 @@ protected:
   double RepetitionAxis[3] = {0.0, 0.0, 1.0};
   bool TurnVectors = false;
   int SamplesPerPixel = 4;
+  double CloudTolerance = 0.0;
   bool CastsShadows = true;
   double NanColor[3] = {0.5, 0.0, 0.0};
   double NanOpacity = 0.0;

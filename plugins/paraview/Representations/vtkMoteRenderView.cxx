@@ -48,6 +48,11 @@ void vtkMoteRenderView::SetPathTracing(int on)
   this->Pass->GetShading()->SetMode(on ? vtkMoteShading::PATH_TRACED : vtkMoteShading::LOCAL);
 }
 
+void vtkMoteRenderView::SetCloudTolerance(double tolerance)
+{
+  this->Pass->GetShading()->SetCloudTolerance(tolerance);
+}
+
 double vtkMoteRenderView::GetTraceTime()
 {
   return this->Pass->GetTraceTime();

@@ -33,6 +33,7 @@ public:
   void SetAmbientOcclusion(int how);
   void SetAmbientOcclusionReach(double reach);
   void SetPathTracing(int on);
+  void SetCloudTolerance(double tolerance);
   double GetTraceTime();
   ///@}
 

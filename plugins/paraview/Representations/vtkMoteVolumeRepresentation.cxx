@@ -148,6 +148,11 @@ void vtkMoteVolumeRepresentation::SetTolerance(double tolerance)
   this->Mapper->SetTolerance(tolerance);
 }
 
+void vtkMoteVolumeRepresentation::SetCloudTolerance(double tolerance)
+{
+  this->Mapper->SetCloudTolerance(tolerance);
+}
+
 void vtkMoteVolumeRepresentation::SetSamplesPerPixel(int samples)
 {
   this->Mapper->SetSamplesPerPixel(samples);

@@ -37,6 +37,7 @@ public:
    */
   void SetIntegratorName(const char* name);
   void SetTolerance(double tolerance);
+  void SetCloudTolerance(double tolerance);
   void SetSamplesPerPixel(int samples);
   ///@}
   /// Whether the cloud is lit by its gradient.

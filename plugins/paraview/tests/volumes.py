@@ -57,6 +57,18 @@ check(abs(level - expected) < 1.5, f"an even cloud is as opaque as it should be:
 check(abs(covered(image) - 0.25) < 0.01, "and covers the cells")
 simple.Delete(display.Input)
 
+display = show(block(12, 0.01), view, "z")
+paint("z", -0.5, 0.5, 0.3)
+display.MoteCloudTolerance = 0.0
+every = picture(view)
+display.MoteCloudTolerance = 0.004
+some = picture(view)
+off = np.abs(every - some)
+check(np.quantile(off, 0.999) <= 2, f"pixels between are right to a step or two: {off.max()}")
+display.MoteCloudTolerance = 0.5
+check(np.abs(every - picture(view)).max() > 2, "but for what they may be off by")
+simple.Delete(display.Input)
+
 display = show(block(4), view, "k", "CELLS")
 paint("k", 0.0, 3.0, 0.3)
 display.ScalarOpacityUnitDistance = 0.5

@@ -355,8 +355,9 @@ TEST(VolumeMapper, BoundsAndPrint)
   EXPECT_GT(stage.mapper->GetStructureBytes(), 8 * 32);
   std::ostringstream text;
   stage.mapper->Print(text);
-  for (const char* part : {"StructureName: cartbvh", "IntegratorName: cell-by-cell",
-         "VectorMode: Component", "NumberOfCells: 8", "ShowCloud: On", "NanOpacity: 0"})
+  for (const char* part :
+    {"StructureName: cartbvh", "IntegratorName: cell-by-cell", "VectorMode: Component",
+      "CloudTolerance: 0", "NumberOfCells: 8", "ShowCloud: On", "NanOpacity: 0"})
     EXPECT_NE(text.str().find(part), std::string::npos) << part;
   vtkNew<vtkMoteVolumeMapper> empty;
   EXPECT_GT(empty->GetBounds()[0], empty->GetBounds()[1]);
