@@ -1,10 +1,13 @@
 """Draws a file by ParaView with Mote's representations; scripts/paraview render runs it."""
 
 import argparse
+import math
 import os
 import sys
+import tempfile
 
-from paraview import simple
+from paraview import servermanager, simple
+from vtkmodules import vtkIOImage, vtkImagingCore
 
 parser = argparse.ArgumentParser(prog="scripts/paraview render", description=__doc__.split(";")[0] + ".")
 parser.add_argument("file", metavar="FILE")
@@ -13,7 +16,7 @@ parser.add_argument("--size", default="1024x1024", help="width x height in pixel
 parser.add_argument("--as", dest="kind", choices=("particles", "volume", "mesh"),
                     help="default: by what the file holds")
 parser.add_argument("--color-by", metavar="ARRAY", help="default: one colour; of a volume its first array")
-parser.add_argument("--samples", type=int, default=1, help="rays a pixel; default 1")
+parser.add_argument("--samples", type=int, default=1, help="rays a pixel; default 1. On several ranks the next square: 4, 9, 16")
 parser.add_argument("--step", type=int, default=1, help="time step, from 1")
 parser.add_argument("--shadows", action="store_true")
 parser.add_argument("--ambient-occlusion", action="store_true")
@@ -55,8 +58,44 @@ def show(source, view, options):
     setattr(display, f"Mote{name.split()[1].removesuffix('s')}Samples", options.samples)
 
 
+def write_mean(options, view, size, side):
+    """A picture of `side` times the size, and each pixel the mean of those in its place.
+
+    Ranks composite the nearest: a pixel that one of them blends with its own background would show
+    through. So each ray has a pixel of its own until all are composited.
+    """
+    writers = {".png": vtkIOImage.vtkPNGWriter, ".jpg": vtkIOImage.vtkJPEGWriter,
+               ".jpeg": vtkIOImage.vtkJPEGWriter, ".tif": vtkIOImage.vtkTIFFWriter,
+               ".tiff": vtkIOImage.vtkTIFFWriter, ".bmp": vtkIOImage.vtkBMPWriter}
+    ending = os.path.splitext(options.output)[1].lower()
+    if ending not in writers:
+        sys.exit(f"{options.output}: of several ranks and rays pictures are {', '.join(writers)}")
+    with tempfile.TemporaryDirectory() as folder:
+        name = os.path.join(folder, "large.png")
+        if not simple.SaveScreenshot(name, view, ImageResolution=[side * n for n in size]):
+            return False
+        if servermanager.vtkProcessModule.GetProcessModule().GetPartitionId() != 0:
+            return True
+        reader = vtkIOImage.vtkPNGReader()
+        reader.SetFileName(name)
+        shrink = vtkImagingCore.vtkImageShrink3D()
+        shrink.SetInputConnection(reader.GetOutputPort())
+        shrink.SetShrinkFactors(side, side, 1)
+        shrink.MeanOn()
+        writer = writers[ending]()
+        writer.SetFileName(options.output)
+        writer.SetInputConnection(shrink.GetOutputPort())
+        writer.Write()
+        return writer.GetErrorCode() == 0
+
+
 def main():
     options = parser.parse_args()
+    # Rays along a side of a pixel, where several ranks must not blend them.
+    side = 1
+    if servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions() > 1:
+        side = math.isqrt(max(options.samples, 1) - 1) + 1
+        options.samples = 1 if side > 1 else options.samples
     try:
         size = [int(n) for n in options.size.lower().split("x")]
         if len(size) != 2 or min(size) < 1:
@@ -74,21 +113,24 @@ def main():
     lit = options.shadows or options.ambient_occlusion or options.silhouettes
     view = simple.CreateView("MoteRenderView" if lit else "RenderView")
     view.ViewSize = size
+    if options.samples > 1 or side > 1:
+        view.UseFXAA = 0  # rays smooth edges, and it would blur them
     if lit:
         view.MoteSamples = options.samples
         view.MoteShadows = options.shadows
         view.MoteOcclusion = "Live" if options.ambient_occlusion else "None"
         view.MoteSilhouettes = options.silhouettes
+        view.MoteSilhouetteThickness *= side
     steps = list(getattr(source, "TimestepValues", []) or [])
     if steps:
         if not 1 <= options.step <= len(steps):
             sys.exit(f"--step: {options.file} has steps 1 to {len(steps)}")
         view.ViewTime = steps[options.step - 1]
     show(source, view, options)
-    simple.Render(view)  # before which ParaView knows no bounds of volumes
     view.ResetCamera(True)
     simple.Render(view)
-    if not simple.SaveScreenshot(options.output, view, ImageResolution=size):
+    if not (write_mean(options, view, size, side) if side > 1 else
+            simple.SaveScreenshot(options.output, view, ImageResolution=size)):
         sys.exit(f"{options.output}: cannot be written")
 
 
