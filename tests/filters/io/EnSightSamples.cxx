@@ -93,4 +93,42 @@ std::string writeEnSight(const std::string& folder, bool isBinary)
   return name;
 }
 
+std::string writeEnSightSteps(const std::string& folder, bool isBinary)
+{
+  const std::filesystem::path at(folder);
+  std::filesystem::create_directories(at);
+  EnSightFile geometry(at / "steps.geo", isBinary), p(at / "steps.p", isBinary);
+  if (isBinary)
+    geometry.text("C Binary");
+  for (const double step : {0.0, 1.0})
+  {
+    for (const char* line :
+      {"BEGIN TIME STEP", "a triangle", "of a test", "node id off", "element id off", "part"})
+      geometry.text(line);
+    geometry.whole(1);
+    geometry.text("all");
+    geometry.text("coordinates");
+    geometry.whole(3);
+    geometry.reals({0, 1, 0, 0, 0, 1, step, step, step});
+    geometry.text("tria3");
+    geometry.whole(1);
+    geometry.whole({1, 2, 3});
+    geometry.text("END TIME STEP");
+    p.text("BEGIN TIME STEP");
+    p.text("p");
+    p.text("part");
+    p.whole(1);
+    p.text("coordinates");
+    p.reals({1.0 + step, 2.0, 3.0});
+    p.text("END TIME STEP");
+  }
+  const std::string name = (at / "steps.case").string();
+  std::ofstream(name, std::ios::binary)
+    << "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: 1 1 steps.geo\nVARIABLE\nscalar per node: 1 1 "
+       "p "
+       "steps.p\nTIME\ntime set: 1\nnumber of steps: 2\ntime values: 0 0.5\nFILE\nfile set: 1\n"
+       "number of steps: 2\n";
+  return name;
+}
+
 } // namespace samples

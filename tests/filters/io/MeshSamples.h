@@ -43,6 +43,10 @@ std::string writeDecomposedFoam(const std::string& folder, bool isBinary);
 /// at the least x as the part inlet, with the fields p and U. Returns the .case file.
 std::string writeEnSight(const std::string& folder, bool isBinary);
 
+/// Writes an EnSight Gold case of two steps, at 0 and 0.5, that lie in one file: a triangle in the
+/// part all, with the field p. Returns the .case file.
+std::string writeEnSightSteps(const std::string& folder, bool isBinary);
+
 /// Writes a CGNS file of two steps, at 0 and 0.5: an unstructured zone fluid with the patches inlet
 /// and walls, and beside it a structured zone rotor; the field q of cells.
 void writeCGNS(const std::string& file);

@@ -1,6 +1,8 @@
-// Damaged meshes are read right or get one sentence: they are cut, bytes and numbers are changed.
+// Damaged meshes and archives are read right or get one sentence: they are cut, bytes and numbers
+// are changed.
 #include "IOTestSupport.h"
 #include "MeshSamples.h"
+#include "ParticleArchives.h"
 #include "vtkMoteReaderTable.h"
 
 #include "vtkAlgorithm.h"
@@ -124,6 +126,30 @@ TEST_F(TestDamagedMeshes, EnSight)
 TEST_F(TestDamagedMeshes, BinaryEnSight)
 {
   damage(samples::writeEnSight(path("binary"), true), 30);
+}
+
+TEST_F(TestDamagedMeshes, EnSightWithStepsInOneFile)
+{
+  for (const bool isBinary : {false, true})
+  {
+    std::filesystem::remove_all(path(""));
+    damage(samples::writeEnSightSteps(path("steps"), isBinary), 60);
+  }
+}
+
+TEST_F(TestDamagedMeshes, Bgeo)
+{
+  damage(write("a.bgeo", samples::bgeo()), 300);
+}
+
+TEST_F(TestDamagedMeshes, Uintah)
+{
+  damage(samples::Archive(path("a.uda"), false, false).index(), 30);
+}
+
+TEST_F(TestDamagedMeshes, UintahWithGzip)
+{
+  damage(samples::Archive(path("a.uda"), false, true).index(), 30);
 }
 
 TEST_F(TestDamagedMeshes, CGNS)

@@ -2,6 +2,7 @@
 // of nodes and elements, steps in one file; and what it refuses.
 #include "EnSightFile.h"
 #include "IOTestSupport.h"
+#include "MeshSamples.h"
 #include "vtkMoteReaderTable.h"
 
 #include "vtkAlgorithm.h"
@@ -222,48 +223,19 @@ TEST_F(TestEnSightForms, PolygonsAndPolyhedra)
   }
 }
 
-/// Two steps of a triangle, of which a point moves, and of its values.
 TEST_F(TestEnSightForms, StepsInOneFile)
 {
   const auto writeCase = [this](const std::string& times, const std::string& files)
   {
-    return write("a.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: 1 1 a.geo\nVARIABLE\n"
-                           "scalar per node: 1 1 p a.p\nTIME\ntime set: 1\nnumber of steps: " +
-                             times + "FILE\nfile set: 1\n" + files);
+    return write(
+      "steps.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: 1 1 steps.geo\nVARIABLE\n"
+                    "scalar per node: 1 1 p steps.p\nTIME\ntime set: 1\nnumber of steps: " +
+                      times + "FILE\nfile set: 1\n" + files);
   };
   const std::string two = "2\ntime values: 0 0.5\n", three = "3\ntime values: 0 0.5 1\n";
   for (const bool isBinary : {false, true})
   {
-    this->caseOf(isBinary,
-      [&](EnSightFile& out)
-      {
-        for (const int step : {0, 1})
-        {
-          out.text("BEGIN TIME STEP");
-          head(out);
-          part(out, 1, "all");
-          out.text("coordinates");
-          out.whole(3);
-          out.reals({0, 1, 0, 0, 0, 1, double(step), double(step), double(step)});
-          out.text("tria3");
-          out.whole(1);
-          out.whole({1, 2, 3});
-          out.text("END TIME STEP");
-        }
-      });
-    EnSightFile p(path("a.p"), isBinary);
-    for (const int step : {0, 1})
-    {
-      p.text("BEGIN TIME STEP");
-      p.text("p");
-      p.text("part");
-      p.whole(1);
-      p.text("coordinates");
-      p.reals({1.0 + step, 2.0, 3.0});
-      p.text("END TIME STEP");
-    }
-    p.close();
-    const std::string file = writeCase(two, "number of steps: 2\n");
+    const std::string file = samples::writeEnSightSteps(path(""), isBinary);
     for (const int step : {0, 1})
     {
       const auto sets = this->read(file, 0.5 * step);
