@@ -126,21 +126,22 @@ void EnSightCase::parseLine(
     this->parseFileSet(key, value);
 }
 
-/// Sets of files that hold many steps each: read are those of one file.
+/// Sets of files that hold many steps each: read are those of one file. What is said of others, and
+/// of sets that nothing names, does not matter.
 void EnSightCase::parseFileSet(const std::string& key, const std::string& value)
 {
+  if (key != "file set" && key != "number of steps" && key != "filename index")
+    return;
   int number = 0;
   const std::vector<std::string> words = wordsOf(value);
-  if (words.size() != 1 || !isNumber(words[0], number) || number < 0)
+  if (words.empty() || !isNumber(words[0], number) || number < 0)
     this->fail("'" + key + "' has no number");
   if (key == "file set")
     fileSet_ = number;
-  else if (key == "number of steps" && fileSet_ > 0 && !fileSets_.contains(fileSet_))
-    fileSets_[fileSet_] = static_cast<std::size_t>(number);
-  else if (key == "number of steps" || key == "filename index")
-    this->fail("steps that are spread over several files of many steps each are not read");
+  else if (key == "filename index")
+    fileSets_[fileSet_].isSpread = true;
   else
-    this->fail("file sets have no '" + key + "'");
+    fileSets_[fileSet_].steps += static_cast<std::size_t>(number);
 }
 
 /// A file's name behind `after` other words, and before them the numbers of a time set and a file
@@ -270,9 +271,13 @@ void EnSightCase::require() const
         "the time set " + std::to_string(set) + " has no numbers for '" + one.file + "'", false);
     if (one.fileSet == 0)
       continue;
-    const auto steps = fileSets_.find(one.fileSet);
-    if (isCounted || set == 0 || steps == fileSets_.end() ||
-        steps->second != timeSets_.at(set).times.size())
+    const auto files = fileSets_.find(one.fileSet);
+    if (isCounted || (files != fileSets_.end() && files->second.isSpread))
+      this->fail("the steps of '" + one.file +
+                   "' are spread over several files of many steps each, which is not read",
+        false);
+    if (set == 0 || files == fileSets_.end() ||
+        files->second.steps != timeSets_.at(set).times.size())
       this->fail("'" + one.file + "' has the file set " + std::to_string(one.fileSet) +
                    ", which has not the steps of its time set",
         false);
@@ -328,7 +333,7 @@ void EnSightCase::checkAt(std::optional<double> time) const
 void EnSightCase::requireSteps(
   const Pattern& pattern, const std::string& file, std::size_t found) const
 {
-  const std::size_t wanted = pattern.fileSet == 0 ? 1 : fileSets_.at(pattern.fileSet);
+  const std::size_t wanted = pattern.fileSet == 0 ? 1 : fileSets_.at(pattern.fileSet).steps;
   if (found < wanted)
     throw FileError(FileError::Kind::Truncated, file,
       "it holds " + std::to_string(found) + " of the " + std::to_string(wanted) +

@@ -30,6 +30,12 @@ private:
     std::vector<double> times;
     std::vector<int> numbers; ///< of files; may be empty
   };
+  /// A file of many steps, or several.
+  struct FileSet
+  {
+    std::size_t steps = 0;
+    bool isSpread = false;
+  };
   /// A file, or one a step with * for the step's number.
   struct Pattern
   {
@@ -62,9 +68,9 @@ private:
   std::map<int, TimeSet> timeSets_;
   std::map<int, std::size_t> counts_;         ///< of steps, as time sets say them
   std::map<int, std::pair<int, int>> starts_; ///< number of the first file, increment
-  std::map<int, std::size_t> fileSets_;       ///< steps of each
-  int timeSet_ = 0, fileSet_ = 0;             ///< whose lines come
-  std::string listed_;                        ///< whose numbers go on in the next lines
+  std::map<int, FileSet> fileSets_;
+  int timeSet_ = 0, fileSet_ = 0; ///< whose lines come
+  std::string listed_;            ///< whose numbers go on in the next lines
 };
 
 } // namespace mote
