@@ -16,6 +16,8 @@
 #include <filesystem>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <memory>
 #include <sstream>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -159,8 +161,9 @@ public:
               return;
             for (std::uint64_t row = begin; row < end; ++row)
               storeNumber(targets[material], row - first, group.material);
+            Files files;
             for (const auto& [name, type] : step.variables)
-              store(step, group, name, {begin, end, first}, &targets[columns.at(name)]);
+              store(step, group, name, {begin, end, first}, files, &targets[columns.at(name)]);
           });
         return RowsResult();
       },
@@ -173,6 +176,8 @@ private:
   {
     std::uint64_t begin, end, origin;
   };
+  /// Those that are open: mostly all values of a group are in one.
+  using Files = std::map<std::string, std::unique_ptr<const MappedFile>>;
 
   [[noreturn]] static void fail(
     FileError::Kind kind, const std::string& file, const std::string& sentence)
@@ -332,7 +337,7 @@ private:
   }
 
   void store(const Step& step, const Group& group, const std::string& name, const Rows& rows,
-    const TextColumn* targets) const
+    Files& files, const TextColumn* targets) const
   {
     const std::size_t components = step.variables.at(name)->components;
     const auto found = group.blocks.find(name);
@@ -347,7 +352,10 @@ private:
       return;
     }
     const Block& block = found->second;
-    const MappedFile file(block.file);
+    std::unique_ptr<const MappedFile>& open = files[block.file];
+    if (!open)
+      open = std::make_unique<const MappedFile>(block.file);
+    const MappedFile& file = *open;
     if (file.size() < block.end)
       fail(FileError::Kind::Truncated, block.file, "the file has become shorter");
     const unsigned char* const bytes = file.data() + block.begin;

@@ -93,20 +93,28 @@ CastReport checkBundle(const Structure& structure, const Oracle& oracle, const R
   return report;
 }
 
-/// Casts all rays of an image, in bundles of `side` x `side`.
-template <typename Structure, typename Oracle>
-CastReport checkImage(const Structure& structure, const Oracle& oracle, const Camera& camera,
-  int width, int height, int side = 16)
+/// Calls visit(bundle) for all rays of an image, in bundles of `side` x `side`.
+template <typename Visit>
+void forBundles(const Camera& camera, int width, int height, int side, const Visit& visit)
 {
-  CastReport report;
   const CameraRays rays(camera, width, height);
   RayBundle bundle;
   for (int y = 0; y < height; y += side)
     for (int x = 0; x < width; x += side)
     {
       rays.fillBundle(bundle, side, x, y, 0.0, 0.0);
-      report.add(checkBundle(structure, oracle, bundle));
+      visit(bundle);
     }
+}
+
+/// Casts all rays of an image, in bundles of `side` x `side`.
+template <typename Structure, typename Oracle>
+CastReport checkImage(const Structure& structure, const Oracle& oracle, const Camera& camera,
+  int width, int height, int side = 16)
+{
+  CastReport report;
+  forBundles(camera, width, height, side,
+    [&](const RayBundle& bundle) { report.add(checkBundle(structure, oracle, bundle)); });
   return report;
 }
 

@@ -9,6 +9,7 @@ from paraview import smtrace
 
 data = os.path.join(os.environ["MOTE_DATA"], "copper-scratch.dump.gz")
 
+
 def change(proxy, **properties):
     """As the panel of properties does, which tells the trace of it."""
     item = smtrace._create_trace_item_internal("PropertiesModified", kwargs={"proxy": proxy})

@@ -25,7 +25,6 @@ public:
     runs_.clear();
     starts_.clear();
   }
-  std::size_t groups() const { return starts_.size(); }
   std::size_t bytes() const
   {
     return runs_.capacity() * sizeof(SlotRun) + starts_.capacity() * sizeof(std::size_t);

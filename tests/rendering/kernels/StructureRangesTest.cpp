@@ -52,14 +52,10 @@ struct Attributed
     alone.build(left.set());
     std::size_t hits = 0;
     for (const Vec3d& eye : {Vec3d(3.0, 1.0, 2.0), Vec3d(-1.0, -2.0, -3.0)})
-    {
-      const CameraRays rays(lookAt(eye, Vec3d(0.0), 45.0), 64, 64);
-      for (int y = 0; y < 64; y += 16)
-        for (int x = 0; x < 64; x += 16)
+      forBundles(lookAt(eye, Vec3d(0.0), 45.0), 64, 64, 16,
+        [&](const RayBundle& rays)
         {
-          RayBundle bundle, wanted;
-          rays.fillBundle(bundle, 16, x, y, 0.0, 0.0);
-          wanted = bundle;
+          RayBundle bundle = rays, wanted = rays;
           grid.cast(bundle, 0);
           alone.cast(wanted, 0);
           for (int i = 0; i < bundle.count; ++i)
@@ -70,8 +66,7 @@ struct Attributed
             ++hits;
             ASSERT_EQ(grid.inputIndex(bundle.slot[i]), indices[alone.inputIndex(wanted.slot[i])]);
           }
-        }
-    }
+        });
     EXPECT_EQ(hits > 0, !indices.empty());
   }
 };

@@ -81,15 +81,10 @@ struct Repeated
     alone.build(once.set());
     std::size_t hits = 0, stopped = 0;
     for (const Vec3d& eye : {Vec3d(3.0, 1.0, 2.0), Vec3d(-1.0, -2.0, -3.0), Vec3d(0.2, -0.4, 0.8)})
-    {
-      const CameraRays rays(lookAt(eye, Vec3d(0.0), 45.0), 64, 64);
-      for (int y = 0; y < 64; y += 16)
-        for (int x = 0; x < 64; x += 16)
+      forBundles(lookAt(eye, Vec3d(0.0), 45.0), 64, 64, 16,
+        [&](const RayBundle& rays)
         {
-          RayBundle bundle, wanted;
-          rays.fillBundle(bundle, 16, x, y, 0.0, 0.0);
-          wanted = bundle;
-          RayBundle stops = bundle, wantedStops = bundle;
+          RayBundle bundle = rays, wanted = rays, stops = rays, wantedStops = rays;
           structure.cast(bundle, 0);
           alone.cast(wanted, 0);
           structure.occlude(stops, 0);
@@ -105,8 +100,7 @@ struct Repeated
             ASSERT_EQ(
               structure.inputIndex(bundle.slot[i]), indices[alone.inputIndex(wanted.slot[i])]);
           }
-        }
-    }
+        });
     EXPECT_GT(hits, 100u);
     EXPECT_EQ(stopped, hits);
   }
@@ -232,14 +226,11 @@ TEST(StructureRepeatsOfTrees, AllForms)
       tree.findNear({0.25, -0.5, 0.75}, 0.01, found);
       EXPECT_LT(found.size(), mostLookedAt);
       EXPECT_EQ(tree.shownCount(), r.particles.size());
-      const CameraRays rays(lookAt(Vec3d(3.0, 1.0, 2.0), Vec3d(0.0), 45.0), 64, 64);
       const std::vector<std::size_t> firsts = r.firsts(all);
       std::size_t hits = 0;
-      for (int y = 0; y < 64; y += 16)
-        for (int x = 0; x < 64; x += 16)
+      forBundles(lookAt(Vec3d(3.0, 1.0, 2.0), Vec3d(0.0), 45.0), 64, 64, 16,
+        [&](RayBundle bundle)
         {
-          RayBundle bundle;
-          rays.fillBundle(bundle, 16, x, y, 0.0, 0.0);
           tree.cast(bundle, 0);
           for (int i = 0; i < bundle.count; ++i)
           {
@@ -249,7 +240,7 @@ TEST(StructureRepeatsOfTrees, AllForms)
             ASSERT_TRUE(
               std::binary_search(firsts.begin(), firsts.end(), tree.inputIndex(bundle.slot[i])));
           }
-        }
+        });
       EXPECT_GT(hits, 100u);
     }
 }
