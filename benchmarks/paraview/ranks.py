@@ -1,7 +1,10 @@
 """A file of particles on several ranks, each with a piece: what reading and frames take, and memory.
 
     export LP_NUM_THREADS=1 VTK_SMP_BACKEND_IN_USE=STDThread MOTE_PLUGIN=...  # Mote.so, as scripts/paraview builds it
-    xvfb-run -a mpiexec --bind-to core -n N pvbatch --sym benchmarks/paraview/ranks.py FILE
+    xvfb-run -a mpiexec --bind-to core -n N pvbatch --sym benchmarks/paraview/ranks.py FILE [LOOK]
+
+LOOK is `plain`, the default, or `boxes`: as plain, but each rank gets the particles of a box and no ghosts; `lit`: ambient
+occlusion, shadows and four rays a pixel, with ghosts.
 
 pvbatch is in build/paraview/packages/usr/bin. 1024x1024, the camera moves between frames, medians. Memory is what each rank has taken more than
 before it read, at the most.
@@ -33,8 +36,18 @@ source = simple.OpenDataFile(sys.argv[1])
 source.UpdatePipeline()
 read = time.time() - start
 count = source.GetDataInformation().GetNumberOfPoints()
-view = simple.CreateView("RenderView")
+look = sys.argv[2] if len(sys.argv) > 2 else "plain"
+start = time.time()
+if look != "plain" and ranks > 1:
+    source = simple.DistributeParticlesMote(Input=source, Ghosts=look == "lit")
+    source.UpdatePipeline()
+sent = time.time() - start
+view = simple.CreateView("MoteRenderView" if look == "lit" else "RenderView")
 view.ViewSize = [1024, 1024]
+if look == "lit":
+    view.MoteSamples = 4
+    view.MoteShadows = 1
+    view.MoteOcclusion = "Live"
 display = simple.Show(source, view)
 display.SetRepresentationType("Mote Particles")
 simple.ResetCamera(view)
@@ -51,7 +64,7 @@ for _ in range(9):
 own, mapped = (now - then for now, then in zip(memory(), before))
 controller.Barrier()
 if rank == 0:
-    print(f"{count} particles on {ranks} ranks: read in {read:.2f} s, first picture {first:.2f} s, "
+    print(f"{count} particles on {ranks} ranks: {look}: read in {read:.2f} s, sent in {sent:.2f} s, first picture {first:.2f} s, "
           f"frame {statistics.median(frames):.3f} s", flush=True)
 for k in range(ranks):
     controller.Barrier()

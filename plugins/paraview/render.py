@@ -16,16 +16,25 @@ parser.add_argument("--size", default="1024x1024", help="width x height in pixel
 parser.add_argument("--as", dest="kind", choices=("particles", "volume", "mesh"),
                     help="default: by what the file holds")
 parser.add_argument("--color-by", metavar="ARRAY", help="default: one colour; of a volume its first array")
-parser.add_argument("--samples", type=int, default=1, help="rays a pixel; default 1. On several ranks the next square: 4, 9, 16")
+parser.add_argument("--samples", type=int, default=1, 
+                    help="rays a pixel; default 1. Of volumes and meshes on several ranks the next square: 4, 9, 16")
 parser.add_argument("--step", type=int, default=1, help="time step, from 1")
 parser.add_argument("--shadows", action="store_true")
 parser.add_argument("--ambient-occlusion", action="store_true")
 parser.add_argument("--silhouettes", action="store_true")
+parser.add_argument("--ghosts", type=float, default=0.0, metavar="DISTANCE",
+                    help="how far around the particles of a rank it knows those of others, which shadows, ambient "
+                         "occlusion and silhouettes need; default: 0.12 of the longest side or 8 distances of neighbours; inf: all")
 
 
 def arrays_of(source):
     """Names of arrays by association."""
     return {"POINTS": list(source.PointData.keys()), "CELLS": list(source.CellData.keys())}
+
+
+def goes_across(options):
+    """Whether anything is drawn that depends on more than one particle."""
+    return options.shadows or options.ambient_occlusion or options.silhouettes
 
 
 def kind_of(source, display):
@@ -36,9 +45,18 @@ def kind_of(source, display):
     return "volume" if information.GetDataSetTypeAsString() == "vtkUnstructuredGrid" else "mesh"
 
 
+def ranks():
+    return servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
+
+
 def show(source, view, options):
+    """Shows it, and answers as what."""
     display = simple.Show(source, view)
     kind = options.kind or kind_of(source, display)
+    if kind == "particles" and ranks() > 1 and (options.samples > 1 or goes_across(options)):
+        simple.Hide(source, view)
+        source = simple.DistributeParticlesMote(Input=source, GhostDistance=min(options.ghosts, 1e300))
+        display = simple.Show(source, view)
     name = {"particles": "Mote Particles", "volume": "Mote Volume", "mesh": "Mote Mesh"}[kind]
     if name not in display.GetProperty("Representation").Available:
         sys.exit(f"{options.file}: its data cannot be shown as {kind}")
@@ -55,15 +73,22 @@ def show(source, view, options):
     if wanted:
         display.RescaleTransferFunctionToDataRange(False, True)
         display.SetScalarBarVisibility(view, True)
-    setattr(display, f"Mote{name.split()[1].removesuffix('s')}Samples", options.samples)
+    return kind, display
+
+
+def side_of(kind, options):
+    """Pixels of the picture that is drawn along the side of one that is written.
+
+    Ranks whose particles lie in boxes are blended in order. Of others, and of more than ParaView can
+    order, the nearest is seen: each ray must have a pixel of its own.
+    """
+    if ranks() == 1 or (kind == "particles" and ranks() <= 8):
+        return 1
+    return math.isqrt(max(options.samples, 1) - 1) + 1
 
 
 def write_mean(options, view, size, side):
-    """A picture of `side` times the size, and each pixel the mean of those in its place.
-
-    Ranks composite the nearest: a pixel that one of them blends with its own background would show
-    through. So each ray has a pixel of its own until all are composited.
-    """
+    """A picture of `side` times the size, and each pixel the mean of those in its place."""
     writers = {".png": vtkIOImage.vtkPNGWriter, ".jpg": vtkIOImage.vtkJPEGWriter,
                ".jpeg": vtkIOImage.vtkJPEGWriter, ".tif": vtkIOImage.vtkTIFFWriter,
                ".tiff": vtkIOImage.vtkTIFFWriter, ".bmp": vtkIOImage.vtkBMPWriter}
@@ -91,11 +116,6 @@ def write_mean(options, view, size, side):
 
 def main():
     options = parser.parse_args()
-    # Rays along a side of a pixel, where several ranks must not blend them.
-    side = 1
-    if servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions() > 1:
-        side = math.isqrt(max(options.samples, 1) - 1) + 1
-        options.samples = 1 if side > 1 else options.samples
     try:
         size = [int(n) for n in options.size.lower().split("x")]
         if len(size) != 2 or min(size) < 1:
@@ -110,23 +130,26 @@ def main():
     if source is None:
         sys.exit(f"{options.file}: ParaView has no reader for it")
     source.UpdatePipeline()
-    lit = options.shadows or options.ambient_occlusion or options.silhouettes
+    lit = goes_across(options)
     view = simple.CreateView("MoteRenderView" if lit else "RenderView")
     view.ViewSize = size
-    if options.samples > 1 or side > 1:
+    if options.samples > 1:
         view.UseFXAA = 0  # rays smooth edges, and it would blur them
-    if lit:
-        view.MoteSamples = options.samples
-        view.MoteShadows = options.shadows
-        view.MoteOcclusion = "Live" if options.ambient_occlusion else "None"
-        view.MoteSilhouettes = options.silhouettes
-        view.MoteSilhouetteThickness *= side
     steps = list(getattr(source, "TimestepValues", []) or [])
     if steps:
         if not 1 <= options.step <= len(steps):
             sys.exit(f"--step: {options.file} has steps 1 to {len(steps)}")
         view.ViewTime = steps[options.step - 1]
-    show(source, view, options)
+    kind, display = show(source, view, options)
+    side = side_of(kind, options)
+    samples = 1 if side > 1 else options.samples
+    setattr(display, f"Mote{kind.removesuffix('s').title()}Samples", samples)
+    if lit:
+        view.MoteSamples = samples
+        view.MoteShadows = options.shadows
+        view.MoteOcclusion = "Live" if options.ambient_occlusion else "None"
+        view.MoteSilhouettes = options.silhouettes
+        view.MoteSilhouetteThickness *= side
     view.ResetCamera(True)
     simple.Render(view)
     if not (write_mean(options, view, size, side) if side > 1 else

@@ -106,7 +106,8 @@ void forRows(const Film& film, const Work& work)
 
 } // namespace
 
-void FilmDisplay::convertColors(const Film& film, const SilhouetteLayer& lines)
+void FilmDisplay::convertColors(
+  const Film& film, const SilhouetteLayer& lines, const GhostPixels& ghosts)
 {
   const auto byteOf = [](float value)
   { return static_cast<unsigned char>(std::min(value, 1.0f) * 255.0f + 0.5f); };
@@ -124,6 +125,9 @@ void FilmDisplay::convertColors(const Film& film, const SilhouetteLayer& lines)
       for (std::size_t i = 4 * begin; i != 4 * end; ++i)
         colorBytes_[i] = byteOf(film.color()[i]);
       lines.forCovered(first, last, drawLine);
+      for (std::size_t i = begin; i != end && !ghosts.empty(); ++i)
+        if (ghosts[i])
+          std::fill_n(&colorBytes_[4 * i], 4, static_cast<unsigned char>(0));
     });
 }
 
@@ -236,7 +240,7 @@ void FilmDisplay::drawIntoWindow(vtkRenderer* renderer)
 }
 
 void FilmDisplay::draw(vtkRenderer* renderer, const Film& film, const SilhouetteLayer& lines,
-  unsigned long version, Way way)
+  const GhostPixels& ghosts, unsigned long version, Way way)
 {
   if (!prepare(renderer))
     return;
@@ -247,7 +251,7 @@ void FilmDisplay::draw(vtkRenderer* renderer, const Film& film, const Silhouette
       wanted.push_back(lines.color[c]);
   if (wanted != shown_)
   {
-    convertColors(film, lines);
+    convertColors(film, lines, ghosts);
     convertDepth(renderer, film, lines);
     int width = 0, height = 0, x = 0, y = 0;
     renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "GhostPixels.h"
 #include "SilhouetteTracer.h"
 
 #include "vtkNew.h"
@@ -35,10 +36,10 @@ public:
   };
 
   /// Blends the film, and the lines over it, over what is there, and writes the depth of what is
-  /// opaque in it; lines are as near as what they belong to. `version` tells films and places of
-  /// lines apart: the same one is not converted and sent again.
+  /// opaque in it; lines are as near as what they belong to. Ghosts are left out. `version` tells
+  /// films and places of lines apart: the same one is not converted and sent again.
   void draw(vtkRenderer* renderer, const Film& film, const SilhouetteLayer& lines,
-    unsigned long version, Way way);
+    const GhostPixels& ghosts, unsigned long version, Way way);
 
   /// Writes one colour, without blending, wherever the film shows something: for selection passes.
   /// `colors` holds four bytes a pixel of the film.
@@ -50,7 +51,7 @@ public:
 private:
   bool prepare(vtkRenderer* renderer);
   void upload(const Film& film, const unsigned char* colors, bool smooth);
-  void convertColors(const Film& film, const SilhouetteLayer& lines);
+  void convertColors(const Film& film, const SilhouetteLayer& lines, const GhostPixels& ghosts);
   void convertDepth(vtkRenderer* renderer, const Film& film, const SilhouetteLayer& lines);
   void drawQuad(bool blend);
   void drawOver();

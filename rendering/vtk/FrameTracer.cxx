@@ -213,6 +213,7 @@ bool FrameTracer::forget(int width, int height, const FrameSettings& settings)
   film_.resize(std::max(1, width), std::max(1, height), settings.channels);
   fillWithNothing(film_);
   silhouettes_.clear();
+  ghosts_ = {};
   distance_ = shownDistance_ = 1.0;
   shows_ = false;
   return false;
@@ -268,6 +269,7 @@ bool FrameTracer::trace(vtkRenderer* renderer, MoteProps& props, int width, int 
     addSilhouettes(frame, film_.samples());
   converged_ = complete && !preview_ && isDone(settings) && !silhouettes_.isBehind(film_.samples());
   shown_ = shown;
+  ghosts_.find(film_, silhouettes_.layer(), props);
   return shows_;
 }
 
@@ -315,7 +317,8 @@ void FrameTracer::begin(Frame& frame, double distance, bool draft)
   silhouettes_.prepare(settings.silhouettes, frame.props, frame.scene, distance);
   channels_ = draft ? 0u : settings.refinement.channels() | settings.channels;
   film_.resize(std::max(1, int(std::ceil(frame.width / distance))),
-    std::max(1, int(std::ceil(frame.height / distance))), channels_ | silhouettes_.channels());
+    std::max(1, int(std::ceil(frame.height / distance))),
+    channels_ | silhouettes_.channels() | GhostPixels::channels(frame.props));
   if (shows_)
     fillFrom(before, film_);
   tiles_.clear();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "FilmCost.h"
+#include "GhostPixels.h"
 #include "MoteProp.h"
 #include "OcclusionBaking.h"
 #include "SilhouetteTracer.h"
@@ -77,6 +78,8 @@ public:
   const Film& film() const { return film_; }
   /// What is to be drawn over the film.
   SilhouetteLayer silhouettes() const { return silhouettes_.layer(); }
+  /// What of it is not to be drawn.
+  const GhostPixels& ghosts() const { return ghosts_; }
   /// Distance of neighbouring rays in pixels of the viewport, where the film is coarsest.
   double distance() const { return shownDistance_; }
   /// Samples that every pixel has.
@@ -141,6 +144,7 @@ private:
   Film film_;
   TilesDone tiles_; ///< of the sample that is being traced
   SilhouetteTracer silhouettes_;
+  GhostPixels ghosts_;
   std::optional<View> viewed_; ///< by the last call
   std::uint64_t view_ = 0;     ///< its number
   Shown shown_;                ///< by the film

@@ -9,6 +9,7 @@
 class vtkDataArray;
 class vtkProp;
 class vtkProp3D;
+class vtkUnsignedCharArray;
 
 namespace mote
 {
@@ -49,6 +50,9 @@ public:
     (void)name;
     return nullptr;
   }
+  /// The marks of its particles that are copies of what another rank has (DUPLICATEPOINT); null
+  /// where there are none.
+  virtual vtkUnsignedCharArray* ghosts() const { return nullptr; }
   /// Whether the ids of what is picked are cells of the input, or else points.
   virtual bool picksCells() const { return false; }
   /// The value that colours what was picked; NaN where none does.

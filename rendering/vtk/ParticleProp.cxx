@@ -12,6 +12,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkProperty.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -53,6 +54,12 @@ public:
     vtkPointSet* input = mapper_->GetInput();
     vtkDataArray* array = input ? input->GetPointData()->GetArray(name) : nullptr;
     return array && array->GetNumberOfTuples() == input->GetNumberOfPoints() ? array : nullptr;
+  }
+  vtkUnsignedCharArray* ghosts() const override
+  {
+    vtkPointSet* input = mapper_->GetInput();
+    vtkUnsignedCharArray* marks = input ? input->GetPointGhostArray() : nullptr;
+    return marks && marks->GetNumberOfValues() == input->GetNumberOfPoints() ? marks : nullptr;
   }
   MapperOcclusion* occlusion(const OcclusionRequest* request) const override
   {

@@ -67,7 +67,8 @@ void RendererImage::draw(vtkRenderer* renderer, bool translucent)
   if (renderer->GetSelector())
     drawSelection(renderer, picksCells_);
   else
-    display_.draw(renderer, tracer_.film(), tracer_.silhouettes(), tracer_.version(),
+    display_.draw(renderer, tracer_.film(), tracer_.silhouettes(), tracer_.ghosts(),
+      tracer_.version(),
       ended_        ? FilmDisplay::Way::Over
       : translucent ? FilmDisplay::Way::Translucent
                     : FilmDisplay::Way::Opaque);
@@ -119,12 +120,13 @@ void RendererImage::drawSelection(vtkRenderer* renderer, bool picksCells)
   selector->BeginRenderProp(); // sets the colour that stands for the prop
   const SelectionPass pass(selector, picksCells);
   const Film& film = tracer_.film();
+  const GhostPixels& ghosts = tracer_.ghosts();
   std::vector<unsigned char> colors(4 * film.pixels(), 0);
   std::uint64_t greatest = 0;
   for (std::size_t i = 0; i < film.pixels(); ++i)
   {
     const std::uint64_t id = film.has(Film::Id) ? film.id()[i] : Film::noId;
-    if (!std::isfinite(film.depth()[i]) || (id == Film::noId && !pass.isFlat))
+    if (!std::isfinite(film.depth()[i]) || ghosts[i] || (id == Film::noId && !pass.isFlat))
       continue;
     pass.write(id, &colors[4 * i]);
     if (id == Film::noId)

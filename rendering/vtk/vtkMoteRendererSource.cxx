@@ -209,6 +209,10 @@ void vtkMoteRendererSource::FillImage(const mote::FrameTracer& tracer, vtkImageD
   std::copy_n(film.color(), 4 * film.pixels(), colors);
   const mote::SilhouetteLayer lines = tracer.silhouettes();
   lines.drawOver(film.height(), colors);
+  const mote::GhostPixels& ghosts = tracer.ghosts();
+  for (std::size_t i = 0; i < film.pixels() && !ghosts.empty(); ++i)
+    if (ghosts[i])
+      std::fill_n(colors + 4 * i, 4, 0.0f);
   if (!this->TransparentBackground)
     putBackground(this->Renderer, film.width(), film.height(), colors);
   if (this->Depth)

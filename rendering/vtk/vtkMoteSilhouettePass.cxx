@@ -109,7 +109,8 @@ void vtkMoteSilhouettePass::Internals::draw(vtkRenderer* renderer, vtkMoteSilhou
   const double* color = silhouettes->GetColor();
   const mote::SilhouetteLayer lines{
     &this->film, {float(color[0]), float(color[1]), float(color[2])}};
-  this->display.draw(renderer, this->nothing, lines, ++this->version, mote::FilmDisplay::Way::Over);
+  this->display.draw(
+    renderer, this->nothing, lines, {}, ++this->version, mote::FilmDisplay::Way::Over);
 }
 
 vtkMoteSilhouettePass::vtkMoteSilhouettePass()

@@ -1,16 +1,16 @@
 #include "vtkMoteActorRepresentation.h"
 
+#include "PointParts.h"
+#include "RankBoxes.h"
+
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMapper.h"
-#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPVRenderView.h"
 #include "vtkPointData.h"
@@ -54,24 +54,10 @@ bool vtkMoteActorRepresentation::RemoveFromView(vtkView* view)
 int vtkMoteActorRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  std::vector<vtkPointSet*> parts;
-  const auto add = [&](vtkDataObject* data)
-  {
-    if (auto* points = vtkPointSet::SafeDownCast(data); points && points->GetNumberOfPoints() > 0)
-      parts.push_back(points);
-  };
   vtkDataObject* input = inputs[0]->GetNumberOfInformationObjects() == 1
                            ? vtkDataObject::GetData(inputs[0], 0)
                            : nullptr;
-  if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
-  {
-    const auto it = vtk::TakeSmartPointer(composite->NewIterator());
-    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-      add(it->GetCurrentDataObject());
-  }
-  else
-    add(input);
-  this->Drawn = this->Collect(parts);
+  this->Drawn = this->Collect(mote::pointSetsOf(input));
   return this->Superclass::RequestData(request, inputs, outputs);
 }
 
@@ -90,7 +76,7 @@ int vtkMoteActorRepresentation::ProcessViewRequest(
   if (request == vtkPVView::REQUEST_UPDATE())
   {
     vtkPVView::SetPiece(inInfo, this, this->Drawn);
-    this->TellBounds(inInfo);
+    this->TellBounds(inInfo, outInfo);
   }
   else if (request == vtkPVView::REQUEST_RENDER())
   {
@@ -101,22 +87,25 @@ int vtkMoteActorRepresentation::ProcessViewRequest(
 }
 
 /// IceT clips to the bounds, and orders ranks by them.
-void vtkMoteActorRepresentation::TellBounds(vtkInformation* inInfo)
+void vtkMoteActorRepresentation::TellBounds(vtkInformation* inInfo, vtkInformation* outInfo)
 {
   const double reach = this->GetReach();
+  vtkBoundingBox box = mote::ownBoundsOf(this->Drawn);
+  if (box.IsValid())
+    box.Inflate(reach);
   double bounds[6];
-  vtkMath::UninitializeBounds(bounds);
-  if (this->Drawn->GetNumberOfPoints() > 0)
-  {
-    this->Drawn->GetPoints()->GetBounds(bounds);
-    for (int i = 0; i < 6; ++i)
-      bounds[i] += i % 2 ? reach : -reach;
-  }
+  box.GetBounds(bounds);
   vtkNew<vtkMatrix4x4> matrix;
   this->Actor->GetMatrix(matrix);
   vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, matrix);
+  // What a ghost covers is not drawn, so that boxes without the radii tell the order.
+  const bool inOrder = mote::canBlendInOrder(this->Drawn);
+  if (inOrder)
+    mote::keptBoxOf(this->Drawn).GetBounds(bounds);
   vtkPVRenderView::SetOrderedCompositingConfiguration(
     inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, bounds);
+  if (inOrder)
+    outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), 1);
 }
 
 /// Which array colours: ParaView tells it as the array to process.

@@ -83,7 +83,7 @@ private:
   vtkMoteActorRepresentation(const vtkMoteActorRepresentation&) = delete;
   void operator=(const vtkMoteActorRepresentation&) = delete;
 
-  void TellBounds(vtkInformation* inInfo);
+  void TellBounds(vtkInformation* inInfo, vtkInformation* outInfo);
   void FollowColors();
 };
 

@@ -1,14 +1,11 @@
 #include "vtkMoteParticleRepresentation.h"
 
-#include "ParticleInput.h"
+#include "CommonSpacing.h"
+#include "PointParts.h"
 #include "vtkMoteParticleMapper.h"
 #include "vtkMoteSourcePoints.h"
 
-#include "vtkAppendPolyData.h"
-#include "vtkCommunicator.h"
 #include "vtkDataArray.h"
-#include "vtkMultiProcessController.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -16,22 +13,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 vtkStandardNewMacro(vtkMoteParticleRepresentation);
 
 namespace
 {
-
-/// The points of a data set with their arrays, and no cells.
-vtkSmartPointer<vtkPolyData> pointsOf(vtkPointSet* from)
-{
-  auto to = vtkSmartPointer<vtkPolyData>::New();
-  to->SetPoints(from->GetPoints());
-  to->GetPointData()->ShallowCopy(from->GetPointData());
-  to->GetFieldData()->ShallowCopy(from->GetFieldData());
-  return to;
-}
 
 /// An array that the mapper takes radii from by itself: of one component and this name, in letters
 /// of either case.
@@ -44,40 +30,6 @@ vtkDataArray* arrayNamed(vtkPointData* data, const std::string& name)
       return array;
   return nullptr;
 }
-
-/// The ranks of ParaView, each with a part of the particles.
-class Ranks : public mote::ParticleParts
-{
-public:
-  explicit Ranks(vtkMultiProcessController* controller)
-    : Controller(controller)
-  {
-  }
-  void sum(std::vector<double>& values) const override
-  {
-    this->Reduce(values, vtkCommunicator::SUM_OP);
-  }
-  void least(std::vector<double>& values) const override
-  {
-    this->Reduce(values, vtkCommunicator::MIN_OP);
-  }
-  double before(double value) const override
-  {
-    std::vector<double> all(static_cast<std::size_t>(this->Controller->GetNumberOfProcesses()));
-    this->Controller->AllGather(&value, all.data(), 1);
-    return std::accumulate(all.begin(), all.begin() + this->Controller->GetLocalProcessId(), 0.0);
-  }
-
-private:
-  void Reduce(std::vector<double>& values, int operation) const
-  {
-    const std::vector<double> own = values;
-    this->Controller->AllReduce(
-      own.data(), values.data(), static_cast<vtkIdType>(values.size()), operation);
-  }
-
-  vtkMultiProcessController* Controller;
-};
 
 double greatestOf(vtkDataArray* array)
 {
@@ -98,15 +50,7 @@ vtkMapper* vtkMoteParticleRepresentation::GetMapper()
 vtkSmartPointer<vtkPointSet> vtkMoteParticleRepresentation::Collect(
   const std::vector<vtkPointSet*>& parts)
 {
-  if (parts.empty())
-    return vtkSmartPointer<vtkPolyData>::New();
-  if (parts.size() == 1)
-    return pointsOf(parts.front());
-  vtkNew<vtkAppendPolyData> append;
-  for (vtkPointSet* part : parts)
-    append->AddInputData(pointsOf(part));
-  append->Update();
-  return pointsOf(append->GetOutput());
+  return mote::collectPoints(parts);
 }
 
 /// Whether the data of this rank tell radii in the present mode.
@@ -123,13 +67,11 @@ bool vtkMoteParticleRepresentation::HasOwnRadii()
 /// The typical distance of neighbours, on whichever ranks these are; 0 where all tell radii.
 double vtkMoteParticleRepresentation::GetCommonSpacing()
 {
-  const bool counts = this->Drawn->GetNumberOfPoints() > 0 && !this->HasOwnRadii();
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (!controller || controller->GetNumberOfProcesses() < 2)
-    return counts ? mote::spacingOf(this->Drawn) : 0.0;
-  const vtkNew<vtkPolyData> nothing;
-  const Ranks ranks(controller);
-  return mote::spacingOf(counts ? this->Drawn.Get() : nothing.Get(), &ranks);
+  auto* particles = vtkPolyData::SafeDownCast(this->Drawn);
+  const bool counts = particles->GetNumberOfPoints() > 0 && !this->HasOwnRadii();
+  const double found = mote::commonSpacingOf(counts ? particles : nullptr); // asked on all ranks
+  const double kept = mote::keptSpacingOf(particles);
+  return kept > 0.0 && counts ? kept : found;
 }
 
 double vtkMoteParticleRepresentation::GetLargestRadius()
@@ -161,7 +103,7 @@ double vtkMoteParticleRepresentation::GetLargestRadius()
 
 double vtkMoteParticleRepresentation::GetReach()
 {
-  const double spacing = this->GetCommonSpacing(); // asked on all ranks
+  const double spacing = this->GetCommonSpacing();
   this->Mapper->SetRadiusMode(
     spacing > 0.0 ? vtkMoteParticleMapper::RADIUS_CONSTANT : this->RadiusMode);
   this->Mapper->SetRadius(spacing > 0.0 ? 0.5 * spacing : this->Radius);

@@ -6,11 +6,21 @@
 #include "vtkMoteSilhouettes.h"
 
 #include "vtkLight.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVSynchronizedRenderer.h"
 #include "vtkRenderer.h"
 
 vtkStandardNewMacro(vtkMoteRenderView);
+
+namespace
+{
+
+/// The share of the longest side that rays of ambient occlusion go where nothing else is said, as
+/// in mote::occlusionReach().
+constexpr double reachOfBounds = 0.1;
+
+} // namespace
 
 vtkMoteRenderView::vtkMoteRenderView()
 {
@@ -40,6 +50,7 @@ void vtkMoteRenderView::SetAmbientOcclusion(int how)
 
 void vtkMoteRenderView::SetAmbientOcclusionReach(double reach)
 {
+  this->OcclusionReach = reach;
   this->Pass->GetShading()->SetAmbientOcclusionReach(reach);
 }
 
@@ -82,6 +93,12 @@ void vtkMoteRenderView::AboutToRenderOnLocalProcess(bool interactive)
   // The kit would light the shadows from all sides; its own property may have come later.
   if (this->HasShadows && this->GetUseLightKit())
     this->SetUseLightKit(false);
+  // By itself each rank would take a tenth of what it has.
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  if (this->OcclusionReach <= 0.0 && controller && controller->GetNumberOfProcesses() > 1 &&
+      this->GeometryBounds.IsValid())
+    this->Pass->GetShading()->SetAmbientOcclusionReach(
+      reachOfBounds * this->GeometryBounds.GetMaxLength());
   this->Superclass::AboutToRenderOnLocalProcess(interactive);
 }
 

@@ -27,7 +27,8 @@ public:
 
   ///@{
   /**
-   * See vtkMoteRayCastPass and vtkMoteShading.
+   * See vtkMoteRayCastPass and vtkMoteShading. On several ranks a reach of 0 stands for a tenth of
+   * the longest side of what all of them show.
    */
   void SetSamplesPerPixel(int samples);
   void SetAmbientOcclusion(int how);
@@ -73,6 +74,7 @@ private:
   vtkNew<vtkMoteAreaLight> Light;
   vtkNew<vtkLight> Fill; ///< without which shadows are black
   bool HasShadows = false;
+  double OcclusionReach = 0.0; ///< as it was set
 };
 
 #endif

@@ -48,4 +48,49 @@ with tempfile.TemporaryDirectory() as folder:
         for proxy in (numbers, marked, display, view, source):
             simple.Delete(proxy)
 
+    # A box for each rank, and copies of what is beside it.
+    source = simple.OpenDataFile(names["dump"])
+    distributed = simple.DistributeParticlesMote(Input=source, GhostDistance=0.5)
+    facts = simple.ProgrammableFilter(Input=distributed, OutputDataSetType="vtkPolyData", Script="""
+import numpy as np
+from vtkmodules.util import numpy_support
+from vtkmodules.vtkCommonCore import vtkPoints
+data = self.GetInputDataObject(0, 0)
+places = numpy_support.vtk_to_numpy(data.GetPoints().GetData())
+ids = numpy_support.vtk_to_numpy(data.GetPointData().GetArray("id"))
+marks = data.GetPointData().GetArray("vtkGhostType")
+own = numpy_support.vtk_to_numpy(marks) == 0 if marks else np.ones(len(ids), bool)
+facts = {"own": own.sum(), "ghosts": (~own).sum(), "ids": ids[own].sum(), "twice": len(ids) - len(np.unique(ids))}
+low, high = places[own].min(axis=0), places[own].max(axis=0)
+facts.update({f"low{c}": low[c] for c in range(3)}, **{f"high{c}": high[c] for c in range(3)})
+away = np.linalg.norm(np.maximum(0, np.maximum(low - places, places - high)), axis=1)
+facts["away"] = away.max()
+points = vtkPoints()
+points.InsertNextPoint(0, 0, 0)
+self.GetPolyDataOutput().SetPoints(points)
+for name, value in facts.items():
+    array = numpy_support.numpy_to_vtk(np.array([float(value)]), deep=True)
+    array.SetName(name)
+    self.GetPolyDataOutput().GetPointData().AddArray(array)
+""")
+    facts.UpdatePipeline()
+    rows = servermanager.Fetch(facts).GetPointData()
+    column = {name: numpy_support.vtk_to_numpy(rows.GetArray(name)) for name in
+              ("own", "ghosts", "ids", "twice", "away", "low0", "low1", "low2", "high0", "high1", "high2")}
+    check(len(column["own"]) == ranks and column["own"].sum() == count, "distributed: none is lost or doubled")
+    check(column["ids"].sum() == count * (count + 1) / 2 and column["twice"].max() == 0, "distributed: each has its own")
+    check(column["own"].max() <= 1.02 * count / ranks, f"distributed: evenly, {column['own']}")
+    # Two boxes are apart along an axis.
+    boxes = np.array([[column[f"low{c}"], column[f"high{c}"]] for c in range(3)])
+    apart = [np.any(boxes[:, 0, i] > boxes[:, 1, j]) or np.any(boxes[:, 0, j] > boxes[:, 1, i])
+             for i in range(ranks) for j in range(i)]
+    check(np.all(apart), "distributed: boxes do not overlap")
+    if ranks == 1:
+        check(column["ghosts"].sum() == 0, "distributed: one rank has no ghosts")
+    else:
+        near = [(np.linalg.norm(np.maximum(0, np.maximum(boxes[:, 0, r] - places, places - boxes[:, 1, r])), axis=1)
+                 <= 0.5).sum() for r in range(ranks)]
+        check(np.all(column["own"] + column["ghosts"] == near), f"distributed: all within 0.5, {column['ghosts']}")
+        check(0.4 < column["away"].min() and column["away"].max() <= 0.5 + 1e-6, "distributed: and none farther")
+
 end()

@@ -34,16 +34,22 @@ for pair in copper-scratch.dump.gz:0 swirl.1.vtu:16; do # edges of clouds differ
   done
   echo "ok      $data: two and four ranks make the picture of one"
 done
-# Rays a pixel: particles of ranks that hide one another have edges without seams.
-awk 'BEGIN { srand(3); print 3000 "\n"; for (i = 0; i < 3000; ++i) print "A", 10 * rand(), 10 * rand(), 10 * rand() }' >"$folder/random.xyz"
-for ranks in 1 2; do
-  render "$folder/random.xyz" -o "$folder/smooth$ranks.png" --size 300x200 --samples 16 --ranks $ranks || fail "rays, $ranks"
+# Light, lines and rays: particles of ranks know those beside them, or all. Shadows go farther.
+awk 'BEGIN { srand(3); print 20000 "\n"; for (i = 0; i < 20000; ++i) print "A", 10 * rand(), 6 * rand(), 4 * rand() }' >"$folder/random.xyz"
+for look in '' '--shadows --ambient-occlusion --silhouettes'; do
+  read -ra options <<<"--size 300x200 --samples 4 $look"
+  render "$folder/random.xyz" -o "$folder/lit1.png" "${options[@]}" || fail "light, 1"
+  for ranks in 2 4; do
+    for ghosts in 0:0.1 inf:0.01; do # pixels in a hundred that may differ
+      render "$folder/random.xyz" -o "$folder/lit.png" "${options[@]}" --ranks $ranks --ghosts ${ghosts%:*} || fail "light, $ranks"
+      oiiotool --fail 0.02 --failpercent "${ghosts#*:}" --hardfail 1 --diff "$folder/lit1.png" "$folder/lit.png" >"$folder/diff" || {
+        cat "$folder/diff"
+        fail "$ranks ranks, ghosts ${ghosts%:*}: another picture $look"
+      }
+    done
+  done
 done
-oiiotool --fail 0.15 --failpercent 0.5 --hardfail 1 --diff "$folder/smooth1.png" "$folder/smooth2.png" >"$folder/diff" || {
-  cat "$folder/diff"
-  fail "edges of two ranks have seams"
-}
-echo "ok      16 rays a pixel: two ranks make the picture of one but for where the rays are"
+echo "ok      light, lines and rays: two and four ranks make the picture of one"
 refused 'there is no such file' "$root/data/nothing.vtu" -o "$folder/x.png"
 refused "no array 'nothing'; it has p, U" "$root/data/swirl.1.vtu" -o "$folder/x.png" --color-by nothing
 refused 'has steps 1 to 7' "$root/data/copper-scratch.dump.gz" -o "$folder/x.png" --step 9

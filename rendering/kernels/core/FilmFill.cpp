@@ -35,6 +35,7 @@ struct Between
 
 void fillFrom(const Film& other, Film& film)
 {
+  const bool hasIds = film.has(Film::Id) && other.has(Film::Id);
   tbb::parallel_for(0, film.height(),
     [&](int row)
     {
@@ -54,7 +55,13 @@ void fillFrom(const Film& other, Film& film)
           const float above = top[0][c] + x.share * (top[1][c] - top[0][c]);
           film.color()[4 * pixel + c] = below + y.share * (above - below);
         }
-        film.depth()[pixel] = other.nearestDepth()[rowOf(y.nearest) + x.nearest];
+        const std::size_t nearest = rowOf(y.nearest) + x.nearest;
+        film.depth()[pixel] = other.nearestDepth()[nearest];
+        if (hasIds)
+        {
+          film.id()[pixel] = other.id()[nearest];
+          film.object()[pixel] = other.object()[nearest];
+        }
       }
     });
 }

@@ -81,6 +81,24 @@ TEST(FilmFill, InterpolatesColoursAndTakesTheNearestDepth)
   EXPECT_TRUE(std::equal(same.color(), same.color() + 60, coarse.color()));
 }
 
+TEST(FilmFill, TakesTheNearestIdsWhereBothFilmsHaveThem)
+{
+  Film coarse, fine, without;
+  coarse.resize(2, 1, Film::Id);
+  fillWithNothing(coarse);
+  coarse.id()[1] = 7;
+  coarse.object()[1] = 3;
+  fine.resize(4, 1, Film::Id);
+  fillFrom(coarse, fine);
+  EXPECT_EQ(fine.id()[1], Film::noId);
+  EXPECT_EQ(fine.object()[1], -1);
+  EXPECT_EQ(fine.id()[2], 7u);
+  EXPECT_EQ(fine.object()[3], 3);
+  without.resize(4, 1);
+  fillFrom(coarse, without); // writes no channel that is not there
+  EXPECT_FALSE(without.has(Film::Id));
+}
+
 TEST(FilmFill, NothingIsInfinitelyFar)
 {
   Film film;

@@ -2,13 +2,16 @@
 #include "WindowTestSupport.h"
 
 #include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkHardwareSelector.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkMoteMeshMapper.h"
 #include "vtkMoteRayCastPass.h"
+#include "vtkPointData.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <map>
 #include <set>
@@ -68,6 +71,22 @@ TEST_P(HardwareSelection, NamesPointsOfParticlesThatAreSeen)
       seen.insert(id);
   EXPECT_GT(seen.size(), 20u);
   EXPECT_EQ(found.begin()->second, seen);
+}
+
+TEST_P(HardwareSelection, LeavesGhostsToTheirRank)
+{
+  auto actor = scene.addParticles(balls, {1, 0, 0});
+  auto* points = vtkPointSet::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (std::size_t i = 0; i < balls.size(); ++i)
+    marks->InsertNextValue(i % 2 ? vtkDataSetAttributes::DUPLICATEPOINT : 0);
+  points->GetPointData()->AddArray(marks);
+  const auto found = this->select(vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_GT(found.begin()->second.size(), 10u);
+  for (const vtkIdType id : found.begin()->second)
+    EXPECT_EQ(id % 2, 0);
 }
 
 TEST_P(HardwareSelection, NamesCellsOfMeshes)

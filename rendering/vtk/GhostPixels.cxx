@@ -1,0 +1,86 @@
+#include "GhostPixels.h"
+
+#include "kernels/core/Film.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace mote
+{
+
+namespace
+{
+
+/// The marks of each prop, or null.
+std::vector<vtkUnsignedCharArray*> marksOf(const MoteProps& props)
+{
+  std::vector<vtkUnsignedCharArray*> marks;
+  for (const auto& prop : props)
+    marks.push_back(prop->ghosts());
+  return marks;
+}
+
+/// Whether the ray through the middle of a pixel met a ghost first.
+bool isGhost(const Film& film, std::size_t pixel, const std::vector<vtkUnsignedCharArray*>& ofProps)
+{
+  const std::int32_t object = film.object()[pixel];
+  if (!std::isfinite(film.depth()[pixel]) || object < 0 ||
+      static_cast<std::size_t>(object) >= ofProps.size())
+    return false;
+  vtkUnsignedCharArray* marks = ofProps[static_cast<std::size_t>(object)];
+  const auto id = static_cast<vtkIdType>(film.id()[pixel]);
+  return marks && id >= 0 && id < marks->GetNumberOfValues() &&
+         (marks->GetValue(id) & vtkDataSetAttributes::DUPLICATEPOINT) != 0;
+}
+
+} // namespace
+
+unsigned GhostPixels::channels(const MoteProps& props)
+{
+  return std::any_of(props.begin(), props.end(), [](const auto& prop) { return prop->ghosts(); })
+           ? unsigned(Film::Id)
+           : 0u;
+}
+
+void GhostPixels::find(const Film& film, const SilhouetteLayer& lines, const MoteProps& props)
+{
+  marks_.clear();
+  if (channels(props) == 0 || !film.has(Film::Id))
+    return;
+  const auto ofProps = marksOf(props);
+  marks_.resize(film.pixels());
+  const int width = film.width(), height = film.height();
+  // What other rays of a pixel met, and lines, belong to what is nearest beside it.
+  const auto besideIsGhost = [&](std::size_t i, int reach)
+  {
+    std::size_t nearest = i;
+    const int x = static_cast<int>(i % width), y = static_cast<int>(i / width);
+    for (int v = std::max(0, y - reach); v <= std::min(height - 1, y + reach); ++v)
+      for (int u = std::max(0, x - reach); u <= std::min(width - 1, x + reach); ++u)
+        if (const std::size_t beside = static_cast<std::size_t>(v) * width + u;
+            film.depth()[beside] < film.depth()[nearest])
+          nearest = beside;
+    return isGhost(film, nearest, ofProps);
+  };
+  tbb::parallel_for(0, height,
+    [&](int row)
+    {
+      const auto first = static_cast<std::size_t>(row) * width;
+      for (std::size_t i = first; i != first + width; ++i)
+        marks_[i] = std::isfinite(film.depth()[i]) ? isGhost(film, i, ofProps)
+                    : film.color()[4 * i + 3] > 0  ? besideIsGhost(i, 1)
+                                                   : false;
+      // Lines of other samples than the first lie up to a pixel aside.
+      if (lines.film)
+        lines.forCovered(row, row + 1,
+          [&](std::size_t i, float) { marks_[i] = besideIsGhost(i, lines.film->reach() + 1); });
+    });
+}
+
+} // namespace mote
