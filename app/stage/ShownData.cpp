@@ -5,13 +5,12 @@
 #include "base/OutputFile.h"
 
 #include <CellCorners.h>
+#include <DataParts.h>
 #include <ParticleModel.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
-#include <vtkExtractCells.h>
 #include <vtkFieldData.h>
-#include <vtkGeometryFilter.h>
 #include <vtkIdList.h>
 #include <vtkInformation.h>
 #include <vtkMoteDataWriter.h>
@@ -19,7 +18,6 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 
@@ -82,54 +80,17 @@ void addRadii(const ParticleSet& set, vtkIdList* ids, vtkPointData* arrays)
   arrays->AddArray(radii);
 }
 
-vtkSmartPointer<vtkPolyData> particlesOf(
-  vtkDataSet* data, vtkIdList* ids, const std::vector<unsigned char>& marks)
+/// Particles by their numbers, each a cell of its own.
+vtkSmartPointer<vtkPolyData> particlesOf(vtkDataSet* data, vtkIdList* ids)
 {
-  auto particles = vtkSmartPointer<vtkPolyData>::New();
-  auto* const source = vtkPointSet::SafeDownCast(data)->GetPoints();
+  auto particles = pointsOf(data, ids);
   const vtkIdType count = ids->GetNumberOfIds();
-  vtkNew<vtkPoints> points;
-  points->SetDataType(source ? source->GetDataType() : VTK_FLOAT);
-  points->SetNumberOfPoints(count);
-  for (vtkIdType i = 0; i < count; ++i)
-    points->SetPoint(i, source->GetPoint(ids->GetId(i)));
-  particles->SetPoints(points);
-  if (static_cast<std::size_t>(count) == marks.size())
-    particles->GetPointData()->ShallowCopy(data->GetPointData());
-  else
-  {
-    particles->GetPointData()->CopyAllOn();
-    particles->GetPointData()->CopyAllocate(data->GetPointData(), count);
-    vtkNew<vtkIdList> places;
-    places->SetNumberOfIds(count);
-    for (vtkIdType i = 0; i < count; ++i)
-      places->SetId(i, i);
-    particles->GetPointData()->CopyData(data->GetPointData(), ids, places);
-  }
   vtkNew<vtkCellArray> vertices;
   vertices->AllocateExact(count, count);
   for (vtkIdType i = 0; i < count; ++i)
     vertices->InsertNextCell(1, &i);
   particles->SetVerts(vertices);
   return particles;
-}
-
-/// The cells with these numbers.
-vtkSmartPointer<vtkDataSet> cellsOf(vtkDataSet* data, vtkIdList* ids)
-{
-  vtkNew<vtkExtractCells> extract;
-  extract->SetInputData(data);
-  extract->SetCellList(ids);
-  extract->Update();
-  vtkSmartPointer<vtkDataSet> cells = extract->GetOutput();
-  if (!data->GetPointData()->HasArray("vtkOriginalCellIds"))
-    cells->GetCellData()->RemoveArray("vtkOriginalCellIds");
-  if (!vtkPolyData::SafeDownCast(data))
-    return cells;
-  vtkNew<vtkGeometryFilter> surface;
-  surface->SetInputData(cells);
-  surface->Update();
-  return surface->GetOutput();
 }
 
 } // namespace
@@ -162,7 +123,7 @@ vtkSmartPointer<vtkDataSet> markedData(
   vtkSmartPointer<vtkDataSet> shown;
   if (part.particles())
   {
-    const vtkSmartPointer<vtkPolyData> particles = particlesOf(data, ids, marks);
+    const vtkSmartPointer<vtkPolyData> particles = particlesOf(data, ids);
     if (withRadii && !particles->GetPointData()->HasArray("radius"))
       addRadii(part.particles()->GetModel().particles().set, ids, particles->GetPointData());
     shown = particles;

@@ -122,6 +122,7 @@ struct FrameTracer::Frame
   Camera camera{};
   Scene traced{}; ///< the scene, or a draft of it
   std::vector<float> limits{};
+  std::vector<float> spared{}; ///< the limits, and where rays are spared for ghosts
 
   double seconds() const { return std::chrono::duration<double>(Clock::now() - start).count(); }
   void startClock() { start = Clock::now(); }
@@ -269,7 +270,7 @@ bool FrameTracer::trace(vtkRenderer* renderer, MoteProps& props, int width, int 
     addSilhouettes(frame, film_.samples());
   converged_ = complete && !preview_ && isDone(settings) && !silhouettes_.isBehind(film_.samples());
   shown_ = shown;
-  ghosts_.find(film_, silhouettes_.layer(), props);
+  ghosts_.find(seen_.samples() > 0 ? seen_ : film_, film_, silhouettes_.layer(), props);
   return shows_;
 }
 
@@ -322,6 +323,7 @@ void FrameTracer::begin(Frame& frame, double distance, bool draft)
   if (shows_)
     fillFrom(before, film_);
   tiles_.clear();
+  seen_ = {};
   distance_ = distance;
   draft_ = draft;
   frame.aimed = false;
@@ -404,6 +406,26 @@ void FrameTracer::keepUp(Frame& frame, bool changed)
   } while (addSample(frame) && distance_ > 1.0);
 }
 
+/// Ends rays at once through pixels of ghosts where rays take long; false where it has not.
+bool FrameTracer::spareGhosts(Frame& frame)
+{
+  frame.spared.clear();
+  if (GhostPixels::channels(frame.props) == 0 || !takesLong(frame.traced))
+    return false;
+  if (seen_.samples() == 0)
+  {
+    seen_.resize(film_.width(), film_.height(), GhostPixels::channels(frame.props));
+    const Scene bare = withoutLight(frame.traced);
+    RayCaster caster(bare);
+    caster.setThreads(frame.settings.threads);
+    caster.setLimits(frame.ends());
+    caster.addSample(frame.camera, seen_);
+  }
+  ghosts_.find(seen_, seen_, {}, frame.props);
+  frame.spared = ghosts_.spared(seen_, frame.ends(), silhouettes_.reach());
+  return true;
+}
+
 /// Traces the film's next sample, or the rest of it. False where it is not complete.
 bool FrameTracer::addSample(Frame& frame)
 {
@@ -415,9 +437,10 @@ bool FrameTracer::addSample(Frame& frame)
   const auto pixels = [&] { return pixelsDone(tiles_, film_.width(), film_.height()); };
   const double start = frame.seconds();
   const std::size_t had = pixels();
+  const bool areSpared = this->spareGhosts(frame);
   RayCaster caster(frame.traced);
   caster.setThreads(settings.threads);
-  caster.setLimits(frame.ends());
+  caster.setLimits(areSpared ? frame.spared.data() : frame.ends());
   const bool complete = caster.addSample(
     frame.camera, film_,
     [&](double part)
@@ -427,7 +450,8 @@ bool FrameTracer::addSample(Frame& frame)
   ++version_;
   if (complete)
   {
-    silhouettes_.add(film_, frame.camera, frame.ends(), settings.threads);
+    if (!areSpared) // whose film lacks depths; addSilhouettes() casts rays for them
+      silhouettes_.add(film_, frame.camera, frame.ends(), settings.threads);
     shows_ = true;
     shownDistance_ = distance_;
   }

@@ -59,6 +59,9 @@ std::vector<vtkMTimeType> timesOf(const MoteProps& props);
 /// clouds most of the time. All films of such a scene but the last are drafts, with one shadow ray
 /// a light, nothing of the others and clouds interpolated between fewer rays.
 ///
+/// Where some particles are ghosts (see GhostPixels), and rays take long, those through pixels that
+/// are left to other ranks are not cast, but for one that finds that out.
+///
 /// Silhouettes are found in the depths of each sample. Where they are wanted otherwise than before,
 /// the film stays, and rays are cast again for their depths alone.
 ///
@@ -138,6 +141,7 @@ private:
   void traceFirst(Frame& frame);
   void sharpen(Frame& frame, bool anew);
   void keepUp(Frame& frame, bool changed);
+  bool spareGhosts(Frame& frame);
   bool addSample(Frame& frame);
   bool addSilhouettes(Frame& frame, int samples);
 
@@ -145,6 +149,7 @@ private:
   TilesDone tiles_; ///< of the sample that is being traced
   SilhouetteTracer silhouettes_;
   GhostPixels ghosts_;
+  Film seen_; ///< of the film's view, where rays are spared for ghosts; else without samples
   std::optional<View> viewed_; ///< by the last call
   std::uint64_t view_ = 0;     ///< its number
   Shown shown_;                ///< by the film

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace mote
 {
@@ -48,10 +49,11 @@ unsigned GhostPixels::channels(const MoteProps& props)
            : 0u;
 }
 
-void GhostPixels::find(const Film& film, const SilhouetteLayer& lines, const MoteProps& props)
+void GhostPixels::find(
+  const Film& seen, const Film& film, const SilhouetteLayer& lines, const MoteProps& props)
 {
   marks_.clear();
-  if (channels(props) == 0 || !film.has(Film::Id))
+  if (channels(props) == 0 || !seen.has(Film::Id))
     return;
   const auto ofProps = marksOf(props);
   marks_.resize(film.pixels());
@@ -64,16 +66,16 @@ void GhostPixels::find(const Film& film, const SilhouetteLayer& lines, const Mot
     for (int v = std::max(0, y - reach); v <= std::min(height - 1, y + reach); ++v)
       for (int u = std::max(0, x - reach); u <= std::min(width - 1, x + reach); ++u)
         if (const std::size_t beside = static_cast<std::size_t>(v) * width + u;
-            film.depth()[beside] < film.depth()[nearest])
+            seen.depth()[beside] < seen.depth()[nearest])
           nearest = beside;
-    return isGhost(film, nearest, ofProps);
+    return isGhost(seen, nearest, ofProps);
   };
   tbb::parallel_for(0, height,
     [&](int row)
     {
       const auto first = static_cast<std::size_t>(row) * width;
       for (std::size_t i = first; i != first + width; ++i)
-        marks_[i] = std::isfinite(film.depth()[i]) ? isGhost(film, i, ofProps)
+        marks_[i] = std::isfinite(seen.depth()[i]) ? isGhost(seen, i, ofProps)
                     : film.color()[4 * i + 3] > 0  ? besideIsGhost(i, 1)
                                                    : false;
       // Lines of other samples than the first lie up to a pixel aside.
@@ -81,6 +83,34 @@ void GhostPixels::find(const Film& film, const SilhouetteLayer& lines, const Mot
         lines.forCovered(row, row + 1,
           [&](std::size_t i, float) { marks_[i] = besideIsGhost(i, lines.film->reach() + 1); });
     });
+}
+
+std::vector<float> GhostPixels::spared(const Film& seen, const float* limits, int border) const
+{
+  std::vector<float> spared(seen.pixels(), std::numeric_limits<float>::infinity());
+  if (limits)
+    std::copy_n(limits, seen.pixels(), spared.begin());
+  const int width = seen.width(), height = seen.height();
+  const auto isDrawn = [&](int x, int y)
+  {
+    const std::size_t i = static_cast<std::size_t>(y) * width + x;
+    return marks_[i] == 0 && std::isfinite(seen.depth()[i]);
+  };
+  tbb::parallel_for(0, marks_.empty() ? 0 : height,
+    [&](int y)
+    {
+      for (int x = 0; x < width; ++x)
+        if (const std::size_t i = static_cast<std::size_t>(y) * width + x; marks_[i] != 0)
+        {
+          bool isBeside = false;
+          for (int v = std::max(0, y - border); v <= std::min(height - 1, y + border); ++v)
+            for (int u = std::max(0, x - border); u <= std::min(width - 1, x + border); ++u)
+              isBeside = isBeside || isDrawn(u, v);
+          if (!isBeside)
+            spared[i] = 0.0f;
+        }
+    });
+  return spared;
 }
 
 } // namespace mote

@@ -22,8 +22,14 @@ public:
   /// What a film must have, besides colour and depth, for its ghosts to be found.
   static unsigned channels(const MoteProps& props);
 
-  /// Finds them anew, in the film of these props and the lines over it.
-  void find(const Film& film, const SilhouetteLayer& lines, const MoteProps& props);
+  /// Finds them anew, in the film of these props and the lines over it. `seen` is a film of the
+  /// same view whose rays have met the ghosts: the film itself, if its rays have.
+  void find(
+    const Film& seen, const Film& film, const SilhouetteLayer& lines, const MoteProps& props);
+
+  /// The distances at which rays end, which may be null for none, with rays of ghosts that end at
+  /// once, but for those within `border` pixels of what is drawn. `seen` as for find().
+  std::vector<float> spared(const Film& seen, const float* limits, int border) const;
 
   /// Whether there are none.
   bool empty() const { return marks_.empty(); }

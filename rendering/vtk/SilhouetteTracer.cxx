@@ -23,7 +23,8 @@ double secondsSince(const Clock::time_point& start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The same scene without what takes time and leaves depths as they are.
+} // namespace
+
 Scene withoutLight(const Scene& scene)
 {
   Scene bare = scene;
@@ -32,8 +33,6 @@ Scene withoutLight(const Scene& scene)
   bare.occlusion.rays = bare.paths.bounces = 0;
   return bare;
 }
-
-} // namespace
 
 double stepOf(vtkMoteSilhouettes* silhouettes, const Scene& particles, double diagonal)
 {

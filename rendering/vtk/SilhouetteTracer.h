@@ -16,6 +16,9 @@ class vtkMoteSilhouettes;
 namespace mote
 {
 
+/// The same scene without what takes time and leaves depths as they are.
+Scene withoutLight(const Scene& scene);
+
 /// The least step of a silhouette in world units, for particles in a box of this diagonal: see
 /// vtkMoteSilhouettes::ThresholdModes.
 double stepOf(vtkMoteSilhouettes* silhouettes, const Scene& particles, double diagonal);
@@ -60,6 +63,8 @@ public:
 
   /// Whether there are silhouettes to draw.
   bool wanted() const { return wanted_; }
+  /// How far from what they belong to lines cover pixels; 0 where none are wanted.
+  int reach() const { return wanted_ ? silhouetteReach(options_) + 1 : 0; }
   /// What the film must have for add(), besides colour and depth.
   unsigned channels() const { return wanted_ ? groups_.channels() : 0u; }
   /// Forgets all silhouettes: the film begins anew.

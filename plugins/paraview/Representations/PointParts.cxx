@@ -1,5 +1,7 @@
 #include "PointParts.h"
 
+#include "DataParts.h"
+
 #include "vtkAppendPolyData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -8,10 +10,7 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
-
-#include <algorithm>
 
 namespace mote
 {
@@ -19,7 +18,8 @@ namespace mote
 namespace
 {
 
-vtkSmartPointer<vtkPolyData> pointsOf(vtkPointSet* from)
+/// The points of a data set with their arrays, and no cells.
+vtkSmartPointer<vtkPolyData> withoutCells(vtkPointSet* from)
 {
   auto to = vtkSmartPointer<vtkPolyData>::New();
   to->SetPoints(from->GetPoints());
@@ -55,29 +55,12 @@ vtkSmartPointer<vtkPolyData> collectPoints(const std::vector<vtkPointSet*>& part
   if (parts.empty())
     return vtkSmartPointer<vtkPolyData>::New();
   if (parts.size() == 1)
-    return pointsOf(parts.front());
+    return withoutCells(parts.front());
   vtkNew<vtkAppendPolyData> append;
   for (vtkPointSet* part : parts)
-    append->AddInputData(pointsOf(part));
+    append->AddInputData(withoutCells(part));
   append->Update();
-  return pointsOf(append->GetOutput());
-}
-
-vtkSmartPointer<vtkPolyData> subsetOf(vtkPolyData* all, const vtkIdType* ids, vtkIdType count)
-{
-  vtkNew<vtkIdList> list;
-  list->SetNumberOfIds(count);
-  std::copy_n(ids, count, list->GetPointer(0));
-  auto some = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataType(all->GetPoints()->GetDataType());
-  points->SetNumberOfPoints(count);
-  all->GetPoints()->GetData()->GetTuples(list, points->GetData());
-  some->SetPoints(points);
-  some->GetPointData()->CopyAllOn();
-  some->GetPointData()->CopyAllocate(all->GetPointData(), count);
-  some->GetPointData()->CopyData(all->GetPointData(), list);
-  return some;
+  return withoutCells(append->GetOutput());
 }
 
 vtkSmartPointer<vtkPolyData> withoutGhosts(vtkPolyData* data)
@@ -85,11 +68,11 @@ vtkSmartPointer<vtkPolyData> withoutGhosts(vtkPolyData* data)
   vtkUnsignedCharArray* marks = data->GetPointGhostArray();
   if (!marks)
     return data;
-  std::vector<vtkIdType> ids;
+  vtkNew<vtkIdList> ids;
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
     if ((marks->GetValue(i) & vtkDataSetAttributes::DUPLICATEPOINT) == 0)
-      ids.push_back(i);
-  const auto own = subsetOf(data, ids.data(), static_cast<vtkIdType>(ids.size()));
+      ids->InsertNextId(i);
+  const auto own = pointsOf(data, ids);
   own->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   return own;
 }

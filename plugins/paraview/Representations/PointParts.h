@@ -2,7 +2,6 @@
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkType.h"
 
 #include <vector>
 
@@ -19,9 +18,6 @@ std::vector<vtkPointSet*> pointSetsOf(vtkDataObject* data);
 /// The points of these with their arrays, those that all have where there are several, and no
 /// cells.
 vtkSmartPointer<vtkPolyData> collectPoints(const std::vector<vtkPointSet*>& parts);
-
-/// Some of the points, by their numbers, with their arrays.
-vtkSmartPointer<vtkPolyData> subsetOf(vtkPolyData* all, const vtkIdType* ids, vtkIdType count);
 
 /// The data without points that are copies of what another rank has; the data itself where there
 /// are none.

@@ -1,6 +1,8 @@
 #include "vtkMoteDistributeParticles.h"
 
+#include "BoxCuts.h"
 #include "CommonSpacing.h"
+#include "DataParts.h"
 #include "PointParts.h"
 #include "RankBoxes.h"
 
@@ -8,6 +10,7 @@
 #include "vtkBoundingBox.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
@@ -18,12 +21,8 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <array>
-#include <functional>
-#include <limits>
+#include <memory>
 #include <numeric>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkMoteDistributeParticles);
@@ -31,7 +30,7 @@ vtkStandardNewMacro(vtkMoteDistributeParticles);
 namespace
 {
 
-using Place = std::array<double, 3>;
+using Place = mote::BoxCuts::Place;
 using Points = vtkSmartPointer<vtkPolyData>;
 
 /// Places that tell where to cut, of all ranks together: counts of boxes are right to within about
@@ -45,85 +44,7 @@ constexpr vtkIdType particlesOfMessage = 1 << 20;
 /// or so many distances of neighbours where that is more.
 constexpr double automaticShare = 0.12, automaticSpacings = 8.0;
 
-/// Up to so many ranks have slabs side by side. ParaView's order of boxes fails for some views
-/// where two are beside one another along an edge alone, as those of more ranks are.
-constexpr int mostSlabs = 8;
-
 constexpr int countTag = 71001, pointsTag = 71002;
-
-/// Space, cut in two again and again until there is a box for each rank.
-class Boxes
-{
-public:
-  /// `places` tell where to cut what lies in `all`.
-  Boxes(std::vector<Place> places, const vtkBoundingBox& all, int ranks)
-    : boxes_(ranks)
-    , axis_(ranks > mostSlabs ? -1 : longestAxis(places.begin(), places.end()))
-  {
-    this->cut(places.begin(), places.end(), all, 0, ranks);
-  }
-
-  /// Invalid where there are too few particles for all ranks.
-  const vtkBoundingBox& boxOf(int rank) const { return boxes_[rank]; }
-  bool areSlabs() const { return axis_ >= 0; }
-
-  int rankOf(const double* place) const
-  {
-    int node = 0;
-    while (nodes_[node].axis >= 0)
-      node = place[nodes_[node].axis] < nodes_[node].value ? nodes_[node].low : nodes_[node].high;
-    return nodes_[node].rank;
-  }
-
-private:
-  struct Node
-  {
-    int axis = -1; ///< -1: a box
-    double value = 0.0;
-    int low = 0, high = 0, rank = 0;
-  };
-  using Iterator = std::vector<Place>::iterator;
-
-  static int longestAxis(Iterator begin, Iterator end)
-  {
-    vtkBoundingBox box;
-    std::for_each(begin, end, [&](Place& place) { box.AddPoint(place.data()); });
-    double sides[3];
-    box.GetLengths(sides);
-    return static_cast<int>(std::max_element(sides, sides + 3) - sides);
-  }
-
-  /// Makes the node of these places and ranks, and those below; answers its number.
-  int cut(Iterator begin, Iterator end, const vtkBoundingBox& box, int firstRank, int ranks)
-  {
-    const auto number = static_cast<int>(nodes_.size());
-    nodes_.emplace_back();
-    nodes_[number].rank = firstRank;
-    if (ranks == 1 || begin == end)
-    {
-      boxes_[firstRank] = box;
-      return number;
-    }
-    const int axis = axis_ >= 0 ? axis_ : longestAxis(begin, end), lowRanks = ranks / 2;
-    const Iterator middle = begin + (end - begin) * lowRanks / ranks;
-    std::nth_element(
-      begin, middle, end, [axis](const Place& a, const Place& b) { return a[axis] < b[axis]; });
-    const double value = (*middle)[axis];
-    double lowBounds[6], highBounds[6];
-    box.GetBounds(lowBounds);
-    box.GetBounds(highBounds);
-    lowBounds[2 * axis + 1] = highBounds[2 * axis] = value;
-    const int low = this->cut(begin, middle, vtkBoundingBox(lowBounds), firstRank, lowRanks);
-    const int high =
-      this->cut(middle, end, vtkBoundingBox(highBounds), firstRank + lowRanks, ranks - lowRanks);
-    nodes_[number] = {axis, value, low, high, firstRank};
-    return number;
-  }
-
-  std::vector<Node> nodes_;
-  std::vector<vtkBoundingBox> boxes_;
-  const int axis_; ///< of all cuts; -1: of the longest side each
-};
 
 /// Places of all ranks, spread evenly over their particles.
 std::vector<Place> gatherPlaces(vtkMultiProcessController* controller, vtkPolyData* own)
@@ -146,162 +67,223 @@ std::vector<Place> gatherPlaces(vtkMultiProcessController* controller, vtkPolyDa
   return all;
 }
 
-/// Sends each rank the particles of a list, and adds what comes from others to `parts`.
-class Exchange
+/// Particles by their numbers, for one rank.
+using Ids = std::vector<vtkIdType>;
+
+/// Some of the points, with their arrays.
+Points partOf(vtkPolyData* all, const vtkIdType* ids, vtkIdType count)
+{
+  vtkNew<vtkIdList> list;
+  list->SetNumberOfIds(count);
+  std::copy_n(ids, count, list->GetPointer(0));
+  return mote::pointsOf(all, list);
+}
+
+/// Particles of one rank for another, array by array. Strings, which no message of
+/// arrays can hold, make it go as one data set: that is written to a stream first.
+class Messages
 {
 public:
-  Exchange(vtkMultiProcessController* controller, std::vector<Points>& parts)
+  explicit Messages(vtkMultiProcessController* controller)
     : controller_(controller)
-    , parts_(parts)
   {
   }
 
-  /// All pairs of ranks in one order, so that none waits for one that waits for it.
-  void run(vtkPolyData* from, const std::vector<std::vector<vtkIdType>>& idsOf) const
-  {
-    const int ranks = controller_->GetNumberOfProcesses(), mine = controller_->GetLocalProcessId();
-    for (int other = 0; other < ranks; ++other)
-      if (other < mine)
-      {
-        this->receive(other);
-        this->send(from, idsOf[other], other);
-      }
-      else if (other > mine)
-      {
-        this->send(from, idsOf[other], other);
-        this->receive(other);
-      }
-  }
-
-private:
-  void send(vtkPolyData* from, const std::vector<vtkIdType>& ids, int to) const
+  void send(vtkPolyData* from, const Ids& ids, int to) const
   {
     auto left = static_cast<vtkIdType>(ids.size());
     controller_->Send(&left, 1, to, countTag);
     for (const vtkIdType* next = ids.data(); left > 0;)
     {
       const vtkIdType count = std::min(left, particlesOfMessage);
-      controller_->Send(mote::subsetOf(from, next, count).Get(), to, pointsTag);
+      this->sendPart(partOf(from, next, count), to);
       next += count;
       left -= count;
     }
   }
 
-  void receive(int from) const
+  void receive(int from, std::vector<Points>& parts) const
   {
     vtkIdType left = 0;
     controller_->Receive(&left, 1, from, countTag);
     while (left > 0)
     {
-      auto part = Points::New();
-      if (!controller_->Receive(part.Get(), from, pointsTag) || part->GetNumberOfPoints() == 0)
-        return;
+      const Points part = this->receivePart(from);
+      if (part->GetNumberOfPoints() == 0)
+        return; // the connection has failed, which the controller has said
       left -= part->GetNumberOfPoints();
-      parts_.push_back(part);
+      parts.push_back(part);
     }
+  }
+
+private:
+  void sendPart(vtkPolyData* part, int to) const
+  {
+    std::vector<vtkDataArray*> arrays = {part->GetPoints()->GetData()};
+    vtkPointData* data = part->GetPointData();
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+      if (vtkDataArray* array = data->GetArray(i))
+        arrays.push_back(array);
+    const bool areAll = static_cast<int>(arrays.size()) == data->GetNumberOfArrays() + 1;
+    std::vector<int> types;
+    for (vtkDataArray* array : arrays)
+      types.push_back(array->GetDataType());
+    int count = areAll ? static_cast<int>(arrays.size()) : 0;
+    controller_->Send(&count, 1, to, countTag);
+    if (!areAll)
+    {
+      controller_->Send(part, to, pointsTag);
+      return;
+    }
+    controller_->Send(types.data(), count, to, countTag);
+    for (vtkDataArray* array : arrays)
+      controller_->Send(array, to, pointsTag);
+  }
+
+  Points receivePart(int from) const
+  {
+    auto part = Points::New();
+    int count = 0;
+    controller_->Receive(&count, 1, from, countTag);
+    if (count == 0)
+    {
+      controller_->Receive(part.Get(), from, pointsTag);
+      return part;
+    }
+    std::vector<int> types(count);
+    controller_->Receive(types.data(), count, from, countTag);
+    for (int i = 0; i < count; ++i)
+    {
+      const auto array = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(types[i]));
+      controller_->Receive(array.Get(), from, pointsTag);
+      if (i > 0)
+        part->GetPointData()->AddArray(array);
+      else
+      {
+        vtkNew<vtkPoints> points;
+        points->SetData(array);
+        part->SetPoints(points);
+      }
+    }
+    return part;
   }
 
   vtkMultiProcessController* controller_;
-  std::vector<Points>& parts_;
 };
 
-Points together(const std::vector<Points>& parts)
+/// What each rank is to have of the particles of this one.
+struct Shares
 {
-  return mote::collectPoints({parts.begin(), parts.end()});
-}
+  std::vector<Ids> own, ghosts;
+};
 
-/// All particles in the box of this rank, and the box where it is a slab.
-std::pair<Points, vtkBoundingBox> redistribute(
-  vtkMultiProcessController* controller, vtkPolyData* own)
+/// What a rank has in the end.
+struct Parts
+{
+  std::vector<Points> own, ghosts;
+};
+
+/// Sends all ranks their shares, in one order of pairs, so that none waits for one that waits for
+/// it.
+Parts exchange(vtkMultiProcessController* controller, vtkPolyData* from, const Shares& shares)
 {
   const int ranks = controller->GetNumberOfProcesses(), mine = controller->GetLocalProcessId();
-  vtkBoundingBox all;
-  for (const vtkBoundingBox& box : mote::gatherBoxes(controller, mote::ownBoundsOf(own)))
-    all.AddBox(box);
-  const Boxes boxes(gatherPlaces(controller, own), all, ranks);
-  std::vector<std::vector<vtkIdType>> ids(ranks);
-  for (vtkIdType i = 0; i < own->GetNumberOfPoints(); ++i)
+  const Messages messages(controller);
+  Parts parts;
+  const auto send = [&](int to)
   {
-    double place[3];
-    own->GetPoint(i, place);
-    ids[boxes.rankOf(place)].push_back(i);
-  }
-  std::vector<Points> parts;
-  if (!ids[mine].empty())
-    parts.push_back(
-      mote::subsetOf(own, ids[mine].data(), static_cast<vtkIdType>(ids[mine].size())));
-  Exchange(controller, parts).run(own, ids);
-  return {together(parts), boxes.areSlabs() ? boxes.boxOf(mine) : vtkBoundingBox()};
-}
-
-/// Whether any points of two boxes may be so near to each other.
-bool areWithin(const vtkBoundingBox& a, vtkBoundingBox b, double distance)
-{
-  if (!a.IsValid() || !b.IsValid())
-    return false;
-  b.Inflate(distance);
-  return a.Intersects(b) != 0;
-}
-
-/// The points that are so near to a box.
-std::vector<vtkIdType> idsWithin(vtkPolyData* data, const vtkBoundingBox& box, double distance)
-{
-  std::vector<vtkIdType> ids;
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+    messages.send(from, shares.own[to], to);
+    messages.send(from, shares.ghosts[to], to);
+  };
+  const auto receive = [&](int rank)
   {
-    double place[3], sum = 0.0;
-    data->GetPoint(i, place);
-    for (int c = 0; c < 3; ++c)
+    messages.receive(rank, parts.own);
+    messages.receive(rank, parts.ghosts);
+  };
+  const auto keep = [&](const Ids& ids, std::vector<Points>& kept)
+  {
+    if (!ids.empty())
+      kept.push_back(partOf(from, ids.data(), static_cast<vtkIdType>(ids.size())));
+  };
+  for (int other = 0; other < ranks; ++other)
+    if (other < mine)
     {
-      const double low = box.GetMinPoint()[c] - place[c], high = place[c] - box.GetMaxPoint()[c];
-      const double away = std::max({low, high, 0.0});
-      sum += away * away;
+      receive(other);
+      send(other);
     }
-    if (sum <= distance * distance)
-      ids.push_back(i);
-  }
-  return ids;
-}
-
-/// The particles of other ranks that are near to this one's.
-Points ghostsOf(
-  vtkMultiProcessController* controller, vtkPolyData* own, double distance, double spacing)
-{
-  const std::vector<vtkBoundingBox> boxes = mote::gatherBoxes(controller, mote::ownBoundsOf(own));
-  if (distance <= 0.0)
-  {
-    vtkBoundingBox all;
-    for (const vtkBoundingBox& box : boxes)
-      all.AddBox(box);
-    if (all.IsValid())
-      distance = std::max(automaticShare * all.GetMaxLength(), automaticSpacings * spacing);
-  }
-  const int mine = controller->GetLocalProcessId();
-  std::vector<std::vector<vtkIdType>> ids(boxes.size());
-  for (int rank = 0; rank < controller->GetNumberOfProcesses(); ++rank)
-    if (rank != mine && areWithin(boxes[mine], boxes[rank], distance))
-      ids[rank] = idsWithin(own, boxes[rank], distance);
-  std::vector<Points> parts;
-  Exchange(controller, parts).run(own, ids);
-  return together(parts);
+    else if (other > mine)
+    {
+      send(other);
+      receive(other);
+    }
+    else
+    {
+      keep(shares.own[mine], parts.own);
+      keep(shares.ghosts[mine], parts.ghosts);
+    }
+  return parts;
 }
 
 /// The points of a rank, and behind them the ghosts, which an array tells apart.
-Points withGhosts(vtkPolyData* own, vtkPolyData* ghosts)
+Points together(const Parts& parts, bool isMarked)
 {
-  std::vector<Points> parts;
-  for (vtkPolyData* part : {own, ghosts})
-    if (part->GetNumberOfPoints() > 0)
-      parts.emplace_back(part);
-  Points all = together(parts);
+  std::vector<vtkPointSet*> all(parts.own.begin(), parts.own.end());
+  all.insert(all.end(), parts.ghosts.begin(), parts.ghosts.end());
+  Points points = mote::collectPoints(all);
+  if (!isMarked)
+    return points;
+  vtkIdType own = 0;
+  for (const Points& part : parts.own)
+    own += part->GetNumberOfPoints();
   vtkNew<vtkUnsignedCharArray> marks;
   marks->SetName(vtkDataSetAttributes::GhostArrayName());
-  marks->SetNumberOfValues(all->GetNumberOfPoints());
-  std::fill_n(marks->GetPointer(0), own->GetNumberOfPoints(), static_cast<unsigned char>(0));
-  std::fill_n(marks->GetPointer(own->GetNumberOfPoints()), ghosts->GetNumberOfPoints(),
+  marks->SetNumberOfValues(points->GetNumberOfPoints());
+  std::fill_n(marks->GetPointer(0), own, static_cast<unsigned char>(0));
+  std::fill_n(marks->GetPointer(own), points->GetNumberOfPoints() - own,
     static_cast<unsigned char>(vtkDataSetAttributes::DUPLICATEPOINT));
-  all->GetPointData()->AddArray(marks);
-  return all;
+  points->GetPointData()->AddArray(marks);
+  return points;
+}
+
+/// Messages do not tell what components are called.
+void copyNames(vtkPolyData* from, vtkPolyData* to)
+{
+  for (int i = 0; i < from->GetPointData()->GetNumberOfArrays(); ++i)
+    if (vtkDataArray* array = from->GetPointData()->GetArray(i))
+      if (vtkDataArray* copy = to->GetPointData()->GetArray(array->GetName()))
+        copy->CopyComponentNames(array);
+}
+
+/// The box, so much larger on all sides a box at a distance.
+vtkBoundingBox around(vtkBoundingBox box, double distance)
+{
+  if (box.IsValid())
+    box.Inflate(distance);
+  return box;
+}
+
+bool isWithin(const double* place, const vtkBoundingBox& box, double distance)
+{
+  double sum = 0.0;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double low = box.GetMinPoint()[c] - place[c], high = place[c] - box.GetMaxPoint()[c];
+    const double away = std::max({low, high, 0.0});
+    sum += away * away;
+  }
+  return sum <= distance * distance;
+}
+
+/// The ranks whose boxes may have particles of this one within the distance.
+Ids neighborsOf(int mine, const std::vector<vtkBoundingBox>& held,
+  const std::vector<vtkBoundingBox>& boxes, double distance)
+{
+  Ids neighbors;
+  for (std::size_t rank = 0; rank < boxes.size(); ++rank)
+    if (const vtkBoundingBox box = around(boxes[rank], distance);
+        box.IsValid() && held[mine].IsValid() && box.Intersects(held[mine]))
+      neighbors.push_back(static_cast<vtkIdType>(rank));
+  return neighbors;
 }
 
 } // namespace
@@ -318,28 +300,58 @@ int vtkMoteDistributeParticles::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputs[0], 0);
-  Points points = mote::collectPoints(mote::pointSetsOf(input));
-  vtkBoundingBox box;
-  double spacing = 0.0;
+  const Points points = mote::collectPoints(mote::pointSetsOf(input));
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
   auto* controller = vtkMultiProcessController::GetGlobalController();
   if (controller && controller->GetNumberOfProcesses() > 1)
-  {
-    points = mote::withoutGhosts(points);
-    spacing = mote::commonSpacingOf(points);
-    if (this->Redistribute)
-      std::tie(points, box) = redistribute(controller, points);
-    if (this->Ghosts)
-      points = withGhosts(points, ghostsOf(controller, points, this->GhostDistance, spacing));
-  }
-  vtkPolyData* output = vtkPolyData::GetData(outputs);
-  output->ShallowCopy(points);
+    this->Distribute(controller, mote::withoutGhosts(points), output);
+  else
+    output->ShallowCopy(points);
   if (input)
-    output->GetFieldData()->ShallowCopy(input->GetFieldData());
-  if (spacing > 0.0)
-    mote::keepSpacing(spacing, output);
-  if (box.IsValid())
-    mote::keepBox(box, output);
+    for (int i = 0; i < input->GetFieldData()->GetNumberOfArrays(); ++i)
+      output->GetFieldData()->AddArray(input->GetFieldData()->GetAbstractArray(i));
   return 1;
+}
+
+void vtkMoteDistributeParticles::Distribute(
+  vtkMultiProcessController* controller, vtkPolyData* points, vtkPolyData* output)
+{
+  const int ranks = controller->GetNumberOfProcesses(), mine = controller->GetLocalProcessId();
+  const double spacing = mote::commonSpacingOf(points); // in the order of the file
+  const auto held = mote::gatherBoxes(controller, mote::ownBoundsOf(points));
+  vtkBoundingBox all;
+  for (const vtkBoundingBox& box : held)
+    all.AddBox(box);
+  if (!all.IsValid())
+    return; // no rank has any
+  auto boxes = held;
+  std::unique_ptr<mote::BoxCuts> cuts;
+  if (this->Redistribute)
+  {
+    cuts = std::make_unique<mote::BoxCuts>(gatherPlaces(controller, points), all, ranks);
+    for (int rank = 0; rank < ranks; ++rank)
+      boxes[rank] = cuts->bounds(rank);
+  }
+  const double distance = this->GhostDistance > 0.0 ? this->GhostDistance
+                                                    : std::max(automaticShare * all.GetMaxLength(),
+                                                        automaticSpacings * spacing);
+  const Ids neighbors = this->Ghosts ? neighborsOf(mine, held, boxes, distance) : Ids{};
+  Shares shares{std::vector<Ids>(ranks), std::vector<Ids>(ranks)};
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double place[3];
+    points->GetPoint(i, place);
+    const int owner = cuts ? cuts->boxOf(place) : mine;
+    shares.own[owner].push_back(i);
+    for (const vtkIdType rank : neighbors)
+      if (rank != owner && isWithin(place, boxes[rank], distance))
+        shares.ghosts[rank].push_back(i);
+  }
+  output->ShallowCopy(together(exchange(controller, points, shares), this->Ghosts));
+  copyNames(points, output);
+  mote::keepSpacing(spacing, output);
+  if (cuts && cuts->areSlabs() && boxes[mine].IsValid())
+    mote::keepBox(boxes[mine], output);
 }
 
 void vtkMoteDistributeParticles::PrintSelf(ostream& os, vtkIndent indent)

@@ -21,6 +21,8 @@
 #include "MoteParaViewRepresentationsModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
+class vtkMultiProcessController;
+
 class MOTEPARAVIEWREPRESENTATIONS_EXPORT vtkMoteDistributeParticles : public vtkPolyDataAlgorithm
 {
 public:
@@ -42,7 +44,7 @@ public:
   vtkGetMacro(Ghosts, bool);
 
   /**
-   * How far from the bounds of a rank's own points ghosts lie, in world units. 0, the default,
+   * How far from the box of a rank ghosts lie, in world units. 0, the default,
    * stands for 0.12 of the longest side of all points' bounds (a tenth, which ambient occlusion
    * reaches by itself, and something for radii), or eight times the distance of neighbours where
    * that is more (silhouettes tell steps of depth of five of these from smaller ones by
@@ -61,6 +63,8 @@ protected:
 private:
   vtkMoteDistributeParticles(const vtkMoteDistributeParticles&) = delete;
   void operator=(const vtkMoteDistributeParticles&) = delete;
+
+  void Distribute(vtkMultiProcessController* controller, vtkPolyData* points, vtkPolyData* output);
 
   bool Redistribute = true;
   bool Ghosts = true;

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "MoteFiltersIOModule.h" // for export macro
+#include "vtkSmartPointer.h"
+
+class vtkDataSet;
+class vtkIdList;
+class vtkPolyData;
+
+namespace mote
+{
+
+/// Some points of a data set, by their numbers, with their arrays and without cells.
+MOTEFILTERSIO_EXPORT vtkSmartPointer<vtkPolyData> pointsOf(vtkDataSet* data, vtkIdList* ids);
+
+/// Some cells, by their numbers, with their points and all arrays: a vtkPolyData of one, else a
+/// vtkUnstructuredGrid.
+MOTEFILTERSIO_EXPORT vtkSmartPointer<vtkDataSet> cellsOf(vtkDataSet* data, vtkIdList* ids);
+
+} // namespace mote

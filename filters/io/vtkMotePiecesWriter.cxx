@@ -1,0 +1,264 @@
+#include "vtkMotePiecesWriter.h"
+
+#include "BoxCuts.h"
+#include "DataParts.h"
+#include "MessageCatcher.h"
+#include "vtkMoteDataWriter.h"
+
+#include "kernels/core/AtomicFile.h"
+#include "kernels/core/Error.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkBoundingBox.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkErrorCode.h"
+#include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkXMLDataElement.h"
+#include "vtkXMLUtilities.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <sstream>
+#include <system_error>
+#include <vector>
+
+namespace
+{
+
+/// Places that tell where to cut; more cut no better.
+constexpr vtkIdType mostPlaces = 1 << 18;
+
+using Place = mote::BoxCuts::Place;
+using Ids = std::vector<vtkSmartPointer<vtkIdList>>;
+
+bool hasCells(vtkDataSet* data)
+{
+  return data->GetNumberOfCells() > 0;
+}
+
+/// The mean of a cell's points, or a point of data without cells.
+Place placeOf(vtkDataSet* data, vtkIdType item, vtkIdList* points)
+{
+  Place mean{0.0, 0.0, 0.0};
+  if (!hasCells(data))
+  {
+    data->GetPoint(item, mean.data());
+    return mean;
+  }
+  data->GetCellPoints(item, points);
+  const vtkIdType count = points->GetNumberOfIds();
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double point[3];
+    data->GetPoint(points->GetId(i), point);
+    for (int c = 0; c < 3; ++c)
+      mean[c] += point[c] / static_cast<double>(count);
+  }
+  return mean;
+}
+
+/// The cells of each piece, or the points of data without cells; those that have some.
+Ids cut(vtkDataSet* data, int pieces)
+{
+  const vtkIdType count = hasCells(data) ? data->GetNumberOfCells() : data->GetNumberOfPoints();
+  const vtkIdType step = count / mostPlaces + 1;
+  vtkNew<vtkIdList> points;
+  std::vector<Place> places;
+  for (vtkIdType i = 0; i < count; i += step)
+    places.push_back(placeOf(data, i, points));
+  const mote::BoxCuts boxes(std::move(places), vtkBoundingBox(data->GetBounds()), pieces);
+  Ids ids(pieces);
+  for (vtkSmartPointer<vtkIdList>& list : ids)
+    list = vtkSmartPointer<vtkIdList>::New();
+  for (vtkIdType i = 0; i < count; ++i)
+    ids[boxes.boxOf(placeOf(data, i, points).data())]->InsertNextId(i);
+  std::erase_if(ids, [](const auto& list) { return list->GetNumberOfIds() == 0; });
+  return ids;
+}
+
+/// Some cells, or some points of data without cells.
+vtkSmartPointer<vtkDataSet> pieceOf(vtkDataSet* data, vtkIdList* ids)
+{
+  vtkSmartPointer<vtkDataSet> piece;
+  if (hasCells(data))
+    piece = mote::cellsOf(data, ids);
+  else
+    piece = mote::pointsOf(data, ids);
+  piece->GetFieldData()->ShallowCopy(data->GetFieldData());
+  if (data->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()))
+    piece->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(),
+      data->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()));
+  return piece;
+}
+
+/// What VTK's XML files call the numbers of an array.
+std::string typeOf(vtkAbstractArray* array)
+{
+  auto* numbers = vtkDataArray::SafeDownCast(array);
+  if (!numbers)
+    return "String";
+  const int type = numbers->GetDataType(), bits = 8 * numbers->GetDataTypeSize();
+  const bool isReal = type == VTK_FLOAT || type == VTK_DOUBLE;
+  const bool isUnsigned = !isReal && numbers->GetDataTypeMin() >= 0.0;
+  return (isReal ? "Float" : isUnsigned ? "UInt" : "Int") + std::to_string(bits);
+}
+
+vtkNew<vtkXMLDataElement> elementOf(const char* name)
+{
+  vtkNew<vtkXMLDataElement> element;
+  element->SetName(name);
+  return element;
+}
+
+void addArray(vtkXMLDataElement* parent, vtkAbstractArray* array)
+{
+  auto element = elementOf("PDataArray");
+  element->SetAttribute("type", typeOf(array).c_str());
+  if (array->GetName())
+    element->SetAttribute("Name", array->GetName());
+  element->SetIntAttribute("NumberOfComponents", array->GetNumberOfComponents());
+  parent->AddNestedElement(element);
+}
+
+void addArrays(vtkXMLDataElement* parent, const char* name, vtkDataSetAttributes* data)
+{
+  auto element = elementOf(name);
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    addArray(element, data->GetAbstractArray(i));
+  parent->AddNestedElement(element);
+}
+
+/// The index of pieces that all have the arrays of this one.
+std::string indexOf(
+  vtkPointSet* piece, const std::string& ending, const std::vector<std::string>& names)
+{
+  const std::string type = ending == ".pvtp" ? "PPolyData" : "PUnstructuredGrid";
+  auto root = elementOf("VTKFile"), body = elementOf(type.c_str()), points = elementOf("PPoints");
+  root->SetAttribute("type", type.c_str());
+  root->SetAttribute("version", "1.0");
+  root->SetAttribute("header_type", "UInt64");
+  body->SetAttribute("GhostLevel", "0");
+  addArrays(body, "PPointData", piece->GetPointData());
+  addArrays(body, "PCellData", piece->GetCellData());
+  addArray(points, piece->GetPoints()->GetData());
+  body->AddNestedElement(points);
+  for (const std::string& name : names)
+  {
+    auto element = elementOf("Piece");
+    element->SetAttribute("Source", name.c_str());
+    body->AddNestedElement(element);
+  }
+  root->AddNestedElement(body);
+  std::ostringstream text;
+  text << "<?xml version=\"1.0\"?>\n";
+  vtkIndent none;
+  vtkXMLUtilities::FlattenElement(root, text, &none);
+  return text.str();
+}
+
+} // namespace
+
+vtkStandardNewMacro(vtkMotePiecesWriter);
+
+vtkMotePiecesWriter::vtkMotePiecesWriter() = default;
+
+vtkMotePiecesWriter::~vtkMotePiecesWriter() = default;
+
+std::string vtkMotePiecesWriter::EndingOf(const std::string& fileName)
+{
+  std::string ending = std::filesystem::path(fileName).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending == ".pvtp" || ending == ".pvtu" ? ending : std::string();
+}
+
+int vtkMotePiecesWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
+}
+
+/// Writes a piece, which is so large a share of the work. False where that was stopped.
+bool vtkMotePiecesWriter::WritePiece(
+  vtkDataSet* piece, const std::string& name, double done, double share)
+{
+  vtkNew<vtkMoteDataWriter> writer;
+  writer->SetInputData(piece);
+  writer->SetFileName(name.c_str());
+  vtkNew<vtkCallbackCommand> relay;
+  auto report = [&]
+  {
+    this->UpdateProgress(done + share * writer->GetProgress());
+    writer->SetAbortExecute(this->GetAbortExecute());
+  };
+  relay->SetClientData(&report);
+  relay->SetCallback([](vtkObject*, unsigned long, void* data, void*)
+    { (*static_cast<decltype(report)*>(data))(); });
+  writer->AddObserver(vtkCommand::ProgressEvent, relay);
+  const mote::MessageCatcher messages(writer); // they come again as this writer's
+  if (writer->Write())
+    return true;
+  if (this->GetAbortExecute())
+    return false;
+  throw mote::WriteError(writer->GetErrorCode() == vtkErrorCode::OutOfDiskSpaceError
+                           ? mote::WriteError::Kind::NoSpace
+                           : mote::WriteError::Kind::CannotOpen,
+    writer->GetErrorMessage());
+}
+
+bool vtkMotePiecesWriter::WriteFile()
+{
+  namespace fs = std::filesystem;
+  const fs::path index = this->FileName;
+  const std::string ending = vtkMotePiecesWriter::EndingOf(index.string());
+  if (ending.empty())
+    throw mote::Error("the name must end in .pvtp or .pvtu.");
+  if (this->GetNumberOfInputConnections(0) == 0)
+    throw mote::Error("there are no data to write.");
+  this->GetInputAlgorithm()->Update();
+  auto* data = vtkDataSet::SafeDownCast(this->GetInput());
+  if (!data || data->GetNumberOfPoints() == 0)
+    throw mote::Error("there are no data to write.");
+  if (ending == ".pvtp" && !vtkPolyData::SafeDownCast(data))
+    throw mote::Error(
+      "a .pvtp file holds points, lines and polygons; other cells go into a .pvtu file.");
+  const std::string stem = index.stem().string();
+  const fs::path folder = index.parent_path() / stem;
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed)
+    throw mote::Error(
+      "the folder \"" + folder.string() + "\" cannot be made: " + failed.message() + ".");
+  mote::AtomicFile file(index.string());
+  const Ids ids = cut(data, this->NumberOfPieces);
+  std::vector<std::string> names;
+  vtkSmartPointer<vtkDataSet> piece;
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    piece = pieceOf(data, ids[i]);
+    names.push_back(stem + '/' + stem + '_' + std::to_string(i) + '.' + ending.substr(2));
+    const double share = 1.0 / static_cast<double>(ids.size());
+    if (!this->WritePiece(piece, (index.parent_path() / names.back()).string(),
+          static_cast<double>(i) * share, share))
+      return false;
+  }
+  const std::string text = indexOf(vtkPointSet::SafeDownCast(piece), ending, names);
+  file.write(text.data(), text.size());
+  file.commit();
+  return true;
+}
+
+void vtkMotePiecesWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfPieces: " << this->NumberOfPieces << "\n";
+}
