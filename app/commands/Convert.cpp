@@ -21,6 +21,7 @@
 #include <vtkMoteMeshFileWriter.h>
 #include <vtkMoteParticleFileWriter.h>
 #include <vtkMoteParticleMapper.h>
+#include <vtkMotePiecesWriter.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkTimerLog.h>
@@ -65,19 +66,32 @@ Found find(Input& input, const Settings& settings, ProgressRelay& progress)
 /// The endings of files that are written.
 std::string endingOf(const std::string& file)
 {
-  return lowerCase(std::filesystem::path(file).extension().string()) == ".mote"
-           ? ".mote"
-           : vtkMoteDataWriter::EndingOf(file);
+  if (lowerCase(std::filesystem::path(file).extension().string()) == ".mote")
+    return ".mote";
+  const std::string pieces = vtkMotePiecesWriter::EndingOf(file);
+  return pieces.empty() ? vtkMoteDataWriter::EndingOf(file) : pieces;
+}
+
+bool isOfPieces(const std::string& ending)
+{
+  return ending == ".pvtp" || ending == ".pvtu";
+}
+
+/// The ending of one piece, or of a file that has none.
+std::string withoutPieces(const std::string& ending)
+{
+  return isOfPieces(ending) ? '.' + ending.substr(2) : ending;
 }
 
 /// What a file with an ending can hold, for messages.
 std::string holdingOf(const std::string& ending)
 {
+  const std::string kind = withoutPieces(ending);
   return "a " + ending + " file holds one set of particles" +
-         (ending == ".mote"   ? ", or without particles one surface"
-           : ending == ".vtp" ? " or one surface"
-           : ending == ".vtu" ? ", one surface or one volume"
-                              : "");
+         (kind == ".mote"   ? ", or without particles one surface"
+           : kind == ".vtp" ? " or one surface"
+           : kind == ".vtu" ? ", one surface or one volume"
+                            : "");
 }
 
 /// The one data set that a file with this ending can hold.
@@ -85,12 +99,12 @@ NamedData convertible(
   Input& input, const Settings& settings, const std::string& ending, ProgressRelay& progress)
 {
   const Found found = find(input, settings, progress);
+  const std::string kind = withoutPieces(ending);
   std::vector<NamedData> all = found.particles;
-  const bool withSurfaces =
-    ending == ".vtp" || ending == ".vtu" || (ending == ".mote" && all.empty());
+  const bool withSurfaces = kind == ".vtp" || kind == ".vtu" || (kind == ".mote" && all.empty());
   if (withSurfaces)
     all.insert(all.end(), found.surfaces.begin(), found.surfaces.end());
-  if (ending == ".vtu")
+  if (kind == ".vtu")
     all.insert(all.end(), found.volumes.begin(), found.volumes.end());
   if (all.size() == 1)
     return all.front();
@@ -200,6 +214,18 @@ void convertToMote(const NamedData& data, const Settings& settings, const std::s
                  asDuration(part.buildTime()) + ", written in " + asDuration(secondsSince(built)));
 }
 
+/// Answers how many pieces were written.
+int writePieces(vtkDataSet* data, const Settings& settings, const std::string& output,
+  ProgressRelay& progress, const std::string& which)
+{
+  vtkNew<vtkMotePiecesWriter> writer;
+  writer->SetInputData(data);
+  if (settings.output.pieces > 0)
+    writer->SetNumberOfPieces(settings.output.pieces);
+  writeFile(writer, output, progress, which);
+  return writer->GetNumberOfWrittenPieces();
+}
+
 /// The file of a step, in which what stood there is replaced.
 void convertStep(Input& input, const Settings& given, const std::string& output,
   const std::shared_ptr<ScratchSpace>& space, ProgressRelay& progress, const std::string& which)
@@ -222,9 +248,16 @@ void convertStep(Input& input, const Settings& given, const std::string& output,
   if (ending == ".mote")
     return convertToMote(data, settings, output, space, progress, which, readTime);
   const double ready = vtkTimerLog::GetUniversalTime();
-  writeData(data.data, output, progress, which);
-  tell(output, countOf(data.data) + ", " + sizeOf(output) + "; read in " + asDuration(readTime) +
-                 ", written in " + asDuration(secondsSince(ready)));
+  std::string made = countOf(data.data) + ", ";
+  if (isOfPieces(ending))
+    made += counted(writePieces(data.data, settings, output, progress, which), "piece");
+  else
+  {
+    writeData(data.data, output, progress, which);
+    made += sizeOf(output);
+  }
+  tell(output,
+    made + "; read in " + asDuration(readTime) + ", written in " + asDuration(secondsSince(ready)));
 }
 
 } // namespace
@@ -243,9 +276,12 @@ void convert(const Settings& given)
   settings.data.files.pop_back();
   const std::string ending = endingOf(output);
   if (ending.empty())
-    throw Failure("the last file is the one to write, and must end in .mote, .vtp, .vtu, .xyz or "
-                  ".xyz.gz, not " +
+    throw Failure("the last file is the one to write, and must end in .mote, .vtp, .vtu, .pvtp, "
+                  ".pvtu, .xyz or .xyz.gz, not " +
                   output);
+  if (settings.output.pieces > 0 && !isOfPieces(ending))
+    throw Failure("--pieces is for .pvtp and .pvtu files, not for " + output +
+                  (ending == ".mote" ? ", which ranks read in parts as it is" : ""));
   if (settings.data.files.empty())
     throw Failure("no file to read is given, only " + output + " to write");
 

@@ -17,6 +17,7 @@ struct OutputSettings
   std::string session;   ///< file for a session; empty: none, or the window's choice
   bool allSteps = false; ///< a picture of every time step
   bool json = false;
+  int pieces = 0;         ///< of a .pvtp or .pvtu file; 0: as many as the writer makes by itself
   std::string memory;     ///< "4G"; empty: half of the machine's
   bool preview = true;    ///< in the window, of large sets until they are built
   bool panel = true;      ///< at the window's side

@@ -109,6 +109,15 @@ void addInfo(Rows& table)
 
 void addConvert(Rows& table)
 {
+  table.push_back(row(output, &OutputSettings::pieces,
+    {.group = "Conversion",
+      .name = "pieces",
+      .value = "N",
+      .help = "Pieces of a .pvtp or .pvtu file, each compact in space and in a file of its own in "
+              "a folder beside it: ranks of ParaView read some each",
+      .limits = {.least = 1, .most = 65536},
+      .usual = "8",
+      .command = "convert"}));
   table.push_back(allStepsRow("convert",
     "Write one file per time step: out.mote gives out.0001.mote, out.0002.mote ..., which mote "
     "opens together as a series. Radii from the spacing are those of the last step"));

@@ -2,14 +2,13 @@
 
 #include "vtkCellData.h"
 #include "vtkExtractCells.h"
+#include "vtkGeometryFilter.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
-
-#include <algorithm>
 
 namespace mote
 {
@@ -58,20 +57,6 @@ vtkSmartPointer<vtkPolyData> pointsOf(vtkDataSet* data, vtkIdList* ids)
 
 vtkSmartPointer<vtkDataSet> cellsOf(vtkDataSet* data, vtkIdList* ids)
 {
-  if (auto* surface = vtkPolyData::SafeDownCast(data))
-  {
-    auto some = vtkSmartPointer<vtkPolyData>::New();
-    vtkNew<vtkPoints> points;
-    points->SetDataType(surface->GetPoints()->GetDataType());
-    some->SetPoints(points);
-    some->AllocateProportional(
-      surface, static_cast<double>(ids->GetNumberOfIds()) /
-                 static_cast<double>(std::max<vtkIdType>(1, surface->GetNumberOfCells())));
-    some->GetPointData()->CopyAllOn();
-    some->GetCellData()->CopyAllOn();
-    some->CopyCells(surface, ids);
-    return some;
-  }
   vtkNew<vtkExtractCells> extract;
   extract->SetInputData(data);
   extract->SetCellList(ids);
@@ -79,7 +64,12 @@ vtkSmartPointer<vtkDataSet> cellsOf(vtkDataSet* data, vtkIdList* ids)
   vtkSmartPointer<vtkDataSet> some = extract->GetOutput();
   if (!data->GetCellData()->HasArray("vtkOriginalCellIds"))
     some->GetCellData()->RemoveArray("vtkOriginalCellIds");
-  return some;
+  if (!vtkPolyData::SafeDownCast(data))
+    return some;
+  vtkNew<vtkGeometryFilter> surface; // vtkPolyData::CopyCells() crashes, in VTK 9.1
+  surface->SetInputData(some);
+  surface->Update();
+  return surface->GetOutput();
 }
 
 } // namespace mote

@@ -1,5 +1,7 @@
 #include "ReaderFormats.h"
 
+#include "PieceWelds.h"
+
 #include "BgeoFile.h"
 #include "CGNSReader.h"
 #include "EnSightReader.h"
@@ -42,6 +44,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPLYReader.h"
 #include "vtkSTLReader.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkXMLDataElement.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLMultiBlockDataReader.h"
@@ -153,6 +156,25 @@ protected:
   }
 };
 
+/// Puts pieces together with one point where each has a copy.
+class WeldingGridReader : public vtkXMLPUnstructuredGridReader
+{
+public:
+  static WeldingGridReader* New() { VTK_STANDARD_NEW_BODY(WeldingGridReader); }
+
+protected:
+  void ReadXMLData() override
+  {
+    this->Superclass::ReadXMLData();
+    vtkUnstructuredGrid* grid = this->GetOutput();
+    std::vector<vtkIdType> ends;
+    for (int piece = this->StartPiece; piece < this->EndPiece; ++piece)
+      ends.push_back((ends.empty() ? 0 : ends.back()) + this->GetNumberOfPointsInPiece(piece));
+    if (const auto whole = welded(grid, ends); whole != grid)
+      grid->ShallowCopy(whole);
+  }
+};
+
 /// As makeOneOrSeries(), of VTK's XML files.
 template <class Reader>
 vtkSmartPointer<vtkAlgorithm> makeXML(const FileNames& fileNames)
@@ -253,8 +275,7 @@ const std::vector<ReaderFormat>& readerFormats()
       true},
     {{".vtm", ".vtmb"}, "VTK XML blocks", makeXML<vtkXMLMultiBlockDataReader>, true},
     {{".pvtp"}, "VTK XML polygonal data in pieces", makeXML<vtkXMLPPolyDataReader>, true},
-    {{".pvtu"}, "VTK XML unstructured grid in pieces", makeXML<vtkXMLPUnstructuredGridReader>,
-      true},
+    {{".pvtu"}, "VTK XML unstructured grid in pieces", makeXML<WeldingGridReader>, true},
     {{".pvti"}, "VTK XML image in pieces", makeXML<vtkXMLPImageDataReader>, true},
     {{".pvts"}, "VTK XML structured grid in pieces", makeXML<vtkXMLPStructuredGridReader>, true},
     {{".pvtr"}, "VTK XML rectilinear grid in pieces", makeXML<vtkXMLPRectilinearGridReader>, true},

@@ -1,6 +1,7 @@
 #include "vtkMoteDataWriter.h"
 
 #include "MessageCatcher.h"
+#include "XMLNames.h"
 #include "XYZText.h"
 
 #include "kernels/core/AtomicFile.h"
@@ -9,6 +10,7 @@
 #include "vtkAppendFilter.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -17,6 +19,7 @@
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
@@ -75,6 +78,31 @@ vtkSmartPointer<vtkDataSet> asGrid(vtkDataSet* data)
   return grid;
 }
 
+/// Gives arrays with <, & or quotes in their names copies with these encoded: VTK writes names as
+/// they are, and decodes them when it reads.
+void encodeNames(vtkFieldData* arrays)
+{
+  std::vector<vtkSmartPointer<vtkAbstractArray>> all;
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+    all.emplace_back(arrays->GetAbstractArray(i));
+  for (const auto& array : all)
+  {
+    const std::string name = array->GetName() ? array->GetName() : "";
+    const std::string encoded = mote::xmlEncoded(name);
+    if (encoded == name)
+      continue;
+    vtkSmartPointer<vtkAbstractArray> copy;
+    copy.TakeReference(array->NewInstance());
+    if (auto* numbers = vtkDataArray::SafeDownCast(array))
+      vtkDataArray::SafeDownCast(copy)->ShallowCopy(numbers);
+    else
+      copy->DeepCopy(array);
+    copy->SetName(encoded.c_str());
+    arrays->RemoveArray(name.c_str());
+    arrays->AddArray(copy);
+  }
+}
+
 /// The data as VTK's XML files want them: with the time as an array of fields, and with points and
 /// cells even if these are none.
 vtkSmartPointer<vtkDataSet> completed(vtkDataSet* data, std::optional<double> time)
@@ -89,6 +117,9 @@ vtkSmartPointer<vtkDataSet> completed(vtkDataSet* data, std::optional<double> ti
     value->InsertNextValue(*time);
     copy->GetFieldData()->AddArray(value);
   }
+  encodeNames(copy->GetFieldData());
+  encodeNames(copy->GetPointData());
+  encodeNames(copy->GetCellData());
   if (auto* set = vtkPointSet::SafeDownCast(copy); set && !set->GetPoints())
   {
     vtkNew<vtkPoints> none;

@@ -3,6 +3,7 @@
 #include "BoxCuts.h"
 #include "DataParts.h"
 #include "MessageCatcher.h"
+#include "XMLNames.h"
 #include "vtkMoteDataWriter.h"
 
 #include "kernels/core/AtomicFile.h"
@@ -21,13 +22,10 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkXMLDataElement.h"
-#include "vtkXMLUtilities.h"
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <sstream>
 #include <system_error>
 #include <vector>
 
@@ -112,29 +110,26 @@ std::string typeOf(vtkAbstractArray* array)
   return (isReal ? "Float" : isUnsigned ? "UInt" : "Int") + std::to_string(bits);
 }
 
-vtkNew<vtkXMLDataElement> elementOf(const char* name)
+std::string quoted(const std::string& text)
 {
-  vtkNew<vtkXMLDataElement> element;
-  element->SetName(name);
-  return element;
+  return '"' + mote::xmlEncoded(text) + '"';
 }
 
-void addArray(vtkXMLDataElement* parent, vtkAbstractArray* array)
+std::string elementOf(vtkAbstractArray* array)
 {
-  auto element = elementOf("PDataArray");
-  element->SetAttribute("type", typeOf(array).c_str());
+  std::string element = "      <PDataArray type=" + quoted(typeOf(array));
   if (array->GetName())
-    element->SetAttribute("Name", array->GetName());
-  element->SetIntAttribute("NumberOfComponents", array->GetNumberOfComponents());
-  parent->AddNestedElement(element);
+    element += " Name=" + quoted(array->GetName());
+  return element + " NumberOfComponents=\"" + std::to_string(array->GetNumberOfComponents()) +
+         "\"/>\n";
 }
 
-void addArrays(vtkXMLDataElement* parent, const char* name, vtkDataSetAttributes* data)
+std::string elementOf(const std::string& name, vtkDataSetAttributes* data)
 {
-  auto element = elementOf(name);
+  std::string element = "    <" + name + ">\n";
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-    addArray(element, data->GetAbstractArray(i));
-  parent->AddNestedElement(element);
+    element += elementOf(data->GetAbstractArray(i));
+  return element + "    </" + name + ">\n";
 }
 
 /// The index of pieces that all have the arrays of this one.
@@ -142,27 +137,15 @@ std::string indexOf(
   vtkPointSet* piece, const std::string& ending, const std::vector<std::string>& names)
 {
   const std::string type = ending == ".pvtp" ? "PPolyData" : "PUnstructuredGrid";
-  auto root = elementOf("VTKFile"), body = elementOf(type.c_str()), points = elementOf("PPoints");
-  root->SetAttribute("type", type.c_str());
-  root->SetAttribute("version", "1.0");
-  root->SetAttribute("header_type", "UInt64");
-  body->SetAttribute("GhostLevel", "0");
-  addArrays(body, "PPointData", piece->GetPointData());
-  addArrays(body, "PCellData", piece->GetCellData());
-  addArray(points, piece->GetPoints()->GetData());
-  body->AddNestedElement(points);
+  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=" + quoted(type) +
+                     " version=\"1.0\" header_type=\"UInt64\">\n  <" + type +
+                     " GhostLevel=\"0\">\n";
+  text += elementOf("PPointData", piece->GetPointData());
+  text += elementOf("PCellData", piece->GetCellData());
+  text += "    <PPoints>\n" + elementOf(piece->GetPoints()->GetData()) + "    </PPoints>\n";
   for (const std::string& name : names)
-  {
-    auto element = elementOf("Piece");
-    element->SetAttribute("Source", name.c_str());
-    body->AddNestedElement(element);
-  }
-  root->AddNestedElement(body);
-  std::ostringstream text;
-  text << "<?xml version=\"1.0\"?>\n";
-  vtkIndent none;
-  vtkXMLUtilities::FlattenElement(root, text, &none);
-  return text.str();
+    text += "    <Piece Source=" + quoted(name) + "/>\n";
+  return text + "  </" + type + ">\n</VTKFile>\n";
 }
 
 } // namespace
@@ -254,6 +237,7 @@ bool vtkMotePiecesWriter::WriteFile()
   const std::string text = indexOf(vtkPointSet::SafeDownCast(piece), ending, names);
   file.write(text.data(), text.size());
   file.commit();
+  this->NumberOfWrittenPieces = static_cast<int>(names.size());
   return true;
 }
 
@@ -261,4 +245,5 @@ void vtkMotePiecesWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfPieces: " << this->NumberOfPieces << "\n";
+  os << indent << "NumberOfWrittenPieces: " << this->NumberOfWrittenPieces << "\n";
 }

@@ -42,6 +42,11 @@ public:
   vtkGetMacro(NumberOfPieces, int);
   ///@}
 
+  /**
+   * How many the last Write() made.
+   */
+  vtkGetMacro(NumberOfWrittenPieces, int);
+
 protected:
   vtkMotePiecesWriter();
   ~vtkMotePiecesWriter() override;
@@ -55,6 +60,7 @@ private:
   bool WritePiece(vtkDataSet* piece, const std::string& name, double done, double share);
 
   int NumberOfPieces = 8;
+  int NumberOfWrittenPieces = 0;
 };
 
 #endif

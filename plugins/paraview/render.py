@@ -79,10 +79,10 @@ def show(source, view, options):
 def side_of(kind, options):
     """Pixels of the picture that is drawn along the side of one that is written.
 
-    Ranks whose particles lie in boxes are blended in order. Of others, and of more than ParaView can
-    order, the nearest is seen: each ray must have a pixel of its own.
+    Ranks whose particles lie in boxes are blended in order. Of others the nearest is seen: each ray must
+    have a pixel of its own.
     """
-    if ranks() == 1 or (kind == "particles" and ranks() <= 8):
+    if ranks() == 1 or kind == "particles":
         return 1
     return math.isqrt(max(options.samples, 1) - 1) + 1
 

@@ -1,13 +1,14 @@
 #include "BoxCuts.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 
 namespace mote
 {
 
 BoxCuts::BoxCuts(std::vector<Place> places, const vtkBoundingBox& all, int boxes)
   : boxes_(boxes)
-  , axis_(boxes > mostSlabs ? -1 : longestAxis(places.begin(), places.end()))
 {
   this->cut(places.begin(), places.end(), all, 0, boxes);
 }
@@ -30,6 +31,27 @@ int BoxCuts::longestAxis(Iterator begin, Iterator end)
   return static_cast<int>(std::max_element(sides, sides + 3) - sides);
 }
 
+/// Where to cut along an axis so that the places before `middle` are below, or about as many: those
+/// of the same value stay together.
+double BoxCuts::valueAt(Iterator begin, Iterator middle, Iterator end, int axis)
+{
+  std::nth_element(
+    begin, middle, end, [axis](const Place& a, const Place& b) { return a[axis] < b[axis]; });
+  const double value = (*middle)[axis];
+  double next = std::numeric_limits<double>::infinity();
+  std::ptrdiff_t below = 0, upTo = 0;
+  for (Iterator place = begin; place != end; ++place)
+  {
+    below += (*place)[axis] < value;
+    upTo += (*place)[axis] <= value;
+    if ((*place)[axis] > value)
+      next = std::min(next, (*place)[axis]);
+  }
+  const std::ptrdiff_t wanted = middle - begin;
+  const bool isNext = upTo < end - begin && (below == 0 || upTo - wanted < wanted - below);
+  return isNext ? next : value;
+}
+
 /// Makes the node of these places and boxes, and those below; answers its number.
 int BoxCuts::cut(
   Iterator begin, Iterator end, const vtkBoundingBox& bounds, int firstBox, int boxes)
@@ -42,11 +64,10 @@ int BoxCuts::cut(
     boxes_[firstBox] = bounds;
     return number;
   }
-  const int axis = axis_ >= 0 ? axis_ : longestAxis(begin, end), lowBoxes = boxes / 2;
-  const Iterator middle = begin + (end - begin) * lowBoxes / boxes;
-  std::nth_element(
-    begin, middle, end, [axis](const Place& a, const Place& b) { return a[axis] < b[axis]; });
-  const double value = (*middle)[axis];
+  const int axis = longestAxis(begin, end), lowBoxes = boxes / 2;
+  const double value = valueAt(begin, begin + (end - begin) * lowBoxes / boxes, end, axis);
+  const Iterator middle =
+    std::partition(begin, end, [&](const Place& place) { return place[axis] < value; });
   double lowBounds[6], highBounds[6];
   bounds.GetBounds(lowBounds);
   bounds.GetBounds(highBounds);

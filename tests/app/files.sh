@@ -163,6 +163,43 @@ END
     [ -z "$(ls -A | grep -e full -e tmp)" ] || { ls -A; fail "something was left"; }
     ;;
 
+  pieces) # pieces make the picture of the whole
+    run 0 "$mote" convert pump:0.02:rotor whole.vtu
+    run 0 "$mote" convert whole.vtu pump.pvtu --pieces 4
+    said out '42,588 cells, 4 pieces'
+    [ -s pump/pump_3.vtu ] && [ ! -e pump/pump_4.vtu ] || fail "not four pieces"
+    for file in whole.vtu pump.pvtu; do
+      run 0 "$mote" info "$file"
+      points=$(grep -o '[0-9,]* points' out)
+      [ "${same:=$points}" = "$points" ] || fail "$file: $points, not $same"
+      run 0 "$mote" render "$file" -o "$file.png" --size 300x200 --caption '' --color-by pressure
+    done
+    cmp whole.vtu.png pump.pvtu.png || fail "pieces make another picture"
+    run 0 "$mote" convert "$copper" --show c_centro=5: some.pvtp --pieces 3
+    said out '3 pieces'
+    run 0 "$mote" convert "$copper" --show c_centro=5: some.vtp
+    for file in some.vtp some.pvtp; do
+      run 0 "$mote" info --json "$file"
+      grep -o '"points": *[0-9]*' out >"$file.count"
+      [ -s "$file.count" ] || fail "no count of $file"
+    done
+    cmp some.vtp.count some.pvtp.count || fail "particles are lost"
+    run 1 "$mote" convert "$copper" a.mote --pieces 3
+    one_sentence
+    said err 'ranks read in parts'
+    run 2 "$mote" convert "$copper" a.pvtp --pieces 0
+    run 1 "$mote" convert pump:0.02:rotor a.pvtp
+    one_sentence
+    said err 'a .pvtp file holds'
+    (
+      trap '' XFSZ
+      ulimit -f 50
+      "$mote" convert whole.vtu full.pvtu >/dev/null 2>err
+    )
+    [ $? = 1 ] || fail "a full disk went unnoticed"
+    one_sentence
+    [ ! -e full.pvtu ] || fail "an index of pieces that are not there"
+    ;;
   generated) # particles that are made, wherever a file may be named
     for input in lattice:5000 random:5000:0.01 varied:5000; do
       run 0 "$mote" info "$input"

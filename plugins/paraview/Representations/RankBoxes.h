@@ -4,7 +4,10 @@
 
 #include <vector>
 
+class vtkInformation;
+class vtkMatrix4x4;
 class vtkMultiProcessController;
+class vtkPVDataRepresentation;
 class vtkPointSet;
 
 namespace mote
@@ -17,8 +20,16 @@ vtkBoundingBox ownBoundsOf(vtkPointSet* points);
 std::vector<vtkBoundingBox> gatherBoxes(
   vtkMultiProcessController* controller, const vtkBoundingBox& own);
 
-/// Writes down the box that a rank has all particles of, where ParaView can order it and those of
-/// others from any view.
+/// The box of this rank of ParaView, cut where it overlaps those of others: pieces of a mesh have
+/// uneven sides, and ParaView finds no order of boxes that overlap. All ranks must ask together.
+vtkBoundingBox withoutOverlap(const vtkBoundingBox& own);
+
+/// Tells a view where a representation is, after its matrix, and by which box ParaView orders the
+/// ranks. Boxes that are not valid stand for no data.
+void tellBounds(vtkInformation* info, vtkPVDataRepresentation* representation,
+  const vtkBoundingBox& bounds, const vtkBoundingBox& order, vtkMatrix4x4* matrix = nullptr);
+
+/// Writes down the box that a rank has all particles of.
 void keepBox(const vtkBoundingBox& box, vtkPointSet* points);
 
 /// The one written down; invalid where none is.

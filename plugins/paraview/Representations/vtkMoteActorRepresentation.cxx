@@ -93,17 +93,12 @@ void vtkMoteActorRepresentation::TellBounds(vtkInformation* inInfo, vtkInformati
   vtkBoundingBox box = mote::ownBoundsOf(this->Drawn);
   if (box.IsValid())
     box.Inflate(reach);
-  double bounds[6];
-  box.GetBounds(bounds);
   vtkNew<vtkMatrix4x4> matrix;
   this->Actor->GetMatrix(matrix);
-  vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds, matrix);
   // What a ghost covers is not drawn, so that boxes without the radii tell the order.
   const bool inOrder = mote::canBlendInOrder(this->Drawn);
-  if (inOrder)
-    mote::keptBoxOf(this->Drawn).GetBounds(bounds);
-  vtkPVRenderView::SetOrderedCompositingConfiguration(
-    inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, bounds);
+  mote::tellBounds(
+    inInfo, this, box, inOrder ? mote::keptBoxOf(this->Drawn) : mote::withoutOverlap(box), matrix);
   if (inOrder)
     outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), 1);
 }

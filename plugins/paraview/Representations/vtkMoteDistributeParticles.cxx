@@ -350,7 +350,7 @@ void vtkMoteDistributeParticles::Distribute(
   output->ShallowCopy(together(exchange(controller, points, shares), this->Ghosts));
   copyNames(points, output);
   mote::keepSpacing(spacing, output);
-  if (cuts && cuts->areSlabs() && boxes[mine].IsValid())
+  if (cuts && boxes[mine].IsValid())
     mote::keepBox(boxes[mine], output);
 }
 

@@ -7,8 +7,8 @@
  * sends every particle to the rank of its box. Then each rank receives copies of the particles
  * within GhostDistance of its own: ghosts, which vtkMoteParticleMapper draws nothing of, but which
  * keep light off, occlude and have silhouettes. With them a picture of several ranks is that of
- * one, as far as rays go no farther. Up to eight ranks get slabs, and are blended in their order,
- * so that several rays a pixel leave no seams.
+ * one, as far as rays go no farther. ParaView blends the ranks in the order of their boxes, so that
+ * several rays a pixel leave no seams.
  *
  * The input has points; a composite of several counts as one. The output has points and their
  * arrays alone, no cells; ghosts come last, and are marked as duplicates in the array vtkGhostType.

@@ -1,5 +1,6 @@
 #include "vtkMoteVolumeRepresentation.h"
 
+#include "RankBoxes.h"
 #include "vtkMoteVolumeMapper.h"
 
 #include "vtkAlgorithm.h"
@@ -10,7 +11,6 @@
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODVolume.h" // which the superclass holds
 #include "vtkPVRenderView.h"
@@ -97,14 +97,11 @@ int vtkMoteVolumeRepresentation::ProcessViewRequest(
   if (request == vtkPVView::REQUEST_UPDATE())
   {
     vtkPVView::SetPiece(inInfo, this, this->Grid);
-    double bounds[6];
-    vtkMath::UninitializeBounds(bounds);
+    vtkBoundingBox bounds;
     if (this->Grid->GetNumberOfPoints() > 0)
-      this->Grid->GetBounds(bounds);
-    vtkPVRenderView::SetGeometryBounds(inInfo, this, bounds);
+      bounds.SetBounds(this->Grid->GetBounds());
     vtkPVRenderView::SetRequiresDistributedRendering(inInfo, this, true);
-    vtkPVRenderView::SetOrderedCompositingConfiguration(
-      inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, bounds);
+    mote::tellBounds(inInfo, this, bounds, mote::withoutOverlap(bounds));
     outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), 1);
   }
   else if (request == vtkPVView::REQUEST_RENDER())

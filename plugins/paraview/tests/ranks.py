@@ -4,7 +4,7 @@ import os
 import tempfile
 
 import numpy as np
-from checks import check, end, simple
+from checks import check, end, picture, simple, view_of
 from paraview import servermanager
 from paraview.vtk.util import numpy_support
 
@@ -94,5 +94,30 @@ for name, value in facts.items():
         have = column["own"] + column["ghosts"]
         check(np.all(within(0.5) <= have) and np.all(have <= within(0.51)), f"distributed: all within 0.5, {column['ghosts']}")
         check(0.4 < column["away"].min() and column["away"].max() <= 0.51, "distributed: and none farther")
+
+# Volumes in pieces are blended in the order of the ranks, from wherever they are seen.
+grid = simple.OpenDataFile(os.path.join(os.environ["MOTE_DATA"], "swirl.1.vtu"))
+spread = simple.RedistributeDataSet(Input=grid)
+for seen_from in ([1, 0.4, 0.3], [-1, 0.4, 0.3], [0.3, 1, 0.4], [0.3, -1, -0.4]):
+    pictures = []
+    for source in (grid, spread):
+        view = view_of("MoteRenderView")
+        display = simple.Show(source, view)
+        display.SetRepresentationType("Mote Volume")
+        simple.ColorBy(display, ("POINTS", "p"))
+        display.RescaleTransferFunctionToDataRange(False, True)
+        opacity = simple.GetOpacityTransferFunction("p")
+        opacity.Points = [opacity.Points[0], 0.3, 0.5, 0.0, opacity.Points[-4], 1.0, 0.5, 0.0]
+        display.ScalarOpacityUnitDistance = 0.01  # so that what is in front hides what is behind
+        view.CameraPosition = seen_from
+        view.CameraFocalPoint = [0, 0, 0]
+        view.CameraViewUp = [0, 0, 1]
+        view.ResetCamera(True)
+        pictures.append(picture(view).astype(int))
+        simple.Delete(display)
+        simple.Delete(view)
+    off = np.abs(pictures[0] - pictures[1]).max(axis=2)
+    check((pictures[0].max(axis=2) > 0).mean() > 0.1, "pieces of a volume: there is one")
+    check((off > 25).mean() < 0.001, f"pieces of a volume: {100 * (off > 25).mean():.3g} % of pixels are others, from {seen_from}")
 
 end()

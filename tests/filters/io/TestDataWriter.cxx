@@ -1,6 +1,7 @@
 // What is written is read again as the same, by Mote's readers and by VTK's.
 
 #include "IOTestSupport.h"
+#include "WrittenAgain.h"
 
 #include "vtkMoteDataWriter.h"
 #include "vtkMoteReaderTable.h"
@@ -48,14 +49,7 @@ protected:
 
   vtkSmartPointer<vtkDataSet> again(const std::string& name)
   {
-    std::string error;
-    const auto reader = vtkMoteReaderTable::MakeReader(path(name), error);
-    EXPECT_TRUE(reader) << error;
-    if (!reader)
-      return nullptr;
-    vtkSmartPointer<vtkDataObject> data = vtkMoteReaderTable::Read(reader, error);
-    EXPECT_TRUE(data) << error;
-    return vtkDataSet::SafeDownCast(data);
+    return readAgain<vtkDataSet>(path(name));
   }
 };
 
