@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <numeric>
 
 namespace mote
@@ -23,13 +25,19 @@ namespace mote
 namespace
 {
 
-using Place = std::array<double, 3>;
+/// The bits of coordinates: these have an order even where they are no numbers.
+using Place = std::array<std::uint64_t, 3>;
 
 std::vector<Place> placesOf(vtkUnstructuredGrid* grid)
 {
   std::vector<Place> places(static_cast<std::size_t>(grid->GetNumberOfPoints()));
   for (std::size_t i = 0; i < places.size(); ++i)
-    grid->GetPoint(static_cast<vtkIdType>(i), places[i].data());
+  {
+    double at[3];
+    grid->GetPoint(static_cast<vtkIdType>(i), at);
+    for (int c = 0; c < 3; ++c)
+      places[i][c] = std::bit_cast<std::uint64_t>(at[c] + 0.0); // -0 is 0
+  }
   return places;
 }
 

@@ -166,6 +166,8 @@ protected:
   void ReadXMLData() override
   {
     this->Superclass::ReadXMLData();
+    if (this->DataError)
+      return; // some points are not there
     vtkUnstructuredGrid* grid = this->GetOutput();
     std::vector<vtkIdType> ends;
     for (int piece = this->StartPiece; piece < this->EndPiece; ++piece)

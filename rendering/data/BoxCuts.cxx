@@ -1,6 +1,7 @@
 #include "BoxCuts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -10,6 +11,9 @@ namespace mote
 BoxCuts::BoxCuts(std::vector<Place> places, const vtkBoundingBox& all, int boxes)
   : boxes_(boxes)
 {
+  // Which have no order.
+  std::erase_if(places, [](const Place& at)
+    { return !std::isfinite(at[0]) || !std::isfinite(at[1]) || !std::isfinite(at[2]); });
   this->cut(places.begin(), places.end(), all, 0, boxes);
 }
 

@@ -273,6 +273,17 @@ TEST_F(TestPiecesWriter, SurfacesKeepTheirCells)
   }
 }
 
+TEST_F(TestPiecesWriter, PlacesThatAreNoNumbersAreKept)
+{
+  vtkNew<vtkPolyData> particles;
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < 50; ++i)
+    points->InsertNextPoint(i % 3 ? i : std::nan(""), i, 0);
+  particles->SetPoints(points);
+  ASSERT_EQ(written(particles, "n.pvtp", 4), "");
+  EXPECT_EQ(again("n.pvtp")->GetNumberOfPoints(), 50);
+}
+
 TEST_F(TestPiecesWriter, FewCellsMakeFewPieces)
 {
   ASSERT_EQ(written(boxes(3, 1, 1, 0, false), "a.pvtu", 100), "");
