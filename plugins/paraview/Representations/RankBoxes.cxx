@@ -116,6 +116,8 @@ void tellBounds(vtkInformation* info, vtkPVDataRepresentation* representation,
     vtkNew<vtkMatrix4x4> fit;
     for (int c = 0; c < 3; ++c)
     {
+      if (!(toOrder[2 * c + 1] > toOrder[2 * c])) // flat: all ranks are, and none is before another
+        std::copy_n(toView + 2 * c, 2, toOrder + 2 * c);
       const double from = toOrder[2 * c + 1] - toOrder[2 * c];
       const double scale = from > 0.0 ? (toView[2 * c + 1] - toView[2 * c]) / from : 1.0;
       fit->SetElement(c, c, scale);
@@ -149,17 +151,18 @@ vtkBoundingBox keptBoxOf(vtkPointSet* points)
   return box;
 }
 
-bool canBlendInOrder(vtkPointSet* points)
+RankFacts factsOfRanks(vtkPointSet* points)
 {
   auto* controller = vtkMultiProcessController::GetGlobalController();
   if (!controller || controller->GetNumberOfProcesses() < 2)
-    return false;
-  // Ranks without particles have neither, and do not matter.
-  const bool has = points->GetPointGhostArray() && keptBoxOf(points).IsValid();
-  const int own[] = {has, points->GetNumberOfPoints() > 0 && !has};
-  int any[2] = {0, 0};
-  controller->AllReduce(own, any, 2, vtkCommunicator::MAX_OP);
-  return any[0] != 0 && any[1] == 0;
+    return {};
+  const vtkBoundingBox own = ownBoundsOf(points), box = keptBoxOf(points);
+  const bool fits = box.IsValid() && own.IsValid() && box.Contains(own);
+  // Ranks without particles do not matter.
+  const int mine[] = {fits, own.IsValid() && !fits, points->GetPointGhostArray() != nullptr};
+  int any[3] = {0, 0, 0};
+  controller->AllReduce(mine, any, 3, vtkCommunicator::MAX_OP);
+  return {any[0] != 0 && any[1] == 0, any[2] != 0};
 }
 
 } // namespace mote

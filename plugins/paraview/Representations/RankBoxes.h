@@ -35,8 +35,14 @@ void keepBox(const vtkBoundingBox& box, vtkPointSet* points);
 /// The one written down; invalid where none is.
 vtkBoundingBox keptBoxOf(vtkPointSet* points);
 
-/// Whether the ranks of ParaView, which must ask together, have boxes and ghosts, so that what
-/// covers a part of a pixel may be blended in the order of the boxes.
-bool canBlendInOrder(vtkPointSet* points);
+/// What all ranks of ParaView together have; one rank has neither.
+struct RankFacts
+{
+  bool haveBoxes = false;  ///< that were written down, with all of their points inside
+  bool haveGhosts = false; ///< any of them
+};
+
+/// All ranks must ask together.
+RankFacts factsOfRanks(vtkPointSet* points);
 
 } // namespace mote

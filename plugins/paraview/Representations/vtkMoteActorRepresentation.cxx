@@ -80,7 +80,7 @@ int vtkMoteActorRepresentation::ProcessViewRequest(
   }
   else if (request == vtkPVView::REQUEST_RENDER())
   {
-    this->GetMapper()->SetInputConnection(vtkPVRenderView::GetPieceProducer(inInfo, this));
+    this->Connect(vtkPVRenderView::GetPieceProducer(inInfo, this));
     this->FollowColors();
   }
   return 1;
@@ -96,11 +96,23 @@ void vtkMoteActorRepresentation::TellBounds(vtkInformation* inInfo, vtkInformati
   vtkNew<vtkMatrix4x4> matrix;
   this->Actor->GetMatrix(matrix);
   // What a ghost covers is not drawn, so that boxes without the radii tell the order.
-  const bool inOrder = mote::canBlendInOrder(this->Drawn);
-  mote::tellBounds(
-    inInfo, this, box, inOrder ? mote::keptBoxOf(this->Drawn) : mote::withoutOverlap(box), matrix);
-  if (inOrder)
+  const mote::RankFacts ranks = mote::factsOfRanks(this->Drawn);
+  mote::tellBounds(inInfo, this, box,
+    ranks.haveBoxes ? mote::keptBoxOf(this->Drawn) : mote::withoutOverlap(box), matrix);
+  if ((ranks.haveBoxes && ranks.haveGhosts) || this->IsTranslucent())
     outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), 1);
+}
+
+void vtkMoteActorRepresentation::Connect(vtkAlgorithmOutput* piece)
+{
+  this->GetMapper()->SetInputConnection(piece);
+}
+
+bool vtkMoteActorRepresentation::IsTranslucent()
+{
+  vtkMapper* mapper = this->GetMapper();
+  vtkScalarsToColors* colors = mapper->GetScalarVisibility() ? mapper->GetLookupTable() : nullptr;
+  return this->Actor->GetProperty()->GetOpacity() < 1.0 || (colors && !colors->IsOpaque());
 }
 
 /// Which array colours: ParaView tells it as the array to process.

@@ -19,6 +19,7 @@
 
 class vtkActor;
 class vtkMapper;
+class vtkAlgorithmOutput;
 class vtkPointSet;
 class vtkScalarsToColors;
 
@@ -77,6 +78,10 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   vtkNew<vtkActor> Actor;
+  /// Has the mapper draw what the view has delivered.
+  virtual void Connect(vtkAlgorithmOutput* piece);
+  bool IsTranslucent();
+
   vtkSmartPointer<vtkPointSet> Drawn; ///< as of the last RequestData()
 
 private:

@@ -79,8 +79,8 @@ Points partOf(vtkPolyData* all, const vtkIdType* ids, vtkIdType count)
   return mote::pointsOf(all, list);
 }
 
-/// Particles of one rank for another, array by array. Strings, which no message of
-/// arrays can hold, make it go as one data set: that is written to a stream first.
+/// Particles of one rank for another, array by array. Where some arrays are strings, which such
+/// messages cannot hold, the whole goes as one data set: that is written to a stream first.
 class Messages
 {
 public:
@@ -249,12 +249,12 @@ Points together(const Parts& parts, bool isMarked)
 void copyNames(vtkPolyData* from, vtkPolyData* to)
 {
   for (int i = 0; i < from->GetPointData()->GetNumberOfArrays(); ++i)
-    if (vtkDataArray* array = from->GetPointData()->GetArray(i))
+    if (vtkDataArray* array = from->GetPointData()->GetArray(i); array && array->GetName())
       if (vtkDataArray* copy = to->GetPointData()->GetArray(array->GetName()))
         copy->CopyComponentNames(array);
 }
 
-/// The box, so much larger on all sides a box at a distance.
+/// The box, so much larger on all sides.
 vtkBoundingBox around(vtkBoundingBox box, double distance)
 {
   if (box.IsValid())

@@ -5,6 +5,8 @@
 #include "vtkMoteParticleMapper.h"
 #include "vtkMoteSourcePoints.h"
 
+#include "vtkAlgorithm.h"
+#include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -50,7 +52,21 @@ vtkMapper* vtkMoteParticleRepresentation::GetMapper()
 vtkSmartPointer<vtkPointSet> vtkMoteParticleRepresentation::Collect(
   const std::vector<vtkPointSet*>& parts)
 {
+  this->Own = nullptr;
   return mote::collectPoints(parts);
+}
+
+void vtkMoteParticleRepresentation::Connect(vtkAlgorithmOutput* piece)
+{
+  auto* particles =
+    piece ? vtkPolyData::SafeDownCast(piece->GetProducer()->GetOutputDataObject(piece->GetIndex()))
+          : nullptr;
+  // A ghost that light goes through would hide what this rank has behind it.
+  if (!particles || !particles->GetPointGhostArray() || !this->IsTranslucent())
+    return this->Superclass::Connect(piece);
+  if (!this->Own)
+    this->Own = mote::withoutGhosts(particles);
+  this->Mapper->SetInputData(this->Own);
 }
 
 /// Whether the data of this rank tell radii in the present mode.

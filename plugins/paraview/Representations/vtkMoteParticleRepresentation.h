@@ -44,6 +44,7 @@ protected:
   vtkMapper* GetMapper() override;
   vtkSmartPointer<vtkPointSet> Collect(const std::vector<vtkPointSet*>& parts) override;
   double GetReach() override;
+  void Connect(vtkAlgorithmOutput* piece) override;
 
 private:
   vtkMoteParticleRepresentation(const vtkMoteParticleRepresentation&) = delete;
@@ -56,6 +57,7 @@ private:
   vtkNew<vtkMoteParticleMapper> Mapper;
   int RadiusMode = 0;
   double Radius = 0.5;
+  vtkSmartPointer<vtkPolyData> Own; ///< of what is drawn, without ghosts; null until asked for
 };
 
 #endif

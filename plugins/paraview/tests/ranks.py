@@ -4,7 +4,7 @@ import os
 import tempfile
 
 import numpy as np
-from checks import check, end, picture, simple, view_of
+from checks import check, covered, end, picture, points, simple, source, view_of
 from paraview import servermanager
 from paraview.vtk.util import numpy_support
 
@@ -27,11 +27,11 @@ with tempfile.TemporaryDirectory() as folder:
             file.writelines(f"{before(i)}{x:.9g} {y:.9g} {z:.9g}\n" for i, (x, y, z) in enumerate(places))
 
     for ending, name in names.items():
-        source = simple.OpenDataFile(name)
-        source.UpdatePipeline()
-        total = source.GetDataInformation().GetNumberOfPoints()
+        reader = simple.OpenDataFile(name)
+        reader.UpdatePipeline()
+        total = reader.GetDataInformation().GetNumberOfPoints()
         check(total == count, f"{ending}: {total} points on {ranks} ranks together")
-        marked = simple.ProcessIdScalars(Input=source)
+        marked = simple.ProcessIdScalars(Input=reader)
         marked.UpdatePipeline()
         least, most = marked.PointData["ProcessId"].GetRange()
         check((least, most) == (0, ranks - 1), f"{ending}: all ranks have some, {least:g} to {most:g}")
@@ -42,15 +42,14 @@ with tempfile.TemporaryDirectory() as folder:
         shares = shares[shares > 0]
         check(shares.max() <= count / ranks + 1, f"{ending}: none has more than its share, {shares}")
         view = simple.CreateView("RenderView")
-        display = simple.Show(source, view)
+        display = simple.Show(reader, view)
         check(display.Representation == "Mote Particles", f"{ending}: shown as {display.Representation}")
         simple.Render(view)
-        for proxy in (numbers, marked, display, view, source):
+        for proxy in (numbers, marked, display, view, reader):
             simple.Delete(proxy)
 
     # A box for each rank, and copies of what is beside it.
-    source = simple.OpenDataFile(names["dump"])
-    distributed = simple.DistributeParticlesMote(Input=source, GhostDistance=0.5)
+    distributed = simple.DistributeParticlesMote(Input=simple.OpenDataFile(names["dump"]), GhostDistance=0.5)
     facts = simple.ProgrammableFilter(Input=distributed, OutputDataSetType="vtkPolyData", Script="""
 import numpy as np
 from vtkmodules.util import numpy_support
@@ -65,9 +64,9 @@ low, high = places[own].min(axis=0), places[own].max(axis=0)
 facts.update({f"low{c}": low[c] for c in range(3)}, **{f"high{c}": high[c] for c in range(3)})
 away = np.linalg.norm(np.maximum(0, np.maximum(low - places, places - high)), axis=1)
 facts["away"] = away.max()
-points = vtkPoints()
-points.InsertNextPoint(0, 0, 0)
-self.GetPolyDataOutput().SetPoints(points)
+one = vtkPoints()
+one.InsertNextPoint(0, 0, 0)
+self.GetPolyDataOutput().SetPoints(one)
 for name, value in facts.items():
     array = numpy_support.numpy_to_vtk(np.array([float(value)]), deep=True)
     array.SetName(name)
@@ -95,29 +94,46 @@ for name, value in facts.items():
         check(np.all(within(0.5) <= have) and np.all(have <= within(0.51)), f"distributed: all within 0.5, {column['ghosts']}")
         check(0.4 < column["away"].min() and column["away"].max() <= 0.51, "distributed: and none farther")
 
-# Volumes in pieces are blended in the order of the ranks, from wherever they are seen.
+
+
+def compare(what, first, second, array, setup):
+    """Pictures of two sources from four sides, which the ranks have in other ways."""
+    for seen_from in ([1, 0.4, 0.3], [-1, 0.4, 0.3], [0.3, 1, 0.4], [0.3, -1, -0.4]):
+        pictures = []
+        for shown in (first, second):
+            view = view_of("MoteRenderView")
+            display = simple.Show(shown, view)
+            setup(display)
+            simple.ColorBy(display, ("POINTS", array))
+            display.RescaleTransferFunctionToDataRange(False, True)
+            opacity = simple.GetOpacityTransferFunction(array)
+            opacity.Points = [opacity.Points[0], 0.3, 0.5, 0.0, opacity.Points[-4], 1.0, 0.5, 0.0]
+            view.CameraPosition = seen_from
+            view.CameraFocalPoint = [0, 0, 0]
+            view.CameraViewUp = [0, 0, 1]
+            view.ResetCamera(True)
+            pictures.append(picture(view))
+            simple.Delete(display)
+            simple.Delete(view)
+        off = (np.abs(pictures[0] - pictures[1]).max(axis=2) > 25).mean()
+        check(covered(pictures[0]) > 0.1, f"{what}: there is something to see")
+        check(off < 0.001, f"{what}: {100 * off:.3g} % of pixels are others, from {seen_from}")
+
+
+# Volumes in pieces, and particles that light goes through, are blended in the order of the ranks.
+def as_volume(display):
+    display.SetRepresentationType("Mote Volume")
+    display.ScalarOpacityUnitDistance = 0.01  # so that what is in front hides what is behind
+
+
+def as_translucent(display):
+    display.SetRepresentationType("Mote Particles")
+    display.Opacity = 0.5
+
+
 grid = simple.OpenDataFile(os.path.join(os.environ["MOTE_DATA"], "swirl.1.vtu"))
-spread = simple.RedistributeDataSet(Input=grid)
-for seen_from in ([1, 0.4, 0.3], [-1, 0.4, 0.3], [0.3, 1, 0.4], [0.3, -1, -0.4]):
-    pictures = []
-    for source in (grid, spread):
-        view = view_of("MoteRenderView")
-        display = simple.Show(source, view)
-        display.SetRepresentationType("Mote Volume")
-        simple.ColorBy(display, ("POINTS", "p"))
-        display.RescaleTransferFunctionToDataRange(False, True)
-        opacity = simple.GetOpacityTransferFunction("p")
-        opacity.Points = [opacity.Points[0], 0.3, 0.5, 0.0, opacity.Points[-4], 1.0, 0.5, 0.0]
-        display.ScalarOpacityUnitDistance = 0.01  # so that what is in front hides what is behind
-        view.CameraPosition = seen_from
-        view.CameraFocalPoint = [0, 0, 0]
-        view.CameraViewUp = [0, 0, 1]
-        view.ResetCamera(True)
-        pictures.append(picture(view).astype(int))
-        simple.Delete(display)
-        simple.Delete(view)
-    off = np.abs(pictures[0] - pictures[1]).max(axis=2)
-    check((pictures[0].max(axis=2) > 0).mean() > 0.1, "pieces of a volume: there is one")
-    check((off > 25).mean() < 0.001, f"pieces of a volume: {100 * (off > 25).mean():.3g} % of pixels are others, from {seen_from}")
+compare("pieces of a volume", grid, simple.RedistributeDataSet(Input=grid), "p", as_volume)
+whole = source(points(places[:3000], x=places[:3000, 0]))  # the first rank has all
+compare("translucent particles", whole, simple.DistributeParticlesMote(Input=whole), "x", as_translucent)
 
 end()
