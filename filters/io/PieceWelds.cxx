@@ -18,6 +18,7 @@
 #include <bit>
 #include <cstdint>
 #include <numeric>
+#include <tbb/parallel_sort.h>
 
 namespace mote
 {
@@ -48,7 +49,7 @@ std::vector<vtkIdType> pointsFor(
   std::vector<vtkIdType> order(places.size()), points(places.size());
   std::iota(order.begin(), order.end(), 0);
   std::iota(points.begin(), points.end(), 0);
-  std::sort(order.begin(), order.end(),
+  tbb::parallel_sort(order.begin(), order.end(),
     [&](vtkIdType a, vtkIdType b)
     { return places[a] != places[b] ? places[a] < places[b] : a < b; });
   const auto pieceOf = [&](vtkIdType point)
