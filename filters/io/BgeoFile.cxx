@@ -69,13 +69,8 @@ public:
     RowLayout layout(m_points);
     layout.addPositions();
     std::vector<Attribute> attributes = m_attributes;
-    std::size_t number = 0;
     for (Attribute& attribute : attributes)
     {
-      const auto isSame = [&](const Attribute& other) { return other.name == attribute.name; };
-      const auto own = attributes.begin() + static_cast<std::ptrdiff_t>(number++);
-      while (attribute.name.empty() || std::any_of(attributes.begin(), own, isSame))
-        attribute.name += "_";
       attribute.column = layout.add(attribute.name,
         attribute.type == Int                                 ? ColumnType::Int32
         : attribute.type == Text && attribute.components == 1 ? ColumnType::String

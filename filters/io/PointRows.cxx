@@ -10,6 +10,8 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -144,8 +146,31 @@ std::set<std::string> wordsOf(
   return words;
 }
 
+namespace
+{
+
+/// Names of arrays as VTK takes them: up to a zero, not empty, and each once. A second array of a
+/// name would take the place of the first, which is being filled.
+void settleNames(std::vector<ColumnGroup>& arrays)
+{
+  std::map<std::string, std::size_t> uses;
+  for (ColumnGroup& array : arrays)
+  {
+    std::string name = array.name.c_str();
+    if (name.empty())
+      name.push_back('_');
+    array.name = name;
+    while (uses.count(array.name) > 0)
+      array.name = name + "_" + std::to_string(++uses[name]);
+    uses.emplace(array.name, 1);
+  }
+}
+
+} // namespace
+
 void makePointRows(PointRows rows, const RowSource& source, vtkPolyData* output)
 {
+  settleNames(rows.arrays);
   const std::uint64_t first = rows.piece.first(rows.rows);
   rows.rows = rows.piece.size(rows.rows);
   RowsResult result;

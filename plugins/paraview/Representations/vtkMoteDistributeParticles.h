@@ -53,6 +53,14 @@ public:
   vtkSetClampMacro(GhostDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(GhostDistance, double);
 
+  /**
+   * Free what the readers and filters before this one hold, once it has been sent. They
+   * execute again where something else asks for it; data of a vtkTrivialProducer stay. Off by
+   * default.
+   */
+  vtkSetMacro(ReleaseInput, bool);
+  vtkGetMacro(ReleaseInput, bool);
+
 protected:
   vtkMoteDistributeParticles() = default;
   ~vtkMoteDistributeParticles() override = default;
@@ -64,11 +72,12 @@ private:
   vtkMoteDistributeParticles(const vtkMoteDistributeParticles&) = delete;
   void operator=(const vtkMoteDistributeParticles&) = delete;
 
-  void Distribute(vtkMultiProcessController* controller, vtkPolyData* points, vtkPolyData* output);
+  void Distribute(vtkMultiProcessController* controller, vtkDataObject* input, vtkPolyData* output);
 
   bool Redistribute = true;
   bool Ghosts = true;
   double GhostDistance = 0.0;
+  bool ReleaseInput = false;
 };
 
 #endif

@@ -27,8 +27,8 @@ def end():
     print("all checks held", flush=True)
 
 
-def source(data):
-    """A pipeline source of a data object."""
+def producer_of(data):
+    """A pipeline source of a data object. (Scripts of programmable filters import numpy's names over those of a test.)"""
     producer = simple.TrivialProducer()
     producer.GetClientSideObject().SetOutput(data)
     producer.UpdatePipeline()

@@ -1,7 +1,7 @@
 """Sources and filters of the plugin, on what is known of them."""
 
 import numpy as np
-from checks import check, end, points, simple, source
+from checks import check, end, points, simple, producer_of
 from paraview import servermanager
 from paraview.vtk.util import numpy_support
 
@@ -56,7 +56,7 @@ check(len(values) == 101 and np.all(np.diff(values) >= 0) and low <= values[0] <
       "quantiles ascend from the least to the greatest value")
 
 lattice = np.stack(np.meshgrid(*[np.arange(6.0)] * 3), axis=-1).reshape(-1, 3)
-baker = simple.BakeAmbientOcclusionMote(Input=source(points(lattice, radius=[0.5] * len(lattice))))
+baker = simple.BakeAmbientOcclusionMote(Input=producer_of(points(lattice, radius=[0.5] * len(lattice))))
 baker.UpdatePipeline()
 baked = servermanager.Fetch(baker)
 names = [baked.GetPointData().GetArrayName(i) for i in range(baked.GetPointData().GetNumberOfArrays())]

@@ -3,12 +3,12 @@
 import os
 
 import numpy as np
-from checks import check, covered, end, picture, points, simple, source, view_of
+from checks import check, covered, end, picture, points, simple, producer_of, view_of
 from paraview import servermanager, vtk
 
 
 def show(data, view, **properties):
-    display = simple.Show(source(data), view, "GeometryRepresentation")
+    display = simple.Show(producer_of(data), view, "GeometryRepresentation")
     display.SetRepresentationType("Mote Particles")
     for name, value in properties.items():
         setattr(display, name, value)

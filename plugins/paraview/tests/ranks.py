@@ -4,9 +4,10 @@ import os
 import tempfile
 
 import numpy as np
-from checks import check, covered, end, picture, points, simple, source, view_of
+from checks import check, covered, end, picture, points, simple, view_of
 from paraview import servermanager
 from paraview.vtk.util import numpy_support
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 ranks = servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
 random = np.random.default_rng(3)
@@ -94,12 +95,24 @@ for name, value in facts.items():
         check(np.all(within(0.5) <= have) and np.all(have <= within(0.51)), f"distributed: all within 0.5, {column['ghosts']}")
         check(0.4 < column["away"].min() and column["away"].max() <= 0.51, "distributed: and none farther")
 
+    # What was sent need not stay where it was read, and is read again where it is wanted.
+    reader = simple.OpenDataFile(names["dump"])
+    between = simple.ProcessIdScalars(Input=reader)
+    lean = simple.DistributeParticlesMote(Input=between, Ghosts=0, ReleaseInput=1)
+    lean.UpdatePipeline()
+    held = [proxy.GetClientSideObject().GetOutputDataObject(0).GetNumberOfPoints() for proxy in (reader, between)]
+    check((held == [0, 0]) == (ranks > 1), f"released: the first rank's reader and filter hold {held} points")
+    check(lean.GetDataInformation().GetNumberOfPoints() == count, "released: all are distributed")
+    again = simple.PointDatatoCellData(Input=reader)
+    again.UpdatePipeline()
+    check(reader.GetClientSideObject().GetOutputDataObject(0).GetNumberOfPoints() >= count // ranks, "released: and read again")
+
 
 
 def compare(what, first, second, array, setup):
     """Pictures of two sources from four sides, which the ranks have in other ways."""
     for seen_from in ([1, 0.4, 0.3], [-1, 0.4, 0.3], [0.3, 1, 0.4], [0.3, -1, -0.4]):
-        pictures = []
+        pictures, scale = [], None
         for shown in (first, second):
             view = view_of("MoteRenderView")
             display = simple.Show(shown, view)
@@ -112,6 +125,9 @@ def compare(what, first, second, array, setup):
             view.CameraFocalPoint = [0, 0, 0]
             view.CameraViewUp = [0, 0, 1]
             view.ResetCamera(True)
+            simple.Render(view)  # tells what the camera is
+            scale = scale or view.CameraParallelScale
+            view.CameraParallelScale = scale  # on several ranks the first was a hundredth larger
             pictures.append(picture(view))
             simple.Delete(display)
             simple.Delete(view)
@@ -133,7 +149,12 @@ def as_translucent(display):
 
 grid = simple.OpenDataFile(os.path.join(os.environ["MOTE_DATA"], "swirl.1.vtu"))
 compare("pieces of a volume", grid, simple.RedistributeDataSet(Input=grid), "p", as_volume)
-whole = source(points(places[:3000], x=places[:3000, 0]))  # the first rank has all
-compare("translucent particles", whole, simple.DistributeParticlesMote(Input=whole), "x", as_translucent)
+with tempfile.TemporaryDirectory() as folder:
+    writer = vtkXMLPolyDataWriter()
+    writer.SetFileName(os.path.join(folder, "few.vtp"))
+    writer.SetInputData(points(places[:3000], x=places[:3000, 0]))
+    writer.Write()
+    whole = simple.OpenDataFile(writer.GetFileName())  # the first rank has all
+    compare("translucent particles", whole, simple.DistributeParticlesMote(Input=whole), "x", as_translucent)
 
 end()

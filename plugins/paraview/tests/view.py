@@ -1,11 +1,11 @@
 """Mote Render View: light and lines go from one representation to the other."""
 
 import numpy as np
-from checks import check, covered, end, picture, points, simple, source, view_of
+from checks import check, covered, end, picture, points, simple, producer_of, view_of
 
 
 def show(data, view, **properties):
-    display = simple.Show(source(data), view, "GeometryRepresentation")
+    display = simple.Show(producer_of(data), view, "GeometryRepresentation")
     display.SetRepresentationType("Mote Particles")
     display.DiffuseColor = [1.0, 1.0, 1.0]
     for name, value in properties.items():

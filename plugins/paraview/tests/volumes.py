@@ -1,7 +1,7 @@
 """Mote Volume and Mote Mesh: opacities, arrays of cells, composite data, surfaces."""
 
 import numpy as np
-from checks import check, covered, end, picture, points, simple, source, view_of
+from checks import check, covered, end, picture, points, simple, producer_of, view_of
 from paraview import vtk
 from paraview.vtk.util import numpy_support
 
@@ -32,7 +32,7 @@ def block(n, warp=0.0):
 
 
 def show(data, view, array, association="POINTS"):
-    display = simple.Show(source(data), view, "UnstructuredGridRepresentation")
+    display = simple.Show(producer_of(data), view, "UnstructuredGridRepresentation")
     simple.ColorBy(display, (association, array))
     display.SetRepresentationType("Mote Volume")
     return display
@@ -81,7 +81,7 @@ simple.Delete(display.Input)
 
 blocks = vtk.vtkMultiBlockDataSet()
 blocks.SetBlock(0, block(3))
-display = simple.Show(source(blocks), view)
+display = simple.Show(producer_of(blocks), view)
 check("Mote Particles" in display.GetProperty("Representation").Available, "blocks may be drawn by Mote")
 simple.Delete(display.Input)
 

@@ -56,15 +56,17 @@ TEST_F(TestParticleArchives, BgeoOfOthersIsRefused)
 
 TEST_F(TestParticleArchives, BgeoWithoutNamesOrWithOneTwice)
 {
-  std::string text = "BgeoV" + big<std::int32_t>({5, 1, 0, 0, 0, 3, 0, 0, 0});
-  for (const char* name : {"a", "a", ""})
+  std::string text = "BgeoV" + big<std::int32_t>({5, 1, 0, 0, 0, 4, 0, 0, 0});
+  using namespace std::string_literals;
+  for (const std::string& name : {"a"s, "a"s, ""s, "a\0b"s})
     text += named(name) + big<std::uint16_t>({1}) + big<std::int32_t>({0, 0});
-  text += big<float>({1.0f, 2.0f, 3.0f, 1.0f, 4.0f, 5.0f, 6.0f});
+  text += big<float>({1.0f, 2.0f, 3.0f, 1.0f, 4.0f, 5.0f, 6.0f, 7.0f});
   vtkPolyData* data = read(write("a.bgeo", text));
   ASSERT_TRUE(data);
   EXPECT_EQ(value(data, "a", 0), 4.0);
-  EXPECT_EQ(value(data, "a_", 0), 5.0);
+  EXPECT_EQ(value(data, "a_2", 0), 5.0);
   EXPECT_EQ(value(data, "_", 0), 6.0);
+  EXPECT_EQ(value(data, "a_3", 0), 7.0);
 }
 
 TEST_F(TestParticleArchives, PointsOfGLTF)
