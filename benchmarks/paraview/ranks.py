@@ -4,10 +4,10 @@
     xvfb-run -a mpiexec --bind-to core -n N pvbatch --sym benchmarks/paraview/ranks.py FILE [LOOK]
 
 LOOK is `plain`, the default, or `boxes`: as plain, but each rank gets the particles of a box and no ghosts; `lit`: ambient
-occlusion, shadows and four rays a pixel, with ghosts.
+occlusion, shadows and four rays a pixel, with ghosts. What was read is freed when it has been sent, unless `keep` comes behind.
 
 pvbatch is in build/paraview/packages/usr/bin. 1024x1024, the camera moves between frames, medians. Memory is what each rank has taken more than
-before it read, at the most.
+before it read: at the end, and at the most.
 """
 
 import os
@@ -27,7 +27,7 @@ def memory():
     """Of this process, in MB: what it takes by itself, and files that it has mapped."""
     with open("/proc/self/status") as file:
         lines = dict(line.split(":", 1) for line in file)
-    return [int(lines[key].split()[0]) / 1e3 for key in ("RssAnon", "RssFile")]
+    return [int(lines[key].split()[0]) / 1e3 for key in ("RssAnon", "RssFile", "VmHWM")]
 
 
 before = memory()
@@ -39,7 +39,7 @@ count = source.GetDataInformation().GetNumberOfPoints()
 look = sys.argv[2] if len(sys.argv) > 2 else "plain"
 start = time.time()
 if look != "plain" and ranks > 1:
-    source = simple.DistributeParticlesMote(Input=source, Ghosts=look == "lit")
+    source = simple.DistributeParticlesMote(Input=source, Ghosts=look == "lit", ReleaseInput="keep" not in sys.argv)
     source.UpdatePipeline()
 sent = time.time() - start
 view = simple.CreateView("MoteRenderView" if look == "lit" else "RenderView")
@@ -61,7 +61,8 @@ for _ in range(9):
     start = time.time()
     simple.Render(view)
     frames.append(time.time() - start)
-own, mapped = (now - then for now, then in zip(memory(), before))
+own, mapped, _ = (now - then for now, then in zip(memory(), before))
+most = memory()[2] - before[0] - before[1]
 controller.Barrier()
 if rank == 0:
     print(f"{count} particles on {ranks} ranks: {look}: read in {read:.2f} s, sent in {sent:.2f} s, first picture {first:.2f} s, "
@@ -69,4 +70,4 @@ if rank == 0:
 for k in range(ranks):
     controller.Barrier()
     if k == rank:
-        print(f"  rank {rank}: {own:.0f} MB, and {mapped:.0f} MB of files", flush=True)
+        print(f"  rank {rank}: {own:.0f} MB, and {mapped:.0f} MB of files; at the most {most:.0f} MB of both", flush=True)

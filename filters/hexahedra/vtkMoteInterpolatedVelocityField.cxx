@@ -11,6 +11,7 @@
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkGenericCell.h"
+#include "vtkIdList.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
@@ -25,13 +26,9 @@ vtkMoteInterpolatedVelocityField::vtkMoteInterpolatedVelocityField()
 
 vtkMoteInterpolatedVelocityField::~vtkMoteInterpolatedVelocityField() = default;
 
-void vtkMoteInterpolatedVelocityField::AddDataSet(vtkDataSet* data)
+/// Finds or builds the structure of a data set.
+void vtkMoteInterpolatedVelocityField::TakeDataSet(vtkDataSet* data)
 {
-  if (!data)
-  {
-    vtkErrorMacro("There is no data set to add.");
-    return;
-  }
   std::shared_ptr<const mote::LocatorStructure> structure;
   try
   {
@@ -43,8 +40,22 @@ void vtkMoteInterpolatedVelocityField::AddDataSet(vtkDataSet* data)
   {
     vtkErrorMacro(<< error.what());
   }
-  this->DataSets->push_back(data);
   this->Flows.push_back(std::make_unique<mote::FlowInCells>(data, std::move(structure)));
+}
+
+// VTK 9.2 keeps cells and weights in other members, makes copies of a field for its threads, and
+// has its own way of finding cells, which this class does without.
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
+
+void vtkMoteInterpolatedVelocityField::AddDataSet(vtkDataSet* data)
+{
+  if (!data)
+  {
+    vtkErrorMacro("There is no data set to add.");
+    return;
+  }
+  this->TakeDataSet(data);
+  this->DataSets->push_back(data);
   if (const int size = data->GetMaxCellSize(); size > this->WeightsSize)
   {
     this->WeightsSize = size;
@@ -52,6 +63,44 @@ void vtkMoteInterpolatedVelocityField::AddDataSet(vtkDataSet* data)
     this->Weights = new double[static_cast<std::size_t>(size)];
   }
 }
+
+void vtkMoteInterpolatedVelocityField::EnterCell(vtkDataSet* data, vtkIdType cell)
+{
+  if (this->LastDataSet != data || this->LastCellId != cell)
+    data->GetCell(cell, this->GenCell);
+}
+
+#else
+
+void vtkMoteInterpolatedVelocityField::AddDataSet(vtkDataSet* data, size_t maxCellSize)
+{
+  if (!data)
+  {
+    vtkErrorMacro("There is no data set to add.");
+    return;
+  }
+  this->TakeDataSet(data);
+  this->DataSetsBoundsInfo.emplace_back(data);
+  const std::size_t size =
+    maxCellSize > 0 ? maxCellSize : static_cast<std::size_t>(data->GetMaxCellSize());
+  this->Weights.resize(std::max(this->Weights.size(), size));
+}
+
+void vtkMoteInterpolatedVelocityField::Initialize(vtkCompositeDataSet*, int)
+{
+  this->InitializationState = SELF_INITIALIZE;
+}
+
+void vtkMoteInterpolatedVelocityField::EnterCell(vtkDataSet* data, vtkIdType cell)
+{
+  if (this->LastDataSet == data && this->LastCellId == cell)
+    return;
+  data->GetCell(cell, this->CurrentCell);
+  data->GetCell(cell, this->LastCell);
+  this->PointIds->DeepCopy(this->CurrentCell->GetPointIds());
+}
+
+#endif
 
 void vtkMoteInterpolatedVelocityField::SetLastCellId(vtkIdType cell, int dataSet)
 {
@@ -68,6 +117,12 @@ void vtkMoteInterpolatedVelocityField::CopyParameters(vtkAbstractInterpolatedVel
   {
     this->StructureName = ours->StructureName;
     this->Shared = ours->Shared;
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+    this->Flows.clear();
+    for (const auto& flow : ours->Flows)
+      this->TakeDataSet(flow->data());
+    this->Weights.resize(ours->Weights.size());
+#endif
   }
 }
 
@@ -83,13 +138,16 @@ bool vtkMoteInterpolatedVelocityField::TakeFrom(int number, double* x, double* f
   flow.select(vectors, this->VectorsType == vtkDataObject::CELL);
   if (!flow.find({x[0], x[1], x[2]}))
     return false;
-  if (this->LastDataSet != flow.data() || this->LastCellId != flow.cell())
-    flow.data()->GetCell(flow.cell(), this->GenCell);
+  this->EnterCell(flow.data(), flow.cell());
   this->LastDataSetIndex = number;
   this->LastDataSet = flow.data();
   this->LastCellId = flow.cell();
   this->LastSubId = 0;
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
   flow.weights(this->GenCell, this->LastPCoords, this->Weights);
+#else
+  flow.weights(this->CurrentCell, this->LastPCoords, this->Weights.data());
+#endif
   flow.velocity(f);
   if (const double length = std::hypot(f[0], f[1], f[2]); this->NormalizeVector && length > 0.0)
     for (int k = 0; k < 3; ++k)

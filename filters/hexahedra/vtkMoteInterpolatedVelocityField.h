@@ -23,6 +23,7 @@
 
 #include "MoteFiltersHexahedraModule.h" // For export macro
 #include "vtkCompositeInterpolatedVelocityField.h"
+#include "vtkVersionMacros.h" // For the interface
 
 #include <memory> // For the structures
 #include <string> // For names
@@ -53,7 +54,16 @@ public:
   /**
    * One more data set. It must live as long as the field is used.
    */
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
   void AddDataSet(vtkDataSet* dataset) override;
+#else
+  void AddDataSet(vtkDataSet* dataset, size_t maxCellSize = 0) override;
+
+  /**
+   * Of VTK 9.2: no locators of VTK's are built.
+   */
+  void Initialize(vtkCompositeDataSet* data, int strategy = INITIALIZE_ALL_DATASETS) override;
+#endif
 
   using Superclass::FunctionValues;
   /**
@@ -62,7 +72,10 @@ public:
   int FunctionValues(double* x, double* f) override;
 
   void SetLastCellId(vtkIdType cell, int dataSet) override;
-  void SetLastCellId(vtkIdType cell) override { this->Superclass::SetLastCellId(cell); }
+  void SetLastCellId(vtkIdType cell) override
+  {
+    this->Superclass::SetLastCellId(cell);
+  }
 
   void CopyParameters(vtkAbstractInterpolatedVelocityField* from) override;
 
@@ -76,6 +89,8 @@ private:
   vtkMoteInterpolatedVelocityField(const vtkMoteInterpolatedVelocityField&) = delete;
   void operator=(const vtkMoteInterpolatedVelocityField&) = delete;
 
+  void TakeDataSet(vtkDataSet* dataset);
+  void EnterCell(vtkDataSet* dataset, vtkIdType cell);
   bool TakeFrom(int dataSet, double* x, double* f);
 
   std::string StructureName = "cartbvh";

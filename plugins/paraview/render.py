@@ -6,6 +6,7 @@ import os
 import sys
 import tempfile
 
+from opened import open_file, ranks, time_of
 from paraview import servermanager, simple
 from vtkmodules import vtkIOImage, vtkImagingCore
 
@@ -45,17 +46,13 @@ def kind_of(source, display):
     return "volume" if information.GetDataSetTypeAsString() == "vtkUnstructuredGrid" else "mesh"
 
 
-def ranks():
-    return servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
-
-
 def show(source, view, options):
     """Shows it, and answers as what."""
     display = simple.Show(source, view)
     kind = options.kind or kind_of(source, display)
     if kind == "particles" and ranks() > 1 and (options.samples > 1 or goes_across(options)):
         simple.Hide(source, view)
-        source = simple.DistributeParticlesMote(Input=source, GhostDistance=min(options.ghosts, 1e300))
+        source = simple.DistributeParticlesMote(Input=source, GhostDistance=min(options.ghosts, 1e300), ReleaseInput=1)
         display = simple.Show(source, view)
     name = {"particles": "Mote Particles", "volume": "Mote Volume", "mesh": "Mote Mesh"}[kind]
     if name not in display.GetProperty("Representation").Available:
@@ -122,24 +119,16 @@ def main():
             raise ValueError
     except ValueError:
         sys.exit(f"--size: '{options.size}' is no size; 1024x768 is one")
-    if not os.path.isfile(options.file):
-        sys.exit(f"{options.file}: there is no such file")
-    simple._DisableFirstRenderCameraReset()
-    simple.LoadPlugin(os.environ["MOTE_PLUGIN"], remote=False, ns=vars(simple))
-    source = simple.OpenDataFile(options.file)
-    if source is None:
-        sys.exit(f"{options.file}: ParaView has no reader for it")
+    source = open_file(options.file)
     source.UpdatePipeline()
     lit = goes_across(options)
     view = simple.CreateView("MoteRenderView" if lit else "RenderView")
     view.ViewSize = size
     if options.samples > 1:
         view.UseFXAA = 0  # rays smooth edges, and it would blur them
-    steps = list(getattr(source, "TimestepValues", []) or [])
-    if steps:
-        if not 1 <= options.step <= len(steps):
-            sys.exit(f"--step: {options.file} has steps 1 to {len(steps)}")
-        view.ViewTime = steps[options.step - 1]
+    time = time_of(source, options.file, options.step)
+    if time is not None:
+        view.ViewTime = time
     kind, display = show(source, view, options)
     side = side_of(kind, options)
     samples = 1 if side > 1 else options.samples

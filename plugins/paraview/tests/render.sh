@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# render.sh: `scripts/paraview render` from one rank, two and four, and what it says of errors.
+# render.sh: `scripts/paraview render` and `convert` from one rank, two and four, and what they say of errors.
 root=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../../..
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
@@ -11,7 +11,7 @@ render() { "$root/scripts/paraview" render "$@" 2>"$folder/err" || { cat "$folde
 refused() { # WORDS ARGUMENT...
   local words=$1
   shift
-  "$root/scripts/paraview" render "$@" >"$folder/out" 2>&1 && fail "taken: $*"
+  "$root/scripts/paraview" "${act:-render}" "$@" >"$folder/out" 2>&1 && fail "taken: $*"
   grep -qF "$words" "$folder/out" || fail "no '$words' in: $(tail -3 "$folder/out")"
   echo "ok      refused: $words"
 }
@@ -50,6 +50,22 @@ for look in '' '--shadows --ambient-occlusion --silhouettes'; do
   done
 done
 echo "ok      light, lines and rays: two and four ranks make the picture of one"
+# Pieces hold what the file had, each once, in boxes.
+for ranks in 1 2 4; do
+  "$root/scripts/paraview" convert "$folder/random.xyz" -o "$folder/pieces$ranks.pvtp" --ranks $ranks >"$folder/out" 2>&1 ||
+    fail "convert, $ranks: $(tail -3 "$folder/out")"
+  grep -qF 'pvtp: 20,000 particles' "$folder/out" || fail "convert, $ranks: $(tail -1 "$folder/out")"
+  [ "$(ls "$folder/pieces$ranks" | wc -l)" = $ranks ] || fail "pieces: $(ls "$folder/pieces$ranks")"
+done
+render "$folder/random.xyz" -o "$folder/whole.png" --size 300x200 || fail 'random.xyz'
+for ranks in 1 2; do
+  render "$folder/pieces4.pvtp" -o "$folder/pieces.png" --size 300x200 --ranks $ranks || fail "pieces4.pvtp, $ranks"
+  alike "$folder/whole.png" "$folder/pieces.png" 1
+done
+echo 'ok      one, two and four ranks write pieces, which are drawn as the whole'
+act=convert refused 'ends in .pvtp' "$folder/random.xyz" -o "$folder/x.vtu" --ranks 2
+act=convert refused 'there is no such file' "$folder/no.xyz" -o "$folder/x.pvtp"
+act=convert refused 'has steps 1 to 7' "$root/data/copper-scratch.dump.gz" -o "$folder/x.pvtp" --step 8
 refused 'there is no such file' "$root/data/nothing.vtu" -o "$folder/x.png"
 refused "no array 'nothing'; it has p, U" "$root/data/swirl.1.vtu" -o "$folder/x.png" --color-by nothing
 refused 'has steps 1 to 7' "$root/data/copper-scratch.dump.gz" -o "$folder/x.png" --step 9
