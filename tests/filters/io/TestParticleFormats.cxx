@@ -229,6 +229,37 @@ TEST_F(TestParticleFormats, BinaryDumps)
   EXPECT_NE(m_error.find("truncated"), std::string::npos) << m_error;
 }
 
+/// Where the numbers of a named dump are, from its beginning.
+TEST_F(TestParticleFormats, BinaryDumpsThatAreDamaged)
+{
+  const std::string whole = binaryDump(true, false, 1, 4);
+  const std::size_t atoms = 34, box = 42, faces = 46, bounds = 70, columns = 142, units = 146,
+                    names = 164, chunks = 189;
+  const auto changed = [&](std::size_t place, auto value)
+  {
+    std::string text = whole;
+    return text.replace(place, sizeof value, bytesOf(std::vector<decltype(value)>{value}));
+  };
+  using Int = std::int32_t;
+  const std::vector<std::pair<std::string, std::string>> cases = {
+    {changed(atoms, std::int64_t{-3}), "no room for -3 atoms"},
+    {changed(atoms, std::int64_t{1} << 40), "no room for 1099511627776 atoms"},
+    {changed(atoms, std::int64_t{4}), "announces 4 atoms, and has 3"},
+    {changed(box, Int{3}), "no box of kind 3"}, {changed(faces, Int{4}), "no boundary of kind 4"},
+    {changed(bounds, std::numeric_limits<double>::infinity()), "no finite size"},
+    {changed(columns, Int{2}), "no atoms of 2 values"},
+    {changed(columns, Int{5}), "names 6 of its 5 columns"},
+    {changed(units, Int{-1}), "a text cannot be -1 bytes long"},
+    {changed(names, Int{2'000'000}), "a text cannot be 2000000 bytes long"},
+    {changed(chunks, Int{-2}), "no -2 blocks of atoms"},
+    {changed(chunks + 4, Int{11}), "a block of 11 values has no whole atoms"}};
+  for (const auto& [text, words] : cases)
+  {
+    SCOPED_TRACE(words);
+    expectError(write("a.bin", text), words);
+  }
+}
+
 TEST_F(TestParticleFormats, BinarySnapshotsOfSeveralFiles)
 {
   for (const std::string ending : {"", ".gadget"})

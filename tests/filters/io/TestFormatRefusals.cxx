@@ -1,0 +1,237 @@
+// What is wrong with a damaged glTF or legacy file is said in the words of the format, and forms of
+// them that are seldom seen pass.
+#include "IOTestSupport.h"
+#include "vtkMoteReaderTable.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <nlohmann/json.hpp>
+
+namespace
+{
+
+using Json = nlohmann::json;
+
+class TestFormatRefusals : public FileTest
+{
+protected:
+  std::string errorOf(const std::string& file)
+  {
+    std::string error;
+    const auto reader = vtkMoteReaderTable::MakeReader(file, error);
+    m_data = reader ? vtkMoteReaderTable::Read(reader, error) : nullptr;
+    return error;
+  }
+
+  void expectError(const std::string& file, const std::string& words)
+  {
+    const std::string error = errorOf(file);
+    EXPECT_NE(error.find(words), std::string::npos) << error;
+    EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+  }
+
+  vtkIdType cellsOf(const std::string& file)
+  {
+    EXPECT_EQ(errorOf(file), "");
+    auto* blocks = vtkCompositeDataSet::SafeDownCast(m_data);
+    auto* set = vtkDataSet::SafeDownCast(m_data);
+    return blocks ? blocks->GetNumberOfCells() : set ? set->GetNumberOfCells() : -1;
+  }
+
+  vtkSmartPointer<vtkDataObject> m_data;
+};
+
+/// A triangle, with its numbers in one buffer, which is left out where it is a chunk of its own.
+Json triangle(bool hasBuffer = true)
+{
+  Json model = Json::parse(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+    "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+    "buffers": [{"byteLength": 42}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 6}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 3,
+                   "min": [0, 0, 0], "max": [1, 1, 0]},
+                  {"bufferView": 1, "componentType": 5123, "type": "SCALAR", "count": 3}]})");
+  if (hasBuffer)
+    model["buffers"][0]["uri"] = "data:application/octet-stream;base64,"
+                                 "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAABAAIA";
+  return model;
+}
+
+std::string word(std::size_t number)
+{
+  const auto bits = static_cast<std::uint32_t>(number);
+  return {reinterpret_cast<const char*>(&bits), sizeof bits};
+}
+
+/// The same as one binary file.
+std::string binaryTriangle(std::size_t saysMore = 0)
+{
+  std::string text = triangle(false).dump();
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  std::string bytes(44, '\0');
+  const float one = 1;
+  std::memcpy(bytes.data() + 12, &one, sizeof one);
+  std::memcpy(bytes.data() + 28, &one, sizeof one);
+  bytes[38] = 1;
+  bytes[40] = 2;
+  return "glTF" + word(2) + word(12 + 8 + text.size() + 8 + bytes.size()) + word(text.size()) +
+         "JSON" + text + word(bytes.size() + saysMore) + std::string("BIN\0", 4) + bytes;
+}
+
+TEST_F(TestFormatRefusals, BinaryGLTF)
+{
+  EXPECT_EQ(cellsOf(write("a.glb", binaryTriangle())), 1);
+  expectError(write("b.glb", binaryTriangle(4)), "ends too early");
+  expectError(write("c.glb", binaryTriangle().substr(0, 200)), "ends too early");
+}
+
+TEST_F(TestFormatRefusals, GLTFThatNamesWhatItLacks)
+{
+  EXPECT_EQ(cellsOf(write("a.gltf", triangle().dump())), 1);
+  const auto refused =
+    [&](const std::string& place, const std::string& value, const std::string& words)
+  {
+    Json model = triangle();
+    model[Json::json_pointer(place)] = Json::parse(value);
+    SCOPED_TRACE(place + " = " + value);
+    expectError(write("a.gltf", model.dump()), words);
+  };
+  refused("/scene", "1", "asks for scenes that it lacks");
+  refused("/scenes/0/nodes", "[0, 7]", "asks for nodes that it lacks");
+  refused("/nodes/0/mesh", "-1", "asks for meshes that it lacks");
+  refused("/nodes/0/skin", "0", "asks for skins that it lacks");
+  refused("/nodes/0/camera", "0", "asks for cameras that it lacks");
+  refused("/nodes/0/children", "[0]", "a node below itself");
+  refused("/nodes", R"([{"children": [1, 1]}, {"mesh": 0}])", "a node twice");
+  refused("/nodes", R"([{"children": [3]}, {"mesh": 0}])", "asks for nodes that it lacks");
+  refused("/meshes/0/primitives/0/indices", "2", "asks for accessors that it lacks");
+  refused("/meshes/0/primitives/0/material", "0", "asks for materials that it lacks");
+  refused("/meshes/0/primitives/0/attributes", "{}", "values for POSITION");
+  refused("/meshes/0/primitives/0/attributes/POSITION", "1", "the right type for POSITION");
+  refused("/meshes/0/primitives/0/indices", "0", "the right type for indices");
+  refused("/meshes/0/primitives/0/targets", R"([{"POSITION": 9}])", "asks for accessors");
+  refused("/textures", R"([{"source": 0}])", "asks for images that it lacks");
+  refused("/textures", R"([{"sampler": 0}])", "asks for samplers that it lacks");
+  refused("/images", R"([{"bufferView": 2}])", "asks for bufferViews that it lacks");
+  refused("/materials", R"([{"pbrMetallicRoughness": {"baseColorTexture": {"index": 3}}}])",
+    "asks for textures that it lacks");
+  refused("/skins", R"([{"joints": [1]}])", "asks for nodes that it lacks");
+  refused("/skins", R"([{"joints": [0], "skeleton": 4}])", "asks for nodes that it lacks");
+  refused("/skins", R"([{"joints": [], "inverseBindMatrices": 2}])", "asks for accessors");
+  refused("/animations", R"([{"channels": [{"sampler": 0, "target": {}}]}])", "asks for samplers");
+  refused("/animations",
+    R"([{"channels": [{"sampler": 0, "target": {"node": 1}}], "samplers": [{"input": 0, "output": 1}]}])",
+    "asks for nodes that it lacks");
+  refused("/animations", R"([{"samplers": [{"input": 0}]}])", "asks for accessors that it lacks");
+  refused("/extensionsRequired", R"(["KHR_mesh_quantization"])", "needs KHR_mesh_quantization");
+  refused("/bufferViews/1/byteLength", "7", "its views ask for more");
+  refused("/bufferViews/1/buffer", "1", "its views ask for more");
+  refused("/accessors/1/componentType", "5124", "its accessors ask for more");
+  refused("/accessors/0/type", "\"VEC9\"", "its accessors ask for more");
+  refused("/buffers/0/byteLength", "43", "shorter than they say");
+}
+
+const std::string head = "# vtk DataFile Version 3.0\na test\nASCII\n";
+const std::string points = "DATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n";
+const std::string polygon = "POLYGONS 1 4\n3 0 1 2\n";
+
+TEST_F(TestFormatRefusals, LegacyAttributesOfAllKindsPass)
+{
+  const std::string attributes =
+    "POINT_DATA 3\n"
+    "SCALARS s float 2\nLOOKUP_TABLE colours\n1 2 3 4 5 6\n"
+    "LOOKUP_TABLE colours 2\n0 0 0 1 1 1 1 1\n"
+    "TEXTURE_COORDINATES t 2 float\n0 0 1 0 0 1\n"
+    "VECTORS v float\n1 0 0 0 1 0 0 0 1\n"
+    "NORMALS n float\n0 0 1 0 0 1 0 0 1\n"
+    "TENSORS e float\n1 0 0 0 1 0 0 0 1 1 0 0 0 1 0 0 0 1 1 0 0 0 1 0 0 0 1\n"
+    "FIELD more 2\nNULL_ARRAY\na 1 3 int\n4 5 6\n"
+    "METADATA\nINFORMATION 0\n\n";
+  ASSERT_EQ(cellsOf(write("a.vtk", head + points + polygon + attributes)), 1);
+  vtkPointData* data = vtkDataSet::SafeDownCast(m_data)->GetPointData();
+  for (const char* name : {"s", "t", "v", "n", "e", "a"})
+    EXPECT_TRUE(data->GetAbstractArray(name)) << name;
+  ASSERT_EQ(cellsOf(write("b.vtk",
+              head + points + polygon + "POINT_DATA 3\nCOLOR_SCALARS c 3\n0 0 0 1 0 0 0 1 0\n")),
+    1);
+  data = vtkDataSet::SafeDownCast(m_data)->GetPointData();
+  auto* colors = vtkUnsignedCharArray::SafeDownCast(data->GetAbstractArray("c"));
+  ASSERT_TRUE(colors);
+  EXPECT_EQ(colors->GetTypedComponent(1, 0), 255);
+}
+
+/// Cells of binary files are walked through, too.
+TEST_F(TestFormatRefusals, LegacyBinaryCells)
+{
+  const auto words = [](std::initializer_list<int> numbers)
+  {
+    std::string bytes;
+    for (const int number : numbers)
+      bytes += std::string(3, number < 0 ? '\xff' : '\0') + static_cast<char>(number);
+    return bytes;
+  };
+  const std::string binary = "# vtk DataFile Version 3.0\na test\nBINARY\nDATASET POLYDATA\n"
+                             "POINTS 3 int\n" +
+                             words({0, 0, 0, 1, 0, 0, 0, 1, 0}) + "\nPOLYGONS 1 4\n";
+  EXPECT_EQ(cellsOf(write("a.vtk", binary + words({3, 0, 1, 2}) + "\n")), 1);
+  expectError(write("a.vtk", binary + words({2, 0, 1, 2}) + "\n"), "1 numbers too many");
+  expectError(write("a.vtk", binary + words({-1, 0, 1, 2}) + "\n"), "do not fill the list");
+  expectError(write("a.vtk", binary + words({3, 0, 1, 2}) + "x\n"), "not followed by a line's end");
+  expectError(write("a.vtk", binary + words({3, 0, 1})), "truncated");
+}
+
+TEST_F(TestFormatRefusals, LegacyWordsInTheWrongPlace)
+{
+  const std::string data = head + points + polygon + "POINT_DATA 3\n";
+  const std::vector<std::pair<std::string, std::string>> cases = {
+    {"# vtk DataFile Version 3.0\n" + std::string(256, 'a') + "\nASCII\n" + points, "its title"},
+    {"# vtk DataFile Version 3.0\na\nASCI\n" + points, "expected ASCII or BINARY, found 'ASCI'"},
+    {head + "DATASETS POLYDATA\n", "expected DATASET, found 'datasets'"},
+    {head + "DATASET MULTIBLOCK\nCHILDREN 99999\n", "no room for 99999 blocks"},
+    {head + points + "POLYGONS x 4\n3 0 1 2\n", "'x' stands where the number of cells"},
+    {head + points + "POLYGONS 1 " + std::string(300, '1') + "\n3 0 1 2\n", "a word of 300 bytes"},
+    {data + "SCALARS s float 2\n1 2 3 4 5 6\n", "expected LOOKUP_TABLE"},
+    {data + "SCALARS s float 0\nLOOKUP_TABLE default\n", "no scalars of 0 components"},
+    {data + "COLOR_SCALARS c 100001\n", "no 100001 colours or components"},
+    {data + "FIELD f 1\na 100001 1 int\n1\n", "no array of 100001 components"},
+    {"# vtk DataFile Version 5.1\na\nASCII\n" + points + "POLYGONS 2 3\nOFFSET vtktypeint64\n0 3\n",
+      "expected OFFSETS"},
+    {"# vtk DataFile Version 5.1\na\nASCII\n" + points +
+        "POLYGONS 2 3\nOFFSETS vtktypeint64\n0 3\nCONNECTION vtktypeint64\n0 1 2\n",
+      "expected CONNECTIVITY"}};
+  for (const auto& [text, words] : cases)
+  {
+    SCOPED_TRACE(words);
+    expectError(write("a.vtk", text), words);
+  }
+}
+
+TEST_F(TestFormatRefusals, PLYHeaders)
+{
+  const std::string vertices =
+    "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string begin = "ply\nformat ascii 1.0\n";
+  EXPECT_EQ(cellsOf(write("a.ply", begin + vertices + "end_header\n0 0 0\n")), 0);
+  const std::vector<std::pair<std::string, std::string>> cases = {
+    {"ply\nformat text 1.0\n" + vertices + "end_header\n0 0 0\n", "expected 'format ascii 1.0'"},
+    {begin + "property float x\nend_header\n", "before the first element"},
+    {begin + "element vertex 1\nproperty float\nend_header\n", "expected 'property TYPE NAME'"},
+    {begin + "element vertex 1\nend_header\n", "'vertex' has no properties"},
+    {begin + "\n" + vertices + "end_header\n0 0 0\n", "this line of the header is empty"},
+    {begin + "comment \x01\n" + vertices + "end_header\n0 0 0\n", "control characters"},
+    {begin + "comment " + std::string(5000, 'a') + "\n" + vertices + "end_header\n0 0 0\n",
+      "is longer than"}};
+  for (const auto& [text, words] : cases)
+  {
+    SCOPED_TRACE(words);
+    expectError(write("a.ply", text), words);
+  }
+  expectError(writeGzip("b.ply", begin + vertices + "end_header\n0 0 0\n"), "gunzip");
+}
+
+} // namespace
