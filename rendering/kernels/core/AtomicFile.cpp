@@ -56,16 +56,15 @@ void throwWriteError(const std::string& name, int error)
 namespace
 {
 
-/// The file that is to be replaced: the end of the chain where `name` is a symbolic link.
+/// The file that is to be replaced or made: the end of the chain where `name` is a symbolic link.
 fs::path resolve(const std::string& name)
 {
+  constexpr int mostLinks = 40; // as the system follows
   std::error_code error;
   fs::path path = fs::absolute(name, error);
-  if (!error && fs::is_symlink(path, error))
-  {
-    const fs::path target = fs::weakly_canonical(path, error);
-    path = error ? path : target;
-  }
+  for (int link = 0; link < mostLinks && !error && fs::is_symlink(path, error); ++link)
+    if (const fs::path target = fs::read_symlink(path, error); !error)
+      path = path.parent_path() / target;
   return path;
 }
 

@@ -14,13 +14,17 @@
 class HDF5Writer
 {
 public:
-  explicit HDF5Writer(const std::string& file)
-    : m_file(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT))
+  /// A new file, or one that is there and is changed.
+  explicit HDF5Writer(const std::string& file, bool isNew = true)
+    : m_file(isNew ? H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)
+                   : H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT))
   {
   }
   ~HDF5Writer() { H5Fclose(m_file); }
   HDF5Writer(const HDF5Writer&) = delete;
   HDF5Writer& operator=(const HDF5Writer&) = delete;
+
+  void remove(const std::string& name) { H5Ldelete(m_file, name.c_str(), H5P_DEFAULT); }
 
   void group(const std::string& name)
   {

@@ -1,5 +1,8 @@
 // Every entry of the table from file name to reader, and what it says about other files.
 #include "IOTestSupport.h"
+#include "vtkMoteDataWriter.h"
+#include "vtkMoteLAMMPSDumpReader.h"
+#include "vtkMotePiecesWriter.h"
 #include "vtkMoteReaderTable.h"
 
 #include "vtkAlgorithm.h"
@@ -75,6 +78,50 @@ TEST_F(TestReaderTable, ReadersOfThisModule)
   EXPECT_EQ(points(write("a.xyz", "1\n\nSi 1 2 3\n"), "vtkMoteXYZReader"), 1);
   EXPECT_EQ(points(write("a.pts", "1 2 3\n"), "vtkMotePointsReader"), 1);
   EXPECT_EQ(points(write("a.csv", "x,y,z\n1,2,3\n"), "vtkMoteDelimitedPointsReader"), 1);
+}
+
+TEST_F(TestReaderTable, ReadersAndWritersPrintWhatTheyAre)
+{
+  const auto expectWords = [](vtkObject* object, const std::string& words)
+  {
+    std::ostringstream text;
+    object->Print(text);
+    EXPECT_NE(text.str().find(object->GetClassName()), std::string::npos);
+    EXPECT_NE(text.str().find(words), std::string::npos) << words << " in\n" << text.str();
+  };
+  const std::pair<std::string, const char*> files[] = {
+    {write("a.dump", dumpFrame(0, 1, "x y z", "1 2 3\n")), "FileName"},
+    {write("a.xyz", "1\n\nSi 1 2 3\n1\n\nSi 1 2 3\n"), "Frames: 2"},
+    {write("a.pts", "1 2 3\n"), "FileName"}, {write("a.csv", "x,y,z\n1,2,3\n"), "FileName"},
+    {write("a.gro", "water\n1\n    1SOL     OW    1   0.1   0.2   0.3\n1 1 1\n"), "Open: yes"},
+    {write("a.pvd", "<VTKFile type=\"Collection\"><Collection/></VTKFile>"), "TimeSteps: "}};
+  for (const auto& [file, words] : files)
+  {
+    const auto reader = vtkMoteReaderTable::MakeReader(file, m_error);
+    ASSERT_TRUE(reader) << m_error;
+    vtkMoteReaderTable::Read(reader, m_error);
+    expectWords(reader, words);
+  }
+  expectWords(vtkNew<vtkMoteDataWriter>(), "FileName");
+  expectWords(vtkNew<vtkMotePiecesWriter>(), "NumberOfWrittenPieces: 0");
+}
+
+/// A reader of the same file need not look for its steps again.
+TEST_F(TestReaderTable, DumpReadersShareWhatTheyFound)
+{
+  const std::string frame = dumpFrame(0, 1, "x y z", "1 2 3\n");
+  const std::string file = write("a.dump", frame + dumpFrame(5, 1, "x y z", "4 5 6\n"));
+  vtkNew<vtkMoteLAMMPSDumpReader> first, second;
+  first->SetFileName(file.c_str());
+  first->UpdateInformation();
+  second->SetFileName(file.c_str());
+  second->TakeIndexOf(first);
+  second->UpdateTimeStep(5.0);
+  EXPECT_EQ(second->GetOutput()->GetPoint(0)[0], 4.0);
+  second->RemoveAllFileNames();
+  second->AddFileName(write("b.dump", dumpFrame(7, 1, "x y z", "8 9 1\n")).c_str());
+  second->Update();
+  EXPECT_EQ(second->GetOutput()->GetPoint(0)[0], 8.0);
 }
 
 TEST_F(TestReaderTable, ReadersOfVTK)

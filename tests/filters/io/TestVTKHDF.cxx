@@ -18,6 +18,8 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <functional>
+
 namespace
 {
 
@@ -204,6 +206,67 @@ TEST_F(TestVTKHDF, WrongNumbersGetASentence)
   }
   EXPECT_FALSE(read(other));
   EXPECT_NE(m_error.find("OverlappingAMR"), std::string::npos) << m_error;
+}
+
+/// What is wrong with files in parts of the format that a grid of one step has not.
+TEST_F(TestVTKHDF, WrongStepsAndImagesGetASentence)
+{
+  const std::string root = "/VTKHDF/", file = path("a.vtkhdf");
+  const auto refused = [&](const std::string& words, std::optional<double> time = {})
+  {
+    EXPECT_FALSE(read(file, time)) << words;
+    EXPECT_NE(m_error.find(words), std::string::npos) << m_error;
+    EXPECT_EQ(m_error.find('\n'), std::string::npos) << m_error;
+  };
+  using Change = std::function<void(HDF5Writer&)>;
+  const std::vector<std::pair<std::string, Change>> steps = {
+    {"Steps/Values",
+      [&](HDF5Writer& out) {
+        out.array<double>(root + "Steps/Values", {0, 1}, 2);
+      }},
+    {"Steps/PartOffsets",
+      [&](HDF5Writer& out) { out.array<std::int64_t>(root + "Steps/PartOffsets", {0}); }},
+    {"Steps/PointOffsets",
+      [&](HDF5Writer& out) {
+        out.array<std::int64_t>(root + "Steps/PointOffsets", {0, -4, 3});
+      }},
+    {"Steps/NumberOfParts",
+      [&](HDF5Writer& out) {
+        out.array<std::int64_t>(root + "Steps/NumberOfParts", {1, 9, 1});
+      }},
+    {"Points",
+      [&](HDF5Writer& out) { out.array<double>(root + "Points", std::vector<double>(10), 2); }}};
+  const char* const words[] = {"no list", "has no number for each step", "numbers below zero",
+    "a step has parts that are not there", "does not have three components"};
+  for (std::size_t i = 0; i < steps.size(); ++i)
+  {
+    writeStepsHDF(file);
+    const auto& [name, change] = steps[i];
+    {
+      HDF5Writer out(file, false);
+      out.remove(root + name);
+      change(out);
+    }
+    refused(words[i], 1.5);
+  }
+  const auto image = [&](const std::vector<double>& extent, std::size_t values)
+  {
+    HDF5Writer out(file);
+    beginVTKHDF(out, "ImageData", 1);
+    out.attribute("/VTKHDF", "WholeExtent", extent);
+    out.attribute("/VTKHDF", "Origin", {1, 2, 3});
+    out.attribute("/VTKHDF", "Spacing", {1, 1, 1});
+    if (values > 0)
+      out.block<float>(root + "PointData/p", std::vector<float>(values), {1, 1, values});
+  };
+  image({0, 2, 0}, 3);
+  refused("no WholeExtent of 6 numbers");
+  image({0, -2, 0, 0, 0, 0}, 3);
+  refused("the extent of the image is none");
+  image({0, 2, 0, 0, 0, 0}, 4);
+  refused("");
+  image({0, 10000, 0, 10000, 0, 10000}, 0);
+  refused("points and no array");
 }
 
 TEST_F(TestVTKHDF, FilesThatEndTooEarlyGetASentence)
