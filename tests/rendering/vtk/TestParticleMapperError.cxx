@@ -112,5 +112,7 @@ TEST_F(Crowd, HiddenParticlesStayHidden)
   EXPECT_GT(half.covered(), 50);
   for (int p = 0; p < half.count(); ++p)
     if (half.color(p)[3] > 0.0f)
+    {
       ASSERT_GT(half.color(p)[0], 0.99) << "a hidden particle's colour is mixed in";
+    }
 }
