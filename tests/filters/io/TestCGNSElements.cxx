@@ -1,9 +1,7 @@
 // CGNS files whose elements have several sizes: lists of mixed cells, polygons and polyhedra; and
 // those that do not fit together.
-#include "IOTestSupport.h"
-#include "vtkMoteReaderTable.h"
+#include "TableTest.h"
 
-#include "vtkAlgorithm.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -98,17 +96,14 @@ Section polyhedra()
   return {CGNS_ENUMV(NFACE_n), 12, 13, {1, 2, 3, 4, 5, 6, -6, 7, 8, 9, 10, 11}, {0, 6, 12}};
 }
 
-class TestCGNSElements : public FileTest
+class TestCGNSElements : public TableTest
 {
 protected:
   /// The one part of a file that has cells of volume.
   vtkSmartPointer<vtkUnstructuredGrid> read(const std::vector<Section>& sections)
   {
     writeCubes(path("a.cgns"), sections);
-    std::string error;
-    const auto reader = vtkMoteReaderTable::MakeReader(path("a.cgns"), error);
-    m_data = reader ? vtkMoteReaderTable::Read(reader, error) : nullptr;
-    EXPECT_EQ(error, "");
+    EXPECT_EQ(errorOf(path("a.cgns")), "");
     auto* blocks = vtkCompositeDataSet::SafeDownCast(m_data);
     if (!blocks)
       return vtkUnstructuredGrid::SafeDownCast(m_data);
@@ -116,19 +111,12 @@ protected:
     return vtkUnstructuredGrid::SafeDownCast(it->GetCurrentDataObject());
   }
 
-  void expectError(const std::vector<Section>& sections, const std::string& words,
+  void expectRefusal(const std::vector<Section>& sections, const std::string& words,
     cgsize_t cells = 2, const Numbers& patch = {})
   {
     SCOPED_TRACE(words);
     writeCubes(path("a.cgns"), sections, cells, patch);
-    std::string error;
-    const auto reader = vtkMoteReaderTable::MakeReader(path("a.cgns"), error);
-    if (reader)
-    {
-      EXPECT_FALSE(vtkMoteReaderTable::Read(reader, error));
-    }
-    EXPECT_NE(error.find(words), std::string::npos) << error;
-    EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+    expectError(path("a.cgns"), words);
   }
 
   /// Two cubes of volume 1, with their values.
@@ -150,8 +138,6 @@ protected:
     EXPECT_EQ(values->GetTuple1(0), 3.5);
     EXPECT_EQ(values->GetTuple1(1), 4.5);
   }
-
-  vtkSmartPointer<vtkDataObject> m_data;
 };
 
 TEST_F(TestCGNSElements, MixedCells)
@@ -178,21 +164,23 @@ TEST_F(TestCGNSElements, ListsThatDoNotFit)
     change(section);
     return section;
   };
-  expectError({changed(mixed(), [](Section& s) { s.corners[3] = 13; })}, "names the number 13");
-  expectError({changed(mixed(), [](Section& s) { s.corners[3] = 0; })}, "names the number 0");
-  expectError({changed(mixed(), [](Section& s) { s.corners[9] = CGNS_ENUMV(QUAD_4); })},
+  expectRefusal({changed(mixed(), [](Section& s) { s.corners[3] = 13; })}, "names the number 13");
+  expectRefusal({changed(mixed(), [](Section& s) { s.corners[3] = 0; })}, "names the number 0");
+  expectRefusal({changed(mixed(), [](Section& s) { s.corners[9] = CGNS_ENUMV(QUAD_4); })},
     "more corners than elements have");
-  expectError({changed(mixed(), [](Section& s) { s.offsets[1] = 8; })},
+  expectRefusal({changed(mixed(), [](Section& s) { s.offsets[1] = 8; })},
     "the places where elements begin do not fit");
-  expectError({changed(polygons(), [](Section& s) { s.offsets[3] = 16; }), polyhedra()},
+  expectRefusal({changed(polygons(), [](Section& s) { s.offsets[3] = 16; }), polyhedra()},
     "the sizes of elements do not fit");
-  expectError({polygons(), changed(polyhedra(), [](Section& s) { s.corners[5] = 12; })},
+  expectRefusal({polygons(), changed(polyhedra(), [](Section& s) { s.corners[5] = 12; })},
     "names the number 12");
-  expectError({polygons(), changed(polyhedra(), [](Section& s) { s.offsets[1] = 0; })},
+  expectRefusal({polygons(), changed(polyhedra(), [](Section& s) { s.offsets[1] = 0; })},
     "the sizes of elements do not fit");
   const Section cubes = {CGNS_ENUMV(HEXA_8), 1, 1, first, {}};
-  expectError({cubes, {CGNS_ENUMV(HEXA_8), 5, 5, second, {}}}, "numbers up to 5, and there are 2");
-  expectError({cubes, {CGNS_ENUMV(HEXA_8), 2, 2, second, {}}}, "there is no place 40", 2, {1, 40});
+  expectRefusal(
+    {cubes, {CGNS_ENUMV(HEXA_8), 5, 5, second, {}}}, "numbers up to 5, and there are 2");
+  expectRefusal(
+    {cubes, {CGNS_ENUMV(HEXA_8), 2, 2, second, {}}}, "there is no place 40", 2, {1, 40});
 }
 
 } // namespace

@@ -1,9 +1,7 @@
 // What is refused before VTK's readers of PLY, OBJ, STL, glTF and legacy files see it, and what of
 // these formats has to pass.
-#include "IOTestSupport.h"
-#include "vtkMoteReaderTable.h"
+#include "TableTest.h"
 
-#include "vtkAlgorithm.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetWriter.h"
 #include "vtkDoubleArray.h"
@@ -25,17 +23,9 @@
 namespace
 {
 
-class TestFormatChecks : public FileTest
+class TestFormatChecks : public TableTest
 {
 protected:
-  std::string errorOf(const std::string& file)
-  {
-    std::string error;
-    const auto reader = vtkMoteReaderTable::MakeReader(file, error);
-    m_data = reader ? vtkMoteReaderTable::Read(reader, error) : nullptr;
-    return error;
-  }
-
   void expectPoints(const std::string& file, vtkIdType points, vtkIdType cells)
   {
     EXPECT_EQ(errorOf(file), "");
@@ -43,11 +33,6 @@ protected:
     ASSERT_TRUE(set);
     EXPECT_EQ(set->GetNumberOfPoints(), points);
     EXPECT_EQ(set->GetNumberOfCells(), cells);
-  }
-
-  void expectError(const std::string& file, const std::string& sentence)
-  {
-    EXPECT_NE(errorOf(file).find(sentence), std::string::npos) << errorOf(file);
   }
 
   /// Every beginning of a file is refused, or holds data; none crashes.
@@ -65,8 +50,6 @@ protected:
     }
     EXPECT_GT(refused, 3);
   }
-
-  vtkSmartPointer<vtkDataObject> m_data;
 };
 
 const std::string plyHead = "ply\nformat ascii 1.0\ncomment by hand\nelement vertex 3\n"

@@ -1,9 +1,7 @@
 // What is wrong with a damaged glTF or legacy file is said in the words of the format, and forms of
 // them that are seldom seen pass.
-#include "IOTestSupport.h"
-#include "vtkMoteReaderTable.h"
+#include "TableTest.h"
 
-#include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkPointData.h"
@@ -16,24 +14,9 @@ namespace
 
 using Json = nlohmann::json;
 
-class TestFormatRefusals : public FileTest
+class TestFormatRefusals : public TableTest
 {
 protected:
-  std::string errorOf(const std::string& file)
-  {
-    std::string error;
-    const auto reader = vtkMoteReaderTable::MakeReader(file, error);
-    m_data = reader ? vtkMoteReaderTable::Read(reader, error) : nullptr;
-    return error;
-  }
-
-  void expectError(const std::string& file, const std::string& words)
-  {
-    const std::string error = errorOf(file);
-    EXPECT_NE(error.find(words), std::string::npos) << error;
-    EXPECT_EQ(error.find('\n'), std::string::npos) << error;
-  }
-
   vtkIdType cellsOf(const std::string& file)
   {
     EXPECT_EQ(errorOf(file), "");
@@ -41,8 +24,6 @@ protected:
     auto* set = vtkDataSet::SafeDownCast(m_data);
     return blocks ? blocks->GetNumberOfCells() : set ? set->GetNumberOfCells() : -1;
   }
-
-  vtkSmartPointer<vtkDataObject> m_data;
 };
 
 /// A triangle, with its numbers in one buffer, which is left out where it is a chunk of its own.
