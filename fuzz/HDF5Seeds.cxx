@@ -1,6 +1,7 @@
-// fuzz-hdf5-seeds FORMAT FOLDER: small files in HDF5, of particles (hdf5) or of VTK (vtkhdf), for
-// libFuzzer to begin with.
+// fuzz-hdf5-seeds FORMAT FOLDER: small files in HDF5, of particles (hdf5), of VTK (vtkhdf) or of
+// meshes (cgns), for libFuzzer to begin with.
 
+#include "CGNSCubes.h"
 #include "VTKHDFSamples.h"
 
 int main(int count, char** words)
@@ -14,6 +15,16 @@ int main(int count, char** words)
     writePolygonsHDF(folder + "/seed-polygons");
     writeStepsHDF(folder + "/seed-steps");
     writeImageHDF(folder + "/seed-image");
+    return 0;
+  }
+  if (format == "cgns")
+  {
+    samples::writeCubes(folder + "/seed-mixed", {samples::mixed()});
+    samples::writeCubes(folder + "/seed-polyhedra", {samples::polygons(), samples::polyhedra()});
+    samples::writeCubes(folder + "/seed-hexahedra",
+      {{CGNS_ENUMV(HEXA_8), 1, 1, samples::firstCube, {}},
+        {CGNS_ENUMV(HEXA_8), 2, 2, samples::secondCube, {}}},
+      2, {1, 4});
     return 0;
   }
   writeGadget(folder + "/seed-gadget");
