@@ -24,6 +24,15 @@
 #include <random>
 #include <vector>
 
+#ifdef __SANITIZE_ADDRESS__
+/// What VTK loses is known by the functions that do it (tests/lsan.supp); its libraries keep no
+/// frame pointers, and the quick way sees nothing of them.
+extern "C" const char* __asan_default_options()
+{
+  return "fast_unwind_on_malloc=0";
+}
+#endif
+
 namespace
 {
 
