@@ -10,7 +10,7 @@ import tempfile
 
 ROOT, BUILD, LEAST = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve(), float(sys.argv[3])
 FOLDERS = ("filters/io/",)
-KERNELS = ("AtomicFile", "MappedFile", "ScratchSpace", "PkdTreeFile", "RlodTreeFile", "OcclusionFile", "FileFormat")
+KERNELS = ("AtomicFile", "MappedFile", "ScratchSpace", "PkdTreeFile", "RlodTreeFile", "OcclusionFile")
 
 
 def counts():

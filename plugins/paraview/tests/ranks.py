@@ -108,7 +108,6 @@ for name, value in facts.items():
     check(reader.GetClientSideObject().GetOutputDataObject(0).GetNumberOfPoints() >= count // ranks, "released: and read again")
 
 
-
 def compare(what, first, second, array, setup):
     """Pictures of two sources from four sides, which the ranks have in other ways."""
     for seen_from in ([1, 0.4, 0.3], [-1, 0.4, 0.3], [0.3, 1, 0.4], [0.3, -1, -0.4]):

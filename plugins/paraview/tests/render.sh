@@ -62,6 +62,11 @@ for ranks in 1 2; do
   render "$folder/pieces4.pvtp" -o "$folder/pieces.png" --size 300x200 --ranks $ranks || fail "pieces4.pvtp, $ranks"
   alike "$folder/whole.png" "$folder/pieces.png" 1
 done
+"$root/scripts/paraview" convert "$root/data/copper-scratch.dump.gz" -o "$folder/late.pvtp" --step 5 --ranks 2 >"$folder/out" 2>&1 ||
+  fail "convert --step: $(tail -3 "$folder/out")"
+render "$root/data/copper-scratch.dump.gz" -o "$folder/whole.png" --size 300x200 --step 5 || fail 'step 5'
+render "$folder/late.pvtp" -o "$folder/pieces.png" --size 300x200 || fail 'late.pvtp'
+alike "$folder/whole.png" "$folder/pieces.png" 1
 echo 'ok      one, two and four ranks write pieces, which are drawn as the whole'
 act=convert refused 'ends in .pvtp' "$folder/random.xyz" -o "$folder/x.vtu" --ranks 2
 act=convert refused 'there is no such file' "$folder/no.xyz" -o "$folder/x.pvtp"
