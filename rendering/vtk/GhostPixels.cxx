@@ -27,6 +27,9 @@ std::vector<vtkUnsignedCharArray*> marksOf(const MoteProps& props)
   return marks;
 }
 
+static_assert(
+  int(vtkDataSetAttributes::DUPLICATEPOINT) == int(vtkDataSetAttributes::DUPLICATECELL));
+
 /// Whether the ray through the middle of a pixel met a ghost first.
 bool isGhost(const Film& film, std::size_t pixel, const std::vector<vtkUnsignedCharArray*>& ofProps)
 {

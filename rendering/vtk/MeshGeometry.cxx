@@ -60,6 +60,7 @@ InputKey keyOfMesh(vtkPointSet* data, const SurfaceChoice& choice)
   addTime(key, data->GetPoints());
   addArray(key, data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
   addArray(key, data->GetCellGhostArray());
+  key.push_back(choice.withGhosts && data->GetCellGhostArray() ? 1.0 : 0.0);
   addArray(key, data->GetPointGhostArray());
   if (auto* surface = vtkPolyData::SafeDownCast(data))
   {
@@ -160,8 +161,8 @@ MeshGeometry::Change MeshGeometry::updateAll(
     corners_ = file->corners();
     return Change::Built;
   }
-  const SurfaceTriangles triangles =
-    surfaceTrianglesOf(data, hidesInTree(data) ? nullptr : choice.isVisible, choice.copies);
+  const SurfaceTriangles triangles = surfaceTrianglesOf(
+    data, hidesInTree(data) ? nullptr : choice.isVisible, choice.copies, choice.withGhosts);
   const DataArrayView points(data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
   const ContentHash content = contentOf(points);
   const bool moved = tree_ && mesh_ && mesh_->pointCount() == points.view.count() &&

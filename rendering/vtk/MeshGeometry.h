@@ -24,6 +24,7 @@ struct SurfaceChoice
   vtkUnsignedCharArray* isVisible = nullptr; ///< one value a cell, 0 hides it; null: all
   InputKey visible;                          ///< the key of VisibleCells
   SectorCopies copies;                       ///< that are drawn
+  bool withGhosts = false;                   ///< polygons that are copies of another rank's
 };
 
 /// The triangles of a data set's surface, and the tree over them, which follow a pipeline's output.

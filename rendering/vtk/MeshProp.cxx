@@ -44,6 +44,7 @@ public:
   {
     return {mapper_->GetPictureMTime(), lookTimeOf(prop_)};
   }
+  vtkUnsignedCharArray* ghosts() const override { return mapper_->GetGhosts(); }
   bool picksCells() const override { return true; }
   double pickedValue(const ScenePick& pick) const override { return mapper_->ValueOf(pick); }
 };

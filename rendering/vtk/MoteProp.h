@@ -50,8 +50,8 @@ public:
     (void)name;
     return nullptr;
   }
-  /// The marks of its particles that are copies of what another rank has (DUPLICATEPOINT); null
-  /// where there are none.
+  /// The marks of its particles or cells, as its ids are of either, that are copies of what another
+  /// rank has (DUPLICATEPOINT, which is the same as DUPLICATECELL); null where there are none.
   virtual vtkUnsignedCharArray* ghosts() const { return nullptr; }
   /// Whether the ids of what is picked are cells of the input, or else points.
   virtual bool picksCells() const { return false; }

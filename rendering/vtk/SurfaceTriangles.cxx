@@ -167,17 +167,15 @@ void drop(SurfaceTriangles& found, const IsOut& isOut)
   found.edges = std::move(edges);
 }
 
-/// Leaves out triangles of cells of which another piece has the same one, and of those that are
-/// hidden. vtkPolyData::RemoveGhostCells() keeps the hidden ones, in VTK 9.1.
-void dropGhosts(vtkUnsignedCharArray* ghosts, SurfaceTriangles& found)
+/// Leaves out triangles of cells that have one of the marks. vtkPolyData::RemoveGhostCells() keeps
+/// the hidden ones, in VTK 9.1.
+void dropMarked(vtkUnsignedCharArray* ghosts, int marks, SurfaceTriangles& found)
 {
   drop(found,
     [&](std::size_t triangle)
     {
       const vtkIdType cell = cellOf(found, triangle);
-      return cell < ghosts->GetNumberOfValues() &&
-             (ghosts->GetValue(cell) &
-               (vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL)) != 0;
+      return cell < ghosts->GetNumberOfValues() && (ghosts->GetValue(cell) & marks) != 0;
     });
 }
 
@@ -255,7 +253,7 @@ ArrayView SurfaceTriangles::view() const
 }
 
 SurfaceTriangles surfaceTrianglesOf(
-  vtkPointSet* data, vtkUnsignedCharArray* isVisible, const SectorCopies& copies)
+  vtkPointSet* data, vtkUnsignedCharArray* isVisible, const SectorCopies& copies, bool withGhosts)
 {
   auto* surface = vtkPolyData::SafeDownCast(data);
   if (!surface)
@@ -268,7 +266,9 @@ SurfaceTriangles surfaceTrianglesOf(
   }
   SurfaceTriangles found = trianglesOf(surface);
   if (vtkUnsignedCharArray* ghosts = surface->GetCellGhostArray())
-    dropGhosts(ghosts, found);
+    dropMarked(ghosts,
+      vtkDataSetAttributes::HIDDENCELL | (withGhosts ? 0 : vtkDataSetAttributes::DUPLICATECELL),
+      found);
   if (isVisible)
     drop(found,
       [&](std::size_t triangle) { return isVisible->GetValue(cellOf(found, triangle)) == 0; });

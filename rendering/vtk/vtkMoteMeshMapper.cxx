@@ -25,9 +25,11 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -133,6 +135,13 @@ void vtkMoteMeshMapper::SetClipCylinder(vtkMoteClipCylinder* cylinder)
 vtkMoteClipCylinder* vtkMoteMeshMapper::GetClipCylinder()
 {
   return this->Impl->clip.cylinder();
+}
+
+vtkUnsignedCharArray* vtkMoteMeshMapper::GetGhosts()
+{
+  auto* surface = vtkPolyData::SafeDownCast(this->MeetsGhosts ? this->GetInput() : nullptr);
+  vtkUnsignedCharArray* marks = surface ? surface->GetCellGhostArray() : nullptr;
+  return marks && marks->GetNumberOfValues() == surface->GetNumberOfCells() ? marks : nullptr;
 }
 
 double* vtkMoteMeshMapper::GetBounds()
@@ -313,7 +322,8 @@ void vtkMoteMeshMapper::UpdateGeometry(vtkPointSet* input)
   const mote::SurfaceChoice choice = {impl.visible.get(),
     impl.visible.key(input->GetNumberOfCells()),
     {this->Repetitions, glm::make_vec3(this->RepetitionCenter),
-      glm::make_vec3(this->RepetitionAxis)}};
+      glm::make_vec3(this->RepetitionAxis)},
+    this->MeetsGhosts};
   impl.takeOffer(input, choice);
   if (impl.geometry.fits(input, choice))
     return;
@@ -436,6 +446,7 @@ void vtkMoteMeshMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SamplesPerPixel: " << this->SamplesPerPixel << "\n";
   os << indent << "CastsShadows: " << (this->CastsShadows ? "On" : "Off") << "\n";
   os << indent << "PixelsOfError: " << this->PixelsOfError << "\n";
+  os << indent << "MeetsGhosts: " << (this->MeetsGhosts ? "On" : "Off") << "\n";
   os << indent << "NumberOfTriangles: " << this->GetNumberOfTriangles() << "\n";
   os << indent << "NumberOfCellsLeftOut: " << this->GetNumberOfCellsLeftOut() << "\n";
   os << indent << "NumberOfUnfitTriangles: " << this->GetNumberOfUnfitTriangles() << "\n";

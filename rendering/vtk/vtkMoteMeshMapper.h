@@ -144,6 +144,21 @@ public:
   vtkBooleanMacro(TurnVectors, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether rays meet polygons that are ghosts: those that vtkGhostType marks as copies
+   * (vtkDataSetAttributes::DUPLICATECELL) of what another rank has. They throw shadows and darken
+   * what is near them, and a pixel that shows one is left empty, for the rank that it belongs to.
+   * Default off: ghosts are left out. Of cells with a volume they always are.
+   */
+  vtkSetMacro(MeetsGhosts, bool);
+  vtkGetMacro(MeetsGhosts, bool);
+  vtkBooleanMacro(MeetsGhosts, bool);
+  ///@}
+
+  /** The marks of cells among which are ghosts that rays meet; null where there are none. */
+  vtkUnsignedCharArray* GetGhosts();
+
   /** Bounds of the triangles that can be drawn. */
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
@@ -251,6 +266,7 @@ protected:
   int SamplesPerPixel = 4;
   bool CastsShadows = true;
   double PixelsOfError = 0.0;
+  bool MeetsGhosts = false;
 
 private:
   vtkMoteMeshMapper(const vtkMoteMeshMapper&) = delete;

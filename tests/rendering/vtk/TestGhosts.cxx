@@ -1,13 +1,17 @@
 // Ghosts: copies of what another rank has. Two ranks draw, together, the picture of one.
 #include "VTKTestSupport.h"
 
+#include "vtkAppendPolyData.h"
+#include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkMoteAreaLight.h"
+#include "vtkMoteMeshMapper.h"
 #include "vtkMoteShading.h"
 #include "vtkMoteSilhouettes.h"
 #include "vtkPointData.h"
 #include "vtkProperty.h"
+#include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -31,11 +35,52 @@ vtkSmartPointer<vtkPolyData> withGhosts(std::vector<Ball> own, const std::vector
   return data;
 }
 
+/// Triangles of spheres, of which a rank has those on one side; those of the others are ghosts.
+vtkSmartPointer<vtkPolyData> trianglesOf(const std::vector<Ball>& balls)
+{
+  vtkNew<vtkAppendPolyData> append;
+  for (const Ball& ball : balls)
+  {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetCenter(ball.x, ball.y, ball.z);
+    sphere->SetRadius(ball.r);
+    sphere->Update();
+    append->AddInputData(sphere->GetOutput());
+  }
+  append->Update();
+  return append->GetOutput();
+}
+
+enum Side
+{
+  Left,
+  Right,
+  Both
+};
+
+vtkSmartPointer<vtkPolyData> markedCells(vtkPolyData* triangles, Side side)
+{
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->ShallowCopy(triangles);
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+  {
+    double bounds[6];
+    data->GetCellBounds(i, bounds);
+    marks->InsertNextValue(
+      (bounds[0] + bounds[1] < 0) == (side == Left) ? 0 : vtkDataSetAttributes::DUPLICATECELL);
+  }
+  data->GetCellData()->AddArray(marks);
+  return data;
+}
+
 struct Look
 {
   const char* name;
   int samples;
   bool lit, lines;
+  bool ofTriangles = false;
 
   friend std::ostream& operator<<(std::ostream& out, const Look& look) { return out << look.name; }
 };
@@ -51,9 +96,28 @@ struct Ghosts : ::testing::TestWithParam<Look>
       (ball.x < 0 ? left : right).push_back(ball);
   }
 
-  vtkSmartPointer<vtkImageData> picture(vtkPolyData* data) const
+  /// What a rank has of one side, and with ghosts also of the other.
+  vtkSmartPointer<vtkPolyData> dataOf(Side shown, bool hasGhosts) const
   {
-    Stage stage(data);
+    const std::vector<Ball>&own = shown == Left ? left : right,
+          &other = shown == Left ? right : left;
+    if (!GetParam().ofTriangles)
+      return shown == Both ? makeParticles(all)
+                           : withGhosts(own, hasGhosts ? other : decltype(own){});
+    const auto triangles = trianglesOf(all);
+    return shown == Both ? triangles : markedCells(triangles, shown);
+  }
+
+  vtkSmartPointer<vtkImageData> picture(Side shown, bool hasGhosts = true) const
+  {
+    const auto data = this->dataOf(shown, hasGhosts);
+    Stage stage(makeParticles(all));
+    stage.mapper->SetInputData(data);
+    vtkNew<vtkMoteMeshMapper> triangles;
+    triangles->SetInputData(data);
+    triangles->SetMeetsGhosts(hasGhosts);
+    if (GetParam().ofTriangles)
+      stage.actor->SetMapper(triangles);
     vtkNew<vtkMoteAreaLight> light;
     light->SetLightTypeToCameraLight();
     light->SetPosition(-1, 1, 1);
@@ -85,9 +149,7 @@ const float* colorOf(vtkImageData* image, int pixel)
 
 TEST_P(Ghosts, TwoRanksDrawThePictureOfOne)
 {
-  const auto one = picture(makeParticles(all));
-  const auto first = picture(withGhosts(left, right));
-  const auto second = picture(withGhosts(right, left));
+  const auto one = picture(Both), first = picture(Left), second = picture(Right);
   int ofFirst = 0, ofSecond = 0, ofBoth = 0, unlike = 0, differ = 0;
   for (int i = 0; i < side * side; ++i)
   {
@@ -114,8 +176,7 @@ struct GhostsNeeded : Ghosts
 
 TEST_P(GhostsNeeded, WithoutThemEdgesAndLightAreOthers)
 {
-  const auto one = picture(makeParticles(all)), alone = picture(makeParticles(left));
-  const auto with = picture(withGhosts(left, right));
+  const auto one = picture(Both), alone = picture(Left, false), with = picture(Left);
   int wrong = 0;
   for (int i = 0; i < side * side; ++i)
     wrong += colorOf(with, i)[3] > 0 &&
@@ -124,8 +185,13 @@ TEST_P(GhostsNeeded, WithoutThemEdgesAndLightAreOthers)
 }
 
 const Look plain{"Plain", 1, false, false}, lit{"Lit", 1, true, false},
-  lined{"Lines", 1, false, true}, every{"LitLinesAndRays", 4, true, true};
+  lined{"Lines", 1, false, true}, every{"LitLinesAndRays", 4, true, true},
+  plainMesh{"PlainTriangles", 1, false, false, true}, litMesh{"LitTriangles", 1, true, false, true},
+  linedMesh{"LinesOfTriangles", 1, false, true, true},
+  everyMesh{"LitLinesAndRaysOfTriangles", 4, true, true, true};
 const auto nameOf = [](const auto& info) { return info.param.name; };
 
-INSTANTIATE_TEST_SUITE_P(Looks, Ghosts, ::testing::Values(plain, lit, lined, every), nameOf);
-INSTANTIATE_TEST_SUITE_P(Looks, GhostsNeeded, ::testing::Values(lit, lined, every), nameOf);
+INSTANTIATE_TEST_SUITE_P(Looks, Ghosts,
+  ::testing::Values(plain, lit, lined, every, plainMesh, litMesh, linedMesh, everyMesh), nameOf);
+INSTANTIATE_TEST_SUITE_P(
+  Looks, GhostsNeeded, ::testing::Values(lit, lined, every, litMesh, linedMesh, everyMesh), nameOf);
