@@ -9,6 +9,7 @@
 #include "vtkNew.h"
 #include "vtkPVRenderView.h"
 #include "vtkPointSet.h"
+#include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -22,6 +23,8 @@ namespace
 {
 
 constexpr const char* boxName = "MoteBox";
+/// What the box was written down for.
+constexpr const char* contentName = "MoteBoxContent";
 
 /// Cuts two boxes in the middle of where they overlap, along the axis where that is least. Neither
 /// is cut where one reaches beyond the other on both sides.
@@ -56,6 +59,40 @@ void part(vtkBoundingBox& a, vtkBoundingBox& b)
   b.SetBounds(boundsB);
 }
 
+vtkBoundingBox ownBoundsOfCells(vtkPolyData* surface)
+{
+  vtkBoundingBox box;
+  vtkUnsignedCharArray* marks = surface->GetCellGhostArray();
+  for (vtkIdType i = 0; i < surface->GetNumberOfCells(); ++i)
+    if ((marks->GetValue(i) & vtkDataSetAttributes::DUPLICATECELL) == 0)
+    {
+      double bounds[6];
+      surface->GetCellBounds(i, bounds);
+      box.AddBounds(bounds);
+    }
+  return box;
+}
+
+void keep(const char* name, const vtkBoundingBox& box, vtkPointSet* points)
+{
+  double bounds[6];
+  box.GetBounds(bounds);
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  for (const double bound : bounds)
+    array->InsertNextValue(bound);
+  points->GetFieldData()->AddArray(array);
+}
+
+vtkBoundingBox keptBy(const char* name, vtkPointSet* points)
+{
+  vtkBoundingBox box;
+  auto* array = vtkDoubleArray::SafeDownCast(points->GetFieldData()->GetArray(name));
+  if (array && array->GetNumberOfValues() == 6)
+    box.SetBounds(array->GetPointer(0));
+  return box;
+}
+
 } // namespace
 
 vtkBoundingBox ownBoundsOf(vtkPointSet* points)
@@ -63,6 +100,9 @@ vtkBoundingBox ownBoundsOf(vtkPointSet* points)
   vtkBoundingBox box;
   const vtkIdType count = points->GetNumberOfPoints();
   vtkUnsignedCharArray* marks = points->GetPointGhostArray();
+  auto* surface = vtkPolyData::SafeDownCast(points);
+  if (surface && !marks && surface->GetCellGhostArray())
+    return ownBoundsOfCells(surface);
   if (count > 0 && !marks)
     box.SetBounds(points->GetPoints()->GetBounds());
   for (vtkIdType i = 0; marks && i < count; ++i)
@@ -133,22 +173,14 @@ void tellBounds(vtkInformation* info, vtkPVDataRepresentation* representation,
 
 void keepBox(const vtkBoundingBox& box, vtkPointSet* points)
 {
-  double bounds[6];
-  box.GetBounds(bounds);
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(boxName);
-  for (const double bound : bounds)
-    array->InsertNextValue(bound);
-  points->GetFieldData()->AddArray(array);
+  keep(boxName, box, points);
+  if (const vtkBoundingBox own = ownBoundsOf(points); own.IsValid() && !box.Contains(own))
+    keep(contentName, own, points);
 }
 
 vtkBoundingBox keptBoxOf(vtkPointSet* points)
 {
-  vtkBoundingBox box;
-  auto* array = vtkDoubleArray::SafeDownCast(points->GetFieldData()->GetArray(boxName));
-  if (array && array->GetNumberOfValues() == 6)
-    box.SetBounds(array->GetPointer(0));
-  return box;
+  return keptBy(boxName, points);
 }
 
 RankFacts factsOfRanks(vtkPointSet* points)
@@ -157,9 +189,12 @@ RankFacts factsOfRanks(vtkPointSet* points)
   if (!controller || controller->GetNumberOfProcesses() < 2)
     return {};
   const vtkBoundingBox own = ownBoundsOf(points), box = keptBoxOf(points);
-  const bool fits = box.IsValid() && own.IsValid() && box.Contains(own);
+  const vtkBoundingBox content = keptBy(contentName, points);
+  const bool fits = box.IsValid() && own.IsValid() &&
+                    (box.Contains(own) || (content.IsValid() && content.Contains(own)));
+  const bool hasGhosts = points->GetPointGhostArray() || points->GetCellGhostArray();
   // Ranks without particles do not matter.
-  const int mine[] = {fits, own.IsValid() && !fits, points->GetPointGhostArray() != nullptr};
+  const int mine[] = {fits, own.IsValid() && !fits, hasGhosts};
   int any[3] = {0, 0, 0};
   controller->AllReduce(mine, any, 3, vtkCommunicator::MAX_OP);
   return {any[0] != 0 && any[1] == 0, any[2] != 0};

@@ -13,7 +13,8 @@ class vtkPointSet;
 namespace mote
 {
 
-/// The bounds of the points that are no ghosts; invalid where there are none.
+/// The bounds of the points that are no ghosts, or of a surface's cells that are none; invalid
+/// where there are none.
 vtkBoundingBox ownBoundsOf(vtkPointSet* points);
 
 /// The boxes of all ranks, which must ask together.
@@ -29,7 +30,7 @@ vtkBoundingBox withoutOverlap(const vtkBoundingBox& own);
 void tellBounds(vtkInformation* info, vtkPVDataRepresentation* representation,
   const vtkBoundingBox& bounds, const vtkBoundingBox& order, vtkMatrix4x4* matrix = nullptr);
 
-/// Writes down the box that a rank has all particles of.
+/// Writes down the box that a rank has all particles of, or all polygons, which reach out of it.
 void keepBox(const vtkBoundingBox& box, vtkPointSet* points);
 
 /// The one written down; invalid where none is.
@@ -38,7 +39,7 @@ vtkBoundingBox keptBoxOf(vtkPointSet* points);
 /// What all ranks of ParaView together have; one rank has neither.
 struct RankFacts
 {
-  bool haveBoxes = false;  ///< that were written down, with all of their points inside
+  bool haveBoxes = false;  ///< that were written down, and nothing has moved out of since
   bool haveGhosts = false; ///< any of them
 };
 

@@ -97,9 +97,10 @@ void vtkMoteActorRepresentation::TellBounds(vtkInformation* inInfo, vtkInformati
   this->Actor->GetMatrix(matrix);
   // What a ghost covers is not drawn, so that boxes without the radii tell the order.
   const mote::RankFacts ranks = mote::factsOfRanks(this->Drawn);
+  this->HaveBoxesAndGhosts = ranks.haveBoxes && ranks.haveGhosts;
   mote::tellBounds(inInfo, this, box,
     ranks.haveBoxes ? mote::keptBoxOf(this->Drawn) : mote::withoutOverlap(box), matrix);
-  if ((ranks.haveBoxes && ranks.haveGhosts) || this->IsTranslucent())
+  if (this->HaveBoxesAndGhosts || this->IsTranslucent())
     outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), 1);
 }
 

@@ -83,6 +83,7 @@ protected:
   bool IsTranslucent();
 
   vtkSmartPointer<vtkPointSet> Drawn; ///< as of the last RequestData()
+  bool HaveBoxesAndGhosts = false;    ///< all ranks together
 
 private:
   vtkMoteActorRepresentation(const vtkMoteActorRepresentation&) = delete;

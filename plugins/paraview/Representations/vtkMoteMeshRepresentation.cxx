@@ -35,6 +35,13 @@ vtkSmartPointer<vtkPointSet> vtkMoteMeshRepresentation::Collect(
   return append->GetOutput();
 }
 
+void vtkMoteMeshRepresentation::Connect(vtkAlgorithmOutput* piece)
+{
+  this->Superclass::Connect(piece);
+  // A ghost that light goes through would hide what this rank has behind it.
+  this->Mapper->SetMeetsGhosts(this->HaveBoxesAndGhosts && !this->IsTranslucent());
+}
+
 void vtkMoteMeshRepresentation::SetSamplesPerPixel(int samples)
 {
   this->Mapper->SetSamplesPerPixel(samples);

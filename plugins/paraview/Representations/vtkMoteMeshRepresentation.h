@@ -31,6 +31,7 @@ protected:
 
   vtkMapper* GetMapper() override;
   vtkSmartPointer<vtkPointSet> Collect(const std::vector<vtkPointSet*>& parts) override;
+  void Connect(vtkAlgorithmOutput* piece) override;
 
 private:
   vtkMoteMeshRepresentation(const vtkMoteMeshRepresentation&) = delete;

@@ -7,6 +7,8 @@ import numpy as np
 from checks import check, covered, end, picture, points, simple, view_of
 from paraview import servermanager
 from paraview.vtk.util import numpy_support
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 ranks = servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
@@ -108,12 +110,14 @@ for name, value in facts.items():
     check(reader.GetClientSideObject().GetOutputDataObject(0).GetNumberOfPoints() >= count // ranks, "released: and read again")
 
 
-def compare(what, first, second, array, setup):
+def compare(what, first, second, array, setup, tolerance=0.001, **of_view):
     """Pictures of two sources from four sides, which the ranks have in other ways."""
     for seen_from in ([1, 0.4, 0.3], [-1, 0.4, 0.3], [0.3, 1, 0.4], [0.3, -1, -0.4]):
         pictures, scale = [], None
         for shown in (first, second):
             view = view_of("MoteRenderView")
+            for name, value in of_view.items():
+                setattr(view, name, value)
             display = simple.Show(shown, view)
             setup(display)
             simple.ColorBy(display, ("POINTS", array))
@@ -132,7 +136,7 @@ def compare(what, first, second, array, setup):
             simple.Delete(view)
         off = (np.abs(pictures[0] - pictures[1]).max(axis=2) > 25).mean()
         check(covered(pictures[0]) > 0.1, f"{what}: there is something to see")
-        check(off < 0.001, f"{what}: {100 * off:.3g} % of pixels are others, from {seen_from}")
+        check(off < tolerance, f"{what}: {100 * off:.3g} % of pixels are others, from {seen_from}")
 
 
 # Volumes in pieces, and particles that light goes through, are blended in the order of the ranks.
@@ -146,6 +150,10 @@ def as_translucent(display):
     display.Opacity = 0.5
 
 
+def as_mesh(display):
+    display.SetRepresentationType("Mote Mesh")
+
+
 grid = simple.OpenDataFile(os.path.join(os.environ["MOTE_DATA"], "swirl.1.vtu"))
 compare("pieces of a volume", grid, simple.RedistributeDataSet(Input=grid), "p", as_volume)
 with tempfile.TemporaryDirectory() as folder:
@@ -155,5 +163,40 @@ with tempfile.TemporaryDirectory() as folder:
     writer.Write()
     whole = simple.OpenDataFile(writer.GetFileName())  # the first rank has all
     compare("translucent particles", whole, simple.DistributeParticlesMote(Input=whole), "x", as_translucent)
+
+    # Spheres of triangles, which the borders of the boxes go through.
+    append = vtkAppendPolyData()
+    for x, y, z in places[:60]:
+        ball = vtkSphereSource()
+        ball.SetCenter(x, y, z)
+        ball.SetThetaResolution(24)
+        ball.SetPhiResolution(16)
+        ball.Update()
+        append.AddInputData(ball.GetOutput())
+    append.Update()
+    mesh = append.GetOutput()
+    mesh.GetPointData().AddArray(numpy_support.numpy_to_vtk(
+        numpy_support.vtk_to_numpy(mesh.GetPoints().GetData())[:, 0].copy(), deep=True))
+    mesh.GetPointData().GetArray(mesh.GetPointData().GetNumberOfArrays() - 1).SetName("height")
+    writer.SetFileName(os.path.join(folder, "mesh.vtp"))
+    writer.SetInputData(mesh)
+    writer.Write()
+    whole = simple.OpenDataFile(writer.GetFileName())
+    shared = simple.DistributeMeshMote(Input=whole)
+    shared.UpdatePipeline()
+    cells = shared.GetDataInformation().GetNumberOfCells()
+    check((cells == mesh.GetNumberOfCells()) if ranks == 1 else (cells > mesh.GetNumberOfCells()),
+          f"mesh: {cells} cells with ghosts, of {mesh.GetNumberOfCells()}")
+    lean = simple.DistributeMeshMote(Input=whole, Ghosts=0)
+    lean.UpdatePipeline()
+    check(lean.GetDataInformation().GetNumberOfCells() == mesh.GetNumberOfCells(), "mesh: none is lost or doubled")
+    numbers = simple.ProcessIdScalars(Input=lean)
+    numbers.UpdatePipeline()
+    check(numbers.PointData["ProcessId"].GetRange() == (0, ranks - 1), "mesh: all ranks have some")
+    lit = {"MoteOcclusion": "Live", "MoteSilhouettes": 1}
+    # What light and lines need from farther than the ghosts is missing.
+    compare("a mesh with light and lines", whole, shared, "height", as_mesh, 0.01, **lit)
+    shared.GhostDistance = 100
+    compare("a mesh with far ghosts", whole, shared, "height", as_mesh, 0.0001, **lit)
 
 end()
