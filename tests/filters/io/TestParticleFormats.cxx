@@ -60,11 +60,12 @@ TEST_F(TestParticleFormats, Gromacs)
   expectError(write("a.gro", wrong), "line 3: expected a number, found '0.6x8'");
 }
 
-/// Of more than 99,999 atoms the file's numbers begin anew, and those that are read do not.
+/// Of more than 99,999 atoms the file's numbers begin anew, and those that are read do not. These
+/// are more than are read at a time.
 TEST_F(TestParticleFormats, GromacsCountsOn)
 {
-  std::string text = "many\n100001\n";
-  for (int i = 1; i <= 100'001; ++i)
+  std::string text = "many\n250001\n";
+  for (int i = 1; i <= 250'001; ++i)
   {
     std::array<char, 64> line{};
     std::snprintf(line.data(), line.size(), "%5dSOL     OW%5d%8.3f%8.3f%8.3f\n", i % 100'000,
@@ -73,8 +74,12 @@ TEST_F(TestParticleFormats, GromacsCountsOn)
   }
   vtkPolyData* data = read(write("many.gro", text + "1 1 1\n"));
   ASSERT_TRUE(data);
-  EXPECT_EQ(value(data, "id", 100'000), 100'001);
-  expectPoint(data, 100'000, 100.001, 0, 1);
+  ASSERT_EQ(data->GetNumberOfPoints(), 250'001);
+  for (const int i : {100'000, 187'000, 200'000, 250'000})
+  {
+    EXPECT_EQ(value(data, "id", i), i + 1);
+    expectPoint(data, i, 0.001 * (i + 1), 0, 1);
+  }
 }
 
 TEST_F(TestParticleFormats, AtomEye)

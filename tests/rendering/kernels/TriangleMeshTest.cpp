@@ -3,10 +3,12 @@
 #include <support/Triangles.h>
 
 #include <kernels/core/Error.h>
+#include <kernels/meshes/GeneratedMeshes.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 using namespace mote;
 using namespace mote::testing;
@@ -120,4 +122,14 @@ TEST(TriangleMesh, MovesPointsOfTheSameTriangles)
     EXPECT_LT(glm::length(mesh.point(i) - sphere.point(i)), 1e-6);
   sphere.addPoint(Vec3d(0.0));
   EXPECT_NE(complaintOf([&] { mesh.movePoints(sphere.pointView()); }), "");
+}
+
+TEST(GeneratedMeshes, CountsAreWholeNumbersWithinLimits)
+{
+  for (const std::size_t count : {leastGenerated, leastGenerated + 1, mostGenerated})
+    EXPECT_EQ(triangleCountIn(std::to_string(count)), count);
+  for (const std::string& text : {std::string(), std::string("100x"), std::string("x"),
+         std::string(" 100"), std::string("-100"), std::string("99999999999999999999999999"),
+         std::to_string(leastGenerated - 1), std::to_string(mostGenerated + 1)})
+    EXPECT_THROW(triangleCountIn(text), Error) << text;
 }
