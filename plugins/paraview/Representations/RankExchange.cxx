@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <string>
 #include <utility>
 
 namespace mote
@@ -47,13 +48,21 @@ Part particlesOf(vtkPolyData* all, const Ids& ids, vtkIdType begin, vtkIdType co
   return mote::pointsOf(all, listOf(ids.data() + begin, count));
 }
 
-std::vector<vtkDataArray*> arraysOf(vtkFieldData* data)
+/// Whether all arrays are of numbers.
+bool areNumbers(vtkDataSetAttributes* data)
 {
-  std::vector<vtkDataArray*> arrays;
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-    if (vtkDataArray* array = data->GetArray(i))
-      arrays.push_back(array);
-  return arrays;
+    if (!data->GetArray(i))
+      return false;
+  return true;
+}
+
+/// `attribute` is what the array is to the data; -1: nothing of its own.
+void addArray(vtkDataSetAttributes* data, vtkAbstractArray* array, int attribute)
+{
+  const int index = data->AddArray(array);
+  if (attribute >= 0)
+    data->SetActiveAttribute(index, attribute);
 }
 
 /// Parts of one rank for another, array by array. Where some arrays are strings, which such
@@ -77,12 +86,9 @@ public:
 
   void send(vtkPolyData* part, int to) const
   {
-    const std::vector<vtkDataArray*> ofPoints = arraysOf(part->GetPointData()),
-                                     ofCells = arraysOf(part->GetCellData());
-    const auto countOf = [](const auto& arrays) { return static_cast<int>(arrays.size()); };
-    const bool areAll = countOf(ofPoints) == part->GetPointData()->GetNumberOfArrays() &&
-                        countOf(ofCells) == part->GetCellData()->GetNumberOfArrays();
-    const int head[] = {areAll, part->GetNumberOfPolys() > 0, countOf(ofPoints), countOf(ofCells)};
+    const bool areAll = areNumbers(part->GetPointData()) && areNumbers(part->GetCellData());
+    const int head[] = {areAll, part->GetNumberOfPolys() > 0,
+      part->GetPointData()->GetNumberOfArrays(), part->GetCellData()->GetNumberOfArrays()};
     controller_->Send(head, 4, to, countTag);
     if (!areAll)
     {
@@ -95,9 +101,8 @@ public:
       this->send(part->GetPolys()->GetOffsetsArray(), to);
       this->send(part->GetPolys()->GetConnectivityArray(), to);
     }
-    for (const auto& arrays : {ofPoints, ofCells})
-      for (vtkDataArray* array : arrays)
-        this->send(array, to);
+    this->sendArrays(part->GetPointData(), to);
+    this->sendArrays(part->GetCellData(), to);
   }
 
   Part receive(int from) const
@@ -120,14 +125,33 @@ public:
       polygons->SetData(offsets, corners);
       part->SetPolys(polygons);
     }
-    for (int i = 0; i < head[2]; ++i)
-      part->GetPointData()->AddArray(this->receiveArray(from));
-    for (int i = 0; i < head[3]; ++i)
-      part->GetCellData()->AddArray(this->receiveArray(from));
+    this->receiveArrays(head[2], part->GetPointData(), from);
+    this->receiveArrays(head[3], part->GetCellData(), from);
     return part;
   }
 
 private:
+  /// Each with what it is to the data, such as their normals.
+  void sendArrays(vtkDataSetAttributes* data, int to) const
+  {
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      const int attribute = data->IsArrayAnAttribute(i);
+      controller_->Send(&attribute, 1, to, countTag);
+      this->send(data->GetArray(i), to);
+    }
+  }
+
+  void receiveArrays(int count, vtkDataSetAttributes* data, int from) const
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      int attribute = -1;
+      controller_->Receive(&attribute, 1, from, countTag);
+      addArray(data, this->receiveArray(from), attribute);
+    }
+  }
+
   void send(vtkDataArray* array, int to) const
   {
     const int type = array->GetDataType();
@@ -242,12 +266,14 @@ vtkSmartPointer<vtkAbstractArray> joinArray(
 /// The arrays that all parts have, which lose them.
 void joinArrays(const Parts& parts, const AttributesOf& attributesOf, vtkPolyData* joined)
 {
-  vtkNew<vtkPointData> names;
-  names->CopyStructure(attributesOf(parts.front()));
-  for (int i = 0; i < names->GetNumberOfArrays(); ++i)
-    if (const char* name = names->GetAbstractArray(i)->GetName())
-      if (const auto array = joinArray(parts, attributesOf, name))
-        attributesOf(joined)->AddArray(array);
+  vtkDataSetAttributes* model = attributesOf(parts.front());
+  std::vector<std::pair<std::string, int>> arrays; ///< with their attributes
+  for (int i = 0; i < model->GetNumberOfArrays(); ++i)
+    if (const char* name = model->GetAbstractArray(i)->GetName())
+      arrays.emplace_back(name, model->IsArrayAnAttribute(i));
+  for (const auto& [name, attribute] : arrays)
+    if (const auto array = joinArray(parts, attributesOf, name.c_str()))
+      addArray(attributesOf(joined), array, attribute);
 }
 
 vtkSmartPointer<vtkPoints> joinPlaces(const Parts& parts)

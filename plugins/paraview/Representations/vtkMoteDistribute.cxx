@@ -60,8 +60,12 @@ public:
     if (areCells_)
       data_->GetCellBounds(i, bounds);
     else
+    {
+      double place[3];
+      data_->GetPoint(i, place);
       for (int c = 0; c < 3; ++c)
-        bounds[2 * c] = bounds[2 * c + 1] = data_->GetPoint(i)[c];
+        bounds[2 * c] = bounds[2 * c + 1] = place[c];
+    }
     return vtkBoundingBox(bounds);
   }
 
@@ -235,8 +239,9 @@ void vtkMoteDistribute::Distribute(
   for (vtkIdType i = 0; i < elements.count(); ++i)
   {
     shares.own[owners[i]].push_back(i);
+    const vtkBoundingBox element = elements.box(i);
     for (const vtkIdType rank : neighbors)
-      if (rank != owners[i] && isWithin(elements.box(i), boxes[rank], distance))
+      if (rank != owners[i] && isWithin(element, boxes[rank], distance))
         shares.ghosts[rank].push_back(i);
   }
   owners = {};

@@ -112,6 +112,7 @@ for name, value in facts.items():
 
 def compare(what, first, second, array, setup, tolerance=0.001, **of_view):
     """Pictures of two sources from four sides, which the ranks have in other ways."""
+    shares = []
     for seen_from in ([1, 0.4, 0.3], [-1, 0.4, 0.3], [0.3, 1, 0.4], [0.3, -1, -0.4]):
         pictures, scale = [], None
         for shown in (first, second):
@@ -135,8 +136,10 @@ def compare(what, first, second, array, setup, tolerance=0.001, **of_view):
             simple.Delete(display)
             simple.Delete(view)
         off = (np.abs(pictures[0] - pictures[1]).max(axis=2) > 25).mean()
+        shares.append(off)
         check(covered(pictures[0]) > 0.1, f"{what}: there is something to see")
         check(off < tolerance, f"{what}: {100 * off:.3g} % of pixels are others, from {seen_from}")
+    return np.mean(shares)
 
 
 # Volumes in pieces, and particles that light goes through, are blended in the order of the ranks.
@@ -195,7 +198,9 @@ with tempfile.TemporaryDirectory() as folder:
     check(numbers.PointData["ProcessId"].GetRange() == (0, ranks - 1), "mesh: all ranks have some")
     lit = {"MoteOcclusion": "Live", "MoteSilhouettes": 1}
     # What light and lines need from farther than the ghosts is missing.
-    compare("a mesh with light and lines", whole, shared, "height", as_mesh, 0.01, **lit)
+    near = compare("a mesh with light and lines", whole, shared, "height", as_mesh, 0.01, **lit)
+    none = compare("a mesh without ghosts", whole, lean, "height", as_mesh, 0.05, **lit)
+    check(ranks == 1 or none > 1.5 * near, "a mesh: ghosts bring light and lines of other ranks")
     shared.GhostDistance = 100
     compare("a mesh with far ghosts", whole, shared, "height", as_mesh, 0.0001, **lit)
 
