@@ -65,6 +65,9 @@ CASES = [
          ["out.json"]),
 ]
 
+# All fail, that of the result first. After it comes its folder, which is asked and no more.
+NO_FSYNC = "fsync:1+"
+
 Result = collections.namedtuple("Result", "code said told files left")
 
 
@@ -200,6 +203,8 @@ class Faults:
         got = self.run(case, fault)
         wrong = (self.judge_killed(good, got) if fault.endswith("!") else
                  self.judge(good, got, fault.startswith("cut")))
+        if fault == NO_FSYNC and got.code == 0:
+            wrong = "success, but nothing came to the disk for sure"
         if self.arguments.verbose or wrong:
             print("%s %s: %s %s" % (case.name, fault, wrong or "in order, exit code %s" % got.code,
                                     got.told.strip()[-300:]), flush=True)
@@ -216,6 +221,8 @@ class Faults:
             differ = "" if self.alike else " (results differ from run to run)"
             print("%s%s: %s" % (case.name, differ, ", ".join(
                 "%d x %s" % (n, call) for call, n in sorted(counts.items()))), flush=True)
+            if counts["fsync"]:
+                self.attempt(case, good, NO_FSYNC)
             for call, number in self.some_of(places):
                 self.attempt(case, good, "%s:%d" % (call, number))
                 self.attempt(case, good, "%s:%d+" % (call, number))

@@ -100,7 +100,7 @@ inline void writeGadget(const std::string& file)
   out.attribute("/Header", "MassTable", {0, 2.5});
   out.array<double>("/PartType0/Coordinates", {1, 2, 3, 4, 5, 6}, 3);
   out.array<float>("/PartType0/Masses", {0.5F, 1.5F});
-  out.array<std::int64_t>("/PartType0/ParticleIDs", {5, 1LL << 60});
+  out.array<std::int64_t>("/PartType0/ParticleIDs", {5, (1LL << 60) + 1});
   out.array<double>("/PartType0/Metallicity", {0.1, 0.2, 0.3, 0.4}, 2);
   out.array<double>("/PartType1/Coordinates", {7, 8, 9}, 3);
   out.array<std::int64_t>("/PartType1/ParticleIDs", {7});

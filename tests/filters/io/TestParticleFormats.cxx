@@ -310,7 +310,7 @@ TEST_F(TestParticleFormats, GadgetInHDF5)
   EXPECT_EQ(value(data, "type", 2), 1);
   auto* ids = data->GetPointData()->GetArray("id");
   ASSERT_TRUE(ids);
-  EXPECT_EQ(ids->GetVariantValue(1).ToLongLong(), 1LL << 60); // to the last bit
+  EXPECT_EQ(ids->GetVariantValue(1).ToLongLong(), (1LL << 60) + 1); // to the last bit
   EXPECT_EQ(value(data, "Metallicity", 1, 0), 0.3);
   EXPECT_TRUE(std::isnan(value(data, "Metallicity", 2, 1)));
   std::ifstream stream(file, std::ios::binary);

@@ -358,6 +358,41 @@ TEST(CellWalk, RaysEndAtLimitsAndGoOnBehindWhatLetsThemThrough)
   }
 }
 
+TEST(CellWalk, CloudsBetweenPartsOfAnotherAreMetInOrder)
+{
+  // Red at both ends of a block and nothing between, where a green block stands.
+  const auto mesh = hexBlock(12, 3, 3, 0.2).mesh();
+  TransferFunction ends;
+  ends.knots = {{2.0, Vec4f(0.0f)}, {2.1, Vec4f(1, 0, 0, 0.3f)}};
+  TransferFunction green;
+  green.knots = {{0.0, Vec4f(0, 1, 0, 0.3f)}};
+  Scene scene;
+  scene.clouds.push_back(
+    volumeOf(mesh, pointValues(*mesh, [](const Vec3d& p) { return std::abs(p.x - 6.0); }), ends));
+  const auto small = hexBlock(3, 3, 3, 0.2).mesh();
+  scene.clouds.push_back(volumeOf(small, std::vector<double>(small->pointCount(), 0.0), green));
+  scene.clouds[1].toWorld = glm::translate(Mat4d(1.0), Vec3d(4.5, 0.0, 0.0));
+  for (CloudObject& cloud : scene.clouds)
+  {
+    addWalk(cloud);
+    cloud.sampling.tolerance = 1e-4;
+  }
+  Scene other = scene;
+  for (CloudObject& cloud : other.clouds)
+    cloud.walk = nullptr;
+  for (const auto& [eye, focus] : {std::pair(Vec3d(-12, 1.4, 1.6), Vec3d(6, 1.5, 1.5)),
+         std::pair(Vec3d(25, 1.4, 1.6), Vec3d(6, 1.5, 1.5)),
+         std::pair(Vec3d(1.2, 1.4, 1.6), Vec3d(6, 1.5, 1.5)),
+         std::pair(Vec3d(6.2, 1.4, 1.6), Vec3d(12, 1.5, 1.5))})
+  {
+    const Camera camera = lookAt(eye, focus, 20.0);
+    const auto expected = filmOf(other, camera);
+    const Difference d = difference(filmOf(scene, camera), expected, 1e-3);
+    EXPECT_LT(d.most, 1e-3) << eye.x;
+    EXPECT_GT(d.covered, 0.1) << eye.x;
+  }
+}
+
 TEST(CellWalk, ViewsAreMadeOnceForTheSameCamera)
 {
   const auto mesh = hexBlock(5, 5, 5, 0.3).mesh();

@@ -125,47 +125,68 @@ TEST(IsoSurface, RaysTogetherMeetWhatEachMeetsAlone)
   auto values = pointValues(*mesh, [&](const Vec3d& p)
     { return std::max(3.0, glm::length(p - middle)) + 0.3 * std::sin(3 * p.x); });
   values[1000] = NAN;
-  const IsoSurface surface =
+  const IsoSurface inBoxes =
     surfaceOf(mesh, values, {5.0, 4.0, 3.1, 9.5}, HexStructureKind::CartesianBvh);
-  for (const auto kind : {RayBundle::Kind::CommonOrigin, RayBundle::Kind::CommonDirection})
-    for (const int count : {256, 70, 3})
-    {
-      RayBundle bundle;
-      bundle.kind = kind;
-      bundle.count = count;
-      bundle.origin = middle + Vec3d(20.0, -9.0, 13.0);
-      bundle.direction = middle - bundle.origin;
-      acrossAxes(bundle.direction, bundle.dx, bundle.dy);
-      for (int i = 0; i < count; ++i)
+  const IsoSurface inRings = surfaceOf(mesh, values, {5.0, 4.0, 3.1, 9.5});
+  for (const IsoSurface& surface : {inBoxes, inRings})
+    for (const auto kind : {RayBundle::Kind::CommonOrigin, RayBundle::Kind::CommonDirection})
+      for (const int count : {256, 70, 3})
       {
-        int x, y;
-        bundleOffset(16, i, x, y);
-        bundle.x[i] = 0.5F * static_cast<float>(x - 8);
-        bundle.y[i] = 0.5F * static_cast<float>(y - 8);
-        // Some end before they come to anything, or behind where they begin.
-        bundle.t[i] = i % 11 == 0 ? 0.6 : i % 13 == 0 ? -1.0 : 1e30;
-        bundle.slot[i] = RayBundle::noHit;
-        bundle.object[i] = -1;
+        RayBundle bundle;
+        bundle.kind = kind;
+        bundle.count = count;
+        bundle.origin = middle + Vec3d(20.0, -9.0, 13.0);
+        bundle.direction = middle - bundle.origin;
+        acrossAxes(bundle.direction, bundle.dx, bundle.dy);
+        for (int i = 0; i < count; ++i)
+        {
+          int x, y;
+          bundleOffset(16, i, x, y);
+          bundle.x[i] = 0.5F * static_cast<float>(x - 8);
+          bundle.y[i] = 0.5F * static_cast<float>(y - 8);
+          // Some end before they come to anything, or behind where they begin.
+          bundle.t[i] = i % 11 == 0 ? 0.6 : i % 13 == 0 ? -1.0 : 1e30;
+          bundle.slot[i] = RayBundle::noHit;
+          bundle.object[i] = -1;
+        }
+        RayBundle dark = bundle, lit = bundle;
+        surface.cast(lit, 5);
+        surface.occlude(dark, 5);
+        int hits = 0;
+        for (int i = 0; i < count; ++i)
+        {
+          const auto alone =
+            surface.first({bundle.originOf(i), bundle.directionOf(i), bundle.tMin, bundle.t[i]});
+          ASSERT_EQ(lit.slot[i] != RayBundle::noHit, alone.has_value()) << i;
+          ASSERT_EQ(dark.t[i] < -1e30, alone.has_value()) << i;
+          if (!alone)
+            continue;
+          ++hits;
+          EXPECT_EQ(lit.t[i], alone->t);
+          EXPECT_EQ(lit.slot[i], std::uint64_t{alone->surface} << 32 | alone->cell);
+          EXPECT_EQ(lit.object[i], 5);
+        }
+        EXPECT_GT(hits, count / 4);
       }
-      RayBundle dark = bundle, lit = bundle;
-      surface.cast(lit, 5);
-      surface.occlude(dark, 5);
-      int hits = 0;
-      for (int i = 0; i < count; ++i)
-      {
-        const auto alone =
-          surface.first({bundle.originOf(i), bundle.directionOf(i), bundle.tMin, bundle.t[i]});
-        ASSERT_EQ(lit.slot[i] != RayBundle::noHit, alone.has_value()) << i;
-        ASSERT_EQ(dark.t[i] < -1e30, alone.has_value()) << i;
-        if (!alone)
-          continue;
-        ++hits;
-        EXPECT_EQ(lit.t[i], alone->t);
-        EXPECT_EQ(lit.slot[i], std::uint64_t{alone->surface} << 32 | alone->cell);
-        EXPECT_EQ(lit.object[i], 5);
-      }
-      EXPECT_GT(hits, count / 4);
-    }
+}
+
+TEST(IsoSurface, ValuesOfCellsJumpAndHaveNone)
+{
+  const auto mesh = hexBlock(6, 6, 6).mesh();
+  std::vector<double> values;
+  for (std::size_t c = 0; c < mesh->cellCount(); ++c)
+    values.push_back(cellCenter(mesh->corners(c)).x);
+  for (const auto kind : {HexStructureKind::CartesianBvh, HexStructureKind::CylindricalBvh})
+  {
+    const CloudObject volume = volumeOf(mesh, values, evenTransfer(0.5F), kind, true);
+    const IsoSurface surface(volume.structure, volume.field, {2.0, 3.5});
+    RayBundle bundle;
+    CameraRays(lookAt({-9.0, 3.1, 2.9}, {3.0, 3.0, 3.0}, 30.0), 16, 16)
+      .fillBundle(bundle, 16, 0, 0, 0.0, 0.0);
+    surface.cast(bundle, 0);
+    for (int i = 0; i < bundle.count; ++i)
+      EXPECT_EQ(bundle.slot[i], RayBundle::noHit);
+  }
 }
 
 TEST(IsoSurface, CellsWithNaNHaveNone)

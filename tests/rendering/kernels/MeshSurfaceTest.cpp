@@ -125,6 +125,29 @@ TEST(MeshSurface, SmoothNormalsFaceTheEyeUpToTheOutline)
   EXPECT_GT(hits, 1000);
 }
 
+TEST(MeshSurface, PicksHaveSmoothNormals)
+{
+  const SmoothSphere sphere(24), flat(24, false);
+  Random random(31);
+  double most = 0.0, mostFlat = 0.0;
+  for (int i = 0; i < 200; ++i)
+  {
+    const Vec3d way = random.direction();
+    const auto offOf = [&](const SmoothSphere& some)
+    {
+      Scene scene;
+      addTo(scene, some.object);
+      const auto found = pick(scene, 3.0 * way, -way);
+      EXPECT_TRUE(found);
+      return found ? glm::length(found->normal - way) : 2.0;
+    };
+    most = std::max(most, offOf(sphere));
+    mostFlat = std::max(mostFlat, offOf(flat));
+  }
+  EXPECT_LT(most, 0.015);
+  EXPECT_GT(mostFlat, 5.0 * most);
+}
+
 TEST(MeshSurface, TellsTrianglesOrTheirCells)
 {
   Triangles square; // two cells of two triangles each

@@ -23,7 +23,9 @@ TEST(OcclusionBake, ALoneSphereIsOpenEverywhere)
     {
       OcclusionBakeOptions options;
       options.adaptive = adaptive;
-      const OcclusionMaps maps = baked(particles, options, kinds[k % kinds.size()]);
+      OcclusionBakeStatistics statistics;
+      const OcclusionMaps maps = baked(particles, options, kinds[k % kinds.size()], &statistics);
+      EXPECT_EQ(statistics.levels[maps.level(0)], 1u);
       EXPECT_EQ(maps.level(0), adaptive ? OcclusionMaps::Open : OcclusionMaps::Side16);
       for (int i = 0; i < 200; ++i)
         ASSERT_EQ(maps.at(0, Vec3f(random.direction())), 1.0f);

@@ -89,6 +89,16 @@ TEST(PkdTreeFileDamage, EveryByteOfTheHeaderCounts)
   patient.expectEveryByteOfTheHeaderCounts();
 }
 
+TEST(PkdTreeFile, NumbersInFilesStayTheSame)
+{
+  // Files of earlier versions have these.
+  const Patient p(300);
+  EXPECT_EQ(std::string(p.bytes.begin(), p.bytes.begin() + 8), "MOTEPKD\n");
+  EXPECT_EQ(p.header.version, 1u);
+  for (const FileTableRow& row : p.table.rows)
+    EXPECT_EQ(row.entry.role, row.array.name == "box" ? 1u : 0u) << row.array.name;
+}
+
 TEST(PkdTreeFileDamage, HeadersThatDoNotFit)
 {
   const Patient p;

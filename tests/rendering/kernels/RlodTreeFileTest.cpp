@@ -343,6 +343,22 @@ TEST(RlodTreeFileDamage, WhatIsNoFileOfTriangles)
   expectNoFilesOf<RlodTreeFile>("triangles");
 }
 
+TEST(RlodTreeFile, NumbersInFilesStayTheSame)
+{
+  // Files of earlier versions have these.
+  const Patient p;
+  EXPECT_EQ(std::string(p.bytes.begin(), p.bytes.begin() + 8), "MOTETRI\n");
+  EXPECT_EQ(p.header.version, 1u);
+  for (const FileTableRow& row : p.table.rows)
+  {
+    const std::string& name = row.array.name;
+    EXPECT_EQ(row.entry.role, name == "box"                      ? 1u
+                              : name == "part" || name == "cell" ? 2u
+                                                                 : 0u)
+      << name;
+  }
+}
+
 TEST(RlodTreeFileDamage, HeadersThatDoNotFit)
 {
   const Patient p;
@@ -357,9 +373,14 @@ TEST(RlodTreeFileDamage, HeadersThatDoNotFit)
   expect("numbers of triangles", [](Header& h, Table&) { h.points = ~std::uint64_t{0}; });
   expect("numbers of triangles", [](Header& h, Table&) { h.placeBytes = 5; });
   expect("numbers of triangles", [](Header& h, Table&) { h.nodes.bytes = 0; });
+  expect("numbers of triangles", [](Header& h, Table&) { h.triangles = ~std::uint64_t{0}; });
+  expect("numbers of triangles", [](Header& h, Table&) { h.points = 0; });
+  expect("numbers of triangles", [](Header& h, Table&) { h.clusters.bytes = 0; });
   expect("size that its triangles", [](Header& h, Table&) { h.triangles -= 1; });
   expect("size that its triangles", [](Header& h, Table&) { h.placeBytes = 4; });
-  expect("size that its triangles", [](Header& h, Table&) { h.words.bytes -= 64; });
+  for (FileSection Header::*part : {&Header::nodes, &Header::words, &Header::planes,
+         &Header::clusters, &Header::corners, &Header::offsets, &Header::places})
+    expect("size that its triangles", [=](Header& h, Table&) { (h.*part).bytes -= 4; });
   expect("at a page", [](Header& h, Table&) { h.planes.offset += 64; });
   expect("overlap", [](Header& h, Table&) { h.corners.offset = h.places.offset; });
   expect("behind its end", [](Header& h, Table&) { h.places.offset = std::uint64_t{1} << 40; });

@@ -191,6 +191,29 @@ TEST(SliceSurface, RolledOutKeepsArcsAndHeights)
   EXPECT_NEAR(std::abs(normal.x), 1.0, 1e-12);
 }
 
+TEST(SliceSurface, SectorsRolledOutAreAsWideAsTheirAngles)
+{
+  HexCells cells = hexBlock(4, 4, 4);
+  // About the x axis, its angles from the y axis on.
+  cells.move(
+    [](const Vec3d& p) { return Vec3d(7.0 + 0.5 * p.x, 3.0 + 0.25 * p.y, -0.2 + 0.3 * p.z); });
+  const auto mesh = cells.mesh();
+  const CloudObject volume =
+    volumeOf(mesh, pointValues(*mesh, [](const Vec3d& p) { return p.x; }), evenTransfer(0.5F));
+  SliceShape shape;
+  shape.kind = SliceShape::Kind::Unrolled;
+  shape.axis = {1.0, 0.0, 0.0};
+  shape.out = {0.0, 1.0, 0.0};
+  shape.radius = 3.5;
+  const Box tight = sliced(volume, shape).tightBounds();
+  EXPECT_NEAR(tight.lower.x, 7.0, 1e-9);
+  EXPECT_NEAR(tight.upper.x, 9.0, 1e-9);
+  EXPECT_NEAR(tight.lower.y, 3.5, 1e-6);
+  EXPECT_NEAR(tight.upper.y, 3.5, 1e-6);
+  EXPECT_NEAR(tight.lower.z, 3.5 * std::atan2(-0.2, 3.0), 1e-6);
+  EXPECT_NEAR(tight.upper.z, 3.5 * std::atan2(1.0, 3.0), 1e-6);
+}
+
 TEST(SliceSurface, HiddenCellsAndThoseWithNaNAreNotThere)
 {
   const auto mesh = hexBlock(3, 1, 1).mesh();

@@ -77,6 +77,27 @@ TEST(SurfaceIntegral, OfPlanesInABlockIsExact)
   EXPECT_NEAR(found.values[2], 2.1 * 3.7 * 4.0, 1e-5); // towards growing angles: y
 }
 
+TEST(SurfaceIntegral, OfHalfPlanesBeginAtAnAxisOfCornersAndEdges)
+{
+  const auto mesh = hexBlock(4, 4, 3).mesh();
+  for (const Vec3d& out : {Vec3d(1, 0, 0), Vec3d(0, -1, 0)})
+    for (const Vec3d& axis : {Vec3d(0, 0, 1), Vec3d(0, 0, -1)})
+    {
+      SliceShape half = planeAt({2.0, 2.0, 0.0}, axis);
+      half.kind = SliceShape::Kind::HalfPlane;
+      half.out = out;
+      const auto found = integrateSlice(*mesh, half, 3, areaAndFlow(position));
+      EXPECT_NEAR(found.values[0], 2.0 * 3.0, 1e-9);
+      EXPECT_NEAR(found.values[1], (2.0 + out.x) * 6.0, 1e-9);
+    }
+  // Along a diagonal of cells, through corners alone.
+  SliceShape half = planeAt({2.0, 2.0, 0.0}, {0.0, 0.0, 1.0});
+  half.kind = SliceShape::Kind::HalfPlane;
+  half.out = {1.0, 1.0, 0.0};
+  EXPECT_NEAR(
+    integrateSlice(*mesh, half, 3, areaAndFlow(position)).values[0], 3.0 * std::sqrt(8.0), 1e-9);
+}
+
 TEST(SurfaceIntegral, OfWholePlanesAddUpToTheVolume)
 {
   const auto mesh = hexBlock(3, 3, 3, 0.4).mesh();

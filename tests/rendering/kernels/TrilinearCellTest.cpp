@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 using namespace mote;
@@ -189,5 +190,38 @@ TEST(TrilinearCell, BendsAreBoundedAndLinearFieldsHaveNone)
       { return weighted(uneven, TrilinearCell::weights(rst)); };
       EXPECT_LE(std::abs(at(middle) - 0.5 * (at(ends[i]) + at(ends[i + 1]))), bound);
     }
+  }
+}
+
+TEST(TrilinearCell, BendsAreTheSameHoweverTheCornersAreListed)
+{
+  const auto mesh = hexBlock(3, 3, 3, 0.1).mesh();
+  const auto curved = [](const Vec3d& p) { return p.x * p.y + std::sin(p.y + 2.0 * p.z); };
+  // Of a corner's bits, which coordinates are 1; and which bits a corner of the cell has.
+  constexpr std::array<std::size_t, 8> cornerOf = {0, 1, 3, 2, 4, 5, 7, 6};
+  constexpr std::size_t orders[][3] = {
+    {0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+  for (std::size_t c = 0; c < mesh->cellCount(); ++c)
+  {
+    const HexCorners corners = mesh->corners(c);
+    CornerValues values;
+    for (std::size_t i = 0; i < 8; ++i)
+      values[i] = curved(corners[i]);
+    const double expected = bendOf(corners, values);
+    for (const auto& order : orders)
+      for (std::size_t flips = 0; flips < 8; ++flips)
+      {
+        HexCorners turned;
+        CornerValues theirs;
+        for (std::size_t bits = 0; bits < 8; ++bits)
+        {
+          std::size_t from = flips;
+          for (std::size_t k = 0; k < 3; ++k)
+            from ^= (bits >> k & 1) << order[k];
+          turned[cornerOf[bits]] = corners[cornerOf[from]];
+          theirs[cornerOf[bits]] = values[cornerOf[from]];
+        }
+        EXPECT_NEAR(bendOf(turned, theirs), expected, 1e-12 + 1e-9 * expected) << c;
+      }
   }
 }
