@@ -5,6 +5,7 @@
 #include "base/Text.h"
 #include "kernels/core/ScratchSpace.h"
 
+#include <DataParts.h>
 #include <vtkCellTypes.h>
 #include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
@@ -89,9 +90,13 @@ int dimensionOf(vtkDataSet* data)
   return dimension;
 }
 
-/// Hexahedra in place of structured grids, unless they take too much of the machine's memory.
+/// Hexahedra in place of structured grids, unless they take too much of the machine's memory; and
+/// of particles none that are marked as copies, such as those of files that were written in pieces.
 vtkSmartPointer<vtkDataSet> withCells(vtkDataSet* data, const std::string& name)
 {
+  auto* points = vtkPointSet::SafeDownCast(data);
+  if (points && points->GetPointGhostArray() && dimensionOf(points) == 0)
+    return withoutMarkedPoints(points);
   const auto cells = vtkSmartPointer<vtkDataSet>::Take(
     vtkMoteStructuredCells::Of(data, static_cast<vtkTypeUInt64>(physicalMemory() / 4)));
   if (cells == data && dimensionOf(data) == 3 && !vtkUnstructuredGrid::SafeDownCast(data))

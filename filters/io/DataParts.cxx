@@ -2,12 +2,14 @@
 
 #include "vtkCellData.h"
 #include "vtkExtractCells.h"
+#include "vtkFieldData.h"
 #include "vtkGeometryFilter.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace mote
@@ -53,6 +55,21 @@ vtkSmartPointer<vtkPolyData> pointsOf(vtkDataSet* data, vtkIdList* ids)
   some->GetPointData()->CopyAllocate(data->GetPointData(), count);
   some->GetPointData()->CopyData(data->GetPointData(), ids, places);
   return some;
+}
+
+vtkSmartPointer<vtkPointSet> withoutMarkedPoints(vtkPointSet* data)
+{
+  vtkUnsignedCharArray* marks = data->GetPointGhostArray();
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; marks && i < data->GetNumberOfPoints(); ++i)
+    if (marks->GetValue(i) == 0)
+      ids->InsertNextId(i);
+  if (!marks || ids->GetNumberOfIds() == data->GetNumberOfPoints())
+    return data;
+  const auto own = pointsOf(data, ids);
+  own->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  own->GetFieldData()->ShallowCopy(data->GetFieldData());
+  return own;
 }
 
 vtkSmartPointer<vtkDataSet> cellsOf(vtkDataSet* data, vtkIdList* ids)

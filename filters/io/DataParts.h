@@ -5,6 +5,7 @@
 
 class vtkDataSet;
 class vtkIdList;
+class vtkPointSet;
 class vtkPolyData;
 
 namespace mote
@@ -16,5 +17,9 @@ MOTEFILTERSIO_EXPORT vtkSmartPointer<vtkPolyData> pointsOf(vtkDataSet* data, vtk
 /// Some cells, by their numbers, with their points and all arrays: a vtkPolyData of one, else a
 /// vtkUnstructuredGrid.
 MOTEFILTERSIO_EXPORT vtkSmartPointer<vtkDataSet> cellsOf(vtkDataSet* data, vtkIdList* ids);
+
+/// The data set without the points that vtkGhostType marks as copies or hidden, and without cells;
+/// the data set itself where none is.
+MOTEFILTERSIO_EXPORT vtkSmartPointer<vtkPointSet> withoutMarkedPoints(vtkPointSet* data);
 
 } // namespace mote

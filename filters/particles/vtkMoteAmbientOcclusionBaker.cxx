@@ -177,6 +177,7 @@ void vtkMoteAmbientOcclusionBaker::Run(vtkPolyData* data)
   mote::ParticleModel& model = impl.model;
   mote::takeRadiusProperties(this, model.radii);
   model.structureName = isGiven(this->StructureName) ? this->StructureName : "";
+  model.meetsGhosts = true; // they keep light off what this rank has
   this->SetProgressShiftScale(0.0, building);
   model.update(data);
   this->SetProgressShiftScale(building, baking);

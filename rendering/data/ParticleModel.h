@@ -13,6 +13,8 @@
 #include <set>
 
 class vtkAlgorithm;
+class vtkIndent;
+class vtkUnsignedCharArray;
 
 namespace mote
 {
@@ -40,6 +42,10 @@ struct ArrayRange
   RangeParts parts = {};           ///< none: all of it
 };
 
+/// vtkGhostType of the points, which marks copies of what another rank has; null where it does not
+/// fit, and for null.
+MOTERENDERINGDATA_EXPORT vtkUnsignedCharArray* ghostMarksOf(vtkPointSet* points);
+
 /// The points of a data set as particles that rays can be cast at: radii, the structure over them,
 /// the preview that stands in for it while it is built, ranges that hide particles, and occlusion
 /// maps. A mapper is a view of one, a filter works on one. The structure is built only when points
@@ -56,7 +62,8 @@ public:
   /// How update() makes the particles. Names of structure and form are those of structureOf().
   RadiusChoice radii;
   std::string structureName, structureForm;
-  bool keepPointIds = true;            ///< of P-k-d trees
+  bool keepPointIds = true; ///< of P-k-d trees
+  bool meetsGhosts = false; ///< points that are another rank's, which are hidden otherwise
   std::shared_ptr<ScratchSpace> space; ///< where P-k-d trees lie; null: on the heap
   /// Particles of a preview, for sets of more than four times as many; 0, or no function, for none:
   /// then update() waits for the structure. Asked again while it waits.
@@ -128,6 +135,7 @@ public:
   /// the sentences about arrays that are missing that the last call did not give; other ranges hold
   /// nevertheless.
   std::vector<std::string> updateRanges(const std::vector<ArrayRange>& more = {});
+  void printRanges(std::ostream& out, vtkIndent indent) const;
   /// All of them, also those that were given before.
   const std::set<std::string>& rangeProblems() const { return rangeProblems_; }
 

@@ -5,7 +5,9 @@
 #include "kernels/core/Error.h"
 
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkPointSet.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <sstream>
@@ -41,6 +43,12 @@ vtkDataArray* arrayOf(const ArrayRange& range, vtkPointSet* points)
 }
 
 } // namespace
+
+vtkUnsignedCharArray* ghostMarksOf(vtkPointSet* points)
+{
+  vtkUnsignedCharArray* marks = points ? points->GetPointGhostArray() : nullptr;
+  return marks && marks->GetNumberOfValues() == points->GetNumberOfPoints() ? marks : nullptr;
+}
 
 bool ParticleModel::addRange(const ArrayRange& range)
 {
@@ -137,6 +145,10 @@ std::vector<std::string> ParticleModel::updateRanges(const std::vector<ArrayRang
     std::for_each(ranges_.begin(), ranges_.end(), add);
     std::for_each(more.begin(), more.end(), add);
   }
+  const double highestMark = meetsGhosts ? vtkDataSetAttributes::DUPLICATEPOINT : 0;
+  vtkUnsignedCharArray* marks = ghostMarksOf(input_);
+  if (marks && marks->GetRange()[1] > highestMark)
+    values.push_back({marks, 0, 0.0, highestMark, {}});
   rangeProblems_ = problems;
   if (selection_.apply(*structure_, values, places_, [this] { return this->particles(); }))
     changed_.Modified();
@@ -160,6 +172,22 @@ Box ParticleModel::visibleBounds() const
     return {};
   return preview_ && this->visible() == preview_->particles ? preview_->whole.bounds
                                                             : selection_.shownBounds(*structure_);
+}
+
+void ParticleModel::printRanges(std::ostream& out, vtkIndent indent) const
+{
+  static const char* const places[] = {"Center x", "Center y", "Center z", "Radius"};
+  for (const ArrayRange& range : ranges_)
+  {
+    out << indent << "Range of " << range.name << ", component " << range.component << ": "
+        << range.low << " " << range.high << "\n";
+    for (const auto& part : range.parts)
+      out << indent << "  of that: " << part[0] << " " << part[1] << "\n";
+  }
+  for (int k = 0; k < 4; ++k)
+    if (places_.isLimited(k))
+      out << indent << "Range of " << places[k] << ": " << places_.low[k] << " " << places_.high[k]
+          << "\n";
 }
 
 } // namespace mote

@@ -55,12 +55,7 @@ public:
     vtkDataArray* array = input ? input->GetPointData()->GetArray(name) : nullptr;
     return array && array->GetNumberOfTuples() == input->GetNumberOfPoints() ? array : nullptr;
   }
-  vtkUnsignedCharArray* ghosts() const override
-  {
-    vtkPointSet* input = mapper_->GetInput();
-    vtkUnsignedCharArray* marks = input ? input->GetPointGhostArray() : nullptr;
-    return marks && marks->GetNumberOfValues() == input->GetNumberOfPoints() ? marks : nullptr;
-  }
+  vtkUnsignedCharArray* ghosts() const override { return mapper_->GetGhosts(); }
   MapperOcclusion* occlusion(const OcclusionRequest* request) const override
   {
     return mapper_->UpdateOcclusion(request);

@@ -114,6 +114,11 @@ void vtkMoteParticleMapper::SetInputData(vtkPointSet* input)
   this->SetInputDataInternal(0, input);
 }
 
+vtkUnsignedCharArray* vtkMoteParticleMapper::GetGhosts()
+{
+  return this->MeetsGhosts ? mote::ghostMarksOf(this->GetInput()) : nullptr;
+}
+
 vtkPointSet* vtkMoteParticleMapper::GetInput()
 {
   if (this->GetNumberOfInputConnections(0) < 1)
@@ -164,6 +169,7 @@ void vtkMoteParticleMapper::Update(int port)
       range.component = mote::ArrayColors::componentOf(this, range.array);
     visibility.push_back(range);
   }
+  model.meetsGhosts = this->MeetsGhosts;
   for (const std::string& message : model.updateRanges(visibility))
     vtkErrorMacro(<< message);
 }
@@ -460,7 +466,6 @@ void vtkMoteParticleMapper::ReleaseGraphicsResources(vtkWindow* window)
 
 void vtkMoteParticleMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
-  static const char* const places[] = {"Center x", "Center y", "Center z", "Radius"};
   const mote::ParticleModel& model = this->Impl->model;
   const auto print = [&](const char* name, const auto& value)
   { os << indent << name << ": " << value << "\n"; };
@@ -475,17 +480,8 @@ void vtkMoteParticleMapper::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   print("VisibilityArrayName", text(this->VisibilityArrayName));
   print("VisibilityComponent", this->VisibilityComponent);
-  for (const mote::ArrayRange& range : model.ranges())
-  {
-    os << indent << "Range of " << range.name << ", component " << range.component << ": "
-       << range.low << " " << range.high << "\n";
-    for (const auto& part : range.parts)
-      os << indent << "  of that: " << part[0] << " " << part[1] << "\n";
-  }
-  for (int k = 0; k < 4; ++k)
-    if (model.places().isLimited(k))
-      os << indent << "Range of " << places[k] << ": " << model.places().low[k] << " "
-         << model.places().high[k] << "\n";
+  print("MeetsGhosts", onOff(this->MeetsGhosts));
+  model.printRanges(os, indent);
   print("StructureName", text(this->StructureName));
   print("StructureForm", text(this->StructureForm));
   print("Preview", onOff(this->Preview));

@@ -37,6 +37,7 @@
 class vtkMoteClipCylinder;
 class vtkDataArray;
 class vtkPointSet;
+class vtkUnsignedCharArray;
 
 namespace mote
 {
@@ -263,14 +264,11 @@ public:
   /**
    * How many pixels the picture may err by, at least 0: boxes stand for groups of particles. Most
    * rays that hit a box pass one of its particles by less than so many pixels, and all by less than
-   * about twice as much; no side is longer than ten times as much. Boxes cover as much as their
-   * particles do and have their mean colour, so far views of many particles take less time and
-   * flicker less. Only the "pkd-tree" has them, which "auto" structures then are. Others are exact,
-   * and so are 0, as unless set, what is not opaque, sets with baked ambient occlusion, and groups
-   * of which a part is hidden. Shadows, ambient occlusion and picks ask the particles
-   * themselves. The first picture looks at all particles, and so does the first one after
-   * a change of the array that colours, but for files, which hold what is needed. See
-   * docs/pkd-tree.md.
+   * about twice as much. Boxes cover as much as their particles do and have their mean colour, so
+   * far views of many particles take less time and flicker less. Only the "pkd-tree" has them,
+   * which "auto" structures then are. Others are exact, and so are 0, as unless set, what is not
+   * opaque, sets with baked ambient occlusion, and groups of which a part is hidden. Shadows,
+   * ambient occlusion and picks ask the particles themselves. See docs/pkd-tree.md.
    */
   vtkSetClampMacro(PixelsOfError, double, 0.0, 1000.0);
   vtkGetMacro(PixelsOfError, double);
@@ -281,27 +279,32 @@ public:
    * How often the particles are drawn along each of three vectors: as they are, one vector further,
    * and so on, as with the images of a periodic simulation. Nothing is copied and no structure is
    * built; colours, ids and occlusion maps are those of the particles. 1, 1, 1 at first; less
-   * counts as 1. See ReplicationVectors. Shadows fall from image to image; baked maps know one
-   * image alone.
+   * counts as 1. ReplicationVectors are the three vectors, in the input's coordinates, the axes'
+   * unit ones at first. Shadows fall from image to image; baked maps know one image alone.
    */
   vtkSetVector3Macro(Replication, int);
   vtkGetVector3Macro(Replication, int);
-  ///@}
-
-  ///@{
-  /**
-   * The three vectors of Replication one after the other, in the input's coordinates. The axes'
-   * unit vectors at first.
-   */
   vtkSetVectorMacro(ReplicationVectors, double, 9);
   vtkGetVectorMacro(ReplicationVectors, double, 9);
   ///@}
 
   ///@{
   /**
+   * Whether rays meet ghosts: points that vtkGhostType marks as copies of what another rank has.
+   * A pixel that shows one is left to that rank. The data must not hold a point and its copy both.
+   * Default off: ghosts are hidden.
+   */
+  vtkSetMacro(MeetsGhosts, bool);
+  vtkGetMacro(MeetsGhosts, bool);
+  vtkBooleanMacro(MeetsGhosts, bool);
+  ///@}
+  /** The marks of points among which are ghosts that rays meet; null where there are none. */
+  vtkUnsignedCharArray* GetGhosts();
+
+  ///@{
+  /**
    * Which piece about an axis is shown, beside what SetClippingPlanes() leaves: null, the default,
-   * for all. Spheres are cut where planes and cylinder are, and closed by flat faces. Nothing is
-   * built for either.
+   * for all. Spheres are cut by planes and cylinder, and closed by flat faces. Nothing is built.
    */
   void SetClipCylinder(vtkMoteClipCylinder* cylinder);
   vtkMoteClipCylinder* GetClipCylinder();
@@ -325,13 +328,12 @@ public:
   ///@{
   /**
    * When on, Update() of a set of more than four times PreviewSize particles does not wait until
-   * the structure is built. It makes a preview of PreviewSize particles, evenly taken from the
-   * input, with radii times the cube root of the share left out: all that is drawn is then a
-   * preview, colours, ranges and ids of particles being those of the input, and the structure is
-   * built on another thread. An Update() that finds it built, such as that of the next frame, takes
-   * it; there is no event from another thread. StartEvent is fired when the build begins,
-   * ProgressEvents by each Update(), EndEvent when the exact structure is there, or will not be.
-   * SetAbortExecute(1) from within one stops the build and leaves nothing to draw.
+   * the structure is built, which another thread does. It makes a preview of PreviewSize particles,
+   * evenly taken from the input, with radii times the cube root of the share left out; colours,
+   * ranges and ids are those of the input. An Update() that finds the structure built, such as that
+   * of the next frame, takes it. StartEvent is fired when the build begins, ProgressEvents by each
+   * Update(), EndEvent when the exact structure is there, or will not be. SetAbortExecute(1) from
+   * within one stops the build and leaves nothing to draw.
    *
    * Off, the default, nothing is ever drawn but the exact picture: Update() waits for a build that
    * goes on. A vtkMoteRendererSource and a vtkMoteParticleFileWriter wait in any case.
@@ -369,9 +371,8 @@ public:
 
   /**
    * Update() for another time step of the input's pipeline, which stays the one that is shown.
-   * The structure is built again into the memory of the last one; ranges, colours and lookup tables
-   * stay what they were. Radii of RADIUS_FROM_SPACING follow each step's spacing: for radii that
-   * stay, use RADIUS_CONSTANT with GetRadiusInUse() of one step.
+   * Ranges, colours and lookup tables stay what they were. Radii of RADIUS_FROM_SPACING follow each
+   * step's spacing: for radii that stay, use RADIUS_CONSTANT with GetRadiusInUse() of one step.
    */
   int UpdateTimeStep(double time, int piece = -1, int pieces = 1, int ghostLevels = 0,
     const int extents[6] = nullptr) override;
@@ -391,9 +392,8 @@ public:
   double GetRadiusInUse();
   ///@}
 
-  /** Particles that have an occlusion map as of the last picture; see vtkMoteShading. */
+  /** Particles that have an occlusion map as of the last picture, and what the maps take. */
   vtkIdType GetNumberOfBakedParticles();
-  /** What all those maps take, in bytes. */
   vtkTypeInt64 GetOcclusionBytes();
 
   /** The array that colours the particles now; null where they have the property's colour. */
@@ -421,11 +421,9 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
-  ///@{
   /** The names that StructureName and StructureForm may be, the default first. */
   static std::vector<std::string> GetStructureNames();
   static std::vector<std::string> GetStructureForms();
-  ///@}
 
   ///@{
   /**
@@ -439,16 +437,11 @@ public:
   void OfferBuilt(std::shared_ptr<const mote::BuiltParticles> built);
   ///@}
 
-  ///@{
   /** Where a P-k-d tree that is built from now on lies, in place of the heap; null for the heap. */
   void SetScratchSpace(std::shared_ptr<mote::ScratchSpace> space);
   std::shared_ptr<mote::ScratchSpace> GetScratchSpace() const;
-  ///@}
 
-  /**
-   * Updates, and describes the particles to the kernels as this actor shows them; false where there
-   * is nothing to draw. The views in the description hold until the next Update().
-   */
+  /** Updates, and describes what this actor shows, until the next Update(); false for nothing. */
   bool DescribeTo(mote::SurfaceObject& object, vtkActor* actor);
 
   ///@{
@@ -459,8 +452,8 @@ public:
 #endif
 
   /**
-   * The typical distance between neighbours among the points, 0 for less than two points, whatever
-   * radii they have. Builds nothing; looks at all points some times, unless a file knows it.
+   * The typical distance of neighbours among the points, 0 for less than two, whatever radii they
+   * have. Builds nothing; looks at all points some times, unless a file knows it.
    */
   static double EstimateSpacing(vtkPointSet* points);
 
@@ -486,6 +479,7 @@ protected:
   vtkTypeBool Preview = 0;
   vtkIdType PreviewSize = 1000000;
   bool KeepPointIds = true;
+  bool MeetsGhosts = false;
   int SamplesPerPixel = 4;
   bool CastsShadows = true;
   double PixelsOfError = 0.0;

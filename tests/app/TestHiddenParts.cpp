@@ -6,10 +6,13 @@
 #include <gtest/gtest.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
+#include <vtkIntArray.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSphereSource.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
 using namespace mote::app;
@@ -94,6 +97,35 @@ TEST(HiddenParts, BlocksHaveTheShortestNamesThatTellThemApart)
   const auto two = dataSetsOf(unnamed, "a.vtm");
   EXPECT_EQ(namesOf(two), (Names{"block 1", "block 3"}));
   EXPECT_FALSE(two[0].isBoundary) << "without a volume all surfaces are shown";
+}
+
+TEST(HiddenParts, CopiesOfParticlesAreNotThere)
+{
+  vtkNew<vtkPolyData> data;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkIntArray> ids;
+  vtkNew<vtkUnsignedCharArray> marks;
+  ids->SetName("id");
+  marks->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (int i = 0; i < 6; ++i)
+  {
+    points->InsertNextPoint(i / 2, 0.0, 0.0);
+    ids->InsertNextValue(i / 2);
+    marks->InsertNextValue(i % 2 == 0 ? vtkDataSetAttributes::DUPLICATEPOINT : 0);
+  }
+  data->SetPoints(points);
+  data->GetPointData()->AddArray(ids);
+  EXPECT_EQ(dataSetsOf(data, "a")[0].data.Get(), data.Get());
+  data->GetPointData()->AddArray(marks);
+  const auto found = dataSetsOf(data, "a");
+  ASSERT_EQ(found.size(), 1u);
+  ASSERT_EQ(found[0].data->GetNumberOfPoints(), 3);
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_EQ(found[0].data->GetPoint(i)[0], i);
+    EXPECT_EQ(found[0].data->GetPointData()->GetArray("id")->GetTuple1(i), i);
+  }
+  EXPECT_FALSE(found[0].data->GetPointGhostArray());
 }
 
 TEST(HiddenParts, PatternsNameParts)

@@ -1,13 +1,14 @@
 #include "CommonSpacing.h"
 
+#include "DataParts.h"
 #include "ParticleInput.h"
-#include "PointParts.h"
 
 #include "vtkCommunicator.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
+#include "vtkPolyData.h"
 
 #include <numeric>
 #include <vector>
@@ -63,8 +64,8 @@ double commonSpacingOf(vtkPolyData* particles)
     return particles ? spacingOf(particles) : 0.0;
   const vtkNew<vtkPolyData> nothing;
   const Ranks ranks(controller);
-  const auto own = particles ? withoutGhosts(particles) : vtkSmartPointer<vtkPolyData>(nothing);
-  return spacingOf(own, &ranks);
+  const auto own = withoutMarkedPoints(particles ? particles : nothing.Get());
+  return spacingOf(vtkPolyData::SafeDownCast(own), &ranks);
 }
 
 void keepSpacing(double spacing, vtkPolyData* particles)

@@ -63,18 +63,4 @@ vtkSmartPointer<vtkPolyData> collectPoints(const std::vector<vtkPointSet*>& part
   return withoutCells(append->GetOutput());
 }
 
-vtkSmartPointer<vtkPolyData> withoutGhosts(vtkPolyData* data)
-{
-  vtkUnsignedCharArray* marks = data->GetPointGhostArray();
-  if (!marks)
-    return data;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-    if ((marks->GetValue(i) & vtkDataSetAttributes::DUPLICATEPOINT) == 0)
-      ids->InsertNextId(i);
-  const auto own = pointsOf(data, ids);
-  own->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
-  return own;
-}
-
 } // namespace mote

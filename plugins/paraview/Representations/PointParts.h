@@ -19,8 +19,4 @@ std::vector<vtkPointSet*> pointSetsOf(vtkDataObject* data);
 /// cells.
 vtkSmartPointer<vtkPolyData> collectPoints(const std::vector<vtkPointSet*>& parts);
 
-/// The data without points that are copies of what another rank has; the data itself where there
-/// are none.
-vtkSmartPointer<vtkPolyData> withoutGhosts(vtkPolyData* data);
-
 } // namespace mote

@@ -1,5 +1,6 @@
 #include "vtkMoteDistributeParticles.h"
 
+#include "DataParts.h"
 #include "PointParts.h"
 
 #include "vtkObjectFactory.h"
@@ -10,5 +11,5 @@ vtkStandardNewMacro(vtkMoteDistributeParticles);
 vtkSmartPointer<vtkPolyData> vtkMoteDistributeParticles::Collect(
   const std::vector<vtkPointSet*>& parts)
 {
-  return mote::withoutGhosts(mote::collectPoints(parts));
+  return vtkPolyData::SafeDownCast(mote::withoutMarkedPoints(mote::collectPoints(parts)));
 }

@@ -52,21 +52,14 @@ vtkMapper* vtkMoteParticleRepresentation::GetMapper()
 vtkSmartPointer<vtkPointSet> vtkMoteParticleRepresentation::Collect(
   const std::vector<vtkPointSet*>& parts)
 {
-  this->Own = nullptr;
   return mote::collectPoints(parts);
 }
 
 void vtkMoteParticleRepresentation::Connect(vtkAlgorithmOutput* piece)
 {
-  auto* particles =
-    piece ? vtkPolyData::SafeDownCast(piece->GetProducer()->GetOutputDataObject(piece->GetIndex()))
-          : nullptr;
+  this->Superclass::Connect(piece);
   // A ghost that light goes through would hide what this rank has behind it.
-  if (!particles || !particles->GetPointGhostArray() || !this->IsTranslucent())
-    return this->Superclass::Connect(piece);
-  if (!this->Own)
-    this->Own = mote::withoutGhosts(particles);
-  this->Mapper->SetInputData(this->Own);
+  this->Mapper->SetMeetsGhosts(this->HaveBoxesAndGhosts && !this->IsTranslucent());
 }
 
 /// Whether the data of this rank tell radii in the present mode.

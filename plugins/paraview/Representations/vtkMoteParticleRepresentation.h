@@ -57,7 +57,6 @@ private:
   vtkNew<vtkMoteParticleMapper> Mapper;
   int RadiusMode = 0;
   double Radius = 0.5;
-  vtkSmartPointer<vtkPolyData> Own; ///< of what is drawn, without ghosts; null until asked for
 };
 
 #endif

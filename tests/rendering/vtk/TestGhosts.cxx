@@ -116,6 +116,7 @@ struct Ghosts : ::testing::TestWithParam<Look>
     vtkNew<vtkMoteMeshMapper> triangles;
     triangles->SetInputData(data);
     triangles->SetMeetsGhosts(hasGhosts);
+    stage.mapper->SetMeetsGhosts(hasGhosts);
     if (GetParam().ofTriangles)
       stage.actor->SetMapper(triangles);
     vtkNew<vtkMoteAreaLight> light;
@@ -182,6 +183,47 @@ TEST_P(GhostsNeeded, WithoutThemEdgesAndLightAreOthers)
     wrong += colorOf(with, i)[3] > 0 &&
              !std::equal(colorOf(one, i), colorOf(one, i) + 4, colorOf(alone, i));
   EXPECT_GT(wrong, 100);
+}
+
+TEST(GhostsOfOneFile, CopiesInThePlaceOfParticlesAreHidden)
+{
+  // As where the pieces of a file were joined, the copies first.
+  const std::vector<Ball> balls = someBalls(40);
+  std::vector<Ball> all = balls;
+  all.insert(all.end(), balls.begin(), balls.end());
+  const auto data = makeParticles(all);
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->SetName(vtkDataSetAttributes::GhostArrayName());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    marks->InsertNextValue(i < balls.size() ? vtkDataSetAttributes::DUPLICATEPOINT : 0);
+  data->GetPointData()->AddArray(marks);
+  const auto pictureOf = [](vtkPolyData* particles, vtkIdType shown)
+  {
+    Stage stage(particles);
+    vtkNew<vtkMoteRendererSource> source;
+    source->SetRenderer(stage.renderer);
+    source->SetSize(64, 64);
+    source->Update();
+    EXPECT_EQ(stage.mapper->GetNumberOfVisibleParticles(), shown);
+    const float* colors = colorOf(source->GetOutput(), 0);
+    return std::vector<float>(colors, colors + 4 * 64 * 64);
+  };
+  const auto expected = pictureOf(makeParticles(balls), 40);
+  const auto expectSame = [&](const std::vector<float>& found)
+  {
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      ASSERT_NEAR(found[i], expected[i], 1e-4F) << i; // in another grid, places are rounded so
+  };
+  expectSame(pictureOf(data, 40));
+  // Points that are marked as hidden are so in any case.
+  for (vtkIdType i = 0; i < 40; ++i)
+    marks->SetValue(i, vtkDataSetAttributes::HIDDENPOINT);
+  marks->Modified();
+  expectSame(pictureOf(data, 40));
+  Stage stage(data);
+  stage.mapper->MeetsGhostsOn();
+  stage.mapper->Update();
+  EXPECT_EQ(stage.mapper->GetNumberOfVisibleParticles(), 40);
 }
 
 const Look plain{"Plain", 1, false, false}, lit{"Lit", 1, true, false},
