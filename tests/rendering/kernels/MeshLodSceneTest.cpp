@@ -4,6 +4,8 @@
 #include "ShadowParts.h"
 
 #include <kernels/scene/ColorMeans.h>
+#include <kernels/tracing/detail/SceneRays.h>
+#include <support/CastOracle.h>
 
 #include <gtest/gtest.h>
 
@@ -191,6 +193,52 @@ TEST(MeshLodScene, NoPlaneIsInItsOwnShadow)
       EXPECT_NEAR(found.rough, found.exact, 0.02);
       EXPECT_LT(found.darkened, found.pixels / 100);
     }
+}
+
+TEST(MeshLodScene, RaysLeaveTheirPlaneWhereverTheyStandInAPacket)
+{
+  LodMesh mesh;
+  MeshLook look;
+  look.poe = pixels;
+  mesh.object().surface = MeshSurface(mesh.tree, look);
+  const SceneRays rays(mesh.scene, Vec3d(0.0));
+  const CameraRays camera(mesh.camera, size, size);
+  int planes = 0, inTheirOwnWay = 0;
+  for (int y = 0; y < size; y += 16)
+    for (int x = 0; x < size; x += 16)
+    {
+      RayBundle bundle;
+      camera.fillBundle(bundle, 16, x, y, 0.0, 0.0);
+      withSurface(mesh.object().surface, [&](const auto& s) { s.cast(bundle, 0); });
+      for (int i = 0; i < bundle.count; i += 3)
+      {
+        if (bundle.object[i] != 0 || !RlodTree::isLod(bundle.slot[i]))
+          continue;
+        ++planes;
+        const Vec3d at = bundle.originOf(i) + bundle.t[i] * bundle.directionOf(i);
+        const Vec3d normal =
+          glm::normalize(std::get<MeshSurface>(mesh.object().surface).normalAt(bundle.slot[i], at));
+        const Vec3d eye = -glm::normalize(bundle.directionOf(i));
+        const Vec3d way = glm::normalize(
+          0.3 * (glm::dot(normal, eye) < 0.0 ? -normal : normal) + glm::cross(normal, eye));
+        RayPacket packet = emptyPacket();
+        packet.footprint = bundle.footprint + bundle.t[i] * bundle.footprintPerT;
+        Departures from;
+        for (int k = 0; k < RayPacket::capacity; ++k)
+        {
+          addRay(packet, at, way, 0.0, 100.0);
+          rays.leave(packet, k, from, 0, bundle.slot[i], std::abs(glm::dot(normal, way)));
+        }
+        RayPacket careless = packet;
+        rays.occlude(packet, &from);
+        rays.occlude(careless);
+        for (int k = 0; k < packet.count; ++k)
+          ASSERT_EQ(packet.t[k], packet.t[1]);
+        inTheirOwnWay += careless.t[0] < 0.0 && packet.t[0] > 0.0;
+      }
+    }
+  EXPECT_GT(planes, 100);
+  EXPECT_GT(inTheirOwnWay, 10);
 }
 
 TEST(MeshLodScene, NoPlaneHidesTheSkyFromItself)

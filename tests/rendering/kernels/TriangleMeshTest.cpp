@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <string>
 
 using namespace mote;
@@ -132,4 +133,34 @@ TEST(GeneratedMeshes, CountsAreWholeNumbersWithinLimits)
          std::string(" 100"), std::string("-100"), std::string("99999999999999999999999999"),
          std::to_string(leastGenerated - 1), std::to_string(mostGenerated + 1)})
     EXPECT_THROW(triangleCountIn(text), Error) << text;
+}
+
+TEST(GeneratedMeshes, OfSpheresAreClosedAndHaveTheVolumeOfOne)
+{
+  const GeneratedMesh mesh = displacedSphere(20000);
+  EXPECT_GT(mesh.triangles.size(), 19000u);
+  EXPECT_LE(mesh.triangles.size(), 20000u);
+  double volume = 0.0, area = 0.0;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+  for (const auto& corners : mesh.triangles)
+  {
+    const Vec3d a(mesh.points[corners[0]]), b(mesh.points[corners[1]]), c(mesh.points[corners[2]]);
+    volume += glm::dot(a, glm::cross(b, c)) / 6.0;
+    area += 0.5 * glm::length(glm::cross(b - a, c - a));
+    for (std::size_t k = 0; k < 3; ++k)
+      ++sides[{corners[k], corners[(k + 1) % 3]}];
+  }
+  // Of the waves, a twentieth of the radius high, the first order cancels.
+  EXPECT_NEAR(volume, 4.0 / 3.0 * M_PI, 0.02);
+  EXPECT_GT(area, 4.0 * M_PI);
+  EXPECT_LT(area, 4.0 * M_PI * 1.2);
+  // Every side has one triangle on its left and one on its right, but at the poles, whose points
+  // are as many as there are columns.
+  std::size_t open = 0;
+  for (const auto& [side, count] : sides)
+  {
+    EXPECT_EQ(count, 1);
+    open += sides.find({side.second, side.first}) == sides.end();
+  }
+  EXPECT_LT(open, 2 * 2 * 75u);
 }

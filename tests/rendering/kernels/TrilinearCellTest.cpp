@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 using namespace mote;
 using namespace mote::testing;
@@ -147,6 +148,37 @@ TEST(TrilinearCell, GradientsAtAnApexAreFinite)
   for (std::size_t i = 0; i < 8; ++i)
     values[i] = cell.corners()[i].x + 2.0 * cell.corners()[i].z;
   EXPECT_LT(glm::length(cell.gradient(values, {0.3, 0.6, 1.0}) - Vec3d(1, 0, 2)), 1e-6);
+}
+
+TEST(TrilinearCell, WhereNewtonsMethodFailsTheBestPlaceInTheCellIsFound)
+{
+  HexCorners corners = HexMesh(hexBlock(1, 1, 1).input()).corners(0);
+  const auto shifts = randomPoints(8, Vec3d(-0.35), Vec3d(0.35), 5);
+  for (std::size_t i = 0; i < 8; ++i)
+    corners[i] += shifts[i];
+  const TrilinearCell cell(corners);
+  int searched = 0;
+  for (const Vec3d& p : randomPoints(3000, Vec3d(-2.0, -2.0, -1.5), Vec3d(2.0, 2.0, 2.5), 7))
+  {
+    Vec3d found;
+    if (cell.coordinates(p, found))
+      continue;
+    ++searched;
+    double nearest = std::numeric_limits<double>::infinity();
+    constexpr int steps = 20;
+    for (int i = 0; i <= steps; ++i)
+      for (int j = 0; j <= steps; ++j)
+        for (int k = 0; k <= steps; ++k)
+          nearest = std::min(nearest, glm::length(cell.point(Vec3d(i, j, k) / double(steps)) - p));
+    // The nearest in the cell's own measure, which is not quite that of space.
+    EXPECT_LT(glm::length(cell.point(found) - p), 1.1 * nearest);
+    for (int k = 0; k < 3; ++k)
+    {
+      EXPECT_GE(found[k], 0.0);
+      EXPECT_LE(found[k], 1.0);
+    }
+  }
+  EXPECT_GT(searched, 20);
 }
 
 TEST(TrilinearCell, InverseDistanceWeights)
