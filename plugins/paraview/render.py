@@ -18,13 +18,13 @@ parser.add_argument("--as", dest="kind", choices=("particles", "volume", "mesh")
                     help="default: by what the file holds")
 parser.add_argument("--color-by", metavar="ARRAY", help="default: one colour; of a volume its first array")
 parser.add_argument("--samples", type=int, default=1, 
-                    help="rays a pixel; default 1. Of volumes and meshes on several ranks the next square: 4, 9, 16")
+                    help="rays a pixel; default 1. Of volumes on several ranks the next square: 4, 9, 16")
 parser.add_argument("--step", type=int, default=1, help="time step, from 1")
 parser.add_argument("--shadows", action="store_true")
 parser.add_argument("--ambient-occlusion", action="store_true")
 parser.add_argument("--silhouettes", action="store_true")
 parser.add_argument("--ghosts", type=float, default=0.0, metavar="DISTANCE",
-                    help="how far around the particles of a rank it knows those of others, which shadows, ambient "
+                    help="how far around the particles or polygons of a rank it knows those of others, which shadows, ambient "
                          "occlusion and silhouettes need; default: 0.12 of the longest side or 8 distances of neighbours; inf: all")
 
 
@@ -46,14 +46,34 @@ def kind_of(source, display):
     return "volume" if information.GetDataSetTypeAsString() == "vtkUnstructuredGrid" else "mesh"
 
 
+def distributed(source, kind, options):
+    """The source, each rank with what lies in a box and copies of what is around it; or None.
+
+    Several rays a pixel, light and lines need that.
+    """
+    if ranks() == 1 or not (options.samples > 1 or goes_across(options)):
+        return None
+    if kind == "particles":
+        distribute = simple.DistributeParticlesMote
+    elif kind == "mesh" and source.GetDataInformation().GetDataSetTypeAsString() == "vtkPolyData":
+        distribute = simple.DistributeMeshMote
+    else:
+        return None
+    return distribute(Input=source, GhostDistance=min(options.ghosts, 1e300), ReleaseInput=1)
+
+
 def show(source, view, options):
-    """Shows it, and answers as what."""
+    """Shows it, and answers as what, and how many pixels of what is drawn are side by side in one."""
     display = simple.Show(source, view)
     kind = options.kind or kind_of(source, display)
-    if kind == "particles" and ranks() > 1 and (options.samples > 1 or goes_across(options)):
+    boxes = distributed(source, kind, options)
+    if boxes:
         simple.Hide(source, view)
-        source = simple.DistributeParticlesMote(Input=source, GhostDistance=min(options.ghosts, 1e300), ReleaseInput=1)
+        source = boxes
         display = simple.Show(source, view)
+    # Ranks whose data lie in boxes are blended in order. Of others the nearest is seen: each ray must
+    # have a pixel of its own.
+    side = 1 if ranks() == 1 or boxes or kind == "particles" else math.isqrt(max(options.samples, 1) - 1) + 1
     name = {"particles": "Mote Particles", "volume": "Mote Volume", "mesh": "Mote Mesh"}[kind]
     if name not in display.GetProperty("Representation").Available:
         sys.exit(f"{options.file}: its data cannot be shown as {kind}")
@@ -70,18 +90,7 @@ def show(source, view, options):
     if wanted:
         display.RescaleTransferFunctionToDataRange(False, True)
         display.SetScalarBarVisibility(view, True)
-    return kind, display
-
-
-def side_of(kind, options):
-    """Pixels of the picture that is drawn along the side of one that is written.
-
-    Ranks whose particles lie in boxes are blended in order. Of others the nearest is seen: each ray must
-    have a pixel of its own.
-    """
-    if ranks() == 1 or kind == "particles":
-        return 1
-    return math.isqrt(max(options.samples, 1) - 1) + 1
+    return kind, display, side
 
 
 def write_mean(options, view, size, side):
@@ -129,8 +138,7 @@ def main():
     time = time_of(source, options.file, options.step)
     if time is not None:
         view.ViewTime = time
-    kind, display = show(source, view, options)
-    side = side_of(kind, options)
+    kind, display, side = show(source, view, options)
     samples = 1 if side > 1 else options.samples
     setattr(display, f"Mote{kind.removesuffix('s').title()}Samples", samples)
     if lit:

@@ -50,6 +50,37 @@ for look in '' '--shadows --ambient-occlusion --silhouettes'; do
   done
 done
 echo "ok      light, lines and rays: two and four ranks make the picture of one"
+# The same of polygons: 40 spheres, in a file that the first rank reads.
+awk 'BEGIN {
+  srand(5); rows = 12; columns = 24
+  for (s = 0; s < 40; ++s) {
+    x = 10 * rand(); y = 6 * rand(); z = 4 * rand(); r = 0.5 + 0.4 * rand()
+    for (i = 0; i <= rows; ++i)
+      for (j = 0; j < columns; ++j) {
+        a = 3.14159265 * i / rows; b = 2 * 3.14159265 * j / columns
+        print "v", x + r * sin(a) * cos(b), y + r * sin(a) * sin(b), z + r * cos(a)
+      }
+    for (i = 0; i < rows; ++i)
+      for (j = 0; j < columns; ++j) {
+        p = s * (rows + 1) * columns + i * columns + 1
+        print "f", p + j, p + columns + j, p + columns + (j + 1) % columns, p + (j + 1) % columns
+      }
+  }
+}' >"$folder/balls.obj"
+for look in '' '--shadows --ambient-occlusion --silhouettes'; do
+  read -ra options <<<"--size 300x200 --samples 4 $look"
+  render "$folder/balls.obj" -o "$folder/lit1.png" "${options[@]}" || fail "polygons, 1"
+  for ranks in 2 ${look:+4}; do
+    for ghosts in 0:0.5 ${look:+inf:0.02}; do
+      render "$folder/balls.obj" -o "$folder/lit.png" "${options[@]}" --ranks $ranks --ghosts ${ghosts%:*} || fail "polygons, $ranks"
+      oiiotool --fail 0.1 --failpercent "${ghosts#*:}" --hardfail 1 --diff "$folder/lit1.png" "$folder/lit.png" >"$folder/diff" || {
+        cat "$folder/diff"
+        fail "polygons on $ranks ranks, ghosts ${ghosts%:*}: another picture $look"
+      }
+    done
+  done
+done
+echo "ok      light, lines and rays of polygons: two and four ranks make the picture of one"
 # Pieces hold what the file had, each once, in boxes.
 for ranks in 1 2 4; do
   "$root/scripts/paraview" convert "$folder/random.xyz" -o "$folder/pieces$ranks.pvtp" --ranks $ranks >"$folder/out" 2>&1 ||
