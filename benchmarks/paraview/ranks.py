@@ -1,10 +1,11 @@
-"""A file of particles on several ranks, each with a piece: what reading and frames take, and memory.
+"""A file of particles or polygons on several ranks, each with a piece: what reading and frames take, and memory.
 
     export LP_NUM_THREADS=1 VTK_SMP_BACKEND_IN_USE=STDThread MOTE_PLUGIN=...  # Mote.so, as scripts/paraview builds it
     xvfb-run -a mpiexec --bind-to core -n N pvbatch --sym benchmarks/paraview/ranks.py FILE [LOOK]
 
 LOOK is `plain`, the default, or `boxes`: as plain, but each rank gets the particles of a box and no ghosts; `lit`: ambient
 occlusion, shadows and four rays a pixel, with ghosts. What was read is freed when it has been sent, unless `keep` comes behind.
+`mesh` behind it says that these are polygons.
 
 pvbatch is in build/paraview/packages/usr/bin. 1024x1024, the camera moves between frames, medians. Memory is what each rank has taken more than
 before it read: at the end, and at the most.
@@ -38,8 +39,12 @@ read = time.time() - start
 count = source.GetDataInformation().GetNumberOfPoints()
 look = sys.argv[2] if len(sys.argv) > 2 else "plain"
 start = time.time()
+polygons = "mesh" in sys.argv
+if polygons:
+    count = source.GetDataInformation().GetNumberOfCells()
 if look != "plain" and ranks > 1:
-    source = simple.DistributeParticlesMote(Input=source, Ghosts=look == "lit", ReleaseInput="keep" not in sys.argv)
+    distribute = simple.DistributeMeshMote if polygons else simple.DistributeParticlesMote
+    source = distribute(Input=source, Ghosts=look == "lit", ReleaseInput="keep" not in sys.argv)
     source.UpdatePipeline()
 sent = time.time() - start
 view = simple.CreateView("MoteRenderView" if look == "lit" else "RenderView")
@@ -49,7 +54,7 @@ if look == "lit":
     view.MoteShadows = 1
     view.MoteOcclusion = "Live"
 display = simple.Show(source, view)
-display.SetRepresentationType("Mote Particles")
+display.SetRepresentationType("Mote Mesh" if polygons else "Mote Particles")
 simple.ResetCamera(view)
 start = time.time()
 simple.Render(view)
@@ -65,7 +70,7 @@ own, mapped, _ = (now - then for now, then in zip(memory(), before))
 most = memory()[2] - before[0] - before[1]
 controller.Barrier()
 if rank == 0:
-    print(f"{count} particles on {ranks} ranks: {look}: read in {read:.2f} s, sent in {sent:.2f} s, first picture {first:.2f} s, "
+    print(f"{count} {'polygons' if polygons else 'particles'} on {ranks} ranks: {look}: read in {read:.2f} s, sent in {sent:.2f} s, first picture {first:.2f} s, "
           f"frame {statistics.median(frames):.3f} s", flush=True)
 for k in range(ranks):
     controller.Barrier()

@@ -156,8 +156,20 @@ protected:
   }
 };
 
+/// A reader of pieces, each of which is read so.
+template <class Reader, class PieceReader>
+class InPieces : public Reader
+{
+public:
+  static InPieces* New() { VTK_STANDARD_NEW_BODY(InPieces); }
+
+protected:
+  vtkXMLDataReader* CreatePieceReader() override { return WithPointData<PieceReader>::New(); }
+};
+
 /// Puts pieces together with one point where each has a copy.
-class WeldingGridReader : public vtkXMLPUnstructuredGridReader
+class WeldingGridReader
+  : public InPieces<vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader>
 {
 public:
   static WeldingGridReader* New() { VTK_STANDARD_NEW_BODY(WeldingGridReader); }
@@ -276,11 +288,15 @@ const std::vector<ReaderFormat>& readerFormats()
     {{".vtr"}, "VTK XML rectilinear grid", makeXML<WithPointData<vtkXMLRectilinearGridReader>>,
       true},
     {{".vtm", ".vtmb"}, "VTK XML blocks", makeXML<vtkXMLMultiBlockDataReader>, true},
-    {{".pvtp"}, "VTK XML polygonal data in pieces", makeXML<vtkXMLPPolyDataReader>, true},
+    {{".pvtp"}, "VTK XML polygonal data in pieces",
+      makeXML<InPieces<vtkXMLPPolyDataReader, vtkXMLPolyDataReader>>, true},
     {{".pvtu"}, "VTK XML unstructured grid in pieces", makeXML<WeldingGridReader>, true},
-    {{".pvti"}, "VTK XML image in pieces", makeXML<vtkXMLPImageDataReader>, true},
-    {{".pvts"}, "VTK XML structured grid in pieces", makeXML<vtkXMLPStructuredGridReader>, true},
-    {{".pvtr"}, "VTK XML rectilinear grid in pieces", makeXML<vtkXMLPRectilinearGridReader>, true},
+    {{".pvti"}, "VTK XML image in pieces",
+      makeXML<InPieces<vtkXMLPImageDataReader, vtkXMLImageDataReader>>, true},
+    {{".pvts"}, "VTK XML structured grid in pieces",
+      makeXML<InPieces<vtkXMLPStructuredGridReader, vtkXMLStructuredGridReader>>, true},
+    {{".pvtr"}, "VTK XML rectilinear grid in pieces",
+      makeXML<InPieces<vtkXMLPRectilinearGridReader, vtkXMLRectilinearGridReader>>, true},
     {{".pvd", ".series"}, "files with their times and parts", make<vtkMoteCollectionReader>},
     {{".vtk"}, "VTK legacy file of points, grids, meshes or blocks", makeLegacy, true},
     {{".ply"}, "Stanford triangle mesh", makePLY, true},

@@ -189,6 +189,39 @@ TEST_F(TestDamagedMeshes, Pieces)
   damage(path("a.pvtu"), 60);
 }
 
+TEST_F(TestDamagedMeshes, PiecesWithoutPointDataWhoseCellDataAreTooShort)
+{
+  const auto array = [](const std::string& type, const std::string& name, const std::string& values)
+  {
+    return "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"" +
+           (name == "Points" ? "3" : "1") + "\" format=\"ascii\">" + values + "</DataArray>";
+  };
+  const std::string points =
+    "<Points>" + array("Float32", "Points", "0 0 0 1 0 0 0 1 0 0 0 1") + "</Points>";
+  const std::string cells =
+    array("Int64", "connectivity", "0 1 2 3") + array("Int64", "offsets", "4");
+  const auto readPieces = [&](const std::string& kind, const std::string& ending,
+                            const std::string& count, const std::string& rest)
+  {
+    const std::string type = "<VTKFile type=\"", version = "\" version=\"0.1\">";
+    // One cell, and no value.
+    write("short." + ending, type + kind + version + "<" + kind + "><Piece NumberOfPoints=\"4\" " +
+                               count + "=\"1\">" + "<CellData>" + array("Float32", "c", "") +
+                               "</CellData>" + points + rest + "</Piece></" + kind + "></VTKFile>");
+    write("short.p" + ending,
+      type + "P" + kind + version + "<P" + kind +
+        " GhostLevel=\"0\"><PCellData><PDataArray type=\"Float32\" Name=\"c\"/></PCellData>"
+        "<PPoints><PDataArray type=\"Float32\" Name=\"Points\" NumberOfComponents=\"3\"/></PPoints>"
+        "<Piece Source=\"short." +
+        ending + "\"/></P" + kind + "></VTKFile>");
+    return read(path("short.p" + ending));
+  };
+  EXPECT_NE(readPieces("UnstructuredGrid", "vtu", "NumberOfCells",
+              "<Cells>" + cells + array("UInt8", "types", "10") + "</Cells>"),
+    "");
+  EXPECT_NE(readPieces("PolyData", "vtp", "NumberOfPolys", "<Polys>" + cells + "</Polys>"), "");
+}
+
 TEST_F(TestDamagedMeshes, Collections)
 {
   writeWith<vtkXMLUnstructuredGridWriter>("a.vtu", samples::box());
