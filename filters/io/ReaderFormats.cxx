@@ -37,6 +37,7 @@
 #include "kernels/particles/GeneratedParticles.h"
 #include "kernels/particles/PkdTreeFile.h"
 
+#include "vtkDataArraySelection.h"
 #include "vtkGLTFReader.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkNew.h"
@@ -189,6 +190,41 @@ protected:
   }
 };
 
+/// A reader of blocks, those of VTK's XML files being read as single ones are.
+class BlocksReader : public vtkXMLMultiBlockDataReader
+{
+public:
+  static BlocksReader* New() { VTK_STANDARD_NEW_BODY(BlocksReader); }
+
+protected:
+  vtkDataObject* ReadDataObject(vtkXMLDataElement* element, const char* folder) override
+  {
+    const std::string file = this->GetFileNameFromXML(element, folder);
+    const std::string ending = vtksys::SystemTools::GetFilenameLastExtension(file);
+    return ending == ".vtp"   ? this->readBy<vtkXMLPolyDataReader>(file)
+           : ending == ".vtu" ? this->readBy<vtkXMLUnstructuredGridReader>(file)
+           : ending == ".vti" ? this->readBy<vtkXMLImageDataReader>(file)
+           : ending == ".vts" ? this->readBy<vtkXMLStructuredGridReader>(file)
+           : ending == ".vtr" ? this->readBy<vtkXMLRectilinearGridReader>(file)
+                              : this->Superclass::ReadDataObject(element, folder);
+  }
+
+private:
+  template <class Reader>
+  vtkDataObject* readBy(const std::string& file)
+  {
+    vtkNew<WithPointData<Reader>> reader;
+    reader->SetFileName(file.c_str());
+    reader->GetPointDataArraySelection()->CopySelections(this->GetPointDataArraySelection());
+    reader->GetCellDataArraySelection()->CopySelections(this->GetCellDataArraySelection());
+    reader->Update();
+    vtkDataObject* data = reader->GetOutputDataObject(0);
+    vtkDataObject* own = data->NewInstance();
+    own->ShallowCopy(data);
+    return own;
+  }
+};
+
 /// As makeOneOrSeries(), of VTK's XML files.
 template <class Reader>
 vtkSmartPointer<vtkAlgorithm> makeXML(const FileNames& fileNames)
@@ -287,7 +323,7 @@ const std::vector<ReaderFormat>& readerFormats()
     {{".vts"}, "VTK XML structured grid", makeXML<WithPointData<vtkXMLStructuredGridReader>>, true},
     {{".vtr"}, "VTK XML rectilinear grid", makeXML<WithPointData<vtkXMLRectilinearGridReader>>,
       true},
-    {{".vtm", ".vtmb"}, "VTK XML blocks", makeXML<vtkXMLMultiBlockDataReader>, true},
+    {{".vtm", ".vtmb"}, "VTK XML blocks", makeXML<BlocksReader>, true},
     {{".pvtp"}, "VTK XML polygonal data in pieces",
       makeXML<InPieces<vtkXMLPPolyDataReader, vtkXMLPolyDataReader>>, true},
     {{".pvtu"}, "VTK XML unstructured grid in pieces", makeXML<WeldingGridReader>, true},

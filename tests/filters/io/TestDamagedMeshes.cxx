@@ -189,7 +189,7 @@ TEST_F(TestDamagedMeshes, Pieces)
   damage(path("a.pvtu"), 60);
 }
 
-TEST_F(TestDamagedMeshes, PiecesWithoutPointDataWhoseCellDataAreTooShort)
+TEST_F(TestDamagedMeshes, PiecesAndBlocksWithoutPointDataWhoseCellDataAreTooShort)
 {
   const auto array = [](const std::string& type, const std::string& name, const std::string& values)
   {
@@ -214,6 +214,10 @@ TEST_F(TestDamagedMeshes, PiecesWithoutPointDataWhoseCellDataAreTooShort)
         "<PPoints><PDataArray type=\"Float32\" Name=\"Points\" NumberOfComponents=\"3\"/></PPoints>"
         "<Piece Source=\"short." +
         ending + "\"/></P" + kind + "></VTKFile>");
+    write("short.vtm", type + "vtkMultiBlockDataSet" + version +
+                         "<vtkMultiBlockDataSet><DataSet index=\"0\" file=\"short." + ending +
+                         "\"/></vtkMultiBlockDataSet></VTKFile>");
+    EXPECT_NE(read(path("short.vtm")), "");
     return read(path("short.p" + ending));
   };
   EXPECT_NE(readPieces("UnstructuredGrid", "vtu", "NumberOfCells",
