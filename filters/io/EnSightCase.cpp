@@ -85,6 +85,10 @@ void EnSightCase::parse()
       "FILE", "MATERIAL", "SCRIPTS", "BLOCK_CONTINUATION"};
     if (std::find(sections.begin(), sections.end(), line) != sections.end())
     {
+      // VTK's reader would never end.
+      if (section == "MATERIAL" || section == "SCRIPTS" || section == "BLOCK_CONTINUATION")
+        this->fail("the section " + section + " is passed over at the end of a case alone, and " +
+                   line + " comes behind it");
       section = line;
       continue;
     }
@@ -124,14 +128,16 @@ void EnSightCase::parseLine(
     this->parseTime(key, value);
   else if (section == "FILE")
     this->parseFileSet(key, value);
+  else if (section == "FORMAT") // VTK's reader would never end
+    this->fail("behind the type of the format comes a section, such as GEOMETRY");
 }
 
 /// Sets of files that hold many steps each: read are those of one file. What is said of others, and
-/// of sets that nothing names, does not matter.
+/// of sets that nothing names, does not matter, but VTK's reader would never end at other words.
 void EnSightCase::parseFileSet(const std::string& key, const std::string& value)
 {
   if (key != "file set" && key != "number of steps" && key != "filename index")
-    return;
+    this->fail("file sets have no '" + key + "'");
   int number = 0;
   const std::vector<std::string> words = wordsOf(value);
   if (words.empty() || !isNumber(words[0], number) || number < 0)

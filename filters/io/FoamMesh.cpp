@@ -299,10 +299,10 @@ bool isThere(const std::filesystem::path& file)
 void checkFoamMesh(const std::string& folder)
 {
   const std::filesystem::path mesh(folder);
+  if (isThere(mesh / "boundary")) // which the reader looks at before it misses the others
+    ListFile((mesh / "boundary").string()).patches();
   if (!isThere(mesh / "points") || !isThere(mesh / "faces") || !isThere(mesh / "owner"))
     return;
-  if (isThere(mesh / "boundary"))
-    ListFile((mesh / "boundary").string()).patches();
   const std::int64_t points = ListFile((mesh / "points").string()).places();
   const std::int64_t faces = checkFaces((mesh / "faces").string(), points);
   if (faces < 0)

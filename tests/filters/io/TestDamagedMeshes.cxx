@@ -250,6 +250,10 @@ TEST_F(TestDamagedMeshes, WhatCrashedAReader)
   };
   samples::writeFoam(path("foam"));
   change("foam/0/U", "boundaryField\n", "boundaryField/");
+  // The reader looks at the boundary before it misses another file.
+  std::filesystem::rename(path("foam/constant/polyMesh/owner"), path("owner"));
+  change("foam/constant/polyMesh/boundary", "(", "nothing");
+  std::filesystem::rename(path("owner"), path("foam/constant/polyMesh/owner"));
   change("foam/constant/polyMesh/boundary", "inlet\n    {", "inlet\n    ");
   change("foam/constant/polyMesh/owner", "\n0", "\n-5");
   change("foam/constant/polyMesh/faces", "4(1", "4(100");

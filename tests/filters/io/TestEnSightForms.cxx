@@ -256,6 +256,20 @@ TEST_F(TestEnSightForms, StepsInOneFile)
   }
 }
 
+TEST_F(TestEnSightForms, WordsAtWhichTheReaderWouldNeverEnd)
+{
+  const auto refuse = [this](const std::string& lines, const std::string& sentence)
+  { this->expectError(write("a.case", "FORMAT\ntype: ensight gold\n" + lines), sentence); };
+  const std::string geometry = "GEOMETRY\nmodel: a.geo\n",
+                    values = "VARIABLE\nscalar per node: p a.p\n";
+  refuse("GEOME\n" + geometry, "behind the type of the format comes a section");
+  refuse("version: 1\n" + geometry, "behind the type of the format comes a section");
+  refuse(geometry + "FILE\nfile set: 1\nnumber of files: 1\n", "have no 'number of files'");
+  for (const std::string name : {"MATERIAL", "SCRIPTS", "BLOCK_CONTINUATION"})
+    refuse(
+      geometry + name + "\na: b\n" + values, "the section " + name + " is passed over at the end");
+}
+
 TEST_F(TestEnSightForms, WhatIsRefused)
 {
   const auto refuse = [this](const std::string& lines, const std::string& sentence)
