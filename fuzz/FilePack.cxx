@@ -52,17 +52,18 @@ void unpack(std::string_view pack, const std::filesystem::path& folder)
   for (int count = 0; at != pack.npos && count < most; ++count)
   {
     at += packMark.size();
-    const std::size_t next = pack.find(packMark, at), lineEnd = pack.find('\n', at);
+    const std::size_t next = pack.find(packMark, at);
     const std::string_view whole = pack.substr(at, next == pack.npos ? next : next - at);
     at = next;
-    const std::filesystem::path name(whole.substr(0, whole.find('\n')));
-    if (lineEnd == pack.npos || !isFine(name))
+    const std::size_t lineEnd = whole.find('\n');
+    const std::filesystem::path name(whole.substr(0, lineEnd));
+    if (lineEnd == whole.npos || !isFine(name))
       continue;
-    const std::size_t begin = std::min(whole.find('\n'), whole.size() - 1) + 1;
+    const std::string_view content = whole.substr(lineEnd + 1);
     // A folder may be in a file's place, and the other way round: then there is no such file.
     std::error_code error;
     std::filesystem::create_directories((folder / name).parent_path(), error);
     std::ofstream stream(folder / name, std::ios::binary);
-    stream.write(whole.data() + begin, static_cast<std::streamsize>(whole.size() - begin));
+    stream.write(content.data(), static_cast<std::streamsize>(content.size()));
   }
 }

@@ -7,6 +7,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 
 #include <unistd.h>
 
@@ -21,8 +22,8 @@ ScratchFile::ScratchFile(const std::string& ending)
 
 ScratchFile::~ScratchFile()
 {
-  unlink(path_.c_str());
-  rmdir(folder_.c_str());
+  std::error_code error;
+  std::filesystem::remove_all(folder_, error);
 }
 
 void ScratchFile::write(const std::uint8_t* bytes, std::size_t size)

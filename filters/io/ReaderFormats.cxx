@@ -157,7 +157,7 @@ protected:
   }
 };
 
-/// A reader of pieces, each of which is read so.
+/// A reader of pieces that reads each as a file by itself, with WithPointData.
 template <class Reader, class PieceReader>
 class InPieces : public Reader
 {
@@ -190,7 +190,7 @@ protected:
   }
 };
 
-/// A reader of blocks, those of VTK's XML files being read as single ones are.
+/// A reader of blocks that reads each of VTK's XML files as one by itself, with WithPointData.
 class BlocksReader : public vtkXMLMultiBlockDataReader
 {
 public:

@@ -63,7 +63,7 @@ def distributed(source, kind, options):
 
 
 def show(source, view, options):
-    """Shows it, and answers as what, and how many pixels of what is drawn are side by side in one."""
+    """Shows it. Returns its kind, its display, and how many pixels are drawn along the side of one that is written."""
     display = simple.Show(source, view)
     kind = options.kind or kind_of(source, display)
     boxes = distributed(source, kind, options)

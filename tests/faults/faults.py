@@ -65,7 +65,7 @@ CASES = [
          ["out.json"]),
 ]
 
-# All fail, that of the result first. After it comes its folder, which is asked and no more.
+# Every fsync fails. The first is that of the result; that of its folder comes later, and may fail.
 NO_FSYNC = "fsync:1+"
 
 Result = collections.namedtuple("Result", "code said told files left")

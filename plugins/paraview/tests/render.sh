@@ -23,6 +23,20 @@ alike() {
   }
 }
 
+# as_on_one FILE LOOK DIFFERENCE RANKS GHOSTS:SHARE: of the picture of one rank, pixels that differ by more are at most
+# so many in a hundred.
+as_on_one() {
+  local file=$1 look=$2 ranks=$4 ghosts=${5%:*} one options
+  one=$folder/one-${file%.*}${look:+-lit}.png
+  read -ra options <<<"--size 300x200 --samples 4 $look"
+  [ -s "$one" ] || render "$folder/$file" -o "$one" "${options[@]}" || fail "$file, 1"
+  render "$folder/$file" -o "$folder/lit.png" "${options[@]}" --ranks $ranks --ghosts $ghosts || fail "$file, $ranks"
+  oiiotool --fail $3 --failpercent "${5#*:}" --hardfail 1 --diff "$one" "$folder/lit.png" >"$folder/diff" || {
+    cat "$folder/diff"
+    fail "$file on $ranks ranks, ghosts $ghosts: another picture $look"
+  }
+}
+
 for pair in copper-scratch.dump.gz:0 swirl.1.vtu:16; do # edges of clouds differ a little
   data=${pair%:*}
   for ranks in 1 2 4; do
@@ -36,17 +50,11 @@ for pair in copper-scratch.dump.gz:0 swirl.1.vtu:16; do # edges of clouds differ
 done
 # Light, lines and rays: particles of ranks know those beside them, or all. Shadows go farther.
 awk 'BEGIN { srand(3); print 20000 "\n"; for (i = 0; i < 20000; ++i) print "A", 10 * rand(), 6 * rand(), 4 * rand() }' >"$folder/random.xyz"
-for look in '' '--shadows --ambient-occlusion --silhouettes'; do
-  read -ra options <<<"--size 300x200 --samples 4 $look"
-  render "$folder/random.xyz" -o "$folder/lit1.png" "${options[@]}" || fail "light, 1"
-  for ranks in 2 4; do
-    for ghosts in 0:0.1 inf:0.01; do # pixels in a hundred that may differ
-      render "$folder/random.xyz" -o "$folder/lit.png" "${options[@]}" --ranks $ranks --ghosts ${ghosts%:*} || fail "light, $ranks"
-      oiiotool --fail 0.02 --failpercent "${ghosts#*:}" --hardfail 1 --diff "$folder/lit1.png" "$folder/lit.png" >"$folder/diff" || {
-        cat "$folder/diff"
-        fail "$ranks ranks, ghosts ${ghosts%:*}: another picture $look"
-      }
-    done
+all='--shadows --ambient-occlusion --silhouettes'
+for ranks in 2 4; do
+  for ghosts in 0:0.1 inf:0.01; do
+    as_on_one random.xyz '' 0.02 $ranks $ghosts
+    as_on_one random.xyz "$all" 0.02 $ranks $ghosts
   done
 done
 echo "ok      light, lines and rays: two and four ranks make the picture of one"
@@ -67,17 +75,10 @@ awk 'BEGIN {
       }
   }
 }' >"$folder/balls.obj"
-for look in '' '--shadows --ambient-occlusion --silhouettes'; do
-  read -ra options <<<"--size 300x200 --samples 4 $look"
-  render "$folder/balls.obj" -o "$folder/lit1.png" "${options[@]}" || fail "polygons, 1"
-  for ranks in 2 ${look:+4}; do
-    for ghosts in 0:0.5 ${look:+inf:0.02}; do
-      render "$folder/balls.obj" -o "$folder/lit.png" "${options[@]}" --ranks $ranks --ghosts ${ghosts%:*} || fail "polygons, $ranks"
-      oiiotool --fail 0.1 --failpercent "${ghosts#*:}" --hardfail 1 --diff "$folder/lit1.png" "$folder/lit.png" >"$folder/diff" || {
-        cat "$folder/diff"
-        fail "polygons on $ranks ranks, ghosts ${ghosts%:*}: another picture $look"
-      }
-    done
+as_on_one balls.obj '' 0.1 2 0:0.5
+for ranks in 2 4; do
+  for ghosts in 0:0.5 inf:0.02; do
+    as_on_one balls.obj "$all" 0.1 $ranks $ghosts
   done
 done
 echo "ok      light, lines and rays of polygons: two and four ranks make the picture of one"

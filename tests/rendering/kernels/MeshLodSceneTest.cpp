@@ -200,27 +200,25 @@ TEST(MeshLodScene, RaysLeaveTheirPlaneWhereverTheyStandInAPacket)
   LodMesh mesh;
   MeshLook look;
   look.poe = pixels;
-  mesh.object().surface = MeshSurface(mesh.tree, look);
+  const MeshSurface surface(mesh.tree, look);
+  mesh.object().surface = surface;
   const SceneRays rays(mesh.scene, Vec3d(0.0));
   const CameraRays camera(mesh.camera, size, size);
-  int planes = 0, inTheirOwnWay = 0;
+  int inTheirOwnWay = 0;
   for (int y = 0; y < size; y += 16)
     for (int x = 0; x < size; x += 16)
     {
       RayBundle bundle;
       camera.fillBundle(bundle, 16, x, y, 0.0, 0.0);
-      withSurface(mesh.object().surface, [&](const auto& s) { s.cast(bundle, 0); });
+      surface.cast(bundle, 0);
       for (int i = 0; i < bundle.count; i += 3)
       {
         if (bundle.object[i] != 0 || !RlodTree::isLod(bundle.slot[i]))
           continue;
-        ++planes;
         const Vec3d at = bundle.originOf(i) + bundle.t[i] * bundle.directionOf(i);
-        const Vec3d normal =
-          glm::normalize(std::get<MeshSurface>(mesh.object().surface).normalAt(bundle.slot[i], at));
-        const Vec3d eye = -glm::normalize(bundle.directionOf(i));
-        const Vec3d way = glm::normalize(
-          0.3 * (glm::dot(normal, eye) < 0.0 ? -normal : normal) + glm::cross(normal, eye));
+        const Vec3d normal = glm::normalize(surface.normalAt(bundle.slot[i], at));
+        const Vec3d ray = glm::normalize(bundle.directionOf(i)), along = glm::cross(normal, ray);
+        const Vec3d way = glm::normalize(0.3 * glm::faceforward(normal, ray, normal) + along);
         RayPacket packet = emptyPacket();
         packet.footprint = bundle.footprint + bundle.t[i] * bundle.footprintPerT;
         Departures from;
@@ -237,7 +235,6 @@ TEST(MeshLodScene, RaysLeaveTheirPlaneWhereverTheyStandInAPacket)
         inTheirOwnWay += careless.t[0] < 0.0 && packet.t[0] > 0.0;
       }
     }
-  EXPECT_GT(planes, 100);
   EXPECT_GT(inTheirOwnWay, 10);
 }
 

@@ -212,7 +212,7 @@ TEST(GhostsOfOneFile, CopiesInThePlaceOfParticlesAreHidden)
   const auto expectSame = [&](const std::vector<float>& found)
   {
     for (std::size_t i = 0; i < expected.size(); ++i)
-      ASSERT_NEAR(found[i], expected[i], 1e-4F) << i; // in another grid, places are rounded so
+      ASSERT_NEAR(found[i], expected[i], 1e-4F) << i; // other particles make another grid
   };
   expectSame(pictureOf(data, 40));
   // Points that are marked as hidden are so in any case.
