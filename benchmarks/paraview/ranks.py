@@ -70,7 +70,7 @@ own, mapped, _ = (now - then for now, then in zip(memory(), before))
 most = memory()[2] - before[0] - before[1]
 controller.Barrier()
 if rank == 0:
-    print(f"{count} {'polygons' if polygons else 'particles'} on {ranks} ranks: {look}: read in {read:.2f} s, sent in {sent:.2f} s, first picture {first:.2f} s, "
+    print(f"{ranks} ranks, the first with {count} {'polygons' if polygons else 'particles'} of the file: {look}: read in {read:.2f} s, sent in {sent:.2f} s, first picture {first:.2f} s, "
           f"frame {statistics.median(frames):.3f} s", flush=True)
 for k in range(ranks):
     controller.Barrier()
