@@ -6,6 +6,7 @@
 #include <kernels/meshes/RlodTreeFile.h>
 #include <kernels/meshes/detail/RlodTreeFileHeader.h>
 
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -398,9 +399,28 @@ TEST(RlodTreeFileDamage, HeadersThatDoNotFit)
   {
     expect("numbers on places", [&](Header& h, Table&) { h.origin[k] = nan; });
     expect("numbers on places", [&](Header& h, Table&) { h.lower[k] = 3.0; });
+    expect("numbers on places", [&](Header& h, Table&) { h.lower[k] = -2.1; });
+    expect("numbers on places", [&](Header& h, Table&) { h.upper[k] = 2.1; });
+    expect("numbers on places", [&](Header& h, Table&) { std::swap(h.lower[k], h.upper[k]); });
     expect("numbers on places", [&](Header& h, Table&) { h.bounds[k] = nan; });
+    expect(
+      "numbers on places", [&](Header& h, Table&) { std::swap(h.bounds[k], h.bounds[3 + k]); });
+    // The ends of what is allowed, and nothing thick at all.
+    EXPECT_EQ(p.with([&](Header& h, Table&) { h.lower[k] = -2.0, h.upper[k] = 2.0; }), "");
+    EXPECT_EQ(p.with([&](Header& h, Table&) { h.lower[k] = h.upper[k]; }), "");
+    EXPECT_EQ(p.with([&](Header& h, Table&) { h.bounds[k] = h.bounds[3 + k]; }), "");
   }
   expect("numbers on places", [](Header& h, Table&) { h.levelStep = ~0U; });
+  // The last of 32 levels is the bits of a float below 1e30.
+  const auto below = std::bit_cast<std::uint32_t>(1e30f) - 1;
+  const auto levels = [](std::uint32_t first, std::uint32_t step)
+  { return [=](Header& h, Table&) { h.firstLevel = first, h.levelStep = step; }; };
+  EXPECT_EQ(p.with(levels(below, 0)), "");
+  EXPECT_EQ(p.with(levels(below - 31, 1)), "");
+  EXPECT_EQ(p.with(levels(below % 31, below / 31)), "");
+  expect("numbers on places", levels(below + 1, 0));
+  expect("numbers on places", levels(below - 30, 1));
+  expect("numbers on places", levels(below % 31 + 1, below / 31));
 }
 
 TEST(RlodTreeFileDamage, NoByteLeadsRaysOutOfTheFile)
