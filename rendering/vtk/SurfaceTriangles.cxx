@@ -1,11 +1,14 @@
 #include "SurfaceTriangles.h"
 
 #include "kernels/core/Error.h"
+#include "kernels/core/Vec.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCellType.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkGeometryFilter.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -201,6 +204,55 @@ vtkSmartPointer<vtkPointSet> visibleOf(vtkPointSet* shape, vtkUnsignedCharArray*
   return threshold->GetOutput();
 }
 
+/// Whether faces of the cell look inwards, by VTK's order of its corners: files have wedges in both
+/// orders, and mirrored meshes have all cells so.
+bool isInsideOut(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* corners)
+{
+  const auto mean = [&](std::initializer_list<vtkIdType> some)
+  {
+    Vec3d sum(0.0);
+    for (const vtkIdType corner : some)
+    {
+      Vec3d at;
+      grid->GetPoint(corners->GetId(corner), &at[0]);
+      sum += at;
+    }
+    return sum / static_cast<double>(some.size());
+  };
+  const auto volume = [](const Vec3d& a, const Vec3d& b, const Vec3d& c)
+  { return glm::dot(glm::cross(a, b), c); };
+  const int type = grid->GetCellType(cell);
+  if (type != VTK_TETRA && type != VTK_HEXAHEDRON && type != VTK_WEDGE && type != VTK_PYRAMID)
+    return false;
+  grid->GetCellPoints(cell, corners);
+  const Vec3d first = mean({0});
+  if (type == VTK_TETRA)
+    return volume(mean({1}) - first, mean({2}) - first, mean({3}) - first) < 0.0;
+  if (type == VTK_WEDGE) // its first triangle looks outwards
+    return volume(mean({1}) - first, mean({2}) - first, mean({3, 4, 5}) - mean({0, 1, 2})) > 0.0;
+  if (type == VTK_PYRAMID)
+    return volume(mean({2}) - first, mean({3}) - mean({1}), mean({4}) - mean({0, 1, 2, 3})) < 0.0;
+  return volume(mean({1, 2, 5, 6}) - mean({0, 3, 4, 7}), mean({2, 3, 6, 7}) - mean({0, 1, 4, 5}),
+           mean({4, 5, 6, 7}) - mean({0, 1, 2, 3})) < 0.0;
+}
+
+/// Turns triangles so that they look out of their cells.
+void turnOutwards(vtkUnstructuredGrid* grid, vtkIdTypeArray* corners, SurfaceTriangles& found)
+{
+  vtkNew<vtkIdList> ofCell;
+  for (std::size_t i = 0; i < found.cells.size(); ++i)
+  {
+    if (!isInsideOut(grid, found.cells[i], ofCell))
+      continue;
+    vtkIdType* of = corners->GetPointer(3 * static_cast<vtkIdType>(i));
+    std::swap(of[1], of[2]);
+    if (found.edges.empty())
+      continue;
+    std::uint8_t& sides = found.edges[i]; // the first and the last have changed places
+    sides = static_cast<std::uint8_t>((sides & 2U) | (sides & 1U) << 2 | (sides & 4U) >> 2);
+  }
+}
+
 /// Triangles of the faces, in points and cells of `data`.
 SurfaceTriangles trianglesOfFaces(vtkPointSet* data, vtkUnsignedCharArray* isVisible)
 {
@@ -239,6 +291,8 @@ SurfaceTriangles trianglesOfFaces(vtkPointSet* data, vtkUnsignedCharArray* isVis
     vtkIdType& cell = found.cells[static_cast<std::size_t>(i)];
     cell = cells->GetValue(own ? i : cell);
   }
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+    turnOutwards(grid, corners, found);
   found.corners = DataArrayView(corners);
   return found;
 }

@@ -20,20 +20,6 @@
 
 using namespace mote::testing;
 
-namespace
-{
-
-vtkSmartPointer<vtkUnstructuredGrid> gridOf(int type)
-{
-  vtkNew<vtkCellTypeSource> source;
-  source->SetCellType(type);
-  source->SetBlocksDimensions(3, 3, 3);
-  source->Update();
-  return source->GetOutput();
-}
-
-} // namespace
-
 TEST_F(MeshStage, TakesPolygonsAndStripsAndNamesTheirCells)
 {
   const auto data = polygonAndStrip();
@@ -151,46 +137,6 @@ TEST_F(MeshStage, NothingToDrawIsNoError)
   mapper->RemoveAllInputs();
   EXPECT_EQ(this->trace().covered(), 0);
   EXPECT_EQ(complaints.errors + complaints.warnings, 0) << complaints.text;
-}
-
-TEST_F(MeshStage, GridsShowTheirFacesAndNameTheirCells)
-{
-  for (const int type : {VTK_HEXAHEDRON, VTK_TETRA, VTK_WEDGE, VTK_PYRAMID, VTK_QUAD, VTK_TRIANGLE,
-         VTK_QUADRATIC_HEXAHEDRON, VTK_QUADRATIC_TETRA, VTK_QUADRATIC_TRIANGLE})
-  {
-    SCOPED_TRACE(type);
-    const auto grid = gridOf(type);
-    double box[6];
-    grid->GetBounds(box);
-    const double diagonal = std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
-    mapper->SetInputData(grid);
-    renderer->GetActiveCamera()->SetFocalPoint(grid->GetCenter());
-    for (const double away : {-1.0, 1.0})
-    {
-      const double* middle = grid->GetCenter();
-      renderer->GetActiveCamera()->SetPosition(
-        middle[0] + 2.0 * away, middle[1] + 3.0 * away, middle[2] + 5.0 * away);
-      renderer->GetActiveCamera()->SetParallelScale(0.5 * diagonal);
-      renderer->ResetCameraClippingRange();
-      int picked = 0;
-      for (int p = 0; p < size * size; p += 7)
-      {
-        if (picker->Pick(p % size, p / size, 0, renderer) == 0)
-          continue;
-        ++picked;
-        double cell[6];
-        ASSERT_GE(picker->GetCellId(), 0);
-        ASSERT_LT(picker->GetCellId(), grid->GetNumberOfCells());
-        grid->GetCellBounds(picker->GetCellId(), cell);
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          EXPECT_GT(picker->GetPickPosition()[axis], cell[2 * axis] - 1e-4);
-          EXPECT_LT(picker->GetPickPosition()[axis], cell[2 * axis + 1] + 1e-4);
-        }
-      }
-      EXPECT_GT(picked, 60);
-    }
-  }
 }
 
 TEST_F(MeshStage, BuildsForPointsAndCellsAlone)
@@ -488,23 +434,4 @@ TEST_F(MeshStage, PrintsWhatItHolds)
   mapper->Print(text);
   EXPECT_NE(text.str().find("NumberOfTriangles: 4"), std::string::npos);
   EXPECT_NE(text.str().find("CastsShadows: On"), std::string::npos);
-}
-
-TEST_F(MeshStage, LooksIntoWallsWhoseOuterSideIsClear)
-{
-  const auto grid = gridOf(VTK_HEXAHEDRON); // nine cells a layer, from z = 0 on
-  mapper->SetInputData(grid);
-  actor->SetPosition(-1.5, -1.5, -1.5);
-  EXPECT_GE(cellAt(0.1, 0.1), 18);
-  actor->GetProperty()->SetOpacity(0.0);
-  EXPECT_EQ(cellAt(0.1, 0.1), -1);
-  vtkNew<vtkProperty> inner;
-  actor->SetBackfaceProperty(inner);
-  EXPECT_EQ(cellAt(0.1, 0.1), 4); // of the farthest layer
-  const auto alpha = [&] { return this->trace().color(pixel(0.1, 0.1))[3]; };
-  EXPECT_EQ(alpha(), 1.0f);
-  inner->SetOpacity(0.5);
-  EXPECT_NEAR(alpha(), 0.5, 1e-6);
-  actor->GetProperty()->SetOpacity(0.5);
-  EXPECT_NEAR(alpha(), 0.75, 1e-6);
 }

@@ -1,0 +1,164 @@
+// vtkMoteMeshMapper on unstructured grids: it draws their outer faces, which look outwards. It
+// needs no display.
+#include "MeshTestSupport.h"
+
+#include "vtkCellTypeSource.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <array>
+#include <cmath>
+
+using namespace mote::testing;
+
+namespace
+{
+
+vtkSmartPointer<vtkUnstructuredGrid> gridOf(int type)
+{
+  vtkNew<vtkCellTypeSource> source;
+  source->SetCellType(type);
+  source->SetBlocksDimensions(3, 3, 3);
+  source->Update();
+  return source->GetOutput();
+}
+
+/// The same cells with their corners in the other order that files have them in, inside out.
+vtkSmartPointer<vtkUnstructuredGrid> turnedRound(vtkUnstructuredGrid* grid)
+{
+  const auto orderOf = [](int type) -> std::vector<vtkIdType>
+  {
+    switch (type)
+    {
+    case VTK_TETRA:
+      return {0, 2, 1, 3};
+    case VTK_PYRAMID:
+      return {0, 3, 2, 1, 4};
+    case VTK_WEDGE:
+      return {3, 4, 5, 0, 1, 2};
+    default:
+      return {4, 5, 6, 7, 0, 1, 2, 3};
+    }
+  };
+  auto turned = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  turned->SetPoints(grid->GetPoints());
+  turned->Allocate(grid->GetNumberOfCells());
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    grid->GetCellPoints(i, corners);
+    std::vector<vtkIdType> ids;
+    for (const vtkIdType corner : orderOf(grid->GetCellType(i)))
+      ids.push_back(corners->GetId(corner));
+    turned->InsertNextCell(grid->GetCellType(i), static_cast<vtkIdType>(ids.size()), ids.data());
+  }
+  return turned;
+}
+
+} // namespace
+
+TEST_F(MeshStage, GridsShowTheirFacesAndNameTheirCells)
+{
+  for (const int type : {VTK_HEXAHEDRON, VTK_TETRA, VTK_WEDGE, VTK_PYRAMID, VTK_QUAD, VTK_TRIANGLE,
+         VTK_QUADRATIC_HEXAHEDRON, VTK_QUADRATIC_TETRA, VTK_QUADRATIC_TRIANGLE})
+  {
+    SCOPED_TRACE(type);
+    const auto grid = gridOf(type);
+    double box[6];
+    grid->GetBounds(box);
+    const double diagonal = std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
+    mapper->SetInputData(grid);
+    renderer->GetActiveCamera()->SetFocalPoint(grid->GetCenter());
+    for (const double away : {-1.0, 1.0})
+    {
+      const double* middle = grid->GetCenter();
+      renderer->GetActiveCamera()->SetPosition(
+        middle[0] + 2.0 * away, middle[1] + 3.0 * away, middle[2] + 5.0 * away);
+      renderer->GetActiveCamera()->SetParallelScale(0.5 * diagonal);
+      renderer->ResetCameraClippingRange();
+      int picked = 0;
+      for (int p = 0; p < size * size; p += 7)
+      {
+        if (picker->Pick(p % size, p / size, 0, renderer) == 0)
+          continue;
+        ++picked;
+        double cell[6];
+        ASSERT_GE(picker->GetCellId(), 0);
+        ASSERT_LT(picker->GetCellId(), grid->GetNumberOfCells());
+        grid->GetCellBounds(picker->GetCellId(), cell);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          EXPECT_GT(picker->GetPickPosition()[axis], cell[2 * axis] - 1e-4);
+          EXPECT_LT(picker->GetPickPosition()[axis], cell[2 * axis + 1] + 1e-4);
+        }
+      }
+      EXPECT_GT(picked, 60);
+    }
+  }
+}
+
+TEST_F(MeshStage, LooksIntoWallsWhoseOuterSideIsClear)
+{
+  const auto grid = gridOf(VTK_HEXAHEDRON); // nine cells a layer, from z = 0 on
+  mapper->SetInputData(grid);
+  actor->SetPosition(-1.5, -1.5, -1.5);
+  EXPECT_GE(cellAt(0.1, 0.1), 18);
+  actor->GetProperty()->SetOpacity(0.0);
+  EXPECT_EQ(cellAt(0.1, 0.1), -1);
+  vtkNew<vtkProperty> inner;
+  actor->SetBackfaceProperty(inner);
+  EXPECT_EQ(cellAt(0.1, 0.1), 4); // of the farthest layer
+  const auto alpha = [&] { return this->trace().color(pixel(0.1, 0.1))[3]; };
+  EXPECT_EQ(alpha(), 1.0f);
+  inner->SetOpacity(0.5);
+  EXPECT_NEAR(alpha(), 0.5, 1e-6);
+  actor->GetProperty()->SetOpacity(0.5);
+  EXPECT_NEAR(alpha(), 0.75, 1e-6);
+}
+
+TEST_F(MeshStage, FacesLookOutwardsWhateverTheOrderOfCorners)
+{
+  actor->SetPosition(-1.5, -1.5, -1.5);
+  vtkNew<vtkProperty> inner;
+  for (const int type : {VTK_HEXAHEDRON, VTK_TETRA, VTK_WEDGE, VTK_PYRAMID})
+  {
+    SCOPED_TRACE(type);
+    const auto grid = gridOf(type);
+    for (const auto& data : {grid, turnedRound(grid)})
+    {
+      // With a clear outer side rays end at the farthest faces.
+      mapper->SetInputData(data);
+      actor->GetProperty()->SetOpacity(0.0);
+      actor->SetBackfaceProperty(inner);
+      for (int p = 0; p < size * size; p += 7)
+      {
+        ASSERT_EQ(picker->Pick(p % size, p / size, 0, renderer), 1) << p;
+        EXPECT_NEAR(picker->GetPickPosition()[2], -1.5, 1e-5) << p;
+      }
+    }
+  }
+}
+
+TEST_F(MeshStage, LinesOnFacesAreTheSameWhateverTheOrderOfCorners)
+{
+  actor->SetPosition(-1.5, -1.5, -1.5);
+  actor->GetProperty()->EdgeVisibilityOn();
+  actor->GetProperty()->SetEdgeColor(1, 0, 0);
+  actor->GetProperty()->SetLineWidth(3);
+  for (const int type : {VTK_HEXAHEDRON, VTK_WEDGE})
+  {
+    SCOPED_TRACE(type);
+    const auto grid = gridOf(type);
+    mapper->SetInputData(grid);
+    const Picture as = this->trace();
+    mapper->SetInputData(turnedRound(grid));
+    const Picture turned = this->trace();
+    int lines = 0;
+    for (int p = 0; p < size * size; ++p)
+    {
+      lines += as.color(p)[0] > 0.5f && as.color(p)[1] < 0.1f;
+      for (int k = 0; k < 3; ++k)
+        ASSERT_NEAR(as.color(p)[k], turned.color(p)[k], 1e-5) << p;
+    }
+    EXPECT_GT(lines, 100);
+  }
+}
