@@ -13,6 +13,8 @@ std::string Window::statusText() const
 {
   const std::string dot = Overlay::dot;
   std::string text = this->isEmpty() ? "" : stage_.contents();
+  if (!this->isEmpty() && !stage_.shown().cuts.ranges.empty())
+    text += dot + "cut";
   if (!input_.times().empty())
     text +=
       dot + stepText(step_, input_.numberOfSteps()) + "t = " + asNumber(input_.times()[step_], 10);
