@@ -14,6 +14,7 @@
 #include <vtkDataSet.h>
 #include <vtkGenericCell.h>
 #include <vtkInformation.h>
+#include <vtkMoteLinearCells.h>
 #include <vtkMoteStructuredCells.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
@@ -90,16 +91,19 @@ int dimensionOf(vtkDataSet* data)
   return dimension;
 }
 
-/// Hexahedra in place of structured grids, unless they take too much of the machine's memory; and
-/// of particles none that are marked as copies, such as those of files that were written in pieces.
+/// Hexahedra in place of structured grids, and linear cells in place of those of higher order,
+/// unless they take too much of the machine's memory; and of particles none that are marked as
+/// copies, such as those of files that were written in pieces.
 vtkSmartPointer<vtkDataSet> withCells(vtkDataSet* data, const std::string& name)
 {
   auto* points = vtkPointSet::SafeDownCast(data);
   if (points && points->GetPointGhostArray() && dimensionOf(points) == 0)
     return withoutMarkedPoints(points);
-  const auto cells = vtkSmartPointer<vtkDataSet>::Take(
-    vtkMoteStructuredCells::Of(data, static_cast<vtkTypeUInt64>(physicalMemory() / 4)));
-  if (cells == data && dimensionOf(data) == 3 && !vtkUnstructuredGrid::SafeDownCast(data))
+  const auto most = static_cast<vtkTypeUInt64>(physicalMemory() / 4);
+  const auto plain = vtkSmartPointer<vtkDataSet>::Take(vtkMoteStructuredCells::Of(data, most));
+  const auto cells = vtkSmartPointer<vtkDataSet>::Take(vtkMoteLinearCells::Of(plain, most));
+  const bool isStructured = !vtkUnstructuredGrid::SafeDownCast(cells);
+  if ((isStructured && dimensionOf(data) == 3) || vtkMoteLinearCells::CountIn(cells) > 0)
     Messages::warn(name + ": " + counted(data->GetNumberOfCells(), "cell") +
                    " are more than fit into memory as a volume, so their surface is shown");
   return cells;

@@ -51,6 +51,10 @@ void writeImports(Script& script)
   script.line("props = []  # what is seen of them");
   script.line();
   script.line();
+  script.line("def with_cells(data):");
+  script.line("    return mote.vtkMoteLinearCells.Of(mote.vtkMoteStructuredCells.Of(data))");
+  script.line();
+  script.line();
   script.line("def read(name, time=None):");
   script.line("    reader = mote.vtkMoteReaderTable.NewReader(name)");
   script.line("    if time is None:");
@@ -60,12 +64,11 @@ void writeImports(Script& script)
   script.line("        reader.UpdateTimeStep(time)");
   script.line("    data = reader.GetOutputDataObject(0)");
   script.line("    if not data.IsA(\"vtkCompositeDataSet\"):");
-  script.line("        parts.append(mote.vtkMoteStructuredCells.Of(data))");
+  script.line("        parts.append(with_cells(data))");
   script.line("        return");
   script.line("    leaves = data.NewIterator()");
   script.line("    while not leaves.IsDoneWithTraversal():");
-  script.line(
-    "        parts.append(mote.vtkMoteStructuredCells.Of(leaves.GetCurrentDataObject()))");
+  script.line("        parts.append(with_cells(leaves.GetCurrentDataObject()))");
   script.line("        leaves.GoToNextItem()");
   script.line();
   script.line();

@@ -4,6 +4,8 @@
 #include <stage/HiddenParts.h>
 
 #include <gtest/gtest.h>
+#include <vtkGenericCell.h>
+#include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkIntArray.h>
@@ -97,6 +99,23 @@ TEST(HiddenParts, BlocksHaveTheShortestNamesThatTellThemApart)
   const auto two = dataSetsOf(unnamed, "a.vtm");
   EXPECT_EQ(namesOf(two), (Names{"block 1", "block 3"}));
   EXPECT_FALSE(two[0].isBoundary) << "without a volume all surfaces are shown";
+}
+
+TEST(HiddenParts, CellsOfHigherOrderAreLinearOnes)
+{
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkGenericCell> cell;
+  cell->SetCellType(VTK_QUADRATIC_TETRA);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkIdList> nodes;
+  for (vtkIdType i = 0; i < 10; ++i)
+    nodes->InsertNextId(points->InsertNextPoint(cell->GetParametricCoords() + 3 * i));
+  grid->SetPoints(points);
+  grid->InsertNextCell(VTK_QUADRATIC_TETRA, nodes);
+  const auto found = dataSetsOf(grid, "a");
+  ASSERT_EQ(found[0].data->GetNumberOfCells(), 8);
+  for (vtkIdType i = 0; i < 8; ++i)
+    EXPECT_EQ(found[0].data->GetCellType(i), VTK_TETRA);
 }
 
 TEST(HiddenParts, CopiesOfParticlesAreNotThere)

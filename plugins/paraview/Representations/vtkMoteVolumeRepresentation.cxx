@@ -1,6 +1,7 @@
 #include "vtkMoteVolumeRepresentation.h"
 
 #include "RankBoxes.h"
+#include "vtkMoteLinearCells.h"
 #include "vtkMoteVolumeMapper.h"
 
 #include "vtkAlgorithm.h"
@@ -81,6 +82,8 @@ int vtkMoteVolumeRepresentation::RequestData(
   }
   else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(input))
     this->Grid->ShallowCopy(grid);
+  const auto cells = vtk::TakeSmartPointer(vtkMoteLinearCells::Of(this->Grid));
+  this->Grid = vtkUnstructuredGrid::SafeDownCast(cells);
   return this->Superclass::RequestData(request, inputs, outputs);
 }
 
