@@ -123,6 +123,24 @@ std::vector<RayPacket> raysAnywhere(int packets)
 
 } // namespace
 
+TEST(MixedScene, SurfacesErrWhereverAnyErrorIsAllowed)
+{
+  const Triangles triangles = bumpySphere(14);
+  const auto tree = std::make_shared<RlodTree>();
+  tree->build(triangles.mesh());
+  tree->makeLods();
+  for (const double pixels : {0.0, 0.2, 1.0, 6.0})
+  {
+    Scene scene;
+    SurfaceObject object;
+    MeshLook look;
+    look.poe = pixels;
+    object.surface = MeshSurface(tree, look);
+    addTo(scene, object);
+    EXPECT_EQ(SceneRays(scene, Vec3d(0.0)).errs(0), pixels > 0.0) << pixels;
+  }
+}
+
 TEST(MixedScene, NearestAndAnyHitsAreThoseOfBruteForceOverAllKinds)
 {
   const Mixed mixed;

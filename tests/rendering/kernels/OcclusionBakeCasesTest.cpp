@@ -136,6 +136,22 @@ TEST(OcclusionBake, AgreesWithBruteForce)
   }
 }
 
+TEST(OcclusionBake, SpheresFarApartInALayerAreNotInTheirOwnWay)
+{
+  // Places of floats lie 0.004 radii apart here, along two of three axes.
+  Particles particles;
+  Random random(812);
+  for (int k = 0; k < 40; ++k)
+    particles.add(random.inBox({-1e5, -1e5, 0.0}, {1e5, 1e5, 0.0}), 1.0);
+  for (const auto kind : kinds)
+  {
+    const OcclusionMaps maps = baked(particles, fullMaps(8, 49, 10.0), kind);
+    for (std::size_t k = 0; k < maps.size(); ++k)
+      for (const std::uint8_t texel : maps.texels(k))
+        ASSERT_EQ(maps.decoded(texel), 1.0f) << k;
+  }
+}
+
 TEST(OcclusionBake, NestedAndCoincidentSpheres)
 {
   for (const auto kind : kinds)

@@ -1,12 +1,7 @@
 // Files of triangles: what was written comes back, and rays meet the same.
 
-#include "FileParts.h"
-#include "MeshParts.h"
+#include "RlodTreeFileParts.h"
 
-#include <kernels/meshes/RlodTreeFile.h>
-#include <kernels/meshes/detail/RlodTreeFileHeader.h>
-
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -18,84 +13,6 @@ namespace
 
 using Order = RlodTreeFileContents::Order;
 constexpr Order orders[] = {Order::ByError, Order::DepthFirst, Order::ByArea, Order::Blocks};
-
-/// A bumpy sphere, with a point that no triangle uses, and arrays: of points `h` (float) and
-/// `Normals` (three float), of cells, each of two triangles, `part` (bytes), and a fact, `box`.
-struct MeshExample
-{
-  Triangles triangles;
-  TriangleMesh mesh;
-  RlodTree tree;
-  std::vector<float> height, normals;
-  std::vector<std::int64_t> cellOf;
-  std::vector<std::uint8_t> part;
-  std::vector<double> box = {-1.0, 1.0};
-
-  explicit MeshExample(int rings = 40)
-    : triangles(bumpySphere(rings))
-  {
-    triangles.addPoint({50.0, 0.0, 0.0});
-    mesh = triangles.mesh();
-    tree.build(mesh);
-    tree.makeLods();
-    for (std::size_t i = 0; i < mesh.pointCount(); ++i)
-    {
-      height.push_back(static_cast<float>(triangles.point(i).z));
-      for (int k = 0; k < 3; ++k)
-        normals.push_back(static_cast<float>(triangles.point(i)[k]));
-    }
-    for (std::size_t t = 0; t < mesh.size(); ++t)
-      cellOf.push_back(static_cast<std::int64_t>(t / 2));
-    for (std::size_t c = 0; c < (mesh.size() + 1) / 2; ++c)
-      part.push_back(static_cast<std::uint8_t>(c % 7));
-  }
-
-  RlodTreeFileContents contents() const
-  {
-    RlodTreeFileContents c;
-    c.places = triangles.pointView();
-    c.points = {{"h", ArrayView(height.data(), height.size(), 1), {}},
-      {"Normals", ArrayView(normals.data(), height.size(), 3), {"x", "y", "z"}}};
-    c.cells = {{"part", ArrayView(part.data(), ArrayView::Type::UInt8, part.size(), 1), {}}};
-    c.cellOf = ArrayView(cellOf.data(), ArrayView::Type::Int64, cellOf.size(), 1);
-    c.facts = {{"box", ArrayView(box.data(), 1, 2), {}}};
-    c.time = 2.5;
-    c.pointIndices = "point";
-    c.cellIndices = "cell";
-    c.normals = "Normals";
-    return c;
-  }
-};
-
-const FileArray& named(const std::vector<FileArray>& arrays, const std::string& name)
-{
-  for (const FileArray& array : arrays)
-    if (array.name == name)
-      return array;
-  throw std::runtime_error("no array " + name);
-}
-
-/// A file of triangles.
-struct Patient : FilePatient<RlodTreeFile, RlodTreeFileHeader>
-{
-  MeshExample example;
-
-  explicit Patient(int rings = 40, bool arrays = true)
-    : example(rings)
-  {
-    RlodTreeFileContents contents;
-    contents.places = example.triangles.pointView();
-    writeRlodTreeFile(
-      folder.file(), example.tree, example.mesh, arrays ? example.contents() : contents);
-    this->take();
-  }
-
-  std::vector<FileSection> sections() const
-  {
-    return {header.nodes, header.words, header.planes, header.clusters, header.corners,
-      header.offsets, header.places};
-  }
-};
 
 } // namespace
 
@@ -327,23 +244,6 @@ TEST(RlodTreeFile, ErrorsAreSentences)
   EXPECT_TRUE(folder.empty());
 }
 
-TEST(RlodTreeFileDamage, CutShortAnywhere)
-{
-  const Patient patient;
-  patient.expectCutShort(patient.sections());
-  EXPECT_EQ(patient.complaint(patient.bytes), "");
-}
-
-TEST(RlodTreeFileDamage, EveryByteOfTheHeaderCounts)
-{
-  Patient(6).expectEveryByteOfTheHeaderCounts();
-}
-
-TEST(RlodTreeFileDamage, WhatIsNoFileOfTriangles)
-{
-  expectNoFilesOf<RlodTreeFile>("triangles");
-}
-
 TEST(RlodTreeFile, NumbersInFilesStayTheSame)
 {
   // Files of earlier versions have these.
@@ -358,117 +258,4 @@ TEST(RlodTreeFile, NumbersInFilesStayTheSame)
                                                                  : 0u)
       << name;
   }
-}
-
-TEST(RlodTreeFileDamage, HeadersThatDoNotFit)
-{
-  const Patient p;
-  using Header = RlodTreeFileHeader;
-  using Table = FileTable;
-  EXPECT_EQ(p.with([](Header&, Table&) {}), "");
-  const auto expect = [&](const char* what, const auto& change) { p.expect(what, change); };
-  expect("version 2", [](Header& h, Table&) { h.version = 2; });
-  expect("another shape", [](Header& h, Table&) { h.nodeBytes = 64; });
-  expect("another shape", [](Header& h, Table&) { h.planesBytes = 0; });
-  expect("numbers of triangles", [](Header& h, Table&) { h.triangles = 0; });
-  expect("numbers of triangles", [](Header& h, Table&) { h.points = ~std::uint64_t{0}; });
-  expect("numbers of triangles", [](Header& h, Table&) { h.placeBytes = 5; });
-  expect("numbers of triangles", [](Header& h, Table&) { h.nodes.bytes = 0; });
-  expect("numbers of triangles", [](Header& h, Table&) { h.triangles = ~std::uint64_t{0}; });
-  expect("numbers of triangles", [](Header& h, Table&) { h.points = 0; });
-  expect("numbers of triangles", [](Header& h, Table&) { h.clusters.bytes = 0; });
-  expect("size that its triangles", [](Header& h, Table&) { h.triangles -= 1; });
-  expect("size that its triangles", [](Header& h, Table&) { h.placeBytes = 4; });
-  for (FileSection Header::*part : {&Header::nodes, &Header::words, &Header::planes,
-         &Header::clusters, &Header::corners, &Header::offsets, &Header::places})
-    expect("size that its triangles", [=](Header& h, Table&) { (h.*part).bytes -= 4; });
-  expect("at a page", [](Header& h, Table&) { h.planes.offset += 64; });
-  expect("overlap", [](Header& h, Table&) { h.corners.offset = h.places.offset; });
-  expect("behind its end", [](Header& h, Table&) { h.places.offset = std::uint64_t{1} << 40; });
-  expect("no array of points", [](Header& h, Table&) { h.normals = 99; });
-  expect("no known kind", [](Header&, Table& t) { t.rows[0].entry.role = 3; });
-  expect("one tuple a point", [](Header&, Table& t) { t.rows[0].entry.role = Header::ofCells; });
-  expect("not those of its arrays", [](Header&, Table& t) { t.more.pop_back(); });
-  expect("size that its tree", [](Header&, Table& t) { t.more[0].bytes -= 4; });
-  expect("size that its tree", [](Header&, Table& t) { std::swap(t.more.back(), t.more[0]); });
-  expect("overlap", [](Header&, Table& t) { t.more[0].offset = t.rows[0].entry.section.offset; });
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const double v : {nan, double(HUGE_VAL), -1.0, 0.0, 1e-320})
-    expect("numbers on places", [&](Header& h, Table&) { h.unit = v; });
-  for (int k = 0; k < 3; ++k)
-  {
-    expect("numbers on places", [&](Header& h, Table&) { h.origin[k] = nan; });
-    expect("numbers on places", [&](Header& h, Table&) { h.lower[k] = 3.0; });
-    expect("numbers on places", [&](Header& h, Table&) { h.lower[k] = -2.1; });
-    expect("numbers on places", [&](Header& h, Table&) { h.upper[k] = 2.1; });
-    expect("numbers on places", [&](Header& h, Table&) { std::swap(h.lower[k], h.upper[k]); });
-    expect("numbers on places", [&](Header& h, Table&) { h.bounds[k] = nan; });
-    expect(
-      "numbers on places", [&](Header& h, Table&) { std::swap(h.bounds[k], h.bounds[3 + k]); });
-    // The ends of what is allowed, and nothing thick at all.
-    EXPECT_EQ(p.with([&](Header& h, Table&) { h.lower[k] = -2.0, h.upper[k] = 2.0; }), "");
-    EXPECT_EQ(p.with([&](Header& h, Table&) { h.lower[k] = h.upper[k]; }), "");
-    EXPECT_EQ(p.with([&](Header& h, Table&) { h.bounds[k] = h.bounds[3 + k]; }), "");
-  }
-  expect("numbers on places", [](Header& h, Table&) { h.levelStep = ~0U; });
-  // The last of 32 levels is the bits of a float below 1e30.
-  const auto below = std::bit_cast<std::uint32_t>(1e30f) - 1;
-  const auto levels = [](std::uint32_t first, std::uint32_t step)
-  { return [=](Header& h, Table&) { h.firstLevel = first, h.levelStep = step; }; };
-  EXPECT_EQ(p.with(levels(below, 0)), "");
-  EXPECT_EQ(p.with(levels(below - 31, 1)), "");
-  EXPECT_EQ(p.with(levels(below % 31, below / 31)), "");
-  expect("numbers on places", levels(below + 1, 0));
-  expect("numbers on places", levels(below - 30, 1));
-  expect("numbers on places", levels(below % 31 + 1, below / 31));
-}
-
-TEST(RlodTreeFileDamage, NoByteLeadsRaysOutOfTheFile)
-{
-  const Patient patient(30);
-  Random random(8);
-  int opened = 0, refused = 0;
-  for (int k = 0; k < 24; ++k)
-  {
-    // Garbage in all parts, the nodes left alone or not.
-    Bytes changed = patient.bytes;
-    const double share = k % 3 == 0 ? 1.0 : 0.02;
-    for (const FileSection& s : patient.sections())
-      for (std::uint64_t i = s.offset; i < s.offset + s.bytes; ++i)
-        if (random() < share && (k % 4 == 3 || s.offset != patient.header.nodes.offset))
-          changed[i] = k % 2 == 0 ? static_cast<unsigned char>(random(0.0, 256.0)) : 0xff;
-    const std::string said = patient.complaint(changed);
-    ++(said.empty() ? opened : refused);
-    if (!said.empty())
-      continue;
-    const RlodTreeFile file(patient.folder.file("b.mote"));
-    MeshLook look;
-    look.corners = file.corners();
-    look.normals = named(file.points(), "Normals").values;
-    look.mixesColors = true;
-    const auto tree = file.tree();
-    const MeshSurface surface(tree, look);
-    for (const RayBundle& question : meshQuestions(30, 5))
-    {
-      RayBundle bundle = question, shadow = question;
-      tree->cast(bundle, 3, k % 2 == 0 ? 4.0 : 0.0);
-      tree->occlude(shadow, 3);
-      for (int i = 0; i < bundle.count; ++i)
-      {
-        if (bundle.slot[i] == RayBundle::noHit)
-          continue;
-        ASSERT_LT(tree->inputIndex(bundle.slot[i]), file.size());
-        const Vec3d at(1.0);
-        ColorMix mix;
-        surface.normalAt(bundle.slot[i], at);
-        surface.mixColors(&bundle.slot[i], &at, 1, mix);
-        for (const auto& index : mix.index)
-          ASSERT_LT(index[0], file.pointCount());
-      }
-    }
-    tree->lodMeans(1, [&](std::uint64_t triangle, double* values)
-      { values[0] = double((*file.corners())[triangle][0]); });
-  }
-  EXPECT_GE(opened, 12);
-  EXPECT_GT(refused, 0);
 }
