@@ -43,14 +43,19 @@ bool isNumber(const std::string& word, T& value)
   return error == std::errc() && stop == end;
 }
 
-/// 1 of "scalar per node", 3 of vectors, 6 and 9 of tensors; 0 for what is none of them.
+/// 1 of "scalar per node", 3 of vectors, 6 and 9 of tensors; 0 for what is none of them. Words
+/// between would lead VTK's reader to no kind at all.
 int componentsOf(const std::string& kind)
 {
-  return kind.starts_with("scalar ")        ? 1
-         : kind.starts_with("vector ")      ? 3
-         : kind.starts_with("tensor asym ") ? 9
-         : kind.starts_with("tensor ")      ? 6
-                                            : 0;
+  static const std::map<std::string, int> known = {
+    {"scalar", 1}, {"vector", 3}, {"tensor symm", 6}, {"tensor asym", 9}};
+  std::vector<std::string> words = wordsOf(kind);
+  if (words.size() < 3 || words[words.size() - 2] != "per" ||
+      (words.back() != "node" && words.back() != "element"))
+    return 0;
+  words.resize(words.size() - 2);
+  const auto found = known.find(words.size() == 1 ? words[0] : words[0] + " " + words[1]);
+  return found == known.end() || words.size() > 2 ? 0 : found->second;
 }
 
 } // namespace
@@ -94,6 +99,8 @@ void EnSightCase::parse()
     }
     const std::size_t colon = line.find(':');
     const std::string key = colon == line.npos ? "" : trimmed(line.substr(0, colon));
+    if (colon != line.npos && key.size() < colon) // VTK's reader would take the colon for a word
+      this->fail("blanks stand before the colon of '" + key + "'");
     const std::string value = trimmed(line.substr(colon == line.npos ? 0 : colon + 1));
     if (section.empty())
       throw FileError(FileError::Kind::OtherFormat, path_, "this is no EnSight case");
@@ -173,9 +180,9 @@ void EnSightCase::parseVariable(const std::string& key, const std::string& value
   if (key.starts_with("constant per "))
     return;
   Variable variable;
-  variable.isOfNodes = key.ends_with("per node");
+  variable.isOfNodes = key.ends_with("node");
   variable.components = componentsOf(key);
-  if (variable.components == 0 || !(variable.isOfNodes || key.ends_with("per element")))
+  if (variable.components == 0)
     this->fail("variables are read that are scalars, vectors or tensors per node or element, and "
                "not '" +
                key + "'");

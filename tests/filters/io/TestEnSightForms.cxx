@@ -256,6 +256,22 @@ TEST_F(TestEnSightForms, StepsInOneFile)
   }
 }
 
+TEST_F(TestEnSightForms, VariablesThatTheReaderWouldCrashOn)
+{
+  const auto refuse = [this](const std::string& variable, const std::string& sentence)
+  {
+    this->expectError(
+      write("a.case",
+        "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: a.geo\nVARIABLE\n" + variable + " p a.p\n"),
+      sentence);
+  };
+  for (const std::string kind :
+    {"vector FILEscalar per node", "tensor per node", "tensor x per node", "scalar per nodes",
+      "scalar each node", "scalar symm per node", "per node", "scalar per"})
+    refuse(kind + ":", "and not '" + kind + "'");
+  refuse("scalar per node :", "blanks stand before the colon of 'scalar per node'");
+}
+
 TEST_F(TestEnSightForms, WordsAtWhichTheReaderWouldNeverEnd)
 {
   const auto refuse = [this](const std::string& lines, const std::string& sentence)
