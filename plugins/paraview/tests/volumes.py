@@ -4,6 +4,7 @@ import numpy as np
 from checks import check, covered, end, picture, points, simple, producer_of, view_of
 from paraview import vtk
 from paraview.vtk.util import numpy_support
+from paraview.vtk.vtkFiltersSources import vtkCellTypeSource
 
 
 def block(n, warp=0.0):
@@ -31,6 +32,21 @@ def block(n, warp=0.0):
     return grid
 
 
+def quadratic(n):
+    """The same block of n^3 quadratic hexahedra, with the array z."""
+    source = vtkCellTypeSource()
+    source.SetCellType(vtk.VTK_QUADRATIC_HEXAHEDRON)
+    source.SetBlocksDimensions(n, n, n)
+    source.Update()
+    grid = source.GetOutput()
+    places = numpy_support.vtk_to_numpy(grid.GetPoints().GetData()) / n - 0.5
+    grid.SetPoints(points(places).GetPoints())
+    array = numpy_support.numpy_to_vtk(places[:, 2].astype(float), deep=True)
+    array.SetName("z")
+    grid.GetPointData().AddArray(array)
+    return grid
+
+
 def show(data, view, array, association="POINTS"):
     display = simple.Show(producer_of(data), view, "UnstructuredGridRepresentation")
     simple.ColorBy(display, (association, array))
@@ -55,6 +71,11 @@ expected = 255 * (1 - 0.7 ** 2)
 level = image[100:200, 100:200].mean()
 check(abs(level - expected) < 1.5, f"an even cloud is as opaque as it should be: {level}, {expected}")
 check(abs(covered(image) - 0.25) < 0.01, "and covers the cells")
+simple.Delete(display.Input)
+
+display = show(quadratic(3), view, "z")
+display.ScalarOpacityUnitDistance = 0.5
+check(np.abs(picture(view) - image).max() <= 3, "cells of higher order are as linear ones")
 simple.Delete(display.Input)
 
 display = show(block(12, 0.01), view, "z")
