@@ -8,6 +8,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
+#include "vtkCellArray.h"
 #include "vtkCommunicator.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
@@ -16,6 +17,7 @@
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTrivialProducer.h"
 
@@ -54,19 +56,21 @@ public:
     return areCells_ ? data_->GetNumberOfCells() : data_->GetNumberOfPoints();
   }
 
+  /// Cells are polygons alone. What vtkPolyData tells of cells has a table of them made first.
   vtkBoundingBox box(vtkIdType i) const
   {
-    double bounds[6];
+    const vtkIdType* corners = &i;
+    vtkIdType count = 1;
     if (areCells_)
-      data_->GetCellBounds(i, bounds);
-    else
+      data_->GetPolys()->GetCellAtId(i, count, corners);
+    vtkBoundingBox box;
+    for (vtkIdType k = 0; k < count; ++k)
     {
       double place[3];
-      data_->GetPoint(i, place);
-      for (int c = 0; c < 3; ++c)
-        bounds[2 * c] = bounds[2 * c + 1] = place[c];
+      data_->GetPoints()->GetPoint(corners[k], place);
+      box.AddPoint(place);
     }
-    return vtkBoundingBox(bounds);
+    return box;
   }
 
   Place place(vtkIdType i) const
