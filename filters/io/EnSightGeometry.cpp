@@ -76,7 +76,7 @@ private:
 
   EnSightParts step(bool isWrapped)
   {
-    source_.text(); // the second description
+    source_.passDescription(); // the second
     hasNodeIds_ = this->hasIds("node");
     hasElementIds_ = this->hasIds("element");
     EnSightParts parts;

@@ -119,6 +119,18 @@ std::optional<std::string> EnSightSource::text()
   return std::string(trimmed({this->bytes(textLength, "a text"), textLength}));
 }
 
+void EnSightSource::passDescription()
+{
+  if (form_ != EnSightForm::Lines)
+  {
+    this->text();
+    return;
+  }
+  const std::size_t end = text_.find('\n', at_);
+  at_ = end == text_.npos ? text_.size() : end + 1;
+  ++lines_;
+}
+
 std::string EnSightSource::requiredText(const std::string& what)
 {
   const std::optional<std::string> found = this->text();

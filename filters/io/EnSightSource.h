@@ -36,6 +36,9 @@ public:
   /// The same, where there must be one.
   std::string requiredText(const std::string& what);
 
+  /// Passes over a description: a line, which may be blank, or 80 characters.
+  void passDescription();
+
   /// One whole number.
   std::int64_t whole(const std::string& what);
   /// So many rows of as many whole numbers, one row a line.

@@ -256,6 +256,24 @@ TEST_F(TestEnSightForms, StepsInOneFile)
   }
 }
 
+TEST_F(TestEnSightForms, TheSecondDescriptionMayBeBlank)
+{
+  const std::string mesh = "node id off\nelement id off\npart\n1\nwing\ncoordinates\n"
+                           "3\n0\n1\n0\n0\n0\n1\n0\n0\n0\ntria3\n1\n1 2 3\n";
+  const std::string file = write("a.case", "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: a.geo\n");
+  for (const std::string second : {"", "of a wing", "# wing"})
+  {
+    write("a.geo", "a\n" + second + "\n" + mesh);
+    const auto sets = this->read(file);
+    ASSERT_EQ(sets.size(), 1u) << m_error;
+    EXPECT_EQ(sets[0]->GetNumberOfCells(), 1);
+  }
+  // A line more, and VTK's reader found no part, and crashed on values.
+  write("a.geo", "a\n\nof a wing\n" + mesh);
+  this->expectError(
+    file, "expected 'node id' with off, assign, given or ignore, found 'of a wing'");
+}
+
 TEST_F(TestEnSightForms, VariablesThatTheReaderWouldCrashOn)
 {
   const auto refuse = [this](const std::string& variable, const std::string& sentence)

@@ -121,6 +121,37 @@ TEST(PkdTreeLodScene, PicksAndSetsWithoutLodsAreExact)
   EXPECT_EQ(pixelsOfError(scene), 0.0);
 }
 
+TEST(PkdTreeLodScene, WhatIsSeenIsInThePicture)
+{
+  // Of sides that no bundle of rays ends at, in the middle of many particles.
+  const Particles particles = denseParticles(30, 23);
+  const std::vector<reference::Sphere> spheres = reference::validSpheres(particles.set());
+  const auto structure = treeOver(particles, false);
+  const Camera camera = lookAt({0.0, 0.0, 6.0}, Vec3d(0.0), 8.0);
+  Scene scene;
+  addTo(scene, SurfaceObject());
+  scene.surfaces[0].surface = ParticleSurface(structure);
+  constexpr int width = 37, height = 21;
+  SeenParticles seen;
+  ASSERT_TRUE(findSeenParticles(scene, camera, {width, height}, seen));
+  const CameraRays rays(camera, width, height);
+  int count = 0;
+  for (std::size_t slot = 0; slot < particles.size(); ++slot)
+  {
+    if ((seen[0][slot / 64] >> slot % 64 & 1U) == 0)
+      continue;
+    ++count;
+    reference::Sphere sphere = spheres[treeOf(structure).inputIndex(slot)];
+    sphere.radius *= 1.001;
+    reference::Hit hit;
+    for (int pixel = 0; pixel < width * height; ++pixel)
+      reference::meet(
+        reference::cameraRay(rays, pixel % width + 0.5, pixel / width + 0.5), sphere, hit);
+    EXPECT_TRUE(hit) << slot;
+  }
+  EXPECT_GT(count, 100);
+}
+
 TEST(PkdTreeLodScene, WhatIsSeenAreParticlesAndNoBoxes)
 {
   const auto structure = treeOver(denseParticles(40, 22), true);

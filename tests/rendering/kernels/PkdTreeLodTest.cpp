@@ -233,6 +233,21 @@ TEST(PkdTreeLod, HiddenParticlesStayHidden)
   EXPECT_EQ(expectShown(3.0), 0);
   tree.makeLods();
   EXPECT_GT(expectShown(3.0), 500) << "made where something is hidden";
+  // They are of all particles: with these shown again they are as if nothing had been hidden.
+  tree.setVisibility([](std::size_t slot) { return slot % 3 == 0; });
+  tree.dropLods();
+  tree.makeLods();
+  tree.setVisibility({});
+  tree.setRanges({});
+  const auto fresh = treeOver(particles, true);
+  for (RayBundle rays : farBundles(10, 17))
+  {
+    RayBundle same = rays;
+    tree.cast(rays, 0, 3.0);
+    treeOf(fresh).cast(same, 0, 3.0);
+    for (int i = 0; i < rays.count; ++i)
+      ASSERT_EQ(rays.t[i], same.t[i]);
+  }
 }
 
 TEST(PkdTreeLod, MeansAreWeightedByTheSquaresOfRadii)

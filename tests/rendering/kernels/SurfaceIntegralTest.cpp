@@ -177,6 +177,18 @@ TEST(SurfaceIntegral, OfBoundariesObeysGauss)
   }
 }
 
+TEST(SurfaceIntegral, CellsAreThoseThatTheSurfaceMeets)
+{
+  const auto mesh = hexBlock(3, 2, 2).mesh();
+  const Integrand area = [](const SurfacePoint&, double* values) { values[0] = 1.0; };
+  for (const auto& [z, cells] : {std::pair(0.5, 6U), std::pair(1.25, 6U), std::pair(7.0, 0U)})
+  {
+    const auto found = integrateSlice(*mesh, planeAt({0.0, 0.0, z}, {0, 0, 1}), 1, area);
+    EXPECT_EQ(found.cells, cells) << z;
+    EXPECT_NEAR(found.values[0], cells, 1e-12) << z;
+  }
+}
+
 TEST(SurfaceIntegral, HiddenCellsAreNotThere)
 {
   const auto mesh = hexBlock(3, 1, 1).mesh();
