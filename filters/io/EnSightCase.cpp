@@ -323,7 +323,10 @@ std::string EnSightCase::fileAt(const Pattern& pattern, std::optional<double> ti
 
 void EnSightCase::requireFiles() const
 {
-  requireNoStream(this->fileAt(geometry_, {}));
+  // Without a model VTK's reader would not come past other sections behind it.
+  const std::string model = this->fileAt(geometry_, {});
+  requireNoStream(model);
+  readBeginning(model, 1);
   for (const Variable& variable : variables_)
     requireNoStream(this->fileAt(variable.pattern, {}));
 }

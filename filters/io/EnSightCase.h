@@ -21,7 +21,8 @@ public:
   /// Goes through the files of the latest step at or before a time, or of the first one. Throws
   /// FileError for what is damaged in them.
   void checkAt(std::optional<double> time) const;
-  /// Throws FileError where a file of the first step is none, but a pipe or a device.
+  /// Throws FileError where a file of the first step is a pipe or a device, or the model is not
+  /// there.
   void requireFiles() const;
 
 private:

@@ -296,6 +296,8 @@ TEST_F(TestEnSightForms, WordsAtWhichTheReaderWouldNeverEnd)
   { this->expectError(write("a.case", "FORMAT\ntype: ensight gold\n" + lines), sentence); };
   const std::string geometry = "GEOMETRY\nmodel: a.geo\n",
                     values = "VARIABLE\nscalar per node: p a.p\n";
+  refuse("GEOMETRY\nmodel: none.geo\nMATERIAL\na: b\n", "none.geo");
+  write("a.geo", "a\n");
   refuse("GEOME\n" + geometry, "behind the type of the format comes a section");
   refuse("version: 1\n" + geometry, "behind the type of the format comes a section");
   refuse(geometry + "FILE\nfile set: 1\nnumber of files: 1\n", "have no 'number of files'");
