@@ -1,9 +1,11 @@
 #include "ScratchFile.h"
 
+#include "vtkMoteLinearCells.h"
 #include "vtkMoteReaderTable.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
+#include "vtkDataSet.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -45,6 +47,13 @@ void check(bool isRead, const std::string& error)
   std::abort();
 }
 
+/// As the program takes what it has read.
+void takeCells(vtkDataObject* data)
+{
+  if (auto* set = vtkDataSet::SafeDownCast(data))
+    vtkSmartPointer<vtkDataSet>::Take(vtkMoteLinearCells::Of(set, 1 << 26));
+}
+
 } // namespace
 
 void readAsUsersDo(const std::string& path)
@@ -58,7 +67,9 @@ void readAsUsersDo(const std::string& path)
   if (!error.empty())
     return check(false, error);
   // Damage of one step leaves the others.
-  check(vtkMoteReaderTable::Read(reader, error) != nullptr, error);
+  const auto data = vtkMoteReaderTable::Read(reader, error);
+  check(data != nullptr, error);
+  takeCells(data);
   error.clear();
   if (steps.size() > 1)
     check(vtkMoteReaderTable::Read(reader, steps.back(), error) != nullptr, error);

@@ -56,6 +56,14 @@ hexahedron = vtk_xml.format(
     array("Points", corners, components=3) + "</Points><Cells>" +
     array("connectivity", numbered, "Int64") + array("offsets", "8", "Int64") +
     array("types", "12", "UInt8") + "</Cells>")
+tetrahedron = "0 0 0 2 0 0 0 2 0 0 0 2 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 0 1 1"
+quadratic = vtk_xml.format(
+    type="UnstructuredGrid", extent="", piece='NumberOfPoints="10" NumberOfCells="2"', appended="",
+    body="<PointData>" + array("p", "0 1 2 3 4 5 6 7 8 9") + "</PointData>"
+    '<CellData HigherOrderDegrees="d">' + array("d", "0 0 0 2 2 2", components=3) + "</CellData><Points>" +
+    array("Points", tetrahedron, components=3) + "</Points><Cells>" +
+    array("connectivity", "0 1 2 3 4 5 6 7 8 9 0 1 2 3 4 5 6 7 8 9", "Int64") + array("offsets", "10 20", "Int64") +
+    array("types", "24 71", "UInt8") + "</Cells>")
 triangles = vtk_xml.format(
     type="PolyData", extent="", piece='NumberOfPoints="8" NumberOfPolys="2"', appended="",
     body="<CellData>" + packed("c", [1, 2]) + "</CellData><Points>" +
@@ -227,7 +235,7 @@ seeds = {
                       "ENDCHILD\n")
     ],
     "vtp": [triangles],
-    "vtu": [hexahedron],
+    "vtu": [hexahedron, quadratic],
     "vti": [image],
     "stl": [
         "solid a\n" + facet + "endsolid a\n",

@@ -18,6 +18,9 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <numeric>
 #include <string>
@@ -239,18 +242,26 @@ bool isInsideOut(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* corners)
 /// Turns triangles so that they look out of their cells.
 void turnOutwards(vtkUnstructuredGrid* grid, vtkIdTypeArray* corners, SurfaceTriangles& found)
 {
-  vtkNew<vtkIdList> ofCell;
-  for (std::size_t i = 0; i < found.cells.size(); ++i)
-  {
-    if (!isInsideOut(grid, found.cells[i], ofCell))
-      continue;
-    vtkIdType* of = corners->GetPointer(3 * static_cast<vtkIdType>(i));
-    std::swap(of[1], of[2]);
-    if (found.edges.empty())
-      continue;
-    std::uint8_t& sides = found.edges[i]; // the first and the last have changed places
-    sides = static_cast<std::uint8_t>((sides & 2U) | (sides & 1U) << 2 | (sides & 4U) >> 2);
-  }
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, found.cells.size(), 4096),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      vtkNew<vtkIdList> ofCell;
+      vtkIdType last = -1;
+      bool isTurned = false;
+      for (std::size_t i = range.begin(); i < range.end(); ++i)
+      {
+        if (found.cells[i] != last) // triangles of a face follow one another
+          isTurned = isInsideOut(grid, last = found.cells[i], ofCell);
+        if (!isTurned)
+          continue;
+        vtkIdType* of = corners->GetPointer(3 * static_cast<vtkIdType>(i));
+        std::swap(of[1], of[2]);
+        if (found.edges.empty())
+          continue;
+        std::uint8_t& sides = found.edges[i]; // the first and the last have changed places
+        sides = static_cast<std::uint8_t>((sides & 2U) | (sides & 1U) << 2 | (sides & 4U) >> 2);
+      }
+    });
 }
 
 /// Triangles of the faces, in points and cells of `data`.
