@@ -143,7 +143,7 @@ TEST(RlodTreeFileDamage, NodesThatAreNoTree)
   std::size_t inner = 0, leaf = 0; // the last of both kinds
   for (std::size_t k = 0; k < nodes.size(); ++k)
     (nodes[k].children > nodes[k].clusters ? inner : leaf) = k;
-  ASSERT_GT(leaf, 0u);
+  ASSERT_EQ(leaf, nodes.size() - 1);
   for (const std::size_t k : {std::size_t{0}, inner, leaf})
   {
     expect(k, [](RlodNode& n) { n.children = 0; });
@@ -162,6 +162,19 @@ TEST(RlodTreeFileDamage, NodesThatAreNoTree)
       k, [&](RlodNode& n) { n.firstNode = static_cast<std::uint32_t>(nodes.size() - below + 1); });
     expect(k, [](RlodNode& n) { n.firstNode += 1; }); // leaves one out
   }
+  // The last node's only child would be itself, or one before it, or none.
+  for (const std::size_t first : {std::size_t{0}, leaf - 1, leaf, leaf + 1})
+    expect(leaf,
+      [&](RlodNode& n)
+      {
+        n.children = n.clusters + 1;
+        n.firstNode = static_cast<std::uint32_t>(first) & (RlodNode::mostIndices - 1);
+      });
+  // A leaf that other clusters come behind.
+  std::size_t early = 0;
+  while (nodes[early].children > nodes[early].clusters)
+    ++early;
+  expect(early, [](RlodNode& n) { n.clusters = n.children + 1; });
   expect(
     leaf, [](RlodNode& n) { n.firstNode = 0; }, true); // which it has no use for
 }

@@ -187,6 +187,25 @@ TEST(SurfaceIntegral, CellsAreThoseThatTheSurfaceMeets)
     EXPECT_EQ(found.cells, cells) << z;
     EXPECT_NEAR(found.values[0], cells, 1e-12) << z;
   }
+  // Not those whose boxes alone it meets.
+  HexCells crooked = hexBlock(4, 4, 4);
+  crooked.move([](const Vec3d& p) { return p + Vec3d(0.8 * p.y, 0.0, 0.6 * p.x); });
+  const auto slanted = crooked.mesh();
+  const Vec3d normal(0.3, -1.0, 0.5);
+  for (const double height : {-2.1, 0.37, 2.9})
+  {
+    unsigned met = 0;
+    for (std::size_t k = 0; k < slanted->cellCount(); ++k)
+    {
+      bool above = false, below = false;
+      for (const Vec3d& corner : slanted->corners(k))
+        (glm::dot(normal, corner) > height ? above : below) = true;
+      met += above && below;
+    }
+    const Vec3d point = normal * (height / glm::dot(normal, normal));
+    EXPECT_EQ(integrateSlice(*slanted, planeAt(point, normal), 1, area).cells, met) << height;
+    EXPECT_GT(met, 3U);
+  }
 }
 
 TEST(SurfaceIntegral, HiddenCellsAreNotThere)
