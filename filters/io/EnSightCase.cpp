@@ -9,6 +9,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 namespace mote
@@ -76,6 +77,7 @@ void EnSightCase::parse()
 {
   std::ifstream file(path_, std::ios::binary);
   std::string section;
+  std::set<std::string> met;
   bool isGold = false;
   for (std::string line; std::getline(file, line);)
   {
@@ -94,6 +96,8 @@ void EnSightCase::parse()
       if (section == "MATERIAL" || section == "SCRIPTS" || section == "BLOCK_CONTINUATION")
         this->fail("the section " + section + " is passed over at the end of a case alone, and " +
                    line + " comes behind it");
+      if (!met.insert(line).second)
+        this->fail("the section " + line + " comes twice");
       section = line;
       continue;
     }
@@ -123,6 +127,8 @@ void EnSightCase::parseLine(
 {
   if (section == "GEOMETRY" && key == "model")
   {
+    if (!geometry_.file.empty()) // VTK's reader takes the first
+      this->fail("the case names two models");
     std::vector<std::string> words = wordsOf(value);
     std::erase_if(words, [](const std::string& word) { return word.starts_with("change_coords"); });
     geometry_ = this->patternOf(words, 0);

@@ -298,6 +298,8 @@ TEST_F(TestEnSightForms, WordsAtWhichTheReaderWouldNeverEnd)
                     values = "VARIABLE\nscalar per node: p a.p\n";
   refuse("GEOMETRY\nmodel: none.geo\nMATERIAL\na: b\n", "none.geo");
   write("a.geo", "a\n");
+  refuse(geometry + "GEOMETRY\nmodel: a.geo\n", "the section GEOMETRY comes twice");
+  refuse(geometry + "model: b.geo\n", "names two models");
   refuse("GEOME\n" + geometry, "behind the type of the format comes a section");
   refuse("version: 1\n" + geometry, "behind the type of the format comes a section");
   refuse(geometry + "FILE\nfile set: 1\nnumber of files: 1\n", "have no 'number of files'");
