@@ -103,8 +103,12 @@ void EnSightCase::parse()
     }
     const std::size_t colon = line.find(':');
     const std::string key = colon == line.npos ? "" : trimmed(line.substr(0, colon));
-    if (colon != line.npos && key.size() < colon) // VTK's reader would take the colon for a word
+    // VTK's reader would take the colon for a word, or for a part of the next.
+    if (colon != line.npos && key.size() < colon)
       this->fail("blanks stand before the colon of '" + key + "'");
+    if (colon != line.npos && colon + 1 < line.size() && line[colon + 1] != ' ' &&
+        line[colon + 1] != '\t')
+      this->fail("no blank stands behind the colon of '" + key + "'");
     const std::string value = trimmed(line.substr(colon == line.npos ? 0 : colon + 1));
     if (section.empty())
       throw FileError(FileError::Kind::OtherFormat, path_, "this is no EnSight case");

@@ -287,6 +287,7 @@ TEST_F(TestEnSightForms, VariablesThatTheReaderWouldCrashOn)
     {"vector FILEscalar per node", "tensor per node", "tensor x per node", "scalar per nodes",
       "scalar each node", "scalar symm per node", "per node", "scalar per"})
     refuse(kind + ":", "and not '" + kind + "'");
+  refuse("scalar per node:x", "no blank stands behind the colon of 'scalar per node'");
   refuse("scalar per node :", "blanks stand before the colon of 'scalar per node'");
 }
 
