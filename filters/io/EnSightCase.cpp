@@ -96,6 +96,10 @@ void EnSightCase::parse()
       if (section == "MATERIAL" || section == "SCRIPTS" || section == "BLOCK_CONTINUATION")
         this->fail("the section " + section + " is passed over at the end of a case alone, and " +
                    line + " comes behind it");
+      // Nor would it come past these right behind the model.
+      if (std::find(sections.begin() + 5, sections.end(), line) != sections.end() &&
+          !met.contains("VARIABLE") && !met.contains("TIME"))
+        this->fail("the section " + line + " is passed over behind VARIABLE or TIME alone");
       if (!met.insert(line).second)
         this->fail("the section " + line + " comes twice");
       section = line;
@@ -124,6 +128,8 @@ void EnSightCase::parse()
   }
   if (!isGold)
     throw FileError(FileError::Kind::OtherFormat, path_, "this is no whole EnSight Gold case");
+  if (met.contains("FILE") && geometry_.fileSet == 0) // VTK's reader would not end
+    this->fail("there are file sets, but the model is of none, which is not read", false);
 }
 
 void EnSightCase::parseLine(

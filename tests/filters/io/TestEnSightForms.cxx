@@ -297,7 +297,7 @@ TEST_F(TestEnSightForms, WordsAtWhichTheReaderWouldNeverEnd)
   { this->expectError(write("a.case", "FORMAT\ntype: ensight gold\n" + lines), sentence); };
   const std::string geometry = "GEOMETRY\nmodel: a.geo\n",
                     values = "VARIABLE\nscalar per node: p a.p\n";
-  refuse("GEOMETRY\nmodel: none.geo\nMATERIAL\na: b\n", "none.geo");
+  refuse("GEOMETRY\nmodel: none.geo\n" + values + "MATERIAL\na: b\n", "none.geo");
   write("a.geo", "a\n");
   refuse(geometry + "GEOMETRY\nmodel: a.geo\n", "the section GEOMETRY comes twice");
   refuse(geometry + "model: b.geo\n", "names two models");
@@ -305,8 +305,13 @@ TEST_F(TestEnSightForms, WordsAtWhichTheReaderWouldNeverEnd)
   refuse("version: 1\n" + geometry, "behind the type of the format comes a section");
   refuse(geometry + "FILE\nfile set: 1\nnumber of files: 1\n", "have no 'number of files'");
   for (const std::string name : {"MATERIAL", "SCRIPTS", "BLOCK_CONTINUATION"})
+  {
+    const std::string section = name + "\na: b\n";
+    refuse(geometry + section, "the section " + name + " is passed over behind VARIABLE or TIME");
     refuse(
-      geometry + name + "\na: b\n" + values, "the section " + name + " is passed over at the end");
+      geometry + values + section + "TIME\n", "the section " + name + " is passed over at the");
+  }
+  refuse(geometry + "FILE\nfile set: 1\nnumber of steps: 1\n", "the model is of none");
 }
 
 TEST_F(TestEnSightForms, WhatIsRefused)
