@@ -44,6 +44,12 @@ bool isNumber(const std::string& word, T& value)
   return error == std::errc() && stop == end;
 }
 
+/// Sections that are not read.
+bool isPassedOver(const std::string& section)
+{
+  return section == "MATERIAL" || section == "SCRIPTS" || section == "BLOCK_CONTINUATION";
+}
+
 /// 1 of "scalar per node", 3 of vectors, 6 and 9 of tensors; 0 for what is none of them. Words
 /// between would lead VTK's reader to no kind at all.
 int componentsOf(const std::string& kind)
@@ -93,12 +99,11 @@ void EnSightCase::parse()
     if (std::find(sections.begin(), sections.end(), line) != sections.end())
     {
       // VTK's reader would never end.
-      if (section == "MATERIAL" || section == "SCRIPTS" || section == "BLOCK_CONTINUATION")
+      if (isPassedOver(section))
         this->fail("the section " + section + " is passed over at the end of a case alone, and " +
                    line + " comes behind it");
       // Nor would it come past these right behind the model.
-      if (std::find(sections.begin() + 5, sections.end(), line) != sections.end() &&
-          !met.contains("VARIABLE") && !met.contains("TIME"))
+      if (isPassedOver(line) && !met.contains("VARIABLE") && !met.contains("TIME"))
         this->fail("the section " + line + " is passed over behind VARIABLE or TIME alone");
       if (!met.insert(line).second)
         this->fail("the section " + line + " comes twice");

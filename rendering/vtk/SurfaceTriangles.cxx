@@ -22,6 +22,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -228,6 +229,12 @@ bool isInsideOut(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* corners)
   if (type != VTK_TETRA && type != VTK_HEXAHEDRON && type != VTK_WEDGE && type != VTK_PYRAMID)
     return false;
   grid->GetCellPoints(cell, corners);
+  const vtkIdType wanted = type == VTK_TETRA     ? 4
+                           : type == VTK_PYRAMID ? 5
+                           : type == VTK_WEDGE   ? 6
+                                                 : 8;
+  if (corners->GetNumberOfIds() < wanted)
+    return false; // a damaged cell
   const Vec3d first = mean({0});
   if (type == VTK_TETRA)
     return volume(mean({1}) - first, mean({2}) - first, mean({3}) - first) < 0.0;

@@ -138,7 +138,7 @@ TEST(OcclusionBake, AgreesWithBruteForce)
 
 TEST(OcclusionBake, SpheresFarApartInALayerAreNotInTheirOwnWay)
 {
-  // Places of floats lie 0.004 radii apart here, along two of three axes.
+  // Floats of this size are 0.008 radii apart, along two of three axes.
   Particles particles;
   Random random(812);
   for (int k = 0; k < 40; ++k)
