@@ -4,9 +4,11 @@
 #include "vtkMath.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPointSet.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace mote
@@ -57,6 +59,19 @@ ClipCylinder cylinderOf(vtkMoteClipCylinder* from)
   return cylinder;
 }
 
+/// How far off the hits on its cells may be, and what its coordinates lose where they are floats.
+double roundingOf(vtkPointSet& input)
+{
+  constexpr double hits = 1e-6;
+  double rounding = hits * input.GetLength();
+  double bounds[6];
+  input.GetBounds(bounds);
+  if (input.GetPoints() && input.GetPoints()->GetDataType() == VTK_FLOAT)
+    for (const double bound : bounds)
+      rounding = std::max(rounding, std::numeric_limits<float>::epsilon() * std::abs(bound));
+  return rounding;
+}
+
 } // namespace
 
 bool MapperClip::set(vtkMoteClipCylinder* cylinder)
@@ -77,6 +92,15 @@ ClipRegion MapperClip::region(vtkAbstractMapper* mapper) const
     });
   if (cylinder_ && vtkMath::Norm(cylinder_->GetAxis()) > 0.0)
     region.cylinder = cylinderOf(cylinder_);
+  return region;
+}
+
+ClipRegion MapperClip::region(
+  vtkAbstractMapper* mapper, vtkPointSet& input, const Mat4d& toWorld) const
+{
+  ClipRegion region = this->region(mapper);
+  if (!region.isAll())
+    region.tolerance = scaleOf(toWorld) * roundingOf(input);
   return region;
 }
 

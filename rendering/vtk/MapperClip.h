@@ -7,6 +7,7 @@
 #include "vtkType.h"
 
 class vtkAbstractMapper;
+class vtkPointSet;
 
 namespace mote
 {
@@ -21,6 +22,9 @@ public:
 
   /// Planes and cylinders without a direction leave all.
   ClipRegion region(vtkAbstractMapper* mapper) const;
+  /// Likewise, for an input that may have flat faces in the planes: with a tolerance of as much as
+  /// its coordinates and hits on it are rounded.
+  ClipRegion region(vtkAbstractMapper* mapper, vtkPointSet& input, const Mat4d& toWorld) const;
   /// When any of it changed last.
   vtkMTimeType time(vtkAbstractMapper* mapper) const;
 

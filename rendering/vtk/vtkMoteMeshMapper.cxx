@@ -396,7 +396,7 @@ bool vtkMoteMeshMapper::DescribeTo(mote::SurfaceObject& object, vtkActor* actor)
   this->AllowError(object, look, ofCells);
   object.surface = mote::MeshSurface(impl.geometry.tree(), look);
   object.castsShadows = this->CastsShadows;
-  object.clip = impl.clip.region(this);
+  object.clip = impl.clip.region(this, *input, object.toWorld);
   return true;
 }
 

@@ -112,8 +112,9 @@ public:
   ///@{
   /**
    * Which piece about an axis is shown, beside what SetClippingPlanes() leaves: null, the default,
-   * for all. Triangles are cut where planes and cylinder are, and open. Nothing is built for
-   * either.
+   * for all. Triangles are cut where planes and cylinder are, and open; walls that lie flat
+   * in a face of the cut are shown whole, as far as a millionth of the input's size outside.
+   * Nothing is built for either.
    */
   void SetClipCylinder(vtkMoteClipCylinder* cylinder);
   vtkMoteClipCylinder* GetClipCylinder();

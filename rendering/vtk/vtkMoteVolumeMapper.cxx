@@ -318,7 +318,7 @@ bool vtkMoteVolumeMapper::DescribeTo(mote::Scene& scene, vtkVolume* volume, int 
     cloud.id = id;
     cloud.revision = this->GetPictureMTime();
     cloud.toWorld = mote::placementOf(volume);
-    cloud.clip = impl.clip.region(this);
+    cloud.clip = impl.clip.region(this, *this->GetInput(), cloud.toWorld);
     const double* c = this->EdgeColor;
     const SurfacesShown shown = {{surfaces->GetValues(), surfaces->GetValues() + values},
       impl.followed, impl.slices, {this->EdgeWidth, mote::Vec4f(c[0], c[1], c[2], 1.0)},

@@ -265,8 +265,8 @@ public:
   ///@{
   /**
    * Which piece about an axis is shown, beside what SetClippingPlanes() leaves: null, the default,
-   * for all. Rays are cut where planes and cylinder are; isosurfaces are open there. Nothing is
-   * built for either.
+   * for all. Rays are cut where planes and cylinder are; isosurfaces are open there, and slices
+   * that lie in a face of the cut are shown whole. Nothing is built for either.
    */
   void SetClipCylinder(vtkMoteClipCylinder* cylinder);
   vtkMoteClipCylinder* GetClipCylinder();

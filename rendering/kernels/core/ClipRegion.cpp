@@ -113,37 +113,40 @@ RaySpan withinRadius(const Vec3d& p, const Vec3d& d, double radius)
   return {nearest - half, nearest + half};
 }
 
-void cutByAngles(const ClipCylinder& cylinder, const Vec3d& p, const Vec3d& d, Spans& spans)
+void cutByAngles(
+  const ClipCylinder& cylinder, double tolerance, const Vec3d& p, const Vec3d& d, Spans& spans)
 {
   constexpr double turn = 2.0 * std::numbers::pi;
   const double width = cylinder.angle[1] - cylinder.angle[0];
   if (!(width < turn))
     return;
   // On the side of the first half-plane where angles grow, and of the second where they fall.
-  const auto beside = [&](double angle, double sign)
+  const auto beside = [&](double angle, double sign, double margin)
   {
     const double c = sign * std::cos(angle), s = sign * std::sin(angle);
-    return aboveZero(c * p.y - s * p.x, c * d.y - s * d.x);
+    return aboveZero(c * p.y - s * p.x + margin, c * d.y - s * d.x);
   };
+  const double* angle = cylinder.angle;
   if (width <= std::numbers::pi)
-    spans.keep(both(beside(cylinder.angle[0], 1.0), beside(cylinder.angle[1], -1.0)));
+    spans.keep(both(beside(angle[0], 1.0, tolerance), beside(angle[1], -1.0, tolerance)));
   else
-    spans.drop(both(beside(cylinder.angle[0], -1.0), beside(cylinder.angle[1], 1.0)));
+    spans.drop(both(beside(angle[0], -1.0, -tolerance), beside(angle[1], 1.0, -tolerance)));
 }
 
-void cut(const ClipCylinder& cylinder, const Vec3d& origin, const Vec3d& direction, Spans& spans)
+void cut(const ClipCylinder& cylinder, double tolerance, const Vec3d& origin,
+  const Vec3d& direction, Spans& spans)
 {
   const CylinderAxes axes(cylinder);
   const Vec3d p = axes.of(origin - cylinder.center), d = axes.of(direction);
   if (std::isfinite(cylinder.height[0]))
-    spans.keep(aboveZero(p.z - cylinder.height[0], d.z));
+    spans.keep(aboveZero(p.z - cylinder.height[0] + tolerance, d.z));
   if (std::isfinite(cylinder.height[1]))
-    spans.keep(aboveZero(cylinder.height[1] - p.z, -d.z));
+    spans.keep(aboveZero(cylinder.height[1] - p.z + tolerance, -d.z));
   if (std::isfinite(cylinder.radius[1]))
-    spans.keep(withinRadius(p, d, cylinder.radius[1]));
-  if (cylinder.radius[0] > 0.0)
-    spans.drop(withinRadius(p, d, cylinder.radius[0]));
-  cutByAngles(cylinder, p, d, spans);
+    spans.keep(withinRadius(p, d, cylinder.radius[1] + tolerance));
+  if (cylinder.radius[0] > tolerance)
+    spans.drop(withinRadius(p, d, cylinder.radius[0] - tolerance));
+  cutByAngles(cylinder, tolerance, p, d, spans);
 }
 
 /// The nearest of some faces to a point.
@@ -208,10 +211,13 @@ int ClipRegion::spansOf(const Vec3d& origin, const Vec3d& direction, double tMin
 {
   Spans left(spans, tMin, tMax);
   for (const ClipPlane& plane : planes)
-    left.keep(
-      aboveZero(glm::dot(plane.normal, origin - plane.point), glm::dot(plane.normal, direction)));
+  {
+    const double margin = tolerance > 0.0 ? tolerance * glm::length(plane.normal) : 0.0;
+    left.keep(aboveZero(
+      glm::dot(plane.normal, origin - plane.point) + margin, glm::dot(plane.normal, direction)));
+  }
   if (cylinder)
-    cut(*cylinder, origin, direction, left);
+    cut(*cylinder, tolerance, origin, direction, left);
   return left.count();
 }
 

@@ -47,6 +47,9 @@ struct ClipRegion
 {
   std::vector<ClipPlane> planes;
   std::optional<ClipCylinder> cylinder;
+  /// What is no farther than this outside of a plane, a half-plane or a range counts as inside: so
+  /// surfaces that lie in one are shown whole, however hits on them are rounded.
+  double tolerance = 0.0;
 
   bool isAll() const { return planes.empty() && !cylinder; }
   bool contains(const Vec3d& point) const;

@@ -48,11 +48,6 @@ SurfaceObject surfaceIn(const CloudObject& cloud)
   return object;
 }
 
-} // namespace
-
-namespace
-{
-
 /// The colours of a function, whatever its opacities.
 ColorMap colorsOf(const TransferFunction& function)
 {

@@ -115,6 +115,29 @@ TEST(ClipRegion, SpansAreWhereTheRayIsInside)
   EXPECT_GT(many, 50);
 }
 
+TEST(ClipRegion, ToleranceMovesFacesOutwards)
+{
+  constexpr double tolerance = 0.05;
+  Random random(3);
+  int near = 0, outside = 0;
+  for (int k = 0; k < 100000; ++k)
+  {
+    ClipRegion region = regionOf(random, k % 4, k % 3 != 0);
+    region.tolerance = tolerance;
+    const bool hasAngles =
+      region.cylinder && region.cylinder->angle[1] - region.cylinder->angle[0] < turn;
+    const Vec3d point = random.inBox(Vec3d(-2.0), Vec3d(2.0));
+    const double depth = depthIn(region, point);
+    if (std::abs(depth + tolerance) < 1e-9 || (hasAngles && depth < -tolerance))
+      continue; // wedges grow by more at their edge
+    ASSERT_EQ(region.contains(point), depth > -tolerance) << k << " " << depth;
+    near += std::abs(depth) < tolerance;
+    outside += depth < -tolerance;
+  }
+  EXPECT_GT(near, 1000);
+  EXPECT_GT(outside, 10000);
+}
+
 TEST(ClipRegion, EndsOfSpansAreOnFacesThatLookOutwards)
 {
   Random random(2);

@@ -141,6 +141,71 @@ TEST(MapperClip, VolumesEndAtPlanesAndIsosurfacesAreOpen)
   EXPECT_EQ(complaints.warnings + complaints.errors, 0) << complaints.text;
 }
 
+TEST_F(MeshStage, FlatWallsInTheFacesOfACutAreWhole)
+{
+  const auto grid = makeBox(3, [](const Point& p) { return p[2]; });
+  mapper->SetInputData(grid);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->Azimuth(35.0);
+  camera->Elevation(25.0);
+  camera->SetParallelScale(2.5);
+  camera->SetClippingRange(0.1, 20);
+  const Picture whole = trace();
+  ASSERT_GT(whole.covered(), 500);
+  vtkNew<vtkMoteClipCylinder> piece;
+  const auto expectWhole = [&](const std::string& cut)
+  {
+    EXPECT_EQ(mostBetween(trace(), whole), 0.0) << cut;
+    mapper->RemoveAllClippingPlanes();
+    mapper->SetClipCylinder(nullptr);
+  };
+  for (int face = 0; face < 6; ++face)
+  {
+    double out[3] = {0.0, 0.0, 0.0};
+    out[face / 2] = face % 2 == 0 ? -1.0 : 1.0;
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(out);
+    plane->SetNormal(-3.0 * out[0], -3.0 * out[1], -3.0 * out[2]);
+    mapper->AddClippingPlane(plane);
+    expectWhole("plane " + std::to_string(face));
+  }
+  mapper->SetClipCylinder(piece);
+  piece->SetHeightRange(-1.0, 1.0);
+  expectWhole("heights");
+  // Walls at two angles, about an edge of the box.
+  piece->SetHeightRange(-VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
+  piece->SetCenter(-1.0, -1.0, 0.0);
+  piece->SetAngleRange(0.0, 90.0);
+  mapper->SetClipCylinder(piece);
+  expectWhole("angles");
+  piece->SetCenter(1.0, -1.0, 0.0);
+  piece->SetAngleRange(90.0, 180.0);
+  mapper->SetClipCylinder(piece);
+  expectWhole("angles on the left");
+}
+
+TEST_F(MeshStage, FlatWallsAreWholeWhereTheirCoordinatesAreRounded)
+{
+  const auto grid = makeBox(3, [](const Point& p) { return p[2]; });
+  vtkNew<vtkPoints> floats;
+  floats->SetDataTypeToFloat();
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    grid->GetPoint(i, p);
+    floats->InsertNextPoint(0.7 + p[0] + 1.0, p[1], p[2]); // 0.7 as a float is less
+  }
+  grid->SetPoints(floats);
+  mapper->SetInputData(grid);
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->Azimuth(-50.0); // towards the wall at 0.7
+  camera->SetClippingRange(0.1, 20);
+  const Picture whole = trace();
+  ASSERT_GT(whole.covered(), 300);
+  mapper->AddClippingPlane(planeAt(0.7, 1.0));
+  EXPECT_EQ(mostBetween(trace(), whole), 0.0);
+}
+
 TEST_F(MeshStage, ParticlesAreCutThroughAndClosed)
 {
   vtkNew<vtkPoints> points;
