@@ -5,7 +5,7 @@ set(MOTE_VTK_COMPONENTS
   CommonColor FiltersCore FiltersExtraction FiltersFlowPaths FiltersGeneral FiltersGeometry FiltersModeling FiltersSources FiltersVerdict
   ImagingCore ImagingHybrid
   InteractionStyle InteractionWidgets
-  IOCGNSReader IOChemistry IOCore IOEnSight IOGeometry IOImage IOInfovis IOLegacy IOOggTheora
+  IOCGNSReader IOChemistry IOCore IOEnSight IOGeometry IOImage IOLegacy IOOggTheora
   IOParallel IOParallelXML IOPLY IOXML IOXMLParser ParallelCore
   RenderingAnnotation RenderingContextOpenGL2 RenderingCore RenderingFreeType
   RenderingOpenGL2 RenderingUI RenderingVolume cgns hdf5 opengl glew)

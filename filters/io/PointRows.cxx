@@ -78,76 +78,12 @@ void addArrays(const PointRows& rows, const ColumnSpace& space, vtkPolyData* out
       target.type = type;
       target.data = data ? static_cast<char*>(data) + i * bytesOf(type) : nullptr;
       target.stride = components;
-      if (components > 1)
+      if (components > 1 && group.namesComponents)
         array->SetComponentName(i, target.name.c_str());
     }
     output->GetPointData()->AddArray(array);
   }
 }
-
-/// Gives a column its new type, and the others of its array too.
-void widen(PointRows& rows, const WidenColumn& request)
-{
-  for (const ColumnGroup& group : rows.arrays)
-  {
-    if (std::count(group.columns.begin(), group.columns.end(), request.column) > 0)
-      for (const std::size_t member : group.columns)
-        rows.types[member] = request.type;
-  }
-}
-
-/// Passes over so many lines.
-void skipLines(TextCursor& cursor, std::uint64_t lines)
-{
-  constexpr std::size_t blockBytes = std::size_t{4} << 20;
-  while (lines > 0)
-  {
-    std::string_view text = cursor.block(blockBytes);
-    if (text.empty())
-      return; // which the rows will tell
-    std::uint64_t count = countBytes(text, '\n', '\n').first;
-    std::size_t bytes = text.size();
-    if (count > lines)
-    {
-      bytes = 0;
-      for (count = 0; count < lines; ++count)
-        bytes = text.find('\n', bytes) + 1;
-    }
-    cursor.advance(bytes, count);
-    lines -= count;
-  }
-}
-
-} // namespace
-
-std::set<std::string> wordsOf(
-  TextCursor& cursor, const PointRows& rows, std::size_t column, const Progress& progress)
-{
-  constexpr std::uint64_t most = 1 << 20; // rows at a time
-  WordTable table;
-  std::vector<std::int32_t> numbers(static_cast<std::size_t>(std::min(most, rows.rows)));
-  std::vector<TextColumn> targets(rows.columns.size());
-  for (std::size_t i = 0; i < targets.size(); ++i)
-    targets[i].name = rows.columns[i];
-  targets[column].type = ColumnType::Word;
-  targets[column].data = numbers.data();
-  targets[column].words = &table;
-  cursor.seek(rows.place);
-  for (std::uint64_t done = 0; done < rows.rows; done += most)
-    readRows(cursor, std::min(most, rows.rows - done), targets, {},
-      [&](double fraction)
-      {
-        const double all = static_cast<double>(done) + fraction * static_cast<double>(most);
-        return !progress || progress(std::min(1.0, all / static_cast<double>(rows.rows)));
-      });
-  std::set<std::string> words;
-  for (const auto& [word, number] : table.numbers())
-    words.insert(word);
-  return words;
-}
-
-namespace
-{
 
 /// Names of arrays as VTK takes them: up to a zero, not empty, and each once. A second array of a
 /// name would take the place of the first, which is being filled.
@@ -166,7 +102,58 @@ void settleNames(std::vector<ColumnGroup>& arrays)
   }
 }
 
+/// Gives a column its new type, and the others of its array too. Text has no components.
+void widen(PointRows& rows, const WidenColumn& request)
+{
+  const auto group = std::find_if(rows.arrays.begin(), rows.arrays.end(),
+    [&](const ColumnGroup& one)
+    { return std::count(one.columns.begin(), one.columns.end(), request.column) > 0; });
+  if (group == rows.arrays.end())
+    return;
+  const ColumnGroup whole = *group;
+  if (request.type != ColumnType::String || whole.columns.size() == 1)
+  {
+    for (const std::size_t member : whole.columns)
+      rows.types[member] = request.type;
+    return;
+  }
+  std::vector<ColumnGroup> singles;
+  for (const std::size_t member : whole.columns)
+    singles.push_back({rows.columns[member], {member}});
+  rows.arrays.insert(rows.arrays.erase(group), singles.begin(), singles.end());
+  settleNames(rows.arrays);
+  rows.types[request.column] = request.type;
+}
+
 } // namespace
+
+std::set<std::string> wordsOf(
+  TextCursor& cursor, const PointRows& rows, std::size_t column, const Progress& progress)
+{
+  constexpr std::uint64_t most = 1 << 20; // rows at a time
+  WordTable table;
+  std::vector<std::int32_t> numbers(static_cast<std::size_t>(std::min(most, rows.rows)));
+  std::vector<TextColumn> targets(rows.columns.size());
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    targets[i].name = rows.columns[i];
+  targets[column].type = ColumnType::Word;
+  targets[column].data = numbers.data();
+  targets[column].words = &table;
+  cursor.seek(rows.place);
+  for (std::uint64_t done = 0; done < rows.rows; done += most)
+    readRows(
+      cursor, std::min(most, rows.rows - done), targets, {},
+      [&](double fraction)
+      {
+        const double all = static_cast<double>(done) + fraction * static_cast<double>(most);
+        return !progress || progress(std::min(1.0, all / static_cast<double>(rows.rows)));
+      },
+      rows.format);
+  std::set<std::string> words;
+  for (const auto& [word, number] : table.numbers())
+    words.insert(word);
+  return words;
+}
 
 void makePointRows(PointRows rows, const RowSource& source, vtkPolyData* output)
 {
@@ -179,24 +166,36 @@ void makePointRows(PointRows rows, const RowSource& source, vtkPolyData* output)
     output->Initialize();
     std::vector<TextColumn> targets(rows.columns.size());
     for (std::size_t i = 0; i < targets.size(); ++i)
+    {
       targets[i].name = rows.columns[i];
+      targets[i].mayBeText = rows.mayBeText;
+    }
     vtkNew<vtkPoints> points;
     const ColumnSpace space = chooseSpace(rows);
     double* const positions = makePositions(points, static_cast<vtkIdType>(rows.rows), space);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
+      if (rows.coordinates[axis] == PointRows::none)
+        continue;
       TextColumn& target = targets[rows.coordinates[axis]];
       target.type = ColumnType::Float64;
       target.data = positions ? positions + axis : nullptr;
       target.stride = 3;
+      target.mayBeEmpty = target.mayBeText = false;
     }
     addArrays(rows, space, output, targets);
     output->SetPoints(points);
+    const bool isFlat = rows.coordinates[2] == PointRows::none;
     RowsStored stored;
-    if (rows.transform)
+    if (rows.transform || (isFlat && positions))
     {
       stored = [&](std::uint64_t begin, std::uint64_t count)
-      { rows.transform(positions, begin, count); };
+      {
+        for (std::uint64_t row = begin; isFlat && row < begin + count; ++row)
+          positions[3 * row + 2] = 0.0;
+        if (rows.transform)
+          rows.transform(positions, begin, count);
+      };
     }
     result = source(first, rows.rows, targets, stored);
     if (!result.complete)
@@ -213,16 +212,17 @@ void readPointRows(
   if (!rows.piece.isAll())
   {
     cursor.seek(place);
-    skipLines(cursor, rows.piece.first(rows.rows));
+    skipRows(cursor, rows.piece.first(rows.rows), rows.format);
     place = cursor.place();
   }
+  const RowFormat format = rows.format;
   makePointRows(
     std::move(rows),
-    [&](std::uint64_t, std::uint64_t count, const std::vector<TextColumn>& targets,
+    [&, format](std::uint64_t, std::uint64_t count, const std::vector<TextColumn>& targets,
       const RowsStored& stored)
     {
       cursor.seek(place);
-      return readRows(cursor, count, targets, stored, progress);
+      return readRows(cursor, count, targets, stored, progress, format);
     },
     output);
 }

@@ -38,10 +38,14 @@ struct PointRows
   std::uint64_t rows = 0;  ///< of all pieces
   Piece piece;             ///< which of them are read
   TextCursor::Place place; ///< of the first row
+  RowFormat format;
   std::vector<std::string> columns;
   std::vector<ColumnType> types; ///< of each column; Skip where its array is not wanted
-  std::array<std::size_t, 3> coordinates = {0, 0, 0}; ///< columns; their types do not matter
-  std::vector<ColumnGroup> arrays;                    ///< the columns of a group have one type
+  bool mayBeText = false;        ///< what turns out to be no number
+  /// Columns; their types do not matter. z is 0 where there is none.
+  std::array<std::size_t, 3> coordinates = {0, 0, 0};
+  static constexpr std::size_t none = std::size_t(-1);
+  std::vector<ColumnGroup> arrays; ///< the columns of a group have one type
 
   /// Called for rows [first, first + count) of the positions, x y z of a point one after the other,
   /// from any thread; or empty.

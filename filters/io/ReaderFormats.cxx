@@ -302,7 +302,9 @@ const std::vector<ReaderFormat>& readerFormats()
     {{".mote"}, "Mote's own file of particles or triangles", makeMote, true, isMote},
     {{".xyz", ".xyz.gz"}, "XYZ and extended XYZ atoms", makeOneOrSeries<vtkMoteXYZReader>, true},
     {{".pts", ".pts.gz"}, "points, x y z a line", makeOneOrSeries<vtkMotePointsReader>, true},
-    {{".csv"}, "table with columns x, y, z", makeOneOrSeries<vtkMoteDelimitedPointsReader>, true},
+    {{".csv", ".csv.gz", ".tsv", ".tsv.gz", ".txt", ".txt.gz", ".dat", ".dat.gz"},
+      "table with columns x, y, z", makeOneOrSeries<vtkMoteDelimitedPointsReader>, true, nullptr,
+      true},
     {{".gro", ".gro.gz"}, "GROMACS atoms", makeOneOrSeries<vtkMoteParticleFormatsReader>, true},
     {{".cfg", ".cfg.gz"}, "AtomEye atoms", makeOneOrSeries<vtkMoteParticleFormatsReader>, true},
     {{".h5part", ".hdf5", ".h5"}, "particles of Gadget, SWIFT, AREPO, H5Part and openPMD in HDF5",
@@ -377,9 +379,11 @@ const ReaderFormat* formatOf(const std::string& path, std::string_view beginning
       }
     }
   }
+  if (found && !found->isGeneral)
+    return found;
   for (const ReaderFormat& format : readerFormats())
-    if (!found && format.recognise && format.recognise(beginning))
-      found = &format;
+    if (format.recognise && format.recognise(beginning))
+      return &format;
   return found;
 }
 

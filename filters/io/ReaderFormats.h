@@ -23,6 +23,8 @@ struct ReaderFormat
   bool series = false;
   /// Whether a file whose extension says nothing begins like this format; or null.
   bool (*recognise)(std::string_view beginning) = nullptr;
+  /// Whether its extensions are those of others, too, so that what a file begins like goes first.
+  bool isGeneral = false;
 };
 
 /// The table.

@@ -2,6 +2,7 @@
 
 #include "FileError.h"
 #include "ParseNumber.h"
+#include "TextLine.h"
 
 #include <algorithm>
 #include <optional>
@@ -17,128 +18,43 @@ namespace
 constexpr std::size_t BatchBytes = std::size_t{16} << 20;
 constexpr std::size_t PieceBytes = std::size_t{128} << 10;
 
-enum class Trouble
-{
-  NotNumber,
-  TooFew,
-  TooMany,
-  Widen
-};
-
-/// The first thing wrong in a piece.
-struct Fault
-{
-  Trouble trouble = Trouble::NotNumber;
-  std::uint64_t row = 0;
-  std::size_t column = 0;
-  const char* token = nullptr;
-  const char* lineBegin = nullptr;
-};
-
 /// Whole lines of a batch, and the rows they are.
 struct Piece
 {
   std::string_view text;
   std::uint64_t firstRow = 0;
   std::uint64_t rows = 0;
-  std::size_t bytes = 0; ///< that the rows took
+  std::size_t bytes = 0; ///< that the rows took, with the blank lines behind them
   std::optional<Fault> fault;
 };
 
-const char* skipBlanks(const char* p)
+/// Rows in whole lines of text.
+std::uint64_t rowsIn(std::string_view text, const RowFormat& format)
 {
-  while (*p != '\n' && endsToken(*p))
-    ++p;
-  return p;
+  if (!format.skipsBlankLines)
+    return countBytes(text, '\n', '\n').first;
+  std::uint64_t rows = 0;
+  for (std::size_t at = 0; at < text.size(); at = lineEnd(text, at))
+    rows += !isBlankLine(text.substr(at, lineEnd(text, at) - at), format);
+  return rows;
 }
 
-/// Stores the value at `p` for a row; returns its end, or null.
-const char* storeValue(const TextColumn& column, std::uint64_t row, const char* p)
+void parsePiece(Piece& piece, const std::vector<TextColumn>& columns, const RowsStored& stored,
+  const RowFormat& format)
 {
-  const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(row) * column.stride;
-  switch (column.type)
-  {
-  case ColumnType::Float64:
-    return parseDouble(p, static_cast<double*>(column.data)[at]);
-  case ColumnType::Float32:
-  {
-    double value = 0;
-    p = parseDouble(p, value);
-    static_cast<float*>(column.data)[at] = static_cast<float>(value);
-    return p;
-  }
-  case ColumnType::Int32:
-    return parseInteger(p, static_cast<std::int32_t*>(column.data)[at]);
-  case ColumnType::Int64:
-    return parseInteger(p, static_cast<std::int64_t*>(column.data)[at]);
-  case ColumnType::String:
-  {
-    const char* const end = tokenEnd(p);
-    static_cast<std::string*>(column.data)[at].assign(p, end);
-    return end;
-  }
-  case ColumnType::Word:
-  {
-    const char* const end = tokenEnd(p);
-    static_cast<std::int32_t*>(column.data)[at] = column.words->numberOf(std::string(p, end));
-    return end;
-  }
-  case ColumnType::Skip:
-    break;
-  }
-  return tokenEnd(p);
-}
-
-/// Parses one line; returns the beginning of the next, or null after describing the fault.
-const char* parseRow(
-  const std::vector<TextColumn>& columns, std::uint64_t row, const char* p, Fault& fault)
-{
-  const char* const lineBegin = p;
-  for (std::size_t c = 0; c < columns.size(); ++c)
-  {
-    p = skipBlanks(p);
-    if (*p == '\n')
-    {
-      fault = {Trouble::TooFew, row, c, p, lineBegin};
-      return nullptr;
-    }
-    const char* const end = storeValue(columns[c], row, p);
-    if (!end)
-    {
-      const ColumnType type = columns[c].type;
-      double number = 0;
-      const bool widen = (type == ColumnType::Int32 || type == ColumnType::Int64) &&
-                         parseDouble(p, number) != nullptr;
-      fault = {widen ? Trouble::Widen : Trouble::NotNumber, row, c, p, lineBegin};
-      return nullptr;
-    }
-    p = end;
-  }
-  p = skipBlanks(p);
-  if (*p != '\n')
-  {
-    fault = {Trouble::TooMany, row, columns.size(), p, lineBegin};
-    return nullptr;
-  }
-  return p + 1;
-}
-
-void parsePiece(Piece& piece, const std::vector<TextColumn>& columns, const RowsStored& stored)
-{
-  const char* p = piece.text.data();
-  const char* const end = p + piece.text.size();
+  TextLines lines(piece.text, format);
   for (std::uint64_t row = piece.firstRow; row < piece.firstRow + piece.rows; ++row)
   {
-    Fault fault{Trouble::TooFew, row, 0, p, p};
-    // Past the end only where another program has changed the file since its lines were counted.
-    p = p < end ? parseRow(columns, row, p, fault) : nullptr;
-    if (!p)
+    Fault fault;
+    lines.skipBlankLines();
+    if (!lines.parseRow(columns, row, fault))
     {
       piece.fault = fault;
       return;
     }
   }
-  piece.bytes = static_cast<std::size_t>(p - piece.text.data());
+  lines.skipBlankLines();
+  piece.bytes = lines.passed();
   if (stored && piece.rows > 0)
     stored(piece.firstRow, piece.rows);
 }
@@ -164,7 +80,7 @@ std::string countOf(std::size_t count, const char* noun)
 
 /// The fault as a sentence for the user.
 FileError describe(const Fault& fault, const std::vector<TextColumn>& columns,
-  const TextCursor& cursor, std::uint64_t line)
+  const RowFormat& format, const TextCursor& cursor, std::uint64_t line)
 {
   const auto column = static_cast<std::uint64_t>(fault.token - fault.lineBegin) + 1;
   const char* lineEnd = fault.token;
@@ -172,7 +88,7 @@ FileError describe(const Fault& fault, const std::vector<TextColumn>& columns,
     ++lineEnd;
   const std::string_view whole(
     fault.lineBegin, static_cast<std::size_t>(lineEnd - fault.lineBegin));
-  const std::size_t found = splitValues(whole).size();
+  const std::size_t found = splitValues(whole, format).size();
   std::string sentence;
   switch (fault.trouble)
   {
@@ -185,27 +101,23 @@ FileError describe(const Fault& fault, const std::vector<TextColumn>& columns,
     sentence = "expected " + countOf(columns.size(), "value") + ", found " + std::to_string(found);
     break;
   default:
-    sentence = "expected a number for '" + columns[fault.column].name + "', found '" +
-               std::string(fault.token, tokenEnd(fault.token)).substr(0, 40) + "'";
+  {
+    const auto rest = splitValues(
+      std::string_view(fault.token, static_cast<std::size_t>(lineEnd - fault.token)), format);
+    const std::string value = rest.empty() ? "" : rest.front().substr(0, 40);
+    sentence = "expected a number for '" + columns[fault.column].name + "', found " +
+               (value.empty() ? "nothing" : "'" + value + "'");
+  }
   }
   return {FileError::Kind::Malformed, cursor.path(), sentence, line, column};
 }
 
-/// A 32-bit column that holds a larger integer becomes 64-bit, every other one a float.
-WidenColumn widened(const Fault& fault, const std::vector<TextColumn>& columns)
-{
-  std::int64_t integer = 0;
-  const bool fits = columns[fault.column].type == ColumnType::Int32 &&
-                    parseInteger(fault.token, integer) != nullptr;
-  return {fault.column, fits ? ColumnType::Int64 : ColumnType::Float64};
-}
-
 /// Finds which rows the pieces are, at most `rows` of them, and parses them.
 void parseBatch(std::vector<Piece>& pieces, std::uint64_t firstRow, std::uint64_t rows,
-  const std::vector<TextColumn>& columns, const RowsStored& stored)
+  const std::vector<TextColumn>& columns, const RowsStored& stored, const RowFormat& format)
 {
   tbb::parallel_for(std::size_t{0}, pieces.size(),
-    [&](std::size_t i) { pieces[i].rows = countBytes(pieces[i].text, '\n', '\n').first; });
+    [&](std::size_t i) { pieces[i].rows = rowsIn(pieces[i].text, format); });
   for (Piece& piece : pieces)
   {
     piece.firstRow = firstRow;
@@ -213,8 +125,8 @@ void parseBatch(std::vector<Piece>& pieces, std::uint64_t firstRow, std::uint64_
     firstRow += piece.rows;
     rows -= piece.rows;
   }
-  tbb::parallel_for(
-    std::size_t{0}, pieces.size(), [&](std::size_t i) { parsePiece(pieces[i], columns, stored); });
+  tbb::parallel_for(std::size_t{0}, pieces.size(),
+    [&](std::size_t i) { parsePiece(pieces[i], columns, stored, format); });
 }
 
 void report(const Progress& progress, double fraction, const TextCursor& cursor)
@@ -226,7 +138,7 @@ void report(const Progress& progress, double fraction, const TextCursor& cursor)
 } // namespace
 
 RowsResult readRows(TextCursor& cursor, std::uint64_t rows, const std::vector<TextColumn>& columns,
-  const RowsStored& stored, const Progress& progress)
+  const RowsStored& stored, const Progress& progress, const RowFormat& format)
 {
   std::uint64_t done = 0;
   while (done < rows)
@@ -240,23 +152,63 @@ RowsResult readRows(TextCursor& cursor, std::uint64_t rows, const std::vector<Te
         cursor.line());
     }
     std::vector<Piece> pieces = cutIntoPieces(text);
-    parseBatch(pieces, done, rows - done, columns, stored);
+    parseBatch(pieces, done, rows - done, columns, stored, format);
     std::size_t bytes = 0;
-    std::uint64_t lines = 0;
+    std::uint64_t lines = 0, read = 0;
     for (const Piece& piece : pieces)
     {
       if (piece.fault && piece.fault->trouble == Trouble::Widen)
-        return {false, widened(*piece.fault, columns)};
+        return {false, {piece.fault->column, piece.fault->wider}};
+      const auto linesOf = [&](std::size_t n)
+      { return countBytes(piece.text.substr(0, n), '\n', '\n').first; };
       if (piece.fault)
-        throw describe(*piece.fault, columns, cursor, cursor.line() + piece.fault->row - done);
+      {
+        lines += linesOf(static_cast<std::size_t>(piece.fault->lineBegin - piece.text.data()));
+        throw describe(*piece.fault, columns, format, cursor, cursor.line() + lines);
+      }
       bytes += piece.bytes;
-      lines += piece.rows;
+      lines += format.skipsBlankLines ? linesOf(piece.bytes) : piece.rows;
+      read += piece.rows;
     }
     cursor.advance(bytes, lines);
-    done += lines;
+    done += read;
   }
   report(progress, 1.0, cursor);
   return {};
+}
+
+std::uint64_t countRows(TextCursor& cursor, const RowFormat& format)
+{
+  std::uint64_t rows = 0;
+  for (;;)
+  {
+    const std::string_view block = cursor.block(BatchBytes / 16);
+    if (block.empty())
+      return rows;
+    rows += rowsIn(block, format);
+    cursor.advance(block.size(), countBytes(block, '\n', '\n').first);
+  }
+}
+
+void skipRows(TextCursor& cursor, std::uint64_t rows, const RowFormat& format)
+{
+  while (rows > 0)
+  {
+    std::string_view text = cursor.block(BatchBytes / 4);
+    if (text.empty())
+      return; // which who reads on will tell
+    std::uint64_t count = rowsIn(text, format);
+    if (count > rows)
+    {
+      std::size_t bytes = 0;
+      for (count = 0; count < rows; bytes = lineEnd(text, bytes))
+        count += !format.skipsBlankLines ||
+                 !isBlankLine(text.substr(bytes, lineEnd(text, bytes) - bytes), format);
+      text = text.substr(0, bytes);
+    }
+    cursor.advance(text.size(), countBytes(text, '\n', '\n').first);
+    rows -= count;
+  }
 }
 
 std::string unnamedColumn(std::size_t number, const std::vector<std::string>& taken)

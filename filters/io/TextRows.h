@@ -49,11 +49,26 @@ private:
   std::atomic<std::int32_t> m_next{0};
 };
 
+/// How the lines of a table are read.
+struct RowFormat
+{
+  /// Between two values: this character, with blanks around it or without, or, where it is a blank,
+  /// blanks. With a character values may be empty, which is NaN, stand in double quotes, within
+  /// which it separates nothing, and have one more behind the last; words may hold blanks.
+  char separator = ' ';
+  char decimalPoint = '.';      ///< of numbers
+  bool skipsBlankLines = false; ///< and those of separators and quotes only
+
+  bool hasSeparator() const { return separator != ' '; }
+};
+
 /// One column and where its values go.
 struct TextColumn
 {
   std::string name; ///< for messages
   ColumnType type = ColumnType::Skip;
+  bool mayBeEmpty = true;     ///< in formats with a separator, and not only Skip and text
+  bool mayBeText = false;     ///< asks for text where a value is no number
   void* data = nullptr;       ///< of the type, std::string for String; null for Skip
   std::ptrdiff_t stride = 1;  ///< from one row's value to the next, in elements
   WordTable* words = nullptr; ///< of a Word
@@ -64,13 +79,14 @@ struct ColumnGroup
 {
   std::string name;
   std::vector<std::size_t> columns;
+  bool namesComponents = true; ///< by those of the columns
 };
 
 /// Called after rows [first, first + count) have been stored; from any thread, for disjoint rows.
 using RowsStored = std::function<void(std::uint64_t first, std::uint64_t count)>;
 
-/// Asked for when an integer column holds a value that is no such integer: `column` should become
-/// `type` (wider, or a float), with new space, and the rows be read again.
+/// Asked for when a column holds a value that its type is too narrow for: `column` should become
+/// `type` (a wider integer, a float, or text), with new space, and the rows be read again.
 struct WidenColumn
 {
   std::size_t column = 0;
@@ -84,14 +100,19 @@ struct RowsResult
   WidenColumn widen;    ///< otherwise: what has to change before another try
 };
 
-/// Reads `rows` lines of blank-separated values from the cursor's place into the columns' space,
+/// Reads `rows` lines of values from the cursor's place into the columns' space,
 /// with every core and the same result whatever their number. Progress goes from 0 to 1.
 ///
 /// Throws FileError, which names the line and the column: for a value that is no number in a number
 /// column, too few or too many values in a line, too few lines (Truncated), and when `progress`
 /// asks to stop (Aborted). What was stored by then is of no use.
 RowsResult readRows(TextCursor& cursor, std::uint64_t rows, const std::vector<TextColumn>& columns,
-  const RowsStored& stored, const Progress& progress);
+  const RowsStored& stored, const Progress& progress, const RowFormat& format = {});
+
+/// How many rows there are from the cursor's place on, which is the end of the text then.
+std::uint64_t countRows(TextCursor& cursor, const RowFormat& format = {});
+/// Passes over so many rows, or what there is of them.
+void skipRows(TextCursor& cursor, std::uint64_t rows, const RowFormat& format = {});
 
 /// The values of the next line, which stays the next one; empty at the end of the text.
 std::vector<std::string> peekValues(TextCursor& cursor);
@@ -102,6 +123,8 @@ std::string unnamedColumn(std::size_t number, const std::vector<std::string>& ta
 
 /// The blank-separated values of a line.
 std::vector<std::string> splitValues(std::string_view line);
+/// The values of a line of a format, without the blanks and quotes around them.
+std::vector<std::string> splitValues(std::string_view line, const RowFormat& format);
 
 } // namespace mote
 

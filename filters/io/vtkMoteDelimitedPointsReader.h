@@ -1,14 +1,22 @@
 /**
  * @class   vtkMoteDelimitedPointsReader
- * @brief   reads points from a table of values between commas, semicolons or tabs
+ * @brief   reads points from a table of values between commas, semicolons, tabs or blanks
  *
- * The first line names the columns, and tells by its most frequent one of comma, semicolon and tab
- * what separates the values; blanks around names and numbers do not matter. The columns x, y and z
- * (in either case) hold the coordinates, z = 0 where there is no column z,
- * and every other one becomes a point array under its own name, numbers as numbers (see
- * vtkDelimitedTextReader's DetectNumericColumns) and all else as strings. Output: vtkPolyData with
- * the points in double and file order, and one vertex cell a point. A file without such columns,
- * with a coordinate that is no number, or without any row is an error.
+ * Plain or gzip (told by the content). A line names the columns: the first one with names of x and
+ * y, which may be x, X, "X [m]", x-coordinate, Position_X, or Points:0 as ParaView writes it; lines
+ * above it are passed over, and it may begin with the mark of a comment (#, % or //). What
+ * separates its names is what is most frequent of comma, semicolon and tab, or blanks. Where the
+ * first line has three numbers or more, columns have no names: they are x, y, z, column4 and so on.
+ * z = 0 where there is no column z. Where the coordinates of the first row have decimal commas, all
+ * numbers may.
+ *
+ * Every other column becomes a point array: int, 64-bit integer or double by its values, and
+ * strings where one is no number. Columns U:0, U:1 ... become one array U. What is empty is NaN.
+ * Values may stand in quotes, but no quotes go over line ends. Blank lines are passed over.
+ *
+ * Output: vtkPolyData with the points in double and file order, and one vertex cell a point. A file
+ * without such columns, with a coordinate that is no number, with lines of other numbers of values,
+ * or without any row is an error.
  */
 
 #ifndef vtkMoteDelimitedPointsReader_h
@@ -28,6 +36,7 @@ protected:
   vtkMoteDelimitedPointsReader();
   ~vtkMoteDelimitedPointsReader() override;
 
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -9,25 +9,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
-namespace
-{
-
-std::uint64_t countLines(mote::TextCursor& cursor)
-{
-  std::uint64_t lines = 0;
-  for (;;)
-  {
-    const std::string_view block = cursor.block(std::size_t{1} << 20);
-    if (block.empty())
-      return lines;
-    const std::uint64_t count = mote::countBytes(block, '\n', '\n').first;
-    cursor.advance(block.size(), count);
-    lines += count;
-  }
-}
-
-} // namespace
-
 vtkStandardNewMacro(vtkMotePointsReader);
 
 vtkMotePointsReader::vtkMotePointsReader() = default;
@@ -57,7 +38,7 @@ int vtkMotePointsReader::RequestData(
       rows.columns = {"x", "y", "z"};
       rows.coordinates = {0, 1, 2};
       rows.types.assign(3, mote::ColumnType::Float64);
-      rows.rows = countLines(cursor);
+      rows.rows = mote::countRows(cursor);
       rows.piece = mote::requestedPiece(outputVector->GetInformationObject(0));
       if (rows.rows == 0)
         throw mote::FileError(

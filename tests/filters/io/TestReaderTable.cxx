@@ -78,6 +78,11 @@ TEST_F(TestReaderTable, ReadersOfThisModule)
   EXPECT_EQ(points(write("a.xyz", "1\n\nSi 1 2 3\n"), "vtkMoteXYZReader"), 1);
   EXPECT_EQ(points(write("a.pts", "1 2 3\n"), "vtkMotePointsReader"), 1);
   EXPECT_EQ(points(write("a.csv", "x,y,z\n1,2,3\n"), "vtkMoteDelimitedPointsReader"), 1);
+  EXPECT_EQ(points(write("a.txt", "# x y z\n1 2 3\n"), "vtkMoteDelimitedPointsReader"), 1);
+  EXPECT_EQ(
+    points(write("dump.txt", dumpFrame(0, 1, "id x y z", "1 2 3 4\n")), "vtkMoteLAMMPSDumpReader"),
+    1)
+    << "by its content, as the name says little";
 }
 
 TEST_F(TestReaderTable, ReadersAndWritersPrintWhatTheyAre)
