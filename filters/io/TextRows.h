@@ -67,11 +67,11 @@ struct TextColumn
 {
   std::string name; ///< for messages
   ColumnType type = ColumnType::Skip;
-  bool mayBeEmpty = true;     ///< in formats with a separator, and not only Skip and text
-  bool mayBeText = false;     ///< asks for text where a value is no number
   void* data = nullptr;       ///< of the type, std::string for String; null for Skip
   std::ptrdiff_t stride = 1;  ///< from one row's value to the next, in elements
   WordTable* words = nullptr; ///< of a Word
+  bool mayBeEmpty = true;     ///< in formats with a separator, and not only Skip and text
+  bool mayBeText = false;     ///< asks for text where a value is no number
 };
 
 /// Columns that make one array, a component each.
