@@ -48,6 +48,11 @@ def packed(name, numbers, type="Float32", code="f", components=1):
             f'format="binary">{coded}</DataArray>')
 
 
+def lammps_data(sections):
+    return ("LAMMPS data file, timestep = 5, units = metal\n\n2 atoms\n2 atom types\n0 9 xlo xhi\n"
+            "0 9 ylo yhi\n0 9 zlo zhi\n1 0 0 xy xz yz\n\nMasses\n\n1 28\n2 16\n\n" + sections)
+
+
 corners = "0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1"
 numbered = "0 1 2 3 4 5 6 7"
 hexahedron = vtk_xml.format(
@@ -186,6 +191,10 @@ seeds = {
         "Number of particles = 1\nH0(1,1) = 4 A\nR = 2\n63.5 Cu 0.5 0.5 0.5 1 0 0\n"
     ],
     "dump": [
+        lammps_data("Atoms # full\n\n2 1 1 0.5 1 2 3 0 0 0\n1 1 2 -0.5 4 5 6 0 0 0 # a comment\n\n"
+                    "Velocities\n\n1 1 0 0\n2 0 1 0\n"),
+        lammps_data("Velocities\n\n1 1 0 0\n2 0 1 0\n\nAtoms\n\n1 1 0.5 2600 1 2 3\n2 1 0.5 2600 4 5 6\n"),
+        lammps_data("Atoms # atomic\n\n1 Si 1 2 3\n2 O 4 5 6\n\nBonds\n\n1 1 1 2\n"),
         dump.format(**plain), dump.format(**plain) + dump.format(**scaled),
         "ITEM: UNITS\nmetal\nITEM: TIME\n0.25\n" + dump.format(**scaled),
         dump.format(**{**plain, "rows": ""}).replace("\n3\n", "\n0\n"),
@@ -200,7 +209,11 @@ seeds = {
     "pts": ["0 0 0\n1 2 3\n-1e3 nan 5\n", "1,2,3\n4,5,6\n"],
     "csv": [
         "x,y,z,v\n0,0,0,1\n1,2,3,-1e5\n", 'x;y;z;"a name"\n0;0;0;one\n1;1;1;two\n',
-        "a\tb\tc\n1\t2\t3\n", "x,y,z\n1,2\n3,4,5,6\n"
+        "a\tb\tc\n1\t2\t3\n", "x,y,z\n1,2\n3,4,5,6\n",
+        '"Points:0","Points:1","Points:2","U:0","U:1"\n1,2,3,4,0.5\n"4",5,6,,7\n',
+        "[Name]\nPlane 1\n\n[Data]\nX [ m ], Y [ m ], Z [ m ], p\n1, 2, 3, 4\n\n,,,\n5, 6, 7, N/A,\n",
+        "x;y;z;T\n1,5;2;3;4,25\n-1;2;3;\n", "# x y z T\n1 2 3 4\n5 6 7 3000000000\n",
+        "1 2 3 4\n5 6 7 1.5D2\n"
     ],
     "pdb": [
         "\n".join(pdb_atom.format(n=n, x=0.5 * n) for n in (1, 2, 3)) + "\nEND\n",

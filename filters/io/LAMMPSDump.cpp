@@ -1,6 +1,7 @@
 #include "LAMMPSDump.h"
 
 #include "LAMMPSBinary.h"
+#include "LAMMPSData.h"
 #include "LAMMPSHeader.h"
 
 #include <algorithm>
@@ -233,7 +234,7 @@ bool Indexer::resynchronise()
 
 bool looksLikeLAMMPSDump(std::string_view beginning)
 {
-  return startsFrame(beginning) || looksLikeBinaryDump(beginning);
+  return startsFrame(beginning) || looksLikeBinaryDump(beginning) || looksLikeLAMMPSData(beginning);
 }
 
 LAMMPSIndex indexLAMMPSDump(
@@ -241,6 +242,8 @@ LAMMPSIndex indexLAMMPSDump(
 {
   if (looksLikeBinaryDump(readBeginning(path, 128)))
     return indexBinaryDump(path, progress);
+  if (looksLikeLAMMPSData(readBeginning(path, 4096)))
+    return {{readLAMMPSDataHeader(path, progress)}, ""};
   return Indexer(path, progress).run(before);
 }
 

@@ -51,7 +51,11 @@ struct LAMMPSFrame
   TextCursor::Place start;       ///< of the header
   TextCursor::Place rows;
   std::shared_ptr<const std::vector<LAMMPSChunk>> chunks; ///< of a binary dump; else null
-  std::optional<FileError> damage;                        ///< why this step cannot be read
+  bool hasComments = false;                               ///< of #, behind the values of a row
+  /// Of data files: rows of id, vx, vy, vz and what else velocityColumns counts.
+  std::optional<TextCursor::Place> velocities;
+  std::size_t velocityColumns = 0;
+  std::optional<FileError> damage; ///< why this step cannot be read
 };
 
 struct LAMMPSIndex
@@ -60,7 +64,7 @@ struct LAMMPSIndex
   std::string warning;             ///< about damage that belongs to no listed frame; or empty
 };
 
-/// Whether bytes begin like a LAMMPS dump, of text or binary.
+/// Whether bytes begin like a LAMMPS dump, of text or binary, or like a LAMMPS data file.
 bool looksLikeLAMMPSDump(std::string_view beginning);
 
 /// Reads a whole file once, headers by parsing and atoms by counting lines. The number of atoms of
@@ -70,6 +74,8 @@ bool looksLikeLAMMPSDump(std::string_view beginning);
 /// A damaged frame is listed with its damage and does not hide those around it. Throws FileError
 /// when the file cannot be opened, is no LAMMPS text dump, has no frame at all, or when `progress`
 /// asks to stop.
+///
+/// A LAMMPS data file is one step, see LAMMPSData.h.
 ///
 /// With the index of the same file before it grew only its last frame and what follows are read; a
 /// file that is another there is read as a whole.

@@ -1,6 +1,7 @@
 #include "LAMMPSPolyData.h"
 
 #include "LAMMPSBinary.h"
+#include "LAMMPSVelocities.h"
 #include "PointRows.h"
 #include "PolyDataParts.h"
 
@@ -40,6 +41,19 @@ void requireCoordinates(
     frame.columnsLine);
 }
 
+bool isWanted(const std::string& array, const LAMMPSReadOptions& options)
+{
+  return !options.wanted || options.wanted(array);
+}
+
+/// Whether velocities are to be brought to the atoms of their ids.
+bool needsIds(const LAMMPSFrame& frame, const LAMMPSReadOptions& options)
+{
+  const std::vector<std::string> names = velocityArrays(frame, options.combine);
+  return std::any_of(
+    names.begin(), names.end(), [&](const std::string& name) { return isWanted(name, options); });
+}
+
 std::vector<ColumnType> chooseTypes(TextCursor* cursor, const LAMMPSFrame& frame,
   const LAMMPSLayout& layout, const LAMMPSReadOptions& options)
 {
@@ -54,7 +68,7 @@ std::vector<ColumnType> chooseTypes(TextCursor* cursor, const LAMMPSFrame& frame
   first.resize(columns.size(), cursor ? "" : "0"); // binary dumps have numbers alone
   for (const ColumnGroup& array : layout.arrays)
   {
-    if (options.wanted && !options.wanted(array.name))
+    if (!isWanted(array.name, options) && !(array.name == "id" && needsIds(frame, options)))
       continue;
     for (const std::size_t column : array.columns)
     {
@@ -194,11 +208,13 @@ void readLAMMPSFrame(const std::string& path, const LAMMPSFrame& frame,
   const LAMMPSPlacement placement(frame, layout, path);
   std::optional<TextCursor> cursor;
   if (!frame.chunks)
-    cursor.emplace(path);
+    cursor.emplace(
+      path, frame.hasComments ? TextCursor::OpenEnd::Accept : TextCursor::OpenEnd::Reject);
   PointRows rows;
   rows.rows = frame.atoms;
   rows.piece = options.piece;
   rows.place = frame.rows;
+  rows.format.comment = frame.hasComments ? '#' : '\0';
   rows.columns = *frame.columns;
   rows.types = chooseTypes(cursor ? &*cursor : nullptr, frame, layout, options);
   rows.arrays = layout.arrays;
@@ -236,6 +252,10 @@ void readLAMMPSFrame(const std::string& path, const LAMMPSFrame& frame,
     addTypes(words, output);
   else if (!options.space)
     addTypes(frame, output->GetPointData(), all);
+  if (needsIds(frame, options))
+    addLAMMPSVelocities(path, frame, options, progress, output);
+  if (!isWanted("id", options))
+    output->GetPointData()->RemoveArray("id");
   addHeader(frame, output->GetFieldData());
 }
 

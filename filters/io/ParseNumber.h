@@ -1,6 +1,7 @@
 #ifndef MoteParseNumber_h
 #define MoteParseNumber_h
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -52,6 +53,17 @@ inline const char* parseDoubleSlowly(const char* begin, double& value)
     if (*p == '-')
       return nullptr;
   }
+  if (const auto* const fortran = std::find_if(p, end, [](char c) { return (c | 0x20) == 'd'; });
+      fortran != end)
+  {
+    std::string text(begin, end);
+    text[static_cast<std::size_t>(fortran - begin)] = 'e';
+    text.push_back('\n');
+    return std::find_if(fortran + 1, end, [](char c) { return (c | 0x20) == 'd'; }) == end &&
+               parseDoubleSlowly(text.c_str(), value)
+             ? end
+             : nullptr;
+  }
   const auto [stop, error] = std::from_chars(p, end, value);
   if (stop != end || error == std::errc::invalid_argument)
     return nullptr;
@@ -67,7 +79,7 @@ inline const char* parseDoubleSlowly(const char* begin, double& value)
 }
 
 /// Parses the token at `p` and returns its end, or null when the token is no number. The value is
-/// the double nearest to the decimal, as strtod gives it.
+/// the double nearest to the decimal, as strtod gives it; Fortran's 1.5D3 is 1500.
 ///
 /// Short decimals take the exact shortcut of Clinger (How to read floating point numbers
 /// accurately, 1990): an integer below 2^53 times or over a power of ten up to 10^22 is one
@@ -90,7 +102,7 @@ inline const char* parseDouble(const char* begin, double& value)
     exponent = fraction - p;
     count -= exponent;
   }
-  if ((*p | 0x20) == 'e')
+  if ((*p & 0xDE) == 'D') // e, E, and d, D as Fortran writes them
   {
     const bool down = passSign(++p);
     const char* const power = p;

@@ -281,7 +281,8 @@ PointRows readTableHead(TextCursor& cursor)
     throw FileError(FileError::Kind::Truncated, cursor.path(),
       "the table has no row below the names of its columns");
   PointRows rows;
-  rows.format = {head.separator, '.', true};
+  rows.format.separator = head.separator;
+  rows.format.skipsBlankLines = true;
   rows.mayBeText = true;
   rows.place = cursor.place();
   rows.coordinates = coordinatesOf(head.names);

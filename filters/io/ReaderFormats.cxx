@@ -299,6 +299,8 @@ const std::vector<ReaderFormat>& readerFormats()
     {{".dump", ".lammpstrj", ".lammps", ".dump.gz", ".lammpstrj.gz", ".lammps.gz", ".bin"},
       "LAMMPS dump, of text or binary", makeSeries<vtkMoteLAMMPSDumpReader>, true,
       looksLikeLAMMPSDump},
+    {{".data", ".lmp", ".lammpsdata", ".data.gz", ".lmp.gz", ".lammpsdata.gz"},
+      "LAMMPS data file, as write_data writes it", makeSeries<vtkMoteLAMMPSDumpReader>, true},
     {{".mote"}, "Mote's own file of particles or triangles", makeMote, true, isMote},
     {{".xyz", ".xyz.gz"}, "XYZ and extended XYZ atoms", makeOneOrSeries<vtkMoteXYZReader>, true},
     {{".pts", ".pts.gz"}, "points, x y z a line", makeOneOrSeries<vtkMotePointsReader>, true},
@@ -392,7 +394,7 @@ bool isSeriesFile(const std::string& path)
   const ReaderFormat* format = formatOf(path, "");
   try
   {
-    format = format ? format : formatOf(path, readBeginning(path, 64));
+    format = format ? format : formatOf(path, readBeginning(path, 4096));
   }
   catch (const FileError&)
   {

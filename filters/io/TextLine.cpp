@@ -221,6 +221,8 @@ const char* TextLines::parseBlanks(
     p = end;
   }
   p = skipBlanks(p);
+  if (m_format.comment != '\0' && *p == m_format.comment)
+    p = std::find(p, m_begin + m_text.size(), '\n');
   if (*p != '\n')
   {
     fault = {Trouble::TooMany, columns.size(), p};

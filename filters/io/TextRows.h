@@ -57,6 +57,7 @@ struct RowFormat
   /// which it separates nothing, and have one more behind the last; words may hold blanks.
   char separator = ' ';
   char decimalPoint = '.';      ///< of numbers
+  char comment = '\0';          ///< begins one behind the values of a line, where blanks separate
   bool skipsBlankLines = false; ///< and those of separators and quotes only
 
   bool hasSeparator() const { return separator != ' '; }

@@ -3,6 +3,7 @@
 #include "LAMMPSColumns.h"
 #include "LAMMPSDump.h"
 #include "LAMMPSPolyData.h"
+#include "LAMMPSVelocities.h"
 #include "Piece.h"
 #include "TimeSteps.h"
 
@@ -173,7 +174,7 @@ int vtkMoteLAMMPSDumpReader::CanReadFile(const char* fileName)
 {
   try
   {
-    return fileName && mote::looksLikeLAMMPSDump(mote::readBeginning(fileName, 64)) ? 1 : 0;
+    return fileName && mote::looksLikeLAMMPSDump(mote::readBeginning(fileName, 4096)) ? 1 : 0;
   }
   catch (const mote::FileError&)
   {
@@ -206,15 +207,21 @@ void vtkMoteLAMMPSDumpReader::OfferArrays()
   std::set<std::string> offered;
   std::vector<std::string> ordered;
   const std::vector<std::string>* last = nullptr;
+  const auto offer = [&](const std::string& name)
+  {
+    if (offered.insert(name).second)
+      ordered.push_back(name);
+  };
   for (const Step& step : this->Internal->Steps)
   {
+    for (const std::string& name : mote::velocityArrays(*step.Frame, this->CombineVectors))
+      offer(name);
     const auto* columns = step.Frame->columns.get();
     if (!columns || columns == last)
       continue; // the steps of a file share their list
     last = columns;
     for (const mote::ColumnGroup& array : mote::layoutOf(*columns, this->CombineVectors).arrays)
-      if (offered.insert(array.name).second)
-        ordered.push_back(array.name);
+      offer(array.name);
   }
   vtkDataArraySelection* selection = this->Internal->Selection;
   for (const std::string& name : this->Internal->Offered)

@@ -1,9 +1,14 @@
 /**
  * @class   vtkMoteLAMMPSDumpReader
- * @brief   reads atoms from LAMMPS text dumps
+ * @brief   reads atoms from LAMMPS dumps and data files
  *
  * Reads the text files that the LAMMPS commands `dump atom` and `dump custom` write: one or many
  * time steps a file, one file or a series, plain or gzip (told by the content, not by the name).
+ *
+ * Data files, which `write_data` writes and `read_data` reads, are one time step each: that of
+ * their title, else 0. Columns are those of the atom style behind "Atoms", else of the only style
+ * that fits; "v" comes from the section of velocities, by ids. Bonds, and what else there is, are
+ * passed over.
  *
  * Output: vtkPolyData with
  * - points, double, in file order: Cartesian positions in the dump's units of length. Coordinates

@@ -55,6 +55,14 @@ TEST(ParseNumber, EdgesOfTheShortcut)
 TEST(ParseNumber, NotANumberAndInfinityAreValues)
 {
   double value = 0;
+  for (const auto& [text, number] : {std::pair("1.5D3\n", 1500.0), {"-25d-1\n", -2.5},
+         {"0.12345678901234567890D+01\n", 1.2345678901234567890}, {"1D-310\n", 1e-310}})
+  {
+    EXPECT_TRUE(parseDouble(text, value)) << text;
+    EXPECT_EQ(value, number) << text;
+  }
+  for (const char* text : {"1D\n", "1D2D3\n", "d1\n", "1.2345678901234567890D1D\n"})
+    EXPECT_FALSE(parseDouble(text, value)) << text;
   EXPECT_TRUE(parseDouble("nan\n", value));
   EXPECT_TRUE(std::isnan(value));
   EXPECT_TRUE(parseDouble("-nan\n", value));

@@ -1,7 +1,6 @@
 // Tables of points as programs write them, and as they are damaged.
-#include "IOTestSupport.h"
+#include "ReaderTest.h"
 #include "vtkMoteDelimitedPointsReader.h"
-#include "vtkMoteReaderTable.h"
 
 #include "vtkDataArray.h"
 #include "vtkNew.h"
@@ -20,27 +19,7 @@
 namespace
 {
 
-class TestTables : public FileTest
-{
-protected:
-  /// The points of a table; none after an error, which error() tells.
-  vtkSmartPointer<vtkPolyData> read(const std::string& text, const std::string& name = "a.csv")
-  {
-    vtkNew<vtkMoteDelimitedPointsReader> reader;
-    reader->SetFileName(write(name, text).c_str());
-    m_error.clear();
-    vtkMoteReaderTable::Read(reader, m_error);
-    return reader->GetOutput();
-  }
-
-  void expectError(const std::string& text, const std::string& sentence)
-  {
-    EXPECT_EQ(this->read(text)->GetNumberOfPoints(), 0) << text;
-    EXPECT_NE(m_error.find(sentence), std::string::npos) << m_error;
-  }
-
-  std::string m_error;
-};
+using TestTables = ReaderTest<vtkMoteDelimitedPointsReader>;
 
 vtkDataArray* numbers(vtkPolyData* data, const char* name)
 {
@@ -100,7 +79,7 @@ TEST_F(TestTables, BlanksSeparateToo)
   for (const std::string text : {"# x y z T\n1 2 3 0.5\n", "x   y\tz  T\n  1 2\t\t3 0.5  \n\n",
          "% a comment\n%  x  y  z  T\n1 2 3 0.5\n", "// x y z T\r\n1 2 3 0.5\r\n"})
   {
-    const auto data = this->read(text, "a.txt");
+    const auto data = this->read(text);
     ASSERT_EQ(data->GetNumberOfPoints(), 1) << text << m_error;
     EXPECT_EQ(data->GetPoint(0)[2], 3) << text;
     ASSERT_TRUE(numbers(data, "T")) << text;
@@ -113,7 +92,7 @@ TEST_F(TestTables, NumbersWithoutNames)
   for (const std::string text : {"1 2 3 4\n5 6 7 8.5\n", "1,2,3,4\n5,6,7,8.5\n",
          "# four numbers\n1\t2\t3\t4\n5\t6\t7\t8.5\n", "1;2,0;3;4\n5;6;7;8,5\n"})
   {
-    const auto data = this->read(text, "a.dat");
+    const auto data = this->read(text);
     ASSERT_EQ(data->GetNumberOfPoints(), 2) << text << m_error;
     EXPECT_EQ(data->GetPoint(1)[2], 7) << text;
     EXPECT_EQ(numbers(data, "column4")->GetTuple1(1), 8.5) << text;
@@ -232,10 +211,11 @@ RandomTable makeTable(std::mt19937& random, char separator, int rows)
     const std::string name = below(3) == 0 ? "q" + mark + "r\"s" : "w" + std::to_string(row);
     std::string written;
     for (const char c : name)
-      written += c == '"' ? std::string("\"\"") : std::string(1, c);
+      written.append(c == '"' ? 2 : 1, c);
     const bool isQuoted = name.find(separator) != name.npos || below(4) == 0;
-    table.text += x + mark + y + mark + (isQuoted ? "\"" + written + "\"" : written) + mark + z +
-                  mark + n + (below(5) == 0 ? mark : "") + (below(2) ? "\n" : "\r\n");
+    const std::string quote(isQuoted ? 1 : 0, '"');
+    table.text += x + mark + y + mark + quote + written + quote + mark + z + mark + n;
+    table.text += (below(5) == 0 ? mark : "") + (below(2) ? "\n" : "\r\n");
     table.rows.push_back(values);
     table.names.push_back(name);
   }
