@@ -89,7 +89,7 @@ std::vector<vtkSmartPointer<vtkMoteSlice>> slicesOf(const Settings& settings, do
     if (const std::optional<CutKind> kind = cutNamed(asked.name))
       for (const Interval& place : asked.intervals)
       {
-        const double step = 1e-7 * (kind->of == CutKind::Angle ? 360.0 : length);
+        const double step = 1e-6 * (kind->of == CutKind::Angle ? 360.0 : length);
         slices.push_back(sliceAt(*kind, axis,
           withinCuts(settings.cuts, asked.name, place.low, step), settings.volume.unroll));
       }

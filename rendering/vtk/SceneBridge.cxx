@@ -196,6 +196,10 @@ Scene sceneOf(vtkRenderer* renderer, MoteProps& props, vtkMoteShading* shading)
     if (prop->describe(scene, static_cast<std::int32_t>(drawn.size())))
       drawn.push_back(std::move(prop));
   props = std::move(drawn);
+  // Slices that lie in walls are seen where they come behind them.
+  std::stable_partition(scene.surfaces.begin(), scene.surfaces.end(),
+    [](const SurfaceObject& object)
+    { return !std::holds_alternative<SliceSurface>(object.surface); });
   scene.lights = lightsOf(renderer);
   const vtkNew<vtkMoteShading> usual;
   shadeBy(scene, shading ? shading : usual.Get());

@@ -72,11 +72,12 @@ void SliceSurface::edges(const std::uint64_t* slots, const Vec3d* points, const 
     {
       // How the coordinate grows within the slice.
       Vec3d grows = shape.gradient(coordinates[c], rst);
+      const double inAll = glm::dot(grows, grows);
       if (frame.shape.kind == SliceShape::Kind::Unrolled)
         grows = unrolled(frame, points[k], grows);
       grows -= glm::dot(grows, normal) * normal;
       const double rate = glm::dot(grows, grows);
-      if (!(rate > 0.0))
+      if (!(rate > 1e-12 * inAll)) // faces that lie in the slice have no edge there
         continue;
       for (const int end : {0, 1})
         if (faces >> (4 - 2 * c + end) & 1)

@@ -20,6 +20,10 @@ namespace mote
 namespace
 {
 
+/// How far beside a slice its cells are looked for, of the mesh's size: more than coordinates in
+/// float are rounded, and less than slices lie within the faces of cuts.
+constexpr double besideFaces = 2e-7;
+
 Vec3d normalized(const Vec3d& direction, const char* what)
 {
   const double length = glm::length(direction);
@@ -208,13 +212,17 @@ Vec3d SliceSurface::normalAt(const Frame& frame, const Vec3d& point)
   case SliceShape::Kind::HalfPlane:
     return frame.axes[1];
   case SliceShape::Kind::Cylinder:
-  {
-    const Vec3d from = point - frame.shape.point;
-    return from - glm::dot(from, frame.axes[2]) * frame.axes[2];
-  }
+    return radial(frame, point);
   default:
     return frame.axes[0];
   }
+}
+
+/// From the axis to a point, and across it.
+Vec3d SliceSurface::radial(const Frame& frame, const Vec3d& point)
+{
+  const Vec3d from = point - frame.shape.point;
+  return from - glm::dot(from, frame.axes[2]) * frame.axes[2];
 }
 
 Vec3d SliceSurface::meshPoint(std::uint64_t slot, const Vec3d& point) const
@@ -241,8 +249,8 @@ CellFinder SliceSurface::finder() const
     }};
 }
 
-/// Whether a cell may hold points of a shape that is not rolled out.
-bool SliceSurface::mayHold(const Frame& frame, const HexCorners& corners)
+/// Whether a cell may hold points no farther than `margin` from a shape that is not rolled out.
+bool SliceSurface::mayHold(const Frame& frame, const HexCorners& corners, double margin)
 {
   const SliceShape& shape = frame.shape;
   const bool isRound =
@@ -258,22 +266,33 @@ bool SliceSurface::mayHold(const Frame& frame, const HexCorners& corners)
     high = std::max(high, at);
   }
   if (isRound) // whose inner side is farther in than any corner, where cells are large
-    return high >= shape.radius * (1.0 - 1e-9);
-  const double rounding = 1e-9 * std::max(std::abs(low), std::abs(high));
-  return low <= rounding && high >= -rounding;
+    return high >= shape.radius * (1.0 - 1e-9) - margin;
+  return low <= margin && high >= -margin;
+}
+
+/// The cell at a place of a shape. Of cells whose faces lie in the shape it is the one on the side
+/// of the normal, and behind the last ones the other: rounding is not to choose.
+std::uint32_t SliceSurface::cellBeside(
+  CellFinder& cells, const Frame& frame, const Vec3d& place, double margin)
+{
+  const bool isUnrolled = frame.shape.kind == SliceShape::Kind::Unrolled; // places are not
+  const Vec3d normal = glm::normalize(isUnrolled ? radial(frame, place) : normalAt(frame, place));
+  const std::uint32_t cell = cells.at(place + margin * normal);
+  return cell != HexMesh::noCell ? cell : cells.at(place - margin * normal);
 }
 
 template <typename Rays, typename Take>
-void SliceSurface::meetEach(Rays& rays, const Take& take) const
+void SliceSurface::meetEach(Rays& rays, bool winsTies, const Take& take) const
 {
   CellFinder cells = this->finder();
+  const double margin = besideFaces * glm::length(meshOf(*structure_).bounds().size());
   constexpr bool isBundle = std::is_same_v<Rays, RayBundle>;
   Meeting met[2][Rays::capacity];
   int counts[2];
   for (std::size_t k = 0; k < frames_.size(); ++k)
   {
     const Frame& frame = frames_[k];
-    this->meetAll(frame, rays, met, counts);
+    this->meetAll(frame, rays, winsTies, met, counts);
     for (int n = 0; n < 2; ++n)
     {
       Box box;
@@ -282,13 +301,15 @@ void SliceSurface::meetEach(Rays& rays, const Take& take) const
       if (counts[n] == 0)
         continue;
       if (isBundle)
-        cells.gather(box, [&](const HexCorners& corners) { return mayHold(frame, corners); });
+        cells.gather(box.expanded(margin),
+          [&](const HexCorners& corners) { return mayHold(frame, corners, 2.0 * margin); });
       for (int i = 0; i < counts[n]; ++i)
       {
         const Meeting& at = met[n][i];
-        if (!(at.t < rays.t[at.ray])) // of the nearer side
+        if (n > 0 && !(at.t < rays.t[at.ray])) // of the nearer side
           continue;
-        if (const std::uint32_t cell = cells.at(at.place); cell != HexMesh::noCell)
+        if (const std::uint32_t cell = cellBeside(cells, frame, at.place, margin);
+            cell != HexMesh::noCell)
           take(at.ray, at.t, std::uint64_t{k} << 32 | cell);
       }
     }
@@ -355,14 +376,33 @@ double leastOf(const RayPacket& rays, int i)
   return rays.tMin[i];
 }
 
+/// How far along its way a ray goes for a length.
+double perLength(const RayBundle& rays, int)
+{
+  return 1.0 / glm::length(rays.direction); // those beside it hardly differ
+}
+
+double perLength(const RayPacket& rays, int i)
+{
+  return 1.0 / glm::length(rayOf(rays, i).direction);
+}
+
+/// Hits of ray i from here on do not count: those no farther than `tie` behind what it has met do.
+template <typename Rays>
+double mostOf(const Rays& rays, int i, double tie)
+{
+  return tie > 0.0 && rays.object[i] >= 0 ? rays.t[i] + tie * perLength(rays, i) : rays.t[i];
+}
+
 } // namespace
 
 /// Where rays that may still meet something pass a shape: nearer places, and farther ones.
 template <typename Rays>
-void SliceSurface::meetAll(
-  const Frame& frame, const Rays& rays, Meeting (&met)[2][Rays::capacity], int (&counts)[2]) const
+void SliceSurface::meetAll(const Frame& frame, const Rays& rays, bool winsTies,
+  Meeting (&met)[2][Rays::capacity], int (&counts)[2]) const
 {
   counts[0] = counts[1] = 0;
+  const double tie = winsTies ? this->rounding() : 0.0;
   const Box& own = meshOf(*structure_).bounds();
   const Box box = own.expanded(surfaceError * glm::length(own.size()));
   const auto add = [&](int n, const Vec3d& place, int i, double t)
@@ -377,7 +417,7 @@ void SliceSurface::meetAll(
     passPlane(rays, frame.shape.point, frame.axes[2], t);
     placesAt(rays, t, places);
     for (int i = 0; i < rays.count; ++i)
-      if (t[i] > leastOf(rays, i) && t[i] < rays.t[i])
+      if (t[i] > leastOf(rays, i) && t[i] < mostOf(rays, i, tie))
         add(0, {places[0][i], places[1][i], places[2][i]}, i, t[i]);
     return;
   }
@@ -387,7 +427,7 @@ void SliceSurface::meetAll(
     double t[2] = {};
     const int count = meet(frame, ray.origin, ray.direction, t);
     for (int n = 0; n < count; ++n)
-      if (t[n] > ray.tMin && t[n] < ray.tMax)
+      if (t[n] > ray.tMin && t[n] < mostOf(rays, i, tie))
         add(n, meshPoint(frame, ray.origin + t[n] * ray.direction), i, t[n]);
   }
 }
@@ -395,7 +435,7 @@ void SliceSurface::meetAll(
 template <typename Rays>
 void SliceSurface::castEach(Rays& rays, std::int32_t index) const
 {
-  this->meetEach(rays,
+  this->meetEach(rays, true,
     [&](int i, double t, std::uint64_t slot)
     {
       rays.t[i] = t;
@@ -407,7 +447,7 @@ void SliceSurface::castEach(Rays& rays, std::int32_t index) const
 template <typename Rays>
 void SliceSurface::occludeEach(Rays& rays) const
 {
-  this->meetEach(rays,
+  this->meetEach(rays, false,
     [&](int i, double, std::uint64_t) { rays.t[i] = -std::numeric_limits<double>::infinity(); });
 }
 

@@ -38,6 +38,9 @@ struct SliceShape
 /// Cells of a mesh where planes and cylinders slice them, with the values of a trilinear field: a
 /// SurfaceKind. Nothing is built: each ray is met with the shapes, and the cell is found that holds
 /// the place. Slots name shape and cell, ids are cells of the input. Both sides are alike.
+/// Where faces of cells lie in a shape, values are those of the cells on the side of its normal.
+/// Hits no farther than rounding() behind what a ray has met take its place: slices that lie in
+/// walls are seen, where scenes have them behind the walls.
 ///
 /// Edges are where the shapes meet faces of cells; those between the parts that a polyhedron is cut
 /// into are none.
@@ -113,23 +116,26 @@ private:
   static Frame framed(const SliceShape& shape);
   CellFinder finder() const;
   template <typename Rays, typename Take>
-  void meetEach(Rays& rays, const Take& take) const;
+  void meetEach(Rays& rays, bool winsTies, const Take& take) const;
   template <typename Rays>
   void castEach(Rays& rays, std::int32_t index) const;
   template <typename Rays>
   void occludeEach(Rays& rays) const;
   template <typename Rays>
-  void meetAll(const Frame& frame, const Rays& rays, Meeting (&met)[2][Rays::capacity],
-    int (&counts)[2]) const;
+  void meetAll(const Frame& frame, const Rays& rays, bool winsTies,
+    Meeting (&met)[2][Rays::capacity], int (&counts)[2]) const;
   Box boundsOf(const Frame& frame, double left, double right) const;
   static int meet(const Frame& frame, const Vec3d& origin, const Vec3d& way, double t[2]);
-  static bool mayHold(const Frame& frame, const HexCorners& corners);
+  static bool mayHold(const Frame& frame, const HexCorners& corners, double margin);
+  static std::uint32_t cellBeside(
+    CellFinder& cells, const Frame& frame, const Vec3d& place, double margin);
   static Vec3d meshPoint(const Frame& frame, const Vec3d& point)
   {
     return frame.shape.kind == SliceShape::Kind::Unrolled ? unrolledPoint(frame, point) : point;
   }
   static Vec3d unrolledPoint(const Frame& frame, const Vec3d& point);
   static Vec3d normalAt(const Frame& frame, const Vec3d& point);
+  static Vec3d radial(const Frame& frame, const Vec3d& point);
   static Vec3d unrolled(const Frame& frame, const Vec3d& point, const Vec3d& gradient);
   static std::uint32_t cellOf(std::uint64_t slot) { return static_cast<std::uint32_t>(slot); }
   const Frame& frameOf(std::uint64_t slot) const { return frames_[slot >> 32]; }

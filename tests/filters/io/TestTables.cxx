@@ -55,7 +55,7 @@ TEST_F(TestTables, NamesOfCoordinates)
                                       head.begin() + head.rfind('\n') + 1, head.end(), ','));
     std::string row = "1";
     for (std::size_t i = 1; i < columns; ++i)
-      row += "," + std::to_string(i + 1);
+      row.append(",").append(std::to_string(i + 1));
     const auto good = this->read(head + "\n" + row + "\n");
     ASSERT_EQ(m_error, "") << head;
     ASSERT_EQ(good->GetNumberOfPoints(), 1) << head;

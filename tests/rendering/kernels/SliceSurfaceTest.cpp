@@ -146,6 +146,72 @@ TEST(SliceSurface, IsWholeWhereTheMeshIs)
   EXPECT_FALSE(castOne(surface, {8.1, 4.0, 20.0}, {0.0, 0.0, -1.0}));
 }
 
+TEST(SliceSurface, InFacesOfCellsShowsTheOnesOnTheSideOfItsNormal)
+{
+  constexpr int n = 6;
+  const auto mesh = hexBlock(n, n, n, 0.0).mesh();
+  std::vector<double> values(mesh->cellCount());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = static_cast<double>(i);
+  const CloudObject volume =
+    volumeOf(mesh, values, evenTransfer(0.5F), HexStructureKind::CylindricalBvh, true);
+  Random random(6);
+  for (int k = 0; k < 4000; ++k)
+  {
+    SliceShape shape;
+    const int axis = k % 3, side = k % 2 == 0 ? 1 : -1, at = k / 6 % (n + 1);
+    shape.kind = k % 5 == 0 ? SliceShape::Kind::HalfPlane : SliceShape::Kind::Plane;
+    shape.axis = shape.out = Vec3d(0.0);
+    shape.axis[axis] = side;
+    if (shape.kind == SliceShape::Kind::HalfPlane) // across the axis of which its normal is
+    {
+      shape.axis = shape.out = Vec3d(0.0);
+      shape.axis[(axis + 2) % 3] = side;
+      shape.out[(axis + 1) % 3] = -1.0;
+      shape.out[(axis + 2) % 3] = 0.3;
+    }
+    shape.point = Vec3d(7.5);
+    shape.point[axis] = at;
+    const SliceSurface surface = sliced(volume, shape);
+    Vec3d place = random.inBox(Vec3d(0.0), Vec3d(n));
+    place[axis] = at;
+    const Vec3d way = random(0.5, 2.0) * random.direction();
+    if (std::abs(way[axis]) < 0.05)
+      continue;
+    const auto hit = castOne(surface, place - 3.0 * way, way);
+    ASSERT_TRUE(hit) << k;
+    const Vec3d normal = surface.normalAt(hit->slot, hit->point);
+    Vec3d inside = place;
+    inside[axis] += normal[axis] > 0.0 ? 0.5 : -0.5;
+    if (inside[axis] < 0.0 || inside[axis] > n)
+      inside[axis] = 2.0 * at - inside[axis]; // behind the last cells the others
+    EXPECT_EQ(hit->id, mesh->inputCell(cellAt(*volume.structure, inside))) << k;
+    EXPECT_EQ(hit->value, values[hit->id]);
+  }
+}
+
+TEST(SliceSurface, FacesThatLieInItHaveNoEdges)
+{
+  const auto mesh = hexBlock(4, 4, 4, 0.0).mesh();
+  const CloudObject volume = volumeOf(mesh, pointValues(*mesh, linear), evenTransfer(0.5F));
+  SliceShape shape;
+  shape.point = {0.0, 0.0, 2.0};
+  const SliceSurface surface = sliced(volume, shape);
+  Random random(9);
+  for (int k = 0; k < 1000; ++k)
+  {
+    const Vec3d place = {
+      0.5 + std::floor(random(0.0, 4.0)), 0.5 + std::floor(random(0.0, 4.0)), 2.0};
+    const Vec3d way = {random(-5.0, 5.0), random(-5.0, 5.0), k % 2 == 0 ? 10.0 : -10.0};
+    const Vec3d from = place - way;
+    const auto hit = castOne(surface, from, way);
+    ASSERT_TRUE(hit);
+    EdgeSeen seen;
+    surface.edges(&hit->slot, &hit->point, &way, 1, &seen);
+    EXPECT_GT(seen.distance, 0.1) << "the edges are half a cell away";
+  }
+}
+
 TEST(SliceSurface, RolledOutKeepsArcsAndHeights)
 {
   const RingShape ring;

@@ -10,6 +10,7 @@
 #include "vtkMoteSlice.h"
 #include "vtkPointData.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace mote::testing;
@@ -33,6 +34,33 @@ int covered(const Picture& picture)
 }
 
 } // namespace
+
+TEST(MapperSlices, InWallsAreSeen)
+{
+  const auto grid = makeBox(4, [](const Point& p) { return p[0]; });
+  VolumeStage stage(grid);
+  stage.mapper->ShowCloudOff();
+  stage.camera()->Azimuth(30.0);
+  stage.camera()->Elevation(20.0);
+  for (const double z : {1.0, 0.0})
+    stage.mapper->AddSlice(planeAt(z));
+  const Picture alone = stage.trace(100, 100);
+  vtkNew<vtkMoteMeshMapper> walls;
+  walls->SetInputData(grid);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(walls);
+  stage.renderer->AddActor(actor);
+  const Picture both = stage.trace(100, 100);
+  int seen = 0;
+  for (int i = 0; i < both.count(); ++i)
+    seen += both.color(i)[3] > 0.5 && std::equal(both.color(i), both.color(i) + 4, alone.color(i));
+  // All of the wall in front, and none of the slice within.
+  stage.mapper->RemoveAllSlices();
+  stage.mapper->AddSlice(planeAt(1.0));
+  stage.renderer->RemoveActor(actor);
+  EXPECT_EQ(seen, covered(stage.trace(100, 100)));
+  EXPECT_GT(seen, 1000);
+}
 
 TEST(MapperSlices, AreDrawnInTheColoursOfValuesWhateverTheLight)
 {
