@@ -39,7 +39,8 @@ bool hasRadii(vtkDataSet* data)
     return true;
   for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
     if (const char* name = data->GetPointData()->GetArrayName(i))
-      if (lowerCase(name) == "radius" || lowerCase(name) == "diameter")
+      if (const std::string plain = lowerCase(name);
+          plain == "radius" || plain == "radii" || plain == "diameter")
         return true;
   return false;
 }

@@ -31,8 +31,8 @@ void addParticleRows(std::vector<Row>& table)
       .name = "radius",
       .value = "R|NAME",
       .help = "Radius of the particles: a number, the name of an array of radii, spacing (half the "
-              "typical distance between neighbours) or auto (an array named radius, half of one "
-              "named diameter, else as spacing)",
+              "typical distance between neighbours) or auto (an array named radius or radii, "
+              "half of one named diameter, else as spacing)",
       .invalidates = structure,
       .alias = "-r",
       .offers = {"auto", "spacing"}}));

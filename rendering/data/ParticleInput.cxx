@@ -73,8 +73,9 @@ vtkDataArray* findRadiusArray(vtkPointSet* points, const RadiusChoice& choice, b
   case RadiusMode::Automatic:
     if (sourceOf(points))
       return nullptr; // the source's own radii
-    if (vtkDataArray* radius = findByLowerName(points->GetPointData(), "radius"))
-      return radius;
+    for (const char* name : {"radius", "radii"})
+      if (vtkDataArray* radius = findByLowerName(points->GetPointData(), name))
+        return radius;
     half = true;
     return findByLowerName(points->GetPointData(), "diameter");
   default:

@@ -64,8 +64,9 @@ public:
 
   /**
    * Where a particle's radius comes from. AUTOMATIC, the default, takes a point array named radius
-   * (or half of one named diameter, in any case of letters), else half the typical distance
-   * between neighbours; of points that stay in a .mote file it is the radii that the file has.
+   * or radii (or half of one named diameter, in any case of letters), else half the typical
+   * distance between neighbours; of points that stay in a .mote file it is the radii that the file
+   * has.
    */
   enum RadiusModes
   {

@@ -83,7 +83,7 @@ TEST(ParticleMapperBounds, AreUnsetWithoutParticles)
 
 TEST(ParticleMapperRadius, AutomaticTakesRadiusInAnyCase)
 {
-  for (const char* name : {"radius", "Radius", "RADIUS"})
+  for (const char* name : {"radius", "Radius", "RADIUS", "radii", "Radii"})
   {
     auto data = onePoint();
     addValues(data, name, {0.75}, false);
