@@ -207,6 +207,29 @@ bool Part::draws(const vtkProp* prop) const
   return std::find(own.begin(), own.end(), prop) != own.end();
 }
 
+void Part::setNeighbors(const std::vector<const Part*>& others)
+{
+  if (!walls_ || others == neighbors_)
+    return;
+  neighbors_ = others;
+  walls_->RemoveAllNeighbors();
+  for (const Part* other : others)
+    walls_->AddNeighbor(other->walls_);
+}
+
+void joinWalls(const std::vector<std::unique_ptr<Part>>& parts)
+{
+  for (const auto& part : parts)
+  {
+    std::vector<const Part*> others;
+    for (const auto& other : parts)
+      if (other != part && other->kind() == Part::Kind::Volume && !other->isHidden())
+        others.push_back(other.get());
+    if (part->kind() == Part::Kind::Volume)
+      part->setNeighbors(others);
+  }
+}
+
 void Part::setHidden(bool on)
 {
   isHidden_ = on;
@@ -309,6 +332,12 @@ void Part::work(const Runner& runner, const std::function<void()>& build)
   Messages::takeError();
   runner("Building structure", this->worker(), build);
   Messages::throwError();
+}
+
+void Part::stopBuild()
+{
+  if (particles_)
+    particles_->StopBuild();
 }
 
 void Part::finishBuild(ProgressRelay& progress)

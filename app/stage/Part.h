@@ -112,6 +112,7 @@ public:
   std::string update();
   /// Waits for what another thread builds. Throws Failure and Interrupted.
   void finishBuild(ProgressRelay& progress);
+  void stopBuild();
 
   /// Tells how large all that is shown is.
   void setSceneSize(double diagonal) { sceneSize_ = diagonal; }
@@ -123,6 +124,9 @@ public:
   /// Hides all of it, or shows again what is not hidden otherwise.
   void setHidden(bool on);
   bool isHidden() const { return isHidden_; }
+
+  /// Parts of the same mesh: where cells of them go on there is no wall of a volume.
+  void setNeighbors(const std::vector<const Part*>& others);
 
   /// Which cells are shown, in place of those before; volumes hide values of the array that colours
   /// within cells, too. Nothing but triangles of surfaces is built anew, in the next build().
@@ -193,6 +197,7 @@ private:
   vtkNew<vtkActor> actor_;
   std::unique_ptr<Volume> volume_;
   vtkSmartPointer<vtkMoteMeshMapper> walls_; ///< of a volume
+  std::vector<const Part*> neighbors_;       ///< that the walls know
   std::unique_ptr<Surface> surface_;
   ShownCells cells_; // of a volume or a surface
   ArrayChoice colored_;
@@ -209,5 +214,9 @@ private:
 
 /// The data of the parts that are volumes.
 std::vector<vtkDataSet*> volumesOf(const std::vector<std::unique_ptr<Part>>& parts);
+
+/// Leaves out the walls between volumes that touch with the same points, as blocks of a mesh do;
+/// but those of parts that are hidden.
+void joinWalls(const std::vector<std::unique_ptr<Part>>& parts);
 
 } // namespace mote::app

@@ -94,9 +94,16 @@ ReadyStep makeReady(const std::vector<NamedData>& original, const ReadyPlan& pla
         part.offer(before[i]);
       if (part.surface())
         part.limitCells(cellLimitsOf(part.data(), plan.settings.selection, plan.colored));
-      part.build(runner);
-      ready.parts.back() = part.built(true);
       part.setTurn(turnOf(original[i], plan.settings));
+    }
+    const std::vector<bool> isHidden = hiddenParts(original, plan.settings.selection);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      parts[i]->setHidden(isHidden[i]);
+    joinWalls(parts);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      parts[i]->build(runner);
+      ready.parts[i] = parts[i]->built(true);
     }
     if (const std::vector<vtkDataSet*> volumes = volumesOf(parts);
         fits && !volumes.empty() && plan.settings.volume.opacity.empty() && plan.colored)

@@ -259,6 +259,7 @@ void Stage::build(ProgressRelay& progress)
   for (const auto& part : parts_)
     if (part->surface())
       part->limitCells(cellLimitsOf(part->data(), settings_.selection, coloring_.choice()));
+  joinWalls(parts_);
   for (const auto& part : parts_)
     part->build(progress);
   if (Flow::isAny(settings_))
@@ -279,6 +280,7 @@ void Stage::setPreview(bool on)
 std::string Stage::update()
 {
   std::string error;
+  joinWalls(parts_);
   for (const auto& part : parts_)
     if (const std::string own = part->update(); error.empty())
       error = own;
@@ -294,10 +296,8 @@ void Stage::finishBuild(ProgressRelay& progress)
 void Stage::stopBuild()
 {
   for (const auto& part : parts_)
-    if (part->particles())
-      part->particles()->StopBuild();
+    part->stopBuild();
 }
-
 bool Stage::isBuilding() const
 {
   return std::any_of(parts_.begin(), parts_.end(),

@@ -1,5 +1,6 @@
 #include "MeshGeometry.h"
 
+#include "SurfaceSeams.h"
 #include "SurfaceTriangles.h"
 
 #include "kernels/meshes/RlodTreeFile.h"
@@ -15,7 +16,10 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
+#include <algorithm>
 #include <functional>
+#include <map>
+#include <mutex>
 
 namespace mote
 {
@@ -45,6 +49,14 @@ bool hidesInTree(vtkPointSet* data)
   return vtkPolyData::SafeDownCast(data) != nullptr;
 }
 
+SurfaceChoice alone(const SurfaceChoice::Neighbor& one)
+{
+  SurfaceChoice choice;
+  choice.isVisible = one.isVisible;
+  choice.visible = one.visible;
+  return choice;
+}
+
 /// The times of all that triangles are made of.
 InputKey keyOfMesh(vtkPointSet* data, const SurfaceChoice& choice)
 {
@@ -52,6 +64,11 @@ InputKey keyOfMesh(vtkPointSet* data, const SurfaceChoice& choice)
   if (!hidesInTree(data))
   {
     key = choice.visible;
+    for (const SurfaceChoice::Neighbor& one : choice.neighbors)
+    {
+      const InputKey own = keyOfMesh(one.data, alone(one));
+      key.insert(key.end(), own.begin(), own.end());
+    }
     const SectorCopies& copies = choice.copies;
     key.push_back(copies.count);
     for (int k = 0; copies.count > 1 && k < 3; ++k)
@@ -116,6 +133,78 @@ std::string sentence(vtkIdType count, const char* one, const char* many)
 
 } // namespace
 
+/// The faces of cells as they are without neighbors and copies, for whoever asks for them.
+struct SharedFaces
+{
+  SurfaceTriangles triangles;
+  SeamSurface seams;
+
+  SharedFaces(vtkPointSet* data, vtkUnsignedCharArray* isVisible)
+    : triangles(surfaceTrianglesOf(data, isVisible))
+    , seams(triangles, data->GetPoints())
+  {
+  }
+};
+
+namespace
+{
+
+/// Those that somebody holds already, if any.
+std::shared_ptr<const SharedFaces> sharedFaces(vtkPointSet* data, const SurfaceChoice& choice)
+{
+  static std::mutex mutex;
+  static std::map<InputKey, std::weak_ptr<const SharedFaces>> known;
+  const InputKey key = keyOfMesh(data, choice);
+  {
+    const std::lock_guard lock(mutex);
+    std::erase_if(known, [](const auto& one) { return one.second.expired(); });
+    if (const auto found = known.find(key); found != known.end())
+      if (auto faces = found->second.lock())
+        return faces;
+  }
+  auto faces = std::make_shared<const SharedFaces>(data, choice.isVisible);
+  const std::lock_guard lock(mutex);
+  known[key] = faces;
+  return faces;
+}
+
+bool mayTouch(vtkPointSet* a, vtkPointSet* b)
+{
+  const double margin = 1e-5 * std::max(a->GetLength(), b->GetLength());
+  double of[2][6];
+  a->GetBounds(of[0]);
+  b->GetBounds(of[1]);
+  bool may = true;
+  for (int axis = 0; axis < 3; ++axis)
+    may = may && of[0][2 * axis] <= of[1][2 * axis + 1] + margin &&
+          of[1][2 * axis] <= of[0][2 * axis + 1] + margin;
+  return may;
+}
+
+} // namespace
+
+/// Faces of cells without those that copies cover, or neighbors.
+SurfaceTriangles MeshGeometry::uncoveredFaces(vtkPointSet* data, const SurfaceChoice& choice)
+{
+  std::vector<std::shared_ptr<const SharedFaces>> shared = {
+    sharedFaces(data, alone({data, choice.isVisible, choice.visible}))};
+  SurfaceTriangles faces = shared.front()->triangles;
+  std::vector<std::uint8_t> isCovered = coveredByCopies(faces, data->GetPoints(), choice.copies);
+  isCovered.resize(faces.view().count(), 0);
+  for (const SurfaceChoice::Neighbor& one : choice.neighbors)
+  {
+    if (!mayTouch(data, one.data))
+      continue;
+    shared.push_back(sharedFaces(one.data, alone(one)));
+    const auto marks = coveredByOther(shared.front()->seams, shared.back()->seams);
+    for (std::size_t t = 0; t < marks.size(); ++t)
+      isCovered[t] |= marks[t];
+  }
+  shared_ = std::move(shared); // those of before until now
+  dropTriangles(faces, isCovered);
+  return faces;
+}
+
 bool MeshGeometry::holds(vtkPointSet* data, const SurfaceChoice& choice) const
 {
   return !key_.empty() && key_ == keyOfMesh(data, choice);
@@ -161,8 +250,11 @@ MeshGeometry::Change MeshGeometry::updateAll(
     corners_ = file->corners();
     return Change::Built;
   }
-  const SurfaceTriangles triangles = surfaceTrianglesOf(
-    data, hidesInTree(data) ? nullptr : choice.isVisible, choice.copies, choice.withGhosts);
+  const SurfaceTriangles triangles =
+    !choice.neighbors.empty() && !hidesInTree(data)
+      ? this->uncoveredFaces(data, choice)
+      : surfaceTrianglesOf(
+          data, hidesInTree(data) ? nullptr : choice.isVisible, choice.copies, choice.withGhosts);
   const DataArrayView points(data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
   const ContentHash content = contentOf(points);
   const bool moved = tree_ && mesh_ && mesh_->pointCount() == points.view.count() &&

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ParticleInput.h"
-#include "SectorSeams.h"
+#include "SurfaceSeams.h"
 
 #include "kernels/core/ContentHash.h"
 #include "kernels/meshes/RlodTree.h"
@@ -18,6 +18,9 @@ class vtkUnsignedCharArray;
 namespace mote
 {
 
+struct SharedFaces;
+struct SurfaceTriangles;
+
 /// What of a data set's surface is asked for.
 struct SurfaceChoice
 {
@@ -25,6 +28,15 @@ struct SurfaceChoice
   InputKey visible;                          ///< the key of VisibleCells
   SectorCopies copies;                       ///< that are drawn
   bool withGhosts = false;                   ///< polygons that are copies of another rank's
+
+  /// Cells of another data set, by which faces may be covered.
+  struct Neighbor
+  {
+    vtkPointSet* data = nullptr;
+    vtkUnsignedCharArray* isVisible = nullptr;
+    InputKey visible;
+  };
+  std::vector<Neighbor> neighbors; ///< of cells with a volume
 };
 
 /// The triangles of a data set's surface, and the tree over them, which follow a pipeline's output.
@@ -33,7 +45,7 @@ struct SurfaceChoice
 /// two cells share, and the cells that are flat. Corners are points of the data set. Cells that are
 /// not visible are left out, as if they were not there: polygons and strips are hidden in a tree
 /// that has all, which builds nothing; of cells with a volume other faces come to light. Of these
-/// the faces are left out that copies of a sector cover.
+/// the faces are left out that copies of a sector cover, or cells of neighbors.
 class MeshGeometry
 {
 public:
@@ -83,6 +95,7 @@ public:
 
 private:
   Change updateAll(vtkPointSet* data, const SurfaceChoice& choice, const Progress& progress);
+  SurfaceTriangles uncoveredFaces(vtkPointSet* data, const SurfaceChoice& choice);
   void hide(vtkUnsignedCharArray* isVisible);
   bool moveTo(const ArrayView& points);
   bool build(const ArrayView& points, const ArrayView& triangles, const Progress& progress);
@@ -97,6 +110,8 @@ private:
   std::shared_ptr<RlodTree> tree_, part_; ///< of all triangles; of those that are visible
   std::shared_ptr<const std::vector<vtkIdType>> cells_;
   std::shared_ptr<const std::vector<std::uint8_t>> edges_;
+  /// Of neighbors and of these cells, for the neighbors: one takes what another has found.
+  std::vector<std::shared_ptr<const SharedFaces>> shared_;
   vtkIdType thin_ = 0, flat_ = 0;
   /// Kept: others that hold the tree may be making its R-LODs.
   std::size_t bytes_ = 0, bytesOfPart_ = 0;

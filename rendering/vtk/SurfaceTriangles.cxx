@@ -317,6 +317,12 @@ SurfaceTriangles trianglesOfFaces(vtkPointSet* data, vtkUnsignedCharArray* isVis
 
 } // namespace
 
+void dropTriangles(SurfaceTriangles& triangles, const std::vector<std::uint8_t>& marks)
+{
+  if (!marks.empty())
+    drop(triangles, [&](std::size_t triangle) { return marks[triangle] != 0; });
+}
+
 ArrayView SurfaceTriangles::view() const
 {
   if (corners.view.empty())
@@ -331,9 +337,7 @@ SurfaceTriangles surfaceTrianglesOf(
   if (!surface)
   {
     SurfaceTriangles found = trianglesOfFaces(data, isVisible);
-    const std::vector<std::uint8_t> isCovered = coveredByCopies(found, data->GetPoints(), copies);
-    if (!isCovered.empty())
-      drop(found, [&](std::size_t triangle) { return isCovered[triangle] != 0; });
+    dropTriangles(found, coveredByCopies(found, data->GetPoints(), copies));
     return found;
   }
   SurfaceTriangles found = trianglesOf(surface);

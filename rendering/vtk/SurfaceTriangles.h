@@ -1,7 +1,7 @@
 #pragma once
 
 #include "DataArrayView.h"
-#include "SectorSeams.h"
+#include "SurfaceSeams.h"
 
 #include <cstdint>
 #include <vector>
@@ -33,5 +33,8 @@ struct SurfaceTriangles
 /// cell has a point that the data set has not.
 SurfaceTriangles surfaceTrianglesOf(vtkPointSet* data, vtkUnsignedCharArray* isVisible = nullptr,
   const SectorCopies& copies = {}, bool withGhosts = false);
+
+/// Leaves out the triangles that are marked; none where there are no marks.
+void dropTriangles(SurfaceTriangles& triangles, const std::vector<std::uint8_t>& marks);
 
 } // namespace mote

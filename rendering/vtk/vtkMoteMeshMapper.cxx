@@ -30,12 +30,14 @@
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkWeakPointer.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkMoteMeshMapper);
 
@@ -50,6 +52,7 @@ public:
 
   mote::VisibleCells visible;
   mote::MapperClip clip;
+  std::vector<vtkWeakPointer<vtkMoteMeshMapper>> neighbors;
 
   mote::ArrayColors colors;
   mote::DataArrayView normals; ///< copied once where they are not one piece of memory
@@ -265,7 +268,32 @@ vtkMTimeType vtkMoteMeshMapper::GetPictureMTime()
     this->Impl->visible.time(), this->Impl->clip.time(this)});
   if (vtkPointSet* input = this->GetInput())
     time = std::max(time, input->GetMTime());
+  for (vtkMoteMeshMapper* other : this->Impl->neighbors)
+    if (vtkPointSet* input = other ? other->GetInput() : nullptr)
+      time = std::max({time, input->GetMTime(), other->Impl->visible.time()});
   return time;
+}
+
+void vtkMoteMeshMapper::AddNeighbor(vtkMoteMeshMapper* other)
+{
+  const auto& all = this->Impl->neighbors;
+  if (!other || other == this || std::find(all.begin(), all.end(), other) != all.end())
+    return;
+  this->Impl->neighbors.emplace_back(other);
+  this->Modified();
+}
+
+void vtkMoteMeshMapper::RemoveAllNeighbors()
+{
+  if (this->Impl->neighbors.empty())
+    return;
+  this->Impl->neighbors.clear();
+  this->Modified();
+}
+
+int vtkMoteMeshMapper::GetNumberOfNeighbors()
+{
+  return static_cast<int>(this->Impl->neighbors.size());
 }
 
 int vtkMoteMeshMapper::UpdateTimeStep(
@@ -319,11 +347,14 @@ void vtkMoteMeshMapper::UpdateGeometry(vtkPointSet* input)
 {
   using Change = mote::MeshGeometry::Change;
   Internals& impl = *this->Impl;
-  const mote::SurfaceChoice choice = {impl.visible.get(),
-    impl.visible.key(input->GetNumberOfCells()),
+  mote::SurfaceChoice choice = {impl.visible.get(), impl.visible.key(input->GetNumberOfCells()),
     {this->Repetitions, glm::make_vec3(this->RepetitionCenter),
       glm::make_vec3(this->RepetitionAxis)},
-    this->MeetsGhosts};
+    this->MeetsGhosts, {}};
+  for (vtkMoteMeshMapper* other : impl.neighbors)
+    if (vtkPointSet* data = other ? other->GetInput() : nullptr; data && data != input)
+      choice.neighbors.push_back(
+        {data, other->Impl->visible.get(), other->Impl->visible.key(data->GetNumberOfCells())});
   impl.takeOffer(input, choice);
   if (impl.geometry.fits(input, choice))
     return;
@@ -442,6 +473,7 @@ void vtkMoteMeshMapper::ReleaseGraphicsResources(vtkWindow* window)
 void vtkMoteMeshMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Neighbors: " << this->Impl->neighbors.size() << "\n";
   os << indent << "Repetitions: " << this->Repetitions << "\n";
   os << indent << "SamplesPerPixel: " << this->SamplesPerPixel << "\n";
   os << indent << "CastsShadows: " << (this->CastsShadows ? "On" : "Off") << "\n";

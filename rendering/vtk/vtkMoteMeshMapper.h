@@ -111,6 +111,18 @@ public:
 
   ///@{
   /**
+   * Mappers that show other blocks of the same mesh: of cells with a volume faces are left out that
+   * the visible cells of their inputs cover with the same points, up to a millionth of their size.
+   * So blocks have no walls between them. Each has to be told of the other. They are not kept: one
+   * that is gone covers nothing.
+   */
+  void AddNeighbor(vtkMoteMeshMapper* other);
+  void RemoveAllNeighbors();
+  int GetNumberOfNeighbors();
+  ///@}
+
+  ///@{
+  /**
    * Which piece about an axis is shown, beside what SetClippingPlanes() leaves: null, the default,
    * for all. Triangles are cut where planes and cylinder are, and open; walls that lie flat
    * in a face of the cut are shown whole, as far as a millionth of the input's size outside.
