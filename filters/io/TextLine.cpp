@@ -218,6 +218,10 @@ const char* TextLines::parseBlanks(
         wider == ColumnType::Skip ? Trouble::NotNumber : Trouble::Widen, c, p, nullptr, wider};
       return nullptr;
     }
+    if (columns[c].type == ColumnType::String && m_begin != m_text.data()) // with its commas
+      static_cast<std::string*>(
+        columns[c].data)[static_cast<std::ptrdiff_t>(row) * columns[c].stride]
+        .assign(this->original(p), this->original(end));
     p = end;
   }
   p = skipBlanks(p);

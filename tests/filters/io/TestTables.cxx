@@ -111,6 +111,10 @@ TEST_F(TestTables, DecimalCommas)
   EXPECT_TRUE(std::isnan(numbers(data, "T")->GetTuple1(1)));
   EXPECT_EQ(word(data, "name", 0), "a,b") << "a comma of a text stays one";
   EXPECT_EQ(word(data, "name", 1), "c;d");
+  const auto blanks = this->read("x y z name\n0,5 1 2 a,b\n1 2 3 c\n");
+  ASSERT_EQ(blanks->GetNumberOfPoints(), 2) << m_error;
+  EXPECT_EQ(blanks->GetPoint(0)[0], 0.5);
+  EXPECT_EQ(word(blanks, "name", 0), "a,b");
 }
 
 TEST_F(TestTables, QuotesAndEmptyValues)
