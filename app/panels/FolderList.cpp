@@ -22,22 +22,6 @@ namespace fs = std::filesystem;
 /// Files whose name says nothing, that are opened for their first bytes: more take too long.
 constexpr int mostLookedInto = 200;
 
-bool hasKnownEnding(const std::string& name)
-{
-  static const std::vector<std::string> endings = []
-  {
-    std::istringstream words(vtkMoteReaderTable::GetExtensions());
-    std::vector<std::string> all;
-    for (std::string word; words >> word;)
-      all.push_back(word);
-    return all;
-  }();
-  const std::string lower = lowerCase(name);
-  return std::any_of(endings.begin(), endings.end(),
-    [&](const std::string& ending)
-    { return lower.size() > ending.size() && lower.ends_with(ending); });
-}
-
 /// Other programs write .json, too.
 bool isSession(const std::string& path)
 {
@@ -52,7 +36,7 @@ bool canOpen(const std::string& path, int& lookedInto)
 {
   if (isSessionFile(path))
     return isSession(path);
-  return hasKnownEnding(baseName(path)) ||
+  return vtkMoteReaderTable::NameTells(path) ||
          (++lookedInto <= mostLookedInto && vtkMoteReaderTable::CheckFile(path).empty());
 }
 

@@ -273,6 +273,15 @@ void groupColumns(PointRows& rows)
 
 } // namespace
 
+void checkPointTable(const std::string& path)
+{
+  if (readBeginning(path, 4096).find('\0') != std::string::npos)
+    throw FileError(
+      FileError::Kind::OtherFormat, path, "this is a binary file, not a table of text");
+  TextCursor cursor(path, TextCursor::OpenEnd::Accept);
+  readTableHead(cursor);
+}
+
 PointRows readTableHead(TextCursor& cursor)
 {
   Head head = findHead(cursor);

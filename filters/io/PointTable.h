@@ -13,6 +13,9 @@ namespace mote
 /// Throws FileError where there are no columns that can be x and y, and where there is no row.
 PointRows readTableHead(TextCursor& cursor);
 
+/// Throws FileError where a file is no text, or readTableHead() does.
+void checkPointTable(const std::string& path);
+
 } // namespace mote
 
 #endif

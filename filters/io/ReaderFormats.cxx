@@ -15,6 +15,7 @@
 #include "OBJCheck.h"
 #include "PDBReader.h"
 #include "PLYCheck.h"
+#include "PointTable.h"
 #include "STLCheck.h"
 #include "TextFile.h"
 #include "UintahFile.h"
@@ -304,9 +305,10 @@ const std::vector<ReaderFormat>& readerFormats()
     {{".mote"}, "Mote's own file of particles or triangles", makeMote, true, isMote},
     {{".xyz", ".xyz.gz"}, "XYZ and extended XYZ atoms", makeOneOrSeries<vtkMoteXYZReader>, true},
     {{".pts", ".pts.gz"}, "points, x y z a line", makeOneOrSeries<vtkMotePointsReader>, true},
-    {{".csv", ".csv.gz", ".tsv", ".tsv.gz", ".txt", ".txt.gz", ".dat", ".dat.gz"},
-      "table with columns x, y, z", makeOneOrSeries<vtkMoteDelimitedPointsReader>, true, nullptr,
-      true},
+    {{".csv", ".csv.gz", ".tsv", ".tsv.gz"}, "table with columns x, y, z",
+      makeOneOrSeries<vtkMoteDelimitedPointsReader>, true},
+    {{".txt", ".txt.gz", ".dat", ".dat.gz"}, "table with columns x, y, z, where it is one",
+      makeOneOrSeries<vtkMoteDelimitedPointsReader>, true, nullptr, checkPointTable},
     {{".gro", ".gro.gz"}, "GROMACS atoms", makeOneOrSeries<vtkMoteParticleFormatsReader>, true},
     {{".cfg", ".cfg.gz"}, "AtomEye atoms", makeOneOrSeries<vtkMoteParticleFormatsReader>, true},
     {{".h5part", ".hdf5", ".h5"}, "particles of Gadget, SWIFT, AREPO, H5Part and openPMD in HDF5",
@@ -381,7 +383,7 @@ const ReaderFormat* formatOf(const std::string& path, std::string_view beginning
       }
     }
   }
-  if (found && !found->isGeneral)
+  if (found && !found->check)
     return found;
   for (const ReaderFormat& format : readerFormats())
     if (format.recognise && format.recognise(beginning))

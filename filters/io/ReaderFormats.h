@@ -23,8 +23,9 @@ struct ReaderFormat
   bool series = false;
   /// Whether a file whose extension says nothing begins like this format; or null.
   bool (*recognise)(std::string_view beginning) = nullptr;
-  /// Whether its extensions are those of others, too, so that what a file begins like goes first.
-  bool isGeneral = false;
+  /// Of a format whose extensions are those of others, too, so that what a file begins like goes
+  /// first: throws FileError where the beginning is not this format's. Else null.
+  void (*check)(const std::string& path) = nullptr;
 };
 
 /// The table.

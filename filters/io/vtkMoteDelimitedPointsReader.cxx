@@ -1,6 +1,5 @@
 #include "vtkMoteDelimitedPointsReader.h"
 
-#include "FileError.h"
 #include "PointTable.h"
 
 #include "vtkInformation.h"
@@ -8,22 +7,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-
-#include <string>
-
-namespace
-{
-
-using mote::FileError;
-
-void requireText(const std::string& path)
-{
-  if (mote::readBeginning(path, 4096).find('\0') != std::string::npos)
-    throw FileError(
-      FileError::Kind::OtherFormat, path, "this is a binary file, not a table of text");
-}
-
-} // namespace
 
 vtkStandardNewMacro(vtkMoteDelimitedPointsReader);
 
@@ -47,7 +30,7 @@ int vtkMoteDelimitedPointsReader::RequestData(
     [&](const ProgressFunction& progress)
     {
       this->RequireFileName();
-      requireText(this->GetFileName());
+      mote::checkPointTable(this->GetFileName());
       mote::TextCursor cursor(this->GetFileName(), mote::TextCursor::OpenEnd::Accept);
       mote::PointRows rows = mote::readTableHead(cursor);
       rows.space = this->GetScratchSpace();

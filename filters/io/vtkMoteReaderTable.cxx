@@ -211,13 +211,20 @@ std::string vtkMoteReaderTable::CheckFile(const std::string& fileName)
 {
   try
   {
-    requireFormat(fileName);
+    if (const auto check = requireFormat(fileName).check)
+      check(fileName);
     return {};
   }
   catch (const mote::FileError& reason)
   {
     return reason.what();
   }
+}
+
+bool vtkMoteReaderTable::NameTells(const std::string& fileName)
+{
+  const mote::ReaderFormat* format = mote::formatOf(fileName, "");
+  return format && !format->check;
 }
 
 vtkSmartPointer<vtkDataObject> vtkMoteReaderTable::Read(

@@ -56,6 +56,12 @@ public:
   static std::string CheckFile(const std::string& fileName);
 
   /**
+   * Whether the name of a file alone tells its format. Those that end in .txt or .dat may be tables
+   * of points, or anything.
+   */
+  static bool NameTells(const std::string& fileName);
+
+  /**
    * Updates a reader and returns its first output, or null with one sentence in `error` when the
    * reader (or something inside it) reported an error or produced nothing. What VTK would print
    * meanwhile is caught. A data set without any point counts as nothing, save from Mote's own

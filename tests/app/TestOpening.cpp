@@ -141,6 +141,7 @@ TEST_F(Opening, AFolderListsWhatCanBeReadInTheOrderOfNumbers)
   for (const char* name : {"run.10.vtu", "run.9.vtu", "b.xyz", "a10.pdb", "a9.pdb", ".hidden.xyz"})
     this->make(name);
   this->make("words.txt", "words");
+  this->make("points.txt", "x y z\n1 2 3\n"); // so, too
   this->make("other.json", "{\"mote\": 1}");
   this->make("melt", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n0\n"); // by its first bytes
   Settings kept;
@@ -151,8 +152,8 @@ TEST_F(Opening, AFolderListsWhatCanBeReadInTheOrderOfNumbers)
   for (const FolderEntry& entry : listFolder(folder, problem))
     names.push_back(entry.name);
   EXPECT_EQ(problem, "");
-  EXPECT_EQ(names, (std::vector<std::string>{
-                     "Zoo", "a9.pdb", "a10.pdb", "b.xyz", "melt", "run.*.vtu", "view.json"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"Zoo", "a9.pdb", "a10.pdb", "b.xyz", "melt",
+                     "points.txt", "run.*.vtu", "view.json"}));
   EXPECT_TRUE(listFolder(folder / "none", problem).empty());
   EXPECT_NE(problem, "");
   EXPECT_TRUE(isFound("Copper-Scratch.dump.gz", "scr  COP"));
