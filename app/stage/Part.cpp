@@ -21,6 +21,8 @@
 #include <vtkVolume.h>
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 namespace mote::app
 {
@@ -43,6 +45,21 @@ bool hasRadii(vtkDataSet* data)
           plain == "radius" || plain == "radii" || plain == "diameter")
         return true;
   return false;
+}
+
+/// In one text, each once and in their order.
+std::string namesOfArrays(vtkDataSet* data)
+{
+  std::set<std::string> names;
+  for (vtkDataSetAttributes* of : {static_cast<vtkDataSetAttributes*>(data->GetPointData()),
+         static_cast<vtkDataSetAttributes*>(data->GetCellData())})
+    for (int i = 0; i < of->GetNumberOfArrays(); ++i)
+      if (const char* name = of->GetArrayName(i))
+        names.insert(name);
+  std::string all;
+  for (const std::string& name : names)
+    all += name + '\n';
+  return all;
 }
 
 vtkPoints* pointsOf(vtkDataSet* data)
@@ -174,6 +191,7 @@ void Part::setData(const std::string& name, vtkDataSet* data)
   {
     volume_->setData(vtkUnstructuredGrid::SafeDownCast(data));
     walls_->SetInputData(vtkUnstructuredGrid::SafeDownCast(data));
+    arrays_ = namesOfArrays(data);
     if (isFirst)
       this->placeSlices();
   }
@@ -217,13 +235,18 @@ void Part::setNeighbors(const std::vector<const Part*>& others)
     walls_->AddNeighbor(other->walls_);
 }
 
+bool Part::isBlockWith(const Part& other) const
+{
+  return volume_ && other.volume_ && arrays_ == other.arrays_;
+}
+
 void joinWalls(const std::vector<std::unique_ptr<Part>>& parts)
 {
   for (const auto& part : parts)
   {
     std::vector<const Part*> others;
     for (const auto& other : parts)
-      if (other != part && other->kind() == Part::Kind::Volume && !other->isHidden())
+      if (other != part && other->isBlockWith(*part) && !other->isHidden())
         others.push_back(other.get());
     if (part->kind() == Part::Kind::Volume)
       part->setNeighbors(others);

@@ -125,6 +125,8 @@ public:
   void setHidden(bool on);
   bool isHidden() const { return isHidden_; }
 
+  /// Whether both are volumes with the same arrays.
+  bool isBlockWith(const Part& other) const;
   /// Parts of the same mesh: where cells of them go on there is no wall of a volume.
   void setNeighbors(const std::vector<const Part*>& others);
 
@@ -197,6 +199,7 @@ private:
   vtkNew<vtkActor> actor_;
   std::unique_ptr<Volume> volume_;
   vtkSmartPointer<vtkMoteMeshMapper> walls_; ///< of a volume
+  std::string arrays_;                       ///< names of a volume's
   std::vector<const Part*> neighbors_;       ///< that the walls know
   std::unique_ptr<Surface> surface_;
   ShownCells cells_; // of a volume or a surface
@@ -215,8 +218,9 @@ private:
 /// The data of the parts that are volumes.
 std::vector<vtkDataSet*> volumesOf(const std::vector<std::unique_ptr<Part>>& parts);
 
-/// Leaves out the walls between volumes that touch with the same points, as blocks of a mesh do;
-/// but those of parts that are hidden.
+/// Leaves out the walls between volumes that touch with the same points and have the same arrays,
+/// as blocks of a mesh do, but those of parts that are hidden. Walls between a fluid and a solid
+/// stay: these have others.
 void joinWalls(const std::vector<std::unique_ptr<Part>>& parts);
 
 } // namespace mote::app

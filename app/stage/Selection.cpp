@@ -115,6 +115,7 @@ void Selection::hideData(const Parts& parts, const std::vector<NamedData>& data)
   const std::vector<bool> isHidden = hiddenParts(data, settings_.selection);
   for (std::size_t i = 0; i < parts.size() && i < data.size(); ++i)
     parts[i]->setHidden(isHidden[i]);
+  joinWalls(parts);
 }
 
 void Selection::apply(

@@ -280,7 +280,6 @@ void Stage::setPreview(bool on)
 std::string Stage::update()
 {
   std::string error;
-  joinWalls(parts_);
   for (const auto& part : parts_)
     if (const std::string own = part->update(); error.empty())
       error = own;

@@ -186,15 +186,20 @@ bool mayTouch(vtkPointSet* a, vtkPointSet* b)
 /// Faces of cells without those that copies cover, or neighbors.
 SurfaceTriangles MeshGeometry::uncoveredFaces(vtkPointSet* data, const SurfaceChoice& choice)
 {
+  std::vector<SurfaceChoice::Neighbor> neighbors = choice.neighbors;
+  std::erase_if(neighbors, [&](const auto& one) { return !mayTouch(data, one.data); });
+  if (neighbors.empty())
+  {
+    shared_.clear();
+    return surfaceTrianglesOf(data, choice.isVisible, choice.copies);
+  }
   std::vector<std::shared_ptr<const SharedFaces>> shared = {
     sharedFaces(data, alone({data, choice.isVisible, choice.visible}))};
   SurfaceTriangles faces = shared.front()->triangles;
   std::vector<std::uint8_t> isCovered = coveredByCopies(faces, data->GetPoints(), choice.copies);
   isCovered.resize(faces.view().count(), 0);
-  for (const SurfaceChoice::Neighbor& one : choice.neighbors)
+  for (const SurfaceChoice::Neighbor& one : neighbors)
   {
-    if (!mayTouch(data, one.data))
-      continue;
     shared.push_back(sharedFaces(one.data, alone(one)));
     const auto marks = coveredByOther(shared.front()->seams, shared.back()->seams);
     for (std::size_t t = 0; t < marks.size(); ++t)

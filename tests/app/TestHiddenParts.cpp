@@ -2,13 +2,17 @@
 
 #include <stage/Blocks.h>
 #include <stage/HiddenParts.h>
+#include <stage/Part.h>
 
 #include <gtest/gtest.h>
+#include <vtkActor.h>
+#include <vtkAppendFilter.h>
 #include <vtkGenericCell.h>
 #include <vtkIdList.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkIntArray.h>
+#include <vtkMoteMeshMapper.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -207,4 +211,45 @@ TEST(HiddenParts, HiddenBoundariesAreTold)
   EXPECT_NE(told.find("--show-part"), std::string::npos) << told;
   selection.shownParts = {"inlet"};
   EXPECT_EQ(hiddenBoundaries(data, selection), "");
+}
+
+TEST(HiddenParts, BlocksOfAMeshHaveNoWallsBetweenThem)
+{
+  // Three boxes in a row; the last one has other arrays, as a solid beside a fluid.
+  std::vector<std::unique_ptr<Part>> parts;
+  const Settings settings;
+  for (int k = 0; k < 3; ++k)
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(3, 3, 3);
+    image->SetOrigin(2.0 * k, 0.0, 0.0);
+    vtkNew<vtkIntArray> values;
+    values->SetName(k < 2 ? "p" : "T");
+    values->SetNumberOfValues(27);
+    values->Fill(k);
+    image->GetPointData()->SetScalars(values);
+    vtkNew<vtkAppendFilter> grid;
+    grid->AddInputData(image);
+    grid->Update();
+    parts.push_back(std::make_unique<Part>("box", grid->GetOutput(), settings, 0.0));
+  }
+  const auto walls = [&](std::size_t k)
+  {
+    auto* actor = vtkActor::SafeDownCast(parts[k]->props().back());
+    auto* mapper = actor ? vtkMoteMeshMapper::SafeDownCast(actor->GetMapper()) : nullptr;
+    EXPECT_TRUE(mapper);
+    mapper->Update();
+    return mapper->GetNumberOfTriangles();
+  };
+  EXPECT_EQ(walls(0), 48);
+  joinWalls(parts);
+  EXPECT_EQ(walls(0), 40);
+  EXPECT_EQ(walls(1), 40) << "the wall of the solid stays";
+  EXPECT_EQ(walls(2), 48);
+  parts[0]->setHidden(true);
+  joinWalls(parts);
+  EXPECT_EQ(walls(1), 48);
+  parts[0]->setHidden(false);
+  joinWalls(parts);
+  EXPECT_EQ(walls(1), 40);
 }
