@@ -297,6 +297,7 @@ void Stage::stopBuild()
   for (const auto& part : parts_)
     part->stopBuild();
 }
+
 bool Stage::isBuilding() const
 {
   return std::any_of(parts_.begin(), parts_.end(),
