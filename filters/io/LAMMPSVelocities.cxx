@@ -68,7 +68,7 @@ public:
   }
 
 private:
-  /// Above the least id, which what is below it is far.
+  /// How far an id is above the least one. Ids below it give numbers past all rows.
   std::uint64_t placeOf(std::int64_t id) const { return static_cast<std::uint64_t>(id) - m_least; }
 
   std::vector<std::int64_t> m_ids;

@@ -160,7 +160,7 @@ double perLength(const RayPacket& rays, int i)
   return 1.0 / glm::length(rayOf(rays, i).direction);
 }
 
-/// Hits of ray i from here on do not count: those no farther than `tie` behind what it has met do.
+/// Hits of ray i count before this: what it has met, or `tie` behind that.
 template <typename Rays>
 double mostOf(const Rays& rays, int i, double tie)
 {
