@@ -2,16 +2,19 @@
 
 #include "kernels/core/Vec.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 class vtkPoints;
+class vtkUnstructuredGrid;
 
 namespace mote
 {
 
+class SurfaceCover;
+class SurfaceFaces;
 struct SurfaceTriangles;
 
 /// How often a sector is drawn, evenly around an axis.
@@ -24,28 +27,36 @@ struct SectorCopies
   bool operator==(const SectorCopies&) const = default;
 };
 
-/// Which triangles of a sector's surface its copies cover: those of faces that, turned to the next
-/// copy, have just the corners of a face that looks at them, and those of these. 1 for them; empty
-/// for none. Points agree up to a millionth of the surface's extent.
-std::vector<std::uint8_t> coveredByCopies(
-  const SurfaceTriangles& surface, vtkPoints* points, const SectorCopies& copies);
-
-/// A surface whose faces are looked for by their corners.
+/// A surface whose faces may cover those of others, and be covered: where both look at one another.
+/// A face is covered by one that has just its corners, which agree up to a millionth of the
+/// surface's extent, or by any number of them that lie where it lies (see SurfaceCover). May be
+/// used by several threads.
 class SeamSurface
 {
 public:
   SeamSurface(const SurfaceTriangles& surface, vtkPoints* points);
   ~SeamSurface();
 
-  class Faces;
-  const Faces& faces() const { return *faces_; }
+  const SurfaceFaces& faces() const { return *faces_; }
+  const SurfaceCover& cover() const; ///< made when it is asked for
 
 private:
-  std::unique_ptr<const Faces> faces_;
+  std::unique_ptr<const SurfaceFaces> faces_;
+  mutable std::once_flag once_;
+  mutable std::unique_ptr<const SurfaceCover> cover_;
 };
 
-/// Likewise which triangles of a surface another one covers, however the two cut their faces into
-/// triangles.
+/// Which triangles of a sector's surface its copies cover. 1 for them; empty for none.
+std::vector<std::uint8_t> coveredByCopies(
+  const SurfaceTriangles& surface, vtkPoints* points, const SectorCopies& copies);
+
+/// Likewise which triangles of a surface another one covers.
 std::vector<std::uint8_t> coveredByOther(const SeamSurface& surface, const SeamSurface& other);
+
+/// Likewise which triangles of the surface of a grid's cells are covered by cells of other parts of
+/// the grid, such as a rotor in its stator: cells that share a point, by any number of others
+/// between, are of one part.
+std::vector<std::uint8_t> coveredByParts(
+  const SurfaceTriangles& surface, vtkUnstructuredGrid* grid);
 
 } // namespace mote

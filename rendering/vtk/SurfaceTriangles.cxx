@@ -337,6 +337,8 @@ SurfaceTriangles surfaceTrianglesOf(
   if (!surface)
   {
     SurfaceTriangles found = trianglesOfFaces(data, isVisible);
+    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+      dropTriangles(found, coveredByParts(found, grid));
     dropTriangles(found, coveredByCopies(found, data->GetPoints(), copies));
     return found;
   }

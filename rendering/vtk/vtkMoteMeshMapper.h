@@ -3,8 +3,9 @@
  * @brief   Draws triangles, ray cast on the CPU.
  *
  * Input is a vtkPolyData, whose polygons and strips are cut into triangles, or any other
- * vtkPointSet, such as a vtkUnstructuredGrid, of which the faces are drawn that no two cells share
- * and the cells that are flat. Lines and vertices are left out, as are triangles with a corner that
+ * vtkPointSet, such as a vtkUnstructuredGrid, of which the faces are drawn that no two cells share,
+ * and the cells that are flat; where parts of a grid that share no point meet, as a rotor and its
+ * stator do, faces that cells of the other part cover are left out. Lines and vertices are left out, as are triangles with a corner that
  * is not finite, with a warning that counts them. Both sides of triangles are drawn alike, but for
  * the opacity of the actor's BackfaceProperty, where it has one: walls of cells that face the eye
  * can be left out by opacity 0, and those behind them be opaque. Outer faces of cells look
@@ -112,9 +113,9 @@ public:
   ///@{
   /**
    * Mappers that show other blocks of the same mesh: of cells with a volume faces are left out that
-   * the visible cells of their inputs cover with the same points, up to a millionth of their size.
-   * So blocks have no walls between them. Each has to be told of the other. They are not kept: one
-   * that is gone covers nothing.
+   * the visible cells of their inputs cover, with the same points or with others. So blocks have no
+   * walls between them. Each has to be told of the other. They are not kept: one that is gone
+   * covers nothing.
    */
   void AddNeighbor(vtkMoteMeshMapper* other);
   void RemoveAllNeighbors();
@@ -137,7 +138,7 @@ public:
    * How often it is drawn, evenly around an axis, in the input's coordinates: a sector as the whole
    * wheel. Nothing is copied: copies share what is built. They have the same cells for picks, and
    * the same values; for components of vectors see TurnVectors. Of cells with a volume the sides
-   * are left out where copies touch with the same points. Default 1, about z.
+   * are left out where copies touch. Default 1, about z.
    */
   vtkSetClampMacro(Repetitions, int, 1, 10000);
   vtkGetMacro(Repetitions, int);

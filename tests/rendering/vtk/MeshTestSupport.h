@@ -6,10 +6,12 @@
 
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkCellTypeSource.h"
 #include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkMoteMeshMapper.h"
 #include "vtkMoteParticlePicker.h"
 #include "vtkProperty.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <utility>
 #include <vector>
@@ -48,6 +50,16 @@ inline vtkSmartPointer<vtkPolyData> polygonAndStrip()
   data->SetPolys(cellArray({{0, 1, 2, 3}}));
   data->SetStrips(cellArray({{1, 4, 2, 5}}));
   return data;
+}
+
+/// Three cells along each axis, or what of a type is cut out of these.
+inline vtkSmartPointer<vtkUnstructuredGrid> gridOf(int type)
+{
+  vtkNew<vtkCellTypeSource> source;
+  source->SetCellType(type);
+  source->SetBlocksDimensions(3, 3, 3);
+  source->Update();
+  return source->GetOutput();
 }
 
 /// A mapper and an actor in a renderer with a parallel camera that sees [-1.5, 1.5]^2.

@@ -3,8 +3,6 @@
 #include "MeshTestSupport.h"
 #include "VolumeTestSupport.h"
 
-#include "vtkCellTypeSource.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <array>
@@ -14,15 +12,6 @@ using namespace mote::testing;
 
 namespace
 {
-
-vtkSmartPointer<vtkUnstructuredGrid> gridOf(int type)
-{
-  vtkNew<vtkCellTypeSource> source;
-  source->SetCellType(type);
-  source->SetBlocksDimensions(3, 3, 3);
-  source->Update();
-  return source->GetOutput();
-}
 
 /// The same cells with their corners in the other order that files have them in, inside out.
 vtkSmartPointer<vtkUnstructuredGrid> turnedRound(vtkUnstructuredGrid* grid)
@@ -95,103 +84,6 @@ TEST_F(MeshStage, GridsShowTheirFacesAndNameTheirCells)
       }
       EXPECT_GT(picked, 60);
     }
-  }
-}
-
-TEST(MeshNeighbors, HaveNoWallsBetweenThem)
-{
-  // Two blocks of 3^3 cells side by side, and one of cells half as wide that touches but for
-  // points.
-  const auto blockAt = [](double x, int n)
-  {
-    auto grid = makeBox(n, [](const Point& p) { return p[0]; });
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-    {
-      double p[3];
-      grid->GetPoint(i, p);
-      points->InsertNextPoint(p[0] + x, p[1], p[2]);
-    }
-    grid->SetPoints(points);
-    return grid;
-  };
-  const auto left = blockAt(0.0, 3), right = blockAt(2.0, 3), other = blockAt(4.0, 5);
-  vtkNew<vtkMoteMeshMapper> a, b, c;
-  a->SetInputData(left);
-  b->SetInputData(right);
-  c->SetInputData(other);
-  for (vtkMoteMeshMapper* one : {a.Get(), b.Get(), c.Get()})
-    for (vtkMoteMeshMapper* beside : {a.Get(), b.Get(), c.Get()})
-      one->AddNeighbor(beside);
-  const auto triangles = [](vtkMoteMeshMapper* one)
-  {
-    one->Update();
-    return one->GetNumberOfTriangles();
-  };
-  constexpr vtkIdType side = 2 * 9, wide = 2 * 25;
-  EXPECT_EQ(a->GetNumberOfNeighbors(), 2);
-  EXPECT_EQ(triangles(a), 5 * side);
-  EXPECT_EQ(triangles(b), 5 * side) << "what has other points there covers nothing";
-  EXPECT_EQ(triangles(c), 6 * wide);
-  // Where a cell of the neighbor is hidden, the face is seen.
-  vtkNew<vtkUnsignedCharArray> shown;
-  shown->SetNumberOfValues(27);
-  shown->Fill(1);
-  shown->SetValue(0, 0); // at the lowest x
-  b->SetVisibleCells(shown);
-  const vtkMTimeType before = a->GetPictureMTime();
-  EXPECT_EQ(triangles(a), 5 * side + 2);
-  EXPECT_EQ(triangles(b), 5 * side + 6 - 4) << "three faces came to light, two outer ones went";
-  b->SetVisibleCells(nullptr);
-  EXPECT_EQ(triangles(a), 5 * side);
-  EXPECT_GT(a->GetPictureMTime(), before);
-  // Where a point is another, blocks are moved away, or gone.
-  right->GetPoints()->SetPoint(0, 1.0, -1.0, -1.01);
-  right->GetPoints()->Modified();
-  right->Modified();
-  EXPECT_EQ(triangles(a), 5 * side + 2);
-  b->SetInputData(blockAt(2.5, 3));
-  EXPECT_EQ(triangles(a), 6 * side);
-  b->SetInputData(blockAt(2.0, 3));
-  EXPECT_EQ(triangles(a), 5 * side);
-  a->RemoveAllNeighbors();
-  EXPECT_EQ(triangles(a), 6 * side);
-  {
-    vtkNew<vtkMoteMeshMapper> gone;
-    gone->SetInputData(blockAt(-2.0, 3));
-    a->AddNeighbor(gone);
-    EXPECT_EQ(triangles(a), 5 * side);
-  }
-  EXPECT_EQ(triangles(a), 6 * side);
-}
-
-TEST(MeshNeighbors, OfWedgesAndTetrahedraShareTheirTriangles)
-{
-  for (const int type : {VTK_TETRA, VTK_WEDGE, VTK_PYRAMID, VTK_HEXAHEDRON})
-  {
-    const auto whole = gridOf(type);
-    // Cut in two by the numbers of cells: wherever the parts touch there is no wall.
-    vtkNew<vtkMoteMeshMapper> all, halves[2];
-    all->SetInputData(whole);
-    vtkSmartPointer<vtkUnstructuredGrid> parts[2];
-    for (int k = 0; k < 2; ++k)
-    {
-      parts[k] = vtkSmartPointer<vtkUnstructuredGrid>::New();
-      parts[k]->SetPoints(whole->GetPoints());
-      parts[k]->Allocate(whole->GetNumberOfCells());
-      for (vtkIdType i = 0; i < whole->GetNumberOfCells(); ++i)
-        if ((i % 3 == 0) == (k == 0))
-          parts[k]->InsertNextCell(whole->GetCellType(i), whole->GetCell(i)->GetPointIds());
-      halves[k]->SetInputData(parts[k]);
-    }
-    halves[0]->AddNeighbor(halves[1]);
-    halves[1]->AddNeighbor(halves[0]);
-    for (vtkMoteMeshMapper* one : {all.Get(), halves[0].Get(), halves[1].Get()})
-      one->Update();
-    EXPECT_EQ(halves[0]->GetNumberOfTriangles() + halves[1]->GetNumberOfTriangles(),
-      all->GetNumberOfTriangles())
-      << type;
   }
 }
 

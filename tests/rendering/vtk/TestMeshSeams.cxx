@@ -1,0 +1,290 @@
+// vtkMoteMeshMapper on cells that touch: blocks, parts of one grid and copies of a sector have no
+// walls between them, whether they have the same points there or not. It needs no display.
+#include "MeshTestSupport.h"
+#include "VolumeTestSupport.h"
+
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <array>
+#include <cmath>
+
+using namespace mote::testing;
+
+namespace
+{
+
+/// Hexahedra of nx * ny * nz: where(x, y, z) has the place of a point, of numbers from 0 to 1. They
+/// join the cells that are there.
+template <typename Where>
+void addBlock(vtkUnstructuredGrid* grid, std::array<int, 3> n, const Where& where)
+{
+  if (!grid->GetPoints())
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    grid->SetPoints(points);
+    grid->Allocate(1);
+  }
+  const vtkIdType first = grid->GetNumberOfPoints();
+  for (int z = 0; z <= n[2]; ++z)
+    for (int y = 0; y <= n[1]; ++y)
+      for (int x = 0; x <= n[0]; ++x)
+      {
+        const Point p = where(double(x) / n[0], double(y) / n[1], double(z) / n[2]);
+        grid->GetPoints()->InsertNextPoint(p[0], p[1], p[2]);
+      }
+  const auto id = [&](int x, int y, int z)
+  { return first + x + (n[0] + 1) * (y + vtkIdType(n[1] + 1) * z); };
+  for (int z = 0; z < n[2]; ++z)
+    for (int y = 0; y < n[1]; ++y)
+      for (int x = 0; x < n[0]; ++x)
+      {
+        const vtkIdType corners[] = {id(x, y, z), id(x + 1, y, z), id(x + 1, y + 1, z),
+          id(x, y + 1, z), id(x, y, z + 1), id(x + 1, y, z + 1), id(x + 1, y + 1, z + 1),
+          id(x, y + 1, z + 1)};
+        grid->InsertNextCell(VTK_HEXAHEDRON, 8, corners);
+      }
+}
+
+/// A ring of nr * na * nz cells from radius r0 to r1; `share` of it, from `phase` on.
+void addRing(vtkUnstructuredGrid* grid, double r0, double r1, std::array<int, 3> n,
+  double phase = 0.0, double share = 1.0)
+{
+  addBlock(grid, n,
+    [=](double x, double y, double z) -> Point
+    {
+      const double r = r0 + (r1 - r0) * x, angle = 2.0 * M_PI * (share * y + phase);
+      return {r * std::cos(angle), r * std::sin(angle), z};
+    });
+}
+
+vtkIdType trianglesOf(vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkMoteMeshMapper> mapper;
+  mapper->SetInputData(grid);
+  mapper->Update();
+  return mapper->GetNumberOfTriangles();
+}
+
+/// Those of a block's faces.
+vtkIdType facesOf(std::array<int, 3> n)
+{
+  return 4 * (n[0] * n[1] + n[1] * n[2] + n[2] * n[0]);
+}
+
+} // namespace
+
+TEST(MeshNeighbors, HaveNoWallsBetweenThem)
+{
+  // Two blocks of 3^3 cells side by side, and one whose cells are smaller.
+  const auto blockAt = [](double x, int n)
+  {
+    auto grid = makeBox(n, [](const Point& p) { return p[0]; });
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      grid->GetPoint(i, p);
+      points->InsertNextPoint(p[0] + x, p[1], p[2]);
+    }
+    grid->SetPoints(points);
+    return grid;
+  };
+  const auto left = blockAt(0.0, 3), right = blockAt(2.0, 3), other = blockAt(4.0, 5);
+  vtkNew<vtkMoteMeshMapper> a, b, c;
+  a->SetInputData(left);
+  b->SetInputData(right);
+  c->SetInputData(other);
+  for (vtkMoteMeshMapper* one : {a.Get(), b.Get(), c.Get()})
+    for (vtkMoteMeshMapper* beside : {a.Get(), b.Get(), c.Get()})
+      one->AddNeighbor(beside);
+  const auto triangles = [](vtkMoteMeshMapper* one)
+  {
+    one->Update();
+    return one->GetNumberOfTriangles();
+  };
+  constexpr vtkIdType side = 2 * 9, wide = 2 * 25;
+  EXPECT_EQ(a->GetNumberOfNeighbors(), 2);
+  EXPECT_EQ(triangles(a), 5 * side);
+  EXPECT_EQ(triangles(b), 4 * side) << "what has other points there covers, too";
+  EXPECT_EQ(triangles(c), 5 * wide);
+  // Where a cell of the neighbor is hidden, the face is seen.
+  vtkNew<vtkUnsignedCharArray> shown;
+  shown->SetNumberOfValues(27);
+  shown->Fill(1);
+  shown->SetValue(0, 0); // at the lowest x
+  b->SetVisibleCells(shown);
+  const vtkMTimeType before = a->GetPictureMTime();
+  EXPECT_EQ(triangles(a), 5 * side + 2);
+  EXPECT_EQ(triangles(b), 4 * side + 6 - 4) << "three faces came to light, two outer ones went";
+  b->SetVisibleCells(nullptr);
+  EXPECT_EQ(triangles(a), 5 * side);
+  EXPECT_GT(a->GetPictureMTime(), before);
+  // Where a point is another, blocks are moved away, or gone.
+  right->GetPoints()->SetPoint(0, 1.1, -1.0, -1.0);
+  right->GetPoints()->Modified();
+  right->Modified();
+  EXPECT_EQ(triangles(a), 5 * side + 2);
+  b->SetInputData(blockAt(2.5, 3));
+  EXPECT_EQ(triangles(a), 6 * side);
+  b->SetInputData(blockAt(2.0, 3));
+  EXPECT_EQ(triangles(a), 5 * side);
+  a->RemoveAllNeighbors();
+  EXPECT_EQ(triangles(a), 6 * side);
+  {
+    vtkNew<vtkMoteMeshMapper> gone;
+    gone->SetInputData(blockAt(-2.0, 3));
+    a->AddNeighbor(gone);
+    EXPECT_EQ(triangles(a), 5 * side);
+  }
+  EXPECT_EQ(triangles(a), 6 * side);
+}
+
+TEST(MeshNeighbors, OfWedgesAndTetrahedraShareTheirTriangles)
+{
+  for (const int type : {VTK_TETRA, VTK_WEDGE, VTK_PYRAMID, VTK_HEXAHEDRON})
+  {
+    const auto whole = gridOf(type);
+    // Cut in two by the numbers of cells: wherever the parts touch there is no wall.
+    vtkNew<vtkMoteMeshMapper> all, halves[2];
+    all->SetInputData(whole);
+    vtkSmartPointer<vtkUnstructuredGrid> parts[2];
+    for (int k = 0; k < 2; ++k)
+    {
+      parts[k] = vtkSmartPointer<vtkUnstructuredGrid>::New();
+      parts[k]->SetPoints(whole->GetPoints());
+      parts[k]->Allocate(whole->GetNumberOfCells());
+      for (vtkIdType i = 0; i < whole->GetNumberOfCells(); ++i)
+        if ((i % 3 == 0) == (k == 0))
+          parts[k]->InsertNextCell(whole->GetCellType(i), whole->GetCell(i)->GetPointIds());
+      halves[k]->SetInputData(parts[k]);
+    }
+    halves[0]->AddNeighbor(halves[1]);
+    halves[1]->AddNeighbor(halves[0]);
+    for (vtkMoteMeshMapper* one : {all.Get(), halves[0].Get(), halves[1].Get()})
+      one->Update();
+    EXPECT_EQ(halves[0]->GetNumberOfTriangles() + halves[1]->GetNumberOfTriangles(),
+      all->GetNumberOfTriangles())
+      << type;
+  }
+}
+
+TEST(MeshParts, OfOneGridHaveNoWallsWhereTheyMeet)
+{
+  // A rotor in its stator, which have other cells around and along the axis, from few that are flat
+  // to many. Rings of cells are not closed, so that their ends are walls.
+  for (const int around : {24, 60, 361})
+  {
+    SCOPED_TRACE(around);
+    const std::array<int, 3> inner = {2, around, 3}, outer = {3, 3 * around / 4, 4};
+    vtkNew<vtkUnstructuredGrid> grid;
+    addRing(grid, 1.0, 2.0, inner);
+    EXPECT_EQ(trianglesOf(grid), facesOf(inner));
+    addRing(grid, 2.0, 3.0, outer, 0.1);
+    const vtkIdType met = 2 * (inner[1] * inner[2] + outer[1] * outer[2]);
+    EXPECT_EQ(trianglesOf(grid), facesOf(inner) + facesOf(outer) - met);
+    // Where cells are hidden the walls behind them are seen.
+    vtkNew<vtkMoteMeshMapper> mapper;
+    vtkNew<vtkUnsignedCharArray> shown;
+    shown->SetNumberOfValues(grid->GetNumberOfCells());
+    shown->Fill(1);
+    for (int i = 0; i < outer[0] * outer[1] * outer[2]; ++i)
+      shown->SetValue(grid->GetNumberOfCells() - 1 - i, 0);
+    mapper->SetInputData(grid);
+    mapper->SetVisibleCells(shown);
+    mapper->Update();
+    EXPECT_EQ(mapper->GetNumberOfTriangles(), facesOf(inner));
+  }
+}
+
+TEST(MeshParts, ThatAreCoveredInPartKeepTheirFaces)
+{
+  const auto box = [](double x0, double x1, double y1) {
+    return [=](double x, double y, double z) -> Point { return {x0 + (x1 - x0) * x, y1 * y, z}; };
+  };
+  const std::array<int, 3> two = {2, 2, 2}, three = {3, 3, 3};
+  const auto met = [&](double gap, double width)
+  {
+    vtkNew<vtkUnstructuredGrid> grid;
+    addBlock(grid, two, box(0.0, 1.0, 1.0));
+    addBlock(grid, three, box(1.0 + gap, 2.0, width));
+    return facesOf(two) + facesOf(three) - trianglesOf(grid);
+  };
+  EXPECT_EQ(met(0.0, 1.0), 2 * (4 + 9));
+  EXPECT_EQ(met(1e-8, 1.0), 2 * (4 + 9)) << "rounding";
+  EXPECT_EQ(met(-1e-8, 1.0), 2 * (4 + 9));
+  EXPECT_EQ(met(0.01, 1.0), 0) << "a gap";
+  EXPECT_EQ(met(0.0, 0.9), 2 * (2 + 9)) << "two of four faces are covered, and two in part";
+  EXPECT_EQ(met(0.0, 1.2), 2 * (4 + 6)) << "and of nine six";
+}
+
+TEST(MeshParts, AreNotOnBothSidesOfWallsOfTheirOwn)
+{
+  // A baffle: cells on both sides of it, which meet behind it.
+  vtkNew<vtkUnstructuredGrid> grid;
+  for (const double y : {0.0, 1.0})
+    addBlock(grid, {4, 2, 1}, [=](double x, double t, double z) -> Point { return {x, y + t, z}; });
+  EXPECT_EQ(trianglesOf(grid), 2 * facesOf({4, 2, 1}) - 2 * 8) << "two parts";
+  // Joined by the cell behind: its points are theirs.
+  const vtkIdType side = 5 * 3;
+  const vtkIdType top = 10, below = 10 + 2 * side; // the last rows of points
+  const vtkIdType corners[] = {
+    top, top + 1, below + 1, below, top + side, top + side + 1, below + side + 1, below + side};
+  const vtkIdType before = 2 * facesOf({4, 2, 1});
+  grid->InsertNextCell(VTK_HEXAHEDRON, 8, corners);
+  EXPECT_GE(trianglesOf(grid), before);
+}
+
+TEST(MeshNeighbors, DoNotCoverSharpTrailingEdges)
+{
+  // Above and below a blade that is a wedge of six degrees: the two blocks meet along its edge.
+  for (const int cells : {1, 4, 20})
+    for (const double width : {0.2, 1.0, 10.0})
+    {
+      vtkNew<vtkMoteMeshMapper> mappers[2];
+      const std::array<int, 3> n = {cells, 2, 2};
+      for (int k = 0; k < 2; ++k)
+      {
+        vtkNew<vtkUnstructuredGrid> grid;
+        addBlock(grid, n,
+          [=](double x, double y, double z) -> Point
+          {
+            const double sign = k == 0 ? 1.0 : -1.0, bow = 0.02 * x * (1.0 - x);
+            const double blade = (1.0 - x) * std::tan(M_PI / 60.0) + bow;
+            return {x, sign * (y + (1.0 - y) * blade), sign * width * (z - 0.5)};
+          });
+        mappers[k]->SetInputData(grid);
+      }
+      mappers[0]->AddNeighbor(mappers[1]);
+      mappers[1]->AddNeighbor(mappers[0]);
+      for (vtkMoteMeshMapper* one : {mappers[0].Get(), mappers[1].Get()})
+      {
+        one->Update();
+        EXPECT_EQ(one->GetNumberOfTriangles(), facesOf(n)) << cells << " cells, " << width;
+      }
+    }
+}
+
+TEST(MeshSectors, HaveNoWallsWhereTheirSidesHaveOtherPoints)
+{
+  const std::array<int, 3> n = {6, 10, 4};
+  vtkNew<vtkUnstructuredGrid> grid;
+  addBlock(grid, n,
+    [](double x, double y, double z) -> Point
+    {
+      // A twisted sixth, whose cells have other widths at the one side than at the other.
+      const double s = x + 0.3 * y * x * (1.0 - x), r = 1.0 + s;
+      const double angle = M_PI / 3.0 * y + 0.5 * s;
+      return {r * std::cos(angle), r * std::sin(angle), z};
+    });
+  vtkNew<vtkMoteMeshMapper> mapper;
+  mapper->SetInputData(grid);
+  mapper->SetRepetitions(5);
+  mapper->Update();
+  EXPECT_EQ(mapper->GetNumberOfTriangles(), facesOf(n));
+  mapper->SetRepetitions(6);
+  mapper->Update();
+  EXPECT_EQ(mapper->GetNumberOfTriangles(), facesOf(n) - 4 * n[0] * n[2]);
+}
