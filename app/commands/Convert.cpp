@@ -113,7 +113,9 @@ NamedData convertible(
   throw Failure(input.name() + " holds " + many(found.particles, "set") + " of particles, " +
                 many(found.surfaces, "surface") + " and " + many(found.volumes, "volume") + "; " +
                 holdingOf(ending) +
-                (all.size() > 1 ? "; choose with --hide-data, --hide-part or --show-part" : ""));
+                (all.empty()                  ? ""
+                  : all.front().block.empty() ? "; choose one with --hide-data"
+                                              : "; choose one: --hide-part '*' --show-part NAME"));
 }
 
 double secondsSince(double start)

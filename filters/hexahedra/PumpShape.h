@@ -17,9 +17,9 @@ inline constexpr double pi = std::numbers::pi;
 inline constexpr double pipeLength = 1.6, eyeRadius = 0.5;
 // The impeller: from the hub's radius at the eye to 1, blades between two stations.
 inline constexpr double hubRadius = 0.18, bladeBegin = 0.18, bladeEnd = 0.93;
-// The diffuser is a ring with vanes, then a volute that leaves it along a straight pipe. The gap
-// to the impeller keeps the chords of two round meshes apart.
-inline constexpr double ringBegin = 1.01, vaneBegin = 1.10, vaneEnd = 1.52, ringEnd = 1.65;
+// The diffuser is a ring with vanes, then a volute that leaves it along a straight pipe. It begins
+// where the impeller ends, with other points: cells overlap by what their chords cut off.
+inline constexpr double ringBegin = 1.0, vaneBegin = 1.10, vaneEnd = 1.52, ringEnd = 1.65;
 inline constexpr double ringMiddle = 0.41, ringHalfWidth = 0.07;
 inline constexpr double voluteBegin = 2.0 * pi / vaneCount, outletLength = 1.5;
 

@@ -77,14 +77,14 @@ TEST_F(PlotTest, CountsEveryValueOnce)
 
 TEST_F(PlotTest, CountsAndPicturesAreSaved)
 {
-  const Plot bars{4, 1, {0.0, 0.0}, {2.0, 0.0}, {3, 0, 1, 4}, 4, 8};
+  const Plot bars{4, 1, {0.0, 0.0}, {2.0, 0.0}, {3, 0, 1, 4}, 4, 8, ""};
   EXPECT_EQ(
     plotText(bars, {{"a", ""}, Plotted::All}), "a from,a to,count\n0,0.5,3\n1,1.5,1\n1.5,2,4\n");
-  const Plot pairs{2, 2, {0.0, 10.0}, {1.0, 30.0}, {1, 0, 0, 7}, 7, 8};
+  const Plot pairs{2, 2, {0.0, 10.0}, {1.0, 30.0}, {1, 0, 0, 7}, 7, 8, ""};
   EXPECT_EQ(plotText(pairs, {{"v:1", "a,b"}, Plotted::All}),
     "v:1 from,v:1 to,\"a,b from\",\"a,b to\",count\n0,0.5,10,20,1\n0.5,1,20,30,7\n");
   const std::string file = testing::TempDir() + "plot.png";
-  const Plot one{2, 1, {5.0, 0.0}, {5.0, 0.0}, {9, 0}, 9, 9}; // all values are one
+  const Plot one{2, 1, {5.0, 0.0}, {5.0, 0.0}, {9, 0}, 9, 9, ""}; // all values are one
   for (const Plot& plot : {bars, pairs, one})
     for (const bool isLogarithmic : {false, true})
     {

@@ -142,7 +142,8 @@ END
     said err 'a .xyz file holds one set of particles'
     run 1 "$mote" convert pump:0.02 pump.vtu
     one_sentence
-    said err 'choose with --hide-data'
+    said err "choose one: --hide-part '*' --show-part NAME"
+    run 0 "$mote" convert pump:0.02 pump.vtu --hide-part '*' --show-part rotor
     run 0 "$mote" convert pump:0.02:rotor pump.vtu
     run 1 "$mote" convert "$copper" --show x=1e6: none.vtp
     one_sentence
