@@ -73,7 +73,7 @@ std::vector<double> SurfaceCover::distancesOf(const SurfaceFaces& faces)
         shortest = std::min(shortest, side);
       }
     distances[f] = flatShare * shortest + curvedShare * longest * distances[f] +
-                   2.0 * surfaceError * faces.extent();
+                   2.0 * (surfaceError * faces.extent() + faces.rounding());
   }
   return distances;
 }

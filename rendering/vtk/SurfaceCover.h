@@ -20,7 +20,8 @@ class SurfaceFaces;
 /// Two meshes of one curved surface lie apart by what their flat faces cut off, an eighth of the
 /// side's length times the angle by which the surface turns along it. So much is allowed, with a
 /// margin, by the angles between neighbouring faces; where both are flat a thousandth of the
-/// shortest side. Sides that come together at a sharp trailing edge are farther apart.
+/// shortest side, and what coordinates are rounded by. Sides that come together at a sharp trailing
+/// edge are farther apart.
 class SurfaceCover
 {
 public:

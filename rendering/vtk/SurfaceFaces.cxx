@@ -8,6 +8,7 @@
 
 #include <glm/common.hpp>
 
+#include <limits>
 #include <numeric>
 #include <set>
 
@@ -36,6 +37,9 @@ SurfaceFaces::SurfaceFaces(const SurfaceTriangles& surface, vtkPoints* points)
     lower_ = i == 0 ? corners_[i] : glm::min(lower_, corners_[i]);
     upper_ = i == 0 ? corners_[i] : glm::max(upper_, corners_[i]);
   }
+  if (points->GetDataType() == VTK_FLOAT)
+    rounding_ =
+      std::numeric_limits<float>::epsilon() * std::max(glm::length(lower_), glm::length(upper_));
   this->findFaces(surface.edges);
   this->makeIndex();
 }

@@ -40,6 +40,8 @@ public:
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const std::vector<Vec3d>& corners() const { return corners_; }
   double extent() const { return glm::length(upper_ - lower_); }
+  /// How far corners may lie from where they should, as their coordinates are float numbers.
+  double rounding() const { return rounding_; }
   /// Whether a place is within the bounds of the corners, widened by `radius`.
   bool isNear(const Vec3d& place, double radius) const;
 
@@ -73,6 +75,7 @@ private:
   std::vector<Triangle> triangles_;
   std::vector<Face> all_;
   Vec3d lower_{0.0}, upper_{0.0};
+  double rounding_ = 0.0;
   vtkNew<vtkStaticPointLocator> locator_;
   std::vector<vtkIdType> numbers_;                            ///< of the corners
   std::vector<std::pair<std::uint64_t, std::size_t>> byHash_; ///< faces, of their corners

@@ -237,6 +237,28 @@ TEST(MeshParts, AreNotOnBothSidesOfWallsOfTheirOwn)
   EXPECT_GE(trianglesOf(grid), before);
 }
 
+TEST(MeshParts, FarFromTheOriginMeetAsFloatNumbersDo)
+{
+  for (const int type : {VTK_FLOAT, VTK_DOUBLE})
+  {
+    const std::array<int, 3> two = {2, 2, 2}, seven = {7, 7, 7};
+    vtkNew<vtkUnstructuredGrid> grid;
+    vtkNew<vtkPoints> points;
+    points->SetDataType(type);
+    grid->SetPoints(points);
+    grid->Allocate(1);
+    for (const auto& [n, begin] : {std::pair(two, 0.0), std::pair(seven, 1.0)})
+      addBlock(grid, n,
+        [&](double x, double y, double z) -> Point
+        {
+          // Turned, so that no coordinate is that of a plane.
+          const double along = 5e4 + 0.8 * (x + begin) - 0.6 * y;
+          return {along, 3e4 + 0.6 * (x + begin) + 0.8 * y, z};
+        });
+    EXPECT_EQ(facesOf(two) + facesOf(seven) - trianglesOf(grid), 2 * (4 + 49)) << type;
+  }
+}
+
 TEST(MeshNeighbors, DoNotCoverSharpTrailingEdges)
 {
   // Above and below a blade that is a wedge of six degrees: the two blocks meet along its edge.
