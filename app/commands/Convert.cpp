@@ -17,11 +17,15 @@
 #include <kernels/core/ScratchSpace.h>
 
 #include <vtkActor.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkInformation.h>
+#include <vtkMoteBlocksWriter.h>
 #include <vtkMoteDataWriter.h>
 #include <vtkMoteMeshFileWriter.h>
 #include <vtkMoteParticleFileWriter.h>
 #include <vtkMoteParticleMapper.h>
 #include <vtkMotePiecesWriter.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkTimerLog.h>
@@ -68,13 +72,27 @@ std::string endingOf(const std::string& file)
 {
   if (lowerCase(std::filesystem::path(file).extension().string()) == ".mote")
     return ".mote";
-  const std::string pieces = vtkMotePiecesWriter::EndingOf(file);
-  return pieces.empty() ? vtkMoteDataWriter::EndingOf(file) : pieces;
+  for (const std::string& ending :
+    {vtkMotePiecesWriter::EndingOf(file), vtkMoteBlocksWriter::EndingOf(file)})
+    if (!ending.empty())
+      return ending;
+  return vtkMoteDataWriter::EndingOf(file);
 }
 
 bool isOfPieces(const std::string& ending)
 {
   return ending == ".pvtp" || ending == ".pvtu";
+}
+
+/// Throws Failure where what is read lies in the folder of the pieces that are written.
+void checkFolder(const std::string& output, const std::vector<std::string>& inputs)
+{
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::path folder = fs::weakly_canonical(fs::path(output).replace_extension(), ignored);
+  for (const std::string& input : inputs)
+    if (fs::exists(input, ignored) && fs::weakly_canonical(input, ignored).parent_path() == folder)
+      throw Failure(input + " lies in the folder of what " + output + " names, which is written");
 }
 
 /// The ending of one piece, or of a file that has none.
@@ -110,12 +128,14 @@ NamedData convertible(
     return all.front();
   const auto many = [](const std::vector<NamedData>& them, const char* what)
   { return std::to_string(them.size()) + ' ' + what + (them.size() == 1 ? "" : "s"); };
-  throw Failure(input.name() + " holds " + many(found.particles, "set") + " of particles, " +
-                many(found.surfaces, "surface") + " and " + many(found.volumes, "volume") + "; " +
-                holdingOf(ending) +
-                (all.empty()                  ? ""
-                  : all.front().block.empty() ? "; choose one with --hide-data"
-                                              : "; choose one: --hide-part '*' --show-part NAME"));
+  throw Failure(
+    input.name() + " holds " + many(found.particles, "set") + " of particles, " +
+    many(found.surfaces, "surface") + " and " + many(found.volumes, "volume") + "; " +
+    holdingOf(ending) +
+    (all.empty()                  ? ""
+      : all.front().block.empty() ? "; choose one with --hide-data"
+                                  : "; choose one: --hide-part '*' --show-part NAME, or "
+                                    "write a .vtm file, which holds all"));
 }
 
 double secondsSince(double start)
@@ -170,6 +190,11 @@ NamedData shownOf(const NamedData& data, Settings& settings, bool isMote, Progre
   if (part->keptRadius() > 0.0) // of all, which those that are left may not tell
     settings.particles.radius = exactText(part->keptRadius());
   return shown;
+}
+
+Failure nothingShown(const Input& input, const std::string& output)
+{
+  return Failure("nothing of " + input.name() + " is shown, so that " + output + " would be empty");
 }
 
 /// The lines that tell what was written end alike.
@@ -228,12 +253,62 @@ int writePieces(vtkDataSet* data, const Settings& settings, const std::string& o
   return writer->GetNumberOfWrittenPieces();
 }
 
+/// What is shown of each part, as blocks of its name, and what that is, for messages.
+std::string takeShown(
+  Input& input, const Settings& settings, vtkMultiBlockDataSet* blocks, ProgressRelay& progress)
+{
+  const auto parts = shownParts(
+    readAsAsked(input, input.chosenStep(settings), settings, progress), settings.selection);
+  vtkIdType particles = 0, cells = 0;
+  for (const NamedData& part : parts)
+  {
+    Settings own = settings; // which get the part's radius
+    if (part.data->GetNumberOfPoints() == 0)
+      continue;
+    const vtkSmartPointer<vtkDataSet> data = shownOf(part, own, false, progress).data;
+    if (data->GetNumberOfPoints() == 0)
+      continue;
+    (Part::isMesh(data) ? cells : particles) +=
+      Part::isMesh(data) ? data->GetNumberOfCells() : data->GetNumberOfPoints();
+    const unsigned index = blocks->GetNumberOfBlocks();
+    blocks->SetBlock(index, data);
+    blocks->GetMetaData(index)->Set(
+      vtkCompositeDataSet::NAME(), (part.block.empty() ? part.name : part.block).c_str());
+  }
+  return (particles > 0 ? counted(particles, "particle") + ", " : "") +
+         (cells > 0 ? counted(cells, "cell") + ", " : "") +
+         counted(blocks->GetNumberOfBlocks(), "block");
+}
+
+/// A file of all that is shown, each part as a block.
+void convertToBlocks(Input& input, const Settings& settings, const std::string& output,
+  ProgressRelay& progress, const std::string& which)
+{
+  const double start = vtkTimerLog::GetUniversalTime();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  const std::string made = takeShown(input, settings, blocks, progress);
+  if (blocks->GetNumberOfBlocks() == 0)
+  {
+    if (!settings.output.allSteps)
+      throw nothingShown(input, output);
+    return tell(output, "nothing is shown, not written");
+  }
+  const double ready = vtkTimerLog::GetUniversalTime();
+  vtkNew<vtkMoteBlocksWriter> writer;
+  writer->SetInputData(blocks);
+  writeFile(writer, output, progress, which);
+  tell(output, made + "; read in " + asDuration(ready - start) + ", written in " +
+                 asDuration(secondsSince(ready)));
+}
+
 /// The file of a step, in which what stood there is replaced.
 void convertStep(Input& input, const Settings& given, const std::string& output,
   const std::shared_ptr<ScratchSpace>& space, ProgressRelay& progress, const std::string& which)
 {
   const double start = vtkTimerLog::GetUniversalTime();
   const std::string ending = endingOf(output);
+  if (ending == ".vtm")
+    return convertToBlocks(input, given, output, progress, which);
   Settings settings = given;
   NamedData data = convertible(input, settings, ending, progress);
   const bool isWhole = ending == ".mote" && !hidesAny(settings);
@@ -242,8 +317,7 @@ void convertStep(Input& input, const Settings& given, const std::string& output,
   if (data.data->GetNumberOfPoints() == 0 && (settings.output.allSteps || !isWhole))
   {
     if (!settings.output.allSteps)
-      throw Failure(
-        "nothing of " + input.name() + " is shown, so that " + output + " would be empty");
+      throw nothingShown(input, output);
     return tell(output, "no particle, not written");
   }
   const double readTime = secondsSince(start);
@@ -278,8 +352,8 @@ void convert(const Settings& given)
   settings.data.files.pop_back();
   const std::string ending = endingOf(output);
   if (ending.empty())
-    throw Failure("the last file is the one to write, and must end in .mote, .vtp, .vtu, .pvtp, "
-                  ".pvtu, .xyz or .xyz.gz, not " +
+    throw Failure("the last file is the one to write, and must end in .mote, .vtp, .vtu, .vtm, "
+                  ".pvtp, .pvtu, .xyz or .xyz.gz, not " +
                   output);
   if (settings.output.pieces > 0 && !isOfPieces(ending))
     throw Failure("--pieces is for .pvtp and .pvtu files, not for " + output +
@@ -291,6 +365,8 @@ void convert(const Settings& given)
   ProgressRelay progress;
   progress.add(terminal);
   checkOutput(output, settings.data.files); // before hours of reading
+  if (isOfPieces(ending) || ending == ".vtm")
+    checkFolder(output, settings.data.files);
   const std::uint64_t memory =
     settings.output.memory.empty() ? physicalMemory() / 2 : bytesOf(settings.output.memory);
   // The rest is for putting arrays in order.

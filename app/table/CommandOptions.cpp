@@ -29,7 +29,7 @@ void addConvertOptions(CLI::App& app, GivenSettings& given)
   addFiles(app, given.settings);
   addSettings(app, given, {"Data"});
   app.get_option("FILE")->description("Files to read, as elsewhere, and last the file to write: "
-                                      ".mote, .vtp, .vtu, .pvtp, .pvtu, .xyz or .xyz.gz");
+                                      ".mote, .vtp, .vtu, .vtm, .pvtp, .pvtu, .xyz or .xyz.gz");
   addSettings(
     app, given, {"Radius", "form", "show", "where", "hide-ids", "only-ids", "cut", "cut-axis"});
   addCommandSettings(app, given, "convert");

@@ -72,7 +72,8 @@ const std::vector<Topic>& topics()
       "mote animate run.dump -o turn.ogv --orbit 360", "animate"},
     {"mote convert",
       "A .mote file of particles or triangles, or what is shown as .vtp, .vtu, these in pieces "
-      "(.pvtp, .pvtu), or .xyz; it takes the groups Data and Radius, --form, and --show, --where, "
+      "(.pvtp, .pvtu), as blocks (.vtm), or .xyz; it takes the groups Data and Radius, --form, and "
+      "--show, --where, "
       "ids and cuts, too.",
       "mote convert run.dump run.mote --memory 8G", "convert"},
     {"mote info", "What files hold; it takes the group Data, too.", "mote info --json run.dump",

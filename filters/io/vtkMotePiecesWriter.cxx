@@ -2,19 +2,16 @@
 
 #include "BoxCuts.h"
 #include "DataParts.h"
-#include "MessageCatcher.h"
+#include "PieceFiles.h"
 #include "XMLNames.h"
-#include "vtkMoteDataWriter.h"
 
 #include "kernels/core/AtomicFile.h"
 #include "kernels/core/Error.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkBoundingBox.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkErrorCode.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
@@ -26,7 +23,6 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <system_error>
 #include <vector>
 
 namespace
@@ -170,34 +166,6 @@ int vtkMotePiecesWriter::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-/// Writes a piece, which is so large a share of the work. False where that was stopped.
-bool vtkMotePiecesWriter::WritePiece(
-  vtkDataSet* piece, const std::string& name, double done, double share)
-{
-  vtkNew<vtkMoteDataWriter> writer;
-  writer->SetInputData(piece);
-  writer->SetFileName(name.c_str());
-  vtkNew<vtkCallbackCommand> relay;
-  auto report = [&]
-  {
-    this->UpdateProgress(done + share * writer->GetProgress());
-    writer->SetAbortExecute(this->GetAbortExecute());
-  };
-  relay->SetClientData(&report);
-  relay->SetCallback([](vtkObject*, unsigned long, void* data, void*)
-    { (*static_cast<decltype(report)*>(data))(); });
-  writer->AddObserver(vtkCommand::ProgressEvent, relay);
-  const mote::MessageCatcher messages(writer); // they come again as this writer's
-  if (writer->Write())
-    return true;
-  if (this->GetAbortExecute())
-    return false;
-  throw mote::WriteError(writer->GetErrorCode() == vtkErrorCode::OutOfDiskSpaceError
-                           ? mote::WriteError::Kind::NoSpace
-                           : mote::WriteError::Kind::CannotOpen,
-    writer->GetErrorMessage());
-}
-
 bool vtkMotePiecesWriter::WriteFile()
 {
   namespace fs = std::filesystem;
@@ -214,30 +182,21 @@ bool vtkMotePiecesWriter::WriteFile()
   if (ending == ".pvtp" && !vtkPolyData::SafeDownCast(data))
     throw mote::Error(
       "a .pvtp file holds points, lines and polygons; other cells go into a .pvtu file.");
-  const std::string stem = index.stem().string();
-  const fs::path folder = index.parent_path() / stem;
-  std::error_code failed;
-  fs::create_directories(folder, failed);
-  if (failed)
-    throw mote::Error(
-      "the folder \"" + folder.string() + "\" cannot be made: " + failed.message() + ".");
+  mote::PieceFiles files(index.string());
   mote::AtomicFile file(index.string());
   const Ids ids = cut(data, this->NumberOfPieces);
-  std::vector<std::string> names;
+  const double share = 1.0 / static_cast<double>(ids.size());
   vtkSmartPointer<vtkDataSet> piece;
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
     piece = pieceOf(data, ids[i]);
-    names.push_back(stem + '/' + stem + '_' + std::to_string(i) + '.' + ending.substr(2));
-    const double share = 1.0 / static_cast<double>(ids.size());
-    if (!this->WritePiece(piece, (index.parent_path() / names.back()).string(),
-          static_cast<double>(i) * share, share))
+    if (!files.write(this, piece, '.' + ending.substr(2), static_cast<double>(i) * share, share))
       return false;
   }
-  const std::string text = indexOf(vtkPointSet::SafeDownCast(piece), ending, names);
+  const std::string text = indexOf(vtkPointSet::SafeDownCast(piece), ending, files.names());
   file.write(text.data(), text.size());
   file.commit();
-  this->NumberOfWrittenPieces = static_cast<int>(names.size());
+  this->NumberOfWrittenPieces = static_cast<int>(ids.size());
   return true;
 }
 

@@ -20,8 +20,6 @@
 
 #include <string> // for endings
 
-class vtkDataSet;
-
 class MOTEFILTERSIO_EXPORT vtkMotePiecesWriter : public vtkMoteFileWriter
 {
 public:
@@ -56,8 +54,6 @@ protected:
 private:
   vtkMotePiecesWriter(const vtkMotePiecesWriter&) = delete;
   void operator=(const vtkMotePiecesWriter&) = delete;
-
-  bool WritePiece(vtkDataSet* piece, const std::string& name, double done, double share);
 
   int NumberOfPieces = 8;
   int NumberOfWrittenPieces = 0;

@@ -9,9 +9,11 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray,
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
+    vtkCompositeDataSet,
     vtkDataObject,
     vtkDataSet,
     vtkImageData,
+    vtkMultiBlockDataSet,
     vtkPolyData,
 )
 from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -461,24 +463,38 @@ def show(scene, **settings):
         _program.show(scene._data, [], json.dumps(chosen))
 
 
+def _blocks(scene):
+    blocks = vtkMultiBlockDataSet()
+    for index, (name, data) in enumerate(scene._data):
+        blocks.SetBlock(index, data)
+        blocks.GetMetaData(index).Set(vtkCompositeDataSet.NAME(), name)
+    return blocks
+
+
 def write(scene, path):
     """Writes the data of a scene as a file that other programs read: .vtp for particles and surfaces, .vtu for
-    any cells, .xyz or .xyz.gz (extended XYZ) for particles. All of them, whatever the settings hide.
+    any cells, .xyz or .xyz.gz (extended XYZ) for particles, .vtm for any number of data sets, as blocks. All of
+    them, whatever the settings hide.
 
-    scene: what render() takes; it must hold one data set.
+    scene: what render() takes; it must hold one data set, but for .vtm.
     path: the file, which is replaced where it is there. It appears whole or not at all.
 
     Raises ValueError for a scene of several data sets, and mote.Error for what cannot be written.
 
     >>> mote.write(mote.read("run.dump"), "run.xyz")
     """
-    data = [one for one in _as_scene(scene).data if isinstance(one, vtkDataSet)]
-    if len(data) != 1:
-        raise ValueError(f"a file holds one data set, and the scene has {len(data)}")
-    from . import vtkMoteDataWriter
+    from . import vtkMoteBlocksWriter, vtkMoteDataWriter
 
-    writer = vtkMoteDataWriter()
-    writer.SetInputData(data[0])
+    scene = _as_scene(scene)
+    if vtkMoteBlocksWriter.EndingOf(os.fspath(path)):
+        writer = vtkMoteBlocksWriter()
+        writer.SetInputData(_blocks(scene))
+    else:
+        data = [one for one in scene.data if isinstance(one, vtkDataSet)]
+        if len(data) != 1:
+            raise ValueError(f"a file holds one data set, and the scene has {len(data)}; a .vtm file holds any number")
+        writer = vtkMoteDataWriter()
+        writer.SetInputData(data[0])
     writer.SetFileName(os.fspath(path))
     writer.AddObserver("ErrorEvent", lambda *_: None)  # the exception tells it
     if not writer.Write():

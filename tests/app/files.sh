@@ -189,6 +189,22 @@ END
     one_sentence
     said err 'ranks read in parts'
     run 2 "$mote" convert "$copper" a.pvtp --pieces 0
+    # All parts, as blocks.
+    run 0 "$mote" convert pump:0.02 all.vtm
+    said out '3 blocks'
+    for file in pump:0.02 all.vtm; do
+      run 0 "$mote" render "$file" -o one.png --size 300x200 --caption ''
+      mv one.png "$(basename "$file" .vtm).png"
+    done
+    cmp pump:0.02.png all.png || fail "blocks make another picture"
+    run 0 "$mote" convert all.vtm some.vtm --hide-part inlet --show pressure=1e5:
+    said out '2 blocks'
+    run 1 "$mote" convert all/all_0.vtu all.vtm
+    one_sentence
+    said err 'lies in the folder'
+    run 1 "$mote" convert all.vtm none.vtm --show pressure=1e9:
+    one_sentence
+    said err 'none.vtm would be empty'
     run 1 "$mote" convert pump:0.02:rotor a.pvtp
     one_sentence
     said err 'a .pvtp file holds'
@@ -200,6 +216,14 @@ END
     [ $? = 1 ] || fail "a full disk went unnoticed"
     one_sentence
     [ ! -e full.pvtu ] || fail "an index of pieces that are not there"
+    (
+      trap '' XFSZ
+      ulimit -f 50
+      "$mote" convert all.vtm full.vtm >/dev/null 2>err
+    )
+    [ $? = 1 ] || fail "a full disk went unnoticed by blocks"
+    one_sentence
+    [ ! -e full.vtm ] || fail "an index of blocks that are not there"
     ;;
   generated) # particles that are made, wherever a file may be named
     for input in lattice:5000 random:5000:0.01 varied:5000; do

@@ -240,6 +240,11 @@ class Files(Folder):
         with self.assertRaisesRegex(ValueError, "the scene has 2"):
             mote.write(scene + scene, self.folder / "b.vtp")
         self.assertEqual(len(os.listdir(self.folder)), 4)
+        mote.write(scene + scene, self.folder / "b.vtm")
+        both = mote.read(self.folder / "b.vtm")
+        self.assertEqual(len(both.data), 2)
+        for data in both.data:
+            self.assertEqual(data.GetNumberOfPoints(), 500)
 
 
 class Errors(Folder):
