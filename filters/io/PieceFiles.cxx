@@ -13,6 +13,7 @@
 #include "vtkNew.h"
 
 #include <filesystem>
+#include <string>
 #include <system_error>
 
 namespace mote
@@ -21,23 +22,43 @@ namespace mote
 namespace fs = std::filesystem;
 
 PieceFiles::PieceFiles(const std::string& index)
-  : parent_(fs::path(index).parent_path().string())
-  , stem_(fs::path(index).stem().string())
+  : parent_(fs::path(index).parent_path())
+  , stem_(fs::path(index).stem())
 {
-  const fs::path folder = fs::path(parent_) / stem_;
+  const fs::path folder = parent_ / stem_;
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (failed)
     throw Error("the folder \"" + folder.string() + "\" cannot be made: " + failed.message() + ".");
 }
 
+PieceFiles::~PieceFiles()
+{
+  std::error_code ignored; // some may not have been written
+  for (std::size_t piece = inPlace_; piece < names_.size(); ++piece)
+    fs::remove(this->written(piece), ignored);
+}
+
+std::string PieceFiles::written(std::size_t piece) const
+{
+  const fs::path name = parent_ / names_[piece];
+  return fs::path(name).replace_extension(".new" + name.extension().string()).string();
+}
+
+void PieceFiles::commit()
+{
+  for (; inPlace_ < names_.size(); ++inPlace_)
+    moveIntoPlace(this->written(inPlace_), (parent_ / names_[inPlace_]).string());
+}
+
 bool PieceFiles::write(vtkMoteFileWriter* writer, vtkDataSet* piece, const std::string& ending,
   double done, double share)
 {
-  names_.push_back(stem_ + '/' + stem_ + '_' + std::to_string(names_.size()) + ending);
+  names_.push_back(
+    stem_.string() + '/' + stem_.string() + '_' + std::to_string(names_.size()) + ending);
   vtkNew<vtkMoteDataWriter> one;
   one->SetInputData(piece);
-  one->SetFileName((fs::path(parent_) / names_.back()).c_str());
+  one->SetFileName(this->written(names_.size() - 1).c_str());
   vtkNew<vtkCallbackCommand> relay;
   auto report = [&]
   {
@@ -53,10 +74,15 @@ bool PieceFiles::write(vtkMoteFileWriter* writer, vtkDataSet* piece, const std::
     return true;
   if (writer->GetAbortExecute())
     return false;
+  std::string problem = one->GetErrorMessage();
+  const fs::path name = parent_ / names_.back(); // the one that it was to have
+  const std::string present = this->written(names_.size() - 1);
+  if (const auto at = problem.find(present); at != std::string::npos)
+    problem.replace(at, present.size(), name.string());
   throw WriteError(one->GetErrorCode() == vtkErrorCode::OutOfDiskSpaceError
                      ? WriteError::Kind::NoSpace
                      : WriteError::Kind::CannotOpen,
-    one->GetErrorMessage());
+    problem);
 }
 
 } // namespace mote

@@ -96,6 +96,7 @@ bool vtkMoteBlocksWriter::WriteFile()
           static_cast<double>(i) * share, share))
       return false;
   const std::string text = indexOf(blocks, files.names());
+  files.commit();
   index.write(text.data(), text.size());
   index.commit();
   return true;

@@ -27,8 +27,11 @@
 #include "vtkXMLUnstructuredGridWriter.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <filesystem>
 #include <optional>
+#include <system_error>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #include <vector>
@@ -223,7 +226,11 @@ bool vtkMoteDataWriter::WriteXML(
     return false;
   if (isWritten && problem.empty())
     return true;
-  file.write("\n", 1); // what the system says to that is why VTK could not write, mostly
+  // What the system says to more at its end is why VTK could not write, mostly.
+  std::error_code ignored;
+  const std::uintmax_t size = std::filesystem::file_size(file.openName(), ignored);
+  const std::array<char, 4096> more{};
+  file.rewrite(ignored ? 0 : size, more.data(), more.size());
   if (writer->GetErrorCode() == vtkErrorCode::OutOfDiskSpaceError)
     throw mote::WriteError(mote::WriteError::Kind::NoSpace,
       "Cannot write \"" + std::string(this->FileName) + "\": there is no more space for it.");

@@ -194,6 +194,7 @@ bool vtkMotePiecesWriter::WriteFile()
       return false;
   }
   const std::string text = indexOf(vtkPointSet::SafeDownCast(piece), ending, files.names());
+  files.commit();
   file.write(text.data(), text.size());
   file.commit();
   this->NumberOfWrittenPieces = static_cast<int>(ids.size());

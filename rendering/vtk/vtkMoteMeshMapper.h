@@ -5,11 +5,12 @@
  * Input is a vtkPolyData, whose polygons and strips are cut into triangles, or any other
  * vtkPointSet, such as a vtkUnstructuredGrid, of which the faces are drawn that no two cells share,
  * and the cells that are flat; where parts of a grid that share no point meet, as a rotor and its
- * stator do, faces that cells of the other part cover are left out. Lines and vertices are left out, as are triangles with a corner that
- * is not finite, with a warning that counts them. Both sides of triangles are drawn alike, but for
- * the opacity of the actor's BackfaceProperty, where it has one: walls of cells that face the eye
- * can be left out by opacity 0, and those behind them be opaque. Outer faces of cells look
- * outwards, polygons to where their corners go round against the clock.
+ * stator do, faces that cells of the other part cover are left out. Lines and vertices are left
+ * out, as are triangles with a corner that is not finite, with a warning that counts them. Both
+ * sides of triangles are drawn alike, but for the opacity of the actor's BackfaceProperty, where it
+ * has one: walls of cells that face the eye can be left out by opacity 0, and those behind them be
+ * opaque. Outer faces of cells look outwards, polygons to where their corners go round against the
+ * clock.
  *
  * Use it with a vtkActor, as any mapper: position, scale and orientation of the actor, visibility,
  * and the ambient, diffuse, specular and opacity terms and the colour of its vtkProperty hold. What

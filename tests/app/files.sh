@@ -159,7 +159,7 @@ END
       )
       [ $? = 1 ] || fail "a full disk went unnoticed by $file"
       one_sentence
-      said err $file
+      said err "$file\": the file is larger than the limit"
     done
     [ -z "$(ls -A | grep -e full -e tmp)" ] || { ls -A; fail "something was left"; }
     ;;
@@ -215,6 +215,7 @@ END
     )
     [ $? = 1 ] || fail "a full disk went unnoticed"
     one_sentence
+    said err 'full_0.vtu": the file is larger than the limit'
     [ ! -e full.pvtu ] || fail "an index of pieces that are not there"
     (
       trap '' XFSZ
@@ -223,7 +224,18 @@ END
     )
     [ $? = 1 ] || fail "a full disk went unnoticed by blocks"
     one_sentence
+    said err 'full_0.vtu": the file is larger than the limit'
     [ ! -e full.vtm ] || fail "an index of blocks that are not there"
+    # What was there stays, and nothing is left over.
+    cp all.vtm old.vtm
+    cp -r all old
+    (
+      trap '' XFSZ
+      ulimit -f 500
+      "$mote" convert pump:0.02 all.vtm >/dev/null 2>err
+    )
+    [ $? = 1 ] || fail "a full disk went unnoticed by other blocks"
+    cmp all.vtm old.vtm && diff -r all old || fail "the old blocks did not stay"
     ;;
   generated) # particles that are made, wherever a file may be named
     for input in lattice:5000 random:5000:0.01 varied:5000; do

@@ -42,6 +42,8 @@ CASES = [
     Case("convert-mesh", ["mesh.ply"], "convert mesh.ply out.mote", ["out.mote"]),
     Case("convert-vtp", ["hopper.dump"], "convert hopper.dump --show x=0: out.vtp", ["out.vtp"]),
     Case("convert-vtu", ["swirl.0.vtu"], "convert swirl.0.vtu --show x=0: out.vtu", ["out.vtu"]),
+    Case("convert-vtm", ["hopper.dump", "swirl.0.vtu"], "convert hopper.dump swirl.0.vtu out.vtm",
+         ["out.vtm", "out/out_0.vtp", "out/out_1.vtu"]),
     Case("convert-xyz", ["hopper.dump"], "convert hopper.dump out.xyz.gz", ["out.xyz.gz"]),
     Case("render", ["hopper.dump"], "render hopper.dump -o out.png --shadows hard "
          "--save-session out.json" + SMALL, ["out.png", "out.json"]),
@@ -118,6 +120,7 @@ class Faults:
             shutil.copy(self.inputs / name, place / name)
             (place / name).chmod(0o444)  # which the injector knows them by
         for name in case.outputs:
+            (place / name).parent.mkdir(exist_ok=True)
             (place / name).write_bytes(OLD)
         environment = dict(self.environment, LD_PRELOAD=self.arguments.library,
                            MOTE_FAULT_IN=str(place), MOTE_FAULT_BYTES=str(LARGE))
@@ -137,7 +140,8 @@ class Faults:
         except subprocess.TimeoutExpired:
             code, said, told = "no end", "", ""
         files = {name: content_of(place / name) for name in case.outputs}
-        left = sorted({p.name for p in place.iterdir()} - set(case.inputs) - set(case.outputs))
+        there = {str(p.relative_to(place)) for p in place.rglob("*") if not p.is_dir()}
+        left = sorted(there - set(case.inputs) - set(case.outputs))
         return Result(code, said, told, files, left)
 
     def places(self, case):
@@ -191,7 +195,8 @@ class Faults:
     def judge_killed(self, good, got):
         if got.code != -signal.SIGKILL:
             return None if got.code in (0, 1) else "exit code %s" % got.code  # no such call this time
-        left = [name for name in got.left if ".part." not in name and not name.startswith(".mote-")]
+        left = [name for name in got.left if ".part." not in name and ".new." not in name
+                and not os.path.basename(name).startswith(".mote-")]
         if left:
             return "left over: " + " ".join(left)
         for name, content in got.files.items():
