@@ -11,6 +11,7 @@
 #include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cctype>

@@ -3,7 +3,6 @@
 #include "kernels/core/Vec.h"
 
 #include "vtkNew.h"
-#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <algorithm>
