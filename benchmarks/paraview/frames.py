@@ -2,16 +2,19 @@
 
     PYTHONPATH=plugins/paraview/tests scripts/paraview batch benchmarks/paraview/frames.py
 
-1024x1024, the camera moves between frames, medians.
+1024x1024, the camera moves between frames, medians. With a share behind its name, such as 0.01, it
+draws so many of the particles and cells: a look at whether it works.
 """
 
 import statistics
+import sys
 import time
 
 import numpy as np
-from checks import numpy_support, picture, points, simple, source, view_of, vtk
+from checks import numpy_support, picture, points, producer_of, simple, view_of, vtk
 
 random = np.random.default_rng(1)
+share = float(sys.argv[1]) if len(sys.argv) > 1 else 1.0
 
 
 def particles(count):
@@ -22,7 +25,7 @@ def particles(count):
     cells.SetData(numpy_support.numpy_to_vtkIdTypeArray(ids, deep=True),
                   numpy_support.numpy_to_vtkIdTypeArray(ids[:-1], deep=True))
     data.SetVerts(cells)
-    return source(data), 0.5 * 100.0 / count ** (1 / 3)
+    return producer_of(data), 0.5 * 100.0 / count ** (1 / 3)
 
 
 def hexahedra(n):
@@ -48,7 +51,7 @@ def hexahedra(n):
     opacities = simple.GetOpacityTransferFunction("f")
     opacities.Points = [-1.5, 0.0, 0.5, 0.0, 0.0, 0.1, 0.5, 0.0, 1.5, 0.6, 0.5, 0.0]
     simple.GetColorTransferFunction("f").RescaleTransferFunction(-1.5, 1.5)
-    return source(grid)
+    return producer_of(grid)
 
 
 def measure(what, data, kind, group, array, frames=7, **properties):
@@ -80,6 +83,7 @@ def measure(what, data, kind, group, array, frames=7, **properties):
 
 print("| data | representation | first, s | frame, s | without FXAA |\n|---|---|---|---|---|")
 for count, theirs in ((8_000_000, "Point Gaussian"), (100_000, "Point Gaussian"), (100_000, "3D Glyphs")):
+    count = int(share * count)
     data, radius = particles(count)
     what = f"{count:,} particles"
     for samples in (1, 4):
@@ -89,9 +93,10 @@ for count, theirs in ((8_000_000, "Point Gaussian"), (100_000, "Point Gaussian")
            "3D Glyphs": {"GlyphType": "Sphere", "ScaleFactor": 2 * radius}}[theirs]
     measure(what, data, theirs, "GeometryRepresentation", "v", frames=5, **own)
     simple.Delete(data)
-data = hexahedra(60)
+side = round(60 * share ** (1 / 3))
+data = hexahedra(side)
 for kind in ("Mote Volume", "Volume"):
-    measure("216,000 hexahedra", data, kind, "UnstructuredGridRepresentation", "f", frames=9,
+    measure(f"{side ** 3:,} hexahedra", data, kind, "UnstructuredGridRepresentation", "f", frames=9,
             ScalarOpacityUnitDistance=0.1)
 
 # How far pictures are from one in which every pixel is traced with hardly any tolerance.
