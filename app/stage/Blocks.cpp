@@ -109,6 +109,14 @@ vtkSmartPointer<vtkDataSet> withCells(vtkDataSet* data, const std::string& name)
   return cells;
 }
 
+/// A block has the time of the whole, unless it has one of its own.
+void passTime(vtkDataObject* whole, vtkDataObject* block)
+{
+  auto* key = vtkDataObject::DATA_TIME_STEP();
+  if (whole->GetInformation()->Has(key) && !block->GetInformation()->Has(key))
+    block->GetInformation()->Set(key, whole->GetInformation()->Get(key));
+}
+
 } // namespace
 
 vtkSmartPointer<vtkDataObject> sharingCopy(vtkDataObject* object)
@@ -144,6 +152,7 @@ std::vector<NamedData> dataSetsOf(vtkDataObject* object, const std::string& name
     const std::string full = name + ": " + blocks[i];
     NamedData one{full, withCells(leaves[i].data, full)};
     one.block = blocks[i];
+    passTime(composite, one.data);
     dimensions.push_back(dimensionOf(one.data));
     all.push_back(std::move(one));
   }

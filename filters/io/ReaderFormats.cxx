@@ -1,7 +1,5 @@
 #include "ReaderFormats.h"
 
-#include "PieceWelds.h"
-
 #include "BgeoFile.h"
 #include "CGNSReader.h"
 #include "EnSightReader.h"
@@ -22,6 +20,7 @@
 #include "VTKHDFFile.h"
 #include "VTKHDFReader.h"
 #include "XMLCheck.h"
+#include "XMLReaders.h"
 #include "vtkMoteCollectionReader.h"
 #include "vtkMoteDelimitedPointsReader.h"
 #include "vtkMoteFileSeriesReader.h"
@@ -38,7 +37,6 @@
 #include "kernels/particles/GeneratedParticles.h"
 #include "kernels/particles/PkdTreeFile.h"
 
-#include "vtkDataArraySelection.h"
 #include "vtkGLTFReader.h"
 #include "vtkGenericDataObjectReader.h"
 #include "vtkNew.h"
@@ -46,25 +44,10 @@
 #include "vtkObjectFactory.h"
 #include "vtkPLYReader.h"
 #include "vtkSTLReader.h"
-#include "vtkUnstructuredGrid.h"
-#include "vtkXMLDataElement.h"
-#include "vtkXMLImageDataReader.h"
-#include "vtkXMLMultiBlockDataReader.h"
-#include "vtkXMLPImageDataReader.h"
-#include "vtkXMLPPolyDataReader.h"
-#include "vtkXMLPRectilinearGridReader.h"
-#include "vtkXMLPStructuredGridReader.h"
-#include "vtkXMLPUnstructuredGridReader.h"
-#include "vtkXMLPolyDataReader.h"
-#include "vtkXMLRectilinearGridReader.h"
-#include "vtkXMLStructuredGridReader.h"
-#include "vtkXMLUnstructuredGridReader.h"
 
 #include <array>
 #include <cstring>
 #include <fstream>
-
-#include <vtksys/SystemTools.hxx>
 
 namespace mote
 {
@@ -136,95 +119,6 @@ vtkSmartPointer<vtkAlgorithm> makeGLTF(const FileNames& fileNames)
   checkGLTF(fileNames.front());
   return make<vtkGLTFReader>(fileNames);
 }
-
-/// A reader of one of VTK's XML files. Where cell data are too short, VTK 9.1 names the element of
-/// the point data in its message, and crashes where there is none: this adds an empty one.
-template <class Reader>
-class WithPointData : public Reader
-{
-public:
-  static WithPointData* New() { VTK_STANDARD_NEW_BODY(WithPointData); }
-
-protected:
-  int ReadPiece(vtkXMLDataElement* piece) override
-  {
-    if (!piece->FindNestedElementWithName("PointData"))
-    {
-      vtkNew<vtkXMLDataElement> none;
-      none->SetName("PointData");
-      piece->AddNestedElement(none);
-    }
-    return Reader::ReadPiece(piece);
-  }
-};
-
-/// A reader of pieces that reads each as a file by itself, with WithPointData.
-template <class Reader, class PieceReader>
-class InPieces : public Reader
-{
-public:
-  static InPieces* New() { VTK_STANDARD_NEW_BODY(InPieces); }
-
-protected:
-  vtkXMLDataReader* CreatePieceReader() override { return WithPointData<PieceReader>::New(); }
-};
-
-/// Puts pieces together with one point where each has a copy.
-class WeldingGridReader
-  : public InPieces<vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader>
-{
-public:
-  static WeldingGridReader* New() { VTK_STANDARD_NEW_BODY(WeldingGridReader); }
-
-protected:
-  void ReadXMLData() override
-  {
-    this->Superclass::ReadXMLData();
-    if (this->DataError)
-      return; // some points are not there
-    vtkUnstructuredGrid* grid = this->GetOutput();
-    std::vector<vtkIdType> ends;
-    for (int piece = this->StartPiece; piece < this->EndPiece; ++piece)
-      ends.push_back((ends.empty() ? 0 : ends.back()) + this->GetNumberOfPointsInPiece(piece));
-    if (const auto whole = welded(grid, ends); whole != grid)
-      grid->ShallowCopy(whole);
-  }
-};
-
-/// A reader of blocks that reads each of VTK's XML files as one by itself, with WithPointData.
-class BlocksReader : public vtkXMLMultiBlockDataReader
-{
-public:
-  static BlocksReader* New() { VTK_STANDARD_NEW_BODY(BlocksReader); }
-
-protected:
-  vtkDataObject* ReadDataObject(vtkXMLDataElement* element, const char* folder) override
-  {
-    const std::string file = this->GetFileNameFromXML(element, folder);
-    const std::string ending = vtksys::SystemTools::GetFilenameLastExtension(file);
-    return ending == ".vtp"   ? this->readBy<vtkXMLPolyDataReader>(file)
-           : ending == ".vtu" ? this->readBy<vtkXMLUnstructuredGridReader>(file)
-           : ending == ".vti" ? this->readBy<vtkXMLImageDataReader>(file)
-           : ending == ".vts" ? this->readBy<vtkXMLStructuredGridReader>(file)
-           : ending == ".vtr" ? this->readBy<vtkXMLRectilinearGridReader>(file)
-                              : this->Superclass::ReadDataObject(element, folder);
-  }
-
-private:
-  template <class Reader>
-  vtkDataObject* readBy(const std::string& file)
-  {
-    vtkNew<WithPointData<Reader>> reader;
-    reader->SetFileName(file.c_str());
-    reader->GetPointDataArraySelection()->CopySelections(this->GetPointDataArraySelection());
-    reader->GetCellDataArraySelection()->CopySelections(this->GetCellDataArraySelection());
-    reader->Update();
-    vtkDataObject* data = reader->GetOutputDataObject(0);
-    vtkDataObject* own = data->NewInstance();
-    own->ShallowCopy(data);
-    return own;
-  }
-};
 
 /// As makeOneOrSeries(), of VTK's XML files.
 template <class Reader>

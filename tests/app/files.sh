@@ -171,6 +171,7 @@ END
     [ -s pump/pump_3.vtu ] && [ ! -e pump/pump_4.vtu ] || fail "not four pieces"
     for file in whole.vtu pump.pvtu; do
       run 0 "$mote" info "$file"
+      said out 't = 0.0395'
       points=$(grep -o '[0-9,]* points' out)
       [ "${same:=$points}" = "$points" ] || fail "$file: $points, not $same"
       run 0 "$mote" render "$file" -o "$file.png" --size 300x200 --caption '' --color-by pressure
@@ -197,6 +198,11 @@ END
       mv one.png "$(basename "$file" .vtm).png"
     done
     cmp pump:0.02.png all.png || fail "blocks make another picture"
+    run 0 "$mote" info all.vtm
+    [ "$(grep -c 't = 0.0395' out)" = 3 ] || fail "blocks have lost their time"
+    run 0 "$mote" convert pump:0.001 steps.vtm --all-steps
+    run 0 "$mote" info steps.0001.vtm steps.0002.vtm steps.0003.vtm
+    said out 'time steps  3: 0, 0.0005, 0.001'
     run 0 "$mote" convert all.vtm some.vtm --hide-part inlet --show pressure=1e5:
     said out '2 blocks'
     run 1 "$mote" convert all/all_0.vtu all.vtm

@@ -15,6 +15,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -92,6 +95,30 @@ TEST_F(TestBlocksWriter, BlocksComeBackWithTheirNames)
     EXPECT_STREQ(again->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()), names[i]);
   }
   EXPECT_EQ(vtkDataSet::SafeDownCast(again->GetBlock(0))->GetCellType(0), VTK_TETRA);
+}
+
+TEST_F(TestBlocksWriter, TheTimeOfTheBlocksIsThatOfTheFile)
+{
+  const auto data = blocks();
+  data->GetBlock(0)->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), 2.5);
+  ASSERT_EQ(written(data, "timed.vtm"), "");
+  ASSERT_EQ(written(blocks(), "timeless.vtm"), "");
+  for (const auto& [file, times] :
+    {std::pair("timed.vtm", std::vector{2.5}), std::pair("timeless.vtm", std::vector<double>())})
+  {
+    std::string error;
+    const auto reader = vtkMoteReaderTable::MakeReader(path(file), error);
+    ASSERT_TRUE(reader) << error;
+    EXPECT_EQ(vtkMoteReaderTable::GetTimeSteps(reader, error), times) << file;
+  }
+  // An index that names itself has none, and does not hang.
+  std::ofstream(path("round.vtm"))
+    << "<VTKFile type=\"vtkMultiBlockDataSet\"><vtkMultiBlockDataSet>"
+       "<DataSet index=\"0\" file=\"round.vtm\"/>"
+       "</vtkMultiBlockDataSet></VTKFile>";
+  std::string error;
+  const auto reader = vtkMoteReaderTable::MakeReader(path("round.vtm"), error);
+  EXPECT_TRUE(!reader || vtkMoteReaderTable::GetTimeSteps(reader, error).empty());
 }
 
 TEST_F(TestBlocksWriter, WhatCannotBeWrittenLeavesNoIndex)

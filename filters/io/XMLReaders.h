@@ -1,0 +1,150 @@
+#ifndef MoteXMLReaders_h
+#define MoteXMLReaders_h
+
+// VTK's readers of XML files, mended where files of users need it.
+
+#include "PieceWelds.h"
+#include "TimeSteps.h"
+
+#include "vtkDataArraySelection.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkXMLDataElement.h"
+#include "vtkXMLImageDataReader.h"
+#include "vtkXMLMultiBlockDataReader.h"
+#include "vtkXMLPImageDataReader.h"
+#include "vtkXMLPPolyDataReader.h"
+#include "vtkXMLPRectilinearGridReader.h"
+#include "vtkXMLPStructuredGridReader.h"
+#include "vtkXMLPUnstructuredGridReader.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLRectilinearGridReader.h"
+#include "vtkXMLStructuredGridReader.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <vtksys/SystemTools.hxx>
+
+namespace mote
+{
+
+/// A reader of one of VTK's XML files. Where cell data are too short, VTK 9.1 names the element of
+/// the point data in its message, and crashes where there is none: this adds an empty one.
+template <class Reader>
+class WithPointData : public Reader
+{
+public:
+  static WithPointData* New() { VTK_STANDARD_NEW_BODY(WithPointData); }
+
+protected:
+  int ReadPiece(vtkXMLDataElement* piece) override
+  {
+    if (!piece->FindNestedElementWithName("PointData"))
+    {
+      vtkNew<vtkXMLDataElement> none;
+      none->SetName("PointData");
+      piece->AddNestedElement(none);
+    }
+    return Reader::ReadPiece(piece);
+  }
+};
+
+/// The time that the first one tells of the files that an index of pieces or blocks names.
+std::optional<double> timeOfFiles(const std::string& index);
+
+/// A reader of such an index, which by VTK itself has no time.
+template <class Reader>
+class WithTimeOfFiles : public Reader
+{
+protected:
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
+  {
+    if (!this->Reader::RequestInformation(request, inputs, outputs))
+      return 0;
+    vtkInformation* information = outputs->GetInformationObject(0);
+    if (!information->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS()))
+      if (const auto time = timeOfFiles(this->GetFileName()))
+        offerTimeSteps(information, {*time});
+    return 1;
+  }
+};
+
+/// A reader of pieces that reads each as a file by itself, with WithPointData.
+template <class Reader, class PieceReader>
+class InPieces : public WithTimeOfFiles<Reader>
+{
+public:
+  static InPieces* New() { VTK_STANDARD_NEW_BODY(InPieces); }
+
+protected:
+  vtkXMLDataReader* CreatePieceReader() override { return WithPointData<PieceReader>::New(); }
+};
+
+/// Puts pieces together with one point where each has a copy.
+class WeldingGridReader
+  : public InPieces<vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader>
+{
+public:
+  static WeldingGridReader* New() { VTK_STANDARD_NEW_BODY(WeldingGridReader); }
+
+protected:
+  void ReadXMLData() override
+  {
+    this->Superclass::ReadXMLData();
+    if (this->DataError)
+      return; // some points are not there
+    vtkUnstructuredGrid* grid = this->GetOutput();
+    std::vector<vtkIdType> ends;
+    for (int piece = this->StartPiece; piece < this->EndPiece; ++piece)
+      ends.push_back((ends.empty() ? 0 : ends.back()) + this->GetNumberOfPointsInPiece(piece));
+    if (const auto whole = welded(grid, ends); whole != grid)
+      grid->ShallowCopy(whole);
+  }
+};
+
+/// A reader of blocks that reads each of VTK's XML files as one by itself, with WithPointData.
+class BlocksReader : public WithTimeOfFiles<vtkXMLMultiBlockDataReader>
+{
+public:
+  static BlocksReader* New() { VTK_STANDARD_NEW_BODY(BlocksReader); }
+
+protected:
+  vtkDataObject* ReadDataObject(vtkXMLDataElement* element, const char* folder) override
+  {
+    const std::string file = this->GetFileNameFromXML(element, folder);
+    const std::string ending = vtksys::SystemTools::GetFilenameLastExtension(file);
+    return ending == ".vtp"   ? this->readBy<vtkXMLPolyDataReader>(file)
+           : ending == ".vtu" ? this->readBy<vtkXMLUnstructuredGridReader>(file)
+           : ending == ".vti" ? this->readBy<vtkXMLImageDataReader>(file)
+           : ending == ".vts" ? this->readBy<vtkXMLStructuredGridReader>(file)
+           : ending == ".vtr" ? this->readBy<vtkXMLRectilinearGridReader>(file)
+                              : this->Superclass::ReadDataObject(element, folder);
+  }
+
+private:
+  template <class Reader>
+  vtkDataObject* readBy(const std::string& file)
+  {
+    vtkNew<WithPointData<Reader>> reader;
+    reader->SetFileName(file.c_str());
+    reader->GetPointDataArraySelection()->CopySelections(this->GetPointDataArraySelection());
+    reader->GetCellDataArraySelection()->CopySelections(this->GetCellDataArraySelection());
+    reader->Update();
+    vtkDataObject* data = reader->GetOutputDataObject(0);
+    vtkDataObject* own = data->NewInstance();
+    own->ShallowCopy(data);
+    return own;
+  }
+};
+
+} // namespace mote
+
+#endif
