@@ -27,6 +27,13 @@ PieceFiles::PieceFiles(const std::string& index)
 {
   const fs::path folder = parent_ / stem_;
   std::error_code failed;
+  for (const char* ending : {".pvtp", ".pvtu", ".pvti", ".pvts", ".pvtr", ".vtm", ".pvd"})
+  {
+    const fs::path other = parent_ / (stem_.string() + ending);
+    if (other != fs::path(index) && fs::exists(other, failed))
+      throw Error("its pieces would replace those of \"" + other.string() +
+                  "\", which are in the folder of the same name.");
+  }
   fs::create_directories(folder, failed);
   if (failed)
     throw Error("the folder \"" + folder.string() + "\" cannot be made: " + failed.message() + ".");

@@ -17,7 +17,7 @@ namespace mote
 class PieceFiles
 {
 public:
-  /// Makes the folder. Throws Error where it cannot be made.
+  /// Makes the folder. Throws Error where it cannot be made, or is that of another index.
   explicit PieceFiles(const std::string& index);
   ~PieceFiles(); ///< removes those that have not taken their places
   PieceFiles(const PieceFiles&) = delete;

@@ -132,6 +132,9 @@ TEST_F(TestBlocksWriter, WhatCannotBeWrittenLeavesNoIndex)
   std::ofstream(path("taken")) << "mine";
   std::ofstream(path("taken.vtm")) << "old";
   EXPECT_NE(written(blocks(), "taken.vtm").find("cannot be made"), std::string::npos);
+  std::ofstream(path("mine.pvtu")) << "another's pieces";
+  EXPECT_NE(written(blocks(), "mine.vtm").find("mine.pvtu"), std::string::npos);
+  EXPECT_FALSE(fs::exists(path("mine")));
   std::string old;
   std::ifstream(path("taken.vtm")) >> old;
   EXPECT_EQ(old, "old");
