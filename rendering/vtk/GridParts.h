@@ -1,7 +1,10 @@
 #pragma once
 
+#include "kernels/core/ArrayView.h"
+
 #include "vtkType.h"
 
+#include <cstddef>
 #include <vector>
 
 class vtkUnstructuredGrid;
@@ -9,11 +12,32 @@ class vtkUnstructuredGrid;
 namespace mote
 {
 
-struct SurfaceTriangles;
+/// Points in sets, which are joined.
+class PointSets
+{
+public:
+  explicit PointSets(vtkIdType points); ///< each a set of its own
 
-/// For each triangle of the surface of a grid's cells a number of the part that its cell is of:
-/// cells that share a point, by any number of others between, are of one part. Empty where all are
-/// of one.
-std::vector<vtkIdType> partsOfSurface(const SurfaceTriangles& surface, vtkUnstructuredGrid* grid);
+  vtkIdType of(vtkIdType point); ///< the least point of its set
+  void join(vtkIdType a, vtkIdType b);
+  void joinCells(vtkUnstructuredGrid* grid); ///< the points of each cell
+
+private:
+  vtkIdType& up(vtkIdType point) { return up_[static_cast<std::size_t>(point)]; }
+
+  std::vector<vtkIdType> up_;
+};
+
+/// Whether triangles of a surface are of one set by the points that they share, of so many.
+bool hangsTogether(const ArrayView& triangles, vtkIdType points);
+
+/// Whether a grid has so many points that many cells must have their own, as those of discontinuous
+/// values have.
+bool hasManyPoints(vtkUnstructuredGrid* grid);
+
+/// For each point of a grid the one that stands for it where cells of different parts, which are
+/// `parts`, have points at one place: the least of these. Where two points of one part are at a
+/// place, as on both sides of a thin wall, all there stand for themselves. Empty where all do.
+std::vector<vtkIdType> weldsOf(vtkUnstructuredGrid* grid, PointSets& parts);
 
 } // namespace mote

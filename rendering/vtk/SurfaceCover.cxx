@@ -47,10 +47,11 @@ std::vector<double> turnsOf(const SurfaceFaces& faces)
           at[corner].push_back(f);
   }
   std::vector<double> least(all.size(), 1.0); // cosines
+  constexpr std::size_t most = 32;            // of those at a corner, which may be the tip of many
   for (const std::vector<std::size_t>& meeting : at)
     for (const std::size_t one : meeting)
-      for (const std::size_t other : meeting)
-        if (const double cosine = glm::dot(normals[one], normals[other]); cosine > sharpest)
+      for (std::size_t k = 0; k < meeting.size(); k += 1 + meeting.size() / most)
+        if (const double cosine = glm::dot(normals[one], normals[meeting[k]]); cosine > sharpest)
           least[one] = std::min(least[one], cosine);
   std::transform(least.begin(), least.end(), least.begin(), [](double c) { return std::acos(c); });
   return least;

@@ -7,9 +7,9 @@
 #include "SurfaceTriangles.h"
 
 #include "vtkPoints.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace mote
 {
@@ -101,15 +101,18 @@ std::vector<std::uint8_t> coveredByOther(const SeamSurface& surface, const SeamS
   return marks;
 }
 
-std::vector<std::uint8_t> coveredByParts(const SurfaceTriangles& surface, vtkUnstructuredGrid* grid)
+std::vector<std::uint8_t> coveredByParts(
+  const SurfaceTriangles& surface, vtkPoints* points, PointSets& parts)
 {
-  const std::vector<vtkIdType> parts = partsOfSurface(surface, grid);
-  if (parts.empty())
+  std::vector<vtkIdType> partOf(surface.view().count());
+  for (std::size_t t = 0; t < partOf.size(); ++t)
+    partOf[t] = parts.of(static_cast<vtkIdType>(surface.view().value(t, 0)));
+  if (std::adjacent_find(partOf.begin(), partOf.end(), std::not_equal_to<>()) == partOf.end())
     return {};
-  const SeamSurface own(surface, grid->GetPoints());
+  const SeamSurface own(surface, points);
   std::vector<std::uint8_t> marks(own.faces().triangles().size(), 0);
   own.cover().mark(own.cover(), Mat4d(1.0), marks,
-    [&](std::size_t one, std::size_t other) { return parts[one] != parts[other]; });
+    [&](std::size_t one, std::size_t other) { return partOf[one] != partOf[other]; });
   return marks;
 }
 

@@ -8,11 +8,11 @@
 #include <vector>
 
 class vtkPoints;
-class vtkUnstructuredGrid;
 
 namespace mote
 {
 
+class PointSets;
 class SurfaceCover;
 class SurfaceFaces;
 struct SurfaceTriangles;
@@ -57,6 +57,6 @@ std::vector<std::uint8_t> coveredByOther(const SeamSurface& surface, const SeamS
 /// the grid, such as a rotor in its stator: cells that share a point, by any number of others
 /// between, are of one part.
 std::vector<std::uint8_t> coveredByParts(
-  const SurfaceTriangles& surface, vtkUnstructuredGrid* grid);
+  const SurfaceTriangles& surface, vtkPoints* points, PointSets& parts);
 
 } // namespace mote

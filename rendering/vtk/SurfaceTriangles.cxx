@@ -1,5 +1,7 @@
 #include "SurfaceTriangles.h"
 
+#include "GridParts.h"
+
 #include "kernels/core/Error.h"
 #include "kernels/core/Vec.h"
 
@@ -24,6 +26,7 @@
 #include <algorithm>
 #include <initializer_list>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -271,14 +274,47 @@ void turnOutwards(vtkUnstructuredGrid* grid, vtkIdTypeArray* corners, SurfaceTri
     });
 }
 
-/// Triangles of the faces, in points and cells of `data`.
-SurfaceTriangles trianglesOfFaces(vtkPointSet* data, vtkUnsignedCharArray* isVisible)
+/// The cells of a grid with the points that stand for theirs.
+vtkSmartPointer<vtkCellArray> weldedCells(
+  vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& welds)
 {
-  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
-    checkIndices(grid->GetCells(), grid->GetNumberOfPoints());
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->DeepCopy(grid->GetCells());
+  vtkDataArray* points = cells->GetConnectivityArray();
+  for (vtkIdType i = 0; i < points->GetNumberOfTuples(); ++i)
+    points->SetComponent(
+      i, 0, static_cast<double>(welds[static_cast<std::size_t>(points->GetComponent(i, 0))]));
+  return cells;
+}
+
+/// Gives triangles the points of their own cells again.
+void unweld(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& welds, vtkIdTypeArray* corners,
+  const std::vector<vtkIdType>& cells)
+{
+  vtkNew<vtkIdList> ofCell;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    grid->GetCellPoints(cells[i], ofCell);
+    vtkIdType* const of = corners->GetPointer(3 * static_cast<vtkIdType>(i));
+    for (vtkIdType k = 0; k < ofCell->GetNumberOfIds(); ++k)
+      if (const vtkIdType own = ofCell->GetId(k), weld = welds[static_cast<std::size_t>(own)];
+          weld != own)
+        std::replace(of, of + 3, weld, own);
+  }
+}
+
+/// Triangles of the faces, in points and cells of `data`; where cells have `welds` in common these
+/// are not between them.
+SurfaceTriangles trianglesOfFaces(
+  vtkPointSet* data, vtkUnsignedCharArray* isVisible, const std::vector<vtkIdType>& welds = {})
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
   vtkSmartPointer<vtkPointSet> shape;
   shape.TakeReference(data->NewInstance());
   shape->CopyStructure(data);
+  if (!welds.empty())
+    vtkUnstructuredGrid::SafeDownCast(shape)->SetCells(
+      grid->GetCellTypesArray(), weldedCells(grid, welds));
   copyGhosts(data->GetCellData(), shape->GetCellData());
   copyGhosts(data->GetPointData(), shape->GetPointData());
   shape->GetPointData()->AddArray(numbers(pointIds, 0, data->GetNumberOfPoints()));
@@ -309,9 +345,36 @@ SurfaceTriangles trianglesOfFaces(vtkPointSet* data, vtkUnsignedCharArray* isVis
     vtkIdType& cell = found.cells[static_cast<std::size_t>(i)];
     cell = cells->GetValue(own ? i : cell);
   }
-  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  if (!welds.empty())
+    unweld(grid, welds, corners, found.cells);
+  if (grid)
     turnOutwards(grid, corners, found);
   found.corners = DataArrayView(corners);
+  return found;
+}
+
+/// The same of a grid, but for faces between its parts, whether these have the same points there or
+/// others.
+SurfaceTriangles trianglesOfParts(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* isVisible)
+{
+  checkIndices(grid->GetCells(), grid->GetNumberOfPoints());
+  std::optional<PointSets> parts;
+  const auto findParts = [&]
+  {
+    parts.emplace(grid->GetNumberOfPoints());
+    parts->joinCells(grid);
+  };
+  std::vector<vtkIdType> welds; // without which every cell may show all of its faces
+  if (hasManyPoints(grid) && !grid->GetFaces()) // polyhedra have their points in another place
+  {
+    findParts();
+    welds = weldsOf(grid, *parts);
+  }
+  SurfaceTriangles found = trianglesOfFaces(grid, isVisible, welds);
+  if (!parts && !hangsTogether(found.view(), grid->GetNumberOfPoints()))
+    findParts();
+  if (parts)
+    dropTriangles(found, coveredByParts(found, grid->GetPoints(), *parts));
   return found;
 }
 
@@ -336,9 +399,9 @@ SurfaceTriangles surfaceTrianglesOf(
   auto* surface = vtkPolyData::SafeDownCast(data);
   if (!surface)
   {
-    SurfaceTriangles found = trianglesOfFaces(data, isVisible);
-    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
-      dropTriangles(found, coveredByParts(found, grid));
+    auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+    SurfaceTriangles found =
+      grid ? trianglesOfParts(grid, isVisible) : trianglesOfFaces(data, isVisible);
     dropTriangles(found, coveredByCopies(found, data->GetPoints(), copies));
     return found;
   }

@@ -1,8 +1,11 @@
 // vtkMoteMeshMapper on cells that touch: blocks, parts of one grid and copies of a sector have no
 // walls between them, whether they have the same points there or not. It needs no display.
 #include "MeshTestSupport.h"
+#include "SurfaceTriangles.h"
 #include "VolumeTestSupport.h"
 
+#include "vtkDoubleArray.h"
+#include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -235,6 +238,55 @@ TEST(MeshParts, AreNotOnBothSidesOfWallsOfTheirOwn)
   const vtkIdType before = 2 * facesOf({4, 2, 1});
   grid->InsertNextCell(VTK_HEXAHEDRON, 8, corners);
   EXPECT_GE(trianglesOf(grid), before);
+}
+
+TEST(MeshParts, OfCellsWithPointsOfTheirOwnHaveOneSurface)
+{
+  for (const int type : {VTK_TETRA, VTK_WEDGE, VTK_PYRAMID, VTK_HEXAHEDRON})
+  {
+    SCOPED_TRACE(type);
+    const auto whole = gridOf(type);
+    vtkNew<vtkUnstructuredGrid> apart;
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkDoubleArray> cellOf; // values of points, which differ from cell to cell
+    cellOf->SetName("cell");
+    apart->Allocate(whole->GetNumberOfCells());
+    for (vtkIdType i = 0; i < whole->GetNumberOfCells(); ++i)
+    {
+      vtkNew<vtkIdList> ids;
+      for (vtkIdType k = 0; k < whole->GetCell(i)->GetNumberOfPoints(); ++k)
+      {
+        ids->InsertNextId(points->InsertNextPoint(whole->GetCell(i)->GetPoints()->GetPoint(k)));
+        cellOf->InsertNextValue(static_cast<double>(i));
+      }
+      apart->InsertNextCell(whole->GetCellType(i), ids);
+    }
+    apart->SetPoints(points);
+    apart->GetPointData()->AddArray(cellOf);
+    EXPECT_EQ(trianglesOf(apart), trianglesOf(whole));
+    // Cells that are hidden bring the same faces to light.
+    vtkNew<vtkUnsignedCharArray> shown;
+    shown->SetNumberOfValues(whole->GetNumberOfCells());
+    for (vtkIdType i = 0; i < whole->GetNumberOfCells(); ++i)
+      shown->SetValue(i, i % 3 == 0 ? 0 : 1);
+    vtkIdType counts[2];
+    vtkNew<vtkMoteMeshMapper> mapper;
+    mapper->SetVisibleCells(shown);
+    for (vtkUnstructuredGrid* grid : {whole.Get(), apart.Get()})
+    {
+      mapper->SetInputData(grid);
+      mapper->Update();
+      counts[grid == apart.Get()] = mapper->GetNumberOfTriangles();
+    }
+    EXPECT_EQ(counts[0], counts[1]);
+    // Corners are those of the face's own cell, whose values they have.
+    const mote::SurfaceTriangles found = mote::surfaceTrianglesOf(apart);
+    ASSERT_EQ(found.cells.size(), found.view().count());
+    for (std::size_t t = 0; t < found.cells.size(); ++t)
+      for (int k = 0; k < 3; ++k)
+        ASSERT_EQ(cellOf->GetValue(static_cast<vtkIdType>(found.view().value(t, k))),
+          static_cast<double>(found.cells[t]));
+  }
 }
 
 TEST(MeshParts, FarFromTheOriginMeetAsFloatNumbersDo)
