@@ -1,5 +1,7 @@
 #include "GridParts.h"
 
+#include "DataArrayView.h"
+
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -8,9 +10,13 @@
 #include "vtkStaticPointLocator.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -73,9 +79,17 @@ bool hangsTogether(const ArrayView& triangles, vtkIdType points)
 
 bool hasManyPoints(vtkUnstructuredGrid* grid)
 {
-  // Where cells share theirs, a hexahedron of eight corners comes to one point.
+  // Where cells share theirs, a hexahedron of eight corners comes to one point. Polyhedra name
+  // their points in another place, too, where welds do not come.
   vtkCellArray* cells = grid->GetCells();
-  return cells && 5 * grid->GetNumberOfPoints() > cells->GetNumberOfConnectivityIds();
+  const vtkIdType points = grid->GetNumberOfPoints();
+  if (!cells || grid->GetFaces() || 5 * points <= cells->GetNumberOfConnectivityIds())
+    return false;
+  const ArrayView ids = DataArrayView(cells->GetConnectivityArray()).view;
+  for (std::size_t i = 0; i < ids.count(); ++i)
+    if (const double id = ids.value(i); !(id >= 0.0 && id < static_cast<double>(points)))
+      return false; // damaged, of which others tell
+  return true;
 }
 
 std::vector<vtkIdType> weldsOf(vtkUnstructuredGrid* grid, PointSets& parts)
@@ -124,6 +138,57 @@ std::vector<vtkIdType> weldsOf(vtkUnstructuredGrid* grid, PointSets& parts)
     first = end;
   }
   return isWelded ? welds : std::vector<vtkIdType>();
+}
+
+vtkSmartPointer<vtkCellArray> weldedCells(
+  vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& welds)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->DeepCopy(grid->GetCells());
+  vtkDataArray* points = cells->GetConnectivityArray();
+  for (vtkIdType i = 0; i < points->GetNumberOfTuples(); ++i)
+    points->SetComponent(
+      i, 0, static_cast<double>(welds[static_cast<std::size_t>(points->GetComponent(i, 0))]));
+  return cells;
+}
+
+bool haveOneValue(vtkDataArray* array, const std::vector<vtkIdType>& welds)
+{
+  const ArrayView values = DataArrayView(array).view;
+  if (values.empty() || values.count() != welds.size())
+    return true; // nobody looks at it
+  using Range = tbb::blocked_range<std::size_t>;
+  const Range all(0, welds.size(), 1 << 14);
+  for (int c = 0; c < values.components(); ++c)
+  {
+    const double largest = tbb::parallel_reduce(
+      all, 0.0,
+      [&](const Range& range, double most)
+      {
+        for (std::size_t i = range.begin(); i < range.end(); ++i)
+          if (const double value = std::abs(values.value(i, c)); std::isfinite(value))
+            most = std::max(most, value);
+        return most;
+      },
+      [](double a, double b) { return std::max(a, b); });
+    const double rounding = 4.0 * std::numeric_limits<float>::epsilon() * largest;
+    const auto areOne = [&](std::size_t i)
+    {
+      const double own = values.value(i, c), at = values.value(std::size_t(welds[i]), c);
+      return own == at || std::abs(own - at) <= rounding || (std::isnan(own) && std::isnan(at));
+    };
+    if (!tbb::parallel_reduce(
+          all, true,
+          [&](const Range& range, bool isOne)
+          {
+            for (std::size_t i = range.begin(); i < range.end() && isOne; ++i)
+              isOne = areOne(i);
+            return isOne;
+          },
+          [](bool a, bool b) { return a && b; }))
+      return false;
+  }
+  return true;
 }
 
 } // namespace mote

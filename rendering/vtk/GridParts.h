@@ -2,11 +2,14 @@
 
 #include "kernels/core/ArrayView.h"
 
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <cstddef>
 #include <vector>
 
+class vtkCellArray;
+class vtkDataArray;
 class vtkUnstructuredGrid;
 
 namespace mote
@@ -39,5 +42,13 @@ bool hasManyPoints(vtkUnstructuredGrid* grid);
 /// `parts`, have points at one place: the least of these. Where two points of one part are at a
 /// place, as on both sides of a thin wall, all there stand for themselves. Empty where all do.
 std::vector<vtkIdType> weldsOf(vtkUnstructuredGrid* grid, PointSets& parts);
+
+/// The cells of a grid with the points that stand for theirs.
+vtkSmartPointer<vtkCellArray> weldedCells(
+  vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& welds);
+
+/// Whether an array has one value for the points at each place, up to the rounding of float numbers
+/// as large as its largest one.
+bool haveOneValue(vtkDataArray* array, const std::vector<vtkIdType>& welds);
 
 } // namespace mote

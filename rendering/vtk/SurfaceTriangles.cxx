@@ -274,19 +274,6 @@ void turnOutwards(vtkUnstructuredGrid* grid, vtkIdTypeArray* corners, SurfaceTri
     });
 }
 
-/// The cells of a grid with the points that stand for theirs.
-vtkSmartPointer<vtkCellArray> weldedCells(
-  vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& welds)
-{
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->DeepCopy(grid->GetCells());
-  vtkDataArray* points = cells->GetConnectivityArray();
-  for (vtkIdType i = 0; i < points->GetNumberOfTuples(); ++i)
-    points->SetComponent(
-      i, 0, static_cast<double>(welds[static_cast<std::size_t>(points->GetComponent(i, 0))]));
-  return cells;
-}
-
 /// Gives triangles the points of their own cells again.
 void unweld(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& welds, vtkIdTypeArray* corners,
   const std::vector<vtkIdType>& cells)
@@ -365,7 +352,7 @@ SurfaceTriangles trianglesOfParts(vtkUnstructuredGrid* grid, vtkUnsignedCharArra
     parts->joinCells(grid);
   };
   std::vector<vtkIdType> welds; // without which every cell may show all of its faces
-  if (hasManyPoints(grid) && !grid->GetFaces()) // polyhedra have their points in another place
+  if (hasManyPoints(grid))
   {
     findParts();
     welds = weldsOf(grid, *parts);

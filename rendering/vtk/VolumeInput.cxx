@@ -1,8 +1,12 @@
 #include "VolumeInput.h"
 
+#include "GridParts.h"
+
 #include "kernels/core/Error.h"
 
 #include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace mote
@@ -35,7 +39,39 @@ bool VolumeGeometry::hasCellsOf(vtkUnstructuredGrid* grid)
     seen_ = GridCells(arrays).hash();
     seenKey_ = std::move(key);
   }
-  return mesh_ && seen_ == content_;
+  this->lookForWelds(grid);
+  return mesh_ && seen_ == content_ && areWelded_ == isWelded_;
+}
+
+void VolumeGeometry::lookForWelds(vtkUnstructuredGrid* grid)
+{
+  if (!(weldsContent_ == seen_))
+  {
+    welds_ = nullptr;
+    if (hasManyPoints(grid))
+    {
+      PointSets parts(grid->GetNumberOfPoints());
+      parts.joinCells(grid);
+      if (auto welds = weldsOf(grid, parts); !welds.empty())
+        welds_ = std::make_shared<const std::vector<vtkIdType>>(std::move(welds));
+    }
+    weldsContent_ = seen_;
+    valuesKey_.clear();
+    areWelded_ = false;
+  }
+  if (!welds_)
+    return;
+  InputKey key = {0.0}; // not empty
+  vtkPointData* values = grid->GetPointData();
+  for (int i = 0; i < values->GetNumberOfArrays(); ++i)
+    addArray(key, values->GetArray(i));
+  if (key == valuesKey_)
+    return;
+  valuesKey_ = std::move(key);
+  areWelded_ = true;
+  for (int i = 0; i < values->GetNumberOfArrays() && areWelded_; ++i)
+    if (vtkDataArray* array = values->GetArray(i))
+      areWelded_ = haveOneValue(array, *welds_);
 }
 
 bool VolumeGeometry::hasStructure(const HexStructureOptions& options) const
@@ -58,11 +94,19 @@ bool VolumeGeometry::takeCells(vtkUnstructuredGrid* grid)
   adjacency_ = nullptr;
   if (!grid->GetCells() || grid->GetNumberOfCells() == 0)
     throw Error("The input has no cells.");
-  auto mesh = std::make_shared<const HexMesh>(GridCells(GridArrays(grid)).input());
+  GridArrays arrays(grid);
+  vtkSmartPointer<vtkCellArray> welded;
+  if (areWelded_)
+  {
+    welded = weldedCells(grid, *welds_);
+    arrays.connectivity = welded->GetConnectivityArray();
+  }
+  auto mesh = std::make_shared<const HexMesh>(GridCells(arrays).input());
   if (mesh->cellCount() == 0)
     throw Error("No cell of the input can be drawn. " + mesh->report().sentence());
   mesh_ = std::move(mesh);
   content_ = seen_;
+  isWelded_ = areWelded_;
   return true;
 }
 

@@ -55,10 +55,19 @@ public:
   std::shared_ptr<const HexStructure> structure() const { return structure_; }
 
 private:
+  void lookForWelds(vtkUnstructuredGrid* grid);
+
   InputKey seenKey_; ///< times of the arrays that were looked at last
   ContentHash seen_; ///< and what they held
+  /// Of cells that have points of their own, the points that stand for these; null for none. They
+  /// hold where all arrays have one value for them.
+  std::shared_ptr<const std::vector<vtkIdType>> welds_;
+  ContentHash weldsContent_; ///< what they were found for
+  InputKey valuesKey_;       ///< times of the arrays whose values were looked at
+  bool areWelded_ = false;   ///< by what these hold
   ContentHash content_;
   std::shared_ptr<const HexMesh> mesh_; ///< made of `content_`
+  bool isWelded_ = false;               ///< and of `welds_`
   InputKey structureKey_;
   std::shared_ptr<HexStructure> structure_;
   std::shared_ptr<const char> built_;              ///< the same for all copies of the structure

@@ -5,7 +5,6 @@
 #include "VolumeTestSupport.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -246,23 +245,11 @@ TEST(MeshParts, OfCellsWithPointsOfTheirOwnHaveOneSurface)
   {
     SCOPED_TRACE(type);
     const auto whole = gridOf(type);
-    vtkNew<vtkUnstructuredGrid> apart;
-    vtkNew<vtkPoints> points;
+    const auto apart = cellsApart(whole);
     vtkNew<vtkDoubleArray> cellOf; // values of points, which differ from cell to cell
-    cellOf->SetName("cell");
-    apart->Allocate(whole->GetNumberOfCells());
-    for (vtkIdType i = 0; i < whole->GetNumberOfCells(); ++i)
-    {
-      vtkNew<vtkIdList> ids;
-      for (vtkIdType k = 0; k < whole->GetCell(i)->GetNumberOfPoints(); ++k)
-      {
-        ids->InsertNextId(points->InsertNextPoint(whole->GetCell(i)->GetPoints()->GetPoint(k)));
+    for (vtkIdType i = 0; i < apart->GetNumberOfCells(); ++i)
+      for (vtkIdType k = 0; k < apart->GetCell(i)->GetNumberOfPoints(); ++k)
         cellOf->InsertNextValue(static_cast<double>(i));
-      }
-      apart->InsertNextCell(whole->GetCellType(i), ids);
-    }
-    apart->SetPoints(points);
-    apart->GetPointData()->AddArray(cellOf);
     EXPECT_EQ(trianglesOf(apart), trianglesOf(whole));
     // Cells that are hidden bring the same faces to light.
     vtkNew<vtkUnsignedCharArray> shown;

@@ -4,8 +4,11 @@
 
 #include "kernels/scene/Scene.h"
 
+#include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkContourValues.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMotePumpSource.h"
 #include "vtkPiecewiseFunction.h"
@@ -52,6 +55,33 @@ struct VolumeRebuild : ::testing::Test
 
   VolumeRebuild() { EXPECT_EQ(work.done(), Pair(1, 1)); }
 };
+
+/// Values from -1 to 4, more opaque the larger they are, seen aslant.
+Picture pictureOf(vtkUnstructuredGrid* grid)
+{
+  VolumeStage stage(grid);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(-1.0, 0.0);
+  opacity->AddPoint(4.0, 0.8);
+  stage.property()->SetScalarOpacity(opacity);
+  stage.camera()->Azimuth(25);
+  Picture picture = stage.trace();
+  double seen = 0.0;
+  for (int i = 0; i < 32 * 32; ++i)
+    seen += picture.color(i)[3];
+  EXPECT_GT(seen, 50.0);
+  return picture;
+}
+
+/// How far two of them are apart.
+double farthest(const Picture& a, const Picture& b)
+{
+  double most = 0.0;
+  for (int i = 0; i < 32 * 32; ++i)
+    for (int c = 0; c < 4; ++c)
+      most = std::max<double>(most, std::abs(a.color(i)[c] - b.color(i)[c]));
+  return most;
+}
 
 } // namespace
 
@@ -233,6 +263,45 @@ TEST(VolumeMemory, CloudsTakeNoStructure)
   RecordProperty("both", std::to_string(both));
   EXPECT_LT(walk, 120.0);
   EXPECT_GT(both, walk + 70.0);
+}
+
+TEST(VolumeInput, CellsWithPointsOfTheirOwnAreOneMeshWhereValuesAreOne)
+{
+  const auto field = [](const Point& p) { return std::sin(2.0 * p[0]) + p[1] * p[2]; };
+  const auto whole = makeBox(4, field), apart = cellsApart(whole);
+  EXPECT_EQ(farthest(pictureOf(whole), pictureOf(apart)), 0.0);
+
+  VolumeStage stage(apart);
+  Work work{stage.mapper};
+  EXPECT_EQ(work.done(), Pair(1, 1));
+  vtkDataArray* values = apart->GetPointData()->GetScalars();
+  const double old = values->GetTuple1(100);
+  // Rounding changes nothing; another value parts the cells, as each has its own.
+  for (const auto& [value, builds] :
+    {std::pair(old * (1.0 + 1e-7), 0), std::pair(old + 0.5, 1), std::pair(old, 1)})
+  {
+    values->SetTuple1(100, value);
+    values->Modified();
+    apart->Modified();
+    EXPECT_EQ(work.done(), Pair(builds, 1)) << value - old;
+  }
+}
+
+TEST(VolumeInput, ValuesThatDifferFromCellToCellStayThose)
+{
+  // Each cell has one value, at its points or itself: no value is carried into the next.
+  const auto whole = makeBox(4, one), apart = cellsApart(whole);
+  vtkNew<vtkDoubleArray> ofCells, ofPoints;
+  for (vtkIdType i = 0; i < whole->GetNumberOfCells(); ++i)
+  {
+    ofCells->InsertNextValue(static_cast<double>(i % 5));
+    for (int k = 0; k < 8; ++k)
+      ofPoints->InsertNextValue(static_cast<double>(i % 5));
+  }
+  whole->GetPointData()->SetScalars(nullptr);
+  whole->GetCellData()->SetScalars(ofCells);
+  apart->GetPointData()->SetScalars(ofPoints);
+  EXPECT_LT(farthest(pictureOf(whole), pictureOf(apart)), 0.01);
 }
 
 TEST(VolumeInput, FollowsItsPipeline)

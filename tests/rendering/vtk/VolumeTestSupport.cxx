@@ -65,6 +65,31 @@ vtkSmartPointer<vtkUnstructuredGrid> copyOf(vtkUnstructuredGrid* grid)
   return copy;
 }
 
+vtkSmartPointer<vtkUnstructuredGrid> cellsApart(vtkUnstructuredGrid* grid)
+{
+  auto apart = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(grid->GetPoints()->GetDataType());
+  vtkPointData* values = apart->GetPointData();
+  values->CopyAllOn();
+  values->CopyAllocate(grid->GetPointData());
+  apart->Allocate(grid->GetNumberOfCells());
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    grid->GetCellPoints(cell, ids);
+    for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k)
+    {
+      const vtkIdType own = points->InsertNextPoint(grid->GetPoint(ids->GetId(k)));
+      values->CopyData(grid->GetPointData(), ids->GetId(k), own);
+      ids->SetId(k, own);
+    }
+    apart->InsertNextCell(grid->GetCellType(cell), ids);
+  }
+  apart->SetPoints(points);
+  return apart;
+}
+
 VolumeProp::VolumeProp(vtkUnstructuredGrid* grid)
 {
   if (grid)

@@ -21,6 +21,9 @@ vtkSmartPointer<vtkUnstructuredGrid> makeBox(int n, const Field& field);
 /// The same numbers in other objects.
 vtkSmartPointer<vtkUnstructuredGrid> copyOf(vtkUnstructuredGrid* grid);
 
+/// The same cells, each with points of its own, which have the values of those that they were.
+vtkSmartPointer<vtkUnstructuredGrid> cellsApart(vtkUnstructuredGrid* grid);
+
 /// A vtkVolume with Mote's mapper, in one colour and with one opacity a unit length for all values.
 struct VolumeProp
 {
