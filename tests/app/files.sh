@@ -203,7 +203,10 @@ END
     run 0 "$mote" convert pump:0.001 steps.vtm --all-steps
     run 0 "$mote" info steps.0001.vtm steps.0002.vtm steps.0003.vtm
     said out 'time steps  3: 0, 0.0005, 0.001'
-    run 0 "$mote" convert all.vtm some.vtm --hide-part inlet --show pressure=1e5:
+    run 1 "$mote" convert all.vtm some.vtm # beside some.pvtp, whose pieces are in that folder
+    one_sentence
+    said err 'would replace those of "some.pvtp"'
+    run 0 "$mote" convert all.vtm high.vtm --hide-part inlet --show pressure=1e5:
     said out '2 blocks'
     run 1 "$mote" convert all/all_0.vtu all.vtm
     one_sentence
