@@ -83,7 +83,7 @@ bool hasManyPoints(vtkUnstructuredGrid* grid)
   // their points in another place, too, where welds do not come.
   vtkCellArray* cells = grid->GetCells();
   const vtkIdType points = grid->GetNumberOfPoints();
-  if (!cells || grid->GetFaces() || 5 * points <= cells->GetNumberOfConnectivityIds())
+  if (!cells || grid->GetFaces() || 6 * points <= cells->GetNumberOfConnectivityIds())
     return false;
   const ArrayView ids = DataArrayView(cells->GetConnectivityArray()).view;
   for (std::size_t i = 0; i < ids.count(); ++i)
