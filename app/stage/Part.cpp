@@ -225,34 +225,6 @@ bool Part::draws(const vtkProp* prop) const
   return std::find(own.begin(), own.end(), prop) != own.end();
 }
 
-void Part::setNeighbors(const std::vector<const Part*>& others)
-{
-  if (!walls_ || others == neighbors_)
-    return;
-  neighbors_ = others;
-  walls_->RemoveAllNeighbors();
-  for (const Part* other : others)
-    walls_->AddNeighbor(other->walls_);
-}
-
-bool Part::isBlockWith(const Part& other) const
-{
-  return volume_ && other.volume_ && arrays_ == other.arrays_;
-}
-
-void joinWalls(const std::vector<std::unique_ptr<Part>>& parts)
-{
-  for (const auto& part : parts)
-  {
-    std::vector<const Part*> others;
-    for (const auto& other : parts)
-      if (other != part && other->isBlockWith(*part) && !other->isHidden())
-        others.push_back(other.get());
-    if (part->kind() == Part::Kind::Volume)
-      part->setNeighbors(others);
-  }
-}
-
 void Part::setHidden(bool on)
 {
   isHidden_ = on;
@@ -481,7 +453,11 @@ vtkIdType Part::numberLeftOut() const
   if (surface_)
     return surface_->mapper()->GetNumberOfCellsLeftOut() +
            surface_->mapper()->GetNumberOfUnfitTriangles();
-  return volume_ ? volume_->mapper()->GetNumberOfCellsLeftOut() : 0;
+  if (!volume_)
+    return 0;
+  vtkMoteVolumeMapper* const mapper = volume_->mapper(); // walls show what is flat
+  return mapper->GetNumberOfCellsLeftOut() -
+         mapper->GetNumberOfCellsLeftOut(vtkMoteVolumeMapper::FLAT);
 }
 
 vtkIdType Part::numberShown() const

@@ -3,6 +3,7 @@
 #include "DataArrayView.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellType.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -60,6 +61,27 @@ void PointSets::joinCells(vtkUnstructuredGrid* grid)
     cells->GetCellAtId(cell, points);
     for (vtkIdType k = 1; k < points->GetNumberOfIds(); ++k)
       this->join(points->GetId(0), points->GetId(k));
+  }
+}
+
+bool isFlatType(int type)
+{
+  switch (type)
+  {
+  case VTK_TRIANGLE:
+  case VTK_TRIANGLE_STRIP:
+  case VTK_POLYGON:
+  case VTK_PIXEL:
+  case VTK_QUAD:
+  case VTK_QUADRATIC_TRIANGLE:
+  case VTK_QUADRATIC_QUAD:
+  case VTK_BIQUADRATIC_QUAD:
+  case VTK_BIQUADRATIC_TRIANGLE:
+  case VTK_LAGRANGE_TRIANGLE:
+  case VTK_LAGRANGE_QUADRILATERAL:
+    return true;
+  default:
+    return false;
   }
 }
 

@@ -31,6 +31,9 @@ private:
   std::vector<vtkIdType> up_;
 };
 
+/// Whether cells of a type are surfaces.
+bool isFlatType(int type);
+
 /// Whether triangles of a surface are of one set by the points that they share, of so many.
 bool hangsTogether(const ArrayView& triangles, vtkIdType points);
 

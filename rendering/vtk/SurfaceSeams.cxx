@@ -7,8 +7,10 @@
 #include "SurfaceTriangles.h"
 
 #include "vtkPoints.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 
 namespace mote
@@ -98,6 +100,53 @@ std::vector<std::uint8_t> coveredByOther(const SeamSurface& surface, const SeamS
   markFacing(surface.faces(), other.faces(), Mat4d(1.0), marks, [](const SurfaceFaces::Face&) {});
   if (std::find(marks.begin(), marks.end(), 0) != marks.end())
     other.cover().mark(surface.cover(), Mat4d(1.0), marks);
+  return marks;
+}
+
+std::vector<std::uint8_t> flatOnFaces(const SurfaceTriangles& surface, vtkUnstructuredGrid* grid)
+{
+  const auto isFlat = [&](std::size_t triangle)
+  { return isFlatType(grid->GetCellType(surface.cells[triangle])); };
+  std::vector<std::size_t> flat;
+  for (std::size_t t = 0; t < surface.cells.size(); ++t)
+    if (isFlat(t))
+      flat.push_back(t);
+  if (flat.empty() || flat.size() == surface.cells.size())
+    return {};
+  // By their polygons, and by their triangles: those of curved cells are of more.
+  const SurfaceFaces faces(surface, grid->GetPoints());
+  using Corners = std::array<std::size_t, 4>; // ascending; of triangles the last one twice
+  const auto cornersOf = [&](std::size_t first, std::size_t end)
+  {
+    std::vector<std::size_t> all;
+    for (std::size_t t = first; t < end; ++t)
+      all.insert(all.end(), faces.triangles()[t].begin(), faces.triangles()[t].end());
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    all.resize(std::min<std::size_t>(all.size(), 5), 0);
+    return all.size() == 3   ? Corners{all[0], all[1], all[2], all[2]}
+           : all.size() == 4 ? Corners{all[0], all[1], all[2], all[3]}
+                             : Corners{0, 0, 0, 0}; // none
+  };
+  std::vector<Corners> known;
+  for (const SurfaceFaces::Face& face : faces.all())
+    if (!isFlat(face.first))
+    {
+      known.push_back(cornersOf(face.first, face.end));
+      for (std::size_t t = face.first; t < face.end && face.end > face.first + 1; ++t)
+        known.push_back(cornersOf(t, t + 1));
+    }
+  std::sort(known.begin(), known.end());
+  const auto isKnown = [&](const Corners& corners)
+  { return corners[0] != corners[3] && std::binary_search(known.begin(), known.end(), corners); };
+  std::vector<std::uint8_t> marks(surface.cells.size(), 0);
+  for (const SurfaceFaces::Face& face : faces.all())
+    if (isFlat(face.first))
+    {
+      const bool isWhole = isKnown(cornersOf(face.first, face.end));
+      for (std::size_t t = face.first; t < face.end; ++t)
+        marks[t] = isWhole || isKnown(cornersOf(t, t + 1));
+    }
   return marks;
 }
 

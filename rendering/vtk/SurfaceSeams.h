@@ -8,6 +8,7 @@
 #include <vector>
 
 class vtkPoints;
+class vtkUnstructuredGrid;
 
 namespace mote
 {
@@ -58,5 +59,10 @@ std::vector<std::uint8_t> coveredByOther(const SeamSurface& surface, const SeamS
 /// between, are of one part.
 std::vector<std::uint8_t> coveredByParts(
   const SurfaceTriangles& surface, vtkPoints* points, PointSets& parts);
+
+/// Likewise which triangles of flat cells have a face of a cell with a volume just there, with the
+/// same corners: meshes of finite elements list the cells of their boundary so, whichever way these
+/// look.
+std::vector<std::uint8_t> flatOnFaces(const SurfaceTriangles& surface, vtkUnstructuredGrid* grid);
 
 } // namespace mote

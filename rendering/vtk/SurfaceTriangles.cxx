@@ -340,6 +340,53 @@ SurfaceTriangles trianglesOfFaces(
   return found;
 }
 
+void append(const SurfaceTriangles& more, SurfaceTriangles& all)
+{
+  vtkNew<vtkIdTypeArray> corners;
+  for (const SurfaceTriangles* one : {&std::as_const(all), &more})
+    for (std::size_t i = 0; i < 3 * one->cells.size(); ++i)
+      corners->InsertNextValue(static_cast<vtkIdType>(one->corners.view.value(i)));
+  // Where one has no edges all sides of its triangles are.
+  if (!all.edges.empty() || !more.edges.empty())
+  {
+    all.edges.resize(all.cells.size(), 7);
+    all.edges.insert(all.edges.end(), more.edges.begin(), more.edges.end());
+    all.edges.resize(all.cells.size() + more.cells.size(), 7);
+  }
+  all.corners = DataArrayView(corners);
+  all.cells.insert(all.cells.end(), more.cells.begin(), more.cells.end());
+  all.thin += more.thin;
+  all.flat += more.flat;
+}
+
+/// Of a grid that has both, flat cells but for those that lie on faces of cells with a volume: VTK
+/// leaves out these faces, and flat cells look either way.
+SurfaceTriangles trianglesOfMixed(
+  vtkUnstructuredGrid* grid, vtkUnsignedCharArray* isVisible, const std::vector<vtkIdType>& welds)
+{
+  const vtkIdType count = grid->GetNumberOfCells();
+  vtkNew<vtkUnsignedCharArray> isFlat, isOther;
+  bool has[2] = {false, false}; // others, and flat ones
+  for (vtkUnsignedCharArray* one : {isFlat.Get(), isOther.Get()})
+    one->SetNumberOfValues(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const bool flat = isFlatType(grid->GetCellType(i));
+    const int visible = !isVisible || isVisible->GetValue(i) != 0 ? 1 : 0;
+    isFlat->SetValue(i, static_cast<unsigned char>(flat ? visible : 0));
+    isOther->SetValue(i, static_cast<unsigned char>(flat ? 0 : visible));
+    has[flat] = true;
+  }
+  if (!has[0] || !has[1])
+    return trianglesOfFaces(grid, isVisible, welds);
+  SurfaceTriangles found = trianglesOfFaces(grid, isOther, welds);
+  append(trianglesOfFaces(grid, isFlat), found);
+  if (!found.cells.empty() && !isFlatType(grid->GetCellType(found.cells.front())))
+    found.thin = 0; // which nobody misses beside cells with a volume
+  dropTriangles(found, flatOnFaces(found, grid));
+  return found;
+}
+
 /// The same of a grid, but for faces between its parts, whether these have the same points there or
 /// others.
 SurfaceTriangles trianglesOfParts(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* isVisible)
@@ -357,7 +404,7 @@ SurfaceTriangles trianglesOfParts(vtkUnstructuredGrid* grid, vtkUnsignedCharArra
     findParts();
     welds = weldsOf(grid, *parts);
   }
-  SurfaceTriangles found = trianglesOfFaces(grid, isVisible, welds);
+  SurfaceTriangles found = trianglesOfMixed(grid, isVisible, welds);
   if (!parts && !hangsTogether(found.view(), grid->GetNumberOfPoints()))
     findParts();
   if (parts)

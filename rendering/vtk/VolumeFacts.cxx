@@ -112,6 +112,8 @@ vtkIdType vtkMoteVolumeMapper::GetNumberOfCellsLeftOut(int reason)
     return static_cast<vtkIdType>(r.cells - r.kept);
   case OTHER_TYPE:
     return static_cast<vtkIdType>(r.otherTypes);
+  case FLAT:
+    return static_cast<vtkIdType>(r.flat);
   case UNFIT_POLYHEDRON:
     return static_cast<vtkIdType>(r.unfit);
   case NOT_FINITE:

@@ -346,7 +346,8 @@ public:
     UNFIT_POLYHEDRON, ///< its faces do not close, or its middle does not see all of them
     NOT_FINITE,       ///< a coordinate is not a number or infinite
     TOO_FAR,          ///< a coordinate is beyond 1e30
-    NO_VOLUME
+    NO_VOLUME,
+    FLAT ///< of OTHER_TYPE: points, lines and surfaces, of which no report tells
   };
 
   /**

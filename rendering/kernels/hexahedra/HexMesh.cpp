@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace mote
@@ -33,12 +34,21 @@ void checkArrays(const HexMeshInput& input)
     throw Error("A mesh of hexahedra takes up to 4294967294 points and cells.");
 }
 
+/// Whether VTK's type is of points, lines or surfaces.
+bool isFlat(int type)
+{
+  static constexpr int flat[] = {
+    1, 2, 3, 4, 5, 6, 7, 8, 9, 21, 22, 23, 28, 30, 34, 35, 36, 68, 69, 70, 75, 76, 77};
+  return std::binary_search(std::begin(flat), std::end(flat), type);
+}
+
 void count(HexMeshReport& report, Fate fate, double type)
 {
   report.inverted +=
     fate == Fate::Inverted || fate == Fate::SelfCrossingInverted || fate == Fate::InPartsInverted;
   report.selfCrossing += fate == Fate::SelfCrossing || fate == Fate::SelfCrossingInverted;
   report.otherTypes += fate == Fate::OtherType;
+  report.flat += fate == Fate::OtherType && isFlat(static_cast<int>(type));
   report.nonFinite += fate == Fate::NonFinite;
   report.tooFar += fate == Fate::TooFar;
   report.zeroVolume += fate == Fate::ZeroVolume;
@@ -70,7 +80,7 @@ void addCounts(HexMeshReport& to, const HexMeshReport& more)
 {
   using R = HexMeshReport;
   for (const auto member : {&R::kept, &R::hexahedra, &R::wedges, &R::pyramids, &R::tetrahedra,
-         &R::polyhedra, &R::inParts, &R::otherTypes, &R::unfit, &R::nonFinite, &R::tooFar,
+         &R::polyhedra, &R::inParts, &R::otherTypes, &R::flat, &R::unfit, &R::nonFinite, &R::tooFar,
          &R::zeroVolume, &R::inverted, &R::selfCrossing})
     to.*member += more.*member;
   to.volume += more.volume;
@@ -137,7 +147,8 @@ std::string HexMeshReport::sentence() const
     if (number > 0)
       text += (text.empty() ? "" : ", ") + std::to_string(number) + " " + what;
   };
-  add(otherTypes, "of other types left out");
+  // Flat ones are no part of a volume, where there is one.
+  add(otherTypes - (kept > 0 ? flat : 0), "of other types left out");
   add(unfit, "polyhedra left out, not closed or too concave to be cut about their middle");
   add(nonFinite, "with points that are not finite left out");
   add(tooFar, "with points beyond 1e30 left out");

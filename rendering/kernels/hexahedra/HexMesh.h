@@ -64,6 +64,7 @@ struct HexMeshReport
   std::size_t polyhedra = 0;    ///< of the kept ones
   std::size_t inParts = 0;      ///< of the kept ones: cut about their middle
   std::size_t otherTypes = 0;   ///< left out
+  std::size_t flat = 0;         ///< of those: points, lines and surfaces
   std::size_t unfit = 0;        ///< left out: polyhedra that are not closed, or too concave
   std::size_t nonFinite = 0;    ///< left out: a corner has a coordinate that is not finite
   std::size_t tooFar = 0;       ///< left out: one is beyond farthestPoint

@@ -94,6 +94,7 @@ TEST(HexMesh, CountsWhatItLeavesOutAndMends)
     EXPECT_EQ(r.nonFinite, 1U);
     EXPECT_EQ(r.selfCrossing, 1U);
     EXPECT_EQ(r.otherTypes, 1U);
+    EXPECT_EQ(r.flat, 0U);
     EXPECT_EQ(r.sentence(),
       "Of 5 cells: 1 of other types left out, 1 with points that are not finite left out, 1 of no "
       "volume left out, 1 listed inside out and mirrored, 1 crossing themselves.");

@@ -8,6 +8,7 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -274,6 +275,54 @@ TEST(MeshParts, OfCellsWithPointsOfTheirOwnHaveOneSurface)
         ASSERT_EQ(cellOf->GetValue(static_cast<vtkIdType>(found.view().value(t, k))),
           static_cast<double>(found.cells[t]));
   }
+}
+
+TEST(MeshBoundaryCells, StandForFacesOfTheVolume)
+{
+  // Cells of the boundary beside those of the volume, in either direction and cut in either way, a
+  // line, a wall within and a sheet outside.
+  const std::array<int, 3> n = {3, 3, 3};
+  vtkNew<vtkUnstructuredGrid> grid;
+  addBlock(grid, n, [](double x, double y, double z) -> Point { return {x, y, z}; });
+  const auto id = [](int x, int y, int z) -> vtkIdType { return x + 4 * (y + 4 * z); };
+  const auto add = [&](int type, std::vector<vtkIdType> corners)
+  { grid->InsertNextCell(type, static_cast<vtkIdType>(corners.size()), corners.data()); };
+  for (int x = 0; x < 3; ++x)
+    for (int y = 0; y < 3; ++y)
+    {
+      std::vector<vtkIdType> quad = {
+        id(x, y, 0), id(x + 1, y, 0), id(x + 1, y + 1, 0), id(x, y + 1, 0)};
+      if (x == 1)
+        std::reverse(quad.begin(), quad.end());
+      if (y == 1)
+        std::rotate(quad.begin(), quad.begin() + 1, quad.end());
+      add(VTK_QUAD, quad);
+    }
+  add(VTK_LINE, {id(0, 0, 0), id(1, 0, 0)});
+  EXPECT_EQ(trianglesOf(grid), facesOf(n));
+  add(VTK_QUAD, {id(1, 1, 1), id(2, 1, 1), id(2, 2, 1), id(1, 2, 1)});
+  for (const double y : {0.0, 1.0})
+    grid->GetPoints()->InsertNextPoint(5.0, y, 0.0);
+  add(VTK_TRIANGLE, {id(0, 0, 0), 64, 65});
+  vtkNew<vtkMoteMeshMapper> mapper;
+  mapper->SetInputData(grid);
+  mapper->Update();
+  EXPECT_EQ(mapper->GetNumberOfTriangles(), facesOf(n) + 2 + 1);
+  EXPECT_EQ(mapper->GetNumberOfCellsLeftOut(), 0) << "the line is not missed";
+  // Triangles of picked faces are those of cells with a volume.
+  const mote::SurfaceTriangles found = mote::surfaceTrianglesOf(grid);
+  int flat = 0;
+  for (const vtkIdType cell : found.cells)
+    flat += cell >= 27;
+  EXPECT_EQ(flat, 3);
+  // Without the volume they are there.
+  vtkNew<vtkUnsignedCharArray> some;
+  some->SetNumberOfValues(grid->GetNumberOfCells());
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+    some->SetValue(i, i < 27 ? 0 : 1);
+  mapper->SetVisibleCells(some);
+  mapper->Update();
+  EXPECT_EQ(mapper->GetNumberOfTriangles(), 2 * 9 + 2 + 1);
 }
 
 TEST(MeshParts, FarFromTheOriginMeetAsFloatNumbersDo)
