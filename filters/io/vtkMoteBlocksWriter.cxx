@@ -1,5 +1,6 @@
 #include "vtkMoteBlocksWriter.h"
 
+#include "FileEnding.h"
 #include "PieceFiles.h"
 #include "XMLNames.h"
 
@@ -13,9 +14,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
 
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <utility>
 #include <vector>
 
@@ -66,10 +64,7 @@ vtkMoteBlocksWriter::~vtkMoteBlocksWriter() = default;
 
 std::string vtkMoteBlocksWriter::EndingOf(const std::string& fileName)
 {
-  std::string ending = std::filesystem::path(fileName).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending == ".vtm" ? ending : std::string();
+  return mote::endingAmong(fileName, {".vtm"});
 }
 
 int vtkMoteBlocksWriter::FillInputPortInformation(int, vtkInformation* info)

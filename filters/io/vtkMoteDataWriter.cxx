@@ -1,5 +1,6 @@
 #include "vtkMoteDataWriter.h"
 
+#include "FileEnding.h"
 #include "MessageCatcher.h"
 #include "XMLNames.h"
 #include "XYZText.h"
@@ -28,7 +29,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -146,14 +146,7 @@ vtkMoteDataWriter::~vtkMoteDataWriter() = default;
 
 std::string vtkMoteDataWriter::EndingOf(const std::string& fileName)
 {
-  std::string name = fileName;
-  std::transform(name.begin(), name.end(), name.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  for (const std::string ending : {".vtp", ".vtu", ".xyz", ".xyz.gz"})
-    if (name.size() > ending.size() &&
-        name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
-      return ending;
-  return {};
+  return mote::endingAmong(fileName, {".vtp", ".vtu", ".xyz", ".xyz.gz"});
 }
 
 int vtkMoteDataWriter::FillInputPortInformation(int, vtkInformation* info)

@@ -2,6 +2,7 @@
 
 #include "BoxCuts.h"
 #include "DataParts.h"
+#include "FileEnding.h"
 #include "PieceFiles.h"
 #include "XMLNames.h"
 
@@ -21,8 +22,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <vector>
 
 namespace
@@ -154,10 +153,7 @@ vtkMotePiecesWriter::~vtkMotePiecesWriter() = default;
 
 std::string vtkMotePiecesWriter::EndingOf(const std::string& fileName)
 {
-  std::string ending = std::filesystem::path(fileName).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending == ".pvtp" || ending == ".pvtu" ? ending : std::string();
+  return mote::endingAmong(fileName, {".pvtp", ".pvtu"});
 }
 
 int vtkMotePiecesWriter::FillInputPortInformation(int, vtkInformation* info)
