@@ -5,6 +5,16 @@ source "$tests/common.sh"
 unset DISPLAY
 hopper=$data/hopper.dump.gz
 copper=$data/copper-scratch.dump.gz
+# on_full_disk BLOCKS COMMAND...: where files have so many blocks at most, it ends with a sentence.
+on_full_disk() {
+  (
+    trap '' XFSZ
+    ulimit -f "$1"
+    "${@:2}" >/dev/null 2>err
+  )
+  [ $? = 1 ] || fail "a full disk went unnoticed: ${*:2}"
+  one_sentence
+}
 
 case $3 in
   convert) # a file of its own gives the picture that the dump gives
@@ -61,13 +71,7 @@ case $3 in
     run 1 "$mote" render short.mote -o a.png
     one_sentence
     said err 'cut short'
-    (
-      trap '' XFSZ
-      ulimit -f 100
-      "$mote" convert "$copper" full.mote >/dev/null 2>err
-    )
-    [ $? = 1 ] || fail "a full disk went unnoticed"
-    one_sentence
+    on_full_disk 100 "$mote" convert "$copper" full.mote
     [ -z "$(ls -A | grep -e full -e tmp)" ] || { ls -A; fail "something was left"; }
     ;;
 
@@ -152,13 +156,7 @@ END
     run 1 "$mote" convert a.vtp a.vtp
     one_sentence
     for file in full.vtp full.vtu full.xyz full.xyz.gz; do
-      (
-        trap '' XFSZ
-        ulimit -f 50
-        "$mote" convert "$copper" $file >/dev/null 2>err
-      )
-      [ $? = 1 ] || fail "a full disk went unnoticed by $file"
-      one_sentence
+      on_full_disk 50 "$mote" convert "$copper" $file
       said err "$file\": the file is larger than the limit"
     done
     [ -z "$(ls -A | grep -e full -e tmp)" ] || { ls -A; fail "something was left"; }
@@ -217,33 +215,16 @@ END
     run 1 "$mote" convert pump:0.02:rotor a.pvtp
     one_sentence
     said err 'a .pvtp file holds'
-    (
-      trap '' XFSZ
-      ulimit -f 50
-      "$mote" convert whole.vtu full.pvtu >/dev/null 2>err
-    )
-    [ $? = 1 ] || fail "a full disk went unnoticed"
-    one_sentence
+    on_full_disk 50 "$mote" convert whole.vtu full.pvtu
     said err 'full_0.vtu": the file is larger than the limit'
     [ ! -e full.pvtu ] || fail "an index of pieces that are not there"
-    (
-      trap '' XFSZ
-      ulimit -f 50
-      "$mote" convert all.vtm full.vtm >/dev/null 2>err
-    )
-    [ $? = 1 ] || fail "a full disk went unnoticed by blocks"
-    one_sentence
+    on_full_disk 50 "$mote" convert all.vtm full.vtm
     said err 'full_0.vtu": the file is larger than the limit'
     [ ! -e full.vtm ] || fail "an index of blocks that are not there"
     # What was there stays, and nothing is left over.
     cp all.vtm old.vtm
     cp -r all old
-    (
-      trap '' XFSZ
-      ulimit -f 500
-      "$mote" convert pump:0.02 all.vtm >/dev/null 2>err
-    )
-    [ $? = 1 ] || fail "a full disk went unnoticed by other blocks"
+    on_full_disk 500 "$mote" convert pump:0.02 all.vtm
     cmp all.vtm old.vtm && diff -r all old || fail "the old blocks did not stay"
     ;;
   generated) # particles that are made, wherever a file may be named
@@ -291,13 +272,7 @@ END
         sed 's/b\.mote/a.mote/' err | cmp said - || fail "something else is said"
       done
     done
-    (
-      trap '' XFSZ
-      ulimit -f 100
-      "$mote" convert "$copper" full.mote --memory 1K >/dev/null 2>err
-    )
-    [ $? = 1 ] || fail "a full disk went unnoticed"
-    one_sentence
+    on_full_disk 100 "$mote" convert "$copper" full.mote --memory 1K
     said err full.mote
     run 2 "$mote" convert "$copper" a.mote --memory 0
     run 2 "$mote" convert "$copper" a.mote --memory much
