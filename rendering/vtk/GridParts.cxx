@@ -2,6 +2,8 @@
 
 #include "DataArrayView.h"
 
+#include "kernels/core/Vec.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkIdList.h"
@@ -12,6 +14,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 #include <tbb/parallel_sort.h>
 
@@ -114,6 +117,37 @@ bool hasManyPoints(vtkUnstructuredGrid* grid)
   return true;
 }
 
+namespace
+{
+
+/// The points of a grid as float numbers about their middle. Cells that work out their points each
+/// by themselves agree there but for the last bits of double numbers.
+vtkSmartPointer<vtkPoints> pointsAsFloats(vtkPoints* points)
+{
+  if (points->GetDataType() != VTK_DOUBLE)
+    return points;
+  double bounds[6];
+  points->GetBounds(bounds);
+  Vec3d middle(0.0);
+  for (int axis = 0; axis < 3; ++axis)
+    if (const double m = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]); std::isfinite(m))
+      middle[axis] = m;
+  auto floats = vtkSmartPointer<vtkPoints>::New(); // float
+  floats->SetNumberOfPoints(points->GetNumberOfPoints());
+  auto* to = static_cast<float*>(floats->GetVoidPointer(0));
+  const ArrayView from = DataArrayView(points->GetData()).view;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, from.count(), 1 << 14),
+    [&](const tbb::blocked_range<std::size_t>& range)
+    {
+      for (std::size_t i = range.begin(); i < range.end(); ++i)
+        for (int axis = 0; axis < 3; ++axis)
+          to[3 * i + std::size_t(axis)] = static_cast<float>(from.value(i, axis) - middle[axis]);
+    });
+  return floats;
+}
+
+} // namespace
+
 std::vector<vtkIdType> weldsOf(vtkUnstructuredGrid* grid, PointSets& parts)
 {
   const vtkIdType count = grid->GetNumberOfPoints();
@@ -121,7 +155,7 @@ std::vector<vtkIdType> weldsOf(vtkUnstructuredGrid* grid, PointSets& parts)
   if (count == 0)
     return {};
   vtkNew<vtkPolyData> cloud; // whose points are those of the grid; its cells would be copied
-  cloud->SetPoints(grid->GetPoints());
+  cloud->SetPoints(pointsAsFloats(grid->GetPoints()));
   vtkNew<vtkStaticPointLocator> locator;
   locator->SetDataSet(cloud);
   locator->BuildLocator();

@@ -42,8 +42,9 @@ bool hangsTogether(const ArrayView& triangles, vtkIdType points);
 bool hasManyPoints(vtkUnstructuredGrid* grid);
 
 /// For each point of a grid the one that stands for it where cells of different parts, which are
-/// `parts`, have points at one place: the least of these. Where two points of one part are at a
-/// place, as on both sides of a thin wall, all there stand for themselves. Empty where all do.
+/// `parts`, have points at one place, up to the rounding of float numbers about the middle of all:
+/// the least of these. Where two points of one part are at a place, as on both sides of a thin
+/// wall, all there stand for themselves. Empty where all do.
 std::vector<vtkIdType> weldsOf(vtkUnstructuredGrid* grid, PointSets& parts);
 
 /// The cells of a grid with the points that stand for theirs.

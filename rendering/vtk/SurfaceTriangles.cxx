@@ -1,6 +1,7 @@
 #include "SurfaceTriangles.h"
 
 #include "GridParts.h"
+#include "HangingFaces.h"
 
 #include "kernels/core/Error.h"
 #include "kernels/core/Vec.h"
@@ -359,8 +360,9 @@ void append(const SurfaceTriangles& more, SurfaceTriangles& all)
   all.flat += more.flat;
 }
 
-/// Of a grid that has both, flat cells but for those that lie on faces of cells with a volume: VTK
-/// leaves out these faces, and flat cells look either way.
+/// The same without faces that finer ones cover. Of a grid that has both, flat cells but for those
+/// that lie on faces of cells with a volume: VTK leaves out these faces, and flat cells look either
+/// way.
 SurfaceTriangles trianglesOfMixed(
   vtkUnstructuredGrid* grid, vtkUnsignedCharArray* isVisible, const std::vector<vtkIdType>& welds)
 {
@@ -377,9 +379,12 @@ SurfaceTriangles trianglesOfMixed(
     isOther->SetValue(i, static_cast<unsigned char>(flat ? 0 : visible));
     has[flat] = true;
   }
-  if (!has[0] || !has[1])
+  if (!has[0])
     return trianglesOfFaces(grid, isVisible, welds);
-  SurfaceTriangles found = trianglesOfFaces(grid, isOther, welds);
+  SurfaceTriangles found = trianglesOfFaces(grid, has[1] ? isOther.Get() : isVisible, welds);
+  dropTriangles(found, hangingFaces(found, grid->GetPoints(), welds));
+  if (!has[1])
+    return found;
   append(trianglesOfFaces(grid, isFlat), found);
   if (!found.cells.empty() && !isFlatType(grid->GetCellType(found.cells.front())))
     found.thin = 0; // which nobody misses beside cells with a volume

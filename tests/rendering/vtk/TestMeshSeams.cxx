@@ -1,5 +1,6 @@
 // vtkMoteMeshMapper on cells that touch: blocks, parts of one grid and copies of a sector have no
 // walls between them, whether they have the same points there or not. It needs no display.
+#include "GridParts.h"
 #include "MeshTestSupport.h"
 #include "SurfaceTriangles.h"
 #include "VolumeTestSupport.h"
@@ -11,6 +12,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <vector>
 
 using namespace mote::testing;
 
@@ -275,6 +278,34 @@ TEST(MeshParts, OfCellsWithPointsOfTheirOwnHaveOneSurface)
         ASSERT_EQ(cellOf->GetValue(static_cast<vtkIdType>(found.view().value(t, k))),
           static_cast<double>(found.cells[t]));
   }
+}
+
+TEST(MeshParts, OfCellsThatRoundTheirPointsEachByItselfAreWelded)
+{
+  const std::array<int, 3> n = {4, 5, 3};
+  vtkNew<vtkUnstructuredGrid> whole;
+  addBlock(whole, n,
+    [](double x, double y, double z) -> Point {
+      return {1e3 + x / 3.0 + 0.1 * y * z, 0.7 * y - 0.3 * x * x, z / 7.0};
+    });
+  const auto apart = cellsApart(whole);
+  vtkPoints* points = apart->GetPoints();
+  ASSERT_EQ(points->GetDataType(), VTK_DOUBLE);
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    points->GetPoint(i, p.data());
+    for (double& x : p)
+      x = std::nextafter(x, i % 3 == 0 ? -1e9 : i % 3 == 1 ? x : 1e9);
+    points->SetPoint(i, p.data());
+  }
+  mote::PointSets parts(points->GetNumberOfPoints());
+  parts.joinCells(apart);
+  const std::vector<vtkIdType> welds = mote::weldsOf(apart, parts);
+  ASSERT_EQ(welds.size(), static_cast<std::size_t>(points->GetNumberOfPoints()));
+  EXPECT_EQ(std::set<vtkIdType>(welds.begin(), welds.end()).size(),
+    static_cast<std::size_t>(whole->GetNumberOfPoints()));
+  EXPECT_EQ(trianglesOf(apart), facesOf(n));
 }
 
 TEST(MeshBoundaryCells, StandForFacesOfTheVolume)

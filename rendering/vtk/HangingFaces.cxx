@@ -1,0 +1,302 @@
+#include "HangingFaces.h"
+
+#include "SurfaceTriangles.h"
+
+#include "kernels/core/Vec.h"
+
+#include "vtkPoints.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+
+namespace mote
+{
+
+namespace
+{
+
+using Range = tbb::blocked_range<std::size_t>;
+constexpr std::size_t grain = 1 << 12;
+
+/// A direction as one of 26: the middles of a cube's faces and edges, and its corners. That of the
+/// opposite one is 26 less it.
+unsigned directionOf(const Vec3d& v)
+{
+  const double tangent = 0.41421356 * std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  const auto sign = [&](double x) { return std::abs(x) <= tangent ? 1U : x < 0.0 ? 0U : 2U; };
+  return 9 * sign(v.x) + 3 * sign(v.y) + sign(v.z);
+}
+
+/// For each direction those, a bit each, that are at most about 60 degrees from its opposite.
+std::array<std::uint32_t, 27> opposites()
+{
+  const auto vectorOf = [](unsigned i)
+  { return Vec3d(double(i / 9) - 1.0, double(i / 3 % 3) - 1.0, double(i % 3) - 1.0); };
+  std::array<std::uint32_t, 27> found{};
+  for (unsigned i = 0; i < 27; ++i)
+    for (unsigned k = 0; k < 27; ++k)
+    {
+      const Vec3d a = vectorOf(i), b = vectorOf(k);
+      if (glm::dot(a, b) < -0.5 * glm::length(a) * glm::length(b))
+        found[i] |= 1U << k;
+    }
+  return found;
+}
+
+/// The faces of a surface, and which of them meet at a point.
+class HangingFaceFinder
+{
+public:
+  HangingFaceFinder(
+    const SurfaceTriangles& surface, vtkPoints* points, const std::vector<vtkIdType>& welds)
+    : surface_(surface)
+    , triangles_(surface.view())
+    , points_(points)
+    , welds_(welds)
+  {
+  }
+
+  std::vector<std::uint8_t> find()
+  {
+    if (!this->lookForOpposedFaces())
+      return {};
+    this->findFaces();
+    this->findFacesAtPoints();
+    std::vector<std::uint8_t> marks(triangles_.count(), 0);
+    tbb::parallel_for(Range(0, faces_.size(), grain),
+      [&](const Range& range)
+      {
+        std::vector<std::size_t> finer;
+        for (std::size_t f = range.begin(); f < range.end(); ++f)
+          if (this->mayHaveFiner(faces_[f]) &&
+              (this->hasFiner(f, flat, finer) || this->hasFiner(f, curved, finer)))
+          {
+            mark(faces_[f], marks);
+            for (const std::size_t other : finer)
+              mark(faces_[other], marks);
+          }
+      });
+    return marks;
+  }
+
+private:
+  struct Face
+  {
+    std::size_t first = 0, end = 0; ///< of its triangles
+    Vec3d normal{0.0};              ///< twice as long as the face is large
+    Vec3d middle{0.0};              ///< of its triangles' middles
+  };
+
+  /// How finer faces lie on one: the least cosine of the angle to it, and the farthest that their
+  /// middles are from it, in sides of a square as large.
+  struct Likeness
+  {
+    double cosine, distance;
+  };
+  static constexpr Likeness flat = {0.999, 0.01};
+  static constexpr Likeness curved = {0.85, 0.15}; ///< may take in sides of slanting thin cells
+
+  static void mark(const Face& face, std::vector<std::uint8_t>& marks)
+  {
+    for (std::size_t t = face.first; t < face.end; ++t)
+      std::atomic_ref(marks[t]).store(1, std::memory_order_relaxed);
+  }
+
+  std::size_t place(std::size_t triangle, int corner) const
+  {
+    const auto id = static_cast<std::size_t>(triangles_.value(triangle, corner));
+    return welds_.empty() ? id : static_cast<std::size_t>(welds_[id]);
+  }
+  Vec3d at(std::size_t triangle, int corner) const
+  {
+    Vec3d p;
+    points_->GetPoint(static_cast<vtkIdType>(triangles_.value(triangle, corner)), &p.x);
+    return p;
+  }
+  Vec3d normal(std::size_t triangle) const
+  {
+    const Vec3d from = at(triangle, 0);
+    return glm::cross(at(triangle, 1) - from, at(triangle, 2) - from);
+  }
+
+  /// Finds points at which faces look at one another; whether any triangle has such corners alone.
+  bool lookForOpposedFaces()
+  {
+    const auto points = static_cast<std::size_t>(points_->GetNumberOfPoints());
+    seen_.assign(points, 0);
+    tbb::parallel_for(Range(0, triangles_.count(), grain),
+      [&](const Range& range)
+      {
+        for (std::size_t t = range.begin(); t < range.end(); ++t)
+          for (int k = 0; k < 3; ++k)
+            std::atomic_ref(seen_[place(t, k)])
+              .fetch_or(1U << directionOf(normal(t)), std::memory_order_relaxed);
+      });
+    const std::array<std::uint32_t, 27> opposite = opposites();
+    tbb::parallel_for(Range(0, points, grain),
+      [&](const Range& range)
+      {
+        for (std::size_t p = range.begin(); p < range.end(); ++p)
+        {
+          bool isOpposed = false;
+          for (std::uint32_t left = seen_[p]; left != 0 && !isOpposed; left &= left - 1)
+            isOpposed = (seen_[p] & opposite[std::size_t(std::countr_zero(left))]) != 0;
+          seen_[p] = isOpposed;
+        }
+      });
+    std::atomic<bool> isAny{false};
+    tbb::parallel_for(Range(0, triangles_.count(), grain),
+      [&](const Range& range)
+      {
+        for (std::size_t t = range.begin(); t < range.end() && !isAny; ++t)
+          if (this->isOpposed(t))
+            isAny = true;
+      });
+    return isAny;
+  }
+  bool isOpposed(std::size_t triangle) const
+  {
+    return seen_[place(triangle, 0)] && seen_[place(triangle, 1)] && seen_[place(triangle, 2)];
+  }
+  bool mayHaveFiner(const Face& face) const
+  {
+    for (std::size_t t = face.first; t < face.end; ++t)
+      if (!this->isOpposed(t))
+        return false;
+    return true;
+  }
+
+  /// A face ends where all of its sides but those on its outline were met twice.
+  void findFaces()
+  {
+    Face face;
+    int open = 0; // sides within, each of two triangles
+    for (std::size_t t = 0; t < triangles_.count(); ++t)
+    {
+      face.normal += normal(t);
+      face.middle += (at(t, 0) + at(t, 1) + at(t, 2)) / 3.0;
+      if (!surface_.edges.empty())
+        open += 3 - std::popcount(unsigned(surface_.edges[t]) & 7U);
+      face.end = t + 1;
+      // A polygon of n triangles has n - 1 sides within.
+      if (open != 2 * static_cast<int>(face.end - face.first - 1) && t + 1 < triangles_.count())
+        continue;
+      face.middle /= static_cast<double>(face.end - face.first);
+      faces_.push_back(face);
+      face = {t + 1};
+      open = 0;
+    }
+  }
+
+  template <typename Visit>
+  void forPlaces(const Face& face, const Visit& visit) const
+  {
+    for (std::size_t t = face.first; t < face.end; ++t)
+      for (int k = 0; k < 3; ++k)
+        visit(place(t, k));
+  }
+
+  void findFacesAtPoints()
+  {
+    begins_.assign(seen_.size() + 1, 0);
+    for (const Face& face : faces_)
+      forPlaces(face, [&](std::size_t p) { ++begins_[p]; });
+    std::size_t sum = 0;
+    for (std::size_t& begin : begins_)
+      begin = sum += begin;
+    atPoints_.resize(sum);
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+      forPlaces(faces_[f], [&](std::size_t p) { atPoints_[--begins_[p]] = f; });
+  }
+
+  /// Whether the middle of a face, which looks at another, lies within this one.
+  bool isWithin(const Face& face, const Face& larger, const Likeness& likeness) const
+  {
+    const double length = glm::length(larger.normal);
+    if (!(glm::dot(face.normal, larger.normal) <
+          -likeness.cosine * glm::length(face.normal) * length))
+      return false;
+    const Vec3d unit = larger.normal / length;
+    if (std::abs(glm::dot(face.middle - larger.middle, unit)) >
+        likeness.distance * std::sqrt(0.5 * length))
+      return false;
+    for (std::size_t t = larger.first; t < larger.end; ++t)
+    {
+      bool isIn = true;
+      for (int k = 0; k < 3 && isIn; ++k)
+      {
+        const Vec3d from = at(t, k), side = at(t, (k + 1) % 3) - from;
+        isIn = glm::dot(glm::cross(side, face.middle - from), unit) >= -1e-6 * length;
+      }
+      if (isIn)
+        return true;
+    }
+    return false;
+  }
+
+  /// Gives the faces that cover another one together, if they do: from its corners on, from point
+  /// to point.
+  bool hasFiner(std::size_t of, const Likeness& likeness, std::vector<std::size_t>& finer) const
+  {
+    constexpr std::size_t most = 4096; // 64 x 64
+    const Face& larger = faces_[of];
+    std::vector<std::size_t> places;
+    const auto add = [](std::vector<std::size_t>& all, std::size_t one)
+    {
+      const bool isNew = std::find(all.begin(), all.end(), one) == all.end();
+      if (isNew)
+        all.push_back(one);
+      return isNew;
+    };
+    forPlaces(larger, [&](std::size_t p) { add(places, p); });
+    const std::size_t corners = places.size();
+    finer.clear();
+    Vec3d sum = larger.normal;
+    std::uint64_t met = 0; // of the corners
+    for (std::size_t i = 0; i < places.size() && finer.size() < most; ++i)
+      for (std::size_t n = begins_[places[i]]; n < begins_[places[i] + 1]; ++n)
+      {
+        const std::size_t other = atPoints_[n];
+        if (other == of || !this->isWithin(faces_[other], larger, likeness) || !add(finer, other))
+          continue;
+        sum += faces_[other].normal;
+        forPlaces(faces_[other],
+          [&](std::size_t p)
+          {
+            add(places, p);
+            for (std::size_t k = 0; k < std::min<std::size_t>(corners, 64); ++k)
+              met |= std::uint64_t(p == places[k]) << k;
+          });
+      }
+    return finer.size() > 1 && std::size_t(std::popcount(met)) == corners &&
+           glm::length(sum) <= 0.1 * glm::length(larger.normal);
+  }
+
+  const SurfaceTriangles& surface_;
+  const ArrayView triangles_;
+  vtkPoints* const points_;
+  const std::vector<vtkIdType>& welds_;
+  /// Of each point: directions of faces that have it, then whether two of them are opposite.
+  std::vector<std::uint32_t> seen_;
+  std::vector<Face> faces_;
+  std::vector<std::size_t> begins_, atPoints_; ///< of the faces that have a point
+};
+
+} // namespace
+
+std::vector<std::uint8_t> hangingFaces(
+  const SurfaceTriangles& surface, vtkPoints* points, const std::vector<vtkIdType>& welds)
+{
+  if (surface.cells.empty())
+    return {};
+  return HangingFaceFinder(surface, points, welds).find();
+}
+
+} // namespace mote
