@@ -70,7 +70,7 @@ void addAppearanceRows(std::vector<Row>& table)
       .name = "iso",
       .value = "VALUE,...",
       .help = "Opaque isosurfaces where the array that colours, or that of --iso-array, has these "
-              "values",
+              "values; an array of cells counts by its means at points",
       .usual = "none"}));
   table.push_back(row(volume, &VolumeSettings::isoArray,
     {.group = group,

@@ -214,12 +214,18 @@ void vtkMoteVolumeMapper::UpdateField(vtkUnstructuredGrid* grid)
   ++impl.fieldUpdates;
 }
 
-/// Takes the array that isosurfaces follow, where that is not the one that colours.
-void vtkMoteVolumeMapper::UpdateFollowed(vtkUnstructuredGrid* grid)
+/// The array that isosurfaces follow, and which scalar of it, in place of the one that colours.
+/// Null where this one does as it is: where it has values of points.
+vtkDataArray* vtkMoteVolumeMapper::FindFollowed(vtkUnstructuredGrid* grid, mote::HexScalar& scalar)
 {
-  Internals& impl = *this->Impl;
-  if (!this->ShowIsoSurfaces || this->IsoArrayName.empty())
-    return impl.forgetFollowed();
+  if (!this->ShowIsoSurfaces)
+    return nullptr;
+  if (this->IsoArrayName.empty())
+  {
+    vtkDataArray* own = this->FindArray(grid, scalar.ofCells);
+    scalar.component = this->ChosenComponent(own);
+    return scalar.ofCells ? own : nullptr;
+  }
   vtkDataSetAttributes* arrays = this->IsoArrayOfCells
                                    ? static_cast<vtkDataSetAttributes*>(grid->GetCellData())
                                    : grid->GetPointData();
@@ -227,18 +233,33 @@ void vtkMoteVolumeMapper::UpdateFollowed(vtkUnstructuredGrid* grid)
   if (!array)
     throw mote::Error("The input has no array '" + this->IsoArrayName + "' of " +
                       (this->IsoArrayOfCells ? "cells" : "points") + " for isosurfaces.");
-  mote::HexScalar scalar;
   scalar.ofCells = this->IsoArrayOfCells;
   scalar.component = array->GetNumberOfComponents() == 1 ? 0
                      : this->IsoArrayComponent < 0       ? mote::ArrayView::magnitude
                                                          : this->IsoArrayComponent;
-  mote::InputKey key = {double(scalar.component), double(scalar.ofCells)};
+  return array;
+}
+
+void vtkMoteVolumeMapper::UpdateFollowed(vtkUnstructuredGrid* grid)
+{
+  Internals& impl = *this->Impl;
+  mote::HexScalar scalar;
+  vtkDataArray* array = this->FindFollowed(grid, scalar);
+  if (!array)
+    return impl.forgetFollowed();
+  const bool isOwn = this->IsoArrayName.empty();
+  mote::InputKey key = {double(scalar.component), double(scalar.ofCells), double(isOwn)};
   mote::addArray(key, array);
   if (impl.followed.field && key == impl.followedKey)
     return;
   const mote::DataArrayView values(array);
   scalar.values = values.view;
-  impl.followed.field = std::make_shared<mote::HexField>(*impl.geometry.mesh(), scalar);
+  const mote::HexMesh& mesh = *impl.geometry.mesh();
+  impl.followed.field = isOwn ? impl.field : std::make_shared<mote::HexField>(mesh, scalar);
+  if (scalar.ofCells)
+    impl.followed.field =
+      std::make_shared<mote::HexField>(mote::HexField::atPoints(mesh, *impl.followed.field));
+  impl.followed.isOwn = isOwn;
   const auto structure = std::make_shared<mote::HexStructure>(*impl.geometry.structure());
   mote::setRanges(*structure, *impl.followed.field);
   impl.followed.structure = structure;

@@ -56,6 +56,7 @@ namespace mote
 {
 struct BuiltVolume;
 struct CloudObject;
+struct HexScalar;
 struct HexStructureOptions;
 struct Scene;
 } // namespace mote
@@ -158,7 +159,8 @@ public:
   ///@{
   /**
    * Whether there is an opaque surface wherever the scalar has one of the property's
-   * IsoSurfaceValues. Off by default, as a new property holds the value 0.
+   * IsoSurfaceValues. Where it is of cells the surface follows its means at points, of the cells
+   * around each. Off by default, as a new property holds the value 0.
    */
   vtkSetMacro(ShowIsoSurfaces, vtkTypeBool);
   vtkGetMacro(ShowIsoSurfaces, vtkTypeBool);
@@ -443,6 +445,7 @@ private:
   void UpdateWalk();
   void UpdateField(vtkUnstructuredGrid* grid);
   int ChosenComponent(vtkDataArray* array);
+  vtkDataArray* FindFollowed(vtkUnstructuredGrid* grid, mote::HexScalar& scalar);
   void UpdateFollowed(vtkUnstructuredGrid* grid);
   vtkDataArray* FindArray(vtkUnstructuredGrid* grid, bool& ofCells);
   void WarnOfUnused(vtkVolumeProperty* property);

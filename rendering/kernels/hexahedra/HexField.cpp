@@ -7,7 +7,9 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <vector>
 
 namespace mote
 {
@@ -81,13 +83,8 @@ HexField::HexField(const HexMesh& mesh, const HexScalar& scalar)
                   std::to_string(upper_) + ", and a range above 6.8e38 cannot be shown.");
     offset_ = lower_ <= upper_ ? lower_ + 0.5 * (upper_ - lower_) : 0.0;
     copy(values_, value, offset_);
-    for (std::size_t m = 0; m < (ofCells_ ? 0 : mesh.middleCount()); ++m)
-    {
-      double sum = 0.0;
-      for (const std::uint32_t p : mesh.aroundMiddle(m))
-        sum += values_[p];
-      values_.push_back(static_cast<float>(sum / double(mesh.aroundMiddle(m).size())));
-    }
+    if (!ofCells_)
+      this->addMiddles(mesh);
   };
   const bool isAlong = scalar.along != Vec3d(0.0);
   if (isAlong && wanted > 0 && v.components() != 3)
@@ -108,6 +105,69 @@ HexField::HexField(const HexMesh& mesh, const HexScalar& scalar)
     take([&](std::size_t c) { return v.value(mesh.inputCell(c), scalar.component); });
   else
     take([&](std::size_t i) { return v.value(i, scalar.component); });
+}
+
+/// Values of the middles of cells in parts, which come after those of the input's points.
+void HexField::addMiddles(const HexMesh& mesh)
+{
+  for (std::size_t m = 0; m < mesh.middleCount(); ++m)
+  {
+    double sum = 0.0;
+    for (const std::uint32_t p : mesh.aroundMiddle(m))
+      sum += values_[p];
+    values_.push_back(static_cast<float>(sum / double(mesh.aroundMiddle(m).size())));
+  }
+}
+
+HexField HexField::atPoints(const HexMesh& mesh, const HexField& ofCells)
+{
+  // Whole numbers add up to the same sum in any order.
+  const double half = std::max(ofCells.upper_ - ofCells.offset_, ofCells.offset_ - ofCells.lower_);
+  const double unit = half > 0.0 ? std::ldexp(half, -36) : 1.0;
+  std::vector<std::int64_t> sums(mesh.pointCount(), 0);
+  std::vector<std::uint32_t> counts(mesh.pointCount(), 0);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.cellCount(), grain),
+    [&](const tbb::blocked_range<std::size_t>& block)
+    {
+      std::vector<std::uint32_t> points; // of a cell of the input, in one part or in several
+      for (std::size_t first = block.begin(); first < block.end(); ++first)
+      {
+        const std::size_t input = mesh.inputCell(first);
+        const float value = ofCells.ofCell(first);
+        if (std::isnan(value) || (first > 0 && mesh.inputCell(first - 1) == input))
+          continue;
+        points.clear();
+        for (std::size_t c = first; c < mesh.cellCount() && mesh.inputCell(c) == input; ++c)
+          points.insert(points.end(), mesh.cell(c).begin(), mesh.cell(c).end());
+        std::sort(points.begin(), points.end());
+        points.erase(std::unique(points.begin(), points.end()), points.end());
+        for (const std::uint32_t p : points)
+          if (p < mesh.pointCount())
+          {
+            std::atomic_ref(sums[p]).fetch_add(
+              std::llround(double(value) / unit), std::memory_order_relaxed);
+            std::atomic_ref(counts[p]).fetch_add(1, std::memory_order_relaxed);
+          }
+      }
+    });
+  HexField field;
+  field.offset_ = ofCells.offset_;
+  field.values_.reserve(mesh.allPointCount());
+  field.values_.resize(mesh.pointCount());
+  copy(
+    field.values_,
+    [&](std::size_t p)
+    {
+      return counts[p] > 0 ? static_cast<double>(sums[p]) * unit / double(counts[p])
+                           : std::numeric_limits<double>::quiet_NaN();
+    },
+    0.0);
+  const Extent extent = extentOf(
+    field.values_.size(), [&](std::size_t p) { return field.offset_ + double(field.values_[p]); });
+  field.lower_ = extent.lower;
+  field.upper_ = extent.upper;
+  field.addMiddles(mesh);
+  return field;
 }
 
 RawVector<ScalarRange> cellRanges(const HexMesh& mesh, const HexField& field)

@@ -29,6 +29,10 @@ public:
   /// Copies in parallel. Throws Error where there is another number of values than of points or of
   /// the input's cells, no such component, or a range above 6.8e38.
   HexField(const HexMesh& mesh, const HexScalar& scalar);
+  /// A field of cells as one of points: the mean of the input's cells around each, of those that
+  /// have a number, whatever their size. In parallel; the result does not depend on the number of
+  /// threads.
+  static HexField atPoints(const HexMesh& mesh, const HexField& ofCells);
 
   bool isOfCells() const { return ofCells_; }
   /// What the kept values count from.
@@ -53,6 +57,8 @@ public:
   std::size_t bytes() const { return values_.size() * sizeof(float); }
 
 private:
+  void addMiddles(const HexMesh& mesh);
+
   RawVector<float> values_; ///< of points or of the mesh's cells
   double offset_ = 0.0;
   double lower_ = std::numeric_limits<double>::infinity();

@@ -92,7 +92,7 @@ SurfaceObject isoSurfacesOf(
 {
   SurfaceObject object = surfaceIn(cloud);
   object.surface = followed.field ? IsoSurface(followed.structure, followed.field, values,
-                                      cloud.hidden, cloud.field)
+                                      cloud.hidden, followed.isOwn ? nullptr : cloud.field)
                                   : IsoSurface(cloud.structure, cloud.field, values, cloud.hidden);
   object.coloring.map = colorsOf(cloud.transfer);
   return object;

@@ -76,12 +76,13 @@ struct OtherField
 {
   std::shared_ptr<const HexStructure> structure;
   std::shared_ptr<const HexField> field;
+  bool isOwn = false; ///< the cloud's own one, of cells, as one of points
 };
 
 /// The opaque surfaces, for which it must have a structure, where the cloud's scalar has these
 /// values, in the colours that its transfer function gives them, with its placement, material, id,
 /// revision and hidden cells. Where there is another field the values are of that, and the colours
-/// those of the cloud's scalar at the same place.
+/// those of the cloud's scalar at the same place, unless that is its own.
 SurfaceObject isoSurfacesOf(
   const CloudObject& cloud, const std::vector<double>& values, const OtherField& followed = {});
 

@@ -7,7 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <set>
+#include <vector>
 
 using namespace mote;
 using namespace mote::testing;
@@ -100,4 +104,47 @@ TEST(HexField, OfNothingButNaNHasNoRange)
   const HexField field(*mesh, {{values.data(), values.size(), 1}});
   EXPECT_GT(field.lower(), field.upper());
   EXPECT_EQ(field.offset(), 0.0);
+}
+
+TEST(HexField, AtPointsHasTheMeansOfTheCellsAround)
+{
+  // Some cells as one polyhedron, which is drawn in parts and counts once.
+  const HexCells plain = hexBlock(5, 4, 3);
+  for (const HexCells& cells : {plain, merged(plain, {{0, 1, 2}, {30, 31}})})
+  {
+    const auto mesh = cells.mesh();
+    std::vector<double> values(mesh->report().cells);
+    for (std::size_t c = 0; c < values.size(); ++c)
+      values[c] = c % 11 == 4 ? NAN : 1e5 + std::sin(double(c));
+    const HexField ofCells(*mesh, {{values.data(), values.size(), 1}, 0, true});
+    const HexField field = HexField::atPoints(*mesh, ofCells);
+    EXPECT_FALSE(field.isOfCells());
+    std::vector<std::set<std::size_t>> around(mesh->pointCount());
+    for (std::size_t c = 0; c < mesh->cellCount(); ++c)
+      for (const std::uint32_t p : mesh->cell(c))
+        if (p < around.size() && !std::isnan(values[mesh->inputCell(c)]))
+          around[p].insert(mesh->inputCell(c));
+    double lower = INFINITY;
+    for (std::size_t p = 0; p < around.size(); ++p)
+    {
+      double sum = 0.0;
+      for (const std::size_t c : around[p])
+        sum += values[c];
+      const double mean = sum / double(around[p].size());
+      if (around[p].empty())
+        EXPECT_TRUE(std::isnan(field.ofPoint(p)));
+      else
+        EXPECT_NEAR(field.offset() + field.ofPoint(p), mean, 1e-7);
+      lower = around[p].empty() ? lower : std::min(lower, mean);
+    }
+    EXPECT_NEAR(field.lower(), lower, 1e-7);
+    for (std::size_t m = 0; m < mesh->middleCount(); ++m)
+    {
+      double sum = 0.0;
+      for (const std::uint32_t p : mesh->aroundMiddle(m))
+        sum += field.ofPoint(p);
+      EXPECT_NEAR(
+        field.ofPoint(mesh->pointCount() + m), sum / double(mesh->aroundMiddle(m).size()), 1e-6);
+    }
+  }
 }

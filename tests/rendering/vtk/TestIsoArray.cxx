@@ -116,7 +116,32 @@ TEST(IsoArray, ThatTheInputLacksIsToldOnce)
   stage.trace();
   EXPECT_EQ(complaints.errors, 1);
   EXPECT_NE(complaints.text.find("'nothing' of cells"), std::string::npos) << complaints.text;
-  stage.mapper->SetIsoArray("c", true); // what cells have has no surfaces within them
   stage.mapper->SetIsoArray("f");
   stage.expectPlane(0.3, "after that");
+}
+
+TEST(IsoArray, OfCellsIsFollowedByItsMeansAtPoints)
+{
+  // Those of a linear field are its values there.
+  IsoStage stage;
+  stage.mapper->SetIsoArray("c", true);
+  stage.expectPlane(0.3, "cells, in the colours of points");
+  stage.mapper->SetScalarModeToUseCellFieldData();
+  stage.mapper->SelectScalarArray("c");
+  stage.mapper->SetIsoArray(nullptr);
+  const auto expectOwn = [&](double height)
+  {
+    const Picture picture = stage.trace();
+    const int pixel = picture.at(14, 18);
+    EXPECT_NEAR(picture.depth(pixel), stage.camera()->GetPosition()[2] - height, 1e-5);
+    EXPECT_NEAR(picture.color(pixel)[0], 0.5 + 0.5 * 0.3, 2e-3) << "that of the iso-value";
+  };
+  expectOwn(0.3);
+  // Other values of cells.
+  auto* c = vtkDoubleArray::SafeDownCast(stage.mapper->GetInput()->GetCellData()->GetArray("c"));
+  for (vtkIdType i = 0; i < c->GetNumberOfValues(); ++i)
+    c->SetValue(i, c->GetValue(i) + 0.2);
+  c->Modified();
+  stage.mapper->GetInput()->Modified();
+  expectOwn(0.1);
 }
