@@ -10,6 +10,7 @@
 #include "HDF5Particles.h"
 #include "LAMMPSDump.h"
 #include "LegacyCheck.h"
+#include "LegacyReader.h"
 #include "OBJCheck.h"
 #include "PDBReader.h"
 #include "PLYCheck.h"
@@ -38,7 +39,6 @@
 #include "kernels/particles/PkdTreeFile.h"
 
 #include "vtkGLTFReader.h"
-#include "vtkGenericDataObjectReader.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
 #include "vtkObjectFactory.h"
@@ -99,7 +99,7 @@ vtkSmartPointer<vtkAlgorithm> makeLegacy(const FileNames& fileNames)
 {
   if (fileNames.size() == 1) // those of a series come here one by one
     checkLegacyVTK(fileNames.front());
-  return makeOneOrSeries<vtkGenericDataObjectReader>(fileNames);
+  return makeOneOrSeries<LegacyReader>(fileNames);
 }
 
 vtkSmartPointer<vtkAlgorithm> makeOBJ(const FileNames& fileNames)

@@ -1,6 +1,5 @@
 #include "vtkMoteFileSeriesReader.h"
 
-#include "LegacyTime.h"
 #include "Piece.h"
 #include "ReadInside.h"
 #include "TextFile.h"
@@ -9,7 +8,6 @@
 #include "vtkMoteXYZReader.h"
 
 #include "vtkDataObject.h"
-#include "vtkGenericDataObjectReader.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -63,8 +61,6 @@ void requireOneStep(const std::string& file, const std::vector<double>& times)
 std::vector<Step> stepsOf(
   const std::string& file, vtkAlgorithm* reader, const std::vector<double>& times)
 {
-  if (vtkGenericDataObjectReader::SafeDownCast(reader))
-    return {{mote::legacyTime(mote::readBeginning(file, 4096)).value_or(std::nan("")), file, {}}};
   if (!vtkMoteXYZReader::SafeDownCast(reader))
     requireOneStep(file, times);
   if (times.size() < 2)

@@ -208,6 +208,18 @@ TEST_F(FileSeries, OneFileHasItsOwnReader)
   EXPECT_TRUE(vtkXMLUnstructuredGridReader::SafeDownCast(reader));
 }
 
+TEST_F(FileSeries, OneLegacyFileHasItsTimeOrNone)
+{
+  for (const double time : {2.5, noTime})
+  {
+    const std::string name = writeWith<vtkDataSetWriter>("one.vtk", sphere(1, time));
+    const auto reader = vtkMoteReaderTable::MakeReader(name, m_error);
+    EXPECT_EQ(
+      vtkMoteReaderTable::GetTimeSteps(reader, m_error), std::isnan(time) ? Times() : Times{time});
+    EXPECT_GT(vtkPolyData::SafeDownCast(read(reader, 0))->GetNumberOfPoints(), 0);
+  }
+}
+
 TEST_F(FileSeries, TheLastStepIsKept)
 {
   const Names names = spheres({10, 20});
