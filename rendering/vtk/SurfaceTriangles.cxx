@@ -1,10 +1,10 @@
 #include "SurfaceTriangles.h"
 
 #include "GridParts.h"
-#include "HangingFaces.h"
 
 #include "kernels/core/Error.h"
 #include "kernels/core/Vec.h"
+#include "kernels/hexahedra/HangingFaces.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -382,7 +382,8 @@ SurfaceTriangles trianglesOfMixed(
   if (!has[0])
     return trianglesOfFaces(grid, isVisible, welds);
   SurfaceTriangles found = trianglesOfFaces(grid, has[1] ? isOther.Get() : isVisible, welds);
-  dropTriangles(found, hangingFaces(found, grid->GetPoints(), welds));
+  const DataArrayView points(grid->GetPoints()->GetData());
+  dropTriangles(found, hangingFaces({found.view(), points.view, found.edges, welds}));
   if (!has[1])
     return found;
   append(trianglesOfFaces(grid, isFlat), found);

@@ -1,5 +1,6 @@
 #include "SurfaceIntegral.h"
 
+#include "HangingFaces.h"
 #include "TrilinearCell.h"
 #include "detail/CellFaces.h"
 
@@ -477,7 +478,7 @@ SurfaceIntegrals integrateBoundary(const HexMesh& mesh, const FaceAdjacency& adj
     }
     ++sum.cells;
   };
-  const RawVector<CellFace>& boundary = adjacency.boundary();
+  const RawVector<CellFace> boundary = wallsOf(mesh, adjacency);
   return inParallel(boundary.size(), count,
     [&](std::size_t i, SurfaceIntegrals& sum)
     {

@@ -53,8 +53,9 @@ SurfaceIntegrals integrateSlice(const HexMesh& mesh, const SliceShape& shape, in
   const Integrand& sizes = {});
 
 /// The same over the mesh's boundary, whose normals go outwards: bilinear patches, by Gauss' rule
-/// with 4 x 4 points each, judged by that with 3 x 3. Faces between cells that are hidden and such
-/// that are not do not become boundary.
+/// with 4 x 4 points each, judged by that with 3 x 3. Faces of coarse cells that finer ones cover,
+/// and these, are none of it. Faces between cells that are hidden and such that are not do not
+/// become boundary.
 SurfaceIntegrals integrateBoundary(const HexMesh& mesh, const FaceAdjacency& adjacency, int count,
   const Integrand& integrand, const HiddenCells* hidden = nullptr);
 

@@ -8,6 +8,8 @@
 
 #include <atomic>
 #include <cmath>
+#include <functional>
+#include <vector>
 
 using namespace mote;
 using namespace mote::testing;
@@ -175,6 +177,48 @@ TEST(SurfaceIntegral, OfBoundariesObeysGauss)
       { values[0] = 7.0 * glm::cross(at.place, at.normal).z; });
     EXPECT_NEAR(torque.values[0], 0.0, 1e-10);
   }
+}
+
+TEST(SurfaceIntegral, BoundariesOfRefinedMeshesAreTheirOutside)
+{
+  // 2 x 2 x 2 cells, one of which is 4 x 4 x 4, and one of these 2 x 2 x 2.
+  HexCells cells;
+  SharedPoints points{cells, {}};
+  const std::function<void(Vec3d, double, int)> add = [&](Vec3d low, double size, int level)
+  {
+    const int n = level == 1 ? 4 : 2;
+    for (int i = 0; i < n * n * n; ++i)
+    {
+      const double h = size / n;
+      const Vec3d at = low + h * Vec3d(i % n, i / n % n, i / (n * n));
+      if ((level == 0 && i == 7) || (level == 1 && i == 21))
+      {
+        add(at, h, level + 1);
+        continue;
+      }
+      std::vector<std::int64_t> corners;
+      for (const Vec3d& c : cornersOf(Box{at, at + h}))
+        corners.push_back(points.at(c));
+      cells.addCell(HexCellType::Hexahedron, corners);
+    }
+  };
+  add(Vec3d(0.0), 2.0, 0);
+  cells.move([](const Vec3d& p) { return p + Vec3d(0.8 * p.y, 0.0, 0.6 * p.x); });
+  const auto mesh = cells.mesh();
+  ASSERT_EQ(mesh->cellCount(), 7U + 63U + 8U);
+  const FaceAdjacency adjacency(*mesh);
+  const auto found = integrateBoundary(*mesh, adjacency, 3, areaAndFlow(position));
+  EXPECT_NEAR(found.values[2], 3.0 * mesh->report().volume, 1e-12);
+  EXPECT_EQ(found.cells, 24U - 3U + 3U * 16U);
+  EXPECT_GT(adjacency.boundary().size(), found.cells);
+  const auto plain = [&]
+  {
+    HexCells whole = hexBlock(2, 2, 2);
+    whole.move([](const Vec3d& p) { return p + Vec3d(0.8 * p.y, 0.0, 0.6 * p.x); });
+    return whole.mesh();
+  }();
+  const auto expected = integrateBoundary(*plain, FaceAdjacency(*plain), 3, areaAndFlow(position));
+  EXPECT_NEAR(found.values[0], expected.values[0], 1e-12);
 }
 
 TEST(SurfaceIntegral, CellsAreThoseThatTheSurfaceMeets)

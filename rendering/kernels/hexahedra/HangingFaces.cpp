@@ -1,10 +1,6 @@
 #include "HangingFaces.h"
 
-#include "SurfaceTriangles.h"
-
-#include "kernels/core/Vec.h"
-
-#include "vtkPoints.h"
+#include "detail/CellFaces.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -54,12 +50,8 @@ std::array<std::uint32_t, 27> opposites()
 class HangingFaceFinder
 {
 public:
-  HangingFaceFinder(
-    const SurfaceTriangles& surface, vtkPoints* points, const std::vector<vtkIdType>& welds)
-    : surface_(surface)
-    , triangles_(surface.view())
-    , points_(points)
-    , welds_(welds)
+  explicit HangingFaceFinder(const FacesInTriangles& input)
+    : input_(input)
   {
   }
 
@@ -69,7 +61,7 @@ public:
       return {};
     this->findFaces();
     this->findFacesAtPoints();
-    std::vector<std::uint8_t> marks(triangles_.count(), 0);
+    std::vector<std::uint8_t> marks(input_.triangles.count(), 0);
     tbb::parallel_for(Range(0, faces_.size(), grain),
       [&](const Range& range)
       {
@@ -111,14 +103,14 @@ private:
 
   std::size_t place(std::size_t triangle, int corner) const
   {
-    const auto id = static_cast<std::size_t>(triangles_.value(triangle, corner));
-    return welds_.empty() ? id : static_cast<std::size_t>(welds_[id]);
+    const auto id = static_cast<std::size_t>(input_.triangles.value(triangle, corner));
+    return input_.welds.empty() ? id : static_cast<std::size_t>(input_.welds[id]);
   }
   Vec3d at(std::size_t triangle, int corner) const
   {
-    Vec3d p;
-    points_->GetPoint(static_cast<vtkIdType>(triangles_.value(triangle, corner)), &p.x);
-    return p;
+    const auto id = static_cast<std::size_t>(input_.triangles.value(triangle, corner));
+    const ArrayView& points = input_.points;
+    return {points.value(id, 0), points.value(id, 1), points.value(id, 2)};
   }
   Vec3d normal(std::size_t triangle) const
   {
@@ -129,9 +121,9 @@ private:
   /// Finds points at which faces look at one another; whether any triangle has such corners alone.
   bool lookForOpposedFaces()
   {
-    const auto points = static_cast<std::size_t>(points_->GetNumberOfPoints());
+    const std::size_t points = input_.points.count();
     seen_.assign(points, 0);
-    tbb::parallel_for(Range(0, triangles_.count(), grain),
+    tbb::parallel_for(Range(0, input_.triangles.count(), grain),
       [&](const Range& range)
       {
         for (std::size_t t = range.begin(); t < range.end(); ++t)
@@ -152,7 +144,7 @@ private:
         }
       });
     std::atomic<bool> isAny{false};
-    tbb::parallel_for(Range(0, triangles_.count(), grain),
+    tbb::parallel_for(Range(0, input_.triangles.count(), grain),
       [&](const Range& range)
       {
         for (std::size_t t = range.begin(); t < range.end() && !isAny; ++t)
@@ -178,15 +170,16 @@ private:
   {
     Face face;
     int open = 0; // sides within, each of two triangles
-    for (std::size_t t = 0; t < triangles_.count(); ++t)
+    for (std::size_t t = 0; t < input_.triangles.count(); ++t)
     {
       face.normal += normal(t);
       face.middle += (at(t, 0) + at(t, 1) + at(t, 2)) / 3.0;
-      if (!surface_.edges.empty())
-        open += 3 - std::popcount(unsigned(surface_.edges[t]) & 7U);
+      if (!input_.edges.empty())
+        open += 3 - std::popcount(unsigned(input_.edges[t]) & 7U);
       face.end = t + 1;
       // A polygon of n triangles has n - 1 sides within.
-      if (open != 2 * static_cast<int>(face.end - face.first - 1) && t + 1 < triangles_.count())
+      if (open != 2 * static_cast<int>(face.end - face.first - 1) &&
+          t + 1 < input_.triangles.count())
         continue;
       face.middle /= static_cast<double>(face.end - face.first);
       faces_.push_back(face);
@@ -279,10 +272,7 @@ private:
            glm::length(sum) <= 0.1 * glm::length(larger.normal);
   }
 
-  const SurfaceTriangles& surface_;
-  const ArrayView triangles_;
-  vtkPoints* const points_;
-  const std::vector<vtkIdType>& welds_;
+  const FacesInTriangles& input_;
   /// Of each point: directions of faces that have it, then whether two of them are opposite.
   std::vector<std::uint32_t> seen_;
   std::vector<Face> faces_;
@@ -291,12 +281,41 @@ private:
 
 } // namespace
 
-std::vector<std::uint8_t> hangingFaces(
-  const SurfaceTriangles& surface, vtkPoints* points, const std::vector<vtkIdType>& welds)
+std::vector<std::uint8_t> hangingFaces(const FacesInTriangles& faces)
 {
-  if (surface.cells.empty())
+  return faces.triangles.empty() ? std::vector<std::uint8_t>() : HangingFaceFinder(faces).find();
+}
+
+RawVector<CellFace> wallsOf(const HexMesh& mesh, const FaceAdjacency& adjacency)
+{
+  if (adjacency.boundary().empty())
     return {};
-  return HangingFaceFinder(surface, points, welds).find();
+  std::vector<std::uint32_t> corners;
+  std::vector<std::uint8_t> edges;
+  std::vector<std::size_t> first; // triangle of each face
+  for (const CellFace& face : adjacency.boundary())
+  {
+    std::array<std::uint32_t, 4> p;
+    std::size_t n = 0;
+    for (const std::uint8_t corner : faceCorners[face.face])
+      if (const std::uint32_t id = mesh.cell(face.cell)[corner];
+          std::find(&p[0], &p[n], id) == &p[n])
+        p[n++] = id;
+    first.push_back(edges.size());
+    corners.insert(corners.end(), {p[0], p[1], p[2]});
+    edges.push_back(n == 4 ? 3 : 7);
+    if (n < 4)
+      continue;
+    corners.insert(corners.end(), {p[0], p[2], p[3]});
+    edges.push_back(6);
+  }
+  const auto marks = hangingFaces({{corners.data(), ArrayView::Type::UInt32, edges.size(), 3},
+    {&mesh.point(0).x, mesh.allPointCount(), 3}, edges, {}});
+  RawVector<CellFace> walls;
+  for (std::size_t f = 0; f < first.size(); ++f)
+    if (marks.empty() || marks[first[f]] == 0)
+      walls.push_back(adjacency.boundary()[f]);
+  return walls;
 }
 
 } // namespace mote

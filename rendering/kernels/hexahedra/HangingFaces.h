@@ -1,0 +1,37 @@
+#pragma once
+
+#include "FaceAdjacency.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace mote
+{
+
+/// Faces of cells with a volume, cut into triangles; those of a face follow one another, and turn
+/// about its normal, which goes outwards of all cells or inwards of all.
+struct FacesInTriangles
+{
+  ArrayView triangles; ///< three numbers of points each
+  ArrayView points;    ///< three coordinates each
+  /// Which sides of each triangle are sides of its face: bit k from corner k on. Empty: all.
+  std::span<const std::uint8_t> edges;
+  /// For each point the one that stands for it. Empty: each for itself.
+  std::span<const long long> welds;
+};
+
+/// Which triangles of the surface of a mesh are no walls, as smaller faces lie on the other side of
+/// the same place: 1 for those of both sides; empty for none. Meshes that are refined here and
+/// there have them, such as octrees: the face of a coarse cell meets four of finer cells, with
+/// points that the coarse cell has not ("hanging nodes").
+///
+/// All corners of the larger face are corners of smaller ones, which look at it, lie within it, and
+/// come to its area, up to a tenth: points that hang may follow a curved boundary. Thus the two
+/// sides of a thin wall, whose points are not the same but at its rim, stay. In parallel.
+std::vector<std::uint8_t> hangingFaces(const FacesInTriangles& faces);
+
+/// The faces of a mesh's boundary but for those.
+RawVector<CellFace> wallsOf(const HexMesh& mesh, const FaceAdjacency& adjacency);
+
+} // namespace mote
