@@ -82,6 +82,7 @@ void render(const Settings& given)
   Stage stage(settings);
   Picture picture(stage, size);
   Input input(settings.data.files);
+  refuseFilm(output.file); // by the name that was given
   picture.aim(output.allSteps ? numbered(output.file, 1, 1) : output.file);
   const double start = vtkTimerLog::GetUniversalTime();
   input.open(progress);

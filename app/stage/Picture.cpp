@@ -70,10 +70,6 @@ double Picture::aspect() const
   return double(sides.width) / sides.height;
 }
 
-namespace
-{
-
-/// Throws Failure, with the way to one, for the name of a film.
 void refuseFilm(const std::string& file)
 {
   const std::string ending = lowerCase(std::filesystem::path(file).extension().string());
@@ -84,8 +80,6 @@ void refuseFilm(const std::string& file)
         "; those are written by: mote animate FILE -o " +
         (ending == std::string(".mpg") || ending == std::string(".m4v") ? "film.ogv" : file));
 }
-
-} // namespace
 
 void Picture::aim(const std::string& file)
 {

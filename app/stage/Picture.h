@@ -29,6 +29,9 @@ void applyLook(vtkMoteColorLegend* legend, const PictureSettings& look);
 /// The colours of a picture in eight bits each, without alpha: backgrounds are opaque.
 vtkSmartPointer<vtkImageData> inBytes(vtkImageData* image);
 
+/// Throws Failure, with the way to one, for the name of a film.
+void refuseFilm(const std::string& file);
+
 /// The pipeline from a stage to a picture file, without a window: that of `mote render`, and of the
 /// window's saved pictures.
 class Picture

@@ -94,6 +94,9 @@ case $3 in
     PATH= run 1 "$mote" animate "$hopper" -o film.mp4
     one_sentence
     said err '.ogv'
+    run 1 "$mote" render "$hopper" -o film.mp4 --all-steps
+    one_sentence
+    said err 'mote animate FILE -o film.mp4'
     ls | grep -q part && fail "something is left: $(ls)"
     true
     ;;
