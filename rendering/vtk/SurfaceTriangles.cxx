@@ -1,5 +1,6 @@
 #include "SurfaceTriangles.h"
 
+#include "CollapsedCells.h"
 #include "GridParts.h"
 
 #include "kernels/core/Error.h"
@@ -291,33 +292,51 @@ void unweld(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& welds, vtkI
   }
 }
 
+/// The cells of a data set that are visible, with ghosts and their numbers; where cells have
+/// `welds` in common, with the points that these stand for.
+vtkSmartPointer<vtkPointSet> shapeOf(
+  vtkPointSet* data, vtkUnsignedCharArray* isVisible, const std::vector<vtkIdType>& welds)
+{
+  vtkSmartPointer<vtkPointSet> shape;
+  shape.TakeReference(data->NewInstance());
+  shape->CopyStructure(data);
+  if (!welds.empty())
+  {
+    auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+    vtkUnstructuredGrid::SafeDownCast(shape)->SetCells(
+      grid->GetCellTypesArray(), weldedCells(grid, welds));
+  }
+  copyGhosts(data->GetCellData(), shape->GetCellData());
+  copyGhosts(data->GetPointData(), shape->GetPointData());
+  shape->GetPointData()->AddArray(numbers(pointIds, 0, data->GetNumberOfPoints()));
+  shape->GetCellData()->AddArray(numbers(cellIds, 0, data->GetNumberOfCells()));
+  return isVisible ? visibleOf(shape, isVisible) : shape;
+}
+
 /// Triangles of the faces, in points and cells of `data`; where cells have `welds` in common these
 /// are not between them.
 SurfaceTriangles trianglesOfFaces(
   vtkPointSet* data, vtkUnsignedCharArray* isVisible, const std::vector<vtkIdType>& welds = {})
 {
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
-  vtkSmartPointer<vtkPointSet> shape;
-  shape.TakeReference(data->NewInstance());
-  shape->CopyStructure(data);
-  if (!welds.empty())
-    vtkUnstructuredGrid::SafeDownCast(shape)->SetCells(
-      grid->GetCellTypesArray(), weldedCells(grid, welds));
-  copyGhosts(data->GetCellData(), shape->GetCellData());
-  copyGhosts(data->GetPointData(), shape->GetPointData());
-  shape->GetPointData()->AddArray(numbers(pointIds, 0, data->GetNumberOfPoints()));
-  shape->GetCellData()->AddArray(numbers(cellIds, 0, data->GetNumberOfCells()));
-  if (isVisible)
-    shape = visibleOf(shape, isVisible);
-  vtkNew<vtkGeometryFilter> filter;
-  filter->SetInputData(shape);
-  filter->Update();
-  vtkPolyData* surface = filter->GetOutput();
-  SurfaceTriangles found = trianglesOf(surface);
+  vtkSmartPointer<vtkPointSet> shape = shapeOf(data, isVisible, welds);
+  auto* cellsOfShape = vtkUnstructuredGrid::SafeDownCast(shape);
+  const bool isCollapsed = cellsOfShape && hasCollapsedCells(cellsOfShape);
+  SurfaceTriangles found;
+  if (isCollapsed)
+    found = surfaceOfCollapsedCells(cellsOfShape);
+  else
+  {
+    vtkNew<vtkGeometryFilter> filter;
+    filter->SetInputData(shape);
+    filter->Update();
+    shape = filter->GetOutput();
+    found = trianglesOf(filter->GetOutput());
+  }
   const vtkIdType count =
     found.corners.view.empty() ? 0 : static_cast<vtkIdType>(found.view().count());
-  const vtkIdTypeArray* points = idsOf(surface->GetPointData(), pointIds);
-  const vtkIdTypeArray* cells = idsOf(surface->GetCellData(), cellIds);
+  const vtkIdTypeArray* points = idsOf(shape->GetPointData(), pointIds);
+  const vtkIdTypeArray* cells = idsOf(shape->GetCellData(), cellIds);
   if (count == 0 || !points || !cells)
     return found;
   const bool own = found.cells.empty();
@@ -335,7 +354,7 @@ SurfaceTriangles trianglesOfFaces(
   }
   if (!welds.empty())
     unweld(grid, welds, corners, found.cells);
-  if (grid)
+  if (grid && !isCollapsed)
     turnOutwards(grid, corners, found);
   found.corners = DataArrayView(corners);
   return found;

@@ -286,20 +286,15 @@ std::vector<std::uint8_t> hangingFaces(const FacesInTriangles& faces)
   return faces.triangles.empty() ? std::vector<std::uint8_t>() : HangingFaceFinder(faces).find();
 }
 
-RawVector<CellFace> wallsOf(const HexMesh& mesh, const FaceAdjacency& adjacency)
+FaceTriangles::FaceTriangles(const HexMesh& mesh, const RawVector<CellFace>& faces)
 {
-  if (adjacency.boundary().empty())
-    return {};
-  std::vector<std::uint32_t> corners;
-  std::vector<std::uint8_t> edges;
-  std::vector<std::size_t> first; // triangle of each face
-  for (const CellFace& face : adjacency.boundary())
+  for (const CellFace& face : faces)
   {
     std::array<std::uint32_t, 4> p;
     std::size_t n = 0;
     for (const std::uint8_t corner : faceCorners[face.face])
       if (const std::uint32_t id = mesh.cell(face.cell)[corner];
-          std::find(&p[0], &p[n], id) == &p[n])
+          std::find(p.begin(), p.begin() + n, id) == p.begin() + n)
         p[n++] = id;
     first.push_back(edges.size());
     corners.insert(corners.end(), {p[0], p[1], p[2]});
@@ -309,11 +304,20 @@ RawVector<CellFace> wallsOf(const HexMesh& mesh, const FaceAdjacency& adjacency)
     corners.insert(corners.end(), {p[0], p[2], p[3]});
     edges.push_back(6);
   }
-  const auto marks = hangingFaces({{corners.data(), ArrayView::Type::UInt32, edges.size(), 3},
-    {&mesh.point(0).x, mesh.allPointCount(), 3}, edges, {}});
+  first.push_back(edges.size());
+}
+
+RawVector<CellFace> wallsOf(const HexMesh& mesh, const FaceAdjacency& adjacency)
+{
+  if (adjacency.boundary().empty())
+    return {};
+  const FaceTriangles faces(mesh, adjacency.boundary());
+  const ArrayView corners(faces.corners.data(), ArrayView::Type::UInt32, faces.edges.size(), 3);
+  const ArrayView points(&mesh.point(0).x, mesh.allPointCount(), 3);
+  const auto marks = hangingFaces({corners, points, faces.edges, {}});
   RawVector<CellFace> walls;
-  for (std::size_t f = 0; f < first.size(); ++f)
-    if (marks.empty() || marks[first[f]] == 0)
+  for (std::size_t f = 0; f < adjacency.boundary().size(); ++f)
+    if (marks.empty() || marks[faces.first[f]] == 0)
       walls.push_back(adjacency.boundary()[f]);
   return walls;
 }

@@ -31,7 +31,17 @@ struct FacesInTriangles
 /// sides of a thin wall, whose points are not the same but at its rim, stay. In parallel.
 std::vector<std::uint8_t> hangingFaces(const FacesInTriangles& faces);
 
-/// The faces of a mesh's boundary but for those.
+/// Faces of cells in triangles, which look outwards.
+struct FaceTriangles
+{
+  std::vector<std::uint32_t> corners; ///< three points of the mesh each
+  std::vector<std::uint8_t> edges;    ///< see FacesInTriangles
+  std::vector<std::size_t> first;     ///< of each face's triangles, and their number at the end
+
+  FaceTriangles(const HexMesh& mesh, const RawVector<CellFace>& faces);
+};
+
+/// The faces of a mesh's boundary but for those that hang.
 RawVector<CellFace> wallsOf(const HexMesh& mesh, const FaceAdjacency& adjacency);
 
 } // namespace mote

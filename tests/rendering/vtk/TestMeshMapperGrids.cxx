@@ -1,12 +1,16 @@
 // vtkMoteMeshMapper on unstructured grids: it draws their outer faces, which look outwards. It
 // needs no display.
 #include "MeshTestSupport.h"
+#include "SurfaceTriangles.h"
 #include "VolumeTestSupport.h"
 
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <array>
 #include <cmath>
+#include <map>
+#include <vector>
 
 using namespace mote::testing;
 
@@ -45,7 +49,88 @@ vtkSmartPointer<vtkUnstructuredGrid> turnedRound(vtkUnstructuredGrid* grid)
   return turned;
 }
 
+/// Cells about an axis, on which those next to it have their corners: hexahedra whose sides there
+/// are lines, every other one a wedge where `withWedges`.
+vtkSmartPointer<vtkUnstructuredGrid> cylinder(int radial, int around, int high, bool withWedges)
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  std::map<std::array<int, 3>, vtkIdType> ids;
+  const auto id = [&](int r, int a, int h)
+  {
+    a = r == 0 ? 0 : a % around;
+    const auto [it, isNew] = ids.emplace(std::array{r, a, h}, points->GetNumberOfPoints());
+    const double angle = 2.0 * M_PI * a / around;
+    if (isNew)
+      points->InsertNextPoint(r * std::cos(angle), r * std::sin(angle), h);
+    return it->second;
+  };
+  grid->Allocate(1);
+  for (int h = 0; h < high; ++h)
+    for (int r = 0; r < radial; ++r)
+      for (int a = 0; a < around; ++a)
+      {
+        std::vector<vtkIdType> of;
+        const bool isWedge = withWedges && r == 0 && a % 2 == 1;
+        for (const int k : {h, h + 1})
+        {
+          of.insert(of.end(), {id(r, a, k), id(r + 1, a, k), id(r + 1, a + 1, k)});
+          if (!isWedge)
+            of.push_back(id(r, a + 1, k));
+        }
+        grid->InsertNextCell(
+          isWedge ? VTK_WEDGE : VTK_HEXAHEDRON, static_cast<vtkIdType>(of.size()), of.data());
+      }
+  grid->SetPoints(points);
+  return grid;
+}
+
+/// The volume within triangles that look outwards.
+double volumeWithin(const mote::SurfaceTriangles& found, vtkPointSet* data)
+{
+  double sum = 0.0;
+  for (std::size_t t = 0; t < found.cells.size(); ++t)
+  {
+    mote::Vec3d p[3];
+    for (int k = 0; k < 3; ++k)
+      data->GetPoint(static_cast<vtkIdType>(found.view().value(t, k)), &p[k].x);
+    sum += glm::dot(p[0], glm::cross(p[1], p[2])) / 6.0;
+  }
+  return sum;
+}
+
 } // namespace
+
+TEST_F(MeshStage, CellsAboutAnAxisShowTheirTriangles)
+{
+  const int radial = 3, around = 8, high = 2;
+  const double area = around * 0.5 * radial * radial * std::sin(2.0 * M_PI / around);
+  const int ends = 2 * around * (1 + 2 * (radial - 1)), side = 2 * around * high;
+  for (const bool withWedges : {false, true})
+    for (const bool isTurned : {false, true})
+    {
+      auto grid = cylinder(radial, around, high, withWedges);
+      if (isTurned)
+        grid = turnedRound(grid);
+      const mote::SurfaceTriangles found = mote::surfaceTrianglesOf(grid);
+      EXPECT_EQ(static_cast<int>(found.cells.size()), ends + side);
+      EXPECT_NEAR(volumeWithin(found, grid), area * high, 1e-12);
+      mapper->SetInputData(grid);
+      // Without two cells at the axis, one on the other, the three sides of each show.
+      vtkNew<vtkUnsignedCharArray> shown;
+      for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+        shown->InsertNextValue(i % (radial * around) == 2 ? 0 : 1);
+      mapper->SetVisibleCells(shown);
+      mapper->Update();
+      EXPECT_EQ(mapper->GetNumberOfTriangles(), ends - 2 + side + 2 * 3 * 2);
+      const mote::SurfaceTriangles rest = mote::surfaceTrianglesOf(grid, shown);
+      for (const vtkIdType cell : rest.cells)
+        EXPECT_NE(shown->GetValue(cell), 0);
+      const double wedge = area / around / (radial * radial);
+      EXPECT_NEAR(volumeWithin(rest, grid), (area - wedge) * high, 1e-12);
+    }
+}
 
 TEST_F(MeshStage, GridsShowTheirFacesAndNameTheirCells)
 {
