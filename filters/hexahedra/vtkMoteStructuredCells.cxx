@@ -1,5 +1,7 @@
 #include "vtkMoteStructuredCells.h"
 
+#include "GridSeams.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
@@ -25,6 +27,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 vtkStandardNewMacro(vtkMoteStructuredCells);
 
@@ -126,7 +129,7 @@ bool isLeftHanded(vtkPoints* points, vtkIdType cells, const std::array<vtkIdType
 
 template <class Ids>
 void fill(vtkCellArray* cells, vtkIdType count, const std::array<vtkIdType, 3>& along,
-  const std::array<int, 8>& order)
+  const std::array<int, 8>& order, const std::vector<vtkIdType>& seams)
 {
   vtkNew<Ids> offsets;
   vtkNew<Ids> connectivity;
@@ -143,7 +146,11 @@ void fill(vtkCellArray* cells, vtkIdType count, const std::array<vtkIdType, 3>& 
         begins[cell] = static_cast<Id>(8 * cell);
         const auto corners = cornersOf(cell, along);
         for (int i = 0; i < 8; ++i)
-          ids[8 * cell + i] = static_cast<Id>(corners[order[i]]);
+        {
+          const vtkIdType id = corners[order[i]];
+          ids[8 * cell + i] =
+            static_cast<Id>(seams.empty() ? id : seams[static_cast<std::size_t>(id)]);
+        }
       }
     });
   begins[count] = static_cast<Id>(8 * count);
@@ -211,11 +218,14 @@ vtkSmartPointer<vtkUnstructuredGrid> cellsOf(
   if (!isVoxels)
     order = isLeftHanded(points, count, along) ? std::array<int, 8>{4, 5, 7, 6, 0, 1, 3, 2}
                                                : std::array<int, 8>{0, 1, 3, 2, 4, 5, 7, 6};
+  std::vector<vtkIdType> seams;
+  if (auto* structured = vtkStructuredGrid::SafeDownCast(data))
+    seams = mote::seamsOf(structured, along);
   vtkNew<vtkCellArray> cells;
   if (8 * count < VTK_INT_MAX)
-    fill<vtkTypeInt32Array>(cells, count, along, order);
+    fill<vtkTypeInt32Array>(cells, count, along, order, seams);
   else
-    fill<vtkTypeInt64Array>(cells, count, along, order);
+    fill<vtkTypeInt64Array>(cells, count, along, order, seams);
   grid->SetPoints(points);
   grid->SetCells(isVoxels ? VTK_VOXEL : VTK_HEXAHEDRON, cells);
   grid->GetPointData()->ShallowCopy(data->GetPointData());

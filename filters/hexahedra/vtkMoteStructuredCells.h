@@ -6,7 +6,9 @@
  * vtkImageData, vtkRectilinearGrid or vtkStructuredGrid: voxels where the axes are those of space,
  * else hexahedra, in the order of the grid's cells and points, with the grid's own arrays. Where a
  * grid's cells are inside out as a whole, as in a left-handed structured grid, their corners are
- * taken in the other order.
+ * taken in the other order. Where a structured grid meets itself (around a body, or in the wake
+ * behind it), and all point arrays have one value on both sides, cells share the points there, so
+ * that there is no wall between them.
  *
  * Cells that are marked as ghosts or blanked (vtkGhostType), which several pieces have or none is
  * to show, are left out, of unstructured grids and polygons too.

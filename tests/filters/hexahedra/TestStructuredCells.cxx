@@ -15,6 +15,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+
 namespace
 {
 
@@ -152,4 +157,107 @@ TEST(TestStructuredCells, BlankedCellsAndGhostsAreLeftOut)
   cells = gridOf(grid);
   ASSERT_EQ(cells->GetNumberOfCells(), grid->GetNumberOfCells() - 1);
   EXPECT_EQ(cells->GetCellData()->GetArray("number")->GetComponent(0, 0), 1.0);
+}
+
+namespace
+{
+
+/// A structured grid whose points are where(i, j, k), with x + y + z as "f".
+template <typename Where>
+vtkSmartPointer<vtkStructuredGrid> structured(std::array<int, 3> n, const Where& where)
+{
+  auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
+  grid->SetDimensions(n.data());
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkDoubleArray> f;
+  f->SetName("f");
+  for (int k = 0; k < n[2]; ++k)
+    for (int j = 0; j < n[1]; ++j)
+      for (int i = 0; i < n[0]; ++i)
+      {
+        const std::array<double, 3> p = where(i, j, k);
+        points->InsertNextPoint(p.data());
+        f->InsertNextValue(p[0] + p[1] + p[2]);
+      }
+  grid->SetPoints(points);
+  grid->GetPointData()->AddArray(f);
+  return grid;
+}
+
+/// How many points cells name.
+std::size_t namedPoints(vtkUnstructuredGrid* grid)
+{
+  std::set<vtkIdType> named;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    grid->GetCellPoints(cell, ids);
+    named.insert(ids->begin(), ids->end());
+  }
+  return named.size();
+}
+
+/// Around a body.
+std::array<double, 3> aroundBody(int i, int j, int k)
+{
+  const double angle = 2.0 * M_PI * (i % 16) / 16;
+  return {(1.0 + j) * std::cos(angle), (1.0 + j) * std::sin(angle), double(k)};
+}
+
+/// Around a profile from x = 0 to 1, of so much thickness, and on both sides of its wake, to x = 3:
+/// i goes from the end of the wake around the nose at i = 10 and back.
+std::array<double, 3> aroundProfile(int i, int j, int k, double thickness)
+{
+  const int from = std::abs(i - 10);
+  const double x = from > 5 ? 1.0 + 0.4 * (from - 5) : 0.2 * from;
+  const double half = from >= 5 ? 0.0 : thickness * std::sin(M_PI * x);
+  return {x - (i == 10 ? 0.1 * j : 0.0), (i < 10 ? -1 : 1) * (half + 0.3 * j), double(k)};
+}
+
+} // namespace
+
+TEST(TestStructuredCells, AreJoinedWhereAGridMeetsItself)
+{
+  const auto around = structured({17, 4, 3}, aroundBody);
+  EXPECT_EQ(namedPoints(gridOf(around)), 16U * 4U * 3U);
+  expectSameCells(around, gridOf(around));
+  // Not where values differ.
+  vtkNew<vtkDoubleArray> angle;
+  angle->SetName("angle");
+  for (vtkIdType point = 0; point < around->GetNumberOfPoints(); ++point)
+    angle->InsertNextValue(static_cast<double>(point % 17));
+  around->GetPointData()->AddArray(angle);
+  EXPECT_EQ(namedPoints(gridOf(around)), 17U * 4U * 3U);
+  // Nor where it only comes near.
+  const auto open = structured({17, 4, 3},
+    [](int i, int j, int k)
+    {
+      auto p = aroundBody(i, j, k);
+      p[2] += 1e-3 * i;
+      return p;
+    });
+  EXPECT_EQ(namedPoints(gridOf(open)), 17U * 4U * 3U);
+}
+
+TEST(TestStructuredCells, AreJoinedInTheWakeOfAProfile)
+{
+  const auto profile =
+    structured({21, 4, 3}, [](int i, int j, int k) { return aroundProfile(i, j, k, 0.1); });
+  EXPECT_EQ(namedPoints(gridOf(profile)), (21U * 4U - 6U) * 3U); // x from 1 to 3
+  expectSameCells(profile, gridOf(profile));
+  // A plate without thickness stays.
+  const auto plate =
+    structured({21, 4, 3}, [](int i, int j, int k) { return aroundProfile(i, j, k, 0.0); });
+  EXPECT_EQ(namedPoints(gridOf(plate)), 21U * 4U * 3U);
+}
+
+TEST(TestStructuredCells, PolesStay)
+{
+  const auto ball = structured({13, 7, 4},
+    [](int i, int j, int k) -> std::array<double, 3>
+    {
+      const double a = 2.0 * M_PI * i / 12, b = M_PI * j / 6, r = 1.0 + k;
+      return {r * std::sin(b) * std::cos(a), r * std::sin(b) * std::sin(a), r * std::cos(b)};
+    });
+  EXPECT_EQ(namedPoints(gridOf(ball)), (12U * 5U + 2U * 13U) * 4U);
 }
