@@ -10,6 +10,7 @@
 #include <vtkDataSet.h>
 #include <vtkInformation.h>
 #include <vtkInformationStringKey.h>
+#include <vtkMoteParticleMapper.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
@@ -39,14 +40,15 @@ bool namesTypes(const std::string& name)
 /// Arrays that say which particle it is and where, not what happens to it.
 bool isBookkeeping(const std::string& name)
 {
-  return isAnyOf(
-    name, {"id", "ids", "particleids", "globalids", "globalpointids", "vtkoriginalpointids",
-            "vtkoriginalcellids", "vtkghosttype", "mol", "molecule", "proc", "map_shift",
-            "n_neighb", "model", "ishetatm", "procp1", "ix", "iy", "iz", "image", "x", "y", "z",
-            "xu", "yu", "zu", "xs", "ys", "zs", "position", "positions", "coordinates", "points",
-            "pos", "radius", "radii", "diameter", "mass", "normals", "tcoords", "residue", "chain",
-            "is_hetatm", "atom_type_strings", "secondary_structures", "secondary_structures_begin",
-            "secondary_structures_end", "rgb_colors"});
+  return vtkMoteParticleMapper::GetRadiusFactor(name.c_str()) > 0.0 ||
+         isAnyOf(
+           name, {"id", "ids", "particleids", "globalids", "globalpointids", "vtkoriginalpointids",
+                   "vtkoriginalcellids", "vtkghosttype", "mol", "molecule", "proc", "map_shift",
+                   "n_neighb", "model", "ishetatm", "procp1", "ix", "iy", "iz", "image", "x", "y",
+                   "z", "xu", "yu", "zu", "xs", "ys", "zs", "position", "positions", "coordinates",
+                   "points", "pos", "mass", "normals", "tcoords", "residue", "chain", "is_hetatm",
+                   "atom_type_strings", "secondary_structures", "secondary_structures_begin",
+                   "secondary_structures_end", "rgb_colors"});
 }
 
 vtkDataSetAttributes* attributesOf(vtkDataSet* data, bool ofCells)

@@ -39,12 +39,7 @@ bool hasRadii(vtkDataSet* data)
 {
   if (Part::isOfSource(data))
     return true;
-  for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
-    if (const char* name = data->GetPointData()->GetArrayName(i))
-      if (const std::string plain = lowerCase(name);
-          plain == "radius" || plain == "radii" || plain == "diameter")
-        return true;
-  return false;
+  return vtkMoteParticleMapper::FindRadii(data->GetPointData()) != nullptr;
 }
 
 /// In one text, each once and in their order.

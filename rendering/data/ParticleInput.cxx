@@ -32,16 +32,15 @@ vtkDataArray* requireScalar(vtkPointSet* points, const std::string& name, const 
   return array;
 }
 
-vtkDataArray* findByLowerName(vtkPointData* data, const std::string& wanted)
+/// In small letters, without units in brackets and what joins words: "Particle Diameter (m)" as
+/// particlediameter.
+std::string plainName(const std::string& name)
 {
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* array = data->GetArray(i);
-    if (array && array->GetName() && array->GetNumberOfComponents() == 1 &&
-        vtksys::SystemTools::LowerCase(array->GetName()) == wanted)
-      return array;
-  }
-  return nullptr;
+  std::string plain;
+  for (const char c : name.substr(0, name.find_first_of("([{")))
+    if (std::string(" _-.").find(c) == std::string::npos)
+      plain += c;
+  return vtksys::SystemTools::LowerCase(plain);
 }
 
 /// NaN differs from itself: as radii NaN and infinity are unfit alike.
@@ -73,11 +72,11 @@ vtkDataArray* findRadiusArray(vtkPointSet* points, const RadiusChoice& choice, b
   case RadiusMode::Automatic:
     if (sourceOf(points))
       return nullptr; // the source's own radii
-    for (const char* name : {"radius", "radii"})
-      if (vtkDataArray* radius = findByLowerName(points->GetPointData(), name))
-        return radius;
-    half = true;
-    return findByLowerName(points->GetPointData(), "diameter");
+    {
+      vtkDataArray* radii = namedRadii(points->GetPointData());
+      half = radii && radiusFactor(radii->GetName()) == 0.5;
+      return radii;
+    }
   default:
     return nullptr;
   }
@@ -94,6 +93,31 @@ void takePositions(vtkPointSet* points, ParticleInput& input)
 }
 
 } // namespace
+
+double radiusFactor(const std::string& name)
+{
+  const std::string plain = plainName(name);
+  for (const char* what : {"", "particle", "sphere", "grain", "atom"})
+  {
+    if (plain == what + std::string("radius") || plain == what + std::string("radii"))
+      return 1.0;
+    if (plain == what + std::string("diameter"))
+      return 0.5;
+  }
+  return 0.0;
+}
+
+vtkDataArray* namedRadii(vtkPointData* data)
+{
+  vtkDataArray* found = nullptr;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    if (vtkDataArray* array = data->GetArray(i);
+        array && array->GetName() && array->GetNumberOfComponents() == 1)
+      if (const double factor = radiusFactor(array->GetName());
+          factor > 0.0 && (!found || factor > radiusFactor(found->GetName())))
+        found = array;
+  return found;
+}
 
 std::shared_ptr<const PkdTreeFile> fileOf(vtkPointSet* points)
 {

@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+class vtkDataArray;
+class vtkPointData;
 class vtkPointSet;
 
 namespace mote
@@ -72,6 +74,13 @@ void takeRadiusProperties(Algorithm* from, RadiusChoice& choice)
 /// Prints them as PrintSelf() does.
 MOTERENDERINGDATA_EXPORT void printRadii(
   const RadiusChoice& choice, std::ostream& os, vtkIndent indent);
+
+/// What values of an array make radii by its name, such as "Radius" or "Particle Diameter (m)": 1
+/// times they, half of them, or 0 for none.
+MOTERENDERINGDATA_EXPORT double radiusFactor(const std::string& name);
+
+/// The first array of one component that makes radii so, or else diameters; or null.
+MOTERENDERINGDATA_EXPORT vtkDataArray* namedRadii(vtkPointData* data);
 
 /// The point array of that name. Throws Error, which says what it was wanted for, where there is
 /// none, or not one tuple a point.

@@ -36,6 +36,7 @@
 
 class vtkMoteClipCylinder;
 class vtkDataArray;
+class vtkPointData;
 class vtkPointSet;
 class vtkUnsignedCharArray;
 
@@ -64,8 +65,8 @@ public:
 
   /**
    * Where a particle's radius comes from. AUTOMATIC, the default, takes a point array named radius
-   * or radii (or half of one named diameter, in any case of letters), else half the typical
-   * distance between neighbours; of points that stay in a .mote file it is the radii that the file
+   * or radii, or half of one named diameter (see GetRadiusFactor()), else half the typical distance
+   * between neighbours; of points that stay in a .mote file it is the radii that the file
    * has.
    */
   enum RadiusModes
@@ -87,6 +88,15 @@ public:
   void SetRadiusModeToType() { this->SetRadiusMode(RADIUS_BY_TYPE); }
   void SetRadiusModeToSpacing() { this->SetRadiusMode(RADIUS_FROM_SPACING); }
   ///@}
+
+  /**
+   * What an array of this name holds to RADIUS_AUTOMATIC: 1 radii, 0.5 diameters, 0 something else.
+   * Names are radius, radii and diameter, alone or behind particle, sphere, grain or atom, whatever
+   * the case of letters, blanks, "_", "-" and units in brackets: "Particle Diameter (m)".
+   */
+  static double GetRadiusFactor(const char* arrayName);
+  /** The array of one component that RADIUS_AUTOMATIC takes radii or diameters from; or null. */
+  static vtkDataArray* FindRadii(vtkPointData* data);
 
   ///@{
   /** The radius in RADIUS_CONSTANT mode, in the units of the points. Default 0.5. */

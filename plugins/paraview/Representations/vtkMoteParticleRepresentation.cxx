@@ -11,7 +11,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
 #include <cmath>
@@ -20,18 +19,6 @@ vtkStandardNewMacro(vtkMoteParticleRepresentation);
 
 namespace
 {
-
-/// An array that the mapper takes radii from by itself: of one component and this name, in letters
-/// of either case.
-vtkDataArray* arrayNamed(vtkPointData* data, const std::string& name)
-{
-  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-    if (vtkDataArray* array = data->GetArray(i);
-        array && array->GetName() && array->GetNumberOfComponents() == 1 &&
-        vtksys::SystemTools::LowerCase(array->GetName()) == name)
-      return array;
-  return nullptr;
-}
 
 double greatestOf(vtkDataArray* array)
 {
@@ -68,9 +55,8 @@ bool vtkMoteParticleRepresentation::HasOwnRadii()
   if (this->RadiusMode != vtkMoteParticleMapper::RADIUS_AUTOMATIC)
     return this->RadiusMode != vtkMoteParticleMapper::RADIUS_FROM_SPACING;
   auto* ofSource = vtkMoteSourcePoints::SafeDownCast(this->Drawn->GetPoints());
-  vtkPointData* data = this->Drawn->GetPointData();
-  return (ofSource && ofSource->GetSource()) || arrayNamed(data, "radius") ||
-         arrayNamed(data, "diameter");
+  return (ofSource && ofSource->GetSource()) ||
+         vtkMoteParticleMapper::FindRadii(this->Drawn->GetPointData());
 }
 
 /// The typical distance of neighbours, on whichever ranks these are; 0 where all tell radii.
@@ -96,10 +82,8 @@ double vtkMoteParticleRepresentation::GetLargestRadius()
   default:
     break;
   }
-  if (vtkDataArray* radius = arrayNamed(data, "radius"))
-    return scale * greatestOf(radius);
-  if (vtkDataArray* diameter = arrayNamed(data, "diameter"))
-    return 0.5 * scale * greatestOf(diameter);
+  if (vtkDataArray* radii = vtkMoteParticleMapper::FindRadii(data))
+    return scale * vtkMoteParticleMapper::GetRadiusFactor(radii->GetName()) * greatestOf(radii);
   // What only the mapper can tell.
   this->Mapper->SetInputData(this->Drawn);
   double drawn[6], points[6], most = 0.0;

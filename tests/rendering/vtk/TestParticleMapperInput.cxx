@@ -83,7 +83,8 @@ TEST(ParticleMapperBounds, AreUnsetWithoutParticles)
 
 TEST(ParticleMapperRadius, AutomaticTakesRadiusInAnyCase)
 {
-  for (const char* name : {"radius", "Radius", "RADIUS", "radii", "Radii"})
+  for (const char* name : {"radius", "Radius", "RADIUS", "radii", "Radii", "particle_radius",
+         "Sphere Radius", "PARTICLE-RADIUS", "Radius (m)"})
   {
     auto data = onePoint();
     addValues(data, name, {0.75}, false);
@@ -93,7 +94,8 @@ TEST(ParticleMapperRadius, AutomaticTakesRadiusInAnyCase)
 
 TEST(ParticleMapperRadius, AutomaticTakesHalfOfDiameterInAnyCase)
 {
-  for (const char* name : {"diameter", "Diameter", "DIAMETER"})
+  for (const char* name :
+    {"diameter", "Diameter", "DIAMETER", "Particle Diameter [mm]", "grainDiameter"})
   {
     auto data = onePoint();
     addValues(data, name, {3}, false);
@@ -107,6 +109,19 @@ TEST(ParticleMapperRadius, AutomaticPrefersRadiusToDiameter)
   addValues(data, "diameter", {3}, false);
   addValues(data, "radius", {0.25}, false);
   EXPECT_NEAR(seenRadius(data, [](auto*) {}), 0.25, 1e-6);
+}
+
+TEST(ParticleMapperRadius, AutomaticTakesNoArrayThatOnlySoundsLikeRadii)
+{
+  for (const char* name :
+    {"cutoff_radius", "radius_of_gyration", "radiusx", "inner diameter", "d", ""})
+  {
+    auto data = onePoint();
+    addValues(data, name, {3}, false);
+    EXPECT_FALSE(vtkMoteParticleMapper::FindRadii(data->GetPointData())) << name;
+    EXPECT_EQ(vtkMoteParticleMapper::GetRadiusFactor(name), 0.0) << name;
+  }
+  EXPECT_EQ(vtkMoteParticleMapper::GetRadiusFactor(nullptr), 0.0);
 }
 
 TEST(ParticleMapperRadius, AutomaticSkipsVectorsNamedRadius)
