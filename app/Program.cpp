@@ -1,6 +1,7 @@
 #include "Program.h"
 
 #include "base/Failure.h"
+#include "base/Memory.h"
 #include "base/Messages.h"
 #include "base/ProgressRelay.h"
 #include "base/Text.h"
@@ -225,6 +226,7 @@ std::unique_ptr<tbb::global_control> limitThreads(int threads)
 
 int runProgram(int argc, char** argv)
 {
+  keepToMemoryOfGroup();
   CLI::App app(
     "Mote ray casts what simulations write: particles as spheres; hexahedra and other 3D cells as "
     "volumes.",

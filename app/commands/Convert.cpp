@@ -14,6 +14,7 @@
 #include "stage/Surface.h"
 #include "table/Row.h"
 
+#include <kernels/core/MemoryLimit.h>
 #include <kernels/core/ScratchSpace.h>
 
 #include <vtkActor.h>

@@ -3,7 +3,7 @@
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/Text.h"
-#include "kernels/core/ScratchSpace.h"
+#include "kernels/core/MemoryLimit.h"
 
 #include <DataParts.h>
 #include <vtkCellTypes.h>

@@ -10,7 +10,7 @@
 #include "base/Text.h"
 #include "settings/ErrorBudget.h"
 
-#include <kernels/core/ScratchSpace.h>
+#include <kernels/core/MemoryLimit.h>
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

@@ -4,7 +4,7 @@
 
 #include "base/Text.h"
 
-#include <kernels/core/ScratchSpace.h>
+#include <kernels/core/MemoryLimit.h>
 
 #include <algorithm>
 

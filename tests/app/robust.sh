@@ -237,6 +237,23 @@ FILE
     one_sentence
     said err 'needs about'
     [ ! -e a.png ] || fail "a picture in spite of an error"
+    # Nor does the limit of a control group end it without a word, where this may make one.
+    for limit in /sys/fs/cgroup/memory/mote-$$/memory.limit_in_bytes /sys/fs/cgroup/mote-$$/memory.max; do
+      ! ldd "$mote" | grep -qE 'lib[at]san' && mkdir "${limit%/*}" 2>/dev/null || continue
+      code=skipped
+      if [ -e "$limit" ] && echo 1000000000 2>/dev/null >"$limit"; then
+        (
+          echo "$BASHPID" >"${limit%/*}/cgroup.procs"
+          exec "$mote" render lattice:40000000 -o a.png --size 40x30
+        ) >out 2>err
+        code=$?
+      fi
+      rmdir "${limit%/*}"
+      [ $code != skipped ] || continue
+      [ $code = 1 ] || { cat out err; fail "exit code $code in a control group"; }
+      one_sentence
+      said err 'not enough memory'
+    done
     ;;
 
   ignored) # a shell's background commands are not interrupted

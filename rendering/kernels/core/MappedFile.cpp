@@ -1,7 +1,7 @@
 #include "MappedFile.h"
 
 #include "Error.h"
-#include "ScratchSpace.h"
+#include "MemoryLimit.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <fstream>
-#include <limits>
 #include <new>
 
 #include <fcntl.h>
@@ -81,19 +79,6 @@ std::shared_ptr<void> ScratchSpace::allocate(std::uint64_t bytes, bool inFile)
   if (file < 0)
     preferHugePages(mapping->memory, bytes);
   return {mapping, mapping->memory};
-}
-
-std::uint64_t physicalMemory()
-{
-  const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
-  std::uint64_t bytes = pages > 0 && page > 0
-                          ? static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page)
-                          : std::numeric_limits<std::uint64_t>::max();
-  for (const char* name :
-    {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"})
-    if (std::uint64_t limit = 0; std::ifstream(name) >> limit && limit > 0)
-      bytes = std::min(bytes, limit);
-  return bytes;
 }
 
 } // namespace mote

@@ -43,7 +43,4 @@ private:
   std::atomic<bool> usesFiles_{false};
 };
 
-/// Memory of the machine, or of the control group that the process is kept to, whichever is less.
-std::uint64_t physicalMemory();
-
 } // namespace mote
