@@ -92,6 +92,7 @@ bool VolumeGeometry::takeCells(vtkUnstructuredGrid* grid)
   mesh_ = nullptr;
   structure_ = nullptr;
   adjacency_ = nullptr;
+  hangingPoints_ = nullptr;
   if (!grid->GetCells() || grid->GetNumberOfCells() == 0)
     throw Error("The input has no cells.");
   GridArrays arrays(grid);
@@ -133,6 +134,13 @@ void VolumeGeometry::findNeighbours()
     return;
   adjacency_ = std::make_shared<FaceAdjacency>(*mesh_);
   views_ = std::make_shared<WalkViews>();
+}
+
+const std::vector<HangingPoint>& VolumeGeometry::hangingPoints()
+{
+  if (!hangingPoints_)
+    hangingPoints_ = std::make_shared<const std::vector<HangingPoint>>(hangingPointsOf(*mesh_));
+  return *hangingPoints_;
 }
 
 std::shared_ptr<const WalkCells> VolumeGeometry::makeWalk(const HexField& field)

@@ -3,6 +3,7 @@
 #include "GridCells.h"
 #include "ParticleInput.h"
 #include "VisibleCells.h"
+#include "kernels/hexahedra/HangingPoints.h"
 #include "kernels/hexahedra/HexStructure.h"
 #include "kernels/hexahedra/HiddenCells.h"
 #include "kernels/hexahedra/WalkCells.h"
@@ -45,6 +46,9 @@ public:
   /// What camera rays need to go from cell to cell, of a field on the mesh.
   std::shared_ptr<const WalkCells> makeWalk(const HexField& field);
 
+  /// The mesh's hanging nodes, found when they are first asked for.
+  const std::vector<HangingPoint>& hangingPoints();
+
   void forget() { *this = VolumeGeometry(); }
 
   /// Adds what it takes in memory: what there is, and its bytes. Steps over the same mesh share all
@@ -73,6 +77,7 @@ private:
   std::shared_ptr<const char> built_;              ///< the same for all copies of the structure
   std::shared_ptr<const FaceAdjacency> adjacency_; ///< of the mesh, once it was asked for
   std::shared_ptr<WalkViews> views_;               ///< the same
+  std::shared_ptr<const std::vector<HangingPoint>> hangingPoints_; ///< the same
 };
 
 /// The cells of a mesh that are not visible, kept for as long as both stay what they are.

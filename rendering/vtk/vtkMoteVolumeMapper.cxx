@@ -257,8 +257,8 @@ void vtkMoteVolumeMapper::UpdateFollowed(vtkUnstructuredGrid* grid)
   const mote::HexMesh& mesh = *impl.geometry.mesh();
   impl.followed.field = isOwn ? impl.field : std::make_shared<mote::HexField>(mesh, scalar);
   if (scalar.ofCells)
-    impl.followed.field =
-      std::make_shared<mote::HexField>(mote::HexField::atPoints(mesh, *impl.followed.field));
+    impl.followed.field = std::make_shared<mote::HexField>(
+      mote::HexField::atPoints(mesh, *impl.followed.field, impl.geometry.hangingPoints()));
   impl.followed.isOwn = isOwn;
   const auto structure = std::make_shared<mote::HexStructure>(*impl.geometry.structure());
   mote::setRanges(*structure, *impl.followed.field);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <random>
 #include <set>
@@ -138,6 +139,32 @@ std::vector<Vec3d> foamNormals()
   for (int k = 0; k < 8; ++k)
     normals.emplace_back(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
   return normals;
+}
+
+HexCells refinedBlock()
+{
+  HexCells cells;
+  SharedPoints points{cells, {}};
+  const std::function<void(Vec3d, double, int)> add = [&](Vec3d low, double size, int level)
+  {
+    const int n = level == 1 ? 4 : 2;
+    for (int i = 0; i < n * n * n; ++i)
+    {
+      const double h = size / n;
+      const Vec3d at = low + h * Vec3d(i % n, i / n % n, i / (n * n));
+      if ((level == 0 && i == 7) || (level == 1 && i == 21))
+      {
+        add(at, h, level + 1);
+        continue;
+      }
+      std::vector<std::int64_t> corners;
+      for (const Vec3d& c : cornersOf(Box{at, at + h}))
+        corners.push_back(points.at(c));
+      cells.addCell(HexCellType::Hexahedron, corners);
+    }
+  };
+  add(Vec3d(0.0), 2.0, 0);
+  return cells;
 }
 
 HexCells foam(int n)

@@ -59,6 +59,10 @@ struct SharedPoints
   }
 };
 
+/// 2 x 2 x 2 boxes of size 1, of which the last one is 4 x 4 x 4, and one of these 2 x 2 x 2:
+/// coarse cells have finer ones on their faces.
+HexCells refinedBlock();
+
 /// Truncated octahedra, of 6 squares and 8 hexagons, which fill space about the points of a
 /// body-centred lattice: 2 n^3 of them. Of each the points p with normal . (p - middle) <= reach.
 HexCells foam(int n);

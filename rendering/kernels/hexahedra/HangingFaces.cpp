@@ -3,6 +3,7 @@
 #include "detail/CellFaces.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/concurrent_vector.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace mote
 {
@@ -55,35 +57,41 @@ public:
   {
   }
 
-  std::vector<std::uint8_t> find()
+  std::vector<CoveredFace> find()
   {
     if (!this->lookForOpposedFaces())
       return {};
     this->findFaces();
     this->findFacesAtPoints();
-    std::vector<std::uint8_t> marks(input_.triangles.count(), 0);
+    tbb::concurrent_vector<CoveredFace> found;
     tbb::parallel_for(Range(0, faces_.size(), grain),
       [&](const Range& range)
       {
-        std::vector<std::size_t> finer;
+        std::vector<std::size_t> smaller;
         for (std::size_t f = range.begin(); f < range.end(); ++f)
-          if (this->mayHaveFiner(faces_[f]) &&
-              (this->hasFiner(f, flat, finer) || this->hasFiner(f, curved, finer)))
-          {
-            mark(faces_[f], marks);
-            for (const std::size_t other : finer)
-              mark(faces_[other], marks);
-          }
+        {
+          if (!this->mayHaveFiner(faces_[f]) ||
+              (!this->hasFiner(f, flat, smaller) && !this->hasFiner(f, curved, smaller)))
+            continue;
+          CoveredFace covered = {faces_[f].triangles, 0.5 * glm::length(faces_[f].normal), {}};
+          for (const std::size_t other : smaller)
+            covered.smaller.push_back(faces_[other].triangles);
+          found.push_back(std::move(covered));
+        }
       });
-    return marks;
+    std::vector<CoveredFace> sorted(found.begin(), found.end());
+    std::sort(sorted.begin(), sorted.end(),
+      [](const CoveredFace& a, const CoveredFace& b)
+      { return std::pair(-a.area, a.larger.first) < std::pair(-b.area, b.larger.first); });
+    return sorted;
   }
 
 private:
   struct Face
   {
-    std::size_t first = 0, end = 0; ///< of its triangles
-    Vec3d normal{0.0};              ///< twice as long as the face is large
-    Vec3d middle{0.0};              ///< of its triangles' middles
+    FaceRange triangles;
+    Vec3d normal{0.0}; ///< twice as long as the face is large
+    Vec3d middle{0.0}; ///< of its triangles' middles
   };
 
   /// How finer faces lie on one: the least cosine of the angle to it, and the farthest that their
@@ -94,12 +102,6 @@ private:
   };
   static constexpr Likeness flat = {0.999, 0.01};
   static constexpr Likeness curved = {0.85, 0.15}; ///< may take in sides of slanting thin cells
-
-  static void mark(const Face& face, std::vector<std::uint8_t>& marks)
-  {
-    for (std::size_t t = face.first; t < face.end; ++t)
-      std::atomic_ref(marks[t]).store(1, std::memory_order_relaxed);
-  }
 
   std::size_t place(std::size_t triangle, int corner) const
   {
@@ -159,7 +161,7 @@ private:
   }
   bool mayHaveFiner(const Face& face) const
   {
-    for (std::size_t t = face.first; t < face.end; ++t)
+    for (std::size_t t = face.triangles.first; t < face.triangles.end; ++t)
       if (!this->isOpposed(t))
         return false;
     return true;
@@ -176,14 +178,14 @@ private:
       face.middle += (at(t, 0) + at(t, 1) + at(t, 2)) / 3.0;
       if (!input_.edges.empty())
         open += 3 - std::popcount(unsigned(input_.edges[t]) & 7U);
-      face.end = t + 1;
+      face.triangles.end = t + 1;
+      const std::size_t count = face.triangles.end - face.triangles.first;
       // A polygon of n triangles has n - 1 sides within.
-      if (open != 2 * static_cast<int>(face.end - face.first - 1) &&
-          t + 1 < input_.triangles.count())
+      if (open != 2 * static_cast<int>(count - 1) && t + 1 < input_.triangles.count())
         continue;
-      face.middle /= static_cast<double>(face.end - face.first);
+      face.middle /= static_cast<double>(count);
       faces_.push_back(face);
-      face = {t + 1};
+      face = {{t + 1}};
       open = 0;
     }
   }
@@ -191,7 +193,7 @@ private:
   template <typename Visit>
   void forPlaces(const Face& face, const Visit& visit) const
   {
-    for (std::size_t t = face.first; t < face.end; ++t)
+    for (std::size_t t = face.triangles.first; t < face.triangles.end; ++t)
       for (int k = 0; k < 3; ++k)
         visit(place(t, k));
   }
@@ -220,7 +222,7 @@ private:
     if (std::abs(glm::dot(face.middle - larger.middle, unit)) >
         likeness.distance * std::sqrt(0.5 * length))
       return false;
-    for (std::size_t t = larger.first; t < larger.end; ++t)
+    for (std::size_t t = larger.triangles.first; t < larger.triangles.end; ++t)
     {
       bool isIn = true;
       for (int k = 0; k < 3 && isIn; ++k)
@@ -281,9 +283,25 @@ private:
 
 } // namespace
 
+std::vector<CoveredFace> coveredFaces(const FacesInTriangles& faces)
+{
+  return faces.triangles.empty() ? std::vector<CoveredFace>() : HangingFaceFinder(faces).find();
+}
+
 std::vector<std::uint8_t> hangingFaces(const FacesInTriangles& faces)
 {
-  return faces.triangles.empty() ? std::vector<std::uint8_t>() : HangingFaceFinder(faces).find();
+  const std::vector<CoveredFace> covered = coveredFaces(faces);
+  if (covered.empty())
+    return {};
+  std::vector<std::uint8_t> marks(faces.triangles.count(), 0);
+  const auto mark = [&](const FaceRange& face)
+  { std::fill(marks.begin() + face.first, marks.begin() + face.end, 1); };
+  for (const CoveredFace& face : covered)
+  {
+    mark(face.larger);
+    std::for_each(face.smaller.begin(), face.smaller.end(), mark);
+  }
+  return marks;
 }
 
 FaceTriangles::FaceTriangles(const HexMesh& mesh, const RawVector<CellFace>& faces)

@@ -21,14 +21,31 @@ struct FacesInTriangles
   std::span<const long long> welds;
 };
 
-/// Which triangles of the surface of a mesh are no walls, as smaller faces lie on the other side of
-/// the same place: 1 for those of both sides; empty for none. Meshes that are refined here and
-/// there have them, such as octrees: the face of a coarse cell meets four of finer cells, with
-/// points that the coarse cell has not ("hanging nodes").
+/// The triangles of a face.
+struct FaceRange
+{
+  std::size_t first = 0, end = 0;
+};
+
+/// A face that smaller ones cover, on the other side of its place.
+struct CoveredFace
+{
+  FaceRange larger;
+  double area = 0.0;
+  std::vector<FaceRange> smaller;
+};
+
+/// The faces of the surface of a mesh that smaller ones cover, by their area, the largest first.
+/// Meshes that are refined here and there have them, such as octrees: the face of a coarse cell
+/// meets four of finer cells, with points that the coarse cell has not ("hanging nodes").
 ///
 /// All corners of the larger face are corners of smaller ones, which look at it, lie within it, and
 /// come to its area, up to a tenth: points that hang may follow a curved boundary. Thus the two
 /// sides of a thin wall, whose points are not the same but at its rim, stay. In parallel.
+std::vector<CoveredFace> coveredFaces(const FacesInTriangles& faces);
+
+/// Which triangles are no walls: 1 for those of such faces, and of the smaller ones; empty for
+/// none.
 std::vector<std::uint8_t> hangingFaces(const FacesInTriangles& faces);
 
 /// Faces of cells in triangles, which look outwards.

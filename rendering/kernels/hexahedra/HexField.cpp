@@ -1,6 +1,7 @@
 #include "HexField.h"
 
 #include "../core/Error.h"
+#include "HangingPoints.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -119,49 +120,100 @@ void HexField::addMiddles(const HexMesh& mesh)
   }
 }
 
-HexField HexField::atPoints(const HexMesh& mesh, const HexField& ofCells)
+namespace
 {
-  // Whole numbers add up to the same sum in any order.
-  const double half = std::max(ofCells.upper_ - ofCells.offset_, ofCells.offset_ - ofCells.lower_);
-  const double unit = half > 0.0 ? std::ldexp(half, -36) : 1.0;
-  std::vector<std::int64_t> sums(mesh.pointCount(), 0);
-  std::vector<std::uint32_t> counts(mesh.pointCount(), 0);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.cellCount(), grain),
-    [&](const tbb::blocked_range<std::size_t>& block)
+
+/// The cells at each point, ascending: those of point p are from begins[p] on in `cells`.
+struct CellsAtPoints
+{
+  std::vector<std::size_t> begins;
+  RawVector<std::uint32_t> cells;
+
+  explicit CellsAtPoints(const HexMesh& mesh)
+    : begins(mesh.pointCount() + 1, 0)
+  {
+    const auto each = [&](const auto& visit)
     {
-      std::vector<std::uint32_t> points; // of a cell of the input, in one part or in several
-      for (std::size_t first = block.begin(); first < block.end(); ++first)
+      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.cellCount(), grain),
+        [&](const tbb::blocked_range<std::size_t>& block)
+        {
+          for (std::size_t c = block.begin(); c < block.end(); ++c)
+            for (const std::uint32_t p : mesh.cell(c))
+              if (p < mesh.pointCount())
+                visit(p, c);
+        });
+    };
+    each([&](std::uint32_t p, std::size_t)
+      { std::atomic_ref(begins[p]).fetch_add(1, std::memory_order_relaxed); });
+    std::size_t sum = 0;
+    for (std::size_t& begin : begins)
+      begin = sum += begin;
+    cells.resize(sum);
+    each(
+      [&](std::uint32_t p, std::size_t c)
       {
-        const std::size_t input = mesh.inputCell(first);
-        const float value = ofCells.ofCell(first);
-        if (std::isnan(value) || (first > 0 && mesh.inputCell(first - 1) == input))
-          continue;
-        points.clear();
-        for (std::size_t c = first; c < mesh.cellCount() && mesh.inputCell(c) == input; ++c)
-          points.insert(points.end(), mesh.cell(c).begin(), mesh.cell(c).end());
-        std::sort(points.begin(), points.end());
-        points.erase(std::unique(points.begin(), points.end()), points.end());
-        for (const std::uint32_t p : points)
-          if (p < mesh.pointCount())
-          {
-            std::atomic_ref(sums[p]).fetch_add(
-              std::llround(double(value) / unit), std::memory_order_relaxed);
-            std::atomic_ref(counts[p]).fetch_add(1, std::memory_order_relaxed);
-          }
-      }
-    });
+        cells[std::atomic_ref(begins[p]).fetch_sub(1, std::memory_order_relaxed) - 1] =
+          static_cast<std::uint32_t>(c);
+      });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.pointCount(), grain),
+      [&](const tbb::blocked_range<std::size_t>& block)
+      {
+        for (std::size_t p = block.begin(); p < block.end(); ++p)
+          std::sort(cells.begin() + begins[p], cells.begin() + begins[p + 1]);
+      });
+  }
+};
+
+/// Of a cell, or of all parts of the cell that it is one of: the point in the middle of those.
+Vec3d middleOf(const HexMesh& mesh, std::size_t cell)
+{
+  for (const std::uint32_t p : mesh.cell(cell))
+    if (p >= mesh.pointCount())
+      return mesh.point(p);
+  return cellCenter(mesh.corners(cell));
+}
+
+/// The mean of the cells' values about a point; NaN where none has one.
+double meanAt(
+  const HexMesh& mesh, const HexField& ofCells, const CellsAtPoints& around, std::size_t point)
+{
+  double sum = 0.0, weights = 0.0;
+  std::size_t last = mesh.report().cells; // of the input, of which parts count once
+  for (std::size_t i = around.begins[point]; i < around.begins[point + 1]; ++i)
+  {
+    const std::size_t cell = around.cells[i];
+    const double value = ofCells.ofCell(cell);
+    if (mesh.inputCell(cell) == last || std::isnan(value))
+      continue;
+    last = mesh.inputCell(cell);
+    const double distance = glm::length(middleOf(mesh, cell) - mesh.point(point));
+    const double weight = distance > 0.0 ? 1.0 / distance : 0.0;
+    sum += weight * value;
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+} // namespace
+
+HexField HexField::atPoints(
+  const HexMesh& mesh, const HexField& ofCells, std::span<const HangingPoint> hanging)
+{
+  const CellsAtPoints around(mesh);
   HexField field;
   field.offset_ = ofCells.offset_;
   field.values_.reserve(mesh.allPointCount());
   field.values_.resize(mesh.pointCount());
   copy(
-    field.values_,
-    [&](std::size_t p)
+    field.values_, [&](std::size_t p) { return meanAt(mesh, ofCells, around, p); }, 0.0);
+  for (const HangingPoint& point : hanging)
+    if (point.point < mesh.pointCount())
     {
-      return counts[p] > 0 ? static_cast<double>(sums[p]) * unit / double(counts[p])
-                           : std::numeric_limits<double>::quiet_NaN();
-    },
-    0.0);
+      float sum = 0.0F;
+      for (std::size_t k = 0; k < 4; ++k)
+        sum += point.weights[k] * field.values_[point.corners[k]];
+      field.values_[point.point] = sum;
+    }
   const Extent extent = extentOf(
     field.values_.size(), [&](std::size_t p) { return field.offset_ + double(field.values_[p]); });
   field.lower_ = extent.lower;

@@ -4,8 +4,12 @@
 #include "HexRay.h"
 #include "TrilinearCell.h"
 
+#include <span>
+
 namespace mote
 {
+
+struct HangingPoint;
 
 /// A scalar of a mesh's input: component `component` (or ArrayView::magnitude) of values of the
 /// input's points or of the input's cells.
@@ -30,9 +34,11 @@ public:
   /// the input's cells, no such component, or a range above 6.8e38.
   HexField(const HexMesh& mesh, const HexScalar& scalar);
   /// A field of cells as one of points: the mean of the input's cells around each, of those that
-  /// have a number, whatever their size. In parallel; the result does not depend on the number of
-  /// threads.
-  static HexField atPoints(const HexMesh& mesh, const HexField& ofCells);
+  /// have a number, the nearer the more they count, by one over the distance of their middles.
+  /// Points that hang have what lies between the corners of their faces. In parallel; the result
+  /// does not depend on the number of threads.
+  static HexField atPoints(
+    const HexMesh& mesh, const HexField& ofCells, std::span<const HangingPoint> hanging = {});
 
   bool isOfCells() const { return ofCells_; }
   /// What the kept values count from.

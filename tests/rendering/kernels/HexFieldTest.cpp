@@ -1,6 +1,7 @@
 // A scalar on hexahedra keeps its values.
 
 #include <kernels/core/Error.h>
+#include <kernels/hexahedra/HangingPoints.h>
 #include <kernels/hexahedra/HexField.h>
 
 #include <support/HexMeshes.h>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <set>
 #include <vector>
 
@@ -119,18 +121,27 @@ TEST(HexField, AtPointsHasTheMeansOfTheCellsAround)
     const HexField ofCells(*mesh, {{values.data(), values.size(), 1}, 0, true});
     const HexField field = HexField::atPoints(*mesh, ofCells);
     EXPECT_FALSE(field.isOfCells());
-    std::vector<std::set<std::size_t>> around(mesh->pointCount());
+    std::vector<std::map<std::size_t, double>> around(mesh->pointCount()); // cells and weights
     for (std::size_t c = 0; c < mesh->cellCount(); ++c)
+    {
+      Vec3d middle = cellCenter(mesh->corners(c));
+      for (const std::uint32_t p : mesh->cell(c))
+        if (p >= around.size())
+          middle = mesh->point(p);
       for (const std::uint32_t p : mesh->cell(c))
         if (p < around.size() && !std::isnan(values[mesh->inputCell(c)]))
-          around[p].insert(mesh->inputCell(c));
+          around[p][mesh->inputCell(c)] = 1.0 / glm::length(mesh->point(p) - middle);
+    }
     double lower = INFINITY;
     for (std::size_t p = 0; p < around.size(); ++p)
     {
-      double sum = 0.0;
-      for (const std::size_t c : around[p])
-        sum += values[c];
-      const double mean = sum / double(around[p].size());
+      double sum = 0.0, weights = 0.0;
+      for (const auto& [c, weight] : around[p])
+      {
+        sum += weight * values[c];
+        weights += weight;
+      }
+      const double mean = sum / weights;
       if (around[p].empty())
         EXPECT_TRUE(std::isnan(field.ofPoint(p)));
       else
@@ -146,5 +157,45 @@ TEST(HexField, AtPointsHasTheMeansOfTheCellsAround)
       EXPECT_NEAR(
         field.ofPoint(mesh->pointCount() + m), sum / double(mesh->aroundMiddle(m).size()), 1e-6);
     }
+  }
+}
+
+TEST(HexField, AtPointsIsContinuousWhereCellsOfTwoSizesMeet)
+{
+  const auto mesh = refinedBlock().mesh();
+  const std::vector<HangingPoint> hanging = hangingPointsOf(*mesh);
+  std::vector<double> values(mesh->cellCount());
+  for (std::size_t c = 0; c < values.size(); ++c)
+    values[c] = std::sin(7.0 * double(c));
+  const HexField field = HexField::atPoints(
+    *mesh, HexField(*mesh, {{values.data(), values.size(), 1}, 0, true}), hanging);
+  // Those that lie on a cell, but not in a corner of it, and what the cell has there.
+  std::set<std::size_t> expected;
+  for (std::size_t p = 0; p < mesh->pointCount(); ++p)
+    for (std::size_t c = 0; c < mesh->cellCount(); ++c)
+    {
+      const Box box = boundsOf(mesh->corners(c));
+      const Vec3d at = (mesh->point(p) - box.lower) / box.size();
+      if (at != glm::clamp(at, 0.0, 1.0) || at == glm::floor(at))
+        continue;
+      expected.insert(p);
+      double sum = 0.0;
+      for (const std::uint32_t corner : mesh->cell(c))
+      {
+        const Vec3d of = (mesh->point(corner) - box.lower) / box.size();
+        const Vec3d share = 1.0 - glm::abs(at - of);
+        sum += share.x * share.y * share.z * field.ofPoint(corner);
+      }
+      EXPECT_NEAR(field.ofPoint(p), sum, 1e-6) << p << " on cell " << c;
+    }
+  EXPECT_EQ(expected.size(), hanging.size());
+  EXPECT_GT(hanging.size(), 60U);
+  for (const HangingPoint& point : hanging)
+  {
+    EXPECT_EQ(expected.count(point.point), 1U);
+    Vec3d place(0.0);
+    for (std::size_t k = 0; k < 4; ++k)
+      place += double(point.weights[k]) * mesh->point(point.corners[k]);
+    EXPECT_NEAR(glm::length(place - mesh->point(point.point)), 0.0, 1e-6);
   }
 }

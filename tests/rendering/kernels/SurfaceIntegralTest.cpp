@@ -8,7 +8,6 @@
 
 #include <atomic>
 #include <cmath>
-#include <functional>
 #include <vector>
 
 using namespace mote;
@@ -181,28 +180,7 @@ TEST(SurfaceIntegral, OfBoundariesObeysGauss)
 
 TEST(SurfaceIntegral, BoundariesOfRefinedMeshesAreTheirOutside)
 {
-  // 2 x 2 x 2 cells, one of which is 4 x 4 x 4, and one of these 2 x 2 x 2.
-  HexCells cells;
-  SharedPoints points{cells, {}};
-  const std::function<void(Vec3d, double, int)> add = [&](Vec3d low, double size, int level)
-  {
-    const int n = level == 1 ? 4 : 2;
-    for (int i = 0; i < n * n * n; ++i)
-    {
-      const double h = size / n;
-      const Vec3d at = low + h * Vec3d(i % n, i / n % n, i / (n * n));
-      if ((level == 0 && i == 7) || (level == 1 && i == 21))
-      {
-        add(at, h, level + 1);
-        continue;
-      }
-      std::vector<std::int64_t> corners;
-      for (const Vec3d& c : cornersOf(Box{at, at + h}))
-        corners.push_back(points.at(c));
-      cells.addCell(HexCellType::Hexahedron, corners);
-    }
-  };
-  add(Vec3d(0.0), 2.0, 0);
+  HexCells cells = refinedBlock();
   cells.move([](const Vec3d& p) { return p + Vec3d(0.8 * p.y, 0.0, 0.6 * p.x); });
   const auto mesh = cells.mesh();
   ASSERT_EQ(mesh->cellCount(), 7U + 63U + 8U);
