@@ -129,9 +129,11 @@ private:
       [&](const Range& range)
       {
         for (std::size_t t = range.begin(); t < range.end(); ++t)
+        {
+          const std::uint32_t direction = 1U << directionOf(normal(t));
           for (int k = 0; k < 3; ++k)
-            std::atomic_ref(seen_[place(t, k)])
-              .fetch_or(1U << directionOf(normal(t)), std::memory_order_relaxed);
+            std::atomic_ref(seen_[place(t, k)]).fetch_or(direction, std::memory_order_relaxed);
+        }
       });
     const std::array<std::uint32_t, 27> opposite = opposites();
     tbb::parallel_for(Range(0, points, grain),
