@@ -10,6 +10,12 @@ from opened import open_file, ranks, time_of
 from paraview import servermanager, simple
 from vtkmodules import vtkIOImage, vtkImagingCore
 
+# From where, and what is up.
+VIEWS = {"+x": ((1, 0, 0), (0, 0, 1)), "-x": ((-1, 0, 0), (0, 0, 1)),
+         "+y": ((0, 1, 0), (0, 0, 1)), "-y": ((0, -1, 0), (0, 0, 1)),
+         "+z": ((0, 0, 1), (0, 1, 0)), "-z": ((0, 0, -1), (0, 1, 0))}
+OBLIQUE = {"iso": ((0.61, -0.61, 0.5), (0, 0, 1)), "iso-y": ((0.45, 0.35, 0.82), (0, 1, 0))}
+
 parser = argparse.ArgumentParser(prog="scripts/paraview render", description=__doc__.split(";")[0] + ".")
 parser.add_argument("file", metavar="FILE")
 parser.add_argument("-o", "--output", metavar="PICTURE", required=True)
@@ -19,6 +25,8 @@ parser.add_argument("--as", dest="kind", choices=("particles", "volume", "mesh")
 parser.add_argument("--color-by", metavar="ARRAY", help="default: one colour; of a volume its first array")
 parser.add_argument("--samples", type=int, default=1, 
                     help="rays a pixel; default 1. Of volumes on several ranks the next square: 4, 9, 16")
+parser.add_argument("--view", choices=(*OBLIQUE, *VIEWS), default="+z",
+                    help="side to look from, as in mote render: iso has z up, iso-y has y up; default +z")
 parser.add_argument("--step", type=int, default=1, help="time step, from 1")
 parser.add_argument("--shadows", action="store_true")
 parser.add_argument("--ambient-occlusion", action="store_true")
@@ -121,7 +129,11 @@ def write_mean(options, view, size, side):
 
 
 def main():
-    options = parser.parse_args()
+    words = sys.argv[1:]
+    while "--view" in words[:-1]:  # so that -x is no option of its own
+        at = words.index("--view")
+        words[at:at + 2] = ["--view=" + words[at + 1]]
+    options = parser.parse_args(words)
     try:
         size = [int(n) for n in options.size.lower().split("x")]
         if len(size) != 2 or min(size) < 1:
@@ -147,6 +159,8 @@ def main():
         view.MoteOcclusion = "Live" if options.ambient_occlusion else "None"
         view.MoteSilhouettes = options.silhouettes
         view.MoteSilhouetteThickness *= side
+    view.CameraPosition, view.CameraViewUp = {**OBLIQUE, **VIEWS}[options.view]
+    view.CameraFocalPoint = [0, 0, 0]
     view.ResetCamera(True)
     simple.Render(view)
     if not (write_mean(options, view, size, side) if side > 1 else

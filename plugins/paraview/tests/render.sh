@@ -48,6 +48,15 @@ for pair in copper-scratch.dump.gz:0 swirl.1.vtu:16; do # edges of clouds differ
   done
   echo "ok      $data: two and four ranks make the picture of one"
 done
+# Each side has a picture of its own.
+printf '2\n\nA 0 0 0\nB 0 9 3\n' >"$folder/row.xyz"
+for view in +x -x +y -y +z -z iso iso-y; do
+  render "$folder/row.xyz" -o "$folder/row$view.png" --size 90x60 --color-by type --view $view || fail "--view $view"
+done
+[ "$(md5sum "$folder"/row*.png | cut -c1-32 | sort -u | wc -l)" = 8 ] ||
+  fail "pictures from different sides are the same"
+refused "invalid choice: 'q'" "$folder/row.xyz" -o "$folder/q.png" --view q
+echo "ok      sides to look from"
 # Light, lines and rays: particles of ranks know those beside them, or all. Shadows go farther.
 awk 'BEGIN { srand(3); print 20000 "\n"; for (i = 0; i < 20000; ++i) print "A", 10 * rand(), 6 * rand(), 4 * rand() }' >"$folder/random.xyz"
 all='--shadows --ambient-occlusion --silhouettes'
