@@ -1,7 +1,9 @@
 #include "SurfaceTriangles.h"
 
 #include "CollapsedCells.h"
+#include "FaceOrder.h"
 #include "GridParts.h"
+#include "QuadsOnTriangles.h"
 
 #include "kernels/core/Error.h"
 #include "kernels/core/Vec.h"
@@ -352,6 +354,8 @@ SurfaceTriangles trianglesOfFaces(
     vtkIdType& cell = found.cells[static_cast<std::size_t>(i)];
     cell = cells->GetValue(own ? i : cell);
   }
+  if (!isCollapsed)
+    sortFaces(corners, found);
   if (!welds.empty())
     unweld(grid, welds, corners, found.cells);
   if (grid && !isCollapsed)
@@ -403,6 +407,7 @@ SurfaceTriangles trianglesOfMixed(
   SurfaceTriangles found = trianglesOfFaces(grid, has[1] ? isOther.Get() : isVisible, welds);
   const DataArrayView points(grid->GetPoints()->GetData());
   dropTriangles(found, hangingFaces({found.view(), points.view, found.edges, welds}));
+  dropTriangles(found, quadsOnTriangles(found, grid, isVisible, welds));
   if (!has[1])
     return found;
   append(trianglesOfFaces(grid, isFlat), found);

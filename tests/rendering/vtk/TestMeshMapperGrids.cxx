@@ -214,6 +214,25 @@ TEST_F(MeshStage, FacesLookOutwardsWhateverTheOrderOfCorners)
   }
 }
 
+TEST_F(MeshStage, FacesAreInTheSameOrderEachTime)
+{
+  // VTK's filter gives them as its threads finish.
+  for (const int type : {VTK_WEDGE, VTK_HEXAHEDRON, VTK_TETRA})
+  {
+    const auto grid = gridOf(type);
+    const mote::SurfaceTriangles first = mote::surfaceTrianglesOf(grid);
+    for (int round = 0; round < 300; ++round)
+    {
+      const mote::SurfaceTriangles again = mote::surfaceTrianglesOf(grid);
+      ASSERT_EQ(again.cells, first.cells) << round;
+      ASSERT_EQ(again.edges, first.edges) << round;
+      for (std::size_t t = 0; t < first.cells.size(); ++t)
+        for (int k = 0; k < 3; ++k)
+          ASSERT_EQ(again.view().value(t, k), first.view().value(t, k)) << round;
+    }
+  }
+}
+
 TEST_F(MeshStage, LinesOnFacesAreTheSameWhateverTheOrderOfCorners)
 {
   actor->SetPosition(-1.5, -1.5, -1.5);

@@ -177,6 +177,29 @@ TEST(MeshRefined, HasNoWallsBetweenTetrahedraOfTwoSizes)
   EXPECT_EQ(trianglesOf(placed.grid), 3 * 4 + 3);
 }
 
+TEST(MeshRefined, HasNoWallsBetweenQuadrilateralsAndTriangles)
+{
+  PlacedGrid placed(inPlace);
+  placed.addBox({0, 0, 0}, {1, 1, 1});
+  const auto id = [&](int x, int y, int z) {
+    return placed.point({double(x), double(y), double(z)});
+  };
+  // The cube beside it as five tetrahedra.
+  const std::array<std::array<vtkIdType, 4>, 5> cells = {
+    std::array{id(1, 0, 0), id(2, 0, 0), id(1, 1, 0), id(1, 0, 1)},
+    {id(2, 1, 0), id(1, 1, 0), id(2, 0, 0), id(2, 1, 1)},
+    {id(2, 0, 1), id(1, 0, 1), id(2, 1, 1), id(2, 0, 0)},
+    {id(1, 1, 1), id(2, 1, 1), id(1, 0, 1), id(1, 1, 0)},
+    {id(2, 0, 0), id(1, 1, 0), id(1, 0, 1), id(2, 1, 1)}};
+  for (const auto& cell : cells)
+    placed.grid->InsertNextCell(VTK_TETRA, 4, cell.data());
+  EXPECT_EQ(trianglesOf(placed.grid), 2 * 5 + 2 * 5);
+  EXPECT_EQ(trianglesOf(cellsApart(placed.grid)), 2 * 5 + 2 * 5);
+  // Without the tetrahedra the quadrilateral shows, without the hexahedron their triangles do.
+  EXPECT_EQ(trianglesOf(placed.grid, without(placed.grid, 1, 6)), 2 * 6);
+  EXPECT_EQ(trianglesOf(placed.grid, without(placed.grid, 0, 1)), 2 * 6);
+}
+
 TEST(MeshRefined, KeepsThinWallsWhoseSidesHaveOtherCells)
 {
   // 2 x 2 cells below and 4 x 4 above, which share points at the rim alone.
