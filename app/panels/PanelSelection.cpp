@@ -226,7 +226,10 @@ bool Panel::drawShown(ShowRange& range)
     return true;
   }
   Interval shown = outside.value_or(range.intervals[0]);
-  shown = {std::max(shown.low, histogram.least), std::min(shown.high, histogram.most)};
+  // Of a range beside all values, which other data have, both ends are at one end of them.
+  const auto within = [&](double value)
+  { return std::min(std::max(value, histogram.least), histogram.most); };
+  shown = {within(shown.low), within(shown.high)};
   const bool isDragged = rangeControl("histogram", histogram, shown, outside.has_value());
   const bool isEntered = rangeFields("fields", shown, "The ends of the range\n--show NAME=LO:HI");
   if (!isDragged && !isEntered)

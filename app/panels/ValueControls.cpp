@@ -85,7 +85,8 @@ Interval inOrder(const Interval& before, Interval entered)
   if (entered.low <= entered.high)
     return entered;
   const bool isPositive = before.low > 0.0 && std::min(entered.low, entered.high) > 0.0;
-  const double width = before.high - before.low, ratio = before.high / before.low;
+  const double width = std::max(0.0, before.high - before.low);
+  const double ratio = std::max(1.0, before.high / before.low);
   if (entered.low != before.low)
     entered.high = isPositive ? entered.low * ratio : entered.low + width;
   else

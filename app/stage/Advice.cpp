@@ -237,7 +237,18 @@ bool anyWithin(const Stage& stage, const std::string& name, const std::vector<In
       continue;
     const ArrayChoice choice = findArray(part->data(), name);
     double own[2];
-    if (!finiteRange(arrayOf(part->data(), choice), choice.component, own))
+    vtkDataArray* array = arrayOf(part->data(), choice);
+    if (const std::size_t axis = std::string("xyz").find(name);
+        !array && axis < 3 && name.size() == 1)
+    {
+      const double* bounds = part->data()->GetBounds() + 2 * axis;
+      widen(range, bounds, any);
+      count += std::any_of(intervals.begin(), intervals.end(),
+        [&](const Interval& interval)
+        { return interval.low <= bounds[1] && interval.high >= bounds[0]; });
+      continue;
+    }
+    if (!finiteRange(array, choice.component, own))
       continue;
     widen(range, own, any);
     if (!part->particles())
@@ -250,7 +261,7 @@ bool anyWithin(const Stage& stage, const std::string& name, const std::vector<In
     for (const Interval& interval : intervals)
     {
       const double ends[2] = {interval.low, interval.high};
-      count += countInRange(arrayOf(part->data(), choice), choice.component, ends);
+      count += countInRange(array, choice.component, ends);
     }
   }
   return count > 0 || !any;

@@ -158,7 +158,10 @@ TEST_F(ShownCellsTest, AnyArrayPlaceExpressionAndNumberHidesThem)
     range.array = "c";
     EXPECT_EQ(left(range), 10);
     EXPECT_EQ(left(ranges({{"z", {{7.0, 9.0}}}})), 0);
-    EXPECT_NE(whatLeavesNothing(*stage), "");
+    EXPECT_EQ(whatLeavesNothing(*stage),
+      "Nothing is shown: no cell has z in the range of --show; z goes from 0 to 4");
+    EXPECT_EQ(left(ranges({{"z", {{0.0, 2.0}}}, {"c", {{60.0, 63.0}}}})), 0);
+    EXPECT_NE(whatLeavesNothing(*stage).find("together none"), std::string::npos);
     EXPECT_EQ(left(ranges({{"c", {{100.0, 200.0}}}})), 0);
     EXPECT_EQ(whatLeavesNothing(*stage),
       "Nothing is shown: no cell has c in the range of --show; c goes from 0 to 63");

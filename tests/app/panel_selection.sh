@@ -5,6 +5,14 @@ tests=$(cd "$(dirname "$0")" && pwd)
 source "$tests/panel_common.sh"
 
 case $3 in
+  beside) # a range beside all values, as of other data, never gets its ends the wrong way round
+    open "$copper" --size 1000x980 --show z=1000:2000
+    write 'fields high' 5
+    has '--show=z=5 '
+    write 'fields low' 2
+    has '--show=z=2:5 '
+    ;;
+
   range) # is dragged, seen at once, undone as one; fields, and all again
     open "$copper" --size 1000x760
     picture all.png
