@@ -2,6 +2,8 @@
 
 #include "SurfaceTriangles.h"
 
+#include "kernels/hexahedra/HangingFaces.h"
+
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStaticPointLocator.h"
@@ -10,7 +12,6 @@
 
 #include <limits>
 #include <numeric>
-#include <set>
 
 namespace mote
 {
@@ -105,27 +106,18 @@ void SurfaceFaces::makeIndex()
   std::sort(byHash_.begin(), byHash_.end());
 }
 
-/// A face ends where each side within it is that of two of its triangles.
 void SurfaceFaces::findFaces(const std::vector<std::uint8_t>& edges)
 {
-  using Side = std::pair<std::size_t, std::size_t>;
-  std::set<Side> open;
-  Face face;
-  for (std::size_t t = 0; t < triangles_.size(); ++t)
+  for (const FaceRange& range : facesOf(triangles_.size(), edges))
   {
-    const Triangle& at = triangles_[t];
-    const Vec3d from = corners_[at[0]];
-    face.normal += glm::cross(corners_[at[1]] - from, corners_[at[2]] - from);
-    for (std::size_t k = 0; k < 3 && !edges.empty(); ++k)
-      if ((edges[t] >> k & 1) == 0)
-        if (const Side side(at[k], at[(k + 1) % 3]); open.erase({side.second, side.first}) == 0)
-          open.insert(side);
-    if (!open.empty() && t + 1 < triangles_.size())
-      continue;
-    face.end = t + 1;
+    Face face = {range.first, range.end};
+    for (std::size_t t = range.first; t < range.end; ++t)
+    {
+      const Triangle& at = triangles_[t];
+      const Vec3d from = corners_[at[0]];
+      face.normal += glm::cross(corners_[at[1]] - from, corners_[at[2]] - from);
+    }
     all_.push_back(face);
-    face = {t + 1};
-    open.clear();
   }
 }
 

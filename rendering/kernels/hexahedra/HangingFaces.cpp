@@ -169,26 +169,18 @@ private:
     return true;
   }
 
-  /// A face ends where all of its sides but those on its outline were met twice.
   void findFaces()
   {
-    Face face;
-    int open = 0; // sides within, each of two triangles
-    for (std::size_t t = 0; t < input_.triangles.count(); ++t)
+    for (const FaceRange& triangles : facesOf(input_.triangles.count(), input_.edges))
     {
-      face.normal += normal(t);
-      face.middle += (at(t, 0) + at(t, 1) + at(t, 2)) / 3.0;
-      if (!input_.edges.empty())
-        open += 3 - std::popcount(unsigned(input_.edges[t]) & 7U);
-      face.triangles.end = t + 1;
-      const std::size_t count = face.triangles.end - face.triangles.first;
-      // A polygon of n triangles has n - 1 sides within.
-      if (open != 2 * static_cast<int>(count - 1) && t + 1 < input_.triangles.count())
-        continue;
-      face.middle /= static_cast<double>(count);
+      Face face = {triangles};
+      for (std::size_t t = triangles.first; t < triangles.end; ++t)
+      {
+        face.normal += normal(t);
+        face.middle += (at(t, 0) + at(t, 1) + at(t, 2)) / 3.0;
+      }
+      face.middle /= static_cast<double>(triangles.end - triangles.first);
       faces_.push_back(face);
-      face = {{t + 1}};
-      open = 0;
     }
   }
 
@@ -284,6 +276,24 @@ private:
 };
 
 } // namespace
+
+std::vector<FaceRange> facesOf(std::size_t triangles, std::span<const std::uint8_t> edges)
+{
+  std::vector<FaceRange> faces;
+  std::size_t within = 0; // sides between its triangles, each of two of them
+  for (std::size_t t = 0, first = 0; t < triangles; ++t)
+  {
+    if (!edges.empty())
+      within += 3 - static_cast<std::size_t>(std::popcount(edges[t] & 7U));
+    // A polygon of n triangles has n - 1 of them.
+    if (within != 2 * (t - first) && t + 1 < triangles)
+      continue;
+    faces.push_back({first, t + 1});
+    first = t + 1;
+    within = 0;
+  }
+  return faces;
+}
 
 std::vector<CoveredFace> coveredFaces(const FacesInTriangles& faces)
 {

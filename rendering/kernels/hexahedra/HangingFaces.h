@@ -27,6 +27,10 @@ struct FaceRange
   std::size_t first = 0, end = 0;
 };
 
+/// The faces of so many triangles, of which those of a face follow one another; see
+/// FacesInTriangles.
+std::vector<FaceRange> facesOf(std::size_t triangles, std::span<const std::uint8_t> edges);
+
 /// A face that smaller ones cover, on the other side of its place.
 struct CoveredFace
 {
