@@ -126,7 +126,8 @@ private:
     std::vector<std::uint8_t> isOne(met.size(), 1);
     vtkPointData* arrays = grid_->GetPointData();
     for (int n = 0; n < arrays->GetNumberOfArrays(); ++n)
-      if (vtkDataArray* array = arrays->GetArray(n))
+      if (vtkDataArray* array = arrays->GetArray(n);
+          array && array->GetNumberOfTuples() == grid_->GetNumberOfPoints())
         for (int c = 0; c < array->GetNumberOfComponents(); ++c)
           compare(met, *array, c, isOne);
     for (std::size_t i = 0; i < met.size(); ++i)

@@ -66,8 +66,7 @@ public:
   /**
    * Where a particle's radius comes from. AUTOMATIC, the default, takes a point array named radius
    * or radii, or half of one named diameter (see GetRadiusFactor()), else half the typical distance
-   * between neighbours; of points that stay in a .mote file it is the radii that the file
-   * has.
+   * between neighbours; of points that stay in a .mote file the radii that the file has.
    */
   enum RadiusModes
   {
@@ -91,42 +90,32 @@ public:
 
   /**
    * What an array of this name holds to RADIUS_AUTOMATIC: 1 radii, 0.5 diameters, 0 something else.
-   * Names are radius, radii and diameter, alone or behind particle, sphere, grain or atom, whatever
-   * the case of letters, blanks, "_", "-" and units in brackets: "Particle Diameter (m)".
+   * Names are radius, radii and diameter, alone or behind particle, sphere, grain or atom. The case
+   * of letters, blanks, "_", "-" and units in brackets do not count: "Particle Diameter (m)".
    */
   static double GetRadiusFactor(const char* arrayName);
   /** The array of one component that RADIUS_AUTOMATIC takes radii or diameters from; or null. */
   static vtkDataArray* FindRadii(vtkPointData* data);
 
   ///@{
-  /** The radius in RADIUS_CONSTANT mode, in the units of the points. Default 0.5. */
+  /**
+   * Radius is that of RADIUS_CONSTANT mode, in the units of the points, by default 0.5. RadiusScale
+   * multiplies the radius of every mode: 1, or 0.5 for an array of diameters. Of one component are
+   * the arrays of the radii in RADIUS_BY_ARRAY mode, and of the types, by default "type", in
+   * RADIUS_BY_TYPE mode.
+   */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
-  ///@}
-
-  ///@{
-  /** Multiplies the radius of every mode. Default 1; 0.5 turns an array of diameters into radii. */
   vtkSetMacro(RadiusScale, double);
   vtkGetMacro(RadiusScale, double);
-  ///@}
-
-  ///@{
-  /** Point array of one component that holds the radii in RADIUS_BY_ARRAY mode. */
   vtkSetStringMacro(RadiusArrayName);
   vtkGetStringMacro(RadiusArrayName);
-  ///@}
-
-  ///@{
-  /** Point array of one component that holds the types in RADIUS_BY_TYPE mode. Default "type". */
   vtkSetStringMacro(TypeArrayName);
   vtkGetStringMacro(TypeArrayName);
   ///@}
 
   ///@{
-  /**
-   * The table of RADIUS_BY_TYPE: the radius of all particles of a type. Types that the table
-   * lacks get Radius.
-   */
+  /** The radius of all particles of a type, for RADIUS_BY_TYPE. Types without one get Radius. */
   void SetTypeRadius(int type, double radius);
   double GetTypeRadius(int type);
   void RemoveAllTypeRadii();

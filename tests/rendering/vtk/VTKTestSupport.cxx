@@ -265,4 +265,11 @@ bool TrueView::isClear(double x, double y, const std::vector<Ball>& balls, doubl
   return true;
 }
 
+void expectBounds(vtkMoteParticleMapper* mapper, const std::array<double, 6>& expected)
+{
+  const double* bounds = mapper->GetBounds();
+  for (int k = 0; k < 6; ++k)
+    EXPECT_NEAR(bounds[k], expected[k], 1e-6) << "bound " << k;
+}
+
 } // namespace mote::testing

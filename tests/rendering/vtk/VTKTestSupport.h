@@ -129,6 +129,8 @@ private:
   int m_width, m_height;
 };
 
+void expectBounds(vtkMoteParticleMapper* mapper, const std::array<double, 6>& expected);
+
 double dot(const Point& a, const Point& b);
 Point minus(const Point& a, const Point& b);
 Point unit(const Point& a);
