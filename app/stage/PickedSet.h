@@ -63,12 +63,12 @@ public:
   /// "12 particles", "3 cells", "12 particles and 3 cells".
   std::string counts() const;
 
-  ///@{
+  //@{
   /// Them as MarkSettings::picked: in the order of picking where they are so
   /// few that something is measured, else in ranges. And what such words name, taken in.
   std::vector<std::string> words(const Parts& parts) const;
   void addNamed(const Parts& parts, const std::vector<std::string>& words);
-  ///@}
+  //@}
 
   /// What is known of the picked from one time step to the next.
   struct Names
@@ -76,13 +76,13 @@ public:
     std::vector<std::int64_t> ids;    ///< of particles, numbers of cells: one of each of items()
     std::vector<vtkIdType> cellsThen; ///< how many cells the parts have
   };
-  ///@{
+  //@{
   /// Before and after other data take the place of the present ones: the particles of the same ids
   /// stay picked, and the cells of the same numbers where there are as many of them. Particles that
   /// the new data lack are picked again by data that have them.
   Names names(const Parts& parts) const;
   void findAgain(const Parts& parts, const Names& names);
-  ///@}
+  //@}
   /// How many of the picked particles the present data lack.
   std::size_t numberAway() const { return away_.size(); }
   /// Whether particles are picked, those included that the present data lack.

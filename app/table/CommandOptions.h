@@ -7,7 +7,7 @@ namespace mote::app
 
 /// Declare the options of the window and of each command. In one file, since CLI11 takes long to
 /// compile.
-///@{
+//@{
 void addWindowOptions(CLI::App& app, GivenSettings& given);
 void addRenderOptions(CLI::App& app, GivenSettings& given);
 void addAnimateOptions(CLI::App& app, GivenSettings& given);
@@ -18,6 +18,6 @@ void addImageSilhouetteOptions(CLI::App& app, GivenSettings& given);
 void addBakeOptions(CLI::App& app, GivenSettings& given);
 void addIntegrateOptions(CLI::App& app, GivenSettings& given);
 void addProbeOptions(CLI::App& app, GivenSettings& given);
-///@}
+//@}
 
 } // namespace mote::app

@@ -55,7 +55,7 @@ public:
   /// What their names take at the upper edge: pixels.
   int heightOfNames() const;
 
-  ///@{
+  //@{
   /// The passes of all views as one.
   void setUpPasses(const std::function<void(vtkMoteRayCastPass*)>& set);
   /// Gives each renderer its own.
@@ -69,7 +69,7 @@ public:
   double bakedShare() const;          ///< the least
   double imageSampleDistance() const; ///< the greatest
   double noise() const;               ///< the greatest
-  ///@}
+  //@}
 
 private:
   struct Column

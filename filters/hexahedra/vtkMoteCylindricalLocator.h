@@ -53,16 +53,16 @@ public:
   vtkAbstractTypeMacro(vtkMoteCylindricalLocator, vtkAbstractCellLocator);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * Which structure to build, by name: "cylgrid" or "cartgrid", two-level grids; "cylbvh" or
    * "cartbvh", hierarchies; "cyl" in (r, theta, h), "cart" in (x, y, z). Default "cylbvh".
    */
   vtkSetMacro(StructureName, std::string);
   vtkGetMacro(StructureName, std::string);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether a cylindrical structure finds its axis from the cells, or takes Origin and Axis.
    * Default on. Answers do not depend on the axis, their speed does.
@@ -70,9 +70,9 @@ public:
   vtkSetMacro(FindAxis, bool);
   vtkGetMacro(FindAxis, bool);
   vtkBooleanMacro(FindAxis, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * A point of the axis, and its direction of any length but 0. Default the z axis.
    */
@@ -80,7 +80,7 @@ public:
   vtkGetVector3Macro(Origin, double);
   vtkSetVector3Macro(Axis, double);
   vtkGetVector3Macro(Axis, double);
-  ///@}
+  //@}
 
   /**
    * Another data set is not searched before BuildLocator().
@@ -93,19 +93,19 @@ public:
    */
   vtkMTimeType GetStructureTime();
 
-  ///@{
+  //@{
   /**
    * Cells that can be found, and memory of structure and copied cells in KiB; 0 before a build.
    */
   vtkIdType GetNumberOfCells();
   unsigned long GetActualMemorySize();
-  ///@}
+  //@}
 
   using vtkAbstractCellLocator::FindClosestPoint;
   using vtkAbstractCellLocator::FindClosestPointWithinRadius;
   using vtkAbstractCellLocator::IntersectWithLine;
 
-  ///@{
+  //@{
   /**
    * The cell that holds `x`, or -1. `cell`, `pcoords` (3) and `weights` (8, and of a polyhedron as
    * many as it has points) may be null; the last two are those of the cell's VTK type.
@@ -116,7 +116,7 @@ public:
   /// What VTK 9.2's filters call, where it overrides; `subId` is 0.
   vtkIdType FindCell(
     double x[3], double tol2, vtkGenericCell* cell, int& subId, double pcoords[3], double* weights);
-  ///@}
+  //@}
 
   /**
    * Whether `x` is within the bounds of a cell of the data set; false for a cell that is not there.
@@ -144,7 +144,7 @@ public:
   int IntersectWithLine(const double p1[3], const double p2[3], double tol, double& t, double x[3],
     double pcoords[3], int& subId, vtkIdType& cellId, vtkGenericCell* cell) override;
 
-  ///@{
+  //@{
   /**
    * The point of a cell that is closest to `x`: `x` itself where a cell holds it, else the least of
    * the distances that VTK's cells tell (EvaluatePosition(); for warped cells not always the very
@@ -154,9 +154,9 @@ public:
     vtkIdType& cellId, int& subId, double& dist2) override;
   vtkIdType FindClosestPointWithinRadius(double x[3], double radius, double closestPoint[3],
     vtkGenericCell* cell, vtkIdType& cellId, int& subId, double& dist2, int& inside) override;
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether the first query builds. Default off. VTK 9.2 has functions that do nothing for this.
    */
@@ -164,15 +164,15 @@ public:
   vtkTypeBool GetLazyEvaluation() override { return this->Lazy; }
   void LazyEvaluationOn() override { this->SetLazyEvaluation(1); }
   void LazyEvaluationOff() override { this->SetLazyEvaluation(0); }
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Builds the structure where it is not there yet; see above for what is compared.
    */
   void BuildLocator() override;
   void FreeSearchStructure() override;
-  ///@}
+  //@}
 
   /**
    * Lines around what a structure covers: the mesh's bounding box, or the axis and a cylinder about

@@ -43,13 +43,13 @@ public:
   vtkTypeMacro(vtkMoteInterpolatedVelocityField, vtkCompositeInterpolatedVelocityField);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * Which structure finds cells, see vtkMoteCylindricalLocator. Default "cartbvh".
    */
   vtkSetMacro(StructureName, std::string);
   vtkGetMacro(StructureName, std::string);
-  ///@}
+  //@}
 
   /**
    * One more data set. It must live as long as the field is used.

@@ -47,22 +47,22 @@ public:
   vtkTypeMacro(vtkMoteMeridionalAverage, vtkTableAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * The array's name. Required.
    */
   vtkSetMacro(ArrayName, std::string);
   vtkGetMacro(ArrayName, std::string);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Where the array lies: vtkDataObject::FIELD_ASSOCIATION_POINTS, FIELD_ASSOCIATION_CELLS, or
    * FIELD_ASSOCIATION_POINTS_THEN_CELLS, the default, for one on points before one on cells.
    */
   vtkSetClampMacro(Association, int, 0, 2);
   vtkGetMacro(Association, int);
-  ///@}
+  //@}
 
   enum ComponentType
   {
@@ -70,25 +70,25 @@ public:
     MAGNITUDE = -2
   };
 
-  ///@{
+  //@{
   /**
    * The component that is averaged, from 0; or MAGNITUDE of all; or WHOLE, the default: an array of
    * one component, or the parts of a vector.
    */
   vtkSetMacro(Component, int);
   vtkGetMacro(Component, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * How many bins lie along the longer edge of the plane, as far as the data reach. From 1 to 4096,
    * default 200.
    */
   vtkSetClampMacro(Resolution, int, 1, 4096);
   vtkGetMacro(Resolution, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether field arrays `AxisOrigin` and `AxisDirection` of the input, as vtkMotePumpSource makes
    * them, go before Origin and Axis. Default on.
@@ -96,9 +96,9 @@ public:
   vtkSetMacro(AxisFromInput, bool);
   vtkGetMacro(AxisFromInput, bool);
   vtkBooleanMacro(AxisFromInput, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * A point of the axis, and its direction of any length but 0. Default the z axis.
    */
@@ -106,9 +106,9 @@ public:
   vtkGetVector3Macro(Origin, double);
   vtkSetVector3Macro(Axis, double);
   vtkGetVector3Macro(Axis, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The places along the axis and the distances from it that are averaged. Bins have the size that
    * they have without. Default all.
@@ -117,7 +117,7 @@ public:
   vtkGetVector2Macro(AxialRange, double);
   vtkSetVector2Macro(RadialRange, double);
   vtkGetVector2Macro(RadialRange, double);
-  ///@}
+  //@}
 
   /**
    * The second output.

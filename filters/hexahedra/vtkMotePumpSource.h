@@ -49,16 +49,16 @@ public:
     DIFFUSER
   };
 
-  ///@{
+  //@{
   /**
    * How many cells there are, as a share of 6.45 million: inlet 0.86, rotor 2.15, diffuser 3.44
    * million at 1. From 0.0005 to 10. Default 0.01.
    */
   vtkSetClampMacro(Scale, double, 0.0005, 10.0);
   vtkGetMacro(Scale, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Which part to make, or all of them. Default ALL.
    */
@@ -68,57 +68,57 @@ public:
   void SetPartToInlet() { this->SetPart(INLET); }
   void SetPartToRotor() { this->SetPart(ROTOR); }
   void SetPartToDiffuser() { this->SetPart(DIFFUSER); }
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The impeller's radius in metres, above 0. Default 0.1.
    */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Revolutions a second, above 0. Default 25.
    */
   vtkSetMacro(RotationRate, double);
   vtkGetMacro(RotationRate, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The middle of the impeller's eye, where the inlet ends. Default 0.
    */
   vtkSetVector3Macro(Origin, double);
   vtkGetVector3Macro(Origin, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The direction in which water enters, of any length but 0; the impeller turns to the right about
    * it. Default z.
    */
   vtkSetVector3Macro(Axis, double);
   vtkGetVector3Macro(Axis, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Time steps in one revolution. Default 80.
    */
   vtkSetClampMacro(NumberOfTimeSteps, int, 1, 100000);
   vtkGetMacro(NumberOfTimeSteps, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * vtkAlgorithm::SINGLE_PRECISION or DOUBLE_PRECISION, the default: at large scales or far from 0
    * the thinnest cells are flat in single precision.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DOUBLE_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
-  ///@}
+  //@}
 
   /**
    * How many cells a part has at a scale (clamped as Scale is), without making them; of ALL their

@@ -41,15 +41,15 @@ public:
   vtkTypeMacro(vtkMoteStreamlines, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * How many seeds there are. At least 0, default 100.
    */
   vtkSetClampMacro(NumberOfSeeds, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(NumberOfSeeds, vtkIdType);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether seeds lie evenly on the line from Point1 to Point2, both included, rather than evenly
    * through the volume of all cells. Default off.
@@ -61,18 +61,18 @@ public:
   vtkGetVector3Macro(Point1, double);
   vtkSetVector3Macro(Point2, double);
   vtkGetVector3Macro(Point2, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Places of seeds in the world, in place of all others; those outside of all cells have no line.
    * Null, the default: none are given. Set other points where they have changed.
    */
   void SetSeedPlaces(vtkPoints* places);
   vtkPoints* GetSeedPlaces();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * How far a line goes from its seed, each way, in the input's units; 0, the default: twice the
    * diagonal of the input. Lines end after MaximumNumberOfSteps, too (default 2000).
@@ -81,16 +81,16 @@ public:
   vtkGetMacro(MaximumLength, double);
   vtkSetClampMacro(MaximumNumberOfSteps, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(MaximumNumberOfSteps, vtkIdType);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether there is an output 0. Default on.
    */
   vtkSetMacro(ComputeLines, bool);
   vtkGetMacro(ComputeLines, bool);
   vtkBooleanMacro(ComputeLines, bool);
-  ///@}
+  //@}
 
   /**
    * What was wrong with the last run; empty where nothing was.

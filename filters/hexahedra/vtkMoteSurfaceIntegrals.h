@@ -58,7 +58,7 @@ public:
   vtkTypeMacro(vtkMoteSurfaceIntegrals, vtkTableAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * Adds a section, by a name for its rows.
    */
@@ -70,17 +70,17 @@ public:
   void AddBoundary(const std::string& name);
   void RemoveAllSections();
   int GetNumberOfSections();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Names of arrays to be integrated, of points before those of cells.
    */
   void AddArray(const std::string& name);
   void RemoveAllArrays();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Names of the velocity and the pressure; none by default.
    */
@@ -88,9 +88,9 @@ public:
   vtkGetMacro(VelocityArrayName, std::string);
   vtkSetMacro(PressureArrayName, std::string);
   vtkGetMacro(PressureArrayName, std::string);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The fluid's density, above 0; default 1. Where the pressure is given over the density, as
    * incompressible solvers do, KinematicPressure is to be on, and it is multiplied. Default off.
@@ -100,9 +100,9 @@ public:
   vtkSetMacro(KinematicPressure, bool);
   vtkGetMacro(KinematicPressure, bool);
   vtkBooleanMacro(KinematicPressure, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The axis of torques: whether field arrays `AxisOrigin` and `AxisDirection` of the input go
    * before, default on; a point of it, and its direction of any length but 0, default the z axis.
@@ -114,9 +114,9 @@ public:
   vtkGetVector3Macro(Origin, double);
   vtkSetVector3Macro(Axis, double);
   vtkGetVector3Macro(Axis, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * What of a cell's integral may change when the cell is cut finer, before it is cut no more: a
    * share of that of the absolute value, or of the integral of the field's size over the section,
@@ -125,7 +125,7 @@ public:
    */
   vtkSetClampMacro(Tolerance, double, 1e-12, 0.1);
   vtkGetMacro(Tolerance, double);
-  ///@}
+  //@}
 
   /**
    * What went wrong in the last run; empty if nothing did.

@@ -29,30 +29,30 @@ public:
   vtkTypeMacro(vtkMoteVolumeQuantiles, vtkTableAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /** The array, of numbers; one that a part of the input lacks leaves that part out. */
   vtkSetMacro(ArrayName, std::string);
   vtkGetMacro(ArrayName, std::string);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /** Whether it is an array of cells. Off: of points. */
   vtkSetMacro(OfCells, vtkTypeBool);
   vtkGetMacro(OfCells, vtkTypeBool);
   vtkBooleanMacro(OfCells, vtkTypeBool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /** The component, or -1 for the magnitude. Default 0. */
   vtkSetMacro(Component, int);
   vtkGetMacro(Component, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /** At most so many cells are looked at, at least 1. Default 200,000. */
   vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(MaximumNumberOfCells, vtkIdType);
-  ///@}
+  //@}
 
   /** The quantile of a share from 0 to 1, as of the last Update(); NaN where there is no value. */
   double GetQuantile(double share) const;

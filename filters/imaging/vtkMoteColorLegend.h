@@ -50,42 +50,42 @@ public:
   vtkTypeMacro(vtkMoteColorLegend, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * The colours to explain, with their range: a vtkLookupTable, vtkColorTransferFunction or
    * any other; none, the default, for no legend.
    */
   void SetLookupTable(vtkScalarsToColors* table);
   vtkScalarsToColors* GetLookupTable();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * What the colours mean, with its unit: "speed (km/s)". UTF-8. Default empty.
    */
   vtkSetMacro(Title, std::string);
   vtkGetMacro(Title, std::string);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * A line at the lower left, such as file name, time and number of particles. UTF-8; line
    * breaks are kept. It shrinks to fit the width. Default empty.
    */
   vtkSetMacro(Caption, std::string);
   vtkGetMacro(Caption, std::string);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether the caption stands at the upper left instead. Default off.
    */
   vtkSetMacro(CaptionOnTop, vtkTypeBool);
   vtkGetMacro(CaptionOnTop, vtkTypeBool);
   vtkBooleanMacro(CaptionOnTop, vtkTypeBool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * A printf format for one double, such as "%.3g". Empty, the default, for the fewest digits
    * that tell the ticks apart, with a common power of ten where the numbers are long.
@@ -93,20 +93,20 @@ public:
    */
   vtkSetMacro(LabelFormat, std::string);
   vtkGetMacro(LabelFormat, std::string);
-  ///@}
+  //@}
 
   /** Whether a text is such a format, or empty. */
   static bool IsLabelFormat(const std::string& text);
 
-  ///@{
+  //@{
   /**
    * About how many ticks to aim at, in [2, 20]. Default 5. Fewer if they would collide.
    */
   vtkSetClampMacro(NumberOfLabels, int, 2, 20);
   vtkGetMacro(NumberOfLabels, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * A TrueType or Type 1 font to use. Empty, the default, for DejaVu Sans, or, where that is not
    * installed, the sans serif font that VTK carries. Characters that a font lacks come from
@@ -115,7 +115,7 @@ public:
    */
   vtkSetMacro(FontFile, std::string);
   vtkGetMacro(FontFile, std::string);
-  ///@}
+  //@}
 
   enum SideType
   {
@@ -123,7 +123,7 @@ public:
     LEFT = 1
   };
 
-  ///@{
+  //@{
   /**
    * The side of the image to draw at. Default right.
    */
@@ -131,9 +131,9 @@ public:
   vtkGetMacro(Side, int);
   void SetSideToRight() { this->SetSide(RIGHT); }
   void SetSideToLeft() { this->SetSide(LEFT); }
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether text is dark or light, whichever stands out against what is behind it, instead
    * of TextColor. Transparent pixels count as white paper. Default on.
@@ -141,15 +141,15 @@ public:
   vtkSetMacro(AutomaticTextColor, vtkTypeBool);
   vtkGetMacro(AutomaticTextColor, vtkTypeBool);
   vtkBooleanMacro(AutomaticTextColor, vtkTypeBool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Colour of text, ticks and frame if AutomaticTextColor is off. Default black.
    */
   vtkSetVector3Macro(TextColor, double);
   vtkGetVector3Macro(TextColor, double);
-  ///@}
+  //@}
 
   enum PanelType
   {
@@ -158,7 +158,7 @@ public:
     PANEL_OFF = 2
   };
 
-  ///@{
+  //@{
   /**
    * Whether a translucent panel lies behind legend and caption. Default automatic: where what is
    * behind is not a plain background.
@@ -168,26 +168,26 @@ public:
   void SetPanelToAutomatic() { this->SetPanel(PANEL_AUTOMATIC); }
   void SetPanelToOn() { this->SetPanel(PANEL_ON); }
   void SetPanelToOff() { this->SetPanel(PANEL_OFF); }
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Factor on the size of the text and of all that goes with it, in [0.25, 4]. Default 1.
    */
   vtkSetClampMacro(FontScale, double, 0.25, 4.0);
   vtkGetMacro(FontScale, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether to show the colour of NaN. Default off.
    */
   vtkSetMacro(NanSwatch, vtkTypeBool);
   vtkGetMacro(NanSwatch, vtkTypeBool);
   vtkBooleanMacro(NanSwatch, vtkTypeBool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * What the last update drew, as pixels {x min, x max, y min, y max}, both ends included; an
    * empty rectangle, max < min, if nothing. No pixel outside the legend's and the caption's
@@ -196,9 +196,9 @@ public:
   vtkGetVector4Macro(LegendRectangle, int);
   vtkGetVector4Macro(CaptionRectangle, int);
   vtkGetVector4Macro(BarRectangle, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Value and text of the ticks of the last update, from the bottom up, i in
    * [0, GetNumberOfTicks()). Outside that NaN and an empty text.
@@ -206,7 +206,7 @@ public:
   int GetNumberOfTicks() const;
   double GetTickValue(int i) const;
   std::string GetTickLabel(int i) const;
-  ///@}
+  //@}
 
   /**
    * What the last update drew, as elements of SVG: coordinates are pixels from the image's upper

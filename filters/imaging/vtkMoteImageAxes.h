@@ -44,16 +44,16 @@ public:
   vtkTypeMacro(vtkMoteImageAxes, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * The pixels that the axes go around, {x min, x max, y min, y max}, both ends included. Labels
    * and titles need about 4 times LabelSize() below and 7 times it at the left.
    */
   vtkSetVector4Macro(Frame, int);
   vtkGetVector4Macro(Frame, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Values at the frame's outer edges. Default 0 to 1.
    */
@@ -61,9 +61,9 @@ public:
   vtkGetVector2Macro(XRange, double);
   vtkSetVector2Macro(YRange, double);
   vtkGetVector2Macro(YRange, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * What the axes mean, with its unit: "radius (m)". UTF-8. Default empty.
    */
@@ -71,17 +71,17 @@ public:
   vtkGetMacro(XTitle, std::string);
   vtkSetMacro(YTitle, std::string);
   vtkGetMacro(YTitle, std::string);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Factor on the size of the text, in [0.25, 4]. Default 1.
    */
   vtkSetClampMacro(FontScale, double, 0.25, 4.0);
   vtkGetMacro(FontScale, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether the numbers and the title of the x axis stand below it. Default on. Off for all but
    * the lowest of several rectangles over one axis.
@@ -89,9 +89,9 @@ public:
   vtkSetMacro(XLabels, bool);
   vtkGetMacro(XLabels, bool);
   vtkBooleanMacro(XLabels, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether faint lines go through the rectangle at the ticks, and dots stand at the points of
    * curves. Default off.
@@ -102,16 +102,16 @@ public:
   vtkSetMacro(Dots, bool);
   vtkGetMacro(Dots, bool);
   vtkBooleanMacro(Dots, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The pixels in which the names of the curves are listed from the top, as in Frame; 1.6 times
    * LabelSize() for each. What does not fit is counted. Default none.
    */
   vtkSetVector4Macro(NamesFrame, int);
   vtkGetVector4Macro(NamesFrame, int);
-  ///@}
+  //@}
 
   /** The em of the labels in an image of that size, in pixels. */
   static int LabelSize(int width, int height, double fontScale);
@@ -124,6 +124,7 @@ public:
   /** The same, with a name, and dashed or not. */
   void AddNamedCurve(const std::string& name, vtkDataArray* x, vtkDataArray* y, double red,
     double green, double blue, bool isDashed);
+  /** Takes away all curves. */
   void RemoveAllCurves();
 
   /**
@@ -132,7 +133,7 @@ public:
    */
   const std::string& GetSvgElements() const { return this->SvgElements; }
 
-  ///@{
+  //@{
   /**
    * Value and text of the ticks of the last update, i in [0, GetNumberOfXTicks()). Outside that
    * NaN and an empty text.
@@ -143,7 +144,7 @@ public:
   int GetNumberOfYTicks() const { return static_cast<int>(this->Ticks[1].size()); }
   double GetYTickValue(int i) const { return this->TickValue(1, i); }
   std::string GetYTickLabel(int i) const { return this->TickLabel(1, i); }
-  ///@}
+  //@}
 
 protected:
   vtkMoteImageAxes();

@@ -26,7 +26,7 @@ public:
   vtkTypeMacro(vtkMoteImageMarks, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * Whether the view is a parallel projection: distances along a line are linear in pixels then,
    * and their inverses else. Default off.
@@ -34,7 +34,7 @@ public:
   vtkSetMacro(ParallelProjection, vtkTypeBool);
   vtkGetMacro(ParallelProjection, vtkTypeBool);
   vtkBooleanMacro(ParallelProjection, vtkTypeBool);
-  ///@}
+  //@}
 
   /**
    * A line of some width in pixels. With `onTop` nothing hides it.
@@ -51,6 +51,7 @@ public:
    * A text above the place, in the middle, or below it, on a dark ground. UTF-8.
    */
   void AddLabel(const double place[2], const std::string& text, const double color[3], bool below);
+  /** Takes away all marks. */
   void RemoveAll();
 
   /** How many marks there are. */

@@ -42,13 +42,13 @@ public:
   vtkTypeMacro(vtkMoteImageReader, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * The file to read. Required.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
-  ///@}
+  //@}
 
   /**
    * Whether this file is there and has the beginning of an image: 1 or 0.

@@ -51,13 +51,13 @@ public:
   vtkTypeMacro(vtkMoteImageWriter, vtkWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * The file to write. Required. Its ending, in upper or lower case, says its type.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
-  ///@}
+  //@}
 
   /**
    * Update the input and write the file. Returns 1 if the file is complete in its place, and
@@ -83,7 +83,7 @@ public:
    */
   static int CanWriteFile(const char* fileName);
 
-  ///@{
+  //@{
   /**
    * Text to keep in the file's header, such as "Camera" or "Description". Names of one to 31
    * letters, digits, underscores or inner spaces, that the formats do not need themselves; others
@@ -94,15 +94,15 @@ public:
   void AddAttribute(const char* name, const char* value);
   void ClearAttributes();
   int GetNumberOfAttributes() const;
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Quality of JPEG files, in [1, 100]. Default 95.
    */
   vtkSetClampMacro(Quality, int, 1, 100);
   vtkGetMacro(Quality, int);
-  ///@}
+  //@}
 
 protected:
   vtkMoteImageWriter();

@@ -41,16 +41,16 @@ public:
   vtkTypeMacro(vtkMoteSilhouetteFilter, vtkThreadedImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * The point array of depths: one number of any type a pixel, in world units. Empty, the default:
    * `depth`, or, without one, the active scalars.
    */
   vtkSetMacro(DepthArrayName, std::string);
   vtkGetMacro(DepthArrayName, std::string);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * What is drawn: see there. To begin with there is one object of its own, which is Enabled and
    * has a threshold of 0.01 of the scene's size; null is none. GroupArrayName is an array of the
@@ -58,7 +58,7 @@ public:
    */
   void SetSilhouettes(vtkMoteSilhouettes* silhouettes);
   vtkMoteSilhouettes* GetSilhouettes();
-  ///@}
+  //@}
 
   enum DepthModes
   {
@@ -66,7 +66,7 @@ public:
     ALONG_RAYS,
     ORTHOGRAPHIC
   };
-  ///@{
+  //@{
   /**
    * What depths are: distances along the view axis of a perspective view (default), distances along
    * its rays, or distances in an orthographic view.
@@ -76,44 +76,44 @@ public:
   void SetDepthModeToAlongAxis() { this->SetDepthMode(ALONG_AXIS); }
   void SetDepthModeToAlongRays() { this->SetDepthMode(ALONG_RAYS); }
   void SetDepthModeToOrthographic() { this->SetDepthMode(ORTHOGRAPHIC); }
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Of perspective views: the angle that the whole image spans from bottom to top, in degrees, in
    * [1e-8, 179]. Default 30, as vtkCamera's.
    */
   vtkSetClampMacro(ViewAngle, double, 1e-8, 179.0);
   vtkGetMacro(ViewAngle, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Of orthographic views: half the height of the whole image in world units, as vtkCamera's.
    * Default 0: not known, and StepInPixels of Silhouettes means nothing.
    */
   vtkSetClampMacro(ParallelScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParallelScale, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Depths from here on are background, for programs that write a large number there. Default
    * infinity.
    */
   vtkSetMacro(BackgroundDepth, double);
   vtkGetMacro(BackgroundDepth, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * World units that a threshold of 1 means by RADII. Default 1.
    */
   vtkSetClampMacro(ParticleRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ParticleRadius, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * World units that a threshold of 1 means by SCENE_SIZE. Default 0: the diagonal of the box,
    * along the image's edges and the view axis, around all the surfaces that the image shows. That
@@ -121,23 +121,23 @@ public:
    */
   vtkSetClampMacro(SceneSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SceneSize, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Smooth lines from a depth image of higher resolution: the output has one pixel for a
    * square of so many along each side, and is their mean. In [1, 64], default 1.
    */
   vtkSetClampMacro(ReductionFactor, int, 1, 64);
   vtkGetMacro(ReductionFactor, int);
-  ///@}
+  //@}
 
   enum OutputModes
   {
     SILHOUETTES,
     OVERLAY
   };
-  ///@{
+  //@{
   /**
    * The silhouettes alone (default), or drawn over the colours.
    */
@@ -145,16 +145,16 @@ public:
   vtkGetMacro(OutputMode, int);
   void SetOutputModeToSilhouettes() { this->SetOutputMode(SILHOUETTES); }
   void SetOutputModeToOverlay() { this->SetOutputMode(OVERLAY); }
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Of OVERLAY: the point array of colours, one to four components (grey, with alpha, RGB, RGBA
    * premultiplied), floats in [0, 1] or bytes. Default "color".
    */
   vtkSetMacro(ColorArrayName, std::string);
   vtkGetMacro(ColorArrayName, std::string);
-  ///@}
+  //@}
 
   /**
    * The threshold of the last update in world units; 0 before.

@@ -27,13 +27,13 @@ public:
   vtkTypeMacro(vtkMoteCollectionReader, vtkMultiBlockDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * The collection.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
-  ///@}
+  //@}
 
 protected:
   vtkMoteCollectionReader();

@@ -37,7 +37,7 @@ public:
   vtkTypeMacro(vtkMoteFileSeriesReader, vtkDataObjectAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * The files, a time step each, in the order of time. GetFileName takes an index from 0 to
    * GetNumberOfFileNames() - 1, and gives null for others.
@@ -46,7 +46,7 @@ public:
   void RemoveAllFileNames();
   int GetNumberOfFileNames();
   const char* GetFileName(int index);
-  ///@}
+  //@}
 
   /**
    * What was wrong when the reader last ran, as one sentence; empty when all was well. An abort is

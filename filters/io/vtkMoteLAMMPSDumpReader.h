@@ -61,16 +61,16 @@ public:
   vtkTypeMacro(vtkMoteLAMMPSDumpReader, vtkMotePolyDataReader);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * The one file to read; replaces a series. Null and "" mean none. GetFileName gives the first
    * file, or null.
    */
   void SetFileName(const char* fileName) override;
   const char* GetFileName() override;
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The files of a series, in any order: each has one or more time steps. GetFileName takes an
    * index from 0 to GetNumberOfFileNames() - 1, and gives null for others.
@@ -79,7 +79,7 @@ public:
   void RemoveAllFileNames();
   int GetNumberOfFileNames();
   const char* GetFileName(int index);
-  ///@}
+  //@}
 
   /**
    * 1 if the file can be opened and begins like a LAMMPS text dump (possibly gzip), else 0.
@@ -93,7 +93,7 @@ public:
    */
   vtkDataArraySelection* GetPointDataArraySelection();
 
-  ///@{
+  //@{
   /**
    * Whether columns that make a vector become one array (default on). When off every column is an
    * array of its own.
@@ -101,9 +101,9 @@ public:
   vtkSetMacro(CombineVectors, bool);
   vtkGetMacro(CombineVectors, bool);
   vtkBooleanMacro(CombineVectors, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether to store float columns in single precision, half the memory (default off). Dumps
    * usually have six digits, which a float holds, but not those written with a longer format.
@@ -112,9 +112,9 @@ public:
   vtkSetMacro(SinglePrecision, bool);
   vtkGetMacro(SinglePrecision, bool);
   vtkBooleanMacro(SinglePrecision, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether a damaged last step of a file is left out of the time steps (default off): of a file
    * that is being written it is half there.
@@ -122,7 +122,7 @@ public:
   vtkSetMacro(LeaveOutDamagedEnd, bool);
   vtkGetMacro(LeaveOutDamagedEnd, bool);
   vtkBooleanMacro(LeaveOutDamagedEnd, bool);
-  ///@}
+  //@}
 
   /**
    * Takes over what another reader has found when it passed over the same files, so that this one

@@ -32,13 +32,13 @@ public:
    */
   static std::string EndingOf(const std::string& fileName);
 
-  ///@{
+  //@{
   /**
    * How many pieces, 1 to 65536; fewer are written where there are fewer cells. Default 8.
    */
   vtkSetClampMacro(NumberOfPieces, int, 1, 65536);
   vtkGetMacro(NumberOfPieces, int);
-  ///@}
+  //@}
 
   /**
    * How many the last Write() made.

@@ -29,13 +29,13 @@ public:
   vtkAbstractTypeMacro(vtkMotePolyDataReader, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * The file to read; null and "" mean none, which GetFileName gives as null.
    */
   virtual void SetFileName(const char* fileName);
   virtual const char* GetFileName();
-  ///@}
+  //@}
 
   /**
    * What was wrong when the reader last ran, as one sentence with the file and, where there are
@@ -45,7 +45,7 @@ public:
   std::string GetLastErrorMessage();
 
 #ifndef __VTK_WRAP__
-  ///@{
+  //@{
   /**
    * Where readers of text put what they read, in place of the heap; null, the default, for the
    * heap. With a space points have no cells, and arrays of text no values: what is meant to be
@@ -53,7 +53,7 @@ public:
    */
   void SetScratchSpace(std::shared_ptr<mote::ScratchSpace> space);
   std::shared_ptr<mote::ScratchSpace> GetScratchSpace() const;
-  ///@}
+  //@}
 #endif
 
 protected:

@@ -46,7 +46,7 @@ public:
   vtkTypeMacro(vtkMoteAmbientOcclusionBaker, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * Where radii come from: as the methods of vtkMoteParticleMapper by these names, RadiusMode being
    * one of its RadiusModes. Maps serve a mapper with the same radii.
@@ -63,39 +63,39 @@ public:
   vtkGetStringMacro(TypeArrayName);
   void SetTypeRadius(int type, double radius);
   void RemoveAllTypeRadii();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /** The structure that rays are cast through, as vtkMoteParticleMapper has them by name. */
   vtkSetStringMacro(StructureName);
   vtkGetStringMacro(StructureName);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Texels along a side of the largest maps: 1, 2, 4, 8, 16 (default) or 32. Others are an error
    * when the filter runs.
    */
   vtkSetMacro(Side, int);
   vtkGetMacro(Side, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /** Rays a texel, in [1, 65536]. Default 49. */
   vtkSetClampMacro(Samples, int, 1, 65536);
   vtkGetMacro(Samples, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * How far away particles occlude, in the unit of the points: the shorter, the faster. 0, the
    * default, is a tenth of the longest side of their bounds, VTK_DOUBLE_MAX no limit.
    */
   vtkSetClampMacro(Reach, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Reach, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether particles whose maps vary little have smaller ones, and fewer rays, and the error that
    * the smaller may have, as a share of the brightest sky. On; 0.005.
@@ -105,9 +105,9 @@ public:
   vtkBooleanMacro(Adaptive, vtkTypeBool);
   vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
   vtkGetMacro(Tolerance, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether texels that lie within other particles are filled from their neighbours, so that no
    * darkness shows along the line where two meet. On.
@@ -115,9 +115,9 @@ public:
   vtkSetMacro(Dilate, vtkTypeBool);
   vtkGetMacro(Dilate, vtkTypeBool);
   vtkBooleanMacro(Dilate, vtkTypeBool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The light of the sky from the direction SkyUp and from the other; in between it changes with
    * the cosine. 1 and 1, an even sky, and +z unless set.
@@ -128,9 +128,9 @@ public:
   vtkGetMacro(SkyBottom, double);
   vtkSetVector3Macro(SkyUp, double);
   vtkGetVector3Macro(SkyUp, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Point array outside of whose SelectionRange (both ends belong to it) particles are hidden: they
    * neither occlude nor are baked, as with the ranges of a mapper. None if empty, the default.
@@ -142,42 +142,42 @@ public:
   vtkGetMacro(SelectionComponent, int);
   vtkSetVector2Macro(SelectionRange, double);
   vtkGetVector2Macro(SelectionRange, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Point array of one component: particles where it is 0 occlude, and are not baked themselves.
    * None if empty, the default.
    */
   vtkSetStringMacro(MaskArrayName);
   vtkGetStringMacro(MaskArrayName);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Indices of the points to bake, such as a picture shows (vtkMoteRendererSource, array
    * "particle"; those below 0 do not count); the others occlude. Null, the default: all.
    */
   void SetVisibleIds(vtkIdTypeArray* ids);
   vtkIdTypeArray* GetVisibleIds();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The file (.moteao) that maps are read from, where they fit, and written to. None if null, the
    * default. A file that cannot be read is a warning, one that cannot be written an error.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /** Threads to bake with; 0, the default, for all. */
   vtkSetClampMacro(NumberOfThreads, int, 0, 4096);
   vtkGetMacro(NumberOfThreads, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Facts of the last run: particles that it baked, and rays and seconds that took; particles that
    * have a map now; bytes that maps take a particle of the input, on average; and whether any came
@@ -189,7 +189,7 @@ public:
   vtkGetMacro(NumberOfBaked, vtkIdType);
   vtkGetMacro(BytesPerParticle, double);
   vtkGetMacro(ReadFromFile, bool);
-  ///@}
+  //@}
 
   /**
    * Seconds that a run will still take, from the share done and the time that took; for observers

@@ -40,30 +40,30 @@ public:
   vtkTypeMacro(vtkMoteExpression, vtkPassInputTypeAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * The expression. None, the default, is an error when the filter runs.
    */
   vtkSetStringMacro(Expression);
   vtkGetStringMacro(Expression);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Name of the array that is added, in place of one of that name. Default: "result".
    */
   vtkSetStringMacro(ResultArrayName);
   vtkGetStringMacro(ResultArrayName);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Type of the array's numbers: VTK_DOUBLE, the default, VTK_FLOAT, or VTK_UNSIGNED_CHAR, which
    * says whether the expression holds: 0 where it is 0 or not a number, else 1.
    */
   vtkSetMacro(ResultType, int);
   vtkGetMacro(ResultType, int);
-  ///@}
+  //@}
 
   /**
    * Adds the array to the data set itself. Returns what is wrong as a sentence, and nothing where

@@ -37,7 +37,7 @@ public:
     UNWRAPPED
   };
 
-  ///@{
+  //@{
   /**
    * One of Modes. Default: WRAPPED.
    */
@@ -45,7 +45,7 @@ public:
   vtkGetMacro(Mode, int);
   void SetModeToWrapped() { this->SetMode(WRAPPED); }
   void SetModeToUnwrapped() { this->SetMode(UNWRAPPED); }
-  ///@}
+  //@}
 
   /**
    * Gives the data set itself other points; the old ones stay as they are for whoever else has

@@ -58,7 +58,7 @@ public:
   ParticleModel(vtkAlgorithm* owner, bool tellsOfBuilds);
   ~ParticleModel();
 
-  ///@{
+  //@{
   /// How update() makes the particles. Names of structure and form are those of structureOf().
   RadiusChoice radii;
   std::string structureName, structureForm;
@@ -68,7 +68,7 @@ public:
   /// Particles of a preview, for sets of more than four times as many; 0, or no function, for none:
   /// then update() waits for the structure. Asked again while it waits.
   std::function<vtkIdType()> previewSize;
-  ///@}
+  //@}
 
   /// Brings structure or preview up to date. Throws Error where that cannot be, and there is no
   /// structure then; nor is there one where the owner's AbortExecute stopped the build.
@@ -84,7 +84,7 @@ public:
   /// The same, and forgets the structure.
   void clear();
 
-  ///@{
+  //@{
   /// As of the last update(). The structure, which is that of the preview where there is one, is
   /// null where there is nothing to draw; the tree where that is not the structure.
   const std::shared_ptr<ParticleStructure>& structure() const { return structure_; }
@@ -102,22 +102,22 @@ public:
   vtkMTimeType time() const { return changed_.GetMTime(); }
   /// Changes with the structure alone.
   vtkMTimeType structureTime() const { return structureChanged_.GetMTime(); }
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /// Whether there is a preview, of how many particles, whether a structure is built on another
   /// thread, and the share of it that is built.
   bool isPreview() const { return preview_ != nullptr; }
   std::size_t previewed() const { return preview_ ? preview_->particles : 0; }
   bool isBuilding() const { return build_ != nullptr; }
   double buildProgress() const;
-  ///@}
+  //@}
 
   /// The particles of the input as the structure was built from them, and their fingerprint.
   ParticleInput particles() const;
   const ContentHash& content();
 
-  ///@{
+  //@{
   /// Ranges of point arrays, of which there may be four, and of x, y, z of centres and of radii (k
   /// from 0 to 3). Whether anything changed; setting ones throws Error where they are none.
   static constexpr std::size_t mostRanges = 4;
@@ -129,7 +129,7 @@ public:
   bool removeRange(const std::string& name, int component);
   bool setPlaceRange(int k, double low, double high);
   bool removeAllRanges();
-  ///@}
+  //@}
 
   /// Has the structure show what the ranges leave, those of `more` included; after update(). Gives
   /// the sentences about arrays that are missing that the last call did not give; other ranges hold
@@ -139,7 +139,7 @@ public:
   /// All of them, also those that were given before.
   const std::set<std::string>& rangeProblems() const { return rangeProblems_; }
 
-  ///@{
+  //@{
   /// What the ranges leave: their number, and the bounds of the spheres. The first call after a
   /// change looks at all.
   std::size_t visible() const;
@@ -147,7 +147,7 @@ public:
   /// Sets to 1 those of the marks, one for each point of the input, whose particles the ranges
   /// leave. Of a preview those that it has.
   void markVisible(unsigned char* marks) const;
-  ///@}
+  //@}
 
   /// Brings maps up to date with the particles, without baking: those that `find` gives, which is
   /// asked after a change of particles, options or `key`, else new ones; see MapperOcclusion. The

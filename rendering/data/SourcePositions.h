@@ -38,12 +38,12 @@ public:
     tuple[0] = center.x, tuple[1] = center.y, tuple[2] = center.z;
   }
 
-  ///@{
+  //@{
   /// What nobody holds is not changed.
   void SetValue(vtkIdType, double) {}
   void SetTypedTuple(vtkIdType, const double*) {}
   void SetTypedComponent(vtkIdType, int, double) {}
-  ///@}
+  //@}
 
   /// Copies all when it is first called.
   void* GetVoidPointer(vtkIdType i) override;

@@ -49,7 +49,7 @@ public:
    */
   void AddInterval(double low, double high);
 
-  ///@{
+  //@{
   /**
    * Hides the cells whose value of an array's component (-1: of its magnitude), or whose middle's
    * x, y or z (axis 0, 1 or 2), lies in none of the intervals that were added since the last limit.
@@ -58,12 +58,11 @@ public:
    */
   bool Limit(const std::string& array, int component, bool ofCells);
   bool LimitPlace(int axis);
-  ///@}
+  //@}
 
-  /**
-   * One value for each cell, 0 for what is hidden; null where nothing is.
-   */
+  /** One value for each cell, 0 for what is hidden; null where nothing is. */
   vtkUnsignedCharArray* GetVisibleCells();
+  /** How many cells those are that are not hidden. */
   vtkIdType GetNumberOfVisibleCells();
 
 protected:

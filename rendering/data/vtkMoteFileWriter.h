@@ -21,13 +21,13 @@ public:
   vtkAbstractTypeMacro(vtkMoteFileWriter, vtkWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * The file to write.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
-  ///@}
+  //@}
 
   /**
    * Writes the file: 1 where that was done, else 0 after an error, or where AbortExecute stopped

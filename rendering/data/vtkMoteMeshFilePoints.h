@@ -37,14 +37,14 @@ public:
   void ComputeBounds() override;
 
 #ifndef __VTK_WRAP__
-  ///@{
+  //@{
   /**
    * The file, which stays open as long as these points. Null for points that do not lie in one any
    * more: those that were copied into this object.
    */
   void SetFile(std::shared_ptr<const mote::RlodTreeFile> file);
   std::shared_ptr<const mote::RlodTreeFile> GetFile() const;
-  ///@}
+  //@}
 
   /**
    * The file whose points and triangles a data set has, all of them and nothing else; or null.

@@ -38,7 +38,7 @@ public:
    */
   double GetSpacing();
 
-  ///@{
+  //@{
   /**
    * The form that the file keeps centres in (see vtkMoteParticleMapper::SetStructureForm()), and by
    * how much a coordinate may differ from what the file was made from. Empty and 0 for points that
@@ -46,7 +46,7 @@ public:
    */
   std::string GetForm();
   double GetPositionError();
-  ///@}
+  //@}
 
   /**
    * The bounds of the points, from the file's header.
@@ -54,14 +54,14 @@ public:
   void ComputeBounds() override;
 
 #ifndef __VTK_WRAP__
-  ///@{
+  //@{
   /**
    * The file, which stays open as long as these points. Null for points that do not lie in one any
    * more: those that were copied into this object.
    */
   void SetFile(std::shared_ptr<const mote::PkdTreeFile> file);
   std::shared_ptr<const mote::PkdTreeFile> GetFile() const;
-  ///@}
+  //@}
 
   /**
    * Array `index` of the file's arrays(), or with `ofWhole` of its facts(): a view of the file's

@@ -33,14 +33,14 @@ public:
   vtkTypeMacro(vtkMoteSilhouettes, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * Whether silhouettes are drawn at all. Off by default.
    */
   vtkSetMacro(Enabled, bool);
   vtkGetMacro(Enabled, bool);
   vtkBooleanMacro(Enabled, bool);
-  ///@}
+  //@}
 
   /// What Threshold counts.
   enum ThresholdModes
@@ -50,16 +50,16 @@ public:
     SCENE_SIZE ///< diagonals of the box around all that is drawn
   };
 
-  ///@{
+  //@{
   /**
    * The least step of depth that makes a silhouette, at least 0, in units of ThresholdMode. Default
    * 10 radii: particles that touch have no lines between them, parts and heaps of them have.
    */
   vtkSetClampMacro(Threshold, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Threshold, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Default RADII. Half of the particles' cross-section belongs to particles that are smaller than
    * the typical one, half to larger ones. Where there are no particles, a thousandth of the
@@ -71,26 +71,26 @@ public:
   void SetThresholdModeToWorld() { this->SetThresholdMode(WORLD); }
   void SetThresholdModeToRadii() { this->SetThresholdMode(RADII); }
   void SetThresholdModeToSceneSize() { this->SetThresholdMode(SCENE_SIZE); }
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * And the step is never less than so many times the width of a pixel at its distance: relief that
    * is finer than pixels has no outlines. Default 2; 0 for no such limit.
    */
   vtkSetClampMacro(StepInPixels, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(StepInPixels, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Width of the strongest lines in pixels, in [0.1, 64]. Default 1.5.
    */
   vtkSetClampMacro(Thickness, double, 0.1, 64.0);
   vtkGetMacro(Thickness, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Width, as a share of Thickness, and opacity of the weakest lines, those that hardly reach the
    * threshold; both in [0, 1]. Lines grow with the logarithm of the step up to the full ones, where
@@ -103,18 +103,18 @@ public:
   vtkGetMacro(LeastOpacity, double);
   vtkSetClampMacro(FullStep, double, 1.0, VTK_DOUBLE_MAX);
   vtkGetMacro(FullStep, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether silhouettes stand out against the background. On by default.
    */
   vtkSetMacro(Hulls, bool);
   vtkGetMacro(Hulls, bool);
   vtkBooleanMacro(Hulls, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether the middle of a line lies on the border itself. Otherwise it lies on the pixels behind
    * it, as published. On by default.
@@ -122,17 +122,17 @@ public:
   vtkSetMacro(Centered, bool);
   vtkGetMacro(Centered, bool);
   vtkBooleanMacro(Centered, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Red, green and blue of the lines. Default 0.05 each.
    */
   vtkSetVector3Macro(Color, double);
   vtkGetVector3Macro(Color, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Silhouettes stand, besides, between neighbours in the picture with different values of this
    * point array of the particles (of its first component), such as materials, however little their
@@ -142,7 +142,7 @@ public:
    */
   vtkSetStdStringFromCharMacro(GroupArrayName);
   vtkGetCharFromStdStringMacro(GroupArrayName);
-  ///@}
+  //@}
 
 #ifndef __VTK_WRAP__
   /**

@@ -37,14 +37,14 @@ public:
   void ComputeBounds() override;
 
 #ifndef __VTK_WRAP__
-  ///@{
+  //@{
   /**
    * Where points come from. Null for points that do not come from there any more: those that were
    * copied into this object.
    */
   void SetSource(std::shared_ptr<const mote::ParticleSource> source);
   std::shared_ptr<const mote::ParticleSource> GetSource() const;
-  ///@}
+  //@}
 #endif
 
 protected:

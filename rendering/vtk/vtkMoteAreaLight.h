@@ -27,16 +27,16 @@ public:
   vtkTypeMacro(vtkMoteAreaLight, vtkLight);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * Whether the light casts shadows. On by default.
    */
   vtkSetMacro(Shadows, vtkTypeBool);
   vtkGetMacro(Shadows, vtkTypeBool);
   vtkBooleanMacro(Shadows, vtkTypeBool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * How large the light is: the larger, the softer the shadows. Of a positional light the edge of
    * the square that shines, in world units; it faces what it lights. Of one that is not, the angle
@@ -45,16 +45,16 @@ public:
    */
   vtkSetClampMacro(Size, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Size, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Side of the square of sample points, in [1, 64]: 4, the default, takes 16 points. The more, the
    * smoother the rims of the shadows and the longer it takes. A change rebuilds nothing.
    */
   vtkSetClampMacro(Samples, int, 1, 64);
   vtkGetMacro(Samples, int);
-  ///@}
+  //@}
 
   /**
    * A light of this class with the same values, as vtkLight's.

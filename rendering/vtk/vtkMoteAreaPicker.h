@@ -40,49 +40,49 @@ public:
   vtkTypeMacro(vtkMoteAreaPicker, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * Whether particles are found that others hide from the camera. Off by default.
    */
   vtkSetMacro(Through, vtkTypeBool);
   vtkGetMacro(Through, vtkTypeBool);
   vtkBooleanMacro(Through, vtkTypeBool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether cells are found that are seen. Off by default.
    */
   vtkSetMacro(PickCells, vtkTypeBool);
   vtkGetMacro(PickCells, vtkTypeBool);
   vtkBooleanMacro(PickCells, vtkTypeBool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether the values are found that colour what is seen, without Through. Off by default.
    */
   vtkSetMacro(PickValues, vtkTypeBool);
   vtkGetMacro(PickValues, vtkTypeBool);
   vtkBooleanMacro(PickValues, vtkTypeBool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Rays a pixel, in [1, 65536], without Through. Default 4. The first goes through the pixel's
    * centre. With more rays smaller particles are found.
    */
   vtkSetClampMacro(SamplesPerPixel, int, 1, 65536);
   vtkGetMacro(SamplesPerPixel, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Threads to look with; 0, the default, for all.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);
-  ///@}
+  //@}
 
   /**
    * Looks at the rectangle with these corners, both included, in display coordinates (pixels from
@@ -97,7 +97,7 @@ public:
    */
   vtkGetVector2Macro(ValueRange, double);
 
-  ///@{
+  //@{
   /**
    * What the last Pick() found: props, and for each the indices in its mapper's input, ascending,
    * of particles or of cells. Null for numbers that are none, and for what is not of that kind.
@@ -106,7 +106,7 @@ public:
   vtkProp3D* GetProp(int i);
   vtkIdTypeArray* GetParticles(int i);
   vtkIdTypeArray* GetCells(int i);
-  ///@}
+  //@}
 
 protected:
   vtkMoteAreaPicker();

@@ -20,7 +20,7 @@ public:
   vtkTypeMacro(vtkMoteClipCylinder, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * A point on the axis, in world coordinates, where the height is 0; and the axis, of any length
    * but 0. The z axis through the origin by default.
@@ -29,18 +29,18 @@ public:
   vtkGetVector3Macro(Center, double);
   vtkSetVector3Macro(Axis, double);
   vtkGetVector3Macro(Axis, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Where the angle is 0: the part of this vector across the axis. By default the x axis, or the y
    * axis where that is nearer to across. Angles grow by the right-hand rule about the axis.
    */
   void SetZeroAngle(double x, double y, double z);
   void GetZeroAngle(double direction[3]);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * What is shown, both ends included: distances from the axis and heights along it in world units,
    * angles in degrees, from the first on to the second, past 360 where that is less. All by
@@ -52,7 +52,7 @@ public:
   vtkGetVector2Macro(HeightRange, double);
   vtkSetVector2Macro(AngleRange, double);
   vtkGetVector2Macro(AngleRange, double);
-  ///@}
+  //@}
 
 protected:
   vtkMoteClipCylinder() = default;

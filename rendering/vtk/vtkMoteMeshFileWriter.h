@@ -29,14 +29,14 @@ public:
   vtkTypeMacro(vtkMoteMeshFileWriter, vtkMoteStructureFileWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * The mapper whose structure is written, and, where the writer has no input of its own, whose
    * input. One of the writer's own at first.
    */
   void SetMapper(vtkMoteMeshMapper* mapper);
   vtkMoteMeshMapper* GetMapper();
-  ///@}
+  //@}
 
 protected:
   vtkMoteMeshFileWriter();

@@ -61,22 +61,22 @@ public:
   vtkTypeMacro(vtkMoteMeshMapper, vtkMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /** The mesh: a data object, or (with SetInputConnection) a pipeline's output. */
   void SetInputData(vtkPointSet* input);
   vtkPointSet* GetInput();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Rays a pixel, in [1, 65536], where the mapper draws by itself, without a vtkMoteRayCastPass.
    * Default 4. With 1 a pixel is covered or not, as compositing by depth needs it.
    */
   vtkSetClampMacro(SamplesPerPixel, int, 1, 65536);
   vtkGetMacro(SamplesPerPixel, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether the triangles keep the light of lights that cast shadows from others, and from one
    * another. On unless set.
@@ -84,9 +84,9 @@ public:
   vtkSetMacro(CastsShadows, bool);
   vtkGetMacro(CastsShadows, bool);
   vtkBooleanMacro(CastsShadows, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * How many pixels the picture may err by, at least 0: groups of triangles that would err by less
    * are drawn as planes (R-LODs), which takes less time and memory where many triangles fall into a
@@ -97,9 +97,9 @@ public:
    */
   vtkSetClampMacro(PixelsOfError, double, 0.0, 1000.0);
   vtkGetMacro(PixelsOfError, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Which of the input's cells are drawn: an array with a value for each, of which 0 hides the
    * cell; null, as unless set, for all. What is seen is what would be seen if the input did not
@@ -109,9 +109,9 @@ public:
    */
   void SetVisibleCells(vtkUnsignedCharArray* isVisible);
   vtkUnsignedCharArray* GetVisibleCells();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Mappers that show other blocks of the same mesh: of cells with a volume faces are left out that
    * the visible cells of their inputs cover, with the same points or with others. So blocks have no
@@ -121,9 +121,9 @@ public:
   void AddNeighbor(vtkMoteMeshMapper* other);
   void RemoveAllNeighbors();
   int GetNumberOfNeighbors();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Which piece about an axis is shown, beside what SetClippingPlanes() leaves: null, the default,
    * for all. Triangles are cut where planes and cylinder are, and open; walls that lie flat
@@ -132,9 +132,9 @@ public:
    */
   void SetClipCylinder(vtkMoteClipCylinder* cylinder);
   vtkMoteClipCylinder* GetClipCylinder();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * How often it is drawn, evenly around an axis, in the input's coordinates: a sector as the whole
    * wheel. Nothing is copied: copies share what is built. They have the same cells for picks, and
@@ -147,9 +147,9 @@ public:
   vtkGetVector3Macro(RepetitionCenter, double);
   vtkSetVector3Macro(RepetitionAxis, double);
   vtkGetVector3Macro(RepetitionAxis, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether arrays with three components are vectors that turn with what is drawn, by its prop and
    * its repetition: a component is then that along an axis of the world. Default off.
@@ -157,9 +157,9 @@ public:
   vtkSetMacro(TurnVectors, bool);
   vtkGetMacro(TurnVectors, bool);
   vtkBooleanMacro(TurnVectors, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether rays meet polygons that are ghosts: those that vtkGhostType marks as copies
    * (vtkDataSetAttributes::DUPLICATECELL) of what another rank has. They throw shadows and darken
@@ -169,7 +169,7 @@ public:
   vtkSetMacro(MeetsGhosts, bool);
   vtkGetMacro(MeetsGhosts, bool);
   vtkBooleanMacro(MeetsGhosts, bool);
-  ///@}
+  //@}
 
   /** The marks of cells among which are ghosts that rays meet; null where there are none. */
   vtkUnsignedCharArray* GetGhosts();
@@ -178,7 +178,7 @@ public:
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
 
-  ///@{
+  //@{
   /**
    * Brings the input up to date, and the structure where points or cells have changed: where only
    * points have moved it takes their new places, which is much faster than to build it, unless they
@@ -189,13 +189,13 @@ public:
   using Superclass::Update;
   void Update() override { this->Update(0); }
   void Update(int port) override;
-  ///@}
+  //@}
 
   /** Update() for another time step of the input's pipeline, which stays the one that is shown. */
   int UpdateTimeStep(double time, int piece = -1, int pieces = 1, int ghostLevels = 0,
     const int extents[6] = nullptr) override;
 
-  ///@{
+  //@{
   /**
    * Facts of the present structure, as of the last Update(): triangles drawn; lines, vertices and
    * polygons of the input that have none; triangles with a corner that is not finite; both as
@@ -210,7 +210,7 @@ public:
   double GetBuildTime();
   int GetNumberOfBuilds();
   int GetNumberOfRefits();
-  ///@}
+  //@}
 
   /** The array that colours the triangles now; null where they have the property's colour. */
   vtkDataArray* GetColorArray();
@@ -223,7 +223,7 @@ public:
   void Render(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
-  ///@{
+  //@{
   /**
    * Triangles are drawn with the opaque geometry. vtkHardwareSelector, and with it vtkPropPicker,
    * finds the actor; for the cell use vtkMoteParticlePicker.
@@ -231,10 +231,10 @@ public:
   bool HasOpaqueGeometry() override { return true; }
   bool HasTranslucentPolygonalGeometry() override { return false; }
   bool GetSupportsSelection() override { return true; }
-  ///@}
+  //@}
 
 #ifndef __VTK_WRAP__
-  ///@{
+  //@{
   /**
    * Hands structures from one mapper to another: the next Update() of a mapper that is offered what
    * another one has built from the very same points and cells takes it and builds nothing; one that
@@ -243,7 +243,7 @@ public:
    */
   std::shared_ptr<const mote::BuiltMesh> GetBuilt();
   void OfferBuilt(std::shared_ptr<const mote::BuiltMesh> built);
-  ///@}
+  //@}
 
   /**
    * The pieces of GetStructureBytes(): what there is, and its bytes. Mappers that handed over to

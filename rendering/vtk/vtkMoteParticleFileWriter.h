@@ -30,7 +30,7 @@ public:
   vtkTypeMacro(vtkMoteParticleFileWriter, vtkMoteStructureFileWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * The mapper whose rules of radii hold and, where the writer has no input of its own, whose
    * input is written. One of the writer's own at first. Its StructureName becomes "pkd-tree"; its
@@ -38,7 +38,7 @@ public:
    */
   void SetMapper(vtkMoteParticleMapper* mapper);
   vtkMoteParticleMapper* GetMapper();
-  ///@}
+  //@}
 
 protected:
   vtkMoteParticleFileWriter();

@@ -57,11 +57,11 @@ public:
   vtkTypeMacro(vtkMoteParticleMapper, vtkMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /** The particles: a data object, or (with SetInputConnection) a pipeline's output. */
   void SetInputData(vtkPointSet* input);
   vtkPointSet* GetInput();
-  ///@}
+  //@}
 
   /**
    * Where a particle's radius comes from. AUTOMATIC, the default, takes a point array named radius
@@ -77,7 +77,7 @@ public:
     RADIUS_FROM_SPACING ///< half the typical distance between neighbours
   };
 
-  ///@{
+  //@{
   /** One of RadiusModes. */
   vtkSetClampMacro(RadiusMode, int, RADIUS_AUTOMATIC, RADIUS_FROM_SPACING);
   vtkGetMacro(RadiusMode, int);
@@ -86,7 +86,7 @@ public:
   void SetRadiusModeToArray() { this->SetRadiusMode(RADIUS_BY_ARRAY); }
   void SetRadiusModeToType() { this->SetRadiusMode(RADIUS_BY_TYPE); }
   void SetRadiusModeToSpacing() { this->SetRadiusMode(RADIUS_FROM_SPACING); }
-  ///@}
+  //@}
 
   /**
    * What an array of this name holds to RADIUS_AUTOMATIC: 1 radii, 0.5 diameters, 0 something else.
@@ -97,31 +97,38 @@ public:
   /** The array of one component that RADIUS_AUTOMATIC takes radii or diameters from; or null. */
   static vtkDataArray* FindRadii(vtkPointData* data);
 
-  ///@{
-  /**
-   * Radius is that of RADIUS_CONSTANT mode, in the units of the points, by default 0.5. RadiusScale
-   * multiplies the radius of every mode: 1, or 0.5 for an array of diameters. Of one component are
-   * the arrays of the radii in RADIUS_BY_ARRAY mode, and of the types, by default "type", in
-   * RADIUS_BY_TYPE mode.
-   */
+  //@{
+  /** The radius in RADIUS_CONSTANT mode, in the units of the points. Default 0.5. */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
+  //@}
+
+  //@{
+  /** Multiplies the radius of every mode. Default 1; 0.5 turns an array of diameters into radii. */
   vtkSetMacro(RadiusScale, double);
   vtkGetMacro(RadiusScale, double);
+  //@}
+
+  //@{
+  /** Point array of one component that holds the radii in RADIUS_BY_ARRAY mode. */
   vtkSetStringMacro(RadiusArrayName);
   vtkGetStringMacro(RadiusArrayName);
+  //@}
+
+  //@{
+  /** Point array of one component that holds the types in RADIUS_BY_TYPE mode. Default "type". */
   vtkSetStringMacro(TypeArrayName);
   vtkGetStringMacro(TypeArrayName);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /** The radius of all particles of a type, for RADIUS_BY_TYPE. Types without one get Radius. */
   void SetTypeRadius(int type, double radius);
   double GetTypeRadius(int type);
   void RemoveAllTypeRadii();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Hides, rather than recolours, the particles whose value of VisibilityArrayName lies outside
    * VisibilityRange (both ends belong to it; NaN is outside). Off by default. A change rebuilds no
@@ -132,24 +139,21 @@ public:
   vtkBooleanMacro(UseVisibilityRange, vtkTypeBool);
   vtkSetVector2Macro(VisibilityRange, double);
   vtkGetVector2Macro(VisibilityRange, double);
-  ///@}
+  //@}
 
-  ///@{
-  /** The array that VisibilityRange speaks of. Empty, the default: the array that colours. */
+  //@{
+  /**
+   * The array that VisibilityRange speaks of, and its component, or -1 for the magnitude. Default
+   * component 0 of the array that colours, which an empty name is. Of the array that colours it is
+   * the component that the lookup table chooses.
+   */
   vtkSetStringMacro(VisibilityArrayName);
   vtkGetStringMacro(VisibilityArrayName);
-  ///@}
-
-  ///@{
-  /**
-   * Component of that array, or -1 for the magnitude. Default 0. Of the array that colours it is
-   * the one that the lookup table chooses.
-   */
   vtkSetMacro(VisibilityComponent, int);
   vtkGetMacro(VisibilityComponent, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Hides the particles whose value of a point array lies outside of `low` to `high` (both ends
    * belong to it; NaN is outside; infinite ends are no limit). Component -1 is the magnitude. Up to
@@ -170,7 +174,7 @@ public:
   }
   void RemoveRange(const char* array, int component = 0);
   int GetNumberOfRanges();
-  ///@}
+  //@}
 
   /**
    * Adds values to those that the range of an array's component shows, as in "types 1, 3 and 5 to
@@ -179,25 +183,25 @@ public:
    */
   bool AddToRange(const char* array, int component, double low, double high);
 
-  ///@{
+  //@{
   /**
    * As AddRange(), of centres along an axis (0, 1, 2 for x, y, z) in the input's coordinates.
    * Infinite at first: no limit.
    */
   bool SetCenterRange(int axis, double low, double high);
   void GetCenterRange(int axis, double range[2]);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /** The same for the radius, as drawn: in the units of the points, RadiusScale and all. */
   bool SetRadiusRange(double low, double high);
   void GetRadiusRange(double range[2]);
-  ///@}
+  //@}
 
   /** Takes away all these ranges but VisibilityRange. */
   void RemoveAllRanges();
 
-  ///@{
+  //@{
   /**
    * The particles that all ranges leave to be seen, as of the last Update(): their number, and the
    * bounds of their spheres with those of their images (GetBounds() are those of all, so that the
@@ -205,9 +209,9 @@ public:
    */
   vtkIdType GetNumberOfVisibleParticles();
   void GetVisibleBounds(double bounds[6]);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The structure that rays are cast through, by name: "coherent-grid", the fastest for a camera's
    * rays; "pkd-tree", which takes 12.5 bytes a particle instead of 20 (and 4 for its id, either)
@@ -217,9 +221,9 @@ public:
    */
   vtkSetStringMacro(StructureName);
   vtkGetStringMacro(StructureName);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * What the "pkd-tree" keeps centres in, by name: "exact", 12 bytes a particle and as fine as
    * float; "8-byte"; "4-byte"; or "auto" (default), as the file has it that the points stay in,
@@ -228,9 +232,9 @@ public:
    */
   vtkSetStringMacro(StructureForm);
   vtkGetStringMacro(StructureForm);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether a P-k-d tree keeps the way back from its particles to the points, 4 or 8 bytes a
    * particle. Without it only those can use the tree who ask for neither ids nor values of
@@ -239,18 +243,18 @@ public:
   vtkSetMacro(KeepPointIds, bool);
   vtkGetMacro(KeepPointIds, bool);
   vtkBooleanMacro(KeepPointIds, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Rays a pixel, in [1, 65536], where the mapper draws by itself, without a vtkMoteRayCastPass.
    * Default 4. With 1 a pixel is covered or not, as compositing by depth needs it.
    */
   vtkSetClampMacro(SamplesPerPixel, int, 1, 65536);
   vtkGetMacro(SamplesPerPixel, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether the particles keep the light of lights that cast shadows from others, and from one
    * another. On unless set.
@@ -258,9 +262,9 @@ public:
   vtkSetMacro(CastsShadows, bool);
   vtkGetMacro(CastsShadows, bool);
   vtkBooleanMacro(CastsShadows, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * How many pixels the picture may err by, at least 0: boxes stand for groups of particles. Most
    * rays that hit a box pass one of its particles by less than so many pixels, and all by less than
@@ -272,9 +276,9 @@ public:
    */
   vtkSetClampMacro(PixelsOfError, double, 0.0, 1000.0);
   vtkGetMacro(PixelsOfError, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * How often the particles are drawn along each of three vectors: as they are, one vector further,
    * and so on, as with the images of a periodic simulation. Nothing is copied and no structure is
@@ -286,9 +290,9 @@ public:
   vtkGetVector3Macro(Replication, int);
   vtkSetVectorMacro(ReplicationVectors, double, 9);
   vtkGetVectorMacro(ReplicationVectors, double, 9);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether rays meet ghosts: points that vtkGhostType marks as copies of what another rank has.
    * A pixel that shows one is left to that rank. The data must not hold a point and its copy both.
@@ -297,24 +301,24 @@ public:
   vtkSetMacro(MeetsGhosts, bool);
   vtkGetMacro(MeetsGhosts, bool);
   vtkBooleanMacro(MeetsGhosts, bool);
-  ///@}
+  //@}
   /** The marks of points among which are ghosts that rays meet; null where there are none. */
   vtkUnsignedCharArray* GetGhosts();
 
-  ///@{
+  //@{
   /**
    * Which piece about an axis is shown, beside what SetClippingPlanes() leaves: null, the default,
    * for all. Spheres are cut by planes and cylinder, and closed by flat faces. Nothing is built.
    */
   void SetClipCylinder(vtkMoteClipCylinder* cylinder);
   vtkMoteClipCylinder* GetClipCylinder();
-  ///@}
+  //@}
 
   /** Bounds of the spheres, not of their centres alone, and of all images of Replication. */
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
 
-  ///@{
+  //@{
   /**
    * Brings the input up to date and builds the structure where input or radii changed; a change of
    * colours, ranges, camera or light builds nothing. Fires Start-, Progress- and EndEvents;
@@ -323,17 +327,16 @@ public:
   using Superclass::Update;
   void Update() override { this->Update(0); }
   void Update(int port) override;
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * When on, Update() of a set of more than four times PreviewSize particles does not wait until
    * the structure is built, which another thread does. It makes a preview of PreviewSize particles,
    * evenly taken from the input, with radii times the cube root of the share left out; colours,
    * ranges and ids are those of the input. An Update() that finds the structure built, such as that
    * of the next frame, takes it. StartEvent is fired when the build begins, ProgressEvents by each
-   * Update(), EndEvent when the exact structure is there, or will not be. SetAbortExecute(1) from
-   * within one stops the build and leaves nothing to draw.
+   * Update(), EndEvent when the exact structure is there, or will not be.
    *
    * Off, the default, nothing is ever drawn but the exact picture: Update() waits for a build that
    * goes on. A vtkMoteRendererSource and a vtkMoteParticleFileWriter wait in any case.
@@ -346,9 +349,9 @@ public:
   vtkBooleanMacro(Preview, vtkTypeBool);
   vtkSetClampMacro(PreviewSize, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(PreviewSize, vtkIdType);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether what is drawn as of the last Update() is a preview; of how many particles (else 0);
    * whether a structure is built on another thread; and the share of it that is built, in [0, 1].
@@ -359,7 +362,7 @@ public:
   bool IsBuilding();
   vtkIdType GetNumberOfPreviewParticles();
   double GetBuildProgress();
-  ///@}
+  //@}
 
   /** Update() that waits for the exact structure, with ProgressEvents; true when it is there. */
   bool FinishBuild();
@@ -377,7 +380,7 @@ public:
   int UpdateTimeStep(double time, int piece = -1, int pieces = 1, int ghostLevels = 0,
     const int extents[6] = nullptr) override;
 
-  ///@{
+  //@{
   /**
    * Facts of the present structure, as of the last Update(): particles drawn or hidden by range,
    * particles left out as unfit, bytes of structure and particles, seconds of the last build,
@@ -390,11 +393,13 @@ public:
   double GetBuildTime();
   int GetNumberOfBuilds();
   double GetRadiusInUse();
-  ///@}
+  //@}
 
+  //@{
   /** Particles that have an occlusion map as of the last picture, and what the maps take. */
   vtkIdType GetNumberOfBakedParticles();
   vtkTypeInt64 GetOcclusionBytes();
+  //@}
 
   /** The array that colours the particles now; null where they have the property's colour. */
   vtkDataArray* GetColorArray();
@@ -410,7 +415,7 @@ public:
   void Render(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
-  ///@{
+  //@{
   /**
    * Particles are drawn with the opaque geometry. vtkHardwareSelector, and with it vtkPropPicker,
    * finds the actor; for the particle use vtkMoteParticlePicker, which knows ids of any size.
@@ -418,14 +423,13 @@ public:
   bool HasOpaqueGeometry() override { return true; }
   bool HasTranslucentPolygonalGeometry() override { return false; }
   bool GetSupportsSelection() override { return true; }
-  ///@}
+  //@}
 
 #ifndef __VTK_WRAP__
   /** The names that StructureName and StructureForm may be, the default first. */
   static std::vector<std::string> GetStructureNames();
   static std::vector<std::string> GetStructureForms();
 
-  ///@{
   /**
    * Hands structures from one mapper to another: the next Update() of a mapper that is offered what
    * another one has built from the very same arrays, with the same radii and structure, takes it
@@ -435,7 +439,6 @@ public:
    */
   std::shared_ptr<const mote::BuiltParticles> GetBuilt();
   void OfferBuilt(std::shared_ptr<const mote::BuiltParticles> built);
-  ///@}
 
   /** Where a P-k-d tree that is built from now on lies, in place of the heap; null for the heap. */
   void SetScratchSpace(std::shared_ptr<mote::ScratchSpace> space);
@@ -444,11 +447,9 @@ public:
   /** Updates, and describes what this actor shows, until the next Update(); false for nothing. */
   bool DescribeTo(mote::SurfaceObject& object, vtkActor* actor);
 
-  ///@{
   /** The particles as of the last Update(), and what the model's occlusion() gives. */
   mote::ParticleModel& GetModel();
   mote::MapperOcclusion* UpdateOcclusion(const mote::OcclusionRequest* request);
-  ///@}
 #endif
 
   /**

@@ -23,14 +23,14 @@ public:
   vtkTypeMacro(vtkMoteParticlePicker, vtkAbstractPropPicker);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * Picks at a position in display coordinates (pixels from the window's lower left corner, z is
    * not used). Returns 1 where a particle or an iso-surface is met, else 0.
    */
   int Pick(double x, double y, double z, vtkRenderer* renderer) override;
   using Superclass::Pick;
-  ///@}
+  //@}
 
   /**
    * The particle's index in its mapper's input, or -1.
@@ -42,7 +42,7 @@ public:
    */
   vtkGetMacro(CellId, vtkIdType);
 
-  ///@{
+  //@{
   /**
    * Whether volumes are picked, too: the cell that keeps back more of the ray's light than any
    * other, where there is no surface on the ray, or where the volumes in front of the surface keep
@@ -52,7 +52,7 @@ public:
   vtkSetMacro(PickClouds, vtkTypeBool);
   vtkGetMacro(PickClouds, vtkTypeBool);
   vtkBooleanMacro(PickClouds, vtkTypeBool);
-  ///@}
+  //@}
 
   /**
    * The opacity of the volumes along the ray, in (0, 1], where a cell of a volume was picked for

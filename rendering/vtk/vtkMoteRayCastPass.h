@@ -46,15 +46,15 @@ public:
   void Render(const vtkRenderState* state) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
-  ///@{
+  //@{
   /**
    * Rays a pixel at rest, in [1, 65536]. Default 4. The first goes through the pixel's centre.
    */
   vtkSetClampMacro(SamplesPerPixel, int, 1, 65536);
   vtkGetMacro(SamplesPerPixel, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Noise at which a picture is good enough although it has not yet SamplesPerPixel: its standard
    * error, the root mean square over covered pixels and channels of what the mean of a pixel's
@@ -63,9 +63,9 @@ public:
    */
   vtkSetClampMacro(NoiseLevel, double, 0.0, 1.0);
   vtkGetMacro(NoiseLevel, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * When on, a picture at rest comes bit by bit, and each Render() shows what there is; render
    * until IsConverged(). After a change the first is as fine as a tenth of a second allows (or
@@ -78,9 +78,9 @@ public:
   vtkSetMacro(Progressive, vtkTypeBool);
   vtkGetMacro(Progressive, vtkTypeBool);
   vtkBooleanMacro(Progressive, vtkTypeBool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * When off, a Render() of a Progressive picture at rest shows what there is and traces nothing,
    * as long as it shows this view at all: for frames in which only other things of the window
@@ -89,7 +89,7 @@ public:
   vtkSetMacro(Refining, vtkTypeBool);
   vtkGetMacro(Refining, vtkTypeBool);
   vtkBooleanMacro(Refining, vtkTypeBool);
-  ///@}
+  //@}
 
   /**
    * Whether the picture shown last has full resolution and all its samples, or little enough noise,
@@ -103,24 +103,24 @@ public:
    */
   bool IsPreview();
 
-  ///@{
+  //@{
   /**
    * Whether resolution is lowered while the view moves. On by default.
    */
   vtkSetMacro(AutoAdjustResolution, vtkTypeBool);
   vtkGetMacro(AutoAdjustResolution, vtkTypeBool);
   vtkBooleanMacro(AutoAdjustResolution, vtkTypeBool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Seconds that a frame may take while the view moves. Default 0.08, at least 0.001.
    */
   vtkSetClampMacro(InteractiveFrameTime, double, 0.001, VTK_DOUBLE_MAX);
   vtkGetMacro(InteractiveFrameTime, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The most that neighbouring rays may be apart while the view moves, in pixels from 1 to 32,
    * whatever time the frame takes then: edges are half of that away from where they are, at most.
@@ -128,9 +128,9 @@ public:
    */
   vtkSetClampMacro(MostDistance, double, 1.0, 32.0);
   vtkGetMacro(MostDistance, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether clouds may be integrated and interpolated more roughly than mappers and shading say
    * while the view moves and until a progressive picture is sharp. Default on.
@@ -138,26 +138,26 @@ public:
   vtkSetMacro(RoughDrafts, vtkTypeBool);
   vtkGetMacro(RoughDrafts, vtkTypeBool);
   vtkBooleanMacro(RoughDrafts, vtkTypeBool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Threads to trace with; 0, the default, for all.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * How rays find light on what is drawn: see there. There is one of its own to begin with; null
    * is the same as a new one.
    */
   void SetShading(vtkMoteShading* shading);
   vtkMoteShading* GetShading();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Silhouettes on what is drawn: see there. To begin with there is one object of its own, which is
    * not Enabled; null is none. They are found in the depths of each of a pixel's rays, and smoothed
@@ -165,9 +165,9 @@ public:
    */
   void SetSilhouettes(vtkMoteSilhouettes* silhouettes);
   vtkMoteSilhouettes* GetSilhouettes();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Facts of the last Render(): distance of neighbouring rays in pixels (1: full resolution),
    * samples a pixel shown so far, the share of the picture that the next finer one covers already
@@ -185,9 +185,9 @@ public:
   double GetTraceTime();
   double GetDisplayTime();
   double GetSilhouetteTime();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * What draws the ordinary props. By default a vtkRenderStepsPass. A pass of your own must render
    * GetImagePass() where the traced picture belongs: after opaque props, before translucent ones.
@@ -195,7 +195,7 @@ public:
   void SetDelegatePass(vtkRenderPass* pass);
   vtkRenderPass* GetDelegatePass();
   vtkRenderPass* GetImagePass();
-  ///@}
+  //@}
 
 protected:
   vtkMoteRayCastPass();

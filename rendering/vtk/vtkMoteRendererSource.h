@@ -51,31 +51,31 @@ public:
   vtkTypeMacro(vtkMoteRendererSource, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * The renderer to trace. Required.
    */
   void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Width and height in pixels, in [1, 65536] each. Default 1024 by 1024.
    */
   vtkSetVector2Macro(Size, int);
   vtkGetVector2Macro(Size, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Rays a pixel, in [1, 65536]. Default 16. Depth, normals and ids belong to the pixel's centre.
    */
   vtkSetClampMacro(SamplesPerPixel, int, 1, 65536);
   vtkGetMacro(SamplesPerPixel, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Noise at which a picture is good enough although it has not yet SamplesPerPixel: its standard
    * error, the root mean square over covered pixels and channels of what the mean of a pixel's
@@ -84,26 +84,26 @@ public:
    */
   vtkSetClampMacro(NoiseLevel, double, 0.0, 1.0);
   vtkGetMacro(NoiseLevel, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Threads to trace with; 0, the default, for all.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * How rays find light on what is drawn: see there. There is one of its own to begin with; null
    * is the same as a new one.
    */
   void SetShading(vtkMoteShading* shading);
   vtkMoteShading* GetShading();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Silhouettes on what is drawn: see there. To begin with there is one object of its own, which is
    * not Enabled; null is none. They are found in the depths of each of a pixel's rays, and smoothed
@@ -111,9 +111,9 @@ public:
    */
   void SetSilhouettes(vtkMoteSilhouettes* silhouettes);
   vtkMoteSilhouettes* GetSilhouettes();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Which arrays to make besides `color`. All off by default.
    */
@@ -132,39 +132,39 @@ public:
   vtkSetMacro(SilhouetteCoverage, vtkTypeBool);
   vtkGetMacro(SilhouetteCoverage, vtkTypeBool);
   vtkBooleanMacro(SilhouetteCoverage, vtkTypeBool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether what is not covered stays transparent instead of showing the renderer's background.
    */
   vtkSetMacro(TransparentBackground, vtkTypeBool);
   vtkGetMacro(TransparentBackground, vtkTypeBool);
   vtkBooleanMacro(TransparentBackground, vtkTypeBool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether the camera's clipping range is set to enclose the visible props first. Default on.
    */
   vtkSetMacro(ResetClippingRange, vtkTypeBool);
   vtkGetMacro(ResetClippingRange, vtkTypeBool);
   vtkBooleanMacro(ResetClippingRange, vtkTypeBool);
-  ///@}
+  //@}
 
   /**
    * Visible props of the last update that have no Mote mapper and so were not traced.
    */
   vtkGetMacro(NumberOfIgnoredProps, int);
 
-  ///@{
+  //@{
   /**
    * Samples a pixel of the last update, and its standard error: infinite where neither NoiseLevel
    * nor Variance asked for it, or with one sample.
    */
   vtkGetMacro(NumberOfSamples, int);
   vtkGetMacro(Noise, double);
-  ///@}
+  //@}
 
   /**
    * Seconds of the last update that were spent tracing.

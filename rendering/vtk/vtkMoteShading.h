@@ -48,7 +48,7 @@ public:
     PATH_TRACED ///< light by way of other particles, too
   };
 
-  ///@{
+  //@{
   /**
    * How light is found. Default LOCAL.
    */
@@ -56,7 +56,7 @@ public:
   vtkGetMacro(Mode, int);
   void SetModeToLocal() { this->SetMode(LOCAL); }
   void SetModeToPathTraced() { this->SetMode(PATH_TRACED); }
-  ///@}
+  //@}
 
   enum AmbientOcclusions
   {
@@ -65,7 +65,7 @@ public:
     OCCLUSION_BAKED ///< maps of the particles
   };
 
-  ///@{
+  //@{
   /**
    * How the ambient light that surfaces receive is found, in LOCAL mode. Default OCCLUSION_NONE.
    * The others make AmbientOcclusionSamples 4 where they are 0.
@@ -75,9 +75,9 @@ public:
   void SetAmbientOcclusionToNone() { this->SetAmbientOcclusion(OCCLUSION_NONE); }
   void SetAmbientOcclusionToLive() { this->SetAmbientOcclusion(OCCLUSION_LIVE); }
   void SetAmbientOcclusionToBaked() { this->SetAmbientOcclusion(OCCLUSION_BAKED); }
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Rays that look for the sky at each hit of each of a pixel's rays, in [0, 4096]. 4, with 16 rays
    * a pixel, make a smooth picture; powers of two spread best. More than 0 turn OCCLUSION_NONE
@@ -86,18 +86,18 @@ public:
    */
   void SetAmbientOcclusionSamples(int samples);
   vtkGetMacro(AmbientOcclusionSamples, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * How far those rays go, in world units: what is farther away darkens nothing. VTK_DOUBLE_MAX
    * for all that there is; 0, the default, for a tenth of the longest side of what is drawn.
    */
   vtkSetClampMacro(AmbientOcclusionReach, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(AmbientOcclusionReach, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * What is baked where maps are missing: texels along a side of a map, at most, a power of two in
    * [1, 32] (16); rays a texel, in [1, 4096] (49); whether particles whose maps vary little get
@@ -113,9 +113,9 @@ public:
   vtkBooleanMacro(BakeAdaptive, vtkTypeBool);
   vtkSetClampMacro(BakeTolerance, double, 0.0, 1.0);
   vtkGetMacro(BakeTolerance, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Particles that light comes by before it reaches the eye, at most, in [1, 1000]. 1 is light
    * straight from sky and lights. Default 16, with which little is lost even among bright
@@ -123,9 +123,9 @@ public:
    */
   vtkSetClampMacro(MaximumBounces, int, 1, 1000);
   vtkGetMacro(MaximumBounces, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The light of the sky, of path tracing: red, green and blue (1 is as bright as white paper under
    * it) from the direction SkyUp, in world coordinates, and from the other; in between it changes
@@ -138,9 +138,9 @@ public:
   vtkGetVector3Macro(SkyBottom, double);
   vtkSetVector3Macro(SkyUp, double);
   vtkGetVector3Macro(SkyUp, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Where a cloud's colour changes so evenly from pixel to pixel that interpolation is right to
    * within this, in [0, 1] of a colour, not every pixel is traced. Default 0: every pixel is.
@@ -148,7 +148,7 @@ public:
    */
   vtkSetClampMacro(CloudTolerance, double, 0.0, 1.0);
   vtkGetMacro(CloudTolerance, double);
-  ///@}
+  //@}
 
 protected:
   vtkMoteShading();

@@ -37,22 +37,22 @@ public:
   void Render(const vtkRenderState* state) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
-  ///@{
+  //@{
   /**
    * What is drawn: see there. There is one of its own to begin with, which is Enabled; null is
    * none. ThresholdMode RADII asks for particles of Mote among the props.
    */
   void SetSilhouettes(vtkMoteSilhouettes* silhouettes);
   vtkMoteSilhouettes* GetSilhouettes();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * What draws the scene.
    */
   void SetDelegatePass(vtkRenderPass* pass);
   vtkRenderPass* GetDelegatePass();
-  ///@}
+  //@}
 
   /**
    * For delegates of your own: draws the silhouettes in what has been drawn so far.
@@ -65,7 +65,7 @@ public:
     DEPTH_BUFFER ///< of all that is drawn
   };
 
-  ///@{
+  //@{
   /**
    * Where depths come from. Default AUTOMATIC.
    */
@@ -73,7 +73,7 @@ public:
   vtkGetMacro(DepthSource, int);
   void SetDepthSourceToAutomatic() { this->SetDepthSource(AUTOMATIC); }
   void SetDepthSourceToDepthBuffer() { this->SetDepthSource(DEPTH_BUFFER); }
-  ///@}
+  //@}
 
   /**
    * Seconds of the last Render() in which silhouettes were looked for: 0 where the rays' pass did

@@ -33,7 +33,7 @@ public:
     UNROLLED_CYLINDER ///< the same, flat
   };
 
-  ///@{
+  //@{
   /**
    * One of Shapes; a plane by default.
    */
@@ -43,9 +43,9 @@ public:
   void SetShapeToHalfPlane() { this->SetShape(HALF_PLANE); }
   void SetShapeToCylinder() { this->SetShape(CYLINDER); }
   void SetShapeToUnrolledCylinder() { this->SetShape(UNROLLED_CYLINDER); }
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * A point of the plane or on the axis, and the plane's normal or the axis, of any length but 0;
    * in the coordinates of the input. The z axis through the origin by default.
@@ -54,9 +54,9 @@ public:
   vtkGetVector3Macro(Center, double);
   vtkSetVector3Macro(Axis, double);
   vtkGetVector3Macro(Axis, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Where a half plane goes from the axis, and where a cylinder that is rolled out touches its
    * plane: the part of this vector across the axis. Default 1 0 0; planes and cylinders do not need
@@ -64,15 +64,15 @@ public:
    */
   vtkSetVector3Macro(Outwards, double);
   vtkGetVector3Macro(Outwards, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Of cylinders, above 0. Default 1.
    */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
-  ///@}
+  //@}
 
 protected:
   vtkMoteSlice() = default;

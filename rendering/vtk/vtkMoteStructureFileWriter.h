@@ -22,7 +22,7 @@ public:
   vtkAbstractTypeMacro(vtkMoteStructureFileWriter, vtkMoteFileWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * Whether the input's order is kept, as arrays "vtkOriginalPointIds" and, of triangles,
    * "vtkOriginalCellIds" (4 bytes each; 8 for points above 2^32). On by default; without effect
@@ -31,7 +31,7 @@ public:
   vtkSetMacro(WriteOriginalIds, vtkTypeBool);
   vtkGetMacro(WriteOriginalIds, vtkTypeBool);
   vtkBooleanMacro(WriteOriginalIds, vtkTypeBool);
-  ///@}
+  //@}
 
 protected:
   vtkMoteStructureFileWriter();

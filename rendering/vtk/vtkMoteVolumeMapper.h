@@ -74,7 +74,7 @@ public:
     MAGNITUDE      ///< the Euclidean length
   };
 
-  ///@{
+  //@{
   /**
    * What counts of arrays with several components: one of VectorModes, and the component, from 0
    * on. Default component 0.
@@ -85,9 +85,9 @@ public:
   void SetVectorModeToMagnitude() { this->SetVectorMode(MAGNITUDE); }
   vtkSetClampMacro(VectorComponent, int, 0, VTK_INT_MAX);
   vtkGetMacro(VectorComponent, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The structure that rays are cast through, by name: "cartbvh" (default), a
    * hierarchy that neighbouring rays go through together, with the least memory; "cylbvh", a
@@ -97,9 +97,9 @@ public:
    */
   vtkSetStringMacro(StructureName);
   vtkGetStringMacro(StructureName);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The axis of cylindrical structures, in the input's coordinates. A direction of 0 0 0 (default)
    * has it found.
@@ -108,9 +108,9 @@ public:
   vtkGetVector3Macro(AxisOrigin, double);
   vtkSetVector3Macro(AxisDirection, double);
   vtkGetVector3Macro(AxisDirection, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * How colour is integrated along rays, by name: "cell-by-cell" (default), between the exact
    * places of entry and exit, to Tolerance; "trilinear", even samples of the trilinear cell;
@@ -119,44 +119,44 @@ public:
    */
   vtkSetStringMacro(IntegratorName);
   vtkGetStringMacro(IntegratorName);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Distance of even samples, in world units. 0 (default): half the edge of a cube as large as the
    * mean cell, or 1/2000 of the size of the mesh where that is more.
    */
   vtkSetClampMacro(SampleDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SampleDistance, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * What a pixel's colour, in [0, 1], may err by in "cell-by-cell" integration; in [1e-9, 1].
    * Default 0.001.
    */
   vtkSetClampMacro(Tolerance, double, 1e-9, 1.0);
   vtkGetMacro(Tolerance, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The opacity at which a ray ends; in [0, 1], 1: never. Default 0.999.
    */
   vtkSetClampMacro(Saturation, double, 0.0, 1.0);
   vtkGetMacro(Saturation, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether the cloud is drawn. On by default.
    */
   vtkSetMacro(ShowCloud, vtkTypeBool);
   vtkGetMacro(ShowCloud, vtkTypeBool);
   vtkBooleanMacro(ShowCloud, vtkTypeBool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether there is an opaque surface wherever the scalar has one of the property's
    * IsoSurfaceValues. Where it is of cells the surface follows its means at points, of the cells
@@ -165,9 +165,9 @@ public:
   vtkSetMacro(ShowIsoSurfaces, vtkTypeBool);
   vtkGetMacro(ShowIsoSurfaces, vtkTypeBool);
   vtkBooleanMacro(ShowIsoSurfaces, vtkTypeBool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Which array isosurfaces follow in place of the one that colours: a name, null or empty, the
    * default, for that one; whether it is of cells; and its component, -1 for the magnitude.
@@ -178,9 +178,9 @@ public:
   const char* GetIsoArrayName() { return this->IsoArrayName.c_str(); }
   bool GetIsoArrayOfCells() { return this->IsoArrayOfCells; }
   int GetIsoArrayComponent() { return this->IsoArrayComponent; }
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Where cells are shown sliced; see vtkMoteSlice. Slices are opaque, and no light changes the
    * colours that the property's colour function gives them. None by default; null where there is
@@ -192,9 +192,9 @@ public:
   int GetNumberOfSlices();
   vtkMoteSlice* GetSlice(int number);
   void GetSliceBounds(double bounds[6]);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Which values slices show: those in any of the ranges, ends included; all of them without any.
    */
@@ -202,9 +202,9 @@ public:
   void RemoveAllSliceRanges();
   int GetNumberOfSliceRanges();
   void GetSliceRange(int number, double range[2]); ///< 1, 0 where there is none of this number
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Width in pixels, and colour, of lines on slices along the edges of cells. Width 0 (default): no
    * lines. Where cells are only a few pixels wide the lines fade.
@@ -213,27 +213,27 @@ public:
   vtkGetMacro(EdgeWidth, double);
   vtkSetVector3Macro(EdgeColor, double);
   vtkGetVector3Macro(EdgeColor, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Rays a pixel, in [1, 65536], where the mapper draws by itself, without a vtkMoteRayCastPass.
    * Default 4. With 1 a pixel is covered or not, as compositing by depth needs it.
    */
   vtkSetClampMacro(SamplesPerPixel, int, 1, 65536);
   vtkGetMacro(SamplesPerPixel, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * The CloudTolerance of vtkMoteShading, in [0, 1], where the mapper draws by itself. Default 0:
    * every pixel is traced. Below 1/255 nothing of it is seen in a picture of 8 bits.
    */
   vtkSetClampMacro(CloudTolerance, double, 0.0, 1.0);
   vtkGetMacro(CloudTolerance, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether these surfaces keep the light of lights that cast shadows from others, and from one
    * another. On unless set. Clouds never do.
@@ -241,9 +241,9 @@ public:
   vtkSetMacro(CastsShadows, bool);
   vtkGetMacro(CastsShadows, bool);
   vtkBooleanMacro(CastsShadows, bool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Colour, and opacity per unit distance, of cells that have a value that is not a finite number.
    * With opacity 0, the default, they are left out. Default colour 0.5 0 0, as in VTK's tables.
@@ -252,9 +252,9 @@ public:
   vtkGetVector3Macro(NanColor, double);
   vtkSetClampMacro(NanOpacity, double, 0.0, 1.0);
   vtkGetMacro(NanOpacity, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Which of the input's cells are drawn: an array with a value for each, of which 0 hides the
    * cell; null, the default, for all. What is seen is what would be seen if the input did not have
@@ -262,9 +262,9 @@ public:
    */
   void SetVisibleCells(vtkUnsignedCharArray* isVisible);
   vtkUnsignedCharArray* GetVisibleCells();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Which piece about an axis is shown, beside what SetClippingPlanes() leaves: null, the default,
    * for all. Rays are cut where planes and cylinder are; isosurfaces are open there, and slices
@@ -272,9 +272,9 @@ public:
    */
   void SetClipCylinder(vtkMoteClipCylinder* cylinder);
   vtkMoteClipCylinder* GetClipCylinder();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * How often it is drawn, evenly around an axis, in the input's coordinates: a sector as the whole
    * wheel. Nothing is copied: copies share what is built. They have the same cells for picks, and
@@ -286,9 +286,9 @@ public:
   vtkGetVector3Macro(RepetitionCenter, double);
   vtkSetVector3Macro(RepetitionAxis, double);
   vtkGetVector3Macro(RepetitionAxis, double);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Whether arrays with three components are vectors that turn with what is drawn, by its prop and
    * its repetition: a component is then that along an axis of the world. Default off.
@@ -296,7 +296,7 @@ public:
   vtkSetMacro(TurnVectors, bool);
   vtkGetMacro(TurnVectors, bool);
   vtkBooleanMacro(TurnVectors, bool);
-  ///@}
+  //@}
 
   /**
    * Bounds of the cells that can be drawn, hidden ones included.
@@ -304,7 +304,7 @@ public:
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
 
-  ///@{
+  //@{
   /**
    * Brings the input up to date, builds the structure where points or cells changed, and takes the
    * scalars where they did. Fires Start-, Progress- and EndEvents around a build;
@@ -314,7 +314,7 @@ public:
   using Superclass::Update;
   void Update() override { this->Update(0); }
   void Update(int port) override;
-  ///@}
+  //@}
 
   /**
    * Update() for another time step of the input's pipeline, which stays the one that is shown.
@@ -323,7 +323,7 @@ public:
   int UpdateTimeStep(double time, int piece = -1, int pieces = 1, int ghostLevels = 0,
     const int extents[6] = nullptr) override;
 
-  ///@{
+  //@{
   /**
    * Facts as of the last Update(): cells that are drawn; a sentence about cells that were left out
    * or mended, empty where none was; bytes of mesh, structure and scalars; seconds of the last
@@ -338,7 +338,7 @@ public:
   int GetNumberOfFieldUpdates();
   double* GetScalarRange() VTK_SIZEHINT(2);
   void GetScalarRange(double range[2]);
-  ///@}
+  //@}
 
   /// Why a cell of the input is not drawn.
   enum ReasonsToLeaveOut
@@ -376,7 +376,7 @@ public:
    */
   bool DescribeTo(mote::Scene& scene, vtkVolume* volume, int id = 0);
 
-  ///@{
+  //@{
   /**
    * Hands what is made of a grid from one mapper to another: the next Update() of a mapper that is
    * offered it takes mesh and structure where its grid has the same cells, and the field where it
@@ -385,7 +385,7 @@ public:
    */
   std::shared_ptr<const mote::BuiltVolume> GetBuilt(bool forPicture = false);
   void OfferBuilt(std::shared_ptr<const mote::BuiltVolume> built);
-  ///@}
+  //@}
 
   /**
    * The pieces of GetStructureBytes(): what there is, and its bytes. Mappers that handed over to
@@ -393,13 +393,13 @@ public:
    */
   std::vector<std::pair<const void*, std::size_t>> GetMemory();
 
-  ///@{
+  //@{
   /**
    * The names that StructureName and IntegratorName may be.
    */
   static std::vector<std::string> GetStructureNames();
   static std::vector<std::string> GetIntegratorNames();
-  ///@}
+  //@}
 #endif
 
 protected:

@@ -13,6 +13,14 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkRenderingCore import vtkAbstractPicker, vtkMapper
 
 CLASSES = [name for name in dir(mote) if name.startswith("vtkMote")]
+# What VTK's macros give every class.
+OF_EVERY_CLASS = (".IsA", ".NewInstance", ".SafeDownCast")
+
+
+def said_of(method):
+    """The paragraphs of a method's docstring that are not its signatures."""
+    paragraphs = (method.__doc__ or "").strip().split("\n\n")
+    return [text for text in paragraphs if text.strip() and "C++: " not in text]
 
 
 class Package(unittest.TestCase):
@@ -76,8 +84,16 @@ class Package(unittest.TestCase):
                 self.assertGreater(len((getattr(mote, name).__doc__ or "").split()), 8)
 
     def test_methods_have_docstrings_of_their_own(self):
-        text = mote.vtkMoteParticleMapper.SetRadiusScale.__doc__
-        self.assertIn("Multiplies the radius", text)
+        self.assertIn("Multiplies the radius", mote.vtkMoteParticleMapper.SetRadiusScale.__doc__)
+        self.assertIn("Multiplies the radius", mote.vtkMoteParticleMapper.GetRadiusScale.__doc__)
+        silent = [
+            f"{name}.{method}"
+            for name in CLASSES
+            for method, held in vars(getattr(mote, name)).items()
+            if callable(held) and not isinstance(held, type)
+            if not method.startswith("_") and not said_of(held)
+        ]
+        self.assertEqual([name for name in silent if not name.endswith(OF_EVERY_CLASS)], [])
 
     def test_every_class_prints_itself(self):
         for name in CLASSES:

@@ -34,15 +34,15 @@ public:
   void SetVisibility(bool visible) override;
   vtkDataObject* GetRenderedDataObject(int port) override;
 
-  ///@{
+  //@{
   /**
    * Handed on to the mapper.
    */
   void SetLookupTable(vtkScalarsToColors* colors);
   void SetMapScalars(int map);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Handed on to the actor and its property.
    */
@@ -59,7 +59,7 @@ public:
   void SetDiffuse(double share);
   void SetSpecular(double share);
   void SetSpecularPower(double power);
-  ///@}
+  //@}
 
 protected:
   vtkMoteActorRepresentation();

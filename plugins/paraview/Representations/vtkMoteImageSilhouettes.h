@@ -23,7 +23,7 @@ public:
    */
   void SelectDepthArray(int, int, int, int, const char* name);
 
-  ///@{
+  //@{
   /**
    * See vtkMoteSilhouettes.
    */
@@ -31,7 +31,7 @@ public:
   void SetThresholdMode(int mode);
   void SetThickness(double pixels);
   void SetHulls(int on);
-  ///@}
+  //@}
 
 protected:
   vtkMoteImageSilhouettes();

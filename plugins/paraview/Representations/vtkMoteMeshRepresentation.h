@@ -17,13 +17,13 @@ public:
   static vtkMoteMeshRepresentation* New();
   vtkTypeMacro(vtkMoteMeshRepresentation, vtkMoteActorRepresentation);
 
-  ///@{
+  //@{
   /**
    * See vtkMoteMeshMapper.
    */
   void SetSamplesPerPixel(int samples);
   void SetPixelsOfError(double pixels);
-  ///@}
+  //@}
 
 protected:
   vtkMoteMeshRepresentation();

@@ -20,7 +20,7 @@ public:
   static vtkMoteParticleRepresentation* New();
   vtkTypeMacro(vtkMoteParticleRepresentation, vtkMoteActorRepresentation);
 
-  ///@{
+  //@{
   /**
    * See vtkMoteParticleMapper. Arrays are told as ParaView tells arrays to process: only the name
    * counts.
@@ -35,7 +35,7 @@ public:
   void SelectVisibilityArray(int, int, int, int, const char* name);
   void SetVisibilityRange(double low, double high);
   void SetPixelsOfError(double pixels);
-  ///@}
+  //@}
 
 protected:
   vtkMoteParticleRepresentation();

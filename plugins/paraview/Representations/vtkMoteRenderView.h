@@ -25,7 +25,7 @@ public:
   vtkTypeMacro(vtkMoteRenderView, vtkPVRenderView);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * See vtkMoteRayCastPass and vtkMoteShading. On several ranks a reach of 0 stands for a tenth of
    * the longest side of what all of them show.
@@ -36,21 +36,21 @@ public:
   void SetPathTracing(int on);
   void SetCloudTolerance(double tolerance);
   double GetTraceTime();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * A light with shadows, fixed to the camera. Size in degrees, as seen from the data: 0 has hard
    * shadows.
    */
   void SetMoteShadows(int on);
   void SetMoteLightSize(double degrees);
-  ///@}
+  //@}
 
   /// Never: rays are cast as often as is asked for, and FXAA, which a server would add, blurs.
   void SetUseFXAA(bool) override { this->Superclass::SetUseFXAA(false); }
 
-  ///@{
+  //@{
   /**
    * See vtkMoteSilhouettes; the threshold counts radii of typical particles.
    */
@@ -58,7 +58,7 @@ public:
   void SetSilhouetteThreshold(double radii);
   void SetSilhouetteThickness(double pixels);
   void SetSilhouetteColor(double r, double g, double b);
-  ///@}
+  //@}
 
 protected:
   vtkMoteRenderView();

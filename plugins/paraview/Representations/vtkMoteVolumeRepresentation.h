@@ -31,7 +31,7 @@ public:
   void SetVisibility(bool visible) override;
   vtkDataObject* GetRenderedDataObject(int port) override;
 
-  ///@{
+  //@{
   /**
    * See vtkMoteVolumeMapper.
    */
@@ -39,7 +39,7 @@ public:
   void SetTolerance(double tolerance);
   void SetCloudTolerance(double tolerance);
   void SetSamplesPerPixel(int samples);
-  ///@}
+  //@}
   /// Whether the cloud is lit by its gradient.
   void SetShade(int shade);
 
