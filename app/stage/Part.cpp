@@ -84,6 +84,7 @@ Part::Part(const std::string& name, vtkDataSet* data, const Settings& settings, 
   {
     volume_ = std::make_unique<Volume>(settings_.volume, errorShares(settings_).tolerance);
     walls_ = vtkSmartPointer<vtkMoteMeshMapper>::New();
+    walls_->TwoSidedSheetsOn();
     actor_->SetMapper(walls_);
   }
   if (kind_ == Kind::Particles)

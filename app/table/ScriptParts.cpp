@@ -83,6 +83,7 @@ void writeWalls(Script& script, const Part& part)
     script.line("mapper.SetVisibleCells(cells.GetVisibleCells())");
   writeRepetitions(script, mapper);
   writeCuts(script, mapper, mapper->GetClipCylinder());
+  script.call("mapper", "SetTwoSidedSheets", mapper->GetTwoSidedSheets());
   script.call("mapper", "SetCastsShadows", mapper->GetCastsShadows());
   writeActor(script, vtkActor::SafeDownCast(part.props().back()));
   writeProp(script, part);

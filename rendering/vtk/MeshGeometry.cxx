@@ -1,12 +1,15 @@
 #include "MeshGeometry.h"
 
+#include "GridParts.h"
 #include "SurfaceSeams.h"
 #include "SurfaceTriangles.h"
 
 #include "kernels/meshes/RlodTreeFile.h"
 
 #include "vtkCellArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkMoteMeshFilePoints.h"
+#include "vtkNew.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -17,6 +20,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <map>
 #include <mutex>
@@ -69,6 +73,7 @@ InputKey keyOfMesh(vtkPointSet* data, const SurfaceChoice& choice)
       const InputKey own = keyOfMesh(one.data, alone(one));
       key.insert(key.end(), own.begin(), own.end());
     }
+    key.push_back(choice.withOtherSides);
     const SectorCopies& copies = choice.copies;
     key.push_back(copies.count);
     for (int k = 0; copies.count > 1 && k < 3; ++k)
@@ -181,6 +186,41 @@ bool mayTouch(vtkPointSet* a, vtkPointSet* b)
   return may;
 }
 
+/// Adds the sheets of a grid, flat cells beside cells with a volume, the other way round. Returns
+/// of how many triangles they are, the last ones then.
+std::size_t addOtherSides(SurfaceTriangles& triangles, vtkPointSet* data)
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  const std::size_t count = triangles.cells.size();
+  std::vector<std::size_t> sheets;
+  for (std::size_t t = 0; grid && t < count; ++t)
+    if (isFlatType(grid->GetCellType(triangles.cells[t])))
+      sheets.push_back(t);
+  if (sheets.empty() || sheets.size() == count)
+    return 0;
+  vtkNew<vtkIdTypeArray> corners;
+  const auto add = [&](std::size_t t, const std::array<std::size_t, 3>& order)
+  {
+    for (const std::size_t k : order)
+      corners->InsertNextValue(static_cast<vtkIdType>(triangles.view().value(t, k)));
+  };
+  for (std::size_t t = 0; t < count; ++t)
+    add(t, {0, 1, 2});
+  for (const std::size_t t : sheets)
+  {
+    add(t, {0, 2, 1});
+    triangles.cells.push_back(triangles.cells[t]);
+    if (!triangles.edges.empty())
+    {
+      const unsigned sides = triangles.edges[t];
+      triangles.edges.push_back(
+        static_cast<std::uint8_t>((sides & 1) << 2 | (sides & 2) | (sides & 4) >> 2));
+    }
+  }
+  triangles.corners = DataArrayView(corners);
+  return sheets.size();
+}
+
 } // namespace
 
 /// Faces of cells without those that copies cover, or neighbors.
@@ -240,6 +280,8 @@ MeshGeometry::Change MeshGeometry::update(
     visible_ = choice.visible;
     change = change == Change::None ? Change::Hidden : change;
   }
+  if (sides_ > 0 && tree_ && change != Change::None)
+    this->hideOtherSides();
   this->count();
   return change;
 }
@@ -255,11 +297,12 @@ MeshGeometry::Change MeshGeometry::updateAll(
     corners_ = file->corners();
     return Change::Built;
   }
-  const SurfaceTriangles triangles =
+  SurfaceTriangles triangles =
     !choice.neighbors.empty() && !hidesInTree(data)
       ? this->uncoveredFaces(data, choice)
       : surfaceTrianglesOf(
           data, hidesInTree(data) ? nullptr : choice.isVisible, choice.copies, choice.withGhosts);
+  const std::size_t sides = choice.withOtherSides ? addOtherSides(triangles, data) : 0;
   const DataArrayView points(data->GetPoints() ? data->GetPoints()->GetData() : nullptr);
   const ContentHash content = contentOf(points);
   const bool moved = tree_ && mesh_ && mesh_->pointCount() == points.view.count() &&
@@ -270,6 +313,7 @@ MeshGeometry::Change MeshGeometry::updateAll(
              : std::make_shared<const std::vector<std::uint8_t>>(triangles.edges);
   thin_ = triangles.thin;
   flat_ = triangles.flat;
+  sides_ = sides;
   if (moved && content == points_)
     return Change::None;
   points_ = content;
@@ -296,6 +340,14 @@ void MeshGeometry::hide(vtkUnsignedCharArray* isVisible)
     [=](std::uint64_t triangle)
     { return marks[cells ? static_cast<std::size_t>(cells[triangle]) : triangle] != 0; },
     std::move(last));
+}
+
+/// Makes the tree without the other sides of sheets.
+void MeshGeometry::hideOtherSides()
+{
+  const std::size_t first = mesh_->size() - sides_;
+  part_ = RlodTree::partOf(
+    tree_, [=](std::uint64_t triangle) { return triangle < first; }, std::move(part_));
 }
 
 /// Gives the points other places. False where the tree has become too bad by that.

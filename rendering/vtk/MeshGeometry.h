@@ -28,6 +28,7 @@ struct SurfaceChoice
   InputKey visible;                          ///< the key of VisibleCells
   SectorCopies copies;                       ///< that are drawn
   bool withGhosts = false;                   ///< polygons that are copies of another rank's
+  bool withOtherSides = false;               ///< of sheets; see innerTree()
 
   /// Cells of another data set, by which faces may be covered.
   struct Neighbor
@@ -76,6 +77,9 @@ public:
 
   /// Null without triangles that are visible.
   const std::shared_ptr<RlodTree>& tree() const { return part_ ? part_ : tree_; }
+  /// For rays that meet inner sides alone: with sheets, flat cells beside cells with a volume, once
+  /// more the other way round, where they were asked for. Else as tree().
+  const std::shared_ptr<RlodTree>& innerTree() const { return sides_ > 0 ? tree_ : this->tree(); }
   /// The tree that tree() is a part of, or which it is: slots and R-LODs are the same.
   const std::shared_ptr<RlodTree>& whole() const { return tree_; }
   std::shared_ptr<const TriangleMesh> mesh() const { return mesh_; } ///< null for those of files
@@ -97,6 +101,7 @@ private:
   Change updateAll(vtkPointSet* data, const SurfaceChoice& choice, const Progress& progress);
   SurfaceTriangles uncoveredFaces(vtkPointSet* data, const SurfaceChoice& choice);
   void hide(vtkUnsignedCharArray* isVisible);
+  void hideOtherSides();
   bool moveTo(const ArrayView& points);
   bool build(const ArrayView& points, const ArrayView& triangles, const Progress& progress);
   void count();
@@ -113,6 +118,7 @@ private:
   /// Of neighbors and of these cells, for the neighbors: one takes what another has found.
   std::vector<std::shared_ptr<const SharedFaces>> shared_;
   vtkIdType thin_ = 0, flat_ = 0;
+  std::size_t sides_ = 0; ///< the last triangles, which are others the other way round
   /// Kept: others that hold the tree may be making its R-LODs.
   std::size_t bytes_ = 0, bytesOfPart_ = 0;
 };

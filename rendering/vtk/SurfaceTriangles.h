@@ -29,9 +29,8 @@ struct SurfaceTriangles
 
 /// Of all cells, or of those alone for which `isVisible` is not 0: as if the others were not there.
 /// Of cells with a volume without the faces that copies of a sector cover, or other parts of the
-/// grid. Polygons that are
-/// ghosts, copies of what another rank has, are left out but `withGhosts`. Throws Error where a
-/// cell has a point that the data set has not.
+/// grid. Polygons that are ghosts, copies of what another rank has, are left out but `withGhosts`.
+/// Throws Error where a cell has a point that the data set has not.
 SurfaceTriangles surfaceTrianglesOf(vtkPointSet* data, vtkUnsignedCharArray* isVisible = nullptr,
   const SectorCopies& copies = {}, bool withGhosts = false);
 

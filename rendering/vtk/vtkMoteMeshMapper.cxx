@@ -350,7 +350,7 @@ void vtkMoteMeshMapper::UpdateGeometry(vtkPointSet* input)
   mote::SurfaceChoice choice = {impl.visible.get(), impl.visible.key(input->GetNumberOfCells()),
     {this->Repetitions, glm::make_vec3(this->RepetitionCenter),
       glm::make_vec3(this->RepetitionAxis)},
-    this->MeetsGhosts, {}};
+    this->MeetsGhosts, this->TwoSidedSheets, {}};
   for (vtkMoteMeshMapper* other : impl.neighbors)
     if (vtkPointSet* data = other ? other->GetInput() : nullptr; data && data != input)
       choice.neighbors.push_back(
@@ -425,7 +425,8 @@ bool vtkMoteMeshMapper::DescribeTo(mote::SurfaceObject& object, vtkActor* actor)
     object.backOpacity.reset();
   }
   this->AllowError(object, look, ofCells);
-  object.surface = mote::MeshSurface(impl.geometry.tree(), look);
+  object.surface =
+    mote::MeshSurface(look.isInner ? impl.geometry.innerTree() : impl.geometry.tree(), look);
   object.castsShadows = this->CastsShadows;
   object.clip = impl.clip.region(this, *input, object.toWorld);
   return true;
@@ -478,6 +479,7 @@ void vtkMoteMeshMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SamplesPerPixel: " << this->SamplesPerPixel << "\n";
   os << indent << "CastsShadows: " << (this->CastsShadows ? "On" : "Off") << "\n";
   os << indent << "PixelsOfError: " << this->PixelsOfError << "\n";
+  os << indent << "TwoSidedSheets: " << (this->TwoSidedSheets ? "On" : "Off") << "\n";
   os << indent << "MeetsGhosts: " << (this->MeetsGhosts ? "On" : "Off") << "\n";
   os << indent << "NumberOfTriangles: " << this->GetNumberOfTriangles() << "\n";
   os << indent << "NumberOfCellsLeftOut: " << this->GetNumberOfCellsLeftOut() << "\n";

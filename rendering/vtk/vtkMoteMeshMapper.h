@@ -125,6 +125,17 @@ public:
 
   //@{
   /**
+   * Whether sheets, flat cells beside cells with a volume such as shells and baffles, are seen from
+   * both sides where the property's opacity is 0 and that of the BackfaceProperty is not: they hide
+   * nothing that lies within cells. Default off: each is seen from its back.
+   */
+  vtkSetMacro(TwoSidedSheets, bool);
+  vtkGetMacro(TwoSidedSheets, bool);
+  vtkBooleanMacro(TwoSidedSheets, bool);
+  //@}
+
+  //@{
+  /**
    * Which piece about an axis is shown, beside what SetClippingPlanes() leaves: null, the default,
    * for all. Triangles are cut where planes and cylinder are, and open; walls that lie flat
    * in a face of the cut are shown whole, as far as a millionth of the input's size outside.
@@ -282,6 +293,7 @@ protected:
   bool CastsShadows = true;
   double PixelsOfError = 0.0;
   bool MeetsGhosts = false;
+  bool TwoSidedSheets = false;
 
 private:
   vtkMoteMeshMapper(const vtkMoteMeshMapper&) = delete;

@@ -191,6 +191,57 @@ TEST_F(MeshStage, LooksIntoWallsWhoseOuterSideIsClear)
   EXPECT_NEAR(alpha(), 0.75, 1e-6);
 }
 
+TEST_F(MeshStage, SheetsBesideCellsAreSeenFromBothSidesWhereThatIsAsked)
+{
+  actor->SetPosition(-1.5, -1.5, -1.5);
+  vtkNew<vtkProperty> inner;
+  const auto alpha = [&] { return this->trace().color(pixel(0.1, 0.1))[3]; };
+  for (const bool looksAway : {false, true})
+  {
+    SCOPED_TRACE(looksAway);
+    const auto grid = gridOf(VTK_HEXAHEDRON);
+    const vtkIdType sheet = grid->GetNumberOfCells();
+    vtkIdType corners[4];
+    const double places[4][2] = {{1, 1}, {2, 1}, {2, 2}, {1, 2}};
+    for (const int k : {0, 1, 2, 3})
+      corners[looksAway ? 3 - k : k] =
+        grid->GetPoints()->InsertNextPoint(places[k][0], places[k][1], 3.5);
+    grid->InsertNextCell(VTK_QUAD, 4, corners);
+    mapper->SetInputData(grid);
+    actor->SetBackfaceProperty(nullptr);
+    actor->GetProperty()->SetOpacity(1.0);
+    mapper->TwoSidedSheetsOff();
+    mapper->Update();
+    const vtkIdType triangles = mapper->GetNumberOfTriangles();
+    for (const bool isTwoSided : {false, true})
+    {
+      SCOPED_TRACE(isTwoSided);
+      mapper->SetTwoSidedSheets(isTwoSided);
+      actor->GetProperty()->SetOpacity(0.0);
+      actor->SetBackfaceProperty(inner);
+      EXPECT_EQ(cellAt(0.1, 0.1), isTwoSided || looksAway ? sheet : 4);
+      EXPECT_EQ(cellAt(-1.2, -1.2), 0);
+      // It is there once where light goes through it: sheet, near wall, far wall.
+      actor->SetBackfaceProperty(nullptr);
+      actor->GetProperty()->SetOpacity(0.5);
+      EXPECT_NEAR(alpha(), 1.0 - 0.5 * 0.5 * 0.5, 1e-6);
+      EXPECT_EQ(mapper->GetNumberOfTriangles(), triangles);
+    }
+    // Points that move, which builds no tree.
+    const int refits = mapper->GetNumberOfRefits();
+    for (vtkIdType i = 0; i < 4; ++i)
+      grid->GetPoints()->SetPoint(
+        corners[i], grid->GetPoint(corners[i])[0] + 0.9, grid->GetPoint(corners[i])[1] + 0.9, 3.5);
+    grid->GetPoints()->Modified();
+    actor->GetProperty()->SetOpacity(0.0);
+    actor->SetBackfaceProperty(inner);
+    EXPECT_EQ(cellAt(0.9, 0.9), sheet);
+    EXPECT_EQ(cellAt(0.1, 0.1), 4);
+    EXPECT_EQ(mapper->GetNumberOfRefits(), refits + 1);
+    EXPECT_EQ(mapper->GetNumberOfTriangles(), triangles);
+  }
+}
+
 TEST_F(MeshStage, FacesLookOutwardsWhateverTheOrderOfCorners)
 {
   actor->SetPosition(-1.5, -1.5, -1.5);
