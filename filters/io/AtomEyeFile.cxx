@@ -58,7 +58,7 @@ public:
         return RowsResult();
       },
       output);
-    addTypes(words, typesOf(words.table, true), output);
+    addTypes(words, typesOf(words.table.words(), true), output);
     addBox(m_cell, {0, 0, 0}, "pp pp pp", output);
   }
 

@@ -102,7 +102,7 @@ public:
         return RowsResult();
       },
       output);
-    addTypes(words, typesOf(words.table, false), output);
+    addTypes(words, typesOf(words.table.words(), false), output);
     addBox(frame.box, {0, 0, 0}, "pp pp pp", output);
     addText(output->GetFieldData(), "units", "nm, ps");
   }

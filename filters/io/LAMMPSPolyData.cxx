@@ -14,7 +14,6 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <set>
 #include <tbb/blocked_range.h>
@@ -169,18 +168,6 @@ void addTypes(const LAMMPSFrame& frame, vtkPointData* arrays, const std::set<std
   arrays->AddArray(types);
 }
 
-/// The same from words as numbers.
-void addTypes(NumberedWords& words, vtkPolyData* output)
-{
-  std::map<std::string, int> types;
-  for (const auto& [word, number] : words.table.numbers())
-    types[word] = 0;
-  int last = 0;
-  for (auto& [word, type] : types)
-    type = ++last;
-  addTypes(words, types, output);
-}
-
 void addHeader(const LAMMPSFrame& frame, vtkFieldData* fields)
 {
   vtkNew<vtkIdTypeArray> timestep;
@@ -249,7 +236,7 @@ void readLAMMPSFrame(const std::string& path, const LAMMPSFrame& frame,
       },
       output);
   if (words.numbers)
-    addTypes(words, output);
+    addTypes(words, typesOf(words.table.words(), false), output);
   else if (!options.space)
     addTypes(frame, output->GetPointData(), all);
   if (needsIds(frame, options))

@@ -4,6 +4,7 @@
 
 #include "vtkAbstractArray.h"
 #include "vtkNew.h"
+#include "vtkPeriodicTable.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -149,10 +150,7 @@ std::set<std::string> wordsOf(
         return !progress || progress(std::min(1.0, all / static_cast<double>(rows.rows)));
       },
       rows.format);
-  std::set<std::string> words;
-  for (const auto& [word, number] : table.numbers())
-    words.insert(word);
-  return words;
+  return table.words();
 }
 
 void makePointRows(PointRows rows, const RowSource& source, vtkPolyData* output)
@@ -225,6 +223,24 @@ void readPointRows(
       return readRows(cursor, count, targets, stored, progress, format);
     },
     output);
+}
+
+std::map<std::string, int> typesOf(const std::set<std::string>& words, bool areElements)
+{
+  vtkNew<vtkPeriodicTable> table;
+  std::map<std::string, int> types;
+  for (const std::string& word : words)
+    types[word] = areElements ? table->GetAtomicNumber(word) : 0;
+  const auto isNone = [&](const auto& type)
+  {
+    const bool isDummy = type.first == "X" || type.first == "Xx";
+    return type.second == 0 && !(areElements && isDummy);
+  };
+  int last = 0;
+  if (std::any_of(types.begin(), types.end(), isNone))
+    for (auto& [word, type] : types)
+      type = ++last;
+  return types;
 }
 
 void addTypes(NumberedWords& words, const std::map<std::string, int>& types, vtkPolyData* output)

@@ -77,6 +77,10 @@ void readPointRows(
 std::set<std::string> wordsOf(
   TextCursor& cursor, const PointRows& rows, std::size_t column, const Progress& progress);
 
+/// "type" of words: where all are names of elements their numbers in the periodic table, 0 for "X"
+/// and "Xx", if that is what they mean; else their places in alphabetical order, from 1.
+std::map<std::string, int> typesOf(const std::set<std::string>& words, bool areElements);
+
 /// Makes the numbers of words those of types, in an array "type".
 void addTypes(NumberedWords& words, const std::map<std::string, int>& types, vtkPolyData* output);
 

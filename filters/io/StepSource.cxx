@@ -12,7 +12,6 @@
 
 #include "vtkFieldData.h"
 #include "vtkNew.h"
-#include "vtkPeriodicTable.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
@@ -66,20 +65,6 @@ void storeText(const TextColumn& column, std::uint64_t row, std::string_view tex
     static_cast<std::string*>(column.data)[at] = text;
   else if (column.type == ColumnType::Word)
     static_cast<std::int32_t*>(column.data)[at] = column.words->numberOf(std::string(text));
-}
-
-std::map<std::string, int> typesOf(const WordTable& words, bool areElements)
-{
-  vtkNew<vtkPeriodicTable> table;
-  std::map<std::string, int> types;
-  for (const auto& [word, number] : words.numbers())
-    types[word] = areElements ? table->GetAtomicNumber(word) : 0;
-  const auto isNone = [](const auto& type) { return type.second == 0; };
-  int last = 0;
-  if (std::any_of(types.begin(), types.end(), isNone))
-    for (auto& [word, type] : types)
-      type = ++last;
-  return types;
 }
 
 void addBox(const std::array<double, 9>& cell, const std::array<double, 3>& origin,

@@ -64,10 +64,6 @@ private:
 /// Stores a text: as it is, or as the number of the word.
 void storeText(const TextColumn& column, std::uint64_t row, std::string_view text);
 
-/// "type" of words: where all are names of elements their numbers in the periodic table, if that is
-/// what they mean; else their places in alphabetical order, from 1.
-std::map<std::string, int> typesOf(const WordTable& words, bool areElements);
-
 /// The periodic box at the origin of rows of three numbers each, a, b and c, as "box" and
 /// "box_origin".
 void addBox(const std::array<double, 9>& cell, const std::array<double, 3>& origin,

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <string>
 #include <tbb/concurrent_unordered_map.h>
 #include <vector>
@@ -42,6 +43,14 @@ public:
   const tbb::concurrent_unordered_map<std::string, std::int32_t>& numbers() const
   {
     return m_numbers;
+  }
+
+  std::set<std::string> words() const
+  {
+    std::set<std::string> all;
+    for (const auto& [word, number] : m_numbers)
+      all.insert(word);
+    return all;
   }
 
 private:

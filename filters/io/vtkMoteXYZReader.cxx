@@ -12,48 +12,38 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPeriodicTable.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
 #include <algorithm>
-#include <map>
+#include <set>
 #include <unordered_map>
+#include <utility>
 
 namespace
 {
 
-/// Adds "type", the number in the periodic table, for an array of element names.
-void addTypes(vtkPolyData* data, const std::string& species)
+/// Adds "type" for an array of words, `all` of them where these are given; see mote::typesOf().
+void addTypes(vtkPolyData* data, const std::string& species, std::set<std::string> all)
 {
   auto* names =
     vtkStringArray::SafeDownCast(data->GetPointData()->GetAbstractArray(species.c_str()));
   if (!names || data->GetPointData()->HasArray("type"))
     return;
-  vtkNew<vtkPeriodicTable> table;
-  std::unordered_map<std::string, int> numbers; // the table's own search is slow
+  std::unordered_map<std::string, int> numbers; // faster than the map of typesOf()
+  for (vtkIdType i = 0; i < names->GetNumberOfValues() && all.empty(); ++i)
+    numbers.try_emplace(names->GetValue(i), 0);
+  for (const auto& [word, number] : numbers)
+    all.insert(word);
+  for (const auto& [word, type] : mote::typesOf(all, true))
+    numbers[word] = type;
   vtkNew<vtkIntArray> types;
   types->SetName("type");
   types->SetNumberOfTuples(names->GetNumberOfTuples());
   for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
-  {
-    const auto [entry, isNew] = numbers.try_emplace(names->GetValue(i), 0);
-    if (isNew)
-      entry->second = table->GetAtomicNumber(entry->first);
-    types->SetValue(i, entry->second);
-  }
+    types->SetValue(i, numbers.at(names->GetValue(i)));
   data->GetPointData()->AddArray(types);
-}
-
-/// The same from words as numbers.
-void addTypes(vtkPolyData* data, mote::NumberedWords& words)
-{
-  vtkNew<vtkPeriodicTable> table;
-  std::map<std::string, int> types;
-  for (const auto& [word, number] : words.table.numbers())
-    types[word] = table->GetAtomicNumber(word);
-  mote::addTypes(words, types, data);
 }
 
 void readFrame(const std::string& path, const mote::XYZFrame& frame, const mote::Piece& piece,
@@ -78,17 +68,23 @@ void readFrame(const std::string& path, const mote::XYZFrame& frame, const mote:
   { return [name](const mote::ColumnGroup& group) { return group.name == name; }; };
   const auto& arrays = layout.arrays;
   const auto species = std::find_if(arrays.begin(), arrays.end(), isNamed(layout.species.c_str()));
-  if (space && !layout.species.empty() && species != arrays.end() &&
-      std::none_of(arrays.begin(), arrays.end(), isNamed("type")))
+  const bool hasWords = !layout.species.empty() && species != arrays.end() &&
+                        std::none_of(arrays.begin(), arrays.end(), isNamed("type"));
+  std::set<std::string> all;
+  if (hasWords && !piece.isAll())
+    all = mote::wordsOf(cursor, rows, species->columns[0], progress);
+  if (hasWords && space)
   {
     words.column = species->columns[0];
     rows.words = &words;
+    for (const std::string& word : all)
+      words.table.numberOf(word);
   }
   mote::readPointRows(cursor, std::move(rows), progress, output);
   if (words.numbers)
-    addTypes(output, words);
+    mote::addTypes(words, mote::typesOf(words.table.words(), true), output);
   else if (!space)
-    addTypes(output, layout.species);
+    addTypes(output, layout.species, std::move(all));
   if (const auto box = mote::xyzBox(frame.comment))
   {
     vtkFieldData* fields = output->GetFieldData();

@@ -8,9 +8,10 @@
  *
  * Output: vtkPolyData with the points in double and file order, one vertex cell a point, and point
  * data: for plain XYZ "type" (int) where the names are numbers, else "element" (strings) and
- * "type", the element's number in the periodic table, 0 for a name that is no element; further
- * columns as "column5", "column6", and so on. For extended XYZ the properties under their own names
- * (R double, I int, S and L strings), and "type" from the first S property in the same way.
+ * "type": where all names of the frame are elements their numbers in the periodic table, 0 for "X"
+ * and "Xx", else the names' places in alphabetical order, from 1; further columns as "column5",
+ * "column6", and so on. For extended XYZ the properties under their own names (R double, I int, S
+ * and L strings), and "type" from the first S property in the same way.
  *
  * Lattice="..." of a comment becomes the field data "box" (9 numbers, one vector after the other),
  * Origin="..." "box_origin", and pbc="T T F" "boundary", as vtkMoteLAMMPSDumpReader has them.

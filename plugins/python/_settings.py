@@ -2,6 +2,7 @@
 
 import difflib
 import json
+import math
 import os
 
 import numpy as np
@@ -24,10 +25,12 @@ def _plain(value):
     """A value as JSON has it: numbers of NumPy as Python's, pairs of a dict as "NAME=VALUE"."""
     if isinstance(value, dict):
         return [f"{name}={_range(one)}" for name, one in value.items()]
+    if isinstance(value, (np.bool_, np.integer, np.floating)):
+        value = value.item()
+    if isinstance(value, float) and not math.isfinite(value):
+        return str(value)  # which JSON has no number for
     if isinstance(value, (str, bool, int, float)) or value is None:
         return value
-    if isinstance(value, (np.bool_, np.integer, np.floating)):
-        return value.item()
     if isinstance(value, os.PathLike):
         return os.fspath(value)
     if hasattr(value, "__iter__"):
@@ -36,11 +39,14 @@ def _plain(value):
 
 
 def _range(value):
-    """(1, 2) as "1:2", (1, None) as "1:"; else the value itself."""
+    """(1, 2) as "1:2", (1, None) and (1, inf) as "1:"; else the value itself."""
     if isinstance(value, (tuple, list)):
         if len(value) != 2:
             raise ValueError(f"a range has two ends, unlike {value!r}")
-        return ":".join("" if end is None else str(_plain(end)) for end in value)
+        return ":".join(
+            "" if end is None or end == free else str(_plain(end))
+            for end, free in zip(value, (-math.inf, math.inf))
+        )
     return str(_plain(value))
 
 

@@ -5,7 +5,7 @@ import os
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray,
     vtkCompositeDataSet,
@@ -15,6 +15,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkMultiBlockDataSet,
     vtkPolyData,
 )
+from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
 from . import _program
@@ -142,7 +143,7 @@ class Scene:
 
     def __setitem__(self, name, values):
         data = self._first
-        values = np.asarray(values)
+        values = _unmasked(values)
         counts = (data.GetNumberOfPoints(), data.GetNumberOfCells())
         if values.ndim == 0 or values.shape[0] not in counts:
             raise ValueError(
@@ -205,7 +206,7 @@ class Scene:
 def _array(name, values):
     """An array of VTK over the values of one of NumPy, which it keeps alive; a copy where the values do
     not lie one after the other or have a type that VTK has not."""
-    values = np.asarray(values)
+    values = _unmasked(values)
     if values.dtype == bool or values.dtype == np.float16:
         values = values.astype(np.uint8 if values.dtype == bool else np.float32)
     if values.dtype.kind not in "iuf" or values.dtype.itemsize > 8:
@@ -217,10 +218,20 @@ def _array(name, values):
     return array
 
 
+def _unmasked(values):
+    """An array of NumPy; NaN stands for what a mask hides."""
+    if np.ma.is_masked(values):
+        wide = values.dtype if values.dtype.kind == "f" else np.float64
+        return values.astype(wide).filled(np.nan)
+    return np.asarray(values)
+
+
 def _points(points, what):
-    points = np.asarray(points)
+    points = _unmasked(points)
     if points.ndim != 2 or points.shape[1] not in (2, 3):
         raise ValueError(f"{what} are an array of shape (n, 3), or (n, 2), not {points.shape}")
+    if points.dtype.kind not in "biuf":
+        raise TypeError(f"{what} have coordinates of type {points.dtype}; numbers are needed")
     if points.dtype not in (np.float32, np.float64):
         points = points.astype(np.float64)
     if points.shape[1] == 2:
@@ -257,6 +268,26 @@ def _color(scene, color):
     return {"color-by": "color"}
 
 
+def _types(data, types):
+    """Numbers of types, of which the data are told where they are words. As of files, elements have
+    those of the periodic table, 0 where there is none ("X"); else words have their places in
+    alphabetical order, from 1."""
+    types = np.asarray(types)
+    if types.dtype.kind not in "OUS":
+        return types
+    words, places = np.unique(types.astype(str), return_inverse=True)
+    table = vtkPeriodicTable()
+    numbers = np.array([table.GetAtomicNumber(word) for word in words], np.int32)
+    if not np.all((numbers > 0) | np.isin(words, ("X", "Xx"))):
+        numbers = np.arange(1, len(words) + 1, dtype=np.int32)
+    names = vtkStringArray()
+    names.SetName("type_names")
+    for number, word in zip(numbers, words):
+        names.InsertNextValue(f"{number}={word}")
+    data.GetFieldData().AddArray(names)
+    return numbers[places]
+
+
 def particles(points, radius=None, color=None, *, types=None, arrays=None, name="particles", **settings):
     """A scene of particles, drawn as spheres.
 
@@ -265,7 +296,8 @@ def particles(points, radius=None, color=None, *, types=None, arrays=None, name=
     radius: a number for all, an array of n, or the name of one of ``arrays``; None: half the typical
         distance between neighbours.
     color: values, an array of n, the name of one of ``arrays``, or a colour such as "tomato" for all.
-    types: whole numbers, one a particle, which have a colour each where nothing else colours.
+    types: one a particle, whole numbers or words such as "Fe", which have a colour each where nothing
+        else colours: words that are chemical elements have the elements'.
     arrays: more arrays by their names: {"speed": ..., "force": ...}.
     settings: as render() has them.
 
@@ -276,8 +308,12 @@ def particles(points, radius=None, color=None, *, types=None, arrays=None, name=
     scene = _with_arrays(data, arrays, name)
     given = {}
     if types is not None:
-        scene["type"] = types
-    if isinstance(radius, str) or np.isscalar(radius):
+        scene["type"] = _types(data, types)
+    if isinstance(radius, str):
+        given["radius"] = radius
+    elif np.isscalar(radius):
+        if not 0 < radius < np.inf:
+            raise ValueError(f"radius must be a number above zero, not {radius}")
         given["radius"] = _plain(radius)
     elif radius is not None:
         scene["radius"] = radius
@@ -326,7 +362,7 @@ def volume(grid, color=None, *, spacing=(1, 1, 1), origin=(0, 0, 0), arrays=None
     if isinstance(grid, vtkDataObject):
         data = _given(grid, arrays, color)
     else:
-        values = np.asarray(grid)
+        values = _unmasked(grid)
         if values.ndim != 3 or min(values.shape) < 2:
             raise ValueError("values on a grid are an array of shape (nx, ny, nz), two at least along each")
         data = vtkImageData()

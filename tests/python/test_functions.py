@@ -81,6 +81,34 @@ class Scenes(Folder):
         with self.assertRaises(TypeError):
             mote.particles(points, color=np.array(["a"] * 125))
 
+    def test_masked_values_are_none(self):
+        points = lattice()
+        inside = points[:, 0] < 3
+        hidden = np.ma.masked_array(points, mask=np.repeat(~inside, 3).reshape(-1, 3))
+        with self.assertWarnsRegex(UserWarning, "50 with a position that is not finite"):
+            shown = mote.particles(hidden, radius=0.4).render(**SMALL)
+        self.assertTrue(same(shown, mote.particles(np.where(inside[:, None], points, np.nan), 0.4).render(**SMALL)))
+        for values in (points[:, 2], points[:, 2].astype(np.int32)):
+            masked = mote.particles(points, 0.4, np.ma.masked_greater(values, 3))
+            self.assertEqual(np.isnan(masked["color"]).sum(), 25)
+        whole = np.ma.masked_greater(np.arange(125, dtype=np.int32), 999)
+        self.assertEqual(mote.particles(points, 0.4, whole)["color"].dtype, np.int32)
+
+    def test_words_are_types(self):
+        plain = {**SMALL, "caption": False}
+        atoms = self.folder / "atoms.xyz"
+        for names, numbers in ((("O", "Fe", "H"), (8, 26, 1)), (("B1", "A2", "Na"), (2, 1, 3))):
+            words = np.array([names[i * i % 3] for i in range(125)])
+            rows = [f"{word} {x} {y} {z}" for word, (x, y, z) in zip(words, lattice())]
+            atoms.write_text("\n".join(["125", "atoms", *rows, ""]))
+            read = mote.read(atoms, radius=0.4)
+            for types in (words, list(words), words.astype(object), words.astype("S")):
+                scene = mote.particles(lattice(), radius=0.4, types=types)
+                for word, number in zip(names, numbers):
+                    self.assertTrue((scene["type"][words == word] == number).all())
+                self.assertTrue(np.array_equal(scene["type"], read["type"]))
+                self.assertTrue(same(scene.render(**plain), read.render(**plain)))
+
     def test_arrays_by_name(self):
         scene = mote.particles(lattice(), radius=0.4, types=np.arange(125) % 3)
         self.assertEqual(scene.keys(), ["type"])
@@ -262,6 +290,19 @@ class Errors(Folder):
             scene.render(shadows=object())
         with self.assertRaises(ValueError):
             scene.render(show={"x": (1, 2, 3)})
+
+    def test_numbers(self):
+        for radius in (0, -1.0, np.nan, np.inf):
+            with self.assertRaisesRegex(ValueError, "radius must be a number above zero"):
+                mote.particles(lattice(), radius)
+        with self.assertRaisesRegex(TypeError, "complex"):
+            mote.particles(lattice().astype(complex))
+        scene = mote.particles(lattice(), radius=0.4)
+        for wrong in (np.nan, float("inf"), np.float32("-inf")):
+            with self.assertRaisesRegex(ValueError, "light"):
+                scene.render(light_size=wrong)
+        open_range = scene.render(show={"x": (-np.inf, 2)}, **SMALL)
+        self.assertTrue(same(open_range, scene.render(show={"x": (None, 2)}, **SMALL)))
 
     def test_data(self):
         with self.assertRaisesRegex(mote.Error, "there is no such file"):

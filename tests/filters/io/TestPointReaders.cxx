@@ -57,6 +57,33 @@ TEST_F(TestPointReaders, PlainXYZ)
   EXPECT_EQ(reader->GetOutput()->GetPointData()->GetArray("type")->GetTuple1(0), 0);
 }
 
+TEST_F(TestPointReaders, NamesThatAreNoElementsHaveTypesOfTheirOwn)
+{
+  // As beads of a coarse model, of which some are called as elements are.
+  const std::string path =
+    write("a.xyz", "5\nbeads\nP4 0 0 0\nNa 1 0 0\nC1 2 0 0\nP4 3 0 0\nQd 4 0 0\n");
+  const auto typesOf = [](vtkPolyData* data)
+  {
+    std::vector<int> types;
+    for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+      types.push_back(static_cast<int>(data->GetPointData()->GetArray("type")->GetTuple1(i)));
+    return types;
+  };
+  const std::vector<int> wanted = {3, 2, 1, 3, 4};
+  vtkNew<vtkMoteXYZReader> reader;
+  EXPECT_EQ(typesOf(read(*reader, path)), wanted);
+  // Each of several ranks, which have some of the names alone.
+  std::vector<int> ofPieces;
+  for (const int piece : {0, 1, 2})
+  {
+    reader->UpdatePiece(piece, 3, 0);
+    for (const int type : typesOf(reader->GetOutput()))
+      ofPieces.push_back(type);
+  }
+  EXPECT_EQ(ofPieces, wanted);
+  EXPECT_EQ(m_error, "");
+}
+
 TEST_F(TestPointReaders, ColumnsWithoutANameGetOne)
 {
   const auto names = [](vtkPolyData* data)
