@@ -86,6 +86,9 @@ LAMMPSLayout layoutOf(const Names& columns, bool combine)
 {
   LAMMPSLayout layout;
   std::vector<bool> used(columns.size(), false);
+  // A name stands for the same values each time: LIGGGHTS' own examples have "id type type x y z".
+  for (std::size_t i = 1; i < columns.size(); ++i)
+    used[i] = std::find(columns.begin(), columns.begin() + i, columns[i]) != columns.begin() + i;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const std::string letter(1, static_cast<char>('x' + axis));

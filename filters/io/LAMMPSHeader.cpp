@@ -197,15 +197,6 @@ void LAMMPSHeader::readColumns(std::string_view names)
   std::vector<std::string> columns = splitValues(names);
   if (columns.empty())
     columns = {"id", "type", "xs", "ys", "zs"}; // dump style atom, before columns had names
-  for (std::size_t i = 0; i < columns.size(); ++i)
-  {
-    const auto first = std::find(columns.begin(), columns.end(), columns[i]) - columns.begin();
-    if (static_cast<std::size_t>(first) != i)
-    {
-      refuse("'ITEM: ATOMS' names the column " + inQuotes(columns[i]) + " twice, as number " +
-             std::to_string(first + 1) + " and as number " + std::to_string(i + 1));
-    }
-  }
   // Frames of a file share their list.
   if (!m_frame.columns || *m_frame.columns != columns)
     m_frame.columns = std::make_shared<const std::vector<std::string>>(std::move(columns));

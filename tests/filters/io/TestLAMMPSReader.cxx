@@ -80,6 +80,25 @@ TEST_F(TestLAMMPSReader, PointsArraysAndTheirTypes)
   EXPECT_EQ(elements->GetValue(1), "O");
 }
 
+TEST_F(TestLAMMPSReader, AColumnThatIsNamedTwiceIsReadOnce)
+{
+  // As in dumps of LIGGGHTS, whose examples write the type twice.
+  vtkPolyData* data =
+    read(write("a.dump", dumpFrame(0, 2, "id type type x y z x vx vx vy vz radius",
+                           "7 1 1 1 2 3 1 4 4 5 6 0.5\n"
+                           "8 2 2 7 8 9 7 4 4 5 6 0.25\n")));
+  EXPECT_EQ(data->GetPoint(1)[0], 7);
+  EXPECT_EQ(data->GetPoint(1)[2], 9);
+  vtkPointData* arrays = data->GetPointData();
+  std::vector<std::string> names;
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+    names.emplace_back(arrays->GetArrayName(i));
+  EXPECT_EQ(names, (std::vector<std::string>{"id", "type", "vx", "vy", "vz", "radius"}));
+  EXPECT_EQ(arrays->GetArray("type")->GetTuple1(1), 2);
+  EXPECT_EQ(arrays->GetArray("vz")->GetTuple1(1), 6);
+  EXPECT_EQ(arrays->GetArray("radius")->GetTuple1(1), 0.25);
+}
+
 TEST_F(TestLAMMPSReader, WordsBecomeTypesWhereThereIsNoTypeColumn)
 {
   vtkPolyData* data = read(write("a.dump",

@@ -162,12 +162,6 @@ TEST_F(TestLAMMPSReaderErrors, Headers)
     vtkErrorCode::FileFormatError, ", line 9: in a general triclinic box");
 }
 
-TEST_F(TestLAMMPSReaderErrors, AColumnNamedTwice)
-{
-  expectError(frame("1 1 1 1 1\n2 1 1 1 1\n", 2, "id x y z x"), vtkErrorCode::FileFormatError,
-    ", line 9: 'ITEM: ATOMS' names the column 'x' twice, as number 2 and as number 5");
-}
-
 TEST_F(TestLAMMPSReaderErrors, UnknownArray)
 {
   const std::string file = frame("1 1 1 1 1\n2 1 1 1 1\n");

@@ -76,6 +76,7 @@ TEST_F(TestReaderTable, ReadersOfThisModule)
   EXPECT_EQ(points(write("dump.atom.100", dump), "vtkMoteLAMMPSDumpReader"), 1); // by content
   EXPECT_EQ(points(writeGzip("odd.gz", dump), "vtkMoteLAMMPSDumpReader"), 1);
   EXPECT_EQ(points(write("a.xyz", "1\n\nSi 1 2 3\n"), "vtkMoteXYZReader"), 1);
+  EXPECT_EQ(points(write("a.extxyz", "1\n\nSi 1 2 3\n"), "vtkMoteXYZReader"), 1);
   EXPECT_EQ(points(write("a.pts", "1 2 3\n"), "vtkMotePointsReader"), 1);
   EXPECT_EQ(points(write("a.csv", "x,y,z\n1,2,3\n"), "vtkMoteDelimitedPointsReader"), 1);
   EXPECT_EQ(points(write("a.txt", "# x y z\n1 2 3\n"), "vtkMoteDelimitedPointsReader"), 1);
