@@ -3,6 +3,7 @@
 #include "CollapsedCells.h"
 #include "FaceOrder.h"
 #include "GridParts.h"
+#include "PolygonTriangles.h"
 #include "QuadsOnTriangles.h"
 
 #include "kernels/core/Error.h"
@@ -19,8 +20,8 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStructuredGrid.h"
 #include "vtkThreshold.h"
-#include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -73,60 +74,6 @@ void checkIndices(vtkCellArray* cells, vtkIdType points)
                 ", but there are " + std::to_string(points) + " points.");
 }
 
-/// Finds which sides of triangles are edges of their polygons: those that no other triangle of the
-/// polygon has the other way round. Triangles of a polygon follow one another.
-void findEdges(SurfaceTriangles& found)
-{
-  const ArrayView& corners = found.corners.view;
-  const std::size_t count = found.cells.size();
-  const auto corner = [&](std::size_t i, std::size_t k) { return corners.value(3 * i + k % 3); };
-  using Side = std::pair<double, double>;
-  std::vector<Side> sides;
-  found.edges.assign(count, 0);
-  for (std::size_t first = 0, end = 0; first < count; first = end)
-  {
-    while (end < count && found.cells[end] == found.cells[first])
-      ++end;
-    sides.clear();
-    for (std::size_t i = first; i < end; ++i)
-      for (std::size_t k = 0; k < 3; ++k)
-        sides.emplace_back(corner(i, k), corner(i, k + 1));
-    std::sort(sides.begin(), sides.end());
-    for (std::size_t i = first; i < end; ++i)
-      for (std::size_t k = 0; k < 3; ++k)
-        if (!std::binary_search(sides.begin(), sides.end(), Side(corner(i, k + 1), corner(i, k))))
-          found.edges[i] |= static_cast<std::uint8_t>(1U << k);
-  }
-}
-
-/// Cuts polygons and strips into triangles.
-void cut(vtkPolyData* surface, vtkIdType first, SurfaceTriangles& found)
-{
-  vtkNew<vtkPolyData> faces;
-  faces->SetPoints(surface->GetPoints());
-  faces->SetPolys(surface->GetPolys());
-  faces->SetStrips(surface->GetStrips());
-  const vtkIdType count = faces->GetNumberOfCells();
-  faces->GetCellData()->AddArray(numbers(cellIds, first, count));
-  vtkNew<vtkTriangleFilter> filter;
-  filter->SetInputData(faces);
-  filter->Update();
-  vtkPolyData* triangles = filter->GetOutput();
-  found.corners = DataArrayView(triangles->GetPolys()->GetConnectivityArray());
-  const vtkIdTypeArray* cells = idsOf(triangles->GetCellData(), cellIds);
-  const vtkIdType size = cells ? triangles->GetNumberOfPolys() : 0;
-  found.cells.resize(static_cast<std::size_t>(size));
-  vtkIdType last = -1, met = 0;
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    const vtkIdType cell = found.cells[static_cast<std::size_t>(i)] = cells->GetValue(i);
-    met += cell != last; // triangles of a cell follow one another
-    last = cell;
-  }
-  found.flat = count - met;
-  findEdges(found);
-}
-
 SurfaceTriangles trianglesOf(vtkPolyData* surface)
 {
   SurfaceTriangles found;
@@ -139,7 +86,7 @@ SurfaceTriangles trianglesOf(vtkPolyData* surface)
   checkIndices(surface->GetStrips(), points);
   if (surface->GetNumberOfStrips() > 0 || polygons->IsHomogeneous() != 3)
   {
-    cut(surface, found.thin, found);
+    cutPolygons(surface, found.thin, found);
     return found;
   }
   found.corners = DataArrayView(polygons->GetConnectivityArray());
@@ -405,6 +352,7 @@ SurfaceTriangles trianglesOfMixed(
   if (!has[0])
     return trianglesOfFaces(grid, isVisible, welds);
   SurfaceTriangles found = trianglesOfFaces(grid, has[1] ? isOther.Get() : isVisible, welds);
+  found.flat = 0; // faces without an area, which nobody misses
   const DataArrayView points(grid->GetPoints()->GetData());
   dropTriangles(found, hangingFaces({found.view(), points.view, found.edges, welds}));
   dropTriangles(found, quadsOnTriangles(found, grid, isVisible, welds));
@@ -412,7 +360,7 @@ SurfaceTriangles trianglesOfMixed(
     return found;
   append(trianglesOfFaces(grid, isFlat), found);
   if (!found.cells.empty() && !isFlatType(grid->GetCellType(found.cells.front())))
-    found.thin = 0; // which nobody misses beside cells with a volume
+    found.thin = 0; // likewise, beside cells with a volume
   dropTriangles(found, flatOnFaces(found, grid));
   return found;
 }
@@ -466,6 +414,8 @@ SurfaceTriangles surfaceTrianglesOf(
     auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
     SurfaceTriangles found =
       grid ? trianglesOfParts(grid, isVisible) : trianglesOfFaces(data, isVisible);
+    if (auto* structured = vtkStructuredGrid::SafeDownCast(data))
+      found.flat = structured->GetDataDimension() == 3 ? 0 : found.flat;
     dropTriangles(found, coveredByCopies(found, data->GetPoints(), copies));
     return found;
   }
