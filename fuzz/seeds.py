@@ -229,7 +229,9 @@ seeds = {
     "obj": [
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\np 3\n",
         "# a comment\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvn 0 0 1\nusemtl a\ng b\n"
-        "f 1/1/1 2/2/1 -1/1/-1\nf 1//1 2//1 \\\n3//1\nusemtl c\nf 1/2 2/2 3/1\n"
+        "f 1/1/1 2/2/1 -1/1/-1\nf 1//1 2//1 \\\n3//1\nusemtl c\nf 1/2 2/2 3/1\n",
+        "o a\nv 0 0 0 1 0 0\nv 1 0 0 0 0.5 1\nv 0 1 0\nvn 0 0 1\nvn 1 0 0\nf 1//1 2//1 3//1\n"
+        "o b\nf 1//2 2//1 3//2\n"
     ],
     "vtk": [
         legacy.format(format="ASCII", rest="POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n"

@@ -11,7 +11,7 @@
 #include "LAMMPSDump.h"
 #include "LegacyCheck.h"
 #include "LegacyReader.h"
-#include "OBJCheck.h"
+#include "OBJReader.h"
 #include "PDBReader.h"
 #include "PLYCheck.h"
 #include "PointTable.h"
@@ -40,7 +40,6 @@
 
 #include "vtkGLTFReader.h"
 #include "vtkNew.h"
-#include "vtkOBJReader.h"
 #include "vtkObjectFactory.h"
 #include "vtkPLYReader.h"
 #include "vtkSTLReader.h"
@@ -104,8 +103,7 @@ vtkSmartPointer<vtkAlgorithm> makeLegacy(const FileNames& fileNames)
 
 vtkSmartPointer<vtkAlgorithm> makeOBJ(const FileNames& fileNames)
 {
-  checkOBJ(fileNames.front());
-  return make<vtkOBJReader>(fileNames);
+  return makeOBJReader(fileNames.front());
 }
 
 vtkSmartPointer<vtkAlgorithm> makeSTL(const FileNames& fileNames)
@@ -237,7 +235,7 @@ const std::vector<ReaderFormat>& readerFormats()
     {{".pvd", ".series"}, "files with their times and parts", make<vtkMoteCollectionReader>},
     {{".vtk"}, "VTK legacy file of points, grids, meshes or blocks", makeLegacy, true},
     {{".ply"}, "Stanford triangle mesh", makePLY, true},
-    {{".obj"}, "Wavefront mesh", makeOBJ},
+    {{".obj", ".obj.gz"}, "Wavefront mesh", makeOBJ},
     {{".stl"}, "STL triangle mesh", makeSTL},
     {{".gltf", ".glb"}, "glTF triangle meshes and points", makeGLTF},
     {{".case", ".encas"}, "EnSight case", makeEnSight},

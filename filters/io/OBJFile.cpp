@@ -1,4 +1,4 @@
-#include "OBJCheck.h"
+#include "OBJFile.h"
 
 #include "FileError.h"
 #include "ParseNumber.h"
@@ -8,14 +8,12 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 namespace mote
 {
 namespace
 {
-
-/// vtkOBJReader keeps the name of a material in 100 bytes.
-constexpr std::size_t longestMaterial = 99;
 
 /// What corners have numbers of, in the order in which they are written.
 enum Kind : std::size_t
@@ -34,18 +32,23 @@ struct Items
   std::uint64_t line = 0; ///< where the highest is asked for
 };
 
-class Checker
+class Reader
 {
 public:
-  explicit Checker(const std::string& path)
+  explicit Reader(const std::string& path)
     : m_cursor(path, TextCursor::OpenEnd::Accept)
   {
   }
 
-  void check()
+  OBJFile read(const Progress& progress)
   {
+    constexpr std::uint64_t often = 1 << 16; // lines
     while (nextLine())
-      checkLine();
+    {
+      readLine();
+      if (m_line % often == 0 && progress && !progress(m_cursor.fraction()))
+        throw FileError(FileError::Kind::Aborted, m_cursor.path(), "reading was aborted");
+    }
     const std::array<const char*, Kinds> names = {"vertices", "texture coordinates", "normals"};
     for (std::size_t kind = 0; kind < Kinds; ++kind)
     {
@@ -55,6 +58,9 @@ public:
         fail("number " + std::to_string(items.highest) + " is asked for, and there are " +
              std::to_string(items.count) + " " + names[kind]);
     }
+    if (!m_file.colors.empty())
+      m_file.colors.resize(m_file.places.size(), 1.0f);
+    return std::move(m_file);
   }
 
 private:
@@ -85,40 +91,77 @@ private:
     return word;
   }
 
-  void checkLine()
+  void readLine()
   {
     const std::string_view command = nextWord();
     if (command == "v")
-      checkNumbers(Vertex, 3);
+      readVertex();
     else if (command == "vt")
-      checkNumbers(Texture, 1);
+      readNumbers(Texture, 1);
     else if (command == "vn")
-      checkNumbers(Normal, 3);
+      for (const double value : readNumbers(Normal, 3))
+        m_file.normals.push_back(static_cast<float>(value));
     else if (command == "f")
-      checkCorners(3, Kinds);
+      readCell(3, Kinds, m_file.faces);
     else if (command == "l")
-      checkCorners(2, Normal);
+      readCell(2, Normal, m_file.lines);
     else if (command == "p")
-      checkCorners(1, Texture);
-    else if (command == "usemtl" && nextWord().size() > longestMaterial)
-      fail("the name of a material has at most " + std::to_string(longestMaterial) + " bytes");
+      readCell(1, Texture, m_file.points);
+    else if (command == "usemtl")
+      m_file.materials.begin(restOfLine());
+    else if (command == "g")
+      m_file.groups.begin(restOfLine());
+    else if (command == "o")
+      m_file.objects.begin(restOfLine());
   }
 
-  void checkNumbers(Kind kind, std::size_t count)
+  std::string_view restOfLine()
   {
+    while (!m_rest.empty() && endsToken(m_rest.front()))
+      m_rest.remove_prefix(1);
+    while (!m_rest.empty() && endsToken(m_rest.back()))
+      m_rest.remove_suffix(1);
+    return m_rest;
+  }
+
+  std::array<double, 3> readNumbers(Kind kind, std::size_t count)
+  {
+    std::array<double, 3> values = {};
     for (std::size_t i = 0; i < count; ++i)
     {
       const std::string_view word = nextWord();
-      double value = 0;
-      if (word.empty() || !parseDouble(word.data(), value))
+      if (word.empty() || !parseDouble(word.data(), values[i]))
         fail("expected " + std::to_string(count) + (count == 1 ? " number" : " numbers") +
              (word.empty() ? std::string() : ", found '" + std::string(word) + "'"));
     }
     ++m_items[kind].count;
+    return values;
+  }
+
+  /// A place, and behind it nothing, a weight, or red, green and blue, and whatever follows these.
+  void readVertex()
+  {
+    const std::array<double, 3> place = readNumbers(Vertex, 3);
+    std::array<double, 3> color = {};
+    std::size_t count = 0;
+    while (count < 3)
+    {
+      const std::string_view word = nextWord();
+      if (word.empty() || !parseDouble(word.data(), color[count]))
+        break;
+      ++count;
+    }
+    if (count == 3)
+    {
+      m_file.colors.resize(m_file.places.size(), 1.0f); // white for those before
+      for (const double value : color)
+        m_file.colors.push_back(static_cast<float>(value));
+    }
+    m_file.places.insert(m_file.places.end(), place.begin(), place.end());
   }
 
   /// Corners up to the line's end, and those of the following lines behind a backslash.
-  void checkCorners(std::size_t fewest, std::size_t kinds)
+  void readCell(std::size_t fewest, std::size_t kinds, OBJFile::Cells& cells)
   {
     std::size_t corners = 0;
     std::string_view word;
@@ -130,33 +173,39 @@ private:
           fail("a line is to follow this one");
         continue;
       }
-      checkCorner(word, kinds);
+      cells.corners.push_back(readCorner(word, kinds));
       ++corners;
     }
     if (corners < fewest)
       fail("expected " + std::to_string(fewest) + " numbers or more, found " +
            std::to_string(corners));
+    cells.ends.push_back(static_cast<std::int64_t>(cells.corners.size()));
+    cells.materials.push_back(m_file.materials.current);
+    cells.groups.push_back(m_file.groups.current);
+    cells.objects.push_back(m_file.objects.current);
   }
 
   /// A vertex, and behind slashes its texture coordinates and its normal, which may be left out.
-  void checkCorner(std::string_view word, std::size_t kinds)
+  OBJFile::Corner readCorner(std::string_view word, std::size_t kinds)
   {
     const char* at = word.data();
     const char* const end = at + word.size();
+    std::array<std::int64_t, Kinds> numbers = {-1, -1, -1};
     for (std::size_t kind = Vertex; kind < kinds; ++kind)
     {
       const bool leftOut = kind == Texture && *at == '/';
       if (!leftOut)
-        at = checkNumber(at, m_items[kind], word);
+        at = readNumber(at, m_items[kind], word, numbers[kind]);
       if (at == end)
-        return;
+        return {numbers[Vertex], numbers[Normal]};
       if (*at++ != '/')
         break;
     }
     failCorner(word);
   }
 
-  const char* checkNumber(const char* at, Items& items, std::string_view word)
+  /// `index` is that of an item, from 0.
+  const char* readNumber(const char* at, Items& items, std::string_view word, std::int64_t& index)
   {
     const bool negative = passSign(at);
     const char* const first = at;
@@ -175,6 +224,7 @@ private:
       items.highest = number;
       items.line = m_line;
     }
+    index = number - 1;
     return at;
   }
 
@@ -187,13 +237,23 @@ private:
   std::string_view m_rest;
   std::uint64_t m_line = 0;
   std::array<Items, Kinds> m_items;
+  OBJFile m_file;
 };
 
 } // namespace
 
-void checkOBJ(const std::string& path)
+void OBJFile::Groups::begin(std::string_view name)
 {
-  Checker(path).check();
+  const auto [entry, isNew] =
+    numbers.try_emplace(std::string(name), static_cast<std::int32_t>(names.size()));
+  current = entry->second;
+  if (isNew)
+    names.emplace_back(name);
+}
+
+OBJFile readOBJ(const std::string& path, const Progress& progress)
+{
+  return Reader(path).read(progress);
 }
 
 } // namespace mote
