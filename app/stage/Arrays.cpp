@@ -41,14 +41,14 @@ bool namesTypes(const std::string& name)
 bool isBookkeeping(const std::string& name)
 {
   return vtkMoteParticleMapper::GetRadiusFactor(name.c_str()) > 0.0 ||
-         isAnyOf(
-           name, {"id", "ids", "particleids", "globalids", "globalpointids", "vtkoriginalpointids",
-                   "vtkoriginalcellids", "vtkghosttype", "mol", "molecule", "proc", "map_shift",
-                   "n_neighb", "model", "ishetatm", "procp1", "ix", "iy", "iz", "image", "x", "y",
-                   "z", "xu", "yu", "zu", "xs", "ys", "zs", "position", "positions", "coordinates",
-                   "points", "pos", "mass", "normals", "tcoords", "residue", "chain", "is_hetatm",
-                   "atom_type_strings", "secondary_structures", "secondary_structures_begin",
-                   "secondary_structures_end", "rgb_colors"});
+         isAnyOf(name,
+           {"id", "ids", "particleids", "globalids", "globalpointids", "vtkoriginalpointids",
+             "vtkoriginalcellids", "vtkghosttype", "mol", "molecule", "proc", "map_shift",
+             "n_neighb", "model", "ishetatm", "procp1", "ix", "iy", "iz", "image", "x", "y", "z",
+             "xu", "yu", "zu", "xs", "ys", "zs", "position", "positions", "coordinates", "points",
+             "pos", "mass", "normals", "tcoords", "residue", "chain", "is_hetatm",
+             "atom_type_strings", "secondary_structures", "secondary_structures_begin",
+             "secondary_structures_end", "rgb_colors", "confidence", "groupids", "objectids"});
 }
 
 vtkDataSetAttributes* attributesOf(vtkDataSet* data, bool ofCells)
@@ -180,6 +180,8 @@ namespace
 /// array of one name: the points' one is smooth.
 std::vector<ArrayChoice> namedArrays(vtkDataSet* data, bool areBookkeeping)
 {
+  // What a scanner says of its points, in a pair; by itself intensity is what there is to see.
+  const bool isScanned = data->GetPointData()->HasArray("confidence");
   std::vector<ArrayChoice> choices;
   for (const bool ofCells : {false, true})
   {
@@ -188,7 +190,8 @@ std::vector<ArrayChoice> namedArrays(vtkDataSet* data, bool areBookkeeping)
     {
       vtkDataArray* array = attributes->GetArray(i);
       const std::string name = nameOf(array);
-      if (name.empty() || name == whereArray || isBookkeeping(name) != areBookkeeping ||
+      const bool isOfNote = !isBookkeeping(name) && !(isScanned && name == "intensity");
+      if (name.empty() || name == whereArray || isOfNote == areBookkeeping ||
           (ofCells && data->GetPointData()->GetArray(name.c_str())))
         continue;
       const bool vector = array->GetNumberOfComponents() > 1;

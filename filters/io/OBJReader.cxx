@@ -1,6 +1,7 @@
 #include "OBJReader.h"
 
 #include "FileError.h"
+#include "FloatPlaces.h"
 #include "OBJFile.h"
 
 #include "vtkCellArray.h"
@@ -22,8 +23,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <unordered_map>
 #include <utility>
@@ -91,7 +90,7 @@ public:
     const auto count = static_cast<vtkIdType>(normals_.size());
     const vtkIdType all = count + static_cast<vtkIdType>(more_.size());
     vtkNew<vtkPoints> points;
-    points->SetDataType(needDouble() ? VTK_DOUBLE : VTK_FLOAT);
+    points->SetDataType(mote::needDouble(file_.places) ? VTK_DOUBLE : VTK_FLOAT);
     points->SetNumberOfPoints(all);
     for (vtkIdType i = 0; i < all; ++i)
       points->SetPoint(i, &file_.places[3 * vertexOf(i)]);
@@ -120,26 +119,6 @@ private:
   {
     const auto i = static_cast<std::size_t>(point);
     return i < normals_.size() ? i : static_cast<std::size_t>(more_[i - normals_.size()].first);
-  }
-
-  bool needDouble() const
-  {
-    double largest = 0.0, side = 0.0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      double low = std::numeric_limits<double>::infinity(), high = -low;
-      for (std::size_t i = axis; i < file_.places.size(); i += 3)
-        if (std::isfinite(file_.places[i]))
-        {
-          low = std::min(low, file_.places[i]);
-          high = std::max(high, file_.places[i]);
-        }
-      if (low > high)
-        continue;
-      largest = std::max({largest, std::abs(low), std::abs(high)});
-      side = std::max(side, high - low);
-    }
-    return largest * std::numeric_limits<float>::epsilon() > 1e-6 * side;
   }
 
   vtkSmartPointer<vtkUnsignedCharArray> colors(vtkIdType all) const

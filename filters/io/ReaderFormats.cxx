@@ -13,7 +13,7 @@
 #include "LegacyReader.h"
 #include "OBJReader.h"
 #include "PDBReader.h"
-#include "PLYCheck.h"
+#include "PLYReader.h"
 #include "PointTable.h"
 #include "STLCheck.h"
 #include "TextFile.h"
@@ -41,7 +41,6 @@
 #include "vtkGLTFReader.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPLYReader.h"
 #include "vtkSTLReader.h"
 
 #include <array>
@@ -89,9 +88,7 @@ vtkSmartPointer<vtkAlgorithm> makePDB(const FileNames& fileNames)
 
 vtkSmartPointer<vtkAlgorithm> makePLY(const FileNames& fileNames)
 {
-  if (fileNames.size() == 1) // those of a series come here one by one
-    checkPLY(fileNames.front());
-  return makeOneOrSeries<vtkPLYReader>(fileNames);
+  return makeOneOrSeries<PLYReader>(fileNames);
 }
 
 vtkSmartPointer<vtkAlgorithm> makeLegacy(const FileNames& fileNames)

@@ -12,6 +12,8 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
+
 using namespace mote::app;
 
 namespace
@@ -61,6 +63,20 @@ TEST_F(Arrays, TheMostTellingComesFirst)
   EXPECT_EQ(best(), "damage");
   for (const ArrayChoice& choice : rankedArrays(data))
     EXPECT_TRUE(choice.name != "id" && choice.name != "radius") << choice.name;
+}
+
+TEST_F(Arrays, WhatAScannerSaysOfItselfColorsNothing)
+{
+  add<vtkDoubleArray>(data, "intensity", 1, 0.25);
+  EXPECT_EQ(best(), "intensity");
+  add<vtkDoubleArray>(data, "confidence", 1, 0.25);
+  for (const ArrayChoice& choice : rankedArrays(data))
+    EXPECT_TRUE(choice.name != "intensity" && choice.name != "confidence") << choice.name;
+  const auto others = otherArrays(data);
+  EXPECT_EQ(
+    std::count_if(others.begin(), others.end(),
+      [](const ArrayChoice& one) { return one.name == "intensity" || one.name == "confidence"; }),
+    2);
 }
 
 TEST_F(Arrays, NamesAreFound)

@@ -1,12 +1,12 @@
-#include "PLYCheck.h"
+#include "PLYColumns.h"
 
 #include "FileError.h"
-#include "PLYHeader.h"
 #include "ParseNumber.h"
 #include "TextCursor.h"
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <limits>
 
 namespace mote
@@ -186,21 +186,42 @@ void walkList(Values& values, const Property& property, const ListLimits& limits
   }
 }
 
+/// Takes the values of a property to `columns`, of which each property has one or null.
 template <class Values>
-void walk(Values& values, const Element& element, double points)
+void walk(Values& values, const Element& element, double points,
+  const std::vector<std::vector<double>*>& columns)
 {
   for (std::uint64_t i = 0; i < element.count; ++i)
   {
     values.beginElement();
-    for (const Property& property : element.properties)
+    for (std::size_t k = 0; k < element.properties.size(); ++k)
     {
+      const Property& property = element.properties[k];
       if (property.isList())
         walkList(values, property, limitsOf(element, property), points);
-      else
-        values.next(property.value);
+      else if (const double value = values.next(property.value); columns[k])
+        columns[k]->push_back(value);
     }
     values.endElement();
   }
+}
+
+/// Whether vtkPLYReader has no use for a value.
+bool isLeftOut(const Element& element, const Property& property)
+{
+  constexpr std::string_view ofBoth[] = {
+    "red", "green", "blue", "alpha", "diffuse_red", "diffuse_green", "diffuse_blue"};
+  constexpr std::string_view ofVertices[] = {
+    "nx", "ny", "nz", "u", "v", "s", "t", "texture_u", "texture_v"};
+  const auto isOneOf = [&](const auto& names)
+  { return std::find(std::begin(names), std::end(names), property.name) != std::end(names); };
+  if (property.isList() || isOneOf(ofBoth))
+    return false;
+  if (element.name == "vertex")
+    return property.name == "x" || property.name == "y" || property.name == "z"
+             ? property.value.bytes == sizeof(double)
+             : !isOneOf(ofVertices);
+  return element.name == "face" && property.name != "intensity" && property.name != "texnumber";
 }
 
 /// vtkPLYReader reads vertices and faces, in the order of the file, and skips nothing between.
@@ -221,9 +242,15 @@ void checkElements(const PLYHeader& header, const std::string& path)
     fail("the element '" + firstOther->name + "' must stand behind vertices and faces");
 }
 
-/// Walks through what is read.
-void checkValues(const PLYHeader& header, const TextFile& file, TextCursor& cursor)
+/// Walks through all values, and keeps those that are wanted.
+std::vector<PLYColumn> readColumns(
+  const PLYHeader& header, const TextFile& file, TextCursor& cursor)
 {
+  std::vector<PLYColumn> columns;
+  for (const Element& element : header.elements)
+    for (const Property& property : element.properties)
+      if (isLeftOut(element, property))
+        columns.push_back({element.name, property.name, property.value, {}});
   const auto points = static_cast<double>(header.find("vertex")->count);
   const bool isText = header.format == PLYHeader::Format::Text;
   TextValues text(cursor);
@@ -232,18 +259,25 @@ void checkValues(const PLYHeader& header, const TextFile& file, TextCursor& curs
     header.format == PLYHeader::Format::BigEndian);
   for (const Element& element : header.elements)
   {
+    std::vector<std::vector<double>*> wanted(element.properties.size(), nullptr);
+    for (PLYColumn& column : columns)
+      for (std::size_t k = 0; k < wanted.size() && column.element == element.name; ++k)
+        if (element.properties[k].name == column.name)
+          wanted[k] = &column.values;
+    const bool isWanted = std::any_of(wanted.begin(), wanted.end(), [](auto* one) { return one; });
     if (isText)
-      walk(text, element, points);
-    else if (element.hasLists())
-      walk(binary, element, points);
+      walk(text, element, points, wanted);
+    else if (element.hasLists() || isWanted)
+      walk(binary, element, points, wanted);
     else
       binary.skip(element.count * element.bytes());
   }
+  return columns;
 }
 
 } // namespace
 
-void checkPLY(const std::string& path)
+std::vector<PLYColumn> readPLYColumns(const std::string& path)
 {
   const TextFile file(path);
   if (file.isGzip())
@@ -252,7 +286,7 @@ void checkPLY(const std::string& path)
   TextCursor cursor(path, TextCursor::OpenEnd::Accept);
   const PLYHeader header = readPLYHeader(cursor);
   checkElements(header, path);
-  checkValues(header, file, cursor);
+  return readColumns(header, file, cursor);
 }
 
 } // namespace mote
