@@ -41,14 +41,15 @@ bool namesTypes(const std::string& name)
 bool isBookkeeping(const std::string& name)
 {
   return vtkMoteParticleMapper::GetRadiusFactor(name.c_str()) > 0.0 ||
-         isAnyOf(name,
-           {"id", "ids", "particleids", "globalids", "globalpointids", "vtkoriginalpointids",
-             "vtkoriginalcellids", "vtkghosttype", "mol", "molecule", "proc", "map_shift",
-             "n_neighb", "model", "ishetatm", "procp1", "ix", "iy", "iz", "image", "x", "y", "z",
-             "xu", "yu", "zu", "xs", "ys", "zs", "position", "positions", "coordinates", "points",
-             "pos", "mass", "normals", "tcoords", "residue", "chain", "is_hetatm",
-             "atom_type_strings", "secondary_structures", "secondary_structures_begin",
-             "secondary_structures_end", "rgb_colors", "confidence", "groupids", "objectids"});
+         isAnyOf(
+           name, {"id", "ids", "particleids", "globalids", "globalpointids", "vtkoriginalpointids",
+                   "vtkoriginalcellids", "vtkghosttype", "mol", "molecule", "proc", "map_shift",
+                   "n_neighb", "model", "ishetatm", "procp1", "ix", "iy", "iz", "image", "x", "y",
+                   "z", "xu", "yu", "zu", "xs", "ys", "zs", "position", "positions", "coordinates",
+                   "points", "pos", "mass", "normals", "tcoords", "residue", "chain", "is_hetatm",
+                   "atom_type_strings", "secondary_structures", "secondary_structures_begin",
+                   "secondary_structures_end", "rgb_colors", "confidence", "groupids", "objectids",
+                   "texcoord_0", "texcoord_1", "tangent", "joints_0", "weights_0"});
 }
 
 vtkDataSetAttributes* attributesOf(vtkDataSet* data, bool ofCells)

@@ -6,6 +6,7 @@
 #include "FileError.h"
 #include "FoamReader.h"
 #include "GLTFCheck.h"
+#include "GLTFReader.h"
 #include "GadgetFile.h"
 #include "HDF5Particles.h"
 #include "LAMMPSDump.h"
@@ -38,7 +39,6 @@
 #include "kernels/particles/GeneratedParticles.h"
 #include "kernels/particles/PkdTreeFile.h"
 
-#include "vtkGLTFReader.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkSTLReader.h"
@@ -112,7 +112,7 @@ vtkSmartPointer<vtkAlgorithm> makeSTL(const FileNames& fileNames)
 vtkSmartPointer<vtkAlgorithm> makeGLTF(const FileNames& fileNames)
 {
   checkGLTF(fileNames.front());
-  return make<vtkGLTFReader>(fileNames);
+  return make<GLTFReader>(fileNames);
 }
 
 /// As makeOneOrSeries(), of VTK's XML files.

@@ -7,7 +7,9 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
+#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetWriter.h"
 #include "vtkImageData.h"
@@ -17,6 +19,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSTLWriter.h"
+#include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkXMLImageDataWriter.h"
@@ -286,6 +289,27 @@ TEST_F(TestReaderTable, MeshesInGLTF)
   expectError(write("empty.glb", ""), "no glTF");
   expectError(write("cut.glb", std::string("glTF\2\0\0\0\x64\0\0\0\x50\0\0\0JSON{}", 22)), "early");
   expectError(write("types.gltf", R"({"asset":1,"buffers":[1],"accessors":"x"})"), "");
+}
+
+TEST_F(TestReaderTable, ColorsOfVerticesInGLTF)
+{
+  std::string model = triangleInGLTF();
+  const std::string places = R"("POSITION":0)";
+  model.replace(model.find(places), places.size(), places + R"(,"COLOR_0":0)");
+  auto data = read(write("a.gltf", model), "vtkGLTFReader");
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(data);
+  ASSERT_TRUE(blocks);
+  const auto each = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+  each->InitTraversal();
+  ASSERT_FALSE(each->IsDoneWithTraversal());
+  auto* triangle = vtkDataSet::SafeDownCast(each->GetCurrentDataObject());
+  ASSERT_TRUE(triangle);
+  vtkDataArray* colors = triangle->GetPointData()->GetArray("COLOR_0");
+  ASSERT_TRUE(colors);
+  EXPECT_EQ(colors->GetDataType(), VTK_UNSIGNED_CHAR);
+  for (vtkIdType i = 0; i < 3; ++i)
+    for (int c = 0; c < 3; ++c)
+      EXPECT_EQ(colors->GetComponent(i, c), 255.0 * triangle->GetPoint(i)[c]) << i << c;
 }
 
 TEST_F(TestReaderTable, FilesThatCannotBeRead)
