@@ -3,6 +3,7 @@
 #include "CollapsedCells.h"
 #include "FaceOrder.h"
 #include "GridParts.h"
+#include "OutwardFaces.h"
 #include "PolygonTriangles.h"
 #include "QuadsOnTriangles.h"
 
@@ -25,11 +26,7 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
-#include <initializer_list>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -160,69 +157,6 @@ vtkSmartPointer<vtkPointSet> visibleOf(vtkPointSet* shape, vtkUnsignedCharArray*
   threshold->SetUpperThreshold(1.0);
   threshold->Update();
   return threshold->GetOutput();
-}
-
-/// Whether faces of the cell look inwards, by VTK's order of its corners: files have wedges in both
-/// orders, and mirrored meshes have all cells so.
-bool isInsideOut(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* corners)
-{
-  const auto mean = [&](std::initializer_list<vtkIdType> some)
-  {
-    Vec3d sum(0.0);
-    for (const vtkIdType corner : some)
-    {
-      Vec3d at;
-      grid->GetPoint(corners->GetId(corner), &at[0]);
-      sum += at;
-    }
-    return sum / static_cast<double>(some.size());
-  };
-  const auto volume = [](const Vec3d& a, const Vec3d& b, const Vec3d& c)
-  { return glm::dot(glm::cross(a, b), c); };
-  const int type = grid->GetCellType(cell);
-  if (type != VTK_TETRA && type != VTK_HEXAHEDRON && type != VTK_WEDGE && type != VTK_PYRAMID)
-    return false;
-  grid->GetCellPoints(cell, corners);
-  const vtkIdType wanted = type == VTK_TETRA     ? 4
-                           : type == VTK_PYRAMID ? 5
-                           : type == VTK_WEDGE   ? 6
-                                                 : 8;
-  if (corners->GetNumberOfIds() < wanted)
-    return false; // a damaged cell
-  const Vec3d first = mean({0});
-  if (type == VTK_TETRA)
-    return volume(mean({1}) - first, mean({2}) - first, mean({3}) - first) < 0.0;
-  if (type == VTK_WEDGE) // its first triangle looks outwards
-    return volume(mean({1}) - first, mean({2}) - first, mean({3, 4, 5}) - mean({0, 1, 2})) > 0.0;
-  if (type == VTK_PYRAMID)
-    return volume(mean({2}) - first, mean({3}) - mean({1}), mean({4}) - mean({0, 1, 2, 3})) < 0.0;
-  return volume(mean({1, 2, 5, 6}) - mean({0, 3, 4, 7}), mean({2, 3, 6, 7}) - mean({0, 1, 4, 5}),
-           mean({4, 5, 6, 7}) - mean({0, 1, 2, 3})) < 0.0;
-}
-
-/// Turns triangles so that they look out of their cells.
-void turnOutwards(vtkUnstructuredGrid* grid, vtkIdTypeArray* corners, SurfaceTriangles& found)
-{
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, found.cells.size(), 4096),
-    [&](const tbb::blocked_range<std::size_t>& range)
-    {
-      vtkNew<vtkIdList> ofCell;
-      vtkIdType last = -1;
-      bool isTurned = false;
-      for (std::size_t i = range.begin(); i < range.end(); ++i)
-      {
-        if (found.cells[i] != last) // triangles of a face follow one another
-          isTurned = isInsideOut(grid, last = found.cells[i], ofCell);
-        if (!isTurned)
-          continue;
-        vtkIdType* of = corners->GetPointer(3 * static_cast<vtkIdType>(i));
-        std::swap(of[1], of[2]);
-        if (found.edges.empty())
-          continue;
-        std::uint8_t& sides = found.edges[i]; // the first and the last have changed places
-        sides = static_cast<std::uint8_t>((sides & 2U) | (sides & 1U) << 2 | (sides & 4U) >> 2);
-      }
-    });
 }
 
 /// Gives triangles the points of their own cells again.

@@ -310,6 +310,36 @@ TEST_F(MeshStage, FacesLookOutwardsWhateverTheOrderOfCorners)
   }
 }
 
+TEST_F(MeshStage, FacesOfPolyhedraLookOutwardsWhateverTheirOrder)
+{
+  const auto cells = gridOf(VTK_HEXAHEDRON);
+  const int faces[6][4] = {
+    {0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  for (const int inwards : {0, 63, 1, 37, 54}) // a bit for each face that looks inwards
+  {
+    SCOPED_TRACE(inwards);
+    vtkNew<vtkUnstructuredGrid> grid;
+    grid->SetPoints(cells->GetPoints());
+    vtkNew<vtkIdList> corners;
+    for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+    {
+      cells->GetCellPoints(i, corners);
+      vtkNew<vtkIdList> stream;
+      stream->InsertNextId(6);
+      for (int f = 0; f < 6; ++f)
+      {
+        stream->InsertNextId(4);
+        for (int k = 0; k < 4; ++k)
+          stream->InsertNextId(corners->GetId(faces[f][inwards >> f & 1 ? 3 - k : k]));
+      }
+      grid->InsertNextCell(VTK_POLYHEDRON, stream);
+    }
+    const mote::SurfaceTriangles found = mote::surfaceTrianglesOf(grid);
+    EXPECT_EQ(found.cells.size(), 2U * 6 * 9);
+    EXPECT_NEAR(volumeWithin(found, grid), 27.0, 1e-9);
+  }
+}
+
 TEST_F(MeshStage, FacesAreInTheSameOrderEachTime)
 {
   // VTK's filter gives them as its threads finish.
