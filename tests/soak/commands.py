@@ -130,7 +130,7 @@ class Commands:
         if memory > self.arguments.memory:
             return "%d MiB" % memory
         if late:
-            return None if code in (130, 0, 1) else "exit code %s after Ctrl-C" % code
+            return None if code in (130, 0, 1, 2) else "exit code %s after Ctrl-C" % code
         if code not in (0, 1, 2):
             return "exit code %s" % code
         if code == 0 and output and words[0] != "bake" and not left:
