@@ -61,12 +61,12 @@ struct PLYHeader
   const Element* find(const std::string& element) const;
 };
 
-/// Longest line of text, in bytes, that VTK 9.1's vtkPLYReader takes as one.
+/// Longest line of text, in bytes, as of VTK's reader.
 constexpr std::size_t longestPLYLine = 4000;
 
 /// Reads the header at the beginning of a file, which the cursor is then behind. Throws FileError:
 /// OtherFormat where the file begins otherwise, Malformed, with the line, for what is not of the
-/// format, or is of the format and not read by vtkPLYReader.
+/// format, or is of the format and not read.
 PLYHeader readPLYHeader(TextCursor& cursor);
 
 } // namespace mote

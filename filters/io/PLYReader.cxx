@@ -2,18 +2,28 @@
 
 #include "FileError.h"
 #include "FloatPlaces.h"
-#include "PLYColumns.h"
+#include "PLYFile.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 
-#include <array>
+#include <algorithm>
+#include <cstring>
+#include <initializer_list>
+#include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace mote
@@ -38,71 +48,168 @@ int typeOf(const PLYHeader::Number& number)
   }
 }
 
-/// Adds a column to the vertices or faces that it is of, where VTK has not made others of them.
-void add(const PLYColumn& column, vtkPolyData* output)
+/// Puts the values of an element's properties into a data set, each of them once.
+class Output
 {
-  const bool ofPoints = column.element == "vertex";
-  const vtkIdType count = ofPoints ? output->GetNumberOfPoints() : output->GetNumberOfCells();
-  vtkDataSetAttributes* arrays = output->GetPointData();
-  if (!ofPoints)
-    arrays = output->GetCellData();
-  if (static_cast<vtkIdType>(column.values.size()) != count || count == 0 ||
-      arrays->HasArray(column.name.c_str()))
-    return;
-  const auto array =
-    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(typeOf(column.number)));
-  array->SetName(column.name.c_str());
-  array->SetNumberOfTuples(count);
-  for (vtkIdType i = 0; i < count; ++i)
-    array->SetComponent(i, 0, column.values[static_cast<std::size_t>(i)]);
-  arrays->AddArray(array);
-}
+public:
+  Output(
+    const PLYFile& file, const std::string& element, vtkIdType count, vtkDataSetAttributes* arrays)
+    : file_(file)
+    , element_(element)
+    , count_(count)
+    , arrays_(arrays)
+  {
+  }
 
-/// Puts points where the file has them, where VTK's float is too coarse.
-void addPlaces(const std::array<const PLYColumn*, 3>& places, vtkPolyData* output)
-{
-  const vtkIdType count = output->GetNumberOfPoints();
-  std::vector<double> all;
-  for (vtkIdType i = 0; i < count; ++i)
-    for (const PLYColumn* column : places)
+  using Names = std::initializer_list<const char*>;
+
+  /// The columns of these names; none where one is missing. They are no arrays of their own then.
+  std::vector<const PLYColumn*> take(Names names)
+  {
+    std::vector<const PLYColumn*> columns;
+    for (const char* name : names)
+      if (const PLYColumn* column = file_.find(element_, name);
+          column && static_cast<vtkIdType>(column->count()) == count_)
+        columns.push_back(column);
+    if (columns.size() < names.size())
+      return {};
+    for (const char* name : names)
+      taken_.insert(name);
+    return columns;
+  }
+
+  /// Floats of these names, the first set of them that is there; null for none.
+  vtkSmartPointer<vtkFloatArray> floats(const char* name, std::initializer_list<Names> sets)
+  {
+    for (const Names& set : sets)
+      if (const auto columns = this->take(set); !columns.empty())
+      {
+        auto array = vtkSmartPointer<vtkFloatArray>::New();
+        array->SetName(name);
+        array->SetNumberOfComponents(static_cast<int>(columns.size()));
+        array->SetNumberOfTuples(count_);
+        for (vtkIdType i = 0; i < count_; ++i)
+          for (std::size_t c = 0; c < columns.size(); ++c)
+            array->SetTypedComponent(i, static_cast<int>(c),
+              static_cast<float>(columns[c]->value(static_cast<std::size_t>(i))));
+        return array;
+      }
+    return nullptr;
+  }
+
+  void addColors()
+  {
+    std::vector<const PLYColumn*> columns = this->take({"red", "green", "blue"});
+    if (columns.empty())
+      columns = this->take({"diffuse_red", "diffuse_green", "diffuse_blue"});
+    if (columns.empty())
+      return;
+    for (const PLYColumn* alpha : this->take({"alpha"}))
+      columns.push_back(alpha);
+    vtkNew<vtkUnsignedCharArray> colors;
+    colors->SetName(columns.size() == 4 ? "RGBA" : "RGB");
+    colors->SetNumberOfComponents(static_cast<int>(columns.size()));
+    colors->SetNumberOfTuples(count_);
+    for (std::size_t c = 0; c < columns.size(); ++c)
     {
-      if (!column || static_cast<vtkIdType>(column->values.size()) != count)
-        return;
-      all.push_back(column->values[static_cast<std::size_t>(i)]);
+      const PLYHeader::Number& number = columns[c]->number;
+      const double unit = number.type == PLYHeader::Type::Float ? 255.0
+                          : number.bytes == 2                   ? 255.0 / 65535.0
+                                                                : 1.0;
+      for (vtkIdType i = 0; i < count_; ++i)
+      {
+        const double value = unit * columns[c]->value(static_cast<std::size_t>(i));
+        colors->SetTypedComponent(i, static_cast<int>(c),
+          static_cast<unsigned char>(value > 0.0 ? std::min(value, 255.0) + 0.5 : 0.0));
+      }
     }
-  if (!needDouble(all))
-    return;
-  const auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetDataTypeToDouble();
+    arrays_->SetScalars(colors);
+  }
+
+  /// All that nothing was made of.
+  void addOthers()
+  {
+    for (const PLYColumn& column : file_.columns)
+    {
+      if (column.element != element_ || taken_.count(column.name) > 0 || count_ == 0 ||
+          static_cast<vtkIdType>(column.count()) != count_)
+        continue;
+      const auto array =
+        vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(typeOf(column.number)));
+      array->SetName(column.name.c_str());
+      array->SetNumberOfTuples(count_);
+      std::memcpy(array->GetVoidPointer(0), column.bytes.data(), column.bytes.size());
+      arrays_->AddArray(array);
+    }
+  }
+
+private:
+  const PLYFile& file_;
+  std::string element_;
+  vtkIdType count_;
+  vtkDataSetAttributes* arrays_;
+  std::set<std::string> taken_;
+};
+
+vtkSmartPointer<vtkPoints> pointsOf(const std::vector<const PLYColumn*>& columns, vtkIdType count)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToFloat();
+  if (columns.empty()) // there are no vertices
+    return points;
+  std::vector<double> places;
+  places.reserve(3 * static_cast<std::size_t>(count));
+  bool areDouble = false;
+  for (const PLYColumn* column : columns)
+    areDouble = areDouble || column->number.bytes == sizeof(double);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+    for (const PLYColumn* column : columns)
+      places.push_back(column->value(i));
+  if (areDouble && needDouble(places))
+    points->SetDataTypeToDouble();
   points->SetNumberOfPoints(count);
   for (vtkIdType i = 0; i < count; ++i)
-    points->SetPoint(i, &all[static_cast<std::size_t>(3 * i)]);
-  output->SetPoints(points);
+    points->SetPoint(i, &places[static_cast<std::size_t>(3 * i)]);
+  return points;
+}
+
+void fill(const PLYFile& file, vtkPolyData* output)
+{
+  const auto count = static_cast<vtkIdType>(file.vertices);
+  Output ofPoints(file, "vertex", count, output->GetPointData());
+  output->SetPoints(pointsOf(ofPoints.take({"x", "y", "z"}), count));
+  vtkNew<vtkIdTypeArray> offsets, corners;
+  offsets->InsertNextValue(0);
+  for (const std::int64_t end : file.ends)
+    offsets->InsertNextValue(static_cast<vtkIdType>(end));
+  for (const std::int64_t corner : file.corners)
+    corners->InsertNextValue(static_cast<vtkIdType>(corner));
+  vtkNew<vtkCellArray> polygons;
+  polygons->SetData(offsets, corners);
+  output->SetPolys(polygons);
+  if (const auto normals = ofPoints.floats("Normals", {{"nx", "ny", "nz"}}))
+    output->GetPointData()->SetNormals(normals);
+  if (const auto places =
+        ofPoints.floats("TCoords", {{"texture_u", "texture_v"}, {"u", "v"}, {"s", "t"}}))
+    output->GetPointData()->SetTCoords(places);
+  ofPoints.addColors();
+  ofPoints.addOthers();
+  Output ofCells(file, "face", static_cast<vtkIdType>(file.ends.size()), output->GetCellData());
+  ofCells.addColors();
+  ofCells.addOthers();
 }
 
 } // namespace
 
 vtkStandardNewMacro(PLYReader);
 
-int PLYReader::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int PLYReader::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   try
   {
-    const std::vector<PLYColumn> columns = readPLYColumns(this->FileName ? this->FileName : "");
-    if (!this->vtkPLYReader::RequestData(request, inputVector, outputVector))
-      return 0;
-    std::array<const PLYColumn*, 3> places = {};
-    for (const PLYColumn& column : columns)
-    {
-      const bool isPlace = column.name == "x" || column.name == "y" || column.name == "z";
-      if (column.element == "vertex" && isPlace)
-        places[static_cast<std::size_t>(column.name[0] - 'x')] = &column;
-      else
-        add(column, output);
-    }
-    addPlaces(places, output);
+    fill(readPLY(this->FileName ? this->FileName : ""), output);
   }
   catch (const FileError& error)
   {

@@ -1,5 +1,5 @@
-// What is refused of OBJ, and before VTK's readers of PLY, STL, glTF and legacy files see it, and
-// what of these formats has to pass.
+// What is refused of PLY and OBJ, and before VTK's readers of STL, glTF and legacy files see it,
+// and what of these formats has to pass.
 #include "TableTest.h"
 
 #include "vtkDataSet.h"

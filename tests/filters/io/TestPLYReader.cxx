@@ -1,4 +1,4 @@
-// What PLY files hold beside triangles, normals and colours, which VTK's reader leaves out. What is
+// What PLY files hold, of which VTK's reader has triangles, normals and colours alone. What is
 // refused stands in TestFormatChecks.
 #include "TableTest.h"
 
@@ -7,6 +7,8 @@
 #include "vtkPolyData.h"
 
 #include <cstring>
+#include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -31,8 +33,9 @@ void expectArray(
   ASSERT_TRUE(array);
   EXPECT_EQ(array->GetDataType(), type);
   ASSERT_EQ(array->GetNumberOfValues(), static_cast<vtkIdType>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i)
-    EXPECT_EQ(array->GetTuple1(static_cast<vtkIdType>(i)), values[i]) << i;
+  const int components = array->GetNumberOfComponents();
+  for (int i = 0; i < static_cast<int>(values.size()); ++i)
+    EXPECT_EQ(array->GetComponent(i / components, i % components), values[i]) << i;
 }
 
 /// A triangle's header but for "format".
@@ -94,6 +97,42 @@ TEST_F(TestPLYReader, ValuesOfVerticesAndFacesAreArrays)
     expectTriangle(readText("ply\nformat binary_" + std::string(isBig ? "big" : "little") +
                             "_endian 1.0\n" + header + bytes));
   }
+}
+
+TEST_F(TestPLYReader, TheLastLineNeedsNoEnd)
+{
+  // VTK's reader frees what it never had then.
+  const std::string text = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                           "property float y\nproperty float z\nelement face 1\n"
+                           "property list uchar int vertex_indices\nend_header\n"
+                           "0 0 0\n1 0 0\n0 1 0\n3 0 1 2";
+  for (const char* end : {"", " ", "\n", "\r\n"})
+  {
+    vtkPolyData* data = readText(text + end);
+    ASSERT_TRUE(data);
+    EXPECT_EQ(data->GetNumberOfPolys(), 1);
+  }
+}
+
+TEST_F(TestPLYReader, ColorsAndNormalsOfSeveralForms)
+{
+  const auto read = [&](const std::string& properties, const std::string& values)
+  {
+    std::string text = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n"
+                       "property float y\nproperty float z\n";
+    std::istringstream names(properties);
+    for (std::string type, name; names >> type >> name;)
+      text += "property " + type + " " + name + "\n";
+    return readText(text + "end_header\n1 2 3 " + values + "\n")->GetPointData();
+  };
+  expectArray(
+    read("float diffuse_red float diffuse_green float diffuse_blue float alpha", "0 0.5 2 1"),
+    "RGBA", VTK_UNSIGNED_CHAR, {0, 128, 255, 255});
+  expectArray(read("ushort red ushort green ushort blue", "0 32896 65535"), "RGB",
+    VTK_UNSIGNED_CHAR, {0, 128, 255});
+  expectArray(read("uchar red", "7"), "red", VTK_UNSIGNED_CHAR, {7});
+  expectArray(read("float nx double ny float nz", "0 0.5 1"), "Normals", VTK_FLOAT, {0, 0.5, 1});
+  expectArray(read("float s float t", "0.25 1"), "TCoords", VTK_FLOAT, {0.25, 1});
 }
 
 TEST_F(TestPLYReader, CoordinatesFarFromTheOriginKeepTheirDigits)

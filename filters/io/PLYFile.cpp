@@ -1,4 +1,4 @@
-#include "PLYColumns.h"
+#include "PLYFile.h"
 
 #include "FileError.h"
 #include "ParseNumber.h"
@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cstring>
-#include <iterator>
 #include <limits>
+#include <type_traits>
 
 namespace mote
 {
@@ -17,7 +17,7 @@ namespace
 using Element = PLYHeader::Element;
 using Property = PLYHeader::Property;
 
-/// vtkPLYReader counts the points of a face in a byte.
+/// More than any face of a mesh that is meant.
 constexpr double mostPointsOfFace = 255;
 
 [[noreturn]] void failTruncated(const std::string& path)
@@ -140,7 +140,7 @@ public:
   }
 
 private:
-  /// Blanks that vtkPLYReader knows.
+  /// Blanks that other readers know.
   void skipBlanks()
   {
     while (m_at != m_end && (*m_at == ' ' || *m_at == '\t' || *m_at == '\r'))
@@ -167,8 +167,17 @@ ListLimits limitsOf(const Element& element, const Property& property)
   return {mostPointsOfFace, true};
 }
 
+/// Where the values of an element go: to a column for each property, or null, and the corners of
+/// faces.
+struct Targets
+{
+  std::vector<PLYColumn*> columns;
+  PLYFile* faces = nullptr;
+};
+
 template <class Values>
-void walkList(Values& values, const Property& property, const ListLimits& limits, double points)
+void walkList(
+  Values& values, const Property& property, const ListLimits& limits, double points, PLYFile* faces)
 {
   const double count = values.next(property.count);
   if (!(count >= 0 && count <= limits.mostValues))
@@ -180,16 +189,19 @@ void walkList(Values& values, const Property& property, const ListLimits& limits
   for (auto left = static_cast<std::uint64_t>(count); left > 0; --left)
   {
     const double value = values.next(property.value);
-    if (limits.areIndices && !(value >= 0 && value < points))
+    if (!limits.areIndices)
+      continue;
+    if (!(value >= 0 && value < points))
       values.fail("a face has a point that is not there: there are " +
                   std::to_string(static_cast<std::uint64_t>(points)) + " points, from 0");
+    faces->corners.push_back(static_cast<std::int64_t>(value));
   }
+  if (limits.areIndices)
+    faces->ends.push_back(static_cast<std::int64_t>(faces->corners.size()));
 }
 
-/// Takes the values of a property to `columns`, of which each property has one or null.
 template <class Values>
-void walk(Values& values, const Element& element, double points,
-  const std::vector<std::vector<double>*>& columns)
+void walk(Values& values, const Element& element, double points, const Targets& targets)
 {
   for (std::uint64_t i = 0; i < element.count; ++i)
   {
@@ -198,33 +210,21 @@ void walk(Values& values, const Element& element, double points,
     {
       const Property& property = element.properties[k];
       if (property.isList())
-        walkList(values, property, limitsOf(element, property), points);
-      else if (const double value = values.next(property.value); columns[k])
-        columns[k]->push_back(value);
+        walkList(values, property, limitsOf(element, property), points, targets.faces);
+      else if (const double value = values.next(property.value); targets.columns[k])
+        targets.columns[k]->add(value);
     }
     values.endElement();
   }
 }
 
-/// Whether vtkPLYReader has no use for a value.
-bool isLeftOut(const Element& element, const Property& property)
+/// Whether the elements are vertices or faces.
+bool isRead(const Element& element)
 {
-  constexpr std::string_view ofBoth[] = {
-    "red", "green", "blue", "alpha", "diffuse_red", "diffuse_green", "diffuse_blue"};
-  constexpr std::string_view ofVertices[] = {
-    "nx", "ny", "nz", "u", "v", "s", "t", "texture_u", "texture_v"};
-  const auto isOneOf = [&](const auto& names)
-  { return std::find(std::begin(names), std::end(names), property.name) != std::end(names); };
-  if (property.isList() || isOneOf(ofBoth))
-    return false;
-  if (element.name == "vertex")
-    return property.name == "x" || property.name == "y" || property.name == "z"
-             ? property.value.bytes == sizeof(double)
-             : !isOneOf(ofVertices);
-  return element.name == "face" && property.name != "intensity" && property.name != "texnumber";
+  return element.name == "vertex" || element.name == "face";
 }
 
-/// vtkPLYReader reads vertices and faces, in the order of the file, and skips nothing between.
+/// Vertices and faces come first.
 void checkElements(const PLYHeader& header, const std::string& path)
 {
   const auto fail = [&path](const std::string& sentence)
@@ -235,49 +235,107 @@ void checkElements(const PLYHeader& header, const std::string& path)
   const Element* const face = header.find("face");
   if (face && !face->find("vertex_indices"))
     fail("the element 'face' has no list 'vertex_indices'");
-  const auto isRead = [](const Element& element)
-  { return element.name == "vertex" || element.name == "face"; };
   const auto firstOther = std::find_if_not(header.elements.begin(), header.elements.end(), isRead);
   if (std::any_of(firstOther, header.elements.end(), isRead))
     fail("the element '" + firstOther->name + "' must stand behind vertices and faces");
 }
 
-/// Walks through all values, and keeps those that are wanted.
-std::vector<PLYColumn> readColumns(
-  const PLYHeader& header, const TextFile& file, TextCursor& cursor)
+/// Reads all values.
+PLYFile readValues(const PLYHeader& header, const TextFile& file, TextCursor& cursor)
 {
-  std::vector<PLYColumn> columns;
+  PLYFile found;
+  found.vertices = header.find("vertex")->count;
+  const auto points = static_cast<double>(found.vertices);
   for (const Element& element : header.elements)
     for (const Property& property : element.properties)
-      if (isLeftOut(element, property))
-        columns.push_back({element.name, property.name, property.value, {}});
-  const auto points = static_cast<double>(header.find("vertex")->count);
-  const bool isText = header.format == PLYHeader::Format::Text;
+      if (isRead(element) && !property.isList())
+        found.columns.push_back({element.name, property.name, property.value, {}});
   TextValues text(cursor);
   BinaryValues binary(file.path(),
     file.text().substr(std::min<std::size_t>(cursor.offset(), file.text().size())),
     header.format == PLYHeader::Format::BigEndian);
   for (const Element& element : header.elements)
   {
-    std::vector<std::vector<double>*> wanted(element.properties.size(), nullptr);
-    for (PLYColumn& column : columns)
-      for (std::size_t k = 0; k < wanted.size() && column.element == element.name; ++k)
+    Targets targets{std::vector<PLYColumn*>(element.properties.size(), nullptr), &found};
+    for (PLYColumn& column : found.columns)
+      for (std::size_t k = 0; k < targets.columns.size() && column.element == element.name; ++k)
         if (element.properties[k].name == column.name)
-          wanted[k] = &column.values;
-    const bool isWanted = std::any_of(wanted.begin(), wanted.end(), [](auto* one) { return one; });
-    if (isText)
-      walk(text, element, points, wanted);
-    else if (element.hasLists() || isWanted)
-      walk(binary, element, points, wanted);
+          targets.columns[k] = &column;
+    if (header.format == PLYHeader::Format::Text)
+      walk(text, element, points, targets);
+    else if (element.hasLists() || isRead(element))
+      walk(binary, element, points, targets);
     else
       binary.skip(element.count * element.bytes());
   }
-  return columns;
+  return found;
+}
+
+template <class Value>
+void append(std::vector<char>& bytes, double value)
+{
+  const auto own = static_cast<Value>(value);
+  const auto* const at = reinterpret_cast<const char*>(&own);
+  bytes.insert(bytes.end(), at, at + sizeof own);
+}
+
+template <class Value>
+double valueAt(const std::vector<char>& bytes, std::size_t i)
+{
+  Value value;
+  std::memcpy(&value, bytes.data() + i * sizeof value, sizeof value);
+  return static_cast<double>(value);
+}
+
+/// Calls visit(Value()) with the type of a number.
+template <class Visit>
+auto withType(const PLYHeader::Number& number, const Visit& visit)
+{
+  const bool isUnsigned = number.type == PLYHeader::Type::Unsigned;
+  if (number.type == PLYHeader::Type::Float)
+    return number.bytes == sizeof(double) ? visit(double()) : visit(float());
+  switch (number.bytes)
+  {
+  case 1:
+    return isUnsigned ? visit(std::uint8_t()) : visit(std::int8_t());
+  case 2:
+    return isUnsigned ? visit(std::uint16_t()) : visit(std::int16_t());
+  default:
+    return isUnsigned ? visit(std::uint32_t()) : visit(std::int32_t());
+  }
 }
 
 } // namespace
 
-std::vector<PLYColumn> readPLYColumns(const std::string& path)
+double PLYColumn::value(std::size_t i) const
+{
+  return withType(number, [&](auto type) { return valueAt<decltype(type)>(bytes, i); });
+}
+
+void PLYColumn::add(double value)
+{
+  withType(number,
+    [&](auto type)
+    {
+      using Value = decltype(type);
+      // What a text says of a type that cannot hold it.
+      if constexpr (std::is_integral_v<Value>)
+        value = value >= double(std::numeric_limits<Value>::min()) &&
+                    value <= double(std::numeric_limits<Value>::max())
+                  ? value
+                  : 0.0;
+      append<Value>(bytes, value);
+    });
+}
+
+const PLYColumn* PLYFile::find(std::string_view element, std::string_view name) const
+{
+  const auto found = std::find_if(columns.begin(), columns.end(),
+    [&](const PLYColumn& column) { return column.element == element && column.name == name; });
+  return found == columns.end() ? nullptr : &*found;
+}
+
+PLYFile readPLY(const std::string& path)
 {
   const TextFile file(path);
   if (file.isGzip())
@@ -286,7 +344,7 @@ std::vector<PLYColumn> readPLYColumns(const std::string& path)
   TextCursor cursor(path, TextCursor::OpenEnd::Accept);
   const PLYHeader header = readPLYHeader(cursor);
   checkElements(header, path);
-  return readColumns(header, file, cursor);
+  return readValues(header, file, cursor);
 }
 
 } // namespace mote
