@@ -5,6 +5,7 @@
 #include "TextCursor.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
 #include <limits>
 #include <type_traits>
@@ -182,8 +183,9 @@ void walkList(
   const double count = values.next(property.count);
   if (!(count >= 0 && count <= limits.mostValues))
   {
-    values.fail("a list of " + std::to_string(static_cast<long long>(count)) + " '" +
-                property.name + "', and there can be " +
+    char told[32]; // of any size, and no whole number, where the file is damaged
+    std::snprintf(told, sizeof told, "%.15g", count);
+    values.fail("a list of " + std::string(told) + " '" + property.name + "', and there can be " +
                 std::to_string(static_cast<long long>(limits.mostValues)));
   }
   for (auto left = static_cast<std::uint64_t>(count); left > 0; --left)
