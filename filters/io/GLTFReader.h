@@ -1,6 +1,8 @@
 #ifndef MoteGLTFReader_h
 #define MoteGLTFReader_h
 
+#include "ColorByte.h"
+
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataArray.h"
 #include "vtkGLTFReader.h"
@@ -12,8 +14,6 @@
 #include "vtkPointSet.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
-
-#include <algorithm>
 
 namespace mote
 {
@@ -53,11 +53,7 @@ private:
     bytes->SetNumberOfTuples(colors->GetNumberOfTuples());
     for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
       for (int c = 0; c < colors->GetNumberOfComponents(); ++c)
-      {
-        const double value = colors->GetComponent(i, c);
-        bytes->SetTypedComponent(
-          i, c, static_cast<unsigned char>(value > 0.0 ? 255.0 * std::min(value, 1.0) + 0.5 : 0.0));
-      }
+        bytes->SetTypedComponent(i, c, colorByte(255.0 * colors->GetComponent(i, c)));
     arrays->AddArray(bytes); // in place of the other
   }
 };

@@ -1,5 +1,6 @@
 #include "OBJReader.h"
 
+#include "ColorByte.h"
 #include "FileError.h"
 #include "FloatPlaces.h"
 #include "OBJFile.h"
@@ -131,11 +132,8 @@ private:
     colors->SetNumberOfTuples(all);
     for (vtkIdType i = 0; i < all; ++i)
       for (int c = 0; c < 3; ++c)
-      {
-        const double value = unit * file_.colors[3 * vertexOf(i) + static_cast<std::size_t>(c)];
-        colors->SetTypedComponent(
-          i, c, static_cast<unsigned char>(value > 0.0 ? std::min(value, 255.0) + 0.5 : 0.0));
-      }
+        colors->SetTypedComponent(i, c,
+          mote::colorByte(unit * file_.colors[3 * vertexOf(i) + static_cast<std::size_t>(c)]));
     return colors;
   }
 

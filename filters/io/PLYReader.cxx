@@ -1,5 +1,6 @@
 #include "PLYReader.h"
 
+#include "ColorByte.h"
 #include "FileError.h"
 #include "FloatPlaces.h"
 #include "PLYFile.h"
@@ -18,7 +19,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
 #include <cstring>
 #include <initializer_list>
 #include <set>
@@ -117,11 +117,8 @@ public:
                           : number.bytes == 2                   ? 255.0 / 65535.0
                                                                 : 1.0;
       for (vtkIdType i = 0; i < count_; ++i)
-      {
-        const double value = unit * columns[c]->value(static_cast<std::size_t>(i));
-        colors->SetTypedComponent(i, static_cast<int>(c),
-          static_cast<unsigned char>(value > 0.0 ? std::min(value, 255.0) + 0.5 : 0.0));
-      }
+        colors->SetTypedComponent(
+          i, static_cast<int>(c), colorByte(unit * columns[c]->value(static_cast<std::size_t>(i))));
     }
     arrays_->SetScalars(colors);
   }

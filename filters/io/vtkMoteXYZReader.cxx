@@ -17,9 +17,11 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -31,18 +33,23 @@ void addTypes(vtkPolyData* data, const std::string& species, std::set<std::strin
     vtkStringArray::SafeDownCast(data->GetPointData()->GetAbstractArray(species.c_str()));
   if (!names || data->GetPointData()->HasArray("type"))
     return;
-  std::unordered_map<std::string, int> numbers; // faster than the map of typesOf()
-  for (vtkIdType i = 0; i < names->GetNumberOfValues() && all.empty(); ++i)
-    numbers.try_emplace(names->GetValue(i), 0);
-  for (const auto& [word, number] : numbers)
-    all.insert(word);
-  for (const auto& [word, type] : mote::typesOf(all, true))
-    numbers[word] = type;
+  // Words are looked up once: first by their order, of which types are made then.
+  std::unordered_map<std::string, int> numbers;
   vtkNew<vtkIntArray> types;
   types->SetName("type");
   types->SetNumberOfTuples(names->GetNumberOfTuples());
   for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
-    types->SetValue(i, numbers.at(names->GetValue(i)));
+    types->SetValue(
+      i, numbers.try_emplace(names->GetValue(i), static_cast<int>(numbers.size())).first->second);
+  for (const auto& [word, number] : numbers)
+    all.insert(word);
+  const std::map<std::string, int> typeOf = mote::typesOf(all, true);
+  std::vector<int> typeOfNumber(numbers.size());
+  for (const auto& [word, number] : numbers)
+    typeOfNumber[static_cast<std::size_t>(number)] = typeOf.at(word);
+  int* const values = types->GetPointer(0);
+  for (vtkIdType i = 0; i < types->GetNumberOfValues(); ++i)
+    values[i] = typeOfNumber[static_cast<std::size_t>(values[i])];
   data->GetPointData()->AddArray(types);
 }
 
