@@ -18,9 +18,6 @@ namespace
 using Element = PLYHeader::Element;
 using Property = PLYHeader::Property;
 
-/// More than any face of a mesh that is meant.
-constexpr double mostPointsOfFace = 255;
-
 [[noreturn]] void failTruncated(const std::string& path)
 {
   throw FileError(FileError::Kind::Truncated, path,
@@ -154,18 +151,10 @@ private:
   const char* m_end = nullptr;
 };
 
-/// What the values of a list may be.
-struct ListLimits
+/// Whether a list is that of a face's corners.
+bool areCorners(const Element& element, const Property& property)
 {
-  double mostValues = std::numeric_limits<int>::max();
-  bool areIndices = false;
-};
-
-ListLimits limitsOf(const Element& element, const Property& property)
-{
-  if (element.name != "face" || property.name != "vertex_indices")
-    return {property.name == "texcoord" ? mostPointsOfFace : ListLimits().mostValues, false};
-  return {mostPointsOfFace, true};
+  return element.name == "face" && property.name == "vertex_indices";
 }
 
 /// Where the values of an element go: to a column for each property, or null, and the corners of
@@ -178,27 +167,28 @@ struct Targets
 
 template <class Values>
 void walkList(
-  Values& values, const Property& property, const ListLimits& limits, double points, PLYFile* faces)
+  Values& values, const Property& property, bool areCorners, double points, PLYFile* faces)
 {
+  constexpr int most = std::numeric_limits<int>::max();
   const double count = values.next(property.count);
-  if (!(count >= 0 && count <= limits.mostValues))
+  if (!(count >= 0 && count <= most))
   {
     char told[32]; // of any size, and no whole number, where the file is damaged
     std::snprintf(told, sizeof told, "%.15g", count);
     values.fail("a list of " + std::string(told) + " '" + property.name + "', and there can be " +
-                std::to_string(static_cast<long long>(limits.mostValues)));
+                std::to_string(most));
   }
   for (auto left = static_cast<std::uint64_t>(count); left > 0; --left)
   {
     const double value = values.next(property.value);
-    if (!limits.areIndices)
+    if (!areCorners)
       continue;
     if (!(value >= 0 && value < points))
       values.fail("a face has a point that is not there: there are " +
                   std::to_string(static_cast<std::uint64_t>(points)) + " points, from 0");
     faces->corners.push_back(static_cast<std::int64_t>(value));
   }
-  if (limits.areIndices)
+  if (areCorners)
     faces->ends.push_back(static_cast<std::int64_t>(faces->corners.size()));
 }
 
@@ -212,7 +202,7 @@ void walk(Values& values, const Element& element, double points, const Targets& 
     {
       const Property& property = element.properties[k];
       if (property.isList())
-        walkList(values, property, limitsOf(element, property), points, targets.faces);
+        walkList(values, property, areCorners(element, property), points, targets.faces);
       else if (const double value = values.next(property.value); targets.columns[k])
         targets.columns[k]->add(value);
     }

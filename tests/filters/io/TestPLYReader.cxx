@@ -2,10 +2,12 @@
 // refused stands in TestFormatChecks.
 #include "TableTest.h"
 
+#include "vtkCell.h"
 #include "vtkCellData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <cmath>
 #include <cstring>
 #include <iterator>
 #include <sstream>
@@ -97,6 +99,22 @@ TEST_F(TestPLYReader, ValuesOfVerticesAndFacesAreArrays)
     expectTriangle(readText("ply\nformat binary_" + std::string(isBig ? "big" : "little") +
                             "_endian 1.0\n" + header + bytes));
   }
+}
+
+TEST_F(TestPLYReader, FacesMayHaveManyCorners)
+{
+  const std::string text = "ply\nformat ascii 1.0\nelement vertex 300\nproperty float x\n"
+                           "property float y\nproperty float z\nelement face 1\n"
+                           "property list int int vertex_indices\nend_header\n";
+  std::ostringstream points, face;
+  for (int i = 0; i < 300; ++i)
+  {
+    points << std::cos(i * 0.02) << ' ' << std::sin(i * 0.02) << " 0\n";
+    face << ' ' << i;
+  }
+  vtkPolyData* data = readText(text + points.str() + "300" + face.str() + "\n");
+  ASSERT_TRUE(data);
+  EXPECT_EQ(data->GetCell(0)->GetNumberOfPoints(), 300);
 }
 
 TEST_F(TestPLYReader, TheLastLineNeedsNoEnd)
