@@ -15,7 +15,6 @@ from vtkmodules.vtkCommonDataModel import (
     vtkMultiBlockDataSet,
     vtkPolyData,
 )
-from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
 from . import _program
@@ -275,6 +274,8 @@ def _types(data, types):
     types = np.asarray(types)
     if types.dtype.kind not in "OUS":
         return types
+    from vtkmodules.vtkDomainsChemistry import vtkPeriodicTable
+
     words, places = np.unique(types.astype(str), return_inverse=True)
     table = vtkPeriodicTable()
     numbers = np.array([table.GetAtomicNumber(word) for word in words], np.int32)
