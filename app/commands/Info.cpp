@@ -224,7 +224,9 @@ void printText(const NamedData& one, const Input& input, int step, double second
   std::printf("%s\n", one.name.c_str());
   std::string contents = counted(data->GetNumberOfPoints(), "point");
   if (Part::isMesh(data))
-    contents += ", " + counted(data->GetNumberOfCells(), isOfTriangles(data) ? "triangle" : "cell");
+    contents += ", " + counted(data->GetNumberOfCells(), isOfTriangles(data)   ? "triangle"
+                                                         : Part::isLines(data) ? "line"
+                                                                               : "cell");
   printLine("holds", contents + " (" + data->GetClassName() + ")");
   printTimes(input, step);
   if (data->GetNumberOfPoints() > 0)

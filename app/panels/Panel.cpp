@@ -71,6 +71,7 @@ void Panel::find()
     found_.hasParticles = found_.hasParticles || part->kind() == Part::Kind::Particles;
     found_.hasSurfaces = found_.hasSurfaces || part->kind() == Part::Kind::Surface;
     found_.hasVolumes = found_.hasVolumes || part->kind() == Part::Kind::Volume;
+    found_.hasLines = found_.hasLines || Part::isLines(part->data());
     found_.hasCells = found_.hasCells || Volume::canShow(part->data());
     for (const ArrayChoice& choice : rankedArrays(part->data()))
     {
@@ -219,7 +220,7 @@ void Panel::drawGroups(const PanelFacts& facts)
   }
   else if (found_.hasCells)
     this->drawGroup("Volume", &Panel::drawCells);
-  if (found_.hasParticles)
+  if (found_.hasParticles || found_.hasLines)
     this->drawGroup("Radius", nullptr);
   this->drawGroup("Light", &Panel::drawLight);
   this->drawGroup("Silhouettes", nullptr);

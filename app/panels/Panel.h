@@ -110,6 +110,7 @@ private:
     std::map<std::string, Histogram> histograms; ///< by the array's text, or a place
     std::map<std::pair<vtkDataSet*, std::string>, std::string> ranges; ///< of arrays, in words
     bool hasParticles = false, hasVolumes = false, hasSurfaces = false;
+    bool hasLines = false; ///< and nothing else, in one of the parts
     bool hasCells = false; ///< that may be shown as a volume, too
   };
 

@@ -46,6 +46,8 @@ void Panel::drawData()
   drawn_.insert("calculate"); // which Colour has
   if (!found_.hasParticles)
     drawn_.insert("positions");
+  if (!found_.hasLines && next_.data.lines == DataSettings().lines)
+    drawn_.insert("lines");
   if (stage_.parts().size() > 1)
     this->drawRow("side-by-side", "side by side");
   const std::vector<bool> isHidden = hiddenParts(stage_.data(), next_.selection);

@@ -26,6 +26,7 @@ struct DataSettings
 {
   std::vector<std::string> files;
   std::string positions = "file"; ///< or "wrapped" into the box, or "unwrapped"
+  std::string lines = "tubes";    ///< or "particles": their points
   std::vector<Calculation> calculations;
   std::optional<double> time;
   std::string step = "last"; ///< a number from 1, "first" or "last"

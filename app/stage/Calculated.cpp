@@ -6,9 +6,13 @@
 #include "base/Messages.h"
 
 #include <vtkDataSet.h>
+#include <vtkFieldData.h>
 #include <vtkMoteExpression.h>
 #include <vtkMotePeriodicPositions.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPointSet.h>
+#include <vtkPolyData.h>
 
 namespace mote::app
 {
@@ -58,6 +62,20 @@ void add(const std::vector<NamedData>& data, const std::string& option, const Ca
   before->second = true;
 }
 
+/// The points of lines alone.
+void dropLines(std::vector<NamedData>& data)
+{
+  for (NamedData& one : data)
+    if (Part::isLines(one.data))
+    {
+      vtkNew<vtkPolyData> points;
+      points->SetPoints(vtkPointSet::SafeDownCast(one.data)->GetPoints());
+      points->GetPointData()->ShallowCopy(one.data->GetPointData());
+      points->GetFieldData()->ShallowCopy(one.data->GetFieldData());
+      one.data = points;
+    }
+}
+
 /// Wraps particles into their box, or unwraps them.
 void movePositions(const std::vector<NamedData>& data, const std::string& kind)
 {
@@ -77,7 +95,8 @@ std::vector<NamedData> withCalculated(
   const std::vector<NamedData>& data, const Settings& settings, KnownExpressions& known)
 {
   const bool isMoved = settings.data.positions != "file";
-  if (settings.data.calculations.empty() && !isLimited(settings.selection) && !isMoved)
+  const bool hasLines = settings.data.lines == "tubes";
+  if (settings.data.calculations.empty() && !isLimited(settings.selection) && !isMoved && hasLines)
     return data;
   std::vector<NamedData> copies;
   for (const NamedData& one : data)
@@ -86,6 +105,8 @@ std::vector<NamedData> withCalculated(
     copies.back().data.TakeReference(one.data->NewInstance());
     copies.back().data->ShallowCopy(one.data);
   }
+  if (!hasLines)
+    dropLines(copies);
   if (isMoved)
     movePositions(copies, settings.data.positions);
   for (const Calculation& calculation : settings.data.calculations)
@@ -119,9 +140,9 @@ bool isLimited(const SelectionSettings& selection)
 
 bool areOtherCalculations(const Settings& a, const Settings& b)
 {
-  return a.data.positions != b.data.positions || a.data.calculations != b.data.calculations ||
-         a.selection.where != b.selection.where || a.selection.hidden != b.selection.hidden ||
-         a.selection.only != b.selection.only;
+  return a.data.positions != b.data.positions || a.data.lines != b.data.lines ||
+         a.data.calculations != b.data.calculations || a.selection.where != b.selection.where ||
+         a.selection.hidden != b.selection.hidden || a.selection.only != b.selection.only;
 }
 
 } // namespace mote::app

@@ -18,9 +18,9 @@
 #include <vtkInformation.h>
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
+#include <vtkMoteLineTubes.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkPointData.h>
-#include <vtkTubeFilter.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -246,9 +246,7 @@ void FlowFinder::findLines(BuiltFlow& found, const Volumes& volumes, const Runne
   this->run(runner);
   found.numberOfLines = streamlines_->GetOutput(1)->GetNumberOfPoints();
   found.tubeRadius = 0.5 * flow.width.value_or(0.003 * volumes.bounds.GetDiagonalLength());
-  vtkNew<vtkTubeFilter> tubes;
-  tubes->SetNumberOfSides(8);
-  tubes->CappingOn();
+  vtkNew<vtkMoteLineTubes> tubes;
   tubes->SetInputData(streamlines_->GetOutput(0));
   tubes->SetRadius(found.tubeRadius);
   tubes->Update();

@@ -34,14 +34,6 @@ namespace
 /// than pixels together, and the structure that it takes is not the fastest for them.
 constexpr vtkIdType leastForLods = 4'000'000;
 
-/// Whether the data say how large particles are.
-bool hasRadii(vtkDataSet* data)
-{
-  if (Part::isOfSource(data))
-    return true;
-  return vtkMoteParticleMapper::FindRadii(data->GetPointData()) != nullptr;
-}
-
 /// In one text, each once and in their order.
 std::string namesOfArrays(vtkDataSet* data)
 {
@@ -112,11 +104,9 @@ void Part::setAmbient(double ambient)
 
 void Part::followSettings()
 {
+  this->setRadius();
   if (particles_)
-  {
-    this->setRadius();
     this->setImages();
-  }
   if (volume_)
   {
     volume_->update(errorShares(settings_).tolerance);
@@ -192,7 +182,10 @@ void Part::setData(const std::string& name, vtkDataSet* data)
       this->placeSlices();
   }
   else
+  {
+    this->setRadius();
     surface_->setData(data);
+  }
   actor_->SetMapper(volume_ ? static_cast<vtkMapper*>(walls_) : mapper_.Get());
   this->followLook();
   isWhole_ = true;
@@ -225,56 +218,6 @@ void Part::setHidden(bool on)
 {
   isHidden_ = on;
   this->placeProp();
-}
-
-void Part::setRadius()
-{
-  particles_->SetStructureName(settings_.particles.structure.c_str());
-  particles_->SetStructureForm(settings_.particles.form.c_str());
-  particles_->SetRadiusScale(settings_.particles.radiusScale);
-  double radius = 0.0;
-  const bool number = parseNumber(settings_.particles.radius, radius);
-  if (number)
-  {
-    if (!(radius > 0.0))
-      throw Failure("--radius must be above zero, not " + settings_.particles.radius);
-    particles_->SetRadius(radius);
-  }
-  if (!settings_.particles.typeRadius.empty())
-  {
-    const std::string& others = settings_.particles.radius;
-    if (!number && others != "auto")
-      throw Failure("--radius must be a number beside --type-radius, for the other types, not '" +
-                    others + "'");
-    if (!data_->GetPointData()->GetArray("type"))
-      throw Failure(name_ + " has no array 'type' for --type-radius; it has " + listArrays(data_));
-    particles_->SetRadiusModeToType();
-    particles_->RemoveAllTypeRadii();
-    for (const auto& [type, value] : settings_.particles.typeRadius)
-      particles_->SetTypeRadius(type, value);
-  }
-  else if (number)
-    particles_->SetRadiusModeToConstant();
-  else if (settings_.particles.radius == "spacing" ||
-           (settings_.particles.radius == "auto" && !hasRadii(data_)))
-  {
-    // Particles keep their size when a simulation spreads or packs them. The same positions with
-    // other arrays are what the structure is built for already.
-    const bool isKept = keptRadius_ > 0.0 && !spaced_;
-    particles_->SetRadius(keptRadius_);
-    particles_->SetRadiusMode(
-      isKept ? vtkMoteParticleMapper::RADIUS_CONSTANT : vtkMoteParticleMapper::RADIUS_FROM_SPACING);
-  }
-  else if (settings_.particles.radius == "auto")
-    particles_->SetRadiusModeToAutomatic();
-  else
-  {
-    if (!data_->GetPointData()->GetArray(settings_.particles.radius.c_str()))
-      throw Failure("--radius: " + name_ + " has no array '" + settings_.particles.radius +
-                    "'; it has " + listArrays(data_));
-    particles_->SetRadiusArrayName(settings_.particles.radius.c_str());
-    particles_->SetRadiusModeToArray();
-  }
 }
 
 /// Without a box there is one image.

@@ -77,6 +77,10 @@ public:
   /// Whether a data set has cells to show rather than particles.
   static bool isMesh(vtkDataSet* data);
 
+  /// Whether a data set is of lines alone. Those between points that have types are bonds of
+  /// particles, and do not count.
+  static bool isLines(vtkDataSet* data);
+
   /// Whether points come from a generator or a .mote file, which tells their radii too.
   static bool isOfSource(vtkDataSet* data);
 
@@ -183,6 +187,7 @@ public:
 
 private:
   void setRadius();
+  void setParticleRadius();
   void setImages();
   void placeProp();
   void placeSlices();

@@ -5,7 +5,9 @@
 #include "base/Failure.h"
 
 #include <vtkCellType.h>
+#include <vtkMoteLineTubes.h>
 #include <vtkMoteSourcePoints.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -31,8 +33,21 @@ bool Part::isOfSource(vtkDataSet* data)
   return ofSource && ofSource->GetSource();
 }
 
+bool Part::isLines(vtkDataSet* data)
+{
+  if (!vtkMoteLineTubes::IsOfLines(data))
+    return false;
+  vtkPointData* const values = data->GetPointData();
+  for (int i = 0; i < values->GetNumberOfArrays(); ++i)
+    if (const char* name = values->GetArrayName(i); name && isTypes(data, {name, 0, false}))
+      return false;
+  return true;
+}
+
 bool Part::isMesh(vtkDataSet* data)
 {
+  if (isLines(data))
+    return true;
   if (auto* surface = vtkPolyData::SafeDownCast(data))
     return surface->GetNumberOfPolys() + surface->GetNumberOfStrips() > 0;
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))

@@ -98,7 +98,7 @@ void Part::followLook()
     actor_->GetBackfaceProperty()->SetOpacity(walls);
   }
   // What is looked through keeps no light from what is within.
-  walls_->SetCastsShadows(nearWalls == walls);
+  walls_->SetCastsShadows(nearWalls == walls && walls >= 1.0);
   walls_->SetScalarVisibility(!isPlain && arrayOf(data_, colored_) != nullptr);
   this->placeProp();
 }

@@ -66,6 +66,14 @@ void Surface::setData(vtkDataSet* data)
   mapper_->SetVisibleCells(nullptr);
   auto* polygons = vtkPolyData::SafeDownCast(data);
   auto* points = vtkPointSet::SafeDownCast(data);
+  tubes_ = nullptr;
+  makesNormals_ = takesFaces_ = false;
+  if (vtkMoteLineTubes::IsOfLines(data))
+  {
+    tubes_ = vtkSmartPointer<vtkMoteLineTubes>::New();
+    tubes_->SetInputData(withCellNumbers(data));
+    return this->connectTubes();
+  }
   makesNormals_ = polygons && !polygons->GetPointData()->GetNormals() &&
                   polygons->GetNumberOfCells() <= mostSmoothed &&
                   !vtkMoteMeshFilePoints::FileOf(polygons); // whose tree is built
@@ -86,6 +94,22 @@ void Surface::setData(vtkDataSet* data)
     mapper_->SetInputData(points);
 }
 
+void Surface::setTubeRadius(const TubeRadius& radius)
+{
+  const bool isOther = radius != tubeRadius_;
+  tubeRadius_ = radius;
+  if (tubes_ && isOther)
+    this->connectTubes();
+}
+
+void Surface::connectTubes()
+{
+  tubes_->SetRadius(tubeRadius_.radius);
+  tubes_->SetRadiusArrayName(tubeRadius_.array);
+  tubes_->SetRadiusScale(tubeRadius_.scale);
+  mapper_->SetInputConnection(tubes_->GetOutputPort());
+}
+
 void Surface::setVisible(vtkDataSet* data, vtkUnsignedCharArray* isVisible)
 {
   if (isVisible == isVisible_)
@@ -100,7 +124,7 @@ void Surface::setVisible(vtkDataSet* data, vtkUnsignedCharArray* isVisible)
     return;
   }
   isVisible_ = isVisible;
-  if (!isVisible || !makesNormals_)
+  if (!isVisible || !this->isMade())
     return mapper_->SetVisibleCells(isVisible);
   // Cells have another order there.
   mapper_->GetInputAlgorithm()->Update();
@@ -116,7 +140,7 @@ vtkSmartPointer<vtkPointSet> Surface::drawn() const
 {
   vtkSmartPointer<vtkPointSet> copy;
   vtkPointSet* input = mapper_->GetInput();
-  if (!input || (!makesNormals_ && !takesFaces_) || this->hasCutFaces())
+  if (!input || !this->isMade() || this->hasCutFaces())
     return copy;
   copy.TakeReference(input->NewInstance());
   copy->ShallowCopy(input);
@@ -125,13 +149,13 @@ vtkSmartPointer<vtkPointSet> Surface::drawn() const
 
 void Surface::takeDrawn(vtkPointSet* drawn)
 {
-  if ((makesNormals_ || takesFaces_) && !this->hasCutFaces())
+  if (this->isMade() && !this->hasCutFaces())
     mapper_->SetInputData(drawn);
 }
 
 void Surface::followArrays(vtkDataSet* data)
 {
-  if ((!makesNormals_ && !takesFaces_) || data->GetMTime() == taken_)
+  if (!this->isMade() || data->GetMTime() == taken_)
     return;
   const vtkSmartPointer<vtkUnsignedCharArray> isVisible = isVisible_;
   this->setData(data);
@@ -152,7 +176,7 @@ void Surface::nameCellsForFile()
 vtkIdType Surface::cellOf(vtkIdType cell) const
 {
   vtkPointSet* drawn = mapper_->GetInput();
-  auto* numbers = drawn && (makesNormals_ || takesFaces_)
+  auto* numbers = drawn && this->isMade()
                     ? vtkIdTypeArray::SafeDownCast(drawn->GetCellData()->GetArray(cellNumbers))
                     : nullptr;
   return numbers && cell >= 0 && cell < numbers->GetNumberOfValues() ? numbers->GetValue(cell)

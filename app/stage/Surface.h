@@ -1,8 +1,11 @@
 #pragma once
 
+#include <vtkMoteLineTubes.h>
 #include <vtkMoteMeshMapper.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
+
+#include <string>
 
 class vtkDataSet;
 class vtkPointSet;
@@ -11,15 +14,25 @@ class vtkUnsignedCharArray;
 namespace mote::app
 {
 
+/// How thick lines are drawn.
+struct TubeRadius
+{
+  double radius = 0.0; ///< in the data's units; 0: by the data's size
+  std::string array;   ///< of points, in place of `radius`; empty: none
+  double scale = 1.0;  ///< a factor on all
+  bool operator==(const TubeRadius&) const = default;
+};
+
 /// Cells of a part, shown by their surface.
 ///
 /// Up to four million polygons without normals of points get some, so that they look smooth but for
 /// sharp edges; for that points are split at these. Faces of grids are flat, and .mote files stay
-/// as they were written.
+/// as they were written. Lines become tubes.
 class Surface
 {
 public:
   void setData(vtkDataSet* data);
+  void setTubeRadius(const TubeRadius& radius);
   /// Takes arrays that the data have got since.
   void followArrays(vtkDataSet* data);
 
@@ -37,6 +50,10 @@ public:
   bool makesNormals() const { return makesNormals_; }
   /// Whether the faces were taken out before, as of images, by a vtkDataSetSurfaceFilter.
   bool takesFaces() const { return takesFaces_; }
+  /// What makes tubes of lines, or null.
+  vtkMoteLineTubes* tubes() const { return tubes_; }
+  /// Whether one of these makes what is drawn, with other cells than the data's.
+  bool isMade() const { return makesNormals_ || takesFaces_ || tubes_; }
   /// Gives the numbers of the data's cells, where the mapper's input has them, the name that they
   /// have in files; cellOf() knows nothing of them then.
   void nameCellsForFile();
@@ -44,10 +61,13 @@ public:
   vtkIdType cellOf(vtkIdType cell) const;
 
 private:
+  void connectTubes();
   bool hasCutFaces() const { return takesFaces_ && isVisible_; }
 
   vtkNew<vtkMoteMeshMapper> mapper_;
   bool makesNormals_ = false, takesFaces_ = false;
+  vtkSmartPointer<vtkMoteLineTubes> tubes_;
+  TubeRadius tubeRadius_;
   vtkMTimeType taken_ = 0;                          ///< of the data
   vtkSmartPointer<vtkUnsignedCharArray> isVisible_; ///< cells of the data; null: all
 };

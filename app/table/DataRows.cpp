@@ -71,6 +71,14 @@ void addDataRows(std::vector<Row>& table)
         "unwrapped by their image numbers, the arrays ix, iy and iz",
       .invalidates = Invalidates::Structure,
       .words = {"file", "wrapped", "unwrapped"}}));
+  table.push_back(row(data, &DataSettings::lines,
+    {.group = group,
+      .name = "lines",
+      .value = "KIND",
+      .help = "How data of lines alone, such as streamlines and fibres, are drawn: as tubes, whose "
+              "radius is that of --radius, or their points as particles",
+      .invalidates = Invalidates::Structure,
+      .words = {"tubes", "particles"}}));
   table.push_back(row<DataSettings, std::vector<Calculation>>(data, &DataSettings::calculations,
     {.group = group,
       .name = "calculate",

@@ -76,10 +76,8 @@ void writeFlowShape(Script& script, const Flow& flow, bool isLines)
 {
   if (isLines)
   {
-    script.line("shape = vtkTubeFilter()");
+    script.line("shape = mote.vtkMoteLineTubes()");
     script.line("shape.SetInputData(found.GetOutput(0))");
-    script.line("shape.SetNumberOfSides(8)");
-    script.line("shape.CappingOn()");
     script.call("shape", "SetRadius", flow.built().tubeRadius);
     return;
   }

@@ -11,6 +11,7 @@
 #include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>
 #include <vtkLookupTable.h>
+#include <vtkMoteLineTubes.h>
 #include <vtkMoteParticleMapper.h>
 #include <vtkMoteVolumeMapper.h>
 #include <vtkPiecewiseFunction.h>
@@ -140,13 +141,24 @@ bool writeCells(Script& script, const Part& part, const Settings& settings,
   return true;
 }
 
+void writeTubes(Script& script, vtkMoteLineTubes& tubes)
+{
+  script.line("faces = mote.vtkMoteLineTubes()");
+  if (tubes.GetRadius() > 0.0)
+    script.call("faces", "SetRadius", tubes.GetRadius());
+  if (!tubes.GetRadiusArrayName().empty())
+    script.call("faces", "SetRadiusArrayName", tubes.GetRadiusArrayName());
+  if (tubes.GetRadiusScale() != 1.0)
+    script.call("faces", "SetRadiusScale", tubes.GetRadiusScale());
+}
+
 void writeSurface(
   Script& script, const Part& part, const Settings& settings, const ArrayChoice& colored)
 {
   const Surface& surface = *part.surface();
   const bool isLimited = writeCells(script, part, settings, colored, {});
   script.line("mapper = mote.vtkMoteMeshMapper()");
-  if (isLimited && (surface.makesNormals() || surface.takesFaces()))
+  if (isLimited && surface.isMade())
   {
     // Cells have another order there.
     script.line("shown = cells.GetVisibleCells()");
@@ -160,17 +172,19 @@ void writeSurface(
     script.line("faces.SetThresholdFunction(vtkThreshold.THRESHOLD_UPPER)");
     script.line("faces.SetUpperThreshold(1.0)");
   }
-  else if (surface.makesNormals() || surface.takesFaces())
+  else if (surface.tubes())
+    writeTubes(script, *surface.tubes());
+  else if (surface.isMade())
     script.line(surface.makesNormals() ? "faces = vtkPolyDataNormals()"
                                        : "faces = vtkDataSetSurfaceFilter()");
-  if (surface.makesNormals() || surface.takesFaces())
+  if (surface.isMade())
   {
     script.line("faces.SetInputData(part)");
     script.line("mapper.SetInputConnection(faces.GetOutputPort())");
   }
   else
     script.line("mapper.SetInputData(part)");
-  if (isLimited && surface.makesNormals())
+  if (isLimited && surface.isMade() && !surface.takesFaces())
   {
     script.line("faces.Update()");
     script.line("mapper.SetVisibleCells(faces.GetOutput().GetCellData().GetArray(\"shown\"))");

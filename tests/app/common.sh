@@ -43,3 +43,29 @@ is_picture() {
   [ "$(png_size "$1")" = "$2" ] || fail "$1 is no PNG of $2 but '$(png_size "$1")'"
   [ "$(stat -c %s "$1")" -gt 8000 ] || fail "there is hardly anything on $1"
 }
+
+# two_lines FILE: lines of a legacy VTK file with values of points and of lines.
+two_lines() {
+  cat >"$1" <<VTK
+# vtk DataFile Version 3.0
+two lines, one of which stands still at its second point and turns back at its end
+ASCII
+DATASET POLYDATA
+POINTS 8 float
+0 0 0  1 0 0  1 0 0  2 1 0  1.2 0.2 0  0 2 0  1 2 0.5  2 2 0
+LINES 2 10
+5 0 1 2 3 4
+3 5 6 7
+POINT_DATA 8
+SCALARS speed float 1
+LOOKUP_TABLE default
+0 1 2 3 4 5 6 7
+SCALARS width float 1
+LOOKUP_TABLE default
+0.1 0.1 0.1 0.1 0.1 0.2 0.2 0.2
+CELL_DATA 2
+SCALARS line float 1
+LOOKUP_TABLE default
+1 2
+VTK
+}

@@ -171,6 +171,28 @@ GLTF
     said out triangles
     ;;
 
+  lines) # as tubes, or their points as particles
+    two_lines a.vtk
+    run 0 "$mote" info a.vtk
+    said out '8 points, 2 lines'
+    draw tubes.png a.vtk --color-by speed
+    draw thick.png a.vtk --color-by speed --radius 0.1
+    draw again.png a.vtk --color-by speed --radius 0.05 --radius-scale 2
+    cmp -s thick.png again.png || fail "a radius and its factor differ"
+    draw width.png a.vtk --color-by speed --radius width
+    draw points.png a.vtk --color-by speed --lines particles
+    said out '8 particles'
+    for other in thick width points; do differ tubes.png $other.png; done
+    run 1 "$mote" render a.vtk -o b.png --radius nothing
+    one_sentence
+    said err "has no array 'nothing'"
+    # Lines are hidden by their numbers and values.
+    draw one.png a.vtk --radius 0.1 --hide-ids 1 --color-by line
+    said out '1 of 2 cells shown'
+    draw where.png a.vtk --radius 0.1 --where 'line < 2' --color-by line
+    cmp -s one.png where.png || fail "a number and an expression leave other lines"
+    ;;
+
   scene) # with particles and volumes, in one light
     vtp a.vtp '-15 -15 20 15 -15 20 0 15 20 0 0 38' # within the hopper's box
     vtp b.vtp '-0.05 -0.05 0.1 0.05 -0.05 0.1 0 0.05 0.1 0 0 0.16' # and by the swirl

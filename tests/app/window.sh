@@ -165,6 +165,9 @@ case $3 in
     viewed m -- "$data/swirl.1.vtu" --color-by p --show x=:0.005 --show U=0.01: --hide-ids 5:400
     viewed -- "$data/swirl.1.vtu" --cells surface --color-by U --show x=:0.005 --where 'U.magnitude > 0.01'
     viewed -- tetrahedron.ply --color-by z --hide-ids 2
+    two_lines lines.vtk
+    viewed -- lines.vtk --color-by speed --radius width --hide-ids 1
+    viewed -- lines.vtk --color-by line --lines particles
     viewed -- "$data/swirl.1.vtu" "$copper" tetrahedron.ply --side-by-side --color-by z
     viewed -- "$copper" --percentiles 2 98
     printf '2\n\nAr 0 0 0\nNe 3 2 1\n' >near.xyz

@@ -104,7 +104,8 @@ SurfaceObject slicesOf(const CloudObject& cloud, const std::vector<SliceShape>& 
   SurfaceObject object = surfaceIn(cloud);
   object.edges = edges;
   object.material = {};
-  object.material.ambient = 1.0f; // colours are to be read
+  object.material.isUnlit = true; // colours are to be read
+  object.material.ambient = 1.0f;
   object.material.diffuse = object.material.specular = 0.0f;
   object.surface =
     SliceSurface(cloud.structure, cloud.field, shapes, cloud.hidden, cloud.transfer.nan.a > 0.0f);

@@ -107,8 +107,13 @@ struct SurfaceObject
   /// By slot, or null. Local shading takes the ambient light from them in place of rays; see
   /// OcclusionOptions for what has no map.
   std::shared_ptr<const OcclusionMaps> occlusion;
-  /// Whether it keeps the light of lights from others. The sky's it keeps, and it is seen.
+  /// Whether it keeps the light of lights from others. The sky's it keeps, but see keepsSky(); and
+  /// it is seen.
   bool castsShadows = true;
+
+  /// Whether it keeps the sky's light from others: not where it casts no shadows and lets through
+  /// what is behind it on both sides, like glass.
+  bool keepsSky() const { return castsShadows || backOpacity || material.opacity >= 1.0f; }
 
   /// The opacity of all hits, where colours add none of their own to it.
   float evenOpacity() const { return backOpacity ? 1.0f : material.opacity; }

@@ -57,6 +57,9 @@ struct Material
   Vec3f specularColor{1.0f}; ///< of the highlight, whatever colour the surface has
   float specularPower = 1.0f;
   float opacity = 1.0f;
+  /// Shown in its colours times the ambient part, in whatever light: no light and no shadow, nor
+  /// the sky's, changes them.
+  bool isUnlit = false;
   /// For paths alone, which know no ambient part and no Phong: the share of a metal in [0, 1], and
   /// how rough it is, from 0 (a mirror, nearly) to 1.
   float metallic = 0.0f;

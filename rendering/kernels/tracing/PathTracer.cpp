@@ -192,7 +192,7 @@ void PathTracer::addLight(Work& work, std::size_t light, int bounce) const
 /// Follows the rays of the packet: to the sky, or to the next surface, where paths go on from.
 void PathTracer::follow(Work& work, int& arrived) const
 {
-  rays_.cast(work.packet, &work.from);
+  rays_.castAtKeepers(work.packet, &work.from);
   const RayPacket& packet = work.packet;
   for (int k = 0; k < packet.count; ++k)
   {

@@ -143,6 +143,7 @@ namespace
 {
 
 constexpr auto all = [](const SurfaceObject&) { return true; };
+constexpr auto keepSky = [](const SurfaceObject& object) { return object.keepsSky(); };
 constexpr auto casters = [](const SurfaceObject& object) { return object.castsShadows; };
 constexpr auto castAt = [](const auto& s, RayPacket& rays, std::int32_t k) { s.cast(rays, k); };
 constexpr auto occludeAt = [](const auto& s, RayPacket& rays, std::int32_t k)
@@ -155,9 +156,14 @@ void SceneRays::cast(RayPacket& rays, const Departures* from) const
   this->forSurfaces<true>(rays, from, all, castAt);
 }
 
+void SceneRays::castAtKeepers(RayPacket& rays, const Departures* from) const
+{
+  this->forSurfaces<true>(rays, from, keepSky, castAt);
+}
+
 void SceneRays::occlude(RayPacket& rays, const Departures* from) const
 {
-  this->forSurfaces<false>(rays, from, all, occludeAt);
+  this->forSurfaces<false>(rays, from, keepSky, occludeAt);
 }
 
 void SceneRays::shadow(RayPacket& rays, const Departures* from) const

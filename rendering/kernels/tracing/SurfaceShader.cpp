@@ -297,6 +297,8 @@ namespace
 
 bool needsPositions(const Material& material, const SceneLighting& lighting)
 {
+  if (material.isUnlit)
+    return false;
   return (lighting.occlusion && material.ambient > 0.0f) ||
          std::any_of(lighting.lights.begin(), lighting.lights.end(),
            [](const ShadedLight& light)
@@ -329,6 +331,8 @@ void lightSurfaces(SurfaceBlock& block, const SurfaceObject& object, const Scene
   double footprint, float* shares = nullptr)
 {
   const Material& material = object.material;
+  if (material.isUnlit)
+    return finishSurfaces(block, material, object.evenOpacity());
   const AmbientOcclusion* occlusion = lighting.occlusion ? &*lighting.occlusion : nullptr;
   if ((occlusion || shares) && material.ambient > 0.0f)
     darken(block, occlusion, shares);
@@ -362,7 +366,7 @@ void SurfaceShader::shade(
   SurfaceBlock& block, const BundlePlacing& placing, const SceneLighting& lighting, bool ids) const
 {
   const bool positions = needsPositions(object_.material, lighting);
-  if (!usesMaps() && !lighting.assumesOcclusion)
+  if (object_.material.isUnlit || (!usesMaps() && !lighting.assumesOcclusion))
   {
     place(block, placing, positions, ids);
     return lightSurfaces(block, object_, lighting, placing.footprint);

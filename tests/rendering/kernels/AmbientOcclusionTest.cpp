@@ -133,6 +133,35 @@ TEST(AmbientOcclusion, ALoneSphereIsOpenEverywhere)
   }
 }
 
+TEST(AmbientOcclusion, GlassKeepsNothingOfTheSky)
+{
+  const auto openest = [](float opacity, bool castsShadows, std::optional<float> backOpacity)
+  {
+    Particles lit, other;
+    lit.add(Vec3d(0.0), 1.0);
+    other.add({2.1, 0.0, 0.0}, 1.0);
+    Scene scene;
+    addTo(scene, objectOf(lit));
+    addTo(scene, objectOf(other));
+    scene.surfaces[1].material.opacity = opacity;
+    scene.surfaces[1].backOpacity = backOpacity;
+    scene.surfaces[1].castsShadows = castsShadows;
+    showOpenness(scene, 64, infinity);
+    // What looks at the other sphere, and does not see it.
+    const Film film = tracedFilm(scene, lookAt({1.1, 0.0, 0.0}, Vec3d(0.0), 5.0), 8);
+    double open = 0.0;
+    for (std::size_t i = 0; i < film.pixels(); ++i)
+      open += film.color()[4 * i] / static_cast<double>(film.pixels());
+    return open;
+  };
+  const double occluded = openest(1.0f, true, {});
+  EXPECT_LT(occluded, 0.5);
+  EXPECT_EQ(openest(1.0f, false, {}), occluded) << "what is opaque keeps the sky's light";
+  EXPECT_EQ(openest(0.5f, true, {}), occluded) << "so does what casts shadows";
+  EXPECT_EQ(openest(0.0f, false, 1.0f), occluded) << "and what is clear from one side alone";
+  EXPECT_EQ(openest(0.5f, false, {}), 1.0);
+}
+
 TEST(AmbientOcclusion, TouchingSpheresHaveTheirFormFactor)
 {
   Scene scene = pairOf(1.0, 1.0);

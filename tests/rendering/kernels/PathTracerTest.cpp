@@ -332,6 +332,26 @@ TEST(PathTracer, OpacityIsThatOfThePictureAlone)
   EXPECT_FLOAT_EQ(film.color()[0], 0.25f);
 }
 
+TEST(PathTracer, PathsGoThroughGlass)
+{
+  // A white sphere in a furnace is as bright as the sky, and darker within another that is grey.
+  const auto brightness = [](float opacity, bool castsShadows)
+  {
+    Particles shell;
+    shell.add(Vec3d(0.0), 3.0);
+    Scene scene = oneSphere();
+    addTo(scene, objectOf(shell));
+    trace(scene, 8);
+    scene.surfaces[0].coloring.constant = Vec4f(1.0f);
+    scene.surfaces[1].coloring.constant = {0.1f, 0.1f, 0.1f, 1.0f};
+    scene.surfaces[1].material.opacity = opacity;
+    scene.surfaces[1].castsShadows = castsShadows;
+    return rangeOf(tracedFilm(scene, lookAt({0.0, 0.0, 2.0}, Vec3d(0.0), 20.0), 8)).mean;
+  };
+  EXPECT_LT(brightness(0.5f, true), 0.3);
+  EXPECT_NEAR(brightness(0.0f, false), 1.0, 1e-5);
+}
+
 TEST(PathTracer, BundlesAndThreadsDoNotChangeThePicture)
 {
   Scene scene = randomSpheres(771);

@@ -395,6 +395,34 @@ TEST(SliceSurface, LinesCoverTheirShareOfThePicture)
   }
 }
 
+TEST(SliceSurface, KeepsItsColoursInEveryLight)
+{
+  const auto mesh = hexBlock(6, 6, 6, 0.3).mesh();
+  const CloudObject volume = volumeOf(mesh, pointValues(*mesh, linear), evenTransfer(0.5F));
+  const auto filmOf = [&](int rays, bool isAssumed)
+  {
+    SliceShape across = shapeOf(SliceShape::Kind::Plane);
+    SliceShape along = shapeOf(SliceShape::Kind::HalfPlane);
+    Scene scene;
+    scene.surfaces = {slicesOf(volume, {across, along})};
+    scene.occlusion.rays = rays;
+    scene.occlusion.isAssumed = isAssumed;
+    if (rays > 0)
+    {
+      Light light;
+      light.shadows = true;
+      scene.lights = {light};
+    }
+    return tracedFilm(scene, lookAt({9.0, 5.0, 11.0}, Vec3d(3.0), 40.0), 64);
+  };
+  const Film plain = filmOf(0, false);
+  for (const Film& other : {filmOf(16, false), filmOf(0, true)})
+    EXPECT_TRUE(std::equal(plain.color(), plain.color() + 4 * plain.pixels(), other.color()));
+  EXPECT_GT(std::count_if(plain.color(), plain.color() + 4 * plain.pixels(),
+              [](float value) { return value > 0.0f; }),
+    2000);
+}
+
 TEST(SliceSurface, IsPickedWithCellAndValue)
 {
   const auto mesh = hexBlock(4, 4, 4, 0.2).mesh();

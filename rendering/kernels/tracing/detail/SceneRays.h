@@ -28,8 +28,11 @@ public:
   /// surfaces; without them all surfaces count from tMin on.
   void cast(RayPacket& rays, const Departures* from = nullptr) const;
 
-  /// Looks for anything between tMin and t of each ray; where there is, t becomes -infinity. See
-  /// SurfaceKind for what does not count.
+  /// The same of those surfaces alone that keep the sky's light: see SurfaceObject::keepsSky().
+  void castAtKeepers(RayPacket& rays, const Departures* from) const;
+
+  /// Looks for anything that keeps the sky's light between tMin and t of each ray; where there is,
+  /// t becomes -infinity. See SurfaceKind for what does not count.
   void occlude(RayPacket& rays, const Departures* from = nullptr) const;
   /// The same for those surfaces alone that cast shadows.
   void shadow(RayPacket& rays, const Departures* from = nullptr) const;
