@@ -117,7 +117,9 @@ void adviseOnParticles(const Stage& stage, std::vector<std::string>& advice)
   if (stage.parts().empty() || has(stage, Part::Kind::Particles))
     return;
   Idle idle;
-  idle.add(given.radiusScale != plain.radiusScale, "--radius-scale");
+  const auto& parts = stage.parts();
+  if (std::none_of(parts.begin(), parts.end(), [](const auto& part) { return part->hasRadius(); }))
+    idle.add(given.radiusScale != plain.radiusScale, "--radius-scale");
   idle.add(given.structure != plain.structure, "--structure");
   idle.add(given.form != plain.form, "--form");
   idle.tell(advice, "there are no particles");

@@ -5,6 +5,7 @@
 #include "base/Failure.h"
 #include "base/Messages.h"
 
+#include <vtkCellDataToPointData.h>
 #include <vtkDataSet.h>
 #include <vtkFieldData.h>
 #include <vtkMoteExpression.h>
@@ -62,7 +63,7 @@ void add(const std::vector<NamedData>& data, const std::string& option, const Ca
   before->second = true;
 }
 
-/// The points of lines alone.
+/// The points of lines alone, with the values of the lines.
 void dropLines(std::vector<NamedData>& data)
 {
   for (NamedData& one : data)
@@ -70,7 +71,10 @@ void dropLines(std::vector<NamedData>& data)
     {
       vtkNew<vtkPolyData> points;
       points->SetPoints(vtkPointSet::SafeDownCast(one.data)->GetPoints());
-      points->GetPointData()->ShallowCopy(one.data->GetPointData());
+      vtkNew<vtkCellDataToPointData> values;
+      values->SetInputData(one.data);
+      values->Update();
+      points->GetPointData()->ShallowCopy(values->GetOutput()->GetPointData());
       points->GetFieldData()->ShallowCopy(one.data->GetFieldData());
       one.data = points;
     }

@@ -81,6 +81,9 @@ public:
   /// particles, and do not count.
   static bool isLines(vtkDataSet* data);
 
+  /// Whether --radius means something: to particles and lines.
+  bool hasRadius() const { return particles_ || isLines(data_); }
+
   /// Whether points come from a generator or a .mote file, which tells their radii too.
   static bool isOfSource(vtkDataSet* data);
 

@@ -163,8 +163,8 @@ void Stage::setData(const std::vector<NamedData>& original, const ReadyStep* rea
   }
   this->turnParts();
   this->setSizes();
-  const bool anyRadii = std::any_of(
-    parts_.begin(), parts_.end(), [](const auto& part) { return part->particles() != nullptr; });
+  const bool anyRadii =
+    std::any_of(parts_.begin(), parts_.end(), [](const auto& part) { return part->hasRadius(); });
   if (!parts_.empty() && !anyRadii &&
       (settings_.particles.radius != "auto" || !settings_.particles.typeRadius.empty()))
     throw Failure("--radius and --type-radius are for particles, and " + parts_.front()->name() +

@@ -14,7 +14,7 @@ namespace mote
 namespace
 {
 
-constexpr std::size_t InputBytes = 256 * 1024;
+constexpr std::uint64_t LeastInputBytes = 4096, MostInputBytes = 256 * 1024;
 constexpr int GzipOnly = 15 + 16; // inflateInit2: largest window, gzip header expected
 
 } // namespace
@@ -37,7 +37,7 @@ struct GzipStream::State
 GzipStream::GzipStream(const TextFile& file)
   : m_file(file)
   , m_state(std::make_unique<State>())
-  , m_input(InputBytes)
+  , m_input(std::clamp(file.bytes(), LeastInputBytes, MostInputBytes))
 {
   if (inflateInit2(&m_state->z, GzipOnly) != Z_OK)
     throw std::bad_alloc();

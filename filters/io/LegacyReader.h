@@ -16,8 +16,9 @@
 namespace mote
 {
 
-/// VTK's reader of legacy files, which by itself says that every file is of time 0: it is of the
-/// time that it tells, or of none.
+/// VTK's reader of legacy files. By itself it keeps one array of each kind (scalars, vectors ...), and
+/// says that every file is of time 0: here it keeps all, and a file is of the time that it tells, or
+/// of none.
 class LegacyReader : public vtkGenericDataObjectReader
 {
 public:
@@ -35,6 +36,18 @@ public:
         outputs->GetInformationObject(0), time ? std::vector{*time} : std::vector<double>());
     }
     return done;
+  }
+
+protected:
+  LegacyReader()
+  {
+    this->ReadAllScalarsOn();
+    this->ReadAllVectorsOn();
+    this->ReadAllNormalsOn();
+    this->ReadAllTensorsOn();
+    this->ReadAllColorScalarsOn();
+    this->ReadAllTCoordsOn();
+    this->ReadAllFieldsOn();
   }
 };
 

@@ -10,7 +10,9 @@ namespace mote
 namespace
 {
 
-constexpr std::size_t BufferBytes = std::size_t{4} << 20;
+// Of inflated text, where a line needs no more; a small file does not take the most.
+constexpr std::uint64_t LeastBufferBytes = std::uint64_t{1} << 16;
+constexpr std::uint64_t MostBufferBytes = std::uint64_t{4} << 20;
 constexpr std::size_t LongestLine = std::size_t{64} << 20; // far beyond any format's rows
 // Snapshots cost 40 KiB each: one in 8 MiB of text is half a percent, and inflating 8 MiB again
 // takes some 25 ms.
@@ -65,11 +67,11 @@ void TextCursor::seek(const Place& place)
     m_stream->restore(*place.snapshot);
   m_snapshot = place.snapshot;
   m_nextSnapshot = nullptr;
-  m_buffer.resize(BufferBytes);
+  m_buffer.resize(std::clamp(8 * m_file.bytes(), LeastBufferBytes, MostBufferBytes));
   while (m_stream->textOffset() < place.offset)
   {
     const std::uint64_t missing = place.offset - m_stream->textOffset();
-    if (m_stream->read(m_buffer.data(), std::min<std::uint64_t>(missing, BufferBytes)) == 0)
+    if (m_stream->read(m_buffer.data(), std::min<std::uint64_t>(missing, m_buffer.size())) == 0)
       break;
   }
   m_filled = 0;

@@ -80,6 +80,35 @@ std::size_t wholePages(std::uint64_t bytes)
   return (static_cast<std::size_t>(bytes) + pageBytes() - 1) / pageBytes() * pageBytes();
 }
 
+/// A descriptor of a file that is no stream.
+int opened(const std::string& path)
+{
+  statOf(path); // before open: opening a pipe would wait for its writer
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0)
+    throw cannotOpen(path, errno);
+  return descriptor;
+}
+
+bool isGzipMagic(std::string_view beginning)
+{
+  return beginning.substr(0, 2) == "\x1f\x8b";
+}
+
+/// The first bytes of a file as they are, up to `count`. A map would take longer for so few.
+std::string firstBytes(const std::string& path, std::size_t count)
+{
+  const int descriptor = opened(path);
+  std::string bytes(count, '\0');
+  std::size_t filled = 0;
+  for (ssize_t more = 1; more > 0 && filled < count; filled += static_cast<std::size_t>(more))
+    more = std::max<ssize_t>(
+      0, ::pread(descriptor, bytes.data() + filled, count - filled, static_cast<off_t>(filled)));
+  ::close(descriptor);
+  bytes.resize(filled);
+  return bytes;
+}
+
 /// A file's text, and a page of line ends behind it: where another program changes the file while
 /// it is parsed, the line ends that were counted may be gone, and a parser must still meet one.
 /// Null, with errno, where there is no room.
@@ -105,16 +134,13 @@ void* mapped(int descriptor, std::uint64_t bytes)
 
 TextFile::TextFile(const std::string& path)
   : m_path(path)
+  , m_descriptor(opened(path))
 {
-  statOf(path); // before open: opening a pipe would wait for its writer
-  m_descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (m_descriptor < 0)
-    throw cannotOpen(path, errno);
   struct stat status = {};
   ::fstat(m_descriptor, &status);
   m_bytes = static_cast<std::uint64_t>(status.st_size);
-  unsigned char magic[2] = {};
-  m_gzip = ::pread(m_descriptor, magic, 2, 0) == 2 && magic[0] == 0x1f && magic[1] == 0x8b;
+  char magic[2] = {};
+  m_gzip = ::pread(m_descriptor, magic, 2, 0) == 2 && isGzipMagic({magic, 2});
   if (!m_gzip && m_bytes > 0)
   {
     void* map = mapped(m_descriptor, m_bytes);
@@ -138,10 +164,14 @@ TextFile::~TextFile()
 
 std::string readBeginning(const std::string& path, std::size_t count)
 {
+  std::string text = firstBytes(path, std::max<std::size_t>(2, count));
+  if (!isGzipMagic(text))
+  {
+    text.resize(std::min(text.size(), count));
+    return text;
+  }
   const TextFile file(path);
-  if (!file.isGzip())
-    return std::string(file.text().substr(0, count));
-  std::string text(count, '\0');
+  text.assign(count, '\0');
   std::size_t filled = 0;
   try
   {

@@ -19,6 +19,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <cstdint>
+#include <map>
 
 namespace
 {
@@ -234,6 +235,36 @@ TEST_F(TestFormatChecks, LegacyFilesOfAllKindsPass)
 
 const std::string legacyHead = "# vtk DataFile Version 3.0\na test\nASCII\nDATASET ";
 const std::string legacyPoints = legacyHead + "POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n";
+
+TEST_F(TestFormatChecks, LegacyFilesKeepAllArraysOfAKind)
+{
+  // As LIGGGHTS writes particles.
+  write("a.vtk", legacyPoints +
+                   "VERTICES 3 6\n1 0\n1 1\n1 2\nPOINT_DATA 3\n"
+                   "SCALARS id int 1\nLOOKUP_TABLE default\n1 2 3\n"
+                   "SCALARS radius double 1\nLOOKUP_TABLE default\n0.1 0.2 0.3\n"
+                   "VECTORS v double\n1 0 0 2 0 0 3 0 0\n"
+                   "VECTORS f double\n4 0 0 5 0 0 6 0 0\n"
+                   "NORMALS n double\n1 0 0 0 1 0 0 0 1\n"
+                   "NORMALS m double\n0 0 1 1 0 0 0 1 0\n"
+                   "TENSORS s double\n1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9\n"
+                   "TENSORS t double\n9 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9\n"
+                   "FIELD first 1\ne 1 3 float\n7 8 9\n"
+                   "FIELD second 1\ng 1 3 float\n10 11 12\n");
+  std::string error;
+  const auto data =
+    vtkMoteReaderTable::Read(vtkMoteReaderTable::MakeReader(path("a.vtk"), error), error);
+  ASSERT_TRUE(data) << error;
+  vtkPointData* const arrays = vtkPolyData::SafeDownCast(data)->GetPointData();
+  const std::map<std::string, double> last = {{"id", 3}, {"radius", 0.3}, {"v", 3}, {"f", 6},
+    {"n", 0}, {"m", 0}, {"s", 1}, {"t", 1}, {"e", 9}, {"g", 12}};
+  EXPECT_EQ(arrays->GetNumberOfArrays(), static_cast<int>(last.size()));
+  for (const auto& [name, value] : last)
+  {
+    ASSERT_TRUE(arrays->GetArray(name.c_str())) << name;
+    EXPECT_EQ(arrays->GetArray(name.c_str())->GetComponent(2, 0), value) << name;
+  }
+}
 
 TEST_F(TestFormatChecks, LegacyFilesOfLongArraysPass)
 {
