@@ -173,7 +173,7 @@ case $3 in
     printf '2\n\nAr 0 0 0\nNe 3 2 1\n' >near.xyz
     printf '2\n\nAr 100 0 0\nNe 103 2 1\n' >far.xyz
     viewed -- near.xyz far.xyz --side-by-side --color-by z
-    [ $views = 22 ] || fail "$views views"
+    [ $views = 24 ] || fail "$views views"
     ;;
 
   mouse)
