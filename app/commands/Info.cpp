@@ -4,6 +4,7 @@
 #include "base/Text.h"
 #include "base/Unit.h"
 #include "stage/Arrays.h"
+#include "stage/BoxFiles.h"
 #include "stage/Calculated.h"
 #include "stage/HiddenParts.h"
 #include "stage/Input.h"
@@ -301,7 +302,7 @@ void printInfo(const Settings& settings)
   ProgressRelay progress;
   progress.add(terminal);
   Json objects = Json::array();
-  for (const auto& files : vtkMoteReaderTable::GroupSeries(settings.data.files))
+  for (const auto& files : vtkMoteReaderTable::GroupSeries(withoutBoxFiles(settings.data.files)))
   {
     Input input(files);
     const double start = vtkTimerLog::GetUniversalTime();

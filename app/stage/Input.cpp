@@ -1,6 +1,7 @@
 #include "Input.h"
 
 #include "Blocks.h"
+#include "BoxFiles.h"
 #include "KeptData.h"
 #include "base/Failure.h"
 #include "base/Messages.h"
@@ -76,7 +77,7 @@ Input::Input(const std::vector<std::string>& files)
       add(group, nameOf(group));
     ofDisk.clear();
   };
-  for (const std::string& file : files)
+  for (const std::string& file : withoutBoxFiles(files))
   {
     if (!isKeptData(file))
     {
@@ -116,6 +117,18 @@ void Input::tellApart(std::vector<Source>& sources)
       source->name = *name;
     ++name;
   }
+}
+
+std::size_t Input::Source::stepAt(double time) const
+{
+  const auto after = std::upper_bound(times.begin(), times.end(), time);
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - times.begin() - 1));
+}
+
+const std::string& Input::Source::fileAt(double time) const
+{
+  const bool fileAStep = !times.empty() && files.size() == times.size();
+  return files[fileAStep ? this->stepAt(time) : 0];
 }
 
 void Input::setSpace(const std::shared_ptr<ScratchSpace>& space)
@@ -261,16 +274,17 @@ std::vector<NamedData> Input::read(int step, const Runner& runner)
     const std::size_t first = all.size();
     for (NamedData& one : dataSetsOf(copy, source.name))
       all.push_back(std::move(one));
+    const std::string file = source.fileAt(times_.empty() ? 0.0 : times_[step]);
     for (std::size_t i = first; i < all.size(); ++i)
     {
+      addBoxOfFile(all[i].data, file);
       all[i].file = source.files.front();
       all[i].fileName = source.name;
       if (!times_.empty())
         all[i].time = times_[step];
       if (source.times.empty())
         continue;
-      const auto after = std::upper_bound(source.times.begin(), source.times.end(), times_[step]);
-      all[i].step = std::max(0, static_cast<int>(after - source.times.begin()) - 1);
+      all[i].step = static_cast<int>(source.stepAt(times_[step]));
       all[i].steps = static_cast<int>(source.times.size());
       all[i].isOwnStep = source.times != times_;
     }
@@ -284,14 +298,9 @@ std::vector<std::pair<std::string, std::optional<double>>> Input::filesAt(int st
   for (const Source& source : sources_)
   {
     if (source.times.empty())
-    {
       all.emplace_back(source.files.front(), std::nullopt);
-      continue;
-    }
-    const auto after = std::upper_bound(source.times.begin(), source.times.end(), times_[step]);
-    const auto own = std::max<std::ptrdiff_t>(0, after - source.times.begin() - 1);
-    const bool fileAStep = source.files.size() == source.times.size();
-    all.emplace_back(source.files[fileAStep ? own : 0], source.times[own]);
+    else
+      all.emplace_back(source.fileAt(times_[step]), source.times[source.stepAt(times_[step])]);
   }
   return all;
 }

@@ -97,6 +97,9 @@ private:
     std::string name;
     vtkSmartPointer<vtkAlgorithm> reader;
     std::vector<double> times;
+
+    std::size_t stepAt(double time) const; ///< the last one that is not later, or the first
+    const std::string& fileAt(double time) const;
   };
   static void tellApart(std::vector<Source>& sources);
 

@@ -256,9 +256,8 @@ public:
 
   //@{
   /**
-   * Whether the particles keep the light of lights that cast shadows from others, and from one
-   * another. On unless set. Where it is off, and the property's opacity is below 1, they keep
-   * nothing of the sky's light (ambient occlusion) either, like glass.
+   * Whether the particles cast shadows, on others and on one another. On unless set. Where it is
+   * off, and the property's opacity is below 1, they occlude nothing either, like glass.
    */
   vtkSetMacro(CastsShadows, bool);
   vtkGetMacro(CastsShadows, bool);

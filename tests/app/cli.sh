@@ -178,6 +178,31 @@ case $3 in
     said out 'no particle'
     ;;
 
+  boxes) # that LAMMPS and LIGGGHTS write beside their .vtk files
+    for step in 1 2; do
+      printf '# vtk DataFile Version 2.0\nparticles\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n0 0 0 1 1 1\n' >run$step.vtk
+      printf '# vtk DataFile Version 2.0\nbox\nASCII\nDATASET RECTILINEAR_GRID\nDIMENSIONS 2 2 2\nX_COORDINATES 2 float\n-1 2
+Y_COORDINATES 2 float\n0 %s\nZ_COORDINATES 2 float\n0 1\n' $((step + 2)) >run${step}_boundingBox.vtk
+    done
+    run 0 "$mote" info run*.vtk --step 1
+    said out 'box         origin (-1, 0, 0), vectors (3, 0, 0) (0, 3, 0) (0, 0, 1)'
+    run 0 "$mote" info run*.vtk
+    said out 'vectors (3, 0, 0) (0, 4, 0) (0, 0, 1)'
+    ! grep -q hexahedra out || fail "the box is data"
+    run 0 "$mote" info run2.vtk
+    said out 'vectors (3, 0, 0) (0, 4, 0) (0, 0, 1)'
+    run 0 "$mote" info run2_boundingBox.vtk
+    said out '1 hexahedra'
+    # A tilted one, of LAMMPS; a damaged one is none.
+    printf '# vtk DataFile Version 2.0\nbox\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 float
+0 0 0 4 0 0 5 3 0 1 3 0 0.5 0 2 4.5 0 2 5.5 3 2 1.5 3 2\nCELLS 1 9\n8 0 1 2 3 4 5 6 7\nCELL_TYPES 1\n12\n' >run2_boundingBox.vtk
+    run 0 "$mote" info run2.vtk
+    said out 'box         origin (0, 0, 0), vectors (4, 0, 0) (1, 3, 0) (0.5, 0, 2)'
+    echo nothing >run2_boundingBox.vtk
+    run 0 "$mote" info run2.vtk
+    ! grep -q '  box ' out || fail "there is a box of a damaged file"
+    ;;
+
   series) # two files that differ in a number are two steps of one series
     zcat "$hopper" >part.1.dump
     zcat "$hopper" >part.2.dump
