@@ -16,9 +16,9 @@
 namespace mote
 {
 
-/// VTK's reader of legacy files. By itself it keeps one array of each kind (scalars, vectors ...), and
-/// says that every file is of time 0: here it keeps all, and a file is of the time that it tells, or
-/// of none.
+/// VTK's reader of legacy files. By itself it keeps one array of each kind (scalars, vectors ...),
+/// and says that every file is of time 0: here it keeps all, and a file is of the time that it
+/// tells, or of none.
 class LegacyReader : public vtkGenericDataObjectReader
 {
 public:
