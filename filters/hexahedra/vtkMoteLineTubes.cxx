@@ -180,6 +180,13 @@ vtkSmartPointer<vtkDoubleArray> scaled(vtkDataArray* values, double scale)
   return scaledValues;
 }
 
+int usualSides(vtkCellArray* lines)
+{
+  constexpr vtkIdType mostCorners = 8'000'000;
+  const vtkIdType points = std::max<vtkIdType>(1, lines->GetNumberOfConnectivityIds());
+  return static_cast<int>(std::clamp<vtkIdType>(mostCorners / points, 3, 8));
+}
+
 vtkSmartPointer<vtkPolyData> polylines(vtkPointSet* from, const Paths& paths)
 {
   auto lines = vtkSmartPointer<vtkPolyData>::New();
@@ -244,7 +251,8 @@ int vtkMoteLineTubes::RequestData(
   const vtkSmartPointer<vtkPolyData> lines = polylines(input, paths);
   vtkNew<vtkTubeFilter> tubes;
   tubes->SetInputData(lines);
-  tubes->SetNumberOfSides(this->NumberOfSides);
+  tubes->SetNumberOfSides(
+    this->NumberOfSides >= 3 ? this->NumberOfSides : usualSides(paths.lines()));
   tubes->CappingOn();
   if (radiusArray)
   {

@@ -64,9 +64,10 @@ public:
 
   //@{
   /**
-   * How many sides a tube has. At least 3, default 8.
+   * How many sides a tube has. Below 3, the default, 8 for up to a million points, and fewer for
+   * more, so that there are no more than eight million corners, but at least 3.
    */
-  vtkSetClampMacro(NumberOfSides, int, 3, 1000);
+  vtkSetClampMacro(NumberOfSides, int, 0, 1000);
   vtkGetMacro(NumberOfSides, int);
   //@}
 
@@ -89,7 +90,7 @@ private:
 
   double Radius = 0.0, RadiusScale = 1.0;
   std::string RadiusArrayName;
-  int NumberOfSides = 8;
+  int NumberOfSides = 0;
   vtkIdType NumberOfLinesLeftOut = 0;
 };
 

@@ -121,6 +121,21 @@ TEST(LineTubes, HaveTheAreaOfTheirLength)
   EXPECT_NEAR(areaOf(tubes->GetOutput()), areaOfTube(0.1, 3.0), 1e-6);
 }
 
+TEST(LineTubes, HaveFewerSidesWhereThereAreMany)
+{
+  for (const auto& [count, sides] : {std::pair(1000, 8), std::pair(1'600'000, 5)})
+  {
+    std::vector<Place> places;
+    for (int i = 0; i < count; ++i)
+      places.push_back({1.0 * i, 0.0, 0.0});
+    vtkNew<vtkMoteLineTubes> tubes;
+    tubes->SetInputData(through({places}));
+    tubes->SetRadius(0.1);
+    tubes->Update();
+    EXPECT_EQ(tubes->GetOutput()->GetNumberOfPoints(), (count + 2) * sides); // and two ends
+  }
+}
+
 TEST(LineTubes, GoOnWhereALineStandsStill)
 {
   vtkNew<vtkMoteLineTubes> tubes;
