@@ -39,7 +39,8 @@ void writeImports(Script& script)
   script.line("    vtkPlane, vtkPolyData)");
   script.line("from vtkmodules.vtkCommonTransforms import vtkTransform");
   script.line("from vtkmodules.vtkFiltersCore import (");
-  script.line("    vtkArrayCalculator, vtkGlyph3D, vtkPolyDataNormals, vtkThreshold)");
+  script.line("    vtkArrayCalculator, vtkCellDataToPointData, vtkGlyph3D, vtkPolyDataNormals, "
+              "vtkThreshold)");
   script.line("from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter");
   script.line("from vtkmodules.vtkFiltersSources import vtkArrowSource");
   script.line("from vtkmodules.vtkRenderingCore import (");

@@ -313,6 +313,14 @@ void writeCoordinate(Script& script, const std::string& name)
 /// The positions of --positions, and the arrays of --calculate and --where that the part has.
 void writeCalculated(Script& script, const Part& part, const Settings& settings)
 {
+  if (part.particles() && settings.data.lines == "particles")
+  {
+    script.line("if mote.vtkMoteLineTubes.IsOfLines(part):  # points have the values of lines");
+    script.line("    values = vtkCellDataToPointData()");
+    script.line("    values.SetInputData(part)");
+    script.line("    values.Update()");
+    script.line("    part.GetPointData().ShallowCopy(values.GetOutput().GetPointData())");
+  }
   if (part.particles() && settings.data.positions != "file")
     script.line("mote.vtkMotePeriodicPositions.Move(part, mote.vtkMotePeriodicPositions." +
                 std::string(settings.data.positions == "wrapped" ? "WRAPPED" : "UNWRAPPED") + ")");
