@@ -170,12 +170,13 @@ class Pipelines:
                 self.memory.append(resident())
         if not np.array_equal(first, self.fixed_picture()):
             raise AssertionError("another picture at the end than at the beginning")
-        early, late = self.memory[:len(self.memory) // 2], self.memory[len(self.memory) // 2:]
+        # Medians: a single measure may be high where something large has just been let go.
+        half = len(self.memory) // 2
+        early, late = (np.median(part) if part else 0.0 for part in (self.memory[:half], self.memory[half:]))
         print("%d acts, %d pictures, %d refusals; MiB: %s" % (acts, self.drawn, self.refused, " ".join(
             "%.0f" % m for m in self.memory[::max(1, len(self.memory) // 20)])))
-        if early and max(late) > max(early) + self.arguments.memory:
-            raise AssertionError("memory grows: at most %.0f MiB in the first half, %.0f in the second"
-                                 % (max(early), max(late)))
+        if half and late > early + self.arguments.memory:
+            raise AssertionError("memory grows: %.0f MiB in the first half, %.0f in the second" % (early, late))
 
 
 def main():
