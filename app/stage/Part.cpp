@@ -391,7 +391,8 @@ vtkIdType Part::numberLeftOut() const
 {
   if (surface_)
     return surface_->mapper()->GetNumberOfCellsLeftOut() +
-           surface_->mapper()->GetNumberOfUnfitTriangles();
+           surface_->mapper()->GetNumberOfUnfitTriangles() +
+           (surface_->tubes() ? surface_->tubes()->GetNumberOfLinesLeftOut() : 0);
   if (!volume_)
     return 0;
   vtkMoteVolumeMapper* const mapper = volume_->mapper(); // walls show what is flat

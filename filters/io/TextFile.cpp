@@ -98,8 +98,8 @@ bool isGzipMagic(std::string_view beginning)
 /// The first bytes of a file as they are, up to `count`. A map would take longer for so few.
 std::string firstBytes(const std::string& path, std::size_t count)
 {
-  const int descriptor = opened(path);
   std::string bytes(count, '\0');
+  const int descriptor = opened(path);
   std::size_t filled = 0;
   for (ssize_t more = 1; more > 0 && filled < count; filled += static_cast<std::size_t>(more))
     more = std::max<ssize_t>(
