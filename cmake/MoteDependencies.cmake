@@ -31,6 +31,7 @@ find_package(hwy REQUIRED)
 find_package(glm REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(muparser REQUIRED)
+find_package(PNG REQUIRED)
 find_package(OpenImageIO 2.4 REQUIRED)
 # Debian's exported target names include folders that need not exist, which CMake refuses.
 get_target_property(_oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)

@@ -1,6 +1,6 @@
 #include "vtkMoteImageReader.h"
 
-#include "DecodeImage.h"
+#include "ImageCodecs.h"
 #include "ImageError.h"
 
 #include <vtkErrorCode.h>
@@ -28,7 +28,7 @@ int vtkMoteImageReader::CanReadFile(const char* fileName)
 {
   try
   {
-    return fileName && mote::imaging::readSize(fileName).width > 0;
+    return fileName && mote::imaging::imageCodecs().readSize(fileName).width > 0;
   }
   catch (const mote::imaging::ImageError&)
   {
@@ -71,7 +71,7 @@ int vtkMoteImageReader::RequestInformation(
   return this->Try(
     [&](const std::string& name)
     {
-      const mote::imaging::ImageSize size = mote::imaging::readSize(name);
+      const mote::imaging::ImageSize size = mote::imaging::imageCodecs().readSize(name);
       const int extent[6] = {0, size.width - 1, 0, size.height - 1, 0, 0};
       const double spacing[3] = {1.0, 1.0, 1.0}, origin[3] = {0.0, 0.0, 0.0};
       vtkInformation* out = outputVector->GetInformationObject(0);
@@ -86,7 +86,7 @@ int vtkMoteImageReader::RequestData(
 {
   vtkImageData* output = vtkImageData::GetData(outputVector);
   const int success =
-    this->Try([&](const std::string& name) { mote::imaging::decodeImage(name, output); });
+    this->Try([&](const std::string& name) { mote::imaging::imageCodecs().decode(name, output); });
   if (!success)
     output->Initialize();
   return success;

@@ -131,6 +131,12 @@ int vtkMoteImageWriter::CheckFileName()
   try
   {
     mote::checkWritable(name);
+    mote::imaging::requireEncoder(mote::imaging::formatOf(name));
+  }
+  catch (const mote::imaging::ImageError& error)
+  {
+    this->Fail(error.code(), "Cannot write \"" + name + "\": " + error.what() + ".");
+    return 0;
   }
   catch (const mote::WriteError& error)
   {

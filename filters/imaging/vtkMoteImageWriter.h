@@ -1,6 +1,6 @@
 /**
  * @class   vtkMoteImageWriter
- * @brief   Writes an image as PNG, JPEG, TIFF or OpenEXR through OpenImageIO.
+ * @brief   Writes an image as PNG through libpng, or JPEG, TIFF or OpenEXR through OpenImageIO.
  *
  * The input is a vtkImageData of one slice whose row 0 is the bottom row, as vtkMoteRendererSource
  * makes it. The file's type follows from its name:
@@ -67,8 +67,10 @@ public:
 
   /**
    * Whether FileName can be written, as far as can be seen without writing: it has a known ending,
-   * its folder exists and is writable, and it does not name a folder. Needs no input, so a program
-   * can ask before it spends time on an image. Returns 1, or 0 with the error set and reported.
+   * its folder exists and is writable, it does not name a folder, and OpenImageIO can be loaded
+   * where the ending needs it (some tenths of a second, the first time). Needs no input, so a
+   * program can ask before it spends time on an image. Returns 1, or 0 with the error set and
+   * reported.
    */
   int CheckFileName();
 

@@ -103,12 +103,13 @@ private:
   static constexpr Likeness flat = {0.999, 0.01};
   static constexpr Likeness curved = {0.85, 0.15}; ///< may take in sides of slanting thin cells
 
-  std::size_t place(std::size_t triangle, int corner) const
+  // Arrays are read by their type here. Within every loop these two took GCC over a minute.
+  [[gnu::noinline]] std::size_t place(std::size_t triangle, int corner) const
   {
     const auto id = static_cast<std::size_t>(input_.triangles.value(triangle, corner));
     return input_.welds.empty() ? id : static_cast<std::size_t>(input_.welds[id]);
   }
-  Vec3d at(std::size_t triangle, int corner) const
+  [[gnu::noinline]] Vec3d at(std::size_t triangle, int corner) const
   {
     const auto id = static_cast<std::size_t>(input_.triangles.value(triangle, corner));
     const ArrayView& points = input_.points;

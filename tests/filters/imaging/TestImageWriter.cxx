@@ -312,6 +312,26 @@ TEST_F(ImageWriter, ReplacesAFileAndItsLinkStays)
   EXPECT_EQ(this->countFiles(), 2);
 }
 
+TEST_F(ImageWriter, PngKeepsTextsInAnyLanguage)
+{
+  vtkNew<vtkMoteImageWriter> writer;
+  auto image = makeImage(3, 70, 1);
+  writer->SetInputData(image);
+  writer->SetFileName(this->path("a.png").c_str());
+  const std::pair<const char*, const char*> texts[] = {{"Description", "Kr\u00e4fte, \u00b5N"},
+    {"Artist", "A. Nobody"}, {"Camera", "from above"}, {"Software", "own"}};
+  for (const auto& [name, value] : texts)
+    writer->AddAttribute(name, value);
+  ASSERT_EQ(writer->Write(), 1) << writer->GetErrorMessage();
+  const auto input = OIIO::ImageInput::open(this->path("a.png"));
+  const OIIO::ImageSpec& spec = input->spec();
+  EXPECT_EQ(spec.get_string_attribute("ImageDescription"), texts[0].second);
+  EXPECT_EQ(spec.get_string_attribute("Artist"), texts[1].second);
+  EXPECT_EQ(spec.get_string_attribute("Camera"), texts[2].second);
+  EXPECT_EQ(spec.get_string_attribute("Software"), texts[3].second);
+  EXPECT_EQ(spec.get_string_attribute("oiio:ColorSpace"), "sRGB");
+}
+
 TEST_F(ImageWriter, RefusesAttributesThatFormatsNeed)
 {
   vtkNew<vtkMoteImageWriter> writer;
