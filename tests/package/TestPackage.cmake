@@ -64,6 +64,7 @@ step("build" "${CMAKE_COMMAND}" --build "${WORK_DIR}/build" --config "${CONFIGUR
 step("run kernels" "${WORK_DIR}/build/kernels_consumer")
 step("run" "${CMAKE_COMMAND}" -E chdir "${WORK_DIR}" "${WORK_DIR}/build/vtk_consumer")
 expect_file("${WORK_DIR}/picture.png")
+expect_file("${WORK_DIR}/picture.exr")
 file(READ "${WORK_DIR}/picture.png" magic LIMIT 8 HEX)
 if (NOT magic STREQUAL "89504e470d0a1a0a")
   message(FATAL_ERROR "picture.png is not a PNG: ${magic}")
