@@ -9,6 +9,7 @@ that of its beginning; memory may not grow. The last steps are told where it fai
 is 1.
 """
 
+import ctypes
 import gc
 import os
 import random
@@ -25,6 +26,7 @@ from words import parser_of
 
 # What wrong arguments give.
 DOCUMENTED = (mote.Error, TypeError, ValueError, KeyError, IndexError, OSError)
+LIBC = ctypes.CDLL(None)
 SMALL = {"size": (48, 36), "samples": 1}
 # Settings of films, windows and files are not of scenes.
 GROUPS = ("Colour", "Selection", "Cuts", "Radius", "Structure", "Volume", "Slices", "Flow", "Camera",
@@ -167,6 +169,7 @@ class Pipelines:
             if acts % 100 == 0: # what is left when nothing is kept
                 self.scenes.clear()
                 gc.collect()
+                LIBC.malloc_trim(0) # what is free and kept for later is nobody's
                 self.memory.append(resident())
         if not np.array_equal(first, self.fixed_picture()):
             raise AssertionError("another picture at the end than at the beginning")
@@ -183,7 +186,7 @@ class Pipelines:
 
 def main():
     parser = parser_of(__doc__)
-    parser.add_argument("--memory", type=float, default=100.0,
+    parser.add_argument("--memory", type=float, default=50.0,
                         help="MiB more that the last third may take than the second")
     arguments = parser.parse_args()
     arguments.data = [os.path.abspath(name) for name in arguments.data] + ["missing.dump", "pump:0.03"]
