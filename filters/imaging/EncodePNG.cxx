@@ -7,7 +7,9 @@
 #include <vtkImageData.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <cstring>
 
 #include <png.h>
 
@@ -33,7 +35,7 @@ struct Work
   std::vector<std::pair<std::string, std::string>> texts;
   std::vector<png_text> entries; ///< point into `texts`
   std::vector<unsigned char> bytes;
-  std::string reason;
+  std::array<char, 128> reason{}; ///< no string, which may throw where libpng calls
   bool isStopped = false;
 };
 
@@ -54,7 +56,8 @@ void appendBytes(png_structp png, png_bytep from, std::size_t size)
 
 void keepReason(png_structp png, png_const_charp reason)
 {
-  static_cast<Work*>(png_get_error_ptr(png))->reason = reason;
+  auto& kept = static_cast<Work*>(png_get_error_ptr(png))->reason;
+  std::strncpy(kept.data(), reason, kept.size() - 1);
   png_longjmp(png, 1);
 }
 
@@ -157,7 +160,7 @@ std::vector<unsigned char> encodePNG(vtkImageData* image, const EncodeOptions& o
   if (!structures.info || !writeFile(structures.png, structures.info, work))
   {
     throw ImageError(vtkErrorCode::UnknownError,
-      work.reason.empty() ? std::string("the image does not fit in memory") : work.reason);
+      work.reason[0] ? work.reason.data() : "the image does not fit in memory");
   }
   if (work.isStopped)
     throw ImageError(vtkErrorCode::UserError, "it was stopped");

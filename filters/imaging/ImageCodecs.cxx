@@ -15,15 +15,16 @@ namespace mote::imaging
 namespace
 {
 
-/// Beside the library that this is in; else where the system looks for libraries.
+/// Beside the library that this is in. Where it does not lie there, the system looks for it.
 void* openCodecs()
 {
   Dl_info own{};
   if (dladdr(reinterpret_cast<void*>(&imageCodecs), &own) != 0 && own.dli_fname)
   {
     const auto beside = std::filesystem::path(own.dli_fname).replace_filename(MOTE_IMAGE_CODECS);
-    if (void* library = dlopen(beside.c_str(), RTLD_NOW | RTLD_LOCAL))
-      return library;
+    std::error_code ignored;
+    if (std::filesystem::exists(beside, ignored))
+      return dlopen(beside.c_str(), RTLD_NOW | RTLD_LOCAL);
   }
   return dlopen(MOTE_IMAGE_CODECS, RTLD_NOW | RTLD_LOCAL);
 }

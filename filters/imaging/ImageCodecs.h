@@ -1,5 +1,5 @@
 /**
- * Files of images, through a library that is loaded with the first of them.
+ * Files of images other than written PNG, through a library that is loaded with the first of them.
  */
 
 #ifndef MoteImageCodecs_h
@@ -48,9 +48,9 @@ struct EncodedImage
 };
 
 /**
- * What OpenImageIO does. It brings over a hundred libraries (OpenCV, GDAL, FFmpeg ...), which take
- * four times as long to load as all else that the program needs: they lie behind a library of their
- * own (the folder codecs), which is loaded when an image is first read or written.
+ * What OpenImageIO does. It brings 180 libraries (OpenCV, GDAL, FFmpeg ...), which take four times
+ * as long to load as all else that the program needs. So the folder codecs is a library of its own.
+ * It is loaded when an image is first read, or first written as anything but PNG.
  */
 class ImageCodecs
 {
