@@ -1,6 +1,7 @@
 #include "IsoSurface.h"
 
 #include "../core/PlaceByNormals.h"
+#include "../core/SurfaceRounding.h"
 #include "HexBvhBundle.h"
 #include "detail/RaysOf.h"
 #include "detail/ValuesAt.h"
@@ -57,8 +58,7 @@ bool IsoSurface::isMet(const ScalarRange& range) const
 
 double IsoSurface::rounding() const
 {
-  const Vec3d size = this->bounds().size();
-  return surfaceError * std::max({size.x, size.y, size.z});
+  return surfaceRounding(this->bounds().size());
 }
 
 template <typename Counts>

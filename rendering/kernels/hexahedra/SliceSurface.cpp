@@ -2,6 +2,7 @@
 
 #include "../core/Error.h"
 #include "../core/PlaceByNormals.h"
+#include "../core/SurfaceRounding.h"
 #include "CellSampler.h"
 #include "detail/CellFaces.h"
 #include "detail/CellFinder.h"
@@ -91,8 +92,7 @@ Box SliceSurface::tightBounds() const
 
 double SliceSurface::rounding() const
 {
-  const Vec3d size = glm::max(this->bounds().size(), meshOf(*structure_).bounds().size());
-  return surfaceError * std::max({size.x, size.y, size.z});
+  return surfaceRounding(glm::max(this->bounds().size(), meshOf(*structure_).bounds().size()));
 }
 
 namespace

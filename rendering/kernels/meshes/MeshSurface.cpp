@@ -1,6 +1,7 @@
 #include "MeshSurface.h"
 
 #include "../core/PlaceByNormals.h"
+#include "../core/SurfaceRounding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +24,7 @@ Vec3d scaledNormal(const Vec3d& normal)
 
 double MeshSurface::rounding() const
 {
-  const Vec3d size = this->bounds().size();
-  return surfaceError * std::max({size.x, size.y, size.z});
+  return surfaceRounding(this->bounds().size());
 }
 
 namespace

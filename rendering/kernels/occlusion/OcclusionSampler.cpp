@@ -1,5 +1,6 @@
 #include "detail/OcclusionSampler.h"
 
+#include "../core/SurfaceRounding.h"
 #include "../shading/SampleSequence.h"
 
 #include <algorithm>
@@ -48,7 +49,7 @@ OcclusionSampler::OcclusionSampler(const ParticleStructure& structure,
 {
   const Vec3d size =
     withStructure(structure, [](const auto& s) { return s.statistics().bounds.size(); });
-  rounding_ = surfaceError * std::max({size.x, size.y, size.z});
+  rounding_ = surfaceRounding(size);
   spacing_ = std::cbrt(size.x * size.y * size.z /
                        withStructure(structure, [](const auto& s) { return double(s.size()); }));
   packet_.count = 0;

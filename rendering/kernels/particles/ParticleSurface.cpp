@@ -39,6 +39,8 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
+#include "../core/SurfaceRounding.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -56,8 +58,7 @@ Box ParticleSurface::bounds() const
 
 double ParticleSurface::rounding() const
 {
-  const Vec3d size = this->bounds().size();
-  return surfaceError * std::max({size.x, size.y, size.z});
+  return surfaceRounding(this->bounds().size());
 }
 
 const PkdTree* ParticleSurface::levels() const
