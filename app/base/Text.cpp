@@ -74,7 +74,13 @@ std::string asNumber(double value, int digits)
 
 std::string baseName(const std::string& path)
 {
-  return std::filesystem::path(path).filename().string();
+  namespace fs = std::filesystem;
+  fs::path file = path;
+  std::error_code error;
+  const fs::path name = file.filename();
+  if (!path.empty() && (name.empty() || name == "." || name == ".."))
+    file = (fs::current_path(error) / file / ".").lexically_normal().parent_path();
+  return file.filename().string();
 }
 
 std::string joined(const std::vector<std::string>& words, const std::string& separator)

@@ -25,7 +25,7 @@ std::string stepText(int step, int steps);
 /// The shortest text with up to `digits` digits: "0.000125", "3000", "1.2e+20".
 std::string asNumber(double value, int digits = 6);
 
-/// The file's name without its folders.
+/// The file's name without its folders; of a folder such as "run/" or "." its own name.
 std::string baseName(const std::string& path);
 
 /// `separator` between the words.

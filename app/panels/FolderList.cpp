@@ -108,6 +108,9 @@ std::vector<FolderEntry> listFolder(const fs::path& folder, std::string& problem
   }
   if (error)
     problem = folder.string() + " cannot be read: " + error.message();
+  // What stands for all of an OpenFOAM case, which need not have a file of its own.
+  if (const std::string path = folder / "system" / "controlDict"; canOpen(path, lookedInto))
+    entries.push_back({"system/controlDict", {path}, false, sizeOf({path})});
   std::sort(files.begin(), files.end());
   for (const auto& group : vtkMoteReaderTable::GroupSeries(files))
     entries.push_back({nameOf(group), group, false, sizeOf(group)});

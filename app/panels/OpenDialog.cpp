@@ -142,7 +142,7 @@ void OpenDialog::drawRecent()
         files.size() > 1 ? " and " + std::to_string(files.size() - 1) + " more" : "";
       ImGui::PushID(static_cast<int>(i));
       const bool isPressed = ImGui::Selectable((files.front() + more).c_str());
-      noteControl("recent " + fs::path(files.front()).filename().string());
+      noteControl("recent " + baseName(files.front()));
       ImGui::PopID();
       if (isPressed)
         chosenRecent_ = OpenChoice{files, false};

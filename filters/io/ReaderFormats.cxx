@@ -2,6 +2,7 @@
 
 #include "BgeoFile.h"
 #include "CGNSReader.h"
+#include "CaseFolder.h"
 #include "EnSightReader.h"
 #include "FileError.h"
 #include "FoamReader.h"
@@ -126,7 +127,7 @@ vtkSmartPointer<vtkAlgorithm> makeXML(const FileNames& fileNames)
 
 vtkSmartPointer<vtkAlgorithm> makeFoam(const FileNames& fileNames)
 {
-  return makeFoamReader(fileNames.front());
+  return makeFoamReader(fileOfFolder(fileNames.front()));
 }
 
 /// A control dictionary, which stands for its case.
@@ -138,7 +139,7 @@ bool isControlDict(std::string_view beginning)
 
 vtkSmartPointer<vtkAlgorithm> makeUintah(const FileNames& fileNames)
 {
-  return make<vtkMoteParticleFormatsReader>({uintahIndexOf(fileNames.front())});
+  return make<vtkMoteParticleFormatsReader>({fileOfFolder(fileNames.front())});
 }
 
 vtkSmartPointer<vtkAlgorithm> makeEnSight(const FileNames& fileNames)
@@ -209,7 +210,7 @@ const std::vector<ReaderFormat>& readerFormats()
       makeOneOrSeries<vtkMoteParticleFormatsReader>, true, looksLikeGadget},
     {{".bgeo", ".bgeo.gz", ".bhclassic"}, "points of Houdini, as Partio writes them",
       makeOneOrSeries<vtkMoteParticleFormatsReader>, true, looksLikeBgeo},
-    {{".uda"}, "particles of a Uintah data archive, also by its index.xml", makeUintah, false,
+    {{".uda"}, "particles of a Uintah data archive, its folder or its index.xml", makeUintah, false,
       looksLikeUintah},
     {{".pdb"}, "Protein Data Bank atoms", makePDB},
     {{".vtp"}, "VTK XML polygonal data", makeXML<WithPointData<vtkXMLPolyDataReader>>, true},
@@ -237,7 +238,7 @@ const std::vector<ReaderFormat>& readerFormats()
     {{".gltf", ".glb"}, "glTF triangle meshes and points", makeGLTF},
     {{".case", ".encas"}, "EnSight case", makeEnSight},
     {{".cgns"}, "CGNS mesh", makeCGNS, true},
-    {{".foam"}, "OpenFOAM case, also by its controlDict", makeFoam, false, isControlDict},
+    {{".foam"}, "OpenFOAM case, also by its controlDict or folder", makeFoam, false, isControlDict},
   };
   return formats;
 }

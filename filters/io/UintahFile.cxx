@@ -400,13 +400,6 @@ bool looksLikeUintah(std::string_view beginning)
   return beginning.find("<Uintah_DataArchive") != beginning.npos;
 }
 
-std::string uintahIndexOf(const std::string& path)
-{
-  std::error_code none;
-  const std::filesystem::path index = std::filesystem::path(path) / "index.xml";
-  return std::filesystem::is_regular_file(index, none) ? index.string() : path;
-}
-
 std::unique_ptr<StepSource> openUintah(const std::string& path)
 {
   return std::make_unique<Uintah>(path);

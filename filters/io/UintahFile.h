@@ -9,9 +9,6 @@ namespace mote
 /// Whether a text begins like the index.xml of a Uintah data archive (UDA).
 bool looksLikeUintah(std::string_view beginning);
 
-/// The index.xml in a folder that has one, as those of data archives do; else the path.
-std::string uintahIndexOf(const std::string& path);
-
 /// The particles of a Uintah data archive, by its index.xml: for each step a file of XML a
 /// processor, which says where in a binary file the values of each variable, patch and material
 /// are. Source: Uintah, src/Core/DataArchive/DataArchive.cc and

@@ -1,12 +1,12 @@
 #include "vtkMoteReaderTable.h"
 
+#include "CaseFolder.h"
 #include "DataSetMismatch.h"
 #include "FileError.h"
 #include "MessageCatcher.h"
 #include "PumpInput.h"
 #include "ReaderFormats.h"
 #include "TextFile.h"
-#include "UintahFile.h"
 #include "vtkMoteCollectionReader.h"
 #include "vtkMoteFileSeriesReader.h"
 #include "vtkMotePolyDataReader.h"
@@ -40,7 +40,7 @@ const mote::ReaderFormat& requireFormat(const std::string& path)
     return *format;
   if (const mote::ReaderFormat* format = mote::generatedFormat(path))
     return *format;
-  const std::string beginning = mote::readBeginning(mote::uintahIndexOf(path), 4096);
+  const std::string beginning = mote::readBeginning(mote::fileOfFolder(path), 4096);
   if (const mote::ReaderFormat* format = mote::formatOf(path, beginning))
     return *format;
   using Kind = mote::FileError::Kind;

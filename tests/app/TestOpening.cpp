@@ -137,7 +137,7 @@ TEST_F(Opening, ASessionIsOpenedAlone)
 
 TEST_F(Opening, AFolderListsWhatCanBeReadInTheOrderOfNumbers)
 {
-  fs::create_directories(folder / "Zoo");
+  fs::create_directories(folder / "Zoo" / "system");
   for (const char* name : {"run.10.vtu", "run.9.vtu", "b.xyz", "a10.pdb", "a9.pdb", ".hidden.xyz"})
     this->make(name);
   this->make("words.txt", "words");
@@ -147,6 +147,7 @@ TEST_F(Opening, AFolderListsWhatCanBeReadInTheOrderOfNumbers)
   Settings kept;
   kept.data.files = {this->make("a9.pdb")};
   writeSession(kept, (folder / "view.json").string());
+  this->make("Zoo/system/controlDict", "FoamFile { object controlDict; }");
   std::string problem;
   std::vector<std::string> names;
   for (const FolderEntry& entry : listFolder(folder, problem))
@@ -154,6 +155,10 @@ TEST_F(Opening, AFolderListsWhatCanBeReadInTheOrderOfNumbers)
   EXPECT_EQ(problem, "");
   EXPECT_EQ(names, (std::vector<std::string>{"Zoo", "a9.pdb", "a10.pdb", "b.xyz", "melt",
                      "points.txt", "run.*.vtu", "view.json"}));
+  const std::vector<FolderEntry> ofCase = listFolder(folder / "Zoo", problem);
+  ASSERT_EQ(ofCase.size(), 2u);
+  EXPECT_EQ(ofCase[1].name, "system/controlDict");
+  EXPECT_EQ(ofCase[1].files, std::vector<std::string>{folder / "Zoo/system/controlDict"});
   EXPECT_TRUE(listFolder(folder / "none", problem).empty());
   EXPECT_NE(problem, "");
   EXPECT_TRUE(isFound("Copper-Scratch.dump.gz", "scr  COP"));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 using namespace mote::app;
 
 TEST(Text, Thousands)
@@ -27,6 +29,17 @@ TEST(Text, Units)
   EXPECT_EQ(asDuration(99.4), "99.4 s");
   EXPECT_EQ(asDuration(867.3), "14 min 27 s");
   EXPECT_EQ(asDuration(7380.0), "2 h 3 min");
+}
+
+TEST(Text, FoldersHaveNamesToo)
+{
+  EXPECT_EQ(baseName("run/a.xyz"), "a.xyz");
+  EXPECT_EQ(baseName("pump:0.1"), "pump:0.1");
+  EXPECT_EQ(baseName("run/rotor/"), "rotor");
+  EXPECT_EQ(baseName("/run/rotor/."), "rotor");
+  EXPECT_EQ(baseName("/run/rotor/.."), "run");
+  EXPECT_EQ(baseName("."), std::filesystem::current_path().filename());
+  EXPECT_EQ(baseName(""), "");
 }
 
 TEST(Text, NumbersAreReadWhole)

@@ -24,6 +24,7 @@ case $3 in
     run 0 "$mote" info foam/system/controlDict --show-part inlet --hide-part internal\*
     grep -Eq 'internalMesh.* hidden$' out || fail "nothing is hidden"
     grep -Eq ' inlet +surface +4 +9$' out || fail "the inlet is not shown"
+    (cd foam && run 0 "$mote" info . && said out 'foam: inlet') || fail "a folder is no case"
     run 0 "$mote" info --json foam/case.foam
     python3 - out <<'PY' || fail "wrong JSON"
 import json, sys

@@ -106,7 +106,7 @@ TEST_F(TestMeshReaders, OpenFOAM)
   {
     const std::string folder = path(isBinary ? "binary" : "ascii");
     const std::string foam = samples::writeFoam(folder, {isBinary});
-    for (const std::string& file : {foam, folder + "/system/controlDict"})
+    for (const std::string& file : {foam, folder + "/system/controlDict", folder, folder + "/"})
     {
       EXPECT_EQ(open(file), (Times{0.0, 0.5}));
       const Blocks blocks = readAt(0.5);
