@@ -257,6 +257,14 @@ seeds = {
         b"a binary file".ljust(80) + struct.pack("<I12fH", 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0)
     ],
     "gltf": [json.dumps(gltf)],
+    "colormap": [
+        json.dumps([{"Name": "a", "ColorSpace": space, "NanColor": [1, 1, 0],
+                     "RGBPoints": [0, 0, 0, 1, 0.5, 1, 1, 1, 1, 1, 0, 0]}])
+        for space in ("RGB", "HSV", "Lab", "CIEDE2000", "Diverging", "Step")
+    ] + [
+        json.dumps({"IndexedColors": [1, 0, 0, 0, 1, 0]}), "# a map\n0 0 0\n0.5 1e-1 .25 1\n1 1 1\n",
+        "0,0,0\r\n12;34;56\n", "#ff0000\n#0f0\n"
+    ],
     "expression": [
         "x + 2*y^2 - z", "v.x > 0.5 && mag(v) <= 2 || !(y == 1)", "'v'.1 ? sqrt(abs(z)) : -pi",
         "max(1, 2, min(x, y)) + sum(x, y, z) + rint(1e-3)", "gradient(v).x", '"v" * 0.1e+2'

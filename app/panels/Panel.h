@@ -133,6 +133,7 @@ private:
   void drawColour();
   void drawComponents();
   void drawMaps();
+  void drawMapList(bool hasField);
   void drawColourRange();
   void setRange(double low, double high);
   void drawRangeOfShown();
@@ -197,6 +198,7 @@ private:
   Settings next_;        ///< while drawing
   PanelWish wish_;
   bool showsCuts_ = false;
+  bool asksForMap_ = false;     ///< whether a colour map's file is to be named
   std::set<std::string> drawn_; ///< rows that have a control of their own
   int steps_ = 1;               ///< of the data, while drawing
   bool takesKeys_ = false, awaitsAnswer_ = false;

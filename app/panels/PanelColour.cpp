@@ -120,10 +120,32 @@ const std::vector<OfferedMap>& offeredMaps()
   return maps;
 }
 
+std::string titleOf(const ColorSettings& color)
+{
+  if (color.map.empty())
+    return "default";
+  return baseName(color.map) + (color.reversed && color.map != "types" ? " reversed" : "");
+}
+
+bool isMapFile(const std::string& map)
+{
+  const auto& names = colorMapNames();
+  return !map.empty() && std::find(names.begin(), names.end(), map) == names.end();
+}
+
 } // namespace
 
-/// The map in force as a picture, and a list of all with theirs.
+/// The map in force as a picture, a list of all with theirs, and the name of a file.
 void Panel::drawMaps()
+{
+  const bool hasField = asksForMap_ || isMapFile(next_.color.map);
+  this->drawMapList(hasField);
+  if (hasField)
+    this->drawRow("color-map", "map's file");
+}
+
+/// The list, where the file's field may stand for the setting.
+void Panel::drawMapList(bool hasField)
 {
   const Coloring& coloring = stage_.coloring();
   const float height = 0.9f * ImGui::GetFontSize();
@@ -133,12 +155,12 @@ void Panel::drawMaps()
   drawn_.insert(row.name);
   putLabel("map");
   ColorSettings& color = next_.color;
-  const bool isOpen = ImGui::BeginCombo("##color-map",
-    color.map.empty()                        ? "default"
-    : color.reversed && color.map != "types" ? (color.map + " reversed").c_str()
-                                             : color.map.c_str(),
-    ImGuiComboFlags_HeightLargest);
-  RowControls::explain(row);
+  const bool isOpen =
+    ImGui::BeginCombo("##color-map", titleOf(color).c_str(), ImGuiComboFlags_HeightLargest);
+  if (hasField)
+    noteControl("color-map list");
+  else
+    RowControls::explain(row);
   if (!isOpen)
     return;
   if (lineOf("default", color.map.empty()))
@@ -156,6 +178,8 @@ void Panel::drawMaps()
     ImGui::SameLine(left);
     colorStrip(map.table, 8.0f * ImGui::GetFontSize(), height, map.name == "types");
   }
+  if (lineOf("from a file ...", isMapFile(color.map)))
+    asksForMap_ = true;
   ImGui::EndCombo();
 }
 

@@ -38,7 +38,7 @@ struct DataSettings
 struct ColorSettings
 {
   std::string array;         ///< NAME, NAME:component, NAME:magnitude or "none"; empty: choose
-  std::string map;           ///< a name of colorMapNames(); empty: choose
+  std::string map;           ///< a name of colorMapNames(), or a file; empty: choose
   std::vector<double> range; ///< none or two
   std::vector<double>
     percentiles; ///< of the values, where the range is to begin and to end; none or two

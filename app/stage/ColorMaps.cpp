@@ -1,5 +1,7 @@
 #include "ColorMaps.h"
 
+#include "ColorMapFile.h"
+
 #include <vtkLookupTable.h>
 #include <vtkMath.h>
 #include <vtkVariant.h>
@@ -22,8 +24,9 @@ struct ControlPoints
   std::vector<std::uint32_t> colors;
 };
 
-// viridis, plasma and inferno: S. van der Walt and N. Smith (CC0); cividis: J. Nuñez, C. Anderton
-// and R. Renslow, "Optimizing colormaps with consideration for color vision deficiency" (2018);
+// viridis, plasma, inferno and magma: S. van der Walt and N. Smith (CC0); cividis: J. Nuñez,
+// C. Anderton and R. Renslow, "Optimizing colormaps with consideration for color vision
+// deficiency" (2018); turbo: A. Mikhailov (2019, Apache 2); twilight: B. Bechtold (CC0);
 // coolwarm: K. Moreland, "Diverging Color Maps for Scientific Visualization" (2009);
 // types: M. Okabe and K. Ito, "Color Universal Design" (2008), its black made a light grey.
 const std::vector<ControlPoints>& controlPoints()
@@ -35,24 +38,38 @@ const std::vector<ControlPoints>& controlPoints()
                  0xd35171, 0xe16462, 0xed7953, 0xf68f44, 0xfca636, 0xfec029, 0xf9dc24, 0xf0f921}},
     {"inferno", {0x000004, 0x0c0826, 0x240c4f, 0x420a68, 0x5d126e, 0x781c6d, 0x932667, 0xae305c,
                   0xc73e4c, 0xdd513a, 0xed6925, 0xf8850f, 0xfca50a, 0xfac62d, 0xf2e661, 0xfcffa4}},
+    {"magma", {0x000004, 0x0b0924, 0x20114b, 0x3b0f70, 0x57157e, 0x721f81, 0x8c2981, 0xa8327d,
+                0xc43c75, 0xde4968, 0xf1605d, 0xfa7f5e, 0xfe9f6d, 0xfebf84, 0xfddea0, 0xfcfdbf}},
     {"cividis", {0x00204d, 0x00306f, 0x2a406c, 0x48526b, 0x5e626e, 0x727374, 0x878479, 0x9e9677,
                   0xb6a971, 0xd0be67, 0xead357, 0xffea46}},
     {"gray", {0x1b1b1b, 0x5e5e5e, 0xababab, 0xf7f7f7}},
     {"coolwarm", {0x3b4cc0, 0x5977e3, 0x7b9ff9, 0x9ebeff, 0xc0d4f5, 0xdddcdc, 0xf2cbb7, 0xf7ac8e,
                    0xee8468, 0xd65244, 0xb40426}},
+    {"turbo",
+      {0x30123b, 0x3b2f80, 0x424bb5, 0x4666dd, 0x4680f6, 0x3e9bfe, 0x2eb4f2, 0x1ecbda, 0x18dec0,
+        0x27eea4, 0x46f884, 0x6dfe62, 0x92ff47, 0xb1f936, 0xcbed34, 0xe1dd37, 0xf2c93a, 0xfcb136,
+        0xfe962b, 0xf9781e, 0xf05b12, 0xe14109, 0xce2d04, 0xb71d02, 0x9b0f01, 0x7a0403}},
+    {"twilight",
+      {0xe2d9e2, 0xd7d7dd, 0xc4ced4, 0xacc2cc, 0x95b5c7, 0x81a6c3, 0x7297c1, 0x6887be, 0x6276ba,
+        0x5f64b5, 0x5e51ad, 0x5d3da1, 0x592a8f, 0x511b77, 0x45135c, 0x381145, 0x2f1436, 0x3a113a,
+        0x4a1342, 0x5f174a, 0x741e4f, 0x872750, 0x983550, 0xa64550, 0xb25652, 0xbb6958, 0xc27c63,
+        0xc89073, 0xcca389, 0xd1b6a3, 0xd8c7be, 0xdfd4d6, 0xe2d9e2}},
     {"types", {0x56b4e9, 0xe69f00, 0x009e73, 0xf0e442, 0x0072b2, 0xd55e00, 0xcc79a7, 0xd0d0d0}},
   };
   return maps;
 }
 
-void setColor(vtkLookupTable* table, int index, std::uint32_t from, std::uint32_t to, double blend)
+Color colorOf(std::uint32_t rgb)
 {
-  const auto channel = [&](int shift)
-  {
-    const double a = (from >> shift) & 0xff, b = (to >> shift) & 0xff;
-    return (a + (b - a) * blend) / 255.0;
-  };
-  table->SetTableValue(index, channel(16), channel(8), channel(0), 1.0);
+  return {((rgb >> 16) & 0xff) / 255.0, ((rgb >> 8) & 0xff) / 255.0, (rgb & 0xff) / 255.0};
+}
+
+Color mixed(const Color& from, const Color& to, double blend)
+{
+  Color color;
+  for (std::size_t k = 0; k < color.size(); ++k)
+    color[k] = from[k] + (to[k] - from[k]) * blend;
+  return color;
 }
 
 /// For what has no value.
@@ -64,6 +81,20 @@ void setNoColor(vtkLookupTable* table)
 void setColor(vtkLookupTable* table, vtkIdType index, const Color& color)
 {
   table->SetTableValue(index, color[0], color[1], color[2], 1.0);
+}
+
+/// The map of this name, or of this file.
+std::shared_ptr<const ColorMapFile> mapOf(const std::string& name)
+{
+  const auto& maps = controlPoints();
+  const auto found = std::find_if(
+    maps.begin(), maps.end(), [&](const ControlPoints& map) { return name == map.name; });
+  if (found == maps.end())
+    return keptColorMapFile(name);
+  auto map = std::make_shared<ColorMapFile>();
+  std::transform(
+    found->colors.begin(), found->colors.end(), std::back_inserter(map->colors), colorOf);
+  return map;
 }
 
 } // namespace
@@ -83,23 +114,26 @@ const std::vector<std::string>& colorMapNames()
 vtkSmartPointer<vtkLookupTable> makeColorMap(
   const std::string& name, const double range[2], bool logarithmic)
 {
-  const auto& maps = controlPoints();
-  const auto found = std::find_if(
-    maps.begin(), maps.end(), [&](const ControlPoints& map) { return name == map.name; });
-  const std::vector<std::uint32_t>& colors = (found == maps.end() ? maps.front() : *found).colors;
+  const std::shared_ptr<const ColorMapFile> map = mapOf(name);
+  const std::vector<Color>& colors = map->colors;
   auto table = vtkSmartPointer<vtkLookupTable>::New();
   setNoColor(table);
+  if (map->none)
+    table->SetNanColor((*map->none)[0], (*map->none)[1], (*map->none)[2], 1.0);
   constexpr int size = 256;
   table->SetNumberOfTableValues(size);
   if (logarithmic)
     table->SetScaleToLog10();
   table->SetTableRange(range[0], range[1]);
-  const int last = static_cast<int>(colors.size()) - 1;
+  const std::size_t last = colors.size() - 1;
   for (int i = 0; i < size; ++i)
   {
-    const double place = static_cast<double>(i) / (size - 1) * last;
-    const int left = std::min(static_cast<int>(place), last - 1);
-    setColor(table, i, colors[left], colors[left + 1], place - left);
+    const double place = static_cast<double>(i) / (size - 1) * static_cast<double>(last);
+    const std::size_t left = std::min(static_cast<std::size_t>(place), last - 1);
+    const auto step = static_cast<std::size_t>(i) * colors.size() / size;
+    setColor(table, i,
+      map->isStepped ? colors[step]
+                     : mixed(colors[left], colors[left + 1], place - static_cast<double>(left)));
   }
   return table;
 }
@@ -131,11 +165,6 @@ bool areAlike(vtkLookupTable* a, vtkLookupTable* b)
 
 namespace
 {
-
-Color colorOf(std::uint32_t rgb)
-{
-  return {((rgb >> 16) & 0xff) / 255.0, ((rgb >> 8) & 0xff) / 255.0, (rgb & 0xff) / 255.0};
-}
 
 /// CIELAB, where distances are about as large as differences look.
 Color labOf(const Color& color)

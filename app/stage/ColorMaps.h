@@ -15,7 +15,8 @@ namespace mote::app
 /// The names that makeColorMap() knows, the default first; "types", the last, is for few integers.
 const std::vector<std::string>& colorMapNames();
 
-/// A table of 256 colours between the ends of `range`.
+/// A table of 256 colours between the ends of `range`, of a map of these names or of a file, see
+/// readColorMapFile(). Throws Failure for others.
 vtkSmartPointer<vtkLookupTable> makeColorMap(
   const std::string& name, const double range[2], bool logarithmic);
 

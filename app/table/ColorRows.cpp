@@ -1,9 +1,13 @@
 #include "Table.h"
 
+#include "base/Failure.h"
+#include "base/Text.h"
 #include "settings/Values.h"
+#include "stage/ColorMapFile.h"
 #include "stage/ColorMaps.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace mote::app
 {
@@ -13,6 +17,25 @@ namespace
 
 const std::string colorGroup = "Colour";
 constexpr auto color = &Settings::color;
+
+/// Throws WrongValue for what is neither a map's name nor a file of one.
+void requireColorMap(const std::string& map)
+{
+  const std::vector<std::string>& names = colorMapNames();
+  if (map.empty() || std::find(names.begin(), names.end(), map) != names.end())
+    return;
+  std::error_code error;
+  if (map.find_first_of("./:") == map.npos && !std::filesystem::exists(map, error))
+    throw WrongValue{"'" + map + "' is none of " + joined(names, ", ") + ", and no file"};
+  try
+  {
+    keptColorMapFile(map);
+  }
+  catch (const Failure& failure)
+  {
+    throw WrongValue{failure.what()};
+  }
+}
 
 void addTypeRows(std::vector<Row>& table)
 {
@@ -57,14 +80,19 @@ void addColorRows(std::vector<Row>& table)
               "points and cells both have it; x, y or z for a coordinate; none for one colour",
       .alias = "-c",
       .usual = "the most informative array that varies"}));
-  table.push_back(row(color, &ColorSettings::map,
+  table.push_back(row<ColorSettings, std::string>(color, &ColorSettings::map,
     {.group = colorGroup,
       .name = "color-map",
       .value = "NAME",
-      .help = "Colour map of the values",
+      .help = "Colour map of the values: " + joined(colorMapNames(), ", ") +
+              ". Or a file: JSON as ParaView exports maps, of which FILE:MAP names one, or a text "
+              "with a colour in each line: red, green and blue from 0 to 1 or from 0 to 255, or "
+              "#rrggbb",
       .alias = "-m",
-      .words = colorMapNames(),
-      .usual = "viridis; of an array of types the elements' colours, or else types"}));
+      .offers = colorMapNames(),
+      .namesFile = true,
+      .usual = "viridis; of an array of types the elements' colours, or else types"},
+    requireColorMap));
   table.push_back(row<ColorSettings, std::vector<double>>(color, &ColorSettings::range,
     {.group = colorGroup,
       .name = "range",

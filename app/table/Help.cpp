@@ -269,8 +269,8 @@ std::string bashCompletion(const CLI::App& app)
   for (const Row& row : settingsTable())
     if (const auto& values = row.words.empty() ? row.offers : row.words; !values.empty())
       words += "    --" + row.name + (row.alias.empty() ? "" : "|" + row.alias) +
-               ") COMPREPLY=($(compgen -W \"" + joined(values, " ") +
-               "\" -- \"$word\")); return ;;\n";
+               ") mapfile -t COMPREPLY < <(compgen " + (row.namesFile ? "-f " : "") + "-W \"" +
+               joined(values, " ") + "\" -- \"$word\"); return ;;\n";
   return "# Completion of mote for bash.\n_mote() {\n"
          "  local word=${COMP_WORDS[COMP_CWORD]} options\n"
          "  case ${COMP_WORDS[COMP_CWORD-1]} in\n" +

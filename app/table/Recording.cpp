@@ -89,7 +89,7 @@ Json jsonOf(const SettingChanges& changes, const std::string& path)
   if (changes.files)
     json["files"] = jsonOf(*changes.files, path);
   for (const auto& [row, words] : changes.rows)
-    json[groupName(*row)][row->name] = jsonOf(*row, words);
+    json[groupName(*row)][row->name] = jsonOf(*row, words, path);
   return json;
 }
 
@@ -131,7 +131,7 @@ SettingChanges changesOf(const Json& json, const std::string& path, const std::s
     if (name == "files")
       changes.files = filesOf(value, path);
     else
-      for (auto& one : groupOf(name, value, recordedRows(), place))
+      for (auto& one : groupOf(name, value, recordedRows(), path, place))
         changes.rows.push_back(std::move(one));
   return changes;
 }

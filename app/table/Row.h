@@ -41,6 +41,7 @@ struct Row
   bool inDecades = false; ///< whether the small ones of them are told apart, too, by a slider
   std::vector<std::string> words = {};    ///< all values there are; none: any
   std::vector<std::string> offers = {};   ///< where any may be: those that have a name
+  bool namesFile = false;                 ///< whether any other value there is a file
   std::string usual = {};                 ///< what help says of the default; empty: the value
   std::string needs = {};                 ///< the name of another row
   std::vector<std::string> excludes = {}; ///< names of others

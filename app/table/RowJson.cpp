@@ -59,12 +59,33 @@ std::vector<std::string> wordsOf(const Row& row, const Json& value)
   return words;
 }
 
+bool isFile(const Row& row, const std::string& word)
+{
+  return row.namesFile && !word.empty() &&
+         std::find(row.offers.begin(), row.offers.end(), word) == row.offers.end();
+}
+
+/// A file's name, and what is named in it, from the colon on.
+std::pair<std::string, std::string> fileAndRest(const std::string& word, const fs::path& folder)
+{
+  std::error_code error;
+  const std::size_t colon = word.rfind(':');
+  if (colon == word.npos || fs::exists(folder / word, error))
+    return {word, ""};
+  return {word.substr(0, colon), word.substr(colon)};
+}
+
 } // namespace
 
-Json jsonOf(const Row& row, const std::vector<std::string>& words)
+Json jsonOf(const Row& row, const std::vector<std::string>& words, const std::string& path)
 {
   if (row.shape == Shape::Flag)
     return words.front() == "true";
+  if (!words.empty() && isFile(row, words.front()))
+  {
+    const auto [file, rest] = fileAndRest(words.front(), "");
+    return storedName(file, path) + rest;
+  }
   if (row.shape != Shape::Many)
     return words.empty() ? Json() : jsonOfWord(row, words.front());
   Json list = Json::array();
@@ -92,7 +113,7 @@ std::string groupName(const Row& row)
 }
 
 NamedValues groupOf(const std::string& group, const Json& values, const std::vector<Row>& table,
-  const std::string& place)
+  const std::string& path, const std::string& place)
 {
   if (std::none_of(
         table.begin(), table.end(), [&](const Row& row) { return groupName(row) == group; }))
@@ -114,6 +135,13 @@ NamedValues groupOf(const std::string& group, const Json& values, const std::vec
     try
     {
       named.emplace_back(&*row, wordsOf(*row, value));
+      for (std::string& word : named.back().second)
+        // Other words say themselves what they should be.
+        if (isFile(*row, word) && word.find_first_of("./:") != word.npos)
+        {
+          const auto [file, rest] = fileAndRest(word, fs::path(path).parent_path());
+          word = foundName(file, path, name) + rest;
+        }
       row->set(scratch, named.back().second);
     }
     catch (const WrongValue& wrong)
@@ -135,7 +163,8 @@ std::string storedName(const std::string& file, const std::string& path)
   return relative.empty() || *relative.begin() == ".." ? whole.string() : relative.string();
 }
 
-std::string foundName(const std::string& stored, const std::string& path)
+std::string foundName(
+  const std::string& stored, const std::string& path, const std::string& setting)
 {
   std::error_code error;
   const fs::path folder = fs::path(path).parent_path();
@@ -146,8 +175,9 @@ std::string foundName(const std::string& stored, const std::string& path)
     return beside.string();
   if (stored.find(':') != std::string::npos && stored.find('/') == std::string::npos)
     return stored;
-  throw Failure(path + ": the data file " + stored + " is not there any more, and not beside " +
-                fs::path(path).filename().string() + " either; put it there, or correct \"files\"");
+  throw Failure(path + ": the file " + stored + " is not there any more, and not beside " +
+                fs::path(path).filename().string() + " either; put it there, or correct \"" +
+                setting + "\"");
 }
 
 std::string sentenceOf(const std::exception& error)

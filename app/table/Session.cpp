@@ -73,7 +73,7 @@ const std::vector<Row>& sessionTable()
 constexpr const char* keyFramesName = "key-frames";
 
 /// The views of a film, each as what it has otherwise than the session.
-Json jsonOfKeyFrames(const Settings& settings)
+Json jsonOfKeyFrames(const Settings& settings, const std::string& path)
 {
   Json list = Json::array();
   for (const Settings& key : settings.keyFrames)
@@ -81,7 +81,7 @@ Json jsonOfKeyFrames(const Settings& settings)
     Json json = Json::object();
     for (const Row& row : settingsTable())
       if (const auto words = row.get(key); words != row.get(settings))
-        json[groupName(row)][row.name] = jsonOf(row, words);
+        json[groupName(row)][row.name] = jsonOf(row, words, path);
     list.push_back(json);
   }
   return list;
@@ -99,7 +99,7 @@ std::vector<Settings> keyFramesOf(
     if (!json.is_object())
       throw Failure(path + ": " + keyFramesName + ": " + json.dump() + " is no view");
     for (const auto& [name, value] : json.items())
-      for (const auto& [row, words] : groupOf(name, value, settingsTable(), path))
+      for (const auto& [row, words] : groupOf(name, value, settingsTable(), path, path))
         row->set(all.back(), words);
   }
   return all;
@@ -121,9 +121,9 @@ std::string sessionText(const Settings& settings, const std::string& path)
     json["files"].push_back(storedName(file, path));
   for (const Row& row : sessionTable())
     if (row.command.empty() || settings.output.size[0] > 0)
-      json[groupName(row)][row.name] = jsonOf(row, row.get(settings));
+      json[groupName(row)][row.name] = jsonOf(row, row.get(settings), path);
   if (!settings.keyFrames.empty())
-    json[keyFramesName] = jsonOfKeyFrames(settings);
+    json[keyFramesName] = jsonOfKeyFrames(settings, path);
   // File names need not be UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -137,7 +137,7 @@ Settings parseSession(const std::string& text, const std::string& path)
     if (name == "files")
       settings.data.files = filesOf(value, path);
     else if (name != versionName && name != keyFramesName)
-      for (const auto& [row, words] : groupOf(name, value, sessionTable(), path))
+      for (const auto& [row, words] : groupOf(name, value, sessionTable(), path, path))
         row->set(settings, words);
   if (settings.data.files.empty())
     throw Failure(path + " names no data: \"files\" is missing or empty");

@@ -26,6 +26,15 @@ case $3 in
     click color-map
     click 'plasma'
     has_no '--reverse'
+    printf '0 0 1\n1 1 0\n' >own.txt
+    click color-map
+    click 'from a file ...'
+    write color-map own.txt
+    has '--color-map=own.txt'
+    picture own.png
+    differ forth.png own.png
+    refused color-map missing.txt
+    has '--color-map=own.txt'
     # Of what a type, an expression and ids hide, nothing counts.
     click 'type 1' 0.05
     has '--show=type=2'

@@ -326,6 +326,20 @@ case $3 in
     one_sentence
     run 1 "$mote" render moved/again.json "$copper" -o d.png
     said err 'give it alone'
+    # The file of a colour map goes with the session.
+    printf '0 0 1\n1 1 0\n' >own.txt
+    run 0 "$mote" render "$copper" -o a.png --size 320x200 --color-by c_centro --color-map own.txt --save-session map.json
+    grep -q '"color-map": "own.txt"' map.json || fail "where the colour map is: $(grep color-map map.json)"
+    run 0 "$mote" render "$copper" -o b.png --size 320x200 --color-by c_centro --color-map viridis
+    cmp -s a.png b.png && fail "not the file's colours"
+    mkdir far
+    mv own.txt map.json far
+    run 0 "$mote" render far/map.json -o b.png
+    cmp a.png b.png || fail "another picture with the colour map's file"
+    rm far/own.txt
+    run 1 "$mote" render far/map.json -o b.png
+    said err 'own.txt is not there any more'
+    said err '"color-map"'
     # Lines are as thick at another size, as a share of the picture, unless it is said how thick.
     run 0 "$mote" render s.json -o a.png --size 640x400 --save-session twice.json
     run 0 "$mote" render s.json -o b.png --size 640x400 --silhouette-thickness 3
