@@ -103,8 +103,9 @@ void render(const Settings& given)
     picture.aim(file);
     if (stage.numberShown() == 0 && stage.numberOfParticles() > 0)
       Messages::warn("the ranges to show leave no particle in " + file);
-    else if (stage.numberOfCellsShown() == 0 && stage.numberOfCells() > 0 &&
-             stage.numberOfTriangles(true) == 0)
+    else if (stage.numberOfCellsShown() == 0 &&
+             stage.numberOfTriangles(true) + stage.numberOfLines(true) == 0 &&
+             stage.numberOfCells() + stage.numberOfLines(false) > 0)
       Messages::warn("the ranges to show leave no cell in " + file);
     picture.write(captionOf(input, step, stage.contents()), progress);
     report(file, stage, picture, size, readTime);

@@ -449,6 +449,8 @@ void Panel::drawCosts(const PanelFacts& facts)
     line("cells", withThousands(stage_.numberOfCells()));
   if (stage_.numberOfTriangles(false) > 0)
     line("triangles", withThousands(stage_.numberOfTriangles(false)));
+  if (stage_.numberOfLines(false) > 0)
+    line("lines", withThousands(stage_.numberOfLines(false)));
 }
 
 } // namespace mote::app

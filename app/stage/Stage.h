@@ -120,7 +120,8 @@ public:
   vtkIdType numberShown() const;        ///< of the particles, those that are not hidden
   vtkIdType numberOfCells() const;      ///< of volumes, and of surfaces that hide some
   vtkIdType numberOfCellsShown() const; ///< of those of them that are not hidden
-  vtkIdType numberOfTriangles(bool shownOnly) const; ///< of surfaces, as drawn
+  vtkIdType numberOfTriangles(bool shownOnly) const; ///< of surfaces, as drawn; not of lines
+  vtkIdType numberOfLines(bool shownOnly) const;     ///< that are drawn as tubes
   vtkTypeInt64 structureBytes() const;
   double buildTime() const;
 

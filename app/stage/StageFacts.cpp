@@ -55,10 +55,15 @@ vtkIdType Stage::numberShown() const
 namespace
 {
 
+bool isOfTubes(const Part& part)
+{
+  return part.surface() && part.surface()->tubes();
+}
+
 /// Whether cells are told of: those of surfaces where some are hidden, else triangles say enough.
 bool isCounted(const Part& part)
 {
-  return part.kind() == Part::Kind::Volume || part.cells().mask();
+  return part.kind() == Part::Kind::Volume || (part.cells().mask() && !isOfTubes(part));
 }
 
 } // namespace
@@ -86,9 +91,18 @@ vtkIdType Stage::numberOfTriangles(bool shownOnly) const
   {
     // Patches that are not asked for are not missed.
     const bool isLeftOut = shownOnly || (i < data_.size() && data_[i].isBoundary);
-    if (parts_[i]->surface() && !(isLeftOut && parts_[i]->isHidden()))
+    if (parts_[i]->surface() && !isOfTubes(*parts_[i]) && !(isLeftOut && parts_[i]->isHidden()))
       count += parts_[i]->surface()->mapper()->GetNumberOfTriangles();
   }
+  return count;
+}
+
+vtkIdType Stage::numberOfLines(bool shownOnly) const
+{
+  vtkIdType count = 0;
+  for (const auto& part : parts_)
+    if (isOfTubes(*part))
+      count += shownOnly ? part->numberOfCellsShown() : part->data()->GetNumberOfCells();
   return count;
 }
 
@@ -134,6 +148,7 @@ std::string Stage::contents() const
   };
   tell(this->numberOfCells(), this->numberOfCellsShown(), "cell");
   tell(this->numberOfTriangles(false), this->numberOfTriangles(true), "triangle");
+  tell(this->numberOfLines(false), this->numberOfLines(true), "line");
   if (flow_.numberOfLines() > 0)
     text += ", " + counted(flow_.numberOfLines(), "streamline");
   vtkIdType leftOut = 0;

@@ -176,6 +176,7 @@ GLTF
     run 0 "$mote" info a.vtk
     said out '8 points, 2 lines'
     draw tubes.png a.vtk --color-by speed
+    said out '2 lines;'
     draw thick.png a.vtk --color-by speed --radius 0.1
     draw again.png a.vtk --color-by speed --radius 0.05 --radius-scale 2
     cmp -s thick.png again.png || fail "a radius and its factor differ"
@@ -188,7 +189,7 @@ GLTF
     said err "has no array 'nothing'"
     # Lines are hidden by their numbers and values.
     draw one.png a.vtk --radius 0.1 --hide-ids 1 --color-by line
-    said out '1 of 2 cells shown'
+    said out '1 of 2 lines shown'
     draw where.png a.vtk --radius 0.1 --where 'line < 2' --color-by line
     cmp -s one.png where.png || fail "a number and an expression leave other lines"
     ;;
