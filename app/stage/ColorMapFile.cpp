@@ -2,6 +2,7 @@
 
 #include "base/Failure.h"
 #include "base/Text.h"
+#include "kernels/core/JsonDepth.h"
 #include "settings/Colors.h"
 
 #include <nlohmann/json.hpp>
@@ -167,6 +168,8 @@ ColorMapFile mapOf(const Json& map, const std::string& what)
 
 ColorMapFile parsedMaps(const std::string& text, const Named& named)
 {
+  if (isDeepJson(text))
+    throw Failure(named.file + ": this is no colour map: its lists lie in one another too deeply");
   Json json;
   try
   {

@@ -5,6 +5,7 @@
 #include "base/Failure.h"
 #include "base/Messages.h"
 #include "base/OutputFile.h"
+#include "kernels/core/JsonDepth.h"
 
 #include <nlohmann/json.hpp>
 
@@ -153,7 +154,7 @@ WindowState windowOf(const Json& json)
 /// The text as JSON; none where it is cut off.
 Json parsedLine(const std::string& line)
 {
-  return Json::parse(line, nullptr, false);
+  return isDeepJson(line) ? Json(Json::value_t::discarded) : Json::parse(line, nullptr, false);
 }
 
 /// The first line. Its data files are only looked for where none are given.
@@ -333,6 +334,8 @@ RecordedEvent eventOf(const std::string& line, const std::string& path, const st
   RecordedEvent event;
   try
   {
+    if (isDeepJson(line))
+      throw Failure(place + ": its lists lie in one another too deeply");
     const Json json = Json::parse(line);
     event.time = json.at("time").get<double>();
     const std::string what = json.at("what").get<std::string>();

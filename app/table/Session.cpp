@@ -4,6 +4,7 @@
 #include "base/Failure.h"
 #include "base/OutputFile.h"
 #include "base/Text.h"
+#include "kernels/core/JsonDepth.h"
 
 #include <nlohmann/json.hpp>
 
@@ -38,6 +39,8 @@ std::vector<std::string> filesOf(const Json& value, const std::string& path)
 
 Json parsed(const std::string& text, const std::string& path)
 {
+  if (isDeepJson(text))
+    throw Failure(path + " is no session: its lists lie in one another too deeply");
   try
   {
     return Json::parse(text);

@@ -2,6 +2,7 @@
 
 #include "FileError.h"
 #include "TextFile.h"
+#include "XMLCheck.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkXMLDataElement.h"
@@ -67,6 +68,7 @@ std::string attributeOf(vtkXMLDataElement* element, const char* name)
 /// The entries of <VTKFile type="Collection"><Collection><DataSet .../>.
 std::vector<Entry> entriesOfXML(const std::string& path)
 {
+  checkXMLDepth(path);
   const auto root =
     vtkSmartPointer<vtkXMLDataElement>::Take(vtkXMLUtilities::ReadElementFromFile(path.c_str()));
   vtkXMLDataElement* collection = root ? root->FindNestedElementWithName("Collection") : nullptr;

@@ -2,6 +2,8 @@
 
 #include "FileError.h"
 
+#include "kernels/core/JsonDepth.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -60,6 +62,9 @@ Model modelOf(const std::string& path)
     if (next < bytes.size() && next + 8 + model.binary > bytes.size())
       throw FileError(FileError::Kind::Truncated, path, "the file ends too early");
   }
+  if (isDeepJson(text))
+    throw FileError(
+      FileError::Kind::Malformed, path, "lists of JSON lie in one another too deeply");
   model.json = Json::parse(text, nullptr, false);
   if (!model.json.is_object() || !model.json.contains("asset"))
     throw FileError(FileError::Kind::OtherFormat, path, "is no glTF file");
@@ -118,10 +123,11 @@ void checkAccessor(const std::string& path, const Json& accessor, const Json& vi
       FileError::Kind::Malformed, path, "its accessors ask for more than its buffers hold");
 }
 
-Json listOf(const Json& model, const char* name)
+const Json& listOf(const Json& model, const char* name)
 {
+  static const Json none = Json::array();
   const auto found = model.find(name);
-  return found != model.end() && found->is_array() ? *found : Json::array();
+  return found != model.end() && found->is_array() ? *found : none;
 }
 
 /// Everything that one part of a model calls by its number in a list has to be in it.
@@ -191,10 +197,11 @@ private:
       this->number(number, list);
   }
 
-  /// Also that no node is below itself, nor below two others: which is walked through without end.
+  /// Also that no node is below itself, nor below two others, which is walked through without end;
+  /// nor far below others, which is walked through by functions that call themselves.
   void checkNodes() const
   {
-    const Json nodes = listOf(model_, "nodes");
+    const Json& nodes = listOf(model_, "nodes");
     std::vector<std::size_t> above(nodes.size(), nodes.size());
     for (std::size_t node = 0; node < nodes.size(); ++node)
     {
@@ -213,8 +220,9 @@ private:
     {
       std::size_t steps = 0;
       for (std::size_t up = node; up != nodes.size(); up = above[up])
-        if (++steps > nodes.size())
-          this->fail("a node below itself, or nodes");
+        if (++steps > std::min(nodes.size(), mostDepth))
+          this->fail(steps > mostDepth ? "more nodes below one another than are read, or nodes"
+                                       : "a node below itself, or nodes");
     }
   }
 
@@ -239,7 +247,7 @@ private:
   {
     if (!object.contains(name))
       this->fail(std::string("values for ") + name);
-    const Json accessor = listOf(model_, "accessors")[object[name].get<std::size_t>()];
+    const Json& accessor = listOf(model_, "accessors")[object[name].get<std::size_t>()];
     const Size componentType = numberOf(accessor, "componentType");
     if (!accessor.contains("bufferView") || accessor.value("type", "") != type ||
         std::find(componentTypes.begin(), componentTypes.end(), componentType) ==
@@ -275,6 +283,8 @@ private:
     }
   }
 
+  static constexpr std::size_t mostDepth = 1000;
+
   const std::string& path_;
   const Json& model_;
 };
@@ -290,7 +300,7 @@ void checkGLTF(const std::string& path)
       if (const auto name = extension.get<std::string>(); name.find("mesh") != std::string::npos)
         throw FileError(
           FileError::Kind::OtherFormat, path, "needs " + name + ", which cannot be read");
-    const Json buffers = listOf(model.json, "buffers"), views = listOf(model.json, "bufferViews");
+    const Json &buffers = listOf(model.json, "buffers"), &views = listOf(model.json, "bufferViews");
     for (const Json& buffer : buffers)
       if (bytesOf(path, buffer, model.binary) < numberOf(buffer, "byteLength"))
         throw FileError(FileError::Kind::Truncated, path, "its buffers are shorter than they say");

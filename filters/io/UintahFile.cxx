@@ -3,6 +3,7 @@
 #include "FileError.h"
 #include "NumberAt.h"
 #include "TextFile.h"
+#include "XMLCheck.h"
 
 #include "kernels/core/MappedFile.h"
 
@@ -187,7 +188,7 @@ private:
 
   static vtkSmartPointer<Element> parsed(const std::string& file)
   {
-    const TextFile text(file); // says what is wrong with a name
+    checkXMLDepth(file);
     auto root = vtkSmartPointer<Element>::Take(vtkXMLUtilities::ReadElementFromFile(file.c_str()));
     if (!root)
       fail(

@@ -80,6 +80,82 @@ bool isKnownType(std::string_view type)
   return std::find(known.begin(), known.end(), type) != known.end();
 }
 
+/// The elements of a text in XML, one after the other: their beginnings, ends, and those that are
+/// both. Comments and the like are passed over. Throws FileError where they lie in one another more
+/// deeply than any file of users', as readers free them by functions that call themselves until the
+/// stack is full, and for declarations, which could make more elements of a few.
+class Elements
+{
+public:
+  Elements(std::string_view text, const std::string& path)
+    : text_(text)
+    , path_(path)
+  {
+  }
+
+  /// Goes on to the next. Returns whether there is one.
+  bool next()
+  {
+    for (begin_ = text_.find('<', end_); begin_ != text_.npos; begin_ = text_.find('<', end_))
+    {
+      const std::string_view rest = text_.substr(begin_);
+      if (rest.starts_with("<!--"))
+        this->passOver("-->");
+      else if (rest.starts_with("<![CDATA["))
+        this->passOver("]]>");
+      else if (rest.starts_with("<?"))
+        this->passOver("?>");
+      else if (rest.starts_with("<!"))
+        throw FileError(FileError::Kind::Malformed, path_, "declarations of XML are not read");
+      else
+        return this->take(rest), true;
+    }
+    return false;
+  }
+  /// With "<" and without ">".
+  std::string_view element() const { return text_.substr(begin_, end_ - 1 - begin_); }
+  /// Behind it.
+  std::size_t end() const { return end_; }
+
+private:
+  static constexpr int mostDepth = 100;
+
+  [[noreturn]] void failAsCut() const
+  {
+    throw FileError(FileError::Kind::Truncated, path_,
+      "the file ends within '" + std::string(text_.substr(begin_, 24)) + "'");
+  }
+  void passOver(std::string_view last)
+  {
+    const std::size_t at = text_.find(last, begin_);
+    if (at == text_.npos)
+      this->failAsCut();
+    end_ = at + last.size();
+  }
+  void take(std::string_view rest)
+  {
+    std::size_t at = rest.find_first_of(">\"'");
+    while (at != rest.npos && rest[at] != '>')
+    {
+      at = rest.find(rest[at], at + 1); // the other quotation mark
+      at = at == rest.npos ? at : rest.find_first_of(">\"'", at + 1);
+    }
+    if (at == rest.npos)
+      this->failAsCut();
+    end_ = begin_ + at + 1;
+    if (rest.starts_with("</"))
+      --depth_;
+    else if (rest[at - 1] != '/' && ++depth_ > mostDepth)
+      throw FileError(
+        FileError::Kind::Malformed, path_, "elements of XML lie in one another too deeply");
+  }
+
+  std::string_view text_;
+  std::string path_;
+  std::size_t begin_ = 0, end_ = 0;
+  int depth_ = 0;
+};
+
 /// The type and the number of components of arrays, by what has them and their names.
 using Arrays = std::map<std::string, std::string>;
 
@@ -98,13 +174,10 @@ public:
     const TextFile file(path_);
     const std::string_view text = file.text();
     most_ = std::max(1e6, mostPerByte * static_cast<double>(text.size()));
-    for (std::size_t at = text.find('<'); at != text.npos; at = text.find('<', at + 1))
+    for (Elements elements(text, path_); elements.next();)
     {
-      const std::size_t end = text.find('>', at);
-      if (end == text.npos)
-        throw FileError(FileError::Kind::Truncated, path_,
-          "the file ends within '" + std::string(text.substr(at, 24)) + "'");
-      const std::string_view element = text.substr(at, std::min<std::size_t>(end - at, 4096));
+      const std::string_view element = elements.element().substr(0, 4096);
+      const std::size_t end = elements.end();
       if (element.starts_with("<AppendedData"))
       {
         const bool isBase64 = attributeOf(element, "encoding") == "base64";
@@ -122,8 +195,8 @@ public:
       }
       this->numbers(element);
       this->array(element);
-      if (attributeOf(element, "format") == "binary" && end != text.npos)
-        this->packed(text.substr(end + 1), true);
+      if (attributeOf(element, "format") == "binary")
+        this->packed(text.substr(end), true);
       for (const char* name : {"file", "Source"})
         if (const auto other = attributeOf(element, name); other && depth < 2)
           this->follow(std::string(*other), depth);
@@ -221,6 +294,14 @@ private:
 };
 
 } // namespace
+
+void checkXMLDepth(const std::string& path)
+{
+  const TextFile file(path);
+  Elements elements(file.text(), path);
+  while (elements.next())
+    continue;
+}
 
 void checkVTKXML(const std::string& path)
 {

@@ -11,6 +11,11 @@ namespace mote
 /// indices or components by the million. VTK 9.1's readers take memory for them, or never end.
 void checkVTKXML(const std::string& path);
 
+/// Throws FileError where elements of XML lie in one another more than a hundred deep, which
+/// nothing but damage has: libraries free them by functions that call themselves until the stack is
+/// full. checkVTKXML() does that, too.
+void checkXMLDepth(const std::string& path);
+
 } // namespace mote
 
 #endif

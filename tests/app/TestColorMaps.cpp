@@ -183,6 +183,7 @@ TEST_F(ColorMaps, WrongFiles)
   expectError("0 0 0\nnan 1 1\n", "nan is no share of a colour");
   expectError("0 0 0\n#ffffff\n", "some colours are numbers");
   expectError("[{\"RGBPoints\": [0, 0", "is no JSON, or is truncated");
+  expectError(std::string(2'000'000, '[') + std::string(2'000'000, ']'), "too deeply");
   expectError("[]", "there is no colour map in this file");
   expectError("[1, 2]", "there is no colour map in this file");
   expectError("{\"mote-session\": 1}", "neither RGBPoints nor IndexedColors");

@@ -30,6 +30,7 @@ std::vector<std::string> sampleOf(const Row& row)
   static const std::map<std::string, std::vector<std::string>> samples = {
     {"step", {"3"}},
     {"color-by", {"v:magnitude"}},
+    {"color-map", {"plasma"}},
     {"range", {"-1.5", "2e-05"}},
     {"percentiles", {"1", "99.5"}},
     {"where", {"c_pe > -3 && type == 2"}},

@@ -324,6 +324,9 @@ case $3 in
     run 1 "$mote" render bad.json -o d.png
     said err bad.json
     one_sentence
+    python3 -c 'n = 1000000; print("{\"mote-session\": 1, \"files\": " + n * "[" + n * "]" + "}")' >bad.json
+    run 1 "$mote" render bad.json -o d.png
+    said err 'lie in one another too deeply'
     run 1 "$mote" render moved/again.json "$copper" -o d.png
     said err 'give it alone'
     # The file of a colour map goes with the session.

@@ -64,6 +64,74 @@ std::string binaryTriangle(std::size_t saysMore = 0)
          "JSON" + text + word(bytes.size() + saysMore) + std::string("BIN\0", 4) + bytes;
 }
 
+std::string repeated(const std::string& text, std::size_t times)
+{
+  std::string all;
+  for (std::size_t i = 0; i < times; ++i)
+    all += text;
+  return all;
+}
+
+/// An XML file of a point, with more in one of its elements.
+std::string pointWith(const std::string& more)
+{
+  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\"><PolyData><Piece "
+         "NumberOfPoints=\"1\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
+         "NumberOfPolys=\"0\"><Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" "
+         "format=\"ascii\">1 2 3</DataArray></Points>" +
+         more + "</Piece></PolyData></VTKFile>";
+}
+
+TEST_F(TestFormatRefusals, ElementsThatLieInOneAnotherTooDeeply)
+{
+  const std::string wrong = "lie in one another too deeply";
+  const auto nested = [](const std::string& begin, std::size_t depth)
+  { return repeated(begin, depth) + repeated("</a>", depth); };
+  EXPECT_EQ(errorOf(write("a.vtp", pointWith(nested("<a>", 50)))), "");
+  constexpr std::size_t depth = 500000;
+  expectError(write("b.vtp", pointWith(nested("<a>", depth))), wrong);
+  // What looks like an end is none.
+  expectError(write("c.vtp", pointWith(nested("<a><!-- </a> -->", depth))), wrong);
+  expectError(write("d.vtp", pointWith(nested("<a><![CDATA[</a>]]>", depth))), wrong);
+  expectError(write("e.vtp", pointWith(nested("<a b='/>'>", depth))), wrong);
+  expectError(write("f.vtp", pointWith(nested("<a b=\"></a>\">", depth))), wrong);
+  expectError(write("g.vtp", "<!DOCTYPE a [<!ENTITY b '<c></c>'>]>" + pointWith("&b;")),
+    "declarations of XML are not read");
+  for (const char* type : {"UnstructuredGrid", "ImageData", "RectilinearGrid", "StructuredGrid"})
+    expectError(
+      write(std::string("h.vt") + char(std::tolower(type[0])),
+        "<VTKFile type=\"" + std::string(type) + "\">" + nested("<a>", depth) + "</VTKFile>"),
+      wrong);
+  expectError(write("i.vtm", "<VTKFile type=\"vtkMultiBlockDataSet\"><vtkMultiBlockDataSet>" +
+                               nested("<a>", depth) + "</vtkMultiBlockDataSet></VTKFile>"),
+    wrong);
+  expectError(write("j.pvd", "<VTKFile type=\"Collection\"><Collection>" + nested("<a>", depth) +
+                               "</Collection></VTKFile>"),
+    wrong);
+  std::filesystem::create_directory(path("k.uda"));
+  write("k.uda/index.xml", "<Uintah_DataArchive>" + nested("<a>", depth) + "</Uintah_DataArchive>");
+  expectError(path("k.uda"), wrong);
+}
+
+TEST_F(TestFormatRefusals, NodesOfGLTFThatLieBelowOneAnother)
+{
+  const auto chain = [](std::size_t length)
+  {
+    Json model = triangle();
+    model["nodes"] = Json::array();
+    for (std::size_t i = 1; i < length; ++i)
+      model["nodes"].push_back({{"children", {i}}});
+    model["nodes"].push_back({{"mesh", 0}});
+    return model.dump();
+  };
+  EXPECT_EQ(cellsOf(write("a.gltf", chain(900))), 1);
+  expectError(write("b.gltf", chain(100000)), "more nodes below one another");
+  std::string deep = triangle().dump();
+  deep.insert(
+    1, "\"materials\": [" + repeated("{\"a\": ", 500000) + "1" + repeated("}", 500000) + "], ");
+  expectError(write("c.gltf", deep), "lie in one another too deeply");
+}
+
 TEST_F(TestFormatRefusals, BinaryGLTF)
 {
   EXPECT_EQ(cellsOf(write("a.glb", binaryTriangle())), 1);
