@@ -134,12 +134,57 @@ public:
       this->fail("what stands behind boundaryField is not in braces");
   }
 
+  /// Braces and brackets that lie in one another more deeply than in any case, which the reader
+  /// goes through by functions that call themselves until the stack is full.
+  void requireShallow(bool headOnly = false) const
+  {
+    constexpr int most = 100;
+    int depth = 0;
+    for (std::size_t at = 0; at < text_.size(); ++at)
+    {
+      const char c = text_[at];
+      if (headOnly && c == '(')
+        return; // numbers follow
+      if (!isBinary_ && (c == '"' || c == '/'))
+        at = this->behindText(at);
+      else if (c == '{' || c == '(' || c == '[')
+        ++depth;
+      else if (c == '}' || c == ')' || c == ']')
+        depth = std::max(depth - 1, 0);
+      else if (isBinary_ && isOfBytes(c))
+        depth = 0; // of values
+      if (depth > most)
+        this->fail("its lists and entries lie in one another too deeply");
+    }
+  }
+
   [[noreturn]] void fail(const std::string& sentence) const
   {
     throw FileError(FileError::Kind::Malformed, file_.path(), sentence);
   }
 
 private:
+  static bool isOfBytes(char c)
+  {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte >= 127 || (byte < ' ' && std::isspace(byte) == 0);
+  }
+
+  /// The last byte of a quoted text or a comment that begins here, or this byte.
+  std::size_t behindText(std::size_t at) const
+  {
+    const std::string_view two = text_.substr(at, 2);
+    std::size_t end = at;
+    if (two == "//")
+      end = text_.find('\n', at);
+    else if (two == "/*")
+      end = text_.find("*/", at + 2);
+    else if (two.front() == '"')
+      for (end = at + 1; end < text_.size() && text_[end] != '"'; ++end)
+        end += text_[end] == '\\' ? 1 : 0;
+    return std::min(two == "/*" && end != text_.npos ? end + 1 : end, text_.size() - 1);
+  }
+
   static bool isOfWord(char c)
   {
     return !std::isspace(static_cast<unsigned char>(c)) &&
@@ -300,7 +345,17 @@ void checkFoamMesh(const std::string& folder)
 {
   const std::filesystem::path mesh(folder);
   if (isThere(mesh / "boundary")) // which the reader looks at before it misses the others
-    ListFile((mesh / "boundary").string()).patches();
+  {
+    ListFile boundary((mesh / "boundary").string());
+    boundary.requireShallow();
+    boundary.patches();
+  }
+  for (const char* name : {"points", "faces", "owner", "neighbour"})
+    if (isThere(mesh / name))
+      ListFile((mesh / name).string()).requireShallow(true);
+  for (const char* name : {"cellZones", "faceZones", "pointZones"})
+    if (isThere(mesh / name))
+      ListFile((mesh / name).string()).requireShallow();
   if (!isThere(mesh / "points") || !isThere(mesh / "faces") || !isThere(mesh / "owner"))
     return;
   const std::int64_t points = ListFile((mesh / "points").string()).places();
@@ -329,9 +384,12 @@ void checkFoamMesh(const std::string& folder)
 void checkFoamField(const std::string& path)
 {
   const std::string beginning = isThere(path) ? readBeginning(path, 2048) : "";
-  if (beginning.find("FoamFile") == beginning.npos || beginning.find("Field") == beginning.npos)
+  if (beginning.find("FoamFile") == beginning.npos)
     return;
   ListFile field(path);
+  field.requireShallow();
+  if (field.kind().find("Field") == std::string::npos)
+    return;
   field.valueLists();
   field.boundaryField();
 }

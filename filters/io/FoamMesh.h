@@ -12,7 +12,7 @@ namespace mote
 void checkFoamMesh(const std::string& folder);
 
 /// Throws FileError where a file of OpenFOAM is a field whose part on the boundary is damaged in a
-/// way that VTK 9.1's reader would crash by.
+/// way that VTK 9.1's reader would crash by, or where its entries lie in one another very deeply.
 void checkFoamField(const std::string& path);
 
 } // namespace mote

@@ -1,5 +1,6 @@
 // What is wrong with a damaged glTF or legacy file is said in the words of the format, and forms of
 // them that are seldom seen pass.
+#include "MeshSamples.h"
 #include "TableTest.h"
 
 #include "vtkCompositeDataSet.h"
@@ -8,6 +9,10 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 
 namespace
 {
@@ -111,6 +116,38 @@ TEST_F(TestFormatRefusals, ElementsThatLieInOneAnotherTooDeeply)
   std::filesystem::create_directory(path("k.uda"));
   write("k.uda/index.xml", "<Uintah_DataArchive>" + nested("<a>", depth) + "</Uintah_DataArchive>");
   expectError(path("k.uda"), wrong);
+}
+
+TEST_F(TestFormatRefusals, EntriesOfOpenFOAMThatLieInOneAnotherTooDeeply)
+{
+  constexpr std::size_t depth = 500000;
+  const auto nested = [&](const std::string& begin, const std::string& end)
+  { return " x " + repeated(begin, depth) + repeated(end, depth) + "; "; };
+  const auto refused = [&](const std::string& file, const std::string& before,
+                         const std::string& more, bool isBinary = false)
+  {
+    SCOPED_TRACE(file + " at " + before + more.substr(0, 12));
+    const std::string folder = path("deep");
+    std::filesystem::remove_all(folder);
+    const std::string foam = samples::writeFoam(folder, {isBinary});
+    std::ifstream stream(folder + "/" + file, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const std::size_t at = text.find(before);
+    ASSERT_NE(at, text.npos);
+    text.insert(at + before.size(), more);
+    write("deep/" + file, text);
+    expectError(foam, "lie in one another too deeply");
+  };
+  refused("0/p", "boundaryField\n{", nested("{ x ", "}"));
+  refused("0/p", "boundaryField\n{", nested("{ x ", "}"), true);
+  refused("0/p", "boundaryField\n{", nested("(", ")"));
+  refused("0/p", "boundaryField\n{", nested("{ // }\n", "}"));
+  refused("0/p", "boundaryField\n{", nested("{ /* } */ x ", "}"));
+  refused("0/p", "boundaryField\n{", nested("{ x \"}\\\"}\"; y ", "}"));
+  refused("0/p", "FoamFile\n{", nested("{ x ", "}"));
+  refused("constant/polyMesh/boundary", "FoamFile\n{", nested("{ x ", "}"));
+  refused("constant/polyMesh/boundary", "inlet\n{", nested("{ x ", "}"));
+  refused("constant/polyMesh/points", "FoamFile\n{", nested("{ x ", "}"));
 }
 
 TEST_F(TestFormatRefusals, NodesOfGLTFThatLieBelowOneAnother)
