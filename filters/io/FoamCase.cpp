@@ -127,22 +127,54 @@ FoamCase foamCaseOf(const std::string& fileName)
   return found;
 }
 
-std::vector<std::string> foamFieldsOf(const FoamCase& which, double time)
+namespace
 {
-  std::vector<std::string> fields;
+
+/// The folders of the time that is nearest to this one, or else of the first: one a case.
+std::vector<fs::path> foldersOfTime(const FoamCase& which, std::optional<double> time)
+{
+  std::vector<fs::path> found;
   for (const fs::path& one : casesIn(which))
   {
     fs::path nearest;
     double least = 0.0;
     for (const fs::path& folder : foldersIn(one))
       if (const auto own = timeOf(folder))
-        if (const double away = std::abs(*own - time); nearest.empty() || away < least)
+        if (const double away = time ? std::abs(*own - *time) : *own;
+            nearest.empty() || away < least)
         {
           nearest = folder;
           least = away;
         }
-    if (nearest.empty())
-      continue;
+    if (!nearest.empty())
+      found.push_back(nearest);
+  }
+  return found;
+}
+
+} // namespace
+
+std::vector<std::string> foamFilesOf(const FoamCase& which, std::optional<double> time)
+{
+  std::vector<std::string> files;
+  for (const fs::path& folder : foldersOfTime(which, time))
+  {
+    // A simulation that runs may take folders away meanwhile: that ends the look at this one.
+    std::error_code error, none;
+    fs::recursive_directory_iterator entry(
+      folder, fs::directory_options::skip_permission_denied, error);
+    for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error))
+      if (entry->is_regular_file(none))
+        files.push_back(entry->path().string());
+  }
+  return files;
+}
+
+std::vector<std::string> foamFieldsOf(const FoamCase& which, double time)
+{
+  std::vector<std::string> fields;
+  for (const fs::path& nearest : foldersOfTime(which, time))
+  {
     std::vector<fs::path> folders = foldersIn(nearest); // of regions
     folders.push_back(nearest);
     std::error_code error;

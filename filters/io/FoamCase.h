@@ -1,6 +1,7 @@
 #ifndef MoteFoamCase_h
 #define MoteFoamCase_h
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ FoamCase foamCaseOf(const std::string& fileName);
 
 /// The files of the fields of the time that is nearest to this one.
 std::vector<std::string> foamFieldsOf(const FoamCase& which, double time);
+/// All files of the time that is nearest to this one, or else of the first, those of clouds of
+/// particles with them.
+std::vector<std::string> foamFilesOf(const FoamCase& which, std::optional<double> time);
 
 } // namespace mote
 

@@ -381,15 +381,18 @@ void checkFoamMesh(const std::string& folder)
   }
 }
 
+void checkFoamDepth(const std::string& path)
+{
+  if (isThere(path) && readBeginning(path, 2048).find("FoamFile") != std::string::npos)
+    ListFile(path).requireShallow();
+}
+
 void checkFoamField(const std::string& path)
 {
   const std::string beginning = isThere(path) ? readBeginning(path, 2048) : "";
-  if (beginning.find("FoamFile") == beginning.npos)
+  if (beginning.find("FoamFile") == beginning.npos || beginning.find("Field") == beginning.npos)
     return;
   ListFile field(path);
-  field.requireShallow();
-  if (field.kind().find("Field") == std::string::npos)
-    return;
   field.valueLists();
   field.boundaryField();
 }

@@ -12,8 +12,12 @@ namespace mote
 void checkFoamMesh(const std::string& folder);
 
 /// Throws FileError where a file of OpenFOAM is a field whose part on the boundary is damaged in a
-/// way that VTK 9.1's reader would crash by, or where its entries lie in one another very deeply.
+/// way that VTK 9.1's reader would crash by.
 void checkFoamField(const std::string& path);
+
+/// Throws FileError where entries of a file of OpenFOAM lie in one another more than a hundred
+/// deep.
+void checkFoamDepth(const std::string& path);
 
 } // namespace mote
 

@@ -63,6 +63,8 @@ protected:
     try
     {
       const double time = information->Has(key) ? information->Get(key) : 0.0;
+      for (const std::string& file : mote::foamFilesOf(this->Case, time))
+        mote::checkFoamDepth(file);
       for (const std::string& field : mote::foamFieldsOf(this->Case, time))
       {
         mote::checkFoamField(field);
@@ -93,6 +95,8 @@ vtkSmartPointer<vtkAlgorithm> makeFoamReader(const std::string& fileName)
 {
   auto reader = vtkSmartPointer<vtkMoteFoamReader>::New();
   reader->Case = foamCaseOf(fileName);
+  for (const std::string& file : foamFilesOf(reader->Case, {})) // which fields there are
+    checkFoamDepth(file);
   reader->SetController(vtkNew<vtkDummyController>()); // it does not look whether there is one
   reader->SetFileName(fileName.c_str());
   reader->SetCaseType(reader->Case.isDecomposed ? vtkPOpenFOAMReader::DECOMPOSED_CASE

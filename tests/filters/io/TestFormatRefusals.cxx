@@ -146,7 +146,7 @@ TEST_F(TestFormatRefusals, EntriesOfOpenFOAMThatLieInOneAnotherTooDeeply)
   refused("0/p", "boundaryField\n{", nested("{ x \"}\\\"}\"; y ", "}"));
   refused("0/p", "FoamFile\n{", nested("{ x ", "}"));
   refused("constant/polyMesh/boundary", "FoamFile\n{", nested("{ x ", "}"));
-  refused("constant/polyMesh/boundary", "inlet\n{", nested("{ x ", "}"));
+  refused("constant/polyMesh/boundary", "inlet\n    {", nested("{ x ", "}"));
   refused("constant/polyMesh/points", "FoamFile\n{", nested("{ x ", "}"));
 }
 
